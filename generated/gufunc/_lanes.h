@@ -1,70 +1,19 @@
 /* Made by `coscrew generate`; changes are overwritten. */
 /* SPDX-License-Identifier: MIT */
 /* coscrew 0.2.0.  Copyright (c) 2026 The coscrew authors. */
-/* Several elements at a time, a component of each in a vector.
-
-   Kernels on vectors evaluate what is not chosen, too, which may raise floating-point flags, of which
-   NumPy would warn.  Where they raise any, the elements are computed again one by one: these flags are
-   the true ones. */
+/* Several elements at a time, a component of each in a vector. */
 #ifndef COSCREW_LANES_H
 #define COSCREW_LANES_H
-
-#include <fenv.h>
 
 #include "_gufunc.h"
 #include "../c/include/ksl/ksl_states.h"
 
 #if KSL_LANE_BYTES
-/* Of fewer elements, calls take no longer one by one, or hardly. */
-enum { SEVERAL = 8 };
-
-/* Not inlined: calls with fewer elements need no room for vectors. */
-#define APART __attribute__((noinline))
-
-enum { FLAGS = FE_INVALID | FE_DIVBYZERO | FE_OVERFLOW | FE_UNDERFLOW };
-
-INLINED int flags(void) {
-#if defined(__x86_64__)
-  return (int)_mm_getcsr() & FLAGS; /* without the flags of long double, which take as long again */
-#else
-  return fetestexcept(FLAGS);
-#endif
-}
-
-/* The flags that are raised in addition to these; lowers them. */
-INLINED int lowered(int raised) {
-  const int added = flags() & ~raised;
-  if (added) {
-    feclearexcept(added);
-  }
-  return added;
-}
-
-/* The inner loop of a gufunc whose kernel is on vectors, too. */
-#define LOOP_ON_VECTORS(name, arguments, dense, ...) \
-  static void name(char **data, const npy_intp *n, const npy_intp *step, void *unused) { \
-    (void)unused; \
-    if (n[0] >= SEVERAL) { \
-      name##_many(data, n[0], step, step + (arguments)); \
-      return; \
-    } \
-    dense(name, arguments, __VA_ARGS__) \
-    name##_over(data, n[0], step, step + (arguments)); \
-  }
-
-/* Keeps compilers from computing this array later. */
-#define COMPUTED(array) __asm__ volatile("" : : "r"(array) : "memory")
-
-/* So many of the next n elements are computed on vectors.  One or two that are left take no longer
-   one by one. */
-INLINED npy_intp for_vectors(npy_intp n, npy_intp lanes, npy_intp most) {
-  const npy_intp left = n % lanes;
-  return n > most ? most : left > 2 ? n : n - left;
-}
+#include "runtime/vectors.h"
 
 /* The next elements, at most as many as a vector holds; the last of them repeated. */
-INLINED void load_lanes_scalar_double(ksl_states *x, const char *first, npy_intp step,
-    const npy_intp *s, npy_intp left) {
+INLINED void load_lanes_scalar_double(
+    ksl_states *x, const char *first, npy_intp step, const npy_intp *s, npy_intp left) {
   (void)s;
   if (step == (npy_intp)sizeof(double) && left == KSL_LANES) {
     const char *const p = first;
@@ -79,8 +28,8 @@ INLINED void load_lanes_scalar_double(ksl_states *x, const char *first, npy_intp
   memcpy(x, lanes, sizeof lanes);
 }
 
-INLINED void store_lanes_scalar_double(const ksl_states *x, char *first, npy_intp step,
-    const npy_intp *s, npy_intp left) {
+INLINED void store_lanes_scalar_double(
+    const ksl_states *x, char *first, npy_intp step, const npy_intp *s, npy_intp left) {
   (void)s;
   if (step == (npy_intp)sizeof(double) && left == KSL_LANES) {
     memcpy(first, x, sizeof *x);
@@ -93,8 +42,8 @@ INLINED void store_lanes_scalar_double(const ksl_states *x, char *first, npy_int
 }
 
 /* The next elements, at most as many as a vector holds; the last of them repeated. */
-INLINED void load_lanes_scalar_single(ksl_statesf *x, const char *first, npy_intp step,
-    const npy_intp *s, npy_intp left) {
+INLINED void load_lanes_scalar_single(
+    ksl_statesf *x, const char *first, npy_intp step, const npy_intp *s, npy_intp left) {
   (void)s;
   if (step == (npy_intp)sizeof(float) && left == KSL_LANESF) {
     const char *const p = first;
@@ -109,8 +58,8 @@ INLINED void load_lanes_scalar_single(ksl_statesf *x, const char *first, npy_int
   memcpy(x, lanes, sizeof lanes);
 }
 
-INLINED void store_lanes_scalar_single(const ksl_statesf *x, char *first, npy_intp step,
-    const npy_intp *s, npy_intp left) {
+INLINED void store_lanes_scalar_single(
+    const ksl_statesf *x, char *first, npy_intp step, const npy_intp *s, npy_intp left) {
   (void)s;
   if (step == (npy_intp)sizeof(float) && left == KSL_LANESF) {
     memcpy(first, x, sizeof *x);
@@ -123,8 +72,8 @@ INLINED void store_lanes_scalar_single(const ksl_statesf *x, char *first, npy_in
 }
 
 /* The next elements, at most as many as a vector holds; the last of them repeated. */
-INLINED void load_lanes_dc_double(ksl_states *x, const char *first, npy_intp step,
-    const npy_intp *s, npy_intp left) {
+INLINED void load_lanes_dc_double(
+    ksl_states *x, const char *first, npy_intp step, const npy_intp *s, npy_intp left) {
   (void)s;
   if (step == (npy_intp)sizeof(double) && left == KSL_LANES) {
     const char *const p = first;
@@ -141,8 +90,8 @@ INLINED void load_lanes_dc_double(ksl_states *x, const char *first, npy_intp ste
   memcpy(x, lanes, sizeof lanes);
 }
 
-INLINED void store_lanes_dc_double(const ksl_states *x, char *first, npy_intp step,
-    const npy_intp *s, npy_intp left) {
+INLINED void store_lanes_dc_double(
+    const ksl_states *x, char *first, npy_intp step, const npy_intp *s, npy_intp left) {
   (void)s;
   for (npy_intp i = 0; i < left; i++) {
     char *const p = first + i * step;
@@ -152,8 +101,8 @@ INLINED void store_lanes_dc_double(const ksl_states *x, char *first, npy_intp st
 }
 
 /* The next elements, at most as many as a vector holds; the last of them repeated. */
-INLINED void load_lanes_dc_single(ksl_statesf *x, const char *first, npy_intp step,
-    const npy_intp *s, npy_intp left) {
+INLINED void load_lanes_dc_single(
+    ksl_statesf *x, const char *first, npy_intp step, const npy_intp *s, npy_intp left) {
   (void)s;
   if (step == (npy_intp)sizeof(float) && left == KSL_LANESF) {
     const char *const p = first;
@@ -170,8 +119,8 @@ INLINED void load_lanes_dc_single(ksl_statesf *x, const char *first, npy_intp st
   memcpy(x, lanes, sizeof lanes);
 }
 
-INLINED void store_lanes_dc_single(const ksl_statesf *x, char *first, npy_intp step,
-    const npy_intp *s, npy_intp left) {
+INLINED void store_lanes_dc_single(
+    const ksl_statesf *x, char *first, npy_intp step, const npy_intp *s, npy_intp left) {
   (void)s;
   for (npy_intp i = 0; i < left; i++) {
     char *const p = first + i * step;
@@ -181,8 +130,8 @@ INLINED void store_lanes_dc_single(const ksl_statesf *x, char *first, npy_intp s
 }
 
 /* The next elements, at most as many as a vector holds; the last of them repeated. */
-INLINED void load_lanes_vec3_double(ksl_states *x, const char *first, npy_intp step,
-    const npy_intp *s, npy_intp left) {
+INLINED void load_lanes_vec3_double(
+    ksl_states *x, const char *first, npy_intp step, const npy_intp *s, npy_intp left) {
   (void)s;
   if (step == (npy_intp)sizeof(double) && left == KSL_LANES) {
     const char *const p = first;
@@ -201,8 +150,8 @@ INLINED void load_lanes_vec3_double(ksl_states *x, const char *first, npy_intp s
   memcpy(x, lanes, sizeof lanes);
 }
 
-INLINED void store_lanes_vec3_double(const ksl_states *x, char *first, npy_intp step,
-    const npy_intp *s, npy_intp left) {
+INLINED void store_lanes_vec3_double(
+    const ksl_states *x, char *first, npy_intp step, const npy_intp *s, npy_intp left) {
   (void)s;
   for (npy_intp i = 0; i < left; i++) {
     char *const p = first + i * step;
@@ -213,8 +162,8 @@ INLINED void store_lanes_vec3_double(const ksl_states *x, char *first, npy_intp 
 }
 
 /* The next elements, at most as many as a vector holds; the last of them repeated. */
-INLINED void load_lanes_vec3_single(ksl_statesf *x, const char *first, npy_intp step,
-    const npy_intp *s, npy_intp left) {
+INLINED void load_lanes_vec3_single(
+    ksl_statesf *x, const char *first, npy_intp step, const npy_intp *s, npy_intp left) {
   (void)s;
   if (step == (npy_intp)sizeof(float) && left == KSL_LANESF) {
     const char *const p = first;
@@ -233,8 +182,8 @@ INLINED void load_lanes_vec3_single(ksl_statesf *x, const char *first, npy_intp 
   memcpy(x, lanes, sizeof lanes);
 }
 
-INLINED void store_lanes_vec3_single(const ksl_statesf *x, char *first, npy_intp step,
-    const npy_intp *s, npy_intp left) {
+INLINED void store_lanes_vec3_single(
+    const ksl_statesf *x, char *first, npy_intp step, const npy_intp *s, npy_intp left) {
   (void)s;
   for (npy_intp i = 0; i < left; i++) {
     char *const p = first + i * step;
@@ -245,8 +194,8 @@ INLINED void store_lanes_vec3_single(const ksl_statesf *x, char *first, npy_intp
 }
 
 /* The next elements, at most as many as a vector holds; the last of them repeated. */
-INLINED void load_lanes_mat3x3_double(ksl_states *x, const char *first, npy_intp step,
-    const npy_intp *s, npy_intp left) {
+INLINED void load_lanes_mat3x3_double(
+    ksl_states *x, const char *first, npy_intp step, const npy_intp *s, npy_intp left) {
   (void)s;
   if (step == (npy_intp)sizeof(double) && left == KSL_LANES) {
     const char *const p = first;
@@ -277,8 +226,8 @@ INLINED void load_lanes_mat3x3_double(ksl_states *x, const char *first, npy_intp
   memcpy(x, lanes, sizeof lanes);
 }
 
-INLINED void store_lanes_mat3x3_double(const ksl_states *x, char *first, npy_intp step,
-    const npy_intp *s, npy_intp left) {
+INLINED void store_lanes_mat3x3_double(
+    const ksl_states *x, char *first, npy_intp step, const npy_intp *s, npy_intp left) {
   (void)s;
   for (npy_intp i = 0; i < left; i++) {
     char *const p = first + i * step;
@@ -295,8 +244,8 @@ INLINED void store_lanes_mat3x3_double(const ksl_states *x, char *first, npy_int
 }
 
 /* The next elements, at most as many as a vector holds; the last of them repeated. */
-INLINED void load_lanes_mat3x3_single(ksl_statesf *x, const char *first, npy_intp step,
-    const npy_intp *s, npy_intp left) {
+INLINED void load_lanes_mat3x3_single(
+    ksl_statesf *x, const char *first, npy_intp step, const npy_intp *s, npy_intp left) {
   (void)s;
   if (step == (npy_intp)sizeof(float) && left == KSL_LANESF) {
     const char *const p = first;
@@ -327,8 +276,8 @@ INLINED void load_lanes_mat3x3_single(ksl_statesf *x, const char *first, npy_int
   memcpy(x, lanes, sizeof lanes);
 }
 
-INLINED void store_lanes_mat3x3_single(const ksl_statesf *x, char *first, npy_intp step,
-    const npy_intp *s, npy_intp left) {
+INLINED void store_lanes_mat3x3_single(
+    const ksl_statesf *x, char *first, npy_intp step, const npy_intp *s, npy_intp left) {
   (void)s;
   for (npy_intp i = 0; i < left; i++) {
     char *const p = first + i * step;
@@ -345,8 +294,8 @@ INLINED void store_lanes_mat3x3_single(const ksl_statesf *x, char *first, npy_in
 }
 
 /* The next elements, at most as many as a vector holds; the last of them repeated. */
-INLINED void load_lanes_SE3_double(ksl_states *x, const char *first, npy_intp step,
-    const npy_intp *s, npy_intp left) {
+INLINED void load_lanes_SE3_double(
+    ksl_states *x, const char *first, npy_intp step, const npy_intp *s, npy_intp left) {
   (void)s;
   if (step == (npy_intp)sizeof(double) && left == KSL_LANES) {
     const char *const p = first;
@@ -383,8 +332,8 @@ INLINED void load_lanes_SE3_double(ksl_states *x, const char *first, npy_intp st
   memcpy(x, lanes, sizeof lanes);
 }
 
-INLINED void store_lanes_SE3_double(const ksl_states *x, char *first, npy_intp step,
-    const npy_intp *s, npy_intp left) {
+INLINED void store_lanes_SE3_double(
+    const ksl_states *x, char *first, npy_intp step, const npy_intp *s, npy_intp left) {
   (void)s;
   for (npy_intp i = 0; i < left; i++) {
     char *const p = first + i * step;
@@ -404,8 +353,8 @@ INLINED void store_lanes_SE3_double(const ksl_states *x, char *first, npy_intp s
 }
 
 /* The next elements, at most as many as a vector holds; the last of them repeated. */
-INLINED void load_lanes_SE3_single(ksl_statesf *x, const char *first, npy_intp step,
-    const npy_intp *s, npy_intp left) {
+INLINED void load_lanes_SE3_single(
+    ksl_statesf *x, const char *first, npy_intp step, const npy_intp *s, npy_intp left) {
   (void)s;
   if (step == (npy_intp)sizeof(float) && left == KSL_LANESF) {
     const char *const p = first;
@@ -442,8 +391,8 @@ INLINED void load_lanes_SE3_single(ksl_statesf *x, const char *first, npy_intp s
   memcpy(x, lanes, sizeof lanes);
 }
 
-INLINED void store_lanes_SE3_single(const ksl_statesf *x, char *first, npy_intp step,
-    const npy_intp *s, npy_intp left) {
+INLINED void store_lanes_SE3_single(
+    const ksl_statesf *x, char *first, npy_intp step, const npy_intp *s, npy_intp left) {
   (void)s;
   for (npy_intp i = 0; i < left; i++) {
     char *const p = first + i * step;
@@ -463,8 +412,8 @@ INLINED void store_lanes_SE3_single(const ksl_statesf *x, char *first, npy_intp 
 }
 
 /* The next elements, at most as many as a vector holds; the last of them repeated. */
-INLINED void load_lanes_screw_double(ksl_states *x, const char *first, npy_intp step,
-    const npy_intp *s, npy_intp left) {
+INLINED void load_lanes_screw_double(
+    ksl_states *x, const char *first, npy_intp step, const npy_intp *s, npy_intp left) {
   (void)s;
   if (step == (npy_intp)sizeof(double) && left == KSL_LANES) {
     const char *const p = first;
@@ -489,8 +438,8 @@ INLINED void load_lanes_screw_double(ksl_states *x, const char *first, npy_intp 
   memcpy(x, lanes, sizeof lanes);
 }
 
-INLINED void store_lanes_screw_double(const ksl_states *x, char *first, npy_intp step,
-    const npy_intp *s, npy_intp left) {
+INLINED void store_lanes_screw_double(
+    const ksl_states *x, char *first, npy_intp step, const npy_intp *s, npy_intp left) {
   (void)s;
   for (npy_intp i = 0; i < left; i++) {
     char *const p = first + i * step;
@@ -504,8 +453,8 @@ INLINED void store_lanes_screw_double(const ksl_states *x, char *first, npy_intp
 }
 
 /* The next elements, at most as many as a vector holds; the last of them repeated. */
-INLINED void load_lanes_screw_single(ksl_statesf *x, const char *first, npy_intp step,
-    const npy_intp *s, npy_intp left) {
+INLINED void load_lanes_screw_single(
+    ksl_statesf *x, const char *first, npy_intp step, const npy_intp *s, npy_intp left) {
   (void)s;
   if (step == (npy_intp)sizeof(float) && left == KSL_LANESF) {
     const char *const p = first;
@@ -530,8 +479,8 @@ INLINED void load_lanes_screw_single(ksl_statesf *x, const char *first, npy_intp
   memcpy(x, lanes, sizeof lanes);
 }
 
-INLINED void store_lanes_screw_single(const ksl_statesf *x, char *first, npy_intp step,
-    const npy_intp *s, npy_intp left) {
+INLINED void store_lanes_screw_single(
+    const ksl_statesf *x, char *first, npy_intp step, const npy_intp *s, npy_intp left) {
   (void)s;
   for (npy_intp i = 0; i < left; i++) {
     char *const p = first + i * step;
@@ -545,8 +494,8 @@ INLINED void store_lanes_screw_single(const ksl_statesf *x, char *first, npy_int
 }
 
 /* The next elements, at most as many as a vector holds; the last of them repeated. */
-INLINED void load_lanes_mat6x6_double(ksl_states *x, const char *first, npy_intp step,
-    const npy_intp *s, npy_intp left) {
+INLINED void load_lanes_mat6x6_double(
+    ksl_states *x, const char *first, npy_intp step, const npy_intp *s, npy_intp left) {
   (void)s;
   if (step == (npy_intp)sizeof(double) && left == KSL_LANES) {
     const char *const p = first;
@@ -631,8 +580,8 @@ INLINED void load_lanes_mat6x6_double(ksl_states *x, const char *first, npy_intp
   memcpy(x, lanes, sizeof lanes);
 }
 
-INLINED void store_lanes_mat6x6_double(const ksl_states *x, char *first, npy_intp step,
-    const npy_intp *s, npy_intp left) {
+INLINED void store_lanes_mat6x6_double(
+    const ksl_states *x, char *first, npy_intp step, const npy_intp *s, npy_intp left) {
   (void)s;
   for (npy_intp i = 0; i < left; i++) {
     char *const p = first + i * step;
@@ -676,8 +625,8 @@ INLINED void store_lanes_mat6x6_double(const ksl_states *x, char *first, npy_int
 }
 
 /* The next elements, at most as many as a vector holds; the last of them repeated. */
-INLINED void load_lanes_mat6x6_single(ksl_statesf *x, const char *first, npy_intp step,
-    const npy_intp *s, npy_intp left) {
+INLINED void load_lanes_mat6x6_single(
+    ksl_statesf *x, const char *first, npy_intp step, const npy_intp *s, npy_intp left) {
   (void)s;
   if (step == (npy_intp)sizeof(float) && left == KSL_LANESF) {
     const char *const p = first;
@@ -762,8 +711,8 @@ INLINED void load_lanes_mat6x6_single(ksl_statesf *x, const char *first, npy_int
   memcpy(x, lanes, sizeof lanes);
 }
 
-INLINED void store_lanes_mat6x6_single(const ksl_statesf *x, char *first, npy_intp step,
-    const npy_intp *s, npy_intp left) {
+INLINED void store_lanes_mat6x6_single(
+    const ksl_statesf *x, char *first, npy_intp step, const npy_intp *s, npy_intp left) {
   (void)s;
   for (npy_intp i = 0; i < left; i++) {
     char *const p = first + i * step;
@@ -807,8 +756,8 @@ INLINED void store_lanes_mat6x6_single(const ksl_statesf *x, char *first, npy_in
 }
 
 /* The next elements, at most as many as a vector holds; the last of them repeated. */
-INLINED void load_lanes_quaternion_double(ksl_states *x, const char *first, npy_intp step,
-    const npy_intp *s, npy_intp left) {
+INLINED void load_lanes_quaternion_double(
+    ksl_states *x, const char *first, npy_intp step, const npy_intp *s, npy_intp left) {
   (void)s;
   if (step == (npy_intp)sizeof(double) && left == KSL_LANES) {
     const char *const p = first;
@@ -829,8 +778,8 @@ INLINED void load_lanes_quaternion_double(ksl_states *x, const char *first, npy_
   memcpy(x, lanes, sizeof lanes);
 }
 
-INLINED void store_lanes_quaternion_double(const ksl_states *x, char *first, npy_intp step,
-    const npy_intp *s, npy_intp left) {
+INLINED void store_lanes_quaternion_double(
+    const ksl_states *x, char *first, npy_intp step, const npy_intp *s, npy_intp left) {
   (void)s;
   for (npy_intp i = 0; i < left; i++) {
     char *const p = first + i * step;
@@ -842,8 +791,8 @@ INLINED void store_lanes_quaternion_double(const ksl_states *x, char *first, npy
 }
 
 /* The next elements, at most as many as a vector holds; the last of them repeated. */
-INLINED void load_lanes_quaternion_single(ksl_statesf *x, const char *first, npy_intp step,
-    const npy_intp *s, npy_intp left) {
+INLINED void load_lanes_quaternion_single(
+    ksl_statesf *x, const char *first, npy_intp step, const npy_intp *s, npy_intp left) {
   (void)s;
   if (step == (npy_intp)sizeof(float) && left == KSL_LANESF) {
     const char *const p = first;
@@ -864,8 +813,8 @@ INLINED void load_lanes_quaternion_single(ksl_statesf *x, const char *first, npy
   memcpy(x, lanes, sizeof lanes);
 }
 
-INLINED void store_lanes_quaternion_single(const ksl_statesf *x, char *first, npy_intp step,
-    const npy_intp *s, npy_intp left) {
+INLINED void store_lanes_quaternion_single(
+    const ksl_statesf *x, char *first, npy_intp step, const npy_intp *s, npy_intp left) {
   (void)s;
   for (npy_intp i = 0; i < left; i++) {
     char *const p = first + i * step;

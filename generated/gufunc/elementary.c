@@ -25,16 +25,6 @@ OVER(sincos_double) {
 }
 
 #if KSL_LANE_BYTES
-/* m elements, from the one numbered i. */
-static void sincos_double_from(
-    char **data, npy_intp i, npy_intp m, const npy_intp *step, const npy_intp *core) {
-  char *from[3];
-  for (int k = 0; k < 3; k++) {
-    from[k] = data[k] + i * step[k];
-  }
-  sincos_double_over(from, m, step, core);
-}
-
 /* The same on vectors; 0, and nothing is written, if that raises flags that are not yet raised. */
 INLINED int sincos_double_on_vectors(
     char **data, npy_intp i, npy_intp m, const npy_intp *step, const npy_intp *core, int raised) {
@@ -70,16 +60,9 @@ INLINED int sincos_double_on_vectors(
 
 static APART void sincos_double_many(
     char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  const npy_intp most = 128 * KSL_LANES;
-  int raised = flags();
-  npy_intp i = 0, m;
-  for (; (m = for_vectors(n - i, KSL_LANES, most)) > 0; i += m) {
-    if (!sincos_double_on_vectors(data, i, m, step, core, raised)) {
-      sincos_double_from(data, i, m, step, core);
-      raised = flags();
-    }
-  }
-  sincos_double_from(data, i, n - i, step, core);
+  const vector_loop loop = { sincos_double_over, sincos_double_on_vectors, 3,
+    KSL_LANES, 128 * KSL_LANES };
+  many_elements(&loop, data, n, step, core);
 }
 #endif
 LOOP_ON_VECTORS(sincos_double, 3, DENSE, 8, 8, 8)
@@ -98,16 +81,6 @@ OVER(sincos_single) {
 }
 
 #if KSL_LANE_BYTES
-/* m elements, from the one numbered i. */
-static void sincos_single_from(
-    char **data, npy_intp i, npy_intp m, const npy_intp *step, const npy_intp *core) {
-  char *from[3];
-  for (int k = 0; k < 3; k++) {
-    from[k] = data[k] + i * step[k];
-  }
-  sincos_single_over(from, m, step, core);
-}
-
 /* The same on vectors; 0, and nothing is written, if that raises flags that are not yet raised. */
 INLINED int sincos_single_on_vectors(
     char **data, npy_intp i, npy_intp m, const npy_intp *step, const npy_intp *core, int raised) {
@@ -143,16 +116,9 @@ INLINED int sincos_single_on_vectors(
 
 static APART void sincos_single_many(
     char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  const npy_intp most = 128 * KSL_LANESF;
-  int raised = flags();
-  npy_intp i = 0, m;
-  for (; (m = for_vectors(n - i, KSL_LANESF, most)) > 0; i += m) {
-    if (!sincos_single_on_vectors(data, i, m, step, core, raised)) {
-      sincos_single_from(data, i, m, step, core);
-      raised = flags();
-    }
-  }
-  sincos_single_from(data, i, n - i, step, core);
+  const vector_loop loop = { sincos_single_over, sincos_single_on_vectors, 3,
+    KSL_LANESF, 128 * KSL_LANESF };
+  many_elements(&loop, data, n, step, core);
 }
 #endif
 LOOP_ON_VECTORS(sincos_single, 3, DENSE, 4, 4, 4)
@@ -171,16 +137,6 @@ OVER(sin_double) {
 }
 
 #if KSL_LANE_BYTES
-/* m elements, from the one numbered i. */
-static void sin_double_from(
-    char **data, npy_intp i, npy_intp m, const npy_intp *step, const npy_intp *core) {
-  char *from[2];
-  for (int k = 0; k < 2; k++) {
-    from[k] = data[k] + i * step[k];
-  }
-  sin_double_over(from, m, step, core);
-}
-
 /* The same on vectors; 0, and nothing is written, if that raises flags that are not yet raised. */
 INLINED int sin_double_on_vectors(
     char **data, npy_intp i, npy_intp m, const npy_intp *step, const npy_intp *core, int raised) {
@@ -212,16 +168,9 @@ INLINED int sin_double_on_vectors(
 
 static APART void sin_double_many(
     char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  const npy_intp most = 256 * KSL_LANES;
-  int raised = flags();
-  npy_intp i = 0, m;
-  for (; (m = for_vectors(n - i, KSL_LANES, most)) > 0; i += m) {
-    if (!sin_double_on_vectors(data, i, m, step, core, raised)) {
-      sin_double_from(data, i, m, step, core);
-      raised = flags();
-    }
-  }
-  sin_double_from(data, i, n - i, step, core);
+  const vector_loop loop = { sin_double_over, sin_double_on_vectors, 2,
+    KSL_LANES, 256 * KSL_LANES };
+  many_elements(&loop, data, n, step, core);
 }
 #endif
 LOOP_ON_VECTORS(sin_double, 2, DENSE, 8, 8)
@@ -238,16 +187,6 @@ OVER(sin_single) {
 }
 
 #if KSL_LANE_BYTES
-/* m elements, from the one numbered i. */
-static void sin_single_from(
-    char **data, npy_intp i, npy_intp m, const npy_intp *step, const npy_intp *core) {
-  char *from[2];
-  for (int k = 0; k < 2; k++) {
-    from[k] = data[k] + i * step[k];
-  }
-  sin_single_over(from, m, step, core);
-}
-
 /* The same on vectors; 0, and nothing is written, if that raises flags that are not yet raised. */
 INLINED int sin_single_on_vectors(
     char **data, npy_intp i, npy_intp m, const npy_intp *step, const npy_intp *core, int raised) {
@@ -279,16 +218,9 @@ INLINED int sin_single_on_vectors(
 
 static APART void sin_single_many(
     char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  const npy_intp most = 256 * KSL_LANESF;
-  int raised = flags();
-  npy_intp i = 0, m;
-  for (; (m = for_vectors(n - i, KSL_LANESF, most)) > 0; i += m) {
-    if (!sin_single_on_vectors(data, i, m, step, core, raised)) {
-      sin_single_from(data, i, m, step, core);
-      raised = flags();
-    }
-  }
-  sin_single_from(data, i, n - i, step, core);
+  const vector_loop loop = { sin_single_over, sin_single_on_vectors, 2,
+    KSL_LANESF, 256 * KSL_LANESF };
+  many_elements(&loop, data, n, step, core);
 }
 #endif
 LOOP_ON_VECTORS(sin_single, 2, DENSE, 4, 4)
@@ -307,16 +239,6 @@ OVER(cos_double) {
 }
 
 #if KSL_LANE_BYTES
-/* m elements, from the one numbered i. */
-static void cos_double_from(
-    char **data, npy_intp i, npy_intp m, const npy_intp *step, const npy_intp *core) {
-  char *from[2];
-  for (int k = 0; k < 2; k++) {
-    from[k] = data[k] + i * step[k];
-  }
-  cos_double_over(from, m, step, core);
-}
-
 /* The same on vectors; 0, and nothing is written, if that raises flags that are not yet raised. */
 INLINED int cos_double_on_vectors(
     char **data, npy_intp i, npy_intp m, const npy_intp *step, const npy_intp *core, int raised) {
@@ -348,16 +270,9 @@ INLINED int cos_double_on_vectors(
 
 static APART void cos_double_many(
     char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  const npy_intp most = 256 * KSL_LANES;
-  int raised = flags();
-  npy_intp i = 0, m;
-  for (; (m = for_vectors(n - i, KSL_LANES, most)) > 0; i += m) {
-    if (!cos_double_on_vectors(data, i, m, step, core, raised)) {
-      cos_double_from(data, i, m, step, core);
-      raised = flags();
-    }
-  }
-  cos_double_from(data, i, n - i, step, core);
+  const vector_loop loop = { cos_double_over, cos_double_on_vectors, 2,
+    KSL_LANES, 256 * KSL_LANES };
+  many_elements(&loop, data, n, step, core);
 }
 #endif
 LOOP_ON_VECTORS(cos_double, 2, DENSE, 8, 8)
@@ -374,16 +289,6 @@ OVER(cos_single) {
 }
 
 #if KSL_LANE_BYTES
-/* m elements, from the one numbered i. */
-static void cos_single_from(
-    char **data, npy_intp i, npy_intp m, const npy_intp *step, const npy_intp *core) {
-  char *from[2];
-  for (int k = 0; k < 2; k++) {
-    from[k] = data[k] + i * step[k];
-  }
-  cos_single_over(from, m, step, core);
-}
-
 /* The same on vectors; 0, and nothing is written, if that raises flags that are not yet raised. */
 INLINED int cos_single_on_vectors(
     char **data, npy_intp i, npy_intp m, const npy_intp *step, const npy_intp *core, int raised) {
@@ -415,16 +320,9 @@ INLINED int cos_single_on_vectors(
 
 static APART void cos_single_many(
     char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  const npy_intp most = 256 * KSL_LANESF;
-  int raised = flags();
-  npy_intp i = 0, m;
-  for (; (m = for_vectors(n - i, KSL_LANESF, most)) > 0; i += m) {
-    if (!cos_single_on_vectors(data, i, m, step, core, raised)) {
-      cos_single_from(data, i, m, step, core);
-      raised = flags();
-    }
-  }
-  cos_single_from(data, i, n - i, step, core);
+  const vector_loop loop = { cos_single_over, cos_single_on_vectors, 2,
+    KSL_LANESF, 256 * KSL_LANESF };
+  many_elements(&loop, data, n, step, core);
 }
 #endif
 LOOP_ON_VECTORS(cos_single, 2, DENSE, 4, 4)
@@ -443,16 +341,6 @@ OVER(exp_double) {
 }
 
 #if KSL_LANE_BYTES
-/* m elements, from the one numbered i. */
-static void exp_double_from(
-    char **data, npy_intp i, npy_intp m, const npy_intp *step, const npy_intp *core) {
-  char *from[2];
-  for (int k = 0; k < 2; k++) {
-    from[k] = data[k] + i * step[k];
-  }
-  exp_double_over(from, m, step, core);
-}
-
 /* The same on vectors; 0, and nothing is written, if that raises flags that are not yet raised. */
 INLINED int exp_double_on_vectors(
     char **data, npy_intp i, npy_intp m, const npy_intp *step, const npy_intp *core, int raised) {
@@ -484,16 +372,9 @@ INLINED int exp_double_on_vectors(
 
 static APART void exp_double_many(
     char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  const npy_intp most = 256 * KSL_LANES;
-  int raised = flags();
-  npy_intp i = 0, m;
-  for (; (m = for_vectors(n - i, KSL_LANES, most)) > 0; i += m) {
-    if (!exp_double_on_vectors(data, i, m, step, core, raised)) {
-      exp_double_from(data, i, m, step, core);
-      raised = flags();
-    }
-  }
-  exp_double_from(data, i, n - i, step, core);
+  const vector_loop loop = { exp_double_over, exp_double_on_vectors, 2,
+    KSL_LANES, 256 * KSL_LANES };
+  many_elements(&loop, data, n, step, core);
 }
 #endif
 LOOP_ON_VECTORS(exp_double, 2, DENSE, 8, 8)
@@ -510,16 +391,6 @@ OVER(exp_single) {
 }
 
 #if KSL_LANE_BYTES
-/* m elements, from the one numbered i. */
-static void exp_single_from(
-    char **data, npy_intp i, npy_intp m, const npy_intp *step, const npy_intp *core) {
-  char *from[2];
-  for (int k = 0; k < 2; k++) {
-    from[k] = data[k] + i * step[k];
-  }
-  exp_single_over(from, m, step, core);
-}
-
 /* The same on vectors; 0, and nothing is written, if that raises flags that are not yet raised. */
 INLINED int exp_single_on_vectors(
     char **data, npy_intp i, npy_intp m, const npy_intp *step, const npy_intp *core, int raised) {
@@ -551,16 +422,9 @@ INLINED int exp_single_on_vectors(
 
 static APART void exp_single_many(
     char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  const npy_intp most = 256 * KSL_LANESF;
-  int raised = flags();
-  npy_intp i = 0, m;
-  for (; (m = for_vectors(n - i, KSL_LANESF, most)) > 0; i += m) {
-    if (!exp_single_on_vectors(data, i, m, step, core, raised)) {
-      exp_single_from(data, i, m, step, core);
-      raised = flags();
-    }
-  }
-  exp_single_from(data, i, n - i, step, core);
+  const vector_loop loop = { exp_single_over, exp_single_on_vectors, 2,
+    KSL_LANESF, 256 * KSL_LANESF };
+  many_elements(&loop, data, n, step, core);
 }
 #endif
 LOOP_ON_VECTORS(exp_single, 2, DENSE, 4, 4)
@@ -579,16 +443,6 @@ OVER(tanh_double) {
 }
 
 #if KSL_LANE_BYTES
-/* m elements, from the one numbered i. */
-static void tanh_double_from(
-    char **data, npy_intp i, npy_intp m, const npy_intp *step, const npy_intp *core) {
-  char *from[2];
-  for (int k = 0; k < 2; k++) {
-    from[k] = data[k] + i * step[k];
-  }
-  tanh_double_over(from, m, step, core);
-}
-
 /* The same on vectors; 0, and nothing is written, if that raises flags that are not yet raised. */
 INLINED int tanh_double_on_vectors(
     char **data, npy_intp i, npy_intp m, const npy_intp *step, const npy_intp *core, int raised) {
@@ -620,16 +474,9 @@ INLINED int tanh_double_on_vectors(
 
 static APART void tanh_double_many(
     char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  const npy_intp most = 256 * KSL_LANES;
-  int raised = flags();
-  npy_intp i = 0, m;
-  for (; (m = for_vectors(n - i, KSL_LANES, most)) > 0; i += m) {
-    if (!tanh_double_on_vectors(data, i, m, step, core, raised)) {
-      tanh_double_from(data, i, m, step, core);
-      raised = flags();
-    }
-  }
-  tanh_double_from(data, i, n - i, step, core);
+  const vector_loop loop = { tanh_double_over, tanh_double_on_vectors, 2,
+    KSL_LANES, 256 * KSL_LANES };
+  many_elements(&loop, data, n, step, core);
 }
 #endif
 LOOP_ON_VECTORS(tanh_double, 2, DENSE, 8, 8)
@@ -646,16 +493,6 @@ OVER(tanh_single) {
 }
 
 #if KSL_LANE_BYTES
-/* m elements, from the one numbered i. */
-static void tanh_single_from(
-    char **data, npy_intp i, npy_intp m, const npy_intp *step, const npy_intp *core) {
-  char *from[2];
-  for (int k = 0; k < 2; k++) {
-    from[k] = data[k] + i * step[k];
-  }
-  tanh_single_over(from, m, step, core);
-}
-
 /* The same on vectors; 0, and nothing is written, if that raises flags that are not yet raised. */
 INLINED int tanh_single_on_vectors(
     char **data, npy_intp i, npy_intp m, const npy_intp *step, const npy_intp *core, int raised) {
@@ -687,16 +524,9 @@ INLINED int tanh_single_on_vectors(
 
 static APART void tanh_single_many(
     char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  const npy_intp most = 256 * KSL_LANESF;
-  int raised = flags();
-  npy_intp i = 0, m;
-  for (; (m = for_vectors(n - i, KSL_LANESF, most)) > 0; i += m) {
-    if (!tanh_single_on_vectors(data, i, m, step, core, raised)) {
-      tanh_single_from(data, i, m, step, core);
-      raised = flags();
-    }
-  }
-  tanh_single_from(data, i, n - i, step, core);
+  const vector_loop loop = { tanh_single_over, tanh_single_on_vectors, 2,
+    KSL_LANESF, 256 * KSL_LANESF };
+  many_elements(&loop, data, n, step, core);
 }
 #endif
 LOOP_ON_VECTORS(tanh_single, 2, DENSE, 4, 4)
@@ -717,16 +547,6 @@ OVER(atan2_double) {
 }
 
 #if KSL_LANE_BYTES
-/* m elements, from the one numbered i. */
-static void atan2_double_from(
-    char **data, npy_intp i, npy_intp m, const npy_intp *step, const npy_intp *core) {
-  char *from[3];
-  for (int k = 0; k < 3; k++) {
-    from[k] = data[k] + i * step[k];
-  }
-  atan2_double_over(from, m, step, core);
-}
-
 /* The same on vectors; 0, and nothing is written, if that raises flags that are not yet raised. */
 INLINED int atan2_double_on_vectors(
     char **data, npy_intp i, npy_intp m, const npy_intp *step, const npy_intp *core, int raised) {
@@ -761,16 +581,9 @@ INLINED int atan2_double_on_vectors(
 
 static APART void atan2_double_many(
     char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  const npy_intp most = 256 * KSL_LANES;
-  int raised = flags();
-  npy_intp i = 0, m;
-  for (; (m = for_vectors(n - i, KSL_LANES, most)) > 0; i += m) {
-    if (!atan2_double_on_vectors(data, i, m, step, core, raised)) {
-      atan2_double_from(data, i, m, step, core);
-      raised = flags();
-    }
-  }
-  atan2_double_from(data, i, n - i, step, core);
+  const vector_loop loop = { atan2_double_over, atan2_double_on_vectors, 3,
+    KSL_LANES, 256 * KSL_LANES };
+  many_elements(&loop, data, n, step, core);
 }
 #endif
 LOOP_ON_VECTORS(atan2_double, 3, DENSE_OR_ONE, 8, 8, 8)
@@ -789,16 +602,6 @@ OVER(atan2_single) {
 }
 
 #if KSL_LANE_BYTES
-/* m elements, from the one numbered i. */
-static void atan2_single_from(
-    char **data, npy_intp i, npy_intp m, const npy_intp *step, const npy_intp *core) {
-  char *from[3];
-  for (int k = 0; k < 3; k++) {
-    from[k] = data[k] + i * step[k];
-  }
-  atan2_single_over(from, m, step, core);
-}
-
 /* The same on vectors; 0, and nothing is written, if that raises flags that are not yet raised. */
 INLINED int atan2_single_on_vectors(
     char **data, npy_intp i, npy_intp m, const npy_intp *step, const npy_intp *core, int raised) {
@@ -833,16 +636,9 @@ INLINED int atan2_single_on_vectors(
 
 static APART void atan2_single_many(
     char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  const npy_intp most = 256 * KSL_LANESF;
-  int raised = flags();
-  npy_intp i = 0, m;
-  for (; (m = for_vectors(n - i, KSL_LANESF, most)) > 0; i += m) {
-    if (!atan2_single_on_vectors(data, i, m, step, core, raised)) {
-      atan2_single_from(data, i, m, step, core);
-      raised = flags();
-    }
-  }
-  atan2_single_from(data, i, n - i, step, core);
+  const vector_loop loop = { atan2_single_over, atan2_single_on_vectors, 3,
+    KSL_LANESF, 256 * KSL_LANESF };
+  many_elements(&loop, data, n, step, core);
 }
 #endif
 LOOP_ON_VECTORS(atan2_single, 3, DENSE_OR_ONE, 4, 4, 4)

@@ -23,16 +23,6 @@ OVER(SO3_exp_double) {
 }
 
 #if KSL_LANE_BYTES
-/* m elements, from the one numbered i. */
-static void SO3_exp_double_from(
-    char **data, npy_intp i, npy_intp m, const npy_intp *step, const npy_intp *core) {
-  char *from[2];
-  for (int k = 0; k < 2; k++) {
-    from[k] = data[k] + i * step[k];
-  }
-  SO3_exp_double_over(from, m, step, core);
-}
-
 /* The same on vectors; 0, and nothing is written, if that raises flags that are not yet raised. */
 INLINED int SO3_exp_double_on_vectors(
     char **data, npy_intp i, npy_intp m, const npy_intp *step, const npy_intp *core, int raised) {
@@ -64,16 +54,9 @@ INLINED int SO3_exp_double_on_vectors(
 
 static APART void SO3_exp_double_many(
     char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  const npy_intp most = 28 * KSL_LANES;
-  int raised = flags();
-  npy_intp i = 0, m;
-  for (; (m = for_vectors(n - i, KSL_LANES, most)) > 0; i += m) {
-    if (!SO3_exp_double_on_vectors(data, i, m, step, core, raised)) {
-      SO3_exp_double_from(data, i, m, step, core);
-      raised = flags();
-    }
-  }
-  SO3_exp_double_from(data, i, n - i, step, core);
+  const vector_loop loop = { SO3_exp_double_over, SO3_exp_double_on_vectors, 2,
+    KSL_LANES, 28 * KSL_LANES };
+  many_elements(&loop, data, n, step, core);
 }
 #endif
 LOOP_ON_VECTORS(SO3_exp_double, 2, DENSE, 24, 72, 8, 24, 8)
@@ -90,16 +73,6 @@ OVER(SO3_exp_single) {
 }
 
 #if KSL_LANE_BYTES
-/* m elements, from the one numbered i. */
-static void SO3_exp_single_from(
-    char **data, npy_intp i, npy_intp m, const npy_intp *step, const npy_intp *core) {
-  char *from[2];
-  for (int k = 0; k < 2; k++) {
-    from[k] = data[k] + i * step[k];
-  }
-  SO3_exp_single_over(from, m, step, core);
-}
-
 /* The same on vectors; 0, and nothing is written, if that raises flags that are not yet raised. */
 INLINED int SO3_exp_single_on_vectors(
     char **data, npy_intp i, npy_intp m, const npy_intp *step, const npy_intp *core, int raised) {
@@ -131,16 +104,9 @@ INLINED int SO3_exp_single_on_vectors(
 
 static APART void SO3_exp_single_many(
     char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  const npy_intp most = 28 * KSL_LANESF;
-  int raised = flags();
-  npy_intp i = 0, m;
-  for (; (m = for_vectors(n - i, KSL_LANESF, most)) > 0; i += m) {
-    if (!SO3_exp_single_on_vectors(data, i, m, step, core, raised)) {
-      SO3_exp_single_from(data, i, m, step, core);
-      raised = flags();
-    }
-  }
-  SO3_exp_single_from(data, i, n - i, step, core);
+  const vector_loop loop = { SO3_exp_single_over, SO3_exp_single_on_vectors, 2,
+    KSL_LANESF, 28 * KSL_LANESF };
+  many_elements(&loop, data, n, step, core);
 }
 #endif
 LOOP_ON_VECTORS(SO3_exp_single, 2, DENSE, 12, 36, 4, 12, 4)
@@ -159,16 +125,6 @@ OVER(SO3_log_double) {
 }
 
 #if KSL_LANE_BYTES
-/* m elements, from the one numbered i. */
-static void SO3_log_double_from(
-    char **data, npy_intp i, npy_intp m, const npy_intp *step, const npy_intp *core) {
-  char *from[2];
-  for (int k = 0; k < 2; k++) {
-    from[k] = data[k] + i * step[k];
-  }
-  SO3_log_double_over(from, m, step, core);
-}
-
 /* The same on vectors; 0, and nothing is written, if that raises flags that are not yet raised. */
 INLINED int SO3_log_double_on_vectors(
     char **data, npy_intp i, npy_intp m, const npy_intp *step, const npy_intp *core, int raised) {
@@ -200,16 +156,9 @@ INLINED int SO3_log_double_on_vectors(
 
 static APART void SO3_log_double_many(
     char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  const npy_intp most = 85 * KSL_LANES;
-  int raised = flags();
-  npy_intp i = 0, m;
-  for (; (m = for_vectors(n - i, KSL_LANES, most)) > 0; i += m) {
-    if (!SO3_log_double_on_vectors(data, i, m, step, core, raised)) {
-      SO3_log_double_from(data, i, m, step, core);
-      raised = flags();
-    }
-  }
-  SO3_log_double_from(data, i, n - i, step, core);
+  const vector_loop loop = { SO3_log_double_over, SO3_log_double_on_vectors, 2,
+    KSL_LANES, 85 * KSL_LANES };
+  many_elements(&loop, data, n, step, core);
 }
 #endif
 LOOP_ON_VECTORS(SO3_log_double, 2, DENSE, 72, 24, 24, 8, 8)
@@ -226,16 +175,6 @@ OVER(SO3_log_single) {
 }
 
 #if KSL_LANE_BYTES
-/* m elements, from the one numbered i. */
-static void SO3_log_single_from(
-    char **data, npy_intp i, npy_intp m, const npy_intp *step, const npy_intp *core) {
-  char *from[2];
-  for (int k = 0; k < 2; k++) {
-    from[k] = data[k] + i * step[k];
-  }
-  SO3_log_single_over(from, m, step, core);
-}
-
 /* The same on vectors; 0, and nothing is written, if that raises flags that are not yet raised. */
 INLINED int SO3_log_single_on_vectors(
     char **data, npy_intp i, npy_intp m, const npy_intp *step, const npy_intp *core, int raised) {
@@ -267,16 +206,9 @@ INLINED int SO3_log_single_on_vectors(
 
 static APART void SO3_log_single_many(
     char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  const npy_intp most = 85 * KSL_LANESF;
-  int raised = flags();
-  npy_intp i = 0, m;
-  for (; (m = for_vectors(n - i, KSL_LANESF, most)) > 0; i += m) {
-    if (!SO3_log_single_on_vectors(data, i, m, step, core, raised)) {
-      SO3_log_single_from(data, i, m, step, core);
-      raised = flags();
-    }
-  }
-  SO3_log_single_from(data, i, n - i, step, core);
+  const vector_loop loop = { SO3_log_single_over, SO3_log_single_on_vectors, 2,
+    KSL_LANESF, 85 * KSL_LANESF };
+  many_elements(&loop, data, n, step, core);
 }
 #endif
 LOOP_ON_VECTORS(SO3_log_single, 2, DENSE, 36, 12, 12, 4, 4)
@@ -295,16 +227,6 @@ OVER(SO3_leftJacobian_double) {
 }
 
 #if KSL_LANE_BYTES
-/* m elements, from the one numbered i. */
-static void SO3_leftJacobian_double_from(
-    char **data, npy_intp i, npy_intp m, const npy_intp *step, const npy_intp *core) {
-  char *from[2];
-  for (int k = 0; k < 2; k++) {
-    from[k] = data[k] + i * step[k];
-  }
-  SO3_leftJacobian_double_over(from, m, step, core);
-}
-
 /* The same on vectors; 0, and nothing is written, if that raises flags that are not yet raised. */
 INLINED int SO3_leftJacobian_double_on_vectors(
     char **data, npy_intp i, npy_intp m, const npy_intp *step, const npy_intp *core, int raised) {
@@ -336,16 +258,9 @@ INLINED int SO3_leftJacobian_double_on_vectors(
 
 static APART void SO3_leftJacobian_double_many(
     char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  const npy_intp most = 28 * KSL_LANES;
-  int raised = flags();
-  npy_intp i = 0, m;
-  for (; (m = for_vectors(n - i, KSL_LANES, most)) > 0; i += m) {
-    if (!SO3_leftJacobian_double_on_vectors(data, i, m, step, core, raised)) {
-      SO3_leftJacobian_double_from(data, i, m, step, core);
-      raised = flags();
-    }
-  }
-  SO3_leftJacobian_double_from(data, i, n - i, step, core);
+  const vector_loop loop = { SO3_leftJacobian_double_over, SO3_leftJacobian_double_on_vectors, 2,
+    KSL_LANES, 28 * KSL_LANES };
+  many_elements(&loop, data, n, step, core);
 }
 #endif
 LOOP_ON_VECTORS(SO3_leftJacobian_double, 2, DENSE, 24, 72, 8, 24, 8)
@@ -362,16 +277,6 @@ OVER(SO3_leftJacobian_single) {
 }
 
 #if KSL_LANE_BYTES
-/* m elements, from the one numbered i. */
-static void SO3_leftJacobian_single_from(
-    char **data, npy_intp i, npy_intp m, const npy_intp *step, const npy_intp *core) {
-  char *from[2];
-  for (int k = 0; k < 2; k++) {
-    from[k] = data[k] + i * step[k];
-  }
-  SO3_leftJacobian_single_over(from, m, step, core);
-}
-
 /* The same on vectors; 0, and nothing is written, if that raises flags that are not yet raised. */
 INLINED int SO3_leftJacobian_single_on_vectors(
     char **data, npy_intp i, npy_intp m, const npy_intp *step, const npy_intp *core, int raised) {
@@ -403,16 +308,9 @@ INLINED int SO3_leftJacobian_single_on_vectors(
 
 static APART void SO3_leftJacobian_single_many(
     char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  const npy_intp most = 28 * KSL_LANESF;
-  int raised = flags();
-  npy_intp i = 0, m;
-  for (; (m = for_vectors(n - i, KSL_LANESF, most)) > 0; i += m) {
-    if (!SO3_leftJacobian_single_on_vectors(data, i, m, step, core, raised)) {
-      SO3_leftJacobian_single_from(data, i, m, step, core);
-      raised = flags();
-    }
-  }
-  SO3_leftJacobian_single_from(data, i, n - i, step, core);
+  const vector_loop loop = { SO3_leftJacobian_single_over, SO3_leftJacobian_single_on_vectors, 2,
+    KSL_LANESF, 28 * KSL_LANESF };
+  many_elements(&loop, data, n, step, core);
 }
 #endif
 LOOP_ON_VECTORS(SO3_leftJacobian_single, 2, DENSE, 12, 36, 4, 12, 4)
@@ -431,16 +329,6 @@ OVER(SO3_rightJacobian_double) {
 }
 
 #if KSL_LANE_BYTES
-/* m elements, from the one numbered i. */
-static void SO3_rightJacobian_double_from(
-    char **data, npy_intp i, npy_intp m, const npy_intp *step, const npy_intp *core) {
-  char *from[2];
-  for (int k = 0; k < 2; k++) {
-    from[k] = data[k] + i * step[k];
-  }
-  SO3_rightJacobian_double_over(from, m, step, core);
-}
-
 /* The same on vectors; 0, and nothing is written, if that raises flags that are not yet raised. */
 INLINED int SO3_rightJacobian_double_on_vectors(
     char **data, npy_intp i, npy_intp m, const npy_intp *step, const npy_intp *core, int raised) {
@@ -472,16 +360,9 @@ INLINED int SO3_rightJacobian_double_on_vectors(
 
 static APART void SO3_rightJacobian_double_many(
     char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  const npy_intp most = 28 * KSL_LANES;
-  int raised = flags();
-  npy_intp i = 0, m;
-  for (; (m = for_vectors(n - i, KSL_LANES, most)) > 0; i += m) {
-    if (!SO3_rightJacobian_double_on_vectors(data, i, m, step, core, raised)) {
-      SO3_rightJacobian_double_from(data, i, m, step, core);
-      raised = flags();
-    }
-  }
-  SO3_rightJacobian_double_from(data, i, n - i, step, core);
+  const vector_loop loop = { SO3_rightJacobian_double_over, SO3_rightJacobian_double_on_vectors, 2,
+    KSL_LANES, 28 * KSL_LANES };
+  many_elements(&loop, data, n, step, core);
 }
 #endif
 LOOP_ON_VECTORS(SO3_rightJacobian_double, 2, DENSE, 24, 72, 8, 24, 8)
@@ -498,16 +379,6 @@ OVER(SO3_rightJacobian_single) {
 }
 
 #if KSL_LANE_BYTES
-/* m elements, from the one numbered i. */
-static void SO3_rightJacobian_single_from(
-    char **data, npy_intp i, npy_intp m, const npy_intp *step, const npy_intp *core) {
-  char *from[2];
-  for (int k = 0; k < 2; k++) {
-    from[k] = data[k] + i * step[k];
-  }
-  SO3_rightJacobian_single_over(from, m, step, core);
-}
-
 /* The same on vectors; 0, and nothing is written, if that raises flags that are not yet raised. */
 INLINED int SO3_rightJacobian_single_on_vectors(
     char **data, npy_intp i, npy_intp m, const npy_intp *step, const npy_intp *core, int raised) {
@@ -539,16 +410,9 @@ INLINED int SO3_rightJacobian_single_on_vectors(
 
 static APART void SO3_rightJacobian_single_many(
     char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  const npy_intp most = 28 * KSL_LANESF;
-  int raised = flags();
-  npy_intp i = 0, m;
-  for (; (m = for_vectors(n - i, KSL_LANESF, most)) > 0; i += m) {
-    if (!SO3_rightJacobian_single_on_vectors(data, i, m, step, core, raised)) {
-      SO3_rightJacobian_single_from(data, i, m, step, core);
-      raised = flags();
-    }
-  }
-  SO3_rightJacobian_single_from(data, i, n - i, step, core);
+  const vector_loop loop = { SO3_rightJacobian_single_over, SO3_rightJacobian_single_on_vectors, 2,
+    KSL_LANESF, 28 * KSL_LANESF };
+  many_elements(&loop, data, n, step, core);
 }
 #endif
 LOOP_ON_VECTORS(SO3_rightJacobian_single, 2, DENSE, 12, 36, 4, 12, 4)
@@ -567,16 +431,6 @@ OVER(SO3_leftJacobianInverse_double) {
 }
 
 #if KSL_LANE_BYTES
-/* m elements, from the one numbered i. */
-static void SO3_leftJacobianInverse_double_from(
-    char **data, npy_intp i, npy_intp m, const npy_intp *step, const npy_intp *core) {
-  char *from[2];
-  for (int k = 0; k < 2; k++) {
-    from[k] = data[k] + i * step[k];
-  }
-  SO3_leftJacobianInverse_double_over(from, m, step, core);
-}
-
 /* The same on vectors; 0, and nothing is written, if that raises flags that are not yet raised. */
 INLINED int SO3_leftJacobianInverse_double_on_vectors(
     char **data, npy_intp i, npy_intp m, const npy_intp *step, const npy_intp *core, int raised) {
@@ -608,16 +462,9 @@ INLINED int SO3_leftJacobianInverse_double_on_vectors(
 
 static APART void SO3_leftJacobianInverse_double_many(
     char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  const npy_intp most = 28 * KSL_LANES;
-  int raised = flags();
-  npy_intp i = 0, m;
-  for (; (m = for_vectors(n - i, KSL_LANES, most)) > 0; i += m) {
-    if (!SO3_leftJacobianInverse_double_on_vectors(data, i, m, step, core, raised)) {
-      SO3_leftJacobianInverse_double_from(data, i, m, step, core);
-      raised = flags();
-    }
-  }
-  SO3_leftJacobianInverse_double_from(data, i, n - i, step, core);
+  const vector_loop loop = { SO3_leftJacobianInverse_double_over, SO3_leftJacobianInverse_double_on_vectors, 2,
+    KSL_LANES, 28 * KSL_LANES };
+  many_elements(&loop, data, n, step, core);
 }
 #endif
 LOOP_ON_VECTORS(SO3_leftJacobianInverse_double, 2, DENSE, 24, 72, 8, 24, 8)
@@ -634,16 +481,6 @@ OVER(SO3_leftJacobianInverse_single) {
 }
 
 #if KSL_LANE_BYTES
-/* m elements, from the one numbered i. */
-static void SO3_leftJacobianInverse_single_from(
-    char **data, npy_intp i, npy_intp m, const npy_intp *step, const npy_intp *core) {
-  char *from[2];
-  for (int k = 0; k < 2; k++) {
-    from[k] = data[k] + i * step[k];
-  }
-  SO3_leftJacobianInverse_single_over(from, m, step, core);
-}
-
 /* The same on vectors; 0, and nothing is written, if that raises flags that are not yet raised. */
 INLINED int SO3_leftJacobianInverse_single_on_vectors(
     char **data, npy_intp i, npy_intp m, const npy_intp *step, const npy_intp *core, int raised) {
@@ -675,16 +512,9 @@ INLINED int SO3_leftJacobianInverse_single_on_vectors(
 
 static APART void SO3_leftJacobianInverse_single_many(
     char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  const npy_intp most = 28 * KSL_LANESF;
-  int raised = flags();
-  npy_intp i = 0, m;
-  for (; (m = for_vectors(n - i, KSL_LANESF, most)) > 0; i += m) {
-    if (!SO3_leftJacobianInverse_single_on_vectors(data, i, m, step, core, raised)) {
-      SO3_leftJacobianInverse_single_from(data, i, m, step, core);
-      raised = flags();
-    }
-  }
-  SO3_leftJacobianInverse_single_from(data, i, n - i, step, core);
+  const vector_loop loop = { SO3_leftJacobianInverse_single_over, SO3_leftJacobianInverse_single_on_vectors, 2,
+    KSL_LANESF, 28 * KSL_LANESF };
+  many_elements(&loop, data, n, step, core);
 }
 #endif
 LOOP_ON_VECTORS(SO3_leftJacobianInverse_single, 2, DENSE, 12, 36, 4, 12, 4)
@@ -703,16 +533,6 @@ OVER(SO3_rightJacobianInverse_double) {
 }
 
 #if KSL_LANE_BYTES
-/* m elements, from the one numbered i. */
-static void SO3_rightJacobianInverse_double_from(
-    char **data, npy_intp i, npy_intp m, const npy_intp *step, const npy_intp *core) {
-  char *from[2];
-  for (int k = 0; k < 2; k++) {
-    from[k] = data[k] + i * step[k];
-  }
-  SO3_rightJacobianInverse_double_over(from, m, step, core);
-}
-
 /* The same on vectors; 0, and nothing is written, if that raises flags that are not yet raised. */
 INLINED int SO3_rightJacobianInverse_double_on_vectors(
     char **data, npy_intp i, npy_intp m, const npy_intp *step, const npy_intp *core, int raised) {
@@ -744,16 +564,9 @@ INLINED int SO3_rightJacobianInverse_double_on_vectors(
 
 static APART void SO3_rightJacobianInverse_double_many(
     char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  const npy_intp most = 28 * KSL_LANES;
-  int raised = flags();
-  npy_intp i = 0, m;
-  for (; (m = for_vectors(n - i, KSL_LANES, most)) > 0; i += m) {
-    if (!SO3_rightJacobianInverse_double_on_vectors(data, i, m, step, core, raised)) {
-      SO3_rightJacobianInverse_double_from(data, i, m, step, core);
-      raised = flags();
-    }
-  }
-  SO3_rightJacobianInverse_double_from(data, i, n - i, step, core);
+  const vector_loop loop = { SO3_rightJacobianInverse_double_over, SO3_rightJacobianInverse_double_on_vectors, 2,
+    KSL_LANES, 28 * KSL_LANES };
+  many_elements(&loop, data, n, step, core);
 }
 #endif
 LOOP_ON_VECTORS(SO3_rightJacobianInverse_double, 2, DENSE, 24, 72, 8, 24, 8)
@@ -770,16 +583,6 @@ OVER(SO3_rightJacobianInverse_single) {
 }
 
 #if KSL_LANE_BYTES
-/* m elements, from the one numbered i. */
-static void SO3_rightJacobianInverse_single_from(
-    char **data, npy_intp i, npy_intp m, const npy_intp *step, const npy_intp *core) {
-  char *from[2];
-  for (int k = 0; k < 2; k++) {
-    from[k] = data[k] + i * step[k];
-  }
-  SO3_rightJacobianInverse_single_over(from, m, step, core);
-}
-
 /* The same on vectors; 0, and nothing is written, if that raises flags that are not yet raised. */
 INLINED int SO3_rightJacobianInverse_single_on_vectors(
     char **data, npy_intp i, npy_intp m, const npy_intp *step, const npy_intp *core, int raised) {
@@ -811,16 +614,9 @@ INLINED int SO3_rightJacobianInverse_single_on_vectors(
 
 static APART void SO3_rightJacobianInverse_single_many(
     char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  const npy_intp most = 28 * KSL_LANESF;
-  int raised = flags();
-  npy_intp i = 0, m;
-  for (; (m = for_vectors(n - i, KSL_LANESF, most)) > 0; i += m) {
-    if (!SO3_rightJacobianInverse_single_on_vectors(data, i, m, step, core, raised)) {
-      SO3_rightJacobianInverse_single_from(data, i, m, step, core);
-      raised = flags();
-    }
-  }
-  SO3_rightJacobianInverse_single_from(data, i, n - i, step, core);
+  const vector_loop loop = { SO3_rightJacobianInverse_single_over, SO3_rightJacobianInverse_single_on_vectors, 2,
+    KSL_LANESF, 28 * KSL_LANESF };
+  many_elements(&loop, data, n, step, core);
 }
 #endif
 LOOP_ON_VECTORS(SO3_rightJacobianInverse_single, 2, DENSE, 12, 36, 4, 12, 4)
@@ -889,16 +685,6 @@ OVER(SE3_exp_double) {
 }
 
 #if KSL_LANE_BYTES
-/* m elements, from the one numbered i. */
-static void SE3_exp_double_from(
-    char **data, npy_intp i, npy_intp m, const npy_intp *step, const npy_intp *core) {
-  char *from[2];
-  for (int k = 0; k < 2; k++) {
-    from[k] = data[k] + i * step[k];
-  }
-  SE3_exp_double_over(from, m, step, core);
-}
-
 /* The same on vectors; 0, and nothing is written, if that raises flags that are not yet raised. */
 INLINED int SE3_exp_double_on_vectors(
     char **data, npy_intp i, npy_intp m, const npy_intp *step, const npy_intp *core, int raised) {
@@ -930,16 +716,9 @@ INLINED int SE3_exp_double_on_vectors(
 
 static APART void SE3_exp_double_many(
     char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  const npy_intp most = 21 * KSL_LANES;
-  int raised = flags();
-  npy_intp i = 0, m;
-  for (; (m = for_vectors(n - i, KSL_LANES, most)) > 0; i += m) {
-    if (!SE3_exp_double_on_vectors(data, i, m, step, core, raised)) {
-      SE3_exp_double_from(data, i, m, step, core);
-      raised = flags();
-    }
-  }
-  SE3_exp_double_from(data, i, n - i, step, core);
+  const vector_loop loop = { SE3_exp_double_over, SE3_exp_double_on_vectors, 2,
+    KSL_LANES, 21 * KSL_LANES };
+  many_elements(&loop, data, n, step, core);
 }
 #endif
 LOOP_ON_VECTORS(SE3_exp_double, 2, DENSE, 48, 96, 8, 32, 8)
@@ -956,16 +735,6 @@ OVER(SE3_exp_single) {
 }
 
 #if KSL_LANE_BYTES
-/* m elements, from the one numbered i. */
-static void SE3_exp_single_from(
-    char **data, npy_intp i, npy_intp m, const npy_intp *step, const npy_intp *core) {
-  char *from[2];
-  for (int k = 0; k < 2; k++) {
-    from[k] = data[k] + i * step[k];
-  }
-  SE3_exp_single_over(from, m, step, core);
-}
-
 /* The same on vectors; 0, and nothing is written, if that raises flags that are not yet raised. */
 INLINED int SE3_exp_single_on_vectors(
     char **data, npy_intp i, npy_intp m, const npy_intp *step, const npy_intp *core, int raised) {
@@ -997,16 +766,9 @@ INLINED int SE3_exp_single_on_vectors(
 
 static APART void SE3_exp_single_many(
     char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  const npy_intp most = 21 * KSL_LANESF;
-  int raised = flags();
-  npy_intp i = 0, m;
-  for (; (m = for_vectors(n - i, KSL_LANESF, most)) > 0; i += m) {
-    if (!SE3_exp_single_on_vectors(data, i, m, step, core, raised)) {
-      SE3_exp_single_from(data, i, m, step, core);
-      raised = flags();
-    }
-  }
-  SE3_exp_single_from(data, i, n - i, step, core);
+  const vector_loop loop = { SE3_exp_single_over, SE3_exp_single_on_vectors, 2,
+    KSL_LANESF, 21 * KSL_LANESF };
+  many_elements(&loop, data, n, step, core);
 }
 #endif
 LOOP_ON_VECTORS(SE3_exp_single, 2, DENSE, 24, 48, 4, 16, 4)
@@ -1025,16 +787,6 @@ OVER(SE3_log_double) {
 }
 
 #if KSL_LANE_BYTES
-/* m elements, from the one numbered i. */
-static void SE3_log_double_from(
-    char **data, npy_intp i, npy_intp m, const npy_intp *step, const npy_intp *core) {
-  char *from[2];
-  for (int k = 0; k < 2; k++) {
-    from[k] = data[k] + i * step[k];
-  }
-  SE3_log_double_over(from, m, step, core);
-}
-
 /* The same on vectors; 0, and nothing is written, if that raises flags that are not yet raised. */
 INLINED int SE3_log_double_on_vectors(
     char **data, npy_intp i, npy_intp m, const npy_intp *step, const npy_intp *core, int raised) {
@@ -1066,16 +818,9 @@ INLINED int SE3_log_double_on_vectors(
 
 static APART void SE3_log_double_many(
     char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  const npy_intp most = 42 * KSL_LANES;
-  int raised = flags();
-  npy_intp i = 0, m;
-  for (; (m = for_vectors(n - i, KSL_LANES, most)) > 0; i += m) {
-    if (!SE3_log_double_on_vectors(data, i, m, step, core, raised)) {
-      SE3_log_double_from(data, i, m, step, core);
-      raised = flags();
-    }
-  }
-  SE3_log_double_from(data, i, n - i, step, core);
+  const vector_loop loop = { SE3_log_double_over, SE3_log_double_on_vectors, 2,
+    KSL_LANES, 42 * KSL_LANES };
+  many_elements(&loop, data, n, step, core);
 }
 #endif
 LOOP_ON_VECTORS(SE3_log_double, 2, DENSE, 96, 48, 32, 8, 8)
@@ -1092,16 +837,6 @@ OVER(SE3_log_single) {
 }
 
 #if KSL_LANE_BYTES
-/* m elements, from the one numbered i. */
-static void SE3_log_single_from(
-    char **data, npy_intp i, npy_intp m, const npy_intp *step, const npy_intp *core) {
-  char *from[2];
-  for (int k = 0; k < 2; k++) {
-    from[k] = data[k] + i * step[k];
-  }
-  SE3_log_single_over(from, m, step, core);
-}
-
 /* The same on vectors; 0, and nothing is written, if that raises flags that are not yet raised. */
 INLINED int SE3_log_single_on_vectors(
     char **data, npy_intp i, npy_intp m, const npy_intp *step, const npy_intp *core, int raised) {
@@ -1133,16 +868,9 @@ INLINED int SE3_log_single_on_vectors(
 
 static APART void SE3_log_single_many(
     char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  const npy_intp most = 42 * KSL_LANESF;
-  int raised = flags();
-  npy_intp i = 0, m;
-  for (; (m = for_vectors(n - i, KSL_LANESF, most)) > 0; i += m) {
-    if (!SE3_log_single_on_vectors(data, i, m, step, core, raised)) {
-      SE3_log_single_from(data, i, m, step, core);
-      raised = flags();
-    }
-  }
-  SE3_log_single_from(data, i, n - i, step, core);
+  const vector_loop loop = { SE3_log_single_over, SE3_log_single_on_vectors, 2,
+    KSL_LANESF, 42 * KSL_LANESF };
+  many_elements(&loop, data, n, step, core);
 }
 #endif
 LOOP_ON_VECTORS(SE3_log_single, 2, DENSE, 48, 24, 16, 4, 4)
@@ -1161,16 +889,6 @@ OVER(SE3_leftJacobian_double) {
 }
 
 #if KSL_LANE_BYTES
-/* m elements, from the one numbered i. */
-static void SE3_leftJacobian_double_from(
-    char **data, npy_intp i, npy_intp m, const npy_intp *step, const npy_intp *core) {
-  char *from[2];
-  for (int k = 0; k < 2; k++) {
-    from[k] = data[k] + i * step[k];
-  }
-  SE3_leftJacobian_double_over(from, m, step, core);
-}
-
 /* The same on vectors; 0, and nothing is written, if that raises flags that are not yet raised. */
 INLINED int SE3_leftJacobian_double_on_vectors(
     char **data, npy_intp i, npy_intp m, const npy_intp *step, const npy_intp *core, int raised) {
@@ -1202,16 +920,9 @@ INLINED int SE3_leftJacobian_double_on_vectors(
 
 static APART void SE3_leftJacobian_double_many(
     char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  const npy_intp most = 7 * KSL_LANES;
-  int raised = flags();
-  npy_intp i = 0, m;
-  for (; (m = for_vectors(n - i, KSL_LANES, most)) > 0; i += m) {
-    if (!SE3_leftJacobian_double_on_vectors(data, i, m, step, core, raised)) {
-      SE3_leftJacobian_double_from(data, i, m, step, core);
-      raised = flags();
-    }
-  }
-  SE3_leftJacobian_double_from(data, i, n - i, step, core);
+  const vector_loop loop = { SE3_leftJacobian_double_over, SE3_leftJacobian_double_on_vectors, 2,
+    KSL_LANES, 7 * KSL_LANES };
+  many_elements(&loop, data, n, step, core);
 }
 #endif
 LOOP_ON_VECTORS(SE3_leftJacobian_double, 2, DENSE, 48, 288, 8, 48, 8)
@@ -1228,16 +939,6 @@ OVER(SE3_leftJacobian_single) {
 }
 
 #if KSL_LANE_BYTES
-/* m elements, from the one numbered i. */
-static void SE3_leftJacobian_single_from(
-    char **data, npy_intp i, npy_intp m, const npy_intp *step, const npy_intp *core) {
-  char *from[2];
-  for (int k = 0; k < 2; k++) {
-    from[k] = data[k] + i * step[k];
-  }
-  SE3_leftJacobian_single_over(from, m, step, core);
-}
-
 /* The same on vectors; 0, and nothing is written, if that raises flags that are not yet raised. */
 INLINED int SE3_leftJacobian_single_on_vectors(
     char **data, npy_intp i, npy_intp m, const npy_intp *step, const npy_intp *core, int raised) {
@@ -1269,16 +970,9 @@ INLINED int SE3_leftJacobian_single_on_vectors(
 
 static APART void SE3_leftJacobian_single_many(
     char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  const npy_intp most = 7 * KSL_LANESF;
-  int raised = flags();
-  npy_intp i = 0, m;
-  for (; (m = for_vectors(n - i, KSL_LANESF, most)) > 0; i += m) {
-    if (!SE3_leftJacobian_single_on_vectors(data, i, m, step, core, raised)) {
-      SE3_leftJacobian_single_from(data, i, m, step, core);
-      raised = flags();
-    }
-  }
-  SE3_leftJacobian_single_from(data, i, n - i, step, core);
+  const vector_loop loop = { SE3_leftJacobian_single_over, SE3_leftJacobian_single_on_vectors, 2,
+    KSL_LANESF, 7 * KSL_LANESF };
+  many_elements(&loop, data, n, step, core);
 }
 #endif
 LOOP_ON_VECTORS(SE3_leftJacobian_single, 2, DENSE, 24, 144, 4, 24, 4)
@@ -1297,16 +991,6 @@ OVER(SE3_rightJacobian_double) {
 }
 
 #if KSL_LANE_BYTES
-/* m elements, from the one numbered i. */
-static void SE3_rightJacobian_double_from(
-    char **data, npy_intp i, npy_intp m, const npy_intp *step, const npy_intp *core) {
-  char *from[2];
-  for (int k = 0; k < 2; k++) {
-    from[k] = data[k] + i * step[k];
-  }
-  SE3_rightJacobian_double_over(from, m, step, core);
-}
-
 /* The same on vectors; 0, and nothing is written, if that raises flags that are not yet raised. */
 INLINED int SE3_rightJacobian_double_on_vectors(
     char **data, npy_intp i, npy_intp m, const npy_intp *step, const npy_intp *core, int raised) {
@@ -1338,16 +1022,9 @@ INLINED int SE3_rightJacobian_double_on_vectors(
 
 static APART void SE3_rightJacobian_double_many(
     char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  const npy_intp most = 7 * KSL_LANES;
-  int raised = flags();
-  npy_intp i = 0, m;
-  for (; (m = for_vectors(n - i, KSL_LANES, most)) > 0; i += m) {
-    if (!SE3_rightJacobian_double_on_vectors(data, i, m, step, core, raised)) {
-      SE3_rightJacobian_double_from(data, i, m, step, core);
-      raised = flags();
-    }
-  }
-  SE3_rightJacobian_double_from(data, i, n - i, step, core);
+  const vector_loop loop = { SE3_rightJacobian_double_over, SE3_rightJacobian_double_on_vectors, 2,
+    KSL_LANES, 7 * KSL_LANES };
+  many_elements(&loop, data, n, step, core);
 }
 #endif
 LOOP_ON_VECTORS(SE3_rightJacobian_double, 2, DENSE, 48, 288, 8, 48, 8)
@@ -1364,16 +1041,6 @@ OVER(SE3_rightJacobian_single) {
 }
 
 #if KSL_LANE_BYTES
-/* m elements, from the one numbered i. */
-static void SE3_rightJacobian_single_from(
-    char **data, npy_intp i, npy_intp m, const npy_intp *step, const npy_intp *core) {
-  char *from[2];
-  for (int k = 0; k < 2; k++) {
-    from[k] = data[k] + i * step[k];
-  }
-  SE3_rightJacobian_single_over(from, m, step, core);
-}
-
 /* The same on vectors; 0, and nothing is written, if that raises flags that are not yet raised. */
 INLINED int SE3_rightJacobian_single_on_vectors(
     char **data, npy_intp i, npy_intp m, const npy_intp *step, const npy_intp *core, int raised) {
@@ -1405,16 +1072,9 @@ INLINED int SE3_rightJacobian_single_on_vectors(
 
 static APART void SE3_rightJacobian_single_many(
     char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  const npy_intp most = 7 * KSL_LANESF;
-  int raised = flags();
-  npy_intp i = 0, m;
-  for (; (m = for_vectors(n - i, KSL_LANESF, most)) > 0; i += m) {
-    if (!SE3_rightJacobian_single_on_vectors(data, i, m, step, core, raised)) {
-      SE3_rightJacobian_single_from(data, i, m, step, core);
-      raised = flags();
-    }
-  }
-  SE3_rightJacobian_single_from(data, i, n - i, step, core);
+  const vector_loop loop = { SE3_rightJacobian_single_over, SE3_rightJacobian_single_on_vectors, 2,
+    KSL_LANESF, 7 * KSL_LANESF };
+  many_elements(&loop, data, n, step, core);
 }
 #endif
 LOOP_ON_VECTORS(SE3_rightJacobian_single, 2, DENSE, 24, 144, 4, 24, 4)
@@ -1433,16 +1093,6 @@ OVER(SE3_leftJacobianInverse_double) {
 }
 
 #if KSL_LANE_BYTES
-/* m elements, from the one numbered i. */
-static void SE3_leftJacobianInverse_double_from(
-    char **data, npy_intp i, npy_intp m, const npy_intp *step, const npy_intp *core) {
-  char *from[2];
-  for (int k = 0; k < 2; k++) {
-    from[k] = data[k] + i * step[k];
-  }
-  SE3_leftJacobianInverse_double_over(from, m, step, core);
-}
-
 /* The same on vectors; 0, and nothing is written, if that raises flags that are not yet raised. */
 INLINED int SE3_leftJacobianInverse_double_on_vectors(
     char **data, npy_intp i, npy_intp m, const npy_intp *step, const npy_intp *core, int raised) {
@@ -1474,16 +1124,9 @@ INLINED int SE3_leftJacobianInverse_double_on_vectors(
 
 static APART void SE3_leftJacobianInverse_double_many(
     char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  const npy_intp most = 7 * KSL_LANES;
-  int raised = flags();
-  npy_intp i = 0, m;
-  for (; (m = for_vectors(n - i, KSL_LANES, most)) > 0; i += m) {
-    if (!SE3_leftJacobianInverse_double_on_vectors(data, i, m, step, core, raised)) {
-      SE3_leftJacobianInverse_double_from(data, i, m, step, core);
-      raised = flags();
-    }
-  }
-  SE3_leftJacobianInverse_double_from(data, i, n - i, step, core);
+  const vector_loop loop = { SE3_leftJacobianInverse_double_over, SE3_leftJacobianInverse_double_on_vectors, 2,
+    KSL_LANES, 7 * KSL_LANES };
+  many_elements(&loop, data, n, step, core);
 }
 #endif
 LOOP_ON_VECTORS(SE3_leftJacobianInverse_double, 2, DENSE, 48, 288, 8, 48, 8)
@@ -1500,16 +1143,6 @@ OVER(SE3_leftJacobianInverse_single) {
 }
 
 #if KSL_LANE_BYTES
-/* m elements, from the one numbered i. */
-static void SE3_leftJacobianInverse_single_from(
-    char **data, npy_intp i, npy_intp m, const npy_intp *step, const npy_intp *core) {
-  char *from[2];
-  for (int k = 0; k < 2; k++) {
-    from[k] = data[k] + i * step[k];
-  }
-  SE3_leftJacobianInverse_single_over(from, m, step, core);
-}
-
 /* The same on vectors; 0, and nothing is written, if that raises flags that are not yet raised. */
 INLINED int SE3_leftJacobianInverse_single_on_vectors(
     char **data, npy_intp i, npy_intp m, const npy_intp *step, const npy_intp *core, int raised) {
@@ -1541,16 +1174,9 @@ INLINED int SE3_leftJacobianInverse_single_on_vectors(
 
 static APART void SE3_leftJacobianInverse_single_many(
     char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  const npy_intp most = 7 * KSL_LANESF;
-  int raised = flags();
-  npy_intp i = 0, m;
-  for (; (m = for_vectors(n - i, KSL_LANESF, most)) > 0; i += m) {
-    if (!SE3_leftJacobianInverse_single_on_vectors(data, i, m, step, core, raised)) {
-      SE3_leftJacobianInverse_single_from(data, i, m, step, core);
-      raised = flags();
-    }
-  }
-  SE3_leftJacobianInverse_single_from(data, i, n - i, step, core);
+  const vector_loop loop = { SE3_leftJacobianInverse_single_over, SE3_leftJacobianInverse_single_on_vectors, 2,
+    KSL_LANESF, 7 * KSL_LANESF };
+  many_elements(&loop, data, n, step, core);
 }
 #endif
 LOOP_ON_VECTORS(SE3_leftJacobianInverse_single, 2, DENSE, 24, 144, 4, 24, 4)
@@ -1569,16 +1195,6 @@ OVER(SE3_rightJacobianInverse_double) {
 }
 
 #if KSL_LANE_BYTES
-/* m elements, from the one numbered i. */
-static void SE3_rightJacobianInverse_double_from(
-    char **data, npy_intp i, npy_intp m, const npy_intp *step, const npy_intp *core) {
-  char *from[2];
-  for (int k = 0; k < 2; k++) {
-    from[k] = data[k] + i * step[k];
-  }
-  SE3_rightJacobianInverse_double_over(from, m, step, core);
-}
-
 /* The same on vectors; 0, and nothing is written, if that raises flags that are not yet raised. */
 INLINED int SE3_rightJacobianInverse_double_on_vectors(
     char **data, npy_intp i, npy_intp m, const npy_intp *step, const npy_intp *core, int raised) {
@@ -1610,16 +1226,9 @@ INLINED int SE3_rightJacobianInverse_double_on_vectors(
 
 static APART void SE3_rightJacobianInverse_double_many(
     char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  const npy_intp most = 7 * KSL_LANES;
-  int raised = flags();
-  npy_intp i = 0, m;
-  for (; (m = for_vectors(n - i, KSL_LANES, most)) > 0; i += m) {
-    if (!SE3_rightJacobianInverse_double_on_vectors(data, i, m, step, core, raised)) {
-      SE3_rightJacobianInverse_double_from(data, i, m, step, core);
-      raised = flags();
-    }
-  }
-  SE3_rightJacobianInverse_double_from(data, i, n - i, step, core);
+  const vector_loop loop = { SE3_rightJacobianInverse_double_over, SE3_rightJacobianInverse_double_on_vectors, 2,
+    KSL_LANES, 7 * KSL_LANES };
+  many_elements(&loop, data, n, step, core);
 }
 #endif
 LOOP_ON_VECTORS(SE3_rightJacobianInverse_double, 2, DENSE, 48, 288, 8, 48, 8)
@@ -1636,16 +1245,6 @@ OVER(SE3_rightJacobianInverse_single) {
 }
 
 #if KSL_LANE_BYTES
-/* m elements, from the one numbered i. */
-static void SE3_rightJacobianInverse_single_from(
-    char **data, npy_intp i, npy_intp m, const npy_intp *step, const npy_intp *core) {
-  char *from[2];
-  for (int k = 0; k < 2; k++) {
-    from[k] = data[k] + i * step[k];
-  }
-  SE3_rightJacobianInverse_single_over(from, m, step, core);
-}
-
 /* The same on vectors; 0, and nothing is written, if that raises flags that are not yet raised. */
 INLINED int SE3_rightJacobianInverse_single_on_vectors(
     char **data, npy_intp i, npy_intp m, const npy_intp *step, const npy_intp *core, int raised) {
@@ -1677,16 +1276,9 @@ INLINED int SE3_rightJacobianInverse_single_on_vectors(
 
 static APART void SE3_rightJacobianInverse_single_many(
     char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  const npy_intp most = 7 * KSL_LANESF;
-  int raised = flags();
-  npy_intp i = 0, m;
-  for (; (m = for_vectors(n - i, KSL_LANESF, most)) > 0; i += m) {
-    if (!SE3_rightJacobianInverse_single_on_vectors(data, i, m, step, core, raised)) {
-      SE3_rightJacobianInverse_single_from(data, i, m, step, core);
-      raised = flags();
-    }
-  }
-  SE3_rightJacobianInverse_single_from(data, i, n - i, step, core);
+  const vector_loop loop = { SE3_rightJacobianInverse_single_over, SE3_rightJacobianInverse_single_on_vectors, 2,
+    KSL_LANESF, 7 * KSL_LANESF };
+  many_elements(&loop, data, n, step, core);
 }
 #endif
 LOOP_ON_VECTORS(SE3_rightJacobianInverse_single, 2, DENSE, 24, 144, 4, 24, 4)
@@ -1709,16 +1301,6 @@ OVER(SE3_interpolated_double) {
 }
 
 #if KSL_LANE_BYTES
-/* m elements, from the one numbered i. */
-static void SE3_interpolated_double_from(
-    char **data, npy_intp i, npy_intp m, const npy_intp *step, const npy_intp *core) {
-  char *from[4];
-  for (int k = 0; k < 4; k++) {
-    from[k] = data[k] + i * step[k];
-  }
-  SE3_interpolated_double_over(from, m, step, core);
-}
-
 /* The same on vectors; 0, and nothing is written, if that raises flags that are not yet raised. */
 INLINED int SE3_interpolated_double_on_vectors(
     char **data, npy_intp i, npy_intp m, const npy_intp *step, const npy_intp *core, int raised) {
@@ -1756,16 +1338,9 @@ INLINED int SE3_interpolated_double_on_vectors(
 
 static APART void SE3_interpolated_double_many(
     char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  const npy_intp most = 21 * KSL_LANES;
-  int raised = flags();
-  npy_intp i = 0, m;
-  for (; (m = for_vectors(n - i, KSL_LANES, most)) > 0; i += m) {
-    if (!SE3_interpolated_double_on_vectors(data, i, m, step, core, raised)) {
-      SE3_interpolated_double_from(data, i, m, step, core);
-      raised = flags();
-    }
-  }
-  SE3_interpolated_double_from(data, i, n - i, step, core);
+  const vector_loop loop = { SE3_interpolated_double_over, SE3_interpolated_double_on_vectors, 4,
+    KSL_LANES, 21 * KSL_LANES };
+  many_elements(&loop, data, n, step, core);
 }
 #endif
 LOOP_ON_VECTORS(SE3_interpolated_double, 4, DENSE_OR_ONE, 96, 96, 8, 96, 32, 8, 32, 8, 32, 8)
@@ -1786,16 +1361,6 @@ OVER(SE3_interpolated_single) {
 }
 
 #if KSL_LANE_BYTES
-/* m elements, from the one numbered i. */
-static void SE3_interpolated_single_from(
-    char **data, npy_intp i, npy_intp m, const npy_intp *step, const npy_intp *core) {
-  char *from[4];
-  for (int k = 0; k < 4; k++) {
-    from[k] = data[k] + i * step[k];
-  }
-  SE3_interpolated_single_over(from, m, step, core);
-}
-
 /* The same on vectors; 0, and nothing is written, if that raises flags that are not yet raised. */
 INLINED int SE3_interpolated_single_on_vectors(
     char **data, npy_intp i, npy_intp m, const npy_intp *step, const npy_intp *core, int raised) {
@@ -1833,16 +1398,9 @@ INLINED int SE3_interpolated_single_on_vectors(
 
 static APART void SE3_interpolated_single_many(
     char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  const npy_intp most = 21 * KSL_LANESF;
-  int raised = flags();
-  npy_intp i = 0, m;
-  for (; (m = for_vectors(n - i, KSL_LANESF, most)) > 0; i += m) {
-    if (!SE3_interpolated_single_on_vectors(data, i, m, step, core, raised)) {
-      SE3_interpolated_single_from(data, i, m, step, core);
-      raised = flags();
-    }
-  }
-  SE3_interpolated_single_from(data, i, n - i, step, core);
+  const vector_loop loop = { SE3_interpolated_single_over, SE3_interpolated_single_on_vectors, 4,
+    KSL_LANESF, 21 * KSL_LANESF };
+  many_elements(&loop, data, n, step, core);
 }
 #endif
 LOOP_ON_VECTORS(SE3_interpolated_single, 4, DENSE_OR_ONE, 48, 48, 4, 48, 16, 4, 16, 4, 16, 4)

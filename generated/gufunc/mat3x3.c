@@ -349,16 +349,6 @@ OVER(mat3x3_from_euler_xyz_double) {
 }
 
 #if KSL_LANE_BYTES
-/* m elements, from the one numbered i. */
-static void mat3x3_from_euler_xyz_double_from(
-    char **data, npy_intp i, npy_intp m, const npy_intp *step, const npy_intp *core) {
-  char *from[2];
-  for (int k = 0; k < 2; k++) {
-    from[k] = data[k] + i * step[k];
-  }
-  mat3x3_from_euler_xyz_double_over(from, m, step, core);
-}
-
 /* The same on vectors; 0, and nothing is written, if that raises flags that are not yet raised. */
 INLINED int mat3x3_from_euler_xyz_double_on_vectors(
     char **data, npy_intp i, npy_intp m, const npy_intp *step, const npy_intp *core, int raised) {
@@ -390,16 +380,9 @@ INLINED int mat3x3_from_euler_xyz_double_on_vectors(
 
 static APART void mat3x3_from_euler_xyz_double_many(
     char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  const npy_intp most = 28 * KSL_LANES;
-  int raised = flags();
-  npy_intp i = 0, m;
-  for (; (m = for_vectors(n - i, KSL_LANES, most)) > 0; i += m) {
-    if (!mat3x3_from_euler_xyz_double_on_vectors(data, i, m, step, core, raised)) {
-      mat3x3_from_euler_xyz_double_from(data, i, m, step, core);
-      raised = flags();
-    }
-  }
-  mat3x3_from_euler_xyz_double_from(data, i, n - i, step, core);
+  const vector_loop loop = { mat3x3_from_euler_xyz_double_over, mat3x3_from_euler_xyz_double_on_vectors, 2,
+    KSL_LANES, 28 * KSL_LANES };
+  many_elements(&loop, data, n, step, core);
 }
 #endif
 LOOP_ON_VECTORS(mat3x3_from_euler_xyz_double, 2, DENSE, 24, 72, 8, 24, 8)
@@ -416,16 +399,6 @@ OVER(mat3x3_from_euler_xyz_single) {
 }
 
 #if KSL_LANE_BYTES
-/* m elements, from the one numbered i. */
-static void mat3x3_from_euler_xyz_single_from(
-    char **data, npy_intp i, npy_intp m, const npy_intp *step, const npy_intp *core) {
-  char *from[2];
-  for (int k = 0; k < 2; k++) {
-    from[k] = data[k] + i * step[k];
-  }
-  mat3x3_from_euler_xyz_single_over(from, m, step, core);
-}
-
 /* The same on vectors; 0, and nothing is written, if that raises flags that are not yet raised. */
 INLINED int mat3x3_from_euler_xyz_single_on_vectors(
     char **data, npy_intp i, npy_intp m, const npy_intp *step, const npy_intp *core, int raised) {
@@ -457,16 +430,9 @@ INLINED int mat3x3_from_euler_xyz_single_on_vectors(
 
 static APART void mat3x3_from_euler_xyz_single_many(
     char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  const npy_intp most = 28 * KSL_LANESF;
-  int raised = flags();
-  npy_intp i = 0, m;
-  for (; (m = for_vectors(n - i, KSL_LANESF, most)) > 0; i += m) {
-    if (!mat3x3_from_euler_xyz_single_on_vectors(data, i, m, step, core, raised)) {
-      mat3x3_from_euler_xyz_single_from(data, i, m, step, core);
-      raised = flags();
-    }
-  }
-  mat3x3_from_euler_xyz_single_from(data, i, n - i, step, core);
+  const vector_loop loop = { mat3x3_from_euler_xyz_single_over, mat3x3_from_euler_xyz_single_on_vectors, 2,
+    KSL_LANESF, 28 * KSL_LANESF };
+  many_elements(&loop, data, n, step, core);
 }
 #endif
 LOOP_ON_VECTORS(mat3x3_from_euler_xyz_single, 2, DENSE, 12, 36, 4, 12, 4)
@@ -485,16 +451,6 @@ OVER(euler_xyz_from_mat3x3_double) {
 }
 
 #if KSL_LANE_BYTES
-/* m elements, from the one numbered i. */
-static void euler_xyz_from_mat3x3_double_from(
-    char **data, npy_intp i, npy_intp m, const npy_intp *step, const npy_intp *core) {
-  char *from[2];
-  for (int k = 0; k < 2; k++) {
-    from[k] = data[k] + i * step[k];
-  }
-  euler_xyz_from_mat3x3_double_over(from, m, step, core);
-}
-
 /* The same on vectors; 0, and nothing is written, if that raises flags that are not yet raised. */
 INLINED int euler_xyz_from_mat3x3_double_on_vectors(
     char **data, npy_intp i, npy_intp m, const npy_intp *step, const npy_intp *core, int raised) {
@@ -526,16 +482,9 @@ INLINED int euler_xyz_from_mat3x3_double_on_vectors(
 
 static APART void euler_xyz_from_mat3x3_double_many(
     char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  const npy_intp most = 85 * KSL_LANES;
-  int raised = flags();
-  npy_intp i = 0, m;
-  for (; (m = for_vectors(n - i, KSL_LANES, most)) > 0; i += m) {
-    if (!euler_xyz_from_mat3x3_double_on_vectors(data, i, m, step, core, raised)) {
-      euler_xyz_from_mat3x3_double_from(data, i, m, step, core);
-      raised = flags();
-    }
-  }
-  euler_xyz_from_mat3x3_double_from(data, i, n - i, step, core);
+  const vector_loop loop = { euler_xyz_from_mat3x3_double_over, euler_xyz_from_mat3x3_double_on_vectors, 2,
+    KSL_LANES, 85 * KSL_LANES };
+  many_elements(&loop, data, n, step, core);
 }
 #endif
 LOOP_ON_VECTORS(euler_xyz_from_mat3x3_double, 2, DENSE, 72, 24, 24, 8, 8)
@@ -552,16 +501,6 @@ OVER(euler_xyz_from_mat3x3_single) {
 }
 
 #if KSL_LANE_BYTES
-/* m elements, from the one numbered i. */
-static void euler_xyz_from_mat3x3_single_from(
-    char **data, npy_intp i, npy_intp m, const npy_intp *step, const npy_intp *core) {
-  char *from[2];
-  for (int k = 0; k < 2; k++) {
-    from[k] = data[k] + i * step[k];
-  }
-  euler_xyz_from_mat3x3_single_over(from, m, step, core);
-}
-
 /* The same on vectors; 0, and nothing is written, if that raises flags that are not yet raised. */
 INLINED int euler_xyz_from_mat3x3_single_on_vectors(
     char **data, npy_intp i, npy_intp m, const npy_intp *step, const npy_intp *core, int raised) {
@@ -593,16 +532,9 @@ INLINED int euler_xyz_from_mat3x3_single_on_vectors(
 
 static APART void euler_xyz_from_mat3x3_single_many(
     char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  const npy_intp most = 85 * KSL_LANESF;
-  int raised = flags();
-  npy_intp i = 0, m;
-  for (; (m = for_vectors(n - i, KSL_LANESF, most)) > 0; i += m) {
-    if (!euler_xyz_from_mat3x3_single_on_vectors(data, i, m, step, core, raised)) {
-      euler_xyz_from_mat3x3_single_from(data, i, m, step, core);
-      raised = flags();
-    }
-  }
-  euler_xyz_from_mat3x3_single_from(data, i, n - i, step, core);
+  const vector_loop loop = { euler_xyz_from_mat3x3_single_over, euler_xyz_from_mat3x3_single_on_vectors, 2,
+    KSL_LANESF, 85 * KSL_LANESF };
+  many_elements(&loop, data, n, step, core);
 }
 #endif
 LOOP_ON_VECTORS(euler_xyz_from_mat3x3_single, 2, DENSE, 36, 12, 12, 4, 4)
@@ -621,16 +553,6 @@ OVER(mat3x3_from_euler_xyx_double) {
 }
 
 #if KSL_LANE_BYTES
-/* m elements, from the one numbered i. */
-static void mat3x3_from_euler_xyx_double_from(
-    char **data, npy_intp i, npy_intp m, const npy_intp *step, const npy_intp *core) {
-  char *from[2];
-  for (int k = 0; k < 2; k++) {
-    from[k] = data[k] + i * step[k];
-  }
-  mat3x3_from_euler_xyx_double_over(from, m, step, core);
-}
-
 /* The same on vectors; 0, and nothing is written, if that raises flags that are not yet raised. */
 INLINED int mat3x3_from_euler_xyx_double_on_vectors(
     char **data, npy_intp i, npy_intp m, const npy_intp *step, const npy_intp *core, int raised) {
@@ -662,16 +584,9 @@ INLINED int mat3x3_from_euler_xyx_double_on_vectors(
 
 static APART void mat3x3_from_euler_xyx_double_many(
     char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  const npy_intp most = 28 * KSL_LANES;
-  int raised = flags();
-  npy_intp i = 0, m;
-  for (; (m = for_vectors(n - i, KSL_LANES, most)) > 0; i += m) {
-    if (!mat3x3_from_euler_xyx_double_on_vectors(data, i, m, step, core, raised)) {
-      mat3x3_from_euler_xyx_double_from(data, i, m, step, core);
-      raised = flags();
-    }
-  }
-  mat3x3_from_euler_xyx_double_from(data, i, n - i, step, core);
+  const vector_loop loop = { mat3x3_from_euler_xyx_double_over, mat3x3_from_euler_xyx_double_on_vectors, 2,
+    KSL_LANES, 28 * KSL_LANES };
+  many_elements(&loop, data, n, step, core);
 }
 #endif
 LOOP_ON_VECTORS(mat3x3_from_euler_xyx_double, 2, DENSE, 24, 72, 8, 24, 8)
@@ -688,16 +603,6 @@ OVER(mat3x3_from_euler_xyx_single) {
 }
 
 #if KSL_LANE_BYTES
-/* m elements, from the one numbered i. */
-static void mat3x3_from_euler_xyx_single_from(
-    char **data, npy_intp i, npy_intp m, const npy_intp *step, const npy_intp *core) {
-  char *from[2];
-  for (int k = 0; k < 2; k++) {
-    from[k] = data[k] + i * step[k];
-  }
-  mat3x3_from_euler_xyx_single_over(from, m, step, core);
-}
-
 /* The same on vectors; 0, and nothing is written, if that raises flags that are not yet raised. */
 INLINED int mat3x3_from_euler_xyx_single_on_vectors(
     char **data, npy_intp i, npy_intp m, const npy_intp *step, const npy_intp *core, int raised) {
@@ -729,16 +634,9 @@ INLINED int mat3x3_from_euler_xyx_single_on_vectors(
 
 static APART void mat3x3_from_euler_xyx_single_many(
     char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  const npy_intp most = 28 * KSL_LANESF;
-  int raised = flags();
-  npy_intp i = 0, m;
-  for (; (m = for_vectors(n - i, KSL_LANESF, most)) > 0; i += m) {
-    if (!mat3x3_from_euler_xyx_single_on_vectors(data, i, m, step, core, raised)) {
-      mat3x3_from_euler_xyx_single_from(data, i, m, step, core);
-      raised = flags();
-    }
-  }
-  mat3x3_from_euler_xyx_single_from(data, i, n - i, step, core);
+  const vector_loop loop = { mat3x3_from_euler_xyx_single_over, mat3x3_from_euler_xyx_single_on_vectors, 2,
+    KSL_LANESF, 28 * KSL_LANESF };
+  many_elements(&loop, data, n, step, core);
 }
 #endif
 LOOP_ON_VECTORS(mat3x3_from_euler_xyx_single, 2, DENSE, 12, 36, 4, 12, 4)
@@ -757,16 +655,6 @@ OVER(euler_xyx_from_mat3x3_double) {
 }
 
 #if KSL_LANE_BYTES
-/* m elements, from the one numbered i. */
-static void euler_xyx_from_mat3x3_double_from(
-    char **data, npy_intp i, npy_intp m, const npy_intp *step, const npy_intp *core) {
-  char *from[2];
-  for (int k = 0; k < 2; k++) {
-    from[k] = data[k] + i * step[k];
-  }
-  euler_xyx_from_mat3x3_double_over(from, m, step, core);
-}
-
 /* The same on vectors; 0, and nothing is written, if that raises flags that are not yet raised. */
 INLINED int euler_xyx_from_mat3x3_double_on_vectors(
     char **data, npy_intp i, npy_intp m, const npy_intp *step, const npy_intp *core, int raised) {
@@ -798,16 +686,9 @@ INLINED int euler_xyx_from_mat3x3_double_on_vectors(
 
 static APART void euler_xyx_from_mat3x3_double_many(
     char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  const npy_intp most = 85 * KSL_LANES;
-  int raised = flags();
-  npy_intp i = 0, m;
-  for (; (m = for_vectors(n - i, KSL_LANES, most)) > 0; i += m) {
-    if (!euler_xyx_from_mat3x3_double_on_vectors(data, i, m, step, core, raised)) {
-      euler_xyx_from_mat3x3_double_from(data, i, m, step, core);
-      raised = flags();
-    }
-  }
-  euler_xyx_from_mat3x3_double_from(data, i, n - i, step, core);
+  const vector_loop loop = { euler_xyx_from_mat3x3_double_over, euler_xyx_from_mat3x3_double_on_vectors, 2,
+    KSL_LANES, 85 * KSL_LANES };
+  many_elements(&loop, data, n, step, core);
 }
 #endif
 LOOP_ON_VECTORS(euler_xyx_from_mat3x3_double, 2, DENSE, 72, 24, 24, 8, 8)
@@ -824,16 +705,6 @@ OVER(euler_xyx_from_mat3x3_single) {
 }
 
 #if KSL_LANE_BYTES
-/* m elements, from the one numbered i. */
-static void euler_xyx_from_mat3x3_single_from(
-    char **data, npy_intp i, npy_intp m, const npy_intp *step, const npy_intp *core) {
-  char *from[2];
-  for (int k = 0; k < 2; k++) {
-    from[k] = data[k] + i * step[k];
-  }
-  euler_xyx_from_mat3x3_single_over(from, m, step, core);
-}
-
 /* The same on vectors; 0, and nothing is written, if that raises flags that are not yet raised. */
 INLINED int euler_xyx_from_mat3x3_single_on_vectors(
     char **data, npy_intp i, npy_intp m, const npy_intp *step, const npy_intp *core, int raised) {
@@ -865,16 +736,9 @@ INLINED int euler_xyx_from_mat3x3_single_on_vectors(
 
 static APART void euler_xyx_from_mat3x3_single_many(
     char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  const npy_intp most = 85 * KSL_LANESF;
-  int raised = flags();
-  npy_intp i = 0, m;
-  for (; (m = for_vectors(n - i, KSL_LANESF, most)) > 0; i += m) {
-    if (!euler_xyx_from_mat3x3_single_on_vectors(data, i, m, step, core, raised)) {
-      euler_xyx_from_mat3x3_single_from(data, i, m, step, core);
-      raised = flags();
-    }
-  }
-  euler_xyx_from_mat3x3_single_from(data, i, n - i, step, core);
+  const vector_loop loop = { euler_xyx_from_mat3x3_single_over, euler_xyx_from_mat3x3_single_on_vectors, 2,
+    KSL_LANESF, 85 * KSL_LANESF };
+  many_elements(&loop, data, n, step, core);
 }
 #endif
 LOOP_ON_VECTORS(euler_xyx_from_mat3x3_single, 2, DENSE, 36, 12, 12, 4, 4)
@@ -977,16 +841,6 @@ OVER(mat3x3_from_axis_angle_double) {
 }
 
 #if KSL_LANE_BYTES
-/* m elements, from the one numbered i. */
-static void mat3x3_from_axis_angle_double_from(
-    char **data, npy_intp i, npy_intp m, const npy_intp *step, const npy_intp *core) {
-  char *from[3];
-  for (int k = 0; k < 3; k++) {
-    from[k] = data[k] + i * step[k];
-  }
-  mat3x3_from_axis_angle_double_over(from, m, step, core);
-}
-
 /* The same on vectors; 0, and nothing is written, if that raises flags that are not yet raised. */
 INLINED int mat3x3_from_axis_angle_double_on_vectors(
     char **data, npy_intp i, npy_intp m, const npy_intp *step, const npy_intp *core, int raised) {
@@ -1021,16 +875,9 @@ INLINED int mat3x3_from_axis_angle_double_on_vectors(
 
 static APART void mat3x3_from_axis_angle_double_many(
     char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  const npy_intp most = 28 * KSL_LANES;
-  int raised = flags();
-  npy_intp i = 0, m;
-  for (; (m = for_vectors(n - i, KSL_LANES, most)) > 0; i += m) {
-    if (!mat3x3_from_axis_angle_double_on_vectors(data, i, m, step, core, raised)) {
-      mat3x3_from_axis_angle_double_from(data, i, m, step, core);
-      raised = flags();
-    }
-  }
-  mat3x3_from_axis_angle_double_from(data, i, n - i, step, core);
+  const vector_loop loop = { mat3x3_from_axis_angle_double_over, mat3x3_from_axis_angle_double_on_vectors, 3,
+    KSL_LANES, 28 * KSL_LANES };
+  many_elements(&loop, data, n, step, core);
 }
 #endif
 LOOP_ON_VECTORS(mat3x3_from_axis_angle_double, 3, DENSE_OR_ONE, 24, 8, 72, 8, 24, 8)
@@ -1049,16 +896,6 @@ OVER(mat3x3_from_axis_angle_single) {
 }
 
 #if KSL_LANE_BYTES
-/* m elements, from the one numbered i. */
-static void mat3x3_from_axis_angle_single_from(
-    char **data, npy_intp i, npy_intp m, const npy_intp *step, const npy_intp *core) {
-  char *from[3];
-  for (int k = 0; k < 3; k++) {
-    from[k] = data[k] + i * step[k];
-  }
-  mat3x3_from_axis_angle_single_over(from, m, step, core);
-}
-
 /* The same on vectors; 0, and nothing is written, if that raises flags that are not yet raised. */
 INLINED int mat3x3_from_axis_angle_single_on_vectors(
     char **data, npy_intp i, npy_intp m, const npy_intp *step, const npy_intp *core, int raised) {
@@ -1093,16 +930,9 @@ INLINED int mat3x3_from_axis_angle_single_on_vectors(
 
 static APART void mat3x3_from_axis_angle_single_many(
     char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  const npy_intp most = 28 * KSL_LANESF;
-  int raised = flags();
-  npy_intp i = 0, m;
-  for (; (m = for_vectors(n - i, KSL_LANESF, most)) > 0; i += m) {
-    if (!mat3x3_from_axis_angle_single_on_vectors(data, i, m, step, core, raised)) {
-      mat3x3_from_axis_angle_single_from(data, i, m, step, core);
-      raised = flags();
-    }
-  }
-  mat3x3_from_axis_angle_single_from(data, i, n - i, step, core);
+  const vector_loop loop = { mat3x3_from_axis_angle_single_over, mat3x3_from_axis_angle_single_on_vectors, 3,
+    KSL_LANESF, 28 * KSL_LANESF };
+  many_elements(&loop, data, n, step, core);
 }
 #endif
 LOOP_ON_VECTORS(mat3x3_from_axis_angle_single, 3, DENSE_OR_ONE, 12, 4, 36, 4, 12, 4)
@@ -1123,16 +953,6 @@ OVER(axis_angle_from_mat3x3_double) {
 }
 
 #if KSL_LANE_BYTES
-/* m elements, from the one numbered i. */
-static void axis_angle_from_mat3x3_double_from(
-    char **data, npy_intp i, npy_intp m, const npy_intp *step, const npy_intp *core) {
-  char *from[3];
-  for (int k = 0; k < 3; k++) {
-    from[k] = data[k] + i * step[k];
-  }
-  axis_angle_from_mat3x3_double_over(from, m, step, core);
-}
-
 /* The same on vectors; 0, and nothing is written, if that raises flags that are not yet raised. */
 INLINED int axis_angle_from_mat3x3_double_on_vectors(
     char **data, npy_intp i, npy_intp m, const npy_intp *step, const npy_intp *core, int raised) {
@@ -1168,16 +988,9 @@ INLINED int axis_angle_from_mat3x3_double_on_vectors(
 
 static APART void axis_angle_from_mat3x3_double_many(
     char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  const npy_intp most = 64 * KSL_LANES;
-  int raised = flags();
-  npy_intp i = 0, m;
-  for (; (m = for_vectors(n - i, KSL_LANES, most)) > 0; i += m) {
-    if (!axis_angle_from_mat3x3_double_on_vectors(data, i, m, step, core, raised)) {
-      axis_angle_from_mat3x3_double_from(data, i, m, step, core);
-      raised = flags();
-    }
-  }
-  axis_angle_from_mat3x3_double_from(data, i, n - i, step, core);
+  const vector_loop loop = { axis_angle_from_mat3x3_double_over, axis_angle_from_mat3x3_double_on_vectors, 3,
+    KSL_LANES, 64 * KSL_LANES };
+  many_elements(&loop, data, n, step, core);
 }
 #endif
 LOOP_ON_VECTORS(axis_angle_from_mat3x3_double, 3, DENSE, 72, 8, 24, 24, 8, 8)
@@ -1196,16 +1009,6 @@ OVER(axis_angle_from_mat3x3_single) {
 }
 
 #if KSL_LANE_BYTES
-/* m elements, from the one numbered i. */
-static void axis_angle_from_mat3x3_single_from(
-    char **data, npy_intp i, npy_intp m, const npy_intp *step, const npy_intp *core) {
-  char *from[3];
-  for (int k = 0; k < 3; k++) {
-    from[k] = data[k] + i * step[k];
-  }
-  axis_angle_from_mat3x3_single_over(from, m, step, core);
-}
-
 /* The same on vectors; 0, and nothing is written, if that raises flags that are not yet raised. */
 INLINED int axis_angle_from_mat3x3_single_on_vectors(
     char **data, npy_intp i, npy_intp m, const npy_intp *step, const npy_intp *core, int raised) {
@@ -1241,16 +1044,9 @@ INLINED int axis_angle_from_mat3x3_single_on_vectors(
 
 static APART void axis_angle_from_mat3x3_single_many(
     char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  const npy_intp most = 64 * KSL_LANESF;
-  int raised = flags();
-  npy_intp i = 0, m;
-  for (; (m = for_vectors(n - i, KSL_LANESF, most)) > 0; i += m) {
-    if (!axis_angle_from_mat3x3_single_on_vectors(data, i, m, step, core, raised)) {
-      axis_angle_from_mat3x3_single_from(data, i, m, step, core);
-      raised = flags();
-    }
-  }
-  axis_angle_from_mat3x3_single_from(data, i, n - i, step, core);
+  const vector_loop loop = { axis_angle_from_mat3x3_single_over, axis_angle_from_mat3x3_single_on_vectors, 3,
+    KSL_LANESF, 64 * KSL_LANESF };
+  many_elements(&loop, data, n, step, core);
 }
 #endif
 LOOP_ON_VECTORS(axis_angle_from_mat3x3_single, 3, DENSE, 36, 4, 12, 12, 4, 4)

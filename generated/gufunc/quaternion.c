@@ -1477,16 +1477,6 @@ OVER(quaternion_from_axis_angle_double) {
 }
 
 #if KSL_LANE_BYTES
-/* m elements, from the one numbered i. */
-static void quaternion_from_axis_angle_double_from(
-    char **data, npy_intp i, npy_intp m, const npy_intp *step, const npy_intp *core) {
-  char *from[3];
-  for (int k = 0; k < 3; k++) {
-    from[k] = data[k] + i * step[k];
-  }
-  quaternion_from_axis_angle_double_over(from, m, step, core);
-}
-
 /* The same on vectors; 0, and nothing is written, if that raises flags that are not yet raised. */
 INLINED int quaternion_from_axis_angle_double_on_vectors(
     char **data, npy_intp i, npy_intp m, const npy_intp *step, const npy_intp *core, int raised) {
@@ -1521,16 +1511,9 @@ INLINED int quaternion_from_axis_angle_double_on_vectors(
 
 static APART void quaternion_from_axis_angle_double_many(
     char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  const npy_intp most = 64 * KSL_LANES;
-  int raised = flags();
-  npy_intp i = 0, m;
-  for (; (m = for_vectors(n - i, KSL_LANES, most)) > 0; i += m) {
-    if (!quaternion_from_axis_angle_double_on_vectors(data, i, m, step, core, raised)) {
-      quaternion_from_axis_angle_double_from(data, i, m, step, core);
-      raised = flags();
-    }
-  }
-  quaternion_from_axis_angle_double_from(data, i, n - i, step, core);
+  const vector_loop loop = { quaternion_from_axis_angle_double_over, quaternion_from_axis_angle_double_on_vectors, 3,
+    KSL_LANES, 64 * KSL_LANES };
+  many_elements(&loop, data, n, step, core);
 }
 #endif
 LOOP_ON_VECTORS(quaternion_from_axis_angle_double, 3, DENSE_OR_ONE, 24, 8, 32, 8, 8)
@@ -1549,16 +1532,6 @@ OVER(quaternion_from_axis_angle_single) {
 }
 
 #if KSL_LANE_BYTES
-/* m elements, from the one numbered i. */
-static void quaternion_from_axis_angle_single_from(
-    char **data, npy_intp i, npy_intp m, const npy_intp *step, const npy_intp *core) {
-  char *from[3];
-  for (int k = 0; k < 3; k++) {
-    from[k] = data[k] + i * step[k];
-  }
-  quaternion_from_axis_angle_single_over(from, m, step, core);
-}
-
 /* The same on vectors; 0, and nothing is written, if that raises flags that are not yet raised. */
 INLINED int quaternion_from_axis_angle_single_on_vectors(
     char **data, npy_intp i, npy_intp m, const npy_intp *step, const npy_intp *core, int raised) {
@@ -1593,16 +1566,9 @@ INLINED int quaternion_from_axis_angle_single_on_vectors(
 
 static APART void quaternion_from_axis_angle_single_many(
     char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  const npy_intp most = 64 * KSL_LANESF;
-  int raised = flags();
-  npy_intp i = 0, m;
-  for (; (m = for_vectors(n - i, KSL_LANESF, most)) > 0; i += m) {
-    if (!quaternion_from_axis_angle_single_on_vectors(data, i, m, step, core, raised)) {
-      quaternion_from_axis_angle_single_from(data, i, m, step, core);
-      raised = flags();
-    }
-  }
-  quaternion_from_axis_angle_single_from(data, i, n - i, step, core);
+  const vector_loop loop = { quaternion_from_axis_angle_single_over, quaternion_from_axis_angle_single_on_vectors, 3,
+    KSL_LANESF, 64 * KSL_LANESF };
+  many_elements(&loop, data, n, step, core);
 }
 #endif
 LOOP_ON_VECTORS(quaternion_from_axis_angle_single, 3, DENSE_OR_ONE, 12, 4, 16, 4, 4)
@@ -1623,16 +1589,6 @@ OVER(axis_angle_from_quaternion_double) {
 }
 
 #if KSL_LANE_BYTES
-/* m elements, from the one numbered i. */
-static void axis_angle_from_quaternion_double_from(
-    char **data, npy_intp i, npy_intp m, const npy_intp *step, const npy_intp *core) {
-  char *from[3];
-  for (int k = 0; k < 3; k++) {
-    from[k] = data[k] + i * step[k];
-  }
-  axis_angle_from_quaternion_double_over(from, m, step, core);
-}
-
 /* The same on vectors; 0, and nothing is written, if that raises flags that are not yet raised. */
 INLINED int axis_angle_from_quaternion_double_on_vectors(
     char **data, npy_intp i, npy_intp m, const npy_intp *step, const npy_intp *core, int raised) {
@@ -1668,16 +1624,9 @@ INLINED int axis_angle_from_quaternion_double_on_vectors(
 
 static APART void axis_angle_from_quaternion_double_many(
     char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  const npy_intp most = 64 * KSL_LANES;
-  int raised = flags();
-  npy_intp i = 0, m;
-  for (; (m = for_vectors(n - i, KSL_LANES, most)) > 0; i += m) {
-    if (!axis_angle_from_quaternion_double_on_vectors(data, i, m, step, core, raised)) {
-      axis_angle_from_quaternion_double_from(data, i, m, step, core);
-      raised = flags();
-    }
-  }
-  axis_angle_from_quaternion_double_from(data, i, n - i, step, core);
+  const vector_loop loop = { axis_angle_from_quaternion_double_over, axis_angle_from_quaternion_double_on_vectors, 3,
+    KSL_LANES, 64 * KSL_LANES };
+  many_elements(&loop, data, n, step, core);
 }
 #endif
 LOOP_ON_VECTORS(axis_angle_from_quaternion_double, 3, DENSE, 32, 8, 24, 8, 8)
@@ -1696,16 +1645,6 @@ OVER(axis_angle_from_quaternion_single) {
 }
 
 #if KSL_LANE_BYTES
-/* m elements, from the one numbered i. */
-static void axis_angle_from_quaternion_single_from(
-    char **data, npy_intp i, npy_intp m, const npy_intp *step, const npy_intp *core) {
-  char *from[3];
-  for (int k = 0; k < 3; k++) {
-    from[k] = data[k] + i * step[k];
-  }
-  axis_angle_from_quaternion_single_over(from, m, step, core);
-}
-
 /* The same on vectors; 0, and nothing is written, if that raises flags that are not yet raised. */
 INLINED int axis_angle_from_quaternion_single_on_vectors(
     char **data, npy_intp i, npy_intp m, const npy_intp *step, const npy_intp *core, int raised) {
@@ -1741,16 +1680,9 @@ INLINED int axis_angle_from_quaternion_single_on_vectors(
 
 static APART void axis_angle_from_quaternion_single_many(
     char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  const npy_intp most = 64 * KSL_LANESF;
-  int raised = flags();
-  npy_intp i = 0, m;
-  for (; (m = for_vectors(n - i, KSL_LANESF, most)) > 0; i += m) {
-    if (!axis_angle_from_quaternion_single_on_vectors(data, i, m, step, core, raised)) {
-      axis_angle_from_quaternion_single_from(data, i, m, step, core);
-      raised = flags();
-    }
-  }
-  axis_angle_from_quaternion_single_from(data, i, n - i, step, core);
+  const vector_loop loop = { axis_angle_from_quaternion_single_over, axis_angle_from_quaternion_single_on_vectors, 3,
+    KSL_LANESF, 64 * KSL_LANESF };
+  many_elements(&loop, data, n, step, core);
 }
 #endif
 LOOP_ON_VECTORS(axis_angle_from_quaternion_single, 3, DENSE, 16, 4, 12, 4, 4)
@@ -1769,16 +1701,6 @@ OVER(quaternion_exp_double) {
 }
 
 #if KSL_LANE_BYTES
-/* m elements, from the one numbered i. */
-static void quaternion_exp_double_from(
-    char **data, npy_intp i, npy_intp m, const npy_intp *step, const npy_intp *core) {
-  char *from[2];
-  for (int k = 0; k < 2; k++) {
-    from[k] = data[k] + i * step[k];
-  }
-  quaternion_exp_double_over(from, m, step, core);
-}
-
 /* The same on vectors; 0, and nothing is written, if that raises flags that are not yet raised. */
 INLINED int quaternion_exp_double_on_vectors(
     char **data, npy_intp i, npy_intp m, const npy_intp *step, const npy_intp *core, int raised) {
@@ -1810,16 +1732,9 @@ INLINED int quaternion_exp_double_on_vectors(
 
 static APART void quaternion_exp_double_many(
     char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  const npy_intp most = 64 * KSL_LANES;
-  int raised = flags();
-  npy_intp i = 0, m;
-  for (; (m = for_vectors(n - i, KSL_LANES, most)) > 0; i += m) {
-    if (!quaternion_exp_double_on_vectors(data, i, m, step, core, raised)) {
-      quaternion_exp_double_from(data, i, m, step, core);
-      raised = flags();
-    }
-  }
-  quaternion_exp_double_from(data, i, n - i, step, core);
+  const vector_loop loop = { quaternion_exp_double_over, quaternion_exp_double_on_vectors, 2,
+    KSL_LANES, 64 * KSL_LANES };
+  many_elements(&loop, data, n, step, core);
 }
 #endif
 LOOP_ON_VECTORS(quaternion_exp_double, 2, DENSE, 24, 32, 8, 8)
@@ -1836,16 +1751,6 @@ OVER(quaternion_exp_single) {
 }
 
 #if KSL_LANE_BYTES
-/* m elements, from the one numbered i. */
-static void quaternion_exp_single_from(
-    char **data, npy_intp i, npy_intp m, const npy_intp *step, const npy_intp *core) {
-  char *from[2];
-  for (int k = 0; k < 2; k++) {
-    from[k] = data[k] + i * step[k];
-  }
-  quaternion_exp_single_over(from, m, step, core);
-}
-
 /* The same on vectors; 0, and nothing is written, if that raises flags that are not yet raised. */
 INLINED int quaternion_exp_single_on_vectors(
     char **data, npy_intp i, npy_intp m, const npy_intp *step, const npy_intp *core, int raised) {
@@ -1877,16 +1782,9 @@ INLINED int quaternion_exp_single_on_vectors(
 
 static APART void quaternion_exp_single_many(
     char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  const npy_intp most = 64 * KSL_LANESF;
-  int raised = flags();
-  npy_intp i = 0, m;
-  for (; (m = for_vectors(n - i, KSL_LANESF, most)) > 0; i += m) {
-    if (!quaternion_exp_single_on_vectors(data, i, m, step, core, raised)) {
-      quaternion_exp_single_from(data, i, m, step, core);
-      raised = flags();
-    }
-  }
-  quaternion_exp_single_from(data, i, n - i, step, core);
+  const vector_loop loop = { quaternion_exp_single_over, quaternion_exp_single_on_vectors, 2,
+    KSL_LANESF, 64 * KSL_LANESF };
+  many_elements(&loop, data, n, step, core);
 }
 #endif
 LOOP_ON_VECTORS(quaternion_exp_single, 2, DENSE, 12, 16, 4, 4)
@@ -1905,16 +1803,6 @@ OVER(quaternion_log_double) {
 }
 
 #if KSL_LANE_BYTES
-/* m elements, from the one numbered i. */
-static void quaternion_log_double_from(
-    char **data, npy_intp i, npy_intp m, const npy_intp *step, const npy_intp *core) {
-  char *from[2];
-  for (int k = 0; k < 2; k++) {
-    from[k] = data[k] + i * step[k];
-  }
-  quaternion_log_double_over(from, m, step, core);
-}
-
 /* The same on vectors; 0, and nothing is written, if that raises flags that are not yet raised. */
 INLINED int quaternion_log_double_on_vectors(
     char **data, npy_intp i, npy_intp m, const npy_intp *step, const npy_intp *core, int raised) {
@@ -1946,16 +1834,9 @@ INLINED int quaternion_log_double_on_vectors(
 
 static APART void quaternion_log_double_many(
     char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  const npy_intp most = 85 * KSL_LANES;
-  int raised = flags();
-  npy_intp i = 0, m;
-  for (; (m = for_vectors(n - i, KSL_LANES, most)) > 0; i += m) {
-    if (!quaternion_log_double_on_vectors(data, i, m, step, core, raised)) {
-      quaternion_log_double_from(data, i, m, step, core);
-      raised = flags();
-    }
-  }
-  quaternion_log_double_from(data, i, n - i, step, core);
+  const vector_loop loop = { quaternion_log_double_over, quaternion_log_double_on_vectors, 2,
+    KSL_LANES, 85 * KSL_LANES };
+  many_elements(&loop, data, n, step, core);
 }
 #endif
 LOOP_ON_VECTORS(quaternion_log_double, 2, DENSE, 32, 24, 8, 8)
@@ -1972,16 +1853,6 @@ OVER(quaternion_log_single) {
 }
 
 #if KSL_LANE_BYTES
-/* m elements, from the one numbered i. */
-static void quaternion_log_single_from(
-    char **data, npy_intp i, npy_intp m, const npy_intp *step, const npy_intp *core) {
-  char *from[2];
-  for (int k = 0; k < 2; k++) {
-    from[k] = data[k] + i * step[k];
-  }
-  quaternion_log_single_over(from, m, step, core);
-}
-
 /* The same on vectors; 0, and nothing is written, if that raises flags that are not yet raised. */
 INLINED int quaternion_log_single_on_vectors(
     char **data, npy_intp i, npy_intp m, const npy_intp *step, const npy_intp *core, int raised) {
@@ -2013,16 +1884,9 @@ INLINED int quaternion_log_single_on_vectors(
 
 static APART void quaternion_log_single_many(
     char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  const npy_intp most = 85 * KSL_LANESF;
-  int raised = flags();
-  npy_intp i = 0, m;
-  for (; (m = for_vectors(n - i, KSL_LANESF, most)) > 0; i += m) {
-    if (!quaternion_log_single_on_vectors(data, i, m, step, core, raised)) {
-      quaternion_log_single_from(data, i, m, step, core);
-      raised = flags();
-    }
-  }
-  quaternion_log_single_from(data, i, n - i, step, core);
+  const vector_loop loop = { quaternion_log_single_over, quaternion_log_single_on_vectors, 2,
+    KSL_LANESF, 85 * KSL_LANESF };
+  many_elements(&loop, data, n, step, core);
 }
 #endif
 LOOP_ON_VECTORS(quaternion_log_single, 2, DENSE, 16, 12, 4, 4)
@@ -2045,16 +1909,6 @@ OVER(quaternion_interpolated_double) {
 }
 
 #if KSL_LANE_BYTES
-/* m elements, from the one numbered i. */
-static void quaternion_interpolated_double_from(
-    char **data, npy_intp i, npy_intp m, const npy_intp *step, const npy_intp *core) {
-  char *from[4];
-  for (int k = 0; k < 4; k++) {
-    from[k] = data[k] + i * step[k];
-  }
-  quaternion_interpolated_double_over(from, m, step, core);
-}
-
 /* The same on vectors; 0, and nothing is written, if that raises flags that are not yet raised. */
 INLINED int quaternion_interpolated_double_on_vectors(
     char **data, npy_intp i, npy_intp m, const npy_intp *step, const npy_intp *core, int raised) {
@@ -2092,16 +1946,9 @@ INLINED int quaternion_interpolated_double_on_vectors(
 
 static APART void quaternion_interpolated_double_many(
     char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  const npy_intp most = 64 * KSL_LANES;
-  int raised = flags();
-  npy_intp i = 0, m;
-  for (; (m = for_vectors(n - i, KSL_LANES, most)) > 0; i += m) {
-    if (!quaternion_interpolated_double_on_vectors(data, i, m, step, core, raised)) {
-      quaternion_interpolated_double_from(data, i, m, step, core);
-      raised = flags();
-    }
-  }
-  quaternion_interpolated_double_from(data, i, n - i, step, core);
+  const vector_loop loop = { quaternion_interpolated_double_over, quaternion_interpolated_double_on_vectors, 4,
+    KSL_LANES, 64 * KSL_LANES };
+  many_elements(&loop, data, n, step, core);
 }
 #endif
 LOOP_ON_VECTORS(quaternion_interpolated_double, 4, DENSE_OR_ONE, 32, 32, 8, 32, 8, 8, 8)
@@ -2122,16 +1969,6 @@ OVER(quaternion_interpolated_single) {
 }
 
 #if KSL_LANE_BYTES
-/* m elements, from the one numbered i. */
-static void quaternion_interpolated_single_from(
-    char **data, npy_intp i, npy_intp m, const npy_intp *step, const npy_intp *core) {
-  char *from[4];
-  for (int k = 0; k < 4; k++) {
-    from[k] = data[k] + i * step[k];
-  }
-  quaternion_interpolated_single_over(from, m, step, core);
-}
-
 /* The same on vectors; 0, and nothing is written, if that raises flags that are not yet raised. */
 INLINED int quaternion_interpolated_single_on_vectors(
     char **data, npy_intp i, npy_intp m, const npy_intp *step, const npy_intp *core, int raised) {
@@ -2169,16 +2006,9 @@ INLINED int quaternion_interpolated_single_on_vectors(
 
 static APART void quaternion_interpolated_single_many(
     char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  const npy_intp most = 64 * KSL_LANESF;
-  int raised = flags();
-  npy_intp i = 0, m;
-  for (; (m = for_vectors(n - i, KSL_LANESF, most)) > 0; i += m) {
-    if (!quaternion_interpolated_single_on_vectors(data, i, m, step, core, raised)) {
-      quaternion_interpolated_single_from(data, i, m, step, core);
-      raised = flags();
-    }
-  }
-  quaternion_interpolated_single_from(data, i, n - i, step, core);
+  const vector_loop loop = { quaternion_interpolated_single_over, quaternion_interpolated_single_on_vectors, 4,
+    KSL_LANESF, 64 * KSL_LANESF };
+  many_elements(&loop, data, n, step, core);
 }
 #endif
 LOOP_ON_VECTORS(quaternion_interpolated_single, 4, DENSE_OR_ONE, 16, 16, 4, 16, 4, 4, 4)

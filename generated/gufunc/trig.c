@@ -23,16 +23,6 @@ OVER(dc_double) {
 }
 
 #if KSL_LANE_BYTES
-/* m elements, from the one numbered i. */
-static void dc_double_from(
-    char **data, npy_intp i, npy_intp m, const npy_intp *step, const npy_intp *core) {
-  char *from[2];
-  for (int k = 0; k < 2; k++) {
-    from[k] = data[k] + i * step[k];
-  }
-  dc_double_over(from, m, step, core);
-}
-
 /* The same on vectors; 0, and nothing is written, if that raises flags that are not yet raised. */
 INLINED int dc_double_on_vectors(
     char **data, npy_intp i, npy_intp m, const npy_intp *step, const npy_intp *core, int raised) {
@@ -64,16 +54,9 @@ INLINED int dc_double_on_vectors(
 
 static APART void dc_double_many(
     char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  const npy_intp most = 128 * KSL_LANES;
-  int raised = flags();
-  npy_intp i = 0, m;
-  for (; (m = for_vectors(n - i, KSL_LANES, most)) > 0; i += m) {
-    if (!dc_double_on_vectors(data, i, m, step, core, raised)) {
-      dc_double_from(data, i, m, step, core);
-      raised = flags();
-    }
-  }
-  dc_double_from(data, i, n - i, step, core);
+  const vector_loop loop = { dc_double_over, dc_double_on_vectors, 2,
+    KSL_LANES, 128 * KSL_LANES };
+  many_elements(&loop, data, n, step, core);
 }
 #endif
 LOOP_ON_VECTORS(dc_double, 2, DENSE, 8, 16, 8)
@@ -90,16 +73,6 @@ OVER(dc_single) {
 }
 
 #if KSL_LANE_BYTES
-/* m elements, from the one numbered i. */
-static void dc_single_from(
-    char **data, npy_intp i, npy_intp m, const npy_intp *step, const npy_intp *core) {
-  char *from[2];
-  for (int k = 0; k < 2; k++) {
-    from[k] = data[k] + i * step[k];
-  }
-  dc_single_over(from, m, step, core);
-}
-
 /* The same on vectors; 0, and nothing is written, if that raises flags that are not yet raised. */
 INLINED int dc_single_on_vectors(
     char **data, npy_intp i, npy_intp m, const npy_intp *step, const npy_intp *core, int raised) {
@@ -131,16 +104,9 @@ INLINED int dc_single_on_vectors(
 
 static APART void dc_single_many(
     char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  const npy_intp most = 128 * KSL_LANESF;
-  int raised = flags();
-  npy_intp i = 0, m;
-  for (; (m = for_vectors(n - i, KSL_LANESF, most)) > 0; i += m) {
-    if (!dc_single_on_vectors(data, i, m, step, core, raised)) {
-      dc_single_from(data, i, m, step, core);
-      raised = flags();
-    }
-  }
-  dc_single_from(data, i, n - i, step, core);
+  const vector_loop loop = { dc_single_over, dc_single_on_vectors, 2,
+    KSL_LANESF, 128 * KSL_LANESF };
+  many_elements(&loop, data, n, step, core);
 }
 #endif
 LOOP_ON_VECTORS(dc_single, 2, DENSE, 4, 8, 4)

@@ -443,16 +443,6 @@ OVER(angle_vv_double) {
 }
 
 #if KSL_LANE_BYTES
-/* m elements, from the one numbered i. */
-static void angle_vv_double_from(
-    char **data, npy_intp i, npy_intp m, const npy_intp *step, const npy_intp *core) {
-  char *from[3];
-  for (int k = 0; k < 3; k++) {
-    from[k] = data[k] + i * step[k];
-  }
-  angle_vv_double_over(from, m, step, core);
-}
-
 /* The same on vectors; 0, and nothing is written, if that raises flags that are not yet raised. */
 INLINED int angle_vv_double_on_vectors(
     char **data, npy_intp i, npy_intp m, const npy_intp *step, const npy_intp *core, int raised) {
@@ -487,16 +477,9 @@ INLINED int angle_vv_double_on_vectors(
 
 static APART void angle_vv_double_many(
     char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  const npy_intp most = 256 * KSL_LANES;
-  int raised = flags();
-  npy_intp i = 0, m;
-  for (; (m = for_vectors(n - i, KSL_LANES, most)) > 0; i += m) {
-    if (!angle_vv_double_on_vectors(data, i, m, step, core, raised)) {
-      angle_vv_double_from(data, i, m, step, core);
-      raised = flags();
-    }
-  }
-  angle_vv_double_from(data, i, n - i, step, core);
+  const vector_loop loop = { angle_vv_double_over, angle_vv_double_on_vectors, 3,
+    KSL_LANES, 256 * KSL_LANES };
+  many_elements(&loop, data, n, step, core);
 }
 #endif
 LOOP_ON_VECTORS(angle_vv_double, 3, DENSE_OR_ONE, 24, 24, 8, 8, 8)
@@ -515,16 +498,6 @@ OVER(angle_vv_single) {
 }
 
 #if KSL_LANE_BYTES
-/* m elements, from the one numbered i. */
-static void angle_vv_single_from(
-    char **data, npy_intp i, npy_intp m, const npy_intp *step, const npy_intp *core) {
-  char *from[3];
-  for (int k = 0; k < 3; k++) {
-    from[k] = data[k] + i * step[k];
-  }
-  angle_vv_single_over(from, m, step, core);
-}
-
 /* The same on vectors; 0, and nothing is written, if that raises flags that are not yet raised. */
 INLINED int angle_vv_single_on_vectors(
     char **data, npy_intp i, npy_intp m, const npy_intp *step, const npy_intp *core, int raised) {
@@ -559,16 +532,9 @@ INLINED int angle_vv_single_on_vectors(
 
 static APART void angle_vv_single_many(
     char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  const npy_intp most = 256 * KSL_LANESF;
-  int raised = flags();
-  npy_intp i = 0, m;
-  for (; (m = for_vectors(n - i, KSL_LANESF, most)) > 0; i += m) {
-    if (!angle_vv_single_on_vectors(data, i, m, step, core, raised)) {
-      angle_vv_single_from(data, i, m, step, core);
-      raised = flags();
-    }
-  }
-  angle_vv_single_from(data, i, n - i, step, core);
+  const vector_loop loop = { angle_vv_single_over, angle_vv_single_on_vectors, 3,
+    KSL_LANESF, 256 * KSL_LANESF };
+  many_elements(&loop, data, n, step, core);
 }
 #endif
 LOOP_ON_VECTORS(angle_vv_single, 3, DENSE_OR_ONE, 12, 12, 4, 4, 4)

@@ -4,18 +4,24 @@ import keyword
 import re
 import subprocess
 import sys
+import sysconfig
 import tomllib
 from collections.abc import Iterable
 from fnmatch import fnmatchcase
+from functools import cache
 from pathlib import Path
 
+import jax
+import numpy as np
 import pytest
 from jinja2 import Environment
 from vulture import Vulture
 
 from coscrew_codegen.__main__ import main
+from coscrew_codegen.backends.render import TEMPLATES
 from tests.support.compiled import all_headers
-from tests.support.compiled.c_harness import C11, INCLUDE, run
+from tests.support.compiled.c_harness import C11, INCLUDE, STRICT, run
+from tests.support.each import each_compiler
 
 ROOT = Path(__file__).parents[2]
 
@@ -40,13 +46,13 @@ def used_elsewhere() -> set[str]:
     """The names that templates, scripts of pages and examples of the documents use."""
     lexed = (Environment().lex(path.read_text("utf-8"))
              for path in (ROOT / "templates").rglob("*.jinja"))
-    found = {text for tokens in lexed for _, kind, text in tokens if kind == "name"}
+    results = {text for tokens in lexed for _, kind, text in tokens if kind == "name"}
     for path in (ROOT / "templates").rglob("*.js"):
-        found.update(re.findall(r"[^\W\d]\w*", path.read_text("utf-8")))
+        results.update(re.findall(r"[^\W\d]\w*", path.read_text("utf-8")))
     for path in (*(ROOT / "docs").glob("*.md"), ROOT / "README.md", ROOT / "CONTRIBUTING.md"):
         for block in re.findall(r"```python\n(.*?)```", path.read_text("utf-8"), re.S):
-            found.update(re.findall(r"[^\W\d]\w*", block))
-    return {name for name in found if name.isidentifier() and not keyword.iskeyword(name)}
+            results.update(re.findall(r"[^\W\d]\w*", block))
+    return {name for name in results if name.isidentifier() and not keyword.iskeyword(name)}
 
 
 def unused(folders: Iterable[str]) -> dict[str, str]:
@@ -67,11 +73,11 @@ def test_vulture_finds_nothing():
     """Nothing in the tests is dead, and nothing in the generator that only tests use; no exception
     is left over."""
     built = ("codegen", "hatch_build.py")
-    found = unused(built) | unused((*built, "tests", "examples"))
+    result = unused(built) | unused((*built, "tests", "examples"))
     patterns = ignored_names()
-    assert [place for name, place in found.items()
+    assert [place for name, place in result.items()
             if not any(fnmatchcase(name, x) for x in patterns)] == []
-    assert [x for x in patterns if not any(fnmatchcase(name, x) for name in found)] == []
+    assert [x for x in patterns if not any(fnmatchcase(name, x) for name in result)] == []
 
 
 def test_names_that_vulture_ignores_have_reasons():
@@ -80,10 +86,10 @@ def test_names_that_vulture_ignores_have_reasons():
     assert [x for x in lines if not re.fullmatch(r' +("[\w*]+",\s+)+# \w.+', x)] == []
 
 
-def tidy(path: Path) -> None:
+def tidy(path: Path, *flags: str) -> None:
     """clang-tidy finds nothing but what .clang-tidy gives reasons to leave out."""
     run(["clang-tidy", "--quiet", f"--config-file={ROOT / '.clang-tidy'}", path, "--", "-x", "c",
-         *C11, "-I", INCLUDE])
+         *C11, "-I", INCLUDE, *flags])
 
 
 @pytest.mark.parametrize("header", all_headers.AMALGAMATIONS)
@@ -94,4 +100,38 @@ def test_clang_tidy_finds_nothing_in_the_headers(header: str):
 def test_clang_tidy_finds_nothing_in_a_scene(tmp_path: Path):
     scene = ROOT / "examples" / "scenes" / "arm6.toml"
     assert main(["generate", str(scene), "-o", str(tmp_path)]) == 0
-    tidy(tmp_path / "arm6.c")
+    for name in ("arm6.c", "arm6f.c"):
+        tidy(tmp_path / name)
+
+
+RUNTIME = sorted(path.relative_to(TEMPLATES).as_posix()
+                 for path in (TEMPLATES / "runtime").rglob("*.[ch]"))
+PRECISION_MACROS = ("-DSINGLE_PRECISION=0", "-DSINGLE_PRECISION=1")
+
+
+@cache
+def system_headers() -> tuple[str, ...]:
+    """Flags for the headers of Python, NumPy and XLA, in which no warning counts."""
+    folders = (sysconfig.get_paths()["include"], np.get_include(), jax.ffi.include_dir())
+    return tuple(word for folder in folders for word in ("-isystem", folder))
+
+
+@pytest.mark.parametrize("macro", PRECISION_MACROS)
+@pytest.mark.parametrize("name", RUNTIME)
+def test_clang_tidy_finds_nothing_in_run_time_c(name: str, macro: str):
+    """By itself, as an editor reads it."""
+    tidy(TEMPLATES / name, macro, *system_headers())
+
+
+@each_compiler
+@pytest.mark.parametrize("name", RUNTIME)
+def test_run_time_c_compiles_by_itself_without_a_warning(name: str, compiler: str, tmp_path: Path):
+    """In each precision, and headers in both, as generated sources include them."""
+    include = f'#include "{name}"\nextern int nothing_else;\n'
+    texts = [f"#define {macro[2:].replace('=', ' ')}\n{include}" for macro in PRECISION_MACROS]
+    if name.endswith(".h"):
+        texts.append("#undef SINGLE_PRECISION\n".join(texts))
+    for number, text in enumerate(texts):
+        (tmp_path / f"{number}.c").write_text(text)
+        run([compiler, *C11, *STRICT, "-O2", "-fPIC", "-I", TEMPLATES, *system_headers(),
+             "-c", tmp_path / f"{number}.c", "-o", tmp_path / "x.o"])

@@ -1,5 +1,5 @@
-"""The sources that a result depends on: found by imports, compared by meaning, and never fewer than
-those that making the result enters."""
+"""The sources that a result depends on: derived from imports, compared by syntax trees, and never
+fewer than the files that making the result enters."""
 
 import json
 import subprocess
@@ -10,6 +10,7 @@ import pytest
 
 from coscrew_codegen.runtime import sources, syntax
 from coscrew_codegen.runtime.sources import Sources
+from tests.support.work import calls_of
 
 ROOT = Path(__file__).parents[2]
 MODULE = '''"""A docstring."""
@@ -70,7 +71,9 @@ GRAPH = {
     "p.typed": b"if TYPE_CHECKING:\n    from p.e import E\nTABLE = {'name': 'p.named'}\n",
     "p.patterns": b"def f(x):\n    return render(f'c/{x}.h')\n",
     "p.computed": b"def f(x):\n    return render(x)\n",
-    "c/d.h.jinja": b"{% include 'c/inner.jinja' %}", "c/inner.jinja": b"", "q/e.jinja": b""}
+    "p.copied": b"def f():\n    return runtime('runtime/r/*.h'), copied('runtime/d.c')\n",
+    "c/d.h.jinja": b"{% include 'c/inner.jinja' %}", "c/inner.jinja": b"", "q/e.jinja": b"",
+    "runtime/r/a.h": b"", "runtime/r/b.h": b"", "runtime/s/c.h": b"", "runtime/d.c": b""}
 
 
 @pytest.mark.parametrize("maker, wanted", [
@@ -79,10 +82,12 @@ GRAPH = {
     ("p.all", "p.all p.inner p.found p.inner.d p.inner.other p p.e p.typed p.named c/d.h.jinja "
               "c/inner.jinja"),
     ("p.patterns", "p.patterns c/d.h.jinja c/inner.jinja"),
-    ("p.computed", "p.computed c/d.h.jinja c/inner.jinja q/e.jinja"), ("p.e", "p.e")])
+    ("p.computed", "p.computed c/d.h.jinja c/inner.jinja q/e.jinja"), ("p.e", "p.e"),
+    ("p.copied", "p.copied runtime/r/a.h runtime/r/b.h runtime/d.c")])
 def test_what_a_module_imports_is_found(maker, wanted):
-    """Also inside functions, relatively, for types, by a name in a table, and by looking into a
-    folder; of templates those that are named, by a pattern too, or all if the name is computed."""
+    """Imports inside functions, relative ones, for types, by a name in a table, and by looking into
+    a folder are found; so are templates that are named, also by a pattern, or all if the name is
+    computed, and C that is copied, by its name or a pattern."""
     assert Sources.of(GRAPH).reached([maker]) - {"p"} == {*wanted.split()} - {"p"}
 
 
@@ -92,10 +97,20 @@ def test_of_a_package_that_imports_all_its_modules_the_chosen_count():
     assert "p.inner.d" in its.reached(["p.inner"], {"p.inner": {"p.inner.d"}})
 
 
+def test_a_load_costs_little_more_than_a_look_at_each_source():
+    """Every one asks for the sources that its kernels depend on, which differ with its effects."""
+    its = Sources.of(sources.read())
+    maker, effects = "coscrew_codegen.runtime.load", "coscrew_codegen.scene.effects"
+    its.digest([maker], {effects: ()})
+    other = {effects: {f"{effects}.gravity"}}
+    assert calls_of(lambda: its.digest([maker], other)) < 50 * len(its.meanings)
+
+
 @pytest.mark.parametrize("name, maker, counts", [
     ("p.b", "p.read", True), ("p.inner.other", "p.read", False), ("p.inner", "p.read", True),
     ("c/inner.jinja", "p.read", True), ("q/e.jinja", "p.read", False), ("p", "p.e", True),
-    ("p.read", "p.b", False), ("p.named", "p.all", True)])
+    ("p.read", "p.b", False), ("p.named", "p.all", True), ("runtime/r/b.h", "p.copied", True),
+    ("runtime/s/c.h", "p.copied", False)])
 def test_a_change_counts_where_it_is_reached(name, maker, counts):
     """A package's own file counts for all modules in it, as importing these runs it."""
     changed = Sources.of(GRAPH | {name: GRAPH[name] + b"\nX = 1\n"})
@@ -122,7 +137,7 @@ def test_meanings_are_kept_and_damaged_ones_are_read_again(tmp_path, monkeypatch
     monkeypatch.setattr(syntax, "of_module", lambda content, package: (
         read.append(content), of_module(content, package))[1])
     wanted = Sources.of(GRAPH)
-    modules = [x for x in GRAPH if not x.endswith(".jinja")]
+    modules = [x for x in GRAPH if "/" not in x]
     assert len(read) == len(modules)
     assert Sources.of(GRAPH) == wanted and len(read) == len(modules)
     changed = GRAPH | {"p.e": b"X = 1\n"}
@@ -143,7 +158,7 @@ from coscrew_codegen.runtime import sources
 
 FILES, entered = {}, set()
 for name in sources.read():
-    if not name.endswith(".jinja") and name != "coscrew_codegen.__main__":
+    if "/" not in name and name != "coscrew_codegen.__main__":
         try:
             FILES[import_module(name).__file__] = name
         except ImportError:
@@ -186,7 +201,7 @@ print(len(makes))
 
 
 def test_deriving_a_family_enters_only_what_counts():
-    """And rendering its parts: modules and templates, whatever imports them."""
+    """Rendering its parts enters only those modules and templates, too, whatever imports them."""
     done = subprocess.run([sys.executable, "-c", FAMILIES, "trig", "mat3x3"], cwd=ROOT, text=True,
                           capture_output=True, check=True)
     *lines, makes = done.stdout.splitlines()
@@ -198,21 +213,27 @@ SCENES = TRACED + """
 from pathlib import Path
 from coscrew_codegen import load_scene
 from coscrew_codegen.program.plugins import holder
-from coscrew_codegen.runtime import load
+from coscrew_codegen.runtime import scene_library
 from coscrew_codegen.scene import effects
 
-sys.setprofile(enter)
+def traced(*given):
+    sys.setprofile(enter)
+    made = make(*given)
+    sys.setprofile(None)
+    return made
+
+make, scene_library._made = scene_library._made, traced
 kernels = load_scene(Path(sys.argv[1]), tiers=["accurate"])
 kernels.accurate, kernels._lanes._library
-sys.setprofile(None)
 used = {holder(effects.__name__, "EFFECT", x.effect) for x in kernels.scene.effects}
 its = sources.Sources.of(sources.read())
-print(len(entered), *sorted(entered - its.reached([load.__name__], {effects.__name__: used})))
+reached = its.reached([scene_library.__name__], {effects.__name__: used})
+print(len(entered), *sorted(entered - reached))
 """
 
 
 def test_making_a_scene_s_kernels_enters_only_what_counts(tmp_path, monkeypatch):
-    """In C, in a tier, and for many states; of the effects those that the scene has."""
+    """This holds in C, in a tier, and for many states; only the scene's effects are entered."""
     monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path))
     done = subprocess.run([sys.executable, "-c", SCENES, "examples/scenes/pendulum.toml"], cwd=ROOT,
                           text=True, capture_output=True, check=True)

@@ -1,7 +1,6 @@
-"""Templates compute nothing: what a file computes comes from Programs, through holes.
+"""Templates compute nothing: a file's arithmetic comes from Programs, through holes.
 
-Comparisons are free: templates may loop and choose.
-"""
+Comparisons are free: templates may loop and choose."""
 
 from pathlib import Path
 
@@ -30,18 +29,16 @@ EXEMPT = {
     "c/ksl_types.h.jinja": "a version's number as an integer",
     "c/ksl_exact.h.jinja": PRIMITIVES,
     **{f"{x}.jinja": PLACES for x in (
-        "gufunc/module.c", "gufunc/promoter.c", "gufunc/refusals", "gufunc/ufuncs",
-        "gufunc/loop_on_vectors", "gufunc/macros", "gufunc/lanes", "gufunc/checks", "gufunc/axes",
+        "gufunc/module.c", "gufunc/lanes", "gufunc/checks",
         "gufunc/_lanes.h", "python/_arrays.py",
-        "python/_kernel.py", "scene/arrays", "scene/arrays.py", "scene/out", "scene/objects",
-        "scene/arguments", "scene/states", "scene/threads", "scene/share", "scene/called",
+        "python/_kernel.py", "scene/arrays.py", "scene/out",
         "scene/many_states", "scene/step_of_states", "c/rows", "c/blocks", "c/tiles",
-        "c/tiles_of_32_bytes", "c/tiles_of_64_bytes", "scene/driven", "c/halves", "c/ksl_states.h",
+        "c/tiles_of_32_bytes", "c/tiles_of_64_bytes", "c/halves", "c/ksl_states.h",
         "c/many_of_states", "cuda/threads",
         "cuda/kernel", "cuda/two_over_pi")},
     "cuda/elementary.jinja": PRIMITIVES,
     "cuda/headers.jinja": "the type of a difference of pointers",
-    "native/driver.c.jinja": MEASURES, "report/drift.c.jinja": MEASURES}
+    "report/drift.c.jinja": MEASURES}
 """Templates that compute, and why they may.  Pages are not kernels and are left out."""
 
 TEMPLATES = sorted(p.relative_to(ROOT).as_posix() for p in ROOT.rglob("*.jinja")

@@ -75,7 +75,7 @@ static void a_lever(double *x) {
   for (int i = 0; i < 3; i++) { x[i] *= size * (uneven ? exp2(uniform(-30, 0)) : 1); }
 }
 
-/* A third combination of two rows, but for little; or any. */
+/* A third combination of two rows, except for little; or any. */
 static void rows(double *p) {
   const double a = normal(), b = below(3) ? normal() : 0, off = exp2(-uniform(0, 60));
   for (int i = 0; i < 3; i++) { a_lever(p + 3 * i); }

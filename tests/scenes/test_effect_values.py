@@ -1,4 +1,4 @@
-"""What every effect exerts, stores and dissipates: formulas and quadratures of the tests' own.
+"""Forces, energies and powers of every effect: formulas and quadratures of the tests' own.
 
 Each case is an effect on the least model, at some states.  Torques, forces and powers are compared
 with formulas written here once more; energies with quadratures of these forces; the field of a
@@ -48,8 +48,8 @@ def fifty_digits() -> Iterator[None]:
 
 @dataclass(frozen=True)
 class Case:
-    """An effect, the last of `effects`, at a state: its own quantities; the power of what it does
-    not store; the torques along all velocities."""
+    """An effect, the last of `effects`, at a state: its own quantities; the power that it does not
+    store; the torques along all velocities."""
 
     model: Model
     effects: tuple[Applied, ...]

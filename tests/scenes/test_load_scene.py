@@ -44,7 +44,7 @@ def counting(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 @pytest.fixture
 def counted(counting: Path, monkeypatch: pytest.MonkeyPatch, cache: Path):
-    """How often $CC has compiled since the test began."""
+    """Number of compilations by $CC since the test began."""
     log = counting.with_name("calls")
     before = len(log.read_text().splitlines())
     monkeypatch.setenv("CC", f"'{counting}'")

@@ -1,4 +1,4 @@
-"""One line sums up what is not used, what changes the motion first."""
+"""One line sums up unused numbers, those that change the motion first."""
 
 import re
 

@@ -1,6 +1,6 @@
-"""What is stated of rounding errors between the joints' limits, without running: every rule holds
-and is no more generous than it says; searches for the worst never find more, and not much less;
-where nothing useful is known nothing is stated."""
+"""Statements on rounding errors between the joints' limits, derived without running: every rule
+holds and is no more generous than it says; searches for the worst error never exceed the bound, and
+come near it; where no useful bound is known nothing is stated."""
 
 from collections.abc import Callable
 from dataclasses import replace

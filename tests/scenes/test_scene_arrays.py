@@ -62,7 +62,7 @@ def given_to(outs: tuple[np.ndarray, ...]) -> object:
 
 
 def spread(x: np.ndarray) -> np.ndarray:
-    """The same numbers, in reverse order and with gaps in memory."""
+    """Returns equal numbers, in reverse order and with gaps in memory."""
     wide = np.zeros([2 * n for n in x.shape], x.dtype)
     view = wide[(..., *(slice(None, None, -2) for _ in x.shape))]
     view[...] = x

@@ -67,7 +67,7 @@ def of_each(function, given: list[np.ndarray]) -> tuple[np.ndarray, ...]:
 
 
 def columns(x: np.ndarray) -> np.ndarray:
-    """The same rows, some columns of a wider array."""
+    """Returns equal rows, as some columns of a wider array."""
     wide = np.full((len(x), x[0].size + 3), np.nan, x.dtype)
     wide[:, 1:-2] = x.reshape(len(x), -1)
     return wide[:, 1:-2] if x.ndim > 1 else wide[:, 1]

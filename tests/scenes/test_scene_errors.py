@@ -1,4 +1,5 @@
-"""An error in a scene file is one clear message: file, key, what came, what was wanted."""
+"""An error in a scene file is one clear message: file, key, the value that came, the value wanted.
+"""
 
 import math
 from fractions import Fraction as F

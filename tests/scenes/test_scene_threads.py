@@ -11,7 +11,7 @@ from pathlib import Path
 
 import pytest
 
-from coscrew_codegen.backends.render import render
+from coscrew_codegen.backends.render import TEMPLATES
 from coscrew_codegen.runtime import lanes
 from coscrew_codegen.runtime.load import Kernels, kernels_of
 from tests.support.compiled.c_harness import C11, COMPILERS, STRICT, run
@@ -26,7 +26,7 @@ RACES = ("-fsanitize=thread", "-O1")
 
 @cache
 def finds_races(compiler: str) -> bool:
-    """Whether programs with this compiler's sanitizer of threads run here."""
+    """Returns whether programs with this compiler's sanitizer of threads run here."""
     if not has_sanitizers(compiler):
         return False
     command = (compiler, *RACES, "-x", "c", "-", "-o", "/dev/null")
@@ -41,8 +41,7 @@ BUILDS = (*((x, ("-O2",)) for x in COMPILERS),
 
 @pytest.mark.parametrize("compiler, flags", BUILDS, ids=str)
 def test_threads_keep_what_they_promise(compiler: str, flags: tuple[str, ...], tmp_path: Path):
-    (tmp_path / "threads.c").write_text(render("scene/threads") + render("scene/share"))
-    run((compiler, *C11, *STRICT, *flags, "-I", tmp_path, DRIVER, "-o", tmp_path / "driver",
+    run((compiler, *C11, *STRICT, *flags, "-I", TEMPLATES, DRIVER, "-o", tmp_path / "driver",
          "-lm", "-pthread"))
     unforked = () if flags == ("-O2",) else ("unforked",)  # sanitizers know no threads of children
     assert run((tmp_path / "driver", *unforked)) == ""
@@ -72,7 +71,7 @@ def test_callers_at_once_share_threads(kernels: Kernels):
 @pytest.mark.skipif("fork" not in multiprocessing.get_all_start_methods(), reason="nothing forks")
 @pytest.mark.parametrize("parent", ("waiting", "computing"))
 def test_forked_processes_start_their_own(kernels: Kernels, parent: str):
-    """Whether or not another thread of the parent computes when it forks; in a process in which no
-    other library has threads."""
+    """Returns whether or not another thread of the parent computes when it forks; in a process in
+    which no other library has threads."""
     run((sys.executable, "-W", "ignore::DeprecationWarning", "-m", "tests.support.scenes.forks",
          parent))

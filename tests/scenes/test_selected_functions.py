@@ -63,7 +63,7 @@ def public(scene: Scene) -> list[str]:
     """The functions that C declares, steps among them."""
     found = derive(scene)
     header = scene_c.files(found, "banner")[f"{scene.name}.h"]
-    return re.findall(rf"^void {scene.name}_(\w+?)\(", header.split("_NO_SINGLE")[0], re.M)
+    return re.findall(rf"^void {scene.name}_(\w+?)\(", header.partition("in single")[0], re.M)
 
 
 def test_without_a_word_jacobians_reactions_and_other_integrators_are_left_out():
@@ -121,7 +121,7 @@ def test_contacts_are_refused_by_name_where_no_limit_closes():
 
 
 def test_all_functions_have_names_and_names_have_functions():
-    """For two scenes that together have everything that a scene can have."""
+    """The two scenes together have everything that a scene can have."""
     found = {*public(arm(*ALL))} | {f"{name}" for name in public(flyer(*ALL))}
     assert found == {*names(arm()), *names(flyer())}
     assert {"jacobian_b2", "jacobian_b1", "reaction_j0"} < found and "reaction_j2" not in found
@@ -257,7 +257,7 @@ def test_many_joints_have_no_mass_matrix_unless_asked_and_no_end_of_them_is_refu
 
 
 def test_alarms_do_without_a_mass_matrix(tmp_path: Path, monkeypatch: pytest.MonkeyPatch):
-    """With it, an alarm finds the centres of mass of what floats."""
+    """With it, an alarm computes the centres of mass of floating trees."""
     monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path))
     monkeypatch.setattr(required_functions, "MANY", 0)
     scene = m.scene(m.slider(1), m.applied("spring", "j0", k=10**6))

@@ -8,9 +8,8 @@ import pytest
 from coscrew_codegen import load_scene
 from coscrew_codegen.scene.mechanism.notices import summary
 from coscrew_codegen.scene.readers.scene_error import SceneError
-from coscrew_codegen.scene.readers.urdf.urdf import read_urdf
 from coscrew_codegen.scene.readers.urdf.urdf_schema import ATTRIBUTES, CHILDREN
-from tests.support.scenes.reading import ARM
+from tests.support.scenes.reading import ARM, read_urdf
 
 FULL = """<robot name="full" version="1.2">
 <link name="ground"/>

@@ -1,5 +1,10 @@
-"""Renders the templates, which hold file shapes only."""
+"""Renders the templates, which hold file shapes only.
 
+In a template a line that begins with the empty comment {#- #} continues the one before.  The filter
+`each` fills a pattern with each item: {{ names|each("double {}") }} is "double x, double y".
+"""
+
+from collections.abc import Iterable, Mapping
 from functools import cache
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -28,10 +33,17 @@ and so carries its license; the numbers and names in it belong to the scene."""
 def _environment() -> "jinja2.Environment":
     import jinja2
 
-    return jinja2.Environment(
+    environment = jinja2.Environment(
         loader=jinja2.FunctionLoader(_source),
         undefined=jinja2.StrictUndefined, autoescape=_is_page, trim_blocks=False,
         lstrip_blocks=False, keep_trailing_newline=True)
+    environment.filters["each"] = _each
+    return environment
+
+
+def _each(items: Iterable[object], pattern: str) -> str:
+    """The pattern filled with each item in turn, with commas in between."""
+    return ", ".join(pattern.format(item) for item in items)
 
 
 def _is_page(name: str | None) -> bool:
@@ -58,3 +70,16 @@ def render(template: str, **holes: object) -> str:
         holes["banner"] = _between_lines(template).join((str(holes["banner"]), *LICENSE))
     text = _environment().get_template(f"{template}.jinja").render(**holes)
     return text.rstrip("\n") + "\n"
+
+
+def copied(path: str) -> str:
+    """The text of a file of templates/ that is C as it stands, whatever the Program."""
+    return _source(path)
+
+
+def runtime(pattern: str, banner: str = "") -> Mapping[str, str]:
+    """The files that match runtime/…, copied, by their paths in templates/runtime/; each begins
+    with the banner, if there is one."""
+    lines = "".join(f"/* {line} */\n" for line in (banner, *LICENSE)) if banner else ""
+    found = sorted(path.relative_to(TEMPLATES).as_posix() for path in TEMPLATES.glob(pattern))
+    return {path.removeprefix("runtime/"): lines + copied(path) for path in found}

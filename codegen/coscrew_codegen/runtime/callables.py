@@ -14,8 +14,10 @@ from coscrew_codegen.accuracy.tiers import tier_named
 from coscrew_codegen.backends.bound_arguments import bound
 from coscrew_codegen.backends.scene.scene_text import c_name, many, signs
 from coscrew_codegen.program.scene_functions import SceneInterface, Signature
+from coscrew_codegen.program.text_module import imported
 from coscrew_codegen.program.values.formats import Precision
 from coscrew_codegen.runtime import sources, step_calls, strided_calls
+from coscrew_codegen.runtime.caller_warnings import at_callers_line
 from coscrew_codegen.scene.function_selection import dividing, names
 from coscrew_codegen.scene.integrators import EMITTED
 from coscrew_codegen.scene.mechanism.inertia_checks import why_singular
@@ -150,9 +152,7 @@ def _checks() -> ModuleType:
 
         return render("scene/arrays.py", banner="in memory")
 
-    module = ModuleType("coscrew_scene_arrays")
-    exec(sources.text("checks", text), module.__dict__)
-    return module
+    return imported("coscrew_scene_arrays", sources.text("checks", text))
 
 
 def compiled(scene: SceneInterface, library: ctypes.PyDLL, described: Signature,
@@ -205,8 +205,11 @@ def _lanes(library: ctypes.PyDLL, name: str, several: str) -> Callable[["Kernels
     place = ctypes.c_void_p.in_dll(library, f"lanes_{name}")
 
     def prepare(kernels: "Kernels | None", states: int) -> None:
-        if kernels and not place.value and (found := kernels._lanes.function(several, states)):
-            place.value = ctypes.cast(found, ctypes.c_void_p).value
+        if kernels and not place.value:
+            with at_callers_line(above=3):  # CompiledFunction.__call__, checked, function
+                found = kernels._lanes.function(several, states)
+            if found:
+                place.value = ctypes.cast(found, ctypes.c_void_p).value
 
     return prepare
 

@@ -9,7 +9,6 @@ import functools
 import json
 import os
 import sys
-import tempfile
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
 from contextlib import suppress
 from dataclasses import astuple, dataclass
@@ -25,21 +24,24 @@ from coscrew_codegen.runtime.syntax import SourceMeaning, hashed
 
 ROOT = __name__.partition(".")[0]
 _TEMPLATE = ".jinja"
+_COPIED = (".c", ".h")
+"""How files in templates/ end that are copied as they are."""
 _INSTALLED = ("coscrew", "sympy", "mpmath", "gmpy2", "numpy", "jinja2")
 """The packages whose versions every result depends on."""
 
 Contents = Mapping[str, bytes]
-"""Modules by their names, packages too, and templates by their paths: c/family.h.jinja."""
+"""Modules by their names, packages too; templates, and what is copied, by their paths, which have a
+slash: c/family.h.jinja, runtime/calls/threads.h."""
 
 
 def read() -> Contents:
     """The sources as they stand."""
     package, templates = _folders()
     found = {}
-    for folder, file in _files(package, ".py"):
+    for folder, file in _files(package, (".py",)):
         inner = () if file == "__init__.py" else (file.removesuffix(".py"),)
         found[".".join((ROOT, *folder, *inner))] = package.joinpath(*folder, file)
-    for folder, file in _files(templates, _TEMPLATE):
+    for folder, file in _files(templates, (_TEMPLATE, *_COPIED)):
         found["/".join((*folder, file))] = templates.joinpath(*folder, file)
     return {name: path.read_bytes() for name, path in found.items()}
 
@@ -49,11 +51,11 @@ def _folders() -> tuple[Path, Path]:
     return Path(next(iter(import_module(ROOT).__path__))), TEMPLATES
 
 
-def _files(root: Path, ending: str) -> Iterator[tuple[tuple[str, ...], str]]:
-    """The files below a folder: the folders from there, and the name."""
+def _files(root: Path, endings: tuple[str, ...]) -> Iterator[tuple[tuple[str, ...], str]]:
+    """The files below a folder that end so: the folders from there, and the name."""
     for folder, _, files in os.walk(root):
         inner = Path(folder).relative_to(root).parts
-        yield from ((inner, file) for file in files if file.endswith(ending))
+        yield from ((inner, file) for file in files if file.endswith(endings))
 
 
 @functools.cache
@@ -72,11 +74,7 @@ def digest_of(*makers: str, chosen: Mapping[str, Collection[str]] | None = None)
 def text(name: str, make: Callable[[], str]) -> str:
     """A text that depends only on the generator: from the cache, or made and cached."""
     key = cache.key_of(name, digest_of(make.__module__))
-    if path := cache.found(key, ".txt"):
-        return path.read_text("utf-8")
-    made = make()
-    cache.write(key, ".txt", made.encode())
-    return made
+    return cache.cached(key, ".txt", lambda: make().encode(), lambda path: path.read_text("utf-8"))
 
 
 @functools.cache
@@ -105,11 +103,10 @@ class Sources:
         """The hash of all that results of these modules depend on."""
         names = self.reached(makers, chosen)
         documented = any(self.meanings[name].reads_docstrings for name in names)
-        held = (name for name in self.meanings
-                if name in names or any(x.startswith(f"{name}.") for x in names))
+        held = {x for name in names for x in (name, *_packages(name))}
         return _total((("installed", _installed()), *((name, (
             self.meanings[name].documented if documented else self.meanings[name].digest))
-            for name in held)))
+            for name in held if name in self.meanings)))
 
     def reached(self, makers: Iterable[str], chosen: Mapping[str, Collection[str]] | None = None
                 ) -> frozenset[str]:
@@ -126,18 +123,33 @@ class Sources:
     def _named(self, name: str, chosen: Collection[str] | None) -> Iterator[str]:
         """The modules and templates that a source names; KeyError if there is no such source."""
         meaning = self.meanings[name]
-        yield from (known for x in meaning.imports if (known := self._known(x)))
-        for text in meaning.texts:
-            if text in self.meanings:
-                yield text
-            yield from matching(self._templates, f"{text.removesuffix(_TEMPLATE)}{_TEMPLATE}")
+        if name not in self._spelled:
+            self._spelled[name] = (*self._imported(meaning), *self._templates_of(meaning))
+        yield from self._spelled[name]
         if meaning.discovers:
             yield from (x for x in self.meanings if x.startswith(f"{name}.")
                         and (chosen is None or x in chosen))
 
+    def _imported(self, meaning: SourceMeaning) -> Iterator[str]:
+        return (known for x in meaning.imports if (known := self._known(x)))
+
+    def _templates_of(self, meaning: SourceMeaning) -> Iterator[str]:
+        for text in meaning.texts:
+            template = f"{text.removesuffix(_TEMPLATE)}{_TEMPLATE}"
+            if syntax.ANY in template:
+                yield from matching(self._templates, template)
+                if text.endswith(_COPIED):
+                    yield from matching(self._templates, text)
+            yield from (x for x in {text, template} if x in self.meanings)
+
+    @functools.cached_property
+    def _spelled(self) -> dict[str, tuple[str, ...]]:
+        """The modules and templates that sources name, of those that have been read so far."""
+        return {}
+
     @functools.cached_property
     def _templates(self) -> list[str]:
-        return [name for name in self.meanings if name.endswith(_TEMPLATE)]
+        return [name for name in self.meanings if "/" in name]
 
     def _known(self, name: str) -> str:
         """The module of an imported name, which may be an object's in it; "" for another package's.
@@ -147,8 +159,14 @@ class Sources:
         return name
 
 
+def _packages(name: str) -> Iterator[str]:
+    """The packages that a module stands in."""
+    while name := name.rpartition(".")[0]:
+        yield name
+
+
 def _meaning(name: str, content: bytes, among: Contents) -> SourceMeaning:
-    if name.endswith(_TEMPLATE):
+    if "/" in name:
         return syntax.of_template(content)
     package = any(x.startswith(f"{name}.") for x in among)
     return syntax.of_module(content, name if package else name.rpartition(".")[0])
@@ -172,12 +190,13 @@ def _version(package: str) -> str:
 
 
 def _maker(contents: Contents) -> str:
-    """What meanings depend on besides the sources: the version of Python, and how they are read."""
+    """Further dependencies of meanings besides the sources: the version of Python, and the code
+    that reads them."""
     return f"{sys.version} {hashed(contents.get(syntax.__name__, b''))}"
 
 
 def _places() -> Iterator[Path]:
-    """Where meanings are kept: beside the bytecode or, if that cannot be written, in the cache."""
+    """Folders of the meanings: beside the bytecode or, if that cannot be written, in the cache."""
     yield Path(cache_from_source(__file__)).with_suffix(".json")
     yield cache.wanted_folder() / "sources.json"
 
@@ -198,9 +217,5 @@ def _keep(maker: str, meanings: Mapping[str, SourceMeaning]) -> None:
     text = json.dumps({"maker": maker, "meanings": {k: astuple(x) for k, x in meanings.items()}})
     for place in _places():
         with suppress(OSError):
-            place.parent.mkdir(parents=True, exist_ok=True)
-            descriptor, made = tempfile.mkstemp(dir=place.parent, prefix=".sources-")
-            with os.fdopen(descriptor, "w", encoding="utf-8") as file:
-                file.write(text)
-            os.replace(made, place)
+            cache.replaced(place, text.encode())
             return

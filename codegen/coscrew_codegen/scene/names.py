@@ -1,4 +1,4 @@
-"""Names that were given: lists of them, and the known name that a mistyped one resembles."""
+"""Reads lists of names, and finds the known name that a mistyped one resembles."""
 
 import json
 import re
@@ -16,8 +16,8 @@ _SYNONYMS = tuple((kind.name, *kind.synonyms) for kind in KINDS)
 
 def listed(argument: str, given: object, example: str, error: type[Exception] = TypeError
            ) -> tuple[str, ...]:
-    """The names in a list; raises `error` for anything else, also for a single text, as "energy"
-    for ["energy"], and for what has no order, as a set."""
+    """Returns the names in a list; raises `error` for anything else, also for a single text, as
+    "energy" for ["energy"], and for a collection without order, as a set."""
     names = None if isinstance(given, str | Set | Mapping) or not isinstance(given, Iterable) \
         else tuple(given)
     if names is None or not all(isinstance(name, str) for name in names):

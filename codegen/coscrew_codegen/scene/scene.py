@@ -97,15 +97,15 @@ class Scene:
     expectations: tuple[Expectation, ...] = ()
     functions: tuple[str, ...] = ()  # selected by name; (): the default functions
     tiers: tuple[str, ...] = ()  # selected besides plain, the cheapest first
-    accuracy: tuple[Tolerance, ...] = ()  # what the mixed tier is to reach
-    notices: tuple[Notice, ...] = ()  # what the model's file says and the scene does not use
+    accuracy: tuple[Tolerance, ...] = ()  # accuracy requested of the mixed tier
+    notices: tuple[Notice, ...] = ()  # content of the model's file that the scene does not use
 
     @property
     def unused(self) -> tuple[str, ...]:
-        """Numbers of the model's file that the scene does not use, a line each."""
+        """Numbers of the model's file that the scene does not use, one line for each."""
         return tuple(notice.text for notice in self.notices)
 
 
 def zero(value: Setting) -> bool:
-    """Whether this is the number zero."""
+    """Returns whether this is the number zero."""
     return isinstance(value, Fraction) and value == 0

@@ -38,7 +38,7 @@ def displacements(kinds: Kinds) -> tuple[str, ...]:
 
 
 def torques(kinds: Kinds) -> tuple[str, ...]:
-    """Units of tau: of power over v."""
+    """Units of tau: the unit of power over that of v."""
     return tuple("N m" if unit == "rad/s" else "N" for unit in velocities(kinds))
 
 

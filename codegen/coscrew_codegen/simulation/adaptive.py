@@ -1,9 +1,8 @@
 """Integration by SciPy, which chooses its steps by tolerances.
 
 The state is y = (q; v), with q' = v for angles and lengths and r' = r (ω; 0) / 2 for quaternions.
-That keeps |r| only within the tolerance; so r is normalized before the dynamics use it, and in
-samples.
-"""
+The solver keeps |r| within its tolerance only, so r is normalized before the dynamics use it, and
+in samples."""
 
 from collections.abc import Callable, Iterator
 
@@ -21,8 +20,8 @@ Rates = Callable[[float, np.ndarray], np.ndarray]
 
 def adaptive(system: System, plan: Plan, times: np.ndarray, q: np.ndarray, v: np.ndarray,
              watch: Watch | None = None) -> Iterator[tuple[np.ndarray, np.ndarray, int, str]]:
-    """(q, v, steps so far, "") at each sample after the first; instead of "" the place and reason
-    if the run stopped early."""
+    """Yields (q, v, steps so far, "") at each sample after the first; instead of "" the place and
+    reason if the run stopped early."""
     rates, steps, sample = rates_of(system), 0, 1
     scheme = ADAPTIVE[plan.integrator]
     options = {"jac": jacobian_of(system, rates)} if scheme.implicit else {}

@@ -5,60 +5,14 @@
 #ifndef COSCREW_GUFUNC_H
 #define COSCREW_GUFUNC_H
 
-#include <Python.h>
-
-#define PY_ARRAY_UNIQUE_SYMBOL coscrew_array_api
-#define PY_UFUNC_UNIQUE_SYMBOL coscrew_ufunc_api
-#define NPY_TARGET_VERSION NPY_2_0_API_VERSION
-#define NPY_NO_DEPRECATED_API NPY_2_0_API_VERSION
-#include <numpy/arrayobject.h>
-#include <numpy/dtype_api.h>
-#include <numpy/ufuncobject.h>
-
-/* On x86-64 every loop is compiled twice, the second time for AVX2 with FMA, and chosen at run time; both
-   give the same bits. */
-#if defined(__x86_64__) && defined(__GNUC__)
-#define COSCREW_HAS_AVX2 1
-#else
-#define COSCREW_HAS_AVX2 0
-#endif
-
-#if defined(COSCREW_FOR_AVX2) && defined(__clang__)
-#pragma clang attribute push(__attribute__((target("avx2,fma"))), apply_to = function)
-#define KSL_HAS_FMA 1 /* clang's attribute defines no __FMA__ */
-#elif defined(COSCREW_FOR_AVX2)
-#pragma GCC target("avx2,fma,no-avx512f")
-#elif COSCREW_HAS_AVX2 && !defined(__clang__)
-#pragma GCC target("no-fma,no-avx512f")
-#endif
-
+#define COSCREW_PACKAGE "coscrew.accurate"
+#define COSCREW_WITH_FMA 1
+#define COSCREW_ON_VECTORS 0
+#include "../runtime/numpy.h"
+#include "../runtime/loops.h"
+#include "../runtime/processors.h"
 #include "../../c/include/ksl/ksl_types.h"
 
-#if defined(COSCREW_FOR_AVX2)
-#define TABLE(family) coscrew_##family##_gufuncs_avx2
-#else
-#define TABLE(family) coscrew_##family##_gufuncs
-#endif
-
-#if defined(__clang__)
-#define INDEPENDENT _Pragma("clang loop vectorize(assume_safety)")
-#elif defined(__GNUC__)
-#define INDEPENDENT _Pragma("GCC ivdep")
-#else
-#define INDEPENDENT
-#endif
-
-#if defined(__GNUC__)
-#define INLINED static inline __attribute__((always_inline))
-#else
-#define INLINED static inline
-#endif
-
-/* A loop over n elements, which are independent of each other, with the arguments' strides and, in
-   `core`, those of their components; p0, p1, … are the arguments' first elements. */
-#define OVER(name) \
-  INLINED void name##_over(char **data, npy_intp n, const npy_intp *step, const npy_intp *core)
-#define EACH INDEPENDENT for (npy_intp i = 0; i < n; i++)
 #define POINTERS_0
 #define POINTERS_1 POINTERS_0 char *const p0 = data[0];
 #define POINTERS_2 POINTERS_1 char *const p1 = data[1];
@@ -69,47 +23,11 @@
 #define POINTERS_7 POINTERS_6 char *const p6 = data[6];
 #define POINTERS_8 POINTERS_7 char *const p7 = data[7];
 #define POINTERS_9 POINTERS_8 char *const p8 = data[8];
-
-/* Element i of argument number k, whose first component's stride is core[first]. */
-#define LOAD(quantity, x, k, first) load_##quantity(x, p##k + i * step[k], core + (first))
-#define STORE(quantity, x, k, first) store_##quantity(x, p##k + i * step[k], core + (first))
-
-/* The first argument, if it is read only: once, and again where it is not the same for all elements. */
-#define LOAD_FIRST(quantity, declaration, x) \
-  if (n <= 0) return; \
-  declaration; \
-  load_##quantity(x, p0, core)
-#define LOAD_OTHER(quantity, x) if (step[0] != 0) load_##quantity(x, p0 + i * step[0], core)
-
-/* The inner loop of a gufunc.  Its loop over elements is compiled for the strides of C-ordered arrays,
-   if `dense` is DENSE_OR_ONE also with a single first argument, and for any others. */
-#define LOOP(name, arguments, dense, ...) \
-  static void name(char **data, const npy_intp *n, const npy_intp *step, void *unused) { \
-    (void)unused; \
-    dense(name, arguments, __VA_ARGS__) \
-    name##_over(data, n[0], step, step + (arguments)); \
-  }
-#define DENSE(name, arguments, ...) DENSE_IN(each, name, arguments, __VA_ARGS__)
-#define DENSE_OR_ONE(name, arguments, first, ...) \
-  DENSE_IN(each, name, arguments, first, __VA_ARGS__) DENSE_IN(one, name, arguments, 0, __VA_ARGS__)
-#define DENSE_IN(way, name, arguments, ...) \
-  static const npy_intp way[] = {__VA_ARGS__}; \
-  if (memcmp(step, way, sizeof way) == 0) { \
-    name##_over(data, n[0], way, way + (arguments)); \
-    return; \
-  }
 #define LOOPS(name) \
   static PyUFuncGenericFunction name##_loops[] = { \
-      name##_double, name##_single};
-
-typedef struct {
-  const char *name, *signature, *doc;
-  int inputs, outputs;
-  const char *required;  /* a letter for each input, or "" */
-  PyUFuncGenericFunction *loops;
-} coscrew_gufunc;
-
-int coscrew_add_promoter(PyObject *ufunc);
+      name##_double, \
+      name##_single, \
+  };
 
 extern const coscrew_gufunc coscrew_elementary_gufuncs[], coscrew_elementary_gufuncs_avx2[];
 extern const coscrew_gufunc coscrew_vec3_gufuncs[], coscrew_vec3_gufuncs_avx2[];

@@ -4,6 +4,10 @@
 /* The extension module coscrew.accurate._gufunc: registers every gufunc. */
 #include "_gufunc.h"
 
+#define MOST_ARGUMENTS 9
+#define GUFUNCS 265
+#include "../runtime/ufuncs.h"
+
 static const coscrew_gufunc *const baseline[] = {coscrew_elementary_gufuncs, coscrew_vec3_gufuncs,
     coscrew_vec4_gufuncs, coscrew_mat3x3_gufuncs, coscrew_SE3_gufuncs, coscrew_mat6x6_gufuncs,
     coscrew_matrix_gufuncs, coscrew_trig_gufuncs, coscrew_screw_gufuncs, coscrew_coscrew_gufuncs,
@@ -18,74 +22,9 @@ static const coscrew_gufunc *const avx2[] = {coscrew_elementary_gufuncs_avx2,
     coscrew_quaternion_gufuncs_avx2, coscrew_exponential_gufuncs_avx2,
     coscrew_symmetric_gufuncs_avx2, coscrew_inertia_gufuncs_avx2,
     coscrew_spatial_inertia_gufuncs_avx2};
+#else
+#define avx2 baseline
 #endif
-
-/* The fastest loops for this processor, or the baseline if COSCREW_BASELINE is in the environment. */
-static const coscrew_gufunc *const *best_families(void) {
-#if COSCREW_HAS_AVX2
-  __builtin_cpu_init();
-  const int supported = __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
-  if (supported && getenv("COSCREW_BASELINE") == NULL) {
-    return avx2;
-  }
-#endif
-  return baseline;
-}
-
-/* The type numbers of each loop: as many as the gufunc with the most arguments needs. */
-enum { MOST_ARGUMENTS = 9, LOOPS = 2 };
-
-/* Each ufunc's data: its entry of the table, for every loop. */
-static void *data[265][LOOPS];
-
-/* The entries of those that refuse arguments, for ufuncs that do not. */
-static coscrew_gufunc taking_all[265];
-static void *data_taking_all[265][LOOPS];
-
-static char types[MOST_ARGUMENTS + 1][LOOPS * (MOST_ARGUMENTS + 1)];
-
-static void fill_types(void) {
-  static const char numbers[LOOPS] = { NPY_DOUBLE, NPY_FLOAT };
-  for (int arguments = 0; arguments <= MOST_ARGUMENTS; arguments++) {
-    for (int k = 0; k < LOOPS * arguments; k++) {
-      types[arguments][k] = numbers[k / arguments];
-    }
-  }
-}
-
-static int add_gufunc(
-    PyObject *module, const coscrew_gufunc *g, void **own_data, const char *prefix) {
-  for (int k = 0; k < LOOPS; k++) {
-    own_data[k] = (void *)g;
-  }
-  PyObject *ufunc = PyUFunc_FromFuncAndDataAndSignature(
-      g->loops, own_data, types[g->inputs + g->outputs], LOOPS, g->inputs, g->outputs,
-      PyUFunc_None, g->name, g->doc, 0, g->signature);
-  PyObject *name = PyUnicode_FromFormat("%s%s", prefix, g->name);
-  const int failed = ufunc == NULL || name == NULL || coscrew_add_promoter(ufunc) < 0
-      || PyObject_SetAttr(module, name, ufunc) < 0;
-  Py_XDECREF(name);
-  Py_XDECREF(ufunc);
-  return failed ? -1 : 0;
-}
-
-/* Adds each gufunc, and one called unchecked_… for each that refuses arguments. */
-static int add_gufuncs(PyObject *module, const coscrew_gufunc *g) {
-  static size_t number = 0;
-  for (; g->name != NULL; g++, number++) {
-    if (add_gufunc(module, g, data[number], "") < 0) {
-      return -1;
-    }
-    if (g->required[0] != 0) {
-      taking_all[number] = *g;
-      taking_all[number].required = "";
-      if (add_gufunc(module, &taking_all[number], data_taking_all[number], "unchecked_") < 0) {
-        return -1;
-      }
-    }
-  }
-  return 0;
-}
 
 static struct PyModuleDef definition = {
     PyModuleDef_HEAD_INIT, "_gufunc", "Generalized ufuncs of the spatial algebra.", -1,
@@ -94,22 +33,13 @@ static struct PyModuleDef definition = {
 PyMODINIT_FUNC PyInit__gufunc(void) {
   import_array();
   import_umath();
-  fill_types();
+  const int best = takes_avx2();
   PyObject *module = PyModule_Create(&definition);
-  if (module == NULL) {
-    return NULL;
-  }
-  const coscrew_gufunc *const *families = best_families();
-  for (size_t k = 0; k < sizeof baseline / sizeof baseline[0]; k++) {
-    if (add_gufuncs(module, families[k]) < 0) {
-      Py_DECREF(module);
-      return NULL;
-    }
-  }
-  if (PyModule_AddStringConstant(module, "PROVENANCE", "f06de3782fef9b2a") < 0
-      || PyModule_AddStringConstant(
-          module, "LOOPS", families == baseline ? "baseline" : "AVX2 with FMA") < 0) {
-    Py_DECREF(module);
+  if (module == NULL
+      || add_gufuncs(module, best ? avx2 : baseline, sizeof baseline / sizeof baseline[0]) < 0
+      || PyModule_AddStringConstant(module, "PROVENANCE", "48abe1f8f86421b1") < 0
+      || PyModule_AddStringConstant(module, "LOOPS", best ? "AVX2 with FMA" : "baseline") < 0) {
+    Py_XDECREF(module);
     return NULL;
   }
   return module;

@@ -1,4 +1,4 @@
-"""All C headers: those in generated/, and those that only options write, for functions of many
+"""All C headers: the ones in generated/, and others that only options write, for functions of many
 elements and for each tier in one file.  They are generated once, for all processes of a run of
 tests and for later runs, until the generator's sources change."""
 
@@ -45,6 +45,6 @@ def _digest() -> str:
     """A hash of the generator's sources."""
     digest = hashlib.sha256()
     for path in sorted(x for name in ("codegen", "templates") for x in (ROOT / name).rglob("*")):
-        if path.suffix in (".py", ".jinja"):
+        if path.suffix in (".py", ".jinja", ".c", ".h"):
             digest.update(str(path.relative_to(ROOT)).encode() + b"\0" + path.read_bytes())
     return digest.hexdigest()

@@ -1,4 +1,4 @@
-/* What templates/scene/threads.jinja and share.jinja promise; nothing here depends on time.  Where
+/* What templates/runtime/calls/threads.h promises; nothing here depends on time.  Where
    threads must meet, a break is a deadlock, which an alarm ends after minutes.  Prints the law that
    does not hold. */
 #define _POSIX_C_SOURCE 200809L
@@ -28,7 +28,7 @@ static int told(clockid_t clock, struct timespec *now) {
 }
 #define pthread_create(thread, attributes, run, given) created(thread, run, given)
 #define clock_gettime(clock, now) told(clock, now)
-#include "threads.c"
+#include "runtime/calls/threads.h"
 #undef pthread_create
 #undef clock_gettime
 

@@ -84,7 +84,7 @@ def gravity(*g: Exact) -> Applied:
 
 
 class Settings(TypedDict, total=False):
-    """Of a scene, besides its name, model and effects."""
+    """Settings of a scene, besides its name, model and effects."""
 
     parameters: tuple[Parameter, ...]
     start_q: Mapping[str, tuple[float, ...]]

@@ -1,9 +1,8 @@
 """Inverse dynamics of a model under gravity, to any number of digits, by Newton's and Euler's laws.
 
-All in the world's frame, body by body: what a body's motion takes is summed over all bodies that a
-joint carries.  Shares nothing with the generator but the model.  Joints have one coordinate or are
-fixed.
-"""
+All in the world's frame, body by body: the forces of the bodies' motions are summed over all bodies
+that a joint carries.  Shares nothing with the generator but the model.  Joints have one coordinate
+or are fixed."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -45,7 +44,7 @@ def _about(n: Vector, angle: mpf) -> Vector:
 
 @dataclass(frozen=True)
 class _Motion:
-    """Of a body's frame: rotation, origin, angular velocity and acceleration, the origin's
+    """Motion of a body's frame: rotation, origin, angular velocity and acceleration, the origin's
     acceleration less gravity's."""
 
     R: Vector

@@ -2,7 +2,6 @@
 
 import hashlib
 from collections.abc import Iterable, Mapping
-from dataclasses import asdict, dataclass
 from functools import cache
 from itertools import pairwise
 
@@ -15,40 +14,28 @@ from coscrew_codegen.backends.c.c_statements import listed
 from coscrew_codegen.backends.library import Library
 from coscrew_codegen.backends.numpy import numpy_operations
 from coscrew_codegen.backends.python_extension import gufunc
-from coscrew_codegen.backends.render import render
+from coscrew_codegen.backends.render import render, runtime
 from coscrew_codegen.backends.requirements import defects_of, requirements
 from coscrew_codegen.backends.target import Files, Target
+from coscrew_codegen.program.values.formats import PRECISIONS, SINGLE
 from coscrew_codegen.program.values.quantity import QUANTITIES, TOLERANCE, Quantity
 
 
-@dataclass(frozen=True)
-class _Best:
-    """The second copy of the loops, for processors with AVX2: its name, its compiler targets, and
-    the C condition for a processor that has it.
-
-    Plain loops must not have FMA: gcc's vectoriser fuses products into sums in spite of its flag
-    where sums and differences alternate, which does not occur in compensated loops."""
-
-    best: str
-    fma: bool
-    gcc_target: str
-    clang_target: str
-    supported: str
-
-
-_AVX2 = _Best("AVX2", False, "avx2,no-fma,no-avx512f", "avx2", '__builtin_cpu_supports("avx2")')
-_FMA = _Best("AVX2 with FMA", True, "avx2,fma,no-avx512f", "avx2,fma",
-             '__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma")')
-
-
 def files(library: Library) -> Files:
-    """gufunc/module.c, gufunc/accurate/module.c and so on."""
-    return {"/".join(filter(None, ("gufunc", tier.mark, file))): text for tier in TIERS
+    """gufunc/module.c, gufunc/accurate/module.c and so on, and what they share."""
+    made = {"/".join(filter(None, ("gufunc", tier.mark, file))): text for tier in TIERS
             if has_extension(library, tier) for file, text in _sources(library, tier).items()}
+    return made | (_runtime(library.banner) if made else {})
+
+
+def _runtime(banner: str) -> Files:
+    """The C that depends on no Program."""
+    headers = runtime("runtime/gufunc/*.h", banner)
+    return {path.replace("gufunc/", "gufunc/runtime/"): text for path, text in headers.items()}
 
 
 def has_extension(library: Library, tier: Tier) -> bool:
-    """Whether the tier has one: both languages are selected, it has kernels."""
+    """Returns whether the tier has one: both languages are selected, it has kernels."""
     return bool(library.having(tier)) and set(TARGET.languages) <= set(library.languages)
 
 
@@ -58,7 +45,7 @@ def provenance(library: Library, tier: Tier) -> str:
         return ""
     on_vectors = c_many_lanes.headers(library).values() if _on_vectors(library, tier) else ()
     texts = "\0".join((c_amalgamated.text(library, tier), *_loops(library, tier).values(),
-                       *on_vectors))
+                       *_runtime(library.banner).values(), *on_vectors))
     return hashlib.sha256(texts.encode()).hexdigest()[:16]
 
 
@@ -72,22 +59,19 @@ def _loops(library: Library, tier: Tier) -> Files:
     families, on_vectors = _families(library, tier), _on_vectors(library, tier)
     required = library.made(requirements)
     docstrings = numpy_operations.docstrings(library, tier, library.precisions[0])
-    best = _best(library, tier)
-    headers = f"{'../../' if tier.mark else '../'}c/include/ksl"
-    sources = {"_gufunc.h": render("gufunc/_gufunc.h", banner=library.banner,
-                                   accesses=_accesses(library, QUANTITIES),
-                                   families=families, lanes=bool(on_vectors), **asdict(best),
-                                   arguments=tuple(pairwise(range(
-                                       _most_arguments(library, tier) + 1))),
-                                   precisions=library.precisions,
-                                   types=f"{headers}/ksl_types.h")}
+    headers = f"{'../' * bool(tier.mark)}../c/include/ksl"
+    shared = {"banner": library.banner, "runtime": _runtime_folder(tier),
+              "precisions": library.precisions}
+    sources = {"_gufunc.h": render(
+        "gufunc/_gufunc.h", **shared, accesses=_accesses(library, QUANTITIES), families=families,
+        fma=int(_has_fma(library, tier)), on_vectors=int(bool(on_vectors)), package=tier.package,
+        only=_only(library), arguments=tuple(pairwise(range(_most_arguments(library, tier) + 1))),
+        types=f"{headers}/ksl_types.h")}
     if on_vectors:
         sources["_lanes.h"] = _lanes(library, tier)
-    dtypes = [f"PyArray_{precision.c_type.title()}DType" for precision in library.precisions]
-    sources["promoter.c"] = render("gufunc/promoter.c", banner=library.banner, dtypes=dtypes,
-                                   package=tier.package, precisions=library.precisions,
-                                   header=f"{headers}/{tier.umbrella}.h",
-                                   types=_types(library), **_checks(library, tier))
+    sources["promoter.c"] = render(
+        "gufunc/promoter.c", **shared, header=f"{headers}/{tier.umbrella}.h",
+        single={p.name: int(p is SINGLE) for p in PRECISIONS}, **_checks(library, tier))
     for family in families:
         gufuncs = [gufunc.gufunc(op, library.precisions, docstrings[op.name], tier.mark,
                                  on_vectors.get(family), required[family].get(op.name, ""))
@@ -97,8 +81,18 @@ def _loops(library: Library, tier: Tier) -> Files:
             quiet=tier.bounds, kernels=f"{headers}/{'_'.join(filter(None, (family, tier.mark)))}.h",
             states=f"{headers}/{c_many_lanes.named(family)}.h" * (family in on_vectors))
         sources[f"{family}_avx2.c"] = render("gufunc/family_avx2.c", banner=library.banner,
-                                             family=family, best=best.best)
+                                             family=family, best=_best(library, tier))
     return sources
+
+
+def _runtime_folder(tier: Tier) -> str:
+    """The folder of the C that depends on no Program, from a tier's folder."""
+    return f"{'../' * bool(tier.mark)}runtime"
+
+
+def _only(library: Library) -> str:
+    """DOUBLE or SINGLE if the library has no other precision."""
+    return library.precisions[0].name.upper() if len(library.precisions) == 1 else ""
 
 
 def _lanes(library: Library, tier: Tier) -> str:
@@ -106,8 +100,8 @@ def _lanes(library: Library, tier: Tier) -> str:
     named = {name for held in _on_vectors(library, tier).values() for name, _ in held}
     used = {a.quantity.name for op in library.having(tier) if op.name in named
             for a in (*op.inputs, *op.outputs)}
-    return render("gufunc/_lanes.h", banner=library.banner, accesses=_accesses(
-        library, [quantity for quantity in QUANTITIES if quantity.name in used]))
+    return render("gufunc/_lanes.h", banner=library.banner, runtime=_runtime_folder(tier),
+                  accesses=_accesses(library, [x for x in QUANTITIES if x.name in used]))
 
 
 def _accesses(library: Library, quantities: Iterable[Quantity]) -> list[gufunc.Access]:
@@ -129,27 +123,28 @@ def _families(library: Library, tier: Tier) -> tuple[str, ...]:
     return tuple(family for family in library.families if family in held)
 
 
-def _best(library: Library, tier: Tier) -> _Best:
-    return _FMA if "ksl_exact" in c_headers.headers(library, tier) else _AVX2
+def _has_fma(library: Library, tier: Tier) -> bool:
+    """Whether loops for AVX2 may have FMA, too: where every product is rounded on its own."""
+    return "ksl_exact" in c_headers.headers(library, tier)
+
+
+def _best(library: Library, tier: Tier) -> str:
+    """The name of the second copy of the loops."""
+    return "AVX2 with FMA" if _has_fma(library, tier) else "AVX2"
 
 
 def _module(library: Library, tier: Tier) -> str:
-    families, best = _families(library, tier), _best(library, tier)
-    return render("gufunc/module.c", banner=library.banner, families=families,
-                  package=tier.package, supported=best.supported, best=best.best,
+    families = _families(library, tier)
+    return render("gufunc/module.c", banner=library.banner, runtime=_runtime_folder(tier),
+                  package=tier.package, best=_best(library, tier),
                   most_arguments=_most_arguments(library, tier), count=len(library.having(tier)),
                   provenance=provenance(library, tier),
                   baseline=_table(families, "baseline", "gufuncs"),
-                  avx2=_table(families, "avx2", "gufuncs_avx2"),
-                  types=_types(library))
+                  avx2=_table(families, "avx2", "gufuncs_avx2"))
 
 
 def _most_arguments(library: Library, tier: Tier) -> int:
     return max(len(op.inputs) + len(op.outputs) for op in library.having(tier))
-
-
-def _types(library: Library) -> list[str]:
-    return [f"NPY_{precision.c_type.upper()}" for precision in library.precisions]
 
 
 def _checks(library: Library, tier: Tier) -> dict[str, object]:

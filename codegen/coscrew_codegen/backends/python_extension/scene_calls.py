@@ -1,10 +1,10 @@
 """The C between Python and a scene's functions: callables that take arrays, of one state or many.
 
-`new_…` makes a Python function in C from a tuple, whose items templates/scene/objects.jinja names.
-The function calls the first of these with its arguments unless it can take them.  `many_…` takes n
-states: a pointer to each input and the numbers from one row to the next (0: all share one row), and
-likewise each output; it shares them among threads, which call `lanes_…`, the function of many
-states, where that has been set.  `run_…` takes n steps of h in a row, from the time t on;
+`new_…` makes a Python function in C from a tuple, whose items templates/runtime/calls/objects.h
+names.  The function calls the first of these with its arguments unless it can take them.  `many_…`
+takes n states: a pointer to each input and the numbers from one row to the next (0: all share one
+row), and likewise each output; it shares them among threads, which call `lanes_…`, the function of
+many states, where that has been set.  `run_…` takes n steps of h in a row, from the time t on;
 `drive_double` takes them of many states, and calls a controller in between.  All work in Python
 without its headers.
 """
@@ -13,13 +13,13 @@ from collections.abc import Collection, Iterator
 from dataclasses import replace
 
 from coscrew_codegen.accuracy.scene_tiers import SceneTier
-from coscrew_codegen.backends.render import render
+from coscrew_codegen.backends.render import render, runtime
 from coscrew_codegen.backends.scene import scene_text
 from coscrew_codegen.backends.scene.scene_c_steps import begun
 from coscrew_codegen.backends.scene.scene_text import c_name
 from coscrew_codegen.backends.target import Files, Target
 from coscrew_codegen.program.scene_functions import SceneFunctions, SceneInterface, Signature
-from coscrew_codegen.program.values.formats import DOUBLE, PRECISIONS, Precision, named
+from coscrew_codegen.program.values.formats import SINGLE, Precision, named
 
 # Times and step lengths are rounded from double, as when steps are called one by one.
 _RUN = {"t": "({real})begun(t, h, (double)k)", "h": "({real})h"}
@@ -52,13 +52,15 @@ def callables(scene: SceneFunctions) -> tuple[Signature, ...]:
 
 
 def files(scene: SceneFunctions, banner: str) -> Files:
-    """arm_calls.c, which is compiled with arm.c for Python and has no banner."""
-    return {f"{scene.name}_calls.c": source(scene)}
+    """arm_calls.c, which is compiled with arm.c for Python and has no banner, and the headers that
+    it includes."""
+    return {f"{scene.name}_calls.c": source(scene), **runtime("runtime/calls/*.h")}
 
 
 def tier_files(made: SceneTier, banner: str) -> Files:
     """arm_accurate_calls.c, in the same way."""
-    return {f"{made.stem}_calls.c": _source(made.first, made.stem, made.plain.precisions)}
+    return {f"{made.stem}_calls.c": _source(made.first, made.stem, made.plain.precisions),
+            **runtime("runtime/calls/*.h")}
 
 
 def source(scene: SceneFunctions) -> str:
@@ -72,15 +74,14 @@ def _source(scene: SceneFunctions, stem: str, precisions: Collection[str]) -> st
         [f.inputs for f in signatures], [f.outputs for f in signatures]))
     room = max((sum(max(scene_text.count(shape), 1) for _, shape in f.inputs)
                 for f in signatures), default=1)
-    sections = [{"precision": p, "number": p.name.upper(), "other_number": other.name.upper(),
-                 "other": other.c_type, "inputs": max(inputs, 1), "outputs": outputs,
-                 "given": inputs + 2, "room": max(room, 1), **_lanes_of_runs(scene, p),
-                 "functions": [_function(scene, f, p) for f in signatures]}
-                for p in named(precisions) for other in PRECISIONS if other != p]
     driven = bool(scene.steps and scene.parameters)
+    sizes = {"MOST_INPUTS": max(inputs, 1), "MOST_OUTPUTS": outputs, "MOST_NUMBERS": max(room, 1)}
+    state = {"STATE_Q": scene.nq, "STATE_V": scene.nv, "STATE_P": len(scene.parameters)}
+    sections = [{"precision": p, "single": int(p is SINGLE), **_lanes_of_runs(scene, p),
+                 "functions": [_function(scene, f, p) for f in signatures]}
+                for p in named(precisions)]
     return render("scene/calls.c", name=stem, upper=scene.name.upper(), sections=sections,
-                  nq=scene.nq, nv=scene.nv, np=len(scene.parameters), driven=driven,
-                  products=[DOUBLE],
+                  sizes={**sizes, **(state if driven else {})}, driven=driven,
                   begun=begun() if driven or (scene.timed and scene.steps) else "")
 
 

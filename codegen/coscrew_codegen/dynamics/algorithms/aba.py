@@ -54,8 +54,8 @@ class Articulated:
         return Articulated(call("mat6x6_shifted", translation(D), rotated))
 
     def without(self, joint: "Freed") -> "Articulated":
-        """A - U D^-1 U^T: the articulated inertia beyond a free joint; rows and columns of its axes
-        are zero."""
+        """A - U D^-1 U^T: the articulated inertia beyond a joint that moves freely; rows and
+        columns of its axes are zero."""
         def less(row: int, column: int) -> Number:
             if row in joint.axes or column in joint.axes:
                 return joint.zero
@@ -67,7 +67,7 @@ class Articulated:
         return _symmetric(less)
 
     def label(self, motion: Motion, symbol: str) -> None:
-        """Name its blocks: l linear, a angular, c their coupling."""
+        """Names its blocks: l linear, a angular, c their coupling."""
         rows, upper = range(3), ((0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2))
         blocks = {"l": [self.entry(i, j) for i, j in upper],
                   "c": [self.entry(3 + i, j) for i in rows for j in rows],
@@ -172,8 +172,9 @@ def _add_to_parent(motion: Motion, number: int, joint: Freed, rest: Sequence[Num
 
 
 def _outwards(motion: Motion, joints: Sequence[tuple[Freed, list[Number]]]) -> list[Number]:
-    """From the base on: a = D^-1 (rest - U^T A), A = [Ad]^-1 A_parent + S a."""
-    found: list[Number] = []
+    """Computes accelerations from the base outwards: a = D^-1 (rest - U^T A), A = [Ad]^-1 A_parent
+    + S a."""
+    results: list[Number] = []
     frames: list[Column] = []
     for number, (joint, rest) in enumerate(joints):
         link = motion.tree.links[number]
@@ -192,9 +193,9 @@ def _outwards(motion: Motion, joints: Sequence[tuple[Freed, list[Number]]]) -> l
                 A = add(A, scaled(x, s))
             motion.recorder.label("al", linear(A))
             motion.recorder.label("aa", angular(A))
-        found += a
+        results += a
         frames.append(A)
-    return found
+    return results
 
 
 def _sum(zero: Number, values: Iterable[Number]) -> Number:

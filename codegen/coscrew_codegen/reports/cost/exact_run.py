@@ -1,7 +1,7 @@
-"""A run's end to many digits: the dynamics' Programs on MPFR's numbers, with extrapolation.
+"""Computes a run's end to many digits: the dynamics' Programs on MPFR's numbers, with
+extrapolation.
 
-Independent of the emitted texts, of their precisions and of SciPy, but not of the Programs.
-"""
+Independent of the emitted texts, of their precisions and of SciPy, but not of the Programs."""
 
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -20,7 +20,7 @@ from coscrew_codegen.simulation.system import System
 
 _ROWS = 10  # of the extrapolation, of order 20
 _SMALLEST = 1e-5  # least step, as a fraction of the run: smaller ones would take too long
-_GUARD = 10  # digits beyond those wanted
+_GUARD = 10  # digits beyond the wanted ones
 
 Numbers = list[mpfr]
 Rates = Callable[[mpfr, Numbers], Numbers]

@@ -1,4 +1,4 @@
-"""Refuses what a function of arrays cannot take, once, where users call it."""
+"""Refuses arguments that a function of arrays cannot take, once, at the users' call."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass

@@ -112,7 +112,7 @@ def _held(scene: Scene) -> frozenset[str]:
 
 
 def _inertia(applied: Applied) -> bool:
-    """Whether the effect gives its joint an inertia; parameters and formulas do."""
+    """Returns whether the effect gives its joint an inertia; parameters and formulas do."""
     if not applied.effect.joint_inertia:
         return False
     numbers: Any = {name: x for name, x in applied.values.items() if x is not None}
@@ -193,7 +193,8 @@ def _minors(moments: Six) -> tuple[Fraction, ...]:
 
 
 def _positive(moments: Six) -> bool:
-    """Whether a symmetric matrix is positive semidefinite: no principal minor is negative."""
+    """Returns whether a symmetric matrix is positive semidefinite: no principal minor is negative.
+    """
     return min(_minors(moments)) >= 0
 
 

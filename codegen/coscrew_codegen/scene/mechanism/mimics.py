@@ -5,7 +5,7 @@ from dataclasses import replace
 
 from coscrew_codegen.scene.joints import ONE_COORDINATE, called
 from coscrew_codegen.scene.mechanism.assembly import ModelError
-from coscrew_codegen.scene.mechanism.model import Joint, Mimic, Model
+from coscrew_codegen.scene.mechanism.model import Fault, Joint, Mimic, Model
 from coscrew_codegen.scene.names import MANY, did_you_mean
 from coscrew_codegen.scene.scene import Scene
 
@@ -33,6 +33,16 @@ def without_chains(model: Model) -> Model:
 def wrong_mimics(model: Model) -> Mapping[str, str]:
     """The problems of followers that cannot follow, by name."""
     return _resolved(model)[1]
+
+
+def with_faults(model: Model, places: Mapping[str, str]) -> Model:
+    """The model with faults in place of mimics that cannot be followed, of those joints for which
+    `places` says where in a file the mimic stands."""
+    wrong = wrong_mimics(model) if places else {}
+    return replace(model, joints=tuple(
+        replace(joint, mimic=None, faults=(*joint.faults, Fault(
+            "mimic", wrong[joint.name], places[joint.name])))
+        if joint.name in wrong and joint.name in places else joint for joint in model.joints))
 
 
 def _resolved(model: Model) -> tuple[Mapping[str, Mimic], Mapping[str, str]]:

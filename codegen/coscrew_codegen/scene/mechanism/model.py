@@ -44,7 +44,7 @@ class Inertia:
 
     @property
     def changes(self) -> bool:
-        """Whether any of its numbers is a parameter."""
+        """True if any of its numbers is a parameter."""
         return any(isinstance(x, Parameter) for x in (self.mass, *self.com, *self.moments))
 
 

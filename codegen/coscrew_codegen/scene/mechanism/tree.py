@@ -77,7 +77,7 @@ class Tree:
 
     @property
     def follows(self) -> bool:
-        """Whether any joint follows another."""
+        """True if any joint follows another."""
         return any(link.driver for link in self.links)
 
     def link_of(self, joint: str) -> Link:

@@ -195,7 +195,7 @@ def _alone(links: Sequence[_Moved], tiny: float) -> frozenset[str]:
 
 
 def _definite(link: _Moved, tiny: float) -> bool:
-    """Whether all that the joint moves, rigid, has inertia against its motions."""
+    """Returns whether all that the joint moves, rigid, has inertia against its motions."""
     left = [list(row) for row in link.whole]
     return all(_eliminated(left, S, 0, tiny * _scale(link, S)) for S in link.columns)
 

@@ -16,12 +16,14 @@ _SUBJECTS = {"lower": "limits", "upper": "limits"}
 def unused(model: Model, used: set[tuple[str, str]], catalogue: tuple[Effect, ...],
            acting: tuple[Applied, ...] = ()) -> tuple[Notice, ...]:
     """A notice of each number whose (joint, field) is not `used`, with the effect to add, or the
-    change in that effect if it already acts on the joint; then what else the model's file says.
+    change in that effect if it already acts on the joint; then what else the model's file says
+    and no effect uses.
 
     Zeros are not reported, since files write them for unknown numbers, except ends of ranges."""
     found = [notice for joint in model.joints
              for notice in _of(joint, model, used, catalogue, acting)]
-    return (*found, *model.notices)
+    there = {(x.effect.name, on) for x in acting for on in (x.on, x.label)}
+    return (*found, *(x for x in model.notices if x.used_by not in there))
 
 
 def _of(joint: Joint, model: Model, used: set[tuple[str, str]], catalogue: tuple[Effect, ...],

@@ -1,8 +1,7 @@
-"""A run as a page that plays it back in 3D: self-contained HTML, without network access.
+"""Writes a page that plays a run back in 3D: self-contained HTML, without network access.
 
 Bodies are boxes of the same mass and inertia; lines go from a body's origin to the joints on it
-and, thinner, to its centre of mass.
-"""
+and, thinner, to its centre of mass."""
 
 import base64
 from collections.abc import Iterator
@@ -34,13 +33,14 @@ Entries = list[dict[str, object]]
 
 @dataclass(frozen=True)
 class Drawn:
-    """What is drawn: each entry is fixed to the body of a number, -1 the world, in its frame."""
+    """Drawn elements, each with the number of the body that it is fixed to (-1: the world), in its
+    frame."""
 
     shapes: Entries = field(default_factory=list)  # body, shape: half sides, place as a pose
     lines: Entries = field(default_factory=list)  # body, points, rod: to a centre of mass?
     slides: Entries = field(default_factory=list)  # body, point, child: from point to its origin
     joints: Entries = field(default_factory=list)  # body, point
-    extent: Entries = field(default_factory=list)  # body, points: what the camera shows
+    extent: Entries = field(default_factory=list)  # body, points: in the camera's view
 
 
 def view(system: System, trajectory: Trajectory, provenance: Provenance, path: Path) -> None:

@@ -1,4 +1,4 @@
-"""Reactions of joints: what they transmit."""
+"""Reactions of joints: the wrenches that they transmit."""
 
 from coscrew_codegen.scene.identifiers import identifiers
 from coscrew_codegen.scene.scene import Scene

@@ -1,4 +1,4 @@
-"""One effect's table in a scene file: what the effect can act on, and its parameters' values."""
+"""Reads one effect's table in a scene file: the effect's targets, and its parameters' values."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field

@@ -1,15 +1,11 @@
 """A model in a scene file itself: tables [bodies.NAME] and [joints.NAME]."""
 
-from dataclasses import replace
 from fractions import Fraction
 from math import acos, degrees
 
 from coscrew_codegen.scene.joints import KINDS, called
 from coscrew_codegen.scene.mechanism import rotations
-from coscrew_codegen.scene.mechanism.assembly import ModelError, assembled
-from coscrew_codegen.scene.mechanism.inertia_checks import WARN, judged
 from coscrew_codegen.scene.mechanism.joint_kind import Direction, JointKind
-from coscrew_codegen.scene.mechanism.mimics import without_chains
 from coscrew_codegen.scene.mechanism.model import (
     HERE,
     WORLD,
@@ -21,8 +17,7 @@ from coscrew_codegen.scene.mechanism.model import (
     Model,
     Placement,
 )
-from coscrew_codegen.scene.mechanism.roundoff_cleanup import without_residues
-from coscrew_codegen.scene.readers.scene_error import SceneError
+from coscrew_codegen.scene.readers.model_reader import ModelSource, Parts
 from coscrew_codegen.scene.readers.toml.keys import (
     AXES,
     BODY,
@@ -41,18 +36,15 @@ _INERTIA = "a list of 3 or 6 numbers: xx, yy, zz, xy, xz, yz; or a symmetric 3×
 _TOLERANCE = Fraction(1, 10**6)  # of a quaternion's norm, of right angles: people write six digits
 
 
-def read_model(file: TomlTable, name: str, base: JointKind, implausible: str) -> Model:
+def read_model(file: TomlTable, name: str, base: JointKind | None, implausible: str) -> Model:
     """The model in the tables `bodies` and `joints`.  With `implausible` "warn", impossible and
     massless inertias are accepted and listed in the model.  Raises SceneError."""
+    source = ModelSource(file.file, base, implausible)
     massless: list[str] = []
-    bodies = tuple(body(name, table, massless if implausible == WARN else None)
+    bodies = tuple(body(name, table, massless if source.lenient else None)
                    for name, table in file.tables("bodies"))
     joints = tuple(_joint(name, table) for name, table in file.tables("joints"))
-    try:
-        model = without_residues(without_chains(assembled(name, bodies, joints, base)))
-        return judged(replace(model, implausible=tuple(massless)), implausible)
-    except ModelError as error:
-        raise SceneError(file.file, error.element, error.problem) from None
+    return Parts(name, bodies, joints, implausible=tuple(massless)).model(source)
 
 
 def body(name: str, table: TomlTable, massless: list[str] | None) -> Body:
