@@ -109,7 +109,7 @@ def test_mujoco_s_slides_and_hinges_move_alike(tmp_path):
         mujoco.MjModel.from_xml_string(MJCF)
     data, rng = mujoco.MjData(model), np.random.default_rng(4)
     for q, v, a in rng.uniform(-2, 2, (16, 3, 5)):
-        data.qpos, data.qvel, data.qacc = q, v, a
+        data.qpos[:], data.qvel[:], data.qacc[:] = q, v, a
         mujoco.mj_inverse(model, data)
         near(ours.double.inverse_dynamics(q, v, a), data.qfrc_inverse, 1e-12)
         mujoco.mj_forward(model, data)
