@@ -196,7 +196,7 @@ def _again(options: argparse.Namespace) -> "tuple[Result, ...]":
     """Repeats the run of a recording.  Raises SimulateError for further settings."""
     from coscrew_codegen.runtime.load import kernels_for
     from coscrew_codegen.simulation import SimulateError, required_functions
-    from coscrew_codegen.simulation.execution import motion
+    from coscrew_codegen.simulation.execution import complete, motion
     from coscrew_codegen.simulation.replay import asked_of
 
     given = [name for name in ("until", "step", "integrator", "precision", "settings", "start")
@@ -211,7 +211,8 @@ def _again(options: argparse.Namespace) -> "tuple[Result, ...]":
     kernels = kernels_for(scene,
                           required_functions.of_run(recording, told.integrator, bool(options.view)),
                           (told.precision,))
-    return (motion(kernels, told.precision, told.asked(), shown=True),)
+    asked = told.asked()
+    return (motion(complete(kernels, asked), told.precision, asked, shown=True),)
 
 
 def _outputs(path: Path) -> tuple[Path, Path]:

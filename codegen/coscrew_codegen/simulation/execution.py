@@ -8,7 +8,8 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from coscrew_codegen.runtime.load import Kernels
-from coscrew_codegen.scene.integrators import named
+from coscrew_codegen.scene.integrators import INTEGRATOR_NAMED
+from coscrew_codegen.scene.recorded_quantities import Recorded
 from coscrew_codegen.simulation import SimulateError, required_functions
 from coscrew_codegen.simulation.batch_inputs import Values, start_of, with_parameters
 from coscrew_codegen.simulation.check.divergence_monitor import Alarm
@@ -41,13 +42,14 @@ class RunRequest:
     v0: ArrayLike | None = None
     start: Instant | None = None
     controller: Controller | None = None
+    columns: tuple[Recorded, ...] | None = None  # of the quantities to record, if they are known
 
 
 def motion(kernels: Kernels, precision: str, asked: RunRequest, *, shown: bool = False,
            told: bool = True) -> Result:
     """The run in the precision of this name.  If `shown`, a terminal shows the progress; without
     `told`, the recording has no provenance.  Raises SimulateError."""
-    its, state = _begun(_complete(kernels, asked), precision, asked)
+    its, state = _begun(kernels, precision, asked)
     start = asked.start
     if start and start.controller and not asked.controller:
         warnings.warn(f"start: the run before had a controller ({start.controller}), this one has "
@@ -79,14 +81,15 @@ def motion(kernels: Kernels, precision: str, asked: RunRequest, *, shown: bool =
         origin = provenance(its, planned, trajectory, kernels.compiler or "none: NumPy", began,
                             its.scene.record if asked.record is None else asked.record,
                             asked.controller.told(its.scene) if asked.controller else "")
-    return Result(its, planned, trajectory, record(its, trajectory, origin, asked.record), began)
+    return Result(its, planned, trajectory, record(its, trajectory, origin, asked.record,
+                                                   asked.columns), began)
 
 
-def _complete(kernels: Kernels, asked: RunRequest) -> Kernels:
+def complete(kernels: Kernels, asked: RunRequest) -> Kernels:
     """Returns the kernels with all functions that the run needs, if they have the step of its
     integrator; if not, the plan refuses them."""
     scene = scene_of(kernels)
-    own = named(known(asked.integrator or scene.run.integrator)).step_name
+    own = INTEGRATOR_NAMED[known(asked.integrator or scene.run.integrator)].step_name
     if kernels.plain or (own and own not in (x.name for x in kernels.interface.signatures)):
         return kernels
     recording = scene if asked.record is None else replace(scene, record=asked.record)
