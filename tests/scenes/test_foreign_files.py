@@ -136,8 +136,8 @@ def test_other_kinds_are_named_with_what_to_do(tmp_path, contents, words):
 
 
 @pytest.mark.parametrize("name, contents, words", [
-    ("arm.urdf.xacro", b"", "is a file of xacro, of which `xacro arm.urdf.xacro > arm.urdf` makes "
-     "a URDF"),
+    ("arm.urdf.xacro", b"", "is a file of xacro, from which `xacro arm.urdf.xacro > arm.urdf` "
+                            "makes a URDF"),
     ("arm.xacro", b"", "`xacro arm.xacro > arm.urdf`"),
     ("arm.sdf", b"", "is SDF, the format of Gazebo, which coscrew does not read"),
     ("arm.mjcf", b"", "is MJCF, the format of MuJoCo, which coscrew does not read"),

@@ -47,7 +47,7 @@ class CoordinatePart:
 
     @property
     def turns(self) -> bool:
-        """Whether its velocities are angular."""
+        """True if its velocities are angular."""
         return self.quaternion or self.unit == "rad"
 
 
@@ -118,7 +118,7 @@ class JointState(ABC):
 
 @dataclass(frozen=True)
 class Manifold:
-    """How coordinates move whose rates are not the velocities.
+    """Motion of coordinates whose rates are not the velocities.
 
     q ⊕ phi moves by the velocities phi for a time of 1, from q; `bracket` is [phi, v], the rate at
     which velocities of the kind's group turn each other.  These are of recorded numbers."""
@@ -179,22 +179,22 @@ class JointKind:
 
     @property
     def moves(self) -> bool:
-        """Whether the child moves at all."""
+        """True if the child moves at all."""
         return self.nv > 0
 
     @property
     def one_coordinate(self) -> bool:
-        """Whether it has one coordinate, whose rate is the velocity."""
+        """True if it has one coordinate, whose rate is the velocity."""
         return self.nq == 1 and self.manifold is None
 
     @property
     def slides(self) -> bool:
-        """Whether it has one coordinate, which is a length."""
+        """True if it has one coordinate, which is a length."""
         return self.one_coordinate and not self.parts[0].turns
 
     @property
     def translates(self) -> bool:
-        """Whether it only moves its child without turning it."""
+        """True if it only moves its child without turning it."""
         return self.moves and not any(x.turns for x in self.parts)
 
     @property

@@ -43,7 +43,7 @@ def of_suffix(path: Path) -> str:
     """Says what a file is whose suffix no reader has: "is SDF, …"."""
     suffix = path.suffix.lower()
     if suffix == ".xacro":
-        return f"is a file of xacro, of which `{xacro(path)}` makes a URDF"
+        return f"is a file of xacro, from which `{xacro(path)}` makes a URDF"
     if suffix == ".srdf":
         return _SRDF
     root = _SUFFIXES.get(suffix, "")

@@ -33,7 +33,7 @@ class ModelSource:
 
     @property
     def lenient(self) -> bool:
-        """Whether inertias that are impossible, massless or incomplete are accepted."""
+        """True if inertias that are impossible, massless or incomplete are accepted."""
         return self.implausible == WARN
 
 
