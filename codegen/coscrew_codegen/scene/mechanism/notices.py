@@ -10,7 +10,7 @@ SUBJECTS = (
     "wrong mimic", "friction", "wrong friction", "damping", "wrong damping", "other tools' numbers",
     "limits", "wrong limits", "effort", "wrong effort", "velocity", "wrong velocity",
     "acceleration", "deceleration", "jerk", "safety controller", "repeated element")
-"""Subjects of notices; first what changes the motion most."""
+"""Subjects of notices; those that change the motion most come first."""
 
 
 @dataclass(frozen=True)

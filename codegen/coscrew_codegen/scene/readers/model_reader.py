@@ -3,8 +3,7 @@
     text ──▶ tables with places ──▶ Parts ──▶ Model
 
 The reader takes the first two steps, in its own module; the last is the same for all: the parts are
-joined into a tree and checked, and an error in it is told with the place in the file.
-"""
+joined into a tree and checked, and an error in it is reported with its place in the file."""
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, replace
@@ -25,7 +24,7 @@ from coscrew_codegen.scene.readers.scene_error import SceneError
 
 @dataclass(frozen=True)
 class ModelSource:
-    """The file of a model, and how a scene wants it read."""
+    """The file of a model, and the scene's settings for reading it."""
 
     path: Path
     base: JointKind = FIXED  # of the joint between the world and a root that no joint moves
@@ -48,9 +47,9 @@ class Parts:
     # where elements stand: "joint 'elbow'": "line 7"; "" for all that have no entry
     mimic_places: Mapping[str, str] = field(default_factory=dict)
     # where followers do, by joint: a wrong one is then refused only where it is used
-    effects: Effects = field(default_factory=dict)  # what acts by the file, as springs of joints
+    effects: Effects = field(default_factory=dict)  # effects of the file, as springs of joints
     implausible: tuple[str, ...] = ()  # inertias that the reader has accepted, a line each
-    notices: tuple[Notice, ...] = ()  # what was read and is not used
+    notices: tuple[Notice, ...] = ()  # content that was read and is not used
 
     def model(self, source: ModelSource) -> Model:
         """The tree of these parts.  Raises SceneError for anything but one tree of bodies that can
@@ -72,7 +71,7 @@ class Parts:
 class ModelReader:
     """A format in which files hold models.
 
-    `parts` reads one file: everything in it is understood, told in `notices`, or refused by a
+    `parts` reads one file: everything in it is understood, reported in `notices`, or refused by a
     SceneError that names the place, what came and what was wanted."""
 
     name: str  # "URDF"
