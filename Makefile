@@ -13,8 +13,8 @@ all: $(VENV)/ready
 	$(PYTHON) -m coscrew_codegen generate --anew
 	@$(MAKE) --no-print-directory example scene
 
-# The environment.  Its first install finds generated/ as committed, so coscrew itself is there to
-# be regenerated from, and its extension module is built.
+# The environment.  Its first install uses generated/ as committed, so the generator can import
+# coscrew, and builds its extension modules.
 $(VENV)/ready: pyproject.toml hatch_build.py
 	$(PYTHON3) -m venv $(VENV)
 	$(PIP) install --upgrade pip "hatchling>=1.27" "setuptools>=77"
@@ -56,7 +56,7 @@ example: build
 	  $(PYTHON) examples/static_torques.py; \
 	fi
 
-# And an arm with friction, motors and a payload: generated, simulated, and checked against results
+# An arm with friction, motors and a payload: generated, simulated, and checked against results
 # of Pinocchio; build/arm6/ holds its C and Python, build/arm6.html plays it back.
 scene: build
 	@mkdir -p build
@@ -93,7 +93,7 @@ bench: $(VENV)/peers-ready build
 
 # Compares every proven error bound with exact arithmetic, at length, elementary functions with the
 # C library's in long double, in single precision on all 2^32 arguments, certified bounds of scenes
-# with numbers of 113 bits, and what is said of motions with motions that share nothing with
+# with numbers of 113 bits, and verdicts on motions with motions that share nothing with
 # coscrew: more than an hour.
 attack: $(VENV)/test-ready build
 	$(PYTHON) -m tests.long_attack
@@ -117,8 +117,8 @@ cuda: $(VENV)/test-ready build
 report: $(VENV)/test-ready build
 	$(PYTHON) -m coscrew_codegen report --hard-cases tests/hard_cases
 
-# README's figure of what accuracy costs for a Panda, drawn again; it shows times, so the machine
-# should be idle.
+# The README's figure of the cost of accuracy for a Panda; it shows times, so the machine should
+# be idle.
 figure: build
 	$(PYTHON) -m coscrew_codegen cost examples/cost/panda.toml --function inverse_dynamics \
 	    --function forward_dynamics --function mass_matrix --plot examples/cost/panda.svg

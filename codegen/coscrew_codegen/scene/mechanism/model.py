@@ -147,7 +147,7 @@ class Model:
     bodies: tuple[Body, ...]
     joints: tuple[Joint, ...]
     implausible: tuple[str, ...] = ()  # impossible inertias that were accepted, a line each
-    notices: tuple[Notice, ...] = field(default=(), compare=False)  # content that was read and is not used
+    notices: tuple[Notice, ...] = field(default=(), compare=False)  # read, but not used
 
     def links(self) -> dict[str, str]:
         """Maps each body, and WORLD, to the body to which fixed joints connect it: one that a joint
