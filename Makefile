@@ -17,8 +17,8 @@ all: $(VENV)/ready
 	$(PYTHON) -m coscrew_codegen generate --anew
 	@$(MAKE) --no-print-directory example scene
 
-# The environment.  Its first install finds generated/ as committed, so coscrew itself is there to
-# be regenerated from; `build` compiles its extension modules.
+# The environment.  Its first install uses generated/ as committed, so the generator can import
+# coscrew; `build` compiles its extension modules.
 $(VENV)/ready: pyproject.toml hatch_build.py
 	$(PYTHON3) -m venv $(VENV)
 	$(INSTALL) --upgrade pip "hatchling>=1.27" "setuptools>=77" "numpy>=2.0"
@@ -57,7 +57,7 @@ example: build
 	  $(PYTHON) examples/static_torques.py; \
 	fi
 
-# And an arm with friction, motors and a payload: generated, simulated, and checked against results
+# An arm with friction, motors and a payload: generated, simulated, and checked against results
 # of Pinocchio; build/arm6/ holds its C and Python, build/arm6.html plays it back.
 scene: build
 	@mkdir -p build
@@ -95,7 +95,7 @@ bench: $(VENV)/peers-ready build
 
 # Compares every proven error bound with exact arithmetic, at length, elementary functions with the
 # C library's in long double, in single precision on all 2^32 arguments, certified bounds of scenes
-# with numbers of 113 bits, and what is said of motions with motions that share nothing with
+# with numbers of 113 bits, and verdicts on motions with motions that share nothing with
 # coscrew: more than an hour.
 attack: $(VENV)/test-ready build
 	$(PYTHON) -m tests.long_attack
@@ -119,8 +119,8 @@ cuda: $(VENV)/test-ready build
 report: $(VENV)/test-ready build
 	$(PYTHON) -m coscrew_codegen report --hard-cases tests/hard_cases
 
-# README's figure of what accuracy costs for a Panda, drawn again; it shows times, so the machine
-# should be idle.
+# The README's figure of the cost of accuracy for a Panda; it shows times, so the machine should
+# be idle.
 figure: build
 	$(PYTHON) -m coscrew_codegen cost examples/cost/panda.toml --function inverse_dynamics \
 	    --function forward_dynamics --function mass_matrix --plot examples/cost/panda.svg

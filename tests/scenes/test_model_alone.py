@@ -51,7 +51,7 @@ def test_gravity_and_damping_act(tmp_path):
 
 
 def test_it_is_the_scene_with_these_effects(read, tmp_path):
-    """The same content, which is hashed for the cache; limits and friction are told."""
+    """The content, which is hashed for the cache, is the same; limits and friction are reported."""
     alone = read(pendulum('<dynamics damping="0.75" friction="3"/>', ""))
     (tmp_path / "written.toml").write_text(
         'model = "my-arm.urdf"\nname = "my_arm"\n[effects.gravity]\n[effects.viscous.one]\n'

@@ -1,4 +1,4 @@
-"""One line sums up unused numbers, those that change the motion first."""
+"""One line sums up unused numbers; numbers that change the motion come first."""
 
 import re
 

@@ -187,7 +187,7 @@ def _declined(*_: object, **__: object) -> object:
 
 def _in_c(library: ctypes.PyDLL, name: str, described: Signature, precision: Precision,
           checked: Made) -> Made:
-    """The function in C, which calls `checked` for what it cannot take."""
+    """The function in C, which calls `checked` for arguments that it cannot take."""
     getattr(library, f"know_{precision.name}")(ctypes.c_size_t(object.__basicsize__))
     make = getattr(library, f"new_{name}")
     make.restype, make.argtypes = ctypes.py_object, [ctypes.py_object]
@@ -263,13 +263,14 @@ def _many_steps(library: ctypes.PyDLL, name: str, several: str, described: Signa
                  v: ArrayLike, *, threads: int = 1) -> tuple[np.ndarray, np.ndarray]:
         """q and v after n steps of h, the first of them at t.
 
-        t and p are given also where the scene has no use for them.  Leading axes of p, q and v, of
-        any that have them, are states, which `threads` share."""
+        t and p are given even if the scene does not use them.  Leading axes of p, q and v, of any
+        that have them, are states, which `threads` share."""
         return its.repeated(self._of, n, t, h, p, q, v, threads)
 
     def driven(self: _Callable, by: step_calls.InC, n: int, t: float, h: float, p: np.ndarray,
                q: np.ndarray, v: np.ndarray) -> step_calls.Driven:
-        """p, q and v after n steps under a controller in C, and what it must not have returned."""
+        """p, q and v after n steps under a controller in C, and the first value of the controller
+        that is not finite."""
         return its.driven(self._of, by, n, t, h, p, q, v)
 
     return {"repeated": repeated} | ({"driven": driven} if its.drive else {})

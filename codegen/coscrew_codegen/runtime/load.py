@@ -49,7 +49,7 @@ class Kernels:
     plain: Kernels | None = None  # of a tier's: the scene's own
 
     def _in_tier(self, name: str) -> Kernels:
-        """The functions in a tier that the scene selects, compiled when it is first asked for."""
+        """The functions in a tier that the scene selects, compiled on first use."""
         if name.startswith("_"):
             raise AttributeError(name)
         if name in self.interface.tiers:

@@ -84,7 +84,7 @@ def _made(request: Request, using: Compiler) -> SceneLibrary:
 
 
 def _read(path: Path) -> SceneLibrary:
-    """What an entry says.  Raises LookupError if its library is not in the cache."""
+    """Reads an entry.  Raises LookupError if its library is not in the cache."""
     interface, key, checks = unpacked(path.read_bytes())
     library = compilation.kept(key)
     if library is None:

@@ -1,9 +1,9 @@
-"""The generator's sources, and those of them that a result depends on.
+"""The generator's sources, and the ones that a result depends on.
 
 A result depends on the modules that its maker imports, directly or not, at the top of a module or
 inside a function, also for types only; on the packages' own files above them; and on the templates
-that all these name.  Of each, its meaning counts: comments, docstrings and positions are free.
-"""
+that all these name.  Only the meaning of a source counts: comments, docstrings and positions do
+not."""
 
 import functools
 import json
@@ -65,9 +65,10 @@ def generator() -> str:
 
 
 def digest_of(*makers: str, chosen: Mapping[str, Collection[str]] | None = None) -> str:
-    """The hash of all that results of these modules depend on, as this process first found it.
+    """The hash of everything that results of these modules depend on, as this process first read
+    it.
 
-    Of packages in `chosen`, which import all their modules, only these modules count."""
+    In packages of `chosen`, which import all their modules, only these modules count."""
     return _current().digest(makers, chosen or {})
 
 
@@ -94,7 +95,7 @@ class Sources:
         return cls(found)
 
     def digest(self, makers: Iterable[str], chosen: Mapping[str, Collection[str]]) -> str:
-        """The hash of all that results of these modules depend on."""
+        """The hash of everything that results of these modules depend on."""
         names = self.reached(makers, chosen)
         documented = any(self.meanings[name].reads_docstrings for name in names)
         held = {x for name in names for x in (name, *_packages(name))}

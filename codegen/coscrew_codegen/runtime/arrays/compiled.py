@@ -14,7 +14,7 @@ from coscrew_codegen.runtime.arrays.array_function import ArrayFunction
 from coscrew_codegen.runtime.console import doing
 
 _NAME = "states"
-"""What the only function of such a library is called."""
+"""Name of the only function of such a library."""
 
 
 @cache

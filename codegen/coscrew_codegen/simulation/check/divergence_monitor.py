@@ -187,7 +187,7 @@ class _Worst:
         self._since = np.full((*lead, count), np.inf)
 
     def add(self, at: float, errors: np.ndarray, allowed: np.ndarray) -> None:
-        """Note errors at this time after the start, and those that are allowed now."""
+        """Notes errors at this time after the start, and the allowed ones."""
         new = errors > self.worst
         self.worst, self.at = np.where(new, errors, self.worst), np.where(new, at, self.at)
         bad, self._now = ~(errors <= allowed), at

@@ -130,8 +130,8 @@ def _refined(system: System, trajectory: Trajectory, change: np.ndarray, work: n
 
 
 def _rounds(system: System, trajectory: Trajectory, unclear: np.ndarray) -> Iterator[np.ndarray]:
-    """The intervals to refine, in groups: first those that start from samples, then those that
-    continue from an interval of the previous group."""
+    """The intervals to refine, in groups: the first group starts from samples, each later one
+    continues from intervals of the previous group."""
     q, v = (x[unclear] for x in (trajectory.q, trajectory.v))
     before = np.zeros(len(unclear), int)
     if system.has("parts"):

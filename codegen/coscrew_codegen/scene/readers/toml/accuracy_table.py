@@ -12,7 +12,7 @@ from coscrew_codegen.scene.scene import Scene, Tolerance
 
 def read_accuracy(file: TomlTable, scene: Scene, selected: Collection[str]) -> tuple[Tolerance,
                                                                                      ...]:
-    """Reads the accuracies asked of functions, which must be selected; steps have no tier."""
+    """Reads the accuracies requested of functions, which must be selected; steps have no tier."""
     table = file.table("accuracy")
     steps = {x.name for x in functions_of(scene) if x.step}
     functions = [name for name in names(scene) if name not in steps]

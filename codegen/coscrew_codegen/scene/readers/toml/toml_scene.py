@@ -91,7 +91,7 @@ def _all_effects() -> tuple[Effect, ...]:
 
 
 def _emitted(precision: str | None) -> tuple[str, ...]:
-    """The precisions that a scene is generated in: only double if that is selected, since single
+    """The precisions in which a scene is generated: only double if that is selected, since single
     may not hold the scene's numbers; else both."""
     return (DOUBLE.name,) if precision == DOUBLE.name else tuple(BY_NAME)
 
