@@ -13,7 +13,7 @@ import pytest
 
 from coscrew_codegen.backends.python_extension import scene_calls
 from coscrew_codegen.program.values.formats import DOUBLE, SINGLE, Precision
-from coscrew_codegen.runtime import callables, lanes
+from coscrew_codegen.runtime import callables, lanes, source_text
 from coscrew_codegen.runtime.load import Kernels, kernels_of
 from tests.support.each import each_precision
 from tests.support.scenes.generated_scenes import ARGUMENTS, slider
@@ -41,7 +41,7 @@ def unchecked(monkeypatch: pytest.MonkeyPatch) -> None:
     def refuse(*_: object, **__: object):
         raise AssertionError("checked in Python")
 
-    monkeypatch.setattr(callables._checks(), "arrays", refuse)
+    monkeypatch.setattr(callables.checks(source_text.checks()), "arrays", refuse)
 
 
 def every(kernels: Kernels, precision: str):

@@ -17,7 +17,7 @@ from coscrew_codegen.algebra.operations import OPERATIONS, contributors, family_
 from coscrew_codegen.backends.library import FamilyKernels
 from coscrew_codegen.program.plugins import holder
 from coscrew_codegen.runtime import cache, sources
-from coscrew_codegen.runtime.pickles import packed, unpacked
+from coscrew_codegen.runtime.cache import packed, unpacked
 from coscrew_codegen.runtime.sources import Contents, Sources
 
 _SUFFIX = ".family"
