@@ -38,4 +38,4 @@ def _pickled(kind: JointKind) -> str | tuple[object, ...]:
     return object.__reduce_ex__(kind, 2)
 
 
-copyreg.pickle(JointKind, _pickled)  # type: ignore[arg-type]  # object's own reductions are any tuple
+copyreg.pickle(JointKind, _pickled)  # type: ignore[arg-type]  # object's reductions are any tuple
