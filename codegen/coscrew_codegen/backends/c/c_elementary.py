@@ -119,7 +119,8 @@ def _function(name: str, inputs: Sequence[Argument], outputs: Sequence[Argument]
                                 else step.name for step in program.instructions})
     head = listed(f"{precision.c_type} {name}{precision.called}(",
                   [*(f"const {precision.c_type} {a.name}" for a in inputs),
-                   *(f"{precision.c_type} *{a.name}" for a in others)], ")", WIDTH - (_BEFORE if nested else 16))
+                   *(f"{precision.c_type} *{a.name}" for a in others)], ")",
+                  WIDTH - (_BEFORE if nested else 16))
 
     def access(x: Input) -> str:
         return program.inputs[x.argument].name
