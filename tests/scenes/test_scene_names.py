@@ -60,7 +60,8 @@ def test_legends_tell_the_symbols_that_occur_and_no_others(functions: SceneFunct
         code = re.sub(r"^void \w+_step_[^{]*\{.*?^\}", "", code, flags=re.DOTALL | re.MULTILINE)
         words = set(re.findall(r"\w+", code))
         rows = re.findall(r"^ *([A-Za-z]+(?:, [A-Za-z]+)*): (?![0-9]+ ×)", text, re.MULTILINE)
-        told = {x for row in rows for x in row.split(", ")} & {x for xs in scene_symbols.SYMBOLS for x in xs}
+        told = {x for row in rows for x in row.split(", ")}
+        told &= {x for xs in scene_symbols.SYMBOLS for x in xs}
         used = {scene_symbols.reading(x)[0] for plan in scene_text.plans(functions)
                 for x in (*plan.assigned, *plan.constants) if x in words} - {""}
         assert told == used
