@@ -174,8 +174,10 @@ def _defaults(scene: SceneFunctions, precision: Precision) -> Iterator[tuple[str
 
 def functions_of(scene: SceneFunctions, plans: Sequence[NestingPlan], parts: FunctionParts,
                  precision: Precision) -> Iterator[CFunction]:
-    """All emitted functions, each after those that it calls."""
-    for function, plan in zip(scene.functions, plans, strict=True):
+    """All emitted functions, each after those that it calls; those that are cut come last, so that
+    a file begins with a whole one."""
+    for function, plan in sorted(zip(scene.functions, plans, strict=True),
+                                 key=lambda x: x[0].name in parts.cuts):
         if function.name in parts.cuts:
             yield from parts.above(function, precision)
             body = parts.body(function, precision)
