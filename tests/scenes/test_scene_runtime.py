@@ -2,7 +2,9 @@
 
 import math
 import re
+from collections.abc import Callable
 from dataclasses import replace
+from functools import partial
 from pathlib import Path
 
 import pytest
@@ -11,11 +13,12 @@ from coscrew_codegen.accuracy.scene_tiers import in_tier
 from coscrew_codegen.accuracy.tiers import tier_named
 from coscrew_codegen.backends.scene import scene_c, scene_c_many, scene_c_runtime, scene_c_tier
 from coscrew_codegen.dynamics import derive
+from coscrew_codegen.program.scene_functions import SceneFunctions
 from coscrew_codegen.scene.readers.toml.toml_scene import read_scene
 from tests.support.compiled.c_harness import C11, DIALECTS, STRICT, run
 from tests.support.compiled.flags import FMA
 from tests.support.each import each_compiler
-from tests.support.scenes.generated_scenes import BANNER, CASES, pendulum, slider
+from tests.support.scenes.generated_scenes import BANNER, CASES, pendulum, robot, slider
 
 EXAMPLES = Path(__file__).parents[2] / "examples" / "scenes"
 RUNTIME = scene_c_runtime.NAME
@@ -35,6 +38,11 @@ int main(void) {
   return 0;
 }
 """
+
+
+def example(name: str) -> SceneFunctions:
+    """The functions of an example scene."""
+    return derive(read_scene(EXAMPLES / f"{name}.toml"))
 
 
 def test_every_scene_and_tier_brings_the_same_header():
@@ -81,7 +89,7 @@ def _written(folder: Path, *several: dict[str, str]) -> list[Path]:
 def test_two_scenes_are_linked_into_one_program(compiler: str, tmp_path: Path):
     """Each in both precisions, with an accurate tier and functions of many states: a = tau - g/l
     sin q."""
-    one = derive(read_scene(EXAMPLES / "pendulum.toml"))
+    one = example("pendulum")
     sources = _written(tmp_path, *(
         files for x in (one, replace(one, name="other"))
         for files in (scene_c.files(x, BANNER), scene_c_many.files(x, BANNER),
@@ -139,10 +147,12 @@ def test_the_fingerprint_is_that_of_the_code(monkeypatch: pytest.MonkeyPatch):
         scene_c_runtime.fingerprint.cache_clear()
 
 
-@pytest.mark.parametrize("path", sorted(EXAMPLES.glob("*.toml")), ids=lambda x: x.stem)
-def test_a_reader_meets_the_first_function_soon(path: Path):
-    """Within 120 lines of the file's beginning."""
-    for name, text in scene_c.files(derive(read_scene(path)), BANNER).items():
+@pytest.mark.parametrize("made", (*(partial(example, path.stem) for path in
+                                    sorted(EXAMPLES.glob("*.toml"))), partial(robot, 35, 9000)),
+                         ids=lambda x: "".join(map(str, x.args)))
+def test_a_reader_meets_the_first_function_soon(made: Callable[[], SceneFunctions]):
+    """Within 120 lines of the file's beginning, also where functions are cut into parts."""
+    for name, text in scene_c.files(made(), BANNER).items():
         if name.endswith(".c"):
             first = next(n for n, x in enumerate(text.splitlines(), 1) if PUBLIC.match(x))
             assert first <= 120, name

@@ -92,10 +92,13 @@ def test_header_tells_order_units_sizes_and_defaults():
     assert "0 trunk, 1 shank" in text
     assert "Parameters p: 0 tool.mass = 0.1." in text
     for macro in ("WALKER_NQ 13", "WALKER_NV 11", "WALKER_NP 1", "WALKER_DEFAULT_P {0.1}",
-                  "WALKER_Q_KNEE 7", "WALKER_V_HIP 7", "WALKER_P_TOOL_MASS 0",
-                  "WALKER_BODY_SHANK 1", "WALKER_DEFAULT_PF {0.1f}",
+                  "WALKER_DEFAULT_PF {0.1f}",
                   "WALKER_NEUTRAL_Q {0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1"):
         assert f"#define {macro}" in text
+    for enumerator in ("Q_KNEE = 7", "V_HIP = 7", "TAU_HIP = 7", "TAU_FOOT = 10", "P_TOOL_MASS = 0",
+                       "BODY_SHANK = 1"):
+        assert re.search(rf"\bWALKER_{enumerator}\b", text)
+    assert "as in q[WALKER_Q_FOOT]." in text
 
 
 def test_operations_are_counted_above_each_function():
@@ -204,7 +207,7 @@ def _code(text: str) -> list[str]:
     """Words of C without comments, with the same word for all macros of places, whose identifiers
     depend on names."""
     code = re.sub(r"/\*.*?\*/", "", text, flags=re.DOTALL)
-    return re.sub(r"\b([A-Z]+_(?:Q|V|P|BODY))_[A-Z0-9_]+", r"\1", code).split()
+    return re.sub(r"\b([A-Z]+_(?:Q|V|TAU|P|BODY))_[A-Z0-9_]+", r"\1", code).split()
 
 
 def _one(name: str) -> SceneFunctions:
@@ -229,17 +232,17 @@ def _walker() -> SceneFunctions:
         neutral=(0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0))
 
 
-def test_every_place_has_a_macro_of_its_own_that_the_header_explains():
-    """Names that differ only in case or in characters that macros cannot have are numbered."""
+def test_every_place_has_a_name_of_its_own_that_the_header_explains():
+    """Those that differ only in case or in characters that C's names cannot have are numbered."""
     bodies = ("Tool-1", "tool_1", "TOOL_1_1", "膝", "足", "arm", "Hüfte")
     scene = replace(CASES["slider"](), bodies=bodies)
     header = files(scene)["slider.h"]
-    found = dict(re.findall(r"#define SLIDER_BODY_(\w+) (\d+)", header))
+    found = dict(re.findall(r"\bSLIDER_BODY_(\w+) = (\d+)", header))
     assert found == {"TOOL_1_2": "0", "TOOL_1_3": "1", "TOOL_1_1": "2", "X_1": "3", "X_2": "4",
                      "ARM": "5", "H_FTE": "6"}
-    assert "SLIDER_Q_CLASS 0" in header
+    assert "SLIDER_Q_CLASS = 0" in header
     about = " ".join(header.partition("*/\n#ifndef")[0].split())
-    assert ("Of names that differ only in case, or in characters that macros cannot have: "
+    assert ("Of names that differ only in case, or in characters that C's names cannot have: "
             "BODY_TOOL_1_2 Tool-1, BODY_TOOL_1_3 tool_1, BODY_X_1 膝, BODY_X_2 足, BODY_H_FTE "
             "Hüfte.") in about
     assert "differ only" not in files(CASES["slider"]())["slider.h"]

@@ -1,11 +1,14 @@
 """Builds steps of integrators: their schemes as calls of a scene's functions.
 
-All arithmetic of a step is in a few functions that the integrators share.  They are named after
-their weights, integers and their common denominator D: kick_1_2_2_1_6 has the weights of rk4.
+All arithmetic of a step is in a few functions.  Those of one velocity or acceleration are shared by
+the integrators, those of a weighted mean belong to one:
 
-    drift_n1_n2_D(h, u1, u2) = h/D (n1 u1 + n2 u2),          phi of q ⊕ phi
-    kick_n1_n2_D(h, v, a1, a2) = v + h/D (n1 a1 + n2 a2)
-    time_n_D(t, h) = t + n h/D"""
+    drift(h, u) = h u                  half_drift(h, u) = h/2 u             phi of q ⊕ phi
+    kick(h, v, a) = v + h a            half_kick(h, v, a) = v + h/2 a       kick_2_3: 2 h/3
+    time_after_step(t, h) = t + h      time_after_half_step(t, h) = t + h/2
+    rk4_displacement(h, u1, u2, u3, u4) = h/6 (u1 + 2 u2 + 2 u3 + u4)
+    rk4_velocity(h, v, a1, a2, a3, a4) = v + h/6 (a1 + 2 a2 + 2 a3 + a4)
+"""
 
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import replace
@@ -73,7 +76,7 @@ class _Means:
 
     def time(self, c: Fraction) -> str:
         """The name of t + c h."""
-        name, result = _name("time", (c,)), array("t", (), "time in s")
+        name, result = f"time_after_{_part_of('step', c)}", array("t", (), "time in s")
         if name not in self.functions:
             recorder = Recorder((result, array("h", (), "step in s")))
             (t,), (h,) = recorder.argument("t"), recorder.argument("h")
@@ -82,16 +85,20 @@ class _Means:
             self.functions[name] = FunctionProgram(name, f"t + {c} h", program, internal=True)
         return name
 
-    def drift(self, weights: Sequence[Fraction]) -> str:
-        """The name of h times the weighted mean of velocities u."""
-        return self._mean("drift", "u", "phi", weights)
+    def drift(self, weights: Sequence[Fraction], owner: str = "{}") -> str:
+        """The name of h times the weighted mean of velocities u; of several, it is the `owner`'s
+        displacement."""
+        name = owner.format("displacement") if len(weights) > 1 else _part_of("drift", weights[0])
+        return self._mean(name, "drift", "u", "phi", weights)
 
-    def kick(self, weights: Sequence[Fraction]) -> str:
-        """The name of v + h times the weighted mean of accelerations a."""
-        return self._mean("kick", "a", "v", weights)
+    def kick(self, weights: Sequence[Fraction], owner: str = "{}") -> str:
+        """The name of v + h times the weighted mean of accelerations a; of several, it is the
+        `owner`'s velocity."""
+        name = owner.format("velocity") if len(weights) > 1 else _part_of("kick", weights[0])
+        return self._mean(name, "kick", "a", "v", weights)
 
-    def _mean(self, kind: str, of: str, result: str, weights: Sequence[Fraction]) -> str:
-        name, names = _name(kind, weights), numbered(of, len(weights))
+    def _mean(self, name: str, kind: str, of: str, result: str, weights: Sequence[Fraction]) -> str:
+        names = numbered(of, len(weights))
         if name in self.functions:
             return name
         size, added = (self.scene.nv,), ("v",) if kind == "kick" else ()
@@ -183,8 +190,8 @@ class _StepWriter:
         self._accelerate(ACCELERATION, "a1", Fraction(0), "t", "q", "v")
         for n, (row, c) in enumerate(zip(scheme.a, scheme.c[1:], strict=True), 2):
             t, q, v, u, a = (f"{x}{n}" for x in "tqvua")
-            self._weighted(self.means.drift, "u", row, speeds, "phi")
-            self._weighted(self.means.kick, "a", row, accelerations, v)
+            self._weighted(self.means.drift, "u", row, speeds, "phi", f"_of_stage_{n}")
+            self._weighted(self.means.kick, "a", row, accelerations, v, f"_of_stage_{n}")
             self._call(MOVED, q)
             if charted:
                 self._call(RATE, u, v=v)
@@ -196,12 +203,14 @@ class _StepWriter:
         self._call(MOVED, "q")
         return self.calls
 
-    def _weighted(self, mean: Callable[[Sequence[Fraction]], str], of: str,
-                  row: Sequence[Fraction], values: Sequence[str], result: str) -> None:
+    def _weighted(self, mean: Callable[[Sequence[Fraction], str], str], of: str,
+                  row: Sequence[Fraction], values: Sequence[str], result: str,
+                  stage: str = "") -> None:
         """Appends a weighted mean, without values of weight zero."""
         kept = [(weight, x) for weight, x in zip(row, values, strict=True) if weight]
         names = numbered(of, len(kept))
-        self._call(mean([weight for weight, _ in kept]), result,
+        owner = f"{self.integrator.step_name.removeprefix('step_')}_{{}}{stage}"
+        self._call(mean([weight for weight, _ in kept], owner), result,
                    **{name: x for name, (_, x) in zip(names, kept, strict=True)})
 
     # drifts and kicks
@@ -253,11 +262,11 @@ def _sum(terms: Sequence[Number]) -> Number:
     return first
 
 
-def _name(kind: str, weights: Sequence[Fraction]) -> str:
-    """drift, drift_1_2, kick_1_2_2_1_6, kick_m1_2: m is minus."""
-    above, below = _scaled(weights)
-    numbers = [] if [*above, below] == [1, 1] else [*above, below]
-    return "_".join((kind, *(f"m{-n}" if n < 0 else f"{n}" for n in numbers)))
+def _part_of(what: str, part: Fraction) -> str:
+    """kick, half_kick, kick_2_3, kick_minus_1_3, kick_2_1."""
+    if part in (1, Fraction(1, 2)):
+        return what if part == 1 else f"half_{what}"
+    return f"{what}{'_minus' * (part < 0)}_{abs(part.numerator)}_{part.denominator}"
 
 
 def _in_words(weights: Sequence[Fraction], names: Sequence[str]) -> str:

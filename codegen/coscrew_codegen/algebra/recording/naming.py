@@ -4,7 +4,7 @@ from collections import Counter
 from collections.abc import Mapping
 from dataclasses import dataclass
 
-from coscrew_codegen.program import Instruction, Op, Program, Ref, renamed
+from coscrew_codegen.program import Input, Instruction, Op, Program, Ref, renamed
 
 
 @dataclass(frozen=True)
@@ -37,7 +37,7 @@ def named(program: Program, parts: Mapping[str, NamePart], labels: Mapping[str, 
     hold; `known` also contains instructions that were removed from the program."""
     steps = program.instructions
     alive = {step.name for step in steps}
-    names = _labelled(labels, alive, known)
+    names = _labelled(labels, alive, known) | _of_angles(program)
     users = _only_users(program)
     taken: Counter[str] = Counter()
     for step in reversed(steps):  # so that the user of an instruction is named before it
@@ -52,6 +52,18 @@ def named(program: Program, parts: Mapping[str, NamePart], labels: Mapping[str, 
             taken[stem] += 1
             names[step.name] = f"{stem}_{taken[stem]}"
     return renamed(program, names)
+
+
+def _of_angles(program: Program) -> dict[str, str]:
+    """sin_q3 and cos_q3, of q[3], by the old names; sin_t."""
+    found = {}
+    for step in program.instructions:
+        x = step.operands[0]
+        if step.op in (Op.SIN, Op.COS) and isinstance(x, Input):
+            argument = program.inputs[x.argument]
+            index = str(x.index) if argument.quantity.shape else ""
+            found[step.name] = f"{step.op.name.lower()}_{argument.name}{index}"
+    return found
 
 
 def _labelled(labels: Mapping[str, NamePart], alive: set[str],

@@ -8,9 +8,17 @@ from collections.abc import Callable, Collection, Iterator, Sequence
 from dataclasses import dataclass
 
 from coscrew_codegen.backends.c.c_library import nested, quantity
-from coscrew_codegen.backends.c.c_nested import EACH, declarations, language, together
+from coscrew_codegen.backends.c.c_nested import EACH, declarations, language
 from coscrew_codegen.backends.c.c_statements import WIDTH, broken, comment_of
-from coscrew_codegen.backends.nesting import NestingPlan
+from coscrew_codegen.backends.c.c_stores import Layout, Stores
+from coscrew_codegen.backends.c.c_together import (
+    AngleArrays,
+    Together,
+    angle_arrays,
+    in_arrays,
+    together,
+)
+from coscrew_codegen.backends.nesting import Assignment, Nesting, NestingPlan
 from coscrew_codegen.program import Input, Operand, Program, Ref
 from coscrew_codegen.program.values.formats import Precision
 
@@ -51,6 +59,7 @@ class FunctionBody:
     plan: NestingPlan | None = None  # of the program, if it is nested
     headings: Sequence[tuple[int, str]] = ()  # then: (number of an instruction, words above it)
     apart: bool = False  # whether each angle on vectors has its own call
+    layout: Layout | None = None  # if results are stored in loops and rows
 
     def text(self) -> str:
         """All lines, indented."""
@@ -61,9 +70,47 @@ class FunctionBody:
         used = {x.argument for x in self.program.used_inputs()}
         yield from (f"(void){a.name};" for n, a in enumerate(self.program.inputs)
                     if n not in used and a.name not in self.stored.written)
-        declared, results = self._nested(self.plan) if self.plan else self._of_library()
-        yield from declared
+        if self.layout:
+            yield from self._laid_out(self.layout)
+            return
+        lines, results = self._nested(self.plan) if self.plan else self._of_library()
+        yield from lines
         yield from self._stores(results)
+
+    def _laid_out(self, layout: Layout) -> Iterator[str]:
+        """Declarations, and stores in loops and rows."""
+        working = self.precision.computing(self.program.wide)
+        assigned: Sequence[Assignment | Together | str] = ()
+        if self.plan:
+            arrays = None if self.precision.lanes else angle_arrays(self.plan.program)
+            plan = in_arrays(self.plan, arrays) if arrays else self.plan
+            nesting, results = self._printed(plan)
+            own = [x for x in nesting.assigned
+                   if not (arrays and isinstance(x, Assignment) and arrays.hold(x.step.name))]
+            assigned = together(own, working, self.apart)
+            if arrays:
+                yield from arrays.statements(working, self._angle(plan.program, arrays))
+        else:
+            lines, results = self._of_library()
+            yield from lines
+        stores = Stores(plan.program if self.plan else self.program, assigned, results,
+                        self.stored.targets, layout, self.precision)
+        yield from declarations(stores.declared(), working, WIDTH - 2)
+        yield from stores.statements(self._saved(stores.single()), WIDTH - 2)
+
+    def _angle(self, program: Program, arrays: AngleArrays) -> Callable[[int], str]:
+        """The text of an angle in arrays, by its index."""
+        read = read_by(program, self.precision, self.stored.access)
+        argument = [a.name for a in program.inputs].index(arrays.argument)
+        return lambda n: read(Input(argument, n))
+
+    def _printed(self, plan: NestingPlan) -> tuple[Nesting, list[str]]:
+        """The plan's text, and that of its results."""
+        program = plan.program
+        nesting = plan.printed(language(program, self.precision), read_by(program, self.precision,
+                               self.stored.access), dict(self.headings))
+        return nesting, [self._narrowed(x, text)
+                         for x, text in zip(program.results, nesting.results, strict=True)]
 
     def _of_library(self) -> tuple[Iterator[str], list[str]]:
         """Declarations of a Program of the library, and results."""
@@ -76,12 +123,8 @@ class FunctionBody:
 
     def _nested(self, plan: NestingPlan) -> tuple[Iterator[str], list[str]]:
         """Declarations in which expressions nest, and results."""
-        program = plan.program
-        nesting = plan.printed(language(program, self.precision), read_by(program, self.precision,
-                               self.stored.access), dict(self.headings))
-        results = [self._narrowed(x, text)
-                   for x, text in zip(program.results, nesting.results, strict=True)]
-        working = self.precision.computing(program.wide)
+        nesting, results = self._printed(plan)
+        working = self.precision.computing(plan.program.wide)
         return declarations(
             together(nesting.assigned, working, self.apart), working, WIDTH - 2), results
 
@@ -118,8 +161,10 @@ class FunctionBody:
         if len(self.stored.targets) == 1 or self.stored.returned:
             return {}
         names, saved = {step.name for step in self.program.instructions}, {}
+        inputs = {self.stored.access(x) for x in self.program.results if isinstance(x, Input)}
         for target, source in pairs:
-            if target != source and source not in saved and ("->" in source or "[" in source):
+            if target != source and source not in saved and source in inputs \
+                    and ("->" in source or "[" in source):
                 saved[source] = _local_name(source, names)
         return saved
 

@@ -5,8 +5,9 @@ from collections.abc import Sequence
 from dataclasses import replace
 from fractions import Fraction
 
-from coscrew_codegen.backends.c.c_nested import LANES, TOGETHER, declarations, language
+from coscrew_codegen.backends.c.c_nested import declarations, language
 from coscrew_codegen.backends.c.c_statements import WIDTH, listed
+from coscrew_codegen.backends.c.c_together import LANES, TOGETHER
 from coscrew_codegen.backends.nesting import CALL, Language, planned
 from coscrew_codegen.backends.render import render
 from coscrew_codegen.program import Constant, Input, Instruction, Op, Operand, Program, renamed

@@ -7,15 +7,14 @@ spite of every pragma.
 
 from collections import Counter
 from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass
-from itertools import groupby, pairwise
+from itertools import groupby
 
 from coscrew_codegen.backends.c.c_statements import (
     ELEMENTARY,
     chunk_of_two_over_pi,
-    listed,
     sine_and_cosine,
 )
+from coscrew_codegen.backends.c.c_together import Together
 from coscrew_codegen.backends.nesting import (
     CALL,
     CHOICE,
@@ -52,10 +51,6 @@ _ON_LANES = {
     Op.COPYSIGN: ("ksl_copysign%s({}, {})", CALL), Op.SELECT: ("ksl_choice%s({}, {}, {})", CALL),
     Op.LESS: ("ksl_less%s({}, {})", CALL), Op.EQUAL: ("ksl_equal%s({}, {})", CALL)}
 _ON_DEVICE = {**_SPELLING, **{op: _ON_LANES[op] for op in (Op.ABS, Op.SQRT, Op.COPYSIGN)}}
-LANES = 4  # angles whose sines and cosines are computed at once
-OF_STATES = 3  # the same on vectors of states: more do not fit into registers
-TOGETHER = {Op.SIN: "sincos", Op.SIN_ERROR: "sincos_error"}
-"""Operations that are computed for several angles at once."""
 _SUMS = frozenset({Op.ADD, Op.SUB, Op.EXACT_ADD, Op.EXACT_SUB, Op.PRODUCT_ERROR, Op.PRODUCT_REST})
 _TRANSPARENT = frozenset({Op.NEG, Op.ABS, Op.SELECT})
 """Operations through which a sum still has a product as operand."""
@@ -112,81 +107,6 @@ def summed_products(program: Program) -> frozenset[str]:
 def _doubles(step: Instruction) -> bool:
     return step.op is Op.MUL and any(
         isinstance(x, Constant) and abs(x.double) == 2 for x in step.operands)
-
-
-@dataclass(frozen=True)
-class Together:
-    """Sines and cosines that are computed by one call, or their errors."""
-
-    pairs: Sequence[Assignment]
-    of: "Together | None" = None  # the sines and cosines whose errors these are
-
-    @property
-    def step(self) -> Instruction:
-        """The first of them."""
-        return self.pairs[0].step
-
-    @property
-    def names(self) -> tuple[str, ...]:
-        """All names that are assigned."""
-        return tuple(name for pair in self.pairs for name in pair.names)
-
-    @property
-    def arrays(self) -> list[str]:
-        """The arrays in which they are stored."""
-        return [f"{x}_of_{self.names[0]}" for x in ("sines", "cosines")]
-
-    def statements(self, precision: Precision, width: int) -> str:
-        """The call, and declarations of its results, which it stores in arrays."""
-        real, arrays = precision.c_type, self.arrays
-        angles = [pair.expression.partition(",")[0] for pair in self.pairs]
-        given = self.of.arrays if self.of else []
-        call = listed(f"ksl_{TOGETHER[self.step.op]}_{len(angles)}{precision.called}(",
-                      [*angles, *given, *arrays], ");", width)
-        values = (f"{array}[{n}]" for n in range(len(angles)) for array in arrays)
-        return "\n".join((
-            f"{real} {', '.join(f'{x}[{LANES}]' for x in arrays)};", call,
-            listed(f"const {real} ", [f"{name} = {value}" for name, value in zip(
-                self.names, values, strict=True)], ";", width)))
-
-
-def together(assigned: Sequence[Assignment | str], precision: Precision, apart: bool = False
-             ) -> Sequence[Assignment | Together | str]:
-    """Moves the sines and cosines of inputs, and their errors, to the front, several together; on
-    vectors without the errors, and each `apart` if that is wanted.  Headings below which nothing is
-    left are left out."""
-    if precision.device:
-        return assigned
-    pairs = [x for x in assigned if isinstance(x, Assignment) and x.cosine]
-    sines = [x for x in pairs if x.step.op is Op.SIN and isinstance(x.step.operands[0], Input)]
-    most = 1 if apart else OF_STATES
-    first = list(_of_states(sines, most) if precision.lanes else _grouped(sines, pairs))
-    moved = {pair.step.name for x in first
-             for pair in (x.pairs if isinstance(x, Together) else (x,))}
-    rest = [x for x in assigned if isinstance(x, str) or x.step.name not in moved]
-    kept = [x for x, following in pairwise((*rest, ""))
-            if not (isinstance(x, str) and isinstance(following, str))]
-    return [*first, *kept]
-
-
-def _of_states(sines: Sequence[Assignment], most: int) -> Iterator[Assignment | Together]:
-    """Divides into calls of nearly equal numbers, at most this many in each."""
-    calls = -(-len(sines) // most)
-    for n in range(calls):
-        found = sines[len(sines) * n // calls:len(sines) * (n + 1) // calls]
-        yield Together(found) if len(found) > 1 else found[0]
-
-
-def _grouped(sines: Sequence[Assignment], pairs: Sequence[Assignment]) -> Iterator[Together]:
-    """Calls of as many sines and cosines as one call computes; after each that of their errors, if
-    all of these are among the pairs."""
-    errors = {x.step.operands[1]: x for x in pairs if x.step.op is Op.SIN_ERROR}
-    for found in (sines[n:n + LANES] for n in range(0, len(sines), LANES)):
-        if len(found) > 1:
-            yield (group := Together(found))
-            own = [errors[Ref(x.step.name)] for x in found if Ref(x.step.name) in errors]
-            if len(own) == len(found):
-                yield Together(own, group)
 
 
 def declarations(assigned: Sequence[Assignment | Together | str], precision: Precision, width: int,

@@ -4,8 +4,9 @@ call: the instructions for all angles in turn, so that processors work at all of
 from collections.abc import Sequence
 from dataclasses import replace
 
-from coscrew_codegen.backends.c.c_nested import LANES, declarations, language
+from coscrew_codegen.backends.c.c_nested import declarations, language
 from coscrew_codegen.backends.c.c_statements import WIDTH, listed
+from coscrew_codegen.backends.c.c_together import LANES
 from coscrew_codegen.backends.nesting import planned
 from coscrew_codegen.backends.render import render
 from coscrew_codegen.program import Constant, Input, Instruction, Operand, Program, Ref

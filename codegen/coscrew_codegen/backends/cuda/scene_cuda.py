@@ -110,8 +110,7 @@ def files(scene: SceneFunctions, banner: str) -> Files:
     about = [*scene_c.about(scene), *_about(scene.name)]
     begun = body_of_begun(on_device(DOUBLE)) if scene.timed and scene.steps else ""
     return _files([CudaSection(p, scene) for p in named(scene.precisions)], scene.name, about,
-                  banner,
-                  scene_c.macros(scene), begun)
+                  banner, scene_c.macros(scene), scene_c.indices(scene), begun)
 
 
 @uncollected()
@@ -126,7 +125,8 @@ def tier_files(made: SceneTier, banner: str) -> Files:
 
 
 def _files(sections: Sequence[CudaSection], name: str, about: Sequence[str], banner: str,
-           macros: Sequence[tuple[str, str]] = (), begun: str = "") -> Files:
+           macros: Sequence[tuple[str, str]] = (), indices: Sequence[str] = (),
+           begun: str = "") -> Files:
     blocks = [block for section in sections for block in section.blocks]
     exact = {block.working.suffix for block in blocks
              if any(_ERROR.search(text) for text in block.texts)}
@@ -134,7 +134,8 @@ def _files(sections: Sequence[CudaSection], name: str, about: Sequence[str], ban
                               [f.body for x in blocks for f in x.functions])
     return {f"{name}.cuh": render(
         "cuda/scene.cuh", banner=banner, about=comment_of([*about]), guard=name.upper(),
-        upper=sections[0].scene.name.upper(), macros=macros, sections=sections, begun=begun,
+        upper=sections[0].scene.name.upper(), macros=macros, indices=indices, sections=sections,
+        begun=begun,
         names=[comment_of(names)] if names else [],
         numbers=[CudaNumber(p, p.suffix in exact) for p in PRECISIONS],
         exact=[f"ksl_product_{what}{f}" for f in sorted(exact) for what in ("error", "rest")])}

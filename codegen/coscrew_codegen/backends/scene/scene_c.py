@@ -13,6 +13,7 @@ from coscrew_codegen.algebra.recording.gc_pause import uncollected
 from coscrew_codegen.backends import version
 from coscrew_codegen.backends.c.c_function import CFunction, FunctionBody, Stored
 from coscrew_codegen.backends.c.c_statements import WIDTH, comment_of, listed
+from coscrew_codegen.backends.c.c_stores import Layout
 from coscrew_codegen.backends.nesting import NestingPlan
 from coscrew_codegen.backends.render import render
 from coscrew_codegen.backends.scene import scene_c_arguments as arguments
@@ -43,7 +44,7 @@ def files(scene: SceneFunctions, banner: str) -> Files:
     sources = [Source(scene.name, scene.name, p, plans, [Section(p, functions)], bool(parts.cuts),
                       remedy if p == DOUBLE else "") for p, functions in made.items()]
     return {f"{scene.name}.h": header(scene.name, scene.name, about(scene), made, banner,
-                                      macros(scene)),
+                                      macros(scene), indices(scene)),
             **{x.path: x.text(banner) for x in sources}, **scene_c_runtime.files()}
 
 
@@ -74,8 +75,10 @@ class Source:
 
     def text(self, banner: str) -> str:
         """Returns all of it."""
-        bodies = [x.body for section in self.sections for x in section.functions]
-        names = scene_text.legend(self.plans, bodies)
+        functions = [x for section in self.sections for x in section.functions]
+        bodies, planned = [x.body for x in functions], {x.program.name for x in self.plans}
+        names = scene_text.legend(self.plans, [  # without steps, whose variables are no symbols
+            x.body for x in functions if x.internal or x.name in planned])
         return render("scene/scene.c", banner=banner, name=self.name, upper=self.scene.upper(),
                       precision=self.precision, names=[comment_of(names)] if names else [],
                       parts=self.parts, sections=self.sections,
@@ -90,23 +93,22 @@ def included(bodies: Iterable[str], refused: str = "") -> dict[str, object]:
 
 def header(name: str, scene: str, about: Sequence[str],
            functions: Mapping[Precision, Sequence[CFunction]], banner: str,
-           macros: Sequence[tuple[str, str]] = ()) -> str:
+           macros: Sequence[tuple[str, str]] = (), indices: Sequence[str] = ()) -> str:
     """The header that declares public functions, by precision."""
     public = [{"functions": found} for x in functions.values()
               if (found := [f for f in x if not f.internal])]
     return render("scene/scene.h", banner=banner, about=comment_of([*about]), macros=macros,
-                  guard=name.upper(), upper=scene.upper(), sections=public)
+                  indices=indices, guard=name.upper(), upper=scene.upper(), sections=public)
 
 
 def macros(scene: SceneFunctions) -> list[tuple[str, str]]:
-    """The macros of a scene and their values: version, sizes, indices, initializers."""
+    """The macros of a scene and their values: version, sizes, initializers."""
     found = [("GENERATOR_VERSION", f"{version.number()}  /* 1.2.3 is 10203 */"),
              ("GENERATOR_VERSION_STRING", f'"{version.VERSION}"'),
              ("NQ", str(scene.nq)), ("NV", str(scene.nv))]
     if scene.parameters:
         found.append(("NP", str(len(scene.parameters))))
-    return [*found, *_places(scene),
-            *(entry for p in named(scene.precisions) for entry in _defaults(scene, p))]
+    return [*found, *(entry for p in named(scene.precisions) for entry in _defaults(scene, p))]
 
 
 def about(scene: SceneFunctions) -> list[str]:
@@ -126,28 +128,36 @@ def _named_places(scene: SceneFunctions) -> Iterator[str]:
     prefixes = [prefix for prefix, (names, _) in tables.items() if names]
     if not prefixes:
         return
-    macros = ", ".join(f"{scene.name.upper()}_{prefix}_…" for prefix in prefixes)
-    yield f"Macros for these indices (the first of several coordinates): {macros}."
+    named = ", ".join(f"{scene.name.upper()}_{prefix}_…" for prefix in prefixes)
+    example = f", as in q[{_enumerator(scene, 'Q', -1)}]" if "Q" in prefixes else ""
+    yield f"Names of these indices (the first of several coordinates): {named}{example}."
     told = [f"{prefix}_{stem} {scene_text.printable(name)}" for prefix in prefixes
+            if prefix != "TAU"
             for name, stem in zip(tables[prefix][0], numbered(tables[prefix][0]), strict=True)
             if stem != capitals(name) or not name.isascii()]
     if told:
-        yield ("Of names that differ only in case, or in characters that macros cannot have: "
+        yield ("Of names that differ only in case, or in characters that C's names cannot have: "
                f"{', '.join(told)}.")
 
 
-def _places(scene: SceneFunctions) -> Iterator[tuple[str, str]]:
-    """(Q_ELBOW, its index in q) and so on: for velocities, parameters and bodies."""
-    for prefix, (names, places) in _tables(scene).items():
-        for stem, place in zip(numbered(names), places, strict=True):
-            yield f"{prefix}_{stem}", str(place)
+def indices(scene: SceneFunctions) -> list[str]:
+    """Enumerations of indices: of q, v, tau, p and bodies."""
+    return [listed("enum { ", [f"{_enumerator(scene, prefix, n)} = {place}"
+                               for n, place in enumerate(places)], " };")
+            for prefix, (_, places) in _tables(scene).items() if places]
+
+
+def _enumerator(scene: SceneFunctions, prefix: str, number: int) -> str:
+    """ARM_Q_ELBOW."""
+    return f"{scene.name.upper()}_{prefix}_{numbered(_tables(scene)[prefix][0])[number]}"
 
 
 def _tables(scene: SceneFunctions) -> dict[str, tuple[Sequence[str], Sequence[int]]]:
-    """Names and their indices, by the prefix of their macros."""
+    """Names and their indices, by the prefix of their enumerators."""
     joints = [x.joint for x in scene.coordinates]
     return {"Q": (joints, [x.q.start for x in scene.coordinates]),
             "V": (joints, [x.v.start for x in scene.coordinates]),
+            "TAU": (joints, [x.v.start for x in scene.coordinates]),
             "P": ([name for name, _ in scene.parameters], range(len(scene.parameters))),
             "BODY": (scene.bodies, range(len(scene.bodies)))}
 
@@ -164,8 +174,10 @@ def _defaults(scene: SceneFunctions, precision: Precision) -> Iterator[tuple[str
 
 def functions_of(scene: SceneFunctions, plans: Sequence[NestingPlan], parts: FunctionParts,
                  precision: Precision) -> Iterator[CFunction]:
-    """All emitted functions, each after those that it calls."""
-    for function, plan in zip(scene.functions, plans, strict=True):
+    """All emitted functions, each after those that it calls; those that are cut come last, so that
+    a file begins with a whole one."""
+    for function, plan in sorted(zip(scene.functions, plans, strict=True),
+                                 key=lambda x: x[0].name in parts.cuts):
         if function.name in parts.cuts:
             yield from parts.above(function, precision)
             body = parts.body(function, precision)
@@ -199,7 +211,8 @@ def _body(function: FunctionProgram, plan: NestingPlan, precision: Precision) ->
     stored = Stored(scene_text.access(plan.program), arguments.targets(outputs),
                     [a.name for a in outputs])
     headings = [(number, scene_text.printable(words)) for number, words in function.headings]
-    return FunctionBody(plan.program, precision, stored, plan, headings).text()
+    layout = None if precision.device else Layout(scene_text.rows(outputs), function.internal)
+    return FunctionBody(plan.program, precision, stored, plan, headings, layout=layout).text()
 
 
 def _step(scene: SceneFunctions, step: IntegratorStep, precision: Precision) -> CFunction:

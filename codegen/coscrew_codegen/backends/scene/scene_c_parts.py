@@ -11,8 +11,10 @@ from itertools import groupby
 
 from coscrew_codegen.algebra.recording.recorder import headings
 from coscrew_codegen.backends.c.c_function import CFunction, FunctionBody, Stored, read_by
-from coscrew_codegen.backends.c.c_nested import declarations, language, together
+from coscrew_codegen.backends.c.c_nested import declarations, language
 from coscrew_codegen.backends.c.c_statements import WIDTH, comment_of, listed
+from coscrew_codegen.backends.c.c_stores import Layout
+from coscrew_codegen.backends.c.c_together import together
 from coscrew_codegen.backends.nesting import Assignment, Nesting, NestingPlan, named_constants
 from coscrew_codegen.backends.scene import scene_c_arguments as arguments
 from coscrew_codegen.backends.scene.scene_text import (
@@ -21,6 +23,7 @@ from coscrew_codegen.backends.scene.scene_text import (
     c_name,
     outputs,
     printable,
+    rows,
 )
 from coscrew_codegen.program import Input, Instruction, Op, Program, Ref
 from coscrew_codegen.program.parts import Cut, Group, cut
@@ -84,7 +87,9 @@ class FunctionParts:
                  for group in found.groups for part in group.parts]
         results = FunctionBody(found.last, precision, Stored(
             self._returned(found.last, precision), arguments.targets(outputs(function)),
-            [a.name for a in outputs(function)])).text()
+            [a.name for a in outputs(function)]),
+            layout=None if precision.device else Layout(
+                rows(outputs(function)), function.internal)).text()
         return f"{_indented((*declared, *calls))}\n{results}"
 
     def _parts(self, group: Group, precision: Precision) -> Iterator[CFunction]:

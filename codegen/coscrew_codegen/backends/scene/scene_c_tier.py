@@ -124,7 +124,7 @@ def about(made: SceneTier, plain: str) -> list[str]:
             made.tier.title,
             *filter(None, [" ".join(made.tier.promise.split())]),
             *([_COUNTS] if made.tier.exact else []),
-            f"Coordinates, units, parameters and macros are those of {plain}, which "
+            f"Coordinates, units, parameters and indices are those of {plain}, which "
             "has the steps: they have no tier."]
 
 

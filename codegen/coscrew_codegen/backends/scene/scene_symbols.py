@@ -1,7 +1,7 @@
 """Names in a scene's text: symbols with the number of a link or behind a name, and their legend."""
 
 import re
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 
 SYMBOLS: dict[tuple[str, ...], str] = {
     ("s", "c"): "sine and cosine of the joint's angle",
@@ -23,21 +23,23 @@ SYMBOLS: dict[tuple[str, ...], str] = {
     ("n", "nl", "na"): "axes of the joint in the link's frame (linear; angular)",
     ("f", "m"): "net force and moment about the origin, less those of effects",
     ("fj", "mj"): "force and moment about the origin that the joint transmits",
-    ("fp", "mp"): "fj and mj, fB and mB, or pj and Lj, in the parent's frame, about its origin",
-    ("fA", "mA"): "f and m, with fp and mp of the links beyond, whose joints move freely",
-    ("fB", "mB"): "fA and mA with the part of u: what the joint transmits less A times the link's "
+    ("fp", "mp"): "what the joint transmits, force and moment or momentum, in the parent's frame, "
+                  "about its origin",
+    ("fA", "mA"): "net force and moment of the link and of all links beyond it, whose joints move "
+                  "freely",
+    ("fB", "mB"): "what the joint transmits, less articulated inertia times the link's "
                   "acceleration",
     ("tau",): "force or torque along the joint's axis; after an effect's name, the effect's",
     ("p", "L"): "momentum and angular momentum about the origin",
-    ("pj", "Lj"): "the same of the link and all links beyond it",
+    ("pj", "Lj"): "momentum and angular momentum of the link and all links beyond it",
     ("T", "V"): "kinetic and potential energy",
     ("C", "Cm", "Ch", "CI"): "composite inertia of the link and all links beyond it",
-    ("Cp", "Cpm", "Cph", "CpI"): "the same in the parent's frame",
+    ("Cp", "Cpm", "Cph", "CpI"): "composite inertia in the parent's frame",
     ("F",): "force and moment for a unit acceleration of the joint",
     ("M",): "entries of the mass matrix",
     ("A", "Al", "Ac", "Aa"): "articulated inertia A = [[Al, Ac^T], [Ac, Aa]], linear part first",
-    ("Ap", "Apl", "Apc", "Apa"): "the part of it that acts on the parent through the joint, in the "
-                                 "parent's frame",
+    ("Ap", "Apl", "Apc", "Apa"): "the part of the articulated inertia that acts on the parent "
+                                 "through the joint, in the parent's frame",
     ("S", "Sl", "Sa"): "articulated inertia times the joint's axes (linear; angular)",
     ("D",): "inertia along the joint's axes; of several axes, L D L^T",
     ("Di",): "1 / D",
@@ -56,15 +58,12 @@ _KNOWN = [symbol for symbols in SYMBOLS for symbol in symbols]
 def legend(names: Iterable[str]) -> tuple[str, ...]:
     """Paragraphs that explain the symbols in these names: 'wp: angular velocity of the parent'; ()
     if there are none."""
-    found: set[str] = set()
-    marks: set[str] = set()
-    for name in set(names):
-        symbol, *others = reading(name)
-        found.add(symbol)
-        marks.update(others)
+    known = {name: read for name in sorted(set(names)) if (read := reading(name))[0]}
+    found = {symbol for symbol, *_ in known.values()}
     rows = tuple(f"{', '.join(x for x in symbols if x in found)}: {words}"
                  for symbols, words in SYMBOLS.items() if found.intersection(symbols))
-    return (*_marks(marks), *rows) if rows else ()
+    return (*_marks({name: [x for x in marks if x] for name, (_, *marks) in known.items()}),
+            *rows) if rows else ()
 
 
 _MARKS = "(?P<sign>n?)(?P<number>(?:v[0-9]+)?)(?P<step>(?:_[0-9]+)?)"
@@ -82,12 +81,25 @@ def reading(name: str) -> tuple[str, str, str, str]:
     return match["symbol"], sign, number, step
 
 
-def _marks(marks: set[str]) -> Iterator[str]:
+def _marks(known: Mapping[str, Sequence[str]]) -> Iterator[str]:
+    """How names are made, by examples among those `known`, each with its marks."""
+    example = next((x for x, marks in known.items() if not marks and _VECTOR.fullmatch(x)), "")
+    of = _VECTOR.fullmatch(example)
+    such = f": {example} is {of[1]} of link {of[2]} along {of[3]}" if of else ""
     yield ("Names consist of the symbol of a quantity, the number of its link, which headings "
-           "name, and a component: w3x is w of link 3 along x.  Vectors are in the link's frame, "
-           "about its origin, unless stated otherwise; intermediate results are in any frame.  "
-           "Equal values have one name.  a[0] is an element of the argument a.")
-    words = {"sign": "w3xn is -w3x", "number": "w3xv2 another value of it, such as a longer sum",
-             "step": "w3x_1 an intermediate result for it, w3_1 one for several components"}
-    if said := [words[x] for x in words if x in marks]:
+           f"name, and a component{such}.  Vectors are in the link's frame, about its origin, "
+           "unless stated otherwise; intermediate results are in any frame.  Equal values have one "
+           "name.  q[0] is an element of the argument q, sin_q its sine.")
+    said = []
+    for mark, words in _MARKED.items():
+        if name := next((x for x, marks in known.items() if marks == [mark]), ""):
+            said.append(f"{name} is {words.format(_MARK.sub('', name))}")
+    if said:
         yield "; ".join(said) + "."
+
+
+_VECTOR = re.compile("([A-Za-z]+)([0-9]+)([xyz])")
+_MARK = re.compile("(n|v[0-9]+|_[0-9]+)$")
+_MARKED = {"sign": "-{}", "number": "another value of {}, such as a longer sum",
+           "step": "an intermediate result for {}"}
+"""What the marks at the ends of names mean."""

@@ -62,6 +62,11 @@ def size(argument: Argument) -> int:
     return prod(argument.quantity.shape)
 
 
+def rows(arguments: Sequence[Argument]) -> dict[str, int]:
+    """How many numbers each argument has in a row."""
+    return {a.name: a.quantity.shape[-1] for a in arguments if a.quantity.shape}
+
+
 def outputs(function: FunctionProgram) -> tuple[Argument, ...]:
     """The outputs; those with an input's name get the suffix o: q → qo."""
     taken = {a.name for a in function.program.inputs}
