@@ -167,7 +167,7 @@ def ratios(function: Elementary, precision: Precision, given: tuple[np.ndarray, 
 
 
 def nearest_rotations(device: Device, precision: Precision) -> str:
-    """Where singular values coincide every part of a rotation comes from one choice."""
+    """Every part of a rotation comes from one choice where singular values coincide."""
     sides = [Rotation.random(ROWS, random_state=seed).as_matrix() for seed in (1, 2)]
     given = np.concatenate([sides[0] @ np.diag(s) @ sides[1] for s in (
         (1, 1, 1), (1, 1, -0.5), (2, 1, 1), (1, 1, 0.5), (1, 1, 0), (3, 2, 1),

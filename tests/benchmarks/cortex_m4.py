@@ -73,8 +73,8 @@ def rows() -> Iterator[tuple[object, ...]]:
 
 
 def mixtures() -> Iterator[tuple[object, ...]]:
-    """For every robot and accuracy: instructions in the mixed tier and in pairs, and the largest
-    error certified at the drawn states."""
+    """Mixtures of every robot and accuracy: instructions in the mixed tier and in pairs, and the
+    largest error certified at the drawn states."""
     for name, scene in _scenes():
         for function, accuracies in ASKED.items():
             for within in accuracies:

@@ -11,7 +11,6 @@ import pyarrow.parquet
 import pytest
 
 from coscrew_codegen import load_scene
-from coscrew_codegen.scene.content import content_hash
 from coscrew_codegen.scene.readers.toml.toml_scene import read_scene
 from coscrew_codegen.simulation import SimulateError
 from coscrew_codegen.simulation.recordings import recording_writer
@@ -217,7 +216,7 @@ def test_the_hash_is_of_what_the_scene_says_not_of_its_layout(tmp_path):
     def hashed(text: str) -> str:
         path = tmp_path / "scene.toml"
         path.write_text(text)
-        return content_hash(read_scene(path))
+        return read_scene(path).content_hash
 
     own = hashed(texts.SPRING)
     assert hashed("# a comment\n" + texts.SPRING.replace("mass = 2", "mass = 2.0")) == own

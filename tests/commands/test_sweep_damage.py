@@ -376,7 +376,7 @@ def test_a_damaged_description_hides_no_other_sweep(scene, workers, copied, caps
     assert finished(scene, copied, workers) == 0
 
 
-def test_a_folder_of_which_nothing_is_whole_is_refused(scene, workers, copied, capsys):
+def test_a_folder_without_whole_files_is_refused(scene, workers, copied, capsys):
     (copied / "sweep.json").write_text("{")
     for path in (copied / "members").iterdir():
         cut(path, 0)

@@ -80,7 +80,7 @@ def beyond(results: Sequence[Result], precision: Precision) -> list[Result]:
 
 def _turned(x: Result) -> Result:
     """-π for π, and π for -π: the sign of a zero says which, and exact zeros have none."""
-    return replace(x, found=-x.found) if abs(abs(x.true) - mpmath.pi) < 1e-6 else x
+    return replace(x, value=-x.value) if abs(abs(x.true) - mpmath.pi) < 1e-6 else x
 
 
 class Ways:

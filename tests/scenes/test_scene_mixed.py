@@ -56,6 +56,8 @@ SCENE = Scene("mixed_arm", SHOULDER, (m.gravity(),), functions=(NAME,), tiers=("
               accuracy=(Tolerance(NAME, "", WITHIN),))
 FRESH = 100
 
+CHECKS = callables.checks(source_text.checks())
+
 
 @pytest.fixture(scope="module")
 def made(tmp_path_factory: pytest.TempPathFactory) -> Iterator[tuple[SceneFunctions, Path]]:
@@ -143,7 +145,8 @@ def test_bits_are_the_same_in_c_in_numpy_and_in_the_choice(made, compiler: str, 
     twin = importlib.import_module(f"{functions.name}.mixed.single")
     given = drawn(functions, 500)
     columns = [np.stack(each, 1) for each in given]
-    result = callables.compiled(found, library.opened, found.signatures[0], SINGLE)(None, *columns)
+    call = callables.compiled(found, library.opened, CHECKS, found.signatures[0], SINGLE)
+    result = call(None, *columns)
     assert same_bits(result, twin.inverse_dynamics(*columns))
     chosen_at = evaluator(tier.first.named(NAME).program, SINGLE)(given)
     assert same_bits(result, np.stack(chosen_at, 1))

@@ -61,7 +61,7 @@ def test_packages_are_found_by_name_or_description(site):
     (site / "other/macros").mkdir(parents=True)
     (site / "other/macros/limb.xacro").write_text(MACRO.replace("continuous", "prismatic"))
     given = read(site, packages={"limbs": site / "other"})
-    assert {x.kind.value for x in given.joints[1:]} == {"prismatic"}
+    assert {x.kind.name for x in given.joints[1:]} == {"prismatic"}
 
 
 def test_scenes_and_commands_give_arguments_and_packages(site, capsys):

@@ -35,7 +35,7 @@ BUILDS = ("gcc", "-O1"), ("clang", "-O1", "-march=native")
 
 
 def test_quaternions_exponentials_logarithms_and_angles_have_the_tier():
-    """For those without it, some bounds would take more than two thousand operations."""
+    """Some bounds of the others would take more than two thousand operations."""
     assert {op.name for op in CALLING} - {op.name for op in FUNCTIONS} == {
         "quaternion_interpolated", "SE3_interpolated", "SE3_leftJacobian", "SE3_rightJacobian",
         "SE3_leftJacobianInverse", "SE3_rightJacobianInverse"}

@@ -49,7 +49,7 @@ EXACTLY = {
 }
 EXACTLY |= {f"{name}f": EXACTLY[name] for name in ("fabs", "fma")}
 # Results that have their error computed: p of product_error(…, p) and product_rest(…, p, h), and
-# sums of which a summand's share is taken.
+# sums from which a summand's share is taken.
 COMPENSATED = re.compile(r"_error\([^()]*, (\w+)\)|_rest\([^()]*, (\w+), \w+\)|(\w+)_right =")
 NORMALIZED = re.compile(r"(\w+_sum)_right =")  # sums hi + lo that take their place
 ERROR = re.compile(r"\w+_(error|rest|lo\d?) = ")

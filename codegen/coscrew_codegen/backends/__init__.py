@@ -1,4 +1,4 @@
-"""Targets: how a Program is written in a language and a precision, and in which files.
+"""Targets: each writes Programs in a language, in both precisions, and lays them out in files.
 
 A target receives Programs, of the library or of a scene, and returns its files.  A module with a
 `TARGET` adds one; the other modules here are shared by several targets."""

@@ -218,7 +218,7 @@ def _again(options: argparse.Namespace) -> "tuple[Result, ...]":
     """Repeats the run of a recording.  Raises SimulateError for further settings."""
     from coscrew_codegen.runtime.load import kernels_for
     from coscrew_codegen.simulation import SimulateError, required_functions
-    from coscrew_codegen.simulation.execution import motion
+    from coscrew_codegen.simulation.execution import complete, motion
     from coscrew_codegen.simulation.replay import metadata_of
 
     given = [name for name in ("until", "step", "integrator", "precision", "settings", "start")
@@ -233,7 +233,8 @@ def _again(options: argparse.Namespace) -> "tuple[Result, ...]":
     kernels = kernels_for(scene,
                           required_functions.of_run(recording, past.integrator, bool(options.view)),
                           (past.precision,))
-    return (motion(kernels, past.precision, past.request(), shown=True),)
+    request = past.request()
+    return (motion(complete(kernels, request), past.precision, request, shown=True),)
 
 
 def _outputs(path: Path) -> tuple[Path, Path]:

@@ -133,7 +133,7 @@ class _Values:
         return [x for x in self.called(users) if x in wanted]
 
     def read(self, operands: Sequence[_Operand]) -> Iterator[int]:
-        """The values among the operands, and those that comparisons among them compare."""
+        """The values among the operands, and the operands of comparisons among them."""
         for x in operands:
             if isinstance(x, int):
                 if self.compares[x]:
@@ -295,7 +295,7 @@ class _Reader:
 
     def program(self, name: str, outputs: tuple[Argument, ...], results: Sequence[_Operand]
                 ) -> Program:
-        """The part with these results; its inputs are those that it reads."""
+        """The part with these results; it has the inputs that it reads."""
         read = tuple(map(self._read, results))
         used = {x.name for x in (*read, *(x for _, _, operands, _ in self.steps for x in operands))
                 if isinstance(x, _Given)}

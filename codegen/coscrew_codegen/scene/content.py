@@ -1,25 +1,18 @@
-"""A hash of a scene's content."""
+"""A hash of a value's content."""
 
 import hashlib
 from collections.abc import Iterator, Mapping
-from dataclasses import fields, is_dataclass, replace
+from dataclasses import fields, is_dataclass
 from enum import Enum
 
 from coscrew_codegen.scene.effect import Effect
 from coscrew_codegen.scene.mechanism.joint_kind import JointKind
-from coscrew_codegen.scene.scene import Scene
 
 
-def content_hash(scene: Scene) -> str:
-    """SHA-256 of everything in the scene and its model, independent of the files' layout."""
-    return hashlib.sha256("\n".join(_as_text(scene)).encode()).hexdigest()
-
-
-def motion_hash(scene: Scene) -> str:
-    """Hashes everything that a motion in a given precision depends on; the selected precisions,
-    functions and tiers, which options replace, do not count."""
-    return content_hash(replace(scene, precision="", precisions=(), implausible="", functions=(),
-                                tiers=(), accuracy=(), notices=()))
+def hashed(value: object) -> str:
+    """SHA-256 of everything in a value, such as a scene and its model, independent of the files'
+    layout."""
+    return hashlib.sha256("\n".join(_as_text(value)).encode()).hexdigest()
 
 
 def _as_text(value: object) -> Iterator[str]:

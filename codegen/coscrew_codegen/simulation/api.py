@@ -14,12 +14,13 @@ from numpy.typing import ArrayLike
 from coscrew_codegen.program.values.formats import BY_NAME, DOUBLE
 from coscrew_codegen.runtime.caller_warnings import at_callers_line
 from coscrew_codegen.runtime.load import Kernels, kernels_for
+from coscrew_codegen.scene.recorded_quantities import recorded
 from coscrew_codegen.scene.scene import Scene
 from coscrew_codegen.simulation import SimulateError, required_functions
 from coscrew_codegen.simulation.batch_inputs import Parameters, values_of
 from coscrew_codegen.simulation.checkpoint import Checkpoint, end_in
 from coscrew_codegen.simulation.control import Controller, Law
-from coscrew_codegen.simulation.execution import RunRequest, motion
+from coscrew_codegen.simulation.execution import RunRequest, complete, motion
 from coscrew_codegen.simulation.recordings.record import quantities
 from coscrew_codegen.simulation.recordings.result import Result
 from coscrew_codegen.simulation.replay import metadata_of
@@ -52,13 +53,13 @@ def run(scene: Kernels | Scene | Path | str, *, p: Parameters = None,
     settings, and the errors of reading a scene."""
     kernels, own = _read(scene, precision)
     name = _precision(precision, own)
-    request = RunRequest(until, step, integrator, every,
-                         None if record is None else quantities(record, own), q0=q0, v0=v0,
-                         p=values_of(own, BY_NAME[name], p), start=_end(start, q0, v0),
-                         controller=_controller(controller))
+    names = None if record is None else quantities(record, own)
+    request = RunRequest(until, step, integrator, every, names, values_of(own, BY_NAME[name], p),
+                         q0, v0, _end(start, q0, v0), _controller(controller),
+                         tuple(recorded(x, own) for x in names or own.record))
     with at_callers_line():
-        kernels = kernels or _kernels(own, integrator, name, request.record,
-                                      request.controller is not None)
+        kernels = complete(kernels, request) if kernels else _kernels(
+            own, integrator, name, request.record, request.controller is not None)
     with at_callers_line():
         result = motion(kernels, name, request)
     if start is None and (note := outside(result.system, result.q[..., 0, :])):
@@ -77,11 +78,12 @@ def again(scene: Kernels | Scene | Path | str, recording: Result | Path | str, *
     kernels, own = _read(scene, past.precision)
     by = _controller(controller)
     past.refuse(own, by)
+    request = past.request(by)
     with at_callers_line():
-        kernels = kernels or _kernels(own, past.integrator, past.precision, past.record,
-                                      by is not None)
+        kernels = complete(kernels, request) if kernels else _kernels(
+            own, past.integrator, past.precision, past.record, by is not None)
     with at_callers_line():
-        result = motion(kernels, past.precision, past.request(by))
+        result = motion(kernels, past.precision, request)
     return _warned(result)
 
 

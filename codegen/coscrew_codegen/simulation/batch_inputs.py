@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from coscrew_codegen.program.values.formats import Precision
-from coscrew_codegen.scene.joints import kind_named
+from coscrew_codegen.scene.joints import KIND_NAMED
 from coscrew_codegen.scene.scene import Scene
 from coscrew_codegen.simulation import SimulateError
 from coscrew_codegen.simulation.checkpoint import Checkpoint
@@ -83,7 +83,7 @@ def normalize_quaternions(system: System, q: np.ndarray) -> np.ndarray:
     exactly.  Raises SimulateError."""
     least = _ROUNDED * float(np.finfo(system.dtype).eps)
     for c in system.functions.coordinates:
-        for quaternion in kind_named(c.kind).quaternions:
+        for quaternion in KIND_NAMED[c.kind].quaternions:
             places = c.q[quaternion]
             norms = np.linalg.norm(q[..., places], axis=-1)
             if (wrong := np.abs(norms - 1) > _OF_NORM).any():

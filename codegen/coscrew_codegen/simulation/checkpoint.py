@@ -11,8 +11,7 @@ from pathlib import Path
 
 import numpy as np
 
-from coscrew_codegen.scene.content import motion_hash
-from coscrew_codegen.scene.integrators import named
+from coscrew_codegen.scene.integrators import INTEGRATOR_NAMED
 from coscrew_codegen.simulation import SimulateError
 from coscrew_codegen.simulation.plan import Plan, Stop, Trajectory
 from coscrew_codegen.simulation.recordings.recording_reader import provenance_of
@@ -75,7 +74,7 @@ def end_of(system: System, trajectory: Trajectory, start: Checkpoint) -> Checkpo
 
 def of_run(system: System) -> tuple[str, str]:
     """The precision's name and the scene's hash."""
-    return system.precision.name, motion_hash(system.scene)
+    return system.precision.name, system.scene.motion_hash
 
 
 def end_in(path: Path) -> Checkpoint:
@@ -133,7 +132,7 @@ def refuse_plan(start: Checkpoint, system: System, plan: Plan) -> None:
         raise SimulateError(f"start: integrator {plan.integrator} begins with steps of its own; "
                             "wanted an emitted integrator")
     free = system.has("free_momentum")
-    if start.momentum is None and free and named(plan.integrator).keeps_momentum:
+    if start.momentum is None and free and INTEGRATOR_NAMED[plan.integrator].keeps_momentum:
         raise SimulateError("start: a run that did not keep the momentum of floating bases, as "
                             f"{plan.integrator} does; wanted the integrator of that run")
 

@@ -9,7 +9,7 @@ from typing import cast
 import numpy as np
 
 from coscrew_codegen.runtime.step_calls import InC
-from coscrew_codegen.scene.integrators import named
+from coscrew_codegen.scene.integrators import INTEGRATOR_NAMED
 from coscrew_codegen.simulation import SimulateError
 from coscrew_codegen.simulation.check.sign_changes import Turns
 from coscrew_codegen.simulation.control import EFFORT, Controller, Law, refuse_precision, set_by
@@ -29,7 +29,7 @@ class Driven:
         self._places = np.array(set_by(controller, system.scene), np.intp)
         p = np.asarray(system.p, system.dtype)
         self.p = np.broadcast_to(p, (*q.shape[:-1], p.shape[-1])).copy()
-        name = named(plan.integrator).step_name
+        name = INTEGRATOR_NAMED[plan.integrator].step_name
         self._step = system.stepper_at(name)
         self._in_c = system.driver(name) if controller.address else None
         self._turns = Turns()

@@ -8,7 +8,8 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from coscrew_codegen.runtime.load import Kernels
-from coscrew_codegen.scene.integrators import named
+from coscrew_codegen.scene.integrators import INTEGRATOR_NAMED
+from coscrew_codegen.scene.recorded_quantities import Recorded
 from coscrew_codegen.simulation import SimulateError, required_functions
 from coscrew_codegen.simulation.batch_inputs import Values, start_of, with_parameters
 from coscrew_codegen.simulation.check.divergence_monitor import Alarm
@@ -41,13 +42,14 @@ class RunRequest:
     v0: ArrayLike | None = None
     start: Checkpoint | None = None
     controller: Controller | None = None
+    columns: tuple[Recorded, ...] | None = None  # of the quantities to record, if they are known
 
 
 def motion(kernels: Kernels, precision: str, request: RunRequest, *, shown: bool = False,
            with_provenance: bool = True) -> Result:
     """The run in the precision of this name.  If `shown`, a terminal shows the progress; without
     `with_provenance`, the recording has no provenance.  Raises SimulateError."""
-    its, state = _begun(_complete(kernels, request), precision, request)
+    its, state = _begun(kernels, precision, request)
     start = request.start
     if start and start.controller and not request.controller:
         warnings.warn(f"start: the run before had a controller ({start.controller}), this one has "
@@ -79,14 +81,15 @@ def motion(kernels: Kernels, precision: str, request: RunRequest, *, shown: bool
         origin = provenance(its, planned, trajectory, kernels.compiler or "none: NumPy", began,
                             its.scene.record if request.record is None else request.record,
                             request.controller.described(its.scene) if request.controller else "")
-    return Result(its, planned, trajectory, record(its, trajectory, origin, request.record), began)
+    return Result(its, planned, trajectory, record(its, trajectory, origin, request.record,
+                                                   request.columns), began)
 
 
-def _complete(kernels: Kernels, request: RunRequest) -> Kernels:
+def complete(kernels: Kernels, request: RunRequest) -> Kernels:
     """Returns the kernels with all functions that the run needs, if they have the step of its
     integrator; if not, the plan refuses them."""
     scene = scene_of(kernels)
-    own = named(known(request.integrator or scene.run.integrator)).step_name
+    own = INTEGRATOR_NAMED[known(request.integrator or scene.run.integrator)].step_name
     if kernels.plain or (own and own not in (x.name for x in kernels.interface.signatures)):
         return kernels
     recording = scene if request.record is None else replace(scene, record=request.record)

@@ -24,6 +24,8 @@ N = TypeVar("N")
 def refuse_settings(scene: Scene, settings: Mapping[str, float], precision: Precision) -> None:
     """Raise SimulateError for an unknown parameter, a number out of its range or the precision's,
     and numbers that make a body that cannot exist or leave a joint without inertia."""
+    if not settings:
+        return
     refuse_each(scene, settings, precision)
     if any(name in settings for name in dependent(scene)):
         refuse_together(scene, settings)

@@ -8,7 +8,6 @@ from pathlib import Path
 
 from coscrew_codegen.backends import version
 from coscrew_codegen.program.values.formats import BY_NAME
-from coscrew_codegen.scene.content import motion_hash
 from coscrew_codegen.scene.scene import Scene
 from coscrew_codegen.simulation import SimulateError
 from coscrew_codegen.simulation.checkpoint import START, Checkpoint, checkpoint_in
@@ -44,7 +43,7 @@ class RunMetadata:
     def refuse(self, scene: Scene, controller: Controller | None) -> None:
         """Raises SimulateError if this scene or controller gives another run; warns if another
         version of coscrew made the recording."""
-        if motion_hash(scene) != self.scene:
+        if scene.motion_hash != self.scene:
             raise SimulateError(f"again: the recording is of another scene than {scene.name}, or "
                                 "the scene has changed since; wanted the scene as it was")
         given = controller.described(scene) if controller else ""

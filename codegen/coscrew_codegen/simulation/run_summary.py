@@ -8,12 +8,12 @@ import numpy as np
 from tabulate import tabulate
 
 from coscrew_codegen.program.values.formats import BY_NAME
-from coscrew_codegen.scene.integrators import DEFAULT, named
+from coscrew_codegen.scene.integrators import DEFAULT, INTEGRATOR_NAMED
 from coscrew_codegen.scene.mechanism.mimics import without_chains
 from coscrew_codegen.simulation import SimulateError
 from coscrew_codegen.simulation.batch_inputs import values_of
 from coscrew_codegen.simulation.checkpoint import end_in
-from coscrew_codegen.simulation.execution import RunRequest, motion
+from coscrew_codegen.simulation.execution import RunRequest, complete, motion
 from coscrew_codegen.simulation.parameter_checks import ranges
 from coscrew_codegen.simulation.recordings.record import Difference, differences
 from coscrew_codegen.simulation.recordings.result import Result
@@ -49,7 +49,7 @@ def simulated(kernels: "Kernels", overrides: RunOverrides, with_provenance: bool
     results: list[Result] = []
     for name in names:
         p = values_of(scene_of(kernels), BY_NAME[name], dict(overrides.settings), "--set ")
-        results.append(motion(kernels, name, replace(request, p=p), shown=True,
+        results.append(motion(complete(kernels, request), name, replace(request, p=p), shown=True,
                               with_provenance=with_provenance))
         if results[-1].trajectory.interrupted:
             break
@@ -76,7 +76,7 @@ def bounces(result: Result) -> str:
     """A warning that bounces are lost, if the integrator does not resolve them and a limit is hit
     in a step that the default integrator would split; else ""."""
     its, planned, run = result.system, result.plan, result.trajectory
-    if not (named(planned.integrator).damps_bounces and its.has("parts")):
+    if not (INTEGRATOR_NAMED[planned.integrator].damps_bounces and its.has("parts")):
         return ""
     with np.errstate(all="ignore"):
         closing = its.call("closing_contacts", h=planned.step, q=run.q, v=run.v) > 0
@@ -92,7 +92,9 @@ def outside(its: System, q: np.ndarray) -> str:
     start; else "". (…, nq): of several members it names the one farthest outside."""
     values = dict(zip((x for x, _ in its.functions.parameters), np.array(its.p).T, strict=True))
     start = {c.joint: q[..., c.q.start].astype(float) for c in its.functions.coordinates}
-    for joint in without_chains(its.scene.model).joints:
+    model = its.scene.model
+    chained = any(joint.mimic for joint in model.joints)
+    for joint in (without_chains(model) if chained else model).joints:
         if joint.mimic and joint.name not in start:
             start[joint.name] = (float(joint.mimic.multiplier) * start[joint.mimic.joint]
                                  + float(joint.mimic.offset))

@@ -14,7 +14,7 @@ from coscrew_codegen.program import Program
 from coscrew_codegen.program.scene_functions import SceneInterface, Signature
 from coscrew_codegen.program.values.formats import PRECISIONS, Precision
 from coscrew_codegen.runtime.step_calls import Driven, InC
-from coscrew_codegen.scene.joints import kind_named
+from coscrew_codegen.scene.joints import KIND_NAMED
 from coscrew_codegen.scene.scene import Scene
 from coscrew_codegen.simulation import SimulateError
 from coscrew_codegen.simulation.parameter_checks import refuse_settings
@@ -167,7 +167,7 @@ class System:
     def quaternions(self) -> tuple[slice, ...]:
         """The slices of q that hold quaternions."""
         return tuple(slice(c.q[x].start, c.q[x].stop) for c in self.functions.coordinates
-                     for x in kind_named(c.kind).quaternions)
+                     for x in KIND_NAMED[c.kind].quaternions)
 
     def lacking(self, q: np.ndarray, v: np.ndarray) -> str:
         """'joint elbow: v is inf': the first number of a state that is not finite; else ""."""

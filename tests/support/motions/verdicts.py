@@ -147,8 +147,8 @@ _FORMS: tuple[tuple[str, Callable[..., Setting]], ...] = (
 
 
 def advised(text: str, how: Setting) -> tuple[Setting, ...]:
-    """The settings that sentences advise, each of which should do.  Raises ValueError if one is of
-    no known form."""
+    """The settings that sentences advise; each should do.  Raises ValueError if one is of no known
+    form."""
     each = [x for result in _ADVICE.findall(text) for x in result.split(", or ")]
     return tuple(_read_advice(x, how) for x in each if x != _UNNAMED)
 

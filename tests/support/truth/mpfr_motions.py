@@ -62,7 +62,7 @@ def third(angle: mpfr) -> mpfr:
 
 
 def of_inverse(angle: mpfr) -> mpfr:
-    """(1 - θ/2 cot θ/2) / θ², of which 2 log2 θ digits cancel; 1/12 below 2^-BITS."""
+    """(1 - θ/2 cot θ/2) / θ², where 2 log2 θ digits cancel; 1/12 below 2^-BITS."""
     if angle < gmpy2.exp2(-BITS):
         return mpfr(Fraction(1, 12))
     with gmpy2.context(precision=3 * BITS if angle < 1 else BITS):

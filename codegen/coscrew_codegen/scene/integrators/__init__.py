@@ -16,14 +16,15 @@ def _place(integrator: Integrator) -> tuple[bool, bool, int, str]:
 
 INTEGRATORS = tuple(sorted(discover(__name__, __path__, "INTEGRATOR", Integrator), key=_place))
 
-NAMES = tuple(x.name for x in INTEGRATORS)
+INTEGRATOR_NAMED = {x.name: x for x in INTEGRATORS}
+NAMES = tuple(INTEGRATOR_NAMED)
 EMITTED = tuple(x for x in INTEGRATORS if x.emitted)
 ADAPTIVE = {x.name: x.scheme for x in INTEGRATORS if isinstance(x.scheme, Adaptive)}
 
 
 def named(name: str) -> Integrator:
     """The integrator of this name."""
-    return next(x for x in INTEGRATORS if x.name == name)
+    return INTEGRATOR_NAMED[name]
 
 
 def in_words() -> str:

@@ -1,8 +1,7 @@
-"""The formats of models, one per module or folder here: found when a file is to be read.
+"""The formats of models, one per module or folder here, discovered when a file is to be read.
 
 A module put here with a `READER` adds its format to every scene and command, to messages and to
-documentation.
-"""
+documentation."""
 
 from collections.abc import Mapping
 from functools import cache

@@ -17,8 +17,8 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from coscrew_codegen.scene.integrators import named
-from coscrew_codegen.scene.joints import kind_named
+from coscrew_codegen.scene.integrators import INTEGRATOR_NAMED
+from coscrew_codegen.scene.joints import KIND_NAMED
 from coscrew_codegen.simulation.check import windows
 from coscrew_codegen.simulation.check.energy_balance import rounding
 from coscrew_codegen.simulation.check.error_limits import ALLOWED, FROZEN, KEPT
@@ -54,7 +54,7 @@ class Alarm:
     _measured: float = field(init=False, default=0.0)
 
     def __post_init__(self) -> None:
-        self._integrator = named(self.plan.integrator)
+        self._integrator = INTEGRATOR_NAMED[self.plan.integrator]
         run = self.plan.until - self.plan.begin
         self._count = run / self.plan.step
         self._every = int(min(max(_APART, self._count / _LOOKS), max(1, self._count)))
@@ -160,7 +160,7 @@ class Alarm:
     def _of_momentum(self, last: bool, alive: np.ndarray) -> dict[Index, tuple[str, str]]:
         bad = self._momenta.beyond(KEPT**2 * self._kinetic[..., None], last)[..., 0] & alive
         joint = next((c.joint for c in self.system.functions.coordinates
-                      if kind_named(c.kind).floats), "")
+                      if KIND_NAMED[c.kind].floats), "")
         return {i: (joint, f"momentum is not kept at t = {self._momenta.at[i][0]:.9g} s: the "
                     "floating bases are off by "
                     f"{_ratio(self._momenta.worst[i][0], self._kinetic[i])**0.5:.2g} of their "
@@ -187,7 +187,7 @@ class _Worst:
         self._since = np.full((*lead, count), np.inf)
 
     def add(self, at: float, errors: np.ndarray, allowed: np.ndarray) -> None:
-        """Note errors at this time after the start, and those that are allowed now."""
+        """Notes errors at this time after the start, and the allowed ones."""
         new = errors > self.worst
         self.worst, self.at = np.where(new, errors, self.worst), np.where(new, at, self.at)
         bad, self._now = ~(errors <= allowed), at

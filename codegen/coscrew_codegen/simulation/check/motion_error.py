@@ -12,15 +12,14 @@ scene do not matter, nor do heavy neighbours.
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from enum import Enum
-from fractions import Fraction
 from functools import cached_property
 
 import numpy as np
 
 from coscrew_codegen.program.scene_functions import Coordinate
 from coscrew_codegen.program.values.formats import Precision
-from coscrew_codegen.scene.joints import kind_named
-from coscrew_codegen.scene.mechanism.model import Model, value
+from coscrew_codegen.scene.joints import KIND_NAMED
+from coscrew_codegen.scene.mechanism.model import Model
 from coscrew_codegen.simulation.check.error_limits import ALLOWED
 from coscrew_codegen.simulation.system import System
 
@@ -68,7 +67,7 @@ class StateParts:
     def parts(self) -> tuple[StatePart, ...]:
         """One or more for each joint that moves."""
         model = self.system.scene.model
-        length, steady = REST * min(1.0, 10 * _length(model) or 1.0), _steady(model)
+        length, steady = REST * min(1.0, 10 * model.length or 1.0), _steady(model)
         return tuple(x for c in self.system.functions.coordinates
                      for x in _parts_of(c, length, c.joint in steady))
 
@@ -151,7 +150,7 @@ class StateParts:
 def _parts_of(c: Coordinate, length: float, steady: bool) -> Iterator[StatePart]:
     """The parts of a joint's motion.  Positions and centres of mass count as no smaller than this
     length; what carries the joint is `steady` if nothing turns it."""
-    kind = kind_named(c.kind)
+    kind = KIND_NAMED[c.kind]
     own = [x for x in kind.q_parts if x[0].turns or not kind.floats]
     for part, q, v in own:
         name = PartKind.OWN.value.format(c.joint)
@@ -231,19 +230,6 @@ def _angle(x: np.ndarray, y: np.ndarray) -> np.ndarray:
     chord = np.minimum(np.linalg.norm(x - y, axis=-1), np.linalg.norm(x + y, axis=-1))
     result: np.ndarray = 4 * np.arcsin(np.minimum(chord / 2, 1))
     return result
-
-
-def _length(model: Model) -> float:
-    """The largest length in a model: from a joint to the next or to a centre of mass, or a radius
-    of gyration, in m."""
-    results = [abs(value(x)) for joint in model.joints for x in joint.placement.t]
-    for body in model.bodies:
-        if body.inertia:
-            results += [abs(value(x)) for x in body.inertia.com]
-            mass = value(body.inertia.mass)
-            moments = sum((abs(value(x)) for x in body.inertia.moments[:3]), Fraction(0))
-            results += [Fraction(float(moments / mass / 2)**0.5)] if mass else []
-    return float(max(results, default=Fraction(0)))
 
 
 def _steady(model: Model) -> frozenset[str]:

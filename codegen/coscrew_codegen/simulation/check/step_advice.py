@@ -8,7 +8,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from coscrew_codegen.program.values.formats import DOUBLE, Precision
-from coscrew_codegen.scene.integrators import DEFAULT, named
+from coscrew_codegen.scene.integrators import DEFAULT, INTEGRATOR_NAMED
 from coscrew_codegen.simulation.check.divergence_monitor import Alarm
 from coscrew_codegen.simulation.check.error_limits import AGREED, ALLOWED
 from coscrew_codegen.simulation.check.motion_error import Extent, StateParts
@@ -214,7 +214,7 @@ def drifting(system: System, planned: Plan, trajectory: Trajectory, start: State
     else:
         seen = replace(planned, every=planned.step * max(1, round(steps / (2 * _SEEN))), also=())
         whole = run(seen)
-    loses = named(planned.integrator).damps_bounces and system.has("parts")
+    loses = INTEGRATOR_NAMED[planned.integrator].damps_bounces and system.has("parts")
     half = run(replace(seen, step=planned.step / 2, finer=2,
                        integrator=DEFAULT if loses else planned.integrator))
     if _differ(system, planned, whole, half).relative <= ALLOWED / 4:

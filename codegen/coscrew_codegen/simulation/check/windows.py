@@ -7,8 +7,8 @@ import numpy as np
 
 from coscrew_codegen.program.values.formats import DOUBLE
 from coscrew_codegen.scene.integrator import Integrator
-from coscrew_codegen.scene.integrators import DEFAULT, named
-from coscrew_codegen.scene.joints import kind_named
+from coscrew_codegen.scene.integrators import DEFAULT, INTEGRATOR_NAMED
+from coscrew_codegen.scene.joints import KIND_NAMED
 from coscrew_codegen.simulation import coordinate_rates
 from coscrew_codegen.simulation.check.error_limits import AGREED
 from coscrew_codegen.simulation.check.motion_error import Places, StateParts, turned
@@ -98,7 +98,7 @@ class Window:
 
     def _taken(self, system: System, integrator: str, finer: int) -> tuple[State, ...]:
         """The states on the grid, with steps smaller by `finer`."""
-        step, h = system.stepper(named(integrator).step_name), self.h / finer
+        step, h = system.stepper(INTEGRATOR_NAMED[integrator].step_name), self.h / finer
         q, v, done, result = self.q.astype(system.dtype), self.v.astype(system.dtype), 0, []
         for n in self.grid:
             q, v = step((n - done) * finer, self.t + done * self.h, h, q, v)
@@ -132,7 +132,7 @@ class Way:
         kept = integrator.keeps_momentum and system.has("free_momentum")
         self._vectors = [
             (c.joint, slice(c.v[v].start, c.v[v].stop), kind.floats and v.start == 0 and kept)
-            for c in its for kind in [kind_named(c.kind)] for _, _, v in kind.q_parts]
+            for c in its for kind in [KIND_NAMED[c.kind]] for _, _, v in kind.q_parts]
         self._made = self._lost = self._near = np.zeros(1)
         self._steps = 0
 
@@ -177,7 +177,7 @@ class Way:
             x, own = (y[..., places].astype(float) for y, places in ((q, c.q), (v, c.v)))
             rates = coordinate_rates.rates(c.kind, x, x, own)
             results += [own[..., speeds] if part.quaternion else rates[..., places]
-                        for part, places, speeds in kind_named(c.kind).q_parts]
+                        for part, places, speeds in KIND_NAMED[c.kind].q_parts]
         return np.concatenate(results, -1)
 
     def _moved(self, before: np.ndarray, after: np.ndarray) -> np.ndarray:
@@ -187,7 +187,7 @@ class Way:
             x, y = (q[..., c.q].astype(float) for q in (before, after))
             results += [turned(x[..., places], y[..., places]) if part.quaternion else
                         y[..., places] - x[..., places]
-                        for part, places, _ in kind_named(c.kind).q_parts]
+                        for part, places, _ in KIND_NAMED[c.kind].q_parts]
         return np.concatenate(results, -1)
 
     def _numbers(self, q: np.ndarray) -> np.ndarray:
@@ -197,7 +197,7 @@ class Way:
         for c in self._system.functions.coordinates:
             own = np.abs(q[..., c.q].astype(float))
             results += [np.full((*own.shape[:-1], 3), 2.0) if part.quaternion else own[..., places]
-                        for part, places, _ in kind_named(c.kind).q_parts]
+                        for part, places, _ in KIND_NAMED[c.kind].q_parts]
         return np.concatenate(results, -1)
 
 

@@ -33,17 +33,18 @@ def quantities(given: object, scene: Scene | None = None) -> tuple[str, ...]:
 
 
 def record(system: System, trajectory: Trajectory, provenance: Provenance,
-           wanted: Sequence[str] | None = None) -> Recording:
+           wanted: Sequence[str] | None = None, columns: Sequence[Recorded] | None = None
+           ) -> Recording:
     """Computes the columns that the scene records, or the `wanted` ones.  Raises SimulateError for
     a quantity whose function was not selected."""
     texts = system.scene.record if wanted is None else wanted
-    results = [recorded(text, system.scene) for text in texts]
-    columns = {name: Column(name, unit, x.quantity)
+    results = columns or [recorded(text, system.scene) for text in texts]
+    by_name = {name: Column(name, unit, x.quantity)
                for x in results for name, unit in zip(x.names, x.units, strict=True)}
     names = [name for x in results for name in x.names]
-    first = [names.index(name) for name in columns]  # duplicates are recorded once
+    first = [names.index(name) for name in by_name]  # duplicates are recorded once
     values = np.concatenate([quantity(system, trajectory, x) for x in results], -1)
-    return Recording(trajectory.t, tuple(columns.values()), values[..., first], provenance)
+    return Recording(trajectory.t, tuple(by_name.values()), values[..., first], provenance)
 
 
 def quantity(system: System, trajectory: Trajectory, wanted: Recorded) -> np.ndarray:

@@ -11,9 +11,9 @@ from importlib.metadata import version
 import numpy as np
 
 from coscrew_codegen.runtime import cache, sources
+from coscrew_codegen.runtime.cache import packed, unpacked
 from coscrew_codegen.runtime.lanes import PAYS
 from coscrew_codegen.runtime.load import Kernels, restored
-from coscrew_codegen.runtime.pickles import packed, unpacked
 from coscrew_codegen.simulation.check.uniform_rotations import quaternions
 from coscrew_codegen.simulation.sweep import SweepError
 from coscrew_codegen.simulation.sweep.files.lock import held

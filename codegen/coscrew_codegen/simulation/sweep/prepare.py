@@ -7,8 +7,7 @@ from dataclasses import dataclass, replace
 from coscrew_codegen.backends.version import VERSION
 from coscrew_codegen.program.values.formats import BY_NAME, DOUBLE
 from coscrew_codegen.runtime.load import Kernels, kernels_for
-from coscrew_codegen.scene.content import content_hash
-from coscrew_codegen.scene.integrators import named
+from coscrew_codegen.scene.integrators import INTEGRATOR_NAMED
 from coscrew_codegen.scene.recordable import quantities_of
 from coscrew_codegen.scene.recorded_quantities import QuantityError, recorded
 from coscrew_codegen.scene.scene import Scene
@@ -65,14 +64,14 @@ def prepared(read: Scene, request: SweepRequest) -> Prepared:
                           (precision,))
     its = system(kernels, precision, settings)
     planned = plan(its, overrides.until, overrides.step, overrides.integrator)
-    if not named(planned.integrator).emitted:
+    if not INTEGRATOR_NAMED[planned.integrator].emitted:
         raise SweepError(f"integrator {planned.integrator}: chooses its steps in each run; a sweep "
                          "wants an emitted one, such as --integrator leapfrog")
     conditions = Conditions(tuple(sorted(settings.items())), planned.until, planned.step,
                             planned.integrator, planned.every, precision, scene.record,
                             request.series)
     chunk = _chunk(vary.members, scene, planned)
-    specification = Specification(scene.name, content_hash(read), VERSION, vary, conditions, chunk)
+    specification = Specification(scene.name, read.content_hash, VERSION, vary, conditions, chunk)
     return Prepared(kernels, scene, specification, planned)
 
 

@@ -5,9 +5,8 @@ With h = θ/2, y = h², k = sin h / h and c = cos h, nothing cancels in
     g(0) = 1 - 2 sin² h    g(1) = k c    g(2) = k²/2    θ/2 cot θ/2 = c / k
     b = f / 4k             2 b' = (f²/2 - φ k) / 8k²
 
-where f = (k - c) / y = (k + 2 y φ) / 3 and φ = -f' = (3 f - k) / 2y.  Only g(4), g(5), of which
-g(3) = 1/6 - θ² g(5) is made, and φ are series, up to θ = 1 and θ = 2.  Their closed forms cancel
-7 bits at most.
+where f = (k - c) / y = (k + 2 y φ) / 3 and φ = -f' = (3 f - k) / 2y.  Only g(4), g(5) and φ are
+series, up to θ = 1 and θ = 2, with g(3) = 1/6 - θ² g(5). Their closed forms cancel 7 bits at most.
 """
 
 from dataclasses import dataclass

@@ -3,14 +3,18 @@
 A body with n joints is moved by a chain of n links, n - 1 of them without mass.  Where a joint's
 anchor is off the body's origin, a link without mass turns there, and the body is fixed to it.
 `ref` is in the joint's place, and a free body's place is only where it starts: q is MuJoCo's qpos,
-but for quaternions, whose scalar is last here.
+except for quaternions, whose scalar is last here.
 """
 
 from collections.abc import Iterator, Sequence
 from fractions import Fraction
 from typing import TYPE_CHECKING
 
-from coscrew_codegen.scene.joints import kind_named
+from coscrew_codegen.scene.joints.fixed import JOINT as FIXED
+from coscrew_codegen.scene.joints.free import JOINT as FREE
+from coscrew_codegen.scene.joints.prismatic import JOINT as PRISMATIC
+from coscrew_codegen.scene.joints.revolute import JOINT as REVOLUTE
+from coscrew_codegen.scene.joints.spherical import JOINT as SPHERICAL
 from coscrew_codegen.scene.mechanism import rotations
 from coscrew_codegen.scene.mechanism.model import (
     HERE,
@@ -30,10 +34,7 @@ from coscrew_codegen.scene.readers.scene_error import SceneError
 if TYPE_CHECKING:
     import mujoco
 
-_FIXED = kind_named("fixed")
-_KINDS = _FREE, _SPHERICAL, _PRISMATIC, _REVOLUTE = tuple(map(kind_named, (
-    "free", "spherical", "prismatic", "revolute")))
-"""By MuJoCo's numbers."""
+_KINDS = (FREE, SPHERICAL, PRISMATIC, REVOLUTE)  # by MuJoCo's numbers
 _NOWHERE = (Fraction(0),) * 3
 
 
@@ -89,7 +90,7 @@ def _moved(model: "mujoco.MjModel", names: MjcfNames, number: int) -> Iterator[B
         yield _joint(model, names, j, parent, child, at)
         parent, at = child, Placement(HERE.R, tuple(-x for x in anchor))
     if parent != name:
-        yield Joint(names.new(f"{name}/fixed"), _FIXED, parent, name, at)
+        yield Joint(names.new(f"{name}/fixed"), FIXED, parent, name, at)
 
 
 def _at_anchor(model: "mujoco.MjModel", j: int, at: Placement
@@ -97,19 +98,19 @@ def _at_anchor(model: "mujoco.MjModel", j: int, at: Placement
     """The place of a joint whose q is 0, in its parent, and its anchor in the body."""
     kind, axis = _KINDS[model.jnt_type[j]], exact(model.jnt_axis[j])
     ref, = exact([model.qpos0[model.jnt_qposadr[j]]])
-    if kind is _FREE:
+    if kind is FREE:
         return HERE, _NOWHERE
-    if kind is _PRISMATIC:
+    if kind is PRISMATIC:
         return composed(at, Placement(HERE.R, tuple(-ref * x for x in axis))), _NOWHERE
     anchor = exact(model.jnt_pos[j])
-    turn = rotations.from_axis_angle(axis, -ref) if kind is _REVOLUTE and ref else HERE.R
+    turn = rotations.from_axis_angle(axis, -ref) if kind is REVOLUTE and ref else HERE.R
     return composed(at, Placement(turn, anchor)), anchor
 
 
 def _joint(model: "mujoco.MjModel", names: MjcfNames, j: int, parent: str, child: str, at: Placement
            ) -> Joint:
     kind, name = _KINDS[model.jnt_type[j]], names.joint(j)
-    if kind in (_FREE, _SPHERICAL):
+    if kind in (FREE, SPHERICAL):
         return Joint(name, kind, parent, child, at)
     dof = int(model.jnt_dofadr[j])
     lower, upper = exact(model.jnt_range[j]) if model.jnt_limited[j] else (None, None)
@@ -142,9 +143,9 @@ def _start(model: "mujoco.MjModel", names: MjcfNames) -> dict[str, tuple[float, 
     for j in (j for j in range(model.njnt) if names.joint(j) not in led):
         kind, at = _KINDS[model.jnt_type[j]], int(model.jnt_qposadr[j])
         q = tuple(float(x) for x in model.qpos0[at:at + kind.nq])
-        if kind is _FREE:
+        if kind is FREE:
             found[names.joint(j)] = (*q[:3], *q[4:], q[3])
-        elif kind is not _SPHERICAL and any(q):
+        elif kind is not SPHERICAL and any(q):
             found[names.joint(j)] = q
     return found
 

@@ -9,7 +9,10 @@ from dataclasses import replace
 from fractions import Fraction
 from pathlib import Path
 
-from coscrew_codegen.scene.joints import kind_named
+from coscrew_codegen.scene.joints.fixed import JOINT as FIXED
+from coscrew_codegen.scene.joints.prismatic import JOINT as PRISMATIC
+from coscrew_codegen.scene.joints.revolute import JOINT as REVOLUTE
+from coscrew_codegen.scene.joints.spherical import JOINT as SPHERICAL
 from coscrew_codegen.scene.mechanism import rotations
 from coscrew_codegen.scene.mechanism.model import (
     HERE,
@@ -27,11 +30,9 @@ from coscrew_codegen.scene.readers.sdf.sdf_frames import MODEL, SdfFrames, inver
 from coscrew_codegen.scene.readers.toml.toml_tables import Decimals
 from coscrew_codegen.scene.readers.urdf.xml import Element
 
-_FIXED, _PRISMATIC, _REVOLUTE, _SPHERICAL = map(kind_named, (
-    "fixed", "prismatic", "revolute", "spherical"))
-TYPES = {"revolute": (_REVOLUTE, 1), "continuous": (_REVOLUTE, 1),
-         "prismatic": (_PRISMATIC, 1), "universal": (_REVOLUTE, 2),
-         "revolute2": (_REVOLUTE, 2), "ball": (_SPHERICAL, 0), "fixed": (_FIXED, 0)}
+TYPES = {"revolute": (REVOLUTE, 1), "continuous": (REVOLUTE, 1),
+         "prismatic": (PRISMATIC, 1), "universal": (REVOLUTE, 2),
+         "revolute2": (REVOLUTE, 2), "ball": (SPHERICAL, 0), "fixed": (FIXED, 0)}
 """The kind and the number of axes of each type."""
 
 _UNLIMITED = Fraction(10)**16  # numbers from here on stand for none
@@ -53,11 +54,11 @@ class SdfJoints(SdfFrames):
                                f"{or_mean(word, TYPES)}")
         kind, count = TYPES[word]
         parent, child = self._ends(joint, scope)
-        for tag in _AXES[count:] if kind is not _FIXED else ():
+        for tag in _AXES[count:] if kind is not FIXED else ():
             if axis := self.only(joint, tag):
                 self.refuse(axis, f"<{tag}> of a {word} joint; wanted none")
         self.notices += self.unused(joint, f"joint {full}")
-        if kind is _FIXED:
+        if kind is FIXED:
             yield Joint(full, kind, parent, child, self.within(parent, child))
             return
         at, back = self.within(parent, full), self.within(full, child)
@@ -72,7 +73,7 @@ class SdfJoints(SdfFrames):
             yield replace(last, placement=composed(at, back), axis=own)
             return
         yield from (Body(f"{name}/link"), replace(last, child=f"{name}/link"),
-                    Joint(f"{full}/body", _FIXED, f"{name}/link", child, back))
+                    Joint(f"{full}/body", FIXED, f"{name}/link", child, back))
 
     def _ends(self, joint: Element, scope: str) -> tuple[str, str]:
         """The links that the joint connects."""
@@ -150,8 +151,8 @@ class SdfJoints(SdfFrames):
 def _same_motion(joint: Joint, child: Placement) -> bool:
     """Whether the joint moves a frame at `child` as it moves its own: what slides, what turns about
     an axis through that frame's origin, and what turns about the same point and axes."""
-    if joint.kind is _SPHERICAL:
+    if joint.kind is SPHERICAL:
         return child == HERE
     x, y, z = child.t
     a, b, c = joint.axis
-    return joint.kind is _PRISMATIC or not any((y * c - z * b, z * a - x * c, x * b - y * a))
+    return joint.kind is PRISMATIC or not any((y * c - z * b, z * a - x * c, x * b - y * a))

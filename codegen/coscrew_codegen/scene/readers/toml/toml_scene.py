@@ -91,7 +91,7 @@ def _all_effects() -> tuple[Effect, ...]:
 
 
 def _emitted(precision: str | None) -> tuple[str, ...]:
-    """The precisions that a scene is generated in: only double if that is selected, since single
+    """The precisions in which a scene is generated: only double if that is selected, since single
     may not hold the scene's numbers; else both."""
     return (DOUBLE.name,) if precision == DOUBLE.name else tuple(BY_NAME)
 
@@ -126,9 +126,11 @@ def _scene(file: TomlTable, catalogue: tuple[Effect, ...], overrides: SceneOverr
                     every=float(outputs.positive("every", Fraction(1, 100))),
                     expectations=_expectations(file, scene))
     functions = _functions(file, scene)
-    accuracy = read_accuracy(file, scene, resolved(scene, functions))
+    accuracy = read_accuracy(file, scene, resolved(scene, functions)) if "accuracy" in file else ()
     functions = overrides.functions or functions
-    accuracy = tuple(x for x in accuracy if x.function in resolved(scene, functions))
+    if accuracy:
+        selected_now = resolved(scene, functions)
+        accuracy = tuple(x for x in accuracy if x.function in selected_now)
     tiers = selected((*_tiers(file), *(on_request() if accuracy else ())))
     drawn = limits_used(scene, accuracy)
     refuse_faults(file, scene, drawn)
@@ -167,7 +169,8 @@ def _tiers(file: TomlTable) -> tuple[str, ...]:
 
 def _selecting(scene: Scene, functions: tuple[str, ...]) -> Scene:
     """The scene with these functions selected.  Raises FunctionsError for unknown functions."""
-    resolved(scene, functions)
+    if functions:
+        resolved(scene, functions)
     return replace(scene, functions=functions)
 
 
