@@ -189,10 +189,11 @@ def test_each_kind_is_a_file_of_its_name():
 
 
 def test_names_of_kinds_stand_in_their_files_alone():
-    """Elsewhere the kinds are asked: no text of the generator is the name of one."""
+    """Elsewhere the kinds are asked: no text of the generator is the name of one, except where
+    readers of other formats translate the words of these."""
     names = {kind.name for kind in KINDS}
     for path in sorted((ROOT / "codegen").rglob("*.py")):
-        if path.parent.name != "joints":
+        if path.parent.name not in ("joints", "mjcf", "sdf"):
             texts = {x.value for x in ast.walk(ast.parse(path.read_text()))
                      if isinstance(x, ast.Constant) and isinstance(x.value, str)}
             assert not names & texts, path

@@ -8,6 +8,13 @@ from collections.abc import Collection, Iterable, Sequence
 
 from coscrew_codegen.program.reported_error import ReportedError
 from coscrew_codegen.scene.functions import functions_of
+from coscrew_codegen.scene.functions.steps import (
+    closing_contacts,
+    free_momentum,
+    integrated,
+    step_parts,
+    with_free_momentum,
+)
 from coscrew_codegen.scene.mechanism.inertia_checks import why_singular
 from coscrew_codegen.scene.names import did_you_mean
 from coscrew_codegen.scene.patterns import is_pattern, matching
@@ -18,11 +25,11 @@ from coscrew_codegen.scene.scene_function import SceneFunction
 DEFAULT, ALL = "default", "all"
 """Words for several functions: the default ones, and all that a scene can have."""
 
-FREE = ("free_momentum", "with_free_momentum")
+FREE = (free_momentum.FUNCTION.name, with_free_momentum.FUNCTION.name)
 """Functions by which steps keep the momenta of floating bases."""
-CONTACTS = ("closing_contacts", "parts")
+CONTACTS = (closing_contacts.FUNCTION.name, step_parts.FUNCTION.name)
 """Functions by which steps resolve contacts of limits."""
-MOVED = "integrated"
+MOVED = integrated.FUNCTION.name
 """The function by which steps move coordinates."""
 MOST = 1000
 """Largest number of joints that move: their functions are 100 MB of C, too much for compilers."""

@@ -251,6 +251,8 @@ class SceneFunction:
     # family whose members differ in more than targets
     target: str = ""  # of a member: its body or joint
     step: Integrator | None = None  # whose step it is
+    shown: bool = False  # whether `coscrew cost` shows what each effect adds to it
+    judged: bool = False  # whether `coscrew check` judges its rounding
 
     def __post_init__(self) -> None:
         for name in self.takes:

@@ -6,12 +6,13 @@ from dataclasses import dataclass, replace
 from coscrew_codegen.dynamics.derive_functions import derive
 from coscrew_codegen.program.scene_functions import FunctionProgram, SceneFunctions
 from coscrew_codegen.scene.function_selection import FREE, selected_functions, together
+from coscrew_codegen.scene.functions import FUNCTIONS
 from coscrew_codegen.scene.integrators import EMITTED
 from coscrew_codegen.scene.mechanism.inertia_checks import why_singular
 from coscrew_codegen.scene.scene import Applied, Scene
 
 WHOLE = "all effects"
-SHOWN = ("inverse_dynamics", "forward_dynamics", "mass_matrix")
+SHOWN = tuple(x.name for x in FUNCTIONS if x.shown)
 """The functions whose cost is shown for each effect."""
 
 

@@ -16,12 +16,13 @@ from coscrew_codegen.program.multiprecise import MULTIPRECISE, precise
 from coscrew_codegen.program.scene_functions import SceneFunctions
 from coscrew_codegen.program.values.formats import Precision
 from coscrew_codegen.runtime.load import Kernels, in_tier_of
+from coscrew_codegen.scene.functions import FUNCTIONS
 from coscrew_codegen.simulation.plan import Trajectory
 from coscrew_codegen.simulation.recordings.record import accelerations
 from coscrew_codegen.simulation.result_units import units
 from coscrew_codegen.simulation.system import System
 
-JUDGED = ("inverse_dynamics", "forward_dynamics")
+JUDGED = tuple(x.name for x in FUNCTIONS if x.judged)
 """Functions whose rounding errors are checked."""
 DIGITS = 50
 STATES = 8  # of a run

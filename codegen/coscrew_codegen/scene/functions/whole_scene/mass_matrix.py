@@ -29,6 +29,6 @@ _WORDS = "M(q), row by row; symmetric, positive definite"
 FUNCTION = SceneFunction(
     "mass_matrix", 30, _WORDS, "q",
     (Array("M", (AxisLength.NV, AxisLength.NV), units.masses, "masses in kg, kg m, kg m^2"),),
-    lambda x: [x.mass_matrix()], words_in=_words,
+    lambda x: [x.mass_matrix()], words_in=_words, shown=True,
     default=Default(f"by default, for up to {MANY} velocities",
                     lambda scene, target: speeds(scene) <= MANY))
