@@ -28,8 +28,8 @@ from coscrew_codegen.scene.readers.toml.attached import with_attached
 from coscrew_codegen.scene.readers.toml.effect_table import Use
 from coscrew_codegen.scene.readers.toml.keys import EXPECT, OUTPUTS, RUN, SCENE, START
 from coscrew_codegen.scene.readers.toml.named_model import model_of
+from coscrew_codegen.scene.readers.toml.plain_tables import scene_text
 from coscrew_codegen.scene.readers.toml.runtime import with_parameters
-from coscrew_codegen.scene.readers.toml.scene_text import scene_text
 from coscrew_codegen.scene.readers.toml.toml_effects import read_effects, with_reactions
 from coscrew_codegen.scene.readers.toml.toml_model import refuse_not_unit
 from coscrew_codegen.scene.readers.toml.toml_tables import Decimals, TomlTable, described, read_toml
