@@ -4,7 +4,11 @@ PYTHON3 ?= python3
 VENV    := .venv
 PYTHON  := $(VENV)/bin/python
 PIP     := PYTHONWARNINGS=ignore $(PYTHON) -m pip --quiet --disable-pip-version-check
+INSTALL := $(PIP) install --no-compile
 SOURCES := $(wildcard $(addprefix generated/,gufunc/*.[ch] gufunc/*/*.[ch] c/include/ksl/*.h))
+
+# Packages bring thousands of modules.  Those that are imported are compiled then, once.
+unexport PYTHONDONTWRITEBYTECODE
 
 .PHONY: all generate check build example scene test test-quick bench attack cuda report figure docs clean
 
@@ -13,16 +17,13 @@ all: $(VENV)/ready
 	$(PYTHON) -m coscrew_codegen generate --anew
 	@$(MAKE) --no-print-directory example scene
 
-# The environment.  Its first install finds generated/ as committed, so coscrew itself is there to
-# be regenerated from, and its extension module is built.
+# The environment.  Its first install uses generated/ as committed, so the generator can import
+# coscrew; `build` compiles its extension modules.
 $(VENV)/ready: pyproject.toml hatch_build.py
 	$(PYTHON3) -m venv $(VENV)
-	$(PIP) install --upgrade pip "hatchling>=1.27" "setuptools>=77"
-	$(PIP) install "numpy>=2.0"
-	$(COMPILE)
-	$(PIP) install --no-build-isolation --editable ".[simulate]"
+	$(INSTALL) --upgrade pip "hatchling>=1.27" "setuptools>=77" "numpy>=2.0"
+	COSCREW_COMPILE=later $(INSTALL) --no-build-isolation --editable ".[simulate]"
 	touch $@
-	@$(COMPILED) && touch $(VENV)/built || true
 
 generate: $(VENV)/ready
 	$(PYTHON) -m coscrew_codegen generate
@@ -56,7 +57,7 @@ example: build
 	  $(PYTHON) examples/static_torques.py; \
 	fi
 
-# And an arm with friction, motors and a payload: generated, simulated, and checked against results
+# An arm with friction, motors and a payload: generated, simulated, and checked against results
 # of Pinocchio; build/arm6/ holds its C and Python, build/arm6.html plays it back.
 scene: build
 	@mkdir -p build
@@ -67,24 +68,25 @@ scene: build
 
 # The packages that the tests need in addition.
 $(VENV)/test-ready: $(VENV)/ready
-	$(PIP) install "coscrew[test]"
+	$(INSTALL) "coscrew[test]"
 	touch $@
 
 # First the compilers, emulators and browser that tests run: installed, or named, before anything
-# else happens.  The tests use generated/ as it is; that it is up to date is the first of
-# test_generate.py.
+# else happens.  Then the extension modules are compiled while packages come.  The tests use
+# generated/ as it is; that it is up to date is the first of test_generate.py.
 test:
 	@PYTHON3="$(PYTHON3)" sh tests/install_tools.sh
-	@$(MAKE) --no-print-directory $(VENV)/test-ready build
+	@$(MAKE) --no-print-directory $(VENV)/ready
+	@$(MAKE) --no-print-directory -j2 build $(VENV)/test-ready
 	$(PYTHON) -m pytest -n auto --dist loadfile --no-loadscope-reorder
 
 # For the working day, in a minute: without slow tests, and with samples of large ones.
-test-quick: $(VENV)/test-ready
+test-quick: $(VENV)/test-ready build
 	$(PYTHON) -m pytest -n auto --dist loadfile --no-loadscope-reorder --quick
 
 # Rivals that only benchmarks need; the table says which of them are missing.
 $(VENV)/peers-ready: $(VENV)/test-ready
-	@$(PIP) install "coscrew[peers]" && touch $@ || echo "not every rival can be installed" >&2
+	@$(INSTALL) "coscrew[peers]" && touch $@ || echo "not every rival can be installed" >&2
 
 # Ends with a table of the bars of performance, also in build/benchmarks.md; some of them:
 # .venv/bin/python -m tests.benchmarks many_states dynamics
@@ -93,7 +95,7 @@ bench: $(VENV)/peers-ready build
 
 # Compares every proven error bound with exact arithmetic, at length, elementary functions with the
 # C library's in long double, in single precision on all 2^32 arguments, certified bounds of scenes
-# with numbers of 113 bits, and what is said of motions with motions that share nothing with
+# with numbers of 113 bits, and verdicts on motions with motions that share nothing with
 # coscrew: more than an hour.
 attack: $(VENV)/test-ready build
 	$(PYTHON) -m tests.long_attack
@@ -109,7 +111,7 @@ attack: $(VENV)/test-ready build
 
 # Kernels for CUDA, compiled by nvcc (else from PyPI: 125 MB, 320 MB on disk), and arrays, on a GPU if there is one.
 cuda: $(VENV)/test-ready build
-	command -v nvcc >/dev/null || $(PIP) install "coscrew[cuda]"
+	command -v nvcc >/dev/null || $(INSTALL) "coscrew[cuda]"
 	$(PYTHON) -m tests.cuda_attack
 	$(PYTHON) -m tests.devices_attack
 
@@ -117,8 +119,8 @@ cuda: $(VENV)/test-ready build
 report: $(VENV)/test-ready build
 	$(PYTHON) -m coscrew_codegen report --hard-cases tests/hard_cases
 
-# README's figure of what accuracy costs for a Panda, drawn again; it shows times, so the machine
-# should be idle.
+# The README's figure of the cost of accuracy for a Panda; it shows times, so the machine should
+# be idle.
 figure: build
 	$(PYTHON) -m coscrew_codegen cost examples/cost/panda.toml --function inverse_dynamics \
 	    --function forward_dynamics --function mass_matrix --plot examples/cost/panda.svg
@@ -131,7 +133,7 @@ calibration: $(VENV)/test-ready build
 # README, docs/ and generated/docs/ as pages in build/docs, without network access; warnings, such as
 # for broken links, are errors.
 $(VENV)/docs-ready: $(VENV)/ready
-	$(PIP) install "coscrew[docs]"
+	$(INSTALL) "coscrew[docs]"
 	touch $@
 
 docs: $(VENV)/docs-ready

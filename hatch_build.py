@@ -1,6 +1,7 @@
 """Tells hatchling what it cannot find: extension modules, which setuptools compiles, and folders
 that a wheel holds inside its packages."""
 
+import os
 import shutil
 import sys
 from pathlib import Path
@@ -14,13 +15,14 @@ from coscrew_codegen.runtime.build import PYTHON, WITHIN_PACKAGES, build_modules
 
 
 class BuildHook(BuildHookInterface[Any]):
-    """Compiles the extension modules: beside their packages for an editable installation, else
-    into the wheel, whose tag then names the processor."""
+    """Compiles the extension modules: beside their packages for an editable installation, unless
+    COSCREW_COMPILE is `later`; else into the wheel, whose tag then names the processor."""
 
     def initialize(self, version: str, build_data: dict[str, Any]) -> None:
         root = Path(self.root)
         if version == "editable":
-            build_modules(root, root / PYTHON)
+            if os.environ.get("COSCREW_COMPILE") != "later":
+                build_modules(root, root / PYTHON)
             return
         built = root / "build" / "wheel"
         shutil.rmtree(built, ignore_errors=True)  # an older module would pass for one of this build

@@ -46,10 +46,10 @@ def assembled(scene: Scene, folder: Path) -> Iterator[str]:
     spilled."""
     program, *_ = scene.on_device(folder)
     for architecture in ARCHITECTURES:
-        said = nvcc.run(program, folder / "cuda.o", "-c", f"-arch={architecture}", "-Xptxas", "-v",
+        text = nvcc.run(program, folder / "cuda.o", "-c", f"-arch={architecture}", "-Xptxas", "-v",
                         "-Werror", "all-warnings")
-        registers = max(map(int, re.findall(r"Used (\d+) registers", said)))
-        spilled = max(map(int, re.findall(r"(\d+) bytes spill stores", said)))
+        registers = max(map(int, re.findall(r"Used (\d+) registers", text)))
+        spilled = max(map(int, re.findall(r"(\d+) bytes spill stores", text)))
         yield f"{architecture}: {registers} registers, {spilled} bytes spilled"
 
 

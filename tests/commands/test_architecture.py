@@ -93,7 +93,7 @@ def test_sympy_is_known_where_formulas_are():
 
 def test_values_are_pickled_in_one_module():
     assert {name for name in modules() if {x.split(".")[0] for x in imported(name)}
-            & {"pickle", "marshal", "shelve"}} == {"runtime.pickles"}
+            & {"pickle", "marshal", "shelve"}} == {"runtime.cache"}
 
 
 def test_texts_become_python_by_imports_and_no_stack_is_walked():

@@ -60,10 +60,10 @@ def generated(folder: Path) -> tuple[str, ...]:
 
 def test_files_are_written_and_checked(folder: Path, capsys: pytest.CaptureFixture[str]):
     assert main(["generate", "arm.toml", "-o", "out"]) == 0
-    said = capsys.readouterr()
-    assert said.out == "out: 10 files, 10 changed\n"
-    assert said.err.startswith("arm.toml: joint shoulder: damping 0.3")
-    assert said.err.count("\n") == 1
+    output = capsys.readouterr()
+    assert output.out == "out: 10 files, 10 changed\n"
+    assert output.err.startswith("arm.toml: joint shoulder: damping 0.3")
+    assert output.err.count("\n") == 1
     assert generated(folder / "out") == FILES
     assert main(["generate", "arm.toml", "--output", "out"]) == 0
     assert capsys.readouterr().out == "out: 10 files, 0 changed\n"
@@ -71,9 +71,9 @@ def test_files_are_written_and_checked(folder: Path, capsys: pytest.CaptureFixtu
     header = folder / "out" / "arm.h"
     header.write_text(header.read_text().replace("ARM_NQ 5", "ARM_NQ 6"))
     assert main(["generate", "arm.toml", "-o", "out", "--check"]) == 1
-    said = capsys.readouterr()
-    assert "-#define ARM_NQ 6\n+#define ARM_NQ 5\n" in said.out
-    assert "out: 1 files are out of date; run `coscrew generate arm.toml -o out`" in said.err
+    output = capsys.readouterr()
+    assert "-#define ARM_NQ 6\n+#define ARM_NQ 5\n" in output.out
+    assert "out: 1 files are out of date; run `coscrew generate arm.toml -o out`" in output.err
     assert "ARM_NQ 6" in header.read_text()
 
 
@@ -187,11 +187,11 @@ def test_bodies_and_joints_may_be_called_anything(folder: Path):
     assert package.JOINTS == AWKWARD
     q, v, a = np.random.default_rng(3).normal(size=(3, 7, len(AWKWARD)))
     tau = package.double.inverse_dynamics(q, v, a)
-    found = kernels.double.forward_dynamics(q, v, tau)
+    result = kernels.double.forward_dynamics(q, v, tau)
     condition = np.linalg.cond(kernels.double.mass_matrix(q))
     largest = np.linalg.norm(a, axis=-1)
     bound = 100 * UNIT["double"] * condition * largest  # eight roundings for each joint, amplified
-    assert np.all(np.linalg.norm(found - a, axis=-1) <= bound)
+    assert np.all(np.linalg.norm(result - a, axis=-1) <= bound)
 
 
 @each_precision
@@ -212,20 +212,20 @@ def test_derived_dynamics_have_the_same_bits_in_c_and_numpy(folder: Path, precis
                 values[..., 1:] /= np.linalg.norm(values[..., 1:], axis=-1, keepdims=True)
             if name == "p":
                 np.abs(values, out=values)  # of masses and others that must be positive
-        found, wanted = (getattr(getattr(x, precision.name), function.name)(*arguments)
-                         for x in (kernels, package))
-        assert same_bits(found, wanted), function.name
+        result, wanted = (getattr(getattr(x, precision.name), function.name)(*arguments)
+                          for x in (kernels, package))
+        assert same_bits(result, wanted), function.name
         compared += 1
     assert compared >= 10
 
 
-@pytest.mark.parametrize("asked", ("--precision", "scene"))
-def test_single_precision_alone(folder: Path, asked: str):
+@pytest.mark.parametrize("requested", ("--precision", "scene"))
+def test_single_precision_alone(folder: Path, requested: str):
     """Its functions are the same as in files with both precisions; nothing is in double."""
     assert main(["generate", "arm.toml", "-o", "both"]) == 0
-    if asked == "scene":
+    if requested == "scene":
         (folder / "arm.toml").write_text('precision = "single"\n' + SCENE)
-    options = ["--precision", "single"] if asked == "--precision" else []
+    options = ["--precision", "single"] if requested == "--precision" else []
     assert main(["generate", "arm.toml", "-o", "out", *options]) == 0
     assert generated(folder / "out") == tuple(
         x for x in FILES if "double" not in x and x != "arm.c")

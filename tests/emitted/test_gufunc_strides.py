@@ -1,7 +1,10 @@
 """Gufuncs of arrays with any strides: the bits of C-ordered copies."""
 
 import importlib
+import re
+import sysconfig
 from collections.abc import Callable
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -9,6 +12,7 @@ import pytest
 import coscrew
 from coscrew_codegen.accuracy.tiers import TIERS
 from coscrew_codegen.algebra.operations import OPERATIONS, Operation
+from tests.support.compiled.c_harness import COMPILERS, run
 
 LAYOUTS: dict[str, Callable[[np.ndarray], np.ndarray]] = {
     "every second element": lambda x: x.repeat(2, axis=0)[::2],
@@ -87,3 +91,17 @@ def test_an_output_may_be_an_input(step):
 def test_no_element_is_computed_of_none():
     for x in (np.zeros((0, 6)), np.zeros((0, 12))[:, ::2], np.zeros((6, 0)).T):
         assert coscrew.add_ss(x, x).shape == (0, 6)
+
+
+@pytest.mark.parametrize("tier", ["", "accurate", "certified"])
+def test_loops_of_any_strides_are_compiled_for_avx2_only_where_it_has_fma(tier: str):
+    """Without, they take as long, and a quarter of the time of compiling."""
+    folder = Path(__file__).parents[2] / "generated" / "gufunc" / tier
+    source, shared = ((folder / name).read_text() for name in ("vec3.c", "_gufunc.h"))
+    loops = len(re.findall(r"^LOOP(?:_ON_VECTORS)?\(", source, re.MULTILINE))
+    include = ("-I", np.get_include(), "-I", sysconfig.get_paths()["include"])
+    for flags, count in (((), loops), (
+            ("-DCOSCREW_FOR_AVX2",), loops if "WITH_FMA 1" in shared else 0)):
+        text = run((COMPILERS[0], "-E", "-P", *flags, *include, folder / "vec3.c"))
+        assert len(re.findall(r"_strided\([^;{}]*\) \{", text)) == count
+    assert loops > 20

@@ -1,5 +1,6 @@
 """The package as users install it: without a compiler, with a stale extension, with its headers."""
 
+import importlib
 import os
 import re
 import shutil
@@ -48,6 +49,16 @@ def built(folder: Path, kind: str, **environment: str) -> Path:
     assert done.returncode == 0, done.stdout + done.stderr
     (distribution,) = (folder / "dist").glob("*.whl" if kind == "--wheel" else "*.tar.gz")
     return distribution
+
+
+@pytest.mark.parametrize("when", ["", "later"])
+def test_an_editable_installation_compiles_unless_that_is_left_for_later(when, monkeypatch):
+    monkeypatch.syspath_prepend(ROOT)
+    hatch_build, compiled = importlib.import_module("hatch_build"), []
+    monkeypatch.setattr(hatch_build, "build_modules", lambda *places: compiled.append(places))
+    monkeypatch.setenv("COSCREW_COMPILE", when)
+    hatch_build.BuildHook(str(ROOT), {}, None, None, "", "wheel").initialize("editable", {})
+    assert compiled == ([] if when else [(ROOT, ROOT / "generated" / "python")])
 
 
 MODULE = """

@@ -35,7 +35,7 @@ def broken(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
 
 
 def told(call: Callable[[], object]) -> tuple[str, int]:
-    """Where the only warning of a call stands."""
+    """The place of the only warning of a call."""
     with warnings.catch_warnings(record=True) as found:
         warnings.simplefilter("always")
         call()

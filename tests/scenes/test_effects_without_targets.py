@@ -106,7 +106,7 @@ def test_pairs_of_bodies_at_a_constant_distance_are_refused(refusal, pair, why):
 
 
 @pytest.mark.parametrize("pair", (("world", "hand"), ("arm", "column")))
-def test_pairs_of_which_one_body_moves_are_accepted(tmp_path, pair):
+def test_pairs_with_one_moving_body_are_accepted(tmp_path, pair):
     path = tmp_path / "arm.toml"
     path.write_text(f"{ARM}[effects.spring_damper.tie]\nbodies = {list(pair)}\nk = 1\n",
                     encoding="utf-8")

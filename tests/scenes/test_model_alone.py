@@ -6,7 +6,6 @@ import mpmath
 import pytest
 
 from coscrew_codegen import load_scene
-from coscrew_codegen.scene.content import content_hash
 from coscrew_codegen.scene.effects import EFFECTS
 from coscrew_codegen.scene.mechanism.model import Body, Inertia, Joint
 from coscrew_codegen.scene.readers.decimals import decimal
@@ -52,14 +51,14 @@ def test_gravity_and_damping_act(tmp_path):
 
 
 def test_it_is_the_scene_with_these_effects(read, tmp_path):
-    """The same content, which is hashed for the cache; limits and friction are told."""
+    """The content, which is hashed for the cache, is the same; limits and friction are reported."""
     alone = read(pendulum('<dynamics damping="0.75" friction="3"/>', ""))
     (tmp_path / "written.toml").write_text(
         'model = "my-arm.urdf"\nname = "my_arm"\n[effects.gravity]\n[effects.viscous.one]\n'
         'd = "model"\n')
     written = read_scene(tmp_path / "written.toml")
     assert [x.name for x in alone.effects] == ["gravity", "viscous.one"]
-    assert content_hash(alone) == content_hash(written) and alone.unused == written.unused
+    assert alone.content_hash == written.content_hash and alone.unused == written.unused
     assert alone.unused[0].startswith("joint one: friction 3 N m is not used: add [effects.coulomb")
 
 
@@ -140,7 +139,7 @@ def test_in_a_scene_they_are_told_with_what_to_write(declared):
                      gravity=FALLS)
     assert again.unused == ()
     alone = declared(None, spring=SPRING, gravity=FALLS)
-    assert content_hash(again) == content_hash(alone)
+    assert again.content_hash == alone.content_hash
     other = declared('[effects.gravity]\n[effects.spring."my pin"]\nk = 1\n', spring=SPRING,
                      gravity=FALLS)
     assert other.unused == ()

@@ -108,7 +108,7 @@ def test_the_run_is_as_without_the_warning_and_calls_come_after_it(scene, monkey
     assert run(scene, controller=called, v0=[0.1, 0.1]).q.tobytes() == found.q.tobytes()
 
 
-def test_laws_of_which_nobody_can_tell_cause_no_warning(scene):
+def test_laws_that_cannot_be_judged_cause_no_warning(scene):
     memory = []
 
     def with_memory(t, q, v):

@@ -62,7 +62,7 @@ def test_every_function_of_the_examples(name: str, precision: Precision):
         given = states(kernels.functions, function, count, precision)
         found = list(results(function.program, given, getattr(tiered, function.name)(*given)))
         assert not broken(found, precision), function.name
-        assert all(x.found == 0 for x in found if not x.true and x.condition == 0)
+        assert all(x.value == 0 for x in found if not x.true and x.condition == 0)
 
 
 @each_precision

@@ -11,15 +11,22 @@ from contextlib import suppress
 import numpy as np
 import pytest
 
+from coscrew_codegen import load_scene
 from coscrew_codegen.backends.python_extension import scene_calls
 from coscrew_codegen.program.values.formats import DOUBLE, SINGLE, Precision
-from coscrew_codegen.runtime import callables, lanes
+from coscrew_codegen.runtime import callables, lanes, source_text
 from coscrew_codegen.runtime.load import Kernels, kernels_of
 from tests.support.each import each_precision
 from tests.support.scenes.generated_scenes import ARGUMENTS, slider
 from tests.support.scenes.scene_values import same_bits
 
 COUNT = 60
+FLOATING = """
+[bodies]
+body = { mass = 2, com = [0, 0.1, -0.2], inertia = [0.3, 0.4, 0.5] }
+[joints]
+base = { type = "free", child = "body" }
+"""
 
 
 @pytest.fixture(scope="module")
@@ -41,7 +48,7 @@ def unchecked(monkeypatch: pytest.MonkeyPatch) -> None:
     def refuse(*_: object, **__: object):
         raise AssertionError("checked in Python")
 
-    monkeypatch.setattr(callables._checks(), "arrays", refuse)
+    monkeypatch.setattr(callables.checks(source_text.checks()), "arrays", refuse)
 
 
 def every(kernels: Kernels, precision: str):
@@ -179,6 +186,24 @@ def test_names_outputs_and_numbers_reach_c(kernels: Kernels, unchecked):
         assert same_bits(function(tau=tau, v=v, q=q, p=p, t=time), wanted)
         assert function(time, p, q, out=out, threads=1, tau=tau, v=v) is out
         assert same_bits(out, wanted) and same_bits(function(t, p, q, v, tau, out=None), wanted)
+
+
+@each_precision
+def test_inputs_of_several_axes_reach_c(precision, tmp_path, request):
+    """A run of floating bases passes their momenta at every sample."""
+    (tmp_path / "floating.toml").write_text(FLOATING)
+    its = load_scene(tmp_path / "floating.toml",
+                     functions=["free_momentum", "with_free_momentum"])
+    functions = getattr(its, precision.name)
+    q, v = (np.array(x, precision.numpy_type) for x in ((1, 2, 3, 0, 0.6, 0, 0.8), range(6)))
+    c = functions.free_momentum(q, v)
+    wanted = functions.with_free_momentum(0.5, q, v, c.tolist())
+    assert not np.array_equal(wanted[0], q)
+    for wrong in (c.reshape(9, 1), c[:, :8], c[0]):
+        with pytest.raises(ValueError, match="wanted shape"):
+            functions.with_free_momentum(0.5, q, v, wrong)
+    request.getfixturevalue("unchecked")
+    assert same_bits(functions.with_free_momentum(0.5, q, v, c), wanted)
 
 
 def test_signatures_are_told(kernels: Kernels):

@@ -68,7 +68,7 @@ def test_fast_math_is_refused_unless_allowed(flag: str, tmp_path: Path):
 
 
 @each_compiler
-def test_a_double_of_32_bits_is_refused_but_for_single_precision(compiler: str, tmp_path: Path):
+def test_a_double_of_32_bits_is_refused_except_in_single_precision(compiler: str, tmp_path: Path):
     """AVR is such a processor: its float.h says that a double has 24 digits."""
     written(CASES["slider"](), tmp_path)
     command = [compiler, *C11, "-Wno-builtin-macro-redefined", "-D__DBL_MANT_DIG__=24",

@@ -32,7 +32,7 @@ from coscrew_codegen.accuracy.tiers.mixed import Mixture, mixed
 from coscrew_codegen.backends import emit
 from coscrew_codegen.backends.output_files import scene_files
 from coscrew_codegen.dynamics import derive
-from coscrew_codegen.dynamics.ranges.accuracy_requests import AskedError, positions
+from coscrew_codegen.dynamics.ranges.accuracy_requests import RequestError, positions
 from coscrew_codegen.program import Instruction, Op, Program
 from coscrew_codegen.program.scene_functions import FunctionProgram, SceneFunctions
 from coscrew_codegen.program.values.digits import two_digits_up
@@ -55,6 +55,8 @@ SHOULDER = replace(arm(), joints=arm().joints[:3], bodies=arm().bodies[:3])
 SCENE = Scene("mixed_arm", SHOULDER, (m.gravity(),), functions=(NAME,), tiers=("mixed",),
               accuracy=(Tolerance(NAME, "", WITHIN),))
 FRESH = 100
+
+CHECKS = callables.checks(source_text.checks())
 
 
 @pytest.fixture(scope="module")
@@ -143,7 +145,8 @@ def test_bits_are_the_same_in_c_in_numpy_and_in_the_choice(made, compiler: str, 
     twin = importlib.import_module(f"{functions.name}.mixed.single")
     given = drawn(functions, 500)
     columns = [np.stack(each, 1) for each in given]
-    result = callables.compiled(found, library.opened, found.signatures[0], SINGLE)(None, *columns)
+    call = callables.compiled(found, library.opened, CHECKS, found.signatures[0], SINGLE)
+    result = call(None, *columns)
     assert same_bits(result, twin.inverse_dynamics(*columns))
     chosen_at = evaluator(tier.first.named(NAME).program, SINGLE)(given)
     assert same_bits(result, np.stack(chosen_at, 1))
@@ -212,7 +215,7 @@ def test_an_accuracy_that_pairs_do_not_have_is_refused():
 
 def test_an_unknown_output_is_refused():
     scene = replace(SCENE, accuracy=(Tolerance(NAME, "taus", 1e-4),))
-    with pytest.raises(AskedError, match="accuracy.inverse_dynamics: no output 'taus'; did you "
+    with pytest.raises(RequestError, match="accuracy.inverse_dynamics: no output 'taus'; did you "
                                          "mean 'tau'?"):
         derive(scene)
 
@@ -229,7 +232,7 @@ def test_a_package_names_the_modules_that_it_has(made):
 def test_torques_without_limits_are_refused():
     scene = replace(SCENE, functions=("forward_dynamics",),
                     accuracy=(Tolerance("forward_dynamics", "", 1e-4),))
-    with pytest.raises(AskedError, match="joint 'j0' has no limit of its effort"):
+    with pytest.raises(RequestError, match="joint 'j0' has no limit of its effort"):
         derive(scene)
 
 

@@ -37,6 +37,8 @@ PAIRS = tier_named("pairs")
 PROMISED = ((1e4, 0.51), (1e6, 1.0))
 """Conditions, and the error below each in units of the last digit."""
 
+CHECKS = callables.checks(source_text.checks())
+
 
 def test_inverse_dynamics_is_that_of_newton_and_euler():
     model = arm()
@@ -85,7 +87,7 @@ def test_bits_are_the_same_in_c_and_numpy(folder, compiler: str, flags: tuple[st
     for described in found.signatures:
         given = states(scene, scene.named(described.name), 200, SINGLE)
         given = [np.concatenate([x, x * np.float32(1e6), x * np.float32(1e-6)]) for x in given]
-        call = callables.compiled(found, library.opened, described, SINGLE)
+        call = callables.compiled(found, library.opened, CHECKS, described, SINGLE)
         assert same_bits(call(None, *given), getattr(twins, described.name)(*given))
 
 

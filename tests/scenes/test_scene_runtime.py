@@ -60,7 +60,7 @@ def test_sources_define_no_elementary_function_themselves():
 @pytest.mark.parametrize("compiler, language", DIALECTS, ids=lambda x: "".join(x).replace("-", ""))
 def test_the_header_compiles_alone_and_in_any_order(compiler: str, language: tuple[str, ...],
                                                     more: tuple[str, ...], tmp_path: Path):
-    """What accurate tiers add to it may come later, or first."""
+    """The additions of accurate tiers may come later, or first."""
     (tmp_path / RUNTIME).write_text(scene_c_runtime.files()[RUNTIME])
     include, define = f'#include "{RUNTIME}"\n', "#define COSCREW_RUNTIME_ERRORS\n"
     for n, text in enumerate((include * 2, define + include * 2, include + define + include)):

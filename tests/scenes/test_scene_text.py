@@ -201,7 +201,8 @@ def test_long_robots_take_work_in_proportion_to_their_length():
 
 
 def _code(text: str) -> list[str]:
-    """Words of C without comments; the macros of places, of which names make identifiers, alike."""
+    """Words of C without comments, with the same word for all macros of places, whose identifiers
+    depend on names."""
     code = re.sub(r"/\*.*?\*/", "", text, flags=re.DOTALL)
     return re.sub(r"\b([A-Z]+_(?:Q|V|P|BODY))_[A-Z0-9_]+", r"\1", code).split()
 

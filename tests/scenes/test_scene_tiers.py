@@ -57,6 +57,8 @@ axis = [0, 1, 0]
 MARKED = [tier for tier in OF_SCENES if tier.marked and tier.precisions == PRECISIONS]
 each_tier = pytest.mark.parametrize("tier", MARKED, ids=lambda tier: tier.name)
 
+CHECKS = callables.checks(source_text.checks())
+
 
 @pytest.fixture
 def write(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Callable[[str], Path]:
@@ -283,7 +285,7 @@ def test_bits_are_the_same_in_c_and_numpy(package: Path, tier, compiler: str,
     for p in PRECISIONS:
         twins = importlib.import_module(f"{of_all.name}.{tier.mark}.{p.name}")
         for described in found.signatures:
-            call = callables.compiled(found, library.opened, described, p)
+            call = callables.compiled(found, library.opened, CHECKS, described, p)
             given = states(of_all, of_all.named(described.name), 40, p)
             assert same_bits(call(None, *given), getattr(twins, described.name)(*given)), (
                 described.name, p.name)

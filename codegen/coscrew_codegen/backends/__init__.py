@@ -1,4 +1,4 @@
-"""Targets: how a Program is written in a language and a precision, and in which files.
+"""Targets: each writes Programs in a language, in both precisions, and lays them out in files.
 
 A target receives Programs, of the library or of a scene, and returns its files.  A module with a
 `TARGET` adds one; the other modules here are shared by several targets."""
@@ -8,7 +8,7 @@ from __future__ import annotations
 from functools import cache
 from typing import TYPE_CHECKING
 
-from coscrew_codegen.program.plugins import found
+from coscrew_codegen.program.plugins import discover
 
 if TYPE_CHECKING:
     from coscrew_codegen.backends.target import Target
@@ -19,7 +19,7 @@ def targets() -> tuple[Target, ...]:
     """All targets, by their modules' names."""
     from coscrew_codegen.backends.target import Target
 
-    return found(__name__, __path__, "TARGET", Target)
+    return discover(__name__, __path__, "TARGET", Target)
 
 
 def languages() -> tuple[str, ...]:

@@ -1,4 +1,4 @@
-"""Writes generated files, or checks that those on disk are current.  All or nothing."""
+"""Writes generated files, all or none, or checks that the files on disk are current."""
 
 import contextlib
 import difflib
@@ -14,7 +14,7 @@ MARK = "Made by `coscrew generate"
 
 
 class EmitError(ReportedError, OSError):
-    """The files cannot be written; those on disk are as they were."""
+    """The files cannot be written; those on disk are unchanged."""
 
 
 def read(folder: Path, path: str) -> str | None:

@@ -179,7 +179,7 @@ def run(options: argparse.Namespace) -> int:
                           (options.view, (".html",))):
         if path:
             recording_writer.check_target(path, endings)
-    results = _again(options) if options.again else _asked(options)
+    results = _again(options) if options.again else _runs(options)
     first = results[0]
     for note in ("" if options.start or options.again else
                  run_summary.outside(first.system, first.trajectory.q[0]),
@@ -203,7 +203,7 @@ def run(options: argparse.Namespace) -> int:
     return _status(results, options)
 
 
-def _asked(options: argparse.Namespace) -> "tuple[Result, ...]":
+def _runs(options: argparse.Namespace) -> "tuple[Result, ...]":
     """Makes the runs with the settings of the options."""
     from coscrew_codegen.runtime.load import kernels_for
     from coscrew_codegen.runtime.request import BOTH
@@ -220,29 +220,30 @@ def _asked(options: argparse.Namespace) -> "tuple[Result, ...]":
     return run_summary.simulated(kernels, run_summary.RunOverrides(
         options.until, options.step, options.integrator, options.precision,
         tuple(options.settings), options.start),
-        told=bool(options.output or options.plot or options.view))
+        with_provenance=bool(options.output or options.plot or options.view))
 
 
 def _again(options: argparse.Namespace) -> "tuple[Result, ...]":
     """Repeats the run of a recording.  Raises SimulateError for further settings."""
     from coscrew_codegen.runtime.load import kernels_for
     from coscrew_codegen.simulation import SimulateError, required_functions
-    from coscrew_codegen.simulation.execution import motion
-    from coscrew_codegen.simulation.replay import asked_of
+    from coscrew_codegen.simulation.execution import complete, motion
+    from coscrew_codegen.simulation.replay import metadata_of
 
     given = [name for name in ("until", "step", "integrator", "precision", "settings", "start")
              if getattr(options, name)]
     if given:
         name = "set" if given[0] == "settings" else given[0]
         raise SimulateError(f"--again: the recording has all settings; wanted no --{name}")
-    told = asked_of(options.again)
-    scene = scene_of(options, told.precision)
-    told.refuse(scene, None)
-    recording = replace(scene, record=told.record)
+    past = metadata_of(options.again)
+    scene = scene_of(options, past.precision)
+    past.refuse(scene, None)
+    recording = replace(scene, record=past.record)
     kernels = kernels_for(scene,
-                          required_functions.of_run(recording, told.integrator, bool(options.view)),
-                          (told.precision,))
-    return (motion(kernels, told.precision, told.asked(), shown=True),)
+                          required_functions.of_run(recording, past.integrator, bool(options.view)),
+                          (past.precision,))
+    request = past.request()
+    return (motion(complete(kernels, request), past.precision, request, shown=True),)
 
 
 def _outputs(path: Path) -> tuple[Path, Path]:

@@ -1,9 +1,10 @@
 """Data of a scene for targets: its functions as Programs."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from typing import TypeVar
 
 from coscrew_codegen.program import Program
-from coscrew_codegen.program.values.formats import BY_NAME
+from coscrew_codegen.program.values.formats import BY_NAME, Precision
 from coscrew_codegen.program.values.parameter import Sign
 from coscrew_codegen.program.values.quantity import Argument
 
@@ -184,11 +185,35 @@ class SceneFunctions:
 
     def named(self, name: str) -> FunctionProgram:
         """The function of this name; a ValueError if there is none."""
-        found = next((f for f in self.functions if f.name == name), None)
-        if found is None:
+        function = next((f for f in self.functions if f.name == name), None)
+        if function is None:
             raise ValueError(f"scene {self.name!r} has no function {name!r}")
-        return found
+        return function
 
     def has(self, name: str) -> bool:
         """Returns whether there is a function of this name."""
         return any(f.name == name for f in self.functions)
+
+
+def c_name(scene: SceneFunctions | SceneInterface, name: str, precision: Precision) -> str:
+    """arm_forward_dynamics, arm_forward_dynamicsf, arm_forward_dynamics_accurate."""
+    return f"{scene.name}_{name}{scene.mark and f'_{scene.mark}'}{precision.suffix}"
+
+
+Scene = TypeVar("Scene", SceneFunctions, SceneInterface)
+
+
+def many(scene: Scene) -> Scene:
+    """The scene, with the names in C of its functions of many states: arm_energy_many."""
+    return replace(scene, mark=marked(scene.mark, "many"))
+
+
+def marked(*marks: str) -> str:
+    """Joins the marks that end names in C, without empty ones."""
+    return "_".join(filter(None, marks))
+
+
+def signs(scene: SceneFunctions | SceneInterface) -> tuple[tuple[int, str, bool], ...]:
+    """Returns for each parameter with a sign: its index in p, its name, whether it may be zero."""
+    names = [name for name, _ in scene.parameters]
+    return tuple((names.index(name), name, sign is Sign.NONNEGATIVE) for name, sign in scene.signs)

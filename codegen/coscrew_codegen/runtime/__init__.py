@@ -1,1 +1,1 @@
-"""Timing of native code and Python calls; the cache of compiled and derived files."""
+"""Compiles, caches and loads: from Programs to functions that Python calls."""

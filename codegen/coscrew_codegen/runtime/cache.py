@@ -10,15 +10,17 @@ $COSCREW_CACHE_LIMIT, the least recently used entries are removed.
 import functools
 import hashlib
 import os
+import pickle
 import re
 import shutil
 import tempfile
 import time
+import zlib
 from collections.abc import Callable, Iterator
 from contextlib import ExitStack, contextmanager, suppress
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TypeVar
+from typing import Any, TypeVar
 
 from coscrew_codegen.program.reported_error import ReportedError
 
@@ -88,9 +90,9 @@ def key_of(*parts: str) -> str:
     return hashlib.sha256("\0".join(parts).encode()).hexdigest()[:32]
 
 
-def hashed(content: bytes) -> str:
-    """The hash of an entry's content, in its name."""
-    return hashlib.sha256(content).hexdigest()[:16]
+def hashed(content: bytes, digits: int = 16) -> str:
+    """The hash of a content: in an entry's name, of 16 digits."""
+    return hashlib.sha256(content).hexdigest()[:digits]
 
 
 def cached(key: str, suffix: str, make: Callable[[], bytes], read: Callable[[Path], Value]
@@ -168,6 +170,22 @@ def _locked(key: str) -> Iterator[None]:
             fcntl.flock(file, fcntl.LOCK_EX)
             stack.callback(_removed, path)
         yield
+
+
+def packed(value: object) -> bytes:
+    """The value, pickled and compressed.  (No other module pickles.)"""
+    return zlib.compress(pickle.dumps(value), 1)
+
+
+def unpacked(content: bytes) -> Any:
+    """The value.  Bytes that are not `packed` may raise any error."""
+    return pickle.loads(zlib.decompress(content))
+
+
+def standard(value: object) -> tuple[Callable[[bytes], Any], bytes]:
+    """A function of Python's own, and the bytes from which it makes the value: processes without
+    this package can receive both."""
+    return pickle.loads, pickle.dumps(value)
 
 
 def entries() -> list[CacheEntry]:

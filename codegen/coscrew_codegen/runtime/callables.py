@@ -11,12 +11,17 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from coscrew_codegen.accuracy.tiers import tier_named
-from coscrew_codegen.backends.bound_arguments import bound
-from coscrew_codegen.backends.scene.scene_text import c_name, many, signs
-from coscrew_codegen.program.scene_functions import SceneInterface, Signature
+from coscrew_codegen.program.scene_functions import (
+    SceneInterface,
+    Signature,
+    c_name,
+    many,
+    signs,
+)
 from coscrew_codegen.program.text_module import imported
 from coscrew_codegen.program.values.formats import Precision
-from coscrew_codegen.runtime import sources, step_calls, strided_calls
+from coscrew_codegen.runtime import step_calls, strided_calls
+from coscrew_codegen.runtime.bound_arguments import bound
 from coscrew_codegen.runtime.caller_warnings import at_callers_line
 from coscrew_codegen.scene.function_selection import dividing, names
 from coscrew_codegen.scene.integrators import EMITTED
@@ -145,25 +150,20 @@ def gathered(scene: SceneInterface, precision: Precision,
 
 
 @functools.cache
-def _checks() -> ModuleType:
-    """The checks of generated packages."""
-    def text() -> str:
-        from coscrew_codegen.backends.render import render  # imports Jinja
-
-        return render("scene/arrays.py", banner="in memory")
-
-    return imported("coscrew_scene_arrays", sources.text("checks", text))
+def checks(text: str) -> ModuleType:
+    """The checks of arguments in generated packages."""
+    return imported("coscrew_scene_arrays", text)
 
 
-def compiled(scene: SceneInterface, library: ctypes.PyDLL, described: Signature,
-             precision: Precision) -> Made:
+def compiled(scene: SceneInterface, library: ctypes.PyDLL, checked_by: ModuleType,
+             described: Signature, precision: Precision) -> Made:
     """A function of the library, with the same name and arguments after `self`.  It checks them;
     its `in_c` makes of it the function in C that calls it where arguments want a check."""
     kind, name = np.dtype(precision.numpy_type), c_name(scene, described.name, precision)
     loop = getattr(_unlocked(library._name), f"many_{name}")
     loop.restype, loop.argtypes = None, [ctypes.c_ssize_t, *[ctypes.c_void_p] * 4, ctypes.c_ssize_t]
     in_c = functools.partial(_in_c, library, name, described, precision)
-    of_rows = strided_calls.CompiledFunction(described, kind, in_c(_declined), loop, _checks(),
+    of_rows = strided_calls.CompiledFunction(described, kind, in_c(_declined), loop, checked_by,
                                              signs(scene))
     in_lanes = _lanes(library, name, c_name(many(scene), described.name, precision))
 
@@ -177,7 +177,7 @@ def compiled(scene: SceneInterface, library: ctypes.PyDLL, described: Signature,
     if described.repeats:
         several = c_name(many(scene), described.name.replace("step", "run", 1), precision)
         vars(function).update(_many_steps(library, name, several, described, precision,
-                                          signs(scene)))
+                                          checked_by, signs(scene)))
     return function
 
 
@@ -187,7 +187,7 @@ def _declined(*_: object, **__: object) -> object:
 
 def _in_c(library: ctypes.PyDLL, name: str, described: Signature, precision: Precision,
           checked: Made) -> Made:
-    """The function in C, which calls `checked` for what it cannot take."""
+    """The function in C, which calls `checked` for arguments that it cannot take."""
     getattr(library, f"know_{precision.name}")(ctypes.c_size_t(object.__basicsize__))
     make = getattr(library, f"new_{name}")
     make.restype, make.argtypes = ctypes.py_object, [ctypes.py_object]
@@ -253,23 +253,24 @@ def _described(function: Made, described: Signature) -> Made:
 
 
 def _many_steps(library: ctypes.PyDLL, name: str, several: str, described: Signature,
-                precision: Precision, signed: tuple[tuple[int, str, bool], ...]
-                ) -> dict[str, Made]:
+                precision: Precision, checked_by: ModuleType,
+                signed: tuple[tuple[int, str, bool], ...]) -> dict[str, Made]:
     """Methods of a step that take many steps in one call."""
     its = step_calls.steps(_unlocked(library._name), name, several, described,
-                           np.dtype(precision.numpy_type), _checks(), signed, precision.name)
+                           np.dtype(precision.numpy_type), checked_by, signed, precision.name)
 
     def repeated(self: _Callable, n: int, t: float, h: float, p: ArrayLike, q: ArrayLike,
                  v: ArrayLike, *, threads: int = 1) -> tuple[np.ndarray, np.ndarray]:
         """q and v after n steps of h, the first of them at t.
 
-        t and p are given also where the scene has no use for them.  Leading axes of p, q and v, of
-        any that have them, are states, which `threads` share."""
+        t and p are given even if the scene does not use them.  Leading axes of p, q and v, of any
+        that have them, are states, which `threads` share."""
         return its.repeated(self._of, n, t, h, p, q, v, threads)
 
     def driven(self: _Callable, by: step_calls.InC, n: int, t: float, h: float, p: np.ndarray,
                q: np.ndarray, v: np.ndarray) -> step_calls.Driven:
-        """p, q and v after n steps under a controller in C, and what it must not have returned."""
+        """p, q and v after n steps under a controller in C, and the first value of the controller
+        that is not finite."""
         return its.driven(self._of, by, n, t, h, p, q, v)
 
     return {"repeated": repeated} | ({"driven": driven} if its.drive else {})

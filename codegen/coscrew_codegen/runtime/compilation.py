@@ -55,8 +55,8 @@ def compiler() -> Compiler:
 
 
 def ask() -> None:
-    """Start asking a compiler for its version, for which `compiler` waits: until then a command
-    imports what it needs."""
+    """Starts a compiler that prints its version; `compiler` waits for it, and meanwhile a command
+    imports its modules."""
     for name in _names():
         if _asked(tuple(shlex.split(name)), os.environ.get("PATH", "")):
             return
@@ -82,7 +82,7 @@ def _asked(command: tuple[str, ...], path: str) -> "subprocess.Popen[str] | None
 
 
 def _end(process: "subprocess.Popen[str]") -> None:
-    """End a process whose answer nobody has read: a command never waits for it to exit."""
+    """Ends a process whose output was not read, so that a command does not wait for it to exit."""
     process.kill()
     process.__exit__(None, None, None)
 
@@ -127,7 +127,8 @@ def kept(key: str) -> CompiledLibrary | None:
 
 
 def place(using: Compiler) -> tuple[str, ...]:
-    """Describes what compiled code depends on besides its text: compiler, flags and processor."""
+    """Describes the dependencies of compiled code besides its text: compiler, flags and processor.
+    """
     return (using.version, *using.command, *using.flags, _processor())
 
 

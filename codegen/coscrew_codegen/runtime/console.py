@@ -58,7 +58,7 @@ class Tenths:
         self._silent = sys.stderr is None or sys.stderr.isatty()
 
     def __call__(self, share: float, words: Callable[[], str]) -> None:
-        """Tell that this share of the work is done: "coscrew: 30 %: " and the words."""
+        """Reports that this share of the work is done: "coscrew: 30 %: " and the words."""
         tenth = int(10 * share)
         if self._silent or not self._shown < tenth < 10:
             return

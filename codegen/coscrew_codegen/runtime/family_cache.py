@@ -1,10 +1,9 @@
 """Caches what is derived from each family of operations, so that only changed families are derived
 again.
 
-An entry is the result of one function for one family.  Its key is the hash of all that this depends
-on: the sources that the function's module and the library's import, where of the operations only
-those count that the family's own modules import.  `coscrew generate --check` derives everything.
-"""
+An entry is the result of one function for one family.  Its key is the hash of its dependencies: the
+sources that the function's module and the library's import, except operations that the family's own
+modules do not import.  `coscrew generate --check` derives everything."""
 
 from collections.abc import Callable
 from contextlib import suppress
@@ -17,7 +16,7 @@ from coscrew_codegen.algebra.operations import OPERATIONS, contributors, family_
 from coscrew_codegen.backends.library import FamilyKernels
 from coscrew_codegen.program.plugins import holder
 from coscrew_codegen.runtime import cache, sources
-from coscrew_codegen.runtime.pickles import packed, unpacked
+from coscrew_codegen.runtime.cache import packed, unpacked
 from coscrew_codegen.runtime.sources import Contents, Sources
 
 _SUFFIX = ".family"
@@ -27,7 +26,7 @@ Make = Callable[[FamilyKernels], Made]
 
 
 class FamilyCache:
-    """Returns cached results for a family, or derives them; `save` caches those that were derived.
+    """Returns cached results for a family, or derives them; `save` caches derived ones.
 
     `stands` are the generator's sources, read before this process imported the operations; if they
     are None, the cache is not used.  `command` selects what is generated; `anew` derives all."""

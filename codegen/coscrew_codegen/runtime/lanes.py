@@ -1,4 +1,5 @@
-"""A scene's functions of many states, compiled when they pay, or found in the cache."""
+"""A scene's functions of many states, compiled when that is worthwhile, or loaded from the cache.
+"""
 
 from __future__ import annotations
 
@@ -30,7 +31,7 @@ _ONE_BY_ONE = ContextVar("_ONE_BY_ONE", default=False)
 
 @contextmanager
 def one_by_one() -> Iterator[None]:
-    """Compute states one by one within, those of all kernels: too few to pay for compiling."""
+    """Makes all kernels compute states one by one in the block: too few for compiling."""
     before = _ONE_BY_ONE.set(True)
     try:
         yield
@@ -46,7 +47,7 @@ class CompiledLanes:
     _met: int = field(default=0, init=False)  # states so far
 
     def function(self, name: str, states: int) -> CFuncPtr | None:
-        """The function of this name, if it is there and pays for so many more states."""
+        """The function of this name, if it exists and is worthwhile for so many more states."""
         if _ONE_BY_ONE.get():
             return None
         self._met += states

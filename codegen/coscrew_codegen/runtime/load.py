@@ -16,8 +16,8 @@ from numpy.typing import NDArray
 from coscrew_codegen.program.scene_functions import SceneFunctions, SceneInterface, Signature
 from coscrew_codegen.program.values.formats import PRECISIONS, Precision
 from coscrew_codegen.runtime import callables, compilation, request, scene_library
+from coscrew_codegen.runtime.cache import packed, unpacked
 from coscrew_codegen.runtime.caller_warnings import at_callers_line, warn
-from coscrew_codegen.runtime.pickles import packed, unpacked
 from coscrew_codegen.runtime.request import BOTH, Request
 from coscrew_codegen.scene.function_selection import CONTACTS, FREE, left_out, together
 from coscrew_codegen.scene.names import listed
@@ -49,7 +49,7 @@ class Kernels:
     plain: Kernels | None = None  # of a tier's: the scene's own
 
     def _in_tier(self, name: str) -> Kernels:
-        """The functions in a tier that the scene selects, compiled when it is first asked for."""
+        """The functions in a tier that the scene selects, compiled on first use."""
         if name.startswith("_"):
             raise AttributeError(name)
         if name in self.interface.tiers:
@@ -282,8 +282,9 @@ def _kernels(wanted: Request, using: compilation.Compiler | None, plain: Kernels
         except compilation.CompilationError as error:
             warn(f"{wanted.title} runs in pure NumPy: {error}")
         else:
+            checks = callables.checks(made.checks)
             return _gathered(wanted, made.interface, plain, lambda x, p: callables.compiled(
-                made.interface, made.library.opened, x, p), str(using), made.library.key)
+                made.interface, made.library.opened, checks, x, p), str(using), made.library.key)
     interface, modules = scene_library.in_numpy(wanted)
     return _gathered(wanted, interface, plain, lambda x, p: callables.in_numpy(
         getattr(modules[p.name], x.name), x))

@@ -18,12 +18,11 @@ from coscrew_codegen.program.plugins import holder
 from coscrew_codegen.program.scene_functions import SceneInterface
 from coscrew_codegen.program.values.formats import named
 from coscrew_codegen.runtime import cache, compilation, sources
+from coscrew_codegen.runtime.cache import packed, unpacked
 from coscrew_codegen.runtime.caller_warnings import warn
 from coscrew_codegen.runtime.compilation import CompiledLibrary, Compiler
-from coscrew_codegen.runtime.pickles import packed, unpacked
 from coscrew_codegen.runtime.request import Request
 from coscrew_codegen.scene import effects, joints
-from coscrew_codegen.scene.content import content_hash
 
 _SUFFIX = ".scene"
 
@@ -34,6 +33,7 @@ class SceneLibrary:
 
     interface: SceneInterface
     library: CompiledLibrary
+    checks: str  # the text in Python that checks arguments
 
 
 def compiled(request: Request, using: Compiler) -> SceneLibrary:
@@ -45,7 +45,7 @@ def compiled(request: Request, using: Compiler) -> SceneLibrary:
 
     def made() -> bytes:
         result = _made(request, using)
-        return packed((result.interface, result.library.key))
+        return packed((result.interface, result.library.key, result.checks))
 
     return cache.cached(key, _SUFFIX, made, _read)
 
@@ -69,7 +69,7 @@ def key_of(request: Request, using: Compiler) -> str:
     if any("" in modules for modules in used.values()):
         return ""
     made_from = sources.digest_of(__name__, chosen=used)
-    return cache.key_of(made_from, content_hash(scene), *compilation.place(using),
+    return cache.key_of(made_from, scene.content_hash, *compilation.place(using),
                         " ".join(request.precisions), *request.selected,
                         f"tier {request.tier}", f"lanes {request.lanes}")
 
@@ -78,17 +78,18 @@ def _made(request: Request, using: Compiler) -> SceneLibrary:
     from coscrew_codegen.runtime import source_text  # imports SymPy and Jinja
 
     text = source_text.in_c(request)
+    checks = source_text.checks()
     return SceneLibrary(text.interface, compilation.library(
-        text.units(request.precisions), text.files, using))
+        text.units(request.precisions), text.files, using), checks)
 
 
 def _read(path: Path) -> SceneLibrary:
-    """What an entry says.  Raises LookupError if its library is not in the cache."""
-    interface, key = unpacked(path.read_bytes())
+    """Reads an entry.  Raises LookupError if its library is not in the cache."""
+    interface, key, checks = unpacked(path.read_bytes())
     library = compilation.kept(key)
     if library is None:
         raise LookupError(key)
-    return SceneLibrary(interface, library)
+    return SceneLibrary(interface, library, checks)
 
 
 def opened(name: str, units: Mapping[str, Sequence[str]], files: Mapping[str, str]

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from coscrew_codegen.accuracy.scene_tiers import SceneTier
 from coscrew_codegen.backends.numpy import scene_python
 from coscrew_codegen.backends.python_extension import scene_calls
+from coscrew_codegen.backends.render import render
 from coscrew_codegen.backends.scene import scene_c, scene_c_many, scene_c_tier
 from coscrew_codegen.backends.scene.scene_text import banner_of
 from coscrew_codegen.program.scene_functions import SceneFunctions, SceneInterface
@@ -40,6 +41,11 @@ def in_c(request: Request) -> SourceText:
     programs = request.programs()
     with doing(f"writing {request.name}{' for many states' if request.lanes else ''}"):
         return of_many(programs) if request.lanes else of_one(programs)
+
+
+def checks() -> str:
+    """The text in Python that checks arguments, as generated packages do."""
+    return render("scene/arrays.py", banner="in memory")
 
 
 def of_one(programs: SceneFunctions | SceneTier) -> SourceText:

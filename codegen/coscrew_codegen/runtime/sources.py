@@ -1,15 +1,15 @@
-"""The generator's sources, and those of them that a result depends on.
+"""The generator's sources, and the ones that a result depends on.
 
 A result depends on the modules that its maker imports, directly or not, at the top of a module or
 inside a function, also for types only; on the packages' own files above them; and on the templates
-that all these name.  Of each, its meaning counts: comments, docstrings and positions are free.
-"""
+that all these name.  Only the meaning of a source counts: comments, docstrings and positions do
+not."""
 
 import functools
 import json
 import os
 import sys
-from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
+from collections.abc import Collection, Iterable, Iterator, Mapping
 from contextlib import suppress
 from dataclasses import astuple, dataclass
 from fnmatch import filter as matching
@@ -20,7 +20,7 @@ from pathlib import Path
 
 from coscrew_codegen.backends.render import TEMPLATES
 from coscrew_codegen.runtime import cache, syntax
-from coscrew_codegen.runtime.syntax import SourceMeaning, hashed
+from coscrew_codegen.runtime.syntax import SourceMeaning
 
 ROOT = __name__.partition(".")[0]
 _TEMPLATE = ".jinja"
@@ -61,20 +61,15 @@ def _files(root: Path, endings: tuple[str, ...]) -> Iterator[tuple[tuple[str, ..
 @functools.cache
 def generator() -> str:
     """The hash of all sources, byte by byte."""
-    return _total((name, hashed(content)) for name, content in read().items())
+    return _total((name, _hashed(content)) for name, content in read().items())
 
 
 def digest_of(*makers: str, chosen: Mapping[str, Collection[str]] | None = None) -> str:
-    """The hash of all that results of these modules depend on, as this process first found it.
+    """The hash of everything that results of these modules depend on, as this process first read
+    it.
 
-    Of packages in `chosen`, which import all their modules, only these modules count."""
+    In packages of `chosen`, which import all their modules, only these modules count."""
     return _current().digest(makers, chosen or {})
-
-
-def text(name: str, make: Callable[[], str]) -> str:
-    """A text that depends only on the generator: from the cache, or made and cached."""
-    key = cache.key_of(name, digest_of(make.__module__))
-    return cache.cached(key, ".txt", lambda: make().encode(), lambda path: path.read_text("utf-8"))
 
 
 @functools.cache
@@ -93,14 +88,14 @@ class Sources:
         """The meanings of these sources: kept from an earlier process, or read from their syntax.
         """
         kept = _kept(_maker(contents))
-        found = {name: old if (old := kept.get(name)) and old.documented == hashed(content)
+        found = {name: old if (old := kept.get(name)) and old.documented == _hashed(content)
                  else _meaning(name, content, contents) for name, content in contents.items()}
         if found != kept:
             _keep(_maker(contents), found)
         return cls(found)
 
     def digest(self, makers: Iterable[str], chosen: Mapping[str, Collection[str]]) -> str:
-        """The hash of all that results of these modules depend on."""
+        """The hash of everything that results of these modules depend on."""
         names = self.reached(makers, chosen)
         documented = any(self.meanings[name].reads_docstrings for name in names)
         held = {x for name in names for x in (name, *_packages(name))}
@@ -172,8 +167,12 @@ def _meaning(name: str, content: bytes, among: Contents) -> SourceMeaning:
     return syntax.of_module(content, name if package else name.rpartition(".")[0])
 
 
+def _hashed(content: bytes) -> str:
+    return cache.hashed(content, 32)
+
+
 def _total(parts: Iterable[tuple[str, str]]) -> str:
-    return hashed("\0".join(f"{name} {digest}" for name, digest in sorted(parts)).encode())
+    return _hashed("\0".join(f"{name} {digest}" for name, digest in sorted(parts)).encode())
 
 
 @functools.cache
@@ -192,7 +191,7 @@ def _version(package: str) -> str:
 def _maker(contents: Contents) -> str:
     """Further dependencies of meanings besides the sources: the version of Python, and the code
     that reads them."""
-    return f"{sys.version} {hashed(contents.get(syntax.__name__, b''))}"
+    return f"{sys.version} {_hashed(contents.get(syntax.__name__, b''))}"
 
 
 def _places() -> Iterator[Path]:

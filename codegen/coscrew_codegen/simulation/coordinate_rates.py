@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from coscrew_codegen.scene.joints import kind_named
+from coscrew_codegen.scene.joints import KIND_NAMED
 from coscrew_codegen.scene.mechanism.joint_in_reals import JointInReals
 
 _Column = Any  # an array of many states, as a number
@@ -30,7 +30,7 @@ class _JointInArrays(JointInReals):
 def rates(kind: str, r: np.ndarray, q: np.ndarray, v: np.ndarray) -> np.ndarray:
     """The rates of a joint's coordinates r; q is r with normalized quaternions.
     (…, nq), (…, nq), (…, nv)->(…, nq)."""
-    manifold = kind_named(kind).manifold
+    manifold = KIND_NAMED[kind].manifold
     if manifold is None:
         return v
     state = _JointInArrays((), _columns(q), sin, cos)

@@ -6,7 +6,7 @@ from numbers import Real
 
 import numpy as np
 
-from coscrew_codegen.scene.integrators import ADAPTIVE, NAMES, named
+from coscrew_codegen.scene.integrators import ADAPTIVE, INTEGRATOR_NAMED, NAMES
 from coscrew_codegen.scene.names import or_mean
 from coscrew_codegen.simulation import SimulateError
 from coscrew_codegen.simulation.system import System
@@ -107,7 +107,7 @@ def plan(system: System, until: float | None = None, step: float | None = None,
                                                        ("every", every, system.scene.every)))
     made = Plan(until, every, known(run.integrator if integrator is None else integrator), step,
                 *tolerances(system), also, begin=begin)
-    called = named(made.integrator).step_name
+    called = INTEGRATOR_NAMED[made.integrator].step_name
     if called and not system.has(called):
         raise SimulateError(f"integrator {made.integrator}: {called} is not among the selected "
                             f"functions; wanted functions = [\"default\", {called!r}]")

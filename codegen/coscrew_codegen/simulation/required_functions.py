@@ -4,7 +4,7 @@ from collections.abc import Iterable
 
 from coscrew_codegen.scene.function_selection import CONTACTS, FREE, together
 from coscrew_codegen.scene.functions.whole_scene.mass_matrix import MANY, speeds
-from coscrew_codegen.scene.integrators import DEFAULT, named
+from coscrew_codegen.scene.integrators import DEFAULT, INTEGRATOR_NAMED
 from coscrew_codegen.scene.recorded_quantities import expected, recorded
 from coscrew_codegen.scene.scene import Scene
 from coscrew_codegen.simulation.plan import known
@@ -24,7 +24,7 @@ def of_check(scene: Scene, integrator: str | None) -> tuple[str, ...]:
     """Names of the functions that `check` needs."""
     return together(of_run(scene, integrator),
                     ("inverse_dynamics", "forward_dynamics", "mass_matrix", "power",
-                     named(DEFAULT).step_name, *CONTACTS, *FREE),
+                     INTEGRATOR_NAMED[DEFAULT].step_name, *CONTACTS, *FREE),
                     *(expected(x.quantity, scene).functions for x in scene.expectations))
 
 
@@ -32,11 +32,11 @@ def _of_motion(scene: Scene, integrator: str | None, held: bool) -> Iterable[str
     """Names of the functions for integration; for the Alarm, which also uses the default
     integrator, and the mass matrix if a base floats; and for the accelerations by torques that are
     `held`."""
-    own = named(known(scene.run.integrator if integrator is None else integrator))
+    own = INTEGRATOR_NAMED[known(scene.run.integrator if integrator is None else integrator)]
     if not own.emitted:
         return "energy", "forward_dynamics"
     floats = any(joint.kind.floats for joint in scene.model.joints)
     mass = ("mass_matrix",) if floats and speeds(scene) <= MANY else ()
     pushed = ("forward_dynamics",) if held else ()
-    return ("energy", "power", *mass, *pushed, own.step_name, named(DEFAULT).step_name, *CONTACTS,
-            *FREE)
+    return ("energy", "power", *mass, *pushed, own.step_name,
+            INTEGRATOR_NAMED[DEFAULT].step_name, *CONTACTS, *FREE)

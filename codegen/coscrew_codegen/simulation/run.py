@@ -13,7 +13,7 @@ from itertools import pairwise
 import numpy as np
 
 from coscrew_codegen.scene.integrator import Integrator
-from coscrew_codegen.scene.integrators import DEFAULT, named
+from coscrew_codegen.scene.integrators import DEFAULT, INTEGRATOR_NAMED
 from coscrew_codegen.simulation import SimulateError
 from coscrew_codegen.simulation.check.divergence_monitor import UNTRIED, Alarm
 from coscrew_codegen.simulation.controlled_run import Driven
@@ -52,7 +52,7 @@ def integrate(system: System, plan: Plan, watch: Watch | None = None,
         raise SimulateError(f"the start is not finite: {system.lacking(q[*i], v[*i])}")
     if momentum is not None:
         momentum = momentum.astype(system.dtype)
-    elif named(plan.integrator).keeps_momentum:
+    elif INTEGRATOR_NAMED[plan.integrator].keeps_momentum:
         momentum = system.momentum(q, v)
     if plan.adaptive:
         run = _adaptive(system, plan, times, q, v, watch)
@@ -136,7 +136,7 @@ def fixed(system: System, plan: Plan, times: np.ndarray, q: np.ndarray, v: np.nd
           momentum: np.ndarray | None = None, alive: np.ndarray | None = None) -> Sampled:
     """Yields (q, v, steps so far, members that stopped) at each sample after the first, for the
     members that are `alive`."""
-    integrator = named(plan.integrator)
+    integrator = INTEGRATOR_NAMED[plan.integrator]
     earlier = taken = driven.steps if driven else 0
     advance = driven.advance if driven else _advance(system, plan, watch)
     look = alarm(system, plan, (q, v)) if alarm else None
@@ -178,8 +178,8 @@ def _stops(look: Alarm, alive: np.ndarray, steps: int, t: float, h: float, q: np
            v: np.ndarray) -> tuple[Stop, ...]:
     """The members that are wrong at t, after so many further steps; they are removed from `alive`.
     """
-    found = look(steps, t, h, q, v, alive & _finite(q, v))
-    stops = tuple(Stop(i[0] if i else 0, float(t), *x) for i, x in found.items())
+    result = look(steps, t, h, q, v, alive & _finite(q, v))
+    stops = tuple(Stop(i[0] if i else 0, float(t), *x) for i, x in result.items())
     _end(alive, stops)
     return stops
 
@@ -192,13 +192,13 @@ def _end(alive: np.ndarray, stops: tuple[Stop, ...]) -> None:
 
 def _finite(q: np.ndarray, v: np.ndarray) -> np.ndarray:
     """Returns the mask of finite states."""
-    found: np.ndarray = np.isfinite(q).all(-1) & np.isfinite(v).all(-1)
-    return found
+    result: np.ndarray = np.isfinite(q).all(-1) & np.isfinite(v).all(-1)
+    return result
 
 
 def _advance(system: System, plan: Plan, watch: Watch | None = None) -> Advance:
     """Returns the stepping function of the plan's integrator, with fixed parameters."""
-    integrator = named(plan.integrator)
+    integrator = INTEGRATOR_NAMED[plan.integrator]
     step = system.stepper(integrator.step_name, watch)
     if plan.finer > 1 and integrator.splits and system.has("parts"):
         step = _in_finer_parts(system, integrator, plan.finer)

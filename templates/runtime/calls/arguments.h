@@ -5,6 +5,11 @@
 #include "objects.h"
 
 typedef struct {
+  ptrdiff_t size; /* how many numbers it has */
+  int axes;
+  const ptrdiff_t *shape;
+} input;
+typedef struct {
   ptrdiff_t size;
   int axes, moved; /* number of the input that it begins as, or -1 */
   const ptrdiff_t *shape;
@@ -56,6 +61,15 @@ static inline void *made(void *self, int k, const result *of, const array *lead,
   Py_DecRef(arguments);
   Py_DecRef(shape);
   return found;
+}
+
+/* Whether x is the input of one state, as C stores it. */
+static inline int whole(const array *x, const input *of) {
+  const int wanted = CONTIGUOUS | ALIGNED;
+  if ((x->flags & wanted) != wanted || x->axes != of->axes) return 0;
+  for (int i = 0; i < x->axes; i++)
+    if (x->shape[i] != of->shape[i]) return 0;
+  return 1;
 }
 
 /* Whether the axes of x before its own are those of `lead`, and its rows stand in one line. */

@@ -55,15 +55,19 @@ static const REAL *IN(number)(void *self, void *object, REAL *room) {
 
 /* An input's numbers: of one state with a step of 0; or of the states along the axes of `lead` that
    come first, in place, and the step between rows.  NULL if it does not fit. */
-static const REAL *IN(read)(void *self, void *object, ptrdiff_t size, REAL *room,
+static const REAL *IN(read)(void *self, void *object, const input *of, REAL *room,
     const array **lead, int *axes, ptrdiff_t *step) {
   const array *x = array_of(self, object);
-  if (size < -1) return NULL; /* several axes of its own: taken by Python */
-  if (!x) return size < 0 ? IN(number)(self, object, room) : NULL;
-  const int own = size >= 0, before = x->axes - own;
+  const ptrdiff_t size = of->size;
+  if (!x) return of->axes ? NULL : IN(number)(self, object, room);
+  if (of->axes > 1) { /* those of many states, too, are taken by Python */
+    const int taken = holds(x, REAL_NUMBER) && whole(x, of);
+    return taken ? (const REAL *)(const void *)x->data : NULL;
+  }
+  const int own = of->axes, before = x->axes - own;
   if (before < 0 || (own && x->shape[before] != size)) return NULL;
   const ptrdiff_t stride = own ? x->strides[before] : (ptrdiff_t)sizeof *room;
-  if (!before) return IN(numbers)(x, own ? size : 1, stride, room);
+  if (!before) return IN(numbers)(x, size, stride, room);
   if (!holds(x, REAL_NUMBER) || !(x->flags & ALIGNED)) return NULL;
   if (size > 1 && stride != (ptrdiff_t)sizeof *room) return NULL;
   if (!*lead) {
@@ -91,8 +95,8 @@ typedef void IN(rows)(ptrdiff_t n, const REAL *const *x, const ptrdiff_t *steps,
 
 /* A function of the scene. */
 typedef struct {
-  int inputs, outputs, p;  /* p: number of the input with the parameters, or -1 */
-  const ptrdiff_t *sizes;  /* of inputs; -1: a number without axes */
+  int inputs, outputs, p; /* p: number of the input with the parameters, or -1 */
+  const input *takes;
   const result *results;
   int (*refused)(const REAL *p);
   IN(rows) *states;
@@ -127,9 +131,9 @@ static ptrdiff_t IN(inputs)(void *self, const IN(function) *f, void *const *give
     const array **lead, int *axes, const REAL **x, ptrdiff_t *steps) {
   ptrdiff_t n = 1;
   for (int k = 0; k < f->inputs; k++) {
-    x[k] = IN(read)(self, given[k], f->sizes[k], room, lead, axes, &steps[k]);
+    x[k] = IN(read)(self, given[k], &f->takes[k], room, lead, axes, &steps[k]);
     if (!x[k]) return -1;
-    room += f->sizes[k] < 0 ? 1 : f->sizes[k];
+    room += f->takes[k].size;
   }
   for (int i = 0; i < *axes; i++) n *= (*lead)->shape[i];
   for (ptrdiff_t k = 0; f->refused && k < (steps[f->p] ? n : 1); k++)
@@ -144,8 +148,7 @@ static int IN(taken)(const IN(function) *f, const array *out, const array *lead,
   if (f->outputs != 1 || !out) return 0;
   if (!holds(out, REAL_NUMBER) || !fits(out, f->results, lead, axes)) return 0;
   for (int k = 0; n && k < f->inputs; k++) {
-    const ptrdiff_t size = f->sizes[k] < 0 ? 1 : f->sizes[k];
-    if (IN(meet)(y, n * f->results->size, x[k], n, steps[k], size)) return 0;
+    if (IN(meet)(y, n * f->results->size, x[k], n, steps[k], f->takes[k].size)) return 0;
   }
   return 1;
 }

@@ -38,13 +38,31 @@
   load_##quantity(x, p0, core)
 #define LOAD_OTHER(quantity, x) if (step[0] != 0) load_##quantity(x, p0 + i * step[0], core)
 
+/* The loop over elements with any strides.  It loads and stores numbers one by one, and takes as long
+   with AVX2, unless that has FMA, too: so it is compiled without, and the loops for AVX2 call that
+   one. */
+#define ELEMENTS_OF(name) \
+  name##_strided(char **data, npy_intp n, const npy_intp *step, const npy_intp *core)
+#define STRIDED_HERE(name) \
+  ELEMENTS_OF(name) { \
+    name##_over(data, n, step, core); \
+  }
+#if !defined(COSCREW_FOR_AVX2)
+#define STRIDED(name) void ELEMENTS_OF(name); void STRIDED_HERE(name)
+#elif defined(COSCREW_WITH_FMA) && COSCREW_WITH_FMA
+#define STRIDED(name) static void STRIDED_HERE(name)
+#else
+#define STRIDED(name) void ELEMENTS_OF(name);
+#endif
+
 /* The inner loop of a gufunc.  Its loop over elements is compiled for the strides of C-ordered
    arrays, if `dense` is DENSE_OR_ONE also with a single first argument, and for any others. */
 #define LOOP(name, arguments, dense, ...) \
+  STRIDED(name) \
   static void name(char **data, const npy_intp *n, const npy_intp *step, void *unused) { \
     (void)unused; \
     dense(name, arguments, __VA_ARGS__) \
-    name##_over(data, n[0], step, step + (arguments)); \
+    name##_strided(data, n[0], step, step + (arguments)); \
   }
 #define DENSE(name, arguments, ...) DENSE_IN(each, name, arguments, __VA_ARGS__)
 #define DENSE_OR_ONE(name, arguments, first, ...) \

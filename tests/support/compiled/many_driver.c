@@ -14,7 +14,7 @@ static const int counts[] = {-1, 0, 1, 2, 7, 67};
 
 /* How a call's arguments lie. */
 typedef struct {
-  int n, planes, apart, shift, shared, alias; /* shared: of which input is one; alias: output */
+  int n, planes, apart, shift, shared, alias; /* shared: index of an input; alias: output */
 } Case;
 
 typedef struct {

@@ -60,7 +60,7 @@ static void divide(const void *call, ptrdiff_t first, ptrdiff_t n) {
 
 static double numbers[N], alone[N];
 
-/* Quotients of n numbers by so many threads, `meeting` of which must be there, have the bits of one. */
+/* Quotients of n numbers by several threads, at least `meeting` of them, have the bits of one. */
 static void divided(ptrdiff_t n, ptrdiff_t threads, ptrdiff_t meeting, const char *law) {
   double *y = (double *)malloc(sizeof numbers);
   ptrdiff_t met = 0;

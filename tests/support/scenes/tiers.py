@@ -45,16 +45,16 @@ class Result:
     """A component of a function's results at a state."""
 
     place: int
-    found: float
+    value: float
     true: mpmath.mpf
     condition: float
 
     def ulps(self, precision: Precision) -> float:
-        """|found - true| in units of the last digit of the true result in a precision."""
+        """|value - true| in units of the last digit of the true result in a precision."""
         kind = getattr(np, precision.numpy_type)
         with mpmath.workdps(DIGITS):
             unit = mpmath.mpf(float(np.spacing(abs(kind(float(self.true))))))
-            return float(abs(mpmath.mpf(float(self.found)) - self.true) / unit)
+            return float(abs(mpmath.mpf(float(self.value)) - self.true) / unit)
 
 
 def truths(program: Program, given: Sequence[np.ndarray]) -> list[list[mpmath.mpf]]:

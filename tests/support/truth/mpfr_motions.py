@@ -19,10 +19,10 @@ Matrix = Sequence[Vector]
 ZERO, ONE = mpfr(0), mpfr(1)
 
 
-def ratio(found: float, bound: float, true: mpfr) -> float:
+def ratio(result: float, bound: float, true: mpfr) -> float:
     """The error as a part of its bound, rounded up."""
     with gmpy2.context(precision=BITS, round=gmpy2.RoundUp):
-        error = abs(mpfr(found) - true)
+        error = abs(mpfr(result) - true)
         return float(error / mpfr(bound)) if bound else math.inf if error else 0.0
 
 
@@ -62,7 +62,7 @@ def third(angle: mpfr) -> mpfr:
 
 
 def of_inverse(angle: mpfr) -> mpfr:
-    """(1 - θ/2 cot θ/2) / θ², of which 2 log2 θ digits cancel; 1/12 below 2^-BITS."""
+    """(1 - θ/2 cot θ/2) / θ², where 2 log2 θ digits cancel; 1/12 below 2^-BITS."""
     if angle < gmpy2.exp2(-BITS):
         return mpfr(Fraction(1, 12))
     with gmpy2.context(precision=3 * BITS if angle < 1 else BITS):

@@ -16,9 +16,9 @@ with the rules for sums and products and the meaning of s, k, m, h, A, B, κ).  
     t ? a : b    d and s of the chosen one.  Where |x̂ - ŷ| <= B_x + B_y, the comparison x < y may
                  have the other result: |â - b̂| + B_a + B_b is added, so that the bound stays small
                  where the choice is continuous, and covers a jump where it is not.
-    sin, cos     d is what the function errs by, and sin (x̂ + d_x) - sin x̂, of which 13 roundings
-                 are a part of d_x; s = 1 + s_x, or |ŷ| of an exact x, if there are many;
-    tanh         d is what the function errs by, and slope d_x; s = |ŷ| + s_x (1 + B_x / κ u): the
+    sin, cos     d is the function's error, plus sin (x̂ + d_x) - sin x̂, whose 13 roundings are a
+                 part of d_x; s = 1 + s_x, or |ŷ| of an exact x, if there are many;
+    tanh         d is the function's error, plus slope d_x; s = |ŷ| + s_x (1 + B_x / κ u): the
                  square of x's error is at most κ u (1 + B_x / κ u) k u s_x;
     exp          alike, s = ŷ (1 + s_x (1 + B_x / κ u)) if B_x <= 1/4.
 

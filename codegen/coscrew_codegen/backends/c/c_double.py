@@ -8,7 +8,7 @@ from coscrew_codegen.program.values.formats import DOUBLE, Precision
 
 
 def of_library(precisions: Iterable[Precision]) -> str:
-    """What the headers of operations in these precisions say; "" if none is double."""
+    """The remedy in headers of operations in these precisions; "" if none is double."""
     return "generate the headers with --precision single" if DOUBLE in precisions else ""
 
 

@@ -24,14 +24,14 @@ _BEFORE = len("static KSL_INLINED  {")  # and behind the head of a function
 HEADER = "elementary"
 """The header, and the family, that holds them all."""
 ERROR_HEADER = "ksl_elementary_error"
-"""The header that holds what they err by."""
+"""The header of their error functions."""
 ALONE = {"sin": "sincos", "cos": "sincos", "sin_error": "sincos_error", "cos_error": "sincos_error"}
-"""Results that can be had alone, and the functions that compute them."""
+"""Results that have functions of their own, with these functions."""
 _OWNER = {**ALONE, **{x: name for name, several in SEVERAL.items() for x in several}}
 CALLABLE = {group: (*(name for name, of in ALONE.items() if of in {x.name for x in functions}),
                     *(x.name for x in functions))
             for group, functions in ((HEADER, ELEMENTARY), (ERROR_HEADER, ERRORS))}
-"""The names of what each header defines."""
+"""The names that each header defines."""
 _NAMES = [name for names in (*SEVERAL.values(), *CALLABLE.values()) for name in names]
 _CALL = re.compile(rf"\bksl_({'|'.join(_NAMES)})(?:_lanes|_device)?f?\(")
 
@@ -46,7 +46,7 @@ class ElementaryText:
     body: str
     near: Sequence[str] = ()  # head and body of the reductions of angles
     far: Sequence[str] = ()
-    reduced: Sequence[str] = ()  # the names of what they return
+    reduced: Sequence[str] = ()  # the names of their results
     limit: str = ""
     table: str = ""  # what `far` reads
     inlined: bool = False
@@ -61,7 +61,7 @@ def called(texts: Iterable[str]) -> frozenset[str]:
 
 
 def shared(several: Iterable[Collection[str]]) -> frozenset[str]:
-    """The names in these sets whose definitions all of them need."""
+    """The names whose definitions all these texts need."""
     sets = [{name: _OWNER.get(name, name) for name in names} for names in several]
     needed = frozenset.intersection(*(frozenset(owners.values()) for owners in sets))
     return frozenset(name for owners in sets for name, owner in owners.items() if owner in needed)

@@ -1,4 +1,4 @@
-"""The C headers: one per family and tier, and those that they share."""
+"""The C headers: one per family and tier, and shared ones."""
 
 import re
 from collections.abc import Mapping, Sequence
@@ -106,8 +106,8 @@ def _included(header: str, titles: Mapping[str, str]) -> tuple[str, ...]:
 
 
 def _includes(header: str) -> tuple[str, ...]:
-    """Returns the headers that a header includes, so that any may come first: what its family says,
-    and what else its text by hand calls."""
+    """Returns the headers that a header includes, so that any may come first: those that its family
+    names, and those with functions that its hand-written text calls."""
     said = family_named(header).includes if header in FAMILIES else ()
     reached = set().union(*map(_reached, said))
     return (*said, *(x for x in c_ksl.NEEDED.get(header, ()) if x not in reached))
@@ -152,7 +152,7 @@ def _elementary(library: Library, title: str) -> str:
 
 def _elementary_of(precisions: Sequence[Precision], header: str = c_elementary.HEADER
                    ) -> list[tuple[Precision, list[c_elementary.ElementaryText]]]:
-    """The elementary functions in these precisions, or what they err by."""
+    """The elementary functions in these precisions, or their error functions."""
     return [(p, c_elementary.written(p, c_elementary.CALLABLE[header])) for p in precisions]
 
 
@@ -169,8 +169,8 @@ def _exact_included(functions: Sequence[CFunction]) -> tuple[str, ...]:
 
 
 def _exact(library: Library) -> dict[str, str]:
-    """Returns the headers of exact errors: with what kernels that compute in double need if only
-    single precision is selected, and what elementary functions err by."""
+    """Returns the headers of exact errors: with the functions that kernels computing in double need
+    if only single precision is selected, and error functions of elementary functions."""
     missing = [DOUBLE] if DOUBLE not in library.precisions else []
     return {"ksl_exact": render("c/ksl_exact.h", banner=library.banner, products=missing,
                                 precisions=missing, elementary=_elementary_of(missing),

@@ -35,8 +35,8 @@ SYSTEM = {"mat3x3": ("stdarg.h",), "array": ("stddef.h",)}
 
 @dataclass(frozen=True)
 class RefusedName:
-    """A header of KSL that is not here: what it holds, its names (a{b,c} is ab and ac), why they
-    are not here, and what to do instead."""
+    """A header of KSL that is not here: its subject, its names (a{b,c} is ab and ac), the reason,
+    and a remedy."""
 
     what: str
     names: tuple[str, ...]
@@ -92,8 +92,8 @@ NEEDED = {"vec3": (), "vec4": (), "trig": (), "SE3": (), "screw": (), "array": (
 MIXED = ("SE3",)
 """Headers whose functions turn one precision into the other, and so are there only with both."""
 CLOSE = Fraction(1, 10**6)
-"""How much numbers that KSL calls close may differ, relative to the first, or to 1 if that is more.
-"""
+"""Largest difference of numbers that KSL calls close, relative to the first, or to 1 if that is
+more."""
 NOISE = 128
 """In u: eigenvalues of moments below it, relative to the largest, count as zero."""
 

@@ -1,4 +1,4 @@
-"""Sines and cosines of several angles at once, and what they err by, in the C of scenes: on vectors
+"""Sines and cosines of several angles at once, and their errors, in the C of scenes: on vectors
 where the processor has them, with the bits of one angle alone."""
 
 from collections.abc import Sequence

@@ -21,7 +21,7 @@ from coscrew_codegen.program.values.formats import Precision
 from coscrew_codegen.program.values.quantity import Argument, Quantity
 
 SHARED = "ksl_planes"
-"""The header that all others include: how planes are read and written."""
+"""The header that all others include: it reads and writes planes."""
 _HEAD_WIDTH = WIDTH - len("static KSL_INLINED ")
 
 
@@ -60,7 +60,7 @@ def files(library: Library) -> Files:
 
 
 def _headers(library: Library) -> Mapping[str, str]:
-    """Returns the headers of all tiers, what they share, and for each tier one that includes all.
+    """Returns the headers of all tiers, the shared ones, and for each tier one that includes all.
     """
     made = {SHARED: render("c/ksl_planes.h", banner=_banner(library), types=[
         _Access(quantity, precision) for quantity in c_storage.TYPES

@@ -55,7 +55,7 @@ _ON_DEVICE = {**_SPELLING, **{op: _ON_LANES[op] for op in (Op.ABS, Op.SQRT, Op.C
 LANES = 4  # angles whose sines and cosines are computed at once
 OF_STATES = 3  # the same on vectors of states: more do not fit into registers
 TOGETHER = {Op.SIN: "sincos", Op.SIN_ERROR: "sincos_error"}
-"""What is computed for several angles at once."""
+"""Operations that are computed for several angles at once."""
 _SUMS = frozenset({Op.ADD, Op.SUB, Op.EXACT_ADD, Op.EXACT_SUB, Op.PRODUCT_ERROR, Op.PRODUCT_REST})
 _TRANSPARENT = frozenset({Op.NEG, Op.ABS, Op.SELECT})
 """Operations through which a sum still has a product as operand."""
@@ -116,7 +116,7 @@ def _doubles(step: Instruction) -> bool:
 
 @dataclass(frozen=True)
 class Together:
-    """Sines and cosines that are computed by one call, or what these err by."""
+    """Sines and cosines that are computed by one call, or their errors."""
 
     pairs: Sequence[Assignment]
     of: "Together | None" = None  # the sines and cosines whose errors these are
@@ -137,7 +137,7 @@ class Together:
         return [f"{x}_of_{self.names[0]}" for x in ("sines", "cosines")]
 
     def statements(self, precision: Precision, width: int) -> str:
-        """The call, and declarations of what it stores in arrays."""
+        """The call, and declarations of its results, which it stores in arrays."""
         real, arrays = precision.c_type, self.arrays
         angles = [pair.expression.partition(",")[0] for pair in self.pairs]
         given = self.of.arrays if self.of else []
@@ -170,7 +170,7 @@ def together(assigned: Sequence[Assignment | str], precision: Precision, apart: 
 
 
 def _of_states(sines: Sequence[Assignment], most: int) -> Iterator[Assignment | Together]:
-    """Calls of nearly as many each, and at most of so many."""
+    """Divides into calls of nearly equal numbers, at most this many in each."""
     calls = -(-len(sines) // most)
     for n in range(calls):
         found = sines[len(sines) * n // calls:len(sines) * (n + 1) // calls]

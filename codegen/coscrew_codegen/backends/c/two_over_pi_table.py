@@ -1,4 +1,4 @@
-"""The table of the digits of 2/π and what reads it."""
+"""The table of the digits of 2/π, and the function that reads it."""
 
 from collections.abc import Mapping
 

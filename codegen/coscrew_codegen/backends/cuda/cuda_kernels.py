@@ -49,8 +49,8 @@ class Taken:
 
 @dataclass(frozen=True)
 class CudaKernel:
-    """A function of one state and its kernel: names by what they end in; `shared` are types
-    and names of what all states share."""
+    """A function of one state and its kernel; names are given by their endings; `shared` are types
+    and names of arguments that all states share."""
 
     scene: SceneFunctions
     name: str

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from coscrew_codegen.program.values.formats import DOUBLE, Precision, on_device
 
 _REGISTERS = {"double": ("f64", "d", "b64", "l"), "single": ("f32", "f", "b32", "r")}
-"""By precision, its type and the constraint of its registers; the same of bits."""
+"""Type and constraint of registers, by precision: of numbers, and of their bits."""
 _ERRORS = {"product_error": ("a", "b", "p"), "product_rest": ("a", "b", "p", "h")}
 
 

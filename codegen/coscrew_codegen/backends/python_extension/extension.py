@@ -124,7 +124,8 @@ def _families(library: Library, tier: Tier) -> tuple[str, ...]:
 
 
 def _has_fma(library: Library, tier: Tier) -> bool:
-    """Whether loops for AVX2 may have FMA, too: where every product is rounded on its own."""
+    """Returns whether loops for AVX2 may have FMA, too: where every product is rounded on its own.
+    """
     return "ksl_exact" in c_headers.headers(library, tier)
 
 

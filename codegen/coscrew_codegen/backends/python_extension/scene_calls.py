@@ -110,9 +110,9 @@ def _function(scene: SceneFunctions, function: Signature, precision: Precision
         "refused": " || ".join(refused if "p" in inputs else ()),
         "p": inputs.index("p") if "p" in inputs else -1,
         "inputs": len(inputs),
-        "sizes": ", ".join(str(_size(shape)) for _, shape in function.inputs) or "0",
-        "results": [_result(x, shape, inputs if function.moved else []) for x, shape in
-                    function.outputs],
+        "takes": [_array(shape) for _, shape in function.inputs],
+        "results": [{**_array(shape), "moved": inputs.index(x)
+                     if function.moved and x in inputs else -1} for x, shape in function.outputs],
         "lanes_parameters": ", ".join(("ptrdiff_t", *lanes)),
         "lanes_arguments": ", ".join(("n", *map(", ".join, passed))),
         "many_arguments": ", ".join(
@@ -132,14 +132,9 @@ def _of_states(function: Signature) -> Iterator[tuple[str, str]]:
             f"x[{inputs.index(name)}]", f"steps[{inputs.index(name)}]")
 
 
-def _size(shape: tuple[int, ...]) -> int:
-    """The numbers of an input with one axis; -1 without axes, -2 with several."""
-    return scene_text.count(shape) if len(shape) == 1 else -1 - min(1, len(shape))
-
-
-def _result(name: str, shape: tuple[int, ...], moved: list[str]) -> dict[str, str]:
-    return {"size": str(scene_text.count(shape)), "axes": str(len(shape)),
-            "moved": str(moved.index(name)) if name in moved else "-1",
+def _array(shape: tuple[int, ...]) -> dict[str, object]:
+    """The numbers of an input or a result, and its axes."""
+    return {"size": scene_text.count(shape), "axes": len(shape),
             "shape": ", ".join(map(str, shape)) or "1"}
 
 

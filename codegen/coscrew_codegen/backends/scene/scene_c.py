@@ -83,7 +83,7 @@ class Source:
 
 
 def included(bodies: Iterable[str], refused: str = "") -> dict[str, object]:
-    """What the template of inclusions needs to write them for these bodies of functions."""
+    """The template's data for the inclusions of these bodies of functions."""
     return {"errors": scene_c_runtime.with_errors(bodies), "double": refused,
             "fingerprint": scene_c_runtime.fingerprint()}
 

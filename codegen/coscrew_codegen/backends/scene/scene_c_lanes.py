@@ -131,7 +131,7 @@ class VectorSection:
 
     @property
     def parts(self) -> bool:
-        """Whether functions are cut."""
+        """True if functions are cut."""
         return any(x.parts.cuts for kernels in self.kernels for x in kernels.sections)
 
     @property

@@ -37,7 +37,7 @@ def fingerprint() -> str:
 
 
 def with_errors(bodies: Iterable[str]) -> bool:
-    """Whether these texts call functions that are there for the accurate tiers alone."""
+    """Returns whether these texts call functions that are there for the accurate tiers alone."""
     return any(map(_ERROR.search, bodies))
 
 

@@ -99,7 +99,7 @@ def _source(made: SceneTier, precision: Precision, sections: Sequence[TierSectio
 
 
 def _only_own(made: SceneTier) -> bool:
-    """Whether single precision is computed in single precision."""
+    """Returns whether single precision is computed in single precision."""
     scene = dict(made.in_precisions)[SINGLE]
     return scene_text.working([f.program for f in scene.functions], SINGLE) == SINGLE
 

@@ -1,9 +1,9 @@
 """The functions of scenes and of the library on arrays of NumPy, JAX, PyTorch and others.
 
-They come from the Programs that C and NumPy are generated from: in C where arrays lie in a
-processor's memory and that pays, as calls of the array library elsewhere.  Derivatives are
-Programs, too (`algebra/recording/derivatives.py`): costs and accuracy are those of an adjoint.
-"""
+They come from the Programs from which C and NumPy are generated: in C where arrays lie in a
+processor's memory and compiling is worthwhile, as calls of the array library elsewhere.
+Derivatives are Programs, too (`algebra/recording/derivatives.py`): costs and accuracy are those of
+an adjoint."""
 
 from __future__ import annotations
 

@@ -50,7 +50,7 @@ def _decided_once(numbers: Arithmetic[Array], program: Program) -> Arithmetic[Ar
 
 
 _PLACES = {Op.SIN: 0, Op.COS: 1, Op.EXP: 0, Op.TANH: 0, Op.ATAN2: 0}
-"""Which result of its elementary function an operation is."""
+"""Index of an operation's result among those of its elementary function."""
 
 
 def _on_arrays(precision: Precision, operations: Mapping[Op, Callable[..., Array]]
@@ -62,7 +62,7 @@ def _on_arrays(precision: Precision, operations: Mapping[Op, Callable[..., Array
 
 
 def _plain(library: ArrayLibrary, precision: Precision) -> dict[Op, Callable[..., Array]]:
-    """Everything but elementary functions."""
+    """Computes every operation except elementary functions."""
     xp = library.xp
 
     def like(x: Array) -> Array:
@@ -96,7 +96,7 @@ def _power(library: ArrayLibrary, precision: Precision, a: Array, b: Array) -> A
 
 def _two_over_pi(library: ArrayLibrary, precision: Precision, x: Array, n: Array, digits: Array
                  ) -> Array:
-    """The chunk n after that with which x begins."""
+    """The chunk n places after the first one that x uses."""
     some, size = chunks(precision.digits), abs(x)
     steps = range(1, (1 - precision.least_exponent - some.offset) // some.bits + 1)
     index = sum((library.xp.where(size >= 2.0**(some.offset + some.bits * i),
@@ -109,7 +109,7 @@ def _two_over_pi(library: ArrayLibrary, precision: Precision, x: Array, n: Array
 
 def _function(function: Elementary, library: ArrayLibrary, precision: Precision,
               operations: Mapping[Op, Callable[..., Array]]) -> Callable[..., list[Array]]:
-    """An elementary function: arrays to its results, those for the last arguments kept."""
+    """Returns an elementary function of arrays, which caches the results for its last arguments."""
     numbers = _on_arrays(precision, operations)
 
     def made(program: Callable[[Precision], Program]) -> Functions:

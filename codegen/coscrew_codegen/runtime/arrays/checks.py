@@ -5,9 +5,9 @@ from dataclasses import dataclass
 from math import inf
 from typing import Any
 
-from coscrew_codegen.backends.bound_arguments import bound
 from coscrew_codegen.program.values.formats import Precision, named
 from coscrew_codegen.runtime.arrays.standard import ArrayLibrary, Shape
+from coscrew_codegen.runtime.bound_arguments import bound
 
 
 @dataclass(frozen=True)

@@ -7,15 +7,14 @@ from collections.abc import Callable, Sequence
 from functools import cache
 
 from coscrew_codegen.backends.render import render, runtime
-from coscrew_codegen.backends.scene.scene_text import c_name, many
-from coscrew_codegen.program.scene_functions import FunctionProgram, SceneFunctions
+from coscrew_codegen.program.scene_functions import FunctionProgram, SceneFunctions, c_name, many
 from coscrew_codegen.program.values.formats import PRECISIONS, Precision
 from coscrew_codegen.runtime import source_text
 from coscrew_codegen.runtime.arrays.array_function import ArrayFunction
 from coscrew_codegen.runtime.console import doing
 
 _NAME = "states"
-"""What the only function of such a library is called."""
+"""Name of the only function of such a library."""
 
 
 @cache

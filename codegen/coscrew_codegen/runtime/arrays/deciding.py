@@ -1,4 +1,5 @@
-"""Numbers of a Program that decide its choices, and depend on how sums of products are rounded."""
+"""Finds numbers of a Program that decide its choices, and depend on the rounding of sums of
+products."""
 
 from coscrew_codegen.program import Instruction, Op, Operand, Program, Ref
 from coscrew_codegen.program.ops import COMPARISONS
@@ -8,9 +9,9 @@ _ELEMENTARY = frozenset({Op.SIN, Op.COS, Op.EXP, Op.TANH, Op.ATAN2})
 
 
 def deciding(program: Program) -> frozenset[str]:
-    """Names of the sums of products, and values of elementary functions, from which numbers that
-    comparisons read follow by operations that are rounded in one way.  With these as they are,
-    every comparison has one result."""
+    """Names of the sums of products, and values of elementary functions, that determine the
+    operands of comparisons by operations with only one way of rounding.  If these are fixed, every
+    comparison has one result."""
     steps = {step.name: step for step in program.instructions}
     open_ = [x for step in program.instructions if step.op in COMPARISONS for x in step.operands]
     seen: set[Operand] = set()

@@ -84,7 +84,8 @@ def _bound(primitive: Primitive, *rows: Any, function: ArrayFunction, states: in
 
 
 def _shapes(*rows: Any, function: ArrayFunction, states: int) -> list[Any]:
-    """Results vary over the axes of a mesh that rows vary over; else each device has them whole."""
+    """Shapes of the results, which vary over the axes of a mesh over which rows vary; otherwise
+    each device has them whole."""
     mesh = next((x.sharding.mesh for x in rows if not x.sharding.mesh.empty), get_abstract_mesh())
     return [jax.core.ShapedArray((states, n), rows[0].dtype, sharding=NamedSharding(mesh, P()),
                                  manual_axis_type=rows[0].manual_axis_type)
@@ -100,7 +101,7 @@ def _batched(primitive: Primitive, rows: Sequence[Any], axes: Sequence[int | Non
 
 
 def _flat(x: Any, axis: int | None, members: int, states: int) -> Any:
-    """Rows of all members' states; one row that all share stays one."""
+    """Rows of all members' states; a row that all share stays one row."""
     if axis is None and x.shape[0] == 1:
         return x
     x = _replicated(x)
@@ -146,7 +147,7 @@ def _printed(*rows: Any, function: ArrayFunction, states: int) -> list[Any]:
 
 
 def _lowered(context: Any, *rows: Any, function: ArrayFunction, states: int) -> Any:
-    """A call of C where that can be had, else the function by calls of JAX."""
+    """Lowers to a call of C where there is one, else to the function by calls of JAX."""
     precision = LIBRARY.precision(context.avals_in[0].dtype)
     assert precision
     if function.compile and (name := _registered(function, precision)):

@@ -45,7 +45,7 @@ class _Value(torch.autograd.Function):
 
     @staticmethod
     def backward(ctx: Any, *weights: Any) -> Any:
-        """The weights along the results give those along the arguments: the adjoint."""
+        """Computes the weights along the arguments from those along the results: the adjoint."""
         arrays = ctx.saved_tensors
         found = _Value.apply(ctx.function.adjoint, ctx.lead, ctx.precision, *arrays, *weights)
         return None, None, None, *(_as(x, array) for x, array in zip(found, arrays, strict=True))

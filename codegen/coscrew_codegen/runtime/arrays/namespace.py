@@ -32,9 +32,8 @@ Pickled = tuple[Callable[..., object], tuple[object, ...]]
 
 
 class Arrays:
-    """Functions on arrays of one library, as attributes; each is made when it is first asked for.
-    They are copied as themselves, and pickled as a function that returns them, and its arguments.
-    """
+    """Functions on arrays of one library, as attributes; each is made on first use.  A copy is the
+    same object; a pickle holds a function that returns it, and its arguments."""
 
     def __init__(self, about: str, pickled: Pickled, makers: Mapping[str, Callable[[], Made]],
                  missing: Mapping[str, str] | None = None):

@@ -1,8 +1,8 @@
 """Numbers that XLA computes once.
 
-It computes a number again wherever that saves memory, and rounds it otherwise there: it contracts
-a b + c.  A choice between options would be made one way for some results, another way for others.
-"""
+It computes a number again where that saves memory, and may round it differently there, since it
+contracts a b + c.  A choice between options would be made one way for some results, another way for
+others."""
 
 from typing import Any
 
@@ -11,7 +11,7 @@ from jax.experimental.xla_metadata import set_xla_metadata
 
 
 def once(x: Any) -> Any:
-    """The number, to be read from memory wherever it is used."""
+    """Returns the number so that each use reads it from memory."""
     return jax.lax.platform_dependent(x, cpu=_by_call, default=jax.lax.optimization_barrier)
 
 

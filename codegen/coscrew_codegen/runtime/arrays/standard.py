@@ -27,12 +27,12 @@ class ArrayLibrary:
 
     @property
     def traced(self) -> bool:
-        """True if arrays may have no values yet: a program is made of what is called."""
+        """True if arrays may have no values yet: calls are traced into a program."""
         return self.name == "jax"
 
     @cached_property
     def dtypes(self) -> dict[Any, Precision]:
-        """Its floating types, and what they are here."""
+        """Its floating types, and our precisions for them."""
         return {self._key(getattr(self.xp, p.numpy_type)): p for p in PRECISIONS}
 
     def _key(self, dtype: Any) -> str:
@@ -62,8 +62,7 @@ class ArrayLibrary:
         return isinstance(x, (int, float)) and not (isinstance(x, bool) or hasattr(x, "dtype"))
 
     def holds(self, precision: Precision) -> bool:
-        """Returns whether arrays of this precision stay what they are: without x64, JAX rounds
-        them."""
+        """Returns whether arrays keep this precision: without x64, JAX rounds float64."""
         if not self.traced:
             return True
         import jax
@@ -80,7 +79,7 @@ class ArrayLibrary:
         return self.xp.asarray(x, dtype=getattr(self.xp, precision.numpy_type), **where)
 
     def number(self, x: Any, precision: Precision) -> Any:
-        """A Python number as an array of this precision, an array as it is."""
+        """A Python number as an array of this precision, an array unchanged."""
         if not isinstance(x, (float, int)) or hasattr(x, "dtype"):
             return x
         return self.xp.asarray(x, dtype=getattr(self.xp, precision.numpy_type))
@@ -141,8 +140,8 @@ class ArrayLibrary:
         return xp.reshape(row, (*lead, *shape))
 
     def _selected(self, parts: Sequence[Any], lead: Shape) -> Any:
-        """Assembles the parts without `stack`: XLA would compute what is before it again for each
-        part."""
+        """Assembles the parts without `stack`: XLA would compute the operands again for each part.
+        """
         xp, place = self.xp, self.xp.arange(len(parts))
 
         def tree(first: int, last: int) -> Any:

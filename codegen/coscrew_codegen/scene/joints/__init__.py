@@ -6,19 +6,19 @@ precision and tier, in runs, checks and documents.
 
 import copyreg
 
-from coscrew_codegen.program.plugins import found
+from coscrew_codegen.program.plugins import discover
 from coscrew_codegen.scene.mechanism.joint_kind import JointKind
 
 KINDS: tuple[JointKind, ...] = tuple(sorted(
-    found(__name__, __path__, "JOINT", JointKind), key=lambda x: (x.place, x.name)))
+    discover(__name__, __path__, "JOINT", JointKind), key=lambda x: (x.place, x.name)))
 """The catalogue, in the order of `place`."""
 
-_BY_NAME = {kind.name: kind for kind in KINDS}
+KIND_NAMED = {kind.name: kind for kind in KINDS}
 
 
 def kind_named(name: str) -> JointKind:
     """The kind of this name.  Raises KeyError if there is none."""
-    return _BY_NAME[name]
+    return KIND_NAMED[name]
 
 
 def called(kinds: tuple[JointKind, ...], between: str = "and") -> str:
@@ -38,4 +38,4 @@ def _pickled(kind: JointKind) -> str | tuple[object, ...]:
     return object.__reduce_ex__(kind, 2)
 
 
-copyreg.pickle(JointKind, _pickled)  # type: ignore[arg-type]  # object's own reductions are any tuple
+copyreg.pickle(JointKind, _pickled)  # type: ignore[arg-type]  # object's reductions are any tuple

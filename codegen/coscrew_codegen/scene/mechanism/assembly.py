@@ -25,9 +25,9 @@ def assembled(name: str, bodies: Sequence[Body], joints: Sequence[Joint], base: 
     """The model of these bodies and joints, parents first, otherwise in the given order.
 
     A root body other than WORLD is joined to it by a joint "base" ("base_" if that name is taken)
-    of the kind `base`, at the place that `roots` gives a body, by default at the
-    world's frame.  A body called WORLD is the world.  Raises ModelError for
-    duplicate or unknown names, bodies with two parents, loops and several roots."""
+    of the kind `base`, at the place that `roots` gives a body, by default at the world's frame.  A
+    body called WORLD is the world.  Raises ModelError for duplicate or unknown names, bodies with
+    two parents, loops and several roots."""
     _refuse_twice("body", [body.name for body in bodies])
     _refuse_twice("joint", [joint.name for joint in joints])
     by_name = {body.name: body for body in bodies if body.name != WORLD}

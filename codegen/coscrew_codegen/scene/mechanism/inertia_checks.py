@@ -70,7 +70,7 @@ def _faults(model: Model) -> Iterator[ModelError]:
 
 
 def _wrong(mass: Fraction, moments: Six) -> str | None:
-    """Why no rigid body has these moments about its centre of mass; None if one can."""
+    """Says why no rigid body has these moments about its centre of mass; None if one can."""
     xx, yy, zz, xy, xz, yz = moments
     slack = SLACK * abs(xx + yy + zz) + mass * FINEST**2
     if not _positive((xx + slack, yy + slack, zz + slack, xy, xz, yz)):
@@ -84,7 +84,8 @@ def _wrong(mass: Fraction, moments: Six) -> str | None:
 
 @dataclass(frozen=True)
 class Unmoved:
-    """A joint without inertia against its motion; `massive`: what it moves has a mass."""
+    """A joint without inertia against its motion; `massive` if the bodies that it moves have a
+    mass."""
 
     joint: Joint
     massive: bool
@@ -132,7 +133,7 @@ def _massive(model: Model) -> frozenset[str]:
 
 
 def why_singular(scene: Scene) -> str:
-    """All joints that make the mass matrix singular, and one remedy; "" if there are none."""
+    """Names all joints that make the mass matrix singular, and one remedy; "" if there are none."""
     found = unmoved(scene)
     held = _held(scene) | {x.joint.name for x in found}
     several = common(scene.model, tuple(followers(scene).items()), held)

@@ -14,7 +14,7 @@ _IDENTITY = (1, 0, 0, 0, 1, 0, 0, 0, 1)
 
 @dataclass(frozen=True)
 class JointInReals(JointState):
-    """A joint of a kind of real numbers, of which these are the sine and cosine."""
+    """A joint in a kind of real numbers with these functions for sine and cosine."""
 
     sin: Callable[[_Real], _Real]
     cos: Callable[[_Real], _Real]

@@ -1,11 +1,10 @@
-"""Kinds of joints: what a joint's coordinates are, and how its child moves with them.
+"""Kinds of joints: a joint's coordinates, and the motion of its child as a function of them.
 
 A kind's file knows no tree, no algorithm and no language: it gets the joint's axes, its coordinates
-and its velocities as numbers, recorded ones or others, and answers with a displacement and with
-screws.  Screws are (v; ω) of the child's origin relative to the parent, in the child's frame:
+and its velocities as numbers, recorded ones or others, and returns a displacement and screws.
+Screws are (v; ω) of the child's origin relative to the parent, in the child's frame:
 
-    s = S(q) v,   s' = S(q) a + S'(q, v) v
-"""
+    s = S(q) v,   s' = S(q) a + S'(q, v) v"""
 
 from abc import ABC, abstractmethod
 from collections.abc import Callable, Sequence
@@ -47,7 +46,7 @@ class CoordinatePart:
 
     @property
     def turns(self) -> bool:
-        """Whether its velocities are angular."""
+        """True if its velocities are angular."""
         return self.quaternion or self.unit == "rad"
 
 
@@ -118,10 +117,10 @@ class JointState(ABC):
 
 @dataclass(frozen=True)
 class Manifold:
-    """How coordinates move whose rates are not the velocities.
+    """Motion of coordinates whose rates are not the velocities.
 
     q ⊕ phi moves by the velocities phi for a time of 1, from q; `bracket` is [phi, v], the rate at
-    which velocities of the kind's group turn each other.  These are of recorded numbers."""
+    which velocities of the kind's group turn each other.  Both take recorded numbers."""
 
     integrated: Callable[[Numbers, Numbers], Numbers]  # (q, phi) -> q ⊕ phi
     bracket: Callable[[Numbers, Numbers], Numbers]  # (phi, v) -> [phi, v]
@@ -131,7 +130,7 @@ class Manifold:
 
 @dataclass(frozen=True, eq=False)
 class JointKind:
-    """A kind of joint: what files call it, its coordinates, and the motion of its child.
+    """A kind of joint: its name in files, its coordinates, and the motion of its child.
 
     Effects at joints, limits and `mimic` are for kinds with one coordinate whose rate is its
     velocity; `reaction` is for all that move."""
@@ -179,23 +178,18 @@ class JointKind:
 
     @property
     def moves(self) -> bool:
-        """Whether the child moves at all."""
+        """True if the child moves at all."""
         return self.nv > 0
 
     @property
     def one_coordinate(self) -> bool:
-        """Whether it has one coordinate, whose rate is the velocity."""
+        """True if it has one coordinate, whose rate is the velocity."""
         return self.nq == 1 and self.manifold is None
 
     @property
     def slides(self) -> bool:
-        """Whether it has one coordinate, which is a length."""
+        """True if it has one coordinate, which is a length."""
         return self.one_coordinate and not self.parts[0].turns
-
-    @property
-    def translates(self) -> bool:
-        """Whether it only moves its child without turning it."""
-        return self.moves and not any(x.turns for x in self.parts)
 
     @property
     def neutral(self) -> tuple[float, ...]:
@@ -242,7 +236,7 @@ def call(operation: str, *arguments: Numbers) -> tuple[Number, ...]:
 
 def quaternion_integrated(q: Numbers, step: Numbers) -> tuple[Number, ...]:
     """q exp(step/2) / |q exp(step/2)|: of norm 1 to rounding for any q whose square neither over-
-    nor underflows, so that neither rounding errors add up nor does a wrong norm stay."""
+    nor underflows, so rounding errors do not add up, and a wrong norm does not last."""
     turned = call("quaternion_product_qq", q, call("quaternion_exp", step))
     (square,) = call("dot_qq", turned, turned)
     return scaled(1 / sqrt(square), turned)

@@ -14,7 +14,7 @@ Six = tuple[Fraction, ...]  # xx, yy, zz, xy, xz, yz
 
 _ROUNDED = Fraction(1, 10**40)
 """Products of inertia up to this times the trace are zero, and moments that differ by as little are
-equal: what is left of turning equal moments with entries of 50 digits."""
+equal: the residue of rotating equal moments with entries of 50 digits."""
 
 
 @dataclass(frozen=True)

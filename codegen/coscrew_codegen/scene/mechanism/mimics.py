@@ -46,7 +46,7 @@ def with_faults(model: Model, places: Mapping[str, str]) -> Model:
 
 
 def _resolved(model: Model) -> tuple[Mapping[str, Mimic], Mapping[str, str]]:
-    """(whom each follower follows at the end of its chain, what is wrong with the others).
+    """Returns (the leader at the end of each follower's chain, the faults of the others).
 
     Every follower is resolved once, after its leader, so that long chains take linear time."""
     by_name = {joint.name: joint for joint in model.joints}

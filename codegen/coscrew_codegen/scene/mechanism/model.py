@@ -110,7 +110,7 @@ class Joint:
             raise ValueError(f"joint {self.name!r} is {self.kind.name}; wanted its axis2")
 
     def fault(self, of: str) -> Fault | None:
-        """Why the number `of` cannot be used, if the file gives one."""
+        """Says why the number `of` cannot be used, if the file gives one."""
         return next((x for x in self.faults if x.field == of), None)
 
     @property
@@ -147,7 +147,7 @@ class Model:
     bodies: tuple[Body, ...]
     joints: tuple[Joint, ...]
     implausible: tuple[str, ...] = ()  # impossible inertias that were accepted, a line each
-    notices: tuple[Notice, ...] = field(default=(), compare=False)  # what was read and is not used
+    notices: tuple[Notice, ...] = field(default=(), compare=False)  # read, but not used
 
     def links(self) -> dict[str, str]:
         """Maps each body, and WORLD, to the body to which fixed joints connect it: one that a joint
@@ -156,3 +156,16 @@ class Model:
         for joint in self.joints:
             found[joint.child] = joint.child if joint.kind.moves else found[joint.parent]
         return found
+
+    @property
+    def length(self) -> float:
+        """The largest length: from a joint to the next or to a centre of mass, or a radius of
+        gyration, in m."""
+        found = [abs(value(x)) for joint in self.joints for x in joint.placement.t]
+        for body in self.bodies:
+            if body.inertia:
+                found += [abs(value(x)) for x in body.inertia.com]
+                mass = value(body.inertia.mass)
+                moments = sum((abs(value(x)) for x in body.inertia.moments[:3]), Fraction(0))
+                found += [Fraction(float(moments / mass / 2)**0.5)] if mass else []
+        return float(max(found, default=Fraction(0)))

@@ -11,7 +11,7 @@ SUBJECTS = (
     "limits", "wrong limits", "effort", "wrong effort", "velocity", "wrong velocity",
     "acceleration", "deceleration", "jerk", "safety controller", "repeated element",
     "xacro")
-"""Subjects of notices; first what changes the motion most."""
+"""Subjects of notices; those that change the motion most come first."""
 
 
 @dataclass(frozen=True)

@@ -86,7 +86,7 @@ def unit(vector: Iterable[Fraction]) -> Entries:
 
 def product(left: Entries, right: Entries) -> Entries:
     """R = left right, rounded to 50 digits and snapped.  (9),(9)->(9)."""
-    if IDENTITY in (left, right):  # true of most rpy angles, two of which are 0
+    if IDENTITY in (left, right):  # true of most rpy angles: two are 0
         return right if left == IDENTITY else left
     return _rounded([sum((left[3 * i + k] * right[3 * k + j] for k in range(3)), Fraction(0))
                      for i in range(3) for j in range(3)])

@@ -1,5 +1,5 @@
-"""Effects that a model's file declares, as springs of joints: they act in the file alone, and are
-told where a scene that names the file lacks them."""
+"""Effects that a model's file declares, as springs of joints: they act if the file is taken alone,
+and are reported if a scene that names the file lacks them."""
 
 from collections.abc import Iterable, Iterator, Mapping
 
@@ -16,8 +16,9 @@ of an effect on the whole scene."""
 
 def of_file_alone(model: Model, declared: Effects, catalogue: tuple[Effect, ...]
                   ) -> dict[str, object]:
-    """The table [effects] of a model's file that is taken alone: what it declares, and effects that
-    are `alone` with the model's numbers, on the joints for which it has numbers other than 0."""
+    """The table [effects] of a model's file that is taken alone: its declared effects, and effects
+    that are `alone` with the model's numbers, on the joints for which it has numbers other than 0.
+    """
     tables: dict[str, object] = {}
     for effect in catalogue:
         if effect.name in declared:

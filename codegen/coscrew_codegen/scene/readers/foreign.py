@@ -34,14 +34,14 @@ def of_root(tag: str) -> str:
 
 
 def srdf(tags: Set[str]) -> str:
-    """Says that a file with these elements in <robot> is an SRDF, and what to do; "" if it is none.
+    """Says that a file with these elements in <robot> is an SRDF, with a remedy; "" if it is none.
     """
     is_one = tags.isdisjoint(("link", "joint")) and not tags.isdisjoint(_OF_SRDF)
     return f"{_SRDF}; wanted that URDF" if is_one else ""
 
 
 def of_suffix(path: Path) -> str:
-    """Says what a file is whose suffix no reader has: "is SDF, …"."""
+    """Names the kind of a file whose suffix no reader has: "is SDF, …"."""
     suffix = path.suffix.lower()
     if suffix == ".srdf":
         return _SRDF

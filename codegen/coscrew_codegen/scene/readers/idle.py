@@ -1,4 +1,4 @@
-"""Effects that exert nothing, since what drives them is zero and no argument of the functions."""
+"""Effects that exert nothing, since their drive is zero and no argument of the functions."""
 
 from collections.abc import Iterator
 from fractions import Fraction
@@ -21,7 +21,7 @@ def idle(effects: tuple[Applied, ...]) -> tuple[Notice, ...]:
 
 
 def _unset(applied: Applied) -> Iterator[str]:
-    """The names in `runtime` of what drives an effect, if all of it is zero."""
+    """The names in `runtime` of the numbers that drive an effect, if all are zero."""
     kind = applied.values.get("kind", "torque")
     given = [name for name in _DRIVING if applied.values.get(name) is not None]
     if kind == "torque" and all(_zero(applied.values[name]) for name in given):

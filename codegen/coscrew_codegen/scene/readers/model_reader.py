@@ -3,8 +3,7 @@
     text ──▶ tables with places ──▶ Parts ──▶ Model
 
 The reader takes the first two steps, in its own module; the last is the same for all: the parts are
-joined into a tree and checked, and an error in it is told with the place in the file.
-"""
+joined into a tree and checked, and an error in it is reported with its place in the file."""
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, replace
@@ -26,7 +25,7 @@ from coscrew_codegen.scene.readers.scene_error import SceneError
 
 @dataclass(frozen=True)
 class ModelSource:
-    """The file of a model, and how a scene wants it read."""
+    """The file of a model, and the scene's settings for reading it."""
 
     path: Path
     base: JointKind | None = None  # of the joint between the world and a root that no joint
@@ -38,7 +37,7 @@ class ModelSource:
 
     @property
     def lenient(self) -> bool:
-        """Whether inertias that are impossible, massless or incomplete are accepted."""
+        """True if inertias that are impossible, massless or incomplete are accepted."""
         return self.implausible == WARN
 
 
@@ -56,9 +55,9 @@ class Parts:
     base: JointKind = FIXED  # of that joint, by the file
     roots: Mapping[str, Placement] = field(default_factory=dict)  # where it stands, by body
     start: Mapping[str, tuple[float, ...]] = field(default_factory=dict)  # of the file alone: q
-    effects: Effects = field(default_factory=dict)  # what acts by the file, as springs of joints
+    effects: Effects = field(default_factory=dict)  # effects of the file, as springs of joints
     implausible: tuple[str, ...] = ()  # inertias that the reader has accepted, a line each
-    notices: tuple[Notice, ...] = ()  # what was read and is not used
+    notices: tuple[Notice, ...] = ()  # content that was read and is not used
 
     def model(self, source: ModelSource) -> Model:
         """The tree of these parts.  Raises SceneError for anything but one tree of bodies that can
@@ -82,7 +81,7 @@ class Parts:
 class ModelReader:
     """A format in which files hold models.
 
-    `parts` reads one file: everything in it is understood, told in `notices`, or refused by a
+    `parts` reads one file: everything in it is understood, reported in `notices`, or refused by a
     SceneError that names the place, what came and what was wanted."""
 
     name: str  # "URDF"

@@ -16,8 +16,8 @@ _SUBJECTS = {"lower": "limits", "upper": "limits"}
 def unused(model: Model, used: set[tuple[str, str]], catalogue: tuple[Effect, ...],
            acting: tuple[Applied, ...] = ()) -> tuple[Notice, ...]:
     """A notice of each number whose (joint, field) is not `used`, with the effect to add, or the
-    change in that effect if it already acts on the joint; then what else the model's file says
-    and no effect uses.
+    change in that effect if it already acts on the joint; then further content of the model's file
+    that no effect uses.
 
     Zeros are not reported, since files write them for unknown numbers, except ends of ranges."""
     found = [notice for joint in model.joints
@@ -54,7 +54,7 @@ def _of(joint: Joint, model: Model, used: set[tuple[str, str]], catalogue: tuple
 
 
 def _notice(joint: Joint, subject: str, what: str, remedy: str) -> Notice:
-    """Without a remedy no effect of the catalogue takes it."""
+    """The notice; without a remedy no effect of the catalogue uses the number."""
     used = f"is not used: {remedy}" if remedy else "is used by no effect"
     return Notice(subject, f"joint {joint.name}", f"joint {joint.name}: {what} {used}",
                   remedy if remedy.startswith("add ") else "")
@@ -73,8 +73,8 @@ def _remedy(joint: Joint, field: str, model: Model, catalogue: tuple[Effect, ...
 
 def adding(joint: Joint, field: str, model: Model, catalogue: tuple[Effect, ...],
            acting: tuple[Applied, ...]) -> str:
-    """The text with which the first effect that can takes a joint's number; "" if none can:
-    'add [effects.viscous] with joints = "all" and d = "model"'.
+    """The text by which the first suitable effect uses a joint's number; "" if there is none: 'add
+    [effects.viscous] with joints = "all" and d = "model"'.
 
     In a table for this joint alone if the effect acts elsewhere or cannot take all joints'."""
     effect = next((x for x in catalogue if any(p.model == field for p in x.parameters)), None)

@@ -11,7 +11,7 @@ import numpy as np
 
 from coscrew_codegen.program.values.formats import BY_NAME
 from coscrew_codegen.runtime.lanes import one_by_one
-from coscrew_codegen.scene.integrators import DEFAULT, named
+from coscrew_codegen.scene.integrators import DEFAULT, INTEGRATOR_NAMED
 from coscrew_codegen.scene.recorded_quantities import expected, recorded
 from coscrew_codegen.scene.scene import Expectation
 from coscrew_codegen.simulation.check import check_rounding, step_advice
@@ -107,7 +107,7 @@ def _along(system: System, planned: Plan, trajectory: Trajectory) -> AlongRun:
         system.precision.name,
         f"rtol {planned.rtol:.3g}" if planned.adaptive else f"step {planned.step:g} s",
         trajectory.stopped, coarse, balance(system, finer, trajectory.t), None,
-        *_matrices(system, trajectory), named(planned.integrator),
+        *_matrices(system, trajectory), INTEGRATOR_NAMED[planned.integrator],
         0.0 if planned.adaptive else planned.step, step_advice.error(system, trajectory, true),
         true.until, true.end, true.step, step_advice.resting(system, true))
     if trajectory.stopped:
@@ -179,8 +179,8 @@ def _sparse(system: System, trajectory: Trajectory) -> Recording:
     """The state and the recorded quantities, at some of the samples."""
     some = _chosen(trajectory, _some(trajectory))
     texts = dict.fromkeys(("q", "v", *system.scene.record))
-    found = [recorded(text, system.scene) for text in texts]
-    columns = tuple(Column(name, unit, x.quantity) for x in found
+    results = [recorded(text, system.scene) for text in texts]
+    columns = tuple(Column(name, unit, x.quantity) for x in results
                     for name, unit in zip(x.names, x.units, strict=True))
     return Recording(some.t, columns, np.concatenate(
-        [quantity(system, some, x) for x in found], 1), ())
+        [quantity(system, some, x) for x in results], 1), ())

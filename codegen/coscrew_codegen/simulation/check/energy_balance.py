@@ -12,7 +12,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from coscrew_codegen.scene.integrators import DEFAULT, named
+from coscrew_codegen.scene.integrators import DEFAULT, INTEGRATOR_NAMED
 from coscrew_codegen.simulation.plan import Trajectory
 from coscrew_codegen.simulation.recordings.record import largest
 from coscrew_codegen.simulation.system import System
@@ -130,8 +130,8 @@ def _refined(system: System, trajectory: Trajectory, change: np.ndarray, work: n
 
 
 def _rounds(system: System, trajectory: Trajectory, unclear: np.ndarray) -> Iterator[np.ndarray]:
-    """The intervals to refine, in groups: first those that start from samples, then those that
-    continue from an interval of the previous group."""
+    """The intervals to refine, in groups: the first group starts from samples, each later one
+    continues from intervals of the previous group."""
     q, v = (x[unclear] for x in (trajectory.q, trajectory.v))
     before = np.zeros(len(unclear), int)
     if system.has("parts"):
@@ -147,8 +147,8 @@ def _closely(system: System, t: np.ndarray, interval: np.ndarray, count: np.ndar
     h, total, before = interval / count, np.zeros(len(t)), _power(system, t, q, v)
     for k in range(count.max(initial=0)):
         i = np.flatnonzero(k < count)
-        q[i], v[i] = system.outputs(named(DEFAULT).step_name, t=t[i] + k * h[i], h=h[i], q=q[i],
-                                 v=v[i])
+        q[i], v[i] = system.outputs(INTEGRATOR_NAMED[DEFAULT].step_name, t=t[i] + k * h[i],
+                                    h=h[i], q=q[i], v=v[i])
         after = _power(system, t[i] + (k + 1) * h[i], q[i], v[i])
         total[i] += h[i] / 2 * (before[i] + after)
         before[i] = after

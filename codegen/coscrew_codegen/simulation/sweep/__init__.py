@@ -1,12 +1,12 @@
 """Sweeps: many runs of a scene with varied parameters and starts, on Dask, into a folder.
 
     sweep_options    the words of the command line, --grid and --sobol
-    candidates       what of a scene can vary
-    specification    what varies how: from it follow the values of each member, and its hash
-    member_values    the values of member k, whoever computes them
+    candidates       the inputs of a scene that can vary
+    specification    the varied inputs: they determine the values of each member, and the hash
+    member_values    the values of member k, the same wherever they are computed
     refusals         parameters that the scene's rules refuse, before anything starts
-    batch, member_summary   chunks of members run at once, and what is kept of them
-    single_member    one member by itself, as `run` runs it
+    batch, member_summary   chunks of members run at once, and the numbers kept of them
+    single_member    one member alone, as `run` runs it
     chunk            from the number of a chunk to its Parquet file, in a worker
     cluster          workers of this machine or of a cluster; chunks in a moving window
     files/           Parquet files, Zarr and sweep.json with checksums; damaged ones move aside

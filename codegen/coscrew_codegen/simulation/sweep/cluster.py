@@ -11,7 +11,7 @@ from contextlib import contextmanager, suppress
 from multiprocessing import resource_tracker
 from typing import TYPE_CHECKING
 
-from coscrew_codegen.runtime.pickles import standard
+from coscrew_codegen.runtime.cache import standard
 from coscrew_codegen.simulation.sweep import SweepError
 from coscrew_codegen.simulation.sweep.chunk import Chunk, ChunkCall, Job
 

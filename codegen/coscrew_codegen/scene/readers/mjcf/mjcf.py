@@ -3,7 +3,7 @@
 A body with n joints is moved by a chain of n links, n - 1 of them without mass.  Where a joint's
 anchor is off the body's origin, a link without mass turns there, and the body is fixed to it.
 `ref` is in the joint's place, and a free body's place is only where it starts: q is MuJoCo's qpos,
-but for quaternions, whose scalar is last here.
+except for quaternions, whose scalar is last here.
 """
 
 from collections.abc import Iterator, Sequence

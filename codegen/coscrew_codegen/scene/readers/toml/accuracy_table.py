@@ -12,7 +12,7 @@ from coscrew_codegen.scene.scene import Scene, Tolerance
 
 def read_accuracy(file: TomlTable, scene: Scene, selected: Collection[str]) -> tuple[Tolerance,
                                                                                      ...]:
-    """Reads the accuracies asked of functions, which must be selected; steps have no tier."""
+    """Reads the accuracies requested of functions, which must be selected; steps have no tier."""
     table = file.table("accuracy")
     steps = {x.name for x in functions_of(scene) if x.step}
     functions = [name for name in names(scene) if name not in steps]
@@ -27,7 +27,9 @@ def read_accuracy(file: TomlTable, scene: Scene, selected: Collection[str]) -> t
 
 def limits_used(scene: Scene, accuracy: Collection[Tolerance]) -> set[tuple[str, str]]:
     """The limits of joints, as (joint, field), between which states are drawn for these."""
-    fields = {"lower", "upper"} if accuracy else set()
+    if not accuracy:
+        return set()
+    fields = {"lower", "upper"}
     of = {x.function for x in accuracy}
     for takes in (x.takes for x in functions_of(scene) if x.name in of):
         if not {*takes} <= {"q"}:

@@ -75,7 +75,7 @@ class EffectTable:
 
     @property
     def needs(self) -> str:
-        """Sentence on what a joint or body must be for the effect to act on it."""
+        """Sentence on the properties that a joint or body needs for the effect to act on it."""
         if self.effect.place is not Place.JOINT:
             return "has a mass"
         return "moves" if self.effect.reaction else f"is {called(ONE_COORDINATE, 'or')}"

@@ -37,7 +37,7 @@ from coscrew_codegen.scene.readers.unused import besides, unused
 from coscrew_codegen.scene.recordable import quantities_of
 from coscrew_codegen.scene.recorded_quantities import QuantityError, expected
 from coscrew_codegen.scene.scene import Expectation, Run, Scene
-from coscrew_codegen.scene.tier_selection import TiersError, asked, selected
+from coscrew_codegen.scene.tier_selection import TiersError, on_request, selected
 
 
 @dataclass(frozen=True)
@@ -117,7 +117,7 @@ def _all_effects() -> tuple[Effect, ...]:
 
 
 def _emitted(precision: str | None) -> tuple[str, ...]:
-    """The precisions that a scene is generated in: only double if that is selected, since single
+    """The precisions in which a scene is generated: only double if that is selected, since single
     may not hold the scene's numbers; else both."""
     return (DOUBLE.name,) if precision == DOUBLE.name else tuple(BY_NAME)
 
@@ -152,10 +152,12 @@ def _scene(file: TomlTable, catalogue: tuple[Effect, ...], overrides: SceneOverr
                     every=float(outputs.positive("every", Fraction(1, 100))),
                     expectations=_expectations(file, scene))
     functions = _functions(file, scene)
-    accuracy = read_accuracy(file, scene, resolved(scene, functions))
+    accuracy = read_accuracy(file, scene, resolved(scene, functions)) if "accuracy" in file else ()
     functions = overrides.functions or functions
-    accuracy = tuple(x for x in accuracy if x.function in resolved(scene, functions))
-    tiers = selected((*_tiers(file), *(asked() if accuracy else ())))
+    if accuracy:
+        selected_now = resolved(scene, functions)
+        accuracy = tuple(x for x in accuracy if x.function in selected_now)
+    tiers = selected((*_tiers(file), *(on_request() if accuracy else ())))
     drawn = limits_used(scene, accuracy)
     refuse_faults(file, scene, drawn)
     told = unused(model, use.of_model | drawn, catalogue, effects)
@@ -193,7 +195,8 @@ def _tiers(file: TomlTable) -> tuple[str, ...]:
 
 def _selecting(scene: Scene, functions: tuple[str, ...]) -> Scene:
     """The scene with these functions selected.  Raises FunctionsError for unknown functions."""
-    resolved(scene, functions)
+    if functions:
+        resolved(scene, functions)
     return replace(scene, functions=functions)
 
 

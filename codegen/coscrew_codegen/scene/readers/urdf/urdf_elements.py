@@ -33,7 +33,7 @@ _T = TypeVar("_T")
 
 
 class Elements:
-    """The elements of one file.  Collects in `notices` what is read and not used."""
+    """The elements of one file.  Collects in `notices` the content that is read and not used."""
 
     def __init__(self, path: Path, contents: bytes | None = None) -> None:
         self.path = path
@@ -187,7 +187,7 @@ def _numbers(text: str, count: int) -> tuple[Fraction, ...]:
 
 def _alike(a: Element, b: Element) -> bool:
     """Returns whether two elements say the same: numbers of URDF are compared by value, names and
-    what is other tools' as texts."""
+    other tools' attributes as texts."""
     return (a.tag == b.tag and a.attributes.keys() == b.attributes.keys()
             and all(_value(a.tag, name, text) == _value(b.tag, name, b.attributes[name])
                     for name, text in a.attributes.items())

@@ -1,7 +1,7 @@
-"""URDF's elements and attributes, in all its versions, and what is wrong with others.
+"""URDF's elements and attributes, in all its versions, and the faults of others.
 
 Elements of other tools are free; so are attributes of other tools that do not change a motion.
-Misspelt and misplaced names of URDF are found by their likeness, also where the case differs.
+Misspelt and misplaced names of URDF are recognized by their likeness, also where the case differs.
 """
 
 from collections.abc import Collection, Iterator, Mapping
@@ -55,7 +55,7 @@ OTHERS: Mapping[str, Mapping[str, str]] = {
                  "mu_coulomb": "", "mu_viscous": ""},
     "limit": {"command_effort": "", "current": "", "gear_velocity": "", "twist": ""}}
 """Physical numbers of other tools, in files of well-known robots, by element: the parameter of an
-effect that acts alike.  They are told unless they are zero."""
+effect that acts alike.  They are reported unless they are zero."""
 
 OTHER_ELEMENTS = {"joint": ("joint_properties",), "inertial": ("density",)}
 """Elements of other tools with physical numbers: a notice unless those are zero."""
@@ -122,8 +122,8 @@ def wanted_instead(tag: str) -> str:
 
 
 def misspelt_elements(owner: Element) -> Iterator[tuple[Element, str]]:
-    """Children that are no other tool's elements but URDF's, misspelt or misplaced, and what is
-    wrong with each."""
+    """Children that are URDF's elements, misspelt or misplaced, with the fault of each; other
+    tools' elements are not among them."""
     known = (*CHILDREN.get(owner.tag, ()), *OTHER_ELEMENTS.get(owner.tag, ()))
     for child in owner.children:
         if child.tag not in known and (problem := _wrong_element(owner.tag, child)):
@@ -149,8 +149,8 @@ def _wrong_element(owner: str, child: Element) -> str:
 
 
 def _of_frame(tag: str, child: Element) -> str:
-    """The problem of an element of a joint or an inertial that holds what an attribute of
-    URDF says."""
+    """The problem of an element of a joint or an inertial with the content of an attribute of URDF.
+    """
     if tag.lower() in _FRAMES:
         return (f"unknown element <{tag}>; did you mean <origin>, with "
                 f"{', '.join(ATTRIBUTES['origin'])}?")

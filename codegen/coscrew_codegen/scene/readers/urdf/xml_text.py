@@ -10,8 +10,8 @@ _MARKS = ((codecs.BOM_UTF32_LE, "utf-32"), (codecs.BOM_UTF32_BE, "utf-32"),
           (b"<\0\0\0", "utf-32-le"), (b"\0\0\0<", "utf-32-be"),
           (codecs.BOM_UTF8, "utf-8-sig"), (codecs.BOM_UTF16_LE, "utf-16"),
           (codecs.BOM_UTF16_BE, "utf-16"), (b"<\0", "utf-16-le"), (b"\0<", "utf-16-be"))
-"""How a file begins, and in which encoding; such a beginning overrides the declaration, which is
-wrong in files that a shell's `>` wrote."""
+"""First bytes of files, with the encoding of each; they override the declaration, which is wrong in
+files that a shell's `>` wrote."""
 _DECLARED = re.compile(rb"""\s*<\?xml[^>]{0,200}?\bencoding\s*=\s*["']([\w.:-]{1,40})["']""")
 _ASCII = bytes(range(32, 92)) + rb"\x41 \u0041" + bytes(range(93, 127))
 """Printable characters, and escapes, which some of Python's encodings would change."""

@@ -18,8 +18,8 @@ def bound(function: str, inputs: Sequence[tuple[str, Shape]], given: Sequence[Gi
           named: Mapping[str, Given]) -> dict[str, Given]:
     """The arguments by name, in the order of `inputs`, which holds names and shapes of last axes.
 
-    Raises TypeError for missing, repeated and unknown ones.  Of arguments that are given in order,
-    the missing one is that without which the others' shapes fit."""
+    Raises TypeError for missing, repeated and unknown ones.  If arguments are given in order, the
+    missing one is the one whose omission makes the others' shapes fit."""
     names = [name for name, _ in inputs]
     if len(given) == len(names) and not named:
         return dict(zip(names, given, strict=True))
@@ -40,7 +40,7 @@ def bound(function: str, inputs: Sequence[tuple[str, Shape]], given: Sequence[Gi
 
 def _missing(inputs: Sequence[tuple[str, Shape]], given: Sequence[object],
              named: Mapping[str, object], count: int) -> str:
-    """"p is missing", if shapes tell so; else how many arguments there are."""
+    """"p is missing", if shapes show it; else the number of arguments."""
     others = [x for x in inputs if x[0] not in named]
     fitting = [kept for kept in combinations(others, len(given))
                if all(_fits(x, shape) for x, (_, shape) in zip(given, kept, strict=True))]
