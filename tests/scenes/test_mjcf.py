@@ -75,6 +75,17 @@ def test_what_the_file_says_is_in_the_model(read):
                for x in scene.unused)
 
 
+def test_bodies_and_joints_may_have_one_name_or_none(read):
+    """Taken names get a _ after them."""
+    text = """<mujoco><worldbody><body name="arm"><joint name="arm" pos="0.1 0 0"/>
+<geom size="0.1"/><body name="arm/arm"><joint/><geom size="0.1"/><body>
+<joint name="joint1" axis="0 1 0"/>
+<geom size="0.1"/></body></body></body></worldbody></mujoco>"""
+    model = read(text).model
+    assert [x.name for x in model.joints] == ["arm", "arm/fixed", "joint1", "joint1_"]
+    assert [x.name for x in model.bodies] == ["arm/arm_", "arm", "arm/arm", "body3"]
+
+
 def test_it_starts_where_mujoco_does(read, tmp_path):
     scene = read()
     theirs = mujoco.MjModel.from_xml_path(str(tmp_path / "robot.xml"))

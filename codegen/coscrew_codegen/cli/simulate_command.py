@@ -13,6 +13,7 @@ from coscrew_codegen.program.values.formats import CHOICES
 from coscrew_codegen.scene.integrators import in_words
 
 if TYPE_CHECKING:
+    from coscrew_codegen.scene.readers.toml.toml_scene import SceneOverrides
     from coscrew_codegen.scene.scene import Scene
     from coscrew_codegen.simulation.recordings.result import Result
 
@@ -99,17 +100,25 @@ def tell_unused(scene: "Scene", verbose: bool, prefix: str = "coscrew") -> None:
         print(f"{prefix}: {line}", file=sys.stderr)
 
 
+def overrides_of(options: argparse.Namespace) -> "SceneOverrides":
+    """What the options say of how the model's file is read."""
+    from coscrew_codegen.scene.readers.toml.toml_scene import SceneOverrides
+
+    return SceneOverrides(
+        implausible=options.implausible, arguments=tuple(options.arguments),
+        packages=tuple(options.packages), leave_out=tuple(options.leave_out))
+
+
 def scene_of(options: argparse.Namespace, precision: str | None,
              functions: tuple[str, ...] = (), tiers: tuple[str, ...] = ()) -> "Scene":
     """The scene of the options, with `functions` and `tiers` instead of its own if there are any.
 
     Implausible bodies that the scene allows are reported on standard error."""
     from coscrew_codegen.scene.readers.model_formats import SCENE_SUFFIX
-    from coscrew_codegen.scene.readers.toml.toml_scene import SceneOverrides, read_scene
+    from coscrew_codegen.scene.readers.toml.toml_scene import read_scene
 
-    overrides = SceneOverrides(precision, options.implausible, functions, tiers,
-                               tuple(options.arguments), tuple(options.packages),
-                               tuple(options.leave_out))
+    overrides = replace(overrides_of(options), precision=precision, functions=functions,
+                        tiers=tiers)
     scene = read_scene(options.scene, overrides=overrides)
     if options.scene.suffix.lower() != SCENE_SUFFIX:
         print(f"coscrew: {options.scene.name} alone: {_acting(scene)}", file=sys.stderr)

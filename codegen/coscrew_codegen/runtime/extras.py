@@ -10,7 +10,7 @@ EXTRAS = {"codegen": GENERATOR,
                     "distributed", "zarr", "xarray", "pandas")}
 """Modules by extra; `simulate` also installs pyarrow, which only .parquet files need."""
 
-COMMANDS = {"generate": "codegen", "effects": "codegen", "schema": "codegen",
+COMMANDS = {"generate": "codegen", "import": "codegen", "effects": "codegen", "schema": "codegen",
             "simulate": "simulate", "check": "simulate", "cache": "simulate", "cost": "simulate",
             "report": "report", "sweep": "sweep"}
 """The extra of each command."""

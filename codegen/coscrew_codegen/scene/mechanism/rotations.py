@@ -43,6 +43,19 @@ def from_quaternion(quaternion: Sequence[Fraction]) -> Entries:
         two * (x * z - w * y), two * (y * z + w * x), 1 - two * (x * x + y * y)))
 
 
+def quaternion(R: Entries) -> Entries:
+    """x, y, z, w of norm 1 of a rotation, to 50 digits; the largest is positive.  (9)->(4).
+
+    4 q q^T has the entries 1 + R_xx - R_yy - R_zz, R_xy + R_yx, …; its row with the largest entry
+    on the diagonal, normalized, is q."""
+    xx, xy, xz, yx, yy, yz, zx, zy, zz = R
+    rows = ((1 + xx - yy - zz, xy + yx, xz + zx, zy - yz),
+            (xy + yx, 1 - xx + yy - zz, yz + zy, xz - zx),
+            (xz + zx, yz + zy, 1 - xx - yy + zz, yx - xy),
+            (zy - yz, xz - zx, yx - xy, 1 + xx + yy + zz))
+    return unit(max(enumerate(rows), key=lambda x: x[1][x[0]])[1])
+
+
 def from_axis_angle(axis: Sequence[Fraction], angle: Fraction) -> Entries:
     """R = 1 + sin(angle) n~ + (1 - cos(angle)) n~², n = axis/|axis|, angle in rad.  (9).
 

@@ -22,8 +22,13 @@ def unused(model: Model, used: set[tuple[str, str]], catalogue: tuple[Effect, ..
     Zeros are not reported, since files write them for unknown numbers, except ends of ranges."""
     found = [notice for joint in model.joints
              for notice in _of(joint, model, used, catalogue, acting)]
+    return (*found, *besides(model, acting))
+
+
+def besides(model: Model, acting: tuple[Applied, ...]) -> Iterator[Notice]:
+    """Notices of what the model's file says besides the model, and no effect uses."""
     there = {(x.effect.name, on) for x in acting for on in (x.on, x.label)}
-    return (*found, *(x for x in model.notices if x.used_by not in there))
+    yield from (x for x in model.notices if x.used_by not in there)
 
 
 def _of(joint: Joint, model: Model, used: set[tuple[str, str]], catalogue: tuple[Effect, ...],

@@ -84,13 +84,13 @@ def _moved(model: "mujoco.MjModel", names: MjcfNames, number: int) -> Iterator[B
     for j in range(first, first + count):
         at, anchor = _at_anchor(model, j, at)
         last = j == first + count - 1 and not any(anchor)
-        child = name if last else names.new(f"{name}/{names.joint(j)}")
+        child = name if last else names.new_body(f"{name}/{names.joint(j)}")
         if not last:
             yield Body(child)
         yield _joint(model, names, j, parent, child, at)
         parent, at = child, Placement(HERE.R, tuple(-x for x in anchor))
     if parent != name:
-        yield Joint(names.new(f"{name}/fixed"), FIXED, parent, name, at)
+        yield Joint(names.new_joint(f"{name}/fixed"), FIXED, parent, name, at)
 
 
 def _at_anchor(model: "mujoco.MjModel", j: int, at: Placement

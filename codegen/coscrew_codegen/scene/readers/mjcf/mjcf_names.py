@@ -14,13 +14,14 @@ _SMALLEST = 1e-300
 
 
 class MjcfNames:
-    """The names of bodies and joints: their own, or body3, joint7."""
+    """The names of bodies and of joints, which may coincide: their own, or body3, joint7."""
 
     def __init__(self, model: "mujoco.MjModel") -> None:
-        self._taken: set[str] = set()
-        self._bodies = [WORLD, *(self.new(model.body(i).name or f"body{i}")
+        self._taken: tuple[set[str], set[str]] = ({WORLD}, set())
+        self._bodies = [WORLD, *(self.new_body(model.body(i).name or f"body{i}")
                                  for i in range(1, model.nbody))]
-        self._joints = [self.new(model.joint(j).name or f"joint{j}") for j in range(model.njnt)]
+        self._joints = [self.new_joint(model.joint(j).name or f"joint{j}")
+                        for j in range(model.njnt)]
 
     def body(self, number: int) -> str:
         """The name of a body."""
@@ -30,12 +31,20 @@ class MjcfNames:
         """The name of a joint."""
         return self._joints[number]
 
-    def new(self, name: str) -> str:
-        """The name, with _ after it if it is taken."""
-        while name in self._taken or name == WORLD:
-            name += "_"
-        self._taken.add(name)
-        return name
+    def new_body(self, name: str) -> str:
+        """The name for a further body, with _ after it if it is taken."""
+        return _new(name, self._taken[0])
+
+    def new_joint(self, name: str) -> str:
+        """The name for a further joint, likewise."""
+        return _new(name, self._taken[1])
+
+
+def _new(name: str, taken: set[str]) -> str:
+    while name in taken:
+        name += "_"
+    taken.add(name)
+    return name
 
 
 def exact(numbers: Iterable[float]) -> tuple[Fraction, ...]:

@@ -28,11 +28,12 @@ from coscrew_codegen.scene.readers.toml.attached import with_attached
 from coscrew_codegen.scene.readers.toml.effect_table import Use
 from coscrew_codegen.scene.readers.toml.keys import EXPECT, OUTPUTS, RUN, SCENE, START
 from coscrew_codegen.scene.readers.toml.named_model import model_of
+from coscrew_codegen.scene.readers.toml.plain_tables import scene_text
 from coscrew_codegen.scene.readers.toml.runtime import with_parameters
 from coscrew_codegen.scene.readers.toml.toml_effects import read_effects, with_reactions
 from coscrew_codegen.scene.readers.toml.toml_model import refuse_not_unit
 from coscrew_codegen.scene.readers.toml.toml_tables import Decimals, TomlTable, described, read_toml
-from coscrew_codegen.scene.readers.unused import unused
+from coscrew_codegen.scene.readers.unused import besides, unused
 from coscrew_codegen.scene.recordable import quantities_of
 from coscrew_codegen.scene.recorded_quantities import QuantityError, expected
 from coscrew_codegen.scene.scene import Expectation, Run, Scene
@@ -73,16 +74,41 @@ def read_scene(path: Path | str, catalogue: tuple[Effect, ...] | None = None,
     effects = _all_effects() if catalogue is None else catalogue
     if path.suffix.lower() == SCENE_SUFFIX:
         return _scene(read_toml(path), effects, overrides)
-    if reader := reader_of(path):
-        source = ModelSource(path, None, overrides.implausible or ERROR, overrides.folders,
-                             dict(overrides.arguments), overrides.leave_out)
-        parts = reader.parts_of(source)
-        model = parts.model(source)
-        start = {name: [Decimals(repr(x)) for x in q] for name, q in parts.start.items()}
-        tables = {"name": identifier(stem(path)), "start": {"q": start},
-                  "effects": of_file_alone(model, parts.effects, effects)}
-        return _scene(TomlTable(path, "", tables), effects, overrides, model)
-    raise SceneError(path, "", unknown(path, scenes=True))
+    tables, model = _alone(path, effects, overrides)
+    return _scene(tables, effects, overrides, model)
+
+
+def imported(path: Path, overrides: SceneOverrides) -> str:
+    """The text of a scene of plain tables: what a model's file alone is, and in comments what it
+    says besides.  Raises SceneError as `read_scene`, and for a scene."""
+    if path.suffix.lower() == SCENE_SUFFIX:
+        raise SceneError(path, "", "is a scene; wanted a model's file")
+    effects = _all_effects()
+    file, model = _alone(path, effects, overrides)
+    _refuse_still(path, model)
+    tables = file.table("effects")
+    acting = read_effects(tables, model, effects, Use())
+    wrong = (f"joint {joint.name}: {fault}" for joint in model.joints for fault in joint.faults)
+    comments = (f"Made of {path.name} by `coscrew import`.", *wrong,
+                *(x.text for x in besides(model, acting)))
+    return scene_text(file.text("name"), model, tables.values,
+                      file.table("start").table("q").values, comments)
+
+
+def _alone(path: Path, catalogue: tuple[Effect, ...], overrides: SceneOverrides
+           ) -> tuple[TomlTable, Model]:
+    """The tables that a model's file alone stands for, and the model.  Raises SceneError."""
+    reader = reader_of(path)
+    if reader is None:
+        raise SceneError(path, "", unknown(path, scenes=True))
+    source = ModelSource(path, None, overrides.implausible or ERROR, overrides.folders,
+                         dict(overrides.arguments), overrides.leave_out)
+    parts = reader.parts_of(source)
+    model = parts.model(source)
+    start = {name: [Decimals(repr(x)) for x in q] for name, q in parts.start.items()}
+    return TomlTable(path, "", {
+        "name": identifier(stem(path)), "start": {"q": start},
+        "effects": of_file_alone(model, parts.effects, catalogue)}), model
 
 
 def _all_effects() -> tuple[Effect, ...]:

@@ -1,0 +1,95 @@
+"""Writes a model and effects as a scene file of plain tables, which needs no other file."""
+
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from decimal import Context, Decimal
+from fractions import Fraction
+
+from coscrew_codegen.program.values.parameter import Scalar
+from coscrew_codegen.scene.mechanism import rotations
+from coscrew_codegen.scene.mechanism.inertia_checks import WARN
+from coscrew_codegen.scene.mechanism.model import HERE, WORLD, Body, Joint, Model, Placement, value
+from coscrew_codegen.scene.names import toml_key
+from coscrew_codegen.scene.readers.toml.toml_tables import Decimals
+from coscrew_codegen.scene.readers.toml.toml_text import toml_pairs
+
+_DIGITS = Context(prec=40)
+"""Numbers with more digits, such as entries of rotations, are rounded to so many: far below the
+rounding of double precision."""
+
+
+def scene_text(name: str, model: Model, effects: Mapping[str, object],
+               start: Mapping[str, object], comments: Iterable[str]) -> str:
+    """The text of a scene; each comment is a line at its beginning."""
+    lines = [f"# {' '.join(x.split())}" for x in comments]
+    lines += ["", *toml_pairs({"name": name})]
+    if model.implausible:
+        lines += toml_pairs({"implausible": WARN})
+    lines += ["", "[bodies]", *toml_pairs({x.name: _body(x) for x in model.bodies})]
+    lines += ["", "[joints]", *toml_pairs({x.name: _joint(x) for x in model.joints})]
+    for effect, table in effects.items():
+        lines += ["", *_effect(effect, table)]
+    if start:
+        lines += ["", "[start.q]", *toml_pairs(start)]
+    return "\n".join(lines).lstrip("\n") + "\n"
+
+
+def _effect(effect: str, table: object) -> Iterator[str]:
+    """The table of an effect, or its tables by joint, body or label."""
+    assert isinstance(table, Mapping)
+    if not table or not all(isinstance(x, Mapping) for x in table.values()):
+        yield from (f"[effects.{effect}]", *toml_pairs(table))
+        return
+    for on, values in table.items():
+        yield from (f"[effects.{effect}.{toml_key(on)}]", *toml_pairs(values))
+
+
+def _body(body: Body) -> dict[str, object]:
+    inertia = body.inertia
+    if inertia is None:
+        return {}
+    moments = inertia.moments if any(map(value, inertia.moments[3:])) else inertia.moments[:3]
+    return {"mass": _number(inertia.mass), "com": _numbers(inertia.com),
+            "inertia": _numbers(moments)}
+
+
+def _joint(joint: Joint) -> dict[str, object]:
+    """The keys that are not the defaults."""
+    found: dict[str, object] = {"type": joint.kind.name}
+    if joint.parent != WORLD:
+        found["parent"] = joint.parent
+    found["child"] = joint.child
+    if joint.placement != HERE:
+        found["origin"] = _origin(joint.placement)
+    found |= {key: _numbers(axis) for key, axis in zip(("axis", "axis2"), joint.axes, strict=False)}
+    limits = {key: _number(x) for key in ("lower", "upper", "effort", "velocity")
+              if (x := getattr(joint, key)) is not None}
+    if limits:
+        found["limits"] = limits
+    found |= {key: _number(x) for key in ("damping", "friction")
+              if (x := getattr(joint, key)) is not None}
+    if joint.mimic:
+        found["mimic"] = {"joint": joint.mimic.joint, "multiplier": _number(
+            joint.mimic.multiplier), "offset": _number(joint.mimic.offset)}
+    return found
+
+
+def _origin(placement: Placement) -> dict[str, object]:
+    found: dict[str, object] = {}
+    if any(placement.t):
+        found["xyz"] = _numbers(placement.t)
+    if placement.R != HERE.R:
+        found["quaternion"] = _numbers(rotations.quaternion(placement.R))
+    return found
+
+
+def _numbers(numbers: Sequence[Scalar]) -> list[Decimals]:
+    return [_number(x) for x in numbers]
+
+
+def _number(x: Scalar) -> Decimals:
+    """The number in decimals: exact if it has at most 40 digits."""
+    number: Fraction = value(x)
+    decimal = _DIGITS.divide(Decimal(number.numerator), Decimal(number.denominator))
+    return Decimals(str(decimal.normalize(_DIGITS)))
+
+
