@@ -75,7 +75,7 @@ def scene(tmp_path_factory):
 
 def test_every_file_of_a_scene_has_them(scene):
     files = [*scene.glob("*.[ch]"), *(scene / "arm6").glob("*.py")]
-    assert len(files) == 6
+    assert len(files) == 8
     for path in files:
         refuse_other_heads(str(path), path.read_text(encoding="utf-8"))
     assert f'GENERATOR_VERSION = "{VERSION}"' in (scene / "arm6" / "__init__.py").read_text()
