@@ -113,32 +113,32 @@ def differences(wanted: Any, results: list[np.ndarray], precision: Precision) ->
 
 def operations(device: Device, precision: Precision) -> str:
     functions, twins = coscrew.arrays(device.namespace), getattr(coscrew, precision.name)
-    found = {}
+    values = {}
     for operation in OPERATIONS:
         given = inputs_of(operation, precision)
         results = device.evaluate(getattr(functions, operation.name), given)
-        found[operation.name] = differences(
+        values[operation.name] = differences(
             getattr(twins, operation.name)(*given), results, precision)
-    return summary("operations", found)
+    return summary("operations", values)
 
 
-def summary(what: str, found: dict[str, float]) -> str:
-    worst = max(found, key=lambda name: found[name])
-    same = sum(not x for x in found.values())
-    return f"{len(found)} {what}: {same} with NumPy's bits, at most {found[worst]:.3g} u ({worst})"
+def summary(what: str, got: dict[str, float]) -> str:
+    worst = max(got, key=lambda name: got[name])
+    same = sum(not x for x in got.values())
+    return f"{len(got)} {what}: {same} with NumPy's bits, at most {got[worst]:.3g} u ({worst})"
 
 
 def elementary(device: Device, precision: Precision) -> str:
     """Their errors in ulps, divided by the proved bounds: at most 1."""
-    functions, found = coscrew.arrays(device.namespace), {}
+    functions, result = coscrew.arrays(device.namespace), {}
     for function in ELEMENTARY:
         x = numbers(precision)
         given = (x, np.roll(x, 1))[:len(function.inputs)]
         results = device.evaluate(getattr(functions, function.name), given)
-        found[function.name] = max(ratios(function, precision, given, results))
-    worst = max(found, key=lambda name: found[name])
-    assert found[worst] <= 1.01, found
-    return f"{len(found)} elementary functions: {found[worst]:.2f} of their bounds ({worst})"
+        result[function.name] = max(ratios(function, precision, given, results))
+    worst = max(result, key=lambda name: result[name])
+    assert result[worst] <= 1.01, result
+    return f"{len(result)} elementary functions: {result[worst]:.2f} of their bounds ({worst})"
 
 
 def numbers(precision: Precision) -> np.ndarray:
@@ -188,7 +188,7 @@ def nearest_rotations(device: Device, precision: Precision) -> str:
 
 def scene(device: Device, precision: Precision, kernels: Kernels) -> str:
     """A scene's functions, with an own t and p for all states."""
-    functions, found = kernels.arrays(device.namespace), {}
+    functions, result = kernels.arrays(device.namespace), {}
     rng = np.random.default_rng(5)
     for signature in kernels.interface.signatures:
         if signature.name not in functions:
@@ -197,8 +197,8 @@ def scene(device: Device, precision: Precision, kernels: Kernels) -> str:
             precision.numpy_type) for x, shape in signature.inputs]
         wanted = getattr(getattr(kernels, precision.name), signature.name)(*given)
         results = device.evaluate(getattr(functions, signature.name), given)
-        found[signature.name] = differences(wanted, results, precision)
-    return summary("functions of a scene", found)
+        result[signature.name] = differences(wanted, results, precision)
+    return summary("functions of a scene", result)
 
 
 def checks(device: Device, kernels: Kernels) -> Iterator[tuple[Precision, Callable[[], str]]]:

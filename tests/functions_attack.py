@@ -104,9 +104,9 @@ def _screw(displacement: Vector) -> list[mpfr]:
 
 def judged(operation: Operation, given: Array, precision: Precision) -> Found:
     """Judges these calls."""
-    found = joined(gufuncs(coscrew.certified)(operation, precision, split(operation, given)))
-    half, errors, truth = found.shape[1] // 2, [], _truth(operation)
-    for row, got in zip(given.tolist(), found.tolist(), strict=True):
+    result = joined(gufuncs(coscrew.certified)(operation, precision, split(operation, given)))
+    half, errors, truth = result.shape[1] // 2, [], _truth(operation)
+    for row, got in zip(given.tolist(), result.tolist(), strict=True):
         with gmpy2.context(precision=BITS):
             true = truth(list(map(mpfr, row))) if any(map(math.isfinite, got[half:])) else ()
         errors += [ratio(x, bound, y) for x, bound, y in zip(
@@ -127,13 +127,13 @@ def attacked(operation: Operation, precision: Precision, outputs: int, seed: int
     """Attacks an operation on at least so many outputs."""
     kind = np.dtype(precision.numpy_type).type
     rng = np.random.default_rng([seed, precision.bytes, *operation.name.encode()])
-    cases, found = hard_rows(operation, precision), Found()
-    while found.outputs + found.silent < outputs:
+    cases, result = hard_rows(operation, precision), Found()
+    while result.outputs + result.silent < outputs:
         beside = cases[rng.integers(0, len(cases), BATCH // 4)]
         beside = beside * (1 + np.finfo(kind).eps * rng.integers(-3, 4, beside.shape))
         given = np.vstack([drawn(rng, operation, kind), beside]).astype(kind)
-        found += judged(operation, given[np.isfinite(given).all(axis=1)], precision)
-    return found
+        result += judged(operation, given[np.isfinite(given).all(axis=1)], precision)
+    return result
 
 
 def rows(names: list[str], outputs: int, seed: int) -> Iterator[tuple[str, str, Found]]:

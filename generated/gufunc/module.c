@@ -37,7 +37,7 @@ PyMODINIT_FUNC PyInit__gufunc(void) {
   PyObject *module = PyModule_Create(&definition);
   if (module == NULL
       || add_gufuncs(module, best ? avx2 : baseline, sizeof baseline / sizeof baseline[0]) < 0
-      || PyModule_AddStringConstant(module, "PROVENANCE", "20f0bc0a339a3ae5") < 0
+      || PyModule_AddStringConstant(module, "PROVENANCE", "f892c3a48e8af2ed") < 0
       || PyModule_AddStringConstant(module, "LOOPS", best ? "AVX2" : "baseline") < 0) {
     Py_XDECREF(module);
     return NULL;

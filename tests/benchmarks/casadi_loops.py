@@ -35,10 +35,10 @@ void loop_{name}(long n, void *const *x) {{
 def written(robot: Robot, folder: Path) -> str:
     """Write casadi.c and loops over its functions to a folder; returns the name of a missing
     library, or ""."""
-    found = find_spec("casadi")
-    if not found or not found.origin:
+    result = find_spec("casadi")
+    if not result or not result.origin:
         return "no CasADi: pip install casadi"
-    place = Path(found.origin).parent
+    place = Path(result.origin).parent
     writer, missing = library("clang++", SOURCE, (
         "-O0", f"-I{place / 'include'}", f"-L{place}", f"-Wl,-rpath,{place}", "-lcasadi"))
     if writer:

@@ -59,8 +59,8 @@ def counted(binary: Path) -> dict[str, float]:
     out = binary.with_suffix(".callgrind")
     run(("valgrind", "--tool=callgrind", f"--callgrind-out-file={out}", binary))
     table = run(("callgrind_annotate", "--inclusive=yes", "--threshold=100", out))
-    found = re.findall(r"^ *([\d,]+) .*?:(\w+) \[", table, re.M)
-    return {name: int(count.replace(",", "")) / CALLS for count, name in found}
+    matches = re.findall(r"^ *([\d,]+) .*?:(\w+) \[", table, re.M)
+    return {name: int(count.replace(",", "")) / CALLS for count, name in matches}
 
 
 def rows(name: str, folder: Path) -> Iterator[tuple[str, ...]]:

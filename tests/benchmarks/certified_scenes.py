@@ -69,18 +69,18 @@ def ratios(plain: SceneFunctions, function: FunctionProgram, certified: object, 
     states; and how many bounds are smaller."""
     given = states(plain, function, count, p)
     results, bounds = (flat(x, count) for x in certified(*given))
-    found, broken = [], 0
+    result, broken = [], 0
     with mpmath.workdps(DIGITS):
         for row, true in enumerate(truths(function.program, given)):
             for x, bound, exact in zip(results[row], bounds[row], true, strict=True):
                 error = abs(mpmath.mpf(float(x)) - exact)
                 if not np.isfinite(bound):
-                    found.append(np.inf)
+                    result.append(np.inf)
                     continue
                 broken += bool(error > float(bound))
                 if error:
-                    found.append(float(float(bound) / error))
-    return np.array(found), broken
+                    result.append(float(float(bound) / error))
+    return np.array(result), broken
 
 
 def rows(name: str, outputs: int) -> Iterator[tuple[object, ...]]:
@@ -90,10 +90,10 @@ def rows(name: str, outputs: int) -> Iterator[tuple[object, ...]]:
         count = -(-outputs // len(function.program.results))
         for p in PRECISIONS:
             certified = getattr(getattr(plain.certified, p.name), function.name)
-            found, broken = ratios(plain.functions, function, certified, p, count)
-            yield (name, function.name, p.name, count, len(found), *(f"{x:.4g}" for x in (
-                np.median(found), *np.quantile(found, (0.9, 1), method="higher"))),
-                int(np.isinf(found).sum()), broken)
+            result, broken = ratios(plain.functions, function, certified, p, count)
+            yield (name, function.name, p.name, count, len(result), *(f"{x:.4g}" for x in (
+                np.median(result), *np.quantile(result, (0.9, 1), method="higher"))),
+                int(np.isinf(result).sum()), broken)
 
 
 def calibrations(name: str, outputs: int, folder: Path) -> Iterator[Calibration]:
@@ -105,8 +105,8 @@ def calibrations(name: str, outputs: int, folder: Path) -> Iterator[Calibration]
         for p in PRECISIONS:
             given = states(plain.functions, function, count, p)
             certified = getattr(getattr(plain.certified, p.name), function.name)(*given)
-            found = judge(flat(tuple(given), count), *(flat(x, count) for x in certified))
-            yield Calibration(name, function.name, p, 1 / found[found > 0])
+            result = judge(flat(tuple(given), count), *(flat(x, count) for x in certified))
+            yield Calibration(name, function.name, p, 1 / result[result > 0])
 
 
 def calibrate(robots: Sequence[str], outputs: int, drawn: Path | None) -> None:
@@ -114,12 +114,12 @@ def calibrate(robots: Sequence[str], outputs: int, drawn: Path | None) -> None:
     if drawn:
         check_target(drawn, (".svg",))
     with tempfile.TemporaryDirectory() as folder:
-        found = [x for name in robots for x in calibrations(name, outputs, Path(folder))]
-    print(tabulate([x.row for x in found], (
+        results = [x for name in robots for x in calibrations(name, outputs, Path(folder))]
+    print(tabulate([x.row for x in results], (
         "robot", "function", "precision", "outputs with an error", *(f"<= {x}" for x in FACTORS),
         "largest"), disable_numparse=True))
     if drawn:
-        plot(found, drawn)
+        plot(results, drawn)
 
 
 def main() -> None:

@@ -48,10 +48,10 @@ def measured(kernels: Kernels, function: FunctionProgram,
         if not made.exists():
             built(folder, stem, precision)
         count, there = counted(made, stem, function, f"{name}{precision.suffix}", first, precision)
-        found = getattr(getattr(in_tier, precision.name), function.name)(
+        result = getattr(getattr(in_tier, precision.name), function.name)(
             *(x.astype(precision.numpy_type) for x in given))
-        assert np.array_equal(there, np.ravel(found[0])), "other bits than here"
-        judged = [(x.ulps(SINGLE), x.condition) for x in results(function.program, given, found)
+        assert np.array_equal(there, np.ravel(result[0])), "other bits than here"
+        judged = [(x.ulps(SINGLE), x.condition) for x in results(function.program, given, result)
                   if x.true]
         least = least or count
         yield (function.name, precision.name, tier or "plain", count, f"{count / least:.1f}",

@@ -18,7 +18,7 @@ from coscrew_codegen.dynamics import derive
 from coscrew_codegen.program.scene_functions import FunctionProgram, SceneFunctions
 from coscrew_codegen.program.values.formats import PRECISIONS, Precision
 from coscrew_codegen.reports.timing.loop_timing import Loop, driver, pointers, timed_loops
-from tests.benchmarks.words import said
+from tests.benchmarks.words import span
 from tests.support.scenes.robots import scene_of
 from tests.support.scenes.tiers import states
 
@@ -60,7 +60,8 @@ def written(scene: SceneFunctions, folder: Path) -> None:
     made["driver.c"] = driver()
     for tier in ("", *TIERS):
         stem = f"panda{tier and f'_{tier}'}"
-        made[f"{stem}_loops.c"] = f'#include "{stem}.c"\n' + "".join(loops(scene, tier))
+        made[f"{stem}_loops.c"] = "".join((*(f'#include "{x}"\n' for x in (
+            f"{stem}{p.suffix}.c" for p in PRECISIONS) if x in made), *loops(scene, tier)))
     for name, text in made.items():
         (folder / name).write_text(text)
 
@@ -109,8 +110,8 @@ def rows(scene: SceneFunctions, folder: Path, compiler: str, level: tuple[str, .
             variants = [(own, ""), (libm, ""), *((own, tier) for tier in TIERS)]
             timed = [loop(library, function, tier, p, given) for library, tier in variants]
             timings = timed_loops(own, timed, 1e9 * SECONDS)
-            yield (function.name, p.name, compiler, " ".join(level), said(timings[0].time),
-                   f"{timings[0].minimum:.0f}", *(said(x.ratio(timings[0])) for x in timings[1:]))
+            yield (function.name, p.name, compiler, " ".join(level), span(timings[0].time),
+                   f"{timings[0].minimum:.0f}", *(span(x.ratio(timings[0])) for x in timings[1:]))
 
 
 def loop(library: ctypes.CDLL, function: FunctionProgram, tier: str, precision: Precision,

@@ -90,8 +90,8 @@ def torque(q: mpf, a: mpf) -> mpf:
 
 
 def test_errors_are_those_against_the_closed_form(kernels: Kernels):
-    found = {(x.function, x.precision): x for x in rounding(kernels, [*runs(kernels)])}
-    assert len(found) == 4
+    results = {(x.function, x.precision): x for x in rounding(kernels, [*runs(kernels)])}
+    assert len(results) == 4
     for its, trajectory in runs(kernels):
         a = check_rounding._states(its, trajectory)["a"]
         tau = its.call("inverse_dynamics", q=trajectory.q, v=trajectory.v, a=a)
@@ -99,12 +99,12 @@ def test_errors_are_those_against_the_closed_form(kernels: Kernels):
             true = [torque(*(mpf(float(x[0])) for x in row))
                     for row in zip(trajectory.q, a, strict=True)]
             errors = [float(abs(mpf(float(x[0])) - y)) for x, y in zip(tau, true, strict=True)]
-        told, at = found["inverse_dynamics", its.precision.name], int(np.argmax(errors))
-        assert (told.error, told.at, told.states) == (errors[at], trajectory.t[at], STATES)
-        assert told.digits == pytest.approx(math.log10(abs(true[at]) / errors[at]), abs=1e-9)
-        assert told.certified and told.certified.stated == told.certified.of == STATES
-        assert 1 <= told.certified.ratio < 1.5 and told.certified.broken is None
-    for x in found.values():
+        rounded, at = results["inverse_dynamics", its.precision.name], int(np.argmax(errors))
+        assert (rounded.error, rounded.at, rounded.states) == (errors[at], trajectory.t[at], STATES)
+        assert rounded.digits == pytest.approx(math.log10(abs(true[at]) / errors[at]), abs=1e-9)
+        assert rounded.certified and rounded.certified.stated == rounded.certified.of == STATES
+        assert 1 <= rounded.certified.ratio < 1.5 and rounded.certified.broken is None
+    for x in results.values():
         own = -math.log10(BY_NAME[x.precision].u)
         assert x.lost == max(0, own - x.digits) < 2
 

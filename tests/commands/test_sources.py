@@ -10,6 +10,7 @@ import pytest
 
 from coscrew_codegen.runtime import sources, syntax
 from coscrew_codegen.runtime.sources import Sources
+from tests.support.work import calls_of
 
 ROOT = Path(__file__).parents[2]
 MODULE = '''"""A docstring."""
@@ -94,6 +95,15 @@ def test_of_a_package_that_imports_all_its_modules_the_chosen_count():
     its = Sources.of(GRAPH)
     assert its.reached(["p.inner"], {"p.inner": ()}) == {"p.inner", "p.found"}
     assert "p.inner.d" in its.reached(["p.inner"], {"p.inner": {"p.inner.d"}})
+
+
+def test_a_load_costs_little_more_than_a_look_at_each_source():
+    """Every one asks for the sources that its kernels depend on, which differ with its effects."""
+    its = Sources.of(sources.read())
+    maker, effects = "coscrew_codegen.runtime.load", "coscrew_codegen.scene.effects"
+    its.digest([maker], {effects: ()})
+    other = {effects: {f"{effects}.gravity"}}
+    assert calls_of(lambda: its.digest([maker], other)) < 50 * len(its.meanings)
 
 
 @pytest.mark.parametrize("name, maker, counts", [

@@ -36,11 +36,11 @@ def test_errors_are_below_the_proved_bound(precision: Precision):
     finite = np.isfinite(y) & np.isfinite(x)
     y, x = y[finite], x[finite]
     got = angles(precision, y, x)
-    found = errors("atan2", precision, got, y, x)
+    result = errors("atan2", precision, got, y, x)
     normal = np.abs(got) >= float(precision.limit("smallest_normal"))
     assert normal.sum() > 20000 and (~normal).sum() > 50
-    assert found[normal].max() <= float(atan2.FUNCTION.error(precision))
-    assert found[~normal].max() <= 0.5001
+    assert result[normal].max() <= float(atan2.FUNCTION.error(precision))
+    assert result[~normal].max() <= 0.5001
 
 
 @each_precision

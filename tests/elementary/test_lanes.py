@@ -91,13 +91,13 @@ def test_bits_are_those_of_one_angle(library: ctypes.CDLL, precision: Precision,
     x = angles(precision)
     known = [x]
     for function in FUNCTIONS:
-        found = [np.empty_like(x) for _ in function.outputs]
+        values = [np.empty_like(x) for _ in function.outputs]
         getattr(library, f"{function.name}_{count}{precision.suffix}")(
             ctypes.c_long(len(x) // count),
-            *(y.ctypes.data_as(ctypes.c_void_p) for y in (*known, *found)))
-        for got, wanted in zip(found, results(function, precision, *known), strict=True):
+            *(y.ctypes.data_as(ctypes.c_void_p) for y in (*known, *values)))
+        for got, wanted in zip(values, results(function, precision, *known), strict=True):
             assert same(got, wanted)
-        known += found
+        known += values
 
 
 def test_scenes_compute_several_at_once(monkeypatch: pytest.MonkeyPatch):

@@ -64,14 +64,14 @@ def test_results_with_their_errors_have_twice_the_digits(error: Elementary, prec
     given, got, rest = tuple(x[known] for x in given), got[known], rest[known]
     assert len(got) > 5000 and np.isfinite(rest).all()
     half = float(precision.eta) if precision.digits == 24 else 0
-    found = remaining(name, got, rest, *given, slack=1.02 * half)
+    result = remaining(name, got, rest, *given, slack=1.02 * half)
     if not half:  # the slack is no number of double precision: there, errors in its least binades
         large = np.abs(got) > float(precision.smallest_normal / precision.u**2)
         ulps = np.maximum(np.spacing(np.abs(got)), float(precision.limit("smallest_subnormal")))
         assert (np.abs(rest) <= ulps)[~large].all()
-        found = found[large]
+        result = result[large]
     stated = log2(error.error(precision))
-    assert stated - 8 < found.max() <= stated
+    assert stated - 8 < result.max() <= stated
     assert stated < 7.5 - 2 * precision.digits
 
 

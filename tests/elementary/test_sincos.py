@@ -27,9 +27,9 @@ def holds(precision: Precision, x: Array) -> None:
     """Sines and cosines are within their error, those of -x the same except the sign."""
     s, c = results(FUNCTION, precision, x)
     for name, got in (("sin", s), ("cos", c)):
-        found = errors(name, precision, got, x)
-        worst = int(np.argmax(found))
-        assert found[worst] <= FUNCTION.error(precision), f"{name} {float(x[worst]).hex()}"
+        result = errors(name, precision, got, x)
+        worst = int(np.argmax(result))
+        assert result[worst] <= FUNCTION.error(precision), f"{name} {float(x[worst]).hex()}"
     below = results(FUNCTION, precision, -x)
     assert same(below[0], -s) and same(below[1], c)
 

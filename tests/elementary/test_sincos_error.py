@@ -25,10 +25,10 @@ def holds(x: Array, precision: Precision) -> float:
     """Asserts that both are within the proved bounds; returns log2 of the worst."""
     stated, worst = log2(sincos_error.error(precision)), -np.inf
     for name, (got, rest) in zip(("sin", "cos"), computed(x, precision), strict=True):
-        found = remaining(name, got, rest, x)
-        at = int(np.argmax(found))
-        assert found[at] <= stated, f"{name} {float(x[at]).hex()}: 2^{found[at]:.2f}"
-        worst = max(worst, found[at])
+        result = remaining(name, got, rest, x)
+        at = int(np.argmax(result))
+        assert result[at] <= stated, f"{name} {float(x[at]).hex()}: 2^{result[at]:.2f}"
+        worst = max(worst, result[at])
     return worst
 
 
@@ -75,8 +75,8 @@ def test_reductions_are_within_what_is_proved(place: str, precision: Precision):
     x = x[(x > float(ends[at])) & (x <= float(ends[at + 1]))]
     spread = (reduction_pairs.near_spread(precision, atan2_error.LARGEST) if place == "first" else
               getattr(reduction_pairs, f"{place}_spread")(precision))
-    found = values(getattr(reduction_pairs, name)(precision), precision, x)
-    for row in zip(x.tolist(), *(y.tolist() for y in found), strict=True):
+    result = values(getattr(reduction_pairs, name)(precision), precision, x)
+    for row in zip(x.tolist(), *(y.tolist() for y in result), strict=True):
         given, k, r, low = map(Fraction, row)
         whole = round(given / HALF_PI)
         angle = given - whole * HALF_PI

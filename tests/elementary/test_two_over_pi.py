@@ -38,7 +38,7 @@ def test_every_exponent_finds_its_chunks(precision: Precision):
     x = 1.75 * 2.0**np.arange(2, precision.bias + 1)
     x = np.concatenate([x, [np.inf, np.nan]]).astype(precision.numpy_type)
     for n in range(EXTRA + 1):
-        found = np.asarray(generated(x, n))
-        assert found.dtype == x.dtype and np.isfinite(found).all()
-        assert found[:-2].tolist() == [
+        result = np.asarray(generated(x, n))
+        assert result.dtype == x.dtype and np.isfinite(result).all()
+        assert result[:-2].tolist() == [
             float(chunk(Fraction(float(y)), n, precision.digits)) for y in x[:-2]]

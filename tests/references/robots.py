@@ -53,8 +53,8 @@ class Robot:
     def _of_model(self, key: str) -> np.ndarray:
         if "joints" in self.scene:
             tables = [self.scene["joints"][x] for x in self.joints]
-            found = [x["limits"][key] if key == "effort" else x[key] for x in tables]
-            return np.array(found, float)
+            results = [x["limits"][key] if key == "effort" else x[key] for x in tables]
+            return np.array(results, float)
         numbers = {"damping": self.model.damping, "friction": self.model.upperDryFrictionLimit,
                    "effort": self.model.upperEffortLimit}[key]
         return np.array(numbers[self.first:])

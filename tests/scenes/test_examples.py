@@ -76,8 +76,9 @@ def test_scenes_are_simulated_recorded_plotted_and_shown(scene, tmp_path, capsys
 
 def test_scenes_are_generated_as_c_that_compiles_clean(scene, tmp_path):
     assert main(["generate", str(scene), "-o", str(tmp_path)]) == 0
-    run_program(["cc", "-std=c11", *STRICT, "-c", tmp_path / f"{scene.stem}.c", "-o",
-                 tmp_path / "scene.o"])
+    for name in (f"{scene.stem}.c", f"{scene.stem}f.c"):
+        run_program(["cc", "-std=c11", *STRICT, "-c", tmp_path / name, "-o",
+                     tmp_path / "scene.o"])
 
 
 def test_a_payload_is_set_at_run_time(tmp_path, capsys):

@@ -268,7 +268,7 @@ def test_steps_call_and_compute_nothing(scene: str, all_steps):
     texts = files(functions)
     source, module = texts[f"{functions.name}.c"], texts[f"{functions.name}/single.py"]
     bodies = re.findall(rf"^void {functions.name}_step_[^{{]*{{\n(.*?)^}}", source, re.S | re.M)
-    assert len(bodies) == 2 * len(functions.steps)
+    assert len(bodies) == len(functions.steps)
     defined = re.findall(r"^def step_.*?(?=^@|\Z)", module, re.S | re.M)
     assert len(defined) == len(functions.steps)
     assert not [x for body in bodies for x in operators(body, "c")]

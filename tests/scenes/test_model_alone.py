@@ -7,11 +7,12 @@ import pytest
 
 from coscrew_codegen import load_scene
 from coscrew_codegen.scene.effects import EFFECTS
-from coscrew_codegen.scene.mechanism.model import Body, Inertia, Joint, Kind
+from coscrew_codegen.scene.mechanism.model import Body, Inertia, Joint
 from coscrew_codegen.scene.readers.decimals import decimal
 from coscrew_codegen.scene.readers.model_reader import ModelReader, Parts
 from coscrew_codegen.scene.readers.toml.toml_scene import SceneOverrides, read_scene
 from coscrew_codegen.scene.readers.toml.toml_tables import Decimals
+from tests.support.scenes.kinds import Kind
 
 LINK = ('<link name="{0}"><inertial><origin xyz="0 0 -0.5"/><mass value="2"/><inertia ixx="0.25" '
         'iyy="0.25" izz="0.01" ixy="0" ixz="0" iyz="0"/></inertial></link>')

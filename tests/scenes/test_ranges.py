@@ -109,7 +109,7 @@ def test_what_single_precision_cannot_hold_is_named(path, old, new, words):
 def test_double_precision_alone_is_not_refused_for_single(path, old, new, words):
     scene = read_scene(path(old, new, DOUBLE_SAID))
     files = scene_files(derive(scene))
-    assert set(files) == {"arm.h", "arm.c", *(f"arm/{name}.py" for name in (
+    assert set(files) == {"arm.h", "arm.c", "coscrew_runtime.h", *(f"arm/{name}.py" for name in (
         "__init__", "_arrays", "double", "_elementary_double"))}
     assert "3.4028235e+38" not in files["arm.c"] and " float " not in files["arm.c"]
     assert read_scene(path(old, new), overrides=SceneOverrides("double")) == scene

@@ -83,7 +83,7 @@ def test_files_of_two_scenes_are_compiled_as_one(compiler: str, tmp_path: Path):
     for scene in (first, replace(first, name="other")):
         for name, text in (scene_c.files(scene, "") | scene_c_many.files(scene, "")).items():
             (tmp_path / name).write_text(text)
-    names = (f"{x}{y}.c" for y in ("", "_many") for x in (first.name, "other"))
+    names = (f"{x}{y}.c" for y in ("", "f", "_many", "_manyf") for x in (first.name, "other"))
     (tmp_path / "all.c").write_text("".join(f'#include "{x}"\n' for x in names))
     run((compiler, *C11, *STRICT, "-c", tmp_path / "all.c", "-o", tmp_path / "all.o"))
 

@@ -32,7 +32,7 @@ from coscrew_codegen.accuracy.tiers.mixed import Mixture, mixed
 from coscrew_codegen.backends import emit
 from coscrew_codegen.backends.output_files import scene_files
 from coscrew_codegen.dynamics import derive
-from coscrew_codegen.dynamics.ranges.accuracy_requests import AskedError, positions
+from coscrew_codegen.dynamics.ranges.accuracy_requests import RequestError, positions
 from coscrew_codegen.program import Instruction, Op, Program
 from coscrew_codegen.program.scene_functions import FunctionProgram, SceneFunctions
 from coscrew_codegen.program.values.digits import two_digits_up
@@ -137,7 +137,7 @@ def test_bits_are_the_same_in_c_in_numpy_and_in_the_choice(made, compiler: str, 
     functions, path = made
     tier = in_tier(functions, MIXED)
     flags = ("-O3", "-march=native", "-ffp-contract=fast")
-    run([compiler, *C11, *STRICT, *flags, "-c", path / f"{tier.stem}.c", "-o", tmp_path / "x.o"])
+    run([compiler, *C11, *STRICT, *flags, "-c", path / f"{tier.stem}f.c", "-o", tmp_path / "x.o"])
     using = compilation.Compiler((compiler,), compiler, ("-fPIC", *flags))
     text = source_text.of_one(tier)
     library = compilation.library(text.units(("single",)), text.files, using)
@@ -170,12 +170,12 @@ import sys, hashlib
 from tests.scenes.test_scene_mixed import SCENE
 from coscrew_codegen.backends.output_files import scene_files
 from coscrew_codegen.dynamics import derive
-print(hashlib.sha256(scene_files(derive(SCENE))["mixed_arm_mixed.c"].encode()).hexdigest())
+print(hashlib.sha256(scene_files(derive(SCENE))["mixed_arm_mixedf.c"].encode()).hexdigest())
 """
 
 
 def test_text_is_the_same_for_every_hash_seed(made):
-    mine = hashlib.sha256((made[1] / "mixed_arm_mixed.c").read_bytes()).hexdigest()
+    mine = hashlib.sha256((made[1] / "mixed_arm_mixedf.c").read_bytes()).hexdigest()
     there = subprocess.run([sys.executable, "-c", TEXT], capture_output=True, text=True, check=True,
                            cwd=Path(__file__).parents[2],
                            env={**os.environ, "PYTHONHASHSEED": "4242"}).stdout.strip()
@@ -215,7 +215,7 @@ def test_an_accuracy_that_pairs_do_not_have_is_refused():
 
 def test_an_unknown_output_is_refused():
     scene = replace(SCENE, accuracy=(Tolerance(NAME, "taus", 1e-4),))
-    with pytest.raises(AskedError, match="accuracy.inverse_dynamics: no output 'taus'; did you "
+    with pytest.raises(RequestError, match="accuracy.inverse_dynamics: no output 'taus'; did you "
                                          "mean 'tau'?"):
         derive(scene)
 
@@ -232,7 +232,7 @@ def test_a_package_names_the_modules_that_it_has(made):
 def test_torques_without_limits_are_refused():
     scene = replace(SCENE, functions=("forward_dynamics",),
                     accuracy=(Tolerance("forward_dynamics", "", 1e-4),))
-    with pytest.raises(AskedError, match="joint 'j0' has no limit of its effort"):
+    with pytest.raises(RequestError, match="joint 'j0' has no limit of its effort"):
         derive(scene)
 
 

@@ -78,7 +78,7 @@ def test_bits_are_the_same_in_c_and_numpy(folder, compiler: str, flags: tuple[st
     monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path))
     path, scene = folder
     made = in_tier(scene, PAIRS)
-    run([compiler, *C11, *STRICT, *flags, "-c", path / f"{made.stem}.c", "-o", tmp_path / "x.o"])
+    run([compiler, *C11, *STRICT, *flags, "-c", path / f"{made.stem}f.c", "-o", tmp_path / "x.o"])
     using = compilation.Compiler((compiler,), compiler, ("-fPIC", *flags))
     text = source_text.of_one(made)
     library = compilation.library(text.units(("single",)), text.files, using)

@@ -89,8 +89,9 @@ def test_files_options_and_load_scene_select_tiers(write, tmp_path: Path):
                  str(tmp_path / "option")]) == 0
     plain, file, option = (contents(tmp_path / x) for x in ("plain", "file", "option"))
     assert {*file} == {*option} == {*plain} | {
-        "swing_accurate.h", "swing_accurate.c", *(f"swing/accurate/{x}.py" for x in (
-            "__init__", "double", "single", "_exact", "_elementary_double"))}
+        "swing_accurate.h", "swing_accurate.c", "swing_accuratef.c",
+        *(f"swing/accurate/{x}.py" for x in ("__init__", "double", "single", "_exact",
+                                             "_elementary_double"))}
     for name, text in plain.items():
         assert name == "swing/__init__.py" or file[name] == text
     assert "--tier accurate" in option["swing.c"].splitlines()[0]
@@ -186,14 +187,15 @@ def package(tmp_path_factory: pytest.TempPathFactory) -> Path:
 @pytest.mark.parametrize("compiler", COMPILERS)
 def test_c_compiles_without_a_warning(package: Path, tier, compiler: str, flags: tuple[str, ...],
                                       tmp_path: Path):
-    """Alone, in one precision too, and between the scene's own and the library's headers; also
+    """Alone and between the scene's own and the library's headers; also
     where fma is no instruction."""
     name = scene_bits.functions().name
-    alone, all_three = package / f"{name}_{tier.mark}.c", tmp_path / "all.c"
-    all_three.write_text(f'#include "{name}_{tier.mark}.c"\n#include "{name}.c"\n'
-                         "#include <ksl/ksl_elementary_error.h>\n")
-    for source, more in ((alone, ()), (alone, (f"-D{name.upper()}_NO_SINGLE",)),
-                         (all_three, ("-I", str(INCLUDE), *FMA))):
+    alone, together = sorted(package.glob(f"{name}_{tier.mark}*.c")), tmp_path / "all.c"
+    together.write_text("".join((*(f'#include "{x.name}"\n' for x in alone),
+                                 f'#include "{name}.c"\n#include "{name}f.c"\n'
+                                 "#include <ksl/ksl_elementary_error.h>\n")))
+    assert alone
+    for source, more in (*((x, ()) for x in alone), (together, ("-I", str(INCLUDE), *FMA))):
         command([compiler, *flags, *STRICT, *more, "-O0", "-I", package, "-c", source, "-o",
                  tmp_path / "x.o"])
 
@@ -205,8 +207,8 @@ def test_a_precision_alone_is_whole(write, precision: str, tmp_path: Path):
     assert main(["generate", str(write()), "--tier", "accurate", "--precision", precision,
                  "-o", str(folder)]) == 0
     for compiler in COMPILERS:
-        command([compiler, *C11, *STRICT, "-O1", "-c", folder / "swing_accurate.c", "-o",
-                 tmp_path / "x.o"])
+        (source,) = folder.glob("swing_accurate*.c")
+        command([compiler, *C11, *STRICT, "-O1", "-c", source, "-o", tmp_path / "x.o"])
     script = (f"import swing.accurate; m = swing.accurate.{precision}; "
               "print(m.inverse_dynamics([1], [2], [3]).dtype)")
     found = subprocess.run([sys.executable, "-c", script], check=True, text=True, cwd=folder,
@@ -239,9 +241,11 @@ target = "sin(3*t)"
 """)))
     assert main(["generate", str(path), "--functions", "inverse_dynamics", "--tier", "accurate",
                  "-o", str(tmp_path)]) == 0
-    text = (tmp_path / "chain_accurate.c").read_text()
-    assert "ksl_sin(" in text and "ksl_sincos_4(" in text
-    command(["gcc", *C11, *STRICT, "-c", tmp_path / "chain_accurate.c", "-o", tmp_path / "x.o"])
+    sources = [tmp_path / f"chain_accurate{f}.c" for f in ("", "f")]
+    texts = [x.read_text() for x in sources]
+    assert all("ksl_sincos_4(" in x for x in texts) and any("ksl_sin(" in x for x in texts)
+    for source in sources:
+        command(["gcc", *C11, *STRICT, "-c", source, "-o", tmp_path / "x.o"])
 
 
 # bits

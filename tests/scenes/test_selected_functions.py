@@ -63,7 +63,7 @@ def public(scene: Scene) -> list[str]:
     """The functions that C declares, steps among them."""
     found = derive(scene)
     header = scene_c.files(found, "banner")[f"{scene.name}.h"]
-    return re.findall(rf"^void {scene.name}_(\w+?)\(", header.split("_NO_SINGLE")[0], re.M)
+    return re.findall(rf"^void {scene.name}_(\w+?)\(", header.partition("in single")[0], re.M)
 
 
 def test_without_a_word_jacobians_reactions_and_other_integrators_are_left_out():

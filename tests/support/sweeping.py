@@ -85,6 +85,6 @@ def dask(program: str, folder: Path, *words: str, environment: Mapping[str, str]
 def awaited(process: "subprocess.Popen[str]", pattern: str) -> str:
     """Waits for output of the process that matches the pattern, and returns it."""
     for line in cast("IO[str]", process.stderr):
-        if found := re.search(pattern, line):
-            return found[1]
+        if match := re.search(pattern, line):
+            return match[1]
     raise AssertionError(f"{pattern} was not said")

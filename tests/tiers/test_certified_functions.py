@@ -43,7 +43,7 @@ def test_quaternions_exponentials_logarithms_and_angles_have_the_tier():
 
 @for_all(operation=FUNCTIONS, precision=(DOUBLE, SINGLE))
 def test_every_bound_holds(operation: Operation, precision: Precision):
-    given, found, stated = hard_rows(operation, precision), [], 0
+    given, result, stated = hard_rows(operation, precision), [], 0
     results = joined(gufuncs(coscrew.certified)(operation, precision, split(operation, given)))
     plain = joined(gufuncs(coscrew)(operation, precision, split(operation, given)))
     half = plain.shape[1]
@@ -51,16 +51,16 @@ def test_every_bound_holds(operation: Operation, precision: Precision):
     for row, got in zip(given.tolist(), results.tolist(), strict=True):
         ratios = in_bounds(operation, precision, row, got[:half], got[half:])
         stated += len(ratios)
-        found += [x for x in ratios if x]
-    assert max(found, default=0) <= 1
+        result += [x for x in ratios if x]
+    assert max(result, default=0) <= 1
     assert stated > 0.4 * results[:, :half].size
-    assert np.median(found) > 1 / TIGHT[precision.name]
+    assert np.median(result) > 1 / TIGHT[precision.name]
 
 
 @for_all(operation=FUNCTIONS, precision=(DOUBLE, SINGLE))
 def test_bounds_hold_at_all_sizes_and_where_series_end(operation: Operation, precision: Precision):
-    found = attacked(operation, precision, 200, seed=1)
-    assert not found.broken and found.outputs > 2 * found.silent
+    result = attacked(operation, precision, 200, seed=1)
+    assert not result.broken and result.outputs > 2 * result.silent
 
 
 @for_all(operation=OF_VECTORS, precision=(DOUBLE, SINGLE))
@@ -101,8 +101,8 @@ def test_c_gufunc_and_numpy_agree_in_bits(operation: Operation, precision: Preci
     want = twin(coscrew.certified)(operation, precision, inputs)
     assert same_bits(gufuncs(coscrew.certified)(operation, precision, inputs), want), "gufunc"
     for library in libraries:
-        found = call(library, CERTIFIED.operation(operation), precision, inputs)
-        assert same_bits(found, want), library
+        result = call(library, CERTIFIED.operation(operation), precision, inputs)
+        assert same_bits(result, want), library
 
 
 @pytest.fixture(scope="module")

@@ -154,9 +154,9 @@ def program_of(formula: str) -> Program:
 def _searched(plain: Program, certified: Program, toy: Toy, rounds: int) -> tuple[float, int]:
     """The largest error in bounds, the number of outputs judged."""
     width, worst, outputs = sum(a.quantity.size for a in plain.inputs), 0.0, 0
-    for found in climbs(judge(plain, certified, toy), width, toy, 0, rounds):
-        assert found.same
-        worst, outputs = max(worst, found.worst), outputs + found.outputs
+    for result in climbs(judge(plain, certified, toy), width, toy, 0, rounds):
+        assert result.same
+        worst, outputs = max(worst, result.worst), outputs + result.outputs
     return worst, outputs
 
 
@@ -270,8 +270,8 @@ def test_split_numbers_are_found_where_results_do_not_depend_on_them():
     h = w.do("h", Op.SUB, w.do("t", Op.ADD, a, b), b)
     low, total = w.do("low", Op.SUB, a, h), w.do("total", Op.ADD, a, h)
     square = w.do("x", Op.ADD, w.do("hh", Op.MUL, h, h), w.do("rest", Op.MUL, low, total))
-    found = [w.function("f", "", (argument("r"),), [x]).program for x in (square, total)]
-    assert [splits(program) for program in found] == [{"h"}, frozenset()]
+    results = [w.function("f", "", (argument("r"),), [x]).program for x in (square, total)]
+    assert [splits(program) for program in results] == [{"h"}, frozenset()]
 
 
 @pytest.mark.parametrize("first", (True, False))
@@ -282,9 +282,9 @@ def test_split_numbers_that_one_branch_needs_are_none(first: bool):
     h = w.do("h", Op.SUB, w.do("t", Op.ADD, a, b), b)
     needs, free = w.do("needs", Op.ADD, h, h), w.do("free", Op.ADD, a, a)
     test, options = w.do("test", Op.LESS, c, d), (needs, free) if first else (free, needs)
-    found = [w.function("f", "", (argument("r"),), [w.do(name, Op.SELECT, test, *chosen)]).program
-             for name, chosen in (("one", options), ("none", (free, free)))]
-    assert [splits(program) for program in found] == [frozenset(), {"h"}]
+    results = [w.function("f", "", (argument("r"),), [w.do(name, Op.SELECT, test, *chosen)]).program
+               for name, chosen in (("one", options), ("none", (free, free)))]
+    assert [splits(program) for program in results] == [frozenset(), {"h"}]
 
 
 def test_choices_of_scales_are_found_where_results_do_not_depend_on_them():

@@ -20,9 +20,9 @@ def exactly(x: float) -> Fraction:
 @pytest.mark.parametrize("a, b", SAMPLE.reshape(-1, 2).tolist())
 def test_sums_and_products_are_no_less_and_hardly_more(a: float, b: float):
     x, y = Upward(a), Upward(b)
-    for found, exact in ((x + y, exactly(a) + exactly(b)), (x * y, exactly(a) * exactly(b))):
-        assert isinstance(found, Upward)
-        assert exact <= exactly(found) <= exact * (1 + Fraction(1, 2**51))
+    for result, exact in ((x + y, exactly(a) + exactly(b)), (x * y, exactly(a) * exactly(b))):
+        assert isinstance(result, Upward)
+        assert exact <= exactly(result) <= exact * (1 + Fraction(1, 2**51))
 
 
 def test_zero_is_exact_also_times_infinity():

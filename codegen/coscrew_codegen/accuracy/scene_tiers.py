@@ -47,7 +47,7 @@ class SceneTier:
 def in_tier(scene: SceneFunctions, tier: Tier) -> SceneTier:
     """The scene's public functions in this tier.  Raises NoFunctionsError if there are none."""
     public = [f for f in scene.functions if not f.internal]
-    if tier.asked:
+    if tier.on_request:
         public = [f for f in public if f.accuracy]
         if not public:
             raise NoFunctionsError(f"{scene.name}: the {tier.name} tier needs a function with a "
@@ -76,7 +76,7 @@ def _function(plain: FunctionProgram, tier: Tier, precision: Precision) -> Funct
 
 def _in_tier(plain: FunctionProgram, tier: Tier, precision: Precision) -> tuple[Program, str]:
     """The program, and the statement on its rounding errors."""
-    if tier.asked and plain.accuracy:
+    if tier.on_request and plain.accuracy:
         from coscrew_codegen.accuracy.precision_tuning.choice import (
             chosen,  # imported on use: few scenes need it
         )
@@ -93,7 +93,7 @@ def savings(scene: SceneFunctions, units: Callable[[SceneFunctions, str], Sequen
             ) -> Iterator[str]:
     """A line for each function with a requested accuracy: the savings of its mixture.  `units`
     returns the units of a function's components."""
-    if not any(tier_named(name).asked for name in scene.tiers):
+    if not any(tier_named(name).on_request for name in scene.tiers):
         return
     from coscrew_codegen.accuracy.precision_tuning.choice import chosen
     from coscrew_codegen.accuracy.precision_tuning.words import saving

@@ -115,10 +115,10 @@ def ulp(truth: mpq, precision: Precision) -> mpq:
 def truth(operation: Operation, precision: Precision, rows: np.ndarray) -> Truth:
     """The exact results; each row holds all input components of one call."""
     evaluate, units_of = _evaluator(operation, precision), _units(operation, precision)
-    found = [_values(evaluate, row) for row in rows.tolist()]
-    shape = (len(found), len(formula(operation)))
+    results = [_values(evaluate, row) for row in rows.tolist()]
+    shape = (len(results), len(formula(operation)))
     near, rest, units = (np.full(shape, x) for x in (np.nan, 0.0, 1.0))
-    for place, values in enumerate(found):
+    for place, values in enumerate(results):
         for component, (x, unit) in enumerate(zip(values, units_of(values), strict=True)):
             n = near[place, component] = _nearest(x)
             if np.isfinite(n):
@@ -180,8 +180,8 @@ def _evaluator(operation: Operation,
 
     def multiprecise(row: Sequence[float]) -> list[mpq]:
         with mpmath.workdps(DIGITS):
-            found = function(*map(mpmath.mpf, (*row, *constants)))
-            return [rational(mpmath.mpf(x)) for x in found]
+            result = function(*map(mpmath.mpf, (*row, *constants)))
+            return [rational(mpmath.mpf(x)) for x in result]
 
     return multiprecise
 
@@ -195,9 +195,9 @@ def _constants(precision: Precision) -> list[mpmath.mpf]:
 
 
 def _multiprecise(operation: Operation) -> Callable[..., Sequence[mpmath.mpf]]:
-    found: Callable[..., Sequence[mpmath.mpf]] = sp.lambdify(
+    function: Callable[..., Sequence[mpmath.mpf]] = sp.lambdify(
         [*_symbols(operation), *PER_PRECISION], formula(operation), [SPECIAL, "mpmath"], cse=True)
-    return found
+    return function
 
 
 def _units(operation: Operation,

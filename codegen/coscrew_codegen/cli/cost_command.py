@@ -68,12 +68,12 @@ def run(options: argparse.Namespace) -> int:
     read = scene_of(options, None)
     emitted = ("single",) if read.precision == "single" else read.precisions
     scene = replace(read, precision="both", precisions=tuple(BY_NAME))
-    asked = CostRequest(tuple(options.functions), Counts.of(options.states), options.digits,
-                        emitted)
+    request = CostRequest(tuple(options.functions), Counts.of(options.states), options.digits,
+                          emitted)
     costs = cost_measurement.measure(
-        kernels_for(scene, asked.needed(scene, options.integrator)),
+        kernels_for(scene, request.needed(scene, options.integrator)),
         RunOverrides(options.until, options.step, options.integrator, "both",
-                     tuple(options.settings)), asked)
+                     tuple(options.settings)), request)
     tell_unused(read, options.verbose)
     print(cost_tables.table(costs))
     if options.json:

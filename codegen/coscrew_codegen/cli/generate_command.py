@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from coscrew_codegen.cli.name_lists import Names
-from coscrew_codegen.cli.simulate_command import add_implausible, add_verbose, scene_of, tell_unused
+from coscrew_codegen.cli.simulate_command import add_model, add_verbose, scene_of, tell_unused
 from coscrew_codegen.program.values.formats import CHOICES
 from coscrew_codegen.runtime import sources
 from coscrew_codegen.runtime.console import doing
@@ -53,7 +53,7 @@ def add_parser(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") 
                              "c/coscrew_accurate.h, …; plain's, c/coscrew.h, is always written")
     parser.add_argument("--cuda", action="store_true",
                         help="for a scene, also its functions for CUDA")
-    add_implausible(parser)
+    add_model(parser)
     add_verbose(parser)
     parser.set_defaults(run=run)
 
@@ -121,20 +121,20 @@ def _scene(options: argparse.Namespace) -> int:
         scene = replace(scene, precisions=("single",))
     if line := left_out(scene):
         print(f"{options.scene.name}: {line}", file=sys.stderr)
-    said = "".join(f" --{name} {word}" for name in ("precision", "implausible")
-                   if (word := getattr(options, name)))
-    said += f" --functions {' '.join(options.functions)}" if options.functions else ""
-    said += f" --tier {' '.join(options.tier)}" if options.tier else ""
-    said += "".join(f" --{name}" for name in ("many", "cuda") if getattr(options, name))
+    flags = "".join(f" --{name} {word}" for name in ("precision", "implausible")
+                    if (word := getattr(options, name)))
+    flags += f" --functions {' '.join(options.functions)}" if options.functions else ""
+    flags += f" --tier {' '.join(options.tier)}" if options.tier else ""
+    flags += "".join(f" --{name}" for name in ("many", "cuda") if getattr(options, name))
     functions = derive(scene)
-    files = scene_files(functions, f"coscrew generate {options.scene.name}{said}", options.many,
+    files = scene_files(functions, f"coscrew generate {options.scene.name}{flags}", options.many,
                         options.cuda)
     folder = Path(options.output)
     if not options.check:
         for line in savings(functions, units):
             print(line)
         refuse_others(files, folder)
-    status = _deliver(f"coscrew generate {options.scene} -o {folder}{said}", files, folder,
+    status = _deliver(f"coscrew generate {options.scene} -o {folder}{flags}", files, folder,
                       stale_files(files, folder), options.check, str(folder))
     tell_unused(scene, options.verbose, options.scene.name)
     return status

@@ -49,7 +49,7 @@ def add_scene(parser: argparse.ArgumentParser) -> None:
                         help=in_words())
     parser.add_argument("--precision", choices=CHOICES,
                         help="precision of the dynamics")
-    add_implausible(parser)
+    add_model(parser)
     add_verbose(parser)
     parser.add_argument("--set", metavar="NAME=VALUE", type=_setting, action="append", default=[],
                         dest="settings", help="a value of a `runtime` parameter; may be repeated")
@@ -60,6 +60,26 @@ def add_implausible(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--implausible", choices=("error", "warn"),
                         help="for inertias that are impossible, massless or incomplete: refuse "
                              "the scene (error) or report them (warn)")
+
+
+def add_model(parser: argparse.ArgumentParser) -> None:
+    """Add the options on how a model's file is read."""
+    add_implausible(parser)
+    parser.add_argument("--argument", metavar="NAME=VALUE", type=_pair, action="append", default=[],
+                        dest="arguments", help="an argument of a file of xacro; may be repeated")
+    parser.add_argument("--package", metavar="NAME=FOLDER", type=_pair, action="append", default=[],
+                        dest="packages", help="the folder of a package that a file of xacro finds "
+                        "by $(find NAME); may be repeated")
+    parser.add_argument("--leave-out", metavar="GROUP", action="append", default=[],
+                        help="elements of a file of MuJoCo to do without, as errors name them; may "
+                        "be repeated")
+
+
+def _pair(text: str) -> tuple[str, str]:
+    name, equals, word = text.partition("=")
+    if not (name and equals):
+        raise argparse.ArgumentTypeError(f"wanted NAME=…; got {text!r}")
+    return name, word
 
 
 def add_verbose(parser: argparse.ArgumentParser) -> None:
@@ -87,7 +107,9 @@ def scene_of(options: argparse.Namespace, precision: str | None,
     from coscrew_codegen.scene.readers.model_formats import SCENE_SUFFIX
     from coscrew_codegen.scene.readers.toml.toml_scene import SceneOverrides, read_scene
 
-    overrides = SceneOverrides(precision, options.implausible, functions, tiers)
+    overrides = SceneOverrides(precision, options.implausible, functions, tiers,
+                               tuple(options.arguments), tuple(options.packages),
+                               tuple(options.leave_out))
     scene = read_scene(options.scene, overrides=overrides)
     if options.scene.suffix.lower() != SCENE_SUFFIX:
         print(f"coscrew: {options.scene.name} alone: {_acting(scene)}", file=sys.stderr)
@@ -148,7 +170,7 @@ def run(options: argparse.Namespace) -> int:
                           (options.view, (".html",))):
         if path:
             recording_writer.check_target(path, endings)
-    results = _again(options) if options.again else _asked(options)
+    results = _again(options) if options.again else _runs(options)
     first = results[0]
     for note in ("" if options.start or options.again else
                  run_summary.outside(first.system, first.trajectory.q[0]),
@@ -172,7 +194,7 @@ def run(options: argparse.Namespace) -> int:
     return _status(results, options)
 
 
-def _asked(options: argparse.Namespace) -> "tuple[Result, ...]":
+def _runs(options: argparse.Namespace) -> "tuple[Result, ...]":
     """Makes the runs with the settings of the options."""
     from coscrew_codegen.runtime.load import kernels_for
     from coscrew_codegen.runtime.request import BOTH
@@ -189,7 +211,7 @@ def _asked(options: argparse.Namespace) -> "tuple[Result, ...]":
     return run_summary.simulated(kernels, run_summary.RunOverrides(
         options.until, options.step, options.integrator, options.precision,
         tuple(options.settings), options.start),
-        told=bool(options.output or options.plot or options.view))
+        with_provenance=bool(options.output or options.plot or options.view))
 
 
 def _again(options: argparse.Namespace) -> "tuple[Result, ...]":
@@ -197,22 +219,22 @@ def _again(options: argparse.Namespace) -> "tuple[Result, ...]":
     from coscrew_codegen.runtime.load import kernels_for
     from coscrew_codegen.simulation import SimulateError, required_functions
     from coscrew_codegen.simulation.execution import complete, motion
-    from coscrew_codegen.simulation.replay import asked_of
+    from coscrew_codegen.simulation.replay import metadata_of
 
     given = [name for name in ("until", "step", "integrator", "precision", "settings", "start")
              if getattr(options, name)]
     if given:
         name = "set" if given[0] == "settings" else given[0]
         raise SimulateError(f"--again: the recording has all settings; wanted no --{name}")
-    told = asked_of(options.again)
-    scene = scene_of(options, told.precision)
-    told.refuse(scene, None)
-    recording = replace(scene, record=told.record)
+    past = metadata_of(options.again)
+    scene = scene_of(options, past.precision)
+    past.refuse(scene, None)
+    recording = replace(scene, record=past.record)
     kernels = kernels_for(scene,
-                          required_functions.of_run(recording, told.integrator, bool(options.view)),
-                          (told.precision,))
-    asked = told.asked()
-    return (motion(complete(kernels, asked), told.precision, asked, shown=True),)
+                          required_functions.of_run(recording, past.integrator, bool(options.view)),
+                          (past.precision,))
+    request = past.request()
+    return (motion(complete(kernels, request), past.precision, request, shown=True),)
 
 
 def _outputs(path: Path) -> tuple[Path, Path]:

@@ -93,12 +93,12 @@ def _prepared(options: argparse.Namespace) -> "Prepared":
     from coscrew_codegen.simulation.sweep.prepare import SweepRequest, prepared
 
     scene = scene_of(options, options.precision)
-    found = prepared(scene, SweepRequest(
+    result = prepared(scene, SweepRequest(
         options.grid, options.sobol, options.samples, options.seed, options.record, options.series,
         RunOverrides(options.until, options.step, options.integrator, options.precision,
                      tuple(options.settings))))
     tell_unused(scene, options.verbose)
-    return found
+    return result
 
 
 def _alone(prepared: "Prepared", options: argparse.Namespace) -> int:
@@ -107,9 +107,9 @@ def _alone(prepared: "Prepared", options: argparse.Namespace) -> int:
 
     member = single_member.member(prepared, options.member)
     print(member.call(options.scene, options.implausible), end="\n\n", flush=True)
-    found = single_member.result(prepared, member)
-    print(single_member.text(found))
-    return 1 if found.failed else 0
+    result = single_member.result(prepared, member)
+    print(single_member.text(result))
+    return 1 if result.failed else 0
 
 
 @contextmanager
@@ -200,17 +200,17 @@ def _report(prepared: "Prepared", folder: "Folder", words: str) -> int:
     from coscrew_codegen.simulation.sweep.files.quarantine import make_way
     from coscrew_codegen.simulation.sweep.member_summary import units
     from coscrew_codegen.simulation.sweep.statistics import sweep_page
-    from coscrew_codegen.simulation.sweep.statistics.aggregate import tally
+    from coscrew_codegen.simulation.sweep.statistics.aggregate import aggregate
 
     its = prepared.specification
     about = provenance(prepared.kernels, its)
     zarr_store.write(folder, about, prepared.plan)
-    found = tally(its, units(prepared.scene, its.conditions.record),
-                  map(folder.of, range(its.chunks)))
+    totals = aggregate(its, units(prepared.scene, its.conditions.record),
+                       map(folder.of, range(its.chunks)))
     make_way(folder.path, folder.path / PAGE)
-    whole(folder.path / PAGE, sweep_page.html(its, about, found, words).encode())
-    print(sweep_page.text(found))
-    return 1 if found.failed else 0
+    whole(folder.path / PAGE, sweep_page.html(its, about, totals, words).encode())
+    print(sweep_page.text(totals))
+    return 1 if totals.failed else 0
 
 
 def _words(options: argparse.Namespace) -> str:
@@ -221,8 +221,8 @@ def _words(options: argparse.Namespace) -> str:
              "step": options.step, "integrator": options.integrator,
              "precision": options.precision, "implausible": options.implausible}
     words = ["coscrew", "sweep", options.scene.name]
-    words += [x for asked in options.grid for x in ("--grid", asked.text)]
-    words += [x for asked in options.sobol for x in ("--sobol", asked.text)]
+    words += [x for option in options.grid for x in ("--grid", option.text)]
+    words += [x for option in options.sobol for x in ("--sobol", option.text)]
     words += [x for name, value in given.items() if value is not None
               for x in (f"--{name}", str(value))]
     words += [x for name, value in options.settings for x in ("--set", f"{name}={value}")]

@@ -166,10 +166,10 @@ class Derivation:
     def _headings(self) -> dict[str, str]:
         """Headings of bodies in text: number and name, and the joint that moves it if it is a
         link's first body: "4 forearm: elbow turns about y"."""
-        found = {heading_of_body(x): f"{number} {x}" for x, number in self.bodies.items()}
+        results = {heading_of_body(x): f"{number} {x}" for x, number in self.bodies.items()}
         for link in self.tree.links:
-            found[link.heading] += f": {link.joint.in_words}"
-        return found
+            results[link.heading] += f": {link.joint.in_words}"
+        return results
 
     def _at_rest(self, names: Sequence[str]) -> dict[str, tuple[float, ...]]:
         """Inputs by name, at rest: neutral coordinates, default parameters, zero velocities."""

@@ -8,7 +8,7 @@ from coscrew_codegen.algebra.recording.gc_pause import uncollected
 from coscrew_codegen.dynamics.algorithms import coordinates
 from coscrew_codegen.dynamics.derivation import Derivation
 from coscrew_codegen.dynamics.integrator_steps import needs, stepped
-from coscrew_codegen.dynamics.ranges.accuracy_requests import asked
+from coscrew_codegen.dynamics.ranges.accuracy_requests import requested
 from coscrew_codegen.dynamics.ranges.ranges import refuse_numbers
 from coscrew_codegen.dynamics.ranges.rounding import statement
 from coscrew_codegen.program.scene_functions import FunctionProgram, SceneFunctions
@@ -66,7 +66,7 @@ def _stated(its: Derivation, made: FunctionProgram, public: bool) -> FunctionPro
     """The function, public or not, with the proved bounds of its rounding errors."""
     rounding = statement(made.program, its.scene, its.tree) if public else ""
     return replace(made, internal=not public, rounding=rounding,
-                   accuracy=asked(made.program, its.scene, its.tree) if public else None)
+                   accuracy=requested(made.program, its.scene, its.tree) if public else None)
 
 
 def _refuse(its: Derivation, entry: SceneFunction, reason: str, names: Collection[str]) -> None:

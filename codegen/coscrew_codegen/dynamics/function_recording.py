@@ -9,7 +9,7 @@ from coscrew_codegen.algebra.recording.recorder import Recorder
 from coscrew_codegen.dynamics.algorithms import rnea
 from coscrew_codegen.dynamics.algorithms.bodies import Rigid, rigids
 from coscrew_codegen.dynamics.algorithms.motion import Motion
-from coscrew_codegen.dynamics.forces.applied_effects import Acting, gravity, joint_inertias
+from coscrew_codegen.dynamics.forces.applied_effects import AppliedEffects, gravity, joint_inertias
 from coscrew_codegen.scene.mechanism.tree import Tree
 from coscrew_codegen.scene.scene import Scene
 
@@ -48,7 +48,7 @@ class FunctionRecording:
         """The joints' own inertias, by joint."""
         return joint_inertias(self.scene, self.recorder)
 
-    def torques(self, motion: Motion, acting: Acting | None) -> list[Number]:
+    def torques(self, motion: Motion, acting: AppliedEffects | None) -> list[Number]:
         """The torques of inverse dynamics."""
         wrenches = rnea.transmitted(motion, rnea.net_wrenches(motion, self.rigids, acting))
         return rnea.joint_torques(motion, wrenches, acting, self.inertias)

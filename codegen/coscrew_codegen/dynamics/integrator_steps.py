@@ -100,13 +100,13 @@ class _Means:
         given, above, below = [recorder.argument(x) for x in names], *_scaled(weights)
         with recorder.part("part"):
             part = recorder.argument("h")[0] / below
-        found: list[Number] = []
+        results: list[Number] = []
         for joint, places in zip(self.joints, self.scene.coordinates, strict=True):
             with recorder.part(joint, kind, f"joint {places.joint!r}"):
                 for k in places.v:
                     mean = part * _sum([x[k] * n for x, n in zip(given, above, strict=True)])
-                    found.append(recorder.argument("v")[k] + mean if added else mean)
-        program = recorder.program(name, [(array(result, size, "along the speeds"), found)])
+                    results.append(recorder.argument("v")[k] + mean if added else mean)
+        program = recorder.program(name, [(array(result, size, "along the speeds"), results)])
         words = f"{result} = {'v + ' if added else ''}{_in_words(weights, names)}"
         self.functions[name] = FunctionProgram(name, words, program, headings(program),
                                                internal=True)

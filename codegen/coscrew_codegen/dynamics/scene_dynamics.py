@@ -23,7 +23,7 @@ from coscrew_codegen.dynamics.algorithms import (
     rnea,
 )
 from coscrew_codegen.dynamics.algorithms.motion import Motion
-from coscrew_codegen.dynamics.forces.applied_effects import Acting
+from coscrew_codegen.dynamics.forces.applied_effects import AppliedEffects
 from coscrew_codegen.dynamics.forces.effect_values import Values, values_of
 from coscrew_codegen.dynamics.function_recording import FunctionRecording
 from coscrew_codegen.program.values.parameter import Parameter, Scalar
@@ -111,9 +111,9 @@ class RecordedDynamics:
     # dynamics
 
     @cached_property
-    def _acting(self) -> Acting:
+    def _acting(self) -> AppliedEffects:
         self._refuse_unless(Depends.EFFECTS)
-        return Acting(self.scene, self._motion).act()
+        return AppliedEffects(self.scene, self._motion).act()
 
     def mass_matrix(self) -> Numbers:
         """M(q), row by row."""

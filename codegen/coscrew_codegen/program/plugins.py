@@ -20,8 +20,8 @@ class Named(Protocol):
 Found = TypeVar("Found", bound=Named)
 
 
-def found(package: str, path: Iterable[str], attribute: str, kind: type[Found]
-          ) -> tuple[Found, ...]:
+def discover(package: str, path: Iterable[str], attribute: str, kind: type[Found]
+             ) -> tuple[Found, ...]:
     """The objects called `attribute` in the modules of a package and of the packages in it, in the
     order of module names.
 

@@ -177,12 +177,12 @@ def sine_cosine_pairs(program: Program) -> dict[str, tuple[Instruction, Instruct
     """Sine and cosine of the same operand, and their errors, which languages compute together, by
     the names of both."""
     circular = {Op.SIN, Op.COS, Op.SIN_ERROR, Op.COS_ERROR}
-    found = {(step.op, step.operands): step for step in program.instructions
-             if step.op in circular}
-    pairs = [(sine, found[Op.COS, x]) for (op, x), sine in found.items()
-             if op is Op.SIN and (Op.COS, x) in found]
+    results = {(step.op, step.operands): step for step in program.instructions
+               if step.op in circular}
+    pairs = [(sine, results[Op.COS, x]) for (op, x), sine in results.items()
+             if op is Op.SIN and (Op.COS, x) in results]
     for sine, cosine in tuple(pairs):
-        errors = [found.get((ERROR_OF[step.op], (*step.operands, Ref(step.name))))
+        errors = [results.get((ERROR_OF[step.op], (*step.operands, Ref(step.name))))
                   for step in (sine, cosine)]
         if errors[0] and errors[1]:
             pairs.append((errors[0], errors[1]))
@@ -205,9 +205,9 @@ def counts_in_words(program: Program) -> str:
     return in_words(program.counts)
 
 
-def in_words(found: Mapping[Op, int]) -> str:
+def in_words(numbers: Mapping[Op, int]) -> str:
     """Writes counts as '24 mul, 18 add'."""
-    counts = Counter(found)
+    counts = Counter(numbers)
     counts[Op.ADD] += counts.pop(Op.SUB, 0)
     counts[Op.MUL] += counts.pop(Op.SCALE, 0)
     for op in (Op.EXACT_ADD, Op.EXACT_SUB):

@@ -185,10 +185,10 @@ class SceneFunctions:
 
     def named(self, name: str) -> FunctionProgram:
         """The function of this name; a ValueError if there is none."""
-        found = next((f for f in self.functions if f.name == name), None)
-        if found is None:
+        function = next((f for f in self.functions if f.name == name), None)
+        if function is None:
             raise ValueError(f"scene {self.name!r} has no function {name!r}")
-        return found
+        return function
 
     def has(self, name: str) -> bool:
         """Returns whether there is a function of this name."""

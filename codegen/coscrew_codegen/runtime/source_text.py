@@ -22,12 +22,12 @@ class SourceText:
     interface: SceneInterface
     files: Mapping[str, str]
     plain: SceneFunctions  # the functions in the plain tier, in the precisions of the text
-    source: str = ""  # the file to compile
+    source: str = ""  # the file to compile; {f} stands for the suffix of a precision
     flags: tuple[str, ...] = ()
 
     def units(self, precisions: tuple[str, ...]) -> dict[str, tuple[str, ...]]:
         """The objects to compile in these precisions: source and flags of each."""
-        return {p.name: (self.source, *self.only(p), *self.flags)
+        return {p.name: (self.source.format(f=p.suffix), *self.only(p), *self.flags)
                 for p in named(self.plain.precisions) if p.name in precisions}
 
     def only(self, precision: Precision) -> tuple[str, ...]:
@@ -66,10 +66,10 @@ def of_many(programs: SceneFunctions | SceneTier) -> SourceText:
         files = (scene_c.files(programs.plain, banner) | scene_c_tier.files(programs, banner)
                  | scene_c_many.tier_files(programs, banner))
         return SourceText(scene_calls.tier_interface(programs), files, programs.plain,
-                          f"{programs.stem}_many.c", flags)
+                          f"{programs.stem}_many{{f}}.c", flags)
     files = scene_c.files(programs, banner) | scene_c_many.files(programs, banner)
     return SourceText(scene_calls.interface(programs), files, programs,
-                      f"{programs.name}_many.c", flags)
+                      f"{programs.name}_many{{f}}.c", flags)
 
 
 def in_numpy(request: Request) -> SourceText:

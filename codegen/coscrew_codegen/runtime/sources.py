@@ -96,13 +96,11 @@ class Sources:
     def digest(self, makers: Iterable[str], chosen: Mapping[str, Collection[str]]) -> str:
         """The hash of all that results of these modules depend on."""
         names = self.reached(makers, chosen)
-        packages = {x[:place] for x in names for place, character in enumerate(x)
-                    if character == "."}
         documented = any(self.meanings[name].reads_docstrings for name in names)
-        held = (name for name in self.meanings if name in names or name in packages)
+        held = {x for name in names for x in (name, *_packages(name))}
         return _total((("installed", _installed()), *((name, (
             self.meanings[name].documented if documented else self.meanings[name].digest))
-            for name in held)))
+            for name in held if name in self.meanings)))
 
     def reached(self, makers: Iterable[str], chosen: Mapping[str, Collection[str]] | None = None
                 ) -> frozenset[str]:
@@ -119,7 +117,17 @@ class Sources:
     def _named(self, name: str, chosen: Collection[str] | None) -> Iterator[str]:
         """The modules and templates that a source names; KeyError if there is no such source."""
         meaning = self.meanings[name]
-        yield from (known for x in meaning.imports if (known := self._known(x)))
+        if name not in self._spelled:
+            self._spelled[name] = (*self._imported(meaning), *self._templates_of(meaning))
+        yield from self._spelled[name]
+        if meaning.discovers:
+            yield from (x for x in self.meanings if x.startswith(f"{name}.")
+                        and (chosen is None or x in chosen))
+
+    def _imported(self, meaning: SourceMeaning) -> Iterator[str]:
+        return (known for x in meaning.imports if (known := self._known(x)))
+
+    def _templates_of(self, meaning: SourceMeaning) -> Iterator[str]:
         for text in meaning.texts:
             template = f"{text.removesuffix(_TEMPLATE)}{_TEMPLATE}"
             if syntax.ANY in template:
@@ -127,9 +135,11 @@ class Sources:
                 if text.endswith(_COPIED):
                     yield from matching(self._templates, text)
             yield from (x for x in {text, template} if x in self.meanings)
-        if meaning.discovers:
-            yield from (x for x in self.meanings if x.startswith(f"{name}.")
-                        and (chosen is None or x in chosen))
+
+    @functools.cached_property
+    def _spelled(self) -> dict[str, tuple[str, ...]]:
+        """The modules and templates that sources name, of those that have been read so far."""
+        return {}
 
     @functools.cached_property
     def _templates(self) -> list[str]:
@@ -141,6 +151,12 @@ class Sources:
         while name and name not in self.meanings:
             name = name.rpartition(".")[0]
         return name
+
+
+def _packages(name: str) -> Iterator[str]:
+    """The packages that a module stands in."""
+    while name := name.rpartition(".")[0]:
+        yield name
 
 
 def _meaning(name: str, content: bytes, among: Contents) -> SourceMeaning:

@@ -10,11 +10,12 @@ from coscrew_codegen.scene.mechanism.joint_kind import JointKind
 
 
 def hashed(value: object) -> str:
-    """SHA-256 of everything in a value, such as a scene, whatever files say it."""
-    return hashlib.sha256("\n".join(_told(value)).encode()).hexdigest()
+    """SHA-256 of everything in a value, such as a scene and its model, independent of the files'
+    layout."""
+    return hashlib.sha256("\n".join(_as_text(value)).encode()).hexdigest()
 
 
-def _told(value: object) -> Iterator[str]:
+def _as_text(value: object) -> Iterator[str]:
     """The value as unambiguous text: effects and kinds of joints by name, mappings sorted, exact
     fractions."""
     if isinstance(value, Effect | JointKind | Enum):
@@ -24,14 +25,14 @@ def _told(value: object) -> Iterator[str]:
         for field in fields(value):
             if field.compare:
                 yield field.name
-                yield from _told(getattr(value, field.name))
+                yield from _as_text(getattr(value, field.name))
     elif isinstance(value, Mapping):
         for key in sorted(value):
             yield f"key {key}"
-            yield from _told(value[key])
+            yield from _as_text(value[key])
     elif isinstance(value, tuple | list):
         yield f"{len(value)} entries"
         for entry in value:
-            yield from _told(entry)
+            yield from _as_text(entry)
     else:
         yield repr(value)

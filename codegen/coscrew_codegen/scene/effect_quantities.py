@@ -32,20 +32,20 @@ def _sliding(scene: Scene) -> Set[str]:
 
 def _units(applied: Applied, sliding: Set[str]) -> dict[str, tuple[str, ...]]:
     effect = applied.effect
-    found: dict[str, tuple[str, ...]] = {}
+    results: dict[str, tuple[str, ...]] = {}
     if effect.joint_torque:
-        found[TORQUE] = ("N",) if applied.on in sliding else ("N m",)
+        results[TORQUE] = ("N",) if applied.on in sliding else ("N m",)
     if effect.body_force:
-        found |= {FORCE: ("N",) * 3, TORQUE: ("N m",) * 3}
+        results |= {FORCE: ("N",) * 3, TORQUE: ("N m",) * 3}
     if effect.pair_force:
-        found[FORCE] = ("N",)
-    if found or effect.gravity:
-        found[POWER] = ("W",)
+        results[FORCE] = ("N",)
+    if results or effect.gravity:
+        results[POWER] = ("W",)
     if effect.stores_energy:
-        found[ENERGY] = ("J",)
+        results[ENERGY] = ("J",)
     if effect.limited_by and applied.values[effect.limited_by] is not None:
-        found[SATURATED] = ("1",)
-    return found
+        results[SATURATED] = ("1",)
+    return results
 
 
 def functions_of_effects(scene: Scene) -> dict[str, Applied]:

@@ -103,14 +103,14 @@ def _evaluated(step: _Step, operands: list[V], t: V, functions: Mapping[str, Any
     if step.word == "t":
         return t
     if step.word == "pi":
-        found: V = functions["pi"]
+        result: V = functions["pi"]
     elif step.word == "number":
-        found = functions["number"](step.number)
+        result = functions["number"](step.number)
     elif step.word == "power" and step.number is not None:
-        found = _power(operands[0], step.number, functions)
+        result = _power(operands[0], step.number, functions)
     else:
-        found = (step.apply or functions[step.word])(*operands)
-    return found
+        result = (step.apply or functions[step.word])(*operands)
+    return result
 
 
 def _power(base: Any, exponent: Fraction, functions: Mapping[str, Any]) -> Any:
@@ -142,14 +142,14 @@ class _Reading:
             raise self._error(f"{len(text)} characters; wanted at most {LENGTH}")
         if not text.strip():
             raise self._error(f"nothing there; wanted {_WANTED}")
-        if found := _UNIT.fullmatch(text):
-            raise self._error(f"unexpected {_short(found[1])!r}; wanted the number alone: units "
+        if match := _UNIT.fullmatch(text):
+            raise self._error(f"unexpected {_short(match[1])!r}; wanted the number alone: units "
                               "are those of SI, angles in rad")
-        if found := re.search(r"[^A-Za-z0-9_+\-*/(),. ]", text):
-            hint = "; powers are written **" if found[0] == "^" else ""
-            raise self._error(f"unexpected {found[0]!r}{hint}; wanted {_WANTED}")
-        if found := _GLUED.search(text):
-            raise self._error(f"unexpected {found[0]!r}; wanted a number, or * between factors")
+        if match := re.search(r"[^A-Za-z0-9_+\-*/(),. ]", text):
+            hint = "; powers are written **" if match[0] == "^" else ""
+            raise self._error(f"unexpected {match[0]!r}{hint}; wanted {_WANTED}")
+        if match := _GLUED.search(text):
+            raise self._error(f"unexpected {match[0]!r}; wanted a number, or * between factors")
         if "//" in text:
             raise self._error(f"unexpected '//'; wanted {_WANTED}")
         try:

@@ -90,30 +90,30 @@ def refuse_many(scene: Scene) -> None:
 
 def selected_functions(scene: Scene) -> tuple[str, ...]:
     """The functions that the scene selects, each once, in their order.  Raises FunctionsError."""
-    found = resolved(scene, scene.functions)
-    return tuple(name for name in names(scene) if name in found)
+    result = resolved(scene, scene.functions)
+    return tuple(name for name in names(scene) if name in result)
 
 
 def resolved(scene: Scene, words: Sequence[str]) -> set[str]:
     """The functions that these words select: names, patterns of them, DEFAULT, ALL; without words,
     DEFAULT. Raises FunctionsError with the nearest name for each unknown word, and for a word that
     selects only functions that divide by a singular mass matrix."""
-    known, found = names(scene), set[str]()
+    known, result = names(scene), set[str]()
     unknown = []
     for word in words or (DEFAULT,):
         if word in (DEFAULT, ALL):
-            found.update(by_default(scene) if word == DEFAULT else known)
+            result.update(by_default(scene) if word == DEFAULT else known)
         elif of := matching(word, _names(scene)):
             if not set(of).intersection(known):
                 refuse_singular(scene, of)
-            found.update(of)
+            result.update(of)
         else:
             what = "matches no function of the scene" if is_pattern(word) else \
                 "is no function of the scene"
             unknown.append(f"{word!r} {what}; {did_you_mean(word, (*known, DEFAULT, ALL))}")
     if unknown:
         raise FunctionsError("; ".join(unknown))
-    return found.intersection(known)
+    return result.intersection(known)
 
 
 def together(*lists: Iterable[str]) -> tuple[str, ...]:

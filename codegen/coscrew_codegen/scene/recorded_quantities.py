@@ -68,11 +68,11 @@ def recorded(text: str, scene: Scene) -> Recorded:
 def expected(text: str, scene: Scene) -> Recorded:
     """The one component that an expectation refers to; "energy" is the total."""
     component = OF_FUNCTIONS[text][1].expected if text in OF_FUNCTIONS else ""
-    found = recorded(f"{text}.{component}" if component else text, scene)
-    if len(found.places) != 1:
-        last = found.names[-1]
-        raise QuantityError(f"{text!r} has {len(found.places)} components; wanted one, as {last!r}")
-    return found
+    named = recorded(f"{text}.{component}" if component else text, scene)
+    if len(named.places) != 1:
+        last = named.names[-1]
+        raise QuantityError(f"{text!r} has {len(named.places)} components; wanted one, as {last!r}")
+    return named
 
 
 def recorded_functions(scene: Scene) -> set[str]:
@@ -85,14 +85,14 @@ def recorded_functions(scene: Scene) -> set[str]:
 def coordinates(scene: Scene) -> tuple[tuple[Joint, range, range], ...]:
     """Joints with coordinates of their own, without fixed joints and followers, and their places in
     q and v."""
-    found, q, v = [], 0, 0
+    result, q, v = [], 0, 0
     follow = followers(scene)
     for joint in scene.model.joints:
         if joint.kind.moves and joint.name not in follow:
             nq, nv = joint.kind.nq, joint.kind.nv
-            found.append((joint, range(q, q + nq), range(v, v + nv)))
+            result.append((joint, range(q, q + nq), range(v, v + nv)))
             q, v = q + nq, v + nv
-    return tuple(found)
+    return tuple(result)
 
 
 def _of_joints(text: str, quantity: str, rest: str, scene: Scene) -> Recorded:

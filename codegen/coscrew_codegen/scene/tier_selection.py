@@ -17,11 +17,11 @@ def known() -> tuple[str, ...]:
     return tuple(tier.name for tier in OF_SCENES)
 
 
-def asked() -> tuple[str, ...]:
+def on_request() -> tuple[str, ...]:
     """Returns the tiers of functions with a requested accuracy."""
     from coscrew_codegen.accuracy.tiers import OF_SCENES
 
-    return tuple(tier.name for tier in OF_SCENES if tier.asked)
+    return tuple(tier.name for tier in OF_SCENES if tier.on_request)
 
 
 def selected(words: Sequence[str]) -> tuple[str, ...]:

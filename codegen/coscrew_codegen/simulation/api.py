@@ -18,12 +18,12 @@ from coscrew_codegen.scene.recorded_quantities import recorded
 from coscrew_codegen.scene.scene import Scene
 from coscrew_codegen.simulation import SimulateError, required_functions
 from coscrew_codegen.simulation.batch_inputs import Parameters, values_of
-from coscrew_codegen.simulation.checkpoint import Instant, end_in
+from coscrew_codegen.simulation.checkpoint import Checkpoint, end_in
 from coscrew_codegen.simulation.control import Controller, Law
 from coscrew_codegen.simulation.execution import RunRequest, complete, motion
 from coscrew_codegen.simulation.recordings.record import quantities
 from coscrew_codegen.simulation.recordings.result import Result
-from coscrew_codegen.simulation.replay import asked_of
+from coscrew_codegen.simulation.replay import metadata_of
 from coscrew_codegen.simulation.run_summary import outside
 from coscrew_codegen.simulation.system import scene_of
 
@@ -54,17 +54,17 @@ def run(scene: Kernels | Scene | Path | str, *, p: Parameters = None,
     kernels, own = _read(scene, precision)
     name = _precision(precision, own)
     names = None if record is None else quantities(record, own)
-    asked = RunRequest(until, step, integrator, every, names, values_of(own, BY_NAME[name], p), q0,
-                       v0, _end(start, q0, v0), _controller(controller),
-                       tuple(recorded(x, own) for x in names or own.record))
+    request = RunRequest(until, step, integrator, every, names, values_of(own, BY_NAME[name], p),
+                         q0, v0, _end(start, q0, v0), _controller(controller),
+                         tuple(recorded(x, own) for x in names or own.record))
     with at_callers_line():
-        kernels = complete(kernels, asked) if kernels else _kernels(
-            own, integrator, name, asked.record, asked.controller is not None)
+        kernels = complete(kernels, request) if kernels else _kernels(
+            own, integrator, name, request.record, request.controller is not None)
     with at_callers_line():
-        result = motion(kernels, name, asked)
+        result = motion(kernels, name, request)
     if start is None and (note := outside(result.system, result.q[..., 0, :])):
         warnings.warn(note, RuntimeWarning, stacklevel=2)
-    return _told(result)
+    return _warned(result)
 
 
 def again(scene: Kernels | Scene | Path | str, recording: Result | Path | str, *,
@@ -74,20 +74,20 @@ def again(scene: Kernels | Scene | Path | str, recording: Result | Path | str, *
 
     All settings are the recording's, except for the controller, which must be given again, and rtol
     and atol, which are the scene's.  Raises SimulateError for another scene or controller."""
-    told = asked_of(recording)
-    kernels, own = _read(scene, told.precision)
+    past = metadata_of(recording)
+    kernels, own = _read(scene, past.precision)
     by = _controller(controller)
-    told.refuse(own, by)
-    asked = told.asked(by)
+    past.refuse(own, by)
+    request = past.request(by)
     with at_callers_line():
-        kernels = complete(kernels, asked) if kernels else _kernels(
-            own, told.integrator, told.precision, told.record, by is not None)
+        kernels = complete(kernels, request) if kernels else _kernels(
+            own, past.integrator, past.precision, past.record, by is not None)
     with at_callers_line():
-        result = motion(kernels, told.precision, asked)
-    return _told(result)
+        result = motion(kernels, past.precision, request)
+    return _warned(result)
 
 
-def _told(result: Result) -> Result:
+def _warned(result: Result) -> Result:
     """The result; warns if it is a run that stopped, raises KeyboardInterrupt again."""
     if result.trajectory.interrupted:
         raise KeyboardInterrupt
@@ -97,7 +97,7 @@ def _told(result: Result) -> Result:
 
 
 def _end(start: Result | Path | str | None, q0: ArrayLike | None, v0: ArrayLike | None
-         ) -> Instant | None:
+         ) -> Checkpoint | None:
     """The end of the run that this one continues.  Raises SimulateError, TypeError."""
     if start is None:
         return None

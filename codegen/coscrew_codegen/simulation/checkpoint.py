@@ -22,7 +22,7 @@ START, END = "start", "end"
 
 
 @dataclass(frozen=True)
-class Instant:
+class Checkpoint:
     """State of a run, or of each member of a batch, at one time: everything that the following
     steps depend on."""
 
@@ -37,7 +37,7 @@ class Instant:
     controller: str = ""  # description, in provenance, of the previous run's controller
 
     @property
-    def told(self) -> str:
+    def as_json(self) -> str:
         """The checkpoint as JSON, whose decimals read back the same; for a batch, a hash of the
         numbers."""
         arrays = {name: np.asarray(values, float) for name, values in (
@@ -56,20 +56,20 @@ class Instant:
 
 
 def start_at(system: System, q: np.ndarray, v: np.ndarray, momentum: np.ndarray | None
-             ) -> Instant:
+             ) -> Checkpoint:
     """The start of a run at t = 0."""
-    return Instant(0.0, 0, q, v, np.asarray(system.p, float), momentum, of_run(system))
+    return Checkpoint(0.0, 0, q, v, np.asarray(system.p, float), momentum, of_run(system))
 
 
-def end_of(system: System, trajectory: Trajectory, start: Instant) -> Instant:
+def end_of(system: System, trajectory: Trajectory, start: Checkpoint) -> Checkpoint:
     """The end of a run from this start."""
     p = np.asarray(system.p, float)
     if trajectory.held is not None:
         held = trajectory.held[..., -1, :]  # not finite: of members that stopped
         p = np.where(np.isfinite(held) & (held != p.astype(held.dtype)), held, p)
-    return Instant(float(trajectory.t[-1]), start.steps + trajectory.steps,
-                   trajectory.q[..., -1, :], trajectory.v[..., -1, :], p, trajectory.momentum,
-                   of_run(system), trajectory.failed)
+    return Checkpoint(float(trajectory.t[-1]), start.steps + trajectory.steps,
+                      trajectory.q[..., -1, :], trajectory.v[..., -1, :], p, trajectory.momentum,
+                      of_run(system), trajectory.failed)
 
 
 def of_run(system: System) -> tuple[str, str]:
@@ -77,20 +77,20 @@ def of_run(system: System) -> tuple[str, str]:
     return system.precision.name, system.scene.motion_hash
 
 
-def end_in(path: Path) -> Instant:
+def end_in(path: Path) -> Checkpoint:
     """Reads the end of the run from a recording.  Raises SimulateError."""
-    told = provenance_of(path, "start")
-    if END not in told:
-        why = f": {told['stopped']}" if "stopped" in told else ""
+    entries = provenance_of(path, "start")
+    if END not in entries:
+        why = f": {entries['stopped']}" if "stopped" in entries else ""
         raise SimulateError(f"start: {path} does not contain the end of a run{why}; wanted a "
                             "recording of an emitted integrator that did not stop early")
-    return instant(told, END, f"start: {path}: its end")
+    return checkpoint_in(entries, END, f"start: {path}: its end")
 
 
-def instant(told: Mapping[str, str], which: str, said: str) -> Instant:
+def checkpoint_in(entries: Mapping[str, str], which: str, prefix: str) -> Checkpoint:
     """Reads the first or the last checkpoint from provenance.  Raises SimulateError."""
     try:
-        given = json.loads(told[which])
+        given = json.loads(entries[which])
         q, v, p = (_numbers(given[name], 1) for name in ("q", "v", "p"))
         momentum = _numbers(given["momentum"], 2) if "momentum" in given else None
         t, steps = float(given["t"]), given["steps"]
@@ -98,13 +98,13 @@ def instant(told: Mapping[str, str], which: str, said: str) -> Instant:
         if not (type(steps) is int and steps >= 0 and math.isfinite(t) and begun):
             raise ValueError
     except (ValueError, TypeError, KeyError, AttributeError, OverflowError, RecursionError):
-        raise SimulateError(f"{said} is not as coscrew writes it") from None
-    return Instant(t, steps, q, v, p, momentum, (told.get("precision", ""),
-                                                 told.get("scene sha256", "")),
-                   controller=told.get("controller", ""))
+        raise SimulateError(f"{prefix} is not as coscrew writes it") from None
+    return Checkpoint(t, steps, q, v, p, momentum, (entries.get("precision", ""),
+                                                    entries.get("scene sha256", "")),
+                      controller=entries.get("controller", ""))
 
 
-def refuse(start: Instant, system: System) -> None:
+def refuse(start: Checkpoint, system: System) -> None:
     """Raises SimulateError if no run of this system can begin there; warns if it is of another
     scene."""
     its, (precision, scene) = system.functions, start.of
@@ -126,7 +126,7 @@ def refuse(start: Instant, system: System) -> None:
                       RuntimeWarning, stacklevel=5)
 
 
-def refuse_plan(start: Instant, system: System, plan: Plan) -> None:
+def refuse_plan(start: Checkpoint, system: System, plan: Plan) -> None:
     """Raises SimulateError if the integrator cannot continue from there."""
     if plan.adaptive and start.t > 0:
         raise SimulateError(f"start: integrator {plan.integrator} begins with steps of its own; "
@@ -138,7 +138,7 @@ def refuse_plan(start: Instant, system: System, plan: Plan) -> None:
 
 
 def _numbers(values: object, axes: int) -> np.ndarray:
-    found = np.array(values, float)
-    if found.ndim != axes or not np.isfinite(found).all():
+    result = np.array(values, float)
+    if result.ndim != axes or not np.isfinite(result).all():
         raise ValueError
-    return found
+    return result

@@ -76,7 +76,7 @@ class Controller:
         kept = (getattr(self.function, "_objects", None) or {}).values()
         return not self.address or any("Thunk" in type(x).__name__ for x in kept)
 
-    def told(self, scene: Scene) -> str:
+    def described(self, scene: Scene) -> str:
         """Describes it for provenance: name, interval of calls, parameters that it sets, and a hash
         of its source, if that can be read."""
         when = f"every {self.steps} steps" if self.steps > 1 else "every step"

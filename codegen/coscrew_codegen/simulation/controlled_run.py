@@ -94,24 +94,24 @@ class Driven:
             return self._from_c(t, q, v)
         law = cast("Law", self._controller.function)
         try:
-            found = law(float(t), q.copy(), v.copy())
+            result = law(float(t), q.copy(), v.copy())
         except Exception as error:
             error.add_note(f"the controller was called at t = {t:.9g} s, before step {k}")
             raise
-        return self._checked(found, q.shape[:-1])
+        return self._checked(result, q.shape[:-1])
 
-    def _checked(self, found: object, lead: tuple[int, ...]) -> np.ndarray:
+    def _checked(self, result: object, lead: tuple[int, ...]) -> np.ndarray:
         """The numbers that a function in Python returned.  Raises SimulateError."""
         count = len(self._places)
         try:
-            values = np.asarray(found)
+            values = np.asarray(result)
         except ValueError:  # rows of different lengths
             values = np.array(None)
         shapes = {(count,), (*lead, count), *([()] if count == 1 else [])}
         if values.dtype.kind not in "iuf" or values.shape not in shapes:
             several = f", or a row of them for each of {lead[0]} members" if lead else ""
             raise SimulateError(f"controller: wanted {count} numbers, of "
-                                f"{', '.join(self.names)}{several}; got {found!r}")
+                                f"{', '.join(self.names)}{several}; got {result!r}")
         return np.broadcast_to(values.astype(self._system.dtype), (*lead, count))
 
     def _from_c(self, t: float, q: np.ndarray, v: np.ndarray) -> np.ndarray:

@@ -178,8 +178,8 @@ def _stops(look: Alarm, alive: np.ndarray, steps: int, t: float, h: float, q: np
            v: np.ndarray) -> tuple[Stop, ...]:
     """The members that are wrong at t, after so many further steps; they are removed from `alive`.
     """
-    found = look(steps, t, h, q, v, alive & _finite(q, v))
-    stops = tuple(Stop(i[0] if i else 0, float(t), *x) for i, x in found.items())
+    result = look(steps, t, h, q, v, alive & _finite(q, v))
+    stops = tuple(Stop(i[0] if i else 0, float(t), *x) for i, x in result.items())
     _end(alive, stops)
     return stops
 
@@ -192,8 +192,8 @@ def _end(alive: np.ndarray, stops: tuple[Stop, ...]) -> None:
 
 def _finite(q: np.ndarray, v: np.ndarray) -> np.ndarray:
     """Returns the mask of finite states."""
-    found: np.ndarray = np.isfinite(q).all(-1) & np.isfinite(v).all(-1)
-    return found
+    result: np.ndarray = np.isfinite(q).all(-1) & np.isfinite(v).all(-1)
+    return result
 
 
 def _advance(system: System, plan: Plan, watch: Watch | None = None) -> Advance:

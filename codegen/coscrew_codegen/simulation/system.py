@@ -59,8 +59,8 @@ class System:
     @property
     def programs(self) -> Mapping[str, Program]:
         """The Program of each function."""
-        found = self.origin.functions.functions if self.origin else ()
-        return {f.name: f.program for f in found if not f.internal}
+        result = self.origin.functions.functions if self.origin else ()
+        return {f.name: f.program for f in result if not f.internal}
 
     def zero(self, name: str) -> bool:
         """Returns whether the scene lacks the function, or its outputs are zero whatever the
@@ -76,8 +76,8 @@ class System:
         leading axes; inputs that it does not take are ignored."""
         given = {"p": self._p, **values}
         arguments = [np.asarray(given[x], self.dtype) for x in self.inputs[name]]
-        found: np.ndarray = getattr(self.kernels, name)(*arguments)
-        return found
+        result: np.ndarray = getattr(self.kernels, name)(*arguments)
+        return result
 
     def outputs(self, name: str, **values: object) -> tuple[np.ndarray, ...]:
         """Returns the outputs of a function with several ones; inputs as of `call`."""
@@ -99,8 +99,8 @@ class System:
         def steps(p: np.ndarray, n: int, t: float, h: float, q: np.ndarray, v: np.ndarray
                   ) -> State:
             if several and (n > 1 or q.ndim > 1):
-                found: State = several(n, t, h, p, q, v)
-                return found
+                result: State = several(n, t, h, p, q, v)
+                return result
             for k in range(n):
                 if watch and k:
                     watch(t + k * h, q, v)
@@ -113,8 +113,8 @@ class System:
     def driver(self, name: str) -> "Driver | None":
         """The integrator under a controller in C, if it is compiled: (by, n, t, h, p, q, v) -> p, q
         and v after n steps, and the first value of the controller that is not finite."""
-        found: Driver | None = getattr(getattr(self.kernels, name), "driven", None)
-        return found
+        driven: Driver | None = getattr(getattr(self.kernels, name), "driven", None)
+        return driven
 
     def momentum(self, q: np.ndarray, v: np.ndarray) -> np.ndarray | None:
         """(p; L; x) of floating bases, if nothing but gravity changes it: momentum, angular
@@ -198,7 +198,7 @@ def system(kernels: "Kernels", precision: str, settings: Mapping[str, float] | N
     `settings` are values of run-time parameters.  Raises SimulateError for unknown ones, and for
     values that a scene's file must not have."""
     functions, scene = kernels.interface, scene_of(kernels)
-    found = next(x for x in PRECISIONS if x.name == precision)
-    refuse_settings(scene, settings or {}, found)
+    result = next(x for x in PRECISIONS if x.name == precision)
+    refuse_settings(scene, settings or {}, result)
     values = tuple((settings or {}).get(name, value) for name, value in functions.parameters)
-    return System(scene, functions, getattr(kernels, precision), found, values, kernels)
+    return System(scene, functions, getattr(kernels, precision), result, values, kernels)

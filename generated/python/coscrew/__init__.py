@@ -16,7 +16,7 @@ import numpy as np
 from coscrew import double, single
 from coscrew._provenance import is_compiled
 
-COMPILED: bool = is_compiled("coscrew._gufunc", "20f0bc0a339a3ae5")
+COMPILED: bool = is_compiled("coscrew._gufunc", "f892c3a48e8af2ed")
 
 if COMPILED:
     from coscrew._gufunc import (

@@ -33,11 +33,11 @@ WRONG = 0.05
 """The error of coordinates above which it is wrong."""
 
 
-def judged(found: tuple[Error, ...]) -> str:
+def judged(results: tuple[Error, ...]) -> str:
     """right, between or wrong."""
-    if not all(x.q <= WRONG for x in found):
+    if not all(x.q <= WRONG for x in results):
         return "wrong"
-    return "right" if all(x.of_allowed <= 1 for x in found) else "between"
+    return "right" if all(x.of_allowed <= 1 for x in results) else "between"
 
 
 def errors(its: Dynamics, motion: Motion, whole_q: np.ndarray, whole_v: np.ndarray,

@@ -68,12 +68,12 @@ class Acting:
     @property
     def settings(self) -> dict[str, float]:
         """The numbers given at run time, by their names in `runtime`."""
-        found = {}
+        results = {}
         for name in self.free:
             value = self.values[name]
             assert isinstance(value, float | int)
-            found[f"{self.effect}.{self.on}.{name}"] = float(value)
-        return found
+            results[f"{self.effect}.{self.on}.{name}"] = float(value)
+        return results
 
 
 @dataclass(frozen=True)

@@ -120,11 +120,11 @@ class Runs:
         its.followed(q, v)
         return q, v
 
-    def said(self, how: Setting) -> Said:
+    def verdicts(self, how: Setting) -> Said:
         """The verdicts of `simulate` and `check`, without the rounding of functions."""
         kernels = self._kernels(how)
         given = RunOverrides(None, None, None, how.precision, self._settings())
-        stopped = simulated(kernels, given, told=False)[0].trajectory.stopped
+        stopped = simulated(kernels, given, with_provenance=False)[0].trajectory.stopped
         findings = check(kernels, given)
         return Said(stopped, findings.passed, findings.strictly_passed,
                     check_report.table(findings, strict=True))
@@ -149,16 +149,16 @@ _FORMS: tuple[tuple[str, Callable[..., Setting]], ...] = (
 def advised(text: str, how: Setting) -> tuple[Setting, ...]:
     """The settings that sentences advise, each of which should do.  Raises ValueError if one is of
     no known form."""
-    each = [x for found in _ADVICE.findall(text) for x in found.split(", or ")]
+    each = [x for result in _ADVICE.findall(text) for x in result.split(", or ")]
     return tuple(_read_advice(x, how) for x in each if x != _UNNAMED)
 
 
 def _read_advice(words: str, how: Setting) -> Setting:
     parts = re.fullmatch(r"(--precision \S+) and (.+)", words)
     for part in parts.groups() if parts else (words,):
-        found = next(((setting, x) for form, setting in _FORMS if (x := re.fullmatch(form, part))),
-                     None)
-        if found is None:
+        result = next(((setting, x) for form, setting in _FORMS if (x := re.fullmatch(form, part))),
+                      None)
+        if result is None:
             raise ValueError(f"advice of no known form: take {words}")
-        how = found[0](how, *found[1].groups())
+        how = result[0](how, *result[1].groups())
     return how

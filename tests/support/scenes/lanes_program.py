@@ -90,7 +90,7 @@ def written(scene: SceneFunctions, folder: Path) -> tuple[Path, ...]:
     for path, content in files.items():
         (folder / path).write_text(content)
     (folder / "lanes.c").write_text(text(scene, _in_lanes(scene, scene.name)))
-    return tuple(folder / x for x in ("lanes.c", f"{scene.name}.c", f"{scene.name}_many.c"))
+    return tuple(folder / x for x in ("lanes.c", *sorted(files)) if x.endswith(".c"))
 
 
 def tier_written(made: SceneTier, folder: Path) -> tuple[Path, ...]:
@@ -100,7 +100,7 @@ def tier_written(made: SceneTier, folder: Path) -> tuple[Path, ...]:
         (folder / path).write_text(content)
     scene = replace(made.first, precisions=tuple(p.name for p, _ in made.in_precisions))
     (folder / "lanes.c").write_text(text(scene, _in_lanes(scene, made.stem)))
-    return tuple(folder / x for x in ("lanes.c", f"{made.stem}.c", f"{made.stem}_many.c"))
+    return tuple(folder / x for x in ("lanes.c", *sorted(files)) if x.endswith(".c"))
 
 
 def _in_lanes(scene: SceneFunctions, stem: str) -> Compared:

@@ -61,7 +61,8 @@ def _text() -> str:
     called = [(f, p) for p in PRECISIONS for f in scene_calls.callables(functions())]
     name = functions().name
     return "\n".join([
-        HEAD, f'#include "{name}.c"', *map(numbers_and_hashes, PRECISIONS),
+        HEAD, *(f'#include "{name}{p.suffix}.c"' for p in PRECISIONS),
+        *map(numbers_and_hashes, PRECISIONS),
         *(_function(f, p) for f, p in called), "int main(void) {",
         *(f"  do_{c_name(functions(), f.name, p)}();" for f, p in called), "  return 0;", "}", ""])
 

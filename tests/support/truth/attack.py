@@ -42,9 +42,9 @@ TIERED = tuple(op for op in OPERATIONS if is_polynomial(plain_program(op)))
 @functools.cache
 def bounds(operation: Operation, precision: Precision, tier: str) -> tuple[Bound, ...]:
     """The emitted bounds of the operation's results."""
-    found = bounds_of(tier_named(tier).program(plain_program(operation), precision))
-    assert found
-    return found
+    result = bounds_of(tier_named(tier).program(plain_program(operation), precision))
+    assert result
+    return result
 
 
 def rows(operation: Operation, precision: Precision, count: int, seed: int) -> Arrays:

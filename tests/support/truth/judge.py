@@ -101,13 +101,13 @@ def ratio(operation: Operation, precision: Precision, tier: str, given: Sequence
         expected = truth(operation, precision, tuple(given))
     except ZeroDivisionError:
         return 0.0  # there is no bound for division by zero
-    found = _normwise(operation, precision, tier, given, got, expected)
-    if found > 1:
+    result = _normwise(operation, precision, tier, given, got, expected)
+    if result > 1:
         near = 32 + DEFECT * _defect_in_u(operation, precision, given)
         other = other_way(operation, given, near * float(UNIT[precision.name]))
         if other is not None:
-            found = min(found, _normwise(operation, precision, tier, given, got, other))
-    return found
+            result = min(result, _normwise(operation, precision, tier, given, got, other))
+    return result
 
 
 def _polynomial(operation: Operation, precision: Precision, tier: str, given: Sequence[float],

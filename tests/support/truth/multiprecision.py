@@ -246,10 +246,10 @@ class Evaluator:
 
     def number(self, x: sp.Basic) -> Number:
         """The value of an expression that is a number."""
-        found = self(x)
-        if isinstance(found, bool):
+        result = self(x)
+        if isinstance(result, bool):
             raise TypeError(f"{x} is a condition")
-        return found
+        return result
 
     def _by_type(self, x: sp.Basic, values: list[Number | bool]) -> Number | bool:
         kind = type(x)

@@ -108,13 +108,13 @@ def _effects(draw: np.random.Generator) -> dict[str, Fraction]:
 
 
 def _applied(joint: str, given: dict[str, Fraction]) -> list[Any]:
-    found = []
+    results = []
     for name, marking, words in (("spring", "k", ("k", "q0")), ("viscous", "d", ("d",)),
                                  ("coulomb", "tau_c", ("tau_c", "eps")),
                                  ("armature", "rotor", ("rotor", "gear"))):
         if given[marking]:
-            found.append(m.applied(name, joint, **{x: given[x] for x in words}))
-    return found
+            results.append(m.applied(name, joint, **{x: given[x] for x in words}))
+    return results
 
 
 def _decimal(draw: np.random.Generator, least: int, most: int) -> Fraction:

@@ -39,7 +39,7 @@ class Judged:
     condition: np.ndarray
 
     @property
-    def told(self) -> np.ndarray:
+    def counted(self) -> np.ndarray:
         """True if the condition allows a judgement."""
         return self.condition < LARGEST
 
@@ -106,8 +106,8 @@ def unnoticed(name: str, count: int, folder: Path, arms: Sequence[Links] = ARMS
     """The number of signs in the C of a function, and the signs that can be flipped unnoticed at
     this many states of any of the arms, besides signs that change nothing."""
     (lines, missed), *others = (_unnoticed(arm, name, count, folder) for arm in arms)
-    noticed = {place for found, unseen in others
-               for place in {*map(_place, found)} - {*map(_place, unseen)}}
+    noticed = {place for result, unseen in others
+               for place in {*map(_place, result)} - {*map(_place, unseen)}}
     return len(lines), [x for x in missed if _place(x) not in noticed
                         and not any(same in x for same in SAME)]
 
@@ -127,8 +127,8 @@ def _unnoticed(arm: Links, name: str, count: int, folder: Path
     judged = judge(derived, next(f for f in derived.functions if f.name == name), count)
     made = mutants(folder / arm.mass, scene_files(derived), "signed_arm_accurate",
                    f"signed_arm_{name}_accurate", judged.high.shape[1])
-    high, low = (np.where(judged.told, x, 0) for x in (judged.high, judged.low))
-    unit = np.where(judged.told, judged.unit, np.inf)
+    high, low = (np.where(judged.counted, x, 0) for x in (judged.high, judged.low))
+    unit = np.where(judged.counted, judged.unit, np.inf)
     truth = high, low, unit, unit * judged.condition * 2.0**-53
     (rounded, whole), = made.worst([-1], judged.given, truth, (np.inf, np.inf))
     assert rounded <= MOST

@@ -126,11 +126,11 @@ def _by_halves(a: Array, b: Array, c: Array) -> Array:
     error = ((a_high * b_high - p) + a_high * b_low + a_low * b_high) + a_low * b_low
     size = np.absolute(p)
     exact = (size > 2.0**-960) & (size < 2.0**960) | (a == 0) | (b == 0)
-    found = np.where(error == 0, rest, rest + error)
+    result = np.where(error == 0, rest, rest + error)
     other = ~exact & np.isfinite(p) & np.isfinite(c)
-    found[other] = [float(Fraction(x) * Fraction(y) - Fraction(z)) for x, y, z in zip(
+    result[other] = [float(Fraction(x) * Fraction(y) - Fraction(z)) for x, y, z in zip(
         *(np.broadcast_to(each, other.shape)[other].tolist() for each in (a, b, c)), strict=True)]
-    return np.where(exact | other, found, np.nan)
+    return np.where(exact | other, result, np.nan)
 
 
 def _halves(a: Array) -> tuple[Array, Array]:

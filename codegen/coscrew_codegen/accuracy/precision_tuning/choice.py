@@ -91,24 +91,24 @@ class _Search:
         room = ROOM
         while True:
             mixture = self._cheapest(room) if room > _LEAST else self._mixture(-1, 0)
-            found = mixed(self.program, mixture) if room > _LEAST else self.pairs
-            others = self._others(found)
-            if self._units(found, others).max() <= 1:
-                worst = self.sample.joined(first).joined(others).certified(found).max(axis=1)
-                return PrecisionChoice(found, self.pairs, len(mixture.paired),
+            result = mixed(self.program, mixture) if room > _LEAST else self.pairs
+            others = self._others(result)
+            if self._units(result, others).max() <= 1:
+                worst = self.sample.joined(first).joined(others).certified(result).max(axis=1)
+                return PrecisionChoice(result, self.pairs, len(mixture.paired),
                                        tuple(worst.tolist()))
-            self._add(others.at(_worst(self._units(found, others))))
+            self._add(others.at(_worst(self._units(result, others))))
             room *= room
 
     def _others(self, program: Program) -> StateSample:
         """Yields new states, random ones and those of searches, until bounds exceed the request at
         one."""
-        found = self.states.drawn(DRAWN)
+        given = self.states.drawn(DRAWN)
         for _ in range(SEARCHES):
-            if self._units(program, found).max() > 1:
+            if self._units(program, given).max() > 1:
                 break
-            found = found.joined(self._searched(self._errors(program)))
-        return found
+            given = given.joined(self._searched(self._errors(program)))
+        return given
 
     def _errors(self, program: Program) -> Sizes:
         return errors(program, self.program, self.tolerances)
@@ -139,10 +139,10 @@ class _Search:
         budget left by all-pairs evaluation."""
         least = float(self._units(self.pairs, self.sample).max())
         aim = least + room * (1 - least)
-        found = {power: self._largest(power, aim) for power in self.powers}
-        cheapest = min(found, key=lambda x: operations(mixed(self.program, found[x])))
+        results = {power: self._largest(power, aim) for power in self.powers}
+        cheapest = min(results, key=lambda x: operations(mixed(self.program, results[x])))
         self.powers = cheapest,
-        return found[cheapest]
+        return results[cheapest]
 
     def _largest(self, power: int, aim: float) -> Mixture:
         """Returns the mixture of the largest threshold that meets the aim; all in pairs if there is
@@ -176,14 +176,14 @@ class _Search:
     def _refuse(self, sample: StateSample) -> None:
         """Raises AccuracyError if pairs do not reach the requested accuracy at these states."""
         bounds = sample.certified(self.pairs).max(axis=1)
-        for (name, number), bound, asked in zip(
+        for (name, number), bound, tolerance in zip(
                 self.accuracy.components, bounds, self.accuracy.tolerances, strict=True):
-            if bound > asked:
-                found = f"err by up to {two_digits_up(bound)}" if np.isfinite(bound) else \
+            if bound > tolerance:
+                words = f"err by up to {two_digits_up(bound)}" if np.isfinite(bound) else \
                     "have no certified bound at some states"
                 raise AccuracyError(
-                    f"accuracy of {self.program.name}: {asked:g} is requested for {name}; even "
-                    f"pairs of floats, rounded at the end, {found} in component {number}")
+                    f"accuracy of {self.program.name}: {tolerance:g} is requested for {name}; even "
+                    f"pairs of floats, rounded at the end, {words} in component {number}")
 
 
 def operations(program: Program) -> int:

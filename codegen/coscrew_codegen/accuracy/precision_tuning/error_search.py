@@ -19,13 +19,13 @@ Sizes = Callable[[Given], Array]
 def climbed(states: States, sizes: Sizes) -> Given:
     """Searches states of large sizes, by small steps from the largest of some states."""
     best = states.numbers(_AT_ONCE)
-    found = sizes(best)
+    result = sizes(best)
     for _ in range(_ROUNDS):
-        kept = _largest(found)
-        best, found = at(best, kept), found[:, kept]
+        kept = _largest(result)
+        best, result = at(best, kept), result[:, kept]
         near = states.near(at(best, np.resize(np.arange(len(kept)), _AT_ONCE)))
-        best, found = joined(best, near), np.concatenate((found, sizes(near)), axis=1)
-    return at(best, _largest(found))
+        best, result = joined(best, near), np.concatenate((result, sizes(near)), axis=1)
+    return at(best, _largest(result))
 
 
 def errors(program: Program, plain: Program, tolerances: Array) -> Sizes:

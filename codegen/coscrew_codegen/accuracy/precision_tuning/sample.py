@@ -35,9 +35,9 @@ class StateSample:
     def certified(self, program: Program) -> Array:
         """Bounds of the errors of another program's results in single precision, as in the
         certified tier: |x̂ - w| + B, rounded up; infinite where there is no bound."""
-        found = in_rows(program, SINGLE)(self.given).astype(float)
+        result = in_rows(program, SINGLE)(self.given).astype(float)
         with np.errstate(all="ignore"):
-            total = (np.absolute(found - self.results) + self.bounds) * _ROUNDED + _LEAST
+            total = (np.absolute(result - self.results) + self.bounds) * _ROUNDED + _LEAST
         return np.where(np.isnan(total), np.inf, total)
 
     def at(self, chosen: Array) -> "StateSample":
@@ -95,9 +95,9 @@ class States:
 
     def sample(self, given: Given) -> StateSample:
         """Returns the sample of these states, with certified results."""
-        found = self._certified(in_double(given))
-        half = len(found) // 2
-        return StateSample(given, found[:half], found[half:])
+        result = self._certified(in_double(given))
+        half = len(result) // 2
+        return StateSample(given, result[:half], result[half:])
 
     def numbers(self, count: int) -> Given:
         """The next states: every number evenly distributed, quaternions of norm 1, all numbers of
@@ -124,9 +124,9 @@ class States:
         uniform = self._random.random  # the method whose random numbers never change
         return np.array([uniform() for _ in range(count)])
 
-    def _single(self, found: Iterable[list[Array]]) -> Given:
+    def _single(self, results: Iterable[list[Array]]) -> Given:
         """Rounds to single precision, with quaternions of norm 1."""
-        given = list(found)
+        given = list(results)
         for argument, places in self._accuracy.quaternions:
             quaternion = given[argument][places.start:places.stop]
             norm = np.sqrt(sum(x * x for x in quaternion))

@@ -23,11 +23,11 @@ def sensitivities(program: Program, given: Sequence[Sequence[Array]],
     """The largest |adjoint · value| / tolerance at these states of each place that single precision
     may round; infinite where there is no derivative."""
     places = list(_places(program))
-    scaled, found = _scaled(program, places), np.zeros(len(places))
+    scaled, result = _scaled(program, places), np.zeros(len(places))
     for first in range(0, len(given[0][0]), _STATES):
         some = [[x[first:first + _STATES] for x in each] for each in given]
-        np.maximum(found, _largest(scaled, some, tolerances), out=found)
-    return dict(zip(places, found.tolist(), strict=True))
+        np.maximum(result, _largest(scaled, some, tolerances), out=result)
+    return dict(zip(places, result.tolist(), strict=True))
 
 
 def _places(program: Program) -> Iterator[Place]:

@@ -38,14 +38,14 @@ def saving(choice: PrecisionChoice, function: FunctionProgram, units: Sequence[s
 
 def _moved(choice: PrecisionChoice, function: FunctionProgram, units: Sequence[str] = ()) -> str:
     assert function.accuracy
-    asked, components = function.accuracy.tolerances, function.accuracy.components
+    tolerances, components = function.accuracy.tolerances, function.accuracy.components
     outputs = {name: [k for k, (x, _) in enumerate(components) if x == name]
                for name, _ in components}
     of = {name: " " + " or ".join(dict.fromkeys(units[k] for k in places)) if units else ""
           for name, places in outputs.items()}
     return "; ".join(f"{name} by at most {two_digits_up(max(choice.worst[k] for k in places))}"
-                     f"{of[name]} (asked: {asked[places[0]]:g})".replace("e-0", "e-")
-                     for name, places in outputs.items() if isfinite(asked[places[0]]))
+                     f"{of[name]} (asked: {tolerances[places[0]]:g})".replace("e-0", "e-")
+                     for name, places in outputs.items() if isfinite(tolerances[places[0]]))
 
 
 def _operations(choice: PrecisionChoice, function: FunctionProgram) -> tuple[int, ...]:

@@ -10,18 +10,18 @@ A tier may also add in another order: `program.sums` gives the terms of a plain 
 """
 
 from coscrew_codegen.accuracy.tiers.tier import Tier
-from coscrew_codegen.program.plugins import found
+from coscrew_codegen.program.plugins import discover
 
 __all__ = ["MARKED", "OF_SCENES", "PLAIN", "TIERS", "Tier", "tier_named"]
 
-_ALL = sorted(found(__name__, __path__, "TIER", Tier), key=lambda tier: tier.order)
+_ALL = sorted(discover(__name__, __path__, "TIER", Tier), key=lambda tier: tier.order)
 TIERS = tuple(tier for tier in _ALL if tier.make)
 """The tiers that operations have, the cheapest first."""
 
 PLAIN = next(tier for tier in TIERS if not tier.marked)
 MARKED = tuple(tier for tier in TIERS if tier.marked)
 """All tiers but plain: those with a suffix in names."""
-OF_SCENES = tuple(tier for tier in _ALL if tier is PLAIN or tier.scene or tier.asked)
+OF_SCENES = tuple(tier for tier in _ALL if tier is PLAIN or tier.scene or tier.on_request)
 """The tiers that functions of scenes have."""
 
 

@@ -66,12 +66,12 @@ def numbered(program: Program) -> Name:
 
     def name(of: str, suffix: str) -> str:
         stem = f"{_NUMBER.sub('', of)}_{suffix}"
-        found = stem if suffix == "lo" and not _NUMBER.search(of) else ""
-        while not found or found in taken:
+        result = stem if suffix == "lo" and not _NUMBER.search(of) else ""
+        while not result or result in taken:
             numbers[stem] += 1
-            found = f"{stem}_{numbers[stem]}"
-        taken.add(found)
-        return found
+            result = f"{stem}_{numbers[stem]}"
+        taken.add(result)
+        return result
     return name
 
 

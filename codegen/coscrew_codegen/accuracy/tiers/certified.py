@@ -139,7 +139,7 @@ class _Certifier:
         size = self._size(result)
         if not size.growth:
             return ZERO
-        name = f"{self._name(size.x)}_error_bound"
+        name = f"{self._name(size.x)}_bound"
         size = self._padded(size, name)
         most = self._precision.rounded_up((1 + self._precision.u) * size.growth)
         return self._issue(name, Op.MUL, (constant(most), self._s(size, name)), name)

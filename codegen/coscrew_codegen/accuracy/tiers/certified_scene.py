@@ -71,7 +71,9 @@ def of_scene(program: Program, precision: Precision, kinks: bool = True) -> Prog
     how = replace(COMPUTED, kinks=kinks)
     if program.fine is None:
         return extended(program, precision, how)
-    names = {step.name: f"fine_{step.name}" for step in program.fine.instructions}
+    taken = {step.name for step in program.instructions}
+    names = {step.name: f"fine_{step.name}" if step.name in taken else step.name
+             for step in program.fine.instructions}
     return extended(renamed(program.fine, names), precision, how, program)
 
 

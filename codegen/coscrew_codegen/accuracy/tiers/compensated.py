@@ -193,7 +193,7 @@ def suffixed(_: Program) -> Name:
 
 def two_sum(c: Carrier, step: Instruction, hi: Ref, lo: Operand) -> tuple[Ref, Operand]:
     """hi + lo rounded, and the exact rest."""
-    total = c.issue(step, Op.ADD, (hi, lo), f"of_{hi.name}")
+    total = c.issue(replace(step, name=hi.name), Op.ADD, (hi, lo), "sum")
     at = replace(step, name=total.name)
     right = c.issue(at, Op.SUB, (total, hi), "right")
     left = c.issue(at, Op.EXACT_SUB, (total, right), "left")

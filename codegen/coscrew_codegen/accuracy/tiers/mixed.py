@@ -87,5 +87,5 @@ class _Mixed:
 
 TIER = Tier(
     "mixed", 4, "Mixed tier: single precision; what the asked accuracy needs, in pairs of floats.",
-    ("#0f766e", "#5eead4"), make=None, asked=True, precisions=(SINGLE,), header="ksl_exact",
+    ("#0f766e", "#5eead4"), make=None, on_request=True, precisions=(SINGLE,), header="ksl_exact",
     in_words="The mixed tier: float32, as much of it in pairs hi + lo as the asked accuracy needs.")

@@ -33,8 +33,8 @@ def splits(program: Program) -> frozenset[str]:
         return (step.op is Op.SUB and first is not None and first.op is Op.ADD
                 and step.operands[1] in first.operands)
 
-    found = frozenset(step.name for step in program.instructions if is_split(step))
-    return _indifferent(program, found, lambda trial, step: lambda *x: _drawn(trial, step.name))
+    result = frozenset(step.name for step in program.instructions if is_split(step))
+    return _indifferent(program, result, lambda trial, step: lambda *x: _drawn(trial, step.name))
 
 
 def scalings(program: Program) -> frozenset[str]:
@@ -50,16 +50,16 @@ def scalings(program: Program) -> frozenset[str]:
         if step.op is Op.SELECT and all(map(is_power, step.operands[1:])):
             compared = steps[name_of(step.operands[0])].operands
             powers[Ref(step.name)] = not all(map(is_power, compared))
-    found = frozenset(x.name for x, free in powers.items() if free and isinstance(x, Ref))
-    return _indifferent(program, found, lambda trial, step: lambda test, *x: x[
+    result = frozenset(x.name for x, free in powers.items() if free and isinstance(x, Ref))
+    return _indifferent(program, result, lambda trial, step: lambda test, *x: x[
         _drawn(trial, step.name) % 2])
 
 
-def _indifferent(program: Program, found: frozenset[str], choose: Choose) -> frozenset[str]:
+def _indifferent(program: Program, names: frozenset[str], choose: Choose) -> frozenset[str]:
     """These names if no result depends on their values, else none."""
-    same = all(_results(program, trial, found, choose) == _results(program, trial)
-               for trial in range(TRIALS if found else 0))
-    return found if same else frozenset()
+    same = all(_results(program, trial, names, choose) == _results(program, trial)
+               for trial in range(TRIALS if names else 0))
+    return names if same else frozenset()
 
 
 def _results(program: Program, trial: int, other: frozenset[str] = frozenset(),

@@ -51,7 +51,7 @@ class Tier:
     scene: Callable[[Program, Precision], Program] | None = None  # plain program of a scene's
     # function → the tier's, which may have more outputs; None: scenes do not have the tier
     bounds: bool = False  # whether operations return bounds, where inf and NaN make no statement
-    asked: bool = False  # whether only scenes' functions with a requested accuracy have it
+    on_request: bool = False  # whether only scenes' functions with a requested accuracy have it
     precisions: tuple[Precision, ...] = PRECISIONS  # that it has in scenes
     header: str = "ksl_types"  # that its C functions need; ksl_exact computes rounding errors
     promise: str = ""  # what results of scenes' functions are, and when, in words

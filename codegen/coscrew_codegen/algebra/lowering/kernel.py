@@ -54,8 +54,8 @@ def kernel_of(operation: Operation, fine: bool = False, smooth: bool = False) ->
         values = operation.formula(*arguments)
     else:
         values = operation.derivation(Let(let, fine, smooth), *arguments)
-    found, wanted = components(values), sum(a.quantity.size for a in operation.outputs)
-    if len(found) != wanted:
-        raise ValueError(f"{operation.name}: its formula has {len(found)} components, its outputs "
+    made, wanted = components(values), sum(a.quantity.size for a in operation.outputs)
+    if len(made) != wanted:
+        raise ValueError(f"{operation.name}: its formula has {len(made)} components, its outputs "
                          f"{wanted}")
-    return Kernel(operation.name, operation.inputs, tuple(bindings), operation.outputs, found)
+    return Kernel(operation.name, operation.inputs, tuple(bindings), operation.outputs, made)

@@ -108,9 +108,9 @@ def _solve(let: Let, A: sp.Matrix, b: sp.Matrix) -> tuple[sp.Expr, sp.Matrix]:
     residual = let("residual", sp.Matrix([
         b[i] - sum(A[max(i, j), min(i, j)] * x[j] for j in range(n)) for i in range(n)]))
     step = substituted(prefixed(let, "refined"), L, safe, residual)
-    found = let("found", x + step)
+    result = let("found", x + step)
     pivot = sp.Piecewise((part, regular), (least, True))
-    return pivot, found.applyfunc(lambda c: sp.Piecewise((c, regular), (sp.nan, True)))
+    return pivot, result.applyfunc(lambda c: sp.Piecewise((c, regular), (sp.nan, True)))
 
 
 def _operations(matrix: Quantity, right: Quantity, left: Quantity) -> tuple[Operation, ...]:

@@ -28,7 +28,7 @@ class Choices:
         self._recorder = recorder
         self._tests: dict[str, Number] = {}
         self._unbounded: dict[str, bool] = {}
-        self._cases = _found(program)
+        self._cases = _cases(program)
 
     @property
     def arithmetic(self) -> Arithmetic[Number]:
@@ -79,30 +79,30 @@ class Choices:
         return self._unbounded[x.operand.name]
 
 
-def _found(program: Program) -> dict[str, Cases]:
+def _cases(program: Program) -> dict[str, Cases]:
     """Returns for every instruction the cases in which a result depends on it."""
-    found: dict[str, Cases] = {step.name: frozenset() for step in program.instructions}
-    found |= {x.name: ALWAYS for x in program.results if isinstance(x, Ref)}
+    results: dict[str, Cases] = {step.name: frozenset() for step in program.instructions}
+    results |= {x.name: ALWAYS for x in program.results if isinstance(x, Ref)}
     for step in reversed(program.instructions):
-        own = found[step.name]
+        own = results[step.name]
         for place, x in enumerate(step.operands):
             if not isinstance(x, Ref) or step.op in COMPARISONS:
                 continue
             if step.op is not Op.SELECT:
-                found[x.name] = _either(found[x.name], own)
+                results[x.name] = _either(results[x.name], own)
             elif place:
                 test = name_of(step.operands[0]), place == 1
-                found[x.name] = _either(found[x.name], frozenset(
+                results[x.name] = _either(results[x.name], frozenset(
                     case | {test} for case in own if (test[0], not test[1]) not in case))
-    return found
+    return results
 
 
 def _either(a: Cases, b: Cases) -> Cases:
     """The cases of both, without cases that another one includes, and with both outcomes of a test
     merged into one case."""
     cases = set(a | b)
-    while found := next(((x, y) for x in cases for y in cases if x < y or _differ(x, y)), None):
-        x, y = found
+    while pair := next(((x, y) for x in cases for y in cases if x < y or _differ(x, y)), None):
+        x, y = pair
         cases -= {y} if x < y else {x, y}
         cases |= set() if x < y else {x & y}
     return frozenset(cases)

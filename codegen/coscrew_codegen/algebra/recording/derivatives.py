@@ -25,10 +25,10 @@ def tangent(program: Program) -> Program:
         recorder.argument(a.name), recorder.argument(b.name), strict=True)]
         for a, b in zip(program.inputs, directions, strict=True)]
     with recorder.part("tangent"):
-        found = differentiate.tangent(program, recorder.arithmetic, numbers, given, _partials,
-                                      _of_root_of_zero)
-    values = [x.value for x in found]
-    slopes = [recorder.number(0) if x.slopes[0] is None else x.slopes[0] for x in found]
+        result = differentiate.tangent(program, recorder.arithmetic, numbers, given, _partials,
+                                       _of_root_of_zero)
+    values = [x.value for x in result]
+    slopes = [recorder.number(0) if x.slopes[0] is None else x.slopes[0] for x in result]
     return recorder.program(f"{program.name}_tangent", [
         *_of(program.outputs, values), *_of(rates, slopes)])
 
@@ -43,9 +43,9 @@ def adjoint(program: Program) -> Program:
     weighed = [w for a in weights for w in recorder.argument(a.name)]
     with recorder.part("adjoint"):
         choices = Choices(program, recorder)
-        values, found = differentiate.adjoint(program, choices.arithmetic, numbers, given, weighed,
-                                              _partials, choices.product)
-    slopes = [recorder.number(0) if x is None else x for row in found for x in row]
+        values, result = differentiate.adjoint(program, choices.arithmetic, numbers, given, weighed,
+                                               _partials, choices.product)
+    slopes = [recorder.number(0) if x is None else x for row in result for x in row]
     return recorder.program(f"{program.name}_adjoint", [
         *_of(program.outputs, values), *_of(gradients, slopes)])
 
@@ -94,9 +94,9 @@ def _derivatives(program: Program, *sides: tuple[Argument, ...]
 
 def _of(arguments: tuple[Argument, ...], components: list[Number]
         ) -> list[tuple[Argument, list[Number]]]:
-    found, first = [], 0
+    result, first = [], 0
     for argument in arguments:
         last = first + argument.quantity.size
-        found.append((argument, components[first:last]))
+        result.append((argument, components[first:last]))
         first = last
-    return found
+    return result

@@ -207,13 +207,13 @@ class Recorder:
 
 def headings(program: Program) -> tuple[tuple[int, str], ...]:
     """(index, heading) of each instruction at which the heading changes."""
-    found, last = [], ""
+    result, last = [], ""
     for index, step in enumerate(program.instructions):
         heading = step.component.rpartition(":")[0]  # a body may be called a:b
         if heading != last:
-            found.append((index, heading or "total"))
+            result.append((index, heading or "total"))
             last = heading
-    return tuple(found)
+    return tuple(result)
 
 
 def _exactly(argument: Argument, numbers: Numbers) -> Numbers:

@@ -174,7 +174,7 @@ def _add_to_parent(motion: Motion, number: int, joint: Freed, rest: Sequence[Num
 def _outwards(motion: Motion, joints: Sequence[tuple[Freed, list[Number]]]) -> list[Number]:
     """Computes accelerations from the base outwards: a = D^-1 (rest - U^T A), A = [Ad]^-1 A_parent
     + S a."""
-    found: list[Number] = []
+    results: list[Number] = []
     frames: list[Column] = []
     for number, (joint, rest) in enumerate(joints):
         link = motion.tree.links[number]
@@ -193,9 +193,9 @@ def _outwards(motion: Motion, joints: Sequence[tuple[Freed, list[Number]]]) -> l
                 A = add(A, scaled(x, s))
             motion.recorder.label("al", linear(A))
             motion.recorder.label("aa", angular(A))
-        found += a
+        results += a
         frames.append(A)
-    return found
+    return results
 
 
 def _sum(zero: Number, values: Iterable[Number]) -> Number:

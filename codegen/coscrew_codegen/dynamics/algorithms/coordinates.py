@@ -15,21 +15,21 @@ def neutral(tree: Tree) -> tuple[float, ...]:
 def integrated(recorder: Recorder, tree: Tree, names: Sequence[str], q: Sequence[Number],
                phi: Sequence[Number]) -> list[Number]:
     """q ⊕ phi: q + phi, or as the joint's kind says."""
-    found: list[Number] = []
+    results: list[Number] = []
     for name, link in zip(names, tree.links, strict=True):
         if link.driver:
             continue
         with recorder.part(name, "q", link.heading):
             own, step = q[link.q.start:link.q.stop], phi[link.v.start:link.v.stop]
             manifold = link.joint.kind.manifold
-            found += manifold.integrated(own, step) if manifold else add(own, step)
-    return found
+            results += manifold.integrated(own, step) if manifold else add(own, step)
+    return results
 
 
 def chart_rate(recorder: Recorder, tree: Tree, names: Sequence[str]) -> list[Number]:
     """v + [phi, v]/2 + [phi, [phi, v]]/12: the inverse of the right Jacobian to third order."""
     v, phi = recorder.argument("v"), recorder.argument("phi")
-    found: list[Number] = []
+    results: list[Number] = []
     for name, link in zip(names, tree.links, strict=True):
         if link.driver:
             continue
@@ -40,5 +40,5 @@ def chart_rate(recorder: Recorder, tree: Tree, names: Sequence[str]) -> list[Num
                 second = manifold.bracket(at, first)
                 own = add(own, add(scaled(own[0].like(1) / 2, first),
                                    scaled(own[0].like(1) / 12, second)))
-            found += own
-    return found
+            results += own
+    return results

@@ -36,13 +36,13 @@ def potential(x: FunctionRecording, motion: Motion) -> Number:
 
 def momenta(x: FunctionRecording, motion: Motion) -> list[rnea.Wrench]:
     """(p; L) of each link and all beyond it, in its frame: B s + Σ [Ad]* (p; L) of its children."""
-    found = []
+    results = []
     for number, rigid in enumerate(x.rigids):
         with motion.part(number, "p"):
             own = x.recorder.call("product_Bs", rigid.numbers, motion.twist(number))
             rnea.label(motion, "p", "L", own)
-            found.append(own)
-    return rnea.transmitted(motion, found, ("pj", "Lj"))
+            results.append(own)
+    return rnea.transmitted(motion, results, ("pj", "Lj"))
 
 
 def momentum(x: FunctionRecording, motion: Motion) -> tuple[Number, ...]:

@@ -42,10 +42,10 @@ def _of_link(symbol: str, origin: str = "") -> Callable[["_OfLink"], "_OfLink"]:
             known = self._known.setdefault(symbol, {})
             if link not in known:
                 with self.part(link, symbol):
-                    found, label = compute(self, link), self.recorder.label
+                    result, label = compute(self, link), self.recorder.label
                     known[link] = displacement(
-                        label(symbol, rotation(found)), label(origin, translation(found))
-                    ) if origin else label(symbol, found)
+                        label(symbol, rotation(result)), label(origin, translation(result))
+                    ) if origin else label(symbol, result)
             return known[link]
         return cached
     return decorated
@@ -138,9 +138,9 @@ class Motion:
 
     def _relative_rate(self, link: int) -> Twist:
         """S a + S' v."""
-        found = self._relative(link, self.accelerations(link))
+        result = self._relative(link, self.accelerations(link))
         rate = self.tree.links[link].joint.kind.subspace_rate
-        return add(found, rate(self._state(link), self.speeds(link))) if rate else found
+        return add(result, rate(self._state(link), self.speeds(link))) if rate else result
 
     # frames
 

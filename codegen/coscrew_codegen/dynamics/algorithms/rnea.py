@@ -12,12 +12,12 @@ from coscrew_codegen.dynamics.algorithms.bodies import Rigid, rigids
 from coscrew_codegen.dynamics.algorithms.motion import Motion
 
 if TYPE_CHECKING:
-    from coscrew_codegen.dynamics.forces.applied_effects import Acting
+    from coscrew_codegen.dynamics.forces.applied_effects import AppliedEffects
 
 Wrench = tuple[Number, ...]  # force; moment about the link's origin, in the link's frame
 
 
-def net_wrenches(motion: Motion, bodies: Sequence[Rigid], acting: "Acting | None"
+def net_wrenches(motion: Motion, bodies: Sequence[Rigid], acting: "AppliedEffects | None"
                  ) -> list[Wrench]:
     """The net wrench of each link's motion, less the forces of effects."""
     wrenches: list[Wrench] = []
@@ -60,9 +60,9 @@ def transmitted(motion: Motion, wrenches: Sequence[Wrench],
 def to_parent(motion: Motion, number: int, wrench: Wrench) -> Wrench:
     """[Ad]*(D) c: a wrench in the parent's frame."""
     with motion.part(number, "fp"):
-        found = motion.recorder.call("product_CoAdc", motion.frame(number), wrench)
-        label(motion, "fp", "mp", found)
-    return found
+        result = motion.recorder.call("product_CoAdc", motion.frame(number), wrench)
+        label(motion, "fp", "mp", result)
+    return result
 
 
 def along(motion: Motion, number: int, wrench: Wrench) -> tuple[Number, ...]:
@@ -71,7 +71,7 @@ def along(motion: Motion, number: int, wrench: Wrench) -> tuple[Number, ...]:
                  for s in motion.subspace(number))
 
 
-def joint_torques(motion: Motion, wrenches: Sequence[Wrench], acting: "Acting | None",
+def joint_torques(motion: Motion, wrenches: Sequence[Wrench], acting: "AppliedEffects | None",
                   inertias: Mapping[str, Number]) -> list[Number]:
     """A torque per velocity: the wrench along the freedom, plus the torque of the joint's own
     inertia, less the torques of effects; torques of followers are added to those of their leaders.

@@ -100,7 +100,7 @@ class Paired:
                 for state, force in zip(self.states, forces, strict=True)]
 
 
-class Acting:
+class AppliedEffects:
     """The effects of a scene on one motion, at its time; each is evaluated once.
 
     At the joints of the links in `delays` the delay is added to the time."""
@@ -115,7 +115,7 @@ class Acting:
         self.forces: dict[int, list[AppliedForce]] = {}
         self.pairs: list[Paired] = []
 
-    def act(self) -> "Acting":
+    def act(self) -> "AppliedEffects":
         """Evaluates the effects, in the order of the catalogue and of the scene."""
         effects = self.scene.effects
         owners = identifiers([_owner(x) for x in effects])
@@ -214,8 +214,8 @@ class Acting:
                 torque = x.torque
                 total = total + _own_power(torque, partial(mul, required(torque.torque), speed))
         for link in sorted(self.forces):
-            for found in self.forces[link]:
-                total = total + _own_power(found.force, found.power)
+            for force in self.forces[link]:
+                total = total + _own_power(force.force, force.power)
         return total
 
     def _sum(self, values: Iterable[Number]) -> Number:

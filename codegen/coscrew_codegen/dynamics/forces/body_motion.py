@@ -129,11 +129,11 @@ def _at(D: Displacement, point: Vector) -> Vector:
 
 def _ancestors(motion: Motion, link: int) -> list[int]:
     """The link, its parent, …, the world."""
-    found = [link]
+    results = [link]
     while link >= 0:
         link = motion.tree.links[link].parent
-        found.append(link)
-    return found
+        results.append(link)
+    return results
 
 
 def _position_in(motion: Motion, base: int, link: int, point: Vector) -> Vector:

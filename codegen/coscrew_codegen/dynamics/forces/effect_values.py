@@ -5,7 +5,7 @@ from collections.abc import Callable, Mapping, Sequence
 from coscrew_codegen.algebra.recording.numbers import Number, add, cross, dot
 from coscrew_codegen.dynamics.algorithms import energies
 from coscrew_codegen.dynamics.algorithms.motion import Motion
-from coscrew_codegen.dynamics.forces.applied_effects import Acting, AppliedForce, alone
+from coscrew_codegen.dynamics.forces.applied_effects import AppliedEffects, AppliedForce, alone
 from coscrew_codegen.dynamics.forces.effect_parameters import settings
 from coscrew_codegen.dynamics.forces.linearization import JointEffect
 from coscrew_codegen.dynamics.function_recording import FunctionRecording
@@ -25,7 +25,7 @@ def values_of(x: FunctionRecording, motion: Motion, applied: Applied) -> Values:
                 ENERGY: lambda: [energies.potential(x, motion)]}
     if effect.joint_inertia:
         return {ENERGY: lambda: [_kinetic(x, motion, applied)]}
-    acting = Acting(alone(x.scene, applied), motion).act()
+    acting = AppliedEffects(alone(x.scene, applied), motion).act()
     if effect.joint_torque:
         ((along,),) = acting.torques.values()
         return _of_joint(along)

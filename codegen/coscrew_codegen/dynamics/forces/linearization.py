@@ -63,18 +63,18 @@ class JointEffect:
     def torque(self) -> Torque:
         """The law's Torque, with the torque derived from the energy if it gives none, and limited.
         """
-        found = self._stated
-        torque = found.torque
-        if found.limit is not None and found.energy is not None:
+        result = self._stated
+        torque = result.torque
+        if result.limit is not None and result.energy is not None:
             raise TypeError("a torque with a limit has no energy: beyond the limit it would be "
                             "another")
         with self.at.q.recorder.resumed(self.part):
             if torque is None:
                 torque = self._replayed(self._own.torque)
-            if found.limit is not None:
-                torque = maximum(minimum(torque, found.limit), -found.limit)
+            if result.limit is not None:
+                torque = maximum(minimum(torque, result.limit), -result.limit)
             torque.recorder.label("tau", torque)
-            return replace(found, torque=torque)
+            return replace(result, torque=torque)
 
     @property
     def saturated(self) -> Number:
@@ -170,8 +170,8 @@ class _Law:
         one = recorder.number(1)
         inputs = [[Dual(x, (one if a.name == by else None,)) for x in recorder.argument(a.name)]
                   for a in recorder.inputs]
-        (found,) = differentiate.tangent(self.program(value), recorder.arithmetic, numbers, inputs)
-        return recorder.number(0) if found.slopes[0] is None else found.slopes[0]
+        (result,) = differentiate.tangent(self.program(value), recorder.arithmetic, numbers, inputs)
+        return recorder.number(0) if result.slopes[0] is None else result.slopes[0]
 
     def _secant(self) -> Number:
         """|u|/|v|."""

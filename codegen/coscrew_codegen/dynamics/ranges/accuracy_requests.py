@@ -17,20 +17,20 @@ REACHED_IN = 0.1
 """Time in which accelerations reach the velocity limits, in s."""
 
 
-class AskedError(ReportedError, ValueError):
+class RequestError(ReportedError, ValueError):
     """A request that cannot be met: for an output that the function lacks, or where no states can
     be drawn."""
 
 
-def asked(program: Program, scene: Scene, tree: Tree) -> Accuracy | None:
-    """The accuracy requested of this function; None without a request.  Raises AskedError."""
+def requested(program: Program, scene: Scene, tree: Tree) -> Accuracy | None:
+    """The accuracy requested of this function; None without a request.  Raises RequestError."""
     within = {x.output: x.within for x in scene.accuracy if x.function == program.name}
     if not within:
         return None
     outputs = [a.name for a in program.outputs]
     for name in within:
         if name not in ("", *outputs):
-            raise AskedError(f"{scene.name}: accuracy.{program.name}: no output {name!r}; "
+            raise RequestError(f"{scene.name}: accuracy.{program.name}: no output {name!r}; "
                              f"{did_you_mean(name, outputs)}")
     components = tuple((a.name, k) for a in program.outputs for k in range(a.quantity.size))
     every = within.get("", inf)
@@ -48,26 +48,26 @@ def _ranges(name: str, program: Program, scene: Scene, tree: Tree) -> Ranges:
         "p": tuple((float(x.value), float(x.value)) for x in scene.parameters)}
     if name in ranges:
         return ranges[name]
-    found: list[tuple[float, float]] = []
+    results: list[tuple[float, float]] = []
     for c in tree.coordinates:
         joint = joints[c.joint]
         if name == "q":
-            found += positions(joint)
+            results += positions(joint)
             continue
-        found += [(-half, half) for half in _halves(name, joint, scene, program)]
-    return tuple(found)
+        results += [(-half, half) for half in _halves(name, joint, scene, program)]
+    return tuple(results)
 
 
 def positions(joint: Joint) -> Ranges:
     """Ranges of a joint's positions.  A missing limit is one turn, or 2 m, from the other one;
     without both limits the range is half of that to either side of zero."""
     lower, upper = (None if x is None else float(x) for x in (joint.lower, joint.upper))
-    found = []
+    results = []
     for unit in joint.kind.units("q"):
         half = pi if unit == "rad" else 1.0
         low = (-half if upper is None else upper - 2 * half) if lower is None else lower
-        found.append((low, low + 2 * half if upper is None else upper))
-    return tuple(found)
+        results.append((low, low + 2 * half if upper is None else upper))
+    return tuple(results)
 
 
 def speeds(joint: Joint) -> tuple[float, ...]:
@@ -81,13 +81,13 @@ def _halves(name: str, joint: Joint, scene: Scene, program: Program) -> Iterator
     """Largest sizes of an input's components at a joint."""
     if name == "tau":
         if not joint.effort:
-            raise AskedError(f"{scene.name}: accuracy.{program.name}: joint {joint.name!r} has no "
-                             "limit of its effort, between which states are to be drawn; wanted "
-                             "limits = { effort = … }")
+            raise RequestError(f"{scene.name}: accuracy.{program.name}: joint {joint.name!r} has "
+                               "no limit of its effort, which the drawing of states needs; wanted "
+                               "limits = { effort = … }")
         yield from [float(joint.effort)] * joint.kind.nv
         return
     factors = {"v": 1.0, "a": 1 / REACHED_IN, "phi": scene.run.step}
     if name not in factors:
-        raise AskedError(f"{scene.name}: accuracy.{program.name}: states cannot be drawn for its "
+        raise RequestError(f"{scene.name}: accuracy.{program.name}: states cannot be drawn for its "
                          f"input {name}")
     yield from (speed * factors[name] for speed in speeds(joint))

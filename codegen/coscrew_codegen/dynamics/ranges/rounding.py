@@ -22,16 +22,16 @@ have."""
 def statement(program: Program, scene: Scene, tree: Tree) -> str:
     """The bounds of a plain function's outputs in the scene's precisions, for all arguments in
     limits; "" without any."""
-    found: dict[str, list[str]] = {}
+    words: dict[str, list[str]] = {}
     for precision in named(scene.precisions):
         sizes = [_sizes(a.name, a.quantity.size, scene, tree, precision) for a in program.inputs]
         components = moved(program, precision, sizes,
                            _above(SINCOS.error(precision)))
         for name, bound in _bounds(program, components or (), precision):
-            found.setdefault(name, []).append(f"{two_digits_up(bound)} in {precision.name}")
-    if not found:
+            words.setdefault(name, []).append(f"{two_digits_up(bound)} in {precision.name}")
+    if not words:
         return ""
-    bounds = "; ".join(f"{name} by at most {' and '.join(texts)}" for name, texts in found.items())
+    bounds = "; ".join(f"{name} by at most {' and '.join(texts)}" for name, texts in words.items())
     return f"Proved: rounding moves {bounds} precision, for every {_domain(program, tree)}."
 
 
@@ -54,12 +54,12 @@ def _sizes(name: str, count: int, scene: Scene, tree: Tree, precision: Precision
         return [abs(float(precision.rounded(p.value))) for p in scene.parameters]
     if name not in ("q", "v"):
         return [inf] * count
-    found: list[float] = []
+    results: list[float] = []
     for link in tree.links:
         if link.driver is None:
             number = len(link.q if name == "q" else link.v)
-            found += [_largest(link.joint, name)] * number
-    return found
+            results += [_largest(link.joint, name)] * number
+    return results
 
 
 def _largest(joint: Joint, name: str) -> float:

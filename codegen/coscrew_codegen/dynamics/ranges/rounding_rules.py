@@ -91,12 +91,12 @@ class _Follow:
     def _multiple(self, exact: bool, a: RoundedRange, b: RoundedRange) -> RoundedRange:
         size, error = a.size * b.size, product_error(a.size, a.error, b.size, b.error)
         last = self._eta if exact else self._rounding(size + error)
-        found = RoundedRange(size, error + last)
+        result = RoundedRange(size, error + last)
         for x, y in ((a, b), (b, a)):
             if x.circular and not x.factor:
                 rest = x.error * y.size + a.error * b.error + last
-                return found._replace(circular=x.circular, factor=y, rest=rest)
-        return found
+                return result._replace(circular=x.circular, factor=y, rest=rest)
+        return result
 
     def _function(self, of: tuple[Op, Operand], x: RoundedRange) -> RoundedRange:
         """Its ulp is at most u, and 2 u s if the computed one is up to s."""

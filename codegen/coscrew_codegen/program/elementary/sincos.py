@@ -102,10 +102,10 @@ def approximations(precision: Precision) -> tuple[Fraction, Fraction]:
     cosine, sine = terms[:2 * last:2], terms[1:2 * last:2]  # of r^2; sine divided by r
     rest = SQUARES[1]**last * abs(terms[2 * last])  # the series alternate and decrease
     least = min(sum(SQUARES[1]**i * c for i, c in enumerate(x[:2])) for x in (cosine, sine))
-    found = [supremum(difference(p, series), series[:2], SQUARES) + rest / least
-             for p, series in (([one, *(-x for x in data.sine)], sine),
-                               ([one, -one / 2, *data.cosine], cosine))]
-    return found[0], found[1]
+    results = [supremum(difference(p, series), series[:2], SQUARES) + rest / least
+               for p, series in (([one, *(-x for x in data.sine)], sine),
+                                 ([one, -one / 2, *data.cosine], cosine))]
+    return results[0], results[1]
 
 
 def roundings(precision: Precision) -> Fraction:

@@ -71,12 +71,12 @@ def error(precision: Precision) -> Fraction:
     _, _, r = exp_error.reduced(x, precision)
     growth, u, size = exp_error.growth(r, precision), precision.u, exp.INTERVAL[1]
     least = 1 - size + size**2 / 2 - size**3 / 6  # of e^r
-    found = [_near_zero(r, precision)]
+    results = [_near_zero(r, precision)]
     for k, whole in ((1, Pair(x, None, Fraction(1, 2))), (2, Pair(x, x, Fraction(1), u))):
         one = Fraction(1, 2**k)  # in the unit of 2^k; for k > 2, m and d are larger
         m, d = _sums(whole, growth, Pair(x, None, one), precision)
-        found.append((m.scaled(m.size / (least - one)), d.scaled(d.size / least)))
-    return max(_quotient(m, d, precision) for m, d in found)
+        results.append((m.scaled(m.size / (least - one)), d.scaled(d.size / least)))
+    return max(_quotient(m, d, precision) for m, d in results)
 
 
 def _near_zero(r: Pair, precision: Precision) -> tuple[Pair, Pair]:

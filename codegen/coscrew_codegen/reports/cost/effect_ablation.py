@@ -29,14 +29,14 @@ class Ablation:
         return tuple(f for f in self.functions.functions if not f.internal)
 
 
-def parts(scene: Scene, asked: Sequence[str] = ()) -> tuple[Ablation, ...]:
+def parts(scene: Scene, requested: Sequence[str] = ()) -> tuple[Ablation, ...]:
     """The scene with all its effects and the requested functions;
 
     without each effect; and without any.  Effects that change the coordinates (mimic) always stay.
     """
     chosen = [(WHOLE, scene.effects), *_fewer(scene)]
     return tuple(part(words, replace(scene, effects=effects),
-                      whole(scene, asked) if words == WHOLE else SHOWN)
+                      whole(scene, requested) if words == WHOLE else SHOWN)
                  for words, effects in chosen)
 
 
@@ -66,10 +66,10 @@ def part(words: str, scene: Scene, functions: Sequence[str]) -> Ablation:
     return Ablation(words, scene, derive(scene, functions))
 
 
-def whole(scene: Scene, asked: Sequence[str] = ()) -> tuple[str, ...]:
+def whole(scene: Scene, requested: Sequence[str] = ()) -> tuple[str, ...]:
     """The functions of the scene with all its effects: selected ones, requested ones, SHOWN ones,
     and the steps of all integrators."""
-    return together(selected_functions(scene), asked, SHOWN, (x.step_name for x in EMITTED),
+    return together(selected_functions(scene), requested, SHOWN, (x.step_name for x in EMITTED),
                     ("energy",), FREE)
 
 

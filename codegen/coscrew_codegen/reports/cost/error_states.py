@@ -45,33 +45,33 @@ class Box:
     def near(self, rng: np.random.Generator, values: Values, scale: float, count: int
              ) -> dict[str, Reals]:
         """`count` states near each of these, inside the box."""
-        found = {}
+        results = {}
         for name, middle in self.centre.items():
             around, half = np.repeat(values[name], count, axis=0), self.half[name]
             moved = around + scale * half * rng.normal(size=around.shape)
-            found[name] = np.clip(moved, middle - half, middle + half)
-        return self._inputs(found)
+            results[name] = np.clip(moved, middle - half, middle + half)
+        return self._inputs(results)
 
     def of_run(self, trajectory: Trajectory, count: int) -> dict[str, Reals]:
         """States of the run at equal intervals, with random torques and the accelerations that
         these cause."""
         chosen = np.linspace(0, len(trajectory.t) - 1, count).astype(int)
-        found = self.drawn(np.random.default_rng(3), count)
-        found |= {name: getattr(trajectory, name)[chosen] for name in ("t", "q", "v")}
-        found = self._inputs(found)
-        return self._inputs({**found, "a": self.system.call("forward_dynamics", **found)})
+        result = self.drawn(np.random.default_rng(3), count)
+        result |= {name: getattr(trajectory, name)[chosen] for name in ("t", "q", "v")}
+        result = self._inputs(result)
+        return self._inputs({**result, "a": self.system.call("forward_dynamics", **result)})
 
     def _inputs(self, values: Values) -> dict[str, Reals]:
         """The nearest states of single precision, with quaternions of norm 1, and the inputs that
         belong to them: parameters, a step, the motion in it, the momenta of floating trees."""
         its, count = self.system, len(values["t"])
-        found = {**values, "q": its.normalized(values["q"]), "h": np.full(count, self.step),
-                 "p": np.tile(np.array(its.p, float), (count, 1))}
-        found = {name: _single(x) for name, x in found.items()}
-        found["phi"] = _single(found["h"][:, None] * found["v"])
+        results = {**values, "q": its.normalized(values["q"]), "h": np.full(count, self.step),
+                   "p": np.tile(np.array(its.p, float), (count, 1))}
+        results = {name: _single(x) for name, x in results.items()}
+        results["phi"] = _single(results["h"][:, None] * results["v"])
         if its.has("free_momentum"):
-            found["c"] = _single(its.call("free_momentum", **found))
-        return found
+            results["c"] = _single(its.call("free_momentum", **results))
+        return results
 
 
 def _single(x: Reals) -> Reals:

@@ -113,23 +113,23 @@ def _accuracy(function: Measured, choice: TierChoice, states: Values, places: Se
                         for row, exact in zip(computed, truth, strict=True)])
     sizes = np.nan_to_num([[abs(float(y)) for y in row] for row in truth])
     off[off < _UNTOLD * sizes.max(initial=0)] = 0
-    found: list[ErrorStatistics] = []
+    values: list[ErrorStatistics] = []
     worst = 0
     for unit in function.different_units:
         of = [n for n, x in enumerate(function.units) if x == unit]
         largest = off[:, of].max(axis=1)
         at = int(np.argmax(largest))
-        worst = worst if found else at
+        worst = worst if values else at
         results = sizes[:, of].max(axis=1)
         digits = _digits(largest, results)
-        found.append(ErrorStatistics(
+        values.append(ErrorStatistics(
             unit, float(np.median(largest)), float(largest[at]), float(np.median(digits)),
             float(digits.min()), float(results.max()), places[at],
             _bounds(bounds[0][:, of], off[:, of]) if bounds else None))
     inputs = function.built.part.functions.named(function.name).program.inputs
     return FunctionErrors(function.name, choice.tier, choice.precision.name, len(truth), time,
-                          tuple(found), {a.name: tuple(np.ravel(states[a.name][worst]).tolist())
-                                         for a in inputs})
+                          tuple(values), {a.name: tuple(np.ravel(states[a.name][worst]).tolist())
+                                          for a in inputs})
 
 
 def _apart(x: mpfr, y: mpfr) -> float:
@@ -142,8 +142,8 @@ def _apart(x: mpfr, y: mpfr) -> float:
 def _digits(errors: Reals, sizes: Reals) -> Reals:
     """Number of correct digits of results of these sizes: from 0 to infinity."""
     with np.errstate(divide="ignore", invalid="ignore"):
-        found: Reals = np.log10(np.maximum(sizes, errors)) - np.log10(errors)
-    return np.where(errors == 0, np.inf, np.where(np.isinf(errors), 0, found))
+        result: Reals = np.log10(np.maximum(sizes, errors)) - np.log10(errors)
+    return np.where(errors == 0, np.inf, np.where(np.isinf(errors), 0, result))
 
 
 def _bounds(bounds: Reals, errors: Reals) -> Bounds:

@@ -85,11 +85,11 @@ class Measured:
     def values(self, choice: TierChoice, states: Values) -> list[Reals]:
         """The results and, if it is certified, their bounds: (states, components) each."""
         made = self.built.values(self.name, choice.precision, self.inputs(states), choice.tier)
-        found = [x.astype(float) for x in made]
+        results = [x.astype(float) for x in made]
         if choice.tier != CERTIFIED:
-            return [np.concatenate(found, axis=1)]
-        half = len(found) // 2
-        return [np.concatenate(x, axis=1) for x in (found[:half], found[half:])]
+            return [np.concatenate(results, axis=1)]
+        half = len(results) // 2
+        return [np.concatenate(x, axis=1) for x in (results[:half], results[half:])]
 
     def exact(self, states: Values) -> Exact:
         """The results to DIGITS."""
@@ -118,18 +118,18 @@ class Measured:
         """Returns for each state the largest error of a component with this unit or, if the choice
         is certified, the largest bound.  Errors are approximate: differences from accurate results
         in double; only errors of the latter are differences from DIGITS."""
-        found, *bounds = self.values(choice, states)
-        off = self._from_exact(found, states) if choice == _NEAREST else np.abs(
-            found - self.values(_NEAREST, states)[0])
+        result, *bounds = self.values(choice, states)
+        off = self._from_exact(result, states) if choice == _NEAREST else np.abs(
+            result - self.values(_NEAREST, states)[0])
         if bounds:
             off = np.minimum(np.where(np.isnan(bounds[0]), np.inf, bounds[0]), np.finfo(float).max)
         worst: Reals = off[:, [x == unit for x in self.units]].max(axis=1)
         return worst
 
-    def _from_exact(self, found: Reals, states: Values) -> Reals:
+    def _from_exact(self, result: Reals, states: Values) -> Reals:
         with precise(DIGITS):
             return np.array([[float(abs(mpfr(x) - y)) for x, y in zip(row, exact, strict=True)]
-                             for row, exact in zip(found.tolist(), self.exact(states),
+                             for row, exact in zip(result.tolist(), self.exact(states),
                                                    strict=True)])
 
     @cached_property

@@ -67,15 +67,15 @@ def _sentences(rows: Sequence[FunctionErrors]) -> Iterator[str]:
 
 def within(x: FunctionErrors) -> str:
     """The worst errors: within 3 µN m and 2 µN."""
-    found = [in_unit(e.worst, e.unit) for e in x.errors if e.worst]
-    return f"within {_listed(found)}" if found else "exact"
+    results = [in_unit(e.worst, e.unit) for e in x.errors if e.worst]
+    return f"within {_listed(results)}" if results else "exact"
 
 
 def _proved(x: FunctionErrors) -> str:
-    found = [(e.bounds.worst, e.unit) for e in x.errors if e.bounds]
-    if any(math.isinf(bound) for bound, _ in found):
+    results = [(e.bounds.worst, e.unit) for e in x.errors if e.bounds]
+    if any(math.isinf(bound) for bound, _ in results):
         return "returns the plain results, but no bounds of their errors at some of these states"
-    stated = [in_unit(*y) for y in found if y[0]]
+    stated = [in_unit(*y) for y in results if y[0]]
     return ("returns the plain results and bounds of their errors, here "
             f"{f'at most {_listed(stated)}' if stated else 'all zero'}")
 

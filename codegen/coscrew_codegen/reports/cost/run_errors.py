@@ -99,8 +99,8 @@ def run_errors(kernels: Kernels, overrides: RunOverrides, tiers: Sequence[tuple[
         rows += [compared.row("rounding", f"{p.name} {tier}", run.in_tier(tier, p, marks))
                  for tier, p in tiers]
         rows.append(compared.row("step", f"{planned.step:g} s", fine))
-        rows += [replace(compared.row("model", words, found), gone=None)
-                 for words, found in run.without_effects(marks)]
+        rows += [replace(compared.row("model", words, states), gone=None)
+                 for words, states in run.without_effects(marks)]
     return RunErrors(planned.integrator, planned.step, planned.until, times, tuple(rows), most)
 
 
@@ -126,26 +126,26 @@ class _Steps:
         marks = sorted({-(-count * n // TIMES) for n in range(1, TIMES + 1)})
         functions = functions_on(self.scene, self.step, MULTIPRECISE)
         coarse, fine = (self._run(self.scene, self.step, functions, mpfr) for _ in range(2))
-        found = []
+        results = []
         for mark, *states in zip(
                 marks, coarse.states(start, mpfr(h), marks),
                 fine.states(start, mpfr(h) / FINER, [FINER * n for n in marks]), strict=True):
-            found.append((mark, *states))
+            results.append((mark, *states))
             if coarse.instructions + fine.instructions >= most:  # steps that are split take more
                 break
-        counts, exact, finer = zip(*found, strict=True)
+        counts, exact, finer = zip(*results, strict=True)
         return list(counts), list(exact), list(finer)
 
     def compiled(self, precision: Precision, marks: Sequence[int]) -> list[State]:
         """Runs the compiled steps."""
-        its, found = self._system(precision), list[State]()
+        its, states = self._system(precision), list[State]()
         run, h = its.stepper(self.step.name), self.planned.step
         q, v = its.start()
         with np.errstate(all="ignore"):
             for before, after in zip((0, *marks), marks, strict=False):
                 q, v = run(after - before, before * h, h, np.array(q), np.array(v))
-                found.append((list(q), list(v)))
-        return found
+                states.append((list(q), list(v)))
+        return states
 
     def in_tier(self, tier: str, precision: Precision, marks: Sequence[int]) -> list[State]:
         """Runs the functions that the steps call, each in this tier."""
@@ -185,10 +185,10 @@ def _on_numbers(scene: SceneFunctions, name: str, function: Callable[..., object
     shapes = [a.quantity.shape for a in scene.named(name).program.inputs]
 
     def called(given: Sequence[Numbers]) -> Numbers:
-        found = function(*[np.array(x, kind).reshape(shape) if shape else float(x[0])
-                           for x, shape in zip(given, shapes, strict=True)])
-        return np.concatenate([x.ravel() for x in found]) if isinstance(found, tuple) else (
-            np.asarray(found).ravel())
+        result = function(*[np.array(x, kind).reshape(shape) if shape else float(x[0])
+                            for x, shape in zip(given, shapes, strict=True)])
+        return np.concatenate([x.ravel() for x in result]) if isinstance(result, tuple) else (
+            np.asarray(result).ravel())
 
     return called
 
@@ -204,16 +204,16 @@ class _Compared:
             x for x, other in zip(largest, units, strict=True) if other == unit))
             for unit in units])
 
-    def row(self, cause: str, of: str, found: Sequence[State]) -> RunError:
+    def row(self, cause: str, of: str, states: Sequence[State]) -> RunError:
         """The largest differences of a coordinate at all times."""
-        apart = np.array([self._apart(x, y) for x, (y, _) in zip(self._exact, found, strict=True)])
+        apart = np.array([self._apart(x, y) for x, (y, _) in zip(self._exact, states, strict=True)])
         gone = np.any(apart > _LEAST * self._sizes, axis=1)
         return RunError(cause, of, tuple(apart.max(axis=1).tolist()),
                         self._times[int(np.argmax(gone))] if gone.any() else None)
 
-    def _apart(self, exact: Numbers, found: Numbers) -> list[float]:
+    def _apart(self, exact: Numbers, result: Numbers) -> list[float]:
         """Returns the difference of each coordinate; q and -q of a quaternion are the same."""
-        other = [x if isinstance(x, mpfr) else mpfr(float(x)) for x in found]
+        other = [x if isinstance(x, mpfr) else mpfr(float(x)) for x in result]
         for places in self._system.quaternions:
             if sum(x * y for x, y in zip(exact[places], other[places], strict=True)) < 0:
                 other[places] = [-x for x in other[places]]

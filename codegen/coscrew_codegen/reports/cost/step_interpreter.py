@@ -55,9 +55,9 @@ class StepRun:
     def _call(self, call: Call, values: dict[str, Numbers]) -> None:
         function, given, results, instructions = self._calls[id(call)]
         self.instructions += instructions
-        found = function([values[x] for x in given])
+        result = function([values[x] for x in given])
         for name, part in results:
-            values[name] = found[part]
+            values[name] = result[part]
 
     def _split(self, split: Split, values: dict[str, Numbers]) -> None:
         (test,), (count, length) = split.test.results, split.parts.results

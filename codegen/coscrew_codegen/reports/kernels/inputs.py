@@ -77,7 +77,7 @@ def corpus(folder: Path) -> Corpus:
     """The hard cases in the folder's *.txt, lines `operation precision : components : origin`, the
     components of all inputs, row by row, in hex; # starts a comment.  Raises ReportError."""
     sizes = {operation.name: _size(operation) for operation in OPERATIONS}
-    found: dict[tuple[str, str], list[tuple[float, ...]]] = {}
+    results: dict[tuple[str, str], list[tuple[float, ...]]] = {}
     for path in sorted(folder.glob("*.txt")):
         for number, line in enumerate(path.read_text(encoding="utf-8").splitlines(), 1):
             if not line.partition("#")[0].strip():
@@ -92,8 +92,8 @@ def corpus(folder: Path) -> Corpus:
             if precision not in (p.name for p in PRECISIONS) or len(values) != sizes.get(name):
                 raise ReportError(f"{path.name}:{number}: {name!r} {precision!r} with "
                                   f"{len(values)} components is no operation's input")
-            found.setdefault((name, precision), []).append(values)
-    return {key: tuple(rows) for key, rows in found.items()}
+            results.setdefault((name, precision), []).append(values)
+    return {key: tuple(rows) for key, rows in results.items()}
 
 
 def _generator(operation: Operation, precision: Precision, seed: int, kind: int) -> Generator:

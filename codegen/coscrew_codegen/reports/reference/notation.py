@@ -69,8 +69,8 @@ def latex_name(name: str, index: str = "") -> str:
 
 def _split(pattern: str, name: str) -> tuple[str, ...]:
     """The groups of the pattern, "" for missing ones."""
-    if found := re.fullmatch(pattern, name):
-        return found.groups("")
+    if match := re.fullmatch(pattern, name):
+        return match.groups("")
     raise ValueError(f"{name!r} is no symbol; wanted letters, digits, and an index behind _")
 
 

@@ -1,4 +1,4 @@
-"""The reference of scenes: functions, effects with their equations, keys, integrators."""
+"""The reference of scenes: functions, effects with their equations, keys, integrators, joints."""
 
 from fractions import Fraction
 from itertools import groupby
@@ -10,9 +10,11 @@ from coscrew_codegen.scene.effects import EFFECTS
 from coscrew_codegen.scene.functions import FUNCTIONS, QUANTITIES
 from coscrew_codegen.scene.integrator import Composition, Drift, Scheme, Tableau
 from coscrew_codegen.scene.integrators import INTEGRATORS
+from coscrew_codegen.scene.joints import KINDS, ONE_COORDINATE, called
+from coscrew_codegen.scene.mechanism.joint_kind import JointKind
 from coscrew_codegen.scene.readers.effect_syntax import alternatives, notes, where
 from coscrew_codegen.scene.readers.model_formats import readers
-from coscrew_codegen.scene.readers.toml.keys import TABLES, Key
+from coscrew_codegen.scene.readers.toml.keys import AXES, TABLES, Key
 from coscrew_codegen.scene.scene_function import INPUTS, Depends, SceneFunction, SceneQuantity
 
 
@@ -39,6 +41,12 @@ def integrators_page(banner: str) -> str:
          "stages": _stages(x.scheme)} for x in INTEGRATORS])
 
 
+def joints_page(banner: str) -> str:
+    """The kinds of joints, in Markdown."""
+    return render("docs/joints.md", banner=banner, one_coordinate=called(ONE_COORDINATE),
+                  rows=[_joint(kind) for kind in KINDS])
+
+
 def functions_page(banner: str) -> str:
     """The functions of scenes and their recorded quantities, in Markdown."""
     return render("docs/functions.md", banner=banner,
@@ -50,6 +58,15 @@ def functions_stub(banner: str) -> str:
     """The functions that have the same name in every scene, for type checkers."""
     return render("python/_functions.pyi", banner=banner, names=[
         x.name for x in FUNCTIONS if x.compute and not (x.internal or x.targets or x.lacks)])
+
+
+def _joint(kind: JointKind) -> tuple[str, ...]:
+    words = kind.in_words([f"`{key}`" for key in AXES])
+    types = [f"`{name}`" for name in (kind.name, *kind.unlimited)]
+    urdf = [f"`{name}`" for name in (kind.urdf, *kind.unlimited) if name]
+    axes = [f"`{key}`: {of}" for key, of in zip(AXES, kind.axes, strict=False)]
+    return (", ".join(types), words, kind.q_words, kind.v_words, "; ".join(axes),
+            ", ".join(urdf) or escaped(kind.without_urdf))
 
 
 def _function(x: SceneFunction) -> tuple[str, ...]:

@@ -6,10 +6,10 @@ whose multipliers forward dynamics must solve."""
 
 import copyreg
 
-from coscrew_codegen.program.plugins import found
+from coscrew_codegen.program.plugins import discover
 from coscrew_codegen.scene.effect import Effect
 
-EFFECTS: tuple[Effect, ...] = found(__name__, __path__, "EFFECT", Effect)
+EFFECTS: tuple[Effect, ...] = discover(__name__, __path__, "EFFECT", Effect)
 """The catalogue, by name: adding or deleting a module adds or removes its effect."""
 
 

@@ -3,7 +3,7 @@
 A module put here adds an integrator to every scene, in all languages and precisions.
 """
 
-from coscrew_codegen.program.plugins import found
+from coscrew_codegen.program.plugins import discover
 from coscrew_codegen.scene.integrator import Adaptive, Integrator
 
 DEFAULT = "leapfrog"
@@ -14,7 +14,7 @@ def _place(integrator: Integrator) -> tuple[bool, bool, int, str]:
     return integrator.name != DEFAULT, not integrator.emitted, integrator.order, integrator.name
 
 
-INTEGRATORS = tuple(sorted(found(__name__, __path__, "INTEGRATOR", Integrator), key=_place))
+INTEGRATORS = tuple(sorted(discover(__name__, __path__, "INTEGRATOR", Integrator), key=_place))
 
 INTEGRATOR_NAMED = {x.name: x for x in INTEGRATORS}
 NAMES = tuple(INTEGRATOR_NAMED)

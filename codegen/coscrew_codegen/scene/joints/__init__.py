@@ -6,11 +6,11 @@ precision and tier, in runs, checks and documents.
 
 import copyreg
 
-from coscrew_codegen.program.plugins import found
+from coscrew_codegen.program.plugins import discover
 from coscrew_codegen.scene.mechanism.joint_kind import JointKind
 
 KINDS: tuple[JointKind, ...] = tuple(sorted(
-    found(__name__, __path__, "JOINT", JointKind), key=lambda x: (x.place, x.name)))
+    discover(__name__, __path__, "JOINT", JointKind), key=lambda x: (x.place, x.name)))
 """The catalogue, in the order of `place`."""
 
 KIND_NAMED = {kind.name: kind for kind in KINDS}

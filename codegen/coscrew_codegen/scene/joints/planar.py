@@ -58,8 +58,7 @@ def _subspace_rate(joint: JointState, v: Numbers) -> Screw:
 
 
 JOINT = JointKind(
-    "planar", 40, "moves across {0}", (numbers("position", "m", 2),
-                                                   numbers("angle", "rad")),
-    "x, y in m, angle in rad", "rates of x, y in m/s, of the angle in rad/s",
-    _displacement, _subspace, _subspace_rate, axes=("normal of the plane",), frame=_frame,
-    urdf="planar")
+    "planar", 40, "moves in the plane with the normal {0}",
+    (numbers("position", "m", 2), numbers("angle", "rad")), "x, y in m, angle in rad",
+    "rates of x, y in m/s, of the angle in rad/s", _displacement, _subspace, _subspace_rate,
+    axes=("normal of the plane",), frame=_frame, urdf="planar")

@@ -193,11 +193,6 @@ class JointKind:
         return self.one_coordinate and not self.parts[0].turns
 
     @property
-    def translates(self) -> bool:
-        """Whether it only moves its child without turning it."""
-        return self.moves and not any(x.turns for x in self.parts)
-
-    @property
     def neutral(self) -> tuple[float, ...]:
         """The q at which the displacement is the identity."""
         return tuple(number for x in self.parts for number in x.neutral)

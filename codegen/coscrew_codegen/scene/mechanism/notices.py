@@ -9,7 +9,8 @@ SUBJECTS = (
     IDLE, "gravity", "actuator", "wrench", "other tools' joints", "spring", "armature", "mimic",
     "wrong mimic", "friction", "wrong friction", "damping", "wrong damping", "other tools' numbers",
     "limits", "wrong limits", "effort", "wrong effort", "velocity", "wrong velocity",
-    "acceleration", "deceleration", "jerk", "safety controller", "repeated element")
+    "acceleration", "deceleration", "jerk", "safety controller", "repeated element",
+    "xacro")
 """Subjects of notices; first what changes the motion most."""
 
 

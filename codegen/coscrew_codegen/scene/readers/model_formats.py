@@ -8,7 +8,7 @@ from collections.abc import Mapping
 from functools import cache
 from pathlib import Path
 
-from coscrew_codegen.program.plugins import found
+from coscrew_codegen.program.plugins import discover
 from coscrew_codegen.scene.names import or_mean
 from coscrew_codegen.scene.readers.foreign import of_suffix
 from coscrew_codegen.scene.readers.model_reader import ModelReader
@@ -21,7 +21,7 @@ SCENE_SUFFIX = ".toml"
 def readers() -> tuple[ModelReader, ...]:
     """The catalogue, in the order of names."""
     package = __name__.rpartition(".")[0]
-    every = found(package, (str(Path(__file__).parent),), "READER", ModelReader)
+    every = discover(package, (str(Path(__file__).parent),), "READER", ModelReader)
     by_suffix(every)
     return tuple(sorted(every, key=lambda x: x.name))
 

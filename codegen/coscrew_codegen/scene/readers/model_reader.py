@@ -16,9 +16,10 @@ from coscrew_codegen.scene.mechanism.assembly import ModelError, assembled
 from coscrew_codegen.scene.mechanism.inertia_checks import ERROR, WARN, judged
 from coscrew_codegen.scene.mechanism.joint_kind import JointKind
 from coscrew_codegen.scene.mechanism.mimics import with_faults, without_chains
-from coscrew_codegen.scene.mechanism.model import Body, Joint, Model
+from coscrew_codegen.scene.mechanism.model import WORLD, Body, Joint, Model, Placement
 from coscrew_codegen.scene.mechanism.notices import Notice
 from coscrew_codegen.scene.mechanism.roundoff_cleanup import without_residues
+from coscrew_codegen.scene.names import did_you_mean
 from coscrew_codegen.scene.readers.declared_effects import Effects, notices
 from coscrew_codegen.scene.readers.scene_error import SceneError
 
@@ -28,8 +29,12 @@ class ModelSource:
     """The file of a model, and how a scene wants it read."""
 
     path: Path
-    base: JointKind = FIXED  # of the joint between the world and a root that no joint moves
+    base: JointKind | None = None  # of the joint between the world and a root that no joint
+    # moves; None: as the file says
     implausible: str = ERROR  # or WARN: accept inertias that no body has
+    packages: Mapping[str, Path] = field(default_factory=dict)  # folders of packages of ROS
+    arguments: Mapping[str, str] = field(default_factory=dict)  # of a file that is a program
+    leave_out: tuple[str, ...] = ()  # what the scene does without, of what no scene can have
 
     @property
     def lenient(self) -> bool:
@@ -48,6 +53,9 @@ class Parts:
     # where elements stand: "joint 'elbow'": "line 7"; "" for all that have no entry
     mimic_places: Mapping[str, str] = field(default_factory=dict)
     # where followers do, by joint: a wrong one is then refused only where it is used
+    base: JointKind = FIXED  # of that joint, by the file
+    roots: Mapping[str, Placement] = field(default_factory=dict)  # where it stands, by body
+    start: Mapping[str, tuple[float, ...]] = field(default_factory=dict)  # of the file alone: q
     effects: Effects = field(default_factory=dict)  # what acts by the file, as springs of joints
     implausible: tuple[str, ...] = ()  # inertias that the reader has accepted, a line each
     notices: tuple[Notice, ...] = ()  # what was read and is not used
@@ -56,7 +64,9 @@ class Parts:
         """The tree of these parts.  Raises SceneError for anything but one tree of bodies that can
         exist."""
         try:
-            tree = assembled(self.name, self.bodies, self.joints, source.base)
+            held = any(x.parent == WORLD for x in self.joints)
+            base = source.base or (FIXED if held else self.base)
+            tree = assembled(self.name, self.bodies, self.joints, base, self.roots)
             clean = without_residues(without_chains(with_faults(tree, {
                 name: f"{source.path.name}, {at}" for name, at in self.mimic_places.items()})))
             told = (*notices(self.effects, clean), *self.notices)
@@ -81,6 +91,8 @@ class ModelReader:
     parts: Callable[[ModelSource], Parts]
     modules: tuple[str, ...] = ()  # that it imports, besides the generator's own
     extra: str = ""  # of the project, which installs them
+    takes_arguments: bool = False  # and packages: its files are programs
+    leaves_out: tuple[str, ...] = ()  # what `leave_out` may name
 
     def read(self, source: ModelSource) -> Model:
         """The model in a file.  Raises SceneError."""
@@ -91,4 +103,13 @@ class ModelReader:
         if missing := [x for x in self.modules if find_spec(x) is None]:
             raise SceneError(source.path, "", f"is {self.name}, which needs {', '.join(missing)}; "
                              f'run `pip install "coscrew[{self.extra}]"`')
+        if not self.takes_arguments and (source.packages or source.arguments):
+            what = "packages" if source.packages else "arguments"
+            raise SceneError(source.path, "", f"is {self.name}, which takes no {what}; "
+                             "wanted none, or a file of xacro")
+        for name in source.leave_out:
+            if name not in self.leaves_out:
+                wanted = did_you_mean(name, self.leaves_out) if self.leaves_out else \
+                    f"{self.name} has nothing to leave out"
+                raise SceneError(source.path, "leave_out", f"{name!r}; {wanted}")
         return self.parts(source)

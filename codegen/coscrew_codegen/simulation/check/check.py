@@ -179,8 +179,8 @@ def _sparse(system: System, trajectory: Trajectory) -> Recording:
     """The state and the recorded quantities, at some of the samples."""
     some = _chosen(trajectory, _some(trajectory))
     texts = dict.fromkeys(("q", "v", *system.scene.record))
-    found = [recorded(text, system.scene) for text in texts]
-    columns = tuple(Column(name, unit, x.quantity) for x in found
+    results = [recorded(text, system.scene) for text in texts]
+    columns = tuple(Column(name, unit, x.quantity) for x in results
                     for name, unit in zip(x.names, x.units, strict=True))
     return Recording(some.t, columns, np.concatenate(
-        [quantity(system, some, x) for x in found], 1), ())
+        [quantity(system, some, x) for x in results], 1), ())

@@ -64,9 +64,9 @@ def _checks(along: tuple[AlongRun, ...]) -> str:
                         colalign=("left", *("right" for _ in along))))
 
 
-def _rounding(found: tuple[RoundedResults, ...]) -> str:
+def _rounding(results: tuple[RoundedResults, ...]) -> str:
     rows = [(f"{x.function}, {x.precision}", in_unit(x.error, x.unit), f"{x.at:g}",
-             f"{x.digits:.1f}", f"{x.lost:.1f}", _bounds(x.certified)) for x in found]
+             f"{x.digits:.1f}", f"{x.lost:.1f}", _bounds(x.certified)) for x in results]
     columns = (f"at states of the run, against {DIGITS} digits", "largest error",
                "at t, s", "digits right", "digits lost", "certified bounds")
     return str(tabulate(rows, columns, disable_numparse=True,
@@ -80,15 +80,15 @@ def _bounds(certified: Certified | None) -> str:
         return "BROKEN"
     if not certified.stated:
         return f"0 of {certified.of} stated"
-    said = f"{certified.stated} of {certified.of} " if certified.stated < certified.of else ""
-    return f"{said or 'all '}hold, {certified.ratio:#.3g} times the error (median)"
+    stated = f"{certified.stated} of {certified.of} " if certified.stated < certified.of else ""
+    return f"{stated or 'all '}hold, {certified.ratio:#.3g} times the error (median)"
 
 
-def _broken(found: RoundedResults) -> str:
+def _broken(rounded: RoundedResults) -> str:
     """A sentence on the bound that is exceeded most."""
-    assert found.certified and found.certified.broken
-    worst = found.certified.broken
-    return (f"{found.function}: component {worst.place} at t = {worst.t:g} s errs by "
+    assert rounded.certified and rounded.certified.broken
+    worst = rounded.certified.broken
+    return (f"{rounded.function}: component {worst.place} at t = {worst.t:g} s errs by "
             f"{worst.error:.3g}, beyond its certified bound {worst.bound:.3g}: this is a defect of "
             "coscrew or of the compiler; please report it with the scene")
 
@@ -124,13 +124,13 @@ def _finer(along: AlongRun) -> str:
 
 def _verdict(along: AlongRun) -> str:
     """The cause of the defect of energy."""
-    if along.still or along.resting and not along.untold:
+    if along.still or along.resting and not along.meaningless:
         return "none: nothing moves"
-    if along.doubtful and along.balanced and not along.untold:
+    if along.doubtful and along.balanced and not along.meaningless:
         return "small: smaller steps do not help"
     if along.doubtful:
         return "DOUBTFUL: smaller steps do not help"
-    if along.untold:
+    if along.meaningless:
         return "unknown: the potential energy's rounding exceeds the energy moved"
     if along.rounding:
         return "rounding"

@@ -75,14 +75,14 @@ def rounding(kernels: Kernels, runs: Sequence[tuple[System, Trajectory]]) -> tup
     """Every judged function at some states of each run."""
     certified = _certified(kernels)
     programs = {f.name: f.program for f in kernels.functions.functions if f.name in JUDGED}
-    found = []
+    results = []
     for system, trajectory in runs:
         values = _states(system, trajectory)
         if len(values["t"]):
-            found += [x for name, program in programs.items()
-                      for x in _rounded(system, name, program, values, certified,
+            results += [x for name, program in programs.items()
+                        for x in _rounded(system, name, program, values, certified,
                                          units(kernels.functions, name))]
-    return tuple(found)
+    return tuple(results)
 
 
 def _certified(kernels: Kernels) -> Kernels | None:
@@ -116,11 +116,11 @@ def _rounded(system: System, name: str, program: Program, values: Values,
              certified: Kernels | None, of: Sequence[str]) -> Iterator[RoundedResults]:
     """Returns the rounding of each unit, the first component's first."""
     count, precision = len(values["t"]), system.precision
-    found = _rows(system.call(name, **values), count)
+    result = _rows(system.call(name, **values), count)
     truth = _exact(program, values, precision)
     with precise(DIGITS):
         errors = [[abs(mpfr(float(x)) - y) for x, y in zip(*rows, strict=True)]
-                  for rows in zip(found, truth, strict=True)]
+                  for rows in zip(result, truth, strict=True)]
     own = -math.log10(precision.u)
     for unit in dict.fromkeys(of):
         places = [n for n, x in enumerate(of) if x == unit]
@@ -167,6 +167,6 @@ def _held(system: System, certified: Kernels, name: str, values: Values, truth: 
     return Certified(len(places), count * len(of), ratio, worst)
 
 
-def _rows(found: np.ndarray, count: int) -> NDArray[np.float64]:
+def _rows(result: np.ndarray, count: int) -> NDArray[np.float64]:
     """A row of components for each state."""
-    return np.asarray(found, float).reshape(count, -1)
+    return np.asarray(result, float).reshape(count, -1)

@@ -87,17 +87,17 @@ class Alarm:
         self._next = self._steps + self._every
         kinetic, potential = self.system.energies(t, q, v)
         lost = alive & ~np.isfinite(kinetic + potential)
-        found = {i: ("", f"energy is not finite at t = {t:.9g} s: it grew too large, or is beyond "
+        wrong = {i: ("", f"energy is not finite at t = {t:.9g} s: it grew too large, or is beyond "
                      f"the range of {self.system.precision.name} precision; "
                      f"{self.remedy_in_words()}") for i in _indices(lost)}
         alive = alive & ~lost
         if not alive.any():
-            return found
+            return wrong
         self._note(t, q, v, kinetic, potential)
         self._look(t - self.plan.begin, h, q, v, _LATER)
         for problem in (self._of_steps, self._of_rounding, self._of_energy, self._of_momentum):
-            found = problem(last, alive) | found
-        return found
+            wrong = problem(last, alive) | wrong
+        return wrong
 
     def _note(self, t: float, q: np.ndarray, v: np.ndarray, kinetic: np.ndarray,
               potential: np.ndarray) -> None:
@@ -131,15 +131,15 @@ class Alarm:
 
     def _of_steps(self, last: bool, alive: np.ndarray) -> dict[Index, tuple[str, str]]:
         bad = self._errors.beyond(ALLOWED * self.extent.sizes, last) & alive[..., None]
-        found = {}
+        results = {}
         for i in _indices(bad.any(-1)):
             ratio = self._errors.worst[i] / self.extent.sizes[i]
             k = int(np.argmax(np.where(bad[i], ratio, -1)))
             part = self._parts.parts[k]
-            found[i] = (part.joint, f"the step is too large at t = {self._time(i, k):.9g} s: "
-                        f"{part.name} is off by {ratio[k]:.2g} of the way it moves; "
-                        f"{self.remedy_in_words()}")
-        return found
+            results[i] = (part.joint, f"the step is too large at t = {self._time(i, k):.9g} s: "
+                          f"{part.name} is off by {ratio[k]:.2g} of the way it moves; "
+                          f"{self.remedy_in_words()}")
+        return results
 
     def _of_rounding(self, last: bool, alive: np.ndarray) -> dict[Index, tuple[str, str]]:
         if not last:
@@ -199,8 +199,8 @@ class _Worst:
         if last:
             wrong: np.ndarray = ~(self.worst <= allowed) | np.isfinite(self._since)
             return wrong
-        found: np.ndarray = self._now - self._since >= _PERSISTENT * self._run
-        return found
+        result: np.ndarray = self._now - self._since >= _PERSISTENT * self._run
+        return result
 
 
 def _indices(mask: np.ndarray) -> list[Index]:

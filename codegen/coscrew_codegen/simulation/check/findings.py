@@ -109,7 +109,7 @@ class AlongRun:
         return self.coarse.scale == 0
 
     @property
-    def untold(self) -> bool:
+    def meaningless(self) -> bool:
         """True if the rounding error of the potential energy exceeds all energy that was moved, so
         that the balance is meaningless."""
         return self.rounded and self.coarse.rounding > self.coarse.scale

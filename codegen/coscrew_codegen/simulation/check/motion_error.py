@@ -9,7 +9,7 @@ that the tree's radius of gyration turns, up to 1 rad.  So the speed, place and 
 scene do not matter, nor do heavy neighbours.
 """
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from enum import Enum
 from functools import cached_property
@@ -86,21 +86,23 @@ class StateParts:
     def radii(self, q: np.ndarray) -> np.ndarray:
         """The radii of gyration of floating trees about their centres of mass, and zeros for all
         other parts, in m.  (…, k)."""
-        M, found = self._mass_matrix(q), np.zeros((*q.shape[:-1], len(self.parts)))
+        M, result = self._mass_matrix(q), np.zeros((*q.shape[:-1], len(self.parts)))
         if M is None:
-            return found
+            return result
         for k, _ in self.turning:
             c, i = self.parts[k].coordinate, self.parts[k].coordinate.v.start
             with np.errstate(all="ignore"):
                 about_origin = np.trace(M[..., i + 3:i + 6, i + 3:i + 6], axis1=-2, axis2=-1)
                 square = about_origin / 2 / _mass(c, M) - np.sum(_com(c, M)**2, -1)
-                found[..., k] = np.sqrt(np.where(square > 0, square, 0.0))
-        return found
+                result[..., k] = np.sqrt(np.where(square > 0, square, 0.0))
+        return result
 
     def places(self, q: np.ndarray) -> Places:
         """Returns the places of the parts, in double.  (…, nq)."""
         M = self._mass_matrix(q)
-        return tuple(_place(part, q, M) for part in self.parts)
+        centres = {x.joint: _centre(x.coordinate, q, M) for x in self.parts
+                   if x.kind is PartKind.CENTRE}
+        return tuple(_place(part, q, centres) for part in self.parts)
 
     def velocities(self, q: np.ndarray, v: np.ndarray) -> Places:
         """The velocities of centres of mass and of positions along the world, and zeros for all
@@ -119,19 +121,19 @@ class StateParts:
                     for a, b in zip(x, y, strict=True)]
         if not each:
             return np.zeros((*self._lead(x), 0))
-        found = np.stack(np.broadcast_arrays(*each), -1)
-        return np.where(np.isnan(found), np.inf, found)
+        result = np.stack(np.broadcast_arrays(*each), -1)
+        return np.where(np.isnan(result), np.inf, result)
 
     def kinetic(self, q: np.ndarray, v: np.ndarray, line: Places) -> np.ndarray:
         """The kinetic energy in frames that move with the trees' centres of mass as `line` says:
         Σ T - m V·u + m V²/2, in J.  (…)."""
-        found: np.ndarray = self.system.energies(0.0, q, v)[0]
+        result: np.ndarray = self.system.energies(0.0, q, v)[0]
         M = self._mass_matrix(q)
         for part, V in zip(self.parts, line, strict=True):
             if part.kind is PartKind.CENTRE and M is not None and V.any():
                 m, u = _mass(part.coordinate, M), _velocity(part.coordinate, q, v, M)
-                found = found + m * np.sum(V * (V / 2 - u), -1)
-        positive: np.ndarray = np.maximum(found, 0)
+                result = result + m * np.sum(V * (V / 2 - u), -1)
+        positive: np.ndarray = np.maximum(result, 0)
         return positive
 
     def _lead(self, x: Places) -> tuple[int, ...]:
@@ -159,20 +161,20 @@ def _parts_of(c: Coordinate, length: float, steady: bool) -> Iterator[StatePart]
         yield StatePart(of_tree, c, length, slice(3), slice(3), of_tree.value.format(c.joint))
 
 
-def _place(part: StatePart, q: np.ndarray, M: np.ndarray | None) -> np.ndarray:
-    """Returns the place of a part."""
+def _place(part: StatePart, q: np.ndarray, centres: Mapping[str, np.ndarray]) -> np.ndarray:
+    """Returns the place of a part; `centres` are the centres of mass of what free joints carry."""
     c = part.coordinate
     own: np.ndarray = q[..., c.q].astype(float)
     if part.kind is PartKind.OWN:
         return own[..., part.q]
-    centre = _centre(c, q, M)
+    centre = centres[part.joint]
     return centre if part.kind is PartKind.CENTRE else own[..., :3] - centre
 
 
 def _mass(c: Coordinate, M: np.ndarray) -> np.ndarray:
     """The mass of the tree that a free joint carries, from the mass matrix."""
-    found: np.ndarray = M[..., c.v.start, c.v.start]
-    return found
+    result: np.ndarray = M[..., c.v.start, c.v.start]
+    return result
 
 
 def _centre(c: Coordinate, q: np.ndarray, M: np.ndarray | None) -> np.ndarray:
@@ -190,8 +192,8 @@ def _com(c: Coordinate, M: np.ndarray) -> np.ndarray:
     """The centre of mass of the tree that a free joint carries, in its body's frame.  (…, 3)."""
     i = c.v.start
     first: np.ndarray = np.stack((M[..., i + 1, i + 5], M[..., i + 2, i + 3], M[..., i, i + 4]), -1)
-    found: np.ndarray = first / _mass(c, M)[..., None]
-    return found
+    result: np.ndarray = first / _mass(c, M)[..., None]
+    return result
 
 
 def _velocity(c: Coordinate, q: np.ndarray, v: np.ndarray, M: np.ndarray | None) -> np.ndarray:
@@ -209,8 +211,8 @@ def rotated(q: np.ndarray, v: np.ndarray) -> np.ndarray:
     """R(q) v.  (…, 4), (…, 3)->(…, 3)."""
     import coscrew  # takes as long to import as short runs, and only floating trees need it
 
-    found: np.ndarray = coscrew.double.rotate_qv(q, v)
-    return found
+    result: np.ndarray = coscrew.rotate_qv(q, v)
+    return result
 
 
 def turned(x: np.ndarray, y: np.ndarray) -> np.ndarray:
@@ -218,28 +220,28 @@ def turned(x: np.ndarray, y: np.ndarray) -> np.ndarray:
     (…, 4)->(…, 3)."""
     import coscrew
 
-    to: np.ndarray = coscrew.double.quaternion_product_qq(x * np.array([-1, -1, -1, 1]), y)
-    found: np.ndarray = coscrew.double.quaternion_log(to)
-    return found
+    to: np.ndarray = coscrew.quaternion_product_qq(x * np.array([-1, -1, -1, 1]), y)
+    result: np.ndarray = coscrew.quaternion_log(to)
+    return result
 
 
 def _angle(x: np.ndarray, y: np.ndarray) -> np.ndarray:
     """The angle between two rotations, from the chord of their quaternions."""
     chord = np.minimum(np.linalg.norm(x - y, axis=-1), np.linalg.norm(x + y, axis=-1))
-    found: np.ndarray = 4 * np.arcsin(np.minimum(chord / 2, 1))
-    return found
+    result: np.ndarray = 4 * np.arcsin(np.minimum(chord / 2, 1))
+    return result
 
 
 def _steady(model: Model) -> frozenset[str]:
     """The joints of whose ancestors none rotates: their positions are along the world."""
     turned: set[str] = set()  # bodies
-    found = set()
+    results = set()
     for joint in model.joints:
         if joint.parent not in turned:
-            found.add(joint.name)
+            results.add(joint.name)
         if joint.parent in turned or any(x.turns for x in joint.kind.parts):
             turned.add(joint.child)
-    return frozenset(found)
+    return frozenset(results)
 
 
 @dataclass
@@ -287,15 +289,15 @@ class Extent:
         """The largest of the distances so far and now, which may have an axis of samples."""
         if now.ndim > so_far.ndim:
             now = np.max(now, axis=-2)
-        found: np.ndarray = np.fmax(so_far, np.where(np.isfinite(now), now, 0))
-        return found
+        result: np.ndarray = np.fmax(so_far, np.where(np.isfinite(now), now, 0))
+        return result
 
     @property
     def sizes(self) -> np.ndarray:
         """The sizes of the parts, none below that of rest.  (…, k)."""
-        found: np.ndarray = np.maximum(np.minimum(self.way, self.off), self.parts.least)
-        found[...] = np.maximum(found, self.rounded / ALLOWED)
+        result: np.ndarray = np.maximum(np.minimum(self.way, self.off), self.parts.least)
+        result[...] = np.maximum(result, self.rounded / ALLOWED)
         for k, turn in self.parts.turning:
             arc = self.radii[..., k] * np.minimum(self.way[..., turn], 1.0)
-            found[..., k] = np.maximum(found[..., k], arc)
-        return found
+            result[..., k] = np.maximum(result[..., k], arc)
+        return result

@@ -42,7 +42,7 @@ class _Share:
     what: str  # speed, or position
 
 
-class _UntoldError(Exception):
+class _UnknownError(Exception):
     """A controller's values at other states cannot be determined."""
 
 
@@ -63,21 +63,21 @@ def too_fast(controller: Controller, driven: Driven, system: System, plan: Plan,
     with np.errstate(all="ignore"):
         try:
             shares = tuple(_shares(driven, system, run, plan.step * controller.steps))
-        except _UntoldError:
+        except _UnknownError:
             return ""
-    found = max(shares, key=lambda x: x.of_period, default=None)
-    return _words(plan.step, controller.steps, found) if found and found.of_period > 1 else ""
+    share = max(shares, key=lambda x: x.of_period, default=None)
+    return _words(plan.step, controller.steps, share) if share and share.of_period > 1 else ""
 
 
-def _words(step: float, every: int, found: _Share) -> str:
-    longest = step * every / found.of_period
+def _words(step: float, every: int, share: _Share) -> str:
+    longest = step * every / share.of_period
     steps = floor(longest / step)
     helps = f"steps={steps}" if steps else f"step={_rounded_down(longest):g}"
     if not steps and every > 1:
         helps = f"steps=1 and {helps}"
-    unit = _UNITS[found.what, not found.joint.kind.slides]
-    name = found.joint.name
-    return (f"controller: at joint {name} it answers {found.what} with {found.slope:.3g} {unit}, "
+    unit = _UNITS[share.what, not share.joint.kind.slides]
+    name = share.joint.name
+    return (f"controller: at joint {name} it answers {share.what} with {share.slope:.3g} {unit}, "
             f"and is called every {step * every:.3g} s: its torque, held between calls, overshoots "
             f"if that is longer than {longest:.2g} s; wanted {helps}, or "
             f'[effects.actuator.{name}] kind = "pd", which steps take implicitly')
@@ -132,32 +132,32 @@ def _response(system: System, torque: _Torque, t: float, q: np.ndarray, v: np.nd
     free = pushed(np.zeros(q.shape[:-1]))
     by = size = 1 + np.abs(free)
     for _ in range(2):  # the second adds about as much as there is, so that little is rounded away
-        found: np.ndarray = (pushed(by) - free) / by
-        by = size / found
-    return found
+        result: np.ndarray = (pushed(by) - free) / by
+        by = size / result
+    return result
 
 
 def _slopes(driven: Driven, torque: _Torque, t: float, q: np.ndarray, v: np.ndarray
             ) -> tuple[np.ndarray, np.ndarray]:
-    """-du/dv and -du/dq.  Raises _UntoldError if the law raises an error at states for which it was
-    not called before, or returns different values for the same state."""
+    """-du/dv and -du/dq.  Raises _UnknownError if the law raises an error at states for which it
+    was not called before, or returns different values for the same state."""
     def answer(at_q: np.ndarray, at_v: np.ndarray) -> np.ndarray:
         try:
             return driven.demanded(t, at_q, at_v)[..., torque.place].astype(float)
         except Exception as error:
-            raise _UntoldError from error
+            raise _UnknownError from error
 
     first = answer(q, v)
     further_q, dq = _beside(q, torque.q)
     further_v, dv = _beside(v, torque.v)
     of_q, of_v = answer(further_q, v), answer(q, further_v)
     if not np.array_equal(answer(q, v), first):
-        raise _UntoldError("a law with a memory")
+        raise _UnknownError("a law with a memory")
     return (first - of_v) / dv, (first - of_q) / dq
 
 
 def _beside(x: np.ndarray, place: int) -> tuple[np.ndarray, np.ndarray]:
     """The states with a slightly larger number in this place, and the difference."""
-    found, difference = x.copy(), _DIFFERENCE[x.dtype.name]
-    found[..., place] += x.dtype.type(difference) * np.maximum(1, np.abs(x[..., place]))
-    return found, (found - x)[..., place].astype(float)
+    result, difference = x.copy(), _DIFFERENCE[x.dtype.name]
+    result[..., place] += x.dtype.type(difference) * np.maximum(1, np.abs(x[..., place]))
+    return result, (result - x)[..., place].astype(float)

@@ -124,8 +124,8 @@ def sizes(parts: StateParts, precision: Precision, h: float, motion: Trajectory 
 def resting(system: System, motion: ReferenceStep) -> bool:
     """Returns whether no part moves farther than a resting one may."""
     parts = StateParts(in_double(system))
-    found = sizes(parts, system.precision, motion.h, motion)
-    return bool(motion.resolved and (found <= parts.least).all())
+    result = sizes(parts, system.precision, motion.h, motion)
+    return bool(motion.resolved and (result <= parts.least).all())
 
 
 def error(system: System, trajectory: Trajectory, true: ReferenceStep) -> Error:
@@ -184,11 +184,11 @@ def loose(system: System, planned: Plan, trajectory: Trajectory, start: State) -
     first, before, now = Error(0.0, "", "", 0.0), trajectory, planned
     for tighter in _tightened(planned):
         motion = integrate(system, tighter, start=start)
-        found = _differ(system, planned, before, motion)
-        if found.relative <= ALLOWED:
+        result = _differ(system, planned, before, motion)
+        if result.relative <= ALLOWED:
             helps = f"take rtol = {now.rtol:.3g} and atol = {now.atol:.3g}"
             break
-        first, before, now = first if first.part else found, motion, tighter
+        first, before, now = first if first.part else result, motion, tighter
     else:
         helps = f"no rtol down to {now.rtol:.2g} is small enough"
     return _stop(first, "the tolerances are too large", helps) if first.part else None
@@ -226,18 +226,18 @@ def _proven(system: System, planned: Plan, run: Callable[[Plan], Trajectory], st
             ) -> Stop | None:
     """Returns why a doubted motion is wrong; None if that is not known."""
     true, exact = reference(system, planned, start), in_double(system)
-    found = _errors(StateParts(exact), system.precision, run(planned), true)
-    if true.stops or found.largest.relative <= ALLOWED or not (true.resolved or found.add_up):
+    result = _errors(StateParts(exact), system.precision, run(planned), true)
+    if true.stops or result.largest.relative <= ALLOWED or not (true.resolved or result.add_up):
         return None
     why = ("single precision does not resolve it"
            if system.precision is not DOUBLE and _right(exact, planned, true, start)
            else "the step is too large")
-    return _stop(found.largest, why, advised(system, planned, true, start))
+    return _stop(result.largest, why, advised(system, planned, true, start))
 
 
-def _stop(found: Error, why: str, helps: str) -> Stop:
-    return Stop(0, found.t, found.joint, f"{why} at t = {found.t:.9g} s: {found.part} is off by "
-                f"{found.relative:.2g} of the way it moves; {helps}")
+def _stop(error: Error, why: str, helps: str) -> Stop:
+    return Stop(0, error.t, error.joint, f"{why} at t = {error.t:.9g} s: {error.part} is off by "
+                f"{error.relative:.2g} of the way it moves; {helps}")
 
 
 def _differ(system: System, planned: Plan, motion: Trajectory, other: Trajectory) -> Error:
@@ -270,14 +270,14 @@ def advised(system: System, planned: Plan, true: ReferenceStep, start: State | N
     """The sentence of `remedy` for a plan whose reference is known."""
     if true.stops:
         return f"so are motions with steps down to {true.step:.2g} s"
-    if said := _helping(system, planned, true, start):
-        return f"take {', or '.join(said)}"
+    if settings := _helping(system, planned, true, start):
+        return f"take {', or '.join(settings)}"
     if system.precision is not DOUBLE:
         exact = in_double(system)
         if _right(exact, planned, true, start):
             return "take --precision double"
-        if said := _helping(exact, planned, true, start):
-            return f"take {', or '.join(f'--precision double and {x}' for x in said)}"
+        if settings := _helping(exact, planned, true, start):
+            return f"take {', or '.join(f'--precision double and {x}' for x in settings)}"
     if planned.adaptive:
         least = min([planned.rtol, *(x.rtol for x in _tightened(planned))])
         return f"no rtol down to {least:.2g} is small enough"
@@ -290,17 +290,17 @@ def _helping(system: System, planned: Plan, true: ReferenceStep, start: State | 
              ) -> list[str]:
     """Returns settings that make the run right in its precision: "a step of 0.01 s", "integrator
     leapfrog"."""
-    said = []
+    settings = []
     if planned.adaptive:
         for tighter in _tightened(planned):
             if _right(system, tighter, true, start):
                 return [f"rtol = {tighter.rtol:.3g} and atol = {tighter.atol:.3g}"]
     elif step := largest_step(system, planned, true, start):
-        said.append(f"a step of {step:g} s")
+        settings.append(f"a step of {step:g} s")
     if planned.integrator != DEFAULT and _right(
             system, replace(planned, integrator=DEFAULT), true, start):
-        said.append(f"integrator {DEFAULT}")
-    return said
+        settings.append(f"integrator {DEFAULT}")
+    return settings
 
 
 def _tightened(planned: Plan) -> tuple[Plan, ...]:
@@ -321,10 +321,10 @@ def _shortened(step: float) -> float:
     """The step with two or three digits, no longer than it was: at least 0.97 of it."""
     for digits in (2, 3):
         unit = 10.0**(math.floor(math.log10(step)) + 1 - digits)
-        found = float(f"{math.floor(step / unit * (1 + 1e-12)) * unit:.{digits}g}")
-        if found >= 0.97 * step:
+        result = float(f"{math.floor(step / unit * (1 + 1e-12)) * unit:.{digits}g}")
+        if result >= 0.97 * step:
             break
-    return found
+    return result
 
 
 def _halved(system: System, planned: Plan) -> Iterator[Plan]:

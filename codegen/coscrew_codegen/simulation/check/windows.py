@@ -17,7 +17,7 @@ from coscrew_codegen.simulation.system import State, System
 _GRID = (1, 2, 3, 4, 6, 8, 12, 16, 24, 32)  # steps after which motions are compared
 _DIVISOR = 4
 _POWERS = 5  # of _DIVISOR, by which steps are divided, at most
-_SEEN = 0.01  # rad or m: least way of which a loss to rounding counts
+_SEEN = 0.01  # rad or m: least way whose loss to rounding counts
 _MOST = 4_000_000  # steps of the finest reference motion of a window, of all members together
 
 
@@ -58,10 +58,10 @@ class Window:
         ever smaller steps in double precision, until two motions agree.  If that takes too long for
         all members, evenly spread ones are computed, and each other one gets the errors of the
         nearest of these.  (…, k)."""
-        found = self._apart(self.run, self._finer)
-        if (found <= allowed).all():
-            return found
-        bad = ~(found <= allowed).all(-1)
+        result = self._apart(self.run, self._finer)
+        if (result <= allowed).all():
+            return result
+        bad = ~(result <= allowed).all(-1)
         if not bad.ndim:
             return self._resolved(allowed)
         members = np.flatnonzero(bad)
@@ -71,40 +71,40 @@ class Window:
         resolved = replace(self, parts=one, q=self.q[chosen], v=self.v[chosen])._resolved(
             allowed[chosen])
         nearest = np.abs(members[:, None] - chosen).argmin(-1)
-        found[members] = resolved[nearest]
-        return found
+        result[members] = resolved[nearest]
+        return result
 
     def _resolved(self, allowed: np.ndarray) -> np.ndarray:
         """The errors, from a motion that smaller steps do not change."""
         exact = in_double(self.parts.system)
         other = StateParts(exact)
         before = self._finer
-        found = self._apart(self.run, before)
+        result = self._apart(self.run, before)
         for power in range(2, _POWERS + 1):
             finer = self._taken(exact, DEFAULT, _DIVISOR**power)
-            found, change = self._apart(self.run, finer), self._apart(before, finer, other)
+            result, change = self._apart(self.run, finer), self._apart(before, finer, other)
             if (change <= AGREED * allowed).all():
                 break
             before = finer
-        return found
+        return result
 
     def _apart(self, x: tuple[State, ...], y: tuple[State, ...], parts: StateParts | None = None
                ) -> np.ndarray:
         its = parts or self.parts
         each = [its.distances(its.places(a), its.places(b))
                 for (a, _), (b, _) in zip(x, y, strict=True)]
-        found: np.ndarray = np.max(each, axis=0)
-        return found
+        result: np.ndarray = np.max(each, axis=0)
+        return result
 
     def _taken(self, system: System, integrator: str, finer: int) -> tuple[State, ...]:
         """The states on the grid, with steps smaller by `finer`."""
         step, h = system.stepper(INTEGRATOR_NAMED[integrator].step_name), self.h / finer
-        q, v, done, found = self.q.astype(system.dtype), self.v.astype(system.dtype), 0, []
+        q, v, done, result = self.q.astype(system.dtype), self.v.astype(system.dtype), 0, []
         for n in self.grid:
             q, v = step((n - done) * finer, self.t + done * self.h, h, q, v)
             done = n
-            found.append((q, v))
-        return tuple(found)
+            result.append((q, v))
+        return tuple(result)
 
 
 def in_double(system: System) -> System:
@@ -158,47 +158,47 @@ class Way:
         if not self._steps:
             return {}
         spacing = np.spacing(self._near.astype(self._system.dtype)).astype(float)
-        found: dict[tuple[int, ...], tuple[str, float, float]] = {}
+        results: dict[tuple[int, ...], tuple[str, float, float]] = {}
         for joint, place, kept in self._vectors:
             lost, way, least = (np.linalg.norm(x[..., place], axis=-1)
                                 for x in (self._lost, self._made, spacing))
             way = np.maximum(way, _SEEN)
             coarse = (lost > allowed * way) & (lost < self._steps * least) & (not kept)
             for i in map(tuple, np.argwhere(coarse).tolist()):
-                found.setdefault(i, (joint, float(lost[i] / way[i]),
-                                     float(self._near[i][place].max())))
-        return found
+                results.setdefault(i, (joint, float(lost[i] / way[i]),
+                                       float(self._near[i][place].max())))
+        return results
 
     def _rates(self, q: np.ndarray, v: np.ndarray) -> np.ndarray:
         """The rates of angles, lengths and positions; for rotations the angular velocity in the
         body's frame."""
-        found = []
+        results = []
         for c in self._system.functions.coordinates:
             x, own = (y[..., places].astype(float) for y, places in ((q, c.q), (v, c.v)))
             rates = coordinate_rates.rates(c.kind, x, x, own)
-            found += [own[..., speeds] if part.quaternion else rates[..., places]
-                      for part, places, speeds in KIND_NAMED[c.kind].q_parts]
-        return np.concatenate(found, -1)
+            results += [own[..., speeds] if part.quaternion else rates[..., places]
+                        for part, places, speeds in KIND_NAMED[c.kind].q_parts]
+        return np.concatenate(results, -1)
 
     def _moved(self, before: np.ndarray, after: np.ndarray) -> np.ndarray:
         """The differences of angles, lengths and positions; of rotations the rotation vector."""
-        found = []
+        results = []
         for c in self._system.functions.coordinates:
             x, y = (q[..., c.q].astype(float) for q in (before, after))
-            found += [turned(x[..., places], y[..., places]) if part.quaternion else
-                      y[..., places] - x[..., places]
-                      for part, places, _ in KIND_NAMED[c.kind].q_parts]
-        return np.concatenate(found, -1)
+            results += [turned(x[..., places], y[..., places]) if part.quaternion else
+                        y[..., places] - x[..., places]
+                        for part, places, _ in KIND_NAMED[c.kind].q_parts]
+        return np.concatenate(results, -1)
 
     def _numbers(self, q: np.ndarray) -> np.ndarray:
         """The sizes of the coordinates; for rotations 2, since the angle is twice that of the
         quaternion, whose numbers are up to 1."""
-        found = []
+        results = []
         for c in self._system.functions.coordinates:
             own = np.abs(q[..., c.q].astype(float))
-            found += [np.full((*own.shape[:-1], 3), 2.0) if part.quaternion else own[..., places]
-                      for part, places, _ in KIND_NAMED[c.kind].q_parts]
-        return np.concatenate(found, -1)
+            results += [np.full((*own.shape[:-1], 3), 2.0) if part.quaternion else own[..., places]
+                        for part, places, _ in KIND_NAMED[c.kind].q_parts]
+        return np.concatenate(results, -1)
 
 
 def remedy_of_rounding(system: System) -> str:

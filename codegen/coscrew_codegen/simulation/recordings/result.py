@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from coscrew_codegen.simulation import SimulateError
-from coscrew_codegen.simulation.checkpoint import Instant, end_of
+from coscrew_codegen.simulation.checkpoint import Checkpoint, end_of
 from coscrew_codegen.simulation.plan import Plan, Stop, Trajectory
 from coscrew_codegen.simulation.recordings import recording_writer
 from coscrew_codegen.simulation.recordings.recording import Provenance, Recording
@@ -27,7 +27,7 @@ class Result:
     plan: Plan
     trajectory: Trajectory
     recording: Recording
-    start: Instant
+    start: Checkpoint
 
     @property
     def t(self) -> np.ndarray:
@@ -56,7 +56,7 @@ class Result:
         return self.trajectory.failed
 
     @property
-    def end(self) -> Instant:
+    def end(self) -> Checkpoint:
         """The end, from which another run can continue."""
         controller = dict(self.provenance).get("controller", "")
         return replace(end_of(self.system, self.trajectory, self.start), controller=controller)

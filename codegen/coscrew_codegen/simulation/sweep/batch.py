@@ -8,7 +8,7 @@ import numpy as np
 
 from coscrew_codegen.runtime.load import Kernels
 from coscrew_codegen.scene.recorded_quantities import recorded
-from coscrew_codegen.simulation.batch_inputs import of_norm_1
+from coscrew_codegen.simulation.batch_inputs import normalize_quaternions
 from coscrew_codegen.simulation.check.divergence_monitor import Alarm
 from coscrew_codegen.simulation.plan import Stop, plan
 from coscrew_codegen.simulation.recordings.record import quantity
@@ -32,7 +32,7 @@ def run(kernels: Kernels, conditions: Conditions, p: np.ndarray, q: np.ndarray, 
     """Runs the members with these parameters and starts, one row for each."""
     its = system(kernels, conditions.precision, dict(conditions.settings)).at(p)
     planned = plan(its, conditions.until, conditions.step, conditions.integrator, conditions.every)
-    start = of_norm_1(its, q).astype(its.dtype), v.astype(its.dtype)
+    start = normalize_quaternions(its, q).astype(its.dtype), v.astype(its.dtype)
     trajectory = integrate(its, planned, None, Alarm, start)
     if trajectory.interrupted:
         raise KeyboardInterrupt

@@ -40,12 +40,12 @@ def candidates(scene: Scene, settings: Mapping[str, float]) -> Mapping[str, Cand
     """Returns all inputs that can vary by themselves, by name.  Components of quaternions are not
     among them: they depend on each other."""
     units = parameter_units(scene)
-    found = [Candidate(x.name, "p", x.index, units[x.name]) for x in scene.parameters]
+    results = [Candidate(x.name, "p", x.index, units[x.name]) for x in scene.parameters]
     ends = {x.on: (low, high) for x, low, high in ranges(scene, settings)}
     for joint, q, v in coordinates(scene):
-        found += _of(joint, "q", q, _positions(joint, ends))
-        found += _of(joint, "v", v, _speeds(joint))
-    return {x.name: x for x in found}
+        results += _of(joint, "q", q, _positions(joint, ends))
+        results += _of(joint, "v", v, _speeds(joint))
+    return {x.name: x for x in results}
 
 
 def rotations(scene: Scene) -> Mapping[str, tuple[Candidate, ...]]:
@@ -68,8 +68,8 @@ def _of(joint: Joint, array: str, places: range, limits: Ends | None) -> Iterato
 
 
 def _fault(joint: Joint, array: str) -> str:
-    found = [joint.fault(x) for x in (("lower", "upper") if array == "q" else ("velocity",))]
-    return next((f" ({x.place}: {x.problem})" for x in found if x), "")
+    faults = [joint.fault(x) for x in (("lower", "upper") if array == "q" else ("velocity",))]
+    return next((f" ({x.place}: {x.problem})" for x in faults if x), "")
 
 
 def _unit(joint: Joint, array: str) -> tuple[str, ...]:
@@ -91,31 +91,31 @@ def _speeds(joint: Joint) -> Ends | None:
 
 def one(option: str, name: str, scene: Scene, known: Mapping[str, Candidate]) -> Candidate:
     """The candidate of this name.  Raises SweepError."""
-    found = patterns.matching(name, known)
-    if not found:
+    names = patterns.matching(name, known)
+    if not names:
         _refuse(option, name, scene, known)
-    if found != (name,):
+    if names != (name,):
         raise SweepError(f"{option} {name}: wanted one name; the pattern matches "
-                         f"{', '.join(found)}; --sobol samples all that a pattern matches")
+                         f"{', '.join(names)}; --sobol samples all that a pattern matches")
     return known[name]
 
 
 def matching(option: str, pattern: str, scene: Scene, known: Mapping[str, Candidate]
              ) -> tuple[Candidate, ...]:
     """The candidates whose names match the pattern (* ? [abc]).  Raises SweepError."""
-    found = patterns.matching(pattern, known)
-    if not found:
+    names = patterns.matching(pattern, known)
+    if not names:
         _refuse(option, pattern, scene, known)
-    return tuple(known[name] for name in found)
+    return tuple(known[name] for name in names)
 
 
 def turned(option: str, pattern: str, scene: Scene) -> tuple[Candidate, ...]:
     """The numbers that give the quaternions whose names match the pattern.  Raises SweepError."""
     known = rotations(scene)
-    if not (found := tuple(x for name in patterns.matching(pattern, known) for x in known[name])):
+    if not (numbers := tuple(x for name in patterns.matching(pattern, known) for x in known[name])):
         raise SweepError(f"{option} {pattern}={UNIFORM}: matches no start of a joint with a "
                          f"quaternion; there are {', '.join(known) or 'none'}")
-    return found
+    return numbers
 
 
 def _refuse(option: str, name: str, scene: Scene, known: Mapping[str, Candidate]) -> NoReturn:

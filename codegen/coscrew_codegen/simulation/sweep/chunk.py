@@ -94,23 +94,24 @@ def _computed(job: Job, number: int) -> Chunk:
     its, kernels = job.specification, _loaded(job)
     rows = its.members(number)
     values = member_values.values(its.varied, rows)
-    found = batch.run(kernels, its.conditions, **states(kernels, its, values))
-    table = member_summary.table(scene_of(kernels), its, rows, values, found)
-    told = json.dumps(provenance(kernels, its), ensure_ascii=False)
-    return Chunk(sealed(table.replace_schema_metadata({"coscrew": told})), len(rows),
-                 len(found.failed))
+    runs = batch.run(kernels, its.conditions, **states(kernels, its, values))
+    table = member_summary.table(scene_of(kernels), its, rows, values, runs)
+    origin = json.dumps(provenance(kernels, its), ensure_ascii=False)
+    return Chunk(sealed(table.replace_schema_metadata({"coscrew": origin})), len(rows),
+                 len(runs.failed))
 
 
 def _loaded(job: Job) -> Kernels:
     """The kernels, compiled by one worker of each machine; for many states, too, if that is
     worthwhile."""
     its = job.specification
-    with held(cache.folder() / _COMPILING, wait=True), warnings.catch_warnings(record=True) as said:
+    with (held(cache.folder() / _COMPILING, wait=True),
+          warnings.catch_warnings(record=True) as notes):
         warnings.simplefilter("always")
         kernels: Kernels = unpacked(job.kernels)
         if job.compiled and not kernels.compiled:
             restored.cache_clear()  # the next chunk tries again
-            raise _Uncompiled(*(_reason(str(x.message)) for x in said[-1:]))
+            raise _Uncompiled(*(_reason(str(x.message)) for x in notes[-1:]))
         if its.varied.members * its.conditions.until / its.conditions.step >= PAYS:
             kernels._lanes.function("", PAYS)
     return kernels

@@ -32,8 +32,8 @@ def table(scene: Scene, specification: Specification, members: range, values: np
                 for i, x in enumerate(specification.varied.columns)]
     columns += _failures(len(members), batch)
     for name, unit in units(scene, specification.conditions.record).items():
-        found = statistics(batch.t, batch.recorded[name])
-        columns += [(f"{name}.{word}", unit, pyarrow.array(found[word], mask=failed))
+        result = statistics(batch.t, batch.recorded[name])
+        columns += [(f"{name}.{word}", unit, pyarrow.array(result[word], mask=failed))
                     for word in STATISTICS]
         if specification.conditions.series:
             columns.append((name, unit, _series(batch.recorded[name])))
@@ -54,10 +54,10 @@ def statistics(t: np.ndarray, samples: np.ndarray) -> Mapping[str, np.ndarray]:
 
 
 def _failures(count: int, batch: Batch) -> list[tuple[str, str, pyarrow.Array]]:
-    found = [batch.failed.get(k) for k in range(count)]
-    return [(FAILED, "", pyarrow.array([x and x.cause for x in found], pyarrow.string())),
-            (f"{FAILED}.t", "s", pyarrow.array([x and x.t for x in found], pyarrow.float64())),
-            (f"{FAILED}.joint", "", pyarrow.array([x and x.joint for x in found],
+    results = [batch.failed.get(k) for k in range(count)]
+    return [(FAILED, "", pyarrow.array([x and x.cause for x in results], pyarrow.string())),
+            (f"{FAILED}.t", "s", pyarrow.array([x and x.t for x in results], pyarrow.float64())),
+            (f"{FAILED}.joint", "", pyarrow.array([x and x.joint for x in results],
                                                   pyarrow.string()))]
 
 

@@ -17,7 +17,7 @@ from coscrew_codegen.simulation.run_summary import RunOverrides
 from coscrew_codegen.simulation.sweep import SweepError
 from coscrew_codegen.simulation.sweep.refusals import refuse
 from coscrew_codegen.simulation.sweep.specification import Conditions, Specification, varied
-from coscrew_codegen.simulation.sweep.sweep_options import GridAsked, SobolAsked
+from coscrew_codegen.simulation.sweep.sweep_options import GridOption, SobolOption
 from coscrew_codegen.simulation.system import system
 
 _MEMBERS = 64, 16384  # least and most in a chunk: lanes are filled
@@ -30,8 +30,8 @@ _BYTES = 128_000_000  # most of a chunk's samples
 class SweepRequest:
     """The options that define the sweep."""
 
-    grids: Sequence[GridAsked]
-    sobols: Sequence[SobolAsked]
+    grids: Sequence[GridOption]
+    sobols: Sequence[SobolOption]
     samples: int | None
     seed: int | None
     record: Sequence[str]
@@ -49,16 +49,16 @@ class Prepared:
     plan: Plan
 
 
-def prepared(read: Scene, asked: SweepRequest) -> Prepared:
+def prepared(read: Scene, request: SweepRequest) -> Prepared:
     """The sweep.  Raises SweepError, SimulateError."""
-    overrides = asked.overrides
+    overrides = request.overrides
     if overrides.precision == "both":
         raise SweepError(f"--precision both: a sweep runs in one; wanted {' or '.join(BY_NAME)}")
     own = read.precision if read.precision in BY_NAME else DOUBLE.name
     precision = overrides.precision or own
     settings = dict(overrides.settings)
-    scene = _recording(read, tuple(asked.record))
-    vary = varied(scene, settings, asked.grids, asked.sobols, asked.samples, asked.seed)
+    scene = _recording(read, tuple(request.record))
+    vary = varied(scene, settings, request.grids, request.sobols, request.samples, request.seed)
     refuse(scene, settings, vary, BY_NAME[precision])
     kernels = kernels_for(scene, required_functions.of_run(scene, overrides.integrator),
                           (precision,))
@@ -69,7 +69,7 @@ def prepared(read: Scene, asked: SweepRequest) -> Prepared:
                          "wants an emitted one, such as --integrator leapfrog")
     conditions = Conditions(tuple(sorted(settings.items())), planned.until, planned.step,
                             planned.integrator, planned.every, precision, scene.record,
-                            asked.series)
+                            request.series)
     chunk = _chunk(vary.members, scene, planned)
     specification = Specification(scene.name, read.content_hash, VERSION, vary, conditions, chunk)
     return Prepared(kernels, scene, specification, planned)

@@ -19,7 +19,7 @@ from coscrew_codegen.simulation.sweep.candidates import (
     one,
     turned,
 )
-from coscrew_codegen.simulation.sweep.sweep_options import GridAsked, SobolAsked
+from coscrew_codegen.simulation.sweep.sweep_options import GridOption, SobolOption
 
 
 @dataclass(frozen=True)
@@ -57,8 +57,8 @@ class Varied:
     @property
     def each(self) -> tuple[Grid | Range, ...]:
         """The grids, then the ranges."""
-        found: tuple[Grid | Range, ...] = self.grids
-        return found + self.ranges
+        results: tuple[Grid | Range, ...] = self.grids
+        return results + self.ranges
 
     @property
     def shape(self) -> tuple[int, ...]:
@@ -115,8 +115,8 @@ class Specification:
     @property
     def data(self) -> Mapping[str, Json]:
         """Returns the specification as JSON."""
-        found: Mapping[str, Json] = json.loads(json.dumps(asdict(self)))
-        return found
+        results: Mapping[str, Json] = json.loads(json.dumps(asdict(self)))
+        return results
 
     @cached_property
     def sha256(self) -> str:
@@ -124,8 +124,8 @@ class Specification:
         return sha256(json.dumps(self.data, sort_keys=True).encode()).hexdigest()
 
 
-def varied(scene: Scene, settings: Mapping[str, float], grids: Sequence[GridAsked],
-           sobols: Sequence[SobolAsked], samples: int | None, seed: int | None) -> Varied:
+def varied(scene: Scene, settings: Mapping[str, float], grids: Sequence[GridOption],
+           sobols: Sequence[SobolOption], samples: int | None, seed: int | None) -> Varied:
     """Reads the inputs to vary from the options.  Raises SweepError."""
     if not (grids or sobols):
         raise SweepError("nothing varies; wanted --grid NAME=FROM:TO:COUNT or --sobol "
@@ -146,27 +146,27 @@ def varied(scene: Scene, settings: Mapping[str, float], grids: Sequence[GridAske
     return made
 
 
-def _grid(asked: GridAsked, of: Candidate) -> Grid:
-    first, last = asked.ends
-    steps = max(asked.count - 1, 1)
-    if not asked.log:
+def _grid(option: GridOption, of: Candidate) -> Grid:
+    first, last = option.ends
+    steps = max(option.count - 1, 1)
+    if not option.log:
         return Grid(of, tuple(float(first + Fraction(i, steps) * (last - first))
-                              for i in range(asked.count)))
+                              for i in range(option.count)))
     from mpmath import mp
 
     with mp.workdps(50):
-        a, b = (mp.mpf(x.numerator) / x.denominator for x in asked.ends)
+        a, b = (mp.mpf(x.numerator) / x.denominator for x in option.ends)
         inner = [float(a * (b / a)**(mp.mpf(i) / steps)) for i in range(1, steps)]
-    return Grid(of, (float(first), *inner, float(last))[:asked.count])
+    return Grid(of, (float(first), *inner, float(last))[:option.count])
 
 
-def _ranges(asked: SobolAsked, scene: Scene, known: Mapping[str, Candidate]) -> Iterator[Range]:
-    if asked.uniform:
-        yield from (Range(x, 0.0, 1.0, False) for x in turned("--sobol", asked.pattern, scene))
+def _ranges(option: SobolOption, scene: Scene, known: Mapping[str, Candidate]) -> Iterator[Range]:
+    if option.uniform:
+        yield from (Range(x, 0.0, 1.0, False) for x in turned("--sobol", option.pattern, scene))
     else:
-        yield from (_range(asked, x) for x in matching("--sobol", asked.pattern, scene, known))
+        yield from (_range(option, x) for x in matching("--sobol", option.pattern, scene, known))
 
 
-def _range(asked: SobolAsked, of: Candidate) -> Range:
-    low, high = map(float, asked.ends) if asked.ends else limits_of(f"--sobol {asked.pattern}", of)
-    return Range(of, low, high, asked.log)
+def _range(given: SobolOption, of: Candidate) -> Range:
+    low, high = map(float, given.ends) if given.ends else limits_of(f"--sobol {given.pattern}", of)
+    return Range(of, low, high, given.log)

@@ -14,7 +14,7 @@ import sys
 from coscrew.accurate import double, single
 from coscrew._provenance import is_compiled
 
-COMPILED: bool = is_compiled("coscrew.accurate._gufunc", "063edf2c7d26f54e")
+COMPILED: bool = is_compiled("coscrew.accurate._gufunc", "48abe1f8f86421b1")
 
 if COMPILED:
     from coscrew.accurate._gufunc import (

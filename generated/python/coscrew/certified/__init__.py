@@ -15,7 +15,7 @@ import sys
 from coscrew.certified import double, single
 from coscrew._provenance import is_compiled
 
-COMPILED: bool = is_compiled("coscrew.certified._gufunc", "00649686f059f446")
+COMPILED: bool = is_compiled("coscrew.certified._gufunc", "6f0936b5fef3e2e6")
 
 if COMPILED:
     from coscrew.certified._gufunc import (

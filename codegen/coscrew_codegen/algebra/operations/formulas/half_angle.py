@@ -71,14 +71,14 @@ class HalfAngle:
     def g(self, *orders: int) -> tuple[sp.Expr, ...]:
         """g(k, θ²) for these k from 0 to 3."""
         let, k = self.let, self.k
-        found = {1: let("g1", k * self.c), 2: let("g2", k**2 / 2)}
+        results = {1: let("g1", k * self.c), 2: let("g2", k**2 / 2)}
         if 0 in orders:
-            found[0] = let("g0", 1 - 2 * let("sine_square", self.sine**2))
+            results[0] = let("g0", 1 - 2 * let("sine_square", self.sine**2))
         if 3 in orders:
-            closed = let("closed3", let("rest3", 1 - found[1]) / self._far)
-            found[3] = let("g3", far(self.square, closed,
-                                     sp.Rational(1, 6) - self.square * self._series5))
-        return tuple(found[k] for k in orders)
+            closed = let("closed3", let("rest3", 1 - results[1]) / self._far)
+            results[3] = let("g3", far(self.square, closed,
+                                       sp.Rational(1, 6) - self.square * self._series5))
+        return tuple(results[k] for k in orders)
 
     def g_rates(self, g1: sp.Expr, g2: sp.Expr, g3: sp.Expr) -> tuple[sp.Expr, sp.Expr]:
         """2 g'(2) = 2 g(4) - g(3) and 2 g'(3) = 3 g(5) - g(4)."""

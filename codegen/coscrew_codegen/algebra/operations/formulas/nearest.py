@@ -95,9 +95,9 @@ def _across(let: Let, u: sp.Matrix, column: sp.Matrix, least: sp.Expr) -> sp.Mat
     is_kept = sp.Eq(let("is_kept", sp.Piecewise((1, enough < kept), (0, True))), 1)
     axis = _axis_across(let, u)
     other = let("other", axis - let("along_axis", u.dot(axis)) * u)
-    found = let("found", sp.Matrix([sp.Piecewise((one, is_kept), (two, True))
-                                    for one, two in zip(part, other, strict=True)]))
-    return let("across", divided(found, let("length", l2(found))))
+    result = let("found", sp.Matrix([sp.Piecewise((one, is_kept), (two, True))
+                                     for one, two in zip(part, other, strict=True)]))
+    return let("across", divided(result, let("length", l2(result))))
 
 
 def _newton(let: Let, R: sp.Matrix) -> sp.Matrix:

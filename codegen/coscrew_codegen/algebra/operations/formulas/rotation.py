@@ -83,8 +83,8 @@ def upper(let: Let, q: sp.Matrix) -> sp.Matrix:
     """q or -q, whichever has w >= 0.  If fine, products may be fused into sums, which therefore are
     not negated (accuracy/tiers/negation.py)."""
     w = scalar_part(q)
-    found = q.applyfunc(lambda x: sp.Piecewise((-x, w < 0), (x, True)))
-    return let("upper", quaternion(vector_part(found), sp.Abs(w)) if let.fine else found)
+    result = q.applyfunc(lambda x: sp.Piecewise((-x, w < 0), (x, True)))
+    return let("upper", quaternion(vector_part(result), sp.Abs(w)) if let.fine else result)
 
 
 def half_angle(let: Let, q: sp.Matrix, reduced: bool = False) -> tuple[sp.Expr, sp.Expr, sp.Expr]:

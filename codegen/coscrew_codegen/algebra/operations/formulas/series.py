@@ -78,11 +78,11 @@ class Angle:
         for k in range(3, max(orders) + 1):
             rest = let(f"rest{k}", sp.Rational(1, sp.factorial(k - 2)) - closed[k - 2])
             closed[k] = let(f"closed{k}", rest / middle_x)
-        found = {k: let(f"g{k}", (far if k <= 2 else beyond)(x, closed[k], taylor(k, x)))
-                 for k in orders if k}
+        results = {k: let(f"g{k}", (far if k <= 2 else beyond)(x, closed[k], taylor(k, x)))
+                   for k in orders if k}
         if 0 in orders:
-            found[0] = let("g0", far(x, self.cosine, 1 - x * found[2]))
-        return tuple(found[k] for k in orders)
+            results[0] = let("g0", far(x, self.cosine, 1 - x * results[2]))
+        return tuple(results[k] for k in orders)
 
     def b(self) -> tuple[sp.Expr, sp.Expr]:
         """b(θ²), and 1 - θ² b = θ/2 cot θ/2."""

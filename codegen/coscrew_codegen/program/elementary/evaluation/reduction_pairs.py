@@ -61,13 +61,13 @@ class ReductionParts:
 def parts(precision: Precision) -> ReductionParts:
     """The parts of `split` and two more, a bit shorter: sums of products have that bit to spare."""
     known = split(precision)
-    found, size = list(known.parts), 2**(precision.digits - known.k_bits - 1)
+    result, size = list(known.parts), 2**(precision.digits - known.k_bits - 1)
     for _ in range(2):
-        rest = HALF_PI - sum(found)
+        rest = HALF_PI - sum(result)
         unit = Fraction(1, 2**(int(size / rest).bit_length() - 1))
-        found.append(int(rest / unit) * unit)
-    rest = nearest(HALF_PI - sum(found), precision)
-    return ReductionParts(tuple(found), rest, abs(HALF_PI - sum(found) - rest))
+        result.append(int(rest / unit) * unit)
+    rest = nearest(HALF_PI - sum(result), precision)
+    return ReductionParts(tuple(result), rest, abs(HALF_PI - sum(result) - rest))
 
 
 @cache
@@ -205,8 +205,8 @@ def _far_fraction(precision: Precision) -> Spread:
     grid = max(first_grid(precision, exponent) for exponent in exponents)
     sizes = [Fraction(3, 4) * 2**digits * Fraction(2)**(grid - bits * n) for n in range(LEVELS)]
     low = precision.u * (3 + sizes[2])  # of the sum of the first three levels' fractions
-    found = collected([Fraction(1, 2), sizes[3], low, *sizes[4:]], least, precision)
-    return Spread(found.high, found.low, upward(found.error + wrong / least))
+    result = collected([Fraction(1, 2), sizes[3], low, *sizes[4:]], least, precision)
+    return Spread(result.high, result.low, upward(result.error + wrong / least))
 
 
 @cache
@@ -214,8 +214,8 @@ def far_spread(precision: Precision) -> Spread:
     """The reduction beyond the limit."""
     some = _far_fraction(precision)
     x, = StepWriter(X).inputs()
-    found = _angle(Pair(x, x, some.high, some.low, some.error), precision)
-    return Spread(*(size / HALF_PI for size in (found.size, found.rest, found.error)))
+    result = _angle(Pair(x, x, some.high, some.low, some.error), precision)
+    return Spread(*(size / HALF_PI for size in (result.size, result.rest, result.error)))
 
 
 @cache

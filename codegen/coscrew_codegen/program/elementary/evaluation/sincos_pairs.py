@@ -41,10 +41,10 @@ def computed(r: StepValue, r_low: StepValue, spread: Spread, precision: Precisio
 def relative(spread: Spread, precision: Precision) -> tuple[Pair, Pair]:
     """sin r and cos r in units of their least sizes, with proved bounds of the relative errors."""
     _, r, r_low = StepWriter(*REDUCED).inputs()
-    found = computed(r, r_low, spread, precision)
+    result = computed(r, r_low, spread, precision)
     least = 1 - ANGLE**2 / 6, 1 - ANGLE**2 / 2
-    return (found.sine.scaled(found.sine.size / least[0]),
-            found.cosine.scaled(found.cosine.size / least[1]))
+    return (result.sine.scaled(result.sine.size / least[0]),
+            result.cosine.scaled(result.cosine.size / least[1]))
 
 
 def turn(k: StepValue, precision: Precision) -> tuple[StepValue, StepValue]:

@@ -97,8 +97,8 @@ def far_is_proved(precision: Precision) -> Reduction:
     missing = max(left_out(precision, exponent, LEVELS[precision.digits]) for exponent in exponents)
     least = min(closest(precision, exponent) for exponent in exponents)
     first_grids = {first_grid(precision, exponent) for exponent in exponents}
-    found = [_sum_is_proved(precision, grid) for grid in sorted(first_grids)]
-    error, tail, largest = (max(column) for column in zip(*found, strict=True))
+    results = [_sum_is_proved(precision, grid) for grid in sorted(first_grids)]
+    error, tail, largest = (max(column) for column in zip(*results, strict=True))
     fraction = least / HALF_PI
     # times_half_pi rounds five numbers that are at most 3 u of r and the tail.
     relative = (error + missing + 6 * u * tail) / fraction + 12 * u * u

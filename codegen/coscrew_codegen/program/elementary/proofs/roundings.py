@@ -106,11 +106,11 @@ class Roundings:
                 knowledge: Knowledge) -> list[TrackedValue]:
         """The values of some steps of a Program."""
         part = without_dead_steps(replace(program, results=tuple(map(Ref, steps))))
-        found = evaluate(part, [[x] for x in arguments], self._arithmetic(knowledge))
-        for x in found:
+        result = evaluate(part, [[x] for x in arguments], self._arithmetic(knowledge))
+        for x in result:
             if isinstance(x, Undecided):
                 raise UndecidedError(x.reason)
-        return [x for x in found if isinstance(x, TrackedValue)]
+        return [x for x in result if isinstance(x, TrackedValue)]
 
     def ulps(self, value: TrackedValue, relative: Fraction = Fraction(0),
              absolute: Fraction = Fraction(0)) -> Fraction:

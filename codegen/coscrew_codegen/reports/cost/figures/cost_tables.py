@@ -152,34 +152,34 @@ def _accuracy(costs: Costs) -> Table:
         for x in costs.points), head, _MARKS)
 
 
-def of_run(found: RunErrors) -> Table:
+def of_run(errors: RunErrors) -> Table:
     """A column for each of a few times."""
-    shown = sorted({max(0, len(found.times) // n - 1) for n in _PARTS})
-    headers = ("cause", *(f"t = {found.times[n]:.4g} s" for n in shown), "digits gone")
+    shown = sorted({max(0, len(errors.times) // n - 1) for n in _PARTS})
+    headers = ("cause", *(f"t = {errors.times[n]:.4g} s" for n in shown), "digits gone")
     return Table(headers, tuple(
         (f"{x.cause}: {x.of}", *(in_unit(x.errors[n], "1") for n in shown),
-         f"from {x.gone:.4g} s" if x.gone is not None else "") for x in found.rows), (
-             f"Errors of a run in m or rad, by cause: {found.integrator}, step {found.step:g} s, "
-             f"{_covered(found)}, against the same steps with {RUN_DIGITS} digits.",
-             _CAUSES), tuple(_compared(found)))
+         f"from {x.gone:.4g} s" if x.gone is not None else "") for x in errors.rows), (
+             f"Errors of a run in m or rad, by cause: {errors.integrator}, step {errors.step:g} s, "
+             f"{_covered(errors)}, against the same steps with {RUN_DIGITS} digits.",
+             _CAUSES), tuple(_compared(errors)))
 
 
-def _covered(found: RunErrors) -> str:
-    if found.whole:
-        return f"the whole {found.until:g} s"
-    return (f"the first {found.times[-1]:.4g} s of {found.until:g} s: more would take more than "
-            f"{found.most / 1e6:g} million instructions with {RUN_DIGITS} digits")
+def _covered(errors: RunErrors) -> str:
+    if errors.whole:
+        return f"the whole {errors.until:g} s"
+    return (f"the first {errors.times[-1]:.4g} s of {errors.until:g} s: more would take more than "
+            f"{errors.most / 1e6:g} million instructions with {RUN_DIGITS} digits")
 
 
-def _compared(found: RunErrors) -> Iterator[str]:
+def _compared(errors: RunErrors) -> Iterator[str]:
     """States the largest error of the run in each precision, as long as digits are left."""
-    (step,) = (x for x in found.rows if x.cause == "step")
-    for x in found.rows:
+    (step,) = (x for x in errors.rows if x.cause == "step")
+    for x in errors.rows:
         if x.cause != "rounding" or not x.of.endswith(f" {PLAIN.name}"):
             continue
         precision, gone = x.of.split()[0], [y.gone for y in (x, step) if y.gone is not None]
-        left = [n for n, t in enumerate(found.times) if t < min(gone, default=math.inf)]
-        until = f"until t = {found.times[left[-1]]:.4g} s " if gone and left else ""
+        left = [n for n, t in enumerate(errors.times) if t < min(gone, default=math.inf)]
+        until = f"until t = {errors.times[left[-1]]:.4g} s " if gone and left else ""
         rounding, of_step = (max((y.errors[n] for n in left), default=math.inf) for y in (x, step))
         if left:
             yield (f"In {precision} precision {until}rounding moves the run by at most "

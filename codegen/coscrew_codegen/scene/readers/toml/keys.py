@@ -27,8 +27,8 @@ class Key:
     words: str  # description with units
     kind: str = "text"  # text, texts, number, positive, nonnegative, vector (3 numbers), quaternion
     # (4), moments (3 or 6 numbers or a 3×3 matrix), coordinates (by joint: a number or a list),
-    # expectations (by quantity), tolerances (by function), effects; table and tables (by name)
-    # have `table`
+    # expectations (by quantity), tolerances (by function), words (texts by name), effects; table
+    # and tables (by name) have `table`
     choices: tuple[str, ...] = ()  # of a text; the first is the default unless there is another
     default: str = ""  # in TOML
     required: bool = False
@@ -185,7 +185,14 @@ ACCURACY = TableOf("accuracy", "How accurate functions are in the mixed tier.", 
 SCENE = TableOf("", "The file itself.", (
     Key("model", "a file next to the scene that holds the model, in one of the formats of models; "
         "without it the tables `bodies` and `joints` are the model"),
-    Key("base", "whether the root is fixed or moves freely", choices=tuple(BASES)),
+    Key("arguments", "of a model that is a file of xacro: values by name", "words"),
+    Key("packages", "of a model that is a file of xacro: folders by the package's name, for "
+        "`$(find PACKAGE)`, seen from the scene", "words", default="searched beside the file and "
+        "above it"),
+    Key("leave_out", "of a model that is a file of MuJoCo: groups of elements that the scene does "
+        "without; errors name them", "texts", default="[]"),
+    Key("base", "whether the root, if no joint moves it, is fixed or moves freely",
+        choices=tuple(BASES), default="as the model's file says, else fixed"),
     Key("name", "name of the files and the package, and prefix of the C functions: a C identifier",
         default="the file's name"),
     Key("precision", 'of runs, and of the files of `coscrew generate`; "both" runs both and shows '

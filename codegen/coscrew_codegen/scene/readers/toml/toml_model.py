@@ -36,7 +36,7 @@ _INERTIA = "a list of 3 or 6 numbers: xx, yy, zz, xy, xz, yz; or a symmetric 3×
 _TOLERANCE = Fraction(1, 10**6)  # of a quaternion's norm, of right angles: people write six digits
 
 
-def read_model(file: TomlTable, name: str, base: JointKind, implausible: str) -> Model:
+def read_model(file: TomlTable, name: str, base: JointKind | None, implausible: str) -> Model:
     """The model in the tables `bodies` and `joints`.  With `implausible` "warn", impossible and
     massless inertias are accepted and listed in the model.  Raises SceneError."""
     source = ModelSource(file.file, base, implausible)

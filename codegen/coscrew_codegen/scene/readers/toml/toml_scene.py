@@ -27,16 +27,17 @@ from coscrew_codegen.scene.readers.toml.accuracy_table import (
 )
 from coscrew_codegen.scene.readers.toml.attached import with_attached
 from coscrew_codegen.scene.readers.toml.effect_table import Use
-from coscrew_codegen.scene.readers.toml.keys import BASES, EXPECT, OUTPUTS, RUN, SCENE, START
+from coscrew_codegen.scene.readers.toml.keys import EXPECT, OUTPUTS, RUN, SCENE, START
+from coscrew_codegen.scene.readers.toml.named_model import model_of
 from coscrew_codegen.scene.readers.toml.runtime import with_parameters
 from coscrew_codegen.scene.readers.toml.toml_effects import read_effects, with_reactions
-from coscrew_codegen.scene.readers.toml.toml_model import read_model, refuse_not_unit
-from coscrew_codegen.scene.readers.toml.toml_tables import TomlTable, described, read_toml
+from coscrew_codegen.scene.readers.toml.toml_model import refuse_not_unit
+from coscrew_codegen.scene.readers.toml.toml_tables import Decimals, TomlTable, described, read_toml
 from coscrew_codegen.scene.readers.unused import unused
 from coscrew_codegen.scene.recordable import quantities_of
 from coscrew_codegen.scene.recorded_quantities import QuantityError, expected
 from coscrew_codegen.scene.scene import Expectation, Run, Scene
-from coscrew_codegen.scene.tier_selection import TiersError, asked, selected
+from coscrew_codegen.scene.tier_selection import TiersError, on_request, selected
 
 
 @dataclass(frozen=True)
@@ -47,11 +48,19 @@ class SceneOverrides:
     implausible: str | None = None  # error, warn
     functions: tuple[str, ...] | None = None  # names, "default", "all"
     tiers: tuple[str, ...] | None = None  # names
+    arguments: tuple[tuple[str, str], ...] = ()  # name and value, beside the file's own
+    packages: tuple[tuple[str, str], ...] = ()  # name and folder, likewise
+    leave_out: tuple[str, ...] = ()  # groups of elements, likewise
 
     def __post_init__(self) -> None:
         for key, choices in (("precision", CHOICES), ("implausible", (ERROR, WARN))):
             if (word := getattr(self, key)) not in (None, *choices):
                 raise ValueError(f"{key} = {word!r}; wanted one of {', '.join(choices)}")
+
+    @property
+    def folders(self) -> dict[str, Path]:
+        """The packages' folders by name."""
+        return {name: Path(folder) for name, folder in self.packages}
 
 
 def read_scene(path: Path | str, catalogue: tuple[Effect, ...] | None = None,
@@ -66,10 +75,12 @@ def read_scene(path: Path | str, catalogue: tuple[Effect, ...] | None = None,
     if path.suffix.lower() == SCENE_SUFFIX:
         return _scene(read_toml(path), effects, overrides)
     if reader := reader_of(path):
-        source = ModelSource(path, implausible=overrides.implausible or ERROR)
+        source = ModelSource(path, None, overrides.implausible or ERROR, overrides.folders,
+                             dict(overrides.arguments), overrides.leave_out)
         parts = reader.parts_of(source)
         model = parts.model(source)
-        tables = {"name": identifier(stem(path)),
+        start = {name: [Decimals(repr(x)) for x in q] for name, q in parts.start.items()}
+        tables = {"name": identifier(stem(path)), "start": {"q": start},
                   "effects": of_file_alone(model, parts.effects, effects)}
         return _scene(TomlTable(path, "", tables), effects, overrides, model)
     raise SceneError(path, "", unknown(path, scenes=True))
@@ -99,7 +110,9 @@ def _scene(file: TomlTable, catalogue: tuple[Effect, ...], overrides: SceneOverr
     name = _name(file)
     implausible = _overridden(overrides.implausible, file, "implausible", (ERROR, WARN)) or ERROR
     precision = _overridden(overrides.precision, file, "precision", CHOICES)
-    model = alone or with_attached(file, _model(file, name, implausible), implausible)
+    model = alone or with_attached(file, model_of(
+        file, name, implausible, overrides.folders, dict(overrides.arguments),
+        overrides.leave_out), implausible)
     use = Use()
     effects = read_effects(file.table("effects"), model, catalogue, use)
     _refuse_still(file.file, model)
@@ -119,7 +132,7 @@ def _scene(file: TomlTable, catalogue: tuple[Effect, ...], overrides: SceneOverr
     if accuracy:
         selected_now = resolved(scene, functions)
         accuracy = tuple(x for x in accuracy if x.function in selected_now)
-    tiers = selected((*_tiers(file), *(asked() if accuracy else ())))
+    tiers = selected((*_tiers(file), *(on_request() if accuracy else ())))
     drawn = limits_used(scene, accuracy) if accuracy else set()
     if drawn:
         refuse_faults(file, scene, drawn)
@@ -173,27 +186,6 @@ def _name(file: TomlTable) -> str:
         file.refuse("name", f"{shown(name)} {reason}; wanted a C identifier such as "
                             f"{identifier(name)!r}")
     return name
-
-
-def _model(file: TomlTable, name: str, implausible: str) -> Model:
-    """The model of the file that `model` names, or of this file's own tables."""
-    base = BASES[file.choice("base", tuple(BASES), "fixed")]
-    own = [key for key in ("bodies", "joints") if key in file]
-    if "model" not in file:
-        if not own:
-            file.missing("model", "a model's file, or tables [bodies.NAME] and [joints.NAME]")
-        return read_model(file, name, base, implausible)
-    if own:
-        file.refuse(own[0], "the model comes from the file that `model` names; wanted one of both")
-    named = Path(file.text("model"))
-    path = file.file.parent / named
-    reader = reader_of(path)
-    if reader is None:
-        file.refuse("model", f"{shown(str(named))} {unknown(path)}")
-    if not path.exists():
-        file.refuse("model", f"{shown(str(named))}: there is no such file; it is looked for in the "
-                             "folder of the scene")
-    return reader.read(ModelSource(path, base, implausible))
 
 
 def _refuse_still(file: Path, model: Model) -> None:

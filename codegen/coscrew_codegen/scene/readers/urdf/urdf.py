@@ -21,8 +21,8 @@ class _Urdf(Joints):
     Raises SceneError, naming file, line and element, for files that are not URDF, numbers that are
     not finite, inertias without mass or moments unless these are accepted, and unknown names."""
 
-    def __init__(self, source: ModelSource) -> None:
-        super().__init__(source.path)
+    def __init__(self, source: ModelSource, contents: bytes | None) -> None:
+        super().__init__(source.path, contents)
         self.lenient = source.lenient
         self.lacking: list[str] = []  # incomplete inertias that were accepted
 
@@ -81,7 +81,12 @@ class _Urdf(Joints):
         return found
 
 
+def urdf_parts(source: ModelSource, contents: bytes | None = None) -> Parts:
+    """The parts of a URDF: of the file, or of these contents, which the file has written."""
+    return _Urdf(source, contents).parts()
+
+
 READER = ModelReader(
     "URDF", (".urdf",), "a robot of ROS: its links and joints, with inertias, limits, dynamics and "
     "mimics; visual and collision shapes change no motion and are not read",
-    lambda source: _Urdf(source).parts())
+    urdf_parts)

@@ -35,10 +35,10 @@ _T = TypeVar("_T")
 class Elements:
     """The elements of one file.  Collects in `notices` what is read and not used."""
 
-    def __init__(self, path: Path) -> None:
+    def __init__(self, path: Path, contents: bytes | None = None) -> None:
         self.path = path
         self.notices: list[Notice] = []
-        self.root = read_xml(path, IGNORED)
+        self.root = read_xml(path, IGNORED, contents=contents)
         if self.root.tag != "robot":
             known = of_root(self.root.tag)
             self._refuse(self.root, "", known or f"the root is <{self.root.tag[:60]}>; wanted "

@@ -102,8 +102,8 @@ class Folder:
 
     def _number(self, name: str) -> int | None:
         """The number of the chunk whose file has this name, None if none has."""
-        found = _PART.fullmatch(name)
-        number = int(found[1]) if found else self.specification.chunks
+        match = _PART.fullmatch(name)
+        number = int(match[1]) if match else self.specification.chunks
         return number if number < self.specification.chunks and self.of(number).name == name \
             else None
 
@@ -131,13 +131,13 @@ def opened(path: Path, specification: Specification, about: Mapping[str, Json]
         if not mine:
             raise SweepError(f"{path}: another sweep is running into this folder; wait for it, or "
                              "take another --out")
-        found = Folder(path, specification, about)
-        _know(found)
+        folder = Folder(path, specification, about)
+        _know(folder)
         make_way(path, path / MEMBERS, is_folder=True)
         (path / MEMBERS).mkdir(exist_ok=True)
         for left in (*path.glob(".*.part"), *(path / MEMBERS).glob(".*.part")):
             remove(left)  # by a process that was killed
-        yield found
+        yield folder
 
 
 def whole(path: Path, content: bytes) -> None:
@@ -186,16 +186,16 @@ def _know(folder: Folder) -> None:
 def _refuse_without_about(path: Path, digest: str, error: DamagedError) -> None:
     """Refuse a folder whose sweep.json is damaged unless its parts are of this sweep, or there are
     none."""
-    found = _sweep_of_parts(path)
-    if found is None and not (path / MEMBERS).is_dir():
+    result = _sweep_of_parts(path)
+    if result is None and not (path / MEMBERS).is_dir():
         raise SweepError(f"{path / ABOUT}: {error.why}, and nothing beside it is of a sweep; "
                          "wanted a new or empty folder, or one of this sweep")
-    if found is None and any((path / MEMBERS).glob("part-*.parquet")):
+    if result is None and any((path / MEMBERS).glob("part-*.parquet")):
         raise SweepError(f"{path / ABOUT}: {error.why}, and no part beside it is undamaged, so the "
                          f"sweep cannot be identified; take another --out, or remove {path}")
-    if found not in (None, digest):
+    if result not in (None, digest):
         raise SweepError(f"{path / ABOUT}: {error.why}; the parts beside it are of another sweep, "
-                         f"{str(found)[:12]}; this one is {digest[:12]}; take another --out")
+                         f"{str(result)[:12]}; this one is {digest[:12]}; take another --out")
 
 
 def _sweep_of_parts(path: Path) -> str | None:

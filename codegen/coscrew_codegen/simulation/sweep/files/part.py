@@ -128,13 +128,13 @@ def _sweep(table: pyarrow.Table) -> str:
 
 def _place(content: bytes) -> tuple[int, int]:
     """Returns the place of the digest.  Raises ValueError if there is none, or several."""
-    (found,) = _SEALED.finditer(content)
-    return found.span(1)
+    (result,) = _SEALED.finditer(content)
+    return result.span(1)
 
 
 def _digest(content: bytes, start: int, end: int) -> bytes:
     """The digest of the content, with zeros where the digest stands."""
-    found = sha256(content[:start])
-    found.update(_BLANK)
-    found.update(content[end:])
-    return found.hexdigest().encode()
+    result = sha256(content[:start])
+    result.update(_BLANK)
+    result.update(content[end:])
+    return result.hexdigest().encode()

@@ -137,14 +137,14 @@ def _opened(path: Path) -> "xarray.Dataset":
     shape = {"sample": its["samples"], **{name: len(x) for name, (_, x, _) in grids.items()}}
     names = [name for name in flat.attrs["columns"] if name not in grids]
     words = _WORDS if (path / MEMBERS).is_dir() else {}
-    found = xarray.Dataset(
+    result = xarray.Dataset(
         {**{name: _folded(flat[name].variable, shape) for name in names},
          **{name: _folded(_texts(path, column, about["chunk"], flat.sizes[MEMBER]), shape)
             for name, column in words.items()}},
         {**grids, **({"t": flat["t"]} if "t" in flat else {})}, flat.attrs)
-    found = found.assign_coords({name: found[name].isel(dict.fromkeys(grids, 0), drop=True)
-                                 for name in ranged})
-    return found if ranged else found.isel(sample=0)
+    result = result.assign_coords({name: result[name].isel(dict.fromkeys(grids, 0), drop=True)
+                                   for name in ranged})
+    return result if ranged else result.isel(sample=0)
 
 
 def _texts(folder: Path, column: str, chunk: int, members: int) -> "xarray.Variable":
@@ -155,8 +155,8 @@ def _texts(folder: Path, column: str, chunk: int, members: int) -> "xarray.Varia
     from dask.delayed import delayed
 
     def texts(path: Path) -> np.ndarray:
-        found = read(path, [column])[column]
-        return np.asarray(found.fill_null("").to_numpy(zero_copy_only=False), object)
+        result = read(path, [column])[column]
+        return np.asarray(result.fill_null("").to_numpy(zero_copy_only=False), object)
 
     parts = [dask.array.from_delayed(delayed(texts)(part_of(folder, n)),
                                      (min(chunk, members - n * chunk),), object)

@@ -42,8 +42,8 @@ class Axis:
         low, high = self.low, self.high
         if self.log:
             x, low, high = np.log(x), math.log(low), math.log(high)
-        found = ((x - low) / (high - low) * self.parts).astype(int)
-        return np.asarray(np.clip(found, 0, self.parts - 1))
+        result = ((x - low) / (high - low) * self.parts).astype(int)
+        return np.asarray(np.clip(result, 0, self.parts - 1))
 
     @property
     def edges(self) -> np.ndarray:

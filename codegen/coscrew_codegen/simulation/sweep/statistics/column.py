@@ -55,12 +55,12 @@ class ColumnStatistics:
         self.highest = np.maximum(self.highest, values.max(1))
         self.total += middle.sum(1)
         self.square += (middle**2).sum(1)
-        found = self.own.index(values)
-        self.histogram += [np.bincount(x, minlength=self.own.bins) for x in found]
+        result = self.own.index(values)
+        self.histogram += [np.bincount(x, minlength=self.own.bins) for x in result]
         for i, (axis, at) in enumerate(zip(self.axes, places, strict=True)):
             self.counts[i] += np.bincount(at, minlength=axis.bins)
             self.sums[i] += [np.bincount(at, x, axis.bins) for x in middle]
-            self.joint[i] += _both(at, found[0], axis.bins, self.own.bins)
+            self.joint[i] += _both(at, result[0], axis.bins, self.own.bins)
         for (i, j), (counts, sums, _) in self.pairs.items():
             sizes = self.axes[i].bins, self.axes[j].bins
             counts += _both(places[i], places[j], *sizes)
