@@ -258,6 +258,23 @@ def test_processes_at_once_find_or_make_the_same(path: Path, folder: Path):
     assert {x.suffix for x in folder.iterdir()} == {".so", ".scene"}
 
 
+def test_of_processes_at_once_one_derives(path: Path):
+    """The others wait for its entry."""
+    program = ("import coscrew_codegen, sys\n"
+               "from coscrew_codegen import dynamics\n"
+               "derive = dynamics.derive\n"
+               "dynamics.derive = lambda *given: (print('derived'), derive(*given))[1]\n"
+               "sys.stdin.read()\n"
+               "coscrew_codegen.load_scene(sys.argv[1])")
+    running = [subprocess.Popen([sys.executable, "-W", "error", "-c", program, str(path)], cwd=ROOT,
+                                stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True)
+               for _ in range(3)]
+    for x in running:
+        x.stdin.close()  # all have imported what they need
+    said = [x.stdout.read() for x in running]
+    assert [x.wait() for x in running] == [0, 0, 0] and "".join(said) == "derived\n"
+
+
 def test_the_command_shows_and_empties(path: Path, folder: Path, capsys):
     assert main(["cache"]) == 0
     assert "entries  0\nsize     0 bytes\nlimit    1 GB" in capsys.readouterr().out

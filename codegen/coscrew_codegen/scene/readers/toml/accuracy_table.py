@@ -27,8 +27,6 @@ def read_accuracy(file: TomlTable, scene: Scene, selected: Collection[str]) -> t
 
 def limits_used(scene: Scene, accuracy: Collection[Tolerance]) -> set[tuple[str, str]]:
     """The limits of joints, as (joint, field), between which states are drawn for these."""
-    if not accuracy:
-        return set()
     fields = {"lower", "upper"}
     of = {x.function for x in accuracy}
     for takes in (x.takes for x in functions_of(scene) if x.name in of):

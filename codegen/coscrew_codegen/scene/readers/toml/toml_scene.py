@@ -6,6 +6,7 @@ from fractions import Fraction
 from pathlib import Path
 
 from coscrew_codegen.program.values.formats import BY_NAME, CHOICES, DOUBLE
+from coscrew_codegen.program.values.parameter import Parameter
 from coscrew_codegen.scene.effect import Effect
 from coscrew_codegen.scene.function_selection import FunctionsError, resolved
 from coscrew_codegen.scene.integrators import NAMES
@@ -158,11 +159,14 @@ def _scene(file: TomlTable, catalogue: tuple[Effect, ...], overrides: SceneOverr
         selected_now = resolved(scene, functions)
         accuracy = tuple(x for x in accuracy if x.function in selected_now)
     tiers = selected((*_tiers(file), *(on_request() if accuracy else ())))
-    drawn = limits_used(scene, accuracy)
-    refuse_faults(file, scene, drawn)
+    drawn = limits_used(scene, accuracy) if accuracy else set()
+    if drawn:
+        refuse_faults(file, scene, drawn)
     told = unused(model, use.of_model | drawn, catalogue, effects)
     effects = with_reactions(scene, catalogue)
-    model, effects, parameters = with_parameters(file, model, effects, catalogue)
+    parameters: tuple[Parameter, ...] = ()
+    if "runtime" in file:
+        model, effects, parameters = with_parameters(file, model, effects, catalogue)
     if overrides.tiers:
         tiers = selected(overrides.tiers)
     return _selecting(replace(scene, model=model, effects=effects, parameters=parameters,
