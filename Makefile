@@ -109,10 +109,11 @@ attack: $(VENV)/test-ready build
 	$(PYTHON) -m tests.hard_cases.near_zeros --judge --seed 2
 	$(PYTHON) -m tests.motions_attack
 
-# Scenes' kernels for CUDA, compiled by nvcc (unless it is there, from PyPI: 125 MB, 320 MB on disk) and launched where there is a device.
+# Kernels for CUDA, compiled by nvcc (else from PyPI: 125 MB, 320 MB on disk), and arrays, on a GPU if there is one.
 cuda: $(VENV)/test-ready build
 	command -v nvcc >/dev/null || $(INSTALL) "coscrew[cuda]"
 	$(PYTHON) -m tests.cuda_attack
+	$(PYTHON) -m tests.devices_attack
 
 # Errors and times of everything on this machine, in about two minutes: build/report/.
 report: $(VENV)/test-ready build

@@ -49,7 +49,7 @@ def boxes(path: str) -> tuple[np.ndarray, np.ndarray]:
 
 
 def camera(points: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """The camera's axes (rows: right, up, towards it) and the middle of what it shows."""
+    """The camera's axes (rows: right, up, towards it) and the middle of the scene."""
     ca, sa, ce, se = (f(x) for x in (AZIMUTH, ELEVATION) for f in (np.cos, np.sin))
     back, right = np.array([ce * ca, ce * sa, se]), np.array([-sa, ca, 0])
     low, high = points.reshape(-1, 3).min(0), points.reshape(-1, 3).max(0)
@@ -73,7 +73,7 @@ def frames(corners: np.ndarray, bodies: np.ndarray) -> Iterator[Image.Image]:
 
 def _faces(shown: np.ndarray, world: np.ndarray, bodies: np.ndarray, scale: float,
            size: np.ndarray) -> Iterator[tuple[float, list[tuple[float, float]], tuple]]:
-    """How near each face is, its corners in pixels, its colour by its side to the light."""
+    """Distance of each face, its corners in pixels, its colour by its side to the light."""
     for box, places, body in zip(shown, world, bodies, strict=True):
         for face in map(list, FACES):
             out = places[face].mean(0) - places.mean(0)

@@ -33,7 +33,7 @@ Array = NDArray[np.floating]
 POSTURE = (0.3, -0.6, 0.4, -2.1, 0.5, 1.7, 0.8)  # q, in rad
 GRAVITY = (0.0, 0.0, -9.81)  # g in the base's frame, in m/s²
 FLANGE = 0.107  # of the flange from joint 7, along its axis, in m
-PAYLOAD_MASS = 3.0  # what the arm is rated for, in kg
+PAYLOAD_MASS = 3.0  # the arm's rated payload, in kg
 PAYLOAD_CENTRE = (0.02, -0.01, 0.06)  # of mass, from the flange, in m
 
 

@@ -43,15 +43,15 @@ def operations() -> Iterator[str]:
             for operation in OPERATIONS:
                 given = rows_of(operation, precision)
                 twin = getattr(getattr(coscrew, precision.name), operation.name)
-                found = several(getattr(functions, operation.name)(*map(xp.asarray, given)))
-                for a, b in zip(several(twin(*given)), found, strict=True):
+                result = several(getattr(functions, operation.name)(*map(xp.asarray, given)))
+                for a, b in zip(several(twin(*given)), result, strict=True):
                     if xp is array_api_strict or Op.SQRT not in program_of(operation).counts:
                         assert a.tobytes() == np.asarray(b).tobytes(), operation.name
                 yield operation.name
 
 
 def derivatives() -> Iterator[str]:
-    """Of operations, by PyTorch's own differences, also at the identity."""
+    """Compares derivatives of operations with PyTorch's own differences, also at the identity."""
     functions = coscrew.arrays(torch)
     for name in SMOOTH:
         operation = next(op for op in OPERATIONS if op.name == name)
@@ -85,8 +85,8 @@ def scene() -> Iterator[str]:
         function = getattr(functions, signature.name)
         wanted = several(getattr(kernels.double, signature.name)(*given))
         axes = tuple(None if x in "thp" else 0 for x, _ in signature.inputs)
-        for found in (function(*tensors), torch.vmap(function, axes)(*tensors)):
-            for a, b in zip(wanted, several(found), strict=True):
+        for result in (function(*tensors), torch.vmap(function, axes)(*tensors)):
+            for a, b in zip(wanted, several(result), strict=True):
                 assert np.array_equal(a, b.detach().numpy()), signature.name
         if signature.name in ("inverse_dynamics", "energy"):
             checked(function, *tensors)

@@ -40,8 +40,8 @@ Array = NDArray[np.float64]
 
 @dataclass(frozen=True)
 class Found:
-    """Of a function in a precision: outputs with a statement and without, broken bounds, and the
-    largest error / bound."""
+    """Counts for a function in a precision: outputs with a statement and without, broken bounds,
+    and the largest error / bound."""
 
     outputs: int = 0
     silent: int = 0
@@ -78,7 +78,7 @@ def drawn(rng: np.random.Generator, scene: SceneFunctions, function: FunctionPro
     low, high = LIMITS[precision.name]
     hard = rng.random(count) < 0.5
     scale = np.where(hard, np.exp2(rng.integers(low, high, count)), 10**rng.uniform(-6, 3, count))
-    found = []
+    results = []
     for a in function.program.inputs:
         x = rng.uniform(-3, 3, (count, a.quantity.size))
         if a.name == "p":
@@ -92,8 +92,8 @@ def drawn(rng: np.random.Generator, scene: SceneFunctions, function: FunctionPro
                     part = rng.normal(size=(count, 4))
                     x[:, c.q.stop - 4:c.q.stop] = part / np.linalg.norm(part, axis=1)[:, None]
         x = abs(x) if a.name in ("t", "h") else x
-        found.append(x.reshape(count, *a.quantity.shape).astype(precision.numpy_type))
-    return found
+        results.append(x.reshape(count, *a.quantity.shape).astype(precision.numpy_type))
+    return results
 
 
 def _hard(rng: np.random.Generator, x: Array, hard: NDArray[np.bool_]) -> Array:
@@ -118,14 +118,14 @@ def attacked(scene: SceneFunctions, function: FunctionProgram, certified: object
                  float(np.max(ratios, initial=0)))
 
 
-def _halves(found: tuple[object, ...]) -> tuple[tuple[object, ...], tuple[object, ...]]:
+def _halves(results: tuple[object, ...]) -> tuple[tuple[object, ...], tuple[object, ...]]:
     """Results and bounds."""
-    return found[:len(found) // 2], found[len(found) // 2:]
+    return results[:len(results) // 2], results[len(results) // 2:]
 
 
 def of_scene(plain: Kernels, outputs: int, folder: Path, processes: int
              ) -> Iterator[tuple[str, str, Found]]:
-    """What is found of each function in each precision, on at least so many outputs."""
+    """Attacks each function in each precision, on at least so many outputs."""
     for function in plain.functions.functions:
         if function.internal or not function.program.instructions:
             continue
@@ -141,10 +141,10 @@ def of_scene(plain: Kernels, outputs: int, folder: Path, processes: int
 
 
 def of_free_joint(outputs: int, seed: int = 0) -> Iterator[tuple[str, str, Found]]:
-    """What is found of moved free joints, on about so many outputs of each precision."""
+    """Attacks moved free joints, on about so many outputs of each precision."""
     plain = kernels("wingnut", ("integrated",))
     for p in PRECISIONS:
-        kernel, found = getattr(plain.certified, p.name).integrated, Found()
+        kernel, result = getattr(plain.certified, p.name).integrated, Found()
         rng = np.random.default_rng([seed, p.bytes])
         for start in range(0, outputs, 7 * BATCH):
             count = min(BATCH, -(-(outputs - start) // 7))
@@ -152,9 +152,9 @@ def of_free_joint(outputs: int, seed: int = 0) -> Iterator[tuple[str, str, Found
             with np.errstate(all="ignore"):
                 results, bounds = kernel(*given)
             ratios = free_motion.ratios(given, results, bounds)
-            found += Found(ratios.size, results.size - ratios.size, int((~(ratios <= 1)).sum()),
-                           float(np.max(ratios, initial=0)))
-        yield "integrated", p.name, found
+            result += Found(ratios.size, results.size - ratios.size, int((~(ratios <= 1)).sum()),
+                            float(np.max(ratios, initial=0)))
+        yield "integrated", p.name, result
 
 
 def main() -> None:
@@ -168,9 +168,9 @@ def main() -> None:
     table, total = [], Found()
     for name in (*options.scene, "free joint"):
         with tempfile.TemporaryDirectory() as folder:
-            found = of_free_joint(5 * options.outputs) if name == "free joint" else of_scene(
+            result = of_free_joint(5 * options.outputs) if name == "free joint" else of_scene(
                 kernels(name), options.outputs, Path(folder), options.processes)
-            for function, precision, x in found:
+            for function, precision, x in result:
                 table.append((name, function, precision, x.outputs, x.silent, x.in_words,
                               x.broken))
                 total += x

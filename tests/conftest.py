@@ -71,7 +71,7 @@ def _keep_bytecode() -> None:
 
 
 def _keep_cache_apart() -> None:
-    """What tests derive and compile is not looked up among what a user's commands have kept."""
+    """Gives tests a cache of their own, separate from the user's."""
     os.environ["XDG_CACHE_HOME"] = str(Path(__file__).parents[1] / "build" / "cache")
 
 
@@ -88,15 +88,15 @@ def pytest_configure(config: pytest.Config) -> None:
         warnings.simplefilter("always", RuntimeWarning)
         stale = [name for name in extended if not importlib.import_module(name).COMPILED]
     if stale:
-        said = sorted({str(x.message) for x in caught if "pure NumPy" in str(x.message)})
+        message = sorted({str(x.message) for x in caught if "pure NumPy" in str(x.message)})
         raise pytest.UsageError("\n".join((
             f"not compiled from the kernels in generated/: {', '.join(stale)}.  `make build` "
-            "compiles them; --stale-extensions runs tests all the same.", *said)))
+            "compiles them; --stale-extensions runs tests all the same.", *message)))
 
 
 def pytest_collection_finish() -> None:
-    """Python's garbage collector leaves alone what has been imported, and looks less often at what
-    tests make: as it is by default it takes a tenth of their time."""
+    """Excludes imported objects from Python's garbage collection, and makes it less frequent: by
+    default it takes a tenth of the tests' time."""
     gc.freeze()
     gc.set_threshold(20_000)
 
@@ -115,6 +115,6 @@ def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item
     each: dict[str, list[pytest.Item]] = {}
     for item in items:
         each.setdefault(item.nodeid.partition("[")[0], []).append(item)
-    chosen = {found[k * len(found) // FEW] for found in each.values() for k in range(FEW)}
+    chosen = {result[k * len(result) // FEW] for result in each.values() for k in range(FEW)}
     config.hook.pytest_deselected(items=[item for item in items if item not in chosen])
     items[:] = [item for item in items if item in chosen]

@@ -34,7 +34,7 @@ def by_hand() -> Iterator[Scene]:
 
 
 def of_example(name: str) -> Iterator[Scene]:
-    """What the scene has by default; forward dynamics in tiers."""
+    """The scene's default functions; forward dynamics in tiers."""
     path = EXAMPLES / f"{name}.toml"
     yield of_scene(derive(read_scene(path)))
     yield from map(of_tier, tiers_of(derive(read_scene(path, overrides=SceneOverrides(
@@ -42,21 +42,24 @@ def of_example(name: str) -> Iterator[Scene]:
 
 
 def assembled(scene: Scene, folder: Path) -> Iterator[str]:
-    """For each architecture, the most registers of a kernel, and whether registers are spilled."""
-    program, _ = scene.on_device(folder)
+    """Assembles for each architecture: the most registers of a kernel, and whether registers are
+    spilled."""
+    program, *_ = scene.on_device(folder)
     for architecture in ARCHITECTURES:
-        said = nvcc.run(program, folder / "cuda.o", "-c", f"-arch={architecture}", "-Xptxas", "-v",
+        text = nvcc.run(program, folder / "cuda.o", "-c", f"-arch={architecture}", "-Xptxas", "-v",
                         "-Werror", "all-warnings")
-        registers = max(map(int, re.findall(r"Used (\d+) registers", said)))
-        spilled = max(map(int, re.findall(r"(\d+) bytes spill stores", said)))
+        registers = max(map(int, re.findall(r"Used (\d+) registers", text)))
+        spilled = max(map(int, re.findall(r"(\d+) bytes spill stores", text)))
         yield f"{architecture}: {registers} registers, {spilled} bytes spilled"
 
 
 def launched(scene: Scene, folder: Path) -> str:
-    """How many numbers were compared on a device; they are the same."""
-    program, reference = scene.on_device(folder)
-    run((COMPILERS[0], *C11, "-c", reference, "-o", folder / "one.o"))
-    nvcc.run(program, folder / "cuda", "-arch=native", *FLAGS["nvcc"], str(folder / "one.o"))
+    """Compares numbers on a device, which are the same; returns how many."""
+    program, *references = scene.on_device(folder)
+    for path in references:
+        run((COMPILERS[0], *C11, "-c", path, "-o", path.with_suffix(".o")))
+    nvcc.run(program, folder / "cuda", "-arch=native", *FLAGS["nvcc"],
+             *(str(x.with_suffix(".o")) for x in references))
     return run([folder / "cuda"]).strip()
 
 

@@ -75,9 +75,9 @@ def judged(precision: Precision, binary: Path, arguments: int, stride: int = 1, 
         return [_read(precision, line) for line in run(words).splitlines()]
 
     with ThreadPoolExecutor(processes) as pool:
-        found = list(tqdm(pool.map(part, range(PARTS)), precision.name, PARTS,
-                          disable=None if progress else True))
-    return [_together(some) for some in zip(*found, strict=True)]
+        results = list(tqdm(pool.map(part, range(PARTS)), precision.name, PARTS,
+                            disable=None if progress else True))
+    return [_together(some) for some in zip(*results, strict=True)]
 
 
 def _read(precision: Precision, line: str) -> Judged:
@@ -104,17 +104,17 @@ def main() -> None:
     options = parser.parse_args()
     if not IS_WIDE:
         parser.error("needs a long double of 64 bits (x86); here it has other ones")
-    found: list[Judged] = []
+    results: list[Judged] = []
     with tempfile.TemporaryDirectory() as folder:
         for precision in PRECISIONS:
             arguments = ((SINGLES, options.stride) if precision is SINGLE else (options.doubles, 1))
-            found += judged(precision, program(precision, Path(folder)), *arguments,
-                            options.processes, progress=True)
+            results += judged(precision, program(precision, Path(folder)), *arguments,
+                              options.processes, progress=True)
     print(tabulate([(x.name, x.precision.name, x.error, x.where, float(x.stated), x.small,
-                     x.small_where, x.wrong) for x in found],
+                     x.small_where, x.wrong) for x in results],
                    ("function", "precision", "ulps", "at", "stated", "subnormal", "at", "wrong"),
                    floatfmt=".4f"))
-    raise SystemExit(not all(x.holds for x in found))
+    raise SystemExit(not all(x.holds for x in results))
 
 
 if __name__ == "__main__":

@@ -103,10 +103,10 @@ def _screw(displacement: Vector) -> list[mpfr]:
 
 
 def judged(operation: Operation, given: Array, precision: Precision) -> Found:
-    """What is found of these calls."""
-    found = joined(gufuncs(coscrew.certified)(operation, precision, split(operation, given)))
-    half, errors, truth = found.shape[1] // 2, [], _truth(operation)
-    for row, got in zip(given.tolist(), found.tolist(), strict=True):
+    """Judges these calls."""
+    result = joined(gufuncs(coscrew.certified)(operation, precision, split(operation, given)))
+    half, errors, truth = result.shape[1] // 2, [], _truth(operation)
+    for row, got in zip(given.tolist(), result.tolist(), strict=True):
         with gmpy2.context(precision=BITS):
             true = truth(list(map(mpfr, row))) if any(map(math.isfinite, got[half:])) else ()
         errors += [ratio(x, bound, y) for x, bound, y in zip(
@@ -118,25 +118,26 @@ def judged(operation: Operation, given: Array, precision: Precision) -> Found:
 
 
 def _is_other_sign(x: float, y: mpfr) -> bool:
-    """Whether these are π and -π: the sign of a zero says which, and exact zeros have none."""
+    """Returns whether these are π and -π: the sign of a zero says which, and exact zeros have none.
+    """
     return abs(abs(x) - math.pi) < 1e-6 and abs(x + y) < 1e-6
 
 
 def attacked(operation: Operation, precision: Precision, outputs: int, seed: int) -> Found:
-    """What is found on at least so many outputs."""
+    """Attacks an operation on at least so many outputs."""
     kind = np.dtype(precision.numpy_type).type
     rng = np.random.default_rng([seed, precision.bytes, *operation.name.encode()])
-    cases, found = hard_rows(operation, precision), Found()
-    while found.outputs + found.silent < outputs:
+    cases, result = hard_rows(operation, precision), Found()
+    while result.outputs + result.silent < outputs:
         beside = cases[rng.integers(0, len(cases), BATCH // 4)]
         beside = beside * (1 + np.finfo(kind).eps * rng.integers(-3, 4, beside.shape))
         given = np.vstack([drawn(rng, operation, kind), beside]).astype(kind)
-        found += judged(operation, given[np.isfinite(given).all(axis=1)], precision)
-    return found
+        result += judged(operation, given[np.isfinite(given).all(axis=1)], precision)
+    return result
 
 
 def rows(names: list[str], outputs: int, seed: int) -> Iterator[tuple[str, str, Found]]:
-    """What is found of each operation in each precision."""
+    """Attacks each operation in each precision."""
     for operation in FUNCTIONS:
         for precision in PRECISIONS:
             if operation.name in names:

@@ -23,7 +23,7 @@ FLAGS = (("-O1",), ("-O2", *HASWELL, "-ffp-contract=fast"), ("-O3", "-march=nati
 
 
 def programs(scene: str, folder: Path) -> Iterator[tuple[str, Sequence[Path]]]:
-    """Plain functions, all that the scene can have; those that it has by default in tiers."""
+    """All plain functions that the scene can have; its default functions in tiers."""
     path = SCENES / f"{scene}.toml"
     plain = read_scene(path, overrides=SceneOverrides(functions=("all",)))
     yield "plain", lanes_program.written(derive(plain), folder)

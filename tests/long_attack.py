@@ -67,27 +67,27 @@ def attack_at_length(operation: Operation, precision: Precision, ways: Ways, out
                      seed: int, cases: np.ndarray | None = None) -> dict[str, Attacked]:
     """Every tier's errors on at least this many outputs, and on the cases."""
     rng = np.random.default_rng([seed, *operation.name.encode(), precision.bytes])
-    found = {tier: Attacked() for tier in ways}
+    values = {tier: Attacked() for tier in ways}
     if cases is not None and len(cases):
         for tier, way in ways.items():
             results = joined(way(operation, precision, split(operation, cases)))
             for row, got in zip(cases.tolist(), results.tolist(), strict=True):
-                _judge(operation, precision, tier, row, got, found[tier])
+                _judge(operation, precision, tier, row, got, values[tier])
     components = sum(a.quantity.size for a in operation.outputs)
-    while min(f.worst.outputs for f in found.values()) < outputs:
+    while min(f.worst.outputs for f in values.values()) < outputs:
         size = min(BATCH, max(64, outputs // components))
-        rows = _rows(operation, precision, size, rng, list(found.values()))
+        rows = _rows(operation, precision, size, rng, list(values.values()))
         truth = enclosed(plain_program(operation), precision, rows)
         for tier, way in ways.items():
-            _attack(operation, precision, tier, way, rows, truth, found[tier])
+            _attack(operation, precision, tier, way, rows, truth, values[tier])
         if "certified" in ways:
             extreme = joined(
                 extreme_rows(operation, precision, size // 8, int(rng.integers(2**30))))
             extreme = extreme[np.isfinite(extreme).all(axis=1)]
             _attack(operation, precision, "certified", ways["certified"], extreme,
-                    enclosed(plain_program(operation), precision, extreme), found["certified"],
+                    enclosed(plain_program(operation), precision, extreme), values["certified"],
                     climbing=False)
-    return found
+    return values
 
 
 def _attack(operation: Operation, precision: Precision, tier: str, way: Implementation,
@@ -157,7 +157,7 @@ def _ulps(precision: Precision, results: np.ndarray, truth: Enclosed) -> np.ndar
 
 
 def _rows(operation: Operation, precision: Precision, count: int, rng: np.random.Generator,
-          found: list[Attacked]) -> np.ndarray:
+          results: list[Attacked]) -> np.ndarray:
     """Rows: a third ordinary or of very different sizes, a third nearly cancelling, a third varied.
     """
     dtype, spread = np.dtype(precision.numpy_type), SPREAD[precision.name]
@@ -167,7 +167,7 @@ def _rows(operation: Operation, precision: Precision, count: int, rng: np.random
     rows = (rows * np.exp2(sizes)).astype(dtype)
     third = count // 3
     _cancel(plain_program(operation), rows[:third], rng)
-    if len(parents := np.vstack([f.parents for f in found if len(f.parents)] or [rows[:0]])):
+    if len(parents := np.vstack([f.parents for f in results if len(f.parents)] or [rows[:0]])):
         children = varied(parents.astype(float), third, rng, dtype).astype(dtype)
         with np.errstate(all="ignore"):
             far = np.abs(np.log2(np.abs(children))) > 1.5 * spread
@@ -202,10 +202,10 @@ def _run(task: tuple[int, int, int, int]) -> list[tuple]:
     """The table's lines of one operation and precision, by their numbers."""
     number, which, outputs, seed = task
     operation, precision = TIERED[number], PRECISIONS[which]
-    found = attack_at_length(operation, precision, _ways, outputs, seed,
-                             _cases.get((operation.name, precision.name)))
+    result = attack_at_length(operation, precision, _ways, outputs, seed,
+                              _cases.get((operation.name, precision.name)))
     return [(operation.name, precision.name, tier, f.worst.outputs, f.worst.ratio, f.worst.ulps,
-             f.violations) for tier, f in found.items()]
+             f.violations) for tier, f in result.items()]
 
 
 def lines(tasks: list[tuple[int, int, int, int]], processes: int) -> Iterator[tuple]:
@@ -249,8 +249,8 @@ def _summary(table: list[tuple]) -> str:
     """Outputs, violations, the largest ratio of each tier, the smallest among plain's."""
     tiers = dict.fromkeys(line[2] for line in table)
     worst = ", ".join(f"{tier} {max(x[4] for x in table if x[2] == tier):.3f}" for tier in tiers)
-    ulps = ", ".join(f"{p.name} {max(found):.3f}" for p in PRECISIONS if (
-        found := [x[5] for x in table if x[1:3] == (p.name, "accurate")]))
+    ulps = ", ".join(f"{p.name} {max(results):.3f}" for p in PRECISIONS if (
+        results := [x[5] for x in table if x[1:3] == (p.name, "accurate")]))
     tightest = min(x[4] for x in table if x[2] == "plain")
     return (f"{sum(x[3] for x in table)} outputs, {sum(x[6] for x in table)} violations\n"
             f"worst error / bound: {worst}; the least of plain's {tightest:.3f}\n"

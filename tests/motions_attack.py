@@ -38,7 +38,7 @@ def rows(task: Task) -> list[Row]:
 
 
 def deviation(task: Task) -> tuple[str, str, float, float]:
-    """How far short steps are from the judge."""
+    """Deviation of a motion with short steps from the judge's."""
     warnings.simplefilter("ignore")
     motion = drawn(*task[:3])
     try:
@@ -82,7 +82,7 @@ def main() -> int:
     numbers = spread(options.count) if options.only is None else [options.only]
     tasks = [(*x, options.seed, not options.no_advice, options.all)
              for x in product(options.family or FAMILIES, numbers)]
-    found: list[Row] = []
+    got: list[Row] = []
     with ProcessPoolExecutor(options.jobs) as pool:
         if options.judge:
             print(tabulate(pool.map(deviation, tasks), ("scene", "part", "q", "v"), floatfmt=".2g"))
@@ -92,10 +92,10 @@ def main() -> int:
             of_family = [row for _, of_scene in some for row in of_scene]
             print("\n".join(row.words for row in of_family if row.false))
             print(f"{family}:\n{table(of_family)}\n", flush=True)
-            found += of_family
-    print(f"\n{table(found)}\n\n{exceptions(found)}\n\n{len(tasks)} scenes, {len(found)} runs, "
+            got += of_family
+    print(f"\n{table(got)}\n\n{exceptions(got)}\n\n{len(tasks)} scenes, {len(got)} runs, "
           f"{time.perf_counter() - began:.0f} s")
-    return any(row.false for row in found)
+    return any(row.false for row in got)
 
 
 if __name__ == "__main__":

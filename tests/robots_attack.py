@@ -43,8 +43,8 @@ class Judged:
     bound: float
 
     @property
-    def told(self) -> bool:
-        """Whether the accurate tier promises anything."""
+    def judged(self) -> bool:
+        """True if the accurate tier promises anything."""
         return bool(self.accurate.true) and (
             self.accurate.condition < LARGEST_CONDITION[self.precision.name])
 
@@ -58,8 +58,8 @@ class Judged:
 
     @property
     def broken(self) -> bool:
-        """Whether a tier breaks its promise."""
-        return bool(self.told and self.ulps > MOST[self.precision.name]) or (
+        """True if a tier breaks its promise."""
+        return bool(self.judged and self.ulps > MOST[self.precision.name]) or (
             self.stated and self.error > mpf(float(self.bound)))
 
 
@@ -70,13 +70,13 @@ def in_numpy(of: Robot) -> Kernels:
     try:
         with warnings.catch_warnings():
             warnings.simplefilter("ignore", RuntimeWarning)
-            found = kernels_for(of.scene)
-            _ = found.accurate, found.certified
+            result = kernels_for(of.scene)
+            _ = result.accurate, result.certified
     finally:
         del os.environ["CC"]
         if compiler is not None:
             os.environ["CC"] = compiler
-    return found
+    return result
 
 
 def judged(of: Robot, states: int) -> Iterator[Judged]:
@@ -89,7 +89,7 @@ def judged(of: Robot, states: int) -> Iterator[Judged]:
             given = [draw.uniform(-2, 2, (states, a.quantity.size)).astype(p.numpy_type)
                      for a in program.inputs]
             accurate = flat(getattr(getattr(kernels.accurate, p.name), name)(*given), states)
-            found, bounds = (flat(x, states) for x in getattr(
+            result, bounds = (flat(x, states) for x in getattr(
                 getattr(kernels.certified, p.name), name)(*given))
             sizes = [np.broadcast_to(x, states) for x in conditions(
                 program, components(program, given))]
@@ -97,21 +97,21 @@ def judged(of: Robot, states: int) -> Iterator[Judged]:
                 with mpmath.workdps(2 * DIGITS):
                     true = of.true(name, [[mpf(float(y)) for y in x[k]] for x in given])
                     errors = [mpmath.chop(abs(mpf(float(x)) - y), RESOLUTION)
-                              for x, y in zip(found[k], true, strict=True)]
+                              for x, y in zip(result[k], true, strict=True)]
                 for place, x in enumerate(true):
                     yield Judged(name, p, Result(place, accurate[k, place], x, float(
                         sizes[place][k])), errors[place], bounds[k, place])
 
 
-def summary(found: list[Judged]) -> str:
+def summary(results: list[Judged]) -> str:
     """A row for each function and precision."""
     rows = []
     for p in PRECISIONS:
         for name in FUNCTIONS:
-            of = [x for x in found if (x.function, x.precision) == (name, p)]
-            told, stated = [x.ulps for x in of if x.told], [x for x in of if x.stated]
+            of = [x for x in results if (x.function, x.precision) == (name, p)]
+            judged, stated = [x.ulps for x in of if x.judged], [x for x in of if x.stated]
             ratios = [float(mpf(float(x.bound)) / x.error) for x in stated if x.error]
-            rows.append((name, p.name, len(of), len(told), max(told, default=0), len(stated),
+            rows.append((name, p.name, len(of), len(judged), max(judged, default=0), len(stated),
                          min(ratios, default=0), float(np.median(ratios or [0])),
                          sum(x.broken for x in of)))
     return str(tabulate(rows, ("function", "precision", "results", "promised", "worst, ulps",
@@ -123,11 +123,11 @@ def main() -> int:
     parser.add_argument("--robots", type=int, default=60)
     parser.add_argument("--states", type=int, default=12)
     options = parser.parse_args()
-    found: list[Judged] = []
+    results: list[Judged] = []
     for number in range(options.robots):
-        found += judged(robot(number), options.states)
-    print(summary(found))
-    return any(x.broken for x in found)
+        results += judged(robot(number), options.states)
+    print(summary(results))
+    return any(x.broken for x in results)
 
 
 if __name__ == "__main__":

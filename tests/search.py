@@ -143,8 +143,8 @@ def _estimate(operation: Operation, precision: Precision, tier: str, inputs: Row
 
 def _usable(error: Rows, allowed: Rows, info: np.finfo) -> np.ndarray:
     """The largest ratio of each row, of components that are finite and not tiny."""
-    found = np.where(allowed > 2**20 * float(info.tiny), error / allowed, 0)
-    return np.nan_to_num(found, nan=0, posinf=0).max(axis=1).astype(float)
+    result = np.where(allowed > 2**20 * float(info.tiny), error / allowed, 0)
+    return np.nan_to_num(result, nan=0, posinf=0).max(axis=1).astype(float)
 
 
 def varied(parents: Rows, count: int, rng: Generator, dtype: np.dtype) -> Rows:
@@ -185,9 +185,9 @@ _CHANGES: tuple[Callable[[Rows, Rows, Generator], Rows], ...] = (
 def within(rounds: Iterator[Found], seconds: float) -> Found:
     """The results of the rounds within this time, at least one."""
     end = time.monotonic() + seconds
-    for found in rounds:
+    for result in rounds:
         if time.monotonic() >= end:
-            return found
+            return result
     raise AssertionError("a search does not end by itself")
 
 
@@ -196,15 +196,15 @@ def worst_known(target: tuple[Operation, Precision, str], implementation: Implem
     """The corpus's worst case for this operation, precision and tier."""
     operation, precision, tier = target
     rows = [c.inputs for c in cases if (c.operation, c.precision) == (operation, precision)]
-    found = Found(0.0, ())
+    result = Found(0.0, ())
     if rows:
         inputs = np.array(rows).astype(precision.numpy_type)
         results = joined(implementation(operation, precision, split(operation, inputs)))
         ratios = [ratio(operation, precision, tier, given, got)
                   for given, got in zip(rows, results.tolist(), strict=True)]
-        found = max((Found(*pair) for pair in zip(ratios, rows, strict=True)),
-                    key=lambda f: f.ratio)
-    return found
+        result = max((Found(*pair) for pair in zip(ratios, rows, strict=True)),
+                     key=lambda f: f.ratio)
+    return result
 
 
 def main() -> None:
@@ -237,14 +237,14 @@ def main() -> None:
         operation, precision, tier = target
         progress.set_description(f"{operation.name} {precision.name} {tier}")
         known = worst_known(target, ways[tier], cases)
-        found = within(search(*target, ways[tier], options.seed), options.seconds)
-        worse = found.ratio > known.ratio
+        result = within(search(*target, ways[tier], options.seed), options.seconds)
+        worse = result.ratio > known.ratio
         if options.append and worse:
             origin = f"search --tier {tier} --seed {options.seed}"
-            save((*load(), Case(operation, precision, found.inputs, origin)))
-        violations += max(found.ratio, known.ratio) > 1
-        lines.append((operation.name, precision.name, tier, found.ratio, known.ratio,
-                      _in_u(operation, tier, max(found.ratio, known.ratio))))
+            save((*load(), Case(operation, precision, result.inputs, origin)))
+        violations += max(result.ratio, known.ratio) > 1
+        lines.append((operation.name, precision.name, tier, result.ratio, known.ratio,
+                      _in_u(operation, tier, max(result.ratio, known.ratio))))
     print(tabulate(lines, ("operation", "precision", "tier", "found / bound", "corpus / bound",
                            "u, if not polynomial"), floatfmt=".3f"))
     print(f"{len(lines)} searches, {violations} violations")

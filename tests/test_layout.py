@@ -1,4 +1,4 @@
-"""Test modules are in folders by subject, and what they share is in support/."""
+"""Test modules are in folders by subject, and shared code is in support/."""
 
 import ast
 import os
@@ -29,13 +29,13 @@ def is_test(path: Path) -> bool:
 
 def imported(tree: ast.Module) -> set[str]:
     """The modules that a module imports, also inside functions."""
-    found = {alias.name for node in ast.walk(tree) if isinstance(node, ast.Import)
-             for alias in node.names}
+    results = {alias.name for node in ast.walk(tree) if isinstance(node, ast.Import)
+               for alias in node.names}
     for node in ast.walk(tree):
         if isinstance(node, ast.ImportFrom):
             module = "." * node.level + (node.module or "")
-            found |= {module, *(f"{module}.{alias.name}" for alias in node.names)}
-    return found
+            results |= {module, *(f"{module}.{alias.name}" for alias in node.names)}
+    return results
 
 
 def test_tests_stand_in_the_folder_of_their_subject():
@@ -86,7 +86,7 @@ def test_extensions_of_other_kernels_end_the_session_at_once(tmp_path: Path):
     (package / "certified" / "_gufunc.py").write_text('PROVENANCE = "of other kernels"\n')
     done = collected(tmp_path)
     assert done.returncode == pytest.ExitCode.USAGE_ERROR
-    said = done.stdout + done.stderr
-    assert said.count("make build") == 1 and said.count("stale-extensions") == 1
-    assert "coscrew.certified runs in pure NumPy" in said and "from other kernels" in said
+    output = done.stdout + done.stderr
+    assert output.count("make build") == 1 and output.count("stale-extensions") == 1
+    assert "coscrew.certified runs in pure NumPy" in output and "from other kernels" in output
     assert collected(tmp_path, "--stale-extensions").returncode == 0

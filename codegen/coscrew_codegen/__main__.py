@@ -1,7 +1,7 @@
 """`coscrew`, and `python -m coscrew_codegen`: how every command begins and ends.
 
 The command is imported inside the block that catches an interrupt, since importing takes most of a
-second, and only after the packages that it needs have been found; help needs none of them."""
+second, and only after the packages that it needs have been signals; help needs none of them."""
 
 import gc
 import os
@@ -25,8 +25,8 @@ INTERRUPTED, CLOSED, TERMINATED = 130, 141, 143
 
 def main(arguments: list[str] | None = None) -> int:
     """Run the command line; returns the exit status: the command's, or 2 for an error, 130 for an
-    interrupt, 143 for SIGTERM, which ends commands as an interrupt does: what they have is kept,
-    and they say so; 141 if the reader of standard output closes it early, as `head` does."""
+    interrupt, 143 for SIGTERM, which ends commands as an interrupt does: they keep their results so
+    far, and say so; 141 if the reader of standard output closes it early, as `head` does."""
     with _terminable() as signals:
         status = _ended(arguments)
     return TERMINATED if signals and status == INTERRUPTED else status
@@ -35,19 +35,19 @@ def main(arguments: list[str] | None = None) -> int:
 @contextmanager
 def _terminable() -> Iterator[list[int]]:
     """While the block runs, SIGTERM raises KeyboardInterrupt; yields the list of such signals."""
-    found: list[int] = []
+    signals: list[int] = []
 
     def interrupt(number: int, _: object) -> None:
-        found.append(number)
+        signals.append(number)
         raise KeyboardInterrupt
 
     main_thread = threading.current_thread() is threading.main_thread()
     if not main_thread or signal.getsignal(signal.SIGTERM) is not signal.SIG_DFL:
-        yield found  # whoever handles it decides
+        yield signals  # whoever handles it decides
         return
     signal.signal(signal.SIGTERM, interrupt)
     try:
-        yield found
+        yield signals
     finally:
         signal.signal(signal.SIGTERM, signal.SIG_DFL)
 

@@ -107,24 +107,24 @@ def _rounded(matrices: list[mp.matrix]) -> np.ndarray:
     return np.array([[[float(x) for x in row] for row in m.tolist()] for m in matrices])
 
 
-def errors(operation: Operation, inputs: Arrays, found: np.ndarray) -> float:
+def errors(operation: Operation, inputs: Arrays, result: np.ndarray) -> float:
     """The worst error of the rows in u."""
     given = np.hstack([x.reshape(SAMPLES, -1) for x in inputs]).tolist()
     return max(min(_error(operation, right, got) for right in _truths(operation, row))
-               for row, got in zip(given, found.reshape(SAMPLES, -1).tolist(), strict=True))
+               for row, got in zip(given, result.reshape(SAMPLES, -1).tolist(), strict=True))
 
 
 def _truths(operation: Operation, given: list[float]) -> list[Components]:
     """The true results: two at half a turn, and both signs of a quaternion."""
-    found = [truth(operation, DOUBLE, tuple(given))]
+    results = [truth(operation, DOUBLE, tuple(given))]
     other = other_way(operation, given, 64 * U)
-    found += [other] if other is not None else []
+    results += [other] if other is not None else []
     if operation.name in _INVERSES and np.linalg.norm(given[-3:]) > np.pi - 64 * U:
         with mp.workdps(DIGITS):  # of libraries that take a rotation instead of its vector
-            found.append(list(_INVERSES[operation.name](mp.matrix(given))))
+            results.append(list(_INVERSES[operation.name](mp.matrix(given))))
     if operation.outputs[0].quantity.name == "quaternion":
-        found += [[-x for x in right] for right in found]
-    return found
+        results += [[-x for x in right] for right in results]
+    return results
 
 
 def _error(operation: Operation, right: Components, got: list[float]) -> float:

@@ -1,8 +1,7 @@
-"""What a state of a Panda takes on arrays of JAX and of NumPy on one core, against frax.
+"""Times of a Panda's state on arrays of JAX and of NumPy on one core, against frax.
 
 arrays_on_a_core.py measures, in a process with one core and with the settings that frax recommends.
-Without frax (the extra `peers`) the ratio is to what its authors state, of another machine.
-"""
+Without frax (the extra `peers`) the ratio is to what its authors state, of another machine."""
 
 import json
 import os
@@ -15,7 +14,7 @@ from tabulate import tabulate
 
 from coscrew_codegen.reports.timing.loop_timing import Timing
 from tests.benchmarks.bars import Bar, show
-from tests.benchmarks.words import said
+from tests.benchmarks.words import span
 
 PUBLISHED = {"inverse_dynamics": 3914, "forward_dynamics": 8507}
 """frax's ns a state of 4,096: what its authors state."""
@@ -44,21 +43,21 @@ def _on_a_core() -> None:
 
 def main() -> list[Bar]:
     """Print the table."""
-    found, bars = measured(), []
+    result, bars = measured(), []
     try:
         rival = f"frax {version('frax')}"
     except PackageNotFoundError:
         rival = ""
-    for name, ways in found.items():
+    for name, ways in result.items():
         for way, wanted in WANTED.items():
             bars.append(Bar(f"frax / {'arrays(jax.numpy)' if way == 'arrays' else 'NumPy'}, "
                             f"{name} of 4096 states", wanted,
                             ways["frax"].ratio(ways[way]) if rival else None,
                             note=rival or "no frax: pip install frax"))
-    rows = [(name, *(said(ways[way].time) if way in ways else "" for way in WAYS),
-             *(said(ways["frax"].ratio(ways[way])) if rival else
+    rows = [(name, *(span(ways[way].time) if way in ways else "" for way in WAYS),
+             *(span(ways["frax"].ratio(ways[way])) if rival else
                f"{PUBLISHED[name] / ways[way].time.median:.0f} (published)"
-               if name in PUBLISHED else "" for way in WANTED)) for name, ways in found.items()]
+               if name in PUBLISHED else "" for way in WANTED)) for name, ways in result.items()]
     print(f"\n4096 states of a Panda on one core, ns a state; {rival or 'no frax'}; median (95 % "
           "interval) of rounds in which all take turns")
     print(tabulate(rows, ("function", "arrays of JAX", "gradient", "arrays of NumPy", "frax",

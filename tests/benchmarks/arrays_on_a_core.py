@@ -68,14 +68,14 @@ def measured() -> Iterator[tuple[str, dict[str, list[float]]]]:
     """A function, and its times in ns a state, round by round: on arrays of JAX, their gradient, on
     arrays of NumPy, frax."""
     with TemporaryDirectory() as folder:
-        found = kernels(Path(folder))
-        arrays, rng = found.arrays(jnp), np.random.default_rng(1)
-        states = rng.standard_normal((3, STATES, found.NV))
+        result = kernels(Path(folder))
+        arrays, rng = result.arrays(jnp), np.random.default_rng(1)
+        states = rng.standard_normal((3, STATES, result.NV))
         rivals = theirs()
         for name in FUNCTIONS:
             given = list(states[:1 if name == "mass_matrix" else 3])
             in_jax = [jnp.asarray(x) for x in given]
-            value, plain = getattr(arrays, name), getattr(found.double, name)
+            value, plain = getattr(arrays, name), getattr(result.double, name)
             gradient = jax.grad(lambda *x, f=value: f(*x).sum(), argnums=tuple(range(len(given))))
             calls = {"arrays": waited(jax.jit(value), *in_jax),
                      "gradient": waited(jax.jit(gradient), *in_jax),

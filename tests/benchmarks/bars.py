@@ -1,4 +1,4 @@
-"""Bars of performance, and whether what was measured meets them."""
+"""Required ratios of performance, and whether measured ones meet them."""
 
 import platform
 import shutil
@@ -14,7 +14,7 @@ from tabulate import tabulate
 
 from coscrew_codegen.reports.processor import processor
 from coscrew_codegen.reports.timing.intervals import Interval
-from tests.benchmarks.words import said
+from tests.benchmarks.words import span
 
 ROOT = Path(__file__).parents[2]
 FILE = ROOT / "build" / "benchmarks.md"
@@ -46,14 +46,14 @@ class Bar:
     @property
     def row(self) -> tuple[str, str, str, str]:
         """Its line of the table."""
-        found = ", ".join(x for x in (said(self.measured) if self.measured else "", self.note) if x)
-        return self.what, f"{'≤' if self.most else '≥'} {self.wanted:g}", found, self.met
+        got = ", ".join(x for x in (span(self.measured) if self.measured else "", self.note) if x)
+        return self.what, f"{'≤' if self.most else '≥'} {self.wanted:g}", got, self.met
 
 
-def fastest(found: Iterable[tuple[float, Bar]]) -> list[Bar]:
-    """For each `what` the bar with the least time of ours: that of one compiler and its flags."""
+def fastest(results: Iterable[tuple[float, Bar]]) -> list[Bar]:
+    """The bar with our least time for each `what`: that of one compiler and its flags."""
     best: dict[str, tuple[float, Bar]] = {}
-    for time, bar in found:
+    for time, bar in results:
         if bar.what not in best or time < best[bar.what][0]:
             best[bar.what] = time, bar
     return [bar for _, bar in best.values()]
@@ -65,7 +65,7 @@ def table(bars: Sequence[Bar], form: str = "simple") -> str:
 
 
 def summary(bars: Sequence[Bar]) -> str:
-    """How many are met."""
+    """A line with the number of bars that are met."""
     counts = Counter(bar.met for bar in bars)
     return ", ".join(f"{count} {words}" for words in WORDS if (count := counts[words])) or "no bars"
 
@@ -84,10 +84,10 @@ def write(bars: Sequence[Bar]) -> None:
 
 
 def machine() -> Iterator[str]:
-    """When and where: processor, load, compilers."""
+    """Date and machine: processor, load, compilers."""
     load = ", ".join(f"{x:.2f}" for x in getloadavg())
     yield f"{datetime.now(UTC):%Y-%m-%d %H:%M} UTC; load of {cpu_count()} cores: {load}"
     yield f"{processor()}, {platform.system()} {platform.machine()}"
     for compiler in filter(shutil.which, ("gcc", "clang")):
-        told = subprocess.run([compiler, "--version"], capture_output=True, text=True, check=True)
-        yield told.stdout.splitlines()[0]
+        output = subprocess.run([compiler, "--version"], capture_output=True, text=True, check=True)
+        yield output.stdout.splitlines()[0]

@@ -1,5 +1,5 @@
-"""How certified bounds are calibrated: parts of a function's outputs by bound / error, as a row of
-a table and as a curve of a figure."""
+"""Calibration of certified bounds: parts of a function's outputs by bound / error, as a row of a
+table and as a curve of a figure."""
 
 import math
 from collections.abc import Sequence
@@ -41,25 +41,25 @@ class Calibration:
                 *(f"{self.percent(x):.3f}" for x in FACTORS), f"{self.ratios.max():.4g}")
 
 
-def plot(found: Sequence[Calibration], path: Path) -> None:
+def plot(results: Sequence[Calibration], path: Path) -> None:
     """Draw the curves to an SVG, a panel a robot.  Raises SimulateError."""
     with delivered(path) as temporary:
-        plots.write(figure(found), temporary)
+        plots.write(figure(results), temporary)
 
 
 @plots.styled
-def figure(found: Sequence[Calibration]) -> Figure:
+def figure(calibrations: Sequence[Calibration]) -> Figure:
     """Percent against bound / error, whose distance from 1 is on a logarithmic axis."""
-    robots = list(dict.fromkeys(x.robot for x in found))
-    functions = list(dict.fromkeys(x.function for x in found))
-    largest = max(float(x.ratios.max()) for x in found) - 1
+    robots = list(dict.fromkeys(x.robot for x in calibrations))
+    functions = list(dict.fromkeys(x.function for x in calibrations))
+    largest = max(float(x.ratios.max()) for x in calibrations) - 1
     end = math.ceil(math.log10(max(largest, 1)))
     steps = np.logspace(math.log10(_LEAST), end, round(_POINTS * (end - math.log10(_LEAST))) + 1)
     figure = Figure(figsize=(4.5 * len(robots), 4.2), layout="constrained")
     panels = figure.subplots(1, len(robots), sharey=True, squeeze=False)[0]
     for axes, robot in zip(panels, robots, strict=True):
         axes.set_title(robot)
-        for x in found:
+        for x in calibrations:
             if x.robot == robot:
                 axes.plot(steps, [x.percent(1 + step) for step in steps], x.precision.dash,
                           color=f"C{functions.index(x.function)}", linewidth=1.5,

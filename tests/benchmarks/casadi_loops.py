@@ -33,11 +33,12 @@ void loop_{name}(long n, void *const *x) {{
 
 
 def written(robot: Robot, folder: Path) -> str:
-    """Write casadi.c and loops over its functions to a folder; returns what is missing, if so."""
-    found = find_spec("casadi")
-    if not found or not found.origin:
+    """Write casadi.c and loops over its functions to a folder; returns the name of a missing
+    library, or ""."""
+    result = find_spec("casadi")
+    if not result or not result.origin:
         return "no CasADi: pip install casadi"
-    place = Path(found.origin).parent
+    place = Path(result.origin).parent
     writer, missing = library("clang++", SOURCE, (
         "-O0", f"-I{place / 'include'}", f"-L{place}", f"-Wl,-rpath,{place}", "-lcasadi"))
     if writer:
@@ -64,7 +65,7 @@ class CasADi:
     @classmethod
     def compiled(cls, robot: Robot, states: tuple[np.ndarray, ...], folder: Path, compiler: str
                  ) -> "CasADi":
-        """What `written` wrote to the folder."""
+        """Compiles the files that `written` wrote to the folder."""
         path = folder / f"casadi-{compiler}.so"
         subprocess.run([compiler, *OPTIMISED.split(), "-shared", "-fPIC", "casadi.c",
                         "casadi_loops.c", "-o", str(path), "-lm"], cwd=folder, check=True)

@@ -1,8 +1,7 @@
-"""What certified functions of scenes cost: instructions, as callgrind counts them, beside plain's.
+"""Cost of certified functions of scenes: instructions, as callgrind counts them, beside plain's.
 
 `python -m tests.benchmarks.certified_cost` compiles inverse and forward dynamics of a UR5 and a
-Panda with gcc and clang, for x86-64 with FMA and without, and counts what a call takes.
-"""
+Panda with gcc and clang, for x86-64 with FMA and without, and counts what a call takes."""
 
 import re
 import shutil
@@ -56,12 +55,12 @@ def main_of(scene: SceneFunctions) -> str:
 
 
 def counted(binary: Path) -> dict[str, float]:
-    """Instructions of a call, by function, with what it calls."""
+    """Instructions of a call, by function, including its callees."""
     out = binary.with_suffix(".callgrind")
     run(("valgrind", "--tool=callgrind", f"--callgrind-out-file={out}", binary))
     table = run(("callgrind_annotate", "--inclusive=yes", "--threshold=100", out))
-    found = re.findall(r"^ *([\d,]+) .*?:(\w+) \[", table, re.M)
-    return {name: int(count.replace(",", "")) / CALLS for count, name in found}
+    matches = re.findall(r"^ *([\d,]+) .*?:(\w+) \[", table, re.M)
+    return {name: int(count.replace(",", "")) / CALLS for count, name in matches}
 
 
 def rows(name: str, folder: Path) -> Iterator[tuple[str, ...]]:

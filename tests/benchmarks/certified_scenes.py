@@ -1,11 +1,10 @@
-"""How close certified bounds of scenes' functions are to the true errors, and what they cost.
+"""Ratios of certified bounds of scenes' functions to the true errors, and their cost.
 
 `python -m tests.benchmarks.certified_scenes` prints, for robots of example-robot-data, the median,
 the 90th percentile and the largest of bound / error, over all components with an error at random
 states.  The truth is the plain program in 60 digits with the model's exact decimals.  With
 --calibration it prints instead how many of 1e5 outputs of each function have a bound of at most so
-many times the error, judged in 113 bits; --plot draws them.
-"""
+many times the error, judged in 113 bits; --plot draws them."""
 
 import argparse
 import tempfile
@@ -70,18 +69,18 @@ def ratios(plain: SceneFunctions, function: FunctionProgram, certified: object, 
     states; and how many bounds are smaller."""
     given = states(plain, function, count, p)
     results, bounds = (flat(x, count) for x in certified(*given))
-    found, broken = [], 0
+    result, broken = [], 0
     with mpmath.workdps(DIGITS):
         for row, true in enumerate(truths(function.program, given)):
             for x, bound, exact in zip(results[row], bounds[row], true, strict=True):
                 error = abs(mpmath.mpf(float(x)) - exact)
                 if not np.isfinite(bound):
-                    found.append(np.inf)
+                    result.append(np.inf)
                     continue
                 broken += bool(error > float(bound))
                 if error:
-                    found.append(float(float(bound) / error))
-    return np.array(found), broken
+                    result.append(float(float(bound) / error))
+    return np.array(result), broken
 
 
 def rows(name: str, outputs: int) -> Iterator[tuple[object, ...]]:
@@ -91,14 +90,14 @@ def rows(name: str, outputs: int) -> Iterator[tuple[object, ...]]:
         count = -(-outputs // len(function.program.results))
         for p in PRECISIONS:
             certified = getattr(getattr(plain.certified, p.name), function.name)
-            found, broken = ratios(plain.functions, function, certified, p, count)
-            yield (name, function.name, p.name, count, len(found), *(f"{x:.4g}" for x in (
-                np.median(found), *np.quantile(found, (0.9, 1), method="higher"))),
-                int(np.isinf(found).sum()), broken)
+            result, broken = ratios(plain.functions, function, certified, p, count)
+            yield (name, function.name, p.name, count, len(result), *(f"{x:.4g}" for x in (
+                np.median(result), *np.quantile(result, (0.9, 1), method="higher"))),
+                int(np.isinf(result).sum()), broken)
 
 
 def calibrations(name: str, outputs: int, folder: Path) -> Iterator[Calibration]:
-    """For each function and precision, at random states."""
+    """The calibration of each function and precision, at random states."""
     plain = kernels(name)
     for function in plain.functions.functions:
         count, judge = -(-outputs // len(function.program.results)), quad.judge(
@@ -106,8 +105,8 @@ def calibrations(name: str, outputs: int, folder: Path) -> Iterator[Calibration]
         for p in PRECISIONS:
             given = states(plain.functions, function, count, p)
             certified = getattr(getattr(plain.certified, p.name), function.name)(*given)
-            found = judge(flat(tuple(given), count), *(flat(x, count) for x in certified))
-            yield Calibration(name, function.name, p, 1 / found[found > 0])
+            result = judge(flat(tuple(given), count), *(flat(x, count) for x in certified))
+            yield Calibration(name, function.name, p, 1 / result[result > 0])
 
 
 def calibrate(robots: Sequence[str], outputs: int, drawn: Path | None) -> None:
@@ -115,12 +114,12 @@ def calibrate(robots: Sequence[str], outputs: int, drawn: Path | None) -> None:
     if drawn:
         check_target(drawn, (".svg",))
     with tempfile.TemporaryDirectory() as folder:
-        found = [x for name in robots for x in calibrations(name, outputs, Path(folder))]
-    print(tabulate([x.row for x in found], (
+        results = [x for name in robots for x in calibrations(name, outputs, Path(folder))]
+    print(tabulate([x.row for x in results], (
         "robot", "function", "precision", "outputs with an error", *(f"<= {x}" for x in FACTORS),
         "largest"), disable_numparse=True))
     if drawn:
-        plot(found, drawn)
+        plot(results, drawn)
 
 
 def main() -> None:

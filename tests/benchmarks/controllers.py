@@ -1,5 +1,5 @@
-"""What a controller in C costs that is called before every step of a 6-joint arm: by compiled
-steps, and by Python; beside the steps without a controller.  Rounds of all take turns."""
+"""Cost of a controller in C that is called before every step of a 6-joint arm: by compiled steps,
+and by Python; beside the steps without a controller.  Rounds of all take turns."""
 
 import ctypes
 from collections.abc import Iterator
@@ -22,7 +22,7 @@ from coscrew_codegen.simulation.controlled_run import Driven
 from coscrew_codegen.simulation.plan import plan
 from coscrew_codegen.simulation.system import system
 from tests.benchmarks.python_calls import least
-from tests.benchmarks.words import said
+from tests.benchmarks.words import span
 from tests.support.compiled.c_harness import run
 
 ARM = Path(__file__).parents[2] / "examples" / "scenes" / "arm6.toml"
@@ -73,7 +73,7 @@ def rows(kernels: Kernels, library: ctypes.CDLL, integrator: str, p: Precision
             1e9 * SECONDS)
         ns = [f"{x.minimum / steps / members:.3g}" for x in timings]
         yield [integrator, p.name, str(members), *ns, least(timings[2], timings[1]),
-               said(timings[2].ratio(timings[1]))]
+               span(timings[2].ratio(timings[1]))]
 
 
 def main() -> None:

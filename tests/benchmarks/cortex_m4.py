@@ -1,6 +1,6 @@
-"""What accuracy costs on a Cortex-M4F, whose double precision is software: instructions of a call,
-counted under qemu-user, and the largest errors found; and what mixtures cost that are as accurate
-as asked."""
+"""Cost of accuracy on a Cortex-M4F, whose double precision is software: instructions of a call,
+counted under qemu-user, with the largest errors found; and the cost of mixtures that reach a
+requested accuracy."""
 
 from collections.abc import Iterator
 from dataclasses import replace
@@ -48,10 +48,10 @@ def measured(kernels: Kernels, function: FunctionProgram,
         if not made.exists():
             built(folder, stem, precision)
         count, there = counted(made, stem, function, f"{name}{precision.suffix}", first, precision)
-        found = getattr(getattr(in_tier, precision.name), function.name)(
+        result = getattr(getattr(in_tier, precision.name), function.name)(
             *(x.astype(precision.numpy_type) for x in given))
-        assert np.array_equal(there, np.ravel(found[0])), "other bits than here"
-        judged = [(x.ulps(SINGLE), x.condition) for x in results(function.program, given, found)
+        assert np.array_equal(there, np.ravel(result[0])), "other bits than here"
+        judged = [(x.ulps(SINGLE), x.condition) for x in results(function.program, given, result)
                   if x.true]
         least = least or count
         yield (function.name, precision.name, tier or "plain", count, f"{count / least:.1f}",
@@ -73,7 +73,7 @@ def rows() -> Iterator[tuple[object, ...]]:
 
 
 def mixtures() -> Iterator[tuple[object, ...]]:
-    """Of every robot and accuracy: instructions in the mixed tier and in pairs, and the largest
+    """For every robot and accuracy: instructions in the mixed tier and in pairs, and the largest
     error certified at the drawn states."""
     for name, scene in _scenes():
         for function, accuracies in ASKED.items():

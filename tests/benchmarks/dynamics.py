@@ -29,7 +29,7 @@ from tests.benchmarks.pinocchio_loops import (
     robot_named,
 )
 from tests.benchmarks.scene_loops import Loops, compiled, compilers
-from tests.benchmarks.words import said
+from tests.benchmarks.words import span
 from tests.support.scenes.robots import Robot
 
 WANTED = {"Pinocchio": {"ur5": 5, "panda7": 5, "g1": 3.5}, "CasADi": {"ur5": 1.5, "panda7": 1.5}}
@@ -51,19 +51,19 @@ def operations(program: Program) -> str:
 
 def rivals_of(robot: Robot, given: tuple[np.ndarray, ...], folder: Path) -> tuple[
         dict[str, Pinocchio | CasADi], dict[str, str]]:
-    """Rivals by name, and what is missing of others."""
-    found: dict[str, Pinocchio | CasADi] = {}
+    """Rivals by name, and the missing libraries of others."""
+    results: dict[str, Pinocchio | CasADi] = {}
     missing = {}
     for name, compiler in CPLUSPLUS.items():
         built, missing[name] = library(compiler)
         if built:
-            found[name] = Pinocchio(built, robot, given)
+            results[name] = Pinocchio(built, robot, given)
     if robot.functions.nv < MANY:
         missing["CasADi"] = written(robot, folder)
         if not missing["CasADi"]:
-            found |= {f"CasADi, {x}": CasADi.compiled(robot, given, folder, x)
-                      for x in compilers()}
-    return found, missing
+            results |= {f"CasADi, {x}": CasADi.compiled(robot, given, folder, x)
+                        for x in compilers()}
+    return results, missing
 
 
 def from_c(robot: Robot) -> Iterator[tuple[list[str], list[tuple[float, Bar]]]]:
@@ -80,9 +80,9 @@ def from_c(robot: Robot) -> Iterator[tuple[list[str], list[tuple[float, Bar]]]]:
         for compiler in ours:
             double, single = (timings[f"{compiler} {p.name}"] for p in PRECISIONS)
             ratios = {name: x.ratio(double) for name, x in rivals.items()}
-            row = [scene.name, function, compiler, said(double.time), said(single.time),
-                   *(said(rivals[x].time) if x in rivals else "" for x in RIVALS),
-                   *(said(ratios[x]) if x in ratios else "" for x in WANTED)]
+            row = [scene.name, function, compiler, span(double.time), span(single.time),
+                   *(span(rivals[x].time) if x in rivals else "" for x in RIVALS),
+                   *(span(ratios[x]) if x in ratios else "" for x in WANTED)]
             bars = [Bar(f"one call from C: {name} / {function} of {scene.name}",
                         wanted[scene.name], ratios.get(name), note=missing[name] or compiler)
                     for name, wanted in WANTED.items() if scene.name in wanted]
@@ -119,14 +119,14 @@ def from_python(name: str, robot: Robot) -> Iterator[tuple[list[str], Bar]]:
         "mass_matrix": (lambda: ours.mass_matrix(q), lambda: pin.crba(model, data, their_q))}
     for function, calls in pairs.items():
         own, other = timed_calls(calls, 1e9 * SECONDS)
-        yield ([name, function, said(own.time, 1e-3), said(other.time, 1e-3),
-                said(own.ratio(other))],
+        yield ([name, function, span(own.time, 1e-3), span(other.time, 1e-3),
+                span(own.ratio(other))],
                Bar(f"one call from Python: {function} of {name} / pin", FROM_PYTHON,
                    own.ratio(other), most=True))
 
 
 def main() -> list[Bar]:
-    """Print what a call costs, and the ratios."""
+    """Prints the cost of a call, and the ratios."""
     robots = {name: robot_named(name) for name in ROBOTS}
     print("\nOperations (sums, products, quotients, choices) + pairs of sine and cosine")
     print(tabulate([(name, *(operations(x.functions.named(f).program) for f in FUNCTIONS))
@@ -138,11 +138,11 @@ def main() -> list[Bar]:
     print(tabulate([row for row, _ in lines],
                    ("robot", "function", "compiler", "double", "single", *RIVALS,
                     *(f"{x} / ours" for x in WANTED)), disable_numparse=True))
-    found = [x for name, robot in robots.items() for x in from_python(name, robot)]
+    results = [x for name, robot in robots.items() for x in from_python(name, robot)]
     print("\nFrom Python, µs a call; ratio: our time / that of Pinocchio's wheel")
-    print(tabulate([row for row, _ in found], ("robot", "function", "ours", "pin", "ratio"),
+    print(tabulate([row for row, _ in results], ("robot", "function", "ours", "pin", "ratio"),
                    disable_numparse=True))
-    return fastest(x for _, bars in lines for x in bars) + [bar for _, bar in found]
+    return fastest(x for _, bars in lines for x in bars) + [bar for _, bar in results]
 
 
 if __name__ == "__main__":

@@ -1,5 +1,5 @@
-"""Gufuncs against what a NumPy user would write, and against the pure-NumPy twins; and what their
-checks of arguments take."""
+"""Gufuncs against a NumPy user's own code, and against the pure-NumPy twins; and the times of their
+checks of arguments."""
 
 from collections.abc import Callable
 from functools import partial
@@ -12,7 +12,7 @@ import coscrew.accurate
 from coscrew_codegen.reports.timing.buffers import aligned
 from coscrew_codegen.reports.timing.intervals import interval
 from coscrew_codegen.reports.timing.loop_timing import timed_calls
-from tests.benchmarks.words import said
+from tests.benchmarks.words import span
 
 COUNT = 1000
 ROW = 7  # the most elements that loops on vectors compute one by one
@@ -94,8 +94,8 @@ def _arguments(name: str, dtype: str) -> tuple[np.ndarray, tuple[np.ndarray, ...
 
 
 def _checks(dtype: str) -> list[tuple[str, ...]]:
-    """Lines of functions that refuse arguments: what a call and an element of many take unchecked,
-    and how much more with the check."""
+    """Lines of functions that refuse arguments: times of a call, and of an element of many,
+    unchecked, and the additional time of the check."""
     rows = []
     v, R = np.ones(3, dtype), coscrew.SO3_exp(np.ones((COUNT, 3), dtype))
     for name, many, more in (("SO3_log", R, ()),
@@ -105,9 +105,9 @@ def _checks(dtype: str) -> list[tuple[str, ...]]:
         calls = [*(partial(f, many[0], *more) for f in functions),
                  *(partial(f, many, *more, out=out) for f in functions)]
         one, one_checked, each, each_checked = timed_calls(calls, 1e9 * SECONDS)
-        rows.append((name, dtype, said(one.time), said(interval(one_checked.rounds - one.rounds)),
-                     said(each.time, 1 / COUNT),
-                     said(interval(each_checked.rounds - each.rounds), 1 / COUNT)))
+        rows.append((name, dtype, span(one.time), span(interval(one_checked.rounds - one.rounds)),
+                     span(each.time, 1 / COUNT),
+                     span(interval(each_checked.rounds - each.rounds), 1 / COUNT)))
     return rows
 
 
@@ -117,8 +117,8 @@ def main() -> None:
     for dtype in ("float64", "float32"):
         for task, cases in (_cases(dtype) | _cases_on_vectors(dtype)).items():
             timings = timed_calls([function for _, function in cases], 1e9 * SECONDS)
-            rows += [(task, dtype, name, said(timing.time, 1 / COUNT),
-                      said(timing.ratio(timings[0])))
+            rows += [(task, dtype, name, span(timing.time, 1 / COUNT),
+                      span(timing.ratio(timings[0])))
                      for (name, _), timing in zip(cases, timings, strict=True)]
     print(f"\nns per element, N = {COUNT}, in {coscrew._gufunc.LOOPS}: median (95 % interval) of "
           "rounds in which all of a task take turns; ratio: to coscrew's in the same round")
@@ -130,7 +130,7 @@ def main() -> None:
                    disable_numparse=True))
     D, c = np.eye(3, 4), np.ones(6)
     (single,) = timed_calls([lambda: coscrew.product_CoAdc(D, c)], 1e9 * SECONDS)
-    print(f"\nproduct_CoAdc of one displacement and one coscrew: {said(single.time)} ns a call")
+    print(f"\nproduct_CoAdc of one displacement and one coscrew: {span(single.time)} ns a call")
 
 
 if __name__ == "__main__":

@@ -15,7 +15,7 @@ from coscrew_codegen.program.values.formats import PRECISIONS
 from coscrew_codegen.reports.timing.buffers import aligned
 from coscrew_codegen.reports.timing.loop_timing import Loop, driver, pointers, timed_loops
 from tests.benchmarks.bars import Bar, fastest, show
-from tests.benchmarks.words import said
+from tests.benchmarks.words import span
 from tests.support.compiled import all_headers
 
 HERE = Path(__file__).parent
@@ -62,8 +62,8 @@ def measure(library: ctypes.CDLL) -> Iterator[tuple[tuple[str, ...], float, Bar]
                           pointers(arrays)) for way in WAYS]
             header, one, composed = timed_loops(library, loops, 1e9 * SECONDS)
             ratio = composed.ratio(header)
-            yield ((words, precision.name, *(said(x.time) for x in (header, one, composed)),
-                    said(one.ratio(header)), said(ratio)), header.minimum,
+            yield ((words, precision.name, *(span(x.time) for x in (header, one, composed)),
+                    span(one.ratio(header)), span(ratio)), header.minimum,
                    Bar(f"header, array of structs: composed calls / {words}, {precision.name}",
                        WANTED, ratio))
 

@@ -16,7 +16,7 @@ from coscrew_codegen.reports.timing.buffers import aligned, planes
 from coscrew_codegen.reports.timing.loop_timing import Loop, pointers, timed_loops
 from tests.benchmarks.bars import Bar, fastest, show
 from tests.benchmarks.header_kernels import build
-from tests.benchmarks.words import said
+from tests.benchmarks.words import span
 
 FLAGS = ("-O3", "-O3 -march=native")
 OPERATIONS = {"CoAdc_one_D": "product_CoAdc, one D", "CoAdc_D_each": "product_CoAdc, D each",
@@ -45,8 +45,8 @@ def measure(library: ctypes.CDLL) -> Iterator[tuple[tuple[str, ...], list[tuple[
             called, structs, many, hand = timings
             ratios = [called.ratio(structs), called.ratio(many), hand.ratio(many)]
             compared = zip((structs, many, many), WANTED.items(), ratios, strict=True)
-            yield ((words, precision.name, *(said(x.time) for x in timings),
-                    *map(said, ratios)),
+            yield ((words, precision.name, *(span(x.time) for x in timings),
+                    *map(span, ratios)),
                    [(x.minimum, Bar(f"{what} / {words}, {precision.name}", wanted, ratio))
                     for x, (what, wanted), ratio in compared])
 
@@ -57,15 +57,15 @@ def main() -> list[Bar]:
     for compiler in filter(shutil.which, ("gcc", "clang")):
         for flags in FLAGS:
             with tempfile.TemporaryDirectory() as folder:
-                found = list(measure(build(compiler, flags, Path(folder), "many_elements")))
+                results = list(measure(build(compiler, flags, Path(folder), "many_elements")))
             print(f"\n{compiler} {flags}: ns per element of {COUNT}; median (95 % interval) of "
                   "rounds in which the four take turns; ratios in the same round")
-            print(tabulate([row for row, _ in found],
+            print(tabulate([row for row, _ in results],
                            ("operation", "precision", "composed calls", "_many", "_planes",
                             "by hand", "calls/_many", "calls/_planes", "by hand/_planes"),
                            disable_numparse=True))
             bars += [(time, replace(bar, note=f"{compiler} {flags}"))
-                     for _, pairs in found for time, bar in pairs]
+                     for _, pairs in results for time, bar in pairs]
     return fastest(bars)
 
 

@@ -24,7 +24,7 @@ from tests.benchmarks.pinocchio_loops import (
     robot_named,
 )
 from tests.benchmarks.scene_loops import WIDTHS, compiled, compilers, widths
-from tests.benchmarks.words import said
+from tests.benchmarks.words import span
 
 ARMS = ("panda7", "ur5")
 WANTED = {"avx512f": 20, "avx2": 15}
@@ -48,7 +48,7 @@ class Measured:
 
     @property
     def what(self) -> str:
-        """For the table of bars."""
+        """The name in the table of bars."""
         return f"{self.function} of {self.arm}"
 
 
@@ -78,10 +78,10 @@ def measured(arm: str, pinocchio: ctypes.CDLL | None, folder: Path) -> Iterator[
             yield Measured(arm, function, compiler, width, double, single, theirs)
 
 
-def bars(found: list[Measured], missing: str) -> Iterator[Bar]:
+def bars(results: list[Measured], missing: str) -> Iterator[Bar]:
     """With the faster compiler: against Pinocchio, and of single precision against double."""
     for width, wanted in WANTED.items():
-        of_width = [x for x in found if x.width == width]
+        of_width = [x for x in results if x.width == width]
         yield from fastest((x.double.minimum, Bar(
             f"{width} lanes: Pinocchio / {x.what}", wanted,
             x.rival.ratio(x.double) if x.rival else None, note=missing or x.compiler))
@@ -97,23 +97,23 @@ def main() -> list[Bar]:
     """Print the table."""
     pinocchio, missing = library("clang++")
     with TemporaryDirectory() as folder:
-        found = [x for arm in ARMS for x in measured(arm, pinocchio, Path(folder))]
+        results = [x for arm in ARMS for x in measured(arm, pinocchio, Path(folder))]
     print(f"\n{STATES} states of arms in lanes from C, ns a state: the shortest of rounds in which "
           "all of a function take turns;\nratios: median (95 % interval).  Pinocchio: "
           f"{missing or f'clang++ {OPTIMISED}, in a loop'}")
-    print(tabulate([row(x) for x in found],
+    print(tabulate([row(x) for x in results],
                    ("arm", "function", "compiler", "width", "double", "single", "Pinocchio",
                     "Pinocchio / double", "Pinocchio / single", "double / single"),
                    disable_numparse=True))
-    return list(bars(found, missing))
+    return list(bars(results, missing))
 
 
 def row(x: Measured) -> tuple[str, ...]:
     """A line of the table."""
-    theirs = (f"{x.rival.minimum:.0f}", said(x.rival.ratio(x.double)),
-              said(x.rival.ratio(x.single))) if x.rival else ("",) * 3
+    theirs = (f"{x.rival.minimum:.0f}", span(x.rival.ratio(x.double)),
+              span(x.rival.ratio(x.single))) if x.rival else ("",) * 3
     return (x.arm, x.function, x.compiler, x.width, f"{x.double.minimum:.1f}",
-            f"{x.single.minimum:.1f}", *theirs, said(x.double.ratio(x.single)))
+            f"{x.single.minimum:.1f}", *theirs, span(x.double.ratio(x.single)))
 
 
 if __name__ == "__main__":

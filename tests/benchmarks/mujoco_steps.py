@@ -23,12 +23,12 @@ from coscrew_codegen.program.values.formats import PRECISIONS
 from coscrew_codegen.reports.timing.loop_timing import Loop, Timing, timed_loops
 from coscrew_codegen.runtime.load import kernels_of
 from coscrew_codegen.scene.effects import EFFECTS
-from coscrew_codegen.scene.mechanism.model import Kind
 from coscrew_codegen.scene.scene import Applied, Scene
 from tests.benchmarks.bars import Bar, fastest, show
 from tests.benchmarks.pinocchio_loops import ROBOTS, scene_named
 from tests.benchmarks.scene_loops import compiled, compilers
 from tests.benchmarks.words import said
+from tests.support.scenes.kinds import Kind
 from tests.support.scenes.robots import path_of
 
 ARMS = ("ur5", "panda7")
@@ -158,22 +158,22 @@ def refuse_others(scene: SceneFunctions, name: str, model: mujoco.MjModel, data:
 
 def main() -> list[Bar]:
     """Print the table."""
-    found = [measured(arm, effects, compiler) for arm in ARMS for effects in INTEGRATORS
-             for compiler in compilers()]
+    results = [measured(arm, effects, compiler) for arm in ARMS for effects in INTEGRATORS
+               for compiler in compilers()]
     print("\nA step of 1 ms from C, ns: median (95 % interval) of rounds in which all take turns; "
           f"-march=native; semi-implicit or, with damping, linearly implicit;\n{STATES} states one "
           "after the other and in lanes; ratios: mj_step / ours")
     keys = [(kind, p.name) for kind in WANTED for p in PRECISIONS]
     print(tabulate([(x.arm, x.names, x.compiler, said(x.mujoco.time),
                      *(said(x.ours[key].time) for key in keys),
-                     *(said(x.mujoco.ratio(x.ours[key])) for key in keys)) for x in found],
+                     *(said(x.mujoco.ratio(x.ours[key])) for key in keys)) for x in results],
                    ("arm", "effects", "compiler", "MuJoCo",
                     *(" ".join(key) for key in keys), *(f"ratio, {' '.join(key)}" for key in keys)),
                    disable_numparse=True))
     return fastest((x.ours[kind, "double"].minimum, Bar(
         f"{WORDS[kind]}: mj_step / step of {x.arm}, {x.names}", wanted,
         x.mujoco.ratio(x.ours[kind, "double"]), note=x.compiler))
-        for kind, wanted in WANTED.items() for x in found)
+        for kind, wanted in WANTED.items() for x in results)
 
 
 if __name__ == "__main__":

@@ -26,15 +26,15 @@ class Peer:
 
 def peers() -> tuple[tuple[Peer, ...], tuple[str, ...]]:
     """(installed libraries, names of those that are not installed)."""
-    found, missing = [], []
+    result, missing = [], []
     for name, distribution, module, table in _KNOWN:
         try:
             imported = importlib.import_module(module)
         except ImportError:
             missing.append(name)
         else:
-            found.append(Peer(name, version(distribution), table(imported)))
-    return tuple(found), tuple(missing)
+            result.append(Peer(name, version(distribution), table(imported)))
+    return tuple(result), tuple(missing)
 
 
 def _by_row(function: Function) -> Function:

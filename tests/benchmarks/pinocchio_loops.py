@@ -20,8 +20,8 @@ import pinocchio as pin
 from coscrew_codegen.reports.processor import processor
 from coscrew_codegen.reports.timing.buffers import aligned
 from coscrew_codegen.reports.timing.loop_timing import Loop
-from coscrew_codegen.scene.mechanism.model import Kind
 from coscrew_codegen.scene.scene import Scene
+from tests.support.scenes.kinds import Kind
 from tests.support.scenes.robots import FOLDER, Robot, model_of, paired, scene_of
 
 ROBOTS = {"ur5": ("ur_description/urdf/ur5_robot.urdf", False),
@@ -65,7 +65,8 @@ def pinocchio_model(name: str) -> pin.Model:
 
 def library(compiler: str, source: Path = SOURCE, flags: Sequence[str] = FLAGS
             ) -> tuple[ctypes.CDLL | None, str]:
-    """The loops, compiled once for a compiler and a processor; or None, and what is missing."""
+    """The loops, compiled once for a compiler and a processor; or None, and the missing libraries.
+    """
     if not shutil.which(compiler):
         return None, f"no {compiler}"
     eigen = next((x for x in EIGEN if (x / "Eigen").is_dir()), None)
@@ -146,14 +147,14 @@ def with_joints(model: pin.Model, function: "ctypes._NamedFuncPointer", *given: 
                     *(ctypes.c_void_p(x.ctypes.data) for x in arrays))
 
 
-def refuse_others(found: np.ndarray, rival: Pinocchio, function: str) -> None:
+def refuse_others(result: np.ndarray, rival: Pinocchio, function: str) -> None:
     """Raise ValueError unless our results are the rival's to rounding: within 1e-12 of the largest
     number of each state, or for accelerations within what rounding moves them by."""
-    unit, count = 2.0**-53, len(found)
+    unit, count = 2.0**-53, len(result)
     bounds = np.full(count, 1e-12)
     if function == "forward_dynamics":
         bounds = np.maximum(bounds, unit * np.linalg.cond(rival.values("mass_matrix")))
-    ours, theirs = (x.reshape(count, -1) for x in (found, rival.values(function)))
+    ours, theirs = (x.reshape(count, -1) for x in (result, rival.values(function)))
     errors = abs(ours - theirs).max(axis=1) / abs(theirs).max(axis=1)
     if not (errors <= bounds).all():
         raise ValueError(f"{function} of {rival.robot.functions.name}: our results and those of "

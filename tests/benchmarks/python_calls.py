@@ -1,4 +1,4 @@
-"""What many states of a Panda take from Python: against the same rows from C, in results that are
+"""Times of many states of a Panda from Python: against the same rows from C, in results that are
 made or given and from columns of wider arrays, and against a loop of calls of Pinocchio; and in two
 threads.  One state: dynamics.py."""
 
@@ -17,7 +17,7 @@ from coscrew_codegen.runtime import lanes
 from coscrew_codegen.runtime.load import Kernels, kernels_of
 from tests.benchmarks.bars import Bar, show
 from tests.benchmarks.pinocchio_loops import robot_named
-from tests.benchmarks.words import said
+from tests.benchmarks.words import span
 from tests.support.scenes.robots import Robot
 from tests.support.scenes.tiers import states
 
@@ -45,8 +45,8 @@ def of_batch(robot: Robot, kernels: Kernels) -> Iterator[tuple[list[str], list[B
             c, made, *rest = timed_calls(calls, 1e9 * SECONDS)
             what, others = f"{function.name}, {p.name}", rest[2:]
             yield ([function.name, p.name, f"{c.minimum / BATCH:.1f}", *(
-                text for x in (made, *rest[:2]) for text in (least(x, c), said(x.ratio(c)))),
-                *(said(x.ratio(made)) for x in others)],
+                text for x in (made, *rest[:2]) for text in (least(x, c), span(x.ratio(c)))),
+                *(span(x.ratio(made)) for x in others)],
                 [Bar(f"{BATCH} states from Python / from C: {what}", FROM_PYTHON, made.ratio(c),
                      most=True),
                  *(Bar(f"{BATCH} states from Python: loop of pin / {what}", LOOP, x.ratio(made))
@@ -56,10 +56,10 @@ def of_batch(robot: Robot, kernels: Kernels) -> Iterator[tuple[list[str], list[B
 def in_c(kernels: Kernels, function: FunctionProgram, precision: Precision, arrays: list[np.ndarray]
          ) -> Callable[[], object]:
     """The call of the function in lanes by itself."""
-    found = kernels._lanes.function(c_name(many(kernels.interface), function.name, precision), 0)
-    assert found
+    result = kernels._lanes.function(c_name(many(kernels.interface), function.name, precision), 0)
+    assert result
     words = [ctypes.c_ssize_t(x) for array in arrays for x in (array.ctypes.data, array[0].size)]
-    return lambda: found(ctypes.c_ssize_t(BATCH), *words)
+    return lambda: result(ctypes.c_ssize_t(BATCH), *words)
 
 
 def loop_of_calls(robot: Robot, name: str, given: list[np.ndarray]) -> Callable[[], object]:
@@ -88,7 +88,7 @@ def in_threads(scene: SceneFunctions, kernels: Kernels) -> Iterator[tuple[list[s
                                     lambda: call(*given, out=out, threads=2)], 1e9 * SECONDS)
             ratio = one.ratio(two)
             yield ([function.name, p.name, f"{one.minimum / LARGE:.1f}", least(one, two),
-                    said(ratio)],
+                    span(ratio)],
                    Bar(f"{LARGE} states: one thread / two, {function.name}, {p.name}", THREADS,
                        ratio))
 
@@ -106,15 +106,15 @@ def main() -> list[Bar]:
     heads = [f"{x}{of}" for x in ("made", "out=", "columns") for of in (" / C", "")]
     print(f"\n{BATCH} states of a Panda from Python: ns a state from C; ratios of the shortest to "
           "that, and medians (95 % interval) in rounds in which all take turns")
-    found = list(of_batch(robot, kernels))
-    print(tabulate([row for row, _ in found],
+    results = list(of_batch(robot, kernels))
+    print(tabulate([row for row, _ in results],
                    ("function", "precision", "C", *heads, "loop of pin / made"),
                    disable_numparse=True))
     print(f"\n{LARGE} states: ns a state, and one thread / two, of the shortest and in rounds")
     threads = list(in_threads(robot.functions, kernels))
     print(tabulate([row for row, _ in threads],
                    ("function", "precision", "one", "one / two", ""), disable_numparse=True))
-    return [bar for _, bars in found for bar in bars] + [bar for _, bar in threads]
+    return [bar for _, bars in results for bar in bars] + [bar for _, bar in threads]
 
 
 if __name__ == "__main__":

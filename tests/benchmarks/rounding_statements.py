@@ -1,4 +1,4 @@
-"""What is stated of rounding errors between the limits, beside the worst that a search finds."""
+"""Stated bounds of rounding errors between the limits, beside the worst errors of a search."""
 
 from collections.abc import Iterator
 
@@ -22,9 +22,9 @@ def rows() -> Iterator[tuple[str, ...]]:
         for function in kernels.functions.functions:
             for (output, precision), bound in stated(function).items():
                 if precision == "single":
-                    found = worst_found(kernels, function, output, STATES, ROUNDS)
-                    yield (name, function.name, f"{bound:.1e}", f"{found:.1e}",
-                           f"{bound / found:.0f}")
+                    result = worst_found(kernels, function, output, STATES, ROUNDS)
+                    yield (name, function.name, f"{bound:.1e}", f"{result:.1e}",
+                           f"{bound / result:.0f}")
 
 
 def main() -> None:

@@ -1,4 +1,4 @@
-"""What a call of a Panda's functions takes from C: plain, with the C library's sine and cosine, and
+"""Times of a call of a Panda's functions from C: plain, with the C library's sine and cosine, and
 in the accurate and certified tiers; with every compiler, by usual flags and for this processor."""
 
 import ctypes
@@ -18,7 +18,7 @@ from coscrew_codegen.dynamics import derive
 from coscrew_codegen.program.scene_functions import FunctionProgram, SceneFunctions
 from coscrew_codegen.program.values.formats import PRECISIONS, Precision
 from coscrew_codegen.reports.timing.loop_timing import Loop, driver, pointers, timed_loops
-from tests.benchmarks.words import said
+from tests.benchmarks.words import span
 from tests.support.scenes.robots import scene_of
 from tests.support.scenes.tiers import states
 
@@ -60,7 +60,8 @@ def written(scene: SceneFunctions, folder: Path) -> None:
     made["driver.c"] = driver()
     for tier in ("", *TIERS):
         stem = f"panda{tier and f'_{tier}'}"
-        made[f"{stem}_loops.c"] = f'#include "{stem}.c"\n' + "".join(loops(scene, tier))
+        made[f"{stem}_loops.c"] = "".join((*(f'#include "{x}"\n' for x in (
+            f"{stem}{p.suffix}.c" for p in PRECISIONS) if x in made), *loops(scene, tier)))
     for name, text in made.items():
         (folder / name).write_text(text)
 
@@ -83,7 +84,7 @@ def called(function: FunctionProgram, tier: str, precision: Precision) -> str:
 
 
 def sizes_of(function: FunctionProgram, tier: str) -> list[int]:
-    """How many numbers each argument has."""
+    """Number of components of each argument."""
     program = function.program
     bounds = program.outputs if tier == "certified" else ()
     return [int(np.prod(a.quantity.shape)) for a in (*program.inputs, *program.outputs, *bounds)]
@@ -109,8 +110,8 @@ def rows(scene: SceneFunctions, folder: Path, compiler: str, level: tuple[str, .
             variants = [(own, ""), (libm, ""), *((own, tier) for tier in TIERS)]
             timed = [loop(library, function, tier, p, given) for library, tier in variants]
             timings = timed_loops(own, timed, 1e9 * SECONDS)
-            yield (function.name, p.name, compiler, " ".join(level), said(timings[0].time),
-                   f"{timings[0].minimum:.0f}", *(said(x.ratio(timings[0])) for x in timings[1:]))
+            yield (function.name, p.name, compiler, " ".join(level), span(timings[0].time),
+                   f"{timings[0].minimum:.0f}", *(span(x.ratio(timings[0])) for x in timings[1:]))
 
 
 def loop(library: ctypes.CDLL, function: FunctionProgram, tier: str, precision: Precision,

@@ -1,5 +1,5 @@
-"""What a state of a Panda takes where many are computed in lanes: functions and steps from C, with
-every compiler and width that this processor has, against one call after the other."""
+"""Times of a Panda's state where many are computed in lanes: functions and steps from C, with every
+compiler and width that this processor has, against one call after the other."""
 
 from collections.abc import Iterator
 from dataclasses import replace
@@ -14,7 +14,7 @@ from coscrew_codegen.program.scene_functions import SceneFunctions
 from coscrew_codegen.program.values.formats import PRECISIONS, Precision
 from coscrew_codegen.reports.timing.loop_timing import timed_loops
 from tests.benchmarks.scene_loops import WIDTHS, Loops, compiled, compilers, widths
-from tests.benchmarks.words import said
+from tests.benchmarks.words import span
 from tests.support.scenes.robots import scene_of
 from tests.support.scenes.tiers import states
 
@@ -37,7 +37,7 @@ def rows(loops: Loops) -> Iterator[list[str]]:
             arrays = _arrays(loops, name, p)
             one, many = timed_loops(loops.library, [
                 loops.loop(kind, name, p, arrays) for kind in ("one", "many")], 1e9 * SECONDS)
-            yield [name, p.name, f"{one.minimum:.1f}", f"{many.minimum:.1f}", said(one.ratio(many))]
+            yield [name, p.name, f"{one.minimum:.1f}", f"{many.minimum:.1f}", span(one.ratio(many))]
 
 
 def _arrays(loops: Loops, name: str, p: Precision) -> list[np.ndarray]:

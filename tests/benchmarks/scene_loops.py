@@ -24,12 +24,12 @@ BANNER = "for the benchmark"
 
 
 def compilers() -> list[str]:
-    """Those that are there."""
+    """The installed compilers."""
     return [x for x in COMPILERS if shutil.which(x)]
 
 
 def widths() -> list[str]:
-    """Those that this processor has."""
+    """The vector widths that this processor has."""
     words = Path("/proc/cpuinfo").read_text().split()
     return [x for x in WIDTHS if x in words]
 
@@ -58,15 +58,14 @@ def compiled(scene: SceneFunctions, names: Sequence[str], folder: Path, compiler
              *flags: str, many: bool = False) -> Loops:
     """Loops of these functions; in lanes, too, if `many`."""
     files = dict(scene_c.files(scene, BANNER))
-    sources = ["driver.c", "loops.c", f"{scene.name}.c"]
     if many:
         files |= scene_c_many.files(scene, BANNER)
-        sources.append(f"{scene.name}_many.c")
     files["driver.c"] = driver()
     files["loops.c"] = f'#include "{scene.name}{"_many" * many}.h"\n' + "".join(
         text for name in names for p in PRECISIONS for text in texts(scene, name, p, many))
     for name, text in files.items():
         (folder / name).write_text(text)
+    sources = [x for x in files if x.endswith(".c")]
     library = folder / "-".join((scene.name, compiler, *flags)).replace("=", "")
     subprocess.run([compiler, *COMMON, COMPILERS[compiler], *flags, *sources, "-o", str(library),
                     "-lm"], cwd=folder, check=True)
@@ -74,7 +73,7 @@ def compiled(scene: SceneFunctions, names: Sequence[str], folder: Path, compiler
 
 
 def sizes_of(function: FunctionProgram) -> list[int]:
-    """How many numbers each argument has."""
+    """Number of components of each argument."""
     program = function.program
     return [int(np.prod(a.quantity.shape)) for a in (*program.inputs, *program.outputs)]
 

@@ -1,4 +1,4 @@
-"""What accuracy costs in a scene: its functions in every tier it has, over arrays of states."""
+"""Cost of accuracy in a scene: its functions in every tier it has, over arrays of states."""
 
 import time
 from collections.abc import Callable, Iterator
@@ -9,24 +9,24 @@ from tabulate import tabulate
 
 from coscrew_codegen import load_scene
 from coscrew_codegen.program.values.formats import PRECISIONS
-from coscrew_codegen.scene.tier_selection import asked, known
+from coscrew_codegen.scene.tier_selection import known, on_request
 from tests.support.scenes.tiers import states
 
 SCENE = Path(__file__).parents[2] / "examples" / "scenes" / "arm6.toml"
 NAMES = ("inverse_dynamics", "forward_dynamics", "mass_matrix", "body_poses")
 STATES, ROUNDS = 1000, 100
-TIERS = tuple(name for name in known() if name not in asked())
+TIERS = tuple(name for name in known() if name not in on_request())
 
 
 def shortest(calls: list[Callable[[], object]]) -> list[float]:
     """The shortest time of each call in ns per state, in rounds in which they take turns."""
-    found = [np.inf] * len(calls)
+    result = [np.inf] * len(calls)
     for _ in range(ROUNDS):
         for k, call in enumerate(calls):
             began = time.perf_counter_ns()
             call()
-            found[k] = min(found[k], (time.perf_counter_ns() - began) / STATES)
-    return found
+            result[k] = min(result[k], (time.perf_counter_ns() - began) / STATES)
+    return result
 
 
 def rows() -> Iterator[tuple[str, ...]]:

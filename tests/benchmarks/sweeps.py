@@ -27,7 +27,7 @@ from coscrew_codegen.simulation.sweep.prepare import Prepared, SweepRequest, pre
 from tests.benchmarks.bars import Bar, show
 from tests.benchmarks.mujoco_steps import PASSIVE, model_of
 from tests.benchmarks.pinocchio_loops import ROBOTS
-from tests.benchmarks.words import said
+from tests.benchmarks.words import span
 from tests.support.scenes.robots import path_of
 
 STEPS, STEP = 1000, 1e-3
@@ -66,8 +66,8 @@ def ours(client, folder: Path, its: Prepared) -> float:
     """Seconds a run."""
     job, began = Job.of(its.kernels, its.specification), time.perf_counter()
     with opened(folder, its.specification, {}) as target:
-        for number, found in cluster.finished(client, job, target.missing()):
-            target.write(number, found.content)
+        for number, result in cluster.finished(client, job, target.missing()):
+            target.write(number, result.content)
     return (time.perf_counter() - began) / its.specification.varied.members
 
 
@@ -83,8 +83,8 @@ def theirs(cores: int) -> Iterator:
             states = np.zeros((len(starts), size))
             states[:, 1:7] = starts
             began = time.perf_counter()
-            found, _ = run.rollout(model, datas, states, nstep=STEPS)
-            return (time.perf_counter() - began) / len(starts), found[:, -1, 1:7]
+            result, _ = run.rollout(model, datas, states, nstep=STEPS)
+            return (time.perf_counter() - began) / len(starts), result[:, -1, 1:7]
 
         yield timed
 
@@ -108,8 +108,8 @@ def main(arguments: Sequence[str] = ()) -> list[Bar]:
                 starts = member_values.values(its.specification.varied, range(THEIRS))
                 times.append((ours(client, base / str(n), its), other(starts)[0]))
             own, rival = (Timing(np.array(x)) for x in zip(*times, strict=True))
-            rows.append((precision, said(own.time, 1e6), said(rival.time, 1e6),
-                         said(rival.ratio(own)), f"{own.time.median * MANY:.0f}"))
+            rows.append((precision, span(own.time, 1e6), span(rival.time, 1e6),
+                         span(rival.ratio(own)), f"{own.time.median * MANY:.0f}"))
             bars.append(Bar(f"rollout / sweep in {precision} of a UR5, {cores} cores", WANTED,
                             rival.ratio(own), note=f"{options.rounds} rounds"))
     print(f"\n{STEPS} steps of a UR5 on {cores} cores, µs a run: coscrew sweep ({options.samples} "

@@ -1,7 +1,6 @@
-"""What accuracy costs in time: the tiers on structures of arrays in the first-level cache.
+"""Cost of accuracy in time: the tiers on structures of arrays in the first-level cache.
 
-The loops, the buffers and the rounds are those of `coscrew report`.
-"""
+The loops, the buffers and the rounds are those of `coscrew report`."""
 
 import tempfile
 from collections.abc import Iterator
@@ -16,7 +15,7 @@ from coscrew_codegen.reports.kernels.c_text import Variant
 from coscrew_codegen.reports.kernels.kernel_library import KernelLibrary, compilers, libraries
 from coscrew_codegen.reports.kernels.kernel_timing import contests
 from coscrew_codegen.reports.kernels.variants import variants_of
-from tests.benchmarks.words import said
+from tests.benchmarks.words import span
 
 NAMES = ("product_CoAdc", "cross_sc", "dot_cs")
 SECONDS = 0.5  # of each operation and precision
@@ -30,8 +29,8 @@ def rows(library: KernelLibrary, variants: list[Variant]) -> Iterator[tuple[str,
                  for v in rivals]
         timings = library.times(rivals, "planes", drawn, 1e9 * SECONDS)
         for v, timing in zip(rivals, timings, strict=True):
-            yield (v.operation.name, v.precision.name, v.tier, said(timing.time),
-                   f"{timing.minimum:.3g}", said(timing.ratio(timings[0])),
+            yield (v.operation.name, v.precision.name, v.tier, span(timing.time),
+                   f"{timing.minimum:.3g}", span(timing.ratio(timings[0])),
                    f"{timing.minimum / timings[0].minimum:.3g}")
 
 

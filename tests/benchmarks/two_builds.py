@@ -24,16 +24,16 @@ REPEATS = {1_000: 15, 100_000: 4}
 
 def modules(folder: Path, name: str) -> dict[str, ModuleType]:
     """The extension modules of a build, by tier."""
-    found = {}
+    results = {}
     for tier in ("", "accurate", "certified"):
         path, = (x for x in (folder / tier).glob("_gufunc.*") if x.name.endswith(
             tuple(EXTENSION_SUFFIXES)))
         loader = ExtensionFileLoader(f"{name}{tier}._gufunc", str(path))
         spec = spec_from_loader(loader.name, loader)
         assert spec
-        found[tier or "plain"] = module_from_spec(spec)
-        loader.exec_module(found[tier or "plain"])
-    return found
+        results[tier or "plain"] = module_from_spec(spec)
+        loader.exec_module(results[tier or "plain"])
+    return results
 
 
 def arrays(ufunc: np.ufunc, count: int, kind: type, layout: str, random: np.random.Generator

@@ -49,7 +49,7 @@ def imported(name: str) -> Iterator[str]:
 
 
 def own(name: str) -> set[str]:
-    """Those of the generator, without its name."""
+    """The generator's modules among these, without the generator's name."""
     return {x.removeprefix("coscrew_codegen").removeprefix(".") for x in imported(name)
             if x.split(".")[0] == "coscrew_codegen"}
 
@@ -89,6 +89,20 @@ def test_sympy_is_known_where_formulas_are():
         if "sympy" in {x.split(".")[0] for x in imported(name)} and name != ARGUMENTS:
             assert name.startswith(("algebra.", "accuracy.tiers.", "reports.reference.",
                                     "reports.kernels.")), name
+
+
+def test_values_are_pickled_in_one_module():
+    assert {name for name in modules() if {x.split(".")[0] for x in imported(name)}
+            & {"pickle", "marshal", "shelve"}} == {"runtime.cache"}
+
+
+def test_texts_become_python_by_imports_and_no_stack_is_walked():
+    for name, path in modules().items():
+        for node in ast.walk(tree(path)):
+            if isinstance(node, ast.Call) and isinstance(node.func, ast.Name):
+                assert node.func.id not in ("exec", "eval", "compile", "__import__"), name
+            if isinstance(node, ast.Attribute):
+                assert node.attr not in ("_getframe", "f_back", "currentframe"), name
 
 
 _DERIVES = ("dynamics", "scene.scene", "scene.mechanism", "scene.readers", "scene.effects",

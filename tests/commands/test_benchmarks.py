@@ -1,4 +1,4 @@
-"""Benchmarks end with one table of bars; what they compare is equal."""
+"""Benchmarks end with one table of bars; the compared functions are equal."""
 
 import re
 import subprocess
@@ -95,13 +95,13 @@ def test_times_of_other_results_are_refused(factor, refused):
     values = np.random.default_rng(0).normal(size=(5, 7))
     rival = SimpleNamespace(values=lambda name: values,
                             robot=SimpleNamespace(functions=SimpleNamespace(name="arm")))
-    found = values.copy()
-    found[3] *= factor
+    result = values.copy()
+    result[3] *= factor
     if refused:
         with pytest.raises(ValueError, match="of arm: our results and those of Simple"):
-            pinocchio_loops.refuse_others(found, rival, "inverse_dynamics")
+            pinocchio_loops.refuse_others(result, rival, "inverse_dynamics")
     else:
-        pinocchio_loops.refuse_others(found, rival, "inverse_dynamics")
+        pinocchio_loops.refuse_others(result, rival, "inverse_dynamics")
 
 
 def test_frax_is_compared_too():
@@ -115,5 +115,5 @@ def test_frax_is_compared_too():
 def test_what_a_rival_lacks_is_told(monkeypatch):
     assert pinocchio_loops.library("no-such-clang") == (None, "no no-such-clang")
     monkeypatch.setattr(pinocchio_loops, "EIGEN", ())
-    found, missing = pinocchio_loops.library("cc")
-    assert found is None and missing.startswith("no Eigen: pip install cmeel-eigen")
+    result, missing = pinocchio_loops.library("cc")
+    assert result is None and missing.startswith("no Eigen: pip install cmeel-eigen")

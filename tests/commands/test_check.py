@@ -39,7 +39,7 @@ def loaded(tmp_path_factory):
 
 @pytest.fixture(scope="module")
 def spring(loaded):
-    """What is found of the spring."""
+    """The findings for the spring."""
     return check(loaded(texts.SPRING), RunOverrides())
 
 
@@ -78,9 +78,9 @@ def test_what_a_run_does_not_reach_is_not_met(loaded):
 def test_a_run_that_stops_does_not_pass(loaded):
     findings = check(loaded(texts.UNSTABLE), RunOverrides())
     assert not findings.passed
-    said = table(findings)
-    assert "double: not finite at t = 0.117 s: joint slide: q is -inf; " in said
-    assert "single: not finite at t = 0.013 s: joint slide: q is -inf; " in said
+    message = table(findings)
+    assert "double: not finite at t = 0.117 s: joint slide: q is -inf; " in message
+    assert "single: not finite at t = 0.013 s: joint slide: q is -inf; " in message
 
 
 @pytest.mark.parametrize("apart, passed", ((0.0, True), (0.2099, True), (0.2101, False),
@@ -95,9 +95,9 @@ def test_a_defect_of_energy_has_the_integrators_order(loaded, integrator, order)
     order."""
     findings = check(loaded(texts.SPRING), RunOverrides(integrator=integrator, step=1e-2))
     double = findings.along[0]
-    found = math.log2(double.coarse.relative / double.fine.relative)
-    assert found == pytest.approx(order, abs=0.3)
-    assert f"of order {found:.1f}" in table(findings)
+    result = math.log2(double.coarse.relative / double.fine.relative)
+    assert result == pytest.approx(order, abs=0.3)
+    assert f"of order {result:.1f}" in table(findings)
 
 
 def test_the_work_of_damping_is_the_energy_lost(spring):
@@ -134,9 +134,9 @@ def test_dynamics_that_are_no_inverses_are_found(loaded):
             own["inverse_dynamics"](q, v, a) * np.float32(1 + 2.0**-12))})
 
     broken = replace(kernels, double=wrong(kernels.double), single=wrong(kernels.single))
-    found = check(broken, RunOverrides())
-    assert found.along[0].round_trip > 1e10
-    assert found.along[1].round_trip > 1e3
+    result = check(broken, RunOverrides())
+    assert result.along[0].round_trip > 1e10
+    assert result.along[1].round_trip > 1e3
 
 
 def test_functions_of_many_states_are_not_compiled(loaded, monkeypatch):
@@ -230,8 +230,8 @@ def test_a_balance_that_is_off_fails(tmp_path, capsys):
     words = ["check", str(path), "--precision", "double", "--until", "0.6", "--step", "0.01",
              "--integrator", "rk4"]
     assert main(words) == 1
-    said = capsys.readouterr().out
-    assert "double: " in said and "joint slide is off by" in said
+    output = capsys.readouterr().out
+    assert "double: " in output and "joint slide is off by" in output
     assert main([*words[:-3], "0.0001", "--integrator", "leapfrog"]) == 0  # resolved
     assert main([*words, "--strict"]) == 1
     path.write_text(texts.SPRING)
@@ -241,8 +241,8 @@ def test_a_balance_that_is_off_fails(tmp_path, capsys):
 def test_help_tells_exit_statuses(capsys):
     with pytest.raises(SystemExit):
         main(["check", "--help"])
-    said = " ".join(capsys.readouterr().out.split())
-    assert "The exit status is 0 if all expectations are met; 1 if one is not" in said
+    output = " ".join(capsys.readouterr().out.split())
+    assert "The exit status is 0 if all expectations are met; 1 if one is not" in output
 
 
 def test_expectations_of_a_single_scene_are_of_single_precision(loaded):
@@ -254,8 +254,8 @@ def test_expectations_of_a_single_scene_are_of_single_precision(loaded):
 
 
 def test_a_scene_of_double_precision_alone_is_checked_in_it(tmp_path, capsys):
-    status, said = outcome(tmp_path / "nut.toml", capsys, "check", 'precision = "double"\n' + NUT)
-    assert status == 0 and "double" in said and "single" not in said
+    status, text = outcome(tmp_path / "nut.toml", capsys, "check", 'precision = "double"\n' + NUT)
+    assert status == 0 and "double" in text and "single" not in text
 
 
 NUT = """
@@ -308,31 +308,31 @@ def test_a_wing_nut_that_turns_wrongly_is_false(tmp_path, capsys, precision, str
     which = () if precision == "both" else ("--precision", precision)
     if precision == "both":
         assert outcome(path, capsys, "check", NUT, "--precision", "double")[0] == 0
-    status, said = outcome(path, capsys, "check", NUT, *which, *old, *strict)
-    assert status == 1 and "rounding" not in said
-    assert "base is off by" in said and "the step is too large" in said
-    assert "integrator leapfrog" in said and "error of the momentum of floating bases" in said
+    status, message = outcome(path, capsys, "check", NUT, *which, *old, *strict)
+    assert status == 1 and "rounding" not in message
+    assert "base is off by" in message and "the step is too large" in message
+    assert "integrator leapfrog" in message and "error of the momentum of floating bases" in message
 
 
 def test_single_precision_is_not_excused_as_rounding(tmp_path, capsys):
     """An error of energy that double precision has as well is the integrator's."""
     path, nut = tmp_path / "nut.toml", NUT.replace("[0.02, 0, 0,", "[0, 0, 0,")
     words = ("--integrator", "semi-implicit-euler", "--until", "2")
-    status, said = outcome(path, capsys, "check", nut, *words)
-    found = [float(x) for x in said.split("error of energy, relative")[1].split()[:2]]
-    assert status == 0 and all(8e-3 < x < 1e-2 for x in found)
-    assert said.count("integrator, of order") == 2 and "rounding" not in said
+    status, message = outcome(path, capsys, "check", nut, *words)
+    results = [float(x) for x in message.split("error of energy, relative")[1].split()[:2]]
+    assert status == 0 and all(8e-3 < x < 1e-2 for x in results)
+    assert message.count("integrator, of order") == 2 and "rounding" not in message
     for precision in ("both", "single"):
         which = () if precision == "both" else ("--precision", precision)
-        status, said = outcome(path, capsys, "check", nut, *words, *which, "--strict")
-        assert status == 1 and "FALSE with --strict: single: joint base is off by" in said
+        status, message = outcome(path, capsys, "check", nut, *words, *which, "--strict")
+        assert status == 1 and "FALSE with --strict: single: joint base is off by" in message
 
 
 def test_work_within_steps_counts(tmp_path, capsys):
     """A bounce begins and ends within one step; the energy it dissipates is summed within that
     step."""
-    status, said = outcome(tmp_path / "ball.toml", capsys, "check", BALL)
-    assert status == 0, said
+    status, message = outcome(tmp_path / "ball.toml", capsys, "check", BALL)
+    assert status == 0, message
     assert outcome(tmp_path / "ball.toml", capsys, "check", BALL, "--integrator", "rk4")[0] == 1
 
 
@@ -350,9 +350,9 @@ def test_work_within_steps_counts(tmp_path, capsys):
                              "a limit closes that is too stiff")))
 def test_false_motion_stops_with_time_joint_cause_and_remedy(tmp_path, capsys, text, integrator,
                                                              words):
-    status, said = outcome(tmp_path / "scene.toml", capsys, "simulate", text, "--integrator",
+    status, message = outcome(tmp_path / "scene.toml", capsys, "simulate", text, "--integrator",
                         integrator, "--precision", "double")
-    assert status == (1 if words else 0), said
+    assert status == (1 if words else 0), message
     if words:
-        assert words in said and "step" in said.split(words)[1] and "samples kept" in said
-        assert "joint" in said or words.startswith("energy")
+        assert words in message and "step" in message.split(words)[1] and "samples kept" in message
+        assert "joint" in message or words.startswith("energy")

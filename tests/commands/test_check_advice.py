@@ -35,9 +35,9 @@ EULER, DEFAULT = "semi-implicit-euler", "leapfrog"
 
 
 @pytest.fixture
-def found(tmp_path: Path):
+def tried(tmp_path: Path):
     """The check of a spring: its results, and its last paragraph."""
-    def found(values: dict[str, float], integrator: str, precision: str,
+    def tried(values: dict[str, float], integrator: str, precision: str,
               step: float | None = None) -> tuple[AlongRun, str]:
         path = tmp_path / "spring.toml"
         path.write_text(SPRING.format(**values))
@@ -45,53 +45,53 @@ def found(tmp_path: Path):
                          RunOverrides(None, step, integrator, precision))
         return findings.along[-1], table(findings).rpartition("\n\n")[2]
 
-    return found
+    return tried
 
 
-def step_of(said: str) -> float:
-    return float(re.search(r"take a step of (\S+) s", said)[1])
+def step_of(message: str) -> float:
+    return float(re.search(r"take a step of (\S+) s", message)[1])
 
 
 @pytest.mark.parametrize("precision", ("double", "single"))
-def test_an_advised_step_passes_and_four_times_as_much_does_not(found, precision):
-    along, said = found(NEAR, EULER, precision)
-    assert not along.passed and "the step is too large" in said and "--precision" not in said
-    assert found(NEAR, EULER, precision, step_of(said))[0].passed
-    assert not found(NEAR, EULER, precision, min(0.1, 4 * step_of(said)))[0].passed
+def test_an_advised_step_passes_and_four_times_as_much_does_not(tried, precision):
+    along, message = tried(NEAR, EULER, precision)
+    assert not along.passed and "the step is too large" in message and "--precision" not in message
+    assert tried(NEAR, EULER, precision, step_of(message))[0].passed
+    assert not tried(NEAR, EULER, precision, min(0.1, 4 * step_of(message)))[0].passed
 
 
-def test_another_integrator_is_named_where_it_does_with_the_same_step(found):
-    _, said = found(NEAR, EULER, "double")
-    assert said.endswith(f", or integrator {DEFAULT}") and found(NEAR, DEFAULT, "double")[0].passed
+def test_another_integrator_is_named_where_it_does_with_the_same_step(tried):
+    _, text = tried(NEAR, EULER, "double")
+    assert text.endswith(f", or integrator {DEFAULT}") and tried(NEAR, DEFAULT, "double")[0].passed
     rough = {**NEAR, "k": 100}
-    _, said = found(rough, EULER, "double")
-    assert DEFAULT not in said and not found(rough, DEFAULT, "double")[0].passed
+    _, text = tried(rough, EULER, "double")
+    assert DEFAULT not in text and not tried(rough, DEFAULT, "double")[0].passed
 
 
 def test_simulate_names_a_step_with_which_it_goes_on(tmp_path, capsys):
     text, path = SPRING.format(**{**NEAR, "k": 100}), tmp_path / "spring.toml"
-    status, said = outcome(path, capsys, "simulate", text)
-    assert status == 1 and "joint j is off by" in said
+    status, message = outcome(path, capsys, "simulate", text)
+    assert status == 1 and "joint j is off by" in message
     for command in ("simulate", "check"):
-        assert outcome(path, capsys, command, text, "--step", f"{step_of(said):g}",
+        assert outcome(path, capsys, command, text, "--step", f"{step_of(message):g}",
                        "--precision", "double")[0] == 0
 
 
 @pytest.mark.parametrize("precision", ("single", "both"))
-def test_double_precision_is_advised_where_no_step_helps_in_single(found, precision, monkeypatch):
-    """Where q is rounded so coarsely, small steps do not move it as they should."""
+def test_double_precision_is_advised_where_no_step_helps_in_single(tried, precision, monkeypatch):
+    """Small steps do not move a q that is rounded so coarsely."""
     monkeypatch.setattr(step_advice, "HALVINGS", 6)
     values = {**FAR, "rest": 1e6, "start": 1e6 + 0.125}
-    along, said = found(values, DEFAULT, precision)
+    along, message = tried(values, DEFAULT, precision)
     assert along.precision == "single" and not along.passed
-    assert said.endswith("take --precision double")
-    assert found(values, DEFAULT, "double")[0].passed
+    assert message.endswith("take --precision double")
+    assert tried(values, DEFAULT, "double")[0].passed
 
 
-def test_what_takes_long_is_not_tried_and_no_step_is_named(found, monkeypatch):
+def test_what_takes_long_is_not_tried_and_no_step_is_named(tried, monkeypatch):
     monkeypatch.setattr(step_advice, "MOST", 60)
-    along, said = found({**NEAR, "k": 100}, DEFAULT, "double")
-    assert not along.passed and "smaller steps were not tried, since they would take long" in said
+    along, text = tried({**NEAR, "k": 100}, DEFAULT, "double")
+    assert not along.passed and "smaller steps were not tried, since they would take long" in text
 
 
 def test_a_step_that_is_much_shorter_is_judged_to_the_end_by_its_own_reference(tmp_path, capsys):
@@ -109,11 +109,11 @@ target = 0.5
 [run]
 duration = 0.1
 """
-    status, said = outcome(path, capsys, "simulate", text, "--precision", "double")
+    status, message = outcome(path, capsys, "simulate", text, "--precision", "double")
     assert status == 1
     for command in ("simulate", "check"):
         assert outcome(path, capsys, command, text, "--precision", "double", "--step",
-                       f"{step_of(said):g}")[0] == 0
+                       f"{step_of(message):g}")[0] == 0
 
 
 def test_a_run_that_is_not_finite_names_what_was_tried(tmp_path, capsys):
@@ -121,13 +121,13 @@ def test_a_run_that_is_not_finite_names_what_was_tried(tmp_path, capsys):
     path = tmp_path / "spring.toml"
     text = SPRING.format(**{**NEAR, "k": 1e4, "rest": 0, "start": 0.1, "duration": 20})
     words = "--integrator", "rk4", "--precision", "double"
-    status, said = outcome(path, capsys, "simulate", text, *words)
-    assert status == 1 and ("not finite" in said or "too large" in said)
-    assert outcome(path, capsys, "simulate", text, *words, "--step", f"{step_of(said):g}")[0] == 0
+    status, out = outcome(path, capsys, "simulate", text, *words)
+    assert status == 1 and ("not finite" in out or "too large" in out)
+    assert outcome(path, capsys, "simulate", text, *words, "--step", f"{step_of(out):g}")[0] == 0
     root = text + '[effects.actuator.j]\nkind = "torque"\ntorque = "sqrt(0.5-t)"\n'
-    status, said = outcome(path, capsys, "simulate", root.replace("k = 10000", "k = 1"), *words,
-                           "--until", "2")
-    assert status == 1 and "joint j: q is nan; so are motions with steps down to" in said
+    status, out = outcome(path, capsys, "simulate", root.replace("k = 10000", "k = 1"), *words,
+                          "--until", "2")
+    assert status == 1 and "joint j: q is nan; so are motions with steps down to" in out
 
 
 @pytest.mark.parametrize("integrator", ("dop853", "radau"))
@@ -135,8 +135,8 @@ def test_too_large_tolerances_are_told_and_smaller_ones_tried(tmp_path, capsys, 
     path, text = tmp_path / "spring.toml", SPRING.format(**{**NEAR, "k": 1e4}).replace(
         "step = 0.1", f'integrator = "{integrator}"\nrtol = RTOL\natol = ATOL')
     loose = text.replace("RTOL", "0.1").replace("ATOL", "0.1")
-    status, said = outcome(path, capsys, "simulate", loose, "--precision", "double")
-    rtol, atol = re.search(r"too large at t = .*take rtol = (\S+) and atol = (\S+);", said).groups()
+    status, out = outcome(path, capsys, "simulate", loose, "--precision", "double")
+    rtol, atol = re.search(r"too large at t = .*take rtol = (\S+) and atol = (\S+);", out).groups()
     assert status == 1
     tight = text.replace("RTOL", rtol).replace("ATOL", atol)
     assert outcome(path, capsys, "simulate", tight, "--precision", "double")[0] == 0
@@ -155,6 +155,6 @@ target = "0.01*sin(6*t)"
 tau_c = 2
 eps = {eps}
 """
-    status, said = outcome(tmp_path / "held.toml", capsys, "check", text, "--precision", "double",
-                           "--until", "1")
-    assert status == 0 and "none: nothing moves" in said, said
+    status, out = outcome(tmp_path / "held.toml", capsys, "check", text, "--precision", "double",
+                          "--until", "1")
+    assert status == 0 and "none: nothing moves" in out, out

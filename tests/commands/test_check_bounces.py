@@ -54,8 +54,8 @@ def test_a_right_bounce_is_right_and_its_balance_falls_with_the_step(loaded, val
     findings = check(loaded(**values), RunOverrides(precision="double"))
     double, = findings.along
     assert findings.passed, table(findings)
-    found = math.log2(double.coarse.relative / double.fine.relative)
-    assert found == pytest.approx(2, abs=0.5) and f"of order {found:.1f}" in table(findings)
+    result = math.log2(double.coarse.relative / double.fine.relative)
+    assert result == pytest.approx(2, abs=0.5) and f"of order {result:.1f}" in table(findings)
 
 
 @pytest.mark.parametrize("step", (1e-3, 1e-4))
@@ -107,24 +107,24 @@ def test_a_limit_whose_power_is_wrong_is_found(loaded):
     assert "neither half the step nor 1/8 of it helps" in table(findings)
 
 
-@pytest.mark.parametrize("values, asked", (
+@pytest.mark.parametrize("values, requested", (
     ({"k": 1e6, "alpha": 0.045, "duration": 1}, {"step": 5e-3, "integrator": "rk4"}),
     ({"k": 1e7, "alpha": 0.2, "duration": 1}, {"step": 2e-3, "integrator": "rk4"})))
-def test_what_is_said_to_help_helps(loaded, values, asked):
+def test_what_is_said_to_help_helps(loaded, values, requested):
     kernels = loaded(**{**FALL, **values})
-    findings = check(kernels, RunOverrides(precision="double", **asked))
+    findings = check(kernels, RunOverrides(precision="double", **requested))
     assert not findings.passed
-    said = table(findings)
-    again = {**asked, "step": float(said.split("take a step of ")[1].split()[0])}
+    findings_in_words = table(findings)
+    again = {**requested, "step": float(findings_in_words.split("take a step of ")[1].split()[0])}
     assert check(kernels, RunOverrides(precision="double", **again)).passed
 
 
-@pytest.mark.parametrize("k, integrator, told", (
+@pytest.mark.parametrize("k, integrator, out", (
     (1e6, "linear-implicit-euler", True), (10, "linear-implicit-euler", False),
     (1e6, "leapfrog", False)))
-def test_lost_bounces_are_told(tmp_path, capsys, k, integrator, told):
+def test_lost_bounces_are_told(tmp_path, capsys, k, integrator, out):
     path = tmp_path / "ball.toml"
     path.write_text(BALL.format(**{**FALL, "k": k, "alpha": 0.045, "duration": 1}))
-    assert main(["simulate", str(path), "--integrator", integrator]) == int(told)  # a wrong motion
-    said = f"coscrew: limits close, and {integrator} does not resolve bounces"
-    assert (said in capsys.readouterr().err) == told
+    assert main(["simulate", str(path), "--integrator", integrator]) == int(out)  # a wrong motion
+    text = f"coscrew: limits close, and {integrator} does not resolve bounces"
+    assert (text in capsys.readouterr().err) == out

@@ -33,9 +33,9 @@ def test_every_integrator_is_judged_on_every_example(example, integrator, capsys
     """It passes or says what is false.  Expectations are of later times than these 0.02 s."""
     status = main(["check", str(example), "--integrator", integrator, "--precision", "double",
                    "--until", "0.02"])
-    said = capsys.readouterr().out
-    assert status in (0, 1) and "largest error of the motion" in said
-    assert (status == 1) == any(word in said for word in ("FAIL ", "FALSE: ", "double: "))
+    output = capsys.readouterr().out
+    assert status in (0, 1) and "largest error of the motion" in output
+    assert (status == 1) == any(word in output for word in ("FAIL ", "FALSE: ", "double: "))
 
 
 @pytest.mark.parametrize("integrator", ("leapfrog", "dop853", "radau"))

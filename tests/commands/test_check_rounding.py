@@ -12,6 +12,7 @@ import pytest
 from mpmath import mpf
 
 from coscrew_codegen.__main__ import main
+from coscrew_codegen.program.scene_functions import SceneFunctions
 from coscrew_codegen.program.values.formats import BY_NAME
 from coscrew_codegen.runtime.load import Kernels
 from coscrew_codegen.simulation.check import check_rounding
@@ -74,7 +75,7 @@ def kernels(path: Path) -> Kernels:
 
 
 def runs(kernels: Kernels) -> Iterator[tuple[System, Trajectory]]:
-    """As many states as are judged, in both precisions."""
+    """Runs with as many states as are judged, in both precisions."""
     draw = np.random.default_rng(3)
     q, v = draw.uniform(-3, 3, (2, STATES, 1))
     for name in BY_NAME:
@@ -89,8 +90,8 @@ def torque(q: mpf, a: mpf) -> mpf:
 
 
 def test_errors_are_those_against_the_closed_form(kernels: Kernels):
-    found = {(x.function, x.precision): x for x in rounding(kernels, [*runs(kernels)])}
-    assert len(found) == 4
+    results = {(x.function, x.precision): x for x in rounding(kernels, [*runs(kernels)])}
+    assert len(results) == 4
     for its, trajectory in runs(kernels):
         a = check_rounding._states(its, trajectory)["a"]
         tau = its.call("inverse_dynamics", q=trajectory.q, v=trajectory.v, a=a)
@@ -98,12 +99,12 @@ def test_errors_are_those_against_the_closed_form(kernels: Kernels):
             true = [torque(*(mpf(float(x[0])) for x in row))
                     for row in zip(trajectory.q, a, strict=True)]
             errors = [float(abs(mpf(float(x[0])) - y)) for x, y in zip(tau, true, strict=True)]
-        told, at = found["inverse_dynamics", its.precision.name], int(np.argmax(errors))
-        assert (told.error, told.at, told.states) == (errors[at], trajectory.t[at], STATES)
-        assert told.digits == pytest.approx(math.log10(abs(true[at]) / errors[at]), abs=1e-9)
-        assert told.certified and told.certified.stated == told.certified.of == STATES
-        assert 1 <= told.certified.ratio < 1.5 and told.certified.broken is None
-    for x in found.values():
+        rounded, at = results["inverse_dynamics", its.precision.name], int(np.argmax(errors))
+        assert (rounded.error, rounded.at, rounded.states) == (errors[at], trajectory.t[at], STATES)
+        assert rounded.digits == pytest.approx(math.log10(abs(true[at]) / errors[at]), abs=1e-9)
+        assert rounded.certified and rounded.certified.stated == rounded.certified.of == STATES
+        assert 1 <= rounded.certified.ratio < 1.5 and rounded.certified.broken is None
+    for x in results.values():
         own = -math.log10(BY_NAME[x.precision].u)
         assert x.lost == max(0, own - x.digits) < 2
 
@@ -135,8 +136,8 @@ def test_a_bound_that_does_not_hold_fails(path: Path, capsys: pytest.CaptureFixt
     """Halved, the bounds of forward dynamics are below the errors."""
     certified = check_rounding.in_tier_of
 
-    def halved(kernels: Kernels, name: str) -> SimpleNamespace:
-        made = certified(kernels, name)
+    def halved(kernels: Kernels, name: str, part: SceneFunctions) -> SimpleNamespace:
+        made = certified(kernels, name, part)
 
         def forward(*given: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
             a, bound = made.double.forward_dynamics(*given)
@@ -160,7 +161,8 @@ def test_large_functions_are_compiled_only_if_selected(kernels: Kernels,
                                                        monkeypatch: pytest.MonkeyPatch):
     monkeypatch.setattr(check_rounding, "MOST", 0)
     assert all(x.certified is None for x in rounding(kernels, [*runs(kernels)]))
-    selected = replace(kernels, _derived=replace(kernels.functions, tiers=("certified",)))
+    selected = replace(kernels, request=replace(kernels.request, functions=lambda: replace(
+        kernels.functions, tiers=("certified",))))
     assert all(isinstance(x, RoundedResults) and x.certified for x in rounding(
         selected, [*runs(kernels)]))
 

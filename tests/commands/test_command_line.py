@@ -1,4 +1,4 @@
-"""How commands end: by an interrupt, or when the reader of their output closes it."""
+"""Commands end by an interrupt, or when the reader of their output closes it."""
 
 import os
 import signal
@@ -30,8 +30,8 @@ sys.exit(main(["effects"]))
 def test_an_interrupt_while_modules_are_imported_is_told_in_a_line(module):
     words = (sys.executable, "-c", INTERRUPTED_AT.format(module=module))
     with interruptible(words, stdout=subprocess.PIPE, stderr=subprocess.PIPE) as process:
-        out, said = process.communicate(timeout=120)
-    assert (process.returncode, out, said) == (130, "", "coscrew: interrupted\n")
+        out, message = process.communicate(timeout=120)
+    assert (process.returncode, out, message) == (130, "", "coscrew: interrupted\n")
 
 
 @pytest.mark.parametrize("command", ("simulate", "check"))

@@ -1,4 +1,4 @@
-"""coscrew cost: what it compares, that what it times is the scene, errors against closed forms."""
+"""coscrew cost: its comparisons, that it times the scene itself, errors against closed forms."""
 
 import math
 import subprocess
@@ -43,12 +43,12 @@ from tests.support.scenes.selecting import STEPPED
 
 @pytest.fixture(scope="module")
 def kernels(tmp_path_factory):
-    folder, found = tmp_path_factory.mktemp("cost"), {}
+    folder, result = tmp_path_factory.mktemp("cost"), {}
     for name in ("PENDULUM", "SPRING", "BRICK"):
         path = folder / f"{name.lower()}.toml"
         path.write_text(getattr(texts, name).replace("duration = 10", "duration = 2"))
-        found[name] = load_scene(path, functions=STEPPED)
-    return found
+        result[name] = load_scene(path, functions=STEPPED)
+    return result
 
 
 @pytest.fixture(scope="module")
@@ -68,25 +68,25 @@ def costs(few):
 
 def test_each_effect_is_left_out_once(kernels):
     scene = kernels["SPRING"].scene
-    found = {x.words: sorted(a.effect.name for a in x.scene.effects) for x in parts(scene)}
-    assert found == {"all effects": ["spring", "viscous"], "without spring": ["viscous"],
-                     "without viscous": ["spring"], "bare": []}
+    results = {x.words: sorted(a.effect.name for a in x.scene.effects) for x in parts(scene)}
+    assert results == {"all effects": ["spring", "viscous"], "without spring": ["viscous"],
+                       "without viscous": ["spring"], "bare": []}
 
 
 def test_what_costs_nothing_is_not_left_out(kernels):
     """Reactions are outputs and do not change the motion."""
-    found = {x.words: [a.effect.name for a in x.scene.effects]
-             for x in parts(kernels["PENDULUM"].scene)}
-    assert found == {"all effects": ["gravity", "reaction"], "bare": ["reaction"]}
+    results = {x.words: [a.effect.name for a in x.scene.effects]
+               for x in parts(kernels["PENDULUM"].scene)}
+    assert results == {"all effects": ["gravity", "reaction"], "bare": ["reaction"]}
 
 
 def test_operations_are_those_of_the_terms(tmp_path):
     """a = (τ - k q - d v) / m: each effect costs a product and a sum."""
     path = tmp_path / "scene.toml"
     path.write_text(texts.SPRING.replace("d = 1", "d = 3"))  # a factor of 1 costs nothing
-    found = {x.words: next(f.program for f in x.public if f.name == "forward_dynamics")
-             for x in parts(read_scene(path))}
-    counts = {words: flops(program) for words, program in found.items()}
+    results = {x.words: next(f.program for f in x.public if f.name == "forward_dynamics")
+               for x in parts(read_scene(path))}
+    counts = {words: flops(program) for words, program in results.items()}
     assert counts["without spring"] == counts["without viscous"] == counts["bare"] + 2
     assert counts["all effects"] == counts["bare"] + 4
 
@@ -105,8 +105,8 @@ def test_the_loops_call_the_scenes_functions(kernels, name, precision):
                   for a in f.program.inputs]
         inputs = [abs(x) if a.name == "p" else x  # masses
                   for x, a in zip(inputs, f.program.inputs, strict=True)]
-        found = getattr(its.kernels, f.name)(*inputs)
-        several = found if isinstance(found, tuple) else (found,)
+        result = getattr(its.kernels, f.name)(*inputs)
+        several = result if isinstance(result, tuple) else (result,)
         for made, one in zip(library.values(f.name, precision, inputs), several, strict=True):
             wanted = np.broadcast_to(np.reshape(one, (-1, made.shape[1])), made.shape)
             assert made.tobytes() == np.ascontiguousarray(wanted).tobytes(), f.name
@@ -204,16 +204,16 @@ def test_the_sign_of_a_quaternion_is_no_error(kernels):
 
 @pytest.mark.parametrize("integrator, order", (("semi-implicit-euler", 1), ("rk4", 4)))
 def test_errors_of_runs_have_the_integrators_order(costs, integrator, order):
-    found = [(x.step, x.error) for x in costs.points
-             if (x.integrator, x.precision) == (integrator, "double") and x.error > 1e-11]
-    assert len(found) >= 2
-    slopes = [math.log(a[1] / b[1]) / math.log(a[0] / b[0]) for a, b in pairwise(found)]
+    results = [(x.step, x.error) for x in costs.points
+               if (x.integrator, x.precision) == (integrator, "double") and x.error > 1e-11]
+    assert len(results) >= 2
+    slopes = [math.log(a[1] / b[1]) / math.log(a[0] / b[0]) for a, b in pairwise(results)]
     assert slopes[-1] == pytest.approx(order, abs=0.2)
 
 
 def test_single_precision_is_no_more_accurate_than_it_can_be(costs):
-    found = [x.error for x in costs.points if (x.integrator, x.precision) == ("rk4", "single")]
-    assert min(found) > 2.0**-24 * 1e-3
+    results = [x.error for x in costs.points if (x.integrator, x.precision) == ("rk4", "single")]
+    assert min(results) > 2.0**-24 * 1e-3
     assert min(x.error for x in costs.points if x.precision == "double") < 1e-12
 
 

@@ -1,5 +1,5 @@
-"""What coscrew cost says of accuracy: errors and bounds against rational arithmetic, states inside
-the limits, a search that finds more than chance."""
+"""Accuracies of coscrew cost: errors and bounds against rational arithmetic, states inside the
+limits, a search that finds more than chance."""
 
 import math
 from dataclasses import replace
@@ -94,8 +94,8 @@ def test_errors_and_bounds_are_those_of_rational_arithmetic(costs, looked_at):
         assert {places.count(x) for x in ("run", "limits", "search")} == {16, 32}
         exact = [true(function.name, states, n) for n in range(64)]
         for row, choice in zip(rows, choices_of(function.built, function.name), strict=True):
-            found, *bounds = function.values(choice, states)
-            errors = [abs(Fraction(float(x)) - y) for x, y in zip(found[:, 0], exact, strict=True)]
+            result, *bounds = function.values(choice, states)
+            errors = [abs(Fraction(float(x)) - y) for x, y in zip(result[:, 0], exact, strict=True)]
             (of,) = row.errors
             assert (row.tier, row.precision, row.states) == (
                 choice.tier, choice.precision.name, 64)
@@ -158,15 +158,15 @@ def test_the_search_finds_a_peak_that_chance_misses(box):
         away = (states["q"] - 0.625)**2 + (states["v"] + 1.5)**2 + (states["a"] - 3)**2
         return -away[:, 0]
 
-    found = searched(box, score, 4)
+    result = searched(box, score, 4)
     by_chance = score(box.drawn(np.random.default_rng(5), 40_000)).max()
-    assert score(found).min() > by_chance
-    assert len(found["q"]) == 4
+    assert score(result).min() > by_chance
+    assert len(result["q"]) == 4
 
 
 def test_the_search_climbs_the_errors_of_each_choice(costs, looked_at, box):
-    """Of all states, those that the search found have the worst error of a choice, of the certified
-    ones the worst bound; it knows the errors of accurate results in double exactly."""
+    """The search's states have the worst error of a choice or, if it is certified, the worst bound;
+    the errors of accurate results in double are exact."""
     function, states, places = looked_at["inverse_dynamics"]
     chance = box.drawn(np.random.default_rng(7), 4000)
     for choice in choices_of(function.built, function.name):
@@ -178,9 +178,9 @@ def test_the_search_climbs_the_errors_of_each_choice(costs, looked_at, box):
             assert bad.max() == function.values(choice, states)[1].max()
         if choice == TierChoice(ACCURATE,
                                 DOUBLE):  # half a unit of the last digit of the largest ones
-            found, = function.values(choice, states)
+            result, = function.values(choice, states)
             assert bad.tolist() == pytest.approx([
-                float(abs(Fraction(float(found[n, 0])) - true(function.name, states, n)))
+                float(abs(Fraction(float(result[n, 0])) - true(function.name, states, n)))
                 for n in range(len(bad))], rel=1e-15, abs=1e-48)
 
 
@@ -197,19 +197,19 @@ def test_a_function_has_the_tiers_that_have_it(costs, looked_at):
     without = replace(accurate, in_precisions=tuple(
         (p, replace(x, functions=tuple(f for f in x.functions if f.name != function.name)))
         for p, x in accurate.in_precisions))
-    found = replace(function.built, tiers=(without, certified))
-    assert {x.tier for x in choices_of(found, function.name)} == {"plain", CERTIFIED}
-    assert {x.tier for x in choices_of(found, "mass_matrix")} == {"plain", ACCURATE, CERTIFIED}
+    result = replace(function.built, tiers=(without, certified))
+    assert {x.tier for x in choices_of(result, function.name)} == {"plain", CERTIFIED}
+    assert {x.tier for x in choices_of(result, "mass_matrix")} == {"plain", ACCURATE, CERTIFIED}
 
 
 def test_tiers_that_the_scene_selects_are_measured_too(tmp_path):
     """Pairs are of single precision alone, and as accurate there as the accurate tier."""
     path = tmp_path / "spring.toml"
     path.write_text('tiers = ["pairs"]\n' + TEXT)
-    found = cost_measurement.measure(load_scene(path, functions=["default"]),
-                                     RunOverrides(until=0.1),
-                                     CostRequest(("forward_dynamics",), Counts.of(16)))
-    (rows,) = found.accuracy
+    result = cost_measurement.measure(load_scene(path, functions=["default"]),
+                                      RunOverrides(until=0.1),
+                                      CostRequest(("forward_dynamics",), Counts.of(16)))
+    (rows,) = result.accuracy
     assert [x.name for x in rows] == [
         "double plain", "single plain", "double accurate", "single accurate", "double certified",
         "single certified", "single pairs"]
@@ -217,10 +217,10 @@ def test_tiers_that_the_scene_selects_are_measured_too(tmp_path):
     pairs, accurate = errors["single pairs"], errors["single accurate"]
     assert pairs.worst_digits >= 23.99 * math.log10(2) and pairs.bounds is None
     assert pairs.worst < 2 * accurate.worst
-    plot(found, tmp_path / "costs.svg")
+    plot(result, tmp_path / "costs.svg")
     drawn = (tmp_path / "costs.svg").read_text()
     assert 'id="forward_dynamics single pairs"' in drawn
-    labels = [x.get_text() for x in figure(found).legends[0].get_texts()]
+    labels = [x.get_text() for x in figure(result).legends[0].get_texts()]
     assert labels == ["plain", "accurate", "certified", "pairs", "double", "single",
                       "recommended"]
 
@@ -236,9 +236,9 @@ def test_parameters_and_settings_are_rounded_to_single(tmp_path):
     path = tmp_path / "scene.toml"
     path.write_text(texts.SPRING)
     its = load_scene(path, functions=["default"])
-    found = cost_measurement.measure(its, RunOverrides(settings=(("block.mass", 0.1),)),
-                                     CostRequest(("mass_matrix",), Counts.of(4)))
-    for row in found.accuracy[0]:
+    result = cost_measurement.measure(its, RunOverrides(settings=(("block.mass", 0.1),)),
+                                      CostRequest(("mass_matrix",), Counts.of(4)))
+    for row in result.accuracy[0]:
         assert row.errors[0].worst == 0 and row.worst_at["p"] == (float(np.float32(0.1)),)
 
 

@@ -1,5 +1,5 @@
-"""What coscrew cost makes of the figures: advice that follows from them, tables, and marks whose
-numbers can be read."""
+"""Advice and tables of coscrew cost: advice that follows from them, tables, and marks whose numbers
+can be read."""
 
 import math
 from collections.abc import Sequence
@@ -51,7 +51,7 @@ def test_the_advice_follows_from_the_figures():
 
 
 def test_what_is_slow_is_not_recommended():
-    """As where double precision is computed by software."""
+    """Double precision computed by software is such a case."""
     slow = [replace(x, time=Interval(9000, 8990, 9010)) if x.precision == "double" else x
             for x in choices()]
     assert recommended(slow).name == "single accurate"
@@ -120,7 +120,7 @@ def texts_beside(rows: Sequence[FunctionErrors]) -> list[Bbox]:
 
 @pytest.mark.parametrize("single_certified, accurate", ((193, 434), (72, 434), (64, 900), (66, 69)))
 def test_numbers_beside_marks_do_not_meet(single_certified, accurate):
-    """As in a Panda's mass matrix, whose certified and plain single have the same error."""
+    """A Panda's mass matrix has such marks: certified and plain single have the same error."""
     rows = [made("plain", "double", 1.6e-15, 68.9), made("plain", "single", 9.2e-7, 62.9),
             made("accurate", "double", 2.2e-16, accurate), made("accurate", "single", 1.2e-7, 68.5),
             made("certified", "double", 1.6e-15, accurate + 8, 1.6e-15),

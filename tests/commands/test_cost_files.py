@@ -1,5 +1,5 @@
-"""What coscrew cost writes: JSON whose fields are documented, a self-contained page, all or
-nothing; and every kind of function that it can be asked for."""
+"""Files of coscrew cost: JSON whose fields are documented, a self-contained page, all or nothing;
+and every kind of function that it can measure."""
 
 import json
 import math
@@ -69,8 +69,8 @@ def scene(tmp_path_factory) -> Path:
 
 @pytest.fixture(scope="module")
 def costs(scene) -> Costs:
-    asked = CostRequest(("forward_dynamics", "energy"), Counts.of(8))
-    return cost_measurement.measure(load_scene(scene, functions=["default"]), RunOverrides(), asked)
+    need = CostRequest(("forward_dynamics", "energy"), Counts.of(8))
+    return cost_measurement.measure(load_scene(scene, functions=["default"]), RunOverrides(), need)
 
 
 @pytest.fixture(scope="module")
@@ -102,19 +102,19 @@ def read(costs: Costs, folder: Path) -> dict:
     return json.loads((folder / "costs.json").read_text("utf-8"), parse_constant=refused)
 
 
-def keys(found: object) -> set[str]:
+def keys(result: object) -> set[str]:
     """All names of fields, but those of a function's inputs."""
-    if isinstance(found, list):
-        return set().union(*map(keys, found))
-    if not isinstance(found, dict):
+    if isinstance(result, list):
+        return set().union(*map(keys, result))
+    if not isinstance(result, dict):
         return set()
-    return set(found).union(*(keys(x) for name, x in found.items() if name != "worst_at"))
+    return set(result).union(*(keys(x) for name, x in result.items() if name != "worst_at"))
 
 
 def test_json_has_the_figures(whole, tmp_path):
-    found = read(whole, tmp_path)
-    assert [x["function"] for x in found["functions"]] == ["forward_dynamics", "energy"]
-    for function, rows in zip(found["functions"], whole.accuracy, strict=True):
+    result = read(whole, tmp_path)
+    assert [x["function"] for x in result["functions"]] == ["forward_dynamics", "energy"]
+    for function, rows in zip(result["functions"], whole.accuracy, strict=True):
         for choice, row in zip(function["choices"], rows, strict=True):
             (errors,), (of,) = choice["errors"], row.errors
             assert (choice["precision"], choice["tier"]) == (row.precision, row.tier)
@@ -123,12 +123,12 @@ def test_json_has_the_figures(whole, tmp_path):
             assert choice["time"] == {"median": row.time.median, "low": row.time.low,
                                       "high": row.time.high}
             assert set(choice["worst_at"]) == set(row.worst_at)
-    assert found["functions"][0]["choices"][-1]["errors"][0]["bound"] == {
+    assert result["functions"][0]["choices"][-1]["errors"][0]["bound"] == {
         "worst": None, "least_ratio": 1.5, "typical_ratio": 2, "worst_ratio": None}
-    assert [x["error"] for x in found["runs"]] == [1e-9, None]
-    assert [x["best"] for x in found["runs"]] == [True, False]
-    assert found["run_errors"]["whole"] is False
-    assert found["run_errors"]["rows"] == [
+    assert [x["error"] for x in result["runs"]] == [1e-9, None]
+    assert [x["best"] for x in result["runs"]] == [True, False]
+    assert result["run_errors"]["whole"] is False
+    assert result["run_errors"]["rows"] == [
         {"cause": "rounding", "of": "single plain", "errors": [1e-7, 1e-6], "gone": 1.0},
         {"cause": "model", "of": "bare", "errors": [None, None], "gone": None},
         {"cause": "step", "of": "0.001 s", "errors": [1e-9, 1e-8], "gone": None}]
@@ -234,11 +234,11 @@ def test_functions_of_floating_bases_and_of_limits_can_be_asked_for(tmp_path):
     path.write_text(FLOATING)
     names = ("with_free_momentum", "closing_contacts")
     scene = read_scene(path)
-    asked = CostRequest(names, Counts.of(4))
-    found = cost_measurement.measure(kernels_for(scene, asked.needed(scene, None)), RunOverrides(),
-                                     asked)
-    assert {rows[0].function for rows in found.accuracy} == set(names)
-    for rows in found.accuracy:
+    need = CostRequest(names, Counts.of(4))
+    got = cost_measurement.measure(kernels_for(scene, need.needed(scene, None)), RunOverrides(),
+                                   need)
+    assert {rows[0].function for rows in got.accuracy} == set(names)
+    for rows in got.accuracy:
         for x in rows:
             assert all(e.worst < (1e-5 if x.precision == "single" else 1e-13) for e in x.errors)
             if x.tier == "certified":
@@ -278,10 +278,10 @@ def test_the_readme_figure_is_made_by_its_command(tmp_path, capsys):
     for path in (made["svg"], ROOT / command[3]):
         drawn = path.read_text("utf-8")
         assert all(mark in drawn for mark in marks), path
-    printed, found = capsys.readouterr().out, json.loads(made["json"].read_text("utf-8"))
-    assert found["command"] == (
+    printed, result = capsys.readouterr().out, json.loads(made["json"].read_text("utf-8"))
+    assert result["command"] == (
         f"coscrew cost pendulum.toml {' '.join(f'--function {x}' for x in committed)} --states 4")
-    for function in found["functions"]:
+    for function in result["functions"]:
         for sentence in function["sentences"]:
             assert sentence in printed
             assert sentence.replace("'", "&#39;") in made["html"].read_text("utf-8")

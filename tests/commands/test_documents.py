@@ -29,12 +29,12 @@ GUIDES = {name: text for name, text in TEXTS.items() if name != CONTRIBUTING.nam
 
 
 def snippets(language: str, holding: str = "") -> list:
-    found = [pytest.param(snippet, id=f"{name}-{number}") for name, text in GUIDES.items()
-             for number, snippet in enumerate(re.findall(rf"```{language}\n(.*?)```", text,
-                                                         re.DOTALL))
-             if holding in snippet and (language, name) != ("python", SWEEPS)]
-    assert found
-    return found
+    results = [pytest.param(snippet, id=f"{name}-{number}") for name, text in GUIDES.items()
+               for number, snippet in enumerate(re.findall(rf"```{language}\n(.*?)```", text,
+                                                           re.DOTALL))
+               if holding in snippet and (language, name) != ("python", SWEEPS)]
+    assert results
+    return results
 
 
 def test_the_readme_is_a_first_screen():
@@ -55,11 +55,11 @@ def test_lines_are_short():
 
 def test_each_guide_has_its_snippet():
     """A guide without a snippet has nothing to test; it fails here."""
-    found = {name: text.count("```python\n") for name, text in GUIDES.items()}
-    assert {name for name, count in found.items() if count} == {
+    results = {name: text.count("```python\n") for name, text in GUIDES.items()}
+    assert {name for name, count in results.items() if count} == {
         "README.md", "docs/accuracy.md", "docs/arrays.md", "docs/from_mujoco.md",
-        "docs/from_pinocchio.md", "docs/python.md", "docs/scenes.md", "docs/urdf.md",
-        SWEEPS}
+        "docs/from_pinocchio.md", "docs/models.md", "docs/python.md", "docs/scenes.md",
+        "docs/urdf.md", SWEEPS}
 
 
 @pytest.mark.parametrize("snippet", snippets("python"))
@@ -85,7 +85,7 @@ def test_the_guide_to_sweeps_runs(tmp_path, monkeypatch, capsys):
 
 
 def firmware(folder: Path) -> Path:
-    """What is generated of the scene in docs/c.md."""
+    """Generates the scene in docs/c.md."""
     (scene,) = re.findall(r"```toml\n(.*?)```", TEXTS["docs/c.md"], re.DOTALL)
     (folder / "swing.toml").write_text(scene)
     assert main(["generate", str(folder / "swing.toml"), "--many", "-o",
@@ -93,28 +93,29 @@ def firmware(folder: Path) -> Path:
     return folder / "firmware"
 
 
-@pytest.mark.parametrize("snippet, flags", (
-    *((x.values[0], ["-DSWING_NO_DOUBLE"]) for x in snippets("c", '"swing.h"')),
-    *((x.values[0], ["firmware/swing_many.c"]) for x in snippets("c", '"swing_many.h"'))))
-def test_c_snippets_of_scenes_print_what_their_comments_say(snippet, flags, tmp_path):
+@pytest.mark.parametrize("snippet, sources", (
+    *((x.values[0], ["swingf.c"]) for x in snippets("c", '"swing.h"')),
+    *((x.values[0], ["swing.c", "swing_many.c"]) for x in snippets("c", '"swing_many.h"'))))
+def test_c_snippets_of_scenes_print_what_their_comments_say(snippet, sources, tmp_path):
     """The scene stands above in the same guide."""
     firmware(tmp_path)
     (tmp_path / "program.c").write_text(snippet)
-    subprocess.run(["cc", "-std=c11", "-Wall", "-Wextra", "-Wdouble-promotion", "-Werror", *flags,
-                    "-I", "firmware", "program.c", "firmware/swing.c", "-o", "program", "-lm"],
+    subprocess.run(["cc", "-std=c11", "-Wall", "-Wextra", "-Wdouble-promotion", "-Werror",
+                    "-I", "firmware", "program.c", *(f"firmware/{x}" for x in sources), "-o",
+                    "program", "-lm"],
                    cwd=tmp_path, check=True)
     done = subprocess.run([str(tmp_path / "program")], text=True, capture_output=True, check=True)
     assert done.stdout.splitlines() == re.findall(r"/\* (.*?) \*/", snippet)
 
 
 def test_allowed_errors_of_motions_are_told_as_they_are():
-    told = " ".join(TEXTS["docs/scenes.md"].partition("## Runs with a wrong motion")[2].split())
+    messages = " ".join(TEXTS["docs/scenes.md"].partition("## Runs with a wrong motion")[2].split())
     for words, number in (
             ("since the start; allowed is {};", ALLOWED), ("velocity makes ({} of it)", FROZEN),
             ("changes by {} of the largest kinetic", KEPT), ("by {} of the largest vel", KEPT),
             ("off by more than {} of the way it moves", ALLOWED), ("`--strict` {})", STRICTLY),
             ("energies do not balance within {} with", ENERGY), ("shorter than {} rad", REST)):
-        assert words.format(f"{number:g}") in told, words
+        assert words.format(f"{number:g}") in messages, words
 
 
 def test_functions_of_scenes_are_described_as_in_their_header(tmp_path):
@@ -164,7 +165,7 @@ def test_the_scene_of_the_readme_runs_as_it_stands(tmp_path, capsys):
 
 
 def test_shell_snippets_run(tmp_path, monkeypatch, capsys):
-    """Those that make everything, for one family: test_generate.py runs them whole."""
+    """Commands that make everything run for one family; test_generate.py runs them whole."""
     others = "".join(text for name, text in TEXTS.items() if name != SWEEPS)
     blocks = re.findall(r"```sh\n(.*?)```", others, re.DOTALL)
     commands = [line.split("#")[0].split() for block in blocks for line in block.splitlines()]

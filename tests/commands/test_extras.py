@@ -1,4 +1,5 @@
-"""An install without extras says at once what a command needs, before it does anything."""
+"""An install without extras names at once the packages that a command needs, before it does
+anything."""
 
 import os
 import re
@@ -22,11 +23,11 @@ NEEDED = [(command, module) for command, extra in extras.COMMANDS.items()
 def requirements(extra: str) -> set[str]:
     """The distributions of an extra, and of those it includes, in pyproject.toml."""
     listed = tomllib.loads((ROOT / "pyproject.toml").read_text())["project"]
-    found = set()
+    results = set()
     for text in listed["optional-dependencies"][extra]:
         inner = re.fullmatch(r"coscrew\[(\w+)\]", text)
-        found |= requirements(inner[1]) if inner else {re.match(r"[\w-]+", text)[0]}
-    return found
+        results |= requirements(inner[1]) if inner else {re.match(r"[\w-]+", text)[0]}
+    return results
 
 
 @pytest.fixture(scope="module")
@@ -110,9 +111,9 @@ def test_help_of_each_command_needs_no_extra_and_gives_the_way(bare, command):
     assert (done.returncode, done.stderr) == (0, "")
     assert done.stdout.startswith(f"usage: coscrew {command} ")
     extra = extras.COMMANDS[command]
-    said = " ".join(done.stdout.split())
-    assert said.endswith(f"not installed: {command} needs {', '.join(extras.EXTRAS[extra])}; run "
-                         f'`pip install "coscrew[{extra}]"`')
+    output = " ".join(done.stdout.split())
+    assert output.endswith(f"not installed: {command} needs {', '.join(extras.EXTRAS[extra])}; run "
+                           f'`pip install "coscrew[{extra}]"`')
 
 
 LISTED = """
@@ -142,9 +143,9 @@ def test_help_imports_nothing_but_the_standard_library(words):
 def test_help_imports_no_operations_and_no_other_command():
     """All operations are built when their module is imported."""
     for words in (("--help",), ("simulate", "--help")):
-        found = imported(*words)
-        assert not {"coscrew_codegen.algebra.operations", "coscrew_codegen.accuracy.tiers"} & found
-    assert not [x for x in found if x.startswith("coscrew_codegen.simulation.sweep")]
+        result = imported(*words)
+        assert not {"coscrew_codegen.algebra.operations", "coscrew_codegen.accuracy.tiers"} & result
+    assert not [x for x in result if x.startswith("coscrew_codegen.simulation.sweep")]
 
 
 def test_an_unknown_command_is_refused_without_extras(bare):

@@ -44,9 +44,9 @@ def site(filled: Path, tmp_path: Path) -> Path:
 def derived(done: subprocess.CompletedProcess[str]) -> set[str]:
     """The families that were derived, not found."""
     assert done.returncode == 0, done.stderr
-    said = re.fullmatch(r"out: \d+ files, \d+ changed(?:; derived: (.*))?\n", done.stdout)
-    assert said, done.stdout
-    return set((said[1] or "").split(", ")) - {""}
+    output = re.fullmatch(r"out: \d+ files, \d+ changed(?:; derived: (.*))?\n", done.stdout)
+    assert output, done.stdout
+    return set((output[1] or "").split(", ")) - {""}
 
 
 def assert_true(site: Path) -> None:
@@ -209,13 +209,13 @@ def made_from(family: str) -> set[str]:
 @pytest.mark.parametrize("family", FAMILIES)
 def test_functions_of_a_family_are_of_the_files_it_is_made_from(family):
     """Wherever the code that derives it is defined."""
-    found = made_from(family)
+    result = made_from(family)
     for name in contributors(family):
-        assert name in found
+        assert name in result
     for operation in OPERATIONS:
         if operation.family == family:
             for function in (operation.formula, operation.derivation):
-                assert all(path in found for path in files_of(function)), operation.name
+                assert all(path in result for path in files_of(function)), operation.name
 
 
 def files_of(function: Callable | None) -> set[str]:

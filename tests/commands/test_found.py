@@ -26,7 +26,7 @@ TABLE = {operation.name: operation for operation in OPERATIONS}
 DERIVED = ("vec3", "mat3x3", "coscrew")  # families; deriving all would take long
 FOLDERS = {"scene.effects": "EFFECT", "scene.integrators": "INTEGRATOR",
            "scene.functions": "FUNCTION", "algebra.operations": "FAMILY",
-           "accuracy.tiers": "TIER", "backends": "TARGET"}
+           "scene.readers": "READER", "accuracy.tiers": "TIER", "backends": "TARGET"}
 
 
 @pytest.fixture(scope="module")
@@ -77,7 +77,7 @@ def test_the_tier_has_a_header_an_extension_and_a_package(made):
 
 
 def test_the_tier_adds_in_another_order(made, site):
-    """The same polynomials, with as many operations; of sums of four products the constant of the
+    """Polynomials and numbers of operations stay; for sums of four products the constant of the
     bound falls from 3 to 2."""
     spec = spec_from_file_location("pairwise", site / "coscrew_codegen/accuracy/tiers/pairwise.py")
     pairwise = module_from_spec(spec)
@@ -86,10 +86,10 @@ def test_the_tier_adds_in_another_order(made, site):
     for operation in TIERED:
         plain = plain_program(operation)
         program = pairwise.TIER.program(plain, DOUBLE)
-        found, before = bounds_of(program), bounds_of(plain)
-        assert [x.terms for x in found] == [x.terms for x in before], operation.name
+        result, before = bounds_of(program), bounds_of(plain)
+        assert [x.terms for x in result] == [x.terms for x in before], operation.name
         assert len(program.instructions) == len(plain.instructions)
-        constants[operation.name] = tuple(max(x.c1 for x in y) for y in (before, found))
+        constants[operation.name] = tuple(max(x.c1 for x in y) for y in (before, result))
     assert constants["dot_qq"] == constants["product_dd"] == (3, 2)
     assert constants["dot_vv"] == (2, 2)  # of three terms there is no shorter way
     assert sum(after < before for before, after in constants.values()) > 12
@@ -122,7 +122,7 @@ def test_the_target_writes_the_same_arithmetic(made):
 
 
 def run_in(site: Path, program: str) -> str:
-    """What a program prints that runs in a folder with a package coscrew."""
+    """Runs a program in a folder with a package coscrew; returns its output."""
     done = subprocess.run([sys.executable, "-c", program], cwd=site, text=True,
                           capture_output=True, env={**os.environ, "PYTHONPATH": str(site)})
     assert done.returncode == 0, done.stderr
@@ -222,18 +222,18 @@ def test_every_file_is_found_or_helps_one_that_is(folder):
             f"{folder}/{path.name} calls nothing {FOLDERS[folder]}, and nothing imports it")
 
 
-@pytest.mark.parametrize(("text", "said"), [
+@pytest.mark.parametrize(("text", "message"), [
     ("TIER = 'fast'\n", "TIER is str; wanted Tier"),
     ("from coscrew_codegen.accuracy.tiers.plain import TIER\n",
      "coscrew_codegen.accuracy.tiers: another.py and plain.py are both called 'plain'")])
-def test_a_file_that_cannot_be_added_says_why(site, text, said):
+def test_a_file_that_cannot_be_added_says_why(site, text, message):
     file = site / "coscrew_codegen/accuracy/tiers/another.py"
     file.write_text(text)
     try:
         done = generated(site, "--family", "trig", "--output", "refused")
     finally:
         file.unlink()
-    assert done.returncode != 0 and said in done.stderr
+    assert done.returncode != 0 and message in done.stderr
     assert not (site / "refused").exists()
 
 

@@ -64,18 +64,19 @@ def test_regenerating_restores_what_is_committed(copy):
 
 
 def test_check_shows_each_difference_and_the_command_that_mends_it(copy, tmp_path, capsys):
-    """And no other difference: it derives everything anew, with this process's hash seed and
+    """There is no other difference: it derives everything anew, with this process's hash seed and
     locale."""
     folder = tmp_path / "changed"
     shutil.copytree(copy, folder)
     header = strewn(folder) / "c/include/ksl/coscrew.h"
-    header.write_text(header.read_text().replace(" - co_3b", " + co_3b"))
+    line = "  const double co_3 = KSL_MUL(D->m13, w_2) - KSL_MUL(D->m23, w_1) + w_3;"
+    assert line in header.read_text()
+    header.write_text(header.read_text().replace(line, line.replace(" - ", " + ")))
     (folder / "c/include/ksl/vec3.h").unlink()
     before = contents(folder)
     assert main(["generate", "--check", "--output", str(folder)]) == 1
     captured = capsys.readouterr()
-    assert ("+  const double co_3a = KSL_MUL(D->m13, w_2), co_3b = KSL_MUL(D->m23, w_1)"
-            in captured.out)
+    assert f"+{line}" in captured.out
     assert "--- /dev/null\n+++ c/include/ksl/vec3.h" in captured.out
     assert "--- c/include/ksl/old.h" in captured.out and "users.h" not in captured.out
     assert f"3 files are out of date; run `coscrew generate --output {folder}`" in captured.err
@@ -142,7 +143,7 @@ def test_options_add_files_and_change_none(tmp_path, capsys):
             "--many") in capsys.readouterr().err
 
 
-LARGEST = 15_700_000
+LARGEST = 13_000_000
 """Bytes that generated/ may have, as git stores them: uncompressed."""
 
 
@@ -174,9 +175,9 @@ def test_each_family_of_the_python_package_stands_alone(precision, tmp_path):
     done = subprocess.run([sys.executable, "-c", EACH_PACKAGE, *(tmp_path / x for x in FAMILIES)],
                           text=True, capture_output=True)
     assert done.returncode == 0, done.stderr
-    said = [line.split() for line in done.stdout.splitlines()]
-    assert [words[0] for words in said] == list(FAMILIES)
-    assert all(precision in words for words in said)
+    output = [line.split() for line in done.stdout.splitlines()]
+    assert [words[0] for words in output] == list(FAMILIES)
+    assert all(precision in words for words in output)
 
 
 @pytest.mark.parametrize(("arguments", "near"), [
@@ -226,13 +227,21 @@ def test_a_run_that_cannot_finish_leaves_the_old_files_whole(tmp_path, capsys, m
 
 
 def test_templates_hold_shapes_only():
+    """Lines that continue the one before do not count."""
     for path in (ROOT / "templates").rglob("*.jinja"):
-        assert len(path.read_text().splitlines()) <= 80, path.name
+        lines = [x for x in path.read_text().splitlines() if not x.lstrip().startswith("{#- #}")]
+        assert len(lines) <= 80, path.name
 
 
 def hand_written() -> list[Path]:
     return [path for folder in ("codegen", "examples", "templates", "tests")
             for path in sorted((ROOT / folder).rglob("*.py"))]
+
+
+def templates() -> list[Path]:
+    """All files in templates/: Jinja, C, scripts and styles."""
+    return [path for path in sorted((ROOT / "templates").rglob("*"))
+            if path.is_file() and path.suffix != ".pyc"]
 
 
 def test_every_hand_written_file_is_python():
@@ -243,10 +252,10 @@ def test_every_hand_written_file_is_python():
 
 def test_no_hand_written_line_is_over_100_characters():
     over = [f"{path.relative_to(ROOT)}:{number}: {len(line)} characters"
-            for path in hand_written()
+            for path in {*hand_written(), *templates()}
             for number, line in enumerate(path.read_text(encoding="utf-8").split("\n"), 1)
             if len(line) > 100]
-    assert not over, "\n".join(over)
+    assert not over, "\n".join(sorted(over))
 
 
 def test_what_is_built_is_what_is_generated():

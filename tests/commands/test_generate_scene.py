@@ -15,7 +15,8 @@ from tests.support.scenes.generated_scenes import imported
 from tests.support.scenes.scene_values import UNIT, inputs, same_bits
 
 FILES = ("arm.c", "arm.h", "arm/__init__.py", "arm/_arrays.py", "arm/_elementary_double.py",
-         "arm/_elementary_single.py", "arm/double.py", "arm/single.py")
+         "arm/_elementary_single.py", "arm/double.py", "arm/single.py", "armf.c",
+         "coscrew_runtime.h")
 
 SCENE = """
 name = "arm"
@@ -59,20 +60,20 @@ def generated(folder: Path) -> tuple[str, ...]:
 
 def test_files_are_written_and_checked(folder: Path, capsys: pytest.CaptureFixture[str]):
     assert main(["generate", "arm.toml", "-o", "out"]) == 0
-    said = capsys.readouterr()
-    assert said.out == "out: 8 files, 8 changed\n"
-    assert said.err.startswith("arm.toml: joint shoulder: damping 0.3")
-    assert said.err.count("\n") == 1
+    output = capsys.readouterr()
+    assert output.out == "out: 10 files, 10 changed\n"
+    assert output.err.startswith("arm.toml: joint shoulder: damping 0.3")
+    assert output.err.count("\n") == 1
     assert generated(folder / "out") == FILES
     assert main(["generate", "arm.toml", "--output", "out"]) == 0
-    assert capsys.readouterr().out == "out: 8 files, 0 changed\n"
+    assert capsys.readouterr().out == "out: 10 files, 0 changed\n"
     assert main(["generate", "arm.toml", "-o", "out", "--check"]) == 0
     header = folder / "out" / "arm.h"
     header.write_text(header.read_text().replace("ARM_NQ 5", "ARM_NQ 6"))
     assert main(["generate", "arm.toml", "-o", "out", "--check"]) == 1
-    said = capsys.readouterr()
-    assert "-#define ARM_NQ 6\n+#define ARM_NQ 5\n" in said.out
-    assert "out: 1 files are out of date; run `coscrew generate arm.toml -o out`" in said.err
+    output = capsys.readouterr()
+    assert "-#define ARM_NQ 6\n+#define ARM_NQ 5\n" in output.out
+    assert "out: 1 files are out of date; run `coscrew generate arm.toml -o out`" in output.err
     assert "ARM_NQ 6" in header.read_text()
 
 
@@ -101,7 +102,8 @@ def test_files_name_no_folder(folder: Path):
     for file in FILES:
         text = (folder / "out" / file).read_text(encoding="utf-8")
         first = text.split("\n")[0]
-        assert "Made by `coscrew generate arm.toml`; changes are overwritten." in first
+        made = "SCENE`, the same for every scene" if file == "coscrew_runtime.h" else "arm.toml`"
+        assert f"Made by `coscrew generate {made}; changes are overwritten." in first
         assert str(folder) not in text
 
 
@@ -128,8 +130,9 @@ def test_functions_of_many_states_are_generated_when_selected(folder: Path):
     assert main(["generate", "arm.toml", "-o", "out", "--many"]) == 0
     assert main(["generate", "arm.toml", "-o", "out", "--many", "--check"]) == 0
     for compiler in COMPILERS:
-        run([compiler, "-std=c11", *STRICT, "-O1", "-c", folder / "out" / "arm_many.c", "-o",
-             folder / "arm.o"])
+        for name in ("arm_many.c", "arm_manyf.c"):
+            run([compiler, "-std=c11", *STRICT, "-O1", "-c", folder / "out" / name, "-o",
+                 folder / "arm.o"])
     header = (folder / "out" / "arm_many.h").read_text()
     assert "\nvoid arm_energy_manyf(ptrdiff_t n, const float *p, ptrdiff_t p_stride," in header
 
@@ -148,8 +151,9 @@ def test_functions_for_cuda_are_generated_when_selected(folder: Path):
 def test_generated_c_compiles_and_loads_from_the_file(folder: Path):
     assert main(["generate", "arm.toml", "-o", "out"]) == 0
     for compiler in COMPILERS:
-        run([compiler, "-std=c11", *STRICT, EXACT, "-O2", "-c", folder / "out" / "arm.c", "-o",
-             folder / "arm.o"])
+        for name in ("arm.c", "armf.c"):
+            run([compiler, "-std=c11", *STRICT, EXACT, "-O2", "-c", folder / "out" / name, "-o",
+                 folder / "arm.o"])
     for given in ("arm.toml", Path("arm.toml")):
         kernels = load_scene(given)
         assert kernels.compiled and kernels.scene.name == "arm"
@@ -176,17 +180,18 @@ def test_bodies_and_joints_may_be_called_anything(folder: Path):
     named = (f"jacobian_{x}" for x in identifiers([f"{name} body" for name in AWKWARD]))
     assert main(["generate", "main_arm.toml", "-o", "out", "--functions", *functions, *named]) == 0
     for compiler, language in DIALECTS:
-        run([compiler, *language, *STRICT, "-fsyntax-only", folder / "out" / "main_arm.c"])
+        run([compiler, *language, *STRICT, "-fsyntax-only", folder / "out" / "main_arm.c",
+             folder / "out" / "main_armf.c"])
     kernels = load_scene("main_arm.toml", functions=functions)
     package = imported(kernels.functions, folder / "other")
     assert package.JOINTS == AWKWARD
     q, v, a = np.random.default_rng(3).normal(size=(3, 7, len(AWKWARD)))
     tau = package.double.inverse_dynamics(q, v, a)
-    found = kernels.double.forward_dynamics(q, v, tau)
+    result = kernels.double.forward_dynamics(q, v, tau)
     condition = np.linalg.cond(kernels.double.mass_matrix(q))
     largest = np.linalg.norm(a, axis=-1)
     bound = 100 * UNIT["double"] * condition * largest  # eight roundings for each joint, amplified
-    assert np.all(np.linalg.norm(found - a, axis=-1) <= bound)
+    assert np.all(np.linalg.norm(result - a, axis=-1) <= bound)
 
 
 @each_precision
@@ -207,27 +212,27 @@ def test_derived_dynamics_have_the_same_bits_in_c_and_numpy(folder: Path, precis
                 values[..., 1:] /= np.linalg.norm(values[..., 1:], axis=-1, keepdims=True)
             if name == "p":
                 np.abs(values, out=values)  # of masses and others that must be positive
-        found, wanted = (getattr(getattr(x, precision.name), function.name)(*arguments)
-                         for x in (kernels, package))
-        assert same_bits(found, wanted), function.name
+        result, wanted = (getattr(getattr(x, precision.name), function.name)(*arguments)
+                          for x in (kernels, package))
+        assert same_bits(result, wanted), function.name
         compared += 1
     assert compared >= 10
 
 
-@pytest.mark.parametrize("asked", ("--precision", "scene"))
-def test_single_precision_alone(folder: Path, asked: str):
+@pytest.mark.parametrize("requested", ("--precision", "scene"))
+def test_single_precision_alone(folder: Path, requested: str):
     """Its functions are the same as in files with both precisions; nothing is in double."""
     assert main(["generate", "arm.toml", "-o", "both"]) == 0
-    if asked == "scene":
+    if requested == "scene":
         (folder / "arm.toml").write_text('precision = "single"\n' + SCENE)
-    options = ["--precision", "single"] if asked == "--precision" else []
+    options = ["--precision", "single"] if requested == "--precision" else []
     assert main(["generate", "arm.toml", "-o", "out", *options]) == 0
-    assert generated(folder / "out") == tuple(x for x in FILES if "double" not in x)
-    alone, both = ((folder / x / "arm.c").read_text() for x in ("out", "both"))
-    start = "#ifndef ARM_NO_SINGLE"
-    assert alone[alone.index(start):] == both[both.index(start):]
+    assert generated(folder / "out") == tuple(
+        x for x in FILES if "double" not in x and x != "arm.c")
+    alone, both = ((folder / x / "armf.c").read_text().split("\n", 1)[1] for x in ("out", "both"))
+    assert alone == both
     header = (folder / "out" / "arm.h").read_text()
     assert "in single precision only" in header and "tau = M(q) a" in header
-    assert "double" not in alone[alone.index(start):] and "(double" not in header
+    assert "double" not in alone and "(double" not in header
     for compiler, dialect in DIALECTS:
-        run([compiler, *dialect, *STRICT, "-c", folder / "out" / "arm.c", "-o", folder / "x.o"])
+        run([compiler, *dialect, *STRICT, "-c", folder / "out" / "armf.c", "-o", folder / "x.o"])

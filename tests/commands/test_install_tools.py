@@ -27,7 +27,7 @@ INSTALLS = 'echo "apt-get $*" >>"$CALLS"; [ "$1" = update ] || echo >"$HERE/clan
 
 
 def machine(folder: Path, tools: Iterable[str], **commands: str) -> Path:
-    """A folder with these tools, all of which work, and commands of which it says what they do."""
+    """A folder with these working tools, and stand-ins that record their calls."""
     folder.mkdir()
     for name, text in {**dict.fromkeys(tools, "exit 0"), **USER, **commands}.items():
         (folder / name).write_text(f"#!/bin/sh\n{text}\n")
@@ -42,7 +42,7 @@ def without(*missing: str) -> list[str]:
 
 
 def called(path: Path, *words: str | Path, cwd: Path = ROOT) -> subprocess.CompletedProcess[str]:
-    """A command on that machine; what it calls of apt-get is in the file `calls` beside it."""
+    """Runs a command on that machine; its calls of apt-get are in the file `calls` beside it."""
     environment = {name: x for name, x in os.environ.items()
                    if not name.startswith("MAKE") and name != "PYTHON3"}
     environment |= {"PATH": str(path), "HERE": str(path), "CALLS": str(path.parent / "calls")}
@@ -124,7 +124,7 @@ def test_without_apt_the_packages_are_named(tmp_path):
 
 @pytest.mark.parametrize("complete", [False, True])
 def test_make_test_stops_before_anything_runs(tmp_path, complete):
-    """With everything there it goes on to pytest, for which Python's stand-in is called."""
+    """With all tools installed it continues to pytest, for which Python's stand-in is called."""
     project = tmp_path / "project"
     (project / "tests").mkdir(parents=True)
     (project / ".venv" / "bin").mkdir(parents=True)

@@ -44,8 +44,8 @@ TRIED: tuple[tuple[Setting, tuple[Setting, ...]], ...] = (
 """Runs, and all settings that do instead of theirs."""
 
 
-def said(how: Setting, right: tuple[Setting, ...], monkeypatch: pytest.MonkeyPatch,
-         stops: bool = False) -> str:
+def advised_by(how: Setting, right: tuple[Setting, ...], monkeypatch: pytest.MonkeyPatch,
+               stops: bool = False) -> str:
     """The advice for a run if these settings alone are right, and the reference `stops` or not."""
     def does(system: SimpleNamespace, planned: Plan, *_: object) -> bool:
         tolerances = (planned.rtol, planned.atol) if planned.adaptive else None
@@ -64,15 +64,15 @@ def said(how: Setting, right: tuple[Setting, ...], monkeypatch: pytest.MonkeyPat
 
 @pytest.mark.parametrize("how, right", TRIED)
 def test_advice_is_read_as_it_was_tried(how, right, monkeypatch):
-    words = said(how, right, monkeypatch)
+    words = advised_by(how, right, monkeypatch)
     assert advised(words, how) == right, words
     assert advised(f"a table\n\nFALSE: single: off, allowed is 1: why; {words}", how) == right
 
 
 def test_every_form_of_advice_is_read(monkeypatch):
-    """What `advice` can say is in the cases above, except for advice without a name."""
-    all_of_them = " | ".join([*(said(*case, monkeypatch) for case in TRIED),
-                              said(RK4, (), monkeypatch, stops=True)])
+    """The cases above contain every form of `advice`, except for advice without a name."""
+    all_of_them = " | ".join([*(advised_by(*case, monkeypatch) for case in TRIED),
+                              advised_by(RK4, (), monkeypatch, stops=True)])
     statements = [x for of in (step_advice.advised, step_advice._helping)
                   for x in ast.parse(inspect.getsource(of)).body[0].body[1:]]
     formats = {id(x) for s in statements for y in ast.walk(s) if isinstance(y, ast.FormattedValue)
@@ -109,18 +109,18 @@ def test_a_scene_file_has_the_setting(how):
         ["rtol = 0.00016", "atol = 3.2e-05"] if how.tolerances else [])
 
 
-def imported(path: Path, found: set[Path]) -> set[str]:
+def imported(path: Path, results: set[Path]) -> set[str]:
     """The packages that a module needs; puts it, and those beside it that it needs, into `found`.
     """
-    found.add(path)
+    results.add(path)
     packages = set()
     for x in ast.walk(ast.parse(path.read_text())):
         if isinstance(x, ast.Import):
             packages |= {y.name.partition(".")[0] for y in x.names}
         elif isinstance(x, ast.ImportFrom) and x.module.startswith("tests.support.motions"):
             near = x.module.split(".")[3:] or [y.name for y in x.names]
-            for other in {path.with_name(f"{name}.py") for name in near} - found:
-                packages |= imported(other, found)
+            for other in {path.with_name(f"{name}.py") for name in near} - results:
+                packages |= imported(other, results)
         elif isinstance(x, ast.ImportFrom):
             packages.add(x.module.partition(".")[0])
     return packages - sys.stdlib_module_names
@@ -161,7 +161,7 @@ class Runs:
     def __init__(self, says: dict[float, Said]) -> None:
         self.says = says
 
-    def said(self, how: Setting) -> Said:
+    def verdicts(self, how: Setting) -> Said:
         if how.step not in self.says:
             raise ZeroDivisionError("in a command")
         return self.says[how.step]
@@ -192,10 +192,10 @@ def test_an_error_is_a_finding_though_the_motion_is_unjudged():
 def test_advice_that_does_not_do_is_a_finding(then, says, false):
     motion = drawn("spring", 1)
     judge = Judged(motion, Runs({2.1 * 0.025: Said("stops", False, False, "")} | says), None)
-    (found,) = judge._follow(RK4, then)
-    assert found == then.words + false
+    (result,) = judge._follow(RK4, then)
+    assert result == then.words + false
     row = Judge(motion, Runs({}), None).row(RK4, follow=False)
-    kind = exceptions([replace(row, said=Said("", True, True, ""), advice=(found,))])
+    kind = exceptions([replace(row, verdicts=Said("", True, True, ""), advice=(result,))])
     assert f"advice: {false.lstrip(': ')}" in kind
 
 
@@ -209,6 +209,6 @@ def test_bodies_are_pushed_with_followers():
     for pushed, share in (("a", 1.0), ("b", 1 + k)):
         its = Dynamics(Mechanism(bodies, joints, (
             Acting("mimic", ""), Acting("wrench", pushed, {"force": (force, 0.0, 0.0)}))))
-        found = its.accelerations(0.0, np.zeros(2), np.zeros(2))
+        result = its.accelerations(0.0, np.zeros(2), np.zeros(2))
         wanted = share * force / (m + (1 + k)**2 * n)
-        assert found == pytest.approx([wanted, k * wanted], rel=1e-14)
+        assert result == pytest.approx([wanted, k * wanted], rel=1e-14)

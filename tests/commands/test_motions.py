@@ -1,5 +1,5 @@
-"""`simulate` and `check` pass right motions and refuse wrong ones: a sample of those that
-`python -m tests.motions_attack` judges."""
+"""`simulate` and `check` pass right motions and refuse wrong ones: a sample of the motions in
+`python -m tests.motions_attack`."""
 
 from dataclasses import replace
 
@@ -25,7 +25,7 @@ def test_short_steps_converge_to_the_judge(family):
 
 def test_errors_are_itsby_each_parts_own_amplitude():
     """A hundredth of a joint's swing more is between right and wrong; six hundredths are wrong; and
-    what is smaller than a twentieth of the floor is rest."""
+    motion below a twentieth of the floor is rest."""
     motion = drawn("servos_of_an_arm", 2)
     run = judge(motion)
     true = reference(motion, run.runs.times(Setting(motion.steps[0], "rk4", "double")))
@@ -34,8 +34,8 @@ def test_errors_are_itsby_each_parts_own_amplitude():
         for off, verdict in ((0.005, "right"), (0.02, "between"), (0.06, "wrong")):
             q = true.q.copy()
             q[-1, part] += off * max(swing[part], FLOOR)
-            found = errors(run.its, motion, true.q, true.v, true.q, true.v, q, true.v)
-            assert judged(found) == verdict, (part, off, found)
+            result = errors(run.its, motion, true.q, true.v, true.q, true.v, q, true.v)
+            assert judged(result) == verdict, (part, off, result)
     assert judged((Error("x", np.nan, 0.0),)) == "wrong"
 
 
@@ -80,16 +80,16 @@ def test_advised_tolerances_do():
     motion = drawn("spring", 1)
     its = judge(motion)
     how = Setting(motion.steps[0], "dop853", "double", (1e-2, 1e-2))
-    said = its.runs.said(how)
-    assert advised(said.text, how) == (replace(how, tolerances=(6.25e-4, 6.25e-4)),)
-    assert not [*its.followed(how, said)] and its.truth(how)[0] == "wrong"
+    message = its.runs.verdicts(how)
+    assert advised(message.text, how) == (replace(how, tolerances=(6.25e-4, 6.25e-4)),)
+    assert not [*its.followed(how, message)] and its.truth(how)[0] == "wrong"
 
 
 @pytest.mark.parametrize("number", (2, 6, 8))
 def test_speed_attitude_and_neighbours_change_no_verdict(number):
     """A base's link moves alike however its base travels, is turned, or what flies beside it."""
     first, beside = drawn("appendage", number), drawn("appendage_and_neighbour", number)
-    found = set()
+    results = set()
     for motion in (first, beside):
         for speed, attitude in ((0.0, (0.0, 0.0, 0.0, 1.0)), (300.0, (0.5, -0.5, 0.1, 0.7))):
             run = replace(
@@ -98,6 +98,7 @@ def test_speed_attitude_and_neighbours_change_no_verdict(number):
                                             "root": (0.0, 0.0, 0.0, *attitude)},
                 v={**motion.v, "root": (speed, 0.0, 0.0, 0.0, 0.0, 0.0)})
             row = judge(run).row(Setting(1e-3, "leapfrog", "double"), follow=False)
-            assert row.said
-            found.add((row.truth, bool(row.said.stopped), row.said.passed, row.said.strictly))
-    assert len(found) == 1, found
+            its = row.verdicts
+            assert its
+            results.add((row.truth, bool(its.stopped), its.passed, its.strictly))
+    assert len(results) == 1, results

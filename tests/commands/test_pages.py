@@ -1,4 +1,4 @@
-"""What all pages share: figures in their colours, with ids of their own; tables; escaping."""
+"""Shared parts of all pages: figures in their colours, with ids of their own; tables; escaping."""
 
 import re
 from xml.etree import ElementTree
@@ -46,17 +46,17 @@ def test_all_colours_of_a_figure_follow_the_theme():
 
 
 def test_ids_of_two_figures_in_a_page_differ():
-    found = []
+    results = []
     for label in ("one", "two & <three>"):
         root = ElementTree.fromstring(inline(drawn(), label, {"line 1": AWKWARD}))
         assert root.get("aria-label") == label
-        found.append({x.get("id") for x in root.iter() if x.get("id")})
+        results.append({x.get("id") for x in root.iter() if x.get("id")})
         used = {value.strip("#") for x in root.iter() for name, value in x.attrib.items()
                 if name.endswith("href")}
-        assert used and used <= found[-1]
+        assert used and used <= results[-1]
         (mark,) = (x for x in root.iter() if x.get("data-mark"))
         assert [x.text for x in mark if x.tag.endswith("title")] == [AWKWARD]
-    assert not found[0] & found[1]
+    assert not results[0] & results[1]
 
 
 @pytest.mark.parametrize("low, high, texts", (

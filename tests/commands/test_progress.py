@@ -1,4 +1,4 @@
-"""Where standard error is no terminal: lines of progress, and what SIGTERM leaves."""
+"""Progress where standard error is no terminal: lines, and the files after SIGTERM."""
 
 import re
 import signal
@@ -71,13 +71,13 @@ def test_sigterm_keeps_what_was_sampled_and_says_where(tmp_path):
     with interruptible(words, stdout=subprocess.PIPE, stderr=subprocess.PIPE) as process:
         first = process.stderr.readline()
         process.terminate()
-        said = process.communicate(timeout=300)[1]
-    assert process.returncode == TERMINATED == 128 + signal.SIGTERM, said
+        out = process.communicate(timeout=300)[1]
+    assert process.returncode == TERMINATED == 128 + signal.SIGTERM, out
     at, reached = re.match(r"coscrew: (\d)0 %: t ([\d.]+)/3000 s  \d+ %  ", first).groups()
     assert int(at) == float(reached) // 300  # lines come from the run's second second on
     rows = [x for x in output.read_text().splitlines() if not x.startswith("#")][1:]
-    assert re.search(rf"interrupted after t = \d+ s; {len(rows)} samples kept in {output}\n", said)
-    assert "Traceback" not in said
+    assert re.search(rf"interrupted after t = \d+ s; {len(rows)} samples kept in {output}\n", out)
+    assert "Traceback" not in out
 
 
 def test_sigterm_says_what_a_sweep_has_written(tmp_path):
@@ -89,19 +89,19 @@ def test_sigterm_says_what_a_sweep_has_written(tmp_path):
             with suppress(subprocess.TimeoutExpired):
                 process.wait(0.05)
         process.terminate()
-        said = process.communicate(timeout=300)[1]
-    assert process.returncode == TERMINATED, said
-    (count,) = re.findall(rf"interrupted; (\d+) of 300000000 members are written into {out}", said)
+        text = process.communicate(timeout=300)[1]
+    assert process.returncode == TERMINATED, text
+    (count,) = re.findall(rf"interrupted; (\d+) of 300000000 members are written into {out}", text)
     rows = [pyarrow.parquet.read_metadata(x).num_rows for x in (out / "members").iterdir()]
-    assert sum(rows) == int(count) > 0 and "Traceback" not in said
+    assert sum(rows) == int(count) > 0 and "Traceback" not in text
 
 
 @pytest.mark.parametrize("command", ("effects", "simulate"))
 def test_sigterm_while_a_command_starts_is_told_in_a_line(command, tmp_path):
     words = (sys.executable, "-c", STOPPED.format(command=command, scene=Path("none.toml")))
     with interruptible(words, stdout=subprocess.PIPE, stderr=subprocess.PIPE) as process:
-        out, said = process.communicate(timeout=120)
-    assert (process.returncode, out, said) == (TERMINATED, "", "coscrew: interrupted\n")
+        out, message = process.communicate(timeout=120)
+    assert (process.returncode, out, message) == (TERMINATED, "", "coscrew: interrupted\n")
 
 
 STOPPED = """

@@ -13,11 +13,11 @@ REPLACED = re.compile(rf"\b({'|'.join(map(re.escape, PHRASES))})\b", re.IGNORECA
 def texts() -> list[Path]:
     """Sources, tests, templates and guides; not the glossary and this file, which name the phrases.
     """
-    found = [*ROOT.glob("*.md"), *ROOT.glob("docs/*.md")]
+    results = [*ROOT.glob("*.md"), *ROOT.glob("docs/*.md")]
     for folder in ("codegen", "templates", "tests"):
-        found += [x for x in (ROOT / folder).rglob("*")
-                  if x.suffix in (".py", ".jinja", ".js", ".css", ".c", ".h")]
-    return [x for x in sorted(found) if x not in (GLOSSARY, Path(__file__))]
+        results += [x for x in (ROOT / folder).rglob("*")
+                    if x.suffix in (".py", ".jinja", ".js", ".css", ".c", ".h")]
+    return [x for x in sorted(results) if x not in (GLOSSARY, Path(__file__))]
 
 
 def replaced(text: str) -> list[str]:
@@ -26,9 +26,9 @@ def replaced(text: str) -> list[str]:
 
 
 def test_one_idea_has_one_word():
-    found = {x.relative_to(ROOT).as_posix(): words for x in texts()
-             if (words := replaced(x.read_text(encoding="utf-8")))}
-    assert not found, f"docs/glossary.md says what to write instead: {found}"
+    results = {x.relative_to(ROOT).as_posix(): words for x in texts()
+               if (words := replaced(x.read_text(encoding="utf-8")))}
+    assert not results, f"docs/glossary.md says what to write instead: {results}"
 
 
 def test_a_replaced_phrase_is_found():

@@ -1,5 +1,5 @@
-"""What effects exert, their powers and energies, and whether they saturate: in recordings, tables
-of sweeps, expectations, pages and generated functions."""
+"""Forces and torques of effects, their powers, energies and saturation: in recordings, tables of
+sweeps, expectations, pages and generated functions."""
 
 import json
 import math
@@ -87,9 +87,9 @@ def written(folder: Path, record: tuple[str, ...] = RECORD, more: str = "") -> P
 @pytest.mark.parametrize("precision", ["double", "single"])
 def test_recorded_effects_are_their_formulas(tmp_path: Path, precision: str) -> None:
     """At each sample, of the recorded q and v."""
-    found = run(written(tmp_path), precision=precision, p={"viscous.slide.d": 5})
-    got = {name: np.asarray(x, float) for name, x in found.recorded.items()}
-    t, (x, q), (u, w) = found.t, np.asarray(found.q, float).T, np.asarray(found.v, float).T
+    result = run(written(tmp_path), precision=precision, p={"viscous.slide.d": 5})
+    got = {name: np.asarray(x, float) for name, x in result.recorded.items()}
+    t, (x, q), (u, w) = result.t, np.asarray(result.q, float).T, np.asarray(result.v, float).T
     demanded = 30 * (np.sin(3 * t) - q) - 2 * w
     torque = np.clip(demanded, -4, 4)
     s, c, zero = np.sin(q), np.cos(q), 0 * q
@@ -110,7 +110,7 @@ def test_recorded_effects_are_their_formulas(tmp_path: Path, precision: str) -> 
         "armature.hinge.energy": 0.1 * w * w, "gravity.energy": -9.81 * 0.5 * c,
         "gravity.power": -9.81 * 0.5 * s * w}
     assert 0 < got["actuator.hinge.saturated"].mean() < 1
-    unit = np.finfo(found.q.dtype).eps
+    unit = np.finfo(result.q.dtype).eps
     for name, values in wanted.items():
         size = max(1, np.abs(values).max())
         clear = np.abs(np.abs(demanded) - 4) > 1e-4 if name.endswith("saturated") else t >= 0
@@ -121,8 +121,8 @@ def test_recorded_effects_are_their_formulas(tmp_path: Path, precision: str) -> 
 
 
 def test_columns_have_the_units_of_their_joint(tmp_path: Path) -> None:
-    found = {x.name: x.unit for x in run(written(tmp_path)).recording.columns}
-    assert {name: found[name] for name in (
+    results = {x.name: x.unit for x in run(written(tmp_path)).recording.columns}
+    assert {name: results[name] for name in (
         "viscous.slide.torque", "viscous.hinge.torque", "viscous.slide.power",
         "spring.slide.energy", "actuator.hinge.saturated", "drag.bob.force.2",
         "drag.bob.torque.1", "spring_damper.cord.force")} == {
@@ -161,19 +161,19 @@ def test_functions_of_effects_come_with_their_records_only(tmp_path: Path) -> No
 
 
 
-def pd_torque(found: Result) -> float:
+def pd_torque(result: Result) -> float:
     """The actuator's at the end, by its formula, of the recorded q and v."""
-    demanded = 30 * (math.sin(3 * found.t[-1]) - found.q[-1, 1]) - 2 * found.v[-1, 1]
+    demanded = 30 * (math.sin(3 * result.t[-1]) - result.q[-1, 1]) - 2 * result.v[-1, 1]
     return min(max(float(demanded), -4.0), 4.0)
 
 
 @pytest.mark.parametrize("until, saturated", [(0.2, True), (1.5, False)])
-@pytest.mark.parametrize("off, status, said", [(0, 0, "pass"), (2e-9, 1, "FAIL"),
-                                               (-2e-9, 1, "FAIL")])
+@pytest.mark.parametrize("off, status, message", [(0, 0, "pass"), (2e-9, 1, "FAIL"),
+                                                  (-2e-9, 1, "FAIL")])
 def test_an_expectation_may_be_of_an_effect(tmp_path: Path, capsys: pytest.CaptureFixture,
                                             until: float, saturated: bool, off: float,
-                                            status: int, said: str) -> None:
-    """It passes with the formula's value, and fails with one that is off by twice what may be."""
+                                            status: int, message: str) -> None:
+    """It passes with the formula's value, and fails with one that is off by twice the tolerance."""
     torque = pd_torque(run(written(tmp_path, ("q",)), until=until))
     assert (abs(torque) == 4) == saturated
     path = written(tmp_path, ("q",), f"""[expect]
@@ -181,7 +181,7 @@ def test_an_expectation_may_be_of_an_effect(tmp_path: Path, capsys: pytest.Captu
 """)
     assert main(["check", str(path), "--precision", "double"]) == status
     (line,) = (x for x in capsys.readouterr().out.splitlines() if "actuator.hinge.torque" in x)
-    assert line.split()[0] == said
+    assert line.split()[0] == message
 
 
 def test_tables_of_sweeps_have_the_saturated_share(tmp_path: Path) -> None:
@@ -200,7 +200,7 @@ def test_tables_of_sweeps_have_the_saturated_share(tmp_path: Path) -> None:
 
 def test_the_page_shows_recorded_effects(tmp_path: Path) -> None:
     path = written(tmp_path)
-    found = run(path)
+    result = run(path)
     assert main(["simulate", str(path), "--view", str(tmp_path / "driven.html")]) == 0
     with chromium() as browser:
         browser.get((tmp_path / "driven.html").as_uri())
@@ -209,16 +209,16 @@ def test_the_page_shows_recorded_effects(tmp_path: Path) -> None:
         names = [x.text for x in browser.find_elements(By.CSS_SELECTOR, ".recorded dt")]
         lines = browser.find_elements(By.CSS_SELECTOR, ".recorded [data-mark]")
         place = names.index("actuator.hinge.torque")
-        for k in (0, 40, len(found.t) - 1):
-            browser.execute_script("seek(arguments[0]);", float(found.t[k]))
+        for k in (0, 40, len(result.t) - 1):
+            browser.execute_script("seek(arguments[0]);", float(result.t[k]))
             text = browser.find_elements(By.CSS_SELECTOR, ".recorded dd")[place].text
-            wanted = found.recorded["actuator.hinge.torque"][k]
+            wanted = result.recorded["actuator.hinge.torque"][k]
             assert text.endswith(" N m") and float(text[:-4]) == pytest.approx(wanted, rel=1e-3)
         assert browser.get_log("browser") == []
     assert any(x.startswith("torque in N m, from ") for x in captions)
     assert any(x.startswith("torque in N, from ") for x in captions)
     assert len(lines) == len(names) == sum(
-        1 for x in found.recording.columns if x.name.partition(".")[0] in CATALOGUE)
+        1 for x in result.recording.columns if x.name.partition(".")[0] in CATALOGUE)
 
 
 # laws
@@ -232,30 +232,30 @@ def everything() -> Evaluated:
 
 def quantities(f: Evaluated, state: dict) -> list[tuple[Scene, str, mpmath.mpf]]:
     """(effect, quantity, value) of all that are scalars."""
-    found = []
+    results = []
     for name, applied in functions_of_effects(f.scene).items():
         values = iter(f.components(name, **state))
         for quantity, units in units_of(applied, f.scene).items():
             several = [next(values) for _ in units]
             if len(units) == 1:
-                found.append((applied, quantity, several[0]))
-    return found
+                results.append((applied, quantity, several[0]))
+    return results
 
 
 def test_effects_add_up_to_the_energy_and_power_of_the_scene(everything: Evaluated) -> None:
-    """Potential energies to the potential energy, powers of what stores nothing to the power, for
-    all effects but those that do both: limits and dampers."""
+    """Potential energies to the potential energy, powers of effects that store nothing to the
+    power, except for limits and dampers, which do both."""
     with mpmath.workdps(50):
         state = random_state(everything, 3)
         del state["tau"]
-        found = quantities(everything, state)
-        stored = [x for applied, quantity, x in found
+        result = quantities(everything, state)
+        stored = [x for applied, quantity, x in result
                   if quantity == "energy" and not applied.effect.joint_inertia]
         assert_same([everything("energy", **state)[1]], [sum(stored)])
         both = {"limit", "spring_damper"}
         plain = Evaluated(replace(everything.scene, effects=tuple(
             x for x in everything.scene.effects if x.effect.name not in both)), MULTIPRECISE)
-        lost = [x for applied, quantity, x in found if quantity == "power"
+        lost = [x for applied, quantity, x in result if quantity == "power"
                 and not applied.effect.stores_energy]
         assert_same([plain("power", **state)], [sum(lost)])
 

@@ -11,7 +11,6 @@ import pyarrow.parquet
 import pytest
 
 from coscrew_codegen import load_scene
-from coscrew_codegen.scene.content import content_hash
 from coscrew_codegen.scene.readers.toml.toml_scene import read_scene
 from coscrew_codegen.simulation import SimulateError
 from coscrew_codegen.simulation.recordings import recording_writer
@@ -27,10 +26,10 @@ EVERYTHING = """record = ["q", "v", "a", "energy", "momentum", "power", "pose.bo
     "twist.bob", "reaction.hinge", "energy.total", "pose.bob.3"]"""
 
 
-def outcomes(folder: Path, text: str, **asked):
+def outcomes(folder: Path, text: str, **requested):
     path = folder / "scene.toml"
     path.write_text(text)
-    return simulated(load_scene(path, functions=STEPPED), RunOverrides(**asked))
+    return simulated(load_scene(path, functions=STEPPED), RunOverrides(**requested))
 
 
 @pytest.fixture(scope="module")
@@ -55,14 +54,14 @@ def truth(recording: Recording) -> tuple[np.ndarray, np.ndarray]:
 @pytest.mark.parametrize("number, error", ((0, 1e-9), (1, 1e-4)))
 def test_quantities_of_a_pendulum_are_its_closed_forms(swings, number, error):
     """A point mass of 1 kg at 1 m: all from angle and speed, which come from elliptic functions."""
-    found, g = swings[number].recording, texts.GRAVITY
-    q, v = truth(found)
+    result, g = swings[number].recording, texts.GRAVITY
+    q, v = truth(result)
     s, c, zero = np.sin(q), np.cos(q), 0 * q
     wanted = {
         "q.hinge": q, "v.hinge": v, "a.hinge": -g * s, "power": zero,
         "energy.kinetic": v**2 / 2, "energy.potential": -g * c, "energy.total": v**2 / 2 - g * c}
     for name, values in wanted.items():
-        assert np.abs(found.of(name) - values).max() < error, name
+        assert np.abs(result.of(name) - values).max() < error, name
     place, velocity = np.column_stack((-s, zero, -c)), np.column_stack((-c * v, zero, s * v))
     turn = np.column_stack((c, zero, s, -s, zero, 1 + zero, zero, zero, -s, zero, c, -c))
     own = np.column_stack((-v, zero, zero, zero, v, zero))  # the bob's frame moves with the bob
@@ -71,20 +70,20 @@ def test_quantities_of_a_pendulum_are_its_closed_forms(swings, number, error):
             ("position.bob", 3, place), ("pose.bob", 12, turn), ("twist.bob", 6, own),
             ("momentum", 6, np.column_stack((velocity, np.cross(place, velocity)))),
             ("reaction.hinge", 6, reaction)):
-        assert np.abs(columns(found, stem, count) - values).max() < error, stem
+        assert np.abs(columns(result, stem, count) - values).max() < error, stem
 
 
 def test_the_power_of_damping_is_recorded(tmp_path):
-    (found,) = [x.recording for x in outcomes(tmp_path, texts.SPRING, precision="double")]
-    v = np.array([float(texts.spring(t)[1]) for t in found.t])
-    assert np.abs(found.of("power") + texts.DAMPING * v**2).max() < 1e-9
+    (result,) = [x.recording for x in outcomes(tmp_path, texts.SPRING, precision="double")]
+    v = np.array([float(texts.spring(t)[1]) for t in result.t])
+    assert np.abs(result.of("power") + texts.DAMPING * v**2).max() < 1e-9
 
 
 def test_columns_have_names_and_units_once(swings):
-    found = swings[0].recording
-    names = [x.name for x in found.columns]
-    assert len(set(names)) == len(names) == found.values.shape[1]
-    units = {x.name: x.unit for x in found.columns}
+    result = swings[0].recording
+    names = [x.name for x in result.columns]
+    assert len(set(names)) == len(names) == result.values.shape[1]
+    units = {x.name: x.unit for x in result.columns}
     assert [units[x] for x in ("q.hinge", "v.hinge", "a.hinge", "energy.kinetic", "power",
                                "pose.bob.0", "pose.bob.3", "reaction.hinge.0", "reaction.hinge.5")
             ] == ["rad", "rad/s", "rad/s^2", "J", "W", "1", "m", "N", "N m"]
@@ -121,10 +120,10 @@ def read_back(path: Path) -> tuple[list[str], np.ndarray, np.ndarray, dict[str, 
     """Names with units, t, values and provenance, read by programs that know nothing of coscrew."""
     if path.suffix == ".csv":
         lines = path.read_text().splitlines()
-        told = dict(x[2:].split(": ", 1) for x in lines if x.startswith("#"))
+        provenance = dict(x[2:].split(": ", 1) for x in lines if x.startswith("#"))
         rows = list(csv.reader(io.StringIO("\n".join(x for x in lines if not x.startswith("#")))))
         numbers = np.array(rows[1:], float)
-        return rows[0], numbers[:, 0], numbers[:, 1:], told
+        return rows[0], numbers[:, 0], numbers[:, 1:], provenance
     if path.suffix == ".npz":
         with np.load(path, allow_pickle=False) as data:
             names = [f"{x} [{unit}]"
@@ -140,35 +139,35 @@ def read_back(path: Path) -> tuple[list[str], np.ndarray, np.ndarray, dict[str, 
 @pytest.mark.parametrize("number", (0, 1))
 @pytest.mark.parametrize("ending", ENDINGS)
 def test_files_read_back_to_the_same_bits(swings, tmp_path, ending, number):
-    found, path = swings[number].recording, tmp_path / f"out{ending}"
-    recording_writer.write(found, path)
-    names, t, values, told = read_back(path)
-    assert names == ["t [s]", *(f"{x.name} [{x.unit}]" for x in found.columns)]
-    assert t.tobytes() == found.t.tobytes()
-    assert values.astype(found.values.dtype).tobytes() == found.values.tobytes()
-    assert told == dict(found.provenance)
+    result, path = swings[number].recording, tmp_path / f"out{ending}"
+    recording_writer.write(result, path)
+    names, t, values, provenance = read_back(path)
+    assert names == ["t [s]", *(f"{x.name} [{x.unit}]" for x in result.columns)]
+    assert t.tobytes() == result.t.tobytes()
+    assert values.astype(result.values.dtype).tobytes() == result.values.tobytes()
+    assert provenance == dict(result.provenance)
 
 
 def test_provenance_says_where_numbers_come_from(swings):
-    told = dict(swings[1].recording.provenance)
-    assert told["scene"] == "scene"
-    assert len(told["scene sha256"]) == 64
-    assert (told["precision"], told["integrator"]) == ("single", "rk4, step 0.001 s")
-    assert "-ffp-contract=off" in told["compiler"]
-    assert told["coscrew"]
-    assert "/" not in told["coscrew"]
+    provenance = dict(swings[1].recording.provenance)
+    assert provenance["scene"] == "scene"
+    assert len(provenance["scene sha256"]) == 64
+    assert (provenance["precision"], provenance["integrator"]) == ("single", "rk4, step 0.001 s")
+    assert "-ffp-contract=off" in provenance["compiler"]
+    assert provenance["coscrew"]
+    assert "/" not in provenance["coscrew"]
 
 
-@pytest.mark.parametrize("every, step, told", [
+@pytest.mark.parametrize("every, step, messages", [
     (0.01, 1e-3, "step 0.001 s"),
     (1e-4, 1e-3, "step 0.0001 s (at most 0.001 s, and a part of every = 0.0001 s)"),
     (0.01, 0.5, "step 0.01 s (at most 0.5 s, and a part of every = 0.01 s)"),
     (0.0015, 1e-3, "step 0.00075 s (at most 0.001 s, and a part of every = 0.0015 s)")])
-def test_provenance_tells_the_step_that_is_taken(tmp_path, every, step, told):
+def test_provenance_tells_the_step_that_is_taken(tmp_path, every, step, messages):
     """A sample lies at the end of a step."""
     text = texts.PENDULUM.replace("every = 0.05", f"every = {every}")
-    found = outcomes(tmp_path, text, until=0.03, step=step, precision="double")[0].recording
-    assert dict(found.provenance)["integrator"] == f"rk4, {told}"
+    result = outcomes(tmp_path, text, until=0.03, step=step, precision="double")[0].recording
+    assert dict(result.provenance)["integrator"] == f"rk4, {messages}"
 
 
 @pytest.mark.parametrize("ending", (*ENDINGS, ".svg", ".png"))
@@ -204,10 +203,10 @@ def test_awkward_names_stay_one_column(tmp_path):
     for ending in ENDINGS:
         path = tmp_path / f"out{ending}"
         recording_writer.write(odd, path)
-        names, _, values, told = read_back(path)
+        names, _, values, provenance = read_back(path)
         assert names == ["t [s]", 'q.a,"b" [rad]', "q.$x_1$ [m]"]
         assert values.tolist() == [[1.0, np.inf]]
-        assert " ".join(told["what"].split()) == "two lines"
+        assert " ".join(provenance["what"].split()) == "two lines"
     plot([odd], tmp_path / "out.svg")
 
 
@@ -217,7 +216,7 @@ def test_the_hash_is_of_what_the_scene_says_not_of_its_layout(tmp_path):
     def hashed(text: str) -> str:
         path = tmp_path / "scene.toml"
         path.write_text(text)
-        return content_hash(read_scene(path))
+        return read_scene(path).content_hash
 
     own = hashed(texts.SPRING)
     assert hashed("# a comment\n" + texts.SPRING.replace("mass = 2", "mass = 2.0")) == own

@@ -58,8 +58,8 @@ def test_the_report_holds_what_was_asked(made: Path):
 
 def test_a_comparison_names_file_and_ratio(made: Path, tmp_path: Path):
     report = Report.from_json((made / "report.json").read_text())
-    found = ranking.compared(report, report, "before.json")
-    assert found.file == "before.json" and {row.ratio for row in found.rows} == {1.0}
+    result = ranking.compared(report, report, "before.json")
+    assert result.file == "before.json" and {row.ratio for row in result.rows} == {1.0}
     slower = replace(report, entries=tuple(
         replace(e, times=tuple(replace(t, ns=3 * t.ns) for t in e.times)) for e in report.entries))
     rows = ranking.compared(report, slower, "").rows
@@ -69,10 +69,10 @@ def test_a_comparison_names_file_and_ratio(made: Path, tmp_path: Path):
 @pytest.mark.parametrize("change", [
     ("schema", 1), ("entries", {}), ("provenance", None), ("drift", [{"precision": "double"}])])
 def test_a_report_that_is_none_is_refused(made: Path, change: tuple[str, object]):
-    found = json.loads((made / "report.json").read_text())
-    found[change[0]] = change[1]
+    result = json.loads((made / "report.json").read_text())
+    result[change[0]] = change[1]
     with pytest.raises(ValueError, match=f"schema {SCHEMA}|{change[0]}"):
-        Report.from_json(json.dumps(found))
+        Report.from_json(json.dumps(result))
 
 
 def test_wrong_options_are_refused_before_measuring(tmp_path: Path,
@@ -80,16 +80,16 @@ def test_wrong_options_are_refused_before_measuring(tmp_path: Path,
     (tmp_path / "cases.txt").write_text("# fine\ndot_cs double : 0x1p0 : here\n")
     (tmp_path / "no.json").write_text("{}")
     output = ["--output", str(tmp_path / "out")]
-    for words, said in ((["--op", "product_CoAd"], "did you mean 'product_CoAdc'?"),
-                        (["--minutes", "0"], "--minutes: wanted a positive number; got 0.0"),
-                        (["--minutes", "nan"], "--minutes"), (["--seed", "-1"], "--seed"),
-                        (["--compare", str(tmp_path / "none")], "cannot read"),
-                        (["--compare", str(tmp_path / "no.json")], "is no report"),
-                        (["--hard-cases", str(tmp_path / "none")], "wanted a folder"),
-                        (["--hard-cases", str(tmp_path)], "cases.txt:2"),
-                        (["--output", str(tmp_path / "no.json")], "cannot write")):
+    for words, message in ((["--op", "product_CoAd"], "did you mean 'product_CoAdc'?"),
+                           (["--minutes", "0"], "--minutes: wanted a positive number; got 0.0"),
+                           (["--minutes", "nan"], "--minutes"), (["--seed", "-1"], "--seed"),
+                           (["--compare", str(tmp_path / "none")], "cannot read"),
+                           (["--compare", str(tmp_path / "no.json")], "is no report"),
+                           (["--hard-cases", str(tmp_path / "none")], "wanted a folder"),
+                           (["--hard-cases", str(tmp_path)], "cases.txt:2"),
+                           (["--output", str(tmp_path / "no.json")], "cannot write")):
         assert main([*FEW, *output, *words]) == 2
-        assert said in capsys.readouterr().err
+        assert message in capsys.readouterr().err
     assert not (tmp_path / "out" / "report.json").exists()
 
 
@@ -127,6 +127,6 @@ def test_an_interrupt_leaves_no_half_report(tmp_path: Path):
             time.sleep(0.05)
         time.sleep(3)
         running.send_signal(signal.SIGINT)
-        _, said = running.communicate(timeout=300)
-    assert running.returncode == 130 and "interrupted" in said and "Traceback" not in said
+        _, message = running.communicate(timeout=300)
+    assert running.returncode == 130 and "interrupted" in message and "Traceback" not in message
     assert not list((tmp_path / "out").iterdir())

@@ -27,15 +27,15 @@ def folder(tmp_path_factory):
 
 def markdown_rows(text):
     """The cells of all rows of all tables, as a Markdown reader sees them."""
-    found, row = [], None
+    result, row = [], None
     for token in MarkdownIt("commonmark", {"html": True}).enable("table").parse(text):
         if token.type == "tr_open":
             row = []
         elif token.type == "inline" and row is not None:
             row.append("".join(child.content for child in token.children))
         elif token.type == "tr_close":
-            found, row = [*found, row], None
-    return found
+            result, row = [*result, row], None
+    return result
 
 
 def shown(x):

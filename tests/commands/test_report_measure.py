@@ -1,4 +1,5 @@
-"""What `coscrew report` measures: errors against independent arithmetic, times, drift, the JSON."""
+"""Measurements of `coscrew report`: errors against independent arithmetic, times, drift, the JSON.
+"""
 
 import math
 from dataclasses import replace
@@ -37,15 +38,15 @@ NAMES = ("product_CoAdc", "cross_sc", "dot_cs", "product_dd", "mat3x3_determinan
 
 def exactly(operation: Operation, rows: np.ndarray) -> list[list[Fraction]]:
     """The results by the published matrices, in fractions."""
-    found = []
+    results = []
     for row in rows:
         arguments = [np.array(list(map(Fraction, map(float, x.ravel()))), object).reshape(
             a.quantity.shape)[()] for x, a in zip(inputs.split(operation, row[None]),
                                                   operation.inputs, strict=True)]
         values = FORMULAS[operation.name](*arguments)
         parts = values if isinstance(values, tuple) else (values,)
-        found.append([x for part in parts for x in np.atleast_1d(part).ravel()])
-    return found
+        results.append([x for part in parts for x in np.atleast_1d(part).ravel()])
+    return results
 
 
 def spacing(x: Fraction, precision: Precision) -> Fraction:
@@ -62,18 +63,19 @@ def test_truth_is_what_fractions_say(name: str, precision: Precision):
     operation = BY_NAME[name]
     rows = np.concatenate([draw(operation, precision, 30, 5)
                            for draw in (inputs.benign, inputs.hard)])
-    found = truth(operation, precision, rows)
+    result = truth(operation, precision, rows)
     for i, values in enumerate(exactly(operation, rows)):
         for j, x in enumerate(values):
             near, rest, unit = (Fraction(float(a[i, j]))
-                                for a in (found.near, found.rest, found.unit))
+                                for a in (result.near, result.rest, result.unit))
             if x:
                 assert unit == spacing(x, precision), (x, unit)
             assert abs(near + rest * unit - x) <= unit * abs(rest) / 2**52
 
 
 def test_ulp_is_of_the_binade_a_number_lies_in():
-    """Also for numbers that are not binary fractions, next to powers of two, and subnormal."""
+    """This holds for numbers that are not binary fractions, next to powers of two, and subnormal,
+    too."""
     third = mpq(1, 3**60)
     assert [ulp(x, DOUBLE) * 2**53 for x in (mpq(2, 3), mpq(1), 1 - third, 1 + third, -2 + third)] \
         == [1, 2, 1, 2, 2]
@@ -86,8 +88,8 @@ def test_truth_of_a_norm_is_the_integer_root(precision: Precision):
     """floor(2^400 |v|) by integers lies where the report's truth does."""
     operation = BY_NAME["vec3_l2norm"]
     rows = inputs.hard(operation, precision, 40, 3)
-    found = truth(operation, precision, rows)
-    for row, near, rest, unit in zip(rows, found.near[:, 0], found.rest[:, 0], found.unit[:, 0],
+    result = truth(operation, precision, rows)
+    for row, near, rest, unit in zip(rows, result.near[:, 0], result.rest[:, 0], result.unit[:, 0],
                                      strict=True):
         square = sum(Fraction(float(x))**2 for x in row)
         root = Fraction(math.isqrt(square.numerator * 2**800 // square.denominator), 2**400)
@@ -111,28 +113,28 @@ def test_a_wrong_kernel_shows_its_error(precision: Precision):
         results.append(x)
         return (x,)
 
-    found = kernel_errors.accuracy(operation, plain, benign, hard, wrong)
+    result = kernel_errors.accuracy(operation, plain, benign, hard, wrong)
     values = exactly(operation, benign.rows)
     counted = [abs(Fraction(float(r)) - x) / spacing(x, precision) for row, got in
                zip(values, results[0], strict=True) for r, x in zip(got, row, strict=True)]
-    assert found.benign.worst == pytest.approx(float(max(counted)), rel=1e-12)
-    assert 2.5 <= found.benign.median <= found.benign.worst <= 6.5  # twice beside a power of two
-    assert found.bound.worst_ratio > 1
-    witness = [float.fromhex(x) for x in found.benign.witness]
+    assert result.benign.worst == pytest.approx(float(max(counted)), rel=1e-12)
+    assert 2.5 <= result.benign.median <= result.benign.worst <= 6.5  # twice beside a power of two
+    assert result.bound.worst_ratio > 1
+    witness = [float.fromhex(x) for x in result.benign.witness]
     assert witness in benign.rows.astype(float).tolist()
 
 
 def counted_of(name: str, rows: list[list[float]],
                results: list[list[float]]) -> tuple[int, float]:
-    """How many of these results the report counts, and their worst error."""
+    """The number of these results that the report counts, and their worst error."""
     operation = BY_NAME[name]
     plain, *_ = variants_of(operation, DOUBLE)
     inputs_ = np.array(rows)
     sample = kernel_errors.InputSample(inputs_, truth(operation, DOUBLE, inputs_))
     sizes = np.cumsum([a.quantity.size for a in operation.outputs])[:-1]
     outputs = tuple(np.split(np.array(results), sizes, axis=1))
-    found = kernel_errors.accuracy(operation, plain, sample, sample, lambda *_: outputs)
-    return (found.benign.outputs, found.benign.worst) if found.benign else (0, 0.0)
+    result = kernel_errors.accuracy(operation, plain, sample, sample, lambda *_: outputs)
+    return (result.benign.outputs, result.benign.worst) if result.benign else (0, 0.0)
 
 
 NAN, INF = math.nan, math.inf
@@ -170,10 +172,10 @@ def test_quantiles_of_known_errors():
     operation = BY_NAME["dot_cs"]
     rows = np.arange(12000.0).reshape(1000, 12)
     known = np.random.default_rng(1).permutation(np.arange(1.0, 1001.0))[:, None]
-    found = kernel_errors.summarised(operation, rows, known, np.ones_like(known, bool))
-    assert (found.outputs, found.worst, found.p999, found.median) == (1000, 1000, 999, 500)
+    result = kernel_errors.summarised(operation, rows, known, np.ones_like(known, bool))
+    assert (result.outputs, result.worst, result.p999, result.median) == (1000, 1000, 999, 500)
     worst = int(np.argmax(known))
-    assert found.witness == tuple(float(x).hex() for x in rows[worst])
+    assert result.witness == tuple(float(x).hex() for x in rows[worst])
     half = kernel_errors.summarised(operation, rows, known, known <= 500)
     assert (half.outputs, half.worst) == (500, 500)
     assert kernel_errors.summarised(operation, rows, known, known > 1000) is None
@@ -181,7 +183,7 @@ def test_quantiles_of_known_errors():
 
 @pytest.mark.parametrize("named", [("lin", "ang"), ("co",)])
 def test_normwise_errors_are_relative_to_the_largest_component(named: tuple[str, ...]):
-    """Of the part, or of the output, as the operation states."""
+    """The component is the largest of the part, or of the output, as the operation states."""
     plain = BY_NAME["cross_sc"]
     operation = replace(plain, normwise=tuple(Normwise(name, 3) for name in named))
     rows = inputs.benign(operation, DOUBLE, 20, 4)
@@ -208,8 +210,8 @@ def test_compiled_kernels_give_the_packages_bits(precision: Precision, tmp_path:
     for library in kernel_library.libraries(variants, kernel_library.compilers(tmp_path), tmp_path):
         for v in filter(python_function, variants):
             arguments = inputs.split(v.operation, inputs.benign(v.operation, precision, 9, 1))
-            found = python_function(v)(*arguments)
-            want = found if isinstance(found, tuple) else (found,)
+            result = python_function(v)(*arguments)
+            want = result if isinstance(result, tuple) else (result,)
             for x, y in zip(library.call(v, arguments), want, strict=True):
                 assert np.ascontiguousarray(x).tobytes() == y.tobytes(), (v.name, library.compiler)
 
@@ -235,8 +237,8 @@ def test_dominated_is_slower_and_no_better_with_intervals_apart():
     def verdicts(ns: tuple[float, ...], worst: tuple[float, ...]) -> list[tuple[float, bool]]:
         timed = [[Timed(v, "C", "gcc", "latency", Timing(t * spread)) for v, t in
                   zip(variants, ns, strict=False)]]
-        found = ranking.times(timed, dict(zip(keys, worst, strict=False)))
-        return [(round(found[k][0].ratio, 9), found[k][0].dominated) for k in keys[:len(ns)]]
+        result = ranking.times(timed, dict(zip(keys, worst, strict=False)))
+        return [(round(result[k][0].ratio, 9), result[k][0].dominated) for k in keys[:len(ns)]]
 
     assert verdicts((2, 1), (9, 8)) == [(1, True), (0.5, False)]
     assert verdicts((1, 2), (9, 8)) == [(1, False), (2, False)]
@@ -271,9 +273,9 @@ def test_power_and_deviations_of_a_quarter_turn():
 def test_newton_steps_hold_the_defect(tmp_path: Path):
     (compiler, *_) = kernel_library.compilers(tmp_path)
     (library,) = kernel_library.libraries([], [compiler], tmp_path)
-    found = {(d.precision, d.orthonormalised): d for d in drifts(library, 20_000)}
+    results = {(d.precision, d.orthonormalised): d for d in drifts(library, 20_000)}
     for precision in DIGITS:
-        without, held = found[precision, False], found[precision, True]
+        without, held = results[precision, False], results[precision, True]
         assert held.defect_u <= 8 < 100 < without.defect_u
         assert held.error_u < without.error_u
         assert held.ns_per_step > 0
@@ -289,6 +291,6 @@ def test_hard_cases_are_measured(tmp_path: Path):
     row = (1 + 2**-12, 1.0, 0.0, 1 + 3 * 2**-12, -1 - 2**-10, 0.0)
     assert cases == {("dot_vv", "single"): (row,)}
     task = kernel_measurement.Task("dot_vv", SINGLE, 8, 1, cases["dot_vv", "single"], None)
-    found = task.run()["dot_vv", "single", "plain"]
-    assert found.hard.worst == 2**22
-    assert found.hard.witness == tuple(x.hex() for x in row)
+    result = task.run()["dot_vv", "single", "plain"]
+    assert result.hard.worst == 2**22
+    assert result.hard.witness == tuple(x.hex() for x in row)

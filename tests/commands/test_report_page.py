@@ -71,11 +71,11 @@ def header(page, column):
 
 
 def test_the_table_has_a_row_for_each_entry_with_its_numbers(page):
-    found = rows(page)
-    assert list(found) == [variant(entry) for entry in REPORT.entries]
-    assert page.find_element(By.ID, "shown").text == f"{len(found)} of {len(found)} kernels"
+    result = rows(page)
+    assert list(result) == [variant(entry) for entry in REPORT.entries]
+    assert page.find_element(By.ID, "shown").text == f"{len(result)} of {len(result)} kernels"
     for entry in REPORT.entries:
-        cells = found[variant(entry)]
+        cells = result[variant(entry)]
         for inputs, errors in (("hard", entry.hard), ("benign", entry.benign)):
             for name in ("worst", "p999", "median"):
                 wanted = getattr(errors, name) if errors else math.nan
@@ -93,12 +93,12 @@ def test_the_table_has_a_row_for_each_entry_with_its_numbers(page):
 
 
 def test_awkward_numbers_are_shown_as_what_they_are(page):
-    found = rows(page)
-    assert found["vec3_l2norm double plain"]["hard-worst"][1] == "∞ u"
-    assert found["vec3_copy double plain"]["hard-worst"][1] == "0"
-    assert found["dc single plain"]["hard-worst"][1] == "–"
-    assert found["dc single plain"]["ns"][1] == "–"
-    assert found["product_CoAdc double plain"]["hard-worst"][1] == "3.25e15"
+    result = rows(page)
+    assert result["vec3_l2norm double plain"]["hard-worst"][1] == "∞ u"
+    assert result["vec3_copy double plain"]["hard-worst"][1] == "0"
+    assert result["dc single plain"]["hard-worst"][1] == "–"
+    assert result["dc single plain"]["ns"][1] == "–"
+    assert result["product_CoAdc double plain"]["hard-worst"][1] == "3.25e15"
 
 
 def test_awkward_text_is_shown_as_it_is(page):
@@ -119,10 +119,10 @@ def test_a_heading_sorts_up_then_down_by_mouse_and_by_key(page, column, value, k
     for order, reverse in (("ascending", False), ("descending", True)):
         button.send_keys(key) if key else button.click()
         assert header(page, column).get_attribute("aria-sort") == order
-        found = list(rows(page))
-        kept = found[:len(found) - len(missing)]
+        results = list(rows(page))
+        kept = results[:len(results) - len(missing)]
         assert [values[name] for name in kept] == sorted(map(values.get, kept), reverse=reverse)
-        assert sorted(found[len(kept):]) == sorted(missing)  # last in both orders
+        assert sorted(results[len(kept):]) == sorted(missing)  # last in both orders
     assert page.execute_script(
         "return document.querySelectorAll('[aria-sort=ascending],[aria-sort=descending]').length"
     ) == 1
@@ -149,17 +149,17 @@ def test_precision_and_tier_choose_rows_and_marks(page):
 def test_plot_and_table_hold_the_same_numbers(page, layout, inputs):
     choose(page, "layout", layout)
     choose(page, "inputs", inputs)
-    found = rows(page)
+    result = rows(page)
     for operation in ("product_CoAdc", "cross_sc"):
         choose(page, "operation", operation)
         entries = {variant(e): e for e in REPORT.entries if e.operation == operation}
         drawn = marks(page, "pareto-plot")
         assert sorted(name for name, *_ in drawn) == sorted(entries)
         for name, x, y, hollow in drawn:
-            assert (str(x), y) == (str(float(found[name]["ns"][0])),
-                                   float(found[name][f"{inputs}-worst"][0]))
+            assert (str(x), y) == (str(float(result[name]["ns"][0])),
+                                   float(result[name][f"{inputs}-worst"][0]))
             assert (x, y) == (ns(entries[name], layout), getattr(entries[name], inputs).worst)
-            assert hollow == (found[name]["pareto"][1] == "○ dominated") == (
+            assert hollow == (result[name]["pareto"][1] == "○ dominated") == (
                 "certified" in name)
         whiskers = page.execute_script("""
             return [...document.querySelectorAll("#pareto-plot .interval")].map(line =>
@@ -204,11 +204,11 @@ def test_errors_lie_below_their_bound_s_line(page):
 
 
 def test_bounds_are_shown_by_their_constants(page):
-    found = rows(page)
-    assert found["cross_sc double plain"]["bound"][1] == "u |x̂| + 5 u S"
-    assert found["cross_sc single accurate"]["bound"][1] == "u |x̂| + 4 u S + 3 u² S"
-    assert found["vec3_copy double plain"]["bound"][1] == "exact"
-    assert found["vec3_l2norm double plain"]["bound"][1] == "–"
+    result = rows(page)
+    assert result["cross_sc double plain"]["bound"][1] == "u |x̂| + 5 u S"
+    assert result["cross_sc single accurate"]["bound"][1] == "u |x̂| + 4 u S + 3 u² S"
+    assert result["vec3_copy double plain"]["bound"][1] == "exact"
+    assert result["vec3_l2norm double plain"]["bound"][1] == "–"
 
 
 def test_missing_zero_and_infinite_figures_are_drawn_or_left_out(page):
@@ -244,9 +244,9 @@ def test_the_page_asks_the_network_for_nothing_and_logs_nothing(page, folder):
     choose(page, "operation", "cross_sc")
     header(page, "ns").find_element(By.TAG_NAME, "button").click()
     messages = [json.loads(line["message"])["message"] for line in page.get_log("performance")]
-    asked = [message["params"]["request"]["url"] for message in messages
-             if message["method"] == "Network.requestWillBeSent"]
-    assert [url for url in asked if not url.startswith("data:")] == [
+    requested = [message["params"]["request"]["url"] for message in messages
+                 if message["method"] == "Network.requestWillBeSent"]
+    assert [url for url in requested if not url.startswith("data:")] == [
         (folder / "report.html").as_uri()]
     assert page.get_log("browser") == []
 

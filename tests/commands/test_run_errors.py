@@ -74,10 +74,10 @@ def overrides(**other: str) -> RunOverrides:
 
 
 @pytest.fixture(scope="module")
-def found(spring: Kernels) -> RunErrors:
-    told = run_errors(spring, overrides(), (("accurate", DOUBLE), ("pairs", SINGLE)))
-    assert told and told.whole
-    return told
+def errors(spring: Kernels) -> RunErrors:
+    errors = run_errors(spring, overrides(), (("accurate", DOUBLE), ("pairs", SINGLE)))
+    assert errors and errors.whole
+    return errors
 
 
 def linear(h: mpf, steps: int) -> tuple[mpf, mpf]:
@@ -88,37 +88,37 @@ def linear(h: mpf, steps: int) -> tuple[mpf, mpf]:
     return tuple(once**steps * matrix([mpf(0.1), 0]))
 
 
-def test_rounding_and_step_of_a_linear_oscillator(spring: Kernels, found: RunErrors):
+def test_rounding_and_step_of_a_linear_oscillator(spring: Kernels, errors: RunErrors):
     marks = range(1, STEPS + 1)
-    assert found.times == tuple(n * H for n in marks) and found.integrator == "rk4"
+    assert errors.times == tuple(n * H for n in marks) and errors.integrator == "rk4"
     with mpmath.workdps(DIGITS):
         exact = [linear(mpf(H), n)[0] for n in marks]
         fine = [linear(mpf(H) / 4, 4 * n)[0] for n in marks]
-        told = {(x.cause, x.of): x.errors for x in found.rows}
-        assert told["step", f"{H:g} s"] == pytest.approx(
+        by_cause = {(x.cause, x.of): x.errors for x in errors.rows}
+        assert by_cause["step", f"{H:g} s"] == pytest.approx(
             [float(abs(x - y)) for x, y in zip(exact, fine, strict=True)], rel=1e-12)
         for name in BY_NAME:
             its = system(spring, name)
             ends = [its.stepper("step_rk4")(n, 0, H, *its.start())[0] for n in marks]
-            assert told["rounding", f"{name} plain"] == pytest.approx(
+            assert by_cause["rounding", f"{name} plain"] == pytest.approx(
                 [float(abs(mpf(float(q[0])) - x)) for q, x in zip(ends, exact, strict=True)],
                 rel=1e-12)
 
 
-def test_an_effect_left_out_is_its_share(found: RunErrors):
+def test_an_effect_left_out_is_its_share(errors: RunErrors):
     """Without its spring and damper the mass stays where it is."""
-    bare = next(x for x in found.rows if x.of == "bare")
+    bare = next(x for x in errors.rows if x.of == "bare")
     with mpmath.workdps(DIGITS):
-        moved = [float(abs(linear(mpf(H), round(t / H))[0] - mpf(0.1))) for t in found.times]
+        moved = [float(abs(linear(mpf(H), round(t / H))[0] - mpf(0.1))) for t in errors.times]
     assert bare.cause == "model" and bare.errors == pytest.approx(moved, rel=1e-12)
 
 
-def test_tiers_round_as_much_as_their_precision(found: RunErrors):
-    """An accurate step rounds the state once a call: what it errs by is of plain's size."""
-    told = {x.of: max(x.errors) for x in found.rows if x.cause == "rounding"}
-    assert list(told) == ["double plain", "single plain", "double accurate", "single pairs"]
-    assert 2.0**-58 < told["double accurate"] < 2 * told["double plain"] < 2.0**-48
-    assert 2.0**-29 < told["single pairs"] < 2 * told["single plain"] < 2.0**-19
+def test_tiers_round_as_much_as_their_precision(errors: RunErrors):
+    """An accurate step rounds the state once a call, so its error is of the size of plain's."""
+    by_cause = {x.of: max(x.errors) for x in errors.rows if x.cause == "rounding"}
+    assert list(by_cause) == ["double plain", "single plain", "double accurate", "single pairs"]
+    assert 2.0**-58 < by_cause["double accurate"] < 2 * by_cause["double plain"] < 2.0**-48
+    assert 2.0**-29 < by_cause["single pairs"] < 2 * by_cause["single plain"] < 2.0**-19
 
 
 @pytest.mark.parametrize("precision", PRECISIONS, ids=lambda x: x.name)
@@ -146,24 +146,24 @@ def test_split_steps_of_a_bounce_round_little(tmp_path):
     path = tmp_path / "ball.toml"
     path.write_text(BOUNCING)
     kernels = checked(path)
-    found = run_errors(kernels, RunOverrides(), ())
-    assert found and found.whole and named(found.integrator).splits
-    told = {x.of: x.errors for x in found.rows}
-    assert max(told["double plain"]) < 1e-12 < max(told["single plain"]) < 1e-4
-    assert told["without limit"][-1] > 0.05  # it falls
+    errors = run_errors(kernels, RunOverrides(), ())
+    assert errors and errors.whole and named(errors.integrator).splits
+    by_cause = {x.of: x.errors for x in errors.rows}
+    assert max(by_cause["double plain"]) < 1e-12 < max(by_cause["single plain"]) < 1e-4
+    assert by_cause["without limit"][-1] > 0.05  # it falls
     each = sum(len(kernels.functions.named(x.function).program.instructions)
                for x in kernels.functions.steps[0].calls)
     early = run_errors(kernels, RunOverrides(), (), most=5 * 32 * each)
     assert early and not early.whole  # parts of steps are counted, too
 
 
-def test_few_instructions_end_the_run_early(spring: Kernels, found: RunErrors):
+def test_few_instructions_end_the_run_early(spring: Kernels, errors: RunErrors):
     early = run_errors(spring, overrides(), (), most=5000)
-    assert early and early.times[-1] < UNTIL == found.times[-1]
+    assert early and early.times[-1] < UNTIL == errors.times[-1]
     text = of_run(early).above[0]
     assert re.search(r"the first 0\.\d+ s of 0\.5 s: more .* 0\.005 million instructions", text)
-    assert "the whole 0.5 s" in of_run(found).text() and "t = 0.5 s" in of_run(found).text()
-    assert "rounding: single pairs" in of_run(found).text()
+    assert "the whole 0.5 s" in of_run(errors).text() and "t = 0.5 s" in of_run(errors).text()
+    assert "rounding: single pairs" in of_run(errors).text()
 
 
 # when digits are gone
@@ -187,19 +187,19 @@ def test_the_table_says_when_digits_are_gone():
         return RunError(cause, of, errors, gone)
 
     times = (1.0, 2.0, 3.0, 4.0)
-    found = RunErrors("rk4", 1e-3, 4.0, times, (
+    errors = RunErrors("rk4", 1e-3, 4.0, times, (
         row("rounding", "double plain", 1e-15, 1e-14, 1e-13, 1e-12),
         row("rounding", "single plain", 1e-6, 1e-3, 1, 3, gone=3.0),
         row("step", "0.001 s", 1e-9, 1e-8, 1e-7, 1e-6)), 10**6)
-    table = of_run(found)
+    table = of_run(errors)
     assert [x[-1] for x in table.rows] == ["", "from 3 s", ""]
     assert table.below == (
         "In double precision rounding moves the run by at most 1e-12, the step by 1e-6: shorter "
         "steps would be more accurate.",
         "In single precision until t = 2 s rounding moves the run by at most 0.001, the step by "
         "1e-8: shorter steps would gain nothing.")
-    at_once = of_run(replace(found, rows=(
-        row("rounding", "single plain", 1, 1, 1, 1, gone=1.0), *found.rows[2:])))
+    at_once = of_run(replace(errors, rows=(
+        row("rounding", "single plain", 1, 1, 1, 1, gone=1.0), *errors.rows[2:])))
     assert at_once.below == ()
 
 
@@ -215,9 +215,9 @@ def test_programs_in_python_are_those_of_the_interpreter(spring: Kernels):
         with precise(DIGITS) as context:
             assert context.precision > DIGITS * math.log2(10)
             numbers = [[mpfr(x) / 3 for x in part] for part in given]
-            found = in_python(program, MULTIPRECISE)(numbers)
-            assert found == interpreter(program, MULTIPRECISE)(numbers)
-            assert {x.precision for x in found} == {context.precision}
+            errors = in_python(program, MULTIPRECISE)(numbers)
+            assert errors == interpreter(program, MULTIPRECISE)(numbers)
+            assert {x.precision for x in errors} == {context.precision}
 
 
 @pytest.mark.parametrize("arithmetic", (MULTIPRECISE, FLOATS), ids=("40 digits", "floats"))

@@ -53,27 +53,27 @@ def test_errors_fall_with_the_integrators_order(kernels, integrator):
     """Errors of angle and speed together: from rest at a right angle, some of one alone fall
     faster."""
     wanted = np.array([float(x) for x in texts.pendulum(1)])
-    found = [run(kernels["PENDULUM"], until=1.0, integrator=integrator, step=h)
-             for h in (0.01, 0.005)]
-    errors = [np.linalg.norm((*x.q[-1], *x.v[-1]) - wanted) for x in found]
+    results = [run(kernels["PENDULUM"], until=1.0, integrator=integrator, step=h)
+               for h in (0.01, 0.005)]
+    errors = [np.linalg.norm((*x.q[-1], *x.v[-1]) - wanted) for x in results]
     assert math.log2(errors[0] / errors[1]) == pytest.approx(ORDERS[integrator], abs=0.15)
 
 
 def test_dop853_takes_scipys_steps(kernels):
-    """As many as for the same equation: x'' = -(k x + d v) / m."""
-    found = run(kernels["SPRING"], integrator="dop853")
+    """It takes as many as SciPy for the same equation: x'' = -(k x + d v) / m."""
+    result = run(kernels["SPRING"], integrator="dop853")
     matrix = np.array([[0, 1], [-texts.STIFFNESS / texts.MASS, -texts.DAMPING / texts.MASS]])
     swing = solve_ivp(lambda t, y: matrix @ y, (0, 2), (0.1, 0), method="DOP853", rtol=1e-12,
                       atol=1e-12)
-    assert found.steps == len(swing.t) - 1 > 10
+    assert result.steps == len(swing.t) - 1 > 10
 
 
 @pytest.mark.parametrize("precision", ROUNDOFF)
 @pytest.mark.parametrize("integrator", INTEGRATORS)
 def test_a_damped_spring_swings_as_its_closed_form(kernels, integrator, precision):
-    found = run(kernels["SPRING"], precision, integrator=integrator)
-    truth = np.array([[float(x) for x in texts.spring(t)] for t in found.t])
-    error = np.abs(np.column_stack((found.q, found.v)) - truth).max(0)
+    result = run(kernels["SPRING"], precision, integrator=integrator)
+    truth = np.array([[float(x) for x in texts.spring(t)] for t in result.t])
+    error = np.abs(np.column_stack((result.q, result.v)) - truth).max(0)
     allowed = {1: 0.05, 2: 5e-5, 3: 1e-6}.get(ORDERS.get(integrator), 1e-9)
     allowed += 4e3 * ROUNDOFF[precision]
     assert (error / (0.1, 0.1 * math.sqrt(50))).max() < allowed
@@ -95,8 +95,8 @@ def test_a_brick_falls_and_keeps_its_angular_momentum(kernels, integrator):
 @pytest.mark.parametrize("precision", ROUNDOFF)
 @pytest.mark.parametrize("integrator", INTEGRATORS)
 def test_quaternions_stay_of_norm_one(kernels, integrator, precision):
-    found = run(kernels["BRICK"], precision, integrator=integrator)
-    norms = np.linalg.norm(found.q[:, 3:].astype(float), axis=1)
+    result = run(kernels["BRICK"], precision, integrator=integrator)
+    norms = np.linalg.norm(result.q[:, 3:].astype(float), axis=1)
     assert np.abs(norms - 1).max() < 1e4 * ROUNDOFF[precision]
 
 
@@ -122,11 +122,11 @@ def test_without_a_compiler_the_same_run_comes_from_numpy(kernels, tmp_path, mon
     monkeypatch.setenv("CC", "no-such-compiler")
     with pytest.warns(RuntimeWarning, match="pure NumPy"):
         others = load_scene(scene_file(tmp_path, texts.SPRING, "spring"), functions=STEPPED)
-    found, wanted = (simulated(x, RunOverrides(until=0.1, precision=precision))[0]
-                     for x in (others, kernels["SPRING"]))
-    assert found.trajectory.q.tobytes() == wanted.trajectory.q.tobytes()
-    assert found.recording.values.tobytes() == wanted.recording.values.tobytes()
-    assert dict(found.recording.provenance)["compiler"] == "none: NumPy"
+    result, wanted = (simulated(x, RunOverrides(until=0.1, precision=precision))[0]
+                      for x in (others, kernels["SPRING"]))
+    assert result.trajectory.q.tobytes() == wanted.trajectory.q.tobytes()
+    assert result.recording.values.tobytes() == wanted.recording.values.tobytes()
+    assert dict(result.recording.provenance)["compiler"] == "none: NumPy"
 
 
 def test_a_parameter_may_be_set(kernels):
@@ -143,11 +143,11 @@ def test_a_parameter_may_be_set(kernels):
     (2.0, 0.5, [0, 0.5, 1, 1.5, 2]), (0.7, 0.3, [0, 0.3, 0.6, 0.7]), (0.1, 0.3, [0, 0.1]),
     (0.3, 0.1, [0, 0.1, 0.2, 0.3])))
 def test_samples_are_at_multiples_and_at_the_end(kernels, integrator, until, every, wanted):
-    found = run(kernels["PENDULUM"], until=until, every=every, integrator=integrator)
-    assert found.t == pytest.approx(wanted, abs=1e-15)
-    assert found.t[-1] == until
-    truth = [float(texts.pendulum(t)[0]) for t in found.t]
-    assert np.abs(found.q[:, 0] - truth).max() < 1e-9
+    result = run(kernels["PENDULUM"], until=until, every=every, integrator=integrator)
+    assert result.t == pytest.approx(wanted, abs=1e-15)
+    assert result.t[-1] == until
+    truth = [float(texts.pendulum(t)[0]) for t in result.t]
+    assert np.abs(result.q[:, 0] - truth).max() < 1e-9
 
 
 @pytest.mark.parametrize("until, every, step, steps", (
@@ -170,11 +170,11 @@ def test_until_may_be_shorter_or_longer_than_the_scene_says(kernels, until):
 
 @pytest.mark.parametrize("precision", ROUNDOFF)
 def test_a_state_that_is_not_finite_stops_and_keeps_the_rest(kernels, precision):
-    found = run(kernels["UNSTABLE"], precision)
+    result = run(kernels["UNSTABLE"], precision)
     at = float(re.fullmatch(r"not finite at t = (\S+) s: joint slide: [qv] is -?(?:inf|nan); .+",
-                            found.stopped)[1])
-    assert found.t[-1] < at <= found.t[-1] + 0.01 + 1e-12
-    assert np.isfinite(found.q).all() and np.isfinite(found.v).all()
+                            result.stopped)[1])
+    assert result.t[-1] < at <= result.t[-1] + 0.01 + 1e-12
+    assert np.isfinite(result.q).all() and np.isfinite(result.v).all()
     growth = math.log(np.finfo(system(kernels["UNSTABLE"], precision).dtype).max) / math.log(400)
     assert at / 1e-3 == pytest.approx(growth, abs=4)
 
@@ -187,10 +187,10 @@ kind = "torque"
 torque = "1/(0.5 - t)**2"
 """).replace("tol = 1e-12", "tol = 1e-6")
     kernels = load_scene(scene_file(tmp_path, text), functions=STEPPED)
-    found = run(kernels, integrator="dop853", until=2.0)
-    assert "at t = 0.5" in found.stopped or "at t = 0.49" in found.stopped, found.stopped
-    assert "joint slide: acceleration" in found.stopped
-    assert 0.45 < found.t[-1] <= 0.5
+    result = run(kernels, integrator="dop853", until=2.0)
+    assert "at t = 0.5" in result.stopped or "at t = 0.49" in result.stopped, result.stopped
+    assert "joint slide: acceleration" in result.stopped
+    assert 0.45 < result.t[-1] <= 0.5
 
 
 def test_an_interrupt_keeps_what_was_sampled(kernels):
@@ -200,10 +200,10 @@ def test_an_interrupt_keeps_what_was_sampled(kernels):
         if t > 0.99:
             raise KeyboardInterrupt
 
-    found = integrate(its, plan(its), watch)
-    assert found.interrupted
-    assert found.stopped == "interrupted after t = 1 s"
-    assert found.t == pytest.approx(0.05 * np.arange(21))
+    result = integrate(its, plan(its), watch)
+    assert result.interrupted
+    assert result.stopped == "interrupted after t = 1 s"
+    assert result.t == pytest.approx(0.05 * np.arange(21))
 
 
 @contextmanager
@@ -221,13 +221,13 @@ def on_a_terminal(*arguments: object) -> Iterator[tuple[subprocess.Popen, int]]:
 
 def said_until(master: int, pattern: bytes) -> bytes:
     """The output up to the pattern, or to the end."""
-    said = b""
-    while not re.search(pattern, said) and select.select([master], [], [], 300)[0]:
+    message = b""
+    while not re.search(pattern, message) and select.select([master], [], [], 300)[0]:
         try:
-            said += os.read(master, 4096)
+            message += os.read(master, 4096)
         except OSError:  # the other end was closed
             break
-    return said
+    return message
 
 
 def test_ctrl_c_writes_what_was_sampled(tmp_path):
@@ -239,12 +239,12 @@ def test_ctrl_c_writes_what_was_sampled(tmp_path):
             process, master):
         said_until(master, rb"t [1-9]\d*\S*/1e\+06 s ")
         process.send_signal(signal.SIGINT)
-        said = said_until(master, rb"samples kept").decode()
+        message = said_until(master, rb"samples kept").decode()
         process.communicate(timeout=300)
-    assert process.returncode == 130, said
+    assert process.returncode == 130, message
     rows = [x for x in output.read_text().splitlines() if not x.startswith("#")][1:]
     assert len(rows) > 1
-    assert re.search(rf"interrupted after t = \d+ s; {len(rows)} samples kept", said), said
+    assert re.search(rf"interrupted after t = \d+ s; {len(rows)} samples kept", message), message
 
 
 # progress
@@ -258,24 +258,24 @@ def test_the_line_of_progress():
 
 def test_runs_tell_where_they_are_between_samples(kernels, monkeypatch, tmp_path):
     """However far the next sample is; the states are the same, to the last bit."""
-    def told(its, **asked):
+    def watched(its, **requested):
         seen = []
-        planned = plan(its, **asked)
-        found = integrate(its, planned, lambda t, q, v: seen.append(float(t)))
-        assert found.q.tobytes() == integrate(its, planned).q.tobytes()
-        return seen, found
+        planned = plan(its, **requested)
+        result = integrate(its, planned, lambda t, q, v: seen.append(float(t)))
+        assert result.q.tobytes() == integrate(its, planned).q.tobytes()
+        return seen, result
 
     its = system(kernels["SPRING"], "double")
-    seen, _ = told(its, until=0.1, every=0.1, step=1e-6, integrator="rk4")
+    seen, _ = watched(its, until=0.1, every=0.1, step=1e-6, integrator="rk4")
     assert seen == pytest.approx([4e-4 * i for i in range(1, 251)])
     for integrator in ("radau", "dop853"):
-        seen, found = told(its, until=1.0, every=0.9, integrator=integrator)
-        assert found.steps > 10 and abs(len(seen) - found.steps) <= 2
+        seen, result = watched(its, until=1.0, every=0.9, integrator=integrator)
+        assert result.steps > 10 and abs(len(seen) - result.steps) <= 2
         assert seen == sorted(seen)
     monkeypatch.setenv("CC", "no-such-compiler")
     with pytest.warns(RuntimeWarning, match="pure NumPy"):
         others = load_scene(scene_file(tmp_path, texts.SPRING, "spring"), functions=STEPPED)
-    seen, _ = told(system(others, "double"), until=0.01, every=0.01, integrator="rk4")
+    seen, _ = watched(system(others, "double"), until=0.01, every=0.01, integrator="rk4")
     assert seen == pytest.approx([1e-3 * i for i in range(1, 11)])
 
 
@@ -295,9 +295,9 @@ def test_progress_is_shown_on_a_terminal(tmp_path):
         assert re.search(wanted, said_until(master, wanted))
 
 
-@pytest.mark.parametrize("asked, words", [
+@pytest.mark.parametrize("requested, words", [
     ({"step": 1e-300}, "steps of 1e-300 s; wanted at most 1e+12"),
     ({"integrator": ""}, "integrator: ''; wanted one of")])
-def test_runs_that_would_never_end_or_mean_nothing_are_refused(kernels, asked, words):
+def test_runs_that_would_never_end_or_mean_nothing_are_refused(kernels, requested, words):
     with pytest.raises(SimulateError, match=re.escape(words)):
-        run(kernels["SPRING"], **asked)
+        run(kernels["SPRING"], **requested)

@@ -58,15 +58,16 @@ URDF = """<robot name="arm">
 </robot>"""
 
 
-def test_a_urdf_alone_runs_and_says_that_nothing_acts(tmp_path, capsys):
+def test_a_urdf_alone_runs_and_says_what_acts(tmp_path, capsys):
     path = tmp_path / "arm.urdf"
     path.write_text(URDF)
     assert main(["simulate", str(path), "--until", "0.1"]) == 0
     first, *unused = capsys.readouterr().err.splitlines()
-    assert first == "coscrew: no effects: nothing acts, gravity included"
-    assert unused == ["coscrew: not used: friction, damping, limits, effort and velocity of joint "
-                      "hinge (add [effects.coulomb], [effects.viscous], [effects.limit], "
-                      "[effects.actuator]; --verbose lists them with what to write)"]
+    assert first == ("coscrew: arm.urdf alone: gravity, viscous at 1 joint act; limits, friction "
+                     "and drives take a scene file")
+    assert unused == ["coscrew: not used: friction, limits, effort and velocity of joint hinge "
+                      "(add [effects.coulomb], [effects.limit], [effects.actuator]; --verbose "
+                      "lists them with what to write)"]
 
 
 @pytest.mark.parametrize("words", [
@@ -80,20 +81,21 @@ def test_commands_sum_up_what_is_not_used_and_list_it_on_demand(tmp_path, capsys
     given = words.replace("ARM", str(path)).replace("OUT", str(tmp_path / "out")).split()
     for verbose in (False, True):
         main([*given, *["--verbose"] * verbose])
-        told = [line.partition(": ")[2] for line in capsys.readouterr().err.splitlines()
-                if "not used" in line or "used by" in line]
+        output = [line.partition(": ")[2] for line in capsys.readouterr().err.splitlines()
+                  if "not used" in line or "used by" in line]
         if not verbose:
-            assert len(told) == 1 and "--verbose lists them" in told[0]
+            assert len(output) == 1 and "--verbose lists them" in output[0]
             continue
-        assert sorted(told) == sorted(read_scene(path).unused)
-        assert [line.split()[2] for line in told] == ["friction", "damping", "lower", "upper",
-                                                      "effort", "velocity"]
+        assert sorted(output) == sorted(read_scene(path).unused)
+        assert [line.split()[2] for line in output] == ["friction", "lower", "upper", "effort",
+                                                        "velocity"]
 
 
-def test_help_tells_that_a_urdf_will_do(capsys):
+def test_help_tells_that_a_model_will_do(capsys):
     with pytest.raises(SystemExit):
         main(["simulate", "--help"])
-    assert "a scene file (.toml) or a URDF" in " ".join(capsys.readouterr().out.split())
+    output = " ".join(capsys.readouterr().out.split())
+    assert "a scene file (.toml), or a model's file alone, as a URDF" in output
 
 
 def test_without_pyarrow_nothing_runs_for_parquet(tmp_path, capsys, monkeypatch):
@@ -109,9 +111,9 @@ def test_without_pyarrow_nothing_runs_for_parquet(tmp_path, capsys, monkeypatch)
 @pytest.mark.parametrize("arguments, message", (
     (["--integrator", "rk5"],
      f"integrator: 'rk5'; wanted one of {', '.join(NAMES)}; did you mean 'rk4'?"),
-    (["--set", "block.mas=2"], "wanted what the scene lists in `runtime`: block.mass"),
-    (["--set", "spring.slide.k=2"], "wanted what the scene lists in `runtime`: block.mass; to "
-     "change this constant, write it there"),
+    (["--set", "block.mas=2"], "wanted a parameter that the scene lists in `runtime`: block.mass"),
+    (["--set", "spring.slide.k=2"], "wanted a parameter that the scene lists in `runtime`: "
+     "block.mass; to change this constant, write it there"),
     (["--precision", "single", "--set", "block.mass=1e39"], "outside single precision's range: 0, "
      "and 1.2e-38 to 3.4e+38 in size"),
     (["--precision", "single", "--set", "block.mass=1e-40"], "outside single precision's range"),
@@ -191,22 +193,22 @@ def test_ends_of_ranges_are_not_exchanged(tmp_path, capsys, command):
 
 
 @pytest.mark.parametrize("command", ("simulate", "check"))
-@pytest.mark.parametrize("start, settings, told", (
+@pytest.mark.parametrize("start, settings, messages", (
     ("0.1", (), ""), ("-1", (), ""),
     ("0.2", (), "joint slide starts at 0.2, outside its range from -1 to 0.1"),
     ("-1.5", (), "joint slide starts at -1.5, outside"),
     ("0", ("--set", "limit.slide.lower=0.05"), "starts at 0, outside its range from 0.05 to 0.1")))
-def test_starts_outside_ranges_are_told(tmp_path, capsys, command, start, settings, told):
+def test_starts_outside_ranges_are_told(tmp_path, capsys, command, start, settings, messages):
     text = LIMITED.replace("slide = 0.1\n", f"slide = {start}\n")
     assert main([command, str(scene_file(tmp_path, text)), "--precision", "single", *settings]) == 0
-    said = capsys.readouterr()
-    assert told in said.out + said.err
-    assert ("outside" in said.out + said.err) == bool(told)
+    output = capsys.readouterr()
+    assert messages in output.out + output.err
+    assert ("outside" in output.out + output.err) == bool(messages)
 
 
-@pytest.mark.parametrize("start, told", (("0.5", "joint tail starts at 2, outside its range"),
+@pytest.mark.parametrize("start, info", (("0.5", "joint tail starts at 2, outside its range"),
                                          ("0.1", "")))
-def test_followers_that_start_outside_are_told(tmp_path, capsys, start, told):
+def test_followers_that_start_outside_are_told(tmp_path, capsys, start, info):
     text = LIMITED.replace("[joints]", "tail = { mass = 1 }\n[joints]").replace(
         "[effects.limit.slide]", """
 [joints.tail]
@@ -224,9 +226,9 @@ upper = 0.8
 k = 1e4
 [effects.limit.slide]""").replace("upper = 0.1", "upper = 1").replace(
             "slide = 0.1\n", f"slide = {start}\n")
-    assert main(["simulate", str(scene_file(tmp_path, text))]) == bool(told)  # by too large a force
-    said = capsys.readouterr().err
-    assert told in said and ("outside" in said) == bool(told)
+    assert main(["simulate", str(scene_file(tmp_path, text))]) == bool(info)  # by too large a force
+    out = capsys.readouterr().err
+    assert info in out and ("outside" in out) == bool(info)
 
 
 @pytest.mark.parametrize("number", (math.nan, math.inf))

@@ -1,5 +1,5 @@
-"""The sources that a result depends on: found by imports, compared by meaning, and never fewer than
-those that making the result enters."""
+"""The sources that a result depends on: derived from imports, compared by syntax trees, and never
+fewer than the files that making the result enters."""
 
 import json
 import subprocess
@@ -85,9 +85,9 @@ GRAPH = {
     ("p.computed", "p.computed c/d.h.jinja c/inner.jinja q/e.jinja"), ("p.e", "p.e"),
     ("p.copied", "p.copied runtime/r/a.h runtime/r/b.h runtime/d.c")])
 def test_what_a_module_imports_is_found(maker, wanted):
-    """Also inside functions, relatively, for types, by a name in a table, and by looking into a
-    folder; of templates those that are named, by a pattern too, or all if the name is computed; C
-    that is copied, by its name or a pattern."""
+    """Imports inside functions, relative ones, for types, by a name in a table, and by looking into
+    a folder are found; so are templates that are named, also by a pattern, or all if the name is
+    computed, and C that is copied, by its name or a pattern."""
     assert Sources.of(GRAPH).reached([maker]) - {"p"} == {*wanted.split()} - {"p"}
 
 
@@ -201,7 +201,7 @@ print(len(makes))
 
 
 def test_deriving_a_family_enters_only_what_counts():
-    """And rendering its parts: modules and templates, whatever imports them."""
+    """Rendering its parts enters only those modules and templates, too, whatever imports them."""
     done = subprocess.run([sys.executable, "-c", FAMILIES, "trig", "mat3x3"], cwd=ROOT, text=True,
                           capture_output=True, check=True)
     *lines, makes = done.stdout.splitlines()
@@ -213,21 +213,27 @@ SCENES = TRACED + """
 from pathlib import Path
 from coscrew_codegen import load_scene
 from coscrew_codegen.program.plugins import holder
-from coscrew_codegen.runtime import load
+from coscrew_codegen.runtime import scene_library
 from coscrew_codegen.scene import effects
 
-sys.setprofile(enter)
+def traced(*given):
+    sys.setprofile(enter)
+    made = make(*given)
+    sys.setprofile(None)
+    return made
+
+make, scene_library._made = scene_library._made, traced
 kernels = load_scene(Path(sys.argv[1]), tiers=["accurate"])
 kernels.accurate, kernels._lanes._library
-sys.setprofile(None)
 used = {holder(effects.__name__, "EFFECT", x.effect) for x in kernels.scene.effects}
 its = sources.Sources.of(sources.read())
-print(len(entered), *sorted(entered - its.reached([load.__name__], {effects.__name__: used})))
+reached = its.reached([scene_library.__name__], {effects.__name__: used})
+print(len(entered), *sorted(entered - reached))
 """
 
 
 def test_making_a_scene_s_kernels_enters_only_what_counts(tmp_path, monkeypatch):
-    """In C, in a tier, and for many states; of the effects those that the scene has."""
+    """This holds in C, in a tier, and for many states; only the scene's effects are entered."""
     monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path))
     done = subprocess.run([sys.executable, "-c", SCENES, "examples/scenes/pendulum.toml"], cwd=ROOT,
                           text=True, capture_output=True, check=True)

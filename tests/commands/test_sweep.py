@@ -1,4 +1,4 @@
-"""`coscrew sweep`: what varies, the values of members, refusals, chunks; without workers."""
+"""`coscrew sweep`: varied quantities, the values of members, refusals, chunks; without workers."""
 
 import argparse
 import itertools
@@ -56,14 +56,14 @@ def test_samples_are_those_of_the_sequence_at_each_point_of_the_grids(folder):
     its = prepared(folder, SLIDER, ("block.mass=1:7:3", "start.v.swivel=5:4:2"),
                    ("start.q.s*=-1:3", "block.inertia.xx=0.125:2:log"), 32, seed=7)
     with np.errstate(all="raise"):
-        found = values(its.specification.varied)
+        result = values(its.specification.varied)
     sequence = qmc.Sobol(3, scramble=True, bits=32, rng=np.random.default_rng(7)).random(32)
     wanted = [(*point, *(-1 + 4 * u[:2]), 16**u[2] / 8) for u in sequence
               for point in itertools.product((1, 4, 7), (5, 4))]
     assert [x.name for x in its.specification.varied.columns] == [
         "block.mass", "start.v.swivel", "start.q.slide", "start.q.swivel", "block.inertia.xx"]
-    assert np.array_equal(found[:, :4], np.array(wanted)[:, :4])
-    assert np.allclose(found[:, 4], np.array(wanted)[:, 4], rtol=4e-16, atol=0)
+    assert np.array_equal(result[:, :4], np.array(wanted)[:, :4])
+    assert np.allclose(result[:, 4], np.array(wanted)[:, 4], rtol=4e-16, atol=0)
 
 
 def test_values_of_a_member_depend_on_its_number_alone(folder):
@@ -93,10 +93,10 @@ def test_rotations_are_those_of_three_numbers_of_the_sequence(folder):
     names = [x.name for x in its.specification.varied.columns]
     assert names == [*(f"start.q.{joint}.uniform.{k}" for joint in ("base", "socket")
                        for k in range(3)), "start.v.socket.1"]
-    found = values(its.specification.varied)
+    result = values(its.specification.varied)
     sequence = qmc.Sobol(7, scramble=True, bits=32, rng=np.random.default_rng(3)).random(8)
-    assert np.array_equal(found[:, :6], sequence[:, :6])
-    starts = chunk.states(its.kernels, its.specification, found)
+    assert np.array_equal(result[:, :6], sequence[:, :6])
+    starts = chunk.states(its.kernels, its.specification, result)
     for n, places in enumerate((slice(3, 7), slice(7, 11))):
         for u, q in zip(sequence[:, 3 * n:3 * n + 3].tolist(), starts["q"][:, places].tolist(),
                         strict=True):
@@ -133,7 +133,7 @@ def test_a_sweep_is_known_by_all_that_its_results_depend_on(folder):
 
 # Refusals, before anything starts
 
-@pytest.mark.parametrize(("words", "said"), (
+@pytest.mark.parametrize(("words", "message"), (
     ("", "nothing varies; wanted --grid NAME=FROM:TO:COUNT or --sobol"),
     ("--grid block.mas=1:2:3", "did you mean 'block.mass'?"),
     ("--grid needle.mass=1:2:3", 'runtime = ["block.mass", "block.inertia.xx"'),
@@ -150,9 +150,9 @@ def test_a_sweep_is_known_by_all_that_its_results_depend_on(folder):
     ("--grid block.mass=1:2:3 --seed 4", "--samples and --seed want --sobol"),
     ("--grid block.mass=1:2:3 --sobol block.*=1:2 --samples 4", "varies by two options"),
     ("--grid block.mass=1:2:3 --set block.mass=1", "--set block.mass: it varies"),
-    ("--grid block.mass=1:2:3 --set block.mas=1", "wanted what the scene lists in `runtime`"),
+    ("--grid block.mass=1:2:3 --set block.mas=1", "wanted a parameter that the scene lists"),
     ("--grid start.q.slide=0:1e39:3 --precision single", "1e+39 overflows in single precision"),
-    ("--grid block.mass=-1:2:3", "what varies: block.mass=-1: wanted a positive number"),
+    ("--grid block.mass=-1:2:3", "ranges: block.mass=-1: wanted a positive number"),
     ("--sobol block.mass=1:2 --sobol block.inertia.xx=1:2.5 --samples 4", "block.inertia.xx=2.5"),
     ("--grid block.mass=1:2:3 --record q.slid", "did you mean 'slide'?"),
     ("--grid block.mass=1:2:3 --until 0", "wanted a positive number of seconds"),
@@ -161,27 +161,27 @@ def test_a_sweep_is_known_by_all_that_its_results_depend_on(folder):
     ("--grid block.mass=1:2:3 --precision both", "a sweep runs in one; wanted double or single"),
     ("--grid block.mass=1:2:3 --workers 1 --scheduler tcp://x:1", "wanted one of the two"),
 ))
-def test_what_is_wrong_is_refused_and_nothing_is_made(words, said, tmp_path, capsys):
+def test_what_is_wrong_is_refused_and_nothing_is_made(words, message, tmp_path, capsys):
     command = ["sweep", str(scene_file(tmp_path, SLIDER)), *words.split()]
     try:
         status = main([*command, "--out", str(tmp_path / "out")])
     except SystemExit as usage:
         status = usage.code
     assert status == 2
-    assert said in capsys.readouterr().err
+    assert message in capsys.readouterr().err
     assert not (tmp_path / "out").exists()
 
 
-@pytest.mark.parametrize(("pattern", "said"), (
+@pytest.mark.parametrize(("pattern", "message"), (
     ("start.q.socket", "components of a quaternion"),
     ("start.q.socket.*", "components of a quaternion"),
     ("start.q.base.5", "components of a quaternion")))
-def test_components_of_quaternions_do_not_vary(pattern, said, folder):
-    with pytest.raises(SweepError, match=said):
+def test_components_of_quaternions_do_not_vary(pattern, message, folder):
+    with pytest.raises(SweepError, match=message):
         prepared(folder, BALL, (), (f"{pattern}=0:1",), 4)
 
 
-@pytest.mark.parametrize(("parse", "text", "said"), (
+@pytest.mark.parametrize(("parse", "text", "message"), (
     (sweep_options.grid, "block.mass", "wanted NAME=FROM:TO:COUNT"),
     (sweep_options.grid, "block.mass=1:2", "wanted FROM:TO:COUNT or FROM:TO:COUNT:log; got '1:2'"),
     (sweep_options.grid, "block.mass=1:2:3:lin", "got '1:2:3:lin'"),
@@ -201,10 +201,10 @@ def test_components_of_quaternions_do_not_vary(pattern, said, folder):
     (sweep_options.samples, "1e10", "wanted a whole number, 1 to 4294967296; got '1e10'"),
     (sweep_options.samples, "1e9999", "got '1e9999'"),
     (sweep_options.seed, "-1", "wanted a whole number, 0 to")))
-def test_words_of_options_are_refused(parse, text, said):
+def test_words_of_options_are_refused(parse, text, message):
     with pytest.raises(argparse.ArgumentTypeError) as refused:
         parse(text)
-    assert said in str(refused.value)
+    assert message in str(refused.value)
 
 
 def test_samples_may_have_an_exponent():
@@ -216,8 +216,8 @@ def test_samples_may_have_an_exponent():
 def test_members_move_as_the_closed_form_says_to_the_bit(folder):
     its = prepared(folder, SLIDER, (MASSES, "start.q.slide=-0.5:0.5:3", "start.v.slide=-2:2:2"),
                    series=True)
-    found = table(its)
-    for row in found.to_pylist():
+    result = table(its)
+    for row in result.to_pylist():
         m, q, v = (row[name] for name in ("block.mass", "start.q.slide", "start.v.slide"))
         if m + 1 in (2, 8):  # q and v are binary fractions then
             wanted = [q + v * t + 1.5 * t**2 / (m + 1) for t in (0, 0.25, 0.5, 0.75, 1)]
@@ -226,8 +226,8 @@ def test_members_move_as_the_closed_form_says_to_the_bit(folder):
             assert (row["q.slide.minimum"], row["q.slide.maximum"]) == (min(wanted), max(wanted))
             assert row["v.slide.mean"] == v + 1.5 / (m + 1)
         assert row["failed"] is None
-    assert found["member"].to_pylist() == list(range(18))
-    units = {x.name: (x.metadata or {}).get(b"unit") for x in found.schema}
+    assert result["member"].to_pylist() == list(range(18))
+    units = {x.name: (x.metadata or {}).get(b"unit") for x in result.schema}
     assert (units["v.slide.mean"], units["start.q.slide"], units["member"]) == (b"m/s", b"m", None)
 
 
@@ -254,11 +254,12 @@ def test_members_with_a_floating_base_keep_momentum_as_simulate_does(folder):
     """To the bit: rounding errors are removed after the same steps."""
     its = prepared(folder, texts.BRICK, (), ("start.v.*=-2:2",), 5, series=True,
                    record=("q", "v"), overrides=RunOverrides(until=0.5, integrator="leapfrog"))
-    found, columns = table(its), its.specification.varied.columns
-    for row in found.to_pylist():
+    result, columns = table(its), its.specification.varied.columns
+    for row in result.to_pylist():
         start = {int(x.name.rpartition(".")[2]): row[x.name] for x in columns}
         scene = replace(its.scene, start_v={"base": tuple(start[k] for k in range(6))})
-        alone = system(replace(its.kernels, scene=scene), "double")
+        wanted = replace(its.kernels.request, scene=scene)
+        alone = system(replace(its.kernels, request=wanted), "double")
         assert np.array_equal(integrate(alone, its.plan).v[:, 3],
                               np.array(row["v.base.3"]))
 
@@ -266,12 +267,12 @@ def test_members_with_a_floating_base_keep_momentum_as_simulate_does(folder):
 def test_statistics_are_exact_where_they_can_be():
     t = np.array([0, 0.5, 1, 1.25])
     samples = np.array([[1, -3], [2, 5], [-4, 5], [0, 8]], np.float32)
-    found = member_summary.statistics(t, samples)
+    result = member_summary.statistics(t, samples)
     for k, x in enumerate(samples.T.tolist()):
         pairs = zip(itertools.pairwise(t.tolist()), itertools.pairwise(x), strict=True)
         area = sum(Fraction(b - a) * Fraction(y + z) / 2 for (a, b), (y, z) in pairs)
-        assert found["mean"][k] == float(area / Fraction(1.25))
-        assert [found[name][k] for name in ("final", "minimum", "maximum")] == [
+        assert result["mean"][k] == float(area / Fraction(1.25))
+        assert [result[name][k] for name in ("final", "minimum", "maximum")] == [
             x[-1], min(x), max(x)]
 
 
@@ -283,7 +284,7 @@ def test_workers_with_other_sources_refuse(folder):
 
 
 def test_a_worker_without_memory_for_a_chunk_says_so(folder):
-    """Of 4e15 members: more than a process can address."""
+    """A chunk of 4e15 members is more than a process can address."""
     its = prepared(folder, SLIDER, ("block.mass=1:7:1e6",), ("start.q.slide=0:1",), 4 * 10**9)
     job = chunk.Job.of(its.kernels, replace(its.specification, chunk=4 * 10**15))
     with pytest.raises(SweepError, match="has too little memory for a chunk of 4000000000000000 m"):

@@ -28,8 +28,8 @@ pytestmark = pytest.mark.usefixtures("small_chunks")
 
 @pytest.fixture(scope="module")
 def workers() -> Iterator[LocalCluster]:
-    with processes(1) as found:
-        yield found
+    with processes(1) as result:
+        yield result
 
 
 @pytest.fixture(scope="module")
@@ -97,7 +97,7 @@ def test_statistics_and_tables_of_a_part_are_those_that_were_written(tmp_path):
 
 
 def without_checksum(path: Path) -> None:
-    """As an older version wrote it."""
+    """Removes the checksum, as in a file of an older version."""
     pyarrow.parquet.write_table(pyarrow.parquet.read_table(path), path)
 
 
@@ -136,10 +136,10 @@ def test_a_damaged_part_is_named_set_aside_and_made_again(damage: Callable[[Path
     path = copied / "members" / "part-00000004.parquet"
     damage(path)
     assert sweep(scene, copied, workers) == 0
-    said = capsys.readouterr().err
-    assert f"600 members, {600 - 64} of them written" in said
-    assert (f"coscrew: {path}: {why}" in said) is bool(why)
-    assert ("set aside as damaged/part-00000004.parquet, made again" in said) is bool(why)
+    output = capsys.readouterr().err
+    assert f"600 members, {600 - 64} of them written" in output
+    assert (f"coscrew: {path}: {why}" in output) is bool(why)
+    assert ("set aside as damaged/part-00000004.parquet, made again" in output) is bool(why)
     assert os.path.lexists(copied / "damaged" / path.name) is bool(why)
     assert table(copied).equals(table(whole))
 
@@ -156,10 +156,10 @@ def test_parts_damaged_in_the_middle_of_a_run_are_made_again(scene, workers, who
 
     with after(5, damage):
         assert finished(scene, out, workers) == 0
-    said = capsys.readouterr().err
-    assert said.count("made again") == 3 and "Traceback" not in said
+    output = capsys.readouterr().err
+    assert output.count("made again") == 3 and "Traceback" not in output
     for why in ("differs from its checksum; set aside", "is cut off or overwritten", "is gone; "):
-        assert why in said
+        assert why in output
     assert len(list((out / "damaged").iterdir())) == 2
     assert table(out).equals(table(whole))
     assert opened(out).load().equals(opened(whole).load())
@@ -192,10 +192,10 @@ def test_what_is_no_part_is_told_and_set_aside(change: Callable[[Path], None], n
     for unread in ("_unread", ".hidden"):
         (copied / "members" / unread).touch()
     assert sweep(scene, copied, workers) == 0
-    said = capsys.readouterr().err
+    output = capsys.readouterr().err
     assert (f"coscrew: {copied / 'members' / name}: is no part of this sweep; set aside as "
-            f"damaged/{name}\n") in said
-    assert f"600 members, {600 - gone} of them written" in said
+            f"damaged/{name}\n") in output
+    assert f"600 members, {600 - gone} of them written" in output
     assert (copied / "damaged" / name).exists()
     assert pandas.read_parquet(copied / "members").equals(pandas.read_parquet(whole / "members"))
     assert {x.name for x in (copied / "members").iterdir()} == {
@@ -212,10 +212,10 @@ def test_what_is_spoilt_in_the_middle_of_a_run_is_told_and_made_again(scene, wor
 
     with after(5, spoil):
         assert finished(scene, out, workers) == 0
-    said = capsys.readouterr().err
+    output = capsys.readouterr().err
     assert re.search(r"sweep.json: (differs from|has no|cannot be read).*; set aside as "
-                     "damaged/sweep.json, written again", said)
-    assert "part-00000099.parquet: is no part of this sweep; set aside as damaged/part-" in said
+                     "damaged/sweep.json, written again", output)
+    assert "part-00000099.parquet: is no part of this sweep; set aside as damaged/part-" in output
     assert (out / "sweep.json").read_bytes() == (whole / "sweep.json").read_bytes()
     assert opened(out).load().equals(opened(whole).load()) and table(out).equals(table(whole))
 
@@ -242,20 +242,20 @@ def test_what_stands_in_the_way_is_set_aside(scene, workers, whole, copied, caps
     left = copied / ".sweep.zarr.part"
     left.mkdir()
     assert finished(scene, copied, workers) == 0
-    said = capsys.readouterr().err
+    output = capsys.readouterr().err
     for name in ("sweep.zarr.sha256", "summary.html", ".lock"):
         assert (f"coscrew: {copied / name}: is no file; set aside as damaged/{name}, made again\n"
-                ) in said
+                ) in output
     for name in ("sweep.zarr", "members"):
-        assert f"{copied / name}: is no folder; set aside as damaged/{name}, made again\n" in said
+        assert f"{copied / name}: is no folder; set aside as damaged/{name}, made again\n" in output
         assert (copied / "damaged" / name).read_text() == "in the way"
-    assert not left.exists() and "Traceback" not in said
+    assert not left.exists() and "Traceback" not in output
     assert opened(copied).load().equals(opened(whole).load())
     assert (copied / "summary.html").read_bytes() == (whole / "summary.html").read_bytes()
 
 
 def forbid(monkeypatch: pytest.MonkeyPatch, path: Path) -> None:
-    """As if the user had no right to read this file: tests may be run by one who has all."""
+    """Makes this file unreadable, although root, who may run the tests, can read any file."""
     read_bytes = Path.read_bytes
 
     def forbidden(self: Path) -> bytes:
@@ -271,11 +271,11 @@ def test_a_person_is_told_what_cannot_be_read(name, scene, workers, copied, monk
     with monkeypatch.context() as patch:
         forbid(patch, copied / name)
         assert sweep(scene, copied, workers) == 2
-    said = capsys.readouterr().err
-    assert said.endswith(f"coscrew: {copied / name}: cannot be read: Permission denied; make it "
-                         "readable, or remove it, and the command that made the sweep makes it "
-                         "again\n")
-    assert "cannot write" not in said and not (copied / "damaged").exists()
+    output = capsys.readouterr().err
+    assert output.endswith(f"coscrew: {copied / name}: cannot be read: Permission denied; make it "
+                           "readable, or remove it, and the command that made the sweep makes it "
+                           "again\n")
+    assert "cannot write" not in output and not (copied / "damaged").exists()
     assert sweep(scene, copied, workers) == 0
 
 
@@ -295,9 +295,9 @@ def test_a_person_is_told_what_cannot_be_set_aside(scene, workers, whole, copied
     cut(path, 0)
     damaged.write_text("of a person")
     assert sweep(scene, copied, workers) == 2
-    said = capsys.readouterr().err
-    assert said.endswith(f"coscrew: {path}: is empty, and cannot be set aside: {damaged} is no "
-                         f"folder; rename or remove {damaged}, and give the same command again\n")
+    output = capsys.readouterr().err
+    assert output.endswith(f"coscrew: {path}: is empty, and cannot be set aside: {damaged} is no "
+                           f"folder; rename or remove {damaged}, and give the same command again\n")
     assert damaged.read_text() == "of a person"
     damaged.unlink()
 
@@ -307,9 +307,9 @@ def test_a_person_is_told_what_cannot_be_set_aside(scene, workers, whole, copied
     with monkeypatch.context() as patch:
         patch.setattr(quarantine.os, "replace", refused)
         assert sweep(scene, copied, workers) == 2
-    said = capsys.readouterr().err
-    assert said.endswith(f"is empty, and cannot be moved into {damaged}: Permission denied; move "
-                         "or remove it, and give the same command again\n")
+    output = capsys.readouterr().err
+    assert output.endswith(f"is empty, and cannot be moved into {damaged}: Permission denied; move "
+                           "or remove it, and give the same command again\n")
     assert sweep(scene, copied, workers) == 0
     assert table(copied).equals(table(whole))
 
@@ -324,9 +324,9 @@ def test_a_disk_that_damages_what_is_written_ends_the_command(scene, workers, tm
 
     monkeypatch.setattr(Folder, "write", spoilt)
     assert finished(scene, tmp_path / "out", workers) == 2
-    said = capsys.readouterr().err.splitlines()[-1]
+    output = capsys.readouterr().err.splitlines()[-1]
     assert re.search(r"part-\d{8}\.parquet: is cut off or overwritten \(100 bytes\), again and "
-                     r"again; is the disk in order\?", said)
+                     r"again; is the disk in order\?", output)
 
 
 def test_no_damaged_file_is_opened_as_numbers(whole, tmp_path):
@@ -371,8 +371,8 @@ def test_a_damaged_description_hides_no_other_sweep(scene, workers, copied, caps
     (copied / "sweep.json").unlink()
     words = [str(scene), *VARIED[:-1], "201", "--scheduler", workers.scheduler_address]
     assert main(["sweep", *words, "--out", str(copied)]) == 2
-    said = capsys.readouterr().err
-    assert "sweep.json: is gone; the parts beside it are of another sweep" in said
+    output = capsys.readouterr().err
+    assert "sweep.json: is gone; the parts beside it are of another sweep" in output
     assert finished(scene, copied, workers) == 0
 
 
@@ -382,6 +382,6 @@ def test_a_folder_of_which_nothing_is_whole_is_refused(scene, workers, copied, c
         cut(path, 0)
     before = sorted((x, x.stat().st_size) for x in copied.rglob("*"))
     assert sweep(scene, copied, workers) == 2
-    said = capsys.readouterr().err
-    assert "no part beside it is undamaged" in said and "take another --out" in said
+    output = capsys.readouterr().err
+    assert "no part beside it is undamaged" in output and "take another --out" in output
     assert sorted((x, x.stat().st_size) for x in copied.rglob("*")) == before

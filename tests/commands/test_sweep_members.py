@@ -39,16 +39,16 @@ def folder(tmp_path_factory) -> Path:
 def test_members_fail_where_runs_do_and_the_others_go_on(folder):
     """At the same time and joint, of the same cause: not finite, the step too long.  Only runs of
     their own try what helps."""
-    found = table(prepared(folder, UNSTABLE, ("block.mass=1e-6:1e6:7:log",))).to_pylist()
-    for row in found:
+    result = table(prepared(folder, UNSTABLE, ("block.mass=1e-6:1e6:7:log",))).to_pylist()
+    for row in result:
         alone = run(folder / "scene.toml", p={"block.mass": row["block.mass"]})
-        told = [(x.t, x.joint, x.cause.rpartition("; ")[0]) for x in alone.failed]
-        assert told == [(row["failed.t"], row["failed.joint"],
-                         (row["failed"] or "").rpartition("; ")[0])] * len(told)
-        assert bool(told) == (row["failed"] is not None) == (row["q.slide.final"] is None)
-        if not told:
+        messages = [(x.t, x.joint, x.cause.rpartition("; ")[0]) for x in alone.failed]
+        assert messages == [(row["failed.t"], row["failed.joint"],
+                             (row["failed"] or "").rpartition("; ")[0])] * len(messages)
+        assert bool(messages) == (row["failed"] is not None) == (row["q.slide.final"] is None)
+        if not messages:
             assert row["energy.total.final"] == alone.recorded["energy.total"][-1]
-    kinds = [x["failed"] and x["failed"].partition(" at t")[0] for x in found]
+    kinds = [x["failed"] and x["failed"].partition(" at t")[0] for x in result]
     assert kinds == ["not finite"] * 5 + ["the step is too large", None]
 
 
@@ -64,8 +64,8 @@ def test_one_member_alone_has_the_bits_that_the_sweep_wrote(text, options, membe
     words = ["sweep", str(scene_file(folder, text)), *options.split()]
     assert main([*words, "--member", str(member)]) == 0
     call, printed = capsys.readouterr().out.split("\n\nrecorded")
-    asked = command_line._parser("sweep").parse_args([*words, "--series", "--out", "x"])
-    row = table(sweep_command._prepared(asked)).to_pylist()[member]
+    requested = command_line._parser("sweep").parse_args([*words, "--series", "--out", "x"])
+    row = table(sweep_command._prepared(requested)).to_pylist()[member]
     exec(call, given := {})
     columns = given["member"].recorded
     for name, values in columns.items():
@@ -97,17 +97,17 @@ def reported(its: Prepared, folder: Path) -> str:
 def test_xarray_tells_why_members_failed(folder, tmp_path, capsys):
     its = prepared(folder, UNSTABLE, ("block.mass=1e-6:1e6:7:log",), ("start.v.slide=0:1",), 3)
     reported(its, tmp_path)
-    found, rows = sweep.opened(tmp_path), table(its).to_pylist()
+    result, rows = sweep.opened(tmp_path), table(its).to_pylist()
     for name, column in (("failed.cause", "failed"), ("failed.joint", "failed.joint")):
-        assert found[name].dims == ("sample", "block.mass")
-        assert found[name].values.ravel().tolist() == [row[column] or "" for row in rows]
+        assert result[name].dims == ("sample", "block.mass")
+        assert result[name].values.ravel().tolist() == [row[column] or "" for row in rows]
     assert {bool(row["failed"]) for row in rows} == {False, True}
     shutil.rmtree(tmp_path / "members")  # then the numbers are left
     assert "failed.cause" not in sweep.opened(tmp_path) and "failed.t" in sweep.opened(tmp_path)
 
 
 def test_maps_mark_where_members_failed(folder, tmp_path, capsys):
-    """At their values of what varied, of whatever spacing."""
+    """Marks are at their values of the varied quantities, with any spacing."""
     its = prepared(folder, UNSTABLE, ("block.mass=1e-6:1e6:7:log",), ("start.v.slide=0:1",), 8)
     page, failed = reported(its, tmp_path), table(its).to_pylist()
     assert "Crosses mark where members failed." in page
@@ -123,9 +123,9 @@ def test_maps_mark_where_members_failed(folder, tmp_path, capsys):
 
 def test_axes_of_geometric_grids_are_in_logarithms():
     mass = Candidate("mass", "p", 0, "kg")
-    found = axis.of_varied(Grid(mass, (100.0, 10.0, 1.0)), 8)
-    assert found.log and found.middles.tolist() == [1, 10, 100]
-    assert np.allclose(found.edges, [10**-0.5, 10**0.5, 10**1.5, 10**2.5], rtol=1e-15, atol=0)
+    result = axis.of_varied(Grid(mass, (100.0, 10.0, 1.0)), 8)
+    assert result.log and result.middles.tolist() == [1, 10, 100]
+    assert np.allclose(result.edges, [10**-0.5, 10**0.5, 10**1.5, 10**2.5], rtol=1e-15, atol=0)
     many = axis.of_varied(Grid(mass, tuple(2.0**k for k in range(50))), 7)
     assert many.log and np.allclose(many.edges, [2**(7 * k) for k in range(8)], rtol=1e-14, atol=0)
     huge = axis.Axis("mass", "kg", 1e-300, 1e300, 2, log=True)  # squares would overflow
@@ -141,7 +141,8 @@ def test_the_page_says_how_to_run_failed_members_alone(folder, tmp_path, capsys)
     assert capsys.readouterr().out == "4 of 4 members failed: 4 at slide\n"
     assert "Recorded quantities" not in text  # there are none
     assert "The seed of the Sobol sequence is 12." in text
-    assert "the first is run by: coscrew sweep x.toml --member 0</p>" in text
+    assert ("The first is run alone, with the same bits, by: coscrew sweep x.toml --member 0</p>"
+            in text)
     assert "block.mass [kg]</th><th scope=\"col\">start.v.slide [m/s]</th>" in text
     for k, (mass,
             speed) in enumerate(member_values.values(its.specification.varied, range(4)).tolist()):

@@ -1,6 +1,5 @@
-"""`coscrew sweep` on real workers: what it writes; killed workers, a lost scheduler, a full disk,
-two sweeps into one folder, Ctrl-C: nothing that was written is lost, and the same command goes on.
-"""
+"""`coscrew sweep` on real workers: its files; killed workers, a lost scheduler, a full disk, two
+sweeps into one folder, Ctrl-C: no written file is lost, and the same command continues."""
 
 import json
 import os
@@ -33,8 +32,8 @@ pytestmark = pytest.mark.usefixtures("small_chunks")
 @pytest.fixture(scope="module")
 def workers() -> Iterator[LocalCluster]:
     """Two processes."""
-    with processes(2) as found:
-        yield found
+    with processes(2) as result:
+        yield result
 
 
 @pytest.fixture(scope="module")
@@ -46,31 +45,31 @@ def whole(scene, tmp_path_factory) -> Path:
 
 
 def test_the_dataset_is_of_all_members_with_provenance(whole):
-    found = table(whole)
+    result = table(whole)
     assert sorted(x.name for x in whole.iterdir()) == [
         ".lock", "members", "summary.html", "sweep.json", "sweep.zarr", "sweep.zarr.sha256"]
     assert len(list((whole / "members").iterdir())) == CHUNKS
-    assert found["member"].to_pylist() == list(range(MEMBERS))
-    told = json.loads((whole / "sweep.json").read_text())
-    inside = json.loads(found.schema.metadata[b"coscrew"])
-    assert inside == told["provenance"] and inside["sweep sha256"] == told["sha256"]
+    assert result["member"].to_pylist() == list(range(MEMBERS))
+    description = json.loads((whole / "sweep.json").read_text())
+    inside = json.loads(result.schema.metadata[b"coscrew"])
+    assert inside == description["provenance"] and inside["sweep sha256"] == description["sha256"]
     assert {"scene sha256", "compiler", "coscrew", "numpy", "scipy"} <= set(inside)
-    assert told["specification"]["varied"]["seed"] == 0
+    assert description["specification"]["varied"]["seed"] == 0
 
 
 def test_xarray_sees_grids_as_dimensions(whole):
-    found, rows = opened(whole), table(whole)
-    assert dict(found.sizes) == {"sample": 200, "block.mass": 3}
-    assert found["block.mass"].values.tolist() == [1, 4, 7]
+    result, rows = opened(whole), table(whole)
+    assert dict(result.sizes) == {"sample": 200, "block.mass": 3}
+    assert result["block.mass"].values.tolist() == [1, 4, 7]
     for name in ("q.slide.final", "v.slide.mean", "member"):
-        assert np.array_equal(found[name].values.ravel(), rows[name].to_numpy())
-    assert np.array_equal(found["start.q.slide"].values, rows["start.q.slide"].to_numpy()[::3])
-    one = found["q.slide.final"].sel({"block.mass": 4})
+        assert np.array_equal(result[name].values.ravel(), rows[name].to_numpy())
+    assert np.array_equal(result["start.q.slide"].values, rows["start.q.slide"].to_numpy()[::3])
+    one = result["q.slide.final"].sel({"block.mass": 4})
     assert np.array_equal(one.values, rows["q.slide.final"].to_numpy()[1::3])
-    assert one.attrs["units"] == "m" and not found["failed"].values.any()
-    assert found["block.mass"].attrs["units"] == "kg"
-    assert found["start.q.slide"].attrs["units"] == "m"
-    assert found.attrs["coscrew"] == json.loads((whole / "sweep.json").read_text())["provenance"]
+    assert one.attrs["units"] == "m" and not result["failed"].values.any()
+    assert result["block.mass"].attrs["units"] == "kg"
+    assert result["start.q.slide"].attrs["units"] == "m"
+    assert result.attrs["coscrew"] == json.loads((whole / "sweep.json").read_text())["provenance"]
 
 
 def test_the_page_is_self_contained_and_shows_what_explains_the_motion(whole):
@@ -121,8 +120,8 @@ def test_a_lost_scheduler_ends_the_command_and_another_goes_on(scene, workers, w
         with (dask("worker", tmp_path, address, "--no-nanny", "--nthreads", "1"),
               after(2, lambda: (scheduler.kill(), scheduler.wait()))):
             assert sweep(scene, tmp_path / "out", address) == 2
-    said = capsys.readouterr().err
-    assert "the scheduler is gone; 128 of 600 members are written into " in said
+    output = capsys.readouterr().err
+    assert "the scheduler is gone; 128 of 600 members are written into " in output
     before = kept(tmp_path / "out")
     assert sweep(scene, tmp_path / "out", workers) == 0
     assert "600 members, 128 of them written" in capsys.readouterr().err
@@ -143,9 +142,9 @@ def test_a_full_disk_ends_the_command_and_leaves_no_half_file(scene, workers, wh
     out = tmp_path / "out"
     with file_size() as limited, after(3, limited):
         assert sweep(scene, out, workers) == 2
-    said = capsys.readouterr().err
+    output = capsys.readouterr().err
     assert re.search(rf"cannot write {out}/members/part-0000000\d.parquet: File too large; 192 of "
-                     "600 members are written", said)
+                     "600 members are written", output)
     assert len(kept(out)) == 3 and not list(out.rglob(".*.part"))
     for path in (out / "members").iterdir():
         assert pyarrow.parquet.read_metadata(path).num_rows == 64
@@ -191,8 +190,8 @@ def test_a_folder_of_another_sweep_or_of_other_files_is_refused(scene, workers, 
                                                                 capsys):
     before = kept(whole)
     assert sweep(scene, whole, workers, *VARIED[:-1], "201") == 2
-    said = capsys.readouterr().err
-    assert "holds another sweep" in said and "they differ in samples (200, 201)" in said
+    output = capsys.readouterr().err
+    assert "holds another sweep" in output and "they differ in samples (200, 201)" in output
     assert kept(whole) == before
     (tmp_path / "thesis.tex").touch()
     assert sweep(scene, tmp_path, workers) == 2
@@ -217,15 +216,15 @@ def test_an_interrupt_says_what_is_written(scene, tmp_path):
             with suppress(subprocess.TimeoutExpired):
                 process.wait(0.05)
         process.send_signal(signal.SIGINT)
-        said = process.communicate()[1]
+        message = process.communicate()[1]
     assert process.returncode == 130
-    (count,) = re.findall(r"interrupted; (\d+) of 300000000 members are written", said)
+    (count,) = re.findall(r"interrupted; (\d+) of 300000000 members are written", message)
     rows = [pyarrow.parquet.read_metadata(x).num_rows for x in (out / "members").iterdir()]
-    assert sum(rows) == int(count) and "Traceback" not in said
+    assert sum(rows) == int(count) and "Traceback" not in message
 
 
 def test_chunks_are_submitted_in_a_moving_window(workers, scene, whole):
-    """Never more than asked for in flight, of however many there are."""
+    """At most the requested number is in flight, however many chunks there are."""
     options = command_line._parser("sweep").parse_args(["sweep", str(scene), *VARIED, "--out", "x"])
     its, drawn = sweep_command._prepared(options), 0
     job = chunk.Job.of(its.kernels, its.specification)
@@ -247,6 +246,6 @@ def test_an_error_of_a_worker_is_told(workers, scene, tmp_path, capsys, monkeypa
     of = chunk.Job.of
     monkeypatch.setattr(chunk.Job, "of", lambda *its: replace(of(*its), generator="other"))
     assert sweep(scene, tmp_path / "out", workers) == 2
-    said = capsys.readouterr().err
-    assert "has another version of coscrew than this command" in said and "0 of 600 members" in said
-    assert SweepError.__name__ not in said
+    text = capsys.readouterr().err
+    assert "has another version of coscrew than this command" in text and "0 of 600 members" in text
+    assert SweepError.__name__ not in text

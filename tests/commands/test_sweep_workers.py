@@ -24,13 +24,13 @@ sys.path[:] = [x for x in sys.path if not x.endswith(("/codegen", "/generated/py
 """A process that finds no package of an editable installation."""
 
 
-@pytest.mark.parametrize(("environment", "largest", "said"), (
+@pytest.mark.parametrize(("environment", "largest", "message"), (
     ({}, 1000, "cannot use its disk: File too large"),
     ({"CC": "no-such-compiler"}, None, "cannot compile the scene, as this command can: no C "
      "compiler: no-such-compiler cannot be run"),
     ({"CC": "cc -include no-such-header"}, None, "cannot compile the scene, as this command can: ")
 ), ids=("a full disk", "no compiler", "a compiler that fails"))
-def test_what_a_worker_cannot_do_is_told(environment, largest, said, scene, tmp_path, capsys):
+def test_what_a_worker_cannot_do_is_told(environment, largest, message, scene, tmp_path, capsys):
     """Its cache is empty, and it must compile."""
     own = {"XDG_CACHE_HOME": str(tmp_path), **environment}
     with dask("scheduler", tmp_path, "--port", "0", "--host", "127.0.0.1") as scheduler:
@@ -39,7 +39,7 @@ def test_what_a_worker_cannot_do_is_told(environment, largest, said, scene, tmp_
                   largest=largest):
             assert sweep(scene, tmp_path / "out", address) == 2
     (line,) = (x for x in capsys.readouterr().err.splitlines() if "the worker" in x)
-    assert f"coscrew: the worker on {platform.node()} {said}" in line
+    assert f"coscrew: the worker on {platform.node()} {message}" in line
     assert line.endswith(f"; 0 of 600 members are written into {tmp_path / 'out'}, and the same "
                          "command goes on")
 
@@ -54,15 +54,15 @@ def test_processes_that_start_say_nothing_of_an_interrupt(scene, tmp_path):
         while len(its.children()) < 2:
             time.sleep(0.01)
         os.killpg(process.pid, signal.SIGINT)
-        said = process.communicate()[1]
+        message = process.communicate()[1]
     assert (process.returncode, first) == (130, "coscrew: 300000000 members, 0 of them written\n")
     assert unused.startswith("coscrew: not used: ")
     last = f"interrupted; 0 of 300000000 members are written into {tmp_path / 'out'}, and "
-    assert said == f"coscrew: {last}the same command goes on\n"
+    assert message == f"coscrew: {last}the same command goes on\n"
 
 
 def test_a_client_that_cannot_be_closed_hides_no_error(monkeypatch):
-    """As Dask's may fail if the scheduler is gone."""
+    """Closing Dask's client may fail if the scheduler is gone."""
     class Stuck:
         def close(self) -> None:
             raise RuntimeError("Cannot change state of expiring Timeout")
@@ -108,7 +108,7 @@ def test_another_cluster_of_this_machine_is_not_in_the_way(recwarn):
 
 
 def test_a_worker_without_coscrew_is_told(scene, tmp_path):
-    """It is not killed by what it receives, which the command would await for ever."""
+    """It is not killed by the task that it receives, which the command would await for ever."""
     (tmp_path / "sitecustomize.py").write_text(ALONE)
     with dask("scheduler", tmp_path, "--port", "0", "--host", "127.0.0.1") as scheduler:
         address = awaited(scheduler, r"Scheduler at: +(\S+)")

@@ -1,4 +1,4 @@
-"""How times are measured: confidence intervals of medians, rounds, addresses of arrays."""
+"""Measurement of times: confidence intervals of medians, rounds, addresses of arrays."""
 
 import ctypes
 import subprocess
@@ -54,14 +54,14 @@ def test_intervals_are_below_only_apart():
 @pytest.mark.parametrize("dtype", (np.float64, np.float32))
 @pytest.mark.parametrize("elements", range(16, 272, 16))
 def test_planes_start_at_lines_and_in_sets_of_their_own(elements: int, dtype: type):
-    """For a cache of 32 KiB with 64 sets of lines of 64 bytes."""
+    """The cache has 32 KiB, in 64 sets of lines of 64 bytes."""
     given = [np.arange(elements * size, dtype=dtype).reshape(elements, *shape)
              for size, shape in ((12, (3, 4)), (6, (6,)), (1, ()))]
-    found = buffers.planes(given)
-    starts = [part[k:].ctypes.data for part in found for k in range(len(part))]
+    result = buffers.planes(given)
+    starts = [part[k:].ctypes.data for part in result for k in range(len(part))]
     assert all(start % buffers.LINE == 0 for start in starts)
     assert len({start // buffers.LINE % 64 for start in starts}) == len(starts) == 19
-    for x, part in zip(given, found, strict=True):
+    for x, part in zip(given, result, strict=True):
         assert part.shape[1] == buffers.plane_length(elements, x.itemsize)
         assert (part[:, :elements].T.reshape(x.shape) == x).all()
 

@@ -28,11 +28,11 @@ def words(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> list[str]:
 
 
 def on_a_terminal(words: list[str]) -> str:
-    """What the command writes to standard error, a terminal."""
+    """Runs the command; returns its output to standard error, a terminal."""
     reader, writer = pty.openpty()
     with subprocess.Popen(words, stdout=subprocess.DEVNULL, stderr=writer) as process:
         os.close(writer)
-        said = b""
+        message = b""
         while True:
             try:
                 more = os.read(reader, 1000)
@@ -40,17 +40,17 @@ def on_a_terminal(words: list[str]) -> str:
                 break
             if not more:
                 break
-            said += more
+            message += more
     os.close(reader)
     assert process.returncode == 0
-    return said.decode()
+    return message.decode()
 
 
 def test_terminals_are_told_what_goes_on(words: list[str]):
     """First that a scene is derived, then each function, then the compiler; the line is cleared at
     the end.  If the cache has everything, nothing is shown."""
-    said = on_a_terminal(words)
-    parts = said.split(ERASED)
+    message = on_a_terminal(words)
+    parts = message.split(ERASED)
     assert parts[1] == "deriving swing …"
     wanted = ["deriving energy …", "deriving midpoint_acceleration …", "compiling double …"]
     assert [x for x in parts if x in wanted] == wanted

@@ -31,16 +31,16 @@ axis = [0, 1, 0]
     functions = derive(read_scene(path), (
         "inverse_dynamics", "forward_dynamics", "mass_matrix", "jacobian_arm", "reaction_hinge",
         "energy", "body_poses", "body_twists", "momentum", "integrated"))
-    found = {f.name: units(functions, f.name) for f in functions.functions}
+    results = {f.name: units(functions, f.name) for f in functions.functions}
     for f in functions.functions:
-        assert len(found[f.name]) == sum(a.quantity.size for a in f.program.outputs)
-    assert found["inverse_dynamics"] == ("N", "N m")
-    assert found["forward_dynamics"] == ("m/s^2", "rad/s^2")
-    assert found["mass_matrix"] == ("kg", "kg m", "kg m", "kg m^2")
-    assert found["jacobian_arm"] == 3 * ("1", "m") + 3 * ("1/m", "1")
-    assert found["reaction_hinge"] == ("N", "N", "N", "N m", "N m", "N m")
-    assert found["body_poses"] == 2 * 3 * ("1", "1", "1", "m")
-    assert found["energy"] == ("J", "J") and found["integrated"] == ("m", "rad")
+        assert len(results[f.name]) == sum(a.quantity.size for a in f.program.outputs)
+    assert results["inverse_dynamics"] == ("N", "N m")
+    assert results["forward_dynamics"] == ("m/s^2", "rad/s^2")
+    assert results["mass_matrix"] == ("kg", "kg m", "kg m", "kg m^2")
+    assert results["jacobian_arm"] == 3 * ("1", "m") + 3 * ("1/m", "1")
+    assert results["reaction_hinge"] == ("N", "N", "N", "N m", "N m", "N m")
+    assert results["body_poses"] == 2 * 3 * ("1", "1", "1", "m")
+    assert results["energy"] == ("J", "J") and results["integrated"] == ("m", "rad")
 
 
 @pytest.mark.parametrize("x, unit, words", (

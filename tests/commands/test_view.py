@@ -27,15 +27,15 @@ TEXTS = {"pendulum": texts.PENDULUM, "brick": texts.BRICK, "spring": texts.SPRIN
 @pytest.fixture(scope="module")
 def runs(tmp_path_factory):
     """The runs by name, and the folder with their pages."""
-    folder, found = tmp_path_factory.mktemp("view"), {}
+    folder, result = tmp_path_factory.mktemp("view"), {}
     for name, text in TEXTS.items():
         path = folder / f"{name}.toml"
         path.write_text(text)
         kernels = checked(path, None, others=("body_poses",), precisions=("double",))
-        (found[name],) = simulated(kernels, RunOverrides(until=2.0, precision="double"))
-        shown = found[name]
+        (result[name],) = simulated(kernels, RunOverrides(until=2.0, precision="double"))
+        shown = result[name]
         view(shown.system, shown.trajectory, shown.recording.provenance, folder / f"{name}.html")
-    return found, folder
+    return result, folder
 
 
 @pytest.fixture(scope="module")
@@ -81,11 +81,11 @@ def test_nothing_is_loaded_and_nothing_fails(browser, runs, name):
     shown = opened(browser, runs[1], name)
     shown.find_element(By.ID, "play").click()
     assert shown.get_log("browser") == []
-    asked = [message["params"]["request"]["url"] for message in (
+    requested = [message["params"]["request"]["url"] for message in (
         json.loads(entry["message"])["message"] for entry in shown.get_log("performance"))
         if message["method"] == "Network.requestWillBeSent"]
-    assert [x for x in asked if not x.startswith(("file:", "data:"))] == []
-    assert sum(x.startswith("file:") for x in asked) == 1
+    assert [x for x in requested if not x.startswith(("file:", "data:"))] == []
+    assert sum(x.startswith("file:") for x in requested) == 1
 
 
 @pytest.mark.parametrize("t", (0.0, 0.3333, 1.0, 1.987))
@@ -102,7 +102,7 @@ def test_bodies_are_where_the_closed_form_says(shown, t):
 
 
 def test_the_bob_is_drawn_where_it_is(shown):
-    """Where its position is projected to, the picture has the colour of its box, and elsewhere not.
+    """The picture has the colour of its box at the projection of its position, and not elsewhere.
     """
     for t in (0.0, 0.4, 0.8):
         shown.execute_script("seek(arguments[0]);", t)
@@ -256,7 +256,7 @@ def middle(box: dict[str, float]) -> float:
 
 
 def test_the_cursor_stands_at_its_time(shown):
-    """Where the axis says so, on a wide page and on a phone."""
+    """The cursor's place on the axis is that of its time, on a wide page and on a phone."""
     for width, phone in ((1280, False), (390, True)):
         resize(shown, width, 844, phone)
         ticks = {float(x.text): middle(x.rect) for x in shown.find_elements(
@@ -311,22 +311,22 @@ def test_a_run_that_stopped_says_so(runs, tmp_path):
     path = tmp_path / "unstable.toml"
     path.write_text(texts.UNSTABLE)
     kernels = checked(path, None, others=("body_poses",), precisions=("double",))
-    (found,) = simulated(kernels, RunOverrides(precision="double"))
-    text = page(found.system, found.trajectory, found.recording.provenance)
-    assert f'role="status">{found.trajectory.stopped}' in text
+    (result,) = simulated(kernels, RunOverrides(precision="double"))
+    text = page(result.system, result.trajectory, result.recording.provenance)
+    assert f'role="status">{result.trajectory.stopped}' in text
 
 
 def test_a_run_of_huge_numbers_is_shown_as_far_as_they_go(browser, runs, tmp_path):
     path = tmp_path / "unstable.toml"
     path.write_text(texts.UNSTABLE)
     kernels = checked(path, None, others=("body_poses",), precisions=("double",))
-    (found,) = simulated(kernels, RunOverrides(precision="double"))
-    view(found.system, found.trajectory, found.recording.provenance, tmp_path / "unstable.html")
+    (result,) = simulated(kernels, RunOverrides(precision="double"))
+    view(result.system, result.trajectory, result.recording.provenance, tmp_path / "unstable.html")
     shown = opened(browser, tmp_path, "unstable")
     assert shown.get_log("browser") == []
     assert shown.execute_script("return poses.length > 0 && poses.every(Number.isFinite);")
     ends = shown.execute_script("return end;")
-    assert ends < found.trajectory.t[-1]
+    assert ends < result.trajectory.t[-1]
     assert shown.find_element(By.ID, "shown").text.startswith(
         f"The playback ends at t = {ends:.6g} s: ")
     assert 'id="shown"' not in (runs[1] / "pendulum.html").read_text()
@@ -352,10 +352,10 @@ def test_boxes_have_the_bodies_inertia(sides):
 
 
 def test_lines_go_from_origins_to_joints_and_centres(runs):
-    found = drawn(runs[0]["pendulum"].system)
-    assert [(x["body"], x["points"], x["rod"]) for x in found.lines] == [
+    result = drawn(runs[0]["pendulum"].system)
+    assert [(x["body"], x["points"], x["rod"]) for x in result.lines] == [
         (-1, [[0, 0, 0], [0, 0, 0]], False), (0, [[0, 0, 0], [0, 0, -1]], False),
         (1, [[0, 0, 0], [0, 0, 0]], True)]
-    assert found.joints == [{"body": -1, "point": [0, 0, 0]}]
+    assert result.joints == [{"body": -1, "point": [0, 0, 0]}]
     assert drawn(runs[0]["spring"].system).slides == [{"body": -1, "point": [0, 0, 0], "child": 0}]
     assert drawn(runs[0]["brick"].system).joints == []

@@ -31,16 +31,16 @@ def test_special_values(precision: Precision):
 
 @each_precision
 def test_errors_are_below_the_proved_bound(precision: Precision):
-    """And below a normal result, of half an ulp of the least subnormal and a little."""
+    """Below a normal result the bound is half an ulp of the least subnormal number and a little."""
     y, x = (a.astype(precision.numpy_type) for a in quotients(precision))
     finite = np.isfinite(y) & np.isfinite(x)
     y, x = y[finite], x[finite]
     got = angles(precision, y, x)
-    found = errors("atan2", precision, got, y, x)
+    result = errors("atan2", precision, got, y, x)
     normal = np.abs(got) >= float(precision.limit("smallest_normal"))
     assert normal.sum() > 20000 and (~normal).sum() > 50
-    assert found[normal].max() <= float(atan2.FUNCTION.error(precision))
-    assert found[~normal].max() <= 0.5001
+    assert result[normal].max() <= float(atan2.FUNCTION.error(precision))
+    assert result[~normal].max() <= 0.5001
 
 
 @each_precision

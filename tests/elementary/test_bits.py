@@ -28,13 +28,13 @@ def arguments(function: Elementary, precision: Precision) -> list[Array]:
     special = np.array([0, np.inf, np.nan, 1, *(float(precision.limit(name)) for name in (
         "smallest_subnormal", "smallest_normal", "max"))])
     every = np.meshgrid(*[np.concatenate([special, -special])] * len(function.inputs))
-    found = []
+    outcomes = []
     for values in every:
         right = np.round(rng.uniform(-2.0**precision.digits, 2.0**precision.digits, 3000))
         bits = rng.integers(0, 2**(8 * precision.bytes), 9000, dtype=f"u{precision.bytes}")
         ordinary = np.concatenate([rng.uniform(-10, 10, 9000), right * np.pi / 2, values.ravel()])
-        found.append(np.concatenate([ordinary.astype(one), bits.view(one)]))
-    return found
+        outcomes.append(np.concatenate([ordinary.astype(one), bits.view(one)]))
+    return outcomes
 
 
 def loop(function: Elementary, precision: Precision) -> str:
@@ -69,11 +69,11 @@ def library(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFac
 @pytest.mark.parametrize("function", FUNCTIONS, ids=lambda x: x.name)
 def test_c(function: Elementary, precision: Precision, library: ctypes.CDLL):
     given = arguments(function, precision)
-    found = [np.empty_like(given[0]) for _ in function.outputs]
+    values = [np.empty_like(given[0]) for _ in function.outputs]
     getattr(library, "run_" + function.name + precision.suffix)(
         ctypes.c_long(len(given[0])), *(x.ctypes.data_as(ctypes.c_void_p)
-                                        for x in (*given, *found)))
-    for got, wanted in zip(found, results(function, precision, *given), strict=True):
+                                        for x in (*given, *values)))
+    for got, wanted in zip(values, results(function, precision, *given), strict=True):
         assert same(got, wanted)
 
 
@@ -82,7 +82,7 @@ def test_c(function: Elementary, precision: Precision, library: ctypes.CDLL):
 def test_generated_python(function: Elementary, precision: Precision):
     given = arguments(function, precision)
     module = import_module(f"coscrew._elementary_{precision.name}")
-    found = getattr(module, function.name)(*given)
-    for got, wanted in zip(found if len(function.outputs) > 1 else [found],
+    result = getattr(module, function.name)(*given)
+    for got, wanted in zip(result if len(function.outputs) > 1 else [result],
                            results(function, precision, *given), strict=True):
         assert same(got, wanted)

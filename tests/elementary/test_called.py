@@ -1,4 +1,4 @@
-"""Names in Programs of elementary functions; what Programs cost that call them."""
+"""Names in Programs of elementary functions; cost of Programs that call them."""
 
 from collections import Counter
 
@@ -30,7 +30,7 @@ def test_two_steps_cannot_have_the_same_name(second: str):
 
 
 def test_constants_of_a_name_are_the_same():
-    """Where nested text names them, it can only mean one."""
+    """A name in nested text stands for one constant only."""
     for function in FUNCTIONS.values():
         for of in filter(None, (function.kernel, function.near, function.far)):
             for precision in PRECISIONS:

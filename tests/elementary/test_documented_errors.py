@@ -22,19 +22,19 @@ def largest(function: Elementary, precision: Precision) -> dict[str, float]:
     """By the names of the results, the largest error of a committed case that is not subnormal."""
     given = worst_cases(function.name, precision)
     names = ("sin", "cos") if function.name == "sincos" else (function.name,)
-    found = {}
+    values = {}
     for name, got in zip(names, results(function, precision, *given), strict=True):
         normal = np.abs(got) >= np.finfo(got.dtype).tiny
-        found[name] = errors(name, precision, got[normal], *(x[normal] for x in given)).max()
-    return found
+        values[name] = errors(name, precision, got[normal], *(x[normal] for x in given)).max()
+    return values
 
 
 @pytest.mark.parametrize("function", ELEMENTARY, ids=lambda x: x.name)
 def test_rows_are_true(function):
-    found = {p.name: largest(function, p) for p in (DOUBLE, SINGLE)}
-    for name in found["double"]:
+    results = {p.name: largest(function, p) for p in (DOUBLE, SINGLE)}
+    for name in results["double"]:
         numbers = (x for p in (DOUBLE, SINGLE)
-                   for x in (float(function.error(p)), found[p.name][name]))
+                   for x in (float(function.error(p)), results[p.name][name]))
         row = f"| `{name}` | {' | '.join(f'{x:.3f}' for x in numbers)} |"
         assert row in _GUIDE.read_text().splitlines(), row
 

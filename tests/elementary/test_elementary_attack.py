@@ -1,4 +1,5 @@
-"""A sample of what `make attack` does on every number of single precision, and many of double."""
+"""A sample of `make attack`'s comparisons on every number of single precision, and many of double.
+"""
 
 from pathlib import Path
 
@@ -19,8 +20,8 @@ needs_long_double = pytest.mark.skipif(not IS_WIDE, reason="the judge needs x86'
 @each_precision
 def test_elementary_functions_are_within_their_errors(precision: Precision, tmp_path: Path):
     arguments = (SINGLES, STRIDE) if precision is SINGLE else (2_000_000, 1)
-    for found in judged(precision, program(precision, tmp_path), *arguments):
-        assert found.holds, found
+    for result in judged(precision, program(precision, tmp_path), *arguments):
+        assert result.holds, result
 
 
 @needs_long_double
@@ -35,5 +36,5 @@ def test_a_spoiled_function_is_seen(name: str, spoiled: str, tmp_path: Path):
         f"static float result(float x) {{ return {spoiled}; }}\n"
         f"static float spoiled(float x) {{ return result(ksl_{name}f(x)); }}\n"
         f"#define ksl_{name}f spoiled\n")
-    found = judged(SINGLE, program(SINGLE, tmp_path, tmp_path), SINGLES, 256 * STRIDE)
-    assert {x.name for x in found if not x.holds} == {name}
+    result = judged(SINGLE, program(SINGLE, tmp_path, tmp_path), SINGLES, 256 * STRIDE)
+    assert {x.name for x in result if not x.holds} == {name}

@@ -21,7 +21,7 @@ def test_special_values(precision: Precision):
 
 @each_precision
 def test_errors_are_below_the_proved_bound(precision: Precision):
-    """And below a normal result, half an ulp of the least subnormal more."""
+    """Below a normal result the bound is larger by half an ulp of the least subnormal number."""
     rng = np.random.default_rng(5)
     zero, normal, overflow = EXP_ENDS[precision.name]
     tiny = 2.0**np.arange(-precision.digits - 2, 11)[:, None] * rng.uniform(1, 2, (1, 60))

@@ -15,11 +15,12 @@ from coscrew_codegen.backends.scene import scene_c_parts, scene_c_tier
 from coscrew_codegen.dynamics import derive
 from coscrew_codegen.program.elementary import Elementary, sincos, sincos_error
 from coscrew_codegen.program.values.formats import PRECISIONS, Precision
-from coscrew_codegen.scene.mechanism.model import HERE, Kind
+from coscrew_codegen.scene.mechanism.model import HERE
 from tests.support.compiled.c_harness import DIALECTS, run
 from tests.support.compiled.flags import FMA
 from tests.support.each import each_precision
 from tests.support.scenes.generated_scenes import BANNER
+from tests.support.scenes.kinds import Kind
 from tests.support.scenes.mechanisms import Y, Z, chain, inertia, scene
 from tests.support.truth.elementary import Array, results, same, worst_cases
 
@@ -90,13 +91,13 @@ def test_bits_are_those_of_one_angle(library: ctypes.CDLL, precision: Precision,
     x = angles(precision)
     known = [x]
     for function in FUNCTIONS:
-        found = [np.empty_like(x) for _ in function.outputs]
+        values = [np.empty_like(x) for _ in function.outputs]
         getattr(library, f"{function.name}_{count}{precision.suffix}")(
             ctypes.c_long(len(x) // count),
-            *(y.ctypes.data_as(ctypes.c_void_p) for y in (*known, *found)))
-        for got, wanted in zip(found, results(function, precision, *known), strict=True):
+            *(y.ctypes.data_as(ctypes.c_void_p) for y in (*known, *values)))
+        for got, wanted in zip(values, results(function, precision, *known), strict=True):
             assert same(got, wanted)
-        known += found
+        known += values
 
 
 def test_scenes_compute_several_at_once(monkeypatch: pytest.MonkeyPatch):

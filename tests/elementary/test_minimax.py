@@ -42,10 +42,10 @@ def test_approximations_are_within_what_is_stated(precision: Precision):
 def test_the_least_largest_error_of_a_known_polynomial():
     """x^5 by degree 4: the error is a Chebyshev polynomial, 2^-4 on [-1, 1]."""
     with mpmath.workdps(60):
-        found = fitted(lambda x: x**5, lambda x: 1, (Fraction(-1), Fraction(1)), 4, 200)
+        result = fitted(lambda x: x**5, lambda x: 1, (Fraction(-1), Fraction(1)), 4, 200)
     want = [0, Fraction(-5, 16), 0, Fraction(5, 4), 0]
-    assert all(abs(a - b) < Fraction(1, 500) for a, b in zip(found, want, strict=True))
-    error = supremum(difference([Fraction(0)] * 5 + [Fraction(1)], found), [Fraction(1)],
+    assert all(abs(a - b) < Fraction(1, 500) for a, b in zip(result, want, strict=True))
+    error = supremum(difference([Fraction(0)] * 5 + [Fraction(1)], result), [Fraction(1)],
                      (Fraction(-1), Fraction(1)), 512)
     assert Fraction(1, 16) < error < Fraction(1003, 16000)
 
@@ -70,11 +70,11 @@ def test_coefficients_are_rounded_to_nearest():
 def test_bernstein_coefficients_bound_a_polynomial():
     p = [Fraction(x) for x in (3, -7, 1, 5, -2)]
     lower, upper = Fraction(-2, 3), Fraction(5, 7)
-    found = bernstein(p, (lower, upper))
+    result = bernstein(p, (lower, upper))
     values = [sum(c * x**i for i, c in enumerate(p))
               for x in (lower + (upper - lower) * Fraction(k, 40) for k in range(41))]
-    assert found[0] == values[0] and found[-1] == values[-1]
-    assert min(found) <= min(values) and max(values) <= max(found)
+    assert result[0] == values[0] and result[-1] == values[-1]
+    assert min(result) <= min(values) and max(values) <= max(result)
     assert product([Fraction(1), Fraction(2)], [Fraction(3), Fraction(4)]) == [3, 10, 8]
 
 

@@ -1,4 +1,4 @@
-"""What exp, tanh and atan2 err by, against MPFR: with their errors they have twice the digits."""
+"""Errors of exp, tanh and atan2, against MPFR: with their errors they have twice the digits."""
 
 from math import log2
 
@@ -29,7 +29,7 @@ OTHERS = [x for x in ERRORS if x.name != "sincos_error"]
 
 
 def computed(error: Elementary, precision: Precision, *inputs: Array) -> tuple[Array, Array]:
-    """A function's results and what they err by."""
+    """A function's results and their computed errors."""
     function = next(x for x in ELEMENTARY if error.name == f"{x.name}_error")
     got, = results(function, precision, *inputs)
     rest, = results(error, precision, *inputs, got)
@@ -37,7 +37,7 @@ def computed(error: Elementary, precision: Precision, *inputs: Array) -> tuple[A
 
 
 def inputs(name: str, precision: Precision) -> tuple[Array, ...]:
-    """Of all magnitudes, next to the ends of pieces, worst cases found."""
+    """Inputs of all magnitudes, next to the ends of pieces, and worst cases found."""
     rng = np.random.default_rng(12)
     if name == "atan2":
         y, x = (a.astype(precision.numpy_type)[::4] for a in quotients(precision))
@@ -64,14 +64,14 @@ def test_results_with_their_errors_have_twice_the_digits(error: Elementary, prec
     given, got, rest = tuple(x[known] for x in given), got[known], rest[known]
     assert len(got) > 5000 and np.isfinite(rest).all()
     half = float(precision.eta) if precision.digits == 24 else 0
-    found = remaining(name, got, rest, *given, slack=1.02 * half)
+    result = remaining(name, got, rest, *given, slack=1.02 * half)
     if not half:  # the slack is no number of double precision: there, errors in its least binades
         large = np.abs(got) > float(precision.smallest_normal / precision.u**2)
         ulps = np.maximum(np.spacing(np.abs(got)), float(precision.limit("smallest_subnormal")))
         assert (np.abs(rest) <= ulps)[~large].all()
-        found = found[large]
+        result = result[large]
     stated = log2(error.error(precision))
-    assert stated - 8 < found.max() <= stated
+    assert stated - 8 < result.max() <= stated
     assert stated < 7.5 - 2 * precision.digits
 
 
@@ -114,7 +114,7 @@ def atan2_error() -> Elementary:
 
 @each_precision
 def test_parts_of_ln_2(precision: Precision):
-    """Their sum is what it is to be; products with any k are exact."""
+    """Their sum is ln 2 to the stated bound; products with any k are exact."""
     data = exp_error.parts(precision)
     parts = data.first, data.second
     assert all(abs(x - sum(parts) - data.rest) <= data.missing for x in ln2())

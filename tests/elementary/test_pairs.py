@@ -1,4 +1,4 @@
-"""Pairs of numbers: what their operations are proved to err by, against rationals."""
+"""Pairs of numbers: proved errors of their operations, against rationals."""
 
 from collections.abc import Callable
 from fractions import Fraction
@@ -55,21 +55,21 @@ def test_operations_err_by_no_more_than_is_proved(name: str, precision: Precisio
     steps, u = StepWriter(*GIVEN), precision.u
     a, a_low, b, b_low = steps.inputs()
     size = Fraction(float(precision.rounded(Fraction(7, 10))))
-    found = rule(Pairs(precision), Pair(a, a_low, Fraction(1), 3 * u),
-                 Pair(b, b_low, size, 3 * u * size))
-    program = steps.program("rule", GIVEN[:2], (found.high, found.low))
+    result = rule(Pairs(precision), Pair(a, a_low, Fraction(1), 3 * u),
+                  Pair(b, b_low, size, 3 * u * size))
+    program = steps.program("rule", GIVEN[:2], (result.high, result.low))
     given, worst = samples(precision), Fraction(0)
     rows = zip(*(x.tolist() for x in (*given, *values(program, precision, *given))), strict=True)
     for row in rows:
         a1, a2, b1, b2, high, low = map(Fraction, row)
         worst = max(worst, abs(high + low - exact(a1 + a2, b1 + b2)))
-        assert abs(high) <= found.size and abs(low) <= found.rest
-    assert found.error / 50 <= worst <= found.error or name == "normal" and not worst
+        assert abs(high) <= result.size and abs(low) <= result.rest
+    assert result.error / 50 <= worst <= result.error or name == "normal" and not worst
 
 
 def test_constants_are_known_to_twice_the_digits():
-    found = Pairs(DOUBLE).constant(StepWriter(), Fraction(1, 3))
-    assert found.size == Fraction(1 / 3) and found.error <= Fraction(1, 3) / 2**106
+    result = Pairs(DOUBLE).constant(StepWriter(), Fraction(1, 3))
+    assert result.size == Fraction(1 / 3) and result.error <= Fraction(1, 3) / 2**106
     assert Pairs(DOUBLE).constant(StepWriter(), Fraction(1, 2)).low is None
 
 

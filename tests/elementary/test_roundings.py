@@ -149,9 +149,9 @@ def test_choices_that_differ_are_refused_only_if_they_matter():
 
 
 def test_pieces_cover_the_interval():
-    found = pieces(Fraction(-1), Fraction(3), 4, [Fraction(1, 3), Fraction(9)])
-    assert [x for x, _ in found] == [-1, 0, Fraction(1, 3), 1, 2]
-    assert [y for _, y in found] == [0, Fraction(1, 3), 1, 2, 3]
+    result = pieces(Fraction(-1), Fraction(3), 4, [Fraction(1, 3), Fraction(9)])
+    assert [x for x, _ in result] == [-1, 0, Fraction(1, 3), 1, 2]
+    assert [y for _, y in result] == [0, Fraction(1, 3), 1, 2, 3]
 
 
 def test_operations_without_an_analysis_are_refused():

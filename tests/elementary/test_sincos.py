@@ -1,4 +1,4 @@
-"""Sine and cosine against MPFR: special values, every binade, what is nearest to k π/2."""
+"""Sine and cosine against MPFR: special values, every binade, the numbers nearest to k π/2."""
 
 from fractions import Fraction
 
@@ -27,9 +27,9 @@ def holds(precision: Precision, x: Array) -> None:
     """Sines and cosines are within their error, those of -x the same except the sign."""
     s, c = results(FUNCTION, precision, x)
     for name, got in (("sin", s), ("cos", c)):
-        found = errors(name, precision, got, x)
-        worst = int(np.argmax(found))
-        assert found[worst] <= FUNCTION.error(precision), f"{name} {float(x[worst]).hex()}"
+        result = errors(name, precision, got, x)
+        worst = int(np.argmax(result))
+        assert result[worst] <= FUNCTION.error(precision), f"{name} {float(x[worst]).hex()}"
     below = results(FUNCTION, precision, -x)
     assert same(below[0], -s) and same(below[1], c)
 
@@ -109,7 +109,7 @@ def test_quadrants(precision: Precision):
 
 @each_precision
 def test_special_values(precision: Precision):
-    """Signed zeros, subnormal numbers and what is next are their own sines to the bit."""
+    """Signed zeros, subnormal numbers and the next larger ones are their own sines to the bit."""
     tiny = [float(precision.limit(name)) * n for n in (1, 3) for name in (
         "smallest_subnormal", "smallest_normal")]
     x = np.array([0.0, *tiny], precision.numpy_type)

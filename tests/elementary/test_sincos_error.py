@@ -1,4 +1,4 @@
-"""What sine and cosine err by, against MPFR: with their errors they have twice the digits."""
+"""Errors of sine and cosine, against MPFR: with their errors they have twice the digits."""
 
 from fractions import Fraction
 from math import log2
@@ -22,13 +22,13 @@ def computed(x: Array, precision: Precision) -> tuple[tuple[Array, Array], tuple
 
 
 def holds(x: Array, precision: Precision) -> float:
-    """Both are within what is proved; log2 of the worst."""
+    """Asserts that both are within the proved bounds; returns log2 of the worst."""
     stated, worst = log2(sincos_error.error(precision)), -np.inf
     for name, (got, rest) in zip(("sin", "cos"), computed(x, precision), strict=True):
-        found = remaining(name, got, rest, x)
-        at = int(np.argmax(found))
-        assert found[at] <= stated, f"{name} {float(x[at]).hex()}: 2^{found[at]:.2f}"
-        worst = max(worst, found[at])
+        result = remaining(name, got, rest, x)
+        at = int(np.argmax(result))
+        assert result[at] <= stated, f"{name} {float(x[at]).hex()}: 2^{result[at]:.2f}"
+        worst = max(worst, result[at])
     return worst
 
 
@@ -44,7 +44,8 @@ def hard(precision: Precision) -> Array:
 
 @each_precision
 def test_results_with_their_errors_have_twice_the_digits(precision: Precision):
-    """Below and beyond the limit, in all binades; of numbers, and what is next to right angles."""
+    """Below and beyond the limit, in all binades, for ordinary numbers and numbers next to right
+    angles."""
     rng = np.random.default_rng(10)
     limit, top = float(reduction.limit(precision)), precision.bias
     x = np.concatenate([rng.uniform(-9, 9, 2000), rng.uniform(-limit, limit, 2000),
@@ -66,7 +67,7 @@ def test_errors_are_stated_as_they_are_proved(precision: Precision):
 @each_precision
 @pytest.mark.parametrize("place", ["first", "near", "far"])
 def test_reductions_are_within_what_is_proved(place: str, precision: Precision):
-    """Of the results of atan2 first, next to which the distances are of all magnitudes."""
+    """Results of atan2 come first: the distances next to them have all magnitudes."""
     x, ends = np.abs(hard(precision)), [0, atan2_error.LARGEST, reduction.limit(precision), np.inf]
     at, name = ("first", "near", "far").index(place), "far" if place == "far" else "near"
     beside = (n * HALF_PI * (1 + Fraction(3, 2**m)) for n in (1, 2) for m in range(9, 60))
@@ -74,8 +75,8 @@ def test_reductions_are_within_what_is_proved(place: str, precision: Precision):
     x = x[(x > float(ends[at])) & (x <= float(ends[at + 1]))]
     spread = (reduction_pairs.near_spread(precision, atan2_error.LARGEST) if place == "first" else
               getattr(reduction_pairs, f"{place}_spread")(precision))
-    found = values(getattr(reduction_pairs, name)(precision), precision, x)
-    for row in zip(x.tolist(), *(y.tolist() for y in found), strict=True):
+    result = values(getattr(reduction_pairs, name)(precision), precision, x)
+    for row in zip(x.tolist(), *(y.tolist() for y in result), strict=True):
         given, k, r, low = map(Fraction, row)
         whole = round(given / HALF_PI)
         angle = given - whole * HALF_PI
@@ -98,7 +99,7 @@ def test_special_values(precision: Precision):
 
 @each_precision
 def test_parts_of_a_right_angle(precision: Precision):
-    """Their sum is what it is to be; products with any k are exact."""
+    """Their sum is π/2 to the stated bound; products with any k are exact."""
     data, k = reduction_pairs.parts(precision), 2**reduction.split(precision).k_bits - 1
     assert abs(HALF_PI - sum(data.parts) - data.rest) == data.missing
     for part in data.parts:

@@ -32,8 +32,8 @@ def test_errors_are_below_the_proved_bound(precision: Precision):
                         rng.uniform(0.625, 1, 20000), rng.uniform(1, 20, 10000),
                         *worst_cases("tanh", precision)]).astype(precision.numpy_type)
     x[::2] *= -1
-    found = errors("tanh", precision, values(tanh.kernel(precision), precision, x)[0], x)
-    assert found.max() <= float(tanh.FUNCTION.error(precision))
+    result = errors("tanh", precision, values(tanh.kernel(precision), precision, x)[0], x)
+    assert result.max() <= float(tanh.FUNCTION.error(precision))
 
 
 @each_precision

@@ -32,12 +32,13 @@ def test_the_first_chunks_are_two_over_pi_rounded(precision: Precision):
 
 @each_precision
 def test_every_exponent_finds_its_chunks(precision: Precision):
-    """As the generated Python does, up to infinity and NaN, which find some."""
+    """The generated Python finds them for every exponent, up to infinity and NaN, which find some.
+    """
     generated = import_module(f"coscrew._elementary_{precision.name}").two_over_pi
     x = 1.75 * 2.0**np.arange(2, precision.bias + 1)
     x = np.concatenate([x, [np.inf, np.nan]]).astype(precision.numpy_type)
     for n in range(EXTRA + 1):
-        found = np.asarray(generated(x, n))
-        assert found.dtype == x.dtype and np.isfinite(found).all()
-        assert found[:-2].tolist() == [
+        result = np.asarray(generated(x, n))
+        assert result.dtype == x.dtype and np.isfinite(result).all()
+        assert result[:-2].tolist() == [
             float(chunk(Fraction(float(y)), n, precision.digits)) for y in x[:-2]]

@@ -45,8 +45,8 @@ def matrices(values: tuple[float, ...]) -> np.ndarray:
 @each_precision
 @pytest.mark.parametrize("how", CALLS)
 def test_choices_are_made_once(how: str, precision: Precision) -> None:
-    """Where singular values coincide, columns turn by angles that rounding errors choose: all parts
-    by the same ones."""
+    """Columns turn by angles that rounding errors choose where singular values coincide: all parts
+    by the same angles."""
     u = mpf(2)**-precision.digits
     given = np.concatenate(
         [matrices(values) for values in VALUES.values()]
@@ -60,7 +60,7 @@ def test_choices_are_made_once(how: str, precision: Precision) -> None:
 
 
 def derivative(A: np.ndarray, D: np.ndarray) -> tuple[mpmath.matrix, mpf]:
-    """That of the nearest rotation R along D, R [ω]x with (tr S - S) ω = axial part of
+    """The derivative of the nearest rotation R along D, R [ω]x with (tr S - S) ω = axial part of
     R^T D - D^T R and S = R^T A, and the condition s1² / ((s1 ± s3) (s2 ± s3)), at least 1."""
     R, _ = nearest(A)
     S, W = R.T * mpmath.matrix(A.tolist()), R.T * mpmath.matrix(D.tolist())

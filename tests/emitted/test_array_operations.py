@@ -46,7 +46,7 @@ def test_operations_have_the_bits_of_numpy(precision: Precision) -> None:
 
 
 def arguments(precision: Precision) -> np.ndarray:
-    """Of every size, zeros among them."""
+    """Arguments of every size, zeros among them."""
     rng = np.random.default_rng(7)
     most = 300 if precision == DOUBLE else 37
     x = rng.standard_normal(999) * 10.0**rng.uniform(-most, most, 999)

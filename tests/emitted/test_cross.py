@@ -86,7 +86,7 @@ def test_many_elements_have_the_same_bits(tmp_path: Path):
 
 
 def test_floats_computed_in_double_are_refused(tmp_path: Path):
-    """As strict C has them on s390x, where 0.1f is 0.1."""
+    """Strict C has them on s390x, where 0.1f is 0.1."""
     compiler = COMPILERS["s390x"]
     needed(compiler)
     (tmp_path / "user.c").write_text("#include <ksl/ksl.h>\n")

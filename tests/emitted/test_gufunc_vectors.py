@@ -57,13 +57,13 @@ def inputs(operation: Operation, dtype, n: int, some: float = 0.1) -> Arrays:
 
 
 def one_by_one(call: Callable, arguments: Arrays) -> Arrays:
-    """What calls with one element each return."""
+    """The results of calls with one element each."""
     each = [tuple_of(call(*(a[i] for a in arguments))) for i in range(len(arguments[0]))]
     return tuple(map(np.stack, zip(*each, strict=True)))
 
 
 def assert_same(found, wanted: Arrays, said: object = "") -> None:
-    """The same bits; NaN where wanted is NaN."""
+    """Asserts equal bits; NaN where wanted is NaN."""
     for x, y in zip(tuple_of(found), wanted, strict=True):
         assert x.dtype == y.dtype and x.shape == y.shape, said
         x, y = (np.where(np.isnan(a), a.dtype.type(np.nan), a) for a in (x, y))
@@ -168,7 +168,7 @@ def test_shared_elements(operation, dtype):
 
 @every
 def test_results_in_place(operation, dtype):
-    """Also of more elements than are computed before any is written."""
+    """More elements than are computed before any is written are included."""
     call = coscrew.unchecked(getattr(coscrew, operation.name))
     for number, output in enumerate(operation.outputs):
         for place, argument in enumerate(operation.inputs):
@@ -186,8 +186,9 @@ def test_results_in_place(operation, dtype):
 
 @every
 def test_flags_are_those_of_one_element_each(operation, dtype):
-    """NumPy warns of those except underflow; kernels on vectors evaluate what is not chosen, too.
-    Underflow is left out: clang's code for one element raises it of what registers held before."""
+    """NumPy warns of those except underflow; kernels on vectors evaluate branches that are not
+    chosen, too.  Underflow is left out: clang's code for one element raises it from old contents of
+    registers."""
     call = coscrew.unchecked(getattr(coscrew, operation.name))
 
     def flags(*arguments) -> set[str]:

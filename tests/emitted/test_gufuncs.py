@@ -311,7 +311,7 @@ def test_many_threads_agree():
 
 
 def test_the_gil_is_released():
-    """A thread of Python goes on counting while one long call runs in another."""
+    """A thread of Python counts while one long call runs in another."""
     c = np.broadcast_to(np.arange(6.0), (5_000_000, 6))
     out, count, stop = np.empty(len(c)), [0], threading.Event()
 

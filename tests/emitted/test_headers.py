@@ -143,7 +143,7 @@ def test_no_alloc_leaves_out_the_heap(header, compiler, tmp_path):
 FAST_MATH = ("-ffast-math", "-Ofast", "-freciprocal-math", "-ffinite-math-only",
              "-fno-signed-zeros", "-mfpmath=387", "-funsafe-math-optimizations",
              "-fsingle-precision-constant")
-# Flags of clang without a macro are found by ksl_selfcheck.
+# ksl_selfcheck detects flags of clang without a macro.
 FAST_MATH_OF = {compiler: FAST_MATH if compiler in ("gcc", "g++") else
                 ("-ffast-math", "-Ofast", "-ffinite-math-only") for compiler, _ in DIALECTS}
 any_header = pytest.mark.parametrize("header", ["ksl/vec3", "amalgamation"])

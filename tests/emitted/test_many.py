@@ -19,12 +19,12 @@ VECTORS = ("-O3", *HASWELL, "-ffp-contract=fast")
 
 
 def some(one_in: int, first: int = 0) -> list[Kernel]:
-    """Of each tier every so-many-th kernel."""
+    """Returns every so-many-th kernel of each tier."""
     return [k for tier in MARKS for k in kernels(tier)[first::one_in]]
 
 
 def test_bits_are_those_of_one_element(tmp_path: Path):
-    """Of all plain kernels, and some of each tier: one writer writes them all."""
+    """All plain kernels are tested, and some of each tier: one writer writes them all."""
     program = many_program.built(tmp_path, (*kernels(""), *some(20)), False, ("gcc", "-O0"))
     assert run([program]).endswith(" 0 differ\n")
 

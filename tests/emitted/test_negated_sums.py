@@ -11,7 +11,7 @@ from coscrew_codegen.accuracy.tiers import MARKED
 from coscrew_codegen.accuracy.tiers.negation import negating_terms
 from coscrew_codegen.accuracy.tiers.tier import Tier, is_polynomial
 from coscrew_codegen.algebra.operations import OPERATIONS
-from coscrew_codegen.backends.c.c_statements import Statements
+from coscrew_codegen.backends.c.c_library import exact_products, sums_of_products
 from coscrew_codegen.program import Instruction, Op, Operand, Program, Ref
 from coscrew_codegen.program.ops import COMPARISONS
 from coscrew_codegen.program.values.formats import DOUBLE, Precision
@@ -23,8 +23,8 @@ FUSING = {Op.PRODUCT_ERROR, Op.PRODUCT_REST}
 
 
 def negated(step: Instruction, product: Instruction | None) -> Iterator[Operand]:
-    """What C negates, or subtracts from a fused product; `product` is the one that this sum fuses
-    in C alone."""
+    """The sum that C negates, or subtracts from a fused product; `product` is the one that this sum
+    fuses in C alone."""
     if step.op is Op.NEG:
         yield step.operands[0]
     if step.op is Op.SUB and product is not None and step.operands[1] != Ref(product.name):
@@ -33,7 +33,7 @@ def negated(step: Instruction, product: Instruction | None) -> Iterator[Operand]
 
 def negated_fused_sums(program: Program) -> list[str]:
     """The names of the negated sums with a fused product."""
-    absorbed = Statements(program, DOUBLE, lambda _: "").absorbed
+    absorbed = sums_of_products(program, exact_products(program, DOUBLE))
     fused = {step.name for step in program.instructions
              if step.op in FUSING or step.name in absorbed}
     read = {x for step in program.instructions if step.op not in COMPARISONS
@@ -65,6 +65,6 @@ def test_negating_terms_changes_no_value_and_adds_no_rounding():
 
 
 def _rounded(program: Program) -> tuple[int, int]:
-    """How many products, and how many sums and differences."""
+    """Numbers of products, and of sums and differences."""
     counts = program.counts
     return counts[Op.MUL], counts[Op.ADD] + counts[Op.SUB]

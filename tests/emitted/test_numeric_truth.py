@@ -273,8 +273,8 @@ def compared(operation: Operation, precision: Precision) -> list[tuple[Row, list
 
 def noticed(operation: Operation, precision: Precision, run: Run,
             tried: list[tuple[Row, list[mpfr]]]) -> bool:
-    """Whether any row shows a difference.  The row that does becomes the first to be tried: the
-    next sign is likely to be in the same branch."""
+    """Returns whether any row shows a difference.  The row that does becomes the first to be tried:
+    the next sign is likely to be in the same branch."""
     rules = Rules(precision, rounds=True)
     for number, (row, wanted) in enumerate(tried):
         if fails(run, operation, rules, row, wanted):
@@ -284,7 +284,7 @@ def noticed(operation: Operation, precision: Precision, run: Run,
 
 
 def results(operation: Operation, precision: Precision) -> list[list[mpfr]]:
-    """Of the kernel, for each row."""
+    """The kernel's results for each row."""
     return evaluated(operation, precision)[0]
 
 
@@ -296,7 +296,7 @@ def evaluated(operation: Operation, precision: Precision) -> tuple[list[list[mpf
 
 
 def fails(run: Run, operation: Operation, rules: Rules, row: Row, wanted: list[mpfr]) -> bool:
-    """Whether the result differs, or there is a division by zero."""
+    """Returns whether the result differs, or there is a division by zero."""
     try:
         return differs(run(operation, rules, row), wanted)
     except ZeroDivisionError:
@@ -310,8 +310,8 @@ def fails(run: Run, operation: Operation, rules: Rules, row: Row, wanted: list[m
 @pytest.mark.parametrize("operation", [op for op in NUMERIC if op.name in TRUTHS],
                          ids=lambda op: op.name)
 def test_series_and_text_are_their_truth(operation, precision):
-    """For rotations and axes that are exact to the last digit. With exact constants, the truncation
-    error of series is below u / 2; rounded constants add less than a third of the stated bound."""
+    """Rotations and axes are exact to the last digit.  With exact constants, the truncation error
+    of series is below u / 2; rounded constants add less than a third of the stated bound."""
     u, bounds = unit(precision), {b.part: b.k for b in operation.normwise}
     runs = [(run_kernel, Rules(precision, exact=True), lambda part: u / 2),
             *((run, Rules(precision), lambda part: bounds[part] * u / 3) for run in RUNS.values())]

@@ -31,7 +31,7 @@ def without_compiler(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 
 def project(folder: Path) -> Path:
-    """A copy of what the project is built from, as in a new checkout."""
+    """A copy of the project's sources, as in a new checkout."""
     for name in ("codegen", "templates", "generated"):
         shutil.copytree(ROOT / name, folder / name,
                         ignore=shutil.ignore_patterns("*.so", "__pycache__"))
@@ -69,7 +69,7 @@ PyMODINIT_FUNC PyInit__gufunc(void) { return PyModule_Create(&module); }
 
 
 def test_a_wheel_from_a_source_distribution_holds_what_is_compiled(tmp_path, without_compiler):
-    """And what the wheel of a checkout holds; here the modules are small, as theirs take minutes.
+    """It holds the files of a checkout's wheel; here the modules are small, as theirs take minutes.
     A module of another Python that lies in the checkout is not packed."""
     checkout = project(tmp_path / "checkout")
     foreign = "generated/python/coscrew/_gufunc.cpython-37-x86_64-linux-gnu.so"
@@ -94,8 +94,9 @@ def test_a_wheel_from_a_source_distribution_holds_what_is_compiled(tmp_path, wit
 
 
 def run(program: str, site: Path) -> str:
-    """What the program prints, warnings being errors, with coscrew from `site` and the other
-    packages from where they are: without -S, an editable coscrew there would lend its extension."""
+    """Runs the program, with warnings as errors, and returns its output; with coscrew from `site`
+    and the other packages from where they are: without -S, an editable coscrew there would lend its
+    extension."""
     path = os.pathsep.join((str(site), sysconfig.get_paths()["purelib"]))
     done = subprocess.run([sys.executable, "-S", "-W", "error", "-c", program], cwd=site, text=True,
                           capture_output=True, env={**os.environ, "PYTHONPATH": path})

@@ -31,7 +31,7 @@ Evaluate = Callable[[Operation, Precision, Arrays], Arrays]
 
 @pytest.fixture(scope="session")
 def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """Where the harnesses are compiled, once a session."""
+    """The folder where the harnesses are compiled, once a session."""
     return tmp_path_factory.mktemp("harness")
 
 
@@ -60,7 +60,7 @@ def samples(operation: Operation, precision: Precision) -> tuple[Arrays, Arrays]
 
 
 def differ(a: np.ndarray, b: np.ndarray) -> np.ndarray:
-    """Where the bits differ and not both are NaN."""
+    """The mask of the places where the bits differ and not both are NaN."""
     assert (a.dtype, a.shape) == (b.dtype, b.shape)
     unsigned = f"u{a.dtype.itemsize}"
     different = a.view(unsigned) != b.view(unsigned)

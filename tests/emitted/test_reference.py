@@ -1,4 +1,4 @@
-"""The reference is correct: its formulas are what the kernels compute, its calls work."""
+"""The reference is correct: its formulas are those of the kernels, its calls work."""
 
 import ast
 import inspect

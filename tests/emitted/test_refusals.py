@@ -74,7 +74,7 @@ def spoiled(letter: str, shape: tuple[int, ...], R: np.ndarray) -> np.ndarray:
 
 
 def test_what_is_required_is_what_the_domains_say():
-    """But of copies, products and rates, which are algebra."""
+    """Copies, products and rates, which are algebra, are left out."""
     found: dict[str, str] = {}
     for family in FAMILIES:
         found |= requirements(FamilyKernels(
@@ -106,7 +106,7 @@ def test_algebra_takes_any_numbers(operation: Operation, place: ModuleType):
 
 @pytest.mark.parametrize("operation, place", in_places(REFUSED), ids=named)
 def test_nan_anywhere_makes_a_result_nan(operation: Operation, place: ModuleType):
-    """But products with elementary motions do not read every column."""
+    """Products with elementary motions, which do not read every column, are left out."""
     program = program_of(operation)
     read = {x for step in program.instructions for x in step.operands} | set(program.results)
     function, letters = getattr(place, operation.name), REFUSED[operation.name]

@@ -66,7 +66,7 @@ def test_what_has_no_macro_is_detected(flag, word, tmp_path):
 @pytest.mark.parametrize("bits", ["0x8000", "0x40"], ids=["results", "operands"])
 @each_compiler
 def test_flush_to_zero_is_detected(compiler, bits, tmp_path):
-    """Of subnormal results and operands: any linked library can set either."""
+    """Flushing of results and of operands is detected: any linked library can set either."""
     start = f"int main(void) {{ _mm_setcsr(_mm_getcsr() | {bits});"
     text = "#include <xmmintrin.h>" + PROGRAM.replace("int main(void) {", start)
     assert verdicts(tmp_path, compiler, "-O2", text=text) == ["flush-to-zero"] * 2

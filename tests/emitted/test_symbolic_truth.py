@@ -66,7 +66,7 @@ def difference(found: tuple[sp.Expr, ...], operation: Operation) -> sp.Expr | No
 
 
 def is_wrong(found: tuple[sp.Expr, ...], operation: Operation) -> bool:
-    """Whether there is a difference: where numbers show none, by algebra."""
+    """Returns whether there is a difference: where numbers show none, by algebra."""
     symbols = sorted({s for a in operation.inputs for s in a.symbols}, key=str)
     values = {s: sp.Rational(7 * n + 3, 5) for n, s in enumerate(symbols)}
     values[NORM_THRESHOLD] = THRESHOLDS[DOUBLE]

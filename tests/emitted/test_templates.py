@@ -1,7 +1,6 @@
-"""Templates compute nothing: what a file computes comes from Programs, through holes.
+"""Templates compute nothing: a file's arithmetic comes from Programs, through holes.
 
-Comparisons are free: templates may loop and choose.
-"""
+Comparisons are free: templates may loop and choose."""
 
 from pathlib import Path
 

@@ -57,7 +57,7 @@ def accepts(function: Callable[..., object], *given: np.ndarray) -> bool:
 
 def check(function: Callable[..., object], given: np.ndarray, wanted: np.ndarray,
           *more: np.ndarray) -> None:
-    """One by one, all together, pairs, and those that are right."""
+    """Checks faults one by one, all together and in pairs, and right files."""
     assert COUNT / 10 < wanted.sum() < COUNT * 9 / 10  # else they are not at the tolerance
     assert [accepts(function, x, *more) for x in given] == wanted.tolist()
     for two, both in zip(given.reshape(-1, 2, *given.shape[1:]), wanted.reshape(-1, 2),

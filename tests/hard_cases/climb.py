@@ -41,9 +41,10 @@ NAMES = tuple(op.name for op in SEARCHED)
 
 @dataclass
 class Found:
-    """How long a kernel was searched, and each group's champion: error in u, parameters, inputs."""
+    """Time for which a kernel was searched, and each group's champion: error in u, parameters,
+    inputs."""
 
-    kernel: str = ""  # digest of what was searched
+    kernel: str = ""  # digest of the searched code
     seconds: float = 0.0
     slices: int = 0
     errors: list[float] = field(default_factory=list)
@@ -69,16 +70,16 @@ def known(operation: Operation, precision: Precision) -> Found:
 
 def climb(operation: Operation, precision: Precision, seconds: float) -> Iterator[Found]:
     """The results after each slice, until the kernel has been searched for this time."""
-    found, kernel = known(operation, precision), _digest(operation, precision)
-    if found.kernel != kernel:
-        found = Found(kernel, slices=found.slices, parameters=found.parameters)
-    if found.seconds < seconds:
+    result, kernel = known(operation, precision), _digest(operation, precision)
+    if result.kernel != kernel:
+        result = Found(kernel, slices=result.slices, parameters=result.parameters)
+    if result.seconds < seconds:
         program = compiled(operation, precision, FOLDER)
-    while found.seconds < seconds:
-        length = min(SLICE, seconds - found.seconds)
-        found = after(operation, precision, found, length, program)
-        _kept(path_of(operation, precision), json.dumps(asdict(found), indent=1))
-        yield found
+    while result.seconds < seconds:
+        length = min(SLICE, seconds - result.seconds)
+        result = after(operation, precision, result, length, program)
+        _kept(path_of(operation, precision), json.dumps(asdict(result), indent=1))
+        yield result
 
 
 def after(operation: Operation, precision: Precision, before: Found, length: float,
@@ -87,8 +88,8 @@ def after(operation: Operation, precision: Precision, before: Found, length: flo
     earlier = [x for row in before.parameters for x in row]
     text = subprocess.run([program, str(before.slices + 1), str(length), str(rounds), *earlier],
                           check=True, capture_output=True, text=True).stdout
-    found = Found(before.kernel, before.seconds + length, before.slices + 1,
-                  broken=before.broken)
+    result = Found(before.kernel, before.seconds + length, before.slices + 1,
+                   broken=before.broken)
     given, free = sum(a.quantity.size for a in operation.inputs), parameters(operation)
 
     def of_bound(numbers: list[str]) -> float:
@@ -99,13 +100,13 @@ def after(operation: Operation, precision: Precision, before: Found, length: flo
         first, *numbers = line.split()
         if first == "?":
             if of_bound(numbers) > 1:
-                found.broken.append(numbers[:given])
+                result.broken.append(numbers[:given])
             continue
-        found.errors.append(float(first))
-        found.parameters.append(numbers[:free])
-        found.inputs.append(numbers[free:free + given])
-        found.of_bound.append(of_bound(numbers[free:]))
-    return found
+        result.errors.append(float(first))
+        result.parameters.append(numbers[:free])
+        result.inputs.append(numbers[free:free + given])
+        result.of_bound.append(of_bound(numbers[free:]))
+    return result
 
 
 def compiled(operation: Operation, precision: Precision, folder: Path) -> Path:
@@ -144,21 +145,21 @@ def search(names: list[str], minutes: float, append: bool) -> int:
                 pass
             print(line_of(operation, precision), flush=True)
     for operation, precision in targets:
-        found = known(operation, precision)
-        violations += found.worst > 1
+        result = known(operation, precision)
+        violations += result.worst > 1
         if append:
-            origin = f"search --minutes {found.seconds / 60:g}"
+            origin = f"search --minutes {result.seconds / 60:g}"
             new = [Case(operation, precision, tuple(map(float.fromhex, row)), origin)
-                   for row in (*found.inputs, *found.broken)]
+                   for row in (*result.inputs, *result.broken)]
             save((*load(), *new))
     return violations
 
 
 def line_of(operation: Operation, precision: Precision) -> str:
-    """Name, precision, minutes, each part's error in u beside what is stated, confirmed ratio."""
-    found = known(operation, precision)
+    """Name, precision, minutes, each part's error in u beside the stated one, confirmed ratio."""
+    result = known(operation, precision)
     names = [bound.part for bound in operation.normwise] or ["residual"]
     figures = ", ".join(f"{name} {error:.2f} of {part.k} u" for name, error, part in
-                        zip(names, found.errors, parts(operation), strict=True))
-    return (f"{operation.name} {precision.name}, {found.seconds / 60:g} min: {figures}; "
-            f"{found.worst:.3f} of the bound")
+                        zip(names, result.errors, parts(operation), strict=True))
+    return (f"{operation.name} {precision.name}, {result.seconds / 60:g} min: {figures}; "
+            f"{result.worst:.3f} of the bound")

@@ -43,13 +43,13 @@ _PARAMETERS = {"t": 3, "u": 3, "l": 3, "a": 1, "f": 1, "q": 4, "m": 1, "r": 9}
 
 
 def parameters(operation: Operation) -> int:
-    """How many free parameters there are."""
+    """Number of free parameters."""
     return sum(_PARAMETERS[kind] for kind in _kinds(operation))
 
 
 def _kinds(operation: Operation) -> str:
-    """The parameters of all inputs, a letter for what they are: turn, unit, lever, angle, fraction,
-    quaternion, multiple, rows."""
+    """The parameters of all inputs, a letter for the kind of each: turn, unit, lever, angle,
+    fraction, quaternion, multiple, rows."""
     return "".join(_kind(operation, a) for a in operation.inputs)
 
 
@@ -132,27 +132,27 @@ def text_of(operation: Operation, precision: Precision) -> str:
     size = [sum(a.quantity.size for a in arguments)
             for arguments in (operation.inputs, operation.outputs)]
     largest = LARGEST if any(a.domain == TURN for a in operation.inputs) else "PI"
-    found = parts(operation)
+    result = parts(operation)
     judged = (_given_back if operation.name in BACKWARD else _compared)(operation, precision)
     of = 9 if operation.name in BACKWARD else size[1]
     defines = {"REAL": precision.c_type, "INPUTS": size[0], "OUTPUTS": size[1],
                "U": float(np.finfo(precision.numpy_type).eps) / 2,
                "KINDS": f'"{_kinds(operation)}"', "JUDGED": of,
-               "PARAMETERS": parameters(operation), "GROUPS": len(found),
+               "PARAMETERS": parameters(operation), "GROUPS": len(result),
                "LARGEST": largest, "LEAST": 1e-250 if precision.name == "double" else 1e-25}
     return "\n".join([*(f"#define {name} {value}" for name, value in defines.items()), _HEAD,
-                      *_tables(found, size[0], of), _made(operation),
+                      *_tables(result, size[0], of), _made(operation),
                       _turned(operation), *_OPPOSITE.get(operation.name, ()),
                       _evaluate(operation, precision), judged])
 
 
-def _tables(found: tuple[Group, ...], inputs: int, judged: int) -> Iterator[str]:
+def _tables(results: tuple[Group, ...], inputs: int, judged: int) -> Iterator[str]:
     for name, size, chosen in (("PLACES", judged, lambda g: g.places),
                                ("BESIDE", inputs, lambda g: g.inputs)):
         rows = ", ".join("{" + ", ".join(str(int(i in chosen(g))) for i in range(size)) + "}"
-                         for g in found)
+                         for g in results)
         yield f"static const int {name}[GROUPS][{size}] = {{{rows}}};"
-    slopes = ", ".join(str(g.slope / g.k) for g in found)
+    slopes = ", ".join(str(g.slope / g.k) for g in results)
     yield f"static const double SLOPE[GROUPS] = {{{slopes}}};"
 
 
@@ -257,14 +257,14 @@ def _compared(operation: Operation, precision: Precision) -> str:
 def _given_back(operation: Operation, precision: Precision) -> str:
     """Residuals, and the sizes to which they are relative."""
     symbols, residuals, size = expressions(operation)
-    common, (*found, whole) = sp.cse([*residuals, size])
+    common, (*result, whole) = sp.cse([*residuals, size])
     numbers = [(x, f"{'got_' if x.name.startswith('out_') else 'in_'}[{x.name.partition('_')[2]}]")
                for x in symbols]
     return "\n".join([
         _JUDGED, *(f"  const long double {x.name} = {place};" for x, place in numbers),
         *(f"  const long double {x.name} = {_c(value)};" for x, value in common),
         *(f"  sizes_[{i}] = {_c(whole)}; errors_[{i}] = fabsl({_c(x)});"
-          for i, x in enumerate(found)), "}"])
+          for i, x in enumerate(result)), "}"])
 
 
 _JUDGED = """static void judged(const REAL *given_, const REAL *got_, long double *errors_,

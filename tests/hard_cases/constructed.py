@@ -205,8 +205,8 @@ def _sheared() -> Iterator[Described]:
 
 
 def _opposite() -> Iterator[Described]:
-    """The same rotation with the other sign, except for rounding errors: no rotation between them.
-    """
+    """Quaternions of one rotation with both signs, except for rounding errors: no rotation between
+    them."""
     for k in ("0.375", "1"):
         q = quaternion_exp(mp.matrix([1, -2, 2]) / 3)
         yield f"q = -p, k = {k}", [q, -q, [mp.mpf(k)]]
@@ -285,12 +285,12 @@ def _scaled(operation: Operation, precision: Precision, signs: Numbers) -> Itera
 def _degree(operation: Operation) -> int:
     """The largest number of inputs that a term of the result multiplies, found by doubling all
     inputs."""
-    n, found = size(operation), 1
+    n, result = size(operation), 1
     for _, absolute in exact_functions(operation):
         one, two = absolute(*[1] * n), absolute(*[2] * n)
-        while two > one * 2**found:
-            found += 1
-    return found
+        while two > one * 2**result:
+            result += 1
+    return result
 
 
 def main() -> None:

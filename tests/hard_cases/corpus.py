@@ -42,7 +42,7 @@ class Case:
 
 
 def size(operation: Operation) -> int:
-    """How many components all inputs have."""
+    """Number of components of all inputs."""
     return sum(a.quantity.size for a in operation.inputs)
 
 

@@ -56,26 +56,26 @@ def judged(operation: Operation, precision: Precision, given: np.ndarray) -> lis
     """Every component of these calls, with its truth and condition."""
     inputs = split(operation, given)
     size = condition(operation, given)
-    found = flat(gufuncs(coscrew.accurate)(operation, precision, inputs), len(given))
+    result = flat(gufuncs(coscrew.accurate)(operation, precision, inputs), len(given))
     results = []
     with mpmath.workdps(DIGITS):
-        for row, got, k in zip(given.tolist(), found, range(len(given)), strict=True):
+        for row, got, k in zip(given.tolist(), result, range(len(given)), strict=True):
             true = of_given(operation, precision, tuple(row))
             results += [Result(place, got[place], x, float(size[k, place]))
                         for place, x in enumerate(true)]
     return results
 
 
-def told(found: Sequence[Result], precision: Precision) -> list[Result]:
-    """Those of which the tier promises anything."""
-    return [x for x in found if x.condition < LARGEST_CONDITION[precision.name]
+def promised(results: Sequence[Result], precision: Precision) -> list[Result]:
+    """The results for which the tier makes a promise."""
+    return [x for x in results if x.condition < LARGEST_CONDITION[precision.name]
             and _SMALL[precision.name] < abs(x.true) < np.finfo(precision.numpy_type).max]
 
 
-def beyond(found: Sequence[Result], precision: Precision) -> list[Result]:
-    """Those that err by more than MOST."""
+def beyond(results: Sequence[Result], precision: Precision) -> list[Result]:
+    """The results that err by more than MOST."""
     most = MOST[precision.name]
-    return [x for x in found if min(x.ulps(precision), _turned(x).ulps(precision)) > most]
+    return [x for x in results if min(x.ulps(precision), _turned(x).ulps(precision)) > most]
 
 
 def _turned(x: Result) -> Result:
@@ -109,7 +109,7 @@ def near_zeros(operation: Operation, precision: Precision, seed: int) -> Iterato
     rng = np.random.default_rng([seed, len(operation.name), precision.bytes])
     ways, largest = Ways(operation, rng), LARGEST_CONDITION[precision.name]
     ends = [ways.results(np.full(DRAWN, end, np.longdouble)) for end in (0, 1)]
-    found: dict[tuple[float, ...], Case] = {}
+    results: dict[tuple[float, ...], Case] = {}
     for k in range(ends[0].shape[1]):
         changes = ends[0][:, k] * ends[1][:, k] < 0
         zero = bisected(ways, k, ends[0][:, k])
@@ -120,14 +120,14 @@ def near_zeros(operation: Operation, precision: Precision, seed: int) -> Iterato
             good = changes & (largest / RANGE < bad) & (bad < largest)
             for row, size in zip(rows[good][:KEPT], bad[good][:KEPT], strict=True):
                 inputs = tuple(map(float, row))
-                found.setdefault(inputs, Case(operation, precision, inputs,
-                                              f"{ORIGIN} component {k}, condition {size:.1e}"))
-    cases = list(found.values())
+                results.setdefault(inputs, Case(operation, precision, inputs,
+                                                f"{ORIGIN} component {k}, condition {size:.1e}"))
+    cases = list(results.values())
     yield from (cases[int(n)] for n in rng.permutation(len(cases))[:KEPT])
 
 
 def bisected(ways: Ways, k: int, start: np.ndarray) -> np.ndarray:
-    """Where component k changes its sign, on each way on which it does."""
+    """Inputs where component k changes its sign, on each way on which it does."""
     low, high = np.zeros(DRAWN, np.longdouble), np.ones(DRAWN, np.longdouble)
     for _ in range(60):
         middle = (low + high) / 2
@@ -148,10 +148,10 @@ def main() -> int:
         cases = tuple(near_zeros(operation, precision, options.seed))
         print(f"{operation.name} {precision.name}: {len(cases)}", end="", flush=True)
         if options.judge and cases:
-            found = told(judged(operation, precision, np.array(
+            result = promised(judged(operation, precision, np.array(
                 [x.inputs for x in cases], precision.numpy_type)), precision)
-            bad = beyond(found, precision)
-            print(f", largest error {max(x.ulps(precision) for x in found):.4f} ulp", *bad, end="")
+            bad = beyond(result, precision)
+            print(f", largest error {max(x.ulps(precision) for x in result):.4f} ulp", *bad, end="")
             wrong += len(bad)
         print()
         made += cases

@@ -186,8 +186,8 @@ def test_angle_between_vectors(precision):
         truth = angle_between(a, b)
         for tier in (coscrew.accurate, coscrew):
             if tier is coscrew.accurate or 0.25 < angle < 3:
-                found = tier.angle_vv(a, b)
-                assert abs(mp.mpf(float(found)) - truth) <= 4 * u * truth, (a, b)
+                result = tier.angle_vv(a, b)
+                assert abs(mp.mpf(float(result)) - truth) <= 4 * u * truth, (a, b)
 
 
 def angle_between(a: np.ndarray, b: np.ndarray) -> mp.mpf:

@@ -58,8 +58,8 @@ def slope(f: Callable[[object], object], numbers: Numbers) -> object:
 
 def test_the_weights_are_exact_for_polynomials_of_a_degree_below_nine() -> None:
     for degree in range(9):
-        found = slope(lambda s, n=degree: Fraction(3 + s)**n, RATIONAL)
-        assert found == (degree * Fraction(3)**(degree - 1) if degree else 0)
+        result = slope(lambda s, n=degree: Fraction(3 + s)**n, RATIONAL)
+        assert result == (degree * Fraction(3)**(degree - 1) if degree else 0)
 
 
 def moved(x: Sequence, d: Sequence, s: object) -> list[list]:
@@ -95,11 +95,11 @@ def test_tangents_are_slopes(operation: Operation) -> None:
     f, along = evaluator(program, numbers), evaluator(tangent(program), numbers)
     count = len(program.results)
     for x, d, _ in drawn(operation, numbers):
-        found = along([*x, *d])
-        assert [numbers.number(y) for y in found[:count]] == [numbers.number(y) for y in f(x)]
+        result = along([*x, *d])
+        assert [numbers.number(y) for y in result[:count]] == [numbers.number(y) for y in f(x)]
         for k in range(count):
             wanted = slope(lambda s, x=x, d=d, k=k: numbers.number(f(moved(x, d, s))[k]), numbers)
-            assert close(numbers.number(found[count + k]), wanted, numbers), (operation.name, k)
+            assert close(numbers.number(result[count + k]), wanted, numbers), (operation.name, k)
 
 
 @each_operation
@@ -135,13 +135,13 @@ def test_partial_derivatives_of_every_operation(op: Op) -> None:
     for sign in (1, -1) if op is not Op.SQRT else (1,):
         x = [[sign * mpf(3 + 2 * k) / 7] for k in range(len(names))]
         if op is Op.PRODUCT_REST:
-            x[2] = [x[0][0] * x[1][0]]  # the product, of which the result does not depend
+            x[2] = [x[0][0] * x[1][0]]  # the product, which the result does not depend on
         for chosen in range(len(names) if op is not Op.PRODUCT_REST else 2):
             d = [[mpf(k == chosen)] for k in range(len(names))]
             inputs = [[Dual(a[0], (b[0],))] for a, b in zip(x, d, strict=True)]
-            (found,) = differentiate.tangent(program, MULTIPRECISE.arithmetic, FUNCTIONS, inputs)
+            (result,) = differentiate.tangent(program, MULTIPRECISE.arithmetic, FUNCTIONS, inputs)
             wanted = slope(lambda s, x=x, d=d: f(moved(x, d, s))[0], MULTIPRECISE)
-            assert abs((found.slopes[0] or 0) - wanted) <= CLOSE
+            assert abs((result.slopes[0] or 0) - wanted) <= CLOSE
 
 
 @pytest.mark.parametrize("chosen", [True, False])

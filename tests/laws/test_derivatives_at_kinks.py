@@ -53,8 +53,8 @@ def exact(*values: object) -> list[mpf]:
 def along(name: str, x: Sequence[object], d: Sequence[object]) -> list[mpf]:
     """The derivative of an operation of one argument at x along d; by tangent and adjoint alike."""
     program = smooth_program(NAMED[name])
-    found = evaluator(tangent(program), MULTIPRECISE)([exact(*x), exact(*d)])
-    slopes = list(map(MULTIPRECISE.number, found[len(program.results):]))
+    result = evaluator(tangent(program), MULTIPRECISE)([exact(*x), exact(*d)])
+    slopes = list(map(MULTIPRECISE.number, result[len(program.results):]))
     back = evaluator(adjoint(program), MULTIPRECISE)
     sizes = [a.quantity.size for a in program.outputs]
     for k, slope in enumerate(slopes):
@@ -93,8 +93,8 @@ def moving(R: Sequence[object], t: Sequence[object]) -> list[object]:
     ("SO3_leftJacobianInverse", ZERO, W, [-w / 2 for w in cross(W)]),
     ("vec3_l2norm", ZERO, W, [0]), ("screw_norm", [*ZERO, *ZERO], [*V, *W], [0])), ids=str)
 def test_at_the_identity(name: str, x: list, d: list, wanted: list) -> None:
-    for found, value in zip(along(name, x, d), wanted, strict=True):
-        assert abs(found - value) <= CLOSE * 100
+    for result, value in zip(along(name, x, d), wanted, strict=True):
+        assert abs(result - value) <= CLOSE * 100
 
 
 @pytest.mark.parametrize("angle", ("1e-300", "1e-20", "1e-8", "0.7", "1", "2", "3",
@@ -106,15 +106,15 @@ def test_logarithms_undo_exponentials(angle: str) -> None:
     exp, log = (evaluator(tangent(smooth_program(NAMED[name])), MULTIPRECISE)
                 for name in ("SO3_exp", "SO3_log"))
     moved_by = [MULTIPRECISE.number(x) for x in exp([v, V])]
-    found = [MULTIPRECISE.number(x) for x in log([moved_by[:9], moved_by[9:]])[3:]]
+    results = [MULTIPRECISE.number(x) for x in log([moved_by[:9], moved_by[9:]])[3:]]
     far = 1 / max(mpmath.pi - mpf(angle), mpf("1e-13"))  # w of the quaternion is that small
-    for x, y in zip(found, V, strict=True):
+    for x, y in zip(results, V, strict=True):
         assert abs(x - y) <= SERIES * mpmath.norm(V) * max(1, far)
 
 
 @pytest.mark.parametrize("name", ("SO3_exp", "SO3_log", "quaternion_log", "SE3_log"))
 def test_second_derivatives(name: str) -> None:
-    """Of tangents of tangents and of adjoints, by differences of the first."""
+    """Tangents of tangents and of adjoints equal differences of the first."""
     program = smooth_program(NAMED[name])
     step = mpf(10)**-16
     R = [mpf(k) / 3 for k in (2, -1, 2, 2, 2, -1, -1, 2, 2)]
@@ -126,10 +126,10 @@ def test_second_derivatives(name: str) -> None:
         direction = direction[:first.inputs[1].quantity.size]
         value, second = evaluator(first, MULTIPRECISE), evaluator(tangent(first), MULTIPRECISE)
         zero = [mpf(0)] * len(direction)
-        found = second([x, direction, e, zero])[len(first.results):]
+        result = second([x, direction, e, zero])[len(first.results):]
         ends = [value([[a + s * b for a, b in zip(x, e, strict=True)], direction])
                 for s in (step, -step)]
-        for y, a, b in zip(found, *ends, strict=True):
+        for y, a, b in zip(result, *ends, strict=True):
             a, b, y = map(MULTIPRECISE.number, (a, b, y))
             assert abs(y - (a - b) / (2 * step)) <= CLOSE * (1 + abs(y)) * 10**6
 
@@ -169,8 +169,8 @@ def test_gradients_are_numbers_wherever_results_are(operation: Operation) -> Non
             if all(np.isfinite(y).all() for y in value(*given, lead=())):
                 weights = [np.reshape(1.0 + np.arange(size), shape)
                            for size, shape in zip(made.sizes, made.shapes, strict=True)]
-                for found in back(*given, *weights, lead=()):
-                    assert np.isfinite(found).all(), (operation.name, given)
+                for result in back(*given, *weights, lead=()):
+                    assert np.isfinite(result).all(), (operation.name, given)
 
 
 SMOOTH = tuple(op for op in OPERATIONS if program_of(op) != smooth_program(op))
@@ -178,7 +178,8 @@ SMOOTH = tuple(op for op in OPERATIONS if program_of(op) != smooth_program(op))
 
 @pytest.mark.parametrize("operation", SMOOTH, ids=lambda op: op.name)
 def test_smooth_programs_are_the_same_functions(operation: Operation) -> None:
-    """At many digits they differ by what series leave out, also where each argument is special."""
+    """At many digits they differ by the truncation of series, also where each argument is special.
+    """
     compute = [evaluator(p, MULTIPRECISE) for p in (program_of(operation),
                                                     smooth_program(operation))]
     rows = benign(operation, DOUBLE, 9, 3)

@@ -74,11 +74,11 @@ class Truth:
                 at(h, h), at(h, -h), at(-h, h), at(-h, -h), strict=True)]
             return [*firsts, both, *seconds]
 
-        found, coarse = map(over, STEPS)
-        for a, b in zip(found, coarse, strict=True):
+        got, coarse = map(over, STEPS)
+        for a, b in zip(got, coarse, strict=True):
             if not all(abs(p - q) <= 1e-15 * largest(a) for p, q in zip(a, b, strict=True)):
                 return None
-        return [(found[0], max(map(largest, found[:2]))), (found[2], max(map(largest, found[2:])))]
+        return [(got[0], max(map(largest, got[:2]))), (got[2], max(map(largest, got[2:])))]
 
 
 def largest(values: Exact) -> mpf:
@@ -126,8 +126,8 @@ def test_first_and_second_derivatives(operation: Operation, precision: Precision
 
     def values(of: ArrayFunction, *given: np.ndarray) -> list[float]:
         with np.errstate(all="ignore"):
-            found = of.printed(ArrayLibrary(np), precision)(*given, lead=())
-        return [float(x) for y in found for x in np.ravel(y)]
+            results = of.printed(ArrayLibrary(np), precision)(*given, lead=())
+        return [float(x) for y in results for x in np.ravel(y)]
 
     shapes = [shape for _, shape in made.inputs]
     for flat in points(operation, precision, rng):
@@ -138,13 +138,13 @@ def test_first_and_second_derivatives(operation: Operation, precision: Precision
             continue
         compared += 1
         still, w = [np.zeros_like(y) for y in x], drawn(made.shapes)
-        found = (values(made.tangent, *x, *d),
-                 values(made.tangent.tangent, *x, *d, *e, *still))
+        results = (values(made.tangent, *x, *d),
+                   values(made.tangent.tangent, *x, *d, *e, *still))
         back = (values(made.adjoint, *x, *w),
                 values(made.adjoint.tangent, *x, *w, *e, *map(np.zeros_like, w)))
         weights = [float(y) for z in w for y in np.ravel(z)]
         along = [float(y) for z in d for y in np.ravel(z)]
-        for forward, reverse, (true, scale) in zip(found, back, wanted, strict=True):
+        for forward, reverse, (true, scale) in zip(results, back, wanted, strict=True):
             allowed = ALLOWED * float(precision.u) * scale
             for a, b in zip(forward, true, strict=True):
                 assert abs(a - b) <= allowed, (operation.name, x, a, b)

@@ -51,7 +51,7 @@ def far(x: np.ndarray) -> np.ndarray:
 
 
 def length(x: np.ndarray) -> np.ndarray:
-    """Of vectors; of the angular parts of screws."""
+    """The length of vectors, or of the angular parts of screws."""
     return np.linalg.norm(x[:, -3:] if x.shape[1] == 6 else x, axis=1)
 
 
@@ -158,6 +158,6 @@ def test_the_reference_shows_each_domain():
         page = (ROOT / f"generated/docs/operations/{family}.md").read_text(encoding="utf-8")
         entries = dict(part.split("\n", 1) for part in page.split("\n## ")[1:])
         for op in (op for op in OPERATIONS if op.family == family):
-            said = next(line for line in entries[op.name].splitlines()
-                        if line.startswith("- Inputs: ")).replace("\\", "")
-            assert all(a.domain_in_words in said for a in op.inputs), op.name
+            shown = next(line for line in entries[op.name].splitlines()
+                         if line.startswith("- Inputs: ")).replace("\\", "")
+            assert all(a.domain_in_words in shown for a in op.inputs), op.name

@@ -97,7 +97,7 @@ def test_single_precision_has_the_whole_coadjoint_product():
     ("product_ac{f}", "co", lambda a, ci, co: a * ci),
     ("coscrew{f}_copy", "co", lambda ci, co: ci)])
 def test_formula_is_the_authority_over_the_parameter_list(name, written, formula, f):
-    """What the page calls [in/out] is read and written, what it calls [in] is read only."""
+    """Arguments that the page marks [in/out] are read and written, [in] ones are read only."""
     c_name = "ksl_" + name.format(f=f)
     parameters = header().parameters(c_name)
     assert list(parameters) == list(formula.__code__.co_varnames)
@@ -125,7 +125,7 @@ def test_velocity_in_the_derivative_operator(sample):
     assert (derivative != kernels.coad(exact.joined(t_rate, w))).any()
 
 
-# KSL's own code, where what it computes is not what its names promise.
+# KSL's own code, where its results differ from what its names promise.
 
 
 def test_product_with_an_inverse_rotation(sample):
@@ -137,8 +137,8 @@ def test_product_with_an_inverse_rotation(sample):
 
 
 def test_products_with_inverse_displacements(sample):
-    """So are the rotations of its product_ddrinv and product_ddinv; the translation of the first is
-    added to what was there, that of product_dinvd is R1 t2 - R1^T t1."""
+    """KSL's rotations in product_ddrinv and product_ddinv are wrong alike; the former adds its
+    translation to the old value, and the translation of product_dinvd is R1 t2 - R1^T t1."""
     D1, D2 = sample.displacement(), sample.displacement()
     (R1, t1), (R2, t2) = exact.R_t(D1), exact.R_t(D2)
     assert (kernels.product_ddrinv(D1, R2) == exact.displacement(R1 @ R2.T, t1)).all()
@@ -162,7 +162,7 @@ def test_axis_and_angle_of_small_and_half_turns():
 
 
 def test_inverses_of_matrices_without_a_leading_entry_and_of_small_ones():
-    """KSL's mat3x3_invert exchanges no rows, and calls what is below 1e-12 singular."""
+    """KSL's mat3x3_invert exchanges no rows, and treats determinants below 1e-12 as singular."""
     turned = np.array([[0.0, 1, 0], [0, 0, 1], [1, 0, 0]])
     determinant, inverse = coscrew.double.mat3x3_inverse(turned)
     assert determinant == 1 and (inverse == turned.T).all()
@@ -172,7 +172,7 @@ def test_inverses_of_matrices_without_a_leading_entry_and_of_small_ones():
 
 def test_inertias_that_are_moved(sample):
     """KSL's inertia_translated and inertia_transformed add Steiner's term to members that are about
-    the centre of mass: what it moves there and back gains m c² each time, c from the origin."""
+    the centre of mass: a body moved there and back gains m c² each time, c from the origin."""
     D, J = sample.displacement(), sample.of("inertia")
 
     def of_ksl(J, D):
@@ -191,7 +191,7 @@ def test_inertias_that_are_moved(sample):
 
 def test_inertias_that_are_merged(sample):
     """KSL's inertia_merge moves by its inertia_translated, whose term is of the centre of mass plus
-    the way, not of the way between the centres, and is added to what its output held."""
+    the way, not of the way between the centres, and is added to the output's old value."""
     D, Ji, Jj = sample.displacement(), sample.of("inertia"), sample.of("inertia")
     ci, cj = (J[1:4] / J[0] for J in (Ji, Jj))
     merged = kernels.inertia_merge(Ji, ci, Jj, cj, D)

@@ -38,8 +38,8 @@ def far(name: str, precision: Precision) -> tuple[np.ndarray, ...]:
 def outputs(name: str, inputs: tuple[np.ndarray, ...]) -> np.ndarray:
     """Each row's components."""
     with np.errstate(all="ignore"):
-        found = getattr(coscrew, name)(*inputs)
-    return np.asarray(found).reshape(len(inputs[0]), -1)
+        result = getattr(coscrew, name)(*inputs)
+    return np.asarray(result).reshape(len(inputs[0]), -1)
 
 
 def test_everything_that_has_lengths_says_so():
@@ -51,13 +51,13 @@ def test_everything_that_has_lengths_says_so():
 @each_name
 @each_precision
 def test_nothing_overflows_up_to_there(name, precision):
-    """And errors are as stated."""
+    """Errors are as stated there."""
     inputs = far(name, precision)
-    found = outputs(name, inputs)
-    assert np.isfinite(found).all()
+    result = outputs(name, inputs)
+    assert np.isfinite(result).all()
     for row in range(0, ROWS, ROWS // JUDGED):
         given = [float(c) for x in inputs for c in np.ravel(x[row])]
-        got = [float(c) for c in found[row]]
+        got = [float(c) for c in result[row]]
         if "Jacobian" in name and precision == DOUBLE:  # linear in v; the judge sums series, slowly
             given[:3] = [SHORTER * c for c in given[:3]]
             rows, columns = np.divmod(np.arange(36), 6)

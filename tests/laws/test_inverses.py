@@ -1,8 +1,7 @@
 """Inverses of 3×3 matrices of every size: correct if the matrix is numerically regular, else
 refused.
 
-Truth is exact rationals, which also decide what is regular.
-"""
+Truth is exact rationals, which also decide which matrices are regular."""
 
 from fractions import Fraction
 from functools import cache
@@ -41,7 +40,7 @@ class Exact:
         return a * d - b * c if sign < 0 else abs(a * d) + abs(b * c)
 
     def times(self, power: Fraction) -> "Exact":
-        """The same for the matrix times this factor."""
+        """The result for the matrix times this factor."""
         new = object.__new__(Exact)
         new.R = [[x * power for x in row] for row in self.R]
         new.adjugate, new.sizes = ([[x * power**2 for x in row] for row in M]
@@ -51,7 +50,7 @@ class Exact:
         return new
 
     def regular(self, precision: Precision) -> bool:
-        """Whether it can be distinguished from a singular matrix."""
+        """Returns whether it can be distinguished from a singular matrix."""
         least = 8 * unit(precision) * self.permanent + SPOILED[precision.name] * self.largest**3
         return abs(self.det) > least
 
@@ -67,24 +66,24 @@ def of(tier, R: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     return det, Ro
 
 
-def excess(found: np.floating, exact: Fraction, allowed: Fraction) -> float:
+def excess(result: np.floating, exact: Fraction, allowed: Fraction) -> float:
     """The error as a multiple of the bound, after the rounding of subnormal numbers is subtracted;
     results that overflow may be infinite."""
-    info = np.finfo(found.dtype)
-    if not np.isfinite(found):
+    info = np.finfo(result.dtype)
+    if not np.isfinite(result):
         too_large = abs(exact) + allowed >= Fraction(float(info.max))
-        return 0.0 if too_large and found == (np.inf if exact > 0 else -np.inf) else np.inf
-    error = abs(Fraction(float(found)) - exact)
+        return 0.0 if too_large and result == (np.inf if exact > 0 else -np.inf) else np.inf
+    error = abs(Fraction(float(result)) - exact)
     return float(error / (allowed + Fraction(float(info.smallest_subnormal))))
 
 
 def worst(tier, precision: Precision, truth: Exact, det: np.floating, Ro: np.ndarray) -> float:
-    """The largest error as a multiple of what is stated; accurate: of one unit and what is left of
-    second order."""
+    """The largest error as a multiple of the stated one; in the accurate tier, of one unit and a
+    second-order rest."""
     u, plain = unit(precision), tier is coscrew
     cancelled = truth.permanent / abs(truth.det)
-    found = [excess(det, truth.det, (4 if plain else u * 64) * u * truth.permanent
-                    + (0 if plain else u * abs(truth.det)))]
+    results = [excess(det, truth.det, (4 if plain else u * 64) * u * truth.permanent
+                      + (0 if plain else u * abs(truth.det)))]
     for i, j in product(range(3), repeat=2):
         exact = truth.adjugate[i][j] / truth.det
         least = REACH[precision.name] * truth.largest**2
@@ -92,8 +91,8 @@ def worst(tier, precision: Precision, truth: Exact, det: np.floating, Ro: np.nda
         stated = 2 * u * terms + 6 * u * abs(exact) * cancelled
         if not plain:
             stated = u * abs(exact) + 64 * u * stated + 2 * u * least / abs(truth.det)
-        found.append(excess(Ro[i, j], exact, stated))
-    return max(found)
+        results.append(excess(Ro[i, j], exact, stated))
+    return max(results)
 
 
 @cache
@@ -123,11 +122,11 @@ def test_ordinary_small_and_large_matrices_are_regular():
     for tier in (coscrew, coscrew.accurate):
         for size, dtype, det in ((1e-10, "f4", 1e-30), (1e13, "f4", 1e39), (1e-97, "f8", 1e-291),
                                  (1e110, "f8", np.inf), (1e-120, "f8", 0)):
-            found, Ro = of(tier, (size * np.eye(3)).astype(dtype))
+            result, Ro = of(tier, (size * np.eye(3)).astype(dtype))
             assert np.allclose(Ro, np.eye(3) / size, rtol=1e-6, atol=0)
             with np.errstate(over="ignore"):
                 wanted = np.float64(det).astype(dtype)
-            assert found == wanted or np.isclose(found, wanted, rtol=1e-6)
+            assert result == wanted or np.isclose(result, wanted, rtol=1e-6)
 
 
 @cache

@@ -38,7 +38,7 @@ each_joint = pytest.mark.parametrize("joint", range(6), ids=JOINTS)
 
 
 def same(x: object, y: object) -> bool:
-    """Whether all components of one or several values are exactly equal."""
+    """Returns whether all components of one or several values are exactly equal."""
     if isinstance(x, tuple):
         return all(map(same, x, y))
     return np.shape(x) == np.shape(y) and bool(np.all(np.asarray(x == y)))

@@ -36,8 +36,8 @@ Evaluate = Callable[[Operation, Precision, Arrays], Arrays]
 each_motion = pytest.mark.parametrize("operation", MOTIONS, ids=lambda op: op.name)
 
 
-def tuple_of(found: np.ndarray | Arrays) -> Arrays:
-    return found if isinstance(found, tuple) else (found,)
+def tuple_of(result: np.ndarray | Arrays) -> Arrays:
+    return result if isinstance(result, tuple) else (result,)
 
 
 def gufunc(operation: Operation, precision: Precision, inputs: Arrays) -> Arrays:
@@ -96,8 +96,8 @@ def check(operation: Operation, precision: Precision, inputs: Sequence[np.ndarra
     with mp.workdps(DIGITS):
         for number, truth in enumerate(truths):
             given = [as_arrays(multiprecise(x[number]))[0] for x in inputs]
-            found = [as_arrays(multiprecise(x[number]))[0] for x in outputs]
-            for part, error in errors(operation, given, found, truth).items():
+            results = [as_arrays(multiprecise(x[number]))[0] for x in outputs]
+            for part, error in errors(operation, given, results, truth).items():
                 numbers = [float(c) for x in given for c in np.ravel(x)]
                 allowed = k_at(bounds[part], angle(operation, numbers)) + more(part, number)
                 assert error <= allowed * u, (
@@ -132,17 +132,17 @@ def test_angles_beyond_the_domain(name: str, precision: Precision):
         x = np.zeros((1, operation.inputs[0].quantity.size), precision.numpy_type)
         x[0, -3:] = size, -size / 3, size / 7
         if name in ("SO3_exp", "quaternion_exp"):
-            found = gufunc(operation, precision, (x,))[0].astype(float)
-            R = found[0] if name == "SO3_exp" else coscrew.mat3x3_from_quaternion(found[0])
+            result = gufunc(operation, precision, (x,))[0].astype(float)
+            R = result[0] if name == "SO3_exp" else coscrew.mat3x3_from_quaternion(result[0])
             assert np.abs(R @ R.T - np.eye(3)).max() <= 2.0**-14
-            assert name == "SO3_exp" or abs(np.linalg.norm(found) - 1) <= 2.0**-15
+            assert name == "SO3_exp" or abs(np.linalg.norm(result) - 1) <= 2.0**-15
     for size in np.finfo(precision.numpy_type).max / np.array([1, 8], precision.numpy_type):
         x = np.zeros((1, operation.inputs[0].quantity.size), precision.numpy_type)
         x[0, -2] = size
         for evaluate in (gufunc, twin):
             with np.errstate(all="ignore"):
-                (found,) = evaluate(operation, precision, (x,))
-            assert np.isnan(found).any(axis=tuple(range(1, found.ndim))).all()
+                (result,) = evaluate(operation, precision, (x,))
+            assert np.isnan(result).any(axis=tuple(range(1, result.ndim))).all()
 
 
 # laws, to rounding
@@ -280,17 +280,17 @@ def test_no_rotation_at_all_raises_no_flag(operation: Operation, precision: Prec
         np.eye(3, dtype=precision.numpy_type)[1] for a in operation.inputs)
     with np.errstate(all="raise"):
         for evaluate in (gufunc, twin):
-            for found in evaluate(operation, precision, inputs):
-                assert np.isfinite(found).all()
+            for result in evaluate(operation, precision, inputs):
+                assert np.isfinite(result).all()
 
 
 def test_leading_axes_broadcast():
     rng = np.random.default_rng(4)
     q1, q2 = map(coscrew.quaternion_exp, (rng.normal(size=(5, 1, 3)), rng.normal(size=(3, 3))))
     k = rng.uniform(size=(7, 1, 1))
-    found = coscrew.quaternion_interpolated(q1, q2, k)
-    assert found.shape == (7, 5, 3, 4)
-    assert (found[2, 3, 1] == coscrew.quaternion_interpolated(q1[3, 0], q2[1], k[2, 0, 0])).all()
+    result = coscrew.quaternion_interpolated(q1, q2, k)
+    assert result.shape == (7, 5, 3, 4)
+    assert (result[2, 3, 1] == coscrew.quaternion_interpolated(q1[3, 0], q2[1], k[2, 0, 0])).all()
 
 
 @each_precision
@@ -309,7 +309,7 @@ def test_an_axis_is_as_accurate_however_small_the_turn(implementation, precision
         R[:, k, j], R[:, j, k] = q[:, i], -q[:, i]
     for name, given in (("axis_angle_from_quaternion", q), ("axis_angle_from_mat3x3", R)):
         angle, axis = implementation(TABLE[name], precision, (given,))
-        for x, found in zip(v.tolist(), axis.astype(float).tolist(), strict=True):
+        for x, result in zip(v.tolist(), axis.astype(float).tolist(), strict=True):
             length = mp.norm(mp.matrix(x))
-            assert max(abs(c / length - f) for c, f in zip(x, found, strict=True)) <= 3 * u
+            assert max(abs(c / length - f) for c, f in zip(x, result, strict=True)) <= 3 * u
         assert (angle > 0).all()

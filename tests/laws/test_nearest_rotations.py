@@ -154,8 +154,8 @@ def test_zero_has_no_nearest_rotation(precision: Precision):
     assert np.isnan(twins.quaternion_nearest_unit(np.zeros(4))).all()
     for bad in (np.nan, np.inf):
         with np.errstate(all="ignore"):
-            found = coscrew.mat3x3_nearest_rotation(np.diag([bad, 1, 1]))
-        assert np.isnan(found).any()
+            result = coscrew.mat3x3_nearest_rotation(np.diag([bad, 1, 1]))
+        assert np.isnan(result).any()
 
 
 @each_precision
@@ -164,9 +164,9 @@ def test_the_nearest_unit_quaternion_of_every_length(precision: Precision):
     info, rng = np.finfo(precision.numpy_type), np.random.default_rng(9)
     lengths = 10**rng.uniform(np.log10(float(info.tiny)), np.log10(float(info.max)) - 1, (200, 1))
     given = (rng.normal(size=(200, 4)) * lengths).astype(precision.numpy_type)
-    for q, found in zip(given, coscrew.quaternion_nearest_unit(given), strict=True):
+    for q, result in zip(given, coscrew.quaternion_nearest_unit(given), strict=True):
         exact = mpmath.matrix(q.tolist())
-        for x, wanted in zip(found.tolist(), exact / mpmath.norm(exact), strict=True):
+        for x, wanted in zip(result.tolist(), exact / mpmath.norm(exact), strict=True):
             assert abs(x - wanted) <= 3 * mpf(2)**-precision.digits * abs(wanted)
 
 
@@ -187,9 +187,9 @@ def test_defects_of_matrices(precision: Precision):
         assert coscrew.mat3x3_is_rotation(R.astype(real)) == (wanted == 0)
     for _ in range(ROWS):
         R = (rotation(rng) + small(rng) * rng.normal(size=(3, 3))).astype(real)
-        found, wanted = float(coscrew.mat3x3_rotation_defect(R)), exact_defect(R)
-        assert abs(found - wanted) <= (6 + 20 * wanted) * Fraction(2)**-precision.digits
-        assert coscrew.mat3x3_is_rotation(R) == (found <= 1e-3)
+        result, wanted = float(coscrew.mat3x3_rotation_defect(R)), exact_defect(R)
+        assert abs(result - wanted) <= (6 + 20 * wanted) * Fraction(2)**-precision.digits
+        assert coscrew.mat3x3_is_rotation(R) == (result <= 1e-3)
     assert np.isnan(coscrew.mat3x3_rotation_defect(np.full((3, 3), np.nan)))
     for i, j in np.ndindex(3, 3):
         R = np.eye(3, dtype=real)

@@ -61,13 +61,13 @@ def truth(name: str, row: list[float], precision: Precision) -> list[mp.mpf]:
     return [mp.mpf(x) / norm if norm else mp.mpf(x) for x in row]
 
 
-def ulps(found: float, exact: mp.mpf, precision: Precision) -> mp.mpf:
+def ulps(result: float, exact: mp.mpf, precision: Precision) -> mp.mpf:
     """The error in ulps of the exact number; subnormal numbers have the ulp of the smallest one."""
     info = np.finfo(precision.numpy_type)
     if abs(exact) >= mp.mpf(2)**info.maxexp * (1 - mp.mpf(2)**(-info.nmant - 2)):
-        return mp.mpf(0) if np.isinf(found) else mp.inf
+        return mp.mpf(0) if np.isinf(result) else mp.inf
     exponent = max(mp.frexp(exact)[1], info.minexp + 1) if exact else info.minexp + 1
-    return abs(mp.mpf(found) - exact) / mp.mpf(2)**(exponent - info.nmant - 1)
+    return abs(mp.mpf(result) - exact) / mp.mpf(2)**(exponent - info.nmant - 1)
 
 
 @pytest.fixture(scope="session")
@@ -91,13 +91,13 @@ def evaluates(tier: str, folder: Path) -> dict[str, Evaluate]:
 @pytest.mark.parametrize("name", NAMES)
 def test_norms_over_the_whole_range(name: str, precision: Precision, tier: str, folder: Path):
     x = rows(name.partition("_")[0], precision)
-    found = {}
+    values = {}
     for implementation, evaluate in evaluates(tier, folder).items():
         with np.errstate(all="ignore"):
-            found[implementation] = evaluate(TABLE[name], precision, x)
-    assert len({y.tobytes() for y in found.values()}) == 1
+            values[implementation] = evaluate(TABLE[name], precision, x)
+    assert len({y.tobytes() for y in values.values()}) == 1
     with mp.workdps(60):
-        for row, results in zip(x.tolist(), found["C"].tolist(), strict=True):
+        for row, results in zip(x.tolist(), values["C"].tolist(), strict=True):
             exact = truth(name, row, precision)
             for y, t in zip(np.ravel(results), exact, strict=True):
                 error = ulps(float(y), t, precision)

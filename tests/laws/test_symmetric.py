@@ -31,9 +31,9 @@ def singular(precision: Precision, n: int) -> np.ndarray:
         d = np.exp2(numbers.integers(-20, 20, n) * (number % 2))
         rows.append((G @ G.T) * np.outer(d, d))
     exact = np.array(rows)
-    found = exact.astype(precision.numpy_type)
-    assert (found == exact).all()
-    return found
+    result = exact.astype(precision.numpy_type)
+    assert (result == exact).all()
+    return result
 
 
 @cache
@@ -111,8 +111,8 @@ def test_backward_errors_are_as_stated(kind, n, precision):
     defect = np.abs(product - rational(A)).astype(float)
     factor = defect / (roots[:, :, None] * roots[:, None, :])
     assert FACTOR[n] / 4 < factor.max() / u <= FACTOR[n]
-    for found in (residual_in_u(A, b, x, u), residual_in_u(product, b, y, u)):
-        assert BACKWARD / 4 < found <= BACKWARD
+    for result in (residual_in_u(A, b, x, u), residual_in_u(product, b, y, u)):
+        assert BACKWARD / 4 < result <= BACKWARD
 
 
 @each_kind

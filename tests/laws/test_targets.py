@@ -34,8 +34,8 @@ def screws(precision: Precision) -> np.ndarray:
     axes[1::3, 0] *= 1e-5
     axes /= np.linalg.norm(axes, axis=1, keepdims=True)
     v = numbers.normal(size=axes.shape) * 10.0**numbers.uniform(-3, 3, (len(axes), 1))
-    found = np.hstack([v, axes * angles[:, None]]).astype(precision.numpy_type)
-    return found[np.linalg.norm(found[:, 3:].astype(float), axis=1) < 3.1415925]  # as in single
+    result = np.hstack([v, axes * angles[:, None]]).astype(precision.numpy_type)
+    return result[np.linalg.norm(result[:, 3:].astype(float), axis=1) < 3.1415925]  # as in single
 
 
 @cache
@@ -59,9 +59,9 @@ def test_swept_errors_are_within_the_targets(name: str, precision: Precision):
     D = np.array([[[float(x) for x in row] for row in T.tolist()] for T, _ in truths(precision)])
     D = D.astype(real)
     given = {"SO3_log": D[..., :3], "SE3_log": D}.get(name, s if name[:3] == "SE3" else s[:, 3:])
-    found = np.asarray(getattr(coscrew, name)(np.ascontiguousarray(given)), float)
+    result = np.asarray(getattr(coscrew, name)(np.ascontiguousarray(given)), float)
     with mp.workdps(DIGITS):
-        for row, x, (T, J), start in zip(range(len(s)), found, truths(precision),
+        for row, x, (T, J), start in zip(range(len(s)), result, truths(precision),
                                          s.astype(float), strict=True):
             truth, x = {
                 "SO3_exp": lambda: (T[0:3, 0:3], x), "SO3_log": lambda: (start[3:], x),

@@ -23,9 +23,9 @@ SCENES = {*(x.name for x in FUNCTIONS), "q", "v", "tau"}
 
 def named(column: str) -> list[str]:
     place = ROWS[0].index(column)
-    found = [name for row in ROWS[2:] for name in re.findall(r"`([^`]+)`", row[place])]
-    assert len(found) > 10
-    return found
+    results = [name for row in ROWS[2:] for name in re.findall(r"`([^`]+)`", row[place])]
+    assert len(results) > 10
+    return results
 
 
 def of_scenes(name: str) -> bool:
@@ -58,16 +58,17 @@ def test_ksls_names_exist():
 
 
 def in_pinocchio(name: str) -> bool:
-    """Whether Pinocchio has `SE3.action`, `model.armature`, `exp6`, `JointModelRevolute…`."""
+    """Returns whether Pinocchio has `SE3.action`, `model.armature`, `exp6`, `JointModelRevolute…`.
+    """
     first, *rest = re.sub(r"\(.*\)$", "", name).split(".")
     model = pin.Model()
     roots = {"model": model, "data": model.createData(), "coeffs": pin.Quaternion.coeffs}
     if first.endswith("…"):
         return any(x.startswith(first[:-1]) for x in dir(pin))
-    found = roots.get(first, getattr(pin, first, None))
+    result = roots.get(first, getattr(pin, first, None))
     for attribute in rest:
-        found = getattr(found, attribute, None)
-    return found is not None
+        result = getattr(result, attribute, None)
+    return result is not None
 
 
 def test_pinocchios_names_exist():

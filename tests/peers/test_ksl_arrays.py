@@ -62,9 +62,9 @@ def test_close_is_a_millionth_of_the_first_or_of_one(precision, functions):
         x, y = Fraction(float(a[0])), Fraction(float(b[0]))
         off = abs(x - y) / max(abs(x), 1)
         if abs(off - CLOSE) > 4 * u * CLOSE:  # else the function's roundings decide
-            found = call(functions, "close", precision, 1, a, b)
-            assert found == (off <= CLOSE), (a[0].hex(), b[0].hex())
-            decided[found] += 1
+            result = call(functions, "close", precision, 1, a, b)
+            assert result == (off <= CLOSE), (a[0].hex(), b[0].hex())
+            decided[result] += 1
     assert min(decided.values()) > 1000
 
 
@@ -75,8 +75,8 @@ def test_every_pair_must_be_close(precision, functions):
         other = ones.copy()
         other[place] = 1.01
         for count in range(8):
-            found = call(functions, "close", precision, count, ones, other)
-            assert found == (count <= place)
+            result = call(functions, "close", precision, count, ones, other)
+            assert result == (count <= place)
     assert call(functions, "close", precision, -1, ones, 2 * ones) == 1
 
 
@@ -86,9 +86,9 @@ def test_infinities_are_close_to_themselves_and_nan_to_nothing(precision, functi
     numbers = (0.0, 1.0, largest, -largest, np.inf, -np.inf, np.nan)
     for a in numbers:
         for b in numbers:
-            found = call(functions, "close", precision, 1, array(precision, [a]),
-                         array(precision, [b]))
-            assert found == (a == b), (a, b)
+            result = call(functions, "close", precision, 1, array(precision, [a]),
+                          array(precision, [b]))
+            assert result == (a == b), (a, b)
 
 
 def test_integers_are_close_if_equal(functions):
@@ -97,9 +97,9 @@ def test_integers_are_close_if_equal(functions):
         b = a.copy()
         b[place] += 1
         for count in range(8):
-            found = functions.equal_int(count, a.ctypes.data_as(ctypes.c_void_p),
-                                        b.ctypes.data_as(ctypes.c_void_p))
-            assert found == (count <= place)
+            result = functions.equal_int(count, a.ctypes.data_as(ctypes.c_void_p),
+                                         b.ctypes.data_as(ctypes.c_void_p))
+            assert result == (count <= place)
 
 
 def ends(precision: Precision) -> tuple[np.ndarray, np.ndarray]:
@@ -119,9 +119,9 @@ def test_numbers_between_two_err_by_3_u(precision, functions):
     a, b = ends(precision)
     rng, least = np.random.default_rng(6), Fraction(2)**precision.least_exponent
     for p in array(precision, [*rng.uniform(0, 1, 12), 1e-12, 0.5, 1 - 1e-7, 2e-10]):
-        found = np.full_like(a, np.nan)
-        call(functions, "lerp", precision, len(a), float(p), a, b, found)
-        for x, y, z in zip(a, b, found, strict=True):
+        result = np.full_like(a, np.nan)
+        call(functions, "lerp", precision, len(a), float(p), a, b, result)
+        for x, y, z in zip(a, b, result, strict=True):
             k, first, last, between = (Fraction(float(number)) for number in (p, x, y, z))
             left, right = (1 - k) * first, k * last
             bound = 3 * unit(precision) * (abs(left) + abs(right)) * (1 + 8 * unit(precision))
@@ -133,12 +133,12 @@ def test_numbers_between_two_err_by_3_u(precision, functions):
 def test_ends_are_reached_exactly_and_not_left(precision, functions):
     a, b = ends(precision)
     for p, want in ((0.0, a), (-0.5, a), (-np.inf, a), (1.0, b), (1.5, b), (np.inf, b)):
-        found = np.full_like(a, np.nan)
-        call(functions, "lerp", precision, len(a), p, a, b, found)
-        assert found.tobytes() == want.tobytes()
-    found = a[:3].copy()
-    call(functions, "lerp", precision, 2, np.nan, a, b, found)
-    assert np.isnan(found[:2]).all() and found[2] == a[2]
+        result = np.full_like(a, np.nan)
+        call(functions, "lerp", precision, len(a), p, a, b, result)
+        assert result.tobytes() == want.tobytes()
+    result = a[:3].copy()
+    call(functions, "lerp", precision, 2, np.nan, a, b, result)
+    assert np.isnan(result[:2]).all() and result[2] == a[2]
 
 
 @each_precision
@@ -160,8 +160,8 @@ def test_the_largest_magnitude_is_found(precision, functions):
     lists += [[nan], [nan, nan], [nan, 0], [0, nan], [nan, -1, 2, nan, -2], [-np.inf, 1, np.inf]]
     for numbers in lists:
         sizes = [-1 if np.isnan(x) else abs(x) for x in numbers]
-        found = call(functions, "largest", precision, len(numbers), array(precision, numbers))
-        assert found == sizes.index(max(sizes)), numbers
+        result = call(functions, "largest", precision, len(numbers), array(precision, numbers))
+        assert result == sizes.index(max(sizes)), numbers
     for count in (0, -3):
         assert call(functions, "largest", precision, count, array(precision, [1])) == -1
 
@@ -185,15 +185,15 @@ def test_angles_go_on_next_to_theta(name, halves, precision, functions):
     with mp.workdps(60):
         turn = halves * mp.pi
         for y, x, theta in points(precision):
-            found = mp.mpf(call(functions, name, precision, float(y), float(x), float(theta),
-                                real=True))
-            error = found - mp.atan2(mp.mpf(float(y)), mp.mpf(float(x)))
+            result = mp.mpf(call(functions, name, precision, float(y), float(x), float(theta),
+                                 real=True))
+            error = result - mp.atan2(mp.mpf(float(y)), mp.mpf(float(x)))
             error -= turn * mp.nint(error / turn)
-            bound = 4 * u * (abs(found) + mp.pi)
+            bound = 4 * u * (abs(result) + mp.pi)
             assert abs(error) <= bound, (y.hex(), x.hex(), theta.hex())
             least = mp.mpf(float(theta)) - mp.pi / 4
             slack = bound + 4 * u * abs(float(theta))
-            assert least - slack <= found <= least + turn + slack, (y.hex(), x.hex(), theta.hex())
+            assert least - slack <= result <= least + turn + slack, (y.hex(), x.hex(), theta.hex())
 
 
 @each_precision

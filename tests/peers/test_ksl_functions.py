@@ -109,10 +109,10 @@ def angles_of(axes: tuple[int, ...], seed: int) -> np.ndarray:
 def test_turns_are_about_the_bodys_axes(number, name, axes, precision, functions):
     for row in angles_of(axes, 1)[:30]:
         given = numbers(precision, row)
-        found = set_from(functions, precision, number, given)
-        assert np.abs(found - rotation(axes, given)).max() <= 4 * unit(precision), row
+        result = set_from(functions, precision, number, given)
+        assert np.abs(result - rotation(axes, given)).max() <= 4 * unit(precision), row
         theirs = Rotation.from_euler(name, given.astype(float)).as_matrix()  # capitals: intrinsic
-        assert np.abs(found - theirs).max() <= 4 * unit(precision) + 1e-15
+        assert np.abs(result - theirs).max() <= 4 * unit(precision) + 1e-15
 
 
 @each_precision
@@ -122,8 +122,8 @@ def test_angles_turn_to_the_rotation_near_gimbal_lock_too(number, name, axes, pr
     worst = 0.0
     for row in angles_of(axes, 2):
         R = rotation(axes, row).astype(precision.numpy_type)
-        found = get_from(functions, precision, number, R)
-        worst = max(worst, float(np.abs(rotation(axes, found) - R).max()))
+        result = get_from(functions, precision, number, R)
+        worst = max(worst, float(np.abs(rotation(axes, result) - R).max()))
     # angles up to 7/4 π are rounded to u 2^2; the matrix follows by as much.
     assert worst <= (BACKWARD + 8) * unit(precision), worst / unit(precision)
 
@@ -138,11 +138,11 @@ def test_angles_are_next_to_the_reference(number, name, axes, precision, functio
         near = rng.uniform(-20, 20, 3) if rng.random() < 0.7 else np.zeros(3)
         reference = None if not near.any() else near
         R = rotation(axes, row).astype(precision.numpy_type)
-        found = get_from(functions, precision, number, R, reference)
-        less = np.array(found, float) - near
+        result = get_from(functions, precision, number, R, reference)
+        less = np.array(result, float) - near
         assert (less >= -PI / 4 - slack).all() and (less[:2] <= 7 * PI / 4 + slack).all()
         assert less[2] <= 3 * PI / 4 + slack
-        assert np.abs(rotation(axes, found) - R).max() <= 100 * unit(precision)
+        assert np.abs(rotation(axes, result) - R).max() <= 100 * unit(precision)
 
 
 @each_sequence
@@ -151,8 +151,8 @@ def test_small_angles_come_back(number, name, axes, functions):
         angles = numbers(precision, (0.2, 0.3, 0.4))
         R = set_from(functions, precision, number, angles)
         for reference in (None, (0.21, 0.31, 0.41)):
-            found = get_from(functions, precision, number, R, reference)
-            assert np.abs(found - angles).max() <= 20 * unit(precision)
+            result = get_from(functions, precision, number, R, reference)
+            assert np.abs(result - angles).max() <= 20 * unit(precision)
 
 
 def test_sequences_that_are_none_give_no_numbers(functions):
@@ -215,14 +215,14 @@ def test_inverses_are_right_or_refused(precision, functions):
         if n % 4 == 0:  # no leading entry to divide by
             R = np.eye(3, dtype=R.dtype)[rng.permutation(3)]
         singular = exact_determinant(R) == 0
-        found = np.ascontiguousarray(R.T)
-        answer = call(functions, "invert", precision, found, returned=ctypes.c_int)
+        result = np.ascontiguousarray(R.T)
+        answer = call(functions, "invert", precision, result, returned=ctypes.c_int)
         assert answer == (-3 if singular else 0)
         refused += singular
         if singular:
-            assert np.isnan(found).all()
+            assert np.isnan(result).all()
         else:
-            error = np.abs(exact(R) @ exact(found.T) - np.eye(3, dtype=int)).max()
+            error = np.abs(exact(R) @ exact(result.T) - np.eye(3, dtype=int)).max()
             assert error <= 200 * Fraction(unit(precision))
     assert refused > 3
 
@@ -233,12 +233,12 @@ def test_size_refuses_no_inverse(precision, functions):
     info = np.finfo(precision.numpy_type)
     for exponent in range(1 - info.maxexp, info.maxexp - 2, 5):
         R = np.ldexp(np.array([[0.0, 2, 0], [0, 0, -1], [1, 0, 0]]), exponent)
-        found = np.ascontiguousarray(R.T, precision.numpy_type)
-        assert call(functions, "invert", precision, found, returned=ctypes.c_int) == 0
-        assert np.array_equal(R @ found.T, np.eye(3))
+        result = np.ascontiguousarray(R.T, precision.numpy_type)
+        assert call(functions, "invert", precision, result, returned=ctypes.c_int) == 0
+        assert np.array_equal(R @ result.T, np.eye(3))
     for x in (0, np.inf, np.nan):
-        found = numbers(precision, np.diag([1, x, 1]))
-        assert call(functions, "invert", precision, found, returned=ctypes.c_int) == -3
+        result = numbers(precision, np.diag([1, x, 1]))
+        assert call(functions, "invert", precision, result, returned=ctypes.c_int) == -3
 
 
 def exact_determinant(R: np.ndarray) -> Fraction:
@@ -253,12 +253,12 @@ def test_any_axis_turns(precision, functions):
     for n in range(60):
         axis = rng.normal(size=3) * 10.0**rng.uniform(-3, 3)
         angle = PI if n % 3 == 0 else rng.uniform(0, PI)
-        R, found = np.empty((3, 3), precision.numpy_type), np.empty(4, precision.numpy_type)
-        call(functions, "axis_angle", precision, numbers(precision, axis), angle, R, found)
+        R, result = np.empty((3, 3), precision.numpy_type), np.empty(4, precision.numpy_type)
+        call(functions, "axis_angle", precision, numbers(precision, axis), angle, R, result)
         a = axis / np.linalg.norm(axis)
         wanted = Rotation.from_rotvec(a * angle).as_matrix()
         assert np.abs(R.T - wanted).max() <= 12 * unit(precision) + 1e-15
-        back = Rotation.from_rotvec(found[:3] * float(found[3])).as_matrix()
+        back = Rotation.from_rotvec(result[:3] * float(result[3])).as_matrix()
         assert np.abs(back - wanted).max() <= 40 * unit(precision) + 1e-15
 
 
@@ -282,12 +282,12 @@ def test_degrees_are_exact(precision, functions):
     """Except for one rounding of negative ones."""
     real = np.dtype(precision.numpy_type).type
     for angle in angles_around(precision, 360):
-        found = call(functions, "degrees", precision, angle, returned=float)
+        result = call(functions, "degrees", precision, angle, returned=float)
         truth = Fraction(float(angle)) % 360
-        assert 0 <= found < 360 and not np.signbit(found)
+        assert 0 <= result < 360 and not np.signbit(result)
         half = Fraction(float(np.spacing(real(truth.numerator / truth.denominator)))) / 2
-        near = truth - 360 if found == 0 and truth > 359 else truth
-        assert abs(Fraction(found) - near) <= (0 if angle >= 0 else half)
+        near = truth - 360 if result == 0 and truth > 359 else truth
+        assert abs(Fraction(result) - near) <= (0 if angle >= 0 else half)
 
 
 @each_precision
@@ -300,12 +300,12 @@ def test_whole_turns_are_taken_away(precision, functions):
     with mp.workdps(400):
         turn_ = 2 * mp.pi
         for angle in angles_around(precision, 2 * PI):
-            found = call(functions, "radians", precision, angle, returned=float)
-            assert 0 <= found < turn_ and not np.signbit(found)
-            error = mp.mpf(found) - mp.mpf(float(angle))
+            result = call(functions, "radians", precision, angle, returned=float)
+            assert 0 <= result < turn_ and not np.signbit(result)
+            error = mp.mpf(result) - mp.mpf(float(angle))
             error -= turn_ * mp.nint(error / turn_)
             assert abs(error) <= off + growth * abs(float(angle)), (angle, float(error))
-            assert found == angle or not 0 <= angle < real(2 * PI)
+            assert result == angle or not 0 <= angle < real(2 * PI)
 
 
 @each_precision
@@ -319,6 +319,6 @@ def test_multiples_are_added(precision, functions):
     rng = np.random.default_rng(2)
     x, y = (rng.normal(size=9).astype(precision.numpy_type) for _ in range(2))
     a = np.dtype(precision.numpy_type).type(0.3)
-    found = y.copy()
-    call(functions, "axpy", precision, 8, a, x, found)
-    assert (found[:8] == a * x[:8] + y[:8]).all() and found[8] == y[8]
+    result = y.copy()
+    call(functions, "axpy", precision, 8, a, x, result)
+    assert (result[:8] == a * x[:8] + y[:8]).all() and result[8] == y[8]

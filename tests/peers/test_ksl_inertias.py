@@ -109,12 +109,12 @@ def sizes_of_merged(Ji, t_ic, Jj, t_jc, D) -> Matrix:
                           bodies.moments(Ji) + R @ bodies.moments(Jj) @ R.T + apart)
 
 
-def worst(precision: Precision, tier: str, found: np.ndarray, truths: list[Matrix],
+def worst(precision: Precision, tier: str, result: np.ndarray, truths: list[Matrix],
           sizes: list[Matrix]) -> float:
     """The largest error, in u times these sums; of the accurate tier the part above 1 u of the
     result, in u² times these sums."""
     u, largest = Fraction(unit(precision)), 0.0
-    for got, truth, size in zip(rational(found), truths, sizes, strict=True):
+    for got, truth, size in zip(rational(result), truths, sizes, strict=True):
         error = np.abs(got - truth)
         if tier == "accurate":
             error = np.maximum(error - u * np.abs(truth), 0) / u
@@ -134,9 +134,9 @@ def test_joined_bodies_are_within_the_bound(tier, precision):
     for J in (given[0], given[2]):
         J[:, 0] = np.abs(J[:, 0])
     exactly = list(zip(*map(rational, given), strict=True))
-    found = coscrew.unchecked(TIERS[tier].inertia_merge)(*given)
-    assert found.dtype == precision.numpy_type
-    k = worst(precision, tier, found, [bodies.merged(*x) for x in exactly],
+    result = coscrew.unchecked(TIERS[tier].inertia_merge)(*given)
+    assert result.dtype == precision.numpy_type
+    k = worst(precision, tier, result, [bodies.merged(*x) for x in exactly],
               [sizes_of_merged(*x) for x in exactly])
     assert k <= MERGED and (tier == "accurate" or k > 2)
 
@@ -215,8 +215,8 @@ def test_factors_make_the_moments(rank, precision, factor):
     rng, u, largest = np.random.default_rng(rank), Fraction(unit(precision)), 0.0
     for n in range(240):
         I = symmetric(rng, RANKS[rank][n % len(RANKS[rank])], n).astype(precision.numpy_type)
-        found, L = factor(I)
-        assert found == rank and (np.diag(L) >= 0).all()
+        result, L = factor(I)
+        assert result == rank and (np.diag(L) >= 0).all()
         error = np.abs(rational(L) @ rational(L).T - rational(I)).max()
         largest = max(largest, float(error / (u * rational(np.abs(I)).max())) if rank else error)
     assert largest <= FACTORED

@@ -20,7 +20,7 @@ REAL = re.compile(r"(?:const )?(int|double|float) (?:\*|\[2\])")
 
 
 def test_every_name_is_here_or_has_a_reason():
-    """A header may declare what another one has: there it is."""
+    """A header may declare a name that stands in another one."""
     here = {(p.header, p.name) for p in prototypes()}
     elsewhere = {name for _, name in here}
     for header, declared in names().items():
@@ -87,7 +87,7 @@ ZERO = "ZERO"
 
 @pytest.mark.parametrize("compiler, language", DIALECTS, ids=lambda x: str(x))
 def test_every_function_is_called_with_ksls_types(compiler, language, tmp_path):
-    """And links, as C11 and as C++17, both precisions in one program."""
+    """The program links, as C11 and as C++17, with both precisions."""
     every = prototypes()
     headers = "".join(f'#include "ksl/{header}"\n' for header in names() if header not in ABSENT)
     calls = "".join(f"  call_{p.name}();\n" for p in every)

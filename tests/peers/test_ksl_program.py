@@ -163,7 +163,7 @@ def _rounded(number: Fraction | int, precision: Precision) -> float:
 @pytest.fixture(scope="module", params=DIALECTS, ids=lambda x: f"{x[0]} {x[1][-1]}")
 def printed(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory
             ) -> dict[tuple[str, str], list[str]]:
-    """What the program prints: (precision, what) → numbers, in hex."""
+    """The program's output: (precision, what) → numbers, in hex."""
     compiler, language = request.param
     binary = tmp_path_factory.mktemp("ksl") / "program"
     run((compiler, *language, *STRICT, EXACT, "-I", INCLUDE / "ksl", PROGRAM, "-o", binary, "-lm"))

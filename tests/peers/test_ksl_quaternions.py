@@ -80,12 +80,12 @@ int main(void) {{
 def wanted(rounded: Callable[[float], mp.mpf]) -> list[list[mp.mpf]]:
     q = [mp.matrix([rounded(x) for x in row]) for row in NUMBERS]
     R, unit = matrix_of(q[0]), [x / norm(x) for x in q]
-    found = [product(conjugate(q[0]), q[1]) / mp.fdot(q[0], q[0]), unit[0],
-             *([R[i, j] for j in range(3)] for i in range(3)), unit[0]]
+    results = [product(conjugate(q[0]), q[1]) / mp.fdot(q[0], q[0]), unit[0],
+               *([R[i, j] for j in range(3)] for i in range(3)), unit[0]]
     for t in map(mp.mpf, FRACTIONS):
-        found += [way(unit[0], unit[k], t) for way in (slerp, nlerp) for k in (1, 2, 4)]
-        found.append(squad(unit[:4], t))
-    return [list(x) for x in found]
+        results += [way(unit[0], unit[k], t) for way in (slerp, nlerp) for k in (1, 2, 4)]
+        results.append(squad(unit[:4], t))
+    return [list(x) for x in results]
 
 
 @each_compiler
@@ -102,8 +102,8 @@ def test_they_are_their_formulas(precision, compiler, tmp_path):
     with mp.workdps(DIGITS):
         exact = wanted(lambda x: mp.mpf(float(np.dtype(precision.numpy_type).type(x))))
         assert len(lines) == len(exact)
-        for number, (found, right) in enumerate(zip(lines, exact, strict=True)):
-            worst = max(abs(x - y) for x, y in zip(found, right, strict=True))
+        for number, (result, right) in enumerate(zip(lines, exact, strict=True)):
+            worst = max(abs(x - y) for x, y in zip(result, right, strict=True))
             assert worst <= 64 * u, (number, float(worst / u))
 
 

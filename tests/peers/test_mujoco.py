@@ -29,7 +29,7 @@ STEP, DURATION = 1e-3, 1.0
 STATES = 20
 CASES = {"arm3": (False, "rrr"), "arm5": (False, "prrpr"), "arm7": (False, "rrrrrrr"),
          "body": (True, ""), "hopper": (True, "rpr")}
-"""Whether the base is free, and the joints: revolute, prismatic."""
+"""True if the base is free, and the joints: revolute, prismatic."""
 
 
 @dataclass(frozen=True)
@@ -161,13 +161,13 @@ def frames(free: bool, q: np.ndarray, nv: int) -> np.ndarray:
 def states(its: Kernels, free: bool) -> list[tuple[np.ndarray, np.ndarray]]:
     """The initial state, and random ones."""
     draw, first = np.random.default_rng(0), system(its, "double").start()
-    found = [first]
+    results = [first]
     for _ in range(STATES - 1):
         q, v = (draw.uniform(-1.5, 1.5, x.shape) for x in first)
         if free:
             q[3:7] /= np.linalg.norm(q[3:7])
-        found.append((q, v))
-    return found
+        results.append((q, v))
+    return results
 
 
 @pytest.mark.parametrize("name", CASES)
@@ -214,8 +214,8 @@ def run(name: str, step: float, folder: Path) -> tuple[Figure, ...]:
 @pytest.mark.parametrize("name", CASES)
 def test_runs_of_a_second_are_mujocos(name, folder):
     rough, fine = (run(name, step, folder) for step in (STEP, STEP / 2))
-    found = runs.compared(ours(name, folder), fine, "double", "rk4", STEP)
-    for x in found:
+    result = runs.compared(ours(name, folder), fine, "double", "rk4", STEP)
+    for x in result:
         change = max(abs(float(a.value) - float(b.value)) for a, b in zip(rough, fine, strict=True)
                      if a.quantity[0] == x.quantity)
         print(f"{x.quantity}: {x.error:.2g} of {change:.2g} + {x.integration:.2g}"

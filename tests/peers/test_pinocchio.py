@@ -48,26 +48,26 @@ def _ours(x: Robot, name: str, *arguments: np.ndarray, dtype=np.float64) -> np.n
     program = next(f.program for f in x.functions.functions if f.name == name)
     numbers = evaluation.SINGLE if dtype == np.float32 else evaluation.DOUBLE
     columns = [list(a.astype(dtype).T) for a in arguments]
-    found = evaluation.evaluator(program, numbers)(columns)
-    return np.stack([np.broadcast_to(np.asarray(x, dtype), STATES) for x in found], -1)
+    result = evaluation.evaluator(program, numbers)(columns)
+    return np.stack([np.broadcast_to(np.asarray(x, dtype), STATES) for x in result], -1)
 
 
-def _error(found: np.ndarray, wanted: np.ndarray) -> float:
+def _error(result: np.ndarray, wanted: np.ndarray) -> float:
     """The largest difference, relative to the largest number."""
     wanted = np.reshape(wanted, -1)
-    return float(np.abs(np.reshape(found, -1) - wanted).max() / max(np.abs(wanted).max(), 1e-300))
+    return float(np.abs(np.reshape(result, -1) - wanted).max() / max(np.abs(wanted).max(), 1e-300))
 
 
 @ALL
 def test_inverse_dynamics_is_pinocchios(file, free, mimics):
     x = robot(file, free, mimics)
     q, v, a = x.states(STATES)
-    found = _ours(x, "inverse_dynamics", q, v, a)
+    result = _ours(x, "inverse_dynamics", q, v, a)
     data = x.model.createData()
     for k in range(STATES):
         wanted = x.follow.T @ pin.rnea(x.model, data, x.theirs(q[k]), x.follow @ v[k],
                                        x.follow @ a[k])
-        assert _error(found[k], wanted) <= 1e-12
+        assert _error(result[k], wanted) <= 1e-12
 
 
 def test_inverse_dynamics_are_pinocchios_where_hands_are_massless():
@@ -75,11 +75,11 @@ def test_inverse_dynamics_are_pinocchios_where_hands_are_massless():
     file = "romeo_description/urdf/romeo.urdf"
     x = paired(scene_of(file), model_of(file, False), ("inverse_dynamics", "mass_matrix"))
     q, v, a = x.states(STATES)
-    found, masses, data = _ours(x, "inverse_dynamics", q, v, a), _ours(x, "mass_matrix", q), \
+    result, masses, data = _ours(x, "inverse_dynamics", q, v, a), _ours(x, "mass_matrix", q), \
         x.model.createData()
     for k in range(STATES):
         wanted = pin.rnea(x.model, data, x.theirs(q[k]), x.follow @ v[k], x.follow @ a[k])
-        assert _error(found[k], x.follow.T @ wanted) <= 1e-12
+        assert _error(result[k], x.follow.T @ wanted) <= 1e-12
         upper = np.triu(pin.crba(x.model, data, x.theirs(q[k])))
         assert _error(masses[k], x.follow.T @ (upper + np.triu(upper, 1).T) @ x.follow) <= 1e-12
         assert np.linalg.matrix_rank(masses[k].reshape(x.model.nv, -1)) == x.model.nv - 24
@@ -109,15 +109,15 @@ g = [0, 0, -9.81]
     names = ("inverse_dynamics", "forward_dynamics", "mass_matrix")
     x = paired(read_scene(tmp_path / "loaded.toml"), theirs, names)
     q, v, a = x.states(STATES)
-    found = {name: _ours(x, name, q, *([] if name == "mass_matrix" else [v, a])) for name in names}
+    got = {name: _ours(x, name, q, *([] if name == "mass_matrix" else [v, a])) for name in names}
     data = theirs.createData()
     for k in range(STATES):
         at = x.theirs(q[k])
         upper = np.triu(pin.crba(theirs, data, at))
         M = upper + np.triu(upper, 1).T
-        assert _error(found["mass_matrix"][k], M) <= 1e-14
-        assert _error(found["inverse_dynamics"][k], pin.rnea(theirs, data, at, v[k], a[k])) <= 1e-14
-        assert _error(found["forward_dynamics"][k], pin.aba(theirs, data, at, v[k], a[k])) <= \
+        assert _error(got["mass_matrix"][k], M) <= 1e-14
+        assert _error(got["inverse_dynamics"][k], pin.rnea(theirs, data, at, v[k], a[k])) <= 1e-14
+        assert _error(got["forward_dynamics"][k], pin.aba(theirs, data, at, v[k], a[k])) <= \
             DOUBLE * np.linalg.cond(M)
 
 
@@ -126,7 +126,7 @@ def test_mass_matrix_and_forward_dynamics_are_pinocchios(file, free, mimics):
     x = robot(file, free, mimics)
     q, v, tau = x.states(STATES, 1)
     masses = _ours(x, "mass_matrix", q)
-    found = _ours(x, "forward_dynamics", q, v, tau)
+    result = _ours(x, "forward_dynamics", q, v, tau)
     data = x.model.createData()
     for k in range(STATES):
         theirs = x.theirs(q[k])
@@ -138,7 +138,7 @@ def test_mass_matrix_and_forward_dynamics_are_pinocchios(file, free, mimics):
         if not mimics:
             wanted = x.follow.T @ pin.aba(x.model, data, theirs, x.follow @ v[k],
                                           x.follow @ tau[k])
-        assert _error(found[k], wanted) <= max(1e-12, DOUBLE * np.linalg.cond(M))
+        assert _error(result[k], wanted) <= max(1e-12, DOUBLE * np.linalg.cond(M))
 
 
 @ALL
@@ -148,18 +148,18 @@ def test_single_precision_is_within_its_condition(file, free, mimics):
     x = robot(file, free, mimics)
     q, v, a = (y.astype(np.float32).astype(np.float64) for y in x.states(STATES, 2))
     exact = _ours(x, "inverse_dynamics", q, v, a)
-    found = _ours(x, "inverse_dynamics", q, v, a, dtype=np.float32)
-    assert found.dtype == np.float32
-    assert _error(found, exact) <= 100 * SINGLE
+    result = _ours(x, "inverse_dynamics", q, v, a, dtype=np.float32)
+    assert result.dtype == np.float32
+    assert _error(result, exact) <= 100 * SINGLE
     tau = exact.astype(np.float32).astype(np.float64)
     exact = _ours(x, "forward_dynamics", q, v, tau)
-    found = _ours(x, "forward_dynamics", q, v, tau, dtype=np.float32)
+    result = _ours(x, "forward_dynamics", q, v, tau, dtype=np.float32)
     masses = _ours(x, "mass_matrix", q).reshape(STATES, x.functions.nv, -1)
     bias = _ours(x, "bias_torques", q, v)
     for k in range(STATES):
         torque = np.abs(tau[k]).max() + np.abs(bias[k]).max()
         scale = np.abs(np.linalg.inv(masses[k])).sum(1).max() * torque
-        assert np.abs(found[k] - exact[k]).max() <= 100 * SINGLE * scale
+        assert np.abs(result[k] - exact[k]).max() <= 100 * SINGLE * scale
 
 
 @ALL

@@ -37,13 +37,13 @@ ball = {ball}
 """
 
 
-def same(found: np.ndarray, wanted: np.ndarray) -> bool:
-    return bool(np.max(np.abs(np.asarray(found, float) - wanted)) <= BOUND)
+def same(result: np.ndarray, wanted: np.ndarray) -> bool:
+    return bool(np.max(np.abs(np.asarray(result, float) - wanted)) <= BOUND)
 
 
-def up_to_sign(found: np.ndarray, wanted: np.ndarray) -> bool:
-    sign = np.sign((found * wanted).sum(-1))[..., None]
-    return same(sign * found, wanted)
+def up_to_sign(result: np.ndarray, wanted: np.ndarray) -> bool:
+    sign = np.sign((result * wanted).sum(-1))[..., None]
+    return same(sign * result, wanted)
 
 
 @pytest.mark.parametrize("module", (coscrew, coscrew.double), ids=("gufuncs", "twins"))

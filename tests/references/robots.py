@@ -53,8 +53,8 @@ class Robot:
     def _of_model(self, key: str) -> np.ndarray:
         if "joints" in self.scene:
             tables = [self.scene["joints"][x] for x in self.joints]
-            found = [x["limits"][key] if key == "effort" else x[key] for x in tables]
-            return np.array(found, float)
+            results = [x["limits"][key] if key == "effort" else x[key] for x in tables]
+            return np.array(results, float)
         numbers = {"damping": self.model.damping, "friction": self.model.upperDryFrictionLimit,
                    "effort": self.model.upperEffortLimit}[key]
         return np.array(numbers[self.first:])
@@ -76,7 +76,7 @@ class Robot:
         return q, v
 
     def torques(self, t: float, q: np.ndarray, v: np.ndarray) -> np.ndarray:
-        """Of motors, and of friction.  (nv)."""
+        """Torques of motors, and of friction.  (nv)."""
         angle, speed = q[-len(self.joints):], v[self.first:]
         u = (self.kp * (np.array([f(t) for f in self.target]) - angle)
              + self.kd * (np.array([f(t) for f in self.target_v]) - speed))

@@ -118,7 +118,7 @@ def derived(*names: str) -> SceneFunctions:
 
 @pytest.mark.parametrize("name", sorted(ZEROS))
 def test_parameters_of_zero_fold_to_the_same_programs(name: str) -> None:
-    """Also of a scene with time, gravity and other effects."""
+    """This holds for a scene with time, gravity and other effects, too."""
     others = sorted({"gravity", "viscous", "wrench"} - {name})
     wanted = derived(*others).functions
     found = derive(scene(mechanism(), *effects(*others), *zeroed(name, Fraction(0)))).functions

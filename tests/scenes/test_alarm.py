@@ -1,5 +1,6 @@
 """Verdicts on motions depend neither on where, how fast and which way a whole scene moves, nor on
-what moves beside it; what rests goes on, and no start passes that steps do not resolve."""
+bodies that move beside it; resting scenes do not stop, and no start passes that steps do not
+resolve."""
 
 from dataclasses import replace
 from pathlib import Path
@@ -81,7 +82,7 @@ def loaded(tmp_path_factory: pytest.TempPathFactory):
 
 def watched(its: System, q: np.ndarray | None = None, v: np.ndarray | None = None,
             **planned: float) -> tuple[str, float]:
-    """Why the run stopped, and its largest error relative to what is allowed."""
+    """Reason why the run stopped, and its largest error relative to the allowed one."""
     alarms: list[Alarm] = []
 
     def alarm(*given: object) -> Alarm:
@@ -139,7 +140,7 @@ def test_a_start_that_steps_do_not_resolve_stops(loaded, h_omega, right):
 
 
 def test_what_floats_keeps_its_centre_of_mass_on_a_parabola_to_rounding(loaded):
-    """And momentum and angular momentum about the world's origin, over 2e4 steps."""
+    """Momentum and angular momentum about the world's origin are kept, too, over 2e4 steps."""
     for precision, u in (("double", 2.0**-53), ("single", 2.0**-24)):
         its = loaded(BASE, precision, actuator_j1_kp=5.0)
         q, v = its.start()

@@ -23,7 +23,8 @@ from coscrew_codegen.runtime import compilation
 from coscrew_codegen.runtime.arrays.array_function import ArrayFunction
 from coscrew_codegen.runtime.arrays.namespace import Arrays, of_scene
 from coscrew_codegen.runtime.arrays.standard import ArrayLibrary
-from coscrew_codegen.runtime.load import Kernels, kernels_of, opened
+from coscrew_codegen.runtime.load import Kernels, kernels_of
+from coscrew_codegen.runtime.scene_library import opened
 from tests.support.each import each_precision
 from tests.support.scenes import scene_bits
 from tests.support.scenes.evaluation import MULTIPRECISE, evaluator
@@ -98,7 +99,8 @@ def test_subnormal_numbers_are_kept() -> None:
 
 
 def test_gradients_are_adjoints() -> None:
-    """With the bits of the adjoint Program; of what all states share, their sum."""
+    """They have the bits of the adjoint Program; for arrays that all states share, they are sums.
+    """
     arguments = given("inverse_dynamics")
     function = on_jax().inverse_dynamics
     wanted = adjoint_of("inverse_dynamics", arguments)
@@ -180,7 +182,8 @@ def test_without_a_compiler_xla_computes(monkeypatch: pytest.MonkeyPatch) -> Non
 
 
 def test_arrays_are_divided_among_devices() -> None:
-    """Under shard_map, which keeps account of what varies over devices, and by arrays' types."""
+    """Arrays are divided under shard_map, which records what varies over devices, and by arrays'
+    types."""
     subprocess.run([sys.executable, "-m", "tests.support.scenes.sharded"], check=True, env={
         **os.environ, "XLA_FLAGS": "--xla_force_host_platform_device_count=2"})
 

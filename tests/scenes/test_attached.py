@@ -65,7 +65,7 @@ def refused(scene, text, where, words):
 
 @pytest.mark.parametrize("turned", [False, True])
 def test_what_is_attached_is_what_the_files_end_would_add(scene, turned):
-    """The same model, functions and bits, in either order of tables and of joints."""
+    """Model, functions and bits are equal, in either order of tables and of joints."""
     text = ATTACHED
     if turned:
         payload, _, tool = ATTACHED.partition("[frames.tool]")

@@ -9,9 +9,10 @@ import numpy as np
 import pytest
 from mpmath import mpf
 
-from coscrew_codegen.scene.mechanism.model import HERE, Body, Joint, Kind, Model, Parameter
+from coscrew_codegen.scene.mechanism.model import HERE, Body, Joint, Model, Parameter
 from coscrew_codegen.scene.scene import Applied
 from tests.support.scenes.effect_laws import assert_reaches, assert_same, moving, multiprecise
+from tests.support.scenes.kinds import Kind
 from tests.support.scenes.mechanisms import (
     Formula,
     Y,

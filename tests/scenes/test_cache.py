@@ -1,5 +1,4 @@
-"""The cache of loaded scenes: an entry is found again if nothing changed; otherwise it is made
-again."""
+"""The cache of loaded scenes: an entry is reused if nothing changed; otherwise it is made again."""
 
 import os
 import shutil
@@ -15,8 +14,9 @@ import pytest
 import coscrew_codegen
 from coscrew_codegen import dynamics
 from coscrew_codegen.__main__ import main
-from coscrew_codegen.runtime import cache, callables, compilation, sources
-from coscrew_codegen.runtime.load import kernels_for, key_of
+from coscrew_codegen.runtime import cache, compilation, request, sources
+from coscrew_codegen.runtime.load import kernels_for
+from coscrew_codegen.runtime.scene_library import key_of
 from coscrew_codegen.scene.readers.toml.toml_scene import read_scene
 from tests.support.walks import copied
 
@@ -114,14 +114,15 @@ def test_functions_precisions_flags_and_compilers_miss(path: Path, derived: list
 @pytest.fixture
 def changed(tmp_path: Path, path: Path, monkeypatch: pytest.MonkeyPatch
             ) -> Callable[[str, str, str], bool]:
-    """Whether the scene's key changes with a source of the generator, in a copy of it."""
+    """Returns whether the scene's key changes with a source of the generator, in a copy of it."""
     copy = copied(tmp_path / "copy")
     monkeypatch.setattr(sources, "_folders", lambda: (copy, copy / "templates"))
     scene = read_scene(path)
 
     def key() -> str:
         sources._current.cache_clear()
-        return key_of(scene, (), ("double",), compilation.Compiler(("cc",), "1", ()))
+        return key_of(request.of_scene(scene, (), ("double",)),
+                      compilation.Compiler(("cc",), "1", ()))
 
     def change(source: str, old: str, new: str) -> bool:
         file = copy / source
@@ -145,11 +146,12 @@ def test_a_scene_is_derived_again_if_what_it_depends_on_changes(changed):
             ("scene/effects/gravity.py", "EFFECT = ", "X = 1\nEFFECT = "),
             ("dynamics/algorithms/forward.py", "\n\n\ndef ", "\n\n\nX = 1\n\n\ndef "),
             ("algebra/operations/coscrew.py", "FAMILY = ", "X = 1\nFAMILY = "),
-            ("runtime/load.py", "BOTH = ", "X = 1\nBOTH = "),
+            ("runtime/source_text.py", "def in_c", "X = 1\ndef in_c"),
             ("templates/scene/scene.c.jinja", "#include <", "#include  <"),
             ("templates/runtime/calls/threads.h", "#include <", "#include  <")):
         assert changed(source, old, new), source
     for source, old, new in (
+            ("runtime/load.py", "def in_tier_of", "X = 1\n\n\ndef in_tier_of"),
             ("scene/effects/gravity.py", "EFFECT = ", "# A comment.\nEFFECT = "),
             ("scene/effects/gravity.py", '"""', '"""On Earth: '),
             ("dynamics/algorithms/forward.py", '    """', '    """Here: '),
@@ -167,7 +169,7 @@ def test_the_hash_of_sources_is_part_of_every_key(path: Path, derived: list, mon
 
 
 def test_effects_of_one_s_own_are_never_found_by_name(path: Path, derived: list):
-    """Their names do not determine what they do."""
+    """Their names do not determine their equations."""
     scene = read_scene(path)
     gravity = scene.effects[0]
     own = replace(scene, effects=(replace(gravity, effect=replace(gravity.effect)),))
@@ -253,20 +255,19 @@ def test_processes_at_once_find_or_make_the_same(path: Path, folder: Path):
                                 cwd=ROOT, stdout=subprocess.PIPE, text=True) for _ in range(2)]
     said = {x.communicate()[0] for x in running}
     assert len(said) == 1 and said != {""} and {x.returncode for x in running} == {0}
-    assert {x.suffix for x in folder.iterdir()} == {".so", ".scene", ".txt"}
+    assert {x.suffix for x in folder.iterdir()} == {".so", ".scene"}
 
 
 def test_the_command_shows_and_empties(path: Path, folder: Path, capsys):
     assert main(["cache"]) == 0
     assert "entries  0\nsize     0 bytes\nlimit    1 GB" in capsys.readouterr().out
     assert not folder.exists()
-    callables._checks.cache_clear()
     energy(path)
     assert main(["cache"]) == 0
     shown = capsys.readouterr().out
-    assert f"folder   {folder}\nentries  3\n" in shown
+    assert f"folder   {folder}\nentries  2\n" in shown
     assert main(["cache", "--clear"]) == 0
-    assert "3 entries" in capsys.readouterr().out
+    assert "2 entries" in capsys.readouterr().out
     assert list(folder.iterdir()) == []
 
 
@@ -275,13 +276,12 @@ def test_entries_that_cannot_be_removed_are_told(path: Path, folder: Path, capsy
     def refused(path: Path) -> None:
         raise PermissionError(13, "Permission denied", str(path))
 
-    callables._checks.cache_clear()
     energy(path)
     monkeypatch.setattr(Path, "unlink", refused)
     assert main(["cache", "--clear"]) == 1
     out, err = capsys.readouterr()
     assert "0 entries, 0 bytes, are gone" in out
-    assert err == f"coscrew: 3 entries of {folder} cannot be removed\n"
+    assert err == f"coscrew: 2 entries of {folder} cannot be removed\n"
 
 
 def test_what_is_found_imports_neither_sympy_nor_scipy(path: Path):

@@ -10,15 +10,17 @@ from mpmath import mpf
 from coscrew_codegen import load_scene
 from coscrew_codegen.program.values.formats import DOUBLE, Precision
 from coscrew_codegen.scene.integrators import EMITTED, named
-from coscrew_codegen.scene.mechanism.model import HERE, Kind
+from coscrew_codegen.scene.mechanism.joint_kind import JointKind
+from coscrew_codegen.scene.mechanism.model import HERE
 from tests.support.each import each_precision
 from tests.support.scenes.evaluation import MULTIPRECISE, Evaluated
+from tests.support.scenes.kinds import Kind
 from tests.support.scenes.mechanisms import Z, chain, inertia, scene
 
-KINDS = pytest.mark.parametrize("kind", [Kind.SPHERICAL, Kind.FREE], ids=lambda kind: kind.value)
+KINDS = pytest.mark.parametrize("kind", [Kind.SPHERICAL, Kind.FREE], ids=lambda kind: kind.name)
 
 
-def evaluated(kind: Kind) -> Evaluated:
+def evaluated(kind: JointKind) -> Evaluated:
     """A body behind one joint."""
     return Evaluated(scene(chain((kind, Z, HERE, inertia(1, moments=(1, 2, 2, 0, 0, 0))))),
                      MULTIPRECISE)
@@ -31,7 +33,7 @@ def turned(f: Evaluated) -> list[mpf]:
 
 
 @KINDS
-def test_rates_of_displacements_are_right_to_third_order(kind: Kind) -> None:
+def test_rates_of_displacements_are_right_to_third_order(kind: JointKind) -> None:
     """d/dt integrated(q, φ + t u) is d/dt integrated(integrated(q, φ), t v), except for O(|φ|⁴)."""
     f = evaluated(kind)
     v = [mpf(x) for x in (3, -1, 2, 1, 4, -2)[-f.nv:]]
@@ -55,7 +57,7 @@ LENGTHS = ("1e-150", "1e-9", "0.999", "1", "1.7320508", "2.4", "1e9", "1e150")
 
 
 @KINDS
-def test_norms_come_back_to_one(kind: Kind) -> None:
+def test_norms_come_back_to_one(kind: JointKind) -> None:
     """From every length, at once."""
     f = evaluated(kind)
     for length in map(mpf, LENGTHS):
@@ -82,10 +84,10 @@ SPREAD = 64
 @pytest.mark.parametrize("integrator", [x.name for x in EMITTED])
 @KINDS
 def test_steps_from_quaternions_of_any_length_are_those_of_norm_1(
-        kind: Kind, integrator: str, precision: Precision, tmp_path: Path) -> None:
+        kind: JointKind, integrator: str, precision: Precision, tmp_path: Path) -> None:
     """Lengths whose squares single precision holds, for it."""
     path = tmp_path / "spinning.toml"
-    path.write_text(SPINNING.format(kind=kind.value, integrator=integrator))
+    path.write_text(SPINNING.format(kind=kind.name, integrator=integrator))
     real, u = np.dtype(precision.numpy_type).type, 2.0**-precision.digits
     step = getattr(getattr(load_scene(path), precision.name), named(integrator).step_name)
     draw = np.random.default_rng(5)

@@ -1,5 +1,5 @@
-"""The numbers that effects take where a scene gives none: those that their equations need to be the
-plain ones (a gear of 1, a rest at 0), and gravity as it is on Earth."""
+"""The numbers that effects take where a scene gives none: numbers that make their equations the
+plain ones (a gear of 1, a rest at 0), and gravity as on Earth."""
 
 from fractions import Fraction
 

@@ -1,4 +1,4 @@
-"""What every effect exerts, stores and dissipates: formulas and quadratures of the tests' own.
+"""Forces, energies and powers of every effect: formulas and quadratures of the tests' own.
 
 Each case is an effect on the least model, at some states.  Torques, forces and powers are compared
 with formulas written here once more; energies with quadratures of these forces; the field of a
@@ -15,10 +15,11 @@ import pytest
 from mpmath import mpf
 
 from coscrew_codegen.scene.effect_quantities import functions_of_effects, units_of
-from coscrew_codegen.scene.mechanism.model import Body, Joint, Kind, Model
+from coscrew_codegen.scene.mechanism.model import Body, Joint, Model
 from coscrew_codegen.scene.scene import Applied
 from tests.support.scenes.effect_laws import assert_same, multiprecise
 from tests.support.scenes.effect_scenes import assert_listed
+from tests.support.scenes.kinds import Kind
 from tests.support.scenes.mechanisms import (
     CATALOGUE,
     HERE,
@@ -47,8 +48,8 @@ def fifty_digits() -> Iterator[None]:
 
 @dataclass(frozen=True)
 class Case:
-    """An effect, the last of `effects`, at a state: its own quantities; the power of what it does
-    not store; the torques along all velocities."""
+    """An effect, the last of `effects`, at a state: its own quantities; the power that it does not
+    store; the torques along all velocities."""
 
     model: Model
     effects: tuple[Applied, ...]

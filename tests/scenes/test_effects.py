@@ -259,7 +259,7 @@ def test_limits_push_and_never_pull(ends: dict, q: str, v: str) -> None:
 
 
 def test_catalogue_is_complete() -> None:
-    """Every effect says what it is, with units for all that is a number."""
+    """Every effect has a description, and units for all its numbers."""
     assert list(CATALOGUE) == sorted(CATALOGUE)
     for effect in CATALOGUE.values():
         assert effect.words and effect.equation

@@ -1,4 +1,5 @@
-"""Effects that can act on nothing are refused, with what they need and what there is."""
+"""Effects that can act on nothing are refused; the message names the needed and the existing
+targets."""
 
 from dataclasses import replace
 

@@ -32,7 +32,7 @@ def test_there_are_scenes_from_trivial_to_rich():
 
 
 def test_scenes_use_every_number_of_their_own(scene):
-    """Of the models in scene files; a URDF file may contain more than a scene needs."""
+    """Models in scene files are tested; a URDF file may contain more than a scene needs."""
     if "model" not in tomllib.loads(scene.read_text()):
         assert not read_scene(scene).unused
 
@@ -76,8 +76,9 @@ def test_scenes_are_simulated_recorded_plotted_and_shown(scene, tmp_path, capsys
 
 def test_scenes_are_generated_as_c_that_compiles_clean(scene, tmp_path):
     assert main(["generate", str(scene), "-o", str(tmp_path)]) == 0
-    run_program(["cc", "-std=c11", *STRICT, "-c", tmp_path / f"{scene.stem}.c", "-o",
-                 tmp_path / "scene.o"])
+    for name in (f"{scene.stem}.c", f"{scene.stem}f.c"):
+        run_program(["cc", "-std=c11", *STRICT, "-c", tmp_path / name, "-o",
+                     tmp_path / "scene.o"])
 
 
 def test_a_payload_is_set_at_run_time(tmp_path, capsys):

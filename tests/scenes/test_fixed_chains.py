@@ -20,7 +20,6 @@ from coscrew_codegen.scene.mechanism.model import (
     Body,
     Inertia,
     Joint,
-    Kind,
     Model,
     Placement,
 )
@@ -28,6 +27,7 @@ from coscrew_codegen.scene.mechanism.rotations import SNAP
 from coscrew_codegen.scene.mechanism.tree import PlacedBody, composed, tree_of
 from coscrew_codegen.scene.scene import Scene
 from tests.support.cases import for_all
+from tests.support.scenes.kinds import Kind
 
 LONG = 300
 QUARTER = F("1.57079632679489661923132169163975144")
@@ -94,7 +94,7 @@ def test_right_angles_stay_right_in_chains_of_any_length(seed, digits):
 
 @for_all(seed=range(30), digits=range(3, 9))
 def test_rough_right_angles_leave_no_residues(seed, digits):
-    """1.5708 is no right angle, and its cosine stays; what its products should leave as zero is."""
+    """1.5708 is no right angle, and its cosine stays; entries that should be zero are zero."""
     rand = random.Random(f"{seed} {digits}")
     frames = [frame("0.1", "0", "-0.3", *(decimal_quarter(rand, digits) for _ in range(3)))
               for _ in range(rand.choice((2, 3, 10, 60)))]
@@ -143,7 +143,8 @@ def test_numbers_do_not_grow_with_the_chain():
 
 @pytest.mark.parametrize("seed", range(12))
 def test_single_precision_holds_every_chain(seed):
-    """Also where joints between them slide, whose rotations are constants of the functions."""
+    """Chains with sliding joints between them are included; their rotations are constants of the
+    functions."""
     rand = random.Random(seed)
     angles = [F(x) for x in ("0.7", "-1.1", "0.2", "0.1", "0")] if seed % 3 == 0 else None
     length = rand.choice((2, 3, 5))

@@ -6,11 +6,11 @@ import os
 import pytest
 
 from coscrew_codegen import load_scene
+from coscrew_codegen.scene.readers.model_formats import readers
 from coscrew_codegen.scene.readers.scene_error import SceneError
 from coscrew_codegen.scene.readers.toml.toml_scene import read_scene
-from coscrew_codegen.scene.readers.urdf.urdf import read_urdf
 from tests.support.scenes.example_effects import CATALOGUE
-from tests.support.scenes.reading import ARM
+from tests.support.scenes.reading import ARM, read_urdf
 
 BODY = ARM.removeprefix('<?xml version="1.0"?>\n')
 GREEK = BODY.replace('"tip"', '"ώμος"')
@@ -73,8 +73,10 @@ def test_lines_are_counted_from_the_beginning_of_the_file(tmp_path):
 
 REFUSED = {
     "LFS pointer": (LFS, "is a pointer of Git LFS, not the file itself; run `git lfs pull`"),
-    "MJCF": (b"<mujoco model='a'/>", "is MJCF, the format of MuJoCo; wanted a URDF"),
-    "SDF": (b"<?xml version='1.0'?><sdf version='1.7'/>", "is SDF, the format of Gazebo; wanted"),
+    "MJCF": (b"<mujoco model='a'/>", "is MJCF, the format of MuJoCo; wanted a name that "
+             "ends in .xml"),
+    "SDF": (b"<?xml version='1.0'?><sdf version='1.7'/>", "is SDF, the format of Gazebo; wanted a "
+            "name that ends in .sdf"),
     "web page": (b"<!DOCTYPE html><html/>", "is a web page, not the file it shows; wanted the raw"),
     "web page without a type": (b"<html><body>404</body></html>", "is a web page"),
     "launch file": (b"<launch/>", "is a launch file of ROS; wanted the URDF that it loads"),
@@ -83,7 +85,7 @@ REFUSED = {
     "no XML": (b"name: arm\njoints: []\n", "'name: arm' is no XML; wanted a URDF"),
     "warnings before": (b"xacro: in-order processing became default\n" + ARM.encode(),
                         "line 1: text stands before the XML, 'xacro: in-order processing became "
-                        "default'; wanted <?xml or <robot first: delete what precedes it"),
+                        "default'; wanted <?xml or the root first: delete what precedes it"),
     "comment before the declaration": (b"<!-- arm -->\n" + ARM.encode(), "line 2: <?xml … ?> "
                                        "stands after something else; wanted it at the beginning"),
     "bare &": (ARM.replace('"grey"', '"black & white"').encode(),
@@ -136,23 +138,18 @@ def test_other_kinds_are_named_with_what_to_do(tmp_path, contents, words):
 
 
 @pytest.mark.parametrize("name, contents, words", [
-    ("arm.urdf.xacro", b"", "is a file of xacro, of which `xacro arm.urdf.xacro > arm.urdf` makes "
-     "a URDF"),
-    ("arm.xacro", b"", "`xacro arm.xacro > arm.urdf`"),
-    ("arm.sdf", b"", "is SDF, the format of Gazebo, which coscrew does not read"),
-    ("arm.mjcf", b"", "is MJCF, the format of MuJoCo, which coscrew does not read"),
-    ("arm.xml", b"<!-- <robot> --><mujoco/>", "is MJCF, the format of MuJoCo"),
-    ("arm.xml", b"<?xml version='1.0'?><robot/>", "rename it to arm.urdf"),
-    ("arm.xml", b"text", "has the suffix '.xml'"), ("arm.srdf", b"", "belongs to a URDF"),
+    ("arm.dae", b"", "is Collada, a format of meshes, which coscrew does not read"),
+    ("arm.launch", b"", "is a launch file of ROS"), ("arm.srdf", b"", "belongs to a URDF"),
     ("arm", b"", "has no suffix"), ("arm.yaml", b"", "has the suffix '.yaml'")])
 def test_other_suffixes_are_named_with_what_to_do(tmp_path, name, contents, words):
     path, scene = tmp_path / name, tmp_path / "scene.toml"
     path.write_bytes(contents)
     scene.write_text(f'model = "{name}"\n')
-    for file, wanted in ((path, "wanted a .toml or .urdf file"), (scene, "wanted a .urdf file")):
+    for file, wanted in ((path, "; wanted a scene (.toml) or a model ("), (scene, "a model (")):
         with pytest.raises(SceneError) as caught:
             read_scene(file, CATALOGUE)
-        assert words in str(caught.value) and str(caught.value).endswith(wanted)
+        assert words in str(caught.value) and wanted in str(caught.value)
+        assert all(x in str(caught.value) for reader in readers() for x in reader.suffixes)
 
 
 @pytest.mark.skipif(not hasattr(os, "mkfifo"), reason="needs POSIX")

@@ -104,7 +104,8 @@ def written(folder: Path, *changes: tuple[str, str]) -> Path:
 @pytest.mark.parametrize("precision", ["double", "single"])
 @pytest.mark.parametrize("integrator", NAMES)
 def test_every_integrator_holds_it(tmp_path: Path, integrator: str, precision: str) -> None:
-    """Beside rounding: what the joints hold is rounded by a few units of 9 N m, k is 50 N m."""
+    """The deviation is rounding: the holding torques are rounded by a few units of 9 N m, k is 50 N
+    m."""
     with mpmath.workdps(15):
         found = run(written(tmp_path), integrator=integrator, precision=precision)
     unit = np.finfo(found.q.dtype).eps
@@ -114,7 +115,7 @@ def test_every_integrator_holds_it(tmp_path: Path, integrator: str, precision: s
 
 
 def test_a_swinging_arm_keeps_the_balance_of_energy(tmp_path: Path) -> None:
-    """The work of the actuators has what they supply against gravity."""
+    """The work of the actuators includes their torques against gravity."""
     path = written(tmp_path, ("-1 }\ngravity", '"-1 + 0.5*sin(2*t)" }\ntorque = { shoulder = '
                               '"cos(t)", elbow = 0 }\ngravity'))
     assert main(["check", str(path), "--precision", "double", "--step", "5e-4", "--strict"]) == 0

@@ -7,8 +7,9 @@ from fractions import Fraction
 import numpy as np
 import pytest
 
-from coscrew_codegen.scene.mechanism.model import HERE, Body, Joint, Kind, Model
+from coscrew_codegen.scene.mechanism.model import HERE, Body, Joint, Model
 from coscrew_codegen.scene.scene import Applied
+from tests.support.scenes.kinds import Kind
 from tests.support.scenes.mechanisms import (
     X,
     Y,
@@ -196,7 +197,7 @@ def test_mass_ratios_of_a_million(load: Callable, masses: tuple) -> None:
     q, v, a = rng.normal(size=(3, 100, 2))
     back = f.forward_dynamics(q, v, f.inverse_dynamics(q, v, a))
     condition = np.linalg.cond(f.mass_matrix(q))
-    # torques of 1e6 N m carry 1e6 u of error: what the mass matrix makes of it
+    # error of 1e6 u in torques of 1e6 N m, divided by the mass matrix
     assert np.all(np.max(np.abs(back - a), -1) <= 64 * UNIT["double"] * condition * 10)
 
 

@@ -141,8 +141,8 @@ def test_files_that_cannot_be_read(tmp_path, suffix):
     (tmp_path / f"folder{suffix}").mkdir()
     with pytest.raises(SceneError, match="cannot be read"):
         read_scene(tmp_path / f"folder{suffix}", CATALOGUE)
-    with pytest.raises(SceneError, match="wanted a .toml or .urdf file"):
-        read_scene(tmp_path / "arm.sdf", CATALOGUE)
+    with pytest.raises(SceneError, match=r"wanted a scene \(.toml\) or a model \(.*\.urdf"):
+        read_scene(tmp_path / "arm.yaml", CATALOGUE)
 
 
 def test_huge_files_are_not_read(tmp_path):

@@ -1,4 +1,4 @@
-"""What integrators declare is true; another integrator is one more entry."""
+"""Integrators' declarations are true; another integrator is one more entry."""
 
 import re
 import shutil
@@ -51,7 +51,7 @@ def test_each_integrator_is_a_file_of_its_name():
 
 
 def test_names_of_integrators_stand_in_their_files_alone():
-    """Elsewhere they are asked for."""
+    """Other modules look them up."""
     words = re.compile("|".join(rf"\b{x}\b|step_{x}\b" for name in NAMES
                                 for x in {name, name.replace("-", "_")} if name != "leapfrog"))
     for path in sorted((ROOT / "codegen").rglob("*.py")):
@@ -268,7 +268,7 @@ def test_steps_call_and_compute_nothing(scene: str, all_steps):
     texts = files(functions)
     source, module = texts[f"{functions.name}.c"], texts[f"{functions.name}/single.py"]
     bodies = re.findall(rf"^void {functions.name}_step_[^{{]*{{\n(.*?)^}}", source, re.S | re.M)
-    assert len(bodies) == 2 * len(functions.steps)
+    assert len(bodies) == len(functions.steps)
     defined = re.findall(r"^def step_.*?(?=^@|\Z)", module, re.S | re.M)
     assert len(defined) == len(functions.steps)
     assert not [x for body in bodies for x in operators(body, "c")]

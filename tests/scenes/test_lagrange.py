@@ -12,12 +12,12 @@ from coscrew_codegen.scene.mechanism.model import (
     Body,
     Inertia,
     Joint,
-    Kind,
     Mimic,
     Model,
     Placement,
 )
 from tests.support.scenes.evaluation import Evaluated, rational
+from tests.support.scenes.kinds import Kind
 from tests.support.scenes.mechanisms import applied, ball, free_body, gravity, inertia, scene
 from tests.support.truth.exact import Sample, array, rotation_of, skew
 from tests.support.truth.lagrange import Motion, virtual_work

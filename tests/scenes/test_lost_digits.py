@@ -121,7 +121,8 @@ def sizes(program: Program, given: Given) -> np.ndarray:
 
 
 def sliding_states(count: int) -> Given:
-    """Of the arm with a slide, which is far out; the last of them are the worst that were found."""
+    """States of the arm with a slide, which is far out; the last of them are the worst ones found.
+    """
     rng = np.random.default_rng(5)
     q, v, tau = (rng.uniform(-2, 2, (count, n)) for n in (6, 5, 5))
     q[:, 0] *= 10.0**rng.integers(-16, 10, count)
@@ -144,7 +145,8 @@ def test_intermediate_results_may_lose_all_digits(tmp_path: Path):
 
 
 def spinning_states(program: Program, count: int) -> Given:
-    """Of the arm with a ball, far from zero; the accelerations all but cancel at the elbow."""
+    """States of the arm with a ball, far from zero; the accelerations nearly cancel at the elbow.
+    """
     rng = np.random.default_rng(1)
     q, a, v = *(rng.uniform(-2, 2, (count, 2)) for _ in range(2)), np.zeros((count, 2))
     q[:, 0] *= 10.0**rng.integers(0, 11, count)

@@ -1,5 +1,4 @@
-"""Nested text computes what its Program says; every product that is added or subtracted is rounded
-first."""
+"""Nested text equals its Program; every product that is added or subtracted is rounded first."""
 
 import random
 import re

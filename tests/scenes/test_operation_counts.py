@@ -14,10 +14,10 @@ import pytest
 
 from coscrew_codegen.dynamics import derive
 from coscrew_codegen.program import Op, Program
-from coscrew_codegen.scene.mechanism.model import Kind
 from coscrew_codegen.scene.readers.toml.toml_scene import read_scene
 from coscrew_codegen.scene.scene import Scene
 from tests.support.scenes import robots
+from tests.support.scenes.kinds import Kind
 
 FILE = Path(__file__).with_suffix(".csv")
 EXAMPLES = Path(__file__).parents[2] / "examples" / "scenes"

@@ -109,7 +109,7 @@ def test_what_single_precision_cannot_hold_is_named(path, old, new, words):
 def test_double_precision_alone_is_not_refused_for_single(path, old, new, words):
     scene = read_scene(path(old, new, DOUBLE_SAID))
     files = scene_files(derive(scene))
-    assert set(files) == {"arm.h", "arm.c", *(f"arm/{name}.py" for name in (
+    assert set(files) == {"arm.h", "arm.c", "coscrew_runtime.h", *(f"arm/{name}.py" for name in (
         "__init__", "_arrays", "double", "_elementary_double"))}
     assert "3.4028235e+38" not in files["arm.c"] and " float " not in files["arm.c"]
     assert read_scene(path(old, new), overrides=SceneOverrides("double")) == scene
@@ -150,7 +150,7 @@ def test_exponentials_of_constants_have_sixty_digits(x):
 @pytest.mark.parametrize("x", [Fraction(x) for x in (
     "-2e4", "-2.5e11", "-1e400", "2e4", "2.5e11")])
 def test_exponentials_beyond_all_formats_are_no_long_fractions(x):
-    """Zero is what they round to; what rounds to infinity is left to the program."""
+    """They round to zero; numbers that round to infinity are left to the program."""
     with mpmath.workdps(20):  # 2^-16495: half of the least number of 128 bits; 2^16384: beyond them
         truth = mpmath.exp(mpmath.mpf(x.numerator) / x.denominator)
         assert truth < mpmath.mpf(2)**-16495 or truth > mpmath.mpf(2)**16384

@@ -17,6 +17,7 @@ from tests.references import figures as committed
 from tests.references import heavy_top, pendulum, rigid_body
 from tests.references.figures import Figure
 from tests.support.scenes import mechanisms, runs
+from tests.support.scenes.kinds import Kind
 from tests.support.scenes.selecting import checked
 
 SCENES = Path(__file__).parents[2] / "examples/scenes"
@@ -68,7 +69,7 @@ def _heavy_top() -> Scene:
     ball = mechanisms.ball(heavy_top.MASS, (0, heavy_top.LENGTH, 0),
                            (*heavy_top.ABOUT_CENTRE, 0, 0, 0))
     tip = mechanisms.Body("tip")
-    held = mechanisms.Joint("held", mechanisms.Kind.FIXED, "b0", "tip",
+    held = mechanisms.Joint("held", Kind.FIXED, "b0", "tip",
                             mechanisms.at(0, heavy_top.LENGTH, 0))
     model = mechanisms.Model("heavy_top", (*ball.bodies, tip), (*ball.joints, held))
     return mechanisms.scene(model, mechanisms.gravity(0, 0, "-" + heavy_top.GRAVITY),

@@ -1,6 +1,6 @@
-"""What is stated of rounding errors between the joints' limits, without running: every rule holds
-and is no more generous than it says; searches for the worst never find more, and not much less;
-where nothing useful is known nothing is stated."""
+"""Statements on rounding errors between the joints' limits, derived without running: every rule
+holds and is no more generous than it says; searches for the worst error never exceed the bound, and
+come near it; where no useful bound is known nothing is stated."""
 
 from collections.abc import Callable
 from dataclasses import replace
@@ -18,11 +18,12 @@ from coscrew_codegen.program import Constant, Input, Instruction, Op, Operand, P
 from coscrew_codegen.program.interpreter import by_operation, exactly, interpreter
 from coscrew_codegen.program.values.formats import PRECISIONS, SINGLE
 from coscrew_codegen.runtime.load import Kernels, kernels_for
-from coscrew_codegen.scene.mechanism.model import Kind, Model
+from coscrew_codegen.scene.mechanism.model import Model
 from coscrew_codegen.scene.scene import Scene
 from tests.support.scenes import mechanisms as m
 from tests.support.scenes.arms import arm
 from tests.support.scenes.generated_scenes import argument
+from tests.support.scenes.kinds import Kind
 from tests.support.scenes.worst_rounding import stated, worst_exactly, worst_found
 from tests.support.truth.condition import ARRAYS
 

@@ -87,7 +87,7 @@ def test_members_that_diverge_are_told_and_others_go_on(swing):
 
 @pytest.mark.parametrize("every", (1, 7))
 def test_a_controller_holds_its_torque_between_calls(swing, every):
-    """As steps by hand with that torque; in C and in Python, alone and in a batch."""
+    """The run equals steps by hand with that torque; in C and in Python, alone and in a batch."""
     from coscrew_codegen import load_scene
 
     def law(t, q, v):
@@ -194,7 +194,7 @@ def test_steps_of_a_controller_may_be_of_numpy():
 
 
 def test_an_untyped_pointer_is_an_address(swing):
-    """As of the function, so of its context."""
+    """This holds for the function and for its context."""
     count = ctypes.c_long(0)
 
     @LAW

@@ -44,7 +44,7 @@ def scenes(tmp_path_factory):
 
 
 def same_bytes(path, first, folder, ending=".csv", controller=None):
-    """`first`, and what is made of its recording, write the same bytes."""
+    """Asserts that `first` and the repeated run of its recording write the same bytes."""
     one, other = folder / f"first{ending}", folder / f"again{ending}"
     first.write(one)
     again(path, one, controller=controller).write(other)
@@ -81,7 +81,7 @@ def test_so_does_that_of_a_run_that_went_on(scenes, tmp_path, scene, controller,
 
 @pytest.mark.parametrize("ending", (".csv", ".npz", ".parquet"))
 def test_so_does_every_file_of_the_command(scenes, tmp_path, capsys, ending):
-    """Of runs in both precisions each file, too."""
+    """Each file of runs in both precisions does, too."""
     path, both = scenes / "swing.toml", tmp_path / f"both{ending}"
     assert main(["simulate", str(path), "--until", "0.1", "--step", "0.0007", "--set",
                  "bob.mass=1.1", "--precision", "both", "--output", str(both)]) == 0
@@ -174,7 +174,7 @@ def test_another_scene_controller_or_version_is_refused(scenes, tmp_path):
             again(scene, tmp_path / name, controller=controller)
     text = (tmp_path / "free.csv").read_text()
     for name, broken, said in (
-            ("a.csv", text.replace("# start: ", "# tart: "), "does not tell the start and the se"),
+            ("a.csv", text.replace("# start: ", "# tart: "), "does not contain the start"),
             ("b.csv", text.replace('"until": 0.05', '"until": '), "settings are not as coscrew"),
             ("c.csv", text.replace('"steps": 0', '"steps": -1'), "its start is not as coscrew"),
             ("d.csv", "x,y\n1,2\n", "no recording"), ("e.txt", "x", "wanted a recording, .csv")):

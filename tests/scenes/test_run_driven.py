@@ -1,5 +1,5 @@
-"""Controllers: in C they are called by compiled steps, with the bits of calls from Python; what one
-returns is checked; what it raises passes with time and step."""
+"""Controllers: in C they are called by compiled steps, with the bits of calls from Python; returned
+values are checked; exceptions pass with time and step."""
 
 import ctypes
 
@@ -129,7 +129,7 @@ def test_in_the_order_of_time_then_of_members(made, monkeypatch):
 
 
 def test_by_hand(made):
-    """As steps of load_scene's functions, of which every one is given the value."""
+    """The run equals steps of load_scene's functions with the value given to each."""
     folder, laws = made
     its = load_scene(folder / "swing.toml").double
     p, q, v = np.array([2.0, 0]), np.array([0.5]), np.array([0.0])
@@ -260,7 +260,7 @@ def test_it_may_return_the_same_array_each_time(made):
 
 @BOTH
 def test_functions_of_the_other_precision_are_refused(made, precision):
-    """Where ctypes knows: they would write beyond the end."""
+    """They are refused where ctypes knows their type: they would write beyond the end."""
     folder, _ = made
     real = {"double": ctypes.c_float, "single": ctypes.c_double}[precision]
     law = ctypes.CFUNCTYPE(None, ctypes.c_double, *[ctypes.POINTER(real)] * 3, ctypes.c_void_p)

@@ -1,4 +1,4 @@
-"""A run that goes on from the end of another has the bits of one long run."""
+"""A run that continues another has the bits of one long run."""
 
 import json
 import re
@@ -134,7 +134,7 @@ def test_recordings_of_scenes_with_other_parameters_are_refused(scenes, tmp_path
 def test_settings_of_a_run_that_goes_on_are_refused_as_others_are(scenes, tmp_path, capsys):
     path, first = str(scenes / "swing.toml"), str(tmp_path / "first.csv")
     assert main(["simulate", path, "--until", "0.1", "--output", first]) == 0
-    for setting, said in (("bob.mas=1", "--set bob.mas: wanted what the scene lists in `runtime`"),
+    for setting, said in (("bob.mas=1", "--set bob.mas: wanted a parameter that the scene lists"),
                           ("bob.mass=-1", "--set bob.mass=-1: wanted a positive")):
         for onward in ((), ("--start", first)):
             assert main(["simulate", path, "--until", "0.2", "--set", setting, *onward]) == 2
@@ -217,7 +217,7 @@ def test_recordings_that_tell_no_end_are_refused(scenes, tmp_path):
     run(path, until=0.1).write(tmp_path / "first.csv")
     text = (tmp_path / "first.csv").read_text()
     for name, broken, said in (
-            ("a.csv", text.replace("# end: ", "# bend: "), "does not tell the end"),
+            ("a.csv", text.replace("# end: ", "# bend: "), "does not contain the end"),
             ("b.csv", text.replace('"t": 0.1', '"t": NaN'), "not as coscrew writes it"),
             ("b1.csv", text.replace('"t": 0.1', f'"t": {10**400}'), "not as coscrew writes it"),
             ("b2.csv", re.sub(r'"steps": (\d+)', r'"steps": "\1"', text), "not as coscrew writes"),

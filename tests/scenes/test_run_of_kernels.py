@@ -1,5 +1,5 @@
 """`run` of kernels that `load_scene` returned, whatever functions were selected: the motion is that
-of the file, since what a run needs beside them is compiled when it is first needed."""
+of the file, since missing functions are compiled on first use."""
 
 import numpy as np
 import pytest

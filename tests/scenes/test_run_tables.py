@@ -1,4 +1,4 @@
-"""Results as tables of xarray and pandas, and in notebooks, hold what was recorded."""
+"""Results as tables of xarray and pandas, and in notebooks, hold the recorded quantities."""
 
 from xml.etree import ElementTree
 

@@ -151,7 +151,7 @@ def moved(q: mpmath.matrix, phi: mpmath.matrix) -> mpmath.matrix:
 
 @each_precision
 def test_motions_of_quaternions_are_those_of_power_series(precision: Precision):
-    """Of angles around those where series end, and large ones."""
+    """Angles around the ends of series, and large ones, are tested."""
     kernels = kernels_for(example("wingnut"))
     program = kernels.functions.named("integrated").program
     assert program.fine and len(program.fine.instructions) < len(program.instructions)
@@ -168,7 +168,7 @@ def test_motions_of_quaternions_are_those_of_power_series(precision: Precision):
 
 
 def test_angles_that_a_function_computes_may_be_large():
-    """Those of a mimic joint; their rests are of 1e-4 and more."""
+    """A mimic joint has such angles; their rests are 1e-4 and more."""
     scene = Scene("geared", m.geared(Fraction("1.7"), Fraction("0.3")), (
         m.applied("mimic"), m.gravity(0, 0, Fraction("-9.81"))), functions=("body_poses",),
         tiers=("accurate",))

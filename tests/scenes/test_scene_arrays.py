@@ -15,7 +15,7 @@ import pytest
 import coscrew_codegen
 from coscrew_codegen.backends.python_extension import scene_calls
 from coscrew_codegen.program.values.formats import Precision
-from coscrew_codegen.runtime import callables
+from coscrew_codegen.runtime import callables, source_text
 from coscrew_codegen.runtime.load import Kernels, kernels_of, restored
 from tests.support.each import each_precision
 from tests.support.scenes import scene_texts as texts
@@ -62,7 +62,7 @@ def given_to(outs: tuple[np.ndarray, ...]) -> object:
 
 
 def spread(x: np.ndarray) -> np.ndarray:
-    """The same numbers, in reverse order and with gaps in memory."""
+    """Returns equal numbers, in reverse order and with gaps in memory."""
     wide = np.zeros([2 * n for n in x.shape], x.dtype)
     view = wide[(..., *(slice(None, None, -2) for _ in x.shape))]
     view[...] = x
@@ -182,7 +182,7 @@ def test_one_state_in_the_other_precision_needs_no_checks(monkeypatch):
     def refuse(*_: object, **__: object):
         raise AssertionError("checked in Python")
 
-    monkeypatch.setattr(callables._checks(), "arrays", refuse)
+    monkeypatch.setattr(callables.checks(source_text.checks()), "arrays", refuse)
     for kind in (np.float64, np.float32):
         q, v, tau, p = (states[:, k].astype(kind)[::-1] for k in range(4))
         for functions in (kernels.double, kernels.single):

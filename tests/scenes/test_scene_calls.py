@@ -14,7 +14,7 @@ import pytest
 from coscrew_codegen import load_scene
 from coscrew_codegen.backends.python_extension import scene_calls
 from coscrew_codegen.program.values.formats import DOUBLE, SINGLE, Precision
-from coscrew_codegen.runtime import callables, lanes
+from coscrew_codegen.runtime import callables, lanes, source_text
 from coscrew_codegen.runtime.load import Kernels, kernels_of
 from tests.support.each import each_precision
 from tests.support.scenes.generated_scenes import ARGUMENTS, slider
@@ -48,7 +48,7 @@ def unchecked(monkeypatch: pytest.MonkeyPatch) -> None:
     def refuse(*_: object, **__: object):
         raise AssertionError("checked in Python")
 
-    monkeypatch.setattr(callables._checks(), "arrays", refuse)
+    monkeypatch.setattr(callables.checks(source_text.checks()), "arrays", refuse)
 
 
 def every(kernels: Kernels, precision: str):
@@ -74,7 +74,7 @@ def of_each(function, given: list[np.ndarray]) -> tuple[np.ndarray, ...]:
 
 
 def columns(x: np.ndarray) -> np.ndarray:
-    """The same rows, some columns of a wider array."""
+    """Returns equal rows, as some columns of a wider array."""
     wide = np.full((len(x), x[0].size + 3), np.nan, x.dtype)
     wide[:, 1:-2] = x.reshape(len(x), -1)
     return wide[:, 1:-2] if x.ndim > 1 else wide[:, 1]

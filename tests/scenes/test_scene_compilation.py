@@ -15,7 +15,7 @@ from coscrew_codegen.program.values.formats import DOUBLE, PRECISIONS, SINGLE, P
 from tests.support.compiled.c_harness import C11, COMPILERS, DIALECTS, EXACT, STRICT, run
 from tests.support.compiled.flags import SANITIZERS, X86, has_sanitizers
 from tests.support.each import each_compiler, each_precision
-from tests.support.scenes.generated_scenes import CASES, files, written
+from tests.support.scenes.generated_scenes import CASES, written
 
 # x86 instructions that compute in double precision, or leave single precision
 DOUBLE_ARITHMETIC = re.compile(
@@ -36,11 +36,11 @@ def case(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch):
 
 @pytest.mark.parametrize("level", ("-O0", "-O3"))
 @pytest.mark.parametrize("compiler, language", DIALECTS, ids=lambda x: "".join(x).replace("-", ""))
-def test_both_files_compile_without_a_warning(case, compiler: str, language: tuple[str, ...],
+def test_all_files_compile_without_a_warning(case, compiler: str, language: tuple[str, ...],
                                               level: str, tmp_path: Path):
     written(case, tmp_path)
     (tmp_path / "alone.c").write_text(f'#include "{case.name}.h"\n#include "{case.name}.h"\n')
-    for source in (f"{case.name}.c", "alone.c"):
+    for source in (f"{case.name}.c", f"{case.name}f.c", "alone.c"):
         run([compiler, *language, *STRICT, level, "-c", tmp_path / source, "-o", tmp_path / "x.o"])
 
 
@@ -60,27 +60,22 @@ def test_what_python_calls_compiles_without_a_warning(case, compiler: str, tmp_p
     pytest.param("-mfpmath=387", marks=pytest.mark.skipif(not X86, reason="a flag of x86's"))))
 def test_fast_math_is_refused_unless_allowed(flag: str, tmp_path: Path):
     written(CASES["slider"](), tmp_path)
-    command = [COMPILERS[0], *C11, flag,
-               "-c", tmp_path / "slider.c", "-o", tmp_path / "x.o"]
-    with pytest.raises(pytest.fail.Exception, match="SLIDER_ALLOW_FAST_MATH"):
-        run(command)
-    run([*command, "-DSLIDER_ALLOW_FAST_MATH"])
+    for source in ("slider.c", "sliderf.c"):
+        command = [COMPILERS[0], *C11, flag, "-c", tmp_path / source, "-o", tmp_path / "x.o"]
+        with pytest.raises(pytest.fail.Exception, match="COSCREW_ALLOW_FAST_MATH"):
+            run(command)
+        run([*command, "-DCOSCREW_ALLOW_FAST_MATH"])
 
 
 @each_compiler
-@pytest.mark.parametrize("left_out, refused", [("", True), ("-DSLIDER_NO_SINGLE", True),
-                                               ("-DSLIDER_NO_DOUBLE", False)])
-def test_a_double_of_32_bits_is_refused_unless_left_out(left_out: str, refused: bool,
-                                                        compiler: str, tmp_path: Path):
-    """As on AVR, whose float.h says that a double has 24 digits."""
+def test_a_double_of_32_bits_is_refused_but_for_single_precision(compiler: str, tmp_path: Path):
+    """AVR is such a processor: its float.h says that a double has 24 digits."""
     written(CASES["slider"](), tmp_path)
     command = [compiler, *C11, "-Wno-builtin-macro-redefined", "-D__DBL_MANT_DIG__=24",
-               *filter(None, [left_out]), "-c", tmp_path / "slider.c", "-o", tmp_path / "x.o"]
-    if not refused:
-        run(command)
-        return
-    with pytest.raises(pytest.fail.Exception, match="SLIDER_NO_DOUBLE"):
-        run(command)
+               "-o", tmp_path / "x.o", "-c"]
+    run([*command, tmp_path / "sliderf.c"])
+    with pytest.raises(pytest.fail.Exception, match=r"sliderf\.c has the same functions"):
+        run([*command, tmp_path / "slider.c"])
 
 
 @each_precision
@@ -109,14 +104,8 @@ def _object(case, compiler: str, precision: Precision, folder: Path) -> Path:
     """The object file of one precision."""
     written(case, folder)
     path = folder / f"{precision.name}.o"
-    run([compiler, *C11, "-O2", *_without_others(case, precision),
-         "-c", folder / f"{case.name}.c", "-o", path])
+    run([compiler, *C11, "-O2", "-c", folder / f"{case.name}{precision.suffix}.c", "-o", path])
     return path
-
-
-def _without_others(case, precision: Precision) -> list[str]:
-    """The flag that leaves out the other precision."""
-    return [f"-D{case.name.upper()}_NO_{p.name.upper()}" for p in PRECISIONS if p != precision]
 
 
 def _double_operations(path: Path) -> list[str]:
@@ -136,8 +125,8 @@ def test_outputs_may_overlap_inputs(case, compiler: str, flags: tuple[str, ...],
     written(case, tmp_path)
     source, binary = tmp_path / "overlaps.c", tmp_path / "overlaps"
     source.write_text(_overlaps(case, precision))
-    run([compiler, *C11, *flags, EXACT, *_without_others(case, precision), source,
-         tmp_path / f"{case.name}.c", "-o", binary, "-lm"])
+    run([compiler, *C11, *flags, EXACT, source,
+         tmp_path / f"{case.name}{precision.suffix}.c", "-o", binary, "-lm"])
     checked = run([binary])
     assert int(checked) > 0
 
@@ -201,9 +190,7 @@ def _overlap(name: str, function: Signature, into: int, output: int, shift: int)
     return "  {\n" + "\n".join(f"    {line}" for line in lines) + "\n  }"
 
 
-def test_one_precision_can_be_left_out(tmp_path: Path):
-    text = files(CASES["pendulum"]())["pendulum.h"]
-    assert "#ifndef PENDULUM_NO_DOUBLE" in text and "#ifndef PENDULUM_NO_SINGLE" in text
+def test_each_precision_has_a_file(tmp_path: Path):
     for precision in PRECISIONS:
         path = _object(CASES["pendulum"](), COMPILERS[0], precision, tmp_path)
         names = re.findall(r" T (\w+)", run(["nm", path]))

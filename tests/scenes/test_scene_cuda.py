@@ -69,7 +69,7 @@ def test_several_headers_in_one_program(tmp_path: Path):
 
 
 def _makes_ptx(compiler: str) -> bool:
-    """Whether devices of CUDA are among its targets."""
+    """Returns whether devices of CUDA are among its targets."""
     return shutil.which(compiler) is not None and "nvptx64" in run((compiler, "--print-targets"))
 
 

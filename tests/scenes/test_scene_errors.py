@@ -1,4 +1,5 @@
-"""An error in a scene file is one clear message: file, key, what came, what was wanted."""
+"""An error in a scene file is one clear message: file, key, the value that came, the value wanted.
+"""
 
 import math
 from fractions import Fraction as F
@@ -8,9 +9,9 @@ import pytest
 from coscrew_codegen.scene.constants import LENGTH, constant
 from coscrew_codegen.scene.formulas import FormulaError
 from coscrew_codegen.scene.mechanism.inertia_checks import why_singular
-from coscrew_codegen.scene.mechanism.model import Kind
 from coscrew_codegen.scene.names import did_you_mean, nearest
 from coscrew_codegen.scene.readers.scene_error import SceneError
+from tests.support.scenes.kinds import Kind
 from tests.support.scenes.reading import MODEL, applied
 
 

@@ -9,10 +9,11 @@ from pathlib import Path
 import pytest
 
 from coscrew_codegen.scene.formulas import Formula
-from coscrew_codegen.scene.mechanism.model import Kind, Mimic, Parameter
+from coscrew_codegen.scene.mechanism.model import Mimic, Parameter
 from coscrew_codegen.scene.readers.scene_error import SceneError
 from coscrew_codegen.scene.recorded_quantities import QuantityError, coordinates, expected, recorded
 from coscrew_codegen.scene.scene import Expectation, Run
+from tests.support.scenes.kinds import Kind
 from tests.support.scenes.reading import MODEL, applied
 
 

@@ -4,6 +4,7 @@ from pathlib import Path
 
 import pytest
 
+from coscrew_codegen.backends.scene import scene_c_runtime
 from tests.support.compiled.c_harness import COMPILERS, run
 from tests.support.compiled.flags import FMA, HASWELL, TUNED, UNHEEDED
 from tests.support.scenes import scene_bits
@@ -23,7 +24,7 @@ BUILDS = tuple((compiler, flags) for compiler in COMPILERS for flags in FLAGS[co
 
 @pytest.fixture(scope="module")
 def right(tmp_path_factory: pytest.TempPathFactory) -> list[str]:
-    """What the program must print."""
+    """The expected output of the program."""
     return scene_bits.wanted(tmp_path_factory.mktemp("package"))
 
 
@@ -61,9 +62,9 @@ def test_a_fused_product_would_be_noticed(keeper: str, right: list[str], tmp_pat
     """Compiled without the means against fused products, the program prints other bits."""
     compiler, pragma, *flags = KEEPERS[keeper]
     source = scene_bits.source(tmp_path)
-    scene = tmp_path / f"{scene_bits.functions().name}.c"
-    text = scene.read_text()
+    runtime = tmp_path / scene_c_runtime.NAME
+    text = runtime.read_text()
     assert pragma in text
-    scene.write_text(text.replace(pragma, "//") if pragma else text)
+    runtime.write_text(text.replace(pragma, "//") if pragma else text)
     run((compiler, "-O2", *FMA, *flags, source, "-o", tmp_path / "bits", "-lm"))
     assert run([tmp_path / "bits"]).splitlines() != right

@@ -17,8 +17,8 @@ from coscrew_codegen.dynamics import derive
 from coscrew_codegen.program.scene_functions import SceneFunctions, Signature, Split
 from coscrew_codegen.program.values.formats import DOUBLE, Precision
 from coscrew_codegen.runtime import compilation, lanes
-from coscrew_codegen.runtime.load import Kernels, kernels_of
-from coscrew_codegen.scene.mechanism.model import Kind
+from coscrew_codegen.runtime.load import Kernels, kernels_for, kernels_of
+from coscrew_codegen.scene.readers.toml.toml_scene import read_scene
 from coscrew_codegen.scene.scene import Scene, Tolerance
 from tests.support.compiled.c_harness import C11, COMPILERS, CXX17, STRICT, run
 from tests.support.compiled.cross import COMPILERS as CROSS
@@ -28,6 +28,7 @@ from tests.support.each import each_precision
 from tests.support.scenes import effect_scenes, lanes_program, mechanisms
 from tests.support.scenes.arms import arm
 from tests.support.scenes.generated_scenes import pendulum, slider, spinner
+from tests.support.scenes.kinds import Kind
 from tests.support.scenes.mechanisms import gravity
 from tests.support.scenes.scene_values import same_bits
 
@@ -46,7 +47,7 @@ by_build = pytest.mark.parametrize("compiler, flags", [
 
 
 def compared(scene: SceneFunctions, folder: Path, compiler: str, *flags: str) -> int:
-    """How many numbers were compared; they are the same."""
+    """Compares numbers, which are equal; returns how many."""
     sources = lanes_program.written(scene, folder)
     run((compiler, *flags, *sources, "-o", folder / "lanes", "-lm"))
     return int(run([folder / "lanes"]))
@@ -67,8 +68,8 @@ def test_bits_of_other_scenes(scene: Callable[[], SceneFunctions], compiler: str
     *((x, ("-march=native",) if X86 else ()) for x in COMPILERS), (COMPILERS[-1], FMA),
     (COMPILERS[0], ("-O2", "-DKSL_LANE_BYTES=16"))), ids=str)
 def test_rows_of_many_lengths(joints: int, compiler: str, flags: tuple[str, ...], tmp_path: Path):
-    """Rows are transposed in blocks and tiles: shorter ones than these, what is left of longer
-    ones, and so many that a loop takes the first."""
+    """Rows are transposed in blocks and tiles: shorter ones than these, the rest of longer ones,
+    and so many that a loop takes the first."""
     link = Kind.REVOLUTE, mechanisms.Z, mechanisms.at(1, 0, 0), mechanisms.inertia(1, (1, 0, 0))
     plane = Scene("plane", mechanisms.chain(*[link] * joints), ())
     made = derive(plane, ("inverse_dynamics", "mass_matrix"))
@@ -82,7 +83,7 @@ def test_files_of_two_scenes_are_compiled_as_one(compiler: str, tmp_path: Path):
     for scene in (first, replace(first, name="other")):
         for name, text in (scene_c.files(scene, "") | scene_c_many.files(scene, "")).items():
             (tmp_path / name).write_text(text)
-    names = (f"{x}{y}.c" for y in ("", "_many") for x in (first.name, "other"))
+    names = (f"{x}{y}.c" for y in ("", "f", "_many", "_manyf") for x in (first.name, "other"))
     (tmp_path / "all.c").write_text("".join(f'#include "{x}"\n' for x in names))
     run((compiler, *C11, *STRICT, "-c", tmp_path / "all.c", "-o", tmp_path / "all.o"))
 
@@ -280,6 +281,27 @@ def test_without_lanes_states_are_computed_one_by_one(kernels: Kernels,
     assert same_bits(found[:50], kernels.double.forward_dynamics(*(
         x if n in ("t", "p") else x[:50] for x, (n, _) in zip(given, described.inputs,
                                                             strict=True))))
+
+
+def test_lanes_are_compiled_when_they_pay_and_opened_if_they_are_there(
+        tmp_path: Path, monkeypatch: pytest.MonkeyPatch):
+    """After 16384 states from the cache, after a million by compiling."""
+    monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path))
+    scene = read_scene(Path(__file__).parents[2] / "examples/scenes/pendulum.toml")
+
+    def opened_after(states: int) -> bool:
+        kernels = kernels_for(scene, ("energy",), ("double",))
+        name = c_name(many(kernels.interface), "energy", DOUBLE)
+        return kernels._lanes.function(name, states) is not None
+
+    library, made = compilation.library, list[str]()
+    monkeypatch.setattr(compilation, "library", lambda units, *others: (
+        made.extend(x for x, *_ in units.values()), library(units, *others))[1])
+    assert not opened_after(16384) and not opened_after(999_999)
+    assert made == ["pendulum_calls.c"]
+    assert opened_after(1_000_000) and made == ["pendulum_calls.c", "pendulum_many.c"]
+    assert not opened_after(16383) and opened_after(16384)
+    assert len(made) == 2
 
 
 @each_precision

@@ -1,7 +1,7 @@
-"""The mixed tier: single precision, in pairs where an accuracy that is asked for needs them.
+"""The mixed tier: single precision, in pairs where a requested accuracy needs them.
 
-Its errors at states that it has not been chosen at are held against a Newton-Euler method of the
-tests' own in 60 digits; its bits are the same in C, NumPy and in what chooses.
+Its errors at states that played no part in its choice are compared with a Newton-Euler method of
+the tests' own in 60 digits; its bits are the same in C, NumPy and in the evaluation that chooses.
 """
 
 import hashlib
@@ -31,25 +31,22 @@ from coscrew_codegen.accuracy.tiers.certified_wide import in_double
 from coscrew_codegen.accuracy.tiers.mixed import Mixture, mixed
 from coscrew_codegen.backends import emit
 from coscrew_codegen.backends.output_files import scene_files
-from coscrew_codegen.backends.python_extension import scene_calls
-from coscrew_codegen.backends.scene import scene_c_tier
 from coscrew_codegen.dynamics import derive
-from coscrew_codegen.dynamics.ranges.accuracy_requests import AskedError, positions
+from coscrew_codegen.dynamics.ranges.accuracy_requests import RequestError, positions
 from coscrew_codegen.program import Instruction, Op, Program
 from coscrew_codegen.program.scene_functions import FunctionProgram, SceneFunctions
 from coscrew_codegen.program.values.digits import two_digits_up
 from coscrew_codegen.program.values.formats import DOUBLE, SINGLE
-from coscrew_codegen.runtime import callables, compilation
-from coscrew_codegen.runtime.load import library_of
+from coscrew_codegen.runtime import callables, compilation, source_text
 from coscrew_codegen.scene.functions import FUNCTIONS
-from coscrew_codegen.scene.mechanism.model import Joint, Kind
+from coscrew_codegen.scene.mechanism.model import Joint
 from coscrew_codegen.scene.readers.scene_error import SceneError
 from coscrew_codegen.scene.readers.toml.toml_scene import read_scene
 from coscrew_codegen.scene.scene import Scene, Tolerance
 from tests.support.compiled.c_harness import C11, COMPILERS, STRICT, run
 from tests.support.scenes import mechanisms as m
 from tests.support.scenes.arms import arm, inverse
-from tests.support.scenes.generated_scenes import BANNER
+from tests.support.scenes.kinds import Kind
 from tests.support.scenes.scene_values import same_bits
 
 MIXED = tier_named("mixed")
@@ -58,6 +55,8 @@ SHOULDER = replace(arm(), joints=arm().joints[:3], bodies=arm().bodies[:3])
 SCENE = Scene("mixed_arm", SHOULDER, (m.gravity(),), functions=(NAME,), tiers=("mixed",),
               accuracy=(Tolerance(NAME, "", WITHIN),))
 FRESH = 100
+
+CHECKS = callables.checks(source_text.checks())
 
 
 @pytest.fixture(scope="module")
@@ -138,15 +137,16 @@ def test_bits_are_the_same_in_c_in_numpy_and_in_the_choice(made, compiler: str, 
     functions, path = made
     tier = in_tier(functions, MIXED)
     flags = ("-O3", "-march=native", "-ffp-contract=fast")
-    run([compiler, *C11, *STRICT, *flags, "-c", path / f"{tier.stem}.c", "-o", tmp_path / "x.o"])
+    run([compiler, *C11, *STRICT, *flags, "-c", path / f"{tier.stem}f.c", "-o", tmp_path / "x.o"])
     using = compilation.Compiler((compiler,), compiler, ("-fPIC", *flags))
-    files = scene_c_tier.files(tier, BANNER) | scene_calls.tier_files(tier, BANNER)
-    library = library_of(files, tier.plain, f"{tier.stem}_calls.c", using, ("single",))
-    found = scene_calls.tier_interface(tier)
+    text = source_text.of_one(tier)
+    library = compilation.library(text.units(("single",)), text.files, using)
+    found = text.interface
     twin = importlib.import_module(f"{functions.name}.mixed.single")
     given = drawn(functions, 500)
     columns = [np.stack(each, 1) for each in given]
-    result = callables.compiled(found, library.opened, found.signatures[0], SINGLE)(None, *columns)
+    call = callables.compiled(found, library.opened, CHECKS, found.signatures[0], SINGLE)
+    result = call(None, *columns)
     assert same_bits(result, twin.inverse_dynamics(*columns))
     chosen_at = evaluator(tier.first.named(NAME).program, SINGLE)(given)
     assert same_bits(result, np.stack(chosen_at, 1))
@@ -170,12 +170,12 @@ import sys, hashlib
 from tests.scenes.test_scene_mixed import SCENE
 from coscrew_codegen.backends.output_files import scene_files
 from coscrew_codegen.dynamics import derive
-print(hashlib.sha256(scene_files(derive(SCENE))["mixed_arm_mixed.c"].encode()).hexdigest())
+print(hashlib.sha256(scene_files(derive(SCENE))["mixed_arm_mixedf.c"].encode()).hexdigest())
 """
 
 
 def test_text_is_the_same_for_every_hash_seed(made):
-    mine = hashlib.sha256((made[1] / "mixed_arm_mixed.c").read_bytes()).hexdigest()
+    mine = hashlib.sha256((made[1] / "mixed_arm_mixedf.c").read_bytes()).hexdigest()
     there = subprocess.run([sys.executable, "-c", TEXT], capture_output=True, text=True, check=True,
                            cwd=Path(__file__).parents[2],
                            env={**os.environ, "PYTHONHASHSEED": "4242"}).stdout.strip()
@@ -207,14 +207,15 @@ def test_all_in_pairs_is_as_accurate_as_pairs(tmp_path: Path):
 
 def test_an_accuracy_that_pairs_do_not_have_is_refused():
     scene = replace(SCENE, accuracy=(Tolerance(NAME, "tau", 1e-9),))
-    with pytest.raises(AccuracyError, match=r"accuracy of inverse_dynamics: 1e-09 is asked of tau; "
-                                            r"even pairs of floats, rounded at the end, err by"):
+    with pytest.raises(AccuracyError,
+                       match=r"accuracy of inverse_dynamics: 1e-09 is requested for tau; "
+                             r"even pairs of floats, rounded at the end, err by"):
         in_tier(derive(scene), MIXED)
 
 
 def test_an_unknown_output_is_refused():
     scene = replace(SCENE, accuracy=(Tolerance(NAME, "taus", 1e-4),))
-    with pytest.raises(AskedError, match="accuracy.inverse_dynamics: no output 'taus'; did you "
+    with pytest.raises(RequestError, match="accuracy.inverse_dynamics: no output 'taus'; did you "
                                          "mean 'tau'?"):
         derive(scene)
 
@@ -231,7 +232,7 @@ def test_a_package_names_the_modules_that_it_has(made):
 def test_torques_without_limits_are_refused():
     scene = replace(SCENE, functions=("forward_dynamics",),
                     accuracy=(Tolerance("forward_dynamics", "", 1e-4),))
-    with pytest.raises(AskedError, match="joint 'j0' has no limit of its effort"):
+    with pytest.raises(RequestError, match="joint 'j0' has no limit of its effort"):
         derive(scene)
 
 
@@ -316,7 +317,7 @@ def test_states_are_between_limits(lower: int | None, upper: int | None, found: 
 
 
 def test_products_far_below_one_are_rounded_once():
-    """As exponentials of large squares are."""
+    """Exponentials of large squares are such products."""
     draw = np.random.default_rng(8)
     a, b = np.ldexp(draw.uniform(1, 2, (2, 300)), draw.integers(-537, -400, (2, 300)))
     c = np.where(draw.random(300) < 0.5, a * b, 0)
@@ -335,7 +336,7 @@ def test_bounds_are_not_rounded_down():
 
 def test_who_generates_is_told_what_each_mixture_saves(tmp_path: Path,
                                                        capsys: pytest.CaptureFixture[str]):
-    """Of two functions at once; the figures are those of the comments."""
+    """Two functions are generated at once; the figures are those of the comments."""
     file = tmp_path / "rod.toml"
     file.write_text(HEAD + "inverse_dynamics = 2e-6\nenergy = { e = '1/800000' }")
     assert main(["generate", str(file), "-o", str(tmp_path / "rod")]) == 0
@@ -354,7 +355,7 @@ def test_who_generates_is_told_what_each_mixture_saves(tmp_path: Path,
 
 def test_cost_measures_mixtures(tmp_path: Path, monkeypatch: pytest.MonkeyPatch,
                                 capsys: pytest.CaptureFixture[str]):
-    """The states of its own search included, errors are within what is asked."""
+    """Errors are within the requested accuracy, also at the states of its own search."""
     monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path))
     file, made = tmp_path / "rod.toml", tmp_path / "rod.json"
     file.write_text(HEAD + "energy = 1e-6")

@@ -15,10 +15,11 @@ from coscrew_codegen.dynamics import derive
 from coscrew_codegen.program import Constant, Op
 from coscrew_codegen.program.scene_functions import SceneFunctions
 from coscrew_codegen.program.values.formats import DOUBLE
-from coscrew_codegen.scene.mechanism.model import Body, Joint, Kind, Model
+from coscrew_codegen.scene.mechanism.model import Body, Joint, Model
 from coscrew_codegen.scene.scene import Scene
 from tests.support.scenes.effect_scenes import PLACES, arm, effects, mechanism
 from tests.support.scenes.generated_scenes import Writer, argument
+from tests.support.scenes.kinds import Kind
 from tests.support.scenes.mechanisms import Y, applied, gravity, inertia, scene
 
 SCENES: dict[str, Scene] = {
@@ -100,15 +101,15 @@ def test_numbers_of_the_model_and_torques_of_effects_have_names() -> None:
     """A rotor behind its gear, 100^2 7e-5; a mass; an offset: each named once in a function that
     uses it."""
     functions = example("arm6")
-    c, double, single = (
+    c, single_c, double, single = (
         text for files in (scene_c.files(functions, "x"), scene_python.files(functions, "x"))
         for path, text in files.items() if path.endswith((".c", "/double.py", "/single.py")))
     for name, value in (("pan_armature_I", 0.7), ("Bm2", 2.4), ("t2x", 0.41)):
         assert f"{name} = {value}\n" in double and f"{name} = {value}\n" in single
-        for start in ("void arm6_inverse_dynamics(", "void arm6_inverse_dynamicsf("):
-            body = c[c.index(start):]
+        for text, f in ((c, ""), (single_c, "f")):
+            body = text[text.index(f"void arm6_inverse_dynamics{f}("):]
             body = body[:body.index("\n}")]
-            literal = f"{value}{'f' if start.endswith('f(') else ''}"
+            literal = f"{value}{f}"
             assert len(re.findall(rf"\b{name} = {literal}[,;]", body)) == 1
     assert "elbow_viscous_taun = RN(4.0 * v[2]);" in c
     assert "elbow_viscous_taun = 4.0 * v[2]\n" in double

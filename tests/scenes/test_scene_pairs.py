@@ -18,19 +18,17 @@ from coscrew_codegen.accuracy.scene_tiers import NoFunctionsError, in_tier
 from coscrew_codegen.accuracy.tiers import tier_named
 from coscrew_codegen.backends import emit
 from coscrew_codegen.backends.output_files import scene_files
-from coscrew_codegen.backends.python_extension import scene_calls
-from coscrew_codegen.backends.scene import scene_c_tier
 from coscrew_codegen.program.scene_functions import SceneFunctions
 from coscrew_codegen.program.values.formats import SINGLE
-from coscrew_codegen.runtime import callables, compilation
-from coscrew_codegen.runtime.load import kernels_for, library_of
+from coscrew_codegen.runtime import callables, compilation, source_text
+from coscrew_codegen.runtime.load import kernels_for
 from coscrew_codegen.scene.scene import Scene
 from tests.support.compiled.c_harness import C11, COMPILERS, STRICT, run
 from tests.support.compiled.cortex_m4 import built, counted
 from tests.support.compiled.flags import HASWELL
 from tests.support.scenes import mechanisms as m
 from tests.support.scenes.arms import arm, inverse, motions
-from tests.support.scenes.generated_scenes import BANNER, CASES
+from tests.support.scenes.generated_scenes import CASES
 from tests.support.scenes.scene_values import same_bits
 from tests.support.scenes.tiers import Result, components, states
 from tests.support.truth.condition import conditions
@@ -38,6 +36,8 @@ from tests.support.truth.condition import conditions
 PAIRS = tier_named("pairs")
 PROMISED = ((1e4, 0.51), (1e6, 1.0))
 """Conditions, and the error below each in units of the last digit."""
+
+CHECKS = callables.checks(source_text.checks())
 
 
 def test_inverse_dynamics_is_that_of_newton_and_euler():
@@ -78,21 +78,21 @@ def test_bits_are_the_same_in_c_and_numpy(folder, compiler: str, flags: tuple[st
     monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path))
     path, scene = folder
     made = in_tier(scene, PAIRS)
-    run([compiler, *C11, *STRICT, *flags, "-c", path / f"{made.stem}.c", "-o", tmp_path / "x.o"])
+    run([compiler, *C11, *STRICT, *flags, "-c", path / f"{made.stem}f.c", "-o", tmp_path / "x.o"])
     using = compilation.Compiler((compiler,), compiler, ("-fPIC", *flags))
-    files = scene_c_tier.files(made, BANNER) | scene_calls.tier_files(made, BANNER)
-    library = library_of(files, made.plain, f"{made.stem}_calls.c", using, ("single",))
-    found = scene_calls.tier_interface(made)
+    text = source_text.of_one(made)
+    library = compilation.library(text.units(("single",)), text.files, using)
+    found = text.interface
     twins = importlib.import_module(f"{scene.name}.pairs.single")
     for described in found.signatures:
         given = states(scene, scene.named(described.name), 200, SINGLE)
         given = [np.concatenate([x, x * np.float32(1e6), x * np.float32(1e-6)]) for x in given]
-        call = callables.compiled(found, library.opened, described, SINGLE)
+        call = callables.compiled(found, library.opened, CHECKS, described, SINGLE)
         assert same_bits(call(None, *given), getattr(twins, described.name)(*given))
 
 
 def test_a_cortex_m4f_has_the_same_bits_and_calls_no_double(folder):
-    """And pairs take a fraction of the instructions of double precision's software."""
+    """Pairs take a fraction of the instructions of double precision in software."""
     path, scene = folder
     took: dict[str, int] = {}
     f = scene.named("forward_dynamics")

@@ -45,7 +45,7 @@ def worst(judged: Judged, text: str) -> float:
     found = flat(memory[judged.name](*judged.given), STATES)
     with np.errstate(all="ignore"):
         errors = abs((found - judged.high) - judged.low) / judged.unit
-    return float(np.nan_to_num(errors, nan=np.inf)[judged.told].max())
+    return float(np.nan_to_num(errors, nan=np.inf)[judged.counted].max())
 
 
 @pytest.fixture(scope="module")

@@ -1,4 +1,4 @@
-"""What scenes' files say, and how they look."""
+"""Content and layout of scenes' files."""
 
 import ast
 import os
@@ -11,7 +11,7 @@ from pathlib import Path
 
 import pytest
 
-from coscrew_codegen.backends.scene import scene_c
+from coscrew_codegen.backends.scene import scene_c, scene_c_runtime
 from coscrew_codegen.program import Constant, Op, counts_in_words
 from coscrew_codegen.program.scene_functions import Coordinate, SceneFunctions
 from coscrew_codegen.scene.identifiers import numbered
@@ -38,13 +38,17 @@ def texts(request: pytest.FixtureRequest) -> dict[str, str]:
 
 def test_files_are_those_promised():
     assert list(files(CASES["slider"]())) == [
-        "slider.h", "slider.c", "slider/__init__.py", "slider/_arrays.py", "slider/double.py",
+        "slider.h", "slider.c", "sliderf.c", "coscrew_runtime.h", "slider/__init__.py",
+        "slider/_arrays.py", "slider/double.py",
         "slider/single.py"]
 
 
 def test_first_lines_name_the_command(texts: dict[str, str]):
     for path, text in texts.items():
         first = text.splitlines()[0]
+        if path == scene_c_runtime.NAME:
+            assert first == f"/* {scene_c_runtime.BANNER} */"
+            continue
         assert first == (f"# {BANNER}" if path.endswith(".py") else f"/* {BANNER} */")
 
 
@@ -71,9 +75,8 @@ def test_text_is_the_same_in_every_process():
 
 def test_single_precision_has_no_literal_and_no_function_of_double():
     for functions in ALL:
-        text = files(functions)[f"{functions.name}.c"]
-        single = text[text.index(f"#ifndef {functions.name.upper()}_NO_SINGLE"):]
-        code = re.sub(r"/\*.*?\*/", "", single, flags=re.DOTALL)
+        text = files(functions)[f"{functions.name}f.c"]
+        code = re.sub(r"/\*.*?\*/", "", text, flags=re.DOTALL)
         assert not re.search(r"\bdouble\b", code)
         assert not re.search(r"(?<![\w.])(?:\d+\.\d*|\.\d+|\d+e-?\d+)(?:e[-+]?\d+)?(?![\w.])", code)
         assert not re.search(r"\b(?:sin|cos|sqrt|fabs|atan2|exp|tanh)\(", code)

@@ -26,7 +26,7 @@ RACES = ("-fsanitize=thread", "-O1")
 
 @cache
 def finds_races(compiler: str) -> bool:
-    """Whether programs with this compiler's sanitizer of threads run here."""
+    """Returns whether programs with this compiler's sanitizer of threads run here."""
     if not has_sanitizers(compiler):
         return False
     command = (compiler, *RACES, "-x", "c", "-", "-o", "/dev/null")
@@ -71,7 +71,7 @@ def test_callers_at_once_share_threads(kernels: Kernels):
 @pytest.mark.skipif("fork" not in multiprocessing.get_all_start_methods(), reason="nothing forks")
 @pytest.mark.parametrize("parent", ("waiting", "computing"))
 def test_forked_processes_start_their_own(kernels: Kernels, parent: str):
-    """Whether or not another thread of the parent computes when it forks; in a process in which no
-    other library has threads."""
+    """Returns whether or not another thread of the parent computes when it forks; in a process in
+    which no other library has threads."""
     run((sys.executable, "-W", "ignore::DeprecationWarning", "-m", "tests.support.scenes.forks",
          parent))

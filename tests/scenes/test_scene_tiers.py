@@ -21,13 +21,11 @@ from coscrew_codegen.accuracy import tiers
 from coscrew_codegen.accuracy.scene_tiers import NoFunctionsError, in_tier, tiers_of
 from coscrew_codegen.accuracy.tiers import OF_SCENES, Tier, tier_named
 from coscrew_codegen.backends.output_files import scene_files
-from coscrew_codegen.backends.python_extension import scene_calls
-from coscrew_codegen.backends.scene import scene_c_tier
 from coscrew_codegen.dynamics import derive
-from coscrew_codegen.program.scene_functions import SceneFunctions
 from coscrew_codegen.program.values.formats import PRECISIONS
-from coscrew_codegen.runtime import callables, compilation
-from coscrew_codegen.runtime.load import kernels_of, library_of
+from coscrew_codegen.runtime import callables, compilation, source_text
+from coscrew_codegen.runtime.load import kernels_of
+from coscrew_codegen.runtime.request import BOTH
 from coscrew_codegen.scene.readers.scene_error import SceneError
 from coscrew_codegen.scene.readers.toml.toml_scene import SceneOverrides, read_scene
 from coscrew_codegen.scene.tier_selection import TiersError, known, selected
@@ -39,7 +37,7 @@ from tests.support.compiled.c_harness import run as command
 from tests.support.compiled.flags import FMA, HASWELL, UNHEEDED
 from tests.support.each import each_precision
 from tests.support.scenes import scene_bits
-from tests.support.scenes.generated_scenes import BANNER, CASES
+from tests.support.scenes.generated_scenes import CASES
 from tests.support.scenes.scene_values import same_bits
 from tests.support.scenes.tiers import states
 
@@ -58,6 +56,8 @@ axis = [0, 1, 0]
 
 MARKED = [tier for tier in OF_SCENES if tier.marked and tier.precisions == PRECISIONS]
 each_tier = pytest.mark.parametrize("tier", MARKED, ids=lambda tier: tier.name)
+
+CHECKS = callables.checks(source_text.checks())
 
 
 @pytest.fixture
@@ -81,7 +81,7 @@ def contents(folder: Path) -> dict[str, str]:
 
 
 def test_files_options_and_load_scene_select_tiers(write, tmp_path: Path):
-    """What a tier adds is the same by file and by option; nothing else changes but its mention."""
+    """A tier adds the same by file and by option; nothing else changes but its mention."""
     assert main(["generate", str(write()), "-o", str(tmp_path / "plain")]) == 0
     assert main(["generate", str(write('tiers = ["plain", "accurate"]')), "-o",
                  str(tmp_path / "file")]) == 0
@@ -89,8 +89,9 @@ def test_files_options_and_load_scene_select_tiers(write, tmp_path: Path):
                  str(tmp_path / "option")]) == 0
     plain, file, option = (contents(tmp_path / x) for x in ("plain", "file", "option"))
     assert {*file} == {*option} == {*plain} | {
-        "swing_accurate.h", "swing_accurate.c", *(f"swing/accurate/{x}.py" for x in (
-            "__init__", "double", "single", "_exact", "_elementary_double"))}
+        "swing_accurate.h", "swing_accurate.c", "swing_accuratef.c",
+        *(f"swing/accurate/{x}.py" for x in ("__init__", "double", "single", "_exact",
+                                             "_elementary_double"))}
     for name, text in plain.items():
         assert name == "swing/__init__.py" or file[name] == text
     assert "--tier accurate" in option["swing.c"].splitlines()[0]
@@ -186,14 +187,15 @@ def package(tmp_path_factory: pytest.TempPathFactory) -> Path:
 @pytest.mark.parametrize("compiler", COMPILERS)
 def test_c_compiles_without_a_warning(package: Path, tier, compiler: str, flags: tuple[str, ...],
                                       tmp_path: Path):
-    """Alone, in one precision too, and between the scene's own and the library's headers; also
+    """Alone and between the scene's own and the library's headers; also
     where fma is no instruction."""
     name = scene_bits.functions().name
-    alone, all_three = package / f"{name}_{tier.mark}.c", tmp_path / "all.c"
-    all_three.write_text(f'#include "{name}_{tier.mark}.c"\n#include "{name}.c"\n'
-                         "#include <ksl/ksl_elementary_error.h>\n")
-    for source, more in ((alone, ()), (alone, (f"-D{name.upper()}_NO_SINGLE",)),
-                         (all_three, ("-I", str(INCLUDE), *FMA))):
+    alone, together = sorted(package.glob(f"{name}_{tier.mark}*.c")), tmp_path / "all.c"
+    together.write_text("".join((*(f'#include "{x.name}"\n' for x in alone),
+                                 f'#include "{name}.c"\n#include "{name}f.c"\n'
+                                 "#include <ksl/ksl_elementary_error.h>\n")))
+    assert alone
+    for source, more in (*((x, ()) for x in alone), (together, ("-I", str(INCLUDE), *FMA))):
         command([compiler, *flags, *STRICT, *more, "-O0", "-I", package, "-c", source, "-o",
                  tmp_path / "x.o"])
 
@@ -205,8 +207,8 @@ def test_a_precision_alone_is_whole(write, precision: str, tmp_path: Path):
     assert main(["generate", str(write()), "--tier", "accurate", "--precision", precision,
                  "-o", str(folder)]) == 0
     for compiler in COMPILERS:
-        command([compiler, *C11, *STRICT, "-O1", "-c", folder / "swing_accurate.c", "-o",
-                 tmp_path / "x.o"])
+        (source,) = folder.glob("swing_accurate*.c")
+        command([compiler, *C11, *STRICT, "-O1", "-c", source, "-o", tmp_path / "x.o"])
     script = (f"import swing.accurate; m = swing.accurate.{precision}; "
               "print(m.inverse_dynamics([1], [2], [3]).dtype)")
     found = subprocess.run([sys.executable, "-c", script], check=True, text=True, cwd=folder,
@@ -239,9 +241,11 @@ target = "sin(3*t)"
 """)))
     assert main(["generate", str(path), "--functions", "inverse_dynamics", "--tier", "accurate",
                  "-o", str(tmp_path)]) == 0
-    text = (tmp_path / "chain_accurate.c").read_text()
-    assert "ksl_sin(" in text and "ksl_sincos_4(" in text
-    command(["gcc", *C11, *STRICT, "-c", tmp_path / "chain_accurate.c", "-o", tmp_path / "x.o"])
+    sources = [tmp_path / f"chain_accurate{f}.c" for f in ("", "f")]
+    texts = [x.read_text() for x in sources]
+    assert all("ksl_sincos_4(" in x for x in texts) and any("ksl_sin(" in x for x in texts)
+    for source in sources:
+        command(["gcc", *C11, *STRICT, "-c", source, "-o", tmp_path / "x.o"])
 
 
 # bits
@@ -257,12 +261,11 @@ BUILDS = tuple((compiler, flags) for compiler in COMPILERS for flags in FLAGS[co
 
 
 @cache
-def texts(tier: Tier, *names: str) -> tuple[SceneFunctions, dict[str, str]]:
-    """The scene's functions, of these names or all, in a tier; its C."""
+def text_of(tier: Tier, *names: str) -> source_text.SourceText:
+    """The C of the scene's functions, of these names or all, in a tier."""
     of_all = scene_bits.functions()
-    made = in_tier(replace(of_all, functions=tuple(
-        f for f in of_all.functions if f.name in names or not names)), tier)
-    return made, scene_c_tier.files(made, BANNER) | scene_calls.tier_files(made, BANNER)
+    return source_text.of_one(in_tier(replace(of_all, functions=tuple(
+        f for f in of_all.functions if f.name in names or not names)), tier))
 
 
 @each_tier
@@ -273,17 +276,16 @@ def test_bits_are_the_same_in_c_and_numpy(package: Path, tier, compiler: str,
                                           monkeypatch: pytest.MonkeyPatch):
     monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path))
     monkeypatch.syspath_prepend(package)
-    made, files = texts(tier, *(() if {*flags} & {*WHOLE} else SOME))
+    text = text_of(tier, *(() if {*flags} & {*WHOLE} else SOME))
     using = compilation.Compiler((compiler,), compiler, ("-fPIC", *flags))
     of_all = scene_bits.functions()
-    library = library_of(files, of_all, f"{made.stem}_calls.c", using,
-                         tuple(p.name for p in PRECISIONS))
-    found = scene_calls.tier_interface(made)
+    library = compilation.library(text.units(BOTH), text.files, using)
+    found = text.interface
     assert {x.name for x in found.signatures} >= {*SOME}
     for p in PRECISIONS:
         twins = importlib.import_module(f"{of_all.name}.{tier.mark}.{p.name}")
         for described in found.signatures:
-            call = callables.compiled(found, library.opened, described, p)
+            call = callables.compiled(found, library.opened, CHECKS, described, p)
             given = states(of_all, of_all.named(described.name), 40, p)
             assert same_bits(call(None, *given), getattr(twins, described.name)(*given)), (
                 described.name, p.name)

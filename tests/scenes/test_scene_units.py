@@ -11,8 +11,7 @@ from tests.support.compiled.flags import FMA
 from tests.support.scenes import lanes_program
 from tests.support.scenes.generated_scenes import BANNER, pendulum, slider
 
-LEFT_OUT = ("-DPENDULUM_NO_DOUBLE", "-DPENDULUM_NO_SINGLE", "-DKSL_LANE_BYTES=0",
-            "-DKSL_BLOCK=256")  # the last is CUDA's: threads of a block
+LEFT_OUT = ("-DKSL_LANE_BYTES=0", "-DKSL_BLOCK=256")  # the last is CUDA's: threads of a block
 by_compiler = pytest.mark.parametrize("compiler", COMPILERS)
 
 
@@ -27,15 +26,19 @@ def written(folder: Path) -> None:
 @pytest.mark.parametrize("definition", LEFT_OUT)
 def test_nothing_is_unused_whatever_is_left_out(definition: str, compiler: str, tmp_path: Path):
     written(tmp_path)
-    for name in ("pendulum.c", "pendulum_many.c"):
+    for name in ("pendulum.c", "pendulumf.c", "pendulum_many.c", "pendulum_manyf.c"):
         for flags in ((), FMA):
             run((compiler, *C11, "-O1", *STRICT, *flags, definition, "-c", tmp_path / name, "-o",
                  tmp_path / "unit.o"))
 
 
-ORDERS = (("pendulum.c", "pendulum_many.c", "slider.c", "slider_many.c", "ksl/coscrew_many.h"),
-          ("slider_many.c", "pendulum_many.c", "pendulum.c", "ksl/coscrew_many.h", "slider.c"),
-          ("ksl/coscrew_many.h", "slider.c", "pendulum_many.c", "slider_many.c", "pendulum.c"))
+LIBRARY = "ksl/coscrew_many.h"
+ORDERS = (("pendulum.c", "pendulumf.c", "pendulum_many.c", "pendulum_manyf.c", "slider.c",
+           "sliderf.c", "slider_many.c", "slider_manyf.c", LIBRARY),
+          ("slider_manyf.c", "slider_many.c", "pendulum_many.c", "pendulumf.c", "pendulum.c",
+           "pendulum_manyf.c", LIBRARY, "slider.c", "sliderf.c"),
+          (LIBRARY, "sliderf.c", "slider.c", "pendulum_manyf.c", "pendulum_many.c",
+           "slider_many.c", "slider_manyf.c", "pendulum.c", "pendulumf.c"))
 
 
 @pytest.mark.parametrize("compiler, order, flags", (

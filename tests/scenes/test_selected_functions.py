@@ -38,6 +38,7 @@ from coscrew_codegen.simulation.recordings import record
 from tests.support.compiled.c_harness import COMPILERS, EXACT, STRICT
 from tests.support.compiled.c_harness import run as compiled
 from tests.support.scenes import mechanisms as m
+from tests.support.scenes.kinds import Kind
 
 ALL = ("all",)
 OF_ALL = [x.name for x in FUNCTIONS if x.default is ALWAYS or x.name == "mass_matrix"]
@@ -46,9 +47,9 @@ OF_ALL = [x.name for x in FUNCTIONS if x.default is ALWAYS or x.name == "mass_ma
 
 def arm(*selected: str, **others: object) -> Scene:
     """Two joints with a limit at the second; b2 is fixed to b1."""
-    model = m.chain((m.Kind.REVOLUTE, m.Y, m.HERE, m.inertia(1, (0, 0, 1), (1, 1, 1, 0, 0, 0))),
-                    (m.Kind.PRISMATIC, m.X, m.at(0, 0, 1), m.inertia(2)),
-                    (m.Kind.FIXED, m.Z, m.at(0, 1, 0), m.inertia(1)), name="arm")
+    model = m.chain((Kind.REVOLUTE, m.Y, m.HERE, m.inertia(1, (0, 0, 1), (1, 1, 1, 0, 0, 0))),
+                    (Kind.PRISMATIC, m.X, m.at(0, 0, 1), m.inertia(2)),
+                    (Kind.FIXED, m.Z, m.at(0, 1, 0), m.inertia(1)), name="arm")
     limit = m.applied("limit", "j1", lower=m.Fraction(-1), upper=m.Fraction(1),
                       k=m.Fraction(1000))
     return replace(m.scene(model, m.gravity(), limit, **others), functions=selected)
@@ -62,7 +63,7 @@ def public(scene: Scene) -> list[str]:
     """The functions that C declares, steps among them."""
     found = derive(scene)
     header = scene_c.files(found, "banner")[f"{scene.name}.h"]
-    return re.findall(rf"^void {scene.name}_(\w+?)\(", header.split("_NO_SINGLE")[0], re.M)
+    return re.findall(rf"^void {scene.name}_(\w+?)\(", header.partition("in single")[0], re.M)
 
 
 def test_without_a_word_jacobians_reactions_and_other_integrators_are_left_out():
@@ -120,7 +121,7 @@ def test_contacts_are_refused_by_name_where_no_limit_closes():
 
 
 def test_all_functions_have_names_and_names_have_functions():
-    """For two scenes that together have everything that a scene can have."""
+    """The two scenes together have everything that a scene can have."""
     found = {*public(arm(*ALL))} | {f"{name}" for name in public(flyer(*ALL))}
     assert found == {*names(arm()), *names(flyer())}
     assert {"jacobian_b2", "jacobian_b1", "reaction_j0"} < found and "reaction_j2" not in found
@@ -217,7 +218,7 @@ def test_steps_need_what_the_derivation_has():
 
 def chain(joints: int) -> Scene:
     """Joints about x, y and z in turn, of equal bodies."""
-    links = [(m.Kind.REVOLUTE, (m.X, m.Y, m.Z)[n % 3], m.at(0, 0, 1),
+    links = [(Kind.REVOLUTE, (m.X, m.Y, m.Z)[n % 3], m.at(0, 0, 1),
               m.inertia(1, (0, 0, "1/2"), (1, 1, 1, 0, 0, 0))) for n in range(joints)]
     return replace(m.scene(m.chain(*links), m.gravity()), functions=())
 
@@ -256,7 +257,7 @@ def test_many_joints_have_no_mass_matrix_unless_asked_and_no_end_of_them_is_refu
 
 
 def test_alarms_do_without_a_mass_matrix(tmp_path: Path, monkeypatch: pytest.MonkeyPatch):
-    """With it, an alarm finds the centres of mass of what floats."""
+    """With it, an alarm computes the centres of mass of floating trees."""
     monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path))
     monkeypatch.setattr(required_functions, "MANY", 0)
     scene = m.scene(m.slider(1), m.applied("spring", "j0", k=10**6))

@@ -99,7 +99,8 @@ def test_what_can_be_had_is_generated_and_the_rest_told_once(arm, capsys, tmp_pa
 
 
 def test_mass_matrices_of_singular_models_are_right(arm):
-    """M from inverse dynamics, column by column: its null space is what nothing resists."""
+    """M from inverse dynamics, column by column: its null space consists of the motions that
+    nothing resists."""
     with pytest.warns(RuntimeWarning):
         f = load_scene(arm()).double
     q = np.array([0.4, -0.9, 0.2])

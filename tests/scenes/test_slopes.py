@@ -15,10 +15,11 @@ from coscrew_codegen.algebra.recording.numbers import Number
 from coscrew_codegen.algebra.recording.recorder import Recorder, array
 from coscrew_codegen.dynamics.forces.linearization import JointEffect
 from coscrew_codegen.scene.effect import CoordinateState, Torque
-from coscrew_codegen.scene.mechanism.model import HERE, Body, Joint, Kind, Model, Parameter
+from coscrew_codegen.scene.mechanism.model import HERE, Body, Joint, Model, Parameter
 from coscrew_codegen.scene.scene import Applied
 from tests.support.scenes.effect_scenes import PLACES, assert_listed, effects, mechanism
 from tests.support.scenes.evaluation import MULTIPRECISE, Evaluated, evaluator
+from tests.support.scenes.kinds import Kind
 from tests.support.scenes.mechanisms import (
     CATALOGUE,
     Formula,
@@ -75,7 +76,7 @@ STATES = [(mpf(q), mpf(v)) for q in ("-3", "-1.2", "0", "0.3", "1.1", "2.7")
 
 
 def torque_of(name: str, values: dict) -> Callable[[mpf, mpf], dict[str, mpf | None]]:
-    """The effect's Torque at q, v and t = 0.7; what the effect does not give is None."""
+    """The effect's Torque at q, v and t = 0.7; None where the effect gives none."""
     recorder = Recorder([array(x, ()) for x in "qvt"])
     q, v, t = (recorder.argument(x)[0] for x in "qvt")
     made = applied(name, "joint", **values)
@@ -205,7 +206,8 @@ STIFF = (applied("viscous", "j0", d=5), applied("spring", "j1", k=70),
 
 @pytest.mark.parametrize("following", [False, True])
 def test_implicit_steps_solve_with_all_slopes(following: bool) -> None:
-    """(M + h D + h² K) a = -bias - h K v, where D and K are ∂/∂v and ∂/∂q of what effects add."""
+    """(M + h D + h² K) a = -bias - h K v, where D and K are -∂/∂v and -∂/∂q of the effects'
+    torques."""
     extra = (gravity(), *((applied("mimic"),) if following else ()))
     inertial = tuple(x for x in STIFF if x.effect.joint_inertia)
     bare = Evaluated(scene(chain_of_three(), *extra, *inertial), MULTIPRECISE)
@@ -217,7 +219,8 @@ def test_implicit_steps_solve_with_all_slopes(following: bool) -> None:
                                                       for g in (f, bare)), strict=True)])
 
     def at_joints(q: list, v: list) -> mpmath.matrix:
-        """What effects add, without those that act on and between bodies, whose K is left out."""
+        """D and K of effects at joints; those on and between bodies, whose K is left out, do not
+        count."""
         return mpmath.matrix([a - b for a, b in zip(*(g("bias_torques", t=x["t"], q=q, v=v)
                                                       for g in (joints_only, bare)), strict=True)])
 

@@ -13,7 +13,7 @@ import numpy as np
 import pytest
 
 from coscrew_codegen.runtime.load import Kernels
-from coscrew_codegen.scene.mechanism.model import HERE, Kind
+from coscrew_codegen.scene.mechanism.model import HERE
 from coscrew_codegen.scene.scene import Run, Scene
 from coscrew_codegen.simulation.plan import Plan, Trajectory
 from coscrew_codegen.simulation.run import integrate
@@ -21,6 +21,7 @@ from coscrew_codegen.simulation.system import system
 from tests.references import figures
 from tests.support.scenes import mechanisms as m
 from tests.support.scenes.generated_scenes import imported
+from tests.support.scenes.kinds import Kind
 from tests.support.scenes.selecting import OneByOne, checked
 
 OLD = "semi-implicit-euler"
@@ -137,7 +138,7 @@ def test_floating_bases_keep_their_energy_within_a_thousandth(name):
 
 
 def test_steps_from_c_alone_keep_momentum_except_for_roundings():
-    """1e5 calls of the step, each of which is given nothing but q and v."""
+    """1e5 calls of the step are made, each with q and v alone."""
     its = kernels("tree").double
     q, v = system(kernels("tree"), "double").start()
     c = its.free_momentum(q, v)
@@ -306,7 +307,7 @@ def test_a_limit_too_stiff_for_its_step_says_so():
 
 @pytest.mark.parametrize("precision", U)
 def test_steps_of_many_states_are_the_same_bits_in_numpy_and_c(precision, tmp_path):
-    """For states before, during and after contact, each of which takes its own number of parts."""
+    """States before, during and after contact each take their own number of parts."""
     its, draw = bouncing("1e9"), np.random.default_rng(9)
     package = getattr(imported(its.functions, tmp_path), precision)
     kind = np.dtype(f"f{8 if precision == 'double' else 4}")

@@ -1,5 +1,5 @@
-"""URDF files give Pinocchio's masses, placements and axes; an error in one is told with its line.
-"""
+"""URDF files give Pinocchio's masses, placements and axes; an error in one is reported with its
+line."""
 
 from fractions import Fraction as F
 from functools import partial
@@ -8,13 +8,13 @@ import numpy as np
 import pytest
 
 from coscrew_codegen.dynamics import derive
-from coscrew_codegen.scene.mechanism.model import Inertia, Kind, Mimic
+from coscrew_codegen.scene.mechanism.model import Inertia, Mimic
 from coscrew_codegen.scene.readers.scene_error import SceneError
 from coscrew_codegen.scene.readers.toml.toml_scene import read_scene
-from coscrew_codegen.scene.readers.urdf.urdf import read_urdf
 from coscrew_codegen.scene.scene import Scene
 from tests.support.scenes.example_effects import CATALOGUE
-from tests.support.scenes.reading import ARM
+from tests.support.scenes.kinds import Kind
+from tests.support.scenes.reading import ARM, read_urdf
 from tests.support.scenes.robots import robots
 from tests.support.work import calls_of
 
@@ -26,7 +26,7 @@ WRONG = {
 """Files of example-robot-data that are wrong, with what is: moments that no body has, and a file
 that holds nothing but the comment of its generator."""
 
-SNAPPED = 1.1e-11  # what an entry may differ by where a right angle was snapped
+SNAPPED = 1.1e-11  # largest difference of an entry where a right angle was snapped
 
 ROBOTS = robots()
 RIGHT = [path for path in ROBOTS if path.name not in WRONG]
@@ -205,8 +205,9 @@ def test_a_scene_names_its_file_beside_it(tmp_path):
 
 
 @pytest.mark.parametrize("model, words", [
-    ("arm.urd", "wanted a .urdf file"), ("arm.URDF2", "wanted a .urdf file"),
-    ("none.urdf", "there is no such file"), (".", "wanted a .urdf file")])
+    ("arm.urd", "has the suffix '.urd'; wanted a model ("),
+    ("arm.urd", "); did you mean '.urdf'?"), ("arm.URDF2", "); did you mean '.urdf'?"),
+    ("none.urdf", "there is no such file"), (".", "has no suffix; wanted a model (")])
 def test_files_that_are_not_there(tmp_path, model, words):
     path = tmp_path / "arm.toml"
     path.write_text(f'model = "{model}"\n')
@@ -217,7 +218,8 @@ def test_files_that_are_not_there(tmp_path, model, words):
 
 @pytest.mark.parametrize("old, new, element, words", [
     ('type="continuous"', 'type="hinge"', "joint 'elbow'", "wanted one of revolute, continuous"),
-    ('type="continuous"', 'type="planar"', "joint 'elbow'", "type 'planar' is not supported"),
+    ('type="continuous"', 'type="universal"', "joint 'elbow'",
+     "type 'universal' is not supported"),
     ('type="continuous"', "", "joint 'elbow'", "lacks its 'type'"),
     ('name="elbow"', "", "<joint>", "lacks its 'name'"),
     ('name="elbow"', 'name="shoulder"', "joint 'shoulder'", "given to two"),

@@ -1,19 +1,15 @@
 """Every element and attribute of URDF that is read is known, by version, or refused by its line."""
 
-from fractions import Fraction as F
 from pathlib import Path
 
 import numpy as np
 import pytest
 
-from coscrew_codegen.scene.effects import EFFECTS
-from coscrew_codegen.scene.mechanism.model import Kind
+from coscrew_codegen import load_scene
 from coscrew_codegen.scene.mechanism.notices import summary
 from coscrew_codegen.scene.readers.scene_error import SceneError
-from coscrew_codegen.scene.readers.toml.toml_scene import read_scene
-from coscrew_codegen.scene.readers.urdf.urdf import read_urdf
 from coscrew_codegen.scene.readers.urdf.urdf_schema import ATTRIBUTES, CHILDREN
-from tests.support.scenes.reading import ARM
+from tests.support.scenes.reading import ARM, read_urdf
 
 FULL = """<robot name="full" version="1.2">
 <link name="ground"/>
@@ -273,25 +269,32 @@ def test_elements_that_differ_and_occur_twice_are_refused(refused, once, other, 
 
 # joints that URDF has and coscrew has not
 
-def planar(old, new):
-    assert old in ARM
-    return ARM.replace(old, new)
-
-
-def test_what_replaces_a_planar_joint_is_told_and_works(tmp_path, refused):
-    """The three joints that the message names move a body in the plane."""
-    _, problem = refused(planar('type="continuous"', 'type="planar"'))
-    assert "type 'planar' is not supported" in problem
-    assert "two prismatic joints along the plane and a continuous one" in problem
+def test_what_replaces_a_universal_joint_is_told_and_works(tmp_path, refused):
+    """The two joints that the message names turn a body as the scene's universal joint does."""
+    text = ARM.replace('type="continuous"', 'type="universal"')
+    assert text != ARM
+    _, problem = refused(text)
+    assert "type 'universal' is not supported" in problem
+    assert "two continuous joints, with a link without <inertial> between them" in problem
     chain = "".join(
-        f'<joint name="{name}" type="{kind}"><parent link="{parent}"/><child link="{child}"/>'
-        f'<axis xyz="{axis}"/></joint>' for name, kind, parent, child, axis in (
-            ("x", "prismatic", "w", "a", "1 0 0"), ("y", "prismatic", "a", "b", "0 1 0"),
-            ("turn", "continuous", "b", "c", "0 0 1")))
-    path = tmp_path / "planar.urdf"
-    path.write_text(f"""<robot name="p"><link name="w"/><link name="a"/><link name="b"/>
-<link name="c"><inertial><mass value="1"/><inertia ixx="1" iyy="1" izz="1" ixy="0" ixz="0" iyz="0"/>
-</inertial></link>{chain}</robot>""")
-    joints = read_scene(path, EFFECTS).model.joints
-    assert [joint.kind for joint in joints[1:]] == [Kind.PRISMATIC, Kind.PRISMATIC, Kind.REVOLUTE]
-    assert joints[2].axis == (0, F(1), 0)
+        f'<joint name="{name}" type="continuous"><parent link="{parent}"/><child link="{child}"/>'
+        f'<axis xyz="{axis}"/></joint>' for name, parent, child, axis in (
+            ("one", "w", "a", "1 0 0"), ("two", "a", "b", "0 1 0")))
+    path = tmp_path / "cross.urdf"
+    path.write_text(f"""<robot name="p"><link name="w"/><link name="a"/><link name="b"><inertial>
+<mass value="1"/><inertia ixx="1" iyy="2" izz="2" ixy="0" ixz="0" iyz="0"/></inertial></link>
+{chain}</robot>""")
+    scene = tmp_path / "cross.toml"
+    scene.write_text('''[bodies.b]
+mass = 1
+inertia = [1, 2, 2]
+[joints.cross]
+type = "universal"
+child = "b"
+axis = [1, 0, 0]
+axis2 = [0, 1, 0]
+''')
+    state = [0.5, -0.75], [1.0, 2.0], [3.0, -1.0]
+    one, other = (load_scene(x, functions=["inverse_dynamics"]).double.inverse_dynamics(*state)
+                  for x in (path, scene))
+    np.testing.assert_array_max_ulp(one, other, 8)

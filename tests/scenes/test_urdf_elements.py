@@ -3,8 +3,8 @@
 import pytest
 
 from coscrew_codegen.scene.readers.scene_error import SceneError
-from coscrew_codegen.scene.readers.urdf.urdf import read_urdf
 from coscrew_codegen.scene.readers.urdf.urdf_schema import ATTRIBUTES, CHILDREN
+from tests.support.scenes.reading import read_urdf
 
 ARM = """<robot name="arm">
 <link name="a"/>

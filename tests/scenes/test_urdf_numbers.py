@@ -1,4 +1,5 @@
-"""Numbers of URDF's joints are refused where an effect takes them; what nothing takes is told."""
+"""Wrong numbers of URDF's joints are refused where an effect uses them; unused numbers are
+reported."""
 
 import pytest
 

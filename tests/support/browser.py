@@ -10,11 +10,11 @@ from selenium.webdriver.chrome.service import Service
 
 def _command(*names: str) -> str:
     """The first of these commands that is installed."""
-    found = next(filter(None, map(shutil.which, names)), None)
-    if found is None:
+    path = next(filter(None, map(shutil.which, names)), None)
+    if path is None:
         raise RuntimeError(f"the report's page is tested in a browser, and {names[0]} is not here: "
                            "sh tests/install_tools.sh installs it")
-    return found
+    return path
 
 
 @contextmanager

@@ -1,4 +1,4 @@
-"""Cases of one test: cheaper than parameters where cases are short, and no less is said."""
+"""Cases of one test: cheaper than parameters where cases are short, with equally clear failures."""
 
 import functools
 import inspect
@@ -42,7 +42,7 @@ def for_all(**values: Iterable[object]) -> Callable[[Test], Test]:
 
 
 def name_of(value: object) -> str:
-    """How a case tells this value: by its name if it has one."""
+    """Text of this value in a case's name: its own name if it has one."""
     if isinstance(value, functools.partial):
         return "-".join(map(name_of, value.args))
     named = (getattr(value, "name", None), getattr(value, "__name__", None))

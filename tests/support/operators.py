@@ -22,17 +22,17 @@ _OPERATOR = re.compile(
 
 def text_of(source: str) -> str:
     """The text of a template with X in its holes."""
-    found, inside = [], False
+    parts, inside = [], False
     for _, kind, value in jinja2.Environment().lex(source):
         if kind == "data":
-            found.append(value)
+            parts.append(value)
         elif kind == "variable_begin":
             inside = True
-            found.append(_HOLE)
+            parts.append(_HOLE)
         elif kind == "variable_end":
             inside = False
         assert kind != "data" or not inside
-    return "".join(found)
+    return "".join(parts)
 
 
 def operators(source: str, language: str) -> list[str]:

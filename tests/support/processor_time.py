@@ -1,8 +1,7 @@
 """Lists test files by the processor time of their tests: `pytest -p tests.support.processor_time`.
 
-Unlike --durations it does not depend on what else the machine does, and counts the processes that
-tests start and wait for, such as compilers.
-"""
+Unlike --durations it does not depend on the machine's load, and counts the processes that tests
+start and wait for, such as compilers."""
 
 import resource
 import time
@@ -43,8 +42,8 @@ def spent() -> Spent:
 
 
 class _Clock:
-    """Notes in each report what was spent since the one before, and sums by file.  In a worker of
-    xdist the reports are made, and where the workers were started they are summed."""
+    """Notes in each report the time since the one before, and sums by file.  In a worker of xdist
+    the reports are made, and where the workers were started they are summed."""
 
     def __init__(self) -> None:
         self._before = spent()

@@ -93,9 +93,9 @@ def layout_name(time: Time) -> str:
     return ", ".join(filter(None, (time.language, time.compiler, time.layout)))
 
 
-def same(found: float, wanted: float) -> bool:
-    """Whether both are equal, or both NaN."""
-    return found == wanted or isnan(found) and isnan(wanted)
+def same(value: float, wanted: float) -> bool:
+    """Returns whether both are equal, or both NaN."""
+    return value == wanted or isnan(value) and isnan(wanted)
 
 
 SHOWN_FIRST = ", ".join(filter(None, LAYOUTS[1]))

@@ -24,7 +24,7 @@ VARIED = ("--grid", "block.mass=1:7:3", "--sobol", "start.?.slide=limits", "--sa
 
 
 def processes(count: int) -> LocalCluster:
-    """So many workers."""
+    """Starts so many workers."""
     return LocalCluster(n_workers=count, threads_per_worker=1, dashboard_address=None,
                         silence_logs=logging.CRITICAL)
 
@@ -83,8 +83,8 @@ def dask(program: str, folder: Path, *words: str, environment: Mapping[str, str]
 
 
 def awaited(process: "subprocess.Popen[str]", pattern: str) -> str:
-    """What the process says that matches the pattern."""
+    """Waits for output of the process that matches the pattern, and returns it."""
     for line in cast("IO[str]", process.stderr):
-        if found := re.search(pattern, line):
-            return found[1]
+        if match := re.search(pattern, line):
+            return match[1]
     raise AssertionError(f"{pattern} was not said")

@@ -1,4 +1,4 @@
-"""CONTRIBUTING.md's walks: what they add, and copies of the generator that have it."""
+"""CONTRIBUTING.md's walks: their additions, and copies of the generator with these."""
 
 import os
 import re
@@ -38,7 +38,7 @@ def generated(site: Path, *words: str, **environment: str) -> subprocess.Complet
 
 
 def run_in_copy(site: Path, program: str) -> str:
-    """What a program prints that runs with the copy of the generator in this folder."""
+    """Runs a program with the copy of the generator in this folder; returns its output."""
     done = subprocess.run(
         [sys.executable, "-c", program], cwd=site, text=True, capture_output=True,
         env={**os.environ, "PYTHONPATH": str(site), "XDG_CACHE_HOME": str(site / "cache")})
@@ -47,8 +47,8 @@ def run_in_copy(site: Path, program: str) -> str:
 
 
 def walk(package: Path, *names: str) -> list[Path]:
-    """Adds to the package what the walks write into files of these names: new ones, or an entry of
-    a table.  Their paths."""
+    """Adds the walks' files of these names to the package: new ones, or an entry of a table.  Their
+    paths."""
     added = []
     for folder, name, table, text in _BLOCK.findall(GUIDE.read_text(encoding="utf-8")):
         if Path(name).name.partition(".")[0] not in names:

@@ -1,4 +1,4 @@
-"""How much work a call is, in units that no machine and no load changes."""
+"""Amount of work of a call, in units that do not depend on machine or load."""
 
 import sys
 from collections.abc import Callable
@@ -6,7 +6,7 @@ from types import FrameType
 
 
 def calls_of(run: Callable[[], object]) -> int:
-    """How many functions the call calls, Python's and C's."""
+    """Number of functions that the call calls, Python's and C's."""
     count = 0
 
     def counted(frame: FrameType, event: str, argument: object) -> None:

@@ -27,7 +27,7 @@ from tests.hard_cases.near_zeros import (
     beyond,
     condition,
     judged,
-    told,
+    promised,
 )
 from tests.search import split
 from tests.support.cases import for_all
@@ -72,18 +72,18 @@ def test_formulas_have_twice_the_digits(operation: Operation):
             given = [x for n, a in enumerate(operation.inputs)
                      for x in _exactly(a, n, mpmath.mpf(angle))]
             wanted = truth(operation, DOUBLE, tuple(given))
-            found = by_formula(operation, given)
+            result = by_formula(operation, given)
             largest = max(map(abs, (*wanted, *given)))
-            for x, true in zip(found, wanted, strict=True):
+            for x, true in zip(result, wanted, strict=True):
                 assert abs(x - true) <= largest * mpmath.mpf(2)**-97, (angle, float(x))
 
 
 @for_all(operation=FUNCTIONS, precision=(DOUBLE, SINGLE))
 def test_components_are_right_as_long_as_their_condition_is_good(operation: Operation,
                                                                  precision: Precision):
-    found = judged(operation, precision, hard_rows(operation, precision))
-    kept = told(found, precision)
-    assert len(kept) > len(found) / 3
+    result = judged(operation, precision, hard_rows(operation, precision))
+    kept = promised(result, precision)
+    assert len(kept) > len(result) / 3
     assert not beyond(kept, precision)
 
 
@@ -93,9 +93,9 @@ def test_what_is_wrong_is_told(precision: Precision):
     third, pi, unit = mpmath.mpf(1) / 3, +mpmath.pi, np.finfo(precision.numpy_type).eps
     largest = LARGEST_CONDITION[precision.name]
 
-    def wrong(found: float, true: mpmath.mpf, condition: float = 1.0) -> bool:
-        rounded = float(np.asarray(found, precision.numpy_type))
-        return bool(beyond(told([Result(0, rounded, true, condition)], precision), precision))
+    def wrong(result: float, true: mpmath.mpf, condition: float = 1.0) -> bool:
+        rounded = float(np.asarray(result, precision.numpy_type))
+        return bool(beyond(promised([Result(0, rounded, true, condition)], precision), precision))
 
     assert not wrong(1 / 3, third) and wrong(1 / 3 + unit / 2, third)
     assert wrong(0.5, third, 0.99 * largest) and not wrong(0.5, third, largest)
@@ -109,19 +109,19 @@ NEAR_ZEROS = {(c.operation, c.precision) for c in load() if c.origin.startswith(
     NEAR_ZEROS, key=lambda x: (x[0].name, x[1].name)), ids=lambda x: x.name)
 def test_conditions_just_below_the_limit_are_judged(operation: Operation, precision: Precision):
     largest = LARGEST_CONDITION[precision.name]
-    found = condition(operation, hard_rows(operation, precision))
-    assert ((largest / RANGE < found) & (found < largest)).sum() >= KEPT
+    result = condition(operation, hard_rows(operation, precision))
+    assert ((largest / RANGE < result) & (result < largest)).sum() >= KEPT
 
 
 def test_most_operations_have_components_near_zeros():
-    """Others are functions of what is given, exactly, and have no condition."""
+    """Others are exact functions of the given numbers, and have no condition."""
     assert len(NEAR_ZEROS) > len(FUNCTIONS)
 
 
 @for_all(operation=FUNCTIONS, precision=(DOUBLE, SINGLE))
 def test_c_gufunc_and_numpy_agree_in_bits(operation: Operation, precision: Precision,
                                           libraries: list[ctypes.CDLL]):
-    """For numbers of all kinds: the twins, gufuncs, C without and with an fma instruction."""
+    """The twins, gufuncs, C without and with an fma instruction agree for numbers of all kinds."""
     drawn = split(operation, hard_rows(operation, precision))
     inputs = tuple(map(np.concatenate, zip(drawn, inputs_of(operation, precision, EXTREMES),
                                            strict=True)))
@@ -153,8 +153,8 @@ def test_steps_of_a_program_and_of_its_compensation_have_different_names():
 
 @each_precision
 def test_any_rotation_vector_gives_a_rotation(precision: Precision):
-    """Of subnormal and of the largest angles; beyond 2^50, sine and cosine of what an angle lacks
-    err as they do in the plain tier."""
+    """Subnormal and the largest angles are included; beyond 2^50, sine and cosine of an angle's
+    rest err as in the plain tier."""
     info = np.finfo(precision.numpy_type)
     sizes = np.geomspace(float(info.tiny), float(info.max) / 2, 400, dtype=precision.numpy_type)
     sizes = np.append(sizes, np.array([info.smallest_subnormal, 1e3 * info.smallest_subnormal],

@@ -15,9 +15,9 @@ from tests.support.truth.wide import IS_WIDE
 
 def test_curves_are_parts_of_the_outputs():
     """Two of the four are at most 1.01."""
-    found = Calibration("arm", "mass_matrix", DOUBLE, np.array([1, 1.001, 1.1, 3]))
-    assert [found.percent(x) for x in (1, 1.01, 2, 3)] == [25, 50, 75, 100]
-    line, = (x for x in figure([found]).axes[0].lines if x.get_gid() == "arm mass_matrix double")
+    result = Calibration("arm", "mass_matrix", DOUBLE, np.array([1, 1.001, 1.1, 3]))
+    assert [result.percent(x) for x in (1, 1.01, 2, 3)] == [25, 50, 75, 100]
+    line, = (x for x in figure([result]).axes[0].lines if x.get_gid() == "arm mass_matrix double")
     x, y = line.get_data()
     assert y[0] == 25 and y[-1] == 100 and 1 + x[-1] >= 3
     assert np.interp(0.01, x, y) == 50

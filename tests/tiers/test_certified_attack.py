@@ -1,5 +1,5 @@
 """Certified bounds of scenes hold in double and single precision, at hard states too, as compiled;
-and what is left out of the proof is noticed."""
+and parts left out of the proof are noticed."""
 
 from collections.abc import Callable
 from pathlib import Path
@@ -23,25 +23,25 @@ needs_quad = pytest.mark.skipif(not IS_WIDE, reason="numbers of 113 bits are lib
 
 def _found(scene: str, outputs: int, folder: Path) -> dict[str, Found]:
     """By precision."""
-    found: dict[str, Found] = {}
+    results: dict[str, Found] = {}
     for _, precision, x in of_scene(kernels(scene, FUNCTIONS), outputs, folder, 1):
-        found[precision] = found.get(precision, Found()) + x
-    return found
+        results[precision] = results.get(precision, Found()) + x
+    return results
 
 
 @needs_quad
 @pytest.mark.parametrize("scene", ("pendulum", "wingnut"))
 def test_no_bound_is_broken(scene: str, tmp_path: Path):
-    for found in _found(scene, 10_000, tmp_path).values():
-        assert not found.broken and found.outputs > 15_000
-        assert found.worst > 1 - 1e-6  # a bound is the error to so many digits
+    for result in _found(scene, 10_000, tmp_path).values():
+        assert not result.broken and result.outputs > 15_000
+        assert result.worst > 1 - 1e-6  # a bound is the error to so many digits
 
 
 def test_bounds_of_moved_free_joints_hold():
     """At hard states of all sizes."""
-    for *_, found in of_free_joint(7_000, seed=1):
-        assert not found.broken and found.outputs > 6_000
-        assert found.worst > 1 - 1e-6
+    for *_, result in of_free_joint(7_000, seed=1):
+        assert not result.broken and result.outputs > 6_000
+        assert result.worst > 1 - 1e-6
 
 
 WORST = {"double": """
@@ -63,9 +63,9 @@ def test_bounds_of_moved_quaternions_are_their_errors():
         worst = np.array([list(map(float.fromhex, WORST[p.name].split()))], p.numpy_type)
         q, phi = map(np.concatenate, zip(states(plain.functions, function, 500, p),
                                          (worst[:, :7], worst[:, 7:]), strict=True))
-        found = free_motion.ratios((q, phi), *(flat(x, 501) for x in getattr(
+        result = free_motion.ratios((q, phi), *(flat(x, 501) for x in getattr(
             plain.certified, p.name).integrated(q, phi)))
-        assert found.max() <= 1 and np.quantile(found[found > 0], 0.01) > 0.999
+        assert result.max() <= 1 and np.quantile(result[result > 0], 0.01) > 0.999
 
 
 LIMITED = """

@@ -35,7 +35,7 @@ BUILDS = ("gcc", "-O1"), ("clang", "-O1", "-march=native")
 
 
 def test_quaternions_exponentials_logarithms_and_angles_have_the_tier():
-    """Of those that have not, some bounds would take more than two thousand operations."""
+    """For those without it, some bounds would take more than two thousand operations."""
     assert {op.name for op in CALLING} - {op.name for op in FUNCTIONS} == {
         "quaternion_interpolated", "SE3_interpolated", "SE3_leftJacobian", "SE3_rightJacobian",
         "SE3_leftJacobianInverse", "SE3_rightJacobianInverse"}
@@ -43,7 +43,7 @@ def test_quaternions_exponentials_logarithms_and_angles_have_the_tier():
 
 @for_all(operation=FUNCTIONS, precision=(DOUBLE, SINGLE))
 def test_every_bound_holds(operation: Operation, precision: Precision):
-    given, found, stated = hard_rows(operation, precision), [], 0
+    given, result, stated = hard_rows(operation, precision), [], 0
     results = joined(gufuncs(coscrew.certified)(operation, precision, split(operation, given)))
     plain = joined(gufuncs(coscrew)(operation, precision, split(operation, given)))
     half = plain.shape[1]
@@ -51,16 +51,16 @@ def test_every_bound_holds(operation: Operation, precision: Precision):
     for row, got in zip(given.tolist(), results.tolist(), strict=True):
         ratios = in_bounds(operation, precision, row, got[:half], got[half:])
         stated += len(ratios)
-        found += [x for x in ratios if x]
-    assert max(found, default=0) <= 1
+        result += [x for x in ratios if x]
+    assert max(result, default=0) <= 1
     assert stated > 0.4 * results[:, :half].size
-    assert np.median(found) > 1 / TIGHT[precision.name]
+    assert np.median(result) > 1 / TIGHT[precision.name]
 
 
 @for_all(operation=FUNCTIONS, precision=(DOUBLE, SINGLE))
 def test_bounds_hold_at_all_sizes_and_where_series_end(operation: Operation, precision: Precision):
-    found = attacked(operation, precision, 200, seed=1)
-    assert not found.broken and found.outputs > 2 * found.silent
+    result = attacked(operation, precision, 200, seed=1)
+    assert not result.broken and result.outputs > 2 * result.silent
 
 
 @for_all(operation=OF_VECTORS, precision=(DOUBLE, SINGLE))
@@ -83,7 +83,7 @@ def test_small_rotations_have_bounds(operation: Operation, precision: Precision)
 
 @pytest.mark.filterwarnings("error")
 def test_no_statement_is_no_warning():
-    """Of gufuncs and of NumPy, where nothing is certain or numbers overflow."""
+    """Neither gufuncs nor NumPy warn where nothing is certain or numbers overflow."""
     for module in (coscrew.certified, coscrew.certified.double):
         for results in (module.SO3_log(np.eye(3)), module.quaternion_log([0.0, 0, 0, 1]),
                         module.angle_vv([1.0, 0, 0], [2.0, 0, 0]),
@@ -94,15 +94,15 @@ def test_no_statement_is_no_warning():
 @for_all(operation=FUNCTIONS, precision=(DOUBLE, SINGLE))
 def test_c_gufunc_and_numpy_agree_in_bits(operation: Operation, precision: Precision,
                                           libraries: list[ctypes.CDLL]):
-    """For numbers of all kinds: the twins, gufuncs, C without and with an fma instruction."""
+    """The twins, gufuncs, C without and with an fma instruction agree for numbers of all kinds."""
     drawn = split(operation, hard_rows(operation, precision))
     inputs = tuple(map(np.concatenate, zip(drawn, inputs_of(operation, precision, EXTREMES),
                                            strict=True)))
     want = twin(coscrew.certified)(operation, precision, inputs)
     assert same_bits(gufuncs(coscrew.certified)(operation, precision, inputs), want), "gufunc"
     for library in libraries:
-        found = call(library, CERTIFIED.operation(operation), precision, inputs)
-        assert same_bits(found, want), library
+        result = call(library, CERTIFIED.operation(operation), precision, inputs)
+        assert same_bits(result, want), library
 
 
 @pytest.fixture(scope="module")

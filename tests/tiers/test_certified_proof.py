@@ -142,7 +142,7 @@ def chain(step: str, length: int = 12) -> Program:
 def constants(number: Format) -> dict[Fraction, Fraction]:
     """g → C of every result of every certified kernel, with g from the roundings by the proof; in
     toy formats also of longer and longer sums and products, so that g is often next to C."""
-    found = {}
+    results = {}
     chains = tuple(map(chain, CHAINS)) if number.digits <= TOY_DIGITS else ()
     for plain in (*map(plain_program, TIERED), *chains):
         made = certified(plain, number)
@@ -151,8 +151,8 @@ def constants(number: Format) -> dict[Fraction, Fraction]:
         for result, bound in zip(plain.results, made.results[len(plain.results):], strict=True):
             if isinstance(bound, Ref):
                 C = next(x for x in steps[bound.name].operands if isinstance(x, Constant))
-                found[growth(result)] = C.double
-    return found
+                results[growth(result)] = C.double
+    return results
 
 
 def _growth(plain: Program, number: Format):

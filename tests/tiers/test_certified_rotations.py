@@ -43,11 +43,11 @@ def test_no_statement_is_made(operation: Operation, precision: Precision, librar
     def bounds(R: np.ndarray) -> list[float]:
         with np.errstate(all="ignore"):
             x = given(operation, R).astype(precision.numpy_type)
-            found = twin(x)[count:]
+            result = twin(x)[count:]
         in_c = call(library, CERTIFIED.operation(operation), precision, [x[None]])[count:]
-        for a, b in zip(found, in_c, strict=True):
+        for a, b in zip(result, in_c, strict=True):
             assert np.array_equal(a, b[0], equal_nan=True)
-        return [float(b) for bound in found for b in np.ravel(bound)]
+        return [float(b) for bound in result for b in np.ravel(bound)]
 
     assert all(map(np.isfinite, bounds(coscrew.SO3_exp([0.3, -0.2, 0.5]))))
     assert all(map(np.isfinite, bounds(np.round(coscrew.SO3_exp([0.3, -0.2, 0.5]), 4))))
@@ -59,13 +59,13 @@ def turns_of_a_cube() -> list[tuple[np.ndarray, int, np.ndarray]]:
     """The 24 rotations of a cube to itself, with angle in degrees and axis."""
     signed = [np.diag(signs) @ np.eye(3)[list(order)]
               for order in permutations(range(3)) for signs in product((1, -1), repeat=3)]
-    found = []
+    results = []
     for R in signed:
         if np.linalg.det(R) > 0:
             angle = {3: 0, 1: 90, 0: 120, -1: 180}[round(np.trace(R))]
             axis = np.array([R[2, 1] - R[1, 2], R[0, 2] - R[2, 0], R[1, 0] - R[0, 1]])
-            found.append((R, angle, axis / max(1, np.linalg.norm(axis))))
-    return found
+            results.append((R, angle, axis / max(1, np.linalg.norm(axis))))
+    return results
 
 
 @each_precision
@@ -76,9 +76,9 @@ def test_right_rotations_have_bounds(name: str, precision: Precision):
     twin, u = getattr(getattr(coscrew.certified, precision.name), name), float(precision.u)
     for R, angle, axis in turns_of_a_cube():
         with np.errstate(all="ignore"):
-            found = twin(given(operation, R).astype(precision.numpy_type))
+            result = twin(given(operation, R).astype(precision.numpy_type))
         values, bounds = (np.concatenate([np.ravel(x).astype(float) for x in part]) for part in (
-            found[:len(operation.outputs)], found[len(operation.outputs):]))
+            result[:len(operation.outputs)], result[len(operation.outputs):]))
         if angle not in (90, 120):
             assert not np.isfinite(bounds[-3:]).any()
             continue

@@ -1,5 +1,5 @@
 """The certified tier of scenes' functions: no bound is broken, in formats with so few digits that
-what is neglected matters; and each part of the proof is needed."""
+neglected terms matter; and each part of the proof is needed."""
 
 import sys
 from collections.abc import Callable
@@ -29,12 +29,12 @@ Build = Callable[[Writer, Operand, Operand, Operand, Operand], Operand]
 
 
 def _close(w: Writer, a: Operand, b: Operand, name: str) -> Operand:
-    """What is left of a/3 + b."""
+    """a/3 + b, which cancels."""
     return w.do(name, Op.ADD, w.do(f"{name}_third", Op.MUL, "1/3", a), b)
 
 
 def _difference(w: Writer, a: Operand, b: Operand, c: Operand) -> Operand:
-    """((a/3) c) c + (b c) (c/3), whose errors may exceed what is left."""
+    """((a/3) c) c + (b c) (c/3), whose errors may exceed the result."""
     left = w.do("acc", Op.MUL, w.do("ac", Op.MUL, w.do("a_third", Op.MUL, "1/3", a), c), c)
     right = w.do("bcc", Op.MUL, w.do("bc", Op.MUL, b, c), w.do("c_third", Op.MUL, "1/3", c))
     return w.do("x", Op.ADD, left, right)
@@ -87,7 +87,7 @@ def _norm(w: Writer, x: Operand, y: Operand) -> Operand:
 
 
 def _series(w: Writer, x: Operand) -> Operand:
-    """1 + x (1 + x (1 + x/4)); what is left out is taken for x³/12 in the truth."""
+    """1 + x (1 + x (1 + x/4)); the truth takes x³/12 for the truncated terms."""
     total: Operand = Constant(Fraction(1, 4), Fraction(1, 4), tail=Fraction(1, 12))
     for n in range(3):
         total = w.do(f"h{n}", Op.ADD, "1", w.do(f"m{n}", Op.MUL, x, total))
@@ -154,9 +154,9 @@ def program_of(formula: str) -> Program:
 def _searched(plain: Program, certified: Program, toy: Toy, rounds: int) -> tuple[float, int]:
     """The largest error in bounds, the number of outputs judged."""
     width, worst, outputs = sum(a.quantity.size for a in plain.inputs), 0.0, 0
-    for found in climbs(judge(plain, certified, toy), width, toy, 0, rounds):
-        assert found.same
-        worst, outputs = max(worst, found.worst), outputs + found.outputs
+    for result in climbs(judge(plain, certified, toy), width, toy, 0, rounds):
+        assert result.same
+        worst, outputs = max(worst, result.worst), outputs + result.outputs
     return worst, outputs
 
 
@@ -181,7 +181,7 @@ def test_no_bound_is_broken_where_sines_are_many(formula: str, toy: Toy,
 @pytest.mark.parametrize("toy", TOYS, ids=str)
 @pytest.mark.parametrize("formula", FORMULAS)
 def test_no_bound_is_broken_without_computed_errors(formula: str, toy: Toy):
-    """As for the double results by which single ones are judged; κ is smaller here."""
+    """Double results by which single ones are judged have such bounds; κ is smaller here."""
     plain = program_of(formula)
     certified = certified_scene.extended(plain, toy, replace(SIZES_ALONE, spread=64))
     worst, outputs = _searched(plain, certified, toy, 20)
@@ -205,7 +205,7 @@ def test_no_bound_is_broken_by_a_scene(scene: str):
     assert total > 1000
 
 
-# What the proof needs.  Where a constant is weakened, a search breaks a bound.
+# The proof needs all its constants: where one is weakened, a search breaks a bound.
 
 MUTATIONS = {
     "slack": ("sizes", "self.slack = 16 *", "self.slack = 0 *", "products"),
@@ -270,8 +270,8 @@ def test_split_numbers_are_found_where_results_do_not_depend_on_them():
     h = w.do("h", Op.SUB, w.do("t", Op.ADD, a, b), b)
     low, total = w.do("low", Op.SUB, a, h), w.do("total", Op.ADD, a, h)
     square = w.do("x", Op.ADD, w.do("hh", Op.MUL, h, h), w.do("rest", Op.MUL, low, total))
-    found = [w.function("f", "", (argument("r"),), [x]).program for x in (square, total)]
-    assert [splits(program) for program in found] == [{"h"}, frozenset()]
+    results = [w.function("f", "", (argument("r"),), [x]).program for x in (square, total)]
+    assert [splits(program) for program in results] == [{"h"}, frozenset()]
 
 
 @pytest.mark.parametrize("first", (True, False))
@@ -282,9 +282,9 @@ def test_split_numbers_that_one_branch_needs_are_none(first: bool):
     h = w.do("h", Op.SUB, w.do("t", Op.ADD, a, b), b)
     needs, free = w.do("needs", Op.ADD, h, h), w.do("free", Op.ADD, a, a)
     test, options = w.do("test", Op.LESS, c, d), (needs, free) if first else (free, needs)
-    found = [w.function("f", "", (argument("r"),), [w.do(name, Op.SELECT, test, *chosen)]).program
-             for name, chosen in (("one", options), ("none", (free, free)))]
-    assert [splits(program) for program in found] == [frozenset(), {"h"}]
+    results = [w.function("f", "", (argument("r"),), [w.do(name, Op.SELECT, test, *chosen)]).program
+               for name, chosen in (("one", options), ("none", (free, free)))]
+    assert [splits(program) for program in results] == [frozenset(), {"h"}]
 
 
 def test_choices_of_scales_are_found_where_results_do_not_depend_on_them():

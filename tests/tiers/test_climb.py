@@ -21,8 +21,8 @@ EVALUATE = "static void evaluate(const REAL *x, REAL *y) {"
 
 
 def test_what_is_said_to_be_searched_is():
-    said = {op.name for op in TABLE.values() if "searched" in op.tested_bounds}
-    assert said == {*NAMES, *SAME} and not set(NAMES) & set(SAME)
+    searched = {op.name for op in TABLE.values() if "searched" in op.tested_bounds}
+    assert searched == {*NAMES, *SAME} and not set(NAMES) & set(SAME)
     for name, other in SAME.items():
         assert TABLE[name].normwise == TABLE[other].normwise
         assert TABLE[name].rounding == TABLE[other].rounding
@@ -49,10 +49,10 @@ def test_estimates_are_what_is_judged(name: str, precision: Precision, tmp_path:
     """Estimates agree with the judged errors, which come near the bound in a few climbs."""
     operation = TABLE[name]
     program = compiled(operation, precision, tmp_path)
-    found = after(operation, precision, Found(), 0, program, ROUNDS)
-    stated = [error / part.k for error, part in zip(found.errors, parts(operation), strict=True)]
-    assert found.of_bound == pytest.approx(stated, rel=0.02)
-    assert all(0.4 < ratio <= 1 for ratio in found.of_bound) and not found.broken
+    result = after(operation, precision, Found(), 0, program, ROUNDS)
+    stated = [error / part.k for error, part in zip(result.errors, parts(operation), strict=True)]
+    assert result.of_bound == pytest.approx(stated, rel=0.02)
+    assert all(0.4 < ratio <= 1 for ratio in result.of_bound) and not result.broken
 
 
 OPPOSITE = """-0x1.6a08d20fa2e5ap-1 0x1.c8791874dfbc1p-8 -0x1.92e2bp-5 -0x1.6a08984955b22p+0
@@ -63,19 +63,19 @@ OPPOSITE = """-0x1.6a08d20fa2e5ap-1 0x1.c8791874dfbc1p-8 -0x1.92e2bp-5 -0x1.6a08
 
 @pytest.mark.parametrize("name", NAMES)
 def test_no_estimate_is_larger_than_what_is_judged(name: str, tmp_path: Path):
-    """Otherwise the search would climb to errors that do not exist, and find no others.  By one u
-    it may be: what is judged allows for the errors of given rotations."""
+    """Otherwise the search would climb to errors that do not exist, and miss others.  An excess of
+    one u is allowed: the judgement takes off the errors of given rotations."""
     operation = TABLE[name]
     before = Found(parameters=[OPPOSITE.split()] if name == "quaternion_interpolated" else [])
-    found = after(operation, SINGLE, before, 0, compiled(operation, SINGLE, tmp_path), ROUNDS)
-    for error, part, ratio in zip(found.errors, parts(operation), found.of_bound, strict=True):
+    result = after(operation, SINGLE, before, 0, compiled(operation, SINGLE, tmp_path), ROUNDS)
+    for error, part, ratio in zip(result.errors, parts(operation), result.of_bound, strict=True):
         assert error <= 1.02 * ratio * part.k + 1
 
 
 @pytest.mark.parametrize("spoil, is_seen", [
-    ("if (x[0] > 0.5f) { y[3] *= 1 + 16 * (REAL)U; }", lambda found: max(found.of_bound) > 1),
-    ("if (x[0] > 0.5f) { y[0] = (REAL)NAN; }", lambda found: found.broken),
-    ("if (x[0] > 0.5f) { y[0] += 1; }", lambda found: found.broken)],
+    ("if (x[0] > 0.5f) { y[3] *= 1 + 16 * (REAL)U; }", lambda result: max(result.of_bound) > 1),
+    ("if (x[0] > 0.5f) { y[0] = (REAL)NAN; }", lambda result: result.broken),
+    ("if (x[0] > 0.5f) { y[0] += 1; }", lambda result: result.broken)],
     ids=["a rounding", "NaN", "an error that is too large to climb to"])
 def test_what_is_broken_is_found(spoil: str, is_seen, tmp_path: Path,
                                  monkeypatch: pytest.MonkeyPatch):
@@ -87,8 +87,8 @@ def test_what_is_broken_is_found(spoil: str, is_seen, tmp_path: Path,
         return f"{before}{mark}{body}\n  {spoil}{end}{rest}"
 
     monkeypatch.setattr(climb, "text_of", spoiled)
-    found = after(operation, SINGLE, Found(), 0, compiled(operation, SINGLE, tmp_path), ROUNDS)
-    assert is_seen(found) and found.worst > 1
+    result = after(operation, SINGLE, Found(), 0, compiled(operation, SINGLE, tmp_path), ROUNDS)
+    assert is_seen(result) and result.worst > 1
 
 
 def test_a_search_goes_on_and_starts_anew_when_the_kernel_has_changed(

@@ -44,12 +44,12 @@ def test_of_a_sum_they_have_twice_the_digits(ops: tuple[Op, ...]):
     given, program = arguments(), accurate(of_sums(*ops))
     sums = {step.name: step for step in program.instructions if step.name.endswith("_rounded")}
     halves = [x for n in range(len(ops)) for x in sums[f"f{n}_rounded"].operands]
-    found = values(replace(program, results=tuple(halves)), DOUBLE, *given)
+    result = values(replace(program, results=tuple(halves)), DOUBLE, *given)
     with gmpy2.context(precision=400):
         exact = [list(map(gmpy2.mpfr, row)) for row in zip(*map(np.ndarray.tolist, given),
                                                            strict=True)]
         for n, op in enumerate(ops):
-            for hi, lo, (a, b, c, d) in zip(*map(np.ndarray.tolist, found[2 * n:2 * n + 2]), exact,
+            for hi, lo, (a, b, c, d) in zip(*map(np.ndarray.tolist, result[2 * n:2 * n + 2]), exact,
                                             strict=True):
                 true = truth(op.value, [a + b, c + d][:op.meaning.arity])
                 slope = {Op.ATAN2: 0, Op.EXP: true}.get(op, 1)

@@ -95,11 +95,11 @@ def right(rows: tuple[np.ndarray, ...]) -> tuple[np.ndarray, np.ndarray]:
 @each_compiler
 def test_c_rounds_once(compiler: str, flag: str, rows, right, tmp_path: Path):
     library = compiled(tmp_path, compiler, flag)
-    found = [np.empty_like(rows[0]) for _ in right]
+    results = [np.empty_like(rows[0]) for _ in right]
     library.errors(ctypes.c_long(len(rows[0])), *(x.ctypes.data_as(ctypes.c_void_p)
-                                                  for x in (*rows, *found)))
+                                                  for x in (*rows, *results)))
     assert flag != "-march=x86-64" or not library.has_fma()
-    for got, want, c in zip(found, right, (rows[2], rows[3]), strict=True):
+    for got, want, c in zip(results, right, (rows[2], rows[3]), strict=True):
         same(got, want, (*rows[:2], c))
 
 
@@ -124,13 +124,13 @@ def short_factors() -> tuple[np.ndarray, np.ndarray, np.ndarray]:
 @each_compiler
 def test_sums_with_exact_products_round_once(compiler: str, flag: str, tmp_path: Path):
     a, b, c = short_factors()
-    found = np.empty_like(a)
+    result = np.empty_like(a)
     compiled(tmp_path, compiler, flag).sums(ctypes.c_long(len(a)), *(
-        x.ctypes.data_as(ctypes.c_void_p) for x in (a, b, c, found)))
+        x.ctypes.data_as(ctypes.c_void_p) for x in (a, b, c, result)))
     with gmpy2.context(IEEE):
         wanted = np.array([float(gmpy2.fma(*map(gmpy2.mpfr, row)))
                            for row in zip(a.tolist(), b.tolist(), c.tolist(), strict=True)])
-    same(found, wanted, (a, b, c))
+    same(result, wanted, (a, b, c))
 
 
 def test_numpy_rounds_once(rows, right):

@@ -51,16 +51,16 @@ def test_no_hard_case_exceeds_the_bound(operation: Operation, precision: Precisi
     assert cases, "the corpus has none"
     for tier in tiers_of(operation):
         for case, got in zip(cases, results(ways[tier], cases), strict=True):
-            found = ratio(operation, precision, tier, case.inputs, got)
-            assert found <= 1, f"{tier}: {found:.4g} of the bound, {case.line}"
+            result = ratio(operation, precision, tier, case.inputs, got)
+            assert result <= 1, f"{tier}: {result:.4g} of the bound, {case.line}"
 
 
 @for_all(operation=JUDGED, precision=PRECISIONS)
 def test_pure_numpy_is_as_good(operation: Operation, precision: Precision):
     cases = CASES[operation.name, precision.name]
     for case, got in zip(cases, results(twin(coscrew), cases), strict=True):
-        found = ratio(operation, precision, "plain", case.inputs, got)
-        assert found <= 1, f"{found:.4g} of the bound, {case.line}"
+        result = ratio(operation, precision, "plain", case.inputs, got)
+        assert result <= 1, f"{result:.4g} of the bound, {case.line}"
 
 
 def test_the_corpus_has_what_is_constructed():
@@ -132,20 +132,20 @@ def _arccosine(operation: Operation, precision: Precision, inputs: Arrays) -> Ar
 @pytest.mark.parametrize("name, kernel", [("dot_vv", _broken), ("SO3_log", _arccosine)])
 def test_search_finds_what_is_broken(name: str, kernel: Implementation, precision: Precision):
     rounds = search(TABLE[name], precision, "plain", kernel, seed=1)
-    assert max(found.ratio for found in islice(rounds, 8)) > 1
+    assert max(result.ratio for result in islice(rounds, 8)) > 1
 
 
 @pytest.mark.parametrize("name", ["cross_sc", "SO3_exp"])
 def test_search_finds_the_same_for_the_same_seed(name: str):
-    def found(seed: int) -> list[tuple[float, tuple[float, ...]]]:
+    def searched(seed: int) -> list[tuple[float, tuple[float, ...]]]:
         rounds = search(TABLE[name], PRECISIONS[1], "plain", of_tier("plain"), seed)
         return [(f.ratio, f.inputs) for f in islice(rounds, 3)]
 
-    assert found(1) == found(1) != found(2)
+    assert searched(1) == searched(1) != searched(2)
 
 
 def test_search_climbs():
     """To 1.5 times the error at the start, and nearly to the bound."""
     rounds = search(TABLE["dot_cs"], PRECISIONS[0], "plain", of_tier("plain"), 1)
-    found = [f.ratio for f in islice(rounds, 60)]
-    assert found == sorted(found) and 0.85 < found[-1] <= 1 and found[0] < found[-1]
+    results = [f.ratio for f in islice(rounds, 60)]
+    assert results == sorted(results) and 0.85 < results[-1] <= 1 and results[0] < results[-1]

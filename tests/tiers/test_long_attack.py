@@ -49,18 +49,18 @@ def test_truth_is_enclosed(operation: Operation, precision: Precision):
     given = np.concatenate([joined(draw(operation, precision, count, 5)) for draw, count in
                             ((rows, 12), (extreme_rows, 4))])
     given = given[np.isfinite(given).all(axis=1)]
-    found = enclosed(plain_program(operation), precision, given)
+    result = enclosed(plain_program(operation), precision, given)
     for number, row in enumerate(given.tolist()):
         values = list(map(mpq, row))
         for place, (exact, absolute) in enumerate(exact_functions(operation)):
             at = number, place
-            error = abs(exactly(found.hi[at]) + exactly(found.lo[at]) - exact(*values))
-            assert error <= exactly(found.radius[at])
+            error = abs(exactly(result.hi[at]) + exactly(result.lo[at]) - exact(*values))
+            assert error <= exactly(result.radius[at])
             S = absolute(*map(abs, values))
-            assert abs(exactly(found.terms[at]) - S) <= S / 2**50
+            assert abs(exactly(result.terms[at]) - S) <= S / 2**50
             c2 = max(bounds(operation, PRECISIONS[0], "accurate")[place].c2, 1)
             if precision.name == "double":
-                assert exactly(found.radius[at]) <= mpq(c2) * S / 2**106 / 1000
+                assert exactly(result.radius[at]) <= mpq(c2) * S / 2**106 / 1000
 
 
 def nudged(way: Implementation, by: int) -> Implementation:
@@ -91,22 +91,22 @@ def test_cases_are_judged_with_the_rest(precision: Precision):
     case = np.array([[1, 2, 3, 4, 5, 6]], precision.numpy_type)
 
     def wrong_there(operation: Operation, precision: Precision, inputs: Arrays) -> Arrays:
-        found, = WAYS["plain"](operation, precision, inputs)
-        return (found + (joined(inputs) == case).all(axis=1).astype(found.dtype),)
+        result, = WAYS["plain"](operation, precision, inputs)
+        return (result + (joined(inputs) == case).all(axis=1).astype(result.dtype),)
 
-    found = attack_at_length(operation, precision, {"plain": wrong_there}, 100, 1, case)["plain"]
-    assert found.violations == 1
-    assert found.worst.witness == tuple(float(x).hex() for x in case[0])
+    result = attack_at_length(operation, precision, {"plain": wrong_there}, 100, 1, case)["plain"]
+    assert result.violations == 1
+    assert result.worst.witness == tuple(float(x).hex() for x in case[0])
 
 
 def test_the_worst_is_exact():
     operation, precision = BY_NAME["cross_sc"], PRECISIONS[0]
-    found = attack_at_length(operation, precision, WAYS, 30_000, 2)
+    result = attack_at_length(operation, precision, WAYS, 30_000, 2)
     for tier, way in WAYS.items():
-        row = np.array([[float.fromhex(x) for x in found[tier].worst.witness]])
+        row = np.array([[float.fromhex(x) for x in result[tier].worst.witness]])
         got = joined(way(operation, precision, split(operation, row)))[0].tolist()
         exact = ratio(operation, precision, tier, row[0].tolist(), got)
-        assert found[tier].worst.ratio == exact > 0.8
+        assert result[tier].worst.ratio == exact > 0.8
 
 
 def test_linear_in_one_input():

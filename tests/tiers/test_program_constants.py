@@ -44,7 +44,8 @@ def test_what_is_no_constant_is_not_rounded():
 
 @pytest.mark.parametrize("k", range(-130, 131, 10))
 def test_powers_of_two_and_nothing_else_scale(k: int):
-    """Not their neighbours, multiples or opposites, and only one that both precisions have."""
+    """Neighbours, multiples and opposites of powers of two do not; a power counts only if both
+    precisions have it."""
     power = Fraction(2)**k
     assert is_power_of_two(same(power)) and scales(product(X, same(power)))
     assert scales(product(same(power), X))
@@ -60,15 +61,15 @@ def test_powers_of_two_and_nothing_else_scale(k: int):
 
 def test_only_products_scale():
     two = same(Fraction(2))
-    found = [op for op in (Op.ADD, Op.SUB, Op.MUL, Op.DIV) if scales(product(X, two, op))]
-    assert found == [Op.MUL]
+    results = [op for op in (Op.ADD, Op.SUB, Op.MUL, Op.DIV) if scales(product(X, two, op))]
+    assert results == [Op.MUL]
     assert not scales(product(X, X))
 
 
 def test_counts_say_sums_and_products_of_every_kind():
-    found = {Op.MUL: 2, Op.SCALE: 1, Op.ADD: 3, Op.SUB: 1, Op.EXACT_ADD: 5, Op.EXACT_SUB: 7,
-             Op.DIV: 1}
-    assert in_words(found) == "3 mul, 16 add, 1 div"
+    results = {Op.MUL: 2, Op.SCALE: 1, Op.ADD: 3, Op.SUB: 1, Op.EXACT_ADD: 5, Op.EXACT_SUB: 7,
+               Op.DIV: 1}
+    assert in_words(results) == "3 mul, 16 add, 1 div"
     assert in_words({Op.MUL: 2}) == "2 mul" and in_words({}) == "no arithmetic"
 
 
@@ -80,6 +81,6 @@ def test_slopes_of_products_are_their_differences(op: Op, value: Callable[..., F
     given = [Fraction(n, 7) for n in (3, -5, 11, 2)[:op.meaning.arity]]
     slopes = op.meaning.slopes
     assert slopes is not None
-    for k, found in enumerate(slopes(Functions(), *given, value(*given))):
+    for k, result in enumerate(slopes(Functions(), *given, value(*given))):
         moved = [x + (n == k) for n, x in enumerate(given)]
-        assert found == value(*moved) - value(*given), k
+        assert result == value(*moved) - value(*given), k

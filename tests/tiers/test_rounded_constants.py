@@ -66,9 +66,9 @@ def _program(build: Build) -> Program:
 
 def _results(program: Program, x: float, y: float) -> tuple[float, Fraction]:
     """The result of the accurate program in double, and the exact one of the plain program."""
-    found = interpreter(of_scene(program, DOUBLE), by_operation(_held, EXACTLY, math.nan))
+    result = interpreter(of_scene(program, DOUBLE), by_operation(_held, EXACTLY, math.nan))
     wanted = interpreter(program, by_operation(lambda c: c.double, TRUE))
-    return found([[x], [y]])[0], wanted([[Fraction(x)], [Fraction(y)]])[0]
+    return result([[x], [y]])[0], wanted([[Fraction(x)], [Fraction(y)]])[0]
 
 
 def _held(constant: Constant) -> float:
@@ -81,9 +81,9 @@ def test_decimals_are_exact_in_every_operation(case: str):
     program, draw = _program(CASES[case]), random.Random(case)
     for _ in range(300):
         x, y = (draw.uniform(0.01, 3) * draw.choice((-1, 1)) for _ in range(2))
-        found, wanted = _results(program, x, y)
-        assert abs(Fraction(found) - wanted) <= Fraction(501, 1000) * Fraction(
-            math.ulp(found)), (x.hex(), y.hex(), found.hex())
+        result, wanted = _results(program, x, y)
+        assert abs(Fraction(result) - wanted) <= Fraction(501, 1000) * Fraction(
+            math.ulp(result)), (x.hex(), y.hex(), result.hex())
 
 
 @pytest.mark.parametrize("case", ("sum", "difference", "size"))
@@ -91,8 +91,8 @@ def test_what_is_left_after_cancellation_is_right(case: str):
     """x is the double next to a constant that is no double."""
     program = _program(CASES[case])
     for x, y in ((0.1, 0.1 + 2.0**-30), (-0.1, 0.3), (-1 / 3, 1 / 3), (0.1, -0.03)):
-        found, wanted = _results(program, x, y)
-        assert wanted and abs(Fraction(found) / wanted - 1) <= Fraction(1, 10**15)
+        result, wanted = _results(program, x, y)
+        assert wanted and abs(Fraction(result) / wanted - 1) <= Fraction(1, 10**15)
 
 
 def test_a_constant_result_is_the_nearest_double():

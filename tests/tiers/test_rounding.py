@@ -65,15 +65,15 @@ def test_error_is_within_bound(operation, precision):
     """|err| <= u|x| + 8 u S, and η M^d for each of d roundings of n terms that may underflow."""
     inputs = inputs_of(operation, precision, 60)
     with np.errstate(all="ignore"):
-        found = coscrew.unchecked(getattr(coscrew, operation.name))(*inputs)
-    found = flat(found if isinstance(found, tuple) else (found,))
+        value = coscrew.unchecked(getattr(coscrew, operation.name))(*inputs)
+    value = flat(value if isinstance(value, tuple) else (value,))
     rows, info = flat(inputs), np.finfo(precision.numpy_type)
     u, eta = Fraction(float(info.eps)) / 2, Fraction(float(info.smallest_subnormal))
-    assert found.dtype == info.dtype
+    assert value.dtype == info.dtype
     d = max(len(factors) for polynomial in terms(operation) for _, factors in polynomial)
     checked = 0
     finite = np.isfinite(rows).all(axis=1)
-    for row, results in zip(rows[finite], found[finite], strict=True):
+    for row, results in zip(rows[finite], value[finite], strict=True):
         numbers = [Fraction(float(x)) for x in row]
         M = max(1, *map(abs, numbers))
         for polynomial, result in zip(terms(operation), results, strict=True):
@@ -119,8 +119,8 @@ def finite_squares(rows: np.ndarray) -> np.ndarray:
 def test_quotient_is_rounded_twice(precision):
     """product_ainvv: |err| <= (2u + u²)|x|."""
     k, v = ordinary(precision, 1), ordinary(precision, 3)
-    for k_i, v_i, found in zip(k[:, 0], v, coscrew.product_ainvv(k[:, 0], v), strict=True):
-        for x, result in zip(fractions(v_i) / Fraction(float(k_i)), fractions(found), strict=True):
+    for k_i, v_i, value in zip(k[:, 0], v, coscrew.product_ainvv(k[:, 0], v), strict=True):
+        for x, result in zip(fractions(v_i) / Fraction(float(k_i)), fractions(value), strict=True):
             assert abs(result - x) <= ((1 + half_ulp(precision))**2 - 1) * abs(x)
 
 
@@ -129,8 +129,8 @@ def test_dc_is_sine_and_cosine(precision):
     """|err| <= 4 ulp, NumPy's promise; the C library's is better."""
     theta = np.append(100 * ordinary(precision, 1)[:, 0], np.zeros(1, precision.numpy_type))
     with mpmath.workdps(50):
-        for angle, found in zip(theta.tolist(), coscrew.dc(theta), strict=True):
-            for x, result in zip((mpmath.sin(angle), mpmath.cos(angle)), found, strict=True):
+        for angle, value in zip(theta.tolist(), coscrew.dc(theta), strict=True):
+            for x, result in zip((mpmath.sin(angle), mpmath.cos(angle)), value, strict=True):
                 assert abs(mpmath.mpf(float(result)) - x) <= 4 * abs(float(np.spacing(result)))
 
 
@@ -142,12 +142,12 @@ def test_normalized_has_unit_norm(name, first, precision):
     x = ordinary(precision, TABLE[name].inputs[0].quantity.size)
     norms, unit = getattr(coscrew, name)(x), getattr(coscrew, f"{kind}_normalized")(x)
     assert np.array_equal(getattr(coscrew, f"{kind}_normalize")(x), unit)
-    for row, norm, found in zip(x, norms, unit, strict=True):
-        row, norm, found = fractions(row), Fraction(float(norm)), fractions(found)
+    for row, norm, result in zip(x, norms, unit, strict=True):
+        row, norm, result = fractions(row), Fraction(float(norm)), fractions(result)
         square = row[first] @ row[first]
         assert (1 - 3*u)**2 * square <= norm**2 <= (1 + 3*u)**2 * square
-        assert all(abs(found - row / norm) <= u * abs(row / norm))
-        assert (1 - 4*u)**2 <= found[first] @ found[first] <= (1 + 4*u)**2
+        assert all(abs(result - row / norm) <= u * abs(row / norm))
+        assert (1 - 4*u)**2 <= result[first] @ result[first] <= (1 + 4*u)**2
 
 
 @each_norm

@@ -1,4 +1,4 @@
-"""What analyses of errors share: bounds that round up, and how a product passes errors on."""
+"""Shared parts of error analyses: bounds that round up, and the error of a product."""
 
 from fractions import Fraction
 from itertools import product
@@ -20,9 +20,9 @@ def exactly(x: float) -> Fraction:
 @pytest.mark.parametrize("a, b", SAMPLE.reshape(-1, 2).tolist())
 def test_sums_and_products_are_no_less_and_hardly_more(a: float, b: float):
     x, y = Upward(a), Upward(b)
-    for found, exact in ((x + y, exactly(a) + exactly(b)), (x * y, exactly(a) * exactly(b))):
-        assert isinstance(found, Upward)
-        assert exact <= exactly(found) <= exact * (1 + Fraction(1, 2**51))
+    for result, exact in ((x + y, exactly(a) + exactly(b)), (x * y, exactly(a) * exactly(b))):
+        assert isinstance(result, Upward)
+        assert exact <= exactly(result) <= exact * (1 + Fraction(1, 2**51))
 
 
 def test_zero_is_exact_also_times_infinity():
@@ -32,7 +32,7 @@ def test_zero_is_exact_also_times_infinity():
 
 
 def test_no_product_moves_further_and_some_do_as_far():
-    """Of all factors at the ends of their ranges."""
+    """All factors at the ends of their ranges are tried."""
     (a, error_a), (b, error_b) = (Fraction(7, 3), Fraction(2, 5)), (Fraction(5, 11), Fraction(3, 7))
     moved = [abs((x + dx) * (y + dy) - x * y) for x, dx, y, dy in product(
         (a, -a, 0), (error_a, -error_a, 0), (b, -b, 0), (error_b, -error_b, 0))]

@@ -9,6 +9,7 @@ underflow.  C is read here as the few forms it has: `const double a = …, b = �
 `return …;`.
 """
 
+import ast
 import operator
 import random
 import re
@@ -50,23 +51,23 @@ EXACTLY |= {f"{name}f": EXACTLY[name] for name in ("fabs", "fma")}
 # Results that have their error computed: p of product_error(…, p) and product_rest(…, p, h), and
 # sums of which a summand's share is taken.
 COMPENSATED = re.compile(r"_error\([^()]*, (\w+)\)|_rest\([^()]*, (\w+), \w+\)|(\w+)_right =")
-NORMALIZED = re.compile(r"(\w+_of_\w+)_right =")  # sums hi + lo that take their place
+NORMALIZED = re.compile(r"(\w+_sum)_right =")  # sums hi + lo that take their place
 ERROR = re.compile(r"\w+_(error|rest|lo\d?) = ")
 TEXT = {tier.name: "".join(path.read_text() for path in INCLUDE.glob(f"*_{tier.name}.h"))
         for tier in MARKED}
 FUNCTION = re.compile(r"\b(ksl_\w+)\([^)]*\) {\n(.*?)\n}\n", re.DOTALL)
-BODIES = {found[1]: found[2] for text in TEXT.values() for found in FUNCTION.finditer(text)}
+BODIES = {match[1]: match[2] for text in TEXT.values() for match in FUNCTION.finditer(text)}
 
 MOST_SIGNS = 30  # flipped in a text
 
-TAU = sp.Symbol("tau")  # what is added for underflow
+TAU = sp.Symbol("tau")  # added for underflow
 
 operations = pytest.mark.parametrize("operation", TIERED, ids=lambda op: op.name)
 
 
-def spread(found: Sequence[re.Match]) -> Sequence[re.Match]:
+def spread(matches: Sequence[re.Match]) -> Sequence[re.Match]:
     """All of them or, of many, MOST_SIGNS or fewer, evenly spread."""
-    return found[::-(-len(found) // MOST_SIGNS) or 1]
+    return matches[::-(-len(matches) // MOST_SIGNS) or 1]
 
 
 def body(operation: Operation, precision: Precision, tier: str) -> str:
@@ -81,7 +82,7 @@ def body(operation: Operation, precision: Precision, tier: str) -> str:
 
 
 def names(argument: Argument) -> list[str]:
-    """How the text names the argument's components, as Python identifiers."""
+    """The names of the argument's components in the text, as Python identifiers."""
     return [identifier(f"{argument.name}{member(argument.quantity, i).replace('.', '->', 1)}")
             for i in range(argument.quantity.size)]
 
@@ -105,7 +106,14 @@ def evaluated(text: str, operation: Operation, inputs: Sequence[object],
     """Run the body on these input components; `errors` gives the error of each result that has its
     error computed, of sums hi + lo if `normalized`.  None if a computed error is larger than the
     largest, or one of a sum that has none."""
-    memory: dict[str, object] = dict(EXACTLY)
+    within: list[bool] = []
+
+    def error(x: MPQ, of: str) -> MPQ:
+        most = 0 if of in exact else largest_error
+        within.append(largest_error is None or abs(x) <= most)
+        return x
+
+    memory: dict[str, object] = {**EXACTLY, "error": error}
     components = iter(inputs)
     for argument in operation.inputs:
         memory |= {name: next(components) for name in names(argument)}
@@ -119,6 +127,8 @@ def evaluated(text: str, operation: Operation, inputs: Sequence[object],
             return None
         if largest_error and is_error and abs(memory[name]) > largest_error:
             return None
+    if not all(within):
+        return None
     value = returned(operation)
     return tuple(memory["returned"] if argument == value and not operation.by_value
                  else memory[name] for argument in operation.outputs for name in names(argument))
@@ -126,11 +136,38 @@ def evaluated(text: str, operation: Operation, inputs: Sequence[object],
 
 @cache
 def assignments(statement: str) -> tuple[tuple[str, CodeType, bool], ...]:
-    """What a statement of C assigns, as Python: to which name, and whether it is an error."""
+    """The assignment of a C statement, as Python: the name, and whether it is an error."""
     text = identifier(re.sub(r"\s+", " ", statement.strip()))
     text = re.sub(r"^return ", "returned = ", re.sub(r"^const (double|float) ", "", text))
     each = [x.lstrip("*") for x in re.split(r", (?=\w+ = )", text) if x]
-    return tuple((x.split(" ")[0], compile(x, "C", "exec"), bool(ERROR.match(x))) for x in each)
+    return tuple((x.split(" ")[0], compile(_Nested().visit(ast.parse(x)), "C", "exec"),
+                  bool(ERROR.match(x))) for x in each)
+
+
+class _Nested(ast.NodeTransformer):
+    """Writes error(x, "s") for each x in an expression that is a summand's share of the error of
+    s: a - (s - s_right), b - s_right, ksl_product_rest(…)."""
+
+    def visit_BinOp(self, node: ast.BinOp) -> ast.AST:
+        self.generic_visit(node)
+        right = node.right if not _is_left(node.right) else node.right.right
+        shared = isinstance(right, ast.Name) and right.id.endswith("_right") and not _is_left(node)
+        return _error(node, right.id.removesuffix("_right")) if shared else node
+
+    def visit_Call(self, node: ast.Call) -> ast.AST:
+        self.generic_visit(node)
+        return _error(node, "") if ast.unparse(node.func).startswith("ksl_product_rest") else node
+
+
+def _error(node: ast.expr, of: str) -> ast.expr:
+    call = ast.Call(ast.Name("error", ast.Load()), [node, ast.Constant(of)], [])
+    return ast.fix_missing_locations(ast.copy_location(call, node))
+
+
+def _is_left(node: ast.expr) -> bool:
+    """Whether this is s - s_right, or s + s_right."""
+    return (isinstance(node, ast.BinOp) and isinstance(node.left, ast.Name)
+            and ast.unparse(node.right) == f"{node.left.id}_right")
 
 
 @cache
@@ -141,14 +178,14 @@ def polynomials(operation: Operation) -> tuple[tuple[PolyElement, ...], tuple[Po
     return tuple(variables), tuple(map(ring.from_expr, operation.truth()))
 
 
-def is_truth(found: Sequence[PolyElement], operation: Operation) -> bool:
+def is_truth(results: Sequence[PolyElement], operation: Operation) -> bool:
     _, truth = polynomials(operation)
-    return all(y - x == 0 for x, y in zip(found, truth, strict=True))
+    return all(y - x == 0 for x, y in zip(results, truth, strict=True))
 
 
 class Size:
-    """A sum of absolute values, a polynomial in the inputs' and, last, τ: what arithmetic makes of
-    it when no sign counts."""
+    """A sum of absolute values: a polynomial in those of the inputs and, last, τ, by arithmetic
+    that ignores signs."""
 
     def __init__(self, value: PolyElement):
         self.value = value
@@ -179,10 +216,10 @@ def test_a_certified_bound_is_a_multiple_of_the_terms(operation: Operation, prec
     u = QQ(1, 2**precision.digits)
     symbols = [symbol for a in operation.inputs for symbol in a.symbols]
     ring, *variables = sp.ring([*symbols, TAU], QQ)
-    found = evaluated(body(operation, precision, "certified"), made(operation, "certified"),
-                      list(map(Size, variables[:-1])))
+    results = evaluated(body(operation, precision, "certified"), made(operation, "certified"),
+                        list(map(Size, variables[:-1])))
     plain_bounds = bounds(operation, precision, "plain")
-    for bound, (_, terms), plain in zip(found[len(found) // 2:], exact_functions(operation),
+    for bound, (_, terms), plain in zip(results[len(results) // 2:], exact_functions(operation),
                                         plain_bounds, strict=True):
         S = ring(terms(*variables[:-1]))
         if not plain.rounded:
@@ -202,20 +239,21 @@ def test_a_certified_bound_is_a_multiple_of_the_terms(operation: Operation, prec
 @for_all(precision=PRECISIONS, tier=TEXT)
 def test_c_is_its_truth(operation: Operation, precision: Precision, tier: str):
     variables, truth = polynomials(operation)
-    found = evaluated(body(operation, precision, tier), made(operation, tier), variables)
-    assert is_truth(found[:len(truth)], operation)
+    results = evaluated(body(operation, precision, tier), made(operation, tier), variables)
+    assert is_truth(results[:len(truth)], operation)
 
 
 def first_order_error(text: str, operation: Operation) -> bool:
-    """Whether errors of size h in the results that are compensated leave errors of that order."""
+    """Returns whether errors of size h in the results that are compensated leave errors of that
+    order."""
     numbers, h = random.Random(operation.name), QQ(1, 10**30)
     inputs = [QQ(numbers.randrange(1, 1000), 8)
               for a in operation.inputs for _ in range(a.quantity.size)]
     for normalized in (True, False) if NORMALIZED.search(text) else (True,):
-        found = evaluated(text, operation, inputs, lambda: h * numbers.randrange(1, 1000),
-                          h * 10**9, normalized)
-        if found is None or any(abs(x - exact(*inputs)) > h / 10**9 for x, (exact, _) in
-                                zip(found, exact_functions(operation), strict=True)):
+        results = evaluated(text, operation, inputs, lambda: h * numbers.randrange(1, 1000),
+                            h * 10**9, normalized)
+        if results is None or any(abs(x - exact(*inputs)) > h / 10**9 for x, (exact, _) in
+                                  zip(results, exact_functions(operation), strict=True)):
             return True
     return False
 
@@ -251,6 +289,6 @@ def test_python_is_its_truth(operation: Operation, precision: Precision,
         if name in kernel.__globals__:
             monkeypatch.setitem(kernel.__globals__, name, EXACTLY[f"ksl_{name}"])
     variables = iter(polynomials(operation)[0])
-    found = kernel(*(tuple(islice(variables, a.quantity.size)) if a.quantity.shape
-                     else next(variables) for a in operation.inputs))
-    assert is_truth(found if isinstance(found, tuple) else (found,), operation)
+    results = kernel(*(tuple(islice(variables, a.quantity.size)) if a.quantity.shape
+                       else next(variables) for a in operation.inputs))
+    assert is_truth(results if isinstance(results, tuple) else (results,), operation)

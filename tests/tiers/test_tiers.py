@@ -42,7 +42,7 @@ ULPS = {"double": 0.6, "single": 0.51}
 
 @pytest.fixture(scope="session")
 def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """Where C is compiled, once a session."""
+    """The folder where C is compiled, once a session."""
     return tmp_path_factory.mktemp("tiers")
 
 
@@ -107,7 +107,7 @@ def test_shares_of_a_sum_are_exact():
 @operations
 @in_both
 def test_certified_bounds_hold_for_any_numbers(operation: Operation, precision: Precision):
-    """Also if products underflow; the bound is finite unless a term may overflow."""
+    """They hold if products underflow, too; the bound is finite unless a term may overflow."""
     inputs = extreme_rows(operation, precision, EXTREMES, SEED)
     worst = attack(operation, precision, "certified", exact_rows(operation, inputs),
                    twin(coscrew.certified))
@@ -121,7 +121,7 @@ def test_certified_bounds_hold_for_any_numbers(operation: Operation, precision: 
 
 
 def _copies(operation: Operation) -> bool:
-    """Whether some components are copies of inputs, finite or not, with zero bounds."""
+    """Returns whether some components are copies of inputs, finite or not, with zero bounds."""
     symbols = {symbol for a in operation.inputs for symbol in a.symbols}
     return any(abs(x) in map(abs, symbols) or -x in symbols for x in operation.truth())
 

@@ -7,13 +7,12 @@ the inputs and the δ, which is expanded exactly up to second order in the δ:
 - second order, where the first cancels (compensated programs): <= c2 u² S,
 
 where S is the sum of the absolute values of the terms of the exact result's expanded polynomial.
-The last rounding is treated apart, since its error is relative to the result:
-|x̂ - x| <= u |x̂| + c1 u S (1 + O(u)).  The rounding errors that compensated programs compute are
-themselves terms in δ, so that the corrections cancel here as they do in the program.
+The last rounding is treated separately, since its error is relative to the result: |x̂ - x| <= u
+|x̂| + c1 u S (1 + O(u)). The rounding errors that compensated programs compute are themselves terms
+in δ, so that the corrections cancel here as they do in the program.
 
 A wide program computes single-precision results in double, whose u is 2^-5 times the square of
-single's: its first order counts as second.  Valid barring overflow and underflow.
-"""
+single's: its first order counts as second.  Valid barring overflow and underflow."""
 
 from collections import defaultdict
 from collections.abc import Callable, Mapping

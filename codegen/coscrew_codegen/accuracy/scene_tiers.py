@@ -1,4 +1,5 @@
-"""A scene's functions in a tier: every public function, with the tier's Program of each precision.
+"""Derives a scene's functions in a tier: every public function, with the tier's Program of each
+precision.
 
 Steps have no tier: they are sequences of calls, whose error is that of the step, not of rounding.
 """
@@ -15,7 +16,7 @@ from coscrew_codegen.program.values.formats import Precision, named
 
 
 class NoFunctionsError(ReportedError, ValueError):
-    """A scene selects a tier, and only functions that have none."""
+    """A scene selects a tier, but only functions that have no tier."""
 
 
 @dataclass(frozen=True)
@@ -32,7 +33,7 @@ class SceneTier:
         return self.in_precisions[0][1]
 
     def called(self, scene: SceneFunctions) -> SceneFunctions:
-        """The plain functions whose results these functions of the tier take, as internal ones."""
+        """The plain functions, as internal ones, whose results these functions take."""
         taken = tuple(replace(self.plain.named(f.name), internal=True)
                       for f in scene.functions if f.plain)
         return replace(scene, functions=taken, mark=PLAIN.name)
@@ -46,11 +47,11 @@ class SceneTier:
 def in_tier(scene: SceneFunctions, tier: Tier) -> SceneTier:
     """The scene's public functions in this tier.  Raises NoFunctionsError if there are none."""
     public = [f for f in scene.functions if not f.internal]
-    if tier.asked:
+    if tier.on_request:
         public = [f for f in public if f.accuracy]
         if not public:
-            raise NoFunctionsError(f"{scene.name}: the {tier.name} tier needs a function of which "
-                                   "an accuracy is asked: [accuracy] in the scene's file")
+            raise NoFunctionsError(f"{scene.name}: the {tier.name} tier needs a function with a "
+                                   "requested accuracy: [accuracy] in the scene's file")
     if not public:
         raise NoFunctionsError(f"{scene.name}: the {tier.name} tier needs a function; steps, which "
                                "alone are selected, have no tier")
@@ -74,10 +75,10 @@ def _function(plain: FunctionProgram, tier: Tier, precision: Precision) -> Funct
 
 
 def _in_tier(plain: FunctionProgram, tier: Tier, precision: Precision) -> tuple[Program, str]:
-    """The program, and what is known of its rounding errors."""
-    if tier.asked and plain.accuracy:
+    """The program, and the statement on its rounding errors."""
+    if tier.on_request and plain.accuracy:
         from coscrew_codegen.accuracy.precision_tuning.choice import (
-            chosen,  # when asked: few scenes do
+            chosen,  # imported on use: few scenes need it
         )
         from coscrew_codegen.accuracy.precision_tuning.words import in_words
 
@@ -90,9 +91,9 @@ def _in_tier(plain: FunctionProgram, tier: Tier, precision: Precision) -> tuple[
 
 def savings(scene: SceneFunctions, units: Callable[[SceneFunctions, str], Sequence[str]]
             ) -> Iterator[str]:
-    """A line for each function of an asked accuracy: what its mixture saves.  `units` tells the
-    units of a function's components."""
-    if not any(tier_named(name).asked for name in scene.tiers):
+    """A line for each function with a requested accuracy: the savings of its mixture.  `units`
+    returns the units of a function's components."""
+    if not any(tier_named(name).on_request for name in scene.tiers):
         return
     from coscrew_codegen.accuracy.precision_tuning.choice import chosen
     from coscrew_codegen.accuracy.precision_tuning.words import saving

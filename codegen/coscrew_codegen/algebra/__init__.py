@@ -1,1 +1,1 @@
-"""The truth in SymPy, the table of operations, and the way from both to Programs."""
+"""Defines operations in SymPy, lists them in a table, and turns them into Programs."""

@@ -1,8 +1,7 @@
 """Draws inputs from the domains of arguments, for the report, searches and tests.
 
-`ordinary` draws numbers about 1.  `hard` draws difficult inputs as functions of free parameters:
-whatever a search does to the parameters, the inputs stay in the domain, rounded once.
-"""
+`ordinary` draws numbers about 1. `hard` draws difficult inputs as functions of free parameters: for
+any values of the parameters, the inputs are in the domain, rounded once."""
 
 import functools
 import math
@@ -49,7 +48,7 @@ def ordinary(argument: Argument) -> Ordinary | None:
 
 
 def holds_less(argument: Argument) -> bool:
-    """Whether values of the domain, scaled down by any factor, stay in it."""
+    """Returns whether values of the domain, scaled down by any factor, stay in it."""
     return argument.domain == HALF_TURN or ordinary(argument) is None
 
 
@@ -73,7 +72,8 @@ def anything(size: int) -> Free:
     """Rows of `size` numbers without restriction."""
 
     def draw(rng: Generator, n: int, dtype: np.dtype) -> Rows:
-        """A third each: about 1; within 2^±60 of each other and not far from 1; of any size."""
+        """Draws numbers about 1, numbers within 2^±60 of each other and not far from 1, and numbers
+        of any size, a third each."""
         x = rng.standard_normal((n, size))
         reach = np.where(np.arange(n) % 3, np.where(np.arange(n) % 3 == 1, 30, 0),
                          np.finfo(dtype).maxexp - 20)[:, None]

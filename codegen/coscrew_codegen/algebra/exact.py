@@ -1,8 +1,7 @@
-"""The exact value of an operation's formula on given inputs, and the errors of results.
+"""Evaluates an operation's formula exactly on given inputs, and measures the errors of results.
 
 Polynomial formulas are evaluated in rationals, all others in DIGITS decimal digits.  Knows formulas
-and formats; nothing of programs, tiers or languages.
-"""
+and formats; nothing of programs, tiers or languages."""
 
 import functools
 import math
@@ -18,6 +17,7 @@ from gmpy2 import mpq
 from coscrew_codegen.algebra.operations import PER_PRECISION, Operation
 from coscrew_codegen.algebra.special_values import SPECIAL, rational
 from coscrew_codegen.program import Constant
+from coscrew_codegen.program.text_module import imported
 from coscrew_codegen.program.values.formats import PRECISIONS, Precision
 
 Exact = Callable[..., mpq]  # of all input components
@@ -46,7 +46,7 @@ class Truth:
     overflows: np.ndarray
 
     def errors(self, results: np.ndarray) -> np.ndarray:
-        """|results - x| in units; infinite where the result is not finite, but NaN where it may
+        """|results - x| in units; infinite where the result is not finite, or NaN where it may
         overflow or x does not exist."""
         with np.errstate(all="ignore"):
             errors = np.abs((results.astype(float) - self.near) / self.unit - self.rest)
@@ -68,7 +68,7 @@ def formula(operation: Operation) -> tuple[sp.Expr, ...]:
 
 @functools.cache
 def is_polynomial(operation: Operation) -> bool:
-    """Whether every component is a polynomial in the inputs."""
+    """Returns whether every component is a polynomial in the inputs."""
     return all(x.is_polynomial(*_symbols(operation)) and not x.has(*PER_PRECISION)
                for x in formula(operation))
 
@@ -96,7 +96,8 @@ def _evaluating(terms: Sequence[tuple[tuple[int, ...], mpq]]) -> Exact:
                 for powers, x in terms]
     names = ", ".join(f"x{n}" for n in range(len(terms[0][0]))) if terms else "*_"
     divided = f" / {denominator}" if denominator > 1 else ""
-    function: Exact = eval(f"lambda {names}: ({' + '.join(products) or 0}){divided}")
+    text = f"def function({names}):\n return ({' + '.join(products) or 0}){divided}"
+    function: Exact = imported("polynomial", text).function
     return function
 
 
@@ -114,10 +115,10 @@ def ulp(truth: mpq, precision: Precision) -> mpq:
 def truth(operation: Operation, precision: Precision, rows: np.ndarray) -> Truth:
     """The exact results; each row holds all input components of one call."""
     evaluate, units_of = _evaluator(operation, precision), _units(operation, precision)
-    found = [_values(evaluate, row) for row in rows.tolist()]
-    shape = (len(found), len(formula(operation)))
+    results = [_values(evaluate, row) for row in rows.tolist()]
+    shape = (len(results), len(formula(operation)))
     near, rest, units = (np.full(shape, x) for x in (np.nan, 0.0, 1.0))
-    for place, values in enumerate(found):
+    for place, values in enumerate(results):
         for component, (x, unit) in enumerate(zip(values, units_of(values), strict=True)):
             n = near[place, component] = _nearest(x)
             if np.isfinite(n):
@@ -179,8 +180,8 @@ def _evaluator(operation: Operation,
 
     def multiprecise(row: Sequence[float]) -> list[mpq]:
         with mpmath.workdps(DIGITS):
-            found = function(*map(mpmath.mpf, (*row, *constants)))
-            return [rational(mpmath.mpf(x)) for x in found]
+            result = function(*map(mpmath.mpf, (*row, *constants)))
+            return [rational(mpmath.mpf(x)) for x in result]
 
     return multiprecise
 
@@ -194,9 +195,9 @@ def _constants(precision: Precision) -> list[mpmath.mpf]:
 
 
 def _multiprecise(operation: Operation) -> Callable[..., Sequence[mpmath.mpf]]:
-    found: Callable[..., Sequence[mpmath.mpf]] = sp.lambdify(
+    function: Callable[..., Sequence[mpmath.mpf]] = sp.lambdify(
         [*_symbols(operation), *PER_PRECISION], formula(operation), [SPECIAL, "mpmath"], cse=True)
-    return found
+    return function
 
 
 def _units(operation: Operation,
@@ -218,8 +219,8 @@ def _units(operation: Operation,
 
 
 def _parts(operation: Operation) -> list[tuple[str, str]]:
-    """Returns for each component what its error is relative to: the whole output if a bound names
-    it, else its part."""
+    """Returns for each component the numbers that its error is relative to: the whole output if a
+    bound names it, else its part."""
     named = {bound.part for bound in operation.normwise}
     return [(a.name, "" if a.name in named else a.quantity.parts[a.quantity.place(*at)[0]].name)
             for a in operation.outputs for at in a.quantity.indices]

@@ -1,10 +1,10 @@
-"""Spatial algebra as SymPy matrices: the truth every kernel is derived from and tested against.
+"""Spatial algebra as SymPy matrices: the definitions from which every kernel is derived, and
+against which it is tested.
 
 Convention: the linear part is on top, in screws ``s = (v; ω)`` and in coscrews ``c = (f; τ)``, so
 that power is ``f·v + τ·ω``. ``D = [R | t]`` is a displacement; ``x~ y = x × y``.
 
-Knows nothing of operations, rounding or text.
-"""
+Knows nothing of operations, rounding or text."""
 
 from collections.abc import Callable
 from functools import cache

@@ -32,10 +32,10 @@ def g(k: Number, x: Number) -> Number:
     large x by g(k + 2) = (1/k! - g(k)) / x from cos and sin, which loses no digits."""
     if x > 10**4:
         root, k = mpmath.sqrt(x), int(k)
-        found = mpmath.sin(root) / root if k % 2 else mpmath.cos(root)
+        result = mpmath.sin(root) / root if k % 2 else mpmath.cos(root)
         for n in range(k % 2, k, 2):
-            found = (1 / mpmath.factorial(n) - found) / x
-        return found
+            result = (1 / mpmath.factorial(n) - result) / x
+        return result
     with mpmath.workdps(mpmath.mp.dps + int(mpmath.sqrt(x)) + 10):
         term, total, j = 1 / mpmath.factorial(k), mpmath.mpf(0), 0
         while abs(term) > mpmath.eps or (2 * j)**2 < x:

@@ -8,7 +8,7 @@ from __future__ import annotations
 from functools import cache
 from typing import TYPE_CHECKING
 
-from coscrew_codegen.program.plugins import found
+from coscrew_codegen.program.plugins import discover
 
 if TYPE_CHECKING:
     from coscrew_codegen.backends.target import Target
@@ -19,7 +19,7 @@ def targets() -> tuple[Target, ...]:
     """All targets, by their modules' names."""
     from coscrew_codegen.backends.target import Target
 
-    return found(__name__, __path__, "TARGET", Target)
+    return discover(__name__, __path__, "TARGET", Target)
 
 
 def languages() -> tuple[str, ...]:

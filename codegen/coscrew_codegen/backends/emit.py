@@ -26,7 +26,7 @@ def read(folder: Path, path: str) -> str | None:
 
 
 def differences(files: Mapping[str, str], folder: Path, stale: tuple[str, ...] = ()) -> list[str]:
-    """Unified diffs from what is on disk to what would be generated; empty when current."""
+    """Unified diffs from the files on disk to the generated ones; empty when current."""
     wanted: dict[str, str | None] = {**files, **dict.fromkeys(stale)}
     diffs = []
     for path, new in sorted(wanted.items()):

@@ -64,7 +64,7 @@ class Library:
         return made_by(self.command)
 
     def banner_with(self, option: str) -> str:
-        """The same of files that are made only with this option."""
+        """The banner of files that are made only with this option."""
         return made_by(f"{self.command} {option}")
 
     @cached_property
@@ -87,7 +87,7 @@ class Library:
 
 
 def made_by(command: str) -> str:
-    """The text of the comment on the first line of what a command makes."""
+    """The text of the comment on the first line of a command's files."""
     return f"Made by `{command}`; changes are overwritten."
 
 

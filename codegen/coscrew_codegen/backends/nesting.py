@@ -62,7 +62,8 @@ class Nesting:
     """The text of a Program.
 
     `access` returns the expression that reads an input; `named` says which instructions are
-    assigned even if they are used once; `name = expression` is at most `width` wide."""
+    assigned even if they are used once, `inlined` which never are, of those; `name = expression` is
+    at most `width` wide, unless what is inlined is longer."""
 
     program: Program
     language: Language
@@ -71,6 +72,7 @@ class Nesting:
     headings: Mapping[int, str] = field(default_factory=dict)
     named: Callable[[Instruction], bool] = lambda step: False
     constants: Mapping[str, Constant] = field(default_factory=dict)  # assigned by these names
+    inlined: Callable[[Instruction], bool] = lambda step: False
 
     def __post_init__(self) -> None:
         self.assigned: list[Assignment | str] = []  # and headings
@@ -106,8 +108,10 @@ class Nesting:
         inner = [x.name for x in step.operands
                  if isinstance(x, Ref) and x.name in self._waiting]
         expression, precedence = self._expression(step)
-        while inner and len(step.name) + len(" = ") + len(expression) > self.width:
-            longest = max(inner, key=lambda name: len(self._waiting[name][1]))
+        free = [name for name in inner if not self.inlined(self._waiting[name][0])]
+        while free and len(step.name) + len(" = ") + len(expression) > self.width:
+            longest = max(free, key=lambda name: len(self._waiting[name][1]))
+            free.remove(longest)
             inner.remove(longest)
             self._assign(*self._waiting.pop(longest)[:2])
             expression, precedence = self._expression(step)
@@ -153,7 +157,8 @@ class Nesting:
     def _expression(self, step: Instruction) -> tuple[str, int]:
         spelling, precedence = self.language.spelling(step)
         operands = [self._operand(x, n)
-                    for x, n in zip(step.operands, _needed(step, precedence), strict=False)]
+                    for x, n in zip(step.operands, _needed(step, spelling, precedence),
+                                    strict=False)]
         return spelling.format(*operands), precedence
 
     def _operand(self, operand: Operand, needed: int) -> str:
@@ -173,9 +178,9 @@ class Nesting:
         return text if precedence >= needed else f"({text})"
 
 
-def _needed(step: Instruction, precedence: int) -> Sequence[int]:
-    """The precedence that each operand of an instruction of this precedence needs."""
-    if step.op in (Op.MUL, Op.SCALE):
+def _needed(step: Instruction, spelling: str, precedence: int) -> Sequence[int]:
+    """The precedence that each operand of an instruction of this spelling and precedence needs."""
+    if " * " in spelling:
         return PRODUCT, PRODUCT + 1  # also within a call
     if precedence == CALL:
         return [CHOICE] * 4

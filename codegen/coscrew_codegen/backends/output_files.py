@@ -39,12 +39,12 @@ def scene_files(functions: SceneFunctions, command: str = "", many: bool = False
 
 
 def _gathered(made: Iterable[tuple[str, Files]]) -> Files:
-    """All files.  Raises ValueError if two targets make the same one."""
+    """All files.  Raises ValueError if two targets make different ones of the same path."""
     files: Files = {}
     makers: dict[str, str] = {}
     for name, more in made:
-        for path in more:
-            if path in files:
+        for path, text in more.items():
+            if files.get(path, text) != text:
                 raise ValueError(f"{path} is made by two targets: {makers[path]} and {name}")
             makers[path] = name
         files |= more

@@ -1,6 +1,10 @@
-"""Renders the templates, which hold file shapes only."""
+"""Renders the templates, which hold file shapes only.
 
-from collections.abc import Mapping
+In a template a line that begins with the empty comment {#- #} continues the one before.  The filter
+`each` fills a pattern with each item: {{ names|each("double {}") }} is "double x, double y".
+"""
+
+from collections.abc import Iterable, Mapping
 from functools import cache
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -29,10 +33,17 @@ and so carries its license; the numbers and names in it belong to the scene."""
 def _environment() -> "jinja2.Environment":
     import jinja2
 
-    return jinja2.Environment(
+    environment = jinja2.Environment(
         loader=jinja2.FunctionLoader(_source),
         undefined=jinja2.StrictUndefined, autoescape=_is_page, trim_blocks=False,
         lstrip_blocks=False, keep_trailing_newline=True)
+    environment.filters["each"] = _each
+    return environment
+
+
+def _each(items: Iterable[object], pattern: str) -> str:
+    """The pattern filled with each item in turn, with commas in between."""
+    return ", ".join(pattern.format(item) for item in items)
 
 
 def _is_page(name: str | None) -> bool:

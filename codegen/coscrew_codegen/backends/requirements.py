@@ -34,8 +34,8 @@ class Required(Enum):
 
 @cache
 def defects() -> Mapping[Required, Operation]:
-    """The operations whose results, where their size is above TOLERANCE, tell that an argument is
-    not what is required."""
+    """The operations whose results show, by a size above TOLERANCE, that an argument violates its
+    requirement."""
     named = {op.name: op for op in OPERATIONS}
     return {Required.ROTATION: named["mat3x3_rotation_defect"],
             Required.UNIT: named["quaternion_unit_defect"]}
@@ -71,14 +71,15 @@ def _of(operation: Operation, program: Program, number: int) -> Required:
 
 
 def _is_algebra_of_matrices(operation: Operation, program: Program) -> bool:
-    """Whether it copies, transposes or multiplies matrices and vectors, which need no rotation."""
+    """Returns whether it copies, transposes or multiplies matrices and vectors, which need no
+    rotation."""
     plain = all(a.quantity in (MAT3X3, VEC3, DC, SCALAR)
                 for a in (*operation.inputs, *operation.outputs))
     return plain and program.counts.keys() <= POLYNOMIAL
 
 
 def _calculates(program: Program, number: int) -> bool:
-    """Whether instructions read R of this displacement."""
+    """Returns whether instructions read R of this displacement."""
     columns = range(3)
     indices = program.inputs[number].quantity.indices
     return any(isinstance(x, Input) and x.argument == number and indices[x.index][1] in columns
@@ -86,7 +87,7 @@ def _calculates(program: Program, number: int) -> bool:
 
 
 def _is_product_of_quaternions(operation: Operation, program: Program) -> bool:
-    """Whether it multiplies or adds quaternions, which may also be rates or multiples of unit ones;
-    else it turns vectors, or interpolates rotations."""
+    """Returns whether it multiplies or adds quaternions, which may also be rates or multiples of
+    unit ones; else it turns vectors, or interpolates rotations."""
     turns = any(a.quantity == VEC3 for a in operation.outputs)
     return not turns and program.counts.keys() <= POLYNOMIAL

@@ -40,7 +40,7 @@ class Selection:
 
     @property
     def whole(self) -> bool:
-        """Whether no part is left out."""
+        """True if no part is left out."""
         return replace(self, amalgamated=(), many=False) == Selection()
 
     @property
@@ -55,7 +55,7 @@ class Selection:
 
     @property
     def base(self) -> str:
-        """The command that generates what is selected, without what is written besides."""
+        """The command that generates the selected files, without additional ones."""
         words = ["coscrew generate"]
         if self.families != FAMILIES:
             words.append(f"--family {' '.join(self.families)}")

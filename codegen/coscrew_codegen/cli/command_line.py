@@ -1,6 +1,6 @@
 """The command line `coscrew generate`, `coscrew simulate`, …: parses options, runs the command.
 
-Only the command that runs is imported.  Modules of commands import what is beyond NumPy only when
+Only the command that runs is imported.  Modules of commands import packages besides NumPy only when
 they run, so that help needs no extra."""
 
 import argparse
@@ -36,7 +36,7 @@ def run(arguments: list[str] | None) -> int:
 
 
 def _refuse_unknown(word: str) -> None:
-    """Raise ReportedError for a word that is neither a command nor an option."""
+    """Raises ReportedError for a word that is neither a command nor an option."""
     if word and not word.startswith("-") and word not in COMMANDS:
         from coscrew_codegen.scene.names import did_you_mean
 
@@ -63,14 +63,14 @@ def _parser(command: str = "") -> argparse.ArgumentParser:
 
 
 def _needed(command: str) -> str:
-    """Returns the command that installs what is needed, and the packages that are missing."""
+    """Returns the command that installs the missing packages, and their names."""
     extra = extras.COMMANDS[command]
     return extras.lacking(f"not installed: {command}", extra) or f"Needs {extras.pip(extra)}."
 
 
 def _installation() -> str:
     """The commands by their extras, and how to install these."""
-    lines = ["what the commands need:"]
+    lines = ["packages that the commands need:"]
     for extra in dict.fromkeys(extras.COMMANDS.values()):
         names = ", ".join(name for name, its in extras.COMMANDS.items() if its == extra)
         here = "not installed" if extras.lacking(names, extra) else "installed"

@@ -19,8 +19,9 @@ def add_parser(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") 
         "and times of runs.")
     add_scene(parser)
     parser.add_argument("--function", "--functions", metavar="NAME", action=Names, default=[],
-                        dest="functions", help="measure only what the accuracy of this function "
-                        "costs; several with commas, or repeated; \"all\" stands for all functions")
+                        dest="functions", help="measure only the errors and times of this "
+                                               "function in all tiers; several with commas, or "
+                                               "repeated; \"all\" stands for all functions")
     parser.add_argument("--states", metavar="N", type=_states, default=64,
                         help="compare with 50 digits at about N states: a quarter of the run, half "
                         "between the limits, a quarter that a search finds, of these at least one "
@@ -67,12 +68,12 @@ def run(options: argparse.Namespace) -> int:
     read = scene_of(options, None)
     emitted = ("single",) if read.precision == "single" else read.precisions
     scene = replace(read, precision="both", precisions=tuple(BY_NAME))
-    asked = CostRequest(tuple(options.functions), Counts.of(options.states), options.digits,
-                        emitted)
+    request = CostRequest(tuple(options.functions), Counts.of(options.states), options.digits,
+                          emitted)
     costs = cost_measurement.measure(
-        kernels_for(scene, asked.needed(scene, options.integrator)),
+        kernels_for(scene, request.needed(scene, options.integrator)),
         RunOverrides(options.until, options.step, options.integrator, "both",
-                     tuple(options.settings)), asked)
+                     tuple(options.settings)), request)
     tell_unused(read, options.verbose)
     print(cost_tables.table(costs))
     if options.json:

@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from coscrew_codegen.cli.name_lists import Names
-from coscrew_codegen.cli.simulate_command import add_implausible, add_verbose, scene_of, tell_unused
+from coscrew_codegen.cli.simulate_command import add_model, add_verbose, scene_of, tell_unused
 from coscrew_codegen.program.values.formats import CHOICES
 from coscrew_codegen.runtime import sources
 from coscrew_codegen.runtime.console import doing
@@ -31,17 +31,17 @@ def add_parser(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") 
     parser.add_argument("--check", action="store_true",
                         help="write nothing; print what is out of date as a diff and exit 1")
     parser.add_argument("--anew", action="store_true",
-                        help="derive everything, also what is in the cache and has not changed")
+                        help="derive everything, even unchanged families that are in the cache")
     parser.add_argument("--family", metavar="NAME", nargs="+", action=Names,
                         help="only these families: vec3, SE3, …, as the headers are called")
     parser.add_argument("--precision", metavar="NAME",
                         help="double, single or both (default)")
     parser.add_argument("--language", metavar="NAME",
-                        help="c, python, … (default: all, and what takes several); an unknown one "
-                             "is told which there are")
+                        help="c, python, … (default: all, and files for several languages); an "
+                             "unknown name lists the known ones")
     parser.add_argument("--functions", metavar="NAME", nargs="+", action=Names,
-                        help="for a scene, only these functions, also by patterns, as "
-                             "jacobian_*; default and all select several")
+                        help="for a scene, only these functions, also by patterns, as jacobian_*; "
+                             "`default` and `all` select several")
     parser.add_argument("--tier", metavar="NAME", nargs="+", action=Names,
                         help="for a scene, these tiers besides plain: accurate, certified, mixed, "
                              "pairs")
@@ -53,7 +53,7 @@ def add_parser(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") 
                              "c/coscrew_accurate.h, …; plain's, c/coscrew.h, is always written")
     parser.add_argument("--cuda", action="store_true",
                         help="for a scene, also its functions for CUDA")
-    add_implausible(parser)
+    add_model(parser)
     add_verbose(parser)
     parser.set_defaults(run=run)
 
@@ -121,20 +121,20 @@ def _scene(options: argparse.Namespace) -> int:
         scene = replace(scene, precisions=("single",))
     if line := left_out(scene):
         print(f"{options.scene.name}: {line}", file=sys.stderr)
-    said = "".join(f" --{name} {word}" for name in ("precision", "implausible")
-                   if (word := getattr(options, name)))
-    said += f" --functions {' '.join(options.functions)}" if options.functions else ""
-    said += f" --tier {' '.join(options.tier)}" if options.tier else ""
-    said += "".join(f" --{name}" for name in ("many", "cuda") if getattr(options, name))
+    flags = "".join(f" --{name} {word}" for name in ("precision", "implausible")
+                    if (word := getattr(options, name)))
+    flags += f" --functions {' '.join(options.functions)}" if options.functions else ""
+    flags += f" --tier {' '.join(options.tier)}" if options.tier else ""
+    flags += "".join(f" --{name}" for name in ("many", "cuda") if getattr(options, name))
     functions = derive(scene)
-    files = scene_files(functions, f"coscrew generate {options.scene.name}{said}", options.many,
+    files = scene_files(functions, f"coscrew generate {options.scene.name}{flags}", options.many,
                         options.cuda)
     folder = Path(options.output)
     if not options.check:
         for line in savings(functions, units):
             print(line)
         refuse_others(files, folder)
-    status = _deliver(f"coscrew generate {options.scene} -o {folder}{said}", files, folder,
+    status = _deliver(f"coscrew generate {options.scene} -o {folder}{flags}", files, folder,
                       stale_files(files, folder), options.check, str(folder))
     tell_unused(scene, options.verbose, options.scene.name)
     return status
@@ -142,7 +142,7 @@ def _scene(options: argparse.Namespace) -> int:
 
 def _deliver(command: str, files: "Files", folder: Path, stale: tuple[str, ...],
              check: bool, output: str, derived: tuple[str, ...] = ()) -> int:
-    """Write the files, or show what is out of date and the command that mends it."""
+    """Writes the files, or shows a diff of outdated ones and the command that updates them."""
     from coscrew_codegen.backends.emit import differences, write
 
     if not check:
@@ -160,6 +160,6 @@ def _deliver(command: str, files: "Files", folder: Path, stale: tuple[str, ...],
 
 
 def _sources() -> sources.Contents | None:
-    """The generator's sources as they stand; None where this process has imported operations and so
-    may hold what they were."""
+    """The generator's sources as they stand; None if this process has imported operations, which
+    may be older."""
     return None if "coscrew_codegen.algebra.operations" in sys.modules else sources.read()

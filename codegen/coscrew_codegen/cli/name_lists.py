@@ -1,4 +1,4 @@
-"""Options of the command line that take names: --functions a b, --functions a,b, or repeated."""
+"""Parses options that take names: --functions a b, --functions a,b, or repeated."""
 
 import argparse
 import re

@@ -21,14 +21,14 @@ def add_parser(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") 
     """Add `simulate` to the command line."""
     parser = commands.add_parser(
         "simulate", help="integrate a scene's motion",
-        description="Integrate a scene's motion, and write, plot or show what it records.")
+        description="Integrate a scene's motion, and write, plot or play back what it records.")
     add_scene(parser)
     parser.add_argument("--start", metavar="FILE", type=Path,
-                        help="go on, to the bit, from the end of a recording that --output wrote, "
-                             "with its parameters unless --set")
+                        help="continue, with the same bits, from the end of a recording that "
+                             "--output wrote, with its parameters unless --set")
     parser.add_argument("--again", metavar="FILE", type=Path,
-                        help="the run from which a recording comes once more, with its settings "
-                             "and, written, its bytes")
+                        help="repeat the run that made a recording, with its settings and, when "
+                             "written, its bytes")
     parser.add_argument("--output", metavar="FILE", type=Path,
                         help="write the recording: .csv, .npz or .parquet; with --precision both, "
                              "single precision goes to FILE's name with .single before its ending")
@@ -40,7 +40,8 @@ def add_parser(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") 
 def add_scene(parser: argparse.ArgumentParser) -> None:
     """Add the scene, and the options that replace its own settings of the run."""
     parser.add_argument("scene", metavar="SCENE", type=Path,
-                        help="a scene file (.toml) or a URDF, which alone has no effects")
+                        help="a scene file (.toml), or a model's file alone, as a URDF: gravity "
+                             "acts, and what the file declares")
     parser.add_argument("--until", metavar="T", type=_positive, help="end of the run, in s")
     parser.add_argument("--step", metavar="H", type=_positive,
                         help="longest step, in s, of the emitted integrators")
@@ -48,7 +49,7 @@ def add_scene(parser: argparse.ArgumentParser) -> None:
                         help=in_words())
     parser.add_argument("--precision", choices=CHOICES,
                         help="precision of the dynamics")
-    add_implausible(parser)
+    add_model(parser)
     add_verbose(parser)
     parser.add_argument("--set", metavar="NAME=VALUE", type=_setting, action="append", default=[],
                         dest="settings", help="a value of a `runtime` parameter; may be repeated")
@@ -61,16 +62,36 @@ def add_implausible(parser: argparse.ArgumentParser) -> None:
                              "the scene (error) or report them (warn)")
 
 
+def add_model(parser: argparse.ArgumentParser) -> None:
+    """Add the options on how a model's file is read."""
+    add_implausible(parser)
+    parser.add_argument("--argument", metavar="NAME=VALUE", type=_pair, action="append", default=[],
+                        dest="arguments", help="an argument of a file of xacro; may be repeated")
+    parser.add_argument("--package", metavar="NAME=FOLDER", type=_pair, action="append", default=[],
+                        dest="packages", help="the folder of a package that a file of xacro finds "
+                        "by $(find NAME); may be repeated")
+    parser.add_argument("--leave-out", metavar="GROUP", action="append", default=[],
+                        help="elements of a file of MuJoCo to do without, as errors name them; may "
+                        "be repeated")
+
+
+def _pair(text: str) -> tuple[str, str]:
+    name, equals, word = text.partition("=")
+    if not (name and equals):
+        raise argparse.ArgumentTypeError(f"wanted NAME=…; got {text!r}")
+    return name, word
+
+
 def add_verbose(parser: argparse.ArgumentParser) -> None:
-    """Add the option that lists what `tell_unused` sums up."""
+    """Adds the option that lists the numbers that `tell_unused` sums up."""
     parser.add_argument("--verbose", action="store_true",
-                        help="list all that the model's file says and nothing here uses, one a "
-                             "line, instead of summing it up")
+                        help="list all unused content of the model's file, one item a line, "
+                             "instead of summing it up")
 
 
 def tell_unused(scene: "Scene", verbose: bool, prefix: str = "coscrew") -> None:
-    """Say on standard error what the model's file says and the scene does not use: in one line, or
-    in one for each number."""
+    """Prints on standard error the content of the model's file that the scene does not use: in one
+    line, or in one for each number."""
     from coscrew_codegen.scene.mechanism.notices import by_importance, summary
 
     lines = [x.text for x in by_importance(scene.notices)] if verbose else [summary(scene.notices)]
@@ -82,14 +103,33 @@ def scene_of(options: argparse.Namespace, precision: str | None,
              functions: tuple[str, ...] = (), tiers: tuple[str, ...] = ()) -> "Scene":
     """The scene of the options, with `functions` and `tiers` instead of its own if there are any.
 
-    Implausible bodies that it allows are reported on standard error."""
+    Implausible bodies that the scene allows are reported on standard error."""
+    from coscrew_codegen.scene.readers.model_formats import SCENE_SUFFIX
     from coscrew_codegen.scene.readers.toml.toml_scene import SceneOverrides, read_scene
 
-    overrides = SceneOverrides(precision, options.implausible, functions, tiers)
+    overrides = SceneOverrides(precision, options.implausible, functions, tiers,
+                               tuple(options.arguments), tuple(options.packages),
+                               tuple(options.leave_out))
     scene = read_scene(options.scene, overrides=overrides)
+    if options.scene.suffix.lower() != SCENE_SUFFIX:
+        print(f"coscrew: {options.scene.name} alone: {_acting(scene)}", file=sys.stderr)
     for line in scene.model.implausible:
         print(f"coscrew: warning: {line}", file=sys.stderr)
     return scene
+
+
+def _acting(scene: "Scene") -> str:
+    """The effects of a scene, and at how many places each acts: "gravity, viscous at 6 joints"."""
+    places: dict[str, list[str]] = {}
+    for applied in scene.effects:
+        places.setdefault(applied.effect.name, []).append(applied.on)
+    joints = {x.name for x in scene.model.joints}
+    words = []
+    for name, on in places.items():
+        what = ("joint", "joints") if on[0] in joints else ("body", "bodies")
+        words.append(f"{name} at {len(on)} {what[len(on) > 1]}" if any(on) else name)
+    verb = "act" if len(words) > 1 else "acts"
+    return f"{', '.join(words)} {verb}; limits, friction and drives take a scene file"
 
 
 def _positive(text: str) -> float:
@@ -130,7 +170,7 @@ def run(options: argparse.Namespace) -> int:
                           (options.view, (".html",))):
         if path:
             recording_writer.check_target(path, endings)
-    results = _again(options) if options.again else _asked(options)
+    results = _again(options) if options.again else _runs(options)
     first = results[0]
     for note in ("" if options.start or options.again else
                  run_summary.outside(first.system, first.trajectory.q[0]),
@@ -154,9 +194,10 @@ def run(options: argparse.Namespace) -> int:
     return _status(results, options)
 
 
-def _asked(options: argparse.Namespace) -> "tuple[Result, ...]":
-    """The runs with the settings of the options."""
-    from coscrew_codegen.runtime.load import BOTH, kernels_for
+def _runs(options: argparse.Namespace) -> "tuple[Result, ...]":
+    """Makes the runs with the settings of the options."""
+    from coscrew_codegen.runtime.load import kernels_for
+    from coscrew_codegen.runtime.request import BOTH
     from coscrew_codegen.simulation import required_functions, run_summary
 
     scene = scene_of(options, options.precision)
@@ -170,29 +211,30 @@ def _asked(options: argparse.Namespace) -> "tuple[Result, ...]":
     return run_summary.simulated(kernels, run_summary.RunOverrides(
         options.until, options.step, options.integrator, options.precision,
         tuple(options.settings), options.start),
-        told=bool(options.output or options.plot or options.view))
+        with_provenance=bool(options.output or options.plot or options.view))
 
 
 def _again(options: argparse.Namespace) -> "tuple[Result, ...]":
-    """The run of a recording.  Raises SimulateError for settings besides."""
+    """Repeats the run of a recording.  Raises SimulateError for further settings."""
     from coscrew_codegen.runtime.load import kernels_for
     from coscrew_codegen.simulation import SimulateError, required_functions
-    from coscrew_codegen.simulation.execution import motion
-    from coscrew_codegen.simulation.replay import asked_of
+    from coscrew_codegen.simulation.execution import complete, motion
+    from coscrew_codegen.simulation.replay import metadata_of
 
     given = [name for name in ("until", "step", "integrator", "precision", "settings", "start")
              if getattr(options, name)]
     if given:
         name = "set" if given[0] == "settings" else given[0]
-        raise SimulateError(f"--again: the recording tells all settings; wanted no --{name}")
-    told = asked_of(options.again)
-    scene = scene_of(options, told.precision)
-    told.refuse(scene, None)
-    recording = replace(scene, record=told.record)
+        raise SimulateError(f"--again: the recording has all settings; wanted no --{name}")
+    past = metadata_of(options.again)
+    scene = scene_of(options, past.precision)
+    past.refuse(scene, None)
+    recording = replace(scene, record=past.record)
     kernels = kernels_for(scene,
-                          required_functions.of_run(recording, told.integrator, bool(options.view)),
-                          (told.precision,))
-    return (motion(kernels, told.precision, told.asked(), shown=True),)
+                          required_functions.of_run(recording, past.integrator, bool(options.view)),
+                          (past.precision,))
+    request = past.request()
+    return (motion(complete(kernels, request), past.precision, request, shown=True),)
 
 
 def _outputs(path: Path) -> tuple[Path, Path]:
@@ -201,7 +243,8 @@ def _outputs(path: Path) -> tuple[Path, Path]:
 
 
 def _status(results: "tuple[Result, ...]", options: argparse.Namespace) -> int:
-    """The exit status; reports on standard error where runs stopped, and where samples are."""
+    """The exit status; reports on standard error where runs stopped, and which samples were kept.
+    """
     files: tuple[Path | None, ...] = _outputs(options.output) if options.output else (None,) * 2
     for x, path in zip(results, files, strict=False):
         if x.trajectory.stopped:

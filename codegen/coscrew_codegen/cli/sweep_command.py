@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     from coscrew_codegen.simulation.sweep.files.folder import Folder
     from coscrew_codegen.simulation.sweep.prepare import Prepared
 
-_ROUNDS = 4  # of computing what is missing, while parts are damaged as soon as they are written
+_ROUNDS = 4  # of computing missing parts, while parts are damaged as soon as they are written
 
 
 def add_parser(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") -> None:
@@ -26,8 +26,8 @@ def add_parser(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") 
     parser = commands.add_parser(
         "sweep", help="run a scene many times with varied parameters and starts",
         description="Run a scene many times, with varied parameters and starts, on the cores of "
-        "this machine or a Dask cluster, into a folder.  The same command goes on where it "
-        "stopped.")
+                    "this machine or a Dask cluster, into a folder.  The same command continues "
+                    "where it stopped.")
     add_scene(parser)
     parser.add_argument("--grid", metavar="NAME=FROM:TO:COUNT", type=sweep_options.grid,
                         action="append",
@@ -36,10 +36,11 @@ def add_parser(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") 
                         "repeated: grids multiply")
     parser.add_argument("--sobol", metavar="PATTERN=LOW:HIGH", type=sweep_options.sobol,
                         action="append",
-                        default=[], help="sample all that match the pattern by a scrambled Sobol "
-                        "sequence; LOW:HIGH:log samples logarithms; start.q.*=limits takes the "
-                        "joints' limits, start.q.base=uniform all rotations of a joint with a "
-                        "quaternion; may be repeated")
+                        default=[], help="sample all names that match the pattern by a scrambled "
+                                         "Sobol sequence; LOW:HIGH:log samples logarithms; "
+                                         "start.q.*=limits takes the joints' limits, "
+                                         "start.q.base=uniform all rotations of a joint with a "
+                                         "quaternion; may be repeated")
     parser.add_argument("--samples", metavar="N", type=sweep_options.samples,
                         help="points of the Sobol sequence, each run at every point of the grids")
     parser.add_argument("--seed", metavar="N", type=sweep_options.seed,
@@ -58,8 +59,8 @@ def add_parser(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") 
     kept.add_argument("--out", metavar="FOLDER", type=Path,
                       help="a new folder, or that of the same sweep")
     kept.add_argument("--member", metavar="K", type=lambda text: sweep_options.whole(text, 0),
-                      help="run member K alone, print what the sweep keeps of it, and the call in "
-                           "Python that runs it")
+                      help="run member K alone, print the numbers that the sweep keeps of it, and "
+                           "the Python call that runs it")
     parser.set_defaults(run=run)
 
 
@@ -92,12 +93,12 @@ def _prepared(options: argparse.Namespace) -> "Prepared":
     from coscrew_codegen.simulation.sweep.prepare import SweepRequest, prepared
 
     scene = scene_of(options, options.precision)
-    found = prepared(scene, SweepRequest(
+    result = prepared(scene, SweepRequest(
         options.grid, options.sobol, options.samples, options.seed, options.record, options.series,
         RunOverrides(options.until, options.step, options.integrator, options.precision,
                      tuple(options.settings))))
     tell_unused(scene, options.verbose)
-    return found
+    return result
 
 
 def _alone(prepared: "Prepared", options: argparse.Namespace) -> int:
@@ -106,20 +107,20 @@ def _alone(prepared: "Prepared", options: argparse.Namespace) -> int:
 
     member = single_member.member(prepared, options.member)
     print(member.call(options.scene, options.implausible), end="\n\n", flush=True)
-    found = single_member.result(prepared, member)
-    print(single_member.text(found))
-    return 1 if found.failed else 0
+    result = single_member.result(prepared, member)
+    print(single_member.text(result))
+    return 1 if result.failed else 0
 
 
 @contextmanager
 def _going_on(folder: "Folder") -> Iterator[None]:
-    """Errors and interrupts in the block also say what is kept, and how to go on, unless a person
-    must see to a file first."""
+    """Makes errors and interrupts in the block also say what is kept, and how to continue, unless a
+    file needs a person's help first."""
     from coscrew_codegen.simulation.sweep.files.part import BlockedError
 
     def kept(words: object) -> str:
         return (f"{words}; {folder.members()} of {folder.specification.varied.members} members are "
-                f"written into {folder.path}, and the same command goes on")
+                f"written into {folder.path}; the same command continues")
 
     try:
         yield
@@ -129,7 +130,7 @@ def _going_on(folder: "Folder") -> Iterator[None]:
         raise
     except SweepError as error:
         raise SweepError(kept(error)) from error
-    except BrokenPipeError:  # whoever reads what is told has ended
+    except BrokenPipeError:  # the reader of standard error has ended
         raise
     except OSError as error:
         raise SweepError(kept(f"cannot write {error.filename or folder.path}: "
@@ -137,7 +138,7 @@ def _going_on(folder: "Folder") -> Iterator[None]:
 
 
 def _finished(prepared: "Prepared", folder: "Folder", options: argparse.Namespace) -> int:
-    """Compute and write what is missing or damaged, and report; returns the exit status."""
+    """Computes and writes missing or damaged parts, and reports; returns the exit status."""
     from coscrew_codegen.simulation.sweep.files.part import DamagedError
 
     for n in range(_ROUNDS):
@@ -155,7 +156,7 @@ def _finished(prepared: "Prepared", folder: "Folder", options: argparse.Namespac
 
 
 def _compute(prepared: "Prepared", folder: "Folder", options: argparse.Namespace) -> None:
-    """Compute and write what is missing."""
+    """Computes and writes missing parts."""
     members, there = folder.specification.varied.members, folder.members()
     print(f"coscrew: {members} members, {there} of them written", file=sys.stderr)
     if there == members:
@@ -199,17 +200,17 @@ def _report(prepared: "Prepared", folder: "Folder", words: str) -> int:
     from coscrew_codegen.simulation.sweep.files.quarantine import make_way
     from coscrew_codegen.simulation.sweep.member_summary import units
     from coscrew_codegen.simulation.sweep.statistics import sweep_page
-    from coscrew_codegen.simulation.sweep.statistics.aggregate import tally
+    from coscrew_codegen.simulation.sweep.statistics.aggregate import aggregate
 
     its = prepared.specification
     about = provenance(prepared.kernels, its)
     zarr_store.write(folder, about, prepared.plan)
-    found = tally(its, units(prepared.scene, its.conditions.record),
-                  map(folder.of, range(its.chunks)))
+    totals = aggregate(its, units(prepared.scene, its.conditions.record),
+                       map(folder.of, range(its.chunks)))
     make_way(folder.path, folder.path / PAGE)
-    whole(folder.path / PAGE, sweep_page.html(its, about, found, words).encode())
-    print(sweep_page.text(found))
-    return 1 if found.failed else 0
+    whole(folder.path / PAGE, sweep_page.html(its, about, totals, words).encode())
+    print(sweep_page.text(totals))
+    return 1 if totals.failed else 0
 
 
 def _words(options: argparse.Namespace) -> str:
@@ -220,8 +221,8 @@ def _words(options: argparse.Namespace) -> str:
              "step": options.step, "integrator": options.integrator,
              "precision": options.precision, "implausible": options.implausible}
     words = ["coscrew", "sweep", options.scene.name]
-    words += [x for asked in options.grid for x in ("--grid", asked.text)]
-    words += [x for asked in options.sobol for x in ("--sobol", asked.text)]
+    words += [x for option in options.grid for x in ("--grid", option.text)]
+    words += [x for option in options.sobol for x in ("--sobol", option.text)]
     words += [x for name, value in given.items() if value is not None
               for x in (f"--{name}", str(value))]
     words += [x for name, value in options.settings for x in ("--set", f"{name}={value}")]

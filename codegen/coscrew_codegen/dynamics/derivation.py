@@ -1,4 +1,4 @@
-"""What every function of a scene is derived with: inputs, the tree, how it is recorded."""
+"""Derivation of a scene's functions: inputs, the kinematic tree, and recording."""
 
 from collections.abc import Callable, Sequence
 from dataclasses import replace
@@ -29,7 +29,7 @@ from coscrew_codegen.scene.scene_function import (
 
 
 def is_timed(scene: Scene) -> bool:
-    """Whether any effect is a function of time."""
+    """Returns whether any effect is a function of time."""
     def timed(value: object) -> bool:
         parts = value if isinstance(value, tuple) else (value,)
         return any(isinstance(x, Formula) and x.timed for x in parts)
@@ -71,7 +71,7 @@ class Derivation:
 
     @cached_property
     def closes(self) -> bool:
-        """Whether any limit can be hit."""
+        """True if any limit can be hit."""
         return bool(self.made(closing_contacts.FUNCTION).program.instructions)
 
     def size(self, size: AxisLength) -> int:
@@ -127,12 +127,12 @@ class Derivation:
 
     def _recorded(self, entry: SceneFunction, inputs: Sequence[Argument], fine: bool = False
                   ) -> Program:
-        """The program that computes the outputs, and the one for twice the digits if that
-        differs."""
+        """Records the program of the outputs, and the program for twice the digits if that differs.
+        """
         recorder = Recorder(inputs, fine)
         recording = FunctionRecording(self.scene, self.tree, self.names, recorder)
         if entry.compute is None:
-            raise TypeError(f"{entry.name} has nothing that computes it")
+            raise TypeError(f"{entry.name} has no compute function")
         try:
             results = entry.compute(RecordedDynamics(recording, entry, self._roots))
         except ZeroDivisionError:
@@ -151,7 +151,8 @@ class Derivation:
         return replace(program, fine=self._recorded(entry, inputs, fine=True))
 
     def _division(self, entry: SceneFunction, heading: str) -> ModelError:
-        """Says what divides by zero: the mass matrix, or a function's or an effect's own law."""
+        """Names the cause of a division by zero: the mass matrix, or a function's or an effect's
+        own law."""
         what = f"its numbers make a division by zero in {entry.name}, whatever q is"
         of_effect = heading.partition(" at ")[0] in {x.effect.name for x in self.scene.effects}
         if entry.divides and not of_effect:
@@ -163,12 +164,12 @@ class Derivation:
         return ModelError(f"{self.scene.name}: {heading or self.scene.model.name}", what)
 
     def _headings(self) -> dict[str, str]:
-        """What text says instead of a body's heading: its number and name, and how it moves if it
-        is a link's first: "4 forearm: elbow turns about y"."""
-        found = {heading_of_body(x): f"{number} {x}" for x, number in self.bodies.items()}
+        """Headings of bodies in text: number and name, and the joint that moves it if it is a
+        link's first body: "4 forearm: elbow turns about y"."""
+        results = {heading_of_body(x): f"{number} {x}" for x, number in self.bodies.items()}
         for link in self.tree.links:
-            found[link.heading] += f": {link.joint.in_words}"
-        return found
+            results[link.heading] += f": {link.joint.in_words}"
+        return results
 
     def _at_rest(self, names: Sequence[str]) -> dict[str, tuple[float, ...]]:
         """Inputs by name, at rest: neutral coordinates, default parameters, zero velocities."""
@@ -183,7 +184,7 @@ def _is_zero(x: Operand) -> bool:
 
 
 def _fit(name: str, outputs: Sequence[Argument], results: Results) -> None:
-    """Raise ValueError for results that are not those of the function's outputs."""
+    """Raises ValueError if the results do not fit the function's outputs."""
     if len(results) != len(outputs):
         raise ValueError(f"{name}: compute returned {len(results)} results; wanted "
                          f"{len(outputs)}: {', '.join(a.name for a in outputs)}")

@@ -1,4 +1,5 @@
-"""The functions of a scene: each is recorded separately, with only what its outputs need."""
+"""Derives the functions of a scene: each is recorded separately, with only the values that its
+outputs need."""
 
 from collections.abc import Callable, Collection
 from dataclasses import replace
@@ -7,7 +8,7 @@ from coscrew_codegen.algebra.recording.gc_pause import uncollected
 from coscrew_codegen.dynamics.algorithms import coordinates
 from coscrew_codegen.dynamics.derivation import Derivation
 from coscrew_codegen.dynamics.integrator_steps import needs, stepped
-from coscrew_codegen.dynamics.ranges.accuracy_requests import asked
+from coscrew_codegen.dynamics.ranges.accuracy_requests import requested
 from coscrew_codegen.dynamics.ranges.ranges import refuse_numbers
 from coscrew_codegen.dynamics.ranges.rounding import statement
 from coscrew_codegen.program.scene_functions import FunctionProgram, SceneFunctions
@@ -26,11 +27,11 @@ from coscrew_codegen.scene.signs import signs
 
 def derive(scene: Scene, functions: Collection[str] = (),
            tell: Callable[[str], None] = lambda name: None) -> SceneFunctions:
-    """The functions that a scene selects, or those with these names that it has, and the internal
+    """Derives the functions that a scene selects, or its functions of these names, and the internal
     functions that their steps call.  `tell` is called with each name before it is derived.
 
     Raises RangeError for numbers that one of its precisions cannot represent, ModelError if a
-    function divides by zero whatever q is, FunctionsError for functions that it cannot have, and
+    function divides by zero whatever q is, FunctionsError for functions that the scene lacks, and
     for too many joints."""
     refuse_many(scene)
     refuse_numbers(scene)
@@ -62,10 +63,10 @@ def _functions(its: Derivation, names: Collection[str]) -> SceneFunctions:
 
 
 def _stated(its: Derivation, made: FunctionProgram, public: bool) -> FunctionProgram:
-    """The function, public or not, with what is proved of its rounding errors."""
+    """The function, public or not, with the proved bounds of its rounding errors."""
     rounding = statement(made.program, its.scene, its.tree) if public else ""
     return replace(made, internal=not public, rounding=rounding,
-                   accuracy=asked(made.program, its.scene, its.tree) if public else None)
+                   accuracy=requested(made.program, its.scene, its.tree) if public else None)
 
 
 def _refuse(its: Derivation, entry: SceneFunction, reason: str, names: Collection[str]) -> None:

@@ -1,4 +1,4 @@
-"""The recording of one function of a scene, and the quantities that most functions start from."""
+"""Recording of one function of a scene, with the quantities that most functions need."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -9,7 +9,7 @@ from coscrew_codegen.algebra.recording.recorder import Recorder
 from coscrew_codegen.dynamics.algorithms import rnea
 from coscrew_codegen.dynamics.algorithms.bodies import Rigid, rigids
 from coscrew_codegen.dynamics.algorithms.motion import Motion
-from coscrew_codegen.dynamics.forces.applied_effects import Acting, gravity, joint_inertias
+from coscrew_codegen.dynamics.forces.applied_effects import AppliedEffects, gravity, joint_inertias
 from coscrew_codegen.scene.mechanism.tree import Tree
 from coscrew_codegen.scene.scene import Scene
 
@@ -18,7 +18,7 @@ Results = Sequence[Sequence[Number]]  # the components of each
 
 @dataclass
 class FunctionRecording:
-    """The recording of one function, and the quantities that most functions start from."""
+    """Recording of one function, with the quantities that most functions need."""
 
     scene: Scene
     tree: Tree
@@ -45,10 +45,10 @@ class FunctionRecording:
 
     @cached_property
     def inertias(self) -> dict[str, Number]:
-        """The inertias of joints themselves, by joint."""
+        """The joints' own inertias, by joint."""
         return joint_inertias(self.scene, self.recorder)
 
-    def torques(self, motion: Motion, acting: Acting | None) -> list[Number]:
+    def torques(self, motion: Motion, acting: AppliedEffects | None) -> list[Number]:
         """The torques of inverse dynamics."""
         wrenches = rnea.transmitted(motion, rnea.net_wrenches(motion, self.rigids, acting))
         return rnea.joint_torques(motion, wrenches, acting, self.inertias)

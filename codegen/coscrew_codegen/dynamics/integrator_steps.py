@@ -1,12 +1,11 @@
-"""Steps of integrators: their schemes as calls of a scene's functions.
+"""Builds steps of integrators: their schemes as calls of a scene's functions.
 
 All arithmetic of a step is in a few functions that the integrators share.  They are named after
 their weights, integers and their common denominator D: kick_1_2_2_1_6 has the weights of rk4.
 
     drift_n1_n2_D(h, u1, u2) = h/D (n1 u1 + n2 u2),          phi of q ⊕ phi
     kick_n1_n2_D(h, v, a1, a2) = v + h/D (n1 a1 + n2 a2)
-    time_n_D(t, h) = t + n h/D
-"""
+    time_n_D(t, h) = t + n h/D"""
 
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import replace
@@ -35,7 +34,7 @@ CHART_ORDER = 4
 
 
 def needs(integrator: Integrator, takes_tau: bool = False) -> tuple[str, ...]:
-    """The functions that a step calls, if the scene has them."""
+    """Names of the functions that a step calls, if the scene has them."""
     match integrator.scheme:
         case Tableau():
             return ACCELERATION, MOVED, RATE
@@ -48,14 +47,14 @@ def needs(integrator: Integrator, takes_tau: bool = False) -> tuple[str, ...]:
 
 
 def _accelerating(by: str, takes_tau: bool) -> str:
-    """The function of the accelerations `by`, or the one that also takes torques of joints."""
+    """Name of the acceleration function `by`, or of its variant that also takes joint torques."""
     return f"{by}_tau" if takes_tau and by != ACCELERATION else by
 
 
 def stepped(scene: SceneFunctions, integrators: Iterable[Integrator] = EMITTED,
             with_tau: Iterable[Integrator] = ()) -> SceneFunctions:
-    """The scene with a step for each of these integrators, those `with_tau` that take torques of
-    joints, and the internal functions they need.
+    """Adds to the scene a step for each of these integrators, steps that take joint torques for
+    those in `with_tau`, and the internal functions that steps need.
 
     Raises ValueError if an integrator calls a function that the scene does not have, or has a
     higher order than the chart for quaternions."""
@@ -101,13 +100,13 @@ class _Means:
         given, above, below = [recorder.argument(x) for x in names], *_scaled(weights)
         with recorder.part("part"):
             part = recorder.argument("h")[0] / below
-        found: list[Number] = []
+        results: list[Number] = []
         for joint, places in zip(self.joints, self.scene.coordinates, strict=True):
             with recorder.part(joint, kind, f"joint {places.joint!r}"):
                 for k in places.v:
                     mean = part * _sum([x[k] * n for x, n in zip(given, above, strict=True)])
-                    found.append(recorder.argument("v")[k] + mean if added else mean)
-        program = recorder.program(name, [(array(result, size, "along the speeds"), found)])
+                    results.append(recorder.argument("v")[k] + mean if added else mean)
+        program = recorder.program(name, [(array(result, size, "along the speeds"), results)])
         words = f"{result} = {'v + ' if added else ''}{_in_words(weights, names)}"
         self.functions[name] = FunctionProgram(name, words, program, headings(program),
                                                internal=True)
@@ -199,7 +198,7 @@ class _StepWriter:
 
     def _weighted(self, mean: Callable[[Sequence[Fraction]], str], of: str,
                   row: Sequence[Fraction], values: Sequence[str], result: str) -> None:
-        """Append a weighted mean, without values of weight zero."""
+        """Appends a weighted mean, without values of weight zero."""
         kept = [(weight, x) for weight, x in zip(row, values, strict=True) if weight]
         names = numbered(of, len(kept))
         self._call(mean([weight for weight, _ in kept]), result,

@@ -1,4 +1,5 @@
-"""What functions of scenes are made of: poses, twists, torques, momenta, … of one recording."""
+"""Quantities from which functions of scenes are built: poses, twists, torques, momenta, … of one
+recording."""
 
 from collections.abc import Callable, Sequence
 from functools import cached_property
@@ -22,7 +23,7 @@ from coscrew_codegen.dynamics.algorithms import (
     rnea,
 )
 from coscrew_codegen.dynamics.algorithms.motion import Motion
-from coscrew_codegen.dynamics.forces.applied_effects import Acting
+from coscrew_codegen.dynamics.forces.applied_effects import AppliedEffects
 from coscrew_codegen.dynamics.forces.effect_values import Values, values_of
 from coscrew_codegen.dynamics.function_recording import FunctionRecording
 from coscrew_codegen.program.values.parameter import Parameter, Scalar
@@ -75,8 +76,8 @@ class RecordedDynamics:
         return self._recording.motion()
 
     def _refuse_unless(self, *allowed: Depends) -> None:
-        """Raise ValueError if the function does not say what it depends on, so that it lacks p or
-        t."""
+        """Raises ValueError if the function uses p or t without declaring that it depends on them.
+        """
         if self._function.depends not in allowed:
             raise ValueError(f"{self._function.name} depends on {allowed[0].name.lower()}; wanted "
                              f"depends = Depends.{allowed[0].name}")
@@ -104,15 +105,15 @@ class RecordedDynamics:
 
     @cached_property
     def _numbers(self) -> dict[str, str]:
-        """The numbers of bodies, after which their values are named."""
+        """The numbers of bodies, which name their values."""
         return {body.name: str(n) for n, body in enumerate(self.scene.model.bodies)}
 
     # dynamics
 
     @cached_property
-    def _acting(self) -> Acting:
+    def _acting(self) -> AppliedEffects:
         self._refuse_unless(Depends.EFFECTS)
-        return Acting(self.scene, self._motion).act()
+        return AppliedEffects(self.scene, self._motion).act()
 
     def mass_matrix(self) -> Numbers:
         """M(q), row by row."""
@@ -151,7 +152,7 @@ class RecordedDynamics:
         return wrenches[self._tree.links.index(self._tree.link_of(joint))]
 
     def of_effect(self, applied: Applied) -> Values:
-        """What an effect exerts, its power and its energy."""
+        """Force or torque of an effect, its power and its energy."""
         self._refuse_unless(Depends.EFFECTS)
         return values_of(self._recording, self._motion, applied)
 

@@ -15,7 +15,8 @@ from coscrew_codegen.program.program import Constant, Instruction, Program
 
 V = TypeVar("V")
 Partials = Callable[[Op], Slopes | None]
-"""Partial derivatives of an operation: those of the table, or others where these are infinite."""
+"""Returns an operation's partial derivatives: from the table, or finite ones where those are
+infinite."""
 
 
 def of_table(op: Op) -> Slopes | None:
@@ -24,11 +25,11 @@ def of_table(op: Op) -> Slopes | None:
 
 
 Product = Callable[[Instruction, Any, Any], Any]
-"""The product of a partial derivative of an instruction with a derivative."""
+"""Multiplies an instruction's partial derivative by a derivative."""
 
 
 def times(step: Instruction, partial: Any, derivative: Any) -> Any:
-    """Just that."""
+    """Returns the plain product."""
     return partial * derivative
 
 

@@ -1,9 +1,8 @@
 """Folds instructions by exact rules on constants, zeros, ones and signs.
 
-A sum absorbs signs (a + (-b) is a - b), a product passes them on ((-a) b is -(a b)), so that a
-negation remains only where a result needs it.  The rules change no value except the sign of zero,
-and 0 times infinity or NaN, which they make 0.
-"""
+A sum absorbs signs (a + (-b) is a - b), a product passes them on ((-a) b is -(a b)), so a negation
+remains only where a result needs it.  The rules change two values only: the sign of zero, and 0
+times infinity or NaN, which becomes 0."""
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
@@ -26,7 +25,7 @@ They have 50 digits: an entry of a product of rotations would be 6e-63, beyond s
 range.  Pairs of doubles carry 106 bits.
 """
 _FAR = 1 << 14
-"""Of exp x with |x| beyond, every format holds 0 or infinity, one of 128 bits included.  At t = 0 a
+"""For |x| beyond this, exp x is 0 or infinity in every format, even in one of 128 bits.  At t = 0 a
 short pulse in time has such a factor, whose fraction would have 10^11 bits."""
 
 
@@ -50,7 +49,7 @@ Result = Operand | Folded | KnownSign
 
 
 def fraction(value: Fraction | int) -> Fraction:
-    """The number, exactly; refuses floats, which differ from the decimals they were written as."""
+    """Returns the exact number; refuses floats, which differ from the decimals in the file."""
     if isinstance(value, float):
         raise TypeError(f"{value!r} is a float; numbers of scenes are exact fractions")
     return Fraction(value)
@@ -245,7 +244,7 @@ def _evaluated(op: Op, values: tuple[Fraction, ...]) -> Fraction:
 
 
 def _size(x: Fraction) -> int:
-    """The exponent e with 2^(e-1) < |x| < 2^(e+1); of zero, one that is below all others."""
+    """The exponent e with 2^(e-1) < |x| < 2^(e+1); for zero, one below all others."""
     return x.numerator.bit_length() - x.denominator.bit_length() if x else -_LONGEST
 
 

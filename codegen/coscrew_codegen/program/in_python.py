@@ -1,5 +1,5 @@
-"""A Program as a function of Python, for any kind of numbers; Python's own floats as such a kind.
-"""
+"""Turns a Program into a Python function, for any kind of numbers; defines Python's floats as one
+kind."""
 
 import math
 import operator
@@ -12,6 +12,7 @@ import numpy as np
 from coscrew_codegen.program.interpreter import Arithmetic, by_operation, exactly, number_of
 from coscrew_codegen.program.ops import COMPARISONS, POLYNOMIAL, Op
 from coscrew_codegen.program.program import Input, Operand, Program, Ref
+from coscrew_codegen.program.text_module import imported
 
 V = TypeVar("V")
 _INFIX: dict[Callable[..., Any], str] = {
@@ -21,8 +22,8 @@ _INFIX: dict[Callable[..., Any], str] = {
 
 def in_python(program: Program, arithmetic: Arithmetic[V]
               ) -> Callable[[Sequence[Sequence[V]]], list[V]]:
-    """Returns the function that `interpreter` returns, with the same results: several times as
-    fast, but made in the time that the interpreter takes for ten states or so."""
+    """Returns a function with the results of `interpreter`'s, several times as fast; making it
+    takes as long as interpreting about ten states."""
     used = (*(x for step in program.instructions for x in step.operands), *program.results)
     inputs = {x: f"x{n}" for n, x in enumerate(
         dict.fromkeys(x for x in used if isinstance(x, Input)))}
@@ -41,8 +42,8 @@ def in_python(program: Program, arithmetic: Arithmetic[V]
         lines.append(f"y{n} = {f' {infix} '.join(operands)}" if infix else
                      f"y{n} = f{n}({', '.join(operands)})")
     lines.append(f"return [{', '.join(names[x] for x in program.results)}]")
-    exec("def function(given):\n " + "\n ".join(lines), known)
-    made: Callable[[Sequence[Sequence[V]]], list[V]] = known["function"]
+    module = imported(program.name, "def function(given):\n " + "\n ".join(lines), known)
+    made: Callable[[Sequence[Sequence[V]]], list[V]] = module.function
     return made
 
 

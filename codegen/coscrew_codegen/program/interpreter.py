@@ -8,6 +8,7 @@ import operator
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
+from itertools import groupby
 from typing import Any, Generic, TypeVar
 
 from coscrew_codegen.program.ops import ERROR_OF, Op
@@ -21,8 +22,8 @@ V = TypeVar("V")
 class Arithmetic(Generic[V]):
     """A kind of numbers V.
 
-    `constant` converts a constant; `function` returns what computes an instruction, given the
-    instruction and its number in the program."""
+    `constant` converts a constant; `function` returns a callable that computes an instruction,
+    given the instruction and its number in the program."""
 
     constant: Callable[[Constant], V]
     function: Callable[[Instruction, int], Callable[..., V]]
@@ -41,14 +42,24 @@ def interpreter(program: Program, arithmetic: Arithmetic[V]
     kept = [number_of(x, program, arithmetic) for x in others]
     names = [Ref(step.name) for step in program.instructions]
     places = {x: place for place, x in enumerate((*inputs, *others, *names))}
-    steps = [(arithmetic.function(step, number), [places[x] for x in step.operands])
-             for number, step in enumerate(program.instructions)]
+    steps: list[Any] = [
+        (arithmetic.function(step, number), *(places[x] for x in step.operands))
+        for number, step in enumerate(program.instructions)]
+    alike = [(size - 1, list(block)) for size, block in groupby(steps, len)]
     results = [places[x] for x in program.results]
 
     def evaluated(given: Sequence[Sequence[V]]) -> list[V]:
-        values = [*(given[x.argument][x.index] for x in inputs), *kept]
-        for function, operands in steps:
-            values.append(function(*[values[place] for place in operands]))
+        values: list[V] = [*(given[x.argument][x.index] for x in inputs), *kept]
+        for operands, block in alike:  # a list of operands for each step takes three times as long
+            if operands == 2:
+                for function, x, y in block:
+                    values.append(function(values[x], values[y]))
+            elif operands == 1:
+                for function, x in block:
+                    values.append(function(values[x]))
+            else:
+                for function, *xs in block:
+                    values.append(function(*[values[x] for x in xs]))
         return [values[place] for place in results]
 
     return evaluated

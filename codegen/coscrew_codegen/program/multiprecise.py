@@ -1,5 +1,5 @@
-"""Programs on MPFR's numbers, of as many digits as are wanted: their elementary functions are
-rounded once, and what has no finite value is infinite or NaN, as in C."""
+"""Programs on MPFR's numbers with any number of digits: elementary functions are rounded once, and
+results without a finite value are infinite or NaN, as in C."""
 
 import math
 

@@ -15,7 +15,7 @@ class Rounding(Enum):
     EXACT = "exact"
     ONCE = "rounded once"  # by at most u of the result
     FUNCTION = "within an ulp"  # elementary functions of our own, whose errors are proved
-    REST = "to twice the digits"  # what these err by, with a small error relative to the function
+    REST = "to twice the digits"  # the errors of these, with a small error relative to the function
 
 
 class DerivativeFunctions(Protocol):
@@ -34,7 +34,7 @@ Slopes = Callable[..., tuple[Any, ...]]
 @dataclass(frozen=True)
 class Meaning:
     """Number of operands of an operation, how its result is rounded, and its partial derivatives:
-    None where it has none that are numbers (comparisons; a choice has those of its options)."""
+    None if it has none (comparisons; a choice has those of its options)."""
 
     arity: int
     rounding: Rounding
@@ -84,7 +84,7 @@ class Op(Enum):
 
     @property
     def rounds(self) -> bool:
-        """Whether the result may differ from the exact one."""
+        """True if the result may differ from the exact one."""
         return self.meaning.rounding is not Rounding.EXACT
 
 
@@ -136,6 +136,7 @@ COMPARISONS = frozenset({Op.LESS, Op.EQUAL})
 """The operations whose results are truth values, for SELECT."""
 ERROR_OF = {Op.SIN: Op.SIN_ERROR, Op.COS: Op.COS_ERROR, Op.ATAN2: Op.ATAN2_ERROR,
             Op.EXP: Op.EXP_ERROR, Op.TANH: Op.TANH_ERROR}
-"""The operation that computes what an elementary function errs by, from its operands and result."""
+"""From an elementary function to the operation that computes its error, from its operands and
+result."""
 POLYNOMIAL = frozenset({Op.ADD, Op.SUB, Op.MUL, Op.NEG})
 """The operations of polynomials."""

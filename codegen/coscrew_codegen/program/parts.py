@@ -1,5 +1,5 @@
-"""Cuts Programs into parts that are short enough to compile; what several Programs compute is in
-parts that they share.
+"""Cuts Programs into parts that are short enough to compile; values that several Programs compute
+are in shared parts.
 
 Programs share a value if it is the same operation on the same operands, whatever its name.  The
 values that exactly the same programs use form a group: its parts compute them in the order of the
@@ -12,8 +12,7 @@ programs come first.
 
 A group from which other groups read most values saves little text and costs the time to store and
 load them: it is merged into the groups that read it.  Comparisons are not stored: each part that
-needs one compares again.  Knows no language and no mechanics.
-"""
+needs one compares again.  Knows no language and no mechanics."""
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
@@ -112,17 +111,17 @@ class _Values:
 
     def _number(self, step: Instruction, operands: tuple[_Operand, ...]) -> int:
         """The number of the value, a new one if it is new."""
-        found = self._numbers.get((step.op, operands))
-        if found is None and step.op.meaning.commutes:
-            found = self._numbers.get((step.op, operands[::-1]))
-        if found is None:
-            found = len(self.steps)
-            self._numbers[step.op, operands] = found
+        result = self._numbers.get((step.op, operands))
+        if result is None and step.op.meaning.commutes:
+            result = self._numbers.get((step.op, operands[::-1]))
+        if result is None:
+            result = len(self.steps)
+            self._numbers[step.op, operands] = result
             self.steps.append((step.op, operands))
             self.compares.append(step.op in COMPARISONS)
             self.users.append(0)
             self.components.append(step.component)
-        return found
+        return result
 
     def called(self, users: _Users) -> dict[int, str]:
         """The names of values in the first of these programs, in its order."""
@@ -150,8 +149,8 @@ def _groups(values: _Values) -> dict[_Users, list[int]]:
     homes: list[list[_Users]] = [[] if values.compares[x] else [users]
                                  for x, users in enumerate(values.users)]
     readers: dict[int, list[int]] = {}
-    for number, found in enumerate(homes):
-        for users in found:
+    for number, group_users in enumerate(homes):
+        for users in group_users:
             groups.setdefault(users, []).append(number)
             for x in values.read(values.steps[number][1]):
                 readers.setdefault(x, []).append(number)
@@ -172,12 +171,12 @@ def _groups(values: _Values) -> dict[_Users, list[int]]:
 
 def _disjoint(users: _Users, readers: Iterable[_Users]) -> list[_Users]:
     """The programs in sets such that the programs of each reader are in one set."""
-    found: list[_Users] = []
+    results: list[_Users] = []
     for reader in (*sorted(readers), *(1 << k for k in range(users.bit_length()))):
         if reader & users:
-            touched = [x for x in found if x & reader]
-            found = [*(x for x in found if x not in touched), sum(touched) | reader]
-    return found
+            touched = [x for x in results if x & reader]
+            results = [*(x for x in results if x not in touched), sum(touched) | reader]
+    return results
 
 
 class _Cutting:
@@ -197,11 +196,11 @@ class _Cutting:
         kept = self._kept()
         self.kept = {users: [x for x in members if (users, x) in kept]
                      for users, members in groups.items()}
-        self.places = {(users, x): k for users, found in self.kept.items()
-                       for k, x in enumerate(found)}
+        self.places = {(users, x): k for users, result in self.kept.items()
+                       for k, x in enumerate(result)}
         given = {a.name: a for program in programs for a in program.inputs}
-        self.inputs = (*given.values(), *(_array(self.names[users], len(found))
-                                          for users, found in self.kept.items()))
+        self.inputs = (*given.values(), *(_array(self.names[users], len(result))
+                                          for users, result in self.kept.items()))
 
     def cuts(self) -> dict[str, Cut]:
         """Returns the cut of each program, by name."""
@@ -222,15 +221,15 @@ class _Cutting:
         taken = {name for program in self.programs for name in (
             *(a.name for a in (*program.inputs, *program.outputs)),
             *(step.name for step in program.instructions))}
-        found, several = {}, 0
+        result, several = {}, 0
         for users in self.pieces:
             several += users.bit_count() > 1
             of = (f"{name}_{several}" if users.bit_count() > 1
                   else self.programs[users.bit_length() - 1].name)
             while of in taken:
                 of += "_"
-            found[users] = of
-        return found
+            result[users] = of
+        return result
 
     def _pieces(self, numbers: Sequence[int]) -> Iterator[list[int]]:
         """The values in parts, cut where headings change if possible, else where components change.
@@ -262,14 +261,14 @@ class _Cutting:
 
     def _kept(self) -> set[tuple[_Users, int]]:
         """The values that are read outside their part, with their groups."""
-        found = {(self.home(x, 1 << place), x) for place, results in enumerate(self.values.results)
-                 for x in self.values.read(results)}
+        values = {(self.home(x, 1 << place), x) for place, results in enumerate(self.values.results)
+                  for x in self.values.read(results)}
         for number, homes in self.homes.items():
             for x in self.values.read(self.values.steps[number][1]):
                 for users, part in homes.items():
                     if self.homes[x].get(users) != part:
-                        found.add((self.home(x, users), x))
-        return found
+                        values.add((self.home(x, users), x))
+        return values
 
     def _group(self, users: _Users) -> Group:
         name, names = self.names[users], self.values.called(users)

@@ -1,4 +1,4 @@
-"""Finds effects, tiers, targets and integrators: adding or deleting a file adds or removes one.
+"""Finds effects, tiers, targets, readers …: adding or deleting a file adds or removes one.
 
 Each is a module of its package and assigns the object to an agreed name, such as `EFFECT`.  Modules
 without that name are helpers of the others."""
@@ -20,8 +20,8 @@ class Named(Protocol):
 Found = TypeVar("Found", bound=Named)
 
 
-def found(package: str, path: Iterable[str], attribute: str, kind: type[Found]
-          ) -> tuple[Found, ...]:
+def discover(package: str, path: Iterable[str], attribute: str, kind: type[Found]
+             ) -> tuple[Found, ...]:
     """The objects called `attribute` in the modules of a package and of the packages in it, in the
     order of module names.
 

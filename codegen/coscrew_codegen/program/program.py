@@ -20,7 +20,7 @@ class Input(NamedTuple):
     """Component `index` (row by row) of the input number `argument`."""
 
     argument: int
-    index: int  # type: ignore[assignment]  # of the component: nobody asks a tuple's index()
+    index: int  # type: ignore[assignment]  # of the component; hides tuple.index()
 
 
 @dataclass(frozen=True)
@@ -29,8 +29,8 @@ class Constant:
 
     double: Fraction
     single: Fraction
-    name: str = field(default="", compare=False)  # what a text may call it
-    tail: Fraction = Fraction(0)  # a series' last: how far those that are left out may move it
+    name: str = field(default="", compare=False)  # its name in text, if any
+    tail: Fraction = Fraction(0)  # a last coefficient's margin for truncated terms
 
     def __hash__(self) -> int:
         return self._hash
@@ -65,7 +65,7 @@ Operand = Input | Constant | NotANumber | Ref
 
 
 def name_of(x: Operand) -> str:
-    """The name of the instruction whose result it is; empty for what no instruction computes."""
+    """The name of the instruction whose result it is; empty for an input or a constant."""
     return x.name if isinstance(x, Ref) else ""
 
 
@@ -80,20 +80,22 @@ class Instruction:
 
 
 def is_rounded(x: Operand) -> bool:
-    """Whether the operand is a constant that is not a binary fraction, and so is rounded."""
+    """Returns whether the operand is a constant that is not a binary fraction, and so is rounded.
+    """
     denominator = x.double.denominator if isinstance(x, Constant) else 1
     return bool(denominator & (denominator - 1))
 
 
 def scales(step: Instruction) -> bool:
-    """Whether this is a product with a constant power of two: exact barring over- and underflow."""
+    """Returns whether this is a product with a constant power of two: exact barring over- and
+    underflow."""
     return step.op is Op.MUL and any(
         isinstance(x, Constant) and x.double == x.single and is_power_of_two(x)
         for x in step.operands)
 
 
 def is_power_of_two(x: Constant) -> bool:
-    """Whether the constant is one in both precisions."""
+    """Returns whether the constant is one in both precisions."""
     return all(value > 0 and all(n & (n - 1) == 0 for n in value.as_integer_ratio())
                for value in (x.double, x.single))
 
@@ -126,7 +128,7 @@ class Program:
 
     @property
     def zero(self) -> bool:
-        """Whether all results are zero whatever the inputs."""
+        """True if all results are zero whatever the inputs."""
         return all(isinstance(x, Constant) and not (x.double or x.single) for x in self.results)
 
     def used_inputs(self) -> frozenset[Input]:
@@ -136,7 +138,7 @@ class Program:
 
 
 def has_rounded_constants(program: Program) -> bool:
-    """Whether the program computes with constants that are rounded."""
+    """Returns whether the program computes with constants that are rounded."""
     return any(is_rounded(x) for step in program.instructions if step.op.rounds
                for x in step.operands)
 
@@ -175,12 +177,12 @@ def sine_cosine_pairs(program: Program) -> dict[str, tuple[Instruction, Instruct
     """Sine and cosine of the same operand, and their errors, which languages compute together, by
     the names of both."""
     circular = {Op.SIN, Op.COS, Op.SIN_ERROR, Op.COS_ERROR}
-    found = {(step.op, step.operands): step for step in program.instructions
-             if step.op in circular}
-    pairs = [(sine, found[Op.COS, x]) for (op, x), sine in found.items()
-             if op is Op.SIN and (Op.COS, x) in found]
+    results = {(step.op, step.operands): step for step in program.instructions
+               if step.op in circular}
+    pairs = [(sine, results[Op.COS, x]) for (op, x), sine in results.items()
+             if op is Op.SIN and (Op.COS, x) in results]
     for sine, cosine in tuple(pairs):
-        errors = [found.get((ERROR_OF[step.op], (*step.operands, Ref(step.name))))
+        errors = [results.get((ERROR_OF[step.op], (*step.operands, Ref(step.name))))
                   for step in (sine, cosine)]
         if errors[0] and errors[1]:
             pairs.append((errors[0], errors[1]))
@@ -203,9 +205,9 @@ def counts_in_words(program: Program) -> str:
     return in_words(program.counts)
 
 
-def in_words(found: Mapping[Op, int]) -> str:
-    """'24 mul, 18 add' of counts."""
-    counts = Counter(found)
+def in_words(numbers: Mapping[Op, int]) -> str:
+    """Writes counts as '24 mul, 18 add'."""
+    counts = Counter(numbers)
     counts[Op.ADD] += counts.pop(Op.SUB, 0)
     counts[Op.MUL] += counts.pop(Op.SCALE, 0)
     for op in (Op.EXACT_ADD, Op.EXACT_SUB):

@@ -1,12 +1,11 @@
-"""What analyses of rounding errors share: how a product passes errors on, and floats that round up.
-"""
+"""Shared parts of rounding-error analyses: the error of a product, and floats that round up."""
 
 from math import inf, nextafter
 from typing import Protocol, TypeVar
 
 
 class Upward(float):
-    """A bound, no less than 0: its sums and products are rounded up, and exact with 0."""
+    """A nonnegative bound whose sums and products are rounded up, and exact with 0."""
 
     def __add__(self, other: float) -> "Upward":
         return Upward(nextafter(float(self) + other, inf)) if other else self
@@ -26,5 +25,5 @@ N = TypeVar("N", bound=Ring)
 
 
 def product_error(a: N, error_a: N, b: N, error_b: N) -> N:
-    """How far a product is from a b, of factors up to a and b in size that err by so much."""
+    """Bounds the error of a product, given the sizes and the errors of its factors."""
     return a * error_b + error_a * b + error_a * error_b

@@ -1,9 +1,10 @@
-"""What targets receive of a scene: its functions as Programs."""
+"""Data of a scene for targets: its functions as Programs."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from typing import TypeVar
 
 from coscrew_codegen.program import Program
-from coscrew_codegen.program.values.formats import BY_NAME
+from coscrew_codegen.program.values.formats import BY_NAME, Precision
 from coscrew_codegen.program.values.parameter import Sign
 from coscrew_codegen.program.values.quantity import Argument
 
@@ -16,15 +17,15 @@ class Coordinate:
     """The entries of q and v that belong to a joint."""
 
     joint: str
-    kind: str  # revolute, prismatic, spherical, free
+    kind: str  # revolute, prismatic, …
     q: range
     v: range
 
 
 @dataclass(frozen=True)
 class Accuracy:
-    """What errors of a function's results may be, and of which states: ranges of each component of
-    each input, and which of them are quaternions."""
+    """Requested error limits of a function's results, and the states for which they hold: ranges of
+    each component of each input, and the components that are quaternions."""
 
     tolerances: tuple[float, ...]  # of each component of the results
     components: tuple[tuple[str, int], ...]  # their outputs and numbers
@@ -50,12 +51,12 @@ class FunctionProgram:
     internal: bool = False
     rounding: str = ""  # how far roundings can move its outputs, if that is proved
     plain: Program | None = None
-    accuracy: Accuracy | None = None  # if it is asked for: the mixed tier has it
+    accuracy: Accuracy | None = None  # if requested: then the mixed tier has the function
     units: tuple[str, ...] = ()  # of each component of its results, in order
 
     @property
     def inputs(self) -> tuple[Argument, ...]:
-        """What callers give it."""
+        """The inputs that callers pass."""
         return (self.plain or self.program).inputs
 
     @property
@@ -64,7 +65,7 @@ class FunctionProgram:
         return self.program.inputs[len(self.inputs):]
 
     def takes(self, name: str) -> bool:
-        """Whether an input has this name."""
+        """Returns whether an input has this name."""
         return any(a.name == name for a in self.program.inputs)
 
 
@@ -126,7 +127,7 @@ class Signature:
 
     @property
     def repeats(self) -> bool:
-        """Whether it is a step that many steps in one call repeat: one that does not take tau."""
+        """True if it is a step that many steps in one call repeat: one that does not take tau."""
         return self.moved and "tau" not in dict(self.inputs)
 
     @property
@@ -145,8 +146,8 @@ class Signature:
 
 @dataclass(frozen=True)
 class SceneInterface:
-    """What callers of a scene's functions need: sizes, names and entries of q and v; no Programs.
-    """
+    """Interface of a scene's functions for callers: sizes, names and entries of q and v; no
+    Programs."""
 
     name: str
     nq: int
@@ -165,7 +166,7 @@ class SceneInterface:
 
 @dataclass(frozen=True)
 class SceneFunctions:
-    """What targets receive of a scene."""
+    """A scene's functions and data for targets."""
 
     name: str
     nq: int
@@ -176,7 +177,7 @@ class SceneFunctions:
     neutral: tuple[float, ...]  # the q at which every joint's displacement is the identity
     functions: tuple[FunctionProgram, ...]
     steps: tuple[IntegratorStep, ...] = ()  # of each integrator
-    precisions: tuple[str, ...] = tuple(BY_NAME)  # those it is emitted in
+    precisions: tuple[str, ...] = tuple(BY_NAME)  # in which it is emitted
     timed: bool = False  # whether forces depend on time
     signs: tuple[tuple[str, Sign], ...] = ()  # names of the parameters with a sign
     tiers: tuple[str, ...] = ()  # in which the public functions are emitted, too
@@ -184,11 +185,35 @@ class SceneFunctions:
 
     def named(self, name: str) -> FunctionProgram:
         """The function of this name; a ValueError if there is none."""
-        found = next((f for f in self.functions if f.name == name), None)
-        if found is None:
+        function = next((f for f in self.functions if f.name == name), None)
+        if function is None:
             raise ValueError(f"scene {self.name!r} has no function {name!r}")
-        return found
+        return function
 
     def has(self, name: str) -> bool:
-        """Whether there is a function of this name."""
+        """Returns whether there is a function of this name."""
         return any(f.name == name for f in self.functions)
+
+
+def c_name(scene: SceneFunctions | SceneInterface, name: str, precision: Precision) -> str:
+    """arm_forward_dynamics, arm_forward_dynamicsf, arm_forward_dynamics_accurate."""
+    return f"{scene.name}_{name}{scene.mark and f'_{scene.mark}'}{precision.suffix}"
+
+
+Scene = TypeVar("Scene", SceneFunctions, SceneInterface)
+
+
+def many(scene: Scene) -> Scene:
+    """The scene, with the names in C of its functions of many states: arm_energy_many."""
+    return replace(scene, mark=marked(scene.mark, "many"))
+
+
+def marked(*marks: str) -> str:
+    """Joins the marks that end names in C, without empty ones."""
+    return "_".join(filter(None, marks))
+
+
+def signs(scene: SceneFunctions | SceneInterface) -> tuple[tuple[int, str, bool], ...]:
+    """Returns for each parameter with a sign: its index in p, its name, whether it may be zero."""
+    names = [name for name, _ in scene.parameters]
+    return tuple((names.index(name), name, sign is Sign.NONNEGATIVE) for name, sign in scene.signs)

@@ -1,7 +1,6 @@
-"""The sums of a Program with all their terms, for tiers that add in another order.
+"""Finds the sums of a Program with all their terms, for tiers that add in another order.
 
-A chain of additions in which only the next one uses each partial sum is one sum of many terms.
-"""
+A chain of additions in which only the next one uses each partial sum is one sum of many terms."""
 
 from collections import Counter
 from collections.abc import Callable, Sequence

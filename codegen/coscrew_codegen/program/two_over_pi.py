@@ -1,8 +1,8 @@
 """The digits of 2/π that matter to a large number.
 
 2/π is the sum of chunks of half the digits of a format, rounded to nearest, so that their products
-with halves of numbers are exact.  A number x of d digits and exponent e takes those from chunk
-`index(e)` on: its lower half times earlier chunks, and its upper half times that chunk too, are
+with halves of numbers are exact.  A number x of d digits and exponent e uses the chunks from
+`index(e)` on: its lower half times earlier chunks, and its upper half times that chunk, too, are
 multiples of 4, whole turns.  Chunks are scaled so that none is subnormal."""
 
 from dataclasses import dataclass
@@ -12,7 +12,7 @@ from itertools import pairwise
 from typing import Any
 
 EXTRA = 9
-"""Chunks beyond that with which the largest exponent begins."""
+"""Number of chunks after the first one that the largest exponent uses."""
 
 
 @dataclass(frozen=True)
@@ -25,7 +25,7 @@ class Chunks:
     offset: int
 
     def index(self, exponent: int) -> int:
-        """The chunk with which a number of this exponent, more than `offset`, begins."""
+        """Index of the first chunk that a number of this exponent, more than `offset`, uses."""
         return (exponent - self.offset) // self.bits
 
 
@@ -59,7 +59,7 @@ def chunks(digits: int) -> Chunks:
 
 
 def chunk(x: Any, number: Any, digits: Any) -> Fraction:
-    """2^scale times the chunk that is `number` after that with which x begins."""
+    """2^scale times the chunk `number` places after the first one that x uses."""
     some, size = chunks(int(digits)), abs(Fraction(x))
     exponent = size.numerator.bit_length() - size.denominator.bit_length()
     if Fraction(2)**exponent > size:

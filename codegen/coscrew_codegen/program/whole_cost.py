@@ -13,8 +13,8 @@ _FUNCTIONS = {function.name: function for function in (*ELEMENTARY, *ERRORS)}
 
 
 def whole_counts(program: Program, precision: Precision) -> Mapping[Op, int]:
-    """Counts operations of each kind, those of called functions included: sine and cosine of an
-    angle are one call, and angles are reduced as small ones are."""
+    """Counts operations of each kind, including those of called functions.  Sine and cosine of an
+    angle are one call; the reduction of angles is that of small ones."""
     working = DOUBLE if program.wide else precision
     total = Counter({op: count for op, count in program.counts.items() if op not in FUNCTION_OF})
     calls = {(function.name, step.operands[:_arguments(function)]): function
@@ -26,7 +26,7 @@ def whole_counts(program: Program, precision: Precision) -> Mapping[Op, int]:
 
 
 def counts_of(function: Elementary, precision: Precision) -> Counter[Op]:
-    """The operations of a call: of angles that are reduced as small ones are."""
+    """The operations of a call, with the reduction of small angles."""
     near = function.near(precision).counts if function.near else {}
     return Counter(function.kernel(precision).counts) + Counter(near)
 

@@ -40,7 +40,7 @@ def build_modules(root: Path, folder: Path) -> dict[str, str]:
 
 
 def compiled(root: Path) -> bool:
-    """Whether every package that has an extension runs in it."""
+    """Returns whether every package that has an extension runs in it."""
     return all(import_module(extension.name.removesuffix("._gufunc")).COMPILED
                for extension in extensions(root))
 

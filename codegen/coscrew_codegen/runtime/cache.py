@@ -1,22 +1,26 @@
 """The cache of derived and compiled files, by content, in $XDG_CACHE_HOME/coscrew.
 
-An entry's name is its key, a hash of everything that it was made from, and the hash of its content,
-so that damaged entries are recognized and made again.  Entries are written under another name and
-then renamed, so that concurrent processes see complete entries.  When all together exceed the
-limit, $COSCREW_CACHE_LIMIT, the least recently used entries are removed.
+`cached` finds a value or makes it.  An entry's name is its key, a hash of everything that it was
+made from, and the hash of its content, so that damaged entries are recognized and made again.
+Entries are written under another name and then renamed, so that concurrent processes see complete
+entries; one process makes an entry, others wait for it.  When all together exceed the limit,
+$COSCREW_CACHE_LIMIT, the least recently used entries are removed.
 """
 
 import functools
 import hashlib
 import os
+import pickle
 import re
 import shutil
 import tempfile
 import time
-from collections.abc import Iterator
-from contextlib import contextmanager, suppress
+import zlib
+from collections.abc import Callable, Iterator
+from contextlib import ExitStack, contextmanager, suppress
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Any, TypeVar
 
 from coscrew_codegen.program.reported_error import ReportedError
 
@@ -26,6 +30,9 @@ DEFAULT_LIMIT = "1 GB"
 _UNITS = {"": 1, "B": 1, "KB": 10**3, "MB": 10**6, "GB": 10**9}
 _SIZE = re.compile(r"([0-9]+(?:\.[0-9]+)?) *([KMG]?B)?", re.I)
 _ABANDONED = 86400.0  # s after which files that another process is writing count as abandoned
+
+
+Value = TypeVar("Value")
 
 
 class CacheError(ReportedError, ValueError):
@@ -48,7 +55,7 @@ def folder() -> Path:
 
 
 def lasts() -> bool:
-    """Whether entries are kept for later processes: the folder can be written to."""
+    """Returns whether entries are kept for later processes: the folder can be written to."""
     place = wanted_folder()
     try:
         place.mkdir(parents=True, exist_ok=True)
@@ -83,9 +90,34 @@ def key_of(*parts: str) -> str:
     return hashlib.sha256("\0".join(parts).encode()).hexdigest()[:32]
 
 
-def hashed(content: bytes) -> str:
-    """The hash of an entry's content, in its name."""
-    return hashlib.sha256(content).hexdigest()[:16]
+def hashed(content: bytes, digits: int = 16) -> str:
+    """The hash of a content: in an entry's name, of 16 digits."""
+    return hashlib.sha256(content).hexdigest()[:digits]
+
+
+def cached(key: str, suffix: str, make: Callable[[], bytes], read: Callable[[Path], Value]
+           ) -> Value:
+    """The value that `read` finds in the entry of this key, whose content `make` returns if there
+    is none."""
+    if (kept := kept_as(key, suffix, read)) is not None:
+        return kept
+    with _locked(key):
+        if (kept := kept_as(key, suffix, read)) is not None:  # another process has made it
+            return kept
+        return read(write(key, suffix, make()))
+
+
+def kept_as(key: str, suffix: str, read: Callable[[Path], Value]) -> Value | None:
+    """The value in the entry of this key, None if there is none.  Entries that `read` refuses, by
+    whatever error, are removed: they are another program's."""
+    path = found(key, suffix)
+    if path is None:
+        return None
+    try:
+        return read(path)
+    except Exception:
+        _removed(path)
+        return None
 
 
 def found(key: str, suffix: str) -> Path | None:
@@ -99,29 +131,61 @@ def found(key: str, suffix: str) -> Path | None:
     return None
 
 
-def keep(made: Path, key: str, suffix: str) -> Path:
-    """Make a file, made in a folder of `building`, an entry; removes others if the cache is full.
-    """
+def write(key: str, suffix: str, content: bytes) -> Path:
+    """Store this content as an entry; removes others if the cache is full."""
     most = limit()
-    path = folder() / f"{key}-{hashed(made.read_bytes())}{suffix}"
-    os.replace(made, path)
+    path = folder() / f"{key}-{hashed(content)}{suffix}"
+    replaced(path, content)
     evict(most, path)
     return path
+
+
+def replaced(path: Path, content: bytes) -> None:
+    """Write a file such that other processes see the old one or the new one, whole.  Raises
+    OSError."""
+    path.parent.mkdir(parents=True, exist_ok=True)
+    with tempfile.TemporaryDirectory(prefix=".building-", dir=path.parent) as work:
+        made = Path(work) / "content"
+        made.write_bytes(content)
+        os.replace(made, path)
 
 
 @contextmanager
 def building() -> Iterator[Path]:
     """A temporary folder next to the entries, to make one in."""
-    limit()  # raises CacheError before anything is made
     with tempfile.TemporaryDirectory(prefix=".building-", dir=folder()) as name:
         yield Path(name)
 
 
-def write(key: str, suffix: str, content: bytes) -> None:
-    """Store this content as an entry."""
-    with building() as work:
-        (work / "content").write_bytes(content)
-        keep(work / "content", key, suffix)
+@contextmanager
+def _locked(key: str) -> Iterator[None]:
+    """One process at a time is within, where the system can lock files."""
+    limit()  # raises CacheError before anything is made
+    path = folder() / f".making-{key}"
+    with ExitStack() as stack:
+        with suppress(ImportError, OSError):
+            import fcntl
+
+            file = stack.enter_context(path.open("wb"))
+            fcntl.flock(file, fcntl.LOCK_EX)
+            stack.callback(_removed, path)
+        yield
+
+
+def packed(value: object) -> bytes:
+    """The value, pickled and compressed.  (No other module pickles.)"""
+    return zlib.compress(pickle.dumps(value), 1)
+
+
+def unpacked(content: bytes) -> Any:
+    """The value.  Bytes that are not `packed` may raise any error."""
+    return pickle.loads(zlib.decompress(content))
+
+
+def standard(value: object) -> tuple[Callable[[bytes], Any], bytes]:
+    """A function of Python's own, and the bytes from which it makes the value: processes without
+    this package can receive both."""
+    return pickle.loads, pickle.dumps(value)
 
 
 def entries() -> list[CacheEntry]:
@@ -151,7 +215,7 @@ def evict(most: int, kept: Path | None = None) -> list[CacheEntry]:
 
 
 def _removed(path: Path) -> bool:
-    """Whether nothing is left of the path."""
+    """Returns whether nothing is left of the path."""
     if path.is_dir():
         shutil.rmtree(path, ignore_errors=True)
     else:

@@ -11,11 +11,18 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from coscrew_codegen.accuracy.tiers import tier_named
-from coscrew_codegen.backends.bound_arguments import bound
-from coscrew_codegen.backends.scene.scene_text import c_name, many, signs
-from coscrew_codegen.program.scene_functions import SceneInterface, Signature
+from coscrew_codegen.program.scene_functions import (
+    SceneInterface,
+    Signature,
+    c_name,
+    many,
+    signs,
+)
+from coscrew_codegen.program.text_module import imported
 from coscrew_codegen.program.values.formats import Precision
-from coscrew_codegen.runtime import sources, step_calls, strided_calls
+from coscrew_codegen.runtime import step_calls, strided_calls
+from coscrew_codegen.runtime.bound_arguments import bound
+from coscrew_codegen.runtime.caller_warnings import at_callers_line
 from coscrew_codegen.scene.function_selection import dividing, names
 from coscrew_codegen.scene.integrators import EMITTED
 from coscrew_codegen.scene.mechanism.inertia_checks import why_singular
@@ -143,27 +150,20 @@ def gathered(scene: SceneInterface, precision: Precision,
 
 
 @functools.cache
-def _checks() -> ModuleType:
-    """The checks of generated packages."""
-    def text() -> str:
-        from coscrew_codegen.backends.render import render  # imports Jinja
-
-        return render("scene/arrays.py", banner="in memory")
-
-    module = ModuleType("coscrew_scene_arrays")
-    exec(sources.text("checks", text), module.__dict__)
-    return module
+def checks(text: str) -> ModuleType:
+    """The checks of arguments in generated packages."""
+    return imported("coscrew_scene_arrays", text)
 
 
-def compiled(scene: SceneInterface, library: ctypes.PyDLL, described: Signature,
-             precision: Precision) -> Made:
+def compiled(scene: SceneInterface, library: ctypes.PyDLL, checked_by: ModuleType,
+             described: Signature, precision: Precision) -> Made:
     """A function of the library, with the same name and arguments after `self`.  It checks them;
     its `in_c` makes of it the function in C that calls it where arguments want a check."""
     kind, name = np.dtype(precision.numpy_type), c_name(scene, described.name, precision)
     loop = getattr(_unlocked(library._name), f"many_{name}")
     loop.restype, loop.argtypes = None, [ctypes.c_ssize_t, *[ctypes.c_void_p] * 4, ctypes.c_ssize_t]
     in_c = functools.partial(_in_c, library, name, described, precision)
-    of_rows = strided_calls.CompiledFunction(described, kind, in_c(_declined), loop, _checks(),
+    of_rows = strided_calls.CompiledFunction(described, kind, in_c(_declined), loop, checked_by,
                                              signs(scene))
     in_lanes = _lanes(library, name, c_name(many(scene), described.name, precision))
 
@@ -177,7 +177,7 @@ def compiled(scene: SceneInterface, library: ctypes.PyDLL, described: Signature,
     if described.repeats:
         several = c_name(many(scene), described.name.replace("step", "run", 1), precision)
         vars(function).update(_many_steps(library, name, several, described, precision,
-                                          signs(scene)))
+                                          checked_by, signs(scene)))
     return function
 
 
@@ -205,8 +205,11 @@ def _lanes(library: ctypes.PyDLL, name: str, several: str) -> Callable[["Kernels
     place = ctypes.c_void_p.in_dll(library, f"lanes_{name}")
 
     def prepare(kernels: "Kernels | None", states: int) -> None:
-        if kernels and not place.value and (found := kernels._lanes.function(several, states)):
-            place.value = ctypes.cast(found, ctypes.c_void_p).value
+        if kernels and not place.value:
+            with at_callers_line(above=3):  # CompiledFunction.__call__, checked, function
+                found = kernels._lanes.function(several, states)
+            if found:
+                place.value = ctypes.cast(found, ctypes.c_void_p).value
 
     return prepare
 
@@ -250,11 +253,11 @@ def _described(function: Made, described: Signature) -> Made:
 
 
 def _many_steps(library: ctypes.PyDLL, name: str, several: str, described: Signature,
-                precision: Precision, signed: tuple[tuple[int, str, bool], ...]
-                ) -> dict[str, Made]:
+                precision: Precision, checked_by: ModuleType,
+                signed: tuple[tuple[int, str, bool], ...]) -> dict[str, Made]:
     """Methods of a step that take many steps in one call."""
     its = step_calls.steps(_unlocked(library._name), name, several, described,
-                           np.dtype(precision.numpy_type), _checks(), signed, precision.name)
+                           np.dtype(precision.numpy_type), checked_by, signed, precision.name)
 
     def repeated(self: _Callable, n: int, t: float, h: float, p: ArrayLike, q: ArrayLike,
                  v: ArrayLike, *, threads: int = 1) -> tuple[np.ndarray, np.ndarray]:

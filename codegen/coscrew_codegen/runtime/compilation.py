@@ -10,13 +10,10 @@ import os
 import platform
 import shlex
 import subprocess
-import sys
-import warnings
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from shutil import which
-from types import FrameType
 
 from coscrew_codegen.runtime import cache
 from coscrew_codegen.runtime.console import doing
@@ -28,10 +25,8 @@ from coscrew_codegen.runtime.console import doing
 _LEVELS = {"clang": ("-O1",), "Free Software Foundation": ("-O2", "-fno-tree-ter"), "": ("-O2",)}
 _FLAGS = ("-std=c11", "-march=native", "-ffp-contract=off", "-DKSL_CONTRACT_OFF", "-fPIC")
 _LIBRARIES = ("-lm", "-pthread")
+_SUFFIX = ".so"
 _LINK = ("-undefined", "dynamic_lookup") if platform.system() == "Darwin" else ()
-
-_PACKAGE = f"{Path(__file__).parents[1]}{os.sep}"
-"""How paths of the package's files begin."""
 
 
 class CompilationError(RuntimeError):
@@ -57,22 +52,6 @@ def compiler() -> Compiler:
         if found := _compiler(tuple(shlex.split(name)), os.environ.get("PATH", "")):
             return found
     raise CompilationError(f"no C compiler: {', '.join(_names())} cannot be run")
-
-
-def warn(name: str, error: CompilationError, runs: str = "runs in pure NumPy") -> None:
-    """Warns at the line that called this package."""
-    ours = [n for n, file in enumerate(_files()) if file.startswith(_PACKAGE)]
-    warnings.warn(f"{name} {runs}: {error}", RuntimeWarning, stacklevel=ours[-1] + 2)
-
-
-def _files() -> list[str]:
-    """Returns the files of the functions on the call stack, from `warn` outwards."""
-    found: list[str] = []
-    frame: FrameType | None = sys._getframe(1)
-    while frame:
-        found.append(frame.f_code.co_filename)
-        frame = frame.f_back
-    return found
 
 
 def ask() -> None:
@@ -138,24 +117,13 @@ def library(units: Mapping[str, Sequence[str]], files: Mapping[str, str],
 
     `files` maps names to all texts.  Raises CompilationError."""
     key = _key(units, files, using)
-    if library := kept(key):
-        return library
-    with doing(f"compiling {' and '.join(sorted(units))}"):
-        path = _built(units, files, using, key)
-    if opened := _opened(path):
-        return CompiledLibrary(opened, key)
-    raise CompilationError(f"{using.command[0]} made a library that cannot be loaded")
+    return cache.cached(key, _SUFFIX, lambda: _built(units, files, using),
+                        functools.partial(_opened, key, maker=using.command[0]))
 
 
 def kept(key: str) -> CompiledLibrary | None:
     """The library of this key, if the cache has it."""
-    path = cache.found(key, ".so")
-    if path is None:
-        return None
-    if opened := _opened(path):
-        return CompiledLibrary(opened, key)
-    path.unlink(missing_ok=True)
-    return None
+    return cache.kept_as(key, _SUFFIX, functools.partial(_opened, key))
 
 
 def place(using: Compiler) -> tuple[str, ...]:
@@ -184,28 +152,28 @@ def _processor() -> str:
     return f"{platform.machine()} {said}"
 
 
-def _opened(path: Path) -> ctypes.PyDLL | None:
-    """The library, or None if it cannot be opened.  (The cache has compared its hash: opening a
+def _opened(key: str, path: Path, maker: str = "another") -> CompiledLibrary:
+    """The library in a file.  Raises CompilationError.  (The cache has compared its hash: opening a
     truncated library may end the process.)"""
     try:
-        return ctypes.PyDLL(str(path))
-    except OSError:
-        return None
+        return CompiledLibrary(ctypes.PyDLL(str(path)), key)
+    except OSError as error:
+        raise CompilationError(f"{maker} made a library that cannot be loaded") from error
 
 
-def _built(units: Mapping[str, Sequence[str]], files: Mapping[str, str], using: Compiler,
-           key: str) -> Path:
-    with cache.building() as work:
+def _built(units: Mapping[str, Sequence[str]], files: Mapping[str, str], using: Compiler) -> bytes:
+    """The content of the library's file."""
+    from concurrent.futures import ThreadPoolExecutor
+
+    with doing(f"compiling {' and '.join(sorted(units))}"), cache.building() as work:
         for file, text in files.items():
             (work / file).parent.mkdir(exist_ok=True)
             (work / file).write_text(text, encoding="utf-8")
-        from concurrent.futures import ThreadPoolExecutor
-
         with ThreadPoolExecutor(len(units)) as pool:
             objects = list(pool.map(lambda unit: _object(using, work, unit, *units[unit]), units))
         made = work / "library.so"
         _run(using, [*using.flags, "-shared", *_LINK, *objects, "-o", made.name, *_LIBRARIES], work)
-        return cache.keep(made, key, ".so")
+        return made.read_bytes()
 
 
 def _object(using: Compiler, work: Path, unit: str, source: str, *flags: str) -> str:

@@ -22,8 +22,8 @@ _SUPERSCRIPTS = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹⁺⁻", "0123456789+-
 
 
 def any_encoding(stream: TextIO | None) -> None:
-    """Make the stream accept every character: those that its encoding lacks are spelled in ASCII
-    (x^2 for x²) or replaced by ?."""
+    """Makes the stream accept every character: characters that its encoding lacks are spelled in
+    ASCII (x^2 for x²) or replaced by ?."""
     if isinstance(stream, io.TextIOWrapper):
         codecs.register_error("coscrew", _spelled)
         stream.reconfigure(errors="coscrew")

@@ -6,10 +6,9 @@ on: the sources that the function's module and the library's import, where of th
 those count that the family's own modules import.  `coscrew generate --check` derives everything.
 """
 
-import pickle
-import zlib
 from collections.abc import Callable
 from contextlib import suppress
+from pathlib import Path
 from typing import TypeVar, cast
 
 from coscrew_codegen.accuracy.tiers.certified_rotations import DEFECT, ROTATIONS
@@ -18,6 +17,7 @@ from coscrew_codegen.algebra.operations import OPERATIONS, contributors, family_
 from coscrew_codegen.backends.library import FamilyKernels
 from coscrew_codegen.program.plugins import holder
 from coscrew_codegen.runtime import cache, sources
+from coscrew_codegen.runtime.cache import packed, unpacked
 from coscrew_codegen.runtime.sources import Contents, Sources
 
 _SUFFIX = ".family"
@@ -61,19 +61,19 @@ class FamilyCache:
         for (family, make), made in self._made.items():
             with suppress(OSError):  # a full disk: it is derived again next time
                 cache.write(self._key(family, make, self._sources), _SUFFIX,
-                            zlib.compress(pickle.dumps((_name(make), made)), 1))
+                            packed((_name(make), made)))
 
     def _kept(self, family: str, make: Make[object]) -> object:
         """The cached result; None if there is none that can be read."""
-        path = self._sources and cache.found(self._key(family, make, self._sources), _SUFFIX)
-        if not path:
+        def read(path: Path) -> object:
+            name, made = unpacked(path.read_bytes())
+            if name != _name(make):
+                raise LookupError(name)
+            return made
+
+        if not self._sources:
             return None
-        try:
-            name, made = pickle.loads(zlib.decompress(path.read_bytes()))
-            return made if name == _name(make) else None
-        except Exception:  # for a foreign file, pickle may raise any error
-            path.unlink(missing_ok=True)
-            return None
+        return cache.kept_as(self._key(family, make, self._sources), _SUFFIX, read)
 
     def _key(self, family: str, make: Make[object], its: Sources) -> str:
         return cache.key_of(family, _name(make), self._command, its.digest(

@@ -4,23 +4,26 @@ from __future__ import annotations
 
 import ctypes
 import functools
-import pickle
 from collections.abc import Iterator
 from contextlib import contextmanager
 from contextvars import ContextVar
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING
 
-from coscrew_codegen.accuracy.tiers import tier_named
-from coscrew_codegen.runtime import cache, compilation, load
-from coscrew_codegen.runtime.console import doing
+from coscrew_codegen.runtime import compilation, scene_library
+from coscrew_codegen.runtime.caller_warnings import warn
+from coscrew_codegen.runtime.request import Request
 
 if TYPE_CHECKING:
     from _ctypes import CFuncPtr
 
-PAYS = 4096
-"""So many states of a scene, in one call or several, are computed one by one before its functions
-of many states are compiled, which takes seconds."""
+PAYS = 1_000_000
+"""States of a scene, in one call or several, that are computed one by one before its functions of
+many states are compiled.  That takes 3.5 to 13 s of processor time (pendulum, quadruped), which
+steps regain after 2 to 3 million states, forward dynamics of an arm after 30 million."""
+LOOKS = 16384
+"""States after which the cache is asked for these functions: opening them takes 20 to 50 ms, which
+steps regain after 11,000 to 17,000 states."""
 
 _ONE_BY_ONE = ContextVar("_ONE_BY_ONE", default=False)
 
@@ -39,7 +42,7 @@ def one_by_one() -> Iterator[None]:
 class CompiledLanes:
     """The functions of many states of a scene."""
 
-    kernels: load.Kernels
+    request: Request  # of the functions of one state
     _met: int = field(default=0, init=False)  # states so far
 
     def function(self, name: str, states: int) -> CFuncPtr | None:
@@ -47,43 +50,29 @@ class CompiledLanes:
         if _ONE_BY_ONE.get():
             return None
         self._met += states
-        return getattr(self._library, name, None) if self._met >= PAYS else None
+        library = (self._library if self._met >= PAYS
+                   else self._kept if self._met >= LOOKS else None)
+        return getattr(library, name, None)
+
+    @functools.cached_property
+    def _kept(self) -> ctypes.CDLL | None:
+        """The library, if the cache has it."""
+        try:
+            found = scene_library.kept(self._wanted, compilation.compiler())
+        except compilation.CompilationError:
+            return None
+        return ctypes.CDLL(found.library.opened._name) if found else None
+
+    @property
+    def _wanted(self) -> Request:
+        return replace(self.request, lanes=True)
 
     @functools.cached_property
     def _library(self) -> ctypes.CDLL | None:
         """None where it cannot be compiled."""
         try:
-            return ctypes.CDLL(_library(self.kernels, compilation.compiler()).opened._name)
+            made = scene_library.compiled(self._wanted, compilation.compiler())
+            return ctypes.CDLL(made.library.opened._name)
         except compilation.CompilationError as error:
-            compilation.warn(self.kernels.interface.name, error, "computes many states one by one")
+            warn(f"{self.request.name} computes many states one by one: {error}")
             return None
-
-
-def _library(kernels: load.Kernels, compiler: compilation.Compiler) -> compilation.CompiledLibrary:
-    key = kernels.scene and load.key_of(kernels.scene, kernels.selected, kernels.precisions,
-                                        compiler, "lanes", kernels.interface.mark)
-    if key and (kept := load.kept_as(key)):
-        return kept[1]
-    library = _made(kernels, compiler)
-    if key:
-        cache.write(key, ".scene", pickle.dumps((kernels.interface, library.key)))
-    return library
-
-
-def _made(kernels: load.Kernels, compiler: compilation.Compiler) -> compilation.CompiledLibrary:
-    from coscrew_codegen.accuracy.scene_tiers import in_tier  # imports SymPy
-    from coscrew_codegen.backends.scene import scene_c, scene_c_many, scene_c_tier
-    from coscrew_codegen.backends.scene.scene_text import banner_of
-
-    functions, stem = (kernels.plain or kernels).functions, kernels.interface.name
-    banner = banner_of(stem)
-    with doing(f"writing {stem} for many states"):
-        if kernels.plain:
-            tier = in_tier(functions, tier_named(kernels.interface.mark))
-            functions, stem = tier.plain, tier.stem
-            files = scene_c.files(functions, banner) | scene_c_tier.files(tier, banner)
-            files |= scene_c_many.tier_files(tier, banner)
-        else:
-            files = scene_c.files(functions, banner) | scene_c_many.files(functions, banner)
-    return load.library_of(files, functions, f"{stem}_many.c", compiler, kernels.precisions,
-                           "-DKSL_LANES_ONLY", scene_c_many.LEVEL)

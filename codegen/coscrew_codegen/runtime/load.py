@@ -2,17 +2,10 @@
 
 from __future__ import annotations
 
-import ctypes
 import functools
-import importlib
-import importlib.util
-import pickle
-import sys
 import warnings
-import zlib
-from collections.abc import Callable, Collection, Mapping, Sequence
+from collections.abc import Callable, Collection, Sequence
 from dataclasses import dataclass, replace
-from hashlib import sha256
 from pathlib import Path
 from types import ModuleType
 from typing import TYPE_CHECKING, cast
@@ -20,12 +13,12 @@ from typing import TYPE_CHECKING, cast
 import numpy as np
 from numpy.typing import NDArray
 
-from coscrew_codegen.program.plugins import holder
 from coscrew_codegen.program.scene_functions import SceneFunctions, SceneInterface, Signature
-from coscrew_codegen.program.values.formats import PRECISIONS, Precision, named
-from coscrew_codegen.runtime import cache, callables, compilation, sources
-from coscrew_codegen.runtime.console import doing
-from coscrew_codegen.scene.content import content_hash
+from coscrew_codegen.program.values.formats import PRECISIONS, Precision
+from coscrew_codegen.runtime import callables, compilation, request, scene_library
+from coscrew_codegen.runtime.cache import packed, unpacked
+from coscrew_codegen.runtime.caller_warnings import at_callers_line, warn
+from coscrew_codegen.runtime.request import BOTH, Request
 from coscrew_codegen.scene.function_selection import CONTACTS, FREE, left_out, together
 from coscrew_codegen.scene.names import listed
 from coscrew_codegen.scene.scene import Scene
@@ -33,8 +26,6 @@ from coscrew_codegen.scene.scene import Scene
 if TYPE_CHECKING:
     from coscrew_codegen.runtime.arrays.namespace import Arrays
     from coscrew_codegen.runtime.lanes import CompiledLanes
-
-BOTH = tuple(p.name for p in PRECISIONS)
 
 
 @dataclass(frozen=True, repr=False)
@@ -49,15 +40,12 @@ class Kernels:
         neutral_q    the q at which every joint's displacement is the identity.  (NQ)
     """
 
-    scene: Scene | None
+    request: Request
     interface: SceneInterface
     double: callables.Functions[np.float64]
     single: callables.Functions[np.float32]
     compiler: str  # its version and flags; "" if the generated Python runs
     library: str = ""  # its key in the cache
-    selected: tuple[str, ...] = ()  # names of the selected functions; (): those of the scene
-    _derived: SceneFunctions | None = None
-    precisions: tuple[str, ...] = BOTH  # in which there are functions
     plain: Kernels | None = None  # of a tier's: the scene's own
 
     def _in_tier(self, name: str) -> Kernels:
@@ -65,9 +53,8 @@ class Kernels:
         if name.startswith("_"):
             raise AttributeError(name)
         if name in self.interface.tiers:
-            from coscrew_codegen.runtime.load_tier import in_tier_of
-
-            vars(self)[name] = found = in_tier_of(self, name)
+            with at_callers_line():
+                vars(self)[name] = found = in_tier_of(self, name)
             return found
         from coscrew_codegen.scene.tier_selection import known
 
@@ -87,14 +74,25 @@ class Kernels:
     else:
         __getattr__ = _in_tier
 
-    @functools.cached_property
+    @property
+    def scene(self) -> Scene | None:
+        """The scene; None if the functions were given."""
+        return self.request.scene
+
+    @property
+    def selected(self) -> tuple[str, ...]:
+        """The names of the selected functions; () if those of the scene."""
+        return self.request.selected
+
+    @property
+    def precisions(self) -> tuple[str, ...]:
+        """The precisions in which there are functions."""
+        return self.request.precisions
+
+    @property
     def functions(self) -> SceneFunctions:
-        """The functions as Programs, derived again if the kernels came from the cache."""
-        if self._derived:
-            return self._derived
-        from coscrew_codegen.dynamics import derive
-        assert self.scene  # without one, the functions were given
-        return derive(self.scene, self.selected)
+        """The plain functions as Programs, derived again if the kernels came from the cache."""
+        return self.request.functions()
 
     def _with(self, *names: str) -> Kernels:
         """Returns these kernels, or, if they lack functions of these names that the scene has,
@@ -140,7 +138,7 @@ class Kernels:
 
     @property
     def compiled(self) -> bool:
-        """Whether the functions are compiled C, not generated Python."""
+        """True if the functions are compiled C, not generated Python."""
         return bool(self.compiler)
 
     def arrays(self, xp: ModuleType) -> Arrays:
@@ -151,13 +149,13 @@ class Kernels:
         made: dict[ModuleType, Arrays] = vars(self).setdefault("_arrays", {})
         if xp not in made:
             made[xp] = of_scene(xp, self.interface, lambda: self.functions,
-                                {"double": self.double, "single": self.single}, opened, self)
+                                {"double": self.double, "single": self.single},
+                                scene_library.opened, self)
         return made[xp]
 
     @functools.cached_property
     def _pickled(self) -> bytes:
-        functions = None if self.scene else self.functions
-        return zlib.compress(pickle.dumps((self.scene, self.selected, functions)))
+        return packed((self.scene, self.selected, None if self.scene else self.functions))
 
     def __reduce__(self) -> tuple[Callable[..., object], tuple[object, ...]]:
         """Pickle the scene and the selected functions; unpickling compiles them, or finds them in
@@ -171,7 +169,7 @@ class Kernels:
         """The functions of many states, compiled when they pay."""
         from coscrew_codegen.runtime.lanes import CompiledLanes
 
-        return CompiledLanes(self)
+        return CompiledLanes(self.request)
 
     def __copy__(self) -> Kernels:
         return self
@@ -222,7 +220,8 @@ def load_scene(scene: Scene | Path | str, *, precision: str | None = None,
                         tiers=selected(tiers) or scene.tiers)
     if line := left_out(scene):
         warnings.warn(f"{scene.name}: {line}", RuntimeWarning, stacklevel=2)
-    return kernels_for(scene)
+    with at_callers_line():
+        return kernels_for(scene)
 
 
 def _names(argument: str, given: Sequence[str] | None, example: str) -> tuple[str, ...]:
@@ -237,24 +236,32 @@ def kernels_for(scene: Scene, functions: Collection[str] = (),
                 precisions: tuple[str, ...] = BOTH) -> Kernels:
     """The kernels of the scene's selected functions, or of those with these names that it has,
     compiled in these precisions: found in the cache, or made."""
-    compiler = _compiler(scene.name)
-    key = key_of(scene, functions, precisions, compiler) if compiler else ""
-    if compiler and key and (kept := kept_as(key)):
-        interface, library = kept
-        return _compiled(scene, tuple(functions), interface, library, precisions, compiler)
-    with doing(f"deriving {scene.name}") as tell:
-        from coscrew_codegen.dynamics import derive  # imports SymPy
-
-        derived = derive(scene, functions, lambda name: tell(f"deriving {name}"))
-    made = _made(derived, scene, tuple(functions), precisions, compiler)
-    if key and made.compiled:
-        cache.write(key, ".scene", pickle.dumps((made.interface, made.library)))
-    return made
+    with at_callers_line():
+        return _kernels(request.of_scene(scene, tuple(functions), precisions),
+                        _compiler(scene.name))
 
 
-def kernels_of(functions: SceneFunctions, scene: Scene | None = None) -> Kernels:
+def kernels_of(functions: SceneFunctions) -> Kernels:
     """The kernels of derived functions."""
-    return _made(functions, scene, (), BOTH, _compiler(functions.name))
+    with at_callers_line():
+        return _kernels(request.of_functions(functions), _compiler(functions.name))
+
+
+def in_tier_of(plain: Kernels, name: str, part: SceneFunctions | None = None) -> Kernels:
+    """The kernels in the tier of this name, or those of `part`, some of their functions; in pure
+    NumPy where the scene's own are."""
+    wanted = replace(plain.request, tier=name)
+    if part:
+        wanted = replace(wanted, selected=tuple(f.name for f in part.functions),
+                         functions=lambda: part)
+    return _kernels(wanted, compilation.compiler() if plain.compiled else None, plain)
+
+
+@functools.lru_cache(maxsize=32)
+def restored(pickled: bytes) -> Kernels:
+    """The kernels of a pickled scene and its selected functions; made once per process."""
+    scene, selected, functions = unpacked(pickled)
+    return kernels_of(functions) if functions else kernels_for(scene, selected)
 
 
 def _compiler(name: str) -> compilation.Compiler | None:
@@ -262,144 +269,38 @@ def _compiler(name: str) -> compilation.Compiler | None:
     try:
         return compilation.compiler()
     except compilation.CompilationError as error:
-        compilation.warn(name, error)
+        warn(f"{name} runs in pure NumPy: {error}")
         return None
 
 
-def key_of(scene: Scene, functions: Collection[str], precisions: tuple[str, ...],
-           compiler: compilation.Compiler, *tier: str) -> str:
-    """The cache key: a hash of all that the kernels are made from.  "" if an effect is not in the
-    catalogue, since its name does not identify its equations."""
-    from coscrew_codegen.scene import effects
-
-    used = {holder(effects.__name__, "EFFECT", x.effect) for x in scene.effects}
-    if "" in used:
-        return ""
-    made_from = sources.digest_of(__name__, chosen={effects.__name__: used})
-    return cache.key_of(made_from, content_hash(scene), *compilation.place(compiler),
-                        " ".join(precisions), *functions, *(f"tier {x}" for x in tier))
-
-
-def kept_as(key: str) -> tuple[SceneInterface, compilation.CompiledLibrary] | None:
-    """The cache's entry of this key, if it can be read and its library exists."""
-    path = cache.found(key, ".scene")
-    if path is None:
-        return None
-    try:
-        interface, library_key = pickle.loads(path.read_bytes())
-    except Exception:  # for a foreign file, pickle may raise any error
-        path.unlink(missing_ok=True)
-        return None
-    library = compilation.kept(library_key)
-    return (interface, library) if library else None
-
-
-def _made(functions: SceneFunctions, scene: Scene | None, selected: tuple[str, ...],
-          precisions: tuple[str, ...], compiler: compilation.Compiler | None) -> Kernels:
+def _kernels(wanted: Request, using: compilation.Compiler | None, plain: Kernels | None = None
+             ) -> Kernels:
     """The kernels: compiled or, if that fails, generated Python."""
-    from coscrew_codegen.backends.python_extension.scene_calls import interface
-
-    found = interface(functions)
-    if compiler:
+    if using:
         try:
-            library = _library(functions, compiler, precisions)
-            return _compiled(scene, selected, found, library, precisions, compiler, functions)
+            made = scene_library.compiled(wanted, using)
         except compilation.CompilationError as error:
-            compilation.warn(functions.name, error)
-    modules = _modules(functions)
-    return gathered(scene, selected, found, "", "", functions, precisions, lambda x, p: (
-        callables.in_numpy(getattr(modules[p.name], x.name), x)))
+            warn(f"{wanted.title} runs in pure NumPy: {error}")
+        else:
+            checks = callables.checks(made.checks)
+            return _gathered(wanted, made.interface, plain, lambda x, p: callables.compiled(
+                made.interface, made.library.opened, checks, x, p), str(using), made.library.key)
+    interface, modules = scene_library.in_numpy(wanted)
+    return _gathered(wanted, interface, plain, lambda x, p: callables.in_numpy(
+        getattr(modules[p.name], x.name), x))
 
 
-def _compiled(scene: Scene | None, selected: tuple[str, ...], found: SceneInterface,
-              library: compilation.CompiledLibrary, precisions: tuple[str, ...],
-              compiler: compilation.Compiler,
-              functions: SceneFunctions | None = None) -> Kernels:
-    return gathered(scene, selected, found, str(compiler), library.key, functions, precisions,
-                    lambda x, p: callables.compiled(found, library.opened, x, p))
-
-
-def gathered(scene: Scene | None, selected: tuple[str, ...], found: SceneInterface, compiler: str,
-             library: str, functions: SceneFunctions | None, precisions: tuple[str, ...],
-             made: Callable[[Signature, Precision], callables.Made],
-             plain: Kernels | None = None) -> Kernels:
-    """The kernels, whose functions `made` returns; `plain` are the scene's own, if of a tier."""
+def _gathered(wanted: Request, interface: SceneInterface, plain: Kernels | None,
+              made: Callable[[Signature, Precision], callables.Made], compiler: str = "",
+              key: str = "") -> Kernels:
+    """The kernels, whose functions `made` returns."""
     double, single = (
-        callables.gathered(found, p, {x.name: made(x, p) for x in found.signatures
-                                      if p.name in found.precisions and p.name in precisions})
+        callables.gathered(interface, p, {
+            x.name: made(x, p) for x in interface.signatures
+            if p.name in interface.precisions and p.name in wanted.precisions})
         for p in PRECISIONS)
-    kernels = Kernels(scene, found, cast("callables.Functions[np.float64]", double),
-                      cast("callables.Functions[np.float32]", single), compiler, library, selected,
-                      functions, precisions, plain)
+    kernels = Kernels(wanted, interface, cast("callables.Functions[np.float64]", double),
+                      cast("callables.Functions[np.float32]", single), compiler, key, plain)
     for x in (double, single):
         x._kernels = kernels
     return kernels
-
-
-@functools.lru_cache(maxsize=32)
-def restored(pickled: bytes) -> Kernels:
-    """The kernels of a pickled scene and its selected functions; made once per process."""
-    scene, selected, functions = pickle.loads(zlib.decompress(pickled))
-    return kernels_of(functions, scene) if functions else kernels_for(scene, selected)
-
-
-def _library(functions: SceneFunctions, compiler: compilation.Compiler, precisions: tuple[str, ...]
-             ) -> compilation.CompiledLibrary:
-    from coscrew_codegen.backends.python_extension import scene_calls
-    from coscrew_codegen.backends.scene import scene_c
-    from coscrew_codegen.backends.scene.scene_text import banner_of
-
-    with doing(f"writing {functions.name}"):
-        banner = banner_of(functions.name)
-        files = scene_c.files(functions, banner) | scene_calls.files(functions, banner)
-    return library_of(files, functions, f"{functions.name}_calls.c", compiler, precisions)
-
-
-def library_of(files: Mapping[str, str], functions: SceneFunctions, source: str,
-               compiler: compilation.Compiler, precisions: tuple[str, ...], *flags: str
-               ) -> compilation.CompiledLibrary:
-    """The library of a source in these precisions."""
-    units = {p.name: (source, *(f"-D{functions.name.upper()}_NO_{other.name.upper()}"
-                                for other in PRECISIONS if other != p), *flags)
-             for p in named(functions.precisions) if p.name in precisions}
-    return compilation.library(units, files, compiler)
-
-
-def opened(name: str, units: Mapping[str, Sequence[str]], files: Mapping[str, str]
-           ) -> ctypes.CDLL | None:
-    """The library of these texts, whose functions run without Python's global lock; None, with a
-    warning, where nothing compiles."""
-    try:
-        return ctypes.CDLL(compilation.library(units, files, compilation.compiler()).opened._name)
-    except compilation.CompilationError as error:
-        compilation.warn(name, error, "is computed by calls of the array library")
-        return None
-
-
-def _modules(functions: SceneFunctions) -> dict[str, ModuleType]:
-    from coscrew_codegen.backends.numpy import scene_python
-    from coscrew_codegen.backends.scene.scene_text import banner_of
-
-    return modules_of(scene_python.files(functions, banner_of(functions.name)), functions)
-
-
-def modules_of(files: Mapping[str, str], functions: SceneFunctions, *inner: str
-               ) -> dict[str, ModuleType]:
-    """The modules of a generated package, or of one in it, by precision, imported from a folder
-    that is kept."""
-    from coscrew_codegen.backends import emit
-
-    key = sha256("\0".join(x for pair in sorted(files.items()) for x in pair).encode()).hexdigest()
-    folder = cache.folder() / f"python-{key[:32]}"
-    emit.write(files, folder)
-    name = f"_coscrew_scene_{key[:32]}"
-    if name not in sys.modules:
-        init = folder / functions.name / "__init__.py"
-        spec = importlib.util.spec_from_file_location(
-            name, init, submodule_search_locations=[str(init.parent)])
-        assert spec and spec.loader
-        module = importlib.util.module_from_spec(spec)
-        sys.modules[name] = module
-        spec.loader.exec_module(module)
-    return {p.name: importlib.import_module(".".join((name, *inner, p.name)))
-            for p in named(functions.precisions)}

@@ -9,8 +9,7 @@ import functools
 import json
 import os
 import sys
-import tempfile
-from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
+from collections.abc import Collection, Iterable, Iterator, Mapping
 from contextlib import suppress
 from dataclasses import astuple, dataclass
 from fnmatch import filter as matching
@@ -21,7 +20,7 @@ from pathlib import Path
 
 from coscrew_codegen.backends.render import TEMPLATES
 from coscrew_codegen.runtime import cache, syntax
-from coscrew_codegen.runtime.syntax import SourceMeaning, hashed
+from coscrew_codegen.runtime.syntax import SourceMeaning
 
 ROOT = __name__.partition(".")[0]
 _TEMPLATE = ".jinja"
@@ -62,7 +61,7 @@ def _files(root: Path, endings: tuple[str, ...]) -> Iterator[tuple[tuple[str, ..
 @functools.cache
 def generator() -> str:
     """The hash of all sources, byte by byte."""
-    return _total((name, hashed(content)) for name, content in read().items())
+    return _total((name, _hashed(content)) for name, content in read().items())
 
 
 def digest_of(*makers: str, chosen: Mapping[str, Collection[str]] | None = None) -> str:
@@ -70,16 +69,6 @@ def digest_of(*makers: str, chosen: Mapping[str, Collection[str]] | None = None)
 
     Of packages in `chosen`, which import all their modules, only these modules count."""
     return _current().digest(makers, chosen or {})
-
-
-def text(name: str, make: Callable[[], str]) -> str:
-    """A text that depends only on the generator: from the cache, or made and cached."""
-    key = cache.key_of(name, digest_of(make.__module__))
-    if path := cache.found(key, ".txt"):
-        return path.read_text("utf-8")
-    made = make()
-    cache.write(key, ".txt", made.encode())
-    return made
 
 
 @functools.cache
@@ -98,7 +87,7 @@ class Sources:
         """The meanings of these sources: kept from an earlier process, or read from their syntax.
         """
         kept = _kept(_maker(contents))
-        found = {name: old if (old := kept.get(name)) and old.documented == hashed(content)
+        found = {name: old if (old := kept.get(name)) and old.documented == _hashed(content)
                  else _meaning(name, content, contents) for name, content in contents.items()}
         if found != kept:
             _keep(_maker(contents), found)
@@ -140,15 +129,16 @@ class Sources:
 
     def _templates_of(self, meaning: SourceMeaning) -> Iterator[str]:
         for text in meaning.texts:
-            if text in self.meanings:
-                yield text
-            yield from matching(self._templates, f"{text.removesuffix(_TEMPLATE)}{_TEMPLATE}")
-            if text.endswith(_COPIED):
-                yield from matching(self._templates, text)
+            template = f"{text.removesuffix(_TEMPLATE)}{_TEMPLATE}"
+            if syntax.ANY in template:
+                yield from matching(self._templates, template)
+                if text.endswith(_COPIED):
+                    yield from matching(self._templates, text)
+            yield from (x for x in {text, template} if x in self.meanings)
 
     @functools.cached_property
     def _spelled(self) -> dict[str, tuple[str, ...]]:
-        """What sources name, of those that have been read so far."""
+        """The modules and templates that sources name, of those that have been read so far."""
         return {}
 
     @functools.cached_property
@@ -176,8 +166,12 @@ def _meaning(name: str, content: bytes, among: Contents) -> SourceMeaning:
     return syntax.of_module(content, name if package else name.rpartition(".")[0])
 
 
+def _hashed(content: bytes) -> str:
+    return cache.hashed(content, 32)
+
+
 def _total(parts: Iterable[tuple[str, str]]) -> str:
-    return hashed("\0".join(f"{name} {digest}" for name, digest in sorted(parts)).encode())
+    return _hashed("\0".join(f"{name} {digest}" for name, digest in sorted(parts)).encode())
 
 
 @functools.cache
@@ -194,12 +188,13 @@ def _version(package: str) -> str:
 
 
 def _maker(contents: Contents) -> str:
-    """What meanings depend on besides the sources: the version of Python, and how they are read."""
-    return f"{sys.version} {hashed(contents.get(syntax.__name__, b''))}"
+    """Further dependencies of meanings besides the sources: the version of Python, and the code
+    that reads them."""
+    return f"{sys.version} {_hashed(contents.get(syntax.__name__, b''))}"
 
 
 def _places() -> Iterator[Path]:
-    """Where meanings are kept: beside the bytecode or, if that cannot be written, in the cache."""
+    """Folders of the meanings: beside the bytecode or, if that cannot be written, in the cache."""
     yield Path(cache_from_source(__file__)).with_suffix(".json")
     yield cache.wanted_folder() / "sources.json"
 
@@ -220,9 +215,5 @@ def _keep(maker: str, meanings: Mapping[str, SourceMeaning]) -> None:
     text = json.dumps({"maker": maker, "meanings": {k: astuple(x) for k, x in meanings.items()}})
     for place in _places():
         with suppress(OSError):
-            place.parent.mkdir(parents=True, exist_ok=True)
-            descriptor, made = tempfile.mkstemp(dir=place.parent, prefix=".sources-")
-            with os.fdopen(descriptor, "w", encoding="utf-8") as file:
-                file.write(text)
-            os.replace(made, place)
+            cache.replaced(place, text.encode())
             return

@@ -14,6 +14,7 @@ from numpy.typing import ArrayLike
 
 from coscrew_codegen.program.scene_functions import Signature
 from coscrew_codegen.runtime import strided_calls
+from coscrew_codegen.runtime.caller_warnings import at_callers_line
 
 if TYPE_CHECKING:
     from _ctypes import CFuncPtr
@@ -116,7 +117,8 @@ class StepCalls:
 
     def _ready(self, given: tuple[ArrayLike, ...]
                ) -> TypeGuard[tuple[np.ndarray, np.ndarray, np.ndarray]]:
-        """Whether p, q and v are right and of one state, and none of them has to be converted."""
+        """Returns whether p, q and v are right and of one state, and none of them has to be
+        converted."""
         for x, shape in zip(given, self._shapes, strict=True):
             if type(x) is not np.ndarray or x.dtype != self.kind or x.shape != shape:
                 return False
@@ -150,7 +152,10 @@ class StepCalls:
         return p, q, v, found
 
     def _lanes(self, of: Owner, states: int) -> "CFuncPtr | None":
-        return of._kernels._lanes.function(self.several, states) if of._kernels else None
+        if not of._kernels:
+            return None
+        with at_callers_line(above=2):  # the methods here and of the callable
+            return of._kernels._lanes.function(self.several, states)
 
     def _of_lanes(self, states: int, n: int, t: float, h: float, at: Mapping[str, int],
                   strides: Mapping[str, int]) -> tuple[object, ...]:

@@ -65,7 +65,7 @@ class CompiledFunction:
         return self.checks.delivered(out, *(x[()] for x in places))
 
     def _is_place(self, x: np.ndarray, lead: int, arrays: Sequence[np.ndarray]) -> bool:
-        """Whether C may write to `x` while it reads the arrays."""
+        """Returns whether C may write to `x` while it reads the arrays."""
         step = _step(x, lead) if x.dtype == self.kind else None
         return (step is not None and (x.flags.c_contiguous or step >= prod(x.shape[lead:]))
                 and not any(np.may_share_memory(x, array) for array in arrays))

@@ -3,9 +3,10 @@
 Comments, docstrings and positions have no meaning, except docstrings that code reads."""
 
 import ast
-import hashlib
 import re
 from dataclasses import dataclass
+
+from coscrew_codegen.runtime.cache import hashed
 
 _READERS = {"__doc__", "getdoc", "getsource", "getsourcelines", "getcomments"}
 """Names of attributes and functions by which code reads docstrings or comments of other code."""
@@ -39,11 +40,11 @@ def of_module(content: bytes, package: str) -> SourceMeaning:
     read = {x.attr for x in nodes if isinstance(x, ast.Attribute) and isinstance(x.ctx, ast.Load)}
     read |= {name.rpartition(".")[2] for name in imported} | names - {"__doc__"}
     texts = {text for node in nodes for text in _texts(node)}
-    documented = hashed(content)
+    documented = _hashed(content)
     for node in nodes:
         if node is not tree or "__doc__" not in names:
             _strip(node)
-    return SourceMeaning(hashed(ast.dump(tree).encode()), documented, tuple(sorted(imported)),
+    return SourceMeaning(_hashed(ast.dump(tree).encode()), documented, tuple(sorted(imported)),
                          tuple(sorted(texts)), "__path__" in names, not _READERS.isdisjoint(read))
 
 
@@ -51,17 +52,16 @@ def of_template(content: bytes) -> SourceMeaning:
     """The meaning of a template: its bytes."""
     names = {name.strip("\"'") if name[0] in "\"'" else ANY
              for name in _INCLUDED.findall(content.decode("utf-8", errors="replace"))}
-    return SourceMeaning(hashed(content), hashed(content), texts=tuple(sorted(names)))
+    return SourceMeaning(_hashed(content), _hashed(content), texts=tuple(sorted(names)))
 
 
 def of_bytes(content: bytes) -> SourceMeaning:
     """The meaning of a file that is not understood."""
-    return SourceMeaning(hashed(content), hashed(content))
+    return SourceMeaning(_hashed(content), _hashed(content))
 
 
-def hashed(content: bytes) -> str:
-    """The hash of a file."""
-    return hashlib.sha256(content).hexdigest()[:32]
+def _hashed(content: bytes) -> str:
+    return hashed(content, 32)
 
 
 def _imported(node: ast.AST, package: str) -> list[str]:

@@ -17,7 +17,8 @@ _WORKING = (DIGITS + 10, 2 * DIGITS + 20, 500, 1000)  # digits; the sine of 1e30
 
 def _bounded(function: Callable[[mpmath.mpf], mpmath.mpf], largest: float
              ) -> Callable[[mpmath.mpf], mpmath.mpf]:
-    """The function for arguments up to `largest`: mpmath would need too many digits beyond."""
+    """Limits a function to arguments up to `largest`, beyond which mpmath would need too many
+    digits."""
     def apply(x: mpmath.mpf) -> mpmath.mpf:
         if abs(x) > largest:
             raise OverflowError
@@ -69,7 +70,7 @@ def _rational(formula: Formula) -> Fraction | None:
 def _rounded(formula: Formula) -> Fraction:
     """The value to 50 digits, computed with more and more digits until two results agree; 0 if it
     shrinks with every added digit, as sin(pi) does."""
-    last = mpmath.nan  # which is near nothing
+    last = mpmath.nan  # ends the loop: near no number
     for digits in _WORKING:
         number = _evaluated(formula, digits)
         with mpmath.workdps(digits):

@@ -1,8 +1,7 @@
 """Effects: catalogue entries, and the slots of the dynamics that they fill.
 
-An effect's file knows no other effect and no algorithm: it gets the state where it acts as Numbers,
-and answers with accelerations, forces and inertias.  Slots it leaves None cost nothing.
-"""
+An effect's file knows no other effect and no algorithm: it gets the state at its joint or body as
+Numbers, and returns accelerations, forces and inertias.  Slots it leaves None cost nothing."""
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
@@ -18,8 +17,8 @@ K = TypeVar("K")
 
 @dataclass(frozen=True)
 class Values:
-    """Values that a scene gives for an effect's parameters; of formulas, their value at the time.
-    """
+    """Values that a scene gives for an effect's parameters; formulas are evaluated at the current
+    time."""
 
     given: Mapping[str, object]
 
@@ -75,7 +74,7 @@ class ParameterOf:
     choices: tuple[str, ...] = ()
     of: tuple[str, ...] = ()  # choices of the effect's `kind` it belongs to; with others it may not
     # be given, and its value is None; (): to all
-    optional_of: tuple[str, ...] = ()  # those of these choices with which it may be left out
+    optional_of: tuple[str, ...] = ()  # the choices among these with which it may be left out
     positive: bool = False  # refused if zero or below
     nonnegative: bool = False
     example: str = "1"  # in TOML, for messages that propose the effect
@@ -93,7 +92,7 @@ class CoordinateState:
     between two points.
 
     Its value q in rad or m, its rate v = q', the time t in s; for effects that compensate gravity
-    also what holds the joint against it."""
+    also the torque that holds the joint against it."""
 
     q: Number
     v: Number
@@ -102,7 +101,7 @@ class CoordinateState:
 
 
 class BodyState(Protocol):
-    """A body: what it is, where it is and how it moves; time t in s.
+    """State of a body: inertia, pose and motion; time t in s.
 
     Points and vectors are in the body's frame unless a name says `world`."""
 
@@ -155,11 +154,11 @@ class Torque:
 
     Without a `torque`, it is -∂energy/∂q.  `limit`: it acts as max(-limit, min(torque, limit)).
     `energy`: its potential energy, if it has one.  `power`: the power of the part without potential
-    energy; by default all of the torque's power if there is no energy, else zero.
+    energy; by default the torque's whole power if there is no energy, else zero.
 
     Implicit steps take -∂torque/∂v and -∂torque/∂q from the torque itself
-    (`dynamics/forces/linearization.py` says how they are bounded).  `damping`, `stiffness`: these,
-    at least 0, from an effect that knows a shorter form."""
+    (`dynamics/forces/linearization.py` says how they are bounded). `damping`, `stiffness`: these,
+    at least 0, from an effect that has a shorter form of them."""
 
     torque: Number | None = None
     limit: Number | None = None
@@ -172,7 +171,7 @@ class Torque:
 
 @dataclass(frozen=True)
 class Force:
-    """Force on a body at a point of it and a moment, in the body's frame; energy and power as of
+    """Force on a body at a point of it and a moment, in the body's frame; energy and power as in
     Torque.
 
     Without point, force and moment they follow from the energy: -∂energy/∂(position, rotation).
@@ -190,8 +189,8 @@ class Force:
 
 
 def required(x: K | None) -> K:
-    """Returns what an effect gives.  Raises TypeError if it gives neither this nor what it follows
-    from."""
+    """Returns a value that an effect gives.  Raises TypeError if it gives neither this value nor an
+    energy from which it follows."""
     if x is None:
         raise TypeError("an effect gives a torque, or a force and its point, or an energy; this "
                         "one gives none")
@@ -201,7 +200,7 @@ def required(x: K | None) -> K:
 FIRST, SECOND = "first", "second"
 POINTS = tuple(ParameterOf(name, "m", f"where it is fixed to the {name} body, in its frame",
                            "vector", (Fraction(0),) * 3) for name in (FIRST, SECOND))
-"""The parameters of an effect on two bodies that say between which points it acts."""
+"""The parameters of an effect on two bodies that give the points between which it acts."""
 
 
 @dataclass(frozen=True)
@@ -221,9 +220,10 @@ class Effect:
     joint_inertia: Callable[[Values], Number] | None = None
     body_force: Callable[[BodyState, Values], Force] | None = None
     pair_force: Callable[[CoordinateState, Values], Torque] | None = None  # between its POINTS
-    stores_energy: bool = False  # what it exerts has an energy, which can be recorded
+    stores_energy: bool = False  # it has an energy, which can be recorded
     limited_by: str = ""  # the parameter that limits its torque, if given
     compensates: str = ""  # the flag with which its torque includes `holding` of CoordinateState
     massive: bool = False  # acts on a body by its mass and inertia: only on bodies that have them
     reaction: bool = False  # selects the joint's reaction function
     mimic: bool = False  # makes followers follow
+    alone: bool = False  # acts, with the model's numbers, where a model's file is taken alone

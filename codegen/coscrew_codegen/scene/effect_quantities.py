@@ -15,7 +15,6 @@ from collections.abc import Mapping, Set
 
 from coscrew_codegen.scene.effect import Place
 from coscrew_codegen.scene.identifiers import identifiers
-from coscrew_codegen.scene.mechanism.model import Kind
 from coscrew_codegen.scene.scene import Applied, Scene
 
 TORQUE, FORCE, POWER, ENERGY, SATURATED = "torque", "force", "power", "energy", "saturated"
@@ -28,25 +27,25 @@ def units_of(applied: Applied, scene: Scene) -> dict[str, tuple[str, ...]]:
 
 
 def _sliding(scene: Scene) -> Set[str]:
-    return {x.name for x in scene.model.joints if x.kind is Kind.PRISMATIC}
+    return {x.name for x in scene.model.joints if x.kind.slides}
 
 
 def _units(applied: Applied, sliding: Set[str]) -> dict[str, tuple[str, ...]]:
     effect = applied.effect
-    found: dict[str, tuple[str, ...]] = {}
+    results: dict[str, tuple[str, ...]] = {}
     if effect.joint_torque:
-        found[TORQUE] = ("N",) if applied.on in sliding else ("N m",)
+        results[TORQUE] = ("N",) if applied.on in sliding else ("N m",)
     if effect.body_force:
-        found |= {FORCE: ("N",) * 3, TORQUE: ("N m",) * 3}
+        results |= {FORCE: ("N",) * 3, TORQUE: ("N m",) * 3}
     if effect.pair_force:
-        found[FORCE] = ("N",)
-    if found or effect.gravity:
-        found[POWER] = ("W",)
+        results[FORCE] = ("N",)
+    if results or effect.gravity:
+        results[POWER] = ("W",)
     if effect.stores_energy:
-        found[ENERGY] = ("J",)
+        results[ENERGY] = ("J",)
     if effect.limited_by and applied.values[effect.limited_by] is not None:
-        found[SATURATED] = ("1",)
-    return found
+        results[SATURATED] = ("1",)
+    return results
 
 
 def functions_of_effects(scene: Scene) -> dict[str, Applied]:
@@ -65,8 +64,8 @@ def quantities_by_name(scene: Scene) -> Mapping[str, tuple[str, Applied, str]]:
 
 
 def lacks(text: str, scene: Scene) -> str:
-    """Why an effect of the scene has no quantity of this name, and those that it has; "" if the
-    text names no quantity of effects after an effect of the scene."""
+    """Says why an effect of the scene has no quantity of this name, and lists its quantities; "" if
+    the text does not consist of an effect of the scene and a quantity of effects."""
     name, _, quantity = text.rpartition(".")
     for applied in scene.effects:
         if applied.name == name and quantity in EFFECT_QUANTITIES:

@@ -51,7 +51,7 @@ class _Step:
     word: str  # number, t, pi, name of a function, operator, power, sqrt
     operands: int = 0
     number: Fraction | None = None  # of a number; of a power, its exponent
-    apply: Callable[..., Any] | None = None  # of an operator, on whatever numbers come
+    apply: Callable[..., Any] | None = None  # of an operator, on any kind of numbers
 
 
 @dataclass(frozen=True)
@@ -70,12 +70,12 @@ class Formula:
 
     @property
     def timed(self) -> bool:
-        """Whether t occurs; without it a formula is a constant."""
+        """True if t occurs; without it a formula is a constant."""
         return any(step.word == "t" for step in self._steps)
 
     @property
     def is_number(self) -> bool:
-        """Whether it is a plain number, perhaps with a sign: "2", "-1e-3"."""
+        """True if it is a plain number, perhaps with a sign: "2", "-1e-3"."""
         return all(step.word in ("number", "negative") for step in self._steps)
 
     def value(self, t: V, functions: Mapping[str, object]) -> V:
@@ -103,14 +103,14 @@ def _evaluated(step: _Step, operands: list[V], t: V, functions: Mapping[str, Any
     if step.word == "t":
         return t
     if step.word == "pi":
-        found: V = functions["pi"]
+        result: V = functions["pi"]
     elif step.word == "number":
-        found = functions["number"](step.number)
+        result = functions["number"](step.number)
     elif step.word == "power" and step.number is not None:
-        found = _power(operands[0], step.number, functions)
+        result = _power(operands[0], step.number, functions)
     else:
-        found = (step.apply or functions[step.word])(*operands)
-    return found
+        result = (step.apply or functions[step.word])(*operands)
+    return result
 
 
 def _power(base: Any, exponent: Fraction, functions: Mapping[str, Any]) -> Any:
@@ -142,14 +142,14 @@ class _Reading:
             raise self._error(f"{len(text)} characters; wanted at most {LENGTH}")
         if not text.strip():
             raise self._error(f"nothing there; wanted {_WANTED}")
-        if found := _UNIT.fullmatch(text):
-            raise self._error(f"unexpected {_short(found[1])!r}; wanted the number alone: units "
+        if match := _UNIT.fullmatch(text):
+            raise self._error(f"unexpected {_short(match[1])!r}; wanted the number alone: units "
                               "are those of SI, angles in rad")
-        if found := re.search(r"[^A-Za-z0-9_+\-*/(),. ]", text):
-            hint = "; powers are written **" if found[0] == "^" else ""
-            raise self._error(f"unexpected {found[0]!r}{hint}; wanted {_WANTED}")
-        if found := _GLUED.search(text):
-            raise self._error(f"unexpected {found[0]!r}; wanted a number, or * between factors")
+        if match := re.search(r"[^A-Za-z0-9_+\-*/(),. ]", text):
+            hint = "; powers are written **" if match[0] == "^" else ""
+            raise self._error(f"unexpected {match[0]!r}{hint}; wanted {_WANTED}")
+        if match := _GLUED.search(text):
+            raise self._error(f"unexpected {match[0]!r}; wanted a number, or * between factors")
         if "//" in text:
             raise self._error(f"unexpected '//'; wanted {_WANTED}")
         try:

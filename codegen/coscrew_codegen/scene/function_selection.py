@@ -9,7 +9,6 @@ from collections.abc import Collection, Iterable, Sequence
 from coscrew_codegen.program.reported_error import ReportedError
 from coscrew_codegen.scene.functions import functions_of
 from coscrew_codegen.scene.mechanism.inertia_checks import why_singular
-from coscrew_codegen.scene.mechanism.model import Kind
 from coscrew_codegen.scene.names import did_you_mean
 from coscrew_codegen.scene.patterns import is_pattern, matching
 from coscrew_codegen.scene.recorded_quantities import recorded_functions
@@ -17,7 +16,7 @@ from coscrew_codegen.scene.scene import Scene
 from coscrew_codegen.scene.scene_function import SceneFunction
 
 DEFAULT, ALL = "default", "all"
-"""Words for several functions: those of a scene that selects none, and all it can have."""
+"""Words for several functions: the default ones, and all that a scene can have."""
 
 FREE = ("free_momentum", "with_free_momentum")
 """Functions by which steps keep the momenta of floating bases."""
@@ -40,7 +39,7 @@ def names(scene: Scene) -> tuple[str, ...]:
 
 
 def dividing(scene: Scene) -> tuple[str, ...]:
-    """The functions that divide by the mass matrix, and those that only these call."""
+    """The functions that divide by the mass matrix, and functions that only these call."""
     return tuple(x.name for x in _selectable(scene) if x.divides)
 
 
@@ -54,8 +53,8 @@ def _names(scene: Scene) -> tuple[str, ...]:
 
 
 def left_out(scene: Scene) -> str:
-    """One line on the functions that the scene selects, by DEFAULT, ALL or patterns, and cannot
-    have; "" if there are none."""
+    """Writes one line on the functions that the scene selects, by DEFAULT, ALL or patterns, but
+    cannot have; "" if there are none."""
     problem, words = why_singular(scene), scene.functions or (DEFAULT,)
     if not problem or not ({DEFAULT, ALL}.intersection(words) or {*dividing(scene)}.intersection(
             name for word in words for name in matching(word, _names(scene)))):
@@ -73,8 +72,8 @@ def refuse_singular(scene: Scene, functions: Collection[str]) -> None:
 
 
 def by_default(scene: Scene) -> tuple[str, ...]:
-    """The functions of a scene that selects none: those whose `default` holds, and those of which
-    it records or expects anything."""
+    """The functions of a scene that selects none: functions whose `default` holds, and functions
+    whose results it records or expects."""
     recorded = recorded_functions(scene)
     possible = {*names(scene)}
     return tuple(x.name for x in functions_of(scene) if x.name in possible and (
@@ -82,39 +81,39 @@ def by_default(scene: Scene) -> tuple[str, ...]:
 
 
 def refuse_many(scene: Scene) -> None:
-    """Raise FunctionsError for a scene of more than MOST joints that move."""
-    count = sum(joint.kind is not Kind.FIXED for joint in scene.model.joints)
+    """Raises FunctionsError for a scene of more than MOST joints that move."""
+    count = sum(joint.kind.moves for joint in scene.model.joints)
     if count > MOST:
-        raise FunctionsError(f"{scene.name}: {count} joints move; wanted at most {MOST}, since of "
-                             "more no C compiler takes the functions")
+        raise FunctionsError(f"{scene.name}: {count} joints move; wanted at most {MOST}, since no "
+                             "C compiler takes the functions of more")
 
 
 def selected_functions(scene: Scene) -> tuple[str, ...]:
     """The functions that the scene selects, each once, in their order.  Raises FunctionsError."""
-    found = resolved(scene, scene.functions)
-    return tuple(name for name in names(scene) if name in found)
+    result = resolved(scene, scene.functions)
+    return tuple(name for name in names(scene) if name in result)
 
 
 def resolved(scene: Scene, words: Sequence[str]) -> set[str]:
     """The functions that these words select: names, patterns of them, DEFAULT, ALL; without words,
-    DEFAULT.  Raises FunctionsError with the nearest name for each unknown word, and for a word
-    that selects nothing but what divides by a singular mass matrix."""
-    known, found = names(scene), set[str]()
+    DEFAULT. Raises FunctionsError with the nearest name for each unknown word, and for a word that
+    selects only functions that divide by a singular mass matrix."""
+    known, result = names(scene), set[str]()
     unknown = []
     for word in words or (DEFAULT,):
         if word in (DEFAULT, ALL):
-            found.update(by_default(scene) if word == DEFAULT else known)
+            result.update(by_default(scene) if word == DEFAULT else known)
         elif of := matching(word, _names(scene)):
             if not set(of).intersection(known):
                 refuse_singular(scene, of)
-            found.update(of)
+            result.update(of)
         else:
             what = "matches no function of the scene" if is_pattern(word) else \
                 "is no function of the scene"
             unknown.append(f"{word!r} {what}; {did_you_mean(word, (*known, DEFAULT, ALL))}")
     if unknown:
         raise FunctionsError("; ".join(unknown))
-    return found.intersection(known)
+    return result.intersection(known)
 
 
 def together(*lists: Iterable[str]) -> tuple[str, ...]:

@@ -100,13 +100,13 @@ class Integrator:
 
     name: str  # in scenes and commands
     order: int
-    good_for: str  # and what it is not good for
+    good_for: str  # and its limits
     scheme: Scheme
     equation: str = ""  # of its step, if it is emitted
 
     @property
     def emitted(self) -> bool:
-        """Whether its step is emitted as a function of the scene; if not, SciPy takes the steps."""
+        """True if its step is emitted as a function of the scene; if not, SciPy takes the steps."""
         return not isinstance(self.scheme, Adaptive)
 
     @property
@@ -121,17 +121,17 @@ class Integrator:
 
     @property
     def splits(self) -> bool:
-        """Whether a step in which a limit is hit is taken in several parts."""
+        """True if a step in which a limit is hit is taken in several parts."""
         return isinstance(self.scheme, Composition) and self.scheme.splits
 
     @property
     def keeps_momentum(self) -> bool:
-        """Whether it keeps the momentum of a floating base."""
+        """True if it keeps the momentum of a floating base."""
         return isinstance(self.scheme, Composition) and self.scheme.keeps_momentum
 
     @property
     def damps_bounces(self) -> bool:
-        """Whether a joint that hits a stiff limit loses its speed."""
+        """True if a joint that hits a stiff limit loses its speed."""
         return isinstance(self.scheme, Composition) and self.scheme.damps_bounces
 
 

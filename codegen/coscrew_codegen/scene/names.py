@@ -1,25 +1,23 @@
-"""Names that were given: lists of them, and the known name that a mistyped one resembles."""
+"""Reads lists of names, and finds the known name that a mistyped one resembles."""
 
 import json
 import re
 from collections.abc import Iterable, Mapping, Set
 
+from coscrew_codegen.scene.joints import KINDS
+
 LIKE = 0.55  # difflib's ratio from which names are similar: omega is not max, nor half both (0.5)
 MANY = 20  # names that a message can still list
 _SHORT = 3  # letters below which being contained in a name is no similarity: "d" in "heaviside"
 
-_SYNONYMS = (("revolute", "hinge", "pin", "rotary", "rotational"),
-             ("prismatic", "slider", "slide", "sliding", "translational"),
-             ("spherical", "ball", "socket"),
-             ("free", "floating", "freeflyer", "free_flyer", "free-flyer"),
-             ("fixed", "weld", "welded", "rigid"))
+_SYNONYMS = tuple((kind.name, *kind.synonyms) for kind in KINDS)
 """Other tools' words for the same joint."""
 
 
 def listed(argument: str, given: object, example: str, error: type[Exception] = TypeError
            ) -> tuple[str, ...]:
-    """The names in a list; raises `error` for anything else, also for a single text, as "energy"
-    for ["energy"], and for what has no order, as a set."""
+    """Returns the names in a list; raises `error` for anything else, also for a single text, as
+    "energy" for ["energy"], and for a collection without order, as a set."""
     names = None if isinstance(given, str | Set | Mapping) or not isinstance(given, Iterable) \
         else tuple(given)
     if names is None or not all(isinstance(name, str) for name in names):

@@ -3,16 +3,16 @@
 from collections.abc import Iterator, Mapping
 
 from coscrew_codegen.program.values.parameter import Parameter
-from coscrew_codegen.scene.mechanism.model import Body, Kind
+from coscrew_codegen.scene.mechanism.model import Body
 from coscrew_codegen.scene.scene import Applied, Scene
 
 
 def parameter_units(scene: Scene) -> Mapping[str, str]:
     """The unit of each number that the scene lists in `runtime`, by name."""
-    kinds = {x.name: x.kind for x in scene.model.joints}
+    sliding = {x.name for x in scene.model.joints if x.kind.slides}
     numbers = [x for body in scene.model.bodies for x in _of_body(body)]
     numbers += [x for applied in scene.effects
-                for x in _of_effect(applied, kinds.get(applied.on) is Kind.PRISMATIC)]
+                for x in _of_effect(applied, applied.on in sliding)]
     return {x.name: unit for x, unit in numbers if isinstance(x, Parameter)}
 
 

@@ -14,34 +14,34 @@ class PatternError(ValueError):
 
 
 def is_pattern(name: str) -> bool:
-    """Whether the name has letters with a meaning in patterns."""
+    """Returns whether the name has letters with a meaning in patterns."""
     return not _WILD.isdisjoint(name)
 
 
 def matching(pattern: str, *known: Collection[str]) -> tuple[str, ...]:
-    """The names that a pattern matches, in the first of these collections in which it matches any;
-    of a name that is in one of them, the name itself."""
+    """Returns the names that a pattern matches, in the first of these collections in which it
+    matches any; for a name in one of them, the name itself."""
     if any(pattern in names for names in known):
         return (pattern,)
     if is_pattern(pattern):
         for names in known:
-            if found := tuple(name for name in names if fnmatchcase(name, pattern)):
-                return found
+            if results := tuple(name for name in names if fnmatchcase(name, pattern)):
+                return results
     return ()
 
 
 def expanded(given: Sequence[str], *known: Collection[str]) -> tuple[str, ...]:
-    """The names, each pattern replaced by the names that it matches and that are not also given
-    themselves.  Names without patterns stay, known or not.  Raises PatternError."""
-    found: list[str] = []
+    """The names, with each pattern replaced by the names that it matches, except names that are
+    also given themselves.  Names without patterns stay, known or not.  Raises PatternError."""
+    results: list[str] = []
     for name in given:
         if not name:
             raise PatternError("'' is no name; leave it out, or write a name")
         of = matching(name, *known)
         if of == (name,) or not is_pattern(name):
-            found.append(name)
+            results.append(name)
         elif of:
-            found += [x for x in of if x not in found and x not in given]
+            results += [x for x in of if x not in results and x not in given]
         else:
             raise PatternError(f"{name!r} matches nothing; {did_you_mean(name, known[0])}")
-    return tuple(found)
+    return tuple(results)

@@ -38,9 +38,9 @@ def components(names: Sequence[str], scene: Scene) -> tuple[str, ...]:
 
 
 def quantities_of(texts: Sequence[str], scene: Scene) -> tuple[str, ...]:
-    """The quantities that texts name, patterns among them replaced by all whole quantities that
-    they match, or else by components.  Raises QuantityError for each text that names none."""
-    found, errors = list[str](), []
+    """The quantities that texts name; patterns are replaced by all whole quantities that they
+    match, or else by components.  Raises QuantityError for each text that names none."""
+    result, errors = list[str](), []
     for text in texts:
         try:
             recorded(text, scene)
@@ -49,10 +49,10 @@ def quantities_of(texts: Sequence[str], scene: Scene) -> tuple[str, ...]:
             names = _matching(text, scene) if is_pattern(text) else ()
             if not names:
                 errors.append(_unmatched(text, scene) if is_pattern(text) else str(error))
-        found += [x for x in names if x == text or not (x in found or x in texts)]
+        result += [x for x in names if x == text or not (x in result or x in texts)]
     if errors:
         raise QuantityError("; ".join(errors))
-    return tuple(found)
+    return tuple(result)
 
 
 def _matching(pattern: str, scene: Scene) -> tuple[str, ...]:

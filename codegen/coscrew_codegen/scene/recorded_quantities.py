@@ -16,7 +16,7 @@ from dataclasses import dataclass
 from coscrew_codegen.scene.effect_quantities import lacks, quantities_by_name, units_of
 from coscrew_codegen.scene.functions import QUANTITIES as OF_FUNCTIONS
 from coscrew_codegen.scene.mechanism.mimics import followers
-from coscrew_codegen.scene.mechanism.model import Joint, Kind
+from coscrew_codegen.scene.mechanism.model import Joint
 from coscrew_codegen.scene.names import did_you_mean, nearest, or_mean
 from coscrew_codegen.scene.scene import Scene
 from coscrew_codegen.scene.scene_function import Of, SceneFunction, SceneQuantity
@@ -26,7 +26,7 @@ XYZ = ("x", "y", "z")
 """Alternative names of the components 0, 1 and 2 of vectors of three."""
 QUANTITIES = (*UNITS, *OF_FUNCTIONS)
 _ACCELERATIONS = "forward_dynamics"
-"""The function of the accelerations that are recorded, and that other functions take."""
+"""The function that computes the accelerations for recordings and for other functions."""
 
 
 class QuantityError(ValueError):
@@ -43,7 +43,7 @@ class Recorded:
     places: tuple[int, ...]  # indices in the scene's q, v or a, or in the quantity itself
     names: tuple[str, ...]  # of the columns: "q.elbow", "pose.hand.3", "energy.kinetic"
     units: tuple[str, ...]  # of the columns
-    function: str = ""  # that computes it; "" of states
+    function: str = ""  # that computes it; "" for states
     sums: tuple[tuple[int, ...], ...] = ()  # of each place, the function's results that are added
     takes_a: bool = False  # whether the function takes accelerations: they are those at tau = 0
     of_effect: bool = False
@@ -66,13 +66,13 @@ def recorded(text: str, scene: Scene) -> Recorded:
 
 
 def expected(text: str, scene: Scene) -> Recorded:
-    """The one component that an expectation is about; "energy" is the total."""
+    """The one component that an expectation refers to; "energy" is the total."""
     component = OF_FUNCTIONS[text][1].expected if text in OF_FUNCTIONS else ""
-    found = recorded(f"{text}.{component}" if component else text, scene)
-    if len(found.places) != 1:
-        last = found.names[-1]
-        raise QuantityError(f"{text!r} has {len(found.places)} components; wanted one, as {last!r}")
-    return found
+    named = recorded(f"{text}.{component}" if component else text, scene)
+    if len(named.places) != 1:
+        last = named.names[-1]
+        raise QuantityError(f"{text!r} has {len(named.places)} components; wanted one, as {last!r}")
+    return named
 
 
 def recorded_functions(scene: Scene) -> set[str]:
@@ -83,20 +83,20 @@ def recorded_functions(scene: Scene) -> set[str]:
 
 
 def coordinates(scene: Scene) -> tuple[tuple[Joint, range, range], ...]:
-    """Joints with coordinates of their own, and their places in q and v: neither fixed ones, nor
-    those that follow others."""
-    found, q, v = [], 0, 0
+    """Joints with coordinates of their own, without fixed joints and followers, and their places in
+    q and v."""
+    result, q, v = [], 0, 0
     follow = followers(scene)
     for joint in scene.model.joints:
-        if joint.kind is not Kind.FIXED and joint.name not in follow:
+        if joint.kind.moves and joint.name not in follow:
             nq, nv = joint.kind.nq, joint.kind.nv
-            found.append((joint, range(q, q + nq), range(v, v + nv)))
+            result.append((joint, range(q, q + nq), range(v, v + nv)))
             q, v = q + nq, v + nv
-    return tuple(found)
+    return tuple(result)
 
 
 def _of_joints(text: str, quantity: str, rest: str, scene: Scene) -> Recorded:
-    """Components of q, v or a: of all joints, of one, or one of its."""
+    """Components of q, v or a: of all joints, of one joint, or a single one."""
     joints = coordinates(scene)
     follow = followers(scene)
     names = (*(joint.name for joint, _, _ in joints), *follow)
@@ -105,7 +105,7 @@ def _of_joints(text: str, quantity: str, rest: str, scene: Scene) -> Recorded:
         raise QuantityError(f"{text!r}: joint {target!r} follows another; it has no coordinates")
     places, columns, units, owners = [], [], [], dict[str, str]()
     for joint, q, v in joints:
-        all_units = UNITS[quantity][joint.kind.value]
+        all_units = joint.kind.units(quantity)
         all_columns = [f"{quantity}.{joint.name}" + ("" if len(all_units) == 1 else f".{i}")
                        for i in range(len(all_units))]
         for column in all_columns:
@@ -130,7 +130,7 @@ def targets(function: SceneFunction, kind: SceneQuantity, scene: Scene) -> tuple
         case Of.BODY:
             return tuple(body.name for body in scene.model.bodies)
         case Of.JOINT:
-            return tuple(j.name for j in scene.model.joints if j.kind is not Kind.FIXED)
+            return tuple(j.name for j in scene.model.joints if j.kind.moves)
         case Of.SCENE:
             return ()
 
@@ -175,7 +175,7 @@ def _of_effect(text: str, scene: Scene) -> Recorded:
 
 
 def _unknown(text: str, known: Iterable[str]) -> str:
-    """The nearest of the scene's quantities, or all kinds of them."""
+    """Names the nearest of the scene's quantities, or all kinds of them."""
     effects = tuple(known)
     quantity = text.partition(".")[0]
     owners = {name.partition(".")[0] for name in effects}
@@ -186,7 +186,7 @@ def _unknown(text: str, known: Iterable[str]) -> str:
 
 
 def _target(text: str, rest: str, what: str, names: tuple[str, ...]) -> tuple[str, str]:
-    """Name and component: names may hold dots themselves."""
+    """Splits a text into name and component; names may hold dots themselves."""
     if rest in names:
         return rest, ""
     name, _, index = rest.rpartition(".")
@@ -213,7 +213,7 @@ def _picked(text: str, index: str, count: int, words: tuple[str, ...]) -> tuple[
 
 
 def _numbered(count: int) -> str:
-    """The components there are, by number."""
+    """Lists the existing components by number."""
     if count == 1:
         return "none"
     return f"0 to {count - 1}" + (f", or {', '.join(XYZ)}" if count == 3 else "")

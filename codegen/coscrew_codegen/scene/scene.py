@@ -1,11 +1,13 @@
 """Scene: a model, the effects that act in it, and its run.  Frozen data, no arithmetic."""
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from fractions import Fraction
+from functools import cached_property
 
 from coscrew_codegen.program.values.formats import BY_NAME, DOUBLE
 from coscrew_codegen.program.values.parameter import Parameter, Scalar
+from coscrew_codegen.scene.content import hashed
 from coscrew_codegen.scene.effect import Effect
 from coscrew_codegen.scene.formulas import Formula
 from coscrew_codegen.scene.integrators import DEFAULT
@@ -97,15 +99,27 @@ class Scene:
     expectations: tuple[Expectation, ...] = ()
     functions: tuple[str, ...] = ()  # selected by name; (): the default functions
     tiers: tuple[str, ...] = ()  # selected besides plain, the cheapest first
-    accuracy: tuple[Tolerance, ...] = ()  # what the mixed tier is to reach
-    notices: tuple[Notice, ...] = ()  # what the model's file says and the scene does not use
+    accuracy: tuple[Tolerance, ...] = ()  # accuracy requested of the mixed tier
+    notices: tuple[Notice, ...] = ()  # content of the model's file that the scene does not use
 
     @property
     def unused(self) -> tuple[str, ...]:
-        """Numbers of the model's file that the scene does not use, a line each."""
+        """Numbers of the model's file that the scene does not use, one line for each."""
         return tuple(notice.text for notice in self.notices)
+
+    @property
+    def content_hash(self) -> str:
+        """SHA-256 of everything in the scene and its model, independent of the files' layout."""
+        return hashed(self)
+
+    @cached_property
+    def motion_hash(self) -> str:
+        """The hash of everything that a motion in a given precision depends on; the selected
+        precisions, functions and tiers, which options replace, do not count."""
+        return hashed(replace(self, precision="", precisions=(), implausible="", functions=(),
+                              tiers=(), accuracy=(), notices=()))
 
 
 def zero(value: Setting) -> bool:
-    """Whether this is the number zero."""
+    """Returns whether this is the number zero."""
     return isinstance(value, Fraction) and value == 0

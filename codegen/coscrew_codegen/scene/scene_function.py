@@ -1,9 +1,8 @@
-"""What a function of scenes is: the entry of the catalogue from which it is selected, recorded,
-emitted, measured and documented.
+"""Functions of scenes: entries of the catalogue from which they are selected, recorded, emitted,
+measured and documented.
 
-A function's file knows no other function and no algorithm: its `compute` gets the scene's motion
-as Dynamics, and answers with Numbers.
-"""
+A function's file knows no other function and no algorithm: its `compute` gets the scene's motion as
+Dynamics, and returns Numbers."""
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
@@ -78,13 +77,13 @@ INPUTS = {x.name: x for x in (
     Array("p", (AxisLength.PARAMETERS,), ("1",), "parameters"), Q, V, A, TAU,
     Array("phi", (AxisLength.NV,), units.displacements,
           "displacements along the velocities, in m, rad"), MOMENTA)}
-"""What functions take, by name."""
+"""Inputs of functions, by name."""
 
 
 class Dynamics(Protocol):
-    """A scene at the inputs of a function: constants and inputs as Numbers, and what algorithms
-    compute from them.  Velocities, accelerations and torques that the function does not take are
-    zero.
+    """Dynamics of a scene at the inputs of a function: constants and inputs as Numbers, and the
+    results of algorithms.  Velocities, accelerations and torques that the function does not take
+    are zero.
 
     `recorder.call` records an operation of the library."""
 
@@ -135,7 +134,7 @@ class Dynamics(Protocol):
         """(force; moment) that a joint exerts on its child, in the child's frame, at its origin."""
 
     def of_effect(self, applied: Applied) -> Mapping[str, Callable[[], Numbers]]:
-        """What an effect exerts, its power and its energy, by quantity."""
+        """Force and torque of an effect, its power and its energy, by quantity."""
 
     def integrated(self) -> Numbers:
         """q ⊕ phi."""
@@ -163,7 +162,7 @@ class Dynamics(Protocol):
 
 
 class Situation(Protocol):
-    """What a scene has, as far as functions depend on it."""
+    """Properties of a scene on which functions depend."""
 
     scene: Scene
 
@@ -173,11 +172,11 @@ class Situation(Protocol):
 
     @property
     def closes(self) -> bool:
-        """Whether it has a limit that can be hit."""
+        """True if it has a limit that can be hit."""
 
 
 class Depends(Enum):
-    """What a function depends on, besides its inputs."""
+    """Kinds of data that a function depends on, besides its inputs."""
 
     GEOMETRY = "frames of joints and bodies"
     MASSES = "masses, too, and so on p if the scene has run-time parameters"
@@ -186,7 +185,8 @@ class Depends(Enum):
 
 @dataclass(frozen=True)
 class Default:
-    """Whether a scene that selects no functions has a function (of a target), and in words."""
+    """Condition under which a scene that selects no functions has a function (of a target), also in
+    words."""
 
     words: str
     holds: Callable[[Scene, str], bool]
@@ -197,7 +197,7 @@ IF_SELECTED = Default("if selected or recorded", lambda scene, target: False)
 
 
 class Of(Enum):
-    """What a recorded quantity belongs to."""
+    """Owner of a recorded quantity."""
 
     SCENE = ""
     BODY = "body"
@@ -206,16 +206,16 @@ class Of(Enum):
 
 @dataclass(frozen=True)
 class SceneQuantity:
-    """What is recorded of a function's results: `name`, or `name.BODY`, `name.JOINT`.
+    """Quantity recorded from a function's results: `name`, or `name.BODY`, `name.JOINT`.
 
     Each component is the sum of the results at its `places`; without places, every result is a
-    component.  Of a function of all bodies, places are counted from the body's own results."""
+    component.  For a function of all bodies, places count from the body's own results."""
 
     name: str
     of: Of = Of.SCENE
     components: tuple[str, ...] = ()  # names in place of numbers
     places: tuple[tuple[int, ...], ...] = ()
-    expected: str = ""  # the component that an expectation without one is about
+    expected: str = ""  # the component that an expectation without one refers to
 
     @property
     def written(self) -> str:
@@ -237,12 +237,12 @@ class SceneFunction:
     words: str  # its equation, and its outputs
     inputs: str  # names of INPUTS; p and t, on which masses and effects depend, are added
     outputs: tuple[Array, ...]
-    compute: Callable[[Dynamics], Results] | None  # None of a step, which calls others
+    compute: Callable[[Dynamics], Results] | None  # None for a step, which calls others
     depends: Depends = Depends.MASSES
     default: Default = IF_SELECTED
     recorded: tuple[SceneQuantity, ...] = ()
     divides: bool = False  # by the mass matrix, or called only by functions that do
-    lacks: Callable[[Situation], str] | None = None  # why a scene cannot have it, "" if it can
+    lacks: Callable[[Situation], str] | None = None  # "" if a scene can have it
     words_in: Callable[[Situation], str] | None = None  # where words depend on the scene
     internal: bool = False  # called by steps alone, so that it cannot be selected
     targets: Callable[[Scene], Mapping[str, str]] | None = None  # of a family: what stands in
@@ -260,8 +260,9 @@ class SceneFunction:
             self.components_of(quantity)
 
     def components_of(self, quantity: SceneQuantity) -> tuple[tuple[str, tuple[int, ...]], ...]:
-        """(unit, places of the results that are added) of each component of what is recorded.
-        Raises ValueError for what a state does not determine, or results that there are not."""
+        """Returns (unit, places of the results that are added) of each component of a recorded
+        quantity.  Raises ValueError for quantities that a state does not determine, or missing
+        results."""
         what = f"{self.name}: {quantity.name!r} is recorded of it"
         if others := [name for name in self.takes if name not in _OF_STATES]:
             raise ValueError(f"{what}, but it takes {', '.join(others)}; wanted functions of "
@@ -273,8 +274,8 @@ class SceneFunction:
                              "components")
         for several in places:
             if not several or max(several) >= len(units) or len({units[i] for i in several}) > 1:
-                raise ValueError(f"{what}: results {several}; wanted some of the {len(units)} that "
-                                 "there are, of one unit")
+                raise ValueError(f"{what}: results {several}; wanted some of its {len(units)} "
+                                 "results, of one unit")
         return tuple((units[several[0]], several) for several in places)
 
     def _units_recorded(self, quantity: SceneQuantity, what: str) -> tuple[str, ...]:
@@ -300,7 +301,7 @@ class SceneFunction:
         return tuple(self.inputs.split())
 
     def absent(self, its: Situation) -> str:
-        """Why a scene cannot have it; "" if it can."""
+        """Says why a scene cannot have it; "" if it can."""
         return self.lacks(its) if self.lacks else ""
 
     def of(self, scene: Scene) -> tuple["SceneFunction", ...]:

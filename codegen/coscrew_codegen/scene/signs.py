@@ -1,4 +1,5 @@
-"""Signs that run-time parameters must have: those of the numbers that scene files accept."""
+"""Signs that run-time parameters must have: the signs that scene files require of the same numbers.
+"""
 
 from coscrew_codegen.program.values.parameter import Parameter, Sign
 from coscrew_codegen.scene.scene import Scene
@@ -7,13 +8,13 @@ from coscrew_codegen.scene.scene import Scene
 def signs(scene: Scene) -> dict[str, Sign]:
     """The signs of the parameters that have one, by name: masses are positive, and effects say what
     their parameters are."""
-    found = {body.inertia.mass.name: Sign.POSITIVE for body in scene.model.bodies
-             if body.inertia and isinstance(body.inertia.mass, Parameter)}
+    results = {body.inertia.mass.name: Sign.POSITIVE for body in scene.model.bodies
+               if body.inertia and isinstance(body.inertia.mass, Parameter)}
     for applied in scene.effects:
         for described in applied.effect.parameters:
             if described.sign:
                 value = applied.values.get(described.name)
-                found |= {x.name: described.sign
-                          for x in (value if isinstance(value, tuple) else (value,))
-                          if isinstance(x, Parameter)}
-    return found
+                results |= {x.name: described.sign
+                            for x in (value if isinstance(value, tuple) else (value,))
+                            if isinstance(x, Parameter)}
+    return results

@@ -7,21 +7,21 @@ from coscrew_codegen.scene.names import did_you_mean
 
 
 class TiersError(ReportedError, ValueError):
-    """A tier that scenes do not have; the message names those that they have."""
+    """A tier that scenes do not have; the message lists the tiers of scenes."""
 
 
 def known() -> tuple[str, ...]:
     """The tiers that scenes have, the cheapest first."""
-    from coscrew_codegen.accuracy.tiers import OF_SCENES  # when asked: most scenes are plain
+    from coscrew_codegen.accuracy.tiers import OF_SCENES  # imported on use: most scenes are plain
 
     return tuple(tier.name for tier in OF_SCENES)
 
 
-def asked() -> tuple[str, ...]:
-    """Returns the tiers of functions of which an accuracy is asked."""
+def on_request() -> tuple[str, ...]:
+    """Returns the tiers of functions with a requested accuracy."""
     from coscrew_codegen.accuracy.tiers import OF_SCENES
 
-    return tuple(tier.name for tier in OF_SCENES if tier.asked)
+    return tuple(tier.name for tier in OF_SCENES if tier.on_request)
 
 
 def selected(words: Sequence[str]) -> tuple[str, ...]:

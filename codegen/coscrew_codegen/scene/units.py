@@ -2,17 +2,14 @@
 
 from collections.abc import Callable, Sequence
 
+from coscrew_codegen.scene.joints import KINDS
+
 Kinds = Sequence[str]
 """The kinds of the joints with coordinates of their own, in order: revolute, prismatic, …."""
 Units = tuple[str, ...] | Callable[[Kinds], tuple[str, ...]]
 """The unit of each component; fewer units than components are repeated."""
 
-UNITS = {"q": {"revolute": ("rad",), "prismatic": ("m",), "spherical": ("1",) * 4,
-               "free": ("m",) * 3 + ("1",) * 4},
-         "v": {"revolute": ("rad/s",), "prismatic": ("m/s",), "spherical": ("rad/s",) * 3,
-               "free": ("m/s",) * 3 + ("rad/s",) * 3},
-         "a": {"revolute": ("rad/s^2",), "prismatic": ("m/s^2",), "spherical": ("rad/s^2",) * 3,
-               "free": ("m/s^2",) * 3 + ("rad/s^2",) * 3}}
+UNITS = {of: {kind.name: kind.units(of) for kind in KINDS} for of in "qva"}
 """Units of the components of q, v and a, by the joint's kind."""
 SCREW = ("m/s",) * 3 + ("rad/s",) * 3
 WRENCH = ("N",) * 3 + ("N m",) * 3
@@ -41,7 +38,7 @@ def displacements(kinds: Kinds) -> tuple[str, ...]:
 
 
 def torques(kinds: Kinds) -> tuple[str, ...]:
-    """Units of tau: of power over v."""
+    """Units of tau: the unit of power over that of v."""
     return tuple("N m" if unit == "rad/s" else "N" for unit in velocities(kinds))
 
 

@@ -1,4 +1,4 @@
-"""Simulates scenes: integrates their equations of motion, records, writes, plots and shows."""
+"""Simulates scenes: integrates their equations of motion, records, writes, plots and plays back."""
 
 from coscrew_codegen.program.reported_error import ReportedError
 

@@ -1,9 +1,8 @@
 """Integration by SciPy, which chooses its steps by tolerances.
 
 The state is y = (q; v), with q' = v for angles and lengths and r' = r (ω; 0) / 2 for quaternions.
-That keeps |r| only within the tolerance; so r is normalized before the dynamics use it, and in
-samples.
-"""
+The solver keeps |r| within its tolerance only, so r is normalized before the dynamics use it, and
+in samples."""
 
 from collections.abc import Callable, Iterator
 
@@ -11,8 +10,8 @@ import numpy as np
 import scipy.integrate
 from scipy.integrate import OdeSolver
 
-import coscrew
 from coscrew_codegen.scene.integrators import ADAPTIVE
+from coscrew_codegen.simulation import coordinate_rates
 from coscrew_codegen.simulation.plan import Plan
 from coscrew_codegen.simulation.system import State, System, Watch
 
@@ -21,8 +20,8 @@ Rates = Callable[[float, np.ndarray], np.ndarray]
 
 def adaptive(system: System, plan: Plan, times: np.ndarray, q: np.ndarray, v: np.ndarray,
              watch: Watch | None = None) -> Iterator[tuple[np.ndarray, np.ndarray, int, str]]:
-    """(q, v, steps so far, "") at each sample after the first; instead of "" the place and reason
-    if the run stopped early."""
+    """Yields (q, v, steps so far, "") at each sample after the first; instead of "" the place and
+    reason if the run stopped early."""
     rates, steps, sample = rates_of(system), 0, 1
     scheme = ADAPTIVE[plan.integrator]
     options = {"jac": jacobian_of(system, rates)} if scheme.implicit else {}
@@ -69,16 +68,7 @@ def _q_rates(system: System, r: np.ndarray, q: np.ndarray, v: np.ndarray) -> np.
     """The rates of the coordinates r; q is r with normalized quaternions."""
     result = np.empty(q.shape)
     for c in system.functions.coordinates:
-        if c.kind in ("spherical", "free"):
-            turn = slice(c.q.stop - 4, c.q.stop)
-            omega = np.zeros((*v.shape[:-1], 4))
-            omega[..., :3] = v[..., c.v.stop - 3:c.v.stop] / 2
-            result[..., turn] = coscrew.quaternion_product_qq(r[..., turn], omega)
-        if c.kind == "free":
-            forward = v[..., c.v.start:c.v.start + 3]
-            result[..., c.q.start:c.q.start + 3] = coscrew.rotate_qv(q[..., turn], forward)
-        elif c.kind != "spherical":
-            result[..., c.q] = v[..., c.v]
+        result[..., c.q] = coordinate_rates.rates(c.kind, r[..., c.q], q[..., c.q], v[..., c.v])
     return result
 
 

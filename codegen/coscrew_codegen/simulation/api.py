@@ -1,4 +1,5 @@
-"""run: one run of a scene, or a batch of them, from Python; again: the same run once more."""
+"""Python's entry points: `run` makes one run of a scene, or a batch; `again` repeats a recorded
+run."""
 
 from __future__ import annotations
 
@@ -11,16 +12,18 @@ from pathlib import Path
 from numpy.typing import ArrayLike
 
 from coscrew_codegen.program.values.formats import BY_NAME, DOUBLE
+from coscrew_codegen.runtime.caller_warnings import at_callers_line
 from coscrew_codegen.runtime.load import Kernels, kernels_for
+from coscrew_codegen.scene.recorded_quantities import recorded
 from coscrew_codegen.scene.scene import Scene
 from coscrew_codegen.simulation import SimulateError, required_functions
 from coscrew_codegen.simulation.batch_inputs import Parameters, values_of
-from coscrew_codegen.simulation.checkpoint import Instant, end_in
+from coscrew_codegen.simulation.checkpoint import Checkpoint, end_in
 from coscrew_codegen.simulation.control import Controller, Law
-from coscrew_codegen.simulation.execution import RunRequest, motion
+from coscrew_codegen.simulation.execution import RunRequest, complete, motion
 from coscrew_codegen.simulation.recordings.record import quantities
 from coscrew_codegen.simulation.recordings.result import Result
-from coscrew_codegen.simulation.replay import asked_of
+from coscrew_codegen.simulation.replay import metadata_of
 from coscrew_codegen.simulation.run_summary import outside
 from coscrew_codegen.simulation.system import scene_of
 
@@ -31,52 +34,60 @@ def run(scene: Kernels | Scene | Path | str, *, p: Parameters = None,
         step: float | None = None, integrator: str | None = None, precision: str | None = None,
         controller: Controller | Law | int | None = None, every: float | None = None,
         record: Sequence[str] | None = None) -> Result:
-    """The motion of a scene (a file, a Scene, or kernels that load_scene returned), as `coscrew
-    simulate` computes it, with the same bits.
+    """Runs a scene (a file, a Scene, or kernels that load_scene returned) as `coscrew simulate`
+    does, with the same bits.
 
-    Whatever is None is as the scene says.  p maps names of run-time parameters to values, or holds
-    all of them in order; q0 and v0 are the start.  Each may have a leading axis: then the run is a
-    batch, and so are the arrays of the result.  Members that diverge are listed in `failed`, their
-    later samples are NaN, the others go on.  A single run that stops early causes a RuntimeWarning.
+    Arguments that are None have the scene's values.  p maps names of run-time parameters to values,
+    or holds all of them in order; q0 and v0 are the start.  Each may have a leading axis: then the
+    run is a batch, and so are the arrays of the result.  Members that diverge are listed in
+    `failed`, their later samples are NaN, and the others continue.  A single run that stops early
+    causes a RuntimeWarning.
 
-    `start` is a Result, or a recording of one run (.csv, .npz, .parquet): the run goes on from its
-    end with its parameters, except for those in p, to the bit as one long run does, if that end is
-    a multiple of `every`.  Members that failed before it stay failed.  q0 and v0 must be None.
+    `start` is a Result, or a recording of one run (.csv, .npz, .parquet): the run continues from
+    its end with its parameters, except for those in p, with the bits of one long run if that end is
+    a multiple of `every`. Members that failed before stay failed.  q0 and v0 must be None.
 
-    `controller` sets run-time parameters during the run: see Controller.  One that changes too fast
-    for how seldom it is called causes a RuntimeWarning.  `every` is the time between samples,
-    `record` names what to record, as in scenes.  Raises SimulateError for impossible settings, and
-    the errors of reading a scene."""
+    `controller` sets run-time parameters during the run: see Controller.  A controller that changes
+    too fast for the interval of its calls causes a RuntimeWarning.  `every` is the time between
+    samples, `record` names what to record, as in scenes.  Raises SimulateError for impossible
+    settings, and the errors of reading a scene."""
     kernels, own = _read(scene, precision)
     name = _precision(precision, own)
-    asked = RunRequest(until, step, integrator, every,
-                       None if record is None else quantities(record, own), q0=q0, v0=v0,
-                       p=values_of(own, BY_NAME[name], p), start=_end(start, q0, v0),
-                       controller=_controller(controller))
-    result = motion(kernels or _kernels(own, integrator, name, asked.record,
-                                        asked.controller is not None), name, asked)
+    names = None if record is None else quantities(record, own)
+    request = RunRequest(until, step, integrator, every, names, values_of(own, BY_NAME[name], p),
+                         q0, v0, _end(start, q0, v0), _controller(controller),
+                         tuple(recorded(x, own) for x in names or own.record))
+    with at_callers_line():
+        kernels = complete(kernels, request) if kernels else _kernels(
+            own, integrator, name, request.record, request.controller is not None)
+    with at_callers_line():
+        result = motion(kernels, name, request)
     if start is None and (note := outside(result.system, result.q[..., 0, :])):
         warnings.warn(note, RuntimeWarning, stacklevel=2)
-    return _told(result)
+    return _warned(result)
 
 
 def again(scene: Kernels | Scene | Path | str, recording: Result | Path | str, *,
           controller: Controller | Law | int | None = None) -> Result:
-    """The run from which a recording (.csv, .npz, .parquet) or a Result comes, once more: with the
-    same bits, and written, the same bytes.
+    """Repeats the run that made a recording (.csv, .npz, .parquet) or a Result: with the same bits
+    and, when written, the same bytes.
 
-    All settings are those that the recording tells, except for the controller, which must be given
-    again, and rtol and atol, which are the scene's.  Raises SimulateError for another scene or
-    controller."""
-    told = asked_of(recording)
-    kernels, own = _read(scene, told.precision)
+    All settings are the recording's, except for the controller, which must be given again, and rtol
+    and atol, which are the scene's.  Raises SimulateError for another scene or controller."""
+    past = metadata_of(recording)
+    kernels, own = _read(scene, past.precision)
     by = _controller(controller)
-    told.refuse(own, by)
-    return _told(motion(kernels or _kernels(own, told.integrator, told.precision, told.record,
-                                            by is not None), told.precision, told.asked(by)))
+    past.refuse(own, by)
+    request = past.request(by)
+    with at_callers_line():
+        kernels = complete(kernels, request) if kernels else _kernels(
+            own, past.integrator, past.precision, past.record, by is not None)
+    with at_callers_line():
+        result = motion(kernels, past.precision, request)
+    return _warned(result)
 
 
-def _told(result: Result) -> Result:
+def _warned(result: Result) -> Result:
     """The result; warns if it is a run that stopped, raises KeyboardInterrupt again."""
     if result.trajectory.interrupted:
         raise KeyboardInterrupt
@@ -86,12 +97,12 @@ def _told(result: Result) -> Result:
 
 
 def _end(start: Result | Path | str | None, q0: ArrayLike | None, v0: ArrayLike | None
-         ) -> Instant | None:
-    """The end of the run to go on from.  Raises SimulateError, TypeError."""
+         ) -> Checkpoint | None:
+    """The end of the run that this one continues.  Raises SimulateError, TypeError."""
     if start is None:
         return None
     if q0 is not None or v0 is not None:
-        raise SimulateError("start: wanted either a run to go on from, or q0 and v0; got both")
+        raise SimulateError("start: wanted either a run to continue, or q0 and v0; got both")
     if isinstance(start, (str, Path)):
         return end_in(Path(start))
     if not isinstance(start, Result):

@@ -1,8 +1,7 @@
 """Controllers: functions that set run-time parameters during a run.
 
-A controller is called at the start and after every `steps` steps.  What it returns holds until the
-next call: all stages and parts of a step have the same values.
-"""
+A controller is called at the start and after every `steps` steps.  Its values hold until the next
+call: all stages and parts of a step have the same values."""
 
 from __future__ import annotations
 
@@ -39,10 +38,11 @@ class Controller:
         void law(double t, const double *q, const double *v, double *u, void *context);
 
     with float for double, except for t, in single precision.  q and v are copies.  `sets` names
-    elements of p; by default they are the torques of actuators, `actuator.JOINT.torque`.  What it
-    returns is held until the next call.  A controller has no memory that a recording could hold:
-    the report of where a run diverged calls it again; so does, after a run in which what it set
-    turned back and forth from call to call, the test whether it is called too seldom."""
+    elements of p; by default they are the torques of actuators, `actuator.JOINT.torque`. Its values
+    are held until the next call.  A controller should have no memory: recordings do not hold it.
+    The report of the place where a run diverged calls the controller again; so does the test
+    whether it is called too seldom, after a run in which its values changed direction from call to
+    call."""
 
     function: Law | int | ctypes.c_void_p | CFuncPtr
     steps: int = 1
@@ -72,13 +72,13 @@ class Controller:
 
     @property
     def in_python(self) -> bool:
-        """Whether Python runs when it is called, also through a pointer that ctypes made."""
+        """True if Python runs when it is called, also through a pointer that ctypes made."""
         kept = (getattr(self.function, "_objects", None) or {}).values()
         return not self.address or any("Thunk" in type(x).__name__ for x in kept)
 
-    def told(self, scene: Scene) -> str:
-        """Describes it for provenance: name, when it is called, what it sets, and a hash of its
-        source, if that can be read."""
+    def described(self, scene: Scene) -> str:
+        """Describes it for provenance: name, interval of calls, parameters that it sets, and a hash
+        of its source, if that can be read."""
         when = f"every {self.steps} steps" if self.steps > 1 else "every step"
         sets = ", ".join(scene.parameters[i].name for i in set_by(self, scene))
         return f"{self._named}, {when}, sets {sets}{self._hashed}"
@@ -101,7 +101,7 @@ class Controller:
 
 
 def _address(pointer: object) -> int | None:
-    """The address that a number or a pointer of ctypes is; None of anything else."""
+    """The address that a number or a pointer of ctypes stands for; None for anything else."""
     if isinstance(pointer, CFuncPtr | ctypes.c_void_p):
         return ctypes.cast(pointer, ctypes.c_void_p).value or 0
     if isinstance(pointer, int) and not isinstance(pointer, bool) and 0 <= pointer <= _LAST:
@@ -110,7 +110,7 @@ def _address(pointer: object) -> int | None:
 
 
 def _shown(given: object) -> str:
-    """Shows what was given instead of a pointer: a number itself, of anything else its type."""
+    """Shows an argument given instead of a pointer: a number itself, the type of anything else."""
     if isinstance(given, int):
         return repr(given)
     null = "a null pointer, " if isinstance(given, CFuncPtr | ctypes.c_void_p) else ""
@@ -118,8 +118,8 @@ def _shown(given: object) -> str:
 
 
 def refuse_precision(controller: Controller, dtype: np.dtype) -> None:
-    """Raise SimulateError if a pointer of ctypes declares arrays of the other precision, beyond the
-    ends of which the function would write or read."""
+    """Raise SimulateError if a pointer of ctypes declares arrays of the other precision: the
+    function would write or read beyond their ends."""
     wanted = np.ctypeslib.as_ctypes_type(dtype)
     declared = getattr(controller.function, "argtypes", None) if controller.address else None
     for x in (declared or ())[1:4]:
@@ -145,8 +145,8 @@ def set_by(controller: Controller, scene: Scene) -> tuple[int, ...]:
         raise SimulateError(f"controller: sets {twice[0]!r} twice")
     for name in wanted:
         if name not in names:
-            raise SimulateError(f"controller: sets {name!r}; wanted what the scene lists in "
-                                f"`runtime`; {did_you_mean(name, names)}")
+            raise SimulateError(f"controller: sets {name!r}; wanted a parameter that the scene "
+                                f"lists in `runtime`; {did_you_mean(name, names)}")
         if name in fixed:
             raise SimulateError(f"controller: sets {name!r}, which is constant in a run; wanted "
                                 "torques, forces, voltages and targets of effects")

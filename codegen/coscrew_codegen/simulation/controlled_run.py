@@ -9,7 +9,7 @@ from typing import cast
 import numpy as np
 
 from coscrew_codegen.runtime.step_calls import InC
-from coscrew_codegen.scene.integrators import named
+from coscrew_codegen.scene.integrators import INTEGRATOR_NAMED
 from coscrew_codegen.simulation import SimulateError
 from coscrew_codegen.simulation.check.sign_changes import Turns
 from coscrew_codegen.simulation.control import EFFORT, Controller, Law, refuse_precision, set_by
@@ -29,7 +29,7 @@ class Driven:
         self._places = np.array(set_by(controller, system.scene), np.intp)
         p = np.asarray(system.p, system.dtype)
         self.p = np.broadcast_to(p, (*q.shape[:-1], p.shape[-1])).copy()
-        name = named(plan.integrator).step_name
+        name = INTEGRATOR_NAMED[plan.integrator].step_name
         self._step = system.stepper_at(name)
         self._in_c = system.driver(name) if controller.address else None
         self._turns = Turns()
@@ -76,15 +76,16 @@ class Driven:
 
     @property
     def turned(self) -> bool:
-        """Whether what it set turned back and forth; nobody knows of calls by compiled steps."""
+        """True if its values changed direction from call to call; unknown, and so false, for calls
+        by compiled steps."""
         return self._turns.many or self._in_c is not None and not self._controller.in_python
 
     def demanded(self, t: float, q: np.ndarray, v: np.ndarray) -> np.ndarray:
-        """Returns what the controller would set at this state, without setting it."""
+        """Returns the values that the controller would set at this state, without setting them."""
         return self._values(self.steps, t, q, v)
 
     def refused(self, alive: np.ndarray) -> tuple[Stop, ...]:
-        """The members that stop since a value is not finite."""
+        """The members that stop because a value is not finite."""
         return tuple(stop for i, stop in self._refused.items() if alive[i])
 
     def _values(self, k: int, t: float, q: np.ndarray, v: np.ndarray) -> np.ndarray:
@@ -93,24 +94,24 @@ class Driven:
             return self._from_c(t, q, v)
         law = cast("Law", self._controller.function)
         try:
-            found = law(float(t), q.copy(), v.copy())
+            result = law(float(t), q.copy(), v.copy())
         except Exception as error:
             error.add_note(f"the controller was called at t = {t:.9g} s, before step {k}")
             raise
-        return self._checked(found, q.shape[:-1])
+        return self._checked(result, q.shape[:-1])
 
-    def _checked(self, found: object, lead: tuple[int, ...]) -> np.ndarray:
+    def _checked(self, result: object, lead: tuple[int, ...]) -> np.ndarray:
         """The numbers that a function in Python returned.  Raises SimulateError."""
         count = len(self._places)
         try:
-            values = np.asarray(found)
+            values = np.asarray(result)
         except ValueError:  # rows of different lengths
             values = np.array(None)
         shapes = {(count,), (*lead, count), *([()] if count == 1 else [])}
         if values.dtype.kind not in "iuf" or values.shape not in shapes:
             several = f", or a row of them for each of {lead[0]} members" if lead else ""
             raise SimulateError(f"controller: wanted {count} numbers, of "
-                                f"{', '.join(self.names)}{several}; got {found!r}")
+                                f"{', '.join(self.names)}{several}; got {result!r}")
         return np.broadcast_to(values.astype(self._system.dtype), (*lead, count))
 
     def _from_c(self, t: float, q: np.ndarray, v: np.ndarray) -> np.ndarray:

@@ -1,4 +1,4 @@
-"""A run, from what is asked of it to its Result: for `run`, `again` and the command."""
+"""Executes a run, from a request to its Result: for `run`, `again` and the command."""
 
 import warnings
 from dataclasses import dataclass, field, replace
@@ -8,13 +8,14 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from coscrew_codegen.runtime.load import Kernels
-from coscrew_codegen.scene.integrators import named
+from coscrew_codegen.scene.integrators import INTEGRATOR_NAMED
+from coscrew_codegen.scene.recorded_quantities import Recorded
 from coscrew_codegen.simulation import SimulateError, required_functions
 from coscrew_codegen.simulation.batch_inputs import Values, start_of, with_parameters
 from coscrew_codegen.simulation.check.divergence_monitor import Alarm
 from coscrew_codegen.simulation.check.overshoot import too_fast
 from coscrew_codegen.simulation.check.step_advice import drifting, loose, remedy
-from coscrew_codegen.simulation.checkpoint import Instant, refuse, refuse_plan, start_at
+from coscrew_codegen.simulation.checkpoint import Checkpoint, refuse, refuse_plan, start_at
 from coscrew_codegen.simulation.control import Controller, set_by
 from coscrew_codegen.simulation.controlled_run import Driven
 from coscrew_codegen.simulation.plan import Plan, Trajectory, known, plan
@@ -28,8 +29,8 @@ from coscrew_codegen.simulation.system import State, System, scene_of, system
 
 @dataclass(frozen=True)
 class RunRequest:
-    """Settings of a run; None: as the scene says; p: those that differ from the scene's, or
-    from the run's that it goes on from."""
+    """Settings of a run; None means the scene's.  p holds the parameters that differ from the
+    scene's, or from those of the run that it continues."""
 
     until: float | None = None
     step: float | None = None
@@ -39,27 +40,28 @@ class RunRequest:
     p: Values = field(default_factory=dict)
     q0: ArrayLike | None = None
     v0: ArrayLike | None = None
-    start: Instant | None = None
+    start: Checkpoint | None = None
     controller: Controller | None = None
+    columns: tuple[Recorded, ...] | None = None  # of the quantities to record, if they are known
 
 
-def motion(kernels: Kernels, precision: str, asked: RunRequest, *, shown: bool = False,
-           told: bool = True) -> Result:
+def motion(kernels: Kernels, precision: str, request: RunRequest, *, shown: bool = False,
+           with_provenance: bool = True) -> Result:
     """The run in the precision of this name.  If `shown`, a terminal shows the progress; without
-    `told`, the recording has no provenance.  Raises SimulateError."""
-    its, state = _begun(_complete(kernels, asked), precision, asked)
-    start = asked.start
-    if start and start.controller and not asked.controller:
+    `with_provenance`, the recording has no provenance.  Raises SimulateError."""
+    its, state = _begun(kernels, precision, request)
+    start = request.start
+    if start and start.controller and not request.controller:
         warnings.warn(f"start: the run before had a controller ({start.controller}), this one has "
-                      "none: what it set last holds", RuntimeWarning, stacklevel=4)
-    planned = plan(its, asked.until, asked.step, asked.integrator, asked.every,
+                      "none: its last values hold", RuntimeWarning, stacklevel=4)
+    planned = plan(its, request.until, request.step, request.integrator, request.every,
                    begin=start.t if start else 0.0)
     if start:
         refuse_plan(start, its, planned)
-    if planned.adaptive and (state[0].ndim > 1 or asked.controller):
+    if planned.adaptive and (state[0].ndim > 1 or request.controller):
         raise SimulateError(f"integrator {planned.integrator} chooses its steps as one motion needs"
                             "; wanted an emitted integrator for batches and controllers")
-    by = asked.controller
+    by = request.controller
     driven = Driven(by, its, planned, state[0], start.steps if start else 0) if by else None
     trajectory = _integrated(its, planned, state, start, driven, shown)
     if not driven and state[0].ndim == 1:
@@ -73,43 +75,44 @@ def motion(kernels: Kernels, precision: str, asked: RunRequest, *, shown: bool =
     if start:
         began = replace(began, t=start.t, steps=start.steps, failed=start.failed)
     origin: Provenance = ()
-    if told:
+    if with_provenance:
         from coscrew_codegen.simulation.recordings.provenance import provenance  # slow: runs Git
 
         origin = provenance(its, planned, trajectory, kernels.compiler or "none: NumPy", began,
-                            its.scene.record if asked.record is None else asked.record,
-                            asked.controller.told(its.scene) if asked.controller else "")
-    return Result(its, planned, trajectory, record(its, trajectory, origin, asked.record), began)
+                            its.scene.record if request.record is None else request.record,
+                            request.controller.described(its.scene) if request.controller else "")
+    return Result(its, planned, trajectory, record(its, trajectory, origin, request.record,
+                                                   request.columns), began)
 
 
-def _complete(kernels: Kernels, asked: RunRequest) -> Kernels:
-    """Returns the kernels with all that the run needs, if they have the step of its integrator; the
-    plan refuses them if not."""
+def complete(kernels: Kernels, request: RunRequest) -> Kernels:
+    """Returns the kernels with all functions that the run needs, if they have the step of its
+    integrator; if not, the plan refuses them."""
     scene = scene_of(kernels)
-    own = named(known(asked.integrator or scene.run.integrator)).step_name
+    own = INTEGRATOR_NAMED[known(request.integrator or scene.run.integrator)].step_name
     if kernels.plain or (own and own not in (x.name for x in kernels.interface.signatures)):
         return kernels
-    recording = scene if asked.record is None else replace(scene, record=asked.record)
-    return kernels._with(*required_functions.of_run(recording, asked.integrator,
-                                                    held=asked.controller is not None))
+    recording = scene if request.record is None else replace(scene, record=request.record)
+    return kernels._with(*required_functions.of_run(recording, request.integrator,
+                                                    held=request.controller is not None))
 
 
-def _begun(kernels: Kernels, precision: str, asked: RunRequest) -> tuple[System, State]:
-    """The system and the state from which the run goes on."""
-    its, start = system(kernels, precision), asked.start
+def _begun(kernels: Kernels, precision: str, request: RunRequest) -> tuple[System, State]:
+    """The system and the state from which the run starts."""
+    its, start = system(kernels, precision), request.start
     if start:
         refuse(start, its)
         its = its.at(start.p)
-    its = with_parameters(its, asked.p)
-    if start and asked.controller:  # what it set holds until it is called again
-        places = list(set_by(asked.controller, its.scene))
+    its = with_parameters(its, request.p)
+    if start and request.controller:  # its values hold until it is called again
+        places = list(set_by(request.controller, its.scene))
         p = np.array(np.broadcast_arrays(its.p, start.p)[0], float)
         p[..., places] = start.p[..., places]
         its = its.at(p)
-    return its, start_of(its, asked.q0, asked.v0, start)
+    return its, start_of(its, request.q0, request.v0, start)
 
 
-def _integrated(its: System, planned: Plan, state: State, start: Instant | None,
+def _integrated(its: System, planned: Plan, state: State, start: Checkpoint | None,
                 driven: Driven | None, shown: bool) -> Trajectory:
     alarm = partial(Alarm, driven=driven is not None, remedy=remedy)
     momentum, failed = (_momentum(its, start, state), start.failed) if start else (None, ())
@@ -119,9 +122,9 @@ def _integrated(its: System, planned: Plan, state: State, start: Instant | None,
         return integrate(its, planned, watch, alarm, state, driven, momentum, failed)
 
 
-def _momentum(its: System, start: Instant, state: State) -> np.ndarray | None:
-    """The momentum of floating bases at t = 0 that leads to the state from which the run goes on:
-    as the run before kept it, except for members whose parameters change what it leads to."""
+def _momentum(its: System, start: Checkpoint, state: State) -> np.ndarray | None:
+    """The momentum of floating bases at t = 0 that leads to the state from which the run continues:
+    that of the previous run, except for members whose new parameters change it."""
     if start.momentum is None:
         return None
     with np.errstate(all="ignore"):

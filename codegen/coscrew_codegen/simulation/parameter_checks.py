@@ -24,13 +24,15 @@ N = TypeVar("N")
 def refuse_settings(scene: Scene, settings: Mapping[str, float], precision: Precision) -> None:
     """Raise SimulateError for an unknown parameter, a number out of its range or the precision's,
     and numbers that make a body that cannot exist or leave a joint without inertia."""
+    if not settings:
+        return
     refuse_each(scene, settings, precision)
     if any(name in settings for name in dependent(scene)):
         refuse_together(scene, settings)
 
 
 def refuse_each(scene: Scene, settings: Mapping[str, float], precision: Precision,
-                said: str = "--set ") -> None:
+                prefix: str = "--set ") -> None:
     """Raise SimulateError for an unknown parameter, or a number out of its range or the
     precision's.  `said` stands before its name."""
     names = tuple(parameter.name for parameter in scene.parameters)
@@ -42,27 +44,27 @@ def refuse_each(scene: Scene, settings: Mapping[str, float], precision: Precisio
             hint = f"; did you mean {near!r}?" if near else ""
             if name in constants(scene.model, scene.effects):
                 hint = "; to change this constant, write it there"
-            raise SimulateError(f"{said}{name}: wanted what the scene lists in `runtime`: {listed}"
-                                f"{hint}")
+            raise SimulateError(f"{prefix}{name}: wanted a parameter that the scene lists in "
+                                f"`runtime`: {listed}{hint}")
         if not math.isfinite(number):
-            raise SimulateError(f"{said}{name}={number:g}: wanted a finite number")
+            raise SimulateError(f"{prefix}{name}={number:g}: wanted a finite number")
         try:
             bounded(Fraction(number), f"{number:g}")
         except ValueError as error:
-            raise SimulateError(f"{said}{name}={number:g}: {error}") from None
+            raise SimulateError(f"{prefix}{name}={number:g}: {error}") from None
         if number and not least <= abs(number) <= most:
-            raise SimulateError(f"{said}{name}={number:g}: outside {precision.name} precision's "
+            raise SimulateError(f"{prefix}{name}={number:g}: outside {precision.name} precision's "
                                 f"range: 0, and {least:.2g} to {most:.2g} in size")
     for name, sign in signs(scene).items():
         number = settings.get(name, 1)
         if sign.refuses(number):
-            raise SimulateError(f"{said}{name}={number:g}: wanted {sign.value}")
+            raise SimulateError(f"{prefix}{name}={number:g}: wanted {sign.value}")
 
 
-def refuse_together(scene: Scene, settings: Mapping[str, float], said: str = "--set ") -> None:
+def refuse_together(scene: Scene, settings: Mapping[str, float], prefix: str = "--set ") -> None:
     """Raise SimulateError for ranges whose ends are in the wrong order, and for bodies that cannot
     exist or leave a joint without inertia."""
-    given = " ".join(f"{said}{name}={number:g}" for name, number in settings.items())
+    given = " ".join(f"{prefix}{name}={number:g}" for name, number in settings.items())
     for applied, low, high in ranges(scene, settings):
         if applied.effect.ascending and low > high:
             raise SimulateError(f"{given}: {applied.name}: {applied.effect.ascending[0]}, {low:g}, "
@@ -86,8 +88,8 @@ def constant(scene: Scene) -> set[str]:
 
 def ranges(scene: Scene, settings: Mapping[str, N]
            ) -> Iterator[tuple[Applied, N | float, N | float]]:
-    """(effect, lower, upper) of the ranges that effects keep joints in, with these values of
-    parameters, or rows of values; infinite where a range has no end."""
+    """Returns (effect, lower, upper) of the ranges in which effects keep joints, for these values
+    of parameters, or rows of values; infinite where a range has no end."""
     for applied in scene.effects:
         if applied.effect.ascending:
             low, high = (applied.values[name] for name in applied.effect.ascending)
@@ -103,15 +105,15 @@ def _number(given: Setting, settings: Mapping[str, N], without: float) -> N | fl
 
 def _of_bodies(scene: Scene) -> tuple[str, ...]:
     """Names of the parameters that are bodies' masses, centres and moments."""
-    found: list[str] = []
+    results: list[str] = []
 
     def note(name: str, number: Scalar) -> Scalar:
         if isinstance(number, Parameter):
-            found.append(name)
+            results.append(name)
         return number
 
     swapped_model(scene.model, note)
-    return tuple(found)
+    return tuple(results)
 
 
 def _refuse_model(scene: Scene, settings: Mapping[str, float], given: str) -> None:

@@ -6,7 +6,7 @@ from numbers import Real
 
 import numpy as np
 
-from coscrew_codegen.scene.integrators import ADAPTIVE, NAMES, named
+from coscrew_codegen.scene.integrators import ADAPTIVE, INTEGRATOR_NAMED, NAMES
 from coscrew_codegen.scene.names import or_mean
 from coscrew_codegen.simulation import SimulateError
 from coscrew_codegen.simulation.system import System
@@ -14,13 +14,14 @@ from coscrew_codegen.simulation.system import System
 _ROUND_OFF = 1e-6  # of a step: 0.01 / 1e-3 is 10 steps, not 11
 _SAME = 1e-6  # of `every`: times closer than this count as one
 MOST_SAMPLES = 10_000_000
-MOST_STEPS = 10**12  # weeks of the fastest scenes
+MOST_STEPS = 10**12  # weeks even for the fastest scenes
 
 
 @dataclass(frozen=True)
 class Plan:
-    """Settings of an integration: when it ends and is sampled, in s, and its integrator; `step` is
-    for emitted integrators, rtol and atol for SciPy's; `also` are further times to sample at.
+    """Settings of an integration: times of its end and of its samples, in s, and its integrator;
+    `step` is for emitted integrators, rtol and atol for SciPy's; `also` are further times to sample
+    at.
 
     The default integrator splits a step in which a limit is hit into parts, whose length hardly
     depends on the step.  With `finer` = 2 the parts are half as long.  The run starts at `begin`:
@@ -38,7 +39,7 @@ class Plan:
 
     @property
     def adaptive(self) -> bool:
-        """Whether SciPy integrates."""
+        """True if SciPy integrates."""
         return self.integrator in ADAPTIVE
 
     def steps(self, interval: float) -> tuple[int, float]:
@@ -78,9 +79,10 @@ class Stop:
 
 @dataclass(frozen=True)
 class Trajectory:
-    """States at the times of samples; `stopped` says where and why, if before the end.
+    """States at the times of samples; `stopped` says where and why, if it stopped before the end.
 
-    Those of a batch have a leading axis of members; samples of a member after its stop are NaN."""
+    In a batch the states have a leading axis of members; samples of a member after its stop are
+    NaN."""
 
     t: np.ndarray  # (n)
     q: np.ndarray  # (…, n, nq)
@@ -97,7 +99,7 @@ class Trajectory:
 def plan(system: System, until: float | None = None, step: float | None = None,
          integrator: str | None = None, every: float | None = None,
          also: tuple[float, ...] = (), begin: float = 0.0) -> Plan:
-    """The scene's plan, with these settings instead of its own.  Raises SimulateError."""
+    """The scene's plan with these settings in place of its own.  Raises SimulateError."""
     run = system.scene.run
     until, step, every = (default if given is None else seconds(name, given)
                           for name, given, default in (("until", until, run.duration),
@@ -105,7 +107,7 @@ def plan(system: System, until: float | None = None, step: float | None = None,
                                                        ("every", every, system.scene.every)))
     made = Plan(until, every, known(run.integrator if integrator is None else integrator), step,
                 *tolerances(system), also, begin=begin)
-    called = named(made.integrator).step_name
+    called = INTEGRATOR_NAMED[made.integrator].step_name
     if called and not system.has(called):
         raise SimulateError(f"integrator {made.integrator}: {called} is not among the selected "
                             f"functions; wanted functions = [\"default\", {called!r}]")
@@ -125,7 +127,7 @@ def plan(system: System, until: float | None = None, step: float | None = None,
 
 
 def seconds(name: str, given: object) -> float:
-    """A time as Python's float, of which provenance tells all digits.  Raises SimulateError."""
+    """A time as Python's float, whose digits provenance holds completely.  Raises SimulateError."""
     if isinstance(given, (bool, np.bool_)) or not isinstance(given, Real):
         raise SimulateError(f"{name}: wanted a number of seconds; got {given!r}")
     try:

@@ -31,7 +31,7 @@ class Progress:
         self._stack.close()
 
     def __call__(self, t: float, q: np.ndarray, v: np.ndarray) -> None:
-        """Show where the run is."""
+        """Shows the progress of the run."""
         now = time.monotonic()
         if self._show is None:
             self._first = self._energy(t, q, v) if self._first is None else self._first

@@ -13,7 +13,7 @@ from itertools import pairwise
 import numpy as np
 
 from coscrew_codegen.scene.integrator import Integrator
-from coscrew_codegen.scene.integrators import DEFAULT, named
+from coscrew_codegen.scene.integrators import DEFAULT, INTEGRATOR_NAMED
 from coscrew_codegen.simulation import SimulateError
 from coscrew_codegen.simulation.check.divergence_monitor import UNTRIED, Alarm
 from coscrew_codegen.simulation.controlled_run import Driven
@@ -26,23 +26,24 @@ _KEPT = 100  # steps after which rounding errors of momentum are removed
 Alarming = Callable[[System, Plan, State], Alarm]
 Sampled = Iterator[tuple[np.ndarray, np.ndarray, int, tuple[Stop, ...]]]
 Advance = Callable[[int, int, float, float, np.ndarray, np.ndarray], State]
-"""(n, k, t, h, q, v) -> q and v after n steps of h from t, the first of them the run's k-th."""
+"""Maps (n, k, t, h, q, v) to q and v after n steps of h from t, the first of them the run's k-th.
+"""
 
 
 def integrate(system: System, plan: Plan, watch: Watch | None = None,
               alarm: Alarming | None = None, start: State | None = None,
               driven: Driven | None = None, momentum: np.ndarray | None = None,
               failed: tuple[Stop, ...] = ()) -> Trajectory:
-    """The trajectory from `start`, by default the scene's; a batch of them if that, or the
+    """Integrates from `start`, by default the scene's; the result is a batch if the start, or the
     parameters of the system, have a leading axis.
 
-    A state that is not finite, a failing solver, and an interrupt (Ctrl-C) end it early; samples so
-    far are kept.  Runs of emitted integrators also stop if an Alarm, made by `alarm`, reports that
-    the motion is wrong.  Other members of a batch go on; samples of those that stopped are NaN.
-    `driven` sets parameters during the run.  `momentum` of floating bases is that of the start,
-    unless the run continues another; of that, members have `failed`.
-    `watch` is called at each sample and in between: after every step of SciPy and of pure NumPy,
-    else after 400 steps, or 100 where momentum is kept."""
+    A state that is not finite, a failing solver, or an interrupt (Ctrl-C) ends a trajectory early;
+    samples so far are kept.  Runs of emitted integrators also stop if an Alarm, made by `alarm`,
+    reports that the motion is wrong.  Other members of a batch continue; samples of stopped members
+    are NaN. `driven` sets parameters during the run.  `momentum` of floating bases is that of the
+    start, unless the run continues another, whose stopped members are `failed`. `watch` is called
+    at each sample and in between: after every step of SciPy and of pure NumPy, else after 400
+    steps, or 100 where momentum is kept."""
     times, (q, v) = plan.samples, start or system.start()
     alive = np.ones(q.shape[:-1], bool)
     for stop in failed:
@@ -51,7 +52,7 @@ def integrate(system: System, plan: Plan, watch: Watch | None = None,
         raise SimulateError(f"the start is not finite: {system.lacking(q[*i], v[*i])}")
     if momentum is not None:
         momentum = momentum.astype(system.dtype)
-    elif named(plan.integrator).keeps_momentum:
+    elif INTEGRATOR_NAMED[plan.integrator].keeps_momentum:
         momentum = system.momentum(q, v)
     if plan.adaptive:
         run = _adaptive(system, plan, times, q, v, watch)
@@ -93,7 +94,7 @@ class _Samples:
 
     @property
     def ended(self) -> bool:
-        """Whether no member goes on."""
+        """True if all members have stopped."""
         return not self._alive.any()
 
     def add(self, q: np.ndarray, v: np.ndarray, steps: int, stops: tuple[Stop, ...]) -> None:
@@ -113,7 +114,7 @@ class _Samples:
 
     def trajectory(self, seconds: float, interrupted: str, momentum: np.ndarray | None
                    ) -> Trajectory:
-        """All of it: of a single run up to its stop, of a batch up to the end."""
+        """The whole trajectory: of a single run up to its stop, of a batch up to the end."""
         single = not self._alive.ndim
         stopped = interrupted or (self._stops[0].cause if self._stops and single else "")
         n = self.count if single or interrupted else len(self._times)
@@ -133,9 +134,9 @@ def _adaptive(system: System, plan: Plan, times: np.ndarray, q: np.ndarray, v: n
 def fixed(system: System, plan: Plan, times: np.ndarray, q: np.ndarray, v: np.ndarray,
           watch: Watch | None = None, alarm: Alarming | None = None, driven: Driven | None = None,
           momentum: np.ndarray | None = None, alive: np.ndarray | None = None) -> Sampled:
-    """(q, v, steps so far, members that stopped) at each sample after the first, of the members
-    that are `alive`."""
-    integrator = named(plan.integrator)
+    """Yields (q, v, steps so far, members that stopped) at each sample after the first, for the
+    members that are `alive`."""
+    integrator = INTEGRATOR_NAMED[plan.integrator]
     earlier = taken = driven.steps if driven else 0
     advance = driven.advance if driven else _advance(system, plan, watch)
     look = alarm(system, plan, (q, v)) if alarm else None
@@ -175,28 +176,29 @@ def fixed(system: System, plan: Plan, times: np.ndarray, q: np.ndarray, v: np.nd
 
 def _stops(look: Alarm, alive: np.ndarray, steps: int, t: float, h: float, q: np.ndarray,
            v: np.ndarray) -> tuple[Stop, ...]:
-    """The members that are wrong at t, after so many further steps, and then no longer alive."""
-    found = look(steps, t, h, q, v, alive & _finite(q, v))
-    stops = tuple(Stop(i[0] if i else 0, float(t), *x) for i, x in found.items())
+    """The members that are wrong at t, after so many further steps; they are removed from `alive`.
+    """
+    result = look(steps, t, h, q, v, alive & _finite(q, v))
+    stops = tuple(Stop(i[0] if i else 0, float(t), *x) for i, x in result.items())
     _end(alive, stops)
     return stops
 
 
 def _end(alive: np.ndarray, stops: tuple[Stop, ...]) -> None:
-    """Note that these members go on no longer."""
+    """Notes that these members have stopped."""
     for x in stops:
         alive[x.member if alive.ndim else ()] = False
 
 
 def _finite(q: np.ndarray, v: np.ndarray) -> np.ndarray:
     """Returns the mask of finite states."""
-    found: np.ndarray = np.isfinite(q).all(-1) & np.isfinite(v).all(-1)
-    return found
+    result: np.ndarray = np.isfinite(q).all(-1) & np.isfinite(v).all(-1)
+    return result
 
 
 def _advance(system: System, plan: Plan, watch: Watch | None = None) -> Advance:
-    """The steps of the plan's integrator, with fixed parameters."""
-    integrator = named(plan.integrator)
+    """Returns the stepping function of the plan's integrator, with fixed parameters."""
+    integrator = INTEGRATOR_NAMED[plan.integrator]
     step = system.stepper(integrator.step_name, watch)
     if plan.finer > 1 and integrator.splits and system.has("parts"):
         step = _in_finer_parts(system, integrator, plan.finer)
@@ -205,7 +207,8 @@ def _advance(system: System, plan: Plan, watch: Watch | None = None) -> Advance:
 
 def _in_finer_parts(system: System, integrator: Integrator, finer: int
                     ) -> Callable[[int, float, float, np.ndarray, np.ndarray], State]:
-    """The steps of an integrator that splits steps, with parts shorter by `finer`."""
+    """Returns the stepping function of an integrator that splits steps, with parts shorter by the
+    factor `finer`."""
     step = system.stepper(integrator.step_name)
 
     def steps(n: int, t: float, h: float, q: np.ndarray, v: np.ndarray) -> State:
@@ -222,7 +225,7 @@ def _in_finer_parts(system: System, integrator: Integrator, finer: int
 def _lost(system: System, plan: Plan, lost: np.ndarray, interval: tuple[float, float, int, int],
           helps: str, q: np.ndarray, v: np.ndarray, driven: Driven | None) -> tuple[Stop, ...]:
     """The times and the joints at which states stop being finite in an interval (its start, the
-    length and the number of its steps, steps before it); with cause, if known, and what helps."""
+    length and the number of its steps, steps before it); with the cause, if known, and a remedy."""
     (start, h, count, taken), rows = interval, np.flatnonzero(lost)
     if driven or not lost.ndim:
         advance = driven.advance if driven else _advance(system, plan)

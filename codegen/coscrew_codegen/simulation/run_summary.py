@@ -1,4 +1,4 @@
-"""Runs of a scene in the selected precisions, their recordings, and a short table of them."""
+"""Runs a scene in the selected precisions, records the runs, and prints a short table of them."""
 
 from dataclasses import dataclass, replace
 from pathlib import Path
@@ -8,12 +8,12 @@ import numpy as np
 from tabulate import tabulate
 
 from coscrew_codegen.program.values.formats import BY_NAME
-from coscrew_codegen.scene.integrators import DEFAULT, named
+from coscrew_codegen.scene.integrators import DEFAULT, INTEGRATOR_NAMED
 from coscrew_codegen.scene.mechanism.mimics import without_chains
 from coscrew_codegen.simulation import SimulateError
 from coscrew_codegen.simulation.batch_inputs import values_of
 from coscrew_codegen.simulation.checkpoint import end_in
-from coscrew_codegen.simulation.execution import RunRequest, motion
+from coscrew_codegen.simulation.execution import RunRequest, complete, motion
 from coscrew_codegen.simulation.parameter_checks import ranges
 from coscrew_codegen.simulation.recordings.record import Difference, differences
 from coscrew_codegen.simulation.recordings.result import Result
@@ -32,24 +32,25 @@ class RunOverrides:
     integrator: str | None = None
     precision: str | None = None
     settings: tuple[tuple[str, float], ...] = ()
-    start: Path | None = None  # a recording to go on from
+    start: Path | None = None  # a recording whose run is continued
 
 
-def simulated(kernels: "Kernels", overrides: RunOverrides, told: bool = True
+def simulated(kernels: "Kernels", overrides: RunOverrides, with_provenance: bool = True
               ) -> tuple[Result, ...]:
-    """The runs, double first; without `told`, recordings have no provenance.  Raises SimulateError.
-    """
+    """Runs the scene, in double first; recordings have their provenance only if requested.  Raises
+    SimulateError."""
     precision = overrides.precision or scene_of(kernels).precision
     if overrides.start and precision == "both":
         raise SimulateError("--start: a recording is of one precision; wanted --precision double "
                             "or single")
-    asked = RunRequest(overrides.until, overrides.step, overrides.integrator,
-                       start=end_in(overrides.start) if overrides.start else None)
+    request = RunRequest(overrides.until, overrides.step, overrides.integrator,
+                         start=end_in(overrides.start) if overrides.start else None)
     names = tuple(BY_NAME) if precision == "both" else (precision,)
     results: list[Result] = []
     for name in names:
         p = values_of(scene_of(kernels), BY_NAME[name], dict(overrides.settings), "--set ")
-        results.append(motion(kernels, name, replace(asked, p=p), shown=True, told=told))
+        results.append(motion(complete(kernels, request), name, replace(request, p=p), shown=True,
+                              with_provenance=with_provenance))
         if results[-1].trajectory.interrupted:
             break
     return tuple(results)
@@ -64,9 +65,9 @@ def summary(results: tuple[Result, ...]) -> str:
     return "\n\n".join(parts)
 
 
-def gaps(found: tuple[Difference, ...]) -> str:
+def gaps(differences: tuple[Difference, ...]) -> str:
     """The table of differences between the precisions."""
-    rows = [(x.quantity, x.unit, x.size, x.apart, x.column, x.t) for x in found]
+    rows = [(x.quantity, x.unit, x.size, x.apart, x.column, x.t) for x in differences]
     return str(tabulate(rows, ("quantity", "unit", "max |double|", "max |double - single|", "in",
                            "at t, s"), floatfmt=("", "", ".3g", ".3g", "", "g")))
 
@@ -75,7 +76,7 @@ def bounces(result: Result) -> str:
     """A warning that bounces are lost, if the integrator does not resolve them and a limit is hit
     in a step that the default integrator would split; else ""."""
     its, planned, run = result.system, result.plan, result.trajectory
-    if not (named(planned.integrator).damps_bounces and its.has("parts")):
+    if not (INTEGRATOR_NAMED[planned.integrator].damps_bounces and its.has("parts")):
         return ""
     with np.errstate(all="ignore"):
         closing = its.call("closing_contacts", h=planned.step, q=run.q, v=run.v) > 0
@@ -88,23 +89,25 @@ def bounces(result: Result) -> str:
 
 def outside(its: System, q: np.ndarray) -> str:
     """A warning that names joints that start outside the range of a limit, which then acts from the
-    start; else "".  (…, nq): of several members the one that is farthest outside."""
+    start; else "". (…, nq): of several members it names the one farthest outside."""
     values = dict(zip((x for x, _ in its.functions.parameters), np.array(its.p).T, strict=True))
     start = {c.joint: q[..., c.q.start].astype(float) for c in its.functions.coordinates}
-    for joint in without_chains(its.scene.model).joints:
+    model = its.scene.model
+    chained = any(joint.mimic for joint in model.joints)
+    for joint in (without_chains(model) if chained else model).joints:
         if joint.mimic and joint.name not in start:
             start[joint.name] = (float(joint.mimic.multiplier) * start[joint.mimic.joint]
                                  + float(joint.mimic.offset))
-    found = []
+    results = []
     for limited, *ends in ranges(its.scene, values):
         if limited.on in start:
             x, low, high = (y.ravel() for y in np.broadcast_arrays(start[limited.on], *ends))
             rounding = 4 * np.finfo(q.dtype).eps * np.abs(x)  # of followers, and of the precision
             k = int(np.argmax(beyond := np.maximum(low - x, x - high) - rounding))
             if beyond[k] > 0:
-                found.append(f"joint {limited.on} starts at {x[k]:g}, outside its range from "
-                             f"{low[k]:g} to {high[k]:g}")
-    return f"{'; '.join(found)}: pushed from the start" if found else ""
+                results.append(f"joint {limited.on} starts at {x[k]:g}, outside its range from "
+                               f"{low[k]:g} to {high[k]:g}")
+    return f"{'; '.join(results)}: pushed from the start" if results else ""
 
 
 def _heading(result: Result) -> str:
@@ -131,8 +134,8 @@ def _states(results: tuple[Result, ...]) -> str:
 def _energies(results: tuple[Result, ...]) -> str:
     """Energies at both ends.  The samples are too sparse for the work between them."""
     with np.errstate(all="ignore"):  # a run that stopped may end with huge numbers
-        found = [_ends(x) for x in results]
-    rows = [(f"energy at the {where}", *(x[i] for x in found))
+        values = [_ends(x) for x in results]
+    rows = [(f"energy at the {where}", *(x[i] for x in values))
             for i, where in enumerate(("start", "end"))]
     table = tabulate(rows, ("J", *(x.system.precision.name for x in results)), floatfmt=".9g")
     return f"{table}\n(`coscrew check` compares the change with the work of effects.)"

@@ -1,6 +1,6 @@
 """System: a scene's compiled functions at fixed parameters, in one precision, called by name.
 
-The inputs of a function depend on the scene (time, parameters); here all are called alike.
+The inputs of a function depend on the scene (time, parameters); a System calls all in the same way.
 """
 
 from collections.abc import Callable, Mapping
@@ -14,6 +14,7 @@ from coscrew_codegen.program import Program
 from coscrew_codegen.program.scene_functions import SceneInterface, Signature
 from coscrew_codegen.program.values.formats import PRECISIONS, Precision
 from coscrew_codegen.runtime.step_calls import Driven, InC
+from coscrew_codegen.scene.joints import KIND_NAMED
 from coscrew_codegen.scene.scene import Scene
 from coscrew_codegen.simulation import SimulateError
 from coscrew_codegen.simulation.parameter_checks import refuse_settings
@@ -24,7 +25,7 @@ if TYPE_CHECKING:
 
 State = tuple[np.ndarray, np.ndarray]
 Watch = Callable[[float, np.ndarray, np.ndarray], None]
-"""Receives the current t, q, v of a run."""
+"""Callback that receives the current t, q, v of a run."""
 Stepper = Callable[[np.ndarray, int, float, float, np.ndarray, np.ndarray], State]
 Driver = Callable[[InC, int, float, float, np.ndarray, np.ndarray, np.ndarray], Driven]
 
@@ -58,15 +59,16 @@ class System:
     @property
     def programs(self) -> Mapping[str, Program]:
         """The Program of each function."""
-        found = self.origin.functions.functions if self.origin else ()
-        return {f.name: f.program for f in found if not f.internal}
+        result = self.origin.functions.functions if self.origin else ()
+        return {f.name: f.program for f in result if not f.internal}
 
     def zero(self, name: str) -> bool:
-        """Whether the scene lacks the function, or its outputs are zero whatever the inputs."""
+        """Returns whether the scene lacks the function, or its outputs are zero whatever the
+        inputs."""
         return all(x.zero for x in self.functions.signatures if x.name == name)
 
     def has(self, name: str) -> bool:
-        """Whether the scene has this function."""
+        """Returns whether the scene has this function."""
         return name in self.inputs
 
     def call(self, name: str, **values: object) -> np.ndarray:
@@ -74,8 +76,8 @@ class System:
         leading axes; inputs that it does not take are ignored."""
         given = {"p": self._p, **values}
         arguments = [np.asarray(given[x], self.dtype) for x in self.inputs[name]]
-        found: np.ndarray = getattr(self.kernels, name)(*arguments)
-        return found
+        result: np.ndarray = getattr(self.kernels, name)(*arguments)
+        return result
 
     def outputs(self, name: str, **values: object) -> tuple[np.ndarray, ...]:
         """Returns the outputs of a function with several ones; inputs as of `call`."""
@@ -97,8 +99,8 @@ class System:
         def steps(p: np.ndarray, n: int, t: float, h: float, q: np.ndarray, v: np.ndarray
                   ) -> State:
             if several and (n > 1 or q.ndim > 1):
-                found: State = several(n, t, h, p, q, v)
-                return found
+                result: State = several(n, t, h, p, q, v)
+                return result
             for k in range(n):
                 if watch and k:
                     watch(t + k * h, q, v)
@@ -110,9 +112,9 @@ class System:
 
     def driver(self, name: str) -> "Driver | None":
         """The integrator under a controller in C, if it is compiled: (by, n, t, h, p, q, v) -> p, q
-        and v after n steps, and what the controller must not have returned."""
-        found: Driver | None = getattr(getattr(self.kernels, name), "driven", None)
-        return found
+        and v after n steps, and the first value of the controller that is not finite."""
+        driven: Driver | None = getattr(getattr(self.kernels, name), "driven", None)
+        return driven
 
     def momentum(self, q: np.ndarray, v: np.ndarray) -> np.ndarray | None:
         """(p; L; x) of floating bases, if nothing but gravity changes it: momentum, angular
@@ -120,8 +122,8 @@ class System:
         return self.call("free_momentum", q=q, v=v) if self.has("free_momentum") else None
 
     def kept(self, c: np.ndarray | None, t: float, q: np.ndarray, v: np.ndarray) -> State:
-        """q and v corrected to the centre of mass and the momentum that floating bases have at t
-        after starting with `c` at t = 0: removes the accumulated errors of many steps."""
+        """q and v corrected to the centre of mass and the momentum that floating bases must have at
+        t if they started with `c` at t = 0: removes the accumulated errors of many steps."""
         if c is None:
             return q, v
         q, v = self.outputs("with_free_momentum", t=t, q=q, v=v, c=c)
@@ -164,8 +166,8 @@ class System:
     @cached_property
     def quaternions(self) -> tuple[slice, ...]:
         """The slices of q that hold quaternions."""
-        return tuple(slice(c.q.stop - 4, c.q.stop) for c in self.functions.coordinates
-                     if c.kind in ("spherical", "free"))
+        return tuple(slice(c.q[x].start, c.q[x].stop) for c in self.functions.coordinates
+                     for x in KIND_NAMED[c.kind].quaternions)
 
     def lacking(self, q: np.ndarray, v: np.ndarray) -> str:
         """'joint elbow: v is inf': the first number of a state that is not finite; else ""."""
@@ -182,9 +184,10 @@ class System:
 
 
 def scene_of(kernels: "Kernels") -> Scene:
-    """The scene of the kernels.  Raises SimulateError for functions derived by themselves."""
+    """The scene of the kernels.  Raises SimulateError for functions that were derived without a
+    scene."""
     if kernels.scene is None:
-        raise SimulateError("these kernels are of no scene")
+        raise SimulateError("these kernels belong to no scene")
     return kernels.scene
 
 
@@ -195,7 +198,7 @@ def system(kernels: "Kernels", precision: str, settings: Mapping[str, float] | N
     `settings` are values of run-time parameters.  Raises SimulateError for unknown ones, and for
     values that a scene's file must not have."""
     functions, scene = kernels.interface, scene_of(kernels)
-    found = next(x for x in PRECISIONS if x.name == precision)
-    refuse_settings(scene, settings or {}, found)
+    result = next(x for x in PRECISIONS if x.name == precision)
+    refuse_settings(scene, settings or {}, result)
     values = tuple((settings or {}).get(name, value) for name, value in functions.parameters)
-    return System(scene, functions, getattr(kernels, precision), found, values, kernels)
+    return System(scene, functions, getattr(kernels, precision), result, values, kernels)

@@ -17,34 +17,20 @@
    27 mul, 21 add, 7 abs, 6 less, 6 select.
    Error <= 6 u near a rotation; measured, not proved. */
 static inline double ksl_mat3x3_rotation_defect(const ksl_mat3x3_t *R) {
-  const double n_0a = KSL_MUL(R->m11, R->m22), n_0b = KSL_MUL(R->m12, R->m21), n_0 = n_0a - n_0b;
-  const double n_1a = KSL_MUL(R->m02, R->m21), n_1b = KSL_MUL(R->m01, R->m22), n_1 = n_1a - n_1b;
-  const double n_2a = KSL_MUL(R->m01, R->m12), n_2b = KSL_MUL(R->m02, R->m11), n_2 = n_2a - n_2b;
-  const double det_a = KSL_MUL(R->m00, n_0), det_b = KSL_MUL(R->m10, n_1), det_c = det_a + det_b,
-      det_d = KSL_MUL(R->m20, n_2), det = det_c + det_d;
-  const double g_0a = KSL_MUL(R->m00, R->m00), g_0b = KSL_MUL(R->m10, R->m10), g_0c = g_0a + g_0b,
-      g_0d = KSL_MUL(R->m20, R->m20), g_0 = g_0c + g_0d;
-  const double g_1a = KSL_MUL(R->m00, R->m01), g_1b = KSL_MUL(R->m10, R->m11), g_1c = g_1a + g_1b,
-      g_1d = KSL_MUL(R->m20, R->m21), g_1 = g_1c + g_1d;
-  const double g_2a = KSL_MUL(R->m00, R->m02), g_2b = KSL_MUL(R->m10, R->m12), g_2c = g_2a + g_2b,
-      g_2d = KSL_MUL(R->m20, R->m22), g_2 = g_2c + g_2d;
-  const double g_3a = KSL_MUL(R->m01, R->m01), g_3b = KSL_MUL(R->m11, R->m11), g_3c = g_3a + g_3b,
-      g_3d = KSL_MUL(R->m21, R->m21), g_3 = g_3c + g_3d;
-  const double g_4a = KSL_MUL(R->m01, R->m02), g_4b = KSL_MUL(R->m11, R->m12), g_4c = g_4a + g_4b,
-      g_4d = KSL_MUL(R->m21, R->m22), g_4 = g_4c + g_4d;
-  const double g_5a = KSL_MUL(R->m02, R->m02), g_5b = KSL_MUL(R->m12, R->m12), g_5c = g_5a + g_5b,
-      g_5d = KSL_MUL(R->m22, R->m22), g_5 = g_5c + g_5d;
-  const double off_0 = det - 1.0;
-  const double off_1 = g_0 - 1.0;
-  const double off_4 = g_3 - 1.0;
-  const double off_6 = g_5 - 1.0;
-  const double defect_size_0 = fabs(off_0);
-  const double defect_size_1 = fabs(off_1);
-  const double defect_size_2 = fabs(g_1);
-  const double defect_size_3 = fabs(g_2);
-  const double defect_size_4 = fabs(off_4);
-  const double defect_size_5 = fabs(g_4);
-  const double defect_size_6 = fabs(off_6);
+  const double n_0 = KSL_MUL(R->m11, R->m22) - KSL_MUL(R->m12, R->m21),
+      n_1 = KSL_MUL(R->m02, R->m21) - KSL_MUL(R->m01, R->m22),
+      n_2 = KSL_MUL(R->m01, R->m12) - KSL_MUL(R->m02, R->m11);
+  const double det = KSL_MUL(R->m00, n_0) + KSL_MUL(R->m10, n_1) + KSL_MUL(R->m20, n_2);
+  const double g_0 = KSL_MUL(R->m00, R->m00) + KSL_MUL(R->m10, R->m10) + KSL_MUL(R->m20, R->m20),
+      g_1 = KSL_MUL(R->m00, R->m01) + KSL_MUL(R->m10, R->m11) + KSL_MUL(R->m20, R->m21),
+      g_2 = KSL_MUL(R->m00, R->m02) + KSL_MUL(R->m10, R->m12) + KSL_MUL(R->m20, R->m22),
+      g_3 = KSL_MUL(R->m01, R->m01) + KSL_MUL(R->m11, R->m11) + KSL_MUL(R->m21, R->m21),
+      g_4 = KSL_MUL(R->m01, R->m02) + KSL_MUL(R->m11, R->m12) + KSL_MUL(R->m21, R->m22),
+      g_5 = KSL_MUL(R->m02, R->m02) + KSL_MUL(R->m12, R->m12) + KSL_MUL(R->m22, R->m22);
+  const double off_0 = det - 1.0, off_1 = g_0 - 1.0, off_4 = g_3 - 1.0, off_6 = g_5 - 1.0;
+  const double defect_size_0 = fabs(off_0), defect_size_1 = fabs(off_1), defect_size_2 = fabs(g_1),
+      defect_size_3 = fabs(g_2), defect_size_4 = fabs(off_4), defect_size_5 = fabs(g_4),
+      defect_size_6 = fabs(off_6);
   const double defect_largest1 = defect_size_0 < defect_size_1 ? defect_size_1 : defect_size_0;
   const double defect_largest2 = defect_largest1 < defect_size_2 ? defect_size_2 : defect_largest1;
   const double defect_largest3 = defect_largest2 < defect_size_3 ? defect_size_3 : defect_largest2;
@@ -60,34 +46,20 @@ static inline double ksl_mat3x3_rotation_defect(const ksl_mat3x3_t *R) {
    27 mul, 21 add, 7 abs, 6 less, 6 select.
    Error <= 6 u near a rotation; measured, not proved. */
 static inline float ksl_mat3x3f_rotation_defect(const ksl_mat3x3f_t *R) {
-  const float n_0a = KSL_MULF(R->m11, R->m22), n_0b = KSL_MULF(R->m12, R->m21), n_0 = n_0a - n_0b;
-  const float n_1a = KSL_MULF(R->m02, R->m21), n_1b = KSL_MULF(R->m01, R->m22), n_1 = n_1a - n_1b;
-  const float n_2a = KSL_MULF(R->m01, R->m12), n_2b = KSL_MULF(R->m02, R->m11), n_2 = n_2a - n_2b;
-  const float det_a = KSL_MULF(R->m00, n_0), det_b = KSL_MULF(R->m10, n_1), det_c = det_a + det_b,
-      det_d = KSL_MULF(R->m20, n_2), det = det_c + det_d;
-  const float g_0a = KSL_MULF(R->m00, R->m00), g_0b = KSL_MULF(R->m10, R->m10), g_0c = g_0a + g_0b,
-      g_0d = KSL_MULF(R->m20, R->m20), g_0 = g_0c + g_0d;
-  const float g_1a = KSL_MULF(R->m00, R->m01), g_1b = KSL_MULF(R->m10, R->m11), g_1c = g_1a + g_1b,
-      g_1d = KSL_MULF(R->m20, R->m21), g_1 = g_1c + g_1d;
-  const float g_2a = KSL_MULF(R->m00, R->m02), g_2b = KSL_MULF(R->m10, R->m12), g_2c = g_2a + g_2b,
-      g_2d = KSL_MULF(R->m20, R->m22), g_2 = g_2c + g_2d;
-  const float g_3a = KSL_MULF(R->m01, R->m01), g_3b = KSL_MULF(R->m11, R->m11), g_3c = g_3a + g_3b,
-      g_3d = KSL_MULF(R->m21, R->m21), g_3 = g_3c + g_3d;
-  const float g_4a = KSL_MULF(R->m01, R->m02), g_4b = KSL_MULF(R->m11, R->m12), g_4c = g_4a + g_4b,
-      g_4d = KSL_MULF(R->m21, R->m22), g_4 = g_4c + g_4d;
-  const float g_5a = KSL_MULF(R->m02, R->m02), g_5b = KSL_MULF(R->m12, R->m12), g_5c = g_5a + g_5b,
-      g_5d = KSL_MULF(R->m22, R->m22), g_5 = g_5c + g_5d;
-  const float off_0 = det - 1.0f;
-  const float off_1 = g_0 - 1.0f;
-  const float off_4 = g_3 - 1.0f;
-  const float off_6 = g_5 - 1.0f;
-  const float defect_size_0 = fabsf(off_0);
-  const float defect_size_1 = fabsf(off_1);
-  const float defect_size_2 = fabsf(g_1);
-  const float defect_size_3 = fabsf(g_2);
-  const float defect_size_4 = fabsf(off_4);
-  const float defect_size_5 = fabsf(g_4);
-  const float defect_size_6 = fabsf(off_6);
+  const float n_0 = KSL_MULF(R->m11, R->m22) - KSL_MULF(R->m12, R->m21),
+      n_1 = KSL_MULF(R->m02, R->m21) - KSL_MULF(R->m01, R->m22),
+      n_2 = KSL_MULF(R->m01, R->m12) - KSL_MULF(R->m02, R->m11);
+  const float det = KSL_MULF(R->m00, n_0) + KSL_MULF(R->m10, n_1) + KSL_MULF(R->m20, n_2);
+  const float g_0 = KSL_MULF(R->m00, R->m00) + KSL_MULF(R->m10, R->m10) + KSL_MULF(R->m20, R->m20),
+      g_1 = KSL_MULF(R->m00, R->m01) + KSL_MULF(R->m10, R->m11) + KSL_MULF(R->m20, R->m21),
+      g_2 = KSL_MULF(R->m00, R->m02) + KSL_MULF(R->m10, R->m12) + KSL_MULF(R->m20, R->m22),
+      g_3 = KSL_MULF(R->m01, R->m01) + KSL_MULF(R->m11, R->m11) + KSL_MULF(R->m21, R->m21),
+      g_4 = KSL_MULF(R->m01, R->m02) + KSL_MULF(R->m11, R->m12) + KSL_MULF(R->m21, R->m22),
+      g_5 = KSL_MULF(R->m02, R->m02) + KSL_MULF(R->m12, R->m12) + KSL_MULF(R->m22, R->m22);
+  const float off_0 = det - 1.0f, off_1 = g_0 - 1.0f, off_4 = g_3 - 1.0f, off_6 = g_5 - 1.0f;
+  const float defect_size_0 = fabsf(off_0), defect_size_1 = fabsf(off_1),
+      defect_size_2 = fabsf(g_1), defect_size_3 = fabsf(g_2), defect_size_4 = fabsf(off_4),
+      defect_size_5 = fabsf(g_4), defect_size_6 = fabsf(off_6);
   const float defect_largest1 = defect_size_0 < defect_size_1 ? defect_size_1 : defect_size_0;
   const float defect_largest2 = defect_largest1 < defect_size_2 ? defect_size_2 : defect_largest1;
   const float defect_largest3 = defect_largest2 < defect_size_3 ? defect_size_3 : defect_largest2;
@@ -101,23 +73,18 @@ static inline float ksl_mat3x3f_rotation_defect(const ksl_mat3x3f_t *R) {
    q: quaternion (x, y, z, w), the scalar last.
    9 mul, 4 add, 1 sqrt, 4 abs, 9 less, 9 select. */
 static inline double ksl_quaternion_unit_defect(const ksl_quaternion_t *q) {
-  const double s_size_0 = fabs(q->x);
-  const double s_size_1 = fabs(q->y);
-  const double s_size_2 = fabs(q->z);
-  const double s_size_3 = fabs(q->w);
+  const double s_size_0 = fabs(q->x), s_size_1 = fabs(q->y), s_size_2 = fabs(q->z),
+      s_size_3 = fabs(q->w);
   const double s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
   const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const double s_largest3 = s_largest2 < s_size_3 ? s_size_3 : s_largest2;
   const double s_b = 6.703903964971299e+153 < s_largest3 ? 3.7291703656001034e-155 : 1.0,
       s_d = s_largest3 < 256.0 ? 1.3093562431584567e+151 : s_b,
       s = s_largest3 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : s_d;
-  const double y_0 = KSL_MUL(q->x, s);
-  const double y_1 = KSL_MUL(q->y, s);
-  const double y_2 = KSL_MUL(q->z, s);
-  const double y_3 = KSL_MUL(q->w, s);
-  const double n_a = KSL_MUL(y_0, y_0), n_b = KSL_MUL(y_1, y_1), n_c = n_a + n_b,
-      n_d = KSL_MUL(y_2, y_2), n_e = n_c + n_d, n_f = KSL_MUL(y_3, y_3), n_g = n_e + n_f,
-      n = sqrt(n_g);
+  const double y_0 = KSL_MUL(q->x, s), y_1 = KSL_MUL(q->y, s), y_2 = KSL_MUL(q->z, s),
+      y_3 = KSL_MUL(q->w, s);
+  const double n = sqrt(KSL_MUL(y_0, y_0) + KSL_MUL(y_1, y_1) + KSL_MUL(y_2, y_2)
+          + KSL_MUL(y_3, y_3));
   const double r_b = s < 1.0 ? 2.6815615859885194e+154 : 1.0,
       r_d = 1.0 < s ? 7.637340908749012e-152 : r_b,
       r = 1.3093562431584567e+151 < s ? 9.332636185032189e-302 : r_d;
@@ -130,23 +97,18 @@ static inline double ksl_quaternion_unit_defect(const ksl_quaternion_t *q) {
    q: quaternion (x, y, z, w), the scalar last.
    9 mul, 4 add, 1 sqrt, 4 abs, 9 less, 9 select. */
 static inline float ksl_quaternionf_unit_defect(const ksl_quaternionf_t *q) {
-  const float s_size_0 = fabsf(q->x);
-  const float s_size_1 = fabsf(q->y);
-  const float s_size_2 = fabsf(q->z);
-  const float s_size_3 = fabsf(q->w);
+  const float s_size_0 = fabsf(q->x), s_size_1 = fabsf(q->y), s_size_2 = fabsf(q->z),
+      s_size_3 = fabsf(q->w);
   const float s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
   const float s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const float s_largest3 = s_largest2 < s_size_3 ? s_size_3 : s_largest2;
   const float s_b = 4.611686e+18f < s_largest3 ? 2.7105054e-20f : 1.0f,
       s_d = s_largest3 < 256.0f ? 1.8014399e+16f : s_b,
       s = s_largest3 < 1.4210855e-14f ? 3.2451855e+32f : s_d;
-  const float y_0 = KSL_MULF(q->x, s);
-  const float y_1 = KSL_MULF(q->y, s);
-  const float y_2 = KSL_MULF(q->z, s);
-  const float y_3 = KSL_MULF(q->w, s);
-  const float n_a = KSL_MULF(y_0, y_0), n_b = KSL_MULF(y_1, y_1), n_c = n_a + n_b,
-      n_d = KSL_MULF(y_2, y_2), n_e = n_c + n_d, n_f = KSL_MULF(y_3, y_3), n_g = n_e + n_f,
-      n = sqrtf(n_g);
+  const float y_0 = KSL_MULF(q->x, s), y_1 = KSL_MULF(q->y, s), y_2 = KSL_MULF(q->z, s),
+      y_3 = KSL_MULF(q->w, s);
+  const float n = sqrtf(KSL_MULF(y_0, y_0) + KSL_MULF(y_1, y_1) + KSL_MULF(y_2, y_2)
+          + KSL_MULF(y_3, y_3));
   const float r_b = s < 1.0f ? 3.689349e+19f : 1.0f, r_d = 1.0f < s ? 5.551115e-17f : r_b,
       r = 1.8014399e+16f < s ? 3.081488e-33f : r_d;
   const float length = KSL_MULF(n, r);

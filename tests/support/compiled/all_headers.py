@@ -1,4 +1,4 @@
-"""All C headers: those in generated/, and those that only options write, for functions of many
+"""All C headers: the ones in generated/, and others that only options write, for functions of many
 elements and for each tier in one file.  They are generated once, for all processes of a run of
 tests and for later runs, until the generator's sources change."""
 

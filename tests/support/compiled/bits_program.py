@@ -98,7 +98,7 @@ class Kernel:
 
     @property
     def name(self) -> str:
-        """Of its C function."""
+        """The name of its C function."""
         name = c_name(self.operation.name, self.precision)
         return f"{name}_{self.tier}" if self.tier else name
 

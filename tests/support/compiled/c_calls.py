@@ -153,7 +153,7 @@ def _aliased(operation: Operation, precision: Precision, tier: str) -> Iterator[
 
 
 def _places(whole: Quantity, part: Quantity) -> tuple[str, ...]:
-    """How C reaches a `part` inside a `whole`: it is the whole itself, or these members."""
+    """C expressions for a `part` inside a `whole`: the whole itself, or these members."""
     if whole == part:
         return ("",)
     return tuple(f".{member}" for member in PLACES.get(whole.name, {}).get(part.name, ()))
@@ -193,7 +193,7 @@ def _size(argument: Argument) -> str:
 
 
 def _storage(precision: Precision) -> Iterator[tuple[str, list[str]]]:
-    """Tests of what only moves numbers: constructors, get and set, alloc."""
+    """Tests of functions that only move numbers: constructors, get and set, alloc."""
     for quantity in TYPES:
         stem = f"ksl_{quantity.name}{precision.suffix}"
         rows, columns = quantity.rows_columns

@@ -33,7 +33,7 @@ INCLUDE = C_FOLDER / "include"
 
 
 def _installed(*names: str) -> tuple[str, ...]:
-    """The installed compilers; on a build server all, so that `run` reports what is missing."""
+    """The installed compilers; on a build server all, so that `run` reports missing ones."""
     found = tuple(name for name in names if os.environ.get("CI") or shutil.which(name))
     return found or names[:1]
 
@@ -117,17 +117,17 @@ def call_of(operation: Operation, precision: Precision, values: dict[str, str],
 
 
 def distinct(operation: Operation) -> tuple[Argument, ...]:
-    """Inputs, then outputs; what is both, once."""
+    """Inputs, then outputs; arguments that are both occur once."""
     return tuple({a.name: a for a in (*operation.inputs, *operation.outputs)}.values())
 
 
 def is_struct(argument: Argument) -> bool:
-    """Whether C passes a struct (else a number or an array of numbers)."""
+    """Returns whether C passes a struct (else a number or an array of numbers)."""
     return argument.quantity.name in STRUCTS
 
 
 def is_array(argument: Argument) -> bool:
-    """Whether C passes a plain array, as dc[2]."""
+    """Returns whether C passes a plain array, as dc[2]."""
     return bool(argument.quantity.shape) and not is_struct(argument)
 
 

@@ -163,7 +163,7 @@ def _clean(text: str) -> str:
 
 
 def sign_flips(text: str, free: tuple[str, ...] = ()) -> Iterator[str]:
-    """For each binary + or -, the text with the other one; for each unary -, the text without it;
+    """Yields the text with each binary + or - exchanged for the other, and without each unary -,
     except in calls named in `free`."""
     for match in _SIGNS.finditer(text):
         called = re.findall(r"(\w+) = ", text[:match.start()])
@@ -196,12 +196,12 @@ class Header:
         self._parsed: dict[str, c_ast.FuncDef] = {}
 
     def with_text(self, name: str, text: str) -> "Header":
-        """The same functions, with the text of one replaced."""
+        """Returns the functions with the text of one replaced."""
         return Header(self.types, self.texts | {name: text}, self.arithmetic)
 
     def flips(self, name: str, free: tuple[str, ...] = ()) -> Iterator["Header"]:
-        """The same functions with one sign of this one flipped, one for each text of `sign_flips`;
-        each is valid until the next is asked for."""
+        """Yields the functions with one sign of this one flipped, one for each text of
+        `sign_flips`; each is valid until the next is taken."""
         other = Header(self.types, self.texts, self.arithmetic)
         function = other._function(name)
         for node in _signs(function.body, free):
@@ -214,13 +214,13 @@ class Header:
         return CGenerator().visit(self._function(name))
 
     def with_arithmetic(self, arithmetic: Arithmetic) -> "Header":
-        """The same functions, evaluated otherwise."""
+        """Returns the functions with another arithmetic."""
         other = Header(self.types, self.texts, arithmetic)
         other._parsed = self._parsed
         return other
 
     def parameters(self, name: str) -> dict[str, Type]:
-        """Name → type of what it is or points to, in order."""
+        """Name → type, without pointer, in order."""
         arguments = self._function(name).decl.type.args.params
         return {p.name: _layout(p.type, self.types) for p in arguments if p.name}
 
@@ -385,7 +385,7 @@ def _record(node: c_ast.Struct | c_ast.Union, types: dict[str, Type]) -> Record:
 
 
 def _is_scalar(value: Value) -> bool:
-    """Whether this is a variable of one cell."""
+    """Returns whether this is a variable of one cell."""
     return isinstance(value, Place) and isinstance(value.type, Scalar)
 
 

@@ -12,7 +12,7 @@ import numpy as np
 
 from coscrew_codegen.backends.scene.scene_text import outputs, size
 from coscrew_codegen.program.scene_functions import FunctionProgram
-from coscrew_codegen.program.values.formats import PRECISIONS, Precision
+from coscrew_codegen.program.values.formats import Precision
 from tests.support.compiled.c_harness import run
 
 COMPILER = ("arm-none-eabi-gcc", "-mcpu=cortex-m4", "-mthumb", "-mfpu=fpv4-sp-d16",
@@ -35,11 +35,10 @@ __attribute__((naked)) void _start(void) { __asm__("mov r0, sp\\n\\tb start"); }
 
 
 def built(folder: Path, stem: str, precision: Precision) -> Path:
-    """The object of `stem`.c, which lies in this folder, in one precision."""
+    """The object of a header's functions in one precision; its files lie in this folder."""
     made = folder / f"{stem}_{precision.name}.o"
-    others = [f"-D{stem.partition('_')[0].upper()}_NO_{p.name.upper()}" for p in PRECISIONS
-              if p != precision]
-    run((*COMPILER, "-ffunction-sections", *others, "-c", folder / f"{stem}.c", "-o", made))
+    run((*COMPILER, "-ffunction-sections", "-c", folder / f"{stem}{precision.suffix}.c", "-o",
+         made))
     return made
 
 

@@ -10,7 +10,7 @@ COMPILERS = {"aarch64": "aarch64-linux-gnu-gcc", "riscv64": "riscv64-linux-gnu-g
 
 
 def needed(*commands: str) -> None:
-    """If one of the commands is missing, the test fails and says what to install."""
+    """Fails the test if one of the commands is missing, and names the package to install."""
     if missing := [name for name in commands if shutil.which(name) is None]:
         pytest.fail(f"{', '.join(missing)} not installed; sh tests/install_tools.sh installs it",
                     pytrace=False)

@@ -11,7 +11,7 @@ X86 = platform.machine() in ("x86_64", "AMD64")
 
 
 def _can(*instructions: str) -> bool:
-    """Whether this is an x86 that has all of these instructions."""
+    """Returns whether this is an x86 that has all of these instructions."""
     known = Path("/proc/cpuinfo")
     return X86 and known.exists() and {*instructions} <= {*known.read_text().split()}
 
@@ -25,9 +25,9 @@ TUNED = ("-march=sapphirerapids",) if _can("avx512_fp16", "amx_tile") else (
 
 
 def has_sanitizers(compiler: str) -> bool:
-    """Whether the compiler's sanitizers are installed; a build server must have them."""
+    """Returns whether the compiler's sanitizers are installed; a build server must have them."""
     if os.environ.get("CI") or shutil.which(compiler) is None:
-        return True  # so that the test says what is missing
+        return True  # so that the test names the missing compiler
     command = (compiler, *SANITIZERS, "-x", "c", "-", "-o", os.devnull)
     return not subprocess.run(command, input="int main(void) { return 0; }", text=True,
                               capture_output=True).returncode

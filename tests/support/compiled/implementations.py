@@ -49,7 +49,7 @@ def compiled(folder: Path, tier: str, compiler: str, flags: tuple[str, ...]) -> 
 
 
 def twins() -> dict[str, Implementation]:
-    """Those of each tier."""
+    """The twins of each tier."""
     return {tier.name: twin(import_module(tier.package)) for tier in TIERS}
 
 

@@ -16,7 +16,8 @@ STEMS = tuple(TYPES.values())
 
 @dataclass(frozen=True)
 class Prototype:
-    """A function of KSL's: the header, its name, what it returns (MACRO if it is one) and takes."""
+    """A function of KSL's: the header, its name, its return type (MACRO if it is one) and
+    parameters."""
 
     header: str
     name: str

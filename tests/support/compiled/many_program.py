@@ -78,7 +78,7 @@ def built(folder: Path, kernels: Sequence[Kernel], numbers: bool,
 
 
 def arguments(kernel: Kernel) -> tuple[Argument, ...]:
-    """In the order of its functions of many elements: what is returned comes last."""
+    """Arguments in the order of the functions of many elements: the returned value comes last."""
     value = returned(kernel.operation)
     return (*parameters(kernel.operation), *([value] if value else []))
 
@@ -109,7 +109,7 @@ def _functions(kernel: Kernel, number: int, numbers: bool) -> Iterator[str]:
 
 
 def _value(kernel: Kernel, a: Argument, number: int) -> str:
-    """The element at p[number], as what the function of one element takes."""
+    """The element at p[number], in the form that the function of one element takes."""
     kind = c_type(a.quantity, kernel.precision)
     return f"(({kind} *)p[{number}])" if is_array(a) else f"(*({kind} *)p[{number}])"
 

@@ -20,7 +20,7 @@ NVCC = _found()
 
 
 def has_device() -> bool:
-    """Whether there is a device on which its programs run."""
+    """Returns whether there is a device on which its programs run."""
     if not NVCC or not shutil.which("nvidia-smi"):
         return False
     listed = subprocess.run(["nvidia-smi", "-L"], capture_output=True, text=True)

@@ -1,9 +1,8 @@
-"""Translates PTX, the assembly of CUDA's devices, to C: so that what a device would execute runs on
-any processor, instruction by instruction, each rounded as PTX's manual says.
+"""Translates PTX, the assembly of CUDA's devices, to C: so that a device's program runs on any
+processor, instruction by instruction, each rounded as PTX's manual says.
 
-Registers are the bits that they hold.  Of PTX it knows what compilers make of our text; any other
-instruction is an error.
-"""
+Registers are the bits that they hold.  It knows the instructions that compilers emit for our text;
+any other instruction is an error."""
 
 import re
 from collections.abc import Collection, Iterator, Sequence
@@ -71,7 +70,7 @@ def _parameters(text: str) -> list[str]:
 
 
 def _inside(text: str, start: int) -> str:
-    """What stands in the braces that open before `start`."""
+    """The text in the braces that open before `start`."""
     depth = 1
     for place in range(start, len(text)):
         depth += (text[place] == "{") - (text[place] == "}")
@@ -103,7 +102,7 @@ class _Body:
                 yield self._guarded(re.sub(r"\s+", " ", statement))
 
     def _declared(self, statement: str) -> str:
-        """Of registers, of room on the stack or for parameters."""
+        """Declarations of registers, and of room on the stack or for parameters."""
         if found := re.match(r"\.reg\s+\.(\w+)\s+%?([\w$]+)(?:<(\d+)>)?$", statement):
             kind, name, count = found.groups()
             size = _TYPES[kind][1]

@@ -86,7 +86,7 @@ def of_hinge(mass: float, length: float) -> float:
 
 
 def scale(mechanism: Mechanism, q: State, stiffness: dict[str, float], rate: float) -> float:
-    """By what to multiply these stiffnesses of joints, so that the stiffest mode has the rate."""
+    """The factor on these stiffnesses of joints with which the stiffest mode has the rate."""
     its = Dynamics(mechanism)
     M = pin.crba(its.model, its.data, its.packed(q, {})[:its.model.nq])
     M, K = np.triu(M) + np.triu(M, 1).T, np.zeros(its.model.nv)

@@ -108,7 +108,7 @@ def _of_kind(joint: Joint) -> "pin.JointModel":
 
 @dataclass(frozen=True)
 class Place:
-    """Where a joint's numbers stand in q and v."""
+    """Places of a joint's numbers in q and v."""
 
     joint: Joint
     number: int  # Pinocchio's
@@ -149,13 +149,13 @@ class Dynamics:
 
     @cached_property
     def places(self) -> tuple[Place, ...]:
-        found = []
+        results = []
         for joint in self.mechanism.joints:
             number = self.model.getJointId(joint.name)
             at = self.model.joints[number]
-            found.append(Place(joint, number, slice(at.idx_q, at.idx_q + at.nq),
-                               slice(at.idx_v, at.idx_v + at.nv)))
-        return tuple(found)
+            results.append(Place(joint, number, slice(at.idx_q, at.idx_q + at.nq),
+                                 slice(at.idx_v, at.idx_v + at.nv)))
+        return tuple(results)
 
     @cached_property
     def _numbers(self) -> dict[str, int]:
@@ -192,7 +192,7 @@ class Dynamics:
 
     @cached_property
     def _freedoms(self) -> np.ndarray:
-        """The velocities of all joints by those that lead."""
+        """The velocities of all joints from those of the leaders."""
         T = np.eye(self.model.nv)
         for follower, leader in self.followers:
             assert follower.joint.mimic
@@ -293,17 +293,17 @@ class Dynamics:
         return np.concatenate((self._q_rates(y[:nq], q, v), self.accelerations(t, q, v)))
 
     def _q_rates(self, y: np.ndarray, q: np.ndarray, v: np.ndarray) -> np.ndarray:
-        found = np.empty(len(q))
+        result = np.empty(len(q))
         for p in self.places:
             if p.joint.kind in ("free", "spherical"):
                 turn = slice(p.q.stop - 4, p.q.stop)
-                found[turn] = _turning(y[turn], v[p.v.stop - 3:p.v.stop])
+                result[turn] = _turning(y[turn], v[p.v.stop - 3:p.v.stop])
                 if p.joint.kind == "free":
                     rotation = pin.Quaternion(q[turn]).toRotationMatrix()
-                    found[p.q.start:turn.start] = rotation @ v[p.v.start:p.v.start + 3]
+                    result[p.q.start:turn.start] = rotation @ v[p.v.start:p.v.start + 3]
             else:
-                found[p.q] = v[p.v]
-        return found
+                result[p.q] = v[p.v]
+        return result
 
     def energy(self, q: np.ndarray, v: np.ndarray) -> float:
         """Kinetic and gravity's potential energy of a state."""

@@ -23,7 +23,7 @@ class Error:
 
     @property
     def of_allowed(self) -> float:
-        """Relative to what is allowed; at most 1 if the motion is right."""
+        """Error relative to the allowed one; at most 1 if the motion is right."""
         return float(np.maximum(self.q / ALLOWED.q, self.v / ALLOWED.v))  # NaN if one is
 
 
@@ -33,11 +33,11 @@ WRONG = 0.05
 """The error of coordinates above which it is wrong."""
 
 
-def judged(found: tuple[Error, ...]) -> str:
+def judged(results: tuple[Error, ...]) -> str:
     """right, between or wrong."""
-    if not all(x.q <= WRONG for x in found):
+    if not all(x.q <= WRONG for x in results):
         return "wrong"
-    return "right" if all(x.of_allowed <= 1 for x in found) else "between"
+    return "right" if all(x.of_allowed <= 1 for x in results) else "between"
 
 
 def errors(its: Dynamics, motion: Motion, whole_q: np.ndarray, whole_v: np.ndarray,
@@ -108,7 +108,7 @@ def _angle(p: np.ndarray, q: np.ndarray) -> np.ndarray:
 
 
 def _centres(its: Dynamics, base: Place, q: np.ndarray, v: np.ndarray) -> States:
-    """Position and velocity of the centre of mass of what a free joint carries."""
+    """Position and velocity of the centre of mass of the tree that a free joint carries."""
     places, speeds = np.empty((len(q), 3)), np.empty((len(q), 3))
     for n, (x, u) in enumerate(zip(q, v, strict=True)):
         pin.centerOfMass(its.model, its.data, x, u)

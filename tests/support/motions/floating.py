@@ -64,7 +64,7 @@ def appendage(wanted: Wanted) -> Motion:
 
 
 def appendage_and_neighbour(wanted: Wanted) -> Motion:
-    """The same beside a free body of a ton."""
+    """Adds a free body of a ton."""
     return _appendage(wanted, Body("ton", 1000.0, (100.0, 120.0, 150.0)))
 
 

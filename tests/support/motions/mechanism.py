@@ -1,4 +1,4 @@
-"""Mechanisms with what acts on them, as plain data, and as text of scene files."""
+"""Mechanisms with their effects, as plain data, and as text of scene files."""
 
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
@@ -68,17 +68,17 @@ class Acting:
     @property
     def settings(self) -> dict[str, float]:
         """The numbers given at run time, by their names in `runtime`."""
-        found = {}
+        results = {}
         for name in self.free:
             value = self.values[name]
             assert isinstance(value, float | int)
-            found[f"{self.effect}.{self.on}.{name}"] = float(value)
-        return found
+            results[f"{self.effect}.{self.on}.{name}"] = float(value)
+        return results
 
 
 @dataclass(frozen=True)
 class Mechanism:
-    """Bodies, their joints in order from the root, and what acts."""
+    """Bodies, their joints in order from the root, and effects."""
 
     bodies: tuple[Body, ...]
     joints: tuple[Joint, ...]

@@ -1,4 +1,4 @@
-"""Reference motions: DOP853 at two tolerances, kept in build/ by what they were computed from."""
+"""Reference motions: DOP853 at two tolerances, kept in build/ under a hash of their inputs."""
 
 import hashlib
 import os
@@ -37,9 +37,9 @@ class Unjudged(Exception):
 
 @dataclass(frozen=True)
 class Reference:
-    """States at the times of samples.  (n), (n, nq), (n, nv).  `doubt` is the largest difference
-    of the two integrations, of what errors may be; states after `horizon` mean nothing, since a
-    ten-thousandth of the start decides them."""
+    """States at the times of samples.  (n), (n, nq), (n, nv). `doubt` is the largest difference of
+    the two integrations, relative to the allowed error; states after `horizon` mean nothing, since
+    a ten-thousandth of the start decides them."""
 
     t: np.ndarray
     q: np.ndarray
@@ -55,22 +55,22 @@ def reference(motion: Motion, times: np.ndarray) -> Reference:
         with np.load(path) as kept:
             return Reference(times, kept["q"], kept["v"], float(kept["doubt"]),
                              float(kept["horizon"]))
-    found = _integrated(motion, times)
+    result = _integrated(motion, times)
     path.parent.mkdir(parents=True, exist_ok=True)
     whole = path.with_suffix(f".{os.getpid()}.tmp")
     with whole.open("wb") as file:
-        np.savez(file, q=found.q, v=found.v, doubt=found.doubt, horizon=found.horizon)
+        np.savez(file, q=result.q, v=result.v, doubt=result.doubt, horizon=result.horizon)
     whole.replace(path)
-    return found
+    return result
 
 
 def _key(motion: Motion, times: np.ndarray) -> str:
     """A hash of all that it is computed from: modules, versions of packages, motion and times."""
-    found = hashlib.sha256()
+    result = hashlib.sha256()
     for x in (*(Path(str(x.__file__)).read_bytes() for x in SOURCES),
               *(x.__version__.encode() for x in PACKAGES), repr(motion).encode(), times.tobytes()):
-        found.update(hashlib.sha256(x).digest())
-    return found.hexdigest()[:32]
+        result.update(hashlib.sha256(x).digest())
+    return result.hexdigest()[:32]
 
 
 def _integrated(motion: Motion, times: np.ndarray) -> Reference:
@@ -84,9 +84,9 @@ def _integrated(motion: Motion, times: np.ndarray) -> Reference:
         horizon = _parting(its, motion, times, (q, v), _states(its, motion, other, times,
                                                                TOLERANCES[0]))
     judged = times <= horizon
-    found = errors(its, motion, q[judged], v[judged], q[judged], v[judged],
-                   *(x[judged] for x in coarse))
-    doubt = float(np.max([x.of_allowed for x in found]))
+    result = errors(its, motion, q[judged], v[judged], q[judged], v[judged],
+                    *(x[judged] for x in coarse))
+    doubt = float(np.max([x.of_allowed for x in result]))
     if not doubt <= AGREE:
         raise Unjudged(f"two tolerances differ by {doubt:.2g} of what is allowed")
     return Reference(times, q, v, doubt, horizon)
@@ -96,8 +96,8 @@ def _parting(its: Dynamics, motion: Motion, times: np.ndarray, one: Sequence[np.
              other: Sequence[np.ndarray]) -> float:
     """The time until which the disturbed motion stays within what errors may be."""
     for n in range(2, len(times) + 1, max(1, len(times) // 100)):
-        found = errors(its, motion, *one, *(x[:n] for x in (*one, *other)))
-        if any(x.of_allowed > 1 for x in found):
+        result = errors(its, motion, *one, *(x[:n] for x in (*one, *other)))
+        if any(x.of_allowed > 1 for x in result):
             return float(times[n - 2])
     return np.inf
 

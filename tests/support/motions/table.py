@@ -1,4 +1,4 @@
-"""Rows: a motion's run, judged, beside what the commands say of it; and tables of them."""
+"""Rows: a motion's run, judged, beside the commands' verdicts; and tables of them."""
 
 import re
 from collections import Counter
@@ -33,39 +33,40 @@ class Row:
     how: Setting
     truth: str
     worst: Error | None
-    said: Said | None
+    verdicts: Said | None
     advice: tuple[str, ...] = ()
     reason: str = ""  # why it is unjudged, or the error that was raised
 
     @property
     def verdict(self) -> str:
-        """Of both commands, in a word."""
-        if self.said is None:
+        """The verdict of both commands, in a word."""
+        if self.verdicts is None:
             return "error"
-        return "stopped" if self.said.stopped and not self.said.passed else self.said.column
+        stopped = self.verdicts.stopped and not self.verdicts.passed
+        return "stopped" if stopped else self.verdicts.column
 
     @property
     def false(self) -> tuple[str, ...]:
-        """What the commands get wrong."""
-        if self.said is None:
+        """Faults of the commands' verdicts."""
+        if self.verdicts is None:
             return ("an error was raised",)
-        found = []
+        results = []
         if self.truth == "wrong":
-            found += ["wrong, check passes"] if self.said.passed else []
-            found += ["wrong, simulate goes on"] if not self.said.stopped else []
+            results += ["wrong, check passes"] if self.verdicts.passed else []
+            results += ["wrong, simulate goes on"] if not self.verdicts.stopped else []
         if self.truth == "right":
-            found += ["right, check fails"] if not self.said.passed else []
-            found += ["right, simulate stops"] if self.said.stopped else []
-        return (*found, *(f"advice: {x}" for x in self.advice))
+            results += ["right, check fails"] if not self.verdicts.passed else []
+            results += ["right, simulate stops"] if self.verdicts.stopped else []
+        return (*results, *(f"advice: {x}" for x in self.advice))
 
     @property
     def words(self) -> str:
-        """A line: the scene, the run, the error, what is said."""
+        """A line: the scene, the run, the error, the verdicts."""
         worst = f"{self.worst.part}: q {self.worst.q:.2g}, v {self.worst.v:.2g}" if self.worst \
             else ""
         return (f"{self.motion.name} ({self.motion.about}) {self.how.words}: {self.truth} ({worst})"
                 f", {self.verdict}: {'; '.join(self.false)}{self.reason}"
-                f"{f' | {self.said.reasons}' if self.said else ''}")
+                f"{f' | {self.verdicts.reasons}' if self.verdicts else ''}")
 
 
 def settings(motion: Motion, every: bool = False) -> Iterator[Setting]:
@@ -89,20 +90,20 @@ class Judge:
     its: Dynamics
 
     def truth(self, how: Setting) -> tuple[str, Error]:
-        """Whether a run is right, and its worst part.  Raises Unjudged."""
+        """Returns whether a run is right, and its worst part.  Raises Unjudged."""
         q, v = self.runs.states(how, self.its)
         true = reference(self.motion, self.runs.times(how))
         part = true.t <= true.horizon
-        found = errors(self.its, self.motion, true.q, true.v, true.q[part], true.v[part], q[part],
-                       v[part])
-        worst = max(found, key=lambda x: x.of_allowed)
-        verdict = judged(found)
+        result = errors(self.its, self.motion, true.q, true.v, true.q[part], true.v[part], q[part],
+                        v[part])
+        worst = max(result, key=lambda x: x.of_allowed)
+        verdict = judged(result)
         if verdict == "right" and not part.all() and not self._keeps_energy(true, q, v):
             return "wrong", worst
         return verdict, worst
 
     def _keeps_energy(self, true: Reference, q: np.ndarray, v: np.ndarray) -> bool:
-        """Whether a chaotic motion keeps its energy to the end."""
+        """Returns whether a chaotic motion keeps its energy to the end."""
         if not (np.isfinite(q).all() and np.isfinite(v).all()):
             return False
         energies, true_ones = (np.array([self.its.energy(*x) for x in zip(*states, strict=True)])
@@ -112,21 +113,21 @@ class Judge:
 
     def row(self, how: Setting, follow: bool) -> Row:
         """The judged run."""
-        said = None
+        spoken = None
         try:
-            said = self.runs.said(how)
+            spoken = self.runs.verdicts(how)
             truth, worst = self.truth(how)
         except Unjudged as error:
-            return Row(self.motion, how, "unjudged", None, said, (), f" {error}")
+            return Row(self.motion, how, "unjudged", None, spoken, (), f" {error}")
         except Exception as error:  # whatever a command raises is a finding
             return Row(self.motion, how, "unjudged", None, None, (), f" {_words_of(error)}")
-        followed = tuple(self.followed(how, said)) if follow else ()
-        return Row(self.motion, how, truth, worst, said, followed)
+        followed = tuple(self.followed(how, spoken)) if follow else ()
+        return Row(self.motion, how, truth, worst, spoken, followed)
 
-    def followed(self, how: Setting, said: Said) -> Iterator[str]:
-        """What following the advice of both commands shows to be false."""
+    def followed(self, how: Setting, message: Said) -> Iterator[str]:
+        """Advice of both commands that proves false when it is followed."""
         seen = set()
-        for text in ("" if said.passed else said.text, said.stopped):
+        for text in ("" if message.passed else message.text, message.stopped):
             for then in advised(text, how):
                 if then in seen or self.motion.duration / then.step > _MOST_STEPS:
                     continue
@@ -136,9 +137,9 @@ class Judge:
     def _follow(self, how: Setting, then: Setting) -> Iterator[str]:
         twice = replace(then, step=2.1 * then.step)
         try:
-            if not self.runs.said(then).goes_on:
+            if not self.runs.verdicts(then).goes_on:
                 yield f"{then.words} does not pass"
-            if then.step < how.step / 2.1 and self.runs.said(twice).goes_on:
+            if then.step < how.step / 2.1 and self.runs.verdicts(twice).goes_on:
                 yield f"{then.words}: twice this step passes, too"
             if self.truth(then)[0] == "wrong":
                 yield f"{then.words} is wrong"
@@ -153,13 +154,13 @@ def _words_of(error: Exception) -> str:
 
 
 def judge(motion: Motion) -> Judge:
-    """For all runs of a motion."""
+    """Judges all runs of a motion."""
     return Judge(motion, runs(motion), Dynamics(motion.mechanism))
 
 
 def converged(motion: Motion) -> Error:
     """The worst error of Runge and Kutta's method at a hundredth of a radian per step, for at most
-    4000 of them: of what has the judge's equations, a small part of what is allowed."""
+    4000 of them: a small part of the allowed error for motions by the judge's equations."""
     step = min(motion.steps[0], 0.01 / motion.rate)
     short = replace(motion, duration=min(motion.duration, 4000 * step))
     return judge(short).truth(Setting(step, "rk4", "double"))[1]
@@ -170,7 +171,7 @@ TRUTHS = ("right", "between", "wrong", "unjudged")
 
 
 def table(rows: Iterable[Row]) -> str:
-    """Counts: by family and truth, what the commands say."""
+    """Counts of the commands' verdicts, by family and truth."""
     counts: dict[tuple[str, str], Counter[str]] = {}
     for row in rows:
         for family in (row.motion.family, "all"):
@@ -183,6 +184,6 @@ def table(rows: Iterable[Row]) -> str:
 
 
 def exceptions(rows: Iterable[Row]) -> str:
-    """How often the commands are wrong in which way."""
+    """Numbers of wrong verdicts of the commands, by kind."""
     counts = Counter(_WORDS.sub("", kind) for row in rows for kind in row.false)
     return str(tabulate(sorted(counts.items()), ("exception", "rows")))

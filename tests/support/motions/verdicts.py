@@ -1,4 +1,4 @@
-"""What coscrew computes of a motion, and what `simulate` and `check` say of it."""
+"""Motions computed by coscrew, with the verdicts of `simulate` and `check`."""
 
 import re
 import tempfile
@@ -28,7 +28,7 @@ FIXED = ("leapfrog", "linear-implicit-euler", "semi-implicit-euler", "rk4")
 
 @dataclass(frozen=True)
 class Setting:
-    """How a motion is run."""
+    """Settings of a run."""
 
     step: float
     integrator: str
@@ -44,7 +44,7 @@ class Setting:
 
 @dataclass(frozen=True)
 class Said:
-    """What the commands say: the run's stop, or ""; whether the check passes; its text."""
+    """Output of the commands: the run's stop, or ""; whether the check passes; its text."""
 
     stopped: str
     passed: bool
@@ -53,12 +53,12 @@ class Said:
 
     @property
     def goes_on(self) -> bool:
-        """Whether neither command refuses the motion."""
+        """True if neither command refuses the motion."""
         return self.passed and not self.stopped
 
     @property
     def reasons(self) -> str:
-        """The sentences on what is wrong."""
+        """The sentences on faults."""
         false = [x for x in self.text.splitlines() if x.startswith(("FALSE", "double:", "single:"))]
         return " ".join(dict.fromkeys((*false, self.stopped))).strip()
 
@@ -96,7 +96,8 @@ class Runs:
 
     def _kernels(self, how: Setting) -> Kernels:
         scene = _read(self.motion.text(how.step, how.integrator, how.precision, how.tolerances))
-        return replace(self.kernels, scene=replace(scene, precision=how.precision))
+        wanted = replace(self.kernels.request, scene=replace(scene, precision=how.precision))
+        return replace(self.kernels, request=wanted)
 
     def _planned(self, how: Setting) -> tuple[System, Plan]:
         its = system(self._kernels(how), how.precision, dict(self._settings()))
@@ -119,11 +120,11 @@ class Runs:
         its.followed(q, v)
         return q, v
 
-    def said(self, how: Setting) -> Said:
+    def verdicts(self, how: Setting) -> Said:
         """The verdicts of `simulate` and `check`, without the rounding of functions."""
         kernels = self._kernels(how)
         given = RunOverrides(None, None, None, how.precision, self._settings())
-        stopped = simulated(kernels, given, told=False)[0].trajectory.stopped
+        stopped = simulated(kernels, given, with_provenance=False)[0].trajectory.stopped
         findings = check(kernels, given)
         return Said(stopped, findings.passed, findings.strictly_passed,
                     check_report.table(findings, strict=True))
@@ -148,16 +149,16 @@ _FORMS: tuple[tuple[str, Callable[..., Setting]], ...] = (
 def advised(text: str, how: Setting) -> tuple[Setting, ...]:
     """The settings that sentences advise, each of which should do.  Raises ValueError if one is of
     no known form."""
-    each = [x for found in _ADVICE.findall(text) for x in found.split(", or ")]
+    each = [x for result in _ADVICE.findall(text) for x in result.split(", or ")]
     return tuple(_read_advice(x, how) for x in each if x != _UNNAMED)
 
 
 def _read_advice(words: str, how: Setting) -> Setting:
     parts = re.fullmatch(r"(--precision \S+) and (.+)", words)
     for part in parts.groups() if parts else (words,):
-        found = next(((setting, x) for form, setting in _FORMS if (x := re.fullmatch(form, part))),
-                     None)
-        if found is None:
+        result = next(((setting, x) for form, setting in _FORMS if (x := re.fullmatch(form, part))),
+                      None)
+        if result is None:
             raise ValueError(f"advice of no known form: take {words}")
-        how = found[0](how, *found[1].groups())
+        how = result[0](how, *result[1].groups())
     return how

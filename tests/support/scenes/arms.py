@@ -6,8 +6,9 @@ import mpmath
 import numpy as np
 
 from coscrew_codegen.program.values.formats import Precision
-from coscrew_codegen.scene.mechanism.model import Kind, Model
+from coscrew_codegen.scene.mechanism.model import Model
 from tests.support.scenes import mechanisms as m
+from tests.support.scenes.kinds import Kind
 from tests.support.scenes.tiers import DIGITS
 from tests.support.truth.newton_euler import inverse_dynamics
 

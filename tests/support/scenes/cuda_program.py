@@ -81,22 +81,23 @@ class Scene:
     stem: str
     files: Files
 
-    def on_host(self, folder: Path) -> tuple[Path, Path]:
+    def on_host(self, folder: Path) -> tuple[Path, ...]:
         """The program, whose kernels are the header's as C++, and the C; beside the headers."""
         return self._written(folder, "cuda.cpp", self._grid(
             f'#define KSL_KERNEL static\n#include "{self.stem}.cuh"\n'))
 
-    def translated(self, folder: Path) -> tuple[Path, Path, Path]:
-        """The same, to be linked with kernels of C linkage; the file to make those from."""
+    def translated(self, folder: Path) -> tuple[Path, ...]:
+        """The file from which kernels of C linkage are made, and the program to be linked with
+        them."""
         kernels = [x for p in named(self.scene.precisions)
                    for x in cuda_kernels.kernels(self.scene, self.scene, p)]
         declared = (f"{x.kernel};\n".replace("KSL_KERNEL", 'extern "C"') for x in kernels)
         (folder / "device.cu").write_text(f'{_TRANSLATED}#include "{self.stem}.cuh"\n')
         written = self._written(folder, "cuda.cpp", self._grid("".join(declared)))
-        return *written, folder / "device.cu"
+        return folder / "device.cu", *written
 
-    def on_device(self, folder: Path) -> tuple[Path, Path]:
-        """The same, which launches the kernels on a device."""
+    def on_device(self, folder: Path) -> tuple[Path, ...]:
+        """The program that launches the kernels on a device."""
         return self._written(folder, "cuda.cu", lanes_program.Compared(
             f'#include "{self.stem}.h"\n#include "{self.stem}.cuh"',
             partial(_called, self.scene, "launch"), _ON_DEVICE))
@@ -106,10 +107,10 @@ class Scene:
                                       partial(_called, self.scene, "kernel"))
 
     def _written(self, folder: Path, name: str, compared: lanes_program.Compared
-                 ) -> tuple[Path, Path]:
+                 ) -> tuple[Path, ...]:
         for path, content in {**self.files, name: lanes_program.text(self.scene, compared)}.items():
             (folder / path).write_text(content)
-        return folder / name, folder / f"{self.stem}.c"
+        return folder / name, *(folder / x for x in self.files if x.endswith(".c"))
 
 
 def of_scene(scene: SceneFunctions) -> Scene:
@@ -118,7 +119,7 @@ def of_scene(scene: SceneFunctions) -> Scene:
 
 
 def of_tier(made: SceneTier) -> Scene:
-    """Those of a tier."""
+    """The functions of a tier."""
     scene = replace(made.first, precisions=tuple(p.name for p, _ in made.in_precisions))
     return Scene(scene, made.stem,
                  scene_c_tier.files(made, BANNER) | scene_cuda.tier_files(made, BANNER))

@@ -16,11 +16,12 @@ WITHOUT = {"clang++": ("-O1",), "nvcc": ()}
 
 
 def compared(scene: Scene, folder: Path, compiler: str, *flags: str) -> int:
-    """How many numbers were compared, of the header as C++; they are the same."""
-    program, reference = scene.on_host(folder)
-    run((COMPILERS[0], *C11, "-c", reference, "-o", folder / "one.o"))
-    run((compiler, *CXX11, *flags, *STRICT, program, folder / "one.o", "-o", folder / "cuda",
-         "-lm"))
+    """Compares the numbers of the header as C++, which are equal; returns how many."""
+    program, *references = scene.on_host(folder)
+    for path in references:
+        run((COMPILERS[0], *C11, "-c", path, "-o", path.with_suffix(".o")))
+    run((compiler, *CXX11, *flags, *STRICT, program,
+         *(x.with_suffix(".o") for x in references), "-o", folder / "cuda", "-lm"))
     return int(run([folder / "cuda"]))
 
 
@@ -37,14 +38,14 @@ def ptx_of(source: Path, compiler: str, *flags: str) -> str:
 
 
 def executed(scene: Scene, folder: Path, compiler: str) -> tuple[int, str]:
-    """How many numbers were compared, of the kernels in PTX, executed on the host; and these
-    kernels.  The numbers are the same, and no flag changes the kernels."""
-    program, reference, device = scene.translated(folder)
+    """Compares the numbers of the kernels in PTX, executed on the host; returns how many, and the
+    kernels.  The numbers are equal, and no flag changes the kernels."""
+    device, program, *references = scene.translated(folder)
     ptx = ptx_of(device, compiler, *FLAGS[compiler])
     assert ptx == ptx_of(device, compiler, *WITHOUT[compiler])
     (folder / "device.c").write_text(to_c(ptx))
-    for path in (folder / "device.c", reference):
+    for path in (folder / "device.c", *references):
         run((COMPILERS[0], *C11, "-O0", "-c", path, "-o", path.with_suffix(".o")))
-    run((CXX_COMPILERS[0], *CXX11, program, reference.with_suffix(".o"), folder / "device.o", "-o",
-         folder / "cuda", "-lm"))
+    run((CXX_COMPILERS[0], *CXX11, program, *(x.with_suffix(".o") for x in references),
+         folder / "device.o", "-o", folder / "cuda", "-lm"))
     return int(run([folder / "cuda"])), ptx

@@ -15,8 +15,9 @@ from hashlib import sha256
 from coscrew_codegen.backends.output_files import scene_files
 from coscrew_codegen.dynamics import derive
 from coscrew_codegen.scene import effects as catalogue
-from coscrew_codegen.scene.mechanism.model import HERE, Kind, Model
+from coscrew_codegen.scene.mechanism.model import HERE, Model
 from coscrew_codegen.scene.scene import Applied, Scene
+from tests.support.scenes.kinds import Kind
 from tests.support.scenes.mechanisms import (
     Formula,
     Value,

@@ -54,7 +54,7 @@ def _divided(a: mpmath.mpf, b: mpmath.mpf) -> mpmath.mpf:
 
 
 def without_errors(precision: str) -> Numbers[mpmath.mpf]:
-    """Those, with the constants of a precision; what is divided by zero is no number."""
+    """The arithmetic with the constants of a precision; a division by zero gives NaN."""
     functions = {**exactly(mpmath), Op.DIV: _divided}
     return Numbers(by_operation(lambda x: _multiprecise(getattr(x, precision)), functions,
                                 mpmath.nan), _multiprecise)

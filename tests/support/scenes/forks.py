@@ -59,7 +59,7 @@ def threads_here() -> int | None:
 
 
 def exit_code(child: Callable[[], None]) -> int | None:
-    """What a forked process exits with; None if it waits for ever."""
+    """Exit code of a forked process; None if it waits for ever."""
     process = multiprocessing.get_context("fork").Process(target=child)
     process.start()
     process.join(DEADLOCK)

@@ -39,5 +39,5 @@ BODIES = {
 
 
 def robot(body: str) -> str:
-    """A URDF of two revolute joints, the first of which moves the body."""
+    """A URDF of two revolute joints; the first moves the body."""
     return CHAIN.format(name="robot", body=body, inertial=BODIES[body][0])

@@ -76,8 +76,8 @@ static void compare_{name}(const char *what, const {real} *a, const {real} *b,
 
 @dataclass(frozen=True)
 class Compared:
-    """What is compared with functions of one state: from which headers, what is called for n
-    states, and what defines malloc and free if they are not C's."""
+    """Functions to be compared with functions of one state: headers, calls for n states, and
+    definitions of malloc and free if they are not C's."""
 
     include: str
     called: Callable[[Signature, Precision], str]
@@ -90,17 +90,17 @@ def written(scene: SceneFunctions, folder: Path) -> tuple[Path, ...]:
     for path, content in files.items():
         (folder / path).write_text(content)
     (folder / "lanes.c").write_text(text(scene, _in_lanes(scene, scene.name)))
-    return tuple(folder / x for x in ("lanes.c", f"{scene.name}.c", f"{scene.name}_many.c"))
+    return tuple(folder / x for x in ("lanes.c", *sorted(files)) if x.endswith(".c"))
 
 
 def tier_written(made: SceneTier, folder: Path) -> tuple[Path, ...]:
-    """The same of a tier."""
+    """Writes the program of a tier."""
     files = scene_c_tier.files(made, BANNER) | scene_c_many.tier_files(made, BANNER)
     for path, content in files.items():
         (folder / path).write_text(content)
     scene = replace(made.first, precisions=tuple(p.name for p, _ in made.in_precisions))
     (folder / "lanes.c").write_text(text(scene, _in_lanes(scene, made.stem)))
-    return tuple(folder / x for x in ("lanes.c", f"{made.stem}.c", f"{made.stem}_many.c"))
+    return tuple(folder / x for x in ("lanes.c", *sorted(files)) if x.endswith(".c"))
 
 
 def _in_lanes(scene: SceneFunctions, stem: str) -> Compared:

@@ -7,18 +7,19 @@ from typing import TypeAlias, TypedDict, Unpack
 from coscrew_codegen.program.values.parameter import Parameter, Scalar
 from coscrew_codegen.scene.effects import EFFECTS
 from coscrew_codegen.scene.formulas import Formula
+from coscrew_codegen.scene.mechanism.joint_kind import JointKind
 from coscrew_codegen.scene.mechanism.model import (
     HERE,
     WORLD,
     Body,
     Inertia,
     Joint,
-    Kind,
     Mimic,
     Model,
     Placement,
 )
 from coscrew_codegen.scene.scene import Applied, Run, Scene, Setting
+from tests.support.scenes.kinds import Kind
 from tests.support.scenes.selecting import with_jacobians
 
 CATALOGUE = {effect.name: effect for effect in EFFECTS}
@@ -83,7 +84,7 @@ def gravity(*g: Exact) -> Applied:
 
 
 class Settings(TypedDict, total=False):
-    """Of a scene, besides its name, model and effects."""
+    """Settings of a scene, besides its name, model and effects."""
 
     parameters: tuple[Parameter, ...]
     start_q: Mapping[str, tuple[float, ...]]
@@ -97,7 +98,7 @@ def scene(model: Model, *effects: Applied, **settings: Unpack[Settings]) -> Scen
         model.name, model, tuple(sorted(effects, key=lambda x: x.effect.name)), **settings))
 
 
-def chain(*links: tuple[Kind, tuple[Fraction, ...], Placement, Inertia],
+def chain(*links: tuple[JointKind, tuple[Fraction, ...], Placement, Inertia],
           name: str = "chain") -> Model:
     """A chain of joints j0, j1, … and bodies b0, b1, …, each with kind, axis, placement, inertia.
     """

@@ -5,9 +5,14 @@ from pathlib import Path
 
 import pytest
 
+from coscrew_codegen.scene.mechanism.joint_kind import JointKind
+from coscrew_codegen.scene.mechanism.model import Model
+from coscrew_codegen.scene.readers.model_reader import ModelSource
 from coscrew_codegen.scene.readers.toml.toml_scene import read_scene
+from coscrew_codegen.scene.readers.urdf.urdf import READER
 from coscrew_codegen.scene.scene import Scene, Setting
 from tests.support.scenes.example_effects import CATALOGUE
+from tests.support.scenes.kinds import Kind
 
 MODEL = """
 [bodies.upper]
@@ -90,3 +95,8 @@ def read(tmp_path: Path) -> Callable[..., Scene]:
 
 def applied(scene: Scene, effect: str) -> dict[tuple[str, str], Mapping[str, Setting]]:
     return {(x.on, x.label): x.values for x in scene.effects if x.effect.name == effect}
+
+
+def read_urdf(path: Path | str, base: JointKind = Kind.FIXED, implausible: str = "error") -> Model:
+    """The model in a URDF file."""
+    return READER.read(ModelSource(Path(path), base, implausible))

@@ -18,9 +18,10 @@ import pinocchio as pin
 from coscrew_codegen.dynamics import derive
 from coscrew_codegen.program.scene_functions import SceneFunctions
 from coscrew_codegen.scene.effects import EFFECTS
-from coscrew_codegen.scene.mechanism.model import WORLD, Joint, Kind
-from coscrew_codegen.scene.readers.urdf.urdf import read_urdf
+from coscrew_codegen.scene.mechanism.model import WORLD, Joint
 from coscrew_codegen.scene.scene import Applied, Scene
+from tests.support.scenes.kinds import Kind
+from tests.support.scenes.reading import read_urdf
 from tests.support.scenes.selecting import jacobians, with_jacobians
 
 COMPARED = ("inverse_dynamics", "forward_dynamics", "mass_matrix", "bias_torques", "energy",

@@ -71,7 +71,7 @@ def _exponential(x: Bounded) -> Bounded:
 
 
 def bounded(precision: str, u: mpf) -> Numbers[Bounded]:
-    """For Programs evaluated in this precision; inputs are its numbers."""
+    """Running error bounds of Programs evaluated in this precision; inputs are its numbers."""
     def constant(x: Constant) -> Bounded:
         value = getattr(x, precision)
         exact = mpf(value.numerator) / value.denominator

@@ -20,9 +20,10 @@ from coscrew_codegen.dynamics import derive
 from coscrew_codegen.program.scene_functions import SceneFunctions, Signature
 from coscrew_codegen.program.values.formats import PRECISIONS, Precision
 from coscrew_codegen.program.values.parameter import Parameter
-from coscrew_codegen.scene.mechanism.model import HERE, Kind
+from coscrew_codegen.scene.mechanism.model import HERE
 from tests.support.compiled.bits_program import HEAD, ROWS, hashed, numbers, numbers_and_hashes
 from tests.support.scenes.generated_scenes import BANNER, imported
+from tests.support.scenes.kinds import Kind
 from tests.support.scenes.mechanisms import Formula, Y, Z, applied, at, chain, inertia, scene
 
 STEPS = 20  # of each integrator, from each of the rows
@@ -60,7 +61,8 @@ def _text() -> str:
     called = [(f, p) for p in PRECISIONS for f in scene_calls.callables(functions())]
     name = functions().name
     return "\n".join([
-        HEAD, f'#include "{name}.c"', *map(numbers_and_hashes, PRECISIONS),
+        HEAD, *(f'#include "{name}{p.suffix}.c"' for p in PRECISIONS),
+        *map(numbers_and_hashes, PRECISIONS),
         *(_function(f, p) for f, p in called), "int main(void) {",
         *(f"  do_{c_name(functions(), f.name, p)}();" for f, p in called), "  return 0;", "}", ""])
 

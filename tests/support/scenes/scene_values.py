@@ -23,7 +23,8 @@ def inputs(function: Signature, kind: str, *lead: int, special: bool = False
 
 
 def same_bits(a: object, b: object) -> bool:
-    """Whether arrays, or tuples of them, have the same shapes, types and bits; NaN are equal."""
+    """Returns whether arrays, or tuples of them, have the same shapes, types and bits; NaN are
+    equal."""
     if isinstance(a, tuple) or isinstance(b, tuple):
         return isinstance(a, tuple) and isinstance(b, tuple) and all(map(same_bits, a, b))
     a, b = np.asarray(a), np.asarray(b)

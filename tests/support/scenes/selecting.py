@@ -4,7 +4,8 @@ from dataclasses import replace
 from pathlib import Path
 
 from coscrew_codegen.program.values.formats import named
-from coscrew_codegen.runtime.load import BOTH, Kernels, kernels_for
+from coscrew_codegen.runtime.load import Kernels, kernels_for
+from coscrew_codegen.runtime.request import BOTH
 from coscrew_codegen.scene.function_selection import DEFAULT, together
 from coscrew_codegen.scene.functions.bodies import jacobian
 from coscrew_codegen.scene.integrators import EMITTED

@@ -74,7 +74,7 @@ def flat(found: object, count: int) -> np.ndarray:
 
 
 def results(program: Program, given: Sequence[np.ndarray], found: object) -> Iterator[Result]:
-    """Every component of what was found at these states, beside the truth and its condition."""
+    """Every component of the results at these states, beside the truth and its condition."""
     count = len(given[0])
     numbers, true = flat(found, count), truths(program, given)
     size = [np.broadcast_to(x, count) for x in conditions(program, components(program, given))]

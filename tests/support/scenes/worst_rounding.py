@@ -1,4 +1,4 @@
-"""Attacks on what is stated of a plain function's rounding errors: the worst error found between
+"""Attacks on the stated bounds of a plain function's rounding errors: the worst error found between
 the limits, at random states and at states near the worst ones, is compared with the bound."""
 
 import re

@@ -42,9 +42,9 @@ TIERED = tuple(op for op in OPERATIONS if is_polynomial(plain_program(op)))
 @functools.cache
 def bounds(operation: Operation, precision: Precision, tier: str) -> tuple[Bound, ...]:
     """The emitted bounds of the operation's results."""
-    found = bounds_of(tier_named(tier).program(plain_program(operation), precision))
-    assert found
-    return found
+    result = bounds_of(tier_named(tier).program(plain_program(operation), precision))
+    assert result
+    return result
 
 
 def rows(operation: Operation, precision: Precision, count: int, seed: int) -> Arrays:
@@ -120,7 +120,7 @@ def exact_rows(operation: Operation, inputs: Arrays) -> list[Row]:
 
 def attack(operation: Operation, precision: Precision, tier: str, known: Sequence[Row],
            implementation: Implementation) -> Worst:
-    """Compare what the implementation returns with the truth, row by row."""
+    """Compares the implementation's results with the truth, row by row."""
     flat = np.array([row.given for row in known], precision.numpy_type)
     edges = np.cumsum([a.quantity.size for a in operation.inputs])[:-1]
     inputs = tuple(part.reshape(len(known), *a.quantity.shape) for part, a in
@@ -138,7 +138,7 @@ def attack(operation: Operation, precision: Precision, tier: str, known: Sequenc
 
 @functools.cache
 def _factors(operation: Operation, precision: Precision, tier: str) -> list[tuple[mpq, mpq]]:
-    """What |x̂| and S of each result are multiplied by in its bound."""
+    """The factors of |x̂| and S in the bound of each result."""
     u = UNIT[precision.name]
     return [(u if bound.rounded else mpq(0),
              (mpq(bound.c1) * u + mpq(bound.c2) * u * u) * (1 + 1024 * u))

@@ -22,7 +22,7 @@ ARRAYS: Arithmetic[Any] = by_operation(lambda x: np.float64(float(x.double)), {
 
 
 class Functions:
-    """What partial derivatives need, of arrays."""
+    """Functions on arrays that partial derivatives need."""
 
     sin, cos = staticmethod(np.sin), staticmethod(np.cos)
     less, where = staticmethod(np.less), staticmethod(np.where)
@@ -52,7 +52,8 @@ def perturbed(program: Program) -> Program:
 
 
 def conditions(program: Program, inputs: Sequence[Sequence[Array]]) -> list[Array]:
-    """Of each result, for arrays of states; inf or NaN where there is no derivative."""
+    """The condition of each result, for arrays of states; inf or NaN where there is no derivative.
+    """
     changed, count = perturbed(program), len(program.results)
     given: list[Sequence[Any]] = [*inputs, [np.float64(1)] * changed.inputs[-1].quantity.size]
     weights = list(np.eye(count)[:, :, None])  # of result k: 1 in row k, by which adjoints differ

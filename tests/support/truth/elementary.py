@@ -45,7 +45,7 @@ def arithmetic(precision: Precision) -> Arithmetic[Any]:
 
 
 def _called(op: Op, precision: Precision, *operands: Array) -> Array:
-    """What the function of our own that computes this operation returns."""
+    """The results of our own function for this operation."""
     function = next(x for x in (*ELEMENTARY, *ERRORS) if x.name == FUNCTION_OF[op])
     if op in (Op.SIN_ERROR, Op.COS_ERROR):  # these take both results
         operands = operands[0], *results(SINCOS, precision, operands[0])
@@ -80,13 +80,13 @@ def _product_error(a: Array, b: Array, p: Array, precision: Precision) -> Array:
         return high, x - high
 
     (ah, al), (bh, bl) = split(a), split(b)
-    found = np.array(al * bl - (((p - ah * bh) - al * bh) - ah * bl))
+    result = np.array(al * bl - (((p - ah * bh) - al * bh) - ah * bl))
     small = (np.abs(p) < 2.0**(precision.least_exponent + 2 * precision.digits)) & (a != 0) & (
         b != 0) & np.isfinite(p)
-    rows = zip(*(np.broadcast_to(x, found.shape)[small].tolist() for x in (a, b, p)), strict=True)
-    found[small] = [float(precision.rounded(Fraction(x) * Fraction(y) - Fraction(z)))
-                    for x, y, z in rows]
-    return found
+    rows = zip(*(np.broadcast_to(x, result.shape)[small].tolist() for x in (a, b, p)), strict=True)
+    result[small] = [float(precision.rounded(Fraction(x) * Fraction(y) - Fraction(z)))
+                     for x, y, z in rows]
+    return result
 
 
 @cache
@@ -129,35 +129,35 @@ def errors(name: str, precision: Precision, got: Array, *inputs: Array) -> Array
     with gmpy2.context(precision=BITS, emax=10**6, emin=-10**6):
         least = precision.least_exponent
         far = gmpy2.mpfr(2)**(2 - least) - gmpy2.mpfr(2)**(1 - least - precision.digits)
-        found = np.empty(len(got))
+        result = np.empty(len(got))
         for i, (value, *given) in enumerate(zip(got.tolist(), *(x.tolist() for x in inputs),
                                                 strict=True)):
             true = truth(name, given)
             if abs(true) >= far:
-                found[i] = 0 if value == gmpy2.sign(true) * np.inf else np.inf
+                result[i] = 0 if value == gmpy2.sign(true) * np.inf else np.inf
                 continue
             exponent = max(gmpy2.get_exp(true) - 1 if true else least, least)
             ulp = gmpy2.mpfr(2)**(exponent + 1 - precision.digits)
             error = float(abs(gmpy2.mpfr(value) - true) / ulp)
-            found[i] = error if error == error else np.inf
-    return found
+            result[i] = error if error == error else np.inf
+    return result
 
 
 def remaining(name: str, got: Array, rest: Array, *inputs: Array, slack: float = 0) -> Array:
-    """log2 of |got + rest - true| / |true|: of what a result and its error err by together, beyond
-    an absolute slack."""
+    """log2 of |got + rest - true| / |true|: the error of a result and its error together, beyond an
+    absolute slack."""
     with gmpy2.context(precision=2 * BITS, emax=10**6, emin=-10**6):
-        found = np.empty(len(got))
+        result = np.empty(len(got))
         for i, (value, more, *given) in enumerate(zip(
                 got.tolist(), rest.tolist(), *(x.tolist() for x in inputs), strict=True)):
             true = truth(name, given)
             error = abs(gmpy2.mpfr(value) + gmpy2.mpfr(more) - true) - gmpy2.mpfr(slack)
-            found[i] = gmpy2.log2(error / abs(true)) if error > 0 else -np.inf
-        return found
+            result[i] = gmpy2.log2(error / abs(true)) if error > 0 else -np.inf
+        return result
 
 
 def same(got: Array, want: Array) -> bool:
-    """Whether all bits agree, except the sign and the payload of NaN."""
+    """Returns whether all bits agree, except the sign and the payload of NaN."""
     kind = f"u{want.dtype.itemsize}"
     agree = (got.view(kind) == want.view(kind)) | (np.isnan(got) & np.isnan(want))
     return got.dtype == want.dtype and bool(agree.all())
@@ -166,9 +166,9 @@ def same(got: Array, want: Array) -> bool:
 def worst_cases(name: str, precision: Precision) -> list[Array]:
     """The committed worst cases of a function, an array for each argument."""
     rows = [line.split() for line in _CASES.read_text().splitlines() if not line.startswith("#")]
-    found = [[float.fromhex(x) for x in row[2:]] for row in rows
-             if row[:2] == [name, precision.name]]
-    return [np.array(column, precision.numpy_type) for column in zip(*found, strict=True)]
+    results = [[float.fromhex(x) for x in row[2:]] for row in rows
+               if row[:2] == [name, precision.name]]
+    return [np.array(column, precision.numpy_type) for column in zip(*results, strict=True)]
 
 
 def quotients(precision: Precision) -> tuple[np.ndarray, np.ndarray]:

@@ -343,7 +343,7 @@ class Sample:
         return array([self.scalar() for _ in range(n)])
 
     def rotation(self) -> Matrix:
-        """Of a quaternion of any norm."""
+        """The rotation of a quaternion of any norm."""
         return rotation_of(joined(self.vector(), [self._random.randint(1, 9)]))
 
     def quaternion(self) -> Matrix:
@@ -355,7 +355,7 @@ class Sample:
         return displacement(self.rotation(), self.vector())
 
     def sine_cosine(self) -> Matrix:
-        """Of the angle whose half has a rational tangent."""
+        """Sine and cosine of the angle whose half has this rational tangent."""
         h = self.scalar()
         return array([2 * h, 1 - h * h]) / (1 + h * h)
 
@@ -383,10 +383,10 @@ class Exact:
         exact = FunctionType(kernel.__code__.replace(co_consts=constants), kernel.__globals__)
 
         def on_arrays(*values: Matrix | Fraction) -> Result:
-            found = exact(*(tuple(x.ravel()) if isinstance(x, np.ndarray) and x.ndim else x
-                            for x in values))
-            found = iter(found if isinstance(found, tuple) else (found,))
-            results = tuple(array([next(found) for _ in range(a.quantity.size)])
+            result = exact(*(tuple(x.ravel()) if isinstance(x, np.ndarray) and x.ndim else x
+                             for x in values))
+            result = iter(result if isinstance(result, tuple) else (result,))
+            results = tuple(array([next(result) for _ in range(a.quantity.size)])
                             .reshape(a.quantity.shape)[()] for a in operation.outputs)
             return results if len(results) > 1 else results[0]
 

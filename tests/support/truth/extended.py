@@ -31,5 +31,5 @@ def evaluate(program: Program, precision: Precision, rows: np.ndarray) -> np.nda
     nowhere = np.full(len(rows), wide.type(np.nan))
     numbers: Arithmetic[np.ndarray] = by_operation(constant, _WIDE, nowhere)
     with np.errstate(all="ignore"):
-        found = evaluate_on(program, columns, numbers)
-    return np.stack(found, axis=1)
+        result = evaluate_on(program, columns, numbers)
+    return np.stack(result, axis=1)

@@ -1,9 +1,8 @@
-"""What `integrated` makes of a free joint, in MPFR, and states at which it is hard.
+"""Results of `integrated` for a free joint, in MPFR, and hard states.
 
     (p + R(q) J(w) v;  t/|t|),    t = q exp(w/2),    J(w) the left Jacobian
 
-where q need not have norm 1.
-"""
+where q need not have norm 1."""
 
 import math
 from collections.abc import Sequence
@@ -51,12 +50,12 @@ def angles(rng: np.random.Generator, number: int, kind: type[np.floating]) -> Ar
 
 
 def axes(rng: np.random.Generator, number: int) -> Array:
-    """Of length 1, a third of them next to the axes of coordinates or on them."""
+    """Axes of length 1, a third of them next to the coordinate axes or on them."""
     along = np.eye(3)[rng.integers(0, 3, number)]
     near = along + 10**rng.uniform(-20, 0, (number, 1)) * rng.normal(size=(number, 3))
     kind = rng.random((number, 1))
-    found = np.select([kind < 0.1, kind < 0.3], [along, near], rng.normal(size=(number, 3)))
-    return found / np.linalg.norm(found, axis=1)[:, None]
+    result = np.select([kind < 0.1, kind < 0.3], [along, near], rng.normal(size=(number, 3)))
+    return result / np.linalg.norm(result, axis=1)[:, None]
 
 
 def powers(rng: np.random.Generator, number: int, kind: type[np.floating]) -> Array:
@@ -85,11 +84,11 @@ def integrated(q: Sequence[float], phi: Sequence[float]) -> list[mpfr]:
                 *(factor * a for a in t)]
 
 
-def ratios(given: tuple[Array, Array], found: Array, bounds: Array) -> Array:
-    """Errors as parts of their bounds, rounded up, a component after the other; of those that have
-    one."""
+def ratios(given: tuple[Array, Array], got: Array, bounds: Array) -> Array:
+    """Errors as parts of their bounds, rounded up, one component after the other, without
+    components that have no bound."""
     errors = []
-    for q, phi, results, limits in zip(*(x.tolist() for x in (*given, found, bounds)), strict=True):
+    for q, phi, results, limits in zip(*(x.tolist() for x in (*given, got, bounds)), strict=True):
         true = integrated(q, phi) if any(map(math.isfinite, limits)) else ()
         errors += [ratio(*x) for x in zip(results, limits, true, strict=False)
                    if math.isfinite(x[1])]

@@ -101,13 +101,13 @@ def ratio(operation: Operation, precision: Precision, tier: str, given: Sequence
         expected = truth(operation, precision, tuple(given))
     except ZeroDivisionError:
         return 0.0  # there is no bound for division by zero
-    found = _normwise(operation, precision, tier, given, got, expected)
-    if found > 1:
+    result = _normwise(operation, precision, tier, given, got, expected)
+    if result > 1:
         near = 32 + DEFECT * _defect_in_u(operation, precision, given)
         other = other_way(operation, given, near * float(UNIT[precision.name]))
         if other is not None:
-            found = min(found, _normwise(operation, precision, tier, given, got, other))
-    return found
+            result = min(result, _normwise(operation, precision, tier, given, got, other))
+    return result
 
 
 def _polynomial(operation: Operation, precision: Precision, tier: str, given: Sequence[float],
@@ -158,7 +158,8 @@ def in_bounds(operation: Operation, precision: Precision, given: Sequence[float]
 
 
 def _is_other_sign(x: mp.mpf, y: float) -> bool:
-    """Whether these are π and -π: the sign of a zero says which, and exact zeros have none."""
+    """Returns whether these are π and -π: the sign of a zero says which, and exact zeros have none.
+    """
     return bool(abs(abs(x) - mp.pi) < 1e-6 and abs(x + y) < 1e-6)
 
 
@@ -201,5 +202,5 @@ def _normwise(operation: Operation, precision: Precision, tier: str, given: Sequ
 
 def _defect_in_u(operation: Operation, precision: Precision, given: Sequence[float],
                  free: float = FREE) -> float:
-    """The defect of rotations and unit vectors among the inputs, beyond what is free."""
+    """The defect of rotations and unit vectors among the inputs, beyond the allowed one."""
     return max(0.0, defect(operation, given) / float(UNIT[precision.name]) - free)

@@ -16,7 +16,8 @@ import numpy as np
 from sympy import QQ
 from sympy.polys.rings import PolyElement, PolyRing, ring
 
-from coscrew_codegen.scene.mechanism.model import Body, Joint, Kind, Model, value
+from coscrew_codegen.scene.mechanism.model import Body, Joint, Model, value
+from tests.support.scenes.kinds import Kind
 from tests.support.truth.exact import array, eye, rotation_of, skew, zeros
 
 Matrix = np.ndarray  # of polynomials or Fractions
@@ -88,11 +89,11 @@ class Motion:
     def poses(self) -> dict[str, tuple[Matrix, Matrix]]:
         """R and t of each body in the world, as polynomials in x."""
         one = self._ring.one
-        found = {"world": (_polynomials(one, eye(3)), _polynomials(one, array([Fraction(0)] * 3)))}
+        got = {"world": (_polynomials(one, eye(3)), _polynomials(one, array([Fraction(0)] * 3)))}
         for joint in self.model.joints:
-            (R, t), (own_R, own_t) = found[joint.parent], self._moved(joint)
-            found[joint.child] = R @ own_R, t + R @ own_t
-        return {body.name: found[body.name] for body in self.model.bodies}
+            (R, t), (own_R, own_t) = got[joint.parent], self._moved(joint)
+            got[joint.child] = R @ own_R, t + R @ own_t
+        return {body.name: got[body.name] for body in self.model.bodies}
 
     def _bodies(self) -> Iterator[tuple[Body, PolyElement, Matrix, Matrix, Matrix]]:
         """Each body with its mass, second moments Σ about the centre, R, centre."""
@@ -129,9 +130,9 @@ class Motion:
 
     def at(self, p: PolyElement) -> Fraction:
         """The value at the point: x = 0, w = v."""
-        found = p.evaluate([(x, 0) for x in self.x] + [
+        result = p.evaluate([(x, 0) for x in self.x] + [
             (w, _rational(v)) for w, v in zip(self.w, self.v, strict=True)])
-        return Fraction(int(found.numerator), int(found.denominator))
+        return Fraction(int(result.numerator), int(result.denominator))
 
     def mass_matrix(self) -> list[list[Fraction]]:
         """∂²L/∂w∂w."""
@@ -139,12 +140,12 @@ class Motion:
 
     def torques(self) -> list[Fraction]:
         """d/dt ∂L/∂w - ∂L/∂x."""
-        L, found = self.kinetic - self.potential, []
+        L, result = self.kinetic - self.potential, []
         for x, w in zip(self.x, self.w, strict=True):
             p = L.diff(w)
             rates = zip((*self.w, *self.x), (*self.a, *self.v), strict=True)
-            found.append(sum(self.at(p.diff(y)) * rate for y, rate in rates) - self.at(L.diff(x)))
-        return found
+            result.append(sum(self.at(p.diff(y)) * rate for y, rate in rates) - self.at(L.diff(x)))
+        return result
 
     def values(self, X: Matrix) -> Matrix:
         """X at the point."""
@@ -209,17 +210,17 @@ def _polynomials(one: PolyElement, X: Matrix) -> Matrix:
 
 
 def _each(X: Matrix, f: Callable[..., object]) -> Matrix:
-    found = np.empty(X.shape, dtype=object)
+    result = np.empty(X.shape, dtype=object)
     for index in np.ndindex(X.shape):
-        found[index] = f(X[index])
-    return found
+        result[index] = f(X[index])
+    return result
 
 
 def virtual_work(model: Model, circle: Circle, g: Sequence[Fraction], q: Sequence[Fraction],
                  v: Sequence[Fraction], a: Sequence[Fraction]) -> list[Fraction]:
     """τ_k = Σ m (p'' - g)·∂p/∂δ_k + ∫ ∂r/∂δ_k · r'' dm: every joint's motion is a matrix E(t) with
     E' = E W, E'' = E (W W + W'), its virtual displacements E W_k; all else is the product rule."""
-    found = np.array([Fraction(0)] * len(v), dtype=object)
+    result = np.array([Fraction(0)] * len(v), dtype=object)
     weight = _homogeneous(zeros(3, 3), array(list(g)), Fraction(0))
     X, first, second = eye(4), zeros(4, 4), zeros(4, 4)
     variations: list[tuple[int, Matrix]] = []
@@ -233,8 +234,8 @@ def virtual_work(model: Model, circle: Circle, g: Sequence[Fraction], q: Sequenc
         variations = [(k, Y @ D) for k, Y in variations]
         variations += [(nv + k, X @ screw) for k, screw in enumerate(screws)]
         for k, Y in variations:
-            found[k] += np.trace(Y @ _pseudo_inertia(body) @ (second - weight).T)
-    return list(found)
+            result[k] += np.trace(Y @ _pseudo_inertia(body) @ (second - weight).T)
+    return list(result)
 
 
 def _places(model: Model) -> list[tuple[int, int]]:

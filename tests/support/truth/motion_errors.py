@@ -39,18 +39,18 @@ def unit(precision: Precision) -> mp.mpf:
     return mp.mpf(float(np.finfo(precision.numpy_type).eps)) / 2
 
 
-def errors(operation: Operation, given: list[Objects], found: list[Objects],
+def errors(operation: Operation, given: list[Objects], results: list[Objects],
            truths: list[list[Objects]]) -> dict[str, mp.mpf]:
-    """For each part with a bound, the largest error relative to its largest component, or to the
+    """The largest error of each part with a bound, relative to its largest component, or to the
     parts of inputs named in the bound; for the closest of the alternatives."""
-    return min((_errors(operation, given, found, truth) for truth in truths),
+    return min((_errors(operation, given, results, truth) for truth in truths),
                key=lambda parts: max(parts.values()))
 
 
-def _errors(operation: Operation, given: list[Objects], found: list[Objects],
+def _errors(operation: Operation, given: list[Objects], results: list[Objects],
             truth: list[Objects]) -> dict[str, mp.mpf]:
     result, bounds = {}, {bound.part: bound for bound in operation.normwise}
-    for output, x, t in zip(operation.outputs, found, truth, strict=True):
+    for output, x, t in zip(operation.outputs, results, truth, strict=True):
         for part in output.quantity.parts:
             whole = part.name not in bounds
             inside = ... if whole else np.ix_(part.rows, part.columns)

@@ -214,7 +214,7 @@ OTHERS: dict[str, tuple[Callable[..., mp.mpf], Callable[..., Truth]]] = {
     "SE3_log": (lambda s: norm(s[3:6]), _screw_the_long_way),
     "quaternion_from_mat3x3": (lambda q: 2 * mp.acos(q[3]), lambda q: -q),
     **dict.fromkeys(("axis_angle_from_quaternion", "axis_angle_from_mat3x3"),
-                    (lambda found: found[0], lambda found: (2 * mp.pi - found[0], -found[1]))),
+                    (lambda pair: pair[0], lambda pair: (2 * mp.pi - pair[0], -pair[1]))),
 }
 """The angle of a truth; the other truth if that angle is π."""
 

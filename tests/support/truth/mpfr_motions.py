@@ -19,10 +19,10 @@ Matrix = Sequence[Vector]
 ZERO, ONE = mpfr(0), mpfr(1)
 
 
-def ratio(found: float, bound: float, true: mpfr) -> float:
+def ratio(result: float, bound: float, true: mpfr) -> float:
     """The error as a part of its bound, rounded up."""
     with gmpy2.context(precision=BITS, round=gmpy2.RoundUp):
-        error = abs(mpfr(found) - true)
+        error = abs(mpfr(result) - true)
         return float(error / mpfr(bound)) if bound else math.inf if error else 0.0
 
 

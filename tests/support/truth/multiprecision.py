@@ -58,7 +58,7 @@ class Rules:
 
     @cached_property
     def arithmetic(self) -> gmpy2.context:
-        """Of operations that may be rounded."""
+        """The arithmetic of operations that may be rounded."""
         return _NARROW[self.precision] if self.rounds else WIDE
 
     @cached_property
@@ -184,7 +184,7 @@ _SYMPY: dict[type[sp.Basic], Callable[..., Number | bool]] = {
 
 
 def can_evaluate(expression: sp.Expr) -> bool:
-    """Whether the expression contains none of the special functions of formulas."""
+    """Returns whether the expression contains none of the special functions of formulas."""
     return {type(f) for f in expression.atoms(sp.Function)} <= {*_SYMPY, sp.Piecewise}
 
 
@@ -246,10 +246,10 @@ class Evaluator:
 
     def number(self, x: sp.Basic) -> Number:
         """The value of an expression that is a number."""
-        found = self(x)
-        if isinstance(found, bool):
+        result = self(x)
+        if isinstance(result, bool):
             raise TypeError(f"{x} is a condition")
-        return found
+        return result
 
     def _by_type(self, x: sp.Basic, values: list[Number | bool]) -> Number | bool:
         kind = type(x)

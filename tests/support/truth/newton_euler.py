@@ -1,9 +1,8 @@
 """Inverse dynamics of a model under gravity, to any number of digits, by Newton's and Euler's laws.
 
-All in the world's frame, body by body: what a body's motion takes is summed over all bodies that a
-joint carries.  Shares nothing with the generator but the model.  Joints have one coordinate or are
-fixed.
-"""
+All in the world's frame, body by body: the forces of the bodies' motions are summed over all bodies
+that a joint carries.  Shares nothing with the generator but the model.  Joints have one coordinate
+or are fixed."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -13,7 +12,9 @@ from typing import Any, TypeAlias
 import mpmath
 from mpmath import matrix, mpf
 
-from coscrew_codegen.scene.mechanism.model import WORLD, Inertia, Kind, Model, value
+from coscrew_codegen.scene.mechanism.joint_kind import JointKind
+from coscrew_codegen.scene.mechanism.model import WORLD, Inertia, Model, value
+from tests.support.scenes.kinds import Kind
 
 Vector: TypeAlias = Any  # mpmath has no types
 
@@ -43,7 +44,7 @@ def _about(n: Vector, angle: mpf) -> Vector:
 
 @dataclass(frozen=True)
 class _Motion:
-    """Of a body's frame: rotation, origin, angular velocity and acceleration, the origin's
+    """Motion of a body's frame: rotation, origin, angular velocity and acceleration, the origin's
     acceleration less gravity's."""
 
     R: Vector
@@ -69,7 +70,7 @@ def inverse_dynamics(model: Model, gravity: Sequence[Fraction], q: Sequence[mpf]
     """τ of each joint that moves, in the order of the model, from q, v and a in that order."""
     still = matrix([0, 0, 0])
     motions = {WORLD: _Motion(mpmath.eye(3), still, still, still, -_vector(gravity))}
-    axes: dict[str, tuple[Vector, Vector, Kind]] = {}  # by the joint's child
+    axes: dict[str, tuple[Vector, Vector, JointKind]] = {}  # by the joint's child
     state = iter(zip(q, v, a, strict=True))
     for joint in model.joints:
         parent = motions[joint.parent]
@@ -103,6 +104,6 @@ def inverse_dynamics(model: Model, gravity: Sequence[Fraction], q: Sequence[mpf]
             for x in model.joints if x.kind is not Kind.FIXED]
 
 
-def _torque(n: Vector, p: Vector, kind: Kind, force: Vector, moment: Vector) -> mpf:
+def _torque(n: Vector, p: Vector, kind: JointKind, force: Vector, moment: Vector) -> mpf:
     """Along the axis, at the joint's origin."""
     return _dot(n, moment - _cross(p, force)) if kind is Kind.REVOLUTE else _dot(n, force)

@@ -79,9 +79,9 @@ def judge(program: Program, folder: Path) -> Judge:
     call = ctypes.CDLL(str(path.with_suffix(".so"))).judge
     call.argtypes = [ctypes.c_ssize_t, *[ctypes.c_void_p] * 4]
 
-    def judged(given: NDArray[np.float64], found: NDArray[np.float64], bound: NDArray[np.float64]
+    def judged(given: NDArray[np.float64], results: NDArray[np.float64], bound: NDArray[np.float64]
                ) -> NDArray[np.float64]:
-        arrays = [np.ascontiguousarray(x, float) for x in (given, found, bound)]
+        arrays = [np.ascontiguousarray(x, float) for x in (given, results, bound)]
         ratios = np.empty(arrays[1].shape)
         call(len(given), *(x.ctypes.data for x in (*arrays, ratios)))
         return ratios

@@ -13,9 +13,10 @@ import mpmath
 import numpy as np
 from mpmath import mpf
 
-from coscrew_codegen.scene.mechanism.model import WORLD, Body, Joint, Kind, Model, Placement
+from coscrew_codegen.scene.mechanism.model import WORLD, Body, Joint, Model, Placement
 from coscrew_codegen.scene.scene import Scene
 from tests.support.scenes import mechanisms as m
+from tests.support.scenes.kinds import Kind
 from tests.support.truth.newton_euler import inverse_dynamics
 
 Numbers: TypeAlias = list[Any]  # mpmath has no types
@@ -29,21 +30,21 @@ ABSENT = dict.fromkeys(("k", "q0", "d", "tau_c", "rotor"), Fraction(0)) | {
 
 @dataclass(frozen=True)
 class Robot:
-    """A scene, and what acts at each of its joints that move."""
+    """A scene, and the effects at each of its joints that move."""
 
     scene: Scene
     acting: tuple[dict[str, Fraction], ...]
 
     def inverse(self, q: Numbers, v: Numbers, a: Numbers,
                 gravity: Sequence[Fraction] = GRAVITY) -> Numbers:
-        """What the joints must supply besides their springs, dampers and friction."""
+        """The torques that the joints must supply besides their springs, dampers and friction."""
         tau = inverse_dynamics(self.scene.model, gravity, q, v, a)
         return [x + _against(given, *state) for x, given, *state in zip(
             tau, self.acting, q, v, a, strict=True)]
 
     def mass_matrix(self, q: Numbers) -> Any:
-        """Its columns are the torques of unit accelerations at rest, less those at rest; what is
-        left of an entry that cancels is zero."""
+        """Its columns are the torques of unit accelerations at rest, less those at rest; an entry
+        that cancels to rounding is zero."""
         n, least = len(q), mpf(10)**(20 - mpmath.mp.dps)
         still = [mpf(0)] * n
         rest = self.inverse(q, still, still)
@@ -98,7 +99,7 @@ def robot(number: int) -> Robot:
 
 
 def _effects(draw: np.random.Generator) -> dict[str, Fraction]:
-    """The parameters of each effect, half of which a joint has."""
+    """The parameters of each effect; a joint has half of the effects."""
     chosen: dict[str, Fraction] = {}
     for names in (("k", "q0"), ("d",), ("tau_c", "eps"), ("rotor", "gear")):
         if draw.integers(2):
@@ -107,13 +108,13 @@ def _effects(draw: np.random.Generator) -> dict[str, Fraction]:
 
 
 def _applied(joint: str, given: dict[str, Fraction]) -> list[Any]:
-    found = []
+    results = []
     for name, marking, words in (("spring", "k", ("k", "q0")), ("viscous", "d", ("d",)),
                                  ("coulomb", "tau_c", ("tau_c", "eps")),
                                  ("armature", "rotor", ("rotor", "gear"))):
         if given[marking]:
-            found.append(m.applied(name, joint, **{x: given[x] for x in words}))
-    return found
+            results.append(m.applied(name, joint, **{x: given[x] for x in words}))
+    return results
 
 
 def _decimal(draw: np.random.Generator, least: int, most: int) -> Fraction:
@@ -129,7 +130,7 @@ def _axis(draw: np.random.Generator) -> tuple[Fraction, ...]:
 
 
 def _rotation(draw: np.random.Generator) -> tuple[Fraction, ...]:
-    """Of a quaternion of small integers: its matrix is rational."""
+    """The rotation of a quaternion of small integers, whose matrix is rational."""
     x, y, z, w = (Fraction(int(n)) for n in (*draw.integers(-3, 4, 3), draw.integers(1, 5)))
     s = 2 / (x * x + y * y + z * z + w * w)
     return (1 - s * (y * y + z * z), s * (x * y - z * w), s * (x * z + y * w),

@@ -1,9 +1,8 @@
 """A scene's accurate C in which a run-time switch flips any one sign, compiled once.
 
 `x - y` reads `x - sign_of[k] * y`, with sign_of[k] 1 or -1: the product is exact, so that all other
-bits stay.  What the last sum hi + lo of each result rounds off is kept in `rest_of`: together they
-show errors of second order, which the rounded result hides.
-"""
+bits stay.  The rounding error of the last sum hi + lo of each result is kept in `rest_of`: together
+they show errors of second order, which the rounded result hides."""
 
 import ctypes
 import re
@@ -74,8 +73,9 @@ class Mutants:
 
 
 def less_their_errors(text: str) -> list[str]:
-    """Where a value's error is subtracted from it: x_lo is what x lacks (x_1 and x_lo_2 of x)."""
-    return [found[0] for found in re.finditer(r"([\w>.-]*?\w)(?:_\d+)? - \1_lo\w*", text)]
+    """Places where a value's error is subtracted from it: x_lo is the error of x (x_1 and x_lo_2 of
+    x)."""
+    return [result[0] for result in re.finditer(r"([\w>.-]*?\w)(?:_\d+)? - \1_lo\w*", text)]
 
 
 def _last(text: str) -> str:
@@ -89,13 +89,14 @@ def _first(text: str) -> str:
 
 
 def mutants(folder: Path, files: dict[str, str], stem: str, function: str, size: int) -> Mutants:
-    """Of a function from three rows of `size` numbers to one, `function` in `stem`.c."""
+    """The mutants of a function from three rows of `size` numbers to one, `function` in `stem`.c.
+    """
     text, lines = files[f"{stem}.c"], list[str]()
     first = text.index(f"struct {function.replace('_accurate', '')}_values_accurate {{")
     last = text.index("\n}\n", text.index(f"void {function}(")) + 3
 
-    def statement(found: re.Match[str]) -> str:
-        left, equals, right = found[0].partition("=")
+    def statement(results: re.Match[str]) -> str:
+        left, equals, right = results[0].partition("=")
 
         def sign(one: re.Match[str]) -> str:
             before, after = right[:one.start()], right[one.end():]
@@ -112,7 +113,7 @@ def mutants(folder: Path, files: dict[str, str], stem: str, function: str, size:
         (folder / name).write_text(other)
     (folder / "mutants.c").write_text("\n".join((
         f"static double sign_of[{len(lines)}], rest_of[{size}];", text[:first],
-        _with_rests(changed), "#endif",
+        _with_rests(changed),
         LOOP.replace("SIZE", str(size)).replace("FUNCTION", function),
         f"void start(void) {{ for (int k = 0; k < {len(lines)}; k++) {{ sign_of[k] = 1.0; }} }}")))
     run(("gcc", "-std=gnu11", "-O1", *FMA, EXACT, "-fPIC", "-shared", "-I", folder,
@@ -128,16 +129,16 @@ def _with_rests(text: str) -> str:
 
     A result's sum may have its sign flipped: its operands are read off the text, that not."""
     def matched(pattern: str) -> re.Match[str]:
-        found = re.search(pattern, text)
-        assert found, pattern
-        return found
+        match = re.search(pattern, text)
+        assert match, pattern
+        return match
 
     for place, result in enumerate(re.findall(r"^  \w+->(\w+_final) = \1;", text, re.M)):
         total = matched(rf"\b{result} = (?:\w+->)?(\w+) == ")[1]
-        found = matched(rf"(?<![>\w]){total} = (\S+) \+(?: sign_of\[\d+\] \*)? "
+        match = matched(rf"(?<![>\w]){total} = (\S+) \+(?: sign_of\[\d+\] \*)? "
                         r"(\([^()]*\)|[^\s,;]+)[^;]*;")
-        a, b = found.groups()
+        a, b = match.groups()
         right = f"({total} - {a})"
-        text = f"{text[:found.end()]}\n  rest_of[{place}] = " \
-               f"{a} - ({total} - {right}) + ({b} - {right});{text[found.end():]}"
+        text = f"{text[:match.end()]}\n  rest_of[{place}] = " \
+               f"{a} - ({total} - {right}) + ({b} - {right});{text[match.end():]}"
     return text

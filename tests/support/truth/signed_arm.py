@@ -14,9 +14,9 @@ from coscrew_codegen.backends.output_files import scene_files
 from coscrew_codegen.dynamics import derive
 from coscrew_codegen.program.scene_functions import FunctionProgram, SceneFunctions
 from coscrew_codegen.program.values.formats import DOUBLE
-from coscrew_codegen.scene.mechanism.model import Kind
 from coscrew_codegen.scene.scene import Scene
 from tests.support.scenes import mechanisms as m
+from tests.support.scenes.kinds import Kind
 from tests.support.scenes.tiers import components, states, truths
 from tests.support.truth.condition import conditions
 from tests.support.truth.sign_mutants import mutants
@@ -27,7 +27,7 @@ MOST = 0.5 + 1e-5  # units of the last digit
 
 @dataclass(frozen=True)
 class Judged:
-    """A function's text and what it must return."""
+    """A function's text and its expected results."""
 
     text: str
     name: str
@@ -39,14 +39,14 @@ class Judged:
     condition: np.ndarray
 
     @property
-    def told(self) -> np.ndarray:
-        """Whether the condition allows a judgement."""
+    def counted(self) -> np.ndarray:
+        """True if the condition allows a judgement."""
         return self.condition < LARGEST
 
 
 @dataclass(frozen=True)
 class Links:
-    """What all links of an arm have in common.
+    """Common data of all links of an arm.
 
     The numbers, and those of the inertia about the joint, are in double odd multiples of their last
     digit, so that a sum in another order than Two-Sum's is not exact by chance."""
@@ -103,23 +103,23 @@ def judge(derived: SceneFunctions, function: FunctionProgram, count: int, head: 
 
 def unnoticed(name: str, count: int, folder: Path, arms: Sequence[Links] = ARMS
               ) -> tuple[int, list[str]]:
-    """How many signs the C of a function has, and those that can be flipped unnoticed at this many
-    states of any of the arms, besides those that change nothing."""
+    """The number of signs in the C of a function, and the signs that can be flipped unnoticed at
+    this many states of any of the arms, besides signs that change nothing."""
     (lines, missed), *others = (_unnoticed(arm, name, count, folder) for arm in arms)
-    noticed = {place for found, unseen in others
-               for place in {*map(_place, found)} - {*map(_place, unseen)}}
+    noticed = {place for result, unseen in others
+               for place in {*map(_place, result)} - {*map(_place, unseen)}}
     return len(lines), [x for x in missed if _place(x) not in noticed
                         and not any(same in x for same in SAME)]
 
 
 def _place(line: str) -> str:
-    """What is the same in the texts of all arms."""
+    """The part of a place that is common to the texts of all arms."""
     return re.sub(r"-?\b\d+\.\d+(e-?\d+)?|_\d+\b", "", line)
 
 
 def _unnoticed(arm: Links, name: str, count: int, folder: Path
                ) -> tuple[tuple[str, ...], list[str]]:
-    """The signs of a function's C, and those that are not noticed.
+    """The signs of a function's C, and the unnoticed ones.
 
     One is noticed if a result errs by more than MOST, or hi + lo, in which errors of second order
     show, by more than twice what it errs as it is, per condition."""
@@ -127,8 +127,8 @@ def _unnoticed(arm: Links, name: str, count: int, folder: Path
     judged = judge(derived, next(f for f in derived.functions if f.name == name), count)
     made = mutants(folder / arm.mass, scene_files(derived), "signed_arm_accurate",
                    f"signed_arm_{name}_accurate", judged.high.shape[1])
-    high, low = (np.where(judged.told, x, 0) for x in (judged.high, judged.low))
-    unit = np.where(judged.told, judged.unit, np.inf)
+    high, low = (np.where(judged.counted, x, 0) for x in (judged.high, judged.low))
+    unit = np.where(judged.counted, judged.unit, np.inf)
     truth = high, low, unit, unit * judged.condition * 2.0**-53
     (rounded, whole), = made.worst([-1], judged.given, truth, (np.inf, np.inf))
     assert rounded <= MOST

@@ -23,7 +23,7 @@ WRONG = 250
 
 @dataclass(frozen=True)
 class Toy(Format):
-    """A format with what a tier asks of a precision."""
+    """A format with the members of a precision that tiers use."""
 
     def value(self, constant: Constant) -> Fraction:
         """Its value, not yet rounded."""
@@ -43,7 +43,7 @@ def rounded(x: Array, toy: Format) -> Array:
 
 
 def arithmetic(toy: Toy) -> Arithmetic[Any]:
-    """Every operation rounded once; functions and what they err by, too."""
+    """Every operation rounded once, functions and their error functions, too."""
     def once(function: Callable[..., Any]) -> Callable[..., Any]:
         return lambda *operands: rounded(function(*operands), toy)
 
@@ -96,8 +96,8 @@ def judge(plain: Program, certified: Program, toy: Toy) -> Callable[[Array], Jud
             return np.stack([np.broadcast_to(x, len(rows)) for x in run(given)])
 
         with np.errstate(all="ignore"):
-            expected, found = (table(run, np.float64) for run in runs)
-            results, bounds = found[:count], found[count:]
+            expected, result = (table(run, np.float64) for run in runs)
+            results, bounds = result[:count], result[count:]
             errors = np.abs(table(true, np.longdouble) - results)
             stated = np.isfinite(bounds) & np.isfinite(errors)
             ratios = np.where(errors == 0, 0, errors / bounds)
@@ -116,10 +116,10 @@ def climbs(judged: Callable[[Array], Judged], width: int, toy: Toy, seed: int, r
         fresh = _drawn(rng, width, toy)
         children = _changed(rng, parents, toy) if len(parents) else fresh[:0]
         rows = np.concatenate([fresh, children])
-        found = judged(rows)
-        yield found
+        result = judged(rows)
+        yield result
         pool = np.concatenate([parents, rows])
-        marks = np.concatenate([fitness, np.nan_to_num(found.ratios).max(axis=0, initial=0)])
+        marks = np.concatenate([fitness, np.nan_to_num(result.ratios).max(axis=0, initial=0)])
         kept = np.argsort(-marks, kind="stable")[:KEPT]
         parents, fitness = pool[kept], marks[kept]
 

@@ -92,7 +92,7 @@ def of_formula(operation: Operation, given: Sequence[mpfr]) -> list[mpfr]:
 
 
 def by_formula(operation: Operation, given: Sequence[mp.mpf]) -> Components:
-    """The same in 60 digits."""
+    """The truth by the formula, in 60 digits."""
     with precise(DIGITS):
         return list(map(to_mpf, of_formula(operation, list(map(to_mpfr, given)))))
 

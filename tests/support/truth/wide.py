@@ -54,21 +54,21 @@ class Enclosed:
 def enclosed(program: Program, precision: Precision, rows: np.ndarray) -> Enclosed:
     """The exact results of a polynomial program for rows of all input components."""
     columns = rows.astype(WIDE).T
-    found = _evaluated(program, precision, columns)
+    result = _evaluated(program, precision, columns)
     bounds = _bounds(program)
     sizes, unit = np.abs(columns), WIDE(_UNIT[precision.name])
     terms = np.stack([_sum(program, bound.terms, sizes) for bound in bounds], axis=1)
     factors = np.array([float(bound.c1) + 1 if bound.rounded else 0 for bound in bounds], WIDE)
-    hi = np.stack([np.broadcast_to(x.hi, len(rows)) for x in found], axis=1)
-    lo = np.stack([np.broadcast_to(WIDE(0) if x.lo is None else x.lo, len(rows)) for x in found],
+    hi = np.stack([np.broadcast_to(x.hi, len(rows)) for x in result], axis=1)
+    lo = np.stack([np.broadcast_to(WIDE(0) if x.lo is None else x.lo, len(rows)) for x in result],
                   axis=1)
     return Enclosed(hi, lo, factors * unit * terms * WIDE(1 + 2.0**-40), terms)
 
 
 def _bounds(program: Program) -> tuple[Bound, ...]:
-    found = bounds_of(program)
-    assert found, "only polynomial programs have bounds"
-    return found
+    result = bounds_of(program)
+    assert result, "only polynomial programs have bounds"
+    return result
 
 
 def _evaluated(program: Program, precision: Precision, columns: np.ndarray) -> list[Wide]:

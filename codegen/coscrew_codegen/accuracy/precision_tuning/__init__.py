@@ -1,2 +1,2 @@
-"""Choice of the instructions of a function that are carried in pairs, for an accuracy that is asked
-for."""
+"""Precision tuning: chooses the instructions of a function that are carried in pairs, for a
+requested accuracy."""

@@ -27,7 +27,7 @@ _SPLITTER = 2.0**27 + 1
 
 
 class ArrayEvaluation:
-    """The numbers of a precision; also what partial derivatives need."""
+    """Arithmetic of a precision, with the functions that partial derivatives need."""
 
     def __init__(self, precision: Precision) -> None:
         self.precision, self._type = precision, getattr(np, precision.numpy_type)
@@ -99,7 +99,7 @@ def _both(name: str, precision: Precision) -> Callable[..., Sequence[Array]]:
     reduced = interpreter(function.near(precision), arrays(precision).arithmetic)
     limit, number = function.limit(precision), getattr(np, precision.numpy_type)
 
-    last: tuple[Array, Sequence[Array]] | None = None  # sine and cosine are asked for in turn
+    last: tuple[Array, Sequence[Array]] | None = None  # for the cosine after the sine
 
     def run(x: Array, *more: Array) -> Sequence[Array]:
         nonlocal last
@@ -119,18 +119,18 @@ def _in_double(a: Array, b: Array, c: Array) -> Array:
 
 
 def _by_halves(a: Array, b: Array, c: Array) -> Array:
-    """a b - c where that is exact; rounded once where halves may not be, by fractions.  Source:
-    Dekker, TwoProduct."""
+    """a b - c by halves where that is exact, and else by fractions, rounded once.  Source: Dekker,
+    TwoProduct."""
     p = a * b
     rest, (a_high, a_low), (b_high, b_low) = p - c, _halves(a), _halves(b)
     error = ((a_high * b_high - p) + a_high * b_low + a_low * b_high) + a_low * b_low
     size = np.absolute(p)
     exact = (size > 2.0**-960) & (size < 2.0**960) | (a == 0) | (b == 0)
-    found = np.where(error == 0, rest, rest + error)
+    result = np.where(error == 0, rest, rest + error)
     other = ~exact & np.isfinite(p) & np.isfinite(c)
-    found[other] = [float(Fraction(x) * Fraction(y) - Fraction(z)) for x, y, z in zip(
+    result[other] = [float(Fraction(x) * Fraction(y) - Fraction(z)) for x, y, z in zip(
         *(np.broadcast_to(each, other.shape)[other].tolist() for each in (a, b, c)), strict=True)]
-    return np.where(exact | other, found, np.nan)
+    return np.where(exact | other, result, np.nan)
 
 
 def _halves(a: Array) -> tuple[Array, Array]:

@@ -1,16 +1,15 @@
-"""Chooses a mixture of single precision and pairs whose results are as accurate as asked.
+"""Chooses a mixture of single precision and pairs whose results reach a requested accuracy.
 
-What is carried in pairs follows from a threshold: instructions whose rounding moves a result by
-more than it, to first order; the more an instruction costs in pairs, the larger its threshold, by
-some power of the cost.  For each of a few powers, the largest threshold is searched at which the
-certified bounds of the results' errors are within what is asked, with a margin, at the states where
-single precision errs most, of those drawn and those that a search finds; the cheapest mixture is
-taken.  Then other states are drawn, and others searched where this mixture errs most; while the
-bounds do not hold there, the worst join the sample and the margin grows.
+Instructions whose rounding moves a result by more than a threshold, to first order, are carried in
+pairs; the threshold of an instruction grows with some power of its cost in pairs.  For each of a
+few powers, the largest threshold is searched at which the certified bounds of the results' errors
+are within the request, with a margin, at the states where single precision errs most among random
+states and those of a search; the cheapest mixture is taken.  Then new states are drawn, and
+searched where this mixture errs most.  As long as the bounds exceed the request there, the worst
+states join the sample and the margin grows.
 
 The bounds are those of the certified tier, |x̂ - w| + B with w of double precision, for the x̂ of
-the mixture: they hold at their states, whatever the mixture is.
-"""
+the mixture: they hold at their states for any mixture."""
 
 from dataclasses import dataclass
 from functools import cache
@@ -34,26 +33,28 @@ from coscrew_codegen.program.values.formats import SINGLE
 from coscrew_codegen.program.whole_cost import whole_counts
 
 DRAWN, SEARCHED = 20_000, 4000
-"""States; of the first, those where single precision errs most are searched with."""
-_LEAST = 0.01  # of this room; below it, all is in pairs
+"""Numbers of states; the search uses those of the first where single precision errs most."""
+_LEAST = 0.01  # least part of this budget; below it, everything is in pairs
 SEARCHES = 3
-"""Which find no state where the bounds of the mixture do not hold."""
+"""Number of searches that must find no state where the mixture's bounds exceed the request."""
 ROOM = 0.97
-"""How much of what pairs leave of the accuracy may be used at the sampled states, at first."""
-_RANKED, _WORST = 64, 16  # states where sensitivities are computed: drawn; the worst of a result
+"""Initial fraction of the error budget left by all-pairs evaluation that mixtures may use at the
+sampled states."""
+_RANKED, _WORST = 64, 16  # states for sensitivities: random ones; the worst of each result
 _MORE = {Op.ADD: 7, Op.SUB: 7, Op.MUL: 5, Op.DIV: 12, Op.SQRT: 12}
 _FUNCTION = 120
-"""Operations that instructions take more in pairs, about; elementary functions."""
-_POWERS = (0, 1, 2, 3)  # of the root of the cost; later that which was cheapest at first
+"""Approximate numbers of additional operations in pairs: of instructions; of elementary functions.
+"""
+_POWERS = (0, 1, 2, 3)  # powers of the cost; later the one that was cheapest at first
 
 
 class AccuracyError(ReportedError, ValueError):
-    """An accuracy that is asked for and cannot be had."""
+    """A requested accuracy cannot be reached."""
 
 
 @dataclass(frozen=True)
 class PrecisionChoice:
-    """A function's program in the mixed tier, and what is known of it."""
+    """A function's program in the mixed tier, with its bounds and costs."""
 
     program: Program
     pairs: Program  # all in pairs, for comparison
@@ -63,8 +64,8 @@ class PrecisionChoice:
 
 @cache
 def chosen(program: Program, accuracy: Accuracy) -> PrecisionChoice:
-    """The mixture for a plain program, by the formulas for twice the digits.  Raises AccuracyError
-    if not even pairs are as accurate."""
+    """Chooses the mixture for a plain program, with the formulas for twice the digits.  Raises
+    AccuracyError if not even pairs reach the accuracy."""
     return _Search(program.fine or program, accuracy).choice()
 
 
@@ -78,7 +79,8 @@ class _Search:
         self.powers: tuple[int, ...] = _POWERS
 
     def choice(self) -> PrecisionChoice:
-        """Draws and searches other states until the bounds hold there and at the first ones."""
+        """Chooses mixtures, and draws and searches new states, until the bounds are met there and
+        at the first states."""
         first = self.states.drawn(DRAWN)
         units = self._units(self.program, first)
         self._rank(first.at(np.arange(_RANKED)))
@@ -89,57 +91,58 @@ class _Search:
         room = ROOM
         while True:
             mixture = self._cheapest(room) if room > _LEAST else self._mixture(-1, 0)
-            found = mixed(self.program, mixture) if room > _LEAST else self.pairs
-            others = self._others(found)
-            if self._units(found, others).max() <= 1:
-                worst = self.sample.joined(first).joined(others).certified(found).max(axis=1)
-                return PrecisionChoice(found, self.pairs, len(mixture.paired),
+            result = mixed(self.program, mixture) if room > _LEAST else self.pairs
+            others = self._others(result)
+            if self._units(result, others).max() <= 1:
+                worst = self.sample.joined(first).joined(others).certified(result).max(axis=1)
+                return PrecisionChoice(result, self.pairs, len(mixture.paired),
                                        tuple(worst.tolist()))
-            self._add(others.at(_worst(self._units(found, others))))
+            self._add(others.at(_worst(self._units(result, others))))
             room *= room
 
     def _others(self, program: Program) -> StateSample:
-        """Fresh states: drawn, and those that searches find, until bounds do not hold at one."""
-        found = self.states.drawn(DRAWN)
+        """Yields new states, random ones and those of searches, until bounds exceed the request at
+        one."""
+        given = self.states.drawn(DRAWN)
         for _ in range(SEARCHES):
-            if self._units(program, found).max() > 1:
+            if self._units(program, given).max() > 1:
                 break
-            found = found.joined(self._searched(self._errors(program)))
-        return found
+            given = given.joined(self._searched(self._errors(program)))
+        return given
 
     def _errors(self, program: Program) -> Sizes:
         return errors(program, self.program, self.tolerances)
 
     def _searched(self, sizes: Sizes) -> StateSample:
-        """States where these are largest, as a search finds them."""
+        """States where these errors are large, found by a search."""
         return self.states.sample(climbed(self.states, sizes))
 
     def _add(self, hard: StateSample) -> None:
-        """Let the mixture be as accurate as asked at these states, too."""
+        """Adds these states to those at which the mixture must reach the requested accuracy."""
         self._refuse(hard)
         self._rank(hard.at(_worst(self._units(self.program, hard))))
         self.sample = self.sample.joined(hard)
 
     def _units(self, program: Program, sample: StateSample) -> Array:
-        """Certified bounds in units of what is asked."""
+        """Certified bounds in units of the requested accuracy."""
         units: Array = sample.certified(program) / self.tolerances[:, None]
         return units
 
     def _rank(self, sample: StateSample) -> None:
-        """Let sensitivities hold at these states, too."""
+        """Includes these states in the sensitivities."""
         for place, size in sensitivities(self.program, double(sample.given),
                                          self.accuracy.tolerances).items():
             self.sensitive[place] = max(size, self.sensitive.get(place, 0))
 
     def _cheapest(self, room: float) -> Mixture:
-        """The cheapest mixture found whose bounds at the sample use at most this share of what
-        pairs leave of the accuracy."""
+        """The cheapest mixture whose bounds at the sample use at most this fraction of the error
+        budget left by all-pairs evaluation."""
         least = float(self._units(self.pairs, self.sample).max())
         aim = least + room * (1 - least)
-        found = {power: self._largest(power, aim) for power in self.powers}
-        cheapest = min(found, key=lambda x: operations(mixed(self.program, found[x])))
+        results = {power: self._largest(power, aim) for power in self.powers}
+        cheapest = min(results, key=lambda x: operations(mixed(self.program, results[x])))
         self.powers = cheapest,
-        return found[cheapest]
+        return results[cheapest]
 
     def _largest(self, power: int, aim: float) -> Mixture:
         """Returns the mixture of the largest threshold that meets the aim; all in pairs if there is
@@ -156,7 +159,7 @@ class _Search:
         return self._mixture(thresholds[low], power)
 
     def _mixture(self, threshold: float, power: int) -> Mixture:
-        """Pairs are what is more sensitive than the threshold."""
+        """The mixture in which values more sensitive than the threshold are pairs."""
         paired: set[object] = set()
         kept: set[Place] = set()
         for step in self.program.instructions:
@@ -171,20 +174,20 @@ class _Search:
         return Mixture(frozenset(names), frozenset(kept))
 
     def _refuse(self, sample: StateSample) -> None:
-        """Raise AccuracyError if pairs are not as accurate as asked at these states."""
+        """Raises AccuracyError if pairs do not reach the requested accuracy at these states."""
         bounds = sample.certified(self.pairs).max(axis=1)
-        for (name, number), bound, asked in zip(
+        for (name, number), bound, tolerance in zip(
                 self.accuracy.components, bounds, self.accuracy.tolerances, strict=True):
-            if bound > asked:
-                found = f"err by up to {two_digits_up(bound)}" if np.isfinite(bound) else \
+            if bound > tolerance:
+                words = f"err by up to {two_digits_up(bound)}" if np.isfinite(bound) else \
                     "have no certified bound at some states"
                 raise AccuracyError(
-                    f"accuracy of {self.program.name}: {asked:g} is asked of {name}; even pairs of "
-                    f"floats, rounded at the end, {found} in component {number}")
+                    f"accuracy of {self.program.name}: {tolerance:g} is requested for {name}; even "
+                    f"pairs of floats, rounded at the end, {words} in component {number}")
 
 
 def operations(program: Program) -> int:
-    """Counts operations of all kinds, those of elementary functions included."""
+    """Counts operations of all kinds, including those of elementary functions."""
     return sum(whole_counts(program, SINGLE).values())
 
 

@@ -13,32 +13,33 @@ _AT_ONCE, _ROUNDS, _KEPT = 2048, 60, 128
 CLIMBED = _AT_ONCE * (_ROUNDS + 1)
 """States that a search looks at."""
 Sizes = Callable[[Given], Array]
-"""What a search looks for the largest of: a row for each component of the results."""
+"""Sizes to be maximized by a search: a row for each component of the results."""
 
 
 def climbed(states: States, sizes: Sizes) -> Given:
-    """States of the largest sizes: from the largest of some by small steps."""
+    """Searches states of large sizes, by small steps from the largest of some states."""
     best = states.numbers(_AT_ONCE)
-    found = sizes(best)
+    result = sizes(best)
     for _ in range(_ROUNDS):
-        kept = _largest(found)
-        best, found = at(best, kept), found[:, kept]
+        kept = _largest(result)
+        best, result = at(best, kept), result[:, kept]
         near = states.near(at(best, np.resize(np.arange(len(kept)), _AT_ONCE)))
-        best, found = joined(best, near), np.concatenate((found, sizes(near)), axis=1)
-    return at(best, _largest(found))
+        best, result = joined(best, near), np.concatenate((result, sizes(near)), axis=1)
+    return at(best, _largest(result))
 
 
 def errors(program: Program, plain: Program, tolerances: Array) -> Sizes:
-    """Errors of a program in single precision, in units of what is asked of each component.
+    """Errors of a program in single precision, in units of the accuracy requested of each
+    component.
 
-    They are differences to the plain program in double precision: quick, not certified."""
+    They are differences from the plain program in double precision: quick, not certified."""
     results, true = in_rows(program, SINGLE), in_rows(plain, DOUBLE)
     return lambda given: _known(results(given) - true(in_double(given)), tolerances)
 
 
 def results(plain: Program, tolerances: Array) -> Sizes:
-    """A program's results, in units of what is asked of them: errors of pairs grow in steps with
-    the powers of two that results pass."""
+    """A program's results, in units of the requested accuracy; errors of pairs grow in steps, where
+    results pass powers of two."""
     true = in_rows(plain, DOUBLE)
     return lambda given: _known(true(in_double(given)), tolerances)
 

@@ -1,5 +1,5 @@
-"""States within the ranges of a function's inputs, drawn or near others, and what is certified
-there: the same numbers on every machine."""
+"""States within the ranges of a function's inputs, random ones or near others, with certified
+results: the same numbers on every machine."""
 
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass
@@ -21,7 +21,7 @@ _ROUNDED, _LEAST = float(ROUNDED.double), float(LEAST.double)
 @dataclass(frozen=True, eq=False)
 class StateSample:
     """States, as components of each input, and a function's results there in double precision, with
-    their bounds; a component of the results a row."""
+    their bounds; one row for each component of the results."""
 
     given: Given
     results: Array
@@ -33,11 +33,11 @@ class StateSample:
         return int(self.results.shape[1])
 
     def certified(self, program: Program) -> Array:
-        """Bounds of the errors of another program's results in single precision, as those of the
-        certified tier: |x̂ - w| + B, rounded up; infinite where there are none."""
-        found = in_rows(program, SINGLE)(self.given).astype(float)
+        """Bounds of the errors of another program's results in single precision, as in the
+        certified tier: |x̂ - w| + B, rounded up; infinite where there is no bound."""
+        result = in_rows(program, SINGLE)(self.given).astype(float)
         with np.errstate(all="ignore"):
-            total = (np.absolute(found - self.results) + self.bounds) * _ROUNDED + _LEAST
+            total = (np.absolute(result - self.results) + self.bounds) * _ROUNDED + _LEAST
         return np.where(np.isnan(total), np.inf, total)
 
     def at(self, chosen: Array) -> "StateSample":
@@ -51,7 +51,7 @@ class StateSample:
 
 
 def at(given: Given, chosen: Array) -> Given:
-    """These of the states."""
+    """The states with these indices."""
     return [[x[chosen] for x in each] for each in given]
 
 
@@ -82,7 +82,8 @@ def in_rows(program: Program, precision: Precision) -> Callable[[Given], Array]:
 
 
 class States:
-    """A sequence of states of an accuracy; `certified` gives a function's results and bounds."""
+    """A sequence of states for a requested accuracy; `certified` gives a function's results and
+    bounds."""
 
     def __init__(self, accuracy: Accuracy, certified: Program) -> None:
         self._accuracy, self._certified = accuracy, in_rows(certified, DOUBLE)
@@ -93,10 +94,10 @@ class States:
         return self.sample(self.numbers(count))
 
     def sample(self, given: Given) -> StateSample:
-        """Returns what is certified at these states."""
-        found = self._certified(in_double(given))
-        half = len(found) // 2
-        return StateSample(given, found[:half], found[half:])
+        """Returns the sample of these states, with certified results."""
+        result = self._certified(in_double(given))
+        half = len(result) // 2
+        return StateSample(given, result[:half], result[half:])
 
     def numbers(self, count: int) -> Given:
         """The next states: every number evenly distributed, quaternions of norm 1, all numbers of
@@ -120,12 +121,12 @@ class States:
         return np.where(share < 1, there, x)
 
     def _uniform(self, count: int) -> Array:
-        uniform = self._random.random  # the method whose numbers never change
+        uniform = self._random.random  # the method whose random numbers never change
         return np.array([uniform() for _ in range(count)])
 
-    def _single(self, found: Iterable[list[Array]]) -> Given:
+    def _single(self, results: Iterable[list[Array]]) -> Given:
         """Rounds to single precision, with quaternions of norm 1."""
-        given = list(found)
+        given = list(results)
         for argument, places in self._accuracy.quaternions:
             quaternion = given[argument][places.start:places.stop]
             norm = np.sqrt(sum(x * x for x in quaternion))

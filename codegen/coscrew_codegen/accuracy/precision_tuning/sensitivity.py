@@ -1,5 +1,5 @@
 """Sensitivity of a function's results to the rounding of each intermediate result, to first order,
-in units of what is asked of them."""
+in units of the requested accuracy."""
 
 from collections.abc import Iterator, Sequence
 
@@ -23,11 +23,11 @@ def sensitivities(program: Program, given: Sequence[Sequence[Array]],
     """The largest |adjoint · value| / tolerance at these states of each place that single precision
     may round; infinite where there is no derivative."""
     places = list(_places(program))
-    scaled, found = _scaled(program, places), np.zeros(len(places))
+    scaled, result = _scaled(program, places), np.zeros(len(places))
     for first in range(0, len(given[0][0]), _STATES):
         some = [[x[first:first + _STATES] for x in each] for each in given]
-        np.maximum(found, _largest(scaled, some, tolerances), out=found)
-    return dict(zip(places, found.tolist(), strict=True))
+        np.maximum(result, _largest(scaled, some, tolerances), out=result)
+    return dict(zip(places, result.tolist(), strict=True))
 
 
 def _places(program: Program) -> Iterator[Place]:
@@ -41,7 +41,7 @@ def _places(program: Program) -> Iterator[Place]:
 
 
 def _scaled(program: Program, places: Sequence[Place]) -> Program:
-    """The program with what is at each place multiplied by an element of a further input."""
+    """The program with the value at each place multiplied by an element of a further input."""
     numbers, last = {place: k for k, place in enumerate(places)}, len(program.inputs)
     steps: list[Instruction] = []
 

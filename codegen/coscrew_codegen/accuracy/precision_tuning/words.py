@@ -1,4 +1,4 @@
-"""Sentences on a mixture: what is certified of it and where, and what it saves."""
+"""Sentences on a mixture: its certified bounds, their states, and its savings."""
 
 from collections.abc import Sequence
 from math import isfinite
@@ -28,7 +28,8 @@ def in_words(choice: PrecisionChoice, function: FunctionProgram) -> str:
 
 
 def saving(choice: PrecisionChoice, function: FunctionProgram, units: Sequence[str]) -> str:
-    """A line for who generates the function; `units` are those of the results' components."""
+    """A line for the user who generates the function; `units` are those of the results' components.
+    """
     plain, mixture, pairs = _operations(choice, function)
     return (f"{function.name}: a call takes {mixture:,} operations in the mixed tier, {plain:,} in "
             f"single precision, {pairs:,} in pairs; rounding was found to move "
@@ -37,14 +38,14 @@ def saving(choice: PrecisionChoice, function: FunctionProgram, units: Sequence[s
 
 def _moved(choice: PrecisionChoice, function: FunctionProgram, units: Sequence[str] = ()) -> str:
     assert function.accuracy
-    asked, components = function.accuracy.tolerances, function.accuracy.components
+    tolerances, components = function.accuracy.tolerances, function.accuracy.components
     outputs = {name: [k for k, (x, _) in enumerate(components) if x == name]
                for name, _ in components}
     of = {name: " " + " or ".join(dict.fromkeys(units[k] for k in places)) if units else ""
           for name, places in outputs.items()}
     return "; ".join(f"{name} by at most {two_digits_up(max(choice.worst[k] for k in places))}"
-                     f"{of[name]} (asked: {asked[places[0]]:g})".replace("e-0", "e-")
-                     for name, places in outputs.items() if isfinite(asked[places[0]]))
+                     f"{of[name]} (asked: {tolerances[places[0]]:g})".replace("e-0", "e-")
+                     for name, places in outputs.items() if isfinite(tolerances[places[0]]))
 
 
 def _operations(choice: PrecisionChoice, function: FunctionProgram) -> tuple[int, ...]:

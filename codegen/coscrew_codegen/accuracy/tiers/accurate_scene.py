@@ -1,11 +1,10 @@
-"""How functions of scenes are carried as hi + lo: they are longer than operations, products of sums
-are long chains there, names are numbered, and constants are decimals.
+"""Rules for functions of scenes carried as hi + lo.  They are longer than operations, products of
+sums are long chains there, names are numbered, and constants are decimals.
 
-The lo of a sum that cancels is not small, and what it is multiplied by would have rounding errors
-of the order of u lo.  So every sum is first rounded to hi + lo with a small lo.  What is lost
-anywhere is then of the order of u² of the value there, and a result's error of the order of u²
-times its condition, even where intermediate results have lost all digits.
-"""
+The lo of a sum that cancels is not small, and its products would have rounding errors of the order
+of u lo.  So every sum is first rounded to hi + lo with a small lo.  Each loss is then of the order
+of u² of the value there, and a result's error of the order of u² times its condition, even where
+intermediate results have lost all digits."""
 
 import math
 import re
@@ -43,8 +42,8 @@ def rounded(program: Program, precision: Precision) -> Program:
 
 
 def compared_exactly(program: Program, precision: Precision) -> Program:
-    """The program with numbers of this precision to the left and to the right of <, which compare
-    with all others as its constants do."""
+    """The program with the constants on either side of < replaced by numbers of this precision that
+    give the same results in every comparison."""
     return replace(program, instructions=tuple(
         step if step.op is not Op.LESS else replace(step, operands=tuple(
             _beyond(x, n > 0, precision) for n, x in enumerate(step.operands)))
@@ -67,19 +66,19 @@ def numbered(program: Program) -> Name:
 
     def name(of: str, suffix: str) -> str:
         stem = f"{_NUMBER.sub('', of)}_{suffix}"
-        found = stem if suffix == "lo" and not _NUMBER.search(of) else ""
-        while not found or found in taken:
+        result = stem if suffix == "lo" and not _NUMBER.search(of) else ""
+        while not result or result in taken:
             numbers[stem] += 1
-            found = f"{stem}_{numbers[stem]}"
-        taken.add(found)
-        return found
+            result = f"{stem}_{numbers[stem]}"
+        taken.add(result)
+        return result
     return name
 
 
 def _fast_two_sum(c: Carrier, step: Instruction, hi: Ref, lo: Operand) -> tuple[Ref, Operand]:
-    """hi + lo rounded, and what that leaves, exactly if |hi| >= |lo|.  Else it may err by u lo, but
-    lo has errors of this size already: it is itself a rounded sum.  Source: Dekker, A
-    Floating-Point Technique."""
+    """hi + lo rounded, and the rest, which is exact if |hi| >= |lo|. Else it may err by u lo, but
+    lo has errors of this size already, as a rounded sum.  Source: Dekker, A Floating-Point
+    Technique."""
     total = c.issue(replace(step, name=hi.name), Op.ADD, (hi, lo), "nearest")
     at = replace(step, name=total.name)
     share = c.issue(at, Op.SUB, (total, hi), "share")
@@ -87,7 +86,7 @@ def _fast_two_sum(c: Carrier, step: Instruction, hi: Ref, lo: Operand) -> tuple[
 
 
 def _once(op: Op) -> Rule:
-    """Of exact operands the result has one rounding, and needs no lo; other sums overlap."""
+    """A sum of exact operands has one rounding, and needs no lo; other sums overlap."""
     def rule(c: Carrier, step: Instruction) -> None:
         if all(map(c.is_exact, step.operands)):
             c.nearest.add(step.name)

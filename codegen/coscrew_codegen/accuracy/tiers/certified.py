@@ -53,13 +53,14 @@ if TYPE_CHECKING:
     from coscrew_codegen.algebra.operations import Operation
 
 LARGEST = 210
-"""Of operations beyond polynomials the tier has those that call elementary functions, up to so many
-instructions, SE3_exp being the largest: bounds take up to eleven for one, and must be compiled."""
+"""Largest number of instructions of operations beyond polynomials that have the tier, if they call
+elementary functions; SE3_exp is the largest.  Bounds take up to eleven instructions for one, and
+must be compiled."""
 
 
 def certified_operation(operation: "Operation") -> "Operation":
     """The operation with its bounds as further outputs; its formula gives the other outputs only.
-    What is searched of the plain result's error is left out beside bounds that always hold."""
+    Searched bounds of the plain result's error are left out, since these bounds always hold."""
     bounds = bounds_of_outputs(operation.outputs)
     promise = ", ".join(f"|error of {a.name}| <= {b.name}"
                         for a, b in zip(operation.outputs, bounds, strict=True))
@@ -138,7 +139,7 @@ class _Certifier:
         size = self._size(result)
         if not size.growth:
             return ZERO
-        name = f"{self._name(size.x)}_error_bound"
+        name = f"{self._name(size.x)}_bound"
         size = self._padded(size, name)
         most = self._precision.rounded_up((1 + self._precision.u) * size.growth)
         return self._issue(name, Op.MUL, (constant(most), self._s(size, name)), name)

@@ -1,7 +1,7 @@
 """Bounds of operations on rotations: infinite where a matrix is no rotation.
 
-Such an operation's formula is one of many for the same function of rotations, and means nothing for
-other matrices; that of a polynomial is its definition, also for reflections.
+Such an operation's formula is one of many for the same function of rotations, and is meaningless
+for other matrices.  A polynomial's formula, in contrast, is its definition, also for reflections.
 """
 
 from dataclasses import replace
@@ -22,11 +22,11 @@ from coscrew_codegen.program.values.quantity import DISPLACEMENT, ROTATION, TOLE
 
 _WITHIN = constant(TOLERANCE)
 _LARGE = Constant(Fraction(2)**1000, Fraction(2)**100)
-"""Its square overflows."""
+"""A number whose square overflows."""
 ROTATIONS = (ROTATION, DISPLACEMENT)
 """The domains of arguments with a rotation."""
 DEFECT = "mat3x3_rotation_defect"
-"""The operation that tells whether it is one."""
+"""The operation that says whether a matrix is a rotation."""
 
 
 def infinite_unless_rotations(program: Program, plain: Program) -> Program:

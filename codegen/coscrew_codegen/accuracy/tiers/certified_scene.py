@@ -55,8 +55,8 @@ from coscrew_codegen.program.reported_error import ReportedError
 from coscrew_codegen.program.values.formats import Precision
 
 MANY = 16
-"""Up to so many sines and cosines, 1 is a good size: it makes those of turned vectors up to √2
-larger at each joint, but factors of 1 cost nothing."""
+"""Largest number of sines and cosines for which their size is 1: this makes sizes of rotated
+vectors up to √2 larger at each joint, but factors of 1 cost nothing."""
 REST = 256
 """Bound of the error of an elementary function's computed error, in u² of the function's result."""
 
@@ -71,7 +71,9 @@ def of_scene(program: Program, precision: Precision, kinks: bool = True) -> Prog
     how = replace(COMPUTED, kinks=kinks)
     if program.fine is None:
         return extended(program, precision, how)
-    names = {step.name: f"fine_{step.name}" for step in program.fine.instructions}
+    taken = {step.name for step in program.instructions}
+    names = {step.name: f"fine_{step.name}" if step.name in taken else step.name
+             for step in program.fine.instructions}
     return extended(renamed(program.fine, names), precision, how, program)
 
 
@@ -111,7 +113,7 @@ def _of_quotient(sizes: Sizes, step: Instruction) -> Size:
 
 
 def _certain(sizes: Sizes, x: Operand, size: Operand) -> Operand:
-    """|x̂|; 0 if B may be larger than a fourth of it.  That of a constant never is."""
+    """|x̂|; 0 if B may be larger than a fourth of it, which never holds for a constant."""
     if isinstance(x, Constant):
         return size
     return sizes.do(Op.SELECT, _is_certain(sizes, x, size), size, ZERO)
@@ -148,9 +150,9 @@ def _in_size(sizes: Sizes, error: Operand, k: Fraction, m: Fraction) -> Operand:
 
 
 def _widened(sizes: Sizes, size: Size, error: Operand) -> Size:
-    """With a further error."""
+    """The size, increased by a further error."""
     k, grown = max(size.k, Fraction(1)), 1 + 4 * sizes.u
-    m = max(size.m, 256 * k)  # of which the 8 k that bounds add are little
+    m = max(size.m, 256 * k)  # the 8 k that bounds add are little of it
     return Size(sizes.do(Op.ADD, size.s, _in_size(sizes, error, k, m)), grown * k, grown * m,
                 size.h + sizes.slack, widened=True)
 
@@ -246,8 +248,8 @@ def _if_the_angle_is_certain(sizes: Sizes, step: Instruction, near: Operand, sma
 
 
 def _of_scaled(sizes: Sizes, step: Instruction) -> Size:
-    """A product with an exact factor, but that of an exact number is exact unless digits are
-    lost by underflow."""
+    """The size of a product with a power of two: exact for an exact number, unless digits are lost
+    by underflow."""
     (x, s), p = step.operands, Ref(step.name)
     if not (sizes.size(x).exact and sizes.size(s).exact):
         return sizes.of_product(step)
@@ -266,7 +268,8 @@ def _of_exponential(sizes: Sizes, step: Instruction) -> Size:
 
 
 def _curved(sizes: Sizes, step: Instruction, least: Operand | None = None) -> Size:
-    """Of a function with derivatives of at most 1, whose result is at most `least`: its size."""
+    """The size of the result of a function with derivatives of at most 1; the result is at most
+    `least`."""
     (x,), u = step.operands, sizes.u
     s = least = least or sizes.do(Op.ABS, Ref(step.name))
     a = sizes.padded(x)
@@ -277,7 +280,7 @@ def _curved(sizes: Sizes, step: Instruction, least: Operand | None = None) -> Si
 
 
 def _right_to_rest(sizes: Sizes, a: Size, s: Operand, bend: Fraction = Fraction(0)) -> Size:
-    """Of a function of a; `bend` is what d lacks of second order."""
+    """The size of the result of a function of a; `bend` is the second-order remainder of d."""
     m = a.m + bend + 16 * (a.k + 2) + REST
     return Size(s, (1 + 64 * sizes.u) * (a.k + 2), (1 + 64 * sizes.u) * m, sizes.slack)
 

@@ -5,15 +5,14 @@ decimals of single's constants, gives w and its bound B, so
 
     |x̂ - x| <= |x̂ - w| + B.
 
-That is all but the true error, since w is 2^29 times more exact than x̂.  So B need not be near the
-error of w: |d| <= k u S takes the place of d, which is not computed.  κ is large then, for k u S /
-κ u, a part of A, to remain small.  But sizes grow fast where quotients follow each other, as in
-forward dynamics: there d is computed.
+That nearly equals the true error, since w is 2^29 times more exact than x̂. So B need not be near
+the error of w: |d| <= k u S takes the place of d, which is not computed.  κ is large then, so that
+k u S / κ u, a part of A, remains small.  But sizes grow fast where quotients follow each other, as
+in forward dynamics: there d is computed.
 
-The sum has three roundings in double, and one to single precision, which loses
-at most u of it or half the least subnormal number: the factor 1 + 4 u and this number, added unless
-the sum is 0, are more than all.
-"""
+The sum has three roundings in double, and one to single precision, which loses at most u of it or
+half the least subnormal number.  The factor 1 + 4 u and this number, added unless the sum is 0,
+exceed all of them."""
 
 from dataclasses import replace
 from fractions import Fraction
@@ -59,7 +58,8 @@ def in_double(program: Program) -> Program:
 
 
 def _with_plain_results(plain: Program, certified: Program) -> Program:
-    """From the plain program's certified results in double."""
+    """The program that takes the plain program's results besides its certified results in double.
+    """
     count, first = len(plain.results), len(plain.inputs)
     given = tuple(Argument(f"{plain.name}_{a.name}", a.quantity) for a in plain.outputs)
     places = {f"{a.name}_{k}_distance": Input(first + n, k) for n, a in enumerate(given)
@@ -75,7 +75,8 @@ def _with_plain_results(plain: Program, certified: Program) -> Program:
 
 
 def _is_kept(w: Operand, bound: Operand) -> bool:
-    """Whether single precision has w and so no error, or the result is NaN."""
+    """Returns whether w is a number of single precision, so that the result has no error, or the
+    result is NaN."""
     exact = isinstance(w, Input) or isinstance(w, Constant) and w.double == Fraction(
         float(SINGLE.rounded(w.double)))
     return bound == ZERO and exact or isinstance(bound, NotANumber)

@@ -38,17 +38,18 @@ it is used.  Operands that have been made non-overlapping are the new hi."""
 Name = Callable[[str, str], str]
 """The name of an instruction, from that of the instruction it belongs to and a suffix."""
 _MAY_FAIL = frozenset({Op.DIV, Op.SQRT, Op.SCALE, *ERROR_OF})
-"""The operations whose lo may be NaN: of 0/0, or an infinite hi.  Then the result is hi."""
+"""The operations whose lo may be NaN, by 0/0 or an infinite hi.  The result is then hi."""
 
 
 @dataclass(frozen=True)
 class Carrying:
-    """How a tier carries values: which rule each operation has, and what rules leave open."""
+    """A tier's way of carrying values: a rule for each operation, and the choices that rules leave
+    open."""
 
     rules: Mapping[Op, Rule]
     names: Callable[[Program], Name]
     normal: Callable[["Carrier", Instruction, Ref, Operand], tuple[Ref, Operand]] | None
-    """hi + lo rounded, and what that leaves; None: hi stays the plain value."""
+    """Returns hi + lo rounded, and the rest; None: hi stays the plain value."""
     last: str = ""  # component of final values; "": each is its own
 
 
@@ -71,7 +72,7 @@ class Carrier:
         self._once: dict[tuple[str, Operand], tuple[Ref, ...]] = {}
 
     def carry(self, step: Instruction) -> None:
-        """Issue a plain instruction and what carries it."""
+        """Issues a plain instruction and the instructions that carry it."""
         self._how.rules[step.op](self, replace(step, operands=tuple(map(self.hi, step.operands))))
 
     def finished(self, program: Program) -> Program:
@@ -84,7 +85,7 @@ class Carrier:
         return without_dead_steps(replace(program, instructions=tuple(self.steps),
                                           results=results))
 
-    # what rules need
+    # for rules
 
     def issue(self, step: Instruction, op: Op, operands: tuple[Operand, ...], suffix: str) -> Ref:
         """Issue an instruction towards the component of `step`, named after `step`."""
@@ -93,18 +94,18 @@ class Carrier:
         return Ref(name)
 
     def once(self, what: str, x: Operand, make: Callable[[], tuple[Ref, ...]]) -> tuple[Ref, ...]:
-        """Returns the value made for an operand at its first use."""
+        """Returns the value that is made at the first use of an operand."""
         if (what, x) not in self._once:
             self._once[what, x] = make()
         return self._once[what, x]
 
     def keep(self, name: str, lo: Operand | None) -> None:
-        """Let this be the lo of the result of this name."""
+        """Registers the lo of the result with this name."""
         if lo is not None:
             self._low[name] = lo
 
     def known(self, x: Operand) -> Operand | None:
-        """lo of an operand, as far as it is known."""
+        """The lo of an operand, without its own rounding error if it is a product."""
         return rest_of(x, self.precision) if isinstance(x, Constant) else self._low.get(name_of(x))
 
     def low(self, step: Instruction, x: Operand) -> Operand | None:
@@ -121,7 +122,7 @@ class Carrier:
         return self.known(x)
 
     def is_exact(self, x: Operand) -> bool:
-        """Whether an operand has no lo."""
+        """Returns whether an operand has no lo."""
         return self.known(x) is None and name_of(x) not in self.products
 
     def hi(self, x: Operand) -> Operand:
@@ -142,7 +143,7 @@ class Carrier:
         return total
 
     def factor(self, step: Instruction, x: Operand) -> Operand:
-        """An operand as it is multiplied."""
+        """The operand in the form in which it is multiplied."""
         return self.normalized(step, x) if name_of(x) in self.overlapping else x
 
     # results
@@ -186,13 +187,13 @@ def carried(program: Program, precision: Precision, how: Carrying) -> Program:
 
 
 def suffixed(_: Program) -> Name:
-    """Names that are the instruction's and a suffix."""
+    """Names that consist of the instruction's and a suffix."""
     return lambda of, suffix: f"{of}_{suffix}"
 
 
 def two_sum(c: Carrier, step: Instruction, hi: Ref, lo: Operand) -> tuple[Ref, Operand]:
-    """hi + lo rounded, and what that leaves, exactly."""
-    total = c.issue(step, Op.ADD, (hi, lo), f"of_{hi.name}")
+    """hi + lo rounded, and the exact rest."""
+    total = c.issue(replace(step, name=hi.name), Op.ADD, (hi, lo), "sum")
     at = replace(step, name=total.name)
     right = c.issue(at, Op.SUB, (total, hi), "right")
     left = c.issue(at, Op.EXACT_SUB, (total, right), "left")
@@ -205,7 +206,7 @@ def two_sum(c: Carrier, step: Instruction, hi: Ref, lo: Operand) -> tuple[Ref, O
 
 
 def rounded_constant(x: Constant, precision: Precision = DOUBLE) -> Constant:
-    """The number that a precision has for this constant, exactly."""
+    """The constant rounded to a precision, as an exact number."""
     value = Fraction(float(precision.rounded(precision.value(x))))
     return Constant(value, value, x.name)
 

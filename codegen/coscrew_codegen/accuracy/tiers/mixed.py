@@ -1,9 +1,8 @@
-"""The mixed tier: single precision, with pairs where the accuracy that is asked for needs them.
+"""The mixed tier: single precision, with pairs where the requested accuracy needs them.
 
-Of a Mixture, instructions in pairs are those of the pairs tier.  The others have one result,
-rounded: those of its operands that are pairs and matter take part as hi + lo, so that the result is
-hi + (what the lo contribute), else as hi + lo rounded.
-"""
+A Mixture's instructions in pairs are those of the pairs tier.  The others have one rounded result.
+Their operands that are pairs take part as hi + lo where that matters, so the result is hi plus the
+contributions of the lo; else as hi + lo rounded."""
 
 from dataclasses import dataclass, replace
 
@@ -20,8 +19,8 @@ CARRYING = frozenset({Op.ADD, Op.SUB, Op.MUL})
 
 @dataclass(frozen=True)
 class Mixture:
-    """Which instructions of a plain program are carried in pairs, by name; and for the others,
-    which operands take part as hi + lo: pairs (instruction, place of the operand)."""
+    """Names of the instructions of a plain program that are carried in pairs; and for the others,
+    the operands that take part as hi + lo: pairs (instruction, place of the operand)."""
 
     paired: frozenset[str]
     kept: frozenset[tuple[str, int]]
@@ -44,7 +43,7 @@ class _Mixed:
     mixture: Mixture
 
     def carry(self, step: Instruction) -> None:
-        """Issue the instruction as the mixture says; what does not round passes lo on."""
+        """Issues the instruction as the mixture says; operations that do not round pass lo on."""
         pairs, kept = self.pairs, self.mixture.kept
         if not step.op.rounds or step.name in self.mixture.paired:
             pairs.carry(step)
@@ -88,5 +87,5 @@ class _Mixed:
 
 TIER = Tier(
     "mixed", 4, "Mixed tier: single precision; what the asked accuracy needs, in pairs of floats.",
-    ("#0f766e", "#5eead4"), make=None, asked=True, precisions=(SINGLE,), header="ksl_exact",
+    ("#0f766e", "#5eead4"), make=None, on_request=True, precisions=(SINGLE,), header="ksl_exact",
     in_words="The mixed tier: float32, as much of it in pairs hi + lo as the asked accuracy needs.")

@@ -15,7 +15,7 @@ _OTHER = {Op.ADD: Op.SUB, Op.SUB: Op.ADD}
 
 def negating_terms(program: Program) -> Program:
     """The program with -(a ± b) as (-a) ∓ b, and c d - (a ± b) as ((-a) ∓ b) + c d, where the sum
-    is used only there; applied to a in turn, if a is such a sum."""
+    is used only there; if a is such a sum itself, it is treated in the same way."""
     used = (*program.results, *(x for step in program.instructions for x in step.operands))
     uses = Counter(x.name for x in used if isinstance(x, Ref))
     once = {step.name: step.op for step in program.instructions if uses[step.name] == 1}
@@ -38,7 +38,7 @@ class _Rewriting:
         self._exchanged: set[str] = set()  # c d - sum
 
     def mark(self, step: Instruction) -> None:
-        """Note which operands of this instruction have to be negated."""
+        """Notes the operands of this instruction that have to be negated."""
         names = [name_of(x) for x in step.operands]
         if step.op is Op.NEG and names[0] in self._sums:
             self._negated[names[0]] = step

@@ -3,9 +3,8 @@ are carried as hi + lo.
 
 Operands of quotients, roots, calls and comparisons are first made non-overlapping: hi becomes the
 rounded hi + lo.  Then terms of order lo² do not matter, however much has cancelled.  The residuals
-of quotients and roots, a - q b and a - s s, are exact; what elementary functions err by is computed
-by functions of their own.
-"""
+of quotients and roots, a - q b and a - s s, are exact; the errors of elementary functions are
+computed by error functions."""
 
 from collections.abc import Callable, Mapping
 from dataclasses import replace
@@ -90,12 +89,13 @@ def _scaled(c: Carrier, step: Instruction, low: Lows) -> Operand | None:
 
 
 def error_of(c: Carrier, step: Instruction) -> Ref:
-    """What an elementary function errs by."""
+    """Issues the error of an elementary function."""
     return c.issue(step, ERROR_OF[step.op], (*step.operands, Ref(step.name)), "own_error")
 
 
 def _called(c: Carrier, step: Instruction, low: Lows) -> Operand:
-    """lo of f(x): what f errs by, and f(x + x_lo) - f(x); of a cosine, less its negative."""
+    """The lo of f(x): the error of f, plus f(x + x_lo) - f(x), which for a cosine is subtracted
+    with the opposite sign."""
     error = error_of(c, step)
     if not any(low):
         return error
@@ -104,7 +104,7 @@ def _called(c: Carrier, step: Instruction, low: Lows) -> Operand:
 
 
 def _issue_both(c: Carrier, step: Instruction) -> None:
-    """A sine and the cosine of the same operand, where the first of them is."""
+    """Issues the sine and the cosine of an operand at the place of the first of them."""
     if step.name in c.partners:
         return
     names = {each.name for each in c.pairs.get(step.name, ())} - {step.name, *c.partners}
@@ -114,8 +114,8 @@ def _issue_both(c: Carrier, step: Instruction) -> None:
 
 
 def _turned(c: Carrier, step: Instruction, low: Lows) -> Operand:
-    """Of s = sin x: 2 p (q c - p s), where p and q are sine and cosine of x_lo / 2; of c = cos x:
-    2 p (q s + p c), with the other sign."""
+    """Change of s = sin x: 2 p (q c - p s), where p and q are sine and cosine of x_lo / 2; of c =
+    cos x: 2 p (q s + p c), with the other sign."""
     x_lo, = low
     assert x_lo is not None
     p, q, twice = c.once("turn", x_lo, partial(_half_turn, c, step, x_lo))
@@ -133,7 +133,7 @@ def _half_turn(c: Carrier, step: Instruction, angle: Operand) -> tuple[Ref, ...]
 
 
 def _grown(c: Carrier, step: Instruction, low: Lows) -> Operand:
-    """Of y = exp x: y (x_lo + x_lo²/2); the square matters for large x."""
+    """Change of y = exp x: y (x_lo + x_lo²/2); the square matters for large x."""
     x_lo, = low
     assert x_lo is not None
     half = c.issue(step, Op.MUL, (x_lo, _HALF), "half")
@@ -143,7 +143,7 @@ def _grown(c: Carrier, step: Instruction, low: Lows) -> Operand:
 
 
 def _saturated(c: Carrier, step: Instruction, low: Lows) -> Operand:
-    """Of y = tanh x: (1 - y) (1 + y) x_lo."""
+    """Change of y = tanh x: (1 - y) (1 + y) x_lo."""
     y, (x_lo,) = Ref(step.name), low
     assert x_lo is not None
     factors = (c.issue(step, Op.SUB, (ONE, y), "below"),
@@ -153,8 +153,8 @@ def _saturated(c: Carrier, step: Instruction, low: Lows) -> Operand:
 
 
 def _seen_from_the_origin(c: Carrier, step: Instruction, low: Lows) -> Operand:
-    """Of atan2(y, x): (x y_lo - y x_lo) / (x² + y²), computed with x / m and y / m,
-    m = max(|x|, |y|), so that squares don't overflow."""
+    """Change of atan2(y, x): (x y_lo - y x_lo) / (x² + y²), computed with x / m and y / m, m =
+    max(|x|, |y|), so that squares don't overflow."""
     sizes = [c.issue(step, Op.ABS, (z,), f"size{n}") for n, z in enumerate(step.operands)]
     larger = c.issue(step, Op.LESS, (sizes[0], sizes[1]), "larger")
     m = c.issue(step, Op.SELECT, (larger, sizes[1], sizes[0]), "most")

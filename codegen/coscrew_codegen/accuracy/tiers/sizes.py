@@ -1,4 +1,4 @@
-"""How far computed errors may be from the true ones: sizes of a plain program's values.
+"""Bounds the difference of computed errors from true ones, by sizes of a plain program's values.
 
 Let x̂ be a value of the plain program, exactly x, and d the error computed for it: the lo that the
 rules of compensated.py and nonlinear.py give it where hi stays the plain value, bit for bit, and
@@ -72,7 +72,7 @@ from coscrew_codegen.program.program import name_of
 from coscrew_codegen.program.values.formats import Format, Precision
 
 ERRORS = Carrying(RULES, numbered, normal=None, last="bounds of the errors:")
-"""How errors are computed beside the plain program's values."""
+"""Rules by which errors are computed beside the plain program's values."""
 
 CLOSE = 4
 SPREAD = 64
@@ -93,13 +93,13 @@ class Size:
 
     @property
     def exact(self) -> bool:
-        """Whether the plain value has no error."""
+        """True if the plain value has no error."""
         return not self.k
 
 
 @dataclass(frozen=True)
 class Sizing:
-    """How sizes follow from operations, and what a proof takes for granted."""
+    """Rules by which sizes follow from operations, and the assumptions of the proof."""
 
     rules: Mapping[Op, Callable[["Sizes", Instruction], Size]]
     spread: int = SPREAD  # κ
@@ -141,7 +141,7 @@ class Sizes:
             self._sizes[x] = self.padded(x)
 
     def of_result(self, x: Operand, plain: Operand) -> Operand:
-        """The bound of a result's error, or of what `plain` errs by if that is another number."""
+        """The bound of a result's error, or of the error of `plain` if that is another number."""
         self._at = Instruction(name_of(plain) or "result", Op.ADD, (), ERRORS.last)
         if isinstance(x, NotANumber):
             return x
@@ -166,7 +166,7 @@ class Sizes:
         return Size(constant(abs(near)), Fraction(1), Fraction(1), self.slack * tiny)
 
     def padded(self, x: Operand, even_exact: bool = False) -> Size:
-        """With h = 0; where there was none, unpadded, unless `even_exact`."""
+        """The size with h = 0; left unpadded if h was 0, unless `even_exact`."""
         size, grown = self.size(x), 1 + 2 * self.u
         if not size.h and not even_exact:
             return size
@@ -176,7 +176,7 @@ class Sizes:
         return Size(s, grown * size.k, grown * size.m, widened=size.widened)
 
     def of_sum(self, step: Instruction) -> Size:
-        """Of a + b or a - b."""
+        """The size of a + b or a - b."""
         a, b = map(self.size, step.operands)
         k, m, u = max(a.k, b.k), max(a.m, b.m), self.u
         return Size(self.do(Op.ADD, a.s, b.s), (1 + 64 * u) * (k + 1),
@@ -184,7 +184,7 @@ class Sizes:
                     a.widened or b.widened)
 
     def of_product(self, step: Instruction) -> Size:
-        """Of a b."""
+        """The size of a b."""
         a, b = map(self.size, step.operands)
         widened = a.widened or b.widened
         plain = a.exact or b.exact or any(isinstance(x, Constant) for x in step.operands)
@@ -201,8 +201,8 @@ class Sizes:
                     (1 + 64 * u) * m, (h or 0) + self.slack, widened)
 
     def _slack_of_product(self, a: Size, b: Size) -> Fraction | None:
-        """The factors' h in their product if one has a constant size and the other's is not made
-        too large; else None."""
+        """The h of a product without padding, if one factor has a constant size and the other's h
+        does not become too large; else None."""
         for one, other in ((a, b), (b, a)):
             if isinstance(one.s, Constant) and not one.h:
                 h = (1 + 2 * self.u) * one.s.double * other.h
@@ -285,7 +285,7 @@ class Sizes:
         return self.errors.low(self._at, x) if self.how.computed else None
 
     def covered(self, k: Fraction, m: Fraction) -> Fraction:
-        """The errors beside d, or all, as a part of S."""
+        """The errors besides d, or all errors, as a part of S."""
         return m * self.u**2 if self.how.computed else k * self.u + m * self.u**2
 
     def near(self, x: Constant) -> Constant:
@@ -297,8 +297,8 @@ class Sizes:
         return constant(self.precision.rounded_up(value))
 
     def do(self, op: Op, *operands: Operand, name: str = "size") -> Operand:
-        """Issue an instruction, once.  Sums and products of sizes that are constants are computed
-        here, and what is NaN for certain; 0 and 1 cost nothing."""
+        """Issue an instruction, once.  Sums and products of constant sizes, and certain NaNs, are
+        computed here; 0 and 1 cost nothing."""
         if op not in (Op.SELECT, Op.LESS) and NotANumber() in operands:
             return NotANumber()
         if op.meaning.commutes:

@@ -1,13 +1,12 @@
-"""Numbers that results do not depend on, whose errors are therefore none.
+"""Finds numbers that results do not depend on, so that their errors do not count.
 
 A program splits numbers in two: h = (x + g) - g, the first digits of x, and x - h.  In exact
 arithmetic h is x, and results are the same whatever h is.  It scales numbers by powers of two that
-it chooses, and scales results back; they are the same whichever are chosen.
+it chooses, and scales results back; they are the same for every choice.
 
-Both are held by an identity test: results are computed modulo a prime with other numbers for h and
+An identity test verifies both: results are computed modulo a prime with other numbers for h and
 other choices, and must not change.  A square's character stands for the sign there, so that sizes,
-roots and comparisons are scaled as those of real numbers are: 2 is a square.
-"""
+roots and comparisons are scaled as those of real numbers are: 2 is a square."""
 
 import hashlib
 from collections.abc import Callable
@@ -19,9 +18,10 @@ from coscrew_codegen.program.program import is_power_of_two, name_of
 
 PRIME = 2**61 - 1  # 7 modulo 8: 2 is a square, and x^((p + 1) / 4) is the root of a square x
 TRIALS = 16
-"""Each takes other branches; where an identity fails, one misses it with a chance near 2^-50."""
+"""Number of trials; each takes other branches, and misses a wrong identity with a probability near
+2^-50."""
 Choose = Callable[[int, Instruction], Callable[..., int]]
-"""What stands for an instruction in a trial."""
+"""Value of an instruction in a trial."""
 
 
 def splits(program: Program) -> frozenset[str]:
@@ -33,13 +33,13 @@ def splits(program: Program) -> frozenset[str]:
         return (step.op is Op.SUB and first is not None and first.op is Op.ADD
                 and step.operands[1] in first.operands)
 
-    found = frozenset(step.name for step in program.instructions if is_split(step))
-    return _indifferent(program, found, lambda trial, step: lambda *x: _drawn(trial, step.name))
+    result = frozenset(step.name for step in program.instructions if is_split(step))
+    return _indifferent(program, result, lambda trial, step: lambda *x: _drawn(trial, step.name))
 
 
 def scalings(program: Program) -> frozenset[str]:
-    """The names of choices between powers of two; none if a result depends on one.  Those that only
-    compare powers of two, and so follow from others, do not count."""
+    """The names of choices between powers of two; none if a result depends on one.  Choices that
+    only compare powers of two, and so follow from others, do not count."""
     powers: dict[Operand, bool] = {}  # whether chosen freely
 
     def is_power(x: Operand) -> bool:
@@ -50,21 +50,21 @@ def scalings(program: Program) -> frozenset[str]:
         if step.op is Op.SELECT and all(map(is_power, step.operands[1:])):
             compared = steps[name_of(step.operands[0])].operands
             powers[Ref(step.name)] = not all(map(is_power, compared))
-    found = frozenset(x.name for x, free in powers.items() if free and isinstance(x, Ref))
-    return _indifferent(program, found, lambda trial, step: lambda test, *x: x[
+    result = frozenset(x.name for x, free in powers.items() if free and isinstance(x, Ref))
+    return _indifferent(program, result, lambda trial, step: lambda test, *x: x[
         _drawn(trial, step.name) % 2])
 
 
-def _indifferent(program: Program, found: frozenset[str], choose: Choose) -> frozenset[str]:
+def _indifferent(program: Program, names: frozenset[str], choose: Choose) -> frozenset[str]:
     """These names if no result depends on their values, else none."""
-    same = all(_results(program, trial, found, choose) == _results(program, trial)
-               for trial in range(TRIALS if found else 0))
-    return found if same else frozenset()
+    same = all(_results(program, trial, names, choose) == _results(program, trial)
+               for trial in range(TRIALS if names else 0))
+    return names if same else frozenset()
 
 
 def _results(program: Program, trial: int, other: frozenset[str] = frozenset(),
              choose: Choose | None = None) -> list[int]:
-    """The program's results at random inputs; with other values of these names."""
+    """The program's results at random inputs, with other values for these names."""
     known: dict[int, Fraction] = {}
 
     def less(a: int, b: int) -> bool:

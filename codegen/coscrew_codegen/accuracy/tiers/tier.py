@@ -1,4 +1,5 @@
-"""What a tier is: a description, a transformation of plain programs, and which it can transform."""
+"""Tiers: a description, a transformation of plain programs, and the programs that it can transform.
+"""
 
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -16,12 +17,13 @@ if TYPE_CHECKING:  # with it comes SymPy, for which `coscrew simulate` need not 
 
 
 def is_polynomial(program: Program) -> bool:
-    """Whether the program rounds, by sums and products only, and all its constants are exact."""
+    """Returns whether the program rounds, by sums and products only, and all its constants are
+    exact."""
     return rounds_by(POLYNOMIAL, program) and not has_rounded_constants(program)
 
 
 def rounds_by(ops: frozenset[Op], program: Program) -> bool:
-    """Whether the program rounds, by these operations only."""
+    """Returns whether the program rounds, by these operations only."""
     held = program.counts.keys()
     return any(op.rounds for op in held) and held <= ops
 
@@ -48,8 +50,8 @@ class Tier:
     operation: Callable[["Operation"], "Operation"] = lambda plain: plain  # may add outputs
     scene: Callable[[Program, Precision], Program] | None = None  # plain program of a scene's
     # function → the tier's, which may have more outputs; None: scenes do not have the tier
-    bounds: bool = False  # whether operations return bounds, of which inf and NaN are no statement
-    asked: bool = False  # whether, of scenes, only functions of an asked accuracy have it
+    bounds: bool = False  # whether operations return bounds, where inf and NaN make no statement
+    on_request: bool = False  # whether only scenes' functions with a requested accuracy have it
     precisions: tuple[Precision, ...] = PRECISIONS  # that it has in scenes
     header: str = "ksl_types"  # that its C functions need; ksl_exact computes rounding errors
     promise: str = ""  # what results of scenes' functions are, and when, in words
@@ -80,5 +82,5 @@ class Tier:
 
     @property
     def exact(self) -> bool:
-        """Whether its C computes rounding errors, for which fma needs one instruction."""
+        """True if its C computes rounding errors, for which fma needs one instruction."""
         return self.header == "ksl_exact"

@@ -34,8 +34,8 @@ class Kernel:
 
 
 def kernel_of(operation: Operation, fine: bool = False, smooth: bool = False) -> Kernel:
-    """The kernel of an operation: its derivation recorded, or its formula without lets; fine: for
-    twice the digits; smooth: for derivatives."""
+    """The kernel of an operation: its derivation recorded, or its formula without lets; `fine` for
+    twice the digits, `smooth` for derivatives."""
     bindings: list[Binding] = []
     taken = {a.name for a in (*operation.inputs, *operation.outputs)}
 
@@ -54,8 +54,8 @@ def kernel_of(operation: Operation, fine: bool = False, smooth: bool = False) ->
         values = operation.formula(*arguments)
     else:
         values = operation.derivation(Let(let, fine, smooth), *arguments)
-    found, wanted = components(values), sum(a.quantity.size for a in operation.outputs)
-    if len(found) != wanted:
-        raise ValueError(f"{operation.name}: its formula has {len(found)} components, its outputs "
+    made, wanted = components(values), sum(a.quantity.size for a in operation.outputs)
+    if len(made) != wanted:
+        raise ValueError(f"{operation.name}: its formula has {len(made)} components, its outputs "
                          f"{wanted}")
-    return Kernel(operation.name, operation.inputs, tuple(bindings), operation.outputs, found)
+    return Kernel(operation.name, operation.inputs, tuple(bindings), operation.outputs, made)

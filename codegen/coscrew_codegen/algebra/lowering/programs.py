@@ -15,7 +15,7 @@ _OPERATIONS = {operation.name: operation for operation in OPERATIONS}
 
 @cache
 def program_of(operation: Operation) -> Program:
-    """The operation's program: kernel, passes, plain tier.  Where constants are rounded, it has
+    """The operation's program: kernel, passes, plain tier.  Rounded constants mean that it has
     series, which end too early for twice the digits."""
     program = _derived(operation)
     if not has_rounded_constants(program):
@@ -29,8 +29,8 @@ def _derived(operation: Operation, fine: bool = False) -> Program:
 
 @cache
 def smooth_program(operation: Operation) -> Program:
-    """The operation's program for derivatives: the same function, with results that differ in last
-    digits where they are series."""
+    """The operation's program for derivatives: the same function, with results whose last digits
+    differ where they are series."""
     return plain(simplified(kernel_of(operation, smooth=True)))
 
 

@@ -9,10 +9,10 @@ from coscrew_codegen.algebra.operations.operation import (
     scaled,
     truncated,
 )
-from coscrew_codegen.program.plugins import found
+from coscrew_codegen.program.plugins import discover
 
 _TABLE = {family.name: family for family in sorted(
-    found(__name__, __path__, "FAMILY", Family), key=lambda family: family.order)}
+    discover(__name__, __path__, "FAMILY", Family), key=lambda family: family.order)}
 
 FAMILIES: tuple[str, ...] = tuple(_TABLE)
 OPERATIONS: tuple[Operation, ...] = tuple(op for family in _TABLE.values()

@@ -17,7 +17,7 @@ _x, _y = (Argument(name, SCALAR, ANY) for name in "xy")
 _s, _c, _angle = (Argument(name, SCALAR) for name in ("s", "c", "angle"))
 
 ROUNDED = "Error <= 0.501 ulp, unless a result is subnormal; proved."
-"""Of the accurate tier: half an ulp, and what the function and its error miss."""
+"""Bound of the accurate tier: half an ulp, plus the error of the function's error."""
 
 
 def within(name: str) -> str:

@@ -1,4 +1,4 @@
-"""Operations: entries of the table that everything is generated from."""
+"""Operations: entries of the table from which everything is generated."""
 
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -20,8 +20,8 @@ NORM_THRESHOLD = sp.Symbol("norm_threshold", positive=True)
 TINY, MODEST, LARGE = sp.symbols("tiny modest large", positive=True)
 ENLARGING, RAISING, REDUCING = sp.symbols("enlarging raising reducing", positive=True)
 
-# The same where derivatives are taken, which have squares and cubes of what the results have: most
-# numbers stay as they are, others are brought between 2^-263 and 2^202 (single 2^-35 and 2^62).
+# The same for derivatives, which contain squares and cubes of numbers in the results: most numbers
+# stay unchanged, others are brought between 2^-263 and 2^202 (single 2^-35 and 2^62).
 CALM_TINY, CALM_MODEST, CALM_LARGE = sp.symbols("calm_tiny calm_modest calm_large", positive=True)
 
 # (x + GRID s) - GRID s, for |x| <= s, is x rounded to so few digits that squares of such numbers,
@@ -85,7 +85,7 @@ class truncated(sp.Function):
 WITHIN = ("Each component is within 1 ulp as long as its condition is below 1e13; in single "
           "precision it is the nearest number, except near ties, as long as that is below 1e5; "
           "searched, not proved.")
-"""What the accurate tier promises where angles and rotations are converted."""
+"""Promise of the accurate tier for conversions of angles and rotations."""
 
 
 @dataclass(frozen=True)
@@ -133,7 +133,7 @@ class Operation:
     by_value: bool = False  # in C, arguments and result are passed by value
     remark: str = ""  # a further property
     rounding: str = ""  # further error bounds, in words
-    accurate: str = ""  # those of the accurate tier instead
+    accurate: str = ""  # replacements in the accurate tier
 
     def __post_init__(self) -> None:
         for a in self.inputs:

@@ -82,7 +82,7 @@ def substituted(let: Let, L: sp.Matrix, D: list[sp.Expr], b: sp.Matrix) -> sp.Ma
 
 
 def _is_regular(let: Let, A: sp.Matrix) -> sp.Basic:
-    """Whether A - 50 u diag A has positive pivots.
+    """Returns whether A - 50 u diag A has positive pivots.
 
     The factorization is exact for a matrix that differs from A by less than
     (min(i, j) + 2) u sqrt(a_ii a_jj) in row i, column j, counted from 0: with the diagonal scaled
@@ -108,9 +108,9 @@ def _solve(let: Let, A: sp.Matrix, b: sp.Matrix) -> tuple[sp.Expr, sp.Matrix]:
     residual = let("residual", sp.Matrix([
         b[i] - sum(A[max(i, j), min(i, j)] * x[j] for j in range(n)) for i in range(n)]))
     step = substituted(prefixed(let, "refined"), L, safe, residual)
-    found = let("found", x + step)
+    result = let("found", x + step)
     pivot = sp.Piecewise((part, regular), (least, True))
-    return pivot, found.applyfunc(lambda c: sp.Piecewise((c, regular), (sp.nan, True)))
+    return pivot, result.applyfunc(lambda c: sp.Piecewise((c, regular), (sp.nan, True)))
 
 
 def _operations(matrix: Quantity, right: Quantity, left: Quantity) -> tuple[Operation, ...]:

@@ -1,1 +1,1 @@
-"""Arithmetic that is recorded: numbers whose sums and products become a Program's instructions."""
+"""Records arithmetic: sums and products of its numbers become a Program's instructions."""

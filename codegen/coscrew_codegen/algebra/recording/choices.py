@@ -1,8 +1,7 @@
 """Adjoints of numbers that matter only where a choice takes them.
 
 The adjoint of a number that is not taken is zero.  Its product with an infinite partial derivative
-would be NaN, which would spoil the derivatives of all that the number is computed from.
-"""
+would be NaN, which would spoil the derivatives of all operands of the number."""
 
 from collections.abc import Callable
 from typing import Any
@@ -29,7 +28,7 @@ class Choices:
         self._recorder = recorder
         self._tests: dict[str, Number] = {}
         self._unbounded: dict[str, bool] = {}
-        self._cases = _found(program)
+        self._cases = _cases(program)
 
     @property
     def arithmetic(self) -> Arithmetic[Number]:
@@ -70,7 +69,8 @@ class Choices:
         return taken
 
     def _may_be_infinite(self, x: Any) -> bool:
-        """Whether a number may be infinite for small or large arguments: it comes of a quotient."""
+        """Returns whether a number may be infinite for small or large arguments, because it depends
+        on a quotient."""
         if not (isinstance(x, Number) and isinstance(x.operand, Ref)):
             return False
         for step in self._recorder.issued(len(self._unbounded)):
@@ -79,34 +79,35 @@ class Choices:
         return self._unbounded[x.operand.name]
 
 
-def _found(program: Program) -> dict[str, Cases]:
+def _cases(program: Program) -> dict[str, Cases]:
     """Returns for every instruction the cases in which a result depends on it."""
-    found: dict[str, Cases] = {step.name: frozenset() for step in program.instructions}
-    found |= {x.name: ALWAYS for x in program.results if isinstance(x, Ref)}
+    results: dict[str, Cases] = {step.name: frozenset() for step in program.instructions}
+    results |= {x.name: ALWAYS for x in program.results if isinstance(x, Ref)}
     for step in reversed(program.instructions):
-        own = found[step.name]
+        own = results[step.name]
         for place, x in enumerate(step.operands):
             if not isinstance(x, Ref) or step.op in COMPARISONS:
                 continue
             if step.op is not Op.SELECT:
-                found[x.name] = _either(found[x.name], own)
+                results[x.name] = _either(results[x.name], own)
             elif place:
                 test = name_of(step.operands[0]), place == 1
-                found[x.name] = _either(found[x.name], frozenset(
+                results[x.name] = _either(results[x.name], frozenset(
                     case | {test} for case in own if (test[0], not test[1]) not in case))
-    return found
+    return results
 
 
 def _either(a: Cases, b: Cases) -> Cases:
-    """The cases of both; without what another case includes, or two of a test that make one."""
+    """The cases of both, without cases that another one includes, and with both outcomes of a test
+    merged into one case."""
     cases = set(a | b)
-    while found := next(((x, y) for x in cases for y in cases if x < y or _differ(x, y)), None):
-        x, y = found
+    while pair := next(((x, y) for x in cases for y in cases if x < y or _differ(x, y)), None):
+        x, y = pair
         cases -= {y} if x < y else {x, y}
         cases |= set() if x < y else {x & y}
     return frozenset(cases)
 
 
 def _differ(a: Case, b: Case) -> bool:
-    """Whether they differ in whether one test holds."""
+    """Returns whether they differ in the outcome of exactly one test."""
     return {(test, not holds) for test, holds in a - b} == b - a and len(a - b) == 1

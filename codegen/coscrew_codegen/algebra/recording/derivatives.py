@@ -1,9 +1,8 @@
 """Programs of derivatives: the tangent and the adjoint of any Program, recorded and folded.
 
-They are numbers wherever the function has a derivative.  At a root of zero, and for an angle of
-(0, 0), where it has none or an infinite one, it is zero: a length has zero as one of its
-subgradients, and what a choice does not take has no part in the derivative, be it infinite.
-"""
+They are numbers wherever the function has a derivative.  At a root of zero, and for the angle of
+(0, 0), where the derivative is infinite or does not exist, it is zero: zero is a subgradient of a
+length, and an option that a choice does not take contributes nothing, even if infinite."""
 
 from typing import Any
 
@@ -26,10 +25,10 @@ def tangent(program: Program) -> Program:
         recorder.argument(a.name), recorder.argument(b.name), strict=True)]
         for a, b in zip(program.inputs, directions, strict=True)]
     with recorder.part("tangent"):
-        found = differentiate.tangent(program, recorder.arithmetic, numbers, given, _partials,
-                                      _of_root_of_zero)
-    values = [x.value for x in found]
-    slopes = [recorder.number(0) if x.slopes[0] is None else x.slopes[0] for x in found]
+        result = differentiate.tangent(program, recorder.arithmetic, numbers, given, _partials,
+                                       _of_root_of_zero)
+    values = [x.value for x in result]
+    slopes = [recorder.number(0) if x.slopes[0] is None else x.slopes[0] for x in result]
     return recorder.program(f"{program.name}_tangent", [
         *_of(program.outputs, values), *_of(rates, slopes)])
 
@@ -44,15 +43,15 @@ def adjoint(program: Program) -> Program:
     weighed = [w for a in weights for w in recorder.argument(a.name)]
     with recorder.part("adjoint"):
         choices = Choices(program, recorder)
-        values, found = differentiate.adjoint(program, choices.arithmetic, numbers, given, weighed,
-                                              _partials, choices.product)
-    slopes = [recorder.number(0) if x is None else x for row in found for x in row]
+        values, result = differentiate.adjoint(program, choices.arithmetic, numbers, given, weighed,
+                                               _partials, choices.product)
+    slopes = [recorder.number(0) if x is None else x for row in result for x in row]
     return recorder.program(f"{program.name}_adjoint", [
         *_of(program.outputs, values), *_of(gradients, slopes)])
 
 
 def _partials(op: Op) -> Slopes | None:
-    """Returns the table's partial derivatives, but zero at a root of zero and for an angle of (0,
+    """Returns the table's partial derivatives, or zero at a root of zero and for the angle of (0,
     0)."""
     return _HERE.get(op, op.meaning.slopes)
 
@@ -62,15 +61,15 @@ def _of_root(f: DerivativeFunctions, x: Number, y: Number) -> tuple[Number, ...]
 
 
 def _of_root_of_zero(step: Instruction, partial: Any, slope: Number) -> Any:
-    """Zero even if the slope of what is zero overflows."""
+    """The product, or zero at a root of zero, even if the slope overflows."""
     if step.op is not Op.SQRT:
         return slope * partial
     return numbers.where(numbers.equal(partial, 0), 0, slope * partial)
 
 
 def _of_angle(f: DerivativeFunctions, y: Number, x: Number, angle: Number) -> tuple[Number, ...]:
-    """x / (x² + y²) and -y / (x² + y²), of quotients by the larger one: squares would overflow, or
-    vanish."""
+    """x / (x² + y²) and -y / (x² + y²), computed from quotients by the larger one, since squares
+    would overflow or vanish."""
     larger = numbers.maximum(numbers.absolute(x), numbers.absolute(y))
     none = numbers.equal(larger, 0)
     larger = numbers.where(none, 1, larger)
@@ -95,9 +94,9 @@ def _derivatives(program: Program, *sides: tuple[Argument, ...]
 
 def _of(arguments: tuple[Argument, ...], components: list[Number]
         ) -> list[tuple[Argument, list[Number]]]:
-    found, first = [], 0
+    result, first = [], 0
     for argument in arguments:
         last = first + argument.quantity.size
-        found.append((argument, components[first:last]))
+        result.append((argument, components[first:last]))
         first = last
-    return found
+    return result

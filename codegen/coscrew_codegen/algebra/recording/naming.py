@@ -57,7 +57,7 @@ def named(program: Program, parts: Mapping[str, NamePart], labels: Mapping[str, 
 def _labelled(labels: Mapping[str, NamePart], alive: set[str],
               known: Mapping[str, Instruction]) -> dict[str, str]:
     """New names, by old ones, of the instructions that hold labelled values or their negatives."""
-    found: dict[str, str] = {}
+    results: dict[str, str] = {}
     taken: Counter[str] = Counter()
     for old, part in labels.items():
         stem = part.stem
@@ -65,20 +65,20 @@ def _labelled(labels: Mapping[str, NamePart], alive: set[str],
             (x,) = known[old].operands
             if isinstance(x, Ref) and x.name not in labels:
                 old, stem = x.name, f"{stem}n"
-        if old in alive and old not in found:
+        if old in alive and old not in results:
             taken[stem] += 1
-            found[old] = stem if taken[stem] == 1 else f"{stem}v{taken[stem]}"
-    return found
+            results[old] = stem if taken[stem] == 1 else f"{stem}v{taken[stem]}"
+    return results
 
 
 def _only_users(program: Program) -> dict[str, Instruction]:
     """Maps each instruction that is used exactly once, by its name, to the instruction that uses
     it."""
-    found: dict[str, Instruction] = {}
+    results: dict[str, Instruction] = {}
     uses = Counter(x.name for x in (*program.results, *(
         x for step in program.instructions for x in step.operands)) if isinstance(x, Ref))
     for step in program.instructions:
         for x in step.operands:
             if isinstance(x, Ref) and uses[x.name] == 1:
-                found[x.name] = step
-    return found
+                results[x.name] = step
+    return results

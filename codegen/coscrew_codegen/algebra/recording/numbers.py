@@ -36,7 +36,7 @@ class Number:
 
     @property
     def is_zero(self) -> bool:
-        """Whether it is the constant zero."""
+        """True if it is the constant zero."""
         return self.constant == 0
 
     def __add__(self, other: "Like") -> "Number": return self._with(Op.ADD, self, other)

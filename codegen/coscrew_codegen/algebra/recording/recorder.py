@@ -54,8 +54,8 @@ def array(name: str, shape: tuple[int, ...], words: str = "") -> Argument:
 class Recorder:
     """Issues instructions in order and names them after the values that they belong to.
 
-    `fine` is whether operations are recorded as they are computed to twice the digits; one of them
-    `differs` if that takes another program."""
+    `fine` says that operations are recorded in the form for twice the digits; `differs` says that
+    one of them has another program then."""
 
     def __init__(self, inputs: Sequence[Argument], fine: bool = False):
         self.inputs, self._fine, self.differs = tuple(inputs), fine, False
@@ -79,7 +79,7 @@ class Recorder:
                      for k in range(self.inputs[index].quantity.size))
 
     def has(self, name: str) -> bool:
-        """Whether there is an input of this name."""
+        """Returns whether there is an input of this name."""
         return any(a.name == name for a in self.inputs)
 
     def number(self, value: Scalar | int) -> Number:
@@ -97,7 +97,7 @@ class Recorder:
 
     @contextmanager
     def part(self, owner: str, symbol: str = "", heading: str = "") -> Iterator[None]:
-        """Name the instructions issued in this block by owner, a link's number or a name, and
+        """Names the instructions issued in this block by owner (a link's number or a name) and
         symbol, below a heading."""
         with self.resumed(NamePart(owner, symbol, heading or self._part.heading)):
             yield
@@ -207,13 +207,13 @@ class Recorder:
 
 def headings(program: Program) -> tuple[tuple[int, str], ...]:
     """(index, heading) of each instruction at which the heading changes."""
-    found, last = [], ""
+    result, last = [], ""
     for index, step in enumerate(program.instructions):
         heading = step.component.rpartition(":")[0]  # a body may be called a:b
         if heading != last:
-            found.append((index, heading or "total"))
+            result.append((index, heading or "total"))
             last = heading
-    return tuple(found)
+    return tuple(result)
 
 
 def _exactly(argument: Argument, numbers: Numbers) -> Numbers:

@@ -1,5 +1,5 @@
-"""The elementary functions in C: for the library, one operation a statement; for scenes, which
-contain those that they call, with nested expressions."""
+"""The elementary functions in C: for the library, and for scenes, which contain those that they
+call."""
 
 import re
 from collections.abc import Collection, Iterable, Sequence
@@ -19,6 +19,7 @@ from coscrew_codegen.program.values.quantity import Argument
 from coscrew_codegen.program.whole_cost import counts_of
 
 _VALUE_WIDTH = 150
+_BEFORE = len("static KSL_INLINED  {")  # and behind the head of a function
 
 HEADER = "elementary"
 """The header, and the family, that holds them all."""
@@ -37,7 +38,7 @@ _CALL = re.compile(rf"\bksl_({'|'.join(_NAMES)})(?:_lanes|_device)?f?\(")
 
 @dataclass(frozen=True)
 class ElementaryText:
-    """An elementary function in a precision: what a template needs of it."""
+    """An elementary function in a precision, as data for templates."""
 
     name: str  # exp, sincos
     comment: str
@@ -55,7 +56,7 @@ class ElementaryText:
 
 
 def called(texts: Iterable[str]) -> frozenset[str]:
-    """The names of what these texts call: sincos, sin, exp."""
+    """The names of the functions that these texts call: sincos, sin, exp."""
     return frozenset(name for text in texts for name in _CALL.findall(text))
 
 
@@ -118,7 +119,8 @@ def _function(name: str, inputs: Sequence[Argument], outputs: Sequence[Argument]
                                 else step.name for step in program.instructions})
     head = listed(f"{precision.c_type} {name}{precision.called}(",
                   [*(f"const {precision.c_type} {a.name}" for a in inputs),
-                   *(f"{precision.c_type} *{a.name}" for a in others)], ")", WIDTH - 16)
+                   *(f"{precision.c_type} *{a.name}" for a in others)], ")",
+                  WIDTH - (_BEFORE if nested else 16))
 
     def access(x: Input) -> str:
         return program.inputs[x.argument].name

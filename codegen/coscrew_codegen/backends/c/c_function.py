@@ -7,10 +7,11 @@ import re
 from collections.abc import Callable, Collection, Iterator, Sequence
 from dataclasses import dataclass
 
+from coscrew_codegen.backends.c.c_library import nested, quantity
 from coscrew_codegen.backends.c.c_nested import EACH, declarations, language, together
-from coscrew_codegen.backends.c.c_statements import WIDTH, Statements, broken, comment_of
+from coscrew_codegen.backends.c.c_statements import WIDTH, broken, comment_of
 from coscrew_codegen.backends.nesting import NestingPlan
-from coscrew_codegen.program import Input, Operand, Program, Ref, by_component
+from coscrew_codegen.program import Input, Operand, Program, Ref
 from coscrew_codegen.program.values.formats import Precision
 
 
@@ -41,8 +42,8 @@ class Stored:
 
 @dataclass(frozen=True)
 class FunctionBody:
-    """The body of a function in a precision: declarations of the instructions, one operation each
-    and a statement a component, or nested as planned; then the stores."""
+    """The body of a function in a precision: declarations, as the library's or nested as planned;
+    then the stores."""
 
     program: Program
     precision: Precision
@@ -60,17 +61,18 @@ class FunctionBody:
         used = {x.argument for x in self.program.used_inputs()}
         yield from (f"(void){a.name};" for n, a in enumerate(self.program.inputs)
                     if n not in used and a.name not in self.stored.written)
-        declared, results = self._nested(self.plan) if self.plan else self._stated()
+        declared, results = self._nested(self.plan) if self.plan else self._of_library()
         yield from declared
         yield from self._stores(results)
 
-    def _stated(self) -> tuple[Iterator[str], list[str]]:
-        """Declarations, one operation each, and results."""
+    def _of_library(self) -> tuple[Iterator[str], list[str]]:
+        """Declarations of a Program of the library, and results."""
         working = self.precision.computing(self.program.wide)
-        statements = Statements(self.program, working, self.stored.access)
-        texts = (statements.declared(steps, WIDTH - 2) for steps in by_component(self.program))
-        return ((broken(text, WIDTH - 2) for text in texts if text),
-                [self._result(statements, x) for x in self.program.results])
+        text = nested(self.program, working, read_by(self.program, self.precision,
+                                                     self.stored.access))
+        texts = declarations(text.assigned, working, WIDTH - 2, quantity)
+        return ((broken(x, WIDTH - 2) for x in texts),
+                [self._narrowed(*x) for x in zip(self.program.results, text.results, strict=True)])
 
     def _nested(self, plan: NestingPlan) -> tuple[Iterator[str], list[str]]:
         """Declarations in which expressions nest, and results."""
@@ -97,9 +99,6 @@ class FunctionBody:
         yield from (f"{target} = {saved.get(x, x)};" for target, x in pairs if target != x)
         if last:
             yield last
-
-    def _result(self, statements: Statements, operand: Operand) -> str:
-        return self._narrowed(operand, statements.operand(operand))
 
     def _narrowed(self, operand: Operand, text: str) -> str:
         """A result in the precision of the arguments.  A result that is an input is not cast."""

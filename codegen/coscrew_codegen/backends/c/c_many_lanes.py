@@ -58,7 +58,7 @@ def files(library: Library) -> Files:
 
 @cache  # also used by the extension target
 def headers(library: Library) -> Mapping[str, str]:
-    """What they share, and one of each family that has such kernels."""
+    """Returns the shared header, and one for each family that has such kernels."""
     shared = render("c/ksl_states.h", banner=library.banner,
                     sections=list(map(_Section, library.precisions)))
     return {HEADER: shared} | {

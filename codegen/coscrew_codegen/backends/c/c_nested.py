@@ -5,7 +5,8 @@ the same or another statement, is RN(a * b), rounded on its own even by compiler
 spite of every pragma.
 """
 
-from collections.abc import Iterator, Sequence
+from collections import Counter
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from itertools import groupby, pairwise
 
@@ -70,7 +71,7 @@ def language(program: Program, precision: Precision) -> Language:
         if step.name in rounded:
             return _ROUNDED
         if step.op is Op.TWO_OVER_PI:
-            return chunk_of_two_over_pi(step).replace("{f}", precision.called), CALL
+            return spelled(step, precision)
         pattern, binding = spellings[step.op]
         if precision.lanes and (binding == CALL or not any(map(_varies, step.operands))):
             pattern = pattern.format(*("{}" if _varies(x) else EACH for x in step.operands))
@@ -84,8 +85,14 @@ def language(program: Program, precision: Precision) -> Language:
     return Language(spelling, constant, f"({BY_NAME[precision.name].c_type})NAN", "", "{arguments}")
 
 
+def spelled(step: Instruction, precision: Precision) -> tuple[str, int]:
+    """A pattern of the operation on numbers, and its precedence."""
+    pattern, binding = _SPELLING.get(step.op) or (chunk_of_two_over_pi(step), CALL)
+    return pattern.replace("%s", precision.called).replace("{f}", precision.called), binding
+
+
 def _varies(x: Operand) -> bool:
-    """Whether it differs from state to state."""
+    """Returns whether it differs from state to state."""
     return isinstance(x, (Input, Ref))
 
 
@@ -182,9 +189,12 @@ def _grouped(sines: Sequence[Assignment], pairs: Sequence[Assignment]) -> Iterat
                 yield Together(own, group)
 
 
-def declarations(assigned: Sequence[Assignment | Together | str], precision: Precision,
-                 width: int) -> Iterator[str]:
-    """Declarations and headings; declarations of the same component are one statement."""
+def declarations(assigned: Sequence[Assignment | Together | str], precision: Precision, width: int,
+                 quantity: Callable[[str], str] = lambda component: component) -> Iterator[str]:
+    """Declarations and headings; declarations of the same component are one statement, and those of
+    components of the same `quantity` that have one each."""
+    several = Counter(x.step.component for x in assigned if isinstance(x, Assignment))
+
     def kind(x: Assignment | Together | str) -> tuple[str, str]:
         if isinstance(x, str):
             return "", f"/* {x} */"
@@ -192,7 +202,8 @@ def declarations(assigned: Sequence[Assignment | Together | str], precision: Pre
             return "", x.statements(precision, width)
         if x.cosine:
             return "", sine_and_cosine(x.step, x.cosine, x.expression, precision)
-        return _c_type(x.step, precision), x.step.component
+        return _c_type(x.step, precision), (
+            x.step.component if several[x.step.component] > 1 else quantity(x.step.component))
 
     for (c_type, words), group in groupby(assigned, kind):
         if not c_type:

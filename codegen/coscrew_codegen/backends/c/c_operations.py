@@ -81,7 +81,8 @@ def parameters(operation: Operation) -> tuple[Argument, ...]:
 
 
 def is_pointer(operation: Operation, argument: Argument) -> bool:
-    """Whether C passes the argument's address: true of structs, and of numbers that are outputs."""
+    """Returns whether C passes the argument's address: true of structs, and of numbers that are
+    outputs."""
     if argument.quantity.name in STRUCTS:
         return not operation.by_value or argument in operation.outputs[1:]
     return not argument.quantity.shape and argument in operation.outputs

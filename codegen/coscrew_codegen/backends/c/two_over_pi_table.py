@@ -15,7 +15,7 @@ def in_c(precision: Precision) -> str:
 
 
 def holes(precision: Precision, suffix: str = "") -> Mapping[str, object]:
-    """Returns what the templates need; literals end in the suffix."""
+    """Returns the templates' data; literals end in the suffix."""
     some = chunks(precision.digits)
     literals = [precision.literal(Constant(x, x)) + suffix for x in some.values]
     return {"precision": precision, "bits": some.bits, "scale": some.scale, "extra": EXTRA,

@@ -118,5 +118,5 @@ class CudaNumber:
 
 
 def _operands(result: str, register: str, *values: str) -> str:
-    """Constraints: the result x, then what is read."""
+    """Constraints: the result x, then the operands read."""
     return f'"={result}"(x) : ' + ", ".join(f'"{register}"({x})' for x in values)

@@ -53,7 +53,7 @@ class Block:
 
     @property
     def built_in(self) -> Precision:
-        """The same precision on C's own numbers."""
+        """This precision on C's own numbers."""
         return BY_NAME[self.working.name]
 
     @property

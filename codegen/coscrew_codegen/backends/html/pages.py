@@ -28,7 +28,7 @@ class Table:
     texts: int = 1  # columns from the left that hold words
 
     def text(self) -> str:
-        """For a terminal."""
+        """The table as text for a terminal."""
         table = [self._tabulated(self.rows, "simple")] if self.rows else []
         return "\n".join((*map(wrapped, self.above), *table, *map(wrapped, self.below)))
 

@@ -180,7 +180,8 @@ def scatter(axes: Axes, marks: Sequence[Mark]) -> None:
 
 
 def place(axes: Axes, y: float) -> tuple[float, Transform]:
-    """Where the axes have this error: zero near their lower edge, infinity near their upper one."""
+    """Returns the place of this error on the axes: zero is near their lower edge, infinity near
+    their upper one."""
     return (y, axes.transData) if 0 < y < inf else (
         0.95 if y > 0 else 0.05, axes.get_xaxis_transform())
 

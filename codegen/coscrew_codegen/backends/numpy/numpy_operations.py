@@ -11,9 +11,19 @@ from typing import Any
 from coscrew_codegen.accuracy import bounds
 from coscrew_codegen.accuracy.tiers import TIERS, Tier
 from coscrew_codegen.algebra.operations import Operation
-from coscrew_codegen.backends.c.c_statements import WIDTH, listed
+from coscrew_codegen.backends.c.c_statements import WIDTH, broken, listed
 from coscrew_codegen.backends.library import FamilyKernels, Kernels, Library
-from coscrew_codegen.backends.nesting import CALL, COMPARISON, PRODUCT, SIGN, SUM, Language, Nesting
+from coscrew_codegen.backends.nesting import (
+    CALL,
+    COMPARISON,
+    PRODUCT,
+    SIGN,
+    SUM,
+    Assignment,
+    Language,
+    Nesting,
+    wrapped,
+)
 from coscrew_codegen.program import Constant, Input, Instruction, NotANumber, Op, Program
 from coscrew_codegen.program.values.formats import DOUBLE, Precision
 from coscrew_codegen.program.values.quantity import Argument, in_words
@@ -98,12 +108,13 @@ class Stub:
     docstring: str
 
 
-def stub(operation: Operation, docstring: str, scalar: str) -> Stub:
-    """The operation's typed signature, its results arrays of `scalar` (np.float64, …)."""
+def stub(operation: Operation, docstring: str) -> Stub:
+    """The operation's typed signature: its results are of the type _Array of the stubs, and the
+    arrays that may be given for them _Out."""
     arguments = ", ".join(f"{a.name}: ArrayLike" for a in operation.inputs)
-    array, count = f"NDArray[{scalar}]", len(operation.outputs)
-    result = array if count == 1 else f"tuple[{', '.join([array] * count)}]"
-    out = array if count == 1 else f"tuple[{', '.join([f'{array} | None'] * count)}]"
+    count = len(operation.outputs)
+    result = "_Array" if count == 1 else f"tuple[{', '.join(['_Array'] * count)}]"
+    out = "_Out" if count == 1 else f"tuple[{', '.join(['_Out'] * count)}] | None"
     return Stub(operation.name, arguments, out, result, _indented(docstring))
 
 
@@ -173,8 +184,20 @@ def language(precision: Precision, constant: Callable[[Constant], str], module: 
     return Language(spelling, constant, "nan", "# ", f"{module}{{function}}({{arguments}})")
 
 
+def statement(x: Assignment | str) -> str:
+    """An assignment, in parentheses if it takes several lines; or a comment."""
+    if isinstance(x, str):
+        return f"# {x}"
+    names = ", ".join(x.names)
+    plain = f"{names} = {x.expression}"
+    if len(plain) <= WIDTH - 4:
+        return plain
+    rows = list(wrapped(f"{names} = ({x.expression})", WIDTH - 4, 4))
+    return broken("\n    ".join(rows) if len(rows) > 1 else plain, WIDTH - 4)
+
+
 def _is_choice_of_constants(step: Instruction) -> bool:
-    """Whether this chooses between numbers that have no type of their own."""
+    """Returns whether this chooses between numbers that have no type of their own."""
     return step.op is Op.SELECT and all(isinstance(x, Constant) for x in step.operands[1:])
 
 
@@ -195,8 +218,8 @@ class _Writer:
                  if n in used and a.quantity.shape]
         text = Nesting(self.program, language(self.working, self._constant, "elementary."),
                        self._component,
-                       WIDTH - 4, named=lambda step: step.name == step.component)
-        lines += text.lines
+                       150, named=lambda step: step.name == step.component)
+        lines += map(statement, text.assigned)
         lines.append(f"return {text.results[0]}" if len(text.results) == 1
                      else listed("return (", text.results, ")", WIDTH - 4))
         return [line.replace("\n", "\n    ") for line in lines]

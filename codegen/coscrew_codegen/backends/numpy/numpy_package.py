@@ -84,8 +84,8 @@ def _stubs(library: Library, tier: Tier, precision: Precision, shared: dict[str,
            scalar: str, top: bool = False) -> str:
     """A module's stub file; the docstrings of twins are in their sources."""
     docstrings = numpy_operations.docstrings(library, tier, precision)
-    stubs = [numpy_operations.stub(op, docstrings[op.name], scalar) for op in library.having(tier)]
-    return render("python/operations.pyi", stubs=stubs, top=top, **shared)
+    stubs = [numpy_operations.stub(op, docstrings[op.name]) for op in library.having(tier)]
+    return render("python/operations.pyi", stubs=stubs, top=top, scalar=scalar, **shared)
 
 
 def _twin_modules(library: Library, tier: Tier) -> Files:

@@ -11,9 +11,15 @@ from textwrap import wrap
 from coscrew_codegen.accuracy.scene_tiers import SceneTier
 from coscrew_codegen.algebra.recording.gc_pause import uncollected
 from coscrew_codegen.backends.c.c_statements import WIDTH, listed
-from coscrew_codegen.backends.nesting import Assignment, NestingPlan, wrapped
+from coscrew_codegen.backends.nesting import NestingPlan
 from coscrew_codegen.backends.numpy import numpy_elementary
-from coscrew_codegen.backends.numpy.numpy_operations import EXACT, NUMPY_NAMES, exactly_in, language
+from coscrew_codegen.backends.numpy.numpy_operations import (
+    EXACT,
+    NUMPY_NAMES,
+    exactly_in,
+    language,
+    statement,
+)
 from coscrew_codegen.backends.numpy.scene_python_steps import python_name, step_lines
 from coscrew_codegen.backends.render import render
 from coscrew_codegen.backends.scene import scene_text
@@ -166,7 +172,7 @@ def _function(scene: SceneFunctions, function: FunctionProgram, plan: NestingPla
              _unpacking("components", [(a.name, _shape(a)) for a in program.inputs],
                         precision, bool(scene.signs) and not function.internal),
              *([_widened(taken)] if program.wide and taken else []),
-             *map(_assigned, expressions.assigned)]
+             *map(statement, expressions.assigned)]
     made = list(_assembled(outputs, expressions.results, precision))
     lines.append(f"return delivered(out, {made[0]})" if len(made) == 1 else
                  listed("return delivered(", ["out", *made], ")", WIDTH - 4))
@@ -184,17 +190,6 @@ def _widened(names: Sequence[str]) -> str:
     """The statement that converts components to double."""
     pairs = [", ".join(names), f"widened({', '.join(names)})"]
     return f"{pairs[0]}{',' if len(names) == 1 else ''} = {pairs[1]}"
-
-
-def _assigned(x: Assignment | str) -> str:
-    """A statement, in parentheses if it takes several lines; or a comment."""
-    if isinstance(x, str):
-        return f"# {x}"
-    names = ", ".join(x.names)
-    plain = f"{names} = {x.expression}"
-    if len(plain) <= WIDTH - 4:
-        return plain
-    return "\n    ".join(wrapped(f"{names} = ({x.expression})", WIDTH - 4, 4))
 
 
 def _assembled(outputs: Sequence[Argument], results: Sequence[str],

@@ -35,7 +35,7 @@ def _runtime(banner: str) -> Files:
 
 
 def has_extension(library: Library, tier: Tier) -> bool:
-    """Whether the tier has one: both languages are selected, it has kernels."""
+    """Returns whether the tier has one: both languages are selected, it has kernels."""
     return bool(library.having(tier)) and set(TARGET.languages) <= set(library.languages)
 
 

@@ -19,7 +19,7 @@ from coscrew_codegen.backends.scene.scene_c_steps import begun
 from coscrew_codegen.backends.scene.scene_text import c_name
 from coscrew_codegen.backends.target import Files, Target
 from coscrew_codegen.program.scene_functions import SceneFunctions, SceneInterface, Signature
-from coscrew_codegen.program.values.formats import DOUBLE, SINGLE, Precision, named
+from coscrew_codegen.program.values.formats import SINGLE, Precision, named
 
 # Times and step lengths are rounded from double, as when steps are called one by one.
 _RUN = {"t": "({real})begun(t, h, (double)k)", "h": "({real})h"}
@@ -81,7 +81,7 @@ def _source(scene: SceneFunctions, stem: str, precisions: Collection[str]) -> st
                  "functions": [_function(scene, f, p) for f in signatures]}
                 for p in named(precisions)]
     return render("scene/calls.c", name=stem, upper=scene.name.upper(), sections=sections,
-                  sizes={**sizes, **(state if driven else {})}, driven=driven, products=[DOUBLE],
+                  sizes={**sizes, **(state if driven else {})}, driven=driven,
                   begun=begun() if driven or (scene.timed and scene.steps) else "")
 
 

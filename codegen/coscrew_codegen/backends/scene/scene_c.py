@@ -1,27 +1,28 @@
-"""A scene's functions as C: arm.h and arm.c, both precisions in the same two files.
+"""A scene's functions as C: arm.h declares them, arm.c has them in double precision, armf.c in
+single; both include coscrew_runtime.h.
 
 Arrays are plain and matrices row by row.  Results are stored last, when everything has been read:
 outputs may alias inputs, also in part.
 """
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
 from functools import partial
 
 from coscrew_codegen.algebra.recording.gc_pause import uncollected
 from coscrew_codegen.backends import version
-from coscrew_codegen.backends.c import c_double, c_elementary
 from coscrew_codegen.backends.c.c_function import CFunction, FunctionBody, Stored
 from coscrew_codegen.backends.c.c_statements import WIDTH, comment_of, listed
 from coscrew_codegen.backends.nesting import NestingPlan
 from coscrew_codegen.backends.render import render
 from coscrew_codegen.backends.scene import scene_c_arguments as arguments
-from coscrew_codegen.backends.scene import scene_text
+from coscrew_codegen.backends.scene import scene_c_runtime, scene_text
 from coscrew_codegen.backends.scene.scene_c_parts import FunctionParts
 from coscrew_codegen.backends.scene.scene_c_steps import step_body
 from coscrew_codegen.backends.scene.scene_text import c_name
 from coscrew_codegen.backends.target import Files, Target
 from coscrew_codegen.program.scene_functions import FunctionProgram, IntegratorStep, SceneFunctions
-from coscrew_codegen.program.values.formats import Precision, named
+from coscrew_codegen.program.values.formats import DOUBLE, SINGLE, Precision, named
 from coscrew_codegen.scene.identifiers import capitals, numbered
 
 IN_WORDS = {("double",): "double precision only, as selected",
@@ -31,25 +32,70 @@ IN_WORDS = {("double",): "double precision only, as selected",
 
 @uncollected()
 def files(scene: SceneFunctions, banner: str) -> Files:
-    """arm.h and arm.c.  Raises ValueError for names that cannot be used in C."""
+    """arm.h, arm.c, armf.c and coscrew_runtime.h.  Raises ValueError for names that C cannot use.
+    """
     scene_text.check_names(scene)
     plans = scene_text.plans(scene)
     parts = FunctionParts(scene, plans)
-    made = [(p, list(functions_of(scene, plans, parts, p))) for p in named(scene.precisions)]
-    sections = [{"precision": p, "functions": functions, "elementary": c_elementary.written(
-                    p, c_elementary.called(x.body for x in functions), nested=True)}
-                for p, functions in made]
-    names = scene_text.legend(plans, [x.body for _, functions in made for x in functions])
-    shared = {"banner": banner, "name": scene.name, "upper": scene.name.upper(),
-              "sections": sections}
-    return {
-        f"{scene.name}.h": render("scene/scene.h", about=comment_of(about(scene)),
-                                  macros=macros(scene), **shared,
-                                  double=c_double.of_scene(scene.name.upper(), (
-                                      (p, p) for p in named(scene.precisions)))),
-        f"{scene.name}.c": render("scene/scene.c", names=[comment_of(names)] if names else [],
-                                  products=named(scene.precisions), parts=bool(parts.cuts),
-                                  **shared)}
+    made = {p: list(functions_of(scene, plans, parts, p)) for p in named(scene.precisions)}
+    remedy = f"{scene.name}f.c has the same functions in single precision" \
+        if SINGLE in made else "generate with --precision single"
+    sources = [Source(scene.name, scene.name, p, plans, [Section(p, functions)], bool(parts.cuts),
+                      remedy if p == DOUBLE else "") for p, functions in made.items()]
+    return {f"{scene.name}.h": header(scene.name, scene.name, about(scene), made, banner,
+                                      macros(scene)),
+            **{x.path: x.text(banner) for x in sources}, **scene_c_runtime.files()}
+
+
+@dataclass(frozen=True)
+class Section:
+    """Functions that compute in one precision, each after those that it calls."""
+
+    working: Precision
+    functions: Sequence[CFunction]
+
+
+@dataclass(frozen=True)
+class Source:
+    """A .c file: functions of a header, whose arguments have one precision."""
+
+    name: str  # of the header
+    scene: str
+    precision: Precision
+    plans: Sequence[NestingPlan]
+    sections: Sequence[Section]
+    parts: bool  # whether functions are cut
+    refused: str  # what to do where double is too short; "" if nothing is computed in it
+
+    @property
+    def path(self) -> str:
+        """Its place in the output folder."""
+        return f"{self.name}{self.precision.suffix}.c"
+
+    def text(self, banner: str) -> str:
+        """Returns all of it."""
+        bodies = [x.body for section in self.sections for x in section.functions]
+        names = scene_text.legend(self.plans, bodies)
+        return render("scene/scene.c", banner=banner, name=self.name, upper=self.scene.upper(),
+                      precision=self.precision, names=[comment_of(names)] if names else [],
+                      parts=self.parts, sections=self.sections,
+                      **included(bodies, self.refused))
+
+
+def included(bodies: Iterable[str], refused: str = "") -> dict[str, object]:
+    """What the template of inclusions needs to write them for these bodies of functions."""
+    return {"errors": scene_c_runtime.with_errors(bodies), "double": refused,
+            "fingerprint": scene_c_runtime.fingerprint()}
+
+
+def header(name: str, scene: str, about: Sequence[str],
+           functions: Mapping[Precision, Sequence[CFunction]], banner: str,
+           macros: Sequence[tuple[str, str]] = ()) -> str:
+    """The header that declares public functions, by precision."""
+    public = [{"functions": found} for x in functions.values()
+              if (found := [f for f in x if not f.internal])]
+    return render("scene/scene.h", banner=banner, about=comment_of([*about]), macros=macros,
+                  guard=name.upper(), upper=scene.upper(), sections=public)
 
 
 def macros(scene: SceneFunctions) -> list[tuple[str, str]]:

@@ -5,6 +5,7 @@ function on vectors, and writes the results.  Where the instructions need double
 arguments are single, it calls that twice, for half of the states each.
 """
 
+import re
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
@@ -20,6 +21,7 @@ from coscrew_codegen.program.scene_functions import SceneFunctions, Signature
 from coscrew_codegen.program.values.formats import Precision, in_lanes
 
 Inputs = Sequence[tuple[str, tuple[int, ...]]]
+_PRODUCTS = re.compile(r"\bksl_product_(error|rest)(_lanes)?f?\(")
 
 
 @dataclass(frozen=True)
@@ -37,11 +39,6 @@ class VectorKernels:
     precision: Precision  # of the numbers
     sections: tuple[scene_c_tier.TierSection, ...]
 
-    @property
-    def parts(self) -> bool:
-        """Whether functions are cut."""
-        return any(x.parts.cuts for x in self.sections)
-
     @cached_property
     def functions(self) -> list[CFunction]:
         """Their text."""
@@ -54,17 +51,14 @@ class VectorKernels:
         return c_elementary.written(in_lanes(self.precision), called, nested=True)
 
     @cached_property
-    def reductions(self) -> list[c_elementary.ElementaryText]:
-        """Functions of one number that reduce angles one by one."""
-        names = {x.name for x in self.elementary if x.near}
-        return c_elementary.written(self.precision, names, nested=True)
-
-    @property
-    def texts(self) -> Iterator[str]:
-        """All bodies."""
-        yield from (x.body for x in self.functions)
-        for x in (*self.elementary, *self.reductions):
-            yield from (*x.near, *x.far, x.body)
+    def exact(self) -> list[str]:
+        """The rounding errors of products that are computed, by the names of their functions for
+        one number."""
+        texts = (*(x.body for x in self.functions),
+                 *(text for x in self.elementary for text in (*x.near, *x.far, x.body)))
+        f = self.precision.suffix
+        return [f"ksl_product_{what}{f}" for what in ("error", "rest")] \
+            if any(map(_PRODUCTS.search, texts)) else []
 
     @property
     def mask(self) -> str:
@@ -134,6 +128,11 @@ class VectorSection:
             return [VectorKernels(self.precision, (*plain, made))]
         return [VectorKernels(self.precision, plain), VectorKernels(
             self.working, (scene_c_tier.TierSection(in_lanes(self.working), self._on_lanes),))]
+
+    @property
+    def parts(self) -> bool:
+        """Whether functions are cut."""
+        return any(x.parts.cuts for kernels in self.kernels for x in kernels.sections)
 
     @property
     def functions(self) -> list[dict[str, object]]:

@@ -1,23 +1,24 @@
-"""A scene's functions of many states as C: arm_many.h and arm_many.c.
+"""A scene's functions of many states as C: arm_many.h, arm_many.c in double precision and
+arm_manyf.c in single.
 
 The same Programs as in arm.c, on vectors with a number of each of several states, as many as a
 register holds: the bits are those of one state.  Loops over arm.c's functions where the compiler or
 the processor has no such vectors.
 """
 
-import re
 from collections.abc import Iterator, Sequence
 
 from coscrew_codegen.accuracy.scene_tiers import SceneTier
 from coscrew_codegen.algebra.recording.gc_pause import uncollected
 from coscrew_codegen.backends.c.c_statements import comment_of
 from coscrew_codegen.backends.render import render
+from coscrew_codegen.backends.scene import scene_c_runtime
 from coscrew_codegen.backends.scene.scene_c import IN_WORDS
-from coscrew_codegen.backends.scene.scene_c_lanes import VectorKernels, VectorSection
+from coscrew_codegen.backends.scene.scene_c_lanes import VectorSection
 from coscrew_codegen.backends.scene.scene_c_steps import begun
 from coscrew_codegen.backends.target import Files, Target
 from coscrew_codegen.program.scene_functions import SceneFunctions
-from coscrew_codegen.program.values.formats import DOUBLE, named
+from coscrew_codegen.program.values.formats import named
 
 LEVEL = "-O2"
 """How to compile it: clang's code takes 0.8 to 0.95 of the time that -O1 gives, for 1.2 times the
@@ -26,13 +27,13 @@ compilation."""
 
 @uncollected()
 def files(scene: SceneFunctions, banner: str) -> Files:
-    """arm_many.h and arm_many.c."""
+    """arm_many.h, arm_many.c, arm_manyf.c and coscrew_runtime.h."""
     return _files([VectorSection(p, scene) for p in named(scene.precisions)], scene.name, banner)
 
 
 @uncollected()
 def tier_files(made: SceneTier, banner: str) -> Files:
-    """arm_accurate_many.h and arm_accurate_many.c."""
+    """arm_accurate_many.h, arm_accurate_many.c, arm_accurate_manyf.c and coscrew_runtime.h."""
     sections = []
     for precision, scene in made.in_precisions:
         plain = made.called(scene)
@@ -41,30 +42,20 @@ def tier_files(made: SceneTier, banner: str) -> Files:
 
 
 def _files(sections: Sequence[VectorSection], of: str, banner: str) -> Files:
-    scene = sections[0].scene
     name = f"{of}_many"
-    kernels = [x for section in sections for x in section.kernels]
-    timed = scene.timed and bool(scene.steps)
-    products = {x.precision.name for x in kernels if x.reductions}
-    shared = {"banner": banner, "name": name, "of": of, "upper": scene.name.upper(),
-              "guard": name.upper(), "sections": sections}
-    return {
-        f"{name}.h": render("scene/many.h", about=comment_of([*_about(sections, of)]),
-                             **shared),
-        f"{name}.c": render(
-            "scene/many.c", products=named(products | ({DOUBLE.name} if timed else set())),
-            begun=begun() if timed else "", parts=any(x.parts for x in kernels),
-            exact=_exact(kernels), **shared)}
+    return {f"{name}.h": render("scene/many.h", banner=banner, of=of, guard=name.upper(),
+                                about=comment_of([*_about(sections, of)]), sections=sections),
+            **{f"{name}{x.precision.suffix}.c": _source(x, of, name, banner) for x in sections},
+            **scene_c_runtime.files()}
 
 
-def _exact(kernels: Sequence[VectorKernels]) -> list[str]:
-    """The rounding errors of products that are computed, by the names of their functions for one
-    number."""
-    found = {x.precision.suffix for x in kernels if any(map(_PRODUCTS.search, x.texts))}
-    return [f"ksl_product_{what}{f}" for f in sorted(found) for what in ("error", "rest")]
-
-
-_PRODUCTS = re.compile(r"\bksl_product_(error|rest)(_lanes)?f?\(")
+def _source(section: VectorSection, of: str, name: str, banner: str) -> str:
+    """The functions of one precision."""
+    timed = section.scene.timed and bool(section.scene.steps)
+    return render("scene/many.c", banner=banner, name=name, of=of, section=section,
+                  upper=section.scene.name.upper(), begun=begun() if timed else "",
+                  errors=any(x.exact for x in section.kernels), double="",  # arm.c is refused
+                  fingerprint=scene_c_runtime.fingerprint())
 
 
 def _about(sections: Sequence[VectorSection], of: str) -> Iterator[str]:

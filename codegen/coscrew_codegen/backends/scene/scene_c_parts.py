@@ -45,8 +45,7 @@ def _cuts(plans: Sequence[NestingPlan]) -> dict[str, Cut]:
 
 
 def _angles_first(program: Program) -> Program:
-    """Moves what is computed for several angles at once to the front, so that one part has it all.
-    """
+    """Moves instructions for several angles at once to the front, so that one part has them all."""
     first: dict[Ref, Instruction] = {}
     for step in program.instructions:
         x, *others = step.operands

@@ -1,28 +1,24 @@
-"""A scene's functions in a tier as C: arm_accurate.h and arm_accurate.c, which need no other file.
-"""
+"""A scene's functions in a tier as C: arm_accurate.h, arm_accurate.c in double precision and
+arm_accuratef.c in single, which need coscrew_runtime.h alone."""
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 
 from coscrew_codegen.accuracy.scene_tiers import SceneTier
 from coscrew_codegen.algebra.recording.gc_pause import uncollected
-from coscrew_codegen.backends.c import c_double, c_elementary
+from coscrew_codegen.backends.c import c_elementary
 from coscrew_codegen.backends.c.c_function import CFunction
-from coscrew_codegen.backends.c.c_statements import WIDTH, comment_of, listed
+from coscrew_codegen.backends.c.c_statements import WIDTH, listed
 from coscrew_codegen.backends.nesting import NestingPlan
-from coscrew_codegen.backends.render import render
+from coscrew_codegen.backends.scene import scene_c, scene_c_runtime, scene_text
 from coscrew_codegen.backends.scene import scene_c_arguments as arguments
-from coscrew_codegen.backends.scene import scene_text
 from coscrew_codegen.backends.scene.scene_c import IN_WORDS, functions_of
 from coscrew_codegen.backends.scene.scene_c_parts import FunctionParts
 from coscrew_codegen.backends.scene.scene_text import c_name
 from coscrew_codegen.backends.target import Files, Target
 from coscrew_codegen.program.scene_functions import FunctionProgram, SceneFunctions
-from coscrew_codegen.program.values.formats import Precision, named
-
-_ERRORS = ("ksl_product_error", "ksl_product_errorf", "ksl_product_rest",
-           "ksl_product_restf")
+from coscrew_codegen.program.values.formats import DOUBLE, SINGLE, Precision
 
 
 @dataclass(frozen=True)
@@ -68,66 +64,44 @@ class TierSection:
         return scene_text.working([plan.program for plan in self.plans], self.precision)
 
     @property
-    def public(self) -> bool:
-        """Whether they are declared in the header."""
-        return not all(f.internal for f in self.scene.functions)
-
-    @property
     def called(self) -> frozenset[str]:
         """The elementary functions that they call."""
         return c_elementary.called(x.body for x in self.functions)
 
 
-@dataclass(frozen=True)
-class TierText:
-    """A section, and the functions that no other section calls."""
-
-    section: TierSection
-    elementary: list[c_elementary.ElementaryText]
-
-
-def _exact(sections: Sequence[TierSection],
-           elementary: Iterable[c_elementary.ElementaryText]) -> list[str]:
-    """Returns those of _ERRORS that are called: rounding errors of products."""
-    bodies = [*(x.body for section in sections for x in section.functions),
-              *(text for x in elementary for text in (*x.near, *x.far, x.body))]
-    return [name for name in _ERRORS if any(f"{name}(" in body for body in bodies)]
-
-
-def _of_all(sections: Sequence[TierSection]) -> frozenset[str]:
-    """The elementary functions that all of several sections call."""
-    if len(sections) < 2:
-        return frozenset()
-    return c_elementary.shared(x.called for x in sections)
-
-
 @uncollected()
 def files(made: SceneTier, banner: str) -> Files:
-    """arm_accurate.h and arm_accurate.c.  Raises ValueError for names that C cannot use."""
+    """arm_accurate.h, arm_accurate.c, arm_accuratef.c and coscrew_runtime.h.  Raises ValueError for
+    names that C cannot use."""
     sections = list(_sections(made))
     for section in sections:
         scene_text.check_names(section.scene)
-    precisions = named({x.working.name for x in sections})
-    bodies = [function.body for x in sections for function in x.functions]
-    names = scene_text.legend([plan for x in sections for plan in x.plans], bodies)
-    wide = [x for x in sections if x.working == sections[-1].working]
-    common = _of_all(wide)
-    written = [TierText(x, c_elementary.written(
-        x.working, x.called - common if x in wide else x.called, nested=True)) for x in sections]
-    shared_functions = c_elementary.written(wide[0].working, common, nested=True)
-    exact = _exact(sections, (*shared_functions, *(f for x in written for f in x.elementary)))
-    shared = {"banner": banner, "name": made.stem, "upper": made.plain.name.upper(),
-              "guard": made.stem.upper(), "sections": [x for x in sections if x.public]}
+    of = {p: [x for x in sections if x.precision == p] for p, _ in made.in_precisions}
+    sources = [_source(made, p, some) for p, some in of.items()]
+    public = {p: [f for x in some for f in x.functions] for p, some in of.items()}
     return {
-        f"{made.stem}.h": render(
-            "scene/tier.h", about=comment_of(about(made, f"{made.plain.name}.h")),
-            double=c_double.of_scene(made.plain.name.upper(), (
-                (x.precision, x.working) for x in sections)), **shared),
-        f"{made.stem}.c": render(
-            "scene/tier.c", names=[comment_of(names)] if names else [], products=precisions,
-            parts=any(x.parts.cuts for x in sections), written=written,
-            inlining=bool(exact) or any(x.called for x in sections), exact=exact,
-            working=wide[0].working, elementary=shared_functions, **shared)}
+        f"{made.stem}.h": scene_c.header(made.stem, made.plain.name,
+                                         about(made, f"{made.plain.name}.h"), public, banner),
+        **{x.path: x.text(banner) for x in sources}, **scene_c_runtime.files()}
+
+
+def _source(made: SceneTier, precision: Precision, sections: Sequence[TierSection]
+            ) -> scene_c.Source:
+    """The functions whose arguments have one precision."""
+    remedy = "this tier computes in double, also in single precision; the pairs tier does not"
+    if precision == DOUBLE and SINGLE in dict(made.in_precisions) and _only_own(made):
+        remedy = f"{made.stem}f.c has the same functions in single precision"
+    return scene_c.Source(
+        made.stem, made.plain.name, precision, [plan for x in sections for plan in x.plans],
+        [scene_c.Section(x.working, x.functions) for x in sections],
+        any(x.parts.cuts for x in sections),
+        remedy if DOUBLE in {x.working for x in sections} else "")
+
+
+def _only_own(made: SceneTier) -> bool:
+    """Whether single precision is computed in single precision."""
+    scene = dict(made.in_precisions)[SINGLE]
+    return scene_text.working([f.program for f in scene.functions], SINGLE) == SINGLE
 
 
 def _sections(made: SceneTier) -> Iterator[TierSection]:

@@ -20,6 +20,7 @@ SYMBOLS: dict[tuple[str, ...], str] = {
     ("B", "Bm", "Bh", "BI"): "inertia of the link, of all its bodies: mass; first and second "
                              "moments about the origin",
     ("I",): "inertia of the joint alone, such as gear^2 rotor of an armature",
+    ("n", "nl", "na"): "axes of the joint in the link's frame (linear; angular)",
     ("f", "m"): "net force and moment about the origin, less those of effects",
     ("fj", "mj"): "force and moment about the origin that the joint transmits",
     ("fp", "mp"): "fj and mj, fB and mB, or pj and Lj, in the parent's frame, about its origin",

@@ -6,10 +6,8 @@ Knows functions and words; nothing of how a language writes statements.
 import keyword
 import re
 from collections.abc import Callable, Iterable, Sequence
-from dataclasses import replace
 from fractions import Fraction
 from math import prod
-from typing import TypeVar
 
 from coscrew_codegen.backends.c.c_nested import language
 from coscrew_codegen.backends.nesting import NestingPlan, planned
@@ -21,17 +19,21 @@ from coscrew_codegen.program.scene_functions import (
     SceneFunctions,
     SceneInterface,
 )
+from coscrew_codegen.program.scene_functions import (
+    c_name as c_name,
+)
+from coscrew_codegen.program.scene_functions import (
+    many as many,
+)
+from coscrew_codegen.program.scene_functions import (
+    marked as marked,
+)
+from coscrew_codegen.program.scene_functions import (
+    signs as signs,
+)
 from coscrew_codegen.program.values.formats import DOUBLE, Precision
-from coscrew_codegen.program.values.parameter import Sign
 from coscrew_codegen.program.values.quantity import Argument
-
-_UNITS = {
-    "revolute": "q in rad; v in rad/s",
-    "prismatic": "q in m; v in m/s",
-    "spherical": "q: quaternion (x, y, z, w); v: angular velocity in rad/s in the body's frame",
-    "free": "q: position in m, then quaternion (x, y, z, w); v: velocity in m/s, then angular "
-            "velocity in rad/s, both in the body's frame",
-}
+from coscrew_codegen.scene.joints import KINDS
 
 _C = """auto break case char const continue default do double else enum extern float for goto if
 inline int long register restrict return short signed sizeof static struct switch typedef union
@@ -48,24 +50,6 @@ RESERVED = frozenset((*_C.split(), *_CPP.split(), *_CALLED.split(), *keyword.kwl
 """Names that no instruction may have: keywords of C, C++ and Python, and called functions."""
 
 _NAME = re.compile("[A-Za-z][A-Za-z0-9_]*")
-
-
-def c_name(scene: SceneFunctions | SceneInterface, name: str, precision: Precision) -> str:
-    """arm_forward_dynamics, arm_forward_dynamicsf, arm_forward_dynamics_accurate."""
-    return f"{scene.name}_{name}{scene.mark and f'_{scene.mark}'}{precision.suffix}"
-
-
-Scene = TypeVar("Scene", SceneFunctions, SceneInterface)
-
-
-def many(scene: Scene) -> Scene:
-    """The scene, with the names in C of its functions of many states: arm_energy_many."""
-    return replace(scene, mark=marked(scene.mark, "many"))
-
-
-def marked(*marks: str) -> str:
-    """Joins the marks that end names in C, without empty ones."""
-    return "_".join(filter(None, marks))
 
 
 def count(shape: tuple[int, ...]) -> int:
@@ -201,8 +185,8 @@ def order_in_words(scene: SceneFunctions) -> list[str]:
             for x in scene.coordinates]
     widths = [max(len(row[i]) for row in rows) for i in range(3)] if rows else []
     table = ["  " + "  ".join((*map(str.ljust, row[:3], widths), row[3])) for row in rows]
-    kinds = [f"  {kind}: {_UNITS[kind]}." for kind in _UNITS
-             if any(x.kind == kind for x in scene.coordinates)]
+    kinds = [f"  {kind.name}: {kind.state_in_words}." for kind in KINDS
+             if any(x.kind == kind.name for x in scene.coordinates)]
     bodies = ", ".join(f"{n} {printable(name)}" for n, name in enumerate(scene.bodies))
     rules = {name: f" ({sign.rule})" for name, sign in scene.signs}
     parameters = ", ".join(f"{n} {printable(name)} = {value!r}{rules.get(name, '')}"
@@ -210,12 +194,6 @@ def order_in_words(scene: SceneFunctions) -> list[str]:
     return ["Coordinates q and velocities v, joint by joint:", *table, *kinds,
             *([f"Bodies, in the order of body_poses: {bodies}."] if bodies else []),
             *([f"Parameters p: {parameters}."] if parameters else [])]
-
-
-def signs(scene: SceneFunctions | SceneInterface) -> tuple[tuple[int, str, bool], ...]:
-    """Returns for each parameter with a sign: its index in p, its name, whether it may be zero."""
-    names = [name for name, _ in scene.parameters]
-    return tuple((names.index(name), name, sign is Sign.NONNEGATIVE) for name, sign in scene.signs)
 
 
 def _places(name: str, places: range) -> str:

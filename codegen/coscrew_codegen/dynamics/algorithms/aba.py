@@ -21,7 +21,6 @@ from coscrew_codegen.dynamics.algorithms.bodies import Rigid
 from coscrew_codegen.dynamics.algorithms.linear_systems import Factors, factored
 from coscrew_codegen.dynamics.algorithms.motion import Displacement, Motion
 from coscrew_codegen.dynamics.algorithms.rnea import Wrench, along, to_parent
-from coscrew_codegen.scene.mechanism.model import Kind
 
 Column = tuple[Number, ...]  # six: force and moment, or linear and angular acceleration
 Joint = Callable[[int, Number], tuple[Number, Number]]
@@ -55,8 +54,8 @@ class Articulated:
         return Articulated(call("mat6x6_shifted", translation(D), rotated))
 
     def without(self, joint: "Freed") -> "Articulated":
-        """A - U D^-1 U^T: the articulated inertia beyond a free joint; rows and columns of its axes
-        are zero."""
+        """A - U D^-1 U^T: the articulated inertia beyond a joint that moves freely; rows and
+        columns of its axes are zero."""
         def less(row: int, column: int) -> Number:
             if row in joint.axes or column in joint.axes:
                 return joint.zero
@@ -68,7 +67,7 @@ class Articulated:
         return _symmetric(less)
 
     def label(self, motion: Motion, symbol: str) -> None:
-        """Name its blocks: l linear, a angular, c their coupling."""
+        """Names its blocks: l linear, a angular, c their coupling."""
         rows, upper = range(3), ((0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2))
         blocks = {"l": [self.entry(i, j) for i, j in upper],
                   "c": [self.entry(3 + i, j) for i in rows for j in rows],
@@ -96,21 +95,9 @@ class Freed:
     zero: Number
 
 
-def freedoms(motion: Motion, number: int) -> tuple[tuple[Number, ...], ...]:
-    """The screws of the joint's freedoms, in the link's frame."""
-    link, (zero, *_) = motion.tree.links[number], motion.zero
-    one = zero.like(1)
-    if link.joint.kind in (Kind.FREE, Kind.SPHERICAL):
-        first = 0 if link.joint.kind is Kind.FREE else 3
-        return tuple(tuple(one if i == k else zero for i in range(6)) for k in range(first, 6))
-    axis = motion.axis(link)
-    return ((*axis, *motion.zero),) if link.joint.kind is Kind.PRISMATIC else \
-        ((*motion.zero, *axis),)
-
-
 def freed(motion: Motion, number: int, body: Articulated, joint: Joint) -> Freed:
     """The joint of a link, with its torques and additional inertias."""
-    zero, S = motion.zero[0], freedoms(motion, number)
+    zero, S = motion.zero[0], motion.subspace(number)
     with motion.part(number, "S"):
         U = tuple(tuple(_sum(zero, (body.entry(i, k) * s[k] for k in range(6))) for i in range(6))
                   for s in S)
@@ -130,8 +117,14 @@ def freed(motion: Motion, number: int, body: Articulated, joint: Joint) -> Freed
         for column in W:
             _label_column(motion, "K", column)
     pure = all(inertia.is_zero for _, inertia in own)
-    axes = frozenset(s.index(one) for s in S for one in s if one.constant == 1) if pure else ()
+    axes = [k for s in S for k in [_along_axis(s)] if k is not None] if pure else ()
     return Freed(S, U, factors, tuple(torque for torque, _ in own), W, frozenset(axes), zero)
+
+
+def _along_axis(screw: Column) -> int | None:
+    """The component that is one, if all others are zero."""
+    ones = [k for k, x in enumerate(screw) if x.constant == 1]
+    return ones[0] if len(ones) == 1 and sum(x.is_zero for x in screw) == 5 else None
 
 
 def _label_column(motion: Motion, symbol: str, column: Column) -> None:
@@ -179,8 +172,9 @@ def _add_to_parent(motion: Motion, number: int, joint: Freed, rest: Sequence[Num
 
 
 def _outwards(motion: Motion, joints: Sequence[tuple[Freed, list[Number]]]) -> list[Number]:
-    """From the base on: a = D^-1 (rest - U^T A), A = [Ad]^-1 A_parent + S a."""
-    found: list[Number] = []
+    """Computes accelerations from the base outwards: a = D^-1 (rest - U^T A), A = [Ad]^-1 A_parent
+    + S a."""
+    results: list[Number] = []
     frames: list[Column] = []
     for number, (joint, rest) in enumerate(joints):
         link = motion.tree.links[number]
@@ -199,9 +193,9 @@ def _outwards(motion: Motion, joints: Sequence[tuple[Freed, list[Number]]]) -> l
                 A = add(A, scaled(x, s))
             motion.recorder.label("al", linear(A))
             motion.recorder.label("aa", angular(A))
-        found += a
+        results += a
         frames.append(A)
-    return found
+    return results
 
 
 def _sum(zero: Number, values: Iterable[Number]) -> Number:

@@ -25,19 +25,19 @@ class Rigid:
 
     @property
     def vanishes(self) -> bool:
-        """Whether it is zero."""
+        """True if it is zero."""
         return all(x.is_zero for x in self.numbers)
 
 
 def rigids(recorder: Recorder, names: Sequence[str], tree: Tree) -> list[Rigid]:
     """The inertia of each link; `names` are the links' prefixes in the names of values."""
-    found = []
+    results = []
     for name, link in zip(names, tree.links, strict=True):
         with recorder.part(name, "B", link.heading):
             own, label = lumped(recorder, link.bodies), recorder.label
-            found.append(rigid_of((*label("Bm", own.m), *label("Bh", own.h),
-                                   *label("BI", own.I))))
-    return found
+            results.append(rigid_of((*label("Bm", own.m), *label("Bh", own.h),
+                                     *label("BI", own.I))))
+    return results
 
 
 def symmetric(six: Sequence[Number]) -> tuple[Number, ...]:

@@ -8,7 +8,6 @@ from collections.abc import Mapping, Sequence
 from fractions import Fraction
 
 from coscrew_codegen.algebra.recording.numbers import Number, add
-from coscrew_codegen.dynamics.algorithms.aba import freedoms
 from coscrew_codegen.dynamics.algorithms.bodies import Rigid, rigid_of
 from coscrew_codegen.dynamics.algorithms.motion import Motion
 from coscrew_codegen.dynamics.algorithms.rnea import along
@@ -16,18 +15,18 @@ from coscrew_codegen.dynamics.algorithms.rnea import along
 
 def composites(motion: Motion, rigids: Sequence[Rigid]) -> list[Rigid]:
     """The inertia of each link and all beyond it, in its frame."""
-    found = list(rigids)
-    for number in reversed(range(len(found))):
+    results = list(rigids)
+    for number in reversed(range(len(results))):
         parent = motion.tree.links[number].parent
         if parent >= 0:
             with motion.part(number, "Cp"):
                 moved = motion.recorder.call("spatial_inertia_transformed", motion.frame(number),
-                                             found[number].numbers)
+                                             results[number].numbers)
                 _label(motion, "Cp", rigid_of(moved))
             with motion.part(parent, "C"):
-                found[parent] = rigid_of(add(found[parent].numbers, moved))
-                _label(motion, "C", found[parent])
-    return found
+                results[parent] = rigid_of(add(results[parent].numbers, moved))
+                _label(motion, "C", results[parent])
+    return results
 
 
 def _label(motion: Motion, symbol: str, body: Rigid) -> None:
@@ -44,7 +43,7 @@ def mass_matrix(motion: Motion, rigids: Sequence[Rigid],
     bodies = composites(motion, rigids)
     for number, link in enumerate(tree.links):
         with motion.part(number, "M"):
-            for freedom, screw in enumerate(freedoms(motion, number)):
+            for freedom, screw in enumerate(motion.subspace(number)):
                 column = motion.recorder.call("product_Bs", bodies[number].numbers, screw)
                 _enter(motion, number, freedom, column, M)
             if link.joint.name in inertias:

@@ -7,7 +7,7 @@ from coscrew_codegen.dynamics.function_recording import FunctionRecording
 
 
 def kinetic(x: FunctionRecording, motion: Motion) -> Number:
-    """Σ s·B s / 2 + Σ I v²/2, with the inertias I of joints themselves."""
+    """Σ s·B s / 2 + Σ I v²/2, with the joints' own inertias I."""
     total = x.recorder.number(0)
     for number, (rigid, link) in enumerate(zip(x.rigids, x.tree.links, strict=True)):
         with motion.part(number, "T"):
@@ -36,13 +36,13 @@ def potential(x: FunctionRecording, motion: Motion) -> Number:
 
 def momenta(x: FunctionRecording, motion: Motion) -> list[rnea.Wrench]:
     """(p; L) of each link and all beyond it, in its frame: B s + Σ [Ad]* (p; L) of its children."""
-    found = []
+    results = []
     for number, rigid in enumerate(x.rigids):
         with motion.part(number, "p"):
             own = x.recorder.call("product_Bs", rigid.numbers, motion.twist(number))
             rnea.label(motion, "p", "L", own)
-            found.append(own)
-    return rnea.transmitted(motion, found, ("pj", "Lj"))
+            results.append(own)
+    return rnea.transmitted(motion, results, ("pj", "Lj"))
 
 
 def momentum(x: FunctionRecording, motion: Motion) -> tuple[Number, ...]:

@@ -1,6 +1,6 @@
 """Floating trees: their first joint is free, and no external force acts on them except uniform
-gravity.  Their momentum is known at all times: p(t) = p + m g t, and the angular momentum about the
-centre of mass is constant.  So is the path of the centre of mass: x(t) = x + p t/m + g t²/2."""
+gravity.  Their motion as a whole is known at all times: momentum p(t) = p + m g t, constant angular
+momentum about the centre of mass, and the centre of mass x(t) = x + p t/m + g t²/2."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
@@ -24,9 +24,8 @@ from coscrew_codegen.dynamics.algorithms import crba, energies
 from coscrew_codegen.dynamics.algorithms.bodies import Rigid
 from coscrew_codegen.dynamics.algorithms.linear_systems import Factors, factored
 from coscrew_codegen.dynamics.algorithms.motion import Motion
-from coscrew_codegen.dynamics.forces.applied_effects import Acting, gravity
+from coscrew_codegen.dynamics.forces.applied_effects import AppliedEffects, gravity
 from coscrew_codegen.dynamics.function_recording import FunctionRecording
-from coscrew_codegen.scene.mechanism.model import Kind
 from coscrew_codegen.scene.mechanism.tree import Tree
 from coscrew_codegen.scene.scene import Applied, Scene
 
@@ -34,7 +33,7 @@ from coscrew_codegen.scene.scene import Applied, Scene
 def floating(scene: Scene, tree: Tree) -> tuple[int, ...]:
     """The first links of the floating trees."""
     roots = [n for n, link in enumerate(tree.links)
-             if link.parent < 0 and link.joint.kind is Kind.FREE]
+             if link.parent < 0 and link.joint.kind.floats]
     tied = {root for applied in scene.effects for root in _tied(applied, tree)
             if not _idle(scene, tree, applied)}
     for number, link in enumerate(tree.links):
@@ -54,12 +53,12 @@ def _tied(applied: Applied, tree: Tree) -> set[int]:
 
 
 def _idle(scene: Scene, tree: Tree, applied: Applied) -> bool:
-    """Whether the numbers of an effect make its forces zero in every state."""
+    """Returns whether the numbers of an effect make its forces zero in every state."""
     recorder = Recorder([array("t", ()), array("p", (len(scene.parameters),)),
                          array("q", (tree.nq,)), array("v", (tree.nv,))])
     motion = Motion(recorder, tree, [f"link{n}" for n in range(len(tree.links))],
                     gravity(scene, recorder))
-    acting = Acting(replace(scene, effects=(applied,)), motion).act()
+    acting = AppliedEffects(replace(scene, effects=(applied,)), motion).act()
     return all(x.is_zero for link in acting.forces for x in acting.force(link))
 
 
@@ -82,25 +81,25 @@ class _Whole:
 
 def _wholes(x: FunctionRecording, motion: Motion, roots: Sequence[int]) -> list[_Whole]:
     momenta, bodies = energies.momenta(x, motion), crba.composites(motion, x.rigids)
-    found = []
+    results = []
     for root in roots:
         with motion.part(root, "L"):
             com = scaled(1 / bodies[root].m, bodies[root].h)  # folds 1/m if m is constant
             about_com = x.recorder.call("product_CoAdtinvc", com, momenta[root])
-            found.append(_Whole(bodies[root], com, linear(about_com), angular(about_com)))
-    return found
+            results.append(_Whole(bodies[root], com, linear(about_com), angular(about_com)))
+    return results
 
 
 def momentum(x: FunctionRecording, roots: Sequence[int]) -> list[Number]:
     """(p; L; x) of each floating tree, by its first link (see `floating`), in the world's axes:
     momentum, angular momentum about the centre of mass, and the centre of mass."""
     motion = x.motion(accelerating=False)
-    found: list[Number] = []
+    results: list[Number] = []
     for root, whole in zip(roots, _wholes(x, motion, roots), strict=True):
         with motion.part(root, "p"):
             R = rotation(motion.pose(root))
-            found += [*rotated(R, whole.p), *rotated(R, whole.L), *_centre(motion, root, whole)]
-    return found
+            results += [*rotated(R, whole.p), *rotated(R, whole.L), *_centre(motion, root, whole)]
+    return results
 
 
 def corrected(x: FunctionRecording, roots: Sequence[int]) -> tuple[list[Number], list[Number]]:

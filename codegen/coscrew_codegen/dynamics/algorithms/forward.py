@@ -26,7 +26,7 @@ from coscrew_codegen.dynamics.algorithms.bodies import Rigid, rigid_of
 from coscrew_codegen.dynamics.algorithms.linear_systems import factored
 from coscrew_codegen.dynamics.algorithms.motion import Motion
 from coscrew_codegen.dynamics.algorithms.rnea import Wrench
-from coscrew_codegen.dynamics.forces.applied_effects import Acting, Paired
+from coscrew_codegen.dynamics.forces.applied_effects import AppliedEffects, Paired
 
 Weights = Callable[[Number, Number, Number], tuple[Number, Number]]
 """(damping, stiffness, damping over the inertia that it acts on, in 1/s) -> (m, c)."""
@@ -45,7 +45,7 @@ class Implicit:
     rates: list[Number]
 
 
-def accelerations(motion: Motion, acting: Acting, rigids: Sequence[Rigid],
+def accelerations(motion: Motion, acting: AppliedEffects, rigids: Sequence[Rigid],
                   inertias: Mapping[str, Number], tau: Sequence[Number]) -> list[Number]:
     """a with M a + bias = tau."""
     own = _own(motion, inertias)
@@ -54,9 +54,9 @@ def accelerations(motion: Motion, acting: Acting, rigids: Sequence[Rigid],
                                    rnea.net_wrenches(motion, rigids, acting))
 
 
-def implicit(motion: Motion, acting: Acting, rigids: Sequence[Rigid],
+def implicit(motion: Motion, acting: AppliedEffects, rigids: Sequence[Rigid],
              inertias: Mapping[str, Number], weights: Weights, tau: Sequence[Number],
-             slopes: Acting | None = None) -> Implicit:
+             slopes: AppliedEffects | None = None) -> Implicit:
     """a with (M + m) a = tau - bias - c v.
 
     Damping and stiffness are those of `slopes`, the effects on a motion with the same q and the
@@ -92,16 +92,16 @@ def inverse_inertia(motion: Motion, rigids: Sequence[Rigid], inertias: Mapping[s
 
 
 def _own(motion: Motion, inertias: Mapping[str, Number]) -> list[Number]:
-    """The inertias of joints themselves, by velocity."""
+    """The joints' own inertias, by velocity."""
     return _gathered(motion, {n: inertias[link.joint.name]
                               for n, link in enumerate(motion.tree.links)
                               if link.joint.name in inertias}, 2)
 
 
-def _torques(acting: Acting, start: Acting, tau: Sequence[Number]) -> list[Number]:
+def _torques(acting: AppliedEffects, start: AppliedEffects, tau: Sequence[Number]) -> list[Number]:
     """Torques by velocity: tau, then those of effects; if linear about the initial velocities, also
-    d (v - v_start).  In this order, in which an actuator's torque would be summed."""
-    motion, others, found = acting.motion, list(tau), dict[int, Number]()
+    d (v - v_start). tau is summed in the place that an actuator's torque would have."""
+    motion, others, result = acting.motion, list(tau), dict[int, Number]()
     for number in sorted(acting.torques):
         link, torque = motion.tree.links[number], acting.torque(number)
         if not link.driver:
@@ -110,42 +110,42 @@ def _torques(acting: Acting, start: Acting, tau: Sequence[Number]) -> list[Numbe
         if start is not acting:
             faster = motion.speeds(number)[0] - start.motion.speeds(number)[0]
             torque = torque + start.damping(number) * faster
-        found[number] = torque
-    return list(add(others, _gathered(motion, found)))
+        result[number] = torque
+    return list(add(others, _gathered(motion, result)))
 
 
 def _gathered(motion: Motion, of_links: Mapping[int, Number], power: int = 1) -> list[Number]:
     """Sums by velocity over joints with one coordinate; a follower's value, times its multiplier to
     this power, is added to its leader's."""
-    found = [motion.zero[0]] * motion.tree.nv
+    result = [motion.zero[0]] * motion.tree.nv
     for number, value in of_links.items():
         link = motion.tree.links[number]
         with motion.part(number, "own"):
             if power == 2 and link.driver:
                 value = value * link.driver.multiplier
-            rnea.gather(motion, number, [value], found)
-    return found
+            rnea.gather(motion, number, [value], result)
+    return result
 
 
-def _with_point_masses(motion: Motion, acting: Acting, rigids: Sequence[Rigid],
+def _with_point_masses(motion: Motion, acting: AppliedEffects, rigids: Sequence[Rigid],
                        weights: Weights) -> list[Rigid]:
     """The links' inertias with point masses m for the forces that resist the motion of a point."""
-    found = list(rigids)
-    for number in range(len(found)):
+    results = list(rigids)
+    for number in range(len(results)):
         with motion.part(number, "B"):
             for damping, point in acting.resisting(number):
                 rate = damping / maximum(rigids[number].m, _LEAST)
                 mass, _ = weights(damping, damping.like(0), rate)
-                found[number] = _with_mass(found[number], mass, point)
-    return found
+                results[number] = _with_mass(results[number], mass, point)
+    return results
 
 
-def _about(motion: Motion, wrenches: Sequence[Wrench], acting: Acting,
-           start: Acting) -> list[Wrench]:
+def _about(motion: Motion, wrenches: Sequence[Wrench], acting: AppliedEffects,
+           start: AppliedEffects) -> list[Wrench]:
     """The wrenches that links need, with d (u - u_start) added to the forces that resist a point, u
     the point's velocity."""
-    found = list(wrenches)
-    for number in range(len(found)):
+    results = list(wrenches)
+    for number in range(len(results)):
         if start is acting:
             break
         with motion.part(number, "f"):
@@ -154,8 +154,8 @@ def _about(motion: Motion, wrenches: Sequence[Wrench], acting: Acting,
                 faster = subtract(motion.twist(number), start.motion.twist(number))
                 force = scaled(damping, linear(call("product_Adtinvs", point, faster)))
                 wrench = call("product_CoAdtc", point, (*force, *motion.zero))
-                found[number] = subtract(found[number], wrench)
-    return found
+                results[number] = subtract(results[number], wrench)
+    return results
 
 
 def _solver(motion: Motion, rigids: Sequence[Rigid]) -> _Solve:

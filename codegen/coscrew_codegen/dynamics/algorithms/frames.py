@@ -3,7 +3,6 @@
 from collections.abc import Sequence
 
 from coscrew_codegen.algebra.recording.numbers import Number, add, displacement, scaled
-from coscrew_codegen.dynamics.algorithms import aba
 from coscrew_codegen.dynamics.algorithms.motion import Displacement, Motion
 from coscrew_codegen.dynamics.function_recording import FunctionRecording
 
@@ -29,7 +28,7 @@ def jacobian(x: FunctionRecording, motion: Motion, body: str) -> list[Sequence[N
     columns: list[Sequence[Number]] = [(*motion.zero, *motion.zero)] * x.tree.nv
     while number >= 0:
         link = x.tree.links[number]
-        for freedom, screw in enumerate(aba.freedoms(motion, number)):
+        for freedom, screw in enumerate(motion.subspace(number)):
             column, place = x.recorder.call("product_Adinvs", D, screw), link.v.start + freedom
             if link.driver:
                 place = x.tree.links[link.driver.link].v.start

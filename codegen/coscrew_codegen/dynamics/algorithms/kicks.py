@@ -17,7 +17,7 @@ from fractions import Fraction
 
 from coscrew_codegen.algebra.recording.numbers import Number, add, less, scaled, sqrt, where
 from coscrew_codegen.dynamics.algorithms import forward
-from coscrew_codegen.dynamics.forces.applied_effects import Acting
+from coscrew_codegen.dynamics.forces.applied_effects import AppliedEffects
 from coscrew_codegen.dynamics.forces.effect_parameters import settings
 from coscrew_codegen.dynamics.function_recording import FunctionRecording
 from coscrew_codegen.program import NotANumber
@@ -26,17 +26,17 @@ from coscrew_codegen.scene.functions.steps.step_parts import MOST
 
 FINE = 12
 """A step is split into parts of length s such that ω s <= 1/FINE, ω the contact's frequency at its
-deepest point.  There the implicit midpoint rule, which an elastic kick is, has an energy error of
-s²/24 ∫ v² d³V/dq³ dq = 5/72 (ω s)², relative to the bounce's: 0.0005, half of what `check` allows.
-At the end of the bounce it is far less."""
+deepest point.  There the implicit midpoint rule, to which an elastic kick reduces, has an energy
+error of s²/24 ∫ v² d³V/dq³ dq = 5/72 (ω s)², relative to the bounce's: 0.0005, half of the limit in
+`check`. At the end of the bounce it is far less."""
 
 
 def weights(h: Number) -> forward.Weights:
     """(inertia, torque per velocity) that represent a damping d and a stiffness k in a step h."""
-    def found(d: Number, k: Number, rate: Number) -> tuple[Number, Number]:
+    def represented(d: Number, k: Number, rate: Number) -> tuple[Number, Number]:
         beyond = _beyond(h, rate)
         return (beyond + Fraction(1, 2)) * (h * (d + h * k / 2)), beyond * (h * k)
-    return found
+    return represented
 
 
 def _beyond(h: Number, rate: Number) -> Number:
@@ -50,26 +50,26 @@ def kick(x: FunctionRecording) -> list[Number]:
     h, = recorder.argument("h")
     q, v = recorder.argument("q"), recorder.argument("v")
     first = x.motion(at=(q, v))
-    start = Acting(x.scene, first).act()
+    start = AppliedEffects(x.scene, first).act()
     guess = forward.implicit(first, start, x.rigids, x.inertias, weights(h), x.tau)
     second = x.motion(at=(q, _sum(v, scaled(h / 2, guess.a))))
-    acting = Acting(x.scene, second, _delays(x, h, guess.rates)).act()
+    acting = AppliedEffects(x.scene, second, _delays(x, h, guess.rates)).act()
     return forward.implicit(second, acting, x.rigids, x.inertias, weights(h), x.tau, start).a
 
 
 def _delays(x: FunctionRecording, h: Number, rates: Sequence[Number]) -> dict[int, Number]:
     """(θ - ½) h of each joint: effects act as at the time θ h, as do damping and stiffness."""
-    found = {}
+    results = {}
     for number, link in enumerate(x.tree.links):
         own = x.tree.links[link.driver.link] if link.driver else link
         if not (rate := rates[own.v.start]).is_zero:
             with x.recorder.part(x.names[number], "own", link.heading):
-                found[number] = h * _beyond(h, rate)
-    return found
+                results[number] = h * _beyond(h, rate)
+    return results
 
 
 def closing(x: FunctionRecording) -> Number:
-    """The number of contacts of joints that are closed now or, moving with v, after h."""
+    """The number of joints' contacts that are closed now or will be after h at the velocity v."""
     count = x.recorder.number(0)
     for link, before, after in _contacts(x):
         with x.recorder.part(x.names[link], "own", x.tree.links[link].heading):

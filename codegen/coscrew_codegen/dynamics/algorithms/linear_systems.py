@@ -1,12 +1,11 @@
-"""Symmetric positive definite systems of any size, by L D L^T with structural zeros left out.
+"""Solves symmetric positive definite systems of any size by L D L^T, without structural zeros.
 
 The operations mat3x3_ldl and mat6x6_ldl take matrices that may not be positive definite: they
 replace such pivots, compare each pivot with its diagonal entry, and divide every entry of L by its
 pivot.  Mass matrices are positive definite and have any number of rows; here the reciprocal of a
 pivot serves its row of L and every solution.  Factorization and one solution of 6 rows without
 zeros take 86 products, 65 sums and 6 divisions; mat6x6_ldl and mat6x6_ldl_solve take 65 products,
-65 sums, 27 divisions, 15 comparisons and 21 choices.
-"""
+65 sums, 27 divisions, 15 comparisons and 21 choices."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass

@@ -24,8 +24,8 @@ from coscrew_codegen.algebra.recording.numbers import (
     translation,
 )
 from coscrew_codegen.algebra.recording.recorder import Recorder
-from coscrew_codegen.scene.mechanism.model import Kind
-from coscrew_codegen.scene.mechanism.tree import Link, Tree
+from coscrew_codegen.dynamics.algorithms.recorded_joint import RecordedJoint
+from coscrew_codegen.scene.mechanism.tree import Tree
 
 Numbers = tuple[Number, ...]
 Rotation = tuple[Number, ...]  # nine, row by row
@@ -34,18 +34,18 @@ Twist = tuple[Number, ...]  # six: velocity of the origin; angular velocity
 
 
 def _of_link(symbol: str, origin: str = "") -> Callable[["_OfLink"], "_OfLink"]:
-    """Decorator: computed once per link and named by the symbol, below the link's heading.  The
-    translation of a displacement is named by `origin`."""
+    """Decorates a method: its value is computed once per link and named by the symbol, below the
+    link's heading.  `origin` names the translation of a displacement."""
     def decorated(compute: "_OfLink") -> "_OfLink":
         @wraps(compute)
         def cached(self: "Motion", link: int) -> Numbers:
             known = self._known.setdefault(symbol, {})
             if link not in known:
                 with self.part(link, symbol):
-                    found, label = compute(self, link), self.recorder.label
+                    result, label = compute(self, link), self.recorder.label
                     known[link] = displacement(
-                        label(symbol, rotation(found)), label(origin, translation(found))
-                    ) if origin else label(symbol, found)
+                        label(symbol, rotation(result)), label(origin, translation(result))
+                    ) if origin else label(symbol, result)
             return known[link]
         return cached
     return decorated
@@ -63,6 +63,7 @@ class Motion:
                  at: tuple[Sequence[Number], Sequence[Number]] | None = None):
         self.recorder, self.tree, self.names = recorder, tree, names
         self._known: dict[str, dict[int, Numbers]] = {}
+        self._subspaces: dict[int, tuple[Twist, ...]] = {}
         zero = recorder.number(0)
         self.zero: Vector = (zero, zero, zero)
         self.gravity = gravity or self.zero
@@ -110,42 +111,45 @@ class Motion:
         """a of the link's joint."""
         return self._rates(link, self._a)
 
-    def _relative(self, link: int, values: Sequence[Number]) -> Twist:
-        """The joint's screw for these velocities."""
-        x = self.tree.links[link]
-        if x.joint.kind is Kind.FREE:
-            return tuple(values)
-        if x.joint.kind is Kind.SPHERICAL:
-            return (*self.zero, *values)
-        along = scaled(values[0], self.axis(x))
-        return (*along, *self.zero) if x.joint.kind is Kind.PRISMATIC else (*self.zero, *along)
+    def _state(self, link: int) -> RecordedJoint:
+        """The link's joint at its coordinates."""
+        directions = self.tree.links[link].joint.directions
+        return RecordedJoint(tuple(map(self.recorder.numbers, directions)),
+                             self.coordinates(link), self.recorder)
 
-    def axis(self, link: Link) -> Vector:
-        """The joint's axis in the link's frame."""
-        return self.recorder.numbers(link.joint.axis)
+    def subspace(self, link: int) -> tuple[Twist, ...]:
+        """S: the screws of the joint's freedoms, in the link's frame."""
+        known = self._subspaces
+        if link not in known:
+            with self.part(link, "n"):
+                known[link] = tuple(self.tree.links[link].joint.kind.subspace(self._state(link)))
+                for screw in known[link]:
+                    self.recorder.label("nl", linear(screw))
+                    self.recorder.label("na", angular(screw))
+        return known[link]
+
+    def _relative(self, link: int, values: Sequence[Number]) -> Twist:
+        """S v: the joint's screw for these velocities."""
+        first, *others = (scaled(x, s) for x, s in
+                          zip(values, self.subspace(link), strict=True))
+        for other in others:
+            first = add(first, other)
+        return first
+
+    def _relative_rate(self, link: int) -> Twist:
+        """S a + S' v."""
+        result = self._relative(link, self.accelerations(link))
+        rate = self.tree.links[link].joint.kind.subspace_rate
+        return add(result, rate(self._state(link), self.speeds(link))) if rate else result
 
     # frames
 
     @_of_link("R", "t")
     def frame(self, link: int) -> Displacement:
         """D of the link in its parent: the joint's placement times its displacement."""
-        x, call = self.tree.links[link], self.recorder.call
-        R, t = self.recorder.numbers(x.placement.R), self.recorder.numbers(x.placement.t)
-        q = self.coordinates(link)
-        if x.joint.kind is Kind.PRISMATIC:
-            return displacement(R, add(t, scaled(q[0], rotated(R, self.axis(x)))))
-        if x.joint.kind is Kind.FREE:
-            own = displacement(call("mat3x3_from_quaternion", q[3:]), q[:3])
-            return call("product_dd", displacement(R, t), own)
-        own = call("mat3x3_from_quaternion", q) if x.joint.kind is Kind.SPHERICAL else \
-            call("mat3x3_setFromAxisDC", self.axis(x), self._sine_and_cosine(q[0]))
-        return call("product_ddr", displacement(R, t), own)
-
-    def _sine_and_cosine(self, angle: Number) -> tuple[Number, ...]:
-        found = self.recorder.call("dc", angle)
-        for symbol, value in zip("sc", found, strict=True):
-            self.recorder.label(symbol, value)
-        return found
+        x, numbers = self.tree.links[link], self.recorder.numbers
+        placement = displacement(numbers(x.placement.R), numbers(x.placement.t))
+        return x.joint.kind.displacement(self._state(link), placement)
 
     @_of_link("Rw", "tw")
     def pose(self, link: int) -> Displacement:
@@ -195,7 +199,7 @@ class Motion:
         from_parent = rotated_back(rotation(self.frame(link)),
                                    self.angular_acceleration(self.tree.links[link].parent))
         relative = angular(self._relative(link, self.speeds(link)))
-        own = angular(self._relative(link, self.accelerations(link)))
+        own = angular(self._relative_rate(link))
         return add(add(from_parent, cross(self.parent_angular_velocity(link), relative)), own)
 
     @_of_link("U")
@@ -213,7 +217,7 @@ class Motion:
         at_origin = add(self.acceleration(parent),
                         rotated(self.acceleration_tensor(parent), translation(D)))
         relative = self._relative(link, self.speeds(link))
-        own = add(linear(self._relative(link, self.accelerations(link))),
+        own = add(linear(self._relative_rate(link)),
                   cross(angular(relative), linear(relative)))
         w = self.parent_angular_velocity(link)
         return add(rotated_back(rotation(D), at_origin),

@@ -10,15 +10,14 @@ from typing import TYPE_CHECKING
 from coscrew_codegen.algebra.recording.numbers import Number, add, angular, dot, linear, subtract
 from coscrew_codegen.dynamics.algorithms.bodies import Rigid, rigids
 from coscrew_codegen.dynamics.algorithms.motion import Motion
-from coscrew_codegen.scene.mechanism.model import Kind
 
 if TYPE_CHECKING:
-    from coscrew_codegen.dynamics.forces.applied_effects import Acting
+    from coscrew_codegen.dynamics.forces.applied_effects import AppliedEffects
 
 Wrench = tuple[Number, ...]  # force; moment about the link's origin, in the link's frame
 
 
-def net_wrenches(motion: Motion, bodies: Sequence[Rigid], acting: "Acting | None"
+def net_wrenches(motion: Motion, bodies: Sequence[Rigid], acting: "AppliedEffects | None"
                  ) -> list[Wrench]:
     """The net wrench of each link's motion, less the forces of effects."""
     wrenches: list[Wrench] = []
@@ -61,26 +60,22 @@ def transmitted(motion: Motion, wrenches: Sequence[Wrench],
 def to_parent(motion: Motion, number: int, wrench: Wrench) -> Wrench:
     """[Ad]*(D) c: a wrench in the parent's frame."""
     with motion.part(number, "fp"):
-        found = motion.recorder.call("product_CoAdc", motion.frame(number), wrench)
-        label(motion, "fp", "mp", found)
-    return found
+        result = motion.recorder.call("product_CoAdc", motion.frame(number), wrench)
+        label(motion, "fp", "mp", result)
+    return result
 
 
 def along(motion: Motion, number: int, wrench: Wrench) -> tuple[Number, ...]:
     """h·c: the components of a wrench along the joint's freedoms."""
-    link = motion.tree.links[number]
-    if link.joint.kind is Kind.FREE:
-        return wrench
-    if link.joint.kind is Kind.SPHERICAL:
-        return angular(wrench)
-    part = linear(wrench) if link.joint.kind is Kind.PRISMATIC else angular(wrench)
-    return (dot(motion.axis(link), part),)
+    return tuple(dot(linear(s), linear(wrench)) + dot(angular(s), angular(wrench))
+                 for s in motion.subspace(number))
 
 
-def joint_torques(motion: Motion, wrenches: Sequence[Wrench], acting: "Acting | None",
+def joint_torques(motion: Motion, wrenches: Sequence[Wrench], acting: "AppliedEffects | None",
                   inertias: Mapping[str, Number]) -> list[Number]:
-    """A torque per velocity: the wrench along the freedom, plus that of the joint's own inertia,
-    less those of effects; torques of followers are added to those of their leaders."""
+    """A torque per velocity: the wrench along the freedom, plus the torque of the joint's own
+    inertia, less the torques of effects; torques of followers are added to those of their leaders.
+    """
     torques = [motion.recorder.number(0)] * motion.tree.nv
     for number, link in enumerate(motion.tree.links):
         with motion.part(number, "tau"):
@@ -101,7 +96,8 @@ def holding_torques(motion: Motion) -> list[Number]:
 
 
 def gather(motion: Motion, number: int, parts: Sequence[Number], total: list[Number]) -> None:
-    """Add torques along a joint's freedoms to those of the velocities that these depend on."""
+    """Adds torques along a joint's freedoms to the torques of the velocities that drive these
+    freedoms."""
     link = motion.tree.links[number]
     start = link.v.start
     if link.driver:

@@ -1,4 +1,5 @@
-"""The effects of a scene on a motion: torques at joints, forces on links, energies, powers."""
+"""Applies the effects of a scene to a motion: torques at joints, forces on links, energies, powers.
+"""
 
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, replace
@@ -99,10 +100,10 @@ class Paired:
                 for state, force in zip(self.states, forces, strict=True)]
 
 
-class Acting:
+class AppliedEffects:
     """The effects of a scene on one motion, at its time; each is evaluated once.
 
-    At the joints of the links in `delays`, effects take place at the time plus that delay."""
+    At the joints of the links in `delays` the delay is added to the time."""
 
     def __init__(self, scene: Scene, motion: Motion, delays: Mapping[int, Number] | None = None):
         self.scene, self.motion = scene, motion
@@ -114,8 +115,8 @@ class Acting:
         self.forces: dict[int, list[AppliedForce]] = {}
         self.pairs: list[Paired] = []
 
-    def act(self) -> "Acting":
-        """Evaluate the effects, in the order of the catalogue and of the scene."""
+    def act(self) -> "AppliedEffects":
+        """Evaluates the effects, in the order of the catalogue and of the scene."""
         effects = self.scene.effects
         owners = identifiers([_owner(x) for x in effects])
         for owner, applied in zip(owners, effects, strict=True):
@@ -213,8 +214,8 @@ class Acting:
                 torque = x.torque
                 total = total + _own_power(torque, partial(mul, required(torque.torque), speed))
         for link in sorted(self.forces):
-            for found in self.forces[link]:
-                total = total + _own_power(found.force, found.power)
+            for force in self.forces[link]:
+                total = total + _own_power(force.force, force.power)
         return total
 
     def _sum(self, values: Iterable[Number]) -> Number:
@@ -231,7 +232,7 @@ def _own_power(x: Torque | Force, whole: Callable[[], Number]) -> Number | int:
 
 
 def alone(scene: Scene, applied: Applied) -> Scene:
-    """The scene with this one of its effects."""
+    """The scene with this effect alone."""
     return replace(scene, effects=(applied,))
 
 

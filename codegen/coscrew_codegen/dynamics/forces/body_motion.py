@@ -1,4 +1,4 @@
-"""The motion of a body, as effects receive it."""
+"""Motion of a body, in the form that effects receive."""
 
 from dataclasses import dataclass
 
@@ -104,7 +104,7 @@ class BodyOfLink(BodyInWorld):
                                          self.motion.twist(self.link))
 
     def frame(self, point: Vector) -> Displacement:
-        """The body's frame, moved to one of its points, in the link's frame."""
+        """The displacement from the link's frame to the body's axes at one of the body's points."""
         return displacement(rotation(self.place), self.in_link(point))
 
     def in_link(self, point: Vector) -> Vector:
@@ -129,11 +129,11 @@ def _at(D: Displacement, point: Vector) -> Vector:
 
 def _ancestors(motion: Motion, link: int) -> list[int]:
     """The link, its parent, …, the world."""
-    found = [link]
+    results = [link]
     while link >= 0:
         link = motion.tree.links[link].parent
-        found.append(link)
-    return found
+        results.append(link)
+    return results
 
 
 def _position_in(motion: Motion, base: int, link: int, point: Vector) -> Vector:

@@ -1,4 +1,4 @@
-"""The values of effects' parameters in the form that effects' laws expect."""
+"""Converts effects' parameters to the form that effects' laws expect."""
 
 from collections.abc import Mapping, Sequence
 from fractions import Fraction

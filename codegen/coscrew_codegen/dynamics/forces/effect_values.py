@@ -1,11 +1,11 @@
-"""What single effects exert, their power and their energy."""
+"""Forces and torques of single effects, their power and their energy."""
 
 from collections.abc import Callable, Mapping, Sequence
 
 from coscrew_codegen.algebra.recording.numbers import Number, add, cross, dot
 from coscrew_codegen.dynamics.algorithms import energies
 from coscrew_codegen.dynamics.algorithms.motion import Motion
-from coscrew_codegen.dynamics.forces.applied_effects import Acting, AppliedForce, alone
+from coscrew_codegen.dynamics.forces.applied_effects import AppliedEffects, AppliedForce, alone
 from coscrew_codegen.dynamics.forces.effect_parameters import settings
 from coscrew_codegen.dynamics.forces.linearization import JointEffect
 from coscrew_codegen.dynamics.function_recording import FunctionRecording
@@ -14,18 +14,18 @@ from coscrew_codegen.scene.effect_quantities import ENERGY, FORCE, POWER, SATURA
 from coscrew_codegen.scene.scene import Applied
 
 Values = Mapping[str, Callable[[], Sequence[Number]]]
-"""The components of each quantity, computed where they are wanted."""
+"""Functions that compute the components of each quantity when they are needed."""
 
 
 def values_of(x: FunctionRecording, motion: Motion, applied: Applied) -> Values:
-    """What an effect exerts where it is applied, by quantity."""
+    """Force, torque, power and energy of an effect at one of its places, by quantity."""
     effect = applied.effect
     if effect.gravity:
         return {POWER: lambda: [dot(motion.gravity, energies.momentum(x, motion)[:3])],
                 ENERGY: lambda: [energies.potential(x, motion)]}
     if effect.joint_inertia:
         return {ENERGY: lambda: [_kinetic(x, motion, applied)]}
-    acting = Acting(alone(x.scene, applied), motion).act()
+    acting = AppliedEffects(alone(x.scene, applied), motion).act()
     if effect.joint_torque:
         ((along,),) = acting.torques.values()
         return _of_joint(along)

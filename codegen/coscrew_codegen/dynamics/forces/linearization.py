@@ -6,14 +6,13 @@ Implicit steps use the damping d and the stiffness k of a torque u(q, v):
 
     d = -∂u/∂v,  k = -∂u/∂q
 
-if these do not depend on q and v.  Otherwise negative values are replaced by 0; these slopes are
+if these do not depend on q and v.  If they do, negative values are replaced by 0; these slopes are
 left to the explicit part of the step.  Where u saturates, its slopes vanish, although a step may
 still jump over the point where u changes sign; there the slope of the secant through that point is
 used:
 
     dry friction (u is 0 at v = 0):       d = max(-∂u/∂v, |u|/|v|)
-    a limit (sat u, |sat u| <= limit):    d and k of u, times limit/max(|u|, limit)
-"""
+    a limit (sat u, |sat u| <= limit):    d and k of u, times limit/max(|u|, limit)"""
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
@@ -64,22 +63,22 @@ class JointEffect:
     def torque(self) -> Torque:
         """The law's Torque, with the torque derived from the energy if it gives none, and limited.
         """
-        found = self._stated
-        torque = found.torque
-        if found.limit is not None and found.energy is not None:
+        result = self._stated
+        torque = result.torque
+        if result.limit is not None and result.energy is not None:
             raise TypeError("a torque with a limit has no energy: beyond the limit it would be "
                             "another")
         with self.at.q.recorder.resumed(self.part):
             if torque is None:
                 torque = self._replayed(self._own.torque)
-            if found.limit is not None:
-                torque = maximum(minimum(torque, found.limit), -found.limit)
+            if result.limit is not None:
+                torque = maximum(minimum(torque, result.limit), -result.limit)
             torque.recorder.label("tau", torque)
-            return replace(found, torque=torque)
+            return replace(result, torque=torque)
 
     @property
     def saturated(self) -> Number:
-        """1 where the limit takes some of the torque, else 0; of a torque that has a limit."""
+        """1 where the limit reduces the torque, else 0, for a torque with a limit."""
         limit = required(self._stated.limit)
         with self.at.q.recorder.resumed(self.part):
             return where(less(limit, absolute(required(self._stated.torque))), 1, 0)
@@ -111,8 +110,8 @@ class JointEffect:
 
 
 def _recorded(law: Law, values: Mapping[str, Setting], outer: CoordinateState) -> "_Law":
-    """The law as a function of q, v, t, what holds the joint, and the run-time parameters of the
-    outer recording.  What holds the joint is explicit: it has no slope."""
+    """Records the law as a function of q, v, t, the torque that holds the joint, and the run-time
+    parameters of the outer recording.  The holding torque is explicit: it has no slope."""
     names = ("q", "v", "t") if outer.holding is None else ("q", "v", "t", "holding")
     recorder = Recorder([*(array(name, ()) for name in names), *(
         a for a in outer.q.recorder.inputs if a.name == "p")])
@@ -171,8 +170,8 @@ class _Law:
         one = recorder.number(1)
         inputs = [[Dual(x, (one if a.name == by else None,)) for x in recorder.argument(a.name)]
                   for a in recorder.inputs]
-        (found,) = differentiate.tangent(self.program(value), recorder.arithmetic, numbers, inputs)
-        return recorder.number(0) if found.slopes[0] is None else found.slopes[0]
+        (result,) = differentiate.tangent(self.program(value), recorder.arithmetic, numbers, inputs)
+        return recorder.number(0) if result.slopes[0] is None else result.slopes[0]
 
     def _secant(self) -> Number:
         """|u|/|v|."""
@@ -187,11 +186,11 @@ class _Law:
         return limit / maximum(absolute(self.torque), positive)
 
     def _moves(self, value: Number) -> bool:
-        """Whether the value depends on q or v."""
+        """Returns whether the value depends on q or v."""
         return bool({self.at.q.operand, self.at.v.operand} & self.program(value).used_inputs())
 
     def _rests(self) -> bool:
-        """Whether the torque is 0 at v = 0 for all other inputs."""
+        """Returns whether the torque is 0 at v = 0 for all other inputs."""
         given = [self.recorder.numbers([0]) if a.name == "v" else self.recorder.argument(a.name)
                  for a in self.recorder.inputs]
         return self.recorder.replay(self.program(self.torque), *given)[0].is_zero

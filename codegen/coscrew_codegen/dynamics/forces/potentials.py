@@ -57,8 +57,8 @@ def _slope(law: BodyLaw, state: BodyOfLink, values: Mapping[str, Setting]) -> tu
     energy = required(law(posed, settings(recorder, values, t)).energy)
     program = recorder.program("energy", [(array("V", ()), [energy])])
     given = [state.pose, state.gravity, (state.t,), *(outer.argument(a.name) for a in p)]
-    _, found = differentiate.adjoint(program, outer.arithmetic, numbers, given, [outer.number(1)])
-    return tuple(outer.number(0) if x is None else x for x in found[0])
+    _, result = differentiate.adjoint(program, outer.arithmetic, numbers, given, [outer.number(1)])
+    return tuple(outer.number(0) if x is None else x for x in result[0])
 
 
 @dataclass(frozen=True)

@@ -1,1 +1,1 @@
-"""Ranges of a scene's numbers, and how far roundings can move results."""
+"""Ranges of a scene's numbers, and bounds of rounding errors for all states."""

@@ -1,43 +1,44 @@
-"""What accuracy a scene asks of a function, and between which limits states are drawn for it."""
+"""Accuracy that a scene requests of a function, and the limits between which states are drawn."""
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from math import inf, pi
 
 from coscrew_codegen.program import Program
 from coscrew_codegen.program.reported_error import ReportedError
 from coscrew_codegen.program.scene_functions import Accuracy
-from coscrew_codegen.scene.mechanism.model import Joint, Kind
+from coscrew_codegen.scene.joints import kind_named
+from coscrew_codegen.scene.mechanism.model import Joint
 from coscrew_codegen.scene.mechanism.tree import Tree
 from coscrew_codegen.scene.names import did_you_mean
 from coscrew_codegen.scene.scene import Scene
 
 Ranges = tuple[tuple[float, float], ...]
 REACHED_IN = 0.1
-"""s, in which accelerations reach the limits of velocities."""
+"""Time in which accelerations reach the velocity limits, in s."""
 
 
-class AskedError(ReportedError, ValueError):
-    """An accuracy that cannot be asked: of an output that a function does not have, or where no
-    states can be drawn."""
+class RequestError(ReportedError, ValueError):
+    """A request that cannot be met: for an output that the function lacks, or where no states can
+    be drawn."""
 
 
-def asked(program: Program, scene: Scene, tree: Tree) -> Accuracy | None:
-    """What is asked of this function; None for nothing.  Raises AskedError."""
+def requested(program: Program, scene: Scene, tree: Tree) -> Accuracy | None:
+    """The accuracy requested of this function; None without a request.  Raises RequestError."""
     within = {x.output: x.within for x in scene.accuracy if x.function == program.name}
     if not within:
         return None
     outputs = [a.name for a in program.outputs]
     for name in within:
         if name not in ("", *outputs):
-            raise AskedError(f"{scene.name}: accuracy.{program.name}: no output {name!r}; "
+            raise RequestError(f"{scene.name}: accuracy.{program.name}: no output {name!r}; "
                              f"{did_you_mean(name, outputs)}")
     components = tuple((a.name, k) for a in program.outputs for k in range(a.quantity.size))
     every = within.get("", inf)
     return Accuracy(tuple(within.get(name, every) for name, _ in components), components,
                     tuple(_ranges(a.name, program, scene, tree) for a in program.inputs),
-                    tuple((n, range(c.q.stop - 4, c.q.stop))
+                    tuple((n, c.q[places])
                           for n, a in enumerate(program.inputs) if a.name == "q"
-                          for c in tree.coordinates if c.kind in ("spherical", "free")))
+                          for c in tree.coordinates for places in kind_named(c.kind).quaternions))
 
 
 def _ranges(name: str, program: Program, scene: Scene, tree: Tree) -> Ranges:
@@ -47,38 +48,46 @@ def _ranges(name: str, program: Program, scene: Scene, tree: Tree) -> Ranges:
         "p": tuple((float(x.value), float(x.value)) for x in scene.parameters)}
     if name in ranges:
         return ranges[name]
-    found: list[tuple[float, float]] = []
+    results: list[tuple[float, float]] = []
     for c in tree.coordinates:
         joint = joints[c.joint]
         if name == "q":
-            found += [positions(joint)] * len(c.q)
+            results += positions(joint)
             continue
-        half = _half(name, joint, scene, program)
-        found += [(-half, half)] * len(c.v)
-    return tuple(found)
+        results += [(-half, half) for half in _halves(name, joint, scene, program)]
+    return tuple(results)
 
 
-def positions(joint: Joint) -> tuple[float, float]:
-    """A joint's positions: where a limit is missing, as if a turn, or 2 m, led from the other one,
-    or half of that from zero."""
-    half = pi if joint.kind is Kind.REVOLUTE else 1.0
+def positions(joint: Joint) -> Ranges:
+    """Ranges of a joint's positions.  A missing limit is one turn, or 2 m, from the other one;
+    without both limits the range is half of that to either side of zero."""
     lower, upper = (None if x is None else float(x) for x in (joint.lower, joint.upper))
-    if lower is None:
-        lower = -half if upper is None else upper - 2 * half
-    return lower, lower + 2 * half if upper is None else upper
+    results = []
+    for unit in joint.kind.units("q"):
+        half = pi if unit == "rad" else 1.0
+        low = (-half if upper is None else upper - 2 * half) if lower is None else lower
+        results.append((low, low + 2 * half if upper is None else upper))
+    return tuple(results)
 
 
-def _half(name: str, joint: Joint, scene: Scene, program: Program) -> float:
-    """Without limits, velocities are up to π rad/s, or 1 m/s and 1 rad/s."""
-    speed = float(joint.velocity or (pi if joint.kind is Kind.REVOLUTE else 1))
+def speeds(joint: Joint) -> tuple[float, ...]:
+    """Largest velocities of a joint: without limits π rad/s of angles, 1 m/s and 1 rad/s of
+    others."""
+    return tuple(float(joint.velocity or (pi if part.unit == "rad" else 1))
+                 for part in joint.kind.parts for _ in range(part.speeds))
+
+
+def _halves(name: str, joint: Joint, scene: Scene, program: Program) -> Iterator[float]:
+    """Largest sizes of an input's components at a joint."""
     if name == "tau":
         if not joint.effort:
-            raise AskedError(f"{scene.name}: accuracy.{program.name}: joint {joint.name!r} has no "
-                             "limit of its effort, between which states are to be drawn; wanted "
-                             "limits = { effort = … }")
-        return float(joint.effort)
-    sizes = {"v": speed, "a": speed / REACHED_IN, "phi": speed * scene.run.step}
-    if name not in sizes:
-        raise AskedError(f"{scene.name}: accuracy.{program.name}: no states are drawn for its "
+            raise RequestError(f"{scene.name}: accuracy.{program.name}: joint {joint.name!r} has "
+                               "no limit of its effort, which the drawing of states needs; wanted "
+                               "limits = { effort = … }")
+        yield from [float(joint.effort)] * joint.kind.nv
+        return
+    factors = {"v": 1.0, "a": 1 / REACHED_IN, "phi": scene.run.step}
+    if name not in factors:
+        raise RequestError(f"{scene.name}: accuracy.{program.name}: states cannot be drawn for its "
                          f"input {name}")
-    return sizes[name]
+    yield from (speed * factors[name] for speed in speeds(joint))

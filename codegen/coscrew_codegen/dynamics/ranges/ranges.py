@@ -80,12 +80,12 @@ def _quotients(program: Program, precision: Precision, inputs: Mapping[str, Sequ
                ) -> list[tuple[str, Fraction]]:
     """(part of the scene, exact value) of each quotient of finite numbers.  Undefined values are
     NaN, as are those computed from them."""
-    found: list[tuple[str, Fraction]] = []
+    results: list[tuple[str, Fraction]] = []
 
     def function(step: Instruction, _: int) -> Callable[..., float]:
         def apply(*operands: float) -> float:
             if step.op is Op.DIV and all(map(math.isfinite, operands)) and operands[1]:
-                found.append((_part(step), Fraction(operands[0]) / Fraction(operands[1])))
+                results.append((_part(step), Fraction(operands[0]) / Fraction(operands[1])))
             try:
                 return float(_VALUES[step.op](*operands))
             except (ArithmeticError, ValueError):
@@ -94,7 +94,7 @@ def _quotients(program: Program, precision: Precision, inputs: Mapping[str, Sequ
 
     evaluate(program, [inputs[a.name] for a in program.inputs],
              Arithmetic(lambda x: float(precision.value(x)), function, math.nan))
-    return found
+    return results
 
 
 _VALUES = exactly(math)
@@ -147,7 +147,7 @@ def _written(scene: Scene) -> Iterator[_Written]:
 
 
 def _constants(function: FunctionProgram) -> Iterator[tuple[str, Constant]]:
-    """The constants of a function, with the part of the scene they belong to."""
+    """The constants of a function, with the parts of the scene that they belong to."""
     program = function.program
     for step in program.instructions:
         for x in step.operands:

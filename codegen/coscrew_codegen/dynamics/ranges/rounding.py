@@ -1,5 +1,5 @@
-"""Statements, proved and without running, of how far roundings can move a function's results while
-the joints are within their limits: nothing is stated where that would say nothing."""
+"""Proved bounds of the rounding errors of a function's results while the joints are within their
+limits, derived without running it.  Useless bounds are left out."""
 
 from collections.abc import Iterator, Sequence
 from fractions import Fraction
@@ -10,27 +10,28 @@ from coscrew_codegen.program import Program
 from coscrew_codegen.program.elementary.sincos import FUNCTION as SINCOS
 from coscrew_codegen.program.values.digits import two_digits_up
 from coscrew_codegen.program.values.formats import Precision, named
-from coscrew_codegen.scene.mechanism.model import Joint, Kind
+from coscrew_codegen.scene.mechanism.model import Joint
 from coscrew_codegen.scene.mechanism.tree import Tree
 from coscrew_codegen.scene.scene import Scene
 
 USEFUL = 1000
-"""Units u of an output's largest component, as far as sizes tell, up to which a bound is stated."""
+"""Largest bound that is stated, in units u of the largest size that an output's components can
+have."""
 
 
 def statement(program: Program, scene: Scene, tree: Tree) -> str:
     """The bounds of a plain function's outputs in the scene's precisions, for all arguments in
     limits; "" without any."""
-    found: dict[str, list[str]] = {}
+    words: dict[str, list[str]] = {}
     for precision in named(scene.precisions):
         sizes = [_sizes(a.name, a.quantity.size, scene, tree, precision) for a in program.inputs]
         components = moved(program, precision, sizes,
                            _above(SINCOS.error(precision)))
         for name, bound in _bounds(program, components or (), precision):
-            found.setdefault(name, []).append(f"{two_digits_up(bound)} in {precision.name}")
-    if not found:
+            words.setdefault(name, []).append(f"{two_digits_up(bound)} in {precision.name}")
+    if not words:
         return ""
-    bounds = "; ".join(f"{name} by at most {' and '.join(texts)}" for name, texts in found.items())
+    bounds = "; ".join(f"{name} by at most {' and '.join(texts)}" for name, texts in words.items())
     return f"Proved: rounding moves {bounds} precision, for every {_domain(program, tree)}."
 
 
@@ -48,21 +49,21 @@ def _bounds(program: Program, components: Sequence[RoundedRange], precision: Pre
 
 def _sizes(name: str, count: int, scene: Scene, tree: Tree, precision: Precision
            ) -> Sequence[float]:
-    """How large the components of an argument can be."""
+    """Bounds of the sizes of an argument's components."""
     if name == "p":
         return [abs(float(precision.rounded(p.value))) for p in scene.parameters]
     if name not in ("q", "v"):
         return [inf] * count
-    found: list[float] = []
+    results: list[float] = []
     for link in tree.links:
         if link.driver is None:
             number = len(link.q if name == "q" else link.v)
-            found += [_largest(link.joint, name)] * number
-    return found
+            results += [_largest(link.joint, name)] * number
+    return results
 
 
 def _largest(joint: Joint, name: str) -> float:
-    if joint.kind not in (Kind.REVOLUTE, Kind.PRISMATIC):
+    if not joint.kind.one_coordinate:
         return inf
     ends = (joint.lower, joint.upper) if name == "q" else (joint.velocity,)
     given = [abs(x) for x in ends if x is not None]

@@ -1,6 +1,6 @@
-"""How far roundings can move a Program's results, for all arguments up to given sizes.
+"""Bounds of the rounding errors of a Program's results, for all arguments up to given sizes.
 
-Of every value, with x exact and x̂ computed, |x| <= size and |x̂ - x| <= error.  A rounding of a
+For every value, with x exact and x̂ computed, |x| <= size and |x̂ - x| <= error.  A rounding of a
 number z up to m errs by at most u times the largest power of two up to m.
 
     a ± b        size a + size b; error a + error b, and a rounding
@@ -9,8 +9,7 @@ number z up to m errs by at most u times the largest power of two up to m.
     s x ± c y    where s and c are sine and cosine of the same number: at most √(x² + y²), and by
                  errors of x and y at most √(error x² + error y²); so rotations enlarge nothing
 
-Constants are the exact decimals.  Each of these bounds is rounded up.
-"""
+Constants are the exact decimals.  Each of these bounds is rounded up."""
 
 from collections.abc import Callable, Sequence
 from fractions import Fraction
@@ -25,11 +24,12 @@ from coscrew_codegen.program.values.formats import Precision
 
 _CIRCULAR = {Op.SIN, Op.COS}
 FOLLOWED = frozenset({Op.ADD, Op.SUB, Op.MUL, Op.NEG, *_CIRCULAR})
-"""The operations that are followed."""
+"""Operations that the analysis knows."""
 
 
 class RoundedRange(NamedTuple):
-    """|x| <= size, |x̂ - x| <= error; what it is a sine or cosine of, or a multiple of such."""
+    """Bounds |x| <= size, |x̂ - x| <= error; and the argument, if the value is a sine or cosine or
+    a multiple of one."""
 
     size: Upward
     error: Upward = Upward(0)
@@ -41,8 +41,8 @@ class RoundedRange(NamedTuple):
 def moved(program: Program, precision: Precision, sizes: Sequence[Sequence[float]],
           of_sine: float) -> tuple[RoundedRange, ...] | None:
     """Every component of the results, for all arguments whose components are up to these sizes;
-    None if the program has operations that are not followed.  A sine or cosine errs by at most
-    `of_sine` ulps of the exact one."""
+    None if the program has operations that the analysis does not know.  A sine or cosine errs by at
+    most `of_sine` ulps of the exact one."""
     if not program.counts.keys() <= FOLLOWED or NotANumber() in program.results:
         return None
     follow = _Follow(precision, of_sine)
@@ -75,7 +75,7 @@ class _Follow:
         return self._total if step.op in (Op.ADD, Op.SUB) else lambda x: x
 
     def _rounding(self, size: float) -> Upward:
-        """What rounding a number up to this size errs by."""
+        """Bound of the rounding error of a number up to this size."""
         if not size or size > self._most:
             return Upward(inf if size else 0)
         return max(Upward(ldexp(self._u, frexp(size)[1] - 1)), self._eta)
@@ -91,12 +91,12 @@ class _Follow:
     def _multiple(self, exact: bool, a: RoundedRange, b: RoundedRange) -> RoundedRange:
         size, error = a.size * b.size, product_error(a.size, a.error, b.size, b.error)
         last = self._eta if exact else self._rounding(size + error)
-        found = RoundedRange(size, error + last)
+        result = RoundedRange(size, error + last)
         for x, y in ((a, b), (b, a)):
             if x.circular and not x.factor:
                 rest = x.error * y.size + a.error * b.error + last
-                return found._replace(circular=x.circular, factor=y, rest=rest)
-        return found
+                return result._replace(circular=x.circular, factor=y, rest=rest)
+        return result
 
     def _function(self, of: tuple[Op, Operand], x: RoundedRange) -> RoundedRange:
         """Its ulp is at most u, and 2 u s if the computed one is up to s."""
@@ -110,6 +110,6 @@ def _above(x: Fraction) -> Upward:
 
 
 def _turn(a: RoundedRange, b: RoundedRange) -> bool:
-    """Whether these are multiples of a sine and a cosine of the same number."""
+    """Returns whether these are multiples of a sine and a cosine of the same number."""
     return (a.circular is not None and b.circular is not None and None not in (a.factor, b.factor)
             and a.circular[0] is not b.circular[0] and a.circular[1] == b.circular[1])

@@ -1,9 +1,9 @@
 """atan2(y, x) = m π/4 ± arctan(n/d), n/d = a/b or, above 1/2, (a - b)/(a + b); a <= b are |x|, |y|.
 
-a - b is exact, a + b carries what it is rounded by.  The quotient is h + c: h, half the digits of
-n (1/d), has exact products with both halves of d, so that c = (n - h d)/d hardly errs.
-arctan(h + c) = h + (c + q³ p(q²)), q the quotient rounded.  Both numbers are scaled so that
-products neither overflow nor, wherever the result is normal, underflow."""
+a - b is exact, a + b carries its rounding error.  The quotient is h + c: h, half the digits of n
+(1/d), has exact products with both halves of d, so that c = (n - h d)/d hardly errs.  arctan(h + c)
+= h + (c + q³ p(q²)), q the quotient rounded.  Both numbers are scaled so that products neither
+overflow nor, wherever the result is normal, underflow."""
 
 from dataclasses import dataclass
 from fractions import Fraction
@@ -92,8 +92,8 @@ def _leading_half(x: StepValue, precision: Precision) -> StepValue:
 
 
 def _scaled(a: StepValue, b: StepValue, precision: Precision) -> tuple[StepValue, StepValue]:
-    """a and b times a power of two.  Of b = infinity only whether a is it too remains; b = 0, with
-    a = 0, becomes another number."""
+    """a and b times a power of two.  If b is infinite, the results only tell whether a is infinite,
+    too; b = 0, with a = 0, becomes another number."""
     data, steps = DATA[precision], a.steps
     (least, up), (most, down) = ((Fraction(2)**x for x in pair)
                                  for pair in (data.least, data.largest))
@@ -125,7 +125,7 @@ def derived(precision: Precision) -> tuple[Fraction, ...]:
 
 
 def approximation(precision: Precision) -> Fraction:
-    """A bound, proved, of the relative error of q + q³ p(q²) for |q| <= 1/2: Taylor's series of
+    """A proved bound of the relative error of q + q³ p(q²) for |q| <= 1/2: Taylor's series of
     arctan q / q alternates in z = q²."""
     from coscrew_codegen.program.elementary.proofs.minimax import difference, supremum
 

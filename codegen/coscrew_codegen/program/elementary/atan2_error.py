@@ -1,5 +1,5 @@
 """atan2(y, x) - a, a being what `atan2` returns: (y cos a - x sin a) / (x cos a + y sin a) is the
-tangent of the difference, which is so small that it is the difference."""
+tangent of the difference, and so small that it equals the difference."""
 
 from fractions import Fraction
 from functools import cache
@@ -17,7 +17,7 @@ from coscrew_codegen.program.values.quantity import SCALAR, Argument
 INPUTS = *atan2.INPUTS, *atan2.OUTPUTS
 OUTPUTS = (Argument("angle_error", SCALAR),)
 LARGEST = Fraction(355, 113)
-"""No angle is larger."""
+"""The largest angle."""
 
 
 @cache
@@ -26,8 +26,8 @@ def kernel(precision: Precision) -> Program:
     steps = StepWriter(*INPUTS)
     y, x, angle = steps.inputs()
     k, r, r_low = reduction_pairs.reduced_near(angle, precision)
-    found = _normal(sincos_pairs.computed(r, r_low, _spread(precision), precision), precision)
-    (s, s_low), (c, c_low) = _turned(k, found, precision)
+    result = _normal(sincos_pairs.computed(r, r_low, _spread(precision), precision), precision)
+    (s, s_low), (c, c_low) = _turned(k, result, precision)
     y, x = _scaled(y, x, precision)
     upward, across = steps.named("upward", y * c), steps.named("across", x * s)
     rests = [steps.named(f"{name}_rest", steps.do(Op.PRODUCT_ERROR, a, b, product))
@@ -57,14 +57,14 @@ def _spread(precision: Precision) -> reduction_pairs.Spread:
 
 
 def _normal(of: Computed, precision: Precision) -> Computed:
-    """Each low part at most u of the whole."""
+    """The pairs with each low part at most u of the whole."""
     pairs = Pairs(precision)
     return Computed(pairs.normal("sine", of.sine), pairs.normal("cosine", of.cosine))
 
 
 def _scaled(y: StepValue, x: StepValue, precision: Precision) -> tuple[StepValue, StepValue]:
     """y and x times a power of two, so that products neither overflow nor underflow where they
-    matter.  Of infinities only the signs remain; x = 0 with y = 0 becomes ±1."""
+    matter.  Infinities become numbers of the same sign; x = 0 with y = 0 becomes ±1."""
     data, steps, largest = atan2.DATA[precision], y.steps, precision.limit("max")
     (least, up), (most, down) = ((Fraction(2)**z for z in pair)
                                  for pair in (data.least, data.largest))
@@ -80,14 +80,14 @@ def _scaled(y: StepValue, x: StepValue, precision: Precision) -> tuple[StepValue
 
 @cache
 def error(precision: Precision) -> Fraction:
-    """A bound, proved: |angle + angle_error - atan2(y, x)| / |atan2(y, x)|, where
-    angle_error is not subnormal.
+    """A proved bound of |angle + angle_error - atan2(y, x)| / |atan2(y, x)|, where angle_error is
+    not subnormal.
 
-    In units of the angle times √(x² + y²), y cos a and x sin a are at most 1 and a little; they
-    differ by at most 2 u and what their pairs miss.  Their high parts' products differ by 8 u at
-    most, so that their difference is exact (Sterbenz), unless they are below 16 u: then all errors
-    are, except u 8 u of that difference.  Neither is the tangent's cube, nor what underflows, as
-    large as u³."""
+    In units of the angle times √(x² + y²), y cos a and x sin a exceed 1 by little at most; they
+    differ by at most 2 u and the errors of their pairs.  Their high parts' products differ by 8 u
+    at most, so that their difference is exact (Sterbenz), unless they are below 16 u: then all
+    errors are, except u 8 u of that difference.  Neither is the tangent's cube, nor what
+    underflows, as large as u³."""
     u = precision.u
     sine, cosine = sincos_pairs.relative(_spread(precision), precision)
     rest, missed = 2 * u * (1 + 4 * u), sine.error + cosine.error

@@ -1,8 +1,7 @@
 """exp(x) = 2^k e^r, x = k ln 2 + r, |r| <= ln 2 / 2.
 
-r = high - rest, high exact and rest small: e^r = 1 + high + (r² q(r) - rest), where what 1 + high
-is rounded by is added to the bracket.  The least results are scaled twice and rounded once more
-only."""
+r = high - rest, high exact and rest small: e^r = 1 + high + (r² q(r) - rest); the rounding error of
+1 + high is added to the bracket.  The least results are scaled twice and rounded once more only."""
 
 from dataclasses import dataclass
 from fractions import Fraction
@@ -17,7 +16,7 @@ from coscrew_codegen.program.values.quantity import ANY, SCALAR, Argument
 
 INPUTS, OUTPUTS = (Argument("x", SCALAR, ANY),), (Argument("y", SCALAR),)
 INTERVAL = Fraction(-3467, 10000), Fraction(3467, 10000)
-"""Of r: ln 2 / 2, and what the rounding of x / ln 2 shifts it by."""
+"""Interval of r: ln 2 / 2, plus the shift by the rounding of x / ln 2."""
 _SMALL = 64  # the exponent that is scaled by at last if the result may be subnormal
 
 
@@ -103,7 +102,7 @@ def derived(precision: Precision) -> tuple[Fraction, ...]:
 
 
 def approximation(precision: Precision) -> Fraction:
-    """A bound, proved, of the relative error of 2^k (1 + r + r² q(r)) without roundings."""
+    """A proved bound of the relative error of 2^k (1 + r + r² q(r)) without roundings."""
     from coscrew_codegen.program.elementary.proofs.minimax import difference, ln2, supremum
 
     data = DATA[precision]
@@ -138,9 +137,9 @@ def reduction(precision: Precision) -> None:
 
 
 def roundings(precision: Precision) -> Fraction:
-    """A bound, proved, of the error in ulps of a result in the normal range.
+    """A proved bound of the error in ulps of a result in the normal range.
 
-    `reduction` gives the range of high, which is cut in pieces.  The scaling of e^r is exact."""
+    `reduction` gives the range of high, which is cut into pieces.  The scaling of e^r is exact."""
     from coscrew_codegen.program.elementary.proofs.roundings import Roundings, given, pieces
 
     data, relative, worst = DATA[precision], approximation(precision), Fraction(0)

@@ -41,7 +41,7 @@ class ExpParts:
 
 @cache
 def parts(precision: Precision) -> ExpParts:
-    """The leading part that `exp` has, and one more."""
+    """The leading part of `exp`'s split, and one more."""
     low, high = ln2()
     most = 3 * max(map(abs, exp.DATA[precision].limits)) // 2 + 1
     first = exp.DATA[precision].ln2[0]
@@ -126,7 +126,7 @@ def _times(x: StepValue, powers: Sequence[StepValue]) -> StepValue:
 
 @cache
 def error(precision: Precision) -> Fraction:
-    """A bound, proved: |y + y_error - exp x| / exp x, where y_error is not subnormal.
+    """A proved bound of |y + y_error - exp x| / exp x, where y_error is not subnormal.
 
     e_r - y / 2^k is exact, both being close; its sum with e_r's low part is rounded."""
     x, _ = StepWriter(*INPUTS).inputs()

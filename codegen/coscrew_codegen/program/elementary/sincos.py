@@ -52,7 +52,8 @@ def polynomial(a: Sequence[Fraction], z: StepValue, z2: StepValue) -> StepValue:
 
 
 def pairs(a: Sequence[Fraction], z: StepValue, z2: StepValue) -> StepValue:
-    """Evaluates a polynomial with an even number of terms, in the order in which it waits least."""
+    """Evaluates a polynomial with an even number of terms, in the order with the shortest chain of
+    dependent steps."""
     pair = a[0] + z * a[1]
     return pair + z2 * pairs(a[2:], z, z2) if len(a) > 2 else pair
 
@@ -91,7 +92,7 @@ def derived(precision: Precision) -> tuple[tuple[Fraction, ...], tuple[Fraction,
 
 
 def approximations(precision: Precision) -> tuple[Fraction, Fraction]:
-    """Bounds, proved, of the relative errors of r - r^3 a(r^2) and 1 - r^2/2 + r^4 a(r^2)."""
+    """Proved bounds of the relative errors of r - r^3 a(r^2) and 1 - r^2/2 + r^4 a(r^2)."""
     from coscrew_codegen.program.elementary.proofs.minimax import difference, supremum
 
     data, one, last = DATA[precision], Fraction(1), 12
@@ -101,14 +102,14 @@ def approximations(precision: Precision) -> tuple[Fraction, Fraction]:
     cosine, sine = terms[:2 * last:2], terms[1:2 * last:2]  # of r^2; sine divided by r
     rest = SQUARES[1]**last * abs(terms[2 * last])  # the series alternate and decrease
     least = min(sum(SQUARES[1]**i * c for i, c in enumerate(x[:2])) for x in (cosine, sine))
-    found = [supremum(difference(p, series), series[:2], SQUARES) + rest / least
-             for p, series in (([one, *(-x for x in data.sine)], sine),
-                               ([one, -one / 2, *data.cosine], cosine))]
-    return found[0], found[1]
+    results = [supremum(difference(p, series), series[:2], SQUARES) + rest / least
+               for p, series in (([one, *(-x for x in data.sine)], sine),
+                                 ([one, -one / 2, *data.cosine], cosine))]
+    return results[0], results[1]
 
 
 def roundings(precision: Precision) -> Fraction:
-    """A bound, proved, of the errors in ulps: for r > 0, since r < 0 differs by signs alone.
+    """A proved bound of the errors in ulps, for r > 0; r < 0 differs by signs alone.
 
     Where |r| is below the last piece, k = 0: there sin x = x and cos x = 1 to half an ulp."""
     from coscrew_codegen.program.elementary.proofs.reduction_proof import (
@@ -133,8 +134,8 @@ def roundings(precision: Precision) -> Fraction:
             analysis.constant(0), analysis.within(low, high), analysis.within(-e, e)], {})
         assert e <= low / 4
         relative, more = max(x.error(low - e) for x in reductions), low / (low - e)
-        # |sin r| <= more |sin (r - e)|.  Absolute: what is of second order in e, and what the
-        # reduction's error does to the cosine.
+        # |sin r| <= more |sin (r - e)|. Absolute: terms of second order in e, and the effect of the
+        # reduction's error on the cosine.
         orders = e * high**4 / 24 + e**2 * high, e * high**3 / 6 + e**2
         worst += [analysis.ulps(s, more * sine + relative, orders[0]),
                   analysis.ulps(c, more * cosine, orders[1] + relative * (high + e)**2)]

@@ -1,9 +1,9 @@
 """sin x - s and cos x - c, s and c being what `sincos` returns.
 
 With x = k π/2 + r + r_low, s and c turned back by k right angles are S and C, near the sine and
-cosine of r + r_low, of which C is the larger.  S errs by E = sin r - S + r_low C, where the sine is
-r + r³ (…), a series in pairs.  Then C errs by ((1 - C² - S²)/2 - S E) / C, since the squares of
-what is exact are 1 together: no second series is needed."""
+cosine of r + r_low; C is the larger.  S errs by E = sin r - S + r_low C, where the sine is r + r³
+(…), a series in pairs.  Then C errs by ((1 - C² - S²)/2 - S E) / C, since the squares of the exact
+sine and cosine add to 1: no second series is needed."""
 
 from dataclasses import dataclass, replace
 from fractions import Fraction
@@ -28,11 +28,11 @@ NEGLIGIBLE = Fraction(4)
 
 @dataclass(frozen=True)
 class Beyond:
-    """sin r - r = more + last, in the unit of the angle that r is near; of tiny r, 0."""
+    """sin r - r = more + last, in the unit of the angle that r is near; 0 for tiny r."""
 
     angle: StepValue  # r, or 0 if it is tiny
     more: Pair
-    last: StepValue  # what is computed last; its rounding is counted in more's error
+    last: StepValue  # computed last; its rounding is counted in more's error
     size: Fraction  # of last
 
 
@@ -86,8 +86,8 @@ def _other_error(sine: StepValue, error: StepValue, cosine: StepValue) -> StepVa
 
 
 def errors(precision: Precision) -> tuple[Fraction, Fraction]:
-    """Bounds, proved: |S + its error - sin R| in the unit of R = r + r_low, as it is exactly, and
-    |C + its error - cos R|.
+    """Proved bounds of |S + its error - sin R|, in units of the exact R = r + r_low, and of |C +
+    its error - cos R|.
 
     S and C err by σ ulps at most.  r - S is exact (Sterbenz), R and S being close."""
     u, rounding = precision.u, Pairs(precision).rounding
@@ -123,7 +123,7 @@ def _of_cosine(sine: Fraction, ulps: Fraction, precision: Precision) -> Fraction
 
 @cache
 def error(precision: Precision) -> Fraction:
-    """A bound, proved: |s + s_error - sin x| / |sin x|, and the same of the cosine."""
+    """A proved bound of |s + s_error - sin x| / |sin x|, and of the same for the cosine."""
     sine, cosine = errors(precision)
     return max(sine / (1 - ANGLE**2 / 6), cosine / (1 - ANGLE**2 / 2)) * (1 + 16 * precision.u)
 

@@ -1,7 +1,7 @@
 """tanh x = x + x³ p(x²) / q(x²) up to 5/8, beyond it 1 - 2 / (e^2x + 1).
 
-Both are a number and a quotient, so that one division serves both.  What the sum 2^k + 2^k s + 1 is
-rounded by corrects the quotient: 2 / (d + low) = 2/d - low (2/d)²/2."""
+Both are a number and a quotient, so that one division serves both.  The rounding error of the sum
+2^k + 2^k s + 1 corrects the quotient: 2 / (d + low) = 2/d - low (2/d)²/2."""
 
 from dataclasses import dataclass
 from fractions import Fraction
@@ -99,8 +99,8 @@ def derived(precision: Precision) -> tuple[tuple[Fraction, ...], tuple[Fraction,
 
 
 def approximation(precision: Precision) -> Fraction:
-    """A bound, proved, of the relative error of x + x³ p/q for 0 <= x <= 5/8: of (x + x³ p/q) q
-    cosh x - q sinh x over q sinh x, each over x, as series in z = x²."""
+    """A proved bound of the relative error of x + x³ p/q for 0 <= x <= 5/8: of (x + x³ p/q) q cosh
+    x - q sinh x over q sinh x, each over x, as series in z = x²."""
     from coscrew_codegen.program.elementary.proofs.minimax import difference, product, supremum
 
     data = DATA[precision]
@@ -117,12 +117,12 @@ def approximation(precision: Precision) -> Fraction:
 
 
 def roundings(precision: Precision) -> Fraction:
-    """A bound, proved, of the error in ulps of a result in the normal range."""
+    """A proved bound of the error in ulps of a result in the normal range."""
     return max(_small_roundings(precision), _large_roundings(precision))
 
 
 def _small_roundings(precision: Precision) -> Fraction:
-    """Up to 5/8.  Below 2^-8 the quotient is so small that ranges may be wide."""
+    """Bounds roundings up to 5/8. Below 2^-8 the quotient is so small that ranges may be wide."""
     from coscrew_codegen.program.elementary.proofs.roundings import Roundings, given, pieces
 
     ranges = [piece for n in range(8) for piece in pieces(SMALL / 2**(n + 1), SMALL / 2**n, 32)]

@@ -19,7 +19,7 @@ OUTPUTS = (Argument("y_error", SCALAR),)
 
 
 def end(precision: Precision) -> int:
-    """tanh of it is 1 to more than twice the digits."""
+    """The argument from which on tanh is 1 to more than twice the digits."""
     return 2 * tanh.DATA[precision].one
 
 
@@ -66,21 +66,21 @@ def _sums(whole: Pair, more: Pair, one: Pair, precision: Precision) -> tuple[Pai
 
 @cache
 def error(precision: Precision) -> Fraction:
-    """A bound, proved: |y + y_error - tanh x| / |tanh x|."""
+    """A proved bound of |y + y_error - tanh x| / |tanh x|."""
     x, _ = StepWriter(*INPUTS).inputs()
     _, _, r = exp_error.reduced(x, precision)
     growth, u, size = exp_error.growth(r, precision), precision.u, exp.INTERVAL[1]
     least = 1 - size + size**2 / 2 - size**3 / 6  # of e^r
-    found = [_near_zero(r, precision)]
+    results = [_near_zero(r, precision)]
     for k, whole in ((1, Pair(x, None, Fraction(1, 2))), (2, Pair(x, x, Fraction(1), u))):
         one = Fraction(1, 2**k)  # in the unit of 2^k; for k > 2, m and d are larger
         m, d = _sums(whole, growth, Pair(x, None, one), precision)
-        found.append((m.scaled(m.size / (least - one)), d.scaled(d.size / least)))
-    return max(_quotient(m, d, precision) for m, d in found)
+        results.append((m.scaled(m.size / (least - one)), d.scaled(d.size / least)))
+    return max(_quotient(m, d, precision) for m, d in results)
 
 
 def _near_zero(r: Pair, precision: Precision) -> tuple[Pair, Pair]:
-    """m and d for k = 0, in units of what they are at least: r, which is exact, and 2."""
+    """m and d for k = 0, in units of their least sizes: r, which is exact, and 2."""
     pairs, growth = Pairs(precision), exp_error.growth(r, precision, relative=True)
     m = pairs.sum("m", Pair(r.high, None, Fraction(0)), growth)
     d = pairs.sum("d", Pair(r.high, None, Fraction(2)), m.scaled(m.size * exp.INTERVAL[1]))
@@ -91,7 +91,7 @@ def _quotient(m: Pair, d: Pair, precision: Precision) -> Fraction:
     """A bound of the relative error of y + (m - y d) / d, y being within an ulp of m / d: with m
     and y d as unit.
 
-    m_high - y d_high rounded is exact, since both are close, and so is that product's error."""
+    m_high - y d_high is exact, since both are close, and so is the error of that product."""
     u, second = precision.u, m.error + d.error  # y d is m to 2 u
     low = u * (1 + 2 * u)  # relative: those of m and d
     left = 2 * u + 2 * low  # of the high parts, with the product's error: m - y d and low parts

@@ -153,7 +153,7 @@ def on_device(precision: Precision) -> Precision:
 
 BY_NAME = {precision.name: precision for precision in PRECISIONS}
 CHOICES = (*BY_NAME, "both")
-"""What options and scene files may say of the precision."""
+"""Names of precisions in options and scene files, with the precisions that each means."""
 
 
 def named(names: Collection[str]) -> tuple[Precision, ...]:

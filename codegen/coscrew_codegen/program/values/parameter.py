@@ -29,5 +29,5 @@ class Sign(Enum):
         return "must be positive" if self is Sign.POSITIVE else "must not be negative"
 
     def refuses(self, number: Fraction | float) -> bool:
-        """Whether the number may not be given."""
+        """Returns whether the number is refused."""
         return number <= 0 if self is Sign.POSITIVE else number < 0

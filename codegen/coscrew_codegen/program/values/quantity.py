@@ -51,8 +51,8 @@ TURN, HALF_TURN: the angle of a rotation vector, or of a screw's angular part.""
 
 TOLERANCE = Fraction(1, 1000)
 """A matrix counts as a rotation if |R^T R - I|_ij and |det R - 1| are at most this; a quaternion as
-a unit one if | |q| - 1 | is.  So do decimals with three digits, and what single precision rounded;
-reflections do not, nor matrices that are scaled by 0.05 %."""
+a unit one if | |q| - 1 | is.  Decimals with three digits and results of single precision pass;
+reflections, and matrices that are scaled by 0.05 %, do not."""
 
 
 @dataclass(frozen=True)

@@ -1,4 +1,5 @@
-"""Costs of a scene: operations and times of functions, effect by effect; accuracy against time."""
+"""Measures costs of a scene: operations and times of functions, effect by effect; accuracy against
+time."""
 
 from coscrew_codegen.program.reported_error import ReportedError
 

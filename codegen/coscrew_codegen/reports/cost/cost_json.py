@@ -1,4 +1,4 @@
-"""A scene's costs as JSON, whose fields docs/accuracy.md lists."""
+"""Writes a scene's costs as JSON; docs/accuracy.md lists the fields."""
 
 import json
 from collections.abc import Sequence
@@ -21,7 +21,7 @@ SCHEMA = 1
 
 
 def write(costs: Costs, path: Path, command: str) -> None:
-    """Write the JSON, in which what is not finite is null.  Raises SimulateError."""
+    """Writes the JSON, in which numbers that are not finite are null.  Raises SimulateError."""
     with delivered(path) as temporary:
         temporary.write_text(json.dumps(
             finite(data(costs, command), lambda x: None), ensure_ascii=False, allow_nan=False,

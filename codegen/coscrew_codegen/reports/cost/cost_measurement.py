@@ -68,23 +68,24 @@ class Costs:
     points: tuple[Point, ...]
     accuracy: tuple[tuple[FunctionErrors, ...],
                     ...] = ()  # of each function: all tiers and precisions
-    runs: bool = True  # whether runs were measured, or asked for
+    runs: bool = True  # whether runs were measured, or requested
     run_errors: RunErrors | None = None
 
     def known(self, point: Point) -> bool:
-        """Whether a run's error exceeds the reference's; if not, it is only known to be small."""
+        """Returns whether a run's error exceeds the reference's, and so is known; a smaller error
+        is only known to be small."""
         return self.reference is not None and point.error > self.reference.error
 
 
-def measure(kernels: Kernels, overrides: RunOverrides, asked: CostRequest) -> Costs:
-    """Measure what is asked for.  `kernels` have what a run needs, and the dynamics.  Raises
-    CostError."""
+def measure(kernels: Kernels, overrides: RunOverrides, request: CostRequest) -> Costs:
+    """Measures the requested costs.  `kernels` have the dynamics and all functions that a run
+    needs.  Raises CostError."""
     scene = kernels.scene
     if scene is None:
         raise CostError("these kernels are of no scene file")
-    names = asked.of(scene)
-    chosen = (part(WHOLE, scene, names),) if asked.alone else parts(scene, names)
-    refuse_absent(asked, chosen[0])
+    names = request.of(scene)
+    chosen = (part(WHOLE, scene, names),) if request.alone else parts(scene, names)
+    refuse_absent(request, chosen[0])
     names = present(names, chosen[0])
     try:
         using = compilation.compiler()
@@ -94,20 +95,20 @@ def measure(kernels: Kernels, overrides: RunOverrides, asked: CostRequest) -> Co
     except compilation.CompilationError as error:
         raise CostError(f"cost times C, and that cannot be compiled: {error}") from None
     states = _states(kernels, overrides)
-    accuracy = tuple(_progress(_accuracies(kernels, overrides, states[1], built[0], names, asked),
+    accuracy = tuple(_progress(_accuracies(kernels, overrides, states[1], built[0], names, request),
                                "comparing", len(names)))
-    costs = Costs(scene.name, str(using), (), None, (), accuracy, not asked.alone)
-    return costs if asked.alone else _with_runs(costs, kernels, overrides, built, states, asked)
+    costs = Costs(scene.name, str(using), (), None, (), accuracy, not request.alone)
+    return costs if request.alone else _with_runs(costs, kernels, overrides, built, states, request)
 
 
 def _with_runs(costs: Costs, kernels: Kernels, overrides: RunOverrides,
                built: Sequence[CompiledLoops],
-               states: tuple[System, Trajectory], asked: CostRequest) -> Costs:
-    """And operations, effects, and runs."""
+               states: tuple[System, Trajectory], request: CostRequest) -> Costs:
+    """Adds operations, effects and runs."""
     rows = tuple(_progress(_rows(built, states), "timing",
                            sum(len(_functions(x.part)) for x in built)))
     its, planned = _planned(kernels, overrides)
-    truth = reference(its, planned.until, asked.digits)
+    truth = reference(its, planned.until, request.digits)
     points = work_precision(kernels, built[0], planned, overrides, truth) if truth else ()
     return replace(costs, rows=rows, reference=truth,
                    points=tuple(_progress(points, "integrating", None)),
@@ -117,21 +118,21 @@ def _with_runs(costs: Costs, kernels: Kernels, overrides: RunOverrides,
 
 
 def _tiers(of: Ablation, names: Sequence[str]) -> tuple[SceneTier, ...]:
-    """Returns the functions in all tiers of both precisions but plain, and in those that the scene
-    selects: the others pay where double is software."""
+    """Returns the functions in all tiers of both precisions except plain, and in the tiers that the
+    scene selects; the remaining tiers are worthwhile only where double is software."""
     some = replace(of.functions, steps=(), functions=tuple(
         f for f in of.public if f.name in names))
-    found = []
+    results = []
     for tier in OF_SCENES:
         if names and tier != PLAIN and (
                 tier.precisions == PRECISIONS or tier.name in of.scene.tiers):
             with suppress(NoFunctionsError):
-                found.append(in_tier(some, tier))
-    return tuple(found)
+                results.append(in_tier(some, tier))
+    return tuple(results)
 
 
 def _accuracies(kernels: Kernels, overrides: RunOverrides, run: Trajectory, built: CompiledLoops,
-                names: Sequence[str], asked: CostRequest) -> Iterator[tuple[FunctionErrors, ...]]:
+                names: Sequence[str], request: CostRequest) -> Iterator[tuple[FunctionErrors, ...]]:
     """Errors and times of these functions, at parameters of single precision."""
     known = dict(kernels.interface.parameters) | dict(overrides.settings)
     its = system(kernels, "double", {x: float(np.float32(y)) for x, y in known.items()})
@@ -144,8 +145,8 @@ def _accuracies(kernels: Kernels, overrides: RunOverrides, run: Trajectory, buil
 
     _, planned = _planned(kernels, overrides)
     box = box_of(its, float(run.t[-1]), planned.step)
-    for rows in measured(built, names, box, run, asked.counts, timed):
-        yield tuple(replace(x, emitted=x.precision in asked.emitted) for x in rows)
+    for rows in measured(built, names, box, run, request.counts, timed):
+        yield tuple(replace(x, emitted=x.precision in request.emitted) for x in rows)
 
 
 def _functions(of: Ablation) -> tuple[FunctionProgram, ...]:
@@ -171,7 +172,7 @@ def _states(kernels: Kernels, overrides: RunOverrides) -> tuple[System, Trajecto
 
 
 def _rows(built: Sequence[CompiledLoops], states: tuple[System, Trajectory]) -> Iterator[Row]:
-    """Each function of the whole scene and the same function of the other parts, timed in turn, in
+    """Times each function of the whole scene and the same function of the other parts, in turn, in
     both precisions."""
     for name in (f.name for f in _functions(built[0].part)):
         chosen = [(x, f) for x in built for f in _functions(x.part) if f.name == name]

@@ -22,14 +22,14 @@ USUAL = (*SHOWN, "body_poses")
 class CostRequest:
     """The settings of a measurement."""
 
-    functions: tuple[str, ...] = ()  # those given, else the scene's
+    functions: tuple[str, ...] = ()  # the given ones, else the scene's
     counts: Counts = Counts()
     digits: int | None = None  # of the reference for runs
     emitted: tuple[str, ...] = tuple(BY_NAME)  # precisions that the scene is generated in
 
     @property
     def alone(self) -> bool:
-        """Whether these functions are all that is asked for: no effects, no runs."""
+        """True if only functions are requested: no effects, no runs."""
         return bool(self.functions)
 
     def of(self, scene: Scene) -> tuple[str, ...]:
@@ -40,9 +40,9 @@ class CostRequest:
         if wrong := [name for name in self.functions if name in steps]:
             raise CostError(f"{wrong[0]}: the error of a step is not that of rounding; without "
                             "--function, cost measures whole runs")
-        found = resolved(scene, words) if words else {
+        result = resolved(scene, words) if words else {
             x for x in USUAL if x != "mass_matrix" or speeds(scene) <= MANY}
-        return tuple(name for name in names(scene) if name in found and name not in steps)
+        return tuple(name for name in names(scene) if name in result and name not in steps)
 
     def needed(self, scene: Scene, integrator: str | None) -> tuple[str, ...]:
         """The functions that the measurement calls."""
@@ -52,10 +52,10 @@ class CostRequest:
         return together(of_run(scene, integrator), ("inverse_dynamics", "forward_dynamics"), FREE)
 
 
-def refuse_absent(asked: CostRequest, part: Ablation) -> None:
-    """Raise CostError for a function that was asked for by its name, and that only scenes of
+def refuse_absent(request: CostRequest, part: Ablation) -> None:
+    """Raises CostError for a function that was requested by its name, and that only scenes of
     another kind have."""
-    for name in asked.functions:
+    for name in request.functions:
         if not is_pattern(name) and name not in (DEFAULT, ALL, *(f.name for f in part.public)):
             raise CostError(f"{part.functions.name}: there is no {name}: only scenes with a "
                             "floating base or with limits have it")

@@ -1,4 +1,4 @@
-"""A scene with all its effects, without each of them, and without any."""
+"""Variants of a scene: with all its effects, without each of them, and without any."""
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
@@ -29,20 +29,20 @@ class Ablation:
         return tuple(f for f in self.functions.functions if not f.internal)
 
 
-def parts(scene: Scene, asked: Sequence[str] = ()) -> tuple[Ablation, ...]:
-    """The scene with all its effects and the functions that are asked for, without each of them,
-    and without any.
+def parts(scene: Scene, requested: Sequence[str] = ()) -> tuple[Ablation, ...]:
+    """The scene with all its effects and the requested functions;
 
-    Effects that change the coordinates (mimic) always stay."""
+    without each effect; and without any.  Effects that change the coordinates (mimic) always stay.
+    """
     chosen = [(WHOLE, scene.effects), *_fewer(scene)]
     return tuple(part(words, replace(scene, effects=effects),
-                      whole(scene, asked) if words == WHOLE else SHOWN)
+                      whole(scene, requested) if words == WHOLE else SHOWN)
                  for words, effects in chosen)
 
 
 def _fewer(scene: Scene) -> list[tuple[str, tuple[Applied, ...]]]:
-    """Without each effect, and without any: words, and the effects that stay.  An effect without
-    which the mass matrix is singular (an armature) always stays."""
+    """Yields the variants without each effect, and without any: words, and the remaining effects.
+    An effect without which the mass matrix is singular (an armature) always stays."""
     names = tuple(dict.fromkeys(x.effect.name for x in scene.effects if _optional(x)))
     chosen = []
     if len(names) > 1:
@@ -66,13 +66,13 @@ def part(words: str, scene: Scene, functions: Sequence[str]) -> Ablation:
     return Ablation(words, scene, derive(scene, functions))
 
 
-def whole(scene: Scene, asked: Sequence[str] = ()) -> tuple[str, ...]:
-    """The functions of the scene with all its effects: those it selects, those asked for, those
-    whose cost is shown for each effect, and the steps of all integrators."""
-    return together(selected_functions(scene), asked, SHOWN, (x.step_name for x in EMITTED),
+def whole(scene: Scene, requested: Sequence[str] = ()) -> tuple[str, ...]:
+    """The functions of the scene with all its effects: selected ones, requested ones, SHOWN ones,
+    and the steps of all integrators."""
+    return together(selected_functions(scene), requested, SHOWN, (x.step_name for x in EMITTED),
                     ("energy",), FREE)
 
 
 def _optional(applied: Applied) -> bool:
-    """Whether the effect can be left out and adds to the cost of functions."""
+    """Returns whether the effect can be left out and adds to the cost of functions."""
     return not (applied.effect.mimic or applied.effect.reaction)

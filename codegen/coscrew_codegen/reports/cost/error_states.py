@@ -1,6 +1,6 @@
 """States at which rounding errors are measured: of the run, between the joint limits, and the worst
-that a search finds there.  All numbers are numbers of single precision, so that every precision
-computes from the same ones."""
+of a search there.  All are numbers of single precision, so that every precision gets the same
+inputs."""
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
@@ -8,8 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from coscrew_codegen.dynamics.ranges.accuracy_requests import positions
-from coscrew_codegen.scene.mechanism.model import Kind
+from coscrew_codegen.dynamics.ranges.accuracy_requests import positions, speeds
 from coscrew_codegen.simulation.plan import Trajectory
 from coscrew_codegen.simulation.system import System
 
@@ -18,20 +17,20 @@ Values = Mapping[str, Reals]
 """t, h (n,), p (n, np), q (n, nq), v, a, tau, phi (n, nv), c (n, trees, 6): inputs of functions."""
 
 BATCH = 2048
-"""States that the search compares at once, unless told."""
+"""Number of states that the search compares at once by default."""
 _ROUNDS, _KEPT, _NARROWER = 12, 32, 0.6
-_REACHED_IN = 0.1  # s, in which accelerations reach the limits of velocities
+_REACHED_IN = 0.1  # s: time in which accelerations reach the velocity limits
 
 
 def joined(parts: Sequence[Values]) -> dict[str, Reals]:
-    """All states in turn."""
+    """Concatenates the states."""
     return {name: np.concatenate([x[name] for x in parts]) for name in parts[0]}
 
 
 @dataclass(frozen=True)
 class Box:
     """Half widths and centres of every number of a state: the limits of the joints, or ±π rad, 1 m,
-    π rad/s, 1 m/s for those that have none."""
+    π rad/s, 1 m/s for joints without limits."""
 
     system: System
     step: float
@@ -46,33 +45,33 @@ class Box:
     def near(self, rng: np.random.Generator, values: Values, scale: float, count: int
              ) -> dict[str, Reals]:
         """`count` states near each of these, inside the box."""
-        found = {}
+        results = {}
         for name, middle in self.centre.items():
             around, half = np.repeat(values[name], count, axis=0), self.half[name]
             moved = around + scale * half * rng.normal(size=around.shape)
-            found[name] = np.clip(moved, middle - half, middle + half)
-        return self._inputs(found)
+            results[name] = np.clip(moved, middle - half, middle + half)
+        return self._inputs(results)
 
     def of_run(self, trajectory: Trajectory, count: int) -> dict[str, Reals]:
-        """States of the run at equal distances; torques are random, accelerations what they
-        cause."""
+        """States of the run at equal intervals, with random torques and the accelerations that
+        these cause."""
         chosen = np.linspace(0, len(trajectory.t) - 1, count).astype(int)
-        found = self.drawn(np.random.default_rng(3), count)
-        found |= {name: getattr(trajectory, name)[chosen] for name in ("t", "q", "v")}
-        found = self._inputs(found)
-        return self._inputs({**found, "a": self.system.call("forward_dynamics", **found)})
+        result = self.drawn(np.random.default_rng(3), count)
+        result |= {name: getattr(trajectory, name)[chosen] for name in ("t", "q", "v")}
+        result = self._inputs(result)
+        return self._inputs({**result, "a": self.system.call("forward_dynamics", **result)})
 
     def _inputs(self, values: Values) -> dict[str, Reals]:
         """The nearest states of single precision, with quaternions of norm 1, and the inputs that
         belong to them: parameters, a step, the motion in it, the momenta of floating trees."""
         its, count = self.system, len(values["t"])
-        found = {**values, "q": its.normalized(values["q"]), "h": np.full(count, self.step),
-                 "p": np.tile(np.array(its.p, float), (count, 1))}
-        found = {name: _single(x) for name, x in found.items()}
-        found["phi"] = _single(found["h"][:, None] * found["v"])
+        results = {**values, "q": its.normalized(values["q"]), "h": np.full(count, self.step),
+                   "p": np.tile(np.array(its.p, float), (count, 1))}
+        results = {name: _single(x) for name, x in results.items()}
+        results["phi"] = _single(results["h"][:, None] * results["v"])
         if its.has("free_momentum"):
-            found["c"] = _single(its.call("free_momentum", **found))
-        return found
+            results["c"] = _single(its.call("free_momentum", **results))
+        return results
 
 
 def _single(x: Reals) -> Reals:
@@ -86,11 +85,10 @@ def box_of(system: System, until: float, step: float) -> Box:
     half_v, effort = np.ones(system.functions.nv), np.full(system.functions.nv, np.nan)
     for c in system.functions.coordinates:
         joint = joints[c.joint]
-        half_v[c.v] = float(joint.velocity or (np.pi if joint.kind is Kind.REVOLUTE else 1))
+        half_v[c.v] = speeds(joint)
         effort[c.v] = float(joint.effort) if joint.effort else np.nan
-        if joint.kind in (Kind.REVOLUTE, Kind.PRISMATIC):
-            lower, upper = positions(joint)
-            q[c.q], half_q[c.q] = (lower + upper) / 2, (upper - lower) / 2
+        lower, upper = np.array(positions(joint)).T
+        q[c.q], half_q[c.q] = (lower + upper) / 2, (upper - lower) / 2
     half = {"t": np.array(until / 2), "q": half_q, "v": half_v, "a": half_v / _REACHED_IN,
             "tau": effort}
     centre = {"t": np.array(until / 2), "q": q, **{name: np.zeros_like(half_v)
@@ -103,7 +101,7 @@ def box_of(system: System, until: float, step: float) -> Box:
 
 def searched(box: Box, score: Callable[[Values], Reals], count: int, batch: int = BATCH
              ) -> dict[str, Reals]:
-    """The states of the largest scores found by climbing from the best of many."""
+    """Finds states of large scores by hill climbing from the best of many."""
     rng = np.random.default_rng(1)
     best = box.drawn(rng, batch)
     for number in range(_ROUNDS):

@@ -1,9 +1,9 @@
-"""A run's end to many digits: the dynamics' Programs on MPFR's numbers, with extrapolation.
+"""Computes a run's end to many digits: the dynamics' Programs on MPFR's numbers, with
+extrapolation.
 
-Independent of the emitted texts, of their precisions and of SciPy, but not of the Programs.
-"""
+Independent of the emitted texts, of their precisions and of SciPy, but not of the Programs."""
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from dataclasses import dataclass
 
 import gmpy2
@@ -14,11 +14,13 @@ from coscrew_codegen.program.in_python import in_python
 from coscrew_codegen.program.multiprecise import MULTIPRECISE, precise
 from coscrew_codegen.program.values.formats import DOUBLE
 from coscrew_codegen.reports.cost import CostError
+from coscrew_codegen.scene.joints import kind_named
+from coscrew_codegen.scene.mechanism.joint_in_reals import JointInReals
 from coscrew_codegen.simulation.system import System
 
 _ROWS = 10  # of the extrapolation, of order 20
 _SMALLEST = 1e-5  # least step, as a fraction of the run: smaller ones would take too long
-_GUARD = 10  # digits beyond those wanted
+_GUARD = 10  # digits beyond the wanted ones
 
 Numbers = list[mpfr]
 Rates = Callable[[mpfr, Numbers], Numbers]
@@ -43,10 +45,12 @@ def _rates(system: System) -> Rates:
     p, tau = [mpfr(x) for x in system.p], [mpfr(0)] * nv
 
     def rates(t: mpfr, y: Numbers) -> Numbers:
-        q, v = y[:nq], y[nq:]
-        values = {"t": [t], "p": p, "q": _normalized(system, q), "v": v, "tau": tau}
-        return [*_q_rates(system, q, v),
-                *accelerations([values[a.name] for a in forward.inputs])]
+        r, v = y[:nq], y[nq:]
+        q = _normalized(system, r)
+        values = {"t": [t], "p": p, "q": q, "v": v, "tau": tau}
+        moved = [x for c in system.functions.coordinates for x in _moved(
+            c.kind, *(_places(x, of) for x, of in ((r, c.q), (q, c.q), (v, c.v))))]
+        return [*moved, *accelerations([values[a.name] for a in forward.inputs])]
 
     return rates
 
@@ -59,30 +63,16 @@ def _normalized(system: System, q: Numbers) -> Numbers:
     return q
 
 
-def _q_rates(system: System, q: Numbers, v: Numbers) -> Numbers:
-    result: Numbers = []
-    for c in system.functions.coordinates:
-        speeds = v[c.v.start:c.v.stop]
-        if c.kind not in ("spherical", "free"):
-            result += speeds
-            continue
-        x, y, z, w = q[c.q.stop - 4:c.q.stop]
-        a, b, d = (s / 2 for s in speeds[-3:])
-        turn = [w * a + y * d - z * b, w * b + z * a - x * d, w * d + x * b - y * a,
-                -x * a - y * b - z * d]
-        if c.kind == "free":
-            result += _turned((x, y, z, w), speeds[:3])
-        result += turn
-    return result
+def _moved(kind: str, r: Numbers, q: Numbers, v: Numbers) -> Numbers:
+    """The rates of a joint's coordinates r; q is r with normalized quaternions."""
+    manifold = kind_named(kind).manifold
+    if manifold is None:
+        return v
+    return list(manifold.rates(JointInReals((), tuple(q), gmpy2.sin, gmpy2.cos), r, v))
 
 
-def _turned(q: Sequence[mpfr], v: Numbers) -> Numbers:
-    """R(q) v."""
-    u, w, norm = q[:3], q[3], sum(x * x for x in q)
-    along = sum(x * y for x, y in zip(u, v, strict=True))
-    across = [u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]]
-    square = w * w - sum(x * x for x in u)
-    return [(square * v[i] + 2 * along * u[i] + 2 * w * across[i]) / norm for i in range(3)]
+def _places(x: Numbers, places: range) -> Numbers:
+    return x[places.start:places.stop]
 
 
 @dataclass(frozen=True)

@@ -28,7 +28,7 @@ from coscrew_codegen.reports.cost.measured import (
 from coscrew_codegen.reports.timing.intervals import Interval
 from coscrew_codegen.simulation.plan import Trajectory
 
-_UNTOLD = 10.0**(10 - DIGITS)  # of the largest component: an error that these digits cannot tell
+_UNTOLD = 10.0**(10 - DIGITS)  # of the largest component: the error that these digits resolve
 
 
 @dataclass(frozen=True)
@@ -43,8 +43,8 @@ class Bounds:
 
 @dataclass(frozen=True)
 class ErrorStatistics:
-    """Errors of the components with this unit: at each state, that of the component with the
-    largest.  Digits are those that are right of the largest component."""
+    """Errors of the components with this unit: at each state, that of the worst component.  Digits
+    are the correct digits of the largest component."""
 
     unit: str
     typical: float  # the median of all states
@@ -52,7 +52,7 @@ class ErrorStatistics:
     typical_digits: float  # infinite if the results are exact
     worst_digits: float
     largest: float  # result
-    place: str  # where the state of the worst error is from: run, limits, search
+    place: str  # source of the state of the worst error: run, limits, search
     bounds: Bounds | None
 
 
@@ -80,8 +80,8 @@ class FunctionErrors:
         return max(x.worst / x.largest if x.worst else 0.0 for x in self.errors)
 
     def better(self, other: "FunctionErrors") -> bool:
-        """Whether it is faster, with disjoint intervals, and at least as accurate in every unit,
-        and says as much of its errors: plain is not better than certified."""
+        """Returns whether it is faster, with disjoint intervals, at least as accurate in every
+        unit, and gives bounds if the other does: plain is not better than certified."""
         return (self.time.below(other.time) and (self.tier == CERTIFIED) >= (
             other.tier == CERTIFIED) and all(
                 a.worst <= b.worst for a, b in zip(self.errors, other.errors, strict=True)))
@@ -95,7 +95,8 @@ def units_with_errors(rows: Sequence[FunctionErrors]) -> list[int]:
 def measured(built: CompiledLoops, names: Sequence[str], box: Box, trajectory: Trajectory,
              counts: Counts, timed: Callable[[str, Values], Sequence[Interval]]
              ) -> Iterator[tuple[FunctionErrors, ...]]:
-    """Every function in all choices, with the times that `timed` returns for some states."""
+    """Measures every function in all choices, with the times that `timed` returns for some states.
+    """
     for name in names:
         function = Measured(built, name)
         states, places = function.states(box, trajectory, counts)
@@ -112,23 +113,23 @@ def _accuracy(function: Measured, choice: TierChoice, states: Values, places: Se
                         for row, exact in zip(computed, truth, strict=True)])
     sizes = np.nan_to_num([[abs(float(y)) for y in row] for row in truth])
     off[off < _UNTOLD * sizes.max(initial=0)] = 0
-    found: list[ErrorStatistics] = []
+    values: list[ErrorStatistics] = []
     worst = 0
     for unit in function.different_units:
         of = [n for n, x in enumerate(function.units) if x == unit]
         largest = off[:, of].max(axis=1)
         at = int(np.argmax(largest))
-        worst = worst if found else at
+        worst = worst if values else at
         results = sizes[:, of].max(axis=1)
         digits = _digits(largest, results)
-        found.append(ErrorStatistics(
+        values.append(ErrorStatistics(
             unit, float(np.median(largest)), float(largest[at]), float(np.median(digits)),
             float(digits.min()), float(results.max()), places[at],
             _bounds(bounds[0][:, of], off[:, of]) if bounds else None))
     inputs = function.built.part.functions.named(function.name).program.inputs
     return FunctionErrors(function.name, choice.tier, choice.precision.name, len(truth), time,
-                          tuple(found), {a.name: tuple(np.ravel(states[a.name][worst]).tolist())
-                                         for a in inputs})
+                          tuple(values), {a.name: tuple(np.ravel(states[a.name][worst]).tolist())
+                                          for a in inputs})
 
 
 def _apart(x: mpfr, y: mpfr) -> float:
@@ -139,10 +140,10 @@ def _apart(x: mpfr, y: mpfr) -> float:
 
 
 def _digits(errors: Reals, sizes: Reals) -> Reals:
-    """Digits that are right of numbers of these sizes: from 0 to infinity."""
+    """Number of correct digits of results of these sizes: from 0 to infinity."""
     with np.errstate(divide="ignore", invalid="ignore"):
-        found: Reals = np.log10(np.maximum(sizes, errors)) - np.log10(errors)
-    return np.where(errors == 0, np.inf, np.where(np.isinf(errors), 0, found))
+        result: Reals = np.log10(np.maximum(sizes, errors)) - np.log10(errors)
+    return np.where(errors == 0, np.inf, np.where(np.isinf(errors), 0, result))
 
 
 def _bounds(bounds: Reals, errors: Reals) -> Bounds:

@@ -1,4 +1,4 @@
-"""C loops over a scene's functions, compiled for timing beside the runs that simulations use."""
+"""Compiles C loops over a scene's functions for timing, beside the runs that simulations use."""
 
 import ctypes
 import time
@@ -73,14 +73,14 @@ def compiled(part: Ablation, functions: Sequence[FunctionProgram], compiler: Com
              tiers: Sequence[SceneTier] = ()) -> CompiledLoops:
     """A part's loops over these functions, and over all of these tiers, compiled as load_scene
     does.  Raises CompilationError."""
-    name, banner = part.functions.name, banner_of(part.functions.name)
-    files = {**scene_c.files(part.functions, banner), **scene_calls.files(part.functions, banner),
-             "loops.c": text(part, functions, tiers), "driver.c": driver()}
-    scene = f"{name}_calls.c" if part.words == WHOLE else f"{name}.c"  # only the whole scene runs
-    units = {"scene": (scene,), "loops": ("loops.c",), "driver": ("driver.c",)}
+    banner = banner_of(part.functions.name)
+    scene, calls = (x(part.functions, banner) for x in (scene_c.files, scene_calls.files))
+    files = {**scene, **calls, "loops.c": text(part, functions, tiers), "driver.c": driver()}
+    made = dict(calls if part.words == WHOLE else scene)  # only the whole scene runs
     for tier in tiers:
-        files |= scene_c_tier.files(tier, banner)
-        units[tier.tier.name] = (f"{tier.stem}.c",)
+        made |= scene_c_tier.files(tier, banner)
+    units = {x: (x,) for x in (*made, "loops.c", "driver.c") if x.endswith(".c")}
+    files |= made
     return CompiledLoops(part, library(units, files, compiler).opened, tuple(tiers))
 
 

@@ -1,5 +1,5 @@
-"""A function of a scene in every tier and precision: its results, what they should be, and the
-states at which they are compared."""
+"""A function of a scene in every tier and precision: its results, the exact results, and the states
+at which they are compared."""
 
 from collections import Counter
 from collections.abc import Callable, Sequence
@@ -20,7 +20,7 @@ from coscrew_codegen.simulation.result_units import units
 
 DIGITS = 50
 ACCURATE, CERTIFIED = (tier_named(name).name for name in ("accurate", "certified"))
-_FEWER = BATCH // 16  # states compared with DIGITS at once: they take as much longer
+_FEWER = BATCH // 16  # most states compared with DIGITS at once, since these take much longer
 Exact = list[list[mpfr]]
 """A function's results for each state."""
 
@@ -74,7 +74,7 @@ class Measured:
 
     @property
     def different_units(self) -> list[str]:
-        """Each once, that of most components first."""
+        """The distinct units, the unit of most components first."""
         return [unit for unit, _ in Counter(self.units).most_common()]
 
     def inputs(self, states: Values) -> list[Reals]:
@@ -85,11 +85,11 @@ class Measured:
     def values(self, choice: TierChoice, states: Values) -> list[Reals]:
         """The results and, if it is certified, their bounds: (states, components) each."""
         made = self.built.values(self.name, choice.precision, self.inputs(states), choice.tier)
-        found = [x.astype(float) for x in made]
+        results = [x.astype(float) for x in made]
         if choice.tier != CERTIFIED:
-            return [np.concatenate(found, axis=1)]
-        half = len(found) // 2
-        return [np.concatenate(x, axis=1) for x in (found[:half], found[half:])]
+            return [np.concatenate(results, axis=1)]
+        half = len(results) // 2
+        return [np.concatenate(x, axis=1) for x in (results[:half], results[half:])]
 
     def exact(self, states: Values) -> Exact:
         """The results to DIGITS."""
@@ -100,7 +100,7 @@ class Measured:
 
     def states(self, box: Box, trajectory: Trajectory, counts: Counts
                ) -> tuple[dict[str, Reals], tuple[str, ...]]:
-        """The states at which it is measured, and where each is from.  The search looks for the
+        """The states at which it is measured, and the source of each.  The search looks for the
         worst state of each choice in each unit."""
         parts = [("run", box.of_run(trajectory, counts.run)),
                  ("limits", box.drawn(np.random.default_rng(2), counts.limits))]
@@ -117,19 +117,19 @@ class Measured:
     def badness(self, choice: TierChoice, unit: str, states: Values) -> Reals:
         """Returns for each state the largest error of a component with this unit or, if the choice
         is certified, the largest bound.  Errors are approximate: differences from accurate results
-        in double, and only those of these are differences from DIGITS."""
-        found, *bounds = self.values(choice, states)
-        off = self._from_exact(found, states) if choice == _NEAREST else np.abs(
-            found - self.values(_NEAREST, states)[0])
+        in double; only errors of the latter are differences from DIGITS."""
+        result, *bounds = self.values(choice, states)
+        off = self._from_exact(result, states) if choice == _NEAREST else np.abs(
+            result - self.values(_NEAREST, states)[0])
         if bounds:
             off = np.minimum(np.where(np.isnan(bounds[0]), np.inf, bounds[0]), np.finfo(float).max)
         worst: Reals = off[:, [x == unit for x in self.units]].max(axis=1)
         return worst
 
-    def _from_exact(self, found: Reals, states: Values) -> Reals:
+    def _from_exact(self, result: Reals, states: Values) -> Reals:
         with precise(DIGITS):
             return np.array([[float(abs(mpfr(x) - y)) for x, y in zip(row, exact, strict=True)]
-                             for row, exact in zip(found.tolist(), self.exact(states),
+                             for row, exact in zip(result.tolist(), self.exact(states),
                                                    strict=True)])
 
     @cached_property

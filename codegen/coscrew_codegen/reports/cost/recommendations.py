@@ -10,7 +10,7 @@ from coscrew_codegen.reports.cost.measured import CERTIFIED
 from coscrew_codegen.simulation.result_units import in_unit
 
 AFFORDABLE = 1.5
-"""Of all choices that take at most so many times as long as the fastest, the most accurate is
+"""The most accurate of all choices that take at most this many times as long as the fastest is
 recommended."""
 
 
@@ -22,14 +22,15 @@ def undominated(rows: Sequence[FunctionErrors]) -> tuple[FunctionErrors, ...]:
 
 def recommended(rows: Sequence[FunctionErrors]) -> FunctionErrors:
     """The most accurate of a function's choices that cost little more than the fastest, in the
-    precisions that the scene is generated in; certified ones are not: their results are plain's."""
+    precisions in which the scene is generated.  Certified ones are not considered: their results
+    are plain's."""
     rows = undominated(_results(rows))
     return min((x for x in rows if x.time.median <= AFFORDABLE * rows[0].time.median),
                key=lambda x: x.relative)
 
 
 def better(x: FunctionErrors, rows: Sequence[FunctionErrors]) -> FunctionErrors | None:
-    """The fastest choice of those that are better, a certified one only if no other is."""
+    """The fastest of the better choices; a certified one only if no other is better."""
     return min((y for y in rows if y.better(x)), default=None,
                key=lambda y: (y.tier == CERTIFIED, y.time.median))
 
@@ -66,15 +67,15 @@ def _sentences(rows: Sequence[FunctionErrors]) -> Iterator[str]:
 
 def within(x: FunctionErrors) -> str:
     """The worst errors: within 3 µN m and 2 µN."""
-    found = [in_unit(e.worst, e.unit) for e in x.errors if e.worst]
-    return f"within {_listed(found)}" if found else "exact"
+    results = [in_unit(e.worst, e.unit) for e in x.errors if e.worst]
+    return f"within {_listed(results)}" if results else "exact"
 
 
 def _proved(x: FunctionErrors) -> str:
-    found = [(e.bounds.worst, e.unit) for e in x.errors if e.bounds]
-    if any(math.isinf(bound) for bound, _ in found):
+    results = [(e.bounds.worst, e.unit) for e in x.errors if e.bounds]
+    if any(math.isinf(bound) for bound, _ in results):
         return "returns the plain results, but no bounds of their errors at some of these states"
-    stated = [in_unit(*y) for y in found if y[0]]
+    stated = [in_unit(*y) for y in results if y[0]]
     return ("returns the plain results and bounds of their errors, here "
             f"{f'at most {_listed(stated)}' if stated else 'all zero'}")
 

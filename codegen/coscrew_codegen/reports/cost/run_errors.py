@@ -1,15 +1,15 @@
-"""Errors of a whole run, told apart: of rounding, of the step, and of effects that are left out.
+"""Splits the errors of a whole run by cause: rounding, the step, and effects that are left out.
 
-The run's own steps, computed with 40 digits, are the reference: what a precision and a tier differ
-from it is rounding, of start, step and parameters, too.  A run in a tier calls all functions of its
-steps in that tier and rounds their results to the precision.  What steps a quarter as long change,
-also with 40 digits, is the error of the step; of an integrator of order p all but 1/4^p of it.
-What the same steps do without an effect is its share of the model.
+The run's own steps, computed with 40 digits, are the reference: the difference of a precision and a
+tier from it is rounding, which includes that of start, step and parameters.  A run in a tier calls
+all functions of its steps in that tier and rounds their results to the precision.  The change by
+steps a quarter as long, also with 40 digits, is the error of the step; for an integrator of order p
+it is all but 1/4^p of that error.  The change of the same steps without an effect is its share of
+the model.
 
-All are given at several times, since they grow, in chaotic motion exponentially, until no digit is
-right.  The reference outlasts them: where a double's error is less than the motion itself, more
-than 20 of 40 digits are left.
-"""
+All are given at several times, since errors grow, in chaotic motion exponentially, until no digit
+is right.  The reference stays exact longer: where a double's error is less than the motion itself,
+more than 20 of 40 digits are left."""
 
 import math
 from collections.abc import Callable, Iterator, Sequence
@@ -33,8 +33,7 @@ from coscrew_codegen.reports.cost.step_interpreter import (
     functions_on,
 )
 from coscrew_codegen.runtime.console import doing
-from coscrew_codegen.runtime.load import Kernels
-from coscrew_codegen.runtime.load_tier import in_tier_of
+from coscrew_codegen.runtime.load import Kernels, in_tier_of
 from coscrew_codegen.scene.integrators import NAMES, named
 from coscrew_codegen.scene.units import UNITS
 from coscrew_codegen.simulation.plan import Plan, plan
@@ -46,9 +45,10 @@ FINER = 4
 MOST = 250_000_000
 """Instructions computed with DIGITS: some twenty seconds."""
 TIMES = 64
-"""How often the errors are given, at equal distances."""
+"""Number of times, at equal intervals, at which the errors are given."""
 _LEAST = 0.1
-"""Of the largest coordinate with its unit, or of half a turn: an error that leaves no digit."""
+"""Fraction of the largest coordinate with its unit, or of half a turn: an error that leaves no
+digit."""
 
 
 @dataclass(frozen=True)
@@ -59,7 +59,7 @@ class RunError:
     cause: str  # rounding, step, model
     of: str  # double plain, single accurate; "0.0005 s"; "without viscous"
     errors: tuple[float, ...]
-    gone: float | None = None  # s, from when on no digit of a coordinate is right
+    gone: float | None = None  # s: time from which no digit of a coordinate is right
 
 
 @dataclass(frozen=True)
@@ -71,18 +71,18 @@ class RunErrors:
     until: float  # s, of the whole run
     times: tuple[float, ...]
     rows: tuple[RunError, ...]
-    most: int  # instructions with many digits, which times reach as far as they allow
+    most: int  # most instructions with many digits, which limit the times
 
     @property
     def whole(self) -> bool:
-        """Whether the times reach to the run's end."""
+        """True if the times reach to the run's end."""
         return self.times[-1] > self.until - self.step
 
 
 def run_errors(kernels: Kernels, overrides: RunOverrides, tiers: Sequence[tuple[str, Precision]],
                most: int = MOST) -> RunErrors | None:
-    """The errors of the run in these tiers besides plain, as far as `most` instructions allow; None
-    if SciPy integrates it."""
+    """The errors of the run in plain and these tiers, as far as `most` instructions allow; None if
+    SciPy integrates it."""
     its = system(kernels, PRECISIONS[0].name, dict(overrides.settings))
     planned = plan(its, overrides.until, overrides.step, overrides.integrator)
     if planned.integrator not in NAMES or not named(planned.integrator).emitted:
@@ -99,14 +99,14 @@ def run_errors(kernels: Kernels, overrides: RunOverrides, tiers: Sequence[tuple[
         rows += [compared.row("rounding", f"{p.name} {tier}", run.in_tier(tier, p, marks))
                  for tier, p in tiers]
         rows.append(compared.row("step", f"{planned.step:g} s", fine))
-        rows += [replace(compared.row("model", words, found), gone=None)
-                 for words, found in run.without_effects(marks)]
+        rows += [replace(compared.row("model", words, states), gone=None)
+                 for words, states in run.without_effects(marks)]
     return RunErrors(planned.integrator, planned.step, planned.until, times, tuple(rows), most)
 
 
 @dataclass(frozen=True)
 class _Steps:
-    """A run's steps in all ways that are compared."""
+    """Runs the steps in each of the compared ways."""
 
     kernels: Kernels
     overrides: RunOverrides
@@ -118,41 +118,41 @@ class _Steps:
         return self.kernels.functions
 
     def exactly(self, most: int) -> tuple[list[int], list[State], list[State]]:
-        """Numbers of steps, and the states after them; the same with steps a quarter as long."""
+        """Returns numbers of steps, and the states after them; the same with steps a quarter as
+        long."""
         h, start = self.planned.step, self._system(PRECISIONS[0]).start()
         each = sum(len(self.scene.named(x.function).program.instructions) for x in self.step.calls)
         count = max(1, min(math.ceil(self.planned.until / h), most // ((1 + FINER) * each)))
         marks = sorted({-(-count * n // TIMES) for n in range(1, TIMES + 1)})
         functions = functions_on(self.scene, self.step, MULTIPRECISE)
         coarse, fine = (self._run(self.scene, self.step, functions, mpfr) for _ in range(2))
-        found = []
+        results = []
         for mark, *states in zip(
                 marks, coarse.states(start, mpfr(h), marks),
                 fine.states(start, mpfr(h) / FINER, [FINER * n for n in marks]), strict=True):
-            found.append((mark, *states))
+            results.append((mark, *states))
             if coarse.instructions + fine.instructions >= most:  # steps that are split take more
                 break
-        counts, exact, finer = zip(*found, strict=True)
+        counts, exact, finer = zip(*results, strict=True)
         return list(counts), list(exact), list(finer)
 
     def compiled(self, precision: Precision, marks: Sequence[int]) -> list[State]:
-        """By the compiled steps."""
-        its, found = self._system(precision), list[State]()
+        """Runs the compiled steps."""
+        its, states = self._system(precision), list[State]()
         run, h = its.stepper(self.step.name), self.planned.step
         q, v = its.start()
         with np.errstate(all="ignore"):
             for before, after in zip((0, *marks), marks, strict=False):
                 q, v = run(after - before, before * h, h, np.array(q), np.array(v))
-                found.append((list(q), list(v)))
-        return found
+                states.append((list(q), list(v)))
+        return states
 
     def in_tier(self, tier: str, precision: Precision, marks: Sequence[int]) -> list[State]:
-        """By the functions that the steps call, each in this tier."""
+        """Runs the functions that the steps call, each in this tier."""
         names = tuple(sorted({x.function for x in self.step.calls}))
         part = replace(self.scene, steps=(), functions=tuple(
             replace(self.scene.named(x), internal=False) for x in names))
-        made = getattr(in_tier_of(replace(self.kernels, selected=names, _derived=part), tier),
-                       precision.name)
+        made = getattr(in_tier_of(self.kernels, tier, part), precision.name)
         functions = {x: _on_numbers(part, x, getattr(made, x), precision) for x in names}
         with np.errstate(all="ignore"):
             run = self._run(self.scene, self.step, functions,
@@ -160,7 +160,7 @@ class _Steps:
             return [*run.states(self._system(precision).start(), self.planned.step, marks)]
 
     def without_effects(self, marks: Sequence[int]) -> Iterator[tuple[str, list[State]]]:
-        """Without each effect, and without any: in words, and the states."""
+        """Runs without each effect, and without any: yields words, and the states."""
         its = self._system(PRECISIONS[0])
         for words, scene in leaving_out(its.scene, (self.step.name,)):
             step = next(x for x in scene.steps if x.name == self.step.name)
@@ -180,15 +180,15 @@ class _Steps:
 
 def _on_numbers(scene: SceneFunctions, name: str, function: Callable[..., object],
                 precision: Precision) -> Callable[[Sequence[Numbers]], Numbers]:
-    """A function on arrays as one of the components of its inputs."""
+    """Converts a function on arrays to one on the components of its inputs."""
     kind = np.dtype(precision.numpy_type)
     shapes = [a.quantity.shape for a in scene.named(name).program.inputs]
 
     def called(given: Sequence[Numbers]) -> Numbers:
-        found = function(*[np.array(x, kind).reshape(shape) if shape else float(x[0])
-                           for x, shape in zip(given, shapes, strict=True)])
-        return np.concatenate([x.ravel() for x in found]) if isinstance(found, tuple) else (
-            np.asarray(found).ravel())
+        result = function(*[np.array(x, kind).reshape(shape) if shape else float(x[0])
+                            for x, shape in zip(given, shapes, strict=True)])
+        return np.concatenate([x.ravel() for x in result]) if isinstance(result, tuple) else (
+            np.asarray(result).ravel())
 
     return called
 
@@ -204,16 +204,16 @@ class _Compared:
             x for x, other in zip(largest, units, strict=True) if other == unit))
             for unit in units])
 
-    def row(self, cause: str, of: str, found: Sequence[State]) -> RunError:
+    def row(self, cause: str, of: str, states: Sequence[State]) -> RunError:
         """The largest differences of a coordinate at all times."""
-        apart = np.array([self._apart(x, y) for x, (y, _) in zip(self._exact, found, strict=True)])
+        apart = np.array([self._apart(x, y) for x, (y, _) in zip(self._exact, states, strict=True)])
         gone = np.any(apart > _LEAST * self._sizes, axis=1)
         return RunError(cause, of, tuple(apart.max(axis=1).tolist()),
                         self._times[int(np.argmax(gone))] if gone.any() else None)
 
-    def _apart(self, exact: Numbers, found: Numbers) -> list[float]:
+    def _apart(self, exact: Numbers, result: Numbers) -> list[float]:
         """Returns the difference of each coordinate; q and -q of a quaternion are the same."""
-        other = [x if isinstance(x, mpfr) else mpfr(float(x)) for x in found]
+        other = [x if isinstance(x, mpfr) else mpfr(float(x)) for x in result]
         for places in self._system.quaternions:
             if sum(x * y for x, y in zip(exact[places], other[places], strict=True)) < 0:
                 other[places] = [-x for x in other[places]]

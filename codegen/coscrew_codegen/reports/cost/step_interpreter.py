@@ -1,4 +1,4 @@
-"""A scene's steps, call by call, on any kind of numbers."""
+"""Runs a scene's steps, call by call, on any kind of numbers."""
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from itertools import accumulate
@@ -14,7 +14,7 @@ Number: TypeAlias = Any  # of MPFR, or a float
 Numbers: TypeAlias = Sequence[Number] | np.ndarray
 State = tuple[Numbers, Numbers]
 Functions = Mapping[str, Callable[[Sequence[Any]], Numbers]]
-"""By name, from the components of each input to those of all results."""
+"""Functions by name, from the components of each input to those of all results."""
 
 
 def functions_on(scene: SceneFunctions, step: IntegratorStep,
@@ -55,9 +55,9 @@ class StepRun:
     def _call(self, call: Call, values: dict[str, Numbers]) -> None:
         function, given, results, instructions = self._calls[id(call)]
         self.instructions += instructions
-        found = function([values[x] for x in given])
+        result = function([values[x] for x in given])
         for name, part in results:
-            values[name] = found[part]
+            values[name] = result[part]
 
     def _split(self, split: Split, values: dict[str, Numbers]) -> None:
         (test,), (count, length) = split.test.results, split.parts.results
@@ -74,7 +74,7 @@ class StepRun:
 def _called(scene: SceneFunctions, call: Call, function: Callable[[Sequence[Numbers]], Numbers]
             ) -> tuple[Callable[[Sequence[Numbers]], Numbers], list[str], list[tuple[str, slice]],
                        int]:
-    """The function, the variables it takes, those that its results become, its instructions."""
+    """The function, its input variables, its result variables, and its number of instructions."""
     program, given = scene.named(call.function).program, dict(call.given)
     ends = accumulate(a.quantity.size for a in program.outputs)
     results = [(name, slice(end - a.quantity.size, end)) for name, a, end in zip(

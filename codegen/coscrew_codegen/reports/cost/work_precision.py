@@ -1,4 +1,4 @@
-"""Accuracy against time: the error at a run's end and the time the run took, by integrator,
+"""Measures accuracy against time: the error at a run's end and the run's time, by integrator,
 precision and step."""
 
 import math
@@ -135,10 +135,10 @@ def _in_c(kernels: Kernels, library: CompiledLoops, planned: Plan, overrides: Ru
         return q, seconds
 
     rounds = [[run(*x) for x in runs] for _ in range(FEWEST)]
-    for (its, step, precision, steps), found in zip(runs, zip(*rounds, strict=True), strict=True):
+    for (its, step, precision, steps), result in zip(runs, zip(*rounds, strict=True), strict=True):
         yield Point(step.integrator, precision.name, planned.until / steps, steps,
-                    interval(np.array([seconds for _, seconds in found])),
-                    error(its, found[0][0], truth), "C")
+                    interval(np.array([seconds for _, seconds in result])),
+                    error(its, result[0][0], truth), "C")
 
 
 def _step_counts(planned: Plan) -> list[int]:

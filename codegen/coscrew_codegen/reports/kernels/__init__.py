@@ -1,4 +1,4 @@
-"""`coscrew report`: errors and times of every kernel, measured on this machine."""
+"""Measurements of `coscrew report`: errors and times of every kernel on this machine."""
 
 from coscrew_codegen.program.reported_error import ReportedError
 

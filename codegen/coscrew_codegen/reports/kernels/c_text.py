@@ -1,8 +1,8 @@
-"""C text: every kernel in three loops, for timing.  Knows types and layouts, no arithmetic.
+"""Writes the C text of every kernel in three loops, for timing.  Knows types and layouts, no
+arithmetic.
 
 A loop receives pointers to all inputs, then to all outputs (separate arrays even for kernels that
-work in place, so that calls can be repeated), then to a zero.
-"""
+work in place, so that calls can be repeated), then to a zero."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass

@@ -47,8 +47,8 @@ def power(E: np.ndarray, steps: int) -> mpmath.matrix:
 def deviations(D: np.ndarray, truth: mpmath.matrix) -> tuple[float, float]:
     """(largest |R^T R - I|, largest error of a component relative to the largest of R or of t)."""
     with mpmath.workdps(DIGITS):
-        found = mpmath.matrix(D.astype(float).tolist())
-        R, t = found[:, :3], found[:, 3]
+        result = mpmath.matrix(D.astype(float).tolist())
+        R, t = result[:, :3], result[:, 3]
         defect = max(map(abs, R.T * R - mpmath.eye(3)))
         errors = [max(map(abs, x - y)) / max(map(abs, y))
                   for x, y in ((R, truth[:3, :3]), (t, truth[:3, 3]))]

@@ -1,8 +1,7 @@
-"""Inputs for measuring operations: benign ones, hard ones, and those of a hard-case corpus.
+"""Inputs for measuring operations: benign ones, hard ones, and a corpus of hard cases.
 
 Rows hold all input components of one call.  Seeded by the operation's name: the same numbers on
-every machine.
-"""
+every machine."""
 
 import random
 from pathlib import Path
@@ -53,8 +52,8 @@ def hard(operation: Operation, precision: Precision, count: int, seed: int) -> n
 
 
 def cancel(operation: Operation, row: np.ndarray, chooser: random.Random) -> None:
-    """Change one input so that a result that is linear in it nearly vanishes, as far as the input's
-    last bits allow or less."""
+    """Changes one input so that a result that is linear in it nearly vanishes, at most as far as
+    the input's last bits allow."""
     exact, _ = chooser.choice(exact_functions(operation))
     values = [mpq(float(x)) for x in row]
     for place in chooser.sample(range(len(values)), len(values)):
@@ -78,7 +77,7 @@ def corpus(folder: Path) -> Corpus:
     """The hard cases in the folder's *.txt, lines `operation precision : components : origin`, the
     components of all inputs, row by row, in hex; # starts a comment.  Raises ReportError."""
     sizes = {operation.name: _size(operation) for operation in OPERATIONS}
-    found: dict[tuple[str, str], list[tuple[float, ...]]] = {}
+    results: dict[tuple[str, str], list[tuple[float, ...]]] = {}
     for path in sorted(folder.glob("*.txt")):
         for number, line in enumerate(path.read_text(encoding="utf-8").splitlines(), 1):
             if not line.partition("#")[0].strip():
@@ -93,8 +92,8 @@ def corpus(folder: Path) -> Corpus:
             if precision not in (p.name for p in PRECISIONS) or len(values) != sizes.get(name):
                 raise ReportError(f"{path.name}:{number}: {name!r} {precision!r} with "
                                   f"{len(values)} components is no operation's input")
-            found.setdefault((name, precision), []).append(values)
-    return {key: tuple(rows) for key, rows in found.items()}
+            results.setdefault((name, precision), []).append(values)
+    return {key: tuple(rows) for key, rows in results.items()}
 
 
 def _generator(operation: Operation, precision: Precision, seed: int, kind: int) -> Generator:

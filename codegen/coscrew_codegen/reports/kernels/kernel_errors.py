@@ -41,7 +41,7 @@ class KernelAccuracy:
 
 def samples(operation: Operation, precision: Precision, count: int, seed: int,
             corpus: tuple[tuple[float, ...], ...] = ()) -> tuple[InputSample, InputSample]:
-    """(`count` benign rows, `count` hard rows and those of the corpus)."""
+    """Returns `count` benign rows, and `count` hard rows with those of the corpus."""
     drawn = [inputs.benign(operation, precision, count, seed),
              inputs.hard(operation, precision, count, seed)]
     if corpus:
@@ -57,10 +57,10 @@ def accuracy(operation: Operation, variant: Variant, benign: InputSample, hard: 
     Hard results count only if their condition is below 0.1/u: beyond that no digit is promised.
     Nothing is promised either where the exact result does not exist, something overflows, or a
     kernel that may refuse its inputs returns NaN."""
-    found = [_results(operation, variant, sample, evaluate) for sample in (benign, hard)]
+    values = [_results(operation, variant, sample, evaluate) for sample in (benign, hard)]
     errors = [sample.truth.errors(results)
-              for sample, results in zip((benign, hard), found, strict=True)]
-    refused = [np.isnan(results) & _may_refuse(variant.program) for results in found]
+              for sample, results in zip((benign, hard), values, strict=True)]
+    refused = [np.isnan(results) & _may_refuse(variant.program) for results in values]
     counted = [_computed(operation) & ~np.isnan(e) & ~r
                for e, r in zip(errors, refused, strict=True)]
     fair = counted[1]
@@ -71,7 +71,7 @@ def accuracy(operation: Operation, variant: Variant, benign: InputSample, hard: 
         summarised(operation, benign.rows, errors[0], counted[0]),
         summarised(operation, hard.rows, errors[1], fair),
         _bound(variant, bounds, [(s.truth, np.where(c, e, 0), r) for s, e, r, c in
-                                 zip((benign, hard), errors, found, counted, strict=True)])
+                                 zip((benign, hard), errors, values, counted, strict=True)])
         if bounds else None,
         _by_condition(np.concatenate([s.truth.condition[c] for s, c in
                                       zip((benign, hard), counted, strict=True)]),
@@ -79,7 +79,7 @@ def accuracy(operation: Operation, variant: Variant, benign: InputSample, hard: 
 
 
 def _may_refuse(program: Program) -> bool:
-    """Whether a NaN can mean that a result does not exist."""
+    """Returns whether a NaN can mean that a result does not exist."""
     return any(isinstance(x, NotANumber) for step in program.instructions for x in step.operands)
 
 
@@ -98,7 +98,7 @@ def _computed(operation: Operation) -> np.ndarray:
 
 def summarised(operation: Operation, rows: np.ndarray, errors: np.ndarray,
                counted: np.ndarray) -> ErrorFigures | None:
-    """Worst error with its witness, 99.9th percentile and median, of the errors that count."""
+    """Worst error with its witness, 99.9th percentile and median of the errors that count."""
     chosen = errors[counted]
     if not chosen.size:
         return None
@@ -110,12 +110,12 @@ def summarised(operation: Operation, rows: np.ndarray, errors: np.ndarray,
 
 
 def _bound(variant: Variant, bounds: tuple[Bound, ...],
-           found: list[tuple[Truth, np.ndarray, np.ndarray]]) -> ProvenBound:
+           values: list[tuple[Truth, np.ndarray, np.ndarray]]) -> ProvenBound:
     u = float(UNIT[variant.precision.name])
     constants = np.array([(b.rounded, b.c1, b.c2) for b in bounds], float).T
     rounded, c1, c2 = constants
     worst = 0.0
-    for truth_, errors, results in found:
+    for truth_, errors, results in values:
         allowed = (u * np.abs(results) * rounded
                    + (c1 * u + c2 * u * u) * truth_.terms * (1 + 1024 * u))
         with np.errstate(all="ignore"):

@@ -26,18 +26,18 @@ Arrays = tuple[np.ndarray, ...]
 
 def compilers(folder: Path) -> tuple[CompilerRecord, ...]:
     """Working compilers with the flags they understand: gcc and clang, or else cc."""
-    found = [name for name in ("gcc", "clang") if which(name)] or [n for n in ("cc",) if which(n)]
+    result = [name for name in ("gcc", "clang") if which(name)] or [n for n in ("cc",) if which(n)]
     flags = (_FLAGS, tuple(flag for flag in _FLAGS if not flag.startswith("-march")))
     (folder / "empty.c").write_text("#include <math.h>\nint one(void) { return 1; }\n",
                                    encoding="utf-8")
     working = []
-    for name in found:
+    for name in result:
         usable = next((f for f in flags if _runs(
             name, *f, "-shared", "-fPIC", folder / "empty.c", "-o", folder / "empty.so")), None)
         if usable:
-            said = subprocess.run([name, "--version"], capture_output=True, text=True,
-                                  errors="replace").stdout
-            working.append(CompilerRecord(name, said.partition("\n")[0], " ".join(usable)))
+            output = subprocess.run([name, "--version"], capture_output=True, text=True,
+                                    errors="replace").stdout
+            working.append(CompilerRecord(name, output.partition("\n")[0], " ".join(usable)))
     return tuple(working)
 
 
@@ -76,7 +76,7 @@ class KernelLibrary:
                     pointers((*arguments, np.zeros(1, real))))
 
 
-def libraries(variants: Sequence[Variant], found: Sequence[CompilerRecord],
+def libraries(variants: Sequence[Variant], results: Sequence[CompilerRecord],
               folder: Path) -> Iterator[KernelLibrary]:
     """The library of each compiler; its parts are compiled in parallel."""
     sources = [folder / "driver.c", folder / "drift.c"]
@@ -87,9 +87,9 @@ def libraries(variants: Sequence[Variant], found: Sequence[CompilerRecord],
         sources[-1].write_text(kernels_text(
             [v for v in variants if (v.tier, v.precision) == (tier, precision)]), encoding="utf-8")
     pool = ThreadPoolExecutor(os.cpu_count())
-    jobs = {c.name: [pool.submit(_object, c, source) for source in sources] for c in found}
+    jobs = {c.name: [pool.submit(_object, c, source) for source in sources] for c in results}
     try:
-        for compiler in found:
+        for compiler in results:
             objects = [job.result() for job in jobs[compiler.name]]
             path = folder / f"{compiler.name}.so"
             _run(compiler.name, "-shared", *objects, "-o", path, "-lm")

@@ -98,10 +98,10 @@ def measure(plan: MeasurementPlan) -> Report:
     variants = [v for operation in _progress(plan.operations, "deriving", len(plan.operations))
                 for precision in PRECISIONS for v in variants_of(operation, precision)]
     with tempfile.TemporaryDirectory(prefix="coscrew-") as name:
-        found = compilers(Path(name))
-        if not found:
+        ccs = compilers(Path(name))
+        if not ccs:
             print("coscrew: no C compiler works here; only Python is measured", file=sys.stderr)
-        built = tuple(_progress(libraries(variants, found, Path(name)), "compiling", len(found)))
+        built = tuple(_progress(libraries(variants, ccs, Path(name)), "compiling", len(ccs)))
         accuracies = _accuracies(plan, built[0] if built else None)
         left = max(60 * plan.minutes - (time.monotonic() - started),
                    60 * plan.minutes * _LEAST_LEFT)
@@ -114,7 +114,7 @@ def measure(plan: MeasurementPlan) -> Report:
     entries = tuple(_entry(v, accuracies[_key(v)], ranked.get(_key(v), ()))
                     for v in variants if _key(v) in accuracies)
     seconds = round(time.monotonic() - started, 1)
-    return Report(SCHEMA, provenance(plan.command, plan.seed, found, seconds), entries, drift, None)
+    return Report(SCHEMA, provenance(plan.command, plan.seed, ccs, seconds), entries, drift, None)
 
 
 def tasks(plan: MeasurementPlan, library: KernelLibrary | None) -> list[Task]:
@@ -139,11 +139,11 @@ def _row_cost(operation: Operation) -> float:
 
 def _accuracies(plan: MeasurementPlan, library: KernelLibrary | None) -> dict[Key, KernelAccuracy]:
     todo = tasks(plan, library)
-    found: dict[Key, KernelAccuracy] = {}
+    results: dict[Key, KernelAccuracy] = {}
     with ProcessPoolExecutor(os.cpu_count(), initializer=_ignore_interrupts) as pool:
         for accuracies in _progress(pool.map(Task.run, todo), "errors", len(todo)):
-            found |= accuracies
-    return found
+            results |= accuracies
+    return results
 
 
 def _ignore_interrupts() -> None:
@@ -164,8 +164,8 @@ def _timed_in_python(variants: list[Variant], seed: int,
     callable_ = [v for v in variants if kernel_timing.python_function(v)]
     shown = sorted(callable_, key=lambda v: v.operation.name not in SHOWN)
     for count, share in zip(COUNTS, _PYTHON_SHARES, strict=True):
-        found = kernel_timing.in_python(shown, count, seed, share * seconds)
-        yield from _progress(found, f"times, Python, N = {count}",
+        result = kernel_timing.in_python(shown, count, seed, share * seconds)
+        yield from _progress(result, f"times, Python, N = {count}",
                              len(kernel_timing.contests(shown)))
 
 
@@ -174,8 +174,8 @@ def _called_in_python(variant: Variant, arguments: Arrays) -> Arrays:
     if function is None:
         raise ValueError(f"Python has no {variant.operation.name} of the {variant.tier} tier")
     with np.errstate(all="ignore"):
-        found = function(*arguments)
-    return found if isinstance(found, tuple) else (found,)
+        result = function(*arguments)
+    return result if isinstance(result, tuple) else (result,)
 
 
 def _entry(variant: Variant, accuracy: KernelAccuracy, its_times: tuple[Time, ...]) -> ReportEntry:

@@ -35,10 +35,10 @@ class Timed:
 
 def contests(variants: Sequence[Variant]) -> list[list[Variant]]:
     """The groups of variants that are timed in turn: all tiers of an operation in a precision."""
-    found: dict[tuple[str, str], list[Variant]] = {}
+    results: dict[tuple[str, str], list[Variant]] = {}
     for v in variants:
-        found.setdefault((v.operation.name, v.precision.name), []).append(v)
-    return list(found.values())
+        results.setdefault((v.operation.name, v.precision.name), []).append(v)
+    return list(results.values())
 
 
 def compiled(library: KernelLibrary, variants: Sequence[Variant], seed: int,
@@ -60,10 +60,10 @@ def python_function(variant: Variant) -> Callable[..., object] | None:
     """The package's function for the variant, if it has one, that takes all matrices."""
     package = tier_named(variant.tier).package
     try:
-        found = getattr(importlib.import_module(package), variant.operation.name, None)
+        result = getattr(importlib.import_module(package), variant.operation.name, None)
     except ModuleNotFoundError:
         return None
-    return found and importlib.import_module("coscrew").unchecked(found)
+    return result and importlib.import_module("coscrew").unchecked(result)
 
 
 def in_python(variants: Sequence[Variant], count: int, seed: int,
@@ -106,7 +106,7 @@ def _arguments(variant: Variant, count: int, seed: int) -> tuple[np.ndarray, ...
 
 
 def _fits(variant: Variant, count: int, function: Callable[..., object]) -> bool:
-    """Whether a call needs less than half of the available memory."""
+    """Returns whether a call needs less than half of the available memory."""
     arguments = (*variant.operation.inputs, *variant.operation.outputs)
     needed = count * sum(a.quantity.size for a in arguments) * variant.precision.bytes
     return needed * (1 if isinstance(function, np.ufunc) else 1 + _TEMPORARIES) < _free() / 2
@@ -114,8 +114,8 @@ def _fits(variant: Variant, count: int, function: Callable[..., object]) -> bool
 
 def _free() -> int:
     """Available memory in bytes; a gigabyte if the system does not report it."""
-    told = Path("/proc/meminfo")
-    for line in told.read_text().splitlines() if told.exists() else ():
+    messages = Path("/proc/meminfo")
+    for line in messages.read_text().splitlines() if messages.exists() else ():
         if line.startswith("MemAvailable:"):
             return int(line.split()[1]) * 1024
     return 2**30

@@ -159,10 +159,10 @@ class Report:
     @classmethod
     def from_json(cls, text: str) -> "Report":
         """Read what `to_json` wrote.  Raises ValueError, naming the place, for anything else."""
-        found = json.loads(text)
-        if not isinstance(found, dict) or found.get("schema") != SCHEMA:
+        result = json.loads(text)
+        if not isinstance(result, dict) or result.get("schema") != SCHEMA:
             raise ValueError(f"not a report of schema {SCHEMA}")
-        report: Report = _read(cls, found, "report")
+        report: Report = _read(cls, result, "report")
         return report
 
 

@@ -10,17 +10,19 @@ from coscrew_codegen.reports.reference.scene_pages import (
     functions_page,
     functions_stub,
     integrators_page,
+    joints_page,
     keys_page,
 )
 from coscrew_codegen.reports.reference.scene_schema import schema_text
 
 
 def reference_files(library: Library) -> dict[str, str]:
-    """The files of the reference, by path in the output folder, and types of scenes' functions for
-    editors; of a whole library."""
+    """The files of a whole library's reference, by path in the output folder, with types of scenes'
+    functions for editors."""
     banner = library.banner
     pages = {"effects.md": effects_page(banner), "functions.md": functions_page(banner),
              "scene_keys.md": keys_page(banner), "integrators.md": integrators_page(banner),
+             "joints.md": joints_page(banner),
              "scene.schema.json": schema_text(banner),
              "operations/index.md": families_page(banner)}
     pages |= {f"operations/{family}.md": family_page(family, library)

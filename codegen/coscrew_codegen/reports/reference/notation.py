@@ -69,8 +69,8 @@ def latex_name(name: str, index: str = "") -> str:
 
 def _split(pattern: str, name: str) -> tuple[str, ...]:
     """The groups of the pattern, "" for missing ones."""
-    if found := re.fullmatch(pattern, name):
-        return found.groups("")
+    if match := re.fullmatch(pattern, name):
+        return match.groups("")
     raise ValueError(f"{name!r} is no symbol; wanted letters, digits, and an index behind _")
 
 
@@ -118,7 +118,7 @@ def _is_math(tokens: list[_Token], n: int, names: Collection[str], code: Collect
 
 
 def _is_symbol(token: _Token, names: Collection[str]) -> bool:
-    """Whether the token occurs in formulas only, never in prose."""
+    """Returns whether the token occurs in formulas only, never in prose."""
     word = re.sub(r"[~*]?'?$", "", token.text)
     return token.kind in ("sign", "power", "number") or token.kind == "word" and (
         word in names and len(word) < 4 or word in _GREEK)

@@ -1,4 +1,4 @@
-"""The reference of scenes: functions, effects with their equations, keys, integrators."""
+"""The reference of scenes: functions, effects with their equations, keys, integrators, joints."""
 
 from fractions import Fraction
 from itertools import groupby
@@ -10,8 +10,11 @@ from coscrew_codegen.scene.effects import EFFECTS
 from coscrew_codegen.scene.functions import FUNCTIONS, QUANTITIES
 from coscrew_codegen.scene.integrator import Composition, Drift, Scheme, Tableau
 from coscrew_codegen.scene.integrators import INTEGRATORS
+from coscrew_codegen.scene.joints import KINDS, ONE_COORDINATE, called
+from coscrew_codegen.scene.mechanism.joint_kind import JointKind
 from coscrew_codegen.scene.readers.effect_syntax import alternatives, notes, where
-from coscrew_codegen.scene.readers.toml.keys import TABLES, Key
+from coscrew_codegen.scene.readers.model_formats import readers
+from coscrew_codegen.scene.readers.toml.keys import AXES, TABLES, Key
 from coscrew_codegen.scene.scene_function import INPUTS, Depends, SceneFunction, SceneQuantity
 
 
@@ -21,11 +24,13 @@ def effects_page(banner: str) -> str:
 
 
 def keys_page(banner: str) -> str:
-    """The keys of scene files, in Markdown."""
+    """The keys of scene files, and the formats of models, in Markdown."""
     tables = [{"heading": f"[{table.heading}]" if table.heading else "The file",
                "words": escaped(table.words), "rows": [_row(key) for key in table.keys]}
               for table in TABLES]
-    return render("docs/scene_keys.md", banner=banner, tables=tables)
+    formats = [(x.name, ", ".join(f"`{suffix}`" for suffix in x.suffixes), escaped(x.words),
+                f"`coscrew[{x.extra}]`" if x.extra else "") for x in readers()]
+    return render("docs/scene_keys.md", banner=banner, tables=tables, formats=formats)
 
 
 def integrators_page(banner: str) -> str:
@@ -36,17 +41,32 @@ def integrators_page(banner: str) -> str:
          "stages": _stages(x.scheme)} for x in INTEGRATORS])
 
 
+def joints_page(banner: str) -> str:
+    """The kinds of joints, in Markdown."""
+    return render("docs/joints.md", banner=banner, one_coordinate=called(ONE_COORDINATE),
+                  rows=[_joint(kind) for kind in KINDS])
+
+
 def functions_page(banner: str) -> str:
-    """The functions of scenes and what is recorded of them, in Markdown."""
+    """The functions of scenes and their recorded quantities, in Markdown."""
     return render("docs/functions.md", banner=banner,
                   functions=[_function(x) for x in FUNCTIONS if not x.internal],
                   quantities=[_quantity(*x) for x in QUANTITIES.values()])
 
 
 def functions_stub(banner: str) -> str:
-    """The functions that every scene can have by one name, for type checkers."""
+    """The functions that have the same name in every scene, for type checkers."""
     return render("python/_functions.pyi", banner=banner, names=[
         x.name for x in FUNCTIONS if x.compute and not (x.internal or x.targets or x.lacks)])
+
+
+def _joint(kind: JointKind) -> tuple[str, ...]:
+    words = kind.in_words([f"`{key}`" for key in AXES])
+    types = [f"`{name}`" for name in (kind.name, *kind.unlimited)]
+    urdf = [f"`{name}`" for name in (kind.urdf, *kind.unlimited) if name]
+    axes = [f"`{key}`: {of}" for key, of in zip(AXES, kind.axes, strict=False)]
+    return (", ".join(types), words, kind.q_words, kind.v_words, "; ".join(axes),
+            ", ".join(urdf) or escaped(kind.without_urdf))
 
 
 def _function(x: SceneFunction) -> tuple[str, ...]:

@@ -1,8 +1,7 @@
 """The JSON Schema of scene files, for editors, from the tables the reader uses.
 
-The schema accepts whatever the reader accepts.  It refuses unknown keys, wrong types and unknown
-words; whatever depends on the model or on other keys is left to the reader.
-"""
+The schema accepts every file that the reader accepts.  It refuses unknown keys, wrong types and
+unknown words; conditions that depend on the model or on other keys are left to the reader."""
 
 import json
 
@@ -41,15 +40,15 @@ def _bounded(bound: str) -> Schema:
     return {"anyOf": [{"type": "number", bound: 0}, {"type": "string"}]}
 
 
-def _told(words: str, schema: Schema) -> Schema:
+def _with_words(words: str, schema: Schema) -> Schema:
     """The schema with a description, which editors show; allOf, since keys next to $ref are
     ignored."""
     return {"description": words} | ({"allOf": [schema]} if "$ref" in schema else schema)
 
 
 def _closed(properties: Schema, required: list[str]) -> Schema:
-    found: Schema = {"type": "object", "properties": properties, "additionalProperties": False}
-    return found | ({"required": required} if required else {})
+    result: Schema = {"type": "object", "properties": properties, "additionalProperties": False}
+    return result | ({"required": required} if required else {})
 
 
 def _by_name(schema: Schema) -> Schema:
@@ -57,7 +56,7 @@ def _by_name(schema: Schema) -> Schema:
 
 
 def _table(table: TableOf) -> Schema:
-    return _closed({key.name: _told(key.words, _key(key)) for key in table.keys},
+    return _closed({key.name: _with_words(key.words, _key(key)) for key in table.keys},
                    [key.name for key in table.keys if key.required])
 
 
@@ -74,7 +73,8 @@ def _key(key: Key) -> Schema:
     moments: Schema = {"type": "array", "anyOf": [_array(3, _NUMBER), _array(6, _NUMBER),
                                                   _array(3, _array(3, _NUMBER))]}
     kinds: dict[str, Schema] = {
-        "text": {"type": "string"}, "texts": _TEXTS, "number": _NUMBER,
+        "text": {"type": "string"}, "words": _by_name({"type": "string"}), "texts": _TEXTS,
+        "number": _NUMBER,
         "positive": _POSITIVE, "nonnegative": _NONNEGATIVE, "vector": _VECTOR,
         "quaternion": _array(4, _NUMBER), "moments": moments,
         "coordinates": _by_name({"anyOf": [_NUMBER, {"type": "array", "items": _NUMBER}]})}
@@ -82,7 +82,7 @@ def _key(key: Key) -> Schema:
 
 
 def _effects() -> Schema:
-    return _closed({effect.name: _told(f"{effect.words}: {effect.equation}", _effect(effect))
+    return _closed({effect.name: _with_words(f"{effect.words}: {effect.equation}", _effect(effect))
                     for effect in EFFECTS}, [])
 
 
@@ -94,7 +94,7 @@ def _one(effect: Effect) -> Schema:
     if effect.place is Place.PAIR:
         more = {"bodies": _array(2, {"type": "string"}) | {"uniqueItems": True}}
         needed = ["bodies", *needed]
-    values = {parameter.name: _told(_described(parameter), _parameter(parameter))
+    values = {parameter.name: _with_words(_described(parameter), _parameter(parameter))
               for parameter in effect.parameters}
     return _closed(more | values, needed)
 

@@ -24,13 +24,13 @@ def planes(arrays: Sequence[np.ndarray]) -> list[np.ndarray]:
     columns = [x.reshape(len(x), -1).T for x in arrays]
     block = _aligned((sum(map(len, columns)), length), arrays[0].dtype, _PAGE)
     block[:] = 1
-    found, first = [], 0
+    result, first = [], 0
     for column in columns:
         part = block[first:first + len(column)]
         part[:, :column.shape[1]] = column
-        found.append(part)
+        result.append(part)
         first += len(column)
-    return found
+    return result
 
 
 def aligned(array: np.ndarray) -> np.ndarray:

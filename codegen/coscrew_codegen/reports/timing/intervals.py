@@ -27,7 +27,7 @@ class Interval:
     high: float
 
     def below(self, other: "Interval") -> bool:
-        """Whether this interval lies below the other, without overlap."""
+        """Returns whether this interval lies below the other, without overlap."""
         return self.high < other.low
 
 

@@ -1,8 +1,7 @@
-"""Times of several variants, in ns, measured in turn.
+"""Measures times of several variants, in ns, in turn.
 
 In every round each variant is timed once, after an untimed call, and the order rotates from round
-to round, so that disturbances affect all of them.  Ratios are of times in the same round.
-"""
+to round, so that disturbances affect all of them.  Ratios are of times in the same round."""
 
 import ctypes
 import gc
@@ -82,8 +81,8 @@ def timed_loops(library: ctypes.CDLL, loops: Sequence[Loop], ns: float) -> list[
         calls = [count if sample >= SAMPLE / 2 else
                  max(2 * count, min(int(count * SAMPLE / max(sample, 1)), 16 * count))
                  for count, sample in zip(calls, samples, strict=True)]
-    found = _rounds(library, loops, calls, _round_count(ns, each))
-    return [Timing(column) for column in found.T]
+    result = _rounds(library, loops, calls, _round_count(ns, each))
+    return [Timing(column) for column in result.T]
 
 
 def _rounds(library: ctypes.CDLL, loops: Sequence[Loop], calls: Sequence[int],
@@ -108,12 +107,12 @@ def timed_calls(calls: Sequence[Callable[[], object]], ns: float,
         each = sum(number * _elapsed(call, number) for call, number in zip(calls, numbers,
                                                                            strict=True))
         rounds = _round_count(ns, each)
-        found = np.empty((rounds, len(calls)))
+        result = np.empty((rounds, len(calls)))
         for i in range(rounds):
             for k in (*range(i % len(calls), len(calls)), *range(i % len(calls))):
                 calls[k]()
-                found[i, k] = _elapsed(calls[k], numbers[k])
-    return [Timing(column) for column in found.T]
+                result[i, k] = _elapsed(calls[k], numbers[k])
+    return [Timing(column) for column in result.T]
 
 
 def _round_count(ns: float, each: float) -> int:

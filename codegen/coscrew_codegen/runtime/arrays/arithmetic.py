@@ -76,7 +76,7 @@ def _plain(library: ArrayLibrary, precision: Precision) -> dict[Op, Callable[...
     return {
         Op.ADD: library.kept(operator.add), Op.SUB: library.kept(operator.sub),
         Op.MUL: operator.mul, Op.SCALE: operator.mul,
-        Op.DIV: operator.truediv, Op.NEG: operator.neg, Op.LESS: operator.lt,
+        Op.DIV: library.quotient, Op.NEG: operator.neg, Op.LESS: operator.lt,
         Op.EQUAL: operator.eq, Op.ABS: abs, Op.SELECT: select,
         Op.SQRT: lambda x: xp.sqrt(like(x)),
         Op.COPYSIGN: lambda a, b: xp.copysign(like(a), like(b)),

@@ -1,13 +1,13 @@
-"""Refuses what a function of arrays cannot take, once, where users call it."""
+"""Refuses arguments that a function of arrays cannot take, once, at the users' call."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from math import inf
 from typing import Any
 
-from coscrew_codegen.backends.bound_arguments import bound
 from coscrew_codegen.program.values.formats import Precision, named
 from coscrew_codegen.runtime.arrays.standard import ArrayLibrary, Shape
+from coscrew_codegen.runtime.bound_arguments import bound
 
 
 @dataclass(frozen=True)

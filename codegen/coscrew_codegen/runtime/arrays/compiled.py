@@ -7,10 +7,9 @@ from collections.abc import Callable, Sequence
 from functools import cache
 
 from coscrew_codegen.backends.render import render, runtime
-from coscrew_codegen.backends.scene import scene_c, scene_c_many
-from coscrew_codegen.backends.scene.scene_text import banner_of, c_name, many
-from coscrew_codegen.program.scene_functions import FunctionProgram, SceneFunctions
+from coscrew_codegen.program.scene_functions import FunctionProgram, SceneFunctions, c_name, many
 from coscrew_codegen.program.values.formats import PRECISIONS, Precision
+from coscrew_codegen.runtime import source_text
 from coscrew_codegen.runtime.arrays.array_function import ArrayFunction
 from coscrew_codegen.runtime.console import doing
 
@@ -68,12 +67,9 @@ def _opened(function: ArrayFunction, precision: Precision, texts: dict[str, str]
     """The library, opened such that its functions run without Python's global lock."""
     scene = _scene(function)
     with doing(f"writing {scene.name}"):
-        banner = banner_of(scene.name)
-        files = {**scene_c.files(scene, banner), **scene_c_many.files(scene, banner), **texts}
-    only = [f"-D{scene.name.upper()}_NO_{p.name.upper()}" for p in PRECISIONS if p != precision]
-    units = {"states": (f"{scene.name}_many.c", *only, "-DKSL_LANES_ONLY",
-                        scene_c_many.LEVEL)}
+        text = source_text.of_many(scene)
+    units = text.units((precision.name,))
     if unit:
-        units["handler"] = (unit[0], *only, *unit[1:])
+        units["handler"] = (unit[0], *text.only(precision), *unit[1:])
     assert function.compile
-    return function.compile(scene.name, units, files)
+    return function.compile(scene.name, units, {**text.files, **texts})

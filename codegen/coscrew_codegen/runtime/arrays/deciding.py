@@ -29,6 +29,7 @@ def deciding(program: Program) -> frozenset[str]:
 
 
 def _has_ways(step: Instruction, steps: dict[str, Instruction]) -> bool:
-    """Whether the step may be rounded in several ways: a product may be contracted into it."""
+    """Returns whether the step may be rounded in several ways: a product may be contracted into it.
+    """
     return step.op in _ELEMENTARY or (step.op in (Op.ADD, Op.SUB) and any(
         isinstance(x, Ref) and steps[x.name].op in (Op.MUL, Op.NEG) for x in step.operands))

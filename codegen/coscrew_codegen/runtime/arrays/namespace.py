@@ -21,7 +21,8 @@ from coscrew_codegen.program.values.formats import BY_NAME
 from coscrew_codegen.runtime.arrays.array_function import ArrayFunction, Compile
 from coscrew_codegen.runtime.arrays.array_libraries import Backend, backend_of
 from coscrew_codegen.runtime.arrays.checks import ArraySignature, checked
-from coscrew_codegen.runtime.arrays.standard import ArrayLibrary, library_of
+from coscrew_codegen.runtime.arrays.standard import ArrayLibrary, Shape, library_of
+from coscrew_codegen.runtime.caller_warnings import at_callers_line
 from coscrew_codegen.scene.names import or_mean
 
 Made = Callable[..., Any]
@@ -145,6 +146,10 @@ class _OfScene:
 
         def function(*given: Any, **by_name: Any) -> Any:
             lead, arrays, _ = checked(signature, library, signature.bound(given, by_name))
+            with at_callers_line():
+                return stepped(lead, arrays)
+
+        def stepped(lead: Shape, arrays: list[Any]) -> tuple[Any, Any]:
             values = dict(zip(names, arrays, strict=True))
             for x in ("q", "v"):
                 values[x] = library.xp.broadcast_to(values[x], (*lead, *shapes[x]))
@@ -170,7 +175,8 @@ def _called(made: ArrayFunction, name: str, words: str, precisions: tuple[str, .
 
     def function(*given: Any, **by_name: Any) -> Any:
         lead, arrays, precision = checked(signature, library, signature.bound(given, by_name))
-        found = backend(made, lead, arrays, precision)
+        with at_callers_line():
+            found = backend(made, lead, arrays, precision)
         return found[0] if len(found) == 1 else tuple(found)
 
     return _described(function, name, words)
@@ -182,7 +188,8 @@ def _of_numpy(signature: ArraySignature, words: str, library: ArrayLibrary,
     """The function of the precision that the arguments have."""
     def function(*given: Any, **by_name: Any) -> Any:
         _, arrays, precision = checked(signature, library, signature.bound(given, by_name))
-        return compiled[precision.name](*arrays)
+        with at_callers_line():
+            return compiled[precision.name](*arrays)
 
     return _described(function, signature.name, words)
 

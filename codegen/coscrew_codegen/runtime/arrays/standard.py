@@ -27,7 +27,7 @@ class ArrayLibrary:
 
     @property
     def traced(self) -> bool:
-        """Whether arrays may have no values yet: a program is made of what is called."""
+        """True if arrays may have no values yet: a program is made of what is called."""
         return self.name == "jax"
 
     @cached_property
@@ -47,7 +47,8 @@ class ArrayLibrary:
         return self._key(dtype)
 
     def takes(self, x: Any) -> bool:
-        """Whether x is an array of this library, without a mask; JAX takes those of NumPy, too."""
+        """Returns whether x is an array of this library, without a mask; JAX takes those of NumPy,
+        too."""
         if self.traced and isinstance(x, self.xp.ndarray):  # also one whose values are not known
             return True
         package = "numpy" if self.traced else self.name
@@ -55,13 +56,14 @@ class ArrayLibrary:
                 and not isinstance(x, np.ma.MaskedArray))
 
     def numeral(self, x: Any) -> bool:
-        """Whether x is a Python number, or stands for one in a function that JAX traces."""
+        """Returns whether x is a Python number, or stands for one in a function that JAX traces."""
         if self.traced and isinstance(x, self.xp.ndarray):
             return getattr(x, "weak_type", False) and str(x.dtype).startswith(("float", "int"))
         return isinstance(x, (int, float)) and not (isinstance(x, bool) or hasattr(x, "dtype"))
 
     def holds(self, precision: Precision) -> bool:
-        """Whether arrays of this precision stay what they are: without x64, JAX rounds them."""
+        """Returns whether arrays of this precision stay what they are: without x64, JAX rounds
+        them."""
         if not self.traced:
             return True
         import jax
@@ -83,6 +85,12 @@ class ArrayLibrary:
             return x
         return self.xp.asarray(x, dtype=getattr(self.xp, precision.numpy_type))
 
+    def quotient(self, a: Any, b: Any) -> Any:
+        """Returns a / b, rounded once: on a GPU, PyTorch would multiply by the rounded 1 / b."""
+        if self.name == "torch" and isinstance(b, float) and hasattr(a, "device"):
+            b = self.xp.full((), b, dtype=a.dtype, device=a.device)
+        return a / b
+
     def taken(self, values: Sequence[float], index: Any, like: Any) -> Any:
         """values[index] for an array of whole numbers, with the type of `like`."""
         xp, where = self.xp, {"device": like.device} if self.name == "torch" else {}
@@ -91,19 +99,21 @@ class ArrayLibrary:
         return xp.reshape(xp.take(table, xp.reshape(whole, (-1,))), whole.shape)
 
     def kept(self, function: Callable[[Any, Any], Any]) -> Callable[[Any, Any], Any]:
-        """A sum or difference that nothing folds into another: XLA makes x of (x + c) - c."""
+        """Returns a sum or difference that nothing folds into another: XLA makes x of (x + c) - c.
+
+        Its bits are read as an integer, whose last bit is set where the number is NaN.  XLA removes
+        barriers and conversions that change no number on one device or another; this it keeps."""
         if not self.traced:
             return function
-        from jax.lax import reduce_precision
+        from jax.lax import bitcast_convert_type
 
         def apply(a: Any, b: Any) -> Any:
-            found = function(a, b)
+            result = function(a, b)
             if not (isinstance(a, float) or isinstance(b, float)):
-                return found
-            precision = self.precision(found.dtype)
-            assert precision
-            return reduce_precision(found, 8 * precision.bytes - precision.digits,
-                                    precision.stored_bits)
+                return result
+            integer = self.xp.dtype(f"int{8 * result.dtype.itemsize}")
+            bits = bitcast_convert_type(result, integer) | (result != result).astype(integer)
+            return bitcast_convert_type(bits, result.dtype)
 
         return apply
 

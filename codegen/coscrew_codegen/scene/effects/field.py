@@ -7,8 +7,8 @@ from coscrew_codegen.scene.effect import BodyState, Effect, Force, ParameterOf, 
 
 
 def _force(state: BodyState, values: Values) -> Force:
-    """Only the energy, by MacCullagh's formula, accurate to second order in the body's size over r;
-    force and moment are derived from it."""
+    """The energy by MacCullagh's formula, accurate to second order in the body's size over r; force
+    and moment are derived from it."""
     offset = subtract(state.world_position(state.centre_of_mass), values.vector("centre"))
     square = dot(offset, offset)
     xx, yy, zz, xy, xz, yz = state.inertia

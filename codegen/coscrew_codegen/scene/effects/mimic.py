@@ -7,4 +7,4 @@ EFFECT = Effect(
     "q_2 = multiplier q_1 + offset", Place.SCENE,
     (ParameterOf("joints", "", 'which joints follow: all that have a mimic in the model; "all" and '
                  '"model" mean the same', "choice", "all", choices=("all", "model")),),
-    mimic=True)
+    mimic=True, alone=True)

@@ -7,13 +7,13 @@ precision and tier, in stubs and documentation.
 import re
 from collections.abc import Iterator, Sequence
 
-from coscrew_codegen.program.plugins import found
+from coscrew_codegen.program.plugins import discover
 from coscrew_codegen.scene.scene import Scene
 from coscrew_codegen.scene.scene_function import Of, SceneFunction, SceneQuantity
 from coscrew_codegen.scene.units import UNITS
 
 FUNCTIONS: tuple[SceneFunction, ...] = tuple(sorted(
-    found(__name__, __path__, "FUNCTION", SceneFunction), key=lambda x: (x.place, x.name)))
+    discover(__name__, __path__, "FUNCTION", SceneFunction), key=lambda x: (x.place, x.name)))
 """The catalogue, in the order of `place`."""
 
 
@@ -36,7 +36,7 @@ refuse_names(FUNCTIONS)
 
 def quantities(functions: Sequence[SceneFunction]) -> dict[str,
                                                            tuple[SceneFunction, SceneQuantity]]:
-    """What is recorded of functions, by name: of the scene, of bodies, of joints.  Raises
+    """Recorded quantities of functions, by name: of the scene, of bodies, of joints.  Raises
     ValueError for two of one name."""
     known: dict[str, tuple[SceneFunction, SceneQuantity]] = {}
     for function in functions:

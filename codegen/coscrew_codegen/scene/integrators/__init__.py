@@ -3,7 +3,7 @@
 A module put here adds an integrator to every scene, in all languages and precisions.
 """
 
-from coscrew_codegen.program.plugins import found
+from coscrew_codegen.program.plugins import discover
 from coscrew_codegen.scene.integrator import Adaptive, Integrator
 
 DEFAULT = "leapfrog"
@@ -14,18 +14,19 @@ def _place(integrator: Integrator) -> tuple[bool, bool, int, str]:
     return integrator.name != DEFAULT, not integrator.emitted, integrator.order, integrator.name
 
 
-INTEGRATORS = tuple(sorted(found(__name__, __path__, "INTEGRATOR", Integrator), key=_place))
+INTEGRATORS = tuple(sorted(discover(__name__, __path__, "INTEGRATOR", Integrator), key=_place))
 
-NAMES = tuple(x.name for x in INTEGRATORS)
+INTEGRATOR_NAMED = {x.name: x for x in INTEGRATORS}
+NAMES = tuple(INTEGRATOR_NAMED)
 EMITTED = tuple(x for x in INTEGRATORS if x.emitted)
 ADAPTIVE = {x.name: x.scheme for x in INTEGRATORS if isinstance(x.scheme, Adaptive)}
 
 
 def named(name: str) -> Integrator:
     """The integrator of this name."""
-    return next(x for x in INTEGRATORS if x.name == name)
+    return INTEGRATOR_NAMED[name]
 
 
 def in_words() -> str:
-    """All integrators and what they are good for, in one paragraph."""
+    """Describes all integrators and their uses in one paragraph."""
     return "; ".join(f"{x.name}, of order {x.order}: {x.good_for}" for x in INTEGRATORS)

@@ -1,10 +1,11 @@
 """Assembles bodies and joints into the tree of a Model."""
 
 import heapq
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 
 from coscrew_codegen.program.reported_error import ReportedError
-from coscrew_codegen.scene.mechanism.model import WORLD, Body, Joint, Kind, Model
+from coscrew_codegen.scene.mechanism.joint_kind import JointKind
+from coscrew_codegen.scene.mechanism.model import HERE, WORLD, Body, Joint, Model, Placement
 from coscrew_codegen.scene.names import did_you_mean
 
 BASE = "base"
@@ -19,21 +20,24 @@ class ModelError(ReportedError, ValueError):
         self.element, self.problem = element, problem
 
 
-def assembled(name: str, bodies: Sequence[Body], joints: Sequence[Joint], base: Kind) -> Model:
+def assembled(name: str, bodies: Sequence[Body], joints: Sequence[Joint], base: JointKind,
+              roots: Mapping[str, Placement] | None = None) -> Model:
     """The model of these bodies and joints, parents first, otherwise in the given order.
 
     A root body other than WORLD is joined to it by a joint "base" ("base_" if that name is taken)
-    of the kind `base`, FIXED or FREE.  A body called WORLD is the world.  Raises ModelError for
-    duplicate or unknown names, bodies with two parents, loops and several roots."""
+    of the kind `base`, at the place that `roots` gives a body, by default at the world's frame.  A
+    body called WORLD is the world.  Raises ModelError for duplicate or unknown names, bodies with
+    two parents, loops and several roots."""
     _refuse_twice("body", [body.name for body in bodies])
     _refuse_twice("joint", [joint.name for joint in joints])
     by_name = {body.name: body for body in bodies if body.name != WORLD}
     _check_ends(joints, by_name)
     root = _root(bodies, joints)
-    if root == WORLD and base is Kind.FREE:
+    if root == WORLD and base.moves:
         raise ModelError("base", 'wanted "fixed": the root is the world, which cannot move freely')
     if root != WORLD:
-        joints = (Joint(_unused(BASE, joints), base, WORLD, root), *joints)
+        at = (roots or {}).get(root, HERE)
+        joints = (Joint(_unused(BASE, joints), base, WORLD, root, at), *joints)
     ordered = parents_first(joints)
     return Model(name, tuple(by_name[joint.child] for joint in ordered), ordered)
 

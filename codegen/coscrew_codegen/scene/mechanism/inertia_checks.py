@@ -15,7 +15,7 @@ from typing import Any
 from coscrew_codegen.scene.mechanism.assembly import ModelError
 from coscrew_codegen.scene.mechanism.lumped import Six, lumped_inertia
 from coscrew_codegen.scene.mechanism.mimics import followers
-from coscrew_codegen.scene.mechanism.model import Joint, Kind, Model, value
+from coscrew_codegen.scene.mechanism.model import Joint, Model, value
 from coscrew_codegen.scene.mechanism.tree import tree_of
 from coscrew_codegen.scene.mechanism.unresisted import Common, alone, common
 from coscrew_codegen.scene.names import toml_key
@@ -97,7 +97,7 @@ def unmoved(scene: Scene) -> tuple[Unmoved, ...]:
     one with their leader, and one of them with inertia is enough."""
     follow = followers(scene)
     without = alone(scene.model, tuple(follow.items()))
-    joints = [x for x in scene.model.joints if x.kind is not Kind.FIXED
+    joints = [x for x in scene.model.joints if x.kind.moves
               and (x.name not in follow or follow[x.name].multiplier)]
     leader = {x.name: follow[x.name].joint if x.name in follow else x.name for x in joints}
     resisting = {leader[x.name] for x in joints if x.name not in without}
@@ -112,7 +112,7 @@ def _held(scene: Scene) -> frozenset[str]:
 
 
 def _inertia(applied: Applied) -> bool:
-    """Whether the effect gives its joint an inertia; parameters and formulas do."""
+    """Returns whether the effect gives its joint an inertia; parameters and formulas do."""
     if not applied.effect.joint_inertia:
         return False
     numbers: Any = {name: x for name, x in applied.values.items() if x is not None}
@@ -193,7 +193,8 @@ def _minors(moments: Six) -> tuple[Fraction, ...]:
 
 
 def _positive(moments: Six) -> bool:
-    """Whether a symmetric matrix is positive semidefinite: no principal minor is negative."""
+    """Returns whether a symmetric matrix is positive semidefinite: no principal minor is negative.
+    """
     return min(_minors(moments)) >= 0
 
 

@@ -3,8 +3,9 @@
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
 
+from coscrew_codegen.scene.joints import ONE_COORDINATE, called
 from coscrew_codegen.scene.mechanism.assembly import ModelError
-from coscrew_codegen.scene.mechanism.model import Joint, Kind, Mimic, Model
+from coscrew_codegen.scene.mechanism.model import Fault, Joint, Mimic, Model
 from coscrew_codegen.scene.names import MANY, did_you_mean
 from coscrew_codegen.scene.scene import Scene
 
@@ -32,6 +33,16 @@ def without_chains(model: Model) -> Model:
 def wrong_mimics(model: Model) -> Mapping[str, str]:
     """The problems of followers that cannot follow, by name."""
     return _resolved(model)[1]
+
+
+def with_faults(model: Model, places: Mapping[str, str]) -> Model:
+    """The model with faults in place of mimics that cannot be followed, of those joints for which
+    `places` says where in a file the mimic stands."""
+    wrong = wrong_mimics(model) if places else {}
+    return replace(model, joints=tuple(
+        replace(joint, mimic=None, faults=(*joint.faults, Fault(
+            "mimic", wrong[joint.name], places[joint.name])))
+        if joint.name in wrong and joint.name in places else joint for joint in model.joints))
 
 
 def _resolved(model: Model) -> tuple[Mapping[str, Mimic], Mapping[str, str]]:
@@ -62,9 +73,9 @@ def _chain(joint: Joint, by_name: Mapping[str, Joint], attached: Mapping[str, Mi
         if leader is None:
             near = did_you_mean(joint.mimic.joint, by_name) if len(wrong) < MANY else "wanted one"
             wrong[joint.name] = f"mimics {joint.mimic.joint!r}, which is no joint; {near}"
-        elif leader.kind not in (Kind.REVOLUTE, Kind.PRISMATIC):
-            wrong[joint.name] = (f"mimics {leader.name!r}, which is {leader.kind.value}; wanted a "
-                                 "revolute or prismatic joint")
+        elif not leader.kind.one_coordinate:
+            wrong[joint.name] = (f"mimics {leader.name!r}, which is {leader.kind.name}; wanted a "
+                                 f"{called(ONE_COORDINATE, 'or')} joint")
         elif leader.name in chain:
             wrong[joint.name] = f"mimics itself, through {leader.name!r}"
         else:

@@ -5,10 +5,10 @@ order of coordinates or arithmetic in kernels.
 """
 
 from dataclasses import dataclass, field
-from enum import Enum
 from fractions import Fraction
 
 from coscrew_codegen.program.values.parameter import Parameter, Scalar
+from coscrew_codegen.scene.mechanism.joint_kind import Direction, JointKind
 from coscrew_codegen.scene.mechanism.notices import Notice
 
 Vector = tuple[Scalar, ...]  # of three
@@ -20,27 +20,6 @@ WORLD = "world"
 def value(x: Scalar) -> Fraction:
     """The number, or the parameter's default value."""
     return x.value if isinstance(x, Parameter) else x
-
-
-class Kind(Enum):
-    """Kinds of joints; the value is the word in files."""
-
-    REVOLUTE = "revolute"
-    PRISMATIC = "prismatic"
-    SPHERICAL = "spherical"
-    FREE = "free"
-    FIXED = "fixed"
-
-    @property
-    def nq(self) -> int:
-        """The number of coordinates: an angle, a length, a quaternion, or position and quaternion.
-        """
-        return {"revolute": 1, "prismatic": 1, "spherical": 4, "free": 7, "fixed": 0}[self.value]
-
-    @property
-    def nv(self) -> int:
-        """The number of velocities."""
-        return {"revolute": 1, "prismatic": 1, "spherical": 3, "free": 6, "fixed": 0}[self.value]
 
 
 @dataclass(frozen=True)
@@ -65,7 +44,7 @@ class Inertia:
 
     @property
     def changes(self) -> bool:
-        """Whether any of its numbers is a parameter."""
+        """True if any of its numbers is a parameter."""
         return any(isinstance(x, Parameter) for x in (self.mass, *self.com, *self.moments))
 
 
@@ -111,11 +90,11 @@ class Joint:
     """
 
     name: str
-    kind: Kind
+    kind: JointKind
     parent: str
     child: str
     placement: Placement = HERE
-    axis: tuple[Fraction, ...] = (Fraction(0), Fraction(0), Fraction(1))  # of norm 1
+    axis: Direction = (Fraction(0), Fraction(0), Fraction(1))  # of norm 1
     lower: Fraction | None = None
     upper: Fraction | None = None
     effort: Fraction | None = None
@@ -123,7 +102,12 @@ class Joint:
     damping: Fraction | None = None
     friction: Fraction | None = None
     mimic: Mimic | None = None
+    axis2: Direction | None = None  # of kinds with two axes
     faults: tuple[Fault, ...] = field(default=(), compare=False)  # of numbers that are None
+
+    def __post_init__(self) -> None:
+        if len(self.kind.axes) > 1 and self.axis2 is None:
+            raise ValueError(f"joint {self.name!r} is {self.kind.name}; wanted its axis2")
 
     def fault(self, of: str) -> Fault | None:
         """Why the number `of` cannot be used, if the file gives one."""
@@ -132,18 +116,26 @@ class Joint:
     @property
     def in_words(self) -> str:
         """The joint's motion: "elbow turns about y", "slide moves along -z"."""
-        moves = {Kind.REVOLUTE: f"turns about {self._axis}",
-                 Kind.PRISMATIC: f"moves along {self._axis}", Kind.SPHERICAL: "turns freely",
-                 Kind.FREE: "moves freely", Kind.FIXED: "is fixed"}
-        return f"{self.name} {moves[self.kind]}"
+        return f"{self.name} {self.kind.in_words([*map(_direction, self.axes)])}"
 
     @property
-    def _axis(self) -> str:
-        """x, -y, (0.6, 0, 0.8)."""
-        for letter, x in zip("xyz", self.axis, strict=True):
-            if abs(x) == 1:
-                return f"-{letter}" if x < 0 else letter
-        return f"({', '.join(f'{float(x):.6g}' for x in self.axis)})"
+    def axes(self) -> tuple[Direction, ...]:
+        """The axes that its kind has, in the joint's frame."""
+        both = (self.axis, *([self.axis2] if self.axis2 else []))
+        return both[:len(self.kind.axes)]
+
+    @property
+    def directions(self) -> tuple[Direction, ...]:
+        """The directions by which its kind moves, in the joint's frame."""
+        return self.kind.frame(self.axes)
+
+
+def _direction(axis: Direction) -> str:
+    """x, -y, (0.6, 0, 0.8)."""
+    for letter, x in zip("xyz", axis, strict=True):
+        if abs(x) == 1:
+            return f"-{letter}" if x < 0 else letter
+    return f"({', '.join(f'{float(x):.6g}' for x in axis)})"
 
 
 @dataclass(frozen=True)
@@ -162,6 +154,18 @@ class Model:
         moves, or WORLD."""
         found = {WORLD: WORLD}
         for joint in self.joints:
-            fixed = joint.kind is Kind.FIXED
-            found[joint.child] = found[joint.parent] if fixed else joint.child
+            found[joint.child] = joint.child if joint.kind.moves else found[joint.parent]
         return found
+
+    @property
+    def length(self) -> float:
+        """The largest length: from a joint to the next or to a centre of mass, or a radius of
+        gyration, in m."""
+        found = [abs(value(x)) for joint in self.joints for x in joint.placement.t]
+        for body in self.bodies:
+            if body.inertia:
+                found += [abs(value(x)) for x in body.inertia.com]
+                mass = value(body.inertia.mass)
+                moments = sum((abs(value(x)) for x in body.inertia.moments[:3]), Fraction(0))
+                found += [Fraction(float(moments / mass / 2)**0.5)] if mass else []
+        return float(max(found, default=Fraction(0)))

@@ -1,14 +1,16 @@
-"""Notices: what a model says and a scene does not use, and one line that sums them up."""
+"""Notices on content of a model's file that a scene does not use, and one line that sums them up.
+"""
 
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
 IDLE = "torque or force"
 SUBJECTS = (
-    IDLE, "other tools' joints", "spring", "armature", "mimic", "wrong mimic", "friction",
-    "wrong friction", "damping", "wrong damping", "other tools' numbers", "limits", "wrong limits",
-    "effort", "wrong effort", "velocity", "wrong velocity", "acceleration", "deceleration", "jerk",
-    "safety controller", "repeated element")
+    IDLE, "gravity", "actuator", "wrench", "other tools' joints", "spring", "armature", "mimic",
+    "wrong mimic", "friction", "wrong friction", "damping", "wrong damping", "other tools' numbers",
+    "limits", "wrong limits", "effort", "wrong effort", "velocity", "wrong velocity",
+    "acceleration", "deceleration", "jerk", "safety controller", "repeated element",
+    "xacro")
 """Subjects of notices; first what changes the motion most."""
 
 
@@ -20,6 +22,7 @@ class Notice:
     of: str  # "joint elbow"
     text: str  # the whole line
     remedy: str = ""  # 'add [effects.viscous] with joints = "all" and d = "model"', if that is one
+    used_by: tuple[str, str] = ("", "")  # the effect that uses it, and its joint, body or label
 
 
 def by_importance(notices: Iterable[Notice]) -> tuple[Notice, ...]:

@@ -10,7 +10,7 @@ from fractions import Fraction
 from functools import lru_cache
 
 from coscrew_codegen.program.scene_functions import Coordinate
-from coscrew_codegen.scene.mechanism.model import HERE, WORLD, Body, Joint, Kind, Model, Placement
+from coscrew_codegen.scene.mechanism.model import HERE, WORLD, Body, Joint, Model, Placement
 from coscrew_codegen.scene.mechanism.roundoff_cleanup import without_residue
 
 _ZERO = Fraction(0)
@@ -72,12 +72,12 @@ class Tree:
     @property
     def coordinates(self) -> tuple[Coordinate, ...]:
         """The joints that do not follow others, in order."""
-        return tuple(Coordinate(link.joint.name, link.joint.kind.value, link.q, link.v)
+        return tuple(Coordinate(link.joint.name, link.joint.kind.name, link.q, link.v)
                      for link in self.links if link.driver is None)
 
     @property
     def follows(self) -> bool:
-        """Whether any joint follows another."""
+        """True if any joint follows another."""
         return any(link.driver for link in self.links)
 
     def link_of(self, joint: str) -> Link:
@@ -129,11 +129,11 @@ def tree_of(model: Model, mimics: bool) -> Tree:
     for joint in model.joints:
         parent, placement = where[joint.parent]
         placement = composed(placement, joint.placement)
-        if joint.kind is Kind.FIXED:
-            where[joint.child] = parent, placement
-        else:
+        if joint.kind.moves:
             moving.append((joint, parent, without_residue(placement)))
             where[joint.child] = len(moving) - 1, HERE
+        else:
+            where[joint.child] = parent, placement
         link, in_link = where[joint.child]
         placed.setdefault(link, []).append(
             PlacedBody(bodies[joint.child], without_residue(in_link)))

@@ -14,8 +14,15 @@ from functools import lru_cache
 from random import Random
 from typing import Any
 
+from coscrew_codegen.algebra.recording.numbers import (
+    angular,
+    displacement,
+    linear,
+    translation,
+)
+from coscrew_codegen.scene.mechanism.joint_in_reals import JointInReals
 from coscrew_codegen.scene.mechanism.lumped import lumped_inertia
-from coscrew_codegen.scene.mechanism.model import Joint, Kind, Mimic, Model
+from coscrew_codegen.scene.mechanism.model import Joint, Mimic, Model
 from coscrew_codegen.scene.mechanism.tree import Link, tree_of
 
 DIGITS = 150
@@ -49,6 +56,14 @@ class Common:
     cure: tuple[str, ...]
 
 
+@dataclass(frozen=True)
+class _Reals:
+    """A kind of real numbers: floats, or mpmath's."""
+
+    of: Callable[[Fraction], _Real]
+    functions: Any  # a module with sqrt, sin, cos
+
+
 def _double(x: Fraction) -> float:
     """The number in double precision; infinite if it is beyond the range."""
     try:
@@ -57,28 +72,43 @@ def _double(x: Fraction) -> float:
         return math.inf if x > 0 else -math.inf
 
 
+def _exact(x: Fraction) -> _Real:
+    import mpmath
+
+    return mpmath.mpf(x.numerator) / x.denominator
+
+
+_DOUBLES = _Reals(_double, math)
+
+
+def _many_digits() -> _Reals:
+    import mpmath
+
+    return _Reals(_exact, mpmath)
+
+
 @lru_cache(maxsize=8)
 def alone(model: Model, follow: _Follow) -> frozenset[str]:
     """The joints without inertia against a motion of their own."""
-    if not _alone(_moved(model, follow, _double, math.cos, math.sin), _CERTAIN):
+    if not _alone(_moved(model, follow, _DOUBLES), _CERTAIN):
         return frozenset()
     import mpmath
 
     with mpmath.workdps(DIGITS):
-        return _alone(_moved(model, follow, _exact, mpmath.cos, mpmath.sin), ALONE)
+        return _alone(_moved(model, follow, _many_digits()), ALONE)
 
 
 @lru_cache(maxsize=8)
 def common(model: Model, follow: _Follow, held: frozenset[str]) -> Common:
     """The joints that only together move without inertia; those in `held` have one of their own.
     """
-    links = _moved(model, follow, _double, math.cos, math.sin)
+    links = _moved(model, follow, _DOUBLES)
     if None not in _pivots(links, held, _CERTAIN, _scale).values():
         return Common((), ())
     import mpmath
 
     with mpmath.workdps(DIGITS):
-        links = _moved(model, follow, _exact, mpmath.cos, mpmath.sin)
+        links = _moved(model, follow, _many_digits())
         return _named(links, _null(links, _pivots(links, held, TOGETHER, _locked)), dict(follow))
 
 
@@ -103,20 +133,13 @@ class _Pivot:
     D: _Real
 
 
-def _moved(model: Model, follow: _Follow, number: Callable[[Fraction], _Real],
-           cos: Callable[[_Real], _Real], sin: Callable[[_Real], _Real]) -> list[_Moved]:
+def _moved(model: Model, follow: _Follow, reals: _Reals) -> list[_Moved]:
     """The links at a random q."""
-    random, leaders = Random(1), dict(follow)
-    q = {joint.name: number(Fraction(random.uniform(-1.5, 1.5))) for joint in model.joints}
-    q |= {name: number(mimic.multiplier) * q[mimic.joint] + number(mimic.offset)
-          for name, mimic in leaders.items()}
-    found = []
+    q, found = _coordinates(model, follow, reals), []
     for link in tree_of(model, False).links:
-        joint = link.joint
-        axis = [number(x) for x in joint.axis]
-        R, t = _frame(link, axis, q[joint.name], number, cos, sin)
-        own = _inertia(link, number)
-        found.append(_Moved(joint, link.parent, _into(R, t), _columns(joint.kind, axis), own,
+        R, t, columns = _frame(link, q[link.joint.name], reals)
+        own = _inertia(link, reals.of)
+        found.append(_Moved(link.joint, link.parent, _into(R, t), columns, own,
                             [list(row) for row in own]))
     for moved in reversed(found):
         if moved.parent >= 0:
@@ -124,22 +147,30 @@ def _moved(model: Model, follow: _Follow, number: Callable[[Fraction], _Real],
     return found
 
 
-def _frame(link: Link, axis: _Vector, q: _Real, number: Callable[[Fraction], _Real],
-           cos: Callable[[_Real], _Real], sin: Callable[[_Real], _Real]) -> tuple[_Matrix, _Vector]:
-    """The link's frame in its parent's; balls and free bodies turn about some axis."""
-    placed = [number(x) for x in link.placement.R]
-    outer = [placed[0:3], placed[3:6], placed[6:9]]
-    t = [number(x) for x in link.placement.t]
-    kind = link.joint.kind
-    if kind is Kind.PRISMATIC:
-        return outer, [x + q * _dot(row, axis) for x, row in zip(t, outer, strict=True)]
-    x, y, z = axis if kind is Kind.REVOLUTE else [number(Fraction(k, 7)) for k in (2, 3, 6)]
-    c, s = cos(q), sin(q)
-    rest = 1 - c
-    turn = [[c + rest * x * x, rest * x * y - s * z, rest * x * z + s * y],
-            [rest * x * y + s * z, c + rest * y * y, rest * y * z - s * x],
-            [rest * x * z - s * y, rest * y * z + s * x, c + rest * z * z]]
-    return _times(outer, turn), t if kind is not Kind.FREE else [x + q for x in t]
+def _coordinates(model: Model, follow: _Follow, reals: _Reals) -> dict[str, _Vector]:
+    """Random coordinates of each joint; quaternions of norm 1."""
+    random, found = Random(1), {}
+    for joint in model.joints:
+        q = [reals.of(Fraction(random.uniform(-1.5, 1.5))) for _ in range(joint.kind.nq)]
+        for places in joint.kind.quaternions:
+            norm = reals.functions.sqrt(_dot(q[places], q[places]))
+            q[places] = [x / norm for x in q[places]]
+        found[joint.name] = q
+    for name, mimic in follow:
+        found[name] = [reals.of(mimic.multiplier) * found[mimic.joint][0] + reals.of(mimic.offset)]
+    return found
+
+
+def _frame(link: Link, q: _Vector, reals: _Reals) -> tuple[_Matrix, _Vector, tuple[_Vector, ...]]:
+    """The link's frame in its parent's, and the screws (w; v) of its freedoms."""
+    axes = tuple(tuple(map(reals.of, axis)) for axis in link.joint.directions)
+    joint = JointInReals(axes, tuple(q), reals.functions.sin, reals.functions.cos)
+    placement = displacement(*(tuple(map(reals.of, x)) for x in (
+        link.placement.R, link.placement.t)))
+    D = link.joint.kind.displacement(joint, placement)
+    R = [list(D[4 * i:4 * i + 3]) for i in range(3)]
+    return R, list(translation(D)), tuple(
+        [*angular(screw), *linear(screw)] for screw in link.joint.kind.subspace(joint))
 
 
 def _into(R: _Matrix, t: _Vector) -> _Matrix:
@@ -149,14 +180,6 @@ def _into(R: _Matrix, t: _Vector) -> _Matrix:
     moved = _times(turned, [[0, z, -y], [-z, 0, x], [y, -x, 0]])
     return [[*row, 0, 0, 0] for row in turned] + [
         [*a, *b] for a, b in zip(moved, turned, strict=True)]
-
-
-def _columns(kind: Kind, axis: _Vector) -> tuple[_Vector, ...]:
-    if kind is Kind.REVOLUTE:
-        return ([*axis, 0, 0, 0],)
-    if kind is Kind.PRISMATIC:
-        return ([0, 0, 0, *axis],)
-    return tuple([int(i == k) for i in range(6)] for k in range(kind.nv))
 
 
 def _inertia(link: Link, number: Callable[[Fraction], _Real]) -> _Matrix:
@@ -172,7 +195,7 @@ def _alone(links: Sequence[_Moved], tiny: float) -> frozenset[str]:
 
 
 def _definite(link: _Moved, tiny: float) -> bool:
-    """Whether all that the joint moves, rigid, has inertia against its motions."""
+    """Returns whether all that the joint moves, rigid, has inertia against its motions."""
     left = [list(row) for row in link.whole]
     return all(_eliminated(left, S, 0, tiny * _scale(link, S)) for S in link.columns)
 
@@ -300,9 +323,3 @@ def _add(to: _Matrix, more: _Matrix) -> None:
 
 def _dot(a: Sequence[_Real], b: Sequence[_Real]) -> _Real:
     return sum((x * y for x, y in zip(a, b, strict=True) if x and y), 0)
-
-
-def _exact(x: Fraction) -> _Real:
-    import mpmath
-
-    return mpmath.mpf(x.numerator) / x.denominator

@@ -1,10 +1,20 @@
-"""Reads files up to a given size."""
+"""Reads files up to a given size: bytes, or text in UTF-8."""
 
 from pathlib import Path
 
 from coscrew_codegen.scene.readers.scene_error import SceneError
 
 _LFS = b"version https://git-lfs.github.com/spec/"
+
+
+def read_text(path: Path, largest: int = 2**20, wanted: str = "text in UTF-8") -> str:
+    """The text of a file in UTF-8, with \\n at the ends of lines; SceneError as `read_bytes`, or if
+    it is in another encoding than the `wanted` file."""
+    contents = read_bytes(path, largest)
+    try:
+        return contents.decode("utf-8-sig").replace("\r\n", "\n")
+    except UnicodeDecodeError as error:
+        raise SceneError(path, f"byte {error.start}", f"is not UTF-8; wanted {wanted}") from None
 
 
 def read_bytes(path: Path, largest: int) -> bytes:

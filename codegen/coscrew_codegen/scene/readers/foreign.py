@@ -1,4 +1,4 @@
-"""Files of other kinds: one sentence each that says what a file is and what to do."""
+"""Files of other kinds: one sentence for each with its kind and a remedy."""
 
 import re
 from collections.abc import Set
@@ -17,18 +17,19 @@ _OF_SRDF = frozenset({"group", "group_state", "virtual_joint", "passive_joint", 
                       "joint_property", "link_sphere_approximation"})
 """Elements that stand directly in the root of an SRDF."""
 _AS_TABLES = "a URDF of the robot, or its bodies and joints in tables of a scene"
-_SUFFIXES = {".mjcf": "mujoco", ".sdf": "sdf", ".world": "sdf", ".dae": "collada", ".html": "html",
+_SUFFIXES = {".dae": "collada", ".html": "html",
              ".launch": "launch"}
 _ROOT = re.compile(rb"<([A-Za-z_][\w:.-]*)")
 _BEGINNING = 2**16  # bytes that are searched for a root element
 
 
 def of_root(tag: str) -> str:
-    """Says what a file with this root element is and what to do; "" if that is unknown."""
+    """Names the kind of a file with this root element, and a remedy; "" if that is unknown."""
     word = tag.lower()
     if word not in _FORMATS:
         return ""
-    wanted = {"html": "the raw file", "launch": "the URDF that it loads"}
+    wanted = {"html": "the raw file", "launch": "the URDF that it loads",
+              "sdf": "a name that ends in .sdf", "mujoco": "a name that ends in .xml"}
     return f"is {_FORMATS[word]}; wanted {wanted.get(word, _AS_TABLES)}"
 
 
@@ -40,17 +41,11 @@ def srdf(tags: Set[str]) -> str:
 
 
 def of_suffix(path: Path) -> str:
-    """Says what a file with neither suffix, .toml nor .urdf, is: "is SDF, …"."""
+    """Says what a file is whose suffix no reader has: "is SDF, …"."""
     suffix = path.suffix.lower()
-    if suffix == ".xacro":
-        return f"is a file of xacro, of which `{xacro(path)}` makes a URDF"
     if suffix == ".srdf":
         return _SRDF
     root = _SUFFIXES.get(suffix, "")
-    if suffix == ".xml" and path.is_file():
-        root = _root(path).lower()
-        if root == "robot":
-            return f"is a URDF with another suffix; rename it to {path.stem}.urdf"
     if root in _FORMATS:
         return f"is {_FORMATS[root]}, which coscrew does not read"
     return f"has the suffix {shown(path.suffix)}" if suffix else "has no suffix"
@@ -64,8 +59,10 @@ def xacro(path: Path) -> str:
     return f"xacro {path.name} > {stem if stem.endswith('.urdf') else f'{stem}.urdf'}"
 
 
-def _root(path: Path) -> str:
-    """The tag of the root element in a file's beginning; "" if there is none."""
+def root_of(path: Path) -> str:
+    """The tag of the root element in a file's beginning; "" if there is none.
+
+    Raises SceneError for a file that cannot be read."""
     beginning = read_bytes(path, 2**26)[:_BEGINNING]
     while (start := beginning.find(b"<!--")) >= 0:
         end = beginning.find(b"-->", start)

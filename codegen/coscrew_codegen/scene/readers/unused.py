@@ -3,7 +3,7 @@
 from collections.abc import Iterator
 
 from coscrew_codegen.scene.effect import Effect, ParameterOf
-from coscrew_codegen.scene.mechanism.model import Joint, Kind, Model
+from coscrew_codegen.scene.mechanism.model import Joint, Model
 from coscrew_codegen.scene.mechanism.notices import Notice
 from coscrew_codegen.scene.names import toml_key
 from coscrew_codegen.scene.readers.toml.effect_table import MODEL
@@ -16,12 +16,14 @@ _SUBJECTS = {"lower": "limits", "upper": "limits"}
 def unused(model: Model, used: set[tuple[str, str]], catalogue: tuple[Effect, ...],
            acting: tuple[Applied, ...] = ()) -> tuple[Notice, ...]:
     """A notice of each number whose (joint, field) is not `used`, with the effect to add, or the
-    change in that effect if it already acts on the joint; then what else the model's file says.
+    change in that effect if it already acts on the joint; then what else the model's file says
+    and no effect uses.
 
     Zeros are not reported, since files write them for unknown numbers, except ends of ranges."""
     found = [notice for joint in model.joints
              for notice in _of(joint, model, used, catalogue, acting)]
-    return (*found, *model.notices)
+    there = {(x.effect.name, on) for x in acting for on in (x.on, x.label)}
+    return (*found, *(x for x in model.notices if x.used_by not in there))
 
 
 def _of(joint: Joint, model: Model, used: set[tuple[str, str]], catalogue: tuple[Effect, ...],
@@ -100,7 +102,7 @@ def _written(p: ParameterOf, effect: Effect, joint: Joint, field: str) -> str:
 
 
 def _unit(joint: Joint, name: str) -> str:
-    turns = joint.kind is Kind.REVOLUTE
+    turns = not joint.kind.slides
     return {"damping": "N m s/rad" if turns else "N s/m", "friction": "N m" if turns else "N",
             "effort": "N m" if turns else "N", "velocity": "rad/s" if turns else "m/s",
             "lower": "rad" if turns else "m", "upper": "rad" if turns else "m"}[name]

@@ -1,1 +1,1 @@
-"""Checks of a run: energy, step, rounding, what to change."""
+"""Checks of a run: energy, step, rounding, and advice."""

@@ -11,7 +11,7 @@ import numpy as np
 
 from coscrew_codegen.program.values.formats import BY_NAME
 from coscrew_codegen.runtime.lanes import one_by_one
-from coscrew_codegen.scene.integrators import DEFAULT, named
+from coscrew_codegen.scene.integrators import DEFAULT, INTEGRATOR_NAMED
 from coscrew_codegen.scene.recorded_quantities import expected, recorded
 from coscrew_codegen.scene.scene import Expectation
 from coscrew_codegen.simulation.check import check_rounding, step_advice
@@ -41,11 +41,11 @@ _TIGHTER = 16  # divisor of tolerances for the second run
 
 
 def check(kernels: "Kernels", overrides: RunOverrides, rounding: bool = False) -> Findings:
-    """Run the scene in its precisions, or in the selected one, with its steps and smaller ones.
+    """Runs the scene in its precisions, or in the selected one, with its steps and smaller ones.
 
-    Expectations are checked in double precision, unless only single is run.  With `rounding`, also
-    rounding errors and certified bounds, for which functions are compiled.  Raises SimulateError.
-    """
+    Expectations are checked in double precision, unless only single is run.  With `rounding` the
+    check also covers rounding errors and certified bounds, for which it compiles functions.  Raises
+    SimulateError."""
     with one_by_one():
         return _check(kernels, overrides, rounding)
 
@@ -68,7 +68,7 @@ def _check(kernels: "Kernels", overrides: RunOverrides, rounding: bool) -> Findi
 
 def _run(kernels: "Kernels", precision: str, overrides: RunOverrides
          ) -> tuple[System, Plan, Trajectory]:
-    """A run that is sampled at every step, or where no effect has power less often; with SciPy's
+    """A run that is sampled at every step, or less often if no effect has power; with SciPy's
     solvers, equally densely."""
     its = system(kernels, precision, dict(overrides.settings))
     rough = plan(its, overrides.until, overrides.step, overrides.integrator)
@@ -107,7 +107,7 @@ def _along(system: System, planned: Plan, trajectory: Trajectory) -> AlongRun:
         system.precision.name,
         f"rtol {planned.rtol:.3g}" if planned.adaptive else f"step {planned.step:g} s",
         trajectory.stopped, coarse, balance(system, finer, trajectory.t), None,
-        *_matrices(system, trajectory), named(planned.integrator),
+        *_matrices(system, trajectory), INTEGRATOR_NAMED[planned.integrator],
         0.0 if planned.adaptive else planned.step, step_advice.error(system, trajectory, true),
         true.until, true.end, true.step, step_advice.resting(system, true))
     if trajectory.stopped:
@@ -130,8 +130,8 @@ def _exact(system: System, planned: Plan, true: step_advice.ReferenceStep) -> Ba
 
 
 def _finer(system: System, planned: Plan, times: int) -> Trajectory:
-    """The run with steps, and parts of split steps, `times` smaller, and as many times more
-    samples."""
+    """The run with steps, and parts of split steps, smaller by the factor `times`, and that many
+    times more samples."""
     finer = replace(planned, every=planned.every / times)  # so that Simpson's error shrinks, too
     if planned.adaptive:
         finer = replace(finer, rtol=planned.rtol / _TIGHTER, atol=planned.atol / _TIGHTER)
@@ -141,7 +141,8 @@ def _finer(system: System, planned: Plan, times: int) -> Trajectory:
 
 
 def _matrices(system: System, trajectory: Trajectory) -> tuple[float, float, float]:
-    """Round trip in unit roundoffs, condition of the mass matrix, and where that is largest."""
+    """Error of the round trip in unit roundoffs, largest condition of the mass matrix, and its
+    time."""
     with np.errstate(all="ignore"):  # a run that stopped may end with huge numbers
         return _looked_at(system, trajectory)
 
@@ -178,8 +179,8 @@ def _sparse(system: System, trajectory: Trajectory) -> Recording:
     """The state and the recorded quantities, at some of the samples."""
     some = _chosen(trajectory, _some(trajectory))
     texts = dict.fromkeys(("q", "v", *system.scene.record))
-    found = [recorded(text, system.scene) for text in texts]
-    columns = tuple(Column(name, unit, x.quantity) for x in found
+    results = [recorded(text, system.scene) for text in texts]
+    columns = tuple(Column(name, unit, x.quantity) for x in results
                     for name, unit in zip(x.names, x.units, strict=True))
     return Recording(some.t, columns, np.concatenate(
-        [quantity(system, some, x) for x in found], 1), ())
+        [quantity(system, some, x) for x in results], 1), ())

@@ -1,4 +1,4 @@
-"""The findings of a check as text: tables, what is false, what helps."""
+"""Writes the findings of a check as text: tables, faults, remedies."""
 
 import math
 
@@ -12,7 +12,7 @@ from coscrew_codegen.simulation.run_summary import gaps
 
 
 def table(findings: Findings, strict: bool = False) -> str:
-    """The findings as text; with what fails `strict` alone, if that is given."""
+    """The findings as text; with `strict` also the faults that fail only the strict limits."""
     parts = [_expectations(findings.met)] if findings.met else []
     parts += [_checks(findings.along)]
     parts += [gaps(findings.apart)] if findings.apart else []
@@ -64,9 +64,9 @@ def _checks(along: tuple[AlongRun, ...]) -> str:
                         colalign=("left", *("right" for _ in along))))
 
 
-def _rounding(found: tuple[RoundedResults, ...]) -> str:
+def _rounding(results: tuple[RoundedResults, ...]) -> str:
     rows = [(f"{x.function}, {x.precision}", in_unit(x.error, x.unit), f"{x.at:g}",
-             f"{x.digits:.1f}", f"{x.lost:.1f}", _bounds(x.certified)) for x in found]
+             f"{x.digits:.1f}", f"{x.lost:.1f}", _bounds(x.certified)) for x in results]
     columns = (f"at states of the run, against {DIGITS} digits", "largest error",
                "at t, s", "digits right", "digits lost", "certified bounds")
     return str(tabulate(rows, columns, disable_numparse=True,
@@ -80,33 +80,33 @@ def _bounds(certified: Certified | None) -> str:
         return "BROKEN"
     if not certified.stated:
         return f"0 of {certified.of} stated"
-    said = f"{certified.stated} of {certified.of} " if certified.stated < certified.of else ""
-    return f"{said or 'all '}hold, {certified.ratio:#.3g} times the error (median)"
+    stated = f"{certified.stated} of {certified.of} " if certified.stated < certified.of else ""
+    return f"{stated or 'all '}hold, {certified.ratio:#.3g} times the error (median)"
 
 
-def _broken(found: RoundedResults) -> str:
+def _broken(rounded: RoundedResults) -> str:
     """A sentence on the bound that is exceeded most."""
-    assert found.certified and found.certified.broken
-    worst = found.certified.broken
-    return (f"{found.function}: component {worst.place} at t = {worst.t:g} s errs by "
+    assert rounded.certified and rounded.certified.broken
+    worst = rounded.certified.broken
+    return (f"{rounded.function}: component {worst.place} at t = {worst.t:g} s errs by "
             f"{worst.error:.3g}, beyond its certified bound {worst.bound:.3g}: this is a defect of "
             "coscrew or of the compiler; please report it with the scene")
 
 
 def _false(along: AlongRun) -> str:
-    """A sentence on a motion that is wrong or not known, or energies that do not balance, with the
-    cause and what was found to help."""
+    """A sentence on a motion that is wrong or not known, or on energies that do not balance, with
+    the cause and a remedy that was tried."""
     if not along.right:
         why = ("single precision does not resolve it" if along.by_rounding else
                "the step is too large" if along.length else "the tolerances are too large")
         return f"{_off(along)}, allowed is {ALLOWED:g}: {why}; {along.remedy}"
     if math.isnan(along.coarse.relative):
         return (f"energies or powers are not finite at t = {along.coarse.at:.4g} s: a formula of "
-                "an effect is not, or numbers grow too large")
+                "an effect is not finite, or numbers grow too large")
     if not along.resolved:
         until = f"; check a shorter run: --until {along.known:.3g}" if along.known else ""
-        return (f"the motion is known until t = {along.known:.3g} s alone: later, steps of "
-                f"{along.smallest:.2g} s and larger ones give different motions, as of what is "
+        return (f"the motion is known only until t = {along.known:.3g} s: later, steps of "
+                f"{along.smallest:.2g} s and larger ones give different motions, since it is "
                 f"chaotic, or too stiff for them{until}")
     return (f"energy is off by {along.coarse.relative:.2g}, allowed is {ENERGY:g}, and neither "
             f"half the step nor 1/{THIRD_RUN} of it helps: the power of an effect is not that of "
@@ -124,14 +124,14 @@ def _finer(along: AlongRun) -> str:
 
 def _verdict(along: AlongRun) -> str:
     """The cause of the defect of energy."""
-    if along.still or along.resting and not along.untold:
+    if along.still or along.resting and not along.meaningless:
         return "none: nothing moves"
-    if along.doubtful and along.balanced and not along.untold:
+    if along.doubtful and along.balanced and not along.meaningless:
         return "small: smaller steps do not help"
     if along.doubtful:
         return "DOUBTFUL: smaller steps do not help"
-    if along.untold:
-        return "unknown: potential energy rounds by more than moved"
+    if along.meaningless:
+        return "unknown: the potential energy's rounding exceeds the energy moved"
     if along.rounding:
         return "rounding"
     if along.step.startswith("rtol"):

@@ -1,5 +1,5 @@
-"""Rounding errors at states of a run: errors of plain functions against 50 digits, by unit, and the
-bounds of the certified tier held against them."""
+"""Rounding errors at states of a run: errors of plain functions against 50 digits, by unit,
+compared with the bounds of the certified tier."""
 
 import math
 from collections.abc import Iterator, Mapping, Sequence
@@ -15,15 +15,14 @@ from coscrew_codegen.program.interpreter import interpreter
 from coscrew_codegen.program.multiprecise import MULTIPRECISE, precise
 from coscrew_codegen.program.scene_functions import SceneFunctions
 from coscrew_codegen.program.values.formats import Precision
-from coscrew_codegen.runtime.load import Kernels
-from coscrew_codegen.runtime.load_tier import in_tier_of
+from coscrew_codegen.runtime.load import Kernels, in_tier_of
 from coscrew_codegen.simulation.plan import Trajectory
 from coscrew_codegen.simulation.recordings.record import accelerations
 from coscrew_codegen.simulation.result_units import units
 from coscrew_codegen.simulation.system import System
 
 JUDGED = ("inverse_dynamics", "forward_dynamics")
-"""The functions whose rounding is judged."""
+"""Functions whose rounding errors are checked."""
 DIGITS = 50
 STATES = 8  # of a run
 MOST = 1500
@@ -65,8 +64,8 @@ class RoundedResults:
     precision: str
     states: int
     error: float  # the largest of a component
-    digits: float  # that are right of the largest of these components, at the worst state
-    lost: float  # of those that the precision has
+    digits: float  # correct digits of the largest of these components, at the worst state
+    lost: float  # of the precision's digits
     at: float  # time of the worst state, in s
     certified: Certified | None  # None if the certified function was too large to compile
 
@@ -76,32 +75,31 @@ def rounding(kernels: Kernels, runs: Sequence[tuple[System, Trajectory]]) -> tup
     """Every judged function at some states of each run."""
     certified = _certified(kernels)
     programs = {f.name: f.program for f in kernels.functions.functions if f.name in JUDGED}
-    found = []
+    results = []
     for system, trajectory in runs:
         values = _states(system, trajectory)
         if len(values["t"]):
-            found += [x for name, program in programs.items()
-                      for x in _rounded(system, name, program, values, certified,
+            results += [x for name, program in programs.items()
+                        for x in _rounded(system, name, program, values, certified,
                                          units(kernels.functions, name))]
-    return tuple(found)
+    return tuple(results)
 
 
 def _certified(kernels: Kernels) -> Kernels | None:
-    """The judged functions in the certified tier, compiled or found in the cache, as far as they
-    are selected or small."""
+    """The checked functions in the certified tier, compiled or loaded from the cache, as far as
+    they are selected or small."""
     functions = kernels.functions
     chosen = tuple(f for f in functions.functions if f.name in JUDGED and (
         CERTIFIED in functions.tiers or len(f.program.instructions) <= MOST))
     if not chosen:
         return None
     part: SceneFunctions = replace(functions, functions=chosen, steps=())
-    names = tuple(f.name for f in chosen)
-    return in_tier_of(replace(kernels, selected=names, _derived=part), CERTIFIED)
+    return in_tier_of(kernels, CERTIFIED, part)
 
 
 def _states(system: System, trajectory: Trajectory) -> Values:
-    """States of the run at equal distances; τ is zero, and a differs from the accelerations there,
-    which take no τ."""
+    """States of the run at equal intervals, with τ = 0 and with an a other than the run's
+    accelerations, which need no τ."""
     kept = np.linspace(0, len(trajectory.t) - 1, STATES).round().astype(int)
     t, q, v = (np.asarray(x[np.unique(kept)], system.dtype)
                for x in (trajectory.t, trajectory.q, trajectory.v))
@@ -118,11 +116,11 @@ def _rounded(system: System, name: str, program: Program, values: Values,
              certified: Kernels | None, of: Sequence[str]) -> Iterator[RoundedResults]:
     """Returns the rounding of each unit, the first component's first."""
     count, precision = len(values["t"]), system.precision
-    found = _rows(system.call(name, **values), count)
+    result = _rows(system.call(name, **values), count)
     truth = _exact(program, values, precision)
     with precise(DIGITS):
         errors = [[abs(mpfr(float(x)) - y) for x, y in zip(*rows, strict=True)]
-                  for rows in zip(found, truth, strict=True)]
+                  for rows in zip(result, truth, strict=True)]
     own = -math.log10(precision.u)
     for unit in dict.fromkeys(of):
         places = [n for n, x in enumerate(of) if x == unit]
@@ -148,7 +146,8 @@ def _exact(program: Program, values: Values, precision: Precision) -> Exact:
 
 def _held(system: System, certified: Kernels, name: str, values: Values, truth: Exact,
           of: Sequence[int]) -> Certified:
-    """Its bounds of these components, against the errors of its own results."""
+    """Compares the certified bounds of these components with the errors of the certified function's
+    own results."""
     count, kernels = len(truth), getattr(certified, system.precision.name)
     results, bounds = (_rows(x, count) for x in getattr(kernels, name)(
         *(values[x] for x in system.inputs[name])))
@@ -168,6 +167,6 @@ def _held(system: System, certified: Kernels, name: str, values: Values, truth: 
     return Certified(len(places), count * len(of), ratio, worst)
 
 
-def _rows(found: np.ndarray, count: int) -> NDArray[np.float64]:
+def _rows(result: np.ndarray, count: int) -> NDArray[np.float64]:
     """A row of components for each state."""
-    return np.asarray(found, float).reshape(count, -1)
+    return np.asarray(result, float).reshape(count, -1)

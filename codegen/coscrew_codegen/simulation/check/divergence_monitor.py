@@ -1,24 +1,24 @@
-"""Alarm: reports during a run that its motion is wrong, the reason, and a remedy.
+"""Alarm: reports during a run that its motion is wrong, with the reason and a remedy.
 
-From its first step on, and about a hundred times more, it takes some steps twice: as the run does,
+From the first step on, and about a hundred times more, it takes some steps twice: as the run does,
 and with a quarter of the step by the default integrator.  Where the two differ, ever smaller steps
 in double precision decide.  Errors are compared with the sizes of the run since its start (see
-`motion_error`), at its end, or once they have been too large for a tenth of it: what rests never
-stops, and no start passes that its steps do not resolve.
+`motion_error`), at its end, or once they have been too large for a tenth of it.  So resting parts
+never stop a run, and no start passes if its steps do not resolve it.
 
 It also compares, with the largest kinetic energy about the centres of mass,
-- the energy, if nothing feeds it in or dissipates it;
-- the momentum of floating bases, which is known at all times: the energy of the excess motion;
-and, with the way that velocities make, the way that coordinates go: numbers of single precision may
-be too coarse for it.
-"""
+- the energy, in scenes without sources and dissipation;
+- the momentum of floating bases, which is known at all times: the energy of the excess motion; and
+it compares the change of coordinates with the integral of velocities: numbers of single precision
+may be too coarse for the change."""
 
 from collections.abc import Callable
 from dataclasses import dataclass, field
 
 import numpy as np
 
-from coscrew_codegen.scene.integrators import named
+from coscrew_codegen.scene.integrators import INTEGRATOR_NAMED
+from coscrew_codegen.scene.joints import KIND_NAMED
 from coscrew_codegen.simulation.check import windows
 from coscrew_codegen.simulation.check.energy_balance import rounding
 from coscrew_codegen.simulation.check.error_limits import ALLOWED, FROZEN, KEPT
@@ -27,12 +27,12 @@ from coscrew_codegen.simulation.plan import Plan
 from coscrew_codegen.simulation.system import State, System
 
 UNTRIED = "take a smaller step"
-"""The remedy where none is tried."""
+"""Remedy where none was tried."""
 _FIRST, _LATER = 32, 8  # steps that are taken twice: at the start, and later
 _LOOKS = 100  # windows in a run
-_SIZES = 300  # times in a run that the ways of parts are measured, between windows, too
+_SIZES = 300  # measurements of the parts' ways in a run, also between windows
 _APART = 400  # least number of steps between two windows
-_PERSISTENT = 0.1  # of the run, after which what is wrong stops it
+_PERSISTENT = 0.1  # of the run: a fault that lasts so long stops it
 _SETTLED = 1000  # steps before the energy of methods of order 1 is meaningful
 
 
@@ -48,14 +48,13 @@ class Alarm:
     plan: Plan
     start: State
     driven: bool = False  # a controller may feed in energy
-    remedy: Callable[[System, Plan, State], str] | None = None  # tries what would make a single
-    # run right, and says so
+    remedy: Callable[[System, Plan, State], str] | None = None  # names settings
     _steps: int = field(init=False, default=0)
     _next: int = field(init=False, default=0)
     _measured: float = field(init=False, default=0.0)
 
     def __post_init__(self) -> None:
-        self._integrator = named(self.plan.integrator)
+        self._integrator = INTEGRATOR_NAMED[self.plan.integrator]
         run = self.plan.until - self.plan.begin
         self._count = run / self.plan.step
         self._every = int(min(max(_APART, self._count / _LOOKS), max(1, self._count)))
@@ -76,8 +75,8 @@ class Alarm:
 
     def __call__(self, steps: int, t: float, h: float, q: np.ndarray, v: np.ndarray,
                  alive: np.ndarray) -> dict[Index, tuple[str, str]]:
-        """(joint, problem) of the members that are `alive` and wrong at t, after `steps` further
-        steps, the last one of length h."""
+        """Returns (joint, problem) of the members that are `alive` and wrong at t, after `steps`
+        further steps, the last one of length h."""
         self._steps += steps
         last = t >= self.plan.until
         if self._steps >= self._measured:
@@ -88,17 +87,17 @@ class Alarm:
         self._next = self._steps + self._every
         kinetic, potential = self.system.energies(t, q, v)
         lost = alive & ~np.isfinite(kinetic + potential)
-        found = {i: ("", f"energy is not finite at t = {t:.9g} s: it grew too large, or is beyond "
+        wrong = {i: ("", f"energy is not finite at t = {t:.9g} s: it grew too large, or is beyond "
                      f"the range of {self.system.precision.name} precision; "
                      f"{self.remedy_in_words()}") for i in _indices(lost)}
         alive = alive & ~lost
         if not alive.any():
-            return found
+            return wrong
         self._note(t, q, v, kinetic, potential)
         self._look(t - self.plan.begin, h, q, v, _LATER)
         for problem in (self._of_steps, self._of_rounding, self._of_energy, self._of_momentum):
-            found = problem(last, alive) | found
-        return found
+            wrong = problem(last, alive) | wrong
+        return wrong
 
     def _note(self, t: float, q: np.ndarray, v: np.ndarray, kinetic: np.ndarray,
               potential: np.ndarray) -> None:
@@ -120,7 +119,7 @@ class Alarm:
             self._momenta.add(since, off[..., None], KEPT**2 * self._kinetic[..., None])
 
     def _look(self, since: float, h: float, q: np.ndarray, v: np.ndarray, count: int) -> None:
-        """Take `count` steps from q, v twice, and note by how much they differ."""
+        """Takes `count` steps from q, v twice, and notes their difference."""
         with np.errstate(all="ignore"):
             window = windows.Window(self._parts, self.plan.integrator, self.plan.begin + since, h,
                                     q, v, count)
@@ -132,15 +131,15 @@ class Alarm:
 
     def _of_steps(self, last: bool, alive: np.ndarray) -> dict[Index, tuple[str, str]]:
         bad = self._errors.beyond(ALLOWED * self.extent.sizes, last) & alive[..., None]
-        found = {}
+        results = {}
         for i in _indices(bad.any(-1)):
             ratio = self._errors.worst[i] / self.extent.sizes[i]
             k = int(np.argmax(np.where(bad[i], ratio, -1)))
             part = self._parts.parts[k]
-            found[i] = (part.joint, f"the step is too large at t = {self._time(i, k):.9g} s: "
-                        f"{part.name} is off by {ratio[k]:.2g} of the way it moves; "
-                        f"{self.remedy_in_words()}")
-        return found
+            results[i] = (part.joint, f"the step is too large at t = {self._time(i, k):.9g} s: "
+                          f"{part.name} is off by {ratio[k]:.2g} of the way it moves; "
+                          f"{self.remedy_in_words()}")
+        return results
 
     def _of_rounding(self, last: bool, alive: np.ndarray) -> dict[Index, tuple[str, str]]:
         if not last:
@@ -160,7 +159,8 @@ class Alarm:
 
     def _of_momentum(self, last: bool, alive: np.ndarray) -> dict[Index, tuple[str, str]]:
         bad = self._momenta.beyond(KEPT**2 * self._kinetic[..., None], last)[..., 0] & alive
-        joint = next((c.joint for c in self.system.functions.coordinates if c.kind == "free"), "")
+        joint = next((c.joint for c in self.system.functions.coordinates
+                      if KIND_NAMED[c.kind].floats), "")
         return {i: (joint, f"momentum is not kept at t = {self._momenta.at[i][0]:.9g} s: the "
                     "floating bases are off by "
                     f"{_ratio(self._momenta.worst[i][0], self._kinetic[i])**0.5:.2g} of their "
@@ -171,15 +171,15 @@ class Alarm:
         return self.plan.begin + float(self._errors.at[i][k])
 
     def remedy_in_words(self) -> str:
-        """Returns a remedy that was tried; of batches and controllers, which are not tried, without
-        a number."""
+        """Returns a remedy that was tried; for batches and controllers, which are not tried, one
+        without a number."""
         if self.remedy and not self.driven and not self.start[0].ndim > 1:
             return self.remedy(self.system, self.plan, self.start)
         return UNTRIED
 
 
 class _Worst:
-    """The largest errors so far, and since when they have been too large."""
+    """The largest errors so far, and the times since which they have been too large."""
 
     def __init__(self, lead: tuple[int, ...], count: int, run: float):
         self.worst, self.at = np.zeros((*lead, count)), np.zeros((*lead, count))
@@ -195,12 +195,12 @@ class _Worst:
 
     def beyond(self, allowed: np.ndarray, last: bool) -> np.ndarray:
         """Mask of the errors that are too large: at the end, the last or the largest one; before,
-        those that have been for a tenth of the run."""
+        the errors that have been too large for a tenth of the run."""
         if last:
             wrong: np.ndarray = ~(self.worst <= allowed) | np.isfinite(self._since)
             return wrong
-        found: np.ndarray = self._now - self._since >= _PERSISTENT * self._run
-        return found
+        result: np.ndarray = self._now - self._since >= _PERSISTENT * self._run
+        return result
 
 
 def _indices(mask: np.ndarray) -> list[Index]:

@@ -2,17 +2,17 @@
 have no potential energy; and the momentum of floating bases, which only gravity changes.
 
 Work between two samples is computed by Simpson's rule.  Where that does not account for the change
-of energy, it is computed by small steps from one sample to the next, since a bounce may begin and
-end between them.  Small steps during a contact continue from the previous small steps, not from the
-sample: within a bounce the samples have errors of about 0.1 % of its energy, all of the same sign,
-which the work would inherit although the bounce ends with the right speed."""
+of energy, the work is computed by small steps from one sample to the next, since a bounce may begin
+and end between them.  Small steps during a contact continue from the previous small steps, not from
+the sample: within a bounce the samples have errors of about 0.1 % of its energy, all of the same
+sign, which the work would inherit although the bounce ends with the right speed."""
 
 from collections.abc import Iterator
 from dataclasses import dataclass
 
 import numpy as np
 
-from coscrew_codegen.scene.integrators import DEFAULT, named
+from coscrew_codegen.scene.integrators import DEFAULT, INTEGRATOR_NAMED
 from coscrew_codegen.simulation.plan import Trajectory
 from coscrew_codegen.simulation.recordings.record import largest
 from coscrew_codegen.simulation.system import System
@@ -24,7 +24,7 @@ _UNCLEAR = 1e-6  # defect between two samples, relative to the energies moved, t
 _MOST = 2000  # largest number of intervals that are refined
 _FINE = 256  # small steps in an interval without contact
 _LEAST, _PER_PART = 64, 8  # least number of small steps during contact; steps per integrator's part
-_LONGEST = 32  # samples that they may continue for: in longer, slow contacts samples are accurate
+_LONGEST = 32  # most samples that such steps span: in longer, slow contacts samples are accurate
 
 
 @dataclass(frozen=True)
@@ -44,7 +44,7 @@ class Balance:
 
     @property
     def rounded(self) -> bool:
-        """Whether the defect is within the rounding error of energies."""
+        """True if the defect is within the rounding error of energies."""
         return self.defect <= self.rounding
 
     @property
@@ -147,8 +147,8 @@ def _closely(system: System, t: np.ndarray, interval: np.ndarray, count: np.ndar
     h, total, before = interval / count, np.zeros(len(t)), _power(system, t, q, v)
     for k in range(count.max(initial=0)):
         i = np.flatnonzero(k < count)
-        q[i], v[i] = system.outputs(named(DEFAULT).step_name, t=t[i] + k * h[i], h=h[i], q=q[i],
-                                 v=v[i])
+        q[i], v[i] = system.outputs(INTEGRATOR_NAMED[DEFAULT].step_name, t=t[i] + k * h[i],
+                                    h=h[i], q=q[i], v=v[i])
         after = _power(system, t[i] + (k + 1) * h[i], q[i], v[i])
         total[i] += h[i] / 2 * (before[i] + after)
         before[i] = after

@@ -24,7 +24,7 @@ class Met:
     """An expectation and the value that was reached."""
 
     wanted: Expectation
-    came: float  # NaN if the run did not get there
+    came: float  # NaN if the run stopped before
     unit: str
 
     @property
@@ -51,28 +51,28 @@ class AlongRun:
     integrator: Integrator
     length: float  # of steps in s; 0 for SciPy's
     error: Error  # of the motion, while it is known
-    known: float  # until when motions with smaller steps agree, in s
+    known: float  # time up to which motions with smaller steps agree, in s
     end: float  # of the run, in s
     smallest: float  # steps of the motion with which it was compared, in s
-    resting: bool = False  # no part moves farther than what counts as rest
+    resting: bool = False  # no part moves farther than a resting one may
     exact: Balance | None = None  # of that motion, if energies are off with the steps above
     double: "AlongRun | None" = None  # in single precision: the results in double
-    remedy: str = ""  # what was tried and makes a false run right
+    remedy: str = ""  # settings that were tried and make a false run right
 
     @property
     def as_double(self) -> bool:
-        """Whether the defect of energy is the same in double precision."""
+        """True if the defect of energy is the same in double precision."""
         return bool(self.double and self.double.coarse.relative >= 0.5 * self.coarse.relative)
 
     @property
     def shrinks(self) -> bool:
-        """Whether smaller steps make the defect of energy smaller."""
+        """True if smaller steps make the defect of energy smaller."""
         return (self.fine_helps or bool(self.finest and self.less(self.finest, 0.75**3))
                 or bool(self.double and self.as_double and self.double.shrinks))
 
     @property
     def fine_helps(self) -> bool:
-        """Whether steps smaller by SECOND_RUN make it smaller."""
+        """True if steps smaller by SECOND_RUN make it smaller."""
         return self.less(self.fine)
 
     @property
@@ -87,17 +87,17 @@ class AlongRun:
         return math.log(self.coarse.relative / finer.relative, times)
 
     def less(self, other: Balance, times: float = 0.75) -> bool:
-        """Whether the other's defect is at most `times` that of the given steps."""
+        """Returns whether the other's defect is at most `times` that of the given steps."""
         return other.relative <= times * self.coarse.relative
 
     @property
     def rounded(self) -> bool:
-        """Whether the defect is within the rounding error of energies, and not also in double."""
+        """True if the defect is within the rounding error of energies, and not also in double."""
         return self.coarse.rounded and not self.as_double
 
     @property
     def rounding(self) -> bool:
-        """Whether the defect can be accumulated rounding: it depends neither on the step nor is it
+        """True if the defect can be accumulated rounding: it depends neither on the step nor is it
         the same in double precision."""
         u = float(BY_NAME[self.precision].u)
         return self.rounded or (self.coarse.relative <= 1e4 * u
@@ -105,51 +105,51 @@ class AlongRun:
 
     @property
     def still(self) -> bool:
-        """Whether nothing moves, so that no energy is exchanged."""
+        """True if nothing moves, so that no energy is exchanged."""
         return self.coarse.scale == 0
 
     @property
-    def untold(self) -> bool:
-        """Whether the rounding error of the potential energy exceeds all energy that was moved, so
+    def meaningless(self) -> bool:
+        """True if the rounding error of the potential energy exceeds all energy that was moved, so
         that the balance is meaningless."""
         return self.rounded and self.coarse.rounding > self.coarse.scale
 
     @property
     def doubtful(self) -> bool:
-        """Whether the defect is neither rounding nor the integrator's, which shrinks with steps."""
+        """True if the defect is neither rounding nor the integrator's, which shrinks with steps."""
         return not (self.rounding or self.shrinks)
 
     @property
     def right(self) -> bool:
-        """Whether the motion is right while it is known."""
+        """True if the motion is right while it is known."""
         return self.error.relative <= ALLOWED
 
     @property
     def resolved(self) -> bool:
-        """Whether the motion is known to the end."""
+        """True if the motion is known to the end."""
         return self.known >= self.end
 
     @property
     def balanced(self) -> bool:
-        """Whether energies balance, with the given steps or smaller ones; of what rests they need
-        not."""
+        """True if energies balance, with the given steps or smaller ones; true if all parts rest.
+        """
         balances = (x for x in (self.coarse, self.fine, self.finest, self.exact) if x is not None)
         return not math.isnan(self.coarse.relative) and (
             self.resting or any(x.rounded or x.relative <= ENERGY for x in balances))
 
     @property
     def passed(self) -> bool:
-        """Whether the motion is known and right, and energies balance."""
+        """True if the motion is known and right, and energies balance."""
         return self.right and self.resolved and self.balanced
 
     @property
     def by_rounding(self) -> bool:
-        """Whether a motion is wrong that double precision gets right with the same steps."""
+        """True if a motion is wrong that double precision gets right with the same steps."""
         return not self.right and bool(self.double and self.double.right)
 
     @property
     def strictly_passed(self) -> bool:
-        """Whether the motion is also within STRICTLY."""
+        """True if the motion is also within STRICTLY."""
         return self.passed and self.error.relative <= STRICTLY
 
 
@@ -165,7 +165,7 @@ class Findings:
 
     @property
     def passed(self) -> bool:
-        """Whether all expectations are met, all runs reached their ends and were right, energies
+        """True if all expectations are met, all runs reached their ends and were right, energies
         balance, and all certified bounds hold."""
         held = not any(x.certified and x.certified.broken for x in self.rounding)
         return held and all(x.passed for x in self.met) and all(
@@ -173,5 +173,5 @@ class Findings:
 
     @property
     def strictly_passed(self) -> bool:
-        """Whether motions are also within STRICTLY."""
+        """True if motions are also within STRICTLY."""
         return self.passed and all(x.strictly_passed for x in self.along)

@@ -1,34 +1,34 @@
 """Errors of motions, part by part, and the sizes that they are compared with.
 
-The parts are a joint's angle or length; a rotation; of a base that floats, its position relative to
-the centre of mass of the tree that it carries, and that centre of mass.  The size of a part is the
-largest distance from its start; of centres of mass, and of joints that slide along the world, the
-largest distance from the straight line on which they start, if that is less, but no less than what
-makes the rounding of the way along it right; and of centres of mass no less than the way that the
-tree's radius of gyration turns, up to 1 rad.  So neither the speed or place or direction of a whole
-scene matters, nor a heavy neighbour.
+The parts are a joint's angles, positions and rotations; for a floating base, its position relative
+to the centre of mass of its tree, and that centre of mass.  The size of a part is the largest
+distance from its start.  For centres of mass, and for positions along the world, it is the largest
+distance from the straight line on which they start, if that is less, but at least so large that the
+rounding of the way along that line is no error; for centres of mass it is also at least the way
+that the tree's radius of gyration turns, up to 1 rad.  So the speed, place and direction of a whole
+scene do not matter, nor do heavy neighbours.
 """
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from enum import Enum
-from fractions import Fraction
 from functools import cached_property
 
 import numpy as np
 
 from coscrew_codegen.program.scene_functions import Coordinate
 from coscrew_codegen.program.values.formats import Precision
-from coscrew_codegen.scene.mechanism.model import Joint, Kind, Model, value
+from coscrew_codegen.scene.joints import KIND_NAMED
+from coscrew_codegen.scene.mechanism.model import Model
 from coscrew_codegen.simulation.check.error_limits import ALLOWED
 from coscrew_codegen.simulation.system import System
 
 REST = 1e-3
-"""Sizes count as no smaller than this, in rad, and than this in m, or REST/100 of a scene's largest
-length if that is less: a robot that rests trembles by what nobody sees."""
+"""Least size of a part, in rad or m, or in m REST/100 of a scene's largest length if that is less:
+the invisible trembling of a resting robot is no error."""
 
 Places = tuple[np.ndarray, ...]
-"""Where each part is, (…, k): k = 1 for a coordinate, 3 for a position, 4 for a rotation."""
+"""Place of each part, (…, k): k = 1 for a coordinate, 3 for a position, 4 for a rotation."""
 
 
 class PartKind(Enum):
@@ -45,17 +45,16 @@ class StatePart:
 
     kind: PartKind
     coordinate: Coordinate
-    least: float  # its size counts as no smaller
+    least: float  # least size
+    q: slice  # its places in the joint's q and v
+    v: slice
+    name: str  # in messages: "joint elbow", "centre of mass of base"
+    along_world: bool = False  # whether it is a position in a frame that does not turn
 
     @property
     def joint(self) -> str:
         """The joint's name."""
         return self.coordinate.joint
-
-    @property
-    def name(self) -> str:
-        """Its name in messages: "joint elbow", "centre of mass of base"."""
-        return self.kind.value.format(self.joint)
 
 
 @dataclass(frozen=True)
@@ -67,12 +66,10 @@ class StateParts:
     @cached_property
     def parts(self) -> tuple[StatePart, ...]:
         """One or more for each joint that moves."""
-        length = REST * min(1.0, 10 * _length(self.system.scene.model) or 1.0)
-        return tuple(
-            StatePart(kind, c, length if kind is not PartKind.OWN or c.kind == "prismatic"
-                      else REST)
-            for c in self.system.functions.coordinates
-            for kind in (PartKind if c.kind == "free" else (PartKind.OWN,)))
+        model = self.system.scene.model
+        length, steady = REST * min(1.0, 10 * model.length or 1.0), _steady(model)
+        return tuple(x for c in self.system.functions.coordinates
+                     for x in _parts_of(c, length, c.joint in steady))
 
     @property
     def least(self) -> np.ndarray:
@@ -89,16 +86,16 @@ class StateParts:
     def radii(self, q: np.ndarray) -> np.ndarray:
         """The radii of gyration of floating trees about their centres of mass, and zeros for all
         other parts, in m.  (…, k)."""
-        M, found = self._mass_matrix(q), np.zeros((*q.shape[:-1], len(self.parts)))
+        M, result = self._mass_matrix(q), np.zeros((*q.shape[:-1], len(self.parts)))
         if M is None:
-            return found
+            return result
         for k, _ in self.turning:
             c, i = self.parts[k].coordinate, self.parts[k].coordinate.v.start
             with np.errstate(all="ignore"):
                 about_origin = np.trace(M[..., i + 3:i + 6, i + 3:i + 6], axis1=-2, axis2=-1)
                 square = about_origin / 2 / _mass(c, M) - np.sum(_com(c, M)**2, -1)
-                found[..., k] = np.sqrt(np.where(square > 0, square, 0.0))
-        return found
+                result[..., k] = np.sqrt(np.where(square > 0, square, 0.0))
+        return result
 
     def places(self, q: np.ndarray) -> Places:
         """Returns the places of the parts, in double.  (…, nq)."""
@@ -108,12 +105,12 @@ class StateParts:
         return tuple(_place(part, q, centres) for part in self.parts)
 
     def velocities(self, q: np.ndarray, v: np.ndarray) -> Places:
-        """The velocities of centres of mass and of joints that slide along the world, and zeros for
-        all other parts."""
-        M, sliding = self._mass_matrix(q), _sliding(self.system.scene.model)
+        """The velocities of centres of mass and of positions along the world, and zeros for all
+        other parts."""
+        M = self._mass_matrix(q)
         return tuple(
             _velocity(x.coordinate, q, v, M) if x.kind is PartKind.CENTRE else
-            v[..., x.coordinate.v].astype(float) if x.joint in sliding else
+            v[..., x.coordinate.v][..., x.v].astype(float) if x.along_world else
             np.zeros(3 if x.kind is PartKind.OFFSET else 1) for x in self.parts)
 
     def distances(self, x: Places, y: Places) -> np.ndarray:
@@ -124,48 +121,60 @@ class StateParts:
                     for a, b in zip(x, y, strict=True)]
         if not each:
             return np.zeros((*self._lead(x), 0))
-        found = np.stack(np.broadcast_arrays(*each), -1)
-        return np.where(np.isnan(found), np.inf, found)
+        result = np.stack(np.broadcast_arrays(*each), -1)
+        return np.where(np.isnan(result), np.inf, result)
 
     def kinetic(self, q: np.ndarray, v: np.ndarray, line: Places) -> np.ndarray:
         """The kinetic energy in frames that move with the trees' centres of mass as `line` says:
         Σ T - m V·u + m V²/2, in J.  (…)."""
-        found: np.ndarray = self.system.energies(0.0, q, v)[0]
+        result: np.ndarray = self.system.energies(0.0, q, v)[0]
         M = self._mass_matrix(q)
         for part, V in zip(self.parts, line, strict=True):
             if part.kind is PartKind.CENTRE and M is not None and V.any():
                 m, u = _mass(part.coordinate, M), _velocity(part.coordinate, q, v, M)
-                found = found + m * np.sum(V * (V / 2 - u), -1)
-        positive: np.ndarray = np.maximum(found, 0)
+                result = result + m * np.sum(V * (V / 2 - u), -1)
+        positive: np.ndarray = np.maximum(result, 0)
         return positive
 
     def _lead(self, x: Places) -> tuple[int, ...]:
         return x[0].shape[:-1] if x else ()
 
     def _mass_matrix(self, q: np.ndarray) -> np.ndarray | None:
-        """M where something floats; None where nothing does, or where the scene has no mass matrix,
-        having many joints.  (…, nv, nv)."""
+        """M if a tree floats; None if none does, or if the scene has no mass matrix because of many
+        joints.  (…, nv, nv)."""
         if all(x.kind is PartKind.OWN for x in self.parts) or not self.system.has("mass_matrix"):
             return None
         return np.asarray(self.system.call("mass_matrix", q=q), float)
 
 
+def _parts_of(c: Coordinate, length: float, steady: bool) -> Iterator[StatePart]:
+    """The parts of a joint's motion.  Positions and centres of mass count as no smaller than this
+    length; what carries the joint is `steady` if nothing turns it."""
+    kind = KIND_NAMED[c.kind]
+    own = [x for x in kind.q_parts if x[0].turns or not kind.floats]
+    for part, q, v in own:
+        name = PartKind.OWN.value.format(c.joint)
+        yield StatePart(PartKind.OWN, c, REST if part.turns else length, q, v,
+                        f"{name} ({part.words})" if len(own) > 1 else name,
+                        steady and not part.turns and kind.manifold is None)
+    for of_tree in (PartKind.CENTRE, PartKind.OFFSET) if kind.floats else ():
+        yield StatePart(of_tree, c, length, slice(3), slice(3), of_tree.value.format(c.joint))
+
+
 def _place(part: StatePart, q: np.ndarray, centres: Mapping[str, np.ndarray]) -> np.ndarray:
-    """The place of a part; `centres` are the centres of mass of what free joints carry."""
+    """Returns the place of a part; `centres` are the centres of mass of what free joints carry."""
     c = part.coordinate
     own: np.ndarray = q[..., c.q].astype(float)
-    if c.kind != "free":
-        return own
     if part.kind is PartKind.OWN:
-        return own[..., 3:]
+        return own[..., part.q]
     centre = centres[part.joint]
     return centre if part.kind is PartKind.CENTRE else own[..., :3] - centre
 
 
 def _mass(c: Coordinate, M: np.ndarray) -> np.ndarray:
     """The mass of the tree that a free joint carries, from the mass matrix."""
-    found: np.ndarray = M[..., c.v.start, c.v.start]
-    return found
+    result: np.ndarray = M[..., c.v.start, c.v.start]
+    return result
 
 
 def _centre(c: Coordinate, q: np.ndarray, M: np.ndarray | None) -> np.ndarray:
@@ -183,8 +192,8 @@ def _com(c: Coordinate, M: np.ndarray) -> np.ndarray:
     """The centre of mass of the tree that a free joint carries, in its body's frame.  (…, 3)."""
     i = c.v.start
     first: np.ndarray = np.stack((M[..., i + 1, i + 5], M[..., i + 2, i + 3], M[..., i, i + 4]), -1)
-    found: np.ndarray = first / _mass(c, M)[..., None]
-    return found
+    result: np.ndarray = first / _mass(c, M)[..., None]
+    return result
 
 
 def _velocity(c: Coordinate, q: np.ndarray, v: np.ndarray, M: np.ndarray | None) -> np.ndarray:
@@ -200,10 +209,10 @@ def _velocity(c: Coordinate, q: np.ndarray, v: np.ndarray, M: np.ndarray | None)
 
 def rotated(q: np.ndarray, v: np.ndarray) -> np.ndarray:
     """R(q) v.  (…, 4), (…, 3)->(…, 3)."""
-    import coscrew  # takes as long to import as short runs, and only what floats needs it
+    import coscrew  # takes as long to import as short runs, and only floating trees need it
 
-    found: np.ndarray = coscrew.rotate_qv(q, v)
-    return found
+    result: np.ndarray = coscrew.rotate_qv(q, v)
+    return result
 
 
 def turned(x: np.ndarray, y: np.ndarray) -> np.ndarray:
@@ -212,39 +221,27 @@ def turned(x: np.ndarray, y: np.ndarray) -> np.ndarray:
     import coscrew
 
     to: np.ndarray = coscrew.quaternion_product_qq(x * np.array([-1, -1, -1, 1]), y)
-    found: np.ndarray = coscrew.quaternion_log(to)
-    return found
+    result: np.ndarray = coscrew.quaternion_log(to)
+    return result
 
 
 def _angle(x: np.ndarray, y: np.ndarray) -> np.ndarray:
     """The angle between two rotations, from the chord of their quaternions."""
     chord = np.minimum(np.linalg.norm(x - y, axis=-1), np.linalg.norm(x + y, axis=-1))
-    found: np.ndarray = 4 * np.arcsin(np.minimum(chord / 2, 1))
-    return found
+    result: np.ndarray = 4 * np.arcsin(np.minimum(chord / 2, 1))
+    return result
 
 
-def _length(model: Model) -> float:
-    """The largest length in a model: from a joint to the next or to a centre of mass, or a radius
-    of gyration, in m."""
-    found = [abs(value(x)) for joint in model.joints for x in joint.placement.t]
-    for body in model.bodies:
-        if body.inertia:
-            found += [abs(value(x)) for x in body.inertia.com]
-            mass = value(body.inertia.mass)
-            moments = sum((abs(value(x)) for x in body.inertia.moments[:3]), Fraction(0))
-            found += [Fraction(float(moments / mass / 2)**0.5)] if mass else []
-    return float(max(found, default=Fraction(0)))
-
-
-def _sliding(model: Model) -> frozenset[str]:
-    """The joints that slide along the world: nothing turns what carries them."""
-    above = {joint.child: joint for joint in model.joints}
-
-    def slides(joint: Joint) -> bool:
-        return joint.kind in (Kind.PRISMATIC, Kind.FIXED) and (
-            joint.parent not in above or slides(above[joint.parent]))
-
-    return frozenset(x.name for x in model.joints if x.kind is Kind.PRISMATIC and slides(x))
+def _steady(model: Model) -> frozenset[str]:
+    """The joints of whose ancestors none rotates: their positions are along the world."""
+    turned: set[str] = set()  # bodies
+    results = set()
+    for joint in model.joints:
+        if joint.parent not in turned:
+            results.add(joint.name)
+        if joint.parent in turned or any(x.turns for x in joint.kind.parts):
+            turned.add(joint.child)
+    return frozenset(results)
 
 
 @dataclass
@@ -260,7 +257,7 @@ class Extent:
     radii: np.ndarray  # of gyration
     way: np.ndarray  # from the starts, (…, k)
     off: np.ndarray  # from the lines
-    rounded: np.ndarray  # of the ways along the lines: at most u a step
+    rounded: np.ndarray  # rounding of the ways along the lines: at most u a step
 
     @staticmethod
     def since(parts: StateParts, precision: Precision, h: float, q: np.ndarray, v: np.ndarray
@@ -271,8 +268,8 @@ class Extent:
                       parts.radii(q), none, none, none)
 
     def add(self, after: float | np.ndarray, places: Places) -> None:
-        """Note where the parts are after so many seconds; arrays of times and places have an axis
-        of samples before the last one."""
+        """Notes the places of the parts after so many seconds; arrays of times and places have an
+        axis of samples before the last one."""
         times = np.asarray(after, float)[..., None]
         start, line = ([x[..., None, :] if times.ndim > 1 and x.ndim > 1 else x for x in of]
                        for of in (self.start, self.line))
@@ -292,15 +289,15 @@ class Extent:
         """The largest of the distances so far and now, which may have an axis of samples."""
         if now.ndim > so_far.ndim:
             now = np.max(now, axis=-2)
-        found: np.ndarray = np.fmax(so_far, np.where(np.isfinite(now), now, 0))
-        return found
+        result: np.ndarray = np.fmax(so_far, np.where(np.isfinite(now), now, 0))
+        return result
 
     @property
     def sizes(self) -> np.ndarray:
-        """The sizes of the parts, none below what counts as rest.  (…, k)."""
-        found: np.ndarray = np.maximum(np.minimum(self.way, self.off), self.parts.least)
-        found[...] = np.maximum(found, self.rounded / ALLOWED)
+        """The sizes of the parts, none below that of rest.  (…, k)."""
+        result: np.ndarray = np.maximum(np.minimum(self.way, self.off), self.parts.least)
+        result[...] = np.maximum(result, self.rounded / ALLOWED)
         for k, turn in self.parts.turning:
             arc = self.radii[..., k] * np.minimum(self.way[..., turn], 1.0)
-            found[..., k] = np.maximum(found[..., k], arc)
-        return found
+            result[..., k] = np.maximum(result[..., k], arc)
+        return result

@@ -1,12 +1,13 @@
-"""Whether what a controller sets turns back and forth from call to call."""
+"""Counts how often a controller's values change direction from call to call."""
 
 from collections import deque
 
 import numpy as np
 
 _CALLS, _TURNS = 12, 3
-"""Turns among so many calls that are suspicious.  A torque that is held too long turns at every
-call, if it answers speed, or at every third or fourth, if it answers position."""
+"""Number of turns among so many calls that is suspicious.  A torque that is held too long changes
+direction at every call if it responds to speed, or at every third or fourth if it responds to
+position."""
 
 
 class Turns:
@@ -19,7 +20,7 @@ class Turns:
         self._recent: deque[np.ndarray] = deque(maxlen=_CALLS)
 
     def add(self, values: np.ndarray) -> None:
-        """The values of the next call."""
+        """Adds the values of the next call."""
         if self.many:
             return
         last, self._last = self._last, values

@@ -1,5 +1,5 @@
-"""Advice on how to make a run right: the largest of the halved steps that does, tried before it is
-named."""
+"""Finds settings that make a run right: the largest of the halved steps with which it is, tried
+before it is named."""
 
 import math
 from collections.abc import Callable, Iterator
@@ -8,7 +8,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from coscrew_codegen.program.values.formats import DOUBLE, Precision
-from coscrew_codegen.scene.integrators import DEFAULT, named
+from coscrew_codegen.scene.integrators import DEFAULT, INTEGRATOR_NAMED
 from coscrew_codegen.simulation.check.divergence_monitor import Alarm
 from coscrew_codegen.simulation.check.error_limits import AGREED, ALLOWED
 from coscrew_codegen.simulation.check.motion_error import Extent, StateParts
@@ -29,17 +29,17 @@ _DOUBTED = 200_000
 _SEEN = 100
 """Samples with which such a run is compared, at least."""
 _POLYNOMIAL = 2.0
-"""Ratio of the times at which an error reaches ALLOWED and a tenth of it, from which on it counts
-as adding up, as t or t²: chaos takes far less, bounces no time."""
+"""Least ratio of the times at which an error reaches ALLOWED and a tenth of it for an error that
+adds up as t or t²: in chaos the ratio is far smaller, in bounces it is 1."""
 LADDERS = (8, 64, 512), (4, 16), (2, 4)
-"""Divisors of the step, of motions one of which is to be the reference."""
+"""Divisors of the step for motions that may become the reference."""
 SAMPLES = 2000
-"""Samples of a motion, at most twice as many, at which it is compared."""
+"""Number of samples at which a motion is compared; at most twice as many."""
 
 
 @dataclass(frozen=True)
 class ReferenceStep:
-    """A motion that smaller steps do not change, and until when that is so."""
+    """A motion that smaller steps do not change, with the time up to which this holds."""
 
     q: np.ndarray
     v: np.ndarray
@@ -51,12 +51,12 @@ class ReferenceStep:
 
     @property
     def stops(self) -> bool:
-        """Whether it stops before the end, being finite no longer."""
+        """True if it stops before the end, because it is no longer finite."""
         return bool(self.t[-1] < self.end)
 
     @property
     def resolved(self) -> bool:
-        """Whether it is known to the end."""
+        """True if it is known to the end."""
         return bool(self.until >= self.end)
 
 
@@ -71,7 +71,7 @@ class Error:
 
 
 def affordable(system: System, steps: float) -> bool:
-    """Whether so many steps take no more than some seconds."""
+    """Returns whether so many steps take no more than some seconds."""
     return bool(steps * max(1, system.functions.nv) <= MOST)
 
 
@@ -122,10 +122,10 @@ def sizes(parts: StateParts, precision: Precision, h: float, motion: Trajectory 
 
 
 def resting(system: System, motion: ReferenceStep) -> bool:
-    """Whether no part moves farther than what counts as rest."""
+    """Returns whether no part moves farther than a resting one may."""
     parts = StateParts(in_double(system))
-    found = sizes(parts, system.precision, motion.h, motion)
-    return bool(motion.resolved and (found <= parts.least).all())
+    result = sizes(parts, system.precision, motion.h, motion)
+    return bool(motion.resolved and (result <= parts.least).all())
 
 
 def error(system: System, trajectory: Trajectory, true: ReferenceStep) -> Error:
@@ -152,7 +152,7 @@ class _Errors:
 
     @property
     def add_up(self) -> bool:
-        """Whether the largest error became too large no faster than by adding up."""
+        """True if the largest error became too large no faster than by adding up."""
         if not self.relative.size:
             return False
         grown = self.relative[:, self.relative.max(0).argmax()]
@@ -177,18 +177,18 @@ def remedy(system: System, planned: Plan, start: State | None = None) -> str:
 
 
 def loose(system: System, planned: Plan, trajectory: Trajectory, start: State) -> Stop | None:
-    """Why the motion that SciPy's integrator found is wrong: one with tolerances of a sixteenth
-    differs; else None.  Tolerances up to TIGHT are not doubted."""
+    """Returns why the motion of SciPy's integrator is wrong (a motion with a sixteenth of the
+    tolerances differs), or None.  Tolerances up to TIGHT are not doubted."""
     if trajectory.stopped or max(planned.rtol, planned.atol) <= TIGHT:
         return None
     first, before, now = Error(0.0, "", "", 0.0), trajectory, planned
     for tighter in _tightened(planned):
         motion = integrate(system, tighter, start=start)
-        found = _differ(system, planned, before, motion)
-        if found.relative <= ALLOWED:
+        result = _differ(system, planned, before, motion)
+        if result.relative <= ALLOWED:
             helps = f"take rtol = {now.rtol:.3g} and atol = {now.atol:.3g}"
             break
-        first, before, now = first if first.part else found, motion, tighter
+        first, before, now = first if first.part else result, motion, tighter
     else:
         helps = f"no rtol down to {now.rtol:.2g} is small enough"
     return _stop(first, "the tolerances are too large", helps) if first.part else None
@@ -196,10 +196,10 @@ def loose(system: System, planned: Plan, trajectory: Trajectory, start: State) -
 
 def drifting(system: System, planned: Plan, trajectory: Trajectory, start: State,
              momentum: np.ndarray | None = None) -> Stop | None:
-    """Returns why a motion is wrong though no window of the Alarm shows it: it differs from one in
-    steps of half the length (by the default integrator, if the run's loses bounces), and from the
-    reference, which is known to the end, or from which errors differ that add up; else None.  Runs
-    that are long, stopped or in pure NumPy are not doubted."""
+    """Returns why a motion is wrong although no window of the Alarm shows it, or None.  A motion is
+    wrong if it differs from one with steps of half the length (by the default integrator, if the
+    run's loses bounces) and from the reference, provided that the reference is known to the end or
+    the errors add up.  Runs that are long, stopped or in pure NumPy are not examined."""
     planned = as_taken(planned)
     steps = (planned.until - planned.begin) / planned.step
     compiled = system.origin and system.origin.compiled
@@ -214,7 +214,7 @@ def drifting(system: System, planned: Plan, trajectory: Trajectory, start: State
     else:
         seen = replace(planned, every=planned.step * max(1, round(steps / (2 * _SEEN))), also=())
         whole = run(seen)
-    loses = named(planned.integrator).damps_bounces and system.has("parts")
+    loses = INTEGRATOR_NAMED[planned.integrator].damps_bounces and system.has("parts")
     half = run(replace(seen, step=planned.step / 2, finer=2,
                        integrator=DEFAULT if loses else planned.integrator))
     if _differ(system, planned, whole, half).relative <= ALLOWED / 4:
@@ -226,18 +226,18 @@ def _proven(system: System, planned: Plan, run: Callable[[Plan], Trajectory], st
             ) -> Stop | None:
     """Returns why a doubted motion is wrong; None if that is not known."""
     true, exact = reference(system, planned, start), in_double(system)
-    found = _errors(StateParts(exact), system.precision, run(planned), true)
-    if true.stops or found.largest.relative <= ALLOWED or not (true.resolved or found.add_up):
+    result = _errors(StateParts(exact), system.precision, run(planned), true)
+    if true.stops or result.largest.relative <= ALLOWED or not (true.resolved or result.add_up):
         return None
     why = ("single precision does not resolve it"
            if system.precision is not DOUBLE and _right(exact, planned, true, start)
            else "the step is too large")
-    return _stop(found.largest, why, advised(system, planned, true, start))
+    return _stop(result.largest, why, advised(system, planned, true, start))
 
 
-def _stop(found: Error, why: str, helps: str) -> Stop:
-    return Stop(0, found.t, found.joint, f"{why} at t = {found.t:.9g} s: {found.part} is off by "
-                f"{found.relative:.2g} of the way it moves; {helps}")
+def _stop(error: Error, why: str, helps: str) -> Stop:
+    return Stop(0, error.t, error.joint, f"{why} at t = {error.t:.9g} s: {error.part} is off by "
+                f"{error.relative:.2g} of the way it moves; {helps}")
 
 
 def _differ(system: System, planned: Plan, motion: Trajectory, other: Trajectory) -> Error:
@@ -259,7 +259,7 @@ def dense(planned: Plan) -> Plan:
 
 
 def thinned(planned: Plan) -> Plan:
-    """The plan with fewer samples, all of which it has: the first ones and every 2^n-th."""
+    """The plan with a part of its samples: the first ones and every 2^n-th."""
     times = planned.samples
     stride = 2**max(0, math.ceil(math.log2(len(times) / SAMPLES)))
     return replace(planned, every=planned.every * stride,
@@ -270,14 +270,14 @@ def advised(system: System, planned: Plan, true: ReferenceStep, start: State | N
     """The sentence of `remedy` for a plan whose reference is known."""
     if true.stops:
         return f"so are motions with steps down to {true.step:.2g} s"
-    if said := _helping(system, planned, true, start):
-        return f"take {', or '.join(said)}"
+    if settings := _helping(system, planned, true, start):
+        return f"take {', or '.join(settings)}"
     if system.precision is not DOUBLE:
         exact = in_double(system)
         if _right(exact, planned, true, start):
             return "take --precision double"
-        if said := _helping(exact, planned, true, start):
-            return f"take {', or '.join(f'--precision double and {x}' for x in said)}"
+        if settings := _helping(exact, planned, true, start):
+            return f"take {', or '.join(f'--precision double and {x}' for x in settings)}"
     if planned.adaptive:
         least = min([planned.rtol, *(x.rtol for x in _tightened(planned))])
         return f"no rtol down to {least:.2g} is small enough"
@@ -290,17 +290,17 @@ def _helping(system: System, planned: Plan, true: ReferenceStep, start: State | 
              ) -> list[str]:
     """Returns settings that make the run right in its precision: "a step of 0.01 s", "integrator
     leapfrog"."""
-    said = []
+    settings = []
     if planned.adaptive:
         for tighter in _tightened(planned):
             if _right(system, tighter, true, start):
                 return [f"rtol = {tighter.rtol:.3g} and atol = {tighter.atol:.3g}"]
     elif step := largest_step(system, planned, true, start):
-        said.append(f"a step of {step:g} s")
+        settings.append(f"a step of {step:g} s")
     if planned.integrator != DEFAULT and _right(
             system, replace(planned, integrator=DEFAULT), true, start):
-        said.append(f"integrator {DEFAULT}")
-    return said
+        settings.append(f"integrator {DEFAULT}")
+    return settings
 
 
 def _tightened(planned: Plan) -> tuple[Plan, ...]:
@@ -321,10 +321,10 @@ def _shortened(step: float) -> float:
     """The step with two or three digits, no longer than it was: at least 0.97 of it."""
     for digits in (2, 3):
         unit = 10.0**(math.floor(math.log10(step)) + 1 - digits)
-        found = float(f"{math.floor(step / unit * (1 + 1e-12)) * unit:.{digits}g}")
-        if found >= 0.97 * step:
+        result = float(f"{math.floor(step / unit * (1 + 1e-12)) * unit:.{digits}g}")
+        if result >= 0.97 * step:
             break
-    return found
+    return result
 
 
 def _halved(system: System, planned: Plan) -> Iterator[Plan]:
@@ -336,8 +336,8 @@ def _halved(system: System, planned: Plan) -> Iterator[Plan]:
 
 
 def _right(system: System, planned: Plan, true: ReferenceStep, start: State | None) -> bool:
-    """Whether the run reaches its end, is right, and passes the Alarm, which takes most of the time
-    and is asked last."""
+    """Returns whether the run reaches its end, is right, and passes the Alarm, which takes most of
+    the time and runs last."""
     for alarm in (None, Alarm):
         trajectory = integrate(system, planned, alarm=alarm, start=start)
         if trajectory.stopped or error(system, trajectory, true).relative > ALLOWED:

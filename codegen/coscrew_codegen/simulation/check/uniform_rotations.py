@@ -1,4 +1,4 @@
-"""Rotations as uniform as the numbers from which they are made."""
+"""Uniformly distributed rotations from uniformly distributed numbers."""
 
 import numpy as np
 

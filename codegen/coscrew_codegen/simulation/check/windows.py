@@ -1,4 +1,4 @@
-"""Windows: some steps of a run, taken again with smaller ones; and the way that coordinates go."""
+"""Windows: some steps of a run, repeated with smaller ones; and the way of coordinates."""
 
 from dataclasses import dataclass, replace
 from functools import cached_property
@@ -7,15 +7,17 @@ import numpy as np
 
 from coscrew_codegen.program.values.formats import DOUBLE
 from coscrew_codegen.scene.integrator import Integrator
-from coscrew_codegen.scene.integrators import DEFAULT, named
+from coscrew_codegen.scene.integrators import DEFAULT, INTEGRATOR_NAMED
+from coscrew_codegen.scene.joints import KIND_NAMED
+from coscrew_codegen.simulation import coordinate_rates
 from coscrew_codegen.simulation.check.error_limits import AGREED
-from coscrew_codegen.simulation.check.motion_error import Places, StateParts, rotated, turned
+from coscrew_codegen.simulation.check.motion_error import Places, StateParts, turned
 from coscrew_codegen.simulation.system import State, System
 
 _GRID = (1, 2, 3, 4, 6, 8, 12, 16, 24, 32)  # steps after which motions are compared
 _DIVISOR = 4
 _POWERS = 5  # of _DIVISOR, by which steps are divided, at most
-_SEEN = 0.01  # rad or m: ways count as no shorter when it is judged what rounding takes of them
+_SEEN = 0.01  # rad or m: least way whose loss to rounding counts
 _MOST = 4_000_000  # steps of the finest reference motion of a window, of all members together
 
 
@@ -52,13 +54,14 @@ class Window:
         return self._taken(self.parts.system, DEFAULT, _DIVISOR)
 
     def errors(self, allowed: np.ndarray) -> np.ndarray:
-        """The largest errors of the parts.  Those beyond what is allowed are found again with ever
-        smaller steps in double precision, until two motions agree; of more members than that can
-        be done for, evenly spread ones are, and the others are as the nearest of these.  (…, k)."""
-        found = self._apart(self.run, self._finer)
-        if (found <= allowed).all():
-            return found
-        bad = ~(found <= allowed).all(-1)
+        """The largest errors of the parts.  Errors beyond the allowed one are computed again with
+        ever smaller steps in double precision, until two motions agree.  If that takes too long for
+        all members, evenly spread ones are computed, and each other one gets the errors of the
+        nearest of these.  (…, k)."""
+        result = self._apart(self.run, self._finer)
+        if (result <= allowed).all():
+            return result
+        bad = ~(result <= allowed).all(-1)
         if not bad.ndim:
             return self._resolved(allowed)
         members = np.flatnonzero(bad)
@@ -68,44 +71,44 @@ class Window:
         resolved = replace(self, parts=one, q=self.q[chosen], v=self.v[chosen])._resolved(
             allowed[chosen])
         nearest = np.abs(members[:, None] - chosen).argmin(-1)
-        found[members] = resolved[nearest]
-        return found
+        result[members] = resolved[nearest]
+        return result
 
     def _resolved(self, allowed: np.ndarray) -> np.ndarray:
         """The errors, from a motion that smaller steps do not change."""
         exact = in_double(self.parts.system)
         other = StateParts(exact)
         before = self._finer
-        found = self._apart(self.run, before)
+        result = self._apart(self.run, before)
         for power in range(2, _POWERS + 1):
             finer = self._taken(exact, DEFAULT, _DIVISOR**power)
-            found, change = self._apart(self.run, finer), self._apart(before, finer, other)
+            result, change = self._apart(self.run, finer), self._apart(before, finer, other)
             if (change <= AGREED * allowed).all():
                 break
             before = finer
-        return found
+        return result
 
     def _apart(self, x: tuple[State, ...], y: tuple[State, ...], parts: StateParts | None = None
                ) -> np.ndarray:
         its = parts or self.parts
         each = [its.distances(its.places(a), its.places(b))
                 for (a, _), (b, _) in zip(x, y, strict=True)]
-        found: np.ndarray = np.max(each, axis=0)
-        return found
+        result: np.ndarray = np.max(each, axis=0)
+        return result
 
     def _taken(self, system: System, integrator: str, finer: int) -> tuple[State, ...]:
         """The states on the grid, with steps smaller by `finer`."""
-        step, h = system.stepper(named(integrator).step_name), self.h / finer
-        q, v, done, found = self.q.astype(system.dtype), self.v.astype(system.dtype), 0, []
+        step, h = system.stepper(INTEGRATOR_NAMED[integrator].step_name), self.h / finer
+        q, v, done, result = self.q.astype(system.dtype), self.v.astype(system.dtype), 0, []
         for n in self.grid:
             q, v = step((n - done) * finer, self.t + done * self.h, h, q, v)
             done = n
-            found.append((q, v))
-        return tuple(found)
+            result.append((q, v))
+        return tuple(result)
 
 
 def in_double(system: System) -> System:
-    """The system in double precision, compiled if it is not there."""
+    """The system in double precision, compiled if necessary."""
     if system.precision is DOUBLE or system.origin is None:
         return system
     if DOUBLE.name in system.origin.interface.precisions and \
@@ -120,20 +123,21 @@ def in_double(system: System) -> System:
 
 
 class Way:
-    """The way that coordinates go in windows of a run, and the way that their velocities make: of
-    angles, lengths and positions, and of rotations about the three axes of the body."""
+    """The change of coordinates in windows of a run, and the integral of their velocities: for
+    angles, lengths and positions, and for rotations about the three axes of the body."""
 
     def __init__(self, system: System, integrator: Integrator):
         self._system = system
         its = system.functions.coordinates
         kept = integrator.keeps_momentum and system.has("free_momentum")
-        self._vectors = [(c.joint, place, c.kind == "free" and place.start == c.v.start and kept)
-                         for c in its for place in _of_one_unit(c.v)]
+        self._vectors = [
+            (c.joint, slice(c.v[v].start, c.v[v].stop), kind.floats and v.start == 0 and kept)
+            for c in its for kind in [KIND_NAMED[c.kind]] for _, _, v in kind.q_parts]
         self._made = self._lost = self._near = np.zeros(1)
         self._steps = 0
 
     def add(self, window: Window, steps: int) -> None:
-        """Add a window, which stands for so many steps."""
+        """Adds a window, which represents so many steps."""
         if self._system.precision is DOUBLE or not self._vectors:
             return
         before, done, made, gone = (window.q, window.v), 0, np.zeros(1), np.zeros(1)
@@ -149,62 +153,52 @@ class Way:
         self._steps += steps
 
     def frozen(self, allowed: float) -> dict[tuple[int, ...], tuple[str, float, float]]:
-        """(joint, share of its way that is lost, its coordinate) by member: where more is lost than
-        is allowed, and no more than rounding takes."""
+        """Returns (joint, lost share of its way, its coordinate) by member, where the loss exceeds
+        the allowed one and rounding explains it."""
         if not self._steps:
             return {}
         spacing = np.spacing(self._near.astype(self._system.dtype)).astype(float)
-        found: dict[tuple[int, ...], tuple[str, float, float]] = {}
+        results: dict[tuple[int, ...], tuple[str, float, float]] = {}
         for joint, place, kept in self._vectors:
             lost, way, least = (np.linalg.norm(x[..., place], axis=-1)
                                 for x in (self._lost, self._made, spacing))
             way = np.maximum(way, _SEEN)
             coarse = (lost > allowed * way) & (lost < self._steps * least) & (not kept)
             for i in map(tuple, np.argwhere(coarse).tolist()):
-                found.setdefault(i, (joint, float(lost[i] / way[i]),
-                                     float(self._near[i][place].max())))
-        return found
+                results.setdefault(i, (joint, float(lost[i] / way[i]),
+                                       float(self._near[i][place].max())))
+        return results
 
     def _rates(self, q: np.ndarray, v: np.ndarray) -> np.ndarray:
-        """The rates of angles, lengths and positions; of rotations in the body's frame."""
-        found = []
+        """The rates of angles, lengths and positions; for rotations the angular velocity in the
+        body's frame."""
+        results = []
         for c in self._system.functions.coordinates:
-            own = v[..., c.v].astype(float)
-            if c.kind == "free":
-                turn = q[..., c.q][..., 3:].astype(float)
-                found += [rotated(turn, own[..., :3]), own[..., 3:]]
-            else:
-                found.append(own)
-        return np.concatenate(found, -1)
+            x, own = (y[..., places].astype(float) for y, places in ((q, c.q), (v, c.v)))
+            rates = coordinate_rates.rates(c.kind, x, x, own)
+            results += [own[..., speeds] if part.quaternion else rates[..., places]
+                        for part, places, speeds in KIND_NAMED[c.kind].q_parts]
+        return np.concatenate(results, -1)
 
     def _moved(self, before: np.ndarray, after: np.ndarray) -> np.ndarray:
         """The differences of angles, lengths and positions; of rotations the rotation vector."""
-        found = []
+        results = []
         for c in self._system.functions.coordinates:
             x, y = (q[..., c.q].astype(float) for q in (before, after))
-            if c.kind in ("free", "spherical"):
-                found += [y[..., :-4] - x[..., :-4], turned(x[..., -4:], y[..., -4:])]
-            else:
-                found.append(y - x)
-        return np.concatenate(found, -1)
+            results += [turned(x[..., places], y[..., places]) if part.quaternion else
+                        y[..., places] - x[..., places]
+                        for part, places, _ in KIND_NAMED[c.kind].q_parts]
+        return np.concatenate(results, -1)
 
     def _numbers(self, q: np.ndarray) -> np.ndarray:
-        """The sizes of the coordinates; of rotations 2, since an angle is twice that of its
+        """The sizes of the coordinates; for rotations 2, since the angle is twice that of the
         quaternion, whose numbers are up to 1."""
-        found = []
+        results = []
         for c in self._system.functions.coordinates:
             own = np.abs(q[..., c.q].astype(float))
-            rotates = c.kind in ("free", "spherical")
-            found += [own[..., :-4], np.full((*own.shape[:-1], 3), 2.0)] if rotates else [own]
-        return np.concatenate(found, -1)
-
-
-def _of_one_unit(v: range) -> tuple[slice, ...]:
-    """The vectors among a joint's velocities: of a free joint that of its position and that of its
-    rotation."""
-    if v.stop - v.start <= 3:
-        return (slice(v.start, v.stop),)
-    return slice(v.start, v.start + 3), slice(v.start + 3, v.stop)
+            results += [np.full((*own.shape[:-1], 3), 2.0) if part.quaternion else own[..., places]
+                        for part, places, _ in KIND_NAMED[c.kind].q_parts]
+        return np.concatenate(results, -1)
 
 
 def remedy_of_rounding(system: System) -> str:

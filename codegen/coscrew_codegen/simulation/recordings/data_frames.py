@@ -1,4 +1,5 @@
-"""Recordings of runs and batches as xarray's and pandas' tables, and as HTML for notebooks."""
+"""Converts recordings of runs and batches to xarray's and pandas' tables, and to HTML for
+notebooks."""
 
 import tempfile
 from collections.abc import Iterator, Sequence
@@ -12,7 +13,7 @@ import numpy as np
 
 from coscrew_codegen.program.scene_functions import SceneInterface
 from coscrew_codegen.simulation import SimulateError
-from coscrew_codegen.simulation.checkpoint import Instant
+from coscrew_codegen.simulation.checkpoint import Checkpoint
 from coscrew_codegen.simulation.plan import Stop
 from coscrew_codegen.simulation.recordings.recording import Recording
 
@@ -23,14 +24,14 @@ if TYPE_CHECKING:
 _MOST_DRAWN = 20  # members of a batch
 
 
-def to_xarray(recording: Recording, failed: Sequence[Stop], of: SceneInterface, start: Instant
+def to_xarray(recording: Recording, failed: Sequence[Stop], of: SceneInterface, start: Checkpoint
               ) -> "xarray.Dataset":
     """A variable for each column; of a batch, coordinates for causes and for parameters and state
     of each member's start.  Raises SimulateError if xarray is lacking."""
     made, batch = _needed("xarray").Dataset, recording.values.ndim > 2
     axes = ("member", "t") if batch else ("t",)
-    found = {c.name: (axes, recording.values[..., i], {"units": c.unit})
-             for i, c in enumerate(recording.columns)}
+    results = {c.name: (axes, recording.values[..., i], {"units": c.unit})
+               for i, c in enumerate(recording.columns)}
     places: dict[str, object] = {"t": ("t", recording.t, {"units": "s"})}
     if batch:
         causes = {x.member: x.cause for x in failed}
@@ -39,12 +40,13 @@ def to_xarray(recording: Recording, failed: Sequence[Stop], of: SceneInterface, 
                    "cause": ("member", np.array([causes.get(i, "") for i in members], np.str_))}
         places |= {name: ("member", np.broadcast_to(x, len(members)).copy())
                    for name, x in _starts(of, start)}
-    table: xarray.Dataset = made(found, places, dict(recording.provenance))
+    table: xarray.Dataset = made(results, places, dict(recording.provenance))
     return table
 
 
-def _starts(of: SceneInterface, start: Instant) -> Iterator[tuple[str, np.ndarray]]:
-    """Names and values, of all members or of each, of parameters and of the state at the start."""
+def _starts(of: SceneInterface, start: Checkpoint) -> Iterator[tuple[str, np.ndarray]]:
+    """Names and values of parameters and of the state at the start, one for all members or one for
+    each."""
     for i, (name, _) in enumerate(of.parameters):
         yield f"p.{name}", start.p[..., i]
     for c in of.coordinates:
@@ -80,10 +82,10 @@ def html(title: str, recording: Recording, failed: Sequence[Stop]) -> str:
         text = picture.read_text(encoding="utf-8")
     shown = f", the first {_MOST_DRAWN} drawn" if batch and len(recording.values) > len(drawn) \
         else ""
-    told = [*recording.provenance, *((f"member {x.member}" if batch else "stop", x.cause)
-                                     for x in failed)]
+    entries = [*recording.provenance, *((f"member {x.member}" if batch else "stop", x.cause)
+                                        for x in failed)]
     rows = "".join(f"<tr><th>{escape(what)}</th><td>{escape(value)}</td></tr>"
-                   for what, value in told)
+                   for what, value in entries)
     return (f"<p>{escape(title)}{shown}</p>{text[text.index('<svg'):]}"
             f"<details><summary>origin</summary><table>{rows}</table></details>")
 

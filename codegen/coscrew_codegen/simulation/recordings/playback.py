@@ -1,8 +1,7 @@
-"""A run as a page that plays it back in 3D: self-contained HTML, without network access.
+"""Writes a page that plays a run back in 3D: self-contained HTML, without network access.
 
 Bodies are boxes of the same mass and inertia; lines go from a body's origin to the joints on it
-and, thinner, to its centre of mass.
-"""
+and, thinner, to its centre of mass."""
 
 import base64
 from collections.abc import Iterator
@@ -14,7 +13,7 @@ import numpy as np
 import coscrew
 from coscrew_codegen.backends.html import pages
 from coscrew_codegen.program.values.parameter import Parameter, Scalar
-from coscrew_codegen.scene.mechanism.model import WORLD, Inertia, Joint, Kind
+from coscrew_codegen.scene.mechanism.model import WORLD, Inertia, Joint
 from coscrew_codegen.simulation.plan import Trajectory
 from coscrew_codegen.simulation.recordings.playback_charts import charts
 from coscrew_codegen.simulation.recordings.recording import Provenance
@@ -34,13 +33,14 @@ Entries = list[dict[str, object]]
 
 @dataclass(frozen=True)
 class Drawn:
-    """What is drawn: each entry is fixed to the body of a number, -1 the world, in its frame."""
+    """Drawn elements, each with the number of the body that it is fixed to (-1: the world), in its
+    frame."""
 
     shapes: Entries = field(default_factory=list)  # body, shape: half sides, place as a pose
     lines: Entries = field(default_factory=list)  # body, points, rod: to a centre of mass?
     slides: Entries = field(default_factory=list)  # body, point, child: from point to its origin
     joints: Entries = field(default_factory=list)  # body, point
-    extent: Entries = field(default_factory=list)  # body, points: what the camera shows
+    extent: Entries = field(default_factory=list)  # body, points: in the camera's view
 
 
 def view(system: System, trajectory: Trajectory, provenance: Provenance, path: Path) -> None:
@@ -114,7 +114,7 @@ def drawn(system: System) -> Drawn:
     model, result = system.scene.model, Drawn()
     numbers = {WORLD: -1, **{body.name: n for n, body in enumerate(model.bodies)}}
     for joint in model.joints:
-        if joint.kind is not Kind.FREE:
+        if not joint.kind.floats:
             _add_joint(system, result, joint, numbers)
     for body in model.bodies:
         if body.inertia:
@@ -127,9 +127,9 @@ def _add_joint(system: System, result: Drawn, joint: Joint, numbers: dict[str, i
     body, at = numbers[joint.parent], _numbers(system, joint.placement.t).tolist()
     result.lines.append({"body": body, "points": [[0, 0, 0], at], "rod": False})
     result.extent.append({"body": body, "points": [at]})
-    if joint.kind is not Kind.FIXED:
+    if joint.kind.moves:
         result.joints.append({"body": body, "point": at})
-    if joint.kind is Kind.PRISMATIC:
+    if any(not part.turns for part in joint.kind.parts):
         result.slides.append({"body": body, "point": at, "child": numbers[joint.child]})
 
 

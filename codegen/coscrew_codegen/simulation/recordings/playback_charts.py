@@ -26,7 +26,7 @@ class Chart:
 
     @property
     def figure(self) -> Markup:
-        """As an element of the page."""
+        """The chart as an element of the page."""
         return chart(self.t, self.columns, f"{self.quantity} in {self.unit} over time")
 
     @property

@@ -19,7 +19,8 @@ _AT_ONCE = 4096  # samples per call, so that temporaries of pure NumPy stay with
 
 
 def quantities(given: object, scene: Scene | None = None) -> tuple[str, ...]:
-    """The names of what to record; of a scene, also by patterns.  Raises SimulateError."""
+    """The names of the quantities to record; with a scene, patterns are expanded.  Raises
+    SimulateError."""
     names = listed("record", given, "energy", SimulateError)
     if not names:
         raise SimulateError('record: an empty list; wanted quantities, as ["q", "v"]')
@@ -32,17 +33,18 @@ def quantities(given: object, scene: Scene | None = None) -> tuple[str, ...]:
 
 
 def record(system: System, trajectory: Trajectory, provenance: Provenance,
-           wanted: Sequence[str] | None = None) -> Recording:
-    """The columns that the scene records, or those that are `wanted`.  Raises SimulateError for a
-    quantity whose function was not selected."""
+           wanted: Sequence[str] | None = None, columns: Sequence[Recorded] | None = None
+           ) -> Recording:
+    """Computes the columns that the scene records, or the `wanted` ones.  Raises SimulateError for
+    a quantity whose function was not selected."""
     texts = system.scene.record if wanted is None else wanted
-    found = [recorded(text, system.scene) for text in texts]
-    columns = {name: Column(name, unit, x.quantity)
-               for x in found for name, unit in zip(x.names, x.units, strict=True)}
-    names = [name for x in found for name in x.names]
-    first = [names.index(name) for name in columns]  # duplicates are recorded once
-    values = np.concatenate([quantity(system, trajectory, x) for x in found], -1)
-    return Recording(trajectory.t, tuple(columns.values()), values[..., first], provenance)
+    results = columns or [recorded(text, system.scene) for text in texts]
+    by_name = {name: Column(name, unit, x.quantity)
+               for x in results for name, unit in zip(x.names, x.units, strict=True)}
+    names = [name for x in results for name in x.names]
+    first = [names.index(name) for name in by_name]  # duplicates are recorded once
+    values = np.concatenate([quantity(system, trajectory, x) for x in results], -1)
+    return Recording(trajectory.t, tuple(by_name.values()), values[..., first], provenance)
 
 
 def quantity(system: System, trajectory: Trajectory, wanted: Recorded) -> np.ndarray:
@@ -80,8 +82,8 @@ def _results(system: System, wanted: Recorded, t: np.ndarray, q: np.ndarray, v: 
     outputs, given = system.described(wanted.function).outputs, {"tau": np.zeros_like(v)}
     if wanted.takes_a:
         given["a"] = accelerations(system, t, q, v)
-    found = system.call(wanted.function, t=t, q=q, v=v, **given)
-    several = found if len(outputs) > 1 else (found,)
+    result = system.call(wanted.function, t=t, q=q, v=v, **given)
+    several = result if len(outputs) > 1 else (result,)
     lead = np.broadcast_shapes(q.shape[:-1], t.shape)
     return np.concatenate([
         np.broadcast_to(np.asarray(x), (*lead, *shape)).reshape(*lead, -1)
@@ -111,19 +113,19 @@ class Difference:
 
 
 def differences(double: Recording, single: Recording) -> tuple[Difference, ...]:
-    """The differences by quantity and unit, at the samples that both have."""
+    """The differences by quantity and unit, at the common samples."""
     n = min(len(double.t), len(single.t))
-    found: dict[tuple[str, str], Difference] = {}
+    results: dict[tuple[str, str], Difference] = {}
     for i, column in enumerate(double.columns):
         values = double.values[:n, i]
         apart = np.abs(values - single.values[:n, i].astype(float))
         worst, key = largest(apart), (column.quantity, column.unit)
-        before = found.get(key)
+        before = results.get(key)
         size = max(float(np.max(np.abs(values))), before.size if before else 0)
         new = Difference(*key, size, float(apart[worst]), column.name, float(double.t[worst]))
-        found[key] = new if before is None or new.apart > before.apart or np.isnan(new.apart) \
+        results[key] = new if before is None or new.apart > before.apart or np.isnan(new.apart) \
             else replace(before, size=size)
-    return tuple(found.values())
+    return tuple(results.values())
 
 
 def largest(values: np.ndarray) -> int:

@@ -10,21 +10,22 @@ import numpy as np
 from coscrew_codegen.simulation import SimulateError
 
 
-def provenance_of(path: Path, said: str) -> dict[str, str]:
-    """Names and values.  Raises SimulateError, in which `said` names the argument."""
+def provenance_of(path: Path, argument: str) -> dict[str, str]:
+    """Returns names and values.  Raises SimulateError, whose message names the argument by `said`.
+    """
     reader = _READERS.get(path.suffix)
     if reader is None:
-        raise SimulateError(f"{said}: {path}: wanted a recording, {', '.join(_READERS)}")
+        raise SimulateError(f"{argument}: {path}: wanted a recording, {', '.join(_READERS)}")
     try:
         return reader(path)
     except OSError as error:
-        raise SimulateError(f"{said}: cannot read {path}: {error.strerror or error}") from None
+        raise SimulateError(f"{argument}: cannot read {path}: {error.strerror or error}") from None
     except Exception as error:  # noqa: BLE001  whatever a reader says of a broken file
-        raise SimulateError(f"{said}: {path} is no recording: {error}") from None
+        raise SimulateError(f"{argument}: {path} is no recording: {error}") from None
 
 
 def _of_csv(path: Path) -> dict[str, str]:
-    told = {}
+    entries = {}
     with path.open(encoding="utf-8", newline="") as file:
         for line in file:
             if not line.startswith("# "):
@@ -32,8 +33,8 @@ def _of_csv(path: Path) -> dict[str, str]:
                     raise ValueError("its first column is not t [s]")
                 break
             what, _, value = line[2:].rstrip("\n").partition(": ")
-            told[what] = value
-    return told
+            entries[what] = value
+    return entries
 
 
 def _of_npz(path: Path) -> dict[str, str]:
@@ -44,8 +45,8 @@ def _of_npz(path: Path) -> dict[str, str]:
 def _of_parquet(path: Path) -> dict[str, str]:
     import pyarrow.parquet
 
-    told: dict[str, str] = json.loads(pyarrow.parquet.read_schema(path).metadata[b"coscrew"])
-    return told
+    entries: dict[str, str] = json.loads(pyarrow.parquet.read_schema(path).metadata[b"coscrew"])
+    return entries
 
 
 _READERS: dict[str, Callable[[Path], dict[str, str]]] = {

@@ -1,4 +1,5 @@
-"""Writes recordings: CSV, NPZ, Parquet, each with its provenance; whole, or not at all."""
+"""Writes recordings as CSV, NPZ or Parquet, with provenance; a file is written completely or not at
+all."""
 
 import csv
 import json
@@ -87,10 +88,10 @@ def as_parquet(recording: Recording, path: Path) -> None:
     columns = [("t", "s", recording.t),
                *((c.name, c.unit, recording.values[:, i]) for i, c in enumerate(recording.columns))]
     arrays = [pyarrow.array(np.ascontiguousarray(numbers)) for _, _, numbers in columns]
-    told = json.dumps(dict(recording.provenance), ensure_ascii=False)
+    provenance = json.dumps(dict(recording.provenance), ensure_ascii=False)
     schema = pyarrow.schema(
         [pyarrow.field(name, array.type, metadata={"unit": unit})
-         for (name, unit, _), array in zip(columns, arrays, strict=True)], {"coscrew": told})
+         for (name, unit, _), array in zip(columns, arrays, strict=True)], {"coscrew": provenance})
     pyarrow.parquet.write_table(pyarrow.table(arrays, schema=schema), path)
 
 

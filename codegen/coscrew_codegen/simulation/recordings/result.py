@@ -1,4 +1,4 @@
-"""Result: what `run` returns; one run or a batch, as arrays, tables, plots and files."""
+"""Result of `run`: one run or a batch, as arrays, tables, plots and files."""
 
 from dataclasses import dataclass, replace
 from functools import cached_property
@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from coscrew_codegen.simulation import SimulateError
-from coscrew_codegen.simulation.checkpoint import Instant, end_of
+from coscrew_codegen.simulation.checkpoint import Checkpoint, end_of
 from coscrew_codegen.simulation.plan import Plan, Stop, Trajectory
 from coscrew_codegen.simulation.recordings import recording_writer
 from coscrew_codegen.simulation.recordings.recording import Provenance, Recording
@@ -27,7 +27,7 @@ class Result:
     plan: Plan
     trajectory: Trajectory
     recording: Recording
-    start: Instant
+    start: Checkpoint
 
     @property
     def t(self) -> np.ndarray:
@@ -56,8 +56,8 @@ class Result:
         return self.trajectory.failed
 
     @property
-    def end(self) -> Instant:
-        """The end, from which a run goes on."""
+    def end(self) -> Checkpoint:
+        """The end, from which another run can continue."""
         controller = dict(self.provenance).get("controller", "")
         return replace(end_of(self.system, self.trajectory, self.start), controller=controller)
 
@@ -80,7 +80,7 @@ class Result:
 
     def to_xarray(self) -> "xarray.Dataset":
         """Returns the recorded numbers as a Dataset: columns with units, over t, and over `member`
-        in a batch; there `cause` tells why a member stopped, and p.…, q0.… and v0.… tell the start.
+        in a batch; there `cause` says why a member stopped, and p.…, q0.… and v0.… hold the start.
         Provenance is in `attrs`. Needs xarray."""
         from coscrew_codegen.simulation.recordings.data_frames import to_xarray
 
@@ -100,9 +100,9 @@ class Result:
         return html(repr(self), self.recording, self.failed)
 
     def write(self, path: Path | str) -> None:
-        """Write what was recorded, as `coscrew simulate --output` does.  Raises SimulateError."""
+        """Writes the recording, as `coscrew simulate --output` does.  Raises SimulateError."""
         if self.q.ndim > 2:
-            raise SimulateError(f"{path}: wanted one run; got a batch of {len(self.q)}, "
-                                "of which to_xarray() makes one table")
+            raise SimulateError(f"{path}: wanted one run; got a batch of {len(self.q)}, which "
+                                "to_xarray() puts into one table")
         recording_writer.check_target(Path(path), tuple(recording_writer.FORMATS))
         recording_writer.write(self.recording, Path(path))

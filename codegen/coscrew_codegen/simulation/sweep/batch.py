@@ -1,5 +1,5 @@
-"""Runs the members of a chunk at once, as `coscrew simulate` runs each: the same loop, the same
-bits, and the same reasons for which a run ends early."""
+"""Runs the members of a chunk at once, as `coscrew simulate` runs each: with the same loop, the
+same bits, and the same reasons for an early end."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -8,7 +8,7 @@ import numpy as np
 
 from coscrew_codegen.runtime.load import Kernels
 from coscrew_codegen.scene.recorded_quantities import recorded
-from coscrew_codegen.simulation.batch_inputs import of_norm_1
+from coscrew_codegen.simulation.batch_inputs import normalize_quaternions
 from coscrew_codegen.simulation.check.divergence_monitor import Alarm
 from coscrew_codegen.simulation.plan import Stop, plan
 from coscrew_codegen.simulation.recordings.record import quantity
@@ -29,10 +29,10 @@ class Batch:
 
 def run(kernels: Kernels, conditions: Conditions, p: np.ndarray, q: np.ndarray, v: np.ndarray
         ) -> Batch:
-    """The runs of members with these parameters and starts, a row each."""
+    """Runs the members with these parameters and starts, one row for each."""
     its = system(kernels, conditions.precision, dict(conditions.settings)).at(p)
     planned = plan(its, conditions.until, conditions.step, conditions.integrator, conditions.every)
-    start = of_norm_1(its, q).astype(its.dtype), v.astype(its.dtype)
+    start = normalize_quaternions(its, q).astype(its.dtype), v.astype(its.dtype)
     trajectory = integrate(its, planned, None, Alarm, start)
     if trajectory.interrupted:
         raise KeyboardInterrupt

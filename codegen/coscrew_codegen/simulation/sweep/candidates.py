@@ -7,19 +7,18 @@ from dataclasses import dataclass
 from typing import NoReturn
 
 from coscrew_codegen.scene import patterns
-from coscrew_codegen.scene.mechanism.model import Joint, Kind
+from coscrew_codegen.scene.mechanism.model import Joint
 from coscrew_codegen.scene.names import did_you_mean
 from coscrew_codegen.scene.parameter_units import parameter_units
 from coscrew_codegen.scene.readers.toml.runtime import constants
 from coscrew_codegen.scene.recorded_quantities import coordinates
 from coscrew_codegen.scene.scene import Scene
-from coscrew_codegen.scene.units import UNITS
 from coscrew_codegen.simulation.parameter_checks import ranges
 from coscrew_codegen.simulation.sweep import SweepError
 from coscrew_codegen.simulation.sweep.sweep_options import UNIFORM
 
 START = "start."
-"""How names of coordinates and velocities begin: start.q.elbow, start.v.base.2."""
+"""Prefixes of the names of coordinates and velocities: start.q.elbow, start.v.base.2."""
 
 Ends = tuple[float, float]
 
@@ -34,45 +33,47 @@ class Candidate:
     index: int
     unit: str = ""
     limits: Ends | None = None  # of its joint
-    fault: str = ""  # why limits that the joint has cannot be used
+    fault: str = ""  # why the joint's limits cannot be used
 
 
 def candidates(scene: Scene, settings: Mapping[str, float]) -> Mapping[str, Candidate]:
     """Returns all inputs that can vary by themselves, by name.  Components of quaternions are not
     among them: they depend on each other."""
     units = parameter_units(scene)
-    found = [Candidate(x.name, "p", x.index, units[x.name]) for x in scene.parameters]
+    results = [Candidate(x.name, "p", x.index, units[x.name]) for x in scene.parameters]
     ends = {x.on: (low, high) for x, low, high in ranges(scene, settings)}
     for joint, q, v in coordinates(scene):
-        found += _of(joint, "q", q[:3] if joint.kind is Kind.FREE else q, _positions(joint, ends))
-        found += _of(joint, "v", v, _speeds(joint))
-    return {x.name: x for x in found}
+        results += _of(joint, "q", q, _positions(joint, ends))
+        results += _of(joint, "v", v, _speeds(joint))
+    return {x.name: x for x in results}
 
 
 def rotations(scene: Scene) -> Mapping[str, tuple[Candidate, ...]]:
     """The numbers from 0 to 1 that give each joint's quaternion, by the name of its start."""
     joints = (joint for joint, _, _ in coordinates(scene)
-              if joint.kind in (Kind.SPHERICAL, Kind.FREE))
+              if joint.kind.quaternions)
     return {name: tuple(Candidate(f"{name}.uniform.{k}", "u", 3 * n + k, "1") for k in range(3))
             for n, name in enumerate(f"{START}q.{joint.name}" for joint in joints)}
 
 
 def _of(joint: Joint, array: str, places: range, limits: Ends | None) -> Iterator[Candidate]:
-    if array == "q" and joint.kind is Kind.SPHERICAL:
-        return
     stem, unit = f"{START}{array}.{joint.name}", _unit(joint, array)
+    turning = joint.kind.quaternions if array == "q" else ()
+    dependent = {k for x in turning for k in range(x.start, x.stop)}
     for k, index in enumerate(places):
+        if k in dependent:
+            continue
         name = stem if len(places) == 1 else f"{stem}.{k}"
         yield Candidate(name, array, index, unit[k], limits, _fault(joint, array))
 
 
 def _fault(joint: Joint, array: str) -> str:
-    found = [joint.fault(x) for x in (("lower", "upper") if array == "q" else ("velocity",))]
-    return next((f" ({x.place}: {x.problem})" for x in found if x), "")
+    faults = [joint.fault(x) for x in (("lower", "upper") if array == "q" else ("velocity",))]
+    return next((f" ({x.place}: {x.problem})" for x in faults if x), "")
 
 
 def _unit(joint: Joint, array: str) -> tuple[str, ...]:
-    return UNITS[array][joint.kind.value]
+    return joint.kind.units(array)
 
 
 def _positions(joint: Joint, ends: Mapping[str, Ends]) -> Ends | None:
@@ -90,31 +91,31 @@ def _speeds(joint: Joint) -> Ends | None:
 
 def one(option: str, name: str, scene: Scene, known: Mapping[str, Candidate]) -> Candidate:
     """The candidate of this name.  Raises SweepError."""
-    found = patterns.matching(name, known)
-    if not found:
+    names = patterns.matching(name, known)
+    if not names:
         _refuse(option, name, scene, known)
-    if found != (name,):
+    if names != (name,):
         raise SweepError(f"{option} {name}: wanted one name; the pattern matches "
-                         f"{', '.join(found)}; --sobol samples all that a pattern matches")
+                         f"{', '.join(names)}; --sobol samples all that a pattern matches")
     return known[name]
 
 
 def matching(option: str, pattern: str, scene: Scene, known: Mapping[str, Candidate]
              ) -> tuple[Candidate, ...]:
     """The candidates whose names match the pattern (* ? [abc]).  Raises SweepError."""
-    found = patterns.matching(pattern, known)
-    if not found:
+    names = patterns.matching(pattern, known)
+    if not names:
         _refuse(option, pattern, scene, known)
-    return tuple(known[name] for name in found)
+    return tuple(known[name] for name in names)
 
 
 def turned(option: str, pattern: str, scene: Scene) -> tuple[Candidate, ...]:
     """The numbers that give the quaternions whose names match the pattern.  Raises SweepError."""
     known = rotations(scene)
-    if not (found := tuple(x for name in patterns.matching(pattern, known) for x in known[name])):
+    if not (numbers := tuple(x for name in patterns.matching(pattern, known) for x in known[name])):
         raise SweepError(f"{option} {pattern}={UNIFORM}: matches no start of a joint with a "
                          f"quaternion; there are {', '.join(known) or 'none'}")
-    return found
+    return numbers
 
 
 def _refuse(option: str, name: str, scene: Scene, known: Mapping[str, Candidate]) -> NoReturn:

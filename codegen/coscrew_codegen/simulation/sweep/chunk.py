@@ -1,8 +1,7 @@
-"""Workers' task: from the number of a chunk to its Parquet file."""
+"""Computes a chunk in a worker: from its number to its Parquet file."""
 
 import functools
 import json
-import pickle
 import platform
 import warnings
 from collections.abc import Callable, Mapping
@@ -12,6 +11,8 @@ from importlib.metadata import version
 import numpy as np
 
 from coscrew_codegen.runtime import cache, sources
+from coscrew_codegen.runtime.cache import packed, unpacked
+from coscrew_codegen.runtime.lanes import PAYS
 from coscrew_codegen.runtime.load import Kernels, restored
 from coscrew_codegen.simulation.check.uniform_rotations import quaternions
 from coscrew_codegen.simulation.sweep import SweepError
@@ -21,7 +22,6 @@ from coscrew_codegen.simulation.sweep.specification import Specification
 from coscrew_codegen.simulation.system import scene_of, system
 
 _COMPILING = ".sweep-compiles"  # in the cache: workers of a machine compile one after the other
-_PAYS = 1_000_000  # states, for which the functions of many states are compiled at once
 
 
 @dataclass(frozen=True)
@@ -30,20 +30,20 @@ class Job:
     cache."""
 
     kernels: bytes
-    compiled: bool  # whether they are in C, as they must be then in the worker
+    compiled: bool  # whether they are in C; if so, the worker's must be, too
     specification: Specification
     generator: str  # the hash of the sources that must run it
 
     @classmethod
     def of(cls, kernels: Kernels, specification: Specification) -> "Job":
         """The job of a sweep, for workers with these sources."""
-        return cls(pickle.dumps(kernels), kernels.compiled, specification, sources.generator())
+        return cls(packed(kernels), kernels.compiled, specification, sources.generator())
 
 
 @dataclass(frozen=True)
 class ChunkCall:
-    """Pickled, the call of `computed`, which unpickling makes: a worker without coscrew fails then,
-    in the task, and not while it receives the task, which would end it."""
+    """Pickled call of `computed`, unpickled and made in the task.  So a worker without coscrew
+    fails in the task, and not while it receives it, which would end the worker."""
 
     job: Job
     number: int
@@ -64,8 +64,8 @@ class Chunk:
 def computed(job: Job, number: int) -> Chunk:
     """The chunk of this number: the same numbers wherever this runs.
 
-    Raises SweepError if the worker has other sources than the command, cannot compile what the
-    command could, or has no disk or memory left."""
+    Raises SweepError if the worker has other sources than the command, cannot compile the scene
+    although the command could, or has no disk or memory left."""
     worker = f"the worker on {platform.node()}"
     if sources.generator() != job.generator:
         raise SweepError(f"{worker} has another version of coscrew than this command; install the "
@@ -85,7 +85,7 @@ def computed(job: Job, number: int) -> Chunk:
 
 
 class _Uncompiled(Exception):
-    """There is no compiler, or it fails."""
+    """The compiler is missing, or fails."""
 
 
 def _computed(job: Job, number: int) -> Chunk:
@@ -94,30 +94,32 @@ def _computed(job: Job, number: int) -> Chunk:
     its, kernels = job.specification, _loaded(job)
     rows = its.members(number)
     values = member_values.values(its.varied, rows)
-    found = batch.run(kernels, its.conditions, **states(kernels, its, values))
-    table = member_summary.table(scene_of(kernels), its, rows, values, found)
-    told = json.dumps(provenance(kernels, its), ensure_ascii=False)
-    return Chunk(sealed(table.replace_schema_metadata({"coscrew": told})), len(rows),
-                 len(found.failed))
+    runs = batch.run(kernels, its.conditions, **states(kernels, its, values))
+    table = member_summary.table(scene_of(kernels), its, rows, values, runs)
+    origin = json.dumps(provenance(kernels, its), ensure_ascii=False)
+    return Chunk(sealed(table.replace_schema_metadata({"coscrew": origin})), len(rows),
+                 len(runs.failed))
 
 
 def _loaded(job: Job) -> Kernels:
-    """The kernels; compiled, also for many states at once if that pays, by one worker of a machine.
-    """
+    """The kernels, compiled by one worker of each machine; for many states, too, if that is
+    worthwhile."""
     its = job.specification
-    with held(cache.folder() / _COMPILING, wait=True), warnings.catch_warnings(record=True) as said:
+    with (held(cache.folder() / _COMPILING, wait=True),
+          warnings.catch_warnings(record=True) as notes):
         warnings.simplefilter("always")
-        kernels: Kernels = pickle.loads(job.kernels)
+        kernels: Kernels = unpacked(job.kernels)
         if job.compiled and not kernels.compiled:
             restored.cache_clear()  # the next chunk tries again
-            raise _Uncompiled(*(_reason(str(x.message)) for x in said[-1:]))
-        if its.varied.members * its.conditions.until / its.conditions.step >= _PAYS:
-            kernels._lanes.function("", _PAYS)
+            raise _Uncompiled(*(_reason(str(x.message)) for x in notes[-1:]))
+        if its.varied.members * its.conditions.until / its.conditions.step >= PAYS:
+            kernels._lanes.function("", PAYS)
     return kernels
 
 
 def _reason(warning: str) -> str:
-    """The first line in which a compiler speaks of an error, or else what is said of compilers."""
+    """The first line of a compiler's output with an error, or else the message on the missing
+    compiler."""
     first, *lines = warning.splitlines()
     return next((x for x in lines if "error" in x.lower()), first.partition(": ")[2])
 

@@ -5,13 +5,13 @@ more than a few, however many there are.  Dask repeats the chunks of workers tha
 
 import logging
 import os
-import pickle
 import signal
 from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager, suppress
 from multiprocessing import resource_tracker
 from typing import TYPE_CHECKING
 
+from coscrew_codegen.runtime.cache import standard
 from coscrew_codegen.simulation.sweep import SweepError
 from coscrew_codegen.simulation.sweep.chunk import Chunk, ChunkCall, Job
 
@@ -28,7 +28,7 @@ class SchedulerError(SweepError):
 
 
 def cores() -> int:
-    """The number of cores of this process."""
+    """The number of cores that this process may use."""
     return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
 
 
@@ -47,8 +47,8 @@ def local(workers: int) -> Iterator["Client"]:
 
 @contextmanager
 def _starting() -> Iterator[None]:
-    """Processes that start in the block, and this one meanwhile, do not hear Ctrl-C, of which they
-    would die loudly; this one hears it at the end."""
+    """Blocks SIGINT, here and in processes that start in the block, which would print tracebacks;
+    it is delivered here on exit."""
     if not hasattr(signal, "pthread_sigmask"):  # Windows
         yield
         return
@@ -64,7 +64,7 @@ def _heedless() -> object:
     from distributed import WorkerPlugin
 
     class Heedless(WorkerPlugin):
-        """Workers ignore Ctrl-C, which a terminal sends to all processes."""
+        """Makes workers ignore Ctrl-C, which a terminal sends to all processes."""
 
         def setup(self, worker: "Worker") -> None:
             signal.signal(signal.SIGINT, signal.SIG_IGN)
@@ -77,7 +77,7 @@ def remote(address: str) -> Iterator["Client"]:
     """A client of the scheduler at this address.  Raises SchedulerError if none answers."""
     from distributed import Client
 
-    logging.getLogger("distributed.client").setLevel(logging.CRITICAL)  # errors say it below
+    logging.getLogger("distributed.client").setLevel(logging.CRITICAL)  # the errors below say so
     try:
         client = Client(address, timeout=_PATIENCE)
     except (OSError, ValueError) as error:
@@ -85,7 +85,7 @@ def remote(address: str) -> Iterator["Client"]:
     try:
         yield client
     finally:
-        with suppress(RuntimeError):  # of timeouts that expire meanwhile, if the scheduler is gone
+        with suppress(RuntimeError):  # logs of timeouts if the scheduler is gone
             client.close()
 
 
@@ -101,7 +101,7 @@ def finished(client: "Client", job: Job, numbers: Iterable[int],
 
     def fill() -> None:
         for number in _first(rest, ahead() - len(flying)):
-            future = client.submit(pickle.loads, pickle.dumps(ChunkCall(job, number)), pure=False,
+            future = client.submit(*standard(ChunkCall(job, number)), pure=False,
                                    key=f"coscrew-{job.specification.sha256[:16]}-{number}")
             flying[future] = number
             done.add(future)

@@ -1,4 +1,4 @@
-"""Table kept of the runs of a chunk: a row for each member."""
+"""Builds the table of a chunk's runs: a row for each member."""
 
 from collections.abc import Mapping
 
@@ -11,7 +11,7 @@ from coscrew_codegen.simulation.sweep.batch import Batch
 from coscrew_codegen.simulation.sweep.specification import Specification
 
 STATISTICS = ("final", "minimum", "maximum", "mean")
-"""Of each recorded column: at the end, over the samples, and over time."""
+"""Statistics of each recorded column: at the end, over the samples, and over time."""
 MEMBER, FAILED = "member", "failed"
 
 
@@ -23,8 +23,8 @@ def units(scene: Scene, record: tuple[str, ...]) -> Mapping[str, str]:
 
 def table(scene: Scene, specification: Specification, members: range, values: np.ndarray,
           batch: Batch) -> pyarrow.Table:
-    """member; what varied; failed (the cause, null where the run reached its end), failed.t,
-    failed.joint; statistics, null where it failed; whole series, if they are asked for."""
+    """Columns: member; varied quantities; failed (the cause, null if the run reached its end),
+    failed.t, failed.joint; statistics, null if it failed; whole series if requested."""
     failed = np.zeros(len(members), bool)
     failed[list(batch.failed)] = True
     columns = [("member", "", pyarrow.array(np.arange(members.start, members.stop)))]
@@ -32,8 +32,8 @@ def table(scene: Scene, specification: Specification, members: range, values: np
                 for i, x in enumerate(specification.varied.columns)]
     columns += _failures(len(members), batch)
     for name, unit in units(scene, specification.conditions.record).items():
-        found = statistics(batch.t, batch.recorded[name])
-        columns += [(f"{name}.{word}", unit, pyarrow.array(found[word], mask=failed))
+        result = statistics(batch.t, batch.recorded[name])
+        columns += [(f"{name}.{word}", unit, pyarrow.array(result[word], mask=failed))
                     for word in STATISTICS]
         if specification.conditions.series:
             columns.append((name, unit, _series(batch.recorded[name])))
@@ -54,14 +54,14 @@ def statistics(t: np.ndarray, samples: np.ndarray) -> Mapping[str, np.ndarray]:
 
 
 def _failures(count: int, batch: Batch) -> list[tuple[str, str, pyarrow.Array]]:
-    found = [batch.failed.get(k) for k in range(count)]
-    return [(FAILED, "", pyarrow.array([x and x.cause for x in found], pyarrow.string())),
-            (f"{FAILED}.t", "s", pyarrow.array([x and x.t for x in found], pyarrow.float64())),
-            (f"{FAILED}.joint", "", pyarrow.array([x and x.joint for x in found],
+    results = [batch.failed.get(k) for k in range(count)]
+    return [(FAILED, "", pyarrow.array([x and x.cause for x in results], pyarrow.string())),
+            (f"{FAILED}.t", "s", pyarrow.array([x and x.t for x in results], pyarrow.float64())),
+            (f"{FAILED}.joint", "", pyarrow.array([x and x.joint for x in results],
                                                   pyarrow.string()))]
 
 
 def _series(samples: np.ndarray) -> pyarrow.Array:
-    """A list of the samples for each member; those after it failed are not finite."""
+    """A list of the samples for each member; samples after its failure are not finite."""
     flat = pyarrow.array(np.ascontiguousarray(samples.T).ravel())
     return pyarrow.FixedSizeListArray.from_arrays(flat, len(samples))

@@ -1,4 +1,5 @@
-"""The values of members: a function of what varies and of the member's number alone.
+"""Computes the values of members: a function of the varied quantities and of the member's number
+alone.
 
 Member k is point k mod G of the G points of the grids, in which the last grid runs fastest, with
 sample k div G of the Sobol sequence: every beginning of a sweep covers the grids and, as evenly as
@@ -20,15 +21,15 @@ def values(varied: Varied, members: range) -> Values:
     """The values of consecutive members.  (number of members, number of columns)."""
     k = np.arange(members.start, members.stop)
     points = prod(varied.shape)
-    found = np.empty((len(k), len(varied.columns)))
+    result = np.empty((len(k), len(varied.columns)))
     remaining = k
     for i, grid in reversed(tuple(enumerate(varied.grids))):
         remaining, index = np.divmod(remaining, len(grid.values))
-        found[:, i] = np.array(grid.values)[index]
+        result[:, i] = np.array(grid.values)[index]
     if varied.ranges:
         first, last = members[0] // points, members[-1] // points
-        found[:, len(varied.grids):] = _samples(varied, first, last + 1)[k // points - first]
-    return found
+        result[:, len(varied.grids):] = _samples(varied, first, last + 1)[k // points - first]
+    return result
 
 
 def _samples(varied: Varied, first: int, last: int) -> Values:
@@ -48,13 +49,13 @@ def _samples(varied: Varied, first: int, last: int) -> Values:
 
 
 def _between(low: float, high: float, unit: Values, log: bool) -> Values:
-    """low (high/low)^unit or low + unit (high - low), within the ends whatever the rounding."""
+    """low (high/low)^unit or low + unit (high - low), clipped to the ends."""
     if log:
         from mpmath import mp
 
         with mp.workdps(30):  # the C library's powers differ between machines
             step = mp.log(mp.mpf(high) / low)
-            found = np.array([float(low * mp.exp(step * x)) for x in unit.tolist()])
+            result = np.array([float(low * mp.exp(step * x)) for x in unit.tolist()])
     else:
-        found = low + unit * (high - low)
-    return np.asarray(np.clip(found, low, high))
+        result = low + unit * (high - low)
+    return np.asarray(np.clip(result, low, high))

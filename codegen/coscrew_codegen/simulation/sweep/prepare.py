@@ -7,8 +7,7 @@ from dataclasses import dataclass, replace
 from coscrew_codegen.backends.version import VERSION
 from coscrew_codegen.program.values.formats import BY_NAME, DOUBLE
 from coscrew_codegen.runtime.load import Kernels, kernels_for
-from coscrew_codegen.scene.content import content_hash
-from coscrew_codegen.scene.integrators import named
+from coscrew_codegen.scene.integrators import INTEGRATOR_NAMED
 from coscrew_codegen.scene.recordable import quantities_of
 from coscrew_codegen.scene.recorded_quantities import QuantityError, recorded
 from coscrew_codegen.scene.scene import Scene
@@ -18,7 +17,7 @@ from coscrew_codegen.simulation.run_summary import RunOverrides
 from coscrew_codegen.simulation.sweep import SweepError
 from coscrew_codegen.simulation.sweep.refusals import refuse
 from coscrew_codegen.simulation.sweep.specification import Conditions, Specification, varied
-from coscrew_codegen.simulation.sweep.sweep_options import GridAsked, SobolAsked
+from coscrew_codegen.simulation.sweep.sweep_options import GridOption, SobolOption
 from coscrew_codegen.simulation.system import system
 
 _MEMBERS = 64, 16384  # least and most in a chunk: lanes are filled
@@ -29,10 +28,10 @@ _BYTES = 128_000_000  # most of a chunk's samples
 
 @dataclass(frozen=True)
 class SweepRequest:
-    """The options that say what the sweep is."""
+    """The options that define the sweep."""
 
-    grids: Sequence[GridAsked]
-    sobols: Sequence[SobolAsked]
+    grids: Sequence[GridOption]
+    sobols: Sequence[SobolOption]
     samples: int | None
     seed: int | None
     record: Sequence[str]
@@ -50,29 +49,29 @@ class Prepared:
     plan: Plan
 
 
-def prepared(read: Scene, asked: SweepRequest) -> Prepared:
+def prepared(read: Scene, request: SweepRequest) -> Prepared:
     """The sweep.  Raises SweepError, SimulateError."""
-    overrides = asked.overrides
+    overrides = request.overrides
     if overrides.precision == "both":
         raise SweepError(f"--precision both: a sweep runs in one; wanted {' or '.join(BY_NAME)}")
     own = read.precision if read.precision in BY_NAME else DOUBLE.name
     precision = overrides.precision or own
     settings = dict(overrides.settings)
-    scene = _recording(read, tuple(asked.record))
-    vary = varied(scene, settings, asked.grids, asked.sobols, asked.samples, asked.seed)
+    scene = _recording(read, tuple(request.record))
+    vary = varied(scene, settings, request.grids, request.sobols, request.samples, request.seed)
     refuse(scene, settings, vary, BY_NAME[precision])
     kernels = kernels_for(scene, required_functions.of_run(scene, overrides.integrator),
                           (precision,))
     its = system(kernels, precision, settings)
     planned = plan(its, overrides.until, overrides.step, overrides.integrator)
-    if not named(planned.integrator).emitted:
+    if not INTEGRATOR_NAMED[planned.integrator].emitted:
         raise SweepError(f"integrator {planned.integrator}: chooses its steps in each run; a sweep "
                          "wants an emitted one, such as --integrator leapfrog")
     conditions = Conditions(tuple(sorted(settings.items())), planned.until, planned.step,
                             planned.integrator, planned.every, precision, scene.record,
-                            asked.series)
+                            request.series)
     chunk = _chunk(vary.members, scene, planned)
-    specification = Specification(scene.name, content_hash(read), VERSION, vary, conditions, chunk)
+    specification = Specification(scene.name, read.content_hash, VERSION, vary, conditions, chunk)
     return Prepared(kernels, scene, specification, planned)
 
 
@@ -86,7 +85,8 @@ def _recording(scene: Scene, record: tuple[str, ...]) -> Scene:
 
 
 def _chunk(members: int, scene: Scene, planned: Plan) -> int:
-    """Members in a chunk: a function of the sweep alone, so that any machine goes on with it."""
+    """Number of members in a chunk: a function of the sweep alone, so that any machine can continue
+    it."""
     samples, steps = len(planned.samples), max(1, round(planned.until / planned.step))
     numbers = sum(len(recorded(text, scene).names) for text in ("q", "v", *scene.record))
     least, most = (sorted((_MEMBERS[0], count // steps, _MEMBERS[1]))[1] for count in _STEPS)

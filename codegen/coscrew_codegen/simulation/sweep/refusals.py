@@ -1,9 +1,9 @@
 """Refuses parameters by the scene's own rules before anything starts.
 
-The rules are of one number each (signs, ranges of the precision), of the numbers of one body or one
-effect (inertias that are possible, ends in order), or ask for enough mass.  What they allow is
-convex, so that a box is allowed if its corners are: those of each body's and each effect's numbers,
-while the others are at their lower ends, where mass is least."""
+The rules concern one number each (signs, ranges of the precision), the numbers of one body or one
+effect (possible inertias, ends in order), or require enough mass.  The allowed sets are convex, so
+a box is allowed if its corners are.  It suffices to try the corners of each body's and each
+effect's numbers, with the others at their lower ends, where mass is least."""
 
 from collections.abc import Iterator, Mapping
 from itertools import product
@@ -28,7 +28,7 @@ def refuse(scene: Scene, settings: Mapping[str, float], varied: Varied, precisio
             refuse_settings(scene, {**settings, **corner}, precision)
         except SimulateError as error:
             named = str(error).replace("--set ", "")
-            raise SweepError(f"at an end of what varies: {named}") from None
+            raise SweepError(f"at an end of the varied ranges: {named}") from None
 
 
 def _corners(scene: Scene, varied: Varied) -> Iterator[Mapping[str, float]]:

@@ -1,5 +1,5 @@
-"""One member alone: the call of `run` that computes it, to the bit, and what the sweep keeps of it.
-"""
+"""Runs one member alone: writes the call of `run` that computes it with the same bits, and the
+numbers that the sweep keeps of it."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -44,9 +44,9 @@ def member(its: Prepared, number: int) -> Alone:
     varied, conditions = its.specification.varied, its.specification.conditions
     if number >= varied.members:
         raise SweepError(f"--member {number}: wanted 0 to {varied.members - 1}")
-    found = states(its.kernels, its.specification,
-                   member_values.values(varied, range(number, number + 1)))
-    p, q, v = (found[name][0].tolist() for name in ("p", "q", "v"))
+    result = states(its.kernels, its.specification,
+                    member_values.values(varied, range(number, number + 1)))
+    p, q, v = (result[name][0].tolist() for name in ("p", "q", "v"))
     names = (name for name, _ in its.kernels.interface.parameters)
     return Alone(dict(zip(names, p, strict=True)), tuple(q), tuple(v), conditions.until,
                  conditions.step, conditions.integrator, conditions.precision, conditions.every,
@@ -54,16 +54,16 @@ def member(its: Prepared, number: int) -> Alone:
 
 
 def result(its: Prepared, alone: Alone) -> Result:
-    """Its run."""
+    """The member's run."""
     return run(its.kernels, **vars(alone))
 
 
-def text(found: Result) -> str:
+def text(result: Result) -> str:
     """The statistics that the sweep keeps, in all digits, or why it failed."""
-    if found.failed:
-        return f"failed: {found.failed[0].cause}"
+    if result.failed:
+        return f"failed: {result.failed[0].cause}"
     rows = []
-    for column in found.recording.columns:
-        kept = statistics(found.t, found.recorded[column.name][:, np.newaxis])
+    for column in result.recording.columns:
+        kept = statistics(result.t, result.recorded[column.name][:, np.newaxis])
         rows.append((f"{column.name} [{column.unit}]", *(str(kept[x][0]) for x in STATISTICS)))
     return str(tabulate(rows, ("recorded", *STATISTICS), disable_numparse=True))

@@ -1,4 +1,4 @@
-"""Specification of a sweep: all from which the values and results of its members follow."""
+"""Specification of a sweep: everything that determines the values and results of its members."""
 
 import json
 from collections.abc import Iterator, Mapping, Sequence
@@ -19,7 +19,7 @@ from coscrew_codegen.simulation.sweep.candidates import (
     one,
     turned,
 )
-from coscrew_codegen.simulation.sweep.sweep_options import GridAsked, SobolAsked
+from coscrew_codegen.simulation.sweep.sweep_options import GridOption, SobolOption
 
 
 @dataclass(frozen=True)
@@ -57,8 +57,8 @@ class Varied:
     @property
     def each(self) -> tuple[Grid | Range, ...]:
         """The grids, then the ranges."""
-        found: tuple[Grid | Range, ...] = self.grids
-        return found + self.ranges
+        results: tuple[Grid | Range, ...] = self.grids
+        return results + self.ranges
 
     @property
     def shape(self) -> tuple[int, ...]:
@@ -72,14 +72,14 @@ class Varied:
 
     @property
     def ends(self) -> Mapping[str, tuple[float, float]]:
-        """Smallest and largest value of what varies, by name."""
+        """Smallest and largest values of the varied quantities, by name."""
         return ({x.of.name: (min(x.values), max(x.values)) for x in self.grids}
                 | {x.of.name: (x.low, x.high) for x in self.ranges})
 
 
 @dataclass(frozen=True)
 class Conditions:
-    """Settings of each member's run, and what is kept of it."""
+    """Settings of each member's run, and the quantities that are kept of it."""
 
     settings: tuple[tuple[str, float], ...]  # of parameters that do not vary
     until: float
@@ -115,17 +115,17 @@ class Specification:
     @property
     def data(self) -> Mapping[str, Json]:
         """Returns the specification as JSON."""
-        found: Mapping[str, Json] = json.loads(json.dumps(asdict(self)))
-        return found
+        results: Mapping[str, Json] = json.loads(json.dumps(asdict(self)))
+        return results
 
     @cached_property
     def sha256(self) -> str:
-        """The hash by which a folder knows its sweep."""
+        """The hash that identifies the sweep of a folder."""
         return sha256(json.dumps(self.data, sort_keys=True).encode()).hexdigest()
 
 
-def varied(scene: Scene, settings: Mapping[str, float], grids: Sequence[GridAsked],
-           sobols: Sequence[SobolAsked], samples: int | None, seed: int | None) -> Varied:
+def varied(scene: Scene, settings: Mapping[str, float], grids: Sequence[GridOption],
+           sobols: Sequence[SobolOption], samples: int | None, seed: int | None) -> Varied:
     """Reads the inputs to vary from the options.  Raises SweepError."""
     if not (grids or sobols):
         raise SweepError("nothing varies; wanted --grid NAME=FROM:TO:COUNT or --sobol "
@@ -146,27 +146,27 @@ def varied(scene: Scene, settings: Mapping[str, float], grids: Sequence[GridAske
     return made
 
 
-def _grid(asked: GridAsked, of: Candidate) -> Grid:
-    first, last = asked.ends
-    steps = max(asked.count - 1, 1)
-    if not asked.log:
+def _grid(option: GridOption, of: Candidate) -> Grid:
+    first, last = option.ends
+    steps = max(option.count - 1, 1)
+    if not option.log:
         return Grid(of, tuple(float(first + Fraction(i, steps) * (last - first))
-                              for i in range(asked.count)))
+                              for i in range(option.count)))
     from mpmath import mp
 
     with mp.workdps(50):
-        a, b = (mp.mpf(x.numerator) / x.denominator for x in asked.ends)
+        a, b = (mp.mpf(x.numerator) / x.denominator for x in option.ends)
         inner = [float(a * (b / a)**(mp.mpf(i) / steps)) for i in range(1, steps)]
-    return Grid(of, (float(first), *inner, float(last))[:asked.count])
+    return Grid(of, (float(first), *inner, float(last))[:option.count])
 
 
-def _ranges(asked: SobolAsked, scene: Scene, known: Mapping[str, Candidate]) -> Iterator[Range]:
-    if asked.uniform:
-        yield from (Range(x, 0.0, 1.0, False) for x in turned("--sobol", asked.pattern, scene))
+def _ranges(option: SobolOption, scene: Scene, known: Mapping[str, Candidate]) -> Iterator[Range]:
+    if option.uniform:
+        yield from (Range(x, 0.0, 1.0, False) for x in turned("--sobol", option.pattern, scene))
     else:
-        yield from (_range(asked, x) for x in matching("--sobol", asked.pattern, scene, known))
+        yield from (_range(option, x) for x in matching("--sobol", option.pattern, scene, known))
 
 
-def _range(asked: SobolAsked, of: Candidate) -> Range:
-    low, high = map(float, asked.ends) if asked.ends else limits_of(f"--sobol {asked.pattern}", of)
-    return Range(of, low, high, asked.log)
+def _range(given: SobolOption, of: Candidate) -> Range:
+    low, high = map(float, given.ends) if given.ends else limits_of(f"--sobol {given.pattern}", of)
+    return Range(of, low, high, given.log)

@@ -1,4 +1,4 @@
-"""Readers of the options --grid, --sobol, --samples and --seed: words and exact numbers."""
+"""Reads the options --grid, --sobol, --samples and --seed: words and exact numbers."""
 
 import argparse
 from dataclasses import dataclass
@@ -15,7 +15,7 @@ LOG = "log"
 
 
 @dataclass(frozen=True)
-class GridAsked:
+class GridOption:
     """--grid NAME=FROM:TO:COUNT, or FROM:TO:COUNT:log."""
 
     name: str
@@ -26,7 +26,7 @@ class GridAsked:
 
 
 @dataclass(frozen=True)
-class SobolAsked:
+class SobolOption:
     """--sobol PATTERN=LOW:HIGH, or LOW:HIGH:log; PATTERN=limits and PATTERN=uniform have no ends.
     """
 
@@ -37,7 +37,7 @@ class SobolAsked:
     uniform: bool = False  # rotations
 
 
-def grid(text: str) -> GridAsked:
+def grid(text: str) -> GridOption:
     """The option's value, for argparse."""
     name, parts = _parts(text, "NAME=FROM:TO:COUNT or NAME=FROM:TO:COUNT:log, such as "
                                "payload.mass=0:5:50")
@@ -48,22 +48,22 @@ def grid(text: str) -> GridAsked:
         raise argparse.ArgumentTypeError(f"{name}: {count} from {parts[0]} to {parts[1]}; wanted 1 "
                                          "if both ends are the same, and 2 or more if not")
     ends = _positive(name, (first, last)) if log else (first, last)
-    return GridAsked(name, ends, count, log, text)
+    return GridOption(name, ends, count, log, text)
 
 
-def sobol(text: str) -> SobolAsked:
+def sobol(text: str) -> SobolOption:
     """The option's value, for argparse."""
     pattern, parts = _parts(text, "PATTERN=LOW:HIGH, PATTERN=LOW:HIGH:log, PATTERN=limits or "
                                   "PATTERN=uniform, such as start.q.*=limits")
     if parts in ([LIMITS], [UNIFORM]):
-        return SobolAsked(pattern, None, False, text, parts == [UNIFORM])
+        return SobolOption(pattern, None, False, text, parts == [UNIFORM])
     log = _log(pattern, parts, 2, "LOW:HIGH")
     low, high = (_number(pattern, x) for x in parts[:2])
     if float(low) >= float(high):
         raise argparse.ArgumentTypeError(f"{pattern}: wanted LOW below HIGH; got {parts[0]} and "
                                          f"{parts[1]}")
     ends = _positive(pattern, (low, high)) if log else (low, high)
-    return SobolAsked(pattern, ends, log, text)
+    return SobolOption(pattern, ends, log, text)
 
 
 def samples(text: str) -> int:
@@ -96,7 +96,7 @@ def _parts(text: str, wanted: str) -> tuple[str, list[str]]:
 
 
 def _log(name: str, parts: list[str], count: int, form: str) -> bool:
-    """Whether the parts end in the word log; refuses too few or too many."""
+    """Returns whether the parts end in the word log; refuses too few or too many."""
     log = parts[count:] == [LOG]
     if len(parts) != count + log:
         raise argparse.ArgumentTypeError(f"{name}: wanted {form} or {form}:{LOG}; got "

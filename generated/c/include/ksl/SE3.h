@@ -184,18 +184,15 @@ static inline void ksl_SE3_getRotation(const ksl_SE3_t *D, ksl_mat3x3_t *R) {
    Error <= u |result| + (R: 0, t: 2) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_SE3_invert(ksl_SE3_t *self) {
-  const double self_03_new_a = KSL_MUL(self->m00, self->m03),
-      self_03_new_b = KSL_MUL(self->m10, self->m13), self_03_new_c = self_03_new_a + self_03_new_b,
-      self_03_new_d = KSL_MUL(self->m20, self->m23), self_03_new_e = self_03_new_c + self_03_new_d,
-      self_03_new = -self_03_new_e;
-  const double self_13_new_a = KSL_MUL(self->m01, self->m03),
-      self_13_new_b = KSL_MUL(self->m11, self->m13), self_13_new_c = self_13_new_a + self_13_new_b,
-      self_13_new_d = KSL_MUL(self->m21, self->m23), self_13_new_e = self_13_new_c + self_13_new_d,
-      self_13_new = -self_13_new_e;
-  const double self_23_new_a = KSL_MUL(self->m02, self->m03),
-      self_23_new_b = KSL_MUL(self->m12, self->m13), self_23_new_c = self_23_new_a + self_23_new_b,
-      self_23_new_d = KSL_MUL(self->m22, self->m23), self_23_new_e = self_23_new_c + self_23_new_d,
-      self_23_new = -self_23_new_e;
+  const double self_03_new =
+          -(KSL_MUL(self->m00, self->m03) + KSL_MUL(self->m10, self->m13)
+          + KSL_MUL(self->m20, self->m23)),
+      self_13_new =
+          -(KSL_MUL(self->m01, self->m03) + KSL_MUL(self->m11, self->m13)
+          + KSL_MUL(self->m21, self->m23)),
+      self_23_new =
+          -(KSL_MUL(self->m02, self->m03) + KSL_MUL(self->m12, self->m13)
+          + KSL_MUL(self->m22, self->m23));
   const double self_m10 = self->m10;
   const double self_m20 = self->m20;
   const double self_m01 = self->m01;
@@ -254,15 +251,10 @@ static inline void ksl_SE3_toMat4x4(const ksl_SE3_t *D, ksl_mat4x4_t *M) {
    Error <= u |result| + (R: 0, t: 2) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_SE3_inverted(const ksl_SE3_t *D, ksl_SE3_t *Do) {
-  const double Do_03a = KSL_MUL(D->m00, D->m03), Do_03b = KSL_MUL(D->m10, D->m13),
-      Do_03c = Do_03a + Do_03b, Do_03d = KSL_MUL(D->m20, D->m23), Do_03e = Do_03c + Do_03d,
-      Do_03 = -Do_03e;
-  const double Do_13a = KSL_MUL(D->m01, D->m03), Do_13b = KSL_MUL(D->m11, D->m13),
-      Do_13c = Do_13a + Do_13b, Do_13d = KSL_MUL(D->m21, D->m23), Do_13e = Do_13c + Do_13d,
-      Do_13 = -Do_13e;
-  const double Do_23a = KSL_MUL(D->m02, D->m03), Do_23b = KSL_MUL(D->m12, D->m13),
-      Do_23c = Do_23a + Do_23b, Do_23d = KSL_MUL(D->m22, D->m23), Do_23e = Do_23c + Do_23d,
-      Do_23 = -Do_23e;
+  const double Do_03 =
+          -(KSL_MUL(D->m00, D->m03) + KSL_MUL(D->m10, D->m13) + KSL_MUL(D->m20, D->m23)),
+      Do_13 = -(KSL_MUL(D->m01, D->m03) + KSL_MUL(D->m11, D->m13) + KSL_MUL(D->m21, D->m23)),
+      Do_23 = -(KSL_MUL(D->m02, D->m03) + KSL_MUL(D->m12, D->m13) + KSL_MUL(D->m22, D->m23));
   const double D_m00 = D->m00;
   const double D_m10 = D->m10;
   const double D_m20 = D->m20;
@@ -462,18 +454,15 @@ static inline void ksl_SE3f_getRotation(const ksl_SE3f_t *D, ksl_mat3x3f_t *R) {
    Error <= u |result| + (R: 0, t: 2) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_SE3f_invert(ksl_SE3f_t *self) {
-  const float self_03_new_a = KSL_MULF(self->m00, self->m03),
-      self_03_new_b = KSL_MULF(self->m10, self->m13), self_03_new_c = self_03_new_a + self_03_new_b,
-      self_03_new_d = KSL_MULF(self->m20, self->m23), self_03_new_e = self_03_new_c + self_03_new_d,
-      self_03_new = -self_03_new_e;
-  const float self_13_new_a = KSL_MULF(self->m01, self->m03),
-      self_13_new_b = KSL_MULF(self->m11, self->m13), self_13_new_c = self_13_new_a + self_13_new_b,
-      self_13_new_d = KSL_MULF(self->m21, self->m23), self_13_new_e = self_13_new_c + self_13_new_d,
-      self_13_new = -self_13_new_e;
-  const float self_23_new_a = KSL_MULF(self->m02, self->m03),
-      self_23_new_b = KSL_MULF(self->m12, self->m13), self_23_new_c = self_23_new_a + self_23_new_b,
-      self_23_new_d = KSL_MULF(self->m22, self->m23), self_23_new_e = self_23_new_c + self_23_new_d,
-      self_23_new = -self_23_new_e;
+  const float self_03_new =
+          -(KSL_MULF(self->m00, self->m03) + KSL_MULF(self->m10, self->m13)
+          + KSL_MULF(self->m20, self->m23)),
+      self_13_new =
+          -(KSL_MULF(self->m01, self->m03) + KSL_MULF(self->m11, self->m13)
+          + KSL_MULF(self->m21, self->m23)),
+      self_23_new =
+          -(KSL_MULF(self->m02, self->m03) + KSL_MULF(self->m12, self->m13)
+          + KSL_MULF(self->m22, self->m23));
   const float self_m10 = self->m10;
   const float self_m20 = self->m20;
   const float self_m01 = self->m01;
@@ -532,15 +521,10 @@ static inline void ksl_SE3f_toMat4x4f(const ksl_SE3f_t *D, ksl_mat4x4f_t *M) {
    Error <= u |result| + (R: 0, t: 2) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_SE3f_inverted(const ksl_SE3f_t *D, ksl_SE3f_t *Do) {
-  const float Do_03a = KSL_MULF(D->m00, D->m03), Do_03b = KSL_MULF(D->m10, D->m13),
-      Do_03c = Do_03a + Do_03b, Do_03d = KSL_MULF(D->m20, D->m23), Do_03e = Do_03c + Do_03d,
-      Do_03 = -Do_03e;
-  const float Do_13a = KSL_MULF(D->m01, D->m03), Do_13b = KSL_MULF(D->m11, D->m13),
-      Do_13c = Do_13a + Do_13b, Do_13d = KSL_MULF(D->m21, D->m23), Do_13e = Do_13c + Do_13d,
-      Do_13 = -Do_13e;
-  const float Do_23a = KSL_MULF(D->m02, D->m03), Do_23b = KSL_MULF(D->m12, D->m13),
-      Do_23c = Do_23a + Do_23b, Do_23d = KSL_MULF(D->m22, D->m23), Do_23e = Do_23c + Do_23d,
-      Do_23 = -Do_23e;
+  const float Do_03 =
+          -(KSL_MULF(D->m00, D->m03) + KSL_MULF(D->m10, D->m13) + KSL_MULF(D->m20, D->m23)),
+      Do_13 = -(KSL_MULF(D->m01, D->m03) + KSL_MULF(D->m11, D->m13) + KSL_MULF(D->m21, D->m23)),
+      Do_23 = -(KSL_MULF(D->m02, D->m03) + KSL_MULF(D->m12, D->m13) + KSL_MULF(D->m22, D->m23));
   const float D_m00 = D->m00;
   const float D_m10 = D->m10;
   const float D_m20 = D->m20;

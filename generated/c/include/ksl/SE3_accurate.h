@@ -17,59 +17,47 @@ static inline void ksl_SE3_invert_accurate(ksl_SE3_t *self) {
   const double self_03_new_a = KSL_MUL(self->m00, self->m03),
       self_03_new_b = KSL_MUL(self->m10, self->m13), self_03_new_c = self_03_new_a + self_03_new_b,
       self_03_new_c_right = self_03_new_c - self_03_new_a,
-      self_03_new_c_left = self_03_new_c - self_03_new_c_right,
-      self_03_new_c_left_rest = ksl_product_rest(self->m00, self->m03, self_03_new_a,
-          self_03_new_c_left),
-      self_03_new_c_right_rest = ksl_product_rest(self->m10, self->m13, self_03_new_b,
-          self_03_new_c_right),
-      self_03_new_c_lo = self_03_new_c_left_rest + self_03_new_c_right_rest,
-      self_03_new_d = KSL_MUL(self->m20, self->m23), self_03_new_e = self_03_new_c + self_03_new_d,
+      self_03_new_c_left_rest = ksl_product_rest(self->m00, self->m03, self_03_new_a, self_03_new_c
+          - self_03_new_c_right), self_03_new_d = KSL_MUL(self->m20, self->m23),
+      self_03_new_e = self_03_new_c + self_03_new_d,
       self_03_new_e_right = self_03_new_e - self_03_new_c,
-      self_03_new_e_left = self_03_new_e - self_03_new_e_right,
-      self_03_new_e_left_rest = self_03_new_c - self_03_new_e_left,
-      self_03_new_e_right_rest = ksl_product_rest(self->m20, self->m23, self_03_new_d,
-          self_03_new_e_right),
-      self_03_new_e_lo1 = self_03_new_e_left_rest + self_03_new_e_right_rest,
-      self_03_new_e_lo = self_03_new_e_lo1 + self_03_new_c_lo, self_03_new = -self_03_new_e,
-      self_03_new_lo = -self_03_new_e_lo;
+      self_03_new_e_lo1 = self_03_new_c - (self_03_new_e - self_03_new_e_right)
+          + ksl_product_rest(self->m20, self->m23, self_03_new_d, self_03_new_e_right),
+      self_03_new = -self_03_new_e;
   const double self_13_new_a = KSL_MUL(self->m01, self->m03),
       self_13_new_b = KSL_MUL(self->m11, self->m13), self_13_new_c = self_13_new_a + self_13_new_b,
       self_13_new_c_right = self_13_new_c - self_13_new_a,
-      self_13_new_c_left = self_13_new_c - self_13_new_c_right,
-      self_13_new_c_left_rest = ksl_product_rest(self->m01, self->m03, self_13_new_a,
-          self_13_new_c_left),
-      self_13_new_c_right_rest = ksl_product_rest(self->m11, self->m13, self_13_new_b,
-          self_13_new_c_right),
-      self_13_new_c_lo = self_13_new_c_left_rest + self_13_new_c_right_rest,
-      self_13_new_d = KSL_MUL(self->m21, self->m23), self_13_new_e = self_13_new_c + self_13_new_d,
+      self_13_new_c_left_rest = ksl_product_rest(self->m01, self->m03, self_13_new_a, self_13_new_c
+          - self_13_new_c_right), self_13_new_d = KSL_MUL(self->m21, self->m23),
+      self_13_new_e = self_13_new_c + self_13_new_d,
       self_13_new_e_right = self_13_new_e - self_13_new_c,
-      self_13_new_e_left = self_13_new_e - self_13_new_e_right,
-      self_13_new_e_left_rest = self_13_new_c - self_13_new_e_left,
-      self_13_new_e_right_rest = ksl_product_rest(self->m21, self->m23, self_13_new_d,
-          self_13_new_e_right),
-      self_13_new_e_lo1 = self_13_new_e_left_rest + self_13_new_e_right_rest,
-      self_13_new_e_lo = self_13_new_e_lo1 + self_13_new_c_lo, self_13_new = -self_13_new_e,
-      self_13_new_lo = -self_13_new_e_lo;
+      self_13_new_e_lo1 = self_13_new_c - (self_13_new_e - self_13_new_e_right)
+          + ksl_product_rest(self->m21, self->m23, self_13_new_d, self_13_new_e_right),
+      self_13_new = -self_13_new_e;
   const double self_23_new_a = KSL_MUL(self->m02, self->m03),
       self_23_new_b = KSL_MUL(self->m12, self->m13), self_23_new_c = self_23_new_a + self_23_new_b,
       self_23_new_c_right = self_23_new_c - self_23_new_a,
-      self_23_new_c_left = self_23_new_c - self_23_new_c_right,
-      self_23_new_c_left_rest = ksl_product_rest(self->m02, self->m03, self_23_new_a,
-          self_23_new_c_left),
-      self_23_new_c_right_rest = ksl_product_rest(self->m12, self->m13, self_23_new_b,
-          self_23_new_c_right),
-      self_23_new_c_lo = self_23_new_c_left_rest + self_23_new_c_right_rest,
-      self_23_new_d = KSL_MUL(self->m22, self->m23), self_23_new_e = self_23_new_c + self_23_new_d,
+      self_23_new_c_left_rest = ksl_product_rest(self->m02, self->m03, self_23_new_a, self_23_new_c
+          - self_23_new_c_right), self_23_new_d = KSL_MUL(self->m22, self->m23),
+      self_23_new_e = self_23_new_c + self_23_new_d,
       self_23_new_e_right = self_23_new_e - self_23_new_c,
-      self_23_new_e_left = self_23_new_e - self_23_new_e_right,
-      self_23_new_e_left_rest = self_23_new_c - self_23_new_e_left,
-      self_23_new_e_right_rest = ksl_product_rest(self->m22, self->m23, self_23_new_d,
-          self_23_new_e_right),
-      self_23_new_e_lo1 = self_23_new_e_left_rest + self_23_new_e_right_rest,
-      self_23_new_e_lo = self_23_new_e_lo1 + self_23_new_c_lo, self_23_new = -self_23_new_e,
-      self_23_new_lo = -self_23_new_e_lo;
+      self_23_new_e_lo1 = self_23_new_c - (self_23_new_e - self_23_new_e_right)
+          + ksl_product_rest(self->m22, self->m23, self_23_new_d, self_23_new_e_right),
+      self_23_new = -self_23_new_e;
+  const double self_03_new_lo =
+          -(self_03_new_e_lo1
+          + (self_03_new_c_left_rest
+          + ksl_product_rest(self->m10, self->m13, self_03_new_b, self_03_new_c_right)));
   const double self_03_new_rounded = self_03_new + self_03_new_lo;
+  const double self_13_new_lo =
+          -(self_13_new_e_lo1
+          + (self_13_new_c_left_rest
+          + ksl_product_rest(self->m11, self->m13, self_13_new_b, self_13_new_c_right)));
   const double self_13_new_rounded = self_13_new + self_13_new_lo;
+  const double self_23_new_lo =
+          -(self_23_new_e_lo1
+          + (self_23_new_c_left_rest
+          + ksl_product_rest(self->m12, self->m13, self_23_new_b, self_23_new_c_right)));
   const double self_23_new_rounded = self_23_new + self_23_new_lo;
   const double self_m10 = self->m10;
   const double self_m20 = self->m20;
@@ -95,38 +83,29 @@ static inline void ksl_SE3_invert_accurate(ksl_SE3_t *self) {
      barring over- and underflow. */
 static inline void ksl_SE3_inverted_accurate(const ksl_SE3_t *D, ksl_SE3_t *Do) {
   const double Do_03a = KSL_MUL(D->m00, D->m03), Do_03b = KSL_MUL(D->m10, D->m13),
-      Do_03c = Do_03a + Do_03b, Do_03c_right = Do_03c - Do_03a, Do_03c_left = Do_03c - Do_03c_right,
-      Do_03c_left_rest = ksl_product_rest(D->m00, D->m03, Do_03a, Do_03c_left),
-      Do_03c_right_rest = ksl_product_rest(D->m10, D->m13, Do_03b, Do_03c_right),
-      Do_03c_lo = Do_03c_left_rest + Do_03c_right_rest, Do_03d = KSL_MUL(D->m20, D->m23),
-      Do_03e = Do_03c + Do_03d, Do_03e_right = Do_03e - Do_03c, Do_03e_left = Do_03e - Do_03e_right,
-      Do_03e_left_rest = Do_03c - Do_03e_left,
-      Do_03e_right_rest = ksl_product_rest(D->m20, D->m23, Do_03d, Do_03e_right),
-      Do_03e_lo1 = Do_03e_left_rest + Do_03e_right_rest, Do_03e_lo = Do_03e_lo1 + Do_03c_lo,
-      Do_03 = -Do_03e, Do_03_lo = -Do_03e_lo;
+      Do_03c = Do_03a + Do_03b, Do_03c_right = Do_03c - Do_03a, Do_03d = KSL_MUL(D->m20, D->m23),
+      Do_03e = Do_03c + Do_03d, Do_03e_right = Do_03e - Do_03c,
+      Do_03c_lo = ksl_product_rest(D->m00, D->m03, Do_03a, Do_03c - Do_03c_right)
+          + ksl_product_rest(D->m10, D->m13, Do_03b, Do_03c_right), Do_03 = -Do_03e;
   const double Do_13a = KSL_MUL(D->m01, D->m03), Do_13b = KSL_MUL(D->m11, D->m13),
-      Do_13c = Do_13a + Do_13b, Do_13c_right = Do_13c - Do_13a, Do_13c_left = Do_13c - Do_13c_right,
-      Do_13c_left_rest = ksl_product_rest(D->m01, D->m03, Do_13a, Do_13c_left),
-      Do_13c_right_rest = ksl_product_rest(D->m11, D->m13, Do_13b, Do_13c_right),
-      Do_13c_lo = Do_13c_left_rest + Do_13c_right_rest, Do_13d = KSL_MUL(D->m21, D->m23),
-      Do_13e = Do_13c + Do_13d, Do_13e_right = Do_13e - Do_13c, Do_13e_left = Do_13e - Do_13e_right,
-      Do_13e_left_rest = Do_13c - Do_13e_left,
-      Do_13e_right_rest = ksl_product_rest(D->m21, D->m23, Do_13d, Do_13e_right),
-      Do_13e_lo1 = Do_13e_left_rest + Do_13e_right_rest, Do_13e_lo = Do_13e_lo1 + Do_13c_lo,
-      Do_13 = -Do_13e, Do_13_lo = -Do_13e_lo;
+      Do_13c = Do_13a + Do_13b, Do_13c_right = Do_13c - Do_13a, Do_13d = KSL_MUL(D->m21, D->m23),
+      Do_13e = Do_13c + Do_13d, Do_13e_right = Do_13e - Do_13c,
+      Do_13c_lo = ksl_product_rest(D->m01, D->m03, Do_13a, Do_13c - Do_13c_right)
+          + ksl_product_rest(D->m11, D->m13, Do_13b, Do_13c_right), Do_13 = -Do_13e;
   const double Do_23a = KSL_MUL(D->m02, D->m03), Do_23b = KSL_MUL(D->m12, D->m13),
-      Do_23c = Do_23a + Do_23b, Do_23c_right = Do_23c - Do_23a, Do_23c_left = Do_23c - Do_23c_right,
-      Do_23c_left_rest = ksl_product_rest(D->m02, D->m03, Do_23a, Do_23c_left),
-      Do_23c_right_rest = ksl_product_rest(D->m12, D->m13, Do_23b, Do_23c_right),
-      Do_23c_lo = Do_23c_left_rest + Do_23c_right_rest, Do_23d = KSL_MUL(D->m22, D->m23),
-      Do_23e = Do_23c + Do_23d, Do_23e_right = Do_23e - Do_23c, Do_23e_left = Do_23e - Do_23e_right,
-      Do_23e_left_rest = Do_23c - Do_23e_left,
-      Do_23e_right_rest = ksl_product_rest(D->m22, D->m23, Do_23d, Do_23e_right),
-      Do_23e_lo1 = Do_23e_left_rest + Do_23e_right_rest, Do_23e_lo = Do_23e_lo1 + Do_23c_lo,
-      Do_23 = -Do_23e, Do_23_lo = -Do_23e_lo;
-  const double Do_03_rounded = Do_03 + Do_03_lo;
-  const double Do_13_rounded = Do_13 + Do_13_lo;
-  const double Do_23_rounded = Do_23 + Do_23_lo;
+      Do_23c = Do_23a + Do_23b, Do_23c_right = Do_23c - Do_23a, Do_23d = KSL_MUL(D->m22, D->m23),
+      Do_23e = Do_23c + Do_23d, Do_23e_right = Do_23e - Do_23c,
+      Do_23c_lo = ksl_product_rest(D->m02, D->m03, Do_23a, Do_23c - Do_23c_right)
+          + ksl_product_rest(D->m12, D->m13, Do_23b, Do_23c_right), Do_23 = -Do_23e;
+  const double Do_03_rounded = Do_03 +
+          -(Do_03c - (Do_03e - Do_03e_right)
+          + ksl_product_rest(D->m20, D->m23, Do_03d, Do_03e_right) + Do_03c_lo),
+      Do_13_rounded = Do_13 +
+          -(Do_13c - (Do_13e - Do_13e_right)
+          + ksl_product_rest(D->m21, D->m23, Do_13d, Do_13e_right) + Do_13c_lo),
+      Do_23_rounded = Do_23 +
+          -(Do_23c - (Do_23e - Do_23e_right)
+          + ksl_product_rest(D->m22, D->m23, Do_23d, Do_23e_right) + Do_23c_lo);
   const double D_m00 = D->m00;
   const double D_m10 = D->m10;
   const double D_m20 = D->m20;
@@ -156,17 +135,14 @@ static inline void ksl_SE3_inverted_accurate(const ksl_SE3_t *D, ksl_SE3_t *Do) 
    Error <= u |result| + (R: 0, t: 3/32) u^2 S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_SE3f_invert_accurate(ksl_SE3f_t *self) {
-  const double self_03_new_a = (double)self->m00 * (double)self->m03,
-      self_03_new_c_lead = -self_03_new_a,
-      self_03_new_c = ksl_product_sum(-(double)self->m10, (double)self->m13, self_03_new_c_lead),
+  const double self_03_new_c = ksl_product_sum(-(double)self->m10, (double)self->m13,
+          -((double)self->m00 * (double)self->m03)),
       self_03_new = ksl_product_sum(-(double)self->m20, (double)self->m23, self_03_new_c);
-  const double self_13_new_a = (double)self->m01 * (double)self->m03,
-      self_13_new_c_lead = -self_13_new_a,
-      self_13_new_c = ksl_product_sum(-(double)self->m11, (double)self->m13, self_13_new_c_lead),
+  const double self_13_new_c = ksl_product_sum(-(double)self->m11, (double)self->m13,
+          -((double)self->m01 * (double)self->m03)),
       self_13_new = ksl_product_sum(-(double)self->m21, (double)self->m23, self_13_new_c);
-  const double self_23_new_a = (double)self->m02 * (double)self->m03,
-      self_23_new_c_lead = -self_23_new_a,
-      self_23_new_c = ksl_product_sum(-(double)self->m12, (double)self->m13, self_23_new_c_lead),
+  const double self_23_new_c = ksl_product_sum(-(double)self->m12, (double)self->m13,
+          -((double)self->m02 * (double)self->m03)),
       self_23_new = ksl_product_sum(-(double)self->m22, (double)self->m23, self_23_new_c);
   const float self_m10 = self->m10;
   const float self_m20 = self->m20;
@@ -191,15 +167,12 @@ static inline void ksl_SE3f_invert_accurate(ksl_SE3f_t *self) {
    Error <= u |result| + (R: 0, t: 3/32) u^2 S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_SE3f_inverted_accurate(const ksl_SE3f_t *D, ksl_SE3f_t *Do) {
-  const double Do_03a = (double)D->m00 * (double)D->m03, Do_03c_lead = -Do_03a,
-      Do_03c = ksl_product_sum(-(double)D->m10, (double)D->m13, Do_03c_lead),
-      Do_03 = ksl_product_sum(-(double)D->m20, (double)D->m23, Do_03c);
-  const double Do_13a = (double)D->m01 * (double)D->m03, Do_13c_lead = -Do_13a,
-      Do_13c = ksl_product_sum(-(double)D->m11, (double)D->m13, Do_13c_lead),
-      Do_13 = ksl_product_sum(-(double)D->m21, (double)D->m23, Do_13c);
-  const double Do_23a = (double)D->m02 * (double)D->m03, Do_23c_lead = -Do_23a,
-      Do_23c = ksl_product_sum(-(double)D->m12, (double)D->m13, Do_23c_lead),
-      Do_23 = ksl_product_sum(-(double)D->m22, (double)D->m23, Do_23c);
+  const double Do_03 = ksl_product_sum(-(double)D->m20, (double)D->m23,
+      ksl_product_sum(-(double)D->m10, (double)D->m13, -((double)D->m00 * (double)D->m03))),
+      Do_13 = ksl_product_sum(-(double)D->m21, (double)D->m23, ksl_product_sum(-(double)D->m11,
+          (double)D->m13, -((double)D->m01 * (double)D->m03))),
+      Do_23 = ksl_product_sum(-(double)D->m22, (double)D->m23, ksl_product_sum(-(double)D->m12,
+          (double)D->m13, -((double)D->m02 * (double)D->m03)));
   const float D_m00 = D->m00;
   const float D_m10 = D->m10;
   const float D_m20 = D->m20;

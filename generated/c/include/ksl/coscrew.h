@@ -45,12 +45,9 @@ static inline void ksl_coscrew_copy(const ksl_coscrew_t *ci, ksl_coscrew_t *co) 
    6 mul.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_coscrew_scale(ksl_coscrew_t *self, const double a) {
-  const double self_0_new = KSL_MUL(self->m0, a);
-  const double self_1_new = KSL_MUL(self->m1, a);
-  const double self_2_new = KSL_MUL(self->m2, a);
-  const double self_3_new = KSL_MUL(self->m3, a);
-  const double self_4_new = KSL_MUL(self->m4, a);
-  const double self_5_new = KSL_MUL(self->m5, a);
+  const double self_0_new = KSL_MUL(self->m0, a), self_1_new = KSL_MUL(self->m1, a),
+      self_2_new = KSL_MUL(self->m2, a), self_3_new = KSL_MUL(self->m3, a),
+      self_4_new = KSL_MUL(self->m4, a), self_5_new = KSL_MUL(self->m5, a);
   self->m0 = self_0_new;
   self->m1 = self_1_new;
   self->m2 = self_2_new;
@@ -64,12 +61,8 @@ static inline void ksl_coscrew_scale(ksl_coscrew_t *self, const double a) {
    6 neg.
    Exact. */
 static inline void ksl_coscrew_inverted(const ksl_coscrew_t *ci, ksl_coscrew_t *co) {
-  const double co_0 = -ci->m0;
-  const double co_1 = -ci->m1;
-  const double co_2 = -ci->m2;
-  const double co_3 = -ci->m3;
-  const double co_4 = -ci->m4;
-  const double co_5 = -ci->m5;
+  const double co_0 = -ci->m0, co_1 = -ci->m1, co_2 = -ci->m2, co_3 = -ci->m3, co_4 = -ci->m4,
+      co_5 = -ci->m5;
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;
@@ -83,12 +76,8 @@ static inline void ksl_coscrew_inverted(const ksl_coscrew_t *ci, ksl_coscrew_t *
    6 neg.
    Exact. */
 static inline void ksl_coscrew_invert(ksl_coscrew_t *self) {
-  const double self_0_new = -self->m0;
-  const double self_1_new = -self->m1;
-  const double self_2_new = -self->m2;
-  const double self_3_new = -self->m3;
-  const double self_4_new = -self->m4;
-  const double self_5_new = -self->m5;
+  const double self_0_new = -self->m0, self_1_new = -self->m1, self_2_new = -self->m2,
+      self_3_new = -self->m3, self_4_new = -self->m4, self_5_new = -self->m5;
   self->m0 = self_0_new;
   self->m1 = self_1_new;
   self->m2 = self_2_new;
@@ -103,12 +92,9 @@ static inline void ksl_coscrew_invert(ksl_coscrew_t *self) {
    Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline void ksl_axpy_cc(const double a, const ksl_coscrew_t *x, ksl_coscrew_t *y) {
-  const double y_0_new_a = KSL_MUL(a, x->m0), y_0_new = y_0_new_a + y->m0;
-  const double y_1_new_a = KSL_MUL(a, x->m1), y_1_new = y_1_new_a + y->m1;
-  const double y_2_new_a = KSL_MUL(a, x->m2), y_2_new = y_2_new_a + y->m2;
-  const double y_3_new_a = KSL_MUL(a, x->m3), y_3_new = y_3_new_a + y->m3;
-  const double y_4_new_a = KSL_MUL(a, x->m4), y_4_new = y_4_new_a + y->m4;
-  const double y_5_new_a = KSL_MUL(a, x->m5), y_5_new = y_5_new_a + y->m5;
+  const double y_0_new = KSL_MUL(a, x->m0) + y->m0, y_1_new = KSL_MUL(a, x->m1) + y->m1,
+      y_2_new = KSL_MUL(a, x->m2) + y->m2, y_3_new = KSL_MUL(a, x->m3) + y->m3,
+      y_4_new = KSL_MUL(a, x->m4) + y->m4, y_5_new = KSL_MUL(a, x->m5) + y->m5;
   y->m0 = y_0_new;
   y->m1 = y_1_new;
   y->m2 = y_2_new;
@@ -122,12 +108,8 @@ static inline void ksl_axpy_cc(const double a, const ksl_coscrew_t *x, ksl_coscr
    6 add.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_xpy_cc(const ksl_coscrew_t *x, ksl_coscrew_t *y) {
-  const double y_0_new = x->m0 + y->m0;
-  const double y_1_new = x->m1 + y->m1;
-  const double y_2_new = x->m2 + y->m2;
-  const double y_3_new = x->m3 + y->m3;
-  const double y_4_new = x->m4 + y->m4;
-  const double y_5_new = x->m5 + y->m5;
+  const double y_0_new = x->m0 + y->m0, y_1_new = x->m1 + y->m1, y_2_new = x->m2 + y->m2,
+      y_3_new = x->m3 + y->m3, y_4_new = x->m4 + y->m4, y_5_new = x->m5 + y->m5;
   y->m0 = y_0_new;
   y->m1 = y_1_new;
   y->m2 = y_2_new;
@@ -141,12 +123,8 @@ static inline void ksl_xpy_cc(const ksl_coscrew_t *x, ksl_coscrew_t *y) {
    6 add.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_nxpy_cc(const ksl_coscrew_t *x, ksl_coscrew_t *y) {
-  const double y_0_new = y->m0 - x->m0;
-  const double y_1_new = y->m1 - x->m1;
-  const double y_2_new = y->m2 - x->m2;
-  const double y_3_new = y->m3 - x->m3;
-  const double y_4_new = y->m4 - x->m4;
-  const double y_5_new = y->m5 - x->m5;
+  const double y_0_new = y->m0 - x->m0, y_1_new = y->m1 - x->m1, y_2_new = y->m2 - x->m2,
+      y_3_new = y->m3 - x->m3, y_4_new = y->m4 - x->m4, y_5_new = y->m5 - x->m5;
   y->m0 = y_0_new;
   y->m1 = y_1_new;
   y->m2 = y_2_new;
@@ -160,12 +138,8 @@ static inline void ksl_nxpy_cc(const ksl_coscrew_t *x, ksl_coscrew_t *y) {
    6 mul.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_product_ac(const double a, const ksl_coscrew_t *ci, ksl_coscrew_t *co) {
-  const double co_0 = KSL_MUL(a, ci->m0);
-  const double co_1 = KSL_MUL(a, ci->m1);
-  const double co_2 = KSL_MUL(a, ci->m2);
-  const double co_3 = KSL_MUL(a, ci->m3);
-  const double co_4 = KSL_MUL(a, ci->m4);
-  const double co_5 = KSL_MUL(a, ci->m5);
+  const double co_0 = KSL_MUL(a, ci->m0), co_1 = KSL_MUL(a, ci->m1), co_2 = KSL_MUL(a, ci->m2),
+      co_3 = KSL_MUL(a, ci->m3), co_4 = KSL_MUL(a, ci->m4), co_5 = KSL_MUL(a, ci->m5);
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;
@@ -179,12 +153,8 @@ static inline void ksl_product_ac(const double a, const ksl_coscrew_t *ci, ksl_c
    6 add.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_add_cc(const ksl_coscrew_t *c1, const ksl_coscrew_t *c2, ksl_coscrew_t *co) {
-  const double co_0 = c1->m0 + c2->m0;
-  const double co_1 = c1->m1 + c2->m1;
-  const double co_2 = c1->m2 + c2->m2;
-  const double co_3 = c1->m3 + c2->m3;
-  const double co_4 = c1->m4 + c2->m4;
-  const double co_5 = c1->m5 + c2->m5;
+  const double co_0 = c1->m0 + c2->m0, co_1 = c1->m1 + c2->m1, co_2 = c1->m2 + c2->m2,
+      co_3 = c1->m3 + c2->m3, co_4 = c1->m4 + c2->m4, co_5 = c1->m5 + c2->m5;
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;
@@ -199,12 +169,8 @@ static inline void ksl_add_cc(const ksl_coscrew_t *c1, const ksl_coscrew_t *c2, 
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_subtract_cc(const ksl_coscrew_t *c1, const ksl_coscrew_t *c2,
     ksl_coscrew_t *co) {
-  const double co_0 = c1->m0 - c2->m0;
-  const double co_1 = c1->m1 - c2->m1;
-  const double co_2 = c1->m2 - c2->m2;
-  const double co_3 = c1->m3 - c2->m3;
-  const double co_4 = c1->m4 - c2->m4;
-  const double co_5 = c1->m5 - c2->m5;
+  const double co_0 = c1->m0 - c2->m0, co_1 = c1->m1 - c2->m1, co_2 = c1->m2 - c2->m2,
+      co_3 = c1->m3 - c2->m3, co_4 = c1->m4 - c2->m4, co_5 = c1->m5 - c2->m5;
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;
@@ -217,25 +183,18 @@ static inline void ksl_subtract_cc(const ksl_coscrew_t *c1, const ksl_coscrew_t 
    ci: coscrew (f in N; τ in N m).
    7 mul, 2 add, 1 sqrt, 6 abs, 11 less, 1 equal, 14 select. */
 static inline double ksl_coscrew_norm(const ksl_coscrew_t *ci) {
-  const double small_a = fabs(ci->m2), small_c = small_a < 1e-09 ? 1.0 : 0.0,
-      small_d = fabs(ci->m1), small_f = small_d < 1e-09 ? small_c : 0.0, small_g = fabs(ci->m0),
-      small = small_g < 1e-09 ? small_f : 0.0;
-  const double p_0 = small == 1.0 ? ci->m3 : ci->m0;
-  const double p_1 = small == 1.0 ? ci->m4 : ci->m1;
-  const double p_2 = small == 1.0 ? ci->m5 : ci->m2;
-  const double s_size_0 = fabs(p_0);
-  const double s_size_1 = fabs(p_1);
-  const double s_size_2 = fabs(p_2);
+  const double small_c = fabs(ci->m2) < 1e-09 ? 1.0 : 0.0,
+      small_f = fabs(ci->m1) < 1e-09 ? small_c : 0.0, small = fabs(ci->m0) < 1e-09 ? small_f : 0.0;
+  const double p_0 = small == 1.0 ? ci->m3 : ci->m0, p_1 = small == 1.0 ? ci->m4 : ci->m1,
+      p_2 = small == 1.0 ? ci->m5 : ci->m2;
+  const double s_size_0 = fabs(p_0), s_size_1 = fabs(p_1), s_size_2 = fabs(p_2);
   const double s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
   const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const double s_b = 6.703903964971299e+153 < s_largest2 ? 3.7291703656001034e-155 : 1.0,
       s_d = s_largest2 < 256.0 ? 1.3093562431584567e+151 : s_b,
       s = s_largest2 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : s_d;
-  const double y_0 = KSL_MUL(p_0, s);
-  const double y_1 = KSL_MUL(p_1, s);
-  const double y_2 = KSL_MUL(p_2, s);
-  const double n_a = KSL_MUL(y_0, y_0), n_b = KSL_MUL(y_1, y_1), n_c = n_a + n_b,
-      n_d = KSL_MUL(y_2, y_2), n_e = n_c + n_d, n = sqrt(n_e);
+  const double y_0 = KSL_MUL(p_0, s), y_1 = KSL_MUL(p_1, s), y_2 = KSL_MUL(p_2, s);
+  const double n = sqrt(KSL_MUL(y_0, y_0) + KSL_MUL(y_1, y_1) + KSL_MUL(y_2, y_2));
   const double r_b = s < 1.0 ? 2.6815615859885194e+154 : 1.0,
       r_d = 1.0 < s ? 7.637340908749012e-152 : r_b,
       r = 1.3093562431584567e+151 < s ? 9.332636185032189e-302 : r_d;
@@ -250,58 +209,35 @@ static inline void ksl_coscrew_normalize(ksl_coscrew_t *self) {
   const double small_a = fabs(self->m2), small_c = small_a < 1e-09 ? 1.0 : 0.0,
       small_d = fabs(self->m1), small_f = small_d < 1e-09 ? small_c : 0.0, small_g = fabs(self->m0),
       small = small_g < 1e-09 ? small_f : 0.0;
-  const double p_0 = small == 1.0 ? self->m3 : self->m0;
-  const double p_1 = small == 1.0 ? self->m4 : self->m1;
-  const double p_2 = small == 1.0 ? self->m5 : self->m2;
-  const double s_size_0 = fabs(p_0);
-  const double s_size_1 = fabs(p_1);
-  const double s_size_2 = fabs(p_2);
+  const double p_0 = small == 1.0 ? self->m3 : self->m0, p_1 = small == 1.0 ? self->m4 : self->m1,
+      p_2 = small == 1.0 ? self->m5 : self->m2;
+  const double s_size_0 = fabs(p_0), s_size_1 = fabs(p_1), s_size_2 = fabs(p_2);
   const double s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
   const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const double s_b = 6.703903964971299e+153 < s_largest2 ? 3.7291703656001034e-155 : 1.0,
       s_d = s_largest2 < 256.0 ? 1.3093562431584567e+151 : s_b,
       s = s_largest2 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : s_d;
-  const double y_0 = KSL_MUL(p_0, s);
-  const double y_1 = KSL_MUL(p_1, s);
-  const double y_2 = KSL_MUL(p_2, s);
+  const double y_0 = KSL_MUL(p_0, s), y_1 = KSL_MUL(p_1, s), y_2 = KSL_MUL(p_2, s);
   const double up = 1.0 < s ? s : 1.0;
   const double down = s < 1.0 ? s : 1.0;
-  const double n_a = KSL_MUL(y_0, y_0), n_b = KSL_MUL(y_1, y_1), n_c = n_a + n_b,
-      n_d = KSL_MUL(y_2, y_2), n_e = n_c + n_d, n = sqrt(n_e);
+  const double n = sqrt(KSL_MUL(y_0, y_0) + KSL_MUL(y_1, y_1) + KSL_MUL(y_2, y_2));
   const double divisor = n == 0.0 ? up : n;
-  const double size_3 = fabs(self->m3);
-  const double size_4 = fabs(self->m4);
-  const double size_5 = fabs(self->m5);
-  const double before_0 = small_g < 256.0 ? up : down;
-  const double before_1 = small_d < 256.0 ? up : down;
-  const double before_2 = small_a < 256.0 ? up : down;
-  const double before_3 = size_3 < 256.0 ? up : down;
-  const double before_4 = size_4 < 256.0 ? up : down;
-  const double before_5 = size_5 < 256.0 ? up : down;
-  const double after_0 = small_g < 256.0 ? down : up;
-  const double after_1 = small_d < 256.0 ? down : up;
-  const double after_2 = small_a < 256.0 ? down : up;
-  const double after_3 = size_3 < 256.0 ? down : up;
-  const double after_4 = size_4 < 256.0 ? down : up;
-  const double after_5 = size_5 < 256.0 ? down : up;
-  const double sized_0 = KSL_MUL(self->m0, before_0);
-  const double sized_1 = KSL_MUL(self->m1, before_1);
-  const double sized_2 = KSL_MUL(self->m2, before_2);
-  const double sized_3 = KSL_MUL(self->m3, before_3);
-  const double sized_4 = KSL_MUL(self->m4, before_4);
-  const double sized_5 = KSL_MUL(self->m5, before_5);
-  const double quotient_0 = sized_0 / divisor;
-  const double quotient_1 = sized_1 / divisor;
-  const double quotient_2 = sized_2 / divisor;
-  const double quotient_3 = sized_3 / divisor;
-  const double quotient_4 = sized_4 / divisor;
-  const double quotient_5 = sized_5 / divisor;
-  const double self_0_new = KSL_MUL(quotient_0, after_0);
-  const double self_1_new = KSL_MUL(quotient_1, after_1);
-  const double self_2_new = KSL_MUL(quotient_2, after_2);
-  const double self_3_new = KSL_MUL(quotient_3, after_3);
-  const double self_4_new = KSL_MUL(quotient_4, after_4);
-  const double self_5_new = KSL_MUL(quotient_5, after_5);
+  const double size_3 = fabs(self->m3), size_4 = fabs(self->m4), size_5 = fabs(self->m5);
+  const double before_0 = small_g < 256.0 ? up : down, before_1 = small_d < 256.0 ? up : down,
+      before_2 = small_a < 256.0 ? up : down, before_3 = size_3 < 256.0 ? up : down,
+      before_4 = size_4 < 256.0 ? up : down, before_5 = size_5 < 256.0 ? up : down;
+  const double after_0 = small_g < 256.0 ? down : up, after_1 = small_d < 256.0 ? down : up,
+      after_2 = small_a < 256.0 ? down : up, after_3 = size_3 < 256.0 ? down : up,
+      after_4 = size_4 < 256.0 ? down : up, after_5 = size_5 < 256.0 ? down : up;
+  const double sized_0 = KSL_MUL(self->m0, before_0), sized_1 = KSL_MUL(self->m1, before_1),
+      sized_2 = KSL_MUL(self->m2, before_2), sized_3 = KSL_MUL(self->m3, before_3),
+      sized_4 = KSL_MUL(self->m4, before_4), sized_5 = KSL_MUL(self->m5, before_5);
+  const double quotient_0 = sized_0 / divisor, quotient_1 = sized_1 / divisor,
+      quotient_2 = sized_2 / divisor, quotient_3 = sized_3 / divisor,
+      quotient_4 = sized_4 / divisor, quotient_5 = sized_5 / divisor;
+  const double self_0_new = KSL_MUL(quotient_0, after_0), self_1_new = KSL_MUL(quotient_1, after_1),
+      self_2_new = KSL_MUL(quotient_2, after_2), self_3_new = KSL_MUL(quotient_3, after_3),
+      self_4_new = KSL_MUL(quotient_4, after_4), self_5_new = KSL_MUL(quotient_5, after_5);
   self->m0 = self_0_new;
   self->m1 = self_1_new;
   self->m2 = self_2_new;
@@ -317,58 +253,35 @@ static inline void ksl_coscrew_normalized(const ksl_coscrew_t *ci, ksl_coscrew_t
   const double small_a = fabs(ci->m2), small_c = small_a < 1e-09 ? 1.0 : 0.0,
       small_d = fabs(ci->m1), small_f = small_d < 1e-09 ? small_c : 0.0, small_g = fabs(ci->m0),
       small = small_g < 1e-09 ? small_f : 0.0;
-  const double p_0 = small == 1.0 ? ci->m3 : ci->m0;
-  const double p_1 = small == 1.0 ? ci->m4 : ci->m1;
-  const double p_2 = small == 1.0 ? ci->m5 : ci->m2;
-  const double s_size_0 = fabs(p_0);
-  const double s_size_1 = fabs(p_1);
-  const double s_size_2 = fabs(p_2);
+  const double p_0 = small == 1.0 ? ci->m3 : ci->m0, p_1 = small == 1.0 ? ci->m4 : ci->m1,
+      p_2 = small == 1.0 ? ci->m5 : ci->m2;
+  const double s_size_0 = fabs(p_0), s_size_1 = fabs(p_1), s_size_2 = fabs(p_2);
   const double s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
   const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const double s_b = 6.703903964971299e+153 < s_largest2 ? 3.7291703656001034e-155 : 1.0,
       s_d = s_largest2 < 256.0 ? 1.3093562431584567e+151 : s_b,
       s = s_largest2 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : s_d;
-  const double y_0 = KSL_MUL(p_0, s);
-  const double y_1 = KSL_MUL(p_1, s);
-  const double y_2 = KSL_MUL(p_2, s);
+  const double y_0 = KSL_MUL(p_0, s), y_1 = KSL_MUL(p_1, s), y_2 = KSL_MUL(p_2, s);
   const double up = 1.0 < s ? s : 1.0;
   const double down = s < 1.0 ? s : 1.0;
-  const double n_a = KSL_MUL(y_0, y_0), n_b = KSL_MUL(y_1, y_1), n_c = n_a + n_b,
-      n_d = KSL_MUL(y_2, y_2), n_e = n_c + n_d, n = sqrt(n_e);
+  const double n = sqrt(KSL_MUL(y_0, y_0) + KSL_MUL(y_1, y_1) + KSL_MUL(y_2, y_2));
   const double divisor = n == 0.0 ? up : n;
-  const double size_3 = fabs(ci->m3);
-  const double size_4 = fabs(ci->m4);
-  const double size_5 = fabs(ci->m5);
-  const double before_0 = small_g < 256.0 ? up : down;
-  const double before_1 = small_d < 256.0 ? up : down;
-  const double before_2 = small_a < 256.0 ? up : down;
-  const double before_3 = size_3 < 256.0 ? up : down;
-  const double before_4 = size_4 < 256.0 ? up : down;
-  const double before_5 = size_5 < 256.0 ? up : down;
-  const double after_0 = small_g < 256.0 ? down : up;
-  const double after_1 = small_d < 256.0 ? down : up;
-  const double after_2 = small_a < 256.0 ? down : up;
-  const double after_3 = size_3 < 256.0 ? down : up;
-  const double after_4 = size_4 < 256.0 ? down : up;
-  const double after_5 = size_5 < 256.0 ? down : up;
-  const double sized_0 = KSL_MUL(ci->m0, before_0);
-  const double sized_1 = KSL_MUL(ci->m1, before_1);
-  const double sized_2 = KSL_MUL(ci->m2, before_2);
-  const double sized_3 = KSL_MUL(ci->m3, before_3);
-  const double sized_4 = KSL_MUL(ci->m4, before_4);
-  const double sized_5 = KSL_MUL(ci->m5, before_5);
-  const double quotient_0 = sized_0 / divisor;
-  const double quotient_1 = sized_1 / divisor;
-  const double quotient_2 = sized_2 / divisor;
-  const double quotient_3 = sized_3 / divisor;
-  const double quotient_4 = sized_4 / divisor;
-  const double quotient_5 = sized_5 / divisor;
-  const double co_0 = KSL_MUL(quotient_0, after_0);
-  const double co_1 = KSL_MUL(quotient_1, after_1);
-  const double co_2 = KSL_MUL(quotient_2, after_2);
-  const double co_3 = KSL_MUL(quotient_3, after_3);
-  const double co_4 = KSL_MUL(quotient_4, after_4);
-  const double co_5 = KSL_MUL(quotient_5, after_5);
+  const double size_3 = fabs(ci->m3), size_4 = fabs(ci->m4), size_5 = fabs(ci->m5);
+  const double before_0 = small_g < 256.0 ? up : down, before_1 = small_d < 256.0 ? up : down,
+      before_2 = small_a < 256.0 ? up : down, before_3 = size_3 < 256.0 ? up : down,
+      before_4 = size_4 < 256.0 ? up : down, before_5 = size_5 < 256.0 ? up : down;
+  const double after_0 = small_g < 256.0 ? down : up, after_1 = small_d < 256.0 ? down : up,
+      after_2 = small_a < 256.0 ? down : up, after_3 = size_3 < 256.0 ? down : up,
+      after_4 = size_4 < 256.0 ? down : up, after_5 = size_5 < 256.0 ? down : up;
+  const double sized_0 = KSL_MUL(ci->m0, before_0), sized_1 = KSL_MUL(ci->m1, before_1),
+      sized_2 = KSL_MUL(ci->m2, before_2), sized_3 = KSL_MUL(ci->m3, before_3),
+      sized_4 = KSL_MUL(ci->m4, before_4), sized_5 = KSL_MUL(ci->m5, before_5);
+  const double quotient_0 = sized_0 / divisor, quotient_1 = sized_1 / divisor,
+      quotient_2 = sized_2 / divisor, quotient_3 = sized_3 / divisor,
+      quotient_4 = sized_4 / divisor, quotient_5 = sized_5 / divisor;
+  const double co_0 = KSL_MUL(quotient_0, after_0), co_1 = KSL_MUL(quotient_1, after_1),
+      co_2 = KSL_MUL(quotient_2, after_2), co_3 = KSL_MUL(quotient_3, after_3),
+      co_4 = KSL_MUL(quotient_4, after_4), co_5 = KSL_MUL(quotient_5, after_5);
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;
@@ -441,9 +354,7 @@ static inline void ksl_coscrew_from_angular_first(const double x[6], ksl_coscrew
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_add_cct(const ksl_coscrew_t *c1, const ksl_coscrew_t *c2,
     ksl_coscrew_t *co) {
-  const double co_0 = c1->m0 + c2->m0;
-  const double co_1 = c1->m1 + c2->m1;
-  const double co_2 = c1->m2 + c2->m2;
+  const double co_0 = c1->m0 + c2->m0, co_1 = c1->m1 + c2->m1, co_2 = c1->m2 + c2->m2;
   const double c1_m3 = c1->m3;
   const double c1_m4 = c1->m4;
   const double c1_m5 = c1->m5;
@@ -462,12 +373,9 @@ static inline void ksl_add_cct(const ksl_coscrew_t *c1, const ksl_coscrew_t *c2,
      barring over- and underflow. */
 static inline void ksl_product_CoAdtc(const ksl_vec3_t *t, const ksl_coscrew_t *ci,
     ksl_coscrew_t *co) {
-  const double co_3a = KSL_MUL(t->y, ci->m2), co_3b = KSL_MUL(t->z, ci->m1), co_3c = co_3a - co_3b,
-      co_3 = co_3c + ci->m3;
-  const double co_4a = KSL_MUL(t->z, ci->m0), co_4b = KSL_MUL(t->x, ci->m2), co_4c = co_4a - co_4b,
-      co_4 = co_4c + ci->m4;
-  const double co_5a = KSL_MUL(t->x, ci->m1), co_5b = KSL_MUL(t->y, ci->m0), co_5c = co_5a - co_5b,
-      co_5 = co_5c + ci->m5;
+  const double co_3 = KSL_MUL(t->y, ci->m2) - KSL_MUL(t->z, ci->m1) + ci->m3,
+      co_4 = KSL_MUL(t->z, ci->m0) - KSL_MUL(t->x, ci->m2) + ci->m4,
+      co_5 = KSL_MUL(t->x, ci->m1) - KSL_MUL(t->y, ci->m0) + ci->m5;
   const double ci_m0 = ci->m0;
   const double ci_m1 = ci->m1;
   const double ci_m2 = ci->m2;
@@ -486,12 +394,9 @@ static inline void ksl_product_CoAdtc(const ksl_vec3_t *t, const ksl_coscrew_t *
      barring over- and underflow. */
 static inline void ksl_product_CoAdtinvc(const ksl_vec3_t *t, const ksl_coscrew_t *ci,
     ksl_coscrew_t *co) {
-  const double co_3a = KSL_MUL(t->z, ci->m1), co_3b = KSL_MUL(t->y, ci->m2), co_3c = co_3a - co_3b,
-      co_3 = co_3c + ci->m3;
-  const double co_4a = KSL_MUL(t->x, ci->m2), co_4b = KSL_MUL(t->z, ci->m0), co_4c = co_4a - co_4b,
-      co_4 = co_4c + ci->m4;
-  const double co_5a = KSL_MUL(t->y, ci->m0), co_5b = KSL_MUL(t->x, ci->m1), co_5c = co_5a - co_5b,
-      co_5 = co_5c + ci->m5;
+  const double co_3 = KSL_MUL(t->z, ci->m1) - KSL_MUL(t->y, ci->m2) + ci->m3,
+      co_4 = KSL_MUL(t->x, ci->m2) - KSL_MUL(t->z, ci->m0) + ci->m4,
+      co_5 = KSL_MUL(t->y, ci->m0) - KSL_MUL(t->x, ci->m1) + ci->m5;
   const double ci_m0 = ci->m0;
   const double ci_m1 = ci->m1;
   const double ci_m2 = ci->m2;
@@ -510,15 +415,10 @@ static inline void ksl_product_CoAdtinvc(const ksl_vec3_t *t, const ksl_coscrew_
      barring over- and underflow. */
 static inline void ksl_product_CoAdtcinv(const ksl_vec3_t *t, const ksl_coscrew_t *ci,
     ksl_coscrew_t *co) {
-  const double co_0 = -ci->m0;
-  const double co_1 = -ci->m1;
-  const double co_2 = -ci->m2;
-  const double co_3a = KSL_MUL(t->z, ci->m1), co_3b = KSL_MUL(t->y, ci->m2), co_3c = co_3a - co_3b,
-      co_3 = co_3c - ci->m3;
-  const double co_4a = KSL_MUL(t->x, ci->m2), co_4b = KSL_MUL(t->z, ci->m0), co_4c = co_4a - co_4b,
-      co_4 = co_4c - ci->m4;
-  const double co_5a = KSL_MUL(t->y, ci->m0), co_5b = KSL_MUL(t->x, ci->m1), co_5c = co_5a - co_5b,
-      co_5 = co_5c - ci->m5;
+  const double co_0 = -ci->m0, co_1 = -ci->m1, co_2 = -ci->m2,
+      co_3 = KSL_MUL(t->z, ci->m1) - KSL_MUL(t->y, ci->m2) - ci->m3,
+      co_4 = KSL_MUL(t->x, ci->m2) - KSL_MUL(t->z, ci->m0) - ci->m4,
+      co_5 = KSL_MUL(t->y, ci->m0) - KSL_MUL(t->x, ci->m1) - ci->m5;
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;
@@ -534,18 +434,12 @@ static inline void ksl_product_CoAdtcinv(const ksl_vec3_t *t, const ksl_coscrew_
      and underflow. */
 static inline void ksl_product_CoAdrc(const ksl_mat3x3_t *R, const ksl_coscrew_t *ci,
     ksl_coscrew_t *co) {
-  const double co_0a = KSL_MUL(R->m00, ci->m0), co_0b = KSL_MUL(R->m01, ci->m1),
-      co_0c = co_0a + co_0b, co_0d = KSL_MUL(R->m02, ci->m2), co_0 = co_0c + co_0d;
-  const double co_1a = KSL_MUL(R->m10, ci->m0), co_1b = KSL_MUL(R->m11, ci->m1),
-      co_1c = co_1a + co_1b, co_1d = KSL_MUL(R->m12, ci->m2), co_1 = co_1c + co_1d;
-  const double co_2a = KSL_MUL(R->m20, ci->m0), co_2b = KSL_MUL(R->m21, ci->m1),
-      co_2c = co_2a + co_2b, co_2d = KSL_MUL(R->m22, ci->m2), co_2 = co_2c + co_2d;
-  const double co_3a = KSL_MUL(R->m00, ci->m3), co_3b = KSL_MUL(R->m01, ci->m4),
-      co_3c = co_3a + co_3b, co_3d = KSL_MUL(R->m02, ci->m5), co_3 = co_3c + co_3d;
-  const double co_4a = KSL_MUL(R->m10, ci->m3), co_4b = KSL_MUL(R->m11, ci->m4),
-      co_4c = co_4a + co_4b, co_4d = KSL_MUL(R->m12, ci->m5), co_4 = co_4c + co_4d;
-  const double co_5a = KSL_MUL(R->m20, ci->m3), co_5b = KSL_MUL(R->m21, ci->m4),
-      co_5c = co_5a + co_5b, co_5d = KSL_MUL(R->m22, ci->m5), co_5 = co_5c + co_5d;
+  const double co_0 = KSL_MUL(R->m00, ci->m0) + KSL_MUL(R->m01, ci->m1) + KSL_MUL(R->m02, ci->m2),
+      co_1 = KSL_MUL(R->m10, ci->m0) + KSL_MUL(R->m11, ci->m1) + KSL_MUL(R->m12, ci->m2),
+      co_2 = KSL_MUL(R->m20, ci->m0) + KSL_MUL(R->m21, ci->m1) + KSL_MUL(R->m22, ci->m2),
+      co_3 = KSL_MUL(R->m00, ci->m3) + KSL_MUL(R->m01, ci->m4) + KSL_MUL(R->m02, ci->m5),
+      co_4 = KSL_MUL(R->m10, ci->m3) + KSL_MUL(R->m11, ci->m4) + KSL_MUL(R->m12, ci->m5),
+      co_5 = KSL_MUL(R->m20, ci->m3) + KSL_MUL(R->m21, ci->m4) + KSL_MUL(R->m22, ci->m5);
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;
@@ -561,18 +455,12 @@ static inline void ksl_product_CoAdrc(const ksl_mat3x3_t *R, const ksl_coscrew_t
      and underflow. */
 static inline void ksl_product_CoAdrinvc(const ksl_mat3x3_t *R, const ksl_coscrew_t *ci,
     ksl_coscrew_t *co) {
-  const double co_0a = KSL_MUL(R->m00, ci->m0), co_0b = KSL_MUL(R->m10, ci->m1),
-      co_0c = co_0a + co_0b, co_0d = KSL_MUL(R->m20, ci->m2), co_0 = co_0c + co_0d;
-  const double co_1a = KSL_MUL(R->m01, ci->m0), co_1b = KSL_MUL(R->m11, ci->m1),
-      co_1c = co_1a + co_1b, co_1d = KSL_MUL(R->m21, ci->m2), co_1 = co_1c + co_1d;
-  const double co_2a = KSL_MUL(R->m02, ci->m0), co_2b = KSL_MUL(R->m12, ci->m1),
-      co_2c = co_2a + co_2b, co_2d = KSL_MUL(R->m22, ci->m2), co_2 = co_2c + co_2d;
-  const double co_3a = KSL_MUL(R->m00, ci->m3), co_3b = KSL_MUL(R->m10, ci->m4),
-      co_3c = co_3a + co_3b, co_3d = KSL_MUL(R->m20, ci->m5), co_3 = co_3c + co_3d;
-  const double co_4a = KSL_MUL(R->m01, ci->m3), co_4b = KSL_MUL(R->m11, ci->m4),
-      co_4c = co_4a + co_4b, co_4d = KSL_MUL(R->m21, ci->m5), co_4 = co_4c + co_4d;
-  const double co_5a = KSL_MUL(R->m02, ci->m3), co_5b = KSL_MUL(R->m12, ci->m4),
-      co_5c = co_5a + co_5b, co_5d = KSL_MUL(R->m22, ci->m5), co_5 = co_5c + co_5d;
+  const double co_0 = KSL_MUL(R->m00, ci->m0) + KSL_MUL(R->m10, ci->m1) + KSL_MUL(R->m20, ci->m2),
+      co_1 = KSL_MUL(R->m01, ci->m0) + KSL_MUL(R->m11, ci->m1) + KSL_MUL(R->m21, ci->m2),
+      co_2 = KSL_MUL(R->m02, ci->m0) + KSL_MUL(R->m12, ci->m1) + KSL_MUL(R->m22, ci->m2),
+      co_3 = KSL_MUL(R->m00, ci->m3) + KSL_MUL(R->m10, ci->m4) + KSL_MUL(R->m20, ci->m5),
+      co_4 = KSL_MUL(R->m01, ci->m3) + KSL_MUL(R->m11, ci->m4) + KSL_MUL(R->m21, ci->m5),
+      co_5 = KSL_MUL(R->m02, ci->m3) + KSL_MUL(R->m12, ci->m4) + KSL_MUL(R->m22, ci->m5);
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;
@@ -588,18 +476,13 @@ static inline void ksl_product_CoAdrinvc(const ksl_mat3x3_t *R, const ksl_coscre
      and underflow. */
 static inline void ksl_product_CoAdrcinv(const ksl_mat3x3_t *R, const ksl_coscrew_t *ci,
     ksl_coscrew_t *co) {
-  const double co_0a = KSL_MUL(R->m00, ci->m0), co_0b = KSL_MUL(R->m01, ci->m1),
-      co_0c = co_0a + co_0b, co_0d = KSL_MUL(R->m02, ci->m2), co_0e = co_0c + co_0d, co_0 = -co_0e;
-  const double co_1a = KSL_MUL(R->m10, ci->m0), co_1b = KSL_MUL(R->m11, ci->m1),
-      co_1c = co_1a + co_1b, co_1d = KSL_MUL(R->m12, ci->m2), co_1e = co_1c + co_1d, co_1 = -co_1e;
-  const double co_2a = KSL_MUL(R->m20, ci->m0), co_2b = KSL_MUL(R->m21, ci->m1),
-      co_2c = co_2a + co_2b, co_2d = KSL_MUL(R->m22, ci->m2), co_2e = co_2c + co_2d, co_2 = -co_2e;
-  const double co_3a = KSL_MUL(R->m00, ci->m3), co_3b = KSL_MUL(R->m01, ci->m4),
-      co_3c = co_3a + co_3b, co_3d = KSL_MUL(R->m02, ci->m5), co_3e = co_3c + co_3d, co_3 = -co_3e;
-  const double co_4a = KSL_MUL(R->m10, ci->m3), co_4b = KSL_MUL(R->m11, ci->m4),
-      co_4c = co_4a + co_4b, co_4d = KSL_MUL(R->m12, ci->m5), co_4e = co_4c + co_4d, co_4 = -co_4e;
-  const double co_5a = KSL_MUL(R->m20, ci->m3), co_5b = KSL_MUL(R->m21, ci->m4),
-      co_5c = co_5a + co_5b, co_5d = KSL_MUL(R->m22, ci->m5), co_5e = co_5c + co_5d, co_5 = -co_5e;
+  const double co_0 =
+          -(KSL_MUL(R->m00, ci->m0) + KSL_MUL(R->m01, ci->m1) + KSL_MUL(R->m02, ci->m2)),
+      co_1 = -(KSL_MUL(R->m10, ci->m0) + KSL_MUL(R->m11, ci->m1) + KSL_MUL(R->m12, ci->m2)),
+      co_2 = -(KSL_MUL(R->m20, ci->m0) + KSL_MUL(R->m21, ci->m1) + KSL_MUL(R->m22, ci->m2)),
+      co_3 = -(KSL_MUL(R->m00, ci->m3) + KSL_MUL(R->m01, ci->m4) + KSL_MUL(R->m02, ci->m5)),
+      co_4 = -(KSL_MUL(R->m10, ci->m3) + KSL_MUL(R->m11, ci->m4) + KSL_MUL(R->m12, ci->m5)),
+      co_5 = -(KSL_MUL(R->m20, ci->m3) + KSL_MUL(R->m21, ci->m4) + KSL_MUL(R->m22, ci->m5));
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;
@@ -615,24 +498,15 @@ static inline void ksl_product_CoAdrcinv(const ksl_mat3x3_t *R, const ksl_coscre
      barring over- and underflow. */
 static inline void ksl_product_CoAdc(const ksl_SE3_t *D, const ksl_coscrew_t *ci,
     ksl_coscrew_t *co) {
-  const double w_0a = KSL_MUL(D->m00, ci->m0), w_0b = KSL_MUL(D->m01, ci->m1), w_0c = w_0a + w_0b,
-      w_0d = KSL_MUL(D->m02, ci->m2), w_0 = w_0c + w_0d;
-  const double w_1a = KSL_MUL(D->m10, ci->m0), w_1b = KSL_MUL(D->m11, ci->m1), w_1c = w_1a + w_1b,
-      w_1d = KSL_MUL(D->m12, ci->m2), w_1 = w_1c + w_1d;
-  const double w_2a = KSL_MUL(D->m20, ci->m0), w_2b = KSL_MUL(D->m21, ci->m1), w_2c = w_2a + w_2b,
-      w_2d = KSL_MUL(D->m22, ci->m2), w_2 = w_2c + w_2d;
-  const double w_3a = KSL_MUL(D->m00, ci->m3), w_3b = KSL_MUL(D->m01, ci->m4), w_3c = w_3a + w_3b,
-      w_3d = KSL_MUL(D->m02, ci->m5), w_3 = w_3c + w_3d;
-  const double w_4a = KSL_MUL(D->m10, ci->m3), w_4b = KSL_MUL(D->m11, ci->m4), w_4c = w_4a + w_4b,
-      w_4d = KSL_MUL(D->m12, ci->m5), w_4 = w_4c + w_4d;
-  const double w_5a = KSL_MUL(D->m20, ci->m3), w_5b = KSL_MUL(D->m21, ci->m4), w_5c = w_5a + w_5b,
-      w_5d = KSL_MUL(D->m22, ci->m5), w_5 = w_5c + w_5d;
-  const double co_3a = KSL_MUL(D->m13, w_2), co_3b = KSL_MUL(D->m23, w_1), co_3c = co_3a - co_3b,
-      co_3 = co_3c + w_3;
-  const double co_4a = KSL_MUL(D->m23, w_0), co_4b = KSL_MUL(D->m03, w_2), co_4c = co_4a - co_4b,
-      co_4 = co_4c + w_4;
-  const double co_5a = KSL_MUL(D->m03, w_1), co_5b = KSL_MUL(D->m13, w_0), co_5c = co_5a - co_5b,
-      co_5 = co_5c + w_5;
+  const double w_0 = KSL_MUL(D->m00, ci->m0) + KSL_MUL(D->m01, ci->m1) + KSL_MUL(D->m02, ci->m2),
+      w_1 = KSL_MUL(D->m10, ci->m0) + KSL_MUL(D->m11, ci->m1) + KSL_MUL(D->m12, ci->m2),
+      w_2 = KSL_MUL(D->m20, ci->m0) + KSL_MUL(D->m21, ci->m1) + KSL_MUL(D->m22, ci->m2),
+      w_3 = KSL_MUL(D->m00, ci->m3) + KSL_MUL(D->m01, ci->m4) + KSL_MUL(D->m02, ci->m5),
+      w_4 = KSL_MUL(D->m10, ci->m3) + KSL_MUL(D->m11, ci->m4) + KSL_MUL(D->m12, ci->m5),
+      w_5 = KSL_MUL(D->m20, ci->m3) + KSL_MUL(D->m21, ci->m4) + KSL_MUL(D->m22, ci->m5);
+  const double co_3 = KSL_MUL(D->m13, w_2) - KSL_MUL(D->m23, w_1) + w_3,
+      co_4 = KSL_MUL(D->m23, w_0) - KSL_MUL(D->m03, w_2) + w_4,
+      co_5 = KSL_MUL(D->m03, w_1) - KSL_MUL(D->m13, w_0) + w_5;
   co->m0 = w_0;
   co->m1 = w_1;
   co->m2 = w_2;
@@ -648,24 +522,15 @@ static inline void ksl_product_CoAdc(const ksl_SE3_t *D, const ksl_coscrew_t *ci
      barring over- and underflow. */
 static inline void ksl_product_CoAdinvc(const ksl_SE3_t *D, const ksl_coscrew_t *ci,
     ksl_coscrew_t *co) {
-  const double w_3a = KSL_MUL(D->m23, ci->m1), w_3b = KSL_MUL(D->m13, ci->m2), w_3c = w_3a - w_3b,
-      w_3 = w_3c + ci->m3;
-  const double w_4a = KSL_MUL(D->m03, ci->m2), w_4b = KSL_MUL(D->m23, ci->m0), w_4c = w_4a - w_4b,
-      w_4 = w_4c + ci->m4;
-  const double w_5a = KSL_MUL(D->m13, ci->m0), w_5b = KSL_MUL(D->m03, ci->m1), w_5c = w_5a - w_5b,
-      w_5 = w_5c + ci->m5;
-  const double co_0a = KSL_MUL(D->m00, ci->m0), co_0b = KSL_MUL(D->m10, ci->m1),
-      co_0c = co_0a + co_0b, co_0d = KSL_MUL(D->m20, ci->m2), co_0 = co_0c + co_0d;
-  const double co_1a = KSL_MUL(D->m01, ci->m0), co_1b = KSL_MUL(D->m11, ci->m1),
-      co_1c = co_1a + co_1b, co_1d = KSL_MUL(D->m21, ci->m2), co_1 = co_1c + co_1d;
-  const double co_2a = KSL_MUL(D->m02, ci->m0), co_2b = KSL_MUL(D->m12, ci->m1),
-      co_2c = co_2a + co_2b, co_2d = KSL_MUL(D->m22, ci->m2), co_2 = co_2c + co_2d;
-  const double co_3a = KSL_MUL(D->m00, w_3), co_3b = KSL_MUL(D->m10, w_4), co_3c = co_3a + co_3b,
-      co_3d = KSL_MUL(D->m20, w_5), co_3 = co_3c + co_3d;
-  const double co_4a = KSL_MUL(D->m01, w_3), co_4b = KSL_MUL(D->m11, w_4), co_4c = co_4a + co_4b,
-      co_4d = KSL_MUL(D->m21, w_5), co_4 = co_4c + co_4d;
-  const double co_5a = KSL_MUL(D->m02, w_3), co_5b = KSL_MUL(D->m12, w_4), co_5c = co_5a + co_5b,
-      co_5d = KSL_MUL(D->m22, w_5), co_5 = co_5c + co_5d;
+  const double w_3 = KSL_MUL(D->m23, ci->m1) - KSL_MUL(D->m13, ci->m2) + ci->m3,
+      w_4 = KSL_MUL(D->m03, ci->m2) - KSL_MUL(D->m23, ci->m0) + ci->m4,
+      w_5 = KSL_MUL(D->m13, ci->m0) - KSL_MUL(D->m03, ci->m1) + ci->m5;
+  const double co_0 = KSL_MUL(D->m00, ci->m0) + KSL_MUL(D->m10, ci->m1) + KSL_MUL(D->m20, ci->m2),
+      co_1 = KSL_MUL(D->m01, ci->m0) + KSL_MUL(D->m11, ci->m1) + KSL_MUL(D->m21, ci->m2),
+      co_2 = KSL_MUL(D->m02, ci->m0) + KSL_MUL(D->m12, ci->m1) + KSL_MUL(D->m22, ci->m2),
+      co_3 = KSL_MUL(D->m00, w_3) + KSL_MUL(D->m10, w_4) + KSL_MUL(D->m20, w_5),
+      co_4 = KSL_MUL(D->m01, w_3) + KSL_MUL(D->m11, w_4) + KSL_MUL(D->m21, w_5),
+      co_5 = KSL_MUL(D->m02, w_3) + KSL_MUL(D->m12, w_4) + KSL_MUL(D->m22, w_5);
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;
@@ -681,24 +546,15 @@ static inline void ksl_product_CoAdinvc(const ksl_SE3_t *D, const ksl_coscrew_t 
      barring over- and underflow. */
 static inline void ksl_product_CoAdcinv(const ksl_SE3_t *D, const ksl_coscrew_t *ci,
     ksl_coscrew_t *co) {
-  const double w_0a = KSL_MUL(D->m00, ci->m0), w_0b = KSL_MUL(D->m01, ci->m1), w_0c = w_0a + w_0b,
-      w_0d = KSL_MUL(D->m02, ci->m2), w_0e = w_0c + w_0d, w_0 = -w_0e;
-  const double w_1a = KSL_MUL(D->m10, ci->m0), w_1b = KSL_MUL(D->m11, ci->m1), w_1c = w_1a + w_1b,
-      w_1d = KSL_MUL(D->m12, ci->m2), w_1e = w_1c + w_1d, w_1 = -w_1e;
-  const double w_2a = KSL_MUL(D->m20, ci->m0), w_2b = KSL_MUL(D->m21, ci->m1), w_2c = w_2a + w_2b,
-      w_2d = KSL_MUL(D->m22, ci->m2), w_2e = w_2c + w_2d, w_2 = -w_2e;
-  const double w_3a = KSL_MUL(D->m00, ci->m3), w_3b = KSL_MUL(D->m01, ci->m4), w_3c = w_3a + w_3b,
-      w_3d = KSL_MUL(D->m02, ci->m5), w_3e = w_3c + w_3d, w_3 = -w_3e;
-  const double w_4a = KSL_MUL(D->m10, ci->m3), w_4b = KSL_MUL(D->m11, ci->m4), w_4c = w_4a + w_4b,
-      w_4d = KSL_MUL(D->m12, ci->m5), w_4e = w_4c + w_4d, w_4 = -w_4e;
-  const double w_5a = KSL_MUL(D->m20, ci->m3), w_5b = KSL_MUL(D->m21, ci->m4), w_5c = w_5a + w_5b,
-      w_5d = KSL_MUL(D->m22, ci->m5), w_5e = w_5c + w_5d, w_5 = -w_5e;
-  const double co_3a = KSL_MUL(D->m13, w_2), co_3b = KSL_MUL(D->m23, w_1), co_3c = co_3a - co_3b,
-      co_3 = co_3c + w_3;
-  const double co_4a = KSL_MUL(D->m23, w_0), co_4b = KSL_MUL(D->m03, w_2), co_4c = co_4a - co_4b,
-      co_4 = co_4c + w_4;
-  const double co_5a = KSL_MUL(D->m03, w_1), co_5b = KSL_MUL(D->m13, w_0), co_5c = co_5a - co_5b,
-      co_5 = co_5c + w_5;
+  const double w_0 = -(KSL_MUL(D->m00, ci->m0) + KSL_MUL(D->m01, ci->m1) + KSL_MUL(D->m02, ci->m2)),
+      w_1 = -(KSL_MUL(D->m10, ci->m0) + KSL_MUL(D->m11, ci->m1) + KSL_MUL(D->m12, ci->m2)),
+      w_2 = -(KSL_MUL(D->m20, ci->m0) + KSL_MUL(D->m21, ci->m1) + KSL_MUL(D->m22, ci->m2)),
+      w_3 = -(KSL_MUL(D->m00, ci->m3) + KSL_MUL(D->m01, ci->m4) + KSL_MUL(D->m02, ci->m5)),
+      w_4 = -(KSL_MUL(D->m10, ci->m3) + KSL_MUL(D->m11, ci->m4) + KSL_MUL(D->m12, ci->m5)),
+      w_5 = -(KSL_MUL(D->m20, ci->m3) + KSL_MUL(D->m21, ci->m4) + KSL_MUL(D->m22, ci->m5));
+  const double co_3 = KSL_MUL(D->m13, w_2) - KSL_MUL(D->m23, w_1) + w_3,
+      co_4 = KSL_MUL(D->m23, w_0) - KSL_MUL(D->m03, w_2) + w_4,
+      co_5 = KSL_MUL(D->m03, w_1) - KSL_MUL(D->m13, w_0) + w_5;
   co->m0 = w_0;
   co->m1 = w_1;
   co->m2 = w_2;
@@ -713,12 +569,9 @@ static inline void ksl_product_CoAdcinv(const ksl_SE3_t *D, const ksl_coscrew_t 
    Error <= u |result| + (lin: 0, ang: 1) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_hctx(const ksl_SE3_t *D, ksl_coscrew_t *co) {
-  const double co_3a = KSL_MUL(D->m20, D->m13), co_3b = KSL_MUL(D->m10, D->m23),
-      co_3 = co_3a - co_3b;
-  const double co_4a = KSL_MUL(D->m00, D->m23), co_4b = KSL_MUL(D->m20, D->m03),
-      co_4 = co_4a - co_4b;
-  const double co_5a = KSL_MUL(D->m10, D->m03), co_5b = KSL_MUL(D->m00, D->m13),
-      co_5 = co_5a - co_5b;
+  const double co_3 = KSL_MUL(D->m20, D->m13) - KSL_MUL(D->m10, D->m23),
+      co_4 = KSL_MUL(D->m00, D->m23) - KSL_MUL(D->m20, D->m03),
+      co_5 = KSL_MUL(D->m10, D->m03) - KSL_MUL(D->m00, D->m13);
   const double D_m00 = D->m00;
   const double D_m10 = D->m10;
   const double D_m20 = D->m20;
@@ -736,12 +589,9 @@ static inline void ksl_hctx(const ksl_SE3_t *D, ksl_coscrew_t *co) {
    Error <= u |result| + (lin: 0, ang: 1) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_hcty(const ksl_SE3_t *D, ksl_coscrew_t *co) {
-  const double co_3a = KSL_MUL(D->m21, D->m13), co_3b = KSL_MUL(D->m11, D->m23),
-      co_3 = co_3a - co_3b;
-  const double co_4a = KSL_MUL(D->m01, D->m23), co_4b = KSL_MUL(D->m21, D->m03),
-      co_4 = co_4a - co_4b;
-  const double co_5a = KSL_MUL(D->m11, D->m03), co_5b = KSL_MUL(D->m01, D->m13),
-      co_5 = co_5a - co_5b;
+  const double co_3 = KSL_MUL(D->m21, D->m13) - KSL_MUL(D->m11, D->m23),
+      co_4 = KSL_MUL(D->m01, D->m23) - KSL_MUL(D->m21, D->m03),
+      co_5 = KSL_MUL(D->m11, D->m03) - KSL_MUL(D->m01, D->m13);
   const double D_m01 = D->m01;
   const double D_m11 = D->m11;
   const double D_m21 = D->m21;
@@ -759,12 +609,9 @@ static inline void ksl_hcty(const ksl_SE3_t *D, ksl_coscrew_t *co) {
    Error <= u |result| + (lin: 0, ang: 1) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_hctz(const ksl_SE3_t *D, ksl_coscrew_t *co) {
-  const double co_3a = KSL_MUL(D->m22, D->m13), co_3b = KSL_MUL(D->m12, D->m23),
-      co_3 = co_3a - co_3b;
-  const double co_4a = KSL_MUL(D->m02, D->m23), co_4b = KSL_MUL(D->m22, D->m03),
-      co_4 = co_4a - co_4b;
-  const double co_5a = KSL_MUL(D->m12, D->m03), co_5b = KSL_MUL(D->m02, D->m13),
-      co_5 = co_5a - co_5b;
+  const double co_3 = KSL_MUL(D->m22, D->m13) - KSL_MUL(D->m12, D->m23),
+      co_4 = KSL_MUL(D->m02, D->m23) - KSL_MUL(D->m22, D->m03),
+      co_5 = KSL_MUL(D->m12, D->m03) - KSL_MUL(D->m02, D->m13);
   const double D_m02 = D->m02;
   const double D_m12 = D->m12;
   const double D_m22 = D->m22;
@@ -830,15 +677,10 @@ static inline void ksl_hcrz(const ksl_SE3_t *D, ksl_coscrew_t *co) {
    Error <= u |result| + (lin: 0, ang: 1) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_hctxinv(const ksl_SE3_t *D, ksl_coscrew_t *co) {
-  const double co_0 = -D->m00;
-  const double co_1 = -D->m10;
-  const double co_2 = -D->m20;
-  const double co_3a = KSL_MUL(D->m10, D->m23), co_3b = KSL_MUL(D->m20, D->m13),
-      co_3 = co_3a - co_3b;
-  const double co_4a = KSL_MUL(D->m20, D->m03), co_4b = KSL_MUL(D->m00, D->m23),
-      co_4 = co_4a - co_4b;
-  const double co_5a = KSL_MUL(D->m00, D->m13), co_5b = KSL_MUL(D->m10, D->m03),
-      co_5 = co_5a - co_5b;
+  const double co_0 = -D->m00, co_1 = -D->m10, co_2 = -D->m20,
+      co_3 = KSL_MUL(D->m10, D->m23) - KSL_MUL(D->m20, D->m13),
+      co_4 = KSL_MUL(D->m20, D->m03) - KSL_MUL(D->m00, D->m23),
+      co_5 = KSL_MUL(D->m00, D->m13) - KSL_MUL(D->m10, D->m03);
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;
@@ -853,15 +695,10 @@ static inline void ksl_hctxinv(const ksl_SE3_t *D, ksl_coscrew_t *co) {
    Error <= u |result| + (lin: 0, ang: 1) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_hctyinv(const ksl_SE3_t *D, ksl_coscrew_t *co) {
-  const double co_0 = -D->m01;
-  const double co_1 = -D->m11;
-  const double co_2 = -D->m21;
-  const double co_3a = KSL_MUL(D->m11, D->m23), co_3b = KSL_MUL(D->m21, D->m13),
-      co_3 = co_3a - co_3b;
-  const double co_4a = KSL_MUL(D->m21, D->m03), co_4b = KSL_MUL(D->m01, D->m23),
-      co_4 = co_4a - co_4b;
-  const double co_5a = KSL_MUL(D->m01, D->m13), co_5b = KSL_MUL(D->m11, D->m03),
-      co_5 = co_5a - co_5b;
+  const double co_0 = -D->m01, co_1 = -D->m11, co_2 = -D->m21,
+      co_3 = KSL_MUL(D->m11, D->m23) - KSL_MUL(D->m21, D->m13),
+      co_4 = KSL_MUL(D->m21, D->m03) - KSL_MUL(D->m01, D->m23),
+      co_5 = KSL_MUL(D->m01, D->m13) - KSL_MUL(D->m11, D->m03);
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;
@@ -876,15 +713,10 @@ static inline void ksl_hctyinv(const ksl_SE3_t *D, ksl_coscrew_t *co) {
    Error <= u |result| + (lin: 0, ang: 1) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_hctzinv(const ksl_SE3_t *D, ksl_coscrew_t *co) {
-  const double co_0 = -D->m02;
-  const double co_1 = -D->m12;
-  const double co_2 = -D->m22;
-  const double co_3a = KSL_MUL(D->m12, D->m23), co_3b = KSL_MUL(D->m22, D->m13),
-      co_3 = co_3a - co_3b;
-  const double co_4a = KSL_MUL(D->m22, D->m03), co_4b = KSL_MUL(D->m02, D->m23),
-      co_4 = co_4a - co_4b;
-  const double co_5a = KSL_MUL(D->m02, D->m13), co_5b = KSL_MUL(D->m12, D->m03),
-      co_5 = co_5a - co_5b;
+  const double co_0 = -D->m02, co_1 = -D->m12, co_2 = -D->m22,
+      co_3 = KSL_MUL(D->m12, D->m23) - KSL_MUL(D->m22, D->m13),
+      co_4 = KSL_MUL(D->m22, D->m03) - KSL_MUL(D->m02, D->m23),
+      co_5 = KSL_MUL(D->m02, D->m13) - KSL_MUL(D->m12, D->m03);
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;
@@ -898,9 +730,7 @@ static inline void ksl_hctzinv(const ksl_SE3_t *D, ksl_coscrew_t *co) {
    3 neg.
    Exact. */
 static inline void ksl_hcrxinv(const ksl_SE3_t *D, ksl_coscrew_t *co) {
-  const double co_3 = -D->m00;
-  const double co_4 = -D->m10;
-  const double co_5 = -D->m20;
+  const double co_3 = -D->m00, co_4 = -D->m10, co_5 = -D->m20;
   co->m0 = 0.0;
   co->m1 = 0.0;
   co->m2 = 0.0;
@@ -914,9 +744,7 @@ static inline void ksl_hcrxinv(const ksl_SE3_t *D, ksl_coscrew_t *co) {
    3 neg.
    Exact. */
 static inline void ksl_hcryinv(const ksl_SE3_t *D, ksl_coscrew_t *co) {
-  const double co_3 = -D->m01;
-  const double co_4 = -D->m11;
-  const double co_5 = -D->m21;
+  const double co_3 = -D->m01, co_4 = -D->m11, co_5 = -D->m21;
   co->m0 = 0.0;
   co->m1 = 0.0;
   co->m2 = 0.0;
@@ -930,9 +758,7 @@ static inline void ksl_hcryinv(const ksl_SE3_t *D, ksl_coscrew_t *co) {
    3 neg.
    Exact. */
 static inline void ksl_hcrzinv(const ksl_SE3_t *D, ksl_coscrew_t *co) {
-  const double co_3 = -D->m02;
-  const double co_4 = -D->m12;
-  const double co_5 = -D->m22;
+  const double co_3 = -D->m02, co_4 = -D->m12, co_5 = -D->m22;
   co->m0 = 0.0;
   co->m1 = 0.0;
   co->m2 = 0.0;
@@ -947,24 +773,15 @@ static inline void ksl_hcrzinv(const ksl_SE3_t *D, ksl_coscrew_t *co) {
    Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline void ksl_CoAd(const ksl_SE3_t *D, ksl_mat6x6_t *M) {
-  const double M_30a = KSL_MUL(D->m20, D->m13), M_30b = KSL_MUL(D->m10, D->m23),
-      M_30 = M_30a - M_30b;
-  const double M_31a = KSL_MUL(D->m21, D->m13), M_31b = KSL_MUL(D->m11, D->m23),
-      M_31 = M_31a - M_31b;
-  const double M_32a = KSL_MUL(D->m22, D->m13), M_32b = KSL_MUL(D->m12, D->m23),
-      M_32 = M_32a - M_32b;
-  const double M_40a = KSL_MUL(D->m00, D->m23), M_40b = KSL_MUL(D->m20, D->m03),
-      M_40 = M_40a - M_40b;
-  const double M_41a = KSL_MUL(D->m01, D->m23), M_41b = KSL_MUL(D->m21, D->m03),
-      M_41 = M_41a - M_41b;
-  const double M_42a = KSL_MUL(D->m02, D->m23), M_42b = KSL_MUL(D->m22, D->m03),
-      M_42 = M_42a - M_42b;
-  const double M_50a = KSL_MUL(D->m10, D->m03), M_50b = KSL_MUL(D->m00, D->m13),
-      M_50 = M_50a - M_50b;
-  const double M_51a = KSL_MUL(D->m11, D->m03), M_51b = KSL_MUL(D->m01, D->m13),
-      M_51 = M_51a - M_51b;
-  const double M_52a = KSL_MUL(D->m12, D->m03), M_52b = KSL_MUL(D->m02, D->m13),
-      M_52 = M_52a - M_52b;
+  const double M_30 = KSL_MUL(D->m20, D->m13) - KSL_MUL(D->m10, D->m23),
+      M_31 = KSL_MUL(D->m21, D->m13) - KSL_MUL(D->m11, D->m23),
+      M_32 = KSL_MUL(D->m22, D->m13) - KSL_MUL(D->m12, D->m23),
+      M_40 = KSL_MUL(D->m00, D->m23) - KSL_MUL(D->m20, D->m03),
+      M_41 = KSL_MUL(D->m01, D->m23) - KSL_MUL(D->m21, D->m03),
+      M_42 = KSL_MUL(D->m02, D->m23) - KSL_MUL(D->m22, D->m03),
+      M_50 = KSL_MUL(D->m10, D->m03) - KSL_MUL(D->m00, D->m13),
+      M_51 = KSL_MUL(D->m11, D->m03) - KSL_MUL(D->m01, D->m13),
+      M_52 = KSL_MUL(D->m12, D->m03) - KSL_MUL(D->m02, D->m13);
   const double D_m00 = D->m00;
   const double D_m01 = D->m01;
   const double D_m02 = D->m02;
@@ -1018,10 +835,8 @@ static inline void ksl_CoAd(const ksl_SE3_t *D, ksl_mat6x6_t *M) {
    Error <= u |result| + 3 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline double ksl_reciprocal_product(const ksl_coscrew_t *c, const double x[6]) {
-  const double power_a = KSL_MUL(c->m0, x[3]), power_b = KSL_MUL(c->m1, x[4]),
-      power_c = power_a + power_b, power_d = KSL_MUL(c->m2, x[5]), power_e = power_c + power_d,
-      power_f = KSL_MUL(c->m3, x[0]), power_g = KSL_MUL(c->m4, x[1]), power_h = power_f + power_g,
-      power_i = KSL_MUL(c->m5, x[2]), power_j = power_h + power_i, power = power_e + power_j;
+  const double power = KSL_MUL(c->m0, x[3]) + KSL_MUL(c->m1, x[4]) + KSL_MUL(c->m2, x[5])
+          + (KSL_MUL(c->m3, x[0]) + KSL_MUL(c->m4, x[1]) + KSL_MUL(c->m5, x[2]));
   return power;
 }
 
@@ -1031,18 +846,15 @@ static inline double ksl_reciprocal_product(const ksl_coscrew_t *c, const double
    Error <= u |result| + (lin: 1, ang: 2) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_cross_sc(const ksl_screw_t *s, const ksl_coscrew_t *c, ksl_coscrew_t *co) {
-  const double co_0a = KSL_MUL(s->m4, c->m2), co_0b = KSL_MUL(s->m5, c->m1), co_0 = co_0a - co_0b;
-  const double co_1a = KSL_MUL(s->m5, c->m0), co_1b = KSL_MUL(s->m3, c->m2), co_1 = co_1a - co_1b;
-  const double co_2a = KSL_MUL(s->m3, c->m1), co_2b = KSL_MUL(s->m4, c->m0), co_2 = co_2a - co_2b;
-  const double co_3a = KSL_MUL(s->m1, c->m2), co_3b = KSL_MUL(s->m2, c->m1), co_3c = co_3a - co_3b,
-      co_3d = KSL_MUL(s->m4, c->m5), co_3e = KSL_MUL(s->m5, c->m4), co_3f = co_3d - co_3e,
-      co_3 = co_3c + co_3f;
-  const double co_4a = KSL_MUL(s->m2, c->m0), co_4b = KSL_MUL(s->m0, c->m2), co_4c = co_4a - co_4b,
-      co_4d = KSL_MUL(s->m5, c->m3), co_4e = KSL_MUL(s->m3, c->m5), co_4f = co_4d - co_4e,
-      co_4 = co_4c + co_4f;
-  const double co_5a = KSL_MUL(s->m0, c->m1), co_5b = KSL_MUL(s->m1, c->m0), co_5c = co_5a - co_5b,
-      co_5d = KSL_MUL(s->m3, c->m4), co_5e = KSL_MUL(s->m4, c->m3), co_5f = co_5d - co_5e,
-      co_5 = co_5c + co_5f;
+  const double co_0 = KSL_MUL(s->m4, c->m2) - KSL_MUL(s->m5, c->m1),
+      co_1 = KSL_MUL(s->m5, c->m0) - KSL_MUL(s->m3, c->m2),
+      co_2 = KSL_MUL(s->m3, c->m1) - KSL_MUL(s->m4, c->m0),
+      co_3 = KSL_MUL(s->m1, c->m2) - KSL_MUL(s->m2, c->m1)
+          + (KSL_MUL(s->m4, c->m5) - KSL_MUL(s->m5, c->m4)),
+      co_4 = KSL_MUL(s->m2, c->m0) - KSL_MUL(s->m0, c->m2)
+          + (KSL_MUL(s->m5, c->m3) - KSL_MUL(s->m3, c->m5)),
+      co_5 = KSL_MUL(s->m0, c->m1) - KSL_MUL(s->m1, c->m0)
+          + (KSL_MUL(s->m3, c->m4) - KSL_MUL(s->m4, c->m3));
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;
@@ -1057,9 +869,9 @@ static inline void ksl_cross_sc(const ksl_screw_t *s, const ksl_coscrew_t *c, ks
    Error <= u |result| + (lin: 0, ang: 1) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_cross_sca(const ksl_screw_t *s, const ksl_coscrew_t *c, ksl_coscrew_t *co) {
-  const double co_3a = KSL_MUL(s->m4, c->m5), co_3b = KSL_MUL(s->m5, c->m4), co_3 = co_3a - co_3b;
-  const double co_4a = KSL_MUL(s->m5, c->m3), co_4b = KSL_MUL(s->m3, c->m5), co_4 = co_4a - co_4b;
-  const double co_5a = KSL_MUL(s->m3, c->m4), co_5b = KSL_MUL(s->m4, c->m3), co_5 = co_5a - co_5b;
+  const double co_3 = KSL_MUL(s->m4, c->m5) - KSL_MUL(s->m5, c->m4),
+      co_4 = KSL_MUL(s->m5, c->m3) - KSL_MUL(s->m3, c->m5),
+      co_5 = KSL_MUL(s->m3, c->m4) - KSL_MUL(s->m4, c->m3);
   co->m0 = 0.0;
   co->m1 = 0.0;
   co->m2 = 0.0;
@@ -1075,21 +887,15 @@ static inline void ksl_cross_sca(const ksl_screw_t *s, const ksl_coscrew_t *c, k
      barring over- and underflow. */
 static inline void ksl_constraint_ctx(const ksl_SE3_t *D, const ksl_coscrew_t *c,
     ksl_coscrew_t *co) {
-  const double w_0a = KSL_MUL(D->m01, c->m1), w_0b = KSL_MUL(D->m02, c->m2), w_0 = w_0a + w_0b;
-  const double w_1a = KSL_MUL(D->m11, c->m1), w_1b = KSL_MUL(D->m12, c->m2), w_1 = w_1a + w_1b;
-  const double w_2a = KSL_MUL(D->m21, c->m1), w_2b = KSL_MUL(D->m22, c->m2), w_2 = w_2a + w_2b;
-  const double w_3a = KSL_MUL(D->m00, c->m3), w_3b = KSL_MUL(D->m01, c->m4), w_3c = w_3a + w_3b,
-      w_3d = KSL_MUL(D->m02, c->m5), w_3 = w_3c + w_3d;
-  const double w_4a = KSL_MUL(D->m10, c->m3), w_4b = KSL_MUL(D->m11, c->m4), w_4c = w_4a + w_4b,
-      w_4d = KSL_MUL(D->m12, c->m5), w_4 = w_4c + w_4d;
-  const double w_5a = KSL_MUL(D->m20, c->m3), w_5b = KSL_MUL(D->m21, c->m4), w_5c = w_5a + w_5b,
-      w_5d = KSL_MUL(D->m22, c->m5), w_5 = w_5c + w_5d;
-  const double co_3a = KSL_MUL(D->m13, w_2), co_3b = KSL_MUL(D->m23, w_1), co_3c = co_3a - co_3b,
-      co_3 = co_3c + w_3;
-  const double co_4a = KSL_MUL(D->m23, w_0), co_4b = KSL_MUL(D->m03, w_2), co_4c = co_4a - co_4b,
-      co_4 = co_4c + w_4;
-  const double co_5a = KSL_MUL(D->m03, w_1), co_5b = KSL_MUL(D->m13, w_0), co_5c = co_5a - co_5b,
-      co_5 = co_5c + w_5;
+  const double w_0 = KSL_MUL(D->m01, c->m1) + KSL_MUL(D->m02, c->m2),
+      w_1 = KSL_MUL(D->m11, c->m1) + KSL_MUL(D->m12, c->m2),
+      w_2 = KSL_MUL(D->m21, c->m1) + KSL_MUL(D->m22, c->m2),
+      w_3 = KSL_MUL(D->m00, c->m3) + KSL_MUL(D->m01, c->m4) + KSL_MUL(D->m02, c->m5),
+      w_4 = KSL_MUL(D->m10, c->m3) + KSL_MUL(D->m11, c->m4) + KSL_MUL(D->m12, c->m5),
+      w_5 = KSL_MUL(D->m20, c->m3) + KSL_MUL(D->m21, c->m4) + KSL_MUL(D->m22, c->m5);
+  const double co_3 = KSL_MUL(D->m13, w_2) - KSL_MUL(D->m23, w_1) + w_3,
+      co_4 = KSL_MUL(D->m23, w_0) - KSL_MUL(D->m03, w_2) + w_4,
+      co_5 = KSL_MUL(D->m03, w_1) - KSL_MUL(D->m13, w_0) + w_5;
   co->m0 = w_0;
   co->m1 = w_1;
   co->m2 = w_2;
@@ -1105,21 +911,15 @@ static inline void ksl_constraint_ctx(const ksl_SE3_t *D, const ksl_coscrew_t *c
      barring over- and underflow. */
 static inline void ksl_constraint_cty(const ksl_SE3_t *D, const ksl_coscrew_t *c,
     ksl_coscrew_t *co) {
-  const double w_0a = KSL_MUL(D->m00, c->m0), w_0b = KSL_MUL(D->m02, c->m2), w_0 = w_0a + w_0b;
-  const double w_1a = KSL_MUL(D->m10, c->m0), w_1b = KSL_MUL(D->m12, c->m2), w_1 = w_1a + w_1b;
-  const double w_2a = KSL_MUL(D->m20, c->m0), w_2b = KSL_MUL(D->m22, c->m2), w_2 = w_2a + w_2b;
-  const double w_3a = KSL_MUL(D->m00, c->m3), w_3b = KSL_MUL(D->m01, c->m4), w_3c = w_3a + w_3b,
-      w_3d = KSL_MUL(D->m02, c->m5), w_3 = w_3c + w_3d;
-  const double w_4a = KSL_MUL(D->m10, c->m3), w_4b = KSL_MUL(D->m11, c->m4), w_4c = w_4a + w_4b,
-      w_4d = KSL_MUL(D->m12, c->m5), w_4 = w_4c + w_4d;
-  const double w_5a = KSL_MUL(D->m20, c->m3), w_5b = KSL_MUL(D->m21, c->m4), w_5c = w_5a + w_5b,
-      w_5d = KSL_MUL(D->m22, c->m5), w_5 = w_5c + w_5d;
-  const double co_3a = KSL_MUL(D->m13, w_2), co_3b = KSL_MUL(D->m23, w_1), co_3c = co_3a - co_3b,
-      co_3 = co_3c + w_3;
-  const double co_4a = KSL_MUL(D->m23, w_0), co_4b = KSL_MUL(D->m03, w_2), co_4c = co_4a - co_4b,
-      co_4 = co_4c + w_4;
-  const double co_5a = KSL_MUL(D->m03, w_1), co_5b = KSL_MUL(D->m13, w_0), co_5c = co_5a - co_5b,
-      co_5 = co_5c + w_5;
+  const double w_0 = KSL_MUL(D->m00, c->m0) + KSL_MUL(D->m02, c->m2),
+      w_1 = KSL_MUL(D->m10, c->m0) + KSL_MUL(D->m12, c->m2),
+      w_2 = KSL_MUL(D->m20, c->m0) + KSL_MUL(D->m22, c->m2),
+      w_3 = KSL_MUL(D->m00, c->m3) + KSL_MUL(D->m01, c->m4) + KSL_MUL(D->m02, c->m5),
+      w_4 = KSL_MUL(D->m10, c->m3) + KSL_MUL(D->m11, c->m4) + KSL_MUL(D->m12, c->m5),
+      w_5 = KSL_MUL(D->m20, c->m3) + KSL_MUL(D->m21, c->m4) + KSL_MUL(D->m22, c->m5);
+  const double co_3 = KSL_MUL(D->m13, w_2) - KSL_MUL(D->m23, w_1) + w_3,
+      co_4 = KSL_MUL(D->m23, w_0) - KSL_MUL(D->m03, w_2) + w_4,
+      co_5 = KSL_MUL(D->m03, w_1) - KSL_MUL(D->m13, w_0) + w_5;
   co->m0 = w_0;
   co->m1 = w_1;
   co->m2 = w_2;
@@ -1135,21 +935,15 @@ static inline void ksl_constraint_cty(const ksl_SE3_t *D, const ksl_coscrew_t *c
      barring over- and underflow. */
 static inline void ksl_constraint_ctz(const ksl_SE3_t *D, const ksl_coscrew_t *c,
     ksl_coscrew_t *co) {
-  const double w_0a = KSL_MUL(D->m00, c->m0), w_0b = KSL_MUL(D->m01, c->m1), w_0 = w_0a + w_0b;
-  const double w_1a = KSL_MUL(D->m10, c->m0), w_1b = KSL_MUL(D->m11, c->m1), w_1 = w_1a + w_1b;
-  const double w_2a = KSL_MUL(D->m20, c->m0), w_2b = KSL_MUL(D->m21, c->m1), w_2 = w_2a + w_2b;
-  const double w_3a = KSL_MUL(D->m00, c->m3), w_3b = KSL_MUL(D->m01, c->m4), w_3c = w_3a + w_3b,
-      w_3d = KSL_MUL(D->m02, c->m5), w_3 = w_3c + w_3d;
-  const double w_4a = KSL_MUL(D->m10, c->m3), w_4b = KSL_MUL(D->m11, c->m4), w_4c = w_4a + w_4b,
-      w_4d = KSL_MUL(D->m12, c->m5), w_4 = w_4c + w_4d;
-  const double w_5a = KSL_MUL(D->m20, c->m3), w_5b = KSL_MUL(D->m21, c->m4), w_5c = w_5a + w_5b,
-      w_5d = KSL_MUL(D->m22, c->m5), w_5 = w_5c + w_5d;
-  const double co_3a = KSL_MUL(D->m13, w_2), co_3b = KSL_MUL(D->m23, w_1), co_3c = co_3a - co_3b,
-      co_3 = co_3c + w_3;
-  const double co_4a = KSL_MUL(D->m23, w_0), co_4b = KSL_MUL(D->m03, w_2), co_4c = co_4a - co_4b,
-      co_4 = co_4c + w_4;
-  const double co_5a = KSL_MUL(D->m03, w_1), co_5b = KSL_MUL(D->m13, w_0), co_5c = co_5a - co_5b,
-      co_5 = co_5c + w_5;
+  const double w_0 = KSL_MUL(D->m00, c->m0) + KSL_MUL(D->m01, c->m1),
+      w_1 = KSL_MUL(D->m10, c->m0) + KSL_MUL(D->m11, c->m1),
+      w_2 = KSL_MUL(D->m20, c->m0) + KSL_MUL(D->m21, c->m1),
+      w_3 = KSL_MUL(D->m00, c->m3) + KSL_MUL(D->m01, c->m4) + KSL_MUL(D->m02, c->m5),
+      w_4 = KSL_MUL(D->m10, c->m3) + KSL_MUL(D->m11, c->m4) + KSL_MUL(D->m12, c->m5),
+      w_5 = KSL_MUL(D->m20, c->m3) + KSL_MUL(D->m21, c->m4) + KSL_MUL(D->m22, c->m5);
+  const double co_3 = KSL_MUL(D->m13, w_2) - KSL_MUL(D->m23, w_1) + w_3,
+      co_4 = KSL_MUL(D->m23, w_0) - KSL_MUL(D->m03, w_2) + w_4,
+      co_5 = KSL_MUL(D->m03, w_1) - KSL_MUL(D->m13, w_0) + w_5;
   co->m0 = w_0;
   co->m1 = w_1;
   co->m2 = w_2;
@@ -1165,21 +959,15 @@ static inline void ksl_constraint_ctz(const ksl_SE3_t *D, const ksl_coscrew_t *c
      barring over- and underflow. */
 static inline void ksl_constraint_crx(const ksl_SE3_t *D, const ksl_coscrew_t *c,
     ksl_coscrew_t *co) {
-  const double w_0a = KSL_MUL(D->m00, c->m0), w_0b = KSL_MUL(D->m01, c->m1), w_0c = w_0a + w_0b,
-      w_0d = KSL_MUL(D->m02, c->m2), w_0 = w_0c + w_0d;
-  const double w_1a = KSL_MUL(D->m10, c->m0), w_1b = KSL_MUL(D->m11, c->m1), w_1c = w_1a + w_1b,
-      w_1d = KSL_MUL(D->m12, c->m2), w_1 = w_1c + w_1d;
-  const double w_2a = KSL_MUL(D->m20, c->m0), w_2b = KSL_MUL(D->m21, c->m1), w_2c = w_2a + w_2b,
-      w_2d = KSL_MUL(D->m22, c->m2), w_2 = w_2c + w_2d;
-  const double w_3a = KSL_MUL(D->m01, c->m4), w_3b = KSL_MUL(D->m02, c->m5), w_3 = w_3a + w_3b;
-  const double w_4a = KSL_MUL(D->m11, c->m4), w_4b = KSL_MUL(D->m12, c->m5), w_4 = w_4a + w_4b;
-  const double w_5a = KSL_MUL(D->m21, c->m4), w_5b = KSL_MUL(D->m22, c->m5), w_5 = w_5a + w_5b;
-  const double co_3a = KSL_MUL(D->m13, w_2), co_3b = KSL_MUL(D->m23, w_1), co_3c = co_3a - co_3b,
-      co_3 = co_3c + w_3;
-  const double co_4a = KSL_MUL(D->m23, w_0), co_4b = KSL_MUL(D->m03, w_2), co_4c = co_4a - co_4b,
-      co_4 = co_4c + w_4;
-  const double co_5a = KSL_MUL(D->m03, w_1), co_5b = KSL_MUL(D->m13, w_0), co_5c = co_5a - co_5b,
-      co_5 = co_5c + w_5;
+  const double w_0 = KSL_MUL(D->m00, c->m0) + KSL_MUL(D->m01, c->m1) + KSL_MUL(D->m02, c->m2),
+      w_1 = KSL_MUL(D->m10, c->m0) + KSL_MUL(D->m11, c->m1) + KSL_MUL(D->m12, c->m2),
+      w_2 = KSL_MUL(D->m20, c->m0) + KSL_MUL(D->m21, c->m1) + KSL_MUL(D->m22, c->m2),
+      w_3 = KSL_MUL(D->m01, c->m4) + KSL_MUL(D->m02, c->m5),
+      w_4 = KSL_MUL(D->m11, c->m4) + KSL_MUL(D->m12, c->m5),
+      w_5 = KSL_MUL(D->m21, c->m4) + KSL_MUL(D->m22, c->m5);
+  const double co_3 = KSL_MUL(D->m13, w_2) - KSL_MUL(D->m23, w_1) + w_3,
+      co_4 = KSL_MUL(D->m23, w_0) - KSL_MUL(D->m03, w_2) + w_4,
+      co_5 = KSL_MUL(D->m03, w_1) - KSL_MUL(D->m13, w_0) + w_5;
   co->m0 = w_0;
   co->m1 = w_1;
   co->m2 = w_2;
@@ -1195,21 +983,15 @@ static inline void ksl_constraint_crx(const ksl_SE3_t *D, const ksl_coscrew_t *c
      barring over- and underflow. */
 static inline void ksl_constraint_cry(const ksl_SE3_t *D, const ksl_coscrew_t *c,
     ksl_coscrew_t *co) {
-  const double w_0a = KSL_MUL(D->m00, c->m0), w_0b = KSL_MUL(D->m01, c->m1), w_0c = w_0a + w_0b,
-      w_0d = KSL_MUL(D->m02, c->m2), w_0 = w_0c + w_0d;
-  const double w_1a = KSL_MUL(D->m10, c->m0), w_1b = KSL_MUL(D->m11, c->m1), w_1c = w_1a + w_1b,
-      w_1d = KSL_MUL(D->m12, c->m2), w_1 = w_1c + w_1d;
-  const double w_2a = KSL_MUL(D->m20, c->m0), w_2b = KSL_MUL(D->m21, c->m1), w_2c = w_2a + w_2b,
-      w_2d = KSL_MUL(D->m22, c->m2), w_2 = w_2c + w_2d;
-  const double w_3a = KSL_MUL(D->m00, c->m3), w_3b = KSL_MUL(D->m02, c->m5), w_3 = w_3a + w_3b;
-  const double w_4a = KSL_MUL(D->m10, c->m3), w_4b = KSL_MUL(D->m12, c->m5), w_4 = w_4a + w_4b;
-  const double w_5a = KSL_MUL(D->m20, c->m3), w_5b = KSL_MUL(D->m22, c->m5), w_5 = w_5a + w_5b;
-  const double co_3a = KSL_MUL(D->m13, w_2), co_3b = KSL_MUL(D->m23, w_1), co_3c = co_3a - co_3b,
-      co_3 = co_3c + w_3;
-  const double co_4a = KSL_MUL(D->m23, w_0), co_4b = KSL_MUL(D->m03, w_2), co_4c = co_4a - co_4b,
-      co_4 = co_4c + w_4;
-  const double co_5a = KSL_MUL(D->m03, w_1), co_5b = KSL_MUL(D->m13, w_0), co_5c = co_5a - co_5b,
-      co_5 = co_5c + w_5;
+  const double w_0 = KSL_MUL(D->m00, c->m0) + KSL_MUL(D->m01, c->m1) + KSL_MUL(D->m02, c->m2),
+      w_1 = KSL_MUL(D->m10, c->m0) + KSL_MUL(D->m11, c->m1) + KSL_MUL(D->m12, c->m2),
+      w_2 = KSL_MUL(D->m20, c->m0) + KSL_MUL(D->m21, c->m1) + KSL_MUL(D->m22, c->m2),
+      w_3 = KSL_MUL(D->m00, c->m3) + KSL_MUL(D->m02, c->m5),
+      w_4 = KSL_MUL(D->m10, c->m3) + KSL_MUL(D->m12, c->m5),
+      w_5 = KSL_MUL(D->m20, c->m3) + KSL_MUL(D->m22, c->m5);
+  const double co_3 = KSL_MUL(D->m13, w_2) - KSL_MUL(D->m23, w_1) + w_3,
+      co_4 = KSL_MUL(D->m23, w_0) - KSL_MUL(D->m03, w_2) + w_4,
+      co_5 = KSL_MUL(D->m03, w_1) - KSL_MUL(D->m13, w_0) + w_5;
   co->m0 = w_0;
   co->m1 = w_1;
   co->m2 = w_2;
@@ -1225,21 +1007,15 @@ static inline void ksl_constraint_cry(const ksl_SE3_t *D, const ksl_coscrew_t *c
      barring over- and underflow. */
 static inline void ksl_constraint_crz(const ksl_SE3_t *D, const ksl_coscrew_t *c,
     ksl_coscrew_t *co) {
-  const double w_0a = KSL_MUL(D->m00, c->m0), w_0b = KSL_MUL(D->m01, c->m1), w_0c = w_0a + w_0b,
-      w_0d = KSL_MUL(D->m02, c->m2), w_0 = w_0c + w_0d;
-  const double w_1a = KSL_MUL(D->m10, c->m0), w_1b = KSL_MUL(D->m11, c->m1), w_1c = w_1a + w_1b,
-      w_1d = KSL_MUL(D->m12, c->m2), w_1 = w_1c + w_1d;
-  const double w_2a = KSL_MUL(D->m20, c->m0), w_2b = KSL_MUL(D->m21, c->m1), w_2c = w_2a + w_2b,
-      w_2d = KSL_MUL(D->m22, c->m2), w_2 = w_2c + w_2d;
-  const double w_3a = KSL_MUL(D->m00, c->m3), w_3b = KSL_MUL(D->m01, c->m4), w_3 = w_3a + w_3b;
-  const double w_4a = KSL_MUL(D->m10, c->m3), w_4b = KSL_MUL(D->m11, c->m4), w_4 = w_4a + w_4b;
-  const double w_5a = KSL_MUL(D->m20, c->m3), w_5b = KSL_MUL(D->m21, c->m4), w_5 = w_5a + w_5b;
-  const double co_3a = KSL_MUL(D->m13, w_2), co_3b = KSL_MUL(D->m23, w_1), co_3c = co_3a - co_3b,
-      co_3 = co_3c + w_3;
-  const double co_4a = KSL_MUL(D->m23, w_0), co_4b = KSL_MUL(D->m03, w_2), co_4c = co_4a - co_4b,
-      co_4 = co_4c + w_4;
-  const double co_5a = KSL_MUL(D->m03, w_1), co_5b = KSL_MUL(D->m13, w_0), co_5c = co_5a - co_5b,
-      co_5 = co_5c + w_5;
+  const double w_0 = KSL_MUL(D->m00, c->m0) + KSL_MUL(D->m01, c->m1) + KSL_MUL(D->m02, c->m2),
+      w_1 = KSL_MUL(D->m10, c->m0) + KSL_MUL(D->m11, c->m1) + KSL_MUL(D->m12, c->m2),
+      w_2 = KSL_MUL(D->m20, c->m0) + KSL_MUL(D->m21, c->m1) + KSL_MUL(D->m22, c->m2),
+      w_3 = KSL_MUL(D->m00, c->m3) + KSL_MUL(D->m01, c->m4),
+      w_4 = KSL_MUL(D->m10, c->m3) + KSL_MUL(D->m11, c->m4),
+      w_5 = KSL_MUL(D->m20, c->m3) + KSL_MUL(D->m21, c->m4);
+  const double co_3 = KSL_MUL(D->m13, w_2) - KSL_MUL(D->m23, w_1) + w_3,
+      co_4 = KSL_MUL(D->m23, w_0) - KSL_MUL(D->m03, w_2) + w_4,
+      co_5 = KSL_MUL(D->m03, w_1) - KSL_MUL(D->m13, w_0) + w_5;
   co->m0 = w_0;
   co->m1 = w_1;
   co->m2 = w_2;
@@ -1254,12 +1030,11 @@ static inline void ksl_constraint_crz(const ksl_SE3_t *D, const ksl_coscrew_t *c
    Error <= u |result| + (lin: 0, ang: 2) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_working_ctx(const ksl_SE3_t *D, const ksl_coscrew_t *c, ksl_coscrew_t *co) {
-  const double w_0 = KSL_MUL(D->m00, c->m0);
-  const double w_1 = KSL_MUL(D->m10, c->m0);
-  const double w_2 = KSL_MUL(D->m20, c->m0);
-  const double co_3a = KSL_MUL(D->m13, w_2), co_3b = KSL_MUL(D->m23, w_1), co_3 = co_3a - co_3b;
-  const double co_4a = KSL_MUL(D->m23, w_0), co_4b = KSL_MUL(D->m03, w_2), co_4 = co_4a - co_4b;
-  const double co_5a = KSL_MUL(D->m03, w_1), co_5b = KSL_MUL(D->m13, w_0), co_5 = co_5a - co_5b;
+  const double w_0 = KSL_MUL(D->m00, c->m0), w_1 = KSL_MUL(D->m10, c->m0),
+      w_2 = KSL_MUL(D->m20, c->m0);
+  const double co_3 = KSL_MUL(D->m13, w_2) - KSL_MUL(D->m23, w_1),
+      co_4 = KSL_MUL(D->m23, w_0) - KSL_MUL(D->m03, w_2),
+      co_5 = KSL_MUL(D->m03, w_1) - KSL_MUL(D->m13, w_0);
   co->m0 = w_0;
   co->m1 = w_1;
   co->m2 = w_2;
@@ -1274,12 +1049,11 @@ static inline void ksl_working_ctx(const ksl_SE3_t *D, const ksl_coscrew_t *c, k
    Error <= u |result| + (lin: 0, ang: 2) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_working_cty(const ksl_SE3_t *D, const ksl_coscrew_t *c, ksl_coscrew_t *co) {
-  const double w_0 = KSL_MUL(D->m01, c->m1);
-  const double w_1 = KSL_MUL(D->m11, c->m1);
-  const double w_2 = KSL_MUL(D->m21, c->m1);
-  const double co_3a = KSL_MUL(D->m13, w_2), co_3b = KSL_MUL(D->m23, w_1), co_3 = co_3a - co_3b;
-  const double co_4a = KSL_MUL(D->m23, w_0), co_4b = KSL_MUL(D->m03, w_2), co_4 = co_4a - co_4b;
-  const double co_5a = KSL_MUL(D->m03, w_1), co_5b = KSL_MUL(D->m13, w_0), co_5 = co_5a - co_5b;
+  const double w_0 = KSL_MUL(D->m01, c->m1), w_1 = KSL_MUL(D->m11, c->m1),
+      w_2 = KSL_MUL(D->m21, c->m1);
+  const double co_3 = KSL_MUL(D->m13, w_2) - KSL_MUL(D->m23, w_1),
+      co_4 = KSL_MUL(D->m23, w_0) - KSL_MUL(D->m03, w_2),
+      co_5 = KSL_MUL(D->m03, w_1) - KSL_MUL(D->m13, w_0);
   co->m0 = w_0;
   co->m1 = w_1;
   co->m2 = w_2;
@@ -1294,12 +1068,11 @@ static inline void ksl_working_cty(const ksl_SE3_t *D, const ksl_coscrew_t *c, k
    Error <= u |result| + (lin: 0, ang: 2) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_working_ctz(const ksl_SE3_t *D, const ksl_coscrew_t *c, ksl_coscrew_t *co) {
-  const double w_0 = KSL_MUL(D->m02, c->m2);
-  const double w_1 = KSL_MUL(D->m12, c->m2);
-  const double w_2 = KSL_MUL(D->m22, c->m2);
-  const double co_3a = KSL_MUL(D->m13, w_2), co_3b = KSL_MUL(D->m23, w_1), co_3 = co_3a - co_3b;
-  const double co_4a = KSL_MUL(D->m23, w_0), co_4b = KSL_MUL(D->m03, w_2), co_4 = co_4a - co_4b;
-  const double co_5a = KSL_MUL(D->m03, w_1), co_5b = KSL_MUL(D->m13, w_0), co_5 = co_5a - co_5b;
+  const double w_0 = KSL_MUL(D->m02, c->m2), w_1 = KSL_MUL(D->m12, c->m2),
+      w_2 = KSL_MUL(D->m22, c->m2);
+  const double co_3 = KSL_MUL(D->m13, w_2) - KSL_MUL(D->m23, w_1),
+      co_4 = KSL_MUL(D->m23, w_0) - KSL_MUL(D->m03, w_2),
+      co_5 = KSL_MUL(D->m03, w_1) - KSL_MUL(D->m13, w_0);
   co->m0 = w_0;
   co->m1 = w_1;
   co->m2 = w_2;
@@ -1313,9 +1086,8 @@ static inline void ksl_working_ctz(const ksl_SE3_t *D, const ksl_coscrew_t *c, k
    3 mul.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_working_crx(const ksl_SE3_t *D, const ksl_coscrew_t *c, ksl_coscrew_t *co) {
-  const double w_3 = KSL_MUL(D->m00, c->m3);
-  const double w_4 = KSL_MUL(D->m10, c->m3);
-  const double w_5 = KSL_MUL(D->m20, c->m3);
+  const double w_3 = KSL_MUL(D->m00, c->m3), w_4 = KSL_MUL(D->m10, c->m3),
+      w_5 = KSL_MUL(D->m20, c->m3);
   co->m0 = 0.0;
   co->m1 = 0.0;
   co->m2 = 0.0;
@@ -1329,9 +1101,8 @@ static inline void ksl_working_crx(const ksl_SE3_t *D, const ksl_coscrew_t *c, k
    3 mul.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_working_cry(const ksl_SE3_t *D, const ksl_coscrew_t *c, ksl_coscrew_t *co) {
-  const double w_3 = KSL_MUL(D->m01, c->m4);
-  const double w_4 = KSL_MUL(D->m11, c->m4);
-  const double w_5 = KSL_MUL(D->m21, c->m4);
+  const double w_3 = KSL_MUL(D->m01, c->m4), w_4 = KSL_MUL(D->m11, c->m4),
+      w_5 = KSL_MUL(D->m21, c->m4);
   co->m0 = 0.0;
   co->m1 = 0.0;
   co->m2 = 0.0;
@@ -1345,9 +1116,8 @@ static inline void ksl_working_cry(const ksl_SE3_t *D, const ksl_coscrew_t *c, k
    3 mul.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_working_crz(const ksl_SE3_t *D, const ksl_coscrew_t *c, ksl_coscrew_t *co) {
-  const double w_3 = KSL_MUL(D->m02, c->m5);
-  const double w_4 = KSL_MUL(D->m12, c->m5);
-  const double w_5 = KSL_MUL(D->m22, c->m5);
+  const double w_3 = KSL_MUL(D->m02, c->m5), w_4 = KSL_MUL(D->m12, c->m5),
+      w_5 = KSL_MUL(D->m22, c->m5);
   co->m0 = 0.0;
   co->m1 = 0.0;
   co->m2 = 0.0;
@@ -1361,12 +1131,8 @@ static inline void ksl_working_crz(const ksl_SE3_t *D, const ksl_coscrew_t *c, k
    6 neg.
    Exact. */
 static inline void ksl_coad(const ksl_screw_t *s, ksl_mat6x6_t *M) {
-  const double M_01 = -s->m5;
-  const double M_12 = -s->m3;
-  const double M_20 = -s->m4;
-  const double M_31 = -s->m2;
-  const double M_42 = -s->m0;
-  const double M_50 = -s->m1;
+  const double M_01 = -s->m5, M_12 = -s->m3, M_20 = -s->m4, M_31 = -s->m2, M_42 = -s->m0,
+      M_50 = -s->m1;
   const double s_m4 = s->m4;
   const double s_m5 = s->m5;
   const double s_m3 = s->m3;
@@ -1448,12 +1214,9 @@ static inline void ksl_coscrewf_copy(const ksl_coscrewf_t *ci, ksl_coscrewf_t *c
    6 mul.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_coscrewf_scale(ksl_coscrewf_t *self, const float a) {
-  const float self_0_new = KSL_MULF(self->m0, a);
-  const float self_1_new = KSL_MULF(self->m1, a);
-  const float self_2_new = KSL_MULF(self->m2, a);
-  const float self_3_new = KSL_MULF(self->m3, a);
-  const float self_4_new = KSL_MULF(self->m4, a);
-  const float self_5_new = KSL_MULF(self->m5, a);
+  const float self_0_new = KSL_MULF(self->m0, a), self_1_new = KSL_MULF(self->m1, a),
+      self_2_new = KSL_MULF(self->m2, a), self_3_new = KSL_MULF(self->m3, a),
+      self_4_new = KSL_MULF(self->m4, a), self_5_new = KSL_MULF(self->m5, a);
   self->m0 = self_0_new;
   self->m1 = self_1_new;
   self->m2 = self_2_new;
@@ -1467,12 +1230,8 @@ static inline void ksl_coscrewf_scale(ksl_coscrewf_t *self, const float a) {
    6 neg.
    Exact. */
 static inline void ksl_coscrewf_inverted(const ksl_coscrewf_t *ci, ksl_coscrewf_t *co) {
-  const float co_0 = -ci->m0;
-  const float co_1 = -ci->m1;
-  const float co_2 = -ci->m2;
-  const float co_3 = -ci->m3;
-  const float co_4 = -ci->m4;
-  const float co_5 = -ci->m5;
+  const float co_0 = -ci->m0, co_1 = -ci->m1, co_2 = -ci->m2, co_3 = -ci->m3, co_4 = -ci->m4,
+      co_5 = -ci->m5;
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;
@@ -1486,12 +1245,8 @@ static inline void ksl_coscrewf_inverted(const ksl_coscrewf_t *ci, ksl_coscrewf_
    6 neg.
    Exact. */
 static inline void ksl_coscrewf_invert(ksl_coscrewf_t *self) {
-  const float self_0_new = -self->m0;
-  const float self_1_new = -self->m1;
-  const float self_2_new = -self->m2;
-  const float self_3_new = -self->m3;
-  const float self_4_new = -self->m4;
-  const float self_5_new = -self->m5;
+  const float self_0_new = -self->m0, self_1_new = -self->m1, self_2_new = -self->m2,
+      self_3_new = -self->m3, self_4_new = -self->m4, self_5_new = -self->m5;
   self->m0 = self_0_new;
   self->m1 = self_1_new;
   self->m2 = self_2_new;
@@ -1506,12 +1261,9 @@ static inline void ksl_coscrewf_invert(ksl_coscrewf_t *self) {
    Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline void ksl_axpy_ccf(const float a, const ksl_coscrewf_t *x, ksl_coscrewf_t *y) {
-  const float y_0_new_a = KSL_MULF(a, x->m0), y_0_new = y_0_new_a + y->m0;
-  const float y_1_new_a = KSL_MULF(a, x->m1), y_1_new = y_1_new_a + y->m1;
-  const float y_2_new_a = KSL_MULF(a, x->m2), y_2_new = y_2_new_a + y->m2;
-  const float y_3_new_a = KSL_MULF(a, x->m3), y_3_new = y_3_new_a + y->m3;
-  const float y_4_new_a = KSL_MULF(a, x->m4), y_4_new = y_4_new_a + y->m4;
-  const float y_5_new_a = KSL_MULF(a, x->m5), y_5_new = y_5_new_a + y->m5;
+  const float y_0_new = KSL_MULF(a, x->m0) + y->m0, y_1_new = KSL_MULF(a, x->m1) + y->m1,
+      y_2_new = KSL_MULF(a, x->m2) + y->m2, y_3_new = KSL_MULF(a, x->m3) + y->m3,
+      y_4_new = KSL_MULF(a, x->m4) + y->m4, y_5_new = KSL_MULF(a, x->m5) + y->m5;
   y->m0 = y_0_new;
   y->m1 = y_1_new;
   y->m2 = y_2_new;
@@ -1525,12 +1277,8 @@ static inline void ksl_axpy_ccf(const float a, const ksl_coscrewf_t *x, ksl_cosc
    6 add.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_xpy_ccf(const ksl_coscrewf_t *x, ksl_coscrewf_t *y) {
-  const float y_0_new = x->m0 + y->m0;
-  const float y_1_new = x->m1 + y->m1;
-  const float y_2_new = x->m2 + y->m2;
-  const float y_3_new = x->m3 + y->m3;
-  const float y_4_new = x->m4 + y->m4;
-  const float y_5_new = x->m5 + y->m5;
+  const float y_0_new = x->m0 + y->m0, y_1_new = x->m1 + y->m1, y_2_new = x->m2 + y->m2,
+      y_3_new = x->m3 + y->m3, y_4_new = x->m4 + y->m4, y_5_new = x->m5 + y->m5;
   y->m0 = y_0_new;
   y->m1 = y_1_new;
   y->m2 = y_2_new;
@@ -1544,12 +1292,8 @@ static inline void ksl_xpy_ccf(const ksl_coscrewf_t *x, ksl_coscrewf_t *y) {
    6 add.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_nxpy_ccf(const ksl_coscrewf_t *x, ksl_coscrewf_t *y) {
-  const float y_0_new = y->m0 - x->m0;
-  const float y_1_new = y->m1 - x->m1;
-  const float y_2_new = y->m2 - x->m2;
-  const float y_3_new = y->m3 - x->m3;
-  const float y_4_new = y->m4 - x->m4;
-  const float y_5_new = y->m5 - x->m5;
+  const float y_0_new = y->m0 - x->m0, y_1_new = y->m1 - x->m1, y_2_new = y->m2 - x->m2,
+      y_3_new = y->m3 - x->m3, y_4_new = y->m4 - x->m4, y_5_new = y->m5 - x->m5;
   y->m0 = y_0_new;
   y->m1 = y_1_new;
   y->m2 = y_2_new;
@@ -1563,12 +1307,8 @@ static inline void ksl_nxpy_ccf(const ksl_coscrewf_t *x, ksl_coscrewf_t *y) {
    6 mul.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_product_acf(const float a, const ksl_coscrewf_t *ci, ksl_coscrewf_t *co) {
-  const float co_0 = KSL_MULF(a, ci->m0);
-  const float co_1 = KSL_MULF(a, ci->m1);
-  const float co_2 = KSL_MULF(a, ci->m2);
-  const float co_3 = KSL_MULF(a, ci->m3);
-  const float co_4 = KSL_MULF(a, ci->m4);
-  const float co_5 = KSL_MULF(a, ci->m5);
+  const float co_0 = KSL_MULF(a, ci->m0), co_1 = KSL_MULF(a, ci->m1), co_2 = KSL_MULF(a, ci->m2),
+      co_3 = KSL_MULF(a, ci->m3), co_4 = KSL_MULF(a, ci->m4), co_5 = KSL_MULF(a, ci->m5);
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;
@@ -1583,12 +1323,8 @@ static inline void ksl_product_acf(const float a, const ksl_coscrewf_t *ci, ksl_
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_add_ccf(const ksl_coscrewf_t *c1, const ksl_coscrewf_t *c2,
     ksl_coscrewf_t *co) {
-  const float co_0 = c1->m0 + c2->m0;
-  const float co_1 = c1->m1 + c2->m1;
-  const float co_2 = c1->m2 + c2->m2;
-  const float co_3 = c1->m3 + c2->m3;
-  const float co_4 = c1->m4 + c2->m4;
-  const float co_5 = c1->m5 + c2->m5;
+  const float co_0 = c1->m0 + c2->m0, co_1 = c1->m1 + c2->m1, co_2 = c1->m2 + c2->m2,
+      co_3 = c1->m3 + c2->m3, co_4 = c1->m4 + c2->m4, co_5 = c1->m5 + c2->m5;
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;
@@ -1603,12 +1339,8 @@ static inline void ksl_add_ccf(const ksl_coscrewf_t *c1, const ksl_coscrewf_t *c
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_subtract_ccf(const ksl_coscrewf_t *c1, const ksl_coscrewf_t *c2,
     ksl_coscrewf_t *co) {
-  const float co_0 = c1->m0 - c2->m0;
-  const float co_1 = c1->m1 - c2->m1;
-  const float co_2 = c1->m2 - c2->m2;
-  const float co_3 = c1->m3 - c2->m3;
-  const float co_4 = c1->m4 - c2->m4;
-  const float co_5 = c1->m5 - c2->m5;
+  const float co_0 = c1->m0 - c2->m0, co_1 = c1->m1 - c2->m1, co_2 = c1->m2 - c2->m2,
+      co_3 = c1->m3 - c2->m3, co_4 = c1->m4 - c2->m4, co_5 = c1->m5 - c2->m5;
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;
@@ -1621,25 +1353,19 @@ static inline void ksl_subtract_ccf(const ksl_coscrewf_t *c1, const ksl_coscrewf
    ci: coscrew (f in N; τ in N m).
    7 mul, 2 add, 1 sqrt, 6 abs, 11 less, 1 equal, 14 select. */
 static inline float ksl_coscrewf_norm(const ksl_coscrewf_t *ci) {
-  const float small_a = fabsf(ci->m2), small_c = small_a < 1e-06f ? 1.0f : 0.0f,
-      small_d = fabsf(ci->m1), small_f = small_d < 1e-06f ? small_c : 0.0f, small_g = fabsf(ci->m0),
-      small = small_g < 1e-06f ? small_f : 0.0f;
-  const float p_0 = small == 1.0f ? ci->m3 : ci->m0;
-  const float p_1 = small == 1.0f ? ci->m4 : ci->m1;
-  const float p_2 = small == 1.0f ? ci->m5 : ci->m2;
-  const float s_size_0 = fabsf(p_0);
-  const float s_size_1 = fabsf(p_1);
-  const float s_size_2 = fabsf(p_2);
+  const float small_c = fabsf(ci->m2) < 1e-06f ? 1.0f : 0.0f,
+      small_f = fabsf(ci->m1) < 1e-06f ? small_c : 0.0f,
+      small = fabsf(ci->m0) < 1e-06f ? small_f : 0.0f;
+  const float p_0 = small == 1.0f ? ci->m3 : ci->m0, p_1 = small == 1.0f ? ci->m4 : ci->m1,
+      p_2 = small == 1.0f ? ci->m5 : ci->m2;
+  const float s_size_0 = fabsf(p_0), s_size_1 = fabsf(p_1), s_size_2 = fabsf(p_2);
   const float s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
   const float s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const float s_b = 4.611686e+18f < s_largest2 ? 2.7105054e-20f : 1.0f,
       s_d = s_largest2 < 256.0f ? 1.8014399e+16f : s_b,
       s = s_largest2 < 1.4210855e-14f ? 3.2451855e+32f : s_d;
-  const float y_0 = KSL_MULF(p_0, s);
-  const float y_1 = KSL_MULF(p_1, s);
-  const float y_2 = KSL_MULF(p_2, s);
-  const float n_a = KSL_MULF(y_0, y_0), n_b = KSL_MULF(y_1, y_1), n_c = n_a + n_b,
-      n_d = KSL_MULF(y_2, y_2), n_e = n_c + n_d, n = sqrtf(n_e);
+  const float y_0 = KSL_MULF(p_0, s), y_1 = KSL_MULF(p_1, s), y_2 = KSL_MULF(p_2, s);
+  const float n = sqrtf(KSL_MULF(y_0, y_0) + KSL_MULF(y_1, y_1) + KSL_MULF(y_2, y_2));
   const float r_b = s < 1.0f ? 3.689349e+19f : 1.0f, r_d = 1.0f < s ? 5.551115e-17f : r_b,
       r = 1.8014399e+16f < s ? 3.081488e-33f : r_d;
   const float norm = KSL_MULF(n, r);
@@ -1653,58 +1379,36 @@ static inline void ksl_coscrewf_normalize(ksl_coscrewf_t *self) {
   const float small_a = fabsf(self->m2), small_c = small_a < 1e-06f ? 1.0f : 0.0f,
       small_d = fabsf(self->m1), small_f = small_d < 1e-06f ? small_c : 0.0f,
       small_g = fabsf(self->m0), small = small_g < 1e-06f ? small_f : 0.0f;
-  const float p_0 = small == 1.0f ? self->m3 : self->m0;
-  const float p_1 = small == 1.0f ? self->m4 : self->m1;
-  const float p_2 = small == 1.0f ? self->m5 : self->m2;
-  const float s_size_0 = fabsf(p_0);
-  const float s_size_1 = fabsf(p_1);
-  const float s_size_2 = fabsf(p_2);
+  const float p_0 = small == 1.0f ? self->m3 : self->m0, p_1 = small == 1.0f ? self->m4 : self->m1,
+      p_2 = small == 1.0f ? self->m5 : self->m2;
+  const float s_size_0 = fabsf(p_0), s_size_1 = fabsf(p_1), s_size_2 = fabsf(p_2);
   const float s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
   const float s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const float s_b = 4.611686e+18f < s_largest2 ? 2.7105054e-20f : 1.0f,
       s_d = s_largest2 < 256.0f ? 1.8014399e+16f : s_b,
       s = s_largest2 < 1.4210855e-14f ? 3.2451855e+32f : s_d;
-  const float y_0 = KSL_MULF(p_0, s);
-  const float y_1 = KSL_MULF(p_1, s);
-  const float y_2 = KSL_MULF(p_2, s);
+  const float y_0 = KSL_MULF(p_0, s), y_1 = KSL_MULF(p_1, s), y_2 = KSL_MULF(p_2, s);
   const float up = 1.0f < s ? s : 1.0f;
   const float down = s < 1.0f ? s : 1.0f;
-  const float n_a = KSL_MULF(y_0, y_0), n_b = KSL_MULF(y_1, y_1), n_c = n_a + n_b,
-      n_d = KSL_MULF(y_2, y_2), n_e = n_c + n_d, n = sqrtf(n_e);
+  const float n = sqrtf(KSL_MULF(y_0, y_0) + KSL_MULF(y_1, y_1) + KSL_MULF(y_2, y_2));
   const float divisor = n == 0.0f ? up : n;
-  const float size_3 = fabsf(self->m3);
-  const float size_4 = fabsf(self->m4);
-  const float size_5 = fabsf(self->m5);
-  const float before_0 = small_g < 256.0f ? up : down;
-  const float before_1 = small_d < 256.0f ? up : down;
-  const float before_2 = small_a < 256.0f ? up : down;
-  const float before_3 = size_3 < 256.0f ? up : down;
-  const float before_4 = size_4 < 256.0f ? up : down;
-  const float before_5 = size_5 < 256.0f ? up : down;
-  const float after_0 = small_g < 256.0f ? down : up;
-  const float after_1 = small_d < 256.0f ? down : up;
-  const float after_2 = small_a < 256.0f ? down : up;
-  const float after_3 = size_3 < 256.0f ? down : up;
-  const float after_4 = size_4 < 256.0f ? down : up;
-  const float after_5 = size_5 < 256.0f ? down : up;
-  const float sized_0 = KSL_MULF(self->m0, before_0);
-  const float sized_1 = KSL_MULF(self->m1, before_1);
-  const float sized_2 = KSL_MULF(self->m2, before_2);
-  const float sized_3 = KSL_MULF(self->m3, before_3);
-  const float sized_4 = KSL_MULF(self->m4, before_4);
-  const float sized_5 = KSL_MULF(self->m5, before_5);
-  const float quotient_0 = sized_0 / divisor;
-  const float quotient_1 = sized_1 / divisor;
-  const float quotient_2 = sized_2 / divisor;
-  const float quotient_3 = sized_3 / divisor;
-  const float quotient_4 = sized_4 / divisor;
-  const float quotient_5 = sized_5 / divisor;
-  const float self_0_new = KSL_MULF(quotient_0, after_0);
-  const float self_1_new = KSL_MULF(quotient_1, after_1);
-  const float self_2_new = KSL_MULF(quotient_2, after_2);
-  const float self_3_new = KSL_MULF(quotient_3, after_3);
-  const float self_4_new = KSL_MULF(quotient_4, after_4);
-  const float self_5_new = KSL_MULF(quotient_5, after_5);
+  const float size_3 = fabsf(self->m3), size_4 = fabsf(self->m4), size_5 = fabsf(self->m5);
+  const float before_0 = small_g < 256.0f ? up : down, before_1 = small_d < 256.0f ? up : down,
+      before_2 = small_a < 256.0f ? up : down, before_3 = size_3 < 256.0f ? up : down,
+      before_4 = size_4 < 256.0f ? up : down, before_5 = size_5 < 256.0f ? up : down;
+  const float after_0 = small_g < 256.0f ? down : up, after_1 = small_d < 256.0f ? down : up,
+      after_2 = small_a < 256.0f ? down : up, after_3 = size_3 < 256.0f ? down : up,
+      after_4 = size_4 < 256.0f ? down : up, after_5 = size_5 < 256.0f ? down : up;
+  const float sized_0 = KSL_MULF(self->m0, before_0), sized_1 = KSL_MULF(self->m1, before_1),
+      sized_2 = KSL_MULF(self->m2, before_2), sized_3 = KSL_MULF(self->m3, before_3),
+      sized_4 = KSL_MULF(self->m4, before_4), sized_5 = KSL_MULF(self->m5, before_5);
+  const float quotient_0 = sized_0 / divisor, quotient_1 = sized_1 / divisor,
+      quotient_2 = sized_2 / divisor, quotient_3 = sized_3 / divisor,
+      quotient_4 = sized_4 / divisor, quotient_5 = sized_5 / divisor;
+  const float self_0_new = KSL_MULF(quotient_0, after_0),
+      self_1_new = KSL_MULF(quotient_1, after_1), self_2_new = KSL_MULF(quotient_2, after_2),
+      self_3_new = KSL_MULF(quotient_3, after_3), self_4_new = KSL_MULF(quotient_4, after_4),
+      self_5_new = KSL_MULF(quotient_5, after_5);
   self->m0 = self_0_new;
   self->m1 = self_1_new;
   self->m2 = self_2_new;
@@ -1720,58 +1424,35 @@ static inline void ksl_coscrewf_normalized(const ksl_coscrewf_t *ci, ksl_coscrew
   const float small_a = fabsf(ci->m2), small_c = small_a < 1e-06f ? 1.0f : 0.0f,
       small_d = fabsf(ci->m1), small_f = small_d < 1e-06f ? small_c : 0.0f, small_g = fabsf(ci->m0),
       small = small_g < 1e-06f ? small_f : 0.0f;
-  const float p_0 = small == 1.0f ? ci->m3 : ci->m0;
-  const float p_1 = small == 1.0f ? ci->m4 : ci->m1;
-  const float p_2 = small == 1.0f ? ci->m5 : ci->m2;
-  const float s_size_0 = fabsf(p_0);
-  const float s_size_1 = fabsf(p_1);
-  const float s_size_2 = fabsf(p_2);
+  const float p_0 = small == 1.0f ? ci->m3 : ci->m0, p_1 = small == 1.0f ? ci->m4 : ci->m1,
+      p_2 = small == 1.0f ? ci->m5 : ci->m2;
+  const float s_size_0 = fabsf(p_0), s_size_1 = fabsf(p_1), s_size_2 = fabsf(p_2);
   const float s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
   const float s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const float s_b = 4.611686e+18f < s_largest2 ? 2.7105054e-20f : 1.0f,
       s_d = s_largest2 < 256.0f ? 1.8014399e+16f : s_b,
       s = s_largest2 < 1.4210855e-14f ? 3.2451855e+32f : s_d;
-  const float y_0 = KSL_MULF(p_0, s);
-  const float y_1 = KSL_MULF(p_1, s);
-  const float y_2 = KSL_MULF(p_2, s);
+  const float y_0 = KSL_MULF(p_0, s), y_1 = KSL_MULF(p_1, s), y_2 = KSL_MULF(p_2, s);
   const float up = 1.0f < s ? s : 1.0f;
   const float down = s < 1.0f ? s : 1.0f;
-  const float n_a = KSL_MULF(y_0, y_0), n_b = KSL_MULF(y_1, y_1), n_c = n_a + n_b,
-      n_d = KSL_MULF(y_2, y_2), n_e = n_c + n_d, n = sqrtf(n_e);
+  const float n = sqrtf(KSL_MULF(y_0, y_0) + KSL_MULF(y_1, y_1) + KSL_MULF(y_2, y_2));
   const float divisor = n == 0.0f ? up : n;
-  const float size_3 = fabsf(ci->m3);
-  const float size_4 = fabsf(ci->m4);
-  const float size_5 = fabsf(ci->m5);
-  const float before_0 = small_g < 256.0f ? up : down;
-  const float before_1 = small_d < 256.0f ? up : down;
-  const float before_2 = small_a < 256.0f ? up : down;
-  const float before_3 = size_3 < 256.0f ? up : down;
-  const float before_4 = size_4 < 256.0f ? up : down;
-  const float before_5 = size_5 < 256.0f ? up : down;
-  const float after_0 = small_g < 256.0f ? down : up;
-  const float after_1 = small_d < 256.0f ? down : up;
-  const float after_2 = small_a < 256.0f ? down : up;
-  const float after_3 = size_3 < 256.0f ? down : up;
-  const float after_4 = size_4 < 256.0f ? down : up;
-  const float after_5 = size_5 < 256.0f ? down : up;
-  const float sized_0 = KSL_MULF(ci->m0, before_0);
-  const float sized_1 = KSL_MULF(ci->m1, before_1);
-  const float sized_2 = KSL_MULF(ci->m2, before_2);
-  const float sized_3 = KSL_MULF(ci->m3, before_3);
-  const float sized_4 = KSL_MULF(ci->m4, before_4);
-  const float sized_5 = KSL_MULF(ci->m5, before_5);
-  const float quotient_0 = sized_0 / divisor;
-  const float quotient_1 = sized_1 / divisor;
-  const float quotient_2 = sized_2 / divisor;
-  const float quotient_3 = sized_3 / divisor;
-  const float quotient_4 = sized_4 / divisor;
-  const float quotient_5 = sized_5 / divisor;
-  const float co_0 = KSL_MULF(quotient_0, after_0);
-  const float co_1 = KSL_MULF(quotient_1, after_1);
-  const float co_2 = KSL_MULF(quotient_2, after_2);
-  const float co_3 = KSL_MULF(quotient_3, after_3);
-  const float co_4 = KSL_MULF(quotient_4, after_4);
-  const float co_5 = KSL_MULF(quotient_5, after_5);
+  const float size_3 = fabsf(ci->m3), size_4 = fabsf(ci->m4), size_5 = fabsf(ci->m5);
+  const float before_0 = small_g < 256.0f ? up : down, before_1 = small_d < 256.0f ? up : down,
+      before_2 = small_a < 256.0f ? up : down, before_3 = size_3 < 256.0f ? up : down,
+      before_4 = size_4 < 256.0f ? up : down, before_5 = size_5 < 256.0f ? up : down;
+  const float after_0 = small_g < 256.0f ? down : up, after_1 = small_d < 256.0f ? down : up,
+      after_2 = small_a < 256.0f ? down : up, after_3 = size_3 < 256.0f ? down : up,
+      after_4 = size_4 < 256.0f ? down : up, after_5 = size_5 < 256.0f ? down : up;
+  const float sized_0 = KSL_MULF(ci->m0, before_0), sized_1 = KSL_MULF(ci->m1, before_1),
+      sized_2 = KSL_MULF(ci->m2, before_2), sized_3 = KSL_MULF(ci->m3, before_3),
+      sized_4 = KSL_MULF(ci->m4, before_4), sized_5 = KSL_MULF(ci->m5, before_5);
+  const float quotient_0 = sized_0 / divisor, quotient_1 = sized_1 / divisor,
+      quotient_2 = sized_2 / divisor, quotient_3 = sized_3 / divisor,
+      quotient_4 = sized_4 / divisor, quotient_5 = sized_5 / divisor;
+  const float co_0 = KSL_MULF(quotient_0, after_0), co_1 = KSL_MULF(quotient_1, after_1),
+      co_2 = KSL_MULF(quotient_2, after_2), co_3 = KSL_MULF(quotient_3, after_3),
+      co_4 = KSL_MULF(quotient_4, after_4), co_5 = KSL_MULF(quotient_5, after_5);
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;
@@ -1844,9 +1525,7 @@ static inline void ksl_coscrewf_from_angular_first(const float x[6], ksl_coscrew
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_add_cctf(const ksl_coscrewf_t *c1, const ksl_coscrewf_t *c2,
     ksl_coscrewf_t *co) {
-  const float co_0 = c1->m0 + c2->m0;
-  const float co_1 = c1->m1 + c2->m1;
-  const float co_2 = c1->m2 + c2->m2;
+  const float co_0 = c1->m0 + c2->m0, co_1 = c1->m1 + c2->m1, co_2 = c1->m2 + c2->m2;
   const float c1_m3 = c1->m3;
   const float c1_m4 = c1->m4;
   const float c1_m5 = c1->m5;
@@ -1865,12 +1544,9 @@ static inline void ksl_add_cctf(const ksl_coscrewf_t *c1, const ksl_coscrewf_t *
      barring over- and underflow. */
 static inline void ksl_product_CoAdtcf(const ksl_vec3f_t *t, const ksl_coscrewf_t *ci,
     ksl_coscrewf_t *co) {
-  const float co_3a = KSL_MULF(t->y, ci->m2), co_3b = KSL_MULF(t->z, ci->m1), co_3c = co_3a - co_3b,
-      co_3 = co_3c + ci->m3;
-  const float co_4a = KSL_MULF(t->z, ci->m0), co_4b = KSL_MULF(t->x, ci->m2), co_4c = co_4a - co_4b,
-      co_4 = co_4c + ci->m4;
-  const float co_5a = KSL_MULF(t->x, ci->m1), co_5b = KSL_MULF(t->y, ci->m0), co_5c = co_5a - co_5b,
-      co_5 = co_5c + ci->m5;
+  const float co_3 = KSL_MULF(t->y, ci->m2) - KSL_MULF(t->z, ci->m1) + ci->m3,
+      co_4 = KSL_MULF(t->z, ci->m0) - KSL_MULF(t->x, ci->m2) + ci->m4,
+      co_5 = KSL_MULF(t->x, ci->m1) - KSL_MULF(t->y, ci->m0) + ci->m5;
   const float ci_m0 = ci->m0;
   const float ci_m1 = ci->m1;
   const float ci_m2 = ci->m2;
@@ -1889,12 +1565,9 @@ static inline void ksl_product_CoAdtcf(const ksl_vec3f_t *t, const ksl_coscrewf_
      barring over- and underflow. */
 static inline void ksl_product_CoAdtinvcf(const ksl_vec3f_t *t, const ksl_coscrewf_t *ci,
     ksl_coscrewf_t *co) {
-  const float co_3a = KSL_MULF(t->z, ci->m1), co_3b = KSL_MULF(t->y, ci->m2), co_3c = co_3a - co_3b,
-      co_3 = co_3c + ci->m3;
-  const float co_4a = KSL_MULF(t->x, ci->m2), co_4b = KSL_MULF(t->z, ci->m0), co_4c = co_4a - co_4b,
-      co_4 = co_4c + ci->m4;
-  const float co_5a = KSL_MULF(t->y, ci->m0), co_5b = KSL_MULF(t->x, ci->m1), co_5c = co_5a - co_5b,
-      co_5 = co_5c + ci->m5;
+  const float co_3 = KSL_MULF(t->z, ci->m1) - KSL_MULF(t->y, ci->m2) + ci->m3,
+      co_4 = KSL_MULF(t->x, ci->m2) - KSL_MULF(t->z, ci->m0) + ci->m4,
+      co_5 = KSL_MULF(t->y, ci->m0) - KSL_MULF(t->x, ci->m1) + ci->m5;
   const float ci_m0 = ci->m0;
   const float ci_m1 = ci->m1;
   const float ci_m2 = ci->m2;
@@ -1913,15 +1586,10 @@ static inline void ksl_product_CoAdtinvcf(const ksl_vec3f_t *t, const ksl_coscre
      barring over- and underflow. */
 static inline void ksl_product_CoAdtcinvf(const ksl_vec3f_t *t, const ksl_coscrewf_t *ci,
     ksl_coscrewf_t *co) {
-  const float co_0 = -ci->m0;
-  const float co_1 = -ci->m1;
-  const float co_2 = -ci->m2;
-  const float co_3a = KSL_MULF(t->z, ci->m1), co_3b = KSL_MULF(t->y, ci->m2), co_3c = co_3a - co_3b,
-      co_3 = co_3c - ci->m3;
-  const float co_4a = KSL_MULF(t->x, ci->m2), co_4b = KSL_MULF(t->z, ci->m0), co_4c = co_4a - co_4b,
-      co_4 = co_4c - ci->m4;
-  const float co_5a = KSL_MULF(t->y, ci->m0), co_5b = KSL_MULF(t->x, ci->m1), co_5c = co_5a - co_5b,
-      co_5 = co_5c - ci->m5;
+  const float co_0 = -ci->m0, co_1 = -ci->m1, co_2 = -ci->m2,
+      co_3 = KSL_MULF(t->z, ci->m1) - KSL_MULF(t->y, ci->m2) - ci->m3,
+      co_4 = KSL_MULF(t->x, ci->m2) - KSL_MULF(t->z, ci->m0) - ci->m4,
+      co_5 = KSL_MULF(t->y, ci->m0) - KSL_MULF(t->x, ci->m1) - ci->m5;
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;
@@ -1937,18 +1605,12 @@ static inline void ksl_product_CoAdtcinvf(const ksl_vec3f_t *t, const ksl_coscre
      and underflow. */
 static inline void ksl_product_CoAdrcf(const ksl_mat3x3f_t *R, const ksl_coscrewf_t *ci,
     ksl_coscrewf_t *co) {
-  const float co_0a = KSL_MULF(R->m00, ci->m0), co_0b = KSL_MULF(R->m01, ci->m1),
-      co_0c = co_0a + co_0b, co_0d = KSL_MULF(R->m02, ci->m2), co_0 = co_0c + co_0d;
-  const float co_1a = KSL_MULF(R->m10, ci->m0), co_1b = KSL_MULF(R->m11, ci->m1),
-      co_1c = co_1a + co_1b, co_1d = KSL_MULF(R->m12, ci->m2), co_1 = co_1c + co_1d;
-  const float co_2a = KSL_MULF(R->m20, ci->m0), co_2b = KSL_MULF(R->m21, ci->m1),
-      co_2c = co_2a + co_2b, co_2d = KSL_MULF(R->m22, ci->m2), co_2 = co_2c + co_2d;
-  const float co_3a = KSL_MULF(R->m00, ci->m3), co_3b = KSL_MULF(R->m01, ci->m4),
-      co_3c = co_3a + co_3b, co_3d = KSL_MULF(R->m02, ci->m5), co_3 = co_3c + co_3d;
-  const float co_4a = KSL_MULF(R->m10, ci->m3), co_4b = KSL_MULF(R->m11, ci->m4),
-      co_4c = co_4a + co_4b, co_4d = KSL_MULF(R->m12, ci->m5), co_4 = co_4c + co_4d;
-  const float co_5a = KSL_MULF(R->m20, ci->m3), co_5b = KSL_MULF(R->m21, ci->m4),
-      co_5c = co_5a + co_5b, co_5d = KSL_MULF(R->m22, ci->m5), co_5 = co_5c + co_5d;
+  const float co_0 = KSL_MULF(R->m00, ci->m0) + KSL_MULF(R->m01, ci->m1) + KSL_MULF(R->m02, ci->m2),
+      co_1 = KSL_MULF(R->m10, ci->m0) + KSL_MULF(R->m11, ci->m1) + KSL_MULF(R->m12, ci->m2),
+      co_2 = KSL_MULF(R->m20, ci->m0) + KSL_MULF(R->m21, ci->m1) + KSL_MULF(R->m22, ci->m2),
+      co_3 = KSL_MULF(R->m00, ci->m3) + KSL_MULF(R->m01, ci->m4) + KSL_MULF(R->m02, ci->m5),
+      co_4 = KSL_MULF(R->m10, ci->m3) + KSL_MULF(R->m11, ci->m4) + KSL_MULF(R->m12, ci->m5),
+      co_5 = KSL_MULF(R->m20, ci->m3) + KSL_MULF(R->m21, ci->m4) + KSL_MULF(R->m22, ci->m5);
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;
@@ -1964,18 +1626,12 @@ static inline void ksl_product_CoAdrcf(const ksl_mat3x3f_t *R, const ksl_coscrew
      and underflow. */
 static inline void ksl_product_CoAdrinvcf(const ksl_mat3x3f_t *R, const ksl_coscrewf_t *ci,
     ksl_coscrewf_t *co) {
-  const float co_0a = KSL_MULF(R->m00, ci->m0), co_0b = KSL_MULF(R->m10, ci->m1),
-      co_0c = co_0a + co_0b, co_0d = KSL_MULF(R->m20, ci->m2), co_0 = co_0c + co_0d;
-  const float co_1a = KSL_MULF(R->m01, ci->m0), co_1b = KSL_MULF(R->m11, ci->m1),
-      co_1c = co_1a + co_1b, co_1d = KSL_MULF(R->m21, ci->m2), co_1 = co_1c + co_1d;
-  const float co_2a = KSL_MULF(R->m02, ci->m0), co_2b = KSL_MULF(R->m12, ci->m1),
-      co_2c = co_2a + co_2b, co_2d = KSL_MULF(R->m22, ci->m2), co_2 = co_2c + co_2d;
-  const float co_3a = KSL_MULF(R->m00, ci->m3), co_3b = KSL_MULF(R->m10, ci->m4),
-      co_3c = co_3a + co_3b, co_3d = KSL_MULF(R->m20, ci->m5), co_3 = co_3c + co_3d;
-  const float co_4a = KSL_MULF(R->m01, ci->m3), co_4b = KSL_MULF(R->m11, ci->m4),
-      co_4c = co_4a + co_4b, co_4d = KSL_MULF(R->m21, ci->m5), co_4 = co_4c + co_4d;
-  const float co_5a = KSL_MULF(R->m02, ci->m3), co_5b = KSL_MULF(R->m12, ci->m4),
-      co_5c = co_5a + co_5b, co_5d = KSL_MULF(R->m22, ci->m5), co_5 = co_5c + co_5d;
+  const float co_0 = KSL_MULF(R->m00, ci->m0) + KSL_MULF(R->m10, ci->m1) + KSL_MULF(R->m20, ci->m2),
+      co_1 = KSL_MULF(R->m01, ci->m0) + KSL_MULF(R->m11, ci->m1) + KSL_MULF(R->m21, ci->m2),
+      co_2 = KSL_MULF(R->m02, ci->m0) + KSL_MULF(R->m12, ci->m1) + KSL_MULF(R->m22, ci->m2),
+      co_3 = KSL_MULF(R->m00, ci->m3) + KSL_MULF(R->m10, ci->m4) + KSL_MULF(R->m20, ci->m5),
+      co_4 = KSL_MULF(R->m01, ci->m3) + KSL_MULF(R->m11, ci->m4) + KSL_MULF(R->m21, ci->m5),
+      co_5 = KSL_MULF(R->m02, ci->m3) + KSL_MULF(R->m12, ci->m4) + KSL_MULF(R->m22, ci->m5);
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;
@@ -1991,18 +1647,13 @@ static inline void ksl_product_CoAdrinvcf(const ksl_mat3x3f_t *R, const ksl_cosc
      and underflow. */
 static inline void ksl_product_CoAdrcinvf(const ksl_mat3x3f_t *R, const ksl_coscrewf_t *ci,
     ksl_coscrewf_t *co) {
-  const float co_0a = KSL_MULF(R->m00, ci->m0), co_0b = KSL_MULF(R->m01, ci->m1),
-      co_0c = co_0a + co_0b, co_0d = KSL_MULF(R->m02, ci->m2), co_0e = co_0c + co_0d, co_0 = -co_0e;
-  const float co_1a = KSL_MULF(R->m10, ci->m0), co_1b = KSL_MULF(R->m11, ci->m1),
-      co_1c = co_1a + co_1b, co_1d = KSL_MULF(R->m12, ci->m2), co_1e = co_1c + co_1d, co_1 = -co_1e;
-  const float co_2a = KSL_MULF(R->m20, ci->m0), co_2b = KSL_MULF(R->m21, ci->m1),
-      co_2c = co_2a + co_2b, co_2d = KSL_MULF(R->m22, ci->m2), co_2e = co_2c + co_2d, co_2 = -co_2e;
-  const float co_3a = KSL_MULF(R->m00, ci->m3), co_3b = KSL_MULF(R->m01, ci->m4),
-      co_3c = co_3a + co_3b, co_3d = KSL_MULF(R->m02, ci->m5), co_3e = co_3c + co_3d, co_3 = -co_3e;
-  const float co_4a = KSL_MULF(R->m10, ci->m3), co_4b = KSL_MULF(R->m11, ci->m4),
-      co_4c = co_4a + co_4b, co_4d = KSL_MULF(R->m12, ci->m5), co_4e = co_4c + co_4d, co_4 = -co_4e;
-  const float co_5a = KSL_MULF(R->m20, ci->m3), co_5b = KSL_MULF(R->m21, ci->m4),
-      co_5c = co_5a + co_5b, co_5d = KSL_MULF(R->m22, ci->m5), co_5e = co_5c + co_5d, co_5 = -co_5e;
+  const float co_0 =
+          -(KSL_MULF(R->m00, ci->m0) + KSL_MULF(R->m01, ci->m1) + KSL_MULF(R->m02, ci->m2)),
+      co_1 = -(KSL_MULF(R->m10, ci->m0) + KSL_MULF(R->m11, ci->m1) + KSL_MULF(R->m12, ci->m2)),
+      co_2 = -(KSL_MULF(R->m20, ci->m0) + KSL_MULF(R->m21, ci->m1) + KSL_MULF(R->m22, ci->m2)),
+      co_3 = -(KSL_MULF(R->m00, ci->m3) + KSL_MULF(R->m01, ci->m4) + KSL_MULF(R->m02, ci->m5)),
+      co_4 = -(KSL_MULF(R->m10, ci->m3) + KSL_MULF(R->m11, ci->m4) + KSL_MULF(R->m12, ci->m5)),
+      co_5 = -(KSL_MULF(R->m20, ci->m3) + KSL_MULF(R->m21, ci->m4) + KSL_MULF(R->m22, ci->m5));
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;
@@ -2018,24 +1669,15 @@ static inline void ksl_product_CoAdrcinvf(const ksl_mat3x3f_t *R, const ksl_cosc
      barring over- and underflow. */
 static inline void ksl_product_CoAdcf(const ksl_SE3f_t *D, const ksl_coscrewf_t *ci,
     ksl_coscrewf_t *co) {
-  const float w_0a = KSL_MULF(D->m00, ci->m0), w_0b = KSL_MULF(D->m01, ci->m1), w_0c = w_0a + w_0b,
-      w_0d = KSL_MULF(D->m02, ci->m2), w_0 = w_0c + w_0d;
-  const float w_1a = KSL_MULF(D->m10, ci->m0), w_1b = KSL_MULF(D->m11, ci->m1), w_1c = w_1a + w_1b,
-      w_1d = KSL_MULF(D->m12, ci->m2), w_1 = w_1c + w_1d;
-  const float w_2a = KSL_MULF(D->m20, ci->m0), w_2b = KSL_MULF(D->m21, ci->m1), w_2c = w_2a + w_2b,
-      w_2d = KSL_MULF(D->m22, ci->m2), w_2 = w_2c + w_2d;
-  const float w_3a = KSL_MULF(D->m00, ci->m3), w_3b = KSL_MULF(D->m01, ci->m4), w_3c = w_3a + w_3b,
-      w_3d = KSL_MULF(D->m02, ci->m5), w_3 = w_3c + w_3d;
-  const float w_4a = KSL_MULF(D->m10, ci->m3), w_4b = KSL_MULF(D->m11, ci->m4), w_4c = w_4a + w_4b,
-      w_4d = KSL_MULF(D->m12, ci->m5), w_4 = w_4c + w_4d;
-  const float w_5a = KSL_MULF(D->m20, ci->m3), w_5b = KSL_MULF(D->m21, ci->m4), w_5c = w_5a + w_5b,
-      w_5d = KSL_MULF(D->m22, ci->m5), w_5 = w_5c + w_5d;
-  const float co_3a = KSL_MULF(D->m13, w_2), co_3b = KSL_MULF(D->m23, w_1), co_3c = co_3a - co_3b,
-      co_3 = co_3c + w_3;
-  const float co_4a = KSL_MULF(D->m23, w_0), co_4b = KSL_MULF(D->m03, w_2), co_4c = co_4a - co_4b,
-      co_4 = co_4c + w_4;
-  const float co_5a = KSL_MULF(D->m03, w_1), co_5b = KSL_MULF(D->m13, w_0), co_5c = co_5a - co_5b,
-      co_5 = co_5c + w_5;
+  const float w_0 = KSL_MULF(D->m00, ci->m0) + KSL_MULF(D->m01, ci->m1) + KSL_MULF(D->m02, ci->m2),
+      w_1 = KSL_MULF(D->m10, ci->m0) + KSL_MULF(D->m11, ci->m1) + KSL_MULF(D->m12, ci->m2),
+      w_2 = KSL_MULF(D->m20, ci->m0) + KSL_MULF(D->m21, ci->m1) + KSL_MULF(D->m22, ci->m2),
+      w_3 = KSL_MULF(D->m00, ci->m3) + KSL_MULF(D->m01, ci->m4) + KSL_MULF(D->m02, ci->m5),
+      w_4 = KSL_MULF(D->m10, ci->m3) + KSL_MULF(D->m11, ci->m4) + KSL_MULF(D->m12, ci->m5),
+      w_5 = KSL_MULF(D->m20, ci->m3) + KSL_MULF(D->m21, ci->m4) + KSL_MULF(D->m22, ci->m5);
+  const float co_3 = KSL_MULF(D->m13, w_2) - KSL_MULF(D->m23, w_1) + w_3,
+      co_4 = KSL_MULF(D->m23, w_0) - KSL_MULF(D->m03, w_2) + w_4,
+      co_5 = KSL_MULF(D->m03, w_1) - KSL_MULF(D->m13, w_0) + w_5;
   co->m0 = w_0;
   co->m1 = w_1;
   co->m2 = w_2;
@@ -2051,24 +1693,15 @@ static inline void ksl_product_CoAdcf(const ksl_SE3f_t *D, const ksl_coscrewf_t 
      barring over- and underflow. */
 static inline void ksl_product_CoAdinvcf(const ksl_SE3f_t *D, const ksl_coscrewf_t *ci,
     ksl_coscrewf_t *co) {
-  const float w_3a = KSL_MULF(D->m23, ci->m1), w_3b = KSL_MULF(D->m13, ci->m2), w_3c = w_3a - w_3b,
-      w_3 = w_3c + ci->m3;
-  const float w_4a = KSL_MULF(D->m03, ci->m2), w_4b = KSL_MULF(D->m23, ci->m0), w_4c = w_4a - w_4b,
-      w_4 = w_4c + ci->m4;
-  const float w_5a = KSL_MULF(D->m13, ci->m0), w_5b = KSL_MULF(D->m03, ci->m1), w_5c = w_5a - w_5b,
-      w_5 = w_5c + ci->m5;
-  const float co_0a = KSL_MULF(D->m00, ci->m0), co_0b = KSL_MULF(D->m10, ci->m1),
-      co_0c = co_0a + co_0b, co_0d = KSL_MULF(D->m20, ci->m2), co_0 = co_0c + co_0d;
-  const float co_1a = KSL_MULF(D->m01, ci->m0), co_1b = KSL_MULF(D->m11, ci->m1),
-      co_1c = co_1a + co_1b, co_1d = KSL_MULF(D->m21, ci->m2), co_1 = co_1c + co_1d;
-  const float co_2a = KSL_MULF(D->m02, ci->m0), co_2b = KSL_MULF(D->m12, ci->m1),
-      co_2c = co_2a + co_2b, co_2d = KSL_MULF(D->m22, ci->m2), co_2 = co_2c + co_2d;
-  const float co_3a = KSL_MULF(D->m00, w_3), co_3b = KSL_MULF(D->m10, w_4), co_3c = co_3a + co_3b,
-      co_3d = KSL_MULF(D->m20, w_5), co_3 = co_3c + co_3d;
-  const float co_4a = KSL_MULF(D->m01, w_3), co_4b = KSL_MULF(D->m11, w_4), co_4c = co_4a + co_4b,
-      co_4d = KSL_MULF(D->m21, w_5), co_4 = co_4c + co_4d;
-  const float co_5a = KSL_MULF(D->m02, w_3), co_5b = KSL_MULF(D->m12, w_4), co_5c = co_5a + co_5b,
-      co_5d = KSL_MULF(D->m22, w_5), co_5 = co_5c + co_5d;
+  const float w_3 = KSL_MULF(D->m23, ci->m1) - KSL_MULF(D->m13, ci->m2) + ci->m3,
+      w_4 = KSL_MULF(D->m03, ci->m2) - KSL_MULF(D->m23, ci->m0) + ci->m4,
+      w_5 = KSL_MULF(D->m13, ci->m0) - KSL_MULF(D->m03, ci->m1) + ci->m5;
+  const float co_0 = KSL_MULF(D->m00, ci->m0) + KSL_MULF(D->m10, ci->m1) + KSL_MULF(D->m20, ci->m2),
+      co_1 = KSL_MULF(D->m01, ci->m0) + KSL_MULF(D->m11, ci->m1) + KSL_MULF(D->m21, ci->m2),
+      co_2 = KSL_MULF(D->m02, ci->m0) + KSL_MULF(D->m12, ci->m1) + KSL_MULF(D->m22, ci->m2),
+      co_3 = KSL_MULF(D->m00, w_3) + KSL_MULF(D->m10, w_4) + KSL_MULF(D->m20, w_5),
+      co_4 = KSL_MULF(D->m01, w_3) + KSL_MULF(D->m11, w_4) + KSL_MULF(D->m21, w_5),
+      co_5 = KSL_MULF(D->m02, w_3) + KSL_MULF(D->m12, w_4) + KSL_MULF(D->m22, w_5);
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;
@@ -2084,24 +1717,16 @@ static inline void ksl_product_CoAdinvcf(const ksl_SE3f_t *D, const ksl_coscrewf
      barring over- and underflow. */
 static inline void ksl_product_CoAdcinvf(const ksl_SE3f_t *D, const ksl_coscrewf_t *ci,
     ksl_coscrewf_t *co) {
-  const float w_0a = KSL_MULF(D->m00, ci->m0), w_0b = KSL_MULF(D->m01, ci->m1), w_0c = w_0a + w_0b,
-      w_0d = KSL_MULF(D->m02, ci->m2), w_0e = w_0c + w_0d, w_0 = -w_0e;
-  const float w_1a = KSL_MULF(D->m10, ci->m0), w_1b = KSL_MULF(D->m11, ci->m1), w_1c = w_1a + w_1b,
-      w_1d = KSL_MULF(D->m12, ci->m2), w_1e = w_1c + w_1d, w_1 = -w_1e;
-  const float w_2a = KSL_MULF(D->m20, ci->m0), w_2b = KSL_MULF(D->m21, ci->m1), w_2c = w_2a + w_2b,
-      w_2d = KSL_MULF(D->m22, ci->m2), w_2e = w_2c + w_2d, w_2 = -w_2e;
-  const float w_3a = KSL_MULF(D->m00, ci->m3), w_3b = KSL_MULF(D->m01, ci->m4), w_3c = w_3a + w_3b,
-      w_3d = KSL_MULF(D->m02, ci->m5), w_3e = w_3c + w_3d, w_3 = -w_3e;
-  const float w_4a = KSL_MULF(D->m10, ci->m3), w_4b = KSL_MULF(D->m11, ci->m4), w_4c = w_4a + w_4b,
-      w_4d = KSL_MULF(D->m12, ci->m5), w_4e = w_4c + w_4d, w_4 = -w_4e;
-  const float w_5a = KSL_MULF(D->m20, ci->m3), w_5b = KSL_MULF(D->m21, ci->m4), w_5c = w_5a + w_5b,
-      w_5d = KSL_MULF(D->m22, ci->m5), w_5e = w_5c + w_5d, w_5 = -w_5e;
-  const float co_3a = KSL_MULF(D->m13, w_2), co_3b = KSL_MULF(D->m23, w_1), co_3c = co_3a - co_3b,
-      co_3 = co_3c + w_3;
-  const float co_4a = KSL_MULF(D->m23, w_0), co_4b = KSL_MULF(D->m03, w_2), co_4c = co_4a - co_4b,
-      co_4 = co_4c + w_4;
-  const float co_5a = KSL_MULF(D->m03, w_1), co_5b = KSL_MULF(D->m13, w_0), co_5c = co_5a - co_5b,
-      co_5 = co_5c + w_5;
+  const float w_0 =
+          -(KSL_MULF(D->m00, ci->m0) + KSL_MULF(D->m01, ci->m1) + KSL_MULF(D->m02, ci->m2)),
+      w_1 = -(KSL_MULF(D->m10, ci->m0) + KSL_MULF(D->m11, ci->m1) + KSL_MULF(D->m12, ci->m2)),
+      w_2 = -(KSL_MULF(D->m20, ci->m0) + KSL_MULF(D->m21, ci->m1) + KSL_MULF(D->m22, ci->m2)),
+      w_3 = -(KSL_MULF(D->m00, ci->m3) + KSL_MULF(D->m01, ci->m4) + KSL_MULF(D->m02, ci->m5)),
+      w_4 = -(KSL_MULF(D->m10, ci->m3) + KSL_MULF(D->m11, ci->m4) + KSL_MULF(D->m12, ci->m5)),
+      w_5 = -(KSL_MULF(D->m20, ci->m3) + KSL_MULF(D->m21, ci->m4) + KSL_MULF(D->m22, ci->m5));
+  const float co_3 = KSL_MULF(D->m13, w_2) - KSL_MULF(D->m23, w_1) + w_3,
+      co_4 = KSL_MULF(D->m23, w_0) - KSL_MULF(D->m03, w_2) + w_4,
+      co_5 = KSL_MULF(D->m03, w_1) - KSL_MULF(D->m13, w_0) + w_5;
   co->m0 = w_0;
   co->m1 = w_1;
   co->m2 = w_2;
@@ -2116,12 +1741,9 @@ static inline void ksl_product_CoAdcinvf(const ksl_SE3f_t *D, const ksl_coscrewf
    Error <= u |result| + (lin: 0, ang: 1) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_hctxf(const ksl_SE3f_t *D, ksl_coscrewf_t *co) {
-  const float co_3a = KSL_MULF(D->m20, D->m13), co_3b = KSL_MULF(D->m10, D->m23),
-      co_3 = co_3a - co_3b;
-  const float co_4a = KSL_MULF(D->m00, D->m23), co_4b = KSL_MULF(D->m20, D->m03),
-      co_4 = co_4a - co_4b;
-  const float co_5a = KSL_MULF(D->m10, D->m03), co_5b = KSL_MULF(D->m00, D->m13),
-      co_5 = co_5a - co_5b;
+  const float co_3 = KSL_MULF(D->m20, D->m13) - KSL_MULF(D->m10, D->m23),
+      co_4 = KSL_MULF(D->m00, D->m23) - KSL_MULF(D->m20, D->m03),
+      co_5 = KSL_MULF(D->m10, D->m03) - KSL_MULF(D->m00, D->m13);
   const float D_m00 = D->m00;
   const float D_m10 = D->m10;
   const float D_m20 = D->m20;
@@ -2139,12 +1761,9 @@ static inline void ksl_hctxf(const ksl_SE3f_t *D, ksl_coscrewf_t *co) {
    Error <= u |result| + (lin: 0, ang: 1) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_hctyf(const ksl_SE3f_t *D, ksl_coscrewf_t *co) {
-  const float co_3a = KSL_MULF(D->m21, D->m13), co_3b = KSL_MULF(D->m11, D->m23),
-      co_3 = co_3a - co_3b;
-  const float co_4a = KSL_MULF(D->m01, D->m23), co_4b = KSL_MULF(D->m21, D->m03),
-      co_4 = co_4a - co_4b;
-  const float co_5a = KSL_MULF(D->m11, D->m03), co_5b = KSL_MULF(D->m01, D->m13),
-      co_5 = co_5a - co_5b;
+  const float co_3 = KSL_MULF(D->m21, D->m13) - KSL_MULF(D->m11, D->m23),
+      co_4 = KSL_MULF(D->m01, D->m23) - KSL_MULF(D->m21, D->m03),
+      co_5 = KSL_MULF(D->m11, D->m03) - KSL_MULF(D->m01, D->m13);
   const float D_m01 = D->m01;
   const float D_m11 = D->m11;
   const float D_m21 = D->m21;
@@ -2162,12 +1781,9 @@ static inline void ksl_hctyf(const ksl_SE3f_t *D, ksl_coscrewf_t *co) {
    Error <= u |result| + (lin: 0, ang: 1) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_hctzf(const ksl_SE3f_t *D, ksl_coscrewf_t *co) {
-  const float co_3a = KSL_MULF(D->m22, D->m13), co_3b = KSL_MULF(D->m12, D->m23),
-      co_3 = co_3a - co_3b;
-  const float co_4a = KSL_MULF(D->m02, D->m23), co_4b = KSL_MULF(D->m22, D->m03),
-      co_4 = co_4a - co_4b;
-  const float co_5a = KSL_MULF(D->m12, D->m03), co_5b = KSL_MULF(D->m02, D->m13),
-      co_5 = co_5a - co_5b;
+  const float co_3 = KSL_MULF(D->m22, D->m13) - KSL_MULF(D->m12, D->m23),
+      co_4 = KSL_MULF(D->m02, D->m23) - KSL_MULF(D->m22, D->m03),
+      co_5 = KSL_MULF(D->m12, D->m03) - KSL_MULF(D->m02, D->m13);
   const float D_m02 = D->m02;
   const float D_m12 = D->m12;
   const float D_m22 = D->m22;
@@ -2233,15 +1849,10 @@ static inline void ksl_hcrzf(const ksl_SE3f_t *D, ksl_coscrewf_t *co) {
    Error <= u |result| + (lin: 0, ang: 1) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_hctxinvf(const ksl_SE3f_t *D, ksl_coscrewf_t *co) {
-  const float co_0 = -D->m00;
-  const float co_1 = -D->m10;
-  const float co_2 = -D->m20;
-  const float co_3a = KSL_MULF(D->m10, D->m23), co_3b = KSL_MULF(D->m20, D->m13),
-      co_3 = co_3a - co_3b;
-  const float co_4a = KSL_MULF(D->m20, D->m03), co_4b = KSL_MULF(D->m00, D->m23),
-      co_4 = co_4a - co_4b;
-  const float co_5a = KSL_MULF(D->m00, D->m13), co_5b = KSL_MULF(D->m10, D->m03),
-      co_5 = co_5a - co_5b;
+  const float co_0 = -D->m00, co_1 = -D->m10, co_2 = -D->m20,
+      co_3 = KSL_MULF(D->m10, D->m23) - KSL_MULF(D->m20, D->m13),
+      co_4 = KSL_MULF(D->m20, D->m03) - KSL_MULF(D->m00, D->m23),
+      co_5 = KSL_MULF(D->m00, D->m13) - KSL_MULF(D->m10, D->m03);
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;
@@ -2256,15 +1867,10 @@ static inline void ksl_hctxinvf(const ksl_SE3f_t *D, ksl_coscrewf_t *co) {
    Error <= u |result| + (lin: 0, ang: 1) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_hctyinvf(const ksl_SE3f_t *D, ksl_coscrewf_t *co) {
-  const float co_0 = -D->m01;
-  const float co_1 = -D->m11;
-  const float co_2 = -D->m21;
-  const float co_3a = KSL_MULF(D->m11, D->m23), co_3b = KSL_MULF(D->m21, D->m13),
-      co_3 = co_3a - co_3b;
-  const float co_4a = KSL_MULF(D->m21, D->m03), co_4b = KSL_MULF(D->m01, D->m23),
-      co_4 = co_4a - co_4b;
-  const float co_5a = KSL_MULF(D->m01, D->m13), co_5b = KSL_MULF(D->m11, D->m03),
-      co_5 = co_5a - co_5b;
+  const float co_0 = -D->m01, co_1 = -D->m11, co_2 = -D->m21,
+      co_3 = KSL_MULF(D->m11, D->m23) - KSL_MULF(D->m21, D->m13),
+      co_4 = KSL_MULF(D->m21, D->m03) - KSL_MULF(D->m01, D->m23),
+      co_5 = KSL_MULF(D->m01, D->m13) - KSL_MULF(D->m11, D->m03);
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;
@@ -2279,15 +1885,10 @@ static inline void ksl_hctyinvf(const ksl_SE3f_t *D, ksl_coscrewf_t *co) {
    Error <= u |result| + (lin: 0, ang: 1) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_hctzinvf(const ksl_SE3f_t *D, ksl_coscrewf_t *co) {
-  const float co_0 = -D->m02;
-  const float co_1 = -D->m12;
-  const float co_2 = -D->m22;
-  const float co_3a = KSL_MULF(D->m12, D->m23), co_3b = KSL_MULF(D->m22, D->m13),
-      co_3 = co_3a - co_3b;
-  const float co_4a = KSL_MULF(D->m22, D->m03), co_4b = KSL_MULF(D->m02, D->m23),
-      co_4 = co_4a - co_4b;
-  const float co_5a = KSL_MULF(D->m02, D->m13), co_5b = KSL_MULF(D->m12, D->m03),
-      co_5 = co_5a - co_5b;
+  const float co_0 = -D->m02, co_1 = -D->m12, co_2 = -D->m22,
+      co_3 = KSL_MULF(D->m12, D->m23) - KSL_MULF(D->m22, D->m13),
+      co_4 = KSL_MULF(D->m22, D->m03) - KSL_MULF(D->m02, D->m23),
+      co_5 = KSL_MULF(D->m02, D->m13) - KSL_MULF(D->m12, D->m03);
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;
@@ -2301,9 +1902,7 @@ static inline void ksl_hctzinvf(const ksl_SE3f_t *D, ksl_coscrewf_t *co) {
    3 neg.
    Exact. */
 static inline void ksl_hcrxinvf(const ksl_SE3f_t *D, ksl_coscrewf_t *co) {
-  const float co_3 = -D->m00;
-  const float co_4 = -D->m10;
-  const float co_5 = -D->m20;
+  const float co_3 = -D->m00, co_4 = -D->m10, co_5 = -D->m20;
   co->m0 = 0.0f;
   co->m1 = 0.0f;
   co->m2 = 0.0f;
@@ -2317,9 +1916,7 @@ static inline void ksl_hcrxinvf(const ksl_SE3f_t *D, ksl_coscrewf_t *co) {
    3 neg.
    Exact. */
 static inline void ksl_hcryinvf(const ksl_SE3f_t *D, ksl_coscrewf_t *co) {
-  const float co_3 = -D->m01;
-  const float co_4 = -D->m11;
-  const float co_5 = -D->m21;
+  const float co_3 = -D->m01, co_4 = -D->m11, co_5 = -D->m21;
   co->m0 = 0.0f;
   co->m1 = 0.0f;
   co->m2 = 0.0f;
@@ -2333,9 +1930,7 @@ static inline void ksl_hcryinvf(const ksl_SE3f_t *D, ksl_coscrewf_t *co) {
    3 neg.
    Exact. */
 static inline void ksl_hcrzinvf(const ksl_SE3f_t *D, ksl_coscrewf_t *co) {
-  const float co_3 = -D->m02;
-  const float co_4 = -D->m12;
-  const float co_5 = -D->m22;
+  const float co_3 = -D->m02, co_4 = -D->m12, co_5 = -D->m22;
   co->m0 = 0.0f;
   co->m1 = 0.0f;
   co->m2 = 0.0f;
@@ -2350,24 +1945,15 @@ static inline void ksl_hcrzinvf(const ksl_SE3f_t *D, ksl_coscrewf_t *co) {
    Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline void ksl_CoAdf(const ksl_SE3f_t *D, ksl_mat6x6f_t *M) {
-  const float M_30a = KSL_MULF(D->m20, D->m13), M_30b = KSL_MULF(D->m10, D->m23),
-      M_30 = M_30a - M_30b;
-  const float M_31a = KSL_MULF(D->m21, D->m13), M_31b = KSL_MULF(D->m11, D->m23),
-      M_31 = M_31a - M_31b;
-  const float M_32a = KSL_MULF(D->m22, D->m13), M_32b = KSL_MULF(D->m12, D->m23),
-      M_32 = M_32a - M_32b;
-  const float M_40a = KSL_MULF(D->m00, D->m23), M_40b = KSL_MULF(D->m20, D->m03),
-      M_40 = M_40a - M_40b;
-  const float M_41a = KSL_MULF(D->m01, D->m23), M_41b = KSL_MULF(D->m21, D->m03),
-      M_41 = M_41a - M_41b;
-  const float M_42a = KSL_MULF(D->m02, D->m23), M_42b = KSL_MULF(D->m22, D->m03),
-      M_42 = M_42a - M_42b;
-  const float M_50a = KSL_MULF(D->m10, D->m03), M_50b = KSL_MULF(D->m00, D->m13),
-      M_50 = M_50a - M_50b;
-  const float M_51a = KSL_MULF(D->m11, D->m03), M_51b = KSL_MULF(D->m01, D->m13),
-      M_51 = M_51a - M_51b;
-  const float M_52a = KSL_MULF(D->m12, D->m03), M_52b = KSL_MULF(D->m02, D->m13),
-      M_52 = M_52a - M_52b;
+  const float M_30 = KSL_MULF(D->m20, D->m13) - KSL_MULF(D->m10, D->m23),
+      M_31 = KSL_MULF(D->m21, D->m13) - KSL_MULF(D->m11, D->m23),
+      M_32 = KSL_MULF(D->m22, D->m13) - KSL_MULF(D->m12, D->m23),
+      M_40 = KSL_MULF(D->m00, D->m23) - KSL_MULF(D->m20, D->m03),
+      M_41 = KSL_MULF(D->m01, D->m23) - KSL_MULF(D->m21, D->m03),
+      M_42 = KSL_MULF(D->m02, D->m23) - KSL_MULF(D->m22, D->m03),
+      M_50 = KSL_MULF(D->m10, D->m03) - KSL_MULF(D->m00, D->m13),
+      M_51 = KSL_MULF(D->m11, D->m03) - KSL_MULF(D->m01, D->m13),
+      M_52 = KSL_MULF(D->m12, D->m03) - KSL_MULF(D->m02, D->m13);
   const float D_m00 = D->m00;
   const float D_m01 = D->m01;
   const float D_m02 = D->m02;
@@ -2421,10 +2007,8 @@ static inline void ksl_CoAdf(const ksl_SE3f_t *D, ksl_mat6x6f_t *M) {
    Error <= u |result| + 3 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline float ksl_reciprocal_productf(const ksl_coscrewf_t *c, const float x[6]) {
-  const float power_a = KSL_MULF(c->m0, x[3]), power_b = KSL_MULF(c->m1, x[4]),
-      power_c = power_a + power_b, power_d = KSL_MULF(c->m2, x[5]), power_e = power_c + power_d,
-      power_f = KSL_MULF(c->m3, x[0]), power_g = KSL_MULF(c->m4, x[1]), power_h = power_f + power_g,
-      power_i = KSL_MULF(c->m5, x[2]), power_j = power_h + power_i, power = power_e + power_j;
+  const float power_e = KSL_MULF(c->m0, x[3]) + KSL_MULF(c->m1, x[4]) + KSL_MULF(c->m2, x[5]),
+      power = power_e + (KSL_MULF(c->m3, x[0]) + KSL_MULF(c->m4, x[1]) + KSL_MULF(c->m5, x[2]));
   return power;
 }
 
@@ -2435,18 +2019,15 @@ static inline float ksl_reciprocal_productf(const ksl_coscrewf_t *c, const float
      barring over- and underflow. */
 static inline void ksl_cross_scf(const ksl_screwf_t *s, const ksl_coscrewf_t *c,
     ksl_coscrewf_t *co) {
-  const float co_0a = KSL_MULF(s->m4, c->m2), co_0b = KSL_MULF(s->m5, c->m1), co_0 = co_0a - co_0b;
-  const float co_1a = KSL_MULF(s->m5, c->m0), co_1b = KSL_MULF(s->m3, c->m2), co_1 = co_1a - co_1b;
-  const float co_2a = KSL_MULF(s->m3, c->m1), co_2b = KSL_MULF(s->m4, c->m0), co_2 = co_2a - co_2b;
-  const float co_3a = KSL_MULF(s->m1, c->m2), co_3b = KSL_MULF(s->m2, c->m1), co_3c = co_3a - co_3b,
-      co_3d = KSL_MULF(s->m4, c->m5), co_3e = KSL_MULF(s->m5, c->m4), co_3f = co_3d - co_3e,
-      co_3 = co_3c + co_3f;
-  const float co_4a = KSL_MULF(s->m2, c->m0), co_4b = KSL_MULF(s->m0, c->m2), co_4c = co_4a - co_4b,
-      co_4d = KSL_MULF(s->m5, c->m3), co_4e = KSL_MULF(s->m3, c->m5), co_4f = co_4d - co_4e,
-      co_4 = co_4c + co_4f;
-  const float co_5a = KSL_MULF(s->m0, c->m1), co_5b = KSL_MULF(s->m1, c->m0), co_5c = co_5a - co_5b,
-      co_5d = KSL_MULF(s->m3, c->m4), co_5e = KSL_MULF(s->m4, c->m3), co_5f = co_5d - co_5e,
-      co_5 = co_5c + co_5f;
+  const float co_0 = KSL_MULF(s->m4, c->m2) - KSL_MULF(s->m5, c->m1),
+      co_1 = KSL_MULF(s->m5, c->m0) - KSL_MULF(s->m3, c->m2),
+      co_2 = KSL_MULF(s->m3, c->m1) - KSL_MULF(s->m4, c->m0),
+      co_3 = KSL_MULF(s->m1, c->m2) - KSL_MULF(s->m2, c->m1)
+          + (KSL_MULF(s->m4, c->m5) - KSL_MULF(s->m5, c->m4)),
+      co_4 = KSL_MULF(s->m2, c->m0) - KSL_MULF(s->m0, c->m2)
+          + (KSL_MULF(s->m5, c->m3) - KSL_MULF(s->m3, c->m5)),
+      co_5 = KSL_MULF(s->m0, c->m1) - KSL_MULF(s->m1, c->m0)
+          + (KSL_MULF(s->m3, c->m4) - KSL_MULF(s->m4, c->m3));
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;
@@ -2462,9 +2043,9 @@ static inline void ksl_cross_scf(const ksl_screwf_t *s, const ksl_coscrewf_t *c,
      barring over- and underflow. */
 static inline void ksl_cross_scaf(const ksl_screwf_t *s, const ksl_coscrewf_t *c,
     ksl_coscrewf_t *co) {
-  const float co_3a = KSL_MULF(s->m4, c->m5), co_3b = KSL_MULF(s->m5, c->m4), co_3 = co_3a - co_3b;
-  const float co_4a = KSL_MULF(s->m5, c->m3), co_4b = KSL_MULF(s->m3, c->m5), co_4 = co_4a - co_4b;
-  const float co_5a = KSL_MULF(s->m3, c->m4), co_5b = KSL_MULF(s->m4, c->m3), co_5 = co_5a - co_5b;
+  const float co_3 = KSL_MULF(s->m4, c->m5) - KSL_MULF(s->m5, c->m4),
+      co_4 = KSL_MULF(s->m5, c->m3) - KSL_MULF(s->m3, c->m5),
+      co_5 = KSL_MULF(s->m3, c->m4) - KSL_MULF(s->m4, c->m3);
   co->m0 = 0.0f;
   co->m1 = 0.0f;
   co->m2 = 0.0f;
@@ -2480,21 +2061,15 @@ static inline void ksl_cross_scaf(const ksl_screwf_t *s, const ksl_coscrewf_t *c
      barring over- and underflow. */
 static inline void ksl_constraint_ctxf(const ksl_SE3f_t *D, const ksl_coscrewf_t *c,
     ksl_coscrewf_t *co) {
-  const float w_0a = KSL_MULF(D->m01, c->m1), w_0b = KSL_MULF(D->m02, c->m2), w_0 = w_0a + w_0b;
-  const float w_1a = KSL_MULF(D->m11, c->m1), w_1b = KSL_MULF(D->m12, c->m2), w_1 = w_1a + w_1b;
-  const float w_2a = KSL_MULF(D->m21, c->m1), w_2b = KSL_MULF(D->m22, c->m2), w_2 = w_2a + w_2b;
-  const float w_3a = KSL_MULF(D->m00, c->m3), w_3b = KSL_MULF(D->m01, c->m4), w_3c = w_3a + w_3b,
-      w_3d = KSL_MULF(D->m02, c->m5), w_3 = w_3c + w_3d;
-  const float w_4a = KSL_MULF(D->m10, c->m3), w_4b = KSL_MULF(D->m11, c->m4), w_4c = w_4a + w_4b,
-      w_4d = KSL_MULF(D->m12, c->m5), w_4 = w_4c + w_4d;
-  const float w_5a = KSL_MULF(D->m20, c->m3), w_5b = KSL_MULF(D->m21, c->m4), w_5c = w_5a + w_5b,
-      w_5d = KSL_MULF(D->m22, c->m5), w_5 = w_5c + w_5d;
-  const float co_3a = KSL_MULF(D->m13, w_2), co_3b = KSL_MULF(D->m23, w_1), co_3c = co_3a - co_3b,
-      co_3 = co_3c + w_3;
-  const float co_4a = KSL_MULF(D->m23, w_0), co_4b = KSL_MULF(D->m03, w_2), co_4c = co_4a - co_4b,
-      co_4 = co_4c + w_4;
-  const float co_5a = KSL_MULF(D->m03, w_1), co_5b = KSL_MULF(D->m13, w_0), co_5c = co_5a - co_5b,
-      co_5 = co_5c + w_5;
+  const float w_0 = KSL_MULF(D->m01, c->m1) + KSL_MULF(D->m02, c->m2),
+      w_1 = KSL_MULF(D->m11, c->m1) + KSL_MULF(D->m12, c->m2),
+      w_2 = KSL_MULF(D->m21, c->m1) + KSL_MULF(D->m22, c->m2),
+      w_3 = KSL_MULF(D->m00, c->m3) + KSL_MULF(D->m01, c->m4) + KSL_MULF(D->m02, c->m5),
+      w_4 = KSL_MULF(D->m10, c->m3) + KSL_MULF(D->m11, c->m4) + KSL_MULF(D->m12, c->m5),
+      w_5 = KSL_MULF(D->m20, c->m3) + KSL_MULF(D->m21, c->m4) + KSL_MULF(D->m22, c->m5);
+  const float co_3 = KSL_MULF(D->m13, w_2) - KSL_MULF(D->m23, w_1) + w_3,
+      co_4 = KSL_MULF(D->m23, w_0) - KSL_MULF(D->m03, w_2) + w_4,
+      co_5 = KSL_MULF(D->m03, w_1) - KSL_MULF(D->m13, w_0) + w_5;
   co->m0 = w_0;
   co->m1 = w_1;
   co->m2 = w_2;
@@ -2510,21 +2085,15 @@ static inline void ksl_constraint_ctxf(const ksl_SE3f_t *D, const ksl_coscrewf_t
      barring over- and underflow. */
 static inline void ksl_constraint_ctyf(const ksl_SE3f_t *D, const ksl_coscrewf_t *c,
     ksl_coscrewf_t *co) {
-  const float w_0a = KSL_MULF(D->m00, c->m0), w_0b = KSL_MULF(D->m02, c->m2), w_0 = w_0a + w_0b;
-  const float w_1a = KSL_MULF(D->m10, c->m0), w_1b = KSL_MULF(D->m12, c->m2), w_1 = w_1a + w_1b;
-  const float w_2a = KSL_MULF(D->m20, c->m0), w_2b = KSL_MULF(D->m22, c->m2), w_2 = w_2a + w_2b;
-  const float w_3a = KSL_MULF(D->m00, c->m3), w_3b = KSL_MULF(D->m01, c->m4), w_3c = w_3a + w_3b,
-      w_3d = KSL_MULF(D->m02, c->m5), w_3 = w_3c + w_3d;
-  const float w_4a = KSL_MULF(D->m10, c->m3), w_4b = KSL_MULF(D->m11, c->m4), w_4c = w_4a + w_4b,
-      w_4d = KSL_MULF(D->m12, c->m5), w_4 = w_4c + w_4d;
-  const float w_5a = KSL_MULF(D->m20, c->m3), w_5b = KSL_MULF(D->m21, c->m4), w_5c = w_5a + w_5b,
-      w_5d = KSL_MULF(D->m22, c->m5), w_5 = w_5c + w_5d;
-  const float co_3a = KSL_MULF(D->m13, w_2), co_3b = KSL_MULF(D->m23, w_1), co_3c = co_3a - co_3b,
-      co_3 = co_3c + w_3;
-  const float co_4a = KSL_MULF(D->m23, w_0), co_4b = KSL_MULF(D->m03, w_2), co_4c = co_4a - co_4b,
-      co_4 = co_4c + w_4;
-  const float co_5a = KSL_MULF(D->m03, w_1), co_5b = KSL_MULF(D->m13, w_0), co_5c = co_5a - co_5b,
-      co_5 = co_5c + w_5;
+  const float w_0 = KSL_MULF(D->m00, c->m0) + KSL_MULF(D->m02, c->m2),
+      w_1 = KSL_MULF(D->m10, c->m0) + KSL_MULF(D->m12, c->m2),
+      w_2 = KSL_MULF(D->m20, c->m0) + KSL_MULF(D->m22, c->m2),
+      w_3 = KSL_MULF(D->m00, c->m3) + KSL_MULF(D->m01, c->m4) + KSL_MULF(D->m02, c->m5),
+      w_4 = KSL_MULF(D->m10, c->m3) + KSL_MULF(D->m11, c->m4) + KSL_MULF(D->m12, c->m5),
+      w_5 = KSL_MULF(D->m20, c->m3) + KSL_MULF(D->m21, c->m4) + KSL_MULF(D->m22, c->m5);
+  const float co_3 = KSL_MULF(D->m13, w_2) - KSL_MULF(D->m23, w_1) + w_3,
+      co_4 = KSL_MULF(D->m23, w_0) - KSL_MULF(D->m03, w_2) + w_4,
+      co_5 = KSL_MULF(D->m03, w_1) - KSL_MULF(D->m13, w_0) + w_5;
   co->m0 = w_0;
   co->m1 = w_1;
   co->m2 = w_2;
@@ -2540,21 +2109,15 @@ static inline void ksl_constraint_ctyf(const ksl_SE3f_t *D, const ksl_coscrewf_t
      barring over- and underflow. */
 static inline void ksl_constraint_ctzf(const ksl_SE3f_t *D, const ksl_coscrewf_t *c,
     ksl_coscrewf_t *co) {
-  const float w_0a = KSL_MULF(D->m00, c->m0), w_0b = KSL_MULF(D->m01, c->m1), w_0 = w_0a + w_0b;
-  const float w_1a = KSL_MULF(D->m10, c->m0), w_1b = KSL_MULF(D->m11, c->m1), w_1 = w_1a + w_1b;
-  const float w_2a = KSL_MULF(D->m20, c->m0), w_2b = KSL_MULF(D->m21, c->m1), w_2 = w_2a + w_2b;
-  const float w_3a = KSL_MULF(D->m00, c->m3), w_3b = KSL_MULF(D->m01, c->m4), w_3c = w_3a + w_3b,
-      w_3d = KSL_MULF(D->m02, c->m5), w_3 = w_3c + w_3d;
-  const float w_4a = KSL_MULF(D->m10, c->m3), w_4b = KSL_MULF(D->m11, c->m4), w_4c = w_4a + w_4b,
-      w_4d = KSL_MULF(D->m12, c->m5), w_4 = w_4c + w_4d;
-  const float w_5a = KSL_MULF(D->m20, c->m3), w_5b = KSL_MULF(D->m21, c->m4), w_5c = w_5a + w_5b,
-      w_5d = KSL_MULF(D->m22, c->m5), w_5 = w_5c + w_5d;
-  const float co_3a = KSL_MULF(D->m13, w_2), co_3b = KSL_MULF(D->m23, w_1), co_3c = co_3a - co_3b,
-      co_3 = co_3c + w_3;
-  const float co_4a = KSL_MULF(D->m23, w_0), co_4b = KSL_MULF(D->m03, w_2), co_4c = co_4a - co_4b,
-      co_4 = co_4c + w_4;
-  const float co_5a = KSL_MULF(D->m03, w_1), co_5b = KSL_MULF(D->m13, w_0), co_5c = co_5a - co_5b,
-      co_5 = co_5c + w_5;
+  const float w_0 = KSL_MULF(D->m00, c->m0) + KSL_MULF(D->m01, c->m1),
+      w_1 = KSL_MULF(D->m10, c->m0) + KSL_MULF(D->m11, c->m1),
+      w_2 = KSL_MULF(D->m20, c->m0) + KSL_MULF(D->m21, c->m1),
+      w_3 = KSL_MULF(D->m00, c->m3) + KSL_MULF(D->m01, c->m4) + KSL_MULF(D->m02, c->m5),
+      w_4 = KSL_MULF(D->m10, c->m3) + KSL_MULF(D->m11, c->m4) + KSL_MULF(D->m12, c->m5),
+      w_5 = KSL_MULF(D->m20, c->m3) + KSL_MULF(D->m21, c->m4) + KSL_MULF(D->m22, c->m5);
+  const float co_3 = KSL_MULF(D->m13, w_2) - KSL_MULF(D->m23, w_1) + w_3,
+      co_4 = KSL_MULF(D->m23, w_0) - KSL_MULF(D->m03, w_2) + w_4,
+      co_5 = KSL_MULF(D->m03, w_1) - KSL_MULF(D->m13, w_0) + w_5;
   co->m0 = w_0;
   co->m1 = w_1;
   co->m2 = w_2;
@@ -2570,21 +2133,15 @@ static inline void ksl_constraint_ctzf(const ksl_SE3f_t *D, const ksl_coscrewf_t
      barring over- and underflow. */
 static inline void ksl_constraint_crxf(const ksl_SE3f_t *D, const ksl_coscrewf_t *c,
     ksl_coscrewf_t *co) {
-  const float w_0a = KSL_MULF(D->m00, c->m0), w_0b = KSL_MULF(D->m01, c->m1), w_0c = w_0a + w_0b,
-      w_0d = KSL_MULF(D->m02, c->m2), w_0 = w_0c + w_0d;
-  const float w_1a = KSL_MULF(D->m10, c->m0), w_1b = KSL_MULF(D->m11, c->m1), w_1c = w_1a + w_1b,
-      w_1d = KSL_MULF(D->m12, c->m2), w_1 = w_1c + w_1d;
-  const float w_2a = KSL_MULF(D->m20, c->m0), w_2b = KSL_MULF(D->m21, c->m1), w_2c = w_2a + w_2b,
-      w_2d = KSL_MULF(D->m22, c->m2), w_2 = w_2c + w_2d;
-  const float w_3a = KSL_MULF(D->m01, c->m4), w_3b = KSL_MULF(D->m02, c->m5), w_3 = w_3a + w_3b;
-  const float w_4a = KSL_MULF(D->m11, c->m4), w_4b = KSL_MULF(D->m12, c->m5), w_4 = w_4a + w_4b;
-  const float w_5a = KSL_MULF(D->m21, c->m4), w_5b = KSL_MULF(D->m22, c->m5), w_5 = w_5a + w_5b;
-  const float co_3a = KSL_MULF(D->m13, w_2), co_3b = KSL_MULF(D->m23, w_1), co_3c = co_3a - co_3b,
-      co_3 = co_3c + w_3;
-  const float co_4a = KSL_MULF(D->m23, w_0), co_4b = KSL_MULF(D->m03, w_2), co_4c = co_4a - co_4b,
-      co_4 = co_4c + w_4;
-  const float co_5a = KSL_MULF(D->m03, w_1), co_5b = KSL_MULF(D->m13, w_0), co_5c = co_5a - co_5b,
-      co_5 = co_5c + w_5;
+  const float w_0 = KSL_MULF(D->m00, c->m0) + KSL_MULF(D->m01, c->m1) + KSL_MULF(D->m02, c->m2),
+      w_1 = KSL_MULF(D->m10, c->m0) + KSL_MULF(D->m11, c->m1) + KSL_MULF(D->m12, c->m2),
+      w_2 = KSL_MULF(D->m20, c->m0) + KSL_MULF(D->m21, c->m1) + KSL_MULF(D->m22, c->m2),
+      w_3 = KSL_MULF(D->m01, c->m4) + KSL_MULF(D->m02, c->m5),
+      w_4 = KSL_MULF(D->m11, c->m4) + KSL_MULF(D->m12, c->m5),
+      w_5 = KSL_MULF(D->m21, c->m4) + KSL_MULF(D->m22, c->m5);
+  const float co_3 = KSL_MULF(D->m13, w_2) - KSL_MULF(D->m23, w_1) + w_3,
+      co_4 = KSL_MULF(D->m23, w_0) - KSL_MULF(D->m03, w_2) + w_4,
+      co_5 = KSL_MULF(D->m03, w_1) - KSL_MULF(D->m13, w_0) + w_5;
   co->m0 = w_0;
   co->m1 = w_1;
   co->m2 = w_2;
@@ -2600,21 +2157,15 @@ static inline void ksl_constraint_crxf(const ksl_SE3f_t *D, const ksl_coscrewf_t
      barring over- and underflow. */
 static inline void ksl_constraint_cryf(const ksl_SE3f_t *D, const ksl_coscrewf_t *c,
     ksl_coscrewf_t *co) {
-  const float w_0a = KSL_MULF(D->m00, c->m0), w_0b = KSL_MULF(D->m01, c->m1), w_0c = w_0a + w_0b,
-      w_0d = KSL_MULF(D->m02, c->m2), w_0 = w_0c + w_0d;
-  const float w_1a = KSL_MULF(D->m10, c->m0), w_1b = KSL_MULF(D->m11, c->m1), w_1c = w_1a + w_1b,
-      w_1d = KSL_MULF(D->m12, c->m2), w_1 = w_1c + w_1d;
-  const float w_2a = KSL_MULF(D->m20, c->m0), w_2b = KSL_MULF(D->m21, c->m1), w_2c = w_2a + w_2b,
-      w_2d = KSL_MULF(D->m22, c->m2), w_2 = w_2c + w_2d;
-  const float w_3a = KSL_MULF(D->m00, c->m3), w_3b = KSL_MULF(D->m02, c->m5), w_3 = w_3a + w_3b;
-  const float w_4a = KSL_MULF(D->m10, c->m3), w_4b = KSL_MULF(D->m12, c->m5), w_4 = w_4a + w_4b;
-  const float w_5a = KSL_MULF(D->m20, c->m3), w_5b = KSL_MULF(D->m22, c->m5), w_5 = w_5a + w_5b;
-  const float co_3a = KSL_MULF(D->m13, w_2), co_3b = KSL_MULF(D->m23, w_1), co_3c = co_3a - co_3b,
-      co_3 = co_3c + w_3;
-  const float co_4a = KSL_MULF(D->m23, w_0), co_4b = KSL_MULF(D->m03, w_2), co_4c = co_4a - co_4b,
-      co_4 = co_4c + w_4;
-  const float co_5a = KSL_MULF(D->m03, w_1), co_5b = KSL_MULF(D->m13, w_0), co_5c = co_5a - co_5b,
-      co_5 = co_5c + w_5;
+  const float w_0 = KSL_MULF(D->m00, c->m0) + KSL_MULF(D->m01, c->m1) + KSL_MULF(D->m02, c->m2),
+      w_1 = KSL_MULF(D->m10, c->m0) + KSL_MULF(D->m11, c->m1) + KSL_MULF(D->m12, c->m2),
+      w_2 = KSL_MULF(D->m20, c->m0) + KSL_MULF(D->m21, c->m1) + KSL_MULF(D->m22, c->m2),
+      w_3 = KSL_MULF(D->m00, c->m3) + KSL_MULF(D->m02, c->m5),
+      w_4 = KSL_MULF(D->m10, c->m3) + KSL_MULF(D->m12, c->m5),
+      w_5 = KSL_MULF(D->m20, c->m3) + KSL_MULF(D->m22, c->m5);
+  const float co_3 = KSL_MULF(D->m13, w_2) - KSL_MULF(D->m23, w_1) + w_3,
+      co_4 = KSL_MULF(D->m23, w_0) - KSL_MULF(D->m03, w_2) + w_4,
+      co_5 = KSL_MULF(D->m03, w_1) - KSL_MULF(D->m13, w_0) + w_5;
   co->m0 = w_0;
   co->m1 = w_1;
   co->m2 = w_2;
@@ -2630,21 +2181,15 @@ static inline void ksl_constraint_cryf(const ksl_SE3f_t *D, const ksl_coscrewf_t
      barring over- and underflow. */
 static inline void ksl_constraint_crzf(const ksl_SE3f_t *D, const ksl_coscrewf_t *c,
     ksl_coscrewf_t *co) {
-  const float w_0a = KSL_MULF(D->m00, c->m0), w_0b = KSL_MULF(D->m01, c->m1), w_0c = w_0a + w_0b,
-      w_0d = KSL_MULF(D->m02, c->m2), w_0 = w_0c + w_0d;
-  const float w_1a = KSL_MULF(D->m10, c->m0), w_1b = KSL_MULF(D->m11, c->m1), w_1c = w_1a + w_1b,
-      w_1d = KSL_MULF(D->m12, c->m2), w_1 = w_1c + w_1d;
-  const float w_2a = KSL_MULF(D->m20, c->m0), w_2b = KSL_MULF(D->m21, c->m1), w_2c = w_2a + w_2b,
-      w_2d = KSL_MULF(D->m22, c->m2), w_2 = w_2c + w_2d;
-  const float w_3a = KSL_MULF(D->m00, c->m3), w_3b = KSL_MULF(D->m01, c->m4), w_3 = w_3a + w_3b;
-  const float w_4a = KSL_MULF(D->m10, c->m3), w_4b = KSL_MULF(D->m11, c->m4), w_4 = w_4a + w_4b;
-  const float w_5a = KSL_MULF(D->m20, c->m3), w_5b = KSL_MULF(D->m21, c->m4), w_5 = w_5a + w_5b;
-  const float co_3a = KSL_MULF(D->m13, w_2), co_3b = KSL_MULF(D->m23, w_1), co_3c = co_3a - co_3b,
-      co_3 = co_3c + w_3;
-  const float co_4a = KSL_MULF(D->m23, w_0), co_4b = KSL_MULF(D->m03, w_2), co_4c = co_4a - co_4b,
-      co_4 = co_4c + w_4;
-  const float co_5a = KSL_MULF(D->m03, w_1), co_5b = KSL_MULF(D->m13, w_0), co_5c = co_5a - co_5b,
-      co_5 = co_5c + w_5;
+  const float w_0 = KSL_MULF(D->m00, c->m0) + KSL_MULF(D->m01, c->m1) + KSL_MULF(D->m02, c->m2),
+      w_1 = KSL_MULF(D->m10, c->m0) + KSL_MULF(D->m11, c->m1) + KSL_MULF(D->m12, c->m2),
+      w_2 = KSL_MULF(D->m20, c->m0) + KSL_MULF(D->m21, c->m1) + KSL_MULF(D->m22, c->m2),
+      w_3 = KSL_MULF(D->m00, c->m3) + KSL_MULF(D->m01, c->m4),
+      w_4 = KSL_MULF(D->m10, c->m3) + KSL_MULF(D->m11, c->m4),
+      w_5 = KSL_MULF(D->m20, c->m3) + KSL_MULF(D->m21, c->m4);
+  const float co_3 = KSL_MULF(D->m13, w_2) - KSL_MULF(D->m23, w_1) + w_3,
+      co_4 = KSL_MULF(D->m23, w_0) - KSL_MULF(D->m03, w_2) + w_4,
+      co_5 = KSL_MULF(D->m03, w_1) - KSL_MULF(D->m13, w_0) + w_5;
   co->m0 = w_0;
   co->m1 = w_1;
   co->m2 = w_2;
@@ -2660,12 +2205,11 @@ static inline void ksl_constraint_crzf(const ksl_SE3f_t *D, const ksl_coscrewf_t
      barring over- and underflow. */
 static inline void ksl_working_ctxf(const ksl_SE3f_t *D, const ksl_coscrewf_t *c,
     ksl_coscrewf_t *co) {
-  const float w_0 = KSL_MULF(D->m00, c->m0);
-  const float w_1 = KSL_MULF(D->m10, c->m0);
-  const float w_2 = KSL_MULF(D->m20, c->m0);
-  const float co_3a = KSL_MULF(D->m13, w_2), co_3b = KSL_MULF(D->m23, w_1), co_3 = co_3a - co_3b;
-  const float co_4a = KSL_MULF(D->m23, w_0), co_4b = KSL_MULF(D->m03, w_2), co_4 = co_4a - co_4b;
-  const float co_5a = KSL_MULF(D->m03, w_1), co_5b = KSL_MULF(D->m13, w_0), co_5 = co_5a - co_5b;
+  const float w_0 = KSL_MULF(D->m00, c->m0), w_1 = KSL_MULF(D->m10, c->m0),
+      w_2 = KSL_MULF(D->m20, c->m0);
+  const float co_3 = KSL_MULF(D->m13, w_2) - KSL_MULF(D->m23, w_1),
+      co_4 = KSL_MULF(D->m23, w_0) - KSL_MULF(D->m03, w_2),
+      co_5 = KSL_MULF(D->m03, w_1) - KSL_MULF(D->m13, w_0);
   co->m0 = w_0;
   co->m1 = w_1;
   co->m2 = w_2;
@@ -2681,12 +2225,11 @@ static inline void ksl_working_ctxf(const ksl_SE3f_t *D, const ksl_coscrewf_t *c
      barring over- and underflow. */
 static inline void ksl_working_ctyf(const ksl_SE3f_t *D, const ksl_coscrewf_t *c,
     ksl_coscrewf_t *co) {
-  const float w_0 = KSL_MULF(D->m01, c->m1);
-  const float w_1 = KSL_MULF(D->m11, c->m1);
-  const float w_2 = KSL_MULF(D->m21, c->m1);
-  const float co_3a = KSL_MULF(D->m13, w_2), co_3b = KSL_MULF(D->m23, w_1), co_3 = co_3a - co_3b;
-  const float co_4a = KSL_MULF(D->m23, w_0), co_4b = KSL_MULF(D->m03, w_2), co_4 = co_4a - co_4b;
-  const float co_5a = KSL_MULF(D->m03, w_1), co_5b = KSL_MULF(D->m13, w_0), co_5 = co_5a - co_5b;
+  const float w_0 = KSL_MULF(D->m01, c->m1), w_1 = KSL_MULF(D->m11, c->m1),
+      w_2 = KSL_MULF(D->m21, c->m1);
+  const float co_3 = KSL_MULF(D->m13, w_2) - KSL_MULF(D->m23, w_1),
+      co_4 = KSL_MULF(D->m23, w_0) - KSL_MULF(D->m03, w_2),
+      co_5 = KSL_MULF(D->m03, w_1) - KSL_MULF(D->m13, w_0);
   co->m0 = w_0;
   co->m1 = w_1;
   co->m2 = w_2;
@@ -2702,12 +2245,11 @@ static inline void ksl_working_ctyf(const ksl_SE3f_t *D, const ksl_coscrewf_t *c
      barring over- and underflow. */
 static inline void ksl_working_ctzf(const ksl_SE3f_t *D, const ksl_coscrewf_t *c,
     ksl_coscrewf_t *co) {
-  const float w_0 = KSL_MULF(D->m02, c->m2);
-  const float w_1 = KSL_MULF(D->m12, c->m2);
-  const float w_2 = KSL_MULF(D->m22, c->m2);
-  const float co_3a = KSL_MULF(D->m13, w_2), co_3b = KSL_MULF(D->m23, w_1), co_3 = co_3a - co_3b;
-  const float co_4a = KSL_MULF(D->m23, w_0), co_4b = KSL_MULF(D->m03, w_2), co_4 = co_4a - co_4b;
-  const float co_5a = KSL_MULF(D->m03, w_1), co_5b = KSL_MULF(D->m13, w_0), co_5 = co_5a - co_5b;
+  const float w_0 = KSL_MULF(D->m02, c->m2), w_1 = KSL_MULF(D->m12, c->m2),
+      w_2 = KSL_MULF(D->m22, c->m2);
+  const float co_3 = KSL_MULF(D->m13, w_2) - KSL_MULF(D->m23, w_1),
+      co_4 = KSL_MULF(D->m23, w_0) - KSL_MULF(D->m03, w_2),
+      co_5 = KSL_MULF(D->m03, w_1) - KSL_MULF(D->m13, w_0);
   co->m0 = w_0;
   co->m1 = w_1;
   co->m2 = w_2;
@@ -2722,9 +2264,8 @@ static inline void ksl_working_ctzf(const ksl_SE3f_t *D, const ksl_coscrewf_t *c
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_working_crxf(const ksl_SE3f_t *D, const ksl_coscrewf_t *c,
     ksl_coscrewf_t *co) {
-  const float w_3 = KSL_MULF(D->m00, c->m3);
-  const float w_4 = KSL_MULF(D->m10, c->m3);
-  const float w_5 = KSL_MULF(D->m20, c->m3);
+  const float w_3 = KSL_MULF(D->m00, c->m3), w_4 = KSL_MULF(D->m10, c->m3),
+      w_5 = KSL_MULF(D->m20, c->m3);
   co->m0 = 0.0f;
   co->m1 = 0.0f;
   co->m2 = 0.0f;
@@ -2739,9 +2280,8 @@ static inline void ksl_working_crxf(const ksl_SE3f_t *D, const ksl_coscrewf_t *c
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_working_cryf(const ksl_SE3f_t *D, const ksl_coscrewf_t *c,
     ksl_coscrewf_t *co) {
-  const float w_3 = KSL_MULF(D->m01, c->m4);
-  const float w_4 = KSL_MULF(D->m11, c->m4);
-  const float w_5 = KSL_MULF(D->m21, c->m4);
+  const float w_3 = KSL_MULF(D->m01, c->m4), w_4 = KSL_MULF(D->m11, c->m4),
+      w_5 = KSL_MULF(D->m21, c->m4);
   co->m0 = 0.0f;
   co->m1 = 0.0f;
   co->m2 = 0.0f;
@@ -2756,9 +2296,8 @@ static inline void ksl_working_cryf(const ksl_SE3f_t *D, const ksl_coscrewf_t *c
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_working_crzf(const ksl_SE3f_t *D, const ksl_coscrewf_t *c,
     ksl_coscrewf_t *co) {
-  const float w_3 = KSL_MULF(D->m02, c->m5);
-  const float w_4 = KSL_MULF(D->m12, c->m5);
-  const float w_5 = KSL_MULF(D->m22, c->m5);
+  const float w_3 = KSL_MULF(D->m02, c->m5), w_4 = KSL_MULF(D->m12, c->m5),
+      w_5 = KSL_MULF(D->m22, c->m5);
   co->m0 = 0.0f;
   co->m1 = 0.0f;
   co->m2 = 0.0f;
@@ -2772,12 +2311,8 @@ static inline void ksl_working_crzf(const ksl_SE3f_t *D, const ksl_coscrewf_t *c
    6 neg.
    Exact. */
 static inline void ksl_coadf(const ksl_screwf_t *s, ksl_mat6x6f_t *M) {
-  const float M_01 = -s->m5;
-  const float M_12 = -s->m3;
-  const float M_20 = -s->m4;
-  const float M_31 = -s->m2;
-  const float M_42 = -s->m0;
-  const float M_50 = -s->m1;
+  const float M_01 = -s->m5, M_12 = -s->m3, M_20 = -s->m4, M_31 = -s->m2, M_42 = -s->m0,
+      M_50 = -s->m1;
   const float s_m4 = s->m4;
   const float s_m5 = s->m5;
   const float s_m3 = s->m3;

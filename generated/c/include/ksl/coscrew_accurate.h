@@ -13,24 +13,15 @@
    6 mul, 6 add, 6 product error.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_coscrew_scale_accurate(ksl_coscrew_t *self, const double a) {
-  const double self_0_new = KSL_MUL(self->m0, a);
-  const double self_1_new = KSL_MUL(self->m1, a);
-  const double self_2_new = KSL_MUL(self->m2, a);
-  const double self_3_new = KSL_MUL(self->m3, a);
-  const double self_4_new = KSL_MUL(self->m4, a);
-  const double self_5_new = KSL_MUL(self->m5, a);
-  const double self_0_new_lo = ksl_product_error(self->m0, a, self_0_new),
-      self_0_new_rounded = self_0_new + self_0_new_lo;
-  const double self_1_new_lo = ksl_product_error(self->m1, a, self_1_new),
-      self_1_new_rounded = self_1_new + self_1_new_lo;
-  const double self_2_new_lo = ksl_product_error(self->m2, a, self_2_new),
-      self_2_new_rounded = self_2_new + self_2_new_lo;
-  const double self_3_new_lo = ksl_product_error(self->m3, a, self_3_new),
-      self_3_new_rounded = self_3_new + self_3_new_lo;
-  const double self_4_new_lo = ksl_product_error(self->m4, a, self_4_new),
-      self_4_new_rounded = self_4_new + self_4_new_lo;
-  const double self_5_new_lo = ksl_product_error(self->m5, a, self_5_new),
-      self_5_new_rounded = self_5_new + self_5_new_lo;
+  const double self_0_new = KSL_MUL(self->m0, a), self_1_new = KSL_MUL(self->m1, a),
+      self_2_new = KSL_MUL(self->m2, a), self_3_new = KSL_MUL(self->m3, a),
+      self_4_new = KSL_MUL(self->m4, a), self_5_new = KSL_MUL(self->m5, a);
+  const double self_0_new_rounded = self_0_new + ksl_product_error(self->m0, a, self_0_new),
+      self_1_new_rounded = self_1_new + ksl_product_error(self->m1, a, self_1_new),
+      self_2_new_rounded = self_2_new + ksl_product_error(self->m2, a, self_2_new),
+      self_3_new_rounded = self_3_new + ksl_product_error(self->m3, a, self_3_new),
+      self_4_new_rounded = self_4_new + ksl_product_error(self->m4, a, self_4_new),
+      self_5_new_rounded = self_5_new + ksl_product_error(self->m5, a, self_5_new);
   self->m0 = self_0_new_rounded;
   self->m1 = self_1_new_rounded;
   self->m2 = self_2_new_rounded;
@@ -46,41 +37,35 @@ static inline void ksl_coscrew_scale_accurate(ksl_coscrew_t *self, const double 
      and underflow. */
 static inline void ksl_axpy_cc_accurate(const double a, const ksl_coscrew_t *x, ksl_coscrew_t *y) {
   const double y_0_new_a = KSL_MUL(a, x->m0), y_0_new = y_0_new_a + y->m0,
-      y_0_new_right = y_0_new - y_0_new_a, y_0_new_left = y_0_new - y_0_new_right,
-      y_0_new_left_rest = ksl_product_rest(a, x->m0, y_0_new_a, y_0_new_left),
-      y_0_new_right_rest = y->m0 - y_0_new_right,
-      y_0_new_lo = y_0_new_left_rest + y_0_new_right_rest;
+      y_0_new_right = y_0_new - y_0_new_a;
   const double y_1_new_a = KSL_MUL(a, x->m1), y_1_new = y_1_new_a + y->m1,
-      y_1_new_right = y_1_new - y_1_new_a, y_1_new_left = y_1_new - y_1_new_right,
-      y_1_new_left_rest = ksl_product_rest(a, x->m1, y_1_new_a, y_1_new_left),
-      y_1_new_right_rest = y->m1 - y_1_new_right,
-      y_1_new_lo = y_1_new_left_rest + y_1_new_right_rest;
+      y_1_new_right = y_1_new - y_1_new_a;
   const double y_2_new_a = KSL_MUL(a, x->m2), y_2_new = y_2_new_a + y->m2,
-      y_2_new_right = y_2_new - y_2_new_a, y_2_new_left = y_2_new - y_2_new_right,
-      y_2_new_left_rest = ksl_product_rest(a, x->m2, y_2_new_a, y_2_new_left),
-      y_2_new_right_rest = y->m2 - y_2_new_right,
-      y_2_new_lo = y_2_new_left_rest + y_2_new_right_rest;
+      y_2_new_right = y_2_new - y_2_new_a;
   const double y_3_new_a = KSL_MUL(a, x->m3), y_3_new = y_3_new_a + y->m3,
-      y_3_new_right = y_3_new - y_3_new_a, y_3_new_left = y_3_new - y_3_new_right,
-      y_3_new_left_rest = ksl_product_rest(a, x->m3, y_3_new_a, y_3_new_left),
-      y_3_new_right_rest = y->m3 - y_3_new_right,
-      y_3_new_lo = y_3_new_left_rest + y_3_new_right_rest;
+      y_3_new_right = y_3_new - y_3_new_a;
   const double y_4_new_a = KSL_MUL(a, x->m4), y_4_new = y_4_new_a + y->m4,
-      y_4_new_right = y_4_new - y_4_new_a, y_4_new_left = y_4_new - y_4_new_right,
-      y_4_new_left_rest = ksl_product_rest(a, x->m4, y_4_new_a, y_4_new_left),
-      y_4_new_right_rest = y->m4 - y_4_new_right,
-      y_4_new_lo = y_4_new_left_rest + y_4_new_right_rest;
+      y_4_new_right = y_4_new - y_4_new_a;
   const double y_5_new_a = KSL_MUL(a, x->m5), y_5_new = y_5_new_a + y->m5,
-      y_5_new_right = y_5_new - y_5_new_a, y_5_new_left = y_5_new - y_5_new_right,
-      y_5_new_left_rest = ksl_product_rest(a, x->m5, y_5_new_a, y_5_new_left),
-      y_5_new_right_rest = y->m5 - y_5_new_right,
-      y_5_new_lo = y_5_new_left_rest + y_5_new_right_rest;
-  const double y_0_new_rounded = y_0_new + y_0_new_lo;
-  const double y_1_new_rounded = y_1_new + y_1_new_lo;
-  const double y_2_new_rounded = y_2_new + y_2_new_lo;
-  const double y_3_new_rounded = y_3_new + y_3_new_lo;
-  const double y_4_new_rounded = y_4_new + y_4_new_lo;
-  const double y_5_new_rounded = y_5_new + y_5_new_lo;
+      y_5_new_right = y_5_new - y_5_new_a;
+  const double y_0_new_rounded = y_0_new
+          + (ksl_product_rest(a, x->m0, y_0_new_a, y_0_new - y_0_new_right)
+          + (y->m0 - y_0_new_right)),
+      y_1_new_rounded = y_1_new
+          + (ksl_product_rest(a, x->m1, y_1_new_a, y_1_new - y_1_new_right)
+          + (y->m1 - y_1_new_right)),
+      y_2_new_rounded = y_2_new
+          + (ksl_product_rest(a, x->m2, y_2_new_a, y_2_new - y_2_new_right)
+          + (y->m2 - y_2_new_right)),
+      y_3_new_rounded = y_3_new
+          + (ksl_product_rest(a, x->m3, y_3_new_a, y_3_new - y_3_new_right)
+          + (y->m3 - y_3_new_right)),
+      y_4_new_rounded = y_4_new
+          + (ksl_product_rest(a, x->m4, y_4_new_a, y_4_new - y_4_new_right)
+          + (y->m4 - y_4_new_right)),
+      y_5_new_rounded = y_5_new
+          + (ksl_product_rest(a, x->m5, y_5_new_a, y_5_new - y_5_new_right)
+          + (y->m5 - y_5_new_right));
   y->m0 = y_0_new_rounded;
   y->m1 = y_1_new_rounded;
   y->m2 = y_2_new_rounded;
@@ -94,36 +79,19 @@ static inline void ksl_axpy_cc_accurate(const double a, const ksl_coscrew_t *x, 
    42 add.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_xpy_cc_accurate(const ksl_coscrew_t *x, ksl_coscrew_t *y) {
-  const double y_0_new = x->m0 + y->m0, y_0_new_right = y_0_new - x->m0,
-      y_0_new_left = y_0_new - y_0_new_right, y_0_new_left_rest = x->m0 - y_0_new_left,
-      y_0_new_right_rest = y->m0 - y_0_new_right,
-      y_0_new_lo = y_0_new_left_rest + y_0_new_right_rest;
-  const double y_1_new = x->m1 + y->m1, y_1_new_right = y_1_new - x->m1,
-      y_1_new_left = y_1_new - y_1_new_right, y_1_new_left_rest = x->m1 - y_1_new_left,
-      y_1_new_right_rest = y->m1 - y_1_new_right,
-      y_1_new_lo = y_1_new_left_rest + y_1_new_right_rest;
-  const double y_2_new = x->m2 + y->m2, y_2_new_right = y_2_new - x->m2,
-      y_2_new_left = y_2_new - y_2_new_right, y_2_new_left_rest = x->m2 - y_2_new_left,
-      y_2_new_right_rest = y->m2 - y_2_new_right,
-      y_2_new_lo = y_2_new_left_rest + y_2_new_right_rest;
-  const double y_3_new = x->m3 + y->m3, y_3_new_right = y_3_new - x->m3,
-      y_3_new_left = y_3_new - y_3_new_right, y_3_new_left_rest = x->m3 - y_3_new_left,
-      y_3_new_right_rest = y->m3 - y_3_new_right,
-      y_3_new_lo = y_3_new_left_rest + y_3_new_right_rest;
-  const double y_4_new = x->m4 + y->m4, y_4_new_right = y_4_new - x->m4,
-      y_4_new_left = y_4_new - y_4_new_right, y_4_new_left_rest = x->m4 - y_4_new_left,
-      y_4_new_right_rest = y->m4 - y_4_new_right,
-      y_4_new_lo = y_4_new_left_rest + y_4_new_right_rest;
-  const double y_5_new = x->m5 + y->m5, y_5_new_right = y_5_new - x->m5,
-      y_5_new_left = y_5_new - y_5_new_right, y_5_new_left_rest = x->m5 - y_5_new_left,
-      y_5_new_right_rest = y->m5 - y_5_new_right,
-      y_5_new_lo = y_5_new_left_rest + y_5_new_right_rest;
-  const double y_0_new_rounded = y_0_new + y_0_new_lo;
-  const double y_1_new_rounded = y_1_new + y_1_new_lo;
-  const double y_2_new_rounded = y_2_new + y_2_new_lo;
-  const double y_3_new_rounded = y_3_new + y_3_new_lo;
-  const double y_4_new_rounded = y_4_new + y_4_new_lo;
-  const double y_5_new_rounded = y_5_new + y_5_new_lo;
+  const double y_0_new = x->m0 + y->m0, y_0_new_right = y_0_new - x->m0;
+  const double y_1_new = x->m1 + y->m1, y_1_new_right = y_1_new - x->m1;
+  const double y_2_new = x->m2 + y->m2, y_2_new_right = y_2_new - x->m2;
+  const double y_3_new = x->m3 + y->m3, y_3_new_right = y_3_new - x->m3;
+  const double y_4_new = x->m4 + y->m4, y_4_new_right = y_4_new - x->m4;
+  const double y_5_new = x->m5 + y->m5, y_5_new_right = y_5_new - x->m5;
+  const double y_0_new_rounded = y_0_new
+          + (x->m0 - (y_0_new - y_0_new_right) + (y->m0 - y_0_new_right)),
+      y_1_new_rounded = y_1_new + (x->m1 - (y_1_new - y_1_new_right) + (y->m1 - y_1_new_right)),
+      y_2_new_rounded = y_2_new + (x->m2 - (y_2_new - y_2_new_right) + (y->m2 - y_2_new_right)),
+      y_3_new_rounded = y_3_new + (x->m3 - (y_3_new - y_3_new_right) + (y->m3 - y_3_new_right)),
+      y_4_new_rounded = y_4_new + (x->m4 - (y_4_new - y_4_new_right) + (y->m4 - y_4_new_right)),
+      y_5_new_rounded = y_5_new + (x->m5 - (y_5_new - y_5_new_right) + (y->m5 - y_5_new_right));
   y->m0 = y_0_new_rounded;
   y->m1 = y_1_new_rounded;
   y->m2 = y_2_new_rounded;
@@ -137,36 +105,19 @@ static inline void ksl_xpy_cc_accurate(const ksl_coscrew_t *x, ksl_coscrew_t *y)
    42 add.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_nxpy_cc_accurate(const ksl_coscrew_t *x, ksl_coscrew_t *y) {
-  const double y_0_new = y->m0 - x->m0, y_0_new_right = y->m0 - y_0_new,
-      y_0_new_left = y_0_new + y_0_new_right, y_0_new_left_rest = y->m0 - y_0_new_left,
-      y_0_new_right_rest = x->m0 - y_0_new_right,
-      y_0_new_lo = y_0_new_left_rest - y_0_new_right_rest;
-  const double y_1_new = y->m1 - x->m1, y_1_new_right = y->m1 - y_1_new,
-      y_1_new_left = y_1_new + y_1_new_right, y_1_new_left_rest = y->m1 - y_1_new_left,
-      y_1_new_right_rest = x->m1 - y_1_new_right,
-      y_1_new_lo = y_1_new_left_rest - y_1_new_right_rest;
-  const double y_2_new = y->m2 - x->m2, y_2_new_right = y->m2 - y_2_new,
-      y_2_new_left = y_2_new + y_2_new_right, y_2_new_left_rest = y->m2 - y_2_new_left,
-      y_2_new_right_rest = x->m2 - y_2_new_right,
-      y_2_new_lo = y_2_new_left_rest - y_2_new_right_rest;
-  const double y_3_new = y->m3 - x->m3, y_3_new_right = y->m3 - y_3_new,
-      y_3_new_left = y_3_new + y_3_new_right, y_3_new_left_rest = y->m3 - y_3_new_left,
-      y_3_new_right_rest = x->m3 - y_3_new_right,
-      y_3_new_lo = y_3_new_left_rest - y_3_new_right_rest;
-  const double y_4_new = y->m4 - x->m4, y_4_new_right = y->m4 - y_4_new,
-      y_4_new_left = y_4_new + y_4_new_right, y_4_new_left_rest = y->m4 - y_4_new_left,
-      y_4_new_right_rest = x->m4 - y_4_new_right,
-      y_4_new_lo = y_4_new_left_rest - y_4_new_right_rest;
-  const double y_5_new = y->m5 - x->m5, y_5_new_right = y->m5 - y_5_new,
-      y_5_new_left = y_5_new + y_5_new_right, y_5_new_left_rest = y->m5 - y_5_new_left,
-      y_5_new_right_rest = x->m5 - y_5_new_right,
-      y_5_new_lo = y_5_new_left_rest - y_5_new_right_rest;
-  const double y_0_new_rounded = y_0_new + y_0_new_lo;
-  const double y_1_new_rounded = y_1_new + y_1_new_lo;
-  const double y_2_new_rounded = y_2_new + y_2_new_lo;
-  const double y_3_new_rounded = y_3_new + y_3_new_lo;
-  const double y_4_new_rounded = y_4_new + y_4_new_lo;
-  const double y_5_new_rounded = y_5_new + y_5_new_lo;
+  const double y_0_new = y->m0 - x->m0, y_0_new_right = y->m0 - y_0_new;
+  const double y_1_new = y->m1 - x->m1, y_1_new_right = y->m1 - y_1_new;
+  const double y_2_new = y->m2 - x->m2, y_2_new_right = y->m2 - y_2_new;
+  const double y_3_new = y->m3 - x->m3, y_3_new_right = y->m3 - y_3_new;
+  const double y_4_new = y->m4 - x->m4, y_4_new_right = y->m4 - y_4_new;
+  const double y_5_new = y->m5 - x->m5, y_5_new_right = y->m5 - y_5_new;
+  const double y_0_new_rounded = y_0_new
+          + (y->m0 - (y_0_new + y_0_new_right) - (x->m0 - y_0_new_right)),
+      y_1_new_rounded = y_1_new + (y->m1 - (y_1_new + y_1_new_right) - (x->m1 - y_1_new_right)),
+      y_2_new_rounded = y_2_new + (y->m2 - (y_2_new + y_2_new_right) - (x->m2 - y_2_new_right)),
+      y_3_new_rounded = y_3_new + (y->m3 - (y_3_new + y_3_new_right) - (x->m3 - y_3_new_right)),
+      y_4_new_rounded = y_4_new + (y->m4 - (y_4_new + y_4_new_right) - (x->m4 - y_4_new_right)),
+      y_5_new_rounded = y_5_new + (y->m5 - (y_5_new + y_5_new_right) - (x->m5 - y_5_new_right));
   y->m0 = y_0_new_rounded;
   y->m1 = y_1_new_rounded;
   y->m2 = y_2_new_rounded;
@@ -181,18 +132,14 @@ static inline void ksl_nxpy_cc_accurate(const ksl_coscrew_t *x, ksl_coscrew_t *y
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_product_ac_accurate(const double a, const ksl_coscrew_t *ci,
     ksl_coscrew_t *co) {
-  const double co_0 = KSL_MUL(a, ci->m0);
-  const double co_1 = KSL_MUL(a, ci->m1);
-  const double co_2 = KSL_MUL(a, ci->m2);
-  const double co_3 = KSL_MUL(a, ci->m3);
-  const double co_4 = KSL_MUL(a, ci->m4);
-  const double co_5 = KSL_MUL(a, ci->m5);
-  const double co_0_lo = ksl_product_error(a, ci->m0, co_0), co_0_rounded = co_0 + co_0_lo;
-  const double co_1_lo = ksl_product_error(a, ci->m1, co_1), co_1_rounded = co_1 + co_1_lo;
-  const double co_2_lo = ksl_product_error(a, ci->m2, co_2), co_2_rounded = co_2 + co_2_lo;
-  const double co_3_lo = ksl_product_error(a, ci->m3, co_3), co_3_rounded = co_3 + co_3_lo;
-  const double co_4_lo = ksl_product_error(a, ci->m4, co_4), co_4_rounded = co_4 + co_4_lo;
-  const double co_5_lo = ksl_product_error(a, ci->m5, co_5), co_5_rounded = co_5 + co_5_lo;
+  const double co_0 = KSL_MUL(a, ci->m0), co_1 = KSL_MUL(a, ci->m1), co_2 = KSL_MUL(a, ci->m2),
+      co_3 = KSL_MUL(a, ci->m3), co_4 = KSL_MUL(a, ci->m4), co_5 = KSL_MUL(a, ci->m5);
+  const double co_0_rounded = co_0 + ksl_product_error(a, ci->m0, co_0),
+      co_1_rounded = co_1 + ksl_product_error(a, ci->m1, co_1),
+      co_2_rounded = co_2 + ksl_product_error(a, ci->m2, co_2),
+      co_3_rounded = co_3 + ksl_product_error(a, ci->m3, co_3),
+      co_4_rounded = co_4 + ksl_product_error(a, ci->m4, co_4),
+      co_5_rounded = co_5 + ksl_product_error(a, ci->m5, co_5);
   co->m0 = co_0_rounded;
   co->m1 = co_1_rounded;
   co->m2 = co_2_rounded;
@@ -207,30 +154,18 @@ static inline void ksl_product_ac_accurate(const double a, const ksl_coscrew_t *
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_add_cc_accurate(const ksl_coscrew_t *c1, const ksl_coscrew_t *c2,
     ksl_coscrew_t *co) {
-  const double co_0 = c1->m0 + c2->m0, co_0_right = co_0 - c1->m0, co_0_left = co_0 - co_0_right,
-      co_0_left_rest = c1->m0 - co_0_left, co_0_right_rest = c2->m0 - co_0_right,
-      co_0_lo = co_0_left_rest + co_0_right_rest;
-  const double co_1 = c1->m1 + c2->m1, co_1_right = co_1 - c1->m1, co_1_left = co_1 - co_1_right,
-      co_1_left_rest = c1->m1 - co_1_left, co_1_right_rest = c2->m1 - co_1_right,
-      co_1_lo = co_1_left_rest + co_1_right_rest;
-  const double co_2 = c1->m2 + c2->m2, co_2_right = co_2 - c1->m2, co_2_left = co_2 - co_2_right,
-      co_2_left_rest = c1->m2 - co_2_left, co_2_right_rest = c2->m2 - co_2_right,
-      co_2_lo = co_2_left_rest + co_2_right_rest;
-  const double co_3 = c1->m3 + c2->m3, co_3_right = co_3 - c1->m3, co_3_left = co_3 - co_3_right,
-      co_3_left_rest = c1->m3 - co_3_left, co_3_right_rest = c2->m3 - co_3_right,
-      co_3_lo = co_3_left_rest + co_3_right_rest;
-  const double co_4 = c1->m4 + c2->m4, co_4_right = co_4 - c1->m4, co_4_left = co_4 - co_4_right,
-      co_4_left_rest = c1->m4 - co_4_left, co_4_right_rest = c2->m4 - co_4_right,
-      co_4_lo = co_4_left_rest + co_4_right_rest;
-  const double co_5 = c1->m5 + c2->m5, co_5_right = co_5 - c1->m5, co_5_left = co_5 - co_5_right,
-      co_5_left_rest = c1->m5 - co_5_left, co_5_right_rest = c2->m5 - co_5_right,
-      co_5_lo = co_5_left_rest + co_5_right_rest;
-  const double co_0_rounded = co_0 + co_0_lo;
-  const double co_1_rounded = co_1 + co_1_lo;
-  const double co_2_rounded = co_2 + co_2_lo;
-  const double co_3_rounded = co_3 + co_3_lo;
-  const double co_4_rounded = co_4 + co_4_lo;
-  const double co_5_rounded = co_5 + co_5_lo;
+  const double co_0 = c1->m0 + c2->m0, co_0_right = co_0 - c1->m0;
+  const double co_1 = c1->m1 + c2->m1, co_1_right = co_1 - c1->m1;
+  const double co_2 = c1->m2 + c2->m2, co_2_right = co_2 - c1->m2;
+  const double co_3 = c1->m3 + c2->m3, co_3_right = co_3 - c1->m3;
+  const double co_4 = c1->m4 + c2->m4, co_4_right = co_4 - c1->m4;
+  const double co_5 = c1->m5 + c2->m5, co_5_right = co_5 - c1->m5;
+  const double co_0_rounded = co_0 + (c1->m0 - (co_0 - co_0_right) + (c2->m0 - co_0_right)),
+      co_1_rounded = co_1 + (c1->m1 - (co_1 - co_1_right) + (c2->m1 - co_1_right)),
+      co_2_rounded = co_2 + (c1->m2 - (co_2 - co_2_right) + (c2->m2 - co_2_right)),
+      co_3_rounded = co_3 + (c1->m3 - (co_3 - co_3_right) + (c2->m3 - co_3_right)),
+      co_4_rounded = co_4 + (c1->m4 - (co_4 - co_4_right) + (c2->m4 - co_4_right)),
+      co_5_rounded = co_5 + (c1->m5 - (co_5 - co_5_right) + (c2->m5 - co_5_right));
   co->m0 = co_0_rounded;
   co->m1 = co_1_rounded;
   co->m2 = co_2_rounded;
@@ -245,30 +180,18 @@ static inline void ksl_add_cc_accurate(const ksl_coscrew_t *c1, const ksl_coscre
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_subtract_cc_accurate(const ksl_coscrew_t *c1, const ksl_coscrew_t *c2,
     ksl_coscrew_t *co) {
-  const double co_0 = c1->m0 - c2->m0, co_0_right = c1->m0 - co_0, co_0_left = co_0 + co_0_right,
-      co_0_left_rest = c1->m0 - co_0_left, co_0_right_rest = c2->m0 - co_0_right,
-      co_0_lo = co_0_left_rest - co_0_right_rest;
-  const double co_1 = c1->m1 - c2->m1, co_1_right = c1->m1 - co_1, co_1_left = co_1 + co_1_right,
-      co_1_left_rest = c1->m1 - co_1_left, co_1_right_rest = c2->m1 - co_1_right,
-      co_1_lo = co_1_left_rest - co_1_right_rest;
-  const double co_2 = c1->m2 - c2->m2, co_2_right = c1->m2 - co_2, co_2_left = co_2 + co_2_right,
-      co_2_left_rest = c1->m2 - co_2_left, co_2_right_rest = c2->m2 - co_2_right,
-      co_2_lo = co_2_left_rest - co_2_right_rest;
-  const double co_3 = c1->m3 - c2->m3, co_3_right = c1->m3 - co_3, co_3_left = co_3 + co_3_right,
-      co_3_left_rest = c1->m3 - co_3_left, co_3_right_rest = c2->m3 - co_3_right,
-      co_3_lo = co_3_left_rest - co_3_right_rest;
-  const double co_4 = c1->m4 - c2->m4, co_4_right = c1->m4 - co_4, co_4_left = co_4 + co_4_right,
-      co_4_left_rest = c1->m4 - co_4_left, co_4_right_rest = c2->m4 - co_4_right,
-      co_4_lo = co_4_left_rest - co_4_right_rest;
-  const double co_5 = c1->m5 - c2->m5, co_5_right = c1->m5 - co_5, co_5_left = co_5 + co_5_right,
-      co_5_left_rest = c1->m5 - co_5_left, co_5_right_rest = c2->m5 - co_5_right,
-      co_5_lo = co_5_left_rest - co_5_right_rest;
-  const double co_0_rounded = co_0 + co_0_lo;
-  const double co_1_rounded = co_1 + co_1_lo;
-  const double co_2_rounded = co_2 + co_2_lo;
-  const double co_3_rounded = co_3 + co_3_lo;
-  const double co_4_rounded = co_4 + co_4_lo;
-  const double co_5_rounded = co_5 + co_5_lo;
+  const double co_0 = c1->m0 - c2->m0, co_0_right = c1->m0 - co_0;
+  const double co_1 = c1->m1 - c2->m1, co_1_right = c1->m1 - co_1;
+  const double co_2 = c1->m2 - c2->m2, co_2_right = c1->m2 - co_2;
+  const double co_3 = c1->m3 - c2->m3, co_3_right = c1->m3 - co_3;
+  const double co_4 = c1->m4 - c2->m4, co_4_right = c1->m4 - co_4;
+  const double co_5 = c1->m5 - c2->m5, co_5_right = c1->m5 - co_5;
+  const double co_0_rounded = co_0 + (c1->m0 - (co_0 + co_0_right) - (c2->m0 - co_0_right)),
+      co_1_rounded = co_1 + (c1->m1 - (co_1 + co_1_right) - (c2->m1 - co_1_right)),
+      co_2_rounded = co_2 + (c1->m2 - (co_2 + co_2_right) - (c2->m2 - co_2_right)),
+      co_3_rounded = co_3 + (c1->m3 - (co_3 + co_3_right) - (c2->m3 - co_3_right)),
+      co_4_rounded = co_4 + (c1->m4 - (co_4 + co_4_right) - (c2->m4 - co_4_right)),
+      co_5_rounded = co_5 + (c1->m5 - (co_5 + co_5_right) - (c2->m5 - co_5_right));
   co->m0 = co_0_rounded;
   co->m1 = co_1_rounded;
   co->m2 = co_2_rounded;
@@ -282,49 +205,34 @@ static inline void ksl_subtract_cc_accurate(const ksl_coscrew_t *c1, const ksl_c
    10 mul, 29 add, 1 product error, 3 product rest, 2 div, 1 sqrt, 6 abs, 11 less, 3 equal, 16
      select. */
 static inline double ksl_coscrew_norm_accurate(const ksl_coscrew_t *ci) {
-  const double small_a = fabs(ci->m2), small_c = small_a < 1e-09 ? 1.0 : 0.0,
-      small_d = fabs(ci->m1), small_f = small_d < 1e-09 ? small_c : 0.0, small_g = fabs(ci->m0),
-      small = small_g < 1e-09 ? small_f : 0.0;
-  const double p_0 = small == 1.0 ? ci->m3 : ci->m0;
-  const double p_1 = small == 1.0 ? ci->m4 : ci->m1;
-  const double p_2 = small == 1.0 ? ci->m5 : ci->m2;
-  const double s_size_0 = fabs(p_0);
-  const double s_size_1 = fabs(p_1);
-  const double s_size_2 = fabs(p_2);
+  const double small_c = fabs(ci->m2) < 1e-09 ? 1.0 : 0.0,
+      small_f = fabs(ci->m1) < 1e-09 ? small_c : 0.0, small = fabs(ci->m0) < 1e-09 ? small_f : 0.0;
+  const double p_0 = small == 1.0 ? ci->m3 : ci->m0, p_1 = small == 1.0 ? ci->m4 : ci->m1,
+      p_2 = small == 1.0 ? ci->m5 : ci->m2;
+  const double s_size_0 = fabs(p_0), s_size_1 = fabs(p_1), s_size_2 = fabs(p_2);
   const double s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
   const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const double s_b = 6.703903964971299e+153 < s_largest2 ? 3.7291703656001034e-155 : 1.0,
       s_d = s_largest2 < 256.0 ? 1.3093562431584567e+151 : s_b,
       s = s_largest2 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : s_d;
-  const double y_0 = KSL_MUL(p_0, s);
-  const double y_1 = KSL_MUL(p_1, s);
-  const double y_2 = KSL_MUL(p_2, s);
+  const double y_0 = KSL_MUL(p_0, s), y_1 = KSL_MUL(p_1, s), y_2 = KSL_MUL(p_2, s);
   const double n_a = KSL_MUL(y_0, y_0), n_b = KSL_MUL(y_1, y_1), n_c = n_a + n_b,
-      n_c_right = n_c - n_a, n_c_left = n_c - n_c_right,
-      n_c_left_rest = ksl_product_rest(y_0, y_0, n_a, n_c_left),
-      n_c_right_rest = ksl_product_rest(y_1, y_1, n_b, n_c_right),
-      n_c_lo = n_c_left_rest + n_c_right_rest, n_d = KSL_MUL(y_2, y_2), n_e = n_c + n_d,
-      n_e_right = n_e - n_c, n_e_left = n_e - n_e_right, n_e_left_rest = n_c - n_e_left,
-      n_e_right_rest = ksl_product_rest(y_2, y_2, n_d, n_e_right),
-      n_e_lo1 = n_e_left_rest + n_e_right_rest, n_e_lo = n_e_lo1 + n_c_lo, n_of_n_e = n_e + n_e_lo,
-      n_of_n_e_right = n_of_n_e - n_e, n_of_n_e_left = n_of_n_e - n_of_n_e_right,
-      n_of_n_e_left_rest = n_e - n_of_n_e_left, n_of_n_e_right_rest = n_e_lo - n_of_n_e_right,
-      n_of_n_e_lo = n_of_n_e_left_rest + n_of_n_e_right_rest, n = sqrt(n_of_n_e),
-      n_product = KSL_MUL(n, n), n_product_error = ksl_product_error(n, n, n_product),
-      n_rest = n_of_n_e - n_product, n_exact = n_rest - n_product_error,
-      n_residual = n_exact + n_of_n_e_lo, n_twice = n + n, n_divisor = n == 0.0 ? 1.0 : n_twice,
-      n_lo = n_residual / n_divisor;
+      n_c_right = n_c - n_a, n_d = KSL_MUL(y_2, y_2), n_e = n_c + n_d, n_e_right = n_e - n_c,
+      n_c_lo = ksl_product_rest(y_0, y_0, n_a, n_c - n_c_right)
+          + ksl_product_rest(y_1, y_1, n_b, n_c_right),
+      n_e_lo = n_c - (n_e - n_e_right) + ksl_product_rest(y_2, y_2, n_d, n_e_right) + n_c_lo,
+      n_e_sum = n_e + n_e_lo, n_e_sum_right = n_e_sum - n_e, n = sqrt(n_e_sum),
+      n_product = KSL_MUL(n, n), n_twice = n + n,
+      n_residual = n_e_sum - n_product - ksl_product_error(n, n, n_product)
+          + (n_e - (n_e_sum - n_e_sum_right) + (n_e_lo - n_e_sum_right)),
+      n_lo = n_residual / (n == 0.0 ? 1.0 : n_twice);
   const double r_b = s < 1.0 ? 2.6815615859885194e+154 : 1.0,
       r_d = 1.0 < s ? 7.637340908749012e-152 : r_b,
       r = 1.3093562431584567e+151 < s ? 9.332636185032189e-302 : r_d;
-  const double norm_of_n = n + n_lo, norm_of_n_right = norm_of_n - n,
-      norm_of_n_left = norm_of_n - norm_of_n_right, norm_of_n_left_rest = n - norm_of_n_left,
-      norm_of_n_right_rest = n_lo - norm_of_n_right,
-      norm_of_n_lo = norm_of_n_left_rest + norm_of_n_right_rest, norm = KSL_MUL(norm_of_n, r),
-      norm_inverse = 1.0 / r, norm_back = KSL_MUL(norm, norm_inverse),
-      norm_lost = norm_of_n - norm_back, norm_rest = norm_lost + norm_of_n_lo,
-      norm_lo = KSL_MUL(norm_rest, r);
-  const double norm_rounded = norm + norm_lo,
+  const double n_sum = n + n_lo, n_sum_right = n_sum - n, norm = KSL_MUL(n_sum, r);
+  const double norm_rounded = norm
+          + KSL_MUL(n_sum - KSL_MUL(norm, 1.0 / r)
+          + (n - (n_sum - n_sum_right) + (n_lo - n_sum_right)), r),
       norm_final = norm_rounded == norm_rounded ? norm_rounded : norm;
   return norm_final;
 }
@@ -337,209 +245,132 @@ static inline void ksl_coscrew_normalize_accurate(ksl_coscrew_t *self) {
   const double small_a = fabs(self->m2), small_c = small_a < 1e-09 ? 1.0 : 0.0,
       small_d = fabs(self->m1), small_f = small_d < 1e-09 ? small_c : 0.0, small_g = fabs(self->m0),
       small = small_g < 1e-09 ? small_f : 0.0;
-  const double p_0 = small == 1.0 ? self->m3 : self->m0;
-  const double p_1 = small == 1.0 ? self->m4 : self->m1;
-  const double p_2 = small == 1.0 ? self->m5 : self->m2;
-  const double s_size_0 = fabs(p_0);
-  const double s_size_1 = fabs(p_1);
-  const double s_size_2 = fabs(p_2);
+  const double p_0 = small == 1.0 ? self->m3 : self->m0, p_1 = small == 1.0 ? self->m4 : self->m1,
+      p_2 = small == 1.0 ? self->m5 : self->m2;
+  const double s_size_0 = fabs(p_0), s_size_1 = fabs(p_1), s_size_2 = fabs(p_2);
   const double s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
   const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const double s_b = 6.703903964971299e+153 < s_largest2 ? 3.7291703656001034e-155 : 1.0,
       s_d = s_largest2 < 256.0 ? 1.3093562431584567e+151 : s_b,
       s = s_largest2 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : s_d;
-  const double y_0 = KSL_MUL(p_0, s);
-  const double y_1 = KSL_MUL(p_1, s);
-  const double y_2 = KSL_MUL(p_2, s);
+  const double y_0 = KSL_MUL(p_0, s), y_1 = KSL_MUL(p_1, s), y_2 = KSL_MUL(p_2, s);
   const double up = 1.0 < s ? s : 1.0;
   const double down = s < 1.0 ? s : 1.0;
   const double n_a = KSL_MUL(y_0, y_0), n_b = KSL_MUL(y_1, y_1), n_c = n_a + n_b,
-      n_c_right = n_c - n_a, n_c_left = n_c - n_c_right,
-      n_c_left_rest = ksl_product_rest(y_0, y_0, n_a, n_c_left),
-      n_c_right_rest = ksl_product_rest(y_1, y_1, n_b, n_c_right),
-      n_c_lo = n_c_left_rest + n_c_right_rest, n_d = KSL_MUL(y_2, y_2), n_e = n_c + n_d,
-      n_e_right = n_e - n_c, n_e_left = n_e - n_e_right, n_e_left_rest = n_c - n_e_left,
-      n_e_right_rest = ksl_product_rest(y_2, y_2, n_d, n_e_right),
-      n_e_lo1 = n_e_left_rest + n_e_right_rest, n_e_lo = n_e_lo1 + n_c_lo, n_of_n_e = n_e + n_e_lo,
-      n_of_n_e_right = n_of_n_e - n_e, n_of_n_e_left = n_of_n_e - n_of_n_e_right,
-      n_of_n_e_left_rest = n_e - n_of_n_e_left, n_of_n_e_right_rest = n_e_lo - n_of_n_e_right,
-      n_of_n_e_lo = n_of_n_e_left_rest + n_of_n_e_right_rest, n = sqrt(n_of_n_e),
-      n_product = KSL_MUL(n, n), n_product_error = ksl_product_error(n, n, n_product),
-      n_rest = n_of_n_e - n_product, n_exact = n_rest - n_product_error,
-      n_residual = n_exact + n_of_n_e_lo, n_twice = n + n, n_divisor = n == 0.0 ? 1.0 : n_twice,
-      n_lo = n_residual / n_divisor;
-  const double divisor_a_of_n = n + n_lo, divisor_a_of_n_right = divisor_a_of_n - n,
-      divisor_a_of_n_left = divisor_a_of_n - divisor_a_of_n_right,
-      divisor_a_of_n_left_rest = n - divisor_a_of_n_left,
-      divisor_a_of_n_right_rest = n_lo - divisor_a_of_n_right,
-      divisor_a_of_n_lo = divisor_a_of_n_left_rest + divisor_a_of_n_right_rest,
-      divisor = divisor_a_of_n == 0.0 ? up : divisor_a_of_n,
-      divisor_lo = divisor_a_of_n == 0.0 ? 0.0 : divisor_a_of_n_lo;
-  const double size_3 = fabs(self->m3);
-  const double size_4 = fabs(self->m4);
-  const double size_5 = fabs(self->m5);
-  const double before_0 = small_g < 256.0 ? up : down;
-  const double before_1 = small_d < 256.0 ? up : down;
-  const double before_2 = small_a < 256.0 ? up : down;
-  const double before_3 = size_3 < 256.0 ? up : down;
-  const double before_4 = size_4 < 256.0 ? up : down;
-  const double before_5 = size_5 < 256.0 ? up : down;
-  const double after_0 = small_g < 256.0 ? down : up;
-  const double after_1 = small_d < 256.0 ? down : up;
-  const double after_2 = small_a < 256.0 ? down : up;
-  const double after_3 = size_3 < 256.0 ? down : up;
-  const double after_4 = size_4 < 256.0 ? down : up;
-  const double after_5 = size_5 < 256.0 ? down : up;
-  const double sized_0 = KSL_MUL(self->m0, before_0);
-  const double sized_1 = KSL_MUL(self->m1, before_1);
-  const double sized_2 = KSL_MUL(self->m2, before_2);
-  const double sized_3 = KSL_MUL(self->m3, before_3);
-  const double sized_4 = KSL_MUL(self->m4, before_4);
-  const double sized_5 = KSL_MUL(self->m5, before_5);
-  const double quotient_0_of_divisor = divisor + divisor_lo,
-      quotient_0_of_divisor_right = quotient_0_of_divisor - divisor,
-      quotient_0_of_divisor_left = quotient_0_of_divisor - quotient_0_of_divisor_right,
-      quotient_0_of_divisor_left_rest = divisor - quotient_0_of_divisor_left,
-      quotient_0_of_divisor_right_rest = divisor_lo - quotient_0_of_divisor_right,
-      quotient_0_of_divisor_lo = quotient_0_of_divisor_left_rest + quotient_0_of_divisor_right_rest,
-      quotient_0 = sized_0 / quotient_0_of_divisor,
-      quotient_0_product = KSL_MUL(quotient_0, quotient_0_of_divisor),
-      quotient_0_product_error = ksl_product_error(quotient_0, quotient_0_of_divisor,
-          quotient_0_product),
-      quotient_0_rest = sized_0 - quotient_0_product,
-      quotient_0_exact = quotient_0_rest - quotient_0_product_error,
-      quotient_0_cross = KSL_MUL(quotient_0, quotient_0_of_divisor_lo),
-      quotient_0_residual = quotient_0_exact - quotient_0_cross,
-      quotient_0_lo = quotient_0_residual / quotient_0_of_divisor;
-  const double quotient_1 = sized_1 / quotient_0_of_divisor,
-      quotient_1_product = KSL_MUL(quotient_1, quotient_0_of_divisor),
-      quotient_1_product_error = ksl_product_error(quotient_1, quotient_0_of_divisor,
-          quotient_1_product),
-      quotient_1_rest = sized_1 - quotient_1_product,
-      quotient_1_exact = quotient_1_rest - quotient_1_product_error,
-      quotient_1_cross = KSL_MUL(quotient_1, quotient_0_of_divisor_lo),
-      quotient_1_residual = quotient_1_exact - quotient_1_cross,
-      quotient_1_lo = quotient_1_residual / quotient_0_of_divisor;
-  const double quotient_2 = sized_2 / quotient_0_of_divisor,
-      quotient_2_product = KSL_MUL(quotient_2, quotient_0_of_divisor),
-      quotient_2_product_error = ksl_product_error(quotient_2, quotient_0_of_divisor,
-          quotient_2_product),
-      quotient_2_rest = sized_2 - quotient_2_product,
-      quotient_2_exact = quotient_2_rest - quotient_2_product_error,
-      quotient_2_cross = KSL_MUL(quotient_2, quotient_0_of_divisor_lo),
-      quotient_2_residual = quotient_2_exact - quotient_2_cross,
-      quotient_2_lo = quotient_2_residual / quotient_0_of_divisor;
-  const double quotient_3 = sized_3 / quotient_0_of_divisor,
-      quotient_3_product = KSL_MUL(quotient_3, quotient_0_of_divisor),
-      quotient_3_product_error = ksl_product_error(quotient_3, quotient_0_of_divisor,
-          quotient_3_product),
-      quotient_3_rest = sized_3 - quotient_3_product,
-      quotient_3_exact = quotient_3_rest - quotient_3_product_error,
-      quotient_3_cross = KSL_MUL(quotient_3, quotient_0_of_divisor_lo),
-      quotient_3_residual = quotient_3_exact - quotient_3_cross,
-      quotient_3_lo = quotient_3_residual / quotient_0_of_divisor;
-  const double quotient_4 = sized_4 / quotient_0_of_divisor,
-      quotient_4_product = KSL_MUL(quotient_4, quotient_0_of_divisor),
-      quotient_4_product_error = ksl_product_error(quotient_4, quotient_0_of_divisor,
-          quotient_4_product),
-      quotient_4_rest = sized_4 - quotient_4_product,
-      quotient_4_exact = quotient_4_rest - quotient_4_product_error,
-      quotient_4_cross = KSL_MUL(quotient_4, quotient_0_of_divisor_lo),
-      quotient_4_residual = quotient_4_exact - quotient_4_cross,
-      quotient_4_lo = quotient_4_residual / quotient_0_of_divisor;
-  const double quotient_5 = sized_5 / quotient_0_of_divisor,
-      quotient_5_product = KSL_MUL(quotient_5, quotient_0_of_divisor),
-      quotient_5_product_error = ksl_product_error(quotient_5, quotient_0_of_divisor,
-          quotient_5_product),
-      quotient_5_rest = sized_5 - quotient_5_product,
-      quotient_5_exact = quotient_5_rest - quotient_5_product_error,
-      quotient_5_cross = KSL_MUL(quotient_5, quotient_0_of_divisor_lo),
-      quotient_5_residual = quotient_5_exact - quotient_5_cross,
-      quotient_5_lo = quotient_5_residual / quotient_0_of_divisor;
-  const double self_0_new_of_quotient_0 = quotient_0 + quotient_0_lo,
-      self_0_new_of_quotient_0_right = self_0_new_of_quotient_0 - quotient_0,
-      self_0_new_of_quotient_0_left = self_0_new_of_quotient_0 - self_0_new_of_quotient_0_right,
-      self_0_new_of_quotient_0_left_rest = quotient_0 - self_0_new_of_quotient_0_left,
-      self_0_new_of_quotient_0_right_rest = quotient_0_lo - self_0_new_of_quotient_0_right,
-      self_0_new_of_quotient_0_lo = self_0_new_of_quotient_0_left_rest +
-          self_0_new_of_quotient_0_right_rest,
-      self_0_new = KSL_MUL(self_0_new_of_quotient_0, after_0), self_0_new_inverse = 1.0 / after_0,
-      self_0_new_back = KSL_MUL(self_0_new, self_0_new_inverse),
-      self_0_new_lost = self_0_new_of_quotient_0 - self_0_new_back,
-      self_0_new_rest = self_0_new_lost + self_0_new_of_quotient_0_lo,
-      self_0_new_lo = KSL_MUL(self_0_new_rest, after_0);
-  const double self_1_new_of_quotient_1 = quotient_1 + quotient_1_lo,
-      self_1_new_of_quotient_1_right = self_1_new_of_quotient_1 - quotient_1,
-      self_1_new_of_quotient_1_left = self_1_new_of_quotient_1 - self_1_new_of_quotient_1_right,
-      self_1_new_of_quotient_1_left_rest = quotient_1 - self_1_new_of_quotient_1_left,
-      self_1_new_of_quotient_1_right_rest = quotient_1_lo - self_1_new_of_quotient_1_right,
-      self_1_new_of_quotient_1_lo = self_1_new_of_quotient_1_left_rest +
-          self_1_new_of_quotient_1_right_rest,
-      self_1_new = KSL_MUL(self_1_new_of_quotient_1, after_1), self_1_new_inverse = 1.0 / after_1,
-      self_1_new_back = KSL_MUL(self_1_new, self_1_new_inverse),
-      self_1_new_lost = self_1_new_of_quotient_1 - self_1_new_back,
-      self_1_new_rest = self_1_new_lost + self_1_new_of_quotient_1_lo,
-      self_1_new_lo = KSL_MUL(self_1_new_rest, after_1);
-  const double self_2_new_of_quotient_2 = quotient_2 + quotient_2_lo,
-      self_2_new_of_quotient_2_right = self_2_new_of_quotient_2 - quotient_2,
-      self_2_new_of_quotient_2_left = self_2_new_of_quotient_2 - self_2_new_of_quotient_2_right,
-      self_2_new_of_quotient_2_left_rest = quotient_2 - self_2_new_of_quotient_2_left,
-      self_2_new_of_quotient_2_right_rest = quotient_2_lo - self_2_new_of_quotient_2_right,
-      self_2_new_of_quotient_2_lo = self_2_new_of_quotient_2_left_rest +
-          self_2_new_of_quotient_2_right_rest,
-      self_2_new = KSL_MUL(self_2_new_of_quotient_2, after_2), self_2_new_inverse = 1.0 / after_2,
-      self_2_new_back = KSL_MUL(self_2_new, self_2_new_inverse),
-      self_2_new_lost = self_2_new_of_quotient_2 - self_2_new_back,
-      self_2_new_rest = self_2_new_lost + self_2_new_of_quotient_2_lo,
-      self_2_new_lo = KSL_MUL(self_2_new_rest, after_2);
-  const double self_3_new_of_quotient_3 = quotient_3 + quotient_3_lo,
-      self_3_new_of_quotient_3_right = self_3_new_of_quotient_3 - quotient_3,
-      self_3_new_of_quotient_3_left = self_3_new_of_quotient_3 - self_3_new_of_quotient_3_right,
-      self_3_new_of_quotient_3_left_rest = quotient_3 - self_3_new_of_quotient_3_left,
-      self_3_new_of_quotient_3_right_rest = quotient_3_lo - self_3_new_of_quotient_3_right,
-      self_3_new_of_quotient_3_lo = self_3_new_of_quotient_3_left_rest +
-          self_3_new_of_quotient_3_right_rest,
-      self_3_new = KSL_MUL(self_3_new_of_quotient_3, after_3), self_3_new_inverse = 1.0 / after_3,
-      self_3_new_back = KSL_MUL(self_3_new, self_3_new_inverse),
-      self_3_new_lost = self_3_new_of_quotient_3 - self_3_new_back,
-      self_3_new_rest = self_3_new_lost + self_3_new_of_quotient_3_lo,
-      self_3_new_lo = KSL_MUL(self_3_new_rest, after_3);
-  const double self_4_new_of_quotient_4 = quotient_4 + quotient_4_lo,
-      self_4_new_of_quotient_4_right = self_4_new_of_quotient_4 - quotient_4,
-      self_4_new_of_quotient_4_left = self_4_new_of_quotient_4 - self_4_new_of_quotient_4_right,
-      self_4_new_of_quotient_4_left_rest = quotient_4 - self_4_new_of_quotient_4_left,
-      self_4_new_of_quotient_4_right_rest = quotient_4_lo - self_4_new_of_quotient_4_right,
-      self_4_new_of_quotient_4_lo = self_4_new_of_quotient_4_left_rest +
-          self_4_new_of_quotient_4_right_rest,
-      self_4_new = KSL_MUL(self_4_new_of_quotient_4, after_4), self_4_new_inverse = 1.0 / after_4,
-      self_4_new_back = KSL_MUL(self_4_new, self_4_new_inverse),
-      self_4_new_lost = self_4_new_of_quotient_4 - self_4_new_back,
-      self_4_new_rest = self_4_new_lost + self_4_new_of_quotient_4_lo,
-      self_4_new_lo = KSL_MUL(self_4_new_rest, after_4);
-  const double self_5_new_of_quotient_5 = quotient_5 + quotient_5_lo,
-      self_5_new_of_quotient_5_right = self_5_new_of_quotient_5 - quotient_5,
-      self_5_new_of_quotient_5_left = self_5_new_of_quotient_5 - self_5_new_of_quotient_5_right,
-      self_5_new_of_quotient_5_left_rest = quotient_5 - self_5_new_of_quotient_5_left,
-      self_5_new_of_quotient_5_right_rest = quotient_5_lo - self_5_new_of_quotient_5_right,
-      self_5_new_of_quotient_5_lo = self_5_new_of_quotient_5_left_rest +
-          self_5_new_of_quotient_5_right_rest,
-      self_5_new = KSL_MUL(self_5_new_of_quotient_5, after_5), self_5_new_inverse = 1.0 / after_5,
-      self_5_new_back = KSL_MUL(self_5_new, self_5_new_inverse),
-      self_5_new_lost = self_5_new_of_quotient_5 - self_5_new_back,
-      self_5_new_rest = self_5_new_lost + self_5_new_of_quotient_5_lo,
-      self_5_new_lo = KSL_MUL(self_5_new_rest, after_5);
-  const double self_0_new_rounded = self_0_new + self_0_new_lo,
-      self_0_new_final = self_0_new_rounded == self_0_new_rounded ? self_0_new_rounded : self_0_new;
-  const double self_1_new_rounded = self_1_new + self_1_new_lo,
-      self_1_new_final = self_1_new_rounded == self_1_new_rounded ? self_1_new_rounded : self_1_new;
-  const double self_2_new_rounded = self_2_new + self_2_new_lo,
-      self_2_new_final = self_2_new_rounded == self_2_new_rounded ? self_2_new_rounded : self_2_new;
-  const double self_3_new_rounded = self_3_new + self_3_new_lo,
-      self_3_new_final = self_3_new_rounded == self_3_new_rounded ? self_3_new_rounded : self_3_new;
-  const double self_4_new_rounded = self_4_new + self_4_new_lo,
-      self_4_new_final = self_4_new_rounded == self_4_new_rounded ? self_4_new_rounded : self_4_new;
-  const double self_5_new_rounded = self_5_new + self_5_new_lo,
-      self_5_new_final = self_5_new_rounded == self_5_new_rounded ? self_5_new_rounded : self_5_new;
+      n_c_right = n_c - n_a, n_d = KSL_MUL(y_2, y_2), n_e = n_c + n_d, n_e_right = n_e - n_c,
+      n_c_lo = ksl_product_rest(y_0, y_0, n_a, n_c - n_c_right)
+          + ksl_product_rest(y_1, y_1, n_b, n_c_right),
+      n_e_lo = n_c - (n_e - n_e_right) + ksl_product_rest(y_2, y_2, n_d, n_e_right) + n_c_lo,
+      n_e_sum = n_e + n_e_lo, n_e_sum_right = n_e_sum - n_e, n = sqrt(n_e_sum),
+      n_product = KSL_MUL(n, n), n_twice = n + n,
+      n_residual = n_e_sum - n_product - ksl_product_error(n, n, n_product)
+          + (n_e - (n_e_sum - n_e_sum_right) + (n_e_lo - n_e_sum_right)),
+      n_lo = n_residual / (n == 0.0 ? 1.0 : n_twice);
+  const double n_sum = n + n_lo, n_sum_right = n_sum - n,
+      n_sum_lo = n - (n_sum - n_sum_right) + (n_lo - n_sum_right),
+      divisor = n_sum == 0.0 ? up : n_sum, divisor_lo = n_sum == 0.0 ? 0.0 : n_sum_lo;
+  const double size_3 = fabs(self->m3), size_4 = fabs(self->m4), size_5 = fabs(self->m5);
+  const double before_0 = small_g < 256.0 ? up : down, before_1 = small_d < 256.0 ? up : down,
+      before_2 = small_a < 256.0 ? up : down, before_3 = size_3 < 256.0 ? up : down,
+      before_4 = size_4 < 256.0 ? up : down, before_5 = size_5 < 256.0 ? up : down;
+  const double after_0 = small_g < 256.0 ? down : up, after_1 = small_d < 256.0 ? down : up,
+      after_2 = small_a < 256.0 ? down : up, after_3 = size_3 < 256.0 ? down : up,
+      after_4 = size_4 < 256.0 ? down : up, after_5 = size_5 < 256.0 ? down : up;
+  const double sized_0 = KSL_MUL(self->m0, before_0), sized_1 = KSL_MUL(self->m1, before_1),
+      sized_2 = KSL_MUL(self->m2, before_2), sized_3 = KSL_MUL(self->m3, before_3),
+      sized_4 = KSL_MUL(self->m4, before_4), sized_5 = KSL_MUL(self->m5, before_5);
+  const double divisor_sum = divisor + divisor_lo, divisor_sum_right = divisor_sum - divisor,
+      divisor_sum_lo = divisor - (divisor_sum - divisor_sum_right)
+          + (divisor_lo - divisor_sum_right), quotient_0 = sized_0 / divisor_sum,
+      quotient_0_product = KSL_MUL(quotient_0, divisor_sum),
+      quotient_0_exact = sized_0 - quotient_0_product
+          - ksl_product_error(quotient_0, divisor_sum, quotient_0_product),
+      quotient_0_lo = (quotient_0_exact - KSL_MUL(quotient_0, divisor_sum_lo)) / divisor_sum;
+  const double quotient_1 = sized_1 / divisor_sum,
+      quotient_1_product = KSL_MUL(quotient_1, divisor_sum),
+      quotient_1_exact = sized_1 - quotient_1_product
+          - ksl_product_error(quotient_1, divisor_sum, quotient_1_product),
+      quotient_1_lo = (quotient_1_exact - KSL_MUL(quotient_1, divisor_sum_lo)) / divisor_sum;
+  const double quotient_2 = sized_2 / divisor_sum,
+      quotient_2_product = KSL_MUL(quotient_2, divisor_sum),
+      quotient_2_exact = sized_2 - quotient_2_product
+          - ksl_product_error(quotient_2, divisor_sum, quotient_2_product),
+      quotient_2_lo = (quotient_2_exact - KSL_MUL(quotient_2, divisor_sum_lo)) / divisor_sum;
+  const double quotient_3 = sized_3 / divisor_sum,
+      quotient_3_product = KSL_MUL(quotient_3, divisor_sum),
+      quotient_3_exact = sized_3 - quotient_3_product
+          - ksl_product_error(quotient_3, divisor_sum, quotient_3_product),
+      quotient_3_lo = (quotient_3_exact - KSL_MUL(quotient_3, divisor_sum_lo)) / divisor_sum;
+  const double quotient_4 = sized_4 / divisor_sum,
+      quotient_4_product = KSL_MUL(quotient_4, divisor_sum),
+      quotient_4_exact = sized_4 - quotient_4_product
+          - ksl_product_error(quotient_4, divisor_sum, quotient_4_product),
+      quotient_4_lo = (quotient_4_exact - KSL_MUL(quotient_4, divisor_sum_lo)) / divisor_sum;
+  const double quotient_5 = sized_5 / divisor_sum,
+      quotient_5_product = KSL_MUL(quotient_5, divisor_sum),
+      quotient_5_exact = sized_5 - quotient_5_product
+          - ksl_product_error(quotient_5, divisor_sum, quotient_5_product),
+      quotient_5_lo = (quotient_5_exact - KSL_MUL(quotient_5, divisor_sum_lo)) / divisor_sum;
+  const double quotient_0_sum = quotient_0 + quotient_0_lo,
+      quotient_0_sum_right = quotient_0_sum - quotient_0,
+      self_0_new = KSL_MUL(quotient_0_sum, after_0),
+      quotient_0_sum_lo = quotient_0 - (quotient_0_sum - quotient_0_sum_right)
+          + (quotient_0_lo - quotient_0_sum_right);
+  const double quotient_1_sum = quotient_1 + quotient_1_lo,
+      quotient_1_sum_right = quotient_1_sum - quotient_1,
+      self_1_new = KSL_MUL(quotient_1_sum, after_1),
+      quotient_1_sum_lo = quotient_1 - (quotient_1_sum - quotient_1_sum_right)
+          + (quotient_1_lo - quotient_1_sum_right);
+  const double quotient_2_sum = quotient_2 + quotient_2_lo,
+      quotient_2_sum_right = quotient_2_sum - quotient_2,
+      self_2_new = KSL_MUL(quotient_2_sum, after_2),
+      quotient_2_sum_lo = quotient_2 - (quotient_2_sum - quotient_2_sum_right)
+          + (quotient_2_lo - quotient_2_sum_right);
+  const double quotient_3_sum = quotient_3 + quotient_3_lo,
+      quotient_3_sum_right = quotient_3_sum - quotient_3,
+      self_3_new = KSL_MUL(quotient_3_sum, after_3),
+      quotient_3_sum_lo = quotient_3 - (quotient_3_sum - quotient_3_sum_right)
+          + (quotient_3_lo - quotient_3_sum_right);
+  const double quotient_4_sum = quotient_4 + quotient_4_lo,
+      quotient_4_sum_right = quotient_4_sum - quotient_4,
+      self_4_new = KSL_MUL(quotient_4_sum, after_4),
+      quotient_4_sum_lo = quotient_4 - (quotient_4_sum - quotient_4_sum_right)
+          + (quotient_4_lo - quotient_4_sum_right);
+  const double quotient_5_sum = quotient_5 + quotient_5_lo,
+      quotient_5_sum_right = quotient_5_sum - quotient_5,
+      self_5_new = KSL_MUL(quotient_5_sum, after_5),
+      quotient_5_sum_lo = quotient_5 - (quotient_5_sum - quotient_5_sum_right)
+          + (quotient_5_lo - quotient_5_sum_right);
+  const double self_0_new_rounded = self_0_new
+          + KSL_MUL(quotient_0_sum - KSL_MUL(self_0_new, 1.0 / after_0)
+          + quotient_0_sum_lo, after_0);
+  const double self_1_new_rounded = self_1_new
+          + KSL_MUL(quotient_1_sum - KSL_MUL(self_1_new, 1.0 / after_1)
+          + quotient_1_sum_lo, after_1);
+  const double self_2_new_rounded = self_2_new
+          + KSL_MUL(quotient_2_sum - KSL_MUL(self_2_new, 1.0 / after_2)
+          + quotient_2_sum_lo, after_2);
+  const double self_3_new_rounded = self_3_new
+          + KSL_MUL(quotient_3_sum - KSL_MUL(self_3_new, 1.0 / after_3)
+          + quotient_3_sum_lo, after_3);
+  const double self_4_new_rounded = self_4_new
+          + KSL_MUL(quotient_4_sum - KSL_MUL(self_4_new, 1.0 / after_4)
+          + quotient_4_sum_lo, after_4);
+  const double self_5_new_rounded = self_5_new
+          + KSL_MUL(quotient_5_sum - KSL_MUL(self_5_new, 1.0 / after_5)
+          + quotient_5_sum_lo, after_5);
+  const double self_0_new_final = self_0_new_rounded == self_0_new_rounded ? self_0_new_rounded
+          : self_0_new;
+  const double self_1_new_final = self_1_new_rounded == self_1_new_rounded ? self_1_new_rounded
+          : self_1_new;
+  const double self_2_new_final = self_2_new_rounded == self_2_new_rounded ? self_2_new_rounded
+          : self_2_new;
+  const double self_3_new_final = self_3_new_rounded == self_3_new_rounded ? self_3_new_rounded
+          : self_3_new;
+  const double self_4_new_final = self_4_new_rounded == self_4_new_rounded ? self_4_new_rounded
+          : self_4_new;
+  const double self_5_new_final = self_5_new_rounded == self_5_new_rounded ? self_5_new_rounded
+          : self_5_new;
   self->m0 = self_0_new_final;
   self->m1 = self_1_new_final;
   self->m2 = self_2_new_final;
@@ -556,191 +387,114 @@ static inline void ksl_coscrew_normalized_accurate(const ksl_coscrew_t *ci, ksl_
   const double small_a = fabs(ci->m2), small_c = small_a < 1e-09 ? 1.0 : 0.0,
       small_d = fabs(ci->m1), small_f = small_d < 1e-09 ? small_c : 0.0, small_g = fabs(ci->m0),
       small = small_g < 1e-09 ? small_f : 0.0;
-  const double p_0 = small == 1.0 ? ci->m3 : ci->m0;
-  const double p_1 = small == 1.0 ? ci->m4 : ci->m1;
-  const double p_2 = small == 1.0 ? ci->m5 : ci->m2;
-  const double s_size_0 = fabs(p_0);
-  const double s_size_1 = fabs(p_1);
-  const double s_size_2 = fabs(p_2);
+  const double p_0 = small == 1.0 ? ci->m3 : ci->m0, p_1 = small == 1.0 ? ci->m4 : ci->m1,
+      p_2 = small == 1.0 ? ci->m5 : ci->m2;
+  const double s_size_0 = fabs(p_0), s_size_1 = fabs(p_1), s_size_2 = fabs(p_2);
   const double s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
   const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const double s_b = 6.703903964971299e+153 < s_largest2 ? 3.7291703656001034e-155 : 1.0,
       s_d = s_largest2 < 256.0 ? 1.3093562431584567e+151 : s_b,
       s = s_largest2 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : s_d;
-  const double y_0 = KSL_MUL(p_0, s);
-  const double y_1 = KSL_MUL(p_1, s);
-  const double y_2 = KSL_MUL(p_2, s);
+  const double y_0 = KSL_MUL(p_0, s), y_1 = KSL_MUL(p_1, s), y_2 = KSL_MUL(p_2, s);
   const double up = 1.0 < s ? s : 1.0;
   const double down = s < 1.0 ? s : 1.0;
   const double n_a = KSL_MUL(y_0, y_0), n_b = KSL_MUL(y_1, y_1), n_c = n_a + n_b,
-      n_c_right = n_c - n_a, n_c_left = n_c - n_c_right,
-      n_c_left_rest = ksl_product_rest(y_0, y_0, n_a, n_c_left),
-      n_c_right_rest = ksl_product_rest(y_1, y_1, n_b, n_c_right),
-      n_c_lo = n_c_left_rest + n_c_right_rest, n_d = KSL_MUL(y_2, y_2), n_e = n_c + n_d,
-      n_e_right = n_e - n_c, n_e_left = n_e - n_e_right, n_e_left_rest = n_c - n_e_left,
-      n_e_right_rest = ksl_product_rest(y_2, y_2, n_d, n_e_right),
-      n_e_lo1 = n_e_left_rest + n_e_right_rest, n_e_lo = n_e_lo1 + n_c_lo, n_of_n_e = n_e + n_e_lo,
-      n_of_n_e_right = n_of_n_e - n_e, n_of_n_e_left = n_of_n_e - n_of_n_e_right,
-      n_of_n_e_left_rest = n_e - n_of_n_e_left, n_of_n_e_right_rest = n_e_lo - n_of_n_e_right,
-      n_of_n_e_lo = n_of_n_e_left_rest + n_of_n_e_right_rest, n = sqrt(n_of_n_e),
-      n_product = KSL_MUL(n, n), n_product_error = ksl_product_error(n, n, n_product),
-      n_rest = n_of_n_e - n_product, n_exact = n_rest - n_product_error,
-      n_residual = n_exact + n_of_n_e_lo, n_twice = n + n, n_divisor = n == 0.0 ? 1.0 : n_twice,
-      n_lo = n_residual / n_divisor;
-  const double divisor_a_of_n = n + n_lo, divisor_a_of_n_right = divisor_a_of_n - n,
-      divisor_a_of_n_left = divisor_a_of_n - divisor_a_of_n_right,
-      divisor_a_of_n_left_rest = n - divisor_a_of_n_left,
-      divisor_a_of_n_right_rest = n_lo - divisor_a_of_n_right,
-      divisor_a_of_n_lo = divisor_a_of_n_left_rest + divisor_a_of_n_right_rest,
-      divisor = divisor_a_of_n == 0.0 ? up : divisor_a_of_n,
-      divisor_lo = divisor_a_of_n == 0.0 ? 0.0 : divisor_a_of_n_lo;
-  const double size_3 = fabs(ci->m3);
-  const double size_4 = fabs(ci->m4);
-  const double size_5 = fabs(ci->m5);
-  const double before_0 = small_g < 256.0 ? up : down;
-  const double before_1 = small_d < 256.0 ? up : down;
-  const double before_2 = small_a < 256.0 ? up : down;
-  const double before_3 = size_3 < 256.0 ? up : down;
-  const double before_4 = size_4 < 256.0 ? up : down;
-  const double before_5 = size_5 < 256.0 ? up : down;
-  const double after_0 = small_g < 256.0 ? down : up;
-  const double after_1 = small_d < 256.0 ? down : up;
-  const double after_2 = small_a < 256.0 ? down : up;
-  const double after_3 = size_3 < 256.0 ? down : up;
-  const double after_4 = size_4 < 256.0 ? down : up;
-  const double after_5 = size_5 < 256.0 ? down : up;
-  const double sized_0 = KSL_MUL(ci->m0, before_0);
-  const double sized_1 = KSL_MUL(ci->m1, before_1);
-  const double sized_2 = KSL_MUL(ci->m2, before_2);
-  const double sized_3 = KSL_MUL(ci->m3, before_3);
-  const double sized_4 = KSL_MUL(ci->m4, before_4);
-  const double sized_5 = KSL_MUL(ci->m5, before_5);
-  const double quotient_0_of_divisor = divisor + divisor_lo,
-      quotient_0_of_divisor_right = quotient_0_of_divisor - divisor,
-      quotient_0_of_divisor_left = quotient_0_of_divisor - quotient_0_of_divisor_right,
-      quotient_0_of_divisor_left_rest = divisor - quotient_0_of_divisor_left,
-      quotient_0_of_divisor_right_rest = divisor_lo - quotient_0_of_divisor_right,
-      quotient_0_of_divisor_lo = quotient_0_of_divisor_left_rest + quotient_0_of_divisor_right_rest,
-      quotient_0 = sized_0 / quotient_0_of_divisor,
-      quotient_0_product = KSL_MUL(quotient_0, quotient_0_of_divisor),
-      quotient_0_product_error = ksl_product_error(quotient_0, quotient_0_of_divisor,
-          quotient_0_product),
-      quotient_0_rest = sized_0 - quotient_0_product,
-      quotient_0_exact = quotient_0_rest - quotient_0_product_error,
-      quotient_0_cross = KSL_MUL(quotient_0, quotient_0_of_divisor_lo),
-      quotient_0_residual = quotient_0_exact - quotient_0_cross,
-      quotient_0_lo = quotient_0_residual / quotient_0_of_divisor;
-  const double quotient_1 = sized_1 / quotient_0_of_divisor,
-      quotient_1_product = KSL_MUL(quotient_1, quotient_0_of_divisor),
-      quotient_1_product_error = ksl_product_error(quotient_1, quotient_0_of_divisor,
-          quotient_1_product),
-      quotient_1_rest = sized_1 - quotient_1_product,
-      quotient_1_exact = quotient_1_rest - quotient_1_product_error,
-      quotient_1_cross = KSL_MUL(quotient_1, quotient_0_of_divisor_lo),
-      quotient_1_residual = quotient_1_exact - quotient_1_cross,
-      quotient_1_lo = quotient_1_residual / quotient_0_of_divisor;
-  const double quotient_2 = sized_2 / quotient_0_of_divisor,
-      quotient_2_product = KSL_MUL(quotient_2, quotient_0_of_divisor),
-      quotient_2_product_error = ksl_product_error(quotient_2, quotient_0_of_divisor,
-          quotient_2_product),
-      quotient_2_rest = sized_2 - quotient_2_product,
-      quotient_2_exact = quotient_2_rest - quotient_2_product_error,
-      quotient_2_cross = KSL_MUL(quotient_2, quotient_0_of_divisor_lo),
-      quotient_2_residual = quotient_2_exact - quotient_2_cross,
-      quotient_2_lo = quotient_2_residual / quotient_0_of_divisor;
-  const double quotient_3 = sized_3 / quotient_0_of_divisor,
-      quotient_3_product = KSL_MUL(quotient_3, quotient_0_of_divisor),
-      quotient_3_product_error = ksl_product_error(quotient_3, quotient_0_of_divisor,
-          quotient_3_product),
-      quotient_3_rest = sized_3 - quotient_3_product,
-      quotient_3_exact = quotient_3_rest - quotient_3_product_error,
-      quotient_3_cross = KSL_MUL(quotient_3, quotient_0_of_divisor_lo),
-      quotient_3_residual = quotient_3_exact - quotient_3_cross,
-      quotient_3_lo = quotient_3_residual / quotient_0_of_divisor;
-  const double quotient_4 = sized_4 / quotient_0_of_divisor,
-      quotient_4_product = KSL_MUL(quotient_4, quotient_0_of_divisor),
-      quotient_4_product_error = ksl_product_error(quotient_4, quotient_0_of_divisor,
-          quotient_4_product),
-      quotient_4_rest = sized_4 - quotient_4_product,
-      quotient_4_exact = quotient_4_rest - quotient_4_product_error,
-      quotient_4_cross = KSL_MUL(quotient_4, quotient_0_of_divisor_lo),
-      quotient_4_residual = quotient_4_exact - quotient_4_cross,
-      quotient_4_lo = quotient_4_residual / quotient_0_of_divisor;
-  const double quotient_5 = sized_5 / quotient_0_of_divisor,
-      quotient_5_product = KSL_MUL(quotient_5, quotient_0_of_divisor),
-      quotient_5_product_error = ksl_product_error(quotient_5, quotient_0_of_divisor,
-          quotient_5_product),
-      quotient_5_rest = sized_5 - quotient_5_product,
-      quotient_5_exact = quotient_5_rest - quotient_5_product_error,
-      quotient_5_cross = KSL_MUL(quotient_5, quotient_0_of_divisor_lo),
-      quotient_5_residual = quotient_5_exact - quotient_5_cross,
-      quotient_5_lo = quotient_5_residual / quotient_0_of_divisor;
-  const double co_0_of_quotient_0 = quotient_0 + quotient_0_lo,
-      co_0_of_quotient_0_right = co_0_of_quotient_0 - quotient_0,
-      co_0_of_quotient_0_left = co_0_of_quotient_0 - co_0_of_quotient_0_right,
-      co_0_of_quotient_0_left_rest = quotient_0 - co_0_of_quotient_0_left,
-      co_0_of_quotient_0_right_rest = quotient_0_lo - co_0_of_quotient_0_right,
-      co_0_of_quotient_0_lo = co_0_of_quotient_0_left_rest + co_0_of_quotient_0_right_rest,
-      co_0 = KSL_MUL(co_0_of_quotient_0, after_0), co_0_inverse = 1.0 / after_0,
-      co_0_back = KSL_MUL(co_0, co_0_inverse), co_0_lost = co_0_of_quotient_0 - co_0_back,
-      co_0_rest = co_0_lost + co_0_of_quotient_0_lo, co_0_lo = KSL_MUL(co_0_rest, after_0);
-  const double co_1_of_quotient_1 = quotient_1 + quotient_1_lo,
-      co_1_of_quotient_1_right = co_1_of_quotient_1 - quotient_1,
-      co_1_of_quotient_1_left = co_1_of_quotient_1 - co_1_of_quotient_1_right,
-      co_1_of_quotient_1_left_rest = quotient_1 - co_1_of_quotient_1_left,
-      co_1_of_quotient_1_right_rest = quotient_1_lo - co_1_of_quotient_1_right,
-      co_1_of_quotient_1_lo = co_1_of_quotient_1_left_rest + co_1_of_quotient_1_right_rest,
-      co_1 = KSL_MUL(co_1_of_quotient_1, after_1), co_1_inverse = 1.0 / after_1,
-      co_1_back = KSL_MUL(co_1, co_1_inverse), co_1_lost = co_1_of_quotient_1 - co_1_back,
-      co_1_rest = co_1_lost + co_1_of_quotient_1_lo, co_1_lo = KSL_MUL(co_1_rest, after_1);
-  const double co_2_of_quotient_2 = quotient_2 + quotient_2_lo,
-      co_2_of_quotient_2_right = co_2_of_quotient_2 - quotient_2,
-      co_2_of_quotient_2_left = co_2_of_quotient_2 - co_2_of_quotient_2_right,
-      co_2_of_quotient_2_left_rest = quotient_2 - co_2_of_quotient_2_left,
-      co_2_of_quotient_2_right_rest = quotient_2_lo - co_2_of_quotient_2_right,
-      co_2_of_quotient_2_lo = co_2_of_quotient_2_left_rest + co_2_of_quotient_2_right_rest,
-      co_2 = KSL_MUL(co_2_of_quotient_2, after_2), co_2_inverse = 1.0 / after_2,
-      co_2_back = KSL_MUL(co_2, co_2_inverse), co_2_lost = co_2_of_quotient_2 - co_2_back,
-      co_2_rest = co_2_lost + co_2_of_quotient_2_lo, co_2_lo = KSL_MUL(co_2_rest, after_2);
-  const double co_3_of_quotient_3 = quotient_3 + quotient_3_lo,
-      co_3_of_quotient_3_right = co_3_of_quotient_3 - quotient_3,
-      co_3_of_quotient_3_left = co_3_of_quotient_3 - co_3_of_quotient_3_right,
-      co_3_of_quotient_3_left_rest = quotient_3 - co_3_of_quotient_3_left,
-      co_3_of_quotient_3_right_rest = quotient_3_lo - co_3_of_quotient_3_right,
-      co_3_of_quotient_3_lo = co_3_of_quotient_3_left_rest + co_3_of_quotient_3_right_rest,
-      co_3 = KSL_MUL(co_3_of_quotient_3, after_3), co_3_inverse = 1.0 / after_3,
-      co_3_back = KSL_MUL(co_3, co_3_inverse), co_3_lost = co_3_of_quotient_3 - co_3_back,
-      co_3_rest = co_3_lost + co_3_of_quotient_3_lo, co_3_lo = KSL_MUL(co_3_rest, after_3);
-  const double co_4_of_quotient_4 = quotient_4 + quotient_4_lo,
-      co_4_of_quotient_4_right = co_4_of_quotient_4 - quotient_4,
-      co_4_of_quotient_4_left = co_4_of_quotient_4 - co_4_of_quotient_4_right,
-      co_4_of_quotient_4_left_rest = quotient_4 - co_4_of_quotient_4_left,
-      co_4_of_quotient_4_right_rest = quotient_4_lo - co_4_of_quotient_4_right,
-      co_4_of_quotient_4_lo = co_4_of_quotient_4_left_rest + co_4_of_quotient_4_right_rest,
-      co_4 = KSL_MUL(co_4_of_quotient_4, after_4), co_4_inverse = 1.0 / after_4,
-      co_4_back = KSL_MUL(co_4, co_4_inverse), co_4_lost = co_4_of_quotient_4 - co_4_back,
-      co_4_rest = co_4_lost + co_4_of_quotient_4_lo, co_4_lo = KSL_MUL(co_4_rest, after_4);
-  const double co_5_of_quotient_5 = quotient_5 + quotient_5_lo,
-      co_5_of_quotient_5_right = co_5_of_quotient_5 - quotient_5,
-      co_5_of_quotient_5_left = co_5_of_quotient_5 - co_5_of_quotient_5_right,
-      co_5_of_quotient_5_left_rest = quotient_5 - co_5_of_quotient_5_left,
-      co_5_of_quotient_5_right_rest = quotient_5_lo - co_5_of_quotient_5_right,
-      co_5_of_quotient_5_lo = co_5_of_quotient_5_left_rest + co_5_of_quotient_5_right_rest,
-      co_5 = KSL_MUL(co_5_of_quotient_5, after_5), co_5_inverse = 1.0 / after_5,
-      co_5_back = KSL_MUL(co_5, co_5_inverse), co_5_lost = co_5_of_quotient_5 - co_5_back,
-      co_5_rest = co_5_lost + co_5_of_quotient_5_lo, co_5_lo = KSL_MUL(co_5_rest, after_5);
-  const double co_0_rounded = co_0 + co_0_lo,
-      co_0_final = co_0_rounded == co_0_rounded ? co_0_rounded : co_0;
-  const double co_1_rounded = co_1 + co_1_lo,
-      co_1_final = co_1_rounded == co_1_rounded ? co_1_rounded : co_1;
-  const double co_2_rounded = co_2 + co_2_lo,
-      co_2_final = co_2_rounded == co_2_rounded ? co_2_rounded : co_2;
-  const double co_3_rounded = co_3 + co_3_lo,
-      co_3_final = co_3_rounded == co_3_rounded ? co_3_rounded : co_3;
-  const double co_4_rounded = co_4 + co_4_lo,
-      co_4_final = co_4_rounded == co_4_rounded ? co_4_rounded : co_4;
-  const double co_5_rounded = co_5 + co_5_lo,
-      co_5_final = co_5_rounded == co_5_rounded ? co_5_rounded : co_5;
+      n_c_right = n_c - n_a, n_d = KSL_MUL(y_2, y_2), n_e = n_c + n_d, n_e_right = n_e - n_c,
+      n_c_lo = ksl_product_rest(y_0, y_0, n_a, n_c - n_c_right)
+          + ksl_product_rest(y_1, y_1, n_b, n_c_right),
+      n_e_lo = n_c - (n_e - n_e_right) + ksl_product_rest(y_2, y_2, n_d, n_e_right) + n_c_lo,
+      n_e_sum = n_e + n_e_lo, n_e_sum_right = n_e_sum - n_e, n = sqrt(n_e_sum),
+      n_product = KSL_MUL(n, n), n_twice = n + n,
+      n_residual = n_e_sum - n_product - ksl_product_error(n, n, n_product)
+          + (n_e - (n_e_sum - n_e_sum_right) + (n_e_lo - n_e_sum_right)),
+      n_lo = n_residual / (n == 0.0 ? 1.0 : n_twice);
+  const double n_sum = n + n_lo, n_sum_right = n_sum - n,
+      n_sum_lo = n - (n_sum - n_sum_right) + (n_lo - n_sum_right),
+      divisor = n_sum == 0.0 ? up : n_sum, divisor_lo = n_sum == 0.0 ? 0.0 : n_sum_lo;
+  const double size_3 = fabs(ci->m3), size_4 = fabs(ci->m4), size_5 = fabs(ci->m5);
+  const double before_0 = small_g < 256.0 ? up : down, before_1 = small_d < 256.0 ? up : down,
+      before_2 = small_a < 256.0 ? up : down, before_3 = size_3 < 256.0 ? up : down,
+      before_4 = size_4 < 256.0 ? up : down, before_5 = size_5 < 256.0 ? up : down;
+  const double after_0 = small_g < 256.0 ? down : up, after_1 = small_d < 256.0 ? down : up,
+      after_2 = small_a < 256.0 ? down : up, after_3 = size_3 < 256.0 ? down : up,
+      after_4 = size_4 < 256.0 ? down : up, after_5 = size_5 < 256.0 ? down : up;
+  const double sized_0 = KSL_MUL(ci->m0, before_0), sized_1 = KSL_MUL(ci->m1, before_1),
+      sized_2 = KSL_MUL(ci->m2, before_2), sized_3 = KSL_MUL(ci->m3, before_3),
+      sized_4 = KSL_MUL(ci->m4, before_4), sized_5 = KSL_MUL(ci->m5, before_5);
+  const double divisor_sum = divisor + divisor_lo, divisor_sum_right = divisor_sum - divisor,
+      divisor_sum_lo = divisor - (divisor_sum - divisor_sum_right)
+          + (divisor_lo - divisor_sum_right), quotient_0 = sized_0 / divisor_sum,
+      quotient_0_product = KSL_MUL(quotient_0, divisor_sum),
+      quotient_0_exact = sized_0 - quotient_0_product
+          - ksl_product_error(quotient_0, divisor_sum, quotient_0_product),
+      quotient_0_lo = (quotient_0_exact - KSL_MUL(quotient_0, divisor_sum_lo)) / divisor_sum;
+  const double quotient_1 = sized_1 / divisor_sum,
+      quotient_1_product = KSL_MUL(quotient_1, divisor_sum),
+      quotient_1_exact = sized_1 - quotient_1_product
+          - ksl_product_error(quotient_1, divisor_sum, quotient_1_product),
+      quotient_1_lo = (quotient_1_exact - KSL_MUL(quotient_1, divisor_sum_lo)) / divisor_sum;
+  const double quotient_2 = sized_2 / divisor_sum,
+      quotient_2_product = KSL_MUL(quotient_2, divisor_sum),
+      quotient_2_exact = sized_2 - quotient_2_product
+          - ksl_product_error(quotient_2, divisor_sum, quotient_2_product),
+      quotient_2_lo = (quotient_2_exact - KSL_MUL(quotient_2, divisor_sum_lo)) / divisor_sum;
+  const double quotient_3 = sized_3 / divisor_sum,
+      quotient_3_product = KSL_MUL(quotient_3, divisor_sum),
+      quotient_3_exact = sized_3 - quotient_3_product
+          - ksl_product_error(quotient_3, divisor_sum, quotient_3_product),
+      quotient_3_lo = (quotient_3_exact - KSL_MUL(quotient_3, divisor_sum_lo)) / divisor_sum;
+  const double quotient_4 = sized_4 / divisor_sum,
+      quotient_4_product = KSL_MUL(quotient_4, divisor_sum),
+      quotient_4_exact = sized_4 - quotient_4_product
+          - ksl_product_error(quotient_4, divisor_sum, quotient_4_product),
+      quotient_4_lo = (quotient_4_exact - KSL_MUL(quotient_4, divisor_sum_lo)) / divisor_sum;
+  const double quotient_5 = sized_5 / divisor_sum,
+      quotient_5_product = KSL_MUL(quotient_5, divisor_sum),
+      quotient_5_exact = sized_5 - quotient_5_product
+          - ksl_product_error(quotient_5, divisor_sum, quotient_5_product),
+      quotient_5_lo = (quotient_5_exact - KSL_MUL(quotient_5, divisor_sum_lo)) / divisor_sum;
+  const double quotient_0_sum = quotient_0 + quotient_0_lo,
+      quotient_0_sum_right = quotient_0_sum - quotient_0, co_0 = KSL_MUL(quotient_0_sum, after_0),
+      quotient_0_sum_lo = quotient_0 - (quotient_0_sum - quotient_0_sum_right)
+          + (quotient_0_lo - quotient_0_sum_right);
+  const double quotient_1_sum = quotient_1 + quotient_1_lo,
+      quotient_1_sum_right = quotient_1_sum - quotient_1, co_1 = KSL_MUL(quotient_1_sum, after_1),
+      quotient_1_sum_lo = quotient_1 - (quotient_1_sum - quotient_1_sum_right)
+          + (quotient_1_lo - quotient_1_sum_right);
+  const double quotient_2_sum = quotient_2 + quotient_2_lo,
+      quotient_2_sum_right = quotient_2_sum - quotient_2, co_2 = KSL_MUL(quotient_2_sum, after_2),
+      quotient_2_sum_lo = quotient_2 - (quotient_2_sum - quotient_2_sum_right)
+          + (quotient_2_lo - quotient_2_sum_right);
+  const double quotient_3_sum = quotient_3 + quotient_3_lo,
+      quotient_3_sum_right = quotient_3_sum - quotient_3, co_3 = KSL_MUL(quotient_3_sum, after_3),
+      quotient_3_sum_lo = quotient_3 - (quotient_3_sum - quotient_3_sum_right)
+          + (quotient_3_lo - quotient_3_sum_right);
+  const double quotient_4_sum = quotient_4 + quotient_4_lo,
+      quotient_4_sum_right = quotient_4_sum - quotient_4, co_4 = KSL_MUL(quotient_4_sum, after_4),
+      quotient_4_sum_lo = quotient_4 - (quotient_4_sum - quotient_4_sum_right)
+          + (quotient_4_lo - quotient_4_sum_right);
+  const double quotient_5_sum = quotient_5 + quotient_5_lo,
+      quotient_5_sum_right = quotient_5_sum - quotient_5, co_5 = KSL_MUL(quotient_5_sum, after_5),
+      quotient_5_sum_lo = quotient_5 - (quotient_5_sum - quotient_5_sum_right)
+          + (quotient_5_lo - quotient_5_sum_right);
+  const double co_0_rounded = co_0
+          + KSL_MUL(quotient_0_sum - KSL_MUL(co_0, 1.0 / after_0) + quotient_0_sum_lo, after_0);
+  const double co_1_rounded = co_1
+          + KSL_MUL(quotient_1_sum - KSL_MUL(co_1, 1.0 / after_1) + quotient_1_sum_lo, after_1);
+  const double co_2_rounded = co_2
+          + KSL_MUL(quotient_2_sum - KSL_MUL(co_2, 1.0 / after_2) + quotient_2_sum_lo, after_2);
+  const double co_3_rounded = co_3
+          + KSL_MUL(quotient_3_sum - KSL_MUL(co_3, 1.0 / after_3) + quotient_3_sum_lo, after_3);
+  const double co_4_rounded = co_4
+          + KSL_MUL(quotient_4_sum - KSL_MUL(co_4, 1.0 / after_4) + quotient_4_sum_lo, after_4);
+  const double co_5_rounded = co_5
+          + KSL_MUL(quotient_5_sum - KSL_MUL(co_5, 1.0 / after_5) + quotient_5_sum_lo, after_5);
+  const double co_0_final = co_0_rounded == co_0_rounded ? co_0_rounded : co_0;
+  const double co_1_final = co_1_rounded == co_1_rounded ? co_1_rounded : co_1;
+  const double co_2_final = co_2_rounded == co_2_rounded ? co_2_rounded : co_2;
+  const double co_3_final = co_3_rounded == co_3_rounded ? co_3_rounded : co_3;
+  const double co_4_final = co_4_rounded == co_4_rounded ? co_4_rounded : co_4;
+  const double co_5_final = co_5_rounded == co_5_rounded ? co_5_rounded : co_5;
   co->m0 = co_0_final;
   co->m1 = co_1_final;
   co->m2 = co_2_final;
@@ -755,18 +509,12 @@ static inline void ksl_coscrew_normalized_accurate(const ksl_coscrew_t *ci, ksl_
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_add_cct_accurate(const ksl_coscrew_t *c1, const ksl_coscrew_t *c2,
     ksl_coscrew_t *co) {
-  const double co_0 = c1->m0 + c2->m0, co_0_right = co_0 - c1->m0, co_0_left = co_0 - co_0_right,
-      co_0_left_rest = c1->m0 - co_0_left, co_0_right_rest = c2->m0 - co_0_right,
-      co_0_lo = co_0_left_rest + co_0_right_rest;
-  const double co_1 = c1->m1 + c2->m1, co_1_right = co_1 - c1->m1, co_1_left = co_1 - co_1_right,
-      co_1_left_rest = c1->m1 - co_1_left, co_1_right_rest = c2->m1 - co_1_right,
-      co_1_lo = co_1_left_rest + co_1_right_rest;
-  const double co_2 = c1->m2 + c2->m2, co_2_right = co_2 - c1->m2, co_2_left = co_2 - co_2_right,
-      co_2_left_rest = c1->m2 - co_2_left, co_2_right_rest = c2->m2 - co_2_right,
-      co_2_lo = co_2_left_rest + co_2_right_rest;
-  const double co_0_rounded = co_0 + co_0_lo;
-  const double co_1_rounded = co_1 + co_1_lo;
-  const double co_2_rounded = co_2 + co_2_lo;
+  const double co_0 = c1->m0 + c2->m0, co_0_right = co_0 - c1->m0;
+  const double co_1 = c1->m1 + c2->m1, co_1_right = co_1 - c1->m1;
+  const double co_2 = c1->m2 + c2->m2, co_2_right = co_2 - c1->m2;
+  const double co_0_rounded = co_0 + (c1->m0 - (co_0 - co_0_right) + (c2->m0 - co_0_right)),
+      co_1_rounded = co_1 + (c1->m1 - (co_1 - co_1_right) + (c2->m1 - co_1_right)),
+      co_2_rounded = co_2 + (c1->m2 - (co_2 - co_2_right) + (c2->m2 - co_2_right));
   const double c1_m3 = c1->m3;
   const double c1_m4 = c1->m4;
   const double c1_m5 = c1->m5;
@@ -786,32 +534,21 @@ static inline void ksl_add_cct_accurate(const ksl_coscrew_t *c1, const ksl_coscr
 static inline void ksl_product_CoAdtc_accurate(const ksl_vec3_t *t, const ksl_coscrew_t *ci,
     ksl_coscrew_t *co) {
   const double co_3a = KSL_MUL(t->y, ci->m2), co_3b = KSL_MUL(t->z, ci->m1), co_3c = co_3a - co_3b,
-      co_3c_right = co_3a - co_3c, co_3c_left = co_3c + co_3c_right,
-      co_3c_left_rest = ksl_product_rest(t->y, ci->m2, co_3a, co_3c_left),
-      co_3c_right_rest = ksl_product_rest(t->z, ci->m1, co_3b, co_3c_right),
-      co_3c_lo = co_3c_left_rest - co_3c_right_rest, co_3 = co_3c + ci->m3,
-      co_3_right = co_3 - co_3c, co_3_left = co_3 - co_3_right, co_3_left_rest = co_3c - co_3_left,
-      co_3_right_rest = ci->m3 - co_3_right, co_3_lo1 = co_3_left_rest + co_3_right_rest,
-      co_3_lo = co_3_lo1 + co_3c_lo;
+      co_3c_right = co_3a - co_3c, co_3 = co_3c + ci->m3, co_3_right = co_3 - co_3c,
+      co_3c_lo = ksl_product_rest(t->y, ci->m2, co_3a, co_3c + co_3c_right)
+          - ksl_product_rest(t->z, ci->m1, co_3b, co_3c_right);
   const double co_4a = KSL_MUL(t->z, ci->m0), co_4b = KSL_MUL(t->x, ci->m2), co_4c = co_4a - co_4b,
-      co_4c_right = co_4a - co_4c, co_4c_left = co_4c + co_4c_right,
-      co_4c_left_rest = ksl_product_rest(t->z, ci->m0, co_4a, co_4c_left),
-      co_4c_right_rest = ksl_product_rest(t->x, ci->m2, co_4b, co_4c_right),
-      co_4c_lo = co_4c_left_rest - co_4c_right_rest, co_4 = co_4c + ci->m4,
-      co_4_right = co_4 - co_4c, co_4_left = co_4 - co_4_right, co_4_left_rest = co_4c - co_4_left,
-      co_4_right_rest = ci->m4 - co_4_right, co_4_lo1 = co_4_left_rest + co_4_right_rest,
-      co_4_lo = co_4_lo1 + co_4c_lo;
+      co_4c_right = co_4a - co_4c, co_4 = co_4c + ci->m4, co_4_right = co_4 - co_4c,
+      co_4c_lo = ksl_product_rest(t->z, ci->m0, co_4a, co_4c + co_4c_right)
+          - ksl_product_rest(t->x, ci->m2, co_4b, co_4c_right);
   const double co_5a = KSL_MUL(t->x, ci->m1), co_5b = KSL_MUL(t->y, ci->m0), co_5c = co_5a - co_5b,
-      co_5c_right = co_5a - co_5c, co_5c_left = co_5c + co_5c_right,
-      co_5c_left_rest = ksl_product_rest(t->x, ci->m1, co_5a, co_5c_left),
-      co_5c_right_rest = ksl_product_rest(t->y, ci->m0, co_5b, co_5c_right),
-      co_5c_lo = co_5c_left_rest - co_5c_right_rest, co_5 = co_5c + ci->m5,
-      co_5_right = co_5 - co_5c, co_5_left = co_5 - co_5_right, co_5_left_rest = co_5c - co_5_left,
-      co_5_right_rest = ci->m5 - co_5_right, co_5_lo1 = co_5_left_rest + co_5_right_rest,
-      co_5_lo = co_5_lo1 + co_5c_lo;
-  const double co_3_rounded = co_3 + co_3_lo;
-  const double co_4_rounded = co_4 + co_4_lo;
-  const double co_5_rounded = co_5 + co_5_lo;
+      co_5c_right = co_5a - co_5c, co_5 = co_5c + ci->m5, co_5_right = co_5 - co_5c,
+      co_5c_lo = ksl_product_rest(t->x, ci->m1, co_5a, co_5c + co_5c_right)
+          - ksl_product_rest(t->y, ci->m0, co_5b, co_5c_right);
+  const double co_3_rounded = co_3
+          + (co_3c - (co_3 - co_3_right) + (ci->m3 - co_3_right) + co_3c_lo),
+      co_4_rounded = co_4 + (co_4c - (co_4 - co_4_right) + (ci->m4 - co_4_right) + co_4c_lo),
+      co_5_rounded = co_5 + (co_5c - (co_5 - co_5_right) + (ci->m5 - co_5_right) + co_5c_lo);
   const double ci_m0 = ci->m0;
   const double ci_m1 = ci->m1;
   const double ci_m2 = ci->m2;
@@ -831,32 +568,21 @@ static inline void ksl_product_CoAdtc_accurate(const ksl_vec3_t *t, const ksl_co
 static inline void ksl_product_CoAdtinvc_accurate(const ksl_vec3_t *t, const ksl_coscrew_t *ci,
     ksl_coscrew_t *co) {
   const double co_3a = KSL_MUL(t->z, ci->m1), co_3b = KSL_MUL(t->y, ci->m2), co_3c = co_3a - co_3b,
-      co_3c_right = co_3a - co_3c, co_3c_left = co_3c + co_3c_right,
-      co_3c_left_rest = ksl_product_rest(t->z, ci->m1, co_3a, co_3c_left),
-      co_3c_right_rest = ksl_product_rest(t->y, ci->m2, co_3b, co_3c_right),
-      co_3c_lo = co_3c_left_rest - co_3c_right_rest, co_3 = co_3c + ci->m3,
-      co_3_right = co_3 - co_3c, co_3_left = co_3 - co_3_right, co_3_left_rest = co_3c - co_3_left,
-      co_3_right_rest = ci->m3 - co_3_right, co_3_lo1 = co_3_left_rest + co_3_right_rest,
-      co_3_lo = co_3_lo1 + co_3c_lo;
+      co_3c_right = co_3a - co_3c, co_3 = co_3c + ci->m3, co_3_right = co_3 - co_3c,
+      co_3c_lo = ksl_product_rest(t->z, ci->m1, co_3a, co_3c + co_3c_right)
+          - ksl_product_rest(t->y, ci->m2, co_3b, co_3c_right);
   const double co_4a = KSL_MUL(t->x, ci->m2), co_4b = KSL_MUL(t->z, ci->m0), co_4c = co_4a - co_4b,
-      co_4c_right = co_4a - co_4c, co_4c_left = co_4c + co_4c_right,
-      co_4c_left_rest = ksl_product_rest(t->x, ci->m2, co_4a, co_4c_left),
-      co_4c_right_rest = ksl_product_rest(t->z, ci->m0, co_4b, co_4c_right),
-      co_4c_lo = co_4c_left_rest - co_4c_right_rest, co_4 = co_4c + ci->m4,
-      co_4_right = co_4 - co_4c, co_4_left = co_4 - co_4_right, co_4_left_rest = co_4c - co_4_left,
-      co_4_right_rest = ci->m4 - co_4_right, co_4_lo1 = co_4_left_rest + co_4_right_rest,
-      co_4_lo = co_4_lo1 + co_4c_lo;
+      co_4c_right = co_4a - co_4c, co_4 = co_4c + ci->m4, co_4_right = co_4 - co_4c,
+      co_4c_lo = ksl_product_rest(t->x, ci->m2, co_4a, co_4c + co_4c_right)
+          - ksl_product_rest(t->z, ci->m0, co_4b, co_4c_right);
   const double co_5a = KSL_MUL(t->y, ci->m0), co_5b = KSL_MUL(t->x, ci->m1), co_5c = co_5a - co_5b,
-      co_5c_right = co_5a - co_5c, co_5c_left = co_5c + co_5c_right,
-      co_5c_left_rest = ksl_product_rest(t->y, ci->m0, co_5a, co_5c_left),
-      co_5c_right_rest = ksl_product_rest(t->x, ci->m1, co_5b, co_5c_right),
-      co_5c_lo = co_5c_left_rest - co_5c_right_rest, co_5 = co_5c + ci->m5,
-      co_5_right = co_5 - co_5c, co_5_left = co_5 - co_5_right, co_5_left_rest = co_5c - co_5_left,
-      co_5_right_rest = ci->m5 - co_5_right, co_5_lo1 = co_5_left_rest + co_5_right_rest,
-      co_5_lo = co_5_lo1 + co_5c_lo;
-  const double co_3_rounded = co_3 + co_3_lo;
-  const double co_4_rounded = co_4 + co_4_lo;
-  const double co_5_rounded = co_5 + co_5_lo;
+      co_5c_right = co_5a - co_5c, co_5 = co_5c + ci->m5, co_5_right = co_5 - co_5c,
+      co_5c_lo = ksl_product_rest(t->y, ci->m0, co_5a, co_5c + co_5c_right)
+          - ksl_product_rest(t->x, ci->m1, co_5b, co_5c_right);
+  const double co_3_rounded = co_3
+          + (co_3c - (co_3 - co_3_right) + (ci->m3 - co_3_right) + co_3c_lo),
+      co_4_rounded = co_4 + (co_4c - (co_4 - co_4_right) + (ci->m4 - co_4_right) + co_4c_lo),
+      co_5_rounded = co_5 + (co_5c - (co_5 - co_5_right) + (ci->m5 - co_5_right) + co_5c_lo);
   const double ci_m0 = ci->m0;
   const double ci_m1 = ci->m1;
   const double ci_m2 = ci->m2;
@@ -875,36 +601,23 @@ static inline void ksl_product_CoAdtinvc_accurate(const ksl_vec3_t *t, const ksl
      formula; barring over- and underflow. */
 static inline void ksl_product_CoAdtcinv_accurate(const ksl_vec3_t *t, const ksl_coscrew_t *ci,
     ksl_coscrew_t *co) {
-  const double co_0 = -ci->m0;
-  const double co_1 = -ci->m1;
-  const double co_2 = -ci->m2;
+  const double co_0 = -ci->m0, co_1 = -ci->m1, co_2 = -ci->m2;
   const double co_3a = KSL_MUL(t->z, ci->m1), co_3b = KSL_MUL(t->y, ci->m2), co_3c = co_3a - co_3b,
-      co_3c_right = co_3a - co_3c, co_3c_left = co_3c + co_3c_right,
-      co_3c_left_rest = ksl_product_rest(t->z, ci->m1, co_3a, co_3c_left),
-      co_3c_right_rest = ksl_product_rest(t->y, ci->m2, co_3b, co_3c_right),
-      co_3c_lo = co_3c_left_rest - co_3c_right_rest, co_3 = co_3c - ci->m3,
-      co_3_right = co_3c - co_3, co_3_left = co_3 + co_3_right, co_3_left_rest = co_3c - co_3_left,
-      co_3_right_rest = ci->m3 - co_3_right, co_3_lo1 = co_3_left_rest - co_3_right_rest,
-      co_3_lo = co_3_lo1 + co_3c_lo;
+      co_3c_right = co_3a - co_3c, co_3 = co_3c - ci->m3, co_3_right = co_3c - co_3,
+      co_3c_lo = ksl_product_rest(t->z, ci->m1, co_3a, co_3c + co_3c_right)
+          - ksl_product_rest(t->y, ci->m2, co_3b, co_3c_right);
   const double co_4a = KSL_MUL(t->x, ci->m2), co_4b = KSL_MUL(t->z, ci->m0), co_4c = co_4a - co_4b,
-      co_4c_right = co_4a - co_4c, co_4c_left = co_4c + co_4c_right,
-      co_4c_left_rest = ksl_product_rest(t->x, ci->m2, co_4a, co_4c_left),
-      co_4c_right_rest = ksl_product_rest(t->z, ci->m0, co_4b, co_4c_right),
-      co_4c_lo = co_4c_left_rest - co_4c_right_rest, co_4 = co_4c - ci->m4,
-      co_4_right = co_4c - co_4, co_4_left = co_4 + co_4_right, co_4_left_rest = co_4c - co_4_left,
-      co_4_right_rest = ci->m4 - co_4_right, co_4_lo1 = co_4_left_rest - co_4_right_rest,
-      co_4_lo = co_4_lo1 + co_4c_lo;
+      co_4c_right = co_4a - co_4c, co_4 = co_4c - ci->m4, co_4_right = co_4c - co_4,
+      co_4c_lo = ksl_product_rest(t->x, ci->m2, co_4a, co_4c + co_4c_right)
+          - ksl_product_rest(t->z, ci->m0, co_4b, co_4c_right);
   const double co_5a = KSL_MUL(t->y, ci->m0), co_5b = KSL_MUL(t->x, ci->m1), co_5c = co_5a - co_5b,
-      co_5c_right = co_5a - co_5c, co_5c_left = co_5c + co_5c_right,
-      co_5c_left_rest = ksl_product_rest(t->y, ci->m0, co_5a, co_5c_left),
-      co_5c_right_rest = ksl_product_rest(t->x, ci->m1, co_5b, co_5c_right),
-      co_5c_lo = co_5c_left_rest - co_5c_right_rest, co_5 = co_5c - ci->m5,
-      co_5_right = co_5c - co_5, co_5_left = co_5 + co_5_right, co_5_left_rest = co_5c - co_5_left,
-      co_5_right_rest = ci->m5 - co_5_right, co_5_lo1 = co_5_left_rest - co_5_right_rest,
-      co_5_lo = co_5_lo1 + co_5c_lo;
-  const double co_3_rounded = co_3 + co_3_lo;
-  const double co_4_rounded = co_4 + co_4_lo;
-  const double co_5_rounded = co_5 + co_5_lo;
+      co_5c_right = co_5a - co_5c, co_5 = co_5c - ci->m5, co_5_right = co_5c - co_5,
+      co_5c_lo = ksl_product_rest(t->y, ci->m0, co_5a, co_5c + co_5c_right)
+          - ksl_product_rest(t->x, ci->m1, co_5b, co_5c_right);
+  const double co_3_rounded = co_3
+          + (co_3c - (co_3 + co_3_right) - (ci->m3 - co_3_right) + co_3c_lo),
+      co_4_rounded = co_4 + (co_4c - (co_4 + co_4_right) - (ci->m4 - co_4_right) + co_4c_lo),
+      co_5_rounded = co_5 + (co_5c - (co_5 + co_5_right) - (ci->m5 - co_5_right) + co_5c_lo);
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;
@@ -921,65 +634,53 @@ static inline void ksl_product_CoAdtcinv_accurate(const ksl_vec3_t *t, const ksl
 static inline void ksl_product_CoAdrc_accurate(const ksl_mat3x3_t *R, const ksl_coscrew_t *ci,
     ksl_coscrew_t *co) {
   const double co_0a = KSL_MUL(R->m00, ci->m0), co_0b = KSL_MUL(R->m01, ci->m1),
-      co_0c = co_0a + co_0b, co_0c_right = co_0c - co_0a, co_0c_left = co_0c - co_0c_right,
-      co_0c_left_rest = ksl_product_rest(R->m00, ci->m0, co_0a, co_0c_left),
-      co_0c_right_rest = ksl_product_rest(R->m01, ci->m1, co_0b, co_0c_right),
-      co_0c_lo = co_0c_left_rest + co_0c_right_rest, co_0d = KSL_MUL(R->m02, ci->m2),
-      co_0 = co_0c + co_0d, co_0_right = co_0 - co_0c, co_0_left = co_0 - co_0_right,
-      co_0_left_rest = co_0c - co_0_left,
-      co_0_right_rest = ksl_product_rest(R->m02, ci->m2, co_0d, co_0_right),
-      co_0_lo1 = co_0_left_rest + co_0_right_rest, co_0_lo = co_0_lo1 + co_0c_lo;
+      co_0c = co_0a + co_0b, co_0c_right = co_0c - co_0a, co_0d = KSL_MUL(R->m02, ci->m2),
+      co_0 = co_0c + co_0d, co_0_right = co_0 - co_0c,
+      co_0c_lo = ksl_product_rest(R->m00, ci->m0, co_0a, co_0c - co_0c_right)
+          + ksl_product_rest(R->m01, ci->m1, co_0b, co_0c_right);
   const double co_1a = KSL_MUL(R->m10, ci->m0), co_1b = KSL_MUL(R->m11, ci->m1),
-      co_1c = co_1a + co_1b, co_1c_right = co_1c - co_1a, co_1c_left = co_1c - co_1c_right,
-      co_1c_left_rest = ksl_product_rest(R->m10, ci->m0, co_1a, co_1c_left),
-      co_1c_right_rest = ksl_product_rest(R->m11, ci->m1, co_1b, co_1c_right),
-      co_1c_lo = co_1c_left_rest + co_1c_right_rest, co_1d = KSL_MUL(R->m12, ci->m2),
-      co_1 = co_1c + co_1d, co_1_right = co_1 - co_1c, co_1_left = co_1 - co_1_right,
-      co_1_left_rest = co_1c - co_1_left,
-      co_1_right_rest = ksl_product_rest(R->m12, ci->m2, co_1d, co_1_right),
-      co_1_lo1 = co_1_left_rest + co_1_right_rest, co_1_lo = co_1_lo1 + co_1c_lo;
+      co_1c = co_1a + co_1b, co_1c_right = co_1c - co_1a, co_1d = KSL_MUL(R->m12, ci->m2),
+      co_1 = co_1c + co_1d, co_1_right = co_1 - co_1c,
+      co_1c_lo = ksl_product_rest(R->m10, ci->m0, co_1a, co_1c - co_1c_right)
+          + ksl_product_rest(R->m11, ci->m1, co_1b, co_1c_right);
   const double co_2a = KSL_MUL(R->m20, ci->m0), co_2b = KSL_MUL(R->m21, ci->m1),
-      co_2c = co_2a + co_2b, co_2c_right = co_2c - co_2a, co_2c_left = co_2c - co_2c_right,
-      co_2c_left_rest = ksl_product_rest(R->m20, ci->m0, co_2a, co_2c_left),
-      co_2c_right_rest = ksl_product_rest(R->m21, ci->m1, co_2b, co_2c_right),
-      co_2c_lo = co_2c_left_rest + co_2c_right_rest, co_2d = KSL_MUL(R->m22, ci->m2),
-      co_2 = co_2c + co_2d, co_2_right = co_2 - co_2c, co_2_left = co_2 - co_2_right,
-      co_2_left_rest = co_2c - co_2_left,
-      co_2_right_rest = ksl_product_rest(R->m22, ci->m2, co_2d, co_2_right),
-      co_2_lo1 = co_2_left_rest + co_2_right_rest, co_2_lo = co_2_lo1 + co_2c_lo;
+      co_2c = co_2a + co_2b, co_2c_right = co_2c - co_2a, co_2d = KSL_MUL(R->m22, ci->m2),
+      co_2 = co_2c + co_2d, co_2_right = co_2 - co_2c,
+      co_2c_lo = ksl_product_rest(R->m20, ci->m0, co_2a, co_2c - co_2c_right)
+          + ksl_product_rest(R->m21, ci->m1, co_2b, co_2c_right);
   const double co_3a = KSL_MUL(R->m00, ci->m3), co_3b = KSL_MUL(R->m01, ci->m4),
-      co_3c = co_3a + co_3b, co_3c_right = co_3c - co_3a, co_3c_left = co_3c - co_3c_right,
-      co_3c_left_rest = ksl_product_rest(R->m00, ci->m3, co_3a, co_3c_left),
-      co_3c_right_rest = ksl_product_rest(R->m01, ci->m4, co_3b, co_3c_right),
-      co_3c_lo = co_3c_left_rest + co_3c_right_rest, co_3d = KSL_MUL(R->m02, ci->m5),
-      co_3 = co_3c + co_3d, co_3_right = co_3 - co_3c, co_3_left = co_3 - co_3_right,
-      co_3_left_rest = co_3c - co_3_left,
-      co_3_right_rest = ksl_product_rest(R->m02, ci->m5, co_3d, co_3_right),
-      co_3_lo1 = co_3_left_rest + co_3_right_rest, co_3_lo = co_3_lo1 + co_3c_lo;
+      co_3c = co_3a + co_3b, co_3c_right = co_3c - co_3a, co_3d = KSL_MUL(R->m02, ci->m5),
+      co_3 = co_3c + co_3d, co_3_right = co_3 - co_3c,
+      co_3c_lo = ksl_product_rest(R->m00, ci->m3, co_3a, co_3c - co_3c_right)
+          + ksl_product_rest(R->m01, ci->m4, co_3b, co_3c_right);
   const double co_4a = KSL_MUL(R->m10, ci->m3), co_4b = KSL_MUL(R->m11, ci->m4),
-      co_4c = co_4a + co_4b, co_4c_right = co_4c - co_4a, co_4c_left = co_4c - co_4c_right,
-      co_4c_left_rest = ksl_product_rest(R->m10, ci->m3, co_4a, co_4c_left),
-      co_4c_right_rest = ksl_product_rest(R->m11, ci->m4, co_4b, co_4c_right),
-      co_4c_lo = co_4c_left_rest + co_4c_right_rest, co_4d = KSL_MUL(R->m12, ci->m5),
-      co_4 = co_4c + co_4d, co_4_right = co_4 - co_4c, co_4_left = co_4 - co_4_right,
-      co_4_left_rest = co_4c - co_4_left,
-      co_4_right_rest = ksl_product_rest(R->m12, ci->m5, co_4d, co_4_right),
-      co_4_lo1 = co_4_left_rest + co_4_right_rest, co_4_lo = co_4_lo1 + co_4c_lo;
+      co_4c = co_4a + co_4b, co_4c_right = co_4c - co_4a, co_4d = KSL_MUL(R->m12, ci->m5),
+      co_4 = co_4c + co_4d, co_4_right = co_4 - co_4c,
+      co_4c_lo = ksl_product_rest(R->m10, ci->m3, co_4a, co_4c - co_4c_right)
+          + ksl_product_rest(R->m11, ci->m4, co_4b, co_4c_right);
   const double co_5a = KSL_MUL(R->m20, ci->m3), co_5b = KSL_MUL(R->m21, ci->m4),
-      co_5c = co_5a + co_5b, co_5c_right = co_5c - co_5a, co_5c_left = co_5c - co_5c_right,
-      co_5c_left_rest = ksl_product_rest(R->m20, ci->m3, co_5a, co_5c_left),
-      co_5c_right_rest = ksl_product_rest(R->m21, ci->m4, co_5b, co_5c_right),
-      co_5c_lo = co_5c_left_rest + co_5c_right_rest, co_5d = KSL_MUL(R->m22, ci->m5),
-      co_5 = co_5c + co_5d, co_5_right = co_5 - co_5c, co_5_left = co_5 - co_5_right,
-      co_5_left_rest = co_5c - co_5_left,
-      co_5_right_rest = ksl_product_rest(R->m22, ci->m5, co_5d, co_5_right),
-      co_5_lo1 = co_5_left_rest + co_5_right_rest, co_5_lo = co_5_lo1 + co_5c_lo;
-  const double co_0_rounded = co_0 + co_0_lo;
-  const double co_1_rounded = co_1 + co_1_lo;
-  const double co_2_rounded = co_2 + co_2_lo;
-  const double co_3_rounded = co_3 + co_3_lo;
-  const double co_4_rounded = co_4 + co_4_lo;
-  const double co_5_rounded = co_5 + co_5_lo;
+      co_5c = co_5a + co_5b, co_5c_right = co_5c - co_5a, co_5d = KSL_MUL(R->m22, ci->m5),
+      co_5 = co_5c + co_5d, co_5_right = co_5 - co_5c,
+      co_5c_lo = ksl_product_rest(R->m20, ci->m3, co_5a, co_5c - co_5c_right)
+          + ksl_product_rest(R->m21, ci->m4, co_5b, co_5c_right);
+  const double co_0_rounded = co_0
+          + (co_0c - (co_0 - co_0_right) + ksl_product_rest(R->m02, ci->m2, co_0d, co_0_right)
+          + co_0c_lo),
+      co_1_rounded = co_1
+          + (co_1c - (co_1 - co_1_right) + ksl_product_rest(R->m12, ci->m2, co_1d, co_1_right)
+          + co_1c_lo),
+      co_2_rounded = co_2
+          + (co_2c - (co_2 - co_2_right) + ksl_product_rest(R->m22, ci->m2, co_2d, co_2_right)
+          + co_2c_lo),
+      co_3_rounded = co_3
+          + (co_3c - (co_3 - co_3_right) + ksl_product_rest(R->m02, ci->m5, co_3d, co_3_right)
+          + co_3c_lo),
+      co_4_rounded = co_4
+          + (co_4c - (co_4 - co_4_right) + ksl_product_rest(R->m12, ci->m5, co_4d, co_4_right)
+          + co_4c_lo),
+      co_5_rounded = co_5
+          + (co_5c - (co_5 - co_5_right) + ksl_product_rest(R->m22, ci->m5, co_5d, co_5_right)
+          + co_5c_lo);
   co->m0 = co_0_rounded;
   co->m1 = co_1_rounded;
   co->m2 = co_2_rounded;
@@ -996,65 +697,53 @@ static inline void ksl_product_CoAdrc_accurate(const ksl_mat3x3_t *R, const ksl_
 static inline void ksl_product_CoAdrinvc_accurate(const ksl_mat3x3_t *R, const ksl_coscrew_t *ci,
     ksl_coscrew_t *co) {
   const double co_0a = KSL_MUL(R->m00, ci->m0), co_0b = KSL_MUL(R->m10, ci->m1),
-      co_0c = co_0a + co_0b, co_0c_right = co_0c - co_0a, co_0c_left = co_0c - co_0c_right,
-      co_0c_left_rest = ksl_product_rest(R->m00, ci->m0, co_0a, co_0c_left),
-      co_0c_right_rest = ksl_product_rest(R->m10, ci->m1, co_0b, co_0c_right),
-      co_0c_lo = co_0c_left_rest + co_0c_right_rest, co_0d = KSL_MUL(R->m20, ci->m2),
-      co_0 = co_0c + co_0d, co_0_right = co_0 - co_0c, co_0_left = co_0 - co_0_right,
-      co_0_left_rest = co_0c - co_0_left,
-      co_0_right_rest = ksl_product_rest(R->m20, ci->m2, co_0d, co_0_right),
-      co_0_lo1 = co_0_left_rest + co_0_right_rest, co_0_lo = co_0_lo1 + co_0c_lo;
+      co_0c = co_0a + co_0b, co_0c_right = co_0c - co_0a, co_0d = KSL_MUL(R->m20, ci->m2),
+      co_0 = co_0c + co_0d, co_0_right = co_0 - co_0c,
+      co_0c_lo = ksl_product_rest(R->m00, ci->m0, co_0a, co_0c - co_0c_right)
+          + ksl_product_rest(R->m10, ci->m1, co_0b, co_0c_right);
   const double co_1a = KSL_MUL(R->m01, ci->m0), co_1b = KSL_MUL(R->m11, ci->m1),
-      co_1c = co_1a + co_1b, co_1c_right = co_1c - co_1a, co_1c_left = co_1c - co_1c_right,
-      co_1c_left_rest = ksl_product_rest(R->m01, ci->m0, co_1a, co_1c_left),
-      co_1c_right_rest = ksl_product_rest(R->m11, ci->m1, co_1b, co_1c_right),
-      co_1c_lo = co_1c_left_rest + co_1c_right_rest, co_1d = KSL_MUL(R->m21, ci->m2),
-      co_1 = co_1c + co_1d, co_1_right = co_1 - co_1c, co_1_left = co_1 - co_1_right,
-      co_1_left_rest = co_1c - co_1_left,
-      co_1_right_rest = ksl_product_rest(R->m21, ci->m2, co_1d, co_1_right),
-      co_1_lo1 = co_1_left_rest + co_1_right_rest, co_1_lo = co_1_lo1 + co_1c_lo;
+      co_1c = co_1a + co_1b, co_1c_right = co_1c - co_1a, co_1d = KSL_MUL(R->m21, ci->m2),
+      co_1 = co_1c + co_1d, co_1_right = co_1 - co_1c,
+      co_1c_lo = ksl_product_rest(R->m01, ci->m0, co_1a, co_1c - co_1c_right)
+          + ksl_product_rest(R->m11, ci->m1, co_1b, co_1c_right);
   const double co_2a = KSL_MUL(R->m02, ci->m0), co_2b = KSL_MUL(R->m12, ci->m1),
-      co_2c = co_2a + co_2b, co_2c_right = co_2c - co_2a, co_2c_left = co_2c - co_2c_right,
-      co_2c_left_rest = ksl_product_rest(R->m02, ci->m0, co_2a, co_2c_left),
-      co_2c_right_rest = ksl_product_rest(R->m12, ci->m1, co_2b, co_2c_right),
-      co_2c_lo = co_2c_left_rest + co_2c_right_rest, co_2d = KSL_MUL(R->m22, ci->m2),
-      co_2 = co_2c + co_2d, co_2_right = co_2 - co_2c, co_2_left = co_2 - co_2_right,
-      co_2_left_rest = co_2c - co_2_left,
-      co_2_right_rest = ksl_product_rest(R->m22, ci->m2, co_2d, co_2_right),
-      co_2_lo1 = co_2_left_rest + co_2_right_rest, co_2_lo = co_2_lo1 + co_2c_lo;
+      co_2c = co_2a + co_2b, co_2c_right = co_2c - co_2a, co_2d = KSL_MUL(R->m22, ci->m2),
+      co_2 = co_2c + co_2d, co_2_right = co_2 - co_2c,
+      co_2c_lo = ksl_product_rest(R->m02, ci->m0, co_2a, co_2c - co_2c_right)
+          + ksl_product_rest(R->m12, ci->m1, co_2b, co_2c_right);
   const double co_3a = KSL_MUL(R->m00, ci->m3), co_3b = KSL_MUL(R->m10, ci->m4),
-      co_3c = co_3a + co_3b, co_3c_right = co_3c - co_3a, co_3c_left = co_3c - co_3c_right,
-      co_3c_left_rest = ksl_product_rest(R->m00, ci->m3, co_3a, co_3c_left),
-      co_3c_right_rest = ksl_product_rest(R->m10, ci->m4, co_3b, co_3c_right),
-      co_3c_lo = co_3c_left_rest + co_3c_right_rest, co_3d = KSL_MUL(R->m20, ci->m5),
-      co_3 = co_3c + co_3d, co_3_right = co_3 - co_3c, co_3_left = co_3 - co_3_right,
-      co_3_left_rest = co_3c - co_3_left,
-      co_3_right_rest = ksl_product_rest(R->m20, ci->m5, co_3d, co_3_right),
-      co_3_lo1 = co_3_left_rest + co_3_right_rest, co_3_lo = co_3_lo1 + co_3c_lo;
+      co_3c = co_3a + co_3b, co_3c_right = co_3c - co_3a, co_3d = KSL_MUL(R->m20, ci->m5),
+      co_3 = co_3c + co_3d, co_3_right = co_3 - co_3c,
+      co_3c_lo = ksl_product_rest(R->m00, ci->m3, co_3a, co_3c - co_3c_right)
+          + ksl_product_rest(R->m10, ci->m4, co_3b, co_3c_right);
   const double co_4a = KSL_MUL(R->m01, ci->m3), co_4b = KSL_MUL(R->m11, ci->m4),
-      co_4c = co_4a + co_4b, co_4c_right = co_4c - co_4a, co_4c_left = co_4c - co_4c_right,
-      co_4c_left_rest = ksl_product_rest(R->m01, ci->m3, co_4a, co_4c_left),
-      co_4c_right_rest = ksl_product_rest(R->m11, ci->m4, co_4b, co_4c_right),
-      co_4c_lo = co_4c_left_rest + co_4c_right_rest, co_4d = KSL_MUL(R->m21, ci->m5),
-      co_4 = co_4c + co_4d, co_4_right = co_4 - co_4c, co_4_left = co_4 - co_4_right,
-      co_4_left_rest = co_4c - co_4_left,
-      co_4_right_rest = ksl_product_rest(R->m21, ci->m5, co_4d, co_4_right),
-      co_4_lo1 = co_4_left_rest + co_4_right_rest, co_4_lo = co_4_lo1 + co_4c_lo;
+      co_4c = co_4a + co_4b, co_4c_right = co_4c - co_4a, co_4d = KSL_MUL(R->m21, ci->m5),
+      co_4 = co_4c + co_4d, co_4_right = co_4 - co_4c,
+      co_4c_lo = ksl_product_rest(R->m01, ci->m3, co_4a, co_4c - co_4c_right)
+          + ksl_product_rest(R->m11, ci->m4, co_4b, co_4c_right);
   const double co_5a = KSL_MUL(R->m02, ci->m3), co_5b = KSL_MUL(R->m12, ci->m4),
-      co_5c = co_5a + co_5b, co_5c_right = co_5c - co_5a, co_5c_left = co_5c - co_5c_right,
-      co_5c_left_rest = ksl_product_rest(R->m02, ci->m3, co_5a, co_5c_left),
-      co_5c_right_rest = ksl_product_rest(R->m12, ci->m4, co_5b, co_5c_right),
-      co_5c_lo = co_5c_left_rest + co_5c_right_rest, co_5d = KSL_MUL(R->m22, ci->m5),
-      co_5 = co_5c + co_5d, co_5_right = co_5 - co_5c, co_5_left = co_5 - co_5_right,
-      co_5_left_rest = co_5c - co_5_left,
-      co_5_right_rest = ksl_product_rest(R->m22, ci->m5, co_5d, co_5_right),
-      co_5_lo1 = co_5_left_rest + co_5_right_rest, co_5_lo = co_5_lo1 + co_5c_lo;
-  const double co_0_rounded = co_0 + co_0_lo;
-  const double co_1_rounded = co_1 + co_1_lo;
-  const double co_2_rounded = co_2 + co_2_lo;
-  const double co_3_rounded = co_3 + co_3_lo;
-  const double co_4_rounded = co_4 + co_4_lo;
-  const double co_5_rounded = co_5 + co_5_lo;
+      co_5c = co_5a + co_5b, co_5c_right = co_5c - co_5a, co_5d = KSL_MUL(R->m22, ci->m5),
+      co_5 = co_5c + co_5d, co_5_right = co_5 - co_5c,
+      co_5c_lo = ksl_product_rest(R->m02, ci->m3, co_5a, co_5c - co_5c_right)
+          + ksl_product_rest(R->m12, ci->m4, co_5b, co_5c_right);
+  const double co_0_rounded = co_0
+          + (co_0c - (co_0 - co_0_right) + ksl_product_rest(R->m20, ci->m2, co_0d, co_0_right)
+          + co_0c_lo),
+      co_1_rounded = co_1
+          + (co_1c - (co_1 - co_1_right) + ksl_product_rest(R->m21, ci->m2, co_1d, co_1_right)
+          + co_1c_lo),
+      co_2_rounded = co_2
+          + (co_2c - (co_2 - co_2_right) + ksl_product_rest(R->m22, ci->m2, co_2d, co_2_right)
+          + co_2c_lo),
+      co_3_rounded = co_3
+          + (co_3c - (co_3 - co_3_right) + ksl_product_rest(R->m20, ci->m5, co_3d, co_3_right)
+          + co_3c_lo),
+      co_4_rounded = co_4
+          + (co_4c - (co_4 - co_4_right) + ksl_product_rest(R->m21, ci->m5, co_4d, co_4_right)
+          + co_4c_lo),
+      co_5_rounded = co_5
+          + (co_5c - (co_5 - co_5_right) + ksl_product_rest(R->m22, ci->m5, co_5d, co_5_right)
+          + co_5c_lo);
   co->m0 = co_0_rounded;
   co->m1 = co_1_rounded;
   co->m2 = co_2_rounded;
@@ -1071,71 +760,53 @@ static inline void ksl_product_CoAdrinvc_accurate(const ksl_mat3x3_t *R, const k
 static inline void ksl_product_CoAdrcinv_accurate(const ksl_mat3x3_t *R, const ksl_coscrew_t *ci,
     ksl_coscrew_t *co) {
   const double co_0a = KSL_MUL(R->m00, ci->m0), co_0b = KSL_MUL(R->m01, ci->m1),
-      co_0c = co_0a + co_0b, co_0c_right = co_0c - co_0a, co_0c_left = co_0c - co_0c_right,
-      co_0c_left_rest = ksl_product_rest(R->m00, ci->m0, co_0a, co_0c_left),
-      co_0c_right_rest = ksl_product_rest(R->m01, ci->m1, co_0b, co_0c_right),
-      co_0c_lo = co_0c_left_rest + co_0c_right_rest, co_0d = KSL_MUL(R->m02, ci->m2),
-      co_0e = co_0c + co_0d, co_0e_right = co_0e - co_0c, co_0e_left = co_0e - co_0e_right,
-      co_0e_left_rest = co_0c - co_0e_left,
-      co_0e_right_rest = ksl_product_rest(R->m02, ci->m2, co_0d, co_0e_right),
-      co_0e_lo1 = co_0e_left_rest + co_0e_right_rest, co_0e_lo = co_0e_lo1 + co_0c_lo,
-      co_0 = -co_0e, co_0_lo = -co_0e_lo;
+      co_0c = co_0a + co_0b, co_0c_right = co_0c - co_0a, co_0d = KSL_MUL(R->m02, ci->m2),
+      co_0e = co_0c + co_0d, co_0e_right = co_0e - co_0c,
+      co_0c_lo = ksl_product_rest(R->m00, ci->m0, co_0a, co_0c - co_0c_right)
+          + ksl_product_rest(R->m01, ci->m1, co_0b, co_0c_right), co_0 = -co_0e;
   const double co_1a = KSL_MUL(R->m10, ci->m0), co_1b = KSL_MUL(R->m11, ci->m1),
-      co_1c = co_1a + co_1b, co_1c_right = co_1c - co_1a, co_1c_left = co_1c - co_1c_right,
-      co_1c_left_rest = ksl_product_rest(R->m10, ci->m0, co_1a, co_1c_left),
-      co_1c_right_rest = ksl_product_rest(R->m11, ci->m1, co_1b, co_1c_right),
-      co_1c_lo = co_1c_left_rest + co_1c_right_rest, co_1d = KSL_MUL(R->m12, ci->m2),
-      co_1e = co_1c + co_1d, co_1e_right = co_1e - co_1c, co_1e_left = co_1e - co_1e_right,
-      co_1e_left_rest = co_1c - co_1e_left,
-      co_1e_right_rest = ksl_product_rest(R->m12, ci->m2, co_1d, co_1e_right),
-      co_1e_lo1 = co_1e_left_rest + co_1e_right_rest, co_1e_lo = co_1e_lo1 + co_1c_lo,
-      co_1 = -co_1e, co_1_lo = -co_1e_lo;
+      co_1c = co_1a + co_1b, co_1c_right = co_1c - co_1a, co_1d = KSL_MUL(R->m12, ci->m2),
+      co_1e = co_1c + co_1d, co_1e_right = co_1e - co_1c,
+      co_1c_lo = ksl_product_rest(R->m10, ci->m0, co_1a, co_1c - co_1c_right)
+          + ksl_product_rest(R->m11, ci->m1, co_1b, co_1c_right), co_1 = -co_1e;
   const double co_2a = KSL_MUL(R->m20, ci->m0), co_2b = KSL_MUL(R->m21, ci->m1),
-      co_2c = co_2a + co_2b, co_2c_right = co_2c - co_2a, co_2c_left = co_2c - co_2c_right,
-      co_2c_left_rest = ksl_product_rest(R->m20, ci->m0, co_2a, co_2c_left),
-      co_2c_right_rest = ksl_product_rest(R->m21, ci->m1, co_2b, co_2c_right),
-      co_2c_lo = co_2c_left_rest + co_2c_right_rest, co_2d = KSL_MUL(R->m22, ci->m2),
-      co_2e = co_2c + co_2d, co_2e_right = co_2e - co_2c, co_2e_left = co_2e - co_2e_right,
-      co_2e_left_rest = co_2c - co_2e_left,
-      co_2e_right_rest = ksl_product_rest(R->m22, ci->m2, co_2d, co_2e_right),
-      co_2e_lo1 = co_2e_left_rest + co_2e_right_rest, co_2e_lo = co_2e_lo1 + co_2c_lo,
-      co_2 = -co_2e, co_2_lo = -co_2e_lo;
+      co_2c = co_2a + co_2b, co_2c_right = co_2c - co_2a, co_2d = KSL_MUL(R->m22, ci->m2),
+      co_2e = co_2c + co_2d, co_2e_right = co_2e - co_2c,
+      co_2c_lo = ksl_product_rest(R->m20, ci->m0, co_2a, co_2c - co_2c_right)
+          + ksl_product_rest(R->m21, ci->m1, co_2b, co_2c_right), co_2 = -co_2e;
   const double co_3a = KSL_MUL(R->m00, ci->m3), co_3b = KSL_MUL(R->m01, ci->m4),
-      co_3c = co_3a + co_3b, co_3c_right = co_3c - co_3a, co_3c_left = co_3c - co_3c_right,
-      co_3c_left_rest = ksl_product_rest(R->m00, ci->m3, co_3a, co_3c_left),
-      co_3c_right_rest = ksl_product_rest(R->m01, ci->m4, co_3b, co_3c_right),
-      co_3c_lo = co_3c_left_rest + co_3c_right_rest, co_3d = KSL_MUL(R->m02, ci->m5),
-      co_3e = co_3c + co_3d, co_3e_right = co_3e - co_3c, co_3e_left = co_3e - co_3e_right,
-      co_3e_left_rest = co_3c - co_3e_left,
-      co_3e_right_rest = ksl_product_rest(R->m02, ci->m5, co_3d, co_3e_right),
-      co_3e_lo1 = co_3e_left_rest + co_3e_right_rest, co_3e_lo = co_3e_lo1 + co_3c_lo,
-      co_3 = -co_3e, co_3_lo = -co_3e_lo;
+      co_3c = co_3a + co_3b, co_3c_right = co_3c - co_3a, co_3d = KSL_MUL(R->m02, ci->m5),
+      co_3e = co_3c + co_3d, co_3e_right = co_3e - co_3c,
+      co_3c_lo = ksl_product_rest(R->m00, ci->m3, co_3a, co_3c - co_3c_right)
+          + ksl_product_rest(R->m01, ci->m4, co_3b, co_3c_right), co_3 = -co_3e;
   const double co_4a = KSL_MUL(R->m10, ci->m3), co_4b = KSL_MUL(R->m11, ci->m4),
-      co_4c = co_4a + co_4b, co_4c_right = co_4c - co_4a, co_4c_left = co_4c - co_4c_right,
-      co_4c_left_rest = ksl_product_rest(R->m10, ci->m3, co_4a, co_4c_left),
-      co_4c_right_rest = ksl_product_rest(R->m11, ci->m4, co_4b, co_4c_right),
-      co_4c_lo = co_4c_left_rest + co_4c_right_rest, co_4d = KSL_MUL(R->m12, ci->m5),
-      co_4e = co_4c + co_4d, co_4e_right = co_4e - co_4c, co_4e_left = co_4e - co_4e_right,
-      co_4e_left_rest = co_4c - co_4e_left,
-      co_4e_right_rest = ksl_product_rest(R->m12, ci->m5, co_4d, co_4e_right),
-      co_4e_lo1 = co_4e_left_rest + co_4e_right_rest, co_4e_lo = co_4e_lo1 + co_4c_lo,
-      co_4 = -co_4e, co_4_lo = -co_4e_lo;
+      co_4c = co_4a + co_4b, co_4c_right = co_4c - co_4a, co_4d = KSL_MUL(R->m12, ci->m5),
+      co_4e = co_4c + co_4d, co_4e_right = co_4e - co_4c,
+      co_4c_lo = ksl_product_rest(R->m10, ci->m3, co_4a, co_4c - co_4c_right)
+          + ksl_product_rest(R->m11, ci->m4, co_4b, co_4c_right), co_4 = -co_4e;
   const double co_5a = KSL_MUL(R->m20, ci->m3), co_5b = KSL_MUL(R->m21, ci->m4),
-      co_5c = co_5a + co_5b, co_5c_right = co_5c - co_5a, co_5c_left = co_5c - co_5c_right,
-      co_5c_left_rest = ksl_product_rest(R->m20, ci->m3, co_5a, co_5c_left),
-      co_5c_right_rest = ksl_product_rest(R->m21, ci->m4, co_5b, co_5c_right),
-      co_5c_lo = co_5c_left_rest + co_5c_right_rest, co_5d = KSL_MUL(R->m22, ci->m5),
-      co_5e = co_5c + co_5d, co_5e_right = co_5e - co_5c, co_5e_left = co_5e - co_5e_right,
-      co_5e_left_rest = co_5c - co_5e_left,
-      co_5e_right_rest = ksl_product_rest(R->m22, ci->m5, co_5d, co_5e_right),
-      co_5e_lo1 = co_5e_left_rest + co_5e_right_rest, co_5e_lo = co_5e_lo1 + co_5c_lo,
-      co_5 = -co_5e, co_5_lo = -co_5e_lo;
-  const double co_0_rounded = co_0 + co_0_lo;
-  const double co_1_rounded = co_1 + co_1_lo;
-  const double co_2_rounded = co_2 + co_2_lo;
-  const double co_3_rounded = co_3 + co_3_lo;
-  const double co_4_rounded = co_4 + co_4_lo;
-  const double co_5_rounded = co_5 + co_5_lo;
+      co_5c = co_5a + co_5b, co_5c_right = co_5c - co_5a, co_5d = KSL_MUL(R->m22, ci->m5),
+      co_5e = co_5c + co_5d, co_5e_right = co_5e - co_5c,
+      co_5c_lo = ksl_product_rest(R->m20, ci->m3, co_5a, co_5c - co_5c_right)
+          + ksl_product_rest(R->m21, ci->m4, co_5b, co_5c_right), co_5 = -co_5e;
+  const double co_0_rounded = co_0 +
+          -(co_0c - (co_0e - co_0e_right) + ksl_product_rest(R->m02, ci->m2, co_0d, co_0e_right)
+          + co_0c_lo),
+      co_1_rounded = co_1 +
+          -(co_1c - (co_1e - co_1e_right) + ksl_product_rest(R->m12, ci->m2, co_1d, co_1e_right)
+          + co_1c_lo),
+      co_2_rounded = co_2 +
+          -(co_2c - (co_2e - co_2e_right) + ksl_product_rest(R->m22, ci->m2, co_2d, co_2e_right)
+          + co_2c_lo),
+      co_3_rounded = co_3 +
+          -(co_3c - (co_3e - co_3e_right) + ksl_product_rest(R->m02, ci->m5, co_3d, co_3e_right)
+          + co_3c_lo),
+      co_4_rounded = co_4 +
+          -(co_4c - (co_4e - co_4e_right) + ksl_product_rest(R->m12, ci->m5, co_4d, co_4e_right)
+          + co_4c_lo),
+      co_5_rounded = co_5 +
+          -(co_5c - (co_5e - co_5e_right) + ksl_product_rest(R->m22, ci->m5, co_5d, co_5e_right)
+          + co_5c_lo);
   co->m0 = co_0_rounded;
   co->m1 = co_1_rounded;
   co->m2 = co_2_rounded;
@@ -1152,89 +823,72 @@ static inline void ksl_product_CoAdrcinv_accurate(const ksl_mat3x3_t *R, const k
 static inline void ksl_product_CoAdc_accurate(const ksl_SE3_t *D, const ksl_coscrew_t *ci,
     ksl_coscrew_t *co) {
   const double w_0a = KSL_MUL(D->m00, ci->m0), w_0b = KSL_MUL(D->m01, ci->m1), w_0c = w_0a + w_0b,
-      w_0c_right = w_0c - w_0a, w_0c_left = w_0c - w_0c_right,
-      w_0c_left_rest = ksl_product_rest(D->m00, ci->m0, w_0a, w_0c_left),
-      w_0c_right_rest = ksl_product_rest(D->m01, ci->m1, w_0b, w_0c_right),
-      w_0c_lo = w_0c_left_rest + w_0c_right_rest, w_0d = KSL_MUL(D->m02, ci->m2), w_0 = w_0c + w_0d,
-      w_0_right = w_0 - w_0c, w_0_left = w_0 - w_0_right, w_0_left_rest = w_0c - w_0_left,
-      w_0_right_rest = ksl_product_rest(D->m02, ci->m2, w_0d, w_0_right),
-      w_0_lo1 = w_0_left_rest + w_0_right_rest, w_0_lo = w_0_lo1 + w_0c_lo;
+      w_0c_right = w_0c - w_0a, w_0d = KSL_MUL(D->m02, ci->m2), w_0 = w_0c + w_0d,
+      w_0_right = w_0 - w_0c,
+      w_0c_lo = ksl_product_rest(D->m00, ci->m0, w_0a, w_0c - w_0c_right)
+          + ksl_product_rest(D->m01, ci->m1, w_0b, w_0c_right),
+      w_0_lo = w_0c - (w_0 - w_0_right) + ksl_product_rest(D->m02, ci->m2, w_0d, w_0_right)
+          + w_0c_lo;
   const double w_1a = KSL_MUL(D->m10, ci->m0), w_1b = KSL_MUL(D->m11, ci->m1), w_1c = w_1a + w_1b,
-      w_1c_right = w_1c - w_1a, w_1c_left = w_1c - w_1c_right,
-      w_1c_left_rest = ksl_product_rest(D->m10, ci->m0, w_1a, w_1c_left),
-      w_1c_right_rest = ksl_product_rest(D->m11, ci->m1, w_1b, w_1c_right),
-      w_1c_lo = w_1c_left_rest + w_1c_right_rest, w_1d = KSL_MUL(D->m12, ci->m2), w_1 = w_1c + w_1d,
-      w_1_right = w_1 - w_1c, w_1_left = w_1 - w_1_right, w_1_left_rest = w_1c - w_1_left,
-      w_1_right_rest = ksl_product_rest(D->m12, ci->m2, w_1d, w_1_right),
-      w_1_lo1 = w_1_left_rest + w_1_right_rest, w_1_lo = w_1_lo1 + w_1c_lo;
+      w_1c_right = w_1c - w_1a, w_1d = KSL_MUL(D->m12, ci->m2), w_1 = w_1c + w_1d,
+      w_1_right = w_1 - w_1c,
+      w_1c_lo = ksl_product_rest(D->m10, ci->m0, w_1a, w_1c - w_1c_right)
+          + ksl_product_rest(D->m11, ci->m1, w_1b, w_1c_right),
+      w_1_lo = w_1c - (w_1 - w_1_right) + ksl_product_rest(D->m12, ci->m2, w_1d, w_1_right)
+          + w_1c_lo;
   const double w_2a = KSL_MUL(D->m20, ci->m0), w_2b = KSL_MUL(D->m21, ci->m1), w_2c = w_2a + w_2b,
-      w_2c_right = w_2c - w_2a, w_2c_left = w_2c - w_2c_right,
-      w_2c_left_rest = ksl_product_rest(D->m20, ci->m0, w_2a, w_2c_left),
-      w_2c_right_rest = ksl_product_rest(D->m21, ci->m1, w_2b, w_2c_right),
-      w_2c_lo = w_2c_left_rest + w_2c_right_rest, w_2d = KSL_MUL(D->m22, ci->m2), w_2 = w_2c + w_2d,
-      w_2_right = w_2 - w_2c, w_2_left = w_2 - w_2_right, w_2_left_rest = w_2c - w_2_left,
-      w_2_right_rest = ksl_product_rest(D->m22, ci->m2, w_2d, w_2_right),
-      w_2_lo1 = w_2_left_rest + w_2_right_rest, w_2_lo = w_2_lo1 + w_2c_lo;
+      w_2c_right = w_2c - w_2a, w_2d = KSL_MUL(D->m22, ci->m2), w_2 = w_2c + w_2d,
+      w_2_right = w_2 - w_2c,
+      w_2c_lo = ksl_product_rest(D->m20, ci->m0, w_2a, w_2c - w_2c_right)
+          + ksl_product_rest(D->m21, ci->m1, w_2b, w_2c_right),
+      w_2_lo = w_2c - (w_2 - w_2_right) + ksl_product_rest(D->m22, ci->m2, w_2d, w_2_right)
+          + w_2c_lo;
   const double w_3a = KSL_MUL(D->m00, ci->m3), w_3b = KSL_MUL(D->m01, ci->m4), w_3c = w_3a + w_3b,
-      w_3c_right = w_3c - w_3a, w_3c_left = w_3c - w_3c_right,
-      w_3c_left_rest = ksl_product_rest(D->m00, ci->m3, w_3a, w_3c_left),
-      w_3c_right_rest = ksl_product_rest(D->m01, ci->m4, w_3b, w_3c_right),
-      w_3c_lo = w_3c_left_rest + w_3c_right_rest, w_3d = KSL_MUL(D->m02, ci->m5), w_3 = w_3c + w_3d,
-      w_3_right = w_3 - w_3c, w_3_left = w_3 - w_3_right, w_3_left_rest = w_3c - w_3_left,
-      w_3_right_rest = ksl_product_rest(D->m02, ci->m5, w_3d, w_3_right),
-      w_3_lo1 = w_3_left_rest + w_3_right_rest, w_3_lo = w_3_lo1 + w_3c_lo;
+      w_3c_right = w_3c - w_3a, w_3d = KSL_MUL(D->m02, ci->m5), w_3 = w_3c + w_3d,
+      w_3_right = w_3 - w_3c,
+      w_3c_lo = ksl_product_rest(D->m00, ci->m3, w_3a, w_3c - w_3c_right)
+          + ksl_product_rest(D->m01, ci->m4, w_3b, w_3c_right);
   const double w_4a = KSL_MUL(D->m10, ci->m3), w_4b = KSL_MUL(D->m11, ci->m4), w_4c = w_4a + w_4b,
-      w_4c_right = w_4c - w_4a, w_4c_left = w_4c - w_4c_right,
-      w_4c_left_rest = ksl_product_rest(D->m10, ci->m3, w_4a, w_4c_left),
-      w_4c_right_rest = ksl_product_rest(D->m11, ci->m4, w_4b, w_4c_right),
-      w_4c_lo = w_4c_left_rest + w_4c_right_rest, w_4d = KSL_MUL(D->m12, ci->m5), w_4 = w_4c + w_4d,
-      w_4_right = w_4 - w_4c, w_4_left = w_4 - w_4_right, w_4_left_rest = w_4c - w_4_left,
-      w_4_right_rest = ksl_product_rest(D->m12, ci->m5, w_4d, w_4_right),
-      w_4_lo1 = w_4_left_rest + w_4_right_rest, w_4_lo = w_4_lo1 + w_4c_lo;
+      w_4c_right = w_4c - w_4a, w_4d = KSL_MUL(D->m12, ci->m5), w_4 = w_4c + w_4d,
+      w_4_right = w_4 - w_4c,
+      w_4c_lo = ksl_product_rest(D->m10, ci->m3, w_4a, w_4c - w_4c_right)
+          + ksl_product_rest(D->m11, ci->m4, w_4b, w_4c_right);
   const double w_5a = KSL_MUL(D->m20, ci->m3), w_5b = KSL_MUL(D->m21, ci->m4), w_5c = w_5a + w_5b,
-      w_5c_right = w_5c - w_5a, w_5c_left = w_5c - w_5c_right,
-      w_5c_left_rest = ksl_product_rest(D->m20, ci->m3, w_5a, w_5c_left),
-      w_5c_right_rest = ksl_product_rest(D->m21, ci->m4, w_5b, w_5c_right),
-      w_5c_lo = w_5c_left_rest + w_5c_right_rest, w_5d = KSL_MUL(D->m22, ci->m5), w_5 = w_5c + w_5d,
-      w_5_right = w_5 - w_5c, w_5_left = w_5 - w_5_right, w_5_left_rest = w_5c - w_5_left,
-      w_5_right_rest = ksl_product_rest(D->m22, ci->m5, w_5d, w_5_right),
-      w_5_lo1 = w_5_left_rest + w_5_right_rest, w_5_lo = w_5_lo1 + w_5c_lo;
-  const double co_3a = KSL_MUL(D->m13, w_2), co_3a_cross2 = KSL_MUL(D->m13, w_2_lo),
-      co_3b = KSL_MUL(D->m23, w_1), co_3b_cross2 = KSL_MUL(D->m23, w_1_lo), co_3c = co_3a - co_3b,
-      co_3c_right = co_3a - co_3c, co_3c_left = co_3c + co_3c_right,
-      co_3c_left_rest = ksl_product_rest(D->m13, w_2, co_3a, co_3c_left),
-      co_3c_right_rest = ksl_product_rest(D->m23, w_1, co_3b, co_3c_right),
-      co_3c_cross = co_3a_cross2 - co_3b_cross2, co_3c_lo1 = co_3c_left_rest - co_3c_right_rest,
-      co_3c_lo = co_3c_lo1 + co_3c_cross, co_3 = co_3c + w_3, co_3_right = co_3 - co_3c,
-      co_3_left = co_3 - co_3_right, co_3_left_rest = co_3c - co_3_left,
-      co_3_right_rest = w_3 - co_3_right, co_3_lo1 = co_3_left_rest + co_3_right_rest,
-      co_3_lo2 = co_3_lo1 + w_3_lo, co_3_lo = co_3_lo2 + co_3c_lo;
-  const double co_4a = KSL_MUL(D->m23, w_0), co_4a_cross2 = KSL_MUL(D->m23, w_0_lo),
-      co_4b = KSL_MUL(D->m03, w_2), co_4b_cross2 = KSL_MUL(D->m03, w_2_lo), co_4c = co_4a - co_4b,
-      co_4c_right = co_4a - co_4c, co_4c_left = co_4c + co_4c_right,
-      co_4c_left_rest = ksl_product_rest(D->m23, w_0, co_4a, co_4c_left),
-      co_4c_right_rest = ksl_product_rest(D->m03, w_2, co_4b, co_4c_right),
-      co_4c_cross = co_4a_cross2 - co_4b_cross2, co_4c_lo1 = co_4c_left_rest - co_4c_right_rest,
-      co_4c_lo = co_4c_lo1 + co_4c_cross, co_4 = co_4c + w_4, co_4_right = co_4 - co_4c,
-      co_4_left = co_4 - co_4_right, co_4_left_rest = co_4c - co_4_left,
-      co_4_right_rest = w_4 - co_4_right, co_4_lo1 = co_4_left_rest + co_4_right_rest,
-      co_4_lo2 = co_4_lo1 + w_4_lo, co_4_lo = co_4_lo2 + co_4c_lo;
-  const double co_5a = KSL_MUL(D->m03, w_1), co_5a_cross2 = KSL_MUL(D->m03, w_1_lo),
-      co_5b = KSL_MUL(D->m13, w_0), co_5b_cross2 = KSL_MUL(D->m13, w_0_lo), co_5c = co_5a - co_5b,
-      co_5c_right = co_5a - co_5c, co_5c_left = co_5c + co_5c_right,
-      co_5c_left_rest = ksl_product_rest(D->m03, w_1, co_5a, co_5c_left),
-      co_5c_right_rest = ksl_product_rest(D->m13, w_0, co_5b, co_5c_right),
-      co_5c_cross = co_5a_cross2 - co_5b_cross2, co_5c_lo1 = co_5c_left_rest - co_5c_right_rest,
-      co_5c_lo = co_5c_lo1 + co_5c_cross, co_5 = co_5c + w_5, co_5_right = co_5 - co_5c,
-      co_5_left = co_5 - co_5_right, co_5_left_rest = co_5c - co_5_left,
-      co_5_right_rest = w_5 - co_5_right, co_5_lo1 = co_5_left_rest + co_5_right_rest,
-      co_5_lo2 = co_5_lo1 + w_5_lo, co_5_lo = co_5_lo2 + co_5c_lo;
-  const double w_0_rounded = w_0 + w_0_lo;
-  const double w_1_rounded = w_1 + w_1_lo;
-  const double w_2_rounded = w_2 + w_2_lo;
-  const double co_3_rounded = co_3 + co_3_lo;
-  const double co_4_rounded = co_4 + co_4_lo;
-  const double co_5_rounded = co_5 + co_5_lo;
+      w_5c_right = w_5c - w_5a, w_5d = KSL_MUL(D->m22, ci->m5), w_5 = w_5c + w_5d,
+      w_5_right = w_5 - w_5c,
+      w_5c_lo = ksl_product_rest(D->m20, ci->m3, w_5a, w_5c - w_5c_right)
+          + ksl_product_rest(D->m21, ci->m4, w_5b, w_5c_right);
+  const double co_3a = KSL_MUL(D->m13, w_2), co_3b = KSL_MUL(D->m23, w_1), co_3c = co_3a - co_3b,
+      co_3c_right = co_3a - co_3c,
+      co_3c_lo1 = ksl_product_rest(D->m13, w_2, co_3a, co_3c + co_3c_right)
+          - ksl_product_rest(D->m23, w_1, co_3b, co_3c_right), co_3 = co_3c + w_3,
+      co_3_right = co_3 - co_3c,
+      co_3_lo2 = co_3c - (co_3 - co_3_right) + (w_3 - co_3_right)
+          + (w_3c - (w_3 - w_3_right) + ksl_product_rest(D->m02, ci->m5, w_3d, w_3_right)
+          + w_3c_lo);
+  const double co_4a = KSL_MUL(D->m23, w_0), co_4b = KSL_MUL(D->m03, w_2), co_4c = co_4a - co_4b,
+      co_4c_right = co_4a - co_4c,
+      co_4c_lo1 = ksl_product_rest(D->m23, w_0, co_4a, co_4c + co_4c_right)
+          - ksl_product_rest(D->m03, w_2, co_4b, co_4c_right), co_4 = co_4c + w_4,
+      co_4_right = co_4 - co_4c,
+      co_4_lo2 = co_4c - (co_4 - co_4_right) + (w_4 - co_4_right)
+          + (w_4c - (w_4 - w_4_right) + ksl_product_rest(D->m12, ci->m5, w_4d, w_4_right)
+          + w_4c_lo);
+  const double co_5a = KSL_MUL(D->m03, w_1), co_5b = KSL_MUL(D->m13, w_0), co_5c = co_5a - co_5b,
+      co_5c_right = co_5a - co_5c,
+      co_5c_lo1 = ksl_product_rest(D->m03, w_1, co_5a, co_5c + co_5c_right)
+          - ksl_product_rest(D->m13, w_0, co_5b, co_5c_right), co_5 = co_5c + w_5,
+      co_5_right = co_5 - co_5c,
+      co_5_lo2 = co_5c - (co_5 - co_5_right) + (w_5 - co_5_right)
+          + (w_5c - (w_5 - w_5_right) + ksl_product_rest(D->m22, ci->m5, w_5d, w_5_right)
+          + w_5c_lo);
+  const double w_0_rounded = w_0 + w_0_lo, w_1_rounded = w_1 + w_1_lo, w_2_rounded = w_2 + w_2_lo;
+  const double co_3_rounded = co_3
+          + (co_3_lo2 + (co_3c_lo1 + (KSL_MUL(D->m13, w_2_lo) - KSL_MUL(D->m23, w_1_lo)))),
+      co_4_rounded = co_4
+          + (co_4_lo2 + (co_4c_lo1 + (KSL_MUL(D->m23, w_0_lo) - KSL_MUL(D->m03, w_2_lo)))),
+      co_5_rounded = co_5
+          + (co_5_lo2 + (co_5c_lo1 + (KSL_MUL(D->m03, w_1_lo) - KSL_MUL(D->m13, w_0_lo))));
   co->m0 = w_0_rounded;
   co->m1 = w_1_rounded;
   co->m2 = w_2_rounded;
@@ -1251,98 +905,71 @@ static inline void ksl_product_CoAdc_accurate(const ksl_SE3_t *D, const ksl_cosc
 static inline void ksl_product_CoAdinvc_accurate(const ksl_SE3_t *D, const ksl_coscrew_t *ci,
     ksl_coscrew_t *co) {
   const double w_3a = KSL_MUL(D->m23, ci->m1), w_3b = KSL_MUL(D->m13, ci->m2), w_3c = w_3a - w_3b,
-      w_3c_right = w_3a - w_3c, w_3c_left = w_3c + w_3c_right,
-      w_3c_left_rest = ksl_product_rest(D->m23, ci->m1, w_3a, w_3c_left),
-      w_3c_right_rest = ksl_product_rest(D->m13, ci->m2, w_3b, w_3c_right),
-      w_3c_lo = w_3c_left_rest - w_3c_right_rest, w_3 = w_3c + ci->m3, w_3_right = w_3 - w_3c,
-      w_3_left = w_3 - w_3_right, w_3_left_rest = w_3c - w_3_left,
-      w_3_right_rest = ci->m3 - w_3_right, w_3_lo1 = w_3_left_rest + w_3_right_rest,
-      w_3_lo = w_3_lo1 + w_3c_lo;
+      w_3c_right = w_3a - w_3c, w_3 = w_3c + ci->m3, w_3_right = w_3 - w_3c,
+      w_3c_lo = ksl_product_rest(D->m23, ci->m1, w_3a, w_3c + w_3c_right)
+          - ksl_product_rest(D->m13, ci->m2, w_3b, w_3c_right),
+      w_3_lo = w_3c - (w_3 - w_3_right) + (ci->m3 - w_3_right) + w_3c_lo;
   const double w_4a = KSL_MUL(D->m03, ci->m2), w_4b = KSL_MUL(D->m23, ci->m0), w_4c = w_4a - w_4b,
-      w_4c_right = w_4a - w_4c, w_4c_left = w_4c + w_4c_right,
-      w_4c_left_rest = ksl_product_rest(D->m03, ci->m2, w_4a, w_4c_left),
-      w_4c_right_rest = ksl_product_rest(D->m23, ci->m0, w_4b, w_4c_right),
-      w_4c_lo = w_4c_left_rest - w_4c_right_rest, w_4 = w_4c + ci->m4, w_4_right = w_4 - w_4c,
-      w_4_left = w_4 - w_4_right, w_4_left_rest = w_4c - w_4_left,
-      w_4_right_rest = ci->m4 - w_4_right, w_4_lo1 = w_4_left_rest + w_4_right_rest,
-      w_4_lo = w_4_lo1 + w_4c_lo;
+      w_4c_right = w_4a - w_4c, w_4 = w_4c + ci->m4, w_4_right = w_4 - w_4c,
+      w_4c_lo = ksl_product_rest(D->m03, ci->m2, w_4a, w_4c + w_4c_right)
+          - ksl_product_rest(D->m23, ci->m0, w_4b, w_4c_right),
+      w_4_lo = w_4c - (w_4 - w_4_right) + (ci->m4 - w_4_right) + w_4c_lo;
   const double w_5a = KSL_MUL(D->m13, ci->m0), w_5b = KSL_MUL(D->m03, ci->m1), w_5c = w_5a - w_5b,
-      w_5c_right = w_5a - w_5c, w_5c_left = w_5c + w_5c_right,
-      w_5c_left_rest = ksl_product_rest(D->m13, ci->m0, w_5a, w_5c_left),
-      w_5c_right_rest = ksl_product_rest(D->m03, ci->m1, w_5b, w_5c_right),
-      w_5c_lo = w_5c_left_rest - w_5c_right_rest, w_5 = w_5c + ci->m5, w_5_right = w_5 - w_5c,
-      w_5_left = w_5 - w_5_right, w_5_left_rest = w_5c - w_5_left,
-      w_5_right_rest = ci->m5 - w_5_right, w_5_lo1 = w_5_left_rest + w_5_right_rest,
-      w_5_lo = w_5_lo1 + w_5c_lo;
+      w_5c_right = w_5a - w_5c, w_5 = w_5c + ci->m5, w_5_right = w_5 - w_5c,
+      w_5c_lo = ksl_product_rest(D->m13, ci->m0, w_5a, w_5c + w_5c_right)
+          - ksl_product_rest(D->m03, ci->m1, w_5b, w_5c_right),
+      w_5_lo = w_5c - (w_5 - w_5_right) + (ci->m5 - w_5_right) + w_5c_lo;
   const double co_0a = KSL_MUL(D->m00, ci->m0), co_0b = KSL_MUL(D->m10, ci->m1),
-      co_0c = co_0a + co_0b, co_0c_right = co_0c - co_0a, co_0c_left = co_0c - co_0c_right,
-      co_0c_left_rest = ksl_product_rest(D->m00, ci->m0, co_0a, co_0c_left),
-      co_0c_right_rest = ksl_product_rest(D->m10, ci->m1, co_0b, co_0c_right),
-      co_0c_lo = co_0c_left_rest + co_0c_right_rest, co_0d = KSL_MUL(D->m20, ci->m2),
-      co_0 = co_0c + co_0d, co_0_right = co_0 - co_0c, co_0_left = co_0 - co_0_right,
-      co_0_left_rest = co_0c - co_0_left,
-      co_0_right_rest = ksl_product_rest(D->m20, ci->m2, co_0d, co_0_right),
-      co_0_lo1 = co_0_left_rest + co_0_right_rest, co_0_lo = co_0_lo1 + co_0c_lo;
+      co_0c = co_0a + co_0b, co_0c_right = co_0c - co_0a, co_0d = KSL_MUL(D->m20, ci->m2),
+      co_0 = co_0c + co_0d, co_0_right = co_0 - co_0c,
+      co_0c_lo = ksl_product_rest(D->m00, ci->m0, co_0a, co_0c - co_0c_right)
+          + ksl_product_rest(D->m10, ci->m1, co_0b, co_0c_right);
   const double co_1a = KSL_MUL(D->m01, ci->m0), co_1b = KSL_MUL(D->m11, ci->m1),
-      co_1c = co_1a + co_1b, co_1c_right = co_1c - co_1a, co_1c_left = co_1c - co_1c_right,
-      co_1c_left_rest = ksl_product_rest(D->m01, ci->m0, co_1a, co_1c_left),
-      co_1c_right_rest = ksl_product_rest(D->m11, ci->m1, co_1b, co_1c_right),
-      co_1c_lo = co_1c_left_rest + co_1c_right_rest, co_1d = KSL_MUL(D->m21, ci->m2),
-      co_1 = co_1c + co_1d, co_1_right = co_1 - co_1c, co_1_left = co_1 - co_1_right,
-      co_1_left_rest = co_1c - co_1_left,
-      co_1_right_rest = ksl_product_rest(D->m21, ci->m2, co_1d, co_1_right),
-      co_1_lo1 = co_1_left_rest + co_1_right_rest, co_1_lo = co_1_lo1 + co_1c_lo;
+      co_1c = co_1a + co_1b, co_1c_right = co_1c - co_1a, co_1d = KSL_MUL(D->m21, ci->m2),
+      co_1 = co_1c + co_1d, co_1_right = co_1 - co_1c,
+      co_1c_lo = ksl_product_rest(D->m01, ci->m0, co_1a, co_1c - co_1c_right)
+          + ksl_product_rest(D->m11, ci->m1, co_1b, co_1c_right);
   const double co_2a = KSL_MUL(D->m02, ci->m0), co_2b = KSL_MUL(D->m12, ci->m1),
-      co_2c = co_2a + co_2b, co_2c_right = co_2c - co_2a, co_2c_left = co_2c - co_2c_right,
-      co_2c_left_rest = ksl_product_rest(D->m02, ci->m0, co_2a, co_2c_left),
-      co_2c_right_rest = ksl_product_rest(D->m12, ci->m1, co_2b, co_2c_right),
-      co_2c_lo = co_2c_left_rest + co_2c_right_rest, co_2d = KSL_MUL(D->m22, ci->m2),
-      co_2 = co_2c + co_2d, co_2_right = co_2 - co_2c, co_2_left = co_2 - co_2_right,
-      co_2_left_rest = co_2c - co_2_left,
-      co_2_right_rest = ksl_product_rest(D->m22, ci->m2, co_2d, co_2_right),
-      co_2_lo1 = co_2_left_rest + co_2_right_rest, co_2_lo = co_2_lo1 + co_2c_lo;
-  const double co_3a = KSL_MUL(D->m00, w_3), co_3a_cross2 = KSL_MUL(D->m00, w_3_lo),
-      co_3b = KSL_MUL(D->m10, w_4), co_3b_cross2 = KSL_MUL(D->m10, w_4_lo), co_3c = co_3a + co_3b,
-      co_3c_right = co_3c - co_3a, co_3c_left = co_3c - co_3c_right,
-      co_3c_left_rest = ksl_product_rest(D->m00, w_3, co_3a, co_3c_left),
-      co_3c_right_rest = ksl_product_rest(D->m10, w_4, co_3b, co_3c_right),
-      co_3c_cross = co_3a_cross2 + co_3b_cross2, co_3c_lo1 = co_3c_left_rest + co_3c_right_rest,
-      co_3c_lo = co_3c_lo1 + co_3c_cross, co_3d = KSL_MUL(D->m20, w_5),
-      co_3d_cross2 = KSL_MUL(D->m20, w_5_lo), co_3 = co_3c + co_3d, co_3_right = co_3 - co_3c,
-      co_3_left = co_3 - co_3_right, co_3_left_rest = co_3c - co_3_left,
-      co_3_right_rest = ksl_product_rest(D->m20, w_5, co_3d, co_3_right),
-      co_3_lo1 = co_3_left_rest + co_3_right_rest, co_3_lo2 = co_3_lo1 + co_3d_cross2,
-      co_3_lo = co_3_lo2 + co_3c_lo;
-  const double co_4a = KSL_MUL(D->m01, w_3), co_4a_cross2 = KSL_MUL(D->m01, w_3_lo),
-      co_4b = KSL_MUL(D->m11, w_4), co_4b_cross2 = KSL_MUL(D->m11, w_4_lo), co_4c = co_4a + co_4b,
-      co_4c_right = co_4c - co_4a, co_4c_left = co_4c - co_4c_right,
-      co_4c_left_rest = ksl_product_rest(D->m01, w_3, co_4a, co_4c_left),
-      co_4c_right_rest = ksl_product_rest(D->m11, w_4, co_4b, co_4c_right),
-      co_4c_cross = co_4a_cross2 + co_4b_cross2, co_4c_lo1 = co_4c_left_rest + co_4c_right_rest,
-      co_4c_lo = co_4c_lo1 + co_4c_cross, co_4d = KSL_MUL(D->m21, w_5),
-      co_4d_cross2 = KSL_MUL(D->m21, w_5_lo), co_4 = co_4c + co_4d, co_4_right = co_4 - co_4c,
-      co_4_left = co_4 - co_4_right, co_4_left_rest = co_4c - co_4_left,
-      co_4_right_rest = ksl_product_rest(D->m21, w_5, co_4d, co_4_right),
-      co_4_lo1 = co_4_left_rest + co_4_right_rest, co_4_lo2 = co_4_lo1 + co_4d_cross2,
-      co_4_lo = co_4_lo2 + co_4c_lo;
-  const double co_5a = KSL_MUL(D->m02, w_3), co_5a_cross2 = KSL_MUL(D->m02, w_3_lo),
-      co_5b = KSL_MUL(D->m12, w_4), co_5b_cross2 = KSL_MUL(D->m12, w_4_lo), co_5c = co_5a + co_5b,
-      co_5c_right = co_5c - co_5a, co_5c_left = co_5c - co_5c_right,
-      co_5c_left_rest = ksl_product_rest(D->m02, w_3, co_5a, co_5c_left),
-      co_5c_right_rest = ksl_product_rest(D->m12, w_4, co_5b, co_5c_right),
-      co_5c_cross = co_5a_cross2 + co_5b_cross2, co_5c_lo1 = co_5c_left_rest + co_5c_right_rest,
-      co_5c_lo = co_5c_lo1 + co_5c_cross, co_5d = KSL_MUL(D->m22, w_5),
-      co_5d_cross2 = KSL_MUL(D->m22, w_5_lo), co_5 = co_5c + co_5d, co_5_right = co_5 - co_5c,
-      co_5_left = co_5 - co_5_right, co_5_left_rest = co_5c - co_5_left,
-      co_5_right_rest = ksl_product_rest(D->m22, w_5, co_5d, co_5_right),
-      co_5_lo1 = co_5_left_rest + co_5_right_rest, co_5_lo2 = co_5_lo1 + co_5d_cross2,
-      co_5_lo = co_5_lo2 + co_5c_lo;
-  const double co_0_rounded = co_0 + co_0_lo;
-  const double co_1_rounded = co_1 + co_1_lo;
-  const double co_2_rounded = co_2 + co_2_lo;
-  const double co_3_rounded = co_3 + co_3_lo;
-  const double co_4_rounded = co_4 + co_4_lo;
-  const double co_5_rounded = co_5 + co_5_lo;
+      co_2c = co_2a + co_2b, co_2c_right = co_2c - co_2a, co_2d = KSL_MUL(D->m22, ci->m2),
+      co_2 = co_2c + co_2d, co_2_right = co_2 - co_2c,
+      co_2c_lo = ksl_product_rest(D->m02, ci->m0, co_2a, co_2c - co_2c_right)
+          + ksl_product_rest(D->m12, ci->m1, co_2b, co_2c_right);
+  const double co_3a = KSL_MUL(D->m00, w_3), co_3b = KSL_MUL(D->m10, w_4), co_3c = co_3a + co_3b,
+      co_3c_right = co_3c - co_3a,
+      co_3c_lo1 = ksl_product_rest(D->m00, w_3, co_3a, co_3c - co_3c_right)
+          + ksl_product_rest(D->m10, w_4, co_3b, co_3c_right), co_3d = KSL_MUL(D->m20, w_5),
+      co_3 = co_3c + co_3d, co_3_right = co_3 - co_3c,
+      co_3_lo2 = co_3c - (co_3 - co_3_right) + ksl_product_rest(D->m20, w_5, co_3d, co_3_right)
+          + KSL_MUL(D->m20, w_5_lo);
+  const double co_4a = KSL_MUL(D->m01, w_3), co_4b = KSL_MUL(D->m11, w_4), co_4c = co_4a + co_4b,
+      co_4c_right = co_4c - co_4a,
+      co_4c_lo1 = ksl_product_rest(D->m01, w_3, co_4a, co_4c - co_4c_right)
+          + ksl_product_rest(D->m11, w_4, co_4b, co_4c_right), co_4d = KSL_MUL(D->m21, w_5),
+      co_4 = co_4c + co_4d, co_4_right = co_4 - co_4c,
+      co_4_lo2 = co_4c - (co_4 - co_4_right) + ksl_product_rest(D->m21, w_5, co_4d, co_4_right)
+          + KSL_MUL(D->m21, w_5_lo);
+  const double co_5a = KSL_MUL(D->m02, w_3), co_5b = KSL_MUL(D->m12, w_4), co_5c = co_5a + co_5b,
+      co_5c_right = co_5c - co_5a,
+      co_5c_lo1 = ksl_product_rest(D->m02, w_3, co_5a, co_5c - co_5c_right)
+          + ksl_product_rest(D->m12, w_4, co_5b, co_5c_right), co_5d = KSL_MUL(D->m22, w_5),
+      co_5 = co_5c + co_5d, co_5_right = co_5 - co_5c,
+      co_5_lo2 = co_5c - (co_5 - co_5_right) + ksl_product_rest(D->m22, w_5, co_5d, co_5_right)
+          + KSL_MUL(D->m22, w_5_lo);
+  const double co_0_rounded = co_0
+          + (co_0c - (co_0 - co_0_right) + ksl_product_rest(D->m20, ci->m2, co_0d, co_0_right)
+          + co_0c_lo),
+      co_1_rounded = co_1
+          + (co_1c - (co_1 - co_1_right) + ksl_product_rest(D->m21, ci->m2, co_1d, co_1_right)
+          + co_1c_lo),
+      co_2_rounded = co_2
+          + (co_2c - (co_2 - co_2_right) + ksl_product_rest(D->m22, ci->m2, co_2d, co_2_right)
+          + co_2c_lo),
+      co_3_rounded = co_3
+          + (co_3_lo2 + (co_3c_lo1 + (KSL_MUL(D->m00, w_3_lo) + KSL_MUL(D->m10, w_4_lo)))),
+      co_4_rounded = co_4
+          + (co_4_lo2 + (co_4c_lo1 + (KSL_MUL(D->m01, w_3_lo) + KSL_MUL(D->m11, w_4_lo)))),
+      co_5_rounded = co_5
+          + (co_5_lo2 + (co_5c_lo1 + (KSL_MUL(D->m02, w_3_lo) + KSL_MUL(D->m12, w_4_lo))));
   co->m0 = co_0_rounded;
   co->m1 = co_1_rounded;
   co->m2 = co_2_rounded;
@@ -1359,101 +986,78 @@ static inline void ksl_product_CoAdinvc_accurate(const ksl_SE3_t *D, const ksl_c
 static inline void ksl_product_CoAdcinv_accurate(const ksl_SE3_t *D, const ksl_coscrew_t *ci,
     ksl_coscrew_t *co) {
   const double w_0a = KSL_MUL(D->m00, ci->m0), w_0b = KSL_MUL(D->m01, ci->m1), w_0c = w_0a + w_0b,
-      w_0c_right = w_0c - w_0a, w_0c_left = w_0c - w_0c_right,
-      w_0c_left_rest = ksl_product_rest(D->m00, ci->m0, w_0a, w_0c_left),
-      w_0c_right_rest = ksl_product_rest(D->m01, ci->m1, w_0b, w_0c_right),
-      w_0c_lo = w_0c_left_rest + w_0c_right_rest, w_0d = KSL_MUL(D->m02, ci->m2),
-      w_0e = w_0c + w_0d, w_0e_right = w_0e - w_0c, w_0e_left = w_0e - w_0e_right,
-      w_0e_left_rest = w_0c - w_0e_left,
-      w_0e_right_rest = ksl_product_rest(D->m02, ci->m2, w_0d, w_0e_right),
-      w_0e_lo1 = w_0e_left_rest + w_0e_right_rest, w_0e_lo = w_0e_lo1 + w_0c_lo, w_0 = -w_0e,
-      w_0_lo = -w_0e_lo;
+      w_0c_right = w_0c - w_0a, w_0d = KSL_MUL(D->m02, ci->m2), w_0e = w_0c + w_0d,
+      w_0e_right = w_0e - w_0c,
+      w_0c_lo = ksl_product_rest(D->m00, ci->m0, w_0a, w_0c - w_0c_right)
+          + ksl_product_rest(D->m01, ci->m1, w_0b, w_0c_right), w_0 = -w_0e,
+      w_0_lo =
+          -(w_0c - (w_0e - w_0e_right) + ksl_product_rest(D->m02, ci->m2, w_0d, w_0e_right)
+          + w_0c_lo);
   const double w_1a = KSL_MUL(D->m10, ci->m0), w_1b = KSL_MUL(D->m11, ci->m1), w_1c = w_1a + w_1b,
-      w_1c_right = w_1c - w_1a, w_1c_left = w_1c - w_1c_right,
-      w_1c_left_rest = ksl_product_rest(D->m10, ci->m0, w_1a, w_1c_left),
-      w_1c_right_rest = ksl_product_rest(D->m11, ci->m1, w_1b, w_1c_right),
-      w_1c_lo = w_1c_left_rest + w_1c_right_rest, w_1d = KSL_MUL(D->m12, ci->m2),
-      w_1e = w_1c + w_1d, w_1e_right = w_1e - w_1c, w_1e_left = w_1e - w_1e_right,
-      w_1e_left_rest = w_1c - w_1e_left,
-      w_1e_right_rest = ksl_product_rest(D->m12, ci->m2, w_1d, w_1e_right),
-      w_1e_lo1 = w_1e_left_rest + w_1e_right_rest, w_1e_lo = w_1e_lo1 + w_1c_lo, w_1 = -w_1e,
-      w_1_lo = -w_1e_lo;
+      w_1c_right = w_1c - w_1a, w_1d = KSL_MUL(D->m12, ci->m2), w_1e = w_1c + w_1d,
+      w_1e_right = w_1e - w_1c,
+      w_1c_lo = ksl_product_rest(D->m10, ci->m0, w_1a, w_1c - w_1c_right)
+          + ksl_product_rest(D->m11, ci->m1, w_1b, w_1c_right), w_1 = -w_1e,
+      w_1_lo =
+          -(w_1c - (w_1e - w_1e_right) + ksl_product_rest(D->m12, ci->m2, w_1d, w_1e_right)
+          + w_1c_lo);
   const double w_2a = KSL_MUL(D->m20, ci->m0), w_2b = KSL_MUL(D->m21, ci->m1), w_2c = w_2a + w_2b,
-      w_2c_right = w_2c - w_2a, w_2c_left = w_2c - w_2c_right,
-      w_2c_left_rest = ksl_product_rest(D->m20, ci->m0, w_2a, w_2c_left),
-      w_2c_right_rest = ksl_product_rest(D->m21, ci->m1, w_2b, w_2c_right),
-      w_2c_lo = w_2c_left_rest + w_2c_right_rest, w_2d = KSL_MUL(D->m22, ci->m2),
-      w_2e = w_2c + w_2d, w_2e_right = w_2e - w_2c, w_2e_left = w_2e - w_2e_right,
-      w_2e_left_rest = w_2c - w_2e_left,
-      w_2e_right_rest = ksl_product_rest(D->m22, ci->m2, w_2d, w_2e_right),
-      w_2e_lo1 = w_2e_left_rest + w_2e_right_rest, w_2e_lo = w_2e_lo1 + w_2c_lo, w_2 = -w_2e,
-      w_2_lo = -w_2e_lo;
+      w_2c_right = w_2c - w_2a, w_2d = KSL_MUL(D->m22, ci->m2), w_2e = w_2c + w_2d,
+      w_2e_right = w_2e - w_2c,
+      w_2c_lo = ksl_product_rest(D->m20, ci->m0, w_2a, w_2c - w_2c_right)
+          + ksl_product_rest(D->m21, ci->m1, w_2b, w_2c_right), w_2 = -w_2e,
+      w_2_lo =
+          -(w_2c - (w_2e - w_2e_right) + ksl_product_rest(D->m22, ci->m2, w_2d, w_2e_right)
+          + w_2c_lo);
   const double w_3a = KSL_MUL(D->m00, ci->m3), w_3b = KSL_MUL(D->m01, ci->m4), w_3c = w_3a + w_3b,
-      w_3c_right = w_3c - w_3a, w_3c_left = w_3c - w_3c_right,
-      w_3c_left_rest = ksl_product_rest(D->m00, ci->m3, w_3a, w_3c_left),
-      w_3c_right_rest = ksl_product_rest(D->m01, ci->m4, w_3b, w_3c_right),
-      w_3c_lo = w_3c_left_rest + w_3c_right_rest, w_3d = KSL_MUL(D->m02, ci->m5),
-      w_3e = w_3c + w_3d, w_3e_right = w_3e - w_3c, w_3e_left = w_3e - w_3e_right,
-      w_3e_left_rest = w_3c - w_3e_left,
-      w_3e_right_rest = ksl_product_rest(D->m02, ci->m5, w_3d, w_3e_right),
-      w_3e_lo1 = w_3e_left_rest + w_3e_right_rest, w_3e_lo = w_3e_lo1 + w_3c_lo, w_3 = -w_3e,
-      w_3_lo = -w_3e_lo;
+      w_3c_right = w_3c - w_3a, w_3d = KSL_MUL(D->m02, ci->m5), w_3e = w_3c + w_3d,
+      w_3e_right = w_3e - w_3c,
+      w_3c_lo = ksl_product_rest(D->m00, ci->m3, w_3a, w_3c - w_3c_right)
+          + ksl_product_rest(D->m01, ci->m4, w_3b, w_3c_right), w_3 = -w_3e;
   const double w_4a = KSL_MUL(D->m10, ci->m3), w_4b = KSL_MUL(D->m11, ci->m4), w_4c = w_4a + w_4b,
-      w_4c_right = w_4c - w_4a, w_4c_left = w_4c - w_4c_right,
-      w_4c_left_rest = ksl_product_rest(D->m10, ci->m3, w_4a, w_4c_left),
-      w_4c_right_rest = ksl_product_rest(D->m11, ci->m4, w_4b, w_4c_right),
-      w_4c_lo = w_4c_left_rest + w_4c_right_rest, w_4d = KSL_MUL(D->m12, ci->m5),
-      w_4e = w_4c + w_4d, w_4e_right = w_4e - w_4c, w_4e_left = w_4e - w_4e_right,
-      w_4e_left_rest = w_4c - w_4e_left,
-      w_4e_right_rest = ksl_product_rest(D->m12, ci->m5, w_4d, w_4e_right),
-      w_4e_lo1 = w_4e_left_rest + w_4e_right_rest, w_4e_lo = w_4e_lo1 + w_4c_lo, w_4 = -w_4e,
-      w_4_lo = -w_4e_lo;
+      w_4c_right = w_4c - w_4a, w_4d = KSL_MUL(D->m12, ci->m5), w_4e = w_4c + w_4d,
+      w_4e_right = w_4e - w_4c,
+      w_4c_lo = ksl_product_rest(D->m10, ci->m3, w_4a, w_4c - w_4c_right)
+          + ksl_product_rest(D->m11, ci->m4, w_4b, w_4c_right), w_4 = -w_4e;
   const double w_5a = KSL_MUL(D->m20, ci->m3), w_5b = KSL_MUL(D->m21, ci->m4), w_5c = w_5a + w_5b,
-      w_5c_right = w_5c - w_5a, w_5c_left = w_5c - w_5c_right,
-      w_5c_left_rest = ksl_product_rest(D->m20, ci->m3, w_5a, w_5c_left),
-      w_5c_right_rest = ksl_product_rest(D->m21, ci->m4, w_5b, w_5c_right),
-      w_5c_lo = w_5c_left_rest + w_5c_right_rest, w_5d = KSL_MUL(D->m22, ci->m5),
-      w_5e = w_5c + w_5d, w_5e_right = w_5e - w_5c, w_5e_left = w_5e - w_5e_right,
-      w_5e_left_rest = w_5c - w_5e_left,
-      w_5e_right_rest = ksl_product_rest(D->m22, ci->m5, w_5d, w_5e_right),
-      w_5e_lo1 = w_5e_left_rest + w_5e_right_rest, w_5e_lo = w_5e_lo1 + w_5c_lo, w_5 = -w_5e,
-      w_5_lo = -w_5e_lo;
-  const double co_3a = KSL_MUL(D->m13, w_2), co_3a_cross2 = KSL_MUL(D->m13, w_2_lo),
-      co_3b = KSL_MUL(D->m23, w_1), co_3b_cross2 = KSL_MUL(D->m23, w_1_lo), co_3c = co_3a - co_3b,
-      co_3c_right = co_3a - co_3c, co_3c_left = co_3c + co_3c_right,
-      co_3c_left_rest = ksl_product_rest(D->m13, w_2, co_3a, co_3c_left),
-      co_3c_right_rest = ksl_product_rest(D->m23, w_1, co_3b, co_3c_right),
-      co_3c_cross = co_3a_cross2 - co_3b_cross2, co_3c_lo1 = co_3c_left_rest - co_3c_right_rest,
-      co_3c_lo = co_3c_lo1 + co_3c_cross, co_3 = co_3c + w_3, co_3_right = co_3 - co_3c,
-      co_3_left = co_3 - co_3_right, co_3_left_rest = co_3c - co_3_left,
-      co_3_right_rest = w_3 - co_3_right, co_3_lo1 = co_3_left_rest + co_3_right_rest,
-      co_3_lo2 = co_3_lo1 + w_3_lo, co_3_lo = co_3_lo2 + co_3c_lo;
-  const double co_4a = KSL_MUL(D->m23, w_0), co_4a_cross2 = KSL_MUL(D->m23, w_0_lo),
-      co_4b = KSL_MUL(D->m03, w_2), co_4b_cross2 = KSL_MUL(D->m03, w_2_lo), co_4c = co_4a - co_4b,
-      co_4c_right = co_4a - co_4c, co_4c_left = co_4c + co_4c_right,
-      co_4c_left_rest = ksl_product_rest(D->m23, w_0, co_4a, co_4c_left),
-      co_4c_right_rest = ksl_product_rest(D->m03, w_2, co_4b, co_4c_right),
-      co_4c_cross = co_4a_cross2 - co_4b_cross2, co_4c_lo1 = co_4c_left_rest - co_4c_right_rest,
-      co_4c_lo = co_4c_lo1 + co_4c_cross, co_4 = co_4c + w_4, co_4_right = co_4 - co_4c,
-      co_4_left = co_4 - co_4_right, co_4_left_rest = co_4c - co_4_left,
-      co_4_right_rest = w_4 - co_4_right, co_4_lo1 = co_4_left_rest + co_4_right_rest,
-      co_4_lo2 = co_4_lo1 + w_4_lo, co_4_lo = co_4_lo2 + co_4c_lo;
-  const double co_5a = KSL_MUL(D->m03, w_1), co_5a_cross2 = KSL_MUL(D->m03, w_1_lo),
-      co_5b = KSL_MUL(D->m13, w_0), co_5b_cross2 = KSL_MUL(D->m13, w_0_lo), co_5c = co_5a - co_5b,
-      co_5c_right = co_5a - co_5c, co_5c_left = co_5c + co_5c_right,
-      co_5c_left_rest = ksl_product_rest(D->m03, w_1, co_5a, co_5c_left),
-      co_5c_right_rest = ksl_product_rest(D->m13, w_0, co_5b, co_5c_right),
-      co_5c_cross = co_5a_cross2 - co_5b_cross2, co_5c_lo1 = co_5c_left_rest - co_5c_right_rest,
-      co_5c_lo = co_5c_lo1 + co_5c_cross, co_5 = co_5c + w_5, co_5_right = co_5 - co_5c,
-      co_5_left = co_5 - co_5_right, co_5_left_rest = co_5c - co_5_left,
-      co_5_right_rest = w_5 - co_5_right, co_5_lo1 = co_5_left_rest + co_5_right_rest,
-      co_5_lo2 = co_5_lo1 + w_5_lo, co_5_lo = co_5_lo2 + co_5c_lo;
-  const double w_0_rounded = w_0 + w_0_lo;
-  const double w_1_rounded = w_1 + w_1_lo;
-  const double w_2_rounded = w_2 + w_2_lo;
-  const double co_3_rounded = co_3 + co_3_lo;
-  const double co_4_rounded = co_4 + co_4_lo;
-  const double co_5_rounded = co_5 + co_5_lo;
+      w_5c_right = w_5c - w_5a, w_5d = KSL_MUL(D->m22, ci->m5), w_5e = w_5c + w_5d,
+      w_5e_right = w_5e - w_5c,
+      w_5c_lo = ksl_product_rest(D->m20, ci->m3, w_5a, w_5c - w_5c_right)
+          + ksl_product_rest(D->m21, ci->m4, w_5b, w_5c_right), w_5 = -w_5e;
+  const double co_3a = KSL_MUL(D->m13, w_2), co_3b = KSL_MUL(D->m23, w_1), co_3c = co_3a - co_3b,
+      co_3c_right = co_3a - co_3c,
+      co_3c_lo1 = ksl_product_rest(D->m13, w_2, co_3a, co_3c + co_3c_right)
+          - ksl_product_rest(D->m23, w_1, co_3b, co_3c_right), co_3 = co_3c + w_3,
+      co_3_right = co_3 - co_3c;
+  const double w_3_lo =
+          -(w_3c - (w_3e - w_3e_right) + ksl_product_rest(D->m02, ci->m5, w_3d, w_3e_right)
+          + w_3c_lo);
+  const double co_4a = KSL_MUL(D->m23, w_0), co_4b = KSL_MUL(D->m03, w_2), co_4c = co_4a - co_4b,
+      co_4c_right = co_4a - co_4c,
+      co_4c_lo1 = ksl_product_rest(D->m23, w_0, co_4a, co_4c + co_4c_right)
+          - ksl_product_rest(D->m03, w_2, co_4b, co_4c_right), co_4 = co_4c + w_4,
+      co_4_right = co_4 - co_4c;
+  const double w_4_lo =
+          -(w_4c - (w_4e - w_4e_right) + ksl_product_rest(D->m12, ci->m5, w_4d, w_4e_right)
+          + w_4c_lo);
+  const double co_5a = KSL_MUL(D->m03, w_1), co_5b = KSL_MUL(D->m13, w_0), co_5c = co_5a - co_5b,
+      co_5c_right = co_5a - co_5c,
+      co_5c_lo1 = ksl_product_rest(D->m03, w_1, co_5a, co_5c + co_5c_right)
+          - ksl_product_rest(D->m13, w_0, co_5b, co_5c_right), co_5 = co_5c + w_5,
+      co_5_right = co_5 - co_5c;
+  const double w_5_lo =
+          -(w_5c - (w_5e - w_5e_right) + ksl_product_rest(D->m22, ci->m5, w_5d, w_5e_right)
+          + w_5c_lo);
+  const double w_0_rounded = w_0 + w_0_lo, w_1_rounded = w_1 + w_1_lo, w_2_rounded = w_2 + w_2_lo;
+  const double co_3_rounded = co_3
+          + (co_3c - (co_3 - co_3_right) + (w_3 - co_3_right) + w_3_lo
+          + (co_3c_lo1 + (KSL_MUL(D->m13, w_2_lo) - KSL_MUL(D->m23, w_1_lo)))),
+      co_4_rounded = co_4
+          + (co_4c - (co_4 - co_4_right) + (w_4 - co_4_right) + w_4_lo
+          + (co_4c_lo1 + (KSL_MUL(D->m23, w_0_lo) - KSL_MUL(D->m03, w_2_lo)))),
+      co_5_rounded = co_5
+          + (co_5c - (co_5 - co_5_right) + (w_5 - co_5_right) + w_5_lo
+          + (co_5c_lo1 + (KSL_MUL(D->m03, w_1_lo) - KSL_MUL(D->m13, w_0_lo))));
   co->m0 = w_0_rounded;
   co->m1 = w_1_rounded;
   co->m2 = w_2_rounded;
@@ -1469,23 +1073,20 @@ static inline void ksl_product_CoAdcinv_accurate(const ksl_SE3_t *D, const ksl_c
      formula; barring over- and underflow. */
 static inline void ksl_hctx_accurate(const ksl_SE3_t *D, ksl_coscrew_t *co) {
   const double co_3a = KSL_MUL(D->m20, D->m13), co_3b = KSL_MUL(D->m10, D->m23),
-      co_3 = co_3a - co_3b, co_3_right = co_3a - co_3, co_3_left = co_3 + co_3_right,
-      co_3_left_rest = ksl_product_rest(D->m20, D->m13, co_3a, co_3_left),
-      co_3_right_rest = ksl_product_rest(D->m10, D->m23, co_3b, co_3_right),
-      co_3_lo = co_3_left_rest - co_3_right_rest;
+      co_3 = co_3a - co_3b, co_3_right = co_3a - co_3;
   const double co_4a = KSL_MUL(D->m00, D->m23), co_4b = KSL_MUL(D->m20, D->m03),
-      co_4 = co_4a - co_4b, co_4_right = co_4a - co_4, co_4_left = co_4 + co_4_right,
-      co_4_left_rest = ksl_product_rest(D->m00, D->m23, co_4a, co_4_left),
-      co_4_right_rest = ksl_product_rest(D->m20, D->m03, co_4b, co_4_right),
-      co_4_lo = co_4_left_rest - co_4_right_rest;
+      co_4 = co_4a - co_4b, co_4_right = co_4a - co_4;
   const double co_5a = KSL_MUL(D->m10, D->m03), co_5b = KSL_MUL(D->m00, D->m13),
-      co_5 = co_5a - co_5b, co_5_right = co_5a - co_5, co_5_left = co_5 + co_5_right,
-      co_5_left_rest = ksl_product_rest(D->m10, D->m03, co_5a, co_5_left),
-      co_5_right_rest = ksl_product_rest(D->m00, D->m13, co_5b, co_5_right),
-      co_5_lo = co_5_left_rest - co_5_right_rest;
-  const double co_3_rounded = co_3 + co_3_lo;
-  const double co_4_rounded = co_4 + co_4_lo;
-  const double co_5_rounded = co_5 + co_5_lo;
+      co_5 = co_5a - co_5b, co_5_right = co_5a - co_5;
+  const double co_3_rounded = co_3
+          + (ksl_product_rest(D->m20, D->m13, co_3a, co_3 + co_3_right)
+          - ksl_product_rest(D->m10, D->m23, co_3b, co_3_right)),
+      co_4_rounded = co_4
+          + (ksl_product_rest(D->m00, D->m23, co_4a, co_4 + co_4_right)
+          - ksl_product_rest(D->m20, D->m03, co_4b, co_4_right)),
+      co_5_rounded = co_5
+          + (ksl_product_rest(D->m10, D->m03, co_5a, co_5 + co_5_right)
+          - ksl_product_rest(D->m00, D->m13, co_5b, co_5_right));
   const double D_m00 = D->m00;
   const double D_m10 = D->m10;
   const double D_m20 = D->m20;
@@ -1504,23 +1105,20 @@ static inline void ksl_hctx_accurate(const ksl_SE3_t *D, ksl_coscrew_t *co) {
      formula; barring over- and underflow. */
 static inline void ksl_hcty_accurate(const ksl_SE3_t *D, ksl_coscrew_t *co) {
   const double co_3a = KSL_MUL(D->m21, D->m13), co_3b = KSL_MUL(D->m11, D->m23),
-      co_3 = co_3a - co_3b, co_3_right = co_3a - co_3, co_3_left = co_3 + co_3_right,
-      co_3_left_rest = ksl_product_rest(D->m21, D->m13, co_3a, co_3_left),
-      co_3_right_rest = ksl_product_rest(D->m11, D->m23, co_3b, co_3_right),
-      co_3_lo = co_3_left_rest - co_3_right_rest;
+      co_3 = co_3a - co_3b, co_3_right = co_3a - co_3;
   const double co_4a = KSL_MUL(D->m01, D->m23), co_4b = KSL_MUL(D->m21, D->m03),
-      co_4 = co_4a - co_4b, co_4_right = co_4a - co_4, co_4_left = co_4 + co_4_right,
-      co_4_left_rest = ksl_product_rest(D->m01, D->m23, co_4a, co_4_left),
-      co_4_right_rest = ksl_product_rest(D->m21, D->m03, co_4b, co_4_right),
-      co_4_lo = co_4_left_rest - co_4_right_rest;
+      co_4 = co_4a - co_4b, co_4_right = co_4a - co_4;
   const double co_5a = KSL_MUL(D->m11, D->m03), co_5b = KSL_MUL(D->m01, D->m13),
-      co_5 = co_5a - co_5b, co_5_right = co_5a - co_5, co_5_left = co_5 + co_5_right,
-      co_5_left_rest = ksl_product_rest(D->m11, D->m03, co_5a, co_5_left),
-      co_5_right_rest = ksl_product_rest(D->m01, D->m13, co_5b, co_5_right),
-      co_5_lo = co_5_left_rest - co_5_right_rest;
-  const double co_3_rounded = co_3 + co_3_lo;
-  const double co_4_rounded = co_4 + co_4_lo;
-  const double co_5_rounded = co_5 + co_5_lo;
+      co_5 = co_5a - co_5b, co_5_right = co_5a - co_5;
+  const double co_3_rounded = co_3
+          + (ksl_product_rest(D->m21, D->m13, co_3a, co_3 + co_3_right)
+          - ksl_product_rest(D->m11, D->m23, co_3b, co_3_right)),
+      co_4_rounded = co_4
+          + (ksl_product_rest(D->m01, D->m23, co_4a, co_4 + co_4_right)
+          - ksl_product_rest(D->m21, D->m03, co_4b, co_4_right)),
+      co_5_rounded = co_5
+          + (ksl_product_rest(D->m11, D->m03, co_5a, co_5 + co_5_right)
+          - ksl_product_rest(D->m01, D->m13, co_5b, co_5_right));
   const double D_m01 = D->m01;
   const double D_m11 = D->m11;
   const double D_m21 = D->m21;
@@ -1539,23 +1137,20 @@ static inline void ksl_hcty_accurate(const ksl_SE3_t *D, ksl_coscrew_t *co) {
      formula; barring over- and underflow. */
 static inline void ksl_hctz_accurate(const ksl_SE3_t *D, ksl_coscrew_t *co) {
   const double co_3a = KSL_MUL(D->m22, D->m13), co_3b = KSL_MUL(D->m12, D->m23),
-      co_3 = co_3a - co_3b, co_3_right = co_3a - co_3, co_3_left = co_3 + co_3_right,
-      co_3_left_rest = ksl_product_rest(D->m22, D->m13, co_3a, co_3_left),
-      co_3_right_rest = ksl_product_rest(D->m12, D->m23, co_3b, co_3_right),
-      co_3_lo = co_3_left_rest - co_3_right_rest;
+      co_3 = co_3a - co_3b, co_3_right = co_3a - co_3;
   const double co_4a = KSL_MUL(D->m02, D->m23), co_4b = KSL_MUL(D->m22, D->m03),
-      co_4 = co_4a - co_4b, co_4_right = co_4a - co_4, co_4_left = co_4 + co_4_right,
-      co_4_left_rest = ksl_product_rest(D->m02, D->m23, co_4a, co_4_left),
-      co_4_right_rest = ksl_product_rest(D->m22, D->m03, co_4b, co_4_right),
-      co_4_lo = co_4_left_rest - co_4_right_rest;
+      co_4 = co_4a - co_4b, co_4_right = co_4a - co_4;
   const double co_5a = KSL_MUL(D->m12, D->m03), co_5b = KSL_MUL(D->m02, D->m13),
-      co_5 = co_5a - co_5b, co_5_right = co_5a - co_5, co_5_left = co_5 + co_5_right,
-      co_5_left_rest = ksl_product_rest(D->m12, D->m03, co_5a, co_5_left),
-      co_5_right_rest = ksl_product_rest(D->m02, D->m13, co_5b, co_5_right),
-      co_5_lo = co_5_left_rest - co_5_right_rest;
-  const double co_3_rounded = co_3 + co_3_lo;
-  const double co_4_rounded = co_4 + co_4_lo;
-  const double co_5_rounded = co_5 + co_5_lo;
+      co_5 = co_5a - co_5b, co_5_right = co_5a - co_5;
+  const double co_3_rounded = co_3
+          + (ksl_product_rest(D->m22, D->m13, co_3a, co_3 + co_3_right)
+          - ksl_product_rest(D->m12, D->m23, co_3b, co_3_right)),
+      co_4_rounded = co_4
+          + (ksl_product_rest(D->m02, D->m23, co_4a, co_4 + co_4_right)
+          - ksl_product_rest(D->m22, D->m03, co_4b, co_4_right)),
+      co_5_rounded = co_5
+          + (ksl_product_rest(D->m12, D->m03, co_5a, co_5 + co_5_right)
+          - ksl_product_rest(D->m02, D->m13, co_5b, co_5_right));
   const double D_m02 = D->m02;
   const double D_m12 = D->m12;
   const double D_m22 = D->m22;
@@ -1573,27 +1168,22 @@ static inline void ksl_hctz_accurate(const ksl_SE3_t *D, ksl_coscrew_t *co) {
    Error <= u |result| + (lin: 0, ang: 6) u^2 S, S the sum of the |terms| of the expanded
      formula; barring over- and underflow. */
 static inline void ksl_hctxinv_accurate(const ksl_SE3_t *D, ksl_coscrew_t *co) {
-  const double co_0 = -D->m00;
-  const double co_1 = -D->m10;
-  const double co_2 = -D->m20;
+  const double co_0 = -D->m00, co_1 = -D->m10, co_2 = -D->m20;
   const double co_3a = KSL_MUL(D->m10, D->m23), co_3b = KSL_MUL(D->m20, D->m13),
-      co_3 = co_3a - co_3b, co_3_right = co_3a - co_3, co_3_left = co_3 + co_3_right,
-      co_3_left_rest = ksl_product_rest(D->m10, D->m23, co_3a, co_3_left),
-      co_3_right_rest = ksl_product_rest(D->m20, D->m13, co_3b, co_3_right),
-      co_3_lo = co_3_left_rest - co_3_right_rest;
+      co_3 = co_3a - co_3b, co_3_right = co_3a - co_3;
   const double co_4a = KSL_MUL(D->m20, D->m03), co_4b = KSL_MUL(D->m00, D->m23),
-      co_4 = co_4a - co_4b, co_4_right = co_4a - co_4, co_4_left = co_4 + co_4_right,
-      co_4_left_rest = ksl_product_rest(D->m20, D->m03, co_4a, co_4_left),
-      co_4_right_rest = ksl_product_rest(D->m00, D->m23, co_4b, co_4_right),
-      co_4_lo = co_4_left_rest - co_4_right_rest;
+      co_4 = co_4a - co_4b, co_4_right = co_4a - co_4;
   const double co_5a = KSL_MUL(D->m00, D->m13), co_5b = KSL_MUL(D->m10, D->m03),
-      co_5 = co_5a - co_5b, co_5_right = co_5a - co_5, co_5_left = co_5 + co_5_right,
-      co_5_left_rest = ksl_product_rest(D->m00, D->m13, co_5a, co_5_left),
-      co_5_right_rest = ksl_product_rest(D->m10, D->m03, co_5b, co_5_right),
-      co_5_lo = co_5_left_rest - co_5_right_rest;
-  const double co_3_rounded = co_3 + co_3_lo;
-  const double co_4_rounded = co_4 + co_4_lo;
-  const double co_5_rounded = co_5 + co_5_lo;
+      co_5 = co_5a - co_5b, co_5_right = co_5a - co_5;
+  const double co_3_rounded = co_3
+          + (ksl_product_rest(D->m10, D->m23, co_3a, co_3 + co_3_right)
+          - ksl_product_rest(D->m20, D->m13, co_3b, co_3_right)),
+      co_4_rounded = co_4
+          + (ksl_product_rest(D->m20, D->m03, co_4a, co_4 + co_4_right)
+          - ksl_product_rest(D->m00, D->m23, co_4b, co_4_right)),
+      co_5_rounded = co_5
+          + (ksl_product_rest(D->m00, D->m13, co_5a, co_5 + co_5_right)
+          - ksl_product_rest(D->m10, D->m03, co_5b, co_5_right));
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;
@@ -1608,27 +1198,22 @@ static inline void ksl_hctxinv_accurate(const ksl_SE3_t *D, ksl_coscrew_t *co) {
    Error <= u |result| + (lin: 0, ang: 6) u^2 S, S the sum of the |terms| of the expanded
      formula; barring over- and underflow. */
 static inline void ksl_hctyinv_accurate(const ksl_SE3_t *D, ksl_coscrew_t *co) {
-  const double co_0 = -D->m01;
-  const double co_1 = -D->m11;
-  const double co_2 = -D->m21;
+  const double co_0 = -D->m01, co_1 = -D->m11, co_2 = -D->m21;
   const double co_3a = KSL_MUL(D->m11, D->m23), co_3b = KSL_MUL(D->m21, D->m13),
-      co_3 = co_3a - co_3b, co_3_right = co_3a - co_3, co_3_left = co_3 + co_3_right,
-      co_3_left_rest = ksl_product_rest(D->m11, D->m23, co_3a, co_3_left),
-      co_3_right_rest = ksl_product_rest(D->m21, D->m13, co_3b, co_3_right),
-      co_3_lo = co_3_left_rest - co_3_right_rest;
+      co_3 = co_3a - co_3b, co_3_right = co_3a - co_3;
   const double co_4a = KSL_MUL(D->m21, D->m03), co_4b = KSL_MUL(D->m01, D->m23),
-      co_4 = co_4a - co_4b, co_4_right = co_4a - co_4, co_4_left = co_4 + co_4_right,
-      co_4_left_rest = ksl_product_rest(D->m21, D->m03, co_4a, co_4_left),
-      co_4_right_rest = ksl_product_rest(D->m01, D->m23, co_4b, co_4_right),
-      co_4_lo = co_4_left_rest - co_4_right_rest;
+      co_4 = co_4a - co_4b, co_4_right = co_4a - co_4;
   const double co_5a = KSL_MUL(D->m01, D->m13), co_5b = KSL_MUL(D->m11, D->m03),
-      co_5 = co_5a - co_5b, co_5_right = co_5a - co_5, co_5_left = co_5 + co_5_right,
-      co_5_left_rest = ksl_product_rest(D->m01, D->m13, co_5a, co_5_left),
-      co_5_right_rest = ksl_product_rest(D->m11, D->m03, co_5b, co_5_right),
-      co_5_lo = co_5_left_rest - co_5_right_rest;
-  const double co_3_rounded = co_3 + co_3_lo;
-  const double co_4_rounded = co_4 + co_4_lo;
-  const double co_5_rounded = co_5 + co_5_lo;
+      co_5 = co_5a - co_5b, co_5_right = co_5a - co_5;
+  const double co_3_rounded = co_3
+          + (ksl_product_rest(D->m11, D->m23, co_3a, co_3 + co_3_right)
+          - ksl_product_rest(D->m21, D->m13, co_3b, co_3_right)),
+      co_4_rounded = co_4
+          + (ksl_product_rest(D->m21, D->m03, co_4a, co_4 + co_4_right)
+          - ksl_product_rest(D->m01, D->m23, co_4b, co_4_right)),
+      co_5_rounded = co_5
+          + (ksl_product_rest(D->m01, D->m13, co_5a, co_5 + co_5_right)
+          - ksl_product_rest(D->m11, D->m03, co_5b, co_5_right));
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;
@@ -1643,27 +1228,22 @@ static inline void ksl_hctyinv_accurate(const ksl_SE3_t *D, ksl_coscrew_t *co) {
    Error <= u |result| + (lin: 0, ang: 6) u^2 S, S the sum of the |terms| of the expanded
      formula; barring over- and underflow. */
 static inline void ksl_hctzinv_accurate(const ksl_SE3_t *D, ksl_coscrew_t *co) {
-  const double co_0 = -D->m02;
-  const double co_1 = -D->m12;
-  const double co_2 = -D->m22;
+  const double co_0 = -D->m02, co_1 = -D->m12, co_2 = -D->m22;
   const double co_3a = KSL_MUL(D->m12, D->m23), co_3b = KSL_MUL(D->m22, D->m13),
-      co_3 = co_3a - co_3b, co_3_right = co_3a - co_3, co_3_left = co_3 + co_3_right,
-      co_3_left_rest = ksl_product_rest(D->m12, D->m23, co_3a, co_3_left),
-      co_3_right_rest = ksl_product_rest(D->m22, D->m13, co_3b, co_3_right),
-      co_3_lo = co_3_left_rest - co_3_right_rest;
+      co_3 = co_3a - co_3b, co_3_right = co_3a - co_3;
   const double co_4a = KSL_MUL(D->m22, D->m03), co_4b = KSL_MUL(D->m02, D->m23),
-      co_4 = co_4a - co_4b, co_4_right = co_4a - co_4, co_4_left = co_4 + co_4_right,
-      co_4_left_rest = ksl_product_rest(D->m22, D->m03, co_4a, co_4_left),
-      co_4_right_rest = ksl_product_rest(D->m02, D->m23, co_4b, co_4_right),
-      co_4_lo = co_4_left_rest - co_4_right_rest;
+      co_4 = co_4a - co_4b, co_4_right = co_4a - co_4;
   const double co_5a = KSL_MUL(D->m02, D->m13), co_5b = KSL_MUL(D->m12, D->m03),
-      co_5 = co_5a - co_5b, co_5_right = co_5a - co_5, co_5_left = co_5 + co_5_right,
-      co_5_left_rest = ksl_product_rest(D->m02, D->m13, co_5a, co_5_left),
-      co_5_right_rest = ksl_product_rest(D->m12, D->m03, co_5b, co_5_right),
-      co_5_lo = co_5_left_rest - co_5_right_rest;
-  const double co_3_rounded = co_3 + co_3_lo;
-  const double co_4_rounded = co_4 + co_4_lo;
-  const double co_5_rounded = co_5 + co_5_lo;
+      co_5 = co_5a - co_5b, co_5_right = co_5a - co_5;
+  const double co_3_rounded = co_3
+          + (ksl_product_rest(D->m12, D->m23, co_3a, co_3 + co_3_right)
+          - ksl_product_rest(D->m22, D->m13, co_3b, co_3_right)),
+      co_4_rounded = co_4
+          + (ksl_product_rest(D->m22, D->m03, co_4a, co_4 + co_4_right)
+          - ksl_product_rest(D->m02, D->m23, co_4b, co_4_right)),
+      co_5_rounded = co_5
+          + (ksl_product_rest(D->m02, D->m13, co_5a, co_5 + co_5_right)
+          - ksl_product_rest(D->m12, D->m03, co_5b, co_5_right));
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;
@@ -1679,59 +1259,50 @@ static inline void ksl_hctzinv_accurate(const ksl_SE3_t *D, ksl_coscrew_t *co) {
      and underflow. */
 static inline void ksl_CoAd_accurate(const ksl_SE3_t *D, ksl_mat6x6_t *M) {
   const double M_30a = KSL_MUL(D->m20, D->m13), M_30b = KSL_MUL(D->m10, D->m23),
-      M_30 = M_30a - M_30b, M_30_right = M_30a - M_30, M_30_left = M_30 + M_30_right,
-      M_30_left_rest = ksl_product_rest(D->m20, D->m13, M_30a, M_30_left),
-      M_30_right_rest = ksl_product_rest(D->m10, D->m23, M_30b, M_30_right),
-      M_30_lo = M_30_left_rest - M_30_right_rest;
+      M_30 = M_30a - M_30b, M_30_right = M_30a - M_30;
   const double M_31a = KSL_MUL(D->m21, D->m13), M_31b = KSL_MUL(D->m11, D->m23),
-      M_31 = M_31a - M_31b, M_31_right = M_31a - M_31, M_31_left = M_31 + M_31_right,
-      M_31_left_rest = ksl_product_rest(D->m21, D->m13, M_31a, M_31_left),
-      M_31_right_rest = ksl_product_rest(D->m11, D->m23, M_31b, M_31_right),
-      M_31_lo = M_31_left_rest - M_31_right_rest;
+      M_31 = M_31a - M_31b, M_31_right = M_31a - M_31;
   const double M_32a = KSL_MUL(D->m22, D->m13), M_32b = KSL_MUL(D->m12, D->m23),
-      M_32 = M_32a - M_32b, M_32_right = M_32a - M_32, M_32_left = M_32 + M_32_right,
-      M_32_left_rest = ksl_product_rest(D->m22, D->m13, M_32a, M_32_left),
-      M_32_right_rest = ksl_product_rest(D->m12, D->m23, M_32b, M_32_right),
-      M_32_lo = M_32_left_rest - M_32_right_rest;
+      M_32 = M_32a - M_32b, M_32_right = M_32a - M_32;
   const double M_40a = KSL_MUL(D->m00, D->m23), M_40b = KSL_MUL(D->m20, D->m03),
-      M_40 = M_40a - M_40b, M_40_right = M_40a - M_40, M_40_left = M_40 + M_40_right,
-      M_40_left_rest = ksl_product_rest(D->m00, D->m23, M_40a, M_40_left),
-      M_40_right_rest = ksl_product_rest(D->m20, D->m03, M_40b, M_40_right),
-      M_40_lo = M_40_left_rest - M_40_right_rest;
+      M_40 = M_40a - M_40b, M_40_right = M_40a - M_40;
   const double M_41a = KSL_MUL(D->m01, D->m23), M_41b = KSL_MUL(D->m21, D->m03),
-      M_41 = M_41a - M_41b, M_41_right = M_41a - M_41, M_41_left = M_41 + M_41_right,
-      M_41_left_rest = ksl_product_rest(D->m01, D->m23, M_41a, M_41_left),
-      M_41_right_rest = ksl_product_rest(D->m21, D->m03, M_41b, M_41_right),
-      M_41_lo = M_41_left_rest - M_41_right_rest;
+      M_41 = M_41a - M_41b, M_41_right = M_41a - M_41;
   const double M_42a = KSL_MUL(D->m02, D->m23), M_42b = KSL_MUL(D->m22, D->m03),
-      M_42 = M_42a - M_42b, M_42_right = M_42a - M_42, M_42_left = M_42 + M_42_right,
-      M_42_left_rest = ksl_product_rest(D->m02, D->m23, M_42a, M_42_left),
-      M_42_right_rest = ksl_product_rest(D->m22, D->m03, M_42b, M_42_right),
-      M_42_lo = M_42_left_rest - M_42_right_rest;
+      M_42 = M_42a - M_42b, M_42_right = M_42a - M_42;
   const double M_50a = KSL_MUL(D->m10, D->m03), M_50b = KSL_MUL(D->m00, D->m13),
-      M_50 = M_50a - M_50b, M_50_right = M_50a - M_50, M_50_left = M_50 + M_50_right,
-      M_50_left_rest = ksl_product_rest(D->m10, D->m03, M_50a, M_50_left),
-      M_50_right_rest = ksl_product_rest(D->m00, D->m13, M_50b, M_50_right),
-      M_50_lo = M_50_left_rest - M_50_right_rest;
+      M_50 = M_50a - M_50b, M_50_right = M_50a - M_50;
   const double M_51a = KSL_MUL(D->m11, D->m03), M_51b = KSL_MUL(D->m01, D->m13),
-      M_51 = M_51a - M_51b, M_51_right = M_51a - M_51, M_51_left = M_51 + M_51_right,
-      M_51_left_rest = ksl_product_rest(D->m11, D->m03, M_51a, M_51_left),
-      M_51_right_rest = ksl_product_rest(D->m01, D->m13, M_51b, M_51_right),
-      M_51_lo = M_51_left_rest - M_51_right_rest;
+      M_51 = M_51a - M_51b, M_51_right = M_51a - M_51;
   const double M_52a = KSL_MUL(D->m12, D->m03), M_52b = KSL_MUL(D->m02, D->m13),
-      M_52 = M_52a - M_52b, M_52_right = M_52a - M_52, M_52_left = M_52 + M_52_right,
-      M_52_left_rest = ksl_product_rest(D->m12, D->m03, M_52a, M_52_left),
-      M_52_right_rest = ksl_product_rest(D->m02, D->m13, M_52b, M_52_right),
-      M_52_lo = M_52_left_rest - M_52_right_rest;
-  const double M_30_rounded = M_30 + M_30_lo;
-  const double M_31_rounded = M_31 + M_31_lo;
-  const double M_32_rounded = M_32 + M_32_lo;
-  const double M_40_rounded = M_40 + M_40_lo;
-  const double M_41_rounded = M_41 + M_41_lo;
-  const double M_42_rounded = M_42 + M_42_lo;
-  const double M_50_rounded = M_50 + M_50_lo;
-  const double M_51_rounded = M_51 + M_51_lo;
-  const double M_52_rounded = M_52 + M_52_lo;
+      M_52 = M_52a - M_52b, M_52_right = M_52a - M_52;
+  const double M_30_rounded = M_30
+          + (ksl_product_rest(D->m20, D->m13, M_30a, M_30 + M_30_right)
+          - ksl_product_rest(D->m10, D->m23, M_30b, M_30_right)),
+      M_31_rounded = M_31
+          + (ksl_product_rest(D->m21, D->m13, M_31a, M_31 + M_31_right)
+          - ksl_product_rest(D->m11, D->m23, M_31b, M_31_right)),
+      M_32_rounded = M_32
+          + (ksl_product_rest(D->m22, D->m13, M_32a, M_32 + M_32_right)
+          - ksl_product_rest(D->m12, D->m23, M_32b, M_32_right)),
+      M_40_rounded = M_40
+          + (ksl_product_rest(D->m00, D->m23, M_40a, M_40 + M_40_right)
+          - ksl_product_rest(D->m20, D->m03, M_40b, M_40_right)),
+      M_41_rounded = M_41
+          + (ksl_product_rest(D->m01, D->m23, M_41a, M_41 + M_41_right)
+          - ksl_product_rest(D->m21, D->m03, M_41b, M_41_right)),
+      M_42_rounded = M_42
+          + (ksl_product_rest(D->m02, D->m23, M_42a, M_42 + M_42_right)
+          - ksl_product_rest(D->m22, D->m03, M_42b, M_42_right)),
+      M_50_rounded = M_50
+          + (ksl_product_rest(D->m10, D->m03, M_50a, M_50 + M_50_right)
+          - ksl_product_rest(D->m00, D->m13, M_50b, M_50_right)),
+      M_51_rounded = M_51
+          + (ksl_product_rest(D->m11, D->m03, M_51a, M_51 + M_51_right)
+          - ksl_product_rest(D->m01, D->m13, M_51b, M_51_right)),
+      M_52_rounded = M_52
+          + (ksl_product_rest(D->m12, D->m03, M_52a, M_52 + M_52_right)
+          - ksl_product_rest(D->m02, D->m13, M_52b, M_52_right));
   const double D_m00 = D->m00;
   const double D_m01 = D->m01;
   const double D_m02 = D->m02;
@@ -1787,28 +1358,22 @@ static inline void ksl_CoAd_accurate(const ksl_SE3_t *D, ksl_mat6x6_t *M) {
 static inline double ksl_reciprocal_product_accurate(const ksl_coscrew_t *c, const double x[6]) {
   const double power_a = KSL_MUL(c->m0, x[3]), power_b = KSL_MUL(c->m1, x[4]),
       power_c = power_a + power_b, power_c_right = power_c - power_a,
-      power_c_left = power_c - power_c_right,
-      power_c_left_rest = ksl_product_rest(c->m0, x[3], power_a, power_c_left),
-      power_c_right_rest = ksl_product_rest(c->m1, x[4], power_b, power_c_right),
-      power_c_lo = power_c_left_rest + power_c_right_rest, power_d = KSL_MUL(c->m2, x[5]),
-      power_e = power_c + power_d, power_e_right = power_e - power_c,
-      power_e_left = power_e - power_e_right, power_e_left_rest = power_c - power_e_left,
-      power_e_right_rest = ksl_product_rest(c->m2, x[5], power_d, power_e_right),
-      power_e_lo1 = power_e_left_rest + power_e_right_rest, power_e_lo = power_e_lo1 + power_c_lo,
-      power_f = KSL_MUL(c->m3, x[0]), power_g = KSL_MUL(c->m4, x[1]), power_h = power_f + power_g,
-      power_h_right = power_h - power_f, power_h_left = power_h - power_h_right,
-      power_h_left_rest = ksl_product_rest(c->m3, x[0], power_f, power_h_left),
-      power_h_right_rest = ksl_product_rest(c->m4, x[1], power_g, power_h_right),
-      power_h_lo = power_h_left_rest + power_h_right_rest, power_i = KSL_MUL(c->m5, x[2]),
+      power_d = KSL_MUL(c->m2, x[5]), power_e = power_c + power_d,
+      power_e_right = power_e - power_c,
+      power_c_lo = ksl_product_rest(c->m0, x[3], power_a, power_c - power_c_right)
+          + ksl_product_rest(c->m1, x[4], power_b, power_c_right), power_f = KSL_MUL(c->m3, x[0]),
+      power_g = KSL_MUL(c->m4, x[1]), power_h = power_f + power_g,
+      power_h_right = power_h - power_f, power_i = KSL_MUL(c->m5, x[2]),
       power_j = power_h + power_i, power_j_right = power_j - power_h,
-      power_j_left = power_j - power_j_right, power_j_left_rest = power_h - power_j_left,
-      power_j_right_rest = ksl_product_rest(c->m5, x[2], power_i, power_j_right),
-      power_j_lo1 = power_j_left_rest + power_j_right_rest, power_j_lo = power_j_lo1 + power_h_lo,
-      power = power_e + power_j, power_right = power - power_e, power_left = power - power_right,
-      power_left_rest = power_e - power_left, power_right_rest = power_j - power_right,
-      power_lo1 = power_left_rest + power_right_rest, power_lo2 = power_lo1 + power_j_lo,
-      power_lo = power_lo2 + power_e_lo;
-  const double power_rounded = power + power_lo;
+      power_h_lo = ksl_product_rest(c->m3, x[0], power_f, power_h - power_h_right)
+          + ksl_product_rest(c->m4, x[1], power_g, power_h_right), power = power_e + power_j,
+      power_right = power - power_e,
+      power_j_lo = power_h - (power_j - power_j_right)
+          + ksl_product_rest(c->m5, x[2], power_i, power_j_right) + power_h_lo,
+      power_e_lo = power_c - (power_e - power_e_right)
+          + ksl_product_rest(c->m2, x[5], power_d, power_e_right) + power_c_lo;
+  const double power_rounded = power
+          + (power_e - (power - power_right) + (power_j - power_right) + power_j_lo + power_e_lo);
   return power_rounded;
 }
 
@@ -1820,65 +1385,50 @@ static inline double ksl_reciprocal_product_accurate(const ksl_coscrew_t *c, con
 static inline void ksl_cross_sc_accurate(const ksl_screw_t *s, const ksl_coscrew_t *c,
     ksl_coscrew_t *co) {
   const double co_0a = KSL_MUL(s->m4, c->m2), co_0b = KSL_MUL(s->m5, c->m1), co_0 = co_0a - co_0b,
-      co_0_right = co_0a - co_0, co_0_left = co_0 + co_0_right,
-      co_0_left_rest = ksl_product_rest(s->m4, c->m2, co_0a, co_0_left),
-      co_0_right_rest = ksl_product_rest(s->m5, c->m1, co_0b, co_0_right),
-      co_0_lo = co_0_left_rest - co_0_right_rest;
+      co_0_right = co_0a - co_0;
   const double co_1a = KSL_MUL(s->m5, c->m0), co_1b = KSL_MUL(s->m3, c->m2), co_1 = co_1a - co_1b,
-      co_1_right = co_1a - co_1, co_1_left = co_1 + co_1_right,
-      co_1_left_rest = ksl_product_rest(s->m5, c->m0, co_1a, co_1_left),
-      co_1_right_rest = ksl_product_rest(s->m3, c->m2, co_1b, co_1_right),
-      co_1_lo = co_1_left_rest - co_1_right_rest;
+      co_1_right = co_1a - co_1;
   const double co_2a = KSL_MUL(s->m3, c->m1), co_2b = KSL_MUL(s->m4, c->m0), co_2 = co_2a - co_2b,
-      co_2_right = co_2a - co_2, co_2_left = co_2 + co_2_right,
-      co_2_left_rest = ksl_product_rest(s->m3, c->m1, co_2a, co_2_left),
-      co_2_right_rest = ksl_product_rest(s->m4, c->m0, co_2b, co_2_right),
-      co_2_lo = co_2_left_rest - co_2_right_rest;
+      co_2_right = co_2a - co_2;
   const double co_3a = KSL_MUL(s->m1, c->m2), co_3b = KSL_MUL(s->m2, c->m1), co_3c = co_3a - co_3b,
-      co_3c_right = co_3a - co_3c, co_3c_left = co_3c + co_3c_right,
-      co_3c_left_rest = ksl_product_rest(s->m1, c->m2, co_3a, co_3c_left),
-      co_3c_right_rest = ksl_product_rest(s->m2, c->m1, co_3b, co_3c_right),
-      co_3c_lo = co_3c_left_rest - co_3c_right_rest, co_3d = KSL_MUL(s->m4, c->m5),
-      co_3e = KSL_MUL(s->m5, c->m4), co_3f = co_3d - co_3e, co_3f_right = co_3d - co_3f,
-      co_3f_left = co_3f + co_3f_right,
-      co_3f_left_rest = ksl_product_rest(s->m4, c->m5, co_3d, co_3f_left),
-      co_3f_right_rest = ksl_product_rest(s->m5, c->m4, co_3e, co_3f_right),
-      co_3f_lo = co_3f_left_rest - co_3f_right_rest, co_3 = co_3c + co_3f,
-      co_3_right = co_3 - co_3c, co_3_left = co_3 - co_3_right, co_3_left_rest = co_3c - co_3_left,
-      co_3_right_rest = co_3f - co_3_right, co_3_lo1 = co_3_left_rest + co_3_right_rest,
-      co_3_lo2 = co_3_lo1 + co_3f_lo, co_3_lo = co_3_lo2 + co_3c_lo;
+      co_3c_right = co_3a - co_3c, co_3d = KSL_MUL(s->m4, c->m5), co_3e = KSL_MUL(s->m5, c->m4),
+      co_3f = co_3d - co_3e, co_3f_right = co_3d - co_3f, co_3 = co_3c + co_3f,
+      co_3_right = co_3 - co_3c,
+      co_3f_lo = ksl_product_rest(s->m4, c->m5, co_3d, co_3f + co_3f_right)
+          - ksl_product_rest(s->m5, c->m4, co_3e, co_3f_right),
+      co_3c_lo = ksl_product_rest(s->m1, c->m2, co_3a, co_3c + co_3c_right)
+          - ksl_product_rest(s->m2, c->m1, co_3b, co_3c_right);
   const double co_4a = KSL_MUL(s->m2, c->m0), co_4b = KSL_MUL(s->m0, c->m2), co_4c = co_4a - co_4b,
-      co_4c_right = co_4a - co_4c, co_4c_left = co_4c + co_4c_right,
-      co_4c_left_rest = ksl_product_rest(s->m2, c->m0, co_4a, co_4c_left),
-      co_4c_right_rest = ksl_product_rest(s->m0, c->m2, co_4b, co_4c_right),
-      co_4c_lo = co_4c_left_rest - co_4c_right_rest, co_4d = KSL_MUL(s->m5, c->m3),
-      co_4e = KSL_MUL(s->m3, c->m5), co_4f = co_4d - co_4e, co_4f_right = co_4d - co_4f,
-      co_4f_left = co_4f + co_4f_right,
-      co_4f_left_rest = ksl_product_rest(s->m5, c->m3, co_4d, co_4f_left),
-      co_4f_right_rest = ksl_product_rest(s->m3, c->m5, co_4e, co_4f_right),
-      co_4f_lo = co_4f_left_rest - co_4f_right_rest, co_4 = co_4c + co_4f,
-      co_4_right = co_4 - co_4c, co_4_left = co_4 - co_4_right, co_4_left_rest = co_4c - co_4_left,
-      co_4_right_rest = co_4f - co_4_right, co_4_lo1 = co_4_left_rest + co_4_right_rest,
-      co_4_lo2 = co_4_lo1 + co_4f_lo, co_4_lo = co_4_lo2 + co_4c_lo;
+      co_4c_right = co_4a - co_4c, co_4d = KSL_MUL(s->m5, c->m3), co_4e = KSL_MUL(s->m3, c->m5),
+      co_4f = co_4d - co_4e, co_4f_right = co_4d - co_4f, co_4 = co_4c + co_4f,
+      co_4_right = co_4 - co_4c,
+      co_4f_lo = ksl_product_rest(s->m5, c->m3, co_4d, co_4f + co_4f_right)
+          - ksl_product_rest(s->m3, c->m5, co_4e, co_4f_right),
+      co_4c_lo = ksl_product_rest(s->m2, c->m0, co_4a, co_4c + co_4c_right)
+          - ksl_product_rest(s->m0, c->m2, co_4b, co_4c_right);
   const double co_5a = KSL_MUL(s->m0, c->m1), co_5b = KSL_MUL(s->m1, c->m0), co_5c = co_5a - co_5b,
-      co_5c_right = co_5a - co_5c, co_5c_left = co_5c + co_5c_right,
-      co_5c_left_rest = ksl_product_rest(s->m0, c->m1, co_5a, co_5c_left),
-      co_5c_right_rest = ksl_product_rest(s->m1, c->m0, co_5b, co_5c_right),
-      co_5c_lo = co_5c_left_rest - co_5c_right_rest, co_5d = KSL_MUL(s->m3, c->m4),
-      co_5e = KSL_MUL(s->m4, c->m3), co_5f = co_5d - co_5e, co_5f_right = co_5d - co_5f,
-      co_5f_left = co_5f + co_5f_right,
-      co_5f_left_rest = ksl_product_rest(s->m3, c->m4, co_5d, co_5f_left),
-      co_5f_right_rest = ksl_product_rest(s->m4, c->m3, co_5e, co_5f_right),
-      co_5f_lo = co_5f_left_rest - co_5f_right_rest, co_5 = co_5c + co_5f,
-      co_5_right = co_5 - co_5c, co_5_left = co_5 - co_5_right, co_5_left_rest = co_5c - co_5_left,
-      co_5_right_rest = co_5f - co_5_right, co_5_lo1 = co_5_left_rest + co_5_right_rest,
-      co_5_lo2 = co_5_lo1 + co_5f_lo, co_5_lo = co_5_lo2 + co_5c_lo;
-  const double co_0_rounded = co_0 + co_0_lo;
-  const double co_1_rounded = co_1 + co_1_lo;
-  const double co_2_rounded = co_2 + co_2_lo;
-  const double co_3_rounded = co_3 + co_3_lo;
-  const double co_4_rounded = co_4 + co_4_lo;
-  const double co_5_rounded = co_5 + co_5_lo;
+      co_5c_right = co_5a - co_5c, co_5d = KSL_MUL(s->m3, c->m4), co_5e = KSL_MUL(s->m4, c->m3),
+      co_5f = co_5d - co_5e, co_5f_right = co_5d - co_5f, co_5 = co_5c + co_5f,
+      co_5_right = co_5 - co_5c,
+      co_5f_lo = ksl_product_rest(s->m3, c->m4, co_5d, co_5f + co_5f_right)
+          - ksl_product_rest(s->m4, c->m3, co_5e, co_5f_right),
+      co_5c_lo = ksl_product_rest(s->m0, c->m1, co_5a, co_5c + co_5c_right)
+          - ksl_product_rest(s->m1, c->m0, co_5b, co_5c_right);
+  const double co_0_rounded = co_0
+          + (ksl_product_rest(s->m4, c->m2, co_0a, co_0 + co_0_right)
+          - ksl_product_rest(s->m5, c->m1, co_0b, co_0_right)),
+      co_1_rounded = co_1
+          + (ksl_product_rest(s->m5, c->m0, co_1a, co_1 + co_1_right)
+          - ksl_product_rest(s->m3, c->m2, co_1b, co_1_right)),
+      co_2_rounded = co_2
+          + (ksl_product_rest(s->m3, c->m1, co_2a, co_2 + co_2_right)
+          - ksl_product_rest(s->m4, c->m0, co_2b, co_2_right)),
+      co_3_rounded = co_3
+          + (co_3c - (co_3 - co_3_right) + (co_3f - co_3_right) + co_3f_lo + co_3c_lo),
+      co_4_rounded = co_4
+          + (co_4c - (co_4 - co_4_right) + (co_4f - co_4_right) + co_4f_lo + co_4c_lo),
+      co_5_rounded = co_5
+          + (co_5c - (co_5 - co_5_right) + (co_5f - co_5_right) + co_5f_lo + co_5c_lo);
   co->m0 = co_0_rounded;
   co->m1 = co_1_rounded;
   co->m2 = co_2_rounded;
@@ -1895,23 +1445,20 @@ static inline void ksl_cross_sc_accurate(const ksl_screw_t *s, const ksl_coscrew
 static inline void ksl_cross_sca_accurate(const ksl_screw_t *s, const ksl_coscrew_t *c,
     ksl_coscrew_t *co) {
   const double co_3a = KSL_MUL(s->m4, c->m5), co_3b = KSL_MUL(s->m5, c->m4), co_3 = co_3a - co_3b,
-      co_3_right = co_3a - co_3, co_3_left = co_3 + co_3_right,
-      co_3_left_rest = ksl_product_rest(s->m4, c->m5, co_3a, co_3_left),
-      co_3_right_rest = ksl_product_rest(s->m5, c->m4, co_3b, co_3_right),
-      co_3_lo = co_3_left_rest - co_3_right_rest;
+      co_3_right = co_3a - co_3;
   const double co_4a = KSL_MUL(s->m5, c->m3), co_4b = KSL_MUL(s->m3, c->m5), co_4 = co_4a - co_4b,
-      co_4_right = co_4a - co_4, co_4_left = co_4 + co_4_right,
-      co_4_left_rest = ksl_product_rest(s->m5, c->m3, co_4a, co_4_left),
-      co_4_right_rest = ksl_product_rest(s->m3, c->m5, co_4b, co_4_right),
-      co_4_lo = co_4_left_rest - co_4_right_rest;
+      co_4_right = co_4a - co_4;
   const double co_5a = KSL_MUL(s->m3, c->m4), co_5b = KSL_MUL(s->m4, c->m3), co_5 = co_5a - co_5b,
-      co_5_right = co_5a - co_5, co_5_left = co_5 + co_5_right,
-      co_5_left_rest = ksl_product_rest(s->m3, c->m4, co_5a, co_5_left),
-      co_5_right_rest = ksl_product_rest(s->m4, c->m3, co_5b, co_5_right),
-      co_5_lo = co_5_left_rest - co_5_right_rest;
-  const double co_3_rounded = co_3 + co_3_lo;
-  const double co_4_rounded = co_4 + co_4_lo;
-  const double co_5_rounded = co_5 + co_5_lo;
+      co_5_right = co_5a - co_5;
+  const double co_3_rounded = co_3
+          + (ksl_product_rest(s->m4, c->m5, co_3a, co_3 + co_3_right)
+          - ksl_product_rest(s->m5, c->m4, co_3b, co_3_right)),
+      co_4_rounded = co_4
+          + (ksl_product_rest(s->m5, c->m3, co_4a, co_4 + co_4_right)
+          - ksl_product_rest(s->m3, c->m5, co_4b, co_4_right)),
+      co_5_rounded = co_5
+          + (ksl_product_rest(s->m3, c->m4, co_5a, co_5 + co_5_right)
+          - ksl_product_rest(s->m4, c->m3, co_5b, co_5_right));
   co->m0 = 0.0;
   co->m1 = 0.0;
   co->m2 = 0.0;
@@ -1928,80 +1475,60 @@ static inline void ksl_cross_sca_accurate(const ksl_screw_t *s, const ksl_coscre
 static inline void ksl_constraint_ctx_accurate(const ksl_SE3_t *D, const ksl_coscrew_t *c,
     ksl_coscrew_t *co) {
   const double w_0a = KSL_MUL(D->m01, c->m1), w_0b = KSL_MUL(D->m02, c->m2), w_0 = w_0a + w_0b,
-      w_0_right = w_0 - w_0a, w_0_left = w_0 - w_0_right,
-      w_0_left_rest = ksl_product_rest(D->m01, c->m1, w_0a, w_0_left),
-      w_0_right_rest = ksl_product_rest(D->m02, c->m2, w_0b, w_0_right),
-      w_0_lo = w_0_left_rest + w_0_right_rest;
+      w_0_right = w_0 - w_0a,
+      w_0_lo = ksl_product_rest(D->m01, c->m1, w_0a, w_0 - w_0_right)
+          + ksl_product_rest(D->m02, c->m2, w_0b, w_0_right);
   const double w_1a = KSL_MUL(D->m11, c->m1), w_1b = KSL_MUL(D->m12, c->m2), w_1 = w_1a + w_1b,
-      w_1_right = w_1 - w_1a, w_1_left = w_1 - w_1_right,
-      w_1_left_rest = ksl_product_rest(D->m11, c->m1, w_1a, w_1_left),
-      w_1_right_rest = ksl_product_rest(D->m12, c->m2, w_1b, w_1_right),
-      w_1_lo = w_1_left_rest + w_1_right_rest;
+      w_1_right = w_1 - w_1a,
+      w_1_lo = ksl_product_rest(D->m11, c->m1, w_1a, w_1 - w_1_right)
+          + ksl_product_rest(D->m12, c->m2, w_1b, w_1_right);
   const double w_2a = KSL_MUL(D->m21, c->m1), w_2b = KSL_MUL(D->m22, c->m2), w_2 = w_2a + w_2b,
-      w_2_right = w_2 - w_2a, w_2_left = w_2 - w_2_right,
-      w_2_left_rest = ksl_product_rest(D->m21, c->m1, w_2a, w_2_left),
-      w_2_right_rest = ksl_product_rest(D->m22, c->m2, w_2b, w_2_right),
-      w_2_lo = w_2_left_rest + w_2_right_rest;
+      w_2_right = w_2 - w_2a,
+      w_2_lo = ksl_product_rest(D->m21, c->m1, w_2a, w_2 - w_2_right)
+          + ksl_product_rest(D->m22, c->m2, w_2b, w_2_right);
   const double w_3a = KSL_MUL(D->m00, c->m3), w_3b = KSL_MUL(D->m01, c->m4), w_3c = w_3a + w_3b,
-      w_3c_right = w_3c - w_3a, w_3c_left = w_3c - w_3c_right,
-      w_3c_left_rest = ksl_product_rest(D->m00, c->m3, w_3a, w_3c_left),
-      w_3c_right_rest = ksl_product_rest(D->m01, c->m4, w_3b, w_3c_right),
-      w_3c_lo = w_3c_left_rest + w_3c_right_rest, w_3d = KSL_MUL(D->m02, c->m5), w_3 = w_3c + w_3d,
-      w_3_right = w_3 - w_3c, w_3_left = w_3 - w_3_right, w_3_left_rest = w_3c - w_3_left,
-      w_3_right_rest = ksl_product_rest(D->m02, c->m5, w_3d, w_3_right),
-      w_3_lo1 = w_3_left_rest + w_3_right_rest, w_3_lo = w_3_lo1 + w_3c_lo;
+      w_3c_right = w_3c - w_3a, w_3d = KSL_MUL(D->m02, c->m5), w_3 = w_3c + w_3d,
+      w_3_right = w_3 - w_3c,
+      w_3c_lo = ksl_product_rest(D->m00, c->m3, w_3a, w_3c - w_3c_right)
+          + ksl_product_rest(D->m01, c->m4, w_3b, w_3c_right);
   const double w_4a = KSL_MUL(D->m10, c->m3), w_4b = KSL_MUL(D->m11, c->m4), w_4c = w_4a + w_4b,
-      w_4c_right = w_4c - w_4a, w_4c_left = w_4c - w_4c_right,
-      w_4c_left_rest = ksl_product_rest(D->m10, c->m3, w_4a, w_4c_left),
-      w_4c_right_rest = ksl_product_rest(D->m11, c->m4, w_4b, w_4c_right),
-      w_4c_lo = w_4c_left_rest + w_4c_right_rest, w_4d = KSL_MUL(D->m12, c->m5), w_4 = w_4c + w_4d,
-      w_4_right = w_4 - w_4c, w_4_left = w_4 - w_4_right, w_4_left_rest = w_4c - w_4_left,
-      w_4_right_rest = ksl_product_rest(D->m12, c->m5, w_4d, w_4_right),
-      w_4_lo1 = w_4_left_rest + w_4_right_rest, w_4_lo = w_4_lo1 + w_4c_lo;
+      w_4c_right = w_4c - w_4a, w_4d = KSL_MUL(D->m12, c->m5), w_4 = w_4c + w_4d,
+      w_4_right = w_4 - w_4c,
+      w_4c_lo = ksl_product_rest(D->m10, c->m3, w_4a, w_4c - w_4c_right)
+          + ksl_product_rest(D->m11, c->m4, w_4b, w_4c_right);
   const double w_5a = KSL_MUL(D->m20, c->m3), w_5b = KSL_MUL(D->m21, c->m4), w_5c = w_5a + w_5b,
-      w_5c_right = w_5c - w_5a, w_5c_left = w_5c - w_5c_right,
-      w_5c_left_rest = ksl_product_rest(D->m20, c->m3, w_5a, w_5c_left),
-      w_5c_right_rest = ksl_product_rest(D->m21, c->m4, w_5b, w_5c_right),
-      w_5c_lo = w_5c_left_rest + w_5c_right_rest, w_5d = KSL_MUL(D->m22, c->m5), w_5 = w_5c + w_5d,
-      w_5_right = w_5 - w_5c, w_5_left = w_5 - w_5_right, w_5_left_rest = w_5c - w_5_left,
-      w_5_right_rest = ksl_product_rest(D->m22, c->m5, w_5d, w_5_right),
-      w_5_lo1 = w_5_left_rest + w_5_right_rest, w_5_lo = w_5_lo1 + w_5c_lo;
-  const double co_3a = KSL_MUL(D->m13, w_2), co_3a_cross2 = KSL_MUL(D->m13, w_2_lo),
-      co_3b = KSL_MUL(D->m23, w_1), co_3b_cross2 = KSL_MUL(D->m23, w_1_lo), co_3c = co_3a - co_3b,
-      co_3c_right = co_3a - co_3c, co_3c_left = co_3c + co_3c_right,
-      co_3c_left_rest = ksl_product_rest(D->m13, w_2, co_3a, co_3c_left),
-      co_3c_right_rest = ksl_product_rest(D->m23, w_1, co_3b, co_3c_right),
-      co_3c_cross = co_3a_cross2 - co_3b_cross2, co_3c_lo1 = co_3c_left_rest - co_3c_right_rest,
-      co_3c_lo = co_3c_lo1 + co_3c_cross, co_3 = co_3c + w_3, co_3_right = co_3 - co_3c,
-      co_3_left = co_3 - co_3_right, co_3_left_rest = co_3c - co_3_left,
-      co_3_right_rest = w_3 - co_3_right, co_3_lo1 = co_3_left_rest + co_3_right_rest,
-      co_3_lo2 = co_3_lo1 + w_3_lo, co_3_lo = co_3_lo2 + co_3c_lo;
-  const double co_4a = KSL_MUL(D->m23, w_0), co_4a_cross2 = KSL_MUL(D->m23, w_0_lo),
-      co_4b = KSL_MUL(D->m03, w_2), co_4b_cross2 = KSL_MUL(D->m03, w_2_lo), co_4c = co_4a - co_4b,
-      co_4c_right = co_4a - co_4c, co_4c_left = co_4c + co_4c_right,
-      co_4c_left_rest = ksl_product_rest(D->m23, w_0, co_4a, co_4c_left),
-      co_4c_right_rest = ksl_product_rest(D->m03, w_2, co_4b, co_4c_right),
-      co_4c_cross = co_4a_cross2 - co_4b_cross2, co_4c_lo1 = co_4c_left_rest - co_4c_right_rest,
-      co_4c_lo = co_4c_lo1 + co_4c_cross, co_4 = co_4c + w_4, co_4_right = co_4 - co_4c,
-      co_4_left = co_4 - co_4_right, co_4_left_rest = co_4c - co_4_left,
-      co_4_right_rest = w_4 - co_4_right, co_4_lo1 = co_4_left_rest + co_4_right_rest,
-      co_4_lo2 = co_4_lo1 + w_4_lo, co_4_lo = co_4_lo2 + co_4c_lo;
-  const double co_5a = KSL_MUL(D->m03, w_1), co_5a_cross2 = KSL_MUL(D->m03, w_1_lo),
-      co_5b = KSL_MUL(D->m13, w_0), co_5b_cross2 = KSL_MUL(D->m13, w_0_lo), co_5c = co_5a - co_5b,
-      co_5c_right = co_5a - co_5c, co_5c_left = co_5c + co_5c_right,
-      co_5c_left_rest = ksl_product_rest(D->m03, w_1, co_5a, co_5c_left),
-      co_5c_right_rest = ksl_product_rest(D->m13, w_0, co_5b, co_5c_right),
-      co_5c_cross = co_5a_cross2 - co_5b_cross2, co_5c_lo1 = co_5c_left_rest - co_5c_right_rest,
-      co_5c_lo = co_5c_lo1 + co_5c_cross, co_5 = co_5c + w_5, co_5_right = co_5 - co_5c,
-      co_5_left = co_5 - co_5_right, co_5_left_rest = co_5c - co_5_left,
-      co_5_right_rest = w_5 - co_5_right, co_5_lo1 = co_5_left_rest + co_5_right_rest,
-      co_5_lo2 = co_5_lo1 + w_5_lo, co_5_lo = co_5_lo2 + co_5c_lo;
-  const double w_0_rounded = w_0 + w_0_lo;
-  const double w_1_rounded = w_1 + w_1_lo;
-  const double w_2_rounded = w_2 + w_2_lo;
-  const double co_3_rounded = co_3 + co_3_lo;
-  const double co_4_rounded = co_4 + co_4_lo;
-  const double co_5_rounded = co_5 + co_5_lo;
+      w_5c_right = w_5c - w_5a, w_5d = KSL_MUL(D->m22, c->m5), w_5 = w_5c + w_5d,
+      w_5_right = w_5 - w_5c,
+      w_5c_lo = ksl_product_rest(D->m20, c->m3, w_5a, w_5c - w_5c_right)
+          + ksl_product_rest(D->m21, c->m4, w_5b, w_5c_right);
+  const double co_3a = KSL_MUL(D->m13, w_2), co_3b = KSL_MUL(D->m23, w_1), co_3c = co_3a - co_3b,
+      co_3c_right = co_3a - co_3c,
+      co_3c_lo1 = ksl_product_rest(D->m13, w_2, co_3a, co_3c + co_3c_right)
+          - ksl_product_rest(D->m23, w_1, co_3b, co_3c_right), co_3 = co_3c + w_3,
+      co_3_right = co_3 - co_3c,
+      co_3_lo2 = co_3c - (co_3 - co_3_right) + (w_3 - co_3_right)
+          + (w_3c - (w_3 - w_3_right) + ksl_product_rest(D->m02, c->m5, w_3d, w_3_right) + w_3c_lo);
+  const double co_4a = KSL_MUL(D->m23, w_0), co_4b = KSL_MUL(D->m03, w_2), co_4c = co_4a - co_4b,
+      co_4c_right = co_4a - co_4c,
+      co_4c_lo1 = ksl_product_rest(D->m23, w_0, co_4a, co_4c + co_4c_right)
+          - ksl_product_rest(D->m03, w_2, co_4b, co_4c_right), co_4 = co_4c + w_4,
+      co_4_right = co_4 - co_4c,
+      co_4_lo2 = co_4c - (co_4 - co_4_right) + (w_4 - co_4_right)
+          + (w_4c - (w_4 - w_4_right) + ksl_product_rest(D->m12, c->m5, w_4d, w_4_right) + w_4c_lo);
+  const double co_5a = KSL_MUL(D->m03, w_1), co_5b = KSL_MUL(D->m13, w_0), co_5c = co_5a - co_5b,
+      co_5c_right = co_5a - co_5c,
+      co_5c_lo1 = ksl_product_rest(D->m03, w_1, co_5a, co_5c + co_5c_right)
+          - ksl_product_rest(D->m13, w_0, co_5b, co_5c_right), co_5 = co_5c + w_5,
+      co_5_right = co_5 - co_5c,
+      co_5_lo2 = co_5c - (co_5 - co_5_right) + (w_5 - co_5_right)
+          + (w_5c - (w_5 - w_5_right) + ksl_product_rest(D->m22, c->m5, w_5d, w_5_right) + w_5c_lo);
+  const double w_0_rounded = w_0 + w_0_lo, w_1_rounded = w_1 + w_1_lo, w_2_rounded = w_2 + w_2_lo;
+  const double co_3_rounded = co_3
+          + (co_3_lo2 + (co_3c_lo1 + (KSL_MUL(D->m13, w_2_lo) - KSL_MUL(D->m23, w_1_lo)))),
+      co_4_rounded = co_4
+          + (co_4_lo2 + (co_4c_lo1 + (KSL_MUL(D->m23, w_0_lo) - KSL_MUL(D->m03, w_2_lo)))),
+      co_5_rounded = co_5
+          + (co_5_lo2 + (co_5c_lo1 + (KSL_MUL(D->m03, w_1_lo) - KSL_MUL(D->m13, w_0_lo))));
   co->m0 = w_0_rounded;
   co->m1 = w_1_rounded;
   co->m2 = w_2_rounded;
@@ -2018,80 +1545,60 @@ static inline void ksl_constraint_ctx_accurate(const ksl_SE3_t *D, const ksl_cos
 static inline void ksl_constraint_cty_accurate(const ksl_SE3_t *D, const ksl_coscrew_t *c,
     ksl_coscrew_t *co) {
   const double w_0a = KSL_MUL(D->m00, c->m0), w_0b = KSL_MUL(D->m02, c->m2), w_0 = w_0a + w_0b,
-      w_0_right = w_0 - w_0a, w_0_left = w_0 - w_0_right,
-      w_0_left_rest = ksl_product_rest(D->m00, c->m0, w_0a, w_0_left),
-      w_0_right_rest = ksl_product_rest(D->m02, c->m2, w_0b, w_0_right),
-      w_0_lo = w_0_left_rest + w_0_right_rest;
+      w_0_right = w_0 - w_0a,
+      w_0_lo = ksl_product_rest(D->m00, c->m0, w_0a, w_0 - w_0_right)
+          + ksl_product_rest(D->m02, c->m2, w_0b, w_0_right);
   const double w_1a = KSL_MUL(D->m10, c->m0), w_1b = KSL_MUL(D->m12, c->m2), w_1 = w_1a + w_1b,
-      w_1_right = w_1 - w_1a, w_1_left = w_1 - w_1_right,
-      w_1_left_rest = ksl_product_rest(D->m10, c->m0, w_1a, w_1_left),
-      w_1_right_rest = ksl_product_rest(D->m12, c->m2, w_1b, w_1_right),
-      w_1_lo = w_1_left_rest + w_1_right_rest;
+      w_1_right = w_1 - w_1a,
+      w_1_lo = ksl_product_rest(D->m10, c->m0, w_1a, w_1 - w_1_right)
+          + ksl_product_rest(D->m12, c->m2, w_1b, w_1_right);
   const double w_2a = KSL_MUL(D->m20, c->m0), w_2b = KSL_MUL(D->m22, c->m2), w_2 = w_2a + w_2b,
-      w_2_right = w_2 - w_2a, w_2_left = w_2 - w_2_right,
-      w_2_left_rest = ksl_product_rest(D->m20, c->m0, w_2a, w_2_left),
-      w_2_right_rest = ksl_product_rest(D->m22, c->m2, w_2b, w_2_right),
-      w_2_lo = w_2_left_rest + w_2_right_rest;
+      w_2_right = w_2 - w_2a,
+      w_2_lo = ksl_product_rest(D->m20, c->m0, w_2a, w_2 - w_2_right)
+          + ksl_product_rest(D->m22, c->m2, w_2b, w_2_right);
   const double w_3a = KSL_MUL(D->m00, c->m3), w_3b = KSL_MUL(D->m01, c->m4), w_3c = w_3a + w_3b,
-      w_3c_right = w_3c - w_3a, w_3c_left = w_3c - w_3c_right,
-      w_3c_left_rest = ksl_product_rest(D->m00, c->m3, w_3a, w_3c_left),
-      w_3c_right_rest = ksl_product_rest(D->m01, c->m4, w_3b, w_3c_right),
-      w_3c_lo = w_3c_left_rest + w_3c_right_rest, w_3d = KSL_MUL(D->m02, c->m5), w_3 = w_3c + w_3d,
-      w_3_right = w_3 - w_3c, w_3_left = w_3 - w_3_right, w_3_left_rest = w_3c - w_3_left,
-      w_3_right_rest = ksl_product_rest(D->m02, c->m5, w_3d, w_3_right),
-      w_3_lo1 = w_3_left_rest + w_3_right_rest, w_3_lo = w_3_lo1 + w_3c_lo;
+      w_3c_right = w_3c - w_3a, w_3d = KSL_MUL(D->m02, c->m5), w_3 = w_3c + w_3d,
+      w_3_right = w_3 - w_3c,
+      w_3c_lo = ksl_product_rest(D->m00, c->m3, w_3a, w_3c - w_3c_right)
+          + ksl_product_rest(D->m01, c->m4, w_3b, w_3c_right);
   const double w_4a = KSL_MUL(D->m10, c->m3), w_4b = KSL_MUL(D->m11, c->m4), w_4c = w_4a + w_4b,
-      w_4c_right = w_4c - w_4a, w_4c_left = w_4c - w_4c_right,
-      w_4c_left_rest = ksl_product_rest(D->m10, c->m3, w_4a, w_4c_left),
-      w_4c_right_rest = ksl_product_rest(D->m11, c->m4, w_4b, w_4c_right),
-      w_4c_lo = w_4c_left_rest + w_4c_right_rest, w_4d = KSL_MUL(D->m12, c->m5), w_4 = w_4c + w_4d,
-      w_4_right = w_4 - w_4c, w_4_left = w_4 - w_4_right, w_4_left_rest = w_4c - w_4_left,
-      w_4_right_rest = ksl_product_rest(D->m12, c->m5, w_4d, w_4_right),
-      w_4_lo1 = w_4_left_rest + w_4_right_rest, w_4_lo = w_4_lo1 + w_4c_lo;
+      w_4c_right = w_4c - w_4a, w_4d = KSL_MUL(D->m12, c->m5), w_4 = w_4c + w_4d,
+      w_4_right = w_4 - w_4c,
+      w_4c_lo = ksl_product_rest(D->m10, c->m3, w_4a, w_4c - w_4c_right)
+          + ksl_product_rest(D->m11, c->m4, w_4b, w_4c_right);
   const double w_5a = KSL_MUL(D->m20, c->m3), w_5b = KSL_MUL(D->m21, c->m4), w_5c = w_5a + w_5b,
-      w_5c_right = w_5c - w_5a, w_5c_left = w_5c - w_5c_right,
-      w_5c_left_rest = ksl_product_rest(D->m20, c->m3, w_5a, w_5c_left),
-      w_5c_right_rest = ksl_product_rest(D->m21, c->m4, w_5b, w_5c_right),
-      w_5c_lo = w_5c_left_rest + w_5c_right_rest, w_5d = KSL_MUL(D->m22, c->m5), w_5 = w_5c + w_5d,
-      w_5_right = w_5 - w_5c, w_5_left = w_5 - w_5_right, w_5_left_rest = w_5c - w_5_left,
-      w_5_right_rest = ksl_product_rest(D->m22, c->m5, w_5d, w_5_right),
-      w_5_lo1 = w_5_left_rest + w_5_right_rest, w_5_lo = w_5_lo1 + w_5c_lo;
-  const double co_3a = KSL_MUL(D->m13, w_2), co_3a_cross2 = KSL_MUL(D->m13, w_2_lo),
-      co_3b = KSL_MUL(D->m23, w_1), co_3b_cross2 = KSL_MUL(D->m23, w_1_lo), co_3c = co_3a - co_3b,
-      co_3c_right = co_3a - co_3c, co_3c_left = co_3c + co_3c_right,
-      co_3c_left_rest = ksl_product_rest(D->m13, w_2, co_3a, co_3c_left),
-      co_3c_right_rest = ksl_product_rest(D->m23, w_1, co_3b, co_3c_right),
-      co_3c_cross = co_3a_cross2 - co_3b_cross2, co_3c_lo1 = co_3c_left_rest - co_3c_right_rest,
-      co_3c_lo = co_3c_lo1 + co_3c_cross, co_3 = co_3c + w_3, co_3_right = co_3 - co_3c,
-      co_3_left = co_3 - co_3_right, co_3_left_rest = co_3c - co_3_left,
-      co_3_right_rest = w_3 - co_3_right, co_3_lo1 = co_3_left_rest + co_3_right_rest,
-      co_3_lo2 = co_3_lo1 + w_3_lo, co_3_lo = co_3_lo2 + co_3c_lo;
-  const double co_4a = KSL_MUL(D->m23, w_0), co_4a_cross2 = KSL_MUL(D->m23, w_0_lo),
-      co_4b = KSL_MUL(D->m03, w_2), co_4b_cross2 = KSL_MUL(D->m03, w_2_lo), co_4c = co_4a - co_4b,
-      co_4c_right = co_4a - co_4c, co_4c_left = co_4c + co_4c_right,
-      co_4c_left_rest = ksl_product_rest(D->m23, w_0, co_4a, co_4c_left),
-      co_4c_right_rest = ksl_product_rest(D->m03, w_2, co_4b, co_4c_right),
-      co_4c_cross = co_4a_cross2 - co_4b_cross2, co_4c_lo1 = co_4c_left_rest - co_4c_right_rest,
-      co_4c_lo = co_4c_lo1 + co_4c_cross, co_4 = co_4c + w_4, co_4_right = co_4 - co_4c,
-      co_4_left = co_4 - co_4_right, co_4_left_rest = co_4c - co_4_left,
-      co_4_right_rest = w_4 - co_4_right, co_4_lo1 = co_4_left_rest + co_4_right_rest,
-      co_4_lo2 = co_4_lo1 + w_4_lo, co_4_lo = co_4_lo2 + co_4c_lo;
-  const double co_5a = KSL_MUL(D->m03, w_1), co_5a_cross2 = KSL_MUL(D->m03, w_1_lo),
-      co_5b = KSL_MUL(D->m13, w_0), co_5b_cross2 = KSL_MUL(D->m13, w_0_lo), co_5c = co_5a - co_5b,
-      co_5c_right = co_5a - co_5c, co_5c_left = co_5c + co_5c_right,
-      co_5c_left_rest = ksl_product_rest(D->m03, w_1, co_5a, co_5c_left),
-      co_5c_right_rest = ksl_product_rest(D->m13, w_0, co_5b, co_5c_right),
-      co_5c_cross = co_5a_cross2 - co_5b_cross2, co_5c_lo1 = co_5c_left_rest - co_5c_right_rest,
-      co_5c_lo = co_5c_lo1 + co_5c_cross, co_5 = co_5c + w_5, co_5_right = co_5 - co_5c,
-      co_5_left = co_5 - co_5_right, co_5_left_rest = co_5c - co_5_left,
-      co_5_right_rest = w_5 - co_5_right, co_5_lo1 = co_5_left_rest + co_5_right_rest,
-      co_5_lo2 = co_5_lo1 + w_5_lo, co_5_lo = co_5_lo2 + co_5c_lo;
-  const double w_0_rounded = w_0 + w_0_lo;
-  const double w_1_rounded = w_1 + w_1_lo;
-  const double w_2_rounded = w_2 + w_2_lo;
-  const double co_3_rounded = co_3 + co_3_lo;
-  const double co_4_rounded = co_4 + co_4_lo;
-  const double co_5_rounded = co_5 + co_5_lo;
+      w_5c_right = w_5c - w_5a, w_5d = KSL_MUL(D->m22, c->m5), w_5 = w_5c + w_5d,
+      w_5_right = w_5 - w_5c,
+      w_5c_lo = ksl_product_rest(D->m20, c->m3, w_5a, w_5c - w_5c_right)
+          + ksl_product_rest(D->m21, c->m4, w_5b, w_5c_right);
+  const double co_3a = KSL_MUL(D->m13, w_2), co_3b = KSL_MUL(D->m23, w_1), co_3c = co_3a - co_3b,
+      co_3c_right = co_3a - co_3c,
+      co_3c_lo1 = ksl_product_rest(D->m13, w_2, co_3a, co_3c + co_3c_right)
+          - ksl_product_rest(D->m23, w_1, co_3b, co_3c_right), co_3 = co_3c + w_3,
+      co_3_right = co_3 - co_3c,
+      co_3_lo2 = co_3c - (co_3 - co_3_right) + (w_3 - co_3_right)
+          + (w_3c - (w_3 - w_3_right) + ksl_product_rest(D->m02, c->m5, w_3d, w_3_right) + w_3c_lo);
+  const double co_4a = KSL_MUL(D->m23, w_0), co_4b = KSL_MUL(D->m03, w_2), co_4c = co_4a - co_4b,
+      co_4c_right = co_4a - co_4c,
+      co_4c_lo1 = ksl_product_rest(D->m23, w_0, co_4a, co_4c + co_4c_right)
+          - ksl_product_rest(D->m03, w_2, co_4b, co_4c_right), co_4 = co_4c + w_4,
+      co_4_right = co_4 - co_4c,
+      co_4_lo2 = co_4c - (co_4 - co_4_right) + (w_4 - co_4_right)
+          + (w_4c - (w_4 - w_4_right) + ksl_product_rest(D->m12, c->m5, w_4d, w_4_right) + w_4c_lo);
+  const double co_5a = KSL_MUL(D->m03, w_1), co_5b = KSL_MUL(D->m13, w_0), co_5c = co_5a - co_5b,
+      co_5c_right = co_5a - co_5c,
+      co_5c_lo1 = ksl_product_rest(D->m03, w_1, co_5a, co_5c + co_5c_right)
+          - ksl_product_rest(D->m13, w_0, co_5b, co_5c_right), co_5 = co_5c + w_5,
+      co_5_right = co_5 - co_5c,
+      co_5_lo2 = co_5c - (co_5 - co_5_right) + (w_5 - co_5_right)
+          + (w_5c - (w_5 - w_5_right) + ksl_product_rest(D->m22, c->m5, w_5d, w_5_right) + w_5c_lo);
+  const double w_0_rounded = w_0 + w_0_lo, w_1_rounded = w_1 + w_1_lo, w_2_rounded = w_2 + w_2_lo;
+  const double co_3_rounded = co_3
+          + (co_3_lo2 + (co_3c_lo1 + (KSL_MUL(D->m13, w_2_lo) - KSL_MUL(D->m23, w_1_lo)))),
+      co_4_rounded = co_4
+          + (co_4_lo2 + (co_4c_lo1 + (KSL_MUL(D->m23, w_0_lo) - KSL_MUL(D->m03, w_2_lo)))),
+      co_5_rounded = co_5
+          + (co_5_lo2 + (co_5c_lo1 + (KSL_MUL(D->m03, w_1_lo) - KSL_MUL(D->m13, w_0_lo))));
   co->m0 = w_0_rounded;
   co->m1 = w_1_rounded;
   co->m2 = w_2_rounded;
@@ -2108,80 +1615,60 @@ static inline void ksl_constraint_cty_accurate(const ksl_SE3_t *D, const ksl_cos
 static inline void ksl_constraint_ctz_accurate(const ksl_SE3_t *D, const ksl_coscrew_t *c,
     ksl_coscrew_t *co) {
   const double w_0a = KSL_MUL(D->m00, c->m0), w_0b = KSL_MUL(D->m01, c->m1), w_0 = w_0a + w_0b,
-      w_0_right = w_0 - w_0a, w_0_left = w_0 - w_0_right,
-      w_0_left_rest = ksl_product_rest(D->m00, c->m0, w_0a, w_0_left),
-      w_0_right_rest = ksl_product_rest(D->m01, c->m1, w_0b, w_0_right),
-      w_0_lo = w_0_left_rest + w_0_right_rest;
+      w_0_right = w_0 - w_0a,
+      w_0_lo = ksl_product_rest(D->m00, c->m0, w_0a, w_0 - w_0_right)
+          + ksl_product_rest(D->m01, c->m1, w_0b, w_0_right);
   const double w_1a = KSL_MUL(D->m10, c->m0), w_1b = KSL_MUL(D->m11, c->m1), w_1 = w_1a + w_1b,
-      w_1_right = w_1 - w_1a, w_1_left = w_1 - w_1_right,
-      w_1_left_rest = ksl_product_rest(D->m10, c->m0, w_1a, w_1_left),
-      w_1_right_rest = ksl_product_rest(D->m11, c->m1, w_1b, w_1_right),
-      w_1_lo = w_1_left_rest + w_1_right_rest;
+      w_1_right = w_1 - w_1a,
+      w_1_lo = ksl_product_rest(D->m10, c->m0, w_1a, w_1 - w_1_right)
+          + ksl_product_rest(D->m11, c->m1, w_1b, w_1_right);
   const double w_2a = KSL_MUL(D->m20, c->m0), w_2b = KSL_MUL(D->m21, c->m1), w_2 = w_2a + w_2b,
-      w_2_right = w_2 - w_2a, w_2_left = w_2 - w_2_right,
-      w_2_left_rest = ksl_product_rest(D->m20, c->m0, w_2a, w_2_left),
-      w_2_right_rest = ksl_product_rest(D->m21, c->m1, w_2b, w_2_right),
-      w_2_lo = w_2_left_rest + w_2_right_rest;
+      w_2_right = w_2 - w_2a,
+      w_2_lo = ksl_product_rest(D->m20, c->m0, w_2a, w_2 - w_2_right)
+          + ksl_product_rest(D->m21, c->m1, w_2b, w_2_right);
   const double w_3a = KSL_MUL(D->m00, c->m3), w_3b = KSL_MUL(D->m01, c->m4), w_3c = w_3a + w_3b,
-      w_3c_right = w_3c - w_3a, w_3c_left = w_3c - w_3c_right,
-      w_3c_left_rest = ksl_product_rest(D->m00, c->m3, w_3a, w_3c_left),
-      w_3c_right_rest = ksl_product_rest(D->m01, c->m4, w_3b, w_3c_right),
-      w_3c_lo = w_3c_left_rest + w_3c_right_rest, w_3d = KSL_MUL(D->m02, c->m5), w_3 = w_3c + w_3d,
-      w_3_right = w_3 - w_3c, w_3_left = w_3 - w_3_right, w_3_left_rest = w_3c - w_3_left,
-      w_3_right_rest = ksl_product_rest(D->m02, c->m5, w_3d, w_3_right),
-      w_3_lo1 = w_3_left_rest + w_3_right_rest, w_3_lo = w_3_lo1 + w_3c_lo;
+      w_3c_right = w_3c - w_3a, w_3d = KSL_MUL(D->m02, c->m5), w_3 = w_3c + w_3d,
+      w_3_right = w_3 - w_3c,
+      w_3c_lo = ksl_product_rest(D->m00, c->m3, w_3a, w_3c - w_3c_right)
+          + ksl_product_rest(D->m01, c->m4, w_3b, w_3c_right);
   const double w_4a = KSL_MUL(D->m10, c->m3), w_4b = KSL_MUL(D->m11, c->m4), w_4c = w_4a + w_4b,
-      w_4c_right = w_4c - w_4a, w_4c_left = w_4c - w_4c_right,
-      w_4c_left_rest = ksl_product_rest(D->m10, c->m3, w_4a, w_4c_left),
-      w_4c_right_rest = ksl_product_rest(D->m11, c->m4, w_4b, w_4c_right),
-      w_4c_lo = w_4c_left_rest + w_4c_right_rest, w_4d = KSL_MUL(D->m12, c->m5), w_4 = w_4c + w_4d,
-      w_4_right = w_4 - w_4c, w_4_left = w_4 - w_4_right, w_4_left_rest = w_4c - w_4_left,
-      w_4_right_rest = ksl_product_rest(D->m12, c->m5, w_4d, w_4_right),
-      w_4_lo1 = w_4_left_rest + w_4_right_rest, w_4_lo = w_4_lo1 + w_4c_lo;
+      w_4c_right = w_4c - w_4a, w_4d = KSL_MUL(D->m12, c->m5), w_4 = w_4c + w_4d,
+      w_4_right = w_4 - w_4c,
+      w_4c_lo = ksl_product_rest(D->m10, c->m3, w_4a, w_4c - w_4c_right)
+          + ksl_product_rest(D->m11, c->m4, w_4b, w_4c_right);
   const double w_5a = KSL_MUL(D->m20, c->m3), w_5b = KSL_MUL(D->m21, c->m4), w_5c = w_5a + w_5b,
-      w_5c_right = w_5c - w_5a, w_5c_left = w_5c - w_5c_right,
-      w_5c_left_rest = ksl_product_rest(D->m20, c->m3, w_5a, w_5c_left),
-      w_5c_right_rest = ksl_product_rest(D->m21, c->m4, w_5b, w_5c_right),
-      w_5c_lo = w_5c_left_rest + w_5c_right_rest, w_5d = KSL_MUL(D->m22, c->m5), w_5 = w_5c + w_5d,
-      w_5_right = w_5 - w_5c, w_5_left = w_5 - w_5_right, w_5_left_rest = w_5c - w_5_left,
-      w_5_right_rest = ksl_product_rest(D->m22, c->m5, w_5d, w_5_right),
-      w_5_lo1 = w_5_left_rest + w_5_right_rest, w_5_lo = w_5_lo1 + w_5c_lo;
-  const double co_3a = KSL_MUL(D->m13, w_2), co_3a_cross2 = KSL_MUL(D->m13, w_2_lo),
-      co_3b = KSL_MUL(D->m23, w_1), co_3b_cross2 = KSL_MUL(D->m23, w_1_lo), co_3c = co_3a - co_3b,
-      co_3c_right = co_3a - co_3c, co_3c_left = co_3c + co_3c_right,
-      co_3c_left_rest = ksl_product_rest(D->m13, w_2, co_3a, co_3c_left),
-      co_3c_right_rest = ksl_product_rest(D->m23, w_1, co_3b, co_3c_right),
-      co_3c_cross = co_3a_cross2 - co_3b_cross2, co_3c_lo1 = co_3c_left_rest - co_3c_right_rest,
-      co_3c_lo = co_3c_lo1 + co_3c_cross, co_3 = co_3c + w_3, co_3_right = co_3 - co_3c,
-      co_3_left = co_3 - co_3_right, co_3_left_rest = co_3c - co_3_left,
-      co_3_right_rest = w_3 - co_3_right, co_3_lo1 = co_3_left_rest + co_3_right_rest,
-      co_3_lo2 = co_3_lo1 + w_3_lo, co_3_lo = co_3_lo2 + co_3c_lo;
-  const double co_4a = KSL_MUL(D->m23, w_0), co_4a_cross2 = KSL_MUL(D->m23, w_0_lo),
-      co_4b = KSL_MUL(D->m03, w_2), co_4b_cross2 = KSL_MUL(D->m03, w_2_lo), co_4c = co_4a - co_4b,
-      co_4c_right = co_4a - co_4c, co_4c_left = co_4c + co_4c_right,
-      co_4c_left_rest = ksl_product_rest(D->m23, w_0, co_4a, co_4c_left),
-      co_4c_right_rest = ksl_product_rest(D->m03, w_2, co_4b, co_4c_right),
-      co_4c_cross = co_4a_cross2 - co_4b_cross2, co_4c_lo1 = co_4c_left_rest - co_4c_right_rest,
-      co_4c_lo = co_4c_lo1 + co_4c_cross, co_4 = co_4c + w_4, co_4_right = co_4 - co_4c,
-      co_4_left = co_4 - co_4_right, co_4_left_rest = co_4c - co_4_left,
-      co_4_right_rest = w_4 - co_4_right, co_4_lo1 = co_4_left_rest + co_4_right_rest,
-      co_4_lo2 = co_4_lo1 + w_4_lo, co_4_lo = co_4_lo2 + co_4c_lo;
-  const double co_5a = KSL_MUL(D->m03, w_1), co_5a_cross2 = KSL_MUL(D->m03, w_1_lo),
-      co_5b = KSL_MUL(D->m13, w_0), co_5b_cross2 = KSL_MUL(D->m13, w_0_lo), co_5c = co_5a - co_5b,
-      co_5c_right = co_5a - co_5c, co_5c_left = co_5c + co_5c_right,
-      co_5c_left_rest = ksl_product_rest(D->m03, w_1, co_5a, co_5c_left),
-      co_5c_right_rest = ksl_product_rest(D->m13, w_0, co_5b, co_5c_right),
-      co_5c_cross = co_5a_cross2 - co_5b_cross2, co_5c_lo1 = co_5c_left_rest - co_5c_right_rest,
-      co_5c_lo = co_5c_lo1 + co_5c_cross, co_5 = co_5c + w_5, co_5_right = co_5 - co_5c,
-      co_5_left = co_5 - co_5_right, co_5_left_rest = co_5c - co_5_left,
-      co_5_right_rest = w_5 - co_5_right, co_5_lo1 = co_5_left_rest + co_5_right_rest,
-      co_5_lo2 = co_5_lo1 + w_5_lo, co_5_lo = co_5_lo2 + co_5c_lo;
-  const double w_0_rounded = w_0 + w_0_lo;
-  const double w_1_rounded = w_1 + w_1_lo;
-  const double w_2_rounded = w_2 + w_2_lo;
-  const double co_3_rounded = co_3 + co_3_lo;
-  const double co_4_rounded = co_4 + co_4_lo;
-  const double co_5_rounded = co_5 + co_5_lo;
+      w_5c_right = w_5c - w_5a, w_5d = KSL_MUL(D->m22, c->m5), w_5 = w_5c + w_5d,
+      w_5_right = w_5 - w_5c,
+      w_5c_lo = ksl_product_rest(D->m20, c->m3, w_5a, w_5c - w_5c_right)
+          + ksl_product_rest(D->m21, c->m4, w_5b, w_5c_right);
+  const double co_3a = KSL_MUL(D->m13, w_2), co_3b = KSL_MUL(D->m23, w_1), co_3c = co_3a - co_3b,
+      co_3c_right = co_3a - co_3c,
+      co_3c_lo1 = ksl_product_rest(D->m13, w_2, co_3a, co_3c + co_3c_right)
+          - ksl_product_rest(D->m23, w_1, co_3b, co_3c_right), co_3 = co_3c + w_3,
+      co_3_right = co_3 - co_3c,
+      co_3_lo2 = co_3c - (co_3 - co_3_right) + (w_3 - co_3_right)
+          + (w_3c - (w_3 - w_3_right) + ksl_product_rest(D->m02, c->m5, w_3d, w_3_right) + w_3c_lo);
+  const double co_4a = KSL_MUL(D->m23, w_0), co_4b = KSL_MUL(D->m03, w_2), co_4c = co_4a - co_4b,
+      co_4c_right = co_4a - co_4c,
+      co_4c_lo1 = ksl_product_rest(D->m23, w_0, co_4a, co_4c + co_4c_right)
+          - ksl_product_rest(D->m03, w_2, co_4b, co_4c_right), co_4 = co_4c + w_4,
+      co_4_right = co_4 - co_4c,
+      co_4_lo2 = co_4c - (co_4 - co_4_right) + (w_4 - co_4_right)
+          + (w_4c - (w_4 - w_4_right) + ksl_product_rest(D->m12, c->m5, w_4d, w_4_right) + w_4c_lo);
+  const double co_5a = KSL_MUL(D->m03, w_1), co_5b = KSL_MUL(D->m13, w_0), co_5c = co_5a - co_5b,
+      co_5c_right = co_5a - co_5c,
+      co_5c_lo1 = ksl_product_rest(D->m03, w_1, co_5a, co_5c + co_5c_right)
+          - ksl_product_rest(D->m13, w_0, co_5b, co_5c_right), co_5 = co_5c + w_5,
+      co_5_right = co_5 - co_5c,
+      co_5_lo2 = co_5c - (co_5 - co_5_right) + (w_5 - co_5_right)
+          + (w_5c - (w_5 - w_5_right) + ksl_product_rest(D->m22, c->m5, w_5d, w_5_right) + w_5c_lo);
+  const double w_0_rounded = w_0 + w_0_lo, w_1_rounded = w_1 + w_1_lo, w_2_rounded = w_2 + w_2_lo;
+  const double co_3_rounded = co_3
+          + (co_3_lo2 + (co_3c_lo1 + (KSL_MUL(D->m13, w_2_lo) - KSL_MUL(D->m23, w_1_lo)))),
+      co_4_rounded = co_4
+          + (co_4_lo2 + (co_4c_lo1 + (KSL_MUL(D->m23, w_0_lo) - KSL_MUL(D->m03, w_2_lo)))),
+      co_5_rounded = co_5
+          + (co_5_lo2 + (co_5c_lo1 + (KSL_MUL(D->m03, w_1_lo) - KSL_MUL(D->m13, w_0_lo))));
   co->m0 = w_0_rounded;
   co->m1 = w_1_rounded;
   co->m2 = w_2_rounded;
@@ -2198,80 +1685,63 @@ static inline void ksl_constraint_ctz_accurate(const ksl_SE3_t *D, const ksl_cos
 static inline void ksl_constraint_crx_accurate(const ksl_SE3_t *D, const ksl_coscrew_t *c,
     ksl_coscrew_t *co) {
   const double w_0a = KSL_MUL(D->m00, c->m0), w_0b = KSL_MUL(D->m01, c->m1), w_0c = w_0a + w_0b,
-      w_0c_right = w_0c - w_0a, w_0c_left = w_0c - w_0c_right,
-      w_0c_left_rest = ksl_product_rest(D->m00, c->m0, w_0a, w_0c_left),
-      w_0c_right_rest = ksl_product_rest(D->m01, c->m1, w_0b, w_0c_right),
-      w_0c_lo = w_0c_left_rest + w_0c_right_rest, w_0d = KSL_MUL(D->m02, c->m2), w_0 = w_0c + w_0d,
-      w_0_right = w_0 - w_0c, w_0_left = w_0 - w_0_right, w_0_left_rest = w_0c - w_0_left,
-      w_0_right_rest = ksl_product_rest(D->m02, c->m2, w_0d, w_0_right),
-      w_0_lo1 = w_0_left_rest + w_0_right_rest, w_0_lo = w_0_lo1 + w_0c_lo;
+      w_0c_right = w_0c - w_0a, w_0d = KSL_MUL(D->m02, c->m2), w_0 = w_0c + w_0d,
+      w_0_right = w_0 - w_0c,
+      w_0c_lo = ksl_product_rest(D->m00, c->m0, w_0a, w_0c - w_0c_right)
+          + ksl_product_rest(D->m01, c->m1, w_0b, w_0c_right),
+      w_0_lo = w_0c - (w_0 - w_0_right) + ksl_product_rest(D->m02, c->m2, w_0d, w_0_right)
+          + w_0c_lo;
   const double w_1a = KSL_MUL(D->m10, c->m0), w_1b = KSL_MUL(D->m11, c->m1), w_1c = w_1a + w_1b,
-      w_1c_right = w_1c - w_1a, w_1c_left = w_1c - w_1c_right,
-      w_1c_left_rest = ksl_product_rest(D->m10, c->m0, w_1a, w_1c_left),
-      w_1c_right_rest = ksl_product_rest(D->m11, c->m1, w_1b, w_1c_right),
-      w_1c_lo = w_1c_left_rest + w_1c_right_rest, w_1d = KSL_MUL(D->m12, c->m2), w_1 = w_1c + w_1d,
-      w_1_right = w_1 - w_1c, w_1_left = w_1 - w_1_right, w_1_left_rest = w_1c - w_1_left,
-      w_1_right_rest = ksl_product_rest(D->m12, c->m2, w_1d, w_1_right),
-      w_1_lo1 = w_1_left_rest + w_1_right_rest, w_1_lo = w_1_lo1 + w_1c_lo;
+      w_1c_right = w_1c - w_1a, w_1d = KSL_MUL(D->m12, c->m2), w_1 = w_1c + w_1d,
+      w_1_right = w_1 - w_1c,
+      w_1c_lo = ksl_product_rest(D->m10, c->m0, w_1a, w_1c - w_1c_right)
+          + ksl_product_rest(D->m11, c->m1, w_1b, w_1c_right),
+      w_1_lo = w_1c - (w_1 - w_1_right) + ksl_product_rest(D->m12, c->m2, w_1d, w_1_right)
+          + w_1c_lo;
   const double w_2a = KSL_MUL(D->m20, c->m0), w_2b = KSL_MUL(D->m21, c->m1), w_2c = w_2a + w_2b,
-      w_2c_right = w_2c - w_2a, w_2c_left = w_2c - w_2c_right,
-      w_2c_left_rest = ksl_product_rest(D->m20, c->m0, w_2a, w_2c_left),
-      w_2c_right_rest = ksl_product_rest(D->m21, c->m1, w_2b, w_2c_right),
-      w_2c_lo = w_2c_left_rest + w_2c_right_rest, w_2d = KSL_MUL(D->m22, c->m2), w_2 = w_2c + w_2d,
-      w_2_right = w_2 - w_2c, w_2_left = w_2 - w_2_right, w_2_left_rest = w_2c - w_2_left,
-      w_2_right_rest = ksl_product_rest(D->m22, c->m2, w_2d, w_2_right),
-      w_2_lo1 = w_2_left_rest + w_2_right_rest, w_2_lo = w_2_lo1 + w_2c_lo;
+      w_2c_right = w_2c - w_2a, w_2d = KSL_MUL(D->m22, c->m2), w_2 = w_2c + w_2d,
+      w_2_right = w_2 - w_2c,
+      w_2c_lo = ksl_product_rest(D->m20, c->m0, w_2a, w_2c - w_2c_right)
+          + ksl_product_rest(D->m21, c->m1, w_2b, w_2c_right),
+      w_2_lo = w_2c - (w_2 - w_2_right) + ksl_product_rest(D->m22, c->m2, w_2d, w_2_right)
+          + w_2c_lo;
   const double w_3a = KSL_MUL(D->m01, c->m4), w_3b = KSL_MUL(D->m02, c->m5), w_3 = w_3a + w_3b,
-      w_3_right = w_3 - w_3a, w_3_left = w_3 - w_3_right,
-      w_3_left_rest = ksl_product_rest(D->m01, c->m4, w_3a, w_3_left),
-      w_3_right_rest = ksl_product_rest(D->m02, c->m5, w_3b, w_3_right),
-      w_3_lo = w_3_left_rest + w_3_right_rest;
+      w_3_right = w_3 - w_3a;
   const double w_4a = KSL_MUL(D->m11, c->m4), w_4b = KSL_MUL(D->m12, c->m5), w_4 = w_4a + w_4b,
-      w_4_right = w_4 - w_4a, w_4_left = w_4 - w_4_right,
-      w_4_left_rest = ksl_product_rest(D->m11, c->m4, w_4a, w_4_left),
-      w_4_right_rest = ksl_product_rest(D->m12, c->m5, w_4b, w_4_right),
-      w_4_lo = w_4_left_rest + w_4_right_rest;
+      w_4_right = w_4 - w_4a;
   const double w_5a = KSL_MUL(D->m21, c->m4), w_5b = KSL_MUL(D->m22, c->m5), w_5 = w_5a + w_5b,
-      w_5_right = w_5 - w_5a, w_5_left = w_5 - w_5_right,
-      w_5_left_rest = ksl_product_rest(D->m21, c->m4, w_5a, w_5_left),
-      w_5_right_rest = ksl_product_rest(D->m22, c->m5, w_5b, w_5_right),
-      w_5_lo = w_5_left_rest + w_5_right_rest;
-  const double co_3a = KSL_MUL(D->m13, w_2), co_3a_cross2 = KSL_MUL(D->m13, w_2_lo),
-      co_3b = KSL_MUL(D->m23, w_1), co_3b_cross2 = KSL_MUL(D->m23, w_1_lo), co_3c = co_3a - co_3b,
-      co_3c_right = co_3a - co_3c, co_3c_left = co_3c + co_3c_right,
-      co_3c_left_rest = ksl_product_rest(D->m13, w_2, co_3a, co_3c_left),
-      co_3c_right_rest = ksl_product_rest(D->m23, w_1, co_3b, co_3c_right),
-      co_3c_cross = co_3a_cross2 - co_3b_cross2, co_3c_lo1 = co_3c_left_rest - co_3c_right_rest,
-      co_3c_lo = co_3c_lo1 + co_3c_cross, co_3 = co_3c + w_3, co_3_right = co_3 - co_3c,
-      co_3_left = co_3 - co_3_right, co_3_left_rest = co_3c - co_3_left,
-      co_3_right_rest = w_3 - co_3_right, co_3_lo1 = co_3_left_rest + co_3_right_rest,
-      co_3_lo2 = co_3_lo1 + w_3_lo, co_3_lo = co_3_lo2 + co_3c_lo;
-  const double co_4a = KSL_MUL(D->m23, w_0), co_4a_cross2 = KSL_MUL(D->m23, w_0_lo),
-      co_4b = KSL_MUL(D->m03, w_2), co_4b_cross2 = KSL_MUL(D->m03, w_2_lo), co_4c = co_4a - co_4b,
-      co_4c_right = co_4a - co_4c, co_4c_left = co_4c + co_4c_right,
-      co_4c_left_rest = ksl_product_rest(D->m23, w_0, co_4a, co_4c_left),
-      co_4c_right_rest = ksl_product_rest(D->m03, w_2, co_4b, co_4c_right),
-      co_4c_cross = co_4a_cross2 - co_4b_cross2, co_4c_lo1 = co_4c_left_rest - co_4c_right_rest,
-      co_4c_lo = co_4c_lo1 + co_4c_cross, co_4 = co_4c + w_4, co_4_right = co_4 - co_4c,
-      co_4_left = co_4 - co_4_right, co_4_left_rest = co_4c - co_4_left,
-      co_4_right_rest = w_4 - co_4_right, co_4_lo1 = co_4_left_rest + co_4_right_rest,
-      co_4_lo2 = co_4_lo1 + w_4_lo, co_4_lo = co_4_lo2 + co_4c_lo;
-  const double co_5a = KSL_MUL(D->m03, w_1), co_5a_cross2 = KSL_MUL(D->m03, w_1_lo),
-      co_5b = KSL_MUL(D->m13, w_0), co_5b_cross2 = KSL_MUL(D->m13, w_0_lo), co_5c = co_5a - co_5b,
-      co_5c_right = co_5a - co_5c, co_5c_left = co_5c + co_5c_right,
-      co_5c_left_rest = ksl_product_rest(D->m03, w_1, co_5a, co_5c_left),
-      co_5c_right_rest = ksl_product_rest(D->m13, w_0, co_5b, co_5c_right),
-      co_5c_cross = co_5a_cross2 - co_5b_cross2, co_5c_lo1 = co_5c_left_rest - co_5c_right_rest,
-      co_5c_lo = co_5c_lo1 + co_5c_cross, co_5 = co_5c + w_5, co_5_right = co_5 - co_5c,
-      co_5_left = co_5 - co_5_right, co_5_left_rest = co_5c - co_5_left,
-      co_5_right_rest = w_5 - co_5_right, co_5_lo1 = co_5_left_rest + co_5_right_rest,
-      co_5_lo2 = co_5_lo1 + w_5_lo, co_5_lo = co_5_lo2 + co_5c_lo;
-  const double w_0_rounded = w_0 + w_0_lo;
-  const double w_1_rounded = w_1 + w_1_lo;
-  const double w_2_rounded = w_2 + w_2_lo;
-  const double co_3_rounded = co_3 + co_3_lo;
-  const double co_4_rounded = co_4 + co_4_lo;
-  const double co_5_rounded = co_5 + co_5_lo;
+      w_5_right = w_5 - w_5a;
+  const double co_3a = KSL_MUL(D->m13, w_2), co_3b = KSL_MUL(D->m23, w_1), co_3c = co_3a - co_3b,
+      co_3c_right = co_3a - co_3c,
+      co_3c_lo1 = ksl_product_rest(D->m13, w_2, co_3a, co_3c + co_3c_right)
+          - ksl_product_rest(D->m23, w_1, co_3b, co_3c_right), co_3 = co_3c + w_3,
+      co_3_right = co_3 - co_3c;
+  const double w_3_lo = ksl_product_rest(D->m01, c->m4, w_3a, w_3 - w_3_right)
+          + ksl_product_rest(D->m02, c->m5, w_3b, w_3_right);
+  const double co_4a = KSL_MUL(D->m23, w_0), co_4b = KSL_MUL(D->m03, w_2), co_4c = co_4a - co_4b,
+      co_4c_right = co_4a - co_4c,
+      co_4c_lo1 = ksl_product_rest(D->m23, w_0, co_4a, co_4c + co_4c_right)
+          - ksl_product_rest(D->m03, w_2, co_4b, co_4c_right), co_4 = co_4c + w_4,
+      co_4_right = co_4 - co_4c;
+  const double w_4_lo = ksl_product_rest(D->m11, c->m4, w_4a, w_4 - w_4_right)
+          + ksl_product_rest(D->m12, c->m5, w_4b, w_4_right);
+  const double co_5a = KSL_MUL(D->m03, w_1), co_5b = KSL_MUL(D->m13, w_0), co_5c = co_5a - co_5b,
+      co_5c_right = co_5a - co_5c,
+      co_5c_lo1 = ksl_product_rest(D->m03, w_1, co_5a, co_5c + co_5c_right)
+          - ksl_product_rest(D->m13, w_0, co_5b, co_5c_right), co_5 = co_5c + w_5,
+      co_5_right = co_5 - co_5c;
+  const double w_5_lo = ksl_product_rest(D->m21, c->m4, w_5a, w_5 - w_5_right)
+          + ksl_product_rest(D->m22, c->m5, w_5b, w_5_right);
+  const double w_0_rounded = w_0 + w_0_lo, w_1_rounded = w_1 + w_1_lo, w_2_rounded = w_2 + w_2_lo;
+  const double co_3_rounded = co_3
+          + (co_3c - (co_3 - co_3_right) + (w_3 - co_3_right) + w_3_lo
+          + (co_3c_lo1 + (KSL_MUL(D->m13, w_2_lo) - KSL_MUL(D->m23, w_1_lo)))),
+      co_4_rounded = co_4
+          + (co_4c - (co_4 - co_4_right) + (w_4 - co_4_right) + w_4_lo
+          + (co_4c_lo1 + (KSL_MUL(D->m23, w_0_lo) - KSL_MUL(D->m03, w_2_lo)))),
+      co_5_rounded = co_5
+          + (co_5c - (co_5 - co_5_right) + (w_5 - co_5_right) + w_5_lo
+          + (co_5c_lo1 + (KSL_MUL(D->m03, w_1_lo) - KSL_MUL(D->m13, w_0_lo))));
   co->m0 = w_0_rounded;
   co->m1 = w_1_rounded;
   co->m2 = w_2_rounded;
@@ -2288,80 +1758,63 @@ static inline void ksl_constraint_crx_accurate(const ksl_SE3_t *D, const ksl_cos
 static inline void ksl_constraint_cry_accurate(const ksl_SE3_t *D, const ksl_coscrew_t *c,
     ksl_coscrew_t *co) {
   const double w_0a = KSL_MUL(D->m00, c->m0), w_0b = KSL_MUL(D->m01, c->m1), w_0c = w_0a + w_0b,
-      w_0c_right = w_0c - w_0a, w_0c_left = w_0c - w_0c_right,
-      w_0c_left_rest = ksl_product_rest(D->m00, c->m0, w_0a, w_0c_left),
-      w_0c_right_rest = ksl_product_rest(D->m01, c->m1, w_0b, w_0c_right),
-      w_0c_lo = w_0c_left_rest + w_0c_right_rest, w_0d = KSL_MUL(D->m02, c->m2), w_0 = w_0c + w_0d,
-      w_0_right = w_0 - w_0c, w_0_left = w_0 - w_0_right, w_0_left_rest = w_0c - w_0_left,
-      w_0_right_rest = ksl_product_rest(D->m02, c->m2, w_0d, w_0_right),
-      w_0_lo1 = w_0_left_rest + w_0_right_rest, w_0_lo = w_0_lo1 + w_0c_lo;
+      w_0c_right = w_0c - w_0a, w_0d = KSL_MUL(D->m02, c->m2), w_0 = w_0c + w_0d,
+      w_0_right = w_0 - w_0c,
+      w_0c_lo = ksl_product_rest(D->m00, c->m0, w_0a, w_0c - w_0c_right)
+          + ksl_product_rest(D->m01, c->m1, w_0b, w_0c_right),
+      w_0_lo = w_0c - (w_0 - w_0_right) + ksl_product_rest(D->m02, c->m2, w_0d, w_0_right)
+          + w_0c_lo;
   const double w_1a = KSL_MUL(D->m10, c->m0), w_1b = KSL_MUL(D->m11, c->m1), w_1c = w_1a + w_1b,
-      w_1c_right = w_1c - w_1a, w_1c_left = w_1c - w_1c_right,
-      w_1c_left_rest = ksl_product_rest(D->m10, c->m0, w_1a, w_1c_left),
-      w_1c_right_rest = ksl_product_rest(D->m11, c->m1, w_1b, w_1c_right),
-      w_1c_lo = w_1c_left_rest + w_1c_right_rest, w_1d = KSL_MUL(D->m12, c->m2), w_1 = w_1c + w_1d,
-      w_1_right = w_1 - w_1c, w_1_left = w_1 - w_1_right, w_1_left_rest = w_1c - w_1_left,
-      w_1_right_rest = ksl_product_rest(D->m12, c->m2, w_1d, w_1_right),
-      w_1_lo1 = w_1_left_rest + w_1_right_rest, w_1_lo = w_1_lo1 + w_1c_lo;
+      w_1c_right = w_1c - w_1a, w_1d = KSL_MUL(D->m12, c->m2), w_1 = w_1c + w_1d,
+      w_1_right = w_1 - w_1c,
+      w_1c_lo = ksl_product_rest(D->m10, c->m0, w_1a, w_1c - w_1c_right)
+          + ksl_product_rest(D->m11, c->m1, w_1b, w_1c_right),
+      w_1_lo = w_1c - (w_1 - w_1_right) + ksl_product_rest(D->m12, c->m2, w_1d, w_1_right)
+          + w_1c_lo;
   const double w_2a = KSL_MUL(D->m20, c->m0), w_2b = KSL_MUL(D->m21, c->m1), w_2c = w_2a + w_2b,
-      w_2c_right = w_2c - w_2a, w_2c_left = w_2c - w_2c_right,
-      w_2c_left_rest = ksl_product_rest(D->m20, c->m0, w_2a, w_2c_left),
-      w_2c_right_rest = ksl_product_rest(D->m21, c->m1, w_2b, w_2c_right),
-      w_2c_lo = w_2c_left_rest + w_2c_right_rest, w_2d = KSL_MUL(D->m22, c->m2), w_2 = w_2c + w_2d,
-      w_2_right = w_2 - w_2c, w_2_left = w_2 - w_2_right, w_2_left_rest = w_2c - w_2_left,
-      w_2_right_rest = ksl_product_rest(D->m22, c->m2, w_2d, w_2_right),
-      w_2_lo1 = w_2_left_rest + w_2_right_rest, w_2_lo = w_2_lo1 + w_2c_lo;
+      w_2c_right = w_2c - w_2a, w_2d = KSL_MUL(D->m22, c->m2), w_2 = w_2c + w_2d,
+      w_2_right = w_2 - w_2c,
+      w_2c_lo = ksl_product_rest(D->m20, c->m0, w_2a, w_2c - w_2c_right)
+          + ksl_product_rest(D->m21, c->m1, w_2b, w_2c_right),
+      w_2_lo = w_2c - (w_2 - w_2_right) + ksl_product_rest(D->m22, c->m2, w_2d, w_2_right)
+          + w_2c_lo;
   const double w_3a = KSL_MUL(D->m00, c->m3), w_3b = KSL_MUL(D->m02, c->m5), w_3 = w_3a + w_3b,
-      w_3_right = w_3 - w_3a, w_3_left = w_3 - w_3_right,
-      w_3_left_rest = ksl_product_rest(D->m00, c->m3, w_3a, w_3_left),
-      w_3_right_rest = ksl_product_rest(D->m02, c->m5, w_3b, w_3_right),
-      w_3_lo = w_3_left_rest + w_3_right_rest;
+      w_3_right = w_3 - w_3a;
   const double w_4a = KSL_MUL(D->m10, c->m3), w_4b = KSL_MUL(D->m12, c->m5), w_4 = w_4a + w_4b,
-      w_4_right = w_4 - w_4a, w_4_left = w_4 - w_4_right,
-      w_4_left_rest = ksl_product_rest(D->m10, c->m3, w_4a, w_4_left),
-      w_4_right_rest = ksl_product_rest(D->m12, c->m5, w_4b, w_4_right),
-      w_4_lo = w_4_left_rest + w_4_right_rest;
+      w_4_right = w_4 - w_4a;
   const double w_5a = KSL_MUL(D->m20, c->m3), w_5b = KSL_MUL(D->m22, c->m5), w_5 = w_5a + w_5b,
-      w_5_right = w_5 - w_5a, w_5_left = w_5 - w_5_right,
-      w_5_left_rest = ksl_product_rest(D->m20, c->m3, w_5a, w_5_left),
-      w_5_right_rest = ksl_product_rest(D->m22, c->m5, w_5b, w_5_right),
-      w_5_lo = w_5_left_rest + w_5_right_rest;
-  const double co_3a = KSL_MUL(D->m13, w_2), co_3a_cross2 = KSL_MUL(D->m13, w_2_lo),
-      co_3b = KSL_MUL(D->m23, w_1), co_3b_cross2 = KSL_MUL(D->m23, w_1_lo), co_3c = co_3a - co_3b,
-      co_3c_right = co_3a - co_3c, co_3c_left = co_3c + co_3c_right,
-      co_3c_left_rest = ksl_product_rest(D->m13, w_2, co_3a, co_3c_left),
-      co_3c_right_rest = ksl_product_rest(D->m23, w_1, co_3b, co_3c_right),
-      co_3c_cross = co_3a_cross2 - co_3b_cross2, co_3c_lo1 = co_3c_left_rest - co_3c_right_rest,
-      co_3c_lo = co_3c_lo1 + co_3c_cross, co_3 = co_3c + w_3, co_3_right = co_3 - co_3c,
-      co_3_left = co_3 - co_3_right, co_3_left_rest = co_3c - co_3_left,
-      co_3_right_rest = w_3 - co_3_right, co_3_lo1 = co_3_left_rest + co_3_right_rest,
-      co_3_lo2 = co_3_lo1 + w_3_lo, co_3_lo = co_3_lo2 + co_3c_lo;
-  const double co_4a = KSL_MUL(D->m23, w_0), co_4a_cross2 = KSL_MUL(D->m23, w_0_lo),
-      co_4b = KSL_MUL(D->m03, w_2), co_4b_cross2 = KSL_MUL(D->m03, w_2_lo), co_4c = co_4a - co_4b,
-      co_4c_right = co_4a - co_4c, co_4c_left = co_4c + co_4c_right,
-      co_4c_left_rest = ksl_product_rest(D->m23, w_0, co_4a, co_4c_left),
-      co_4c_right_rest = ksl_product_rest(D->m03, w_2, co_4b, co_4c_right),
-      co_4c_cross = co_4a_cross2 - co_4b_cross2, co_4c_lo1 = co_4c_left_rest - co_4c_right_rest,
-      co_4c_lo = co_4c_lo1 + co_4c_cross, co_4 = co_4c + w_4, co_4_right = co_4 - co_4c,
-      co_4_left = co_4 - co_4_right, co_4_left_rest = co_4c - co_4_left,
-      co_4_right_rest = w_4 - co_4_right, co_4_lo1 = co_4_left_rest + co_4_right_rest,
-      co_4_lo2 = co_4_lo1 + w_4_lo, co_4_lo = co_4_lo2 + co_4c_lo;
-  const double co_5a = KSL_MUL(D->m03, w_1), co_5a_cross2 = KSL_MUL(D->m03, w_1_lo),
-      co_5b = KSL_MUL(D->m13, w_0), co_5b_cross2 = KSL_MUL(D->m13, w_0_lo), co_5c = co_5a - co_5b,
-      co_5c_right = co_5a - co_5c, co_5c_left = co_5c + co_5c_right,
-      co_5c_left_rest = ksl_product_rest(D->m03, w_1, co_5a, co_5c_left),
-      co_5c_right_rest = ksl_product_rest(D->m13, w_0, co_5b, co_5c_right),
-      co_5c_cross = co_5a_cross2 - co_5b_cross2, co_5c_lo1 = co_5c_left_rest - co_5c_right_rest,
-      co_5c_lo = co_5c_lo1 + co_5c_cross, co_5 = co_5c + w_5, co_5_right = co_5 - co_5c,
-      co_5_left = co_5 - co_5_right, co_5_left_rest = co_5c - co_5_left,
-      co_5_right_rest = w_5 - co_5_right, co_5_lo1 = co_5_left_rest + co_5_right_rest,
-      co_5_lo2 = co_5_lo1 + w_5_lo, co_5_lo = co_5_lo2 + co_5c_lo;
-  const double w_0_rounded = w_0 + w_0_lo;
-  const double w_1_rounded = w_1 + w_1_lo;
-  const double w_2_rounded = w_2 + w_2_lo;
-  const double co_3_rounded = co_3 + co_3_lo;
-  const double co_4_rounded = co_4 + co_4_lo;
-  const double co_5_rounded = co_5 + co_5_lo;
+      w_5_right = w_5 - w_5a;
+  const double co_3a = KSL_MUL(D->m13, w_2), co_3b = KSL_MUL(D->m23, w_1), co_3c = co_3a - co_3b,
+      co_3c_right = co_3a - co_3c,
+      co_3c_lo1 = ksl_product_rest(D->m13, w_2, co_3a, co_3c + co_3c_right)
+          - ksl_product_rest(D->m23, w_1, co_3b, co_3c_right), co_3 = co_3c + w_3,
+      co_3_right = co_3 - co_3c;
+  const double w_3_lo = ksl_product_rest(D->m00, c->m3, w_3a, w_3 - w_3_right)
+          + ksl_product_rest(D->m02, c->m5, w_3b, w_3_right);
+  const double co_4a = KSL_MUL(D->m23, w_0), co_4b = KSL_MUL(D->m03, w_2), co_4c = co_4a - co_4b,
+      co_4c_right = co_4a - co_4c,
+      co_4c_lo1 = ksl_product_rest(D->m23, w_0, co_4a, co_4c + co_4c_right)
+          - ksl_product_rest(D->m03, w_2, co_4b, co_4c_right), co_4 = co_4c + w_4,
+      co_4_right = co_4 - co_4c;
+  const double w_4_lo = ksl_product_rest(D->m10, c->m3, w_4a, w_4 - w_4_right)
+          + ksl_product_rest(D->m12, c->m5, w_4b, w_4_right);
+  const double co_5a = KSL_MUL(D->m03, w_1), co_5b = KSL_MUL(D->m13, w_0), co_5c = co_5a - co_5b,
+      co_5c_right = co_5a - co_5c,
+      co_5c_lo1 = ksl_product_rest(D->m03, w_1, co_5a, co_5c + co_5c_right)
+          - ksl_product_rest(D->m13, w_0, co_5b, co_5c_right), co_5 = co_5c + w_5,
+      co_5_right = co_5 - co_5c;
+  const double w_5_lo = ksl_product_rest(D->m20, c->m3, w_5a, w_5 - w_5_right)
+          + ksl_product_rest(D->m22, c->m5, w_5b, w_5_right);
+  const double w_0_rounded = w_0 + w_0_lo, w_1_rounded = w_1 + w_1_lo, w_2_rounded = w_2 + w_2_lo;
+  const double co_3_rounded = co_3
+          + (co_3c - (co_3 - co_3_right) + (w_3 - co_3_right) + w_3_lo
+          + (co_3c_lo1 + (KSL_MUL(D->m13, w_2_lo) - KSL_MUL(D->m23, w_1_lo)))),
+      co_4_rounded = co_4
+          + (co_4c - (co_4 - co_4_right) + (w_4 - co_4_right) + w_4_lo
+          + (co_4c_lo1 + (KSL_MUL(D->m23, w_0_lo) - KSL_MUL(D->m03, w_2_lo)))),
+      co_5_rounded = co_5
+          + (co_5c - (co_5 - co_5_right) + (w_5 - co_5_right) + w_5_lo
+          + (co_5c_lo1 + (KSL_MUL(D->m03, w_1_lo) - KSL_MUL(D->m13, w_0_lo))));
   co->m0 = w_0_rounded;
   co->m1 = w_1_rounded;
   co->m2 = w_2_rounded;
@@ -2378,80 +1831,63 @@ static inline void ksl_constraint_cry_accurate(const ksl_SE3_t *D, const ksl_cos
 static inline void ksl_constraint_crz_accurate(const ksl_SE3_t *D, const ksl_coscrew_t *c,
     ksl_coscrew_t *co) {
   const double w_0a = KSL_MUL(D->m00, c->m0), w_0b = KSL_MUL(D->m01, c->m1), w_0c = w_0a + w_0b,
-      w_0c_right = w_0c - w_0a, w_0c_left = w_0c - w_0c_right,
-      w_0c_left_rest = ksl_product_rest(D->m00, c->m0, w_0a, w_0c_left),
-      w_0c_right_rest = ksl_product_rest(D->m01, c->m1, w_0b, w_0c_right),
-      w_0c_lo = w_0c_left_rest + w_0c_right_rest, w_0d = KSL_MUL(D->m02, c->m2), w_0 = w_0c + w_0d,
-      w_0_right = w_0 - w_0c, w_0_left = w_0 - w_0_right, w_0_left_rest = w_0c - w_0_left,
-      w_0_right_rest = ksl_product_rest(D->m02, c->m2, w_0d, w_0_right),
-      w_0_lo1 = w_0_left_rest + w_0_right_rest, w_0_lo = w_0_lo1 + w_0c_lo;
+      w_0c_right = w_0c - w_0a, w_0d = KSL_MUL(D->m02, c->m2), w_0 = w_0c + w_0d,
+      w_0_right = w_0 - w_0c,
+      w_0c_lo = ksl_product_rest(D->m00, c->m0, w_0a, w_0c - w_0c_right)
+          + ksl_product_rest(D->m01, c->m1, w_0b, w_0c_right),
+      w_0_lo = w_0c - (w_0 - w_0_right) + ksl_product_rest(D->m02, c->m2, w_0d, w_0_right)
+          + w_0c_lo;
   const double w_1a = KSL_MUL(D->m10, c->m0), w_1b = KSL_MUL(D->m11, c->m1), w_1c = w_1a + w_1b,
-      w_1c_right = w_1c - w_1a, w_1c_left = w_1c - w_1c_right,
-      w_1c_left_rest = ksl_product_rest(D->m10, c->m0, w_1a, w_1c_left),
-      w_1c_right_rest = ksl_product_rest(D->m11, c->m1, w_1b, w_1c_right),
-      w_1c_lo = w_1c_left_rest + w_1c_right_rest, w_1d = KSL_MUL(D->m12, c->m2), w_1 = w_1c + w_1d,
-      w_1_right = w_1 - w_1c, w_1_left = w_1 - w_1_right, w_1_left_rest = w_1c - w_1_left,
-      w_1_right_rest = ksl_product_rest(D->m12, c->m2, w_1d, w_1_right),
-      w_1_lo1 = w_1_left_rest + w_1_right_rest, w_1_lo = w_1_lo1 + w_1c_lo;
+      w_1c_right = w_1c - w_1a, w_1d = KSL_MUL(D->m12, c->m2), w_1 = w_1c + w_1d,
+      w_1_right = w_1 - w_1c,
+      w_1c_lo = ksl_product_rest(D->m10, c->m0, w_1a, w_1c - w_1c_right)
+          + ksl_product_rest(D->m11, c->m1, w_1b, w_1c_right),
+      w_1_lo = w_1c - (w_1 - w_1_right) + ksl_product_rest(D->m12, c->m2, w_1d, w_1_right)
+          + w_1c_lo;
   const double w_2a = KSL_MUL(D->m20, c->m0), w_2b = KSL_MUL(D->m21, c->m1), w_2c = w_2a + w_2b,
-      w_2c_right = w_2c - w_2a, w_2c_left = w_2c - w_2c_right,
-      w_2c_left_rest = ksl_product_rest(D->m20, c->m0, w_2a, w_2c_left),
-      w_2c_right_rest = ksl_product_rest(D->m21, c->m1, w_2b, w_2c_right),
-      w_2c_lo = w_2c_left_rest + w_2c_right_rest, w_2d = KSL_MUL(D->m22, c->m2), w_2 = w_2c + w_2d,
-      w_2_right = w_2 - w_2c, w_2_left = w_2 - w_2_right, w_2_left_rest = w_2c - w_2_left,
-      w_2_right_rest = ksl_product_rest(D->m22, c->m2, w_2d, w_2_right),
-      w_2_lo1 = w_2_left_rest + w_2_right_rest, w_2_lo = w_2_lo1 + w_2c_lo;
+      w_2c_right = w_2c - w_2a, w_2d = KSL_MUL(D->m22, c->m2), w_2 = w_2c + w_2d,
+      w_2_right = w_2 - w_2c,
+      w_2c_lo = ksl_product_rest(D->m20, c->m0, w_2a, w_2c - w_2c_right)
+          + ksl_product_rest(D->m21, c->m1, w_2b, w_2c_right),
+      w_2_lo = w_2c - (w_2 - w_2_right) + ksl_product_rest(D->m22, c->m2, w_2d, w_2_right)
+          + w_2c_lo;
   const double w_3a = KSL_MUL(D->m00, c->m3), w_3b = KSL_MUL(D->m01, c->m4), w_3 = w_3a + w_3b,
-      w_3_right = w_3 - w_3a, w_3_left = w_3 - w_3_right,
-      w_3_left_rest = ksl_product_rest(D->m00, c->m3, w_3a, w_3_left),
-      w_3_right_rest = ksl_product_rest(D->m01, c->m4, w_3b, w_3_right),
-      w_3_lo = w_3_left_rest + w_3_right_rest;
+      w_3_right = w_3 - w_3a;
   const double w_4a = KSL_MUL(D->m10, c->m3), w_4b = KSL_MUL(D->m11, c->m4), w_4 = w_4a + w_4b,
-      w_4_right = w_4 - w_4a, w_4_left = w_4 - w_4_right,
-      w_4_left_rest = ksl_product_rest(D->m10, c->m3, w_4a, w_4_left),
-      w_4_right_rest = ksl_product_rest(D->m11, c->m4, w_4b, w_4_right),
-      w_4_lo = w_4_left_rest + w_4_right_rest;
+      w_4_right = w_4 - w_4a;
   const double w_5a = KSL_MUL(D->m20, c->m3), w_5b = KSL_MUL(D->m21, c->m4), w_5 = w_5a + w_5b,
-      w_5_right = w_5 - w_5a, w_5_left = w_5 - w_5_right,
-      w_5_left_rest = ksl_product_rest(D->m20, c->m3, w_5a, w_5_left),
-      w_5_right_rest = ksl_product_rest(D->m21, c->m4, w_5b, w_5_right),
-      w_5_lo = w_5_left_rest + w_5_right_rest;
-  const double co_3a = KSL_MUL(D->m13, w_2), co_3a_cross2 = KSL_MUL(D->m13, w_2_lo),
-      co_3b = KSL_MUL(D->m23, w_1), co_3b_cross2 = KSL_MUL(D->m23, w_1_lo), co_3c = co_3a - co_3b,
-      co_3c_right = co_3a - co_3c, co_3c_left = co_3c + co_3c_right,
-      co_3c_left_rest = ksl_product_rest(D->m13, w_2, co_3a, co_3c_left),
-      co_3c_right_rest = ksl_product_rest(D->m23, w_1, co_3b, co_3c_right),
-      co_3c_cross = co_3a_cross2 - co_3b_cross2, co_3c_lo1 = co_3c_left_rest - co_3c_right_rest,
-      co_3c_lo = co_3c_lo1 + co_3c_cross, co_3 = co_3c + w_3, co_3_right = co_3 - co_3c,
-      co_3_left = co_3 - co_3_right, co_3_left_rest = co_3c - co_3_left,
-      co_3_right_rest = w_3 - co_3_right, co_3_lo1 = co_3_left_rest + co_3_right_rest,
-      co_3_lo2 = co_3_lo1 + w_3_lo, co_3_lo = co_3_lo2 + co_3c_lo;
-  const double co_4a = KSL_MUL(D->m23, w_0), co_4a_cross2 = KSL_MUL(D->m23, w_0_lo),
-      co_4b = KSL_MUL(D->m03, w_2), co_4b_cross2 = KSL_MUL(D->m03, w_2_lo), co_4c = co_4a - co_4b,
-      co_4c_right = co_4a - co_4c, co_4c_left = co_4c + co_4c_right,
-      co_4c_left_rest = ksl_product_rest(D->m23, w_0, co_4a, co_4c_left),
-      co_4c_right_rest = ksl_product_rest(D->m03, w_2, co_4b, co_4c_right),
-      co_4c_cross = co_4a_cross2 - co_4b_cross2, co_4c_lo1 = co_4c_left_rest - co_4c_right_rest,
-      co_4c_lo = co_4c_lo1 + co_4c_cross, co_4 = co_4c + w_4, co_4_right = co_4 - co_4c,
-      co_4_left = co_4 - co_4_right, co_4_left_rest = co_4c - co_4_left,
-      co_4_right_rest = w_4 - co_4_right, co_4_lo1 = co_4_left_rest + co_4_right_rest,
-      co_4_lo2 = co_4_lo1 + w_4_lo, co_4_lo = co_4_lo2 + co_4c_lo;
-  const double co_5a = KSL_MUL(D->m03, w_1), co_5a_cross2 = KSL_MUL(D->m03, w_1_lo),
-      co_5b = KSL_MUL(D->m13, w_0), co_5b_cross2 = KSL_MUL(D->m13, w_0_lo), co_5c = co_5a - co_5b,
-      co_5c_right = co_5a - co_5c, co_5c_left = co_5c + co_5c_right,
-      co_5c_left_rest = ksl_product_rest(D->m03, w_1, co_5a, co_5c_left),
-      co_5c_right_rest = ksl_product_rest(D->m13, w_0, co_5b, co_5c_right),
-      co_5c_cross = co_5a_cross2 - co_5b_cross2, co_5c_lo1 = co_5c_left_rest - co_5c_right_rest,
-      co_5c_lo = co_5c_lo1 + co_5c_cross, co_5 = co_5c + w_5, co_5_right = co_5 - co_5c,
-      co_5_left = co_5 - co_5_right, co_5_left_rest = co_5c - co_5_left,
-      co_5_right_rest = w_5 - co_5_right, co_5_lo1 = co_5_left_rest + co_5_right_rest,
-      co_5_lo2 = co_5_lo1 + w_5_lo, co_5_lo = co_5_lo2 + co_5c_lo;
-  const double w_0_rounded = w_0 + w_0_lo;
-  const double w_1_rounded = w_1 + w_1_lo;
-  const double w_2_rounded = w_2 + w_2_lo;
-  const double co_3_rounded = co_3 + co_3_lo;
-  const double co_4_rounded = co_4 + co_4_lo;
-  const double co_5_rounded = co_5 + co_5_lo;
+      w_5_right = w_5 - w_5a;
+  const double co_3a = KSL_MUL(D->m13, w_2), co_3b = KSL_MUL(D->m23, w_1), co_3c = co_3a - co_3b,
+      co_3c_right = co_3a - co_3c,
+      co_3c_lo1 = ksl_product_rest(D->m13, w_2, co_3a, co_3c + co_3c_right)
+          - ksl_product_rest(D->m23, w_1, co_3b, co_3c_right), co_3 = co_3c + w_3,
+      co_3_right = co_3 - co_3c;
+  const double w_3_lo = ksl_product_rest(D->m00, c->m3, w_3a, w_3 - w_3_right)
+          + ksl_product_rest(D->m01, c->m4, w_3b, w_3_right);
+  const double co_4a = KSL_MUL(D->m23, w_0), co_4b = KSL_MUL(D->m03, w_2), co_4c = co_4a - co_4b,
+      co_4c_right = co_4a - co_4c,
+      co_4c_lo1 = ksl_product_rest(D->m23, w_0, co_4a, co_4c + co_4c_right)
+          - ksl_product_rest(D->m03, w_2, co_4b, co_4c_right), co_4 = co_4c + w_4,
+      co_4_right = co_4 - co_4c;
+  const double w_4_lo = ksl_product_rest(D->m10, c->m3, w_4a, w_4 - w_4_right)
+          + ksl_product_rest(D->m11, c->m4, w_4b, w_4_right);
+  const double co_5a = KSL_MUL(D->m03, w_1), co_5b = KSL_MUL(D->m13, w_0), co_5c = co_5a - co_5b,
+      co_5c_right = co_5a - co_5c,
+      co_5c_lo1 = ksl_product_rest(D->m03, w_1, co_5a, co_5c + co_5c_right)
+          - ksl_product_rest(D->m13, w_0, co_5b, co_5c_right), co_5 = co_5c + w_5,
+      co_5_right = co_5 - co_5c;
+  const double w_5_lo = ksl_product_rest(D->m20, c->m3, w_5a, w_5 - w_5_right)
+          + ksl_product_rest(D->m21, c->m4, w_5b, w_5_right);
+  const double w_0_rounded = w_0 + w_0_lo, w_1_rounded = w_1 + w_1_lo, w_2_rounded = w_2 + w_2_lo;
+  const double co_3_rounded = co_3
+          + (co_3c - (co_3 - co_3_right) + (w_3 - co_3_right) + w_3_lo
+          + (co_3c_lo1 + (KSL_MUL(D->m13, w_2_lo) - KSL_MUL(D->m23, w_1_lo)))),
+      co_4_rounded = co_4
+          + (co_4c - (co_4 - co_4_right) + (w_4 - co_4_right) + w_4_lo
+          + (co_4c_lo1 + (KSL_MUL(D->m23, w_0_lo) - KSL_MUL(D->m03, w_2_lo)))),
+      co_5_rounded = co_5
+          + (co_5c - (co_5 - co_5_right) + (w_5 - co_5_right) + w_5_lo
+          + (co_5c_lo1 + (KSL_MUL(D->m03, w_1_lo) - KSL_MUL(D->m13, w_0_lo))));
   co->m0 = w_0_rounded;
   co->m1 = w_1_rounded;
   co->m2 = w_2_rounded;
@@ -2467,38 +1903,26 @@ static inline void ksl_constraint_crz_accurate(const ksl_SE3_t *D, const ksl_cos
      formula; barring over- and underflow. */
 static inline void ksl_working_ctx_accurate(const ksl_SE3_t *D, const ksl_coscrew_t *c,
     ksl_coscrew_t *co) {
-  const double w_0 = KSL_MUL(D->m00, c->m0);
-  const double w_1 = KSL_MUL(D->m10, c->m0);
-  const double w_2 = KSL_MUL(D->m20, c->m0);
+  const double w_0 = KSL_MUL(D->m00, c->m0), w_1 = KSL_MUL(D->m10, c->m0),
+      w_2 = KSL_MUL(D->m20, c->m0);
   const double w_2_lo = ksl_product_error(D->m20, c->m0, w_2), co_3a = KSL_MUL(D->m13, w_2),
-      co_3a_cross2 = KSL_MUL(D->m13, w_2_lo), w_1_lo = ksl_product_error(D->m10, c->m0, w_1),
-      co_3b = KSL_MUL(D->m23, w_1), co_3b_cross2 = KSL_MUL(D->m23, w_1_lo), co_3 = co_3a - co_3b,
-      co_3_right = co_3a - co_3, co_3_left = co_3 + co_3_right,
-      co_3_left_rest = ksl_product_rest(D->m13, w_2, co_3a, co_3_left),
-      co_3_right_rest = ksl_product_rest(D->m23, w_1, co_3b, co_3_right),
-      co_3_cross = co_3a_cross2 - co_3b_cross2, co_3_lo1 = co_3_left_rest - co_3_right_rest,
-      co_3_lo = co_3_lo1 + co_3_cross;
+      w_1_lo = ksl_product_error(D->m10, c->m0, w_1), co_3b = KSL_MUL(D->m23, w_1),
+      co_3 = co_3a - co_3b, co_3_right = co_3a - co_3,
+      co_3_lo1 = ksl_product_rest(D->m13, w_2, co_3a, co_3 + co_3_right)
+          - ksl_product_rest(D->m23, w_1, co_3b, co_3_right);
   const double w_0_lo = ksl_product_error(D->m00, c->m0, w_0), co_4a = KSL_MUL(D->m23, w_0),
-      co_4a_cross2 = KSL_MUL(D->m23, w_0_lo), co_4b = KSL_MUL(D->m03, w_2),
-      co_4b_cross2 = KSL_MUL(D->m03, w_2_lo), co_4 = co_4a - co_4b, co_4_right = co_4a - co_4,
-      co_4_left = co_4 + co_4_right,
-      co_4_left_rest = ksl_product_rest(D->m23, w_0, co_4a, co_4_left),
-      co_4_right_rest = ksl_product_rest(D->m03, w_2, co_4b, co_4_right),
-      co_4_cross = co_4a_cross2 - co_4b_cross2, co_4_lo1 = co_4_left_rest - co_4_right_rest,
-      co_4_lo = co_4_lo1 + co_4_cross;
-  const double co_5a = KSL_MUL(D->m03, w_1), co_5a_cross2 = KSL_MUL(D->m03, w_1_lo),
-      co_5b = KSL_MUL(D->m13, w_0), co_5b_cross2 = KSL_MUL(D->m13, w_0_lo), co_5 = co_5a - co_5b,
-      co_5_right = co_5a - co_5, co_5_left = co_5 + co_5_right,
-      co_5_left_rest = ksl_product_rest(D->m03, w_1, co_5a, co_5_left),
-      co_5_right_rest = ksl_product_rest(D->m13, w_0, co_5b, co_5_right),
-      co_5_cross = co_5a_cross2 - co_5b_cross2, co_5_lo1 = co_5_left_rest - co_5_right_rest,
-      co_5_lo = co_5_lo1 + co_5_cross;
-  const double w_0_rounded = w_0 + w_0_lo;
-  const double w_1_rounded = w_1 + w_1_lo;
-  const double w_2_rounded = w_2 + w_2_lo;
-  const double co_3_rounded = co_3 + co_3_lo;
-  const double co_4_rounded = co_4 + co_4_lo;
-  const double co_5_rounded = co_5 + co_5_lo;
+      co_4b = KSL_MUL(D->m03, w_2), co_4 = co_4a - co_4b, co_4_right = co_4a - co_4,
+      co_4_lo1 = ksl_product_rest(D->m23, w_0, co_4a, co_4 + co_4_right)
+          - ksl_product_rest(D->m03, w_2, co_4b, co_4_right);
+  const double co_5a = KSL_MUL(D->m03, w_1), co_5b = KSL_MUL(D->m13, w_0), co_5 = co_5a - co_5b,
+      co_5_right = co_5a - co_5,
+      co_5_lo1 = ksl_product_rest(D->m03, w_1, co_5a, co_5 + co_5_right)
+          - ksl_product_rest(D->m13, w_0, co_5b, co_5_right);
+  const double w_0_rounded = w_0 + w_0_lo, w_1_rounded = w_1 + w_1_lo, w_2_rounded = w_2 + w_2_lo;
+  const double co_3_rounded = co_3
+          + (co_3_lo1 + (KSL_MUL(D->m13, w_2_lo) - KSL_MUL(D->m23, w_1_lo))),
+      co_4_rounded = co_4 + (co_4_lo1 + (KSL_MUL(D->m23, w_0_lo) - KSL_MUL(D->m03, w_2_lo))),
+      co_5_rounded = co_5 + (co_5_lo1 + (KSL_MUL(D->m03, w_1_lo) - KSL_MUL(D->m13, w_0_lo)));
   co->m0 = w_0_rounded;
   co->m1 = w_1_rounded;
   co->m2 = w_2_rounded;
@@ -2514,38 +1938,26 @@ static inline void ksl_working_ctx_accurate(const ksl_SE3_t *D, const ksl_coscre
      formula; barring over- and underflow. */
 static inline void ksl_working_cty_accurate(const ksl_SE3_t *D, const ksl_coscrew_t *c,
     ksl_coscrew_t *co) {
-  const double w_0 = KSL_MUL(D->m01, c->m1);
-  const double w_1 = KSL_MUL(D->m11, c->m1);
-  const double w_2 = KSL_MUL(D->m21, c->m1);
+  const double w_0 = KSL_MUL(D->m01, c->m1), w_1 = KSL_MUL(D->m11, c->m1),
+      w_2 = KSL_MUL(D->m21, c->m1);
   const double w_2_lo = ksl_product_error(D->m21, c->m1, w_2), co_3a = KSL_MUL(D->m13, w_2),
-      co_3a_cross2 = KSL_MUL(D->m13, w_2_lo), w_1_lo = ksl_product_error(D->m11, c->m1, w_1),
-      co_3b = KSL_MUL(D->m23, w_1), co_3b_cross2 = KSL_MUL(D->m23, w_1_lo), co_3 = co_3a - co_3b,
-      co_3_right = co_3a - co_3, co_3_left = co_3 + co_3_right,
-      co_3_left_rest = ksl_product_rest(D->m13, w_2, co_3a, co_3_left),
-      co_3_right_rest = ksl_product_rest(D->m23, w_1, co_3b, co_3_right),
-      co_3_cross = co_3a_cross2 - co_3b_cross2, co_3_lo1 = co_3_left_rest - co_3_right_rest,
-      co_3_lo = co_3_lo1 + co_3_cross;
+      w_1_lo = ksl_product_error(D->m11, c->m1, w_1), co_3b = KSL_MUL(D->m23, w_1),
+      co_3 = co_3a - co_3b, co_3_right = co_3a - co_3,
+      co_3_lo1 = ksl_product_rest(D->m13, w_2, co_3a, co_3 + co_3_right)
+          - ksl_product_rest(D->m23, w_1, co_3b, co_3_right);
   const double w_0_lo = ksl_product_error(D->m01, c->m1, w_0), co_4a = KSL_MUL(D->m23, w_0),
-      co_4a_cross2 = KSL_MUL(D->m23, w_0_lo), co_4b = KSL_MUL(D->m03, w_2),
-      co_4b_cross2 = KSL_MUL(D->m03, w_2_lo), co_4 = co_4a - co_4b, co_4_right = co_4a - co_4,
-      co_4_left = co_4 + co_4_right,
-      co_4_left_rest = ksl_product_rest(D->m23, w_0, co_4a, co_4_left),
-      co_4_right_rest = ksl_product_rest(D->m03, w_2, co_4b, co_4_right),
-      co_4_cross = co_4a_cross2 - co_4b_cross2, co_4_lo1 = co_4_left_rest - co_4_right_rest,
-      co_4_lo = co_4_lo1 + co_4_cross;
-  const double co_5a = KSL_MUL(D->m03, w_1), co_5a_cross2 = KSL_MUL(D->m03, w_1_lo),
-      co_5b = KSL_MUL(D->m13, w_0), co_5b_cross2 = KSL_MUL(D->m13, w_0_lo), co_5 = co_5a - co_5b,
-      co_5_right = co_5a - co_5, co_5_left = co_5 + co_5_right,
-      co_5_left_rest = ksl_product_rest(D->m03, w_1, co_5a, co_5_left),
-      co_5_right_rest = ksl_product_rest(D->m13, w_0, co_5b, co_5_right),
-      co_5_cross = co_5a_cross2 - co_5b_cross2, co_5_lo1 = co_5_left_rest - co_5_right_rest,
-      co_5_lo = co_5_lo1 + co_5_cross;
-  const double w_0_rounded = w_0 + w_0_lo;
-  const double w_1_rounded = w_1 + w_1_lo;
-  const double w_2_rounded = w_2 + w_2_lo;
-  const double co_3_rounded = co_3 + co_3_lo;
-  const double co_4_rounded = co_4 + co_4_lo;
-  const double co_5_rounded = co_5 + co_5_lo;
+      co_4b = KSL_MUL(D->m03, w_2), co_4 = co_4a - co_4b, co_4_right = co_4a - co_4,
+      co_4_lo1 = ksl_product_rest(D->m23, w_0, co_4a, co_4 + co_4_right)
+          - ksl_product_rest(D->m03, w_2, co_4b, co_4_right);
+  const double co_5a = KSL_MUL(D->m03, w_1), co_5b = KSL_MUL(D->m13, w_0), co_5 = co_5a - co_5b,
+      co_5_right = co_5a - co_5,
+      co_5_lo1 = ksl_product_rest(D->m03, w_1, co_5a, co_5 + co_5_right)
+          - ksl_product_rest(D->m13, w_0, co_5b, co_5_right);
+  const double w_0_rounded = w_0 + w_0_lo, w_1_rounded = w_1 + w_1_lo, w_2_rounded = w_2 + w_2_lo;
+  const double co_3_rounded = co_3
+          + (co_3_lo1 + (KSL_MUL(D->m13, w_2_lo) - KSL_MUL(D->m23, w_1_lo))),
+      co_4_rounded = co_4 + (co_4_lo1 + (KSL_MUL(D->m23, w_0_lo) - KSL_MUL(D->m03, w_2_lo))),
+      co_5_rounded = co_5 + (co_5_lo1 + (KSL_MUL(D->m03, w_1_lo) - KSL_MUL(D->m13, w_0_lo)));
   co->m0 = w_0_rounded;
   co->m1 = w_1_rounded;
   co->m2 = w_2_rounded;
@@ -2561,38 +1973,26 @@ static inline void ksl_working_cty_accurate(const ksl_SE3_t *D, const ksl_coscre
      formula; barring over- and underflow. */
 static inline void ksl_working_ctz_accurate(const ksl_SE3_t *D, const ksl_coscrew_t *c,
     ksl_coscrew_t *co) {
-  const double w_0 = KSL_MUL(D->m02, c->m2);
-  const double w_1 = KSL_MUL(D->m12, c->m2);
-  const double w_2 = KSL_MUL(D->m22, c->m2);
+  const double w_0 = KSL_MUL(D->m02, c->m2), w_1 = KSL_MUL(D->m12, c->m2),
+      w_2 = KSL_MUL(D->m22, c->m2);
   const double w_2_lo = ksl_product_error(D->m22, c->m2, w_2), co_3a = KSL_MUL(D->m13, w_2),
-      co_3a_cross2 = KSL_MUL(D->m13, w_2_lo), w_1_lo = ksl_product_error(D->m12, c->m2, w_1),
-      co_3b = KSL_MUL(D->m23, w_1), co_3b_cross2 = KSL_MUL(D->m23, w_1_lo), co_3 = co_3a - co_3b,
-      co_3_right = co_3a - co_3, co_3_left = co_3 + co_3_right,
-      co_3_left_rest = ksl_product_rest(D->m13, w_2, co_3a, co_3_left),
-      co_3_right_rest = ksl_product_rest(D->m23, w_1, co_3b, co_3_right),
-      co_3_cross = co_3a_cross2 - co_3b_cross2, co_3_lo1 = co_3_left_rest - co_3_right_rest,
-      co_3_lo = co_3_lo1 + co_3_cross;
+      w_1_lo = ksl_product_error(D->m12, c->m2, w_1), co_3b = KSL_MUL(D->m23, w_1),
+      co_3 = co_3a - co_3b, co_3_right = co_3a - co_3,
+      co_3_lo1 = ksl_product_rest(D->m13, w_2, co_3a, co_3 + co_3_right)
+          - ksl_product_rest(D->m23, w_1, co_3b, co_3_right);
   const double w_0_lo = ksl_product_error(D->m02, c->m2, w_0), co_4a = KSL_MUL(D->m23, w_0),
-      co_4a_cross2 = KSL_MUL(D->m23, w_0_lo), co_4b = KSL_MUL(D->m03, w_2),
-      co_4b_cross2 = KSL_MUL(D->m03, w_2_lo), co_4 = co_4a - co_4b, co_4_right = co_4a - co_4,
-      co_4_left = co_4 + co_4_right,
-      co_4_left_rest = ksl_product_rest(D->m23, w_0, co_4a, co_4_left),
-      co_4_right_rest = ksl_product_rest(D->m03, w_2, co_4b, co_4_right),
-      co_4_cross = co_4a_cross2 - co_4b_cross2, co_4_lo1 = co_4_left_rest - co_4_right_rest,
-      co_4_lo = co_4_lo1 + co_4_cross;
-  const double co_5a = KSL_MUL(D->m03, w_1), co_5a_cross2 = KSL_MUL(D->m03, w_1_lo),
-      co_5b = KSL_MUL(D->m13, w_0), co_5b_cross2 = KSL_MUL(D->m13, w_0_lo), co_5 = co_5a - co_5b,
-      co_5_right = co_5a - co_5, co_5_left = co_5 + co_5_right,
-      co_5_left_rest = ksl_product_rest(D->m03, w_1, co_5a, co_5_left),
-      co_5_right_rest = ksl_product_rest(D->m13, w_0, co_5b, co_5_right),
-      co_5_cross = co_5a_cross2 - co_5b_cross2, co_5_lo1 = co_5_left_rest - co_5_right_rest,
-      co_5_lo = co_5_lo1 + co_5_cross;
-  const double w_0_rounded = w_0 + w_0_lo;
-  const double w_1_rounded = w_1 + w_1_lo;
-  const double w_2_rounded = w_2 + w_2_lo;
-  const double co_3_rounded = co_3 + co_3_lo;
-  const double co_4_rounded = co_4 + co_4_lo;
-  const double co_5_rounded = co_5 + co_5_lo;
+      co_4b = KSL_MUL(D->m03, w_2), co_4 = co_4a - co_4b, co_4_right = co_4a - co_4,
+      co_4_lo1 = ksl_product_rest(D->m23, w_0, co_4a, co_4 + co_4_right)
+          - ksl_product_rest(D->m03, w_2, co_4b, co_4_right);
+  const double co_5a = KSL_MUL(D->m03, w_1), co_5b = KSL_MUL(D->m13, w_0), co_5 = co_5a - co_5b,
+      co_5_right = co_5a - co_5,
+      co_5_lo1 = ksl_product_rest(D->m03, w_1, co_5a, co_5 + co_5_right)
+          - ksl_product_rest(D->m13, w_0, co_5b, co_5_right);
+  const double w_0_rounded = w_0 + w_0_lo, w_1_rounded = w_1 + w_1_lo, w_2_rounded = w_2 + w_2_lo;
+  const double co_3_rounded = co_3
+          + (co_3_lo1 + (KSL_MUL(D->m13, w_2_lo) - KSL_MUL(D->m23, w_1_lo))),
+      co_4_rounded = co_4 + (co_4_lo1 + (KSL_MUL(D->m23, w_0_lo) - KSL_MUL(D->m03, w_2_lo))),
+      co_5_rounded = co_5 + (co_5_lo1 + (KSL_MUL(D->m03, w_1_lo) - KSL_MUL(D->m13, w_0_lo)));
   co->m0 = w_0_rounded;
   co->m1 = w_1_rounded;
   co->m2 = w_2_rounded;
@@ -2607,12 +2007,11 @@ static inline void ksl_working_ctz_accurate(const ksl_SE3_t *D, const ksl_coscre
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_working_crx_accurate(const ksl_SE3_t *D, const ksl_coscrew_t *c,
     ksl_coscrew_t *co) {
-  const double w_3 = KSL_MUL(D->m00, c->m3);
-  const double w_4 = KSL_MUL(D->m10, c->m3);
-  const double w_5 = KSL_MUL(D->m20, c->m3);
-  const double w_3_lo = ksl_product_error(D->m00, c->m3, w_3), w_3_rounded = w_3 + w_3_lo;
-  const double w_4_lo = ksl_product_error(D->m10, c->m3, w_4), w_4_rounded = w_4 + w_4_lo;
-  const double w_5_lo = ksl_product_error(D->m20, c->m3, w_5), w_5_rounded = w_5 + w_5_lo;
+  const double w_3 = KSL_MUL(D->m00, c->m3), w_4 = KSL_MUL(D->m10, c->m3),
+      w_5 = KSL_MUL(D->m20, c->m3);
+  const double w_3_rounded = w_3 + ksl_product_error(D->m00, c->m3, w_3),
+      w_4_rounded = w_4 + ksl_product_error(D->m10, c->m3, w_4),
+      w_5_rounded = w_5 + ksl_product_error(D->m20, c->m3, w_5);
   co->m0 = 0.0;
   co->m1 = 0.0;
   co->m2 = 0.0;
@@ -2627,12 +2026,11 @@ static inline void ksl_working_crx_accurate(const ksl_SE3_t *D, const ksl_coscre
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_working_cry_accurate(const ksl_SE3_t *D, const ksl_coscrew_t *c,
     ksl_coscrew_t *co) {
-  const double w_3 = KSL_MUL(D->m01, c->m4);
-  const double w_4 = KSL_MUL(D->m11, c->m4);
-  const double w_5 = KSL_MUL(D->m21, c->m4);
-  const double w_3_lo = ksl_product_error(D->m01, c->m4, w_3), w_3_rounded = w_3 + w_3_lo;
-  const double w_4_lo = ksl_product_error(D->m11, c->m4, w_4), w_4_rounded = w_4 + w_4_lo;
-  const double w_5_lo = ksl_product_error(D->m21, c->m4, w_5), w_5_rounded = w_5 + w_5_lo;
+  const double w_3 = KSL_MUL(D->m01, c->m4), w_4 = KSL_MUL(D->m11, c->m4),
+      w_5 = KSL_MUL(D->m21, c->m4);
+  const double w_3_rounded = w_3 + ksl_product_error(D->m01, c->m4, w_3),
+      w_4_rounded = w_4 + ksl_product_error(D->m11, c->m4, w_4),
+      w_5_rounded = w_5 + ksl_product_error(D->m21, c->m4, w_5);
   co->m0 = 0.0;
   co->m1 = 0.0;
   co->m2 = 0.0;
@@ -2647,12 +2045,11 @@ static inline void ksl_working_cry_accurate(const ksl_SE3_t *D, const ksl_coscre
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_working_crz_accurate(const ksl_SE3_t *D, const ksl_coscrew_t *c,
     ksl_coscrew_t *co) {
-  const double w_3 = KSL_MUL(D->m02, c->m5);
-  const double w_4 = KSL_MUL(D->m12, c->m5);
-  const double w_5 = KSL_MUL(D->m22, c->m5);
-  const double w_3_lo = ksl_product_error(D->m02, c->m5, w_3), w_3_rounded = w_3 + w_3_lo;
-  const double w_4_lo = ksl_product_error(D->m12, c->m5, w_4), w_4_rounded = w_4 + w_4_lo;
-  const double w_5_lo = ksl_product_error(D->m22, c->m5, w_5), w_5_rounded = w_5 + w_5_lo;
+  const double w_3 = KSL_MUL(D->m02, c->m5), w_4 = KSL_MUL(D->m12, c->m5),
+      w_5 = KSL_MUL(D->m22, c->m5);
+  const double w_3_rounded = w_3 + ksl_product_error(D->m02, c->m5, w_3),
+      w_4_rounded = w_4 + ksl_product_error(D->m12, c->m5, w_4),
+      w_5_rounded = w_5 + ksl_product_error(D->m22, c->m5, w_5);
   co->m0 = 0.0;
   co->m1 = 0.0;
   co->m2 = 0.0;
@@ -2667,12 +2064,9 @@ static inline void ksl_working_crz_accurate(const ksl_SE3_t *D, const ksl_coscre
    Error <= u |result| + 1/32 u^2 S, S the sum of the |terms| of the expanded formula; barring
      over- and underflow. */
 static inline void ksl_coscrewf_scale_accurate(ksl_coscrewf_t *self, const float a) {
-  const double self_0_new = (double)self->m0 * (double)a;
-  const double self_1_new = (double)self->m1 * (double)a;
-  const double self_2_new = (double)self->m2 * (double)a;
-  const double self_3_new = (double)self->m3 * (double)a;
-  const double self_4_new = (double)self->m4 * (double)a;
-  const double self_5_new = (double)self->m5 * (double)a;
+  const double self_0_new = (double)self->m0 * (double)a, self_1_new = (double)self->m1 * (double)a,
+      self_2_new = (double)self->m2 * (double)a, self_3_new = (double)self->m3 * (double)a,
+      self_4_new = (double)self->m4 * (double)a, self_5_new = (double)self->m5 * (double)a;
   self->m0 = (float)self_0_new;
   self->m1 = (float)self_1_new;
   self->m2 = (float)self_2_new;
@@ -2688,12 +2082,12 @@ static inline void ksl_coscrewf_scale_accurate(ksl_coscrewf_t *self, const float
      over- and underflow. */
 static inline void ksl_axpy_ccf_accurate(const float a, const ksl_coscrewf_t *x,
     ksl_coscrewf_t *y) {
-  const double y_0_new = ksl_product_sum((double)a, (double)x->m0, (double)y->m0);
-  const double y_1_new = ksl_product_sum((double)a, (double)x->m1, (double)y->m1);
-  const double y_2_new = ksl_product_sum((double)a, (double)x->m2, (double)y->m2);
-  const double y_3_new = ksl_product_sum((double)a, (double)x->m3, (double)y->m3);
-  const double y_4_new = ksl_product_sum((double)a, (double)x->m4, (double)y->m4);
-  const double y_5_new = ksl_product_sum((double)a, (double)x->m5, (double)y->m5);
+  const double y_0_new = ksl_product_sum((double)a, (double)x->m0, (double)y->m0),
+      y_1_new = ksl_product_sum((double)a, (double)x->m1, (double)y->m1),
+      y_2_new = ksl_product_sum((double)a, (double)x->m2, (double)y->m2),
+      y_3_new = ksl_product_sum((double)a, (double)x->m3, (double)y->m3),
+      y_4_new = ksl_product_sum((double)a, (double)x->m4, (double)y->m4),
+      y_5_new = ksl_product_sum((double)a, (double)x->m5, (double)y->m5);
   y->m0 = (float)y_0_new;
   y->m1 = (float)y_1_new;
   y->m2 = (float)y_2_new;
@@ -2708,12 +2102,9 @@ static inline void ksl_axpy_ccf_accurate(const float a, const ksl_coscrewf_t *x,
    Error <= u |result| + 1/32 u^2 S, S the sum of the |terms| of the expanded formula; barring
      over- and underflow. */
 static inline void ksl_xpy_ccf_accurate(const ksl_coscrewf_t *x, ksl_coscrewf_t *y) {
-  const double y_0_new = (double)x->m0 + (double)y->m0;
-  const double y_1_new = (double)x->m1 + (double)y->m1;
-  const double y_2_new = (double)x->m2 + (double)y->m2;
-  const double y_3_new = (double)x->m3 + (double)y->m3;
-  const double y_4_new = (double)x->m4 + (double)y->m4;
-  const double y_5_new = (double)x->m5 + (double)y->m5;
+  const double y_0_new = (double)x->m0 + (double)y->m0, y_1_new = (double)x->m1 + (double)y->m1,
+      y_2_new = (double)x->m2 + (double)y->m2, y_3_new = (double)x->m3 + (double)y->m3,
+      y_4_new = (double)x->m4 + (double)y->m4, y_5_new = (double)x->m5 + (double)y->m5;
   y->m0 = (float)y_0_new;
   y->m1 = (float)y_1_new;
   y->m2 = (float)y_2_new;
@@ -2728,12 +2119,9 @@ static inline void ksl_xpy_ccf_accurate(const ksl_coscrewf_t *x, ksl_coscrewf_t 
    Error <= u |result| + 1/32 u^2 S, S the sum of the |terms| of the expanded formula; barring
      over- and underflow. */
 static inline void ksl_nxpy_ccf_accurate(const ksl_coscrewf_t *x, ksl_coscrewf_t *y) {
-  const double y_0_new = (double)y->m0 - (double)x->m0;
-  const double y_1_new = (double)y->m1 - (double)x->m1;
-  const double y_2_new = (double)y->m2 - (double)x->m2;
-  const double y_3_new = (double)y->m3 - (double)x->m3;
-  const double y_4_new = (double)y->m4 - (double)x->m4;
-  const double y_5_new = (double)y->m5 - (double)x->m5;
+  const double y_0_new = (double)y->m0 - (double)x->m0, y_1_new = (double)y->m1 - (double)x->m1,
+      y_2_new = (double)y->m2 - (double)x->m2, y_3_new = (double)y->m3 - (double)x->m3,
+      y_4_new = (double)y->m4 - (double)x->m4, y_5_new = (double)y->m5 - (double)x->m5;
   y->m0 = (float)y_0_new;
   y->m1 = (float)y_1_new;
   y->m2 = (float)y_2_new;
@@ -2749,12 +2137,9 @@ static inline void ksl_nxpy_ccf_accurate(const ksl_coscrewf_t *x, ksl_coscrewf_t
      over- and underflow. */
 static inline void ksl_product_acf_accurate(const float a, const ksl_coscrewf_t *ci,
     ksl_coscrewf_t *co) {
-  const double co_0 = (double)a * (double)ci->m0;
-  const double co_1 = (double)a * (double)ci->m1;
-  const double co_2 = (double)a * (double)ci->m2;
-  const double co_3 = (double)a * (double)ci->m3;
-  const double co_4 = (double)a * (double)ci->m4;
-  const double co_5 = (double)a * (double)ci->m5;
+  const double co_0 = (double)a * (double)ci->m0, co_1 = (double)a * (double)ci->m1,
+      co_2 = (double)a * (double)ci->m2, co_3 = (double)a * (double)ci->m3,
+      co_4 = (double)a * (double)ci->m4, co_5 = (double)a * (double)ci->m5;
   co->m0 = (float)co_0;
   co->m1 = (float)co_1;
   co->m2 = (float)co_2;
@@ -2770,12 +2155,9 @@ static inline void ksl_product_acf_accurate(const float a, const ksl_coscrewf_t 
      over- and underflow. */
 static inline void ksl_add_ccf_accurate(const ksl_coscrewf_t *c1, const ksl_coscrewf_t *c2,
     ksl_coscrewf_t *co) {
-  const double co_0 = (double)c1->m0 + (double)c2->m0;
-  const double co_1 = (double)c1->m1 + (double)c2->m1;
-  const double co_2 = (double)c1->m2 + (double)c2->m2;
-  const double co_3 = (double)c1->m3 + (double)c2->m3;
-  const double co_4 = (double)c1->m4 + (double)c2->m4;
-  const double co_5 = (double)c1->m5 + (double)c2->m5;
+  const double co_0 = (double)c1->m0 + (double)c2->m0, co_1 = (double)c1->m1 + (double)c2->m1,
+      co_2 = (double)c1->m2 + (double)c2->m2, co_3 = (double)c1->m3 + (double)c2->m3,
+      co_4 = (double)c1->m4 + (double)c2->m4, co_5 = (double)c1->m5 + (double)c2->m5;
   co->m0 = (float)co_0;
   co->m1 = (float)co_1;
   co->m2 = (float)co_2;
@@ -2791,12 +2173,9 @@ static inline void ksl_add_ccf_accurate(const ksl_coscrewf_t *c1, const ksl_cosc
      over- and underflow. */
 static inline void ksl_subtract_ccf_accurate(const ksl_coscrewf_t *c1, const ksl_coscrewf_t *c2,
     ksl_coscrewf_t *co) {
-  const double co_0 = (double)c1->m0 - (double)c2->m0;
-  const double co_1 = (double)c1->m1 - (double)c2->m1;
-  const double co_2 = (double)c1->m2 - (double)c2->m2;
-  const double co_3 = (double)c1->m3 - (double)c2->m3;
-  const double co_4 = (double)c1->m4 - (double)c2->m4;
-  const double co_5 = (double)c1->m5 - (double)c2->m5;
+  const double co_0 = (double)c1->m0 - (double)c2->m0, co_1 = (double)c1->m1 - (double)c2->m1,
+      co_2 = (double)c1->m2 - (double)c2->m2, co_3 = (double)c1->m3 - (double)c2->m3,
+      co_4 = (double)c1->m4 - (double)c2->m4, co_5 = (double)c1->m5 - (double)c2->m5;
   co->m0 = (float)co_0;
   co->m1 = (float)co_1;
   co->m2 = (float)co_2;
@@ -2809,26 +2188,20 @@ static inline void ksl_subtract_ccf_accurate(const ksl_coscrewf_t *c1, const ksl
    ci: coscrew (f in N; τ in N m).
    7 mul, 2 add, 1 sqrt, 6 abs, 11 less, 1 equal, 14 select. */
 static inline float ksl_coscrewf_norm_accurate(const ksl_coscrewf_t *ci) {
-  const double small_a = fabs((double)ci->m2),
-      small_c = small_a < 9.999999974752427e-07 ? 1.0 : 0.0, small_d = fabs((double)ci->m1),
-      small_f = small_d < 9.999999974752427e-07 ? small_c : 0.0, small_g = fabs((double)ci->m0),
-      small = small_g < 9.999999974752427e-07 ? small_f : 0.0;
-  const double p_0 = small == 1.0 ? (double)ci->m3 : (double)ci->m0;
-  const double p_1 = small == 1.0 ? (double)ci->m4 : (double)ci->m1;
-  const double p_2 = small == 1.0 ? (double)ci->m5 : (double)ci->m2;
-  const double s_size_0 = fabs(p_0);
-  const double s_size_1 = fabs(p_1);
-  const double s_size_2 = fabs(p_2);
+  const double small_c = fabs((double)ci->m2) < 9.999999974752427e-07 ? 1.0 : 0.0,
+      small_f = fabs((double)ci->m1) < 9.999999974752427e-07 ? small_c : 0.0,
+      small = fabs((double)ci->m0) < 9.999999974752427e-07 ? small_f : 0.0;
+  const double p_0 = small == 1.0 ? (double)ci->m3 : (double)ci->m0,
+      p_1 = small == 1.0 ? (double)ci->m4 : (double)ci->m1,
+      p_2 = small == 1.0 ? (double)ci->m5 : (double)ci->m2;
+  const double s_size_0 = fabs(p_0), s_size_1 = fabs(p_1), s_size_2 = fabs(p_2);
   const double s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
   const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const double s_b = 4.611686018427388e+18 < s_largest2 ? 2.710505431213761e-20 : 1.0,
       s_d = s_largest2 < 256.0 ? 1.8014398509481984e+16 : s_b,
       s = s_largest2 < 1.4210854715202004e-14 ? 3.2451855365842673e+32 : s_d;
-  const double y_0 = KSL_MUL(p_0, s);
-  const double y_1 = KSL_MUL(p_1, s);
-  const double y_2 = KSL_MUL(p_2, s);
-  const double n_a = KSL_MUL(y_0, y_0), n_b = KSL_MUL(y_1, y_1), n_c = n_a + n_b,
-      n_d = KSL_MUL(y_2, y_2), n_e = n_c + n_d, n = sqrt(n_e);
+  const double y_0 = KSL_MUL(p_0, s), y_1 = KSL_MUL(p_1, s), y_2 = KSL_MUL(p_2, s);
+  const double n = sqrt(KSL_MUL(y_0, y_0) + KSL_MUL(y_1, y_1) + KSL_MUL(y_2, y_2));
   const double r_b = s < 1.0 ? 3.6893488147419103e+19 : 1.0,
       r_d = 1.0 < s ? 5.551115123125783e-17 : r_b,
       r = 1.8014398509481984e+16 < s ? 3.0814879110195774e-33 : r_d;
@@ -2844,58 +2217,38 @@ static inline void ksl_coscrewf_normalize_accurate(ksl_coscrewf_t *self) {
       small_c = small_a < 9.999999974752427e-07 ? 1.0 : 0.0, small_d = fabs((double)self->m1),
       small_f = small_d < 9.999999974752427e-07 ? small_c : 0.0, small_g = fabs((double)self->m0),
       small = small_g < 9.999999974752427e-07 ? small_f : 0.0;
-  const double p_0 = small == 1.0 ? (double)self->m3 : (double)self->m0;
-  const double p_1 = small == 1.0 ? (double)self->m4 : (double)self->m1;
-  const double p_2 = small == 1.0 ? (double)self->m5 : (double)self->m2;
-  const double s_size_0 = fabs(p_0);
-  const double s_size_1 = fabs(p_1);
-  const double s_size_2 = fabs(p_2);
+  const double p_0 = small == 1.0 ? (double)self->m3 : (double)self->m0,
+      p_1 = small == 1.0 ? (double)self->m4 : (double)self->m1,
+      p_2 = small == 1.0 ? (double)self->m5 : (double)self->m2;
+  const double s_size_0 = fabs(p_0), s_size_1 = fabs(p_1), s_size_2 = fabs(p_2);
   const double s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
   const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const double s_b = 4.611686018427388e+18 < s_largest2 ? 2.710505431213761e-20 : 1.0,
       s_d = s_largest2 < 256.0 ? 1.8014398509481984e+16 : s_b,
       s = s_largest2 < 1.4210854715202004e-14 ? 3.2451855365842673e+32 : s_d;
-  const double y_0 = KSL_MUL(p_0, s);
-  const double y_1 = KSL_MUL(p_1, s);
-  const double y_2 = KSL_MUL(p_2, s);
+  const double y_0 = KSL_MUL(p_0, s), y_1 = KSL_MUL(p_1, s), y_2 = KSL_MUL(p_2, s);
   const double up = 1.0 < s ? s : 1.0;
   const double down = s < 1.0 ? s : 1.0;
-  const double n_a = KSL_MUL(y_0, y_0), n_b = KSL_MUL(y_1, y_1), n_c = n_a + n_b,
-      n_d = KSL_MUL(y_2, y_2), n_e = n_c + n_d, n = sqrt(n_e);
+  const double n = sqrt(KSL_MUL(y_0, y_0) + KSL_MUL(y_1, y_1) + KSL_MUL(y_2, y_2));
   const double divisor = n == 0.0 ? up : n;
-  const double size_3 = fabs((double)self->m3);
-  const double size_4 = fabs((double)self->m4);
-  const double size_5 = fabs((double)self->m5);
-  const double before_0 = small_g < 256.0 ? up : down;
-  const double before_1 = small_d < 256.0 ? up : down;
-  const double before_2 = small_a < 256.0 ? up : down;
-  const double before_3 = size_3 < 256.0 ? up : down;
-  const double before_4 = size_4 < 256.0 ? up : down;
-  const double before_5 = size_5 < 256.0 ? up : down;
-  const double after_0 = small_g < 256.0 ? down : up;
-  const double after_1 = small_d < 256.0 ? down : up;
-  const double after_2 = small_a < 256.0 ? down : up;
-  const double after_3 = size_3 < 256.0 ? down : up;
-  const double after_4 = size_4 < 256.0 ? down : up;
-  const double after_5 = size_5 < 256.0 ? down : up;
-  const double sized_0 = KSL_MUL((double)self->m0, before_0);
-  const double sized_1 = KSL_MUL((double)self->m1, before_1);
-  const double sized_2 = KSL_MUL((double)self->m2, before_2);
-  const double sized_3 = KSL_MUL((double)self->m3, before_3);
-  const double sized_4 = KSL_MUL((double)self->m4, before_4);
-  const double sized_5 = KSL_MUL((double)self->m5, before_5);
-  const double quotient_0 = sized_0 / divisor;
-  const double quotient_1 = sized_1 / divisor;
-  const double quotient_2 = sized_2 / divisor;
-  const double quotient_3 = sized_3 / divisor;
-  const double quotient_4 = sized_4 / divisor;
-  const double quotient_5 = sized_5 / divisor;
-  const double self_0_new = KSL_MUL(quotient_0, after_0);
-  const double self_1_new = KSL_MUL(quotient_1, after_1);
-  const double self_2_new = KSL_MUL(quotient_2, after_2);
-  const double self_3_new = KSL_MUL(quotient_3, after_3);
-  const double self_4_new = KSL_MUL(quotient_4, after_4);
-  const double self_5_new = KSL_MUL(quotient_5, after_5);
+  const double size_3 = fabs((double)self->m3), size_4 = fabs((double)self->m4),
+      size_5 = fabs((double)self->m5);
+  const double before_0 = small_g < 256.0 ? up : down, before_1 = small_d < 256.0 ? up : down,
+      before_2 = small_a < 256.0 ? up : down, before_3 = size_3 < 256.0 ? up : down,
+      before_4 = size_4 < 256.0 ? up : down, before_5 = size_5 < 256.0 ? up : down;
+  const double after_0 = small_g < 256.0 ? down : up, after_1 = small_d < 256.0 ? down : up,
+      after_2 = small_a < 256.0 ? down : up, after_3 = size_3 < 256.0 ? down : up,
+      after_4 = size_4 < 256.0 ? down : up, after_5 = size_5 < 256.0 ? down : up;
+  const double sized_0 = KSL_MUL((double)self->m0, before_0),
+      sized_1 = KSL_MUL((double)self->m1, before_1), sized_2 = KSL_MUL((double)self->m2, before_2),
+      sized_3 = KSL_MUL((double)self->m3, before_3), sized_4 = KSL_MUL((double)self->m4, before_4),
+      sized_5 = KSL_MUL((double)self->m5, before_5);
+  const double quotient_0 = sized_0 / divisor, quotient_1 = sized_1 / divisor,
+      quotient_2 = sized_2 / divisor, quotient_3 = sized_3 / divisor,
+      quotient_4 = sized_4 / divisor, quotient_5 = sized_5 / divisor;
+  const double self_0_new = KSL_MUL(quotient_0, after_0), self_1_new = KSL_MUL(quotient_1, after_1),
+      self_2_new = KSL_MUL(quotient_2, after_2), self_3_new = KSL_MUL(quotient_3, after_3),
+      self_4_new = KSL_MUL(quotient_4, after_4), self_5_new = KSL_MUL(quotient_5, after_5);
   self->m0 = (float)self_0_new;
   self->m1 = (float)self_1_new;
   self->m2 = (float)self_2_new;
@@ -2912,58 +2265,38 @@ static inline void ksl_coscrewf_normalized_accurate(const ksl_coscrewf_t *ci, ks
       small_c = small_a < 9.999999974752427e-07 ? 1.0 : 0.0, small_d = fabs((double)ci->m1),
       small_f = small_d < 9.999999974752427e-07 ? small_c : 0.0, small_g = fabs((double)ci->m0),
       small = small_g < 9.999999974752427e-07 ? small_f : 0.0;
-  const double p_0 = small == 1.0 ? (double)ci->m3 : (double)ci->m0;
-  const double p_1 = small == 1.0 ? (double)ci->m4 : (double)ci->m1;
-  const double p_2 = small == 1.0 ? (double)ci->m5 : (double)ci->m2;
-  const double s_size_0 = fabs(p_0);
-  const double s_size_1 = fabs(p_1);
-  const double s_size_2 = fabs(p_2);
+  const double p_0 = small == 1.0 ? (double)ci->m3 : (double)ci->m0,
+      p_1 = small == 1.0 ? (double)ci->m4 : (double)ci->m1,
+      p_2 = small == 1.0 ? (double)ci->m5 : (double)ci->m2;
+  const double s_size_0 = fabs(p_0), s_size_1 = fabs(p_1), s_size_2 = fabs(p_2);
   const double s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
   const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const double s_b = 4.611686018427388e+18 < s_largest2 ? 2.710505431213761e-20 : 1.0,
       s_d = s_largest2 < 256.0 ? 1.8014398509481984e+16 : s_b,
       s = s_largest2 < 1.4210854715202004e-14 ? 3.2451855365842673e+32 : s_d;
-  const double y_0 = KSL_MUL(p_0, s);
-  const double y_1 = KSL_MUL(p_1, s);
-  const double y_2 = KSL_MUL(p_2, s);
+  const double y_0 = KSL_MUL(p_0, s), y_1 = KSL_MUL(p_1, s), y_2 = KSL_MUL(p_2, s);
   const double up = 1.0 < s ? s : 1.0;
   const double down = s < 1.0 ? s : 1.0;
-  const double n_a = KSL_MUL(y_0, y_0), n_b = KSL_MUL(y_1, y_1), n_c = n_a + n_b,
-      n_d = KSL_MUL(y_2, y_2), n_e = n_c + n_d, n = sqrt(n_e);
+  const double n = sqrt(KSL_MUL(y_0, y_0) + KSL_MUL(y_1, y_1) + KSL_MUL(y_2, y_2));
   const double divisor = n == 0.0 ? up : n;
-  const double size_3 = fabs((double)ci->m3);
-  const double size_4 = fabs((double)ci->m4);
-  const double size_5 = fabs((double)ci->m5);
-  const double before_0 = small_g < 256.0 ? up : down;
-  const double before_1 = small_d < 256.0 ? up : down;
-  const double before_2 = small_a < 256.0 ? up : down;
-  const double before_3 = size_3 < 256.0 ? up : down;
-  const double before_4 = size_4 < 256.0 ? up : down;
-  const double before_5 = size_5 < 256.0 ? up : down;
-  const double after_0 = small_g < 256.0 ? down : up;
-  const double after_1 = small_d < 256.0 ? down : up;
-  const double after_2 = small_a < 256.0 ? down : up;
-  const double after_3 = size_3 < 256.0 ? down : up;
-  const double after_4 = size_4 < 256.0 ? down : up;
-  const double after_5 = size_5 < 256.0 ? down : up;
-  const double sized_0 = KSL_MUL((double)ci->m0, before_0);
-  const double sized_1 = KSL_MUL((double)ci->m1, before_1);
-  const double sized_2 = KSL_MUL((double)ci->m2, before_2);
-  const double sized_3 = KSL_MUL((double)ci->m3, before_3);
-  const double sized_4 = KSL_MUL((double)ci->m4, before_4);
-  const double sized_5 = KSL_MUL((double)ci->m5, before_5);
-  const double quotient_0 = sized_0 / divisor;
-  const double quotient_1 = sized_1 / divisor;
-  const double quotient_2 = sized_2 / divisor;
-  const double quotient_3 = sized_3 / divisor;
-  const double quotient_4 = sized_4 / divisor;
-  const double quotient_5 = sized_5 / divisor;
-  const double co_0 = KSL_MUL(quotient_0, after_0);
-  const double co_1 = KSL_MUL(quotient_1, after_1);
-  const double co_2 = KSL_MUL(quotient_2, after_2);
-  const double co_3 = KSL_MUL(quotient_3, after_3);
-  const double co_4 = KSL_MUL(quotient_4, after_4);
-  const double co_5 = KSL_MUL(quotient_5, after_5);
+  const double size_3 = fabs((double)ci->m3), size_4 = fabs((double)ci->m4),
+      size_5 = fabs((double)ci->m5);
+  const double before_0 = small_g < 256.0 ? up : down, before_1 = small_d < 256.0 ? up : down,
+      before_2 = small_a < 256.0 ? up : down, before_3 = size_3 < 256.0 ? up : down,
+      before_4 = size_4 < 256.0 ? up : down, before_5 = size_5 < 256.0 ? up : down;
+  const double after_0 = small_g < 256.0 ? down : up, after_1 = small_d < 256.0 ? down : up,
+      after_2 = small_a < 256.0 ? down : up, after_3 = size_3 < 256.0 ? down : up,
+      after_4 = size_4 < 256.0 ? down : up, after_5 = size_5 < 256.0 ? down : up;
+  const double sized_0 = KSL_MUL((double)ci->m0, before_0),
+      sized_1 = KSL_MUL((double)ci->m1, before_1), sized_2 = KSL_MUL((double)ci->m2, before_2),
+      sized_3 = KSL_MUL((double)ci->m3, before_3), sized_4 = KSL_MUL((double)ci->m4, before_4),
+      sized_5 = KSL_MUL((double)ci->m5, before_5);
+  const double quotient_0 = sized_0 / divisor, quotient_1 = sized_1 / divisor,
+      quotient_2 = sized_2 / divisor, quotient_3 = sized_3 / divisor,
+      quotient_4 = sized_4 / divisor, quotient_5 = sized_5 / divisor;
+  const double co_0 = KSL_MUL(quotient_0, after_0), co_1 = KSL_MUL(quotient_1, after_1),
+      co_2 = KSL_MUL(quotient_2, after_2), co_3 = KSL_MUL(quotient_3, after_3),
+      co_4 = KSL_MUL(quotient_4, after_4), co_5 = KSL_MUL(quotient_5, after_5);
   co->m0 = (float)co_0;
   co->m1 = (float)co_1;
   co->m2 = (float)co_2;
@@ -2979,9 +2312,8 @@ static inline void ksl_coscrewf_normalized_accurate(const ksl_coscrewf_t *ci, ks
      formula; barring over- and underflow. */
 static inline void ksl_add_cctf_accurate(const ksl_coscrewf_t *c1, const ksl_coscrewf_t *c2,
     ksl_coscrewf_t *co) {
-  const double co_0 = (double)c1->m0 + (double)c2->m0;
-  const double co_1 = (double)c1->m1 + (double)c2->m1;
-  const double co_2 = (double)c1->m2 + (double)c2->m2;
+  const double co_0 = (double)c1->m0 + (double)c2->m0, co_1 = (double)c1->m1 + (double)c2->m1,
+      co_2 = (double)c1->m2 + (double)c2->m2;
   const float c1_m3 = c1->m3;
   const float c1_m4 = c1->m4;
   const float c1_m5 = c1->m5;
@@ -3000,12 +2332,12 @@ static inline void ksl_add_cctf_accurate(const ksl_coscrewf_t *c1, const ksl_cos
      formula; barring over- and underflow. */
 static inline void ksl_product_CoAdtcf_accurate(const ksl_vec3f_t *t, const ksl_coscrewf_t *ci,
     ksl_coscrewf_t *co) {
-  const double co_3a = (double)t->y * (double)ci->m2,
-      co_3c = ksl_product_sum(-(double)t->z, (double)ci->m1, co_3a), co_3 = co_3c + (double)ci->m3;
-  const double co_4a = (double)t->z * (double)ci->m0,
-      co_4c = ksl_product_sum(-(double)t->x, (double)ci->m2, co_4a), co_4 = co_4c + (double)ci->m4;
-  const double co_5a = (double)t->x * (double)ci->m1,
-      co_5c = ksl_product_sum(-(double)t->y, (double)ci->m0, co_5a), co_5 = co_5c + (double)ci->m5;
+  const double co_3 = ksl_product_sum(-(double)t->z, (double)ci->m1, (double)t->y * (double)ci->m2)
+          + (double)ci->m3,
+      co_4 = ksl_product_sum(-(double)t->x, (double)ci->m2, (double)t->z * (double)ci->m0)
+          + (double)ci->m4,
+      co_5 = ksl_product_sum(-(double)t->y, (double)ci->m0, (double)t->x * (double)ci->m1)
+          + (double)ci->m5;
   const float ci_m0 = ci->m0;
   const float ci_m1 = ci->m1;
   const float ci_m2 = ci->m2;
@@ -3024,12 +2356,12 @@ static inline void ksl_product_CoAdtcf_accurate(const ksl_vec3f_t *t, const ksl_
      formula; barring over- and underflow. */
 static inline void ksl_product_CoAdtinvcf_accurate(const ksl_vec3f_t *t, const ksl_coscrewf_t *ci,
     ksl_coscrewf_t *co) {
-  const double co_3a = (double)t->z * (double)ci->m1,
-      co_3c = ksl_product_sum(-(double)t->y, (double)ci->m2, co_3a), co_3 = co_3c + (double)ci->m3;
-  const double co_4a = (double)t->x * (double)ci->m2,
-      co_4c = ksl_product_sum(-(double)t->z, (double)ci->m0, co_4a), co_4 = co_4c + (double)ci->m4;
-  const double co_5a = (double)t->y * (double)ci->m0,
-      co_5c = ksl_product_sum(-(double)t->x, (double)ci->m1, co_5a), co_5 = co_5c + (double)ci->m5;
+  const double co_3 = ksl_product_sum(-(double)t->y, (double)ci->m2, (double)t->z * (double)ci->m1)
+          + (double)ci->m3,
+      co_4 = ksl_product_sum(-(double)t->z, (double)ci->m0, (double)t->x * (double)ci->m2)
+          + (double)ci->m4,
+      co_5 = ksl_product_sum(-(double)t->x, (double)ci->m1, (double)t->y * (double)ci->m0)
+          + (double)ci->m5;
   const float ci_m0 = ci->m0;
   const float ci_m1 = ci->m1;
   const float ci_m2 = ci->m2;
@@ -3048,15 +2380,13 @@ static inline void ksl_product_CoAdtinvcf_accurate(const ksl_vec3f_t *t, const k
      formula; barring over- and underflow. */
 static inline void ksl_product_CoAdtcinvf_accurate(const ksl_vec3f_t *t, const ksl_coscrewf_t *ci,
     ksl_coscrewf_t *co) {
-  const double co_0 = -(double)ci->m0;
-  const double co_1 = -(double)ci->m1;
-  const double co_2 = -(double)ci->m2;
-  const double co_3a = (double)t->z * (double)ci->m1,
-      co_3c = ksl_product_sum(-(double)t->y, (double)ci->m2, co_3a), co_3 = co_3c - (double)ci->m3;
-  const double co_4a = (double)t->x * (double)ci->m2,
-      co_4c = ksl_product_sum(-(double)t->z, (double)ci->m0, co_4a), co_4 = co_4c - (double)ci->m4;
-  const double co_5a = (double)t->y * (double)ci->m0,
-      co_5c = ksl_product_sum(-(double)t->x, (double)ci->m1, co_5a), co_5 = co_5c - (double)ci->m5;
+  const double co_0 = -(double)ci->m0, co_1 = -(double)ci->m1, co_2 = -(double)ci->m2,
+      co_3 = ksl_product_sum(-(double)t->y, (double)ci->m2, (double)t->z * (double)ci->m1)
+          - (double)ci->m3,
+      co_4 = ksl_product_sum(-(double)t->z, (double)ci->m0, (double)t->x * (double)ci->m2)
+          - (double)ci->m4,
+      co_5 = ksl_product_sum(-(double)t->x, (double)ci->m1, (double)t->y * (double)ci->m0)
+          - (double)ci->m5;
   co->m0 = (float)co_0;
   co->m1 = (float)co_1;
   co->m2 = (float)co_2;
@@ -3072,24 +2402,18 @@ static inline void ksl_product_CoAdtcinvf_accurate(const ksl_vec3f_t *t, const k
      over- and underflow. */
 static inline void ksl_product_CoAdrcf_accurate(const ksl_mat3x3f_t *R, const ksl_coscrewf_t *ci,
     ksl_coscrewf_t *co) {
-  const double co_0a = (double)R->m00 * (double)ci->m0,
-      co_0c = ksl_product_sum((double)R->m01, (double)ci->m1, co_0a),
-      co_0 = ksl_product_sum((double)R->m02, (double)ci->m2, co_0c);
-  const double co_1a = (double)R->m10 * (double)ci->m0,
-      co_1c = ksl_product_sum((double)R->m11, (double)ci->m1, co_1a),
-      co_1 = ksl_product_sum((double)R->m12, (double)ci->m2, co_1c);
-  const double co_2a = (double)R->m20 * (double)ci->m0,
-      co_2c = ksl_product_sum((double)R->m21, (double)ci->m1, co_2a),
-      co_2 = ksl_product_sum((double)R->m22, (double)ci->m2, co_2c);
-  const double co_3a = (double)R->m00 * (double)ci->m3,
-      co_3c = ksl_product_sum((double)R->m01, (double)ci->m4, co_3a),
-      co_3 = ksl_product_sum((double)R->m02, (double)ci->m5, co_3c);
-  const double co_4a = (double)R->m10 * (double)ci->m3,
-      co_4c = ksl_product_sum((double)R->m11, (double)ci->m4, co_4a),
-      co_4 = ksl_product_sum((double)R->m12, (double)ci->m5, co_4c);
-  const double co_5a = (double)R->m20 * (double)ci->m3,
-      co_5c = ksl_product_sum((double)R->m21, (double)ci->m4, co_5a),
-      co_5 = ksl_product_sum((double)R->m22, (double)ci->m5, co_5c);
+  const double co_0 = ksl_product_sum((double)R->m02, (double)ci->m2,
+      ksl_product_sum((double)R->m01, (double)ci->m1, (double)R->m00 * (double)ci->m0)),
+      co_1 = ksl_product_sum((double)R->m12, (double)ci->m2, ksl_product_sum((double)R->m11,
+          (double)ci->m1, (double)R->m10 * (double)ci->m0)),
+      co_2 = ksl_product_sum((double)R->m22, (double)ci->m2, ksl_product_sum((double)R->m21,
+          (double)ci->m1, (double)R->m20 * (double)ci->m0)),
+      co_3 = ksl_product_sum((double)R->m02, (double)ci->m5, ksl_product_sum((double)R->m01,
+          (double)ci->m4, (double)R->m00 * (double)ci->m3)),
+      co_4 = ksl_product_sum((double)R->m12, (double)ci->m5, ksl_product_sum((double)R->m11,
+          (double)ci->m4, (double)R->m10 * (double)ci->m3)),
+      co_5 = ksl_product_sum((double)R->m22, (double)ci->m5, ksl_product_sum((double)R->m21,
+          (double)ci->m4, (double)R->m20 * (double)ci->m3));
   co->m0 = (float)co_0;
   co->m1 = (float)co_1;
   co->m2 = (float)co_2;
@@ -3105,24 +2429,18 @@ static inline void ksl_product_CoAdrcf_accurate(const ksl_mat3x3f_t *R, const ks
      over- and underflow. */
 static inline void ksl_product_CoAdrinvcf_accurate(const ksl_mat3x3f_t *R,
     const ksl_coscrewf_t *ci, ksl_coscrewf_t *co) {
-  const double co_0a = (double)R->m00 * (double)ci->m0,
-      co_0c = ksl_product_sum((double)R->m10, (double)ci->m1, co_0a),
-      co_0 = ksl_product_sum((double)R->m20, (double)ci->m2, co_0c);
-  const double co_1a = (double)R->m01 * (double)ci->m0,
-      co_1c = ksl_product_sum((double)R->m11, (double)ci->m1, co_1a),
-      co_1 = ksl_product_sum((double)R->m21, (double)ci->m2, co_1c);
-  const double co_2a = (double)R->m02 * (double)ci->m0,
-      co_2c = ksl_product_sum((double)R->m12, (double)ci->m1, co_2a),
-      co_2 = ksl_product_sum((double)R->m22, (double)ci->m2, co_2c);
-  const double co_3a = (double)R->m00 * (double)ci->m3,
-      co_3c = ksl_product_sum((double)R->m10, (double)ci->m4, co_3a),
-      co_3 = ksl_product_sum((double)R->m20, (double)ci->m5, co_3c);
-  const double co_4a = (double)R->m01 * (double)ci->m3,
-      co_4c = ksl_product_sum((double)R->m11, (double)ci->m4, co_4a),
-      co_4 = ksl_product_sum((double)R->m21, (double)ci->m5, co_4c);
-  const double co_5a = (double)R->m02 * (double)ci->m3,
-      co_5c = ksl_product_sum((double)R->m12, (double)ci->m4, co_5a),
-      co_5 = ksl_product_sum((double)R->m22, (double)ci->m5, co_5c);
+  const double co_0 = ksl_product_sum((double)R->m20, (double)ci->m2,
+      ksl_product_sum((double)R->m10, (double)ci->m1, (double)R->m00 * (double)ci->m0)),
+      co_1 = ksl_product_sum((double)R->m21, (double)ci->m2, ksl_product_sum((double)R->m11,
+          (double)ci->m1, (double)R->m01 * (double)ci->m0)),
+      co_2 = ksl_product_sum((double)R->m22, (double)ci->m2, ksl_product_sum((double)R->m12,
+          (double)ci->m1, (double)R->m02 * (double)ci->m0)),
+      co_3 = ksl_product_sum((double)R->m20, (double)ci->m5, ksl_product_sum((double)R->m10,
+          (double)ci->m4, (double)R->m00 * (double)ci->m3)),
+      co_4 = ksl_product_sum((double)R->m21, (double)ci->m5, ksl_product_sum((double)R->m11,
+          (double)ci->m4, (double)R->m01 * (double)ci->m3)),
+      co_5 = ksl_product_sum((double)R->m22, (double)ci->m5, ksl_product_sum((double)R->m12,
+          (double)ci->m4, (double)R->m02 * (double)ci->m3));
   co->m0 = (float)co_0;
   co->m1 = (float)co_1;
   co->m2 = (float)co_2;
@@ -3138,24 +2456,18 @@ static inline void ksl_product_CoAdrinvcf_accurate(const ksl_mat3x3f_t *R,
      over- and underflow. */
 static inline void ksl_product_CoAdrcinvf_accurate(const ksl_mat3x3f_t *R,
     const ksl_coscrewf_t *ci, ksl_coscrewf_t *co) {
-  const double co_0a = (double)R->m00 * (double)ci->m0, co_0c_lead = -co_0a,
-      co_0c = ksl_product_sum(-(double)R->m01, (double)ci->m1, co_0c_lead),
-      co_0 = ksl_product_sum(-(double)R->m02, (double)ci->m2, co_0c);
-  const double co_1a = (double)R->m10 * (double)ci->m0, co_1c_lead = -co_1a,
-      co_1c = ksl_product_sum(-(double)R->m11, (double)ci->m1, co_1c_lead),
-      co_1 = ksl_product_sum(-(double)R->m12, (double)ci->m2, co_1c);
-  const double co_2a = (double)R->m20 * (double)ci->m0, co_2c_lead = -co_2a,
-      co_2c = ksl_product_sum(-(double)R->m21, (double)ci->m1, co_2c_lead),
-      co_2 = ksl_product_sum(-(double)R->m22, (double)ci->m2, co_2c);
-  const double co_3a = (double)R->m00 * (double)ci->m3, co_3c_lead = -co_3a,
-      co_3c = ksl_product_sum(-(double)R->m01, (double)ci->m4, co_3c_lead),
-      co_3 = ksl_product_sum(-(double)R->m02, (double)ci->m5, co_3c);
-  const double co_4a = (double)R->m10 * (double)ci->m3, co_4c_lead = -co_4a,
-      co_4c = ksl_product_sum(-(double)R->m11, (double)ci->m4, co_4c_lead),
-      co_4 = ksl_product_sum(-(double)R->m12, (double)ci->m5, co_4c);
-  const double co_5a = (double)R->m20 * (double)ci->m3, co_5c_lead = -co_5a,
-      co_5c = ksl_product_sum(-(double)R->m21, (double)ci->m4, co_5c_lead),
-      co_5 = ksl_product_sum(-(double)R->m22, (double)ci->m5, co_5c);
+  const double co_0 = ksl_product_sum(-(double)R->m02, (double)ci->m2,
+      ksl_product_sum(-(double)R->m01, (double)ci->m1, -((double)R->m00 * (double)ci->m0))),
+      co_1 = ksl_product_sum(-(double)R->m12, (double)ci->m2, ksl_product_sum(-(double)R->m11,
+          (double)ci->m1, -((double)R->m10 * (double)ci->m0))),
+      co_2 = ksl_product_sum(-(double)R->m22, (double)ci->m2, ksl_product_sum(-(double)R->m21,
+          (double)ci->m1, -((double)R->m20 * (double)ci->m0))),
+      co_3 = ksl_product_sum(-(double)R->m02, (double)ci->m5, ksl_product_sum(-(double)R->m01,
+          (double)ci->m4, -((double)R->m00 * (double)ci->m3))),
+      co_4 = ksl_product_sum(-(double)R->m12, (double)ci->m5, ksl_product_sum(-(double)R->m11,
+          (double)ci->m4, -((double)R->m10 * (double)ci->m3))),
+      co_5 = ksl_product_sum(-(double)R->m22, (double)ci->m5, ksl_product_sum(-(double)R->m21,
+          (double)ci->m4, -((double)R->m20 * (double)ci->m3)));
   co->m0 = (float)co_0;
   co->m1 = (float)co_1;
   co->m2 = (float)co_2;
@@ -3171,30 +2483,21 @@ static inline void ksl_product_CoAdrcinvf_accurate(const ksl_mat3x3f_t *R,
      formula; barring over- and underflow. */
 static inline void ksl_product_CoAdcf_accurate(const ksl_SE3f_t *D, const ksl_coscrewf_t *ci,
     ksl_coscrewf_t *co) {
-  const double w_0a = (double)D->m00 * (double)ci->m0,
-      w_0c = ksl_product_sum((double)D->m01, (double)ci->m1, w_0a),
-      w_0 = ksl_product_sum((double)D->m02, (double)ci->m2, w_0c);
-  const double w_1a = (double)D->m10 * (double)ci->m0,
-      w_1c = ksl_product_sum((double)D->m11, (double)ci->m1, w_1a),
-      w_1 = ksl_product_sum((double)D->m12, (double)ci->m2, w_1c);
-  const double w_2a = (double)D->m20 * (double)ci->m0,
-      w_2c = ksl_product_sum((double)D->m21, (double)ci->m1, w_2a),
-      w_2 = ksl_product_sum((double)D->m22, (double)ci->m2, w_2c);
-  const double w_3a = (double)D->m00 * (double)ci->m3,
-      w_3c = ksl_product_sum((double)D->m01, (double)ci->m4, w_3a),
-      w_3 = ksl_product_sum((double)D->m02, (double)ci->m5, w_3c);
-  const double w_4a = (double)D->m10 * (double)ci->m3,
-      w_4c = ksl_product_sum((double)D->m11, (double)ci->m4, w_4a),
-      w_4 = ksl_product_sum((double)D->m12, (double)ci->m5, w_4c);
-  const double w_5a = (double)D->m20 * (double)ci->m3,
-      w_5c = ksl_product_sum((double)D->m21, (double)ci->m4, w_5a),
-      w_5 = ksl_product_sum((double)D->m22, (double)ci->m5, w_5c);
-  const double co_3a = KSL_MUL((double)D->m13, w_2), co_3b = KSL_MUL((double)D->m23, w_1),
-      co_3c = co_3a - co_3b, co_3 = co_3c + w_3;
-  const double co_4a = KSL_MUL((double)D->m23, w_0), co_4b = KSL_MUL((double)D->m03, w_2),
-      co_4c = co_4a - co_4b, co_4 = co_4c + w_4;
-  const double co_5a = KSL_MUL((double)D->m03, w_1), co_5b = KSL_MUL((double)D->m13, w_0),
-      co_5c = co_5a - co_5b, co_5 = co_5c + w_5;
+  const double w_0 = ksl_product_sum((double)D->m02, (double)ci->m2, ksl_product_sum((double)D->m01,
+      (double)ci->m1, (double)D->m00 * (double)ci->m0)),
+      w_1 = ksl_product_sum((double)D->m12, (double)ci->m2, ksl_product_sum((double)D->m11,
+          (double)ci->m1, (double)D->m10 * (double)ci->m0)),
+      w_2 = ksl_product_sum((double)D->m22, (double)ci->m2, ksl_product_sum((double)D->m21,
+          (double)ci->m1, (double)D->m20 * (double)ci->m0)),
+      w_3 = ksl_product_sum((double)D->m02, (double)ci->m5, ksl_product_sum((double)D->m01,
+          (double)ci->m4, (double)D->m00 * (double)ci->m3)),
+      w_4 = ksl_product_sum((double)D->m12, (double)ci->m5, ksl_product_sum((double)D->m11,
+          (double)ci->m4, (double)D->m10 * (double)ci->m3)),
+      w_5 = ksl_product_sum((double)D->m22, (double)ci->m5, ksl_product_sum((double)D->m21,
+          (double)ci->m4, (double)D->m20 * (double)ci->m3));
+  const double co_3 = KSL_MUL((double)D->m13, w_2) - KSL_MUL((double)D->m23, w_1) + w_3,
+      co_4 = KSL_MUL((double)D->m23, w_0) - KSL_MUL((double)D->m03, w_2) + w_4,
+      co_5 = KSL_MUL((double)D->m03, w_1) - KSL_MUL((double)D->m13, w_0) + w_5;
   co->m0 = (float)w_0;
   co->m1 = (float)w_1;
   co->m2 = (float)w_2;
@@ -3210,27 +2513,24 @@ static inline void ksl_product_CoAdcf_accurate(const ksl_SE3f_t *D, const ksl_co
      formula; barring over- and underflow. */
 static inline void ksl_product_CoAdinvcf_accurate(const ksl_SE3f_t *D, const ksl_coscrewf_t *ci,
     ksl_coscrewf_t *co) {
-  const double w_3a = (double)D->m23 * (double)ci->m1,
-      w_3c = ksl_product_sum(-(double)D->m13, (double)ci->m2, w_3a), w_3 = w_3c + (double)ci->m3;
-  const double w_4a = (double)D->m03 * (double)ci->m2,
-      w_4c = ksl_product_sum(-(double)D->m23, (double)ci->m0, w_4a), w_4 = w_4c + (double)ci->m4;
-  const double w_5a = (double)D->m13 * (double)ci->m0,
-      w_5c = ksl_product_sum(-(double)D->m03, (double)ci->m1, w_5a), w_5 = w_5c + (double)ci->m5;
-  const double co_0a = (double)D->m00 * (double)ci->m0,
-      co_0c = ksl_product_sum((double)D->m10, (double)ci->m1, co_0a),
-      co_0 = ksl_product_sum((double)D->m20, (double)ci->m2, co_0c);
-  const double co_1a = (double)D->m01 * (double)ci->m0,
-      co_1c = ksl_product_sum((double)D->m11, (double)ci->m1, co_1a),
-      co_1 = ksl_product_sum((double)D->m21, (double)ci->m2, co_1c);
-  const double co_2a = (double)D->m02 * (double)ci->m0,
-      co_2c = ksl_product_sum((double)D->m12, (double)ci->m1, co_2a),
-      co_2 = ksl_product_sum((double)D->m22, (double)ci->m2, co_2c);
-  const double co_3a = KSL_MUL((double)D->m00, w_3), co_3b = KSL_MUL((double)D->m10, w_4),
-      co_3c = co_3a + co_3b, co_3d = KSL_MUL((double)D->m20, w_5), co_3 = co_3c + co_3d;
-  const double co_4a = KSL_MUL((double)D->m01, w_3), co_4b = KSL_MUL((double)D->m11, w_4),
-      co_4c = co_4a + co_4b, co_4d = KSL_MUL((double)D->m21, w_5), co_4 = co_4c + co_4d;
-  const double co_5a = KSL_MUL((double)D->m02, w_3), co_5b = KSL_MUL((double)D->m12, w_4),
-      co_5c = co_5a + co_5b, co_5d = KSL_MUL((double)D->m22, w_5), co_5 = co_5c + co_5d;
+  const double w_3 = ksl_product_sum(-(double)D->m13, (double)ci->m2, (double)D->m23
+          * (double)ci->m1) + (double)ci->m3,
+      w_4 = ksl_product_sum(-(double)D->m23, (double)ci->m0, (double)D->m03 * (double)ci->m2)
+          + (double)ci->m4,
+      w_5 = ksl_product_sum(-(double)D->m03, (double)ci->m1, (double)D->m13 * (double)ci->m0)
+          + (double)ci->m5;
+  const double co_0 = ksl_product_sum((double)D->m20, (double)ci->m2,
+      ksl_product_sum((double)D->m10, (double)ci->m1, (double)D->m00 * (double)ci->m0)),
+      co_1 = ksl_product_sum((double)D->m21, (double)ci->m2, ksl_product_sum((double)D->m11,
+          (double)ci->m1, (double)D->m01 * (double)ci->m0)),
+      co_2 = ksl_product_sum((double)D->m22, (double)ci->m2, ksl_product_sum((double)D->m12,
+          (double)ci->m1, (double)D->m02 * (double)ci->m0)),
+      co_3 = KSL_MUL((double)D->m00, w_3) + KSL_MUL((double)D->m10, w_4)
+          + KSL_MUL((double)D->m20, w_5),
+      co_4 = KSL_MUL((double)D->m01, w_3) + KSL_MUL((double)D->m11, w_4)
+          + KSL_MUL((double)D->m21, w_5),
+      co_5 = KSL_MUL((double)D->m02, w_3) + KSL_MUL((double)D->m12, w_4)
+          + KSL_MUL((double)D->m22, w_5);
   co->m0 = (float)co_0;
   co->m1 = (float)co_1;
   co->m2 = (float)co_2;
@@ -3246,30 +2546,21 @@ static inline void ksl_product_CoAdinvcf_accurate(const ksl_SE3f_t *D, const ksl
      formula; barring over- and underflow. */
 static inline void ksl_product_CoAdcinvf_accurate(const ksl_SE3f_t *D, const ksl_coscrewf_t *ci,
     ksl_coscrewf_t *co) {
-  const double w_0a = (double)D->m00 * (double)ci->m0, w_0c_lead = -w_0a,
-      w_0c = ksl_product_sum(-(double)D->m01, (double)ci->m1, w_0c_lead),
-      w_0 = ksl_product_sum(-(double)D->m02, (double)ci->m2, w_0c);
-  const double w_1a = (double)D->m10 * (double)ci->m0, w_1c_lead = -w_1a,
-      w_1c = ksl_product_sum(-(double)D->m11, (double)ci->m1, w_1c_lead),
-      w_1 = ksl_product_sum(-(double)D->m12, (double)ci->m2, w_1c);
-  const double w_2a = (double)D->m20 * (double)ci->m0, w_2c_lead = -w_2a,
-      w_2c = ksl_product_sum(-(double)D->m21, (double)ci->m1, w_2c_lead),
-      w_2 = ksl_product_sum(-(double)D->m22, (double)ci->m2, w_2c);
-  const double w_3a = (double)D->m00 * (double)ci->m3, w_3c_lead = -w_3a,
-      w_3c = ksl_product_sum(-(double)D->m01, (double)ci->m4, w_3c_lead),
-      w_3 = ksl_product_sum(-(double)D->m02, (double)ci->m5, w_3c);
-  const double w_4a = (double)D->m10 * (double)ci->m3, w_4c_lead = -w_4a,
-      w_4c = ksl_product_sum(-(double)D->m11, (double)ci->m4, w_4c_lead),
-      w_4 = ksl_product_sum(-(double)D->m12, (double)ci->m5, w_4c);
-  const double w_5a = (double)D->m20 * (double)ci->m3, w_5c_lead = -w_5a,
-      w_5c = ksl_product_sum(-(double)D->m21, (double)ci->m4, w_5c_lead),
-      w_5 = ksl_product_sum(-(double)D->m22, (double)ci->m5, w_5c);
-  const double co_3a = KSL_MUL((double)D->m13, w_2), co_3b = KSL_MUL((double)D->m23, w_1),
-      co_3c = co_3a - co_3b, co_3 = co_3c + w_3;
-  const double co_4a = KSL_MUL((double)D->m23, w_0), co_4b = KSL_MUL((double)D->m03, w_2),
-      co_4c = co_4a - co_4b, co_4 = co_4c + w_4;
-  const double co_5a = KSL_MUL((double)D->m03, w_1), co_5b = KSL_MUL((double)D->m13, w_0),
-      co_5c = co_5a - co_5b, co_5 = co_5c + w_5;
+  const double w_0 = ksl_product_sum(-(double)D->m02, (double)ci->m2,
+      ksl_product_sum(-(double)D->m01, (double)ci->m1, -((double)D->m00 * (double)ci->m0))),
+      w_1 = ksl_product_sum(-(double)D->m12, (double)ci->m2, ksl_product_sum(-(double)D->m11,
+          (double)ci->m1, -((double)D->m10 * (double)ci->m0))),
+      w_2 = ksl_product_sum(-(double)D->m22, (double)ci->m2, ksl_product_sum(-(double)D->m21,
+          (double)ci->m1, -((double)D->m20 * (double)ci->m0))),
+      w_3 = ksl_product_sum(-(double)D->m02, (double)ci->m5, ksl_product_sum(-(double)D->m01,
+          (double)ci->m4, -((double)D->m00 * (double)ci->m3))),
+      w_4 = ksl_product_sum(-(double)D->m12, (double)ci->m5, ksl_product_sum(-(double)D->m11,
+          (double)ci->m4, -((double)D->m10 * (double)ci->m3))),
+      w_5 = ksl_product_sum(-(double)D->m22, (double)ci->m5, ksl_product_sum(-(double)D->m21,
+          (double)ci->m4, -((double)D->m20 * (double)ci->m3)));
+  const double co_3 = KSL_MUL((double)D->m13, w_2) - KSL_MUL((double)D->m23, w_1) + w_3,
+      co_4 = KSL_MUL((double)D->m23, w_0) - KSL_MUL((double)D->m03, w_2) + w_4,
+      co_5 = KSL_MUL((double)D->m03, w_1) - KSL_MUL((double)D->m13, w_0) + w_5;
   co->m0 = (float)w_0;
   co->m1 = (float)w_1;
   co->m2 = (float)w_2;
@@ -3284,12 +2575,10 @@ static inline void ksl_product_CoAdcinvf_accurate(const ksl_SE3f_t *D, const ksl
    Error <= u |result| + (lin: 0, ang: 1/16) u^2 S, S the sum of the |terms| of the expanded
      formula; barring over- and underflow. */
 static inline void ksl_hctxf_accurate(const ksl_SE3f_t *D, ksl_coscrewf_t *co) {
-  const double co_3a = (double)D->m20 * (double)D->m13,
-      co_3 = ksl_product_sum(-(double)D->m10, (double)D->m23, co_3a);
-  const double co_4a = (double)D->m00 * (double)D->m23,
-      co_4 = ksl_product_sum(-(double)D->m20, (double)D->m03, co_4a);
-  const double co_5a = (double)D->m10 * (double)D->m03,
-      co_5 = ksl_product_sum(-(double)D->m00, (double)D->m13, co_5a);
+  const double co_3 = ksl_product_sum(-(double)D->m10, (double)D->m23, (double)D->m20
+          * (double)D->m13),
+      co_4 = ksl_product_sum(-(double)D->m20, (double)D->m03, (double)D->m00 * (double)D->m23),
+      co_5 = ksl_product_sum(-(double)D->m00, (double)D->m13, (double)D->m10 * (double)D->m03);
   const float D_m00 = D->m00;
   const float D_m10 = D->m10;
   const float D_m20 = D->m20;
@@ -3307,12 +2596,10 @@ static inline void ksl_hctxf_accurate(const ksl_SE3f_t *D, ksl_coscrewf_t *co) {
    Error <= u |result| + (lin: 0, ang: 1/16) u^2 S, S the sum of the |terms| of the expanded
      formula; barring over- and underflow. */
 static inline void ksl_hctyf_accurate(const ksl_SE3f_t *D, ksl_coscrewf_t *co) {
-  const double co_3a = (double)D->m21 * (double)D->m13,
-      co_3 = ksl_product_sum(-(double)D->m11, (double)D->m23, co_3a);
-  const double co_4a = (double)D->m01 * (double)D->m23,
-      co_4 = ksl_product_sum(-(double)D->m21, (double)D->m03, co_4a);
-  const double co_5a = (double)D->m11 * (double)D->m03,
-      co_5 = ksl_product_sum(-(double)D->m01, (double)D->m13, co_5a);
+  const double co_3 = ksl_product_sum(-(double)D->m11, (double)D->m23, (double)D->m21
+          * (double)D->m13),
+      co_4 = ksl_product_sum(-(double)D->m21, (double)D->m03, (double)D->m01 * (double)D->m23),
+      co_5 = ksl_product_sum(-(double)D->m01, (double)D->m13, (double)D->m11 * (double)D->m03);
   const float D_m01 = D->m01;
   const float D_m11 = D->m11;
   const float D_m21 = D->m21;
@@ -3330,12 +2617,10 @@ static inline void ksl_hctyf_accurate(const ksl_SE3f_t *D, ksl_coscrewf_t *co) {
    Error <= u |result| + (lin: 0, ang: 1/16) u^2 S, S the sum of the |terms| of the expanded
      formula; barring over- and underflow. */
 static inline void ksl_hctzf_accurate(const ksl_SE3f_t *D, ksl_coscrewf_t *co) {
-  const double co_3a = (double)D->m22 * (double)D->m13,
-      co_3 = ksl_product_sum(-(double)D->m12, (double)D->m23, co_3a);
-  const double co_4a = (double)D->m02 * (double)D->m23,
-      co_4 = ksl_product_sum(-(double)D->m22, (double)D->m03, co_4a);
-  const double co_5a = (double)D->m12 * (double)D->m03,
-      co_5 = ksl_product_sum(-(double)D->m02, (double)D->m13, co_5a);
+  const double co_3 = ksl_product_sum(-(double)D->m12, (double)D->m23, (double)D->m22
+          * (double)D->m13),
+      co_4 = ksl_product_sum(-(double)D->m22, (double)D->m03, (double)D->m02 * (double)D->m23),
+      co_5 = ksl_product_sum(-(double)D->m02, (double)D->m13, (double)D->m12 * (double)D->m03);
   const float D_m02 = D->m02;
   const float D_m12 = D->m12;
   const float D_m22 = D->m22;
@@ -3353,15 +2638,10 @@ static inline void ksl_hctzf_accurate(const ksl_SE3f_t *D, ksl_coscrewf_t *co) {
    Error <= u |result| + (lin: 0, ang: 1/16) u^2 S, S the sum of the |terms| of the expanded
      formula; barring over- and underflow. */
 static inline void ksl_hctxinvf_accurate(const ksl_SE3f_t *D, ksl_coscrewf_t *co) {
-  const double co_0 = -(double)D->m00;
-  const double co_1 = -(double)D->m10;
-  const double co_2 = -(double)D->m20;
-  const double co_3a = (double)D->m10 * (double)D->m23,
-      co_3 = ksl_product_sum(-(double)D->m20, (double)D->m13, co_3a);
-  const double co_4a = (double)D->m20 * (double)D->m03,
-      co_4 = ksl_product_sum(-(double)D->m00, (double)D->m23, co_4a);
-  const double co_5a = (double)D->m00 * (double)D->m13,
-      co_5 = ksl_product_sum(-(double)D->m10, (double)D->m03, co_5a);
+  const double co_0 = -(double)D->m00, co_1 = -(double)D->m10, co_2 = -(double)D->m20,
+      co_3 = ksl_product_sum(-(double)D->m20, (double)D->m13, (double)D->m10 * (double)D->m23),
+      co_4 = ksl_product_sum(-(double)D->m00, (double)D->m23, (double)D->m20 * (double)D->m03),
+      co_5 = ksl_product_sum(-(double)D->m10, (double)D->m03, (double)D->m00 * (double)D->m13);
   co->m0 = (float)co_0;
   co->m1 = (float)co_1;
   co->m2 = (float)co_2;
@@ -3376,15 +2656,10 @@ static inline void ksl_hctxinvf_accurate(const ksl_SE3f_t *D, ksl_coscrewf_t *co
    Error <= u |result| + (lin: 0, ang: 1/16) u^2 S, S the sum of the |terms| of the expanded
      formula; barring over- and underflow. */
 static inline void ksl_hctyinvf_accurate(const ksl_SE3f_t *D, ksl_coscrewf_t *co) {
-  const double co_0 = -(double)D->m01;
-  const double co_1 = -(double)D->m11;
-  const double co_2 = -(double)D->m21;
-  const double co_3a = (double)D->m11 * (double)D->m23,
-      co_3 = ksl_product_sum(-(double)D->m21, (double)D->m13, co_3a);
-  const double co_4a = (double)D->m21 * (double)D->m03,
-      co_4 = ksl_product_sum(-(double)D->m01, (double)D->m23, co_4a);
-  const double co_5a = (double)D->m01 * (double)D->m13,
-      co_5 = ksl_product_sum(-(double)D->m11, (double)D->m03, co_5a);
+  const double co_0 = -(double)D->m01, co_1 = -(double)D->m11, co_2 = -(double)D->m21,
+      co_3 = ksl_product_sum(-(double)D->m21, (double)D->m13, (double)D->m11 * (double)D->m23),
+      co_4 = ksl_product_sum(-(double)D->m01, (double)D->m23, (double)D->m21 * (double)D->m03),
+      co_5 = ksl_product_sum(-(double)D->m11, (double)D->m03, (double)D->m01 * (double)D->m13);
   co->m0 = (float)co_0;
   co->m1 = (float)co_1;
   co->m2 = (float)co_2;
@@ -3399,15 +2674,10 @@ static inline void ksl_hctyinvf_accurate(const ksl_SE3f_t *D, ksl_coscrewf_t *co
    Error <= u |result| + (lin: 0, ang: 1/16) u^2 S, S the sum of the |terms| of the expanded
      formula; barring over- and underflow. */
 static inline void ksl_hctzinvf_accurate(const ksl_SE3f_t *D, ksl_coscrewf_t *co) {
-  const double co_0 = -(double)D->m02;
-  const double co_1 = -(double)D->m12;
-  const double co_2 = -(double)D->m22;
-  const double co_3a = (double)D->m12 * (double)D->m23,
-      co_3 = ksl_product_sum(-(double)D->m22, (double)D->m13, co_3a);
-  const double co_4a = (double)D->m22 * (double)D->m03,
-      co_4 = ksl_product_sum(-(double)D->m02, (double)D->m23, co_4a);
-  const double co_5a = (double)D->m02 * (double)D->m13,
-      co_5 = ksl_product_sum(-(double)D->m12, (double)D->m03, co_5a);
+  const double co_0 = -(double)D->m02, co_1 = -(double)D->m12, co_2 = -(double)D->m22,
+      co_3 = ksl_product_sum(-(double)D->m22, (double)D->m13, (double)D->m12 * (double)D->m23),
+      co_4 = ksl_product_sum(-(double)D->m02, (double)D->m23, (double)D->m22 * (double)D->m03),
+      co_5 = ksl_product_sum(-(double)D->m12, (double)D->m03, (double)D->m02 * (double)D->m13);
   co->m0 = (float)co_0;
   co->m1 = (float)co_1;
   co->m2 = (float)co_2;
@@ -3422,24 +2692,16 @@ static inline void ksl_hctzinvf_accurate(const ksl_SE3f_t *D, ksl_coscrewf_t *co
    Error <= u |result| + 1/16 u^2 S, S the sum of the |terms| of the expanded formula; barring
      over- and underflow. */
 static inline void ksl_CoAdf_accurate(const ksl_SE3f_t *D, ksl_mat6x6f_t *M) {
-  const double M_30a = (double)D->m20 * (double)D->m13,
-      M_30 = ksl_product_sum(-(double)D->m10, (double)D->m23, M_30a);
-  const double M_31a = (double)D->m21 * (double)D->m13,
-      M_31 = ksl_product_sum(-(double)D->m11, (double)D->m23, M_31a);
-  const double M_32a = (double)D->m22 * (double)D->m13,
-      M_32 = ksl_product_sum(-(double)D->m12, (double)D->m23, M_32a);
-  const double M_40a = (double)D->m00 * (double)D->m23,
-      M_40 = ksl_product_sum(-(double)D->m20, (double)D->m03, M_40a);
-  const double M_41a = (double)D->m01 * (double)D->m23,
-      M_41 = ksl_product_sum(-(double)D->m21, (double)D->m03, M_41a);
-  const double M_42a = (double)D->m02 * (double)D->m23,
-      M_42 = ksl_product_sum(-(double)D->m22, (double)D->m03, M_42a);
-  const double M_50a = (double)D->m10 * (double)D->m03,
-      M_50 = ksl_product_sum(-(double)D->m00, (double)D->m13, M_50a);
-  const double M_51a = (double)D->m11 * (double)D->m03,
-      M_51 = ksl_product_sum(-(double)D->m01, (double)D->m13, M_51a);
-  const double M_52a = (double)D->m12 * (double)D->m03,
-      M_52 = ksl_product_sum(-(double)D->m02, (double)D->m13, M_52a);
+  const double M_30 = ksl_product_sum(-(double)D->m10, (double)D->m23, (double)D->m20
+          * (double)D->m13),
+      M_31 = ksl_product_sum(-(double)D->m11, (double)D->m23, (double)D->m21 * (double)D->m13),
+      M_32 = ksl_product_sum(-(double)D->m12, (double)D->m23, (double)D->m22 * (double)D->m13),
+      M_40 = ksl_product_sum(-(double)D->m20, (double)D->m03, (double)D->m00 * (double)D->m23),
+      M_41 = ksl_product_sum(-(double)D->m21, (double)D->m03, (double)D->m01 * (double)D->m23),
+      M_42 = ksl_product_sum(-(double)D->m22, (double)D->m03, (double)D->m02 * (double)D->m23),
+      M_50 = ksl_product_sum(-(double)D->m00, (double)D->m13, (double)D->m10 * (double)D->m03),
+      M_51 = ksl_product_sum(-(double)D->m01, (double)D->m13, (double)D->m11 * (double)D->m03),
+      M_52 = ksl_product_sum(-(double)D->m02, (double)D->m13, (double)D->m12 * (double)D->m03);
   const float D_m00 = D->m00;
   const float D_m01 = D->m01;
   const float D_m02 = D->m02;
@@ -3493,12 +2755,11 @@ static inline void ksl_CoAdf_accurate(const ksl_SE3f_t *D, ksl_mat6x6f_t *M) {
    Error <= u |result| + 1/8 u^2 S, S the sum of the |terms| of the expanded formula; barring
      over- and underflow. */
 static inline float ksl_reciprocal_productf_accurate(const ksl_coscrewf_t *c, const float x[6]) {
-  const double power_a = (double)c->m0 * (double)x[3],
-      power_c = ksl_product_sum((double)c->m1, (double)x[4], power_a),
-      power_e = ksl_product_sum((double)c->m2, (double)x[5], power_c),
-      power_f = (double)c->m3 * (double)x[0],
-      power_h = ksl_product_sum((double)c->m4, (double)x[1], power_f),
-      power_j = ksl_product_sum((double)c->m5, (double)x[2], power_h), power = power_e + power_j;
+  const double power_e = ksl_product_sum((double)c->m2, (double)x[5], ksl_product_sum((double)c->m1,
+      (double)x[4], (double)c->m0 * (double)x[3])),
+      power = power_e
+          + ksl_product_sum((double)c->m5, (double)x[2], ksl_product_sum((double)c->m4,
+              (double)x[1], (double)c->m3 * (double)x[0]));
   return (float)power;
 }
 
@@ -3509,24 +2770,18 @@ static inline float ksl_reciprocal_productf_accurate(const ksl_coscrewf_t *c, co
      formula; barring over- and underflow. */
 static inline void ksl_cross_scf_accurate(const ksl_screwf_t *s, const ksl_coscrewf_t *c,
     ksl_coscrewf_t *co) {
-  const double co_0a = (double)s->m4 * (double)c->m2,
-      co_0 = ksl_product_sum(-(double)s->m5, (double)c->m1, co_0a);
-  const double co_1a = (double)s->m5 * (double)c->m0,
-      co_1 = ksl_product_sum(-(double)s->m3, (double)c->m2, co_1a);
-  const double co_2a = (double)s->m3 * (double)c->m1,
-      co_2 = ksl_product_sum(-(double)s->m4, (double)c->m0, co_2a);
-  const double co_3a = (double)s->m1 * (double)c->m2,
-      co_3c = ksl_product_sum(-(double)s->m2, (double)c->m1, co_3a),
-      co_3d = (double)s->m4 * (double)c->m5,
-      co_3f = ksl_product_sum(-(double)s->m5, (double)c->m4, co_3d), co_3 = co_3c + co_3f;
-  const double co_4a = (double)s->m2 * (double)c->m0,
-      co_4c = ksl_product_sum(-(double)s->m0, (double)c->m2, co_4a),
-      co_4d = (double)s->m5 * (double)c->m3,
-      co_4f = ksl_product_sum(-(double)s->m3, (double)c->m5, co_4d), co_4 = co_4c + co_4f;
-  const double co_5a = (double)s->m0 * (double)c->m1,
-      co_5c = ksl_product_sum(-(double)s->m1, (double)c->m0, co_5a),
-      co_5d = (double)s->m3 * (double)c->m4,
-      co_5f = ksl_product_sum(-(double)s->m4, (double)c->m3, co_5d), co_5 = co_5c + co_5f;
+  const double co_0 = ksl_product_sum(-(double)s->m5, (double)c->m1, (double)s->m4 * (double)c->m2),
+      co_1 = ksl_product_sum(-(double)s->m3, (double)c->m2, (double)s->m5 * (double)c->m0),
+      co_2 = ksl_product_sum(-(double)s->m4, (double)c->m0, (double)s->m3 * (double)c->m1);
+  const double co_3c = ksl_product_sum(-(double)s->m2, (double)c->m1, (double)s->m1
+          * (double)c->m2),
+      co_3 = co_3c + ksl_product_sum(-(double)s->m5, (double)c->m4, (double)s->m4 * (double)c->m5);
+  const double co_4c = ksl_product_sum(-(double)s->m0, (double)c->m2, (double)s->m2
+          * (double)c->m0),
+      co_4 = co_4c + ksl_product_sum(-(double)s->m3, (double)c->m5, (double)s->m5 * (double)c->m3);
+  const double co_5c = ksl_product_sum(-(double)s->m1, (double)c->m0, (double)s->m0
+          * (double)c->m1),
+      co_5 = co_5c + ksl_product_sum(-(double)s->m4, (double)c->m3, (double)s->m3 * (double)c->m4);
   co->m0 = (float)co_0;
   co->m1 = (float)co_1;
   co->m2 = (float)co_2;
@@ -3542,12 +2797,9 @@ static inline void ksl_cross_scf_accurate(const ksl_screwf_t *s, const ksl_coscr
      formula; barring over- and underflow. */
 static inline void ksl_cross_scaf_accurate(const ksl_screwf_t *s, const ksl_coscrewf_t *c,
     ksl_coscrewf_t *co) {
-  const double co_3a = (double)s->m4 * (double)c->m5,
-      co_3 = ksl_product_sum(-(double)s->m5, (double)c->m4, co_3a);
-  const double co_4a = (double)s->m5 * (double)c->m3,
-      co_4 = ksl_product_sum(-(double)s->m3, (double)c->m5, co_4a);
-  const double co_5a = (double)s->m3 * (double)c->m4,
-      co_5 = ksl_product_sum(-(double)s->m4, (double)c->m3, co_5a);
+  const double co_3 = ksl_product_sum(-(double)s->m5, (double)c->m4, (double)s->m4 * (double)c->m5),
+      co_4 = ksl_product_sum(-(double)s->m3, (double)c->m5, (double)s->m5 * (double)c->m3),
+      co_5 = ksl_product_sum(-(double)s->m4, (double)c->m3, (double)s->m3 * (double)c->m4);
   co->m0 = (float)0.0;
   co->m1 = (float)0.0;
   co->m2 = (float)0.0;
@@ -3563,27 +2815,18 @@ static inline void ksl_cross_scaf_accurate(const ksl_screwf_t *s, const ksl_cosc
      formula; barring over- and underflow. */
 static inline void ksl_constraint_ctxf_accurate(const ksl_SE3f_t *D, const ksl_coscrewf_t *c,
     ksl_coscrewf_t *co) {
-  const double w_0a = (double)D->m01 * (double)c->m1,
-      w_0 = ksl_product_sum((double)D->m02, (double)c->m2, w_0a);
-  const double w_1a = (double)D->m11 * (double)c->m1,
-      w_1 = ksl_product_sum((double)D->m12, (double)c->m2, w_1a);
-  const double w_2a = (double)D->m21 * (double)c->m1,
-      w_2 = ksl_product_sum((double)D->m22, (double)c->m2, w_2a);
-  const double w_3a = (double)D->m00 * (double)c->m3,
-      w_3c = ksl_product_sum((double)D->m01, (double)c->m4, w_3a),
-      w_3 = ksl_product_sum((double)D->m02, (double)c->m5, w_3c);
-  const double w_4a = (double)D->m10 * (double)c->m3,
-      w_4c = ksl_product_sum((double)D->m11, (double)c->m4, w_4a),
-      w_4 = ksl_product_sum((double)D->m12, (double)c->m5, w_4c);
-  const double w_5a = (double)D->m20 * (double)c->m3,
-      w_5c = ksl_product_sum((double)D->m21, (double)c->m4, w_5a),
-      w_5 = ksl_product_sum((double)D->m22, (double)c->m5, w_5c);
-  const double co_3a = KSL_MUL((double)D->m13, w_2), co_3b = KSL_MUL((double)D->m23, w_1),
-      co_3c = co_3a - co_3b, co_3 = co_3c + w_3;
-  const double co_4a = KSL_MUL((double)D->m23, w_0), co_4b = KSL_MUL((double)D->m03, w_2),
-      co_4c = co_4a - co_4b, co_4 = co_4c + w_4;
-  const double co_5a = KSL_MUL((double)D->m03, w_1), co_5b = KSL_MUL((double)D->m13, w_0),
-      co_5c = co_5a - co_5b, co_5 = co_5c + w_5;
+  const double w_0 = ksl_product_sum((double)D->m02, (double)c->m2, (double)D->m01 * (double)c->m1),
+      w_1 = ksl_product_sum((double)D->m12, (double)c->m2, (double)D->m11 * (double)c->m1),
+      w_2 = ksl_product_sum((double)D->m22, (double)c->m2, (double)D->m21 * (double)c->m1),
+      w_3 = ksl_product_sum((double)D->m02, (double)c->m5, ksl_product_sum((double)D->m01,
+          (double)c->m4, (double)D->m00 * (double)c->m3)),
+      w_4 = ksl_product_sum((double)D->m12, (double)c->m5, ksl_product_sum((double)D->m11,
+          (double)c->m4, (double)D->m10 * (double)c->m3)),
+      w_5 = ksl_product_sum((double)D->m22, (double)c->m5, ksl_product_sum((double)D->m21,
+          (double)c->m4, (double)D->m20 * (double)c->m3));
+  const double co_3 = KSL_MUL((double)D->m13, w_2) - KSL_MUL((double)D->m23, w_1) + w_3,
+      co_4 = KSL_MUL((double)D->m23, w_0) - KSL_MUL((double)D->m03, w_2) + w_4,
+      co_5 = KSL_MUL((double)D->m03, w_1) - KSL_MUL((double)D->m13, w_0) + w_5;
   co->m0 = (float)w_0;
   co->m1 = (float)w_1;
   co->m2 = (float)w_2;
@@ -3599,27 +2842,18 @@ static inline void ksl_constraint_ctxf_accurate(const ksl_SE3f_t *D, const ksl_c
      formula; barring over- and underflow. */
 static inline void ksl_constraint_ctyf_accurate(const ksl_SE3f_t *D, const ksl_coscrewf_t *c,
     ksl_coscrewf_t *co) {
-  const double w_0a = (double)D->m00 * (double)c->m0,
-      w_0 = ksl_product_sum((double)D->m02, (double)c->m2, w_0a);
-  const double w_1a = (double)D->m10 * (double)c->m0,
-      w_1 = ksl_product_sum((double)D->m12, (double)c->m2, w_1a);
-  const double w_2a = (double)D->m20 * (double)c->m0,
-      w_2 = ksl_product_sum((double)D->m22, (double)c->m2, w_2a);
-  const double w_3a = (double)D->m00 * (double)c->m3,
-      w_3c = ksl_product_sum((double)D->m01, (double)c->m4, w_3a),
-      w_3 = ksl_product_sum((double)D->m02, (double)c->m5, w_3c);
-  const double w_4a = (double)D->m10 * (double)c->m3,
-      w_4c = ksl_product_sum((double)D->m11, (double)c->m4, w_4a),
-      w_4 = ksl_product_sum((double)D->m12, (double)c->m5, w_4c);
-  const double w_5a = (double)D->m20 * (double)c->m3,
-      w_5c = ksl_product_sum((double)D->m21, (double)c->m4, w_5a),
-      w_5 = ksl_product_sum((double)D->m22, (double)c->m5, w_5c);
-  const double co_3a = KSL_MUL((double)D->m13, w_2), co_3b = KSL_MUL((double)D->m23, w_1),
-      co_3c = co_3a - co_3b, co_3 = co_3c + w_3;
-  const double co_4a = KSL_MUL((double)D->m23, w_0), co_4b = KSL_MUL((double)D->m03, w_2),
-      co_4c = co_4a - co_4b, co_4 = co_4c + w_4;
-  const double co_5a = KSL_MUL((double)D->m03, w_1), co_5b = KSL_MUL((double)D->m13, w_0),
-      co_5c = co_5a - co_5b, co_5 = co_5c + w_5;
+  const double w_0 = ksl_product_sum((double)D->m02, (double)c->m2, (double)D->m00 * (double)c->m0),
+      w_1 = ksl_product_sum((double)D->m12, (double)c->m2, (double)D->m10 * (double)c->m0),
+      w_2 = ksl_product_sum((double)D->m22, (double)c->m2, (double)D->m20 * (double)c->m0),
+      w_3 = ksl_product_sum((double)D->m02, (double)c->m5, ksl_product_sum((double)D->m01,
+          (double)c->m4, (double)D->m00 * (double)c->m3)),
+      w_4 = ksl_product_sum((double)D->m12, (double)c->m5, ksl_product_sum((double)D->m11,
+          (double)c->m4, (double)D->m10 * (double)c->m3)),
+      w_5 = ksl_product_sum((double)D->m22, (double)c->m5, ksl_product_sum((double)D->m21,
+          (double)c->m4, (double)D->m20 * (double)c->m3));
+  const double co_3 = KSL_MUL((double)D->m13, w_2) - KSL_MUL((double)D->m23, w_1) + w_3,
+      co_4 = KSL_MUL((double)D->m23, w_0) - KSL_MUL((double)D->m03, w_2) + w_4,
+      co_5 = KSL_MUL((double)D->m03, w_1) - KSL_MUL((double)D->m13, w_0) + w_5;
   co->m0 = (float)w_0;
   co->m1 = (float)w_1;
   co->m2 = (float)w_2;
@@ -3635,27 +2869,18 @@ static inline void ksl_constraint_ctyf_accurate(const ksl_SE3f_t *D, const ksl_c
      formula; barring over- and underflow. */
 static inline void ksl_constraint_ctzf_accurate(const ksl_SE3f_t *D, const ksl_coscrewf_t *c,
     ksl_coscrewf_t *co) {
-  const double w_0a = (double)D->m00 * (double)c->m0,
-      w_0 = ksl_product_sum((double)D->m01, (double)c->m1, w_0a);
-  const double w_1a = (double)D->m10 * (double)c->m0,
-      w_1 = ksl_product_sum((double)D->m11, (double)c->m1, w_1a);
-  const double w_2a = (double)D->m20 * (double)c->m0,
-      w_2 = ksl_product_sum((double)D->m21, (double)c->m1, w_2a);
-  const double w_3a = (double)D->m00 * (double)c->m3,
-      w_3c = ksl_product_sum((double)D->m01, (double)c->m4, w_3a),
-      w_3 = ksl_product_sum((double)D->m02, (double)c->m5, w_3c);
-  const double w_4a = (double)D->m10 * (double)c->m3,
-      w_4c = ksl_product_sum((double)D->m11, (double)c->m4, w_4a),
-      w_4 = ksl_product_sum((double)D->m12, (double)c->m5, w_4c);
-  const double w_5a = (double)D->m20 * (double)c->m3,
-      w_5c = ksl_product_sum((double)D->m21, (double)c->m4, w_5a),
-      w_5 = ksl_product_sum((double)D->m22, (double)c->m5, w_5c);
-  const double co_3a = KSL_MUL((double)D->m13, w_2), co_3b = KSL_MUL((double)D->m23, w_1),
-      co_3c = co_3a - co_3b, co_3 = co_3c + w_3;
-  const double co_4a = KSL_MUL((double)D->m23, w_0), co_4b = KSL_MUL((double)D->m03, w_2),
-      co_4c = co_4a - co_4b, co_4 = co_4c + w_4;
-  const double co_5a = KSL_MUL((double)D->m03, w_1), co_5b = KSL_MUL((double)D->m13, w_0),
-      co_5c = co_5a - co_5b, co_5 = co_5c + w_5;
+  const double w_0 = ksl_product_sum((double)D->m01, (double)c->m1, (double)D->m00 * (double)c->m0),
+      w_1 = ksl_product_sum((double)D->m11, (double)c->m1, (double)D->m10 * (double)c->m0),
+      w_2 = ksl_product_sum((double)D->m21, (double)c->m1, (double)D->m20 * (double)c->m0),
+      w_3 = ksl_product_sum((double)D->m02, (double)c->m5, ksl_product_sum((double)D->m01,
+          (double)c->m4, (double)D->m00 * (double)c->m3)),
+      w_4 = ksl_product_sum((double)D->m12, (double)c->m5, ksl_product_sum((double)D->m11,
+          (double)c->m4, (double)D->m10 * (double)c->m3)),
+      w_5 = ksl_product_sum((double)D->m22, (double)c->m5, ksl_product_sum((double)D->m21,
+          (double)c->m4, (double)D->m20 * (double)c->m3));
+  const double co_3 = KSL_MUL((double)D->m13, w_2) - KSL_MUL((double)D->m23, w_1) + w_3,
+      co_4 = KSL_MUL((double)D->m23, w_0) - KSL_MUL((double)D->m03, w_2) + w_4,
+      co_5 = KSL_MUL((double)D->m03, w_1) - KSL_MUL((double)D->m13, w_0) + w_5;
   co->m0 = (float)w_0;
   co->m1 = (float)w_1;
   co->m2 = (float)w_2;
@@ -3671,27 +2896,18 @@ static inline void ksl_constraint_ctzf_accurate(const ksl_SE3f_t *D, const ksl_c
      formula; barring over- and underflow. */
 static inline void ksl_constraint_crxf_accurate(const ksl_SE3f_t *D, const ksl_coscrewf_t *c,
     ksl_coscrewf_t *co) {
-  const double w_0a = (double)D->m00 * (double)c->m0,
-      w_0c = ksl_product_sum((double)D->m01, (double)c->m1, w_0a),
-      w_0 = ksl_product_sum((double)D->m02, (double)c->m2, w_0c);
-  const double w_1a = (double)D->m10 * (double)c->m0,
-      w_1c = ksl_product_sum((double)D->m11, (double)c->m1, w_1a),
-      w_1 = ksl_product_sum((double)D->m12, (double)c->m2, w_1c);
-  const double w_2a = (double)D->m20 * (double)c->m0,
-      w_2c = ksl_product_sum((double)D->m21, (double)c->m1, w_2a),
-      w_2 = ksl_product_sum((double)D->m22, (double)c->m2, w_2c);
-  const double w_3a = (double)D->m01 * (double)c->m4,
-      w_3 = ksl_product_sum((double)D->m02, (double)c->m5, w_3a);
-  const double w_4a = (double)D->m11 * (double)c->m4,
-      w_4 = ksl_product_sum((double)D->m12, (double)c->m5, w_4a);
-  const double w_5a = (double)D->m21 * (double)c->m4,
-      w_5 = ksl_product_sum((double)D->m22, (double)c->m5, w_5a);
-  const double co_3a = KSL_MUL((double)D->m13, w_2), co_3b = KSL_MUL((double)D->m23, w_1),
-      co_3c = co_3a - co_3b, co_3 = co_3c + w_3;
-  const double co_4a = KSL_MUL((double)D->m23, w_0), co_4b = KSL_MUL((double)D->m03, w_2),
-      co_4c = co_4a - co_4b, co_4 = co_4c + w_4;
-  const double co_5a = KSL_MUL((double)D->m03, w_1), co_5b = KSL_MUL((double)D->m13, w_0),
-      co_5c = co_5a - co_5b, co_5 = co_5c + w_5;
+  const double w_0 = ksl_product_sum((double)D->m02, (double)c->m2, ksl_product_sum((double)D->m01,
+      (double)c->m1, (double)D->m00 * (double)c->m0)),
+      w_1 = ksl_product_sum((double)D->m12, (double)c->m2, ksl_product_sum((double)D->m11,
+          (double)c->m1, (double)D->m10 * (double)c->m0)),
+      w_2 = ksl_product_sum((double)D->m22, (double)c->m2, ksl_product_sum((double)D->m21,
+          (double)c->m1, (double)D->m20 * (double)c->m0)),
+      w_3 = ksl_product_sum((double)D->m02, (double)c->m5, (double)D->m01 * (double)c->m4),
+      w_4 = ksl_product_sum((double)D->m12, (double)c->m5, (double)D->m11 * (double)c->m4),
+      w_5 = ksl_product_sum((double)D->m22, (double)c->m5, (double)D->m21 * (double)c->m4);
+  const double co_3 = KSL_MUL((double)D->m13, w_2) - KSL_MUL((double)D->m23, w_1) + w_3,
+      co_4 = KSL_MUL((double)D->m23, w_0) - KSL_MUL((double)D->m03, w_2) + w_4,
+      co_5 = KSL_MUL((double)D->m03, w_1) - KSL_MUL((double)D->m13, w_0) + w_5;
   co->m0 = (float)w_0;
   co->m1 = (float)w_1;
   co->m2 = (float)w_2;
@@ -3707,27 +2923,18 @@ static inline void ksl_constraint_crxf_accurate(const ksl_SE3f_t *D, const ksl_c
      formula; barring over- and underflow. */
 static inline void ksl_constraint_cryf_accurate(const ksl_SE3f_t *D, const ksl_coscrewf_t *c,
     ksl_coscrewf_t *co) {
-  const double w_0a = (double)D->m00 * (double)c->m0,
-      w_0c = ksl_product_sum((double)D->m01, (double)c->m1, w_0a),
-      w_0 = ksl_product_sum((double)D->m02, (double)c->m2, w_0c);
-  const double w_1a = (double)D->m10 * (double)c->m0,
-      w_1c = ksl_product_sum((double)D->m11, (double)c->m1, w_1a),
-      w_1 = ksl_product_sum((double)D->m12, (double)c->m2, w_1c);
-  const double w_2a = (double)D->m20 * (double)c->m0,
-      w_2c = ksl_product_sum((double)D->m21, (double)c->m1, w_2a),
-      w_2 = ksl_product_sum((double)D->m22, (double)c->m2, w_2c);
-  const double w_3a = (double)D->m00 * (double)c->m3,
-      w_3 = ksl_product_sum((double)D->m02, (double)c->m5, w_3a);
-  const double w_4a = (double)D->m10 * (double)c->m3,
-      w_4 = ksl_product_sum((double)D->m12, (double)c->m5, w_4a);
-  const double w_5a = (double)D->m20 * (double)c->m3,
-      w_5 = ksl_product_sum((double)D->m22, (double)c->m5, w_5a);
-  const double co_3a = KSL_MUL((double)D->m13, w_2), co_3b = KSL_MUL((double)D->m23, w_1),
-      co_3c = co_3a - co_3b, co_3 = co_3c + w_3;
-  const double co_4a = KSL_MUL((double)D->m23, w_0), co_4b = KSL_MUL((double)D->m03, w_2),
-      co_4c = co_4a - co_4b, co_4 = co_4c + w_4;
-  const double co_5a = KSL_MUL((double)D->m03, w_1), co_5b = KSL_MUL((double)D->m13, w_0),
-      co_5c = co_5a - co_5b, co_5 = co_5c + w_5;
+  const double w_0 = ksl_product_sum((double)D->m02, (double)c->m2, ksl_product_sum((double)D->m01,
+      (double)c->m1, (double)D->m00 * (double)c->m0)),
+      w_1 = ksl_product_sum((double)D->m12, (double)c->m2, ksl_product_sum((double)D->m11,
+          (double)c->m1, (double)D->m10 * (double)c->m0)),
+      w_2 = ksl_product_sum((double)D->m22, (double)c->m2, ksl_product_sum((double)D->m21,
+          (double)c->m1, (double)D->m20 * (double)c->m0)),
+      w_3 = ksl_product_sum((double)D->m02, (double)c->m5, (double)D->m00 * (double)c->m3),
+      w_4 = ksl_product_sum((double)D->m12, (double)c->m5, (double)D->m10 * (double)c->m3),
+      w_5 = ksl_product_sum((double)D->m22, (double)c->m5, (double)D->m20 * (double)c->m3);
+  const double co_3 = KSL_MUL((double)D->m13, w_2) - KSL_MUL((double)D->m23, w_1) + w_3,
+      co_4 = KSL_MUL((double)D->m23, w_0) - KSL_MUL((double)D->m03, w_2) + w_4,
+      co_5 = KSL_MUL((double)D->m03, w_1) - KSL_MUL((double)D->m13, w_0) + w_5;
   co->m0 = (float)w_0;
   co->m1 = (float)w_1;
   co->m2 = (float)w_2;
@@ -3743,27 +2950,18 @@ static inline void ksl_constraint_cryf_accurate(const ksl_SE3f_t *D, const ksl_c
      formula; barring over- and underflow. */
 static inline void ksl_constraint_crzf_accurate(const ksl_SE3f_t *D, const ksl_coscrewf_t *c,
     ksl_coscrewf_t *co) {
-  const double w_0a = (double)D->m00 * (double)c->m0,
-      w_0c = ksl_product_sum((double)D->m01, (double)c->m1, w_0a),
-      w_0 = ksl_product_sum((double)D->m02, (double)c->m2, w_0c);
-  const double w_1a = (double)D->m10 * (double)c->m0,
-      w_1c = ksl_product_sum((double)D->m11, (double)c->m1, w_1a),
-      w_1 = ksl_product_sum((double)D->m12, (double)c->m2, w_1c);
-  const double w_2a = (double)D->m20 * (double)c->m0,
-      w_2c = ksl_product_sum((double)D->m21, (double)c->m1, w_2a),
-      w_2 = ksl_product_sum((double)D->m22, (double)c->m2, w_2c);
-  const double w_3a = (double)D->m00 * (double)c->m3,
-      w_3 = ksl_product_sum((double)D->m01, (double)c->m4, w_3a);
-  const double w_4a = (double)D->m10 * (double)c->m3,
-      w_4 = ksl_product_sum((double)D->m11, (double)c->m4, w_4a);
-  const double w_5a = (double)D->m20 * (double)c->m3,
-      w_5 = ksl_product_sum((double)D->m21, (double)c->m4, w_5a);
-  const double co_3a = KSL_MUL((double)D->m13, w_2), co_3b = KSL_MUL((double)D->m23, w_1),
-      co_3c = co_3a - co_3b, co_3 = co_3c + w_3;
-  const double co_4a = KSL_MUL((double)D->m23, w_0), co_4b = KSL_MUL((double)D->m03, w_2),
-      co_4c = co_4a - co_4b, co_4 = co_4c + w_4;
-  const double co_5a = KSL_MUL((double)D->m03, w_1), co_5b = KSL_MUL((double)D->m13, w_0),
-      co_5c = co_5a - co_5b, co_5 = co_5c + w_5;
+  const double w_0 = ksl_product_sum((double)D->m02, (double)c->m2, ksl_product_sum((double)D->m01,
+      (double)c->m1, (double)D->m00 * (double)c->m0)),
+      w_1 = ksl_product_sum((double)D->m12, (double)c->m2, ksl_product_sum((double)D->m11,
+          (double)c->m1, (double)D->m10 * (double)c->m0)),
+      w_2 = ksl_product_sum((double)D->m22, (double)c->m2, ksl_product_sum((double)D->m21,
+          (double)c->m1, (double)D->m20 * (double)c->m0)),
+      w_3 = ksl_product_sum((double)D->m01, (double)c->m4, (double)D->m00 * (double)c->m3),
+      w_4 = ksl_product_sum((double)D->m11, (double)c->m4, (double)D->m10 * (double)c->m3),
+      w_5 = ksl_product_sum((double)D->m21, (double)c->m4, (double)D->m20 * (double)c->m3);
+  const double co_3 = KSL_MUL((double)D->m13, w_2) - KSL_MUL((double)D->m23, w_1) + w_3,
+      co_4 = KSL_MUL((double)D->m23, w_0) - KSL_MUL((double)D->m03, w_2) + w_4,
+      co_5 = KSL_MUL((double)D->m03, w_1) - KSL_MUL((double)D->m13, w_0) + w_5;
   co->m0 = (float)w_0;
   co->m1 = (float)w_1;
   co->m2 = (float)w_2;
@@ -3779,15 +2977,11 @@ static inline void ksl_constraint_crzf_accurate(const ksl_SE3f_t *D, const ksl_c
      formula; barring over- and underflow. */
 static inline void ksl_working_ctxf_accurate(const ksl_SE3f_t *D, const ksl_coscrewf_t *c,
     ksl_coscrewf_t *co) {
-  const double w_0 = (double)D->m00 * (double)c->m0;
-  const double w_1 = (double)D->m10 * (double)c->m0;
-  const double w_2 = (double)D->m20 * (double)c->m0;
-  const double co_3a = KSL_MUL((double)D->m13, w_2), co_3b = KSL_MUL((double)D->m23, w_1),
-      co_3 = co_3a - co_3b;
-  const double co_4a = KSL_MUL((double)D->m23, w_0), co_4b = KSL_MUL((double)D->m03, w_2),
-      co_4 = co_4a - co_4b;
-  const double co_5a = KSL_MUL((double)D->m03, w_1), co_5b = KSL_MUL((double)D->m13, w_0),
-      co_5 = co_5a - co_5b;
+  const double w_0 = (double)D->m00 * (double)c->m0, w_1 = (double)D->m10 * (double)c->m0,
+      w_2 = (double)D->m20 * (double)c->m0;
+  const double co_3 = KSL_MUL((double)D->m13, w_2) - KSL_MUL((double)D->m23, w_1),
+      co_4 = KSL_MUL((double)D->m23, w_0) - KSL_MUL((double)D->m03, w_2),
+      co_5 = KSL_MUL((double)D->m03, w_1) - KSL_MUL((double)D->m13, w_0);
   co->m0 = (float)w_0;
   co->m1 = (float)w_1;
   co->m2 = (float)w_2;
@@ -3803,15 +2997,11 @@ static inline void ksl_working_ctxf_accurate(const ksl_SE3f_t *D, const ksl_cosc
      formula; barring over- and underflow. */
 static inline void ksl_working_ctyf_accurate(const ksl_SE3f_t *D, const ksl_coscrewf_t *c,
     ksl_coscrewf_t *co) {
-  const double w_0 = (double)D->m01 * (double)c->m1;
-  const double w_1 = (double)D->m11 * (double)c->m1;
-  const double w_2 = (double)D->m21 * (double)c->m1;
-  const double co_3a = KSL_MUL((double)D->m13, w_2), co_3b = KSL_MUL((double)D->m23, w_1),
-      co_3 = co_3a - co_3b;
-  const double co_4a = KSL_MUL((double)D->m23, w_0), co_4b = KSL_MUL((double)D->m03, w_2),
-      co_4 = co_4a - co_4b;
-  const double co_5a = KSL_MUL((double)D->m03, w_1), co_5b = KSL_MUL((double)D->m13, w_0),
-      co_5 = co_5a - co_5b;
+  const double w_0 = (double)D->m01 * (double)c->m1, w_1 = (double)D->m11 * (double)c->m1,
+      w_2 = (double)D->m21 * (double)c->m1;
+  const double co_3 = KSL_MUL((double)D->m13, w_2) - KSL_MUL((double)D->m23, w_1),
+      co_4 = KSL_MUL((double)D->m23, w_0) - KSL_MUL((double)D->m03, w_2),
+      co_5 = KSL_MUL((double)D->m03, w_1) - KSL_MUL((double)D->m13, w_0);
   co->m0 = (float)w_0;
   co->m1 = (float)w_1;
   co->m2 = (float)w_2;
@@ -3827,15 +3017,11 @@ static inline void ksl_working_ctyf_accurate(const ksl_SE3f_t *D, const ksl_cosc
      formula; barring over- and underflow. */
 static inline void ksl_working_ctzf_accurate(const ksl_SE3f_t *D, const ksl_coscrewf_t *c,
     ksl_coscrewf_t *co) {
-  const double w_0 = (double)D->m02 * (double)c->m2;
-  const double w_1 = (double)D->m12 * (double)c->m2;
-  const double w_2 = (double)D->m22 * (double)c->m2;
-  const double co_3a = KSL_MUL((double)D->m13, w_2), co_3b = KSL_MUL((double)D->m23, w_1),
-      co_3 = co_3a - co_3b;
-  const double co_4a = KSL_MUL((double)D->m23, w_0), co_4b = KSL_MUL((double)D->m03, w_2),
-      co_4 = co_4a - co_4b;
-  const double co_5a = KSL_MUL((double)D->m03, w_1), co_5b = KSL_MUL((double)D->m13, w_0),
-      co_5 = co_5a - co_5b;
+  const double w_0 = (double)D->m02 * (double)c->m2, w_1 = (double)D->m12 * (double)c->m2,
+      w_2 = (double)D->m22 * (double)c->m2;
+  const double co_3 = KSL_MUL((double)D->m13, w_2) - KSL_MUL((double)D->m23, w_1),
+      co_4 = KSL_MUL((double)D->m23, w_0) - KSL_MUL((double)D->m03, w_2),
+      co_5 = KSL_MUL((double)D->m03, w_1) - KSL_MUL((double)D->m13, w_0);
   co->m0 = (float)w_0;
   co->m1 = (float)w_1;
   co->m2 = (float)w_2;
@@ -3851,9 +3037,8 @@ static inline void ksl_working_ctzf_accurate(const ksl_SE3f_t *D, const ksl_cosc
      formula; barring over- and underflow. */
 static inline void ksl_working_crxf_accurate(const ksl_SE3f_t *D, const ksl_coscrewf_t *c,
     ksl_coscrewf_t *co) {
-  const double w_3 = (double)D->m00 * (double)c->m3;
-  const double w_4 = (double)D->m10 * (double)c->m3;
-  const double w_5 = (double)D->m20 * (double)c->m3;
+  const double w_3 = (double)D->m00 * (double)c->m3, w_4 = (double)D->m10 * (double)c->m3,
+      w_5 = (double)D->m20 * (double)c->m3;
   co->m0 = (float)0.0;
   co->m1 = (float)0.0;
   co->m2 = (float)0.0;
@@ -3869,9 +3054,8 @@ static inline void ksl_working_crxf_accurate(const ksl_SE3f_t *D, const ksl_cosc
      formula; barring over- and underflow. */
 static inline void ksl_working_cryf_accurate(const ksl_SE3f_t *D, const ksl_coscrewf_t *c,
     ksl_coscrewf_t *co) {
-  const double w_3 = (double)D->m01 * (double)c->m4;
-  const double w_4 = (double)D->m11 * (double)c->m4;
-  const double w_5 = (double)D->m21 * (double)c->m4;
+  const double w_3 = (double)D->m01 * (double)c->m4, w_4 = (double)D->m11 * (double)c->m4,
+      w_5 = (double)D->m21 * (double)c->m4;
   co->m0 = (float)0.0;
   co->m1 = (float)0.0;
   co->m2 = (float)0.0;
@@ -3887,9 +3071,8 @@ static inline void ksl_working_cryf_accurate(const ksl_SE3f_t *D, const ksl_cosc
      formula; barring over- and underflow. */
 static inline void ksl_working_crzf_accurate(const ksl_SE3f_t *D, const ksl_coscrewf_t *c,
     ksl_coscrewf_t *co) {
-  const double w_3 = (double)D->m02 * (double)c->m5;
-  const double w_4 = (double)D->m12 * (double)c->m5;
-  const double w_5 = (double)D->m22 * (double)c->m5;
+  const double w_3 = (double)D->m02 * (double)c->m5, w_4 = (double)D->m12 * (double)c->m5,
+      w_5 = (double)D->m22 * (double)c->m5;
   co->m0 = (float)0.0;
   co->m1 = (float)0.0;
   co->m2 = (float)0.0;

@@ -51,45 +51,35 @@ static KSL_INLINE double ksl_atan2(const double y, const double x) {
   const double above_1 = scaled_a + scaled_a;
   const double side = copysign(1.0, x);
   const double sign_1 = -side, sign = width < height ? sign_1 : side;
-  const double quarters_1 = side + side, quarters_2 = 2.0 - quarters_1,
-      quarters_3 = width < height ? 2.0 : quarters_2, quarters_4 = scaled_b < above_1 ? sign : 0.0,
-      quarters = quarters_3 + quarters_4;
+  const double quarters_2 = 2.0 - (side + side),
+      quarters = (width < height ? 2.0 : quarters_2) + (scaled_b < above_1 ? sign : 0.0);
   const double base = KSL_MUL(quarters, 0.7853981633974483);
   const double total = scaled_a + scaled_b;
-  const double n_1 = scaled_a - scaled_b, n_2 = scaled_b < above_1 ? n_1 : scaled_a,
-      n = KSL_MUL(sign, n_2);
-  const double rest_of_d_1 = scaled_b - total, rest_of_d_2 = rest_of_d_1 + scaled_a,
+  const double n_1 = scaled_a - scaled_b, n = KSL_MUL(sign, scaled_b < above_1 ? n_1 : scaled_a);
+  const double rest_of_d_2 = scaled_b - total + scaled_a,
       rest_of_d = scaled_b < above_1 ? rest_of_d_2 : 0.0;
   const double d = scaled_b < above_1 ? total : scaled_b;
   const double inverse = 1.0 / d;
   const double q_high_1 = KSL_MUL(n, inverse), q_high_2 = KSL_MUL(q_high_1, 134217729.0),
-      q_high_3 = q_high_2 - q_high_1, q_high = q_high_2 - q_high_3;
-  const double d_high_1 = KSL_MUL(d, 134217729.0), d_high_2 = d_high_1 - d,
-      d_high = d_high_1 - d_high_2;
+      q_high = q_high_2 - (q_high_2 - q_high_1);
+  const double d_high_1 = KSL_MUL(d, 134217729.0), d_high = d_high_1 - (d_high_1 - d);
   const double d_low = d - d_high;
-  const double but_high_1 = KSL_MUL(q_high, d_high), but_high = n - but_high_1;
-  const double but_low_1 = KSL_MUL(q_high, d_low), but_low = but_high - but_low_1;
-  const double c_1 = KSL_MUL(q_high, rest_of_d), c_2 = but_low - c_1, c = KSL_MUL(c_2, inverse);
+  const double but_high = n - KSL_MUL(q_high, d_high);
+  const double but_low = but_high - KSL_MUL(q_high, d_low);
+  const double c = KSL_MUL(but_low - KSL_MUL(q_high, rest_of_d), inverse);
   const double q = q_high + c;
   const double z = KSL_MUL(q, q);
-  const double tail_1 = KSL_MUL(q, z), tail_2 = KSL_MUL(z, -0.1428571427638533),
-      tail_3 = tail_2 + 0.19999999999903106, tail_4 = KSL_MUL(z, -0.09090896243462607),
-      tail_5 = tail_4 + 0.11111110659599031, tail_6 = KSL_MUL(z, -0.06663810317366585),
-      tail_7 = tail_6 + 0.07692073887659807, tail_8 = KSL_MUL(z, -0.05121994511422147),
-      tail_9 = tail_8 + 0.058582966172403564, tail_10 = KSL_MUL(z, -0.0274343623051046),
-      tail_11 = tail_10 + 0.04186470045016432, tail_12 = KSL_MUL(z, z),
-      tail_13 = KSL_MUL(tail_12, tail_5), tail_14 = tail_13 + tail_3,
-      tail_15 = KSL_MUL(tail_12, tail_9), tail_16 = tail_15 + tail_7,
-      tail_17 = KSL_MUL(tail_12, 0.010116413558090894), tail_18 = tail_17 + tail_11,
-      tail_19 = KSL_MUL(tail_12, tail_12), tail_20 = KSL_MUL(tail_19, tail_16),
-      tail_21 = tail_20 + tail_14, tail_22 = KSL_MUL(tail_19, tail_19),
-      tail_23 = KSL_MUL(tail_22, tail_18), tail_24 = tail_23 + tail_21,
-      tail_25 = KSL_MUL(z, tail_24), tail_26 = tail_25 + -0.3333333333333298,
-      tail_27 = KSL_MUL(tail_1, tail_26), tail_28 = tail_27 + c,
-      tail_29 = KSL_MUL(quarters, 3.061616997868383e-17), tail = tail_28 + tail_29;
+  const double tail_12 = KSL_MUL(z, z), tail_19 = KSL_MUL(tail_12, tail_12),
+      tail_16 = KSL_MUL(tail_12, KSL_MUL(z, -0.05121994511422147) + 0.058582966172403564)
+          + (KSL_MUL(z, -0.06663810317366585) + 0.07692073887659807),
+      tail_14 = KSL_MUL(tail_12, KSL_MUL(z, -0.09090896243462607) + 0.11111110659599031)
+          + (KSL_MUL(z, -0.1428571427638533) + 0.19999999999903106),
+      tail_23 = KSL_MUL(KSL_MUL(tail_19, tail_19), KSL_MUL(tail_12, 0.010116413558090894)
+          + (KSL_MUL(z, -0.0274343623051046) + 0.04186470045016432)),
+      tail_28 = KSL_MUL(KSL_MUL(q, z), KSL_MUL(z, tail_23 + (KSL_MUL(tail_19, tail_16) + tail_14))
+          + -0.3333333333333298) + c, tail = tail_28 + KSL_MUL(quarters, 3.061616997868383e-17);
   const double sum = base + q_high;
-  const double positive_1 = base - sum, positive_2 = positive_1 + q_high,
-      positive_3 = positive_2 + tail, positive = sum + positive_3;
+  const double positive = sum + (base - sum + q_high + tail);
   const double angle_value = copysign(positive, y);
   return angle_value;
 }
@@ -118,28 +108,22 @@ static KSL_INLINE double ksl_power(const double shifted) {
    19 mul, 20 add, 1 power of two, 3 less, 4 select. */
 static KSL_INLINE double ksl_exp(const double x) {
   const double within_2 = 710.0 < x ? 710.0 : x, within = within_2 < -746.0 ? -746.0 : within_2;
-  const double shifted_1 = KSL_MUL(within, 1.4426950408889634),
-      shifted = shifted_1 + 6755399441055744.0;
+  const double shifted = KSL_MUL(within, 1.4426950408889634) + 6755399441055744.0;
   const double k = shifted - 6755399441055744.0;
-  const double high_1 = KSL_MUL(k, 0.6931471805598903), high = within - high_1;
+  const double high = within - KSL_MUL(k, 0.6931471805598903);
   const double rest = KSL_MUL(k, 5.497923018708371e-14);
   const double r = high - rest;
-  const double low_1 = KSL_MUL(r, r), low_2 = KSL_MUL(r, 0.04166666666660382),
-      low_3 = low_2 + 0.16666666666666433, low_4 = KSL_MUL(r, 0.0013888888926860458),
-      low_5 = low_4 + 0.008333333333500498, low_6 = KSL_MUL(r, 2.4801508592805324e-05),
-      low_7 = low_6 + 0.00019841269465342197, low_8 = KSL_MUL(r, 2.762522584904681e-07),
-      low_9 = low_8 + 2.7557641500508844e-06, low_10 = KSL_MUL(r, r),
-      low_11 = KSL_MUL(low_10, low_5), low_12 = low_11 + low_3, low_13 = KSL_MUL(low_10, low_9),
-      low_14 = low_13 + low_7, low_15 = KSL_MUL(low_10, low_10), low_16 = KSL_MUL(low_15, low_14),
-      low_17 = low_16 + low_12, low_18 = KSL_MUL(low_15, low_15),
-      low_19 = KSL_MUL(low_18, 2.4978234152604323e-08), low_20 = low_19 + low_17,
-      low_21 = KSL_MUL(r, low_20), low_22 = low_21 + 0.5, low_23 = KSL_MUL(low_1, low_22),
-      low = low_23 - rest;
+  const double low_10 = KSL_MUL(r, r), low_15 = KSL_MUL(low_10, low_10),
+      low_14 = KSL_MUL(low_10, KSL_MUL(r, 2.762522584904681e-07) + 2.7557641500508844e-06)
+          + (KSL_MUL(r, 2.4801508592805324e-05) + 0.00019841269465342197),
+      low_12 = KSL_MUL(low_10, KSL_MUL(r, 0.0013888888926860458) + 0.008333333333500498)
+          + (KSL_MUL(r, 0.04166666666660382) + 0.16666666666666433),
+      low = KSL_MUL(KSL_MUL(r, r), KSL_MUL(r, KSL_MUL(KSL_MUL(low_15, low_15),
+          2.4978234152604323e-08) + (KSL_MUL(low_15, low_14) + low_12)) + 0.5) - rest;
   const double start = high + 1.0;
-  const double e_r_1 = 1.0 - start, e_r_2 = e_r_1 + high, e_r_3 = e_r_2 + low, e_r = start + e_r_3;
-  const double scaled_1 = within < -700.0 ? 64.0 : -1.0, scaled_2 = shifted + scaled_1,
-      scaled_3 = ksl_power(scaled_2), scaled = KSL_MUL(e_r, scaled_3);
-  const double y_1 = within < -700.0 ? 5.421010862427522e-20 : 2.0, y_value = KSL_MUL(scaled, y_1);
+  const double e_r = start + (1.0 - start + high + low);
+  const double scaled = KSL_MUL(e_r, ksl_power(shifted + (within < -700.0 ? 64.0 : -1.0)));
+  const double y_value = KSL_MUL(scaled, within < -700.0 ? 5.421010862427522e-20 : 2.0);
   return y_value;
 }
 #endif
@@ -147,16 +131,14 @@ static KSL_INLINE double ksl_exp(const double x) {
 #define KSL_SINCOS
 /* Its reduction of angles up to 6588396.0. */
 static KSL_INLINED double ksl_sincos_near(const double x, double *r, double *r_excess) {
-  const double quadrant_1 = KSL_MUL(x, 0.6366197723675814),
-      quadrant_2 = quadrant_1 + 6755399441055744.0,
-      quadrant_value = quadrant_2 - 6755399441055744.0;
-  const double high_1 = KSL_MUL(quadrant_value, 1.5707963267341256), high_2 = x - high_1,
-      high_3 = KSL_MUL(quadrant_value, 6.077094383272197e-11), high = high_2 - high_3;
+  const double quadrant_value = KSL_MUL(x, 0.6366197723675814) + 6755399441055744.0
+          - 6755399441055744.0;
+  const double high = x - KSL_MUL(quadrant_value, 1.5707963267341256)
+          - KSL_MUL(quadrant_value, 6.077094383272197e-11);
   const double low = KSL_MUL(quadrant_value, 6.12323399409214e-17);
   const double r_value = high - low;
-  const double r_excess_1 = r_value - high, r_excess_2 = r_excess_1 + low,
-      r_excess_3 = KSL_MUL(quadrant_value, 1.6446256936324258e-26),
-      r_excess_value = r_excess_2 + r_excess_3;
+  const double r_excess_value = r_value - high + low
+          + KSL_MUL(quadrant_value, 1.6446256936324258e-26);
   *r = r_value;
   *r_excess = r_excess_value;
   return quadrant_value;
@@ -193,8 +175,7 @@ static inline double ksl_two_over_pi(const double x, const int n) {
 /* Its reduction of any larger angle. */
 static KSL_COLD double ksl_sincos_far(const double x, double *r, double *r_excess) {
   const double scaled = KSL_MUL(x, 6.441148769597133e-232);
-  const double x_high_1 = KSL_MUL(scaled, 134217729.0), x_high_2 = x_high_1 - scaled,
-      x_high = x_high_1 - x_high_2;
+  const double x_high_1 = KSL_MUL(scaled, 134217729.0), x_high = x_high_1 - (x_high_1 - scaled);
   const double x_low = scaled - x_high;
   const double chunk0 = ksl_two_over_pi(x, 0);
   const double chunk1 = ksl_two_over_pi(x, 1);
@@ -204,57 +185,46 @@ static KSL_COLD double ksl_sincos_far(const double x, double *r, double *r_exces
   const double chunk5 = ksl_two_over_pi(x, 5);
   const double chunk6 = ksl_two_over_pi(x, 6);
   const double chunk7 = ksl_two_over_pi(x, 7);
-  const double t0_1 = KSL_MUL(x_low, chunk0), t0_2 = KSL_MUL(x_high, chunk1), t0 = t0_1 + t0_2;
-  const double t1_1 = KSL_MUL(x_low, chunk1), t1_2 = KSL_MUL(x_high, chunk2), t1 = t1_1 + t1_2;
-  const double t2_1 = KSL_MUL(x_low, chunk2), t2_2 = KSL_MUL(x_high, chunk3), t2 = t2_1 + t2_2;
-  const double t3_1 = KSL_MUL(x_low, chunk3), t3_2 = KSL_MUL(x_high, chunk4), t3 = t3_1 + t3_2;
-  const double t4_1 = KSL_MUL(x_low, chunk4), t4_2 = KSL_MUL(x_high, chunk5), t4 = t4_1 + t4_2;
-  const double t5_1 = KSL_MUL(x_low, chunk5), t5_2 = KSL_MUL(x_high, chunk6), t5 = t5_1 + t5_2;
-  const double t6_1 = KSL_MUL(x_low, chunk6), t6_2 = KSL_MUL(x_high, chunk7), t6 = t6_1 + t6_2;
-  const double rest0_1 = t0 + 5.404319552844595e+16, rest0_2 = rest0_1 - 5.404319552844595e+16,
-      rest0 = t0 - rest0_2;
-  const double rest4_1 = rest0 + 2.7021597764222976e+16, rest4_2 = rest4_1 - 2.7021597764222976e+16,
-      rest4 = rest0 - rest4_2;
-  const double k1_1 = t1 + 6755399441055744.0, k1 = k1_1 - 6755399441055744.0;
-  const double sum2_1 = t1 - k1, sum2_2 = rest4 + sum2_1, sum2 = sum2_2 + t2;
-  const double sum2_error_1 = sum2 - sum2_2, sum2_error_2 = sum2 - sum2_error_1,
-      sum2_error_3 = sum2_2 - sum2_error_2, sum2_error_4 = t2 - sum2_error_1,
-      sum2_error = sum2_error_3 + sum2_error_4;
-  const double k2_1 = sum2 + 6755399441055744.0, k2 = k2_1 - 6755399441055744.0;
+  const double t0 = KSL_MUL(x_low, chunk0) + KSL_MUL(x_high, chunk1);
+  const double t1 = KSL_MUL(x_low, chunk1) + KSL_MUL(x_high, chunk2);
+  const double t2 = KSL_MUL(x_low, chunk2) + KSL_MUL(x_high, chunk3);
+  const double t3 = KSL_MUL(x_low, chunk3) + KSL_MUL(x_high, chunk4);
+  const double t4 = KSL_MUL(x_low, chunk4) + KSL_MUL(x_high, chunk5);
+  const double t5 = KSL_MUL(x_low, chunk5) + KSL_MUL(x_high, chunk6);
+  const double t6 = KSL_MUL(x_low, chunk6) + KSL_MUL(x_high, chunk7);
+  const double rest0 = t0 - (t0 + 5.404319552844595e+16 - 5.404319552844595e+16);
+  const double rest4 = rest0 - (rest0 + 2.7021597764222976e+16 - 2.7021597764222976e+16);
+  const double k1 = t1 + 6755399441055744.0 - 6755399441055744.0;
+  const double sum2_2 = rest4 + (t1 - k1), sum2 = sum2_2 + t2;
+  const double sum2_error_1 = sum2 - sum2_2,
+      sum2_error = sum2_2 - (sum2 - sum2_error_1) + (t2 - sum2_error_1);
+  const double k2 = sum2 + 6755399441055744.0 - 6755399441055744.0;
   const double sum2_rest = sum2 - k2;
   const double sum3 = sum2_rest + t3;
-  const double sum3_error_1 = sum3 - sum2_rest, sum3_error_2 = sum3 - sum3_error_1,
-      sum3_error_3 = sum2_rest - sum3_error_2, sum3_error_4 = t3 - sum3_error_1,
-      sum3_error = sum3_error_3 + sum3_error_4;
+  const double sum3_error_1 = sum3 - sum2_rest,
+      sum3_error = sum2_rest - (sum3 - sum3_error_1) + (t3 - sum3_error_1);
   const double low3 = sum2_error + sum3_error;
   const double tail = t6 + t5;
   const double low4 = low3 + t4;
-  const double low4_error_1 = low4 - low3, low4_error_2 = low4 - low4_error_1,
-      low4_error_3 = low3 - low4_error_2, low4_error_4 = t4 - low4_error_1,
-      low4_error = low4_error_3 + low4_error_4;
+  const double low4_error_1 = low4 - low3,
+      low4_error = low3 - (low4 - low4_error_1) + (t4 - low4_error_1);
   const double tail4 = tail + low4_error;
   const double f = sum3 + low4;
-  const double f_error_1 = f - sum3, f_error_2 = f - f_error_1, f_error_3 = sum3 - f_error_2,
-      f_error_4 = low4 - f_error_1, f_error = f_error_3 + f_error_4;
+  const double f_error_1 = f - sum3, f_error = sum3 - (f - f_error_1) + (low4 - f_error_1);
   const double f_low = f_error + tail4;
-  const double f_part_high_1 = KSL_MUL(f, 134217729.0), f_part_high_2 = f_part_high_1 - f,
-      f_part_high = f_part_high_1 - f_part_high_2;
+  const double f_part_high_1 = KSL_MUL(f, 134217729.0),
+      f_part_high = f_part_high_1 - (f_part_high_1 - f);
   const double f_part_low = f - f_part_high;
   const double product = KSL_MUL(f, 1.5707963267948966);
-  const double product_excess_1 = KSL_MUL(f_part_high, 1.5707963407039642),
-      product_excess_2 = product - product_excess_1,
-      product_excess_3 = KSL_MUL(f_part_high, -1.3909067675399456e-08),
-      product_excess_4 = product_excess_2 - product_excess_3,
-      product_excess_5 = KSL_MUL(f_part_low, 1.5707963407039642),
-      product_excess_6 = product_excess_4 - product_excess_5,
-      product_excess_7 = KSL_MUL(f_part_low, -1.3909067675399456e-08),
-      product_excess = product_excess_6 - product_excess_7;
-  const double rest_1 = KSL_MUL(f, 6.123233995736766e-17),
-      rest_2 = KSL_MUL(f_low, 1.5707963267948966), rest_3 = rest_1 + rest_2,
-      rest = product_excess - rest_3;
+  const double product_excess_4 = product - KSL_MUL(f_part_high, 1.5707963407039642)
+          - KSL_MUL(f_part_high, -1.3909067675399456e-08),
+      product_excess = product_excess_4 - KSL_MUL(f_part_low, 1.5707963407039642)
+          - KSL_MUL(f_part_low, -1.3909067675399456e-08);
+  const double rest = product_excess
+          - (KSL_MUL(f, 6.123233995736766e-17) + KSL_MUL(f_low, 1.5707963267948966));
   const double r_value = product - rest;
-  const double r_excess_1 = r_value - product, r_excess_value = r_excess_1 + rest;
   const double quadrant_value = k1 + k2;
+  const double r_excess_value = r_value - product + rest;
   *r = r_value;
   *r_excess = r_excess_value;
   return quadrant_value;
@@ -278,27 +248,22 @@ static KSL_INLINED double ksl_sincos(const double x, double *c) {
   const double z2 = KSL_MUL(z, z);
   const double half_z = KSL_MUL(z, 0.5);
   const double w = 1.0 - half_z;
-  const double sin_r_1 = KSL_MUL(z, r), sin_r_2 = KSL_MUL(z, -0.00833333333332184),
-      sin_r_3 = KSL_MUL(z, -2.7557313538442266e-06), sin_r_4 = 0.00019841269829358447 + sin_r_3,
-      sin_r_5 = KSL_MUL(z, -1.5895431762410801e-10), sin_r_6 = 2.5050734370397888e-08 + sin_r_5,
-      sin_r_7 = KSL_MUL(z2, sin_r_6), sin_r_8 = sin_r_4 + sin_r_7, sin_r_9 = KSL_MUL(z2, sin_r_8),
-      sin_r_10 = sin_r_2 + sin_r_9, sin_r_11 = 0.1666666666666663 + sin_r_10,
-      sin_r_12 = KSL_MUL(sin_r_1, sin_r_11), sin_r_13 = KSL_MUL(r_excess, w),
-      sin_r_14 = sin_r_12 + sin_r_13, sin_r = r - sin_r_14;
-  const double cos_r_1 = 1.0 - w, cos_r_2 = cos_r_1 - half_z,
-      cos_r_3 = KSL_MUL(z, -0.0013888888888872186), cos_r_4 = KSL_MUL(z, -2.7557314015067576e-07),
-      cos_r_5 = 2.48015872882953e-05 + cos_r_4, cos_r_6 = KSL_MUL(z, -1.1357335951124145e-11),
-      cos_r_7 = 2.087567807349307e-09 + cos_r_6, cos_r_8 = KSL_MUL(z2, cos_r_7),
-      cos_r_9 = cos_r_5 + cos_r_8, cos_r_10 = KSL_MUL(z2, cos_r_9), cos_r_11 = cos_r_3 + cos_r_10,
-      cos_r_12 = 0.04166666666666659 + cos_r_11, cos_r_13 = KSL_MUL(z2, cos_r_12),
-      cos_r_14 = KSL_MUL(r, r_excess), cos_r_15 = cos_r_13 + cos_r_14,
-      cos_r_16 = cos_r_2 + cos_r_15, cos_r = w + cos_r_16;
-  const double q_1 = quadrant + 2.7021597764222976e+16, q_2 = q_1 - 2.7021597764222976e+16,
-      q = q_2 - quadrant;
-  const double cos_k_1 = fabs(q), cos_k = 1.0 - cos_k_1;
-  const double minus_sin_k_1 = 1.0 + cos_k, minus_sin_k = KSL_MUL(q, minus_sin_k_1);
-  const double s_1 = KSL_MUL(sin_r, cos_k), s_2 = KSL_MUL(cos_r, minus_sin_k), s_value = s_1 - s_2;
-  const double c_1 = KSL_MUL(cos_r, cos_k), c_2 = KSL_MUL(sin_r, minus_sin_k), c_value = c_1 + c_2;
+  const double sin_r_8 = 0.00019841269829358447 + KSL_MUL(z, -2.7557313538442266e-06)
+          + KSL_MUL(z2, 2.5050734370397888e-08 + KSL_MUL(z, -1.5895431762410801e-10)),
+      sin_r = r
+          - (KSL_MUL(KSL_MUL(z, r), 0.1666666666666663
+          + (KSL_MUL(z, -0.00833333333332184) + KSL_MUL(z2, sin_r_8))) + KSL_MUL(r_excess, w));
+  const double cos_r_9 = 2.48015872882953e-05 + KSL_MUL(z, -2.7557314015067576e-07)
+          + KSL_MUL(z2, 2.087567807349307e-09 + KSL_MUL(z, -1.1357335951124145e-11)),
+      cos_r_16 = 1.0 - w - half_z
+          + (KSL_MUL(z2, 0.04166666666666659
+          + (KSL_MUL(z, -0.0013888888888872186) + KSL_MUL(z2, cos_r_9))) + KSL_MUL(r, r_excess)),
+      cos_r = w + cos_r_16;
+  const double q = quadrant + 2.7021597764222976e+16 - 2.7021597764222976e+16 - quadrant;
+  const double cos_k = 1.0 - fabs(q);
+  const double minus_sin_k = KSL_MUL(q, 1.0 + cos_k);
+  const double s_value = KSL_MUL(sin_r, cos_k) - KSL_MUL(cos_r, minus_sin_k);
+  const double c_value = KSL_MUL(cos_r, cos_k) + KSL_MUL(sin_r, minus_sin_k);
   *c = c_value;
   return s_value;
 }
@@ -331,43 +296,33 @@ static KSL_INLINE double ksl_cos(const double x) {
 static KSL_INLINE double ksl_tanh(const double x) {
   const double size = fabs(x);
   const double z = KSL_MUL(size, size);
-  const double above_1 = KSL_MUL(size, z), above_2 = KSL_MUL(z, -0.00019908890916339926),
-      above_3 = above_2 + -0.020496786093244908, above_4 = KSL_MUL(above_3, z),
-      above_5 = above_4 + -0.33333333333333326, above = KSL_MUL(above_1, above_5);
-  const double below_1 = KSL_MUL(z, 0.00020643828172711687),
-      below_2 = below_1 + 0.023288648134874086, below_3 = KSL_MUL(below_2, z),
-      below_4 = below_3 + 0.4614903582797203, below_5 = KSL_MUL(below_4, z), below = below_5 + 1.0;
+  const double above = KSL_MUL(KSL_MUL(size, z), KSL_MUL(KSL_MUL(z, -0.00019908890916339926) +
+          -0.020496786093244908, z) + -0.33333333333333326);
+  const double below = KSL_MUL(KSL_MUL(KSL_MUL(z, 0.00020643828172711687)
+          + 0.023288648134874086, z) + 0.4614903582797203, z) + 1.0;
   const double twice_1 = size + size, twice = 40.0 < twice_1 ? 40.0 : twice_1;
-  const double shifted_1 = KSL_MUL(twice, 1.4426950408889634),
-      shifted = shifted_1 + 6755399441055744.0;
+  const double shifted = KSL_MUL(twice, 1.4426950408889634) + 6755399441055744.0;
   const double k = shifted - 6755399441055744.0;
-  const double high_1 = KSL_MUL(k, 0.6931471805598903), high = twice - high_1;
+  const double high = twice - KSL_MUL(k, 0.6931471805598903);
   const double rest = KSL_MUL(k, 5.497923018708371e-14);
   const double r = high - rest;
-  const double low_1 = KSL_MUL(r, r), low_2 = KSL_MUL(r, 0.04166666666660382),
-      low_3 = low_2 + 0.16666666666666433, low_4 = KSL_MUL(r, 0.0013888888926860458),
-      low_5 = low_4 + 0.008333333333500498, low_6 = KSL_MUL(r, 2.4801508592805324e-05),
-      low_7 = low_6 + 0.00019841269465342197, low_8 = KSL_MUL(r, 2.762522584904681e-07),
-      low_9 = low_8 + 2.7557641500508844e-06, low_10 = KSL_MUL(r, r),
-      low_11 = KSL_MUL(low_10, low_5), low_12 = low_11 + low_3, low_13 = KSL_MUL(low_10, low_9),
-      low_14 = low_13 + low_7, low_15 = KSL_MUL(low_10, low_10), low_16 = KSL_MUL(low_15, low_14),
-      low_17 = low_16 + low_12, low_18 = KSL_MUL(low_15, low_15),
-      low_19 = KSL_MUL(low_18, 2.4978234152604323e-08), low_20 = low_19 + low_17,
-      low_21 = KSL_MUL(r, low_20), low_22 = low_21 + 0.5, low_23 = KSL_MUL(low_1, low_22),
-      low = low_23 - rest;
+  const double low_10 = KSL_MUL(r, r), low_15 = KSL_MUL(low_10, low_10),
+      low_14 = KSL_MUL(low_10, KSL_MUL(r, 2.762522584904681e-07) + 2.7557641500508844e-06)
+          + (KSL_MUL(r, 2.4801508592805324e-05) + 0.00019841269465342197),
+      low_12 = KSL_MUL(low_10, KSL_MUL(r, 0.0013888888926860458) + 0.008333333333500498)
+          + (KSL_MUL(r, 0.04166666666660382) + 0.16666666666666433),
+      low = KSL_MUL(KSL_MUL(r, r), KSL_MUL(r, KSL_MUL(KSL_MUL(low_15, low_15),
+          2.4978234152604323e-08) + (KSL_MUL(low_15, low_14) + low_12)) + 0.5) - rest;
   const double power = ksl_power(shifted);
   const double s_1 = power + 1.0, s = high + low;
   const double rest_of_e = KSL_MUL(s, power);
   const double total = s_1 + rest_of_e;
-  const double low_of_total_1 = s_1 - total, low_of_total = low_of_total_1 + rest_of_e;
-  const double quotient_1 = size < 0.625 ? above : -2.0, quotient_2 = size < 0.625 ? below : total,
-      quotient = quotient_1 / quotient_2;
-  const double correction_1 = KSL_MUL(quotient, low_of_total),
-      correction_2 = KSL_MUL(quotient, 0.5), correction_3 = KSL_MUL(correction_1, correction_2),
+  const double low_of_total = s_1 - total + rest_of_e;
+  const double quotient = (size < 0.625 ? above : -2.0) / (size < 0.625 ? below : total);
+  const double correction_3 = KSL_MUL(KSL_MUL(quotient, low_of_total), KSL_MUL(quotient, 0.5)),
       correction = size < 0.625 ? 0.0 : correction_3;
   const double start = size < 0.625 ? size : 1.0;
-  const double sum_1 = start + quotient, sum_2 = start - sum_1, sum_3 = sum_2 + quotient,
-      sum_4 = sum_3 + correction, sum = sum_1 + sum_4;
+  const double sum_1 = start + quotient, sum = sum_1 + (start - sum_1 + quotient + correction);
   const double y_value = copysign(sum, x);
   return y_value;
 }
@@ -395,38 +350,32 @@ static KSL_INLINE float ksl_atan2f(const float y, const float x) {
   const float above_1 = scaled_a + scaled_a;
   const float side = copysignf(1.0f, x);
   const float sign_1 = -side, sign = width < height ? sign_1 : side;
-  const float quarters_1 = side + side, quarters_2 = 2.0f - quarters_1,
-      quarters_3 = width < height ? 2.0f : quarters_2,
-      quarters_4 = scaled_b < above_1 ? sign : 0.0f, quarters = quarters_3 + quarters_4;
+  const float quarters_2 = 2.0f - (side + side),
+      quarters = (width < height ? 2.0f : quarters_2) + (scaled_b < above_1 ? sign : 0.0f);
   const float base = KSL_MULF(quarters, 0.78539824f);
   const float total = scaled_a + scaled_b;
-  const float n_1 = scaled_a - scaled_b, n_2 = scaled_b < above_1 ? n_1 : scaled_a,
-      n = KSL_MULF(sign, n_2);
-  const float rest_of_d_1 = scaled_b - total, rest_of_d_2 = rest_of_d_1 + scaled_a,
+  const float n_1 = scaled_a - scaled_b, n = KSL_MULF(sign, scaled_b < above_1 ? n_1 : scaled_a);
+  const float rest_of_d_2 = scaled_b - total + scaled_a,
       rest_of_d = scaled_b < above_1 ? rest_of_d_2 : 0.0f;
   const float d = scaled_b < above_1 ? total : scaled_b;
   const float inverse = 1.0f / d;
   const float q_high_1 = KSL_MULF(n, inverse), q_high_2 = KSL_MULF(q_high_1, 4097.0f),
-      q_high_3 = q_high_2 - q_high_1, q_high = q_high_2 - q_high_3;
-  const float d_high_1 = KSL_MULF(d, 4097.0f), d_high_2 = d_high_1 - d,
-      d_high = d_high_1 - d_high_2;
+      q_high = q_high_2 - (q_high_2 - q_high_1);
+  const float d_high_1 = KSL_MULF(d, 4097.0f), d_high = d_high_1 - (d_high_1 - d);
   const float d_low = d - d_high;
-  const float but_high_1 = KSL_MULF(q_high, d_high), but_high = n - but_high_1;
-  const float but_low_1 = KSL_MULF(q_high, d_low), but_low = but_high - but_low_1;
-  const float c_1 = KSL_MULF(q_high, rest_of_d), c_2 = but_low - c_1, c = KSL_MULF(c_2, inverse);
+  const float but_high = n - KSL_MULF(q_high, d_high);
+  const float but_low = but_high - KSL_MULF(q_high, d_low);
+  const float c = KSL_MULF(but_low - KSL_MULF(q_high, rest_of_d), inverse);
   const float q = q_high + c;
   const float z = KSL_MULF(q, q);
-  const float tail_1 = KSL_MULF(q, z), tail_2 = KSL_MULF(z, -0.14273107f),
-      tail_3 = tail_2 + 0.19999555f, tail_4 = KSL_MULF(z, -0.08009076f),
-      tail_5 = tail_4 + 0.10948411f, tail_6 = KSL_MULF(z, z), tail_7 = KSL_MULF(tail_6, tail_5),
-      tail_8 = tail_7 + tail_3, tail_9 = KSL_MULF(tail_6, tail_6),
-      tail_10 = KSL_MULF(tail_9, 0.039042152f), tail_11 = tail_10 + tail_8,
-      tail_12 = KSL_MULF(z, tail_11), tail_13 = tail_12 + -0.33333328f,
-      tail_14 = KSL_MULF(tail_1, tail_13), tail_15 = tail_14 + c,
-      tail_16 = KSL_MULF(quarters, -8.146034e-08f), tail = tail_15 + tail_16;
+  const float tail_6 = KSL_MULF(z, z),
+      tail_8 = KSL_MULF(tail_6, KSL_MULF(z, -0.08009076f) + 0.10948411f)
+          + (KSL_MULF(z, -0.14273107f) + 0.19999555f),
+      tail_15 = KSL_MULF(KSL_MULF(q, z), KSL_MULF(z, KSL_MULF(KSL_MULF(tail_6, tail_6),
+          0.039042152f) + tail_8) + -0.33333328f) + c,
+      tail = tail_15 + KSL_MULF(quarters, -8.146034e-08f);
   const float sum = base + q_high;
-  const float positive_1 = base - sum, positive_2 = positive_1 + q_high,
-      positive_3 = positive_2 + tail, positive = sum + positive_3;
+  const float positive = sum + (base - sum + q_high + tail);
   const float angle_value = copysignf(positive, y);
   return angle_value;
 }
@@ -455,20 +404,18 @@ static KSL_INLINE float ksl_powerf(const float shifted) {
    12 mul, 15 add, 1 power of two, 3 less, 4 select. */
 static KSL_INLINE float ksl_expf(const float x) {
   const float within_2 = 89.0f < x ? 89.0f : x, within = within_2 < -104.0f ? -104.0f : within_2;
-  const float shifted_1 = KSL_MULF(within, 1.442695f), shifted = shifted_1 + 1.2582912e+07f;
+  const float shifted = KSL_MULF(within, 1.442695f) + 1.2582912e+07f;
   const float k = shifted - 1.2582912e+07f;
-  const float high_1 = KSL_MULF(k, 0.69314575f), high = within - high_1;
+  const float high = within - KSL_MULF(k, 0.69314575f);
   const float rest = KSL_MULF(k, 1.4286068e-06f);
   const float r = high - rest;
-  const float low_1 = KSL_MULF(r, r), low_2 = KSL_MULF(r, 0.04166724f), low_3 = low_2 + 0.16666535f,
-      low_4 = KSL_MULF(r, 0.0013863435f), low_5 = low_4 + 0.008367437f, low_6 = KSL_MULF(r, r),
-      low_7 = KSL_MULF(low_6, low_5), low_8 = low_7 + low_3, low_9 = KSL_MULF(r, low_8),
-      low_10 = low_9 + 0.5f, low_11 = KSL_MULF(low_1, low_10), low = low_11 - rest;
+  const float low_10 = KSL_MULF(r, KSL_MULF(KSL_MULF(r, r), KSL_MULF(r, 0.0013863435f)
+          + 0.008367437f) + (KSL_MULF(r, 0.04166724f) + 0.16666535f)) + 0.5f,
+      low = KSL_MULF(KSL_MULF(r, r), low_10) - rest;
   const float start = high + 1.0f;
-  const float e_r_1 = 1.0f - start, e_r_2 = e_r_1 + high, e_r_3 = e_r_2 + low, e_r = start + e_r_3;
-  const float scaled_1 = within < -80.0f ? 64.0f : -1.0f, scaled_2 = shifted + scaled_1,
-      scaled_3 = ksl_powerf(scaled_2), scaled = KSL_MULF(e_r, scaled_3);
-  const float y_1 = within < -80.0f ? 5.421011e-20f : 2.0f, y_value = KSL_MULF(scaled, y_1);
+  const float e_r = start + (1.0f - start + high + low);
+  const float scaled = KSL_MULF(e_r, ksl_powerf(shifted + (within < -80.0f ? 64.0f : -1.0f)));
+  const float y_value = KSL_MULF(scaled, within < -80.0f ? 5.421011e-20f : 2.0f);
   return y_value;
 }
 #endif
@@ -476,15 +423,12 @@ static KSL_INLINE float ksl_expf(const float x) {
 #define KSL_SINCOSF
 /* Its reduction of angles up to 1607.0f. */
 static KSL_INLINED float ksl_sincos_nearf(const float x, float *r, float *r_excess) {
-  const float quadrant_1 = KSL_MULF(x, 0.63661975f), quadrant_2 = quadrant_1 + 1.2582912e+07f,
-      quadrant_value = quadrant_2 - 1.2582912e+07f;
-  const float high_1 = KSL_MULF(quadrant_value, 1.5706787f), high_2 = x - high_1,
-      high_3 = KSL_MULF(quadrant_value, 0.000117599964f), high = high_2 - high_3;
+  const float quadrant_value = KSL_MULF(x, 0.63661975f) + 1.2582912e+07f - 1.2582912e+07f;
+  const float high = x - KSL_MULF(quadrant_value, 1.5706787f)
+          - KSL_MULF(quadrant_value, 0.000117599964f);
   const float low = KSL_MULF(quadrant_value, 1.589251e-08f);
   const float r_value = high - low;
-  const float r_excess_1 = r_value - high, r_excess_2 = r_excess_1 + low,
-      r_excess_3 = KSL_MULF(quadrant_value, 7.443548e-13f),
-      r_excess_value = r_excess_2 + r_excess_3;
+  const float r_excess_value = r_value - high + low + KSL_MULF(quadrant_value, 7.443548e-13f);
   *r = r_value;
   *r_excess = r_excess_value;
   return quadrant_value;
@@ -511,8 +455,7 @@ static inline float ksl_two_over_pif(const float x, const int n) {
 /* Its reduction of any larger angle. */
 static KSL_COLD float ksl_sincos_farf(const float x, float *r, float *r_excess) {
   const float scaled = KSL_MULF(x, 1.2621775e-29f);
-  const float x_high_1 = KSL_MULF(scaled, 4097.0f), x_high_2 = x_high_1 - scaled,
-      x_high = x_high_1 - x_high_2;
+  const float x_high_1 = KSL_MULF(scaled, 4097.0f), x_high = x_high_1 - (x_high_1 - scaled);
   const float x_low = scaled - x_high;
   const float chunk0 = ksl_two_over_pif(x, 0);
   const float chunk1 = ksl_two_over_pif(x, 1);
@@ -523,61 +466,49 @@ static KSL_COLD float ksl_sincos_farf(const float x, float *r, float *r_excess) 
   const float chunk6 = ksl_two_over_pif(x, 6);
   const float chunk7 = ksl_two_over_pif(x, 7);
   const float chunk8 = ksl_two_over_pif(x, 8);
-  const float t0_1 = KSL_MULF(x_low, chunk0), t0_2 = KSL_MULF(x_high, chunk1), t0 = t0_1 + t0_2;
-  const float t1_1 = KSL_MULF(x_low, chunk1), t1_2 = KSL_MULF(x_high, chunk2), t1 = t1_1 + t1_2;
-  const float t2_1 = KSL_MULF(x_low, chunk2), t2_2 = KSL_MULF(x_high, chunk3), t2 = t2_1 + t2_2;
-  const float t3_1 = KSL_MULF(x_low, chunk3), t3_2 = KSL_MULF(x_high, chunk4), t3 = t3_1 + t3_2;
-  const float t4_1 = KSL_MULF(x_low, chunk4), t4_2 = KSL_MULF(x_high, chunk5), t4 = t4_1 + t4_2;
-  const float t5_1 = KSL_MULF(x_low, chunk5), t5_2 = KSL_MULF(x_high, chunk6), t5 = t5_1 + t5_2;
-  const float t6_1 = KSL_MULF(x_low, chunk6), t6_2 = KSL_MULF(x_high, chunk7), t6 = t6_1 + t6_2;
-  const float t7_1 = KSL_MULF(x_low, chunk7), t7_2 = KSL_MULF(x_high, chunk8), t7 = t7_1 + t7_2;
-  const float rest0_1 = t0 + 1.006633e+08f, rest0_2 = rest0_1 - 1.006633e+08f, rest0 = t0 - rest0_2;
-  const float rest4_1 = rest0 + 5.033165e+07f, rest4_2 = rest4_1 - 5.033165e+07f,
-      rest4 = rest0 - rest4_2;
-  const float k1_1 = t1 + 1.2582912e+07f, k1 = k1_1 - 1.2582912e+07f;
-  const float sum2_1 = t1 - k1, sum2_2 = rest4 + sum2_1, sum2 = sum2_2 + t2;
-  const float sum2_error_1 = sum2 - sum2_2, sum2_error_2 = sum2 - sum2_error_1,
-      sum2_error_3 = sum2_2 - sum2_error_2, sum2_error_4 = t2 - sum2_error_1,
-      sum2_error = sum2_error_3 + sum2_error_4;
-  const float k2_1 = sum2 + 1.2582912e+07f, k2 = k2_1 - 1.2582912e+07f;
+  const float t0 = KSL_MULF(x_low, chunk0) + KSL_MULF(x_high, chunk1);
+  const float t1 = KSL_MULF(x_low, chunk1) + KSL_MULF(x_high, chunk2);
+  const float t2 = KSL_MULF(x_low, chunk2) + KSL_MULF(x_high, chunk3);
+  const float t3 = KSL_MULF(x_low, chunk3) + KSL_MULF(x_high, chunk4);
+  const float t4 = KSL_MULF(x_low, chunk4) + KSL_MULF(x_high, chunk5);
+  const float t5 = KSL_MULF(x_low, chunk5) + KSL_MULF(x_high, chunk6);
+  const float t6 = KSL_MULF(x_low, chunk6) + KSL_MULF(x_high, chunk7);
+  const float t7 = KSL_MULF(x_low, chunk7) + KSL_MULF(x_high, chunk8);
+  const float rest0 = t0 - (t0 + 1.006633e+08f - 1.006633e+08f);
+  const float rest4 = rest0 - (rest0 + 5.033165e+07f - 5.033165e+07f);
+  const float k1 = t1 + 1.2582912e+07f - 1.2582912e+07f;
+  const float sum2_2 = rest4 + (t1 - k1), sum2 = sum2_2 + t2;
+  const float sum2_error_1 = sum2 - sum2_2,
+      sum2_error = sum2_2 - (sum2 - sum2_error_1) + (t2 - sum2_error_1);
+  const float k2 = sum2 + 1.2582912e+07f - 1.2582912e+07f;
   const float sum2_rest = sum2 - k2;
   const float sum3 = sum2_rest + t3;
-  const float sum3_error_1 = sum3 - sum2_rest, sum3_error_2 = sum3 - sum3_error_1,
-      sum3_error_3 = sum2_rest - sum3_error_2, sum3_error_4 = t3 - sum3_error_1,
-      sum3_error = sum3_error_3 + sum3_error_4;
+  const float sum3_error_1 = sum3 - sum2_rest,
+      sum3_error = sum2_rest - (sum3 - sum3_error_1) + (t3 - sum3_error_1);
   const float low3 = sum2_error + sum3_error;
   const float tail = t7 + t6;
   const float low4 = low3 + t4;
-  const float low4_error_1 = low4 - low3, low4_error_2 = low4 - low4_error_1,
-      low4_error_3 = low3 - low4_error_2, low4_error_4 = t4 - low4_error_1,
-      low4_error = low4_error_3 + low4_error_4;
+  const float low4_error_1 = low4 - low3,
+      low4_error = low3 - (low4 - low4_error_1) + (t4 - low4_error_1);
   const float tail4 = tail + low4_error;
   const float low5 = low4 + t5;
-  const float low5_error_1 = low5 - low4, low5_error_2 = low5 - low5_error_1,
-      low5_error_3 = low4 - low5_error_2, low5_error_4 = t5 - low5_error_1,
-      low5_error = low5_error_3 + low5_error_4;
+  const float low5_error_1 = low5 - low4,
+      low5_error = low4 - (low5 - low5_error_1) + (t5 - low5_error_1);
   const float tail5 = tail4 + low5_error;
   const float f = sum3 + low5;
-  const float f_error_1 = f - sum3, f_error_2 = f - f_error_1, f_error_3 = sum3 - f_error_2,
-      f_error_4 = low5 - f_error_1, f_error = f_error_3 + f_error_4;
+  const float f_error_1 = f - sum3, f_error = sum3 - (f - f_error_1) + (low5 - f_error_1);
   const float f_low = f_error + tail5;
-  const float f_part_high_1 = KSL_MULF(f, 4097.0f), f_part_high_2 = f_part_high_1 - f,
-      f_part_high = f_part_high_1 - f_part_high_2;
+  const float f_part_high_1 = KSL_MULF(f, 4097.0f),
+      f_part_high = f_part_high_1 - (f_part_high_1 - f);
   const float f_part_low = f - f_part_high;
   const float product = KSL_MULF(f, 1.5707964f);
-  const float product_excess_1 = KSL_MULF(f_part_high, 1.5708008f),
-      product_excess_2 = product - product_excess_1,
-      product_excess_3 = KSL_MULF(f_part_high, -4.4107437e-06f),
-      product_excess_4 = product_excess_2 - product_excess_3,
-      product_excess_5 = KSL_MULF(f_part_low, 1.5708008f),
-      product_excess_6 = product_excess_4 - product_excess_5,
-      product_excess_7 = KSL_MULF(f_part_low, -4.4107437e-06f),
-      product_excess = product_excess_6 - product_excess_7;
-  const float rest_1 = KSL_MULF(f, -4.371139e-08f), rest_2 = KSL_MULF(f_low, 1.5707964f),
-      rest_3 = rest_1 + rest_2, rest = product_excess - rest_3;
+  const float product_excess_6 = product - KSL_MULF(f_part_high, 1.5708008f)
+          - KSL_MULF(f_part_high, -4.4107437e-06f) - KSL_MULF(f_part_low, 1.5708008f),
+      product_excess = product_excess_6 - KSL_MULF(f_part_low, -4.4107437e-06f);
+  const float rest = product_excess - (KSL_MULF(f, -4.371139e-08f) + KSL_MULF(f_low, 1.5707964f));
   const float r_value = product - rest;
-  const float r_excess_1 = r_value - product, r_excess_value = r_excess_1 + rest;
   const float quadrant_value = k1 + k2;
+  const float r_excess_value = r_value - product + rest;
   *r = r_value;
   *r_excess = r_excess_value;
   return quadrant_value;
@@ -601,20 +532,18 @@ static KSL_INLINED float ksl_sincosf(const float x, float *c) {
   const float z2 = KSL_MULF(z, z);
   const float half_z = KSL_MULF(z, 0.5f);
   const float w = 1.0f - half_z;
-  const float sin_r_1 = KSL_MULF(z, r), sin_r_2 = KSL_MULF(z, -0.008332106f),
-      sin_r_3 = KSL_MULF(z2, 0.00019507883f), sin_r_4 = sin_r_2 + sin_r_3,
-      sin_r_5 = 0.16666654f + sin_r_4, sin_r_6 = KSL_MULF(sin_r_1, sin_r_5),
-      sin_r_7 = KSL_MULF(r_excess, w), sin_r_8 = sin_r_6 + sin_r_7, sin_r = r - sin_r_8;
-  const float cos_r_1 = 1.0f - w, cos_r_2 = cos_r_1 - half_z, cos_r_3 = KSL_MULF(z, -0.0013887308f),
-      cos_r_4 = KSL_MULF(z2, 2.44321e-05f), cos_r_5 = cos_r_3 + cos_r_4,
-      cos_r_6 = 0.041666646f + cos_r_5, cos_r_7 = KSL_MULF(z2, cos_r_6),
-      cos_r_8 = KSL_MULF(r, r_excess), cos_r_9 = cos_r_7 + cos_r_8, cos_r_10 = cos_r_2 + cos_r_9,
-      cos_r = w + cos_r_10;
-  const float q_1 = quadrant + 5.033165e+07f, q_2 = q_1 - 5.033165e+07f, q = q_2 - quadrant;
-  const float cos_k_1 = fabsf(q), cos_k = 1.0f - cos_k_1;
-  const float minus_sin_k_1 = 1.0f + cos_k, minus_sin_k = KSL_MULF(q, minus_sin_k_1);
-  const float s_1 = KSL_MULF(sin_r, cos_k), s_2 = KSL_MULF(cos_r, minus_sin_k), s_value = s_1 - s_2;
-  const float c_1 = KSL_MULF(cos_r, cos_k), c_2 = KSL_MULF(sin_r, minus_sin_k), c_value = c_1 + c_2;
+  const float sin_r = r
+          - (KSL_MULF(KSL_MULF(z, r), 0.16666654f
+          + (KSL_MULF(z, -0.008332106f) + KSL_MULF(z2, 0.00019507883f))) + KSL_MULF(r_excess, w));
+  const float cos_r = w
+          + (1.0f - w - half_z
+          + (KSL_MULF(z2, 0.041666646f
+          + (KSL_MULF(z, -0.0013887308f) + KSL_MULF(z2, 2.44321e-05f))) + KSL_MULF(r, r_excess)));
+  const float q = quadrant + 5.033165e+07f - 5.033165e+07f - quadrant;
+  const float cos_k = 1.0f - fabsf(q);
+  const float minus_sin_k = KSL_MULF(q, 1.0f + cos_k);
+  const float s_value = KSL_MULF(sin_r, cos_k) - KSL_MULF(cos_r, minus_sin_k);
+  const float c_value = KSL_MULF(cos_r, cos_k) + KSL_MULF(sin_r, minus_sin_k);
   *c = c_value;
   return s_value;
 }
@@ -647,33 +576,28 @@ static KSL_INLINE float ksl_cosf(const float x) {
 static KSL_INLINE float ksl_tanhf(const float x) {
   const float size = fabsf(x);
   const float z = KSL_MULF(size, size);
-  const float above_1 = KSL_MULF(size, z), above_2 = KSL_MULF(z, 5.9599424e-05f),
-      above_3 = above_2 + -0.0017358434f, above_4 = KSL_MULF(above_3, z),
-      above_5 = above_4 + -0.33333334f, above = KSL_MULF(above_1, above_5);
-  const float below_1 = KSL_MULF(z, 0.4052077f), below = below_1 + 1.0f;
+  const float above = KSL_MULF(KSL_MULF(size, z), KSL_MULF(KSL_MULF(z, 5.9599424e-05f) +
+          -0.0017358434f, z) + -0.33333334f);
+  const float below = KSL_MULF(z, 0.4052077f) + 1.0f;
   const float twice_1 = size + size, twice = 20.0f < twice_1 ? 20.0f : twice_1;
-  const float shifted_1 = KSL_MULF(twice, 1.442695f), shifted = shifted_1 + 1.2582912e+07f;
+  const float shifted = KSL_MULF(twice, 1.442695f) + 1.2582912e+07f;
   const float k = shifted - 1.2582912e+07f;
-  const float high_1 = KSL_MULF(k, 0.69314575f), high = twice - high_1;
+  const float high = twice - KSL_MULF(k, 0.69314575f);
   const float rest = KSL_MULF(k, 1.4286068e-06f);
   const float r = high - rest;
-  const float low_1 = KSL_MULF(r, r), low_2 = KSL_MULF(r, 0.04166724f), low_3 = low_2 + 0.16666535f,
-      low_4 = KSL_MULF(r, 0.0013863435f), low_5 = low_4 + 0.008367437f, low_6 = KSL_MULF(r, r),
-      low_7 = KSL_MULF(low_6, low_5), low_8 = low_7 + low_3, low_9 = KSL_MULF(r, low_8),
-      low_10 = low_9 + 0.5f, low_11 = KSL_MULF(low_1, low_10), low = low_11 - rest;
+  const float low_10 = KSL_MULF(r, KSL_MULF(KSL_MULF(r, r), KSL_MULF(r, 0.0013863435f)
+          + 0.008367437f) + (KSL_MULF(r, 0.04166724f) + 0.16666535f)) + 0.5f,
+      low = KSL_MULF(KSL_MULF(r, r), low_10) - rest;
   const float power = ksl_powerf(shifted);
   const float s_1 = power + 1.0f, s = high + low;
   const float rest_of_e = KSL_MULF(s, power);
   const float total = s_1 + rest_of_e;
-  const float low_of_total_1 = s_1 - total, low_of_total = low_of_total_1 + rest_of_e;
-  const float quotient_1 = size < 0.625f ? above : -2.0f,
-      quotient_2 = size < 0.625f ? below : total, quotient = quotient_1 / quotient_2;
-  const float correction_1 = KSL_MULF(quotient, low_of_total),
-      correction_2 = KSL_MULF(quotient, 0.5f), correction_3 = KSL_MULF(correction_1, correction_2),
+  const float low_of_total = s_1 - total + rest_of_e;
+  const float quotient = (size < 0.625f ? above : -2.0f) / (size < 0.625f ? below : total);
+  const float correction_3 = KSL_MULF(KSL_MULF(quotient, low_of_total), KSL_MULF(quotient, 0.5f)),
       correction = size < 0.625f ? 0.0f : correction_3;
   const float start = size < 0.625f ? size : 1.0f;
-  const float sum_1 = start + quotient, sum_2 = start - sum_1, sum_3 = sum_2 + quotient,
-      sum_4 = sum_3 + correction, sum = sum_1 + sum_4;
+  const float sum_1 = start + quotient, sum = sum_1 + (start - sum_1 + quotient + correction);
   const float y_value = copysignf(sum, x);
   return y_value;
 }

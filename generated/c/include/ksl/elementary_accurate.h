@@ -17,8 +17,10 @@
 static inline double ksl_sincos_accurate(const double x, double *c) {
   double c_; const double s = ksl_sincos(x, &c_);
   double c_own_error; const double s_own_error = ksl_sincos_error(x, s, c_, &c_own_error);
-  const double s_rounded = s + s_own_error, s_final = s_rounded == s_rounded ? s_rounded : s;
-  const double c_rounded = c_ + c_own_error, c_final = c_rounded == c_rounded ? c_rounded : c_;
+  const double s_rounded = s + s_own_error;
+  const double c_rounded = c_ + c_own_error;
+  const double s_final = s_rounded == s_rounded ? s_rounded : s;
+  const double c_final = c_rounded == c_rounded ? c_rounded : c_;
   *c = c_final;
   return s_final;
 }
@@ -28,8 +30,9 @@ static inline double ksl_sincos_accurate(const double x, double *c) {
    83 mul, 128 add, 11 product error, 1 div, 3 abs, 1 less, 1 equal, 2 select.
    Error <= 0.501 ulp, unless a result is subnormal; proved. */
 static inline double ksl_sin_accurate(const double x) {
-  const double s = ksl_sin(x), s_own_error = ksl_sin_error(x, s);
-  const double s_rounded = s + s_own_error, s_final = s_rounded == s_rounded ? s_rounded : s;
+  const double s = ksl_sin(x);
+  const double s_rounded = s + ksl_sin_error(x, s),
+      s_final = s_rounded == s_rounded ? s_rounded : s;
   return s_final;
 }
 
@@ -38,8 +41,9 @@ static inline double ksl_sin_accurate(const double x) {
    83 mul, 128 add, 11 product error, 1 div, 3 abs, 1 less, 1 equal, 2 select.
    Error <= 0.501 ulp, unless a result is subnormal; proved. */
 static inline double ksl_cos_accurate(const double x) {
-  const double c = ksl_cos(x), c_own_error = ksl_cos_error(x, c);
-  const double c_rounded = c + c_own_error, c_final = c_rounded == c_rounded ? c_rounded : c;
+  const double c = ksl_cos(x);
+  const double c_rounded = c + ksl_cos_error(x, c),
+      c_final = c_rounded == c_rounded ? c_rounded : c;
   return c_final;
 }
 
@@ -48,8 +52,9 @@ static inline double ksl_cos_accurate(const double x) {
    81 mul, 148 add, 14 product error, 5 power of two, 1 abs, 7 less, 2 equal, 10 select.
    Error <= 0.501 ulp, unless a result is subnormal; proved. */
 static inline double ksl_exp_accurate(const double x) {
-  const double y = ksl_exp(x), y_own_error = ksl_exp_error(x, y);
-  const double y_rounded = y + y_own_error, y_final = y_rounded == y_rounded ? y_rounded : y;
+  const double y = ksl_exp(x);
+  const double y_rounded = y + ksl_exp_error(x, y),
+      y_final = y_rounded == y_rounded ? y_rounded : y;
   return y_final;
 }
 
@@ -59,8 +64,9 @@ static inline double ksl_exp_accurate(const double x) {
      12 select.
    Error <= 0.501 ulp, unless a result is subnormal; proved. */
 static inline double ksl_tanh_accurate(const double x) {
-  const double y = ksl_tanh(x), y_own_error = ksl_tanh_error(x, y);
-  const double y_rounded = y + y_own_error, y_final = y_rounded == y_rounded ? y_rounded : y;
+  const double y = ksl_tanh(x);
+  const double y_rounded = y + ksl_tanh_error(x, y),
+      y_final = y_rounded == y_rounded ? y_rounded : y;
   return y_final;
 }
 
@@ -70,8 +76,8 @@ static inline double ksl_tanh_accurate(const double x) {
      select.
    Error <= 0.501 ulp, unless a result is subnormal; proved. */
 static inline double ksl_atan2_accurate(const double y, const double x) {
-  const double angle = ksl_atan2(y, x), angle_own_error = ksl_atan2_error(y, x, angle);
-  const double angle_rounded = angle + angle_own_error,
+  const double angle = ksl_atan2(y, x);
+  const double angle_rounded = angle + ksl_atan2_error(y, x, angle),
       angle_final = angle_rounded == angle_rounded ? angle_rounded : angle;
   return angle_final;
 }

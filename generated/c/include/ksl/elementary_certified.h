@@ -18,8 +18,8 @@ static inline double ksl_sincos_certified(const double x, double *c, double *s_b
     double *c_bound) {
   double c_; const double s = ksl_sincos(x, &c_);
   double c_own_error_1; const double s_own_error_1 = ksl_sincos_error(x, s, c_, &c_own_error_1);
-  const double s_error_1 = fabs(s_own_error_1), s_bound_1 = 3.7470896994678994e-30 + s_error_1,
-      c_error_1 = fabs(c_own_error_1), c_bound_1 = 3.7470896994678994e-30 + c_error_1;
+  const double s_bound_1 = 3.7470896994678994e-30 + fabs(s_own_error_1),
+      c_bound_1 = 3.7470896994678994e-30 + fabs(c_own_error_1);
   *c = c_;
   *s_bound = s_bound_1;
   *c_bound = c_bound_1;
@@ -30,8 +30,8 @@ static inline double ksl_sincos_certified(const double x, double *c, double *s_b
    x, s_bound: number.
    83 mul, 128 add, 11 product error, 1 div, 4 abs, 1 less, 1 select. */
 static inline double ksl_sin_certified(const double x, double *s_bound) {
-  const double s = ksl_sin(x), s_own_error_1 = ksl_sin_error(x, s);
-  const double s_error_1 = fabs(s_own_error_1), s_bound_1 = 3.7470896994678994e-30 + s_error_1;
+  const double s = ksl_sin(x);
+  const double s_bound_1 = 3.7470896994678994e-30 + fabs(ksl_sin_error(x, s));
   *s_bound = s_bound_1;
   return s;
 }
@@ -40,8 +40,8 @@ static inline double ksl_sin_certified(const double x, double *s_bound) {
    x, c_bound: number.
    83 mul, 128 add, 11 product error, 1 div, 4 abs, 1 less, 1 select. */
 static inline double ksl_cos_certified(const double x, double *c_bound) {
-  const double c = ksl_cos(x), c_own_error_1 = ksl_cos_error(x, c);
-  const double c_error_1 = fabs(c_own_error_1), c_bound_1 = 3.7470896994678994e-30 + c_error_1;
+  const double c = ksl_cos(x);
+  const double c_bound_1 = 3.7470896994678994e-30 + fabs(ksl_cos_error(x, c));
   *c_bound = c_bound_1;
   return c;
 }
@@ -50,9 +50,9 @@ static inline double ksl_cos_certified(const double x, double *c_bound) {
    x, y_bound: number.
    82 mul, 149 add, 14 product error, 5 power of two, 2 abs, 7 less, 1 equal, 9 select. */
 static inline double ksl_exp_certified(const double x, double *y_bound) {
-  const double y = ksl_exp(x), y_own_error_1 = ksl_exp_error(x, y);
-  const double y_error_1 = fabs(y_own_error_1), y_padded_1 = 1.8051943758648296e-276 + y,
-      y_rest_1 = KSL_MUL(3.7470896994679e-30, y_padded_1), y_bound_1 = y_error_1 + y_rest_1;
+  const double y = ksl_exp(x);
+  const double y_bound_1 = fabs(ksl_exp_error(x, y))
+          + KSL_MUL(3.7470896994679e-30, 1.8051943758648296e-276 + y);
   *y_bound = y_bound_1;
   return y;
 }
@@ -62,9 +62,9 @@ static inline double ksl_exp_certified(const double x, double *y_bound) {
    92 mul, 175 add, 15 product error, 2 div, 2 power of two, 6 abs, 2 copysign, 5 less, 11
      select. */
 static inline double ksl_tanh_certified(const double x, double *y_bound) {
-  const double y = ksl_tanh(x), y_own_error_1 = ksl_tanh_error(x, y), y_size_1 = fabs(y);
-  const double y_error_1 = fabs(y_own_error_1), y_padded_1 = 1.8051943758648296e-276 + y_size_1,
-      y_rest_1 = KSL_MUL(3.7470896994679e-30, y_padded_1), y_bound_1 = y_error_1 + y_rest_1;
+  const double y = ksl_tanh(x);
+  const double y_bound_1 = fabs(ksl_tanh_error(x, y))
+          + KSL_MUL(3.7470896994679e-30, 1.8051943758648296e-276 + fabs(y));
   *y_bound = y_bound_1;
   return y;
 }
@@ -75,12 +75,9 @@ static inline double ksl_tanh_certified(const double x, double *y_bound) {
    123 mul, 214 add, 21 product error, 2 div, 1 neg, 10 abs, 4 copysign, 13 less, 3 equal, 23
      select. */
 static inline double ksl_atan2_certified(const double y, const double x, double *angle_bound) {
-  const double angle = ksl_atan2(y, x), angle_own_error_1 = ksl_atan2_error(y, x, angle),
-      angle_size_1 = fabs(angle);
-  const double angle_error_1 = fabs(angle_own_error_1),
-      angle_padded_3 = 1.8051943758648296e-276 + angle_size_1,
-      angle_rest_1 = KSL_MUL(3.7470896994679e-30, angle_padded_3),
-      angle_bound_1 = angle_error_1 + angle_rest_1;
+  const double angle = ksl_atan2(y, x);
+  const double angle_bound_1 = fabs(ksl_atan2_error(y, x, angle))
+          + KSL_MUL(3.7470896994679e-30, 1.8051943758648296e-276 + fabs(angle));
   *angle_bound = angle_bound_1;
   return angle;
 }
@@ -92,8 +89,8 @@ static inline double ksl_atan2_certified(const double y, const double x, double 
 static inline float ksl_sincosf_certified(const float x, float *c, float *s_bound, float *c_bound) {
   float c_; const float s = ksl_sincosf(x, &c_);
   float c_own_error_1; const float s_own_error_1 = ksl_sincos_errorf(x, s, c_, &c_own_error_1);
-  const float s_error_1 = fabsf(s_own_error_1), s_bound_1 = 1.0800312e-12f + s_error_1,
-      c_error_1 = fabsf(c_own_error_1), c_bound_1 = 1.0800312e-12f + c_error_1;
+  const float s_bound_1 = 1.0800312e-12f + fabsf(s_own_error_1),
+      c_bound_1 = 1.0800312e-12f + fabsf(c_own_error_1);
   *c = c_;
   *s_bound = s_bound_1;
   *c_bound = c_bound_1;
@@ -104,8 +101,8 @@ static inline float ksl_sincosf_certified(const float x, float *c, float *s_boun
    x, s_bound: number.
    65 mul, 99 add, 8 product error, 1 div, 4 abs, 1 less, 1 select. */
 static inline float ksl_sinf_certified(const float x, float *s_bound) {
-  const float s = ksl_sinf(x), s_own_error_1 = ksl_sin_errorf(x, s);
-  const float s_error_1 = fabsf(s_own_error_1), s_bound_1 = 1.0800312e-12f + s_error_1;
+  const float s = ksl_sinf(x);
+  const float s_bound_1 = 1.0800312e-12f + fabsf(ksl_sin_errorf(x, s));
   *s_bound = s_bound_1;
   return s;
 }
@@ -114,8 +111,8 @@ static inline float ksl_sinf_certified(const float x, float *s_bound) {
    x, c_bound: number.
    65 mul, 99 add, 8 product error, 1 div, 4 abs, 1 less, 1 select. */
 static inline float ksl_cosf_certified(const float x, float *c_bound) {
-  const float c = ksl_cosf(x), c_own_error_1 = ksl_cos_errorf(x, c);
-  const float c_error_1 = fabsf(c_own_error_1), c_bound_1 = 1.0800312e-12f + c_error_1;
+  const float c = ksl_cosf(x);
+  const float c_bound_1 = 1.0800312e-12f + fabsf(ksl_cos_errorf(x, c));
   *c_bound = c_bound_1;
   return c;
 }
@@ -124,9 +121,9 @@ static inline float ksl_cosf_certified(const float x, float *c_bound) {
    x, y_bound: number.
    52 mul, 98 add, 8 product error, 5 power of two, 2 abs, 7 less, 1 equal, 9 select. */
 static inline float ksl_expf_certified(const float x, float *y_bound) {
-  const float y = ksl_expf(x), y_own_error_1 = ksl_exp_errorf(x, y);
-  const float y_error_1 = fabsf(y_own_error_1), y_padded_1 = 3.3087225e-24f + y,
-      y_rest_1 = KSL_MULF(1.0800314e-12f, y_padded_1), y_bound_1 = y_error_1 + y_rest_1;
+  const float y = ksl_expf(x);
+  const float y_bound_1 = fabsf(ksl_exp_errorf(x, y))
+          + KSL_MULF(1.0800314e-12f, 3.3087225e-24f + y);
   *y_bound = y_bound_1;
   return y;
 }
@@ -135,9 +132,9 @@ static inline float ksl_expf_certified(const float x, float *y_bound) {
    x, y_bound: number.
    60 mul, 122 add, 9 product error, 2 div, 2 power of two, 6 abs, 2 copysign, 5 less, 11 select. */
 static inline float ksl_tanhf_certified(const float x, float *y_bound) {
-  const float y = ksl_tanhf(x), y_own_error_1 = ksl_tanh_errorf(x, y), y_size_1 = fabsf(y);
-  const float y_error_1 = fabsf(y_own_error_1), y_padded_1 = 3.3087225e-24f + y_size_1,
-      y_rest_1 = KSL_MULF(1.0800314e-12f, y_padded_1), y_bound_1 = y_error_1 + y_rest_1;
+  const float y = ksl_tanhf(x);
+  const float y_bound_1 = fabsf(ksl_tanh_errorf(x, y))
+          + KSL_MULF(1.0800314e-12f, 3.3087225e-24f + fabsf(y));
   *y_bound = y_bound_1;
   return y;
 }
@@ -148,12 +145,9 @@ static inline float ksl_tanhf_certified(const float x, float *y_bound) {
    89 mul, 155 add, 14 product error, 2 div, 1 neg, 10 abs, 4 copysign, 13 less, 3 equal, 23
      select. */
 static inline float ksl_atan2f_certified(const float y, const float x, float *angle_bound) {
-  const float angle = ksl_atan2f(y, x), angle_own_error_1 = ksl_atan2_errorf(y, x, angle),
-      angle_size_1 = fabsf(angle);
-  const float angle_error_1 = fabsf(angle_own_error_1),
-      angle_padded_3 = 3.3087225e-24f + angle_size_1,
-      angle_rest_1 = KSL_MULF(1.0800314e-12f, angle_padded_3),
-      angle_bound_1 = angle_error_1 + angle_rest_1;
+  const float angle = ksl_atan2f(y, x);
+  const float angle_bound_1 = fabsf(ksl_atan2_errorf(y, x, angle))
+          + KSL_MULF(1.0800314e-12f, 3.3087225e-24f + fabsf(angle));
   *angle_bound = angle_bound_1;
   return angle;
 }

@@ -17,94 +17,67 @@
    Error <= R: (6 + θ/200) u of its largest component for |v| <= 1e13, in single precision 1e5;
      searched, not proved. */
 static inline void ksl_SO3_exp(const ksl_vec3_t *v, ksl_mat3x3_t *R) {
-  const double size_0 = fabs(v->x);
-  const double size_1 = fabs(v->y);
-  const double size_2 = fabs(v->z);
-  const double sizes_a = size_0 + size_1, sizes = sizes_a + size_2;
+  const double size_0 = fabs(v->x), size_1 = fabs(v->y), size_2 = fabs(v->z);
+  const double sizes = size_0 + size_1 + size_2;
   const double grid = KSL_MUL(sizes, 268435456.0);
-  const double shifted_0 = v->x + grid;
-  const double shifted_1 = v->y + grid;
-  const double shifted_2 = v->z + grid;
-  const double high_0 = shifted_0 - grid;
-  const double high_1 = shifted_1 - grid;
-  const double high_2 = shifted_2 - grid;
-  const double low_0 = v->x - high_0;
-  const double low_1 = v->y - high_1;
-  const double low_2 = v->z - high_2;
-  const double sum_0 = v->x + high_0;
-  const double sum_1 = v->y + high_1;
-  const double sum_2 = v->z + high_2;
-  const double squares_a = KSL_MUL(high_0, high_0), squares_b = KSL_MUL(high_1, high_1),
-      squares_c = squares_a + squares_b, squares_d = KSL_MUL(high_2, high_2),
-      squares = squares_c + squares_d;
-  const double cross_a = KSL_MUL(low_0, sum_0), cross_b = KSL_MUL(low_1, sum_1),
-      cross_c = cross_a + cross_b, cross_d = KSL_MUL(low_2, sum_2), cross = cross_c + cross_d;
+  const double shifted_0 = v->x + grid, shifted_1 = v->y + grid, shifted_2 = v->z + grid;
+  const double high_0 = shifted_0 - grid, high_1 = shifted_1 - grid, high_2 = shifted_2 - grid;
+  const double low_0 = v->x - high_0, low_1 = v->y - high_1, low_2 = v->z - high_2;
+  const double sum_0 = v->x + high_0, sum_1 = v->y + high_1, sum_2 = v->z + high_2;
+  const double squares = KSL_MUL(high_0, high_0) + KSL_MUL(high_1, high_1)
+          + KSL_MUL(high_2, high_2);
+  const double cross = KSL_MUL(low_0, sum_0) + KSL_MUL(low_1, sum_1) + KSL_MUL(low_2, sum_2);
   const double x = squares + cross;
   const double theta_a = sqrt(x), theta = x < 1.0 ? 1.0 : theta_a;
   const double theta_shifted = grid + theta;
   const double theta_high = theta_shifted - grid;
   const double theta_low = theta - theta_high;
   const double theta_sum = theta + theta_high;
-  const double cross_rest_a = KSL_MUL(theta_low, theta_sum), cross_rest = cross - cross_rest_a;
-  const double exact_a = KSL_MUL(theta_high, theta_high), exact = squares - exact_a;
+  const double cross_rest = cross - KSL_MUL(theta_low, theta_sum);
+  const double exact = squares - KSL_MUL(theta_high, theta_high);
   const double residual = cross_rest + exact;
-  const double small_a = KSL_MUL(0.5, residual), small = small_a / theta;
-  const double delta_a = fabs(small), delta = delta_a < 0.0078125 ? small : 0.0;
+  const double small = KSL_MUL(0.5, residual) / theta;
+  const double delta = fabs(small) < 0.0078125 ? small : 0.0;
   double far_cosine_a; const double far_sine_a = ksl_sincos(theta, &far_cosine_a);
   const double far_sine = x < 1.0 ? 1.0 : far_sine_a;
   const double far_cosine = x < 1.0 ? 0.0 : far_cosine_a;
-  const double sine_a = KSL_MUL(delta, far_cosine), sine = sine_a + far_sine;
-  const double cosine_a = KSL_MUL(delta, far_sine), cosine = far_cosine - cosine_a;
+  const double sine = KSL_MUL(delta, far_cosine) + far_sine;
+  const double cosine = far_cosine - KSL_MUL(delta, far_sine);
   const double far_x = x < 1.0 ? 1.0 : x;
   const double closed1 = sine / theta;
   const double versine = 1.0 - cosine;
   const double closed2 = versine / far_x;
-  const double g1a = KSL_MUL(6.446950284384474e-26, x), g1b = g1a - 3.868170170630684e-23,
-      g1c = KSL_MUL(x, g1b), g1d = g1c + 1.9572941063391263e-20, g1e = KSL_MUL(x, g1d),
-      g1f = g1e - 8.22063524662433e-18, g1g = KSL_MUL(x, g1f), g1h = g1g + 2.8114572543455206e-15,
-      g1i = KSL_MUL(x, g1h), g1j = g1i - 7.647163731819816e-13, g1k = KSL_MUL(x, g1j),
-      g1l = g1k + 1.6059043836821613e-10, g1m = KSL_MUL(x, g1l), g1n = g1m - 2.505210838544172e-08,
-      g1o = KSL_MUL(x, g1n), g1p = g1o + 2.7557319223985893e-06, g1q = KSL_MUL(x, g1p),
-      g1r = g1q - 0.0001984126984126984, g1s = KSL_MUL(x, g1r), g1t = g1s + 0.008333333333333333,
-      g1u = KSL_MUL(x, g1t), g1v = g1u - 0.16666666666666666, g1w = KSL_MUL(x, g1v),
-      g1x = g1w + 1.0, g1 = x < 1.0 ? g1x : closed1;
-  const double g2a = KSL_MUL(2.4795962632247976e-27, x), g2b = g2a - 1.6117375710961184e-24,
-      g2c = KSL_MUL(x, g2b), g2d = g2c + 8.896791392450574e-22, g2e = KSL_MUL(x, g2d),
-      g2f = g2e - 4.110317623312165e-19, g2g = KSL_MUL(x, g2f), g2h = g2g + 1.5619206968586225e-16,
-      g2i = KSL_MUL(x, g2h), g2j = g2i - 4.779477332387385e-14, g2k = KSL_MUL(x, g2j),
-      g2l = g2k + 1.1470745597729725e-11, g2m = KSL_MUL(x, g2l), g2n = g2m - 2.08767569878681e-09,
-      g2o = KSL_MUL(x, g2n), g2p = g2o + 2.755731922398589e-07, g2q = KSL_MUL(x, g2p),
-      g2r = g2q - 2.48015873015873e-05, g2s = KSL_MUL(x, g2r), g2t = g2s + 0.001388888888888889,
-      g2u = KSL_MUL(x, g2t), g2v = g2u - 0.041666666666666664, g2w = KSL_MUL(x, g2v),
-      g2x = g2w + 0.5, g2 = x < 1.0 ? g2x : closed2;
-  const double g0a = KSL_MUL(x, g2), g0b = 1.0 - g0a, g0 = x < 1.0 ? g0b : cosine;
-  const double beta_v_0 = KSL_MUL(v->x, g2);
-  const double beta_v_1 = KSL_MUL(v->y, g2);
-  const double beta_v_2 = KSL_MUL(v->z, g2);
-  const double m_0 = KSL_MUL(v->x, beta_v_0);
-  const double m_1 = KSL_MUL(v->y, beta_v_1);
-  const double m_2 = KSL_MUL(v->z, beta_v_2);
-  const double m_3 = KSL_MUL(v->y, beta_v_0);
-  const double m_4 = KSL_MUL(v->z, beta_v_0);
-  const double m_5 = KSL_MUL(v->z, beta_v_1);
-  const double others_0 = m_1 + m_2;
-  const double others_1 = m_0 + m_2;
-  const double others_2 = m_0 + m_1;
+  const double g1g = KSL_MUL(x, KSL_MUL(x, KSL_MUL(x, KSL_MUL(6.446950284384474e-26, x)
+          - 3.868170170630684e-23) + 1.9572941063391263e-20) - 8.22063524662433e-18),
+      g1n = KSL_MUL(x, KSL_MUL(x, KSL_MUL(x, g1g + 2.8114572543455206e-15) - 7.647163731819816e-13)
+          + 1.6059043836821613e-10) - 2.505210838544172e-08,
+      g1u = KSL_MUL(x, KSL_MUL(x, KSL_MUL(x, KSL_MUL(x, g1n) + 2.7557319223985893e-06)
+          - 0.0001984126984126984) + 0.008333333333333333),
+      g1x = KSL_MUL(x, g1u - 0.16666666666666666) + 1.0, g1 = x < 1.0 ? g1x : closed1;
+  const double g2g = KSL_MUL(x, KSL_MUL(x, KSL_MUL(x, KSL_MUL(2.4795962632247976e-27, x)
+          - 1.6117375710961184e-24) + 8.896791392450574e-22) - 4.110317623312165e-19),
+      g2n = KSL_MUL(x, KSL_MUL(x, KSL_MUL(x, g2g + 1.5619206968586225e-16) - 4.779477332387385e-14)
+          + 1.1470745597729725e-11) - 2.08767569878681e-09,
+      g2v = KSL_MUL(x, KSL_MUL(x, KSL_MUL(x, KSL_MUL(x, g2n) + 2.755731922398589e-07)
+          - 2.48015873015873e-05) + 0.001388888888888889) - 0.041666666666666664,
+      g2x = KSL_MUL(x, g2v) + 0.5, g2 = x < 1.0 ? g2x : closed2;
+  const double g0b = 1.0 - KSL_MUL(x, g2), g0 = x < 1.0 ? g0b : cosine;
+  const double beta_v_0 = KSL_MUL(v->x, g2), beta_v_1 = KSL_MUL(v->y, g2),
+      beta_v_2 = KSL_MUL(v->z, g2);
+  const double m_0 = KSL_MUL(v->x, beta_v_0), m_1 = KSL_MUL(v->y, beta_v_1),
+      m_2 = KSL_MUL(v->z, beta_v_2), m_3 = KSL_MUL(v->y, beta_v_0), m_4 = KSL_MUL(v->z, beta_v_0),
+      m_5 = KSL_MUL(v->z, beta_v_1);
+  const double others_0 = m_1 + m_2, others_1 = m_0 + m_2, others_2 = m_0 + m_1;
   const double diagonal0a = 1.0 - others_0, diagonal0b = g0 + m_0,
       diagonal0 = m_0 < others_0 ? diagonal0b : diagonal0a;
   const double diagonal1a = 1.0 - others_1, diagonal1b = g0 + m_1,
       diagonal1 = m_1 < others_1 ? diagonal1b : diagonal1a;
   const double diagonal2a = 1.0 - others_2, diagonal2b = g0 + m_2,
       diagonal2 = m_2 < others_2 ? diagonal2b : diagonal2a;
-  const double alpha_v_0 = KSL_MUL(v->x, g1);
-  const double alpha_v_1 = KSL_MUL(v->y, g1);
-  const double alpha_v_2 = KSL_MUL(v->z, g1);
-  const double R_01 = m_3 - alpha_v_2;
-  const double R_02 = m_4 + alpha_v_1;
-  const double R_10 = m_3 + alpha_v_2;
-  const double R_12 = m_5 - alpha_v_0;
-  const double R_20 = m_4 - alpha_v_1;
-  const double R_21 = m_5 + alpha_v_0;
+  const double alpha_v_0 = KSL_MUL(v->x, g1), alpha_v_1 = KSL_MUL(v->y, g1),
+      alpha_v_2 = KSL_MUL(v->z, g1);
+  const double R_01 = m_3 - alpha_v_2, R_02 = m_4 + alpha_v_1, R_10 = m_3 + alpha_v_2,
+      R_12 = m_5 - alpha_v_0, R_20 = m_4 - alpha_v_1, R_21 = m_5 + alpha_v_0;
   R->m00 = diagonal0;
   R->m01 = R_01;
   R->m02 = R_02;
@@ -121,49 +94,32 @@ static inline void ksl_SO3_exp(const ksl_vec3_t *v, ksl_mat3x3_t *R) {
    40 mul, 51 add, 2 div, 1 sqrt, 6 neg, 5 abs, 2 copysign, 18 less, 2 equal, 39 select.
    Error <= vo: 7 u of its largest component for R a rotation; searched, not proved. */
 static inline void ksl_SO3_log(const ksl_mat3x3_t *R, ksl_vec3_t *vo) {
-  const double p_0 = R->m21 - R->m12;
-  const double p_1 = R->m02 - R->m20;
-  const double p_2 = R->m10 - R->m01;
-  const double s_0 = R->m12 + R->m21;
-  const double s_1 = R->m02 + R->m20;
-  const double s_2 = R->m01 + R->m10;
-  const double first_0 = R->m00 + 1.0;
-  const double first_1 = 1.0 - R->m00;
-  const double others_0 = R->m11 + R->m22;
-  const double others_1 = R->m11 - R->m22;
-  const double d_0 = first_0 + others_0;
-  const double d_1 = first_0 - others_0;
-  const double d_2 = first_1 + others_1;
-  const double d_3 = first_1 - others_1;
-  const double low_0 = R->m11 < R->m00 ? d_1 : s_2;
-  const double low_1 = R->m11 < R->m00 ? s_2 : d_2;
-  const double low_2 = R->m11 < R->m00 ? s_1 : s_0;
-  const double low_3 = R->m11 < R->m00 ? p_0 : p_1;
+  const double p_0 = R->m21 - R->m12, p_1 = R->m02 - R->m20, p_2 = R->m10 - R->m01;
+  const double s_0 = R->m12 + R->m21, s_1 = R->m02 + R->m20, s_2 = R->m01 + R->m10;
+  const double first_0 = R->m00 + 1.0, first_1 = 1.0 - R->m00;
+  const double others_0 = R->m11 + R->m22, others_1 = R->m11 - R->m22;
+  const double d_0 = first_0 + others_0, d_1 = first_0 - others_0, d_2 = first_1 + others_1,
+      d_3 = first_1 - others_1;
+  const double low_0 = R->m11 < R->m00 ? d_1 : s_2, low_1 = R->m11 < R->m00 ? s_2 : d_2,
+      low_2 = R->m11 < R->m00 ? s_1 : s_0, low_3 = R->m11 < R->m00 ? p_0 : p_1;
   const double high_0a = -R->m11, high_0 = R->m00 < high_0a ? s_1 : p_0;
-  const double high_1 = R->m00 < high_0a ? s_0 : p_1;
-  const double high_2 = R->m00 < high_0a ? d_3 : p_2;
-  const double high_3 = R->m00 < high_0a ? p_2 : d_0;
-  const double column_0 = R->m22 < 0.0 ? low_0 : high_0;
-  const double column_1 = R->m22 < 0.0 ? low_1 : high_1;
-  const double column_2 = R->m22 < 0.0 ? low_2 : high_2;
-  const double column_3 = R->m22 < 0.0 ? low_3 : high_3;
+  const double high_1 = R->m00 < high_0a ? s_0 : p_1, high_2 = R->m00 < high_0a ? d_3 : p_2,
+      high_3 = R->m00 < high_0a ? p_2 : d_0;
+  const double column_0 = R->m22 < 0.0 ? low_0 : high_0, column_1 = R->m22 < 0.0 ? low_1 : high_1,
+      column_2 = R->m22 < 0.0 ? low_2 : high_2, column_3 = R->m22 < 0.0 ? low_3 : high_3;
   const double upper_0a = -column_0, upper_0 = column_3 < 0.0 ? upper_0a : column_0;
   const double upper_1a = -column_1, upper_1 = column_3 < 0.0 ? upper_1a : column_1;
   const double upper_2a = -column_2, upper_2 = column_3 < 0.0 ? upper_2a : column_2;
   const double upper_3a = -column_3, upper_3 = column_3 < 0.0 ? upper_3a : column_3;
-  const double v_s_size_0 = fabs(upper_0);
-  const double v_s_size_1 = fabs(upper_1);
-  const double v_s_size_2 = fabs(upper_2);
+  const double v_s_size_0 = fabs(upper_0), v_s_size_1 = fabs(upper_1), v_s_size_2 = fabs(upper_2);
   const double v_s_largest1 = v_s_size_0 < v_s_size_1 ? v_s_size_1 : v_s_size_0;
   const double v_s_largest2 = v_s_largest1 < v_s_size_2 ? v_s_size_2 : v_s_largest1;
   const double v_s_b = 6.703903964971299e+153 < v_s_largest2 ? 3.7291703656001034e-155 : 1.0,
       v_s_d = v_s_largest2 < 256.0 ? 1.3093562431584567e+151 : v_s_b,
       v_s = v_s_largest2 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : v_s_d;
-  const double v_y_0 = KSL_MUL(upper_0, v_s);
-  const double v_y_1 = KSL_MUL(upper_1, v_s);
-  const double v_y_2 = KSL_MUL(upper_2, v_s);
-  const double v_n_a = KSL_MUL(v_y_0, v_y_0), v_n_b = KSL_MUL(v_y_1, v_y_1), v_n_c = v_n_a + v_n_b,
-      v_n_d = KSL_MUL(v_y_2, v_y_2), v_n_e = v_n_c + v_n_d, v_n = sqrt(v_n_e);
+  const double v_y_0 = KSL_MUL(upper_0, v_s), v_y_1 = KSL_MUL(upper_1, v_s),
+      v_y_2 = KSL_MUL(upper_2, v_s);
+  const double v_n = sqrt(KSL_MUL(v_y_0, v_y_0) + KSL_MUL(v_y_1, v_y_1) + KSL_MUL(v_y_2, v_y_2));
   const double v_r_b = v_s < 1.0 ? 2.6815615859885194e+154 : 1.0,
       v_r_d = 1.0 < v_s ? 7.637340908749012e-152 : v_r_b,
       v_r = 1.3093562431584567e+151 < v_s ? 9.332636185032189e-302 : v_r_d;
@@ -172,9 +128,8 @@ static inline void ksl_SO3_log(const ksl_mat3x3_t *R, ksl_vec3_t *vo) {
   const double divisor = n == 0.0 ? 1.0 : n;
   const double theta = KSL_MUL(2.0, half);
   const double k = theta / divisor;
-  const double vector_0 = KSL_MUL(upper_0, k);
-  const double vector_1 = KSL_MUL(upper_1, k);
-  const double vector_2 = KSL_MUL(upper_2, k);
+  const double vector_0 = KSL_MUL(upper_0, k), vector_1 = KSL_MUL(upper_1, k),
+      vector_2 = KSL_MUL(upper_2, k);
   vo->x = vector_0;
   vo->y = vector_1;
   vo->z = vector_2;
@@ -186,44 +141,32 @@ static inline void ksl_SO3_log(const ksl_mat3x3_t *R, ksl_vec3_t *vo) {
    Error <= R: (7 + θ/200) u of its largest component for |v| <= 1e13, in single precision 1e5;
      searched, not proved. */
 static inline void ksl_SO3_leftJacobian(const ksl_vec3_t *v, ksl_mat3x3_t *R) {
-  const double size_0 = fabs(v->x);
-  const double size_1 = fabs(v->y);
-  const double size_2 = fabs(v->z);
-  const double sizes_a = size_0 + size_1, sizes = sizes_a + size_2;
+  const double size_0 = fabs(v->x), size_1 = fabs(v->y), size_2 = fabs(v->z);
+  const double sizes = size_0 + size_1 + size_2;
   const double grid = KSL_MUL(sizes, 268435456.0);
-  const double shifted_0 = v->x + grid;
-  const double shifted_1 = v->y + grid;
-  const double shifted_2 = v->z + grid;
-  const double high_0 = shifted_0 - grid;
-  const double high_1 = shifted_1 - grid;
-  const double high_2 = shifted_2 - grid;
-  const double low_0 = v->x - high_0;
-  const double low_1 = v->y - high_1;
-  const double low_2 = v->z - high_2;
-  const double sum_0 = v->x + high_0;
-  const double sum_1 = v->y + high_1;
-  const double sum_2 = v->z + high_2;
-  const double squares_a = KSL_MUL(high_0, high_0), squares_b = KSL_MUL(high_1, high_1),
-      squares_c = squares_a + squares_b, squares_d = KSL_MUL(high_2, high_2),
-      squares = squares_c + squares_d;
-  const double cross_a = KSL_MUL(low_0, sum_0), cross_b = KSL_MUL(low_1, sum_1),
-      cross_c = cross_a + cross_b, cross_d = KSL_MUL(low_2, sum_2), cross = cross_c + cross_d;
+  const double shifted_0 = v->x + grid, shifted_1 = v->y + grid, shifted_2 = v->z + grid;
+  const double high_0 = shifted_0 - grid, high_1 = shifted_1 - grid, high_2 = shifted_2 - grid;
+  const double low_0 = v->x - high_0, low_1 = v->y - high_1, low_2 = v->z - high_2;
+  const double sum_0 = v->x + high_0, sum_1 = v->y + high_1, sum_2 = v->z + high_2;
+  const double squares = KSL_MUL(high_0, high_0) + KSL_MUL(high_1, high_1)
+          + KSL_MUL(high_2, high_2);
+  const double cross = KSL_MUL(low_0, sum_0) + KSL_MUL(low_1, sum_1) + KSL_MUL(low_2, sum_2);
   const double x = squares + cross;
   const double theta_a = sqrt(x), theta = x < 1.0 ? 1.0 : theta_a;
   const double theta_shifted = grid + theta;
   const double theta_high = theta_shifted - grid;
   const double theta_low = theta - theta_high;
   const double theta_sum = theta + theta_high;
-  const double cross_rest_a = KSL_MUL(theta_low, theta_sum), cross_rest = cross - cross_rest_a;
-  const double exact_a = KSL_MUL(theta_high, theta_high), exact = squares - exact_a;
+  const double cross_rest = cross - KSL_MUL(theta_low, theta_sum);
+  const double exact = squares - KSL_MUL(theta_high, theta_high);
   const double residual = cross_rest + exact;
-  const double small_a = KSL_MUL(0.5, residual), small = small_a / theta;
-  const double delta_a = fabs(small), delta = delta_a < 0.0078125 ? small : 0.0;
+  const double small = KSL_MUL(0.5, residual) / theta;
+  const double delta = fabs(small) < 0.0078125 ? small : 0.0;
   double far_cosine_a; const double far_sine_a = ksl_sincos(theta, &far_cosine_a);
   const double far_sine = x < 1.0 ? 1.0 : far_sine_a;
   const double far_cosine = x < 1.0 ? 0.0 : far_cosine_a;
-  const double sine_a = KSL_MUL(delta, far_cosine), sine = sine_a + far_sine;
-  const double cosine_a = KSL_MUL(delta, far_sine), cosine = far_cosine - cosine_a;
+  const double sine = KSL_MUL(delta, far_cosine) + far_sine;
+  const double cosine = far_cosine - KSL_MUL(delta, far_sine);
   const double far_x = x < 1.0 ? 1.0 : x;
   const double middle_x = x < 4.0 ? 4.0 : x;
   const double closed1 = sine / theta;
@@ -231,60 +174,44 @@ static inline void ksl_SO3_leftJacobian(const ksl_vec3_t *v, ksl_mat3x3_t *R) {
   const double closed2 = versine / far_x;
   const double rest3 = 1.0 - closed1;
   const double closed3 = rest3 / middle_x;
-  const double g1a = KSL_MUL(6.446950284384474e-26, x), g1b = g1a - 3.868170170630684e-23,
-      g1c = KSL_MUL(x, g1b), g1d = g1c + 1.9572941063391263e-20, g1e = KSL_MUL(x, g1d),
-      g1f = g1e - 8.22063524662433e-18, g1g = KSL_MUL(x, g1f), g1h = g1g + 2.8114572543455206e-15,
-      g1i = KSL_MUL(x, g1h), g1j = g1i - 7.647163731819816e-13, g1k = KSL_MUL(x, g1j),
-      g1l = g1k + 1.6059043836821613e-10, g1m = KSL_MUL(x, g1l), g1n = g1m - 2.505210838544172e-08,
-      g1o = KSL_MUL(x, g1n), g1p = g1o + 2.7557319223985893e-06, g1q = KSL_MUL(x, g1p),
-      g1r = g1q - 0.0001984126984126984, g1s = KSL_MUL(x, g1r), g1t = g1s + 0.008333333333333333,
-      g1u = KSL_MUL(x, g1t), g1v = g1u - 0.16666666666666666, g1w = KSL_MUL(x, g1v),
-      g1x = g1w + 1.0, g1 = x < 1.0 ? g1x : closed1;
-  const double g2a = KSL_MUL(2.4795962632247976e-27, x), g2b = g2a - 1.6117375710961184e-24,
-      g2c = KSL_MUL(x, g2b), g2d = g2c + 8.896791392450574e-22, g2e = KSL_MUL(x, g2d),
-      g2f = g2e - 4.110317623312165e-19, g2g = KSL_MUL(x, g2f), g2h = g2g + 1.5619206968586225e-16,
-      g2i = KSL_MUL(x, g2h), g2j = g2i - 4.779477332387385e-14, g2k = KSL_MUL(x, g2j),
-      g2l = g2k + 1.1470745597729725e-11, g2m = KSL_MUL(x, g2l), g2n = g2m - 2.08767569878681e-09,
-      g2o = KSL_MUL(x, g2n), g2p = g2o + 2.755731922398589e-07, g2q = KSL_MUL(x, g2p),
-      g2r = g2q - 2.48015873015873e-05, g2s = KSL_MUL(x, g2r), g2t = g2s + 0.001388888888888889,
-      g2u = KSL_MUL(x, g2t), g2v = g2u - 0.041666666666666664, g2w = KSL_MUL(x, g2v),
-      g2x = g2w + 0.5, g2 = x < 1.0 ? g2x : closed2;
-  const double g3a = KSL_MUL(9.183689863795546e-29, x), g3b = g3a - 6.446950284384474e-26,
-      g3c = KSL_MUL(x, g3b), g3d = g3c + 3.868170170630684e-23, g3e = KSL_MUL(x, g3d),
-      g3f = g3e - 1.9572941063391263e-20, g3g = KSL_MUL(x, g3f), g3h = g3g + 8.22063524662433e-18,
-      g3i = KSL_MUL(x, g3h), g3j = g3i - 2.8114572543455206e-15, g3k = KSL_MUL(x, g3j),
-      g3l = g3k + 7.647163731819816e-13, g3m = KSL_MUL(x, g3l), g3n = g3m - 1.6059043836821613e-10,
-      g3o = KSL_MUL(x, g3n), g3p = g3o + 2.505210838544172e-08, g3q = KSL_MUL(x, g3p),
-      g3r = g3q - 2.7557319223985893e-06, g3s = KSL_MUL(x, g3r), g3t = g3s + 0.0001984126984126984,
-      g3u = KSL_MUL(x, g3t), g3v = g3u - 0.008333333333333333, g3w = KSL_MUL(x, g3v),
-      g3x = g3w + 0.16666666666666666, g3 = x < 4.0 ? g3x : closed3;
-  const double beta_v_0 = KSL_MUL(v->x, g3);
-  const double beta_v_1 = KSL_MUL(v->y, g3);
-  const double beta_v_2 = KSL_MUL(v->z, g3);
-  const double m_0 = KSL_MUL(v->x, beta_v_0);
-  const double m_1 = KSL_MUL(v->y, beta_v_1);
-  const double m_2 = KSL_MUL(v->z, beta_v_2);
-  const double m_3 = KSL_MUL(v->y, beta_v_0);
-  const double m_4 = KSL_MUL(v->z, beta_v_0);
-  const double m_5 = KSL_MUL(v->z, beta_v_1);
-  const double others_0 = m_1 + m_2;
-  const double others_1 = m_0 + m_2;
-  const double others_2 = m_0 + m_1;
+  const double g1g = KSL_MUL(x, KSL_MUL(x, KSL_MUL(x, KSL_MUL(6.446950284384474e-26, x)
+          - 3.868170170630684e-23) + 1.9572941063391263e-20) - 8.22063524662433e-18),
+      g1n = KSL_MUL(x, KSL_MUL(x, KSL_MUL(x, g1g + 2.8114572543455206e-15) - 7.647163731819816e-13)
+          + 1.6059043836821613e-10) - 2.505210838544172e-08,
+      g1u = KSL_MUL(x, KSL_MUL(x, KSL_MUL(x, KSL_MUL(x, g1n) + 2.7557319223985893e-06)
+          - 0.0001984126984126984) + 0.008333333333333333),
+      g1x = KSL_MUL(x, g1u - 0.16666666666666666) + 1.0, g1 = x < 1.0 ? g1x : closed1;
+  const double g2g = KSL_MUL(x, KSL_MUL(x, KSL_MUL(x, KSL_MUL(2.4795962632247976e-27, x)
+          - 1.6117375710961184e-24) + 8.896791392450574e-22) - 4.110317623312165e-19),
+      g2n = KSL_MUL(x, KSL_MUL(x, KSL_MUL(x, g2g + 1.5619206968586225e-16) - 4.779477332387385e-14)
+          + 1.1470745597729725e-11) - 2.08767569878681e-09,
+      g2v = KSL_MUL(x, KSL_MUL(x, KSL_MUL(x, KSL_MUL(x, g2n) + 2.755731922398589e-07)
+          - 2.48015873015873e-05) + 0.001388888888888889) - 0.041666666666666664,
+      g2x = KSL_MUL(x, g2v) + 0.5, g2 = x < 1.0 ? g2x : closed2;
+  const double g3g = KSL_MUL(x, KSL_MUL(x, KSL_MUL(x, KSL_MUL(9.183689863795546e-29, x)
+          - 6.446950284384474e-26) + 3.868170170630684e-23) - 1.9572941063391263e-20),
+      g3n = KSL_MUL(x, KSL_MUL(x, KSL_MUL(x, g3g + 8.22063524662433e-18) - 2.8114572543455206e-15)
+          + 7.647163731819816e-13) - 1.6059043836821613e-10,
+      g3u = KSL_MUL(x, KSL_MUL(x, KSL_MUL(x, KSL_MUL(x, g3n) + 2.505210838544172e-08)
+          - 2.7557319223985893e-06) + 0.0001984126984126984),
+      g3x = KSL_MUL(x, g3u - 0.008333333333333333) + 0.16666666666666666,
+      g3 = x < 4.0 ? g3x : closed3;
+  const double beta_v_0 = KSL_MUL(v->x, g3), beta_v_1 = KSL_MUL(v->y, g3),
+      beta_v_2 = KSL_MUL(v->z, g3);
+  const double m_0 = KSL_MUL(v->x, beta_v_0), m_1 = KSL_MUL(v->y, beta_v_1),
+      m_2 = KSL_MUL(v->z, beta_v_2), m_3 = KSL_MUL(v->y, beta_v_0), m_4 = KSL_MUL(v->z, beta_v_0),
+      m_5 = KSL_MUL(v->z, beta_v_1);
+  const double others_0 = m_1 + m_2, others_1 = m_0 + m_2, others_2 = m_0 + m_1;
   const double diagonal0a = 1.0 - others_0, diagonal0b = g1 + m_0,
       diagonal0 = m_0 < others_0 ? diagonal0b : diagonal0a;
   const double diagonal1a = 1.0 - others_1, diagonal1b = g1 + m_1,
       diagonal1 = m_1 < others_1 ? diagonal1b : diagonal1a;
   const double diagonal2a = 1.0 - others_2, diagonal2b = g1 + m_2,
       diagonal2 = m_2 < others_2 ? diagonal2b : diagonal2a;
-  const double alpha_v_0 = KSL_MUL(v->x, g2);
-  const double alpha_v_1 = KSL_MUL(v->y, g2);
-  const double alpha_v_2 = KSL_MUL(v->z, g2);
-  const double R_01 = m_3 - alpha_v_2;
-  const double R_02 = m_4 + alpha_v_1;
-  const double R_10 = m_3 + alpha_v_2;
-  const double R_12 = m_5 - alpha_v_0;
-  const double R_20 = m_4 - alpha_v_1;
-  const double R_21 = m_5 + alpha_v_0;
+  const double alpha_v_0 = KSL_MUL(v->x, g2), alpha_v_1 = KSL_MUL(v->y, g2),
+      alpha_v_2 = KSL_MUL(v->z, g2);
+  const double R_01 = m_3 - alpha_v_2, R_02 = m_4 + alpha_v_1, R_10 = m_3 + alpha_v_2,
+      R_12 = m_5 - alpha_v_0, R_20 = m_4 - alpha_v_1, R_21 = m_5 + alpha_v_0;
   R->m00 = diagonal0;
   R->m01 = R_01;
   R->m02 = R_02;
@@ -302,44 +229,32 @@ static inline void ksl_SO3_leftJacobian(const ksl_vec3_t *v, ksl_mat3x3_t *R) {
    Error <= R: (7 + θ/200) u of its largest component for |v| <= 1e13, in single precision 1e5;
      searched, not proved. */
 static inline void ksl_SO3_rightJacobian(const ksl_vec3_t *v, ksl_mat3x3_t *R) {
-  const double size_0 = fabs(v->x);
-  const double size_1 = fabs(v->y);
-  const double size_2 = fabs(v->z);
-  const double sizes_a = size_0 + size_1, sizes = sizes_a + size_2;
+  const double size_0 = fabs(v->x), size_1 = fabs(v->y), size_2 = fabs(v->z);
+  const double sizes = size_0 + size_1 + size_2;
   const double grid = KSL_MUL(sizes, 268435456.0);
-  const double shifted_0 = v->x + grid;
-  const double shifted_1 = v->y + grid;
-  const double shifted_2 = v->z + grid;
-  const double high_0 = shifted_0 - grid;
-  const double high_1 = shifted_1 - grid;
-  const double high_2 = shifted_2 - grid;
-  const double low_0 = v->x - high_0;
-  const double low_1 = v->y - high_1;
-  const double low_2 = v->z - high_2;
-  const double sum_0 = v->x + high_0;
-  const double sum_1 = v->y + high_1;
-  const double sum_2 = v->z + high_2;
-  const double squares_a = KSL_MUL(high_0, high_0), squares_b = KSL_MUL(high_1, high_1),
-      squares_c = squares_a + squares_b, squares_d = KSL_MUL(high_2, high_2),
-      squares = squares_c + squares_d;
-  const double cross_a = KSL_MUL(low_0, sum_0), cross_b = KSL_MUL(low_1, sum_1),
-      cross_c = cross_a + cross_b, cross_d = KSL_MUL(low_2, sum_2), cross = cross_c + cross_d;
+  const double shifted_0 = v->x + grid, shifted_1 = v->y + grid, shifted_2 = v->z + grid;
+  const double high_0 = shifted_0 - grid, high_1 = shifted_1 - grid, high_2 = shifted_2 - grid;
+  const double low_0 = v->x - high_0, low_1 = v->y - high_1, low_2 = v->z - high_2;
+  const double sum_0 = v->x + high_0, sum_1 = v->y + high_1, sum_2 = v->z + high_2;
+  const double squares = KSL_MUL(high_0, high_0) + KSL_MUL(high_1, high_1)
+          + KSL_MUL(high_2, high_2);
+  const double cross = KSL_MUL(low_0, sum_0) + KSL_MUL(low_1, sum_1) + KSL_MUL(low_2, sum_2);
   const double x = squares + cross;
   const double theta_a = sqrt(x), theta = x < 1.0 ? 1.0 : theta_a;
   const double theta_shifted = grid + theta;
   const double theta_high = theta_shifted - grid;
   const double theta_low = theta - theta_high;
   const double theta_sum = theta + theta_high;
-  const double cross_rest_a = KSL_MUL(theta_low, theta_sum), cross_rest = cross - cross_rest_a;
-  const double exact_a = KSL_MUL(theta_high, theta_high), exact = squares - exact_a;
+  const double cross_rest = cross - KSL_MUL(theta_low, theta_sum);
+  const double exact = squares - KSL_MUL(theta_high, theta_high);
   const double residual = cross_rest + exact;
-  const double small_a = KSL_MUL(0.5, residual), small = small_a / theta;
-  const double delta_a = fabs(small), delta = delta_a < 0.0078125 ? small : 0.0;
+  const double small = KSL_MUL(0.5, residual) / theta;
+  const double delta = fabs(small) < 0.0078125 ? small : 0.0;
   double far_cosine_a; const double far_sine_a = ksl_sincos(theta, &far_cosine_a);
   const double far_sine = x < 1.0 ? 1.0 : far_sine_a;
   const double far_cosine = x < 1.0 ? 0.0 : far_cosine_a;
-  const double sine_a = KSL_MUL(delta, far_cosine), sine = sine_a + far_sine;
-  const double cosine_a = KSL_MUL(delta, far_sine), cosine = far_cosine - cosine_a;
+  const double sine = KSL_MUL(delta, far_cosine) + far_sine;
+  const double cosine = far_cosine - KSL_MUL(delta, far_sine);
   const double far_x = x < 1.0 ? 1.0 : x;
   const double middle_x = x < 4.0 ? 4.0 : x;
   const double closed1 = sine / theta;
@@ -347,60 +262,44 @@ static inline void ksl_SO3_rightJacobian(const ksl_vec3_t *v, ksl_mat3x3_t *R) {
   const double closed2 = versine / far_x;
   const double rest3 = 1.0 - closed1;
   const double closed3 = rest3 / middle_x;
-  const double g1a = KSL_MUL(6.446950284384474e-26, x), g1b = g1a - 3.868170170630684e-23,
-      g1c = KSL_MUL(x, g1b), g1d = g1c + 1.9572941063391263e-20, g1e = KSL_MUL(x, g1d),
-      g1f = g1e - 8.22063524662433e-18, g1g = KSL_MUL(x, g1f), g1h = g1g + 2.8114572543455206e-15,
-      g1i = KSL_MUL(x, g1h), g1j = g1i - 7.647163731819816e-13, g1k = KSL_MUL(x, g1j),
-      g1l = g1k + 1.6059043836821613e-10, g1m = KSL_MUL(x, g1l), g1n = g1m - 2.505210838544172e-08,
-      g1o = KSL_MUL(x, g1n), g1p = g1o + 2.7557319223985893e-06, g1q = KSL_MUL(x, g1p),
-      g1r = g1q - 0.0001984126984126984, g1s = KSL_MUL(x, g1r), g1t = g1s + 0.008333333333333333,
-      g1u = KSL_MUL(x, g1t), g1v = g1u - 0.16666666666666666, g1w = KSL_MUL(x, g1v),
-      g1x = g1w + 1.0, g1 = x < 1.0 ? g1x : closed1;
-  const double g2a = KSL_MUL(2.4795962632247976e-27, x), g2b = g2a - 1.6117375710961184e-24,
-      g2c = KSL_MUL(x, g2b), g2d = g2c + 8.896791392450574e-22, g2e = KSL_MUL(x, g2d),
-      g2f = g2e - 4.110317623312165e-19, g2g = KSL_MUL(x, g2f), g2h = g2g + 1.5619206968586225e-16,
-      g2i = KSL_MUL(x, g2h), g2j = g2i - 4.779477332387385e-14, g2k = KSL_MUL(x, g2j),
-      g2l = g2k + 1.1470745597729725e-11, g2m = KSL_MUL(x, g2l), g2n = g2m - 2.08767569878681e-09,
-      g2o = KSL_MUL(x, g2n), g2p = g2o + 2.755731922398589e-07, g2q = KSL_MUL(x, g2p),
-      g2r = g2q - 2.48015873015873e-05, g2s = KSL_MUL(x, g2r), g2t = g2s + 0.001388888888888889,
-      g2u = KSL_MUL(x, g2t), g2v = g2u - 0.041666666666666664, g2w = KSL_MUL(x, g2v),
-      g2x = g2w + 0.5, g2 = x < 1.0 ? g2x : closed2;
-  const double g3a = KSL_MUL(9.183689863795546e-29, x), g3b = g3a - 6.446950284384474e-26,
-      g3c = KSL_MUL(x, g3b), g3d = g3c + 3.868170170630684e-23, g3e = KSL_MUL(x, g3d),
-      g3f = g3e - 1.9572941063391263e-20, g3g = KSL_MUL(x, g3f), g3h = g3g + 8.22063524662433e-18,
-      g3i = KSL_MUL(x, g3h), g3j = g3i - 2.8114572543455206e-15, g3k = KSL_MUL(x, g3j),
-      g3l = g3k + 7.647163731819816e-13, g3m = KSL_MUL(x, g3l), g3n = g3m - 1.6059043836821613e-10,
-      g3o = KSL_MUL(x, g3n), g3p = g3o + 2.505210838544172e-08, g3q = KSL_MUL(x, g3p),
-      g3r = g3q - 2.7557319223985893e-06, g3s = KSL_MUL(x, g3r), g3t = g3s + 0.0001984126984126984,
-      g3u = KSL_MUL(x, g3t), g3v = g3u - 0.008333333333333333, g3w = KSL_MUL(x, g3v),
-      g3x = g3w + 0.16666666666666666, g3 = x < 4.0 ? g3x : closed3;
-  const double beta_v_0 = KSL_MUL(v->x, g3);
-  const double beta_v_1 = KSL_MUL(v->y, g3);
-  const double beta_v_2 = KSL_MUL(v->z, g3);
-  const double m_0 = KSL_MUL(v->x, beta_v_0);
-  const double m_1 = KSL_MUL(v->y, beta_v_1);
-  const double m_2 = KSL_MUL(v->z, beta_v_2);
-  const double m_3 = KSL_MUL(v->y, beta_v_0);
-  const double m_4 = KSL_MUL(v->z, beta_v_0);
-  const double m_5 = KSL_MUL(v->z, beta_v_1);
-  const double others_0 = m_1 + m_2;
-  const double others_1 = m_0 + m_2;
-  const double others_2 = m_0 + m_1;
+  const double g1g = KSL_MUL(x, KSL_MUL(x, KSL_MUL(x, KSL_MUL(6.446950284384474e-26, x)
+          - 3.868170170630684e-23) + 1.9572941063391263e-20) - 8.22063524662433e-18),
+      g1n = KSL_MUL(x, KSL_MUL(x, KSL_MUL(x, g1g + 2.8114572543455206e-15) - 7.647163731819816e-13)
+          + 1.6059043836821613e-10) - 2.505210838544172e-08,
+      g1u = KSL_MUL(x, KSL_MUL(x, KSL_MUL(x, KSL_MUL(x, g1n) + 2.7557319223985893e-06)
+          - 0.0001984126984126984) + 0.008333333333333333),
+      g1x = KSL_MUL(x, g1u - 0.16666666666666666) + 1.0, g1 = x < 1.0 ? g1x : closed1;
+  const double g2g = KSL_MUL(x, KSL_MUL(x, KSL_MUL(x, KSL_MUL(2.4795962632247976e-27, x)
+          - 1.6117375710961184e-24) + 8.896791392450574e-22) - 4.110317623312165e-19),
+      g2n = KSL_MUL(x, KSL_MUL(x, KSL_MUL(x, g2g + 1.5619206968586225e-16) - 4.779477332387385e-14)
+          + 1.1470745597729725e-11) - 2.08767569878681e-09,
+      g2v = KSL_MUL(x, KSL_MUL(x, KSL_MUL(x, KSL_MUL(x, g2n) + 2.755731922398589e-07)
+          - 2.48015873015873e-05) + 0.001388888888888889) - 0.041666666666666664,
+      g2x = KSL_MUL(x, g2v) + 0.5, g2 = x < 1.0 ? g2x : closed2;
+  const double g3g = KSL_MUL(x, KSL_MUL(x, KSL_MUL(x, KSL_MUL(9.183689863795546e-29, x)
+          - 6.446950284384474e-26) + 3.868170170630684e-23) - 1.9572941063391263e-20),
+      g3n = KSL_MUL(x, KSL_MUL(x, KSL_MUL(x, g3g + 8.22063524662433e-18) - 2.8114572543455206e-15)
+          + 7.647163731819816e-13) - 1.6059043836821613e-10,
+      g3u = KSL_MUL(x, KSL_MUL(x, KSL_MUL(x, KSL_MUL(x, g3n) + 2.505210838544172e-08)
+          - 2.7557319223985893e-06) + 0.0001984126984126984),
+      g3x = KSL_MUL(x, g3u - 0.008333333333333333) + 0.16666666666666666,
+      g3 = x < 4.0 ? g3x : closed3;
+  const double beta_v_0 = KSL_MUL(v->x, g3), beta_v_1 = KSL_MUL(v->y, g3),
+      beta_v_2 = KSL_MUL(v->z, g3);
+  const double m_0 = KSL_MUL(v->x, beta_v_0), m_1 = KSL_MUL(v->y, beta_v_1),
+      m_2 = KSL_MUL(v->z, beta_v_2), m_3 = KSL_MUL(v->y, beta_v_0), m_4 = KSL_MUL(v->z, beta_v_0),
+      m_5 = KSL_MUL(v->z, beta_v_1);
+  const double others_0 = m_1 + m_2, others_1 = m_0 + m_2, others_2 = m_0 + m_1;
   const double diagonal0a = 1.0 - others_0, diagonal0b = g1 + m_0,
       diagonal0 = m_0 < others_0 ? diagonal0b : diagonal0a;
   const double diagonal1a = 1.0 - others_1, diagonal1b = g1 + m_1,
       diagonal1 = m_1 < others_1 ? diagonal1b : diagonal1a;
   const double diagonal2a = 1.0 - others_2, diagonal2b = g1 + m_2,
       diagonal2 = m_2 < others_2 ? diagonal2b : diagonal2a;
-  const double alpha_v_0a = KSL_MUL(v->x, g2), alpha_v_0 = -alpha_v_0a;
-  const double alpha_v_1a = KSL_MUL(v->y, g2), alpha_v_1 = -alpha_v_1a;
-  const double alpha_v_2a = KSL_MUL(v->z, g2), alpha_v_2 = -alpha_v_2a;
-  const double R_01 = m_3 - alpha_v_2;
-  const double R_02 = m_4 + alpha_v_1;
-  const double R_10 = m_3 + alpha_v_2;
-  const double R_12 = m_5 - alpha_v_0;
-  const double R_20 = m_4 - alpha_v_1;
-  const double R_21 = m_5 + alpha_v_0;
+  const double alpha_v_0 = -KSL_MUL(v->x, g2), alpha_v_1 = -KSL_MUL(v->y, g2),
+      alpha_v_2 = -KSL_MUL(v->z, g2);
+  const double R_01 = m_3 - alpha_v_2, R_02 = m_4 + alpha_v_1, R_10 = m_3 + alpha_v_2,
+      R_12 = m_5 - alpha_v_0, R_20 = m_4 - alpha_v_1, R_21 = m_5 + alpha_v_0;
   R->m00 = diagonal0;
   R->m01 = R_01;
   R->m02 = R_02;
@@ -418,93 +317,66 @@ static inline void ksl_SO3_rightJacobian(const ksl_vec3_t *v, ksl_mat3x3_t *R) {
    71 mul, 96 add, 3 div, 1 sqrt, 3 neg, 5 abs, 7 less, 12 select.
    Error <= R: 6 u of its largest component for |v| <= π; searched, not proved. */
 static inline void ksl_SO3_leftJacobianInverse(const ksl_vec3_t *v, ksl_mat3x3_t *R) {
-  const double size_0 = fabs(v->x);
-  const double size_1 = fabs(v->y);
-  const double size_2 = fabs(v->z);
-  const double sizes_a = size_0 + size_1, sizes = sizes_a + size_2;
+  const double size_0 = fabs(v->x), size_1 = fabs(v->y), size_2 = fabs(v->z);
+  const double sizes = size_0 + size_1 + size_2;
   const double grid = KSL_MUL(sizes, 268435456.0);
-  const double shifted_0 = v->x + grid;
-  const double shifted_1 = v->y + grid;
-  const double shifted_2 = v->z + grid;
-  const double high_0 = shifted_0 - grid;
-  const double high_1 = shifted_1 - grid;
-  const double high_2 = shifted_2 - grid;
-  const double low_0 = v->x - high_0;
-  const double low_1 = v->y - high_1;
-  const double low_2 = v->z - high_2;
-  const double sum_0 = v->x + high_0;
-  const double sum_1 = v->y + high_1;
-  const double sum_2 = v->z + high_2;
-  const double squares_a = KSL_MUL(high_0, high_0), squares_b = KSL_MUL(high_1, high_1),
-      squares_c = squares_a + squares_b, squares_d = KSL_MUL(high_2, high_2),
-      squares = squares_c + squares_d;
-  const double cross_a = KSL_MUL(low_0, sum_0), cross_b = KSL_MUL(low_1, sum_1),
-      cross_c = cross_a + cross_b, cross_d = KSL_MUL(low_2, sum_2), cross = cross_c + cross_d;
+  const double shifted_0 = v->x + grid, shifted_1 = v->y + grid, shifted_2 = v->z + grid;
+  const double high_0 = shifted_0 - grid, high_1 = shifted_1 - grid, high_2 = shifted_2 - grid;
+  const double low_0 = v->x - high_0, low_1 = v->y - high_1, low_2 = v->z - high_2;
+  const double sum_0 = v->x + high_0, sum_1 = v->y + high_1, sum_2 = v->z + high_2;
+  const double squares = KSL_MUL(high_0, high_0) + KSL_MUL(high_1, high_1)
+          + KSL_MUL(high_2, high_2);
+  const double cross = KSL_MUL(low_0, sum_0) + KSL_MUL(low_1, sum_1) + KSL_MUL(low_2, sum_2);
   const double x = squares + cross;
   const double theta_a = sqrt(x), theta = x < 1.0 ? 1.0 : theta_a;
   const double theta_shifted = grid + theta;
   const double theta_high = theta_shifted - grid;
   const double theta_low = theta - theta_high;
   const double theta_sum = theta + theta_high;
-  const double cross_rest_a = KSL_MUL(theta_low, theta_sum), cross_rest = cross - cross_rest_a;
-  const double exact_a = KSL_MUL(theta_high, theta_high), exact = squares - exact_a;
+  const double cross_rest = cross - KSL_MUL(theta_low, theta_sum);
+  const double exact = squares - KSL_MUL(theta_high, theta_high);
   const double residual = cross_rest + exact;
-  const double small_a = KSL_MUL(0.5, residual), small = small_a / theta;
-  const double delta_a = fabs(small), delta = delta_a < 0.0078125 ? small : 0.0;
+  const double small = KSL_MUL(0.5, residual) / theta;
+  const double delta = fabs(small) < 0.0078125 ? small : 0.0;
   double far_cosine_a; const double far_sine_a = ksl_sincos(theta, &far_cosine_a);
   const double far_sine = x < 1.0 ? 1.0 : far_sine_a;
   const double far_cosine = x < 1.0 ? 0.0 : far_cosine_a;
-  const double sine_a = KSL_MUL(delta, far_cosine), sine = sine_a + far_sine;
-  const double cosine_a = KSL_MUL(delta, far_sine), cosine = far_cosine - cosine_a;
+  const double sine = KSL_MUL(delta, far_cosine) + far_sine;
+  const double cosine = far_cosine - KSL_MUL(delta, far_sine);
   const double above_a = cosine + 1.0, above = cosine < 0.0 ? sine : above_a;
   const double below_a = 1.0 - cosine, below = cosine < 0.0 ? below_a : sine;
   const double cotangent = above / below;
-  const double half_cotangent_a = KSL_MUL(0.5, theta),
-      half_cotangent = KSL_MUL(half_cotangent_a, cotangent);
+  const double half_cotangent = KSL_MUL(KSL_MUL(0.5, theta), cotangent);
   const double b_rest = 1.0 - half_cotangent;
   const double b_divisor = x < 4.0 ? 4.0 : x;
   const double closed_b = b_rest / b_divisor;
-  const double b_a = KSL_MUL(1.455172475614865e-27, x), b_b = b_a + 5.744790668872202e-26,
-      b_c = KSL_MUL(x, b_b), b_d = b_c + 2.267952452337683e-24, b_e = KSL_MUL(x, b_d),
-      b_f = b_e + 8.953517427037546e-23, b_g = KSL_MUL(x, b_f), b_h = b_g + 3.534707039629467e-21,
-      b_i = KSL_MUL(x, b_h), b_j = b_i + 1.3954464685812522e-19, b_k = KSL_MUL(x, b_j),
-      b_l = b_k + 5.5090028283602295e-18, b_m = KSL_MUL(x, b_l), b_n = b_m + 2.174868698558062e-16,
-      b_o = KSL_MUL(x, b_n), b_p = b_o + 8.586062056277845e-15, b_q = KSL_MUL(x, b_p),
-      b_r = b_q + 3.3896802963225827e-13, b_s = KSL_MUL(x, b_r), b_t = b_s + 1.3382536530684679e-11,
-      b_u = KSL_MUL(x, b_t), b_v = b_u + 5.284190138687493e-10, b_w = KSL_MUL(x, b_v),
-      b_x = b_w + 2.08767569878681e-08, b_y = KSL_MUL(x, b_x), b_z = b_y + 8.267195767195768e-07,
-      b_aa = KSL_MUL(x, b_z), b_ab = b_aa + 3.306878306878307e-05, b_ac = KSL_MUL(x, b_ab),
-      b_ad = b_ac + 0.001388888888888889, b_ae = KSL_MUL(x, b_ad),
-      b_af = b_ae + 0.08333333333333333, b = x < 4.0 ? b_af : closed_b;
-  const double b_across_a = KSL_MUL(x, b), b_across_b = 1.0 - b_across_a,
-      b_across = x < 4.0 ? b_across_b : half_cotangent;
-  const double beta_v_0 = KSL_MUL(v->x, b);
-  const double beta_v_1 = KSL_MUL(v->y, b);
-  const double beta_v_2 = KSL_MUL(v->z, b);
-  const double m_0 = KSL_MUL(v->x, beta_v_0);
-  const double m_1 = KSL_MUL(v->y, beta_v_1);
-  const double m_2 = KSL_MUL(v->z, beta_v_2);
-  const double m_3 = KSL_MUL(v->y, beta_v_0);
-  const double m_4 = KSL_MUL(v->z, beta_v_0);
-  const double m_5 = KSL_MUL(v->z, beta_v_1);
-  const double others_0 = m_1 + m_2;
-  const double others_1 = m_0 + m_2;
-  const double others_2 = m_0 + m_1;
+  const double b_g = KSL_MUL(x, KSL_MUL(x, KSL_MUL(x, KSL_MUL(1.455172475614865e-27, x)
+          + 5.744790668872202e-26) + 2.267952452337683e-24) + 8.953517427037546e-23),
+      b_n = KSL_MUL(x, KSL_MUL(x, KSL_MUL(x, b_g + 3.534707039629467e-21) + 1.3954464685812522e-19)
+          + 5.5090028283602295e-18) + 2.174868698558062e-16,
+      b_u = KSL_MUL(x, KSL_MUL(x, KSL_MUL(x, KSL_MUL(x, b_n) + 8.586062056277845e-15)
+          + 3.3896802963225827e-13) + 1.3382536530684679e-11),
+      b_ab = KSL_MUL(x, KSL_MUL(x, KSL_MUL(x, b_u + 5.284190138687493e-10) + 2.08767569878681e-08)
+          + 8.267195767195768e-07) + 3.306878306878307e-05,
+      b_af = KSL_MUL(x, KSL_MUL(x, b_ab) + 0.001388888888888889) + 0.08333333333333333,
+      b = x < 4.0 ? b_af : closed_b;
+  const double b_across_b = 1.0 - KSL_MUL(x, b), b_across = x < 4.0 ? b_across_b : half_cotangent;
+  const double beta_v_0 = KSL_MUL(v->x, b), beta_v_1 = KSL_MUL(v->y, b),
+      beta_v_2 = KSL_MUL(v->z, b);
+  const double m_0 = KSL_MUL(v->x, beta_v_0), m_1 = KSL_MUL(v->y, beta_v_1),
+      m_2 = KSL_MUL(v->z, beta_v_2), m_3 = KSL_MUL(v->y, beta_v_0), m_4 = KSL_MUL(v->z, beta_v_0),
+      m_5 = KSL_MUL(v->z, beta_v_1);
+  const double others_0 = m_1 + m_2, others_1 = m_0 + m_2, others_2 = m_0 + m_1;
   const double diagonal0a = 1.0 - others_0, diagonal0b = b_across + m_0,
       diagonal0 = m_0 < others_0 ? diagonal0b : diagonal0a;
   const double diagonal1a = 1.0 - others_1, diagonal1b = b_across + m_1,
       diagonal1 = m_1 < others_1 ? diagonal1b : diagonal1a;
   const double diagonal2a = 1.0 - others_2, diagonal2b = b_across + m_2,
       diagonal2 = m_2 < others_2 ? diagonal2b : diagonal2a;
-  const double alpha_v_0a = KSL_MUL(0.5, v->x), alpha_v_0 = -alpha_v_0a;
-  const double alpha_v_1a = KSL_MUL(0.5, v->y), alpha_v_1 = -alpha_v_1a;
-  const double alpha_v_2a = KSL_MUL(0.5, v->z), alpha_v_2 = -alpha_v_2a;
-  const double R_01 = m_3 - alpha_v_2;
-  const double R_02 = m_4 + alpha_v_1;
-  const double R_10 = m_3 + alpha_v_2;
-  const double R_12 = m_5 - alpha_v_0;
-  const double R_20 = m_4 - alpha_v_1;
-  const double R_21 = m_5 + alpha_v_0;
+  const double alpha_v_0 = -KSL_MUL(0.5, v->x), alpha_v_1 = -KSL_MUL(0.5, v->y),
+      alpha_v_2 = -KSL_MUL(0.5, v->z);
+  const double R_01 = m_3 - alpha_v_2, R_02 = m_4 + alpha_v_1, R_10 = m_3 + alpha_v_2,
+      R_12 = m_5 - alpha_v_0, R_20 = m_4 - alpha_v_1, R_21 = m_5 + alpha_v_0;
   R->m00 = diagonal0;
   R->m01 = R_01;
   R->m02 = R_02;
@@ -522,93 +394,66 @@ static inline void ksl_SO3_leftJacobianInverse(const ksl_vec3_t *v, ksl_mat3x3_t
    71 mul, 96 add, 3 div, 1 sqrt, 5 abs, 7 less, 12 select.
    Error <= R: 6 u of its largest component for |v| <= π; searched, not proved. */
 static inline void ksl_SO3_rightJacobianInverse(const ksl_vec3_t *v, ksl_mat3x3_t *R) {
-  const double size_0 = fabs(v->x);
-  const double size_1 = fabs(v->y);
-  const double size_2 = fabs(v->z);
-  const double sizes_a = size_0 + size_1, sizes = sizes_a + size_2;
+  const double size_0 = fabs(v->x), size_1 = fabs(v->y), size_2 = fabs(v->z);
+  const double sizes = size_0 + size_1 + size_2;
   const double grid = KSL_MUL(sizes, 268435456.0);
-  const double shifted_0 = v->x + grid;
-  const double shifted_1 = v->y + grid;
-  const double shifted_2 = v->z + grid;
-  const double high_0 = shifted_0 - grid;
-  const double high_1 = shifted_1 - grid;
-  const double high_2 = shifted_2 - grid;
-  const double low_0 = v->x - high_0;
-  const double low_1 = v->y - high_1;
-  const double low_2 = v->z - high_2;
-  const double sum_0 = v->x + high_0;
-  const double sum_1 = v->y + high_1;
-  const double sum_2 = v->z + high_2;
-  const double squares_a = KSL_MUL(high_0, high_0), squares_b = KSL_MUL(high_1, high_1),
-      squares_c = squares_a + squares_b, squares_d = KSL_MUL(high_2, high_2),
-      squares = squares_c + squares_d;
-  const double cross_a = KSL_MUL(low_0, sum_0), cross_b = KSL_MUL(low_1, sum_1),
-      cross_c = cross_a + cross_b, cross_d = KSL_MUL(low_2, sum_2), cross = cross_c + cross_d;
+  const double shifted_0 = v->x + grid, shifted_1 = v->y + grid, shifted_2 = v->z + grid;
+  const double high_0 = shifted_0 - grid, high_1 = shifted_1 - grid, high_2 = shifted_2 - grid;
+  const double low_0 = v->x - high_0, low_1 = v->y - high_1, low_2 = v->z - high_2;
+  const double sum_0 = v->x + high_0, sum_1 = v->y + high_1, sum_2 = v->z + high_2;
+  const double squares = KSL_MUL(high_0, high_0) + KSL_MUL(high_1, high_1)
+          + KSL_MUL(high_2, high_2);
+  const double cross = KSL_MUL(low_0, sum_0) + KSL_MUL(low_1, sum_1) + KSL_MUL(low_2, sum_2);
   const double x = squares + cross;
   const double theta_a = sqrt(x), theta = x < 1.0 ? 1.0 : theta_a;
   const double theta_shifted = grid + theta;
   const double theta_high = theta_shifted - grid;
   const double theta_low = theta - theta_high;
   const double theta_sum = theta + theta_high;
-  const double cross_rest_a = KSL_MUL(theta_low, theta_sum), cross_rest = cross - cross_rest_a;
-  const double exact_a = KSL_MUL(theta_high, theta_high), exact = squares - exact_a;
+  const double cross_rest = cross - KSL_MUL(theta_low, theta_sum);
+  const double exact = squares - KSL_MUL(theta_high, theta_high);
   const double residual = cross_rest + exact;
-  const double small_a = KSL_MUL(0.5, residual), small = small_a / theta;
-  const double delta_a = fabs(small), delta = delta_a < 0.0078125 ? small : 0.0;
+  const double small = KSL_MUL(0.5, residual) / theta;
+  const double delta = fabs(small) < 0.0078125 ? small : 0.0;
   double far_cosine_a; const double far_sine_a = ksl_sincos(theta, &far_cosine_a);
   const double far_sine = x < 1.0 ? 1.0 : far_sine_a;
   const double far_cosine = x < 1.0 ? 0.0 : far_cosine_a;
-  const double sine_a = KSL_MUL(delta, far_cosine), sine = sine_a + far_sine;
-  const double cosine_a = KSL_MUL(delta, far_sine), cosine = far_cosine - cosine_a;
+  const double sine = KSL_MUL(delta, far_cosine) + far_sine;
+  const double cosine = far_cosine - KSL_MUL(delta, far_sine);
   const double above_a = cosine + 1.0, above = cosine < 0.0 ? sine : above_a;
   const double below_a = 1.0 - cosine, below = cosine < 0.0 ? below_a : sine;
   const double cotangent = above / below;
-  const double half_cotangent_a = KSL_MUL(0.5, theta),
-      half_cotangent = KSL_MUL(half_cotangent_a, cotangent);
+  const double half_cotangent = KSL_MUL(KSL_MUL(0.5, theta), cotangent);
   const double b_rest = 1.0 - half_cotangent;
   const double b_divisor = x < 4.0 ? 4.0 : x;
   const double closed_b = b_rest / b_divisor;
-  const double b_a = KSL_MUL(1.455172475614865e-27, x), b_b = b_a + 5.744790668872202e-26,
-      b_c = KSL_MUL(x, b_b), b_d = b_c + 2.267952452337683e-24, b_e = KSL_MUL(x, b_d),
-      b_f = b_e + 8.953517427037546e-23, b_g = KSL_MUL(x, b_f), b_h = b_g + 3.534707039629467e-21,
-      b_i = KSL_MUL(x, b_h), b_j = b_i + 1.3954464685812522e-19, b_k = KSL_MUL(x, b_j),
-      b_l = b_k + 5.5090028283602295e-18, b_m = KSL_MUL(x, b_l), b_n = b_m + 2.174868698558062e-16,
-      b_o = KSL_MUL(x, b_n), b_p = b_o + 8.586062056277845e-15, b_q = KSL_MUL(x, b_p),
-      b_r = b_q + 3.3896802963225827e-13, b_s = KSL_MUL(x, b_r), b_t = b_s + 1.3382536530684679e-11,
-      b_u = KSL_MUL(x, b_t), b_v = b_u + 5.284190138687493e-10, b_w = KSL_MUL(x, b_v),
-      b_x = b_w + 2.08767569878681e-08, b_y = KSL_MUL(x, b_x), b_z = b_y + 8.267195767195768e-07,
-      b_aa = KSL_MUL(x, b_z), b_ab = b_aa + 3.306878306878307e-05, b_ac = KSL_MUL(x, b_ab),
-      b_ad = b_ac + 0.001388888888888889, b_ae = KSL_MUL(x, b_ad),
-      b_af = b_ae + 0.08333333333333333, b = x < 4.0 ? b_af : closed_b;
-  const double b_across_a = KSL_MUL(x, b), b_across_b = 1.0 - b_across_a,
-      b_across = x < 4.0 ? b_across_b : half_cotangent;
-  const double beta_v_0 = KSL_MUL(v->x, b);
-  const double beta_v_1 = KSL_MUL(v->y, b);
-  const double beta_v_2 = KSL_MUL(v->z, b);
-  const double m_0 = KSL_MUL(v->x, beta_v_0);
-  const double m_1 = KSL_MUL(v->y, beta_v_1);
-  const double m_2 = KSL_MUL(v->z, beta_v_2);
-  const double m_3 = KSL_MUL(v->y, beta_v_0);
-  const double m_4 = KSL_MUL(v->z, beta_v_0);
-  const double m_5 = KSL_MUL(v->z, beta_v_1);
-  const double others_0 = m_1 + m_2;
-  const double others_1 = m_0 + m_2;
-  const double others_2 = m_0 + m_1;
+  const double b_g = KSL_MUL(x, KSL_MUL(x, KSL_MUL(x, KSL_MUL(1.455172475614865e-27, x)
+          + 5.744790668872202e-26) + 2.267952452337683e-24) + 8.953517427037546e-23),
+      b_n = KSL_MUL(x, KSL_MUL(x, KSL_MUL(x, b_g + 3.534707039629467e-21) + 1.3954464685812522e-19)
+          + 5.5090028283602295e-18) + 2.174868698558062e-16,
+      b_u = KSL_MUL(x, KSL_MUL(x, KSL_MUL(x, KSL_MUL(x, b_n) + 8.586062056277845e-15)
+          + 3.3896802963225827e-13) + 1.3382536530684679e-11),
+      b_ab = KSL_MUL(x, KSL_MUL(x, KSL_MUL(x, b_u + 5.284190138687493e-10) + 2.08767569878681e-08)
+          + 8.267195767195768e-07) + 3.306878306878307e-05,
+      b_af = KSL_MUL(x, KSL_MUL(x, b_ab) + 0.001388888888888889) + 0.08333333333333333,
+      b = x < 4.0 ? b_af : closed_b;
+  const double b_across_b = 1.0 - KSL_MUL(x, b), b_across = x < 4.0 ? b_across_b : half_cotangent;
+  const double beta_v_0 = KSL_MUL(v->x, b), beta_v_1 = KSL_MUL(v->y, b),
+      beta_v_2 = KSL_MUL(v->z, b);
+  const double m_0 = KSL_MUL(v->x, beta_v_0), m_1 = KSL_MUL(v->y, beta_v_1),
+      m_2 = KSL_MUL(v->z, beta_v_2), m_3 = KSL_MUL(v->y, beta_v_0), m_4 = KSL_MUL(v->z, beta_v_0),
+      m_5 = KSL_MUL(v->z, beta_v_1);
+  const double others_0 = m_1 + m_2, others_1 = m_0 + m_2, others_2 = m_0 + m_1;
   const double diagonal0a = 1.0 - others_0, diagonal0b = b_across + m_0,
       diagonal0 = m_0 < others_0 ? diagonal0b : diagonal0a;
   const double diagonal1a = 1.0 - others_1, diagonal1b = b_across + m_1,
       diagonal1 = m_1 < others_1 ? diagonal1b : diagonal1a;
   const double diagonal2a = 1.0 - others_2, diagonal2b = b_across + m_2,
       diagonal2 = m_2 < others_2 ? diagonal2b : diagonal2a;
-  const double alpha_v_0 = KSL_MUL(0.5, v->x);
-  const double alpha_v_1 = KSL_MUL(0.5, v->y);
-  const double alpha_v_2 = KSL_MUL(0.5, v->z);
-  const double R_01 = m_3 - alpha_v_2;
-  const double R_02 = m_4 + alpha_v_1;
-  const double R_10 = m_3 + alpha_v_2;
-  const double R_12 = m_5 - alpha_v_0;
-  const double R_20 = m_4 - alpha_v_1;
-  const double R_21 = m_5 + alpha_v_0;
+  const double alpha_v_0 = KSL_MUL(0.5, v->x), alpha_v_1 = KSL_MUL(0.5, v->y),
+      alpha_v_2 = KSL_MUL(0.5, v->z);
+  const double R_01 = m_3 - alpha_v_2, R_02 = m_4 + alpha_v_1, R_10 = m_3 + alpha_v_2,
+      R_12 = m_5 - alpha_v_0, R_20 = m_4 - alpha_v_1, R_21 = m_5 + alpha_v_0;
   R->m00 = diagonal0;
   R->m01 = R_01;
   R->m02 = R_02;
@@ -626,75 +471,45 @@ static inline void ksl_SO3_rightJacobianInverse(const ksl_vec3_t *v, ksl_mat3x3_
    Error <= u |result| + 7 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline void ksl_mat3x3_orthonormalize(ksl_mat3x3_t *self) {
-  const double defect_0a = KSL_MUL(self->m00, self->m00), defect_0b = 1.0 - defect_0a,
-      defect_0c = KSL_MUL(self->m10, self->m10), defect_0d = defect_0b - defect_0c,
-      defect_0e = KSL_MUL(self->m20, self->m20), defect_0 = defect_0d - defect_0e;
-  const double defect_1a = KSL_MUL(self->m01, self->m01), defect_1b = 1.0 - defect_1a,
-      defect_1c = KSL_MUL(self->m11, self->m11), defect_1d = defect_1b - defect_1c,
-      defect_1e = KSL_MUL(self->m21, self->m21), defect_1 = defect_1d - defect_1e;
-  const double defect_2a = KSL_MUL(self->m02, self->m02), defect_2b = 1.0 - defect_2a,
-      defect_2c = KSL_MUL(self->m12, self->m12), defect_2d = defect_2b - defect_2c,
-      defect_2e = KSL_MUL(self->m22, self->m22), defect_2 = defect_2d - defect_2e;
-  const double defect_3a = KSL_MUL(self->m00, self->m01), defect_3b = KSL_MUL(self->m10, self->m11),
-      defect_3c = defect_3a + defect_3b, defect_3d = KSL_MUL(self->m20, self->m21),
-      defect_3e = defect_3c + defect_3d, defect_3 = -defect_3e;
-  const double defect_4a = KSL_MUL(self->m00, self->m02), defect_4b = KSL_MUL(self->m10, self->m12),
-      defect_4c = defect_4a + defect_4b, defect_4d = KSL_MUL(self->m20, self->m22),
-      defect_4e = defect_4c + defect_4d, defect_4 = -defect_4e;
-  const double defect_5a = KSL_MUL(self->m01, self->m02), defect_5b = KSL_MUL(self->m11, self->m12),
-      defect_5c = defect_5a + defect_5b, defect_5d = KSL_MUL(self->m21, self->m22),
-      defect_5e = defect_5c + defect_5d, defect_5 = -defect_5e;
-  const double correction_0 = KSL_MUL(0.5, defect_0);
-  const double correction_1 = KSL_MUL(0.5, defect_1);
-  const double correction_2 = KSL_MUL(0.5, defect_2);
-  const double correction_3 = KSL_MUL(0.5, defect_3);
-  const double correction_4 = KSL_MUL(0.5, defect_4);
-  const double correction_5 = KSL_MUL(0.5, defect_5);
-  const double self_00_new_a = KSL_MUL(self->m00, correction_0),
-      self_00_new_b = KSL_MUL(self->m01, correction_3),
-      self_00_new_c = self_00_new_a + self_00_new_b,
-      self_00_new_d = KSL_MUL(self->m02, correction_4),
-      self_00_new_e = self_00_new_c + self_00_new_d, self_00_new = self->m00 + self_00_new_e;
-  const double self_01_new_a = KSL_MUL(self->m00, correction_3),
-      self_01_new_b = KSL_MUL(self->m01, correction_1),
-      self_01_new_c = self_01_new_a + self_01_new_b,
-      self_01_new_d = KSL_MUL(self->m02, correction_5),
-      self_01_new_e = self_01_new_c + self_01_new_d, self_01_new = self_01_new_e + self->m01;
-  const double self_02_new_a = KSL_MUL(self->m00, correction_4),
-      self_02_new_b = KSL_MUL(self->m01, correction_5),
-      self_02_new_c = self_02_new_a + self_02_new_b,
-      self_02_new_d = KSL_MUL(self->m02, correction_2),
-      self_02_new_e = self_02_new_c + self_02_new_d, self_02_new = self_02_new_e + self->m02;
-  const double self_10_new_a = KSL_MUL(self->m10, correction_0),
-      self_10_new_b = KSL_MUL(self->m11, correction_3),
-      self_10_new_c = self_10_new_a + self_10_new_b,
-      self_10_new_d = KSL_MUL(self->m12, correction_4),
-      self_10_new_e = self_10_new_c + self_10_new_d, self_10_new = self->m10 + self_10_new_e;
-  const double self_11_new_a = KSL_MUL(self->m10, correction_3),
-      self_11_new_b = KSL_MUL(self->m11, correction_1),
-      self_11_new_c = self_11_new_a + self_11_new_b,
-      self_11_new_d = KSL_MUL(self->m12, correction_5),
-      self_11_new_e = self_11_new_c + self_11_new_d, self_11_new = self_11_new_e + self->m11;
-  const double self_12_new_a = KSL_MUL(self->m10, correction_4),
-      self_12_new_b = KSL_MUL(self->m11, correction_5),
-      self_12_new_c = self_12_new_a + self_12_new_b,
-      self_12_new_d = KSL_MUL(self->m12, correction_2),
-      self_12_new_e = self_12_new_c + self_12_new_d, self_12_new = self_12_new_e + self->m12;
-  const double self_20_new_a = KSL_MUL(self->m20, correction_0),
-      self_20_new_b = KSL_MUL(self->m21, correction_3),
-      self_20_new_c = self_20_new_a + self_20_new_b,
-      self_20_new_d = KSL_MUL(self->m22, correction_4),
-      self_20_new_e = self_20_new_c + self_20_new_d, self_20_new = self->m20 + self_20_new_e;
-  const double self_21_new_a = KSL_MUL(self->m20, correction_3),
-      self_21_new_b = KSL_MUL(self->m21, correction_1),
-      self_21_new_c = self_21_new_a + self_21_new_b,
-      self_21_new_d = KSL_MUL(self->m22, correction_5),
-      self_21_new_e = self_21_new_c + self_21_new_d, self_21_new = self_21_new_e + self->m21;
-  const double self_22_new_a = KSL_MUL(self->m20, correction_4),
-      self_22_new_b = KSL_MUL(self->m21, correction_5),
-      self_22_new_c = self_22_new_a + self_22_new_b,
-      self_22_new_d = KSL_MUL(self->m22, correction_2),
-      self_22_new_e = self_22_new_c + self_22_new_d, self_22_new = self_22_new_e + self->m22;
+  const double defect_0 = 1.0 - KSL_MUL(self->m00, self->m00) - KSL_MUL(self->m10, self->m10)
+          - KSL_MUL(self->m20, self->m20),
+      defect_1 = 1.0 - KSL_MUL(self->m01, self->m01) - KSL_MUL(self->m11, self->m11)
+          - KSL_MUL(self->m21, self->m21),
+      defect_2 = 1.0 - KSL_MUL(self->m02, self->m02) - KSL_MUL(self->m12, self->m12)
+          - KSL_MUL(self->m22, self->m22),
+      defect_3 =
+          -(KSL_MUL(self->m00, self->m01) + KSL_MUL(self->m10, self->m11)
+          + KSL_MUL(self->m20, self->m21)),
+      defect_4 =
+          -(KSL_MUL(self->m00, self->m02) + KSL_MUL(self->m10, self->m12)
+          + KSL_MUL(self->m20, self->m22)),
+      defect_5 =
+          -(KSL_MUL(self->m01, self->m02) + KSL_MUL(self->m11, self->m12)
+          + KSL_MUL(self->m21, self->m22));
+  const double correction_0 = KSL_MUL(0.5, defect_0), correction_1 = KSL_MUL(0.5, defect_1),
+      correction_2 = KSL_MUL(0.5, defect_2), correction_3 = KSL_MUL(0.5, defect_3),
+      correction_4 = KSL_MUL(0.5, defect_4), correction_5 = KSL_MUL(0.5, defect_5);
+  const double self_00_new = self->m00
+          + (KSL_MUL(self->m00, correction_0) + KSL_MUL(self->m01, correction_3)
+          + KSL_MUL(self->m02, correction_4)),
+      self_01_new = KSL_MUL(self->m00, correction_3) + KSL_MUL(self->m01, correction_1)
+          + KSL_MUL(self->m02, correction_5) + self->m01,
+      self_02_new = KSL_MUL(self->m00, correction_4) + KSL_MUL(self->m01, correction_5)
+          + KSL_MUL(self->m02, correction_2) + self->m02,
+      self_10_new = self->m10
+          + (KSL_MUL(self->m10, correction_0) + KSL_MUL(self->m11, correction_3)
+          + KSL_MUL(self->m12, correction_4)),
+      self_11_new = KSL_MUL(self->m10, correction_3) + KSL_MUL(self->m11, correction_1)
+          + KSL_MUL(self->m12, correction_5) + self->m11,
+      self_12_new = KSL_MUL(self->m10, correction_4) + KSL_MUL(self->m11, correction_5)
+          + KSL_MUL(self->m12, correction_2) + self->m12,
+      self_20_new = self->m20
+          + (KSL_MUL(self->m20, correction_0) + KSL_MUL(self->m21, correction_3)
+          + KSL_MUL(self->m22, correction_4)),
+      self_21_new = KSL_MUL(self->m20, correction_3) + KSL_MUL(self->m21, correction_1)
+          + KSL_MUL(self->m22, correction_5) + self->m21,
+      self_22_new = KSL_MUL(self->m20, correction_4) + KSL_MUL(self->m21, correction_5)
+          + KSL_MUL(self->m22, correction_2) + self->m22;
   self->m00 = self_00_new;
   self->m01 = self_01_new;
   self->m02 = self_02_new;
@@ -712,57 +527,37 @@ static inline void ksl_mat3x3_orthonormalize(ksl_mat3x3_t *self) {
    Error <= u |result| + 7 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline void ksl_mat3x3_orthonormalized(const ksl_mat3x3_t *R, ksl_mat3x3_t *Ro) {
-  const double defect_0a = KSL_MUL(R->m00, R->m00), defect_0b = 1.0 - defect_0a,
-      defect_0c = KSL_MUL(R->m10, R->m10), defect_0d = defect_0b - defect_0c,
-      defect_0e = KSL_MUL(R->m20, R->m20), defect_0 = defect_0d - defect_0e;
-  const double defect_1a = KSL_MUL(R->m01, R->m01), defect_1b = 1.0 - defect_1a,
-      defect_1c = KSL_MUL(R->m11, R->m11), defect_1d = defect_1b - defect_1c,
-      defect_1e = KSL_MUL(R->m21, R->m21), defect_1 = defect_1d - defect_1e;
-  const double defect_2a = KSL_MUL(R->m02, R->m02), defect_2b = 1.0 - defect_2a,
-      defect_2c = KSL_MUL(R->m12, R->m12), defect_2d = defect_2b - defect_2c,
-      defect_2e = KSL_MUL(R->m22, R->m22), defect_2 = defect_2d - defect_2e;
-  const double defect_3a = KSL_MUL(R->m00, R->m01), defect_3b = KSL_MUL(R->m10, R->m11),
-      defect_3c = defect_3a + defect_3b, defect_3d = KSL_MUL(R->m20, R->m21),
-      defect_3e = defect_3c + defect_3d, defect_3 = -defect_3e;
-  const double defect_4a = KSL_MUL(R->m00, R->m02), defect_4b = KSL_MUL(R->m10, R->m12),
-      defect_4c = defect_4a + defect_4b, defect_4d = KSL_MUL(R->m20, R->m22),
-      defect_4e = defect_4c + defect_4d, defect_4 = -defect_4e;
-  const double defect_5a = KSL_MUL(R->m01, R->m02), defect_5b = KSL_MUL(R->m11, R->m12),
-      defect_5c = defect_5a + defect_5b, defect_5d = KSL_MUL(R->m21, R->m22),
-      defect_5e = defect_5c + defect_5d, defect_5 = -defect_5e;
-  const double correction_0 = KSL_MUL(0.5, defect_0);
-  const double correction_1 = KSL_MUL(0.5, defect_1);
-  const double correction_2 = KSL_MUL(0.5, defect_2);
-  const double correction_3 = KSL_MUL(0.5, defect_3);
-  const double correction_4 = KSL_MUL(0.5, defect_4);
-  const double correction_5 = KSL_MUL(0.5, defect_5);
-  const double Ro_00a = KSL_MUL(R->m00, correction_0), Ro_00b = KSL_MUL(R->m01, correction_3),
-      Ro_00c = Ro_00a + Ro_00b, Ro_00d = KSL_MUL(R->m02, correction_4), Ro_00e = Ro_00c + Ro_00d,
-      Ro_00 = R->m00 + Ro_00e;
-  const double Ro_01a = KSL_MUL(R->m00, correction_3), Ro_01b = KSL_MUL(R->m01, correction_1),
-      Ro_01c = Ro_01a + Ro_01b, Ro_01d = KSL_MUL(R->m02, correction_5), Ro_01e = Ro_01c + Ro_01d,
-      Ro_01 = Ro_01e + R->m01;
-  const double Ro_02a = KSL_MUL(R->m00, correction_4), Ro_02b = KSL_MUL(R->m01, correction_5),
-      Ro_02c = Ro_02a + Ro_02b, Ro_02d = KSL_MUL(R->m02, correction_2), Ro_02e = Ro_02c + Ro_02d,
-      Ro_02 = Ro_02e + R->m02;
-  const double Ro_10a = KSL_MUL(R->m10, correction_0), Ro_10b = KSL_MUL(R->m11, correction_3),
-      Ro_10c = Ro_10a + Ro_10b, Ro_10d = KSL_MUL(R->m12, correction_4), Ro_10e = Ro_10c + Ro_10d,
-      Ro_10 = R->m10 + Ro_10e;
-  const double Ro_11a = KSL_MUL(R->m10, correction_3), Ro_11b = KSL_MUL(R->m11, correction_1),
-      Ro_11c = Ro_11a + Ro_11b, Ro_11d = KSL_MUL(R->m12, correction_5), Ro_11e = Ro_11c + Ro_11d,
-      Ro_11 = Ro_11e + R->m11;
-  const double Ro_12a = KSL_MUL(R->m10, correction_4), Ro_12b = KSL_MUL(R->m11, correction_5),
-      Ro_12c = Ro_12a + Ro_12b, Ro_12d = KSL_MUL(R->m12, correction_2), Ro_12e = Ro_12c + Ro_12d,
-      Ro_12 = Ro_12e + R->m12;
-  const double Ro_20a = KSL_MUL(R->m20, correction_0), Ro_20b = KSL_MUL(R->m21, correction_3),
-      Ro_20c = Ro_20a + Ro_20b, Ro_20d = KSL_MUL(R->m22, correction_4), Ro_20e = Ro_20c + Ro_20d,
-      Ro_20 = R->m20 + Ro_20e;
-  const double Ro_21a = KSL_MUL(R->m20, correction_3), Ro_21b = KSL_MUL(R->m21, correction_1),
-      Ro_21c = Ro_21a + Ro_21b, Ro_21d = KSL_MUL(R->m22, correction_5), Ro_21e = Ro_21c + Ro_21d,
-      Ro_21 = Ro_21e + R->m21;
-  const double Ro_22a = KSL_MUL(R->m20, correction_4), Ro_22b = KSL_MUL(R->m21, correction_5),
-      Ro_22c = Ro_22a + Ro_22b, Ro_22d = KSL_MUL(R->m22, correction_2), Ro_22e = Ro_22c + Ro_22d,
-      Ro_22 = Ro_22e + R->m22;
+  const double defect_0 = 1.0 - KSL_MUL(R->m00, R->m00) - KSL_MUL(R->m10, R->m10)
+          - KSL_MUL(R->m20, R->m20),
+      defect_1 = 1.0 - KSL_MUL(R->m01, R->m01) - KSL_MUL(R->m11, R->m11) - KSL_MUL(R->m21, R->m21),
+      defect_2 = 1.0 - KSL_MUL(R->m02, R->m02) - KSL_MUL(R->m12, R->m12) - KSL_MUL(R->m22, R->m22),
+      defect_3 = -(KSL_MUL(R->m00, R->m01) + KSL_MUL(R->m10, R->m11) + KSL_MUL(R->m20, R->m21)),
+      defect_4 = -(KSL_MUL(R->m00, R->m02) + KSL_MUL(R->m10, R->m12) + KSL_MUL(R->m20, R->m22)),
+      defect_5 = -(KSL_MUL(R->m01, R->m02) + KSL_MUL(R->m11, R->m12) + KSL_MUL(R->m21, R->m22));
+  const double correction_0 = KSL_MUL(0.5, defect_0), correction_1 = KSL_MUL(0.5, defect_1),
+      correction_2 = KSL_MUL(0.5, defect_2), correction_3 = KSL_MUL(0.5, defect_3),
+      correction_4 = KSL_MUL(0.5, defect_4), correction_5 = KSL_MUL(0.5, defect_5);
+  const double Ro_00 = R->m00
+          + (KSL_MUL(R->m00, correction_0) + KSL_MUL(R->m01, correction_3)
+          + KSL_MUL(R->m02, correction_4)),
+      Ro_01 = KSL_MUL(R->m00, correction_3) + KSL_MUL(R->m01, correction_1)
+          + KSL_MUL(R->m02, correction_5) + R->m01,
+      Ro_02 = KSL_MUL(R->m00, correction_4) + KSL_MUL(R->m01, correction_5)
+          + KSL_MUL(R->m02, correction_2) + R->m02,
+      Ro_10 = R->m10
+          + (KSL_MUL(R->m10, correction_0) + KSL_MUL(R->m11, correction_3)
+          + KSL_MUL(R->m12, correction_4)),
+      Ro_11 = KSL_MUL(R->m10, correction_3) + KSL_MUL(R->m11, correction_1)
+          + KSL_MUL(R->m12, correction_5) + R->m11,
+      Ro_12 = KSL_MUL(R->m10, correction_4) + KSL_MUL(R->m11, correction_5)
+          + KSL_MUL(R->m12, correction_2) + R->m12,
+      Ro_20 = R->m20
+          + (KSL_MUL(R->m20, correction_0) + KSL_MUL(R->m21, correction_3)
+          + KSL_MUL(R->m22, correction_4)),
+      Ro_21 = KSL_MUL(R->m20, correction_3) + KSL_MUL(R->m21, correction_1)
+          + KSL_MUL(R->m22, correction_5) + R->m21,
+      Ro_22 = KSL_MUL(R->m20, correction_4) + KSL_MUL(R->m21, correction_5)
+          + KSL_MUL(R->m22, correction_2) + R->m22;
   Ro->m00 = Ro_00;
   Ro->m01 = Ro_01;
   Ro->m02 = Ro_02;
@@ -781,44 +576,32 @@ static inline void ksl_mat3x3_orthonormalized(const ksl_mat3x3_t *R, ksl_mat3x3_
      larger, for |ω of s| <= 1e13, in single precision 1e5; searched, not proved.  Intermediate
      sums may overflow where |v|, or |ω| |v|, is above 2e306, in single precision 5e36. */
 static inline void ksl_SE3_exp(const ksl_screw_t *s, ksl_SE3_t *D) {
-  const double size_0 = fabs(s->m3);
-  const double size_1 = fabs(s->m4);
-  const double size_2 = fabs(s->m5);
-  const double sizes_a = size_0 + size_1, sizes = sizes_a + size_2;
+  const double size_0 = fabs(s->m3), size_1 = fabs(s->m4), size_2 = fabs(s->m5);
+  const double sizes = size_0 + size_1 + size_2;
   const double grid = KSL_MUL(sizes, 268435456.0);
-  const double shifted_0 = s->m3 + grid;
-  const double shifted_1 = s->m4 + grid;
-  const double shifted_2 = s->m5 + grid;
-  const double high_0 = shifted_0 - grid;
-  const double high_1 = shifted_1 - grid;
-  const double high_2 = shifted_2 - grid;
-  const double low_0 = s->m3 - high_0;
-  const double low_1 = s->m4 - high_1;
-  const double low_2 = s->m5 - high_2;
-  const double sum_0 = s->m3 + high_0;
-  const double sum_1 = s->m4 + high_1;
-  const double sum_2 = s->m5 + high_2;
-  const double squares_a = KSL_MUL(high_0, high_0), squares_b = KSL_MUL(high_1, high_1),
-      squares_c = squares_a + squares_b, squares_d = KSL_MUL(high_2, high_2),
-      squares = squares_c + squares_d;
-  const double cross_a = KSL_MUL(low_0, sum_0), cross_b = KSL_MUL(low_1, sum_1),
-      cross_c = cross_a + cross_b, cross_d = KSL_MUL(low_2, sum_2), cross = cross_c + cross_d;
+  const double shifted_0 = s->m3 + grid, shifted_1 = s->m4 + grid, shifted_2 = s->m5 + grid;
+  const double high_0 = shifted_0 - grid, high_1 = shifted_1 - grid, high_2 = shifted_2 - grid;
+  const double low_0 = s->m3 - high_0, low_1 = s->m4 - high_1, low_2 = s->m5 - high_2;
+  const double sum_0 = s->m3 + high_0, sum_1 = s->m4 + high_1, sum_2 = s->m5 + high_2;
+  const double squares = KSL_MUL(high_0, high_0) + KSL_MUL(high_1, high_1)
+          + KSL_MUL(high_2, high_2);
+  const double cross = KSL_MUL(low_0, sum_0) + KSL_MUL(low_1, sum_1) + KSL_MUL(low_2, sum_2);
   const double x = squares + cross;
   const double theta_a = sqrt(x), theta = x < 1.0 ? 1.0 : theta_a;
   const double theta_shifted = grid + theta;
   const double theta_high = theta_shifted - grid;
   const double theta_low = theta - theta_high;
   const double theta_sum = theta + theta_high;
-  const double cross_rest_a = KSL_MUL(theta_low, theta_sum), cross_rest = cross - cross_rest_a;
-  const double exact_a = KSL_MUL(theta_high, theta_high), exact = squares - exact_a;
+  const double cross_rest = cross - KSL_MUL(theta_low, theta_sum);
+  const double exact = squares - KSL_MUL(theta_high, theta_high);
   const double residual = cross_rest + exact;
-  const double small_a = KSL_MUL(0.5, residual), small = small_a / theta;
-  const double delta_a = fabs(small), delta = delta_a < 0.0078125 ? small : 0.0;
+  const double small = KSL_MUL(0.5, residual) / theta;
+  const double delta = fabs(small) < 0.0078125 ? small : 0.0;
   double far_cosine_a; const double far_sine_a = ksl_sincos(theta, &far_cosine_a);
   const double far_sine = x < 1.0 ? 1.0 : far_sine_a;
   const double far_cosine = x < 1.0 ? 0.0 : far_cosine_a;
-  const double sine_a = KSL_MUL(delta, far_cosine), sine = sine_a + far_sine;
-  const double cosine_a = KSL_MUL(delta, far_sine), cosine = far_cosine - cosine_a;
+  const double sine = KSL_MUL(delta, far_cosine) + far_sine;
+  const double cosine = far_cosine - KSL_MUL(delta, far_sine);
   const double far_x = x < 1.0 ? 1.0 : x;
   const double middle_x = x < 4.0 ? 4.0 : x;
   const double closed1 = sine / theta;
@@ -826,79 +609,58 @@ static inline void ksl_SE3_exp(const ksl_screw_t *s, ksl_SE3_t *D) {
   const double closed2 = versine / far_x;
   const double rest3 = 1.0 - closed1;
   const double closed3 = rest3 / middle_x;
-  const double g1a = KSL_MUL(6.446950284384474e-26, x), g1b = g1a - 3.868170170630684e-23,
-      g1c = KSL_MUL(x, g1b), g1d = g1c + 1.9572941063391263e-20, g1e = KSL_MUL(x, g1d),
-      g1f = g1e - 8.22063524662433e-18, g1g = KSL_MUL(x, g1f), g1h = g1g + 2.8114572543455206e-15,
-      g1i = KSL_MUL(x, g1h), g1j = g1i - 7.647163731819816e-13, g1k = KSL_MUL(x, g1j),
-      g1l = g1k + 1.6059043836821613e-10, g1m = KSL_MUL(x, g1l), g1n = g1m - 2.505210838544172e-08,
-      g1o = KSL_MUL(x, g1n), g1p = g1o + 2.7557319223985893e-06, g1q = KSL_MUL(x, g1p),
-      g1r = g1q - 0.0001984126984126984, g1s = KSL_MUL(x, g1r), g1t = g1s + 0.008333333333333333,
-      g1u = KSL_MUL(x, g1t), g1v = g1u - 0.16666666666666666, g1w = KSL_MUL(x, g1v),
-      g1x = g1w + 1.0, g1 = x < 1.0 ? g1x : closed1;
-  const double g2a = KSL_MUL(2.4795962632247976e-27, x), g2b = g2a - 1.6117375710961184e-24,
-      g2c = KSL_MUL(x, g2b), g2d = g2c + 8.896791392450574e-22, g2e = KSL_MUL(x, g2d),
-      g2f = g2e - 4.110317623312165e-19, g2g = KSL_MUL(x, g2f), g2h = g2g + 1.5619206968586225e-16,
-      g2i = KSL_MUL(x, g2h), g2j = g2i - 4.779477332387385e-14, g2k = KSL_MUL(x, g2j),
-      g2l = g2k + 1.1470745597729725e-11, g2m = KSL_MUL(x, g2l), g2n = g2m - 2.08767569878681e-09,
-      g2o = KSL_MUL(x, g2n), g2p = g2o + 2.755731922398589e-07, g2q = KSL_MUL(x, g2p),
-      g2r = g2q - 2.48015873015873e-05, g2s = KSL_MUL(x, g2r), g2t = g2s + 0.001388888888888889,
-      g2u = KSL_MUL(x, g2t), g2v = g2u - 0.041666666666666664, g2w = KSL_MUL(x, g2v),
-      g2x = g2w + 0.5, g2 = x < 1.0 ? g2x : closed2;
-  const double g3a = KSL_MUL(9.183689863795546e-29, x), g3b = g3a - 6.446950284384474e-26,
-      g3c = KSL_MUL(x, g3b), g3d = g3c + 3.868170170630684e-23, g3e = KSL_MUL(x, g3d),
-      g3f = g3e - 1.9572941063391263e-20, g3g = KSL_MUL(x, g3f), g3h = g3g + 8.22063524662433e-18,
-      g3i = KSL_MUL(x, g3h), g3j = g3i - 2.8114572543455206e-15, g3k = KSL_MUL(x, g3j),
-      g3l = g3k + 7.647163731819816e-13, g3m = KSL_MUL(x, g3l), g3n = g3m - 1.6059043836821613e-10,
-      g3o = KSL_MUL(x, g3n), g3p = g3o + 2.505210838544172e-08, g3q = KSL_MUL(x, g3p),
-      g3r = g3q - 2.7557319223985893e-06, g3s = KSL_MUL(x, g3r), g3t = g3s + 0.0001984126984126984,
-      g3u = KSL_MUL(x, g3t), g3v = g3u - 0.008333333333333333, g3w = KSL_MUL(x, g3v),
-      g3x = g3w + 0.16666666666666666, g3 = x < 4.0 ? g3x : closed3;
-  const double g0a = KSL_MUL(x, g2), g0b = 1.0 - g0a, g0 = x < 1.0 ? g0b : cosine;
-  const double u_0a = KSL_MUL(s->m2, s->m4), u_0b = KSL_MUL(s->m1, s->m5), u_0 = u_0a - u_0b;
-  const double u_1a = KSL_MUL(s->m0, s->m5), u_1b = KSL_MUL(s->m2, s->m3), u_1 = u_1a - u_1b;
-  const double u_2a = KSL_MUL(s->m1, s->m3), u_2b = KSL_MUL(s->m0, s->m4), u_2 = u_2a - u_2b;
-  const double turned_0 = KSL_MUL(g2, u_0);
-  const double turned_1 = KSL_MUL(g2, u_1);
-  const double turned_2 = KSL_MUL(g2, u_2);
-  const double wv_a = KSL_MUL(s->m0, s->m3), wv_b = KSL_MUL(s->m1, s->m4), wv_c = wv_a + wv_b,
-      wv_d = KSL_MUL(s->m2, s->m5), wv = wv_c + wv_d;
+  const double g1g = KSL_MUL(x, KSL_MUL(x, KSL_MUL(x, KSL_MUL(6.446950284384474e-26, x)
+          - 3.868170170630684e-23) + 1.9572941063391263e-20) - 8.22063524662433e-18),
+      g1n = KSL_MUL(x, KSL_MUL(x, KSL_MUL(x, g1g + 2.8114572543455206e-15) - 7.647163731819816e-13)
+          + 1.6059043836821613e-10) - 2.505210838544172e-08,
+      g1u = KSL_MUL(x, KSL_MUL(x, KSL_MUL(x, KSL_MUL(x, g1n) + 2.7557319223985893e-06)
+          - 0.0001984126984126984) + 0.008333333333333333),
+      g1x = KSL_MUL(x, g1u - 0.16666666666666666) + 1.0, g1 = x < 1.0 ? g1x : closed1;
+  const double g2g = KSL_MUL(x, KSL_MUL(x, KSL_MUL(x, KSL_MUL(2.4795962632247976e-27, x)
+          - 1.6117375710961184e-24) + 8.896791392450574e-22) - 4.110317623312165e-19),
+      g2n = KSL_MUL(x, KSL_MUL(x, KSL_MUL(x, g2g + 1.5619206968586225e-16) - 4.779477332387385e-14)
+          + 1.1470745597729725e-11) - 2.08767569878681e-09,
+      g2v = KSL_MUL(x, KSL_MUL(x, KSL_MUL(x, KSL_MUL(x, g2n) + 2.755731922398589e-07)
+          - 2.48015873015873e-05) + 0.001388888888888889) - 0.041666666666666664,
+      g2x = KSL_MUL(x, g2v) + 0.5, g2 = x < 1.0 ? g2x : closed2;
+  const double g3g = KSL_MUL(x, KSL_MUL(x, KSL_MUL(x, KSL_MUL(9.183689863795546e-29, x)
+          - 6.446950284384474e-26) + 3.868170170630684e-23) - 1.9572941063391263e-20),
+      g3n = KSL_MUL(x, KSL_MUL(x, KSL_MUL(x, g3g + 8.22063524662433e-18) - 2.8114572543455206e-15)
+          + 7.647163731819816e-13) - 1.6059043836821613e-10,
+      g3u = KSL_MUL(x, KSL_MUL(x, KSL_MUL(x, KSL_MUL(x, g3n) + 2.505210838544172e-08)
+          - 2.7557319223985893e-06) + 0.0001984126984126984),
+      g3x = KSL_MUL(x, g3u - 0.008333333333333333) + 0.16666666666666666,
+      g3 = x < 4.0 ? g3x : closed3;
+  const double g0b = 1.0 - KSL_MUL(x, g2), g0 = x < 1.0 ? g0b : cosine;
+  const double u_0 = KSL_MUL(s->m2, s->m4) - KSL_MUL(s->m1, s->m5),
+      u_1 = KSL_MUL(s->m0, s->m5) - KSL_MUL(s->m2, s->m3),
+      u_2 = KSL_MUL(s->m1, s->m3) - KSL_MUL(s->m0, s->m4);
+  const double turned_0 = KSL_MUL(g2, u_0), turned_1 = KSL_MUL(g2, u_1),
+      turned_2 = KSL_MUL(g2, u_2);
+  const double wv = KSL_MUL(s->m0, s->m3) + KSL_MUL(s->m1, s->m4) + KSL_MUL(s->m2, s->m5);
   const double pitch = KSL_MUL(g3, wv);
-  const double along_0 = KSL_MUL(s->m3, pitch);
-  const double along_1 = KSL_MUL(s->m4, pitch);
-  const double along_2 = KSL_MUL(s->m5, pitch);
-  const double beta_v_0 = KSL_MUL(s->m3, g2);
-  const double beta_v_1 = KSL_MUL(s->m4, g2);
-  const double beta_v_2 = KSL_MUL(s->m5, g2);
-  const double m_0 = KSL_MUL(s->m3, beta_v_0);
-  const double m_1 = KSL_MUL(s->m4, beta_v_1);
-  const double m_2 = KSL_MUL(s->m5, beta_v_2);
-  const double m_3 = KSL_MUL(s->m4, beta_v_0);
-  const double m_4 = KSL_MUL(s->m5, beta_v_0);
-  const double m_5 = KSL_MUL(s->m5, beta_v_1);
-  const double others_0 = m_1 + m_2;
-  const double others_1 = m_0 + m_2;
-  const double others_2 = m_0 + m_1;
+  const double along_0 = KSL_MUL(s->m3, pitch), along_1 = KSL_MUL(s->m4, pitch),
+      along_2 = KSL_MUL(s->m5, pitch);
+  const double beta_v_0 = KSL_MUL(s->m3, g2), beta_v_1 = KSL_MUL(s->m4, g2),
+      beta_v_2 = KSL_MUL(s->m5, g2);
+  const double m_0 = KSL_MUL(s->m3, beta_v_0), m_1 = KSL_MUL(s->m4, beta_v_1),
+      m_2 = KSL_MUL(s->m5, beta_v_2), m_3 = KSL_MUL(s->m4, beta_v_0),
+      m_4 = KSL_MUL(s->m5, beta_v_0), m_5 = KSL_MUL(s->m5, beta_v_1);
+  const double others_0 = m_1 + m_2, others_1 = m_0 + m_2, others_2 = m_0 + m_1;
   const double diagonal0a = 1.0 - others_0, diagonal0b = g0 + m_0,
       diagonal0 = m_0 < others_0 ? diagonal0b : diagonal0a;
   const double diagonal1a = 1.0 - others_1, diagonal1b = g0 + m_1,
       diagonal1 = m_1 < others_1 ? diagonal1b : diagonal1a;
   const double diagonal2a = 1.0 - others_2, diagonal2b = g0 + m_2,
       diagonal2 = m_2 < others_2 ? diagonal2b : diagonal2a;
-  const double alpha_v_0 = KSL_MUL(s->m3, g1);
-  const double alpha_v_1 = KSL_MUL(s->m4, g1);
-  const double alpha_v_2 = KSL_MUL(s->m5, g1);
-  const double across_axis_0 = turned_0 + along_0;
-  const double across_axis_1 = turned_1 + along_1;
-  const double across_axis_2 = turned_2 + along_2;
-  const double D_01 = m_3 - alpha_v_2;
-  const double D_02 = m_4 + alpha_v_1;
-  const double D_03a = KSL_MUL(s->m0, g1), D_03 = D_03a + across_axis_0;
-  const double D_10 = m_3 + alpha_v_2;
-  const double D_12 = m_5 - alpha_v_0;
-  const double D_13a = KSL_MUL(s->m1, g1), D_13 = D_13a + across_axis_1;
-  const double D_20 = m_4 - alpha_v_1;
-  const double D_21 = m_5 + alpha_v_0;
-  const double D_23a = KSL_MUL(s->m2, g1), D_23 = D_23a + across_axis_2;
+  const double alpha_v_0 = KSL_MUL(s->m3, g1), alpha_v_1 = KSL_MUL(s->m4, g1),
+      alpha_v_2 = KSL_MUL(s->m5, g1);
+  const double across_axis_0 = turned_0 + along_0, across_axis_1 = turned_1 + along_1,
+      across_axis_2 = turned_2 + along_2;
+  const double D_01 = m_3 - alpha_v_2, D_02 = m_4 + alpha_v_1,
+      D_03 = KSL_MUL(s->m0, g1) + across_axis_0, D_10 = m_3 + alpha_v_2, D_12 = m_5 - alpha_v_0,
+      D_13 = KSL_MUL(s->m1, g1) + across_axis_1, D_20 = m_4 - alpha_v_1, D_21 = m_5 + alpha_v_0,
+      D_23 = KSL_MUL(s->m2, g1) + across_axis_2;
   D->m00 = diagonal0;
   D->m01 = D_01;
   D->m02 = D_02;
@@ -919,49 +681,32 @@ static inline void ksl_SE3_exp(const ksl_screw_t *s, ksl_SE3_t *D) {
    Error <= lin: 18 u, ang: 8 u of its largest component for R of D a rotation; searched, not
      proved.  Intermediate sums may overflow where |t| is above 2e306, in single precision 5e36. */
 static inline void ksl_SE3_log(const ksl_SE3_t *D, ksl_screw_t *so) {
-  const double p_0 = D->m21 - D->m12;
-  const double p_1 = D->m02 - D->m20;
-  const double p_2 = D->m10 - D->m01;
-  const double s_0 = D->m12 + D->m21;
-  const double s_1 = D->m02 + D->m20;
-  const double s_2 = D->m01 + D->m10;
-  const double first_0 = D->m00 + 1.0;
-  const double first_1 = 1.0 - D->m00;
-  const double others_0 = D->m11 + D->m22;
-  const double others_1 = D->m11 - D->m22;
-  const double d_0 = first_0 + others_0;
-  const double d_1 = first_0 - others_0;
-  const double d_2 = first_1 + others_1;
-  const double d_3 = first_1 - others_1;
-  const double low_0 = D->m11 < D->m00 ? d_1 : s_2;
-  const double low_1 = D->m11 < D->m00 ? s_2 : d_2;
-  const double low_2 = D->m11 < D->m00 ? s_1 : s_0;
-  const double low_3 = D->m11 < D->m00 ? p_0 : p_1;
+  const double p_0 = D->m21 - D->m12, p_1 = D->m02 - D->m20, p_2 = D->m10 - D->m01;
+  const double s_0 = D->m12 + D->m21, s_1 = D->m02 + D->m20, s_2 = D->m01 + D->m10;
+  const double first_0 = D->m00 + 1.0, first_1 = 1.0 - D->m00;
+  const double others_0 = D->m11 + D->m22, others_1 = D->m11 - D->m22;
+  const double d_0 = first_0 + others_0, d_1 = first_0 - others_0, d_2 = first_1 + others_1,
+      d_3 = first_1 - others_1;
+  const double low_0 = D->m11 < D->m00 ? d_1 : s_2, low_1 = D->m11 < D->m00 ? s_2 : d_2,
+      low_2 = D->m11 < D->m00 ? s_1 : s_0, low_3 = D->m11 < D->m00 ? p_0 : p_1;
   const double high_0a = -D->m11, high_0 = D->m00 < high_0a ? s_1 : p_0;
-  const double high_1 = D->m00 < high_0a ? s_0 : p_1;
-  const double high_2 = D->m00 < high_0a ? d_3 : p_2;
-  const double high_3 = D->m00 < high_0a ? p_2 : d_0;
-  const double column_0 = D->m22 < 0.0 ? low_0 : high_0;
-  const double column_1 = D->m22 < 0.0 ? low_1 : high_1;
-  const double column_2 = D->m22 < 0.0 ? low_2 : high_2;
-  const double column_3 = D->m22 < 0.0 ? low_3 : high_3;
+  const double high_1 = D->m00 < high_0a ? s_0 : p_1, high_2 = D->m00 < high_0a ? d_3 : p_2,
+      high_3 = D->m00 < high_0a ? p_2 : d_0;
+  const double column_0 = D->m22 < 0.0 ? low_0 : high_0, column_1 = D->m22 < 0.0 ? low_1 : high_1,
+      column_2 = D->m22 < 0.0 ? low_2 : high_2, column_3 = D->m22 < 0.0 ? low_3 : high_3;
   const double upper_0a = -column_0, upper_0 = column_3 < 0.0 ? upper_0a : column_0;
   const double upper_1a = -column_1, upper_1 = column_3 < 0.0 ? upper_1a : column_1;
   const double upper_2a = -column_2, upper_2 = column_3 < 0.0 ? upper_2a : column_2;
   const double upper_3a = -column_3, upper_3 = column_3 < 0.0 ? upper_3a : column_3;
-  const double v_s_size_0 = fabs(upper_0);
-  const double v_s_size_1 = fabs(upper_1);
-  const double v_s_size_2 = fabs(upper_2);
+  const double v_s_size_0 = fabs(upper_0), v_s_size_1 = fabs(upper_1), v_s_size_2 = fabs(upper_2);
   const double v_s_largest1 = v_s_size_0 < v_s_size_1 ? v_s_size_1 : v_s_size_0;
   const double v_s_largest2 = v_s_largest1 < v_s_size_2 ? v_s_size_2 : v_s_largest1;
   const double v_s_b = 6.703903964971299e+153 < v_s_largest2 ? 3.7291703656001034e-155 : 1.0,
       v_s_d = v_s_largest2 < 256.0 ? 1.3093562431584567e+151 : v_s_b,
       v_s = v_s_largest2 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : v_s_d;
-  const double v_y_0 = KSL_MUL(upper_0, v_s);
-  const double v_y_1 = KSL_MUL(upper_1, v_s);
-  const double v_y_2 = KSL_MUL(upper_2, v_s);
-  const double v_n_a = KSL_MUL(v_y_0, v_y_0), v_n_b = KSL_MUL(v_y_1, v_y_1), v_n_c = v_n_a + v_n_b,
-      v_n_d = KSL_MUL(v_y_2, v_y_2), v_n_e = v_n_c + v_n_d, v_n = sqrt(v_n_e);
+  const double v_y_0 = KSL_MUL(upper_0, v_s), v_y_1 = KSL_MUL(upper_1, v_s),
+      v_y_2 = KSL_MUL(upper_2, v_s);
+  const double v_n = sqrt(KSL_MUL(v_y_0, v_y_0) + KSL_MUL(v_y_1, v_y_1) + KSL_MUL(v_y_2, v_y_2));
   const double v_r_b = v_s < 1.0 ? 2.6815615859885194e+154 : 1.0,
       v_r_d = 1.0 < v_s ? 7.637340908749012e-152 : v_r_b,
       v_r = 1.3093562431584567e+151 < v_s ? 9.332636185032189e-302 : v_r_d;
@@ -970,52 +715,41 @@ static inline void ksl_SE3_log(const ksl_SE3_t *D, ksl_screw_t *so) {
   const double divisor = n == 0.0 ? 1.0 : n;
   const double theta = KSL_MUL(2.0, half);
   const double k = theta / divisor;
-  const double vector_0 = KSL_MUL(upper_0, k);
-  const double vector_1 = KSL_MUL(upper_1, k);
-  const double vector_2 = KSL_MUL(upper_2, k);
+  const double vector_0 = KSL_MUL(upper_0, k), vector_1 = KSL_MUL(upper_1, k),
+      vector_2 = KSL_MUL(upper_2, k);
   const double x = KSL_MUL(theta, theta);
   const double far_sine = x < 1.0 ? 1.0 : n;
   const double cotangent = upper_3 / far_sine;
-  const double half_cotangent_a = KSL_MUL(0.5, theta),
-      half_cotangent = KSL_MUL(half_cotangent_a, cotangent);
+  const double half_cotangent = KSL_MUL(KSL_MUL(0.5, theta), cotangent);
   const double b_rest = 1.0 - half_cotangent;
   const double b_divisor = x < 4.0 ? 4.0 : x;
   const double closed_b = b_rest / b_divisor;
-  const double b_a = KSL_MUL(1.455172475614865e-27, x), b_b = b_a + 5.744790668872202e-26,
-      b_c = KSL_MUL(x, b_b), b_d = b_c + 2.267952452337683e-24, b_e = KSL_MUL(x, b_d),
-      b_f = b_e + 8.953517427037546e-23, b_g = KSL_MUL(x, b_f), b_h = b_g + 3.534707039629467e-21,
-      b_i = KSL_MUL(x, b_h), b_j = b_i + 1.3954464685812522e-19, b_k = KSL_MUL(x, b_j),
-      b_l = b_k + 5.5090028283602295e-18, b_m = KSL_MUL(x, b_l), b_n = b_m + 2.174868698558062e-16,
-      b_o = KSL_MUL(x, b_n), b_p = b_o + 8.586062056277845e-15, b_q = KSL_MUL(x, b_p),
-      b_r = b_q + 3.3896802963225827e-13, b_s = KSL_MUL(x, b_r), b_t = b_s + 1.3382536530684679e-11,
-      b_u = KSL_MUL(x, b_t), b_v = b_u + 5.284190138687493e-10, b_w = KSL_MUL(x, b_v),
-      b_x = b_w + 2.08767569878681e-08, b_y = KSL_MUL(x, b_x), b_z = b_y + 8.267195767195768e-07,
-      b_aa = KSL_MUL(x, b_z), b_ab = b_aa + 3.306878306878307e-05, b_ac = KSL_MUL(x, b_ab),
-      b_ad = b_ac + 0.001388888888888889, b_ae = KSL_MUL(x, b_ad),
-      b_af = b_ae + 0.08333333333333333, b = x < 4.0 ? b_af : closed_b;
-  const double b_across_a = KSL_MUL(x, b), b_across_b = 1.0 - b_across_a,
-      b_across = x < 4.0 ? b_across_b : half_cotangent;
-  const double wt_a = KSL_MUL(D->m03, vector_0), wt_b = KSL_MUL(D->m13, vector_1),
-      wt_c = wt_a + wt_b, wt_d = KSL_MUL(D->m23, vector_2), wt = wt_c + wt_d;
+  const double b_g = KSL_MUL(x, KSL_MUL(x, KSL_MUL(x, KSL_MUL(1.455172475614865e-27, x)
+          + 5.744790668872202e-26) + 2.267952452337683e-24) + 8.953517427037546e-23),
+      b_n = KSL_MUL(x, KSL_MUL(x, KSL_MUL(x, b_g + 3.534707039629467e-21) + 1.3954464685812522e-19)
+          + 5.5090028283602295e-18) + 2.174868698558062e-16,
+      b_u = KSL_MUL(x, KSL_MUL(x, KSL_MUL(x, KSL_MUL(x, b_n) + 8.586062056277845e-15)
+          + 3.3896802963225827e-13) + 1.3382536530684679e-11),
+      b_ab = KSL_MUL(x, KSL_MUL(x, KSL_MUL(x, b_u + 5.284190138687493e-10) + 2.08767569878681e-08)
+          + 8.267195767195768e-07) + 3.306878306878307e-05,
+      b_af = KSL_MUL(x, KSL_MUL(x, b_ab) + 0.001388888888888889) + 0.08333333333333333,
+      b = x < 4.0 ? b_af : closed_b;
+  const double b_across_b = 1.0 - KSL_MUL(x, b), b_across = x < 4.0 ? b_across_b : half_cotangent;
+  const double wt = KSL_MUL(D->m03, vector_0) + KSL_MUL(D->m13, vector_1)
+          + KSL_MUL(D->m23, vector_2);
   const double pitch = KSL_MUL(b, wt);
-  const double along_0 = KSL_MUL(vector_0, pitch);
-  const double along_1 = KSL_MUL(vector_1, pitch);
-  const double along_2 = KSL_MUL(vector_2, pitch);
-  const double u_0a = KSL_MUL(D->m23, vector_1), u_0b = KSL_MUL(D->m13, vector_2),
-      u_0 = u_0a - u_0b;
-  const double u_1a = KSL_MUL(D->m03, vector_2), u_1b = KSL_MUL(D->m23, vector_0),
-      u_1 = u_1a - u_1b;
-  const double u_2a = KSL_MUL(D->m13, vector_0), u_2b = KSL_MUL(D->m03, vector_1),
-      u_2 = u_2a - u_2b;
-  const double turned_0 = KSL_MUL(0.5, u_0);
-  const double turned_1 = KSL_MUL(0.5, u_1);
-  const double turned_2 = KSL_MUL(0.5, u_2);
-  const double across_axis_0 = along_0 - turned_0;
-  const double across_axis_1 = along_1 - turned_1;
-  const double across_axis_2 = along_2 - turned_2;
-  const double so_0a = KSL_MUL(D->m03, b_across), so_0 = so_0a + across_axis_0;
-  const double so_1a = KSL_MUL(D->m13, b_across), so_1 = so_1a + across_axis_1;
-  const double so_2a = KSL_MUL(D->m23, b_across), so_2 = so_2a + across_axis_2;
+  const double along_0 = KSL_MUL(vector_0, pitch), along_1 = KSL_MUL(vector_1, pitch),
+      along_2 = KSL_MUL(vector_2, pitch);
+  const double u_0 = KSL_MUL(D->m23, vector_1) - KSL_MUL(D->m13, vector_2),
+      u_1 = KSL_MUL(D->m03, vector_2) - KSL_MUL(D->m23, vector_0),
+      u_2 = KSL_MUL(D->m13, vector_0) - KSL_MUL(D->m03, vector_1);
+  const double turned_0 = KSL_MUL(0.5, u_0), turned_1 = KSL_MUL(0.5, u_1),
+      turned_2 = KSL_MUL(0.5, u_2);
+  const double across_axis_0 = along_0 - turned_0, across_axis_1 = along_1 - turned_1,
+      across_axis_2 = along_2 - turned_2;
+  const double so_0 = KSL_MUL(D->m03, b_across) + across_axis_0,
+      so_1 = KSL_MUL(D->m13, b_across) + across_axis_1,
+      so_2 = KSL_MUL(D->m23, b_across) + across_axis_2;
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -1030,44 +764,32 @@ static inline void ksl_SE3_log(const ksl_SE3_t *D, ksl_screw_t *so) {
    Error <= M: 20 u of its largest component for |ω of s| <= π; searched, not proved.
      Intermediate sums may overflow where |v| is above 2e306, in single precision 5e36. */
 static inline void ksl_SE3_leftJacobian(const ksl_screw_t *s, ksl_mat6x6_t *M) {
-  const double size_0 = fabs(s->m3);
-  const double size_1 = fabs(s->m4);
-  const double size_2 = fabs(s->m5);
-  const double sizes_a = size_0 + size_1, sizes = sizes_a + size_2;
+  const double size_0 = fabs(s->m3), size_1 = fabs(s->m4), size_2 = fabs(s->m5);
+  const double sizes = size_0 + size_1 + size_2;
   const double grid = KSL_MUL(sizes, 268435456.0);
-  const double shifted_0 = s->m3 + grid;
-  const double shifted_1 = s->m4 + grid;
-  const double shifted_2 = s->m5 + grid;
-  const double high_0 = shifted_0 - grid;
-  const double high_1 = shifted_1 - grid;
-  const double high_2 = shifted_2 - grid;
-  const double low_0 = s->m3 - high_0;
-  const double low_1 = s->m4 - high_1;
-  const double low_2 = s->m5 - high_2;
-  const double sum_0 = s->m3 + high_0;
-  const double sum_1 = s->m4 + high_1;
-  const double sum_2 = s->m5 + high_2;
-  const double squares_a = KSL_MUL(high_0, high_0), squares_b = KSL_MUL(high_1, high_1),
-      squares_c = squares_a + squares_b, squares_d = KSL_MUL(high_2, high_2),
-      squares = squares_c + squares_d;
-  const double cross_a = KSL_MUL(low_0, sum_0), cross_b = KSL_MUL(low_1, sum_1),
-      cross_c = cross_a + cross_b, cross_d = KSL_MUL(low_2, sum_2), cross = cross_c + cross_d;
+  const double shifted_0 = s->m3 + grid, shifted_1 = s->m4 + grid, shifted_2 = s->m5 + grid;
+  const double high_0 = shifted_0 - grid, high_1 = shifted_1 - grid, high_2 = shifted_2 - grid;
+  const double low_0 = s->m3 - high_0, low_1 = s->m4 - high_1, low_2 = s->m5 - high_2;
+  const double sum_0 = s->m3 + high_0, sum_1 = s->m4 + high_1, sum_2 = s->m5 + high_2;
+  const double squares = KSL_MUL(high_0, high_0) + KSL_MUL(high_1, high_1)
+          + KSL_MUL(high_2, high_2);
+  const double cross = KSL_MUL(low_0, sum_0) + KSL_MUL(low_1, sum_1) + KSL_MUL(low_2, sum_2);
   const double x = squares + cross;
   const double theta_a = sqrt(x), theta = x < 1.0 ? 1.0 : theta_a;
   const double theta_shifted = grid + theta;
   const double theta_high = theta_shifted - grid;
   const double theta_low = theta - theta_high;
   const double theta_sum = theta + theta_high;
-  const double cross_rest_a = KSL_MUL(theta_low, theta_sum), cross_rest = cross - cross_rest_a;
-  const double exact_a = KSL_MUL(theta_high, theta_high), exact = squares - exact_a;
+  const double cross_rest = cross - KSL_MUL(theta_low, theta_sum);
+  const double exact = squares - KSL_MUL(theta_high, theta_high);
   const double residual = cross_rest + exact;
-  const double small_a = KSL_MUL(0.5, residual), small = small_a / theta;
-  const double delta_a = fabs(small), delta = delta_a < 0.0078125 ? small : 0.0;
+  const double small = KSL_MUL(0.5, residual) / theta;
+  const double delta = fabs(small) < 0.0078125 ? small : 0.0;
   double far_cosine_a; const double far_sine_a = ksl_sincos(theta, &far_cosine_a);
   const double far_sine = x < 1.0 ? 1.0 : far_sine_a;
   const double far_cosine = x < 1.0 ? 0.0 : far_cosine_a;
-  const double sine_a = KSL_MUL(delta, far_cosine), sine = sine_a + far_sine;
-  const double cosine_a = KSL_MUL(delta, far_sine), cosine = far_cosine - cosine_a;
+  const double sine = KSL_MUL(delta, far_cosine) + far_sine;
+  const double cosine = far_cosine - KSL_MUL(delta, far_sine);
   const double far_x = x < 1.0 ? 1.0 : x;
   const double middle_x = x < 4.0 ? 4.0 : x;
   const double closed1 = sine / theta;
@@ -1075,147 +797,94 @@ static inline void ksl_SE3_leftJacobian(const ksl_screw_t *s, ksl_mat6x6_t *M) {
   const double closed2 = versine / far_x;
   const double rest3 = 1.0 - closed1;
   const double closed3 = rest3 / middle_x;
-  const double g1a = KSL_MUL(6.446950284384474e-26, x), g1b = g1a - 3.868170170630684e-23,
-      g1c = KSL_MUL(x, g1b), g1d = g1c + 1.9572941063391263e-20, g1e = KSL_MUL(x, g1d),
-      g1f = g1e - 8.22063524662433e-18, g1g = KSL_MUL(x, g1f), g1h = g1g + 2.8114572543455206e-15,
-      g1i = KSL_MUL(x, g1h), g1j = g1i - 7.647163731819816e-13, g1k = KSL_MUL(x, g1j),
-      g1l = g1k + 1.6059043836821613e-10, g1m = KSL_MUL(x, g1l), g1n = g1m - 2.505210838544172e-08,
-      g1o = KSL_MUL(x, g1n), g1p = g1o + 2.7557319223985893e-06, g1q = KSL_MUL(x, g1p),
-      g1r = g1q - 0.0001984126984126984, g1s = KSL_MUL(x, g1r), g1t = g1s + 0.008333333333333333,
-      g1u = KSL_MUL(x, g1t), g1v = g1u - 0.16666666666666666, g1w = KSL_MUL(x, g1v),
-      g1x = g1w + 1.0, g1 = x < 1.0 ? g1x : closed1;
-  const double g2a = KSL_MUL(2.4795962632247976e-27, x), g2b = g2a - 1.6117375710961184e-24,
-      g2c = KSL_MUL(x, g2b), g2d = g2c + 8.896791392450574e-22, g2e = KSL_MUL(x, g2d),
-      g2f = g2e - 4.110317623312165e-19, g2g = KSL_MUL(x, g2f), g2h = g2g + 1.5619206968586225e-16,
-      g2i = KSL_MUL(x, g2h), g2j = g2i - 4.779477332387385e-14, g2k = KSL_MUL(x, g2j),
-      g2l = g2k + 1.1470745597729725e-11, g2m = KSL_MUL(x, g2l), g2n = g2m - 2.08767569878681e-09,
-      g2o = KSL_MUL(x, g2n), g2p = g2o + 2.755731922398589e-07, g2q = KSL_MUL(x, g2p),
-      g2r = g2q - 2.48015873015873e-05, g2s = KSL_MUL(x, g2r), g2t = g2s + 0.001388888888888889,
-      g2u = KSL_MUL(x, g2t), g2v = g2u - 0.041666666666666664, g2w = KSL_MUL(x, g2v),
-      g2x = g2w + 0.5, g2 = x < 1.0 ? g2x : closed2;
-  const double g3a = KSL_MUL(9.183689863795546e-29, x), g3b = g3a - 6.446950284384474e-26,
-      g3c = KSL_MUL(x, g3b), g3d = g3c + 3.868170170630684e-23, g3e = KSL_MUL(x, g3d),
-      g3f = g3e - 1.9572941063391263e-20, g3g = KSL_MUL(x, g3f), g3h = g3g + 8.22063524662433e-18,
-      g3i = KSL_MUL(x, g3h), g3j = g3i - 2.8114572543455206e-15, g3k = KSL_MUL(x, g3j),
-      g3l = g3k + 7.647163731819816e-13, g3m = KSL_MUL(x, g3l), g3n = g3m - 1.6059043836821613e-10,
-      g3o = KSL_MUL(x, g3n), g3p = g3o + 2.505210838544172e-08, g3q = KSL_MUL(x, g3p),
-      g3r = g3q - 2.7557319223985893e-06, g3s = KSL_MUL(x, g3r), g3t = g3s + 0.0001984126984126984,
-      g3u = KSL_MUL(x, g3t), g3v = g3u - 0.008333333333333333, g3w = KSL_MUL(x, g3v),
-      g3x = g3w + 0.16666666666666666, g3 = x < 4.0 ? g3x : closed3;
+  const double g1g = KSL_MUL(x, KSL_MUL(x, KSL_MUL(x, KSL_MUL(6.446950284384474e-26, x)
+          - 3.868170170630684e-23) + 1.9572941063391263e-20) - 8.22063524662433e-18),
+      g1n = KSL_MUL(x, KSL_MUL(x, KSL_MUL(x, g1g + 2.8114572543455206e-15) - 7.647163731819816e-13)
+          + 1.6059043836821613e-10) - 2.505210838544172e-08,
+      g1u = KSL_MUL(x, KSL_MUL(x, KSL_MUL(x, KSL_MUL(x, g1n) + 2.7557319223985893e-06)
+          - 0.0001984126984126984) + 0.008333333333333333),
+      g1x = KSL_MUL(x, g1u - 0.16666666666666666) + 1.0, g1 = x < 1.0 ? g1x : closed1;
+  const double g2g = KSL_MUL(x, KSL_MUL(x, KSL_MUL(x, KSL_MUL(2.4795962632247976e-27, x)
+          - 1.6117375710961184e-24) + 8.896791392450574e-22) - 4.110317623312165e-19),
+      g2n = KSL_MUL(x, KSL_MUL(x, KSL_MUL(x, g2g + 1.5619206968586225e-16) - 4.779477332387385e-14)
+          + 1.1470745597729725e-11) - 2.08767569878681e-09,
+      g2v = KSL_MUL(x, KSL_MUL(x, KSL_MUL(x, KSL_MUL(x, g2n) + 2.755731922398589e-07)
+          - 2.48015873015873e-05) + 0.001388888888888889) - 0.041666666666666664,
+      g2x = KSL_MUL(x, g2v) + 0.5, g2 = x < 1.0 ? g2x : closed2;
+  const double g3g = KSL_MUL(x, KSL_MUL(x, KSL_MUL(x, KSL_MUL(9.183689863795546e-29, x)
+          - 6.446950284384474e-26) + 3.868170170630684e-23) - 1.9572941063391263e-20),
+      g3n = KSL_MUL(x, KSL_MUL(x, KSL_MUL(x, g3g + 8.22063524662433e-18) - 2.8114572543455206e-15)
+          + 7.647163731819816e-13) - 1.6059043836821613e-10,
+      g3u = KSL_MUL(x, KSL_MUL(x, KSL_MUL(x, KSL_MUL(x, g3n) + 2.505210838544172e-08)
+          - 2.7557319223985893e-06) + 0.0001984126984126984),
+      g3x = KSL_MUL(x, g3u - 0.008333333333333333) + 0.16666666666666666,
+      g3 = x < 4.0 ? g3x : closed3;
   const double late_x = x < 9.0 ? 1.0 : x;
-  const double rate2_rest_a = KSL_MUL(2.0, g2), rate2_rest = g1 - rate2_rest_a;
+  const double rate2_rest = g1 - KSL_MUL(2.0, g2);
   const double closed_rate2 = rate2_rest / late_x;
-  const double rate3_rest_a = KSL_MUL(3.0, g3), rate3_rest = g2 - rate3_rest_a;
+  const double rate3_rest = g2 - KSL_MUL(3.0, g3);
   const double closed_rate3 = rate3_rest / late_x;
-  const double rate2a = KSL_MUL(8.527712016381578e-29, x), rate2b = 5.951031031739514e-26 - rate2a,
-      rate2c = KSL_MUL(x, rate2b), rate2d = rate2c - 3.54582265641146e-23,
-      rate2e = KSL_MUL(x, rate2d), rate2f = rate2e + 1.7793582784901146e-20,
-      rate2g = KSL_MUL(x, rate2f), rate2h = rate2g - 7.398571721961897e-18,
-      rate2i = KSL_MUL(x, rate2h), rate2j = rate2i + 2.499073114973796e-15,
-      rate2k = KSL_MUL(x, rate2j), rate2l = rate2k - 6.691268265342339e-13,
-      rate2m = KSL_MUL(x, rate2l), rate2n = rate2m + 1.376489471727567e-10,
-      rate2o = KSL_MUL(x, rate2n), rate2p = rate2o - 2.08767569878681e-08,
-      rate2q = KSL_MUL(x, rate2p), rate2r = rate2q + 2.204585537918871e-06,
-      rate2s = KSL_MUL(x, rate2r), rate2t = rate2s - 0.00014880952380952382,
-      rate2u = KSL_MUL(x, rate2t), rate2v = rate2u + 0.005555555555555556,
-      rate2w = KSL_MUL(x, rate2v), rate2x = rate2w - 0.08333333333333333,
+  const double rate2g = KSL_MUL(x, KSL_MUL(x, KSL_MUL(x, 5.951031031739514e-26
+          - KSL_MUL(8.527712016381578e-29, x)) - 3.54582265641146e-23) + 1.7793582784901146e-20),
+      rate2n = KSL_MUL(x, KSL_MUL(x, KSL_MUL(x, rate2g - 7.398571721961897e-18)
+          + 2.499073114973796e-15) - 6.691268265342339e-13) + 1.376489471727567e-10,
+      rate2u = KSL_MUL(x, KSL_MUL(x, KSL_MUL(x, KSL_MUL(x, rate2n) - 2.08767569878681e-08)
+          + 2.204585537918871e-06) - 0.00014880952380952382),
+      rate2x = KSL_MUL(x, rate2u + 0.005555555555555556) - 0.08333333333333333,
       rate2 = x < 9.0 ? rate2x : closed_rate2;
-  const double rate3a = KSL_MUL(2.9405903504764064e-30, x), rate3b = 2.204085567310931e-27 - rate3a,
-      rate3c = KSL_MUL(x, rate3b), rate3d = rate3c - 1.4183290625645841e-24,
-      rate3e = KSL_MUL(x, rate3d), rate3f = rate3e + 7.736340341261368e-22,
-      rate3g = KSL_MUL(x, rate3f), rate3h = rate3g - 3.523129391410427e-19,
-      rate3i = KSL_MUL(x, rate3h), rate3j = rate3i + 1.3153016394598927e-16,
-      rate3k = KSL_MUL(x, rate3j), rate3l = rate3k - 3.936040156083729e-14,
-      rate3m = KSL_MUL(x, rate3l), rate3n = rate3m + 9.17659647818378e-12,
-      rate3o = KSL_MUL(x, rate3n), rate3p = rate3o - 1.6059043836821615e-09,
-      rate3q = KSL_MUL(x, rate3p), rate3r = rate3q + 2.0041686708353376e-07,
-      rate3s = KSL_MUL(x, rate3r), rate3t = rate3s - 1.6534391534391536e-05,
-      rate3u = KSL_MUL(x, rate3t), rate3v = rate3u + 0.0007936507936507937,
-      rate3w = KSL_MUL(x, rate3v), rate3x = rate3w - 0.016666666666666666,
+  const double rate3f = KSL_MUL(x, KSL_MUL(x, 2.204085567310931e-27
+          - KSL_MUL(2.9405903504764064e-30, x)) - 1.4183290625645841e-24) + 7.736340341261368e-22,
+      rate3m = KSL_MUL(x, KSL_MUL(x, KSL_MUL(x, KSL_MUL(x, rate3f) - 3.523129391410427e-19)
+          + 1.3153016394598927e-16) - 3.936040156083729e-14),
+      rate3t = KSL_MUL(x, KSL_MUL(x, KSL_MUL(x, rate3m + 9.17659647818378e-12)
+          - 1.6059043836821615e-09) + 2.0041686708353376e-07) - 1.6534391534391536e-05,
+      rate3x = KSL_MUL(x, KSL_MUL(x, rate3t) + 0.0007936507936507937) - 0.016666666666666666,
       rate3 = x < 9.0 ? rate3x : closed_rate3;
-  const double beta_v_0 = KSL_MUL(s->m3, g3);
-  const double beta_v_1 = KSL_MUL(s->m4, g3);
-  const double beta_v_2 = KSL_MUL(s->m5, g3);
-  const double m_0 = KSL_MUL(s->m3, beta_v_0);
-  const double m_1 = KSL_MUL(s->m4, beta_v_1);
-  const double m_2 = KSL_MUL(s->m5, beta_v_2);
-  const double m_3 = KSL_MUL(s->m4, beta_v_0);
-  const double m_4 = KSL_MUL(s->m5, beta_v_0);
-  const double m_5 = KSL_MUL(s->m5, beta_v_1);
-  const double others_0 = m_1 + m_2;
-  const double others_1 = m_0 + m_2;
-  const double others_2 = m_0 + m_1;
+  const double beta_v_0 = KSL_MUL(s->m3, g3), beta_v_1 = KSL_MUL(s->m4, g3),
+      beta_v_2 = KSL_MUL(s->m5, g3);
+  const double m_0 = KSL_MUL(s->m3, beta_v_0), m_1 = KSL_MUL(s->m4, beta_v_1),
+      m_2 = KSL_MUL(s->m5, beta_v_2), m_3 = KSL_MUL(s->m4, beta_v_0),
+      m_4 = KSL_MUL(s->m5, beta_v_0), m_5 = KSL_MUL(s->m5, beta_v_1);
+  const double others_0 = m_1 + m_2, others_1 = m_0 + m_2, others_2 = m_0 + m_1;
   const double diagonal0a = 1.0 - others_0, diagonal0b = g1 + m_0,
       diagonal0 = m_0 < others_0 ? diagonal0b : diagonal0a;
   const double diagonal1a = 1.0 - others_1, diagonal1b = g1 + m_1,
       diagonal1 = m_1 < others_1 ? diagonal1b : diagonal1a;
   const double diagonal2a = 1.0 - others_2, diagonal2b = g1 + m_2,
       diagonal2 = m_2 < others_2 ? diagonal2b : diagonal2a;
-  const double alpha_v_0 = KSL_MUL(s->m3, g2);
-  const double alpha_v_1 = KSL_MUL(s->m4, g2);
-  const double alpha_v_2 = KSL_MUL(s->m5, g2);
-  const double J_1 = m_3 - alpha_v_2;
-  const double J_2 = m_4 + alpha_v_1;
-  const double J_3 = m_3 + alpha_v_2;
-  const double J_5 = m_5 - alpha_v_0;
-  const double J_6 = m_4 - alpha_v_1;
-  const double J_7 = m_5 + alpha_v_0;
-  const double rate_vw_a = KSL_MUL(s->m0, s->m3), rate_vw_b = KSL_MUL(s->m1, s->m4),
-      rate_vw_c = rate_vw_a + rate_vw_b, rate_vw_d = KSL_MUL(s->m2, s->m5),
-      rate_vw = rate_vw_c + rate_vw_d;
+  const double alpha_v_0 = KSL_MUL(s->m3, g2), alpha_v_1 = KSL_MUL(s->m4, g2),
+      alpha_v_2 = KSL_MUL(s->m5, g2);
+  const double J_1 = m_3 - alpha_v_2, J_2 = m_4 + alpha_v_1, J_3 = m_3 + alpha_v_2,
+      J_5 = m_5 - alpha_v_0, J_6 = m_4 - alpha_v_1, J_7 = m_5 + alpha_v_0;
+  const double rate_vw = KSL_MUL(s->m0, s->m3) + KSL_MUL(s->m1, s->m4) + KSL_MUL(s->m2, s->m5);
   const double rate_turn = KSL_MUL(rate2, rate_vw);
-  const double rate_bend_a = KSL_MUL(rate3, rate_vw), rate_bend = -rate_bend_a;
-  const double rate_q_0a = KSL_MUL(s->m0, g2), rate_q_0b = KSL_MUL(s->m3, rate_turn),
-      rate_q_0 = rate_q_0a + rate_q_0b;
-  const double rate_q_1a = KSL_MUL(s->m1, g2), rate_q_1b = KSL_MUL(s->m4, rate_turn),
-      rate_q_1 = rate_q_1a + rate_q_1b;
-  const double rate_q_2a = KSL_MUL(s->m2, g2), rate_q_2b = KSL_MUL(s->m5, rate_turn),
-      rate_q_2 = rate_q_2a + rate_q_2b;
-  const double rate_beta_v_0 = KSL_MUL(s->m0, g3);
-  const double rate_beta_v_1 = KSL_MUL(s->m1, g3);
-  const double rate_beta_v_2 = KSL_MUL(s->m2, g3);
-  const double rate_bend_w_0 = KSL_MUL(s->m3, rate_bend);
-  const double rate_bend_w_1 = KSL_MUL(s->m4, rate_bend);
-  const double rate_bend_w_2 = KSL_MUL(s->m5, rate_bend);
-  const double rate_symmetric_0a = KSL_MUL(s->m3, rate_beta_v_1),
-      rate_symmetric_0b = KSL_MUL(s->m4, rate_beta_v_0),
-      rate_symmetric_0c = rate_symmetric_0a + rate_symmetric_0b,
-      rate_symmetric_0d = KSL_MUL(s->m4, rate_bend_w_0),
-      rate_symmetric_0 = rate_symmetric_0c - rate_symmetric_0d;
-  const double rate_symmetric_1a = KSL_MUL(s->m3, rate_beta_v_2),
-      rate_symmetric_1b = KSL_MUL(s->m5, rate_beta_v_0),
-      rate_symmetric_1c = rate_symmetric_1a + rate_symmetric_1b,
-      rate_symmetric_1d = KSL_MUL(s->m5, rate_bend_w_0),
-      rate_symmetric_1 = rate_symmetric_1c - rate_symmetric_1d;
-  const double rate_symmetric_2a = KSL_MUL(s->m4, rate_beta_v_2),
-      rate_symmetric_2b = KSL_MUL(s->m5, rate_beta_v_1),
-      rate_symmetric_2c = rate_symmetric_2a + rate_symmetric_2b,
-      rate_symmetric_2d = KSL_MUL(s->m5, rate_bend_w_1),
-      rate_symmetric_2 = rate_symmetric_2c - rate_symmetric_2d;
+  const double rate_bend = -KSL_MUL(rate3, rate_vw);
+  const double rate_q_0 = KSL_MUL(s->m0, g2) + KSL_MUL(s->m3, rate_turn),
+      rate_q_1 = KSL_MUL(s->m1, g2) + KSL_MUL(s->m4, rate_turn),
+      rate_q_2 = KSL_MUL(s->m2, g2) + KSL_MUL(s->m5, rate_turn);
+  const double rate_beta_v_0 = KSL_MUL(s->m0, g3), rate_beta_v_1 = KSL_MUL(s->m1, g3),
+      rate_beta_v_2 = KSL_MUL(s->m2, g3);
+  const double rate_bend_w_0 = KSL_MUL(s->m3, rate_bend), rate_bend_w_1 = KSL_MUL(s->m4, rate_bend),
+      rate_bend_w_2 = KSL_MUL(s->m5, rate_bend);
+  const double rate_symmetric_0 = KSL_MUL(s->m3, rate_beta_v_1) + KSL_MUL(s->m4, rate_beta_v_0)
+          - KSL_MUL(s->m4, rate_bend_w_0),
+      rate_symmetric_1 = KSL_MUL(s->m3, rate_beta_v_2) + KSL_MUL(s->m5, rate_beta_v_0)
+          - KSL_MUL(s->m5, rate_bend_w_0),
+      rate_symmetric_2 = KSL_MUL(s->m4, rate_beta_v_2) + KSL_MUL(s->m5, rate_beta_v_1)
+          - KSL_MUL(s->m5, rate_bend_w_1);
   const double rate_diagonal_0a = KSL_MUL(s->m4, rate_bend_w_1),
       rate_diagonal_0b = KSL_MUL(s->m5, rate_bend_w_2),
-      rate_diagonal_0c = rate_diagonal_0a + rate_diagonal_0b,
-      rate_diagonal_0d = KSL_MUL(2.0, s->m4),
-      rate_diagonal_0e = KSL_MUL(rate_diagonal_0d, rate_beta_v_1),
-      rate_diagonal_0f = KSL_MUL(2.0, s->m5),
-      rate_diagonal_0g = KSL_MUL(rate_diagonal_0f, rate_beta_v_2),
-      rate_diagonal_0h = rate_diagonal_0e + rate_diagonal_0g,
-      rate_diagonal_0 = rate_diagonal_0c - rate_diagonal_0h;
+      rate_diagonal_0e = KSL_MUL(KSL_MUL(2.0, s->m4), rate_beta_v_1),
+      rate_diagonal_0g = KSL_MUL(KSL_MUL(2.0, s->m5), rate_beta_v_2),
+      rate_diagonal_0 = rate_diagonal_0a + rate_diagonal_0b - (rate_diagonal_0e + rate_diagonal_0g);
   const double rate_diagonal_1a = KSL_MUL(s->m3, rate_bend_w_0),
-      rate_diagonal_1b = rate_diagonal_1a + rate_diagonal_0b,
-      rate_diagonal_1c = KSL_MUL(2.0, s->m3),
-      rate_diagonal_1d = KSL_MUL(rate_diagonal_1c, rate_beta_v_0),
-      rate_diagonal_1e = rate_diagonal_1d + rate_diagonal_0g,
-      rate_diagonal_1 = rate_diagonal_1b - rate_diagonal_1e;
-  const double rate_diagonal_2a = rate_diagonal_1a + rate_diagonal_0a,
-      rate_diagonal_2b = rate_diagonal_1d + rate_diagonal_0e,
-      rate_diagonal_2 = rate_diagonal_2a - rate_diagonal_2b;
-  const double M_04 = rate_symmetric_0 - rate_q_2;
-  const double M_05 = rate_q_1 + rate_symmetric_1;
-  const double M_13 = rate_q_2 + rate_symmetric_0;
-  const double M_15 = rate_symmetric_2 - rate_q_0;
-  const double M_23 = rate_symmetric_1 - rate_q_1;
-  const double M_24 = rate_q_0 + rate_symmetric_2;
+      rate_diagonal_1d = KSL_MUL(KSL_MUL(2.0, s->m3), rate_beta_v_0),
+      rate_diagonal_1 = rate_diagonal_1a + rate_diagonal_0b - (rate_diagonal_1d + rate_diagonal_0g);
+  const double rate_diagonal_2 = rate_diagonal_1a + rate_diagonal_0a
+          - (rate_diagonal_1d + rate_diagonal_0e);
+  const double M_04 = rate_symmetric_0 - rate_q_2, M_05 = rate_q_1 + rate_symmetric_1,
+      M_13 = rate_q_2 + rate_symmetric_0, M_15 = rate_symmetric_2 - rate_q_0,
+      M_23 = rate_symmetric_1 - rate_q_1, M_24 = rate_q_0 + rate_symmetric_2;
   M->at[0][0] = diagonal0;
   M->at[1][0] = J_1;
   M->at[2][0] = J_2;
@@ -1260,44 +929,32 @@ static inline void ksl_SE3_leftJacobian(const ksl_screw_t *s, ksl_mat6x6_t *M) {
    Error <= M: 20 u of its largest component for |ω of s| <= π; searched, not proved.
      Intermediate sums may overflow where |v| is above 2e306, in single precision 5e36. */
 static inline void ksl_SE3_rightJacobian(const ksl_screw_t *s, ksl_mat6x6_t *M) {
-  const double size_0 = fabs(s->m3);
-  const double size_1 = fabs(s->m4);
-  const double size_2 = fabs(s->m5);
-  const double sizes_a = size_0 + size_1, sizes = sizes_a + size_2;
+  const double size_0 = fabs(s->m3), size_1 = fabs(s->m4), size_2 = fabs(s->m5);
+  const double sizes = size_0 + size_1 + size_2;
   const double grid = KSL_MUL(sizes, 268435456.0);
-  const double shifted_0 = s->m3 + grid;
-  const double shifted_1 = s->m4 + grid;
-  const double shifted_2 = s->m5 + grid;
-  const double high_0 = shifted_0 - grid;
-  const double high_1 = shifted_1 - grid;
-  const double high_2 = shifted_2 - grid;
-  const double low_0 = s->m3 - high_0;
-  const double low_1 = s->m4 - high_1;
-  const double low_2 = s->m5 - high_2;
-  const double sum_0 = s->m3 + high_0;
-  const double sum_1 = s->m4 + high_1;
-  const double sum_2 = s->m5 + high_2;
-  const double squares_a = KSL_MUL(high_0, high_0), squares_b = KSL_MUL(high_1, high_1),
-      squares_c = squares_a + squares_b, squares_d = KSL_MUL(high_2, high_2),
-      squares = squares_c + squares_d;
-  const double cross_a = KSL_MUL(low_0, sum_0), cross_b = KSL_MUL(low_1, sum_1),
-      cross_c = cross_a + cross_b, cross_d = KSL_MUL(low_2, sum_2), cross = cross_c + cross_d;
+  const double shifted_0 = s->m3 + grid, shifted_1 = s->m4 + grid, shifted_2 = s->m5 + grid;
+  const double high_0 = shifted_0 - grid, high_1 = shifted_1 - grid, high_2 = shifted_2 - grid;
+  const double low_0 = s->m3 - high_0, low_1 = s->m4 - high_1, low_2 = s->m5 - high_2;
+  const double sum_0 = s->m3 + high_0, sum_1 = s->m4 + high_1, sum_2 = s->m5 + high_2;
+  const double squares = KSL_MUL(high_0, high_0) + KSL_MUL(high_1, high_1)
+          + KSL_MUL(high_2, high_2);
+  const double cross = KSL_MUL(low_0, sum_0) + KSL_MUL(low_1, sum_1) + KSL_MUL(low_2, sum_2);
   const double x = squares + cross;
   const double theta_a = sqrt(x), theta = x < 1.0 ? 1.0 : theta_a;
   const double theta_shifted = grid + theta;
   const double theta_high = theta_shifted - grid;
   const double theta_low = theta - theta_high;
   const double theta_sum = theta + theta_high;
-  const double cross_rest_a = KSL_MUL(theta_low, theta_sum), cross_rest = cross - cross_rest_a;
-  const double exact_a = KSL_MUL(theta_high, theta_high), exact = squares - exact_a;
+  const double cross_rest = cross - KSL_MUL(theta_low, theta_sum);
+  const double exact = squares - KSL_MUL(theta_high, theta_high);
   const double residual = cross_rest + exact;
-  const double small_a = KSL_MUL(0.5, residual), small = small_a / theta;
-  const double delta_a = fabs(small), delta = delta_a < 0.0078125 ? small : 0.0;
+  const double small = KSL_MUL(0.5, residual) / theta;
+  const double delta = fabs(small) < 0.0078125 ? small : 0.0;
   double far_cosine_a; const double far_sine_a = ksl_sincos(theta, &far_cosine_a);
   const double far_sine = x < 1.0 ? 1.0 : far_sine_a;
   const double far_cosine = x < 1.0 ? 0.0 : far_cosine_a;
-  const double sine_a = KSL_MUL(delta, far_cosine), sine = sine_a + far_sine;
-  const double cosine_a = KSL_MUL(delta, far_sine), cosine = far_cosine - cosine_a;
+  const double sine = KSL_MUL(delta, far_cosine) + far_sine;
+  const double cosine = far_cosine - KSL_MUL(delta, far_sine);
   const double far_x = x < 1.0 ? 1.0 : x;
   const double middle_x = x < 4.0 ? 4.0 : x;
   const double closed1 = sine / theta;
@@ -1305,147 +962,94 @@ static inline void ksl_SE3_rightJacobian(const ksl_screw_t *s, ksl_mat6x6_t *M) 
   const double closed2 = versine / far_x;
   const double rest3 = 1.0 - closed1;
   const double closed3 = rest3 / middle_x;
-  const double g1a = KSL_MUL(6.446950284384474e-26, x), g1b = g1a - 3.868170170630684e-23,
-      g1c = KSL_MUL(x, g1b), g1d = g1c + 1.9572941063391263e-20, g1e = KSL_MUL(x, g1d),
-      g1f = g1e - 8.22063524662433e-18, g1g = KSL_MUL(x, g1f), g1h = g1g + 2.8114572543455206e-15,
-      g1i = KSL_MUL(x, g1h), g1j = g1i - 7.647163731819816e-13, g1k = KSL_MUL(x, g1j),
-      g1l = g1k + 1.6059043836821613e-10, g1m = KSL_MUL(x, g1l), g1n = g1m - 2.505210838544172e-08,
-      g1o = KSL_MUL(x, g1n), g1p = g1o + 2.7557319223985893e-06, g1q = KSL_MUL(x, g1p),
-      g1r = g1q - 0.0001984126984126984, g1s = KSL_MUL(x, g1r), g1t = g1s + 0.008333333333333333,
-      g1u = KSL_MUL(x, g1t), g1v = g1u - 0.16666666666666666, g1w = KSL_MUL(x, g1v),
-      g1x = g1w + 1.0, g1 = x < 1.0 ? g1x : closed1;
-  const double g2a = KSL_MUL(2.4795962632247976e-27, x), g2b = g2a - 1.6117375710961184e-24,
-      g2c = KSL_MUL(x, g2b), g2d = g2c + 8.896791392450574e-22, g2e = KSL_MUL(x, g2d),
-      g2f = g2e - 4.110317623312165e-19, g2g = KSL_MUL(x, g2f), g2h = g2g + 1.5619206968586225e-16,
-      g2i = KSL_MUL(x, g2h), g2j = g2i - 4.779477332387385e-14, g2k = KSL_MUL(x, g2j),
-      g2l = g2k + 1.1470745597729725e-11, g2m = KSL_MUL(x, g2l), g2n = g2m - 2.08767569878681e-09,
-      g2o = KSL_MUL(x, g2n), g2p = g2o + 2.755731922398589e-07, g2q = KSL_MUL(x, g2p),
-      g2r = g2q - 2.48015873015873e-05, g2s = KSL_MUL(x, g2r), g2t = g2s + 0.001388888888888889,
-      g2u = KSL_MUL(x, g2t), g2v = g2u - 0.041666666666666664, g2w = KSL_MUL(x, g2v),
-      g2x = g2w + 0.5, g2 = x < 1.0 ? g2x : closed2;
-  const double g3a = KSL_MUL(9.183689863795546e-29, x), g3b = g3a - 6.446950284384474e-26,
-      g3c = KSL_MUL(x, g3b), g3d = g3c + 3.868170170630684e-23, g3e = KSL_MUL(x, g3d),
-      g3f = g3e - 1.9572941063391263e-20, g3g = KSL_MUL(x, g3f), g3h = g3g + 8.22063524662433e-18,
-      g3i = KSL_MUL(x, g3h), g3j = g3i - 2.8114572543455206e-15, g3k = KSL_MUL(x, g3j),
-      g3l = g3k + 7.647163731819816e-13, g3m = KSL_MUL(x, g3l), g3n = g3m - 1.6059043836821613e-10,
-      g3o = KSL_MUL(x, g3n), g3p = g3o + 2.505210838544172e-08, g3q = KSL_MUL(x, g3p),
-      g3r = g3q - 2.7557319223985893e-06, g3s = KSL_MUL(x, g3r), g3t = g3s + 0.0001984126984126984,
-      g3u = KSL_MUL(x, g3t), g3v = g3u - 0.008333333333333333, g3w = KSL_MUL(x, g3v),
-      g3x = g3w + 0.16666666666666666, g3 = x < 4.0 ? g3x : closed3;
+  const double g1g = KSL_MUL(x, KSL_MUL(x, KSL_MUL(x, KSL_MUL(6.446950284384474e-26, x)
+          - 3.868170170630684e-23) + 1.9572941063391263e-20) - 8.22063524662433e-18),
+      g1n = KSL_MUL(x, KSL_MUL(x, KSL_MUL(x, g1g + 2.8114572543455206e-15) - 7.647163731819816e-13)
+          + 1.6059043836821613e-10) - 2.505210838544172e-08,
+      g1u = KSL_MUL(x, KSL_MUL(x, KSL_MUL(x, KSL_MUL(x, g1n) + 2.7557319223985893e-06)
+          - 0.0001984126984126984) + 0.008333333333333333),
+      g1x = KSL_MUL(x, g1u - 0.16666666666666666) + 1.0, g1 = x < 1.0 ? g1x : closed1;
+  const double g2g = KSL_MUL(x, KSL_MUL(x, KSL_MUL(x, KSL_MUL(2.4795962632247976e-27, x)
+          - 1.6117375710961184e-24) + 8.896791392450574e-22) - 4.110317623312165e-19),
+      g2n = KSL_MUL(x, KSL_MUL(x, KSL_MUL(x, g2g + 1.5619206968586225e-16) - 4.779477332387385e-14)
+          + 1.1470745597729725e-11) - 2.08767569878681e-09,
+      g2v = KSL_MUL(x, KSL_MUL(x, KSL_MUL(x, KSL_MUL(x, g2n) + 2.755731922398589e-07)
+          - 2.48015873015873e-05) + 0.001388888888888889) - 0.041666666666666664,
+      g2x = KSL_MUL(x, g2v) + 0.5, g2 = x < 1.0 ? g2x : closed2;
+  const double g3g = KSL_MUL(x, KSL_MUL(x, KSL_MUL(x, KSL_MUL(9.183689863795546e-29, x)
+          - 6.446950284384474e-26) + 3.868170170630684e-23) - 1.9572941063391263e-20),
+      g3n = KSL_MUL(x, KSL_MUL(x, KSL_MUL(x, g3g + 8.22063524662433e-18) - 2.8114572543455206e-15)
+          + 7.647163731819816e-13) - 1.6059043836821613e-10,
+      g3u = KSL_MUL(x, KSL_MUL(x, KSL_MUL(x, KSL_MUL(x, g3n) + 2.505210838544172e-08)
+          - 2.7557319223985893e-06) + 0.0001984126984126984),
+      g3x = KSL_MUL(x, g3u - 0.008333333333333333) + 0.16666666666666666,
+      g3 = x < 4.0 ? g3x : closed3;
   const double late_x = x < 9.0 ? 1.0 : x;
-  const double rate2_rest_a = KSL_MUL(2.0, g2), rate2_rest = g1 - rate2_rest_a;
+  const double rate2_rest = g1 - KSL_MUL(2.0, g2);
   const double closed_rate2 = rate2_rest / late_x;
-  const double rate3_rest_a = KSL_MUL(3.0, g3), rate3_rest = g2 - rate3_rest_a;
+  const double rate3_rest = g2 - KSL_MUL(3.0, g3);
   const double closed_rate3 = rate3_rest / late_x;
-  const double rate2a = KSL_MUL(8.527712016381578e-29, x), rate2b = 5.951031031739514e-26 - rate2a,
-      rate2c = KSL_MUL(x, rate2b), rate2d = rate2c - 3.54582265641146e-23,
-      rate2e = KSL_MUL(x, rate2d), rate2f = rate2e + 1.7793582784901146e-20,
-      rate2g = KSL_MUL(x, rate2f), rate2h = rate2g - 7.398571721961897e-18,
-      rate2i = KSL_MUL(x, rate2h), rate2j = rate2i + 2.499073114973796e-15,
-      rate2k = KSL_MUL(x, rate2j), rate2l = rate2k - 6.691268265342339e-13,
-      rate2m = KSL_MUL(x, rate2l), rate2n = rate2m + 1.376489471727567e-10,
-      rate2o = KSL_MUL(x, rate2n), rate2p = rate2o - 2.08767569878681e-08,
-      rate2q = KSL_MUL(x, rate2p), rate2r = rate2q + 2.204585537918871e-06,
-      rate2s = KSL_MUL(x, rate2r), rate2t = rate2s - 0.00014880952380952382,
-      rate2u = KSL_MUL(x, rate2t), rate2v = rate2u + 0.005555555555555556,
-      rate2w = KSL_MUL(x, rate2v), rate2x = rate2w - 0.08333333333333333,
+  const double rate2g = KSL_MUL(x, KSL_MUL(x, KSL_MUL(x, 5.951031031739514e-26
+          - KSL_MUL(8.527712016381578e-29, x)) - 3.54582265641146e-23) + 1.7793582784901146e-20),
+      rate2n = KSL_MUL(x, KSL_MUL(x, KSL_MUL(x, rate2g - 7.398571721961897e-18)
+          + 2.499073114973796e-15) - 6.691268265342339e-13) + 1.376489471727567e-10,
+      rate2u = KSL_MUL(x, KSL_MUL(x, KSL_MUL(x, KSL_MUL(x, rate2n) - 2.08767569878681e-08)
+          + 2.204585537918871e-06) - 0.00014880952380952382),
+      rate2x = KSL_MUL(x, rate2u + 0.005555555555555556) - 0.08333333333333333,
       rate2 = x < 9.0 ? rate2x : closed_rate2;
-  const double rate3a = KSL_MUL(2.9405903504764064e-30, x), rate3b = 2.204085567310931e-27 - rate3a,
-      rate3c = KSL_MUL(x, rate3b), rate3d = rate3c - 1.4183290625645841e-24,
-      rate3e = KSL_MUL(x, rate3d), rate3f = rate3e + 7.736340341261368e-22,
-      rate3g = KSL_MUL(x, rate3f), rate3h = rate3g - 3.523129391410427e-19,
-      rate3i = KSL_MUL(x, rate3h), rate3j = rate3i + 1.3153016394598927e-16,
-      rate3k = KSL_MUL(x, rate3j), rate3l = rate3k - 3.936040156083729e-14,
-      rate3m = KSL_MUL(x, rate3l), rate3n = rate3m + 9.17659647818378e-12,
-      rate3o = KSL_MUL(x, rate3n), rate3p = rate3o - 1.6059043836821615e-09,
-      rate3q = KSL_MUL(x, rate3p), rate3r = rate3q + 2.0041686708353376e-07,
-      rate3s = KSL_MUL(x, rate3r), rate3t = rate3s - 1.6534391534391536e-05,
-      rate3u = KSL_MUL(x, rate3t), rate3v = rate3u + 0.0007936507936507937,
-      rate3w = KSL_MUL(x, rate3v), rate3x = rate3w - 0.016666666666666666,
+  const double rate3f = KSL_MUL(x, KSL_MUL(x, 2.204085567310931e-27
+          - KSL_MUL(2.9405903504764064e-30, x)) - 1.4183290625645841e-24) + 7.736340341261368e-22,
+      rate3m = KSL_MUL(x, KSL_MUL(x, KSL_MUL(x, KSL_MUL(x, rate3f) - 3.523129391410427e-19)
+          + 1.3153016394598927e-16) - 3.936040156083729e-14),
+      rate3t = KSL_MUL(x, KSL_MUL(x, KSL_MUL(x, rate3m + 9.17659647818378e-12)
+          - 1.6059043836821615e-09) + 2.0041686708353376e-07) - 1.6534391534391536e-05,
+      rate3x = KSL_MUL(x, KSL_MUL(x, rate3t) + 0.0007936507936507937) - 0.016666666666666666,
       rate3 = x < 9.0 ? rate3x : closed_rate3;
-  const double beta_v_0 = KSL_MUL(s->m3, g3);
-  const double beta_v_1 = KSL_MUL(s->m4, g3);
-  const double beta_v_2 = KSL_MUL(s->m5, g3);
-  const double m_0 = KSL_MUL(s->m3, beta_v_0);
-  const double m_1 = KSL_MUL(s->m4, beta_v_1);
-  const double m_2 = KSL_MUL(s->m5, beta_v_2);
-  const double m_3 = KSL_MUL(s->m4, beta_v_0);
-  const double m_4 = KSL_MUL(s->m5, beta_v_0);
-  const double m_5 = KSL_MUL(s->m5, beta_v_1);
-  const double others_0 = m_1 + m_2;
-  const double others_1 = m_0 + m_2;
-  const double others_2 = m_0 + m_1;
+  const double beta_v_0 = KSL_MUL(s->m3, g3), beta_v_1 = KSL_MUL(s->m4, g3),
+      beta_v_2 = KSL_MUL(s->m5, g3);
+  const double m_0 = KSL_MUL(s->m3, beta_v_0), m_1 = KSL_MUL(s->m4, beta_v_1),
+      m_2 = KSL_MUL(s->m5, beta_v_2), m_3 = KSL_MUL(s->m4, beta_v_0),
+      m_4 = KSL_MUL(s->m5, beta_v_0), m_5 = KSL_MUL(s->m5, beta_v_1);
+  const double others_0 = m_1 + m_2, others_1 = m_0 + m_2, others_2 = m_0 + m_1;
   const double diagonal0a = 1.0 - others_0, diagonal0b = g1 + m_0,
       diagonal0 = m_0 < others_0 ? diagonal0b : diagonal0a;
   const double diagonal1a = 1.0 - others_1, diagonal1b = g1 + m_1,
       diagonal1 = m_1 < others_1 ? diagonal1b : diagonal1a;
   const double diagonal2a = 1.0 - others_2, diagonal2b = g1 + m_2,
       diagonal2 = m_2 < others_2 ? diagonal2b : diagonal2a;
-  const double alpha_v_0a = KSL_MUL(s->m3, g2), alpha_v_0 = -alpha_v_0a;
-  const double alpha_v_1a = KSL_MUL(s->m4, g2), alpha_v_1 = -alpha_v_1a;
-  const double alpha_v_2a = KSL_MUL(s->m5, g2), alpha_v_2 = -alpha_v_2a;
-  const double J_1 = m_3 - alpha_v_2;
-  const double J_2 = m_4 + alpha_v_1;
-  const double J_3 = m_3 + alpha_v_2;
-  const double J_5 = m_5 - alpha_v_0;
-  const double J_6 = m_4 - alpha_v_1;
-  const double J_7 = m_5 + alpha_v_0;
-  const double rate_vw_a = KSL_MUL(s->m0, s->m3), rate_vw_b = KSL_MUL(s->m1, s->m4),
-      rate_vw_c = rate_vw_a + rate_vw_b, rate_vw_d = KSL_MUL(s->m2, s->m5),
-      rate_vw = rate_vw_c + rate_vw_d;
+  const double alpha_v_0 = -KSL_MUL(s->m3, g2), alpha_v_1 = -KSL_MUL(s->m4, g2),
+      alpha_v_2 = -KSL_MUL(s->m5, g2);
+  const double J_1 = m_3 - alpha_v_2, J_2 = m_4 + alpha_v_1, J_3 = m_3 + alpha_v_2,
+      J_5 = m_5 - alpha_v_0, J_6 = m_4 - alpha_v_1, J_7 = m_5 + alpha_v_0;
+  const double rate_vw = KSL_MUL(s->m0, s->m3) + KSL_MUL(s->m1, s->m4) + KSL_MUL(s->m2, s->m5);
   const double rate_turn = KSL_MUL(rate2, rate_vw);
-  const double rate_bend_a = KSL_MUL(rate3, rate_vw), rate_bend = -rate_bend_a;
-  const double rate_q_0a = KSL_MUL(s->m0, g2), rate_q_0b = KSL_MUL(s->m3, rate_turn),
-      rate_q_0c = rate_q_0a + rate_q_0b, rate_q_0 = -rate_q_0c;
-  const double rate_q_1a = KSL_MUL(s->m1, g2), rate_q_1b = KSL_MUL(s->m4, rate_turn),
-      rate_q_1c = rate_q_1a + rate_q_1b, rate_q_1 = -rate_q_1c;
-  const double rate_q_2a = KSL_MUL(s->m2, g2), rate_q_2b = KSL_MUL(s->m5, rate_turn),
-      rate_q_2c = rate_q_2a + rate_q_2b, rate_q_2 = -rate_q_2c;
-  const double rate_beta_v_0a = KSL_MUL(s->m0, g3), rate_beta_v_0 = -rate_beta_v_0a;
-  const double rate_beta_v_1a = KSL_MUL(s->m1, g3), rate_beta_v_1 = -rate_beta_v_1a;
-  const double rate_beta_v_2a = KSL_MUL(s->m2, g3), rate_beta_v_2 = -rate_beta_v_2a;
-  const double rate_bend_w_0a = KSL_MUL(s->m3, rate_bend), rate_bend_w_0 = -rate_bend_w_0a;
-  const double rate_bend_w_1a = KSL_MUL(s->m4, rate_bend), rate_bend_w_1 = -rate_bend_w_1a;
-  const double rate_bend_w_2a = KSL_MUL(s->m5, rate_bend), rate_bend_w_2 = -rate_bend_w_2a;
-  const double rate_symmetric_0a = KSL_MUL(s->m4, rate_bend_w_0),
-      rate_symmetric_0b = KSL_MUL(s->m3, rate_beta_v_1),
-      rate_symmetric_0c = KSL_MUL(s->m4, rate_beta_v_0),
-      rate_symmetric_0d = rate_symmetric_0b + rate_symmetric_0c,
-      rate_symmetric_0 = rate_symmetric_0a - rate_symmetric_0d;
-  const double rate_symmetric_1a = KSL_MUL(s->m5, rate_bend_w_0),
-      rate_symmetric_1b = KSL_MUL(s->m3, rate_beta_v_2),
-      rate_symmetric_1c = KSL_MUL(s->m5, rate_beta_v_0),
-      rate_symmetric_1d = rate_symmetric_1b + rate_symmetric_1c,
-      rate_symmetric_1 = rate_symmetric_1a - rate_symmetric_1d;
-  const double rate_symmetric_2a = KSL_MUL(s->m5, rate_bend_w_1),
-      rate_symmetric_2b = KSL_MUL(s->m4, rate_beta_v_2),
-      rate_symmetric_2c = KSL_MUL(s->m5, rate_beta_v_1),
-      rate_symmetric_2d = rate_symmetric_2b + rate_symmetric_2c,
-      rate_symmetric_2 = rate_symmetric_2a - rate_symmetric_2d;
-  const double rate_diagonal_0a = KSL_MUL(2.0, s->m4),
-      rate_diagonal_0b = KSL_MUL(rate_diagonal_0a, rate_beta_v_1),
-      rate_diagonal_0c = KSL_MUL(2.0, s->m5),
-      rate_diagonal_0d = KSL_MUL(rate_diagonal_0c, rate_beta_v_2),
-      rate_diagonal_0e = rate_diagonal_0b + rate_diagonal_0d,
+  const double rate_bend = -KSL_MUL(rate3, rate_vw);
+  const double rate_q_0 = -(KSL_MUL(s->m0, g2) + KSL_MUL(s->m3, rate_turn)),
+      rate_q_1 = -(KSL_MUL(s->m1, g2) + KSL_MUL(s->m4, rate_turn)),
+      rate_q_2 = -(KSL_MUL(s->m2, g2) + KSL_MUL(s->m5, rate_turn));
+  const double rate_beta_v_0 = -KSL_MUL(s->m0, g3), rate_beta_v_1 = -KSL_MUL(s->m1, g3),
+      rate_beta_v_2 = -KSL_MUL(s->m2, g3);
+  const double rate_bend_w_0 = -KSL_MUL(s->m3, rate_bend),
+      rate_bend_w_1 = -KSL_MUL(s->m4, rate_bend), rate_bend_w_2 = -KSL_MUL(s->m5, rate_bend);
+  const double rate_symmetric_0 = KSL_MUL(s->m4, rate_bend_w_0)
+          - (KSL_MUL(s->m3, rate_beta_v_1) + KSL_MUL(s->m4, rate_beta_v_0)),
+      rate_symmetric_1 = KSL_MUL(s->m5, rate_bend_w_0)
+          - (KSL_MUL(s->m3, rate_beta_v_2) + KSL_MUL(s->m5, rate_beta_v_0)),
+      rate_symmetric_2 = KSL_MUL(s->m5, rate_bend_w_1)
+          - (KSL_MUL(s->m4, rate_beta_v_2) + KSL_MUL(s->m5, rate_beta_v_1));
+  const double rate_diagonal_0b = KSL_MUL(KSL_MUL(2.0, s->m4), rate_beta_v_1),
+      rate_diagonal_0d = KSL_MUL(KSL_MUL(2.0, s->m5), rate_beta_v_2),
       rate_diagonal_0f = KSL_MUL(s->m4, rate_bend_w_1),
       rate_diagonal_0g = KSL_MUL(s->m5, rate_bend_w_2),
-      rate_diagonal_0h = rate_diagonal_0f + rate_diagonal_0g,
-      rate_diagonal_0 = rate_diagonal_0e - rate_diagonal_0h;
-  const double rate_diagonal_1a = KSL_MUL(2.0, s->m3),
-      rate_diagonal_1b = KSL_MUL(rate_diagonal_1a, rate_beta_v_0),
-      rate_diagonal_1c = rate_diagonal_1b + rate_diagonal_0d,
+      rate_diagonal_0 = rate_diagonal_0b + rate_diagonal_0d - (rate_diagonal_0f + rate_diagonal_0g);
+  const double rate_diagonal_1b = KSL_MUL(KSL_MUL(2.0, s->m3), rate_beta_v_0),
       rate_diagonal_1d = KSL_MUL(s->m3, rate_bend_w_0),
-      rate_diagonal_1e = rate_diagonal_1d + rate_diagonal_0g,
-      rate_diagonal_1 = rate_diagonal_1c - rate_diagonal_1e;
-  const double rate_diagonal_2a = rate_diagonal_1b + rate_diagonal_0b,
-      rate_diagonal_2b = rate_diagonal_1d + rate_diagonal_0f,
-      rate_diagonal_2 = rate_diagonal_2a - rate_diagonal_2b;
-  const double M_04 = rate_symmetric_0 - rate_q_2;
-  const double M_05 = rate_q_1 + rate_symmetric_1;
-  const double M_13 = rate_q_2 + rate_symmetric_0;
-  const double M_15 = rate_symmetric_2 - rate_q_0;
-  const double M_23 = rate_symmetric_1 - rate_q_1;
-  const double M_24 = rate_q_0 + rate_symmetric_2;
+      rate_diagonal_1 = rate_diagonal_1b + rate_diagonal_0d - (rate_diagonal_1d + rate_diagonal_0g);
+  const double rate_diagonal_2 = rate_diagonal_1b + rate_diagonal_0b
+          - (rate_diagonal_1d + rate_diagonal_0f);
+  const double M_04 = rate_symmetric_0 - rate_q_2, M_05 = rate_q_1 + rate_symmetric_1,
+      M_13 = rate_q_2 + rate_symmetric_0, M_15 = rate_symmetric_2 - rate_q_0,
+      M_23 = rate_symmetric_1 - rate_q_1, M_24 = rate_q_0 + rate_symmetric_2;
   M->at[0][0] = diagonal0;
   M->at[1][0] = J_1;
   M->at[2][0] = J_2;
@@ -1490,168 +1094,109 @@ static inline void ksl_SE3_rightJacobian(const ksl_screw_t *s, ksl_mat6x6_t *M) 
    Error <= M: 14 u of its largest component for |ω of s| <= π; searched, not proved.
      Intermediate sums may overflow where |v| is above 2e306, in single precision 5e36. */
 static inline void ksl_SE3_leftJacobianInverse(const ksl_screw_t *s, ksl_mat6x6_t *M) {
-  const double size_0 = fabs(s->m3);
-  const double size_1 = fabs(s->m4);
-  const double size_2 = fabs(s->m5);
-  const double sizes_a = size_0 + size_1, sizes = sizes_a + size_2;
+  const double size_0 = fabs(s->m3), size_1 = fabs(s->m4), size_2 = fabs(s->m5);
+  const double sizes = size_0 + size_1 + size_2;
   const double grid = KSL_MUL(sizes, 268435456.0);
-  const double shifted_0 = s->m3 + grid;
-  const double shifted_1 = s->m4 + grid;
-  const double shifted_2 = s->m5 + grid;
-  const double high_0 = shifted_0 - grid;
-  const double high_1 = shifted_1 - grid;
-  const double high_2 = shifted_2 - grid;
-  const double low_0 = s->m3 - high_0;
-  const double low_1 = s->m4 - high_1;
-  const double low_2 = s->m5 - high_2;
-  const double sum_0 = s->m3 + high_0;
-  const double sum_1 = s->m4 + high_1;
-  const double sum_2 = s->m5 + high_2;
-  const double squares_a = KSL_MUL(high_0, high_0), squares_b = KSL_MUL(high_1, high_1),
-      squares_c = squares_a + squares_b, squares_d = KSL_MUL(high_2, high_2),
-      squares = squares_c + squares_d;
-  const double cross_a = KSL_MUL(low_0, sum_0), cross_b = KSL_MUL(low_1, sum_1),
-      cross_c = cross_a + cross_b, cross_d = KSL_MUL(low_2, sum_2), cross = cross_c + cross_d;
+  const double shifted_0 = s->m3 + grid, shifted_1 = s->m4 + grid, shifted_2 = s->m5 + grid;
+  const double high_0 = shifted_0 - grid, high_1 = shifted_1 - grid, high_2 = shifted_2 - grid;
+  const double low_0 = s->m3 - high_0, low_1 = s->m4 - high_1, low_2 = s->m5 - high_2;
+  const double sum_0 = s->m3 + high_0, sum_1 = s->m4 + high_1, sum_2 = s->m5 + high_2;
+  const double squares = KSL_MUL(high_0, high_0) + KSL_MUL(high_1, high_1)
+          + KSL_MUL(high_2, high_2);
+  const double cross = KSL_MUL(low_0, sum_0) + KSL_MUL(low_1, sum_1) + KSL_MUL(low_2, sum_2);
   const double x = squares + cross;
   const double theta_a = sqrt(x), theta = x < 1.0 ? 1.0 : theta_a;
   const double theta_shifted = grid + theta;
   const double theta_high = theta_shifted - grid;
   const double theta_low = theta - theta_high;
   const double theta_sum = theta + theta_high;
-  const double cross_rest_a = KSL_MUL(theta_low, theta_sum), cross_rest = cross - cross_rest_a;
-  const double exact_a = KSL_MUL(theta_high, theta_high), exact = squares - exact_a;
+  const double cross_rest = cross - KSL_MUL(theta_low, theta_sum);
+  const double exact = squares - KSL_MUL(theta_high, theta_high);
   const double residual = cross_rest + exact;
-  const double small_a = KSL_MUL(0.5, residual), small = small_a / theta;
-  const double delta_a = fabs(small), delta = delta_a < 0.0078125 ? small : 0.0;
+  const double small = KSL_MUL(0.5, residual) / theta;
+  const double delta = fabs(small) < 0.0078125 ? small : 0.0;
   double far_cosine_a; const double far_sine_a = ksl_sincos(theta, &far_cosine_a);
   const double far_sine = x < 1.0 ? 1.0 : far_sine_a;
   const double far_cosine = x < 1.0 ? 0.0 : far_cosine_a;
-  const double sine_a = KSL_MUL(delta, far_cosine), sine = sine_a + far_sine;
-  const double cosine_a = KSL_MUL(delta, far_sine), cosine = far_cosine - cosine_a;
+  const double sine = KSL_MUL(delta, far_cosine) + far_sine;
+  const double cosine = far_cosine - KSL_MUL(delta, far_sine);
   const double above_a = cosine + 1.0, above = cosine < 0.0 ? sine : above_a;
   const double below_a = 1.0 - cosine, below = cosine < 0.0 ? below_a : sine;
   const double cotangent = above / below;
-  const double half_cotangent_a = KSL_MUL(0.5, theta),
-      half_cotangent = KSL_MUL(half_cotangent_a, cotangent);
+  const double half_cotangent = KSL_MUL(KSL_MUL(0.5, theta), cotangent);
   const double b_rest = 1.0 - half_cotangent;
   const double b_divisor = x < 4.0 ? 4.0 : x;
   const double closed_b = b_rest / b_divisor;
-  const double b_a = KSL_MUL(1.455172475614865e-27, x), b_b = b_a + 5.744790668872202e-26,
-      b_c = KSL_MUL(x, b_b), b_d = b_c + 2.267952452337683e-24, b_e = KSL_MUL(x, b_d),
-      b_f = b_e + 8.953517427037546e-23, b_g = KSL_MUL(x, b_f), b_h = b_g + 3.534707039629467e-21,
-      b_i = KSL_MUL(x, b_h), b_j = b_i + 1.3954464685812522e-19, b_k = KSL_MUL(x, b_j),
-      b_l = b_k + 5.5090028283602295e-18, b_m = KSL_MUL(x, b_l), b_n = b_m + 2.174868698558062e-16,
-      b_o = KSL_MUL(x, b_n), b_p = b_o + 8.586062056277845e-15, b_q = KSL_MUL(x, b_p),
-      b_r = b_q + 3.3896802963225827e-13, b_s = KSL_MUL(x, b_r), b_t = b_s + 1.3382536530684679e-11,
-      b_u = KSL_MUL(x, b_t), b_v = b_u + 5.284190138687493e-10, b_w = KSL_MUL(x, b_v),
-      b_x = b_w + 2.08767569878681e-08, b_y = KSL_MUL(x, b_x), b_z = b_y + 8.267195767195768e-07,
-      b_aa = KSL_MUL(x, b_z), b_ab = b_aa + 3.306878306878307e-05, b_ac = KSL_MUL(x, b_ab),
-      b_ad = b_ac + 0.001388888888888889, b_ae = KSL_MUL(x, b_ad),
-      b_af = b_ae + 0.08333333333333333, b = x < 4.0 ? b_af : closed_b;
-  const double b_across_a = KSL_MUL(x, b), b_across_b = 1.0 - b_across_a,
-      b_across = x < 4.0 ? b_across_b : half_cotangent;
-  const double beta_v_0 = KSL_MUL(s->m3, b);
-  const double beta_v_1 = KSL_MUL(s->m4, b);
-  const double beta_v_2 = KSL_MUL(s->m5, b);
-  const double m_0 = KSL_MUL(s->m3, beta_v_0);
-  const double m_1 = KSL_MUL(s->m4, beta_v_1);
-  const double m_2 = KSL_MUL(s->m5, beta_v_2);
-  const double m_3 = KSL_MUL(s->m4, beta_v_0);
-  const double m_4 = KSL_MUL(s->m5, beta_v_0);
-  const double m_5 = KSL_MUL(s->m5, beta_v_1);
-  const double others_0 = m_1 + m_2;
-  const double others_1 = m_0 + m_2;
-  const double others_2 = m_0 + m_1;
+  const double b_g = KSL_MUL(x, KSL_MUL(x, KSL_MUL(x, KSL_MUL(1.455172475614865e-27, x)
+          + 5.744790668872202e-26) + 2.267952452337683e-24) + 8.953517427037546e-23),
+      b_n = KSL_MUL(x, KSL_MUL(x, KSL_MUL(x, b_g + 3.534707039629467e-21) + 1.3954464685812522e-19)
+          + 5.5090028283602295e-18) + 2.174868698558062e-16,
+      b_u = KSL_MUL(x, KSL_MUL(x, KSL_MUL(x, KSL_MUL(x, b_n) + 8.586062056277845e-15)
+          + 3.3896802963225827e-13) + 1.3382536530684679e-11),
+      b_ab = KSL_MUL(x, KSL_MUL(x, KSL_MUL(x, b_u + 5.284190138687493e-10) + 2.08767569878681e-08)
+          + 8.267195767195768e-07) + 3.306878306878307e-05,
+      b_af = KSL_MUL(x, KSL_MUL(x, b_ab) + 0.001388888888888889) + 0.08333333333333333,
+      b = x < 4.0 ? b_af : closed_b;
+  const double b_across_b = 1.0 - KSL_MUL(x, b), b_across = x < 4.0 ? b_across_b : half_cotangent;
+  const double beta_v_0 = KSL_MUL(s->m3, b), beta_v_1 = KSL_MUL(s->m4, b),
+      beta_v_2 = KSL_MUL(s->m5, b);
+  const double m_0 = KSL_MUL(s->m3, beta_v_0), m_1 = KSL_MUL(s->m4, beta_v_1),
+      m_2 = KSL_MUL(s->m5, beta_v_2), m_3 = KSL_MUL(s->m4, beta_v_0),
+      m_4 = KSL_MUL(s->m5, beta_v_0), m_5 = KSL_MUL(s->m5, beta_v_1);
+  const double others_0 = m_1 + m_2, others_1 = m_0 + m_2, others_2 = m_0 + m_1;
   const double diagonal0a = 1.0 - others_0, diagonal0b = b_across + m_0,
       diagonal0 = m_0 < others_0 ? diagonal0b : diagonal0a;
   const double diagonal1a = 1.0 - others_1, diagonal1b = b_across + m_1,
       diagonal1 = m_1 < others_1 ? diagonal1b : diagonal1a;
   const double diagonal2a = 1.0 - others_2, diagonal2b = b_across + m_2,
       diagonal2 = m_2 < others_2 ? diagonal2b : diagonal2a;
-  const double alpha_v_0a = KSL_MUL(0.5, s->m3), alpha_v_0 = -alpha_v_0a;
-  const double alpha_v_1a = KSL_MUL(0.5, s->m4), alpha_v_1 = -alpha_v_1a;
-  const double alpha_v_2a = KSL_MUL(0.5, s->m5), alpha_v_2 = -alpha_v_2a;
-  const double J_1 = m_3 - alpha_v_2;
-  const double J_2 = m_4 + alpha_v_1;
-  const double J_3 = m_3 + alpha_v_2;
-  const double J_5 = m_5 - alpha_v_0;
-  const double J_6 = m_4 - alpha_v_1;
-  const double J_7 = m_5 + alpha_v_0;
-  const double b_rate_across_a = 2.0 - half_cotangent, b_rate_across = b_rate_across_a / b_divisor;
-  const double b_rate_square_a = KSL_MUL(cotangent, cotangent),
-      b_rate_square_b = KSL_MUL(0.25, b_rate_square_a), b_rate_square = 0.25 + b_rate_square_b;
+  const double alpha_v_0 = -KSL_MUL(0.5, s->m3), alpha_v_1 = -KSL_MUL(0.5, s->m4),
+      alpha_v_2 = -KSL_MUL(0.5, s->m5);
+  const double J_1 = m_3 - alpha_v_2, J_2 = m_4 + alpha_v_1, J_3 = m_3 + alpha_v_2,
+      J_5 = m_5 - alpha_v_0, J_6 = m_4 - alpha_v_1, J_7 = m_5 + alpha_v_0;
+  const double b_rate_across = (2.0 - half_cotangent) / b_divisor;
+  const double b_rate_square = 0.25 + KSL_MUL(0.25, KSL_MUL(cotangent, cotangent));
   const double b_rate_rest = b_rate_square - b_rate_across;
   const double closed_b_rate = b_rate_rest / b_divisor;
-  const double b_rate_a = KSL_MUL(3.3612243325542163e-29, x),
-      b_rate_b = b_rate_a + 1.2532382798262054e-27, b_rate_c = KSL_MUL(x, b_rate_b),
-      b_rate_d = b_rate_c + 4.656551921967568e-26, b_rate_e = KSL_MUL(x, b_rate_d),
-      b_rate_f = b_rate_e + 1.7234372006616606e-24, b_rate_g = KSL_MUL(x, b_rate_f),
-      b_rate_h = b_rate_g + 6.350266866545513e-23, b_rate_i = KSL_MUL(x, b_rate_h),
-      b_rate_j = b_rate_i + 2.327914531029762e-21, b_rate_k = KSL_MUL(x, b_rate_j),
-      b_rate_l = b_rate_k + 8.483296895110721e-20, b_rate_m = KSL_MUL(x, b_rate_l),
-      b_rate_n = b_rate_m + 3.069982230878755e-18, b_rate_o = KSL_MUL(x, b_rate_n),
-      b_rate_p = b_rate_o + 1.1018005656720459e-16, b_rate_q = KSL_MUL(x, b_rate_p),
-      b_rate_r = b_rate_q + 3.914763657404511e-15, b_rate_s = KSL_MUL(x, b_rate_r),
-      b_rate_t = b_rate_s + 1.3737699290044552e-13, b_rate_u = KSL_MUL(x, b_rate_t),
-      b_rate_v = b_rate_u + 4.745552414851616e-12, b_rate_w = KSL_MUL(x, b_rate_v),
-      b_rate_x = b_rate_w + 1.6059043836821613e-10, b_rate_y = KSL_MUL(x, b_rate_x),
-      b_rate_z = b_rate_y + 5.2841901386874934e-09, b_rate_aa = KSL_MUL(x, b_rate_z),
-      b_rate_ab = b_rate_aa + 1.670140559029448e-07, b_rate_ac = KSL_MUL(x, b_rate_ab),
-      b_rate_ad = b_rate_ac + 4.96031746031746e-06, b_rate_ae = KSL_MUL(x, b_rate_ad),
-      b_rate_af = b_rate_ae + 0.00013227513227513228, b_rate_ag = KSL_MUL(x, b_rate_af),
-      b_rate_ah = b_rate_ag + 0.002777777777777778, b_rate = x < 4.0 ? b_rate_ah : closed_b_rate;
-  const double rate_vw_a = KSL_MUL(s->m0, s->m3), rate_vw_b = KSL_MUL(s->m1, s->m4),
-      rate_vw_c = rate_vw_a + rate_vw_b, rate_vw_d = KSL_MUL(s->m2, s->m5),
-      rate_vw = rate_vw_c + rate_vw_d;
-  const double rate_bend_a = KSL_MUL(b_rate, rate_vw), rate_bend = -rate_bend_a;
-  const double rate_q_0a = KSL_MUL(0.5, s->m0), rate_q_0 = -rate_q_0a;
-  const double rate_q_1a = KSL_MUL(0.5, s->m1), rate_q_1 = -rate_q_1a;
-  const double rate_q_2a = KSL_MUL(0.5, s->m2), rate_q_2 = -rate_q_2a;
-  const double rate_beta_v_0 = KSL_MUL(s->m0, b);
-  const double rate_beta_v_1 = KSL_MUL(s->m1, b);
-  const double rate_beta_v_2 = KSL_MUL(s->m2, b);
-  const double rate_bend_w_0 = KSL_MUL(s->m3, rate_bend);
-  const double rate_bend_w_1 = KSL_MUL(s->m4, rate_bend);
-  const double rate_bend_w_2 = KSL_MUL(s->m5, rate_bend);
-  const double rate_symmetric_0a = KSL_MUL(s->m3, rate_beta_v_1),
-      rate_symmetric_0b = KSL_MUL(s->m4, rate_beta_v_0),
-      rate_symmetric_0c = rate_symmetric_0a + rate_symmetric_0b,
-      rate_symmetric_0d = KSL_MUL(s->m4, rate_bend_w_0),
-      rate_symmetric_0 = rate_symmetric_0c - rate_symmetric_0d;
-  const double rate_symmetric_1a = KSL_MUL(s->m3, rate_beta_v_2),
-      rate_symmetric_1b = KSL_MUL(s->m5, rate_beta_v_0),
-      rate_symmetric_1c = rate_symmetric_1a + rate_symmetric_1b,
-      rate_symmetric_1d = KSL_MUL(s->m5, rate_bend_w_0),
-      rate_symmetric_1 = rate_symmetric_1c - rate_symmetric_1d;
-  const double rate_symmetric_2a = KSL_MUL(s->m4, rate_beta_v_2),
-      rate_symmetric_2b = KSL_MUL(s->m5, rate_beta_v_1),
-      rate_symmetric_2c = rate_symmetric_2a + rate_symmetric_2b,
-      rate_symmetric_2d = KSL_MUL(s->m5, rate_bend_w_1),
-      rate_symmetric_2 = rate_symmetric_2c - rate_symmetric_2d;
+  const double b_rate_f = KSL_MUL(x, KSL_MUL(x, KSL_MUL(3.3612243325542163e-29, x)
+          + 1.2532382798262054e-27) + 4.656551921967568e-26) + 1.7234372006616606e-24,
+      b_rate_m = KSL_MUL(x, KSL_MUL(x, KSL_MUL(x, KSL_MUL(x, b_rate_f) + 6.350266866545513e-23)
+          + 2.327914531029762e-21) + 8.483296895110721e-20),
+      b_rate_s = KSL_MUL(x, KSL_MUL(x, KSL_MUL(x, b_rate_m + 3.069982230878755e-18)
+          + 1.1018005656720459e-16) + 3.914763657404511e-15),
+      b_rate_y = KSL_MUL(x, KSL_MUL(x, KSL_MUL(x, b_rate_s + 1.3737699290044552e-13)
+          + 4.745552414851616e-12) + 1.6059043836821613e-10),
+      b_rate_ae = KSL_MUL(x, KSL_MUL(x, KSL_MUL(x, b_rate_y + 5.2841901386874934e-09)
+          + 1.670140559029448e-07) + 4.96031746031746e-06),
+      b_rate_ah = KSL_MUL(x, b_rate_ae + 0.00013227513227513228) + 0.002777777777777778,
+      b_rate = x < 4.0 ? b_rate_ah : closed_b_rate;
+  const double rate_vw = KSL_MUL(s->m0, s->m3) + KSL_MUL(s->m1, s->m4) + KSL_MUL(s->m2, s->m5);
+  const double rate_bend = -KSL_MUL(b_rate, rate_vw);
+  const double rate_q_0 = -KSL_MUL(0.5, s->m0), rate_q_1 = -KSL_MUL(0.5, s->m1),
+      rate_q_2 = -KSL_MUL(0.5, s->m2);
+  const double rate_beta_v_0 = KSL_MUL(s->m0, b), rate_beta_v_1 = KSL_MUL(s->m1, b),
+      rate_beta_v_2 = KSL_MUL(s->m2, b);
+  const double rate_bend_w_0 = KSL_MUL(s->m3, rate_bend), rate_bend_w_1 = KSL_MUL(s->m4, rate_bend),
+      rate_bend_w_2 = KSL_MUL(s->m5, rate_bend);
+  const double rate_symmetric_0 = KSL_MUL(s->m3, rate_beta_v_1) + KSL_MUL(s->m4, rate_beta_v_0)
+          - KSL_MUL(s->m4, rate_bend_w_0),
+      rate_symmetric_1 = KSL_MUL(s->m3, rate_beta_v_2) + KSL_MUL(s->m5, rate_beta_v_0)
+          - KSL_MUL(s->m5, rate_bend_w_0),
+      rate_symmetric_2 = KSL_MUL(s->m4, rate_beta_v_2) + KSL_MUL(s->m5, rate_beta_v_1)
+          - KSL_MUL(s->m5, rate_bend_w_1);
   const double rate_diagonal_0a = KSL_MUL(s->m4, rate_bend_w_1),
       rate_diagonal_0b = KSL_MUL(s->m5, rate_bend_w_2),
-      rate_diagonal_0c = rate_diagonal_0a + rate_diagonal_0b,
-      rate_diagonal_0d = KSL_MUL(2.0, s->m4),
-      rate_diagonal_0e = KSL_MUL(rate_diagonal_0d, rate_beta_v_1),
-      rate_diagonal_0f = KSL_MUL(2.0, s->m5),
-      rate_diagonal_0g = KSL_MUL(rate_diagonal_0f, rate_beta_v_2),
-      rate_diagonal_0h = rate_diagonal_0e + rate_diagonal_0g,
-      rate_diagonal_0 = rate_diagonal_0c - rate_diagonal_0h;
+      rate_diagonal_0e = KSL_MUL(KSL_MUL(2.0, s->m4), rate_beta_v_1),
+      rate_diagonal_0g = KSL_MUL(KSL_MUL(2.0, s->m5), rate_beta_v_2),
+      rate_diagonal_0 = rate_diagonal_0a + rate_diagonal_0b - (rate_diagonal_0e + rate_diagonal_0g);
   const double rate_diagonal_1a = KSL_MUL(s->m3, rate_bend_w_0),
-      rate_diagonal_1b = rate_diagonal_1a + rate_diagonal_0b,
-      rate_diagonal_1c = KSL_MUL(2.0, s->m3),
-      rate_diagonal_1d = KSL_MUL(rate_diagonal_1c, rate_beta_v_0),
-      rate_diagonal_1e = rate_diagonal_1d + rate_diagonal_0g,
-      rate_diagonal_1 = rate_diagonal_1b - rate_diagonal_1e;
-  const double rate_diagonal_2a = rate_diagonal_1a + rate_diagonal_0a,
-      rate_diagonal_2b = rate_diagonal_1d + rate_diagonal_0e,
-      rate_diagonal_2 = rate_diagonal_2a - rate_diagonal_2b;
-  const double M_04 = rate_symmetric_0 - rate_q_2;
-  const double M_05 = rate_q_1 + rate_symmetric_1;
-  const double M_13 = rate_q_2 + rate_symmetric_0;
-  const double M_15 = rate_symmetric_2 - rate_q_0;
-  const double M_23 = rate_symmetric_1 - rate_q_1;
-  const double M_24 = rate_q_0 + rate_symmetric_2;
+      rate_diagonal_1d = KSL_MUL(KSL_MUL(2.0, s->m3), rate_beta_v_0),
+      rate_diagonal_1 = rate_diagonal_1a + rate_diagonal_0b - (rate_diagonal_1d + rate_diagonal_0g);
+  const double rate_diagonal_2 = rate_diagonal_1a + rate_diagonal_0a
+          - (rate_diagonal_1d + rate_diagonal_0e);
+  const double M_04 = rate_symmetric_0 - rate_q_2, M_05 = rate_q_1 + rate_symmetric_1,
+      M_13 = rate_q_2 + rate_symmetric_0, M_15 = rate_symmetric_2 - rate_q_0,
+      M_23 = rate_symmetric_1 - rate_q_1, M_24 = rate_q_0 + rate_symmetric_2;
   M->at[0][0] = diagonal0;
   M->at[1][0] = J_1;
   M->at[2][0] = J_2;
@@ -1696,168 +1241,109 @@ static inline void ksl_SE3_leftJacobianInverse(const ksl_screw_t *s, ksl_mat6x6_
    Error <= M: 14 u of its largest component for |ω of s| <= π; searched, not proved.
      Intermediate sums may overflow where |v| is above 2e306, in single precision 5e36. */
 static inline void ksl_SE3_rightJacobianInverse(const ksl_screw_t *s, ksl_mat6x6_t *M) {
-  const double size_0 = fabs(s->m3);
-  const double size_1 = fabs(s->m4);
-  const double size_2 = fabs(s->m5);
-  const double sizes_a = size_0 + size_1, sizes = sizes_a + size_2;
+  const double size_0 = fabs(s->m3), size_1 = fabs(s->m4), size_2 = fabs(s->m5);
+  const double sizes = size_0 + size_1 + size_2;
   const double grid = KSL_MUL(sizes, 268435456.0);
-  const double shifted_0 = s->m3 + grid;
-  const double shifted_1 = s->m4 + grid;
-  const double shifted_2 = s->m5 + grid;
-  const double high_0 = shifted_0 - grid;
-  const double high_1 = shifted_1 - grid;
-  const double high_2 = shifted_2 - grid;
-  const double low_0 = s->m3 - high_0;
-  const double low_1 = s->m4 - high_1;
-  const double low_2 = s->m5 - high_2;
-  const double sum_0 = s->m3 + high_0;
-  const double sum_1 = s->m4 + high_1;
-  const double sum_2 = s->m5 + high_2;
-  const double squares_a = KSL_MUL(high_0, high_0), squares_b = KSL_MUL(high_1, high_1),
-      squares_c = squares_a + squares_b, squares_d = KSL_MUL(high_2, high_2),
-      squares = squares_c + squares_d;
-  const double cross_a = KSL_MUL(low_0, sum_0), cross_b = KSL_MUL(low_1, sum_1),
-      cross_c = cross_a + cross_b, cross_d = KSL_MUL(low_2, sum_2), cross = cross_c + cross_d;
+  const double shifted_0 = s->m3 + grid, shifted_1 = s->m4 + grid, shifted_2 = s->m5 + grid;
+  const double high_0 = shifted_0 - grid, high_1 = shifted_1 - grid, high_2 = shifted_2 - grid;
+  const double low_0 = s->m3 - high_0, low_1 = s->m4 - high_1, low_2 = s->m5 - high_2;
+  const double sum_0 = s->m3 + high_0, sum_1 = s->m4 + high_1, sum_2 = s->m5 + high_2;
+  const double squares = KSL_MUL(high_0, high_0) + KSL_MUL(high_1, high_1)
+          + KSL_MUL(high_2, high_2);
+  const double cross = KSL_MUL(low_0, sum_0) + KSL_MUL(low_1, sum_1) + KSL_MUL(low_2, sum_2);
   const double x = squares + cross;
   const double theta_a = sqrt(x), theta = x < 1.0 ? 1.0 : theta_a;
   const double theta_shifted = grid + theta;
   const double theta_high = theta_shifted - grid;
   const double theta_low = theta - theta_high;
   const double theta_sum = theta + theta_high;
-  const double cross_rest_a = KSL_MUL(theta_low, theta_sum), cross_rest = cross - cross_rest_a;
-  const double exact_a = KSL_MUL(theta_high, theta_high), exact = squares - exact_a;
+  const double cross_rest = cross - KSL_MUL(theta_low, theta_sum);
+  const double exact = squares - KSL_MUL(theta_high, theta_high);
   const double residual = cross_rest + exact;
-  const double small_a = KSL_MUL(0.5, residual), small = small_a / theta;
-  const double delta_a = fabs(small), delta = delta_a < 0.0078125 ? small : 0.0;
+  const double small = KSL_MUL(0.5, residual) / theta;
+  const double delta = fabs(small) < 0.0078125 ? small : 0.0;
   double far_cosine_a; const double far_sine_a = ksl_sincos(theta, &far_cosine_a);
   const double far_sine = x < 1.0 ? 1.0 : far_sine_a;
   const double far_cosine = x < 1.0 ? 0.0 : far_cosine_a;
-  const double sine_a = KSL_MUL(delta, far_cosine), sine = sine_a + far_sine;
-  const double cosine_a = KSL_MUL(delta, far_sine), cosine = far_cosine - cosine_a;
+  const double sine = KSL_MUL(delta, far_cosine) + far_sine;
+  const double cosine = far_cosine - KSL_MUL(delta, far_sine);
   const double above_a = cosine + 1.0, above = cosine < 0.0 ? sine : above_a;
   const double below_a = 1.0 - cosine, below = cosine < 0.0 ? below_a : sine;
   const double cotangent = above / below;
-  const double half_cotangent_a = KSL_MUL(0.5, theta),
-      half_cotangent = KSL_MUL(half_cotangent_a, cotangent);
+  const double half_cotangent = KSL_MUL(KSL_MUL(0.5, theta), cotangent);
   const double b_rest = 1.0 - half_cotangent;
   const double b_divisor = x < 4.0 ? 4.0 : x;
   const double closed_b = b_rest / b_divisor;
-  const double b_a = KSL_MUL(1.455172475614865e-27, x), b_b = b_a + 5.744790668872202e-26,
-      b_c = KSL_MUL(x, b_b), b_d = b_c + 2.267952452337683e-24, b_e = KSL_MUL(x, b_d),
-      b_f = b_e + 8.953517427037546e-23, b_g = KSL_MUL(x, b_f), b_h = b_g + 3.534707039629467e-21,
-      b_i = KSL_MUL(x, b_h), b_j = b_i + 1.3954464685812522e-19, b_k = KSL_MUL(x, b_j),
-      b_l = b_k + 5.5090028283602295e-18, b_m = KSL_MUL(x, b_l), b_n = b_m + 2.174868698558062e-16,
-      b_o = KSL_MUL(x, b_n), b_p = b_o + 8.586062056277845e-15, b_q = KSL_MUL(x, b_p),
-      b_r = b_q + 3.3896802963225827e-13, b_s = KSL_MUL(x, b_r), b_t = b_s + 1.3382536530684679e-11,
-      b_u = KSL_MUL(x, b_t), b_v = b_u + 5.284190138687493e-10, b_w = KSL_MUL(x, b_v),
-      b_x = b_w + 2.08767569878681e-08, b_y = KSL_MUL(x, b_x), b_z = b_y + 8.267195767195768e-07,
-      b_aa = KSL_MUL(x, b_z), b_ab = b_aa + 3.306878306878307e-05, b_ac = KSL_MUL(x, b_ab),
-      b_ad = b_ac + 0.001388888888888889, b_ae = KSL_MUL(x, b_ad),
-      b_af = b_ae + 0.08333333333333333, b = x < 4.0 ? b_af : closed_b;
-  const double b_across_a = KSL_MUL(x, b), b_across_b = 1.0 - b_across_a,
-      b_across = x < 4.0 ? b_across_b : half_cotangent;
-  const double beta_v_0 = KSL_MUL(s->m3, b);
-  const double beta_v_1 = KSL_MUL(s->m4, b);
-  const double beta_v_2 = KSL_MUL(s->m5, b);
-  const double m_0 = KSL_MUL(s->m3, beta_v_0);
-  const double m_1 = KSL_MUL(s->m4, beta_v_1);
-  const double m_2 = KSL_MUL(s->m5, beta_v_2);
-  const double m_3 = KSL_MUL(s->m4, beta_v_0);
-  const double m_4 = KSL_MUL(s->m5, beta_v_0);
-  const double m_5 = KSL_MUL(s->m5, beta_v_1);
-  const double others_0 = m_1 + m_2;
-  const double others_1 = m_0 + m_2;
-  const double others_2 = m_0 + m_1;
+  const double b_g = KSL_MUL(x, KSL_MUL(x, KSL_MUL(x, KSL_MUL(1.455172475614865e-27, x)
+          + 5.744790668872202e-26) + 2.267952452337683e-24) + 8.953517427037546e-23),
+      b_n = KSL_MUL(x, KSL_MUL(x, KSL_MUL(x, b_g + 3.534707039629467e-21) + 1.3954464685812522e-19)
+          + 5.5090028283602295e-18) + 2.174868698558062e-16,
+      b_u = KSL_MUL(x, KSL_MUL(x, KSL_MUL(x, KSL_MUL(x, b_n) + 8.586062056277845e-15)
+          + 3.3896802963225827e-13) + 1.3382536530684679e-11),
+      b_ab = KSL_MUL(x, KSL_MUL(x, KSL_MUL(x, b_u + 5.284190138687493e-10) + 2.08767569878681e-08)
+          + 8.267195767195768e-07) + 3.306878306878307e-05,
+      b_af = KSL_MUL(x, KSL_MUL(x, b_ab) + 0.001388888888888889) + 0.08333333333333333,
+      b = x < 4.0 ? b_af : closed_b;
+  const double b_across_b = 1.0 - KSL_MUL(x, b), b_across = x < 4.0 ? b_across_b : half_cotangent;
+  const double beta_v_0 = KSL_MUL(s->m3, b), beta_v_1 = KSL_MUL(s->m4, b),
+      beta_v_2 = KSL_MUL(s->m5, b);
+  const double m_0 = KSL_MUL(s->m3, beta_v_0), m_1 = KSL_MUL(s->m4, beta_v_1),
+      m_2 = KSL_MUL(s->m5, beta_v_2), m_3 = KSL_MUL(s->m4, beta_v_0),
+      m_4 = KSL_MUL(s->m5, beta_v_0), m_5 = KSL_MUL(s->m5, beta_v_1);
+  const double others_0 = m_1 + m_2, others_1 = m_0 + m_2, others_2 = m_0 + m_1;
   const double diagonal0a = 1.0 - others_0, diagonal0b = b_across + m_0,
       diagonal0 = m_0 < others_0 ? diagonal0b : diagonal0a;
   const double diagonal1a = 1.0 - others_1, diagonal1b = b_across + m_1,
       diagonal1 = m_1 < others_1 ? diagonal1b : diagonal1a;
   const double diagonal2a = 1.0 - others_2, diagonal2b = b_across + m_2,
       diagonal2 = m_2 < others_2 ? diagonal2b : diagonal2a;
-  const double alpha_v_0 = KSL_MUL(0.5, s->m3);
-  const double alpha_v_1 = KSL_MUL(0.5, s->m4);
-  const double alpha_v_2 = KSL_MUL(0.5, s->m5);
-  const double J_1 = m_3 - alpha_v_2;
-  const double J_2 = m_4 + alpha_v_1;
-  const double J_3 = m_3 + alpha_v_2;
-  const double J_5 = m_5 - alpha_v_0;
-  const double J_6 = m_4 - alpha_v_1;
-  const double J_7 = m_5 + alpha_v_0;
-  const double b_rate_across_a = 2.0 - half_cotangent, b_rate_across = b_rate_across_a / b_divisor;
-  const double b_rate_square_a = KSL_MUL(cotangent, cotangent),
-      b_rate_square_b = KSL_MUL(0.25, b_rate_square_a), b_rate_square = 0.25 + b_rate_square_b;
+  const double alpha_v_0 = KSL_MUL(0.5, s->m3), alpha_v_1 = KSL_MUL(0.5, s->m4),
+      alpha_v_2 = KSL_MUL(0.5, s->m5);
+  const double J_1 = m_3 - alpha_v_2, J_2 = m_4 + alpha_v_1, J_3 = m_3 + alpha_v_2,
+      J_5 = m_5 - alpha_v_0, J_6 = m_4 - alpha_v_1, J_7 = m_5 + alpha_v_0;
+  const double b_rate_across = (2.0 - half_cotangent) / b_divisor;
+  const double b_rate_square = 0.25 + KSL_MUL(0.25, KSL_MUL(cotangent, cotangent));
   const double b_rate_rest = b_rate_square - b_rate_across;
   const double closed_b_rate = b_rate_rest / b_divisor;
-  const double b_rate_a = KSL_MUL(3.3612243325542163e-29, x),
-      b_rate_b = b_rate_a + 1.2532382798262054e-27, b_rate_c = KSL_MUL(x, b_rate_b),
-      b_rate_d = b_rate_c + 4.656551921967568e-26, b_rate_e = KSL_MUL(x, b_rate_d),
-      b_rate_f = b_rate_e + 1.7234372006616606e-24, b_rate_g = KSL_MUL(x, b_rate_f),
-      b_rate_h = b_rate_g + 6.350266866545513e-23, b_rate_i = KSL_MUL(x, b_rate_h),
-      b_rate_j = b_rate_i + 2.327914531029762e-21, b_rate_k = KSL_MUL(x, b_rate_j),
-      b_rate_l = b_rate_k + 8.483296895110721e-20, b_rate_m = KSL_MUL(x, b_rate_l),
-      b_rate_n = b_rate_m + 3.069982230878755e-18, b_rate_o = KSL_MUL(x, b_rate_n),
-      b_rate_p = b_rate_o + 1.1018005656720459e-16, b_rate_q = KSL_MUL(x, b_rate_p),
-      b_rate_r = b_rate_q + 3.914763657404511e-15, b_rate_s = KSL_MUL(x, b_rate_r),
-      b_rate_t = b_rate_s + 1.3737699290044552e-13, b_rate_u = KSL_MUL(x, b_rate_t),
-      b_rate_v = b_rate_u + 4.745552414851616e-12, b_rate_w = KSL_MUL(x, b_rate_v),
-      b_rate_x = b_rate_w + 1.6059043836821613e-10, b_rate_y = KSL_MUL(x, b_rate_x),
-      b_rate_z = b_rate_y + 5.2841901386874934e-09, b_rate_aa = KSL_MUL(x, b_rate_z),
-      b_rate_ab = b_rate_aa + 1.670140559029448e-07, b_rate_ac = KSL_MUL(x, b_rate_ab),
-      b_rate_ad = b_rate_ac + 4.96031746031746e-06, b_rate_ae = KSL_MUL(x, b_rate_ad),
-      b_rate_af = b_rate_ae + 0.00013227513227513228, b_rate_ag = KSL_MUL(x, b_rate_af),
-      b_rate_ah = b_rate_ag + 0.002777777777777778, b_rate = x < 4.0 ? b_rate_ah : closed_b_rate;
-  const double rate_vw_a = KSL_MUL(s->m0, s->m3), rate_vw_b = KSL_MUL(s->m1, s->m4),
-      rate_vw_c = rate_vw_a + rate_vw_b, rate_vw_d = KSL_MUL(s->m2, s->m5),
-      rate_vw = rate_vw_c + rate_vw_d;
-  const double rate_bend_a = KSL_MUL(b_rate, rate_vw), rate_bend = -rate_bend_a;
-  const double rate_q_0 = KSL_MUL(0.5, s->m0);
-  const double rate_q_1 = KSL_MUL(0.5, s->m1);
-  const double rate_q_2 = KSL_MUL(0.5, s->m2);
-  const double rate_beta_v_0a = KSL_MUL(s->m0, b), rate_beta_v_0 = -rate_beta_v_0a;
-  const double rate_beta_v_1a = KSL_MUL(s->m1, b), rate_beta_v_1 = -rate_beta_v_1a;
-  const double rate_beta_v_2a = KSL_MUL(s->m2, b), rate_beta_v_2 = -rate_beta_v_2a;
-  const double rate_bend_w_0a = KSL_MUL(s->m3, rate_bend), rate_bend_w_0 = -rate_bend_w_0a;
-  const double rate_bend_w_1a = KSL_MUL(s->m4, rate_bend), rate_bend_w_1 = -rate_bend_w_1a;
-  const double rate_bend_w_2a = KSL_MUL(s->m5, rate_bend), rate_bend_w_2 = -rate_bend_w_2a;
-  const double rate_symmetric_0a = KSL_MUL(s->m4, rate_bend_w_0),
-      rate_symmetric_0b = KSL_MUL(s->m3, rate_beta_v_1),
-      rate_symmetric_0c = KSL_MUL(s->m4, rate_beta_v_0),
-      rate_symmetric_0d = rate_symmetric_0b + rate_symmetric_0c,
-      rate_symmetric_0 = rate_symmetric_0a - rate_symmetric_0d;
-  const double rate_symmetric_1a = KSL_MUL(s->m5, rate_bend_w_0),
-      rate_symmetric_1b = KSL_MUL(s->m3, rate_beta_v_2),
-      rate_symmetric_1c = KSL_MUL(s->m5, rate_beta_v_0),
-      rate_symmetric_1d = rate_symmetric_1b + rate_symmetric_1c,
-      rate_symmetric_1 = rate_symmetric_1a - rate_symmetric_1d;
-  const double rate_symmetric_2a = KSL_MUL(s->m5, rate_bend_w_1),
-      rate_symmetric_2b = KSL_MUL(s->m4, rate_beta_v_2),
-      rate_symmetric_2c = KSL_MUL(s->m5, rate_beta_v_1),
-      rate_symmetric_2d = rate_symmetric_2b + rate_symmetric_2c,
-      rate_symmetric_2 = rate_symmetric_2a - rate_symmetric_2d;
-  const double rate_diagonal_0a = KSL_MUL(2.0, s->m4),
-      rate_diagonal_0b = KSL_MUL(rate_diagonal_0a, rate_beta_v_1),
-      rate_diagonal_0c = KSL_MUL(2.0, s->m5),
-      rate_diagonal_0d = KSL_MUL(rate_diagonal_0c, rate_beta_v_2),
-      rate_diagonal_0e = rate_diagonal_0b + rate_diagonal_0d,
+  const double b_rate_f = KSL_MUL(x, KSL_MUL(x, KSL_MUL(3.3612243325542163e-29, x)
+          + 1.2532382798262054e-27) + 4.656551921967568e-26) + 1.7234372006616606e-24,
+      b_rate_m = KSL_MUL(x, KSL_MUL(x, KSL_MUL(x, KSL_MUL(x, b_rate_f) + 6.350266866545513e-23)
+          + 2.327914531029762e-21) + 8.483296895110721e-20),
+      b_rate_s = KSL_MUL(x, KSL_MUL(x, KSL_MUL(x, b_rate_m + 3.069982230878755e-18)
+          + 1.1018005656720459e-16) + 3.914763657404511e-15),
+      b_rate_y = KSL_MUL(x, KSL_MUL(x, KSL_MUL(x, b_rate_s + 1.3737699290044552e-13)
+          + 4.745552414851616e-12) + 1.6059043836821613e-10),
+      b_rate_ae = KSL_MUL(x, KSL_MUL(x, KSL_MUL(x, b_rate_y + 5.2841901386874934e-09)
+          + 1.670140559029448e-07) + 4.96031746031746e-06),
+      b_rate_ah = KSL_MUL(x, b_rate_ae + 0.00013227513227513228) + 0.002777777777777778,
+      b_rate = x < 4.0 ? b_rate_ah : closed_b_rate;
+  const double rate_vw = KSL_MUL(s->m0, s->m3) + KSL_MUL(s->m1, s->m4) + KSL_MUL(s->m2, s->m5);
+  const double rate_bend = -KSL_MUL(b_rate, rate_vw);
+  const double rate_q_0 = KSL_MUL(0.5, s->m0), rate_q_1 = KSL_MUL(0.5, s->m1),
+      rate_q_2 = KSL_MUL(0.5, s->m2);
+  const double rate_beta_v_0 = -KSL_MUL(s->m0, b), rate_beta_v_1 = -KSL_MUL(s->m1, b),
+      rate_beta_v_2 = -KSL_MUL(s->m2, b);
+  const double rate_bend_w_0 = -KSL_MUL(s->m3, rate_bend),
+      rate_bend_w_1 = -KSL_MUL(s->m4, rate_bend), rate_bend_w_2 = -KSL_MUL(s->m5, rate_bend);
+  const double rate_symmetric_0 = KSL_MUL(s->m4, rate_bend_w_0)
+          - (KSL_MUL(s->m3, rate_beta_v_1) + KSL_MUL(s->m4, rate_beta_v_0)),
+      rate_symmetric_1 = KSL_MUL(s->m5, rate_bend_w_0)
+          - (KSL_MUL(s->m3, rate_beta_v_2) + KSL_MUL(s->m5, rate_beta_v_0)),
+      rate_symmetric_2 = KSL_MUL(s->m5, rate_bend_w_1)
+          - (KSL_MUL(s->m4, rate_beta_v_2) + KSL_MUL(s->m5, rate_beta_v_1));
+  const double rate_diagonal_0b = KSL_MUL(KSL_MUL(2.0, s->m4), rate_beta_v_1),
+      rate_diagonal_0d = KSL_MUL(KSL_MUL(2.0, s->m5), rate_beta_v_2),
       rate_diagonal_0f = KSL_MUL(s->m4, rate_bend_w_1),
       rate_diagonal_0g = KSL_MUL(s->m5, rate_bend_w_2),
-      rate_diagonal_0h = rate_diagonal_0f + rate_diagonal_0g,
-      rate_diagonal_0 = rate_diagonal_0e - rate_diagonal_0h;
-  const double rate_diagonal_1a = KSL_MUL(2.0, s->m3),
-      rate_diagonal_1b = KSL_MUL(rate_diagonal_1a, rate_beta_v_0),
-      rate_diagonal_1c = rate_diagonal_1b + rate_diagonal_0d,
+      rate_diagonal_0 = rate_diagonal_0b + rate_diagonal_0d - (rate_diagonal_0f + rate_diagonal_0g);
+  const double rate_diagonal_1b = KSL_MUL(KSL_MUL(2.0, s->m3), rate_beta_v_0),
       rate_diagonal_1d = KSL_MUL(s->m3, rate_bend_w_0),
-      rate_diagonal_1e = rate_diagonal_1d + rate_diagonal_0g,
-      rate_diagonal_1 = rate_diagonal_1c - rate_diagonal_1e;
-  const double rate_diagonal_2a = rate_diagonal_1b + rate_diagonal_0b,
-      rate_diagonal_2b = rate_diagonal_1d + rate_diagonal_0f,
-      rate_diagonal_2 = rate_diagonal_2a - rate_diagonal_2b;
-  const double M_04 = rate_symmetric_0 - rate_q_2;
-  const double M_05 = rate_q_1 + rate_symmetric_1;
-  const double M_13 = rate_q_2 + rate_symmetric_0;
-  const double M_15 = rate_symmetric_2 - rate_q_0;
-  const double M_23 = rate_symmetric_1 - rate_q_1;
-  const double M_24 = rate_q_0 + rate_symmetric_2;
+      rate_diagonal_1 = rate_diagonal_1b + rate_diagonal_0d - (rate_diagonal_1d + rate_diagonal_0g);
+  const double rate_diagonal_2 = rate_diagonal_1b + rate_diagonal_0b
+          - (rate_diagonal_1d + rate_diagonal_0f);
+  const double M_04 = rate_symmetric_0 - rate_q_2, M_05 = rate_q_1 + rate_symmetric_1,
+      M_13 = rate_q_2 + rate_symmetric_0, M_15 = rate_symmetric_2 - rate_q_0,
+      M_23 = rate_symmetric_1 - rate_q_1, M_24 = rate_q_0 + rate_symmetric_2;
   M->at[0][0] = diagonal0;
   M->at[1][0] = J_1;
   M->at[2][0] = J_2;
@@ -1905,71 +1391,43 @@ static inline void ksl_SE3_rightJacobianInverse(const ksl_screw_t *s, ksl_mat6x6
      5e36. */
 static inline void ksl_SE3_interpolated(const ksl_SE3_t *D1, const ksl_SE3_t *D2, const double k,
     ksl_SE3_t *Do) {
-  const double apart_0 = D2->m03 - D1->m03;
-  const double apart_1 = D2->m13 - D1->m13;
-  const double apart_2 = D2->m23 - D1->m23;
-  const double between_0a = KSL_MUL(D1->m00, D2->m00), between_0b = KSL_MUL(D1->m10, D2->m10),
-      between_0c = between_0a + between_0b, between_0d = KSL_MUL(D1->m20, D2->m20),
-      between_0 = between_0c + between_0d;
-  const double between_1a = KSL_MUL(D1->m00, D2->m01), between_1b = KSL_MUL(D1->m10, D2->m11),
-      between_1c = between_1a + between_1b, between_1d = KSL_MUL(D1->m20, D2->m21),
-      between_1 = between_1c + between_1d;
-  const double between_2a = KSL_MUL(D1->m00, D2->m02), between_2b = KSL_MUL(D1->m10, D2->m12),
-      between_2c = between_2a + between_2b, between_2d = KSL_MUL(D1->m20, D2->m22),
-      between_2 = between_2c + between_2d;
-  const double between_3a = KSL_MUL(D1->m00, apart_0), between_3b = KSL_MUL(D1->m10, apart_1),
-      between_3c = between_3a + between_3b, between_3d = KSL_MUL(D1->m20, apart_2),
-      between_3 = between_3c + between_3d;
-  const double between_4a = KSL_MUL(D1->m01, D2->m00), between_4b = KSL_MUL(D1->m11, D2->m10),
-      between_4c = between_4a + between_4b, between_4d = KSL_MUL(D1->m21, D2->m20),
-      between_4 = between_4c + between_4d;
-  const double between_5a = KSL_MUL(D1->m01, D2->m01), between_5b = KSL_MUL(D1->m11, D2->m11),
-      between_5c = between_5a + between_5b, between_5d = KSL_MUL(D1->m21, D2->m21),
-      between_5 = between_5c + between_5d;
-  const double between_6a = KSL_MUL(D1->m01, D2->m02), between_6b = KSL_MUL(D1->m11, D2->m12),
-      between_6c = between_6a + between_6b, between_6d = KSL_MUL(D1->m21, D2->m22),
-      between_6 = between_6c + between_6d;
-  const double between_7a = KSL_MUL(D1->m01, apart_0), between_7b = KSL_MUL(D1->m11, apart_1),
-      between_7c = between_7a + between_7b, between_7d = KSL_MUL(D1->m21, apart_2),
-      between_7 = between_7c + between_7d;
-  const double between_8a = KSL_MUL(D1->m02, D2->m00), between_8b = KSL_MUL(D1->m12, D2->m10),
-      between_8c = between_8a + between_8b, between_8d = KSL_MUL(D1->m22, D2->m20),
-      between_8 = between_8c + between_8d;
-  const double between_9a = KSL_MUL(D1->m02, D2->m01), between_9b = KSL_MUL(D1->m12, D2->m11),
-      between_9c = between_9a + between_9b, between_9d = KSL_MUL(D1->m22, D2->m21),
-      between_9 = between_9c + between_9d;
-  const double between_10a = KSL_MUL(D1->m02, D2->m02), between_10b = KSL_MUL(D1->m12, D2->m12),
-      between_10c = between_10a + between_10b, between_10d = KSL_MUL(D1->m22, D2->m22),
-      between_10 = between_10c + between_10d;
-  const double between_11a = KSL_MUL(D1->m02, apart_0), between_11b = KSL_MUL(D1->m12, apart_1),
-      between_11c = between_11a + between_11b, between_11d = KSL_MUL(D1->m22, apart_2),
-      between_11 = between_11c + between_11d;
-  const double log_p_0 = between_9 - between_6;
-  const double log_p_1 = between_2 - between_8;
-  const double log_p_2 = between_4 - between_1;
-  const double log_s_0 = between_6 + between_9;
-  const double log_s_1 = between_2 + between_8;
-  const double log_s_2 = between_1 + between_4;
-  const double log_first_0 = between_0 + 1.0;
-  const double log_first_1 = 1.0 - between_0;
-  const double log_others_0 = between_5 + between_10;
-  const double log_others_1 = between_5 - between_10;
-  const double log_d_0 = log_first_0 + log_others_0;
-  const double log_d_1 = log_first_0 - log_others_0;
-  const double log_d_2 = log_first_1 + log_others_1;
-  const double log_d_3 = log_first_1 - log_others_1;
-  const double log_low_0 = between_5 < between_0 ? log_d_1 : log_s_2;
-  const double log_low_1 = between_5 < between_0 ? log_s_2 : log_d_2;
-  const double log_low_2 = between_5 < between_0 ? log_s_1 : log_s_0;
-  const double log_low_3 = between_5 < between_0 ? log_p_0 : log_p_1;
+  const double apart_0 = D2->m03 - D1->m03, apart_1 = D2->m13 - D1->m13,
+      apart_2 = D2->m23 - D1->m23;
+  const double between_0 = KSL_MUL(D1->m00, D2->m00) + KSL_MUL(D1->m10, D2->m10)
+          + KSL_MUL(D1->m20, D2->m20),
+      between_1 = KSL_MUL(D1->m00, D2->m01) + KSL_MUL(D1->m10, D2->m11) + KSL_MUL(D1->m20, D2->m21),
+      between_2 = KSL_MUL(D1->m00, D2->m02) + KSL_MUL(D1->m10, D2->m12) + KSL_MUL(D1->m20, D2->m22),
+      between_3 = KSL_MUL(D1->m00, apart_0) + KSL_MUL(D1->m10, apart_1) + KSL_MUL(D1->m20, apart_2),
+      between_4 = KSL_MUL(D1->m01, D2->m00) + KSL_MUL(D1->m11, D2->m10) + KSL_MUL(D1->m21, D2->m20),
+      between_5 = KSL_MUL(D1->m01, D2->m01) + KSL_MUL(D1->m11, D2->m11) + KSL_MUL(D1->m21, D2->m21),
+      between_6 = KSL_MUL(D1->m01, D2->m02) + KSL_MUL(D1->m11, D2->m12) + KSL_MUL(D1->m21, D2->m22),
+      between_7 = KSL_MUL(D1->m01, apart_0) + KSL_MUL(D1->m11, apart_1) + KSL_MUL(D1->m21, apart_2),
+      between_8 = KSL_MUL(D1->m02, D2->m00) + KSL_MUL(D1->m12, D2->m10) + KSL_MUL(D1->m22, D2->m20),
+      between_9 = KSL_MUL(D1->m02, D2->m01) + KSL_MUL(D1->m12, D2->m11) + KSL_MUL(D1->m22, D2->m21),
+      between_10 = KSL_MUL(D1->m02, D2->m02) + KSL_MUL(D1->m12, D2->m12)
+          + KSL_MUL(D1->m22, D2->m22),
+      between_11 = KSL_MUL(D1->m02, apart_0) + KSL_MUL(D1->m12, apart_1)
+          + KSL_MUL(D1->m22, apart_2);
+  const double log_p_0 = between_9 - between_6, log_p_1 = between_2 - between_8,
+      log_p_2 = between_4 - between_1;
+  const double log_s_0 = between_6 + between_9, log_s_1 = between_2 + between_8,
+      log_s_2 = between_1 + between_4;
+  const double log_first_0 = between_0 + 1.0, log_first_1 = 1.0 - between_0;
+  const double log_others_0 = between_5 + between_10, log_others_1 = between_5 - between_10;
+  const double log_d_0 = log_first_0 + log_others_0, log_d_1 = log_first_0 - log_others_0,
+      log_d_2 = log_first_1 + log_others_1, log_d_3 = log_first_1 - log_others_1;
+  const double log_low_0 = between_5 < between_0 ? log_d_1 : log_s_2,
+      log_low_1 = between_5 < between_0 ? log_s_2 : log_d_2,
+      log_low_2 = between_5 < between_0 ? log_s_1 : log_s_0,
+      log_low_3 = between_5 < between_0 ? log_p_0 : log_p_1;
   const double log_high_0a = -between_5, log_high_0 = between_0 < log_high_0a ? log_s_1 : log_p_0;
-  const double log_high_1 = between_0 < log_high_0a ? log_s_0 : log_p_1;
-  const double log_high_2 = between_0 < log_high_0a ? log_d_3 : log_p_2;
-  const double log_high_3 = between_0 < log_high_0a ? log_p_2 : log_d_0;
-  const double log_column_0 = between_10 < 0.0 ? log_low_0 : log_high_0;
-  const double log_column_1 = between_10 < 0.0 ? log_low_1 : log_high_1;
-  const double log_column_2 = between_10 < 0.0 ? log_low_2 : log_high_2;
-  const double log_column_3 = between_10 < 0.0 ? log_low_3 : log_high_3;
+  const double log_high_1 = between_0 < log_high_0a ? log_s_0 : log_p_1,
+      log_high_2 = between_0 < log_high_0a ? log_d_3 : log_p_2,
+      log_high_3 = between_0 < log_high_0a ? log_p_2 : log_d_0;
+  const double log_column_0 = between_10 < 0.0 ? log_low_0 : log_high_0,
+      log_column_1 = between_10 < 0.0 ? log_low_1 : log_high_1,
+      log_column_2 = between_10 < 0.0 ? log_low_2 : log_high_2,
+      log_column_3 = between_10 < 0.0 ? log_low_3 : log_high_3;
   const double log_upper_0a = -log_column_0,
       log_upper_0 = log_column_3 < 0.0 ? log_upper_0a : log_column_0;
   const double log_upper_1a = -log_column_1,
@@ -1978,22 +1436,18 @@ static inline void ksl_SE3_interpolated(const ksl_SE3_t *D1, const ksl_SE3_t *D2
       log_upper_2 = log_column_3 < 0.0 ? log_upper_2a : log_column_2;
   const double log_upper_3a = -log_column_3,
       log_upper_3 = log_column_3 < 0.0 ? log_upper_3a : log_column_3;
-  const double log_v_s_size_0 = fabs(log_upper_0);
-  const double log_v_s_size_1 = fabs(log_upper_1);
-  const double log_v_s_size_2 = fabs(log_upper_2);
+  const double log_v_s_size_0 = fabs(log_upper_0), log_v_s_size_1 = fabs(log_upper_1),
+      log_v_s_size_2 = fabs(log_upper_2);
   const double log_v_s_largest1 = log_v_s_size_0 < log_v_s_size_1 ? log_v_s_size_1 : log_v_s_size_0;
-  const double log_v_s_largest2 = log_v_s_largest1 < log_v_s_size_2 ? log_v_s_size_2 :
-      log_v_s_largest1;
-  const double log_v_s_b = 6.703903964971299e+153 < log_v_s_largest2 ? 3.7291703656001034e-155 :
-      1.0,
-      log_v_s_d = log_v_s_largest2 < 256.0 ? 1.3093562431584567e+151 : log_v_s_b,
+  const double log_v_s_largest2 = log_v_s_largest1 < log_v_s_size_2 ? log_v_s_size_2
+          : log_v_s_largest1;
+  const double log_v_s_b = 6.703903964971299e+153 < log_v_s_largest2 ? 3.7291703656001034e-155
+          : 1.0, log_v_s_d = log_v_s_largest2 < 256.0 ? 1.3093562431584567e+151 : log_v_s_b,
       log_v_s = log_v_s_largest2 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : log_v_s_d;
-  const double log_v_y_0 = KSL_MUL(log_upper_0, log_v_s);
-  const double log_v_y_1 = KSL_MUL(log_upper_1, log_v_s);
-  const double log_v_y_2 = KSL_MUL(log_upper_2, log_v_s);
-  const double log_v_n_a = KSL_MUL(log_v_y_0, log_v_y_0), log_v_n_b = KSL_MUL(log_v_y_1, log_v_y_1),
-      log_v_n_c = log_v_n_a + log_v_n_b, log_v_n_d = KSL_MUL(log_v_y_2, log_v_y_2),
-      log_v_n_e = log_v_n_c + log_v_n_d, log_v_n = sqrt(log_v_n_e);
+  const double log_v_y_0 = KSL_MUL(log_upper_0, log_v_s), log_v_y_1 = KSL_MUL(log_upper_1, log_v_s),
+      log_v_y_2 = KSL_MUL(log_upper_2, log_v_s);
+  const double log_v_n = sqrt(KSL_MUL(log_v_y_0, log_v_y_0) + KSL_MUL(log_v_y_1, log_v_y_1)
+          + KSL_MUL(log_v_y_2, log_v_y_2));
   const double log_v_r_b = log_v_s < 1.0 ? 2.6815615859885194e+154 : 1.0,
       log_v_r_d = 1.0 < log_v_s ? 7.637340908749012e-152 : log_v_r_b,
       log_v_r = 1.3093562431584567e+151 < log_v_s ? 9.332636185032189e-302 : log_v_r_d;
@@ -2002,108 +1456,80 @@ static inline void ksl_SE3_interpolated(const ksl_SE3_t *D1, const ksl_SE3_t *D2
   const double log_divisor = log_n == 0.0 ? 1.0 : log_n;
   const double log_theta = KSL_MUL(2.0, log_half);
   const double log_k = log_theta / log_divisor;
-  const double log_vector_0 = KSL_MUL(log_upper_0, log_k);
-  const double log_vector_1 = KSL_MUL(log_upper_1, log_k);
-  const double log_vector_2 = KSL_MUL(log_upper_2, log_k);
+  const double log_vector_0 = KSL_MUL(log_upper_0, log_k),
+      log_vector_1 = KSL_MUL(log_upper_1, log_k), log_vector_2 = KSL_MUL(log_upper_2, log_k);
   const double log_x = KSL_MUL(log_theta, log_theta);
   const double log_far_sine = log_x < 1.0 ? 1.0 : log_n;
   const double log_cotangent = log_upper_3 / log_far_sine;
-  const double log_half_cotangent_a = KSL_MUL(0.5, log_theta),
-      log_half_cotangent = KSL_MUL(log_half_cotangent_a, log_cotangent);
+  const double log_half_cotangent = KSL_MUL(KSL_MUL(0.5, log_theta), log_cotangent);
   const double log_b_rest = 1.0 - log_half_cotangent;
   const double log_b_divisor = log_x < 4.0 ? 4.0 : log_x;
   const double log_closed_b = log_b_rest / log_b_divisor;
-  const double log_b_a = KSL_MUL(1.455172475614865e-27, log_x),
-      log_b_b = log_b_a + 5.744790668872202e-26, log_b_c = KSL_MUL(log_x, log_b_b),
-      log_b_d = log_b_c + 2.267952452337683e-24, log_b_e = KSL_MUL(log_x, log_b_d),
-      log_b_f = log_b_e + 8.953517427037546e-23, log_b_g = KSL_MUL(log_x, log_b_f),
-      log_b_h = log_b_g + 3.534707039629467e-21, log_b_i = KSL_MUL(log_x, log_b_h),
-      log_b_j = log_b_i + 1.3954464685812522e-19, log_b_k = KSL_MUL(log_x, log_b_j),
-      log_b_l = log_b_k + 5.5090028283602295e-18, log_b_m = KSL_MUL(log_x, log_b_l),
-      log_b_n = log_b_m + 2.174868698558062e-16, log_b_o = KSL_MUL(log_x, log_b_n),
-      log_b_p = log_b_o + 8.586062056277845e-15, log_b_q = KSL_MUL(log_x, log_b_p),
-      log_b_r = log_b_q + 3.3896802963225827e-13, log_b_s = KSL_MUL(log_x, log_b_r),
-      log_b_t = log_b_s + 1.3382536530684679e-11, log_b_u = KSL_MUL(log_x, log_b_t),
-      log_b_v = log_b_u + 5.284190138687493e-10, log_b_w = KSL_MUL(log_x, log_b_v),
-      log_b_x = log_b_w + 2.08767569878681e-08, log_b_y = KSL_MUL(log_x, log_b_x),
-      log_b_z = log_b_y + 8.267195767195768e-07, log_b_aa = KSL_MUL(log_x, log_b_z),
-      log_b_ab = log_b_aa + 3.306878306878307e-05, log_b_ac = KSL_MUL(log_x, log_b_ab),
-      log_b_ad = log_b_ac + 0.001388888888888889, log_b_ae = KSL_MUL(log_x, log_b_ad),
-      log_b_af = log_b_ae + 0.08333333333333333, log_b = log_x < 4.0 ? log_b_af : log_closed_b;
-  const double log_b_across_a = KSL_MUL(log_x, log_b), log_b_across_b = 1.0 - log_b_across_a,
+  const double log_b_e = KSL_MUL(log_x, KSL_MUL(log_x, KSL_MUL(1.455172475614865e-27, log_x)
+          + 5.744790668872202e-26) + 2.267952452337683e-24),
+      log_b_k = KSL_MUL(log_x, KSL_MUL(log_x, KSL_MUL(log_x, log_b_e + 8.953517427037546e-23)
+          + 3.534707039629467e-21) + 1.3954464685812522e-19),
+      log_b_q = KSL_MUL(log_x, KSL_MUL(log_x, KSL_MUL(log_x, log_b_k + 5.5090028283602295e-18)
+          + 2.174868698558062e-16) + 8.586062056277845e-15),
+      log_b_w = KSL_MUL(log_x, KSL_MUL(log_x, KSL_MUL(log_x, log_b_q + 3.3896802963225827e-13)
+          + 1.3382536530684679e-11) + 5.284190138687493e-10),
+      log_b_ac = KSL_MUL(log_x, KSL_MUL(log_x, KSL_MUL(log_x, log_b_w + 2.08767569878681e-08)
+          + 8.267195767195768e-07) + 3.306878306878307e-05),
+      log_b_af = KSL_MUL(log_x, log_b_ac + 0.001388888888888889) + 0.08333333333333333,
+      log_b = log_x < 4.0 ? log_b_af : log_closed_b;
+  const double log_b_across_b = 1.0 - KSL_MUL(log_x, log_b),
       log_b_across = log_x < 4.0 ? log_b_across_b : log_half_cotangent;
-  const double log_wt_a = KSL_MUL(between_3, log_vector_0),
-      log_wt_b = KSL_MUL(between_7, log_vector_1), log_wt_c = log_wt_a + log_wt_b,
-      log_wt_d = KSL_MUL(between_11, log_vector_2), log_wt = log_wt_c + log_wt_d;
+  const double log_wt = KSL_MUL(between_3, log_vector_0) + KSL_MUL(between_7, log_vector_1)
+          + KSL_MUL(between_11, log_vector_2);
   const double log_pitch = KSL_MUL(log_b, log_wt);
-  const double log_along_0 = KSL_MUL(log_vector_0, log_pitch);
-  const double log_along_1 = KSL_MUL(log_vector_1, log_pitch);
-  const double log_along_2 = KSL_MUL(log_vector_2, log_pitch);
-  const double log_u_0a = KSL_MUL(between_11, log_vector_1),
-      log_u_0b = KSL_MUL(between_7, log_vector_2), log_u_0 = log_u_0a - log_u_0b;
-  const double log_u_1a = KSL_MUL(between_3, log_vector_2),
-      log_u_1b = KSL_MUL(between_11, log_vector_0), log_u_1 = log_u_1a - log_u_1b;
-  const double log_u_2a = KSL_MUL(between_7, log_vector_0),
-      log_u_2b = KSL_MUL(between_3, log_vector_1), log_u_2 = log_u_2a - log_u_2b;
-  const double log_turned_0 = KSL_MUL(0.5, log_u_0);
-  const double log_turned_1 = KSL_MUL(0.5, log_u_1);
-  const double log_turned_2 = KSL_MUL(0.5, log_u_2);
-  const double log_across_axis_0 = log_along_0 - log_turned_0;
-  const double log_across_axis_1 = log_along_1 - log_turned_1;
-  const double log_across_axis_2 = log_along_2 - log_turned_2;
-  const double whole_0a = KSL_MUL(between_3, log_b_across), whole_0 = whole_0a + log_across_axis_0;
-  const double whole_1a = KSL_MUL(between_7, log_b_across), whole_1 = whole_1a + log_across_axis_1;
-  const double whole_2a = KSL_MUL(between_11, log_b_across), whole_2 = whole_2a + log_across_axis_2;
-  const double screw_0 = KSL_MUL(k, whole_0);
-  const double screw_1 = KSL_MUL(k, whole_1);
-  const double screw_2 = KSL_MUL(k, whole_2);
-  const double screw_3 = KSL_MUL(k, log_vector_0);
-  const double screw_4 = KSL_MUL(k, log_vector_1);
-  const double screw_5 = KSL_MUL(k, log_vector_2);
-  const double exp_size_0 = fabs(screw_3);
-  const double exp_size_1 = fabs(screw_4);
-  const double exp_size_2 = fabs(screw_5);
-  const double exp_sizes_a = exp_size_0 + exp_size_1, exp_sizes = exp_sizes_a + exp_size_2;
+  const double log_along_0 = KSL_MUL(log_vector_0, log_pitch),
+      log_along_1 = KSL_MUL(log_vector_1, log_pitch),
+      log_along_2 = KSL_MUL(log_vector_2, log_pitch);
+  const double log_u_0 = KSL_MUL(between_11, log_vector_1) - KSL_MUL(between_7, log_vector_2),
+      log_u_1 = KSL_MUL(between_3, log_vector_2) - KSL_MUL(between_11, log_vector_0),
+      log_u_2 = KSL_MUL(between_7, log_vector_0) - KSL_MUL(between_3, log_vector_1);
+  const double log_turned_0 = KSL_MUL(0.5, log_u_0), log_turned_1 = KSL_MUL(0.5, log_u_1),
+      log_turned_2 = KSL_MUL(0.5, log_u_2);
+  const double log_across_axis_0 = log_along_0 - log_turned_0,
+      log_across_axis_1 = log_along_1 - log_turned_1,
+      log_across_axis_2 = log_along_2 - log_turned_2;
+  const double whole_0 = KSL_MUL(between_3, log_b_across) + log_across_axis_0,
+      whole_1 = KSL_MUL(between_7, log_b_across) + log_across_axis_1,
+      whole_2 = KSL_MUL(between_11, log_b_across) + log_across_axis_2;
+  const double screw_0 = KSL_MUL(k, whole_0), screw_1 = KSL_MUL(k, whole_1),
+      screw_2 = KSL_MUL(k, whole_2), screw_3 = KSL_MUL(k, log_vector_0),
+      screw_4 = KSL_MUL(k, log_vector_1), screw_5 = KSL_MUL(k, log_vector_2);
+  const double exp_size_0 = fabs(screw_3), exp_size_1 = fabs(screw_4), exp_size_2 = fabs(screw_5);
+  const double exp_sizes = exp_size_0 + exp_size_1 + exp_size_2;
   const double exp_grid = KSL_MUL(exp_sizes, 268435456.0);
-  const double exp_shifted_0 = screw_3 + exp_grid;
-  const double exp_shifted_1 = screw_4 + exp_grid;
-  const double exp_shifted_2 = screw_5 + exp_grid;
-  const double exp_high_0 = exp_shifted_0 - exp_grid;
-  const double exp_high_1 = exp_shifted_1 - exp_grid;
-  const double exp_high_2 = exp_shifted_2 - exp_grid;
-  const double exp_low_0 = screw_3 - exp_high_0;
-  const double exp_low_1 = screw_4 - exp_high_1;
-  const double exp_low_2 = screw_5 - exp_high_2;
-  const double exp_sum_0 = screw_3 + exp_high_0;
-  const double exp_sum_1 = screw_4 + exp_high_1;
-  const double exp_sum_2 = screw_5 + exp_high_2;
-  const double exp_squares_a = KSL_MUL(exp_high_0, exp_high_0),
-      exp_squares_b = KSL_MUL(exp_high_1, exp_high_1),
-      exp_squares_c = exp_squares_a + exp_squares_b,
-      exp_squares_d = KSL_MUL(exp_high_2, exp_high_2), exp_squares = exp_squares_c + exp_squares_d;
-  const double exp_cross_a = KSL_MUL(exp_low_0, exp_sum_0),
-      exp_cross_b = KSL_MUL(exp_low_1, exp_sum_1), exp_cross_c = exp_cross_a + exp_cross_b,
-      exp_cross_d = KSL_MUL(exp_low_2, exp_sum_2), exp_cross = exp_cross_c + exp_cross_d;
+  const double exp_shifted_0 = screw_3 + exp_grid, exp_shifted_1 = screw_4 + exp_grid,
+      exp_shifted_2 = screw_5 + exp_grid;
+  const double exp_high_0 = exp_shifted_0 - exp_grid, exp_high_1 = exp_shifted_1 - exp_grid,
+      exp_high_2 = exp_shifted_2 - exp_grid;
+  const double exp_low_0 = screw_3 - exp_high_0, exp_low_1 = screw_4 - exp_high_1,
+      exp_low_2 = screw_5 - exp_high_2;
+  const double exp_sum_0 = screw_3 + exp_high_0, exp_sum_1 = screw_4 + exp_high_1,
+      exp_sum_2 = screw_5 + exp_high_2;
+  const double exp_squares = KSL_MUL(exp_high_0, exp_high_0) + KSL_MUL(exp_high_1, exp_high_1)
+          + KSL_MUL(exp_high_2, exp_high_2);
+  const double exp_cross = KSL_MUL(exp_low_0, exp_sum_0) + KSL_MUL(exp_low_1, exp_sum_1)
+          + KSL_MUL(exp_low_2, exp_sum_2);
   const double exp_x = exp_squares + exp_cross;
   const double exp_theta_a = sqrt(exp_x), exp_theta = exp_x < 1.0 ? 1.0 : exp_theta_a;
   const double exp_theta_shifted = exp_grid + exp_theta;
   const double exp_theta_high = exp_theta_shifted - exp_grid;
   const double exp_theta_low = exp_theta - exp_theta_high;
   const double exp_theta_sum = exp_theta + exp_theta_high;
-  const double exp_cross_rest_a = KSL_MUL(exp_theta_low, exp_theta_sum),
-      exp_cross_rest = exp_cross - exp_cross_rest_a;
-  const double exp_exact_a = KSL_MUL(exp_theta_high, exp_theta_high),
-      exp_exact = exp_squares - exp_exact_a;
+  const double exp_cross_rest = exp_cross - KSL_MUL(exp_theta_low, exp_theta_sum);
+  const double exp_exact = exp_squares - KSL_MUL(exp_theta_high, exp_theta_high);
   const double exp_residual = exp_cross_rest + exp_exact;
-  const double exp_small_a = KSL_MUL(0.5, exp_residual), exp_small = exp_small_a / exp_theta;
-  const double exp_delta_a = fabs(exp_small), exp_delta = exp_delta_a < 0.0078125 ? exp_small : 0.0;
+  const double exp_small = KSL_MUL(0.5, exp_residual) / exp_theta;
+  const double exp_delta = fabs(exp_small) < 0.0078125 ? exp_small : 0.0;
   double exp_far_cosine_a; const double exp_far_sine_a = ksl_sincos(exp_theta, &exp_far_cosine_a);
   const double exp_far_sine = exp_x < 1.0 ? 1.0 : exp_far_sine_a;
   const double exp_far_cosine = exp_x < 1.0 ? 0.0 : exp_far_cosine_a;
-  const double exp_sine_a = KSL_MUL(exp_delta, exp_far_cosine),
-      exp_sine = exp_sine_a + exp_far_sine;
-  const double exp_cosine_a = KSL_MUL(exp_delta, exp_far_sine),
-      exp_cosine = exp_far_cosine - exp_cosine_a;
+  const double exp_sine = KSL_MUL(exp_delta, exp_far_cosine) + exp_far_sine;
+  const double exp_cosine = exp_far_cosine - KSL_MUL(exp_delta, exp_far_sine);
   const double exp_far_x = exp_x < 1.0 ? 1.0 : exp_x;
   const double exp_middle_x = exp_x < 4.0 ? 4.0 : exp_x;
   const double exp_closed1 = exp_sine / exp_theta;
@@ -2111,123 +1537,85 @@ static inline void ksl_SE3_interpolated(const ksl_SE3_t *D1, const ksl_SE3_t *D2
   const double exp_closed2 = exp_versine / exp_far_x;
   const double exp_rest3 = 1.0 - exp_closed1;
   const double exp_closed3 = exp_rest3 / exp_middle_x;
-  const double exp_g1a = KSL_MUL(6.446950284384474e-26, exp_x),
-      exp_g1b = exp_g1a - 3.868170170630684e-23, exp_g1c = KSL_MUL(exp_x, exp_g1b),
-      exp_g1d = exp_g1c + 1.9572941063391263e-20, exp_g1e = KSL_MUL(exp_x, exp_g1d),
-      exp_g1f = exp_g1e - 8.22063524662433e-18, exp_g1g = KSL_MUL(exp_x, exp_g1f),
-      exp_g1h = exp_g1g + 2.8114572543455206e-15, exp_g1i = KSL_MUL(exp_x, exp_g1h),
-      exp_g1j = exp_g1i - 7.647163731819816e-13, exp_g1k = KSL_MUL(exp_x, exp_g1j),
-      exp_g1l = exp_g1k + 1.6059043836821613e-10, exp_g1m = KSL_MUL(exp_x, exp_g1l),
-      exp_g1n = exp_g1m - 2.505210838544172e-08, exp_g1o = KSL_MUL(exp_x, exp_g1n),
-      exp_g1p = exp_g1o + 2.7557319223985893e-06, exp_g1q = KSL_MUL(exp_x, exp_g1p),
-      exp_g1r = exp_g1q - 0.0001984126984126984, exp_g1s = KSL_MUL(exp_x, exp_g1r),
-      exp_g1t = exp_g1s + 0.008333333333333333, exp_g1u = KSL_MUL(exp_x, exp_g1t),
-      exp_g1v = exp_g1u - 0.16666666666666666, exp_g1w = KSL_MUL(exp_x, exp_g1v),
-      exp_g1x = exp_g1w + 1.0, exp_g1 = exp_x < 1.0 ? exp_g1x : exp_closed1;
-  const double exp_g2a = KSL_MUL(2.4795962632247976e-27, exp_x),
-      exp_g2b = exp_g2a - 1.6117375710961184e-24, exp_g2c = KSL_MUL(exp_x, exp_g2b),
-      exp_g2d = exp_g2c + 8.896791392450574e-22, exp_g2e = KSL_MUL(exp_x, exp_g2d),
-      exp_g2f = exp_g2e - 4.110317623312165e-19, exp_g2g = KSL_MUL(exp_x, exp_g2f),
-      exp_g2h = exp_g2g + 1.5619206968586225e-16, exp_g2i = KSL_MUL(exp_x, exp_g2h),
-      exp_g2j = exp_g2i - 4.779477332387385e-14, exp_g2k = KSL_MUL(exp_x, exp_g2j),
-      exp_g2l = exp_g2k + 1.1470745597729725e-11, exp_g2m = KSL_MUL(exp_x, exp_g2l),
-      exp_g2n = exp_g2m - 2.08767569878681e-09, exp_g2o = KSL_MUL(exp_x, exp_g2n),
-      exp_g2p = exp_g2o + 2.755731922398589e-07, exp_g2q = KSL_MUL(exp_x, exp_g2p),
-      exp_g2r = exp_g2q - 2.48015873015873e-05, exp_g2s = KSL_MUL(exp_x, exp_g2r),
-      exp_g2t = exp_g2s + 0.001388888888888889, exp_g2u = KSL_MUL(exp_x, exp_g2t),
-      exp_g2v = exp_g2u - 0.041666666666666664, exp_g2w = KSL_MUL(exp_x, exp_g2v),
-      exp_g2x = exp_g2w + 0.5, exp_g2 = exp_x < 1.0 ? exp_g2x : exp_closed2;
-  const double exp_g3a = KSL_MUL(9.183689863795546e-29, exp_x),
-      exp_g3b = exp_g3a - 6.446950284384474e-26, exp_g3c = KSL_MUL(exp_x, exp_g3b),
-      exp_g3d = exp_g3c + 3.868170170630684e-23, exp_g3e = KSL_MUL(exp_x, exp_g3d),
-      exp_g3f = exp_g3e - 1.9572941063391263e-20, exp_g3g = KSL_MUL(exp_x, exp_g3f),
-      exp_g3h = exp_g3g + 8.22063524662433e-18, exp_g3i = KSL_MUL(exp_x, exp_g3h),
-      exp_g3j = exp_g3i - 2.8114572543455206e-15, exp_g3k = KSL_MUL(exp_x, exp_g3j),
-      exp_g3l = exp_g3k + 7.647163731819816e-13, exp_g3m = KSL_MUL(exp_x, exp_g3l),
-      exp_g3n = exp_g3m - 1.6059043836821613e-10, exp_g3o = KSL_MUL(exp_x, exp_g3n),
-      exp_g3p = exp_g3o + 2.505210838544172e-08, exp_g3q = KSL_MUL(exp_x, exp_g3p),
-      exp_g3r = exp_g3q - 2.7557319223985893e-06, exp_g3s = KSL_MUL(exp_x, exp_g3r),
-      exp_g3t = exp_g3s + 0.0001984126984126984, exp_g3u = KSL_MUL(exp_x, exp_g3t),
-      exp_g3v = exp_g3u - 0.008333333333333333, exp_g3w = KSL_MUL(exp_x, exp_g3v),
-      exp_g3x = exp_g3w + 0.16666666666666666, exp_g3 = exp_x < 4.0 ? exp_g3x : exp_closed3;
-  const double exp_g0a = KSL_MUL(exp_x, exp_g2), exp_g0b = 1.0 - exp_g0a,
-      exp_g0 = exp_x < 1.0 ? exp_g0b : exp_cosine;
-  const double exp_u_0a = KSL_MUL(screw_2, screw_4), exp_u_0b = KSL_MUL(screw_1, screw_5),
-      exp_u_0 = exp_u_0a - exp_u_0b;
-  const double exp_u_1a = KSL_MUL(screw_0, screw_5), exp_u_1b = KSL_MUL(screw_2, screw_3),
-      exp_u_1 = exp_u_1a - exp_u_1b;
-  const double exp_u_2a = KSL_MUL(screw_1, screw_3), exp_u_2b = KSL_MUL(screw_0, screw_4),
-      exp_u_2 = exp_u_2a - exp_u_2b;
-  const double exp_turned_0 = KSL_MUL(exp_g2, exp_u_0);
-  const double exp_turned_1 = KSL_MUL(exp_g2, exp_u_1);
-  const double exp_turned_2 = KSL_MUL(exp_g2, exp_u_2);
-  const double exp_wv_a = KSL_MUL(screw_0, screw_3), exp_wv_b = KSL_MUL(screw_1, screw_4),
-      exp_wv_c = exp_wv_a + exp_wv_b, exp_wv_d = KSL_MUL(screw_2, screw_5),
-      exp_wv = exp_wv_c + exp_wv_d;
+  const double exp_g1e = KSL_MUL(exp_x, KSL_MUL(exp_x, KSL_MUL(6.446950284384474e-26, exp_x)
+          - 3.868170170630684e-23) + 1.9572941063391263e-20),
+      exp_g1k = KSL_MUL(exp_x, KSL_MUL(exp_x, KSL_MUL(exp_x, exp_g1e - 8.22063524662433e-18)
+          + 2.8114572543455206e-15) - 7.647163731819816e-13),
+      exp_g1q = KSL_MUL(exp_x, KSL_MUL(exp_x, KSL_MUL(exp_x, exp_g1k + 1.6059043836821613e-10)
+          - 2.505210838544172e-08) + 2.7557319223985893e-06),
+      exp_g1x = KSL_MUL(exp_x, KSL_MUL(exp_x, KSL_MUL(exp_x, exp_g1q - 0.0001984126984126984)
+          + 0.008333333333333333) - 0.16666666666666666) + 1.0,
+      exp_g1 = exp_x < 1.0 ? exp_g1x : exp_closed1;
+  const double exp_g2e = KSL_MUL(exp_x, KSL_MUL(exp_x, KSL_MUL(2.4795962632247976e-27, exp_x)
+          - 1.6117375710961184e-24) + 8.896791392450574e-22),
+      exp_g2k = KSL_MUL(exp_x, KSL_MUL(exp_x, KSL_MUL(exp_x, exp_g2e - 4.110317623312165e-19)
+          + 1.5619206968586225e-16) - 4.779477332387385e-14),
+      exp_g2q = KSL_MUL(exp_x, KSL_MUL(exp_x, KSL_MUL(exp_x, exp_g2k + 1.1470745597729725e-11)
+          - 2.08767569878681e-09) + 2.755731922398589e-07),
+      exp_g2x = KSL_MUL(exp_x, KSL_MUL(exp_x, KSL_MUL(exp_x, exp_g2q - 2.48015873015873e-05)
+          + 0.001388888888888889) - 0.041666666666666664) + 0.5,
+      exp_g2 = exp_x < 1.0 ? exp_g2x : exp_closed2;
+  const double exp_g3e = KSL_MUL(exp_x, KSL_MUL(exp_x, KSL_MUL(9.183689863795546e-29, exp_x)
+          - 6.446950284384474e-26) + 3.868170170630684e-23),
+      exp_g3k = KSL_MUL(exp_x, KSL_MUL(exp_x, KSL_MUL(exp_x, exp_g3e - 1.9572941063391263e-20)
+          + 8.22063524662433e-18) - 2.8114572543455206e-15),
+      exp_g3q = KSL_MUL(exp_x, KSL_MUL(exp_x, KSL_MUL(exp_x, exp_g3k + 7.647163731819816e-13)
+          - 1.6059043836821613e-10) + 2.505210838544172e-08),
+      exp_g3w = KSL_MUL(exp_x, KSL_MUL(exp_x, KSL_MUL(exp_x, exp_g3q - 2.7557319223985893e-06)
+          + 0.0001984126984126984) - 0.008333333333333333), exp_g3x = exp_g3w + 0.16666666666666666,
+      exp_g3 = exp_x < 4.0 ? exp_g3x : exp_closed3;
+  const double exp_g0b = 1.0 - KSL_MUL(exp_x, exp_g2), exp_g0 = exp_x < 1.0 ? exp_g0b : exp_cosine;
+  const double exp_u_0 = KSL_MUL(screw_2, screw_4) - KSL_MUL(screw_1, screw_5),
+      exp_u_1 = KSL_MUL(screw_0, screw_5) - KSL_MUL(screw_2, screw_3),
+      exp_u_2 = KSL_MUL(screw_1, screw_3) - KSL_MUL(screw_0, screw_4);
+  const double exp_turned_0 = KSL_MUL(exp_g2, exp_u_0), exp_turned_1 = KSL_MUL(exp_g2, exp_u_1),
+      exp_turned_2 = KSL_MUL(exp_g2, exp_u_2);
+  const double exp_wv = KSL_MUL(screw_0, screw_3) + KSL_MUL(screw_1, screw_4)
+          + KSL_MUL(screw_2, screw_5);
   const double exp_pitch = KSL_MUL(exp_g3, exp_wv);
-  const double exp_along_0 = KSL_MUL(screw_3, exp_pitch);
-  const double exp_along_1 = KSL_MUL(screw_4, exp_pitch);
-  const double exp_along_2 = KSL_MUL(screw_5, exp_pitch);
-  const double exp_beta_v_0 = KSL_MUL(screw_3, exp_g2);
-  const double exp_beta_v_1 = KSL_MUL(screw_4, exp_g2);
-  const double exp_beta_v_2 = KSL_MUL(screw_5, exp_g2);
-  const double exp_m_0 = KSL_MUL(screw_3, exp_beta_v_0);
-  const double exp_m_1 = KSL_MUL(screw_4, exp_beta_v_1);
-  const double exp_m_2 = KSL_MUL(screw_5, exp_beta_v_2);
-  const double exp_m_3 = KSL_MUL(screw_4, exp_beta_v_0);
-  const double exp_m_4 = KSL_MUL(screw_5, exp_beta_v_0);
-  const double exp_m_5 = KSL_MUL(screw_5, exp_beta_v_1);
-  const double exp_others_0 = exp_m_1 + exp_m_2;
-  const double exp_others_1 = exp_m_0 + exp_m_2;
-  const double exp_others_2 = exp_m_0 + exp_m_1;
+  const double exp_along_0 = KSL_MUL(screw_3, exp_pitch), exp_along_1 = KSL_MUL(screw_4, exp_pitch),
+      exp_along_2 = KSL_MUL(screw_5, exp_pitch);
+  const double exp_beta_v_0 = KSL_MUL(screw_3, exp_g2), exp_beta_v_1 = KSL_MUL(screw_4, exp_g2),
+      exp_beta_v_2 = KSL_MUL(screw_5, exp_g2);
+  const double exp_m_0 = KSL_MUL(screw_3, exp_beta_v_0), exp_m_1 = KSL_MUL(screw_4, exp_beta_v_1),
+      exp_m_2 = KSL_MUL(screw_5, exp_beta_v_2), exp_m_3 = KSL_MUL(screw_4, exp_beta_v_0),
+      exp_m_4 = KSL_MUL(screw_5, exp_beta_v_0), exp_m_5 = KSL_MUL(screw_5, exp_beta_v_1);
+  const double exp_others_0 = exp_m_1 + exp_m_2, exp_others_1 = exp_m_0 + exp_m_2,
+      exp_others_2 = exp_m_0 + exp_m_1;
   const double exp_diagonal0a = 1.0 - exp_others_0, exp_diagonal0b = exp_g0 + exp_m_0,
       exp_diagonal0 = exp_m_0 < exp_others_0 ? exp_diagonal0b : exp_diagonal0a;
   const double exp_diagonal1a = 1.0 - exp_others_1, exp_diagonal1b = exp_g0 + exp_m_1,
       exp_diagonal1 = exp_m_1 < exp_others_1 ? exp_diagonal1b : exp_diagonal1a;
   const double exp_diagonal2a = 1.0 - exp_others_2, exp_diagonal2b = exp_g0 + exp_m_2,
       exp_diagonal2 = exp_m_2 < exp_others_2 ? exp_diagonal2b : exp_diagonal2a;
-  const double exp_alpha_v_0 = KSL_MUL(screw_3, exp_g1);
-  const double exp_alpha_v_1 = KSL_MUL(screw_4, exp_g1);
-  const double exp_alpha_v_2 = KSL_MUL(screw_5, exp_g1);
-  const double exp_across_axis_0 = exp_turned_0 + exp_along_0;
-  const double exp_across_axis_1 = exp_turned_1 + exp_along_1;
-  const double exp_across_axis_2 = exp_turned_2 + exp_along_2;
-  const double step_1 = exp_m_3 - exp_alpha_v_2;
-  const double step_2 = exp_m_4 + exp_alpha_v_1;
-  const double step_3a = KSL_MUL(screw_0, exp_g1), step_3 = step_3a + exp_across_axis_0;
-  const double step_4 = exp_m_3 + exp_alpha_v_2;
-  const double step_6 = exp_m_5 - exp_alpha_v_0;
-  const double step_7a = KSL_MUL(screw_1, exp_g1), step_7 = step_7a + exp_across_axis_1;
-  const double step_8 = exp_m_4 - exp_alpha_v_1;
-  const double step_9 = exp_m_5 + exp_alpha_v_0;
-  const double step_11a = KSL_MUL(screw_2, exp_g1), step_11 = step_11a + exp_across_axis_2;
-  const double Do_00a = KSL_MUL(D1->m00, exp_diagonal0), Do_00b = KSL_MUL(D1->m01, step_4),
-      Do_00c = KSL_MUL(D1->m02, step_8), Do_00d = Do_00b + Do_00c, Do_00 = Do_00a + Do_00d;
-  const double Do_01a = KSL_MUL(D1->m00, step_1), Do_01b = KSL_MUL(D1->m02, step_9),
-      Do_01c = Do_01a + Do_01b, Do_01d = KSL_MUL(D1->m01, exp_diagonal1), Do_01 = Do_01c + Do_01d;
-  const double Do_02a = KSL_MUL(D1->m00, step_2), Do_02b = KSL_MUL(D1->m01, step_6),
-      Do_02c = Do_02a + Do_02b, Do_02d = KSL_MUL(D1->m02, exp_diagonal2), Do_02 = Do_02c + Do_02d;
-  const double Do_03a = KSL_MUL(D1->m00, step_3), Do_03b = KSL_MUL(D1->m01, step_7),
-      Do_03c = Do_03a + Do_03b, Do_03d = KSL_MUL(D1->m02, step_11), Do_03e = Do_03c + Do_03d,
-      Do_03 = Do_03e + D1->m03;
-  const double Do_10a = KSL_MUL(D1->m10, exp_diagonal0), Do_10b = KSL_MUL(D1->m11, step_4),
-      Do_10c = KSL_MUL(D1->m12, step_8), Do_10d = Do_10b + Do_10c, Do_10 = Do_10a + Do_10d;
-  const double Do_11a = KSL_MUL(D1->m10, step_1), Do_11b = KSL_MUL(D1->m12, step_9),
-      Do_11c = Do_11a + Do_11b, Do_11d = KSL_MUL(D1->m11, exp_diagonal1), Do_11 = Do_11c + Do_11d;
-  const double Do_12a = KSL_MUL(D1->m10, step_2), Do_12b = KSL_MUL(D1->m11, step_6),
-      Do_12c = Do_12a + Do_12b, Do_12d = KSL_MUL(D1->m12, exp_diagonal2), Do_12 = Do_12c + Do_12d;
-  const double Do_13a = KSL_MUL(D1->m10, step_3), Do_13b = KSL_MUL(D1->m11, step_7),
-      Do_13c = Do_13a + Do_13b, Do_13d = KSL_MUL(D1->m12, step_11), Do_13e = Do_13c + Do_13d,
-      Do_13 = Do_13e + D1->m13;
-  const double Do_20a = KSL_MUL(D1->m20, exp_diagonal0), Do_20b = KSL_MUL(D1->m21, step_4),
-      Do_20c = KSL_MUL(D1->m22, step_8), Do_20d = Do_20b + Do_20c, Do_20 = Do_20a + Do_20d;
-  const double Do_21a = KSL_MUL(D1->m20, step_1), Do_21b = KSL_MUL(D1->m22, step_9),
-      Do_21c = Do_21a + Do_21b, Do_21d = KSL_MUL(D1->m21, exp_diagonal1), Do_21 = Do_21c + Do_21d;
-  const double Do_22a = KSL_MUL(D1->m20, step_2), Do_22b = KSL_MUL(D1->m21, step_6),
-      Do_22c = Do_22a + Do_22b, Do_22d = KSL_MUL(D1->m22, exp_diagonal2), Do_22 = Do_22c + Do_22d;
-  const double Do_23a = KSL_MUL(D1->m20, step_3), Do_23b = KSL_MUL(D1->m21, step_7),
-      Do_23c = Do_23a + Do_23b, Do_23d = KSL_MUL(D1->m22, step_11), Do_23e = Do_23c + Do_23d,
-      Do_23 = Do_23e + D1->m23;
+  const double exp_alpha_v_0 = KSL_MUL(screw_3, exp_g1), exp_alpha_v_1 = KSL_MUL(screw_4, exp_g1),
+      exp_alpha_v_2 = KSL_MUL(screw_5, exp_g1);
+  const double exp_across_axis_0 = exp_turned_0 + exp_along_0,
+      exp_across_axis_1 = exp_turned_1 + exp_along_1,
+      exp_across_axis_2 = exp_turned_2 + exp_along_2;
+  const double step_1 = exp_m_3 - exp_alpha_v_2, step_2 = exp_m_4 + exp_alpha_v_1,
+      step_3 = KSL_MUL(screw_0, exp_g1) + exp_across_axis_0, step_4 = exp_m_3 + exp_alpha_v_2,
+      step_6 = exp_m_5 - exp_alpha_v_0, step_7 = KSL_MUL(screw_1, exp_g1) + exp_across_axis_1,
+      step_8 = exp_m_4 - exp_alpha_v_1, step_9 = exp_m_5 + exp_alpha_v_0,
+      step_11 = KSL_MUL(screw_2, exp_g1) + exp_across_axis_2;
+  const double Do_00 = KSL_MUL(D1->m00, exp_diagonal0)
+          + (KSL_MUL(D1->m01, step_4) + KSL_MUL(D1->m02, step_8)),
+      Do_01 = KSL_MUL(D1->m00, step_1) + KSL_MUL(D1->m02, step_9) + KSL_MUL(D1->m01, exp_diagonal1),
+      Do_02 = KSL_MUL(D1->m00, step_2) + KSL_MUL(D1->m01, step_6) + KSL_MUL(D1->m02, exp_diagonal2),
+      Do_03 = KSL_MUL(D1->m00, step_3) + KSL_MUL(D1->m01, step_7) + KSL_MUL(D1->m02, step_11)
+          + D1->m03,
+      Do_10 = KSL_MUL(D1->m10, exp_diagonal0)
+          + (KSL_MUL(D1->m11, step_4) + KSL_MUL(D1->m12, step_8)),
+      Do_11 = KSL_MUL(D1->m10, step_1) + KSL_MUL(D1->m12, step_9) + KSL_MUL(D1->m11, exp_diagonal1),
+      Do_12 = KSL_MUL(D1->m10, step_2) + KSL_MUL(D1->m11, step_6) + KSL_MUL(D1->m12, exp_diagonal2),
+      Do_13 = KSL_MUL(D1->m10, step_3) + KSL_MUL(D1->m11, step_7) + KSL_MUL(D1->m12, step_11)
+          + D1->m13,
+      Do_20 = KSL_MUL(D1->m20, exp_diagonal0)
+          + (KSL_MUL(D1->m21, step_4) + KSL_MUL(D1->m22, step_8)),
+      Do_21 = KSL_MUL(D1->m20, step_1) + KSL_MUL(D1->m22, step_9) + KSL_MUL(D1->m21, exp_diagonal1),
+      Do_22 = KSL_MUL(D1->m20, step_2) + KSL_MUL(D1->m21, step_6) + KSL_MUL(D1->m22, exp_diagonal2),
+      Do_23 = KSL_MUL(D1->m20, step_3) + KSL_MUL(D1->m21, step_7) + KSL_MUL(D1->m22, step_11)
+          + D1->m23;
   Do->m00 = Do_00;
   Do->m01 = Do_01;
   Do->m02 = Do_02;
@@ -2248,94 +1636,65 @@ static inline void ksl_SE3_interpolated(const ksl_SE3_t *D1, const ksl_SE3_t *D2
    Error <= R: (6 + θ/200) u of its largest component for |v| <= 1e13, in single precision 1e5;
      searched, not proved. */
 static inline void ksl_SO3_expf(const ksl_vec3f_t *v, ksl_mat3x3f_t *R) {
-  const float size_0 = fabsf(v->x);
-  const float size_1 = fabsf(v->y);
-  const float size_2 = fabsf(v->z);
-  const float sizes_a = size_0 + size_1, sizes = sizes_a + size_2;
+  const float size_0 = fabsf(v->x), size_1 = fabsf(v->y), size_2 = fabsf(v->z);
+  const float sizes = size_0 + size_1 + size_2;
   const float grid = KSL_MULF(sizes, 8192.0f);
-  const float shifted_0 = v->x + grid;
-  const float shifted_1 = v->y + grid;
-  const float shifted_2 = v->z + grid;
-  const float high_0 = shifted_0 - grid;
-  const float high_1 = shifted_1 - grid;
-  const float high_2 = shifted_2 - grid;
-  const float low_0 = v->x - high_0;
-  const float low_1 = v->y - high_1;
-  const float low_2 = v->z - high_2;
-  const float sum_0 = v->x + high_0;
-  const float sum_1 = v->y + high_1;
-  const float sum_2 = v->z + high_2;
-  const float squares_a = KSL_MULF(high_0, high_0), squares_b = KSL_MULF(high_1, high_1),
-      squares_c = squares_a + squares_b, squares_d = KSL_MULF(high_2, high_2),
-      squares = squares_c + squares_d;
-  const float cross_a = KSL_MULF(low_0, sum_0), cross_b = KSL_MULF(low_1, sum_1),
-      cross_c = cross_a + cross_b, cross_d = KSL_MULF(low_2, sum_2), cross = cross_c + cross_d;
+  const float shifted_0 = v->x + grid, shifted_1 = v->y + grid, shifted_2 = v->z + grid;
+  const float high_0 = shifted_0 - grid, high_1 = shifted_1 - grid, high_2 = shifted_2 - grid;
+  const float low_0 = v->x - high_0, low_1 = v->y - high_1, low_2 = v->z - high_2;
+  const float sum_0 = v->x + high_0, sum_1 = v->y + high_1, sum_2 = v->z + high_2;
+  const float squares = KSL_MULF(high_0, high_0) + KSL_MULF(high_1, high_1)
+          + KSL_MULF(high_2, high_2);
+  const float cross = KSL_MULF(low_0, sum_0) + KSL_MULF(low_1, sum_1) + KSL_MULF(low_2, sum_2);
   const float x = squares + cross;
   const float theta_a = sqrtf(x), theta = x < 1.0f ? 1.0f : theta_a;
   const float theta_shifted = grid + theta;
   const float theta_high = theta_shifted - grid;
   const float theta_low = theta - theta_high;
   const float theta_sum = theta + theta_high;
-  const float cross_rest_a = KSL_MULF(theta_low, theta_sum), cross_rest = cross - cross_rest_a;
-  const float exact_a = KSL_MULF(theta_high, theta_high), exact = squares - exact_a;
+  const float cross_rest = cross - KSL_MULF(theta_low, theta_sum);
+  const float exact = squares - KSL_MULF(theta_high, theta_high);
   const float residual = cross_rest + exact;
-  const float small_a = KSL_MULF(0.5f, residual), small = small_a / theta;
-  const float delta_a = fabsf(small), delta = delta_a < 0.0078125f ? small : 0.0f;
+  const float small = KSL_MULF(0.5f, residual) / theta;
+  const float delta = fabsf(small) < 0.0078125f ? small : 0.0f;
   float far_cosine_a; const float far_sine_a = ksl_sincosf(theta, &far_cosine_a);
   const float far_sine = x < 1.0f ? 1.0f : far_sine_a;
   const float far_cosine = x < 1.0f ? 0.0f : far_cosine_a;
-  const float sine_a = KSL_MULF(delta, far_cosine), sine = sine_a + far_sine;
-  const float cosine_a = KSL_MULF(delta, far_sine), cosine = far_cosine - cosine_a;
+  const float sine = KSL_MULF(delta, far_cosine) + far_sine;
+  const float cosine = far_cosine - KSL_MULF(delta, far_sine);
   const float far_x = x < 1.0f ? 1.0f : x;
   const float closed1 = sine / theta;
   const float versine = 1.0f - cosine;
   const float closed2 = versine / far_x;
-  const float g1a = KSL_MULF(6.4469503e-26f, x), g1b = g1a - 3.8681703e-23f, g1c = KSL_MULF(x, g1b),
-      g1d = g1c + 1.9572942e-20f, g1e = KSL_MULF(x, g1d), g1f = g1e - 8.220635e-18f,
-      g1g = KSL_MULF(x, g1f), g1h = g1g + 2.8114574e-15f, g1i = KSL_MULF(x, g1h),
-      g1j = g1i - 7.6471636e-13f, g1k = KSL_MULF(x, g1j), g1l = g1k + 1.6059044e-10f,
-      g1m = KSL_MULF(x, g1l), g1n = g1m - 2.5052108e-08f, g1o = KSL_MULF(x, g1n),
-      g1p = g1o + 2.7557319e-06f, g1q = KSL_MULF(x, g1p), g1r = g1q - 0.0001984127f,
-      g1s = KSL_MULF(x, g1r), g1t = g1s + 0.008333334f, g1u = KSL_MULF(x, g1t),
-      g1v = g1u - 0.16666667f, g1w = KSL_MULF(x, g1v), g1x = g1w + 1.0f,
-      g1 = x < 1.0f ? g1x : closed1;
-  const float g2a = KSL_MULF(2.4795963e-27f, x), g2b = g2a - 1.6117376e-24f, g2c = KSL_MULF(x, g2b),
-      g2d = g2c + 8.896791e-22f, g2e = KSL_MULF(x, g2d), g2f = g2e - 4.1103176e-19f,
-      g2g = KSL_MULF(x, g2f), g2h = g2g + 1.5619207e-16f, g2i = KSL_MULF(x, g2h),
-      g2j = g2i - 4.7794773e-14f, g2k = KSL_MULF(x, g2j), g2l = g2k + 1.1470745e-11f,
-      g2m = KSL_MULF(x, g2l), g2n = g2m - 2.0876756e-09f, g2o = KSL_MULF(x, g2n),
-      g2p = g2o + 2.755732e-07f, g2q = KSL_MULF(x, g2p), g2r = g2q - 2.4801588e-05f,
-      g2s = KSL_MULF(x, g2r), g2t = g2s + 0.0013888889f, g2u = KSL_MULF(x, g2t),
-      g2v = g2u - 0.041666668f, g2w = KSL_MULF(x, g2v), g2x = g2w + 0.5f,
-      g2 = x < 1.0f ? g2x : closed2;
-  const float g0a = KSL_MULF(x, g2), g0b = 1.0f - g0a, g0 = x < 1.0f ? g0b : cosine;
-  const float beta_v_0 = KSL_MULF(v->x, g2);
-  const float beta_v_1 = KSL_MULF(v->y, g2);
-  const float beta_v_2 = KSL_MULF(v->z, g2);
-  const float m_0 = KSL_MULF(v->x, beta_v_0);
-  const float m_1 = KSL_MULF(v->y, beta_v_1);
-  const float m_2 = KSL_MULF(v->z, beta_v_2);
-  const float m_3 = KSL_MULF(v->y, beta_v_0);
-  const float m_4 = KSL_MULF(v->z, beta_v_0);
-  const float m_5 = KSL_MULF(v->z, beta_v_1);
-  const float others_0 = m_1 + m_2;
-  const float others_1 = m_0 + m_2;
-  const float others_2 = m_0 + m_1;
+  const float g1h = KSL_MULF(x, KSL_MULF(x, KSL_MULF(x, KSL_MULF(6.4469503e-26f, x)
+          - 3.8681703e-23f) + 1.9572942e-20f) - 8.220635e-18f) + 2.8114574e-15f,
+      g1q = KSL_MULF(x, KSL_MULF(x, KSL_MULF(x, KSL_MULF(x, KSL_MULF(x, g1h) - 7.6471636e-13f)
+          + 1.6059044e-10f) - 2.5052108e-08f) + 2.7557319e-06f),
+      g1x = KSL_MULF(x, KSL_MULF(x, KSL_MULF(x, g1q - 0.0001984127f) + 0.008333334f) - 0.16666667f)
+          + 1.0f, g1 = x < 1.0f ? g1x : closed1;
+  const float g2h = KSL_MULF(x, KSL_MULF(x, KSL_MULF(x, KSL_MULF(2.4795963e-27f, x)
+          - 1.6117376e-24f) + 8.896791e-22f) - 4.1103176e-19f) + 1.5619207e-16f,
+      g2q = KSL_MULF(x, KSL_MULF(x, KSL_MULF(x, KSL_MULF(x, KSL_MULF(x, g2h) - 4.7794773e-14f)
+          + 1.1470745e-11f) - 2.0876756e-09f) + 2.755732e-07f),
+      g2x = KSL_MULF(x, KSL_MULF(x, KSL_MULF(x, g2q - 2.4801588e-05f) + 0.0013888889f)
+          - 0.041666668f) + 0.5f, g2 = x < 1.0f ? g2x : closed2;
+  const float g0b = 1.0f - KSL_MULF(x, g2), g0 = x < 1.0f ? g0b : cosine;
+  const float beta_v_0 = KSL_MULF(v->x, g2), beta_v_1 = KSL_MULF(v->y, g2),
+      beta_v_2 = KSL_MULF(v->z, g2);
+  const float m_0 = KSL_MULF(v->x, beta_v_0), m_1 = KSL_MULF(v->y, beta_v_1),
+      m_2 = KSL_MULF(v->z, beta_v_2), m_3 = KSL_MULF(v->y, beta_v_0),
+      m_4 = KSL_MULF(v->z, beta_v_0), m_5 = KSL_MULF(v->z, beta_v_1);
+  const float others_0 = m_1 + m_2, others_1 = m_0 + m_2, others_2 = m_0 + m_1;
   const float diagonal0a = 1.0f - others_0, diagonal0b = g0 + m_0,
       diagonal0 = m_0 < others_0 ? diagonal0b : diagonal0a;
   const float diagonal1a = 1.0f - others_1, diagonal1b = g0 + m_1,
       diagonal1 = m_1 < others_1 ? diagonal1b : diagonal1a;
   const float diagonal2a = 1.0f - others_2, diagonal2b = g0 + m_2,
       diagonal2 = m_2 < others_2 ? diagonal2b : diagonal2a;
-  const float alpha_v_0 = KSL_MULF(v->x, g1);
-  const float alpha_v_1 = KSL_MULF(v->y, g1);
-  const float alpha_v_2 = KSL_MULF(v->z, g1);
-  const float R_01 = m_3 - alpha_v_2;
-  const float R_02 = m_4 + alpha_v_1;
-  const float R_10 = m_3 + alpha_v_2;
-  const float R_12 = m_5 - alpha_v_0;
-  const float R_20 = m_4 - alpha_v_1;
-  const float R_21 = m_5 + alpha_v_0;
+  const float alpha_v_0 = KSL_MULF(v->x, g1), alpha_v_1 = KSL_MULF(v->y, g1),
+      alpha_v_2 = KSL_MULF(v->z, g1);
+  const float R_01 = m_3 - alpha_v_2, R_02 = m_4 + alpha_v_1, R_10 = m_3 + alpha_v_2,
+      R_12 = m_5 - alpha_v_0, R_20 = m_4 - alpha_v_1, R_21 = m_5 + alpha_v_0;
   R->m00 = diagonal0;
   R->m01 = R_01;
   R->m02 = R_02;
@@ -2352,49 +1711,32 @@ static inline void ksl_SO3_expf(const ksl_vec3f_t *v, ksl_mat3x3f_t *R) {
    33 mul, 45 add, 2 div, 1 sqrt, 6 neg, 5 abs, 2 copysign, 18 less, 2 equal, 39 select.
    Error <= vo: 7 u of its largest component for R a rotation; searched, not proved. */
 static inline void ksl_SO3_logf(const ksl_mat3x3f_t *R, ksl_vec3f_t *vo) {
-  const float p_0 = R->m21 - R->m12;
-  const float p_1 = R->m02 - R->m20;
-  const float p_2 = R->m10 - R->m01;
-  const float s_0 = R->m12 + R->m21;
-  const float s_1 = R->m02 + R->m20;
-  const float s_2 = R->m01 + R->m10;
-  const float first_0 = R->m00 + 1.0f;
-  const float first_1 = 1.0f - R->m00;
-  const float others_0 = R->m11 + R->m22;
-  const float others_1 = R->m11 - R->m22;
-  const float d_0 = first_0 + others_0;
-  const float d_1 = first_0 - others_0;
-  const float d_2 = first_1 + others_1;
-  const float d_3 = first_1 - others_1;
-  const float low_0 = R->m11 < R->m00 ? d_1 : s_2;
-  const float low_1 = R->m11 < R->m00 ? s_2 : d_2;
-  const float low_2 = R->m11 < R->m00 ? s_1 : s_0;
-  const float low_3 = R->m11 < R->m00 ? p_0 : p_1;
+  const float p_0 = R->m21 - R->m12, p_1 = R->m02 - R->m20, p_2 = R->m10 - R->m01;
+  const float s_0 = R->m12 + R->m21, s_1 = R->m02 + R->m20, s_2 = R->m01 + R->m10;
+  const float first_0 = R->m00 + 1.0f, first_1 = 1.0f - R->m00;
+  const float others_0 = R->m11 + R->m22, others_1 = R->m11 - R->m22;
+  const float d_0 = first_0 + others_0, d_1 = first_0 - others_0, d_2 = first_1 + others_1,
+      d_3 = first_1 - others_1;
+  const float low_0 = R->m11 < R->m00 ? d_1 : s_2, low_1 = R->m11 < R->m00 ? s_2 : d_2,
+      low_2 = R->m11 < R->m00 ? s_1 : s_0, low_3 = R->m11 < R->m00 ? p_0 : p_1;
   const float high_0a = -R->m11, high_0 = R->m00 < high_0a ? s_1 : p_0;
-  const float high_1 = R->m00 < high_0a ? s_0 : p_1;
-  const float high_2 = R->m00 < high_0a ? d_3 : p_2;
-  const float high_3 = R->m00 < high_0a ? p_2 : d_0;
-  const float column_0 = R->m22 < 0.0f ? low_0 : high_0;
-  const float column_1 = R->m22 < 0.0f ? low_1 : high_1;
-  const float column_2 = R->m22 < 0.0f ? low_2 : high_2;
-  const float column_3 = R->m22 < 0.0f ? low_3 : high_3;
+  const float high_1 = R->m00 < high_0a ? s_0 : p_1, high_2 = R->m00 < high_0a ? d_3 : p_2,
+      high_3 = R->m00 < high_0a ? p_2 : d_0;
+  const float column_0 = R->m22 < 0.0f ? low_0 : high_0, column_1 = R->m22 < 0.0f ? low_1 : high_1,
+      column_2 = R->m22 < 0.0f ? low_2 : high_2, column_3 = R->m22 < 0.0f ? low_3 : high_3;
   const float upper_0a = -column_0, upper_0 = column_3 < 0.0f ? upper_0a : column_0;
   const float upper_1a = -column_1, upper_1 = column_3 < 0.0f ? upper_1a : column_1;
   const float upper_2a = -column_2, upper_2 = column_3 < 0.0f ? upper_2a : column_2;
   const float upper_3a = -column_3, upper_3 = column_3 < 0.0f ? upper_3a : column_3;
-  const float v_s_size_0 = fabsf(upper_0);
-  const float v_s_size_1 = fabsf(upper_1);
-  const float v_s_size_2 = fabsf(upper_2);
+  const float v_s_size_0 = fabsf(upper_0), v_s_size_1 = fabsf(upper_1), v_s_size_2 = fabsf(upper_2);
   const float v_s_largest1 = v_s_size_0 < v_s_size_1 ? v_s_size_1 : v_s_size_0;
   const float v_s_largest2 = v_s_largest1 < v_s_size_2 ? v_s_size_2 : v_s_largest1;
   const float v_s_b = 4.611686e+18f < v_s_largest2 ? 2.7105054e-20f : 1.0f,
       v_s_d = v_s_largest2 < 256.0f ? 1.8014399e+16f : v_s_b,
       v_s = v_s_largest2 < 1.4210855e-14f ? 3.2451855e+32f : v_s_d;
-  const float v_y_0 = KSL_MULF(upper_0, v_s);
-  const float v_y_1 = KSL_MULF(upper_1, v_s);
-  const float v_y_2 = KSL_MULF(upper_2, v_s);
-  const float v_n_a = KSL_MULF(v_y_0, v_y_0), v_n_b = KSL_MULF(v_y_1, v_y_1), v_n_c = v_n_a + v_n_b,
-      v_n_d = KSL_MULF(v_y_2, v_y_2), v_n_e = v_n_c + v_n_d, v_n = sqrtf(v_n_e);
+  const float v_y_0 = KSL_MULF(upper_0, v_s), v_y_1 = KSL_MULF(upper_1, v_s),
+      v_y_2 = KSL_MULF(upper_2, v_s);
+  const float v_n = sqrtf(KSL_MULF(v_y_0, v_y_0) + KSL_MULF(v_y_1, v_y_1) + KSL_MULF(v_y_2, v_y_2));
   const float v_r_b = v_s < 1.0f ? 3.689349e+19f : 1.0f, v_r_d = 1.0f < v_s ? 5.551115e-17f : v_r_b,
       v_r = 1.8014399e+16f < v_s ? 3.081488e-33f : v_r_d;
   const float n = KSL_MULF(v_n, v_r);
@@ -2402,9 +1744,8 @@ static inline void ksl_SO3_logf(const ksl_mat3x3f_t *R, ksl_vec3f_t *vo) {
   const float divisor = n == 0.0f ? 1.0f : n;
   const float theta = KSL_MULF(2.0f, half);
   const float k = theta / divisor;
-  const float vector_0 = KSL_MULF(upper_0, k);
-  const float vector_1 = KSL_MULF(upper_1, k);
-  const float vector_2 = KSL_MULF(upper_2, k);
+  const float vector_0 = KSL_MULF(upper_0, k), vector_1 = KSL_MULF(upper_1, k),
+      vector_2 = KSL_MULF(upper_2, k);
   vo->x = vector_0;
   vo->y = vector_1;
   vo->z = vector_2;
@@ -2416,44 +1757,32 @@ static inline void ksl_SO3_logf(const ksl_mat3x3f_t *R, ksl_vec3f_t *vo) {
    Error <= R: (7 + θ/200) u of its largest component for |v| <= 1e13, in single precision 1e5;
      searched, not proved. */
 static inline void ksl_SO3_leftJacobianf(const ksl_vec3f_t *v, ksl_mat3x3f_t *R) {
-  const float size_0 = fabsf(v->x);
-  const float size_1 = fabsf(v->y);
-  const float size_2 = fabsf(v->z);
-  const float sizes_a = size_0 + size_1, sizes = sizes_a + size_2;
+  const float size_0 = fabsf(v->x), size_1 = fabsf(v->y), size_2 = fabsf(v->z);
+  const float sizes = size_0 + size_1 + size_2;
   const float grid = KSL_MULF(sizes, 8192.0f);
-  const float shifted_0 = v->x + grid;
-  const float shifted_1 = v->y + grid;
-  const float shifted_2 = v->z + grid;
-  const float high_0 = shifted_0 - grid;
-  const float high_1 = shifted_1 - grid;
-  const float high_2 = shifted_2 - grid;
-  const float low_0 = v->x - high_0;
-  const float low_1 = v->y - high_1;
-  const float low_2 = v->z - high_2;
-  const float sum_0 = v->x + high_0;
-  const float sum_1 = v->y + high_1;
-  const float sum_2 = v->z + high_2;
-  const float squares_a = KSL_MULF(high_0, high_0), squares_b = KSL_MULF(high_1, high_1),
-      squares_c = squares_a + squares_b, squares_d = KSL_MULF(high_2, high_2),
-      squares = squares_c + squares_d;
-  const float cross_a = KSL_MULF(low_0, sum_0), cross_b = KSL_MULF(low_1, sum_1),
-      cross_c = cross_a + cross_b, cross_d = KSL_MULF(low_2, sum_2), cross = cross_c + cross_d;
+  const float shifted_0 = v->x + grid, shifted_1 = v->y + grid, shifted_2 = v->z + grid;
+  const float high_0 = shifted_0 - grid, high_1 = shifted_1 - grid, high_2 = shifted_2 - grid;
+  const float low_0 = v->x - high_0, low_1 = v->y - high_1, low_2 = v->z - high_2;
+  const float sum_0 = v->x + high_0, sum_1 = v->y + high_1, sum_2 = v->z + high_2;
+  const float squares = KSL_MULF(high_0, high_0) + KSL_MULF(high_1, high_1)
+          + KSL_MULF(high_2, high_2);
+  const float cross = KSL_MULF(low_0, sum_0) + KSL_MULF(low_1, sum_1) + KSL_MULF(low_2, sum_2);
   const float x = squares + cross;
   const float theta_a = sqrtf(x), theta = x < 1.0f ? 1.0f : theta_a;
   const float theta_shifted = grid + theta;
   const float theta_high = theta_shifted - grid;
   const float theta_low = theta - theta_high;
   const float theta_sum = theta + theta_high;
-  const float cross_rest_a = KSL_MULF(theta_low, theta_sum), cross_rest = cross - cross_rest_a;
-  const float exact_a = KSL_MULF(theta_high, theta_high), exact = squares - exact_a;
+  const float cross_rest = cross - KSL_MULF(theta_low, theta_sum);
+  const float exact = squares - KSL_MULF(theta_high, theta_high);
   const float residual = cross_rest + exact;
-  const float small_a = KSL_MULF(0.5f, residual), small = small_a / theta;
-  const float delta_a = fabsf(small), delta = delta_a < 0.0078125f ? small : 0.0f;
+  const float small = KSL_MULF(0.5f, residual) / theta;
+  const float delta = fabsf(small) < 0.0078125f ? small : 0.0f;
   float far_cosine_a; const float far_sine_a = ksl_sincosf(theta, &far_cosine_a);
   const float far_sine = x < 1.0f ? 1.0f : far_sine_a;
   const float far_cosine = x < 1.0f ? 0.0f : far_cosine_a;
-  const float sine_a = KSL_MULF(delta, far_cosine), sine = sine_a + far_sine;
-  const float cosine_a = KSL_MULF(delta, far_sine), cosine = far_cosine - cosine_a;
+  const float sine = KSL_MULF(delta, far_cosine) + far_sine;
+  const float cosine = far_cosine - KSL_MULF(delta, far_sine);
   const float far_x = x < 1.0f ? 1.0f : x;
   const float middle_x = x < 4.0f ? 4.0f : x;
   const float closed1 = sine / theta;
@@ -2461,60 +1790,40 @@ static inline void ksl_SO3_leftJacobianf(const ksl_vec3f_t *v, ksl_mat3x3f_t *R)
   const float closed2 = versine / far_x;
   const float rest3 = 1.0f - closed1;
   const float closed3 = rest3 / middle_x;
-  const float g1a = KSL_MULF(6.4469503e-26f, x), g1b = g1a - 3.8681703e-23f, g1c = KSL_MULF(x, g1b),
-      g1d = g1c + 1.9572942e-20f, g1e = KSL_MULF(x, g1d), g1f = g1e - 8.220635e-18f,
-      g1g = KSL_MULF(x, g1f), g1h = g1g + 2.8114574e-15f, g1i = KSL_MULF(x, g1h),
-      g1j = g1i - 7.6471636e-13f, g1k = KSL_MULF(x, g1j), g1l = g1k + 1.6059044e-10f,
-      g1m = KSL_MULF(x, g1l), g1n = g1m - 2.5052108e-08f, g1o = KSL_MULF(x, g1n),
-      g1p = g1o + 2.7557319e-06f, g1q = KSL_MULF(x, g1p), g1r = g1q - 0.0001984127f,
-      g1s = KSL_MULF(x, g1r), g1t = g1s + 0.008333334f, g1u = KSL_MULF(x, g1t),
-      g1v = g1u - 0.16666667f, g1w = KSL_MULF(x, g1v), g1x = g1w + 1.0f,
-      g1 = x < 1.0f ? g1x : closed1;
-  const float g2a = KSL_MULF(2.4795963e-27f, x), g2b = g2a - 1.6117376e-24f, g2c = KSL_MULF(x, g2b),
-      g2d = g2c + 8.896791e-22f, g2e = KSL_MULF(x, g2d), g2f = g2e - 4.1103176e-19f,
-      g2g = KSL_MULF(x, g2f), g2h = g2g + 1.5619207e-16f, g2i = KSL_MULF(x, g2h),
-      g2j = g2i - 4.7794773e-14f, g2k = KSL_MULF(x, g2j), g2l = g2k + 1.1470745e-11f,
-      g2m = KSL_MULF(x, g2l), g2n = g2m - 2.0876756e-09f, g2o = KSL_MULF(x, g2n),
-      g2p = g2o + 2.755732e-07f, g2q = KSL_MULF(x, g2p), g2r = g2q - 2.4801588e-05f,
-      g2s = KSL_MULF(x, g2r), g2t = g2s + 0.0013888889f, g2u = KSL_MULF(x, g2t),
-      g2v = g2u - 0.041666668f, g2w = KSL_MULF(x, g2v), g2x = g2w + 0.5f,
-      g2 = x < 1.0f ? g2x : closed2;
-  const float g3a = KSL_MULF(9.18369e-29f, x), g3b = g3a - 6.4469503e-26f, g3c = KSL_MULF(x, g3b),
-      g3d = g3c + 3.8681703e-23f, g3e = KSL_MULF(x, g3d), g3f = g3e - 1.9572942e-20f,
-      g3g = KSL_MULF(x, g3f), g3h = g3g + 8.220635e-18f, g3i = KSL_MULF(x, g3h),
-      g3j = g3i - 2.8114574e-15f, g3k = KSL_MULF(x, g3j), g3l = g3k + 7.6471636e-13f,
-      g3m = KSL_MULF(x, g3l), g3n = g3m - 1.6059044e-10f, g3o = KSL_MULF(x, g3n),
-      g3p = g3o + 2.5052108e-08f, g3q = KSL_MULF(x, g3p), g3r = g3q - 2.7557319e-06f,
-      g3s = KSL_MULF(x, g3r), g3t = g3s + 0.0001984127f, g3u = KSL_MULF(x, g3t),
-      g3v = g3u - 0.008333334f, g3w = KSL_MULF(x, g3v), g3x = g3w + 0.16666667f,
+  const float g1h = KSL_MULF(x, KSL_MULF(x, KSL_MULF(x, KSL_MULF(6.4469503e-26f, x)
+          - 3.8681703e-23f) + 1.9572942e-20f) - 8.220635e-18f) + 2.8114574e-15f,
+      g1q = KSL_MULF(x, KSL_MULF(x, KSL_MULF(x, KSL_MULF(x, KSL_MULF(x, g1h) - 7.6471636e-13f)
+          + 1.6059044e-10f) - 2.5052108e-08f) + 2.7557319e-06f),
+      g1x = KSL_MULF(x, KSL_MULF(x, KSL_MULF(x, g1q - 0.0001984127f) + 0.008333334f) - 0.16666667f)
+          + 1.0f, g1 = x < 1.0f ? g1x : closed1;
+  const float g2h = KSL_MULF(x, KSL_MULF(x, KSL_MULF(x, KSL_MULF(2.4795963e-27f, x)
+          - 1.6117376e-24f) + 8.896791e-22f) - 4.1103176e-19f) + 1.5619207e-16f,
+      g2q = KSL_MULF(x, KSL_MULF(x, KSL_MULF(x, KSL_MULF(x, KSL_MULF(x, g2h) - 4.7794773e-14f)
+          + 1.1470745e-11f) - 2.0876756e-09f) + 2.755732e-07f),
+      g2x = KSL_MULF(x, KSL_MULF(x, KSL_MULF(x, g2q - 2.4801588e-05f) + 0.0013888889f)
+          - 0.041666668f) + 0.5f, g2 = x < 1.0f ? g2x : closed2;
+  const float g3i = KSL_MULF(x, KSL_MULF(x, KSL_MULF(x, KSL_MULF(x, KSL_MULF(9.18369e-29f, x)
+          - 6.4469503e-26f) + 3.8681703e-23f) - 1.9572942e-20f) + 8.220635e-18f),
+      g3r = KSL_MULF(x, KSL_MULF(x, KSL_MULF(x, KSL_MULF(x, g3i - 2.8114574e-15f) + 7.6471636e-13f)
+          - 1.6059044e-10f) + 2.5052108e-08f) - 2.7557319e-06f,
+      g3x = KSL_MULF(x, KSL_MULF(x, KSL_MULF(x, g3r) + 0.0001984127f) - 0.008333334f) + 0.16666667f,
       g3 = x < 4.0f ? g3x : closed3;
-  const float beta_v_0 = KSL_MULF(v->x, g3);
-  const float beta_v_1 = KSL_MULF(v->y, g3);
-  const float beta_v_2 = KSL_MULF(v->z, g3);
-  const float m_0 = KSL_MULF(v->x, beta_v_0);
-  const float m_1 = KSL_MULF(v->y, beta_v_1);
-  const float m_2 = KSL_MULF(v->z, beta_v_2);
-  const float m_3 = KSL_MULF(v->y, beta_v_0);
-  const float m_4 = KSL_MULF(v->z, beta_v_0);
-  const float m_5 = KSL_MULF(v->z, beta_v_1);
-  const float others_0 = m_1 + m_2;
-  const float others_1 = m_0 + m_2;
-  const float others_2 = m_0 + m_1;
+  const float beta_v_0 = KSL_MULF(v->x, g3), beta_v_1 = KSL_MULF(v->y, g3),
+      beta_v_2 = KSL_MULF(v->z, g3);
+  const float m_0 = KSL_MULF(v->x, beta_v_0), m_1 = KSL_MULF(v->y, beta_v_1),
+      m_2 = KSL_MULF(v->z, beta_v_2), m_3 = KSL_MULF(v->y, beta_v_0),
+      m_4 = KSL_MULF(v->z, beta_v_0), m_5 = KSL_MULF(v->z, beta_v_1);
+  const float others_0 = m_1 + m_2, others_1 = m_0 + m_2, others_2 = m_0 + m_1;
   const float diagonal0a = 1.0f - others_0, diagonal0b = g1 + m_0,
       diagonal0 = m_0 < others_0 ? diagonal0b : diagonal0a;
   const float diagonal1a = 1.0f - others_1, diagonal1b = g1 + m_1,
       diagonal1 = m_1 < others_1 ? diagonal1b : diagonal1a;
   const float diagonal2a = 1.0f - others_2, diagonal2b = g1 + m_2,
       diagonal2 = m_2 < others_2 ? diagonal2b : diagonal2a;
-  const float alpha_v_0 = KSL_MULF(v->x, g2);
-  const float alpha_v_1 = KSL_MULF(v->y, g2);
-  const float alpha_v_2 = KSL_MULF(v->z, g2);
-  const float R_01 = m_3 - alpha_v_2;
-  const float R_02 = m_4 + alpha_v_1;
-  const float R_10 = m_3 + alpha_v_2;
-  const float R_12 = m_5 - alpha_v_0;
-  const float R_20 = m_4 - alpha_v_1;
-  const float R_21 = m_5 + alpha_v_0;
+  const float alpha_v_0 = KSL_MULF(v->x, g2), alpha_v_1 = KSL_MULF(v->y, g2),
+      alpha_v_2 = KSL_MULF(v->z, g2);
+  const float R_01 = m_3 - alpha_v_2, R_02 = m_4 + alpha_v_1, R_10 = m_3 + alpha_v_2,
+      R_12 = m_5 - alpha_v_0, R_20 = m_4 - alpha_v_1, R_21 = m_5 + alpha_v_0;
   R->m00 = diagonal0;
   R->m01 = R_01;
   R->m02 = R_02;
@@ -2532,44 +1841,32 @@ static inline void ksl_SO3_leftJacobianf(const ksl_vec3f_t *v, ksl_mat3x3f_t *R)
    Error <= R: (7 + θ/200) u of its largest component for |v| <= 1e13, in single precision 1e5;
      searched, not proved. */
 static inline void ksl_SO3_rightJacobianf(const ksl_vec3f_t *v, ksl_mat3x3f_t *R) {
-  const float size_0 = fabsf(v->x);
-  const float size_1 = fabsf(v->y);
-  const float size_2 = fabsf(v->z);
-  const float sizes_a = size_0 + size_1, sizes = sizes_a + size_2;
+  const float size_0 = fabsf(v->x), size_1 = fabsf(v->y), size_2 = fabsf(v->z);
+  const float sizes = size_0 + size_1 + size_2;
   const float grid = KSL_MULF(sizes, 8192.0f);
-  const float shifted_0 = v->x + grid;
-  const float shifted_1 = v->y + grid;
-  const float shifted_2 = v->z + grid;
-  const float high_0 = shifted_0 - grid;
-  const float high_1 = shifted_1 - grid;
-  const float high_2 = shifted_2 - grid;
-  const float low_0 = v->x - high_0;
-  const float low_1 = v->y - high_1;
-  const float low_2 = v->z - high_2;
-  const float sum_0 = v->x + high_0;
-  const float sum_1 = v->y + high_1;
-  const float sum_2 = v->z + high_2;
-  const float squares_a = KSL_MULF(high_0, high_0), squares_b = KSL_MULF(high_1, high_1),
-      squares_c = squares_a + squares_b, squares_d = KSL_MULF(high_2, high_2),
-      squares = squares_c + squares_d;
-  const float cross_a = KSL_MULF(low_0, sum_0), cross_b = KSL_MULF(low_1, sum_1),
-      cross_c = cross_a + cross_b, cross_d = KSL_MULF(low_2, sum_2), cross = cross_c + cross_d;
+  const float shifted_0 = v->x + grid, shifted_1 = v->y + grid, shifted_2 = v->z + grid;
+  const float high_0 = shifted_0 - grid, high_1 = shifted_1 - grid, high_2 = shifted_2 - grid;
+  const float low_0 = v->x - high_0, low_1 = v->y - high_1, low_2 = v->z - high_2;
+  const float sum_0 = v->x + high_0, sum_1 = v->y + high_1, sum_2 = v->z + high_2;
+  const float squares = KSL_MULF(high_0, high_0) + KSL_MULF(high_1, high_1)
+          + KSL_MULF(high_2, high_2);
+  const float cross = KSL_MULF(low_0, sum_0) + KSL_MULF(low_1, sum_1) + KSL_MULF(low_2, sum_2);
   const float x = squares + cross;
   const float theta_a = sqrtf(x), theta = x < 1.0f ? 1.0f : theta_a;
   const float theta_shifted = grid + theta;
   const float theta_high = theta_shifted - grid;
   const float theta_low = theta - theta_high;
   const float theta_sum = theta + theta_high;
-  const float cross_rest_a = KSL_MULF(theta_low, theta_sum), cross_rest = cross - cross_rest_a;
-  const float exact_a = KSL_MULF(theta_high, theta_high), exact = squares - exact_a;
+  const float cross_rest = cross - KSL_MULF(theta_low, theta_sum);
+  const float exact = squares - KSL_MULF(theta_high, theta_high);
   const float residual = cross_rest + exact;
-  const float small_a = KSL_MULF(0.5f, residual), small = small_a / theta;
-  const float delta_a = fabsf(small), delta = delta_a < 0.0078125f ? small : 0.0f;
+  const float small = KSL_MULF(0.5f, residual) / theta;
+  const float delta = fabsf(small) < 0.0078125f ? small : 0.0f;
   float far_cosine_a; const float far_sine_a = ksl_sincosf(theta, &far_cosine_a);
   const float far_sine = x < 1.0f ? 1.0f : far_sine_a;
   const float far_cosine = x < 1.0f ? 0.0f : far_cosine_a;
-  const float sine_a = KSL_MULF(delta, far_cosine), sine = sine_a + far_sine;
-  const float cosine_a = KSL_MULF(delta, far_sine), cosine = far_cosine - cosine_a;
+  const float sine = KSL_MULF(delta, far_cosine) + far_sine;
+  const float cosine = far_cosine - KSL_MULF(delta, far_sine);
   const float far_x = x < 1.0f ? 1.0f : x;
   const float middle_x = x < 4.0f ? 4.0f : x;
   const float closed1 = sine / theta;
@@ -2577,60 +1874,40 @@ static inline void ksl_SO3_rightJacobianf(const ksl_vec3f_t *v, ksl_mat3x3f_t *R
   const float closed2 = versine / far_x;
   const float rest3 = 1.0f - closed1;
   const float closed3 = rest3 / middle_x;
-  const float g1a = KSL_MULF(6.4469503e-26f, x), g1b = g1a - 3.8681703e-23f, g1c = KSL_MULF(x, g1b),
-      g1d = g1c + 1.9572942e-20f, g1e = KSL_MULF(x, g1d), g1f = g1e - 8.220635e-18f,
-      g1g = KSL_MULF(x, g1f), g1h = g1g + 2.8114574e-15f, g1i = KSL_MULF(x, g1h),
-      g1j = g1i - 7.6471636e-13f, g1k = KSL_MULF(x, g1j), g1l = g1k + 1.6059044e-10f,
-      g1m = KSL_MULF(x, g1l), g1n = g1m - 2.5052108e-08f, g1o = KSL_MULF(x, g1n),
-      g1p = g1o + 2.7557319e-06f, g1q = KSL_MULF(x, g1p), g1r = g1q - 0.0001984127f,
-      g1s = KSL_MULF(x, g1r), g1t = g1s + 0.008333334f, g1u = KSL_MULF(x, g1t),
-      g1v = g1u - 0.16666667f, g1w = KSL_MULF(x, g1v), g1x = g1w + 1.0f,
-      g1 = x < 1.0f ? g1x : closed1;
-  const float g2a = KSL_MULF(2.4795963e-27f, x), g2b = g2a - 1.6117376e-24f, g2c = KSL_MULF(x, g2b),
-      g2d = g2c + 8.896791e-22f, g2e = KSL_MULF(x, g2d), g2f = g2e - 4.1103176e-19f,
-      g2g = KSL_MULF(x, g2f), g2h = g2g + 1.5619207e-16f, g2i = KSL_MULF(x, g2h),
-      g2j = g2i - 4.7794773e-14f, g2k = KSL_MULF(x, g2j), g2l = g2k + 1.1470745e-11f,
-      g2m = KSL_MULF(x, g2l), g2n = g2m - 2.0876756e-09f, g2o = KSL_MULF(x, g2n),
-      g2p = g2o + 2.755732e-07f, g2q = KSL_MULF(x, g2p), g2r = g2q - 2.4801588e-05f,
-      g2s = KSL_MULF(x, g2r), g2t = g2s + 0.0013888889f, g2u = KSL_MULF(x, g2t),
-      g2v = g2u - 0.041666668f, g2w = KSL_MULF(x, g2v), g2x = g2w + 0.5f,
-      g2 = x < 1.0f ? g2x : closed2;
-  const float g3a = KSL_MULF(9.18369e-29f, x), g3b = g3a - 6.4469503e-26f, g3c = KSL_MULF(x, g3b),
-      g3d = g3c + 3.8681703e-23f, g3e = KSL_MULF(x, g3d), g3f = g3e - 1.9572942e-20f,
-      g3g = KSL_MULF(x, g3f), g3h = g3g + 8.220635e-18f, g3i = KSL_MULF(x, g3h),
-      g3j = g3i - 2.8114574e-15f, g3k = KSL_MULF(x, g3j), g3l = g3k + 7.6471636e-13f,
-      g3m = KSL_MULF(x, g3l), g3n = g3m - 1.6059044e-10f, g3o = KSL_MULF(x, g3n),
-      g3p = g3o + 2.5052108e-08f, g3q = KSL_MULF(x, g3p), g3r = g3q - 2.7557319e-06f,
-      g3s = KSL_MULF(x, g3r), g3t = g3s + 0.0001984127f, g3u = KSL_MULF(x, g3t),
-      g3v = g3u - 0.008333334f, g3w = KSL_MULF(x, g3v), g3x = g3w + 0.16666667f,
+  const float g1h = KSL_MULF(x, KSL_MULF(x, KSL_MULF(x, KSL_MULF(6.4469503e-26f, x)
+          - 3.8681703e-23f) + 1.9572942e-20f) - 8.220635e-18f) + 2.8114574e-15f,
+      g1q = KSL_MULF(x, KSL_MULF(x, KSL_MULF(x, KSL_MULF(x, KSL_MULF(x, g1h) - 7.6471636e-13f)
+          + 1.6059044e-10f) - 2.5052108e-08f) + 2.7557319e-06f),
+      g1x = KSL_MULF(x, KSL_MULF(x, KSL_MULF(x, g1q - 0.0001984127f) + 0.008333334f) - 0.16666667f)
+          + 1.0f, g1 = x < 1.0f ? g1x : closed1;
+  const float g2h = KSL_MULF(x, KSL_MULF(x, KSL_MULF(x, KSL_MULF(2.4795963e-27f, x)
+          - 1.6117376e-24f) + 8.896791e-22f) - 4.1103176e-19f) + 1.5619207e-16f,
+      g2q = KSL_MULF(x, KSL_MULF(x, KSL_MULF(x, KSL_MULF(x, KSL_MULF(x, g2h) - 4.7794773e-14f)
+          + 1.1470745e-11f) - 2.0876756e-09f) + 2.755732e-07f),
+      g2x = KSL_MULF(x, KSL_MULF(x, KSL_MULF(x, g2q - 2.4801588e-05f) + 0.0013888889f)
+          - 0.041666668f) + 0.5f, g2 = x < 1.0f ? g2x : closed2;
+  const float g3i = KSL_MULF(x, KSL_MULF(x, KSL_MULF(x, KSL_MULF(x, KSL_MULF(9.18369e-29f, x)
+          - 6.4469503e-26f) + 3.8681703e-23f) - 1.9572942e-20f) + 8.220635e-18f),
+      g3r = KSL_MULF(x, KSL_MULF(x, KSL_MULF(x, KSL_MULF(x, g3i - 2.8114574e-15f) + 7.6471636e-13f)
+          - 1.6059044e-10f) + 2.5052108e-08f) - 2.7557319e-06f,
+      g3x = KSL_MULF(x, KSL_MULF(x, KSL_MULF(x, g3r) + 0.0001984127f) - 0.008333334f) + 0.16666667f,
       g3 = x < 4.0f ? g3x : closed3;
-  const float beta_v_0 = KSL_MULF(v->x, g3);
-  const float beta_v_1 = KSL_MULF(v->y, g3);
-  const float beta_v_2 = KSL_MULF(v->z, g3);
-  const float m_0 = KSL_MULF(v->x, beta_v_0);
-  const float m_1 = KSL_MULF(v->y, beta_v_1);
-  const float m_2 = KSL_MULF(v->z, beta_v_2);
-  const float m_3 = KSL_MULF(v->y, beta_v_0);
-  const float m_4 = KSL_MULF(v->z, beta_v_0);
-  const float m_5 = KSL_MULF(v->z, beta_v_1);
-  const float others_0 = m_1 + m_2;
-  const float others_1 = m_0 + m_2;
-  const float others_2 = m_0 + m_1;
+  const float beta_v_0 = KSL_MULF(v->x, g3), beta_v_1 = KSL_MULF(v->y, g3),
+      beta_v_2 = KSL_MULF(v->z, g3);
+  const float m_0 = KSL_MULF(v->x, beta_v_0), m_1 = KSL_MULF(v->y, beta_v_1),
+      m_2 = KSL_MULF(v->z, beta_v_2), m_3 = KSL_MULF(v->y, beta_v_0),
+      m_4 = KSL_MULF(v->z, beta_v_0), m_5 = KSL_MULF(v->z, beta_v_1);
+  const float others_0 = m_1 + m_2, others_1 = m_0 + m_2, others_2 = m_0 + m_1;
   const float diagonal0a = 1.0f - others_0, diagonal0b = g1 + m_0,
       diagonal0 = m_0 < others_0 ? diagonal0b : diagonal0a;
   const float diagonal1a = 1.0f - others_1, diagonal1b = g1 + m_1,
       diagonal1 = m_1 < others_1 ? diagonal1b : diagonal1a;
   const float diagonal2a = 1.0f - others_2, diagonal2b = g1 + m_2,
       diagonal2 = m_2 < others_2 ? diagonal2b : diagonal2a;
-  const float alpha_v_0a = KSL_MULF(v->x, g2), alpha_v_0 = -alpha_v_0a;
-  const float alpha_v_1a = KSL_MULF(v->y, g2), alpha_v_1 = -alpha_v_1a;
-  const float alpha_v_2a = KSL_MULF(v->z, g2), alpha_v_2 = -alpha_v_2a;
-  const float R_01 = m_3 - alpha_v_2;
-  const float R_02 = m_4 + alpha_v_1;
-  const float R_10 = m_3 + alpha_v_2;
-  const float R_12 = m_5 - alpha_v_0;
-  const float R_20 = m_4 - alpha_v_1;
-  const float R_21 = m_5 + alpha_v_0;
+  const float alpha_v_0 = -KSL_MULF(v->x, g2), alpha_v_1 = -KSL_MULF(v->y, g2),
+      alpha_v_2 = -KSL_MULF(v->z, g2);
+  const float R_01 = m_3 - alpha_v_2, R_02 = m_4 + alpha_v_1, R_10 = m_3 + alpha_v_2,
+      R_12 = m_5 - alpha_v_0, R_20 = m_4 - alpha_v_1, R_21 = m_5 + alpha_v_0;
   R->m00 = diagonal0;
   R->m01 = R_01;
   R->m02 = R_02;
@@ -2648,92 +1925,64 @@ static inline void ksl_SO3_rightJacobianf(const ksl_vec3f_t *v, ksl_mat3x3f_t *R
    65 mul, 90 add, 3 div, 1 sqrt, 3 neg, 5 abs, 7 less, 12 select.
    Error <= R: 6 u of its largest component for |v| <= π; searched, not proved. */
 static inline void ksl_SO3_leftJacobianInversef(const ksl_vec3f_t *v, ksl_mat3x3f_t *R) {
-  const float size_0 = fabsf(v->x);
-  const float size_1 = fabsf(v->y);
-  const float size_2 = fabsf(v->z);
-  const float sizes_a = size_0 + size_1, sizes = sizes_a + size_2;
+  const float size_0 = fabsf(v->x), size_1 = fabsf(v->y), size_2 = fabsf(v->z);
+  const float sizes = size_0 + size_1 + size_2;
   const float grid = KSL_MULF(sizes, 8192.0f);
-  const float shifted_0 = v->x + grid;
-  const float shifted_1 = v->y + grid;
-  const float shifted_2 = v->z + grid;
-  const float high_0 = shifted_0 - grid;
-  const float high_1 = shifted_1 - grid;
-  const float high_2 = shifted_2 - grid;
-  const float low_0 = v->x - high_0;
-  const float low_1 = v->y - high_1;
-  const float low_2 = v->z - high_2;
-  const float sum_0 = v->x + high_0;
-  const float sum_1 = v->y + high_1;
-  const float sum_2 = v->z + high_2;
-  const float squares_a = KSL_MULF(high_0, high_0), squares_b = KSL_MULF(high_1, high_1),
-      squares_c = squares_a + squares_b, squares_d = KSL_MULF(high_2, high_2),
-      squares = squares_c + squares_d;
-  const float cross_a = KSL_MULF(low_0, sum_0), cross_b = KSL_MULF(low_1, sum_1),
-      cross_c = cross_a + cross_b, cross_d = KSL_MULF(low_2, sum_2), cross = cross_c + cross_d;
+  const float shifted_0 = v->x + grid, shifted_1 = v->y + grid, shifted_2 = v->z + grid;
+  const float high_0 = shifted_0 - grid, high_1 = shifted_1 - grid, high_2 = shifted_2 - grid;
+  const float low_0 = v->x - high_0, low_1 = v->y - high_1, low_2 = v->z - high_2;
+  const float sum_0 = v->x + high_0, sum_1 = v->y + high_1, sum_2 = v->z + high_2;
+  const float squares = KSL_MULF(high_0, high_0) + KSL_MULF(high_1, high_1)
+          + KSL_MULF(high_2, high_2);
+  const float cross = KSL_MULF(low_0, sum_0) + KSL_MULF(low_1, sum_1) + KSL_MULF(low_2, sum_2);
   const float x = squares + cross;
   const float theta_a = sqrtf(x), theta = x < 1.0f ? 1.0f : theta_a;
   const float theta_shifted = grid + theta;
   const float theta_high = theta_shifted - grid;
   const float theta_low = theta - theta_high;
   const float theta_sum = theta + theta_high;
-  const float cross_rest_a = KSL_MULF(theta_low, theta_sum), cross_rest = cross - cross_rest_a;
-  const float exact_a = KSL_MULF(theta_high, theta_high), exact = squares - exact_a;
+  const float cross_rest = cross - KSL_MULF(theta_low, theta_sum);
+  const float exact = squares - KSL_MULF(theta_high, theta_high);
   const float residual = cross_rest + exact;
-  const float small_a = KSL_MULF(0.5f, residual), small = small_a / theta;
-  const float delta_a = fabsf(small), delta = delta_a < 0.0078125f ? small : 0.0f;
+  const float small = KSL_MULF(0.5f, residual) / theta;
+  const float delta = fabsf(small) < 0.0078125f ? small : 0.0f;
   float far_cosine_a; const float far_sine_a = ksl_sincosf(theta, &far_cosine_a);
   const float far_sine = x < 1.0f ? 1.0f : far_sine_a;
   const float far_cosine = x < 1.0f ? 0.0f : far_cosine_a;
-  const float sine_a = KSL_MULF(delta, far_cosine), sine = sine_a + far_sine;
-  const float cosine_a = KSL_MULF(delta, far_sine), cosine = far_cosine - cosine_a;
+  const float sine = KSL_MULF(delta, far_cosine) + far_sine;
+  const float cosine = far_cosine - KSL_MULF(delta, far_sine);
   const float above_a = cosine + 1.0f, above = cosine < 0.0f ? sine : above_a;
   const float below_a = 1.0f - cosine, below = cosine < 0.0f ? below_a : sine;
   const float cotangent = above / below;
-  const float half_cotangent_a = KSL_MULF(0.5f, theta),
-      half_cotangent = KSL_MULF(half_cotangent_a, cotangent);
+  const float half_cotangent = KSL_MULF(KSL_MULF(0.5f, theta), cotangent);
   const float b_rest = 1.0f - half_cotangent;
   const float b_divisor = x < 4.0f ? 4.0f : x;
   const float closed_b = b_rest / b_divisor;
-  const float b_a = KSL_MULF(1.4551725e-27f, x), b_b = b_a + 5.744791e-26f, b_c = KSL_MULF(x, b_b),
-      b_d = b_c + 2.2679524e-24f, b_e = KSL_MULF(x, b_d), b_f = b_e + 8.9535176e-23f,
-      b_g = KSL_MULF(x, b_f), b_h = b_g + 3.534707e-21f, b_i = KSL_MULF(x, b_h),
-      b_j = b_i + 1.3954465e-19f, b_k = KSL_MULF(x, b_j), b_l = b_k + 5.509003e-18f,
-      b_m = KSL_MULF(x, b_l), b_n = b_m + 2.1748687e-16f, b_o = KSL_MULF(x, b_n),
-      b_p = b_o + 8.586062e-15f, b_q = KSL_MULF(x, b_p), b_r = b_q + 3.3896803e-13f,
-      b_s = KSL_MULF(x, b_r), b_t = b_s + 1.3382536e-11f, b_u = KSL_MULF(x, b_t),
-      b_v = b_u + 5.2841903e-10f, b_w = KSL_MULF(x, b_v), b_x = b_w + 2.0876756e-08f,
-      b_y = KSL_MULF(x, b_x), b_z = b_y + 8.267196e-07f, b_aa = KSL_MULF(x, b_z),
-      b_ab = b_aa + 3.3068784e-05f, b_ac = KSL_MULF(x, b_ab), b_ad = b_ac + 0.0013888889f,
-      b_ae = KSL_MULF(x, b_ad), b_af = b_ae + 0.083333336f, b = x < 4.0f ? b_af : closed_b;
-  const float b_across_a = KSL_MULF(x, b), b_across_b = 1.0f - b_across_a,
-      b_across = x < 4.0f ? b_across_b : half_cotangent;
-  const float beta_v_0 = KSL_MULF(v->x, b);
-  const float beta_v_1 = KSL_MULF(v->y, b);
-  const float beta_v_2 = KSL_MULF(v->z, b);
-  const float m_0 = KSL_MULF(v->x, beta_v_0);
-  const float m_1 = KSL_MULF(v->y, beta_v_1);
-  const float m_2 = KSL_MULF(v->z, beta_v_2);
-  const float m_3 = KSL_MULF(v->y, beta_v_0);
-  const float m_4 = KSL_MULF(v->z, beta_v_0);
-  const float m_5 = KSL_MULF(v->z, beta_v_1);
-  const float others_0 = m_1 + m_2;
-  const float others_1 = m_0 + m_2;
-  const float others_2 = m_0 + m_1;
+  const float b_h = KSL_MULF(x, KSL_MULF(x, KSL_MULF(x, KSL_MULF(1.4551725e-27f, x)
+          + 5.744791e-26f) + 2.2679524e-24f) + 8.9535176e-23f) + 3.534707e-21f,
+      b_q = KSL_MULF(x, KSL_MULF(x, KSL_MULF(x, KSL_MULF(x, KSL_MULF(x, b_h) + 1.3954465e-19f)
+          + 5.509003e-18f) + 2.1748687e-16f) + 8.586062e-15f),
+      b_z = KSL_MULF(x, KSL_MULF(x, KSL_MULF(x, KSL_MULF(x, b_q + 3.3896803e-13f) + 1.3382536e-11f)
+          + 5.2841903e-10f) + 2.0876756e-08f) + 8.267196e-07f,
+      b_af = KSL_MULF(x, KSL_MULF(x, KSL_MULF(x, b_z) + 3.3068784e-05f) + 0.0013888889f)
+          + 0.083333336f, b = x < 4.0f ? b_af : closed_b;
+  const float b_across_b = 1.0f - KSL_MULF(x, b), b_across = x < 4.0f ? b_across_b : half_cotangent;
+  const float beta_v_0 = KSL_MULF(v->x, b), beta_v_1 = KSL_MULF(v->y, b),
+      beta_v_2 = KSL_MULF(v->z, b);
+  const float m_0 = KSL_MULF(v->x, beta_v_0), m_1 = KSL_MULF(v->y, beta_v_1),
+      m_2 = KSL_MULF(v->z, beta_v_2), m_3 = KSL_MULF(v->y, beta_v_0),
+      m_4 = KSL_MULF(v->z, beta_v_0), m_5 = KSL_MULF(v->z, beta_v_1);
+  const float others_0 = m_1 + m_2, others_1 = m_0 + m_2, others_2 = m_0 + m_1;
   const float diagonal0a = 1.0f - others_0, diagonal0b = b_across + m_0,
       diagonal0 = m_0 < others_0 ? diagonal0b : diagonal0a;
   const float diagonal1a = 1.0f - others_1, diagonal1b = b_across + m_1,
       diagonal1 = m_1 < others_1 ? diagonal1b : diagonal1a;
   const float diagonal2a = 1.0f - others_2, diagonal2b = b_across + m_2,
       diagonal2 = m_2 < others_2 ? diagonal2b : diagonal2a;
-  const float alpha_v_0a = KSL_MULF(0.5f, v->x), alpha_v_0 = -alpha_v_0a;
-  const float alpha_v_1a = KSL_MULF(0.5f, v->y), alpha_v_1 = -alpha_v_1a;
-  const float alpha_v_2a = KSL_MULF(0.5f, v->z), alpha_v_2 = -alpha_v_2a;
-  const float R_01 = m_3 - alpha_v_2;
-  const float R_02 = m_4 + alpha_v_1;
-  const float R_10 = m_3 + alpha_v_2;
-  const float R_12 = m_5 - alpha_v_0;
-  const float R_20 = m_4 - alpha_v_1;
-  const float R_21 = m_5 + alpha_v_0;
+  const float alpha_v_0 = -KSL_MULF(0.5f, v->x), alpha_v_1 = -KSL_MULF(0.5f, v->y),
+      alpha_v_2 = -KSL_MULF(0.5f, v->z);
+  const float R_01 = m_3 - alpha_v_2, R_02 = m_4 + alpha_v_1, R_10 = m_3 + alpha_v_2,
+      R_12 = m_5 - alpha_v_0, R_20 = m_4 - alpha_v_1, R_21 = m_5 + alpha_v_0;
   R->m00 = diagonal0;
   R->m01 = R_01;
   R->m02 = R_02;
@@ -2751,92 +2000,64 @@ static inline void ksl_SO3_leftJacobianInversef(const ksl_vec3f_t *v, ksl_mat3x3
    65 mul, 90 add, 3 div, 1 sqrt, 5 abs, 7 less, 12 select.
    Error <= R: 6 u of its largest component for |v| <= π; searched, not proved. */
 static inline void ksl_SO3_rightJacobianInversef(const ksl_vec3f_t *v, ksl_mat3x3f_t *R) {
-  const float size_0 = fabsf(v->x);
-  const float size_1 = fabsf(v->y);
-  const float size_2 = fabsf(v->z);
-  const float sizes_a = size_0 + size_1, sizes = sizes_a + size_2;
+  const float size_0 = fabsf(v->x), size_1 = fabsf(v->y), size_2 = fabsf(v->z);
+  const float sizes = size_0 + size_1 + size_2;
   const float grid = KSL_MULF(sizes, 8192.0f);
-  const float shifted_0 = v->x + grid;
-  const float shifted_1 = v->y + grid;
-  const float shifted_2 = v->z + grid;
-  const float high_0 = shifted_0 - grid;
-  const float high_1 = shifted_1 - grid;
-  const float high_2 = shifted_2 - grid;
-  const float low_0 = v->x - high_0;
-  const float low_1 = v->y - high_1;
-  const float low_2 = v->z - high_2;
-  const float sum_0 = v->x + high_0;
-  const float sum_1 = v->y + high_1;
-  const float sum_2 = v->z + high_2;
-  const float squares_a = KSL_MULF(high_0, high_0), squares_b = KSL_MULF(high_1, high_1),
-      squares_c = squares_a + squares_b, squares_d = KSL_MULF(high_2, high_2),
-      squares = squares_c + squares_d;
-  const float cross_a = KSL_MULF(low_0, sum_0), cross_b = KSL_MULF(low_1, sum_1),
-      cross_c = cross_a + cross_b, cross_d = KSL_MULF(low_2, sum_2), cross = cross_c + cross_d;
+  const float shifted_0 = v->x + grid, shifted_1 = v->y + grid, shifted_2 = v->z + grid;
+  const float high_0 = shifted_0 - grid, high_1 = shifted_1 - grid, high_2 = shifted_2 - grid;
+  const float low_0 = v->x - high_0, low_1 = v->y - high_1, low_2 = v->z - high_2;
+  const float sum_0 = v->x + high_0, sum_1 = v->y + high_1, sum_2 = v->z + high_2;
+  const float squares = KSL_MULF(high_0, high_0) + KSL_MULF(high_1, high_1)
+          + KSL_MULF(high_2, high_2);
+  const float cross = KSL_MULF(low_0, sum_0) + KSL_MULF(low_1, sum_1) + KSL_MULF(low_2, sum_2);
   const float x = squares + cross;
   const float theta_a = sqrtf(x), theta = x < 1.0f ? 1.0f : theta_a;
   const float theta_shifted = grid + theta;
   const float theta_high = theta_shifted - grid;
   const float theta_low = theta - theta_high;
   const float theta_sum = theta + theta_high;
-  const float cross_rest_a = KSL_MULF(theta_low, theta_sum), cross_rest = cross - cross_rest_a;
-  const float exact_a = KSL_MULF(theta_high, theta_high), exact = squares - exact_a;
+  const float cross_rest = cross - KSL_MULF(theta_low, theta_sum);
+  const float exact = squares - KSL_MULF(theta_high, theta_high);
   const float residual = cross_rest + exact;
-  const float small_a = KSL_MULF(0.5f, residual), small = small_a / theta;
-  const float delta_a = fabsf(small), delta = delta_a < 0.0078125f ? small : 0.0f;
+  const float small = KSL_MULF(0.5f, residual) / theta;
+  const float delta = fabsf(small) < 0.0078125f ? small : 0.0f;
   float far_cosine_a; const float far_sine_a = ksl_sincosf(theta, &far_cosine_a);
   const float far_sine = x < 1.0f ? 1.0f : far_sine_a;
   const float far_cosine = x < 1.0f ? 0.0f : far_cosine_a;
-  const float sine_a = KSL_MULF(delta, far_cosine), sine = sine_a + far_sine;
-  const float cosine_a = KSL_MULF(delta, far_sine), cosine = far_cosine - cosine_a;
+  const float sine = KSL_MULF(delta, far_cosine) + far_sine;
+  const float cosine = far_cosine - KSL_MULF(delta, far_sine);
   const float above_a = cosine + 1.0f, above = cosine < 0.0f ? sine : above_a;
   const float below_a = 1.0f - cosine, below = cosine < 0.0f ? below_a : sine;
   const float cotangent = above / below;
-  const float half_cotangent_a = KSL_MULF(0.5f, theta),
-      half_cotangent = KSL_MULF(half_cotangent_a, cotangent);
+  const float half_cotangent = KSL_MULF(KSL_MULF(0.5f, theta), cotangent);
   const float b_rest = 1.0f - half_cotangent;
   const float b_divisor = x < 4.0f ? 4.0f : x;
   const float closed_b = b_rest / b_divisor;
-  const float b_a = KSL_MULF(1.4551725e-27f, x), b_b = b_a + 5.744791e-26f, b_c = KSL_MULF(x, b_b),
-      b_d = b_c + 2.2679524e-24f, b_e = KSL_MULF(x, b_d), b_f = b_e + 8.9535176e-23f,
-      b_g = KSL_MULF(x, b_f), b_h = b_g + 3.534707e-21f, b_i = KSL_MULF(x, b_h),
-      b_j = b_i + 1.3954465e-19f, b_k = KSL_MULF(x, b_j), b_l = b_k + 5.509003e-18f,
-      b_m = KSL_MULF(x, b_l), b_n = b_m + 2.1748687e-16f, b_o = KSL_MULF(x, b_n),
-      b_p = b_o + 8.586062e-15f, b_q = KSL_MULF(x, b_p), b_r = b_q + 3.3896803e-13f,
-      b_s = KSL_MULF(x, b_r), b_t = b_s + 1.3382536e-11f, b_u = KSL_MULF(x, b_t),
-      b_v = b_u + 5.2841903e-10f, b_w = KSL_MULF(x, b_v), b_x = b_w + 2.0876756e-08f,
-      b_y = KSL_MULF(x, b_x), b_z = b_y + 8.267196e-07f, b_aa = KSL_MULF(x, b_z),
-      b_ab = b_aa + 3.3068784e-05f, b_ac = KSL_MULF(x, b_ab), b_ad = b_ac + 0.0013888889f,
-      b_ae = KSL_MULF(x, b_ad), b_af = b_ae + 0.083333336f, b = x < 4.0f ? b_af : closed_b;
-  const float b_across_a = KSL_MULF(x, b), b_across_b = 1.0f - b_across_a,
-      b_across = x < 4.0f ? b_across_b : half_cotangent;
-  const float beta_v_0 = KSL_MULF(v->x, b);
-  const float beta_v_1 = KSL_MULF(v->y, b);
-  const float beta_v_2 = KSL_MULF(v->z, b);
-  const float m_0 = KSL_MULF(v->x, beta_v_0);
-  const float m_1 = KSL_MULF(v->y, beta_v_1);
-  const float m_2 = KSL_MULF(v->z, beta_v_2);
-  const float m_3 = KSL_MULF(v->y, beta_v_0);
-  const float m_4 = KSL_MULF(v->z, beta_v_0);
-  const float m_5 = KSL_MULF(v->z, beta_v_1);
-  const float others_0 = m_1 + m_2;
-  const float others_1 = m_0 + m_2;
-  const float others_2 = m_0 + m_1;
+  const float b_h = KSL_MULF(x, KSL_MULF(x, KSL_MULF(x, KSL_MULF(1.4551725e-27f, x)
+          + 5.744791e-26f) + 2.2679524e-24f) + 8.9535176e-23f) + 3.534707e-21f,
+      b_q = KSL_MULF(x, KSL_MULF(x, KSL_MULF(x, KSL_MULF(x, KSL_MULF(x, b_h) + 1.3954465e-19f)
+          + 5.509003e-18f) + 2.1748687e-16f) + 8.586062e-15f),
+      b_z = KSL_MULF(x, KSL_MULF(x, KSL_MULF(x, KSL_MULF(x, b_q + 3.3896803e-13f) + 1.3382536e-11f)
+          + 5.2841903e-10f) + 2.0876756e-08f) + 8.267196e-07f,
+      b_af = KSL_MULF(x, KSL_MULF(x, KSL_MULF(x, b_z) + 3.3068784e-05f) + 0.0013888889f)
+          + 0.083333336f, b = x < 4.0f ? b_af : closed_b;
+  const float b_across_b = 1.0f - KSL_MULF(x, b), b_across = x < 4.0f ? b_across_b : half_cotangent;
+  const float beta_v_0 = KSL_MULF(v->x, b), beta_v_1 = KSL_MULF(v->y, b),
+      beta_v_2 = KSL_MULF(v->z, b);
+  const float m_0 = KSL_MULF(v->x, beta_v_0), m_1 = KSL_MULF(v->y, beta_v_1),
+      m_2 = KSL_MULF(v->z, beta_v_2), m_3 = KSL_MULF(v->y, beta_v_0),
+      m_4 = KSL_MULF(v->z, beta_v_0), m_5 = KSL_MULF(v->z, beta_v_1);
+  const float others_0 = m_1 + m_2, others_1 = m_0 + m_2, others_2 = m_0 + m_1;
   const float diagonal0a = 1.0f - others_0, diagonal0b = b_across + m_0,
       diagonal0 = m_0 < others_0 ? diagonal0b : diagonal0a;
   const float diagonal1a = 1.0f - others_1, diagonal1b = b_across + m_1,
       diagonal1 = m_1 < others_1 ? diagonal1b : diagonal1a;
   const float diagonal2a = 1.0f - others_2, diagonal2b = b_across + m_2,
       diagonal2 = m_2 < others_2 ? diagonal2b : diagonal2a;
-  const float alpha_v_0 = KSL_MULF(0.5f, v->x);
-  const float alpha_v_1 = KSL_MULF(0.5f, v->y);
-  const float alpha_v_2 = KSL_MULF(0.5f, v->z);
-  const float R_01 = m_3 - alpha_v_2;
-  const float R_02 = m_4 + alpha_v_1;
-  const float R_10 = m_3 + alpha_v_2;
-  const float R_12 = m_5 - alpha_v_0;
-  const float R_20 = m_4 - alpha_v_1;
-  const float R_21 = m_5 + alpha_v_0;
+  const float alpha_v_0 = KSL_MULF(0.5f, v->x), alpha_v_1 = KSL_MULF(0.5f, v->y),
+      alpha_v_2 = KSL_MULF(0.5f, v->z);
+  const float R_01 = m_3 - alpha_v_2, R_02 = m_4 + alpha_v_1, R_10 = m_3 + alpha_v_2,
+      R_12 = m_5 - alpha_v_0, R_20 = m_4 - alpha_v_1, R_21 = m_5 + alpha_v_0;
   R->m00 = diagonal0;
   R->m01 = R_01;
   R->m02 = R_02;
@@ -2854,78 +2075,45 @@ static inline void ksl_SO3_rightJacobianInversef(const ksl_vec3f_t *v, ksl_mat3x
    Error <= u |result| + 7 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline void ksl_mat3x3f_orthonormalize(ksl_mat3x3f_t *self) {
-  const float defect_0a = KSL_MULF(self->m00, self->m00), defect_0b = 1.0f - defect_0a,
-      defect_0c = KSL_MULF(self->m10, self->m10), defect_0d = defect_0b - defect_0c,
-      defect_0e = KSL_MULF(self->m20, self->m20), defect_0 = defect_0d - defect_0e;
-  const float defect_1a = KSL_MULF(self->m01, self->m01), defect_1b = 1.0f - defect_1a,
-      defect_1c = KSL_MULF(self->m11, self->m11), defect_1d = defect_1b - defect_1c,
-      defect_1e = KSL_MULF(self->m21, self->m21), defect_1 = defect_1d - defect_1e;
-  const float defect_2a = KSL_MULF(self->m02, self->m02), defect_2b = 1.0f - defect_2a,
-      defect_2c = KSL_MULF(self->m12, self->m12), defect_2d = defect_2b - defect_2c,
-      defect_2e = KSL_MULF(self->m22, self->m22), defect_2 = defect_2d - defect_2e;
-  const float defect_3a = KSL_MULF(self->m00, self->m01),
-      defect_3b = KSL_MULF(self->m10, self->m11), defect_3c = defect_3a + defect_3b,
-      defect_3d = KSL_MULF(self->m20, self->m21), defect_3e = defect_3c + defect_3d,
-      defect_3 = -defect_3e;
-  const float defect_4a = KSL_MULF(self->m00, self->m02),
-      defect_4b = KSL_MULF(self->m10, self->m12), defect_4c = defect_4a + defect_4b,
-      defect_4d = KSL_MULF(self->m20, self->m22), defect_4e = defect_4c + defect_4d,
-      defect_4 = -defect_4e;
-  const float defect_5a = KSL_MULF(self->m01, self->m02),
-      defect_5b = KSL_MULF(self->m11, self->m12), defect_5c = defect_5a + defect_5b,
-      defect_5d = KSL_MULF(self->m21, self->m22), defect_5e = defect_5c + defect_5d,
-      defect_5 = -defect_5e;
-  const float correction_0 = KSL_MULF(0.5f, defect_0);
-  const float correction_1 = KSL_MULF(0.5f, defect_1);
-  const float correction_2 = KSL_MULF(0.5f, defect_2);
-  const float correction_3 = KSL_MULF(0.5f, defect_3);
-  const float correction_4 = KSL_MULF(0.5f, defect_4);
-  const float correction_5 = KSL_MULF(0.5f, defect_5);
-  const float self_00_new_a = KSL_MULF(self->m00, correction_0),
-      self_00_new_b = KSL_MULF(self->m01, correction_3),
-      self_00_new_c = self_00_new_a + self_00_new_b,
-      self_00_new_d = KSL_MULF(self->m02, correction_4),
-      self_00_new_e = self_00_new_c + self_00_new_d, self_00_new = self->m00 + self_00_new_e;
-  const float self_01_new_a = KSL_MULF(self->m00, correction_3),
-      self_01_new_b = KSL_MULF(self->m01, correction_1),
-      self_01_new_c = self_01_new_a + self_01_new_b,
-      self_01_new_d = KSL_MULF(self->m02, correction_5),
-      self_01_new_e = self_01_new_c + self_01_new_d, self_01_new = self_01_new_e + self->m01;
-  const float self_02_new_a = KSL_MULF(self->m00, correction_4),
-      self_02_new_b = KSL_MULF(self->m01, correction_5),
-      self_02_new_c = self_02_new_a + self_02_new_b,
-      self_02_new_d = KSL_MULF(self->m02, correction_2),
-      self_02_new_e = self_02_new_c + self_02_new_d, self_02_new = self_02_new_e + self->m02;
-  const float self_10_new_a = KSL_MULF(self->m10, correction_0),
-      self_10_new_b = KSL_MULF(self->m11, correction_3),
-      self_10_new_c = self_10_new_a + self_10_new_b,
-      self_10_new_d = KSL_MULF(self->m12, correction_4),
-      self_10_new_e = self_10_new_c + self_10_new_d, self_10_new = self->m10 + self_10_new_e;
-  const float self_11_new_a = KSL_MULF(self->m10, correction_3),
-      self_11_new_b = KSL_MULF(self->m11, correction_1),
-      self_11_new_c = self_11_new_a + self_11_new_b,
-      self_11_new_d = KSL_MULF(self->m12, correction_5),
-      self_11_new_e = self_11_new_c + self_11_new_d, self_11_new = self_11_new_e + self->m11;
-  const float self_12_new_a = KSL_MULF(self->m10, correction_4),
-      self_12_new_b = KSL_MULF(self->m11, correction_5),
-      self_12_new_c = self_12_new_a + self_12_new_b,
-      self_12_new_d = KSL_MULF(self->m12, correction_2),
-      self_12_new_e = self_12_new_c + self_12_new_d, self_12_new = self_12_new_e + self->m12;
-  const float self_20_new_a = KSL_MULF(self->m20, correction_0),
-      self_20_new_b = KSL_MULF(self->m21, correction_3),
-      self_20_new_c = self_20_new_a + self_20_new_b,
-      self_20_new_d = KSL_MULF(self->m22, correction_4),
-      self_20_new_e = self_20_new_c + self_20_new_d, self_20_new = self->m20 + self_20_new_e;
-  const float self_21_new_a = KSL_MULF(self->m20, correction_3),
-      self_21_new_b = KSL_MULF(self->m21, correction_1),
-      self_21_new_c = self_21_new_a + self_21_new_b,
-      self_21_new_d = KSL_MULF(self->m22, correction_5),
-      self_21_new_e = self_21_new_c + self_21_new_d, self_21_new = self_21_new_e + self->m21;
-  const float self_22_new_a = KSL_MULF(self->m20, correction_4),
-      self_22_new_b = KSL_MULF(self->m21, correction_5),
-      self_22_new_c = self_22_new_a + self_22_new_b,
-      self_22_new_d = KSL_MULF(self->m22, correction_2),
-      self_22_new_e = self_22_new_c + self_22_new_d, self_22_new = self_22_new_e + self->m22;
+  const float defect_0 = 1.0f - KSL_MULF(self->m00, self->m00) - KSL_MULF(self->m10, self->m10)
+          - KSL_MULF(self->m20, self->m20),
+      defect_1 = 1.0f - KSL_MULF(self->m01, self->m01) - KSL_MULF(self->m11, self->m11)
+          - KSL_MULF(self->m21, self->m21),
+      defect_2 = 1.0f - KSL_MULF(self->m02, self->m02) - KSL_MULF(self->m12, self->m12)
+          - KSL_MULF(self->m22, self->m22),
+      defect_3 =
+          -(KSL_MULF(self->m00, self->m01) + KSL_MULF(self->m10, self->m11)
+          + KSL_MULF(self->m20, self->m21)),
+      defect_4 =
+          -(KSL_MULF(self->m00, self->m02) + KSL_MULF(self->m10, self->m12)
+          + KSL_MULF(self->m20, self->m22)),
+      defect_5 =
+          -(KSL_MULF(self->m01, self->m02) + KSL_MULF(self->m11, self->m12)
+          + KSL_MULF(self->m21, self->m22));
+  const float correction_0 = KSL_MULF(0.5f, defect_0), correction_1 = KSL_MULF(0.5f, defect_1),
+      correction_2 = KSL_MULF(0.5f, defect_2), correction_3 = KSL_MULF(0.5f, defect_3),
+      correction_4 = KSL_MULF(0.5f, defect_4), correction_5 = KSL_MULF(0.5f, defect_5);
+  const float self_00_new = self->m00
+          + (KSL_MULF(self->m00, correction_0) + KSL_MULF(self->m01, correction_3)
+          + KSL_MULF(self->m02, correction_4)),
+      self_01_new = KSL_MULF(self->m00, correction_3) + KSL_MULF(self->m01, correction_1)
+          + KSL_MULF(self->m02, correction_5) + self->m01,
+      self_02_new = KSL_MULF(self->m00, correction_4) + KSL_MULF(self->m01, correction_5)
+          + KSL_MULF(self->m02, correction_2) + self->m02,
+      self_10_new = self->m10
+          + (KSL_MULF(self->m10, correction_0) + KSL_MULF(self->m11, correction_3)
+          + KSL_MULF(self->m12, correction_4)),
+      self_11_new = KSL_MULF(self->m10, correction_3) + KSL_MULF(self->m11, correction_1)
+          + KSL_MULF(self->m12, correction_5) + self->m11,
+      self_12_new = KSL_MULF(self->m10, correction_4) + KSL_MULF(self->m11, correction_5)
+          + KSL_MULF(self->m12, correction_2) + self->m12,
+      self_20_new = self->m20
+          + (KSL_MULF(self->m20, correction_0) + KSL_MULF(self->m21, correction_3)
+          + KSL_MULF(self->m22, correction_4)),
+      self_21_new = KSL_MULF(self->m20, correction_3) + KSL_MULF(self->m21, correction_1)
+          + KSL_MULF(self->m22, correction_5) + self->m21,
+      self_22_new = KSL_MULF(self->m20, correction_4) + KSL_MULF(self->m21, correction_5)
+          + KSL_MULF(self->m22, correction_2) + self->m22;
   self->m00 = self_00_new;
   self->m01 = self_01_new;
   self->m02 = self_02_new;
@@ -2943,57 +2131,39 @@ static inline void ksl_mat3x3f_orthonormalize(ksl_mat3x3f_t *self) {
    Error <= u |result| + 7 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline void ksl_mat3x3f_orthonormalized(const ksl_mat3x3f_t *R, ksl_mat3x3f_t *Ro) {
-  const float defect_0a = KSL_MULF(R->m00, R->m00), defect_0b = 1.0f - defect_0a,
-      defect_0c = KSL_MULF(R->m10, R->m10), defect_0d = defect_0b - defect_0c,
-      defect_0e = KSL_MULF(R->m20, R->m20), defect_0 = defect_0d - defect_0e;
-  const float defect_1a = KSL_MULF(R->m01, R->m01), defect_1b = 1.0f - defect_1a,
-      defect_1c = KSL_MULF(R->m11, R->m11), defect_1d = defect_1b - defect_1c,
-      defect_1e = KSL_MULF(R->m21, R->m21), defect_1 = defect_1d - defect_1e;
-  const float defect_2a = KSL_MULF(R->m02, R->m02), defect_2b = 1.0f - defect_2a,
-      defect_2c = KSL_MULF(R->m12, R->m12), defect_2d = defect_2b - defect_2c,
-      defect_2e = KSL_MULF(R->m22, R->m22), defect_2 = defect_2d - defect_2e;
-  const float defect_3a = KSL_MULF(R->m00, R->m01), defect_3b = KSL_MULF(R->m10, R->m11),
-      defect_3c = defect_3a + defect_3b, defect_3d = KSL_MULF(R->m20, R->m21),
-      defect_3e = defect_3c + defect_3d, defect_3 = -defect_3e;
-  const float defect_4a = KSL_MULF(R->m00, R->m02), defect_4b = KSL_MULF(R->m10, R->m12),
-      defect_4c = defect_4a + defect_4b, defect_4d = KSL_MULF(R->m20, R->m22),
-      defect_4e = defect_4c + defect_4d, defect_4 = -defect_4e;
-  const float defect_5a = KSL_MULF(R->m01, R->m02), defect_5b = KSL_MULF(R->m11, R->m12),
-      defect_5c = defect_5a + defect_5b, defect_5d = KSL_MULF(R->m21, R->m22),
-      defect_5e = defect_5c + defect_5d, defect_5 = -defect_5e;
-  const float correction_0 = KSL_MULF(0.5f, defect_0);
-  const float correction_1 = KSL_MULF(0.5f, defect_1);
-  const float correction_2 = KSL_MULF(0.5f, defect_2);
-  const float correction_3 = KSL_MULF(0.5f, defect_3);
-  const float correction_4 = KSL_MULF(0.5f, defect_4);
-  const float correction_5 = KSL_MULF(0.5f, defect_5);
-  const float Ro_00a = KSL_MULF(R->m00, correction_0), Ro_00b = KSL_MULF(R->m01, correction_3),
-      Ro_00c = Ro_00a + Ro_00b, Ro_00d = KSL_MULF(R->m02, correction_4), Ro_00e = Ro_00c + Ro_00d,
-      Ro_00 = R->m00 + Ro_00e;
-  const float Ro_01a = KSL_MULF(R->m00, correction_3), Ro_01b = KSL_MULF(R->m01, correction_1),
-      Ro_01c = Ro_01a + Ro_01b, Ro_01d = KSL_MULF(R->m02, correction_5), Ro_01e = Ro_01c + Ro_01d,
-      Ro_01 = Ro_01e + R->m01;
-  const float Ro_02a = KSL_MULF(R->m00, correction_4), Ro_02b = KSL_MULF(R->m01, correction_5),
-      Ro_02c = Ro_02a + Ro_02b, Ro_02d = KSL_MULF(R->m02, correction_2), Ro_02e = Ro_02c + Ro_02d,
-      Ro_02 = Ro_02e + R->m02;
-  const float Ro_10a = KSL_MULF(R->m10, correction_0), Ro_10b = KSL_MULF(R->m11, correction_3),
-      Ro_10c = Ro_10a + Ro_10b, Ro_10d = KSL_MULF(R->m12, correction_4), Ro_10e = Ro_10c + Ro_10d,
-      Ro_10 = R->m10 + Ro_10e;
-  const float Ro_11a = KSL_MULF(R->m10, correction_3), Ro_11b = KSL_MULF(R->m11, correction_1),
-      Ro_11c = Ro_11a + Ro_11b, Ro_11d = KSL_MULF(R->m12, correction_5), Ro_11e = Ro_11c + Ro_11d,
-      Ro_11 = Ro_11e + R->m11;
-  const float Ro_12a = KSL_MULF(R->m10, correction_4), Ro_12b = KSL_MULF(R->m11, correction_5),
-      Ro_12c = Ro_12a + Ro_12b, Ro_12d = KSL_MULF(R->m12, correction_2), Ro_12e = Ro_12c + Ro_12d,
-      Ro_12 = Ro_12e + R->m12;
-  const float Ro_20a = KSL_MULF(R->m20, correction_0), Ro_20b = KSL_MULF(R->m21, correction_3),
-      Ro_20c = Ro_20a + Ro_20b, Ro_20d = KSL_MULF(R->m22, correction_4), Ro_20e = Ro_20c + Ro_20d,
-      Ro_20 = R->m20 + Ro_20e;
-  const float Ro_21a = KSL_MULF(R->m20, correction_3), Ro_21b = KSL_MULF(R->m21, correction_1),
-      Ro_21c = Ro_21a + Ro_21b, Ro_21d = KSL_MULF(R->m22, correction_5), Ro_21e = Ro_21c + Ro_21d,
-      Ro_21 = Ro_21e + R->m21;
-  const float Ro_22a = KSL_MULF(R->m20, correction_4), Ro_22b = KSL_MULF(R->m21, correction_5),
-      Ro_22c = Ro_22a + Ro_22b, Ro_22d = KSL_MULF(R->m22, correction_2), Ro_22e = Ro_22c + Ro_22d,
-      Ro_22 = Ro_22e + R->m22;
+  const float defect_0 = 1.0f - KSL_MULF(R->m00, R->m00) - KSL_MULF(R->m10, R->m10)
+          - KSL_MULF(R->m20, R->m20),
+      defect_1 = 1.0f - KSL_MULF(R->m01, R->m01) - KSL_MULF(R->m11, R->m11)
+          - KSL_MULF(R->m21, R->m21),
+      defect_2 = 1.0f - KSL_MULF(R->m02, R->m02) - KSL_MULF(R->m12, R->m12)
+          - KSL_MULF(R->m22, R->m22),
+      defect_3 = -(KSL_MULF(R->m00, R->m01) + KSL_MULF(R->m10, R->m11) + KSL_MULF(R->m20, R->m21)),
+      defect_4 = -(KSL_MULF(R->m00, R->m02) + KSL_MULF(R->m10, R->m12) + KSL_MULF(R->m20, R->m22)),
+      defect_5 = -(KSL_MULF(R->m01, R->m02) + KSL_MULF(R->m11, R->m12) + KSL_MULF(R->m21, R->m22));
+  const float correction_0 = KSL_MULF(0.5f, defect_0), correction_1 = KSL_MULF(0.5f, defect_1),
+      correction_2 = KSL_MULF(0.5f, defect_2), correction_3 = KSL_MULF(0.5f, defect_3),
+      correction_4 = KSL_MULF(0.5f, defect_4), correction_5 = KSL_MULF(0.5f, defect_5);
+  const float Ro_00 = R->m00
+          + (KSL_MULF(R->m00, correction_0) + KSL_MULF(R->m01, correction_3)
+          + KSL_MULF(R->m02, correction_4)),
+      Ro_01 = KSL_MULF(R->m00, correction_3) + KSL_MULF(R->m01, correction_1)
+          + KSL_MULF(R->m02, correction_5) + R->m01,
+      Ro_02 = KSL_MULF(R->m00, correction_4) + KSL_MULF(R->m01, correction_5)
+          + KSL_MULF(R->m02, correction_2) + R->m02,
+      Ro_10 = R->m10
+          + (KSL_MULF(R->m10, correction_0) + KSL_MULF(R->m11, correction_3)
+          + KSL_MULF(R->m12, correction_4)),
+      Ro_11 = KSL_MULF(R->m10, correction_3) + KSL_MULF(R->m11, correction_1)
+          + KSL_MULF(R->m12, correction_5) + R->m11,
+      Ro_12 = KSL_MULF(R->m10, correction_4) + KSL_MULF(R->m11, correction_5)
+          + KSL_MULF(R->m12, correction_2) + R->m12,
+      Ro_20 = R->m20
+          + (KSL_MULF(R->m20, correction_0) + KSL_MULF(R->m21, correction_3)
+          + KSL_MULF(R->m22, correction_4)),
+      Ro_21 = KSL_MULF(R->m20, correction_3) + KSL_MULF(R->m21, correction_1)
+          + KSL_MULF(R->m22, correction_5) + R->m21,
+      Ro_22 = KSL_MULF(R->m20, correction_4) + KSL_MULF(R->m21, correction_5)
+          + KSL_MULF(R->m22, correction_2) + R->m22;
   Ro->m00 = Ro_00;
   Ro->m01 = Ro_01;
   Ro->m02 = Ro_02;
@@ -3012,44 +2182,32 @@ static inline void ksl_mat3x3f_orthonormalized(const ksl_mat3x3f_t *R, ksl_mat3x
      larger, for |ω of s| <= 1e13, in single precision 1e5; searched, not proved.  Intermediate
      sums may overflow where |v|, or |ω| |v|, is above 2e306, in single precision 5e36. */
 static inline void ksl_SE3f_exp(const ksl_screwf_t *s, ksl_SE3f_t *D) {
-  const float size_0 = fabsf(s->m3);
-  const float size_1 = fabsf(s->m4);
-  const float size_2 = fabsf(s->m5);
-  const float sizes_a = size_0 + size_1, sizes = sizes_a + size_2;
+  const float size_0 = fabsf(s->m3), size_1 = fabsf(s->m4), size_2 = fabsf(s->m5);
+  const float sizes = size_0 + size_1 + size_2;
   const float grid = KSL_MULF(sizes, 8192.0f);
-  const float shifted_0 = s->m3 + grid;
-  const float shifted_1 = s->m4 + grid;
-  const float shifted_2 = s->m5 + grid;
-  const float high_0 = shifted_0 - grid;
-  const float high_1 = shifted_1 - grid;
-  const float high_2 = shifted_2 - grid;
-  const float low_0 = s->m3 - high_0;
-  const float low_1 = s->m4 - high_1;
-  const float low_2 = s->m5 - high_2;
-  const float sum_0 = s->m3 + high_0;
-  const float sum_1 = s->m4 + high_1;
-  const float sum_2 = s->m5 + high_2;
-  const float squares_a = KSL_MULF(high_0, high_0), squares_b = KSL_MULF(high_1, high_1),
-      squares_c = squares_a + squares_b, squares_d = KSL_MULF(high_2, high_2),
-      squares = squares_c + squares_d;
-  const float cross_a = KSL_MULF(low_0, sum_0), cross_b = KSL_MULF(low_1, sum_1),
-      cross_c = cross_a + cross_b, cross_d = KSL_MULF(low_2, sum_2), cross = cross_c + cross_d;
+  const float shifted_0 = s->m3 + grid, shifted_1 = s->m4 + grid, shifted_2 = s->m5 + grid;
+  const float high_0 = shifted_0 - grid, high_1 = shifted_1 - grid, high_2 = shifted_2 - grid;
+  const float low_0 = s->m3 - high_0, low_1 = s->m4 - high_1, low_2 = s->m5 - high_2;
+  const float sum_0 = s->m3 + high_0, sum_1 = s->m4 + high_1, sum_2 = s->m5 + high_2;
+  const float squares = KSL_MULF(high_0, high_0) + KSL_MULF(high_1, high_1)
+          + KSL_MULF(high_2, high_2);
+  const float cross = KSL_MULF(low_0, sum_0) + KSL_MULF(low_1, sum_1) + KSL_MULF(low_2, sum_2);
   const float x = squares + cross;
   const float theta_a = sqrtf(x), theta = x < 1.0f ? 1.0f : theta_a;
   const float theta_shifted = grid + theta;
   const float theta_high = theta_shifted - grid;
   const float theta_low = theta - theta_high;
   const float theta_sum = theta + theta_high;
-  const float cross_rest_a = KSL_MULF(theta_low, theta_sum), cross_rest = cross - cross_rest_a;
-  const float exact_a = KSL_MULF(theta_high, theta_high), exact = squares - exact_a;
+  const float cross_rest = cross - KSL_MULF(theta_low, theta_sum);
+  const float exact = squares - KSL_MULF(theta_high, theta_high);
   const float residual = cross_rest + exact;
-  const float small_a = KSL_MULF(0.5f, residual), small = small_a / theta;
-  const float delta_a = fabsf(small), delta = delta_a < 0.0078125f ? small : 0.0f;
+  const float small = KSL_MULF(0.5f, residual) / theta;
+  const float delta = fabsf(small) < 0.0078125f ? small : 0.0f;
   float far_cosine_a; const float far_sine_a = ksl_sincosf(theta, &far_cosine_a);
   const float far_sine = x < 1.0f ? 1.0f : far_sine_a;
   const float far_cosine = x < 1.0f ? 0.0f : far_cosine_a;
-  const float sine_a = KSL_MULF(delta, far_cosine), sine = sine_a + far_sine;
-  const float cosine_a = KSL_MULF(delta, far_sine), cosine = far_cosine - cosine_a;
+  const float sine = KSL_MULF(delta, far_cosine) + far_sine;
+  const float cosine = far_cosine - KSL_MULF(delta, far_sine);
   const float far_x = x < 1.0f ? 1.0f : x;
   const float middle_x = x < 4.0f ? 4.0f : x;
   const float closed1 = sine / theta;
@@ -3057,79 +2215,54 @@ static inline void ksl_SE3f_exp(const ksl_screwf_t *s, ksl_SE3f_t *D) {
   const float closed2 = versine / far_x;
   const float rest3 = 1.0f - closed1;
   const float closed3 = rest3 / middle_x;
-  const float g1a = KSL_MULF(6.4469503e-26f, x), g1b = g1a - 3.8681703e-23f, g1c = KSL_MULF(x, g1b),
-      g1d = g1c + 1.9572942e-20f, g1e = KSL_MULF(x, g1d), g1f = g1e - 8.220635e-18f,
-      g1g = KSL_MULF(x, g1f), g1h = g1g + 2.8114574e-15f, g1i = KSL_MULF(x, g1h),
-      g1j = g1i - 7.6471636e-13f, g1k = KSL_MULF(x, g1j), g1l = g1k + 1.6059044e-10f,
-      g1m = KSL_MULF(x, g1l), g1n = g1m - 2.5052108e-08f, g1o = KSL_MULF(x, g1n),
-      g1p = g1o + 2.7557319e-06f, g1q = KSL_MULF(x, g1p), g1r = g1q - 0.0001984127f,
-      g1s = KSL_MULF(x, g1r), g1t = g1s + 0.008333334f, g1u = KSL_MULF(x, g1t),
-      g1v = g1u - 0.16666667f, g1w = KSL_MULF(x, g1v), g1x = g1w + 1.0f,
-      g1 = x < 1.0f ? g1x : closed1;
-  const float g2a = KSL_MULF(2.4795963e-27f, x), g2b = g2a - 1.6117376e-24f, g2c = KSL_MULF(x, g2b),
-      g2d = g2c + 8.896791e-22f, g2e = KSL_MULF(x, g2d), g2f = g2e - 4.1103176e-19f,
-      g2g = KSL_MULF(x, g2f), g2h = g2g + 1.5619207e-16f, g2i = KSL_MULF(x, g2h),
-      g2j = g2i - 4.7794773e-14f, g2k = KSL_MULF(x, g2j), g2l = g2k + 1.1470745e-11f,
-      g2m = KSL_MULF(x, g2l), g2n = g2m - 2.0876756e-09f, g2o = KSL_MULF(x, g2n),
-      g2p = g2o + 2.755732e-07f, g2q = KSL_MULF(x, g2p), g2r = g2q - 2.4801588e-05f,
-      g2s = KSL_MULF(x, g2r), g2t = g2s + 0.0013888889f, g2u = KSL_MULF(x, g2t),
-      g2v = g2u - 0.041666668f, g2w = KSL_MULF(x, g2v), g2x = g2w + 0.5f,
-      g2 = x < 1.0f ? g2x : closed2;
-  const float g3a = KSL_MULF(9.18369e-29f, x), g3b = g3a - 6.4469503e-26f, g3c = KSL_MULF(x, g3b),
-      g3d = g3c + 3.8681703e-23f, g3e = KSL_MULF(x, g3d), g3f = g3e - 1.9572942e-20f,
-      g3g = KSL_MULF(x, g3f), g3h = g3g + 8.220635e-18f, g3i = KSL_MULF(x, g3h),
-      g3j = g3i - 2.8114574e-15f, g3k = KSL_MULF(x, g3j), g3l = g3k + 7.6471636e-13f,
-      g3m = KSL_MULF(x, g3l), g3n = g3m - 1.6059044e-10f, g3o = KSL_MULF(x, g3n),
-      g3p = g3o + 2.5052108e-08f, g3q = KSL_MULF(x, g3p), g3r = g3q - 2.7557319e-06f,
-      g3s = KSL_MULF(x, g3r), g3t = g3s + 0.0001984127f, g3u = KSL_MULF(x, g3t),
-      g3v = g3u - 0.008333334f, g3w = KSL_MULF(x, g3v), g3x = g3w + 0.16666667f,
+  const float g1h = KSL_MULF(x, KSL_MULF(x, KSL_MULF(x, KSL_MULF(6.4469503e-26f, x)
+          - 3.8681703e-23f) + 1.9572942e-20f) - 8.220635e-18f) + 2.8114574e-15f,
+      g1q = KSL_MULF(x, KSL_MULF(x, KSL_MULF(x, KSL_MULF(x, KSL_MULF(x, g1h) - 7.6471636e-13f)
+          + 1.6059044e-10f) - 2.5052108e-08f) + 2.7557319e-06f),
+      g1x = KSL_MULF(x, KSL_MULF(x, KSL_MULF(x, g1q - 0.0001984127f) + 0.008333334f) - 0.16666667f)
+          + 1.0f, g1 = x < 1.0f ? g1x : closed1;
+  const float g2h = KSL_MULF(x, KSL_MULF(x, KSL_MULF(x, KSL_MULF(2.4795963e-27f, x)
+          - 1.6117376e-24f) + 8.896791e-22f) - 4.1103176e-19f) + 1.5619207e-16f,
+      g2q = KSL_MULF(x, KSL_MULF(x, KSL_MULF(x, KSL_MULF(x, KSL_MULF(x, g2h) - 4.7794773e-14f)
+          + 1.1470745e-11f) - 2.0876756e-09f) + 2.755732e-07f),
+      g2x = KSL_MULF(x, KSL_MULF(x, KSL_MULF(x, g2q - 2.4801588e-05f) + 0.0013888889f)
+          - 0.041666668f) + 0.5f, g2 = x < 1.0f ? g2x : closed2;
+  const float g3i = KSL_MULF(x, KSL_MULF(x, KSL_MULF(x, KSL_MULF(x, KSL_MULF(9.18369e-29f, x)
+          - 6.4469503e-26f) + 3.8681703e-23f) - 1.9572942e-20f) + 8.220635e-18f),
+      g3r = KSL_MULF(x, KSL_MULF(x, KSL_MULF(x, KSL_MULF(x, g3i - 2.8114574e-15f) + 7.6471636e-13f)
+          - 1.6059044e-10f) + 2.5052108e-08f) - 2.7557319e-06f,
+      g3x = KSL_MULF(x, KSL_MULF(x, KSL_MULF(x, g3r) + 0.0001984127f) - 0.008333334f) + 0.16666667f,
       g3 = x < 4.0f ? g3x : closed3;
-  const float g0a = KSL_MULF(x, g2), g0b = 1.0f - g0a, g0 = x < 1.0f ? g0b : cosine;
-  const float u_0a = KSL_MULF(s->m2, s->m4), u_0b = KSL_MULF(s->m1, s->m5), u_0 = u_0a - u_0b;
-  const float u_1a = KSL_MULF(s->m0, s->m5), u_1b = KSL_MULF(s->m2, s->m3), u_1 = u_1a - u_1b;
-  const float u_2a = KSL_MULF(s->m1, s->m3), u_2b = KSL_MULF(s->m0, s->m4), u_2 = u_2a - u_2b;
-  const float turned_0 = KSL_MULF(g2, u_0);
-  const float turned_1 = KSL_MULF(g2, u_1);
-  const float turned_2 = KSL_MULF(g2, u_2);
-  const float wv_a = KSL_MULF(s->m0, s->m3), wv_b = KSL_MULF(s->m1, s->m4), wv_c = wv_a + wv_b,
-      wv_d = KSL_MULF(s->m2, s->m5), wv = wv_c + wv_d;
+  const float g0b = 1.0f - KSL_MULF(x, g2), g0 = x < 1.0f ? g0b : cosine;
+  const float u_0 = KSL_MULF(s->m2, s->m4) - KSL_MULF(s->m1, s->m5),
+      u_1 = KSL_MULF(s->m0, s->m5) - KSL_MULF(s->m2, s->m3),
+      u_2 = KSL_MULF(s->m1, s->m3) - KSL_MULF(s->m0, s->m4);
+  const float turned_0 = KSL_MULF(g2, u_0), turned_1 = KSL_MULF(g2, u_1),
+      turned_2 = KSL_MULF(g2, u_2);
+  const float wv = KSL_MULF(s->m0, s->m3) + KSL_MULF(s->m1, s->m4) + KSL_MULF(s->m2, s->m5);
   const float pitch = KSL_MULF(g3, wv);
-  const float along_0 = KSL_MULF(s->m3, pitch);
-  const float along_1 = KSL_MULF(s->m4, pitch);
-  const float along_2 = KSL_MULF(s->m5, pitch);
-  const float beta_v_0 = KSL_MULF(s->m3, g2);
-  const float beta_v_1 = KSL_MULF(s->m4, g2);
-  const float beta_v_2 = KSL_MULF(s->m5, g2);
-  const float m_0 = KSL_MULF(s->m3, beta_v_0);
-  const float m_1 = KSL_MULF(s->m4, beta_v_1);
-  const float m_2 = KSL_MULF(s->m5, beta_v_2);
-  const float m_3 = KSL_MULF(s->m4, beta_v_0);
-  const float m_4 = KSL_MULF(s->m5, beta_v_0);
-  const float m_5 = KSL_MULF(s->m5, beta_v_1);
-  const float others_0 = m_1 + m_2;
-  const float others_1 = m_0 + m_2;
-  const float others_2 = m_0 + m_1;
+  const float along_0 = KSL_MULF(s->m3, pitch), along_1 = KSL_MULF(s->m4, pitch),
+      along_2 = KSL_MULF(s->m5, pitch);
+  const float beta_v_0 = KSL_MULF(s->m3, g2), beta_v_1 = KSL_MULF(s->m4, g2),
+      beta_v_2 = KSL_MULF(s->m5, g2);
+  const float m_0 = KSL_MULF(s->m3, beta_v_0), m_1 = KSL_MULF(s->m4, beta_v_1),
+      m_2 = KSL_MULF(s->m5, beta_v_2), m_3 = KSL_MULF(s->m4, beta_v_0),
+      m_4 = KSL_MULF(s->m5, beta_v_0), m_5 = KSL_MULF(s->m5, beta_v_1);
+  const float others_0 = m_1 + m_2, others_1 = m_0 + m_2, others_2 = m_0 + m_1;
   const float diagonal0a = 1.0f - others_0, diagonal0b = g0 + m_0,
       diagonal0 = m_0 < others_0 ? diagonal0b : diagonal0a;
   const float diagonal1a = 1.0f - others_1, diagonal1b = g0 + m_1,
       diagonal1 = m_1 < others_1 ? diagonal1b : diagonal1a;
   const float diagonal2a = 1.0f - others_2, diagonal2b = g0 + m_2,
       diagonal2 = m_2 < others_2 ? diagonal2b : diagonal2a;
-  const float alpha_v_0 = KSL_MULF(s->m3, g1);
-  const float alpha_v_1 = KSL_MULF(s->m4, g1);
-  const float alpha_v_2 = KSL_MULF(s->m5, g1);
-  const float across_axis_0 = turned_0 + along_0;
-  const float across_axis_1 = turned_1 + along_1;
-  const float across_axis_2 = turned_2 + along_2;
-  const float D_01 = m_3 - alpha_v_2;
-  const float D_02 = m_4 + alpha_v_1;
-  const float D_03a = KSL_MULF(s->m0, g1), D_03 = D_03a + across_axis_0;
-  const float D_10 = m_3 + alpha_v_2;
-  const float D_12 = m_5 - alpha_v_0;
-  const float D_13a = KSL_MULF(s->m1, g1), D_13 = D_13a + across_axis_1;
-  const float D_20 = m_4 - alpha_v_1;
-  const float D_21 = m_5 + alpha_v_0;
-  const float D_23a = KSL_MULF(s->m2, g1), D_23 = D_23a + across_axis_2;
+  const float alpha_v_0 = KSL_MULF(s->m3, g1), alpha_v_1 = KSL_MULF(s->m4, g1),
+      alpha_v_2 = KSL_MULF(s->m5, g1);
+  const float across_axis_0 = turned_0 + along_0, across_axis_1 = turned_1 + along_1,
+      across_axis_2 = turned_2 + along_2;
+  const float D_01 = m_3 - alpha_v_2, D_02 = m_4 + alpha_v_1,
+      D_03 = KSL_MULF(s->m0, g1) + across_axis_0, D_10 = m_3 + alpha_v_2, D_12 = m_5 - alpha_v_0,
+      D_13 = KSL_MULF(s->m1, g1) + across_axis_1, D_20 = m_4 - alpha_v_1, D_21 = m_5 + alpha_v_0,
+      D_23 = KSL_MULF(s->m2, g1) + across_axis_2;
   D->m00 = diagonal0;
   D->m01 = D_01;
   D->m02 = D_02;
@@ -3150,49 +2283,32 @@ static inline void ksl_SE3f_exp(const ksl_screwf_t *s, ksl_SE3f_t *D) {
    Error <= lin: 18 u, ang: 8 u of its largest component for R of D a rotation; searched, not
      proved.  Intermediate sums may overflow where |t| is above 2e306, in single precision 5e36. */
 static inline void ksl_SE3f_log(const ksl_SE3f_t *D, ksl_screwf_t *so) {
-  const float p_0 = D->m21 - D->m12;
-  const float p_1 = D->m02 - D->m20;
-  const float p_2 = D->m10 - D->m01;
-  const float s_0 = D->m12 + D->m21;
-  const float s_1 = D->m02 + D->m20;
-  const float s_2 = D->m01 + D->m10;
-  const float first_0 = D->m00 + 1.0f;
-  const float first_1 = 1.0f - D->m00;
-  const float others_0 = D->m11 + D->m22;
-  const float others_1 = D->m11 - D->m22;
-  const float d_0 = first_0 + others_0;
-  const float d_1 = first_0 - others_0;
-  const float d_2 = first_1 + others_1;
-  const float d_3 = first_1 - others_1;
-  const float low_0 = D->m11 < D->m00 ? d_1 : s_2;
-  const float low_1 = D->m11 < D->m00 ? s_2 : d_2;
-  const float low_2 = D->m11 < D->m00 ? s_1 : s_0;
-  const float low_3 = D->m11 < D->m00 ? p_0 : p_1;
+  const float p_0 = D->m21 - D->m12, p_1 = D->m02 - D->m20, p_2 = D->m10 - D->m01;
+  const float s_0 = D->m12 + D->m21, s_1 = D->m02 + D->m20, s_2 = D->m01 + D->m10;
+  const float first_0 = D->m00 + 1.0f, first_1 = 1.0f - D->m00;
+  const float others_0 = D->m11 + D->m22, others_1 = D->m11 - D->m22;
+  const float d_0 = first_0 + others_0, d_1 = first_0 - others_0, d_2 = first_1 + others_1,
+      d_3 = first_1 - others_1;
+  const float low_0 = D->m11 < D->m00 ? d_1 : s_2, low_1 = D->m11 < D->m00 ? s_2 : d_2,
+      low_2 = D->m11 < D->m00 ? s_1 : s_0, low_3 = D->m11 < D->m00 ? p_0 : p_1;
   const float high_0a = -D->m11, high_0 = D->m00 < high_0a ? s_1 : p_0;
-  const float high_1 = D->m00 < high_0a ? s_0 : p_1;
-  const float high_2 = D->m00 < high_0a ? d_3 : p_2;
-  const float high_3 = D->m00 < high_0a ? p_2 : d_0;
-  const float column_0 = D->m22 < 0.0f ? low_0 : high_0;
-  const float column_1 = D->m22 < 0.0f ? low_1 : high_1;
-  const float column_2 = D->m22 < 0.0f ? low_2 : high_2;
-  const float column_3 = D->m22 < 0.0f ? low_3 : high_3;
+  const float high_1 = D->m00 < high_0a ? s_0 : p_1, high_2 = D->m00 < high_0a ? d_3 : p_2,
+      high_3 = D->m00 < high_0a ? p_2 : d_0;
+  const float column_0 = D->m22 < 0.0f ? low_0 : high_0, column_1 = D->m22 < 0.0f ? low_1 : high_1,
+      column_2 = D->m22 < 0.0f ? low_2 : high_2, column_3 = D->m22 < 0.0f ? low_3 : high_3;
   const float upper_0a = -column_0, upper_0 = column_3 < 0.0f ? upper_0a : column_0;
   const float upper_1a = -column_1, upper_1 = column_3 < 0.0f ? upper_1a : column_1;
   const float upper_2a = -column_2, upper_2 = column_3 < 0.0f ? upper_2a : column_2;
   const float upper_3a = -column_3, upper_3 = column_3 < 0.0f ? upper_3a : column_3;
-  const float v_s_size_0 = fabsf(upper_0);
-  const float v_s_size_1 = fabsf(upper_1);
-  const float v_s_size_2 = fabsf(upper_2);
+  const float v_s_size_0 = fabsf(upper_0), v_s_size_1 = fabsf(upper_1), v_s_size_2 = fabsf(upper_2);
   const float v_s_largest1 = v_s_size_0 < v_s_size_1 ? v_s_size_1 : v_s_size_0;
   const float v_s_largest2 = v_s_largest1 < v_s_size_2 ? v_s_size_2 : v_s_largest1;
   const float v_s_b = 4.611686e+18f < v_s_largest2 ? 2.7105054e-20f : 1.0f,
       v_s_d = v_s_largest2 < 256.0f ? 1.8014399e+16f : v_s_b,
       v_s = v_s_largest2 < 1.4210855e-14f ? 3.2451855e+32f : v_s_d;
-  const float v_y_0 = KSL_MULF(upper_0, v_s);
-  const float v_y_1 = KSL_MULF(upper_1, v_s);
-  const float v_y_2 = KSL_MULF(upper_2, v_s);
-  const float v_n_a = KSL_MULF(v_y_0, v_y_0), v_n_b = KSL_MULF(v_y_1, v_y_1), v_n_c = v_n_a + v_n_b,
-      v_n_d = KSL_MULF(v_y_2, v_y_2), v_n_e = v_n_c + v_n_d, v_n = sqrtf(v_n_e);
+  const float v_y_0 = KSL_MULF(upper_0, v_s), v_y_1 = KSL_MULF(upper_1, v_s),
+      v_y_2 = KSL_MULF(upper_2, v_s);
+  const float v_n = sqrtf(KSL_MULF(v_y_0, v_y_0) + KSL_MULF(v_y_1, v_y_1) + KSL_MULF(v_y_2, v_y_2));
   const float v_r_b = v_s < 1.0f ? 3.689349e+19f : 1.0f, v_r_d = 1.0f < v_s ? 5.551115e-17f : v_r_b,
       v_r = 1.8014399e+16f < v_s ? 3.081488e-33f : v_r_d;
   const float n = KSL_MULF(v_n, v_r);
@@ -3200,51 +2316,39 @@ static inline void ksl_SE3f_log(const ksl_SE3f_t *D, ksl_screwf_t *so) {
   const float divisor = n == 0.0f ? 1.0f : n;
   const float theta = KSL_MULF(2.0f, half);
   const float k = theta / divisor;
-  const float vector_0 = KSL_MULF(upper_0, k);
-  const float vector_1 = KSL_MULF(upper_1, k);
-  const float vector_2 = KSL_MULF(upper_2, k);
+  const float vector_0 = KSL_MULF(upper_0, k), vector_1 = KSL_MULF(upper_1, k),
+      vector_2 = KSL_MULF(upper_2, k);
   const float x = KSL_MULF(theta, theta);
   const float far_sine = x < 1.0f ? 1.0f : n;
   const float cotangent = upper_3 / far_sine;
-  const float half_cotangent_a = KSL_MULF(0.5f, theta),
-      half_cotangent = KSL_MULF(half_cotangent_a, cotangent);
+  const float half_cotangent = KSL_MULF(KSL_MULF(0.5f, theta), cotangent);
   const float b_rest = 1.0f - half_cotangent;
   const float b_divisor = x < 4.0f ? 4.0f : x;
   const float closed_b = b_rest / b_divisor;
-  const float b_a = KSL_MULF(1.4551725e-27f, x), b_b = b_a + 5.744791e-26f, b_c = KSL_MULF(x, b_b),
-      b_d = b_c + 2.2679524e-24f, b_e = KSL_MULF(x, b_d), b_f = b_e + 8.9535176e-23f,
-      b_g = KSL_MULF(x, b_f), b_h = b_g + 3.534707e-21f, b_i = KSL_MULF(x, b_h),
-      b_j = b_i + 1.3954465e-19f, b_k = KSL_MULF(x, b_j), b_l = b_k + 5.509003e-18f,
-      b_m = KSL_MULF(x, b_l), b_n = b_m + 2.1748687e-16f, b_o = KSL_MULF(x, b_n),
-      b_p = b_o + 8.586062e-15f, b_q = KSL_MULF(x, b_p), b_r = b_q + 3.3896803e-13f,
-      b_s = KSL_MULF(x, b_r), b_t = b_s + 1.3382536e-11f, b_u = KSL_MULF(x, b_t),
-      b_v = b_u + 5.2841903e-10f, b_w = KSL_MULF(x, b_v), b_x = b_w + 2.0876756e-08f,
-      b_y = KSL_MULF(x, b_x), b_z = b_y + 8.267196e-07f, b_aa = KSL_MULF(x, b_z),
-      b_ab = b_aa + 3.3068784e-05f, b_ac = KSL_MULF(x, b_ab), b_ad = b_ac + 0.0013888889f,
-      b_ae = KSL_MULF(x, b_ad), b_af = b_ae + 0.083333336f, b = x < 4.0f ? b_af : closed_b;
-  const float b_across_a = KSL_MULF(x, b), b_across_b = 1.0f - b_across_a,
-      b_across = x < 4.0f ? b_across_b : half_cotangent;
-  const float wt_a = KSL_MULF(D->m03, vector_0), wt_b = KSL_MULF(D->m13, vector_1),
-      wt_c = wt_a + wt_b, wt_d = KSL_MULF(D->m23, vector_2), wt = wt_c + wt_d;
+  const float b_h = KSL_MULF(x, KSL_MULF(x, KSL_MULF(x, KSL_MULF(1.4551725e-27f, x)
+          + 5.744791e-26f) + 2.2679524e-24f) + 8.9535176e-23f) + 3.534707e-21f,
+      b_q = KSL_MULF(x, KSL_MULF(x, KSL_MULF(x, KSL_MULF(x, KSL_MULF(x, b_h) + 1.3954465e-19f)
+          + 5.509003e-18f) + 2.1748687e-16f) + 8.586062e-15f),
+      b_z = KSL_MULF(x, KSL_MULF(x, KSL_MULF(x, KSL_MULF(x, b_q + 3.3896803e-13f) + 1.3382536e-11f)
+          + 5.2841903e-10f) + 2.0876756e-08f) + 8.267196e-07f,
+      b_af = KSL_MULF(x, KSL_MULF(x, KSL_MULF(x, b_z) + 3.3068784e-05f) + 0.0013888889f)
+          + 0.083333336f, b = x < 4.0f ? b_af : closed_b;
+  const float b_across_b = 1.0f - KSL_MULF(x, b), b_across = x < 4.0f ? b_across_b : half_cotangent;
+  const float wt = KSL_MULF(D->m03, vector_0) + KSL_MULF(D->m13, vector_1)
+          + KSL_MULF(D->m23, vector_2);
   const float pitch = KSL_MULF(b, wt);
-  const float along_0 = KSL_MULF(vector_0, pitch);
-  const float along_1 = KSL_MULF(vector_1, pitch);
-  const float along_2 = KSL_MULF(vector_2, pitch);
-  const float u_0a = KSL_MULF(D->m23, vector_1), u_0b = KSL_MULF(D->m13, vector_2),
-      u_0 = u_0a - u_0b;
-  const float u_1a = KSL_MULF(D->m03, vector_2), u_1b = KSL_MULF(D->m23, vector_0),
-      u_1 = u_1a - u_1b;
-  const float u_2a = KSL_MULF(D->m13, vector_0), u_2b = KSL_MULF(D->m03, vector_1),
-      u_2 = u_2a - u_2b;
-  const float turned_0 = KSL_MULF(0.5f, u_0);
-  const float turned_1 = KSL_MULF(0.5f, u_1);
-  const float turned_2 = KSL_MULF(0.5f, u_2);
-  const float across_axis_0 = along_0 - turned_0;
-  const float across_axis_1 = along_1 - turned_1;
-  const float across_axis_2 = along_2 - turned_2;
-  const float so_0a = KSL_MULF(D->m03, b_across), so_0 = so_0a + across_axis_0;
-  const float so_1a = KSL_MULF(D->m13, b_across), so_1 = so_1a + across_axis_1;
-  const float so_2a = KSL_MULF(D->m23, b_across), so_2 = so_2a + across_axis_2;
+  const float along_0 = KSL_MULF(vector_0, pitch), along_1 = KSL_MULF(vector_1, pitch),
+      along_2 = KSL_MULF(vector_2, pitch);
+  const float u_0 = KSL_MULF(D->m23, vector_1) - KSL_MULF(D->m13, vector_2),
+      u_1 = KSL_MULF(D->m03, vector_2) - KSL_MULF(D->m23, vector_0),
+      u_2 = KSL_MULF(D->m13, vector_0) - KSL_MULF(D->m03, vector_1);
+  const float turned_0 = KSL_MULF(0.5f, u_0), turned_1 = KSL_MULF(0.5f, u_1),
+      turned_2 = KSL_MULF(0.5f, u_2);
+  const float across_axis_0 = along_0 - turned_0, across_axis_1 = along_1 - turned_1,
+      across_axis_2 = along_2 - turned_2;
+  const float so_0 = KSL_MULF(D->m03, b_across) + across_axis_0,
+      so_1 = KSL_MULF(D->m13, b_across) + across_axis_1,
+      so_2 = KSL_MULF(D->m23, b_across) + across_axis_2;
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -3259,44 +2363,32 @@ static inline void ksl_SE3f_log(const ksl_SE3f_t *D, ksl_screwf_t *so) {
    Error <= M: 20 u of its largest component for |ω of s| <= π; searched, not proved.
      Intermediate sums may overflow where |v| is above 2e306, in single precision 5e36. */
 static inline void ksl_SE3f_leftJacobian(const ksl_screwf_t *s, ksl_mat6x6f_t *M) {
-  const float size_0 = fabsf(s->m3);
-  const float size_1 = fabsf(s->m4);
-  const float size_2 = fabsf(s->m5);
-  const float sizes_a = size_0 + size_1, sizes = sizes_a + size_2;
+  const float size_0 = fabsf(s->m3), size_1 = fabsf(s->m4), size_2 = fabsf(s->m5);
+  const float sizes = size_0 + size_1 + size_2;
   const float grid = KSL_MULF(sizes, 8192.0f);
-  const float shifted_0 = s->m3 + grid;
-  const float shifted_1 = s->m4 + grid;
-  const float shifted_2 = s->m5 + grid;
-  const float high_0 = shifted_0 - grid;
-  const float high_1 = shifted_1 - grid;
-  const float high_2 = shifted_2 - grid;
-  const float low_0 = s->m3 - high_0;
-  const float low_1 = s->m4 - high_1;
-  const float low_2 = s->m5 - high_2;
-  const float sum_0 = s->m3 + high_0;
-  const float sum_1 = s->m4 + high_1;
-  const float sum_2 = s->m5 + high_2;
-  const float squares_a = KSL_MULF(high_0, high_0), squares_b = KSL_MULF(high_1, high_1),
-      squares_c = squares_a + squares_b, squares_d = KSL_MULF(high_2, high_2),
-      squares = squares_c + squares_d;
-  const float cross_a = KSL_MULF(low_0, sum_0), cross_b = KSL_MULF(low_1, sum_1),
-      cross_c = cross_a + cross_b, cross_d = KSL_MULF(low_2, sum_2), cross = cross_c + cross_d;
+  const float shifted_0 = s->m3 + grid, shifted_1 = s->m4 + grid, shifted_2 = s->m5 + grid;
+  const float high_0 = shifted_0 - grid, high_1 = shifted_1 - grid, high_2 = shifted_2 - grid;
+  const float low_0 = s->m3 - high_0, low_1 = s->m4 - high_1, low_2 = s->m5 - high_2;
+  const float sum_0 = s->m3 + high_0, sum_1 = s->m4 + high_1, sum_2 = s->m5 + high_2;
+  const float squares = KSL_MULF(high_0, high_0) + KSL_MULF(high_1, high_1)
+          + KSL_MULF(high_2, high_2);
+  const float cross = KSL_MULF(low_0, sum_0) + KSL_MULF(low_1, sum_1) + KSL_MULF(low_2, sum_2);
   const float x = squares + cross;
   const float theta_a = sqrtf(x), theta = x < 1.0f ? 1.0f : theta_a;
   const float theta_shifted = grid + theta;
   const float theta_high = theta_shifted - grid;
   const float theta_low = theta - theta_high;
   const float theta_sum = theta + theta_high;
-  const float cross_rest_a = KSL_MULF(theta_low, theta_sum), cross_rest = cross - cross_rest_a;
-  const float exact_a = KSL_MULF(theta_high, theta_high), exact = squares - exact_a;
+  const float cross_rest = cross - KSL_MULF(theta_low, theta_sum);
+  const float exact = squares - KSL_MULF(theta_high, theta_high);
   const float residual = cross_rest + exact;
-  const float small_a = KSL_MULF(0.5f, residual), small = small_a / theta;
-  const float delta_a = fabsf(small), delta = delta_a < 0.0078125f ? small : 0.0f;
+  const float small = KSL_MULF(0.5f, residual) / theta;
+  const float delta = fabsf(small) < 0.0078125f ? small : 0.0f;
   float far_cosine_a; const float far_sine_a = ksl_sincosf(theta, &far_cosine_a);
   const float far_sine = x < 1.0f ? 1.0f : far_sine_a;
   const float far_cosine = x < 1.0f ? 0.0f : far_cosine_a;
-  const float sine_a = KSL_MULF(delta, far_cosine), sine = sine_a + far_sine;
-  const float cosine_a = KSL_MULF(delta, far_sine), cosine = far_cosine - cosine_a;
+  const float sine = KSL_MULF(delta, far_cosine) + far_sine;
+  const float cosine = far_cosine - KSL_MULF(delta, far_sine);
   const float far_x = x < 1.0f ? 1.0f : x;
   const float middle_x = x < 4.0f ? 4.0f : x;
   const float closed1 = sine / theta;
@@ -3304,144 +2396,86 @@ static inline void ksl_SE3f_leftJacobian(const ksl_screwf_t *s, ksl_mat6x6f_t *M
   const float closed2 = versine / far_x;
   const float rest3 = 1.0f - closed1;
   const float closed3 = rest3 / middle_x;
-  const float g1a = KSL_MULF(6.4469503e-26f, x), g1b = g1a - 3.8681703e-23f, g1c = KSL_MULF(x, g1b),
-      g1d = g1c + 1.9572942e-20f, g1e = KSL_MULF(x, g1d), g1f = g1e - 8.220635e-18f,
-      g1g = KSL_MULF(x, g1f), g1h = g1g + 2.8114574e-15f, g1i = KSL_MULF(x, g1h),
-      g1j = g1i - 7.6471636e-13f, g1k = KSL_MULF(x, g1j), g1l = g1k + 1.6059044e-10f,
-      g1m = KSL_MULF(x, g1l), g1n = g1m - 2.5052108e-08f, g1o = KSL_MULF(x, g1n),
-      g1p = g1o + 2.7557319e-06f, g1q = KSL_MULF(x, g1p), g1r = g1q - 0.0001984127f,
-      g1s = KSL_MULF(x, g1r), g1t = g1s + 0.008333334f, g1u = KSL_MULF(x, g1t),
-      g1v = g1u - 0.16666667f, g1w = KSL_MULF(x, g1v), g1x = g1w + 1.0f,
-      g1 = x < 1.0f ? g1x : closed1;
-  const float g2a = KSL_MULF(2.4795963e-27f, x), g2b = g2a - 1.6117376e-24f, g2c = KSL_MULF(x, g2b),
-      g2d = g2c + 8.896791e-22f, g2e = KSL_MULF(x, g2d), g2f = g2e - 4.1103176e-19f,
-      g2g = KSL_MULF(x, g2f), g2h = g2g + 1.5619207e-16f, g2i = KSL_MULF(x, g2h),
-      g2j = g2i - 4.7794773e-14f, g2k = KSL_MULF(x, g2j), g2l = g2k + 1.1470745e-11f,
-      g2m = KSL_MULF(x, g2l), g2n = g2m - 2.0876756e-09f, g2o = KSL_MULF(x, g2n),
-      g2p = g2o + 2.755732e-07f, g2q = KSL_MULF(x, g2p), g2r = g2q - 2.4801588e-05f,
-      g2s = KSL_MULF(x, g2r), g2t = g2s + 0.0013888889f, g2u = KSL_MULF(x, g2t),
-      g2v = g2u - 0.041666668f, g2w = KSL_MULF(x, g2v), g2x = g2w + 0.5f,
-      g2 = x < 1.0f ? g2x : closed2;
-  const float g3a = KSL_MULF(9.18369e-29f, x), g3b = g3a - 6.4469503e-26f, g3c = KSL_MULF(x, g3b),
-      g3d = g3c + 3.8681703e-23f, g3e = KSL_MULF(x, g3d), g3f = g3e - 1.9572942e-20f,
-      g3g = KSL_MULF(x, g3f), g3h = g3g + 8.220635e-18f, g3i = KSL_MULF(x, g3h),
-      g3j = g3i - 2.8114574e-15f, g3k = KSL_MULF(x, g3j), g3l = g3k + 7.6471636e-13f,
-      g3m = KSL_MULF(x, g3l), g3n = g3m - 1.6059044e-10f, g3o = KSL_MULF(x, g3n),
-      g3p = g3o + 2.5052108e-08f, g3q = KSL_MULF(x, g3p), g3r = g3q - 2.7557319e-06f,
-      g3s = KSL_MULF(x, g3r), g3t = g3s + 0.0001984127f, g3u = KSL_MULF(x, g3t),
-      g3v = g3u - 0.008333334f, g3w = KSL_MULF(x, g3v), g3x = g3w + 0.16666667f,
+  const float g1h = KSL_MULF(x, KSL_MULF(x, KSL_MULF(x, KSL_MULF(6.4469503e-26f, x)
+          - 3.8681703e-23f) + 1.9572942e-20f) - 8.220635e-18f) + 2.8114574e-15f,
+      g1q = KSL_MULF(x, KSL_MULF(x, KSL_MULF(x, KSL_MULF(x, KSL_MULF(x, g1h) - 7.6471636e-13f)
+          + 1.6059044e-10f) - 2.5052108e-08f) + 2.7557319e-06f),
+      g1x = KSL_MULF(x, KSL_MULF(x, KSL_MULF(x, g1q - 0.0001984127f) + 0.008333334f) - 0.16666667f)
+          + 1.0f, g1 = x < 1.0f ? g1x : closed1;
+  const float g2h = KSL_MULF(x, KSL_MULF(x, KSL_MULF(x, KSL_MULF(2.4795963e-27f, x)
+          - 1.6117376e-24f) + 8.896791e-22f) - 4.1103176e-19f) + 1.5619207e-16f,
+      g2q = KSL_MULF(x, KSL_MULF(x, KSL_MULF(x, KSL_MULF(x, KSL_MULF(x, g2h) - 4.7794773e-14f)
+          + 1.1470745e-11f) - 2.0876756e-09f) + 2.755732e-07f),
+      g2x = KSL_MULF(x, KSL_MULF(x, KSL_MULF(x, g2q - 2.4801588e-05f) + 0.0013888889f)
+          - 0.041666668f) + 0.5f, g2 = x < 1.0f ? g2x : closed2;
+  const float g3i = KSL_MULF(x, KSL_MULF(x, KSL_MULF(x, KSL_MULF(x, KSL_MULF(9.18369e-29f, x)
+          - 6.4469503e-26f) + 3.8681703e-23f) - 1.9572942e-20f) + 8.220635e-18f),
+      g3r = KSL_MULF(x, KSL_MULF(x, KSL_MULF(x, KSL_MULF(x, g3i - 2.8114574e-15f) + 7.6471636e-13f)
+          - 1.6059044e-10f) + 2.5052108e-08f) - 2.7557319e-06f,
+      g3x = KSL_MULF(x, KSL_MULF(x, KSL_MULF(x, g3r) + 0.0001984127f) - 0.008333334f) + 0.16666667f,
       g3 = x < 4.0f ? g3x : closed3;
   const float late_x = x < 9.0f ? 1.0f : x;
-  const float rate2_rest_a = KSL_MULF(2.0f, g2), rate2_rest = g1 - rate2_rest_a;
+  const float rate2_rest = g1 - KSL_MULF(2.0f, g2);
   const float closed_rate2 = rate2_rest / late_x;
-  const float rate3_rest_a = KSL_MULF(3.0f, g3), rate3_rest = g2 - rate3_rest_a;
+  const float rate3_rest = g2 - KSL_MULF(3.0f, g3);
   const float closed_rate3 = rate3_rest / late_x;
-  const float rate2a = KSL_MULF(8.527712e-29f, x), rate2b = 5.951031e-26f - rate2a,
-      rate2c = KSL_MULF(x, rate2b), rate2d = rate2c - 3.5458228e-23f, rate2e = KSL_MULF(x, rate2d),
-      rate2f = rate2e + 1.7793582e-20f, rate2g = KSL_MULF(x, rate2f),
-      rate2h = rate2g - 7.398571e-18f, rate2i = KSL_MULF(x, rate2h),
-      rate2j = rate2i + 2.499073e-15f, rate2k = KSL_MULF(x, rate2j),
-      rate2l = rate2k - 6.691268e-13f, rate2m = KSL_MULF(x, rate2l),
-      rate2n = rate2m + 1.3764895e-10f, rate2o = KSL_MULF(x, rate2n),
-      rate2p = rate2o - 2.0876756e-08f, rate2q = KSL_MULF(x, rate2p),
-      rate2r = rate2q + 2.2045856e-06f, rate2s = KSL_MULF(x, rate2r),
-      rate2t = rate2s - 0.00014880953f, rate2u = KSL_MULF(x, rate2t),
-      rate2v = rate2u + 0.0055555557f, rate2w = KSL_MULF(x, rate2v), rate2x = rate2w - 0.083333336f,
-      rate2 = x < 9.0f ? rate2x : closed_rate2;
-  const float rate3a = KSL_MULF(2.9405903e-30f, x), rate3b = 2.2040857e-27f - rate3a,
-      rate3c = KSL_MULF(x, rate3b), rate3d = rate3c - 1.418329e-24f, rate3e = KSL_MULF(x, rate3d),
-      rate3f = rate3e + 7.7363405e-22f, rate3g = KSL_MULF(x, rate3f),
-      rate3h = rate3g - 3.5231295e-19f, rate3i = KSL_MULF(x, rate3h),
-      rate3j = rate3i + 1.3153016e-16f, rate3k = KSL_MULF(x, rate3j),
-      rate3l = rate3k - 3.93604e-14f, rate3m = KSL_MULF(x, rate3l), rate3n = rate3m + 9.176596e-12f,
-      rate3o = KSL_MULF(x, rate3n), rate3p = rate3o - 1.6059044e-09f, rate3q = KSL_MULF(x, rate3p),
-      rate3r = rate3q + 2.0041686e-07f, rate3s = KSL_MULF(x, rate3r),
-      rate3t = rate3s - 1.6534392e-05f, rate3u = KSL_MULF(x, rate3t),
-      rate3v = rate3u + 0.0007936508f, rate3w = KSL_MULF(x, rate3v), rate3x = rate3w - 0.016666668f,
-      rate3 = x < 9.0f ? rate3x : closed_rate3;
-  const float beta_v_0 = KSL_MULF(s->m3, g3);
-  const float beta_v_1 = KSL_MULF(s->m4, g3);
-  const float beta_v_2 = KSL_MULF(s->m5, g3);
-  const float m_0 = KSL_MULF(s->m3, beta_v_0);
-  const float m_1 = KSL_MULF(s->m4, beta_v_1);
-  const float m_2 = KSL_MULF(s->m5, beta_v_2);
-  const float m_3 = KSL_MULF(s->m4, beta_v_0);
-  const float m_4 = KSL_MULF(s->m5, beta_v_0);
-  const float m_5 = KSL_MULF(s->m5, beta_v_1);
-  const float others_0 = m_1 + m_2;
-  const float others_1 = m_0 + m_2;
-  const float others_2 = m_0 + m_1;
+  const float rate2h = KSL_MULF(x, KSL_MULF(x, KSL_MULF(x, 5.951031e-26f
+          - KSL_MULF(8.527712e-29f, x)) - 3.5458228e-23f) + 1.7793582e-20f) - 7.398571e-18f,
+      rate2q = KSL_MULF(x, KSL_MULF(x, KSL_MULF(x, KSL_MULF(x, KSL_MULF(x, rate2h) + 2.499073e-15f)
+          - 6.691268e-13f) + 1.3764895e-10f) - 2.0876756e-08f),
+      rate2x = KSL_MULF(x, KSL_MULF(x, KSL_MULF(x, rate2q + 2.2045856e-06f) - 0.00014880953f)
+          + 0.0055555557f) - 0.083333336f, rate2 = x < 9.0f ? rate2x : closed_rate2;
+  const float rate3h = KSL_MULF(x, KSL_MULF(x, KSL_MULF(x, 2.2040857e-27f
+          - KSL_MULF(2.9405903e-30f, x)) - 1.418329e-24f) + 7.7363405e-22f) - 3.5231295e-19f,
+      rate3q = KSL_MULF(x, KSL_MULF(x, KSL_MULF(x, KSL_MULF(x, KSL_MULF(x, rate3h)
+          + 1.3153016e-16f) - 3.93604e-14f) + 9.176596e-12f) - 1.6059044e-09f),
+      rate3x = KSL_MULF(x, KSL_MULF(x, KSL_MULF(x, rate3q + 2.0041686e-07f) - 1.6534392e-05f)
+          + 0.0007936508f) - 0.016666668f, rate3 = x < 9.0f ? rate3x : closed_rate3;
+  const float beta_v_0 = KSL_MULF(s->m3, g3), beta_v_1 = KSL_MULF(s->m4, g3),
+      beta_v_2 = KSL_MULF(s->m5, g3);
+  const float m_0 = KSL_MULF(s->m3, beta_v_0), m_1 = KSL_MULF(s->m4, beta_v_1),
+      m_2 = KSL_MULF(s->m5, beta_v_2), m_3 = KSL_MULF(s->m4, beta_v_0),
+      m_4 = KSL_MULF(s->m5, beta_v_0), m_5 = KSL_MULF(s->m5, beta_v_1);
+  const float others_0 = m_1 + m_2, others_1 = m_0 + m_2, others_2 = m_0 + m_1;
   const float diagonal0a = 1.0f - others_0, diagonal0b = g1 + m_0,
       diagonal0 = m_0 < others_0 ? diagonal0b : diagonal0a;
   const float diagonal1a = 1.0f - others_1, diagonal1b = g1 + m_1,
       diagonal1 = m_1 < others_1 ? diagonal1b : diagonal1a;
   const float diagonal2a = 1.0f - others_2, diagonal2b = g1 + m_2,
       diagonal2 = m_2 < others_2 ? diagonal2b : diagonal2a;
-  const float alpha_v_0 = KSL_MULF(s->m3, g2);
-  const float alpha_v_1 = KSL_MULF(s->m4, g2);
-  const float alpha_v_2 = KSL_MULF(s->m5, g2);
-  const float J_1 = m_3 - alpha_v_2;
-  const float J_2 = m_4 + alpha_v_1;
-  const float J_3 = m_3 + alpha_v_2;
-  const float J_5 = m_5 - alpha_v_0;
-  const float J_6 = m_4 - alpha_v_1;
-  const float J_7 = m_5 + alpha_v_0;
-  const float rate_vw_a = KSL_MULF(s->m0, s->m3), rate_vw_b = KSL_MULF(s->m1, s->m4),
-      rate_vw_c = rate_vw_a + rate_vw_b, rate_vw_d = KSL_MULF(s->m2, s->m5),
-      rate_vw = rate_vw_c + rate_vw_d;
+  const float alpha_v_0 = KSL_MULF(s->m3, g2), alpha_v_1 = KSL_MULF(s->m4, g2),
+      alpha_v_2 = KSL_MULF(s->m5, g2);
+  const float J_1 = m_3 - alpha_v_2, J_2 = m_4 + alpha_v_1, J_3 = m_3 + alpha_v_2,
+      J_5 = m_5 - alpha_v_0, J_6 = m_4 - alpha_v_1, J_7 = m_5 + alpha_v_0;
+  const float rate_vw = KSL_MULF(s->m0, s->m3) + KSL_MULF(s->m1, s->m4) + KSL_MULF(s->m2, s->m5);
   const float rate_turn = KSL_MULF(rate2, rate_vw);
-  const float rate_bend_a = KSL_MULF(rate3, rate_vw), rate_bend = -rate_bend_a;
-  const float rate_q_0a = KSL_MULF(s->m0, g2), rate_q_0b = KSL_MULF(s->m3, rate_turn),
-      rate_q_0 = rate_q_0a + rate_q_0b;
-  const float rate_q_1a = KSL_MULF(s->m1, g2), rate_q_1b = KSL_MULF(s->m4, rate_turn),
-      rate_q_1 = rate_q_1a + rate_q_1b;
-  const float rate_q_2a = KSL_MULF(s->m2, g2), rate_q_2b = KSL_MULF(s->m5, rate_turn),
-      rate_q_2 = rate_q_2a + rate_q_2b;
-  const float rate_beta_v_0 = KSL_MULF(s->m0, g3);
-  const float rate_beta_v_1 = KSL_MULF(s->m1, g3);
-  const float rate_beta_v_2 = KSL_MULF(s->m2, g3);
-  const float rate_bend_w_0 = KSL_MULF(s->m3, rate_bend);
-  const float rate_bend_w_1 = KSL_MULF(s->m4, rate_bend);
-  const float rate_bend_w_2 = KSL_MULF(s->m5, rate_bend);
-  const float rate_symmetric_0a = KSL_MULF(s->m3, rate_beta_v_1),
-      rate_symmetric_0b = KSL_MULF(s->m4, rate_beta_v_0),
-      rate_symmetric_0c = rate_symmetric_0a + rate_symmetric_0b,
-      rate_symmetric_0d = KSL_MULF(s->m4, rate_bend_w_0),
-      rate_symmetric_0 = rate_symmetric_0c - rate_symmetric_0d;
-  const float rate_symmetric_1a = KSL_MULF(s->m3, rate_beta_v_2),
-      rate_symmetric_1b = KSL_MULF(s->m5, rate_beta_v_0),
-      rate_symmetric_1c = rate_symmetric_1a + rate_symmetric_1b,
-      rate_symmetric_1d = KSL_MULF(s->m5, rate_bend_w_0),
-      rate_symmetric_1 = rate_symmetric_1c - rate_symmetric_1d;
-  const float rate_symmetric_2a = KSL_MULF(s->m4, rate_beta_v_2),
-      rate_symmetric_2b = KSL_MULF(s->m5, rate_beta_v_1),
-      rate_symmetric_2c = rate_symmetric_2a + rate_symmetric_2b,
-      rate_symmetric_2d = KSL_MULF(s->m5, rate_bend_w_1),
-      rate_symmetric_2 = rate_symmetric_2c - rate_symmetric_2d;
+  const float rate_bend = -KSL_MULF(rate3, rate_vw);
+  const float rate_q_0 = KSL_MULF(s->m0, g2) + KSL_MULF(s->m3, rate_turn),
+      rate_q_1 = KSL_MULF(s->m1, g2) + KSL_MULF(s->m4, rate_turn),
+      rate_q_2 = KSL_MULF(s->m2, g2) + KSL_MULF(s->m5, rate_turn);
+  const float rate_beta_v_0 = KSL_MULF(s->m0, g3), rate_beta_v_1 = KSL_MULF(s->m1, g3),
+      rate_beta_v_2 = KSL_MULF(s->m2, g3);
+  const float rate_bend_w_0 = KSL_MULF(s->m3, rate_bend),
+      rate_bend_w_1 = KSL_MULF(s->m4, rate_bend), rate_bend_w_2 = KSL_MULF(s->m5, rate_bend);
+  const float rate_symmetric_0 = KSL_MULF(s->m3, rate_beta_v_1) + KSL_MULF(s->m4, rate_beta_v_0)
+          - KSL_MULF(s->m4, rate_bend_w_0),
+      rate_symmetric_1 = KSL_MULF(s->m3, rate_beta_v_2) + KSL_MULF(s->m5, rate_beta_v_0)
+          - KSL_MULF(s->m5, rate_bend_w_0),
+      rate_symmetric_2 = KSL_MULF(s->m4, rate_beta_v_2) + KSL_MULF(s->m5, rate_beta_v_1)
+          - KSL_MULF(s->m5, rate_bend_w_1);
   const float rate_diagonal_0a = KSL_MULF(s->m4, rate_bend_w_1),
       rate_diagonal_0b = KSL_MULF(s->m5, rate_bend_w_2),
-      rate_diagonal_0c = rate_diagonal_0a + rate_diagonal_0b,
-      rate_diagonal_0d = KSL_MULF(2.0f, s->m4),
-      rate_diagonal_0e = KSL_MULF(rate_diagonal_0d, rate_beta_v_1),
-      rate_diagonal_0f = KSL_MULF(2.0f, s->m5),
-      rate_diagonal_0g = KSL_MULF(rate_diagonal_0f, rate_beta_v_2),
-      rate_diagonal_0h = rate_diagonal_0e + rate_diagonal_0g,
-      rate_diagonal_0 = rate_diagonal_0c - rate_diagonal_0h;
+      rate_diagonal_0e = KSL_MULF(KSL_MULF(2.0f, s->m4), rate_beta_v_1),
+      rate_diagonal_0g = KSL_MULF(KSL_MULF(2.0f, s->m5), rate_beta_v_2),
+      rate_diagonal_0 = rate_diagonal_0a + rate_diagonal_0b - (rate_diagonal_0e + rate_diagonal_0g);
   const float rate_diagonal_1a = KSL_MULF(s->m3, rate_bend_w_0),
-      rate_diagonal_1b = rate_diagonal_1a + rate_diagonal_0b,
-      rate_diagonal_1c = KSL_MULF(2.0f, s->m3),
-      rate_diagonal_1d = KSL_MULF(rate_diagonal_1c, rate_beta_v_0),
-      rate_diagonal_1e = rate_diagonal_1d + rate_diagonal_0g,
-      rate_diagonal_1 = rate_diagonal_1b - rate_diagonal_1e;
-  const float rate_diagonal_2a = rate_diagonal_1a + rate_diagonal_0a,
-      rate_diagonal_2b = rate_diagonal_1d + rate_diagonal_0e,
-      rate_diagonal_2 = rate_diagonal_2a - rate_diagonal_2b;
-  const float M_04 = rate_symmetric_0 - rate_q_2;
-  const float M_05 = rate_q_1 + rate_symmetric_1;
-  const float M_13 = rate_q_2 + rate_symmetric_0;
-  const float M_15 = rate_symmetric_2 - rate_q_0;
-  const float M_23 = rate_symmetric_1 - rate_q_1;
-  const float M_24 = rate_q_0 + rate_symmetric_2;
+      rate_diagonal_1d = KSL_MULF(KSL_MULF(2.0f, s->m3), rate_beta_v_0),
+      rate_diagonal_1 = rate_diagonal_1a + rate_diagonal_0b - (rate_diagonal_1d + rate_diagonal_0g);
+  const float rate_diagonal_2 = rate_diagonal_1a + rate_diagonal_0a
+          - (rate_diagonal_1d + rate_diagonal_0e);
+  const float M_04 = rate_symmetric_0 - rate_q_2, M_05 = rate_q_1 + rate_symmetric_1,
+      M_13 = rate_q_2 + rate_symmetric_0, M_15 = rate_symmetric_2 - rate_q_0,
+      M_23 = rate_symmetric_1 - rate_q_1, M_24 = rate_q_0 + rate_symmetric_2;
   M->at[0][0] = diagonal0;
   M->at[1][0] = J_1;
   M->at[2][0] = J_2;
@@ -3486,44 +2520,32 @@ static inline void ksl_SE3f_leftJacobian(const ksl_screwf_t *s, ksl_mat6x6f_t *M
    Error <= M: 20 u of its largest component for |ω of s| <= π; searched, not proved.
      Intermediate sums may overflow where |v| is above 2e306, in single precision 5e36. */
 static inline void ksl_SE3f_rightJacobian(const ksl_screwf_t *s, ksl_mat6x6f_t *M) {
-  const float size_0 = fabsf(s->m3);
-  const float size_1 = fabsf(s->m4);
-  const float size_2 = fabsf(s->m5);
-  const float sizes_a = size_0 + size_1, sizes = sizes_a + size_2;
+  const float size_0 = fabsf(s->m3), size_1 = fabsf(s->m4), size_2 = fabsf(s->m5);
+  const float sizes = size_0 + size_1 + size_2;
   const float grid = KSL_MULF(sizes, 8192.0f);
-  const float shifted_0 = s->m3 + grid;
-  const float shifted_1 = s->m4 + grid;
-  const float shifted_2 = s->m5 + grid;
-  const float high_0 = shifted_0 - grid;
-  const float high_1 = shifted_1 - grid;
-  const float high_2 = shifted_2 - grid;
-  const float low_0 = s->m3 - high_0;
-  const float low_1 = s->m4 - high_1;
-  const float low_2 = s->m5 - high_2;
-  const float sum_0 = s->m3 + high_0;
-  const float sum_1 = s->m4 + high_1;
-  const float sum_2 = s->m5 + high_2;
-  const float squares_a = KSL_MULF(high_0, high_0), squares_b = KSL_MULF(high_1, high_1),
-      squares_c = squares_a + squares_b, squares_d = KSL_MULF(high_2, high_2),
-      squares = squares_c + squares_d;
-  const float cross_a = KSL_MULF(low_0, sum_0), cross_b = KSL_MULF(low_1, sum_1),
-      cross_c = cross_a + cross_b, cross_d = KSL_MULF(low_2, sum_2), cross = cross_c + cross_d;
+  const float shifted_0 = s->m3 + grid, shifted_1 = s->m4 + grid, shifted_2 = s->m5 + grid;
+  const float high_0 = shifted_0 - grid, high_1 = shifted_1 - grid, high_2 = shifted_2 - grid;
+  const float low_0 = s->m3 - high_0, low_1 = s->m4 - high_1, low_2 = s->m5 - high_2;
+  const float sum_0 = s->m3 + high_0, sum_1 = s->m4 + high_1, sum_2 = s->m5 + high_2;
+  const float squares = KSL_MULF(high_0, high_0) + KSL_MULF(high_1, high_1)
+          + KSL_MULF(high_2, high_2);
+  const float cross = KSL_MULF(low_0, sum_0) + KSL_MULF(low_1, sum_1) + KSL_MULF(low_2, sum_2);
   const float x = squares + cross;
   const float theta_a = sqrtf(x), theta = x < 1.0f ? 1.0f : theta_a;
   const float theta_shifted = grid + theta;
   const float theta_high = theta_shifted - grid;
   const float theta_low = theta - theta_high;
   const float theta_sum = theta + theta_high;
-  const float cross_rest_a = KSL_MULF(theta_low, theta_sum), cross_rest = cross - cross_rest_a;
-  const float exact_a = KSL_MULF(theta_high, theta_high), exact = squares - exact_a;
+  const float cross_rest = cross - KSL_MULF(theta_low, theta_sum);
+  const float exact = squares - KSL_MULF(theta_high, theta_high);
   const float residual = cross_rest + exact;
-  const float small_a = KSL_MULF(0.5f, residual), small = small_a / theta;
-  const float delta_a = fabsf(small), delta = delta_a < 0.0078125f ? small : 0.0f;
+  const float small = KSL_MULF(0.5f, residual) / theta;
+  const float delta = fabsf(small) < 0.0078125f ? small : 0.0f;
   float far_cosine_a; const float far_sine_a = ksl_sincosf(theta, &far_cosine_a);
   const float far_sine = x < 1.0f ? 1.0f : far_sine_a;
   const float far_cosine = x < 1.0f ? 0.0f : far_cosine_a;
-  const float sine_a = KSL_MULF(delta, far_cosine), sine = sine_a + far_sine;
-  const float cosine_a = KSL_MULF(delta, far_sine), cosine = far_cosine - cosine_a;
+  const float sine = KSL_MULF(delta, far_cosine) + far_sine;
+  const float cosine = far_cosine - KSL_MULF(delta, far_sine);
   const float far_x = x < 1.0f ? 1.0f : x;
   const float middle_x = x < 4.0f ? 4.0f : x;
   const float closed1 = sine / theta;
@@ -3531,144 +2553,86 @@ static inline void ksl_SE3f_rightJacobian(const ksl_screwf_t *s, ksl_mat6x6f_t *
   const float closed2 = versine / far_x;
   const float rest3 = 1.0f - closed1;
   const float closed3 = rest3 / middle_x;
-  const float g1a = KSL_MULF(6.4469503e-26f, x), g1b = g1a - 3.8681703e-23f, g1c = KSL_MULF(x, g1b),
-      g1d = g1c + 1.9572942e-20f, g1e = KSL_MULF(x, g1d), g1f = g1e - 8.220635e-18f,
-      g1g = KSL_MULF(x, g1f), g1h = g1g + 2.8114574e-15f, g1i = KSL_MULF(x, g1h),
-      g1j = g1i - 7.6471636e-13f, g1k = KSL_MULF(x, g1j), g1l = g1k + 1.6059044e-10f,
-      g1m = KSL_MULF(x, g1l), g1n = g1m - 2.5052108e-08f, g1o = KSL_MULF(x, g1n),
-      g1p = g1o + 2.7557319e-06f, g1q = KSL_MULF(x, g1p), g1r = g1q - 0.0001984127f,
-      g1s = KSL_MULF(x, g1r), g1t = g1s + 0.008333334f, g1u = KSL_MULF(x, g1t),
-      g1v = g1u - 0.16666667f, g1w = KSL_MULF(x, g1v), g1x = g1w + 1.0f,
-      g1 = x < 1.0f ? g1x : closed1;
-  const float g2a = KSL_MULF(2.4795963e-27f, x), g2b = g2a - 1.6117376e-24f, g2c = KSL_MULF(x, g2b),
-      g2d = g2c + 8.896791e-22f, g2e = KSL_MULF(x, g2d), g2f = g2e - 4.1103176e-19f,
-      g2g = KSL_MULF(x, g2f), g2h = g2g + 1.5619207e-16f, g2i = KSL_MULF(x, g2h),
-      g2j = g2i - 4.7794773e-14f, g2k = KSL_MULF(x, g2j), g2l = g2k + 1.1470745e-11f,
-      g2m = KSL_MULF(x, g2l), g2n = g2m - 2.0876756e-09f, g2o = KSL_MULF(x, g2n),
-      g2p = g2o + 2.755732e-07f, g2q = KSL_MULF(x, g2p), g2r = g2q - 2.4801588e-05f,
-      g2s = KSL_MULF(x, g2r), g2t = g2s + 0.0013888889f, g2u = KSL_MULF(x, g2t),
-      g2v = g2u - 0.041666668f, g2w = KSL_MULF(x, g2v), g2x = g2w + 0.5f,
-      g2 = x < 1.0f ? g2x : closed2;
-  const float g3a = KSL_MULF(9.18369e-29f, x), g3b = g3a - 6.4469503e-26f, g3c = KSL_MULF(x, g3b),
-      g3d = g3c + 3.8681703e-23f, g3e = KSL_MULF(x, g3d), g3f = g3e - 1.9572942e-20f,
-      g3g = KSL_MULF(x, g3f), g3h = g3g + 8.220635e-18f, g3i = KSL_MULF(x, g3h),
-      g3j = g3i - 2.8114574e-15f, g3k = KSL_MULF(x, g3j), g3l = g3k + 7.6471636e-13f,
-      g3m = KSL_MULF(x, g3l), g3n = g3m - 1.6059044e-10f, g3o = KSL_MULF(x, g3n),
-      g3p = g3o + 2.5052108e-08f, g3q = KSL_MULF(x, g3p), g3r = g3q - 2.7557319e-06f,
-      g3s = KSL_MULF(x, g3r), g3t = g3s + 0.0001984127f, g3u = KSL_MULF(x, g3t),
-      g3v = g3u - 0.008333334f, g3w = KSL_MULF(x, g3v), g3x = g3w + 0.16666667f,
+  const float g1h = KSL_MULF(x, KSL_MULF(x, KSL_MULF(x, KSL_MULF(6.4469503e-26f, x)
+          - 3.8681703e-23f) + 1.9572942e-20f) - 8.220635e-18f) + 2.8114574e-15f,
+      g1q = KSL_MULF(x, KSL_MULF(x, KSL_MULF(x, KSL_MULF(x, KSL_MULF(x, g1h) - 7.6471636e-13f)
+          + 1.6059044e-10f) - 2.5052108e-08f) + 2.7557319e-06f),
+      g1x = KSL_MULF(x, KSL_MULF(x, KSL_MULF(x, g1q - 0.0001984127f) + 0.008333334f) - 0.16666667f)
+          + 1.0f, g1 = x < 1.0f ? g1x : closed1;
+  const float g2h = KSL_MULF(x, KSL_MULF(x, KSL_MULF(x, KSL_MULF(2.4795963e-27f, x)
+          - 1.6117376e-24f) + 8.896791e-22f) - 4.1103176e-19f) + 1.5619207e-16f,
+      g2q = KSL_MULF(x, KSL_MULF(x, KSL_MULF(x, KSL_MULF(x, KSL_MULF(x, g2h) - 4.7794773e-14f)
+          + 1.1470745e-11f) - 2.0876756e-09f) + 2.755732e-07f),
+      g2x = KSL_MULF(x, KSL_MULF(x, KSL_MULF(x, g2q - 2.4801588e-05f) + 0.0013888889f)
+          - 0.041666668f) + 0.5f, g2 = x < 1.0f ? g2x : closed2;
+  const float g3i = KSL_MULF(x, KSL_MULF(x, KSL_MULF(x, KSL_MULF(x, KSL_MULF(9.18369e-29f, x)
+          - 6.4469503e-26f) + 3.8681703e-23f) - 1.9572942e-20f) + 8.220635e-18f),
+      g3r = KSL_MULF(x, KSL_MULF(x, KSL_MULF(x, KSL_MULF(x, g3i - 2.8114574e-15f) + 7.6471636e-13f)
+          - 1.6059044e-10f) + 2.5052108e-08f) - 2.7557319e-06f,
+      g3x = KSL_MULF(x, KSL_MULF(x, KSL_MULF(x, g3r) + 0.0001984127f) - 0.008333334f) + 0.16666667f,
       g3 = x < 4.0f ? g3x : closed3;
   const float late_x = x < 9.0f ? 1.0f : x;
-  const float rate2_rest_a = KSL_MULF(2.0f, g2), rate2_rest = g1 - rate2_rest_a;
+  const float rate2_rest = g1 - KSL_MULF(2.0f, g2);
   const float closed_rate2 = rate2_rest / late_x;
-  const float rate3_rest_a = KSL_MULF(3.0f, g3), rate3_rest = g2 - rate3_rest_a;
+  const float rate3_rest = g2 - KSL_MULF(3.0f, g3);
   const float closed_rate3 = rate3_rest / late_x;
-  const float rate2a = KSL_MULF(8.527712e-29f, x), rate2b = 5.951031e-26f - rate2a,
-      rate2c = KSL_MULF(x, rate2b), rate2d = rate2c - 3.5458228e-23f, rate2e = KSL_MULF(x, rate2d),
-      rate2f = rate2e + 1.7793582e-20f, rate2g = KSL_MULF(x, rate2f),
-      rate2h = rate2g - 7.398571e-18f, rate2i = KSL_MULF(x, rate2h),
-      rate2j = rate2i + 2.499073e-15f, rate2k = KSL_MULF(x, rate2j),
-      rate2l = rate2k - 6.691268e-13f, rate2m = KSL_MULF(x, rate2l),
-      rate2n = rate2m + 1.3764895e-10f, rate2o = KSL_MULF(x, rate2n),
-      rate2p = rate2o - 2.0876756e-08f, rate2q = KSL_MULF(x, rate2p),
-      rate2r = rate2q + 2.2045856e-06f, rate2s = KSL_MULF(x, rate2r),
-      rate2t = rate2s - 0.00014880953f, rate2u = KSL_MULF(x, rate2t),
-      rate2v = rate2u + 0.0055555557f, rate2w = KSL_MULF(x, rate2v), rate2x = rate2w - 0.083333336f,
-      rate2 = x < 9.0f ? rate2x : closed_rate2;
-  const float rate3a = KSL_MULF(2.9405903e-30f, x), rate3b = 2.2040857e-27f - rate3a,
-      rate3c = KSL_MULF(x, rate3b), rate3d = rate3c - 1.418329e-24f, rate3e = KSL_MULF(x, rate3d),
-      rate3f = rate3e + 7.7363405e-22f, rate3g = KSL_MULF(x, rate3f),
-      rate3h = rate3g - 3.5231295e-19f, rate3i = KSL_MULF(x, rate3h),
-      rate3j = rate3i + 1.3153016e-16f, rate3k = KSL_MULF(x, rate3j),
-      rate3l = rate3k - 3.93604e-14f, rate3m = KSL_MULF(x, rate3l), rate3n = rate3m + 9.176596e-12f,
-      rate3o = KSL_MULF(x, rate3n), rate3p = rate3o - 1.6059044e-09f, rate3q = KSL_MULF(x, rate3p),
-      rate3r = rate3q + 2.0041686e-07f, rate3s = KSL_MULF(x, rate3r),
-      rate3t = rate3s - 1.6534392e-05f, rate3u = KSL_MULF(x, rate3t),
-      rate3v = rate3u + 0.0007936508f, rate3w = KSL_MULF(x, rate3v), rate3x = rate3w - 0.016666668f,
-      rate3 = x < 9.0f ? rate3x : closed_rate3;
-  const float beta_v_0 = KSL_MULF(s->m3, g3);
-  const float beta_v_1 = KSL_MULF(s->m4, g3);
-  const float beta_v_2 = KSL_MULF(s->m5, g3);
-  const float m_0 = KSL_MULF(s->m3, beta_v_0);
-  const float m_1 = KSL_MULF(s->m4, beta_v_1);
-  const float m_2 = KSL_MULF(s->m5, beta_v_2);
-  const float m_3 = KSL_MULF(s->m4, beta_v_0);
-  const float m_4 = KSL_MULF(s->m5, beta_v_0);
-  const float m_5 = KSL_MULF(s->m5, beta_v_1);
-  const float others_0 = m_1 + m_2;
-  const float others_1 = m_0 + m_2;
-  const float others_2 = m_0 + m_1;
+  const float rate2h = KSL_MULF(x, KSL_MULF(x, KSL_MULF(x, 5.951031e-26f
+          - KSL_MULF(8.527712e-29f, x)) - 3.5458228e-23f) + 1.7793582e-20f) - 7.398571e-18f,
+      rate2q = KSL_MULF(x, KSL_MULF(x, KSL_MULF(x, KSL_MULF(x, KSL_MULF(x, rate2h) + 2.499073e-15f)
+          - 6.691268e-13f) + 1.3764895e-10f) - 2.0876756e-08f),
+      rate2x = KSL_MULF(x, KSL_MULF(x, KSL_MULF(x, rate2q + 2.2045856e-06f) - 0.00014880953f)
+          + 0.0055555557f) - 0.083333336f, rate2 = x < 9.0f ? rate2x : closed_rate2;
+  const float rate3h = KSL_MULF(x, KSL_MULF(x, KSL_MULF(x, 2.2040857e-27f
+          - KSL_MULF(2.9405903e-30f, x)) - 1.418329e-24f) + 7.7363405e-22f) - 3.5231295e-19f,
+      rate3q = KSL_MULF(x, KSL_MULF(x, KSL_MULF(x, KSL_MULF(x, KSL_MULF(x, rate3h)
+          + 1.3153016e-16f) - 3.93604e-14f) + 9.176596e-12f) - 1.6059044e-09f),
+      rate3x = KSL_MULF(x, KSL_MULF(x, KSL_MULF(x, rate3q + 2.0041686e-07f) - 1.6534392e-05f)
+          + 0.0007936508f) - 0.016666668f, rate3 = x < 9.0f ? rate3x : closed_rate3;
+  const float beta_v_0 = KSL_MULF(s->m3, g3), beta_v_1 = KSL_MULF(s->m4, g3),
+      beta_v_2 = KSL_MULF(s->m5, g3);
+  const float m_0 = KSL_MULF(s->m3, beta_v_0), m_1 = KSL_MULF(s->m4, beta_v_1),
+      m_2 = KSL_MULF(s->m5, beta_v_2), m_3 = KSL_MULF(s->m4, beta_v_0),
+      m_4 = KSL_MULF(s->m5, beta_v_0), m_5 = KSL_MULF(s->m5, beta_v_1);
+  const float others_0 = m_1 + m_2, others_1 = m_0 + m_2, others_2 = m_0 + m_1;
   const float diagonal0a = 1.0f - others_0, diagonal0b = g1 + m_0,
       diagonal0 = m_0 < others_0 ? diagonal0b : diagonal0a;
   const float diagonal1a = 1.0f - others_1, diagonal1b = g1 + m_1,
       diagonal1 = m_1 < others_1 ? diagonal1b : diagonal1a;
   const float diagonal2a = 1.0f - others_2, diagonal2b = g1 + m_2,
       diagonal2 = m_2 < others_2 ? diagonal2b : diagonal2a;
-  const float alpha_v_0a = KSL_MULF(s->m3, g2), alpha_v_0 = -alpha_v_0a;
-  const float alpha_v_1a = KSL_MULF(s->m4, g2), alpha_v_1 = -alpha_v_1a;
-  const float alpha_v_2a = KSL_MULF(s->m5, g2), alpha_v_2 = -alpha_v_2a;
-  const float J_1 = m_3 - alpha_v_2;
-  const float J_2 = m_4 + alpha_v_1;
-  const float J_3 = m_3 + alpha_v_2;
-  const float J_5 = m_5 - alpha_v_0;
-  const float J_6 = m_4 - alpha_v_1;
-  const float J_7 = m_5 + alpha_v_0;
-  const float rate_vw_a = KSL_MULF(s->m0, s->m3), rate_vw_b = KSL_MULF(s->m1, s->m4),
-      rate_vw_c = rate_vw_a + rate_vw_b, rate_vw_d = KSL_MULF(s->m2, s->m5),
-      rate_vw = rate_vw_c + rate_vw_d;
+  const float alpha_v_0 = -KSL_MULF(s->m3, g2), alpha_v_1 = -KSL_MULF(s->m4, g2),
+      alpha_v_2 = -KSL_MULF(s->m5, g2);
+  const float J_1 = m_3 - alpha_v_2, J_2 = m_4 + alpha_v_1, J_3 = m_3 + alpha_v_2,
+      J_5 = m_5 - alpha_v_0, J_6 = m_4 - alpha_v_1, J_7 = m_5 + alpha_v_0;
+  const float rate_vw = KSL_MULF(s->m0, s->m3) + KSL_MULF(s->m1, s->m4) + KSL_MULF(s->m2, s->m5);
   const float rate_turn = KSL_MULF(rate2, rate_vw);
-  const float rate_bend_a = KSL_MULF(rate3, rate_vw), rate_bend = -rate_bend_a;
-  const float rate_q_0a = KSL_MULF(s->m0, g2), rate_q_0b = KSL_MULF(s->m3, rate_turn),
-      rate_q_0c = rate_q_0a + rate_q_0b, rate_q_0 = -rate_q_0c;
-  const float rate_q_1a = KSL_MULF(s->m1, g2), rate_q_1b = KSL_MULF(s->m4, rate_turn),
-      rate_q_1c = rate_q_1a + rate_q_1b, rate_q_1 = -rate_q_1c;
-  const float rate_q_2a = KSL_MULF(s->m2, g2), rate_q_2b = KSL_MULF(s->m5, rate_turn),
-      rate_q_2c = rate_q_2a + rate_q_2b, rate_q_2 = -rate_q_2c;
-  const float rate_beta_v_0a = KSL_MULF(s->m0, g3), rate_beta_v_0 = -rate_beta_v_0a;
-  const float rate_beta_v_1a = KSL_MULF(s->m1, g3), rate_beta_v_1 = -rate_beta_v_1a;
-  const float rate_beta_v_2a = KSL_MULF(s->m2, g3), rate_beta_v_2 = -rate_beta_v_2a;
-  const float rate_bend_w_0a = KSL_MULF(s->m3, rate_bend), rate_bend_w_0 = -rate_bend_w_0a;
-  const float rate_bend_w_1a = KSL_MULF(s->m4, rate_bend), rate_bend_w_1 = -rate_bend_w_1a;
-  const float rate_bend_w_2a = KSL_MULF(s->m5, rate_bend), rate_bend_w_2 = -rate_bend_w_2a;
-  const float rate_symmetric_0a = KSL_MULF(s->m4, rate_bend_w_0),
-      rate_symmetric_0b = KSL_MULF(s->m3, rate_beta_v_1),
-      rate_symmetric_0c = KSL_MULF(s->m4, rate_beta_v_0),
-      rate_symmetric_0d = rate_symmetric_0b + rate_symmetric_0c,
-      rate_symmetric_0 = rate_symmetric_0a - rate_symmetric_0d;
-  const float rate_symmetric_1a = KSL_MULF(s->m5, rate_bend_w_0),
-      rate_symmetric_1b = KSL_MULF(s->m3, rate_beta_v_2),
-      rate_symmetric_1c = KSL_MULF(s->m5, rate_beta_v_0),
-      rate_symmetric_1d = rate_symmetric_1b + rate_symmetric_1c,
-      rate_symmetric_1 = rate_symmetric_1a - rate_symmetric_1d;
-  const float rate_symmetric_2a = KSL_MULF(s->m5, rate_bend_w_1),
-      rate_symmetric_2b = KSL_MULF(s->m4, rate_beta_v_2),
-      rate_symmetric_2c = KSL_MULF(s->m5, rate_beta_v_1),
-      rate_symmetric_2d = rate_symmetric_2b + rate_symmetric_2c,
-      rate_symmetric_2 = rate_symmetric_2a - rate_symmetric_2d;
-  const float rate_diagonal_0a = KSL_MULF(2.0f, s->m4),
-      rate_diagonal_0b = KSL_MULF(rate_diagonal_0a, rate_beta_v_1),
-      rate_diagonal_0c = KSL_MULF(2.0f, s->m5),
-      rate_diagonal_0d = KSL_MULF(rate_diagonal_0c, rate_beta_v_2),
-      rate_diagonal_0e = rate_diagonal_0b + rate_diagonal_0d,
+  const float rate_bend = -KSL_MULF(rate3, rate_vw);
+  const float rate_q_0 = -(KSL_MULF(s->m0, g2) + KSL_MULF(s->m3, rate_turn)),
+      rate_q_1 = -(KSL_MULF(s->m1, g2) + KSL_MULF(s->m4, rate_turn)),
+      rate_q_2 = -(KSL_MULF(s->m2, g2) + KSL_MULF(s->m5, rate_turn));
+  const float rate_beta_v_0 = -KSL_MULF(s->m0, g3), rate_beta_v_1 = -KSL_MULF(s->m1, g3),
+      rate_beta_v_2 = -KSL_MULF(s->m2, g3);
+  const float rate_bend_w_0 = -KSL_MULF(s->m3, rate_bend),
+      rate_bend_w_1 = -KSL_MULF(s->m4, rate_bend), rate_bend_w_2 = -KSL_MULF(s->m5, rate_bend);
+  const float rate_symmetric_0 = KSL_MULF(s->m4, rate_bend_w_0)
+          - (KSL_MULF(s->m3, rate_beta_v_1) + KSL_MULF(s->m4, rate_beta_v_0)),
+      rate_symmetric_1 = KSL_MULF(s->m5, rate_bend_w_0)
+          - (KSL_MULF(s->m3, rate_beta_v_2) + KSL_MULF(s->m5, rate_beta_v_0)),
+      rate_symmetric_2 = KSL_MULF(s->m5, rate_bend_w_1)
+          - (KSL_MULF(s->m4, rate_beta_v_2) + KSL_MULF(s->m5, rate_beta_v_1));
+  const float rate_diagonal_0b = KSL_MULF(KSL_MULF(2.0f, s->m4), rate_beta_v_1),
+      rate_diagonal_0d = KSL_MULF(KSL_MULF(2.0f, s->m5), rate_beta_v_2),
       rate_diagonal_0f = KSL_MULF(s->m4, rate_bend_w_1),
       rate_diagonal_0g = KSL_MULF(s->m5, rate_bend_w_2),
-      rate_diagonal_0h = rate_diagonal_0f + rate_diagonal_0g,
-      rate_diagonal_0 = rate_diagonal_0e - rate_diagonal_0h;
-  const float rate_diagonal_1a = KSL_MULF(2.0f, s->m3),
-      rate_diagonal_1b = KSL_MULF(rate_diagonal_1a, rate_beta_v_0),
-      rate_diagonal_1c = rate_diagonal_1b + rate_diagonal_0d,
+      rate_diagonal_0 = rate_diagonal_0b + rate_diagonal_0d - (rate_diagonal_0f + rate_diagonal_0g);
+  const float rate_diagonal_1b = KSL_MULF(KSL_MULF(2.0f, s->m3), rate_beta_v_0),
       rate_diagonal_1d = KSL_MULF(s->m3, rate_bend_w_0),
-      rate_diagonal_1e = rate_diagonal_1d + rate_diagonal_0g,
-      rate_diagonal_1 = rate_diagonal_1c - rate_diagonal_1e;
-  const float rate_diagonal_2a = rate_diagonal_1b + rate_diagonal_0b,
-      rate_diagonal_2b = rate_diagonal_1d + rate_diagonal_0f,
-      rate_diagonal_2 = rate_diagonal_2a - rate_diagonal_2b;
-  const float M_04 = rate_symmetric_0 - rate_q_2;
-  const float M_05 = rate_q_1 + rate_symmetric_1;
-  const float M_13 = rate_q_2 + rate_symmetric_0;
-  const float M_15 = rate_symmetric_2 - rate_q_0;
-  const float M_23 = rate_symmetric_1 - rate_q_1;
-  const float M_24 = rate_q_0 + rate_symmetric_2;
+      rate_diagonal_1 = rate_diagonal_1b + rate_diagonal_0d - (rate_diagonal_1d + rate_diagonal_0g);
+  const float rate_diagonal_2 = rate_diagonal_1b + rate_diagonal_0b
+          - (rate_diagonal_1d + rate_diagonal_0f);
+  const float M_04 = rate_symmetric_0 - rate_q_2, M_05 = rate_q_1 + rate_symmetric_1,
+      M_13 = rate_q_2 + rate_symmetric_0, M_15 = rate_symmetric_2 - rate_q_0,
+      M_23 = rate_symmetric_1 - rate_q_1, M_24 = rate_q_0 + rate_symmetric_2;
   M->at[0][0] = diagonal0;
   M->at[1][0] = J_1;
   M->at[2][0] = J_2;
@@ -3713,167 +2677,104 @@ static inline void ksl_SE3f_rightJacobian(const ksl_screwf_t *s, ksl_mat6x6f_t *
    Error <= M: 14 u of its largest component for |ω of s| <= π; searched, not proved.
      Intermediate sums may overflow where |v| is above 2e306, in single precision 5e36. */
 static inline void ksl_SE3f_leftJacobianInverse(const ksl_screwf_t *s, ksl_mat6x6f_t *M) {
-  const float size_0 = fabsf(s->m3);
-  const float size_1 = fabsf(s->m4);
-  const float size_2 = fabsf(s->m5);
-  const float sizes_a = size_0 + size_1, sizes = sizes_a + size_2;
+  const float size_0 = fabsf(s->m3), size_1 = fabsf(s->m4), size_2 = fabsf(s->m5);
+  const float sizes = size_0 + size_1 + size_2;
   const float grid = KSL_MULF(sizes, 8192.0f);
-  const float shifted_0 = s->m3 + grid;
-  const float shifted_1 = s->m4 + grid;
-  const float shifted_2 = s->m5 + grid;
-  const float high_0 = shifted_0 - grid;
-  const float high_1 = shifted_1 - grid;
-  const float high_2 = shifted_2 - grid;
-  const float low_0 = s->m3 - high_0;
-  const float low_1 = s->m4 - high_1;
-  const float low_2 = s->m5 - high_2;
-  const float sum_0 = s->m3 + high_0;
-  const float sum_1 = s->m4 + high_1;
-  const float sum_2 = s->m5 + high_2;
-  const float squares_a = KSL_MULF(high_0, high_0), squares_b = KSL_MULF(high_1, high_1),
-      squares_c = squares_a + squares_b, squares_d = KSL_MULF(high_2, high_2),
-      squares = squares_c + squares_d;
-  const float cross_a = KSL_MULF(low_0, sum_0), cross_b = KSL_MULF(low_1, sum_1),
-      cross_c = cross_a + cross_b, cross_d = KSL_MULF(low_2, sum_2), cross = cross_c + cross_d;
+  const float shifted_0 = s->m3 + grid, shifted_1 = s->m4 + grid, shifted_2 = s->m5 + grid;
+  const float high_0 = shifted_0 - grid, high_1 = shifted_1 - grid, high_2 = shifted_2 - grid;
+  const float low_0 = s->m3 - high_0, low_1 = s->m4 - high_1, low_2 = s->m5 - high_2;
+  const float sum_0 = s->m3 + high_0, sum_1 = s->m4 + high_1, sum_2 = s->m5 + high_2;
+  const float squares = KSL_MULF(high_0, high_0) + KSL_MULF(high_1, high_1)
+          + KSL_MULF(high_2, high_2);
+  const float cross = KSL_MULF(low_0, sum_0) + KSL_MULF(low_1, sum_1) + KSL_MULF(low_2, sum_2);
   const float x = squares + cross;
   const float theta_a = sqrtf(x), theta = x < 1.0f ? 1.0f : theta_a;
   const float theta_shifted = grid + theta;
   const float theta_high = theta_shifted - grid;
   const float theta_low = theta - theta_high;
   const float theta_sum = theta + theta_high;
-  const float cross_rest_a = KSL_MULF(theta_low, theta_sum), cross_rest = cross - cross_rest_a;
-  const float exact_a = KSL_MULF(theta_high, theta_high), exact = squares - exact_a;
+  const float cross_rest = cross - KSL_MULF(theta_low, theta_sum);
+  const float exact = squares - KSL_MULF(theta_high, theta_high);
   const float residual = cross_rest + exact;
-  const float small_a = KSL_MULF(0.5f, residual), small = small_a / theta;
-  const float delta_a = fabsf(small), delta = delta_a < 0.0078125f ? small : 0.0f;
+  const float small = KSL_MULF(0.5f, residual) / theta;
+  const float delta = fabsf(small) < 0.0078125f ? small : 0.0f;
   float far_cosine_a; const float far_sine_a = ksl_sincosf(theta, &far_cosine_a);
   const float far_sine = x < 1.0f ? 1.0f : far_sine_a;
   const float far_cosine = x < 1.0f ? 0.0f : far_cosine_a;
-  const float sine_a = KSL_MULF(delta, far_cosine), sine = sine_a + far_sine;
-  const float cosine_a = KSL_MULF(delta, far_sine), cosine = far_cosine - cosine_a;
+  const float sine = KSL_MULF(delta, far_cosine) + far_sine;
+  const float cosine = far_cosine - KSL_MULF(delta, far_sine);
   const float above_a = cosine + 1.0f, above = cosine < 0.0f ? sine : above_a;
   const float below_a = 1.0f - cosine, below = cosine < 0.0f ? below_a : sine;
   const float cotangent = above / below;
-  const float half_cotangent_a = KSL_MULF(0.5f, theta),
-      half_cotangent = KSL_MULF(half_cotangent_a, cotangent);
+  const float half_cotangent = KSL_MULF(KSL_MULF(0.5f, theta), cotangent);
   const float b_rest = 1.0f - half_cotangent;
   const float b_divisor = x < 4.0f ? 4.0f : x;
   const float closed_b = b_rest / b_divisor;
-  const float b_a = KSL_MULF(1.4551725e-27f, x), b_b = b_a + 5.744791e-26f, b_c = KSL_MULF(x, b_b),
-      b_d = b_c + 2.2679524e-24f, b_e = KSL_MULF(x, b_d), b_f = b_e + 8.9535176e-23f,
-      b_g = KSL_MULF(x, b_f), b_h = b_g + 3.534707e-21f, b_i = KSL_MULF(x, b_h),
-      b_j = b_i + 1.3954465e-19f, b_k = KSL_MULF(x, b_j), b_l = b_k + 5.509003e-18f,
-      b_m = KSL_MULF(x, b_l), b_n = b_m + 2.1748687e-16f, b_o = KSL_MULF(x, b_n),
-      b_p = b_o + 8.586062e-15f, b_q = KSL_MULF(x, b_p), b_r = b_q + 3.3896803e-13f,
-      b_s = KSL_MULF(x, b_r), b_t = b_s + 1.3382536e-11f, b_u = KSL_MULF(x, b_t),
-      b_v = b_u + 5.2841903e-10f, b_w = KSL_MULF(x, b_v), b_x = b_w + 2.0876756e-08f,
-      b_y = KSL_MULF(x, b_x), b_z = b_y + 8.267196e-07f, b_aa = KSL_MULF(x, b_z),
-      b_ab = b_aa + 3.3068784e-05f, b_ac = KSL_MULF(x, b_ab), b_ad = b_ac + 0.0013888889f,
-      b_ae = KSL_MULF(x, b_ad), b_af = b_ae + 0.083333336f, b = x < 4.0f ? b_af : closed_b;
-  const float b_across_a = KSL_MULF(x, b), b_across_b = 1.0f - b_across_a,
-      b_across = x < 4.0f ? b_across_b : half_cotangent;
-  const float beta_v_0 = KSL_MULF(s->m3, b);
-  const float beta_v_1 = KSL_MULF(s->m4, b);
-  const float beta_v_2 = KSL_MULF(s->m5, b);
-  const float m_0 = KSL_MULF(s->m3, beta_v_0);
-  const float m_1 = KSL_MULF(s->m4, beta_v_1);
-  const float m_2 = KSL_MULF(s->m5, beta_v_2);
-  const float m_3 = KSL_MULF(s->m4, beta_v_0);
-  const float m_4 = KSL_MULF(s->m5, beta_v_0);
-  const float m_5 = KSL_MULF(s->m5, beta_v_1);
-  const float others_0 = m_1 + m_2;
-  const float others_1 = m_0 + m_2;
-  const float others_2 = m_0 + m_1;
+  const float b_h = KSL_MULF(x, KSL_MULF(x, KSL_MULF(x, KSL_MULF(1.4551725e-27f, x)
+          + 5.744791e-26f) + 2.2679524e-24f) + 8.9535176e-23f) + 3.534707e-21f,
+      b_q = KSL_MULF(x, KSL_MULF(x, KSL_MULF(x, KSL_MULF(x, KSL_MULF(x, b_h) + 1.3954465e-19f)
+          + 5.509003e-18f) + 2.1748687e-16f) + 8.586062e-15f),
+      b_z = KSL_MULF(x, KSL_MULF(x, KSL_MULF(x, KSL_MULF(x, b_q + 3.3896803e-13f) + 1.3382536e-11f)
+          + 5.2841903e-10f) + 2.0876756e-08f) + 8.267196e-07f,
+      b_af = KSL_MULF(x, KSL_MULF(x, KSL_MULF(x, b_z) + 3.3068784e-05f) + 0.0013888889f)
+          + 0.083333336f, b = x < 4.0f ? b_af : closed_b;
+  const float b_across_b = 1.0f - KSL_MULF(x, b), b_across = x < 4.0f ? b_across_b : half_cotangent;
+  const float beta_v_0 = KSL_MULF(s->m3, b), beta_v_1 = KSL_MULF(s->m4, b),
+      beta_v_2 = KSL_MULF(s->m5, b);
+  const float m_0 = KSL_MULF(s->m3, beta_v_0), m_1 = KSL_MULF(s->m4, beta_v_1),
+      m_2 = KSL_MULF(s->m5, beta_v_2), m_3 = KSL_MULF(s->m4, beta_v_0),
+      m_4 = KSL_MULF(s->m5, beta_v_0), m_5 = KSL_MULF(s->m5, beta_v_1);
+  const float others_0 = m_1 + m_2, others_1 = m_0 + m_2, others_2 = m_0 + m_1;
   const float diagonal0a = 1.0f - others_0, diagonal0b = b_across + m_0,
       diagonal0 = m_0 < others_0 ? diagonal0b : diagonal0a;
   const float diagonal1a = 1.0f - others_1, diagonal1b = b_across + m_1,
       diagonal1 = m_1 < others_1 ? diagonal1b : diagonal1a;
   const float diagonal2a = 1.0f - others_2, diagonal2b = b_across + m_2,
       diagonal2 = m_2 < others_2 ? diagonal2b : diagonal2a;
-  const float alpha_v_0a = KSL_MULF(0.5f, s->m3), alpha_v_0 = -alpha_v_0a;
-  const float alpha_v_1a = KSL_MULF(0.5f, s->m4), alpha_v_1 = -alpha_v_1a;
-  const float alpha_v_2a = KSL_MULF(0.5f, s->m5), alpha_v_2 = -alpha_v_2a;
-  const float J_1 = m_3 - alpha_v_2;
-  const float J_2 = m_4 + alpha_v_1;
-  const float J_3 = m_3 + alpha_v_2;
-  const float J_5 = m_5 - alpha_v_0;
-  const float J_6 = m_4 - alpha_v_1;
-  const float J_7 = m_5 + alpha_v_0;
-  const float b_rate_across_a = 2.0f - half_cotangent, b_rate_across = b_rate_across_a / b_divisor;
-  const float b_rate_square_a = KSL_MULF(cotangent, cotangent),
-      b_rate_square_b = KSL_MULF(0.25f, b_rate_square_a), b_rate_square = 0.25f + b_rate_square_b;
+  const float alpha_v_0 = -KSL_MULF(0.5f, s->m3), alpha_v_1 = -KSL_MULF(0.5f, s->m4),
+      alpha_v_2 = -KSL_MULF(0.5f, s->m5);
+  const float J_1 = m_3 - alpha_v_2, J_2 = m_4 + alpha_v_1, J_3 = m_3 + alpha_v_2,
+      J_5 = m_5 - alpha_v_0, J_6 = m_4 - alpha_v_1, J_7 = m_5 + alpha_v_0;
+  const float b_rate_across = (2.0f - half_cotangent) / b_divisor;
+  const float b_rate_square = 0.25f + KSL_MULF(0.25f, KSL_MULF(cotangent, cotangent));
   const float b_rate_rest = b_rate_square - b_rate_across;
   const float closed_b_rate = b_rate_rest / b_divisor;
-  const float b_rate_a = KSL_MULF(3.3612244e-29f, x), b_rate_b = b_rate_a + 1.2532382e-27f,
-      b_rate_c = KSL_MULF(x, b_rate_b), b_rate_d = b_rate_c + 4.656552e-26f,
-      b_rate_e = KSL_MULF(x, b_rate_d), b_rate_f = b_rate_e + 1.7234372e-24f,
-      b_rate_g = KSL_MULF(x, b_rate_f), b_rate_h = b_rate_g + 6.350267e-23f,
-      b_rate_i = KSL_MULF(x, b_rate_h), b_rate_j = b_rate_i + 2.3279144e-21f,
-      b_rate_k = KSL_MULF(x, b_rate_j), b_rate_l = b_rate_k + 8.483297e-20f,
-      b_rate_m = KSL_MULF(x, b_rate_l), b_rate_n = b_rate_m + 3.0699822e-18f,
-      b_rate_o = KSL_MULF(x, b_rate_n), b_rate_p = b_rate_o + 1.10180054e-16f,
-      b_rate_q = KSL_MULF(x, b_rate_p), b_rate_r = b_rate_q + 3.9147635e-15f,
-      b_rate_s = KSL_MULF(x, b_rate_r), b_rate_t = b_rate_s + 1.37377e-13f,
-      b_rate_u = KSL_MULF(x, b_rate_t), b_rate_v = b_rate_u + 4.7455525e-12f,
-      b_rate_w = KSL_MULF(x, b_rate_v), b_rate_x = b_rate_w + 1.6059044e-10f,
-      b_rate_y = KSL_MULF(x, b_rate_x), b_rate_z = b_rate_y + 5.28419e-09f,
-      b_rate_aa = KSL_MULF(x, b_rate_z), b_rate_ab = b_rate_aa + 1.6701405e-07f,
-      b_rate_ac = KSL_MULF(x, b_rate_ab), b_rate_ad = b_rate_ac + 4.9603173e-06f,
-      b_rate_ae = KSL_MULF(x, b_rate_ad), b_rate_af = b_rate_ae + 0.00013227513f,
-      b_rate_ag = KSL_MULF(x, b_rate_af), b_rate_ah = b_rate_ag + 0.0027777778f,
-      b_rate = x < 4.0f ? b_rate_ah : closed_b_rate;
-  const float rate_vw_a = KSL_MULF(s->m0, s->m3), rate_vw_b = KSL_MULF(s->m1, s->m4),
-      rate_vw_c = rate_vw_a + rate_vw_b, rate_vw_d = KSL_MULF(s->m2, s->m5),
-      rate_vw = rate_vw_c + rate_vw_d;
-  const float rate_bend_a = KSL_MULF(b_rate, rate_vw), rate_bend = -rate_bend_a;
-  const float rate_q_0a = KSL_MULF(0.5f, s->m0), rate_q_0 = -rate_q_0a;
-  const float rate_q_1a = KSL_MULF(0.5f, s->m1), rate_q_1 = -rate_q_1a;
-  const float rate_q_2a = KSL_MULF(0.5f, s->m2), rate_q_2 = -rate_q_2a;
-  const float rate_beta_v_0 = KSL_MULF(s->m0, b);
-  const float rate_beta_v_1 = KSL_MULF(s->m1, b);
-  const float rate_beta_v_2 = KSL_MULF(s->m2, b);
-  const float rate_bend_w_0 = KSL_MULF(s->m3, rate_bend);
-  const float rate_bend_w_1 = KSL_MULF(s->m4, rate_bend);
-  const float rate_bend_w_2 = KSL_MULF(s->m5, rate_bend);
-  const float rate_symmetric_0a = KSL_MULF(s->m3, rate_beta_v_1),
-      rate_symmetric_0b = KSL_MULF(s->m4, rate_beta_v_0),
-      rate_symmetric_0c = rate_symmetric_0a + rate_symmetric_0b,
-      rate_symmetric_0d = KSL_MULF(s->m4, rate_bend_w_0),
-      rate_symmetric_0 = rate_symmetric_0c - rate_symmetric_0d;
-  const float rate_symmetric_1a = KSL_MULF(s->m3, rate_beta_v_2),
-      rate_symmetric_1b = KSL_MULF(s->m5, rate_beta_v_0),
-      rate_symmetric_1c = rate_symmetric_1a + rate_symmetric_1b,
-      rate_symmetric_1d = KSL_MULF(s->m5, rate_bend_w_0),
-      rate_symmetric_1 = rate_symmetric_1c - rate_symmetric_1d;
-  const float rate_symmetric_2a = KSL_MULF(s->m4, rate_beta_v_2),
-      rate_symmetric_2b = KSL_MULF(s->m5, rate_beta_v_1),
-      rate_symmetric_2c = rate_symmetric_2a + rate_symmetric_2b,
-      rate_symmetric_2d = KSL_MULF(s->m5, rate_bend_w_1),
-      rate_symmetric_2 = rate_symmetric_2c - rate_symmetric_2d;
+  const float b_rate_h = KSL_MULF(x, KSL_MULF(x, KSL_MULF(x, KSL_MULF(3.3612244e-29f, x)
+          + 1.2532382e-27f) + 4.656552e-26f) + 1.7234372e-24f) + 6.350267e-23f,
+      b_rate_p = KSL_MULF(x, KSL_MULF(x, KSL_MULF(x, KSL_MULF(x, b_rate_h) + 2.3279144e-21f)
+          + 8.483297e-20f) + 3.0699822e-18f) + 1.10180054e-16f,
+      b_rate_y = KSL_MULF(x, KSL_MULF(x, KSL_MULF(x, KSL_MULF(x, KSL_MULF(x, b_rate_p)
+          + 3.9147635e-15f) + 1.37377e-13f) + 4.7455525e-12f) + 1.6059044e-10f),
+      b_rate_ag = KSL_MULF(x, KSL_MULF(x, KSL_MULF(x, KSL_MULF(x, b_rate_y + 5.28419e-09f)
+          + 1.6701405e-07f) + 4.9603173e-06f) + 0.00013227513f),
+      b_rate_ah = b_rate_ag + 0.0027777778f, b_rate = x < 4.0f ? b_rate_ah : closed_b_rate;
+  const float rate_vw = KSL_MULF(s->m0, s->m3) + KSL_MULF(s->m1, s->m4) + KSL_MULF(s->m2, s->m5);
+  const float rate_bend = -KSL_MULF(b_rate, rate_vw);
+  const float rate_q_0 = -KSL_MULF(0.5f, s->m0), rate_q_1 = -KSL_MULF(0.5f, s->m1),
+      rate_q_2 = -KSL_MULF(0.5f, s->m2);
+  const float rate_beta_v_0 = KSL_MULF(s->m0, b), rate_beta_v_1 = KSL_MULF(s->m1, b),
+      rate_beta_v_2 = KSL_MULF(s->m2, b);
+  const float rate_bend_w_0 = KSL_MULF(s->m3, rate_bend),
+      rate_bend_w_1 = KSL_MULF(s->m4, rate_bend), rate_bend_w_2 = KSL_MULF(s->m5, rate_bend);
+  const float rate_symmetric_0 = KSL_MULF(s->m3, rate_beta_v_1) + KSL_MULF(s->m4, rate_beta_v_0)
+          - KSL_MULF(s->m4, rate_bend_w_0),
+      rate_symmetric_1 = KSL_MULF(s->m3, rate_beta_v_2) + KSL_MULF(s->m5, rate_beta_v_0)
+          - KSL_MULF(s->m5, rate_bend_w_0),
+      rate_symmetric_2 = KSL_MULF(s->m4, rate_beta_v_2) + KSL_MULF(s->m5, rate_beta_v_1)
+          - KSL_MULF(s->m5, rate_bend_w_1);
   const float rate_diagonal_0a = KSL_MULF(s->m4, rate_bend_w_1),
       rate_diagonal_0b = KSL_MULF(s->m5, rate_bend_w_2),
-      rate_diagonal_0c = rate_diagonal_0a + rate_diagonal_0b,
-      rate_diagonal_0d = KSL_MULF(2.0f, s->m4),
-      rate_diagonal_0e = KSL_MULF(rate_diagonal_0d, rate_beta_v_1),
-      rate_diagonal_0f = KSL_MULF(2.0f, s->m5),
-      rate_diagonal_0g = KSL_MULF(rate_diagonal_0f, rate_beta_v_2),
-      rate_diagonal_0h = rate_diagonal_0e + rate_diagonal_0g,
-      rate_diagonal_0 = rate_diagonal_0c - rate_diagonal_0h;
+      rate_diagonal_0e = KSL_MULF(KSL_MULF(2.0f, s->m4), rate_beta_v_1),
+      rate_diagonal_0g = KSL_MULF(KSL_MULF(2.0f, s->m5), rate_beta_v_2),
+      rate_diagonal_0 = rate_diagonal_0a + rate_diagonal_0b - (rate_diagonal_0e + rate_diagonal_0g);
   const float rate_diagonal_1a = KSL_MULF(s->m3, rate_bend_w_0),
-      rate_diagonal_1b = rate_diagonal_1a + rate_diagonal_0b,
-      rate_diagonal_1c = KSL_MULF(2.0f, s->m3),
-      rate_diagonal_1d = KSL_MULF(rate_diagonal_1c, rate_beta_v_0),
-      rate_diagonal_1e = rate_diagonal_1d + rate_diagonal_0g,
-      rate_diagonal_1 = rate_diagonal_1b - rate_diagonal_1e;
-  const float rate_diagonal_2a = rate_diagonal_1a + rate_diagonal_0a,
-      rate_diagonal_2b = rate_diagonal_1d + rate_diagonal_0e,
-      rate_diagonal_2 = rate_diagonal_2a - rate_diagonal_2b;
-  const float M_04 = rate_symmetric_0 - rate_q_2;
-  const float M_05 = rate_q_1 + rate_symmetric_1;
-  const float M_13 = rate_q_2 + rate_symmetric_0;
-  const float M_15 = rate_symmetric_2 - rate_q_0;
-  const float M_23 = rate_symmetric_1 - rate_q_1;
-  const float M_24 = rate_q_0 + rate_symmetric_2;
+      rate_diagonal_1d = KSL_MULF(KSL_MULF(2.0f, s->m3), rate_beta_v_0),
+      rate_diagonal_1 = rate_diagonal_1a + rate_diagonal_0b - (rate_diagonal_1d + rate_diagonal_0g);
+  const float rate_diagonal_2 = rate_diagonal_1a + rate_diagonal_0a
+          - (rate_diagonal_1d + rate_diagonal_0e);
+  const float M_04 = rate_symmetric_0 - rate_q_2, M_05 = rate_q_1 + rate_symmetric_1,
+      M_13 = rate_q_2 + rate_symmetric_0, M_15 = rate_symmetric_2 - rate_q_0,
+      M_23 = rate_symmetric_1 - rate_q_1, M_24 = rate_q_0 + rate_symmetric_2;
   M->at[0][0] = diagonal0;
   M->at[1][0] = J_1;
   M->at[2][0] = J_2;
@@ -3918,167 +2819,104 @@ static inline void ksl_SE3f_leftJacobianInverse(const ksl_screwf_t *s, ksl_mat6x
    Error <= M: 14 u of its largest component for |ω of s| <= π; searched, not proved.
      Intermediate sums may overflow where |v| is above 2e306, in single precision 5e36. */
 static inline void ksl_SE3f_rightJacobianInverse(const ksl_screwf_t *s, ksl_mat6x6f_t *M) {
-  const float size_0 = fabsf(s->m3);
-  const float size_1 = fabsf(s->m4);
-  const float size_2 = fabsf(s->m5);
-  const float sizes_a = size_0 + size_1, sizes = sizes_a + size_2;
+  const float size_0 = fabsf(s->m3), size_1 = fabsf(s->m4), size_2 = fabsf(s->m5);
+  const float sizes = size_0 + size_1 + size_2;
   const float grid = KSL_MULF(sizes, 8192.0f);
-  const float shifted_0 = s->m3 + grid;
-  const float shifted_1 = s->m4 + grid;
-  const float shifted_2 = s->m5 + grid;
-  const float high_0 = shifted_0 - grid;
-  const float high_1 = shifted_1 - grid;
-  const float high_2 = shifted_2 - grid;
-  const float low_0 = s->m3 - high_0;
-  const float low_1 = s->m4 - high_1;
-  const float low_2 = s->m5 - high_2;
-  const float sum_0 = s->m3 + high_0;
-  const float sum_1 = s->m4 + high_1;
-  const float sum_2 = s->m5 + high_2;
-  const float squares_a = KSL_MULF(high_0, high_0), squares_b = KSL_MULF(high_1, high_1),
-      squares_c = squares_a + squares_b, squares_d = KSL_MULF(high_2, high_2),
-      squares = squares_c + squares_d;
-  const float cross_a = KSL_MULF(low_0, sum_0), cross_b = KSL_MULF(low_1, sum_1),
-      cross_c = cross_a + cross_b, cross_d = KSL_MULF(low_2, sum_2), cross = cross_c + cross_d;
+  const float shifted_0 = s->m3 + grid, shifted_1 = s->m4 + grid, shifted_2 = s->m5 + grid;
+  const float high_0 = shifted_0 - grid, high_1 = shifted_1 - grid, high_2 = shifted_2 - grid;
+  const float low_0 = s->m3 - high_0, low_1 = s->m4 - high_1, low_2 = s->m5 - high_2;
+  const float sum_0 = s->m3 + high_0, sum_1 = s->m4 + high_1, sum_2 = s->m5 + high_2;
+  const float squares = KSL_MULF(high_0, high_0) + KSL_MULF(high_1, high_1)
+          + KSL_MULF(high_2, high_2);
+  const float cross = KSL_MULF(low_0, sum_0) + KSL_MULF(low_1, sum_1) + KSL_MULF(low_2, sum_2);
   const float x = squares + cross;
   const float theta_a = sqrtf(x), theta = x < 1.0f ? 1.0f : theta_a;
   const float theta_shifted = grid + theta;
   const float theta_high = theta_shifted - grid;
   const float theta_low = theta - theta_high;
   const float theta_sum = theta + theta_high;
-  const float cross_rest_a = KSL_MULF(theta_low, theta_sum), cross_rest = cross - cross_rest_a;
-  const float exact_a = KSL_MULF(theta_high, theta_high), exact = squares - exact_a;
+  const float cross_rest = cross - KSL_MULF(theta_low, theta_sum);
+  const float exact = squares - KSL_MULF(theta_high, theta_high);
   const float residual = cross_rest + exact;
-  const float small_a = KSL_MULF(0.5f, residual), small = small_a / theta;
-  const float delta_a = fabsf(small), delta = delta_a < 0.0078125f ? small : 0.0f;
+  const float small = KSL_MULF(0.5f, residual) / theta;
+  const float delta = fabsf(small) < 0.0078125f ? small : 0.0f;
   float far_cosine_a; const float far_sine_a = ksl_sincosf(theta, &far_cosine_a);
   const float far_sine = x < 1.0f ? 1.0f : far_sine_a;
   const float far_cosine = x < 1.0f ? 0.0f : far_cosine_a;
-  const float sine_a = KSL_MULF(delta, far_cosine), sine = sine_a + far_sine;
-  const float cosine_a = KSL_MULF(delta, far_sine), cosine = far_cosine - cosine_a;
+  const float sine = KSL_MULF(delta, far_cosine) + far_sine;
+  const float cosine = far_cosine - KSL_MULF(delta, far_sine);
   const float above_a = cosine + 1.0f, above = cosine < 0.0f ? sine : above_a;
   const float below_a = 1.0f - cosine, below = cosine < 0.0f ? below_a : sine;
   const float cotangent = above / below;
-  const float half_cotangent_a = KSL_MULF(0.5f, theta),
-      half_cotangent = KSL_MULF(half_cotangent_a, cotangent);
+  const float half_cotangent = KSL_MULF(KSL_MULF(0.5f, theta), cotangent);
   const float b_rest = 1.0f - half_cotangent;
   const float b_divisor = x < 4.0f ? 4.0f : x;
   const float closed_b = b_rest / b_divisor;
-  const float b_a = KSL_MULF(1.4551725e-27f, x), b_b = b_a + 5.744791e-26f, b_c = KSL_MULF(x, b_b),
-      b_d = b_c + 2.2679524e-24f, b_e = KSL_MULF(x, b_d), b_f = b_e + 8.9535176e-23f,
-      b_g = KSL_MULF(x, b_f), b_h = b_g + 3.534707e-21f, b_i = KSL_MULF(x, b_h),
-      b_j = b_i + 1.3954465e-19f, b_k = KSL_MULF(x, b_j), b_l = b_k + 5.509003e-18f,
-      b_m = KSL_MULF(x, b_l), b_n = b_m + 2.1748687e-16f, b_o = KSL_MULF(x, b_n),
-      b_p = b_o + 8.586062e-15f, b_q = KSL_MULF(x, b_p), b_r = b_q + 3.3896803e-13f,
-      b_s = KSL_MULF(x, b_r), b_t = b_s + 1.3382536e-11f, b_u = KSL_MULF(x, b_t),
-      b_v = b_u + 5.2841903e-10f, b_w = KSL_MULF(x, b_v), b_x = b_w + 2.0876756e-08f,
-      b_y = KSL_MULF(x, b_x), b_z = b_y + 8.267196e-07f, b_aa = KSL_MULF(x, b_z),
-      b_ab = b_aa + 3.3068784e-05f, b_ac = KSL_MULF(x, b_ab), b_ad = b_ac + 0.0013888889f,
-      b_ae = KSL_MULF(x, b_ad), b_af = b_ae + 0.083333336f, b = x < 4.0f ? b_af : closed_b;
-  const float b_across_a = KSL_MULF(x, b), b_across_b = 1.0f - b_across_a,
-      b_across = x < 4.0f ? b_across_b : half_cotangent;
-  const float beta_v_0 = KSL_MULF(s->m3, b);
-  const float beta_v_1 = KSL_MULF(s->m4, b);
-  const float beta_v_2 = KSL_MULF(s->m5, b);
-  const float m_0 = KSL_MULF(s->m3, beta_v_0);
-  const float m_1 = KSL_MULF(s->m4, beta_v_1);
-  const float m_2 = KSL_MULF(s->m5, beta_v_2);
-  const float m_3 = KSL_MULF(s->m4, beta_v_0);
-  const float m_4 = KSL_MULF(s->m5, beta_v_0);
-  const float m_5 = KSL_MULF(s->m5, beta_v_1);
-  const float others_0 = m_1 + m_2;
-  const float others_1 = m_0 + m_2;
-  const float others_2 = m_0 + m_1;
+  const float b_h = KSL_MULF(x, KSL_MULF(x, KSL_MULF(x, KSL_MULF(1.4551725e-27f, x)
+          + 5.744791e-26f) + 2.2679524e-24f) + 8.9535176e-23f) + 3.534707e-21f,
+      b_q = KSL_MULF(x, KSL_MULF(x, KSL_MULF(x, KSL_MULF(x, KSL_MULF(x, b_h) + 1.3954465e-19f)
+          + 5.509003e-18f) + 2.1748687e-16f) + 8.586062e-15f),
+      b_z = KSL_MULF(x, KSL_MULF(x, KSL_MULF(x, KSL_MULF(x, b_q + 3.3896803e-13f) + 1.3382536e-11f)
+          + 5.2841903e-10f) + 2.0876756e-08f) + 8.267196e-07f,
+      b_af = KSL_MULF(x, KSL_MULF(x, KSL_MULF(x, b_z) + 3.3068784e-05f) + 0.0013888889f)
+          + 0.083333336f, b = x < 4.0f ? b_af : closed_b;
+  const float b_across_b = 1.0f - KSL_MULF(x, b), b_across = x < 4.0f ? b_across_b : half_cotangent;
+  const float beta_v_0 = KSL_MULF(s->m3, b), beta_v_1 = KSL_MULF(s->m4, b),
+      beta_v_2 = KSL_MULF(s->m5, b);
+  const float m_0 = KSL_MULF(s->m3, beta_v_0), m_1 = KSL_MULF(s->m4, beta_v_1),
+      m_2 = KSL_MULF(s->m5, beta_v_2), m_3 = KSL_MULF(s->m4, beta_v_0),
+      m_4 = KSL_MULF(s->m5, beta_v_0), m_5 = KSL_MULF(s->m5, beta_v_1);
+  const float others_0 = m_1 + m_2, others_1 = m_0 + m_2, others_2 = m_0 + m_1;
   const float diagonal0a = 1.0f - others_0, diagonal0b = b_across + m_0,
       diagonal0 = m_0 < others_0 ? diagonal0b : diagonal0a;
   const float diagonal1a = 1.0f - others_1, diagonal1b = b_across + m_1,
       diagonal1 = m_1 < others_1 ? diagonal1b : diagonal1a;
   const float diagonal2a = 1.0f - others_2, diagonal2b = b_across + m_2,
       diagonal2 = m_2 < others_2 ? diagonal2b : diagonal2a;
-  const float alpha_v_0 = KSL_MULF(0.5f, s->m3);
-  const float alpha_v_1 = KSL_MULF(0.5f, s->m4);
-  const float alpha_v_2 = KSL_MULF(0.5f, s->m5);
-  const float J_1 = m_3 - alpha_v_2;
-  const float J_2 = m_4 + alpha_v_1;
-  const float J_3 = m_3 + alpha_v_2;
-  const float J_5 = m_5 - alpha_v_0;
-  const float J_6 = m_4 - alpha_v_1;
-  const float J_7 = m_5 + alpha_v_0;
-  const float b_rate_across_a = 2.0f - half_cotangent, b_rate_across = b_rate_across_a / b_divisor;
-  const float b_rate_square_a = KSL_MULF(cotangent, cotangent),
-      b_rate_square_b = KSL_MULF(0.25f, b_rate_square_a), b_rate_square = 0.25f + b_rate_square_b;
+  const float alpha_v_0 = KSL_MULF(0.5f, s->m3), alpha_v_1 = KSL_MULF(0.5f, s->m4),
+      alpha_v_2 = KSL_MULF(0.5f, s->m5);
+  const float J_1 = m_3 - alpha_v_2, J_2 = m_4 + alpha_v_1, J_3 = m_3 + alpha_v_2,
+      J_5 = m_5 - alpha_v_0, J_6 = m_4 - alpha_v_1, J_7 = m_5 + alpha_v_0;
+  const float b_rate_across = (2.0f - half_cotangent) / b_divisor;
+  const float b_rate_square = 0.25f + KSL_MULF(0.25f, KSL_MULF(cotangent, cotangent));
   const float b_rate_rest = b_rate_square - b_rate_across;
   const float closed_b_rate = b_rate_rest / b_divisor;
-  const float b_rate_a = KSL_MULF(3.3612244e-29f, x), b_rate_b = b_rate_a + 1.2532382e-27f,
-      b_rate_c = KSL_MULF(x, b_rate_b), b_rate_d = b_rate_c + 4.656552e-26f,
-      b_rate_e = KSL_MULF(x, b_rate_d), b_rate_f = b_rate_e + 1.7234372e-24f,
-      b_rate_g = KSL_MULF(x, b_rate_f), b_rate_h = b_rate_g + 6.350267e-23f,
-      b_rate_i = KSL_MULF(x, b_rate_h), b_rate_j = b_rate_i + 2.3279144e-21f,
-      b_rate_k = KSL_MULF(x, b_rate_j), b_rate_l = b_rate_k + 8.483297e-20f,
-      b_rate_m = KSL_MULF(x, b_rate_l), b_rate_n = b_rate_m + 3.0699822e-18f,
-      b_rate_o = KSL_MULF(x, b_rate_n), b_rate_p = b_rate_o + 1.10180054e-16f,
-      b_rate_q = KSL_MULF(x, b_rate_p), b_rate_r = b_rate_q + 3.9147635e-15f,
-      b_rate_s = KSL_MULF(x, b_rate_r), b_rate_t = b_rate_s + 1.37377e-13f,
-      b_rate_u = KSL_MULF(x, b_rate_t), b_rate_v = b_rate_u + 4.7455525e-12f,
-      b_rate_w = KSL_MULF(x, b_rate_v), b_rate_x = b_rate_w + 1.6059044e-10f,
-      b_rate_y = KSL_MULF(x, b_rate_x), b_rate_z = b_rate_y + 5.28419e-09f,
-      b_rate_aa = KSL_MULF(x, b_rate_z), b_rate_ab = b_rate_aa + 1.6701405e-07f,
-      b_rate_ac = KSL_MULF(x, b_rate_ab), b_rate_ad = b_rate_ac + 4.9603173e-06f,
-      b_rate_ae = KSL_MULF(x, b_rate_ad), b_rate_af = b_rate_ae + 0.00013227513f,
-      b_rate_ag = KSL_MULF(x, b_rate_af), b_rate_ah = b_rate_ag + 0.0027777778f,
-      b_rate = x < 4.0f ? b_rate_ah : closed_b_rate;
-  const float rate_vw_a = KSL_MULF(s->m0, s->m3), rate_vw_b = KSL_MULF(s->m1, s->m4),
-      rate_vw_c = rate_vw_a + rate_vw_b, rate_vw_d = KSL_MULF(s->m2, s->m5),
-      rate_vw = rate_vw_c + rate_vw_d;
-  const float rate_bend_a = KSL_MULF(b_rate, rate_vw), rate_bend = -rate_bend_a;
-  const float rate_q_0 = KSL_MULF(0.5f, s->m0);
-  const float rate_q_1 = KSL_MULF(0.5f, s->m1);
-  const float rate_q_2 = KSL_MULF(0.5f, s->m2);
-  const float rate_beta_v_0a = KSL_MULF(s->m0, b), rate_beta_v_0 = -rate_beta_v_0a;
-  const float rate_beta_v_1a = KSL_MULF(s->m1, b), rate_beta_v_1 = -rate_beta_v_1a;
-  const float rate_beta_v_2a = KSL_MULF(s->m2, b), rate_beta_v_2 = -rate_beta_v_2a;
-  const float rate_bend_w_0a = KSL_MULF(s->m3, rate_bend), rate_bend_w_0 = -rate_bend_w_0a;
-  const float rate_bend_w_1a = KSL_MULF(s->m4, rate_bend), rate_bend_w_1 = -rate_bend_w_1a;
-  const float rate_bend_w_2a = KSL_MULF(s->m5, rate_bend), rate_bend_w_2 = -rate_bend_w_2a;
-  const float rate_symmetric_0a = KSL_MULF(s->m4, rate_bend_w_0),
-      rate_symmetric_0b = KSL_MULF(s->m3, rate_beta_v_1),
-      rate_symmetric_0c = KSL_MULF(s->m4, rate_beta_v_0),
-      rate_symmetric_0d = rate_symmetric_0b + rate_symmetric_0c,
-      rate_symmetric_0 = rate_symmetric_0a - rate_symmetric_0d;
-  const float rate_symmetric_1a = KSL_MULF(s->m5, rate_bend_w_0),
-      rate_symmetric_1b = KSL_MULF(s->m3, rate_beta_v_2),
-      rate_symmetric_1c = KSL_MULF(s->m5, rate_beta_v_0),
-      rate_symmetric_1d = rate_symmetric_1b + rate_symmetric_1c,
-      rate_symmetric_1 = rate_symmetric_1a - rate_symmetric_1d;
-  const float rate_symmetric_2a = KSL_MULF(s->m5, rate_bend_w_1),
-      rate_symmetric_2b = KSL_MULF(s->m4, rate_beta_v_2),
-      rate_symmetric_2c = KSL_MULF(s->m5, rate_beta_v_1),
-      rate_symmetric_2d = rate_symmetric_2b + rate_symmetric_2c,
-      rate_symmetric_2 = rate_symmetric_2a - rate_symmetric_2d;
-  const float rate_diagonal_0a = KSL_MULF(2.0f, s->m4),
-      rate_diagonal_0b = KSL_MULF(rate_diagonal_0a, rate_beta_v_1),
-      rate_diagonal_0c = KSL_MULF(2.0f, s->m5),
-      rate_diagonal_0d = KSL_MULF(rate_diagonal_0c, rate_beta_v_2),
-      rate_diagonal_0e = rate_diagonal_0b + rate_diagonal_0d,
+  const float b_rate_h = KSL_MULF(x, KSL_MULF(x, KSL_MULF(x, KSL_MULF(3.3612244e-29f, x)
+          + 1.2532382e-27f) + 4.656552e-26f) + 1.7234372e-24f) + 6.350267e-23f,
+      b_rate_p = KSL_MULF(x, KSL_MULF(x, KSL_MULF(x, KSL_MULF(x, b_rate_h) + 2.3279144e-21f)
+          + 8.483297e-20f) + 3.0699822e-18f) + 1.10180054e-16f,
+      b_rate_y = KSL_MULF(x, KSL_MULF(x, KSL_MULF(x, KSL_MULF(x, KSL_MULF(x, b_rate_p)
+          + 3.9147635e-15f) + 1.37377e-13f) + 4.7455525e-12f) + 1.6059044e-10f),
+      b_rate_ag = KSL_MULF(x, KSL_MULF(x, KSL_MULF(x, KSL_MULF(x, b_rate_y + 5.28419e-09f)
+          + 1.6701405e-07f) + 4.9603173e-06f) + 0.00013227513f),
+      b_rate_ah = b_rate_ag + 0.0027777778f, b_rate = x < 4.0f ? b_rate_ah : closed_b_rate;
+  const float rate_vw = KSL_MULF(s->m0, s->m3) + KSL_MULF(s->m1, s->m4) + KSL_MULF(s->m2, s->m5);
+  const float rate_bend = -KSL_MULF(b_rate, rate_vw);
+  const float rate_q_0 = KSL_MULF(0.5f, s->m0), rate_q_1 = KSL_MULF(0.5f, s->m1),
+      rate_q_2 = KSL_MULF(0.5f, s->m2);
+  const float rate_beta_v_0 = -KSL_MULF(s->m0, b), rate_beta_v_1 = -KSL_MULF(s->m1, b),
+      rate_beta_v_2 = -KSL_MULF(s->m2, b);
+  const float rate_bend_w_0 = -KSL_MULF(s->m3, rate_bend),
+      rate_bend_w_1 = -KSL_MULF(s->m4, rate_bend), rate_bend_w_2 = -KSL_MULF(s->m5, rate_bend);
+  const float rate_symmetric_0 = KSL_MULF(s->m4, rate_bend_w_0)
+          - (KSL_MULF(s->m3, rate_beta_v_1) + KSL_MULF(s->m4, rate_beta_v_0)),
+      rate_symmetric_1 = KSL_MULF(s->m5, rate_bend_w_0)
+          - (KSL_MULF(s->m3, rate_beta_v_2) + KSL_MULF(s->m5, rate_beta_v_0)),
+      rate_symmetric_2 = KSL_MULF(s->m5, rate_bend_w_1)
+          - (KSL_MULF(s->m4, rate_beta_v_2) + KSL_MULF(s->m5, rate_beta_v_1));
+  const float rate_diagonal_0b = KSL_MULF(KSL_MULF(2.0f, s->m4), rate_beta_v_1),
+      rate_diagonal_0d = KSL_MULF(KSL_MULF(2.0f, s->m5), rate_beta_v_2),
       rate_diagonal_0f = KSL_MULF(s->m4, rate_bend_w_1),
       rate_diagonal_0g = KSL_MULF(s->m5, rate_bend_w_2),
-      rate_diagonal_0h = rate_diagonal_0f + rate_diagonal_0g,
-      rate_diagonal_0 = rate_diagonal_0e - rate_diagonal_0h;
-  const float rate_diagonal_1a = KSL_MULF(2.0f, s->m3),
-      rate_diagonal_1b = KSL_MULF(rate_diagonal_1a, rate_beta_v_0),
-      rate_diagonal_1c = rate_diagonal_1b + rate_diagonal_0d,
+      rate_diagonal_0 = rate_diagonal_0b + rate_diagonal_0d - (rate_diagonal_0f + rate_diagonal_0g);
+  const float rate_diagonal_1b = KSL_MULF(KSL_MULF(2.0f, s->m3), rate_beta_v_0),
       rate_diagonal_1d = KSL_MULF(s->m3, rate_bend_w_0),
-      rate_diagonal_1e = rate_diagonal_1d + rate_diagonal_0g,
-      rate_diagonal_1 = rate_diagonal_1c - rate_diagonal_1e;
-  const float rate_diagonal_2a = rate_diagonal_1b + rate_diagonal_0b,
-      rate_diagonal_2b = rate_diagonal_1d + rate_diagonal_0f,
-      rate_diagonal_2 = rate_diagonal_2a - rate_diagonal_2b;
-  const float M_04 = rate_symmetric_0 - rate_q_2;
-  const float M_05 = rate_q_1 + rate_symmetric_1;
-  const float M_13 = rate_q_2 + rate_symmetric_0;
-  const float M_15 = rate_symmetric_2 - rate_q_0;
-  const float M_23 = rate_symmetric_1 - rate_q_1;
-  const float M_24 = rate_q_0 + rate_symmetric_2;
+      rate_diagonal_1 = rate_diagonal_1b + rate_diagonal_0d - (rate_diagonal_1d + rate_diagonal_0g);
+  const float rate_diagonal_2 = rate_diagonal_1b + rate_diagonal_0b
+          - (rate_diagonal_1d + rate_diagonal_0f);
+  const float M_04 = rate_symmetric_0 - rate_q_2, M_05 = rate_q_1 + rate_symmetric_1,
+      M_13 = rate_q_2 + rate_symmetric_0, M_15 = rate_symmetric_2 - rate_q_0,
+      M_23 = rate_symmetric_1 - rate_q_1, M_24 = rate_q_0 + rate_symmetric_2;
   M->at[0][0] = diagonal0;
   M->at[1][0] = J_1;
   M->at[2][0] = J_2;
@@ -4126,71 +2964,51 @@ static inline void ksl_SE3f_rightJacobianInverse(const ksl_screwf_t *s, ksl_mat6
      5e36. */
 static inline void ksl_SE3f_interpolated(const ksl_SE3f_t *D1, const ksl_SE3f_t *D2,
     const float k, ksl_SE3f_t *Do) {
-  const float apart_0 = D2->m03 - D1->m03;
-  const float apart_1 = D2->m13 - D1->m13;
-  const float apart_2 = D2->m23 - D1->m23;
-  const float between_0a = KSL_MULF(D1->m00, D2->m00), between_0b = KSL_MULF(D1->m10, D2->m10),
-      between_0c = between_0a + between_0b, between_0d = KSL_MULF(D1->m20, D2->m20),
-      between_0 = between_0c + between_0d;
-  const float between_1a = KSL_MULF(D1->m00, D2->m01), between_1b = KSL_MULF(D1->m10, D2->m11),
-      between_1c = between_1a + between_1b, between_1d = KSL_MULF(D1->m20, D2->m21),
-      between_1 = between_1c + between_1d;
-  const float between_2a = KSL_MULF(D1->m00, D2->m02), between_2b = KSL_MULF(D1->m10, D2->m12),
-      between_2c = between_2a + between_2b, between_2d = KSL_MULF(D1->m20, D2->m22),
-      between_2 = between_2c + between_2d;
-  const float between_3a = KSL_MULF(D1->m00, apart_0), between_3b = KSL_MULF(D1->m10, apart_1),
-      between_3c = between_3a + between_3b, between_3d = KSL_MULF(D1->m20, apart_2),
-      between_3 = between_3c + between_3d;
-  const float between_4a = KSL_MULF(D1->m01, D2->m00), between_4b = KSL_MULF(D1->m11, D2->m10),
-      between_4c = between_4a + between_4b, between_4d = KSL_MULF(D1->m21, D2->m20),
-      between_4 = between_4c + between_4d;
-  const float between_5a = KSL_MULF(D1->m01, D2->m01), between_5b = KSL_MULF(D1->m11, D2->m11),
-      between_5c = between_5a + between_5b, between_5d = KSL_MULF(D1->m21, D2->m21),
-      between_5 = between_5c + between_5d;
-  const float between_6a = KSL_MULF(D1->m01, D2->m02), between_6b = KSL_MULF(D1->m11, D2->m12),
-      between_6c = between_6a + between_6b, between_6d = KSL_MULF(D1->m21, D2->m22),
-      between_6 = between_6c + between_6d;
-  const float between_7a = KSL_MULF(D1->m01, apart_0), between_7b = KSL_MULF(D1->m11, apart_1),
-      between_7c = between_7a + between_7b, between_7d = KSL_MULF(D1->m21, apart_2),
-      between_7 = between_7c + between_7d;
-  const float between_8a = KSL_MULF(D1->m02, D2->m00), between_8b = KSL_MULF(D1->m12, D2->m10),
-      between_8c = between_8a + between_8b, between_8d = KSL_MULF(D1->m22, D2->m20),
-      between_8 = between_8c + between_8d;
-  const float between_9a = KSL_MULF(D1->m02, D2->m01), between_9b = KSL_MULF(D1->m12, D2->m11),
-      between_9c = between_9a + between_9b, between_9d = KSL_MULF(D1->m22, D2->m21),
-      between_9 = between_9c + between_9d;
-  const float between_10a = KSL_MULF(D1->m02, D2->m02), between_10b = KSL_MULF(D1->m12, D2->m12),
-      between_10c = between_10a + between_10b, between_10d = KSL_MULF(D1->m22, D2->m22),
-      between_10 = between_10c + between_10d;
-  const float between_11a = KSL_MULF(D1->m02, apart_0), between_11b = KSL_MULF(D1->m12, apart_1),
-      between_11c = between_11a + between_11b, between_11d = KSL_MULF(D1->m22, apart_2),
-      between_11 = between_11c + between_11d;
-  const float log_p_0 = between_9 - between_6;
-  const float log_p_1 = between_2 - between_8;
-  const float log_p_2 = between_4 - between_1;
-  const float log_s_0 = between_6 + between_9;
-  const float log_s_1 = between_2 + between_8;
-  const float log_s_2 = between_1 + between_4;
-  const float log_first_0 = between_0 + 1.0f;
-  const float log_first_1 = 1.0f - between_0;
-  const float log_others_0 = between_5 + between_10;
-  const float log_others_1 = between_5 - between_10;
-  const float log_d_0 = log_first_0 + log_others_0;
-  const float log_d_1 = log_first_0 - log_others_0;
-  const float log_d_2 = log_first_1 + log_others_1;
-  const float log_d_3 = log_first_1 - log_others_1;
-  const float log_low_0 = between_5 < between_0 ? log_d_1 : log_s_2;
-  const float log_low_1 = between_5 < between_0 ? log_s_2 : log_d_2;
-  const float log_low_2 = between_5 < between_0 ? log_s_1 : log_s_0;
-  const float log_low_3 = between_5 < between_0 ? log_p_0 : log_p_1;
+  const float apart_0 = D2->m03 - D1->m03, apart_1 = D2->m13 - D1->m13, apart_2 = D2->m23 - D1->m23;
+  const float between_0 = KSL_MULF(D1->m00, D2->m00) + KSL_MULF(D1->m10, D2->m10)
+          + KSL_MULF(D1->m20, D2->m20),
+      between_1 = KSL_MULF(D1->m00, D2->m01) + KSL_MULF(D1->m10, D2->m11)
+          + KSL_MULF(D1->m20, D2->m21),
+      between_2 = KSL_MULF(D1->m00, D2->m02) + KSL_MULF(D1->m10, D2->m12)
+          + KSL_MULF(D1->m20, D2->m22),
+      between_3 = KSL_MULF(D1->m00, apart_0) + KSL_MULF(D1->m10, apart_1)
+          + KSL_MULF(D1->m20, apart_2),
+      between_4 = KSL_MULF(D1->m01, D2->m00) + KSL_MULF(D1->m11, D2->m10)
+          + KSL_MULF(D1->m21, D2->m20),
+      between_5 = KSL_MULF(D1->m01, D2->m01) + KSL_MULF(D1->m11, D2->m11)
+          + KSL_MULF(D1->m21, D2->m21),
+      between_6 = KSL_MULF(D1->m01, D2->m02) + KSL_MULF(D1->m11, D2->m12)
+          + KSL_MULF(D1->m21, D2->m22),
+      between_7 = KSL_MULF(D1->m01, apart_0) + KSL_MULF(D1->m11, apart_1)
+          + KSL_MULF(D1->m21, apart_2),
+      between_8 = KSL_MULF(D1->m02, D2->m00) + KSL_MULF(D1->m12, D2->m10)
+          + KSL_MULF(D1->m22, D2->m20),
+      between_9 = KSL_MULF(D1->m02, D2->m01) + KSL_MULF(D1->m12, D2->m11)
+          + KSL_MULF(D1->m22, D2->m21),
+      between_10 = KSL_MULF(D1->m02, D2->m02) + KSL_MULF(D1->m12, D2->m12)
+          + KSL_MULF(D1->m22, D2->m22),
+      between_11 = KSL_MULF(D1->m02, apart_0) + KSL_MULF(D1->m12, apart_1)
+          + KSL_MULF(D1->m22, apart_2);
+  const float log_p_0 = between_9 - between_6, log_p_1 = between_2 - between_8,
+      log_p_2 = between_4 - between_1;
+  const float log_s_0 = between_6 + between_9, log_s_1 = between_2 + between_8,
+      log_s_2 = between_1 + between_4;
+  const float log_first_0 = between_0 + 1.0f, log_first_1 = 1.0f - between_0;
+  const float log_others_0 = between_5 + between_10, log_others_1 = between_5 - between_10;
+  const float log_d_0 = log_first_0 + log_others_0, log_d_1 = log_first_0 - log_others_0,
+      log_d_2 = log_first_1 + log_others_1, log_d_3 = log_first_1 - log_others_1;
+  const float log_low_0 = between_5 < between_0 ? log_d_1 : log_s_2,
+      log_low_1 = between_5 < between_0 ? log_s_2 : log_d_2,
+      log_low_2 = between_5 < between_0 ? log_s_1 : log_s_0,
+      log_low_3 = between_5 < between_0 ? log_p_0 : log_p_1;
   const float log_high_0a = -between_5, log_high_0 = between_0 < log_high_0a ? log_s_1 : log_p_0;
-  const float log_high_1 = between_0 < log_high_0a ? log_s_0 : log_p_1;
-  const float log_high_2 = between_0 < log_high_0a ? log_d_3 : log_p_2;
-  const float log_high_3 = between_0 < log_high_0a ? log_p_2 : log_d_0;
-  const float log_column_0 = between_10 < 0.0f ? log_low_0 : log_high_0;
-  const float log_column_1 = between_10 < 0.0f ? log_low_1 : log_high_1;
-  const float log_column_2 = between_10 < 0.0f ? log_low_2 : log_high_2;
-  const float log_column_3 = between_10 < 0.0f ? log_low_3 : log_high_3;
+  const float log_high_1 = between_0 < log_high_0a ? log_s_0 : log_p_1,
+      log_high_2 = between_0 < log_high_0a ? log_d_3 : log_p_2,
+      log_high_3 = between_0 < log_high_0a ? log_p_2 : log_d_0;
+  const float log_column_0 = between_10 < 0.0f ? log_low_0 : log_high_0,
+      log_column_1 = between_10 < 0.0f ? log_low_1 : log_high_1,
+      log_column_2 = between_10 < 0.0f ? log_low_2 : log_high_2,
+      log_column_3 = between_10 < 0.0f ? log_low_3 : log_high_3;
   const float log_upper_0a = -log_column_0,
       log_upper_0 = log_column_3 < 0.0f ? log_upper_0a : log_column_0;
   const float log_upper_1a = -log_column_1,
@@ -4199,22 +3017,18 @@ static inline void ksl_SE3f_interpolated(const ksl_SE3f_t *D1, const ksl_SE3f_t 
       log_upper_2 = log_column_3 < 0.0f ? log_upper_2a : log_column_2;
   const float log_upper_3a = -log_column_3,
       log_upper_3 = log_column_3 < 0.0f ? log_upper_3a : log_column_3;
-  const float log_v_s_size_0 = fabsf(log_upper_0);
-  const float log_v_s_size_1 = fabsf(log_upper_1);
-  const float log_v_s_size_2 = fabsf(log_upper_2);
+  const float log_v_s_size_0 = fabsf(log_upper_0), log_v_s_size_1 = fabsf(log_upper_1),
+      log_v_s_size_2 = fabsf(log_upper_2);
   const float log_v_s_largest1 = log_v_s_size_0 < log_v_s_size_1 ? log_v_s_size_1 : log_v_s_size_0;
-  const float log_v_s_largest2 = log_v_s_largest1 < log_v_s_size_2 ? log_v_s_size_2 :
-      log_v_s_largest1;
+  const float log_v_s_largest2 = log_v_s_largest1 < log_v_s_size_2 ? log_v_s_size_2
+          : log_v_s_largest1;
   const float log_v_s_b = 4.611686e+18f < log_v_s_largest2 ? 2.7105054e-20f : 1.0f,
       log_v_s_d = log_v_s_largest2 < 256.0f ? 1.8014399e+16f : log_v_s_b,
       log_v_s = log_v_s_largest2 < 1.4210855e-14f ? 3.2451855e+32f : log_v_s_d;
-  const float log_v_y_0 = KSL_MULF(log_upper_0, log_v_s);
-  const float log_v_y_1 = KSL_MULF(log_upper_1, log_v_s);
-  const float log_v_y_2 = KSL_MULF(log_upper_2, log_v_s);
-  const float log_v_n_a = KSL_MULF(log_v_y_0, log_v_y_0),
-      log_v_n_b = KSL_MULF(log_v_y_1, log_v_y_1), log_v_n_c = log_v_n_a + log_v_n_b,
-      log_v_n_d = KSL_MULF(log_v_y_2, log_v_y_2), log_v_n_e = log_v_n_c + log_v_n_d,
-      log_v_n = sqrtf(log_v_n_e);
+  const float log_v_y_0 = KSL_MULF(log_upper_0, log_v_s),
+      log_v_y_1 = KSL_MULF(log_upper_1, log_v_s), log_v_y_2 = KSL_MULF(log_upper_2, log_v_s);
+  const float log_v_n = sqrtf(KSL_MULF(log_v_y_0, log_v_y_0) + KSL_MULF(log_v_y_1, log_v_y_1)
+          + KSL_MULF(log_v_y_2, log_v_y_2));
   const float log_v_r_b = log_v_s < 1.0f ? 3.689349e+19f : 1.0f,
       log_v_r_d = 1.0f < log_v_s ? 5.551115e-17f : log_v_r_b,
       log_v_r = 1.8014399e+16f < log_v_s ? 3.081488e-33f : log_v_r_d;
@@ -4223,109 +3037,78 @@ static inline void ksl_SE3f_interpolated(const ksl_SE3f_t *D1, const ksl_SE3f_t 
   const float log_divisor = log_n == 0.0f ? 1.0f : log_n;
   const float log_theta = KSL_MULF(2.0f, log_half);
   const float log_k = log_theta / log_divisor;
-  const float log_vector_0 = KSL_MULF(log_upper_0, log_k);
-  const float log_vector_1 = KSL_MULF(log_upper_1, log_k);
-  const float log_vector_2 = KSL_MULF(log_upper_2, log_k);
+  const float log_vector_0 = KSL_MULF(log_upper_0, log_k),
+      log_vector_1 = KSL_MULF(log_upper_1, log_k), log_vector_2 = KSL_MULF(log_upper_2, log_k);
   const float log_x = KSL_MULF(log_theta, log_theta);
   const float log_far_sine = log_x < 1.0f ? 1.0f : log_n;
   const float log_cotangent = log_upper_3 / log_far_sine;
-  const float log_half_cotangent_a = KSL_MULF(0.5f, log_theta),
-      log_half_cotangent = KSL_MULF(log_half_cotangent_a, log_cotangent);
+  const float log_half_cotangent = KSL_MULF(KSL_MULF(0.5f, log_theta), log_cotangent);
   const float log_b_rest = 1.0f - log_half_cotangent;
   const float log_b_divisor = log_x < 4.0f ? 4.0f : log_x;
   const float log_closed_b = log_b_rest / log_b_divisor;
-  const float log_b_a = KSL_MULF(1.4551725e-27f, log_x), log_b_b = log_b_a + 5.744791e-26f,
-      log_b_c = KSL_MULF(log_x, log_b_b), log_b_d = log_b_c + 2.2679524e-24f,
-      log_b_e = KSL_MULF(log_x, log_b_d), log_b_f = log_b_e + 8.9535176e-23f,
-      log_b_g = KSL_MULF(log_x, log_b_f), log_b_h = log_b_g + 3.534707e-21f,
-      log_b_i = KSL_MULF(log_x, log_b_h), log_b_j = log_b_i + 1.3954465e-19f,
-      log_b_k = KSL_MULF(log_x, log_b_j), log_b_l = log_b_k + 5.509003e-18f,
-      log_b_m = KSL_MULF(log_x, log_b_l), log_b_n = log_b_m + 2.1748687e-16f,
-      log_b_o = KSL_MULF(log_x, log_b_n), log_b_p = log_b_o + 8.586062e-15f,
-      log_b_q = KSL_MULF(log_x, log_b_p), log_b_r = log_b_q + 3.3896803e-13f,
-      log_b_s = KSL_MULF(log_x, log_b_r), log_b_t = log_b_s + 1.3382536e-11f,
-      log_b_u = KSL_MULF(log_x, log_b_t), log_b_v = log_b_u + 5.2841903e-10f,
-      log_b_w = KSL_MULF(log_x, log_b_v), log_b_x = log_b_w + 2.0876756e-08f,
-      log_b_y = KSL_MULF(log_x, log_b_x), log_b_z = log_b_y + 8.267196e-07f,
-      log_b_aa = KSL_MULF(log_x, log_b_z), log_b_ab = log_b_aa + 3.3068784e-05f,
-      log_b_ac = KSL_MULF(log_x, log_b_ab), log_b_ad = log_b_ac + 0.0013888889f,
-      log_b_ae = KSL_MULF(log_x, log_b_ad), log_b_af = log_b_ae + 0.083333336f,
+  const float log_b_g = KSL_MULF(log_x, KSL_MULF(log_x, KSL_MULF(log_x, KSL_MULF(1.4551725e-27f,
+      log_x) + 5.744791e-26f) + 2.2679524e-24f) + 8.9535176e-23f),
+      log_b_n = KSL_MULF(log_x, KSL_MULF(log_x, KSL_MULF(log_x, log_b_g + 3.534707e-21f)
+          + 1.3954465e-19f) + 5.509003e-18f) + 2.1748687e-16f,
+      log_b_u = KSL_MULF(log_x, KSL_MULF(log_x, KSL_MULF(log_x, KSL_MULF(log_x, log_b_n)
+          + 8.586062e-15f) + 3.3896803e-13f) + 1.3382536e-11f),
+      log_b_ab = KSL_MULF(log_x, KSL_MULF(log_x, KSL_MULF(log_x, log_b_u + 5.2841903e-10f)
+          + 2.0876756e-08f) + 8.267196e-07f) + 3.3068784e-05f,
+      log_b_af = KSL_MULF(log_x, KSL_MULF(log_x, log_b_ab) + 0.0013888889f) + 0.083333336f,
       log_b = log_x < 4.0f ? log_b_af : log_closed_b;
-  const float log_b_across_a = KSL_MULF(log_x, log_b), log_b_across_b = 1.0f - log_b_across_a,
+  const float log_b_across_b = 1.0f - KSL_MULF(log_x, log_b),
       log_b_across = log_x < 4.0f ? log_b_across_b : log_half_cotangent;
-  const float log_wt_a = KSL_MULF(between_3, log_vector_0),
-      log_wt_b = KSL_MULF(between_7, log_vector_1), log_wt_c = log_wt_a + log_wt_b,
-      log_wt_d = KSL_MULF(between_11, log_vector_2), log_wt = log_wt_c + log_wt_d;
+  const float log_wt = KSL_MULF(between_3, log_vector_0) + KSL_MULF(between_7, log_vector_1)
+          + KSL_MULF(between_11, log_vector_2);
   const float log_pitch = KSL_MULF(log_b, log_wt);
-  const float log_along_0 = KSL_MULF(log_vector_0, log_pitch);
-  const float log_along_1 = KSL_MULF(log_vector_1, log_pitch);
-  const float log_along_2 = KSL_MULF(log_vector_2, log_pitch);
-  const float log_u_0a = KSL_MULF(between_11, log_vector_1),
-      log_u_0b = KSL_MULF(between_7, log_vector_2), log_u_0 = log_u_0a - log_u_0b;
-  const float log_u_1a = KSL_MULF(between_3, log_vector_2),
-      log_u_1b = KSL_MULF(between_11, log_vector_0), log_u_1 = log_u_1a - log_u_1b;
-  const float log_u_2a = KSL_MULF(between_7, log_vector_0),
-      log_u_2b = KSL_MULF(between_3, log_vector_1), log_u_2 = log_u_2a - log_u_2b;
-  const float log_turned_0 = KSL_MULF(0.5f, log_u_0);
-  const float log_turned_1 = KSL_MULF(0.5f, log_u_1);
-  const float log_turned_2 = KSL_MULF(0.5f, log_u_2);
-  const float log_across_axis_0 = log_along_0 - log_turned_0;
-  const float log_across_axis_1 = log_along_1 - log_turned_1;
-  const float log_across_axis_2 = log_along_2 - log_turned_2;
-  const float whole_0a = KSL_MULF(between_3, log_b_across), whole_0 = whole_0a + log_across_axis_0;
-  const float whole_1a = KSL_MULF(between_7, log_b_across), whole_1 = whole_1a + log_across_axis_1;
-  const float whole_2a = KSL_MULF(between_11, log_b_across), whole_2 = whole_2a + log_across_axis_2;
-  const float screw_0 = KSL_MULF(k, whole_0);
-  const float screw_1 = KSL_MULF(k, whole_1);
-  const float screw_2 = KSL_MULF(k, whole_2);
-  const float screw_3 = KSL_MULF(k, log_vector_0);
-  const float screw_4 = KSL_MULF(k, log_vector_1);
-  const float screw_5 = KSL_MULF(k, log_vector_2);
-  const float exp_size_0 = fabsf(screw_3);
-  const float exp_size_1 = fabsf(screw_4);
-  const float exp_size_2 = fabsf(screw_5);
-  const float exp_sizes_a = exp_size_0 + exp_size_1, exp_sizes = exp_sizes_a + exp_size_2;
+  const float log_along_0 = KSL_MULF(log_vector_0, log_pitch),
+      log_along_1 = KSL_MULF(log_vector_1, log_pitch),
+      log_along_2 = KSL_MULF(log_vector_2, log_pitch);
+  const float log_u_0 = KSL_MULF(between_11, log_vector_1) - KSL_MULF(between_7, log_vector_2),
+      log_u_1 = KSL_MULF(between_3, log_vector_2) - KSL_MULF(between_11, log_vector_0),
+      log_u_2 = KSL_MULF(between_7, log_vector_0) - KSL_MULF(between_3, log_vector_1);
+  const float log_turned_0 = KSL_MULF(0.5f, log_u_0), log_turned_1 = KSL_MULF(0.5f, log_u_1),
+      log_turned_2 = KSL_MULF(0.5f, log_u_2);
+  const float log_across_axis_0 = log_along_0 - log_turned_0,
+      log_across_axis_1 = log_along_1 - log_turned_1,
+      log_across_axis_2 = log_along_2 - log_turned_2;
+  const float whole_0 = KSL_MULF(between_3, log_b_across) + log_across_axis_0,
+      whole_1 = KSL_MULF(between_7, log_b_across) + log_across_axis_1,
+      whole_2 = KSL_MULF(between_11, log_b_across) + log_across_axis_2;
+  const float screw_0 = KSL_MULF(k, whole_0), screw_1 = KSL_MULF(k, whole_1),
+      screw_2 = KSL_MULF(k, whole_2), screw_3 = KSL_MULF(k, log_vector_0),
+      screw_4 = KSL_MULF(k, log_vector_1), screw_5 = KSL_MULF(k, log_vector_2);
+  const float exp_size_0 = fabsf(screw_3), exp_size_1 = fabsf(screw_4), exp_size_2 = fabsf(screw_5);
+  const float exp_sizes = exp_size_0 + exp_size_1 + exp_size_2;
   const float exp_grid = KSL_MULF(exp_sizes, 8192.0f);
-  const float exp_shifted_0 = screw_3 + exp_grid;
-  const float exp_shifted_1 = screw_4 + exp_grid;
-  const float exp_shifted_2 = screw_5 + exp_grid;
-  const float exp_high_0 = exp_shifted_0 - exp_grid;
-  const float exp_high_1 = exp_shifted_1 - exp_grid;
-  const float exp_high_2 = exp_shifted_2 - exp_grid;
-  const float exp_low_0 = screw_3 - exp_high_0;
-  const float exp_low_1 = screw_4 - exp_high_1;
-  const float exp_low_2 = screw_5 - exp_high_2;
-  const float exp_sum_0 = screw_3 + exp_high_0;
-  const float exp_sum_1 = screw_4 + exp_high_1;
-  const float exp_sum_2 = screw_5 + exp_high_2;
-  const float exp_squares_a = KSL_MULF(exp_high_0, exp_high_0),
-      exp_squares_b = KSL_MULF(exp_high_1, exp_high_1),
-      exp_squares_c = exp_squares_a + exp_squares_b,
-      exp_squares_d = KSL_MULF(exp_high_2, exp_high_2), exp_squares = exp_squares_c + exp_squares_d;
-  const float exp_cross_a = KSL_MULF(exp_low_0, exp_sum_0),
-      exp_cross_b = KSL_MULF(exp_low_1, exp_sum_1), exp_cross_c = exp_cross_a + exp_cross_b,
-      exp_cross_d = KSL_MULF(exp_low_2, exp_sum_2), exp_cross = exp_cross_c + exp_cross_d;
+  const float exp_shifted_0 = screw_3 + exp_grid, exp_shifted_1 = screw_4 + exp_grid,
+      exp_shifted_2 = screw_5 + exp_grid;
+  const float exp_high_0 = exp_shifted_0 - exp_grid, exp_high_1 = exp_shifted_1 - exp_grid,
+      exp_high_2 = exp_shifted_2 - exp_grid;
+  const float exp_low_0 = screw_3 - exp_high_0, exp_low_1 = screw_4 - exp_high_1,
+      exp_low_2 = screw_5 - exp_high_2;
+  const float exp_sum_0 = screw_3 + exp_high_0, exp_sum_1 = screw_4 + exp_high_1,
+      exp_sum_2 = screw_5 + exp_high_2;
+  const float exp_squares = KSL_MULF(exp_high_0, exp_high_0) + KSL_MULF(exp_high_1, exp_high_1)
+          + KSL_MULF(exp_high_2, exp_high_2);
+  const float exp_cross = KSL_MULF(exp_low_0, exp_sum_0) + KSL_MULF(exp_low_1, exp_sum_1)
+          + KSL_MULF(exp_low_2, exp_sum_2);
   const float exp_x = exp_squares + exp_cross;
   const float exp_theta_a = sqrtf(exp_x), exp_theta = exp_x < 1.0f ? 1.0f : exp_theta_a;
   const float exp_theta_shifted = exp_grid + exp_theta;
   const float exp_theta_high = exp_theta_shifted - exp_grid;
   const float exp_theta_low = exp_theta - exp_theta_high;
   const float exp_theta_sum = exp_theta + exp_theta_high;
-  const float exp_cross_rest_a = KSL_MULF(exp_theta_low, exp_theta_sum),
-      exp_cross_rest = exp_cross - exp_cross_rest_a;
-  const float exp_exact_a = KSL_MULF(exp_theta_high, exp_theta_high),
-      exp_exact = exp_squares - exp_exact_a;
+  const float exp_cross_rest = exp_cross - KSL_MULF(exp_theta_low, exp_theta_sum);
+  const float exp_exact = exp_squares - KSL_MULF(exp_theta_high, exp_theta_high);
   const float exp_residual = exp_cross_rest + exp_exact;
-  const float exp_small_a = KSL_MULF(0.5f, exp_residual), exp_small = exp_small_a / exp_theta;
-  const float exp_delta_a = fabsf(exp_small),
-      exp_delta = exp_delta_a < 0.0078125f ? exp_small : 0.0f;
+  const float exp_small = KSL_MULF(0.5f, exp_residual) / exp_theta;
+  const float exp_delta = fabsf(exp_small) < 0.0078125f ? exp_small : 0.0f;
   float exp_far_cosine_a; const float exp_far_sine_a = ksl_sincosf(exp_theta, &exp_far_cosine_a);
   const float exp_far_sine = exp_x < 1.0f ? 1.0f : exp_far_sine_a;
   const float exp_far_cosine = exp_x < 1.0f ? 0.0f : exp_far_cosine_a;
-  const float exp_sine_a = KSL_MULF(exp_delta, exp_far_cosine),
-      exp_sine = exp_sine_a + exp_far_sine;
-  const float exp_cosine_a = KSL_MULF(exp_delta, exp_far_sine),
-      exp_cosine = exp_far_cosine - exp_cosine_a;
+  const float exp_sine = KSL_MULF(exp_delta, exp_far_cosine) + exp_far_sine;
+  const float exp_cosine = exp_far_cosine - KSL_MULF(exp_delta, exp_far_sine);
   const float exp_far_x = exp_x < 1.0f ? 1.0f : exp_x;
   const float exp_middle_x = exp_x < 4.0f ? 4.0f : exp_x;
   const float exp_closed1 = exp_sine / exp_theta;
@@ -4333,123 +3116,87 @@ static inline void ksl_SE3f_interpolated(const ksl_SE3f_t *D1, const ksl_SE3f_t 
   const float exp_closed2 = exp_versine / exp_far_x;
   const float exp_rest3 = 1.0f - exp_closed1;
   const float exp_closed3 = exp_rest3 / exp_middle_x;
-  const float exp_g1a = KSL_MULF(6.4469503e-26f, exp_x), exp_g1b = exp_g1a - 3.8681703e-23f,
-      exp_g1c = KSL_MULF(exp_x, exp_g1b), exp_g1d = exp_g1c + 1.9572942e-20f,
-      exp_g1e = KSL_MULF(exp_x, exp_g1d), exp_g1f = exp_g1e - 8.220635e-18f,
-      exp_g1g = KSL_MULF(exp_x, exp_g1f), exp_g1h = exp_g1g + 2.8114574e-15f,
-      exp_g1i = KSL_MULF(exp_x, exp_g1h), exp_g1j = exp_g1i - 7.6471636e-13f,
-      exp_g1k = KSL_MULF(exp_x, exp_g1j), exp_g1l = exp_g1k + 1.6059044e-10f,
-      exp_g1m = KSL_MULF(exp_x, exp_g1l), exp_g1n = exp_g1m - 2.5052108e-08f,
-      exp_g1o = KSL_MULF(exp_x, exp_g1n), exp_g1p = exp_g1o + 2.7557319e-06f,
-      exp_g1q = KSL_MULF(exp_x, exp_g1p), exp_g1r = exp_g1q - 0.0001984127f,
-      exp_g1s = KSL_MULF(exp_x, exp_g1r), exp_g1t = exp_g1s + 0.008333334f,
-      exp_g1u = KSL_MULF(exp_x, exp_g1t), exp_g1v = exp_g1u - 0.16666667f,
-      exp_g1w = KSL_MULF(exp_x, exp_g1v), exp_g1x = exp_g1w + 1.0f,
-      exp_g1 = exp_x < 1.0f ? exp_g1x : exp_closed1;
-  const float exp_g2a = KSL_MULF(2.4795963e-27f, exp_x), exp_g2b = exp_g2a - 1.6117376e-24f,
-      exp_g2c = KSL_MULF(exp_x, exp_g2b), exp_g2d = exp_g2c + 8.896791e-22f,
-      exp_g2e = KSL_MULF(exp_x, exp_g2d), exp_g2f = exp_g2e - 4.1103176e-19f,
-      exp_g2g = KSL_MULF(exp_x, exp_g2f), exp_g2h = exp_g2g + 1.5619207e-16f,
-      exp_g2i = KSL_MULF(exp_x, exp_g2h), exp_g2j = exp_g2i - 4.7794773e-14f,
-      exp_g2k = KSL_MULF(exp_x, exp_g2j), exp_g2l = exp_g2k + 1.1470745e-11f,
-      exp_g2m = KSL_MULF(exp_x, exp_g2l), exp_g2n = exp_g2m - 2.0876756e-09f,
-      exp_g2o = KSL_MULF(exp_x, exp_g2n), exp_g2p = exp_g2o + 2.755732e-07f,
-      exp_g2q = KSL_MULF(exp_x, exp_g2p), exp_g2r = exp_g2q - 2.4801588e-05f,
-      exp_g2s = KSL_MULF(exp_x, exp_g2r), exp_g2t = exp_g2s + 0.0013888889f,
-      exp_g2u = KSL_MULF(exp_x, exp_g2t), exp_g2v = exp_g2u - 0.041666668f,
-      exp_g2w = KSL_MULF(exp_x, exp_g2v), exp_g2x = exp_g2w + 0.5f,
-      exp_g2 = exp_x < 1.0f ? exp_g2x : exp_closed2;
-  const float exp_g3a = KSL_MULF(9.18369e-29f, exp_x), exp_g3b = exp_g3a - 6.4469503e-26f,
-      exp_g3c = KSL_MULF(exp_x, exp_g3b), exp_g3d = exp_g3c + 3.8681703e-23f,
-      exp_g3e = KSL_MULF(exp_x, exp_g3d), exp_g3f = exp_g3e - 1.9572942e-20f,
-      exp_g3g = KSL_MULF(exp_x, exp_g3f), exp_g3h = exp_g3g + 8.220635e-18f,
-      exp_g3i = KSL_MULF(exp_x, exp_g3h), exp_g3j = exp_g3i - 2.8114574e-15f,
-      exp_g3k = KSL_MULF(exp_x, exp_g3j), exp_g3l = exp_g3k + 7.6471636e-13f,
-      exp_g3m = KSL_MULF(exp_x, exp_g3l), exp_g3n = exp_g3m - 1.6059044e-10f,
-      exp_g3o = KSL_MULF(exp_x, exp_g3n), exp_g3p = exp_g3o + 2.5052108e-08f,
-      exp_g3q = KSL_MULF(exp_x, exp_g3p), exp_g3r = exp_g3q - 2.7557319e-06f,
-      exp_g3s = KSL_MULF(exp_x, exp_g3r), exp_g3t = exp_g3s + 0.0001984127f,
-      exp_g3u = KSL_MULF(exp_x, exp_g3t), exp_g3v = exp_g3u - 0.008333334f,
-      exp_g3w = KSL_MULF(exp_x, exp_g3v), exp_g3x = exp_g3w + 0.16666667f,
+  const float exp_g1g = KSL_MULF(exp_x, KSL_MULF(exp_x, KSL_MULF(exp_x, KSL_MULF(6.4469503e-26f,
+      exp_x) - 3.8681703e-23f) + 1.9572942e-20f) - 8.220635e-18f),
+      exp_g1n = KSL_MULF(exp_x, KSL_MULF(exp_x, KSL_MULF(exp_x, exp_g1g + 2.8114574e-15f)
+          - 7.6471636e-13f) + 1.6059044e-10f) - 2.5052108e-08f,
+      exp_g1v = KSL_MULF(exp_x, KSL_MULF(exp_x, KSL_MULF(exp_x, KSL_MULF(exp_x, exp_g1n)
+          + 2.7557319e-06f) - 0.0001984127f) + 0.008333334f) - 0.16666667f,
+      exp_g1x = KSL_MULF(exp_x, exp_g1v) + 1.0f, exp_g1 = exp_x < 1.0f ? exp_g1x : exp_closed1;
+  const float exp_g2g = KSL_MULF(exp_x, KSL_MULF(exp_x, KSL_MULF(exp_x, KSL_MULF(2.4795963e-27f,
+      exp_x) - 1.6117376e-24f) + 8.896791e-22f) - 4.1103176e-19f),
+      exp_g2n = KSL_MULF(exp_x, KSL_MULF(exp_x, KSL_MULF(exp_x, exp_g2g + 1.5619207e-16f)
+          - 4.7794773e-14f) + 1.1470745e-11f) - 2.0876756e-09f,
+      exp_g2v = KSL_MULF(exp_x, KSL_MULF(exp_x, KSL_MULF(exp_x, KSL_MULF(exp_x, exp_g2n)
+          + 2.755732e-07f) - 2.4801588e-05f) + 0.0013888889f) - 0.041666668f,
+      exp_g2x = KSL_MULF(exp_x, exp_g2v) + 0.5f, exp_g2 = exp_x < 1.0f ? exp_g2x : exp_closed2;
+  const float exp_g3g = KSL_MULF(exp_x, KSL_MULF(exp_x, KSL_MULF(exp_x, KSL_MULF(9.18369e-29f,
+      exp_x) - 6.4469503e-26f) + 3.8681703e-23f) - 1.9572942e-20f),
+      exp_g3n = KSL_MULF(exp_x, KSL_MULF(exp_x, KSL_MULF(exp_x, exp_g3g + 8.220635e-18f)
+          - 2.8114574e-15f) + 7.6471636e-13f) - 1.6059044e-10f,
+      exp_g3v = KSL_MULF(exp_x, KSL_MULF(exp_x, KSL_MULF(exp_x, KSL_MULF(exp_x, exp_g3n)
+          + 2.5052108e-08f) - 2.7557319e-06f) + 0.0001984127f) - 0.008333334f,
+      exp_g3x = KSL_MULF(exp_x, exp_g3v) + 0.16666667f,
       exp_g3 = exp_x < 4.0f ? exp_g3x : exp_closed3;
-  const float exp_g0a = KSL_MULF(exp_x, exp_g2), exp_g0b = 1.0f - exp_g0a,
+  const float exp_g0b = 1.0f - KSL_MULF(exp_x, exp_g2),
       exp_g0 = exp_x < 1.0f ? exp_g0b : exp_cosine;
-  const float exp_u_0a = KSL_MULF(screw_2, screw_4), exp_u_0b = KSL_MULF(screw_1, screw_5),
-      exp_u_0 = exp_u_0a - exp_u_0b;
-  const float exp_u_1a = KSL_MULF(screw_0, screw_5), exp_u_1b = KSL_MULF(screw_2, screw_3),
-      exp_u_1 = exp_u_1a - exp_u_1b;
-  const float exp_u_2a = KSL_MULF(screw_1, screw_3), exp_u_2b = KSL_MULF(screw_0, screw_4),
-      exp_u_2 = exp_u_2a - exp_u_2b;
-  const float exp_turned_0 = KSL_MULF(exp_g2, exp_u_0);
-  const float exp_turned_1 = KSL_MULF(exp_g2, exp_u_1);
-  const float exp_turned_2 = KSL_MULF(exp_g2, exp_u_2);
-  const float exp_wv_a = KSL_MULF(screw_0, screw_3), exp_wv_b = KSL_MULF(screw_1, screw_4),
-      exp_wv_c = exp_wv_a + exp_wv_b, exp_wv_d = KSL_MULF(screw_2, screw_5),
-      exp_wv = exp_wv_c + exp_wv_d;
+  const float exp_u_0 = KSL_MULF(screw_2, screw_4) - KSL_MULF(screw_1, screw_5),
+      exp_u_1 = KSL_MULF(screw_0, screw_5) - KSL_MULF(screw_2, screw_3),
+      exp_u_2 = KSL_MULF(screw_1, screw_3) - KSL_MULF(screw_0, screw_4);
+  const float exp_turned_0 = KSL_MULF(exp_g2, exp_u_0), exp_turned_1 = KSL_MULF(exp_g2, exp_u_1),
+      exp_turned_2 = KSL_MULF(exp_g2, exp_u_2);
+  const float exp_wv = KSL_MULF(screw_0, screw_3) + KSL_MULF(screw_1, screw_4)
+          + KSL_MULF(screw_2, screw_5);
   const float exp_pitch = KSL_MULF(exp_g3, exp_wv);
-  const float exp_along_0 = KSL_MULF(screw_3, exp_pitch);
-  const float exp_along_1 = KSL_MULF(screw_4, exp_pitch);
-  const float exp_along_2 = KSL_MULF(screw_5, exp_pitch);
-  const float exp_beta_v_0 = KSL_MULF(screw_3, exp_g2);
-  const float exp_beta_v_1 = KSL_MULF(screw_4, exp_g2);
-  const float exp_beta_v_2 = KSL_MULF(screw_5, exp_g2);
-  const float exp_m_0 = KSL_MULF(screw_3, exp_beta_v_0);
-  const float exp_m_1 = KSL_MULF(screw_4, exp_beta_v_1);
-  const float exp_m_2 = KSL_MULF(screw_5, exp_beta_v_2);
-  const float exp_m_3 = KSL_MULF(screw_4, exp_beta_v_0);
-  const float exp_m_4 = KSL_MULF(screw_5, exp_beta_v_0);
-  const float exp_m_5 = KSL_MULF(screw_5, exp_beta_v_1);
-  const float exp_others_0 = exp_m_1 + exp_m_2;
-  const float exp_others_1 = exp_m_0 + exp_m_2;
-  const float exp_others_2 = exp_m_0 + exp_m_1;
+  const float exp_along_0 = KSL_MULF(screw_3, exp_pitch),
+      exp_along_1 = KSL_MULF(screw_4, exp_pitch), exp_along_2 = KSL_MULF(screw_5, exp_pitch);
+  const float exp_beta_v_0 = KSL_MULF(screw_3, exp_g2), exp_beta_v_1 = KSL_MULF(screw_4, exp_g2),
+      exp_beta_v_2 = KSL_MULF(screw_5, exp_g2);
+  const float exp_m_0 = KSL_MULF(screw_3, exp_beta_v_0), exp_m_1 = KSL_MULF(screw_4, exp_beta_v_1),
+      exp_m_2 = KSL_MULF(screw_5, exp_beta_v_2), exp_m_3 = KSL_MULF(screw_4, exp_beta_v_0),
+      exp_m_4 = KSL_MULF(screw_5, exp_beta_v_0), exp_m_5 = KSL_MULF(screw_5, exp_beta_v_1);
+  const float exp_others_0 = exp_m_1 + exp_m_2, exp_others_1 = exp_m_0 + exp_m_2,
+      exp_others_2 = exp_m_0 + exp_m_1;
   const float exp_diagonal0a = 1.0f - exp_others_0, exp_diagonal0b = exp_g0 + exp_m_0,
       exp_diagonal0 = exp_m_0 < exp_others_0 ? exp_diagonal0b : exp_diagonal0a;
   const float exp_diagonal1a = 1.0f - exp_others_1, exp_diagonal1b = exp_g0 + exp_m_1,
       exp_diagonal1 = exp_m_1 < exp_others_1 ? exp_diagonal1b : exp_diagonal1a;
   const float exp_diagonal2a = 1.0f - exp_others_2, exp_diagonal2b = exp_g0 + exp_m_2,
       exp_diagonal2 = exp_m_2 < exp_others_2 ? exp_diagonal2b : exp_diagonal2a;
-  const float exp_alpha_v_0 = KSL_MULF(screw_3, exp_g1);
-  const float exp_alpha_v_1 = KSL_MULF(screw_4, exp_g1);
-  const float exp_alpha_v_2 = KSL_MULF(screw_5, exp_g1);
-  const float exp_across_axis_0 = exp_turned_0 + exp_along_0;
-  const float exp_across_axis_1 = exp_turned_1 + exp_along_1;
-  const float exp_across_axis_2 = exp_turned_2 + exp_along_2;
-  const float step_1 = exp_m_3 - exp_alpha_v_2;
-  const float step_2 = exp_m_4 + exp_alpha_v_1;
-  const float step_3a = KSL_MULF(screw_0, exp_g1), step_3 = step_3a + exp_across_axis_0;
-  const float step_4 = exp_m_3 + exp_alpha_v_2;
-  const float step_6 = exp_m_5 - exp_alpha_v_0;
-  const float step_7a = KSL_MULF(screw_1, exp_g1), step_7 = step_7a + exp_across_axis_1;
-  const float step_8 = exp_m_4 - exp_alpha_v_1;
-  const float step_9 = exp_m_5 + exp_alpha_v_0;
-  const float step_11a = KSL_MULF(screw_2, exp_g1), step_11 = step_11a + exp_across_axis_2;
-  const float Do_00a = KSL_MULF(D1->m00, exp_diagonal0), Do_00b = KSL_MULF(D1->m01, step_4),
-      Do_00c = KSL_MULF(D1->m02, step_8), Do_00d = Do_00b + Do_00c, Do_00 = Do_00a + Do_00d;
-  const float Do_01a = KSL_MULF(D1->m00, step_1), Do_01b = KSL_MULF(D1->m02, step_9),
-      Do_01c = Do_01a + Do_01b, Do_01d = KSL_MULF(D1->m01, exp_diagonal1), Do_01 = Do_01c + Do_01d;
-  const float Do_02a = KSL_MULF(D1->m00, step_2), Do_02b = KSL_MULF(D1->m01, step_6),
-      Do_02c = Do_02a + Do_02b, Do_02d = KSL_MULF(D1->m02, exp_diagonal2), Do_02 = Do_02c + Do_02d;
-  const float Do_03a = KSL_MULF(D1->m00, step_3), Do_03b = KSL_MULF(D1->m01, step_7),
-      Do_03c = Do_03a + Do_03b, Do_03d = KSL_MULF(D1->m02, step_11), Do_03e = Do_03c + Do_03d,
-      Do_03 = Do_03e + D1->m03;
-  const float Do_10a = KSL_MULF(D1->m10, exp_diagonal0), Do_10b = KSL_MULF(D1->m11, step_4),
-      Do_10c = KSL_MULF(D1->m12, step_8), Do_10d = Do_10b + Do_10c, Do_10 = Do_10a + Do_10d;
-  const float Do_11a = KSL_MULF(D1->m10, step_1), Do_11b = KSL_MULF(D1->m12, step_9),
-      Do_11c = Do_11a + Do_11b, Do_11d = KSL_MULF(D1->m11, exp_diagonal1), Do_11 = Do_11c + Do_11d;
-  const float Do_12a = KSL_MULF(D1->m10, step_2), Do_12b = KSL_MULF(D1->m11, step_6),
-      Do_12c = Do_12a + Do_12b, Do_12d = KSL_MULF(D1->m12, exp_diagonal2), Do_12 = Do_12c + Do_12d;
-  const float Do_13a = KSL_MULF(D1->m10, step_3), Do_13b = KSL_MULF(D1->m11, step_7),
-      Do_13c = Do_13a + Do_13b, Do_13d = KSL_MULF(D1->m12, step_11), Do_13e = Do_13c + Do_13d,
-      Do_13 = Do_13e + D1->m13;
-  const float Do_20a = KSL_MULF(D1->m20, exp_diagonal0), Do_20b = KSL_MULF(D1->m21, step_4),
-      Do_20c = KSL_MULF(D1->m22, step_8), Do_20d = Do_20b + Do_20c, Do_20 = Do_20a + Do_20d;
-  const float Do_21a = KSL_MULF(D1->m20, step_1), Do_21b = KSL_MULF(D1->m22, step_9),
-      Do_21c = Do_21a + Do_21b, Do_21d = KSL_MULF(D1->m21, exp_diagonal1), Do_21 = Do_21c + Do_21d;
-  const float Do_22a = KSL_MULF(D1->m20, step_2), Do_22b = KSL_MULF(D1->m21, step_6),
-      Do_22c = Do_22a + Do_22b, Do_22d = KSL_MULF(D1->m22, exp_diagonal2), Do_22 = Do_22c + Do_22d;
-  const float Do_23a = KSL_MULF(D1->m20, step_3), Do_23b = KSL_MULF(D1->m21, step_7),
-      Do_23c = Do_23a + Do_23b, Do_23d = KSL_MULF(D1->m22, step_11), Do_23e = Do_23c + Do_23d,
-      Do_23 = Do_23e + D1->m23;
+  const float exp_alpha_v_0 = KSL_MULF(screw_3, exp_g1), exp_alpha_v_1 = KSL_MULF(screw_4, exp_g1),
+      exp_alpha_v_2 = KSL_MULF(screw_5, exp_g1);
+  const float exp_across_axis_0 = exp_turned_0 + exp_along_0,
+      exp_across_axis_1 = exp_turned_1 + exp_along_1,
+      exp_across_axis_2 = exp_turned_2 + exp_along_2;
+  const float step_1 = exp_m_3 - exp_alpha_v_2, step_2 = exp_m_4 + exp_alpha_v_1,
+      step_3 = KSL_MULF(screw_0, exp_g1) + exp_across_axis_0, step_4 = exp_m_3 + exp_alpha_v_2,
+      step_6 = exp_m_5 - exp_alpha_v_0, step_7 = KSL_MULF(screw_1, exp_g1) + exp_across_axis_1,
+      step_8 = exp_m_4 - exp_alpha_v_1, step_9 = exp_m_5 + exp_alpha_v_0,
+      step_11 = KSL_MULF(screw_2, exp_g1) + exp_across_axis_2;
+  const float Do_00 = KSL_MULF(D1->m00, exp_diagonal0)
+          + (KSL_MULF(D1->m01, step_4) + KSL_MULF(D1->m02, step_8)),
+      Do_01 = KSL_MULF(D1->m00, step_1) + KSL_MULF(D1->m02, step_9)
+          + KSL_MULF(D1->m01, exp_diagonal1),
+      Do_02 = KSL_MULF(D1->m00, step_2) + KSL_MULF(D1->m01, step_6)
+          + KSL_MULF(D1->m02, exp_diagonal2),
+      Do_03 = KSL_MULF(D1->m00, step_3) + KSL_MULF(D1->m01, step_7) + KSL_MULF(D1->m02, step_11)
+          + D1->m03,
+      Do_10 = KSL_MULF(D1->m10, exp_diagonal0)
+          + (KSL_MULF(D1->m11, step_4) + KSL_MULF(D1->m12, step_8)),
+      Do_11 = KSL_MULF(D1->m10, step_1) + KSL_MULF(D1->m12, step_9)
+          + KSL_MULF(D1->m11, exp_diagonal1),
+      Do_12 = KSL_MULF(D1->m10, step_2) + KSL_MULF(D1->m11, step_6)
+          + KSL_MULF(D1->m12, exp_diagonal2),
+      Do_13 = KSL_MULF(D1->m10, step_3) + KSL_MULF(D1->m11, step_7) + KSL_MULF(D1->m12, step_11)
+          + D1->m13,
+      Do_20 = KSL_MULF(D1->m20, exp_diagonal0)
+          + (KSL_MULF(D1->m21, step_4) + KSL_MULF(D1->m22, step_8)),
+      Do_21 = KSL_MULF(D1->m20, step_1) + KSL_MULF(D1->m22, step_9)
+          + KSL_MULF(D1->m21, exp_diagonal1),
+      Do_22 = KSL_MULF(D1->m20, step_2) + KSL_MULF(D1->m21, step_6)
+          + KSL_MULF(D1->m22, exp_diagonal2),
+      Do_23 = KSL_MULF(D1->m20, step_3) + KSL_MULF(D1->m21, step_7) + KSL_MULF(D1->m22, step_11)
+          + D1->m23;
   Do->m00 = Do_00;
   Do->m01 = Do_01;
   Do->m02 = Do_02;

@@ -16,9 +16,7 @@
 static inline ksl_inertia_t ksl_inertia(const double m, const ksl_vec3_t t, const double Ixx,
     const double Iyy, const double Izz, const double Ixy, const double Iyz,
     const double Izx) {
-  const double J_1 = KSL_MUL(m, t.x);
-  const double J_2 = KSL_MUL(m, t.y);
-  const double J_3 = KSL_MUL(m, t.z);
+  const double J_1 = KSL_MUL(m, t.x), J_2 = KSL_MUL(m, t.y), J_3 = KSL_MUL(m, t.z);
   ksl_inertia_t J;
   J.m = m;
   J.mt.x = J_1;
@@ -69,42 +67,26 @@ static inline void ksl_inertia_copy(const ksl_inertia_t *Ji, ksl_inertia_t *Jo) 
      formula; barring over- and underflow. */
 static inline void ksl_inertia_rotated(const ksl_inertia_t *Ji, const ksl_mat3x3_t *R,
     ksl_inertia_t *Jo) {
-  const double RI_0a = KSL_MUL(Ji->Ixx, R->m00), RI_0b = KSL_MUL(Ji->Ixy, R->m01),
-      RI_0c = RI_0a + RI_0b, RI_0d = KSL_MUL(Ji->Izx, R->m02), RI_0 = RI_0c + RI_0d;
-  const double RI_1a = KSL_MUL(Ji->Iyy, R->m01), RI_1b = KSL_MUL(Ji->Ixy, R->m00),
-      RI_1c = RI_1a + RI_1b, RI_1d = KSL_MUL(Ji->Iyz, R->m02), RI_1 = RI_1c + RI_1d;
-  const double RI_2a = KSL_MUL(Ji->Izz, R->m02), RI_2b = KSL_MUL(Ji->Iyz, R->m01),
-      RI_2c = RI_2a + RI_2b, RI_2d = KSL_MUL(Ji->Izx, R->m00), RI_2 = RI_2c + RI_2d;
-  const double RI_3a = KSL_MUL(Ji->Ixx, R->m10), RI_3b = KSL_MUL(Ji->Ixy, R->m11),
-      RI_3c = RI_3a + RI_3b, RI_3d = KSL_MUL(Ji->Izx, R->m12), RI_3 = RI_3c + RI_3d;
-  const double RI_4a = KSL_MUL(Ji->Iyy, R->m11), RI_4b = KSL_MUL(Ji->Ixy, R->m10),
-      RI_4c = RI_4a + RI_4b, RI_4d = KSL_MUL(Ji->Iyz, R->m12), RI_4 = RI_4c + RI_4d;
-  const double RI_5a = KSL_MUL(Ji->Izz, R->m12), RI_5b = KSL_MUL(Ji->Iyz, R->m11),
-      RI_5c = RI_5a + RI_5b, RI_5d = KSL_MUL(Ji->Izx, R->m10), RI_5 = RI_5c + RI_5d;
-  const double RI_6a = KSL_MUL(Ji->Ixx, R->m20), RI_6b = KSL_MUL(Ji->Ixy, R->m21),
-      RI_6c = RI_6a + RI_6b, RI_6d = KSL_MUL(Ji->Izx, R->m22), RI_6 = RI_6c + RI_6d;
-  const double RI_7a = KSL_MUL(Ji->Iyy, R->m21), RI_7b = KSL_MUL(Ji->Ixy, R->m20),
-      RI_7c = RI_7a + RI_7b, RI_7d = KSL_MUL(Ji->Iyz, R->m22), RI_7 = RI_7c + RI_7d;
-  const double RI_8a = KSL_MUL(Ji->Izz, R->m22), RI_8b = KSL_MUL(Ji->Iyz, R->m21),
-      RI_8c = RI_8a + RI_8b, RI_8d = KSL_MUL(Ji->Izx, R->m20), RI_8 = RI_8c + RI_8d;
-  const double Jo_1a = KSL_MUL(Ji->mt.x, R->m00), Jo_1b = KSL_MUL(Ji->mt.y, R->m01),
-      Jo_1c = Jo_1a + Jo_1b, Jo_1d = KSL_MUL(Ji->mt.z, R->m02), Jo_1 = Jo_1c + Jo_1d;
-  const double Jo_2a = KSL_MUL(Ji->mt.x, R->m10), Jo_2b = KSL_MUL(Ji->mt.y, R->m11),
-      Jo_2c = Jo_2a + Jo_2b, Jo_2d = KSL_MUL(Ji->mt.z, R->m12), Jo_2 = Jo_2c + Jo_2d;
-  const double Jo_3a = KSL_MUL(Ji->mt.x, R->m20), Jo_3b = KSL_MUL(Ji->mt.y, R->m21),
-      Jo_3c = Jo_3a + Jo_3b, Jo_3d = KSL_MUL(Ji->mt.z, R->m22), Jo_3 = Jo_3c + Jo_3d;
-  const double Jo_4a = KSL_MUL(R->m00, RI_0), Jo_4b = KSL_MUL(R->m01, RI_1), Jo_4c = Jo_4a + Jo_4b,
-      Jo_4d = KSL_MUL(R->m02, RI_2), Jo_4 = Jo_4c + Jo_4d;
-  const double Jo_5a = KSL_MUL(R->m10, RI_3), Jo_5b = KSL_MUL(R->m11, RI_4), Jo_5c = Jo_5a + Jo_5b,
-      Jo_5d = KSL_MUL(R->m12, RI_5), Jo_5 = Jo_5c + Jo_5d;
-  const double Jo_6a = KSL_MUL(R->m20, RI_6), Jo_6b = KSL_MUL(R->m21, RI_7), Jo_6c = Jo_6a + Jo_6b,
-      Jo_6d = KSL_MUL(R->m22, RI_8), Jo_6 = Jo_6c + Jo_6d;
-  const double Jo_7a = KSL_MUL(R->m10, RI_0), Jo_7b = KSL_MUL(R->m11, RI_1), Jo_7c = Jo_7a + Jo_7b,
-      Jo_7d = KSL_MUL(R->m12, RI_2), Jo_7 = Jo_7c + Jo_7d;
-  const double Jo_8a = KSL_MUL(R->m20, RI_3), Jo_8b = KSL_MUL(R->m21, RI_4), Jo_8c = Jo_8a + Jo_8b,
-      Jo_8d = KSL_MUL(R->m22, RI_5), Jo_8 = Jo_8c + Jo_8d;
-  const double Jo_9a = KSL_MUL(R->m20, RI_0), Jo_9b = KSL_MUL(R->m21, RI_1), Jo_9c = Jo_9a + Jo_9b,
-      Jo_9d = KSL_MUL(R->m22, RI_2), Jo_9 = Jo_9c + Jo_9d;
+  const double RI_0 = KSL_MUL(Ji->Ixx, R->m00) + KSL_MUL(Ji->Ixy, R->m01)
+          + KSL_MUL(Ji->Izx, R->m02),
+      RI_1 = KSL_MUL(Ji->Iyy, R->m01) + KSL_MUL(Ji->Ixy, R->m00) + KSL_MUL(Ji->Iyz, R->m02),
+      RI_2 = KSL_MUL(Ji->Izz, R->m02) + KSL_MUL(Ji->Iyz, R->m01) + KSL_MUL(Ji->Izx, R->m00),
+      RI_3 = KSL_MUL(Ji->Ixx, R->m10) + KSL_MUL(Ji->Ixy, R->m11) + KSL_MUL(Ji->Izx, R->m12),
+      RI_4 = KSL_MUL(Ji->Iyy, R->m11) + KSL_MUL(Ji->Ixy, R->m10) + KSL_MUL(Ji->Iyz, R->m12),
+      RI_5 = KSL_MUL(Ji->Izz, R->m12) + KSL_MUL(Ji->Iyz, R->m11) + KSL_MUL(Ji->Izx, R->m10),
+      RI_6 = KSL_MUL(Ji->Ixx, R->m20) + KSL_MUL(Ji->Ixy, R->m21) + KSL_MUL(Ji->Izx, R->m22),
+      RI_7 = KSL_MUL(Ji->Iyy, R->m21) + KSL_MUL(Ji->Ixy, R->m20) + KSL_MUL(Ji->Iyz, R->m22),
+      RI_8 = KSL_MUL(Ji->Izz, R->m22) + KSL_MUL(Ji->Iyz, R->m21) + KSL_MUL(Ji->Izx, R->m20);
+  const double Jo_1 = KSL_MUL(Ji->mt.x, R->m00) + KSL_MUL(Ji->mt.y, R->m01)
+          + KSL_MUL(Ji->mt.z, R->m02),
+      Jo_2 = KSL_MUL(Ji->mt.x, R->m10) + KSL_MUL(Ji->mt.y, R->m11) + KSL_MUL(Ji->mt.z, R->m12),
+      Jo_3 = KSL_MUL(Ji->mt.x, R->m20) + KSL_MUL(Ji->mt.y, R->m21) + KSL_MUL(Ji->mt.z, R->m22),
+      Jo_4 = KSL_MUL(R->m00, RI_0) + KSL_MUL(R->m01, RI_1) + KSL_MUL(R->m02, RI_2),
+      Jo_5 = KSL_MUL(R->m10, RI_3) + KSL_MUL(R->m11, RI_4) + KSL_MUL(R->m12, RI_5),
+      Jo_6 = KSL_MUL(R->m20, RI_6) + KSL_MUL(R->m21, RI_7) + KSL_MUL(R->m22, RI_8),
+      Jo_7 = KSL_MUL(R->m10, RI_0) + KSL_MUL(R->m11, RI_1) + KSL_MUL(R->m12, RI_2),
+      Jo_8 = KSL_MUL(R->m20, RI_3) + KSL_MUL(R->m21, RI_4) + KSL_MUL(R->m22, RI_5),
+      Jo_9 = KSL_MUL(R->m20, RI_0) + KSL_MUL(R->m21, RI_1) + KSL_MUL(R->m22, RI_2);
   const double Ji_m = Ji->m;
   Jo->m = Ji_m;
   Jo->mt.x = Jo_1;
@@ -125,51 +107,28 @@ static inline void ksl_inertia_rotated(const ksl_inertia_t *Ji, const ksl_mat3x3
    Error <= u |result| + (m: 0, mt: 2, I: 5) u S, S the sum of the |terms| of the expanded
      formula; barring over- and underflow. */
 static inline void ksl_inertia_rotate(ksl_inertia_t *self, const ksl_mat3x3_t *R) {
-  const double RI_0a = KSL_MUL(self->Ixx, R->m00), RI_0b = KSL_MUL(self->Ixy, R->m01),
-      RI_0c = RI_0a + RI_0b, RI_0d = KSL_MUL(self->Izx, R->m02), RI_0 = RI_0c + RI_0d;
-  const double RI_1a = KSL_MUL(self->Iyy, R->m01), RI_1b = KSL_MUL(self->Ixy, R->m00),
-      RI_1c = RI_1a + RI_1b, RI_1d = KSL_MUL(self->Iyz, R->m02), RI_1 = RI_1c + RI_1d;
-  const double RI_2a = KSL_MUL(self->Izz, R->m02), RI_2b = KSL_MUL(self->Iyz, R->m01),
-      RI_2c = RI_2a + RI_2b, RI_2d = KSL_MUL(self->Izx, R->m00), RI_2 = RI_2c + RI_2d;
-  const double RI_3a = KSL_MUL(self->Ixx, R->m10), RI_3b = KSL_MUL(self->Ixy, R->m11),
-      RI_3c = RI_3a + RI_3b, RI_3d = KSL_MUL(self->Izx, R->m12), RI_3 = RI_3c + RI_3d;
-  const double RI_4a = KSL_MUL(self->Iyy, R->m11), RI_4b = KSL_MUL(self->Ixy, R->m10),
-      RI_4c = RI_4a + RI_4b, RI_4d = KSL_MUL(self->Iyz, R->m12), RI_4 = RI_4c + RI_4d;
-  const double RI_5a = KSL_MUL(self->Izz, R->m12), RI_5b = KSL_MUL(self->Iyz, R->m11),
-      RI_5c = RI_5a + RI_5b, RI_5d = KSL_MUL(self->Izx, R->m10), RI_5 = RI_5c + RI_5d;
-  const double RI_6a = KSL_MUL(self->Ixx, R->m20), RI_6b = KSL_MUL(self->Ixy, R->m21),
-      RI_6c = RI_6a + RI_6b, RI_6d = KSL_MUL(self->Izx, R->m22), RI_6 = RI_6c + RI_6d;
-  const double RI_7a = KSL_MUL(self->Iyy, R->m21), RI_7b = KSL_MUL(self->Ixy, R->m20),
-      RI_7c = RI_7a + RI_7b, RI_7d = KSL_MUL(self->Iyz, R->m22), RI_7 = RI_7c + RI_7d;
-  const double RI_8a = KSL_MUL(self->Izz, R->m22), RI_8b = KSL_MUL(self->Iyz, R->m21),
-      RI_8c = RI_8a + RI_8b, RI_8d = KSL_MUL(self->Izx, R->m20), RI_8 = RI_8c + RI_8d;
-  const double self_1_new_a = KSL_MUL(self->mt.x, R->m00),
-      self_1_new_b = KSL_MUL(self->mt.y, R->m01), self_1_new_c = self_1_new_a + self_1_new_b,
-      self_1_new_d = KSL_MUL(self->mt.z, R->m02), self_1_new = self_1_new_c + self_1_new_d;
-  const double self_2_new_a = KSL_MUL(self->mt.x, R->m10),
-      self_2_new_b = KSL_MUL(self->mt.y, R->m11), self_2_new_c = self_2_new_a + self_2_new_b,
-      self_2_new_d = KSL_MUL(self->mt.z, R->m12), self_2_new = self_2_new_c + self_2_new_d;
-  const double self_3_new_a = KSL_MUL(self->mt.x, R->m20),
-      self_3_new_b = KSL_MUL(self->mt.y, R->m21), self_3_new_c = self_3_new_a + self_3_new_b,
-      self_3_new_d = KSL_MUL(self->mt.z, R->m22), self_3_new = self_3_new_c + self_3_new_d;
-  const double self_4_new_a = KSL_MUL(R->m00, RI_0), self_4_new_b = KSL_MUL(R->m01, RI_1),
-      self_4_new_c = self_4_new_a + self_4_new_b, self_4_new_d = KSL_MUL(R->m02, RI_2),
-      self_4_new = self_4_new_c + self_4_new_d;
-  const double self_5_new_a = KSL_MUL(R->m10, RI_3), self_5_new_b = KSL_MUL(R->m11, RI_4),
-      self_5_new_c = self_5_new_a + self_5_new_b, self_5_new_d = KSL_MUL(R->m12, RI_5),
-      self_5_new = self_5_new_c + self_5_new_d;
-  const double self_6_new_a = KSL_MUL(R->m20, RI_6), self_6_new_b = KSL_MUL(R->m21, RI_7),
-      self_6_new_c = self_6_new_a + self_6_new_b, self_6_new_d = KSL_MUL(R->m22, RI_8),
-      self_6_new = self_6_new_c + self_6_new_d;
-  const double self_7_new_a = KSL_MUL(R->m10, RI_0), self_7_new_b = KSL_MUL(R->m11, RI_1),
-      self_7_new_c = self_7_new_a + self_7_new_b, self_7_new_d = KSL_MUL(R->m12, RI_2),
-      self_7_new = self_7_new_c + self_7_new_d;
-  const double self_8_new_a = KSL_MUL(R->m20, RI_3), self_8_new_b = KSL_MUL(R->m21, RI_4),
-      self_8_new_c = self_8_new_a + self_8_new_b, self_8_new_d = KSL_MUL(R->m22, RI_5),
-      self_8_new = self_8_new_c + self_8_new_d;
-  const double self_9_new_a = KSL_MUL(R->m20, RI_0), self_9_new_b = KSL_MUL(R->m21, RI_1),
-      self_9_new_c = self_9_new_a + self_9_new_b, self_9_new_d = KSL_MUL(R->m22, RI_2),
-      self_9_new = self_9_new_c + self_9_new_d;
+  const double RI_0 = KSL_MUL(self->Ixx, R->m00) + KSL_MUL(self->Ixy, R->m01)
+          + KSL_MUL(self->Izx, R->m02),
+      RI_1 = KSL_MUL(self->Iyy, R->m01) + KSL_MUL(self->Ixy, R->m00) + KSL_MUL(self->Iyz, R->m02),
+      RI_2 = KSL_MUL(self->Izz, R->m02) + KSL_MUL(self->Iyz, R->m01) + KSL_MUL(self->Izx, R->m00),
+      RI_3 = KSL_MUL(self->Ixx, R->m10) + KSL_MUL(self->Ixy, R->m11) + KSL_MUL(self->Izx, R->m12),
+      RI_4 = KSL_MUL(self->Iyy, R->m11) + KSL_MUL(self->Ixy, R->m10) + KSL_MUL(self->Iyz, R->m12),
+      RI_5 = KSL_MUL(self->Izz, R->m12) + KSL_MUL(self->Iyz, R->m11) + KSL_MUL(self->Izx, R->m10),
+      RI_6 = KSL_MUL(self->Ixx, R->m20) + KSL_MUL(self->Ixy, R->m21) + KSL_MUL(self->Izx, R->m22),
+      RI_7 = KSL_MUL(self->Iyy, R->m21) + KSL_MUL(self->Ixy, R->m20) + KSL_MUL(self->Iyz, R->m22),
+      RI_8 = KSL_MUL(self->Izz, R->m22) + KSL_MUL(self->Iyz, R->m21) + KSL_MUL(self->Izx, R->m20);
+  const double self_1_new = KSL_MUL(self->mt.x, R->m00) + KSL_MUL(self->mt.y, R->m01)
+          + KSL_MUL(self->mt.z, R->m02),
+      self_2_new = KSL_MUL(self->mt.x, R->m10) + KSL_MUL(self->mt.y, R->m11)
+          + KSL_MUL(self->mt.z, R->m12),
+      self_3_new = KSL_MUL(self->mt.x, R->m20) + KSL_MUL(self->mt.y, R->m21)
+          + KSL_MUL(self->mt.z, R->m22),
+      self_4_new = KSL_MUL(R->m00, RI_0) + KSL_MUL(R->m01, RI_1) + KSL_MUL(R->m02, RI_2),
+      self_5_new = KSL_MUL(R->m10, RI_3) + KSL_MUL(R->m11, RI_4) + KSL_MUL(R->m12, RI_5),
+      self_6_new = KSL_MUL(R->m20, RI_6) + KSL_MUL(R->m21, RI_7) + KSL_MUL(R->m22, RI_8),
+      self_7_new = KSL_MUL(R->m10, RI_0) + KSL_MUL(R->m11, RI_1) + KSL_MUL(R->m12, RI_2),
+      self_8_new = KSL_MUL(R->m20, RI_3) + KSL_MUL(R->m21, RI_4) + KSL_MUL(R->m22, RI_5),
+      self_9_new = KSL_MUL(R->m20, RI_0) + KSL_MUL(R->m21, RI_1) + KSL_MUL(R->m22, RI_2);
   self->mt.x = self_1_new;
   self->mt.y = self_2_new;
   self->mt.z = self_3_new;
@@ -189,9 +148,8 @@ static inline void ksl_inertia_rotate(ksl_inertia_t *self, const ksl_mat3x3_t *R
      formula; barring over- and underflow. */
 static inline void ksl_inertia_translated(const ksl_inertia_t *Ji, const ksl_vec3_t *t,
     ksl_inertia_t *Jo) {
-  const double Jo_1a = KSL_MUL(Ji->m, t->x), Jo_1 = Jo_1a + Ji->mt.x;
-  const double Jo_2a = KSL_MUL(Ji->m, t->y), Jo_2 = Jo_2a + Ji->mt.y;
-  const double Jo_3a = KSL_MUL(Ji->m, t->z), Jo_3 = Jo_3a + Ji->mt.z;
+  const double Jo_1 = KSL_MUL(Ji->m, t->x) + Ji->mt.x, Jo_2 = KSL_MUL(Ji->m, t->y) + Ji->mt.y,
+      Jo_3 = KSL_MUL(Ji->m, t->z) + Ji->mt.z;
   const double Ji_m = Ji->m;
   const double Ji_Ixx = Ji->Ixx;
   const double Ji_Iyy = Ji->Iyy;
@@ -218,9 +176,9 @@ static inline void ksl_inertia_translated(const ksl_inertia_t *Ji, const ksl_vec
    Error <= u |result| + (m: 0, mt: 1, I: 0) u S, S the sum of the |terms| of the expanded
      formula; barring over- and underflow. */
 static inline void ksl_inertia_translate(ksl_inertia_t *self, const ksl_vec3_t *t) {
-  const double self_1_new_a = KSL_MUL(self->m, t->x), self_1_new = self_1_new_a + self->mt.x;
-  const double self_2_new_a = KSL_MUL(self->m, t->y), self_2_new = self_2_new_a + self->mt.y;
-  const double self_3_new_a = KSL_MUL(self->m, t->z), self_3_new = self_3_new_a + self->mt.z;
+  const double self_1_new = KSL_MUL(self->m, t->x) + self->mt.x,
+      self_2_new = KSL_MUL(self->m, t->y) + self->mt.y,
+      self_3_new = KSL_MUL(self->m, t->z) + self->mt.z;
   self->mt.x = self_1_new;
   self->mt.y = self_2_new;
   self->mt.z = self_3_new;
@@ -234,45 +192,28 @@ static inline void ksl_inertia_translate(ksl_inertia_t *self, const ksl_vec3_t *
      formula; barring over- and underflow. */
 static inline void ksl_inertia_transformed(const ksl_inertia_t *Ji, const ksl_SE3_t *D,
     ksl_inertia_t *Jo) {
-  const double RI_0a = KSL_MUL(Ji->Ixx, D->m00), RI_0b = KSL_MUL(Ji->Ixy, D->m01),
-      RI_0c = RI_0a + RI_0b, RI_0d = KSL_MUL(Ji->Izx, D->m02), RI_0 = RI_0c + RI_0d;
-  const double RI_1a = KSL_MUL(Ji->Iyy, D->m01), RI_1b = KSL_MUL(Ji->Ixy, D->m00),
-      RI_1c = RI_1a + RI_1b, RI_1d = KSL_MUL(Ji->Iyz, D->m02), RI_1 = RI_1c + RI_1d;
-  const double RI_2a = KSL_MUL(Ji->Izz, D->m02), RI_2b = KSL_MUL(Ji->Iyz, D->m01),
-      RI_2c = RI_2a + RI_2b, RI_2d = KSL_MUL(Ji->Izx, D->m00), RI_2 = RI_2c + RI_2d;
-  const double RI_3a = KSL_MUL(Ji->Ixx, D->m10), RI_3b = KSL_MUL(Ji->Ixy, D->m11),
-      RI_3c = RI_3a + RI_3b, RI_3d = KSL_MUL(Ji->Izx, D->m12), RI_3 = RI_3c + RI_3d;
-  const double RI_4a = KSL_MUL(Ji->Iyy, D->m11), RI_4b = KSL_MUL(Ji->Ixy, D->m10),
-      RI_4c = RI_4a + RI_4b, RI_4d = KSL_MUL(Ji->Iyz, D->m12), RI_4 = RI_4c + RI_4d;
-  const double RI_5a = KSL_MUL(Ji->Izz, D->m12), RI_5b = KSL_MUL(Ji->Iyz, D->m11),
-      RI_5c = RI_5a + RI_5b, RI_5d = KSL_MUL(Ji->Izx, D->m10), RI_5 = RI_5c + RI_5d;
-  const double RI_6a = KSL_MUL(Ji->Ixx, D->m20), RI_6b = KSL_MUL(Ji->Ixy, D->m21),
-      RI_6c = RI_6a + RI_6b, RI_6d = KSL_MUL(Ji->Izx, D->m22), RI_6 = RI_6c + RI_6d;
-  const double RI_7a = KSL_MUL(Ji->Iyy, D->m21), RI_7b = KSL_MUL(Ji->Ixy, D->m20),
-      RI_7c = RI_7a + RI_7b, RI_7d = KSL_MUL(Ji->Iyz, D->m22), RI_7 = RI_7c + RI_7d;
-  const double RI_8a = KSL_MUL(Ji->Izz, D->m22), RI_8b = KSL_MUL(Ji->Iyz, D->m21),
-      RI_8c = RI_8a + RI_8b, RI_8d = KSL_MUL(Ji->Izx, D->m20), RI_8 = RI_8c + RI_8d;
-  const double Jo_1a = KSL_MUL(Ji->m, D->m03), Jo_1b = KSL_MUL(Ji->mt.x, D->m00),
-      Jo_1c = KSL_MUL(Ji->mt.y, D->m01), Jo_1d = Jo_1b + Jo_1c, Jo_1e = KSL_MUL(Ji->mt.z, D->m02),
-      Jo_1f = Jo_1d + Jo_1e, Jo_1 = Jo_1a + Jo_1f;
-  const double Jo_2a = KSL_MUL(Ji->m, D->m13), Jo_2b = KSL_MUL(Ji->mt.x, D->m10),
-      Jo_2c = KSL_MUL(Ji->mt.y, D->m11), Jo_2d = Jo_2b + Jo_2c, Jo_2e = KSL_MUL(Ji->mt.z, D->m12),
-      Jo_2f = Jo_2d + Jo_2e, Jo_2 = Jo_2a + Jo_2f;
-  const double Jo_3a = KSL_MUL(Ji->m, D->m23), Jo_3b = KSL_MUL(Ji->mt.x, D->m20),
-      Jo_3c = KSL_MUL(Ji->mt.y, D->m21), Jo_3d = Jo_3b + Jo_3c, Jo_3e = KSL_MUL(Ji->mt.z, D->m22),
-      Jo_3f = Jo_3d + Jo_3e, Jo_3 = Jo_3a + Jo_3f;
-  const double Jo_4a = KSL_MUL(D->m00, RI_0), Jo_4b = KSL_MUL(D->m01, RI_1), Jo_4c = Jo_4a + Jo_4b,
-      Jo_4d = KSL_MUL(D->m02, RI_2), Jo_4 = Jo_4c + Jo_4d;
-  const double Jo_5a = KSL_MUL(D->m10, RI_3), Jo_5b = KSL_MUL(D->m11, RI_4), Jo_5c = Jo_5a + Jo_5b,
-      Jo_5d = KSL_MUL(D->m12, RI_5), Jo_5 = Jo_5c + Jo_5d;
-  const double Jo_6a = KSL_MUL(D->m20, RI_6), Jo_6b = KSL_MUL(D->m21, RI_7), Jo_6c = Jo_6a + Jo_6b,
-      Jo_6d = KSL_MUL(D->m22, RI_8), Jo_6 = Jo_6c + Jo_6d;
-  const double Jo_7a = KSL_MUL(D->m10, RI_0), Jo_7b = KSL_MUL(D->m11, RI_1), Jo_7c = Jo_7a + Jo_7b,
-      Jo_7d = KSL_MUL(D->m12, RI_2), Jo_7 = Jo_7c + Jo_7d;
-  const double Jo_8a = KSL_MUL(D->m20, RI_3), Jo_8b = KSL_MUL(D->m21, RI_4), Jo_8c = Jo_8a + Jo_8b,
-      Jo_8d = KSL_MUL(D->m22, RI_5), Jo_8 = Jo_8c + Jo_8d;
-  const double Jo_9a = KSL_MUL(D->m20, RI_0), Jo_9b = KSL_MUL(D->m21, RI_1), Jo_9c = Jo_9a + Jo_9b,
-      Jo_9d = KSL_MUL(D->m22, RI_2), Jo_9 = Jo_9c + Jo_9d;
+  const double RI_0 = KSL_MUL(Ji->Ixx, D->m00) + KSL_MUL(Ji->Ixy, D->m01)
+          + KSL_MUL(Ji->Izx, D->m02),
+      RI_1 = KSL_MUL(Ji->Iyy, D->m01) + KSL_MUL(Ji->Ixy, D->m00) + KSL_MUL(Ji->Iyz, D->m02),
+      RI_2 = KSL_MUL(Ji->Izz, D->m02) + KSL_MUL(Ji->Iyz, D->m01) + KSL_MUL(Ji->Izx, D->m00),
+      RI_3 = KSL_MUL(Ji->Ixx, D->m10) + KSL_MUL(Ji->Ixy, D->m11) + KSL_MUL(Ji->Izx, D->m12),
+      RI_4 = KSL_MUL(Ji->Iyy, D->m11) + KSL_MUL(Ji->Ixy, D->m10) + KSL_MUL(Ji->Iyz, D->m12),
+      RI_5 = KSL_MUL(Ji->Izz, D->m12) + KSL_MUL(Ji->Iyz, D->m11) + KSL_MUL(Ji->Izx, D->m10),
+      RI_6 = KSL_MUL(Ji->Ixx, D->m20) + KSL_MUL(Ji->Ixy, D->m21) + KSL_MUL(Ji->Izx, D->m22),
+      RI_7 = KSL_MUL(Ji->Iyy, D->m21) + KSL_MUL(Ji->Ixy, D->m20) + KSL_MUL(Ji->Iyz, D->m22),
+      RI_8 = KSL_MUL(Ji->Izz, D->m22) + KSL_MUL(Ji->Iyz, D->m21) + KSL_MUL(Ji->Izx, D->m20);
+  const double Jo_1 = KSL_MUL(Ji->m, D->m03)
+          + (KSL_MUL(Ji->mt.x, D->m00) + KSL_MUL(Ji->mt.y, D->m01) + KSL_MUL(Ji->mt.z, D->m02)),
+      Jo_2 = KSL_MUL(Ji->m, D->m13)
+          + (KSL_MUL(Ji->mt.x, D->m10) + KSL_MUL(Ji->mt.y, D->m11) + KSL_MUL(Ji->mt.z, D->m12)),
+      Jo_3 = KSL_MUL(Ji->m, D->m23)
+          + (KSL_MUL(Ji->mt.x, D->m20) + KSL_MUL(Ji->mt.y, D->m21) + KSL_MUL(Ji->mt.z, D->m22)),
+      Jo_4 = KSL_MUL(D->m00, RI_0) + KSL_MUL(D->m01, RI_1) + KSL_MUL(D->m02, RI_2),
+      Jo_5 = KSL_MUL(D->m10, RI_3) + KSL_MUL(D->m11, RI_4) + KSL_MUL(D->m12, RI_5),
+      Jo_6 = KSL_MUL(D->m20, RI_6) + KSL_MUL(D->m21, RI_7) + KSL_MUL(D->m22, RI_8),
+      Jo_7 = KSL_MUL(D->m10, RI_0) + KSL_MUL(D->m11, RI_1) + KSL_MUL(D->m12, RI_2),
+      Jo_8 = KSL_MUL(D->m20, RI_3) + KSL_MUL(D->m21, RI_4) + KSL_MUL(D->m22, RI_5),
+      Jo_9 = KSL_MUL(D->m20, RI_0) + KSL_MUL(D->m21, RI_1) + KSL_MUL(D->m22, RI_2);
   const double Ji_m = Ji->m;
   Jo->m = Ji_m;
   Jo->mt.x = Jo_1;
@@ -293,54 +234,31 @@ static inline void ksl_inertia_transformed(const ksl_inertia_t *Ji, const ksl_SE
    Error <= u |result| + (m: 0, mt: 3, I: 5) u S, S the sum of the |terms| of the expanded
      formula; barring over- and underflow. */
 static inline void ksl_inertia_transform(ksl_inertia_t *self, const ksl_SE3_t *D) {
-  const double RI_0a = KSL_MUL(self->Ixx, D->m00), RI_0b = KSL_MUL(self->Ixy, D->m01),
-      RI_0c = RI_0a + RI_0b, RI_0d = KSL_MUL(self->Izx, D->m02), RI_0 = RI_0c + RI_0d;
-  const double RI_1a = KSL_MUL(self->Iyy, D->m01), RI_1b = KSL_MUL(self->Ixy, D->m00),
-      RI_1c = RI_1a + RI_1b, RI_1d = KSL_MUL(self->Iyz, D->m02), RI_1 = RI_1c + RI_1d;
-  const double RI_2a = KSL_MUL(self->Izz, D->m02), RI_2b = KSL_MUL(self->Iyz, D->m01),
-      RI_2c = RI_2a + RI_2b, RI_2d = KSL_MUL(self->Izx, D->m00), RI_2 = RI_2c + RI_2d;
-  const double RI_3a = KSL_MUL(self->Ixx, D->m10), RI_3b = KSL_MUL(self->Ixy, D->m11),
-      RI_3c = RI_3a + RI_3b, RI_3d = KSL_MUL(self->Izx, D->m12), RI_3 = RI_3c + RI_3d;
-  const double RI_4a = KSL_MUL(self->Iyy, D->m11), RI_4b = KSL_MUL(self->Ixy, D->m10),
-      RI_4c = RI_4a + RI_4b, RI_4d = KSL_MUL(self->Iyz, D->m12), RI_4 = RI_4c + RI_4d;
-  const double RI_5a = KSL_MUL(self->Izz, D->m12), RI_5b = KSL_MUL(self->Iyz, D->m11),
-      RI_5c = RI_5a + RI_5b, RI_5d = KSL_MUL(self->Izx, D->m10), RI_5 = RI_5c + RI_5d;
-  const double RI_6a = KSL_MUL(self->Ixx, D->m20), RI_6b = KSL_MUL(self->Ixy, D->m21),
-      RI_6c = RI_6a + RI_6b, RI_6d = KSL_MUL(self->Izx, D->m22), RI_6 = RI_6c + RI_6d;
-  const double RI_7a = KSL_MUL(self->Iyy, D->m21), RI_7b = KSL_MUL(self->Ixy, D->m20),
-      RI_7c = RI_7a + RI_7b, RI_7d = KSL_MUL(self->Iyz, D->m22), RI_7 = RI_7c + RI_7d;
-  const double RI_8a = KSL_MUL(self->Izz, D->m22), RI_8b = KSL_MUL(self->Iyz, D->m21),
-      RI_8c = RI_8a + RI_8b, RI_8d = KSL_MUL(self->Izx, D->m20), RI_8 = RI_8c + RI_8d;
-  const double self_1_new_a = KSL_MUL(self->m, D->m03), self_1_new_b = KSL_MUL(self->mt.x, D->m00),
-      self_1_new_c = KSL_MUL(self->mt.y, D->m01), self_1_new_d = self_1_new_b + self_1_new_c,
-      self_1_new_e = KSL_MUL(self->mt.z, D->m02), self_1_new_f = self_1_new_d + self_1_new_e,
-      self_1_new = self_1_new_a + self_1_new_f;
-  const double self_2_new_a = KSL_MUL(self->m, D->m13), self_2_new_b = KSL_MUL(self->mt.x, D->m10),
-      self_2_new_c = KSL_MUL(self->mt.y, D->m11), self_2_new_d = self_2_new_b + self_2_new_c,
-      self_2_new_e = KSL_MUL(self->mt.z, D->m12), self_2_new_f = self_2_new_d + self_2_new_e,
-      self_2_new = self_2_new_a + self_2_new_f;
-  const double self_3_new_a = KSL_MUL(self->m, D->m23), self_3_new_b = KSL_MUL(self->mt.x, D->m20),
-      self_3_new_c = KSL_MUL(self->mt.y, D->m21), self_3_new_d = self_3_new_b + self_3_new_c,
-      self_3_new_e = KSL_MUL(self->mt.z, D->m22), self_3_new_f = self_3_new_d + self_3_new_e,
-      self_3_new = self_3_new_a + self_3_new_f;
-  const double self_4_new_a = KSL_MUL(D->m00, RI_0), self_4_new_b = KSL_MUL(D->m01, RI_1),
-      self_4_new_c = self_4_new_a + self_4_new_b, self_4_new_d = KSL_MUL(D->m02, RI_2),
-      self_4_new = self_4_new_c + self_4_new_d;
-  const double self_5_new_a = KSL_MUL(D->m10, RI_3), self_5_new_b = KSL_MUL(D->m11, RI_4),
-      self_5_new_c = self_5_new_a + self_5_new_b, self_5_new_d = KSL_MUL(D->m12, RI_5),
-      self_5_new = self_5_new_c + self_5_new_d;
-  const double self_6_new_a = KSL_MUL(D->m20, RI_6), self_6_new_b = KSL_MUL(D->m21, RI_7),
-      self_6_new_c = self_6_new_a + self_6_new_b, self_6_new_d = KSL_MUL(D->m22, RI_8),
-      self_6_new = self_6_new_c + self_6_new_d;
-  const double self_7_new_a = KSL_MUL(D->m10, RI_0), self_7_new_b = KSL_MUL(D->m11, RI_1),
-      self_7_new_c = self_7_new_a + self_7_new_b, self_7_new_d = KSL_MUL(D->m12, RI_2),
-      self_7_new = self_7_new_c + self_7_new_d;
-  const double self_8_new_a = KSL_MUL(D->m20, RI_3), self_8_new_b = KSL_MUL(D->m21, RI_4),
-      self_8_new_c = self_8_new_a + self_8_new_b, self_8_new_d = KSL_MUL(D->m22, RI_5),
-      self_8_new = self_8_new_c + self_8_new_d;
-  const double self_9_new_a = KSL_MUL(D->m20, RI_0), self_9_new_b = KSL_MUL(D->m21, RI_1),
-      self_9_new_c = self_9_new_a + self_9_new_b, self_9_new_d = KSL_MUL(D->m22, RI_2),
-      self_9_new = self_9_new_c + self_9_new_d;
+  const double RI_0 = KSL_MUL(self->Ixx, D->m00) + KSL_MUL(self->Ixy, D->m01)
+          + KSL_MUL(self->Izx, D->m02),
+      RI_1 = KSL_MUL(self->Iyy, D->m01) + KSL_MUL(self->Ixy, D->m00) + KSL_MUL(self->Iyz, D->m02),
+      RI_2 = KSL_MUL(self->Izz, D->m02) + KSL_MUL(self->Iyz, D->m01) + KSL_MUL(self->Izx, D->m00),
+      RI_3 = KSL_MUL(self->Ixx, D->m10) + KSL_MUL(self->Ixy, D->m11) + KSL_MUL(self->Izx, D->m12),
+      RI_4 = KSL_MUL(self->Iyy, D->m11) + KSL_MUL(self->Ixy, D->m10) + KSL_MUL(self->Iyz, D->m12),
+      RI_5 = KSL_MUL(self->Izz, D->m12) + KSL_MUL(self->Iyz, D->m11) + KSL_MUL(self->Izx, D->m10),
+      RI_6 = KSL_MUL(self->Ixx, D->m20) + KSL_MUL(self->Ixy, D->m21) + KSL_MUL(self->Izx, D->m22),
+      RI_7 = KSL_MUL(self->Iyy, D->m21) + KSL_MUL(self->Ixy, D->m20) + KSL_MUL(self->Iyz, D->m22),
+      RI_8 = KSL_MUL(self->Izz, D->m22) + KSL_MUL(self->Iyz, D->m21) + KSL_MUL(self->Izx, D->m20);
+  const double self_1_new = KSL_MUL(self->m, D->m03)
+          + (KSL_MUL(self->mt.x, D->m00) + KSL_MUL(self->mt.y, D->m01)
+          + KSL_MUL(self->mt.z, D->m02)),
+      self_2_new = KSL_MUL(self->m, D->m13)
+          + (KSL_MUL(self->mt.x, D->m10) + KSL_MUL(self->mt.y, D->m11)
+          + KSL_MUL(self->mt.z, D->m12)),
+      self_3_new = KSL_MUL(self->m, D->m23)
+          + (KSL_MUL(self->mt.x, D->m20) + KSL_MUL(self->mt.y, D->m21)
+          + KSL_MUL(self->mt.z, D->m22)),
+      self_4_new = KSL_MUL(D->m00, RI_0) + KSL_MUL(D->m01, RI_1) + KSL_MUL(D->m02, RI_2),
+      self_5_new = KSL_MUL(D->m10, RI_3) + KSL_MUL(D->m11, RI_4) + KSL_MUL(D->m12, RI_5),
+      self_6_new = KSL_MUL(D->m20, RI_6) + KSL_MUL(D->m21, RI_7) + KSL_MUL(D->m22, RI_8),
+      self_7_new = KSL_MUL(D->m10, RI_0) + KSL_MUL(D->m11, RI_1) + KSL_MUL(D->m12, RI_2),
+      self_8_new = KSL_MUL(D->m20, RI_3) + KSL_MUL(D->m21, RI_4) + KSL_MUL(D->m22, RI_5),
+      self_9_new = KSL_MUL(D->m20, RI_0) + KSL_MUL(D->m21, RI_1) + KSL_MUL(D->m22, RI_2);
   self->mt.x = self_1_new;
   self->mt.y = self_2_new;
   self->mt.z = self_3_new;
@@ -364,71 +282,57 @@ static inline void ksl_inertia_transform(ksl_inertia_t *self, const ksl_SE3_t *D
 static inline void ksl_inertia_merge(ksl_inertia_t *Ji, const ksl_vec3_t *t_ic,
     const ksl_inertia_t *Jj, const ksl_vec3_t *t_jc, const ksl_SE3_t *D_ij) {
   const double m = Ji->m + Jj->m;
-  const double c_0a = KSL_MUL(t_jc->x, D_ij->m00), c_0b = KSL_MUL(t_jc->y, D_ij->m01),
-      c_0c = c_0a + c_0b, c_0d = KSL_MUL(t_jc->z, D_ij->m02), c_0e = c_0c + c_0d,
-      c_0 = c_0e + D_ij->m03;
-  const double c_1a = KSL_MUL(t_jc->x, D_ij->m10), c_1b = KSL_MUL(t_jc->y, D_ij->m11),
-      c_1c = c_1a + c_1b, c_1d = KSL_MUL(t_jc->z, D_ij->m12), c_1e = c_1c + c_1d,
-      c_1 = c_1e + D_ij->m13;
-  const double c_2a = KSL_MUL(t_jc->x, D_ij->m20), c_2b = KSL_MUL(t_jc->y, D_ij->m21),
-      c_2c = c_2a + c_2b, c_2d = KSL_MUL(t_jc->z, D_ij->m22), c_2e = c_2c + c_2d,
-      c_2 = c_2e + D_ij->m23;
-  const double d_0 = c_0 - t_ic->x;
-  const double d_1 = c_1 - t_ic->y;
-  const double d_2 = c_2 - t_ic->z;
+  const double c_0 = KSL_MUL(t_jc->x, D_ij->m00) + KSL_MUL(t_jc->y, D_ij->m01)
+          + KSL_MUL(t_jc->z, D_ij->m02) + D_ij->m03,
+      c_1 = KSL_MUL(t_jc->x, D_ij->m10) + KSL_MUL(t_jc->y, D_ij->m11) + KSL_MUL(t_jc->z, D_ij->m12)
+          + D_ij->m13,
+      c_2 = KSL_MUL(t_jc->x, D_ij->m20) + KSL_MUL(t_jc->y, D_ij->m21) + KSL_MUL(t_jc->z, D_ij->m22)
+          + D_ij->m23;
+  const double d_0 = c_0 - t_ic->x, d_1 = c_1 - t_ic->y, d_2 = c_2 - t_ic->z;
   const double part = Jj->m / m;
   const double reduced = KSL_MUL(Ji->m, part);
-  const double p_0 = KSL_MUL(d_0, reduced);
-  const double p_1 = KSL_MUL(d_1, reduced);
-  const double p_2 = KSL_MUL(d_2, reduced);
-  const double squares_0 = KSL_MUL(d_0, p_0);
-  const double squares_1 = KSL_MUL(d_1, p_1);
-  const double squares_2 = KSL_MUL(d_2, p_2);
-  const double RI_0a = KSL_MUL(Jj->Ixx, D_ij->m00), RI_0b = KSL_MUL(Jj->Ixy, D_ij->m01),
-      RI_0c = RI_0a + RI_0b, RI_0d = KSL_MUL(Jj->Izx, D_ij->m02), RI_0 = RI_0c + RI_0d;
-  const double RI_1a = KSL_MUL(Jj->Iyy, D_ij->m01), RI_1b = KSL_MUL(Jj->Ixy, D_ij->m00),
-      RI_1c = RI_1a + RI_1b, RI_1d = KSL_MUL(Jj->Iyz, D_ij->m02), RI_1 = RI_1c + RI_1d;
-  const double RI_2a = KSL_MUL(Jj->Izz, D_ij->m02), RI_2b = KSL_MUL(Jj->Iyz, D_ij->m01),
-      RI_2c = RI_2a + RI_2b, RI_2d = KSL_MUL(Jj->Izx, D_ij->m00), RI_2 = RI_2c + RI_2d;
-  const double RI_3a = KSL_MUL(Jj->Ixx, D_ij->m10), RI_3b = KSL_MUL(Jj->Ixy, D_ij->m11),
-      RI_3c = RI_3a + RI_3b, RI_3d = KSL_MUL(Jj->Izx, D_ij->m12), RI_3 = RI_3c + RI_3d;
-  const double RI_4a = KSL_MUL(Jj->Iyy, D_ij->m11), RI_4b = KSL_MUL(Jj->Ixy, D_ij->m10),
-      RI_4c = RI_4a + RI_4b, RI_4d = KSL_MUL(Jj->Iyz, D_ij->m12), RI_4 = RI_4c + RI_4d;
-  const double RI_5a = KSL_MUL(Jj->Izz, D_ij->m12), RI_5b = KSL_MUL(Jj->Iyz, D_ij->m11),
-      RI_5c = RI_5a + RI_5b, RI_5d = KSL_MUL(Jj->Izx, D_ij->m10), RI_5 = RI_5c + RI_5d;
-  const double RI_6a = KSL_MUL(Jj->Ixx, D_ij->m20), RI_6b = KSL_MUL(Jj->Ixy, D_ij->m21),
-      RI_6c = RI_6a + RI_6b, RI_6d = KSL_MUL(Jj->Izx, D_ij->m22), RI_6 = RI_6c + RI_6d;
-  const double RI_7a = KSL_MUL(Jj->Iyy, D_ij->m21), RI_7b = KSL_MUL(Jj->Ixy, D_ij->m20),
-      RI_7c = RI_7a + RI_7b, RI_7d = KSL_MUL(Jj->Iyz, D_ij->m22), RI_7 = RI_7c + RI_7d;
-  const double RI_8a = KSL_MUL(Jj->Izz, D_ij->m22), RI_8b = KSL_MUL(Jj->Iyz, D_ij->m21),
-      RI_8c = RI_8a + RI_8b, RI_8d = KSL_MUL(Jj->Izx, D_ij->m20), RI_8 = RI_8c + RI_8d;
-  const double Ji_1_new_a = KSL_MUL(Jj->m, c_0), Ji_1_new = Ji->mt.x + Ji_1_new_a;
-  const double Ji_2_new_a = KSL_MUL(Jj->m, c_1), Ji_2_new = Ji->mt.y + Ji_2_new_a;
-  const double Ji_3_new_a = KSL_MUL(Jj->m, c_2), Ji_3_new = Ji->mt.z + Ji_3_new_a;
-  const double Ji_4_new_a = KSL_MUL(D_ij->m00, RI_0), Ji_4_new_b = KSL_MUL(D_ij->m01, RI_1),
-      Ji_4_new_c = Ji_4_new_a + Ji_4_new_b, Ji_4_new_d = KSL_MUL(D_ij->m02, RI_2),
-      Ji_4_new_e = Ji_4_new_c + Ji_4_new_d, Ji_4_new_f = Ji->Ixx + Ji_4_new_e,
-      Ji_4_new_g = squares_1 + squares_2, Ji_4_new = Ji_4_new_f + Ji_4_new_g;
-  const double Ji_5_new_a = KSL_MUL(D_ij->m10, RI_3), Ji_5_new_b = KSL_MUL(D_ij->m11, RI_4),
-      Ji_5_new_c = Ji_5_new_a + Ji_5_new_b, Ji_5_new_d = KSL_MUL(D_ij->m12, RI_5),
-      Ji_5_new_e = Ji_5_new_c + Ji_5_new_d, Ji_5_new_f = Ji->Iyy + Ji_5_new_e,
-      Ji_5_new_g = squares_0 + squares_2, Ji_5_new = Ji_5_new_f + Ji_5_new_g;
-  const double Ji_6_new_a = KSL_MUL(D_ij->m20, RI_6), Ji_6_new_b = KSL_MUL(D_ij->m21, RI_7),
-      Ji_6_new_c = Ji_6_new_a + Ji_6_new_b, Ji_6_new_d = KSL_MUL(D_ij->m22, RI_8),
-      Ji_6_new_e = Ji_6_new_c + Ji_6_new_d, Ji_6_new_f = Ji->Izz + Ji_6_new_e,
-      Ji_6_new_g = squares_0 + squares_1, Ji_6_new = Ji_6_new_f + Ji_6_new_g;
-  const double Ji_7_new_a = KSL_MUL(D_ij->m10, RI_0), Ji_7_new_b = KSL_MUL(D_ij->m11, RI_1),
-      Ji_7_new_c = Ji_7_new_a + Ji_7_new_b, Ji_7_new_d = KSL_MUL(D_ij->m12, RI_2),
-      Ji_7_new_e = Ji_7_new_c + Ji_7_new_d, Ji_7_new_f = Ji->Ixy + Ji_7_new_e,
-      Ji_7_new_g = KSL_MUL(d_1, p_0), Ji_7_new = Ji_7_new_f - Ji_7_new_g;
-  const double Ji_8_new_a = KSL_MUL(D_ij->m20, RI_3), Ji_8_new_b = KSL_MUL(D_ij->m21, RI_4),
-      Ji_8_new_c = Ji_8_new_a + Ji_8_new_b, Ji_8_new_d = KSL_MUL(D_ij->m22, RI_5),
-      Ji_8_new_e = Ji_8_new_c + Ji_8_new_d, Ji_8_new_f = Ji->Iyz + Ji_8_new_e,
-      Ji_8_new_g = KSL_MUL(d_2, p_1), Ji_8_new = Ji_8_new_f - Ji_8_new_g;
-  const double Ji_9_new_a = KSL_MUL(D_ij->m20, RI_0), Ji_9_new_b = KSL_MUL(D_ij->m21, RI_1),
-      Ji_9_new_c = Ji_9_new_a + Ji_9_new_b, Ji_9_new_d = KSL_MUL(D_ij->m22, RI_2),
-      Ji_9_new_e = Ji_9_new_c + Ji_9_new_d, Ji_9_new_f = Ji->Izx + Ji_9_new_e,
-      Ji_9_new_g = KSL_MUL(d_2, p_0), Ji_9_new = Ji_9_new_f - Ji_9_new_g;
+  const double p_0 = KSL_MUL(d_0, reduced), p_1 = KSL_MUL(d_1, reduced),
+      p_2 = KSL_MUL(d_2, reduced);
+  const double squares_0 = KSL_MUL(d_0, p_0), squares_1 = KSL_MUL(d_1, p_1),
+      squares_2 = KSL_MUL(d_2, p_2);
+  const double RI_0 = KSL_MUL(Jj->Ixx, D_ij->m00) + KSL_MUL(Jj->Ixy, D_ij->m01)
+          + KSL_MUL(Jj->Izx, D_ij->m02),
+      RI_1 = KSL_MUL(Jj->Iyy, D_ij->m01) + KSL_MUL(Jj->Ixy, D_ij->m00)
+          + KSL_MUL(Jj->Iyz, D_ij->m02),
+      RI_2 = KSL_MUL(Jj->Izz, D_ij->m02) + KSL_MUL(Jj->Iyz, D_ij->m01)
+          + KSL_MUL(Jj->Izx, D_ij->m00),
+      RI_3 = KSL_MUL(Jj->Ixx, D_ij->m10) + KSL_MUL(Jj->Ixy, D_ij->m11)
+          + KSL_MUL(Jj->Izx, D_ij->m12),
+      RI_4 = KSL_MUL(Jj->Iyy, D_ij->m11) + KSL_MUL(Jj->Ixy, D_ij->m10)
+          + KSL_MUL(Jj->Iyz, D_ij->m12),
+      RI_5 = KSL_MUL(Jj->Izz, D_ij->m12) + KSL_MUL(Jj->Iyz, D_ij->m11)
+          + KSL_MUL(Jj->Izx, D_ij->m10),
+      RI_6 = KSL_MUL(Jj->Ixx, D_ij->m20) + KSL_MUL(Jj->Ixy, D_ij->m21)
+          + KSL_MUL(Jj->Izx, D_ij->m22),
+      RI_7 = KSL_MUL(Jj->Iyy, D_ij->m21) + KSL_MUL(Jj->Ixy, D_ij->m20)
+          + KSL_MUL(Jj->Iyz, D_ij->m22),
+      RI_8 = KSL_MUL(Jj->Izz, D_ij->m22) + KSL_MUL(Jj->Iyz, D_ij->m21)
+          + KSL_MUL(Jj->Izx, D_ij->m20);
+  const double Ji_1_new = Ji->mt.x + KSL_MUL(Jj->m, c_0), Ji_2_new = Ji->mt.y + KSL_MUL(Jj->m, c_1),
+      Ji_3_new = Ji->mt.z + KSL_MUL(Jj->m, c_2),
+      Ji_4_new = Ji->Ixx
+          + (KSL_MUL(D_ij->m00, RI_0) + KSL_MUL(D_ij->m01, RI_1) + KSL_MUL(D_ij->m02, RI_2))
+          + (squares_1 + squares_2),
+      Ji_5_new = Ji->Iyy
+          + (KSL_MUL(D_ij->m10, RI_3) + KSL_MUL(D_ij->m11, RI_4) + KSL_MUL(D_ij->m12, RI_5))
+          + (squares_0 + squares_2),
+      Ji_6_new = Ji->Izz
+          + (KSL_MUL(D_ij->m20, RI_6) + KSL_MUL(D_ij->m21, RI_7) + KSL_MUL(D_ij->m22, RI_8))
+          + (squares_0 + squares_1),
+      Ji_7_new = Ji->Ixy
+          + (KSL_MUL(D_ij->m10, RI_0) + KSL_MUL(D_ij->m11, RI_1) + KSL_MUL(D_ij->m12, RI_2))
+          - KSL_MUL(d_1, p_0),
+      Ji_8_new = Ji->Iyz
+          + (KSL_MUL(D_ij->m20, RI_3) + KSL_MUL(D_ij->m21, RI_4) + KSL_MUL(D_ij->m22, RI_5))
+          - KSL_MUL(d_2, p_1),
+      Ji_9_new = Ji->Izx
+          + (KSL_MUL(D_ij->m20, RI_0) + KSL_MUL(D_ij->m21, RI_1) + KSL_MUL(D_ij->m22, RI_2))
+          - KSL_MUL(d_2, p_0);
   Ji->m = m;
   Ji->mt.x = Ji_1_new;
   Ji->mt.y = Ji_2_new;
@@ -449,9 +353,7 @@ static inline void ksl_inertia_merge(ksl_inertia_t *Ji, const ksl_vec3_t *t_ic,
 static inline ksl_inertiaf_t ksl_inertiaf(const float m, const ksl_vec3f_t t, const float Ixx,
     const float Iyy, const float Izz, const float Ixy, const float Iyz,
     const float Izx) {
-  const float J_1 = KSL_MULF(m, t.x);
-  const float J_2 = KSL_MULF(m, t.y);
-  const float J_3 = KSL_MULF(m, t.z);
+  const float J_1 = KSL_MULF(m, t.x), J_2 = KSL_MULF(m, t.y), J_3 = KSL_MULF(m, t.z);
   ksl_inertiaf_t J;
   J.m = m;
   J.mt.x = J_1;
@@ -502,42 +404,26 @@ static inline void ksl_inertiaf_copy(const ksl_inertiaf_t *Ji, ksl_inertiaf_t *J
      formula; barring over- and underflow. */
 static inline void ksl_inertiaf_rotated(const ksl_inertiaf_t *Ji, const ksl_mat3x3f_t *R,
     ksl_inertiaf_t *Jo) {
-  const float RI_0a = KSL_MULF(Ji->Ixx, R->m00), RI_0b = KSL_MULF(Ji->Ixy, R->m01),
-      RI_0c = RI_0a + RI_0b, RI_0d = KSL_MULF(Ji->Izx, R->m02), RI_0 = RI_0c + RI_0d;
-  const float RI_1a = KSL_MULF(Ji->Iyy, R->m01), RI_1b = KSL_MULF(Ji->Ixy, R->m00),
-      RI_1c = RI_1a + RI_1b, RI_1d = KSL_MULF(Ji->Iyz, R->m02), RI_1 = RI_1c + RI_1d;
-  const float RI_2a = KSL_MULF(Ji->Izz, R->m02), RI_2b = KSL_MULF(Ji->Iyz, R->m01),
-      RI_2c = RI_2a + RI_2b, RI_2d = KSL_MULF(Ji->Izx, R->m00), RI_2 = RI_2c + RI_2d;
-  const float RI_3a = KSL_MULF(Ji->Ixx, R->m10), RI_3b = KSL_MULF(Ji->Ixy, R->m11),
-      RI_3c = RI_3a + RI_3b, RI_3d = KSL_MULF(Ji->Izx, R->m12), RI_3 = RI_3c + RI_3d;
-  const float RI_4a = KSL_MULF(Ji->Iyy, R->m11), RI_4b = KSL_MULF(Ji->Ixy, R->m10),
-      RI_4c = RI_4a + RI_4b, RI_4d = KSL_MULF(Ji->Iyz, R->m12), RI_4 = RI_4c + RI_4d;
-  const float RI_5a = KSL_MULF(Ji->Izz, R->m12), RI_5b = KSL_MULF(Ji->Iyz, R->m11),
-      RI_5c = RI_5a + RI_5b, RI_5d = KSL_MULF(Ji->Izx, R->m10), RI_5 = RI_5c + RI_5d;
-  const float RI_6a = KSL_MULF(Ji->Ixx, R->m20), RI_6b = KSL_MULF(Ji->Ixy, R->m21),
-      RI_6c = RI_6a + RI_6b, RI_6d = KSL_MULF(Ji->Izx, R->m22), RI_6 = RI_6c + RI_6d;
-  const float RI_7a = KSL_MULF(Ji->Iyy, R->m21), RI_7b = KSL_MULF(Ji->Ixy, R->m20),
-      RI_7c = RI_7a + RI_7b, RI_7d = KSL_MULF(Ji->Iyz, R->m22), RI_7 = RI_7c + RI_7d;
-  const float RI_8a = KSL_MULF(Ji->Izz, R->m22), RI_8b = KSL_MULF(Ji->Iyz, R->m21),
-      RI_8c = RI_8a + RI_8b, RI_8d = KSL_MULF(Ji->Izx, R->m20), RI_8 = RI_8c + RI_8d;
-  const float Jo_1a = KSL_MULF(Ji->mt.x, R->m00), Jo_1b = KSL_MULF(Ji->mt.y, R->m01),
-      Jo_1c = Jo_1a + Jo_1b, Jo_1d = KSL_MULF(Ji->mt.z, R->m02), Jo_1 = Jo_1c + Jo_1d;
-  const float Jo_2a = KSL_MULF(Ji->mt.x, R->m10), Jo_2b = KSL_MULF(Ji->mt.y, R->m11),
-      Jo_2c = Jo_2a + Jo_2b, Jo_2d = KSL_MULF(Ji->mt.z, R->m12), Jo_2 = Jo_2c + Jo_2d;
-  const float Jo_3a = KSL_MULF(Ji->mt.x, R->m20), Jo_3b = KSL_MULF(Ji->mt.y, R->m21),
-      Jo_3c = Jo_3a + Jo_3b, Jo_3d = KSL_MULF(Ji->mt.z, R->m22), Jo_3 = Jo_3c + Jo_3d;
-  const float Jo_4a = KSL_MULF(R->m00, RI_0), Jo_4b = KSL_MULF(R->m01, RI_1), Jo_4c = Jo_4a + Jo_4b,
-      Jo_4d = KSL_MULF(R->m02, RI_2), Jo_4 = Jo_4c + Jo_4d;
-  const float Jo_5a = KSL_MULF(R->m10, RI_3), Jo_5b = KSL_MULF(R->m11, RI_4), Jo_5c = Jo_5a + Jo_5b,
-      Jo_5d = KSL_MULF(R->m12, RI_5), Jo_5 = Jo_5c + Jo_5d;
-  const float Jo_6a = KSL_MULF(R->m20, RI_6), Jo_6b = KSL_MULF(R->m21, RI_7), Jo_6c = Jo_6a + Jo_6b,
-      Jo_6d = KSL_MULF(R->m22, RI_8), Jo_6 = Jo_6c + Jo_6d;
-  const float Jo_7a = KSL_MULF(R->m10, RI_0), Jo_7b = KSL_MULF(R->m11, RI_1), Jo_7c = Jo_7a + Jo_7b,
-      Jo_7d = KSL_MULF(R->m12, RI_2), Jo_7 = Jo_7c + Jo_7d;
-  const float Jo_8a = KSL_MULF(R->m20, RI_3), Jo_8b = KSL_MULF(R->m21, RI_4), Jo_8c = Jo_8a + Jo_8b,
-      Jo_8d = KSL_MULF(R->m22, RI_5), Jo_8 = Jo_8c + Jo_8d;
-  const float Jo_9a = KSL_MULF(R->m20, RI_0), Jo_9b = KSL_MULF(R->m21, RI_1), Jo_9c = Jo_9a + Jo_9b,
-      Jo_9d = KSL_MULF(R->m22, RI_2), Jo_9 = Jo_9c + Jo_9d;
+  const float RI_0 = KSL_MULF(Ji->Ixx, R->m00) + KSL_MULF(Ji->Ixy, R->m01)
+          + KSL_MULF(Ji->Izx, R->m02),
+      RI_1 = KSL_MULF(Ji->Iyy, R->m01) + KSL_MULF(Ji->Ixy, R->m00) + KSL_MULF(Ji->Iyz, R->m02),
+      RI_2 = KSL_MULF(Ji->Izz, R->m02) + KSL_MULF(Ji->Iyz, R->m01) + KSL_MULF(Ji->Izx, R->m00),
+      RI_3 = KSL_MULF(Ji->Ixx, R->m10) + KSL_MULF(Ji->Ixy, R->m11) + KSL_MULF(Ji->Izx, R->m12),
+      RI_4 = KSL_MULF(Ji->Iyy, R->m11) + KSL_MULF(Ji->Ixy, R->m10) + KSL_MULF(Ji->Iyz, R->m12),
+      RI_5 = KSL_MULF(Ji->Izz, R->m12) + KSL_MULF(Ji->Iyz, R->m11) + KSL_MULF(Ji->Izx, R->m10),
+      RI_6 = KSL_MULF(Ji->Ixx, R->m20) + KSL_MULF(Ji->Ixy, R->m21) + KSL_MULF(Ji->Izx, R->m22),
+      RI_7 = KSL_MULF(Ji->Iyy, R->m21) + KSL_MULF(Ji->Ixy, R->m20) + KSL_MULF(Ji->Iyz, R->m22),
+      RI_8 = KSL_MULF(Ji->Izz, R->m22) + KSL_MULF(Ji->Iyz, R->m21) + KSL_MULF(Ji->Izx, R->m20);
+  const float Jo_1 = KSL_MULF(Ji->mt.x, R->m00) + KSL_MULF(Ji->mt.y, R->m01)
+          + KSL_MULF(Ji->mt.z, R->m02),
+      Jo_2 = KSL_MULF(Ji->mt.x, R->m10) + KSL_MULF(Ji->mt.y, R->m11) + KSL_MULF(Ji->mt.z, R->m12),
+      Jo_3 = KSL_MULF(Ji->mt.x, R->m20) + KSL_MULF(Ji->mt.y, R->m21) + KSL_MULF(Ji->mt.z, R->m22),
+      Jo_4 = KSL_MULF(R->m00, RI_0) + KSL_MULF(R->m01, RI_1) + KSL_MULF(R->m02, RI_2),
+      Jo_5 = KSL_MULF(R->m10, RI_3) + KSL_MULF(R->m11, RI_4) + KSL_MULF(R->m12, RI_5),
+      Jo_6 = KSL_MULF(R->m20, RI_6) + KSL_MULF(R->m21, RI_7) + KSL_MULF(R->m22, RI_8),
+      Jo_7 = KSL_MULF(R->m10, RI_0) + KSL_MULF(R->m11, RI_1) + KSL_MULF(R->m12, RI_2),
+      Jo_8 = KSL_MULF(R->m20, RI_3) + KSL_MULF(R->m21, RI_4) + KSL_MULF(R->m22, RI_5),
+      Jo_9 = KSL_MULF(R->m20, RI_0) + KSL_MULF(R->m21, RI_1) + KSL_MULF(R->m22, RI_2);
   const float Ji_m = Ji->m;
   Jo->m = Ji_m;
   Jo->mt.x = Jo_1;
@@ -558,51 +444,36 @@ static inline void ksl_inertiaf_rotated(const ksl_inertiaf_t *Ji, const ksl_mat3
    Error <= u |result| + (m: 0, mt: 2, I: 5) u S, S the sum of the |terms| of the expanded
      formula; barring over- and underflow. */
 static inline void ksl_inertiaf_rotate(ksl_inertiaf_t *self, const ksl_mat3x3f_t *R) {
-  const float RI_0a = KSL_MULF(self->Ixx, R->m00), RI_0b = KSL_MULF(self->Ixy, R->m01),
-      RI_0c = RI_0a + RI_0b, RI_0d = KSL_MULF(self->Izx, R->m02), RI_0 = RI_0c + RI_0d;
-  const float RI_1a = KSL_MULF(self->Iyy, R->m01), RI_1b = KSL_MULF(self->Ixy, R->m00),
-      RI_1c = RI_1a + RI_1b, RI_1d = KSL_MULF(self->Iyz, R->m02), RI_1 = RI_1c + RI_1d;
-  const float RI_2a = KSL_MULF(self->Izz, R->m02), RI_2b = KSL_MULF(self->Iyz, R->m01),
-      RI_2c = RI_2a + RI_2b, RI_2d = KSL_MULF(self->Izx, R->m00), RI_2 = RI_2c + RI_2d;
-  const float RI_3a = KSL_MULF(self->Ixx, R->m10), RI_3b = KSL_MULF(self->Ixy, R->m11),
-      RI_3c = RI_3a + RI_3b, RI_3d = KSL_MULF(self->Izx, R->m12), RI_3 = RI_3c + RI_3d;
-  const float RI_4a = KSL_MULF(self->Iyy, R->m11), RI_4b = KSL_MULF(self->Ixy, R->m10),
-      RI_4c = RI_4a + RI_4b, RI_4d = KSL_MULF(self->Iyz, R->m12), RI_4 = RI_4c + RI_4d;
-  const float RI_5a = KSL_MULF(self->Izz, R->m12), RI_5b = KSL_MULF(self->Iyz, R->m11),
-      RI_5c = RI_5a + RI_5b, RI_5d = KSL_MULF(self->Izx, R->m10), RI_5 = RI_5c + RI_5d;
-  const float RI_6a = KSL_MULF(self->Ixx, R->m20), RI_6b = KSL_MULF(self->Ixy, R->m21),
-      RI_6c = RI_6a + RI_6b, RI_6d = KSL_MULF(self->Izx, R->m22), RI_6 = RI_6c + RI_6d;
-  const float RI_7a = KSL_MULF(self->Iyy, R->m21), RI_7b = KSL_MULF(self->Ixy, R->m20),
-      RI_7c = RI_7a + RI_7b, RI_7d = KSL_MULF(self->Iyz, R->m22), RI_7 = RI_7c + RI_7d;
-  const float RI_8a = KSL_MULF(self->Izz, R->m22), RI_8b = KSL_MULF(self->Iyz, R->m21),
-      RI_8c = RI_8a + RI_8b, RI_8d = KSL_MULF(self->Izx, R->m20), RI_8 = RI_8c + RI_8d;
-  const float self_1_new_a = KSL_MULF(self->mt.x, R->m00),
-      self_1_new_b = KSL_MULF(self->mt.y, R->m01), self_1_new_c = self_1_new_a + self_1_new_b,
-      self_1_new_d = KSL_MULF(self->mt.z, R->m02), self_1_new = self_1_new_c + self_1_new_d;
-  const float self_2_new_a = KSL_MULF(self->mt.x, R->m10),
-      self_2_new_b = KSL_MULF(self->mt.y, R->m11), self_2_new_c = self_2_new_a + self_2_new_b,
-      self_2_new_d = KSL_MULF(self->mt.z, R->m12), self_2_new = self_2_new_c + self_2_new_d;
-  const float self_3_new_a = KSL_MULF(self->mt.x, R->m20),
-      self_3_new_b = KSL_MULF(self->mt.y, R->m21), self_3_new_c = self_3_new_a + self_3_new_b,
-      self_3_new_d = KSL_MULF(self->mt.z, R->m22), self_3_new = self_3_new_c + self_3_new_d;
-  const float self_4_new_a = KSL_MULF(R->m00, RI_0), self_4_new_b = KSL_MULF(R->m01, RI_1),
-      self_4_new_c = self_4_new_a + self_4_new_b, self_4_new_d = KSL_MULF(R->m02, RI_2),
-      self_4_new = self_4_new_c + self_4_new_d;
-  const float self_5_new_a = KSL_MULF(R->m10, RI_3), self_5_new_b = KSL_MULF(R->m11, RI_4),
-      self_5_new_c = self_5_new_a + self_5_new_b, self_5_new_d = KSL_MULF(R->m12, RI_5),
-      self_5_new = self_5_new_c + self_5_new_d;
-  const float self_6_new_a = KSL_MULF(R->m20, RI_6), self_6_new_b = KSL_MULF(R->m21, RI_7),
-      self_6_new_c = self_6_new_a + self_6_new_b, self_6_new_d = KSL_MULF(R->m22, RI_8),
-      self_6_new = self_6_new_c + self_6_new_d;
-  const float self_7_new_a = KSL_MULF(R->m10, RI_0), self_7_new_b = KSL_MULF(R->m11, RI_1),
-      self_7_new_c = self_7_new_a + self_7_new_b, self_7_new_d = KSL_MULF(R->m12, RI_2),
-      self_7_new = self_7_new_c + self_7_new_d;
-  const float self_8_new_a = KSL_MULF(R->m20, RI_3), self_8_new_b = KSL_MULF(R->m21, RI_4),
-      self_8_new_c = self_8_new_a + self_8_new_b, self_8_new_d = KSL_MULF(R->m22, RI_5),
-      self_8_new = self_8_new_c + self_8_new_d;
-  const float self_9_new_a = KSL_MULF(R->m20, RI_0), self_9_new_b = KSL_MULF(R->m21, RI_1),
-      self_9_new_c = self_9_new_a + self_9_new_b, self_9_new_d = KSL_MULF(R->m22, RI_2),
-      self_9_new = self_9_new_c + self_9_new_d;
+  const float RI_0 = KSL_MULF(self->Ixx, R->m00) + KSL_MULF(self->Ixy, R->m01)
+          + KSL_MULF(self->Izx, R->m02),
+      RI_1 = KSL_MULF(self->Iyy, R->m01) + KSL_MULF(self->Ixy, R->m00)
+          + KSL_MULF(self->Iyz, R->m02),
+      RI_2 = KSL_MULF(self->Izz, R->m02) + KSL_MULF(self->Iyz, R->m01)
+          + KSL_MULF(self->Izx, R->m00),
+      RI_3 = KSL_MULF(self->Ixx, R->m10) + KSL_MULF(self->Ixy, R->m11)
+          + KSL_MULF(self->Izx, R->m12),
+      RI_4 = KSL_MULF(self->Iyy, R->m11) + KSL_MULF(self->Ixy, R->m10)
+          + KSL_MULF(self->Iyz, R->m12),
+      RI_5 = KSL_MULF(self->Izz, R->m12) + KSL_MULF(self->Iyz, R->m11)
+          + KSL_MULF(self->Izx, R->m10),
+      RI_6 = KSL_MULF(self->Ixx, R->m20) + KSL_MULF(self->Ixy, R->m21)
+          + KSL_MULF(self->Izx, R->m22),
+      RI_7 = KSL_MULF(self->Iyy, R->m21) + KSL_MULF(self->Ixy, R->m20)
+          + KSL_MULF(self->Iyz, R->m22),
+      RI_8 = KSL_MULF(self->Izz, R->m22) + KSL_MULF(self->Iyz, R->m21)
+          + KSL_MULF(self->Izx, R->m20);
+  const float self_1_new = KSL_MULF(self->mt.x, R->m00) + KSL_MULF(self->mt.y, R->m01)
+          + KSL_MULF(self->mt.z, R->m02),
+      self_2_new = KSL_MULF(self->mt.x, R->m10) + KSL_MULF(self->mt.y, R->m11)
+          + KSL_MULF(self->mt.z, R->m12),
+      self_3_new = KSL_MULF(self->mt.x, R->m20) + KSL_MULF(self->mt.y, R->m21)
+          + KSL_MULF(self->mt.z, R->m22),
+      self_4_new = KSL_MULF(R->m00, RI_0) + KSL_MULF(R->m01, RI_1) + KSL_MULF(R->m02, RI_2),
+      self_5_new = KSL_MULF(R->m10, RI_3) + KSL_MULF(R->m11, RI_4) + KSL_MULF(R->m12, RI_5),
+      self_6_new = KSL_MULF(R->m20, RI_6) + KSL_MULF(R->m21, RI_7) + KSL_MULF(R->m22, RI_8),
+      self_7_new = KSL_MULF(R->m10, RI_0) + KSL_MULF(R->m11, RI_1) + KSL_MULF(R->m12, RI_2),
+      self_8_new = KSL_MULF(R->m20, RI_3) + KSL_MULF(R->m21, RI_4) + KSL_MULF(R->m22, RI_5),
+      self_9_new = KSL_MULF(R->m20, RI_0) + KSL_MULF(R->m21, RI_1) + KSL_MULF(R->m22, RI_2);
   self->mt.x = self_1_new;
   self->mt.y = self_2_new;
   self->mt.z = self_3_new;
@@ -622,9 +493,8 @@ static inline void ksl_inertiaf_rotate(ksl_inertiaf_t *self, const ksl_mat3x3f_t
      formula; barring over- and underflow. */
 static inline void ksl_inertiaf_translated(const ksl_inertiaf_t *Ji, const ksl_vec3f_t *t,
     ksl_inertiaf_t *Jo) {
-  const float Jo_1a = KSL_MULF(Ji->m, t->x), Jo_1 = Jo_1a + Ji->mt.x;
-  const float Jo_2a = KSL_MULF(Ji->m, t->y), Jo_2 = Jo_2a + Ji->mt.y;
-  const float Jo_3a = KSL_MULF(Ji->m, t->z), Jo_3 = Jo_3a + Ji->mt.z;
+  const float Jo_1 = KSL_MULF(Ji->m, t->x) + Ji->mt.x, Jo_2 = KSL_MULF(Ji->m, t->y) + Ji->mt.y,
+      Jo_3 = KSL_MULF(Ji->m, t->z) + Ji->mt.z;
   const float Ji_m = Ji->m;
   const float Ji_Ixx = Ji->Ixx;
   const float Ji_Iyy = Ji->Iyy;
@@ -651,9 +521,9 @@ static inline void ksl_inertiaf_translated(const ksl_inertiaf_t *Ji, const ksl_v
    Error <= u |result| + (m: 0, mt: 1, I: 0) u S, S the sum of the |terms| of the expanded
      formula; barring over- and underflow. */
 static inline void ksl_inertiaf_translate(ksl_inertiaf_t *self, const ksl_vec3f_t *t) {
-  const float self_1_new_a = KSL_MULF(self->m, t->x), self_1_new = self_1_new_a + self->mt.x;
-  const float self_2_new_a = KSL_MULF(self->m, t->y), self_2_new = self_2_new_a + self->mt.y;
-  const float self_3_new_a = KSL_MULF(self->m, t->z), self_3_new = self_3_new_a + self->mt.z;
+  const float self_1_new = KSL_MULF(self->m, t->x) + self->mt.x,
+      self_2_new = KSL_MULF(self->m, t->y) + self->mt.y,
+      self_3_new = KSL_MULF(self->m, t->z) + self->mt.z;
   self->mt.x = self_1_new;
   self->mt.y = self_2_new;
   self->mt.z = self_3_new;
@@ -667,45 +537,28 @@ static inline void ksl_inertiaf_translate(ksl_inertiaf_t *self, const ksl_vec3f_
      formula; barring over- and underflow. */
 static inline void ksl_inertiaf_transformed(const ksl_inertiaf_t *Ji, const ksl_SE3f_t *D,
     ksl_inertiaf_t *Jo) {
-  const float RI_0a = KSL_MULF(Ji->Ixx, D->m00), RI_0b = KSL_MULF(Ji->Ixy, D->m01),
-      RI_0c = RI_0a + RI_0b, RI_0d = KSL_MULF(Ji->Izx, D->m02), RI_0 = RI_0c + RI_0d;
-  const float RI_1a = KSL_MULF(Ji->Iyy, D->m01), RI_1b = KSL_MULF(Ji->Ixy, D->m00),
-      RI_1c = RI_1a + RI_1b, RI_1d = KSL_MULF(Ji->Iyz, D->m02), RI_1 = RI_1c + RI_1d;
-  const float RI_2a = KSL_MULF(Ji->Izz, D->m02), RI_2b = KSL_MULF(Ji->Iyz, D->m01),
-      RI_2c = RI_2a + RI_2b, RI_2d = KSL_MULF(Ji->Izx, D->m00), RI_2 = RI_2c + RI_2d;
-  const float RI_3a = KSL_MULF(Ji->Ixx, D->m10), RI_3b = KSL_MULF(Ji->Ixy, D->m11),
-      RI_3c = RI_3a + RI_3b, RI_3d = KSL_MULF(Ji->Izx, D->m12), RI_3 = RI_3c + RI_3d;
-  const float RI_4a = KSL_MULF(Ji->Iyy, D->m11), RI_4b = KSL_MULF(Ji->Ixy, D->m10),
-      RI_4c = RI_4a + RI_4b, RI_4d = KSL_MULF(Ji->Iyz, D->m12), RI_4 = RI_4c + RI_4d;
-  const float RI_5a = KSL_MULF(Ji->Izz, D->m12), RI_5b = KSL_MULF(Ji->Iyz, D->m11),
-      RI_5c = RI_5a + RI_5b, RI_5d = KSL_MULF(Ji->Izx, D->m10), RI_5 = RI_5c + RI_5d;
-  const float RI_6a = KSL_MULF(Ji->Ixx, D->m20), RI_6b = KSL_MULF(Ji->Ixy, D->m21),
-      RI_6c = RI_6a + RI_6b, RI_6d = KSL_MULF(Ji->Izx, D->m22), RI_6 = RI_6c + RI_6d;
-  const float RI_7a = KSL_MULF(Ji->Iyy, D->m21), RI_7b = KSL_MULF(Ji->Ixy, D->m20),
-      RI_7c = RI_7a + RI_7b, RI_7d = KSL_MULF(Ji->Iyz, D->m22), RI_7 = RI_7c + RI_7d;
-  const float RI_8a = KSL_MULF(Ji->Izz, D->m22), RI_8b = KSL_MULF(Ji->Iyz, D->m21),
-      RI_8c = RI_8a + RI_8b, RI_8d = KSL_MULF(Ji->Izx, D->m20), RI_8 = RI_8c + RI_8d;
-  const float Jo_1a = KSL_MULF(Ji->m, D->m03), Jo_1b = KSL_MULF(Ji->mt.x, D->m00),
-      Jo_1c = KSL_MULF(Ji->mt.y, D->m01), Jo_1d = Jo_1b + Jo_1c, Jo_1e = KSL_MULF(Ji->mt.z, D->m02),
-      Jo_1f = Jo_1d + Jo_1e, Jo_1 = Jo_1a + Jo_1f;
-  const float Jo_2a = KSL_MULF(Ji->m, D->m13), Jo_2b = KSL_MULF(Ji->mt.x, D->m10),
-      Jo_2c = KSL_MULF(Ji->mt.y, D->m11), Jo_2d = Jo_2b + Jo_2c, Jo_2e = KSL_MULF(Ji->mt.z, D->m12),
-      Jo_2f = Jo_2d + Jo_2e, Jo_2 = Jo_2a + Jo_2f;
-  const float Jo_3a = KSL_MULF(Ji->m, D->m23), Jo_3b = KSL_MULF(Ji->mt.x, D->m20),
-      Jo_3c = KSL_MULF(Ji->mt.y, D->m21), Jo_3d = Jo_3b + Jo_3c, Jo_3e = KSL_MULF(Ji->mt.z, D->m22),
-      Jo_3f = Jo_3d + Jo_3e, Jo_3 = Jo_3a + Jo_3f;
-  const float Jo_4a = KSL_MULF(D->m00, RI_0), Jo_4b = KSL_MULF(D->m01, RI_1), Jo_4c = Jo_4a + Jo_4b,
-      Jo_4d = KSL_MULF(D->m02, RI_2), Jo_4 = Jo_4c + Jo_4d;
-  const float Jo_5a = KSL_MULF(D->m10, RI_3), Jo_5b = KSL_MULF(D->m11, RI_4), Jo_5c = Jo_5a + Jo_5b,
-      Jo_5d = KSL_MULF(D->m12, RI_5), Jo_5 = Jo_5c + Jo_5d;
-  const float Jo_6a = KSL_MULF(D->m20, RI_6), Jo_6b = KSL_MULF(D->m21, RI_7), Jo_6c = Jo_6a + Jo_6b,
-      Jo_6d = KSL_MULF(D->m22, RI_8), Jo_6 = Jo_6c + Jo_6d;
-  const float Jo_7a = KSL_MULF(D->m10, RI_0), Jo_7b = KSL_MULF(D->m11, RI_1), Jo_7c = Jo_7a + Jo_7b,
-      Jo_7d = KSL_MULF(D->m12, RI_2), Jo_7 = Jo_7c + Jo_7d;
-  const float Jo_8a = KSL_MULF(D->m20, RI_3), Jo_8b = KSL_MULF(D->m21, RI_4), Jo_8c = Jo_8a + Jo_8b,
-      Jo_8d = KSL_MULF(D->m22, RI_5), Jo_8 = Jo_8c + Jo_8d;
-  const float Jo_9a = KSL_MULF(D->m20, RI_0), Jo_9b = KSL_MULF(D->m21, RI_1), Jo_9c = Jo_9a + Jo_9b,
-      Jo_9d = KSL_MULF(D->m22, RI_2), Jo_9 = Jo_9c + Jo_9d;
+  const float RI_0 = KSL_MULF(Ji->Ixx, D->m00) + KSL_MULF(Ji->Ixy, D->m01)
+          + KSL_MULF(Ji->Izx, D->m02),
+      RI_1 = KSL_MULF(Ji->Iyy, D->m01) + KSL_MULF(Ji->Ixy, D->m00) + KSL_MULF(Ji->Iyz, D->m02),
+      RI_2 = KSL_MULF(Ji->Izz, D->m02) + KSL_MULF(Ji->Iyz, D->m01) + KSL_MULF(Ji->Izx, D->m00),
+      RI_3 = KSL_MULF(Ji->Ixx, D->m10) + KSL_MULF(Ji->Ixy, D->m11) + KSL_MULF(Ji->Izx, D->m12),
+      RI_4 = KSL_MULF(Ji->Iyy, D->m11) + KSL_MULF(Ji->Ixy, D->m10) + KSL_MULF(Ji->Iyz, D->m12),
+      RI_5 = KSL_MULF(Ji->Izz, D->m12) + KSL_MULF(Ji->Iyz, D->m11) + KSL_MULF(Ji->Izx, D->m10),
+      RI_6 = KSL_MULF(Ji->Ixx, D->m20) + KSL_MULF(Ji->Ixy, D->m21) + KSL_MULF(Ji->Izx, D->m22),
+      RI_7 = KSL_MULF(Ji->Iyy, D->m21) + KSL_MULF(Ji->Ixy, D->m20) + KSL_MULF(Ji->Iyz, D->m22),
+      RI_8 = KSL_MULF(Ji->Izz, D->m22) + KSL_MULF(Ji->Iyz, D->m21) + KSL_MULF(Ji->Izx, D->m20);
+  const float Jo_1 = KSL_MULF(Ji->m, D->m03)
+          + (KSL_MULF(Ji->mt.x, D->m00) + KSL_MULF(Ji->mt.y, D->m01) + KSL_MULF(Ji->mt.z, D->m02)),
+      Jo_2 = KSL_MULF(Ji->m, D->m13)
+          + (KSL_MULF(Ji->mt.x, D->m10) + KSL_MULF(Ji->mt.y, D->m11) + KSL_MULF(Ji->mt.z, D->m12)),
+      Jo_3 = KSL_MULF(Ji->m, D->m23)
+          + (KSL_MULF(Ji->mt.x, D->m20) + KSL_MULF(Ji->mt.y, D->m21) + KSL_MULF(Ji->mt.z, D->m22)),
+      Jo_4 = KSL_MULF(D->m00, RI_0) + KSL_MULF(D->m01, RI_1) + KSL_MULF(D->m02, RI_2),
+      Jo_5 = KSL_MULF(D->m10, RI_3) + KSL_MULF(D->m11, RI_4) + KSL_MULF(D->m12, RI_5),
+      Jo_6 = KSL_MULF(D->m20, RI_6) + KSL_MULF(D->m21, RI_7) + KSL_MULF(D->m22, RI_8),
+      Jo_7 = KSL_MULF(D->m10, RI_0) + KSL_MULF(D->m11, RI_1) + KSL_MULF(D->m12, RI_2),
+      Jo_8 = KSL_MULF(D->m20, RI_3) + KSL_MULF(D->m21, RI_4) + KSL_MULF(D->m22, RI_5),
+      Jo_9 = KSL_MULF(D->m20, RI_0) + KSL_MULF(D->m21, RI_1) + KSL_MULF(D->m22, RI_2);
   const float Ji_m = Ji->m;
   Jo->m = Ji_m;
   Jo->mt.x = Jo_1;
@@ -726,54 +579,39 @@ static inline void ksl_inertiaf_transformed(const ksl_inertiaf_t *Ji, const ksl_
    Error <= u |result| + (m: 0, mt: 3, I: 5) u S, S the sum of the |terms| of the expanded
      formula; barring over- and underflow. */
 static inline void ksl_inertiaf_transform(ksl_inertiaf_t *self, const ksl_SE3f_t *D) {
-  const float RI_0a = KSL_MULF(self->Ixx, D->m00), RI_0b = KSL_MULF(self->Ixy, D->m01),
-      RI_0c = RI_0a + RI_0b, RI_0d = KSL_MULF(self->Izx, D->m02), RI_0 = RI_0c + RI_0d;
-  const float RI_1a = KSL_MULF(self->Iyy, D->m01), RI_1b = KSL_MULF(self->Ixy, D->m00),
-      RI_1c = RI_1a + RI_1b, RI_1d = KSL_MULF(self->Iyz, D->m02), RI_1 = RI_1c + RI_1d;
-  const float RI_2a = KSL_MULF(self->Izz, D->m02), RI_2b = KSL_MULF(self->Iyz, D->m01),
-      RI_2c = RI_2a + RI_2b, RI_2d = KSL_MULF(self->Izx, D->m00), RI_2 = RI_2c + RI_2d;
-  const float RI_3a = KSL_MULF(self->Ixx, D->m10), RI_3b = KSL_MULF(self->Ixy, D->m11),
-      RI_3c = RI_3a + RI_3b, RI_3d = KSL_MULF(self->Izx, D->m12), RI_3 = RI_3c + RI_3d;
-  const float RI_4a = KSL_MULF(self->Iyy, D->m11), RI_4b = KSL_MULF(self->Ixy, D->m10),
-      RI_4c = RI_4a + RI_4b, RI_4d = KSL_MULF(self->Iyz, D->m12), RI_4 = RI_4c + RI_4d;
-  const float RI_5a = KSL_MULF(self->Izz, D->m12), RI_5b = KSL_MULF(self->Iyz, D->m11),
-      RI_5c = RI_5a + RI_5b, RI_5d = KSL_MULF(self->Izx, D->m10), RI_5 = RI_5c + RI_5d;
-  const float RI_6a = KSL_MULF(self->Ixx, D->m20), RI_6b = KSL_MULF(self->Ixy, D->m21),
-      RI_6c = RI_6a + RI_6b, RI_6d = KSL_MULF(self->Izx, D->m22), RI_6 = RI_6c + RI_6d;
-  const float RI_7a = KSL_MULF(self->Iyy, D->m21), RI_7b = KSL_MULF(self->Ixy, D->m20),
-      RI_7c = RI_7a + RI_7b, RI_7d = KSL_MULF(self->Iyz, D->m22), RI_7 = RI_7c + RI_7d;
-  const float RI_8a = KSL_MULF(self->Izz, D->m22), RI_8b = KSL_MULF(self->Iyz, D->m21),
-      RI_8c = RI_8a + RI_8b, RI_8d = KSL_MULF(self->Izx, D->m20), RI_8 = RI_8c + RI_8d;
-  const float self_1_new_a = KSL_MULF(self->m, D->m03), self_1_new_b = KSL_MULF(self->mt.x, D->m00),
-      self_1_new_c = KSL_MULF(self->mt.y, D->m01), self_1_new_d = self_1_new_b + self_1_new_c,
-      self_1_new_e = KSL_MULF(self->mt.z, D->m02), self_1_new_f = self_1_new_d + self_1_new_e,
-      self_1_new = self_1_new_a + self_1_new_f;
-  const float self_2_new_a = KSL_MULF(self->m, D->m13), self_2_new_b = KSL_MULF(self->mt.x, D->m10),
-      self_2_new_c = KSL_MULF(self->mt.y, D->m11), self_2_new_d = self_2_new_b + self_2_new_c,
-      self_2_new_e = KSL_MULF(self->mt.z, D->m12), self_2_new_f = self_2_new_d + self_2_new_e,
-      self_2_new = self_2_new_a + self_2_new_f;
-  const float self_3_new_a = KSL_MULF(self->m, D->m23), self_3_new_b = KSL_MULF(self->mt.x, D->m20),
-      self_3_new_c = KSL_MULF(self->mt.y, D->m21), self_3_new_d = self_3_new_b + self_3_new_c,
-      self_3_new_e = KSL_MULF(self->mt.z, D->m22), self_3_new_f = self_3_new_d + self_3_new_e,
-      self_3_new = self_3_new_a + self_3_new_f;
-  const float self_4_new_a = KSL_MULF(D->m00, RI_0), self_4_new_b = KSL_MULF(D->m01, RI_1),
-      self_4_new_c = self_4_new_a + self_4_new_b, self_4_new_d = KSL_MULF(D->m02, RI_2),
-      self_4_new = self_4_new_c + self_4_new_d;
-  const float self_5_new_a = KSL_MULF(D->m10, RI_3), self_5_new_b = KSL_MULF(D->m11, RI_4),
-      self_5_new_c = self_5_new_a + self_5_new_b, self_5_new_d = KSL_MULF(D->m12, RI_5),
-      self_5_new = self_5_new_c + self_5_new_d;
-  const float self_6_new_a = KSL_MULF(D->m20, RI_6), self_6_new_b = KSL_MULF(D->m21, RI_7),
-      self_6_new_c = self_6_new_a + self_6_new_b, self_6_new_d = KSL_MULF(D->m22, RI_8),
-      self_6_new = self_6_new_c + self_6_new_d;
-  const float self_7_new_a = KSL_MULF(D->m10, RI_0), self_7_new_b = KSL_MULF(D->m11, RI_1),
-      self_7_new_c = self_7_new_a + self_7_new_b, self_7_new_d = KSL_MULF(D->m12, RI_2),
-      self_7_new = self_7_new_c + self_7_new_d;
-  const float self_8_new_a = KSL_MULF(D->m20, RI_3), self_8_new_b = KSL_MULF(D->m21, RI_4),
-      self_8_new_c = self_8_new_a + self_8_new_b, self_8_new_d = KSL_MULF(D->m22, RI_5),
-      self_8_new = self_8_new_c + self_8_new_d;
-  const float self_9_new_a = KSL_MULF(D->m20, RI_0), self_9_new_b = KSL_MULF(D->m21, RI_1),
-      self_9_new_c = self_9_new_a + self_9_new_b, self_9_new_d = KSL_MULF(D->m22, RI_2),
-      self_9_new = self_9_new_c + self_9_new_d;
+  const float RI_0 = KSL_MULF(self->Ixx, D->m00) + KSL_MULF(self->Ixy, D->m01)
+          + KSL_MULF(self->Izx, D->m02),
+      RI_1 = KSL_MULF(self->Iyy, D->m01) + KSL_MULF(self->Ixy, D->m00)
+          + KSL_MULF(self->Iyz, D->m02),
+      RI_2 = KSL_MULF(self->Izz, D->m02) + KSL_MULF(self->Iyz, D->m01)
+          + KSL_MULF(self->Izx, D->m00),
+      RI_3 = KSL_MULF(self->Ixx, D->m10) + KSL_MULF(self->Ixy, D->m11)
+          + KSL_MULF(self->Izx, D->m12),
+      RI_4 = KSL_MULF(self->Iyy, D->m11) + KSL_MULF(self->Ixy, D->m10)
+          + KSL_MULF(self->Iyz, D->m12),
+      RI_5 = KSL_MULF(self->Izz, D->m12) + KSL_MULF(self->Iyz, D->m11)
+          + KSL_MULF(self->Izx, D->m10),
+      RI_6 = KSL_MULF(self->Ixx, D->m20) + KSL_MULF(self->Ixy, D->m21)
+          + KSL_MULF(self->Izx, D->m22),
+      RI_7 = KSL_MULF(self->Iyy, D->m21) + KSL_MULF(self->Ixy, D->m20)
+          + KSL_MULF(self->Iyz, D->m22),
+      RI_8 = KSL_MULF(self->Izz, D->m22) + KSL_MULF(self->Iyz, D->m21)
+          + KSL_MULF(self->Izx, D->m20);
+  const float self_1_new = KSL_MULF(self->m, D->m03)
+          + (KSL_MULF(self->mt.x, D->m00) + KSL_MULF(self->mt.y, D->m01)
+          + KSL_MULF(self->mt.z, D->m02)),
+      self_2_new = KSL_MULF(self->m, D->m13)
+          + (KSL_MULF(self->mt.x, D->m10) + KSL_MULF(self->mt.y, D->m11)
+          + KSL_MULF(self->mt.z, D->m12)),
+      self_3_new = KSL_MULF(self->m, D->m23)
+          + (KSL_MULF(self->mt.x, D->m20) + KSL_MULF(self->mt.y, D->m21)
+          + KSL_MULF(self->mt.z, D->m22)),
+      self_4_new = KSL_MULF(D->m00, RI_0) + KSL_MULF(D->m01, RI_1) + KSL_MULF(D->m02, RI_2),
+      self_5_new = KSL_MULF(D->m10, RI_3) + KSL_MULF(D->m11, RI_4) + KSL_MULF(D->m12, RI_5),
+      self_6_new = KSL_MULF(D->m20, RI_6) + KSL_MULF(D->m21, RI_7) + KSL_MULF(D->m22, RI_8),
+      self_7_new = KSL_MULF(D->m10, RI_0) + KSL_MULF(D->m11, RI_1) + KSL_MULF(D->m12, RI_2),
+      self_8_new = KSL_MULF(D->m20, RI_3) + KSL_MULF(D->m21, RI_4) + KSL_MULF(D->m22, RI_5),
+      self_9_new = KSL_MULF(D->m20, RI_0) + KSL_MULF(D->m21, RI_1) + KSL_MULF(D->m22, RI_2);
   self->mt.x = self_1_new;
   self->mt.y = self_2_new;
   self->mt.z = self_3_new;
@@ -797,71 +635,57 @@ static inline void ksl_inertiaf_transform(ksl_inertiaf_t *self, const ksl_SE3f_t
 static inline void ksl_inertiaf_merge(ksl_inertiaf_t *Ji, const ksl_vec3f_t *t_ic,
     const ksl_inertiaf_t *Jj, const ksl_vec3f_t *t_jc, const ksl_SE3f_t *D_ij) {
   const float m = Ji->m + Jj->m;
-  const float c_0a = KSL_MULF(t_jc->x, D_ij->m00), c_0b = KSL_MULF(t_jc->y, D_ij->m01),
-      c_0c = c_0a + c_0b, c_0d = KSL_MULF(t_jc->z, D_ij->m02), c_0e = c_0c + c_0d,
-      c_0 = c_0e + D_ij->m03;
-  const float c_1a = KSL_MULF(t_jc->x, D_ij->m10), c_1b = KSL_MULF(t_jc->y, D_ij->m11),
-      c_1c = c_1a + c_1b, c_1d = KSL_MULF(t_jc->z, D_ij->m12), c_1e = c_1c + c_1d,
-      c_1 = c_1e + D_ij->m13;
-  const float c_2a = KSL_MULF(t_jc->x, D_ij->m20), c_2b = KSL_MULF(t_jc->y, D_ij->m21),
-      c_2c = c_2a + c_2b, c_2d = KSL_MULF(t_jc->z, D_ij->m22), c_2e = c_2c + c_2d,
-      c_2 = c_2e + D_ij->m23;
-  const float d_0 = c_0 - t_ic->x;
-  const float d_1 = c_1 - t_ic->y;
-  const float d_2 = c_2 - t_ic->z;
+  const float c_0 = KSL_MULF(t_jc->x, D_ij->m00) + KSL_MULF(t_jc->y, D_ij->m01)
+          + KSL_MULF(t_jc->z, D_ij->m02) + D_ij->m03,
+      c_1 = KSL_MULF(t_jc->x, D_ij->m10) + KSL_MULF(t_jc->y, D_ij->m11)
+          + KSL_MULF(t_jc->z, D_ij->m12) + D_ij->m13,
+      c_2 = KSL_MULF(t_jc->x, D_ij->m20) + KSL_MULF(t_jc->y, D_ij->m21)
+          + KSL_MULF(t_jc->z, D_ij->m22) + D_ij->m23;
+  const float d_0 = c_0 - t_ic->x, d_1 = c_1 - t_ic->y, d_2 = c_2 - t_ic->z;
   const float part = Jj->m / m;
   const float reduced = KSL_MULF(Ji->m, part);
-  const float p_0 = KSL_MULF(d_0, reduced);
-  const float p_1 = KSL_MULF(d_1, reduced);
-  const float p_2 = KSL_MULF(d_2, reduced);
-  const float squares_0 = KSL_MULF(d_0, p_0);
-  const float squares_1 = KSL_MULF(d_1, p_1);
-  const float squares_2 = KSL_MULF(d_2, p_2);
-  const float RI_0a = KSL_MULF(Jj->Ixx, D_ij->m00), RI_0b = KSL_MULF(Jj->Ixy, D_ij->m01),
-      RI_0c = RI_0a + RI_0b, RI_0d = KSL_MULF(Jj->Izx, D_ij->m02), RI_0 = RI_0c + RI_0d;
-  const float RI_1a = KSL_MULF(Jj->Iyy, D_ij->m01), RI_1b = KSL_MULF(Jj->Ixy, D_ij->m00),
-      RI_1c = RI_1a + RI_1b, RI_1d = KSL_MULF(Jj->Iyz, D_ij->m02), RI_1 = RI_1c + RI_1d;
-  const float RI_2a = KSL_MULF(Jj->Izz, D_ij->m02), RI_2b = KSL_MULF(Jj->Iyz, D_ij->m01),
-      RI_2c = RI_2a + RI_2b, RI_2d = KSL_MULF(Jj->Izx, D_ij->m00), RI_2 = RI_2c + RI_2d;
-  const float RI_3a = KSL_MULF(Jj->Ixx, D_ij->m10), RI_3b = KSL_MULF(Jj->Ixy, D_ij->m11),
-      RI_3c = RI_3a + RI_3b, RI_3d = KSL_MULF(Jj->Izx, D_ij->m12), RI_3 = RI_3c + RI_3d;
-  const float RI_4a = KSL_MULF(Jj->Iyy, D_ij->m11), RI_4b = KSL_MULF(Jj->Ixy, D_ij->m10),
-      RI_4c = RI_4a + RI_4b, RI_4d = KSL_MULF(Jj->Iyz, D_ij->m12), RI_4 = RI_4c + RI_4d;
-  const float RI_5a = KSL_MULF(Jj->Izz, D_ij->m12), RI_5b = KSL_MULF(Jj->Iyz, D_ij->m11),
-      RI_5c = RI_5a + RI_5b, RI_5d = KSL_MULF(Jj->Izx, D_ij->m10), RI_5 = RI_5c + RI_5d;
-  const float RI_6a = KSL_MULF(Jj->Ixx, D_ij->m20), RI_6b = KSL_MULF(Jj->Ixy, D_ij->m21),
-      RI_6c = RI_6a + RI_6b, RI_6d = KSL_MULF(Jj->Izx, D_ij->m22), RI_6 = RI_6c + RI_6d;
-  const float RI_7a = KSL_MULF(Jj->Iyy, D_ij->m21), RI_7b = KSL_MULF(Jj->Ixy, D_ij->m20),
-      RI_7c = RI_7a + RI_7b, RI_7d = KSL_MULF(Jj->Iyz, D_ij->m22), RI_7 = RI_7c + RI_7d;
-  const float RI_8a = KSL_MULF(Jj->Izz, D_ij->m22), RI_8b = KSL_MULF(Jj->Iyz, D_ij->m21),
-      RI_8c = RI_8a + RI_8b, RI_8d = KSL_MULF(Jj->Izx, D_ij->m20), RI_8 = RI_8c + RI_8d;
-  const float Ji_1_new_a = KSL_MULF(Jj->m, c_0), Ji_1_new = Ji->mt.x + Ji_1_new_a;
-  const float Ji_2_new_a = KSL_MULF(Jj->m, c_1), Ji_2_new = Ji->mt.y + Ji_2_new_a;
-  const float Ji_3_new_a = KSL_MULF(Jj->m, c_2), Ji_3_new = Ji->mt.z + Ji_3_new_a;
-  const float Ji_4_new_a = KSL_MULF(D_ij->m00, RI_0), Ji_4_new_b = KSL_MULF(D_ij->m01, RI_1),
-      Ji_4_new_c = Ji_4_new_a + Ji_4_new_b, Ji_4_new_d = KSL_MULF(D_ij->m02, RI_2),
-      Ji_4_new_e = Ji_4_new_c + Ji_4_new_d, Ji_4_new_f = Ji->Ixx + Ji_4_new_e,
-      Ji_4_new_g = squares_1 + squares_2, Ji_4_new = Ji_4_new_f + Ji_4_new_g;
-  const float Ji_5_new_a = KSL_MULF(D_ij->m10, RI_3), Ji_5_new_b = KSL_MULF(D_ij->m11, RI_4),
-      Ji_5_new_c = Ji_5_new_a + Ji_5_new_b, Ji_5_new_d = KSL_MULF(D_ij->m12, RI_5),
-      Ji_5_new_e = Ji_5_new_c + Ji_5_new_d, Ji_5_new_f = Ji->Iyy + Ji_5_new_e,
-      Ji_5_new_g = squares_0 + squares_2, Ji_5_new = Ji_5_new_f + Ji_5_new_g;
-  const float Ji_6_new_a = KSL_MULF(D_ij->m20, RI_6), Ji_6_new_b = KSL_MULF(D_ij->m21, RI_7),
-      Ji_6_new_c = Ji_6_new_a + Ji_6_new_b, Ji_6_new_d = KSL_MULF(D_ij->m22, RI_8),
-      Ji_6_new_e = Ji_6_new_c + Ji_6_new_d, Ji_6_new_f = Ji->Izz + Ji_6_new_e,
-      Ji_6_new_g = squares_0 + squares_1, Ji_6_new = Ji_6_new_f + Ji_6_new_g;
-  const float Ji_7_new_a = KSL_MULF(D_ij->m10, RI_0), Ji_7_new_b = KSL_MULF(D_ij->m11, RI_1),
-      Ji_7_new_c = Ji_7_new_a + Ji_7_new_b, Ji_7_new_d = KSL_MULF(D_ij->m12, RI_2),
-      Ji_7_new_e = Ji_7_new_c + Ji_7_new_d, Ji_7_new_f = Ji->Ixy + Ji_7_new_e,
-      Ji_7_new_g = KSL_MULF(d_1, p_0), Ji_7_new = Ji_7_new_f - Ji_7_new_g;
-  const float Ji_8_new_a = KSL_MULF(D_ij->m20, RI_3), Ji_8_new_b = KSL_MULF(D_ij->m21, RI_4),
-      Ji_8_new_c = Ji_8_new_a + Ji_8_new_b, Ji_8_new_d = KSL_MULF(D_ij->m22, RI_5),
-      Ji_8_new_e = Ji_8_new_c + Ji_8_new_d, Ji_8_new_f = Ji->Iyz + Ji_8_new_e,
-      Ji_8_new_g = KSL_MULF(d_2, p_1), Ji_8_new = Ji_8_new_f - Ji_8_new_g;
-  const float Ji_9_new_a = KSL_MULF(D_ij->m20, RI_0), Ji_9_new_b = KSL_MULF(D_ij->m21, RI_1),
-      Ji_9_new_c = Ji_9_new_a + Ji_9_new_b, Ji_9_new_d = KSL_MULF(D_ij->m22, RI_2),
-      Ji_9_new_e = Ji_9_new_c + Ji_9_new_d, Ji_9_new_f = Ji->Izx + Ji_9_new_e,
-      Ji_9_new_g = KSL_MULF(d_2, p_0), Ji_9_new = Ji_9_new_f - Ji_9_new_g;
+  const float p_0 = KSL_MULF(d_0, reduced), p_1 = KSL_MULF(d_1, reduced),
+      p_2 = KSL_MULF(d_2, reduced);
+  const float squares_0 = KSL_MULF(d_0, p_0), squares_1 = KSL_MULF(d_1, p_1),
+      squares_2 = KSL_MULF(d_2, p_2);
+  const float RI_0 = KSL_MULF(Jj->Ixx, D_ij->m00) + KSL_MULF(Jj->Ixy, D_ij->m01)
+          + KSL_MULF(Jj->Izx, D_ij->m02),
+      RI_1 = KSL_MULF(Jj->Iyy, D_ij->m01) + KSL_MULF(Jj->Ixy, D_ij->m00)
+          + KSL_MULF(Jj->Iyz, D_ij->m02),
+      RI_2 = KSL_MULF(Jj->Izz, D_ij->m02) + KSL_MULF(Jj->Iyz, D_ij->m01)
+          + KSL_MULF(Jj->Izx, D_ij->m00),
+      RI_3 = KSL_MULF(Jj->Ixx, D_ij->m10) + KSL_MULF(Jj->Ixy, D_ij->m11)
+          + KSL_MULF(Jj->Izx, D_ij->m12),
+      RI_4 = KSL_MULF(Jj->Iyy, D_ij->m11) + KSL_MULF(Jj->Ixy, D_ij->m10)
+          + KSL_MULF(Jj->Iyz, D_ij->m12),
+      RI_5 = KSL_MULF(Jj->Izz, D_ij->m12) + KSL_MULF(Jj->Iyz, D_ij->m11)
+          + KSL_MULF(Jj->Izx, D_ij->m10),
+      RI_6 = KSL_MULF(Jj->Ixx, D_ij->m20) + KSL_MULF(Jj->Ixy, D_ij->m21)
+          + KSL_MULF(Jj->Izx, D_ij->m22),
+      RI_7 = KSL_MULF(Jj->Iyy, D_ij->m21) + KSL_MULF(Jj->Ixy, D_ij->m20)
+          + KSL_MULF(Jj->Iyz, D_ij->m22),
+      RI_8 = KSL_MULF(Jj->Izz, D_ij->m22) + KSL_MULF(Jj->Iyz, D_ij->m21)
+          + KSL_MULF(Jj->Izx, D_ij->m20);
+  const float Ji_1_new = Ji->mt.x + KSL_MULF(Jj->m, c_0),
+      Ji_2_new = Ji->mt.y + KSL_MULF(Jj->m, c_1), Ji_3_new = Ji->mt.z + KSL_MULF(Jj->m, c_2),
+      Ji_4_new = Ji->Ixx
+          + (KSL_MULF(D_ij->m00, RI_0) + KSL_MULF(D_ij->m01, RI_1) + KSL_MULF(D_ij->m02, RI_2))
+          + (squares_1 + squares_2),
+      Ji_5_new = Ji->Iyy
+          + (KSL_MULF(D_ij->m10, RI_3) + KSL_MULF(D_ij->m11, RI_4) + KSL_MULF(D_ij->m12, RI_5))
+          + (squares_0 + squares_2),
+      Ji_6_new = Ji->Izz
+          + (KSL_MULF(D_ij->m20, RI_6) + KSL_MULF(D_ij->m21, RI_7) + KSL_MULF(D_ij->m22, RI_8))
+          + (squares_0 + squares_1),
+      Ji_7_new = Ji->Ixy
+          + (KSL_MULF(D_ij->m10, RI_0) + KSL_MULF(D_ij->m11, RI_1) + KSL_MULF(D_ij->m12, RI_2))
+          - KSL_MULF(d_1, p_0),
+      Ji_8_new = Ji->Iyz
+          + (KSL_MULF(D_ij->m20, RI_3) + KSL_MULF(D_ij->m21, RI_4) + KSL_MULF(D_ij->m22, RI_5))
+          - KSL_MULF(d_2, p_1),
+      Ji_9_new = Ji->Izx
+          + (KSL_MULF(D_ij->m20, RI_0) + KSL_MULF(D_ij->m21, RI_1) + KSL_MULF(D_ij->m22, RI_2))
+          - KSL_MULF(d_2, p_0);
   Ji->m = m;
   Ji->mt.x = Ji_1_new;
   Ji->mt.y = Ji_2_new;

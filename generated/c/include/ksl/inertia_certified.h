@@ -17,15 +17,10 @@
 static inline ksl_inertia_t ksl_inertia_certified(const double m, const ksl_vec3_t t,
     const double Ixx, const double Iyy, const double Izz, const double Ixy,
     const double Iyz, const double Izx, ksl_inertia_t *J_bound) {
-  const double J_1 = KSL_MUL(m, t.x);
-  const double J_2 = KSL_MUL(m, t.y);
-  const double J_3 = KSL_MUL(m, t.z);
-  const double J_1_abs = fabs(J_1), J_1_padded = J_1_abs + 2.004168360008973e-292,
-      J_1_error_bound = KSL_MUL(1.1102230246251568e-16, J_1_padded);
-  const double J_2_abs = fabs(J_2), J_2_padded = J_2_abs + 2.004168360008973e-292,
-      J_2_error_bound = KSL_MUL(1.1102230246251568e-16, J_2_padded);
-  const double J_3_abs = fabs(J_3), J_3_padded = J_3_abs + 2.004168360008973e-292,
-      J_3_error_bound = KSL_MUL(1.1102230246251568e-16, J_3_padded);
+  const double J_1 = KSL_MUL(m, t.x), J_2 = KSL_MUL(m, t.y), J_3 = KSL_MUL(m, t.z);
+  const double J_1_bound = KSL_MUL(1.1102230246251568e-16, fabs(J_1) + 2.004168360008973e-292),
+      J_2_bound = KSL_MUL(1.1102230246251568e-16, fabs(J_2) + 2.004168360008973e-292),
+      J_3_bound = KSL_MUL(1.1102230246251568e-16, fabs(J_3) + 2.004168360008973e-292);
   ksl_inertia_t J;
   J.m = m;
   J.mt.x = J_1;
@@ -38,9 +33,9 @@ static inline ksl_inertia_t ksl_inertia_certified(const double m, const ksl_vec3
   J.Iyz = Iyz;
   J.Izx = Izx;
   J_bound->m = 0.0;
-  J_bound->mt.x = J_1_error_bound;
-  J_bound->mt.y = J_2_error_bound;
-  J_bound->mt.z = J_3_error_bound;
+  J_bound->mt.x = J_1_bound;
+  J_bound->mt.y = J_2_bound;
+  J_bound->mt.z = J_3_bound;
   J_bound->Ixx = 0.0;
   J_bound->Iyy = 0.0;
   J_bound->Izz = 0.0;
@@ -57,116 +52,79 @@ static inline ksl_inertia_t ksl_inertia_certified(const double m, const ksl_vec3
 static inline void ksl_inertia_rotated_certified(const ksl_inertia_t *Ji, const ksl_mat3x3_t *R,
     ksl_inertia_t *Jo, ksl_inertia_t *Jo_bound) {
   const double RI_0a = KSL_MUL(Ji->Ixx, R->m00), RI_0b = KSL_MUL(Ji->Ixy, R->m01),
-      RI_0c = RI_0a + RI_0b, RI_0d = KSL_MUL(Ji->Izx, R->m02), RI_0 = RI_0c + RI_0d;
+      RI_0d = KSL_MUL(Ji->Izx, R->m02), RI_0 = RI_0a + RI_0b + RI_0d;
   const double RI_1a = KSL_MUL(Ji->Iyy, R->m01), RI_1b = KSL_MUL(Ji->Ixy, R->m00),
-      RI_1c = RI_1a + RI_1b, RI_1d = KSL_MUL(Ji->Iyz, R->m02), RI_1 = RI_1c + RI_1d;
+      RI_1d = KSL_MUL(Ji->Iyz, R->m02), RI_1 = RI_1a + RI_1b + RI_1d;
   const double RI_2a = KSL_MUL(Ji->Izz, R->m02), RI_2b = KSL_MUL(Ji->Iyz, R->m01),
-      RI_2c = RI_2a + RI_2b, RI_2d = KSL_MUL(Ji->Izx, R->m00), RI_2 = RI_2c + RI_2d;
+      RI_2d = KSL_MUL(Ji->Izx, R->m00), RI_2 = RI_2a + RI_2b + RI_2d;
   const double RI_3a = KSL_MUL(Ji->Ixx, R->m10), RI_3b = KSL_MUL(Ji->Ixy, R->m11),
-      RI_3c = RI_3a + RI_3b, RI_3d = KSL_MUL(Ji->Izx, R->m12), RI_3 = RI_3c + RI_3d;
+      RI_3d = KSL_MUL(Ji->Izx, R->m12), RI_3 = RI_3a + RI_3b + RI_3d;
   const double RI_4a = KSL_MUL(Ji->Iyy, R->m11), RI_4b = KSL_MUL(Ji->Ixy, R->m10),
-      RI_4c = RI_4a + RI_4b, RI_4d = KSL_MUL(Ji->Iyz, R->m12), RI_4 = RI_4c + RI_4d;
+      RI_4d = KSL_MUL(Ji->Iyz, R->m12), RI_4 = RI_4a + RI_4b + RI_4d;
   const double RI_5a = KSL_MUL(Ji->Izz, R->m12), RI_5b = KSL_MUL(Ji->Iyz, R->m11),
-      RI_5c = RI_5a + RI_5b, RI_5d = KSL_MUL(Ji->Izx, R->m10), RI_5 = RI_5c + RI_5d;
+      RI_5d = KSL_MUL(Ji->Izx, R->m10), RI_5 = RI_5a + RI_5b + RI_5d;
   const double RI_6a = KSL_MUL(Ji->Ixx, R->m20), RI_6b = KSL_MUL(Ji->Ixy, R->m21),
-      RI_6c = RI_6a + RI_6b, RI_6d = KSL_MUL(Ji->Izx, R->m22), RI_6 = RI_6c + RI_6d;
+      RI_6d = KSL_MUL(Ji->Izx, R->m22), RI_6 = RI_6a + RI_6b + RI_6d;
   const double RI_7a = KSL_MUL(Ji->Iyy, R->m21), RI_7b = KSL_MUL(Ji->Ixy, R->m20),
-      RI_7c = RI_7a + RI_7b, RI_7d = KSL_MUL(Ji->Iyz, R->m22), RI_7 = RI_7c + RI_7d;
+      RI_7d = KSL_MUL(Ji->Iyz, R->m22), RI_7 = RI_7a + RI_7b + RI_7d;
   const double RI_8a = KSL_MUL(Ji->Izz, R->m22), RI_8b = KSL_MUL(Ji->Iyz, R->m21),
-      RI_8c = RI_8a + RI_8b, RI_8d = KSL_MUL(Ji->Izx, R->m20), RI_8 = RI_8c + RI_8d;
+      RI_8d = KSL_MUL(Ji->Izx, R->m20), RI_8 = RI_8a + RI_8b + RI_8d;
   const double Jo_1a = KSL_MUL(Ji->mt.x, R->m00), Jo_1b = KSL_MUL(Ji->mt.y, R->m01),
-      Jo_1c = Jo_1a + Jo_1b, Jo_1d = KSL_MUL(Ji->mt.z, R->m02), Jo_1 = Jo_1c + Jo_1d;
+      Jo_1d = KSL_MUL(Ji->mt.z, R->m02), Jo_1 = Jo_1a + Jo_1b + Jo_1d;
   const double Jo_2a = KSL_MUL(Ji->mt.x, R->m10), Jo_2b = KSL_MUL(Ji->mt.y, R->m11),
-      Jo_2c = Jo_2a + Jo_2b, Jo_2d = KSL_MUL(Ji->mt.z, R->m12), Jo_2 = Jo_2c + Jo_2d;
+      Jo_2d = KSL_MUL(Ji->mt.z, R->m12), Jo_2 = Jo_2a + Jo_2b + Jo_2d;
   const double Jo_3a = KSL_MUL(Ji->mt.x, R->m20), Jo_3b = KSL_MUL(Ji->mt.y, R->m21),
-      Jo_3c = Jo_3a + Jo_3b, Jo_3d = KSL_MUL(Ji->mt.z, R->m22), Jo_3 = Jo_3c + Jo_3d;
-  const double Jo_4a = KSL_MUL(R->m00, RI_0), Jo_4b = KSL_MUL(R->m01, RI_1), Jo_4c = Jo_4a + Jo_4b,
-      Jo_4d = KSL_MUL(R->m02, RI_2), Jo_4 = Jo_4c + Jo_4d;
-  const double Jo_5a = KSL_MUL(R->m10, RI_3), Jo_5b = KSL_MUL(R->m11, RI_4), Jo_5c = Jo_5a + Jo_5b,
-      Jo_5d = KSL_MUL(R->m12, RI_5), Jo_5 = Jo_5c + Jo_5d;
-  const double Jo_6a = KSL_MUL(R->m20, RI_6), Jo_6b = KSL_MUL(R->m21, RI_7), Jo_6c = Jo_6a + Jo_6b,
-      Jo_6d = KSL_MUL(R->m22, RI_8), Jo_6 = Jo_6c + Jo_6d;
-  const double Jo_7a = KSL_MUL(R->m10, RI_0), Jo_7b = KSL_MUL(R->m11, RI_1), Jo_7c = Jo_7a + Jo_7b,
-      Jo_7d = KSL_MUL(R->m12, RI_2), Jo_7 = Jo_7c + Jo_7d;
-  const double Jo_8a = KSL_MUL(R->m20, RI_3), Jo_8b = KSL_MUL(R->m21, RI_4), Jo_8c = Jo_8a + Jo_8b,
-      Jo_8d = KSL_MUL(R->m22, RI_5), Jo_8 = Jo_8c + Jo_8d;
-  const double Jo_9a = KSL_MUL(R->m20, RI_0), Jo_9b = KSL_MUL(R->m21, RI_1), Jo_9c = Jo_9a + Jo_9b,
-      Jo_9d = KSL_MUL(R->m22, RI_2), Jo_9 = Jo_9c + Jo_9d;
-  const double RI_0a_abs = fabs(RI_0a), RI_0b_abs = fabs(RI_0b), RI_0c_size = RI_0a_abs + RI_0b_abs,
-      RI_0d_abs = fabs(RI_0d), RI_0_size = RI_0c_size + RI_0d_abs;
-  const double RI_1a_abs = fabs(RI_1a), RI_1b_abs = fabs(RI_1b), RI_1c_size = RI_1a_abs + RI_1b_abs,
-      RI_1d_abs = fabs(RI_1d), RI_1_size = RI_1c_size + RI_1d_abs;
-  const double RI_2a_abs = fabs(RI_2a), RI_2b_abs = fabs(RI_2b), RI_2c_size = RI_2a_abs + RI_2b_abs,
-      RI_2d_abs = fabs(RI_2d), RI_2_size = RI_2c_size + RI_2d_abs;
-  const double RI_3a_abs = fabs(RI_3a), RI_3b_abs = fabs(RI_3b), RI_3c_size = RI_3a_abs + RI_3b_abs,
-      RI_3d_abs = fabs(RI_3d), RI_3_size = RI_3c_size + RI_3d_abs;
-  const double RI_4a_abs = fabs(RI_4a), RI_4b_abs = fabs(RI_4b), RI_4c_size = RI_4a_abs + RI_4b_abs,
-      RI_4d_abs = fabs(RI_4d), RI_4_size = RI_4c_size + RI_4d_abs;
-  const double RI_5a_abs = fabs(RI_5a), RI_5b_abs = fabs(RI_5b), RI_5c_size = RI_5a_abs + RI_5b_abs,
-      RI_5d_abs = fabs(RI_5d), RI_5_size = RI_5c_size + RI_5d_abs;
-  const double RI_6a_abs = fabs(RI_6a), RI_6b_abs = fabs(RI_6b), RI_6c_size = RI_6a_abs + RI_6b_abs,
-      RI_6d_abs = fabs(RI_6d), RI_6_size = RI_6c_size + RI_6d_abs;
-  const double RI_7a_abs = fabs(RI_7a), RI_7b_abs = fabs(RI_7b), RI_7c_size = RI_7a_abs + RI_7b_abs,
-      RI_7d_abs = fabs(RI_7d), RI_7_size = RI_7c_size + RI_7d_abs;
-  const double RI_8a_abs = fabs(RI_8a), RI_8b_abs = fabs(RI_8b), RI_8c_size = RI_8a_abs + RI_8b_abs,
-      RI_8d_abs = fabs(RI_8d), RI_8_size = RI_8c_size + RI_8d_abs;
-  const double Jo_1a_abs = fabs(Jo_1a), Jo_1b_abs = fabs(Jo_1b), Jo_1c_size = Jo_1a_abs + Jo_1b_abs,
-      Jo_1d_abs = fabs(Jo_1d), Jo_1_size = Jo_1c_size + Jo_1d_abs;
-  const double Jo_2a_abs = fabs(Jo_2a), Jo_2b_abs = fabs(Jo_2b), Jo_2c_size = Jo_2a_abs + Jo_2b_abs,
-      Jo_2d_abs = fabs(Jo_2d), Jo_2_size = Jo_2c_size + Jo_2d_abs;
-  const double Jo_3a_abs = fabs(Jo_3a), Jo_3b_abs = fabs(Jo_3b), Jo_3c_size = Jo_3a_abs + Jo_3b_abs,
-      Jo_3d_abs = fabs(Jo_3d), Jo_3_size = Jo_3c_size + Jo_3d_abs;
-  const double RI_0_padded = RI_0_size + 2.004168360008973e-292;
-  const double R_00_abs = fabs(R->m00), Jo_4a_size = KSL_MUL(R_00_abs, RI_0_padded);
-  const double RI_1_padded = RI_1_size + 2.004168360008973e-292;
-  const double R_01_abs = fabs(R->m01), Jo_4b_size = KSL_MUL(R_01_abs, RI_1_padded),
-      Jo_4c_size = Jo_4a_size + Jo_4b_size;
-  const double RI_2_padded = RI_2_size + 2.004168360008973e-292;
-  const double R_02_abs = fabs(R->m02), Jo_4d_size = KSL_MUL(R_02_abs, RI_2_padded),
-      Jo_4_size = Jo_4c_size + Jo_4d_size;
+      Jo_3d = KSL_MUL(Ji->mt.z, R->m22), Jo_3 = Jo_3a + Jo_3b + Jo_3d;
+  const double Jo_4 = KSL_MUL(R->m00, RI_0) + KSL_MUL(R->m01, RI_1) + KSL_MUL(R->m02, RI_2);
+  const double Jo_5 = KSL_MUL(R->m10, RI_3) + KSL_MUL(R->m11, RI_4) + KSL_MUL(R->m12, RI_5);
+  const double Jo_6 = KSL_MUL(R->m20, RI_6) + KSL_MUL(R->m21, RI_7) + KSL_MUL(R->m22, RI_8),
+      Jo_7 = KSL_MUL(R->m10, RI_0) + KSL_MUL(R->m11, RI_1) + KSL_MUL(R->m12, RI_2),
+      Jo_8 = KSL_MUL(R->m20, RI_3) + KSL_MUL(R->m21, RI_4) + KSL_MUL(R->m22, RI_5),
+      Jo_9 = KSL_MUL(R->m20, RI_0) + KSL_MUL(R->m21, RI_1) + KSL_MUL(R->m22, RI_2);
+  const double RI_0_size = fabs(RI_0a) + fabs(RI_0b) + fabs(RI_0d),
+      RI_1_size = fabs(RI_1a) + fabs(RI_1b) + fabs(RI_1d),
+      RI_2_size = fabs(RI_2a) + fabs(RI_2b) + fabs(RI_2d),
+      RI_3_size = fabs(RI_3a) + fabs(RI_3b) + fabs(RI_3d),
+      RI_4_size = fabs(RI_4a) + fabs(RI_4b) + fabs(RI_4d),
+      RI_5_size = fabs(RI_5a) + fabs(RI_5b) + fabs(RI_5d),
+      RI_6_size = fabs(RI_6a) + fabs(RI_6b) + fabs(RI_6d),
+      RI_7_size = fabs(RI_7a) + fabs(RI_7b) + fabs(RI_7d),
+      RI_8_size = fabs(RI_8a) + fabs(RI_8b) + fabs(RI_8d);
+  const double Jo_1_size = fabs(Jo_1a) + fabs(Jo_1b) + fabs(Jo_1d),
+      Jo_2_size = fabs(Jo_2a) + fabs(Jo_2b) + fabs(Jo_2d),
+      Jo_3_size = fabs(Jo_3a) + fabs(Jo_3b) + fabs(Jo_3d);
+  const double RI_0_padded = RI_0_size + 2.004168360008973e-292,
+      RI_1_padded = RI_1_size + 2.004168360008973e-292,
+      RI_2_padded = RI_2_size + 2.004168360008973e-292;
+  const double Jo_4_size = KSL_MUL(fabs(R->m00), RI_0_padded) + KSL_MUL(fabs(R->m01), RI_1_padded)
+          + KSL_MUL(fabs(R->m02), RI_2_padded);
   const double RI_3_padded = RI_3_size + 2.004168360008973e-292;
-  const double R_10_abs = fabs(R->m10), Jo_5a_size = KSL_MUL(R_10_abs, RI_3_padded);
+  const double R_10_abs = fabs(R->m10);
   const double RI_4_padded = RI_4_size + 2.004168360008973e-292;
-  const double R_11_abs = fabs(R->m11), Jo_5b_size = KSL_MUL(R_11_abs, RI_4_padded),
-      Jo_5c_size = Jo_5a_size + Jo_5b_size;
+  const double R_11_abs = fabs(R->m11);
   const double RI_5_padded = RI_5_size + 2.004168360008973e-292;
-  const double R_12_abs = fabs(R->m12), Jo_5d_size = KSL_MUL(R_12_abs, RI_5_padded),
-      Jo_5_size = Jo_5c_size + Jo_5d_size;
-  const double RI_6_padded = RI_6_size + 2.004168360008973e-292;
-  const double R_20_abs = fabs(R->m20), Jo_6a_size = KSL_MUL(R_20_abs, RI_6_padded);
-  const double RI_7_padded = RI_7_size + 2.004168360008973e-292;
-  const double R_21_abs = fabs(R->m21), Jo_6b_size = KSL_MUL(R_21_abs, RI_7_padded),
-      Jo_6c_size = Jo_6a_size + Jo_6b_size;
-  const double RI_8_padded = RI_8_size + 2.004168360008973e-292;
-  const double R_22_abs = fabs(R->m22), Jo_6d_size = KSL_MUL(R_22_abs, RI_8_padded),
-      Jo_6_size = Jo_6c_size + Jo_6d_size;
-  const double Jo_7a_size = KSL_MUL(R_10_abs, RI_0_padded),
-      Jo_7b_size = KSL_MUL(R_11_abs, RI_1_padded), Jo_7c_size = Jo_7a_size + Jo_7b_size,
-      Jo_7d_size = KSL_MUL(R_12_abs, RI_2_padded), Jo_7_size = Jo_7c_size + Jo_7d_size;
-  const double Jo_8a_size = KSL_MUL(R_20_abs, RI_3_padded),
-      Jo_8b_size = KSL_MUL(R_21_abs, RI_4_padded), Jo_8c_size = Jo_8a_size + Jo_8b_size,
-      Jo_8d_size = KSL_MUL(R_22_abs, RI_5_padded), Jo_8_size = Jo_8c_size + Jo_8d_size;
-  const double Jo_9a_size = KSL_MUL(R_20_abs, RI_0_padded),
-      Jo_9b_size = KSL_MUL(R_21_abs, RI_1_padded), Jo_9c_size = Jo_9a_size + Jo_9b_size,
-      Jo_9d_size = KSL_MUL(R_22_abs, RI_2_padded), Jo_9_size = Jo_9c_size + Jo_9d_size;
-  const double Jo_1_padded = Jo_1_size + 2.004168360008973e-292,
-      Jo_1_error_bound = KSL_MUL(3.3306690738754706e-16, Jo_1_padded);
-  const double Jo_2_padded = Jo_2_size + 2.004168360008973e-292,
-      Jo_2_error_bound = KSL_MUL(3.3306690738754706e-16, Jo_2_padded);
-  const double Jo_3_padded = Jo_3_size + 2.004168360008973e-292,
-      Jo_3_error_bound = KSL_MUL(3.3306690738754706e-16, Jo_3_padded);
-  const double Jo_4_padded = Jo_4_size + 2.004168360008973e-292,
-      Jo_4_error_bound = KSL_MUL(6.661338147750942e-16, Jo_4_padded);
-  const double Jo_5_padded = Jo_5_size + 2.004168360008973e-292,
-      Jo_5_error_bound = KSL_MUL(6.661338147750942e-16, Jo_5_padded);
-  const double Jo_6_padded = Jo_6_size + 2.004168360008973e-292,
-      Jo_6_error_bound = KSL_MUL(6.661338147750942e-16, Jo_6_padded);
-  const double Jo_7_padded = Jo_7_size + 2.004168360008973e-292,
-      Jo_7_error_bound = KSL_MUL(6.661338147750942e-16, Jo_7_padded);
-  const double Jo_8_padded = Jo_8_size + 2.004168360008973e-292,
-      Jo_8_error_bound = KSL_MUL(6.661338147750942e-16, Jo_8_padded);
-  const double Jo_9_padded = Jo_9_size + 2.004168360008973e-292,
-      Jo_9_error_bound = KSL_MUL(6.661338147750942e-16, Jo_9_padded);
+  const double R_12_abs = fabs(R->m12),
+      Jo_5_size = KSL_MUL(R_10_abs, RI_3_padded) + KSL_MUL(R_11_abs, RI_4_padded)
+          + KSL_MUL(R_12_abs, RI_5_padded);
+  const double R_20_abs = fabs(R->m20), R_21_abs = fabs(R->m21), R_22_abs = fabs(R->m22),
+      Jo_6c_size = KSL_MUL(R_20_abs, RI_6_size + 2.004168360008973e-292)
+          + KSL_MUL(R_21_abs, RI_7_size + 2.004168360008973e-292),
+      Jo_6_size = Jo_6c_size + KSL_MUL(R_22_abs, RI_8_size + 2.004168360008973e-292);
+  const double Jo_7_size = KSL_MUL(R_10_abs, RI_0_padded) + KSL_MUL(R_11_abs, RI_1_padded)
+          + KSL_MUL(R_12_abs, RI_2_padded),
+      Jo_8_size = KSL_MUL(R_20_abs, RI_3_padded) + KSL_MUL(R_21_abs, RI_4_padded)
+          + KSL_MUL(R_22_abs, RI_5_padded),
+      Jo_9_size = KSL_MUL(R_20_abs, RI_0_padded) + KSL_MUL(R_21_abs, RI_1_padded)
+          + KSL_MUL(R_22_abs, RI_2_padded);
+  const double Jo_1_bound = KSL_MUL(3.3306690738754706e-16, Jo_1_size + 2.004168360008973e-292),
+      Jo_2_bound = KSL_MUL(3.3306690738754706e-16, Jo_2_size + 2.004168360008973e-292),
+      Jo_3_bound = KSL_MUL(3.3306690738754706e-16, Jo_3_size + 2.004168360008973e-292),
+      Jo_4_bound = KSL_MUL(6.661338147750942e-16, Jo_4_size + 2.004168360008973e-292),
+      Jo_5_bound = KSL_MUL(6.661338147750942e-16, Jo_5_size + 2.004168360008973e-292),
+      Jo_6_bound = KSL_MUL(6.661338147750942e-16, Jo_6_size + 2.004168360008973e-292),
+      Jo_7_bound = KSL_MUL(6.661338147750942e-16, Jo_7_size + 2.004168360008973e-292),
+      Jo_8_bound = KSL_MUL(6.661338147750942e-16, Jo_8_size + 2.004168360008973e-292),
+      Jo_9_bound = KSL_MUL(6.661338147750942e-16, Jo_9_size + 2.004168360008973e-292);
   const double Ji_m = Ji->m;
   Jo->m = Ji_m;
   Jo->mt.x = Jo_1;
@@ -179,15 +137,15 @@ static inline void ksl_inertia_rotated_certified(const ksl_inertia_t *Ji, const 
   Jo->Iyz = Jo_8;
   Jo->Izx = Jo_9;
   Jo_bound->m = 0.0;
-  Jo_bound->mt.x = Jo_1_error_bound;
-  Jo_bound->mt.y = Jo_2_error_bound;
-  Jo_bound->mt.z = Jo_3_error_bound;
-  Jo_bound->Ixx = Jo_4_error_bound;
-  Jo_bound->Iyy = Jo_5_error_bound;
-  Jo_bound->Izz = Jo_6_error_bound;
-  Jo_bound->Ixy = Jo_7_error_bound;
-  Jo_bound->Iyz = Jo_8_error_bound;
-  Jo_bound->Izx = Jo_9_error_bound;
+  Jo_bound->mt.x = Jo_1_bound;
+  Jo_bound->mt.y = Jo_2_bound;
+  Jo_bound->mt.z = Jo_3_bound;
+  Jo_bound->Ixx = Jo_4_bound;
+  Jo_bound->Iyy = Jo_5_bound;
+  Jo_bound->Izz = Jo_6_bound;
+  Jo_bound->Ixy = Jo_7_bound;
+  Jo_bound->Iyz = Jo_8_bound;
+  Jo_bound->Izx = Jo_9_bound;
 }
 
 /* self = self rotated by R: m, R mt, R I R^T; |error of self| <= self_bound unless inf or NaN.
@@ -197,134 +155,83 @@ static inline void ksl_inertia_rotated_certified(const ksl_inertia_t *Ji, const 
 static inline void ksl_inertia_rotate_certified(ksl_inertia_t *self, const ksl_mat3x3_t *R,
     ksl_inertia_t *self_bound) {
   const double RI_0a = KSL_MUL(self->Ixx, R->m00), RI_0b = KSL_MUL(self->Ixy, R->m01),
-      RI_0c = RI_0a + RI_0b, RI_0d = KSL_MUL(self->Izx, R->m02), RI_0 = RI_0c + RI_0d;
+      RI_0d = KSL_MUL(self->Izx, R->m02), RI_0 = RI_0a + RI_0b + RI_0d;
   const double RI_1a = KSL_MUL(self->Iyy, R->m01), RI_1b = KSL_MUL(self->Ixy, R->m00),
-      RI_1c = RI_1a + RI_1b, RI_1d = KSL_MUL(self->Iyz, R->m02), RI_1 = RI_1c + RI_1d;
+      RI_1d = KSL_MUL(self->Iyz, R->m02), RI_1 = RI_1a + RI_1b + RI_1d;
   const double RI_2a = KSL_MUL(self->Izz, R->m02), RI_2b = KSL_MUL(self->Iyz, R->m01),
-      RI_2c = RI_2a + RI_2b, RI_2d = KSL_MUL(self->Izx, R->m00), RI_2 = RI_2c + RI_2d;
+      RI_2d = KSL_MUL(self->Izx, R->m00), RI_2 = RI_2a + RI_2b + RI_2d;
   const double RI_3a = KSL_MUL(self->Ixx, R->m10), RI_3b = KSL_MUL(self->Ixy, R->m11),
-      RI_3c = RI_3a + RI_3b, RI_3d = KSL_MUL(self->Izx, R->m12), RI_3 = RI_3c + RI_3d;
+      RI_3d = KSL_MUL(self->Izx, R->m12), RI_3 = RI_3a + RI_3b + RI_3d;
   const double RI_4a = KSL_MUL(self->Iyy, R->m11), RI_4b = KSL_MUL(self->Ixy, R->m10),
-      RI_4c = RI_4a + RI_4b, RI_4d = KSL_MUL(self->Iyz, R->m12), RI_4 = RI_4c + RI_4d;
+      RI_4d = KSL_MUL(self->Iyz, R->m12), RI_4 = RI_4a + RI_4b + RI_4d;
   const double RI_5a = KSL_MUL(self->Izz, R->m12), RI_5b = KSL_MUL(self->Iyz, R->m11),
-      RI_5c = RI_5a + RI_5b, RI_5d = KSL_MUL(self->Izx, R->m10), RI_5 = RI_5c + RI_5d;
+      RI_5d = KSL_MUL(self->Izx, R->m10), RI_5 = RI_5a + RI_5b + RI_5d;
   const double RI_6a = KSL_MUL(self->Ixx, R->m20), RI_6b = KSL_MUL(self->Ixy, R->m21),
-      RI_6c = RI_6a + RI_6b, RI_6d = KSL_MUL(self->Izx, R->m22), RI_6 = RI_6c + RI_6d;
+      RI_6d = KSL_MUL(self->Izx, R->m22), RI_6 = RI_6a + RI_6b + RI_6d;
   const double RI_7a = KSL_MUL(self->Iyy, R->m21), RI_7b = KSL_MUL(self->Ixy, R->m20),
-      RI_7c = RI_7a + RI_7b, RI_7d = KSL_MUL(self->Iyz, R->m22), RI_7 = RI_7c + RI_7d;
+      RI_7d = KSL_MUL(self->Iyz, R->m22), RI_7 = RI_7a + RI_7b + RI_7d;
   const double RI_8a = KSL_MUL(self->Izz, R->m22), RI_8b = KSL_MUL(self->Iyz, R->m21),
-      RI_8c = RI_8a + RI_8b, RI_8d = KSL_MUL(self->Izx, R->m20), RI_8 = RI_8c + RI_8d;
+      RI_8d = KSL_MUL(self->Izx, R->m20), RI_8 = RI_8a + RI_8b + RI_8d;
   const double self_1_new_a = KSL_MUL(self->mt.x, R->m00),
-      self_1_new_b = KSL_MUL(self->mt.y, R->m01), self_1_new_c = self_1_new_a + self_1_new_b,
-      self_1_new_d = KSL_MUL(self->mt.z, R->m02), self_1_new = self_1_new_c + self_1_new_d;
+      self_1_new_b = KSL_MUL(self->mt.y, R->m01), self_1_new_d = KSL_MUL(self->mt.z, R->m02),
+      self_1_new = self_1_new_a + self_1_new_b + self_1_new_d;
   const double self_2_new_a = KSL_MUL(self->mt.x, R->m10),
-      self_2_new_b = KSL_MUL(self->mt.y, R->m11), self_2_new_c = self_2_new_a + self_2_new_b,
-      self_2_new_d = KSL_MUL(self->mt.z, R->m12), self_2_new = self_2_new_c + self_2_new_d;
+      self_2_new_b = KSL_MUL(self->mt.y, R->m11), self_2_new_d = KSL_MUL(self->mt.z, R->m12),
+      self_2_new = self_2_new_a + self_2_new_b + self_2_new_d;
   const double self_3_new_a = KSL_MUL(self->mt.x, R->m20),
-      self_3_new_b = KSL_MUL(self->mt.y, R->m21), self_3_new_c = self_3_new_a + self_3_new_b,
-      self_3_new_d = KSL_MUL(self->mt.z, R->m22), self_3_new = self_3_new_c + self_3_new_d;
-  const double self_4_new_a = KSL_MUL(R->m00, RI_0), self_4_new_b = KSL_MUL(R->m01, RI_1),
-      self_4_new_c = self_4_new_a + self_4_new_b, self_4_new_d = KSL_MUL(R->m02, RI_2),
-      self_4_new = self_4_new_c + self_4_new_d;
-  const double self_5_new_a = KSL_MUL(R->m10, RI_3), self_5_new_b = KSL_MUL(R->m11, RI_4),
-      self_5_new_c = self_5_new_a + self_5_new_b, self_5_new_d = KSL_MUL(R->m12, RI_5),
-      self_5_new = self_5_new_c + self_5_new_d;
-  const double self_6_new_a = KSL_MUL(R->m20, RI_6), self_6_new_b = KSL_MUL(R->m21, RI_7),
-      self_6_new_c = self_6_new_a + self_6_new_b, self_6_new_d = KSL_MUL(R->m22, RI_8),
-      self_6_new = self_6_new_c + self_6_new_d;
-  const double self_7_new_a = KSL_MUL(R->m10, RI_0), self_7_new_b = KSL_MUL(R->m11, RI_1),
-      self_7_new_c = self_7_new_a + self_7_new_b, self_7_new_d = KSL_MUL(R->m12, RI_2),
-      self_7_new = self_7_new_c + self_7_new_d;
-  const double self_8_new_a = KSL_MUL(R->m20, RI_3), self_8_new_b = KSL_MUL(R->m21, RI_4),
-      self_8_new_c = self_8_new_a + self_8_new_b, self_8_new_d = KSL_MUL(R->m22, RI_5),
-      self_8_new = self_8_new_c + self_8_new_d;
-  const double self_9_new_a = KSL_MUL(R->m20, RI_0), self_9_new_b = KSL_MUL(R->m21, RI_1),
-      self_9_new_c = self_9_new_a + self_9_new_b, self_9_new_d = KSL_MUL(R->m22, RI_2),
-      self_9_new = self_9_new_c + self_9_new_d;
-  const double RI_0a_abs = fabs(RI_0a), RI_0b_abs = fabs(RI_0b), RI_0c_size = RI_0a_abs + RI_0b_abs,
-      RI_0d_abs = fabs(RI_0d), RI_0_size = RI_0c_size + RI_0d_abs;
-  const double RI_1a_abs = fabs(RI_1a), RI_1b_abs = fabs(RI_1b), RI_1c_size = RI_1a_abs + RI_1b_abs,
-      RI_1d_abs = fabs(RI_1d), RI_1_size = RI_1c_size + RI_1d_abs;
-  const double RI_2a_abs = fabs(RI_2a), RI_2b_abs = fabs(RI_2b), RI_2c_size = RI_2a_abs + RI_2b_abs,
-      RI_2d_abs = fabs(RI_2d), RI_2_size = RI_2c_size + RI_2d_abs;
-  const double RI_3a_abs = fabs(RI_3a), RI_3b_abs = fabs(RI_3b), RI_3c_size = RI_3a_abs + RI_3b_abs,
-      RI_3d_abs = fabs(RI_3d), RI_3_size = RI_3c_size + RI_3d_abs;
-  const double RI_4a_abs = fabs(RI_4a), RI_4b_abs = fabs(RI_4b), RI_4c_size = RI_4a_abs + RI_4b_abs,
-      RI_4d_abs = fabs(RI_4d), RI_4_size = RI_4c_size + RI_4d_abs;
-  const double RI_5a_abs = fabs(RI_5a), RI_5b_abs = fabs(RI_5b), RI_5c_size = RI_5a_abs + RI_5b_abs,
-      RI_5d_abs = fabs(RI_5d), RI_5_size = RI_5c_size + RI_5d_abs;
-  const double RI_6a_abs = fabs(RI_6a), RI_6b_abs = fabs(RI_6b), RI_6c_size = RI_6a_abs + RI_6b_abs,
-      RI_6d_abs = fabs(RI_6d), RI_6_size = RI_6c_size + RI_6d_abs;
-  const double RI_7a_abs = fabs(RI_7a), RI_7b_abs = fabs(RI_7b), RI_7c_size = RI_7a_abs + RI_7b_abs,
-      RI_7d_abs = fabs(RI_7d), RI_7_size = RI_7c_size + RI_7d_abs;
-  const double RI_8a_abs = fabs(RI_8a), RI_8b_abs = fabs(RI_8b), RI_8c_size = RI_8a_abs + RI_8b_abs,
-      RI_8d_abs = fabs(RI_8d), RI_8_size = RI_8c_size + RI_8d_abs;
-  const double self_1_new_a_abs = fabs(self_1_new_a), self_1_new_b_abs = fabs(self_1_new_b),
-      self_1_new_c_size = self_1_new_a_abs + self_1_new_b_abs,
-      self_1_new_d_abs = fabs(self_1_new_d), self_1_new_size = self_1_new_c_size + self_1_new_d_abs;
-  const double self_2_new_a_abs = fabs(self_2_new_a), self_2_new_b_abs = fabs(self_2_new_b),
-      self_2_new_c_size = self_2_new_a_abs + self_2_new_b_abs,
-      self_2_new_d_abs = fabs(self_2_new_d), self_2_new_size = self_2_new_c_size + self_2_new_d_abs;
-  const double self_3_new_a_abs = fabs(self_3_new_a), self_3_new_b_abs = fabs(self_3_new_b),
-      self_3_new_c_size = self_3_new_a_abs + self_3_new_b_abs,
-      self_3_new_d_abs = fabs(self_3_new_d), self_3_new_size = self_3_new_c_size + self_3_new_d_abs;
-  const double RI_0_padded = RI_0_size + 2.004168360008973e-292;
-  const double R_00_abs = fabs(R->m00), self_4_new_a_size = KSL_MUL(R_00_abs, RI_0_padded);
-  const double RI_1_padded = RI_1_size + 2.004168360008973e-292;
-  const double R_01_abs = fabs(R->m01), self_4_new_b_size = KSL_MUL(R_01_abs, RI_1_padded),
-      self_4_new_c_size = self_4_new_a_size + self_4_new_b_size;
-  const double RI_2_padded = RI_2_size + 2.004168360008973e-292;
-  const double R_02_abs = fabs(R->m02), self_4_new_d_size = KSL_MUL(R_02_abs, RI_2_padded),
-      self_4_new_size = self_4_new_c_size + self_4_new_d_size;
+      self_3_new_b = KSL_MUL(self->mt.y, R->m21), self_3_new_d = KSL_MUL(self->mt.z, R->m22),
+      self_3_new = self_3_new_a + self_3_new_b + self_3_new_d;
+  const double self_4_new = KSL_MUL(R->m00, RI_0) + KSL_MUL(R->m01, RI_1) + KSL_MUL(R->m02, RI_2);
+  const double self_5_new = KSL_MUL(R->m10, RI_3) + KSL_MUL(R->m11, RI_4) + KSL_MUL(R->m12, RI_5);
+  const double self_6_new = KSL_MUL(R->m20, RI_6) + KSL_MUL(R->m21, RI_7) + KSL_MUL(R->m22, RI_8),
+      self_7_new = KSL_MUL(R->m10, RI_0) + KSL_MUL(R->m11, RI_1) + KSL_MUL(R->m12, RI_2),
+      self_8_new = KSL_MUL(R->m20, RI_3) + KSL_MUL(R->m21, RI_4) + KSL_MUL(R->m22, RI_5),
+      self_9_new = KSL_MUL(R->m20, RI_0) + KSL_MUL(R->m21, RI_1) + KSL_MUL(R->m22, RI_2);
+  const double RI_0_size = fabs(RI_0a) + fabs(RI_0b) + fabs(RI_0d),
+      RI_1_size = fabs(RI_1a) + fabs(RI_1b) + fabs(RI_1d),
+      RI_2_size = fabs(RI_2a) + fabs(RI_2b) + fabs(RI_2d),
+      RI_3_size = fabs(RI_3a) + fabs(RI_3b) + fabs(RI_3d),
+      RI_4_size = fabs(RI_4a) + fabs(RI_4b) + fabs(RI_4d),
+      RI_5_size = fabs(RI_5a) + fabs(RI_5b) + fabs(RI_5d),
+      RI_6_size = fabs(RI_6a) + fabs(RI_6b) + fabs(RI_6d),
+      RI_7_size = fabs(RI_7a) + fabs(RI_7b) + fabs(RI_7d),
+      RI_8_size = fabs(RI_8a) + fabs(RI_8b) + fabs(RI_8d);
+  const double self_1_new_size = fabs(self_1_new_a) + fabs(self_1_new_b) + fabs(self_1_new_d),
+      self_2_new_size = fabs(self_2_new_a) + fabs(self_2_new_b) + fabs(self_2_new_d),
+      self_3_new_size = fabs(self_3_new_a) + fabs(self_3_new_b) + fabs(self_3_new_d);
+  const double RI_0_padded = RI_0_size + 2.004168360008973e-292,
+      RI_1_padded = RI_1_size + 2.004168360008973e-292,
+      RI_2_padded = RI_2_size + 2.004168360008973e-292;
+  const double self_4_new_size = KSL_MUL(fabs(R->m00), RI_0_padded)
+          + KSL_MUL(fabs(R->m01), RI_1_padded) + KSL_MUL(fabs(R->m02), RI_2_padded);
   const double RI_3_padded = RI_3_size + 2.004168360008973e-292;
-  const double R_10_abs = fabs(R->m10), self_5_new_a_size = KSL_MUL(R_10_abs, RI_3_padded);
+  const double R_10_abs = fabs(R->m10);
   const double RI_4_padded = RI_4_size + 2.004168360008973e-292;
-  const double R_11_abs = fabs(R->m11), self_5_new_b_size = KSL_MUL(R_11_abs, RI_4_padded),
-      self_5_new_c_size = self_5_new_a_size + self_5_new_b_size;
+  const double R_11_abs = fabs(R->m11);
   const double RI_5_padded = RI_5_size + 2.004168360008973e-292;
-  const double R_12_abs = fabs(R->m12), self_5_new_d_size = KSL_MUL(R_12_abs, RI_5_padded),
-      self_5_new_size = self_5_new_c_size + self_5_new_d_size;
-  const double RI_6_padded = RI_6_size + 2.004168360008973e-292;
-  const double R_20_abs = fabs(R->m20), self_6_new_a_size = KSL_MUL(R_20_abs, RI_6_padded);
-  const double RI_7_padded = RI_7_size + 2.004168360008973e-292;
-  const double R_21_abs = fabs(R->m21), self_6_new_b_size = KSL_MUL(R_21_abs, RI_7_padded),
-      self_6_new_c_size = self_6_new_a_size + self_6_new_b_size;
-  const double RI_8_padded = RI_8_size + 2.004168360008973e-292;
-  const double R_22_abs = fabs(R->m22), self_6_new_d_size = KSL_MUL(R_22_abs, RI_8_padded),
-      self_6_new_size = self_6_new_c_size + self_6_new_d_size;
-  const double self_7_new_a_size = KSL_MUL(R_10_abs, RI_0_padded),
-      self_7_new_b_size = KSL_MUL(R_11_abs, RI_1_padded),
-      self_7_new_c_size = self_7_new_a_size + self_7_new_b_size,
-      self_7_new_d_size = KSL_MUL(R_12_abs, RI_2_padded),
-      self_7_new_size = self_7_new_c_size + self_7_new_d_size;
-  const double self_8_new_a_size = KSL_MUL(R_20_abs, RI_3_padded),
-      self_8_new_b_size = KSL_MUL(R_21_abs, RI_4_padded),
-      self_8_new_c_size = self_8_new_a_size + self_8_new_b_size,
-      self_8_new_d_size = KSL_MUL(R_22_abs, RI_5_padded),
-      self_8_new_size = self_8_new_c_size + self_8_new_d_size;
-  const double self_9_new_a_size = KSL_MUL(R_20_abs, RI_0_padded),
-      self_9_new_b_size = KSL_MUL(R_21_abs, RI_1_padded),
-      self_9_new_c_size = self_9_new_a_size + self_9_new_b_size,
-      self_9_new_d_size = KSL_MUL(R_22_abs, RI_2_padded),
-      self_9_new_size = self_9_new_c_size + self_9_new_d_size;
-  const double self_1_new_padded = self_1_new_size + 2.004168360008973e-292,
-      self_1_new_error_bound = KSL_MUL(3.3306690738754706e-16, self_1_new_padded);
-  const double self_2_new_padded = self_2_new_size + 2.004168360008973e-292,
-      self_2_new_error_bound = KSL_MUL(3.3306690738754706e-16, self_2_new_padded);
-  const double self_3_new_padded = self_3_new_size + 2.004168360008973e-292,
-      self_3_new_error_bound = KSL_MUL(3.3306690738754706e-16, self_3_new_padded);
-  const double self_4_new_padded = self_4_new_size + 2.004168360008973e-292,
-      self_4_new_error_bound = KSL_MUL(6.661338147750942e-16, self_4_new_padded);
-  const double self_5_new_padded = self_5_new_size + 2.004168360008973e-292,
-      self_5_new_error_bound = KSL_MUL(6.661338147750942e-16, self_5_new_padded);
-  const double self_6_new_padded = self_6_new_size + 2.004168360008973e-292,
-      self_6_new_error_bound = KSL_MUL(6.661338147750942e-16, self_6_new_padded);
-  const double self_7_new_padded = self_7_new_size + 2.004168360008973e-292,
-      self_7_new_error_bound = KSL_MUL(6.661338147750942e-16, self_7_new_padded);
-  const double self_8_new_padded = self_8_new_size + 2.004168360008973e-292,
-      self_8_new_error_bound = KSL_MUL(6.661338147750942e-16, self_8_new_padded);
-  const double self_9_new_padded = self_9_new_size + 2.004168360008973e-292,
-      self_9_new_error_bound = KSL_MUL(6.661338147750942e-16, self_9_new_padded);
+  const double R_12_abs = fabs(R->m12),
+      self_5_new_size = KSL_MUL(R_10_abs, RI_3_padded) + KSL_MUL(R_11_abs, RI_4_padded)
+          + KSL_MUL(R_12_abs, RI_5_padded);
+  const double R_20_abs = fabs(R->m20), R_21_abs = fabs(R->m21), R_22_abs = fabs(R->m22),
+      self_6_new_c_size = KSL_MUL(R_20_abs, RI_6_size + 2.004168360008973e-292)
+          + KSL_MUL(R_21_abs, RI_7_size + 2.004168360008973e-292),
+      self_6_new_size = self_6_new_c_size + KSL_MUL(R_22_abs, RI_8_size + 2.004168360008973e-292);
+  const double self_7_new_size = KSL_MUL(R_10_abs, RI_0_padded) + KSL_MUL(R_11_abs, RI_1_padded)
+          + KSL_MUL(R_12_abs, RI_2_padded),
+      self_8_new_size = KSL_MUL(R_20_abs, RI_3_padded) + KSL_MUL(R_21_abs, RI_4_padded)
+          + KSL_MUL(R_22_abs, RI_5_padded),
+      self_9_new_size = KSL_MUL(R_20_abs, RI_0_padded) + KSL_MUL(R_21_abs, RI_1_padded)
+          + KSL_MUL(R_22_abs, RI_2_padded);
+  const double self_1_new_bound = KSL_MUL(3.3306690738754706e-16, self_1_new_size
+          + 2.004168360008973e-292),
+      self_2_new_bound = KSL_MUL(3.3306690738754706e-16, self_2_new_size + 2.004168360008973e-292),
+      self_3_new_bound = KSL_MUL(3.3306690738754706e-16, self_3_new_size + 2.004168360008973e-292),
+      self_4_new_bound = KSL_MUL(6.661338147750942e-16, self_4_new_size + 2.004168360008973e-292),
+      self_5_new_bound = KSL_MUL(6.661338147750942e-16, self_5_new_size + 2.004168360008973e-292),
+      self_6_new_bound = KSL_MUL(6.661338147750942e-16, self_6_new_size + 2.004168360008973e-292),
+      self_7_new_bound = KSL_MUL(6.661338147750942e-16, self_7_new_size + 2.004168360008973e-292),
+      self_8_new_bound = KSL_MUL(6.661338147750942e-16, self_8_new_size + 2.004168360008973e-292),
+      self_9_new_bound = KSL_MUL(6.661338147750942e-16, self_9_new_size + 2.004168360008973e-292);
   self->mt.x = self_1_new;
   self->mt.y = self_2_new;
   self->mt.z = self_3_new;
@@ -335,15 +242,15 @@ static inline void ksl_inertia_rotate_certified(ksl_inertia_t *self, const ksl_m
   self->Iyz = self_8_new;
   self->Izx = self_9_new;
   self_bound->m = 0.0;
-  self_bound->mt.x = self_1_new_error_bound;
-  self_bound->mt.y = self_2_new_error_bound;
-  self_bound->mt.z = self_3_new_error_bound;
-  self_bound->Ixx = self_4_new_error_bound;
-  self_bound->Iyy = self_5_new_error_bound;
-  self_bound->Izz = self_6_new_error_bound;
-  self_bound->Ixy = self_7_new_error_bound;
-  self_bound->Iyz = self_8_new_error_bound;
-  self_bound->Izx = self_9_new_error_bound;
+  self_bound->mt.x = self_1_new_bound;
+  self_bound->mt.y = self_2_new_bound;
+  self_bound->mt.z = self_3_new_bound;
+  self_bound->Ixx = self_4_new_bound;
+  self_bound->Iyy = self_5_new_bound;
+  self_bound->Izz = self_6_new_bound;
+  self_bound->Ixy = self_7_new_bound;
+  self_bound->Iyz = self_8_new_bound;
+  self_bound->Izx = self_9_new_bound;
 }
 
 /* Jo = Ji translated by t: m, mt + m t, I; |error of Jo| <= Jo_bound unless inf or NaN.
@@ -355,15 +262,11 @@ static inline void ksl_inertia_translated_certified(const ksl_inertia_t *Ji, con
   const double Jo_1a = KSL_MUL(Ji->m, t->x), Jo_1 = Jo_1a + Ji->mt.x;
   const double Jo_2a = KSL_MUL(Ji->m, t->y), Jo_2 = Jo_2a + Ji->mt.y;
   const double Jo_3a = KSL_MUL(Ji->m, t->z), Jo_3 = Jo_3a + Ji->mt.z;
-  const double Jo_1a_abs = fabs(Jo_1a), Ji_1_abs = fabs(Ji->mt.x), Jo_1_size = Jo_1a_abs + Ji_1_abs;
-  const double Jo_2a_abs = fabs(Jo_2a), Ji_2_abs = fabs(Ji->mt.y), Jo_2_size = Jo_2a_abs + Ji_2_abs;
-  const double Jo_3a_abs = fabs(Jo_3a), Ji_3_abs = fabs(Ji->mt.z), Jo_3_size = Jo_3a_abs + Ji_3_abs;
-  const double Jo_1_padded = Jo_1_size + 2.004168360008973e-292,
-      Jo_1_error_bound = KSL_MUL(2.2204460492503136e-16, Jo_1_padded);
-  const double Jo_2_padded = Jo_2_size + 2.004168360008973e-292,
-      Jo_2_error_bound = KSL_MUL(2.2204460492503136e-16, Jo_2_padded);
-  const double Jo_3_padded = Jo_3_size + 2.004168360008973e-292,
-      Jo_3_error_bound = KSL_MUL(2.2204460492503136e-16, Jo_3_padded);
+  const double Jo_1_size = fabs(Jo_1a) + fabs(Ji->mt.x), Jo_2_size = fabs(Jo_2a) + fabs(Ji->mt.y),
+      Jo_3_size = fabs(Jo_3a) + fabs(Ji->mt.z);
+  const double Jo_1_bound = KSL_MUL(2.2204460492503136e-16, Jo_1_size + 2.004168360008973e-292),
+      Jo_2_bound = KSL_MUL(2.2204460492503136e-16, Jo_2_size + 2.004168360008973e-292),
+      Jo_3_bound = KSL_MUL(2.2204460492503136e-16, Jo_3_size + 2.004168360008973e-292);
   const double Ji_m = Ji->m;
   const double Ji_Ixx = Ji->Ixx;
   const double Ji_Iyy = Ji->Iyy;
@@ -382,9 +285,9 @@ static inline void ksl_inertia_translated_certified(const ksl_inertia_t *Ji, con
   Jo->Iyz = Ji_Iyz;
   Jo->Izx = Ji_Izx;
   Jo_bound->m = 0.0;
-  Jo_bound->mt.x = Jo_1_error_bound;
-  Jo_bound->mt.y = Jo_2_error_bound;
-  Jo_bound->mt.z = Jo_3_error_bound;
+  Jo_bound->mt.x = Jo_1_bound;
+  Jo_bound->mt.y = Jo_2_bound;
+  Jo_bound->mt.z = Jo_3_bound;
   Jo_bound->Ixx = 0.0;
   Jo_bound->Iyy = 0.0;
   Jo_bound->Izz = 0.0;
@@ -402,25 +305,20 @@ static inline void ksl_inertia_translate_certified(ksl_inertia_t *self, const ks
   const double self_1_new_a = KSL_MUL(self->m, t->x), self_1_new = self_1_new_a + self->mt.x;
   const double self_2_new_a = KSL_MUL(self->m, t->y), self_2_new = self_2_new_a + self->mt.y;
   const double self_3_new_a = KSL_MUL(self->m, t->z), self_3_new = self_3_new_a + self->mt.z;
-  const double self_1_new_a_abs = fabs(self_1_new_a), self_1_abs = fabs(self->mt.x),
-      self_1_new_size = self_1_new_a_abs + self_1_abs;
-  const double self_2_new_a_abs = fabs(self_2_new_a), self_2_abs = fabs(self->mt.y),
-      self_2_new_size = self_2_new_a_abs + self_2_abs;
-  const double self_3_new_a_abs = fabs(self_3_new_a), self_3_abs = fabs(self->mt.z),
-      self_3_new_size = self_3_new_a_abs + self_3_abs;
-  const double self_1_new_padded = self_1_new_size + 2.004168360008973e-292,
-      self_1_new_error_bound = KSL_MUL(2.2204460492503136e-16, self_1_new_padded);
-  const double self_2_new_padded = self_2_new_size + 2.004168360008973e-292,
-      self_2_new_error_bound = KSL_MUL(2.2204460492503136e-16, self_2_new_padded);
-  const double self_3_new_padded = self_3_new_size + 2.004168360008973e-292,
-      self_3_new_error_bound = KSL_MUL(2.2204460492503136e-16, self_3_new_padded);
+  const double self_1_new_size = fabs(self_1_new_a) + fabs(self->mt.x),
+      self_2_new_size = fabs(self_2_new_a) + fabs(self->mt.y),
+      self_3_new_size = fabs(self_3_new_a) + fabs(self->mt.z);
+  const double self_1_new_bound = KSL_MUL(2.2204460492503136e-16, self_1_new_size
+          + 2.004168360008973e-292),
+      self_2_new_bound = KSL_MUL(2.2204460492503136e-16, self_2_new_size + 2.004168360008973e-292),
+      self_3_new_bound = KSL_MUL(2.2204460492503136e-16, self_3_new_size + 2.004168360008973e-292);
   self->mt.x = self_1_new;
   self->mt.y = self_2_new;
   self->mt.z = self_3_new;
   self_bound->m = 0.0;
-  self_bound->mt.x = self_1_new_error_bound;
-  self_bound->mt.y = self_2_new_error_bound;
-  self_bound->mt.z = self_3_new_error_bound;
+  self_bound->mt.x = self_1_new_bound;
+  self_bound->mt.y = self_2_new_bound;
+  self_bound->mt.z = self_3_new_bound;
   self_bound->Ixx = 0.0;
   self_bound->Iyy = 0.0;
   self_bound->Izz = 0.0;
@@ -437,122 +335,82 @@ static inline void ksl_inertia_translate_certified(ksl_inertia_t *self, const ks
 static inline void ksl_inertia_transformed_certified(const ksl_inertia_t *Ji, const ksl_SE3_t *D,
     ksl_inertia_t *Jo, ksl_inertia_t *Jo_bound) {
   const double RI_0a = KSL_MUL(Ji->Ixx, D->m00), RI_0b = KSL_MUL(Ji->Ixy, D->m01),
-      RI_0c = RI_0a + RI_0b, RI_0d = KSL_MUL(Ji->Izx, D->m02), RI_0 = RI_0c + RI_0d;
+      RI_0d = KSL_MUL(Ji->Izx, D->m02), RI_0 = RI_0a + RI_0b + RI_0d;
   const double RI_1a = KSL_MUL(Ji->Iyy, D->m01), RI_1b = KSL_MUL(Ji->Ixy, D->m00),
-      RI_1c = RI_1a + RI_1b, RI_1d = KSL_MUL(Ji->Iyz, D->m02), RI_1 = RI_1c + RI_1d;
+      RI_1d = KSL_MUL(Ji->Iyz, D->m02), RI_1 = RI_1a + RI_1b + RI_1d;
   const double RI_2a = KSL_MUL(Ji->Izz, D->m02), RI_2b = KSL_MUL(Ji->Iyz, D->m01),
-      RI_2c = RI_2a + RI_2b, RI_2d = KSL_MUL(Ji->Izx, D->m00), RI_2 = RI_2c + RI_2d;
+      RI_2d = KSL_MUL(Ji->Izx, D->m00), RI_2 = RI_2a + RI_2b + RI_2d;
   const double RI_3a = KSL_MUL(Ji->Ixx, D->m10), RI_3b = KSL_MUL(Ji->Ixy, D->m11),
-      RI_3c = RI_3a + RI_3b, RI_3d = KSL_MUL(Ji->Izx, D->m12), RI_3 = RI_3c + RI_3d;
+      RI_3d = KSL_MUL(Ji->Izx, D->m12), RI_3 = RI_3a + RI_3b + RI_3d;
   const double RI_4a = KSL_MUL(Ji->Iyy, D->m11), RI_4b = KSL_MUL(Ji->Ixy, D->m10),
-      RI_4c = RI_4a + RI_4b, RI_4d = KSL_MUL(Ji->Iyz, D->m12), RI_4 = RI_4c + RI_4d;
+      RI_4d = KSL_MUL(Ji->Iyz, D->m12), RI_4 = RI_4a + RI_4b + RI_4d;
   const double RI_5a = KSL_MUL(Ji->Izz, D->m12), RI_5b = KSL_MUL(Ji->Iyz, D->m11),
-      RI_5c = RI_5a + RI_5b, RI_5d = KSL_MUL(Ji->Izx, D->m10), RI_5 = RI_5c + RI_5d;
+      RI_5d = KSL_MUL(Ji->Izx, D->m10), RI_5 = RI_5a + RI_5b + RI_5d;
   const double RI_6a = KSL_MUL(Ji->Ixx, D->m20), RI_6b = KSL_MUL(Ji->Ixy, D->m21),
-      RI_6c = RI_6a + RI_6b, RI_6d = KSL_MUL(Ji->Izx, D->m22), RI_6 = RI_6c + RI_6d;
+      RI_6d = KSL_MUL(Ji->Izx, D->m22), RI_6 = RI_6a + RI_6b + RI_6d;
   const double RI_7a = KSL_MUL(Ji->Iyy, D->m21), RI_7b = KSL_MUL(Ji->Ixy, D->m20),
-      RI_7c = RI_7a + RI_7b, RI_7d = KSL_MUL(Ji->Iyz, D->m22), RI_7 = RI_7c + RI_7d;
+      RI_7d = KSL_MUL(Ji->Iyz, D->m22), RI_7 = RI_7a + RI_7b + RI_7d;
   const double RI_8a = KSL_MUL(Ji->Izz, D->m22), RI_8b = KSL_MUL(Ji->Iyz, D->m21),
-      RI_8c = RI_8a + RI_8b, RI_8d = KSL_MUL(Ji->Izx, D->m20), RI_8 = RI_8c + RI_8d;
+      RI_8d = KSL_MUL(Ji->Izx, D->m20), RI_8 = RI_8a + RI_8b + RI_8d;
   const double Jo_1a = KSL_MUL(Ji->m, D->m03), Jo_1b = KSL_MUL(Ji->mt.x, D->m00),
-      Jo_1c = KSL_MUL(Ji->mt.y, D->m01), Jo_1d = Jo_1b + Jo_1c, Jo_1e = KSL_MUL(Ji->mt.z, D->m02),
-      Jo_1f = Jo_1d + Jo_1e, Jo_1 = Jo_1a + Jo_1f;
+      Jo_1c = KSL_MUL(Ji->mt.y, D->m01), Jo_1e = KSL_MUL(Ji->mt.z, D->m02),
+      Jo_1 = Jo_1a + (Jo_1b + Jo_1c + Jo_1e);
   const double Jo_2a = KSL_MUL(Ji->m, D->m13), Jo_2b = KSL_MUL(Ji->mt.x, D->m10),
-      Jo_2c = KSL_MUL(Ji->mt.y, D->m11), Jo_2d = Jo_2b + Jo_2c, Jo_2e = KSL_MUL(Ji->mt.z, D->m12),
-      Jo_2f = Jo_2d + Jo_2e, Jo_2 = Jo_2a + Jo_2f;
+      Jo_2c = KSL_MUL(Ji->mt.y, D->m11), Jo_2e = KSL_MUL(Ji->mt.z, D->m12),
+      Jo_2 = Jo_2a + (Jo_2b + Jo_2c + Jo_2e);
   const double Jo_3a = KSL_MUL(Ji->m, D->m23), Jo_3b = KSL_MUL(Ji->mt.x, D->m20),
-      Jo_3c = KSL_MUL(Ji->mt.y, D->m21), Jo_3d = Jo_3b + Jo_3c, Jo_3e = KSL_MUL(Ji->mt.z, D->m22),
-      Jo_3f = Jo_3d + Jo_3e, Jo_3 = Jo_3a + Jo_3f;
-  const double Jo_4a = KSL_MUL(D->m00, RI_0), Jo_4b = KSL_MUL(D->m01, RI_1), Jo_4c = Jo_4a + Jo_4b,
-      Jo_4d = KSL_MUL(D->m02, RI_2), Jo_4 = Jo_4c + Jo_4d;
-  const double Jo_5a = KSL_MUL(D->m10, RI_3), Jo_5b = KSL_MUL(D->m11, RI_4), Jo_5c = Jo_5a + Jo_5b,
-      Jo_5d = KSL_MUL(D->m12, RI_5), Jo_5 = Jo_5c + Jo_5d;
-  const double Jo_6a = KSL_MUL(D->m20, RI_6), Jo_6b = KSL_MUL(D->m21, RI_7), Jo_6c = Jo_6a + Jo_6b,
-      Jo_6d = KSL_MUL(D->m22, RI_8), Jo_6 = Jo_6c + Jo_6d;
-  const double Jo_7a = KSL_MUL(D->m10, RI_0), Jo_7b = KSL_MUL(D->m11, RI_1), Jo_7c = Jo_7a + Jo_7b,
-      Jo_7d = KSL_MUL(D->m12, RI_2), Jo_7 = Jo_7c + Jo_7d;
-  const double Jo_8a = KSL_MUL(D->m20, RI_3), Jo_8b = KSL_MUL(D->m21, RI_4), Jo_8c = Jo_8a + Jo_8b,
-      Jo_8d = KSL_MUL(D->m22, RI_5), Jo_8 = Jo_8c + Jo_8d;
-  const double Jo_9a = KSL_MUL(D->m20, RI_0), Jo_9b = KSL_MUL(D->m21, RI_1), Jo_9c = Jo_9a + Jo_9b,
-      Jo_9d = KSL_MUL(D->m22, RI_2), Jo_9 = Jo_9c + Jo_9d;
-  const double RI_0a_abs = fabs(RI_0a), RI_0b_abs = fabs(RI_0b), RI_0c_size = RI_0a_abs + RI_0b_abs,
-      RI_0d_abs = fabs(RI_0d), RI_0_size = RI_0c_size + RI_0d_abs;
-  const double RI_1a_abs = fabs(RI_1a), RI_1b_abs = fabs(RI_1b), RI_1c_size = RI_1a_abs + RI_1b_abs,
-      RI_1d_abs = fabs(RI_1d), RI_1_size = RI_1c_size + RI_1d_abs;
-  const double RI_2a_abs = fabs(RI_2a), RI_2b_abs = fabs(RI_2b), RI_2c_size = RI_2a_abs + RI_2b_abs,
-      RI_2d_abs = fabs(RI_2d), RI_2_size = RI_2c_size + RI_2d_abs;
-  const double RI_3a_abs = fabs(RI_3a), RI_3b_abs = fabs(RI_3b), RI_3c_size = RI_3a_abs + RI_3b_abs,
-      RI_3d_abs = fabs(RI_3d), RI_3_size = RI_3c_size + RI_3d_abs;
-  const double RI_4a_abs = fabs(RI_4a), RI_4b_abs = fabs(RI_4b), RI_4c_size = RI_4a_abs + RI_4b_abs,
-      RI_4d_abs = fabs(RI_4d), RI_4_size = RI_4c_size + RI_4d_abs;
-  const double RI_5a_abs = fabs(RI_5a), RI_5b_abs = fabs(RI_5b), RI_5c_size = RI_5a_abs + RI_5b_abs,
-      RI_5d_abs = fabs(RI_5d), RI_5_size = RI_5c_size + RI_5d_abs;
-  const double RI_6a_abs = fabs(RI_6a), RI_6b_abs = fabs(RI_6b), RI_6c_size = RI_6a_abs + RI_6b_abs,
-      RI_6d_abs = fabs(RI_6d), RI_6_size = RI_6c_size + RI_6d_abs;
-  const double RI_7a_abs = fabs(RI_7a), RI_7b_abs = fabs(RI_7b), RI_7c_size = RI_7a_abs + RI_7b_abs,
-      RI_7d_abs = fabs(RI_7d), RI_7_size = RI_7c_size + RI_7d_abs;
-  const double RI_8a_abs = fabs(RI_8a), RI_8b_abs = fabs(RI_8b), RI_8c_size = RI_8a_abs + RI_8b_abs,
-      RI_8d_abs = fabs(RI_8d), RI_8_size = RI_8c_size + RI_8d_abs;
-  const double Jo_1b_abs = fabs(Jo_1b), Jo_1c_abs = fabs(Jo_1c), Jo_1d_size = Jo_1b_abs + Jo_1c_abs,
-      Jo_1e_abs = fabs(Jo_1e), Jo_1f_size = Jo_1d_size + Jo_1e_abs, Jo_1a_abs = fabs(Jo_1a),
-      Jo_1_size = Jo_1a_abs + Jo_1f_size;
-  const double Jo_2b_abs = fabs(Jo_2b), Jo_2c_abs = fabs(Jo_2c), Jo_2d_size = Jo_2b_abs + Jo_2c_abs,
-      Jo_2e_abs = fabs(Jo_2e), Jo_2f_size = Jo_2d_size + Jo_2e_abs, Jo_2a_abs = fabs(Jo_2a),
-      Jo_2_size = Jo_2a_abs + Jo_2f_size;
-  const double Jo_3b_abs = fabs(Jo_3b), Jo_3c_abs = fabs(Jo_3c), Jo_3d_size = Jo_3b_abs + Jo_3c_abs,
-      Jo_3e_abs = fabs(Jo_3e), Jo_3f_size = Jo_3d_size + Jo_3e_abs, Jo_3a_abs = fabs(Jo_3a),
-      Jo_3_size = Jo_3a_abs + Jo_3f_size;
-  const double RI_0_padded = RI_0_size + 2.004168360008973e-292;
-  const double D_00_abs = fabs(D->m00), Jo_4a_size = KSL_MUL(D_00_abs, RI_0_padded);
-  const double RI_1_padded = RI_1_size + 2.004168360008973e-292;
-  const double D_01_abs = fabs(D->m01), Jo_4b_size = KSL_MUL(D_01_abs, RI_1_padded),
-      Jo_4c_size = Jo_4a_size + Jo_4b_size;
-  const double RI_2_padded = RI_2_size + 2.004168360008973e-292;
-  const double D_02_abs = fabs(D->m02), Jo_4d_size = KSL_MUL(D_02_abs, RI_2_padded),
-      Jo_4_size = Jo_4c_size + Jo_4d_size;
+      Jo_3c = KSL_MUL(Ji->mt.y, D->m21), Jo_3e = KSL_MUL(Ji->mt.z, D->m22),
+      Jo_3 = Jo_3a + (Jo_3b + Jo_3c + Jo_3e);
+  const double Jo_4 = KSL_MUL(D->m00, RI_0) + KSL_MUL(D->m01, RI_1) + KSL_MUL(D->m02, RI_2);
+  const double Jo_5 = KSL_MUL(D->m10, RI_3) + KSL_MUL(D->m11, RI_4) + KSL_MUL(D->m12, RI_5);
+  const double Jo_6 = KSL_MUL(D->m20, RI_6) + KSL_MUL(D->m21, RI_7) + KSL_MUL(D->m22, RI_8),
+      Jo_7 = KSL_MUL(D->m10, RI_0) + KSL_MUL(D->m11, RI_1) + KSL_MUL(D->m12, RI_2),
+      Jo_8 = KSL_MUL(D->m20, RI_3) + KSL_MUL(D->m21, RI_4) + KSL_MUL(D->m22, RI_5),
+      Jo_9 = KSL_MUL(D->m20, RI_0) + KSL_MUL(D->m21, RI_1) + KSL_MUL(D->m22, RI_2);
+  const double RI_0_size = fabs(RI_0a) + fabs(RI_0b) + fabs(RI_0d),
+      RI_1_size = fabs(RI_1a) + fabs(RI_1b) + fabs(RI_1d),
+      RI_2_size = fabs(RI_2a) + fabs(RI_2b) + fabs(RI_2d),
+      RI_3_size = fabs(RI_3a) + fabs(RI_3b) + fabs(RI_3d),
+      RI_4_size = fabs(RI_4a) + fabs(RI_4b) + fabs(RI_4d),
+      RI_5_size = fabs(RI_5a) + fabs(RI_5b) + fabs(RI_5d),
+      RI_6_size = fabs(RI_6a) + fabs(RI_6b) + fabs(RI_6d),
+      RI_7_size = fabs(RI_7a) + fabs(RI_7b) + fabs(RI_7d),
+      RI_8_size = fabs(RI_8a) + fabs(RI_8b) + fabs(RI_8d);
+  const double Jo_1_size = fabs(Jo_1a) + (fabs(Jo_1b) + fabs(Jo_1c) + fabs(Jo_1e)),
+      Jo_2_size = fabs(Jo_2a) + (fabs(Jo_2b) + fabs(Jo_2c) + fabs(Jo_2e)),
+      Jo_3_size = fabs(Jo_3a) + (fabs(Jo_3b) + fabs(Jo_3c) + fabs(Jo_3e));
+  const double RI_0_padded = RI_0_size + 2.004168360008973e-292,
+      RI_1_padded = RI_1_size + 2.004168360008973e-292,
+      RI_2_padded = RI_2_size + 2.004168360008973e-292;
+  const double Jo_4_size = KSL_MUL(fabs(D->m00), RI_0_padded) + KSL_MUL(fabs(D->m01), RI_1_padded)
+          + KSL_MUL(fabs(D->m02), RI_2_padded);
   const double RI_3_padded = RI_3_size + 2.004168360008973e-292;
-  const double D_10_abs = fabs(D->m10), Jo_5a_size = KSL_MUL(D_10_abs, RI_3_padded);
+  const double D_10_abs = fabs(D->m10);
   const double RI_4_padded = RI_4_size + 2.004168360008973e-292;
-  const double D_11_abs = fabs(D->m11), Jo_5b_size = KSL_MUL(D_11_abs, RI_4_padded),
-      Jo_5c_size = Jo_5a_size + Jo_5b_size;
+  const double D_11_abs = fabs(D->m11);
   const double RI_5_padded = RI_5_size + 2.004168360008973e-292;
-  const double D_12_abs = fabs(D->m12), Jo_5d_size = KSL_MUL(D_12_abs, RI_5_padded),
-      Jo_5_size = Jo_5c_size + Jo_5d_size;
-  const double RI_6_padded = RI_6_size + 2.004168360008973e-292;
-  const double D_20_abs = fabs(D->m20), Jo_6a_size = KSL_MUL(D_20_abs, RI_6_padded);
-  const double RI_7_padded = RI_7_size + 2.004168360008973e-292;
-  const double D_21_abs = fabs(D->m21), Jo_6b_size = KSL_MUL(D_21_abs, RI_7_padded),
-      Jo_6c_size = Jo_6a_size + Jo_6b_size;
-  const double RI_8_padded = RI_8_size + 2.004168360008973e-292;
-  const double D_22_abs = fabs(D->m22), Jo_6d_size = KSL_MUL(D_22_abs, RI_8_padded),
-      Jo_6_size = Jo_6c_size + Jo_6d_size;
-  const double Jo_7a_size = KSL_MUL(D_10_abs, RI_0_padded),
-      Jo_7b_size = KSL_MUL(D_11_abs, RI_1_padded), Jo_7c_size = Jo_7a_size + Jo_7b_size,
-      Jo_7d_size = KSL_MUL(D_12_abs, RI_2_padded), Jo_7_size = Jo_7c_size + Jo_7d_size;
-  const double Jo_8a_size = KSL_MUL(D_20_abs, RI_3_padded),
-      Jo_8b_size = KSL_MUL(D_21_abs, RI_4_padded), Jo_8c_size = Jo_8a_size + Jo_8b_size,
-      Jo_8d_size = KSL_MUL(D_22_abs, RI_5_padded), Jo_8_size = Jo_8c_size + Jo_8d_size;
-  const double Jo_9a_size = KSL_MUL(D_20_abs, RI_0_padded),
-      Jo_9b_size = KSL_MUL(D_21_abs, RI_1_padded), Jo_9c_size = Jo_9a_size + Jo_9b_size,
-      Jo_9d_size = KSL_MUL(D_22_abs, RI_2_padded), Jo_9_size = Jo_9c_size + Jo_9d_size;
-  const double Jo_1_padded = Jo_1_size + 2.004168360008973e-292,
-      Jo_1_error_bound = KSL_MUL(4.440892098500628e-16, Jo_1_padded);
-  const double Jo_2_padded = Jo_2_size + 2.004168360008973e-292,
-      Jo_2_error_bound = KSL_MUL(4.440892098500628e-16, Jo_2_padded);
-  const double Jo_3_padded = Jo_3_size + 2.004168360008973e-292,
-      Jo_3_error_bound = KSL_MUL(4.440892098500628e-16, Jo_3_padded);
-  const double Jo_4_padded = Jo_4_size + 2.004168360008973e-292,
-      Jo_4_error_bound = KSL_MUL(6.661338147750942e-16, Jo_4_padded);
-  const double Jo_5_padded = Jo_5_size + 2.004168360008973e-292,
-      Jo_5_error_bound = KSL_MUL(6.661338147750942e-16, Jo_5_padded);
-  const double Jo_6_padded = Jo_6_size + 2.004168360008973e-292,
-      Jo_6_error_bound = KSL_MUL(6.661338147750942e-16, Jo_6_padded);
-  const double Jo_7_padded = Jo_7_size + 2.004168360008973e-292,
-      Jo_7_error_bound = KSL_MUL(6.661338147750942e-16, Jo_7_padded);
-  const double Jo_8_padded = Jo_8_size + 2.004168360008973e-292,
-      Jo_8_error_bound = KSL_MUL(6.661338147750942e-16, Jo_8_padded);
-  const double Jo_9_padded = Jo_9_size + 2.004168360008973e-292,
-      Jo_9_error_bound = KSL_MUL(6.661338147750942e-16, Jo_9_padded);
+  const double D_12_abs = fabs(D->m12),
+      Jo_5_size = KSL_MUL(D_10_abs, RI_3_padded) + KSL_MUL(D_11_abs, RI_4_padded)
+          + KSL_MUL(D_12_abs, RI_5_padded);
+  const double D_20_abs = fabs(D->m20), D_21_abs = fabs(D->m21), D_22_abs = fabs(D->m22),
+      Jo_6c_size = KSL_MUL(D_20_abs, RI_6_size + 2.004168360008973e-292)
+          + KSL_MUL(D_21_abs, RI_7_size + 2.004168360008973e-292),
+      Jo_6_size = Jo_6c_size + KSL_MUL(D_22_abs, RI_8_size + 2.004168360008973e-292);
+  const double Jo_7_size = KSL_MUL(D_10_abs, RI_0_padded) + KSL_MUL(D_11_abs, RI_1_padded)
+          + KSL_MUL(D_12_abs, RI_2_padded),
+      Jo_8_size = KSL_MUL(D_20_abs, RI_3_padded) + KSL_MUL(D_21_abs, RI_4_padded)
+          + KSL_MUL(D_22_abs, RI_5_padded),
+      Jo_9_size = KSL_MUL(D_20_abs, RI_0_padded) + KSL_MUL(D_21_abs, RI_1_padded)
+          + KSL_MUL(D_22_abs, RI_2_padded);
+  const double Jo_1_bound = KSL_MUL(4.440892098500628e-16, Jo_1_size + 2.004168360008973e-292),
+      Jo_2_bound = KSL_MUL(4.440892098500628e-16, Jo_2_size + 2.004168360008973e-292),
+      Jo_3_bound = KSL_MUL(4.440892098500628e-16, Jo_3_size + 2.004168360008973e-292),
+      Jo_4_bound = KSL_MUL(6.661338147750942e-16, Jo_4_size + 2.004168360008973e-292),
+      Jo_5_bound = KSL_MUL(6.661338147750942e-16, Jo_5_size + 2.004168360008973e-292),
+      Jo_6_bound = KSL_MUL(6.661338147750942e-16, Jo_6_size + 2.004168360008973e-292),
+      Jo_7_bound = KSL_MUL(6.661338147750942e-16, Jo_7_size + 2.004168360008973e-292),
+      Jo_8_bound = KSL_MUL(6.661338147750942e-16, Jo_8_size + 2.004168360008973e-292),
+      Jo_9_bound = KSL_MUL(6.661338147750942e-16, Jo_9_size + 2.004168360008973e-292);
   const double Ji_m = Ji->m;
   Jo->m = Ji_m;
   Jo->mt.x = Jo_1;
@@ -565,15 +423,15 @@ static inline void ksl_inertia_transformed_certified(const ksl_inertia_t *Ji, co
   Jo->Iyz = Jo_8;
   Jo->Izx = Jo_9;
   Jo_bound->m = 0.0;
-  Jo_bound->mt.x = Jo_1_error_bound;
-  Jo_bound->mt.y = Jo_2_error_bound;
-  Jo_bound->mt.z = Jo_3_error_bound;
-  Jo_bound->Ixx = Jo_4_error_bound;
-  Jo_bound->Iyy = Jo_5_error_bound;
-  Jo_bound->Izz = Jo_6_error_bound;
-  Jo_bound->Ixy = Jo_7_error_bound;
-  Jo_bound->Iyz = Jo_8_error_bound;
-  Jo_bound->Izx = Jo_9_error_bound;
+  Jo_bound->mt.x = Jo_1_bound;
+  Jo_bound->mt.y = Jo_2_bound;
+  Jo_bound->mt.z = Jo_3_bound;
+  Jo_bound->Ixx = Jo_4_bound;
+  Jo_bound->Iyy = Jo_5_bound;
+  Jo_bound->Izz = Jo_6_bound;
+  Jo_bound->Ixy = Jo_7_bound;
+  Jo_bound->Iyz = Jo_8_bound;
+  Jo_bound->Izx = Jo_9_bound;
 }
 
 /* self = self displaced by D = [R | t]: m, R mt + m t, R I R^T; |error of self| <= self_bound
@@ -584,143 +442,86 @@ static inline void ksl_inertia_transformed_certified(const ksl_inertia_t *Ji, co
 static inline void ksl_inertia_transform_certified(ksl_inertia_t *self, const ksl_SE3_t *D,
     ksl_inertia_t *self_bound) {
   const double RI_0a = KSL_MUL(self->Ixx, D->m00), RI_0b = KSL_MUL(self->Ixy, D->m01),
-      RI_0c = RI_0a + RI_0b, RI_0d = KSL_MUL(self->Izx, D->m02), RI_0 = RI_0c + RI_0d;
+      RI_0d = KSL_MUL(self->Izx, D->m02), RI_0 = RI_0a + RI_0b + RI_0d;
   const double RI_1a = KSL_MUL(self->Iyy, D->m01), RI_1b = KSL_MUL(self->Ixy, D->m00),
-      RI_1c = RI_1a + RI_1b, RI_1d = KSL_MUL(self->Iyz, D->m02), RI_1 = RI_1c + RI_1d;
+      RI_1d = KSL_MUL(self->Iyz, D->m02), RI_1 = RI_1a + RI_1b + RI_1d;
   const double RI_2a = KSL_MUL(self->Izz, D->m02), RI_2b = KSL_MUL(self->Iyz, D->m01),
-      RI_2c = RI_2a + RI_2b, RI_2d = KSL_MUL(self->Izx, D->m00), RI_2 = RI_2c + RI_2d;
+      RI_2d = KSL_MUL(self->Izx, D->m00), RI_2 = RI_2a + RI_2b + RI_2d;
   const double RI_3a = KSL_MUL(self->Ixx, D->m10), RI_3b = KSL_MUL(self->Ixy, D->m11),
-      RI_3c = RI_3a + RI_3b, RI_3d = KSL_MUL(self->Izx, D->m12), RI_3 = RI_3c + RI_3d;
+      RI_3d = KSL_MUL(self->Izx, D->m12), RI_3 = RI_3a + RI_3b + RI_3d;
   const double RI_4a = KSL_MUL(self->Iyy, D->m11), RI_4b = KSL_MUL(self->Ixy, D->m10),
-      RI_4c = RI_4a + RI_4b, RI_4d = KSL_MUL(self->Iyz, D->m12), RI_4 = RI_4c + RI_4d;
+      RI_4d = KSL_MUL(self->Iyz, D->m12), RI_4 = RI_4a + RI_4b + RI_4d;
   const double RI_5a = KSL_MUL(self->Izz, D->m12), RI_5b = KSL_MUL(self->Iyz, D->m11),
-      RI_5c = RI_5a + RI_5b, RI_5d = KSL_MUL(self->Izx, D->m10), RI_5 = RI_5c + RI_5d;
+      RI_5d = KSL_MUL(self->Izx, D->m10), RI_5 = RI_5a + RI_5b + RI_5d;
   const double RI_6a = KSL_MUL(self->Ixx, D->m20), RI_6b = KSL_MUL(self->Ixy, D->m21),
-      RI_6c = RI_6a + RI_6b, RI_6d = KSL_MUL(self->Izx, D->m22), RI_6 = RI_6c + RI_6d;
+      RI_6d = KSL_MUL(self->Izx, D->m22), RI_6 = RI_6a + RI_6b + RI_6d;
   const double RI_7a = KSL_MUL(self->Iyy, D->m21), RI_7b = KSL_MUL(self->Ixy, D->m20),
-      RI_7c = RI_7a + RI_7b, RI_7d = KSL_MUL(self->Iyz, D->m22), RI_7 = RI_7c + RI_7d;
+      RI_7d = KSL_MUL(self->Iyz, D->m22), RI_7 = RI_7a + RI_7b + RI_7d;
   const double RI_8a = KSL_MUL(self->Izz, D->m22), RI_8b = KSL_MUL(self->Iyz, D->m21),
-      RI_8c = RI_8a + RI_8b, RI_8d = KSL_MUL(self->Izx, D->m20), RI_8 = RI_8c + RI_8d;
+      RI_8d = KSL_MUL(self->Izx, D->m20), RI_8 = RI_8a + RI_8b + RI_8d;
   const double self_1_new_a = KSL_MUL(self->m, D->m03), self_1_new_b = KSL_MUL(self->mt.x, D->m00),
-      self_1_new_c = KSL_MUL(self->mt.y, D->m01), self_1_new_d = self_1_new_b + self_1_new_c,
-      self_1_new_e = KSL_MUL(self->mt.z, D->m02), self_1_new_f = self_1_new_d + self_1_new_e,
-      self_1_new = self_1_new_a + self_1_new_f;
+      self_1_new_c = KSL_MUL(self->mt.y, D->m01), self_1_new_e = KSL_MUL(self->mt.z, D->m02),
+      self_1_new = self_1_new_a + (self_1_new_b + self_1_new_c + self_1_new_e);
   const double self_2_new_a = KSL_MUL(self->m, D->m13), self_2_new_b = KSL_MUL(self->mt.x, D->m10),
-      self_2_new_c = KSL_MUL(self->mt.y, D->m11), self_2_new_d = self_2_new_b + self_2_new_c,
-      self_2_new_e = KSL_MUL(self->mt.z, D->m12), self_2_new_f = self_2_new_d + self_2_new_e,
-      self_2_new = self_2_new_a + self_2_new_f;
+      self_2_new_c = KSL_MUL(self->mt.y, D->m11), self_2_new_e = KSL_MUL(self->mt.z, D->m12),
+      self_2_new = self_2_new_a + (self_2_new_b + self_2_new_c + self_2_new_e);
   const double self_3_new_a = KSL_MUL(self->m, D->m23), self_3_new_b = KSL_MUL(self->mt.x, D->m20),
-      self_3_new_c = KSL_MUL(self->mt.y, D->m21), self_3_new_d = self_3_new_b + self_3_new_c,
-      self_3_new_e = KSL_MUL(self->mt.z, D->m22), self_3_new_f = self_3_new_d + self_3_new_e,
-      self_3_new = self_3_new_a + self_3_new_f;
-  const double self_4_new_a = KSL_MUL(D->m00, RI_0), self_4_new_b = KSL_MUL(D->m01, RI_1),
-      self_4_new_c = self_4_new_a + self_4_new_b, self_4_new_d = KSL_MUL(D->m02, RI_2),
-      self_4_new = self_4_new_c + self_4_new_d;
-  const double self_5_new_a = KSL_MUL(D->m10, RI_3), self_5_new_b = KSL_MUL(D->m11, RI_4),
-      self_5_new_c = self_5_new_a + self_5_new_b, self_5_new_d = KSL_MUL(D->m12, RI_5),
-      self_5_new = self_5_new_c + self_5_new_d;
-  const double self_6_new_a = KSL_MUL(D->m20, RI_6), self_6_new_b = KSL_MUL(D->m21, RI_7),
-      self_6_new_c = self_6_new_a + self_6_new_b, self_6_new_d = KSL_MUL(D->m22, RI_8),
-      self_6_new = self_6_new_c + self_6_new_d;
-  const double self_7_new_a = KSL_MUL(D->m10, RI_0), self_7_new_b = KSL_MUL(D->m11, RI_1),
-      self_7_new_c = self_7_new_a + self_7_new_b, self_7_new_d = KSL_MUL(D->m12, RI_2),
-      self_7_new = self_7_new_c + self_7_new_d;
-  const double self_8_new_a = KSL_MUL(D->m20, RI_3), self_8_new_b = KSL_MUL(D->m21, RI_4),
-      self_8_new_c = self_8_new_a + self_8_new_b, self_8_new_d = KSL_MUL(D->m22, RI_5),
-      self_8_new = self_8_new_c + self_8_new_d;
-  const double self_9_new_a = KSL_MUL(D->m20, RI_0), self_9_new_b = KSL_MUL(D->m21, RI_1),
-      self_9_new_c = self_9_new_a + self_9_new_b, self_9_new_d = KSL_MUL(D->m22, RI_2),
-      self_9_new = self_9_new_c + self_9_new_d;
-  const double RI_0a_abs = fabs(RI_0a), RI_0b_abs = fabs(RI_0b), RI_0c_size = RI_0a_abs + RI_0b_abs,
-      RI_0d_abs = fabs(RI_0d), RI_0_size = RI_0c_size + RI_0d_abs;
-  const double RI_1a_abs = fabs(RI_1a), RI_1b_abs = fabs(RI_1b), RI_1c_size = RI_1a_abs + RI_1b_abs,
-      RI_1d_abs = fabs(RI_1d), RI_1_size = RI_1c_size + RI_1d_abs;
-  const double RI_2a_abs = fabs(RI_2a), RI_2b_abs = fabs(RI_2b), RI_2c_size = RI_2a_abs + RI_2b_abs,
-      RI_2d_abs = fabs(RI_2d), RI_2_size = RI_2c_size + RI_2d_abs;
-  const double RI_3a_abs = fabs(RI_3a), RI_3b_abs = fabs(RI_3b), RI_3c_size = RI_3a_abs + RI_3b_abs,
-      RI_3d_abs = fabs(RI_3d), RI_3_size = RI_3c_size + RI_3d_abs;
-  const double RI_4a_abs = fabs(RI_4a), RI_4b_abs = fabs(RI_4b), RI_4c_size = RI_4a_abs + RI_4b_abs,
-      RI_4d_abs = fabs(RI_4d), RI_4_size = RI_4c_size + RI_4d_abs;
-  const double RI_5a_abs = fabs(RI_5a), RI_5b_abs = fabs(RI_5b), RI_5c_size = RI_5a_abs + RI_5b_abs,
-      RI_5d_abs = fabs(RI_5d), RI_5_size = RI_5c_size + RI_5d_abs;
-  const double RI_6a_abs = fabs(RI_6a), RI_6b_abs = fabs(RI_6b), RI_6c_size = RI_6a_abs + RI_6b_abs,
-      RI_6d_abs = fabs(RI_6d), RI_6_size = RI_6c_size + RI_6d_abs;
-  const double RI_7a_abs = fabs(RI_7a), RI_7b_abs = fabs(RI_7b), RI_7c_size = RI_7a_abs + RI_7b_abs,
-      RI_7d_abs = fabs(RI_7d), RI_7_size = RI_7c_size + RI_7d_abs;
-  const double RI_8a_abs = fabs(RI_8a), RI_8b_abs = fabs(RI_8b), RI_8c_size = RI_8a_abs + RI_8b_abs,
-      RI_8d_abs = fabs(RI_8d), RI_8_size = RI_8c_size + RI_8d_abs;
-  const double self_1_new_b_abs = fabs(self_1_new_b), self_1_new_c_abs = fabs(self_1_new_c),
-      self_1_new_d_size = self_1_new_b_abs + self_1_new_c_abs,
-      self_1_new_e_abs = fabs(self_1_new_e),
-      self_1_new_f_size = self_1_new_d_size + self_1_new_e_abs,
-      self_1_new_a_abs = fabs(self_1_new_a), self_1_new_size = self_1_new_a_abs + self_1_new_f_size;
-  const double self_2_new_b_abs = fabs(self_2_new_b), self_2_new_c_abs = fabs(self_2_new_c),
-      self_2_new_d_size = self_2_new_b_abs + self_2_new_c_abs,
-      self_2_new_e_abs = fabs(self_2_new_e),
-      self_2_new_f_size = self_2_new_d_size + self_2_new_e_abs,
-      self_2_new_a_abs = fabs(self_2_new_a), self_2_new_size = self_2_new_a_abs + self_2_new_f_size;
-  const double self_3_new_b_abs = fabs(self_3_new_b), self_3_new_c_abs = fabs(self_3_new_c),
-      self_3_new_d_size = self_3_new_b_abs + self_3_new_c_abs,
-      self_3_new_e_abs = fabs(self_3_new_e),
-      self_3_new_f_size = self_3_new_d_size + self_3_new_e_abs,
-      self_3_new_a_abs = fabs(self_3_new_a), self_3_new_size = self_3_new_a_abs + self_3_new_f_size;
-  const double RI_0_padded = RI_0_size + 2.004168360008973e-292;
-  const double D_00_abs = fabs(D->m00), self_4_new_a_size = KSL_MUL(D_00_abs, RI_0_padded);
-  const double RI_1_padded = RI_1_size + 2.004168360008973e-292;
-  const double D_01_abs = fabs(D->m01), self_4_new_b_size = KSL_MUL(D_01_abs, RI_1_padded),
-      self_4_new_c_size = self_4_new_a_size + self_4_new_b_size;
-  const double RI_2_padded = RI_2_size + 2.004168360008973e-292;
-  const double D_02_abs = fabs(D->m02), self_4_new_d_size = KSL_MUL(D_02_abs, RI_2_padded),
-      self_4_new_size = self_4_new_c_size + self_4_new_d_size;
+      self_3_new_c = KSL_MUL(self->mt.y, D->m21), self_3_new_e = KSL_MUL(self->mt.z, D->m22),
+      self_3_new = self_3_new_a + (self_3_new_b + self_3_new_c + self_3_new_e);
+  const double self_4_new = KSL_MUL(D->m00, RI_0) + KSL_MUL(D->m01, RI_1) + KSL_MUL(D->m02, RI_2);
+  const double self_5_new = KSL_MUL(D->m10, RI_3) + KSL_MUL(D->m11, RI_4) + KSL_MUL(D->m12, RI_5);
+  const double self_6_new = KSL_MUL(D->m20, RI_6) + KSL_MUL(D->m21, RI_7) + KSL_MUL(D->m22, RI_8),
+      self_7_new = KSL_MUL(D->m10, RI_0) + KSL_MUL(D->m11, RI_1) + KSL_MUL(D->m12, RI_2),
+      self_8_new = KSL_MUL(D->m20, RI_3) + KSL_MUL(D->m21, RI_4) + KSL_MUL(D->m22, RI_5),
+      self_9_new = KSL_MUL(D->m20, RI_0) + KSL_MUL(D->m21, RI_1) + KSL_MUL(D->m22, RI_2);
+  const double RI_0_size = fabs(RI_0a) + fabs(RI_0b) + fabs(RI_0d),
+      RI_1_size = fabs(RI_1a) + fabs(RI_1b) + fabs(RI_1d),
+      RI_2_size = fabs(RI_2a) + fabs(RI_2b) + fabs(RI_2d),
+      RI_3_size = fabs(RI_3a) + fabs(RI_3b) + fabs(RI_3d),
+      RI_4_size = fabs(RI_4a) + fabs(RI_4b) + fabs(RI_4d),
+      RI_5_size = fabs(RI_5a) + fabs(RI_5b) + fabs(RI_5d),
+      RI_6_size = fabs(RI_6a) + fabs(RI_6b) + fabs(RI_6d),
+      RI_7_size = fabs(RI_7a) + fabs(RI_7b) + fabs(RI_7d),
+      RI_8_size = fabs(RI_8a) + fabs(RI_8b) + fabs(RI_8d);
+  const double self_1_new_size = fabs(self_1_new_a)
+          + (fabs(self_1_new_b) + fabs(self_1_new_c) + fabs(self_1_new_e)),
+      self_2_new_size = fabs(self_2_new_a)
+          + (fabs(self_2_new_b) + fabs(self_2_new_c) + fabs(self_2_new_e)),
+      self_3_new_size = fabs(self_3_new_a)
+          + (fabs(self_3_new_b) + fabs(self_3_new_c) + fabs(self_3_new_e));
+  const double RI_0_padded = RI_0_size + 2.004168360008973e-292,
+      RI_1_padded = RI_1_size + 2.004168360008973e-292,
+      RI_2_padded = RI_2_size + 2.004168360008973e-292;
+  const double self_4_new_size = KSL_MUL(fabs(D->m00), RI_0_padded)
+          + KSL_MUL(fabs(D->m01), RI_1_padded) + KSL_MUL(fabs(D->m02), RI_2_padded);
   const double RI_3_padded = RI_3_size + 2.004168360008973e-292;
-  const double D_10_abs = fabs(D->m10), self_5_new_a_size = KSL_MUL(D_10_abs, RI_3_padded);
+  const double D_10_abs = fabs(D->m10);
   const double RI_4_padded = RI_4_size + 2.004168360008973e-292;
-  const double D_11_abs = fabs(D->m11), self_5_new_b_size = KSL_MUL(D_11_abs, RI_4_padded),
-      self_5_new_c_size = self_5_new_a_size + self_5_new_b_size;
+  const double D_11_abs = fabs(D->m11);
   const double RI_5_padded = RI_5_size + 2.004168360008973e-292;
-  const double D_12_abs = fabs(D->m12), self_5_new_d_size = KSL_MUL(D_12_abs, RI_5_padded),
-      self_5_new_size = self_5_new_c_size + self_5_new_d_size;
-  const double RI_6_padded = RI_6_size + 2.004168360008973e-292;
-  const double D_20_abs = fabs(D->m20), self_6_new_a_size = KSL_MUL(D_20_abs, RI_6_padded);
-  const double RI_7_padded = RI_7_size + 2.004168360008973e-292;
-  const double D_21_abs = fabs(D->m21), self_6_new_b_size = KSL_MUL(D_21_abs, RI_7_padded),
-      self_6_new_c_size = self_6_new_a_size + self_6_new_b_size;
-  const double RI_8_padded = RI_8_size + 2.004168360008973e-292;
-  const double D_22_abs = fabs(D->m22), self_6_new_d_size = KSL_MUL(D_22_abs, RI_8_padded),
-      self_6_new_size = self_6_new_c_size + self_6_new_d_size;
-  const double self_7_new_a_size = KSL_MUL(D_10_abs, RI_0_padded),
-      self_7_new_b_size = KSL_MUL(D_11_abs, RI_1_padded),
-      self_7_new_c_size = self_7_new_a_size + self_7_new_b_size,
-      self_7_new_d_size = KSL_MUL(D_12_abs, RI_2_padded),
-      self_7_new_size = self_7_new_c_size + self_7_new_d_size;
-  const double self_8_new_a_size = KSL_MUL(D_20_abs, RI_3_padded),
-      self_8_new_b_size = KSL_MUL(D_21_abs, RI_4_padded),
-      self_8_new_c_size = self_8_new_a_size + self_8_new_b_size,
-      self_8_new_d_size = KSL_MUL(D_22_abs, RI_5_padded),
-      self_8_new_size = self_8_new_c_size + self_8_new_d_size;
-  const double self_9_new_a_size = KSL_MUL(D_20_abs, RI_0_padded),
-      self_9_new_b_size = KSL_MUL(D_21_abs, RI_1_padded),
-      self_9_new_c_size = self_9_new_a_size + self_9_new_b_size,
-      self_9_new_d_size = KSL_MUL(D_22_abs, RI_2_padded),
-      self_9_new_size = self_9_new_c_size + self_9_new_d_size;
-  const double self_1_new_padded = self_1_new_size + 2.004168360008973e-292,
-      self_1_new_error_bound = KSL_MUL(4.440892098500628e-16, self_1_new_padded);
-  const double self_2_new_padded = self_2_new_size + 2.004168360008973e-292,
-      self_2_new_error_bound = KSL_MUL(4.440892098500628e-16, self_2_new_padded);
-  const double self_3_new_padded = self_3_new_size + 2.004168360008973e-292,
-      self_3_new_error_bound = KSL_MUL(4.440892098500628e-16, self_3_new_padded);
-  const double self_4_new_padded = self_4_new_size + 2.004168360008973e-292,
-      self_4_new_error_bound = KSL_MUL(6.661338147750942e-16, self_4_new_padded);
-  const double self_5_new_padded = self_5_new_size + 2.004168360008973e-292,
-      self_5_new_error_bound = KSL_MUL(6.661338147750942e-16, self_5_new_padded);
-  const double self_6_new_padded = self_6_new_size + 2.004168360008973e-292,
-      self_6_new_error_bound = KSL_MUL(6.661338147750942e-16, self_6_new_padded);
-  const double self_7_new_padded = self_7_new_size + 2.004168360008973e-292,
-      self_7_new_error_bound = KSL_MUL(6.661338147750942e-16, self_7_new_padded);
-  const double self_8_new_padded = self_8_new_size + 2.004168360008973e-292,
-      self_8_new_error_bound = KSL_MUL(6.661338147750942e-16, self_8_new_padded);
-  const double self_9_new_padded = self_9_new_size + 2.004168360008973e-292,
-      self_9_new_error_bound = KSL_MUL(6.661338147750942e-16, self_9_new_padded);
+  const double D_12_abs = fabs(D->m12),
+      self_5_new_size = KSL_MUL(D_10_abs, RI_3_padded) + KSL_MUL(D_11_abs, RI_4_padded)
+          + KSL_MUL(D_12_abs, RI_5_padded);
+  const double D_20_abs = fabs(D->m20), D_21_abs = fabs(D->m21), D_22_abs = fabs(D->m22),
+      self_6_new_c_size = KSL_MUL(D_20_abs, RI_6_size + 2.004168360008973e-292)
+          + KSL_MUL(D_21_abs, RI_7_size + 2.004168360008973e-292),
+      self_6_new_size = self_6_new_c_size + KSL_MUL(D_22_abs, RI_8_size + 2.004168360008973e-292);
+  const double self_7_new_size = KSL_MUL(D_10_abs, RI_0_padded) + KSL_MUL(D_11_abs, RI_1_padded)
+          + KSL_MUL(D_12_abs, RI_2_padded),
+      self_8_new_size = KSL_MUL(D_20_abs, RI_3_padded) + KSL_MUL(D_21_abs, RI_4_padded)
+          + KSL_MUL(D_22_abs, RI_5_padded),
+      self_9_new_size = KSL_MUL(D_20_abs, RI_0_padded) + KSL_MUL(D_21_abs, RI_1_padded)
+          + KSL_MUL(D_22_abs, RI_2_padded);
+  const double self_1_new_bound = KSL_MUL(4.440892098500628e-16, self_1_new_size
+          + 2.004168360008973e-292),
+      self_2_new_bound = KSL_MUL(4.440892098500628e-16, self_2_new_size + 2.004168360008973e-292),
+      self_3_new_bound = KSL_MUL(4.440892098500628e-16, self_3_new_size + 2.004168360008973e-292),
+      self_4_new_bound = KSL_MUL(6.661338147750942e-16, self_4_new_size + 2.004168360008973e-292),
+      self_5_new_bound = KSL_MUL(6.661338147750942e-16, self_5_new_size + 2.004168360008973e-292),
+      self_6_new_bound = KSL_MUL(6.661338147750942e-16, self_6_new_size + 2.004168360008973e-292),
+      self_7_new_bound = KSL_MUL(6.661338147750942e-16, self_7_new_size + 2.004168360008973e-292),
+      self_8_new_bound = KSL_MUL(6.661338147750942e-16, self_8_new_size + 2.004168360008973e-292),
+      self_9_new_bound = KSL_MUL(6.661338147750942e-16, self_9_new_size + 2.004168360008973e-292);
   self->mt.x = self_1_new;
   self->mt.y = self_2_new;
   self->mt.z = self_3_new;
@@ -731,15 +532,15 @@ static inline void ksl_inertia_transform_certified(ksl_inertia_t *self, const ks
   self->Iyz = self_8_new;
   self->Izx = self_9_new;
   self_bound->m = 0.0;
-  self_bound->mt.x = self_1_new_error_bound;
-  self_bound->mt.y = self_2_new_error_bound;
-  self_bound->mt.z = self_3_new_error_bound;
-  self_bound->Ixx = self_4_new_error_bound;
-  self_bound->Iyy = self_5_new_error_bound;
-  self_bound->Izz = self_6_new_error_bound;
-  self_bound->Ixy = self_7_new_error_bound;
-  self_bound->Iyz = self_8_new_error_bound;
-  self_bound->Izx = self_9_new_error_bound;
+  self_bound->mt.x = self_1_new_bound;
+  self_bound->mt.y = self_2_new_bound;
+  self_bound->mt.z = self_3_new_bound;
+  self_bound->Ixx = self_4_new_bound;
+  self_bound->Iyy = self_5_new_bound;
+  self_bound->Izz = self_6_new_bound;
+  self_bound->Ixy = self_7_new_bound;
+  self_bound->Iyz = self_8_new_bound;
+  self_bound->Izx = self_9_new_bound;
 }
 
 /* J = (m; m t; Ixx, Iyy, Izz, Ixy, Iyz, Izx): mass, centre of mass t in m, entries of the
@@ -751,15 +552,10 @@ static inline void ksl_inertia_transform_certified(ksl_inertia_t *self, const ks
 static inline ksl_inertiaf_t ksl_inertiaf_certified(const float m, const ksl_vec3f_t t,
     const float Ixx, const float Iyy, const float Izz, const float Ixy,
     const float Iyz, const float Izx, ksl_inertiaf_t *J_bound) {
-  const float J_1 = KSL_MULF(m, t.x);
-  const float J_2 = KSL_MULF(m, t.y);
-  const float J_3 = KSL_MULF(m, t.z);
-  const float J_1_abs = fabsf(J_1), J_1_padded = J_1_abs + 1.9721523e-31f,
-      J_1_error_bound = KSL_MULF(5.960465e-08f, J_1_padded);
-  const float J_2_abs = fabsf(J_2), J_2_padded = J_2_abs + 1.9721523e-31f,
-      J_2_error_bound = KSL_MULF(5.960465e-08f, J_2_padded);
-  const float J_3_abs = fabsf(J_3), J_3_padded = J_3_abs + 1.9721523e-31f,
-      J_3_error_bound = KSL_MULF(5.960465e-08f, J_3_padded);
+  const float J_1 = KSL_MULF(m, t.x), J_2 = KSL_MULF(m, t.y), J_3 = KSL_MULF(m, t.z);
+  const float J_1_bound = KSL_MULF(5.960465e-08f, fabsf(J_1) + 1.9721523e-31f),
+      J_2_bound = KSL_MULF(5.960465e-08f, fabsf(J_2) + 1.9721523e-31f),
+      J_3_bound = KSL_MULF(5.960465e-08f, fabsf(J_3) + 1.9721523e-31f);
   ksl_inertiaf_t J;
   J.m = m;
   J.mt.x = J_1;
@@ -772,9 +568,9 @@ static inline ksl_inertiaf_t ksl_inertiaf_certified(const float m, const ksl_vec
   J.Iyz = Iyz;
   J.Izx = Izx;
   J_bound->m = 0.0f;
-  J_bound->mt.x = J_1_error_bound;
-  J_bound->mt.y = J_2_error_bound;
-  J_bound->mt.z = J_3_error_bound;
+  J_bound->mt.x = J_1_bound;
+  J_bound->mt.y = J_2_bound;
+  J_bound->mt.z = J_3_bound;
   J_bound->Ixx = 0.0f;
   J_bound->Iyy = 0.0f;
   J_bound->Izz = 0.0f;
@@ -791,128 +587,78 @@ static inline ksl_inertiaf_t ksl_inertiaf_certified(const float m, const ksl_vec
 static inline void ksl_inertiaf_rotated_certified(const ksl_inertiaf_t *Ji,
     const ksl_mat3x3f_t *R, ksl_inertiaf_t *Jo, ksl_inertiaf_t *Jo_bound) {
   const float RI_0a = KSL_MULF(Ji->Ixx, R->m00), RI_0b = KSL_MULF(Ji->Ixy, R->m01),
-      RI_0c = RI_0a + RI_0b, RI_0d = KSL_MULF(Ji->Izx, R->m02), RI_0 = RI_0c + RI_0d;
+      RI_0d = KSL_MULF(Ji->Izx, R->m02), RI_0 = RI_0a + RI_0b + RI_0d;
   const float RI_1a = KSL_MULF(Ji->Iyy, R->m01), RI_1b = KSL_MULF(Ji->Ixy, R->m00),
-      RI_1c = RI_1a + RI_1b, RI_1d = KSL_MULF(Ji->Iyz, R->m02), RI_1 = RI_1c + RI_1d;
+      RI_1d = KSL_MULF(Ji->Iyz, R->m02), RI_1 = RI_1a + RI_1b + RI_1d;
   const float RI_2a = KSL_MULF(Ji->Izz, R->m02), RI_2b = KSL_MULF(Ji->Iyz, R->m01),
-      RI_2c = RI_2a + RI_2b, RI_2d = KSL_MULF(Ji->Izx, R->m00), RI_2 = RI_2c + RI_2d;
+      RI_2d = KSL_MULF(Ji->Izx, R->m00), RI_2 = RI_2a + RI_2b + RI_2d;
   const float RI_3a = KSL_MULF(Ji->Ixx, R->m10), RI_3b = KSL_MULF(Ji->Ixy, R->m11),
-      RI_3c = RI_3a + RI_3b, RI_3d = KSL_MULF(Ji->Izx, R->m12), RI_3 = RI_3c + RI_3d;
+      RI_3d = KSL_MULF(Ji->Izx, R->m12), RI_3 = RI_3a + RI_3b + RI_3d;
   const float RI_4a = KSL_MULF(Ji->Iyy, R->m11), RI_4b = KSL_MULF(Ji->Ixy, R->m10),
-      RI_4c = RI_4a + RI_4b, RI_4d = KSL_MULF(Ji->Iyz, R->m12), RI_4 = RI_4c + RI_4d;
+      RI_4d = KSL_MULF(Ji->Iyz, R->m12), RI_4 = RI_4a + RI_4b + RI_4d;
   const float RI_5a = KSL_MULF(Ji->Izz, R->m12), RI_5b = KSL_MULF(Ji->Iyz, R->m11),
-      RI_5c = RI_5a + RI_5b, RI_5d = KSL_MULF(Ji->Izx, R->m10), RI_5 = RI_5c + RI_5d;
+      RI_5d = KSL_MULF(Ji->Izx, R->m10), RI_5 = RI_5a + RI_5b + RI_5d;
   const float RI_6a = KSL_MULF(Ji->Ixx, R->m20), RI_6b = KSL_MULF(Ji->Ixy, R->m21),
-      RI_6c = RI_6a + RI_6b, RI_6d = KSL_MULF(Ji->Izx, R->m22), RI_6 = RI_6c + RI_6d;
+      RI_6d = KSL_MULF(Ji->Izx, R->m22), RI_6 = RI_6a + RI_6b + RI_6d;
   const float RI_7a = KSL_MULF(Ji->Iyy, R->m21), RI_7b = KSL_MULF(Ji->Ixy, R->m20),
-      RI_7c = RI_7a + RI_7b, RI_7d = KSL_MULF(Ji->Iyz, R->m22), RI_7 = RI_7c + RI_7d;
+      RI_7d = KSL_MULF(Ji->Iyz, R->m22), RI_7 = RI_7a + RI_7b + RI_7d;
   const float RI_8a = KSL_MULF(Ji->Izz, R->m22), RI_8b = KSL_MULF(Ji->Iyz, R->m21),
-      RI_8c = RI_8a + RI_8b, RI_8d = KSL_MULF(Ji->Izx, R->m20), RI_8 = RI_8c + RI_8d;
+      RI_8d = KSL_MULF(Ji->Izx, R->m20), RI_8 = RI_8a + RI_8b + RI_8d;
   const float Jo_1a = KSL_MULF(Ji->mt.x, R->m00), Jo_1b = KSL_MULF(Ji->mt.y, R->m01),
-      Jo_1c = Jo_1a + Jo_1b, Jo_1d = KSL_MULF(Ji->mt.z, R->m02), Jo_1 = Jo_1c + Jo_1d;
+      Jo_1d = KSL_MULF(Ji->mt.z, R->m02), Jo_1 = Jo_1a + Jo_1b + Jo_1d;
   const float Jo_2a = KSL_MULF(Ji->mt.x, R->m10), Jo_2b = KSL_MULF(Ji->mt.y, R->m11),
-      Jo_2c = Jo_2a + Jo_2b, Jo_2d = KSL_MULF(Ji->mt.z, R->m12), Jo_2 = Jo_2c + Jo_2d;
+      Jo_2d = KSL_MULF(Ji->mt.z, R->m12), Jo_2 = Jo_2a + Jo_2b + Jo_2d;
   const float Jo_3a = KSL_MULF(Ji->mt.x, R->m20), Jo_3b = KSL_MULF(Ji->mt.y, R->m21),
-      Jo_3c = Jo_3a + Jo_3b, Jo_3d = KSL_MULF(Ji->mt.z, R->m22), Jo_3 = Jo_3c + Jo_3d;
-  const float Jo_4a = KSL_MULF(R->m00, RI_0), Jo_4b = KSL_MULF(R->m01, RI_1), Jo_4c = Jo_4a + Jo_4b,
-      Jo_4d = KSL_MULF(R->m02, RI_2), Jo_4 = Jo_4c + Jo_4d;
-  const float Jo_5a = KSL_MULF(R->m10, RI_3), Jo_5b = KSL_MULF(R->m11, RI_4), Jo_5c = Jo_5a + Jo_5b,
-      Jo_5d = KSL_MULF(R->m12, RI_5), Jo_5 = Jo_5c + Jo_5d;
-  const float Jo_6a = KSL_MULF(R->m20, RI_6), Jo_6b = KSL_MULF(R->m21, RI_7), Jo_6c = Jo_6a + Jo_6b,
-      Jo_6d = KSL_MULF(R->m22, RI_8), Jo_6 = Jo_6c + Jo_6d;
-  const float Jo_7a = KSL_MULF(R->m10, RI_0), Jo_7b = KSL_MULF(R->m11, RI_1), Jo_7c = Jo_7a + Jo_7b,
-      Jo_7d = KSL_MULF(R->m12, RI_2), Jo_7 = Jo_7c + Jo_7d;
-  const float Jo_8a = KSL_MULF(R->m20, RI_3), Jo_8b = KSL_MULF(R->m21, RI_4), Jo_8c = Jo_8a + Jo_8b,
-      Jo_8d = KSL_MULF(R->m22, RI_5), Jo_8 = Jo_8c + Jo_8d;
-  const float Jo_9a = KSL_MULF(R->m20, RI_0), Jo_9b = KSL_MULF(R->m21, RI_1), Jo_9c = Jo_9a + Jo_9b,
-      Jo_9d = KSL_MULF(R->m22, RI_2), Jo_9 = Jo_9c + Jo_9d;
-  const float RI_0a_abs = fabsf(RI_0a), RI_0b_abs = fabsf(RI_0b),
-      RI_0c_size = RI_0a_abs + RI_0b_abs, RI_0d_abs = fabsf(RI_0d),
-      RI_0_size = RI_0c_size + RI_0d_abs;
-  const float RI_1a_abs = fabsf(RI_1a), RI_1b_abs = fabsf(RI_1b),
-      RI_1c_size = RI_1a_abs + RI_1b_abs, RI_1d_abs = fabsf(RI_1d),
-      RI_1_size = RI_1c_size + RI_1d_abs;
-  const float RI_2a_abs = fabsf(RI_2a), RI_2b_abs = fabsf(RI_2b),
-      RI_2c_size = RI_2a_abs + RI_2b_abs, RI_2d_abs = fabsf(RI_2d),
-      RI_2_size = RI_2c_size + RI_2d_abs;
-  const float RI_3a_abs = fabsf(RI_3a), RI_3b_abs = fabsf(RI_3b),
-      RI_3c_size = RI_3a_abs + RI_3b_abs, RI_3d_abs = fabsf(RI_3d),
-      RI_3_size = RI_3c_size + RI_3d_abs;
-  const float RI_4a_abs = fabsf(RI_4a), RI_4b_abs = fabsf(RI_4b),
-      RI_4c_size = RI_4a_abs + RI_4b_abs, RI_4d_abs = fabsf(RI_4d),
-      RI_4_size = RI_4c_size + RI_4d_abs;
-  const float RI_5a_abs = fabsf(RI_5a), RI_5b_abs = fabsf(RI_5b),
-      RI_5c_size = RI_5a_abs + RI_5b_abs, RI_5d_abs = fabsf(RI_5d),
-      RI_5_size = RI_5c_size + RI_5d_abs;
-  const float RI_6a_abs = fabsf(RI_6a), RI_6b_abs = fabsf(RI_6b),
-      RI_6c_size = RI_6a_abs + RI_6b_abs, RI_6d_abs = fabsf(RI_6d),
-      RI_6_size = RI_6c_size + RI_6d_abs;
-  const float RI_7a_abs = fabsf(RI_7a), RI_7b_abs = fabsf(RI_7b),
-      RI_7c_size = RI_7a_abs + RI_7b_abs, RI_7d_abs = fabsf(RI_7d),
-      RI_7_size = RI_7c_size + RI_7d_abs;
-  const float RI_8a_abs = fabsf(RI_8a), RI_8b_abs = fabsf(RI_8b),
-      RI_8c_size = RI_8a_abs + RI_8b_abs, RI_8d_abs = fabsf(RI_8d),
-      RI_8_size = RI_8c_size + RI_8d_abs;
-  const float Jo_1a_abs = fabsf(Jo_1a), Jo_1b_abs = fabsf(Jo_1b),
-      Jo_1c_size = Jo_1a_abs + Jo_1b_abs, Jo_1d_abs = fabsf(Jo_1d),
-      Jo_1_size = Jo_1c_size + Jo_1d_abs;
-  const float Jo_2a_abs = fabsf(Jo_2a), Jo_2b_abs = fabsf(Jo_2b),
-      Jo_2c_size = Jo_2a_abs + Jo_2b_abs, Jo_2d_abs = fabsf(Jo_2d),
-      Jo_2_size = Jo_2c_size + Jo_2d_abs;
-  const float Jo_3a_abs = fabsf(Jo_3a), Jo_3b_abs = fabsf(Jo_3b),
-      Jo_3c_size = Jo_3a_abs + Jo_3b_abs, Jo_3d_abs = fabsf(Jo_3d),
-      Jo_3_size = Jo_3c_size + Jo_3d_abs;
-  const float RI_0_padded = RI_0_size + 1.9721523e-31f;
-  const float R_00_abs = fabsf(R->m00), Jo_4a_size = KSL_MULF(R_00_abs, RI_0_padded);
-  const float RI_1_padded = RI_1_size + 1.9721523e-31f;
-  const float R_01_abs = fabsf(R->m01), Jo_4b_size = KSL_MULF(R_01_abs, RI_1_padded),
-      Jo_4c_size = Jo_4a_size + Jo_4b_size;
-  const float RI_2_padded = RI_2_size + 1.9721523e-31f;
-  const float R_02_abs = fabsf(R->m02), Jo_4d_size = KSL_MULF(R_02_abs, RI_2_padded),
-      Jo_4_size = Jo_4c_size + Jo_4d_size;
+      Jo_3d = KSL_MULF(Ji->mt.z, R->m22), Jo_3 = Jo_3a + Jo_3b + Jo_3d;
+  const float Jo_4 = KSL_MULF(R->m00, RI_0) + KSL_MULF(R->m01, RI_1) + KSL_MULF(R->m02, RI_2);
+  const float Jo_5 = KSL_MULF(R->m10, RI_3) + KSL_MULF(R->m11, RI_4) + KSL_MULF(R->m12, RI_5);
+  const float Jo_6 = KSL_MULF(R->m20, RI_6) + KSL_MULF(R->m21, RI_7) + KSL_MULF(R->m22, RI_8),
+      Jo_7 = KSL_MULF(R->m10, RI_0) + KSL_MULF(R->m11, RI_1) + KSL_MULF(R->m12, RI_2),
+      Jo_8 = KSL_MULF(R->m20, RI_3) + KSL_MULF(R->m21, RI_4) + KSL_MULF(R->m22, RI_5),
+      Jo_9 = KSL_MULF(R->m20, RI_0) + KSL_MULF(R->m21, RI_1) + KSL_MULF(R->m22, RI_2);
+  const float RI_0_size = fabsf(RI_0a) + fabsf(RI_0b) + fabsf(RI_0d),
+      RI_1_size = fabsf(RI_1a) + fabsf(RI_1b) + fabsf(RI_1d),
+      RI_2_size = fabsf(RI_2a) + fabsf(RI_2b) + fabsf(RI_2d),
+      RI_3_size = fabsf(RI_3a) + fabsf(RI_3b) + fabsf(RI_3d),
+      RI_4_size = fabsf(RI_4a) + fabsf(RI_4b) + fabsf(RI_4d),
+      RI_5_size = fabsf(RI_5a) + fabsf(RI_5b) + fabsf(RI_5d),
+      RI_6_size = fabsf(RI_6a) + fabsf(RI_6b) + fabsf(RI_6d),
+      RI_7_size = fabsf(RI_7a) + fabsf(RI_7b) + fabsf(RI_7d),
+      RI_8_size = fabsf(RI_8a) + fabsf(RI_8b) + fabsf(RI_8d);
+  const float Jo_1_size = fabsf(Jo_1a) + fabsf(Jo_1b) + fabsf(Jo_1d),
+      Jo_2_size = fabsf(Jo_2a) + fabsf(Jo_2b) + fabsf(Jo_2d),
+      Jo_3_size = fabsf(Jo_3a) + fabsf(Jo_3b) + fabsf(Jo_3d);
+  const float RI_0_padded = RI_0_size + 1.9721523e-31f, RI_1_padded = RI_1_size + 1.9721523e-31f,
+      RI_2_padded = RI_2_size + 1.9721523e-31f;
+  const float Jo_4_size = KSL_MULF(fabsf(R->m00), RI_0_padded)
+          + KSL_MULF(fabsf(R->m01), RI_1_padded) + KSL_MULF(fabsf(R->m02), RI_2_padded);
   const float RI_3_padded = RI_3_size + 1.9721523e-31f;
-  const float R_10_abs = fabsf(R->m10), Jo_5a_size = KSL_MULF(R_10_abs, RI_3_padded);
+  const float R_10_abs = fabsf(R->m10);
   const float RI_4_padded = RI_4_size + 1.9721523e-31f;
-  const float R_11_abs = fabsf(R->m11), Jo_5b_size = KSL_MULF(R_11_abs, RI_4_padded),
-      Jo_5c_size = Jo_5a_size + Jo_5b_size;
+  const float R_11_abs = fabsf(R->m11);
   const float RI_5_padded = RI_5_size + 1.9721523e-31f;
-  const float R_12_abs = fabsf(R->m12), Jo_5d_size = KSL_MULF(R_12_abs, RI_5_padded),
-      Jo_5_size = Jo_5c_size + Jo_5d_size;
-  const float RI_6_padded = RI_6_size + 1.9721523e-31f;
-  const float R_20_abs = fabsf(R->m20), Jo_6a_size = KSL_MULF(R_20_abs, RI_6_padded);
-  const float RI_7_padded = RI_7_size + 1.9721523e-31f;
-  const float R_21_abs = fabsf(R->m21), Jo_6b_size = KSL_MULF(R_21_abs, RI_7_padded),
-      Jo_6c_size = Jo_6a_size + Jo_6b_size;
-  const float RI_8_padded = RI_8_size + 1.9721523e-31f;
-  const float R_22_abs = fabsf(R->m22), Jo_6d_size = KSL_MULF(R_22_abs, RI_8_padded),
-      Jo_6_size = Jo_6c_size + Jo_6d_size;
-  const float Jo_7a_size = KSL_MULF(R_10_abs, RI_0_padded),
-      Jo_7b_size = KSL_MULF(R_11_abs, RI_1_padded), Jo_7c_size = Jo_7a_size + Jo_7b_size,
-      Jo_7d_size = KSL_MULF(R_12_abs, RI_2_padded), Jo_7_size = Jo_7c_size + Jo_7d_size;
-  const float Jo_8a_size = KSL_MULF(R_20_abs, RI_3_padded),
-      Jo_8b_size = KSL_MULF(R_21_abs, RI_4_padded), Jo_8c_size = Jo_8a_size + Jo_8b_size,
-      Jo_8d_size = KSL_MULF(R_22_abs, RI_5_padded), Jo_8_size = Jo_8c_size + Jo_8d_size;
-  const float Jo_9a_size = KSL_MULF(R_20_abs, RI_0_padded),
-      Jo_9b_size = KSL_MULF(R_21_abs, RI_1_padded), Jo_9c_size = Jo_9a_size + Jo_9b_size,
-      Jo_9d_size = KSL_MULF(R_22_abs, RI_2_padded), Jo_9_size = Jo_9c_size + Jo_9d_size;
-  const float Jo_1_padded = Jo_1_size + 1.9721523e-31f,
-      Jo_1_error_bound = KSL_MULF(1.7881396e-07f, Jo_1_padded);
-  const float Jo_2_padded = Jo_2_size + 1.9721523e-31f,
-      Jo_2_error_bound = KSL_MULF(1.7881396e-07f, Jo_2_padded);
-  const float Jo_3_padded = Jo_3_size + 1.9721523e-31f,
-      Jo_3_error_bound = KSL_MULF(1.7881396e-07f, Jo_3_padded);
-  const float Jo_4_padded = Jo_4_size + 1.9721523e-31f,
-      Jo_4_error_bound = KSL_MULF(3.5762795e-07f, Jo_4_padded);
-  const float Jo_5_padded = Jo_5_size + 1.9721523e-31f,
-      Jo_5_error_bound = KSL_MULF(3.5762795e-07f, Jo_5_padded);
-  const float Jo_6_padded = Jo_6_size + 1.9721523e-31f,
-      Jo_6_error_bound = KSL_MULF(3.5762795e-07f, Jo_6_padded);
-  const float Jo_7_padded = Jo_7_size + 1.9721523e-31f,
-      Jo_7_error_bound = KSL_MULF(3.5762795e-07f, Jo_7_padded);
-  const float Jo_8_padded = Jo_8_size + 1.9721523e-31f,
-      Jo_8_error_bound = KSL_MULF(3.5762795e-07f, Jo_8_padded);
-  const float Jo_9_padded = Jo_9_size + 1.9721523e-31f,
-      Jo_9_error_bound = KSL_MULF(3.5762795e-07f, Jo_9_padded);
+  const float R_12_abs = fabsf(R->m12),
+      Jo_5_size = KSL_MULF(R_10_abs, RI_3_padded) + KSL_MULF(R_11_abs, RI_4_padded)
+          + KSL_MULF(R_12_abs, RI_5_padded);
+  const float R_20_abs = fabsf(R->m20), R_21_abs = fabsf(R->m21), R_22_abs = fabsf(R->m22),
+      Jo_6c_size = KSL_MULF(R_20_abs, RI_6_size + 1.9721523e-31f)
+          + KSL_MULF(R_21_abs, RI_7_size + 1.9721523e-31f),
+      Jo_6_size = Jo_6c_size + KSL_MULF(R_22_abs, RI_8_size + 1.9721523e-31f);
+  const float Jo_7_size = KSL_MULF(R_10_abs, RI_0_padded) + KSL_MULF(R_11_abs, RI_1_padded)
+          + KSL_MULF(R_12_abs, RI_2_padded),
+      Jo_8_size = KSL_MULF(R_20_abs, RI_3_padded) + KSL_MULF(R_21_abs, RI_4_padded)
+          + KSL_MULF(R_22_abs, RI_5_padded),
+      Jo_9_size = KSL_MULF(R_20_abs, RI_0_padded) + KSL_MULF(R_21_abs, RI_1_padded)
+          + KSL_MULF(R_22_abs, RI_2_padded);
+  const float Jo_1_bound = KSL_MULF(1.7881396e-07f, Jo_1_size + 1.9721523e-31f),
+      Jo_2_bound = KSL_MULF(1.7881396e-07f, Jo_2_size + 1.9721523e-31f),
+      Jo_3_bound = KSL_MULF(1.7881396e-07f, Jo_3_size + 1.9721523e-31f),
+      Jo_4_bound = KSL_MULF(3.5762795e-07f, Jo_4_size + 1.9721523e-31f),
+      Jo_5_bound = KSL_MULF(3.5762795e-07f, Jo_5_size + 1.9721523e-31f),
+      Jo_6_bound = KSL_MULF(3.5762795e-07f, Jo_6_size + 1.9721523e-31f),
+      Jo_7_bound = KSL_MULF(3.5762795e-07f, Jo_7_size + 1.9721523e-31f),
+      Jo_8_bound = KSL_MULF(3.5762795e-07f, Jo_8_size + 1.9721523e-31f),
+      Jo_9_bound = KSL_MULF(3.5762795e-07f, Jo_9_size + 1.9721523e-31f);
   const float Ji_m = Ji->m;
   Jo->m = Ji_m;
   Jo->mt.x = Jo_1;
@@ -925,15 +671,15 @@ static inline void ksl_inertiaf_rotated_certified(const ksl_inertiaf_t *Ji,
   Jo->Iyz = Jo_8;
   Jo->Izx = Jo_9;
   Jo_bound->m = 0.0f;
-  Jo_bound->mt.x = Jo_1_error_bound;
-  Jo_bound->mt.y = Jo_2_error_bound;
-  Jo_bound->mt.z = Jo_3_error_bound;
-  Jo_bound->Ixx = Jo_4_error_bound;
-  Jo_bound->Iyy = Jo_5_error_bound;
-  Jo_bound->Izz = Jo_6_error_bound;
-  Jo_bound->Ixy = Jo_7_error_bound;
-  Jo_bound->Iyz = Jo_8_error_bound;
-  Jo_bound->Izx = Jo_9_error_bound;
+  Jo_bound->mt.x = Jo_1_bound;
+  Jo_bound->mt.y = Jo_2_bound;
+  Jo_bound->mt.z = Jo_3_bound;
+  Jo_bound->Ixx = Jo_4_bound;
+  Jo_bound->Iyy = Jo_5_bound;
+  Jo_bound->Izz = Jo_6_bound;
+  Jo_bound->Ixy = Jo_7_bound;
+  Jo_bound->Iyz = Jo_8_bound;
+  Jo_bound->Izx = Jo_9_bound;
 }
 
 /* self = self rotated by R: m, R mt, R I R^T; |error of self| <= self_bound unless inf or NaN.
@@ -943,146 +689,81 @@ static inline void ksl_inertiaf_rotated_certified(const ksl_inertiaf_t *Ji,
 static inline void ksl_inertiaf_rotate_certified(ksl_inertiaf_t *self, const ksl_mat3x3f_t *R,
     ksl_inertiaf_t *self_bound) {
   const float RI_0a = KSL_MULF(self->Ixx, R->m00), RI_0b = KSL_MULF(self->Ixy, R->m01),
-      RI_0c = RI_0a + RI_0b, RI_0d = KSL_MULF(self->Izx, R->m02), RI_0 = RI_0c + RI_0d;
+      RI_0d = KSL_MULF(self->Izx, R->m02), RI_0 = RI_0a + RI_0b + RI_0d;
   const float RI_1a = KSL_MULF(self->Iyy, R->m01), RI_1b = KSL_MULF(self->Ixy, R->m00),
-      RI_1c = RI_1a + RI_1b, RI_1d = KSL_MULF(self->Iyz, R->m02), RI_1 = RI_1c + RI_1d;
+      RI_1d = KSL_MULF(self->Iyz, R->m02), RI_1 = RI_1a + RI_1b + RI_1d;
   const float RI_2a = KSL_MULF(self->Izz, R->m02), RI_2b = KSL_MULF(self->Iyz, R->m01),
-      RI_2c = RI_2a + RI_2b, RI_2d = KSL_MULF(self->Izx, R->m00), RI_2 = RI_2c + RI_2d;
+      RI_2d = KSL_MULF(self->Izx, R->m00), RI_2 = RI_2a + RI_2b + RI_2d;
   const float RI_3a = KSL_MULF(self->Ixx, R->m10), RI_3b = KSL_MULF(self->Ixy, R->m11),
-      RI_3c = RI_3a + RI_3b, RI_3d = KSL_MULF(self->Izx, R->m12), RI_3 = RI_3c + RI_3d;
+      RI_3d = KSL_MULF(self->Izx, R->m12), RI_3 = RI_3a + RI_3b + RI_3d;
   const float RI_4a = KSL_MULF(self->Iyy, R->m11), RI_4b = KSL_MULF(self->Ixy, R->m10),
-      RI_4c = RI_4a + RI_4b, RI_4d = KSL_MULF(self->Iyz, R->m12), RI_4 = RI_4c + RI_4d;
+      RI_4d = KSL_MULF(self->Iyz, R->m12), RI_4 = RI_4a + RI_4b + RI_4d;
   const float RI_5a = KSL_MULF(self->Izz, R->m12), RI_5b = KSL_MULF(self->Iyz, R->m11),
-      RI_5c = RI_5a + RI_5b, RI_5d = KSL_MULF(self->Izx, R->m10), RI_5 = RI_5c + RI_5d;
+      RI_5d = KSL_MULF(self->Izx, R->m10), RI_5 = RI_5a + RI_5b + RI_5d;
   const float RI_6a = KSL_MULF(self->Ixx, R->m20), RI_6b = KSL_MULF(self->Ixy, R->m21),
-      RI_6c = RI_6a + RI_6b, RI_6d = KSL_MULF(self->Izx, R->m22), RI_6 = RI_6c + RI_6d;
+      RI_6d = KSL_MULF(self->Izx, R->m22), RI_6 = RI_6a + RI_6b + RI_6d;
   const float RI_7a = KSL_MULF(self->Iyy, R->m21), RI_7b = KSL_MULF(self->Ixy, R->m20),
-      RI_7c = RI_7a + RI_7b, RI_7d = KSL_MULF(self->Iyz, R->m22), RI_7 = RI_7c + RI_7d;
+      RI_7d = KSL_MULF(self->Iyz, R->m22), RI_7 = RI_7a + RI_7b + RI_7d;
   const float RI_8a = KSL_MULF(self->Izz, R->m22), RI_8b = KSL_MULF(self->Iyz, R->m21),
-      RI_8c = RI_8a + RI_8b, RI_8d = KSL_MULF(self->Izx, R->m20), RI_8 = RI_8c + RI_8d;
+      RI_8d = KSL_MULF(self->Izx, R->m20), RI_8 = RI_8a + RI_8b + RI_8d;
   const float self_1_new_a = KSL_MULF(self->mt.x, R->m00),
-      self_1_new_b = KSL_MULF(self->mt.y, R->m01), self_1_new_c = self_1_new_a + self_1_new_b,
-      self_1_new_d = KSL_MULF(self->mt.z, R->m02), self_1_new = self_1_new_c + self_1_new_d;
+      self_1_new_b = KSL_MULF(self->mt.y, R->m01), self_1_new_d = KSL_MULF(self->mt.z, R->m02),
+      self_1_new = self_1_new_a + self_1_new_b + self_1_new_d;
   const float self_2_new_a = KSL_MULF(self->mt.x, R->m10),
-      self_2_new_b = KSL_MULF(self->mt.y, R->m11), self_2_new_c = self_2_new_a + self_2_new_b,
-      self_2_new_d = KSL_MULF(self->mt.z, R->m12), self_2_new = self_2_new_c + self_2_new_d;
+      self_2_new_b = KSL_MULF(self->mt.y, R->m11), self_2_new_d = KSL_MULF(self->mt.z, R->m12),
+      self_2_new = self_2_new_a + self_2_new_b + self_2_new_d;
   const float self_3_new_a = KSL_MULF(self->mt.x, R->m20),
-      self_3_new_b = KSL_MULF(self->mt.y, R->m21), self_3_new_c = self_3_new_a + self_3_new_b,
-      self_3_new_d = KSL_MULF(self->mt.z, R->m22), self_3_new = self_3_new_c + self_3_new_d;
-  const float self_4_new_a = KSL_MULF(R->m00, RI_0), self_4_new_b = KSL_MULF(R->m01, RI_1),
-      self_4_new_c = self_4_new_a + self_4_new_b, self_4_new_d = KSL_MULF(R->m02, RI_2),
-      self_4_new = self_4_new_c + self_4_new_d;
-  const float self_5_new_a = KSL_MULF(R->m10, RI_3), self_5_new_b = KSL_MULF(R->m11, RI_4),
-      self_5_new_c = self_5_new_a + self_5_new_b, self_5_new_d = KSL_MULF(R->m12, RI_5),
-      self_5_new = self_5_new_c + self_5_new_d;
-  const float self_6_new_a = KSL_MULF(R->m20, RI_6), self_6_new_b = KSL_MULF(R->m21, RI_7),
-      self_6_new_c = self_6_new_a + self_6_new_b, self_6_new_d = KSL_MULF(R->m22, RI_8),
-      self_6_new = self_6_new_c + self_6_new_d;
-  const float self_7_new_a = KSL_MULF(R->m10, RI_0), self_7_new_b = KSL_MULF(R->m11, RI_1),
-      self_7_new_c = self_7_new_a + self_7_new_b, self_7_new_d = KSL_MULF(R->m12, RI_2),
-      self_7_new = self_7_new_c + self_7_new_d;
-  const float self_8_new_a = KSL_MULF(R->m20, RI_3), self_8_new_b = KSL_MULF(R->m21, RI_4),
-      self_8_new_c = self_8_new_a + self_8_new_b, self_8_new_d = KSL_MULF(R->m22, RI_5),
-      self_8_new = self_8_new_c + self_8_new_d;
-  const float self_9_new_a = KSL_MULF(R->m20, RI_0), self_9_new_b = KSL_MULF(R->m21, RI_1),
-      self_9_new_c = self_9_new_a + self_9_new_b, self_9_new_d = KSL_MULF(R->m22, RI_2),
-      self_9_new = self_9_new_c + self_9_new_d;
-  const float RI_0a_abs = fabsf(RI_0a), RI_0b_abs = fabsf(RI_0b),
-      RI_0c_size = RI_0a_abs + RI_0b_abs, RI_0d_abs = fabsf(RI_0d),
-      RI_0_size = RI_0c_size + RI_0d_abs;
-  const float RI_1a_abs = fabsf(RI_1a), RI_1b_abs = fabsf(RI_1b),
-      RI_1c_size = RI_1a_abs + RI_1b_abs, RI_1d_abs = fabsf(RI_1d),
-      RI_1_size = RI_1c_size + RI_1d_abs;
-  const float RI_2a_abs = fabsf(RI_2a), RI_2b_abs = fabsf(RI_2b),
-      RI_2c_size = RI_2a_abs + RI_2b_abs, RI_2d_abs = fabsf(RI_2d),
-      RI_2_size = RI_2c_size + RI_2d_abs;
-  const float RI_3a_abs = fabsf(RI_3a), RI_3b_abs = fabsf(RI_3b),
-      RI_3c_size = RI_3a_abs + RI_3b_abs, RI_3d_abs = fabsf(RI_3d),
-      RI_3_size = RI_3c_size + RI_3d_abs;
-  const float RI_4a_abs = fabsf(RI_4a), RI_4b_abs = fabsf(RI_4b),
-      RI_4c_size = RI_4a_abs + RI_4b_abs, RI_4d_abs = fabsf(RI_4d),
-      RI_4_size = RI_4c_size + RI_4d_abs;
-  const float RI_5a_abs = fabsf(RI_5a), RI_5b_abs = fabsf(RI_5b),
-      RI_5c_size = RI_5a_abs + RI_5b_abs, RI_5d_abs = fabsf(RI_5d),
-      RI_5_size = RI_5c_size + RI_5d_abs;
-  const float RI_6a_abs = fabsf(RI_6a), RI_6b_abs = fabsf(RI_6b),
-      RI_6c_size = RI_6a_abs + RI_6b_abs, RI_6d_abs = fabsf(RI_6d),
-      RI_6_size = RI_6c_size + RI_6d_abs;
-  const float RI_7a_abs = fabsf(RI_7a), RI_7b_abs = fabsf(RI_7b),
-      RI_7c_size = RI_7a_abs + RI_7b_abs, RI_7d_abs = fabsf(RI_7d),
-      RI_7_size = RI_7c_size + RI_7d_abs;
-  const float RI_8a_abs = fabsf(RI_8a), RI_8b_abs = fabsf(RI_8b),
-      RI_8c_size = RI_8a_abs + RI_8b_abs, RI_8d_abs = fabsf(RI_8d),
-      RI_8_size = RI_8c_size + RI_8d_abs;
-  const float self_1_new_a_abs = fabsf(self_1_new_a), self_1_new_b_abs = fabsf(self_1_new_b),
-      self_1_new_c_size = self_1_new_a_abs + self_1_new_b_abs,
-      self_1_new_d_abs = fabsf(self_1_new_d),
-      self_1_new_size = self_1_new_c_size + self_1_new_d_abs;
-  const float self_2_new_a_abs = fabsf(self_2_new_a), self_2_new_b_abs = fabsf(self_2_new_b),
-      self_2_new_c_size = self_2_new_a_abs + self_2_new_b_abs,
-      self_2_new_d_abs = fabsf(self_2_new_d),
-      self_2_new_size = self_2_new_c_size + self_2_new_d_abs;
-  const float self_3_new_a_abs = fabsf(self_3_new_a), self_3_new_b_abs = fabsf(self_3_new_b),
-      self_3_new_c_size = self_3_new_a_abs + self_3_new_b_abs,
-      self_3_new_d_abs = fabsf(self_3_new_d),
-      self_3_new_size = self_3_new_c_size + self_3_new_d_abs;
-  const float RI_0_padded = RI_0_size + 1.9721523e-31f;
-  const float R_00_abs = fabsf(R->m00), self_4_new_a_size = KSL_MULF(R_00_abs, RI_0_padded);
-  const float RI_1_padded = RI_1_size + 1.9721523e-31f;
-  const float R_01_abs = fabsf(R->m01), self_4_new_b_size = KSL_MULF(R_01_abs, RI_1_padded),
-      self_4_new_c_size = self_4_new_a_size + self_4_new_b_size;
-  const float RI_2_padded = RI_2_size + 1.9721523e-31f;
-  const float R_02_abs = fabsf(R->m02), self_4_new_d_size = KSL_MULF(R_02_abs, RI_2_padded),
-      self_4_new_size = self_4_new_c_size + self_4_new_d_size;
+      self_3_new_b = KSL_MULF(self->mt.y, R->m21), self_3_new_d = KSL_MULF(self->mt.z, R->m22),
+      self_3_new = self_3_new_a + self_3_new_b + self_3_new_d;
+  const float self_4_new = KSL_MULF(R->m00, RI_0) + KSL_MULF(R->m01, RI_1) + KSL_MULF(R->m02, RI_2);
+  const float self_5_new = KSL_MULF(R->m10, RI_3) + KSL_MULF(R->m11, RI_4) + KSL_MULF(R->m12, RI_5);
+  const float self_6_new = KSL_MULF(R->m20, RI_6) + KSL_MULF(R->m21, RI_7) + KSL_MULF(R->m22, RI_8),
+      self_7_new = KSL_MULF(R->m10, RI_0) + KSL_MULF(R->m11, RI_1) + KSL_MULF(R->m12, RI_2),
+      self_8_new = KSL_MULF(R->m20, RI_3) + KSL_MULF(R->m21, RI_4) + KSL_MULF(R->m22, RI_5),
+      self_9_new = KSL_MULF(R->m20, RI_0) + KSL_MULF(R->m21, RI_1) + KSL_MULF(R->m22, RI_2);
+  const float RI_0_size = fabsf(RI_0a) + fabsf(RI_0b) + fabsf(RI_0d),
+      RI_1_size = fabsf(RI_1a) + fabsf(RI_1b) + fabsf(RI_1d),
+      RI_2_size = fabsf(RI_2a) + fabsf(RI_2b) + fabsf(RI_2d),
+      RI_3_size = fabsf(RI_3a) + fabsf(RI_3b) + fabsf(RI_3d),
+      RI_4_size = fabsf(RI_4a) + fabsf(RI_4b) + fabsf(RI_4d),
+      RI_5_size = fabsf(RI_5a) + fabsf(RI_5b) + fabsf(RI_5d),
+      RI_6_size = fabsf(RI_6a) + fabsf(RI_6b) + fabsf(RI_6d),
+      RI_7_size = fabsf(RI_7a) + fabsf(RI_7b) + fabsf(RI_7d),
+      RI_8_size = fabsf(RI_8a) + fabsf(RI_8b) + fabsf(RI_8d);
+  const float self_1_new_size = fabsf(self_1_new_a) + fabsf(self_1_new_b) + fabsf(self_1_new_d),
+      self_2_new_size = fabsf(self_2_new_a) + fabsf(self_2_new_b) + fabsf(self_2_new_d),
+      self_3_new_size = fabsf(self_3_new_a) + fabsf(self_3_new_b) + fabsf(self_3_new_d);
+  const float RI_0_padded = RI_0_size + 1.9721523e-31f, RI_1_padded = RI_1_size + 1.9721523e-31f,
+      RI_2_padded = RI_2_size + 1.9721523e-31f;
+  const float self_4_new_size = KSL_MULF(fabsf(R->m00), RI_0_padded)
+          + KSL_MULF(fabsf(R->m01), RI_1_padded) + KSL_MULF(fabsf(R->m02), RI_2_padded);
   const float RI_3_padded = RI_3_size + 1.9721523e-31f;
-  const float R_10_abs = fabsf(R->m10), self_5_new_a_size = KSL_MULF(R_10_abs, RI_3_padded);
+  const float R_10_abs = fabsf(R->m10);
   const float RI_4_padded = RI_4_size + 1.9721523e-31f;
-  const float R_11_abs = fabsf(R->m11), self_5_new_b_size = KSL_MULF(R_11_abs, RI_4_padded),
-      self_5_new_c_size = self_5_new_a_size + self_5_new_b_size;
+  const float R_11_abs = fabsf(R->m11);
   const float RI_5_padded = RI_5_size + 1.9721523e-31f;
-  const float R_12_abs = fabsf(R->m12), self_5_new_d_size = KSL_MULF(R_12_abs, RI_5_padded),
-      self_5_new_size = self_5_new_c_size + self_5_new_d_size;
-  const float RI_6_padded = RI_6_size + 1.9721523e-31f;
-  const float R_20_abs = fabsf(R->m20), self_6_new_a_size = KSL_MULF(R_20_abs, RI_6_padded);
-  const float RI_7_padded = RI_7_size + 1.9721523e-31f;
-  const float R_21_abs = fabsf(R->m21), self_6_new_b_size = KSL_MULF(R_21_abs, RI_7_padded),
-      self_6_new_c_size = self_6_new_a_size + self_6_new_b_size;
-  const float RI_8_padded = RI_8_size + 1.9721523e-31f;
-  const float R_22_abs = fabsf(R->m22), self_6_new_d_size = KSL_MULF(R_22_abs, RI_8_padded),
-      self_6_new_size = self_6_new_c_size + self_6_new_d_size;
-  const float self_7_new_a_size = KSL_MULF(R_10_abs, RI_0_padded),
-      self_7_new_b_size = KSL_MULF(R_11_abs, RI_1_padded),
-      self_7_new_c_size = self_7_new_a_size + self_7_new_b_size,
-      self_7_new_d_size = KSL_MULF(R_12_abs, RI_2_padded),
-      self_7_new_size = self_7_new_c_size + self_7_new_d_size;
-  const float self_8_new_a_size = KSL_MULF(R_20_abs, RI_3_padded),
-      self_8_new_b_size = KSL_MULF(R_21_abs, RI_4_padded),
-      self_8_new_c_size = self_8_new_a_size + self_8_new_b_size,
-      self_8_new_d_size = KSL_MULF(R_22_abs, RI_5_padded),
-      self_8_new_size = self_8_new_c_size + self_8_new_d_size;
-  const float self_9_new_a_size = KSL_MULF(R_20_abs, RI_0_padded),
-      self_9_new_b_size = KSL_MULF(R_21_abs, RI_1_padded),
-      self_9_new_c_size = self_9_new_a_size + self_9_new_b_size,
-      self_9_new_d_size = KSL_MULF(R_22_abs, RI_2_padded),
-      self_9_new_size = self_9_new_c_size + self_9_new_d_size;
-  const float self_1_new_padded = self_1_new_size + 1.9721523e-31f,
-      self_1_new_error_bound = KSL_MULF(1.7881396e-07f, self_1_new_padded);
-  const float self_2_new_padded = self_2_new_size + 1.9721523e-31f,
-      self_2_new_error_bound = KSL_MULF(1.7881396e-07f, self_2_new_padded);
-  const float self_3_new_padded = self_3_new_size + 1.9721523e-31f,
-      self_3_new_error_bound = KSL_MULF(1.7881396e-07f, self_3_new_padded);
-  const float self_4_new_padded = self_4_new_size + 1.9721523e-31f,
-      self_4_new_error_bound = KSL_MULF(3.5762795e-07f, self_4_new_padded);
-  const float self_5_new_padded = self_5_new_size + 1.9721523e-31f,
-      self_5_new_error_bound = KSL_MULF(3.5762795e-07f, self_5_new_padded);
-  const float self_6_new_padded = self_6_new_size + 1.9721523e-31f,
-      self_6_new_error_bound = KSL_MULF(3.5762795e-07f, self_6_new_padded);
-  const float self_7_new_padded = self_7_new_size + 1.9721523e-31f,
-      self_7_new_error_bound = KSL_MULF(3.5762795e-07f, self_7_new_padded);
-  const float self_8_new_padded = self_8_new_size + 1.9721523e-31f,
-      self_8_new_error_bound = KSL_MULF(3.5762795e-07f, self_8_new_padded);
-  const float self_9_new_padded = self_9_new_size + 1.9721523e-31f,
-      self_9_new_error_bound = KSL_MULF(3.5762795e-07f, self_9_new_padded);
+  const float R_12_abs = fabsf(R->m12),
+      self_5_new_size = KSL_MULF(R_10_abs, RI_3_padded) + KSL_MULF(R_11_abs, RI_4_padded)
+          + KSL_MULF(R_12_abs, RI_5_padded);
+  const float R_20_abs = fabsf(R->m20), R_21_abs = fabsf(R->m21), R_22_abs = fabsf(R->m22),
+      self_6_new_c_size = KSL_MULF(R_20_abs, RI_6_size + 1.9721523e-31f)
+          + KSL_MULF(R_21_abs, RI_7_size + 1.9721523e-31f),
+      self_6_new_size = self_6_new_c_size + KSL_MULF(R_22_abs, RI_8_size + 1.9721523e-31f);
+  const float self_7_new_size = KSL_MULF(R_10_abs, RI_0_padded) + KSL_MULF(R_11_abs, RI_1_padded)
+          + KSL_MULF(R_12_abs, RI_2_padded),
+      self_8_new_size = KSL_MULF(R_20_abs, RI_3_padded) + KSL_MULF(R_21_abs, RI_4_padded)
+          + KSL_MULF(R_22_abs, RI_5_padded),
+      self_9_new_size = KSL_MULF(R_20_abs, RI_0_padded) + KSL_MULF(R_21_abs, RI_1_padded)
+          + KSL_MULF(R_22_abs, RI_2_padded);
+  const float self_1_new_bound = KSL_MULF(1.7881396e-07f, self_1_new_size + 1.9721523e-31f),
+      self_2_new_bound = KSL_MULF(1.7881396e-07f, self_2_new_size + 1.9721523e-31f),
+      self_3_new_bound = KSL_MULF(1.7881396e-07f, self_3_new_size + 1.9721523e-31f),
+      self_4_new_bound = KSL_MULF(3.5762795e-07f, self_4_new_size + 1.9721523e-31f),
+      self_5_new_bound = KSL_MULF(3.5762795e-07f, self_5_new_size + 1.9721523e-31f),
+      self_6_new_bound = KSL_MULF(3.5762795e-07f, self_6_new_size + 1.9721523e-31f),
+      self_7_new_bound = KSL_MULF(3.5762795e-07f, self_7_new_size + 1.9721523e-31f),
+      self_8_new_bound = KSL_MULF(3.5762795e-07f, self_8_new_size + 1.9721523e-31f),
+      self_9_new_bound = KSL_MULF(3.5762795e-07f, self_9_new_size + 1.9721523e-31f);
   self->mt.x = self_1_new;
   self->mt.y = self_2_new;
   self->mt.z = self_3_new;
@@ -1093,15 +774,15 @@ static inline void ksl_inertiaf_rotate_certified(ksl_inertiaf_t *self, const ksl
   self->Iyz = self_8_new;
   self->Izx = self_9_new;
   self_bound->m = 0.0f;
-  self_bound->mt.x = self_1_new_error_bound;
-  self_bound->mt.y = self_2_new_error_bound;
-  self_bound->mt.z = self_3_new_error_bound;
-  self_bound->Ixx = self_4_new_error_bound;
-  self_bound->Iyy = self_5_new_error_bound;
-  self_bound->Izz = self_6_new_error_bound;
-  self_bound->Ixy = self_7_new_error_bound;
-  self_bound->Iyz = self_8_new_error_bound;
-  self_bound->Izx = self_9_new_error_bound;
+  self_bound->mt.x = self_1_new_bound;
+  self_bound->mt.y = self_2_new_bound;
+  self_bound->mt.z = self_3_new_bound;
+  self_bound->Ixx = self_4_new_bound;
+  self_bound->Iyy = self_5_new_bound;
+  self_bound->Izz = self_6_new_bound;
+  self_bound->Ixy = self_7_new_bound;
+  self_bound->Iyz = self_8_new_bound;
+  self_bound->Izx = self_9_new_bound;
 }
 
 /* Jo = Ji translated by t: m, mt + m t, I; |error of Jo| <= Jo_bound unless inf or NaN.
@@ -1113,18 +794,11 @@ static inline void ksl_inertiaf_translated_certified(const ksl_inertiaf_t *Ji,
   const float Jo_1a = KSL_MULF(Ji->m, t->x), Jo_1 = Jo_1a + Ji->mt.x;
   const float Jo_2a = KSL_MULF(Ji->m, t->y), Jo_2 = Jo_2a + Ji->mt.y;
   const float Jo_3a = KSL_MULF(Ji->m, t->z), Jo_3 = Jo_3a + Ji->mt.z;
-  const float Jo_1a_abs = fabsf(Jo_1a), Ji_1_abs = fabsf(Ji->mt.x),
-      Jo_1_size = Jo_1a_abs + Ji_1_abs;
-  const float Jo_2a_abs = fabsf(Jo_2a), Ji_2_abs = fabsf(Ji->mt.y),
-      Jo_2_size = Jo_2a_abs + Ji_2_abs;
-  const float Jo_3a_abs = fabsf(Jo_3a), Ji_3_abs = fabsf(Ji->mt.z),
-      Jo_3_size = Jo_3a_abs + Ji_3_abs;
-  const float Jo_1_padded = Jo_1_size + 1.9721523e-31f,
-      Jo_1_error_bound = KSL_MULF(1.192093e-07f, Jo_1_padded);
-  const float Jo_2_padded = Jo_2_size + 1.9721523e-31f,
-      Jo_2_error_bound = KSL_MULF(1.192093e-07f, Jo_2_padded);
-  const float Jo_3_padded = Jo_3_size + 1.9721523e-31f,
-      Jo_3_error_bound = KSL_MULF(1.192093e-07f, Jo_3_padded);
+  const float Jo_1_size = fabsf(Jo_1a) + fabsf(Ji->mt.x),
+      Jo_2_size = fabsf(Jo_2a) + fabsf(Ji->mt.y), Jo_3_size = fabsf(Jo_3a) + fabsf(Ji->mt.z);
+  const float Jo_1_bound = KSL_MULF(1.192093e-07f, Jo_1_size + 1.9721523e-31f),
+      Jo_2_bound = KSL_MULF(1.192093e-07f, Jo_2_size + 1.9721523e-31f),
+      Jo_3_bound = KSL_MULF(1.192093e-07f, Jo_3_size + 1.9721523e-31f);
   const float Ji_m = Ji->m;
   const float Ji_Ixx = Ji->Ixx;
   const float Ji_Iyy = Ji->Iyy;
@@ -1143,9 +817,9 @@ static inline void ksl_inertiaf_translated_certified(const ksl_inertiaf_t *Ji,
   Jo->Iyz = Ji_Iyz;
   Jo->Izx = Ji_Izx;
   Jo_bound->m = 0.0f;
-  Jo_bound->mt.x = Jo_1_error_bound;
-  Jo_bound->mt.y = Jo_2_error_bound;
-  Jo_bound->mt.z = Jo_3_error_bound;
+  Jo_bound->mt.x = Jo_1_bound;
+  Jo_bound->mt.y = Jo_2_bound;
+  Jo_bound->mt.z = Jo_3_bound;
   Jo_bound->Ixx = 0.0f;
   Jo_bound->Iyy = 0.0f;
   Jo_bound->Izz = 0.0f;
@@ -1163,25 +837,19 @@ static inline void ksl_inertiaf_translate_certified(ksl_inertiaf_t *self, const 
   const float self_1_new_a = KSL_MULF(self->m, t->x), self_1_new = self_1_new_a + self->mt.x;
   const float self_2_new_a = KSL_MULF(self->m, t->y), self_2_new = self_2_new_a + self->mt.y;
   const float self_3_new_a = KSL_MULF(self->m, t->z), self_3_new = self_3_new_a + self->mt.z;
-  const float self_1_new_a_abs = fabsf(self_1_new_a), self_1_abs = fabsf(self->mt.x),
-      self_1_new_size = self_1_new_a_abs + self_1_abs;
-  const float self_2_new_a_abs = fabsf(self_2_new_a), self_2_abs = fabsf(self->mt.y),
-      self_2_new_size = self_2_new_a_abs + self_2_abs;
-  const float self_3_new_a_abs = fabsf(self_3_new_a), self_3_abs = fabsf(self->mt.z),
-      self_3_new_size = self_3_new_a_abs + self_3_abs;
-  const float self_1_new_padded = self_1_new_size + 1.9721523e-31f,
-      self_1_new_error_bound = KSL_MULF(1.192093e-07f, self_1_new_padded);
-  const float self_2_new_padded = self_2_new_size + 1.9721523e-31f,
-      self_2_new_error_bound = KSL_MULF(1.192093e-07f, self_2_new_padded);
-  const float self_3_new_padded = self_3_new_size + 1.9721523e-31f,
-      self_3_new_error_bound = KSL_MULF(1.192093e-07f, self_3_new_padded);
+  const float self_1_new_size = fabsf(self_1_new_a) + fabsf(self->mt.x),
+      self_2_new_size = fabsf(self_2_new_a) + fabsf(self->mt.y),
+      self_3_new_size = fabsf(self_3_new_a) + fabsf(self->mt.z);
+  const float self_1_new_bound = KSL_MULF(1.192093e-07f, self_1_new_size + 1.9721523e-31f),
+      self_2_new_bound = KSL_MULF(1.192093e-07f, self_2_new_size + 1.9721523e-31f),
+      self_3_new_bound = KSL_MULF(1.192093e-07f, self_3_new_size + 1.9721523e-31f);
   self->mt.x = self_1_new;
   self->mt.y = self_2_new;
   self->mt.z = self_3_new;
   self_bound->m = 0.0f;
-  self_bound->mt.x = self_1_new_error_bound;
-  self_bound->mt.y = self_2_new_error_bound;
-  self_bound->mt.z = self_3_new_error_bound;
+  self_bound->mt.x = self_1_new_bound;
+  self_bound->mt.y = self_2_new_bound;
+  self_bound->mt.z = self_3_new_bound;
   self_bound->Ixx = 0.0f;
   self_bound->Iyy = 0.0f;
   self_bound->Izz = 0.0f;
@@ -1198,134 +866,81 @@ static inline void ksl_inertiaf_translate_certified(ksl_inertiaf_t *self, const 
 static inline void ksl_inertiaf_transformed_certified(const ksl_inertiaf_t *Ji,
     const ksl_SE3f_t *D, ksl_inertiaf_t *Jo, ksl_inertiaf_t *Jo_bound) {
   const float RI_0a = KSL_MULF(Ji->Ixx, D->m00), RI_0b = KSL_MULF(Ji->Ixy, D->m01),
-      RI_0c = RI_0a + RI_0b, RI_0d = KSL_MULF(Ji->Izx, D->m02), RI_0 = RI_0c + RI_0d;
+      RI_0d = KSL_MULF(Ji->Izx, D->m02), RI_0 = RI_0a + RI_0b + RI_0d;
   const float RI_1a = KSL_MULF(Ji->Iyy, D->m01), RI_1b = KSL_MULF(Ji->Ixy, D->m00),
-      RI_1c = RI_1a + RI_1b, RI_1d = KSL_MULF(Ji->Iyz, D->m02), RI_1 = RI_1c + RI_1d;
+      RI_1d = KSL_MULF(Ji->Iyz, D->m02), RI_1 = RI_1a + RI_1b + RI_1d;
   const float RI_2a = KSL_MULF(Ji->Izz, D->m02), RI_2b = KSL_MULF(Ji->Iyz, D->m01),
-      RI_2c = RI_2a + RI_2b, RI_2d = KSL_MULF(Ji->Izx, D->m00), RI_2 = RI_2c + RI_2d;
+      RI_2d = KSL_MULF(Ji->Izx, D->m00), RI_2 = RI_2a + RI_2b + RI_2d;
   const float RI_3a = KSL_MULF(Ji->Ixx, D->m10), RI_3b = KSL_MULF(Ji->Ixy, D->m11),
-      RI_3c = RI_3a + RI_3b, RI_3d = KSL_MULF(Ji->Izx, D->m12), RI_3 = RI_3c + RI_3d;
+      RI_3d = KSL_MULF(Ji->Izx, D->m12), RI_3 = RI_3a + RI_3b + RI_3d;
   const float RI_4a = KSL_MULF(Ji->Iyy, D->m11), RI_4b = KSL_MULF(Ji->Ixy, D->m10),
-      RI_4c = RI_4a + RI_4b, RI_4d = KSL_MULF(Ji->Iyz, D->m12), RI_4 = RI_4c + RI_4d;
+      RI_4d = KSL_MULF(Ji->Iyz, D->m12), RI_4 = RI_4a + RI_4b + RI_4d;
   const float RI_5a = KSL_MULF(Ji->Izz, D->m12), RI_5b = KSL_MULF(Ji->Iyz, D->m11),
-      RI_5c = RI_5a + RI_5b, RI_5d = KSL_MULF(Ji->Izx, D->m10), RI_5 = RI_5c + RI_5d;
+      RI_5d = KSL_MULF(Ji->Izx, D->m10), RI_5 = RI_5a + RI_5b + RI_5d;
   const float RI_6a = KSL_MULF(Ji->Ixx, D->m20), RI_6b = KSL_MULF(Ji->Ixy, D->m21),
-      RI_6c = RI_6a + RI_6b, RI_6d = KSL_MULF(Ji->Izx, D->m22), RI_6 = RI_6c + RI_6d;
+      RI_6d = KSL_MULF(Ji->Izx, D->m22), RI_6 = RI_6a + RI_6b + RI_6d;
   const float RI_7a = KSL_MULF(Ji->Iyy, D->m21), RI_7b = KSL_MULF(Ji->Ixy, D->m20),
-      RI_7c = RI_7a + RI_7b, RI_7d = KSL_MULF(Ji->Iyz, D->m22), RI_7 = RI_7c + RI_7d;
+      RI_7d = KSL_MULF(Ji->Iyz, D->m22), RI_7 = RI_7a + RI_7b + RI_7d;
   const float RI_8a = KSL_MULF(Ji->Izz, D->m22), RI_8b = KSL_MULF(Ji->Iyz, D->m21),
-      RI_8c = RI_8a + RI_8b, RI_8d = KSL_MULF(Ji->Izx, D->m20), RI_8 = RI_8c + RI_8d;
+      RI_8d = KSL_MULF(Ji->Izx, D->m20), RI_8 = RI_8a + RI_8b + RI_8d;
   const float Jo_1a = KSL_MULF(Ji->m, D->m03), Jo_1b = KSL_MULF(Ji->mt.x, D->m00),
-      Jo_1c = KSL_MULF(Ji->mt.y, D->m01), Jo_1d = Jo_1b + Jo_1c, Jo_1e = KSL_MULF(Ji->mt.z, D->m02),
-      Jo_1f = Jo_1d + Jo_1e, Jo_1 = Jo_1a + Jo_1f;
+      Jo_1c = KSL_MULF(Ji->mt.y, D->m01), Jo_1e = KSL_MULF(Ji->mt.z, D->m02),
+      Jo_1 = Jo_1a + (Jo_1b + Jo_1c + Jo_1e);
   const float Jo_2a = KSL_MULF(Ji->m, D->m13), Jo_2b = KSL_MULF(Ji->mt.x, D->m10),
-      Jo_2c = KSL_MULF(Ji->mt.y, D->m11), Jo_2d = Jo_2b + Jo_2c, Jo_2e = KSL_MULF(Ji->mt.z, D->m12),
-      Jo_2f = Jo_2d + Jo_2e, Jo_2 = Jo_2a + Jo_2f;
+      Jo_2c = KSL_MULF(Ji->mt.y, D->m11), Jo_2e = KSL_MULF(Ji->mt.z, D->m12),
+      Jo_2 = Jo_2a + (Jo_2b + Jo_2c + Jo_2e);
   const float Jo_3a = KSL_MULF(Ji->m, D->m23), Jo_3b = KSL_MULF(Ji->mt.x, D->m20),
-      Jo_3c = KSL_MULF(Ji->mt.y, D->m21), Jo_3d = Jo_3b + Jo_3c, Jo_3e = KSL_MULF(Ji->mt.z, D->m22),
-      Jo_3f = Jo_3d + Jo_3e, Jo_3 = Jo_3a + Jo_3f;
-  const float Jo_4a = KSL_MULF(D->m00, RI_0), Jo_4b = KSL_MULF(D->m01, RI_1), Jo_4c = Jo_4a + Jo_4b,
-      Jo_4d = KSL_MULF(D->m02, RI_2), Jo_4 = Jo_4c + Jo_4d;
-  const float Jo_5a = KSL_MULF(D->m10, RI_3), Jo_5b = KSL_MULF(D->m11, RI_4), Jo_5c = Jo_5a + Jo_5b,
-      Jo_5d = KSL_MULF(D->m12, RI_5), Jo_5 = Jo_5c + Jo_5d;
-  const float Jo_6a = KSL_MULF(D->m20, RI_6), Jo_6b = KSL_MULF(D->m21, RI_7), Jo_6c = Jo_6a + Jo_6b,
-      Jo_6d = KSL_MULF(D->m22, RI_8), Jo_6 = Jo_6c + Jo_6d;
-  const float Jo_7a = KSL_MULF(D->m10, RI_0), Jo_7b = KSL_MULF(D->m11, RI_1), Jo_7c = Jo_7a + Jo_7b,
-      Jo_7d = KSL_MULF(D->m12, RI_2), Jo_7 = Jo_7c + Jo_7d;
-  const float Jo_8a = KSL_MULF(D->m20, RI_3), Jo_8b = KSL_MULF(D->m21, RI_4), Jo_8c = Jo_8a + Jo_8b,
-      Jo_8d = KSL_MULF(D->m22, RI_5), Jo_8 = Jo_8c + Jo_8d;
-  const float Jo_9a = KSL_MULF(D->m20, RI_0), Jo_9b = KSL_MULF(D->m21, RI_1), Jo_9c = Jo_9a + Jo_9b,
-      Jo_9d = KSL_MULF(D->m22, RI_2), Jo_9 = Jo_9c + Jo_9d;
-  const float RI_0a_abs = fabsf(RI_0a), RI_0b_abs = fabsf(RI_0b),
-      RI_0c_size = RI_0a_abs + RI_0b_abs, RI_0d_abs = fabsf(RI_0d),
-      RI_0_size = RI_0c_size + RI_0d_abs;
-  const float RI_1a_abs = fabsf(RI_1a), RI_1b_abs = fabsf(RI_1b),
-      RI_1c_size = RI_1a_abs + RI_1b_abs, RI_1d_abs = fabsf(RI_1d),
-      RI_1_size = RI_1c_size + RI_1d_abs;
-  const float RI_2a_abs = fabsf(RI_2a), RI_2b_abs = fabsf(RI_2b),
-      RI_2c_size = RI_2a_abs + RI_2b_abs, RI_2d_abs = fabsf(RI_2d),
-      RI_2_size = RI_2c_size + RI_2d_abs;
-  const float RI_3a_abs = fabsf(RI_3a), RI_3b_abs = fabsf(RI_3b),
-      RI_3c_size = RI_3a_abs + RI_3b_abs, RI_3d_abs = fabsf(RI_3d),
-      RI_3_size = RI_3c_size + RI_3d_abs;
-  const float RI_4a_abs = fabsf(RI_4a), RI_4b_abs = fabsf(RI_4b),
-      RI_4c_size = RI_4a_abs + RI_4b_abs, RI_4d_abs = fabsf(RI_4d),
-      RI_4_size = RI_4c_size + RI_4d_abs;
-  const float RI_5a_abs = fabsf(RI_5a), RI_5b_abs = fabsf(RI_5b),
-      RI_5c_size = RI_5a_abs + RI_5b_abs, RI_5d_abs = fabsf(RI_5d),
-      RI_5_size = RI_5c_size + RI_5d_abs;
-  const float RI_6a_abs = fabsf(RI_6a), RI_6b_abs = fabsf(RI_6b),
-      RI_6c_size = RI_6a_abs + RI_6b_abs, RI_6d_abs = fabsf(RI_6d),
-      RI_6_size = RI_6c_size + RI_6d_abs;
-  const float RI_7a_abs = fabsf(RI_7a), RI_7b_abs = fabsf(RI_7b),
-      RI_7c_size = RI_7a_abs + RI_7b_abs, RI_7d_abs = fabsf(RI_7d),
-      RI_7_size = RI_7c_size + RI_7d_abs;
-  const float RI_8a_abs = fabsf(RI_8a), RI_8b_abs = fabsf(RI_8b),
-      RI_8c_size = RI_8a_abs + RI_8b_abs, RI_8d_abs = fabsf(RI_8d),
-      RI_8_size = RI_8c_size + RI_8d_abs;
-  const float Jo_1b_abs = fabsf(Jo_1b), Jo_1c_abs = fabsf(Jo_1c),
-      Jo_1d_size = Jo_1b_abs + Jo_1c_abs, Jo_1e_abs = fabsf(Jo_1e),
-      Jo_1f_size = Jo_1d_size + Jo_1e_abs, Jo_1a_abs = fabsf(Jo_1a),
-      Jo_1_size = Jo_1a_abs + Jo_1f_size;
-  const float Jo_2b_abs = fabsf(Jo_2b), Jo_2c_abs = fabsf(Jo_2c),
-      Jo_2d_size = Jo_2b_abs + Jo_2c_abs, Jo_2e_abs = fabsf(Jo_2e),
-      Jo_2f_size = Jo_2d_size + Jo_2e_abs, Jo_2a_abs = fabsf(Jo_2a),
-      Jo_2_size = Jo_2a_abs + Jo_2f_size;
-  const float Jo_3b_abs = fabsf(Jo_3b), Jo_3c_abs = fabsf(Jo_3c),
-      Jo_3d_size = Jo_3b_abs + Jo_3c_abs, Jo_3e_abs = fabsf(Jo_3e),
-      Jo_3f_size = Jo_3d_size + Jo_3e_abs, Jo_3a_abs = fabsf(Jo_3a),
-      Jo_3_size = Jo_3a_abs + Jo_3f_size;
-  const float RI_0_padded = RI_0_size + 1.9721523e-31f;
-  const float D_00_abs = fabsf(D->m00), Jo_4a_size = KSL_MULF(D_00_abs, RI_0_padded);
-  const float RI_1_padded = RI_1_size + 1.9721523e-31f;
-  const float D_01_abs = fabsf(D->m01), Jo_4b_size = KSL_MULF(D_01_abs, RI_1_padded),
-      Jo_4c_size = Jo_4a_size + Jo_4b_size;
-  const float RI_2_padded = RI_2_size + 1.9721523e-31f;
-  const float D_02_abs = fabsf(D->m02), Jo_4d_size = KSL_MULF(D_02_abs, RI_2_padded),
-      Jo_4_size = Jo_4c_size + Jo_4d_size;
+      Jo_3c = KSL_MULF(Ji->mt.y, D->m21), Jo_3e = KSL_MULF(Ji->mt.z, D->m22),
+      Jo_3 = Jo_3a + (Jo_3b + Jo_3c + Jo_3e);
+  const float Jo_4 = KSL_MULF(D->m00, RI_0) + KSL_MULF(D->m01, RI_1) + KSL_MULF(D->m02, RI_2);
+  const float Jo_5 = KSL_MULF(D->m10, RI_3) + KSL_MULF(D->m11, RI_4) + KSL_MULF(D->m12, RI_5);
+  const float Jo_6 = KSL_MULF(D->m20, RI_6) + KSL_MULF(D->m21, RI_7) + KSL_MULF(D->m22, RI_8),
+      Jo_7 = KSL_MULF(D->m10, RI_0) + KSL_MULF(D->m11, RI_1) + KSL_MULF(D->m12, RI_2),
+      Jo_8 = KSL_MULF(D->m20, RI_3) + KSL_MULF(D->m21, RI_4) + KSL_MULF(D->m22, RI_5),
+      Jo_9 = KSL_MULF(D->m20, RI_0) + KSL_MULF(D->m21, RI_1) + KSL_MULF(D->m22, RI_2);
+  const float RI_0_size = fabsf(RI_0a) + fabsf(RI_0b) + fabsf(RI_0d),
+      RI_1_size = fabsf(RI_1a) + fabsf(RI_1b) + fabsf(RI_1d),
+      RI_2_size = fabsf(RI_2a) + fabsf(RI_2b) + fabsf(RI_2d),
+      RI_3_size = fabsf(RI_3a) + fabsf(RI_3b) + fabsf(RI_3d),
+      RI_4_size = fabsf(RI_4a) + fabsf(RI_4b) + fabsf(RI_4d),
+      RI_5_size = fabsf(RI_5a) + fabsf(RI_5b) + fabsf(RI_5d),
+      RI_6_size = fabsf(RI_6a) + fabsf(RI_6b) + fabsf(RI_6d),
+      RI_7_size = fabsf(RI_7a) + fabsf(RI_7b) + fabsf(RI_7d),
+      RI_8_size = fabsf(RI_8a) + fabsf(RI_8b) + fabsf(RI_8d);
+  const float Jo_1_size = fabsf(Jo_1a) + (fabsf(Jo_1b) + fabsf(Jo_1c) + fabsf(Jo_1e)),
+      Jo_2_size = fabsf(Jo_2a) + (fabsf(Jo_2b) + fabsf(Jo_2c) + fabsf(Jo_2e)),
+      Jo_3_size = fabsf(Jo_3a) + (fabsf(Jo_3b) + fabsf(Jo_3c) + fabsf(Jo_3e));
+  const float RI_0_padded = RI_0_size + 1.9721523e-31f, RI_1_padded = RI_1_size + 1.9721523e-31f,
+      RI_2_padded = RI_2_size + 1.9721523e-31f;
+  const float Jo_4_size = KSL_MULF(fabsf(D->m00), RI_0_padded)
+          + KSL_MULF(fabsf(D->m01), RI_1_padded) + KSL_MULF(fabsf(D->m02), RI_2_padded);
   const float RI_3_padded = RI_3_size + 1.9721523e-31f;
-  const float D_10_abs = fabsf(D->m10), Jo_5a_size = KSL_MULF(D_10_abs, RI_3_padded);
+  const float D_10_abs = fabsf(D->m10);
   const float RI_4_padded = RI_4_size + 1.9721523e-31f;
-  const float D_11_abs = fabsf(D->m11), Jo_5b_size = KSL_MULF(D_11_abs, RI_4_padded),
-      Jo_5c_size = Jo_5a_size + Jo_5b_size;
+  const float D_11_abs = fabsf(D->m11);
   const float RI_5_padded = RI_5_size + 1.9721523e-31f;
-  const float D_12_abs = fabsf(D->m12), Jo_5d_size = KSL_MULF(D_12_abs, RI_5_padded),
-      Jo_5_size = Jo_5c_size + Jo_5d_size;
-  const float RI_6_padded = RI_6_size + 1.9721523e-31f;
-  const float D_20_abs = fabsf(D->m20), Jo_6a_size = KSL_MULF(D_20_abs, RI_6_padded);
-  const float RI_7_padded = RI_7_size + 1.9721523e-31f;
-  const float D_21_abs = fabsf(D->m21), Jo_6b_size = KSL_MULF(D_21_abs, RI_7_padded),
-      Jo_6c_size = Jo_6a_size + Jo_6b_size;
-  const float RI_8_padded = RI_8_size + 1.9721523e-31f;
-  const float D_22_abs = fabsf(D->m22), Jo_6d_size = KSL_MULF(D_22_abs, RI_8_padded),
-      Jo_6_size = Jo_6c_size + Jo_6d_size;
-  const float Jo_7a_size = KSL_MULF(D_10_abs, RI_0_padded),
-      Jo_7b_size = KSL_MULF(D_11_abs, RI_1_padded), Jo_7c_size = Jo_7a_size + Jo_7b_size,
-      Jo_7d_size = KSL_MULF(D_12_abs, RI_2_padded), Jo_7_size = Jo_7c_size + Jo_7d_size;
-  const float Jo_8a_size = KSL_MULF(D_20_abs, RI_3_padded),
-      Jo_8b_size = KSL_MULF(D_21_abs, RI_4_padded), Jo_8c_size = Jo_8a_size + Jo_8b_size,
-      Jo_8d_size = KSL_MULF(D_22_abs, RI_5_padded), Jo_8_size = Jo_8c_size + Jo_8d_size;
-  const float Jo_9a_size = KSL_MULF(D_20_abs, RI_0_padded),
-      Jo_9b_size = KSL_MULF(D_21_abs, RI_1_padded), Jo_9c_size = Jo_9a_size + Jo_9b_size,
-      Jo_9d_size = KSL_MULF(D_22_abs, RI_2_padded), Jo_9_size = Jo_9c_size + Jo_9d_size;
-  const float Jo_1_padded = Jo_1_size + 1.9721523e-31f,
-      Jo_1_error_bound = KSL_MULF(2.3841864e-07f, Jo_1_padded);
-  const float Jo_2_padded = Jo_2_size + 1.9721523e-31f,
-      Jo_2_error_bound = KSL_MULF(2.3841864e-07f, Jo_2_padded);
-  const float Jo_3_padded = Jo_3_size + 1.9721523e-31f,
-      Jo_3_error_bound = KSL_MULF(2.3841864e-07f, Jo_3_padded);
-  const float Jo_4_padded = Jo_4_size + 1.9721523e-31f,
-      Jo_4_error_bound = KSL_MULF(3.5762795e-07f, Jo_4_padded);
-  const float Jo_5_padded = Jo_5_size + 1.9721523e-31f,
-      Jo_5_error_bound = KSL_MULF(3.5762795e-07f, Jo_5_padded);
-  const float Jo_6_padded = Jo_6_size + 1.9721523e-31f,
-      Jo_6_error_bound = KSL_MULF(3.5762795e-07f, Jo_6_padded);
-  const float Jo_7_padded = Jo_7_size + 1.9721523e-31f,
-      Jo_7_error_bound = KSL_MULF(3.5762795e-07f, Jo_7_padded);
-  const float Jo_8_padded = Jo_8_size + 1.9721523e-31f,
-      Jo_8_error_bound = KSL_MULF(3.5762795e-07f, Jo_8_padded);
-  const float Jo_9_padded = Jo_9_size + 1.9721523e-31f,
-      Jo_9_error_bound = KSL_MULF(3.5762795e-07f, Jo_9_padded);
+  const float D_12_abs = fabsf(D->m12),
+      Jo_5_size = KSL_MULF(D_10_abs, RI_3_padded) + KSL_MULF(D_11_abs, RI_4_padded)
+          + KSL_MULF(D_12_abs, RI_5_padded);
+  const float D_20_abs = fabsf(D->m20), D_21_abs = fabsf(D->m21), D_22_abs = fabsf(D->m22),
+      Jo_6c_size = KSL_MULF(D_20_abs, RI_6_size + 1.9721523e-31f)
+          + KSL_MULF(D_21_abs, RI_7_size + 1.9721523e-31f),
+      Jo_6_size = Jo_6c_size + KSL_MULF(D_22_abs, RI_8_size + 1.9721523e-31f);
+  const float Jo_7_size = KSL_MULF(D_10_abs, RI_0_padded) + KSL_MULF(D_11_abs, RI_1_padded)
+          + KSL_MULF(D_12_abs, RI_2_padded),
+      Jo_8_size = KSL_MULF(D_20_abs, RI_3_padded) + KSL_MULF(D_21_abs, RI_4_padded)
+          + KSL_MULF(D_22_abs, RI_5_padded),
+      Jo_9_size = KSL_MULF(D_20_abs, RI_0_padded) + KSL_MULF(D_21_abs, RI_1_padded)
+          + KSL_MULF(D_22_abs, RI_2_padded);
+  const float Jo_1_bound = KSL_MULF(2.3841864e-07f, Jo_1_size + 1.9721523e-31f),
+      Jo_2_bound = KSL_MULF(2.3841864e-07f, Jo_2_size + 1.9721523e-31f),
+      Jo_3_bound = KSL_MULF(2.3841864e-07f, Jo_3_size + 1.9721523e-31f),
+      Jo_4_bound = KSL_MULF(3.5762795e-07f, Jo_4_size + 1.9721523e-31f),
+      Jo_5_bound = KSL_MULF(3.5762795e-07f, Jo_5_size + 1.9721523e-31f),
+      Jo_6_bound = KSL_MULF(3.5762795e-07f, Jo_6_size + 1.9721523e-31f),
+      Jo_7_bound = KSL_MULF(3.5762795e-07f, Jo_7_size + 1.9721523e-31f),
+      Jo_8_bound = KSL_MULF(3.5762795e-07f, Jo_8_size + 1.9721523e-31f),
+      Jo_9_bound = KSL_MULF(3.5762795e-07f, Jo_9_size + 1.9721523e-31f);
   const float Ji_m = Ji->m;
   Jo->m = Ji_m;
   Jo->mt.x = Jo_1;
@@ -1338,15 +953,15 @@ static inline void ksl_inertiaf_transformed_certified(const ksl_inertiaf_t *Ji,
   Jo->Iyz = Jo_8;
   Jo->Izx = Jo_9;
   Jo_bound->m = 0.0f;
-  Jo_bound->mt.x = Jo_1_error_bound;
-  Jo_bound->mt.y = Jo_2_error_bound;
-  Jo_bound->mt.z = Jo_3_error_bound;
-  Jo_bound->Ixx = Jo_4_error_bound;
-  Jo_bound->Iyy = Jo_5_error_bound;
-  Jo_bound->Izz = Jo_6_error_bound;
-  Jo_bound->Ixy = Jo_7_error_bound;
-  Jo_bound->Iyz = Jo_8_error_bound;
-  Jo_bound->Izx = Jo_9_error_bound;
+  Jo_bound->mt.x = Jo_1_bound;
+  Jo_bound->mt.y = Jo_2_bound;
+  Jo_bound->mt.z = Jo_3_bound;
+  Jo_bound->Ixx = Jo_4_bound;
+  Jo_bound->Iyy = Jo_5_bound;
+  Jo_bound->Izz = Jo_6_bound;
+  Jo_bound->Ixy = Jo_7_bound;
+  Jo_bound->Iyz = Jo_8_bound;
+  Jo_bound->Izx = Jo_9_bound;
 }
 
 /* self = self displaced by D = [R | t]: m, R mt + m t, R I R^T; |error of self| <= self_bound
@@ -1357,155 +972,84 @@ static inline void ksl_inertiaf_transformed_certified(const ksl_inertiaf_t *Ji,
 static inline void ksl_inertiaf_transform_certified(ksl_inertiaf_t *self, const ksl_SE3f_t *D,
     ksl_inertiaf_t *self_bound) {
   const float RI_0a = KSL_MULF(self->Ixx, D->m00), RI_0b = KSL_MULF(self->Ixy, D->m01),
-      RI_0c = RI_0a + RI_0b, RI_0d = KSL_MULF(self->Izx, D->m02), RI_0 = RI_0c + RI_0d;
+      RI_0d = KSL_MULF(self->Izx, D->m02), RI_0 = RI_0a + RI_0b + RI_0d;
   const float RI_1a = KSL_MULF(self->Iyy, D->m01), RI_1b = KSL_MULF(self->Ixy, D->m00),
-      RI_1c = RI_1a + RI_1b, RI_1d = KSL_MULF(self->Iyz, D->m02), RI_1 = RI_1c + RI_1d;
+      RI_1d = KSL_MULF(self->Iyz, D->m02), RI_1 = RI_1a + RI_1b + RI_1d;
   const float RI_2a = KSL_MULF(self->Izz, D->m02), RI_2b = KSL_MULF(self->Iyz, D->m01),
-      RI_2c = RI_2a + RI_2b, RI_2d = KSL_MULF(self->Izx, D->m00), RI_2 = RI_2c + RI_2d;
+      RI_2d = KSL_MULF(self->Izx, D->m00), RI_2 = RI_2a + RI_2b + RI_2d;
   const float RI_3a = KSL_MULF(self->Ixx, D->m10), RI_3b = KSL_MULF(self->Ixy, D->m11),
-      RI_3c = RI_3a + RI_3b, RI_3d = KSL_MULF(self->Izx, D->m12), RI_3 = RI_3c + RI_3d;
+      RI_3d = KSL_MULF(self->Izx, D->m12), RI_3 = RI_3a + RI_3b + RI_3d;
   const float RI_4a = KSL_MULF(self->Iyy, D->m11), RI_4b = KSL_MULF(self->Ixy, D->m10),
-      RI_4c = RI_4a + RI_4b, RI_4d = KSL_MULF(self->Iyz, D->m12), RI_4 = RI_4c + RI_4d;
+      RI_4d = KSL_MULF(self->Iyz, D->m12), RI_4 = RI_4a + RI_4b + RI_4d;
   const float RI_5a = KSL_MULF(self->Izz, D->m12), RI_5b = KSL_MULF(self->Iyz, D->m11),
-      RI_5c = RI_5a + RI_5b, RI_5d = KSL_MULF(self->Izx, D->m10), RI_5 = RI_5c + RI_5d;
+      RI_5d = KSL_MULF(self->Izx, D->m10), RI_5 = RI_5a + RI_5b + RI_5d;
   const float RI_6a = KSL_MULF(self->Ixx, D->m20), RI_6b = KSL_MULF(self->Ixy, D->m21),
-      RI_6c = RI_6a + RI_6b, RI_6d = KSL_MULF(self->Izx, D->m22), RI_6 = RI_6c + RI_6d;
+      RI_6d = KSL_MULF(self->Izx, D->m22), RI_6 = RI_6a + RI_6b + RI_6d;
   const float RI_7a = KSL_MULF(self->Iyy, D->m21), RI_7b = KSL_MULF(self->Ixy, D->m20),
-      RI_7c = RI_7a + RI_7b, RI_7d = KSL_MULF(self->Iyz, D->m22), RI_7 = RI_7c + RI_7d;
+      RI_7d = KSL_MULF(self->Iyz, D->m22), RI_7 = RI_7a + RI_7b + RI_7d;
   const float RI_8a = KSL_MULF(self->Izz, D->m22), RI_8b = KSL_MULF(self->Iyz, D->m21),
-      RI_8c = RI_8a + RI_8b, RI_8d = KSL_MULF(self->Izx, D->m20), RI_8 = RI_8c + RI_8d;
+      RI_8d = KSL_MULF(self->Izx, D->m20), RI_8 = RI_8a + RI_8b + RI_8d;
   const float self_1_new_a = KSL_MULF(self->m, D->m03), self_1_new_b = KSL_MULF(self->mt.x, D->m00),
-      self_1_new_c = KSL_MULF(self->mt.y, D->m01), self_1_new_d = self_1_new_b + self_1_new_c,
-      self_1_new_e = KSL_MULF(self->mt.z, D->m02), self_1_new_f = self_1_new_d + self_1_new_e,
-      self_1_new = self_1_new_a + self_1_new_f;
+      self_1_new_c = KSL_MULF(self->mt.y, D->m01), self_1_new_e = KSL_MULF(self->mt.z, D->m02),
+      self_1_new = self_1_new_a + (self_1_new_b + self_1_new_c + self_1_new_e);
   const float self_2_new_a = KSL_MULF(self->m, D->m13), self_2_new_b = KSL_MULF(self->mt.x, D->m10),
-      self_2_new_c = KSL_MULF(self->mt.y, D->m11), self_2_new_d = self_2_new_b + self_2_new_c,
-      self_2_new_e = KSL_MULF(self->mt.z, D->m12), self_2_new_f = self_2_new_d + self_2_new_e,
-      self_2_new = self_2_new_a + self_2_new_f;
+      self_2_new_c = KSL_MULF(self->mt.y, D->m11), self_2_new_e = KSL_MULF(self->mt.z, D->m12),
+      self_2_new = self_2_new_a + (self_2_new_b + self_2_new_c + self_2_new_e);
   const float self_3_new_a = KSL_MULF(self->m, D->m23), self_3_new_b = KSL_MULF(self->mt.x, D->m20),
-      self_3_new_c = KSL_MULF(self->mt.y, D->m21), self_3_new_d = self_3_new_b + self_3_new_c,
-      self_3_new_e = KSL_MULF(self->mt.z, D->m22), self_3_new_f = self_3_new_d + self_3_new_e,
-      self_3_new = self_3_new_a + self_3_new_f;
-  const float self_4_new_a = KSL_MULF(D->m00, RI_0), self_4_new_b = KSL_MULF(D->m01, RI_1),
-      self_4_new_c = self_4_new_a + self_4_new_b, self_4_new_d = KSL_MULF(D->m02, RI_2),
-      self_4_new = self_4_new_c + self_4_new_d;
-  const float self_5_new_a = KSL_MULF(D->m10, RI_3), self_5_new_b = KSL_MULF(D->m11, RI_4),
-      self_5_new_c = self_5_new_a + self_5_new_b, self_5_new_d = KSL_MULF(D->m12, RI_5),
-      self_5_new = self_5_new_c + self_5_new_d;
-  const float self_6_new_a = KSL_MULF(D->m20, RI_6), self_6_new_b = KSL_MULF(D->m21, RI_7),
-      self_6_new_c = self_6_new_a + self_6_new_b, self_6_new_d = KSL_MULF(D->m22, RI_8),
-      self_6_new = self_6_new_c + self_6_new_d;
-  const float self_7_new_a = KSL_MULF(D->m10, RI_0), self_7_new_b = KSL_MULF(D->m11, RI_1),
-      self_7_new_c = self_7_new_a + self_7_new_b, self_7_new_d = KSL_MULF(D->m12, RI_2),
-      self_7_new = self_7_new_c + self_7_new_d;
-  const float self_8_new_a = KSL_MULF(D->m20, RI_3), self_8_new_b = KSL_MULF(D->m21, RI_4),
-      self_8_new_c = self_8_new_a + self_8_new_b, self_8_new_d = KSL_MULF(D->m22, RI_5),
-      self_8_new = self_8_new_c + self_8_new_d;
-  const float self_9_new_a = KSL_MULF(D->m20, RI_0), self_9_new_b = KSL_MULF(D->m21, RI_1),
-      self_9_new_c = self_9_new_a + self_9_new_b, self_9_new_d = KSL_MULF(D->m22, RI_2),
-      self_9_new = self_9_new_c + self_9_new_d;
-  const float RI_0a_abs = fabsf(RI_0a), RI_0b_abs = fabsf(RI_0b),
-      RI_0c_size = RI_0a_abs + RI_0b_abs, RI_0d_abs = fabsf(RI_0d),
-      RI_0_size = RI_0c_size + RI_0d_abs;
-  const float RI_1a_abs = fabsf(RI_1a), RI_1b_abs = fabsf(RI_1b),
-      RI_1c_size = RI_1a_abs + RI_1b_abs, RI_1d_abs = fabsf(RI_1d),
-      RI_1_size = RI_1c_size + RI_1d_abs;
-  const float RI_2a_abs = fabsf(RI_2a), RI_2b_abs = fabsf(RI_2b),
-      RI_2c_size = RI_2a_abs + RI_2b_abs, RI_2d_abs = fabsf(RI_2d),
-      RI_2_size = RI_2c_size + RI_2d_abs;
-  const float RI_3a_abs = fabsf(RI_3a), RI_3b_abs = fabsf(RI_3b),
-      RI_3c_size = RI_3a_abs + RI_3b_abs, RI_3d_abs = fabsf(RI_3d),
-      RI_3_size = RI_3c_size + RI_3d_abs;
-  const float RI_4a_abs = fabsf(RI_4a), RI_4b_abs = fabsf(RI_4b),
-      RI_4c_size = RI_4a_abs + RI_4b_abs, RI_4d_abs = fabsf(RI_4d),
-      RI_4_size = RI_4c_size + RI_4d_abs;
-  const float RI_5a_abs = fabsf(RI_5a), RI_5b_abs = fabsf(RI_5b),
-      RI_5c_size = RI_5a_abs + RI_5b_abs, RI_5d_abs = fabsf(RI_5d),
-      RI_5_size = RI_5c_size + RI_5d_abs;
-  const float RI_6a_abs = fabsf(RI_6a), RI_6b_abs = fabsf(RI_6b),
-      RI_6c_size = RI_6a_abs + RI_6b_abs, RI_6d_abs = fabsf(RI_6d),
-      RI_6_size = RI_6c_size + RI_6d_abs;
-  const float RI_7a_abs = fabsf(RI_7a), RI_7b_abs = fabsf(RI_7b),
-      RI_7c_size = RI_7a_abs + RI_7b_abs, RI_7d_abs = fabsf(RI_7d),
-      RI_7_size = RI_7c_size + RI_7d_abs;
-  const float RI_8a_abs = fabsf(RI_8a), RI_8b_abs = fabsf(RI_8b),
-      RI_8c_size = RI_8a_abs + RI_8b_abs, RI_8d_abs = fabsf(RI_8d),
-      RI_8_size = RI_8c_size + RI_8d_abs;
-  const float self_1_new_b_abs = fabsf(self_1_new_b), self_1_new_c_abs = fabsf(self_1_new_c),
-      self_1_new_d_size = self_1_new_b_abs + self_1_new_c_abs,
-      self_1_new_e_abs = fabsf(self_1_new_e),
-      self_1_new_f_size = self_1_new_d_size + self_1_new_e_abs,
-      self_1_new_a_abs = fabsf(self_1_new_a),
-      self_1_new_size = self_1_new_a_abs + self_1_new_f_size;
-  const float self_2_new_b_abs = fabsf(self_2_new_b), self_2_new_c_abs = fabsf(self_2_new_c),
-      self_2_new_d_size = self_2_new_b_abs + self_2_new_c_abs,
-      self_2_new_e_abs = fabsf(self_2_new_e),
-      self_2_new_f_size = self_2_new_d_size + self_2_new_e_abs,
-      self_2_new_a_abs = fabsf(self_2_new_a),
-      self_2_new_size = self_2_new_a_abs + self_2_new_f_size;
-  const float self_3_new_b_abs = fabsf(self_3_new_b), self_3_new_c_abs = fabsf(self_3_new_c),
-      self_3_new_d_size = self_3_new_b_abs + self_3_new_c_abs,
-      self_3_new_e_abs = fabsf(self_3_new_e),
-      self_3_new_f_size = self_3_new_d_size + self_3_new_e_abs,
-      self_3_new_a_abs = fabsf(self_3_new_a),
-      self_3_new_size = self_3_new_a_abs + self_3_new_f_size;
-  const float RI_0_padded = RI_0_size + 1.9721523e-31f;
-  const float D_00_abs = fabsf(D->m00), self_4_new_a_size = KSL_MULF(D_00_abs, RI_0_padded);
-  const float RI_1_padded = RI_1_size + 1.9721523e-31f;
-  const float D_01_abs = fabsf(D->m01), self_4_new_b_size = KSL_MULF(D_01_abs, RI_1_padded),
-      self_4_new_c_size = self_4_new_a_size + self_4_new_b_size;
-  const float RI_2_padded = RI_2_size + 1.9721523e-31f;
-  const float D_02_abs = fabsf(D->m02), self_4_new_d_size = KSL_MULF(D_02_abs, RI_2_padded),
-      self_4_new_size = self_4_new_c_size + self_4_new_d_size;
+      self_3_new_c = KSL_MULF(self->mt.y, D->m21), self_3_new_e = KSL_MULF(self->mt.z, D->m22),
+      self_3_new = self_3_new_a + (self_3_new_b + self_3_new_c + self_3_new_e);
+  const float self_4_new = KSL_MULF(D->m00, RI_0) + KSL_MULF(D->m01, RI_1) + KSL_MULF(D->m02, RI_2);
+  const float self_5_new = KSL_MULF(D->m10, RI_3) + KSL_MULF(D->m11, RI_4) + KSL_MULF(D->m12, RI_5);
+  const float self_6_new = KSL_MULF(D->m20, RI_6) + KSL_MULF(D->m21, RI_7) + KSL_MULF(D->m22, RI_8),
+      self_7_new = KSL_MULF(D->m10, RI_0) + KSL_MULF(D->m11, RI_1) + KSL_MULF(D->m12, RI_2),
+      self_8_new = KSL_MULF(D->m20, RI_3) + KSL_MULF(D->m21, RI_4) + KSL_MULF(D->m22, RI_5),
+      self_9_new = KSL_MULF(D->m20, RI_0) + KSL_MULF(D->m21, RI_1) + KSL_MULF(D->m22, RI_2);
+  const float RI_0_size = fabsf(RI_0a) + fabsf(RI_0b) + fabsf(RI_0d),
+      RI_1_size = fabsf(RI_1a) + fabsf(RI_1b) + fabsf(RI_1d),
+      RI_2_size = fabsf(RI_2a) + fabsf(RI_2b) + fabsf(RI_2d),
+      RI_3_size = fabsf(RI_3a) + fabsf(RI_3b) + fabsf(RI_3d),
+      RI_4_size = fabsf(RI_4a) + fabsf(RI_4b) + fabsf(RI_4d),
+      RI_5_size = fabsf(RI_5a) + fabsf(RI_5b) + fabsf(RI_5d),
+      RI_6_size = fabsf(RI_6a) + fabsf(RI_6b) + fabsf(RI_6d),
+      RI_7_size = fabsf(RI_7a) + fabsf(RI_7b) + fabsf(RI_7d),
+      RI_8_size = fabsf(RI_8a) + fabsf(RI_8b) + fabsf(RI_8d);
+  const float self_1_new_size = fabsf(self_1_new_a)
+          + (fabsf(self_1_new_b) + fabsf(self_1_new_c) + fabsf(self_1_new_e)),
+      self_2_new_size = fabsf(self_2_new_a)
+          + (fabsf(self_2_new_b) + fabsf(self_2_new_c) + fabsf(self_2_new_e)),
+      self_3_new_size = fabsf(self_3_new_a)
+          + (fabsf(self_3_new_b) + fabsf(self_3_new_c) + fabsf(self_3_new_e));
+  const float RI_0_padded = RI_0_size + 1.9721523e-31f, RI_1_padded = RI_1_size + 1.9721523e-31f,
+      RI_2_padded = RI_2_size + 1.9721523e-31f;
+  const float self_4_new_size = KSL_MULF(fabsf(D->m00), RI_0_padded)
+          + KSL_MULF(fabsf(D->m01), RI_1_padded) + KSL_MULF(fabsf(D->m02), RI_2_padded);
   const float RI_3_padded = RI_3_size + 1.9721523e-31f;
-  const float D_10_abs = fabsf(D->m10), self_5_new_a_size = KSL_MULF(D_10_abs, RI_3_padded);
+  const float D_10_abs = fabsf(D->m10);
   const float RI_4_padded = RI_4_size + 1.9721523e-31f;
-  const float D_11_abs = fabsf(D->m11), self_5_new_b_size = KSL_MULF(D_11_abs, RI_4_padded),
-      self_5_new_c_size = self_5_new_a_size + self_5_new_b_size;
+  const float D_11_abs = fabsf(D->m11);
   const float RI_5_padded = RI_5_size + 1.9721523e-31f;
-  const float D_12_abs = fabsf(D->m12), self_5_new_d_size = KSL_MULF(D_12_abs, RI_5_padded),
-      self_5_new_size = self_5_new_c_size + self_5_new_d_size;
-  const float RI_6_padded = RI_6_size + 1.9721523e-31f;
-  const float D_20_abs = fabsf(D->m20), self_6_new_a_size = KSL_MULF(D_20_abs, RI_6_padded);
-  const float RI_7_padded = RI_7_size + 1.9721523e-31f;
-  const float D_21_abs = fabsf(D->m21), self_6_new_b_size = KSL_MULF(D_21_abs, RI_7_padded),
-      self_6_new_c_size = self_6_new_a_size + self_6_new_b_size;
-  const float RI_8_padded = RI_8_size + 1.9721523e-31f;
-  const float D_22_abs = fabsf(D->m22), self_6_new_d_size = KSL_MULF(D_22_abs, RI_8_padded),
-      self_6_new_size = self_6_new_c_size + self_6_new_d_size;
-  const float self_7_new_a_size = KSL_MULF(D_10_abs, RI_0_padded),
-      self_7_new_b_size = KSL_MULF(D_11_abs, RI_1_padded),
-      self_7_new_c_size = self_7_new_a_size + self_7_new_b_size,
-      self_7_new_d_size = KSL_MULF(D_12_abs, RI_2_padded),
-      self_7_new_size = self_7_new_c_size + self_7_new_d_size;
-  const float self_8_new_a_size = KSL_MULF(D_20_abs, RI_3_padded),
-      self_8_new_b_size = KSL_MULF(D_21_abs, RI_4_padded),
-      self_8_new_c_size = self_8_new_a_size + self_8_new_b_size,
-      self_8_new_d_size = KSL_MULF(D_22_abs, RI_5_padded),
-      self_8_new_size = self_8_new_c_size + self_8_new_d_size;
-  const float self_9_new_a_size = KSL_MULF(D_20_abs, RI_0_padded),
-      self_9_new_b_size = KSL_MULF(D_21_abs, RI_1_padded),
-      self_9_new_c_size = self_9_new_a_size + self_9_new_b_size,
-      self_9_new_d_size = KSL_MULF(D_22_abs, RI_2_padded),
-      self_9_new_size = self_9_new_c_size + self_9_new_d_size;
-  const float self_1_new_padded = self_1_new_size + 1.9721523e-31f,
-      self_1_new_error_bound = KSL_MULF(2.3841864e-07f, self_1_new_padded);
-  const float self_2_new_padded = self_2_new_size + 1.9721523e-31f,
-      self_2_new_error_bound = KSL_MULF(2.3841864e-07f, self_2_new_padded);
-  const float self_3_new_padded = self_3_new_size + 1.9721523e-31f,
-      self_3_new_error_bound = KSL_MULF(2.3841864e-07f, self_3_new_padded);
-  const float self_4_new_padded = self_4_new_size + 1.9721523e-31f,
-      self_4_new_error_bound = KSL_MULF(3.5762795e-07f, self_4_new_padded);
-  const float self_5_new_padded = self_5_new_size + 1.9721523e-31f,
-      self_5_new_error_bound = KSL_MULF(3.5762795e-07f, self_5_new_padded);
-  const float self_6_new_padded = self_6_new_size + 1.9721523e-31f,
-      self_6_new_error_bound = KSL_MULF(3.5762795e-07f, self_6_new_padded);
-  const float self_7_new_padded = self_7_new_size + 1.9721523e-31f,
-      self_7_new_error_bound = KSL_MULF(3.5762795e-07f, self_7_new_padded);
-  const float self_8_new_padded = self_8_new_size + 1.9721523e-31f,
-      self_8_new_error_bound = KSL_MULF(3.5762795e-07f, self_8_new_padded);
-  const float self_9_new_padded = self_9_new_size + 1.9721523e-31f,
-      self_9_new_error_bound = KSL_MULF(3.5762795e-07f, self_9_new_padded);
+  const float D_12_abs = fabsf(D->m12),
+      self_5_new_size = KSL_MULF(D_10_abs, RI_3_padded) + KSL_MULF(D_11_abs, RI_4_padded)
+          + KSL_MULF(D_12_abs, RI_5_padded);
+  const float D_20_abs = fabsf(D->m20), D_21_abs = fabsf(D->m21), D_22_abs = fabsf(D->m22),
+      self_6_new_c_size = KSL_MULF(D_20_abs, RI_6_size + 1.9721523e-31f)
+          + KSL_MULF(D_21_abs, RI_7_size + 1.9721523e-31f),
+      self_6_new_size = self_6_new_c_size + KSL_MULF(D_22_abs, RI_8_size + 1.9721523e-31f);
+  const float self_7_new_size = KSL_MULF(D_10_abs, RI_0_padded) + KSL_MULF(D_11_abs, RI_1_padded)
+          + KSL_MULF(D_12_abs, RI_2_padded),
+      self_8_new_size = KSL_MULF(D_20_abs, RI_3_padded) + KSL_MULF(D_21_abs, RI_4_padded)
+          + KSL_MULF(D_22_abs, RI_5_padded),
+      self_9_new_size = KSL_MULF(D_20_abs, RI_0_padded) + KSL_MULF(D_21_abs, RI_1_padded)
+          + KSL_MULF(D_22_abs, RI_2_padded);
+  const float self_1_new_bound = KSL_MULF(2.3841864e-07f, self_1_new_size + 1.9721523e-31f),
+      self_2_new_bound = KSL_MULF(2.3841864e-07f, self_2_new_size + 1.9721523e-31f),
+      self_3_new_bound = KSL_MULF(2.3841864e-07f, self_3_new_size + 1.9721523e-31f),
+      self_4_new_bound = KSL_MULF(3.5762795e-07f, self_4_new_size + 1.9721523e-31f),
+      self_5_new_bound = KSL_MULF(3.5762795e-07f, self_5_new_size + 1.9721523e-31f),
+      self_6_new_bound = KSL_MULF(3.5762795e-07f, self_6_new_size + 1.9721523e-31f),
+      self_7_new_bound = KSL_MULF(3.5762795e-07f, self_7_new_size + 1.9721523e-31f),
+      self_8_new_bound = KSL_MULF(3.5762795e-07f, self_8_new_size + 1.9721523e-31f),
+      self_9_new_bound = KSL_MULF(3.5762795e-07f, self_9_new_size + 1.9721523e-31f);
   self->mt.x = self_1_new;
   self->mt.y = self_2_new;
   self->mt.z = self_3_new;
@@ -1516,15 +1060,15 @@ static inline void ksl_inertiaf_transform_certified(ksl_inertiaf_t *self, const 
   self->Iyz = self_8_new;
   self->Izx = self_9_new;
   self_bound->m = 0.0f;
-  self_bound->mt.x = self_1_new_error_bound;
-  self_bound->mt.y = self_2_new_error_bound;
-  self_bound->mt.z = self_3_new_error_bound;
-  self_bound->Ixx = self_4_new_error_bound;
-  self_bound->Iyy = self_5_new_error_bound;
-  self_bound->Izz = self_6_new_error_bound;
-  self_bound->Ixy = self_7_new_error_bound;
-  self_bound->Iyz = self_8_new_error_bound;
-  self_bound->Izx = self_9_new_error_bound;
+  self_bound->mt.x = self_1_new_bound;
+  self_bound->mt.y = self_2_new_bound;
+  self_bound->mt.z = self_3_new_bound;
+  self_bound->Ixx = self_4_new_bound;
+  self_bound->Iyy = self_5_new_bound;
+  self_bound->Izz = self_6_new_bound;
+  self_bound->Ixy = self_7_new_bound;
+  self_bound->Iyz = self_8_new_bound;
+  self_bound->Izx = self_9_new_bound;
 }
 
 #endif

@@ -17,201 +17,159 @@
      number; 0 where the angle is 0.
    93 mul, 177 add, 21 product error, 1 div, 6 abs, 2 copysign, 7 less, 2 equal, 9 select. */
 static KSL_INLINE double ksl_atan2_error(const double y, const double x, const double angle) {
-  const double quadrant_1 = KSL_MUL(angle, 0.6366197723675814),
-      quadrant_2 = quadrant_1 + 6755399441055744.0, quadrant = quadrant_2 - 6755399441055744.0;
-  const double high_1 = KSL_MUL(quadrant, 1.5707963267341256), high_2 = angle - high_1,
-      high_3 = KSL_MUL(quadrant, 6.077094383272197e-11), high = high_2 - high_3;
+  const double quadrant = KSL_MUL(angle, 0.6366197723675814) + 6755399441055744.0
+          - 6755399441055744.0;
+  const double high = angle - KSL_MUL(quadrant, 1.5707963267341256)
+          - KSL_MUL(quadrant, 6.077094383272197e-11);
   const double a_1 = KSL_MUL(quadrant, -6.12323399409214e-17), a = high + a_1;
-  const double a_error_1 = a - high, a_error_2 = a - a_error_1, a_error_3 = high - a_error_2,
-      a_error_4 = a_1 - a_error_1, a_error = a_error_3 + a_error_4;
-  const double fourth_1 = KSL_MUL(quadrant, 1.6446256917039331e-26), fourth = a_error - fourth_1;
+  const double a_error_1 = a - high, a_error = high - (a - a_error_1) + (a_1 - a_error_1);
+  const double fourth = a_error - KSL_MUL(quadrant, 1.6446256917039331e-26);
   const double b = a + fourth;
-  const double b_error_1 = b - a, b_error = fourth - b_error_1;
-  const double fifth_1 = KSL_MUL(quadrant, 1.9284926340862225e-35), fifth = b_error - fifth_1;
+  const double b_error = fourth - (b - a);
+  const double fifth = b_error - KSL_MUL(quadrant, 1.9284926340862225e-35);
   const double r = b + fifth;
-  const double r_error_1 = r - b, r_error = fifth - r_error_1;
-  const double r_low_1 = KSL_MUL(quadrant, 4.916232119866224e-45), r_low = r_error - r_low_1;
-  const double argument_1 = fabs(r), argument = argument_1 < 5.551115123125783e-17 ? 0.0 : r;
+  const double r_error = fifth - (r - b);
+  const double r_low = r_error - KSL_MUL(quadrant, 4.916232119866224e-45);
+  const double argument = fabs(r) < 5.551115123125783e-17 ? 0.0 : r;
   const double z = KSL_MUL(argument, argument);
   const double z_error = ksl_product_error(argument, argument, z);
-  const double z_low_1 = KSL_MUL(argument, r_low), z_low_2 = KSL_MUL(r_low, argument),
-      z_low_3 = z_low_1 + z_low_2, z_low = z_error + z_low_3;
-  const double sin9_1 = KSL_MUL(z, -3.868170170630684e-23),
-      sin9_2 = sin9_1 + 1.9572941063391263e-20, sin9_3 = KSL_MUL(z, -9.183689863795546e-29),
-      sin9_4 = sin9_3 + 6.446950284384474e-26, sin9_5 = KSL_MUL(z, z),
-      sin9_6 = KSL_MUL(sin9_5, sin9_4), sin9_7 = sin9_6 + sin9_2, sin9_8 = KSL_MUL(z, sin9_7),
-      sin9 = sin9_8 + -8.22063524662433e-18;
+  const double z_low = z_error + (KSL_MUL(argument, r_low) + KSL_MUL(r_low, argument));
+  const double sin9_6 = KSL_MUL(KSL_MUL(z, z), KSL_MUL(z, -9.183689863795546e-29)
+          + 6.446950284384474e-26),
+      sin9 = KSL_MUL(z, sin9_6 + (KSL_MUL(z, -3.868170170630684e-23) + 1.9572941063391263e-20)) +
+          -8.22063524662433e-18;
   const double sin8_z = KSL_MUL(z, sin9);
   const double sin8 = 2.8114572543455206e-15 + sin8_z;
-  const double sin8_error_1 = sin8 - 2.8114572543455206e-15, sin8_error = sin8_z - sin8_error_1;
+  const double sin8_error = sin8_z - (sin8 - 2.8114572543455206e-15);
   const double sin8_low = 1.6508842730861433e-31 + sin8_error;
   const double sin7_z = KSL_MUL(z, sin8);
   const double sin7 = -7.647163731819816e-13 + sin7_z;
-  const double sin7_error_1 = sin7 - -7.647163731819816e-13, sin7_error = sin7_z - sin7_error_1;
-  const double sin7_low_1 = ksl_product_error(z, sin8, sin7_z), sin7_low_2 = KSL_MUL(sin8, z_low),
-      sin7_low_3 = KSL_MUL(z, sin8_low), sin7_low_4 = sin7_low_2 + sin7_low_1,
-      sin7_low_5 = sin7_low_4 + -7.03872877733453e-30, sin7_low_6 = sin7_low_5 + sin7_error,
-      sin7_low = sin7_low_6 + sin7_low_3;
+  const double sin7_error = sin7_z - (sin7 - -7.647163731819816e-13);
+  const double sin7_low = KSL_MUL(sin8, z_low) + ksl_product_error(z, sin8, sin7_z) +
+          -7.03872877733453e-30 + sin7_error + KSL_MUL(z, sin8_low);
   const double sin6_z = KSL_MUL(z, sin7);
   const double sin6 = 1.6059043836821613e-10 + sin6_z;
-  const double sin6_error_1 = sin6 - 1.6059043836821613e-10, sin6_error = sin6_z - sin6_error_1;
-  const double sin6_low_1 = ksl_product_error(z, sin7, sin6_z), sin6_low_2 = KSL_MUL(sin7, z_low),
-      sin6_low_3 = KSL_MUL(z, sin7_low), sin6_low_4 = sin6_low_2 + sin6_low_1,
-      sin6_low_5 = sin6_low_4 + 1.2585294588752098e-26, sin6_low_6 = sin6_low_5 + sin6_error,
-      sin6_low = sin6_low_6 + sin6_low_3;
+  const double sin6_error = sin6_z - (sin6 - 1.6059043836821613e-10);
+  const double sin6_low = KSL_MUL(sin7, z_low) + ksl_product_error(z, sin7, sin6_z)
+          + 1.2585294588752098e-26 + sin6_error + KSL_MUL(z, sin7_low);
   const double sin5_z = KSL_MUL(z, sin6);
   const double sin5 = -2.505210838544172e-08 + sin5_z;
-  const double sin5_error_1 = sin5 - -2.505210838544172e-08, sin5_error = sin5_z - sin5_error_1;
-  const double sin5_low_1 = ksl_product_error(z, sin6, sin5_z), sin5_low_2 = KSL_MUL(sin6, z_low),
-      sin5_low_3 = KSL_MUL(z, sin6_low), sin5_low_4 = sin5_low_2 + sin5_low_1,
-      sin5_low_5 = sin5_low_4 + 1.448814070935912e-24, sin5_low_6 = sin5_low_5 + sin5_error,
-      sin5_low = sin5_low_6 + sin5_low_3;
+  const double sin5_error = sin5_z - (sin5 - -2.505210838544172e-08);
+  const double sin5_low = KSL_MUL(sin6, z_low) + ksl_product_error(z, sin6, sin5_z)
+          + 1.448814070935912e-24 + sin5_error + KSL_MUL(z, sin6_low);
   const double sin4_z = KSL_MUL(z, sin5);
   const double sin4 = 2.7557319223985893e-06 + sin4_z;
-  const double sin4_error_1 = sin4 - 2.7557319223985893e-06, sin4_error = sin4_z - sin4_error_1;
-  const double sin4_low_1 = ksl_product_error(z, sin5, sin4_z), sin4_low_2 = KSL_MUL(sin5, z_low),
-      sin4_low_3 = KSL_MUL(z, sin5_low), sin4_low_4 = sin4_low_2 + sin4_low_1,
-      sin4_low_5 = sin4_low_4 + -1.858393274046472e-22, sin4_low_6 = sin4_low_5 + sin4_error,
-      sin4_low = sin4_low_6 + sin4_low_3;
+  const double sin4_error = sin4_z - (sin4 - 2.7557319223985893e-06);
+  const double sin4_low = KSL_MUL(sin5, z_low) + ksl_product_error(z, sin5, sin4_z) +
+          -1.858393274046472e-22 + sin4_error + KSL_MUL(z, sin5_low);
   const double sin3_z = KSL_MUL(z, sin4);
   const double sin3 = -0.0001984126984126984 + sin3_z;
-  const double sin3_error_1 = sin3 - -0.0001984126984126984, sin3_error = sin3_z - sin3_error_1;
-  const double sin3_low_1 = ksl_product_error(z, sin4, sin3_z), sin3_low_2 = KSL_MUL(sin4, z_low),
-      sin3_low_3 = KSL_MUL(z, sin4_low), sin3_low_4 = sin3_low_2 + sin3_low_1,
-      sin3_low_5 = sin3_low_4 + -1.7209558293420705e-22, sin3_low_6 = sin3_low_5 + sin3_error,
-      sin3_low = sin3_low_6 + sin3_low_3;
+  const double sin3_error = sin3_z - (sin3 - -0.0001984126984126984);
+  const double sin3_low = KSL_MUL(sin4, z_low) + ksl_product_error(z, sin4, sin3_z) +
+          -1.7209558293420705e-22 + sin3_error + KSL_MUL(z, sin4_low);
   const double sin2_z = KSL_MUL(z, sin3);
   const double sin2 = 0.008333333333333333 + sin2_z;
-  const double sin2_error_1 = sin2 - 0.008333333333333333, sin2_error = sin2_z - sin2_error_1;
-  const double sin2_low_1 = ksl_product_error(z, sin3, sin2_z), sin2_low_2 = KSL_MUL(sin3, z_low),
-      sin2_low_3 = KSL_MUL(z, sin3_low), sin2_low_4 = sin2_low_2 + sin2_low_1,
-      sin2_low_5 = sin2_low_4 + 1.1564823173178714e-19, sin2_low_6 = sin2_low_5 + sin2_error,
-      sin2_low = sin2_low_6 + sin2_low_3;
+  const double sin2_error = sin2_z - (sin2 - 0.008333333333333333);
+  const double sin2_low = KSL_MUL(sin3, z_low) + ksl_product_error(z, sin3, sin2_z)
+          + 1.1564823173178714e-19 + sin2_error + KSL_MUL(z, sin3_low);
   const double sin1_z = KSL_MUL(z, sin2);
   const double sin1 = -0.16666666666666666 + sin1_z;
-  const double sin1_error_1 = sin1 - -0.16666666666666666, sin1_error = sin1_z - sin1_error_1;
-  const double sin1_low_1 = ksl_product_error(z, sin2, sin1_z), sin1_low_2 = KSL_MUL(sin2, z_low),
-      sin1_low_3 = KSL_MUL(z, sin2_low), sin1_low_4 = sin1_low_2 + sin1_low_1,
-      sin1_low_5 = sin1_low_4 + -9.25185853854297e-18, sin1_low_6 = sin1_low_5 + sin1_error,
-      sin1_low = sin1_low_6 + sin1_low_3;
+  const double sin1_error = sin1_z - (sin1 - -0.16666666666666666);
+  const double sin1_low = KSL_MUL(sin2, z_low) + ksl_product_error(z, sin2, sin1_z) +
+          -9.25185853854297e-18 + sin1_error + KSL_MUL(z, sin2_low);
   const double sin_sum = KSL_MUL(z, sin1);
   const double sin_sum_error = ksl_product_error(z, sin1, sin_sum);
-  const double sin_sum_low_1 = KSL_MUL(z, sin1_low), sin_sum_low_2 = KSL_MUL(z_low, sin1),
-      sin_sum_low_3 = sin_sum_low_1 + sin_sum_low_2, sin_sum_low = sin_sum_error + sin_sum_low_3;
+  const double sin_sum_low = sin_sum_error + (KSL_MUL(z, sin1_low) + KSL_MUL(z_low, sin1));
   const double sin_r_more = KSL_MUL(r, sin_sum);
   const double sin_r_more_error = ksl_product_error(r, sin_sum, sin_r_more);
-  const double sin_r_more_low_1 = KSL_MUL(r, sin_sum_low),
-      sin_r_more_low_2 = KSL_MUL(r_low, sin_sum),
-      sin_r_more_low_3 = sin_r_more_low_1 + sin_r_more_low_2,
-      sin_r_more_low = sin_r_more_error + sin_r_more_low_3;
+  const double sin_r_more_low = sin_r_more_error
+          + (KSL_MUL(r, sin_sum_low) + KSL_MUL(r_low, sin_sum));
   const double sin_r = r + sin_r_more;
-  const double sin_r_error_1 = sin_r - r, sin_r_error = sin_r_more - sin_r_error_1;
-  const double sin_r_low_1 = sin_r_more_low + r_low, sin_r_low = sin_r_error + sin_r_low_1;
-  const double cos10_1 = KSL_MUL(z, 1.6117375710961184e-24),
-      cos10_2 = cos10_1 + -8.896791392450574e-22, cos10_3 = KSL_MUL(z, 3.279889237069838e-30),
-      cos10_4 = cos10_3 + -2.4795962632247976e-27, cos10_5 = KSL_MUL(z, z),
-      cos10_6 = KSL_MUL(cos10_5, cos10_4), cos10_7 = cos10_6 + cos10_2,
-      cos10_8 = KSL_MUL(z, cos10_7), cos10 = cos10_8 + 4.110317623312165e-19;
+  const double sin_r_error = sin_r_more - (sin_r - r);
+  const double sin_r_low = sin_r_error + (sin_r_more_low + r_low);
+  const double cos10_6 = KSL_MUL(KSL_MUL(z, z), KSL_MUL(z, 3.279889237069838e-30) +
+          -2.4795962632247976e-27),
+      cos10 = KSL_MUL(z, cos10_6 + (KSL_MUL(z, 1.6117375710961184e-24) + -8.896791392450574e-22))
+          + 4.110317623312165e-19;
   const double cos9_z = KSL_MUL(z, cos10);
   const double cos9 = -1.5619206968586225e-16 + cos9_z;
-  const double cos9_error_1 = cos9 - -1.5619206968586225e-16, cos9_error = cos9_z - cos9_error_1;
+  const double cos9_error = cos9_z - (cos9 - -1.5619206968586225e-16);
   const double cos9_low = -1.1910679660273754e-32 + cos9_error;
   const double cos8_z = KSL_MUL(z, cos9);
   const double cos8 = 4.779477332387385e-14 + cos8_z;
-  const double cos8_error_1 = cos8 - 4.779477332387385e-14, cos8_error = cos8_z - cos8_error_1;
-  const double cos8_low_1 = ksl_product_error(z, cos9, cos8_z), cos8_low_2 = KSL_MUL(cos9, z_low),
-      cos8_low_3 = KSL_MUL(z, cos9_low), cos8_low_4 = cos8_low_2 + cos8_low_1,
-      cos8_low_5 = cos8_low_4 + 4.399205485834081e-31, cos8_low_6 = cos8_low_5 + cos8_error,
-      cos8_low = cos8_low_6 + cos8_low_3;
+  const double cos8_error = cos8_z - (cos8 - 4.779477332387385e-14);
+  const double cos8_low = KSL_MUL(cos9, z_low) + ksl_product_error(z, cos9, cos8_z)
+          + 4.399205485834081e-31 + cos8_error + KSL_MUL(z, cos9_low);
   const double cos7_z = KSL_MUL(z, cos8);
   const double cos7 = -1.1470745597729725e-11 + cos7_z;
-  const double cos7_error_1 = cos7 - -1.1470745597729725e-11, cos7_error = cos7_z - cos7_error_1;
-  const double cos7_low_1 = ksl_product_error(z, cos8, cos7_z), cos7_low_2 = KSL_MUL(cos8, z_low),
-      cos7_low_3 = KSL_MUL(z, cos8_low), cos7_low_4 = cos7_low_2 + cos7_low_1,
-      cos7_low_5 = cos7_low_4 + -2.0655512752830745e-28, cos7_low_6 = cos7_low_5 + cos7_error,
-      cos7_low = cos7_low_6 + cos7_low_3;
+  const double cos7_error = cos7_z - (cos7 - -1.1470745597729725e-11);
+  const double cos7_low = KSL_MUL(cos8, z_low) + ksl_product_error(z, cos8, cos7_z) +
+          -2.0655512752830745e-28 + cos7_error + KSL_MUL(z, cos8_low);
   const double cos6_z = KSL_MUL(z, cos7);
   const double cos6 = 2.08767569878681e-09 + cos6_z;
-  const double cos6_error_1 = cos6 - 2.08767569878681e-09, cos6_error = cos6_z - cos6_error_1;
-  const double cos6_low_1 = ksl_product_error(z, cos7, cos6_z), cos6_low_2 = KSL_MUL(cos7, z_low),
-      cos6_low_3 = KSL_MUL(z, cos7_low), cos6_low_4 = cos6_low_2 + cos6_low_1,
-      cos6_low_5 = cos6_low_4 + -1.20734505911326e-25, cos6_low_6 = cos6_low_5 + cos6_error,
-      cos6_low = cos6_low_6 + cos6_low_3;
+  const double cos6_error = cos6_z - (cos6 - 2.08767569878681e-09);
+  const double cos6_low = KSL_MUL(cos7, z_low) + ksl_product_error(z, cos7, cos6_z) +
+          -1.20734505911326e-25 + cos6_error + KSL_MUL(z, cos7_low);
   const double cos5_z = KSL_MUL(z, cos6);
   const double cos5 = -2.755731922398589e-07 + cos5_z;
-  const double cos5_error_1 = cos5 - -2.755731922398589e-07, cos5_error = cos5_z - cos5_error_1;
-  const double cos5_low_1 = ksl_product_error(z, cos6, cos5_z), cos5_low_2 = KSL_MUL(cos6, z_low),
-      cos5_low_3 = KSL_MUL(z, cos6_low), cos5_low_4 = cos5_low_2 + cos5_low_1,
-      cos5_low_5 = cos5_low_4 + -2.3767714622250297e-23, cos5_low_6 = cos5_low_5 + cos5_error,
-      cos5_low = cos5_low_6 + cos5_low_3;
+  const double cos5_error = cos5_z - (cos5 - -2.755731922398589e-07);
+  const double cos5_low = KSL_MUL(cos6, z_low) + ksl_product_error(z, cos6, cos5_z) +
+          -2.3767714622250297e-23 + cos5_error + KSL_MUL(z, cos6_low);
   const double cos4_z = KSL_MUL(z, cos5);
   const double cos4 = 2.48015873015873e-05 + cos4_z;
-  const double cos4_error_1 = cos4 - 2.48015873015873e-05, cos4_error = cos4_z - cos4_error_1;
-  const double cos4_low_1 = ksl_product_error(z, cos5, cos4_z), cos4_low_2 = KSL_MUL(cos5, z_low),
-      cos4_low_3 = KSL_MUL(z, cos5_low), cos4_low_4 = cos4_low_2 + cos4_low_1,
-      cos4_low_5 = cos4_low_4 + 2.1511947866775882e-23, cos4_low_6 = cos4_low_5 + cos4_error,
-      cos4_low = cos4_low_6 + cos4_low_3;
+  const double cos4_error = cos4_z - (cos4 - 2.48015873015873e-05);
+  const double cos4_low = KSL_MUL(cos5, z_low) + ksl_product_error(z, cos5, cos4_z)
+          + 2.1511947866775882e-23 + cos4_error + KSL_MUL(z, cos5_low);
   const double cos3_z = KSL_MUL(z, cos4);
   const double cos3 = -0.001388888888888889 + cos3_z;
-  const double cos3_error_1 = cos3 - -0.001388888888888889, cos3_error = cos3_z - cos3_error_1;
-  const double cos3_low_1 = ksl_product_error(z, cos4, cos3_z), cos3_low_2 = KSL_MUL(cos4, z_low),
-      cos3_low_3 = KSL_MUL(z, cos4_low), cos3_low_4 = cos3_low_2 + cos3_low_1,
-      cos3_low_5 = cos3_low_4 + 5.300543954373577e-20, cos3_low_6 = cos3_low_5 + cos3_error,
-      cos3_low = cos3_low_6 + cos3_low_3;
+  const double cos3_error = cos3_z - (cos3 - -0.001388888888888889);
+  const double cos3_low = KSL_MUL(cos4, z_low) + ksl_product_error(z, cos4, cos3_z)
+          + 5.300543954373577e-20 + cos3_error + KSL_MUL(z, cos4_low);
   const double cos2_z = KSL_MUL(z, cos3);
   const double cos2 = 0.041666666666666664 + cos2_z;
-  const double cos2_error_1 = cos2 - 0.041666666666666664, cos2_error = cos2_z - cos2_error_1;
-  const double cos2_low_1 = ksl_product_error(z, cos3, cos2_z), cos2_low_2 = KSL_MUL(cos3, z_low),
-      cos2_low_3 = KSL_MUL(z, cos3_low), cos2_low_4 = cos2_low_2 + cos2_low_1,
-      cos2_low_5 = cos2_low_4 + 2.3129646346357427e-18, cos2_low_6 = cos2_low_5 + cos2_error,
-      cos2_low = cos2_low_6 + cos2_low_3;
+  const double cos2_error = cos2_z - (cos2 - 0.041666666666666664);
+  const double cos2_low = KSL_MUL(cos3, z_low) + ksl_product_error(z, cos3, cos2_z)
+          + 2.3129646346357427e-18 + cos2_error + KSL_MUL(z, cos3_low);
   const double cos1_z = KSL_MUL(z, cos2);
   const double cos1 = -0.5 + cos1_z;
-  const double cos1_error_1 = cos1 - -0.5, cos1_error = cos1_z - cos1_error_1;
-  const double cos1_low_1 = ksl_product_error(z, cos2, cos1_z), cos1_low_2 = KSL_MUL(cos2, z_low),
-      cos1_low_3 = KSL_MUL(z, cos2_low), cos1_low_4 = cos1_low_2 + cos1_low_1,
-      cos1_low_5 = cos1_low_4 + cos1_error, cos1_low = cos1_low_5 + cos1_low_3;
+  const double cos1_error = cos1_z - (cos1 - -0.5);
+  const double cos1_low = KSL_MUL(cos2, z_low) + ksl_product_error(z, cos2, cos1_z) + cos1_error
+          + KSL_MUL(z, cos2_low);
   const double cos_sum = KSL_MUL(z, cos1);
   const double cos_sum_error = ksl_product_error(z, cos1, cos_sum);
-  const double cos_sum_low_1 = KSL_MUL(z, cos1_low), cos_sum_low_2 = KSL_MUL(z_low, cos1),
-      cos_sum_low_3 = cos_sum_low_1 + cos_sum_low_2, cos_sum_low = cos_sum_error + cos_sum_low_3;
+  const double cos_sum_low = cos_sum_error + (KSL_MUL(z, cos1_low) + KSL_MUL(z_low, cos1));
   const double cos_r = 1.0 + cos_sum;
-  const double cos_r_error_1 = cos_r - 1.0, cos_r_error = cos_sum - cos_r_error_1;
+  const double cos_r_error = cos_sum - (cos_r - 1.0);
   const double cos_r_low = cos_r_error + cos_sum_low;
   const double sine = sin_r + sin_r_low;
-  const double sine_low_1 = sine - sin_r, sine_low = sin_r_low - sine_low_1;
+  const double sine_low = sin_r_low - (sine - sin_r);
   const double cosine = cos_r + cos_r_low;
-  const double cosine_low_1 = cosine - cos_r, cosine_low = cos_r_low - cosine_low_1;
-  const double q_1 = quadrant + 2.7021597764222976e+16, q_2 = q_1 - 2.7021597764222976e+16,
-      q = q_2 - quadrant;
-  const double cos_k_1 = fabs(q), cos_k = 1.0 - cos_k_1;
-  const double minus_sin_k_1 = 1.0 + cos_k, minus_sin_k = KSL_MUL(q, minus_sin_k_1);
-  const double sin_x_1 = KSL_MUL(sine, cos_k), sin_x_2 = KSL_MUL(cosine, minus_sin_k),
-      sin_x = sin_x_1 - sin_x_2;
-  const double sin_x_low_1 = KSL_MUL(sine_low, cos_k),
-      sin_x_low_2 = KSL_MUL(cosine_low, minus_sin_k), sin_x_low = sin_x_low_1 - sin_x_low_2;
-  const double cos_x_1 = KSL_MUL(cosine, cos_k), cos_x_2 = KSL_MUL(sine, minus_sin_k),
-      cos_x = cos_x_1 + cos_x_2;
-  const double cos_x_low_1 = KSL_MUL(cosine_low, cos_k),
-      cos_x_low_2 = KSL_MUL(sine_low, minus_sin_k), cos_x_low = cos_x_low_1 + cos_x_low_2;
+  const double cosine_low = cos_r_low - (cosine - cos_r);
+  const double q = quadrant + 2.7021597764222976e+16 - 2.7021597764222976e+16 - quadrant;
+  const double cos_k = 1.0 - fabs(q);
+  const double minus_sin_k = KSL_MUL(q, 1.0 + cos_k);
+  const double sin_x = KSL_MUL(sine, cos_k) - KSL_MUL(cosine, minus_sin_k);
+  const double sin_x_low = KSL_MUL(sine_low, cos_k) - KSL_MUL(cosine_low, minus_sin_k);
+  const double cos_x = KSL_MUL(cosine, cos_k) + KSL_MUL(sine, minus_sin_k);
+  const double cos_x_low = KSL_MUL(cosine_low, cos_k) + KSL_MUL(sine_low, minus_sin_k);
   const double size_1 = fabs(y), size_2 = fabs(x), size = size_1 < size_2 ? size_2 : size_1;
   const double scale_3 = 1.0463951242053392e+298 < size ? 9.094947017729282e-13 : 1.0,
       scale_4 = size < 1.152921504606847e+18 ? 9.076030935533344e+279 : scale_3,
       scale = 1.7976931348623157e+308 < size ? 0.0 : scale_4;
-  const double scaled_y_1 = copysign(1.0, y), scaled_y_2 = copysign(1.0, x), scaled_y_3 = fabs(y),
+  const double scaled_y_1 = copysign(1.0, y), scaled_y_2 = copysign(1.0, x),
       scaled_y_5 = KSL_MUL(y, scale),
-      scaled_y = 1.7976931348623157e+308 < scaled_y_3 ? scaled_y_1 : scaled_y_5;
-  const double scaled_x_1 = fabs(x), scaled_x_3 = KSL_MUL(x, scale),
-      scaled_x_4 = 1.7976931348623157e+308 < scaled_x_1 ? scaled_y_2 : scaled_x_3,
+      scaled_y = 1.7976931348623157e+308 < fabs(y) ? scaled_y_1 : scaled_y_5;
+  const double scaled_x_3 = KSL_MUL(x, scale),
+      scaled_x_4 = 1.7976931348623157e+308 < fabs(x) ? scaled_y_2 : scaled_x_3,
       scaled_x = size == 0.0 ? scaled_y_2 : scaled_x_4;
   const double upward = KSL_MUL(scaled_y, cos_x);
   const double across = KSL_MUL(scaled_x, sin_x);
   const double upward_rest = ksl_product_error(scaled_y, cos_x, upward);
   const double across_rest = ksl_product_error(scaled_x, sin_x, across);
-  const double low_1 = upward_rest - across_rest, low_2 = KSL_MUL(scaled_y, cos_x_low),
-      low_3 = KSL_MUL(scaled_x, sin_x_low), low_4 = low_2 - low_3, low = low_1 + low_4;
-  const double turn_1 = upward - across, turn_2 = turn_1 + low, turn_3 = KSL_MUL(scaled_x, cos_x),
-      turn_4 = KSL_MUL(scaled_y, sin_x), turn_5 = turn_3 + turn_4, turn = turn_2 / turn_5;
+  const double low = upward_rest - across_rest
+          + (KSL_MUL(scaled_y, cos_x_low) - KSL_MUL(scaled_x, sin_x_low));
+  const double turn = (upward - across + low)
+          / (KSL_MUL(scaled_x, cos_x) + KSL_MUL(scaled_y, sin_x));
   const double angle_error_value = angle == 0.0 ? 0.0 : turn;
   return angle_error_value;
 }
@@ -240,154 +198,117 @@ static KSL_INLINE double ksl_power(const double shifted) {
    62 mul, 127 add, 14 product error, 4 power of two, 1 abs, 4 less, 1 equal, 5 select. */
 static KSL_INLINE double ksl_exp_error(const double x, const double y) {
   const double within_2 = 710.0 < x ? 710.0 : x, within = within_2 < -746.0 ? -746.0 : within_2;
-  const double shifted_1 = KSL_MUL(within, 1.4426950408889634),
-      shifted = shifted_1 + 6755399441055744.0;
+  const double shifted = KSL_MUL(within, 1.4426950408889634) + 6755399441055744.0;
   const double k = shifted - 6755399441055744.0;
-  const double high_1 = KSL_MUL(k, 0.6931471805598903), high = within - high_1;
+  const double high = within - KSL_MUL(k, 0.6931471805598903);
   const double second = KSL_MUL(k, -5.49792301870721e-14);
   const double rest = KSL_MUL(k, -1.1612227229362532e-26);
   const double r = high + second;
-  const double r_error_1 = r - high, r_error_2 = r - r_error_1, r_error_3 = high - r_error_2,
-      r_error_4 = second - r_error_1, r_error = r_error_3 + r_error_4;
+  const double r_error_1 = r - high, r_error = high - (r - r_error_1) + (second - r_error_1);
   const double r_low = r_error + rest;
-  const double argument_1 = fabs(r), argument = argument_1 < 5.551115123125783e-17 ? 0.0 : r;
-  const double term14_1 = KSL_MUL(argument, 2.8114572543455206e-15),
-      term14_2 = term14_1 + 4.779477332387385e-14,
-      term14_3 = KSL_MUL(argument, 8.22063524662433e-18),
-      term14_4 = term14_3 + 1.5619206968586225e-16,
-      term14_5 = KSL_MUL(argument, 1.9572941063391263e-20),
-      term14_6 = term14_5 + 4.110317623312165e-19,
-      term14_7 = KSL_MUL(argument, 3.868170170630684e-23),
-      term14_8 = term14_7 + 8.896791392450574e-22, term14_9 = KSL_MUL(argument, argument),
-      term14_10 = KSL_MUL(term14_9, term14_4), term14_11 = term14_10 + term14_2,
-      term14_12 = KSL_MUL(term14_9, term14_8), term14_13 = term14_12 + term14_6,
-      term14_14 = KSL_MUL(term14_9, term14_9), term14_15 = KSL_MUL(term14_14, term14_13),
-      term14_16 = term14_15 + term14_11, term14_17 = KSL_MUL(argument, term14_16),
-      term14 = term14_17 + 7.647163731819816e-13;
+  const double argument = fabs(r) < 5.551115123125783e-17 ? 0.0 : r;
+  const double term14_9 = KSL_MUL(argument, argument),
+      term14_10 = KSL_MUL(term14_9, KSL_MUL(argument, 8.22063524662433e-18)
+          + 1.5619206968586225e-16),
+      term14_12 = KSL_MUL(term14_9, KSL_MUL(argument, 3.868170170630684e-23)
+          + 8.896791392450574e-22),
+      term14_15 = KSL_MUL(KSL_MUL(term14_9, term14_9), term14_12
+          + (KSL_MUL(argument, 1.9572941063391263e-20) + 4.110317623312165e-19)),
+      term14 = KSL_MUL(argument, term14_15
+          + (term14_10 + (KSL_MUL(argument, 2.8114572543455206e-15) + 4.779477332387385e-14)))
+          + 7.647163731819816e-13;
   const double term13_z = KSL_MUL(argument, term14);
   const double term13 = 1.1470745597729725e-11 + term13_z;
-  const double term13_error_1 = term13 - 1.1470745597729725e-11,
-      term13_error = term13_z - term13_error_1;
+  const double term13_error = term13_z - (term13 - 1.1470745597729725e-11);
   const double term13_low = 2.0655512752830745e-28 + term13_error;
   const double term12_z = KSL_MUL(argument, term13);
   const double term12 = 1.6059043836821613e-10 + term12_z;
-  const double term12_error_1 = term12 - 1.6059043836821613e-10,
-      term12_error = term12_z - term12_error_1;
-  const double term12_low_1 = ksl_product_error(argument, term13, term12_z),
-      term12_low_2 = KSL_MUL(term13, r_low), term12_low_3 = KSL_MUL(argument, term13_low),
-      term12_low_4 = term12_low_2 + term12_low_1,
-      term12_low_5 = term12_low_4 + 1.2585294588752098e-26,
-      term12_low_6 = term12_low_5 + term12_error, term12_low = term12_low_6 + term12_low_3;
+  const double term12_error = term12_z - (term12 - 1.6059043836821613e-10);
+  const double term12_low_6 = KSL_MUL(term13, r_low)
+          + ksl_product_error(argument, term13, term12_z) + 1.2585294588752098e-26 + term12_error,
+      term12_low = term12_low_6 + KSL_MUL(argument, term13_low);
   const double term11_z = KSL_MUL(argument, term12);
   const double term11 = 2.08767569878681e-09 + term11_z;
-  const double term11_error_1 = term11 - 2.08767569878681e-09,
-      term11_error = term11_z - term11_error_1;
-  const double term11_low_1 = ksl_product_error(argument, term12, term11_z),
-      term11_low_2 = KSL_MUL(term12, r_low), term11_low_3 = KSL_MUL(argument, term12_low),
-      term11_low_4 = term11_low_2 + term11_low_1,
-      term11_low_5 = term11_low_4 + -1.20734505911326e-25,
-      term11_low_6 = term11_low_5 + term11_error, term11_low = term11_low_6 + term11_low_3;
+  const double term11_error = term11_z - (term11 - 2.08767569878681e-09);
+  const double term11_low_6 = KSL_MUL(term12, r_low)
+          + ksl_product_error(argument, term12, term11_z) + -1.20734505911326e-25 + term11_error,
+      term11_low = term11_low_6 + KSL_MUL(argument, term12_low);
   const double term10_z = KSL_MUL(argument, term11);
   const double term10 = 2.505210838544172e-08 + term10_z;
-  const double term10_error_1 = term10 - 2.505210838544172e-08,
-      term10_error = term10_z - term10_error_1;
-  const double term10_low_1 = ksl_product_error(argument, term11, term10_z),
-      term10_low_2 = KSL_MUL(term11, r_low), term10_low_3 = KSL_MUL(argument, term11_low),
-      term10_low_4 = term10_low_2 + term10_low_1,
-      term10_low_5 = term10_low_4 + -1.448814070935912e-24,
-      term10_low_6 = term10_low_5 + term10_error, term10_low = term10_low_6 + term10_low_3;
+  const double term10_error = term10_z - (term10 - 2.505210838544172e-08);
+  const double term10_low_6 = KSL_MUL(term11, r_low)
+          + ksl_product_error(argument, term11, term10_z) + -1.448814070935912e-24 + term10_error,
+      term10_low = term10_low_6 + KSL_MUL(argument, term11_low);
   const double term9_z = KSL_MUL(argument, term10);
   const double term9 = 2.755731922398589e-07 + term9_z;
-  const double term9_error_1 = term9 - 2.755731922398589e-07, term9_error = term9_z - term9_error_1;
-  const double term9_low_1 = ksl_product_error(argument, term10, term9_z),
-      term9_low_2 = KSL_MUL(term10, r_low), term9_low_3 = KSL_MUL(argument, term10_low),
-      term9_low_4 = term9_low_2 + term9_low_1, term9_low_5 = term9_low_4 + 2.3767714622250297e-23,
-      term9_low_6 = term9_low_5 + term9_error, term9_low = term9_low_6 + term9_low_3;
+  const double term9_error = term9_z - (term9 - 2.755731922398589e-07);
+  const double term9_low_6 = KSL_MUL(term10, r_low) + ksl_product_error(argument, term10, term9_z)
+          + 2.3767714622250297e-23 + term9_error,
+      term9_low = term9_low_6 + KSL_MUL(argument, term10_low);
   const double term8_z = KSL_MUL(argument, term9);
   const double term8 = 2.7557319223985893e-06 + term8_z;
-  const double term8_error_1 = term8 - 2.7557319223985893e-06,
-      term8_error = term8_z - term8_error_1;
-  const double term8_low_1 = ksl_product_error(argument, term9, term8_z),
-      term8_low_2 = KSL_MUL(term9, r_low), term8_low_3 = KSL_MUL(argument, term9_low),
-      term8_low_4 = term8_low_2 + term8_low_1, term8_low_5 = term8_low_4 + -1.858393274046472e-22,
-      term8_low_6 = term8_low_5 + term8_error, term8_low = term8_low_6 + term8_low_3;
+  const double term8_error = term8_z - (term8 - 2.7557319223985893e-06);
+  const double term8_low = KSL_MUL(term9, r_low) + ksl_product_error(argument, term9, term8_z) +
+          -1.858393274046472e-22 + term8_error + KSL_MUL(argument, term9_low);
   const double term7_z = KSL_MUL(argument, term8);
   const double term7 = 2.48015873015873e-05 + term7_z;
-  const double term7_error_1 = term7 - 2.48015873015873e-05, term7_error = term7_z - term7_error_1;
-  const double term7_low_1 = ksl_product_error(argument, term8, term7_z),
-      term7_low_2 = KSL_MUL(term8, r_low), term7_low_3 = KSL_MUL(argument, term8_low),
-      term7_low_4 = term7_low_2 + term7_low_1, term7_low_5 = term7_low_4 + 2.1511947866775882e-23,
-      term7_low_6 = term7_low_5 + term7_error, term7_low = term7_low_6 + term7_low_3;
+  const double term7_error = term7_z - (term7 - 2.48015873015873e-05);
+  const double term7_low = KSL_MUL(term8, r_low) + ksl_product_error(argument, term8, term7_z)
+          + 2.1511947866775882e-23 + term7_error + KSL_MUL(argument, term8_low);
   const double term6_z = KSL_MUL(argument, term7);
   const double term6 = 0.0001984126984126984 + term6_z;
-  const double term6_error_1 = term6 - 0.0001984126984126984, term6_error = term6_z - term6_error_1;
-  const double term6_low_1 = ksl_product_error(argument, term7, term6_z),
-      term6_low_2 = KSL_MUL(term7, r_low), term6_low_3 = KSL_MUL(argument, term7_low),
-      term6_low_4 = term6_low_2 + term6_low_1, term6_low_5 = term6_low_4 + 1.7209558293420705e-22,
-      term6_low_6 = term6_low_5 + term6_error, term6_low = term6_low_6 + term6_low_3;
+  const double term6_error = term6_z - (term6 - 0.0001984126984126984);
+  const double term6_low = KSL_MUL(term7, r_low) + ksl_product_error(argument, term7, term6_z)
+          + 1.7209558293420705e-22 + term6_error + KSL_MUL(argument, term7_low);
   const double term5_z = KSL_MUL(argument, term6);
   const double term5 = 0.001388888888888889 + term5_z;
-  const double term5_error_1 = term5 - 0.001388888888888889, term5_error = term5_z - term5_error_1;
-  const double term5_low_1 = ksl_product_error(argument, term6, term5_z),
-      term5_low_2 = KSL_MUL(term6, r_low), term5_low_3 = KSL_MUL(argument, term6_low),
-      term5_low_4 = term5_low_2 + term5_low_1, term5_low_5 = term5_low_4 + -5.300543954373577e-20,
-      term5_low_6 = term5_low_5 + term5_error, term5_low = term5_low_6 + term5_low_3;
+  const double term5_error = term5_z - (term5 - 0.001388888888888889);
+  const double term5_low = KSL_MUL(term6, r_low) + ksl_product_error(argument, term6, term5_z) +
+          -5.300543954373577e-20 + term5_error + KSL_MUL(argument, term6_low);
   const double term4_z = KSL_MUL(argument, term5);
   const double term4 = 0.008333333333333333 + term4_z;
-  const double term4_error_1 = term4 - 0.008333333333333333, term4_error = term4_z - term4_error_1;
-  const double term4_low_1 = ksl_product_error(argument, term5, term4_z),
-      term4_low_2 = KSL_MUL(term5, r_low), term4_low_3 = KSL_MUL(argument, term5_low),
-      term4_low_4 = term4_low_2 + term4_low_1, term4_low_5 = term4_low_4 + 1.1564823173178714e-19,
-      term4_low_6 = term4_low_5 + term4_error, term4_low = term4_low_6 + term4_low_3;
+  const double term4_error = term4_z - (term4 - 0.008333333333333333);
+  const double term4_low = KSL_MUL(term5, r_low) + ksl_product_error(argument, term5, term4_z)
+          + 1.1564823173178714e-19 + term4_error + KSL_MUL(argument, term5_low);
   const double term3_z = KSL_MUL(argument, term4);
   const double term3 = 0.041666666666666664 + term3_z;
-  const double term3_error_1 = term3 - 0.041666666666666664, term3_error = term3_z - term3_error_1;
-  const double term3_low_1 = ksl_product_error(argument, term4, term3_z),
-      term3_low_2 = KSL_MUL(term4, r_low), term3_low_3 = KSL_MUL(argument, term4_low),
-      term3_low_4 = term3_low_2 + term3_low_1, term3_low_5 = term3_low_4 + 2.3129646346357427e-18,
-      term3_low_6 = term3_low_5 + term3_error, term3_low = term3_low_6 + term3_low_3;
+  const double term3_error = term3_z - (term3 - 0.041666666666666664);
+  const double term3_low = KSL_MUL(term4, r_low) + ksl_product_error(argument, term4, term3_z)
+          + 2.3129646346357427e-18 + term3_error + KSL_MUL(argument, term4_low);
   const double term2_z = KSL_MUL(argument, term3);
   const double term2 = 0.16666666666666666 + term2_z;
-  const double term2_error_1 = term2 - 0.16666666666666666, term2_error = term2_z - term2_error_1;
-  const double term2_low_1 = ksl_product_error(argument, term3, term2_z),
-      term2_low_2 = KSL_MUL(term3, r_low), term2_low_3 = KSL_MUL(argument, term3_low),
-      term2_low_4 = term2_low_2 + term2_low_1, term2_low_5 = term2_low_4 + 9.25185853854297e-18,
-      term2_low_6 = term2_low_5 + term2_error, term2_low = term2_low_6 + term2_low_3;
+  const double term2_error = term2_z - (term2 - 0.16666666666666666);
+  const double term2_low = KSL_MUL(term3, r_low) + ksl_product_error(argument, term3, term2_z)
+          + 9.25185853854297e-18 + term2_error + KSL_MUL(argument, term3_low);
   const double term1_z = KSL_MUL(argument, term2);
   const double term1 = 0.5 + term1_z;
-  const double term1_error_1 = term1 - 0.5, term1_error = term1_z - term1_error_1;
-  const double term1_low_1 = ksl_product_error(argument, term2, term1_z),
-      term1_low_2 = KSL_MUL(term2, r_low), term1_low_3 = KSL_MUL(argument, term2_low),
-      term1_low_4 = term1_low_2 + term1_low_1, term1_low_5 = term1_low_4 + term1_error,
-      term1_low = term1_low_5 + term1_low_3;
+  const double term1_error = term1_z - (term1 - 0.5);
+  const double term1_low = KSL_MUL(term2, r_low) + ksl_product_error(argument, term2, term1_z)
+          + term1_error + KSL_MUL(argument, term2_low);
   const double term_sum = KSL_MUL(argument, term1);
   const double term_sum_error = ksl_product_error(argument, term1, term_sum);
-  const double term_sum_low_1 = KSL_MUL(argument, term1_low),
-      term_sum_low_2 = KSL_MUL(r_low, term1), term_sum_low_3 = term_sum_low_1 + term_sum_low_2,
-      term_sum_low = term_sum_error + term_sum_low_3;
+  const double term_sum_low = term_sum_error
+          + (KSL_MUL(argument, term1_low) + KSL_MUL(r_low, term1));
   const double grown_more = KSL_MUL(r, term_sum);
   const double grown_more_error = ksl_product_error(r, term_sum, grown_more);
-  const double grown_more_low_1 = KSL_MUL(r, term_sum_low),
-      grown_more_low_2 = KSL_MUL(r_low, term_sum),
-      grown_more_low_3 = grown_more_low_1 + grown_more_low_2,
-      grown_more_low = grown_more_error + grown_more_low_3;
+  const double grown_more_low = grown_more_error
+          + (KSL_MUL(r, term_sum_low) + KSL_MUL(r_low, term_sum));
   const double grown = r + grown_more;
-  const double grown_error_1 = grown - r, grown_error = grown_more - grown_error_1;
-  const double grown_low_1 = grown_more_low + r_low, grown_low = grown_error + grown_low_1;
+  const double grown_error = grown_more - (grown - r);
+  const double grown_low = grown_error + (grown_more_low + r_low);
   const double e_r = 1.0 + grown;
-  const double e_r_error_1 = e_r - 1.0, e_r_error = grown - e_r_error_1;
+  const double e_r_error = grown - (e_r - 1.0);
   const double e_r_low = e_r_error + grown_low;
-  const double first_shifted_1 = KSL_MUL(k, 0.5),
-      first_shifted = first_shifted_1 + 6755399441055744.0;
+  const double first_shifted = KSL_MUL(k, 0.5) + 6755399441055744.0;
   const double k_first = first_shifted - 6755399441055744.0;
   const double k_second = k - k_first;
-  const double down0_1 = 6755399441055744.0 - k_first, down0 = ksl_power(down0_1);
-  const double down1_1 = 6755399441055744.0 - k_second, down1 = ksl_power(down1_1);
-  const double up0_1 = 6755399441055744.0 + k_first, up0 = ksl_power(up0_1);
-  const double up1_1 = 6755399441055744.0 + k_second, up1 = ksl_power(up1_1);
-  const double y_scaled_1 = KSL_MUL(y, down0), y_scaled = KSL_MUL(y_scaled_1, down1);
-  const double error_1 = e_r - y_scaled, error = error_1 + e_r_low;
-  const double scaled_1 = KSL_MUL(error, up0), scaled = KSL_MUL(scaled_1, up1);
+  const double down0 = ksl_power(6755399441055744.0 - k_first);
+  const double down1 = ksl_power(6755399441055744.0 - k_second);
+  const double up0 = ksl_power(6755399441055744.0 + k_first);
+  const double up1 = ksl_power(6755399441055744.0 + k_second);
+  const double y_scaled = KSL_MUL(KSL_MUL(y, down0), down1);
+  const double error = e_r - y_scaled + e_r_low;
+  const double scaled = KSL_MUL(KSL_MUL(error, up0), up1);
   const double y_error_2 = 1.7976931348623157e+308 < y ? 0.0 : scaled,
       y_error_value = y == 0.0 ? 0.0 : y_error_2;
   return y_error_value;
@@ -397,23 +318,19 @@ static KSL_INLINE double ksl_exp_error(const double x, const double y) {
 #define KSL_SINCOS_ERROR
 /* Its reduction of angles up to 6588396.0. */
 static KSL_INLINE double ksl_sincos_error_near(const double x, double *r, double *r_low) {
-  const double quadrant_1 = KSL_MUL(x, 0.6366197723675814),
-      quadrant_2 = quadrant_1 + 6755399441055744.0,
-      quadrant_value = quadrant_2 - 6755399441055744.0;
-  const double high_1 = KSL_MUL(quadrant_value, 1.5707963267341256), high_2 = x - high_1,
-      high_3 = KSL_MUL(quadrant_value, 6.077094383272197e-11), high = high_2 - high_3;
+  const double quadrant_value = KSL_MUL(x, 0.6366197723675814) + 6755399441055744.0
+          - 6755399441055744.0;
+  const double high = x - KSL_MUL(quadrant_value, 1.5707963267341256)
+          - KSL_MUL(quadrant_value, 6.077094383272197e-11);
   const double a_1 = KSL_MUL(quadrant_value, -6.12323399409214e-17), a = high + a_1;
-  const double a_error_1 = a - high, a_error_2 = a - a_error_1, a_error_3 = high - a_error_2,
-      a_error_4 = a_1 - a_error_1, a_error = a_error_3 + a_error_4;
-  const double fourth_1 = KSL_MUL(quadrant_value, 1.6446256917039331e-26),
-      fourth = a_error - fourth_1;
+  const double a_error_1 = a - high, a_error = high - (a - a_error_1) + (a_1 - a_error_1);
+  const double fourth = a_error - KSL_MUL(quadrant_value, 1.6446256917039331e-26);
   const double b = a + fourth;
-  const double b_error_1 = b - a, b_error = fourth - b_error_1;
-  const double fifth_1 = KSL_MUL(quadrant_value, 1.9284926340862225e-35), fifth = b_error - fifth_1;
+  const double b_error = fourth - (b - a);
+  const double fifth = b_error - KSL_MUL(quadrant_value, 1.9284926340862225e-35);
   const double r_value = b + fifth;
-  const double r_error_1 = r_value - b, r_error = fifth - r_error_1;
-  const double r_low_1 = KSL_MUL(quadrant_value, 4.916232119866224e-45),
-      r_low_value = r_error - r_low_1;
+  const double r_error = fifth - (r_value - b);
+  const double r_low_value = r_error - KSL_MUL(quadrant_value, 4.916232119866224e-45);
   *r = r_value;
   *r_low = r_low_value;
   return quadrant_value;
@@ -450,8 +367,7 @@ static inline double ksl_two_over_pi(const double x, const int n) {
 /* Its reduction of any larger angle. */
 static KSL_COLD double ksl_sincos_error_far(const double x, double *r, double *r_low) {
   const double scaled = KSL_MUL(x, 6.441148769597133e-232);
-  const double x_high_1 = KSL_MUL(scaled, 134217729.0), x_high_2 = x_high_1 - scaled,
-      x_high = x_high_1 - x_high_2;
+  const double x_high_1 = KSL_MUL(scaled, 134217729.0), x_high = x_high_1 - (x_high_1 - scaled);
   const double x_low = scaled - x_high;
   const double chunk0 = ksl_two_over_pi(x, 0);
   const double chunk1 = ksl_two_over_pi(x, 1);
@@ -463,93 +379,74 @@ static KSL_COLD double ksl_sincos_error_far(const double x, double *r, double *r
   const double chunk7 = ksl_two_over_pi(x, 7);
   const double chunk8 = ksl_two_over_pi(x, 8);
   const double chunk9 = ksl_two_over_pi(x, 9);
-  const double t0_1 = KSL_MUL(x_low, chunk0), t0_2 = KSL_MUL(x_high, chunk1), t0 = t0_1 + t0_2;
-  const double t1_1 = KSL_MUL(x_low, chunk1), t1_2 = KSL_MUL(x_high, chunk2), t1 = t1_1 + t1_2;
-  const double t2_1 = KSL_MUL(x_low, chunk2), t2_2 = KSL_MUL(x_high, chunk3), t2 = t2_1 + t2_2;
-  const double t3_1 = KSL_MUL(x_low, chunk3), t3_2 = KSL_MUL(x_high, chunk4), t3 = t3_1 + t3_2;
-  const double t4_1 = KSL_MUL(x_low, chunk4), t4_2 = KSL_MUL(x_high, chunk5), t4 = t4_1 + t4_2;
-  const double t5_1 = KSL_MUL(x_low, chunk5), t5_2 = KSL_MUL(x_high, chunk6), t5 = t5_1 + t5_2;
-  const double t6_1 = KSL_MUL(x_low, chunk6), t6_2 = KSL_MUL(x_high, chunk7), t6 = t6_1 + t6_2;
-  const double t7_1 = KSL_MUL(x_low, chunk7), t7_2 = KSL_MUL(x_high, chunk8), t7 = t7_1 + t7_2;
-  const double t8_1 = KSL_MUL(x_low, chunk8), t8_2 = KSL_MUL(x_high, chunk9), t8 = t8_1 + t8_2;
-  const double rest0_1 = t0 + 5.404319552844595e+16, rest0_2 = rest0_1 - 5.404319552844595e+16,
-      rest0 = t0 - rest0_2;
-  const double rest4_1 = rest0 + 2.7021597764222976e+16, rest4_2 = rest4_1 - 2.7021597764222976e+16,
-      rest4 = rest0 - rest4_2;
-  const double k1_1 = t1 + 6755399441055744.0, k1 = k1_1 - 6755399441055744.0;
-  const double sum2_1 = t1 - k1, sum2_2 = rest4 + sum2_1, sum2 = sum2_2 + t2;
-  const double sum2_error_1 = sum2 - sum2_2, sum2_error_2 = sum2 - sum2_error_1,
-      sum2_error_3 = sum2_2 - sum2_error_2, sum2_error_4 = t2 - sum2_error_1,
-      sum2_error = sum2_error_3 + sum2_error_4;
-  const double k2_1 = sum2 + 6755399441055744.0, k2 = k2_1 - 6755399441055744.0;
+  const double t0 = KSL_MUL(x_low, chunk0) + KSL_MUL(x_high, chunk1);
+  const double t1 = KSL_MUL(x_low, chunk1) + KSL_MUL(x_high, chunk2);
+  const double t2 = KSL_MUL(x_low, chunk2) + KSL_MUL(x_high, chunk3);
+  const double t3 = KSL_MUL(x_low, chunk3) + KSL_MUL(x_high, chunk4);
+  const double t4 = KSL_MUL(x_low, chunk4) + KSL_MUL(x_high, chunk5);
+  const double t5 = KSL_MUL(x_low, chunk5) + KSL_MUL(x_high, chunk6);
+  const double t6 = KSL_MUL(x_low, chunk6) + KSL_MUL(x_high, chunk7);
+  const double t7 = KSL_MUL(x_low, chunk7) + KSL_MUL(x_high, chunk8);
+  const double t8 = KSL_MUL(x_low, chunk8) + KSL_MUL(x_high, chunk9);
+  const double rest0 = t0 - (t0 + 5.404319552844595e+16 - 5.404319552844595e+16);
+  const double rest4 = rest0 - (rest0 + 2.7021597764222976e+16 - 2.7021597764222976e+16);
+  const double k1 = t1 + 6755399441055744.0 - 6755399441055744.0;
+  const double sum2_2 = rest4 + (t1 - k1), sum2 = sum2_2 + t2;
+  const double sum2_error_1 = sum2 - sum2_2,
+      sum2_error = sum2_2 - (sum2 - sum2_error_1) + (t2 - sum2_error_1);
+  const double k2 = sum2 + 6755399441055744.0 - 6755399441055744.0;
   const double sum2_rest = sum2 - k2;
   const double f_a6 = t7 + t8;
-  const double f_a6_error_1 = f_a6 - t7, f_a6_error_2 = f_a6 - f_a6_error_1,
-      f_a6_error_3 = t7 - f_a6_error_2, f_a6_error_4 = t8 - f_a6_error_1,
-      f_a6_error = f_a6_error_3 + f_a6_error_4;
+  const double f_a6_error_1 = f_a6 - t7,
+      f_a6_error = t7 - (f_a6 - f_a6_error_1) + (t8 - f_a6_error_1);
   const double f_a5 = t6 + f_a6;
-  const double f_a5_error_1 = f_a5 - t6, f_a5_error_2 = f_a5 - f_a5_error_1,
-      f_a5_error_3 = t6 - f_a5_error_2, f_a5_error_4 = f_a6 - f_a5_error_1,
-      f_a5_error = f_a5_error_3 + f_a5_error_4;
+  const double f_a5_error_1 = f_a5 - t6,
+      f_a5_error = t6 - (f_a5 - f_a5_error_1) + (f_a6 - f_a5_error_1);
   const double f_a4 = t5 + f_a5;
-  const double f_a4_error_1 = f_a4 - t5, f_a4_error_2 = f_a4 - f_a4_error_1,
-      f_a4_error_3 = t5 - f_a4_error_2, f_a4_error_4 = f_a5 - f_a4_error_1,
-      f_a4_error = f_a4_error_3 + f_a4_error_4;
+  const double f_a4_error_1 = f_a4 - t5,
+      f_a4_error = t5 - (f_a4 - f_a4_error_1) + (f_a5 - f_a4_error_1);
   const double f_a3 = t4 + f_a4;
-  const double f_a3_error_1 = f_a3 - t4, f_a3_error_2 = f_a3 - f_a3_error_1,
-      f_a3_error_3 = t4 - f_a3_error_2, f_a3_error_4 = f_a4 - f_a3_error_1,
-      f_a3_error = f_a3_error_3 + f_a3_error_4;
+  const double f_a3_error_1 = f_a3 - t4,
+      f_a3_error = t4 - (f_a3 - f_a3_error_1) + (f_a4 - f_a3_error_1);
   const double f_a2 = sum2_error + f_a3;
-  const double f_a2_error_1 = f_a2 - sum2_error, f_a2_error_2 = f_a2 - f_a2_error_1,
-      f_a2_error_3 = sum2_error - f_a2_error_2, f_a2_error_4 = f_a3 - f_a2_error_1,
-      f_a2_error = f_a2_error_3 + f_a2_error_4;
+  const double f_a2_error_1 = f_a2 - sum2_error,
+      f_a2_error = sum2_error - (f_a2 - f_a2_error_1) + (f_a3 - f_a2_error_1);
   const double f_a1 = t3 + f_a2;
-  const double f_a1_error_1 = f_a1 - t3, f_a1_error_2 = f_a1 - f_a1_error_1,
-      f_a1_error_3 = t3 - f_a1_error_2, f_a1_error_4 = f_a2 - f_a1_error_1,
-      f_a1_error = f_a1_error_3 + f_a1_error_4;
+  const double f_a1_error_1 = f_a1 - t3,
+      f_a1_error = t3 - (f_a1 - f_a1_error_1) + (f_a2 - f_a1_error_1);
   const double f_a0 = sum2_rest + f_a1;
-  const double f_a0_error_1 = f_a0 - sum2_rest, f_a0_error_2 = f_a0 - f_a0_error_1,
-      f_a0_error_3 = sum2_rest - f_a0_error_2, f_a0_error_4 = f_a1 - f_a0_error_1,
-      f_a0_error = f_a0_error_3 + f_a0_error_4;
+  const double f_a0_error_1 = f_a0 - sum2_rest,
+      f_a0_error = sum2_rest - (f_a0 - f_a0_error_1) + (f_a1 - f_a0_error_1);
   const double f_b6 = f_a5_error + f_a6_error;
-  const double f_b6_error_1 = f_b6 - f_a5_error, f_b6_error_2 = f_b6 - f_b6_error_1,
-      f_b6_error_3 = f_a5_error - f_b6_error_2, f_b6_error_4 = f_a6_error - f_b6_error_1,
-      f_b6_error = f_b6_error_3 + f_b6_error_4;
+  const double f_b6_error_1 = f_b6 - f_a5_error,
+      f_b6_error = f_a5_error - (f_b6 - f_b6_error_1) + (f_a6_error - f_b6_error_1);
   const double f_b5 = f_a4_error + f_b6;
-  const double f_b5_error_1 = f_b5 - f_a4_error, f_b5_error_2 = f_b5 - f_b5_error_1,
-      f_b5_error_3 = f_a4_error - f_b5_error_2, f_b5_error_4 = f_b6 - f_b5_error_1,
-      f_b5_error = f_b5_error_3 + f_b5_error_4;
+  const double f_b5_error_1 = f_b5 - f_a4_error,
+      f_b5_error = f_a4_error - (f_b5 - f_b5_error_1) + (f_b6 - f_b5_error_1);
   const double f_b4 = f_a3_error + f_b5;
-  const double f_b4_error_1 = f_b4 - f_a3_error, f_b4_error_2 = f_b4 - f_b4_error_1,
-      f_b4_error_3 = f_a3_error - f_b4_error_2, f_b4_error_4 = f_b5 - f_b4_error_1,
-      f_b4_error = f_b4_error_3 + f_b4_error_4;
+  const double f_b4_error_1 = f_b4 - f_a3_error,
+      f_b4_error = f_a3_error - (f_b4 - f_b4_error_1) + (f_b5 - f_b4_error_1);
   const double f_b3 = f_a2_error + f_b4;
-  const double f_b3_error_1 = f_b3 - f_a2_error, f_b3_error_2 = f_b3 - f_b3_error_1,
-      f_b3_error_3 = f_a2_error - f_b3_error_2, f_b3_error_4 = f_b4 - f_b3_error_1,
-      f_b3_error = f_b3_error_3 + f_b3_error_4;
+  const double f_b3_error_1 = f_b3 - f_a2_error,
+      f_b3_error = f_a2_error - (f_b3 - f_b3_error_1) + (f_b4 - f_b3_error_1);
   const double f_b2 = f_a1_error + f_b3;
-  const double f_b2_error_1 = f_b2 - f_a1_error, f_b2_error_2 = f_b2 - f_b2_error_1,
-      f_b2_error_3 = f_a1_error - f_b2_error_2, f_b2_error_4 = f_b3 - f_b2_error_1,
-      f_b2_error = f_b2_error_3 + f_b2_error_4;
+  const double f_b2_error_1 = f_b2 - f_a1_error,
+      f_b2_error = f_a1_error - (f_b2 - f_b2_error_1) + (f_b3 - f_b2_error_1);
   const double f_b1 = f_a0_error + f_b2;
-  const double f_b1_error_1 = f_b1 - f_a0_error, f_b1_error_2 = f_b1 - f_b1_error_1,
-      f_b1_error_3 = f_a0_error - f_b1_error_2, f_b1_error_4 = f_b2 - f_b1_error_1,
-      f_b1_error = f_b1_error_3 + f_b1_error_4;
+  const double f_b1_error_1 = f_b1 - f_a0_error,
+      f_b1_error = f_a0_error - (f_b1 - f_b1_error_1) + (f_b2 - f_b1_error_1);
   const double f_b0 = f_a0 + f_b1;
-  const double f_b0_error_1 = f_b0 - f_a0, f_b0_error_2 = f_b0 - f_b0_error_1,
-      f_b0_error_3 = f_a0 - f_b0_error_2, f_b0_error_4 = f_b1 - f_b0_error_1,
-      f_b0_error = f_b0_error_3 + f_b0_error_4;
-  const double f_low_1 = f_b5_error + f_b6_error, f_low_2 = f_b4_error + f_low_1,
-      f_low_3 = f_b3_error + f_low_2, f_low_4 = f_b2_error + f_low_3,
-      f_low_5 = f_b1_error + f_low_4, f_low = f_b0_error + f_low_5;
+  const double f_b0_error_1 = f_b0 - f_a0,
+      f_b0_error = f_a0 - (f_b0 - f_b0_error_1) + (f_b1 - f_b0_error_1);
+  const double f_low = f_b0_error
+          + (f_b1_error + (f_b2_error + (f_b3_error + (f_b4_error + (f_b5_error + f_b6_error)))));
   const double angle = KSL_MUL(f_b0, 1.5707963267948966);
   const double angle_error = ksl_product_error(f_b0, 1.5707963267948966, angle);
-  const double angle_low_1 = KSL_MUL(f_b0, 6.123233995736766e-17),
-      angle_low_2 = KSL_MUL(f_low, 1.5707963267948966), angle_low_3 = angle_low_1 + angle_low_2,
-      angle_low = angle_error + angle_low_3;
+  const double angle_low = angle_error
+          + (KSL_MUL(f_b0, 6.123233995736766e-17) + KSL_MUL(f_low, 1.5707963267948966));
   const double r_value = angle + angle_low;
-  const double r_low_1 = r_value - angle, r_low_value = angle_low - r_low_1;
   const double quadrant_value = k1 + k2;
+  const double r_low_value = angle_low - (r_value - angle);
   *r = r_value;
   *r_low = r_low_value;
   return quadrant_value;
@@ -570,97 +467,74 @@ static KSL_INLINE double ksl_sincos_error(const double x, const double s, const 
     r = far_r;
     r_low = far_r_low;
   }
-  const double q_1 = quadrant + 2.7021597764222976e+16, q_2 = q_1 - 2.7021597764222976e+16,
-      q = q_2 - quadrant;
-  const double cos_k_1 = fabs(q), cos_k = 1.0 - cos_k_1;
-  const double minus_sin_k_1 = 1.0 + cos_k, minus_sin_k = KSL_MUL(q, minus_sin_k_1);
-  const double sin_r_1 = KSL_MUL(s, cos_k), sin_r_2 = KSL_MUL(c, minus_sin_k),
-      sin_r = sin_r_1 + sin_r_2;
-  const double cos_r_1 = KSL_MUL(c, cos_k), cos_r_2 = KSL_MUL(s, minus_sin_k),
-      cos_r = cos_r_1 - cos_r_2;
-  const double argument_1 = fabs(r), argument = argument_1 < 5.551115123125783e-17 ? 0.0 : r;
+  const double q = quadrant + 2.7021597764222976e+16 - 2.7021597764222976e+16 - quadrant;
+  const double cos_k = 1.0 - fabs(q);
+  const double minus_sin_k = KSL_MUL(q, 1.0 + cos_k);
+  const double sin_r = KSL_MUL(s, cos_k) + KSL_MUL(c, minus_sin_k);
+  const double cos_r = KSL_MUL(c, cos_k) - KSL_MUL(s, minus_sin_k);
+  const double argument = fabs(r) < 5.551115123125783e-17 ? 0.0 : r;
   const double z = KSL_MUL(argument, argument);
   const double z_error = ksl_product_error(argument, argument, z);
   const double cube = KSL_MUL(argument, z);
   const double cube_error = ksl_product_error(argument, z, cube);
-  const double cube_low_1 = KSL_MUL(argument, z_error), cube_low = cube_error + cube_low_1;
-  const double sin8_1 = KSL_MUL(z, 1.9572941063391263e-20), sin8_2 = sin8_1 + -8.22063524662433e-18,
-      sin8_3 = KSL_MUL(z, 6.446950284384474e-26), sin8_4 = sin8_3 + -3.868170170630684e-23,
-      sin8_5 = KSL_MUL(z, z), sin8_6 = KSL_MUL(sin8_5, sin8_4), sin8_7 = sin8_6 + sin8_2,
-      sin8_8 = KSL_MUL(sin8_5, sin8_5), sin8_9 = KSL_MUL(sin8_8, -9.183689863795546e-29),
-      sin8_10 = sin8_9 + sin8_7, sin8_11 = KSL_MUL(z, sin8_10),
-      sin8 = sin8_11 + 2.8114572543455206e-15;
+  const double cube_low = cube_error + KSL_MUL(argument, z_error);
+  const double sin8_5 = KSL_MUL(z, z),
+      sin8_7 = KSL_MUL(sin8_5, KSL_MUL(z, 6.446950284384474e-26) + -3.868170170630684e-23)
+          + (KSL_MUL(z, 1.9572941063391263e-20) + -8.22063524662433e-18),
+      sin8 = KSL_MUL(z, KSL_MUL(KSL_MUL(sin8_5, sin8_5), -9.183689863795546e-29) + sin8_7)
+          + 2.8114572543455206e-15;
   const double sin7_z = KSL_MUL(z, sin8);
   const double sin7 = -7.647163731819816e-13 + sin7_z;
-  const double sin7_error_1 = sin7 - -7.647163731819816e-13, sin7_error = sin7_z - sin7_error_1;
+  const double sin7_error = sin7_z - (sin7 - -7.647163731819816e-13);
   const double sin7_low = -7.03872877733453e-30 + sin7_error;
   const double sin6_z = KSL_MUL(z, sin7);
   const double sin6 = 1.6059043836821613e-10 + sin6_z;
-  const double sin6_error_1 = sin6 - 1.6059043836821613e-10, sin6_error = sin6_z - sin6_error_1;
-  const double sin6_low_1 = ksl_product_error(z, sin7, sin6_z), sin6_low_2 = KSL_MUL(sin7, z_error),
-      sin6_low_3 = KSL_MUL(z, sin7_low), sin6_low_4 = sin6_low_2 + sin6_low_1,
-      sin6_low_5 = sin6_low_4 + 1.2585294588752098e-26, sin6_low_6 = sin6_low_5 + sin6_error,
-      sin6_low = sin6_low_6 + sin6_low_3;
+  const double sin6_error = sin6_z - (sin6 - 1.6059043836821613e-10);
+  const double sin6_low = KSL_MUL(sin7, z_error) + ksl_product_error(z, sin7, sin6_z)
+          + 1.2585294588752098e-26 + sin6_error + KSL_MUL(z, sin7_low);
   const double sin5_z = KSL_MUL(z, sin6);
   const double sin5 = -2.505210838544172e-08 + sin5_z;
-  const double sin5_error_1 = sin5 - -2.505210838544172e-08, sin5_error = sin5_z - sin5_error_1;
-  const double sin5_low_1 = ksl_product_error(z, sin6, sin5_z), sin5_low_2 = KSL_MUL(sin6, z_error),
-      sin5_low_3 = KSL_MUL(z, sin6_low), sin5_low_4 = sin5_low_2 + sin5_low_1,
-      sin5_low_5 = sin5_low_4 + 1.448814070935912e-24, sin5_low_6 = sin5_low_5 + sin5_error,
-      sin5_low = sin5_low_6 + sin5_low_3;
+  const double sin5_error = sin5_z - (sin5 - -2.505210838544172e-08);
+  const double sin5_low = KSL_MUL(sin6, z_error) + ksl_product_error(z, sin6, sin5_z)
+          + 1.448814070935912e-24 + sin5_error + KSL_MUL(z, sin6_low);
   const double sin4_z = KSL_MUL(z, sin5);
   const double sin4 = 2.7557319223985893e-06 + sin4_z;
-  const double sin4_error_1 = sin4 - 2.7557319223985893e-06, sin4_error = sin4_z - sin4_error_1;
-  const double sin4_low_1 = ksl_product_error(z, sin5, sin4_z), sin4_low_2 = KSL_MUL(sin5, z_error),
-      sin4_low_3 = KSL_MUL(z, sin5_low), sin4_low_4 = sin4_low_2 + sin4_low_1,
-      sin4_low_5 = sin4_low_4 + -1.858393274046472e-22, sin4_low_6 = sin4_low_5 + sin4_error,
-      sin4_low = sin4_low_6 + sin4_low_3;
+  const double sin4_error = sin4_z - (sin4 - 2.7557319223985893e-06);
+  const double sin4_low = KSL_MUL(sin5, z_error) + ksl_product_error(z, sin5, sin4_z) +
+          -1.858393274046472e-22 + sin4_error + KSL_MUL(z, sin5_low);
   const double sin3_z = KSL_MUL(z, sin4);
   const double sin3 = -0.0001984126984126984 + sin3_z;
-  const double sin3_error_1 = sin3 - -0.0001984126984126984, sin3_error = sin3_z - sin3_error_1;
-  const double sin3_low_1 = ksl_product_error(z, sin4, sin3_z), sin3_low_2 = KSL_MUL(sin4, z_error),
-      sin3_low_3 = KSL_MUL(z, sin4_low), sin3_low_4 = sin3_low_2 + sin3_low_1,
-      sin3_low_5 = sin3_low_4 + -1.7209558293420705e-22, sin3_low_6 = sin3_low_5 + sin3_error,
-      sin3_low = sin3_low_6 + sin3_low_3;
+  const double sin3_error = sin3_z - (sin3 - -0.0001984126984126984);
+  const double sin3_low = KSL_MUL(sin4, z_error) + ksl_product_error(z, sin4, sin3_z) +
+          -1.7209558293420705e-22 + sin3_error + KSL_MUL(z, sin4_low);
   const double sin2_z = KSL_MUL(z, sin3);
   const double sin2 = 0.008333333333333333 + sin2_z;
-  const double sin2_error_1 = sin2 - 0.008333333333333333, sin2_error = sin2_z - sin2_error_1;
-  const double sin2_low_1 = ksl_product_error(z, sin3, sin2_z), sin2_low_2 = KSL_MUL(sin3, z_error),
-      sin2_low_3 = KSL_MUL(z, sin3_low), sin2_low_4 = sin2_low_2 + sin2_low_1,
-      sin2_low_5 = sin2_low_4 + 1.1564823173178714e-19, sin2_low_6 = sin2_low_5 + sin2_error,
-      sin2_low = sin2_low_6 + sin2_low_3;
+  const double sin2_error = sin2_z - (sin2 - 0.008333333333333333);
+  const double sin2_low = KSL_MUL(sin3, z_error) + ksl_product_error(z, sin3, sin2_z)
+          + 1.1564823173178714e-19 + sin2_error + KSL_MUL(z, sin3_low);
   const double sin1_z = KSL_MUL(z, sin2);
   const double sin1 = -0.16666666666666666 + sin1_z;
-  const double sin1_error_1 = sin1 - -0.16666666666666666, sin1_error = sin1_z - sin1_error_1;
-  const double sin1_low_1 = ksl_product_error(z, sin2, sin1_z), sin1_low_2 = KSL_MUL(sin2, z_error),
-      sin1_low_3 = KSL_MUL(z, sin2_low), sin1_low_4 = sin1_low_2 + sin1_low_1,
-      sin1_low_5 = sin1_low_4 + -9.25185853854297e-18, sin1_low_6 = sin1_low_5 + sin1_error,
-      sin1_low = sin1_low_6 + sin1_low_3;
+  const double sin1_error = sin1_z - (sin1 - -0.16666666666666666);
+  const double sin1_low = KSL_MUL(sin2, z_error) + ksl_product_error(z, sin2, sin1_z) +
+          -9.25185853854297e-18 + sin1_error + KSL_MUL(z, sin2_low);
   const double more = KSL_MUL(cube, sin1);
   const double more_error = ksl_product_error(cube, sin1, more);
-  const double more_low_1 = KSL_MUL(cube_low, sin1), more_low = more_error + more_low_1;
+  const double more_low = more_error + KSL_MUL(cube_low, sin1);
   const double last = KSL_MUL(cube, sin1_low);
   const double difference = r - sin_r;
   const double known_sin_r = argument - difference;
-  const double sin_r_error_1 = difference + more, sin_r_error_2 = KSL_MUL(r_low, cos_r),
-      sin_r_error_3 = more_low + sin_r_error_2, sin_r_error_4 = sin_r_error_1 + sin_r_error_3,
-      sin_r_error = sin_r_error_4 + last;
+  const double sin_r_error = difference + more + (more_low + KSL_MUL(r_low, cos_r)) + last;
   const double h = 1.0 - cos_r;
   const double inverse = 1.0 / cos_r;
   const double square = KSL_MUL(known_sin_r, known_sin_r);
   const double square_error = ksl_product_error(known_sin_r, known_sin_r, square);
   const double h_square = KSL_MUL(h, h);
   const double h_square_error = ksl_product_error(h, h, h_square);
-  const double excess_1 = h + h, excess_2 = excess_1 - square, excess_3 = excess_2 - h_square,
-      excess_4 = square_error + h_square_error, excess = excess_3 - excess_4;
+  const double excess = h + h - square - h_square - (square_error + h_square_error);
   const double tangent = KSL_MUL(known_sin_r, inverse);
-  const double cos_r_error_1 = KSL_MUL(inverse, 0.5),
-      cos_r_error_2 = KSL_MUL(excess, cos_r_error_1), cos_r_error_3 = KSL_MUL(tangent, sin_r_error),
-      cos_r_error = cos_r_error_2 - cos_r_error_3;
-  const double s_error_1 = KSL_MUL(sin_r_error, cos_k),
-      s_error_2 = KSL_MUL(cos_r_error, minus_sin_k), s_error_value = s_error_1 - s_error_2;
-  const double c_error_1 = KSL_MUL(cos_r_error, cos_k),
-      c_error_2 = KSL_MUL(sin_r_error, minus_sin_k), c_error_value = c_error_1 + c_error_2;
+  const double cos_r_error = KSL_MUL(excess, KSL_MUL(inverse, 0.5)) - KSL_MUL(tangent, sin_r_error);
+  const double s_error_value = KSL_MUL(sin_r_error, cos_k) - KSL_MUL(cos_r_error, minus_sin_k);
+  const double c_error_value = KSL_MUL(cos_r_error, cos_k) + KSL_MUL(sin_r_error, minus_sin_k);
   *c_error = c_error_value;
   return s_error_value;
 }
@@ -697,167 +571,127 @@ static KSL_INLINE double ksl_tanh_error(const double x, const double y) {
       within = 40.0 < size ? 40.0 : within_1;
   const double result_1 = fabs(y), result = size < 5.551115123125783e-17 ? 1.0 : result_1;
   const double twice = within + within;
-  const double shifted_1 = KSL_MUL(twice, 1.4426950408889634),
-      shifted = shifted_1 + 6755399441055744.0;
+  const double shifted = KSL_MUL(twice, 1.4426950408889634) + 6755399441055744.0;
   const double k = shifted - 6755399441055744.0;
-  const double high_1 = KSL_MUL(k, 0.6931471805598903), high = twice - high_1;
+  const double high = twice - KSL_MUL(k, 0.6931471805598903);
   const double second = KSL_MUL(k, -5.49792301870721e-14);
   const double rest = KSL_MUL(k, -1.1612227229362532e-26);
   const double r = high + second;
-  const double r_error_1 = r - high, r_error_2 = r - r_error_1, r_error_3 = high - r_error_2,
-      r_error_4 = second - r_error_1, r_error = r_error_3 + r_error_4;
+  const double r_error_1 = r - high, r_error = high - (r - r_error_1) + (second - r_error_1);
   const double r_low = r_error + rest;
   const double power = ksl_power(shifted);
   const double whole = power + -1.0;
-  const double whole_error_1 = whole - power, whole_error = -1.0 - whole_error_1;
-  const double argument_1 = fabs(r), argument = argument_1 < 5.551115123125783e-17 ? 0.0 : r;
-  const double term14_1 = KSL_MUL(argument, 2.8114572543455206e-15),
-      term14_2 = term14_1 + 4.779477332387385e-14,
-      term14_3 = KSL_MUL(argument, 8.22063524662433e-18),
-      term14_4 = term14_3 + 1.5619206968586225e-16,
-      term14_5 = KSL_MUL(argument, 1.9572941063391263e-20),
-      term14_6 = term14_5 + 4.110317623312165e-19,
-      term14_7 = KSL_MUL(argument, 3.868170170630684e-23),
-      term14_8 = term14_7 + 8.896791392450574e-22, term14_9 = KSL_MUL(argument, argument),
-      term14_10 = KSL_MUL(term14_9, term14_4), term14_11 = term14_10 + term14_2,
-      term14_12 = KSL_MUL(term14_9, term14_8), term14_13 = term14_12 + term14_6,
-      term14_14 = KSL_MUL(term14_9, term14_9), term14_15 = KSL_MUL(term14_14, term14_13),
-      term14_16 = term14_15 + term14_11, term14_17 = KSL_MUL(argument, term14_16),
-      term14 = term14_17 + 7.647163731819816e-13;
+  const double whole_error = -1.0 - (whole - power);
+  const double argument = fabs(r) < 5.551115123125783e-17 ? 0.0 : r;
+  const double term14_9 = KSL_MUL(argument, argument),
+      term14_10 = KSL_MUL(term14_9, KSL_MUL(argument, 8.22063524662433e-18)
+          + 1.5619206968586225e-16),
+      term14_12 = KSL_MUL(term14_9, KSL_MUL(argument, 3.868170170630684e-23)
+          + 8.896791392450574e-22),
+      term14_15 = KSL_MUL(KSL_MUL(term14_9, term14_9), term14_12
+          + (KSL_MUL(argument, 1.9572941063391263e-20) + 4.110317623312165e-19)),
+      term14 = KSL_MUL(argument, term14_15
+          + (term14_10 + (KSL_MUL(argument, 2.8114572543455206e-15) + 4.779477332387385e-14)))
+          + 7.647163731819816e-13;
   const double term13_z = KSL_MUL(argument, term14);
   const double term13 = 1.1470745597729725e-11 + term13_z;
-  const double term13_error_1 = term13 - 1.1470745597729725e-11,
-      term13_error = term13_z - term13_error_1;
+  const double term13_error = term13_z - (term13 - 1.1470745597729725e-11);
   const double term13_low = 2.0655512752830745e-28 + term13_error;
   const double term12_z = KSL_MUL(argument, term13);
   const double term12 = 1.6059043836821613e-10 + term12_z;
-  const double term12_error_1 = term12 - 1.6059043836821613e-10,
-      term12_error = term12_z - term12_error_1;
-  const double term12_low_1 = ksl_product_error(argument, term13, term12_z),
-      term12_low_2 = KSL_MUL(term13, r_low), term12_low_3 = KSL_MUL(argument, term13_low),
-      term12_low_4 = term12_low_2 + term12_low_1,
-      term12_low_5 = term12_low_4 + 1.2585294588752098e-26,
-      term12_low_6 = term12_low_5 + term12_error, term12_low = term12_low_6 + term12_low_3;
+  const double term12_error = term12_z - (term12 - 1.6059043836821613e-10);
+  const double term12_low_6 = KSL_MUL(term13, r_low)
+          + ksl_product_error(argument, term13, term12_z) + 1.2585294588752098e-26 + term12_error,
+      term12_low = term12_low_6 + KSL_MUL(argument, term13_low);
   const double term11_z = KSL_MUL(argument, term12);
   const double term11 = 2.08767569878681e-09 + term11_z;
-  const double term11_error_1 = term11 - 2.08767569878681e-09,
-      term11_error = term11_z - term11_error_1;
-  const double term11_low_1 = ksl_product_error(argument, term12, term11_z),
-      term11_low_2 = KSL_MUL(term12, r_low), term11_low_3 = KSL_MUL(argument, term12_low),
-      term11_low_4 = term11_low_2 + term11_low_1,
-      term11_low_5 = term11_low_4 + -1.20734505911326e-25,
-      term11_low_6 = term11_low_5 + term11_error, term11_low = term11_low_6 + term11_low_3;
+  const double term11_error = term11_z - (term11 - 2.08767569878681e-09);
+  const double term11_low_6 = KSL_MUL(term12, r_low)
+          + ksl_product_error(argument, term12, term11_z) + -1.20734505911326e-25 + term11_error,
+      term11_low = term11_low_6 + KSL_MUL(argument, term12_low);
   const double term10_z = KSL_MUL(argument, term11);
   const double term10 = 2.505210838544172e-08 + term10_z;
-  const double term10_error_1 = term10 - 2.505210838544172e-08,
-      term10_error = term10_z - term10_error_1;
-  const double term10_low_1 = ksl_product_error(argument, term11, term10_z),
-      term10_low_2 = KSL_MUL(term11, r_low), term10_low_3 = KSL_MUL(argument, term11_low),
-      term10_low_4 = term10_low_2 + term10_low_1,
-      term10_low_5 = term10_low_4 + -1.448814070935912e-24,
-      term10_low_6 = term10_low_5 + term10_error, term10_low = term10_low_6 + term10_low_3;
+  const double term10_error = term10_z - (term10 - 2.505210838544172e-08);
+  const double term10_low_6 = KSL_MUL(term11, r_low)
+          + ksl_product_error(argument, term11, term10_z) + -1.448814070935912e-24 + term10_error,
+      term10_low = term10_low_6 + KSL_MUL(argument, term11_low);
   const double term9_z = KSL_MUL(argument, term10);
   const double term9 = 2.755731922398589e-07 + term9_z;
-  const double term9_error_1 = term9 - 2.755731922398589e-07, term9_error = term9_z - term9_error_1;
-  const double term9_low_1 = ksl_product_error(argument, term10, term9_z),
-      term9_low_2 = KSL_MUL(term10, r_low), term9_low_3 = KSL_MUL(argument, term10_low),
-      term9_low_4 = term9_low_2 + term9_low_1, term9_low_5 = term9_low_4 + 2.3767714622250297e-23,
-      term9_low_6 = term9_low_5 + term9_error, term9_low = term9_low_6 + term9_low_3;
+  const double term9_error = term9_z - (term9 - 2.755731922398589e-07);
+  const double term9_low_6 = KSL_MUL(term10, r_low) + ksl_product_error(argument, term10, term9_z)
+          + 2.3767714622250297e-23 + term9_error,
+      term9_low = term9_low_6 + KSL_MUL(argument, term10_low);
   const double term8_z = KSL_MUL(argument, term9);
   const double term8 = 2.7557319223985893e-06 + term8_z;
-  const double term8_error_1 = term8 - 2.7557319223985893e-06,
-      term8_error = term8_z - term8_error_1;
-  const double term8_low_1 = ksl_product_error(argument, term9, term8_z),
-      term8_low_2 = KSL_MUL(term9, r_low), term8_low_3 = KSL_MUL(argument, term9_low),
-      term8_low_4 = term8_low_2 + term8_low_1, term8_low_5 = term8_low_4 + -1.858393274046472e-22,
-      term8_low_6 = term8_low_5 + term8_error, term8_low = term8_low_6 + term8_low_3;
+  const double term8_error = term8_z - (term8 - 2.7557319223985893e-06);
+  const double term8_low = KSL_MUL(term9, r_low) + ksl_product_error(argument, term9, term8_z) +
+          -1.858393274046472e-22 + term8_error + KSL_MUL(argument, term9_low);
   const double term7_z = KSL_MUL(argument, term8);
   const double term7 = 2.48015873015873e-05 + term7_z;
-  const double term7_error_1 = term7 - 2.48015873015873e-05, term7_error = term7_z - term7_error_1;
-  const double term7_low_1 = ksl_product_error(argument, term8, term7_z),
-      term7_low_2 = KSL_MUL(term8, r_low), term7_low_3 = KSL_MUL(argument, term8_low),
-      term7_low_4 = term7_low_2 + term7_low_1, term7_low_5 = term7_low_4 + 2.1511947866775882e-23,
-      term7_low_6 = term7_low_5 + term7_error, term7_low = term7_low_6 + term7_low_3;
+  const double term7_error = term7_z - (term7 - 2.48015873015873e-05);
+  const double term7_low = KSL_MUL(term8, r_low) + ksl_product_error(argument, term8, term7_z)
+          + 2.1511947866775882e-23 + term7_error + KSL_MUL(argument, term8_low);
   const double term6_z = KSL_MUL(argument, term7);
   const double term6 = 0.0001984126984126984 + term6_z;
-  const double term6_error_1 = term6 - 0.0001984126984126984, term6_error = term6_z - term6_error_1;
-  const double term6_low_1 = ksl_product_error(argument, term7, term6_z),
-      term6_low_2 = KSL_MUL(term7, r_low), term6_low_3 = KSL_MUL(argument, term7_low),
-      term6_low_4 = term6_low_2 + term6_low_1, term6_low_5 = term6_low_4 + 1.7209558293420705e-22,
-      term6_low_6 = term6_low_5 + term6_error, term6_low = term6_low_6 + term6_low_3;
+  const double term6_error = term6_z - (term6 - 0.0001984126984126984);
+  const double term6_low = KSL_MUL(term7, r_low) + ksl_product_error(argument, term7, term6_z)
+          + 1.7209558293420705e-22 + term6_error + KSL_MUL(argument, term7_low);
   const double term5_z = KSL_MUL(argument, term6);
   const double term5 = 0.001388888888888889 + term5_z;
-  const double term5_error_1 = term5 - 0.001388888888888889, term5_error = term5_z - term5_error_1;
-  const double term5_low_1 = ksl_product_error(argument, term6, term5_z),
-      term5_low_2 = KSL_MUL(term6, r_low), term5_low_3 = KSL_MUL(argument, term6_low),
-      term5_low_4 = term5_low_2 + term5_low_1, term5_low_5 = term5_low_4 + -5.300543954373577e-20,
-      term5_low_6 = term5_low_5 + term5_error, term5_low = term5_low_6 + term5_low_3;
+  const double term5_error = term5_z - (term5 - 0.001388888888888889);
+  const double term5_low = KSL_MUL(term6, r_low) + ksl_product_error(argument, term6, term5_z) +
+          -5.300543954373577e-20 + term5_error + KSL_MUL(argument, term6_low);
   const double term4_z = KSL_MUL(argument, term5);
   const double term4 = 0.008333333333333333 + term4_z;
-  const double term4_error_1 = term4 - 0.008333333333333333, term4_error = term4_z - term4_error_1;
-  const double term4_low_1 = ksl_product_error(argument, term5, term4_z),
-      term4_low_2 = KSL_MUL(term5, r_low), term4_low_3 = KSL_MUL(argument, term5_low),
-      term4_low_4 = term4_low_2 + term4_low_1, term4_low_5 = term4_low_4 + 1.1564823173178714e-19,
-      term4_low_6 = term4_low_5 + term4_error, term4_low = term4_low_6 + term4_low_3;
+  const double term4_error = term4_z - (term4 - 0.008333333333333333);
+  const double term4_low = KSL_MUL(term5, r_low) + ksl_product_error(argument, term5, term4_z)
+          + 1.1564823173178714e-19 + term4_error + KSL_MUL(argument, term5_low);
   const double term3_z = KSL_MUL(argument, term4);
   const double term3 = 0.041666666666666664 + term3_z;
-  const double term3_error_1 = term3 - 0.041666666666666664, term3_error = term3_z - term3_error_1;
-  const double term3_low_1 = ksl_product_error(argument, term4, term3_z),
-      term3_low_2 = KSL_MUL(term4, r_low), term3_low_3 = KSL_MUL(argument, term4_low),
-      term3_low_4 = term3_low_2 + term3_low_1, term3_low_5 = term3_low_4 + 2.3129646346357427e-18,
-      term3_low_6 = term3_low_5 + term3_error, term3_low = term3_low_6 + term3_low_3;
+  const double term3_error = term3_z - (term3 - 0.041666666666666664);
+  const double term3_low = KSL_MUL(term4, r_low) + ksl_product_error(argument, term4, term3_z)
+          + 2.3129646346357427e-18 + term3_error + KSL_MUL(argument, term4_low);
   const double term2_z = KSL_MUL(argument, term3);
   const double term2 = 0.16666666666666666 + term2_z;
-  const double term2_error_1 = term2 - 0.16666666666666666, term2_error = term2_z - term2_error_1;
-  const double term2_low_1 = ksl_product_error(argument, term3, term2_z),
-      term2_low_2 = KSL_MUL(term3, r_low), term2_low_3 = KSL_MUL(argument, term3_low),
-      term2_low_4 = term2_low_2 + term2_low_1, term2_low_5 = term2_low_4 + 9.25185853854297e-18,
-      term2_low_6 = term2_low_5 + term2_error, term2_low = term2_low_6 + term2_low_3;
+  const double term2_error = term2_z - (term2 - 0.16666666666666666);
+  const double term2_low = KSL_MUL(term3, r_low) + ksl_product_error(argument, term3, term2_z)
+          + 9.25185853854297e-18 + term2_error + KSL_MUL(argument, term3_low);
   const double term1_z = KSL_MUL(argument, term2);
   const double term1 = 0.5 + term1_z;
-  const double term1_error_1 = term1 - 0.5, term1_error = term1_z - term1_error_1;
-  const double term1_low_1 = ksl_product_error(argument, term2, term1_z),
-      term1_low_2 = KSL_MUL(term2, r_low), term1_low_3 = KSL_MUL(argument, term2_low),
-      term1_low_4 = term1_low_2 + term1_low_1, term1_low_5 = term1_low_4 + term1_error,
-      term1_low = term1_low_5 + term1_low_3;
+  const double term1_error = term1_z - (term1 - 0.5);
+  const double term1_low = KSL_MUL(term2, r_low) + ksl_product_error(argument, term2, term1_z)
+          + term1_error + KSL_MUL(argument, term2_low);
   const double term_sum = KSL_MUL(argument, term1);
   const double term_sum_error = ksl_product_error(argument, term1, term_sum);
-  const double term_sum_low_1 = KSL_MUL(argument, term1_low),
-      term_sum_low_2 = KSL_MUL(r_low, term1), term_sum_low_3 = term_sum_low_1 + term_sum_low_2,
-      term_sum_low = term_sum_error + term_sum_low_3;
+  const double term_sum_low = term_sum_error
+          + (KSL_MUL(argument, term1_low) + KSL_MUL(r_low, term1));
   const double grown_more = KSL_MUL(r, term_sum);
   const double grown_more_error = ksl_product_error(r, term_sum, grown_more);
-  const double grown_more_low_1 = KSL_MUL(r, term_sum_low),
-      grown_more_low_2 = KSL_MUL(r_low, term_sum),
-      grown_more_low_3 = grown_more_low_1 + grown_more_low_2,
-      grown_more_low = grown_more_error + grown_more_low_3;
+  const double grown_more_low = grown_more_error
+          + (KSL_MUL(r, term_sum_low) + KSL_MUL(r_low, term_sum));
   const double grown = r + grown_more;
-  const double grown_error_1 = grown - r, grown_error = grown_more - grown_error_1;
-  const double grown_low_1 = grown_more_low + r_low, grown_low = grown_error + grown_low_1;
+  const double grown_error = grown_more - (grown - r);
+  const double grown_low = grown_error + (grown_more_low + r_low);
   const double more = KSL_MUL(grown, power);
   const double more_low = KSL_MUL(grown_low, power);
   const double m_sum = whole + more;
-  const double m_sum_error_1 = m_sum - whole, m_sum_error_2 = m_sum - m_sum_error_1,
-      m_sum_error_3 = whole - m_sum_error_2, m_sum_error_4 = more - m_sum_error_1,
-      m_sum_error = m_sum_error_3 + m_sum_error_4;
-  const double m_sum_low_1 = more_low + whole_error, m_sum_low = m_sum_error + m_sum_low_1;
+  const double m_sum_error_1 = m_sum - whole,
+      m_sum_error = whole - (m_sum - m_sum_error_1) + (more - m_sum_error_1);
+  const double m_sum_low = m_sum_error + (more_low + whole_error);
   const double m = m_sum + m_sum_low;
-  const double m_low_1 = m - m_sum, m_low = m_sum_low - m_low_1;
+  const double m_low = m_sum_low - (m - m_sum);
   const double d_sum = 2.0 + m;
-  const double d_sum_error_1 = d_sum - 2.0, d_sum_error_2 = d_sum - d_sum_error_1,
-      d_sum_error_3 = 2.0 - d_sum_error_2, d_sum_error_4 = m - d_sum_error_1,
-      d_sum_error = d_sum_error_3 + d_sum_error_4;
+  const double d_sum_error_1 = d_sum - 2.0,
+      d_sum_error = 2.0 - (d_sum - d_sum_error_1) + (m - d_sum_error_1);
   const double d_sum_low = d_sum_error + m_low;
   const double d = d_sum + d_sum_low;
-  const double d_low_1 = d - d_sum, d_low = d_sum_low - d_low_1;
+  const double d_low = d_sum_low - (d - d_sum);
   const double product = KSL_MUL(result, d);
   const double product_rest = ksl_product_error(result, d, product);
-  const double error_1 = m - product, error_2 = error_1 - product_rest,
-      error_3 = KSL_MUL(result, d_low), error_4 = m_low - error_3, error_5 = error_2 + error_4,
-      error = error_5 / d;
+  const double error = (m - product - product_rest + (m_low - KSL_MUL(result, d_low))) / d;
   const double known_1 = 40.0 < size ? 0.0 : error,
       known = size < 5.551115123125783e-17 ? 0.0 : known_1;
-  const double y_error_1 = copysign(1.0, x), y_error_value = KSL_MUL(known, y_error_1);
+  const double y_error_value = KSL_MUL(known, copysign(1.0, x));
   return y_error_value;
 }
 #endif
@@ -870,145 +704,116 @@ static KSL_INLINE double ksl_tanh_error(const double x, const double y) {
      number; 0 where the angle is 0.
    66 mul, 124 add, 14 product error, 1 div, 6 abs, 2 copysign, 7 less, 2 equal, 9 select. */
 static KSL_INLINE float ksl_atan2_errorf(const float y, const float x, const float angle) {
-  const float quadrant_1 = KSL_MULF(angle, 0.63661975f), quadrant_2 = quadrant_1 + 1.2582912e+07f,
-      quadrant = quadrant_2 - 1.2582912e+07f;
-  const float high_1 = KSL_MULF(quadrant, 1.5706787f), high_2 = angle - high_1,
-      high_3 = KSL_MULF(quadrant, 0.000117599964f), high = high_2 - high_3;
+  const float quadrant = KSL_MULF(angle, 0.63661975f) + 1.2582912e+07f - 1.2582912e+07f;
+  const float high = angle - KSL_MULF(quadrant, 1.5706787f) - KSL_MULF(quadrant, 0.000117599964f);
   const float a_1 = KSL_MULF(quadrant, -1.589251e-08f), a = high + a_1;
-  const float a_error_1 = a - high, a_error_2 = a - a_error_1, a_error_3 = high - a_error_2,
-      a_error_4 = a_1 - a_error_1, a_error = a_error_3 + a_error_4;
-  const float fourth_1 = KSL_MULF(quadrant, 7.442935e-13f), fourth = a_error - fourth_1;
+  const float a_error_1 = a - high, a_error = high - (a - a_error_1) + (a_1 - a_error_1);
+  const float fourth = a_error - KSL_MULF(quadrant, 7.442935e-13f);
   const float b = a + fourth;
-  const float b_error_1 = b - a, b_error = fourth - b_error_1;
-  const float fifth_1 = KSL_MULF(quadrant, 6.123032e-17f), fifth = b_error - fifth_1;
+  const float b_error = fourth - (b - a);
+  const float fifth = b_error - KSL_MULF(quadrant, 6.123032e-17f);
   const float r = b + fifth;
-  const float r_error_1 = r - b, r_error = fifth - r_error_1;
-  const float r_low_1 = KSL_MULF(quadrant, 2.0222662e-21f), r_low = r_error - r_low_1;
-  const float argument_1 = fabsf(r), argument = argument_1 < 2.9802322e-08f ? 0.0f : r;
+  const float r_error = fifth - (r - b);
+  const float r_low = r_error - KSL_MULF(quadrant, 2.0222662e-21f);
+  const float argument = fabsf(r) < 2.9802322e-08f ? 0.0f : r;
   const float z = KSL_MULF(argument, argument);
   const float z_error = ksl_product_errorf(argument, argument, z);
-  const float z_low_1 = KSL_MULF(argument, r_low), z_low_2 = KSL_MULF(r_low, argument),
-      z_low_3 = z_low_1 + z_low_2, z_low = z_error + z_low_3;
-  const float sin6_1 = KSL_MULF(z, 2.8114574e-15f), sin6_2 = sin6_1 + -7.6471636e-13f,
-      sin6_3 = KSL_MULF(z, sin6_2), sin6 = sin6_3 + 1.6059044e-10f;
+  const float z_low = z_error + (KSL_MULF(argument, r_low) + KSL_MULF(r_low, argument));
+  const float sin6 = KSL_MULF(z, KSL_MULF(z, 2.8114574e-15f) + -7.6471636e-13f) + 1.6059044e-10f;
   const float sin5_z = KSL_MULF(z, sin6);
   const float sin5 = -2.5052108e-08f + sin5_z;
-  const float sin5_error_1 = sin5 - -2.5052108e-08f, sin5_error = sin5_z - sin5_error_1;
+  const float sin5_error = sin5_z - (sin5 - -2.5052108e-08f);
   const float sin5_low = -4.417623e-16f + sin5_error;
   const float sin4_z = KSL_MULF(z, sin5);
   const float sin4 = 2.7557319e-06f + sin4_z;
-  const float sin4_error_1 = sin4 - 2.7557319e-06f, sin4_error = sin4_z - sin4_error_1;
-  const float sin4_low_1 = ksl_product_errorf(z, sin5, sin4_z), sin4_low_2 = KSL_MULF(sin5, z_low),
-      sin4_low_3 = KSL_MULF(z, sin5_low), sin4_low_4 = sin4_low_2 + sin4_low_1,
-      sin4_low_5 = sin4_low_4 + 3.7935712e-14f, sin4_low_6 = sin4_low_5 + sin4_error,
-      sin4_low = sin4_low_6 + sin4_low_3;
+  const float sin4_error = sin4_z - (sin4 - 2.7557319e-06f);
+  const float sin4_low = KSL_MULF(sin5, z_low) + ksl_product_errorf(z, sin5, sin4_z)
+          + 3.7935712e-14f + sin4_error + KSL_MULF(z, sin5_low);
   const float sin3_z = KSL_MULF(z, sin4);
   const float sin3 = -0.0001984127f + sin3_z;
-  const float sin3_error_1 = sin3 - -0.0001984127f, sin3_error = sin3_z - sin3_error_1;
-  const float sin3_low_1 = ksl_product_errorf(z, sin4, sin3_z), sin3_low_2 = KSL_MULF(sin4, z_low),
-      sin3_low_3 = KSL_MULF(z, sin4_low), sin3_low_4 = sin3_low_2 + sin3_low_1,
-      sin3_low_5 = sin3_low_4 + 2.7255969e-12f, sin3_low_6 = sin3_low_5 + sin3_error,
-      sin3_low = sin3_low_6 + sin3_low_3;
+  const float sin3_error = sin3_z - (sin3 - -0.0001984127f);
+  const float sin3_low = KSL_MULF(sin4, z_low) + ksl_product_errorf(z, sin4, sin3_z)
+          + 2.7255969e-12f + sin3_error + KSL_MULF(z, sin4_low);
   const float sin2_z = KSL_MULF(z, sin3);
   const float sin2 = 0.008333334f + sin2_z;
-  const float sin2_error_1 = sin2 - 0.008333334f, sin2_error = sin2_z - sin2_error_1;
-  const float sin2_low_1 = ksl_product_errorf(z, sin3, sin2_z), sin2_low_2 = KSL_MULF(sin3, z_low),
-      sin2_low_3 = KSL_MULF(z, sin3_low), sin2_low_4 = sin2_low_2 + sin2_low_1,
-      sin2_low_5 = sin2_low_4 + -4.346172e-10f, sin2_low_6 = sin2_low_5 + sin2_error,
-      sin2_low = sin2_low_6 + sin2_low_3;
+  const float sin2_error = sin2_z - (sin2 - 0.008333334f);
+  const float sin2_low = KSL_MULF(sin3, z_low) + ksl_product_errorf(z, sin3, sin2_z) +
+          -4.346172e-10f + sin2_error + KSL_MULF(z, sin3_low);
   const float sin1_z = KSL_MULF(z, sin2);
   const float sin1 = -0.16666667f + sin1_z;
-  const float sin1_error_1 = sin1 - -0.16666667f, sin1_error = sin1_z - sin1_error_1;
-  const float sin1_low_1 = ksl_product_errorf(z, sin2, sin1_z), sin1_low_2 = KSL_MULF(sin2, z_low),
-      sin1_low_3 = KSL_MULF(z, sin2_low), sin1_low_4 = sin1_low_2 + sin1_low_1,
-      sin1_low_5 = sin1_low_4 + 4.967054e-09f, sin1_low_6 = sin1_low_5 + sin1_error,
-      sin1_low = sin1_low_6 + sin1_low_3;
+  const float sin1_error = sin1_z - (sin1 - -0.16666667f);
+  const float sin1_low = KSL_MULF(sin2, z_low) + ksl_product_errorf(z, sin2, sin1_z)
+          + 4.967054e-09f + sin1_error + KSL_MULF(z, sin2_low);
   const float sin_sum = KSL_MULF(z, sin1);
   const float sin_sum_error = ksl_product_errorf(z, sin1, sin_sum);
-  const float sin_sum_low_1 = KSL_MULF(z, sin1_low), sin_sum_low_2 = KSL_MULF(z_low, sin1),
-      sin_sum_low_3 = sin_sum_low_1 + sin_sum_low_2, sin_sum_low = sin_sum_error + sin_sum_low_3;
+  const float sin_sum_low = sin_sum_error + (KSL_MULF(z, sin1_low) + KSL_MULF(z_low, sin1));
   const float sin_r_more = KSL_MULF(r, sin_sum);
   const float sin_r_more_error = ksl_product_errorf(r, sin_sum, sin_r_more);
-  const float sin_r_more_low_1 = KSL_MULF(r, sin_sum_low),
-      sin_r_more_low_2 = KSL_MULF(r_low, sin_sum),
-      sin_r_more_low_3 = sin_r_more_low_1 + sin_r_more_low_2,
-      sin_r_more_low = sin_r_more_error + sin_r_more_low_3;
+  const float sin_r_more_low = sin_r_more_error
+          + (KSL_MULF(r, sin_sum_low) + KSL_MULF(r_low, sin_sum));
   const float sin_r = r + sin_r_more;
-  const float sin_r_error_1 = sin_r - r, sin_r_error = sin_r_more - sin_r_error_1;
-  const float sin_r_low_1 = sin_r_more_low + r_low, sin_r_low = sin_r_error + sin_r_low_1;
-  const float cos6_1 = KSL_MULF(z, 4.7794773e-14f), cos6_2 = cos6_1 + -1.1470745e-11f,
-      cos6_3 = KSL_MULF(z, cos6_2), cos6 = cos6_3 + 2.0876756e-09f;
+  const float sin_r_error = sin_r_more - (sin_r - r);
+  const float sin_r_low = sin_r_error + (sin_r_more_low + r_low);
+  const float cos6 = KSL_MULF(z, KSL_MULF(z, 4.7794773e-14f) + -1.1470745e-11f) + 2.0876756e-09f;
   const float cos5_z = KSL_MULF(z, cos6);
   const float cos5 = -2.755732e-07f + cos5_z;
-  const float cos5_error_1 = cos5 - -2.755732e-07f, cos5_error = cos5_z - cos5_error_1;
+  const float cos5_error = cos5_z - (cos5 - -2.755732e-07f);
   const float cos5_low = 7.575112e-15f + cos5_error;
   const float cos4_z = KSL_MULF(z, cos5);
   const float cos4 = 2.4801588e-05f + cos4_z;
-  const float cos4_error_1 = cos4 - 2.4801588e-05f, cos4_error = cos4_z - cos4_error_1;
-  const float cos4_low_1 = ksl_product_errorf(z, cos5, cos4_z), cos4_low_2 = KSL_MULF(cos5, z_low),
-      cos4_low_3 = KSL_MULF(z, cos5_low), cos4_low_4 = cos4_low_2 + cos4_low_1,
-      cos4_low_5 = cos4_low_4 + -3.406996e-13f, cos4_low_6 = cos4_low_5 + cos4_error,
-      cos4_low = cos4_low_6 + cos4_low_3;
+  const float cos4_error = cos4_z - (cos4 - 2.4801588e-05f);
+  const float cos4_low = KSL_MULF(cos5, z_low) + ksl_product_errorf(z, cos5, cos4_z) +
+          -3.406996e-13f + cos4_error + KSL_MULF(z, cos5_low);
   const float cos3_z = KSL_MULF(z, cos4);
   const float cos3 = -0.0013888889f + cos3_z;
-  const float cos3_error_1 = cos3 - -0.0013888889f, cos3_error = cos3_z - cos3_error_1;
-  const float cos3_low_1 = ksl_product_errorf(z, cos4, cos3_z), cos3_low_2 = KSL_MULF(cos4, z_low),
-      cos3_low_3 = KSL_MULF(z, cos4_low), cos3_low_4 = cos3_low_2 + cos3_low_1,
-      cos3_low_5 = cos3_low_4 + 3.3631094e-11f, cos3_low_6 = cos3_low_5 + cos3_error,
-      cos3_low = cos3_low_6 + cos3_low_3;
+  const float cos3_error = cos3_z - (cos3 - -0.0013888889f);
+  const float cos3_low = KSL_MULF(cos4, z_low) + ksl_product_errorf(z, cos4, cos3_z)
+          + 3.3631094e-11f + cos3_error + KSL_MULF(z, cos4_low);
   const float cos2_z = KSL_MULF(z, cos3);
   const float cos2 = 0.041666668f + cos2_z;
-  const float cos2_error_1 = cos2 - 0.041666668f, cos2_error = cos2_z - cos2_error_1;
-  const float cos2_low_1 = ksl_product_errorf(z, cos3, cos2_z), cos2_low_2 = KSL_MULF(cos3, z_low),
-      cos2_low_3 = KSL_MULF(z, cos3_low), cos2_low_4 = cos2_low_2 + cos2_low_1,
-      cos2_low_5 = cos2_low_4 + -1.2417635e-09f, cos2_low_6 = cos2_low_5 + cos2_error,
-      cos2_low = cos2_low_6 + cos2_low_3;
+  const float cos2_error = cos2_z - (cos2 - 0.041666668f);
+  const float cos2_low = KSL_MULF(cos3, z_low) + ksl_product_errorf(z, cos3, cos2_z) +
+          -1.2417635e-09f + cos2_error + KSL_MULF(z, cos3_low);
   const float cos1_z = KSL_MULF(z, cos2);
   const float cos1 = -0.5f + cos1_z;
-  const float cos1_error_1 = cos1 - -0.5f, cos1_error = cos1_z - cos1_error_1;
-  const float cos1_low_1 = ksl_product_errorf(z, cos2, cos1_z), cos1_low_2 = KSL_MULF(cos2, z_low),
-      cos1_low_3 = KSL_MULF(z, cos2_low), cos1_low_4 = cos1_low_2 + cos1_low_1,
-      cos1_low_5 = cos1_low_4 + cos1_error, cos1_low = cos1_low_5 + cos1_low_3;
+  const float cos1_error = cos1_z - (cos1 - -0.5f);
+  const float cos1_low = KSL_MULF(cos2, z_low) + ksl_product_errorf(z, cos2, cos1_z) + cos1_error
+          + KSL_MULF(z, cos2_low);
   const float cos_sum = KSL_MULF(z, cos1);
   const float cos_sum_error = ksl_product_errorf(z, cos1, cos_sum);
-  const float cos_sum_low_1 = KSL_MULF(z, cos1_low), cos_sum_low_2 = KSL_MULF(z_low, cos1),
-      cos_sum_low_3 = cos_sum_low_1 + cos_sum_low_2, cos_sum_low = cos_sum_error + cos_sum_low_3;
+  const float cos_sum_low = cos_sum_error + (KSL_MULF(z, cos1_low) + KSL_MULF(z_low, cos1));
   const float cos_r = 1.0f + cos_sum;
-  const float cos_r_error_1 = cos_r - 1.0f, cos_r_error = cos_sum - cos_r_error_1;
+  const float cos_r_error = cos_sum - (cos_r - 1.0f);
   const float cos_r_low = cos_r_error + cos_sum_low;
   const float sine = sin_r + sin_r_low;
-  const float sine_low_1 = sine - sin_r, sine_low = sin_r_low - sine_low_1;
+  const float sine_low = sin_r_low - (sine - sin_r);
   const float cosine = cos_r + cos_r_low;
-  const float cosine_low_1 = cosine - cos_r, cosine_low = cos_r_low - cosine_low_1;
-  const float q_1 = quadrant + 5.033165e+07f, q_2 = q_1 - 5.033165e+07f, q = q_2 - quadrant;
-  const float cos_k_1 = fabsf(q), cos_k = 1.0f - cos_k_1;
-  const float minus_sin_k_1 = 1.0f + cos_k, minus_sin_k = KSL_MULF(q, minus_sin_k_1);
-  const float sin_x_1 = KSL_MULF(sine, cos_k), sin_x_2 = KSL_MULF(cosine, minus_sin_k),
-      sin_x = sin_x_1 - sin_x_2;
-  const float sin_x_low_1 = KSL_MULF(sine_low, cos_k),
-      sin_x_low_2 = KSL_MULF(cosine_low, minus_sin_k), sin_x_low = sin_x_low_1 - sin_x_low_2;
-  const float cos_x_1 = KSL_MULF(cosine, cos_k), cos_x_2 = KSL_MULF(sine, minus_sin_k),
-      cos_x = cos_x_1 + cos_x_2;
-  const float cos_x_low_1 = KSL_MULF(cosine_low, cos_k),
-      cos_x_low_2 = KSL_MULF(sine_low, minus_sin_k), cos_x_low = cos_x_low_1 + cos_x_low_2;
+  const float cosine_low = cos_r_low - (cosine - cos_r);
+  const float q = quadrant + 5.033165e+07f - 5.033165e+07f - quadrant;
+  const float cos_k = 1.0f - fabsf(q);
+  const float minus_sin_k = KSL_MULF(q, 1.0f + cos_k);
+  const float sin_x = KSL_MULF(sine, cos_k) - KSL_MULF(cosine, minus_sin_k);
+  const float sin_x_low = KSL_MULF(sine_low, cos_k) - KSL_MULF(cosine_low, minus_sin_k);
+  const float cos_x = KSL_MULF(cosine, cos_k) + KSL_MULF(sine, minus_sin_k);
+  const float cos_x_low = KSL_MULF(cosine_low, cos_k) + KSL_MULF(sine_low, minus_sin_k);
   const float size_1 = fabsf(y), size_2 = fabsf(x), size = size_1 < size_2 ? size_2 : size_1;
   const float scale_3 = 1.2980742e+33f < size ? 9.536743e-07f : 1.0f,
       scale_4 = size < 2.6843546e+08f ? 4.8357033e+24f : scale_3,
       scale = 3.4028235e+38f < size ? 0.0f : scale_4;
   const float scaled_y_1 = copysignf(1.0f, y), scaled_y_2 = copysignf(1.0f, x),
-      scaled_y_3 = fabsf(y), scaled_y_5 = KSL_MULF(y, scale),
-      scaled_y = 3.4028235e+38f < scaled_y_3 ? scaled_y_1 : scaled_y_5;
-  const float scaled_x_1 = fabsf(x), scaled_x_3 = KSL_MULF(x, scale),
-      scaled_x_4 = 3.4028235e+38f < scaled_x_1 ? scaled_y_2 : scaled_x_3,
+      scaled_y_5 = KSL_MULF(y, scale),
+      scaled_y = 3.4028235e+38f < fabsf(y) ? scaled_y_1 : scaled_y_5;
+  const float scaled_x_3 = KSL_MULF(x, scale),
+      scaled_x_4 = 3.4028235e+38f < fabsf(x) ? scaled_y_2 : scaled_x_3,
       scaled_x = size == 0.0f ? scaled_y_2 : scaled_x_4;
   const float upward = KSL_MULF(scaled_y, cos_x);
   const float across = KSL_MULF(scaled_x, sin_x);
   const float upward_rest = ksl_product_errorf(scaled_y, cos_x, upward);
   const float across_rest = ksl_product_errorf(scaled_x, sin_x, across);
-  const float low_1 = upward_rest - across_rest, low_2 = KSL_MULF(scaled_y, cos_x_low),
-      low_3 = KSL_MULF(scaled_x, sin_x_low), low_4 = low_2 - low_3, low = low_1 + low_4;
-  const float turn_1 = upward - across, turn_2 = turn_1 + low, turn_3 = KSL_MULF(scaled_x, cos_x),
-      turn_4 = KSL_MULF(scaled_y, sin_x), turn_5 = turn_3 + turn_4, turn = turn_2 / turn_5;
+  const float low = upward_rest - across_rest
+          + (KSL_MULF(scaled_y, cos_x_low) - KSL_MULF(scaled_x, sin_x_low));
+  const float turn = (upward - across + low)
+          / (KSL_MULF(scaled_x, cos_x) + KSL_MULF(scaled_y, sin_x));
   const float angle_error_value = angle == 0.0f ? 0.0f : turn;
   return angle_error_value;
 }
@@ -1037,94 +842,77 @@ static KSL_INLINE float ksl_powerf(const float shifted) {
    39 mul, 81 add, 8 product error, 4 power of two, 1 abs, 4 less, 1 equal, 5 select. */
 static KSL_INLINE float ksl_exp_errorf(const float x, const float y) {
   const float within_2 = 89.0f < x ? 89.0f : x, within = within_2 < -104.0f ? -104.0f : within_2;
-  const float shifted_1 = KSL_MULF(within, 1.442695f), shifted = shifted_1 + 1.2582912e+07f;
+  const float shifted = KSL_MULF(within, 1.442695f) + 1.2582912e+07f;
   const float k = shifted - 1.2582912e+07f;
-  const float high_1 = KSL_MULF(k, 0.69314575f), high = within - high_1;
+  const float high = within - KSL_MULF(k, 0.69314575f);
   const float second = KSL_MULF(k, -1.4285906e-06f);
   const float rest = KSL_MULF(k, -1.619851e-11f);
   const float r = high + second;
-  const float r_error_1 = r - high, r_error_2 = r - r_error_1, r_error_3 = high - r_error_2,
-      r_error_4 = second - r_error_1, r_error = r_error_3 + r_error_4;
+  const float r_error_1 = r - high, r_error = high - (r - r_error_1) + (second - r_error_1);
   const float r_low = r_error + rest;
-  const float argument_1 = fabsf(r), argument = argument_1 < 2.9802322e-08f ? 0.0f : r;
-  const float term8_1 = KSL_MULF(argument, 2.5052108e-08f), term8_2 = term8_1 + 2.755732e-07f,
-      term8_3 = KSL_MULF(argument, 1.6059044e-10f), term8_4 = term8_3 + 2.0876756e-09f,
-      term8_5 = KSL_MULF(argument, argument), term8_6 = KSL_MULF(term8_5, term8_4),
-      term8_7 = term8_6 + term8_2, term8_8 = KSL_MULF(argument, term8_7),
-      term8 = term8_8 + 2.7557319e-06f;
+  const float argument = fabsf(r) < 2.9802322e-08f ? 0.0f : r;
+  const float term8_6 = KSL_MULF(KSL_MULF(argument, argument), KSL_MULF(argument, 1.6059044e-10f)
+          + 2.0876756e-09f),
+      term8 = KSL_MULF(argument, term8_6 + (KSL_MULF(argument, 2.5052108e-08f) + 2.755732e-07f))
+          + 2.7557319e-06f;
   const float term7_z = KSL_MULF(argument, term8);
   const float term7 = 2.4801588e-05f + term7_z;
-  const float term7_error_1 = term7 - 2.4801588e-05f, term7_error = term7_z - term7_error_1;
+  const float term7_error = term7_z - (term7 - 2.4801588e-05f);
   const float term7_low = -3.406996e-13f + term7_error;
   const float term6_z = KSL_MULF(argument, term7);
   const float term6 = 0.0001984127f + term6_z;
-  const float term6_error_1 = term6 - 0.0001984127f, term6_error = term6_z - term6_error_1;
-  const float term6_low_1 = ksl_product_errorf(argument, term7, term6_z),
-      term6_low_2 = KSL_MULF(term7, r_low), term6_low_3 = KSL_MULF(argument, term7_low),
-      term6_low_4 = term6_low_2 + term6_low_1, term6_low_5 = term6_low_4 + -2.7255969e-12f,
-      term6_low_6 = term6_low_5 + term6_error, term6_low = term6_low_6 + term6_low_3;
+  const float term6_error = term6_z - (term6 - 0.0001984127f);
+  const float term6_low = KSL_MULF(term7, r_low) + ksl_product_errorf(argument, term7, term6_z) +
+          -2.7255969e-12f + term6_error + KSL_MULF(argument, term7_low);
   const float term5_z = KSL_MULF(argument, term6);
   const float term5 = 0.0013888889f + term5_z;
-  const float term5_error_1 = term5 - 0.0013888889f, term5_error = term5_z - term5_error_1;
-  const float term5_low_1 = ksl_product_errorf(argument, term6, term5_z),
-      term5_low_2 = KSL_MULF(term6, r_low), term5_low_3 = KSL_MULF(argument, term6_low),
-      term5_low_4 = term5_low_2 + term5_low_1, term5_low_5 = term5_low_4 + -3.3631094e-11f,
-      term5_low_6 = term5_low_5 + term5_error, term5_low = term5_low_6 + term5_low_3;
+  const float term5_error = term5_z - (term5 - 0.0013888889f);
+  const float term5_low = KSL_MULF(term6, r_low) + ksl_product_errorf(argument, term6, term5_z) +
+          -3.3631094e-11f + term5_error + KSL_MULF(argument, term6_low);
   const float term4_z = KSL_MULF(argument, term5);
   const float term4 = 0.008333334f + term4_z;
-  const float term4_error_1 = term4 - 0.008333334f, term4_error = term4_z - term4_error_1;
-  const float term4_low_1 = ksl_product_errorf(argument, term5, term4_z),
-      term4_low_2 = KSL_MULF(term5, r_low), term4_low_3 = KSL_MULF(argument, term5_low),
-      term4_low_4 = term4_low_2 + term4_low_1, term4_low_5 = term4_low_4 + -4.346172e-10f,
-      term4_low_6 = term4_low_5 + term4_error, term4_low = term4_low_6 + term4_low_3;
+  const float term4_error = term4_z - (term4 - 0.008333334f);
+  const float term4_low = KSL_MULF(term5, r_low) + ksl_product_errorf(argument, term5, term4_z) +
+          -4.346172e-10f + term4_error + KSL_MULF(argument, term5_low);
   const float term3_z = KSL_MULF(argument, term4);
   const float term3 = 0.041666668f + term3_z;
-  const float term3_error_1 = term3 - 0.041666668f, term3_error = term3_z - term3_error_1;
-  const float term3_low_1 = ksl_product_errorf(argument, term4, term3_z),
-      term3_low_2 = KSL_MULF(term4, r_low), term3_low_3 = KSL_MULF(argument, term4_low),
-      term3_low_4 = term3_low_2 + term3_low_1, term3_low_5 = term3_low_4 + -1.2417635e-09f,
-      term3_low_6 = term3_low_5 + term3_error, term3_low = term3_low_6 + term3_low_3;
+  const float term3_error = term3_z - (term3 - 0.041666668f);
+  const float term3_low = KSL_MULF(term4, r_low) + ksl_product_errorf(argument, term4, term3_z) +
+          -1.2417635e-09f + term3_error + KSL_MULF(argument, term4_low);
   const float term2_z = KSL_MULF(argument, term3);
   const float term2 = 0.16666667f + term2_z;
-  const float term2_error_1 = term2 - 0.16666667f, term2_error = term2_z - term2_error_1;
-  const float term2_low_1 = ksl_product_errorf(argument, term3, term2_z),
-      term2_low_2 = KSL_MULF(term3, r_low), term2_low_3 = KSL_MULF(argument, term3_low),
-      term2_low_4 = term2_low_2 + term2_low_1, term2_low_5 = term2_low_4 + -4.967054e-09f,
-      term2_low_6 = term2_low_5 + term2_error, term2_low = term2_low_6 + term2_low_3;
+  const float term2_error = term2_z - (term2 - 0.16666667f);
+  const float term2_low = KSL_MULF(term3, r_low) + ksl_product_errorf(argument, term3, term2_z) +
+          -4.967054e-09f + term2_error + KSL_MULF(argument, term3_low);
   const float term1_z = KSL_MULF(argument, term2);
   const float term1 = 0.5f + term1_z;
-  const float term1_error_1 = term1 - 0.5f, term1_error = term1_z - term1_error_1;
-  const float term1_low_1 = ksl_product_errorf(argument, term2, term1_z),
-      term1_low_2 = KSL_MULF(term2, r_low), term1_low_3 = KSL_MULF(argument, term2_low),
-      term1_low_4 = term1_low_2 + term1_low_1, term1_low_5 = term1_low_4 + term1_error,
-      term1_low = term1_low_5 + term1_low_3;
+  const float term1_error = term1_z - (term1 - 0.5f);
+  const float term1_low = KSL_MULF(term2, r_low) + ksl_product_errorf(argument, term2, term1_z)
+          + term1_error + KSL_MULF(argument, term2_low);
   const float term_sum = KSL_MULF(argument, term1);
   const float term_sum_error = ksl_product_errorf(argument, term1, term_sum);
-  const float term_sum_low_1 = KSL_MULF(argument, term1_low),
-      term_sum_low_2 = KSL_MULF(r_low, term1), term_sum_low_3 = term_sum_low_1 + term_sum_low_2,
-      term_sum_low = term_sum_error + term_sum_low_3;
+  const float term_sum_low = term_sum_error
+          + (KSL_MULF(argument, term1_low) + KSL_MULF(r_low, term1));
   const float grown_more = KSL_MULF(r, term_sum);
   const float grown_more_error = ksl_product_errorf(r, term_sum, grown_more);
-  const float grown_more_low_1 = KSL_MULF(r, term_sum_low),
-      grown_more_low_2 = KSL_MULF(r_low, term_sum),
-      grown_more_low_3 = grown_more_low_1 + grown_more_low_2,
-      grown_more_low = grown_more_error + grown_more_low_3;
+  const float grown_more_low = grown_more_error
+          + (KSL_MULF(r, term_sum_low) + KSL_MULF(r_low, term_sum));
   const float grown = r + grown_more;
-  const float grown_error_1 = grown - r, grown_error = grown_more - grown_error_1;
-  const float grown_low_1 = grown_more_low + r_low, grown_low = grown_error + grown_low_1;
+  const float grown_error = grown_more - (grown - r);
+  const float grown_low = grown_error + (grown_more_low + r_low);
   const float e_r = 1.0f + grown;
-  const float e_r_error_1 = e_r - 1.0f, e_r_error = grown - e_r_error_1;
+  const float e_r_error = grown - (e_r - 1.0f);
   const float e_r_low = e_r_error + grown_low;
-  const float first_shifted_1 = KSL_MULF(k, 0.5f), first_shifted = first_shifted_1 + 1.2582912e+07f;
+  const float first_shifted = KSL_MULF(k, 0.5f) + 1.2582912e+07f;
   const float k_first = first_shifted - 1.2582912e+07f;
   const float k_second = k - k_first;
-  const float down0_1 = 1.2582912e+07f - k_first, down0 = ksl_powerf(down0_1);
-  const float down1_1 = 1.2582912e+07f - k_second, down1 = ksl_powerf(down1_1);
-  const float up0_1 = 1.2582912e+07f + k_first, up0 = ksl_powerf(up0_1);
-  const float up1_1 = 1.2582912e+07f + k_second, up1 = ksl_powerf(up1_1);
-  const float y_scaled_1 = KSL_MULF(y, down0), y_scaled = KSL_MULF(y_scaled_1, down1);
-  const float error_1 = e_r - y_scaled, error = error_1 + e_r_low;
-  const float scaled_1 = KSL_MULF(error, up0), scaled = KSL_MULF(scaled_1, up1);
+  const float down0 = ksl_powerf(1.2582912e+07f - k_first);
+  const float down1 = ksl_powerf(1.2582912e+07f - k_second);
+  const float up0 = ksl_powerf(1.2582912e+07f + k_first);
+  const float up1 = ksl_powerf(1.2582912e+07f + k_second);
+  const float y_scaled = KSL_MULF(KSL_MULF(y, down0), down1);
+  const float error = e_r - y_scaled + e_r_low;
+  const float scaled = KSL_MULF(KSL_MULF(error, up0), up1);
   const float y_error_2 = 3.4028235e+38f < y ? 0.0f : scaled,
       y_error_value = y == 0.0f ? 0.0f : y_error_2;
   return y_error_value;
@@ -1134,20 +922,18 @@ static KSL_INLINE float ksl_exp_errorf(const float x, const float y) {
 #define KSL_SINCOS_ERRORF
 /* Its reduction of angles up to 1607.0f. */
 static KSL_INLINE float ksl_sincos_error_nearf(const float x, float *r, float *r_low) {
-  const float quadrant_1 = KSL_MULF(x, 0.63661975f), quadrant_2 = quadrant_1 + 1.2582912e+07f,
-      quadrant_value = quadrant_2 - 1.2582912e+07f;
-  const float high_1 = KSL_MULF(quadrant_value, 1.5706787f), high_2 = x - high_1,
-      high_3 = KSL_MULF(quadrant_value, 0.000117599964f), high = high_2 - high_3;
+  const float quadrant_value = KSL_MULF(x, 0.63661975f) + 1.2582912e+07f - 1.2582912e+07f;
+  const float high = x - KSL_MULF(quadrant_value, 1.5706787f)
+          - KSL_MULF(quadrant_value, 0.000117599964f);
   const float a_1 = KSL_MULF(quadrant_value, -1.589251e-08f), a = high + a_1;
-  const float a_error_1 = a - high, a_error_2 = a - a_error_1, a_error_3 = high - a_error_2,
-      a_error_4 = a_1 - a_error_1, a_error = a_error_3 + a_error_4;
-  const float fourth_1 = KSL_MULF(quadrant_value, 7.442935e-13f), fourth = a_error - fourth_1;
+  const float a_error_1 = a - high, a_error = high - (a - a_error_1) + (a_1 - a_error_1);
+  const float fourth = a_error - KSL_MULF(quadrant_value, 7.442935e-13f);
   const float b = a + fourth;
-  const float b_error_1 = b - a, b_error = fourth - b_error_1;
-  const float fifth_1 = KSL_MULF(quadrant_value, 6.123032e-17f), fifth = b_error - fifth_1;
+  const float b_error = fourth - (b - a);
+  const float fifth = b_error - KSL_MULF(quadrant_value, 6.123032e-17f);
   const float r_value = b + fifth;
-  const float r_error_1 = r_value - b, r_error = fifth - r_error_1;
-  const float r_low_1 = KSL_MULF(quadrant_value, 2.0222662e-21f), r_low_value = r_error - r_low_1;
+  const float r_error = fifth - (r_value - b);
+  const float r_low_value = r_error - KSL_MULF(quadrant_value, 2.0222662e-21f);
   *r = r_value;
   *r_low = r_low_value;
   return quadrant_value;
@@ -1174,8 +960,7 @@ static inline float ksl_two_over_pif(const float x, const int n) {
 /* Its reduction of any larger angle. */
 static KSL_COLD float ksl_sincos_error_farf(const float x, float *r, float *r_low) {
   const float scaled = KSL_MULF(x, 1.2621775e-29f);
-  const float x_high_1 = KSL_MULF(scaled, 4097.0f), x_high_2 = x_high_1 - scaled,
-      x_high = x_high_1 - x_high_2;
+  const float x_high_1 = KSL_MULF(scaled, 4097.0f), x_high = x_high_1 - (x_high_1 - scaled);
   const float x_low = scaled - x_high;
   const float chunk0 = ksl_two_over_pif(x, 0);
   const float chunk1 = ksl_two_over_pif(x, 1);
@@ -1187,92 +972,74 @@ static KSL_COLD float ksl_sincos_error_farf(const float x, float *r, float *r_lo
   const float chunk7 = ksl_two_over_pif(x, 7);
   const float chunk8 = ksl_two_over_pif(x, 8);
   const float chunk9 = ksl_two_over_pif(x, 9);
-  const float t0_1 = KSL_MULF(x_low, chunk0), t0_2 = KSL_MULF(x_high, chunk1), t0 = t0_1 + t0_2;
-  const float t1_1 = KSL_MULF(x_low, chunk1), t1_2 = KSL_MULF(x_high, chunk2), t1 = t1_1 + t1_2;
-  const float t2_1 = KSL_MULF(x_low, chunk2), t2_2 = KSL_MULF(x_high, chunk3), t2 = t2_1 + t2_2;
-  const float t3_1 = KSL_MULF(x_low, chunk3), t3_2 = KSL_MULF(x_high, chunk4), t3 = t3_1 + t3_2;
-  const float t4_1 = KSL_MULF(x_low, chunk4), t4_2 = KSL_MULF(x_high, chunk5), t4 = t4_1 + t4_2;
-  const float t5_1 = KSL_MULF(x_low, chunk5), t5_2 = KSL_MULF(x_high, chunk6), t5 = t5_1 + t5_2;
-  const float t6_1 = KSL_MULF(x_low, chunk6), t6_2 = KSL_MULF(x_high, chunk7), t6 = t6_1 + t6_2;
-  const float t7_1 = KSL_MULF(x_low, chunk7), t7_2 = KSL_MULF(x_high, chunk8), t7 = t7_1 + t7_2;
-  const float t8_1 = KSL_MULF(x_low, chunk8), t8_2 = KSL_MULF(x_high, chunk9), t8 = t8_1 + t8_2;
-  const float rest0_1 = t0 + 1.006633e+08f, rest0_2 = rest0_1 - 1.006633e+08f, rest0 = t0 - rest0_2;
-  const float rest4_1 = rest0 + 5.033165e+07f, rest4_2 = rest4_1 - 5.033165e+07f,
-      rest4 = rest0 - rest4_2;
-  const float k1_1 = t1 + 1.2582912e+07f, k1 = k1_1 - 1.2582912e+07f;
-  const float sum2_1 = t1 - k1, sum2_2 = rest4 + sum2_1, sum2 = sum2_2 + t2;
-  const float sum2_error_1 = sum2 - sum2_2, sum2_error_2 = sum2 - sum2_error_1,
-      sum2_error_3 = sum2_2 - sum2_error_2, sum2_error_4 = t2 - sum2_error_1,
-      sum2_error = sum2_error_3 + sum2_error_4;
-  const float k2_1 = sum2 + 1.2582912e+07f, k2 = k2_1 - 1.2582912e+07f;
+  const float t0 = KSL_MULF(x_low, chunk0) + KSL_MULF(x_high, chunk1);
+  const float t1 = KSL_MULF(x_low, chunk1) + KSL_MULF(x_high, chunk2);
+  const float t2 = KSL_MULF(x_low, chunk2) + KSL_MULF(x_high, chunk3);
+  const float t3 = KSL_MULF(x_low, chunk3) + KSL_MULF(x_high, chunk4);
+  const float t4 = KSL_MULF(x_low, chunk4) + KSL_MULF(x_high, chunk5);
+  const float t5 = KSL_MULF(x_low, chunk5) + KSL_MULF(x_high, chunk6);
+  const float t6 = KSL_MULF(x_low, chunk6) + KSL_MULF(x_high, chunk7);
+  const float t7 = KSL_MULF(x_low, chunk7) + KSL_MULF(x_high, chunk8);
+  const float t8 = KSL_MULF(x_low, chunk8) + KSL_MULF(x_high, chunk9);
+  const float rest0 = t0 - (t0 + 1.006633e+08f - 1.006633e+08f);
+  const float rest4 = rest0 - (rest0 + 5.033165e+07f - 5.033165e+07f);
+  const float k1 = t1 + 1.2582912e+07f - 1.2582912e+07f;
+  const float sum2_2 = rest4 + (t1 - k1), sum2 = sum2_2 + t2;
+  const float sum2_error_1 = sum2 - sum2_2,
+      sum2_error = sum2_2 - (sum2 - sum2_error_1) + (t2 - sum2_error_1);
+  const float k2 = sum2 + 1.2582912e+07f - 1.2582912e+07f;
   const float sum2_rest = sum2 - k2;
   const float f_a6 = t7 + t8;
-  const float f_a6_error_1 = f_a6 - t7, f_a6_error_2 = f_a6 - f_a6_error_1,
-      f_a6_error_3 = t7 - f_a6_error_2, f_a6_error_4 = t8 - f_a6_error_1,
-      f_a6_error = f_a6_error_3 + f_a6_error_4;
+  const float f_a6_error_1 = f_a6 - t7,
+      f_a6_error = t7 - (f_a6 - f_a6_error_1) + (t8 - f_a6_error_1);
   const float f_a5 = t6 + f_a6;
-  const float f_a5_error_1 = f_a5 - t6, f_a5_error_2 = f_a5 - f_a5_error_1,
-      f_a5_error_3 = t6 - f_a5_error_2, f_a5_error_4 = f_a6 - f_a5_error_1,
-      f_a5_error = f_a5_error_3 + f_a5_error_4;
+  const float f_a5_error_1 = f_a5 - t6,
+      f_a5_error = t6 - (f_a5 - f_a5_error_1) + (f_a6 - f_a5_error_1);
   const float f_a4 = t5 + f_a5;
-  const float f_a4_error_1 = f_a4 - t5, f_a4_error_2 = f_a4 - f_a4_error_1,
-      f_a4_error_3 = t5 - f_a4_error_2, f_a4_error_4 = f_a5 - f_a4_error_1,
-      f_a4_error = f_a4_error_3 + f_a4_error_4;
+  const float f_a4_error_1 = f_a4 - t5,
+      f_a4_error = t5 - (f_a4 - f_a4_error_1) + (f_a5 - f_a4_error_1);
   const float f_a3 = t4 + f_a4;
-  const float f_a3_error_1 = f_a3 - t4, f_a3_error_2 = f_a3 - f_a3_error_1,
-      f_a3_error_3 = t4 - f_a3_error_2, f_a3_error_4 = f_a4 - f_a3_error_1,
-      f_a3_error = f_a3_error_3 + f_a3_error_4;
+  const float f_a3_error_1 = f_a3 - t4,
+      f_a3_error = t4 - (f_a3 - f_a3_error_1) + (f_a4 - f_a3_error_1);
   const float f_a2 = sum2_error + f_a3;
-  const float f_a2_error_1 = f_a2 - sum2_error, f_a2_error_2 = f_a2 - f_a2_error_1,
-      f_a2_error_3 = sum2_error - f_a2_error_2, f_a2_error_4 = f_a3 - f_a2_error_1,
-      f_a2_error = f_a2_error_3 + f_a2_error_4;
+  const float f_a2_error_1 = f_a2 - sum2_error,
+      f_a2_error = sum2_error - (f_a2 - f_a2_error_1) + (f_a3 - f_a2_error_1);
   const float f_a1 = t3 + f_a2;
-  const float f_a1_error_1 = f_a1 - t3, f_a1_error_2 = f_a1 - f_a1_error_1,
-      f_a1_error_3 = t3 - f_a1_error_2, f_a1_error_4 = f_a2 - f_a1_error_1,
-      f_a1_error = f_a1_error_3 + f_a1_error_4;
+  const float f_a1_error_1 = f_a1 - t3,
+      f_a1_error = t3 - (f_a1 - f_a1_error_1) + (f_a2 - f_a1_error_1);
   const float f_a0 = sum2_rest + f_a1;
-  const float f_a0_error_1 = f_a0 - sum2_rest, f_a0_error_2 = f_a0 - f_a0_error_1,
-      f_a0_error_3 = sum2_rest - f_a0_error_2, f_a0_error_4 = f_a1 - f_a0_error_1,
-      f_a0_error = f_a0_error_3 + f_a0_error_4;
+  const float f_a0_error_1 = f_a0 - sum2_rest,
+      f_a0_error = sum2_rest - (f_a0 - f_a0_error_1) + (f_a1 - f_a0_error_1);
   const float f_b6 = f_a5_error + f_a6_error;
-  const float f_b6_error_1 = f_b6 - f_a5_error, f_b6_error_2 = f_b6 - f_b6_error_1,
-      f_b6_error_3 = f_a5_error - f_b6_error_2, f_b6_error_4 = f_a6_error - f_b6_error_1,
-      f_b6_error = f_b6_error_3 + f_b6_error_4;
+  const float f_b6_error_1 = f_b6 - f_a5_error,
+      f_b6_error = f_a5_error - (f_b6 - f_b6_error_1) + (f_a6_error - f_b6_error_1);
   const float f_b5 = f_a4_error + f_b6;
-  const float f_b5_error_1 = f_b5 - f_a4_error, f_b5_error_2 = f_b5 - f_b5_error_1,
-      f_b5_error_3 = f_a4_error - f_b5_error_2, f_b5_error_4 = f_b6 - f_b5_error_1,
-      f_b5_error = f_b5_error_3 + f_b5_error_4;
+  const float f_b5_error_1 = f_b5 - f_a4_error,
+      f_b5_error = f_a4_error - (f_b5 - f_b5_error_1) + (f_b6 - f_b5_error_1);
   const float f_b4 = f_a3_error + f_b5;
-  const float f_b4_error_1 = f_b4 - f_a3_error, f_b4_error_2 = f_b4 - f_b4_error_1,
-      f_b4_error_3 = f_a3_error - f_b4_error_2, f_b4_error_4 = f_b5 - f_b4_error_1,
-      f_b4_error = f_b4_error_3 + f_b4_error_4;
+  const float f_b4_error_1 = f_b4 - f_a3_error,
+      f_b4_error = f_a3_error - (f_b4 - f_b4_error_1) + (f_b5 - f_b4_error_1);
   const float f_b3 = f_a2_error + f_b4;
-  const float f_b3_error_1 = f_b3 - f_a2_error, f_b3_error_2 = f_b3 - f_b3_error_1,
-      f_b3_error_3 = f_a2_error - f_b3_error_2, f_b3_error_4 = f_b4 - f_b3_error_1,
-      f_b3_error = f_b3_error_3 + f_b3_error_4;
+  const float f_b3_error_1 = f_b3 - f_a2_error,
+      f_b3_error = f_a2_error - (f_b3 - f_b3_error_1) + (f_b4 - f_b3_error_1);
   const float f_b2 = f_a1_error + f_b3;
-  const float f_b2_error_1 = f_b2 - f_a1_error, f_b2_error_2 = f_b2 - f_b2_error_1,
-      f_b2_error_3 = f_a1_error - f_b2_error_2, f_b2_error_4 = f_b3 - f_b2_error_1,
-      f_b2_error = f_b2_error_3 + f_b2_error_4;
+  const float f_b2_error_1 = f_b2 - f_a1_error,
+      f_b2_error = f_a1_error - (f_b2 - f_b2_error_1) + (f_b3 - f_b2_error_1);
   const float f_b1 = f_a0_error + f_b2;
-  const float f_b1_error_1 = f_b1 - f_a0_error, f_b1_error_2 = f_b1 - f_b1_error_1,
-      f_b1_error_3 = f_a0_error - f_b1_error_2, f_b1_error_4 = f_b2 - f_b1_error_1,
-      f_b1_error = f_b1_error_3 + f_b1_error_4;
+  const float f_b1_error_1 = f_b1 - f_a0_error,
+      f_b1_error = f_a0_error - (f_b1 - f_b1_error_1) + (f_b2 - f_b1_error_1);
   const float f_b0 = f_a0 + f_b1;
-  const float f_b0_error_1 = f_b0 - f_a0, f_b0_error_2 = f_b0 - f_b0_error_1,
-      f_b0_error_3 = f_a0 - f_b0_error_2, f_b0_error_4 = f_b1 - f_b0_error_1,
-      f_b0_error = f_b0_error_3 + f_b0_error_4;
-  const float f_low_1 = f_b5_error + f_b6_error, f_low_2 = f_b4_error + f_low_1,
-      f_low_3 = f_b3_error + f_low_2, f_low_4 = f_b2_error + f_low_3,
-      f_low_5 = f_b1_error + f_low_4, f_low = f_b0_error + f_low_5;
+  const float f_b0_error_1 = f_b0 - f_a0,
+      f_b0_error = f_a0 - (f_b0 - f_b0_error_1) + (f_b1 - f_b0_error_1);
+  const float f_low = f_b0_error
+          + (f_b1_error + (f_b2_error + (f_b3_error + (f_b4_error + (f_b5_error + f_b6_error)))));
   const float angle = KSL_MULF(f_b0, 1.5707964f);
   const float angle_error = ksl_product_errorf(f_b0, 1.5707964f, angle);
-  const float angle_low_1 = KSL_MULF(f_b0, -4.371139e-08f),
-      angle_low_2 = KSL_MULF(f_low, 1.5707964f), angle_low_3 = angle_low_1 + angle_low_2,
-      angle_low = angle_error + angle_low_3;
+  const float angle_low = angle_error
+          + (KSL_MULF(f_b0, -4.371139e-08f) + KSL_MULF(f_low, 1.5707964f));
   const float r_value = angle + angle_low;
-  const float r_low_1 = r_value - angle, r_low_value = angle_low - r_low_1;
   const float quadrant_value = k1 + k2;
+  const float r_low_value = angle_low - (r_value - angle);
   *r = r_value;
   *r_low = r_low_value;
   return quadrant_value;
@@ -1292,72 +1059,57 @@ static KSL_INLINE float ksl_sincos_errorf(const float x, const float s, const fl
     r = far_r;
     r_low = far_r_low;
   }
-  const float q_1 = quadrant + 5.033165e+07f, q_2 = q_1 - 5.033165e+07f, q = q_2 - quadrant;
-  const float cos_k_1 = fabsf(q), cos_k = 1.0f - cos_k_1;
-  const float minus_sin_k_1 = 1.0f + cos_k, minus_sin_k = KSL_MULF(q, minus_sin_k_1);
-  const float sin_r_1 = KSL_MULF(s, cos_k), sin_r_2 = KSL_MULF(c, minus_sin_k),
-      sin_r = sin_r_1 + sin_r_2;
-  const float cos_r_1 = KSL_MULF(c, cos_k), cos_r_2 = KSL_MULF(s, minus_sin_k),
-      cos_r = cos_r_1 - cos_r_2;
-  const float argument_1 = fabsf(r), argument = argument_1 < 2.9802322e-08f ? 0.0f : r;
+  const float q = quadrant + 5.033165e+07f - 5.033165e+07f - quadrant;
+  const float cos_k = 1.0f - fabsf(q);
+  const float minus_sin_k = KSL_MULF(q, 1.0f + cos_k);
+  const float sin_r = KSL_MULF(s, cos_k) + KSL_MULF(c, minus_sin_k);
+  const float cos_r = KSL_MULF(c, cos_k) - KSL_MULF(s, minus_sin_k);
+  const float argument = fabsf(r) < 2.9802322e-08f ? 0.0f : r;
   const float z = KSL_MULF(argument, argument);
   const float z_error = ksl_product_errorf(argument, argument, z);
   const float cube = KSL_MULF(argument, z);
   const float cube_error = ksl_product_errorf(argument, z, cube);
-  const float cube_low_1 = KSL_MULF(argument, z_error), cube_low = cube_error + cube_low_1;
-  const float sin5_1 = KSL_MULF(z, -7.6471636e-13f), sin5_2 = sin5_1 + 1.6059044e-10f,
-      sin5_3 = KSL_MULF(z, z), sin5_4 = KSL_MULF(sin5_3, 2.8114574e-15f), sin5_5 = sin5_4 + sin5_2,
-      sin5_6 = KSL_MULF(z, sin5_5), sin5 = sin5_6 + -2.5052108e-08f;
+  const float cube_low = cube_error + KSL_MULF(argument, z_error);
+  const float sin5 = KSL_MULF(z, KSL_MULF(KSL_MULF(z, z), 2.8114574e-15f)
+          + (KSL_MULF(z, -7.6471636e-13f) + 1.6059044e-10f)) + -2.5052108e-08f;
   const float sin4_z = KSL_MULF(z, sin5);
   const float sin4 = 2.7557319e-06f + sin4_z;
-  const float sin4_error_1 = sin4 - 2.7557319e-06f, sin4_error = sin4_z - sin4_error_1;
+  const float sin4_error = sin4_z - (sin4 - 2.7557319e-06f);
   const float sin4_low = 3.7935712e-14f + sin4_error;
   const float sin3_z = KSL_MULF(z, sin4);
   const float sin3 = -0.0001984127f + sin3_z;
-  const float sin3_error_1 = sin3 - -0.0001984127f, sin3_error = sin3_z - sin3_error_1;
-  const float sin3_low_1 = ksl_product_errorf(z, sin4, sin3_z),
-      sin3_low_2 = KSL_MULF(sin4, z_error), sin3_low_3 = KSL_MULF(z, sin4_low),
-      sin3_low_4 = sin3_low_2 + sin3_low_1, sin3_low_5 = sin3_low_4 + 2.7255969e-12f,
-      sin3_low_6 = sin3_low_5 + sin3_error, sin3_low = sin3_low_6 + sin3_low_3;
+  const float sin3_error = sin3_z - (sin3 - -0.0001984127f);
+  const float sin3_low = KSL_MULF(sin4, z_error) + ksl_product_errorf(z, sin4, sin3_z)
+          + 2.7255969e-12f + sin3_error + KSL_MULF(z, sin4_low);
   const float sin2_z = KSL_MULF(z, sin3);
   const float sin2 = 0.008333334f + sin2_z;
-  const float sin2_error_1 = sin2 - 0.008333334f, sin2_error = sin2_z - sin2_error_1;
-  const float sin2_low_1 = ksl_product_errorf(z, sin3, sin2_z),
-      sin2_low_2 = KSL_MULF(sin3, z_error), sin2_low_3 = KSL_MULF(z, sin3_low),
-      sin2_low_4 = sin2_low_2 + sin2_low_1, sin2_low_5 = sin2_low_4 + -4.346172e-10f,
-      sin2_low_6 = sin2_low_5 + sin2_error, sin2_low = sin2_low_6 + sin2_low_3;
+  const float sin2_error = sin2_z - (sin2 - 0.008333334f);
+  const float sin2_low = KSL_MULF(sin3, z_error) + ksl_product_errorf(z, sin3, sin2_z) +
+          -4.346172e-10f + sin2_error + KSL_MULF(z, sin3_low);
   const float sin1_z = KSL_MULF(z, sin2);
   const float sin1 = -0.16666667f + sin1_z;
-  const float sin1_error_1 = sin1 - -0.16666667f, sin1_error = sin1_z - sin1_error_1;
-  const float sin1_low_1 = ksl_product_errorf(z, sin2, sin1_z),
-      sin1_low_2 = KSL_MULF(sin2, z_error), sin1_low_3 = KSL_MULF(z, sin2_low),
-      sin1_low_4 = sin1_low_2 + sin1_low_1, sin1_low_5 = sin1_low_4 + 4.967054e-09f,
-      sin1_low_6 = sin1_low_5 + sin1_error, sin1_low = sin1_low_6 + sin1_low_3;
+  const float sin1_error = sin1_z - (sin1 - -0.16666667f);
+  const float sin1_low = KSL_MULF(sin2, z_error) + ksl_product_errorf(z, sin2, sin1_z)
+          + 4.967054e-09f + sin1_error + KSL_MULF(z, sin2_low);
   const float more = KSL_MULF(cube, sin1);
   const float more_error = ksl_product_errorf(cube, sin1, more);
-  const float more_low_1 = KSL_MULF(cube_low, sin1), more_low = more_error + more_low_1;
+  const float more_low = more_error + KSL_MULF(cube_low, sin1);
   const float last = KSL_MULF(cube, sin1_low);
   const float difference = r - sin_r;
   const float known_sin_r = argument - difference;
-  const float sin_r_error_1 = difference + more, sin_r_error_2 = KSL_MULF(r_low, cos_r),
-      sin_r_error_3 = more_low + sin_r_error_2, sin_r_error_4 = sin_r_error_1 + sin_r_error_3,
-      sin_r_error = sin_r_error_4 + last;
+  const float sin_r_error = difference + more + (more_low + KSL_MULF(r_low, cos_r)) + last;
   const float h = 1.0f - cos_r;
   const float inverse = 1.0f / cos_r;
   const float square = KSL_MULF(known_sin_r, known_sin_r);
   const float square_error = ksl_product_errorf(known_sin_r, known_sin_r, square);
   const float h_square = KSL_MULF(h, h);
   const float h_square_error = ksl_product_errorf(h, h, h_square);
-  const float excess_1 = h + h, excess_2 = excess_1 - square, excess_3 = excess_2 - h_square,
-      excess_4 = square_error + h_square_error, excess = excess_3 - excess_4;
+  const float excess = h + h - square - h_square - (square_error + h_square_error);
   const float tangent = KSL_MULF(known_sin_r, inverse);
-  const float cos_r_error_1 = KSL_MULF(inverse, 0.5f),
-      cos_r_error_2 = KSL_MULF(excess, cos_r_error_1),
-      cos_r_error_3 = KSL_MULF(tangent, sin_r_error), cos_r_error = cos_r_error_2 - cos_r_error_3;
-  const float s_error_1 = KSL_MULF(sin_r_error, cos_k),
-      s_error_2 = KSL_MULF(cos_r_error, minus_sin_k), s_error_value = s_error_1 - s_error_2;
-  const float c_error_1 = KSL_MULF(cos_r_error, cos_k),
-      c_error_2 = KSL_MULF(sin_r_error, minus_sin_k), c_error_value = c_error_1 + c_error_2;
+  const float cos_r_error = KSL_MULF(excess, KSL_MULF(inverse, 0.5f))
+          - KSL_MULF(tangent, sin_r_error);
+  const float s_error_value = KSL_MULF(sin_r_error, cos_k) - KSL_MULF(cos_r_error, minus_sin_k);
+  const float c_error_value = KSL_MULF(cos_r_error, cos_k) + KSL_MULF(sin_r_error, minus_sin_k);
   *c_error = c_error_value;
   return s_error_value;
 }
@@ -1394,107 +1146,86 @@ static KSL_INLINE float ksl_tanh_errorf(const float x, const float y) {
       within = 20.0f < size ? 20.0f : within_1;
   const float result_1 = fabsf(y), result = size < 2.9802322e-08f ? 1.0f : result_1;
   const float twice = within + within;
-  const float shifted_1 = KSL_MULF(twice, 1.442695f), shifted = shifted_1 + 1.2582912e+07f;
+  const float shifted = KSL_MULF(twice, 1.442695f) + 1.2582912e+07f;
   const float k = shifted - 1.2582912e+07f;
-  const float high_1 = KSL_MULF(k, 0.69314575f), high = twice - high_1;
+  const float high = twice - KSL_MULF(k, 0.69314575f);
   const float second = KSL_MULF(k, -1.4285906e-06f);
   const float rest = KSL_MULF(k, -1.619851e-11f);
   const float r = high + second;
-  const float r_error_1 = r - high, r_error_2 = r - r_error_1, r_error_3 = high - r_error_2,
-      r_error_4 = second - r_error_1, r_error = r_error_3 + r_error_4;
+  const float r_error_1 = r - high, r_error = high - (r - r_error_1) + (second - r_error_1);
   const float r_low = r_error + rest;
   const float power = ksl_powerf(shifted);
   const float whole = power + -1.0f;
-  const float whole_error_1 = whole - power, whole_error = -1.0f - whole_error_1;
-  const float argument_1 = fabsf(r), argument = argument_1 < 2.9802322e-08f ? 0.0f : r;
-  const float term8_1 = KSL_MULF(argument, 2.5052108e-08f), term8_2 = term8_1 + 2.755732e-07f,
-      term8_3 = KSL_MULF(argument, 1.6059044e-10f), term8_4 = term8_3 + 2.0876756e-09f,
-      term8_5 = KSL_MULF(argument, argument), term8_6 = KSL_MULF(term8_5, term8_4),
-      term8_7 = term8_6 + term8_2, term8_8 = KSL_MULF(argument, term8_7),
-      term8 = term8_8 + 2.7557319e-06f;
+  const float whole_error = -1.0f - (whole - power);
+  const float argument = fabsf(r) < 2.9802322e-08f ? 0.0f : r;
+  const float term8_6 = KSL_MULF(KSL_MULF(argument, argument), KSL_MULF(argument, 1.6059044e-10f)
+          + 2.0876756e-09f),
+      term8 = KSL_MULF(argument, term8_6 + (KSL_MULF(argument, 2.5052108e-08f) + 2.755732e-07f))
+          + 2.7557319e-06f;
   const float term7_z = KSL_MULF(argument, term8);
   const float term7 = 2.4801588e-05f + term7_z;
-  const float term7_error_1 = term7 - 2.4801588e-05f, term7_error = term7_z - term7_error_1;
+  const float term7_error = term7_z - (term7 - 2.4801588e-05f);
   const float term7_low = -3.406996e-13f + term7_error;
   const float term6_z = KSL_MULF(argument, term7);
   const float term6 = 0.0001984127f + term6_z;
-  const float term6_error_1 = term6 - 0.0001984127f, term6_error = term6_z - term6_error_1;
-  const float term6_low_1 = ksl_product_errorf(argument, term7, term6_z),
-      term6_low_2 = KSL_MULF(term7, r_low), term6_low_3 = KSL_MULF(argument, term7_low),
-      term6_low_4 = term6_low_2 + term6_low_1, term6_low_5 = term6_low_4 + -2.7255969e-12f,
-      term6_low_6 = term6_low_5 + term6_error, term6_low = term6_low_6 + term6_low_3;
+  const float term6_error = term6_z - (term6 - 0.0001984127f);
+  const float term6_low = KSL_MULF(term7, r_low) + ksl_product_errorf(argument, term7, term6_z) +
+          -2.7255969e-12f + term6_error + KSL_MULF(argument, term7_low);
   const float term5_z = KSL_MULF(argument, term6);
   const float term5 = 0.0013888889f + term5_z;
-  const float term5_error_1 = term5 - 0.0013888889f, term5_error = term5_z - term5_error_1;
-  const float term5_low_1 = ksl_product_errorf(argument, term6, term5_z),
-      term5_low_2 = KSL_MULF(term6, r_low), term5_low_3 = KSL_MULF(argument, term6_low),
-      term5_low_4 = term5_low_2 + term5_low_1, term5_low_5 = term5_low_4 + -3.3631094e-11f,
-      term5_low_6 = term5_low_5 + term5_error, term5_low = term5_low_6 + term5_low_3;
+  const float term5_error = term5_z - (term5 - 0.0013888889f);
+  const float term5_low = KSL_MULF(term6, r_low) + ksl_product_errorf(argument, term6, term5_z) +
+          -3.3631094e-11f + term5_error + KSL_MULF(argument, term6_low);
   const float term4_z = KSL_MULF(argument, term5);
   const float term4 = 0.008333334f + term4_z;
-  const float term4_error_1 = term4 - 0.008333334f, term4_error = term4_z - term4_error_1;
-  const float term4_low_1 = ksl_product_errorf(argument, term5, term4_z),
-      term4_low_2 = KSL_MULF(term5, r_low), term4_low_3 = KSL_MULF(argument, term5_low),
-      term4_low_4 = term4_low_2 + term4_low_1, term4_low_5 = term4_low_4 + -4.346172e-10f,
-      term4_low_6 = term4_low_5 + term4_error, term4_low = term4_low_6 + term4_low_3;
+  const float term4_error = term4_z - (term4 - 0.008333334f);
+  const float term4_low = KSL_MULF(term5, r_low) + ksl_product_errorf(argument, term5, term4_z) +
+          -4.346172e-10f + term4_error + KSL_MULF(argument, term5_low);
   const float term3_z = KSL_MULF(argument, term4);
   const float term3 = 0.041666668f + term3_z;
-  const float term3_error_1 = term3 - 0.041666668f, term3_error = term3_z - term3_error_1;
-  const float term3_low_1 = ksl_product_errorf(argument, term4, term3_z),
-      term3_low_2 = KSL_MULF(term4, r_low), term3_low_3 = KSL_MULF(argument, term4_low),
-      term3_low_4 = term3_low_2 + term3_low_1, term3_low_5 = term3_low_4 + -1.2417635e-09f,
-      term3_low_6 = term3_low_5 + term3_error, term3_low = term3_low_6 + term3_low_3;
+  const float term3_error = term3_z - (term3 - 0.041666668f);
+  const float term3_low = KSL_MULF(term4, r_low) + ksl_product_errorf(argument, term4, term3_z) +
+          -1.2417635e-09f + term3_error + KSL_MULF(argument, term4_low);
   const float term2_z = KSL_MULF(argument, term3);
   const float term2 = 0.16666667f + term2_z;
-  const float term2_error_1 = term2 - 0.16666667f, term2_error = term2_z - term2_error_1;
-  const float term2_low_1 = ksl_product_errorf(argument, term3, term2_z),
-      term2_low_2 = KSL_MULF(term3, r_low), term2_low_3 = KSL_MULF(argument, term3_low),
-      term2_low_4 = term2_low_2 + term2_low_1, term2_low_5 = term2_low_4 + -4.967054e-09f,
-      term2_low_6 = term2_low_5 + term2_error, term2_low = term2_low_6 + term2_low_3;
+  const float term2_error = term2_z - (term2 - 0.16666667f);
+  const float term2_low = KSL_MULF(term3, r_low) + ksl_product_errorf(argument, term3, term2_z) +
+          -4.967054e-09f + term2_error + KSL_MULF(argument, term3_low);
   const float term1_z = KSL_MULF(argument, term2);
   const float term1 = 0.5f + term1_z;
-  const float term1_error_1 = term1 - 0.5f, term1_error = term1_z - term1_error_1;
-  const float term1_low_1 = ksl_product_errorf(argument, term2, term1_z),
-      term1_low_2 = KSL_MULF(term2, r_low), term1_low_3 = KSL_MULF(argument, term2_low),
-      term1_low_4 = term1_low_2 + term1_low_1, term1_low_5 = term1_low_4 + term1_error,
-      term1_low = term1_low_5 + term1_low_3;
+  const float term1_error = term1_z - (term1 - 0.5f);
+  const float term1_low = KSL_MULF(term2, r_low) + ksl_product_errorf(argument, term2, term1_z)
+          + term1_error + KSL_MULF(argument, term2_low);
   const float term_sum = KSL_MULF(argument, term1);
   const float term_sum_error = ksl_product_errorf(argument, term1, term_sum);
-  const float term_sum_low_1 = KSL_MULF(argument, term1_low),
-      term_sum_low_2 = KSL_MULF(r_low, term1), term_sum_low_3 = term_sum_low_1 + term_sum_low_2,
-      term_sum_low = term_sum_error + term_sum_low_3;
+  const float term_sum_low = term_sum_error
+          + (KSL_MULF(argument, term1_low) + KSL_MULF(r_low, term1));
   const float grown_more = KSL_MULF(r, term_sum);
   const float grown_more_error = ksl_product_errorf(r, term_sum, grown_more);
-  const float grown_more_low_1 = KSL_MULF(r, term_sum_low),
-      grown_more_low_2 = KSL_MULF(r_low, term_sum),
-      grown_more_low_3 = grown_more_low_1 + grown_more_low_2,
-      grown_more_low = grown_more_error + grown_more_low_3;
+  const float grown_more_low = grown_more_error
+          + (KSL_MULF(r, term_sum_low) + KSL_MULF(r_low, term_sum));
   const float grown = r + grown_more;
-  const float grown_error_1 = grown - r, grown_error = grown_more - grown_error_1;
-  const float grown_low_1 = grown_more_low + r_low, grown_low = grown_error + grown_low_1;
+  const float grown_error = grown_more - (grown - r);
+  const float grown_low = grown_error + (grown_more_low + r_low);
   const float more = KSL_MULF(grown, power);
   const float more_low = KSL_MULF(grown_low, power);
   const float m_sum = whole + more;
-  const float m_sum_error_1 = m_sum - whole, m_sum_error_2 = m_sum - m_sum_error_1,
-      m_sum_error_3 = whole - m_sum_error_2, m_sum_error_4 = more - m_sum_error_1,
-      m_sum_error = m_sum_error_3 + m_sum_error_4;
-  const float m_sum_low_1 = more_low + whole_error, m_sum_low = m_sum_error + m_sum_low_1;
+  const float m_sum_error_1 = m_sum - whole,
+      m_sum_error = whole - (m_sum - m_sum_error_1) + (more - m_sum_error_1);
+  const float m_sum_low = m_sum_error + (more_low + whole_error);
   const float m = m_sum + m_sum_low;
-  const float m_low_1 = m - m_sum, m_low = m_sum_low - m_low_1;
+  const float m_low = m_sum_low - (m - m_sum);
   const float d_sum = 2.0f + m;
-  const float d_sum_error_1 = d_sum - 2.0f, d_sum_error_2 = d_sum - d_sum_error_1,
-      d_sum_error_3 = 2.0f - d_sum_error_2, d_sum_error_4 = m - d_sum_error_1,
-      d_sum_error = d_sum_error_3 + d_sum_error_4;
+  const float d_sum_error_1 = d_sum - 2.0f,
+      d_sum_error = 2.0f - (d_sum - d_sum_error_1) + (m - d_sum_error_1);
   const float d_sum_low = d_sum_error + m_low;
   const float d = d_sum + d_sum_low;
-  const float d_low_1 = d - d_sum, d_low = d_sum_low - d_low_1;
+  const float d_low = d_sum_low - (d - d_sum);
   const float product = KSL_MULF(result, d);
   const float product_rest = ksl_product_errorf(result, d, product);
-  const float error_1 = m - product, error_2 = error_1 - product_rest,
-      error_3 = KSL_MULF(result, d_low), error_4 = m_low - error_3, error_5 = error_2 + error_4,
-      error = error_5 / d;
+  const float error = (m - product - product_rest + (m_low - KSL_MULF(result, d_low))) / d;
   const float known_1 = 20.0f < size ? 0.0f : error, known = size < 2.9802322e-08f ? 0.0f : known_1;
-  const float y_error_1 = copysignf(1.0f, x), y_error_value = KSL_MULF(known, y_error_1);
+  const float y_error_value = KSL_MULF(known, copysignf(1.0f, x));
   return y_error_value;
 }
 #endif

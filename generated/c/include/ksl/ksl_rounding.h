@@ -106,8 +106,14 @@ static inline double ksl_minus_zero(void) {
 /* The vectoriser of these versions contracts in spite of flag and pragma where sums and differences
    alternate. */
 #define KSL_MUL(a, b) __builtin_assoc_barrier((a) * (b))
-#else
+#elif (defined(__GNUC__) && !defined(__clang__)) || !KSL_HAS_FMA
 #define KSL_MUL(a, b) ((a) * (b))
+#else
+/* Compilers that contract do so within an expression: the product is the result of a function. */
+static inline double ksl_mul(const double a, const double b) {
+  return a * b;
+}
+#define KSL_MUL(a, b) ksl_mul(a, b)
 #endif
 #endif
 
@@ -134,8 +140,14 @@ static inline float ksl_minus_zerof(void) {
 /* The vectoriser of these versions contracts in spite of flag and pragma where sums and differences
    alternate. */
 #define KSL_MULF(a, b) __builtin_assoc_barrier((a) * (b))
-#else
+#elif (defined(__GNUC__) && !defined(__clang__)) || !KSL_HAS_FMAF
 #define KSL_MULF(a, b) ((a) * (b))
+#else
+/* Compilers that contract do so within an expression: the product is the result of a function. */
+static inline float ksl_mulf(const float a, const float b) {
+  return a * b;
+}
+#define KSL_MULF(a, b) ksl_mulf(a, b)
 #endif
 #endif
 

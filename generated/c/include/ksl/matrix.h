@@ -15,12 +15,9 @@
    Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline void ksl_product_drv(const ksl_mat3x3_t *R, const ksl_vec3_t *v, ksl_vec3_t *vo) {
-  const double vo_0a = KSL_MUL(R->m00, v->x), vo_0b = KSL_MUL(R->m01, v->y), vo_0c = vo_0a + vo_0b,
-      vo_0d = KSL_MUL(R->m02, v->z), vo_0 = vo_0c + vo_0d;
-  const double vo_1a = KSL_MUL(R->m10, v->x), vo_1b = KSL_MUL(R->m11, v->y), vo_1c = vo_1a + vo_1b,
-      vo_1d = KSL_MUL(R->m12, v->z), vo_1 = vo_1c + vo_1d;
-  const double vo_2a = KSL_MUL(R->m20, v->x), vo_2b = KSL_MUL(R->m21, v->y), vo_2c = vo_2a + vo_2b,
-      vo_2d = KSL_MUL(R->m22, v->z), vo_2 = vo_2c + vo_2d;
+  const double vo_0 = KSL_MUL(R->m00, v->x) + KSL_MUL(R->m01, v->y) + KSL_MUL(R->m02, v->z),
+      vo_1 = KSL_MUL(R->m10, v->x) + KSL_MUL(R->m11, v->y) + KSL_MUL(R->m12, v->z),
+      vo_2 = KSL_MUL(R->m20, v->x) + KSL_MUL(R->m21, v->y) + KSL_MUL(R->m22, v->z);
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -32,12 +29,9 @@ static inline void ksl_product_drv(const ksl_mat3x3_t *R, const ksl_vec3_t *v, k
    Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline void ksl_product_drvinv(const ksl_mat3x3_t *R, const ksl_vec3_t *v, ksl_vec3_t *vo) {
-  const double vo_0a = KSL_MUL(R->m00, v->x), vo_0b = KSL_MUL(R->m01, v->y), vo_0c = vo_0a + vo_0b,
-      vo_0d = KSL_MUL(R->m02, v->z), vo_0e = vo_0c + vo_0d, vo_0 = -vo_0e;
-  const double vo_1a = KSL_MUL(R->m10, v->x), vo_1b = KSL_MUL(R->m11, v->y), vo_1c = vo_1a + vo_1b,
-      vo_1d = KSL_MUL(R->m12, v->z), vo_1e = vo_1c + vo_1d, vo_1 = -vo_1e;
-  const double vo_2a = KSL_MUL(R->m20, v->x), vo_2b = KSL_MUL(R->m21, v->y), vo_2c = vo_2a + vo_2b,
-      vo_2d = KSL_MUL(R->m22, v->z), vo_2e = vo_2c + vo_2d, vo_2 = -vo_2e;
+  const double vo_0 = -(KSL_MUL(R->m00, v->x) + KSL_MUL(R->m01, v->y) + KSL_MUL(R->m02, v->z)),
+      vo_1 = -(KSL_MUL(R->m10, v->x) + KSL_MUL(R->m11, v->y) + KSL_MUL(R->m12, v->z)),
+      vo_2 = -(KSL_MUL(R->m20, v->x) + KSL_MUL(R->m21, v->y) + KSL_MUL(R->m22, v->z));
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -49,12 +43,9 @@ static inline void ksl_product_drvinv(const ksl_mat3x3_t *R, const ksl_vec3_t *v
    Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline void ksl_product_drinvv(const ksl_mat3x3_t *R, const ksl_vec3_t *v, ksl_vec3_t *vo) {
-  const double vo_0a = KSL_MUL(R->m00, v->x), vo_0b = KSL_MUL(R->m10, v->y), vo_0c = vo_0a + vo_0b,
-      vo_0d = KSL_MUL(R->m20, v->z), vo_0 = vo_0c + vo_0d;
-  const double vo_1a = KSL_MUL(R->m01, v->x), vo_1b = KSL_MUL(R->m11, v->y), vo_1c = vo_1a + vo_1b,
-      vo_1d = KSL_MUL(R->m21, v->z), vo_1 = vo_1c + vo_1d;
-  const double vo_2a = KSL_MUL(R->m02, v->x), vo_2b = KSL_MUL(R->m12, v->y), vo_2c = vo_2a + vo_2b,
-      vo_2d = KSL_MUL(R->m22, v->z), vo_2 = vo_2c + vo_2d;
+  const double vo_0 = KSL_MUL(R->m00, v->x) + KSL_MUL(R->m10, v->y) + KSL_MUL(R->m20, v->z),
+      vo_1 = KSL_MUL(R->m01, v->x) + KSL_MUL(R->m11, v->y) + KSL_MUL(R->m21, v->z),
+      vo_2 = KSL_MUL(R->m02, v->x) + KSL_MUL(R->m12, v->y) + KSL_MUL(R->m22, v->z);
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -67,12 +58,9 @@ static inline void ksl_product_drinvv(const ksl_mat3x3_t *R, const ksl_vec3_t *v
      and underflow. */
 static inline void ksl_product_drinvvinv(const ksl_mat3x3_t *R, const ksl_vec3_t *v,
     ksl_vec3_t *vo) {
-  const double vo_0a = KSL_MUL(R->m00, v->x), vo_0b = KSL_MUL(R->m10, v->y), vo_0c = vo_0a + vo_0b,
-      vo_0d = KSL_MUL(R->m20, v->z), vo_0e = vo_0c + vo_0d, vo_0 = -vo_0e;
-  const double vo_1a = KSL_MUL(R->m01, v->x), vo_1b = KSL_MUL(R->m11, v->y), vo_1c = vo_1a + vo_1b,
-      vo_1d = KSL_MUL(R->m21, v->z), vo_1e = vo_1c + vo_1d, vo_1 = -vo_1e;
-  const double vo_2a = KSL_MUL(R->m02, v->x), vo_2b = KSL_MUL(R->m12, v->y), vo_2c = vo_2a + vo_2b,
-      vo_2d = KSL_MUL(R->m22, v->z), vo_2e = vo_2c + vo_2d, vo_2 = -vo_2e;
+  const double vo_0 = -(KSL_MUL(R->m00, v->x) + KSL_MUL(R->m10, v->y) + KSL_MUL(R->m20, v->z)),
+      vo_1 = -(KSL_MUL(R->m01, v->x) + KSL_MUL(R->m11, v->y) + KSL_MUL(R->m21, v->z)),
+      vo_2 = -(KSL_MUL(R->m02, v->x) + KSL_MUL(R->m12, v->y) + KSL_MUL(R->m22, v->z));
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -84,12 +72,10 @@ static inline void ksl_product_drinvvinv(const ksl_mat3x3_t *R, const ksl_vec3_t
    Error <= u |result| + 3 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline void ksl_product_dv(const ksl_SE3_t *D, const ksl_vec3_t *v, ksl_vec3_t *vo) {
-  const double vo_0a = KSL_MUL(D->m00, v->x), vo_0b = KSL_MUL(D->m01, v->y), vo_0c = vo_0a + vo_0b,
-      vo_0d = KSL_MUL(D->m02, v->z), vo_0e = vo_0c + vo_0d, vo_0 = vo_0e + D->m03;
-  const double vo_1a = KSL_MUL(D->m10, v->x), vo_1b = KSL_MUL(D->m11, v->y), vo_1c = vo_1a + vo_1b,
-      vo_1d = KSL_MUL(D->m12, v->z), vo_1e = vo_1c + vo_1d, vo_1 = vo_1e + D->m13;
-  const double vo_2a = KSL_MUL(D->m20, v->x), vo_2b = KSL_MUL(D->m21, v->y), vo_2c = vo_2a + vo_2b,
-      vo_2d = KSL_MUL(D->m22, v->z), vo_2e = vo_2c + vo_2d, vo_2 = vo_2e + D->m23;
+  const double vo_0 = KSL_MUL(D->m00, v->x) + KSL_MUL(D->m01, v->y) + KSL_MUL(D->m02, v->z)
+          + D->m03,
+      vo_1 = KSL_MUL(D->m10, v->x) + KSL_MUL(D->m11, v->y) + KSL_MUL(D->m12, v->z) + D->m13,
+      vo_2 = KSL_MUL(D->m20, v->x) + KSL_MUL(D->m21, v->y) + KSL_MUL(D->m22, v->z) + D->m23;
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -101,15 +87,10 @@ static inline void ksl_product_dv(const ksl_SE3_t *D, const ksl_vec3_t *v, ksl_v
    Error <= u |result| + 3 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline void ksl_product_dinvv(const ksl_SE3_t *D, const ksl_vec3_t *v, ksl_vec3_t *vo) {
-  const double p_0 = v->x - D->m03;
-  const double p_1 = v->y - D->m13;
-  const double p_2 = v->z - D->m23;
-  const double vo_0a = KSL_MUL(D->m00, p_0), vo_0b = KSL_MUL(D->m10, p_1), vo_0c = vo_0a + vo_0b,
-      vo_0d = KSL_MUL(D->m20, p_2), vo_0 = vo_0c + vo_0d;
-  const double vo_1a = KSL_MUL(D->m01, p_0), vo_1b = KSL_MUL(D->m11, p_1), vo_1c = vo_1a + vo_1b,
-      vo_1d = KSL_MUL(D->m21, p_2), vo_1 = vo_1c + vo_1d;
-  const double vo_2a = KSL_MUL(D->m02, p_0), vo_2b = KSL_MUL(D->m12, p_1), vo_2c = vo_2a + vo_2b,
-      vo_2d = KSL_MUL(D->m22, p_2), vo_2 = vo_2c + vo_2d;
+  const double p_0 = v->x - D->m03, p_1 = v->y - D->m13, p_2 = v->z - D->m23;
+  const double vo_0 = KSL_MUL(D->m00, p_0) + KSL_MUL(D->m10, p_1) + KSL_MUL(D->m20, p_2),
+      vo_1 = KSL_MUL(D->m01, p_0) + KSL_MUL(D->m11, p_1) + KSL_MUL(D->m21, p_2),
+      vo_2 = KSL_MUL(D->m02, p_0) + KSL_MUL(D->m12, p_1) + KSL_MUL(D->m22, p_2);
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -122,24 +103,16 @@ static inline void ksl_product_dinvv(const ksl_SE3_t *D, const ksl_vec3_t *v, ks
      and underflow. */
 static inline void ksl_product_drdr(const ksl_mat3x3_t *R1, const ksl_mat3x3_t *R2,
     ksl_mat3x3_t *Ro) {
-  const double Ro_00a = KSL_MUL(R1->m00, R2->m00), Ro_00b = KSL_MUL(R1->m01, R2->m10),
-      Ro_00c = Ro_00a + Ro_00b, Ro_00d = KSL_MUL(R1->m02, R2->m20), Ro_00 = Ro_00c + Ro_00d;
-  const double Ro_01a = KSL_MUL(R1->m00, R2->m01), Ro_01b = KSL_MUL(R1->m01, R2->m11),
-      Ro_01c = Ro_01a + Ro_01b, Ro_01d = KSL_MUL(R1->m02, R2->m21), Ro_01 = Ro_01c + Ro_01d;
-  const double Ro_02a = KSL_MUL(R1->m00, R2->m02), Ro_02b = KSL_MUL(R1->m01, R2->m12),
-      Ro_02c = Ro_02a + Ro_02b, Ro_02d = KSL_MUL(R1->m02, R2->m22), Ro_02 = Ro_02c + Ro_02d;
-  const double Ro_10a = KSL_MUL(R1->m10, R2->m00), Ro_10b = KSL_MUL(R1->m11, R2->m10),
-      Ro_10c = Ro_10a + Ro_10b, Ro_10d = KSL_MUL(R1->m12, R2->m20), Ro_10 = Ro_10c + Ro_10d;
-  const double Ro_11a = KSL_MUL(R1->m10, R2->m01), Ro_11b = KSL_MUL(R1->m11, R2->m11),
-      Ro_11c = Ro_11a + Ro_11b, Ro_11d = KSL_MUL(R1->m12, R2->m21), Ro_11 = Ro_11c + Ro_11d;
-  const double Ro_12a = KSL_MUL(R1->m10, R2->m02), Ro_12b = KSL_MUL(R1->m11, R2->m12),
-      Ro_12c = Ro_12a + Ro_12b, Ro_12d = KSL_MUL(R1->m12, R2->m22), Ro_12 = Ro_12c + Ro_12d;
-  const double Ro_20a = KSL_MUL(R1->m20, R2->m00), Ro_20b = KSL_MUL(R1->m21, R2->m10),
-      Ro_20c = Ro_20a + Ro_20b, Ro_20d = KSL_MUL(R1->m22, R2->m20), Ro_20 = Ro_20c + Ro_20d;
-  const double Ro_21a = KSL_MUL(R1->m20, R2->m01), Ro_21b = KSL_MUL(R1->m21, R2->m11),
-      Ro_21c = Ro_21a + Ro_21b, Ro_21d = KSL_MUL(R1->m22, R2->m21), Ro_21 = Ro_21c + Ro_21d;
-  const double Ro_22a = KSL_MUL(R1->m20, R2->m02), Ro_22b = KSL_MUL(R1->m21, R2->m12),
-      Ro_22c = Ro_22a + Ro_22b, Ro_22d = KSL_MUL(R1->m22, R2->m22), Ro_22 = Ro_22c + Ro_22d;
+  const double Ro_00 = KSL_MUL(R1->m00, R2->m00) + KSL_MUL(R1->m01, R2->m10)
+          + KSL_MUL(R1->m02, R2->m20),
+      Ro_01 = KSL_MUL(R1->m00, R2->m01) + KSL_MUL(R1->m01, R2->m11) + KSL_MUL(R1->m02, R2->m21),
+      Ro_02 = KSL_MUL(R1->m00, R2->m02) + KSL_MUL(R1->m01, R2->m12) + KSL_MUL(R1->m02, R2->m22),
+      Ro_10 = KSL_MUL(R1->m10, R2->m00) + KSL_MUL(R1->m11, R2->m10) + KSL_MUL(R1->m12, R2->m20),
+      Ro_11 = KSL_MUL(R1->m10, R2->m01) + KSL_MUL(R1->m11, R2->m11) + KSL_MUL(R1->m12, R2->m21),
+      Ro_12 = KSL_MUL(R1->m10, R2->m02) + KSL_MUL(R1->m11, R2->m12) + KSL_MUL(R1->m12, R2->m22),
+      Ro_20 = KSL_MUL(R1->m20, R2->m00) + KSL_MUL(R1->m21, R2->m10) + KSL_MUL(R1->m22, R2->m20),
+      Ro_21 = KSL_MUL(R1->m20, R2->m01) + KSL_MUL(R1->m21, R2->m11) + KSL_MUL(R1->m22, R2->m21),
+      Ro_22 = KSL_MUL(R1->m20, R2->m02) + KSL_MUL(R1->m21, R2->m12) + KSL_MUL(R1->m22, R2->m22);
   Ro->m00 = Ro_00;
   Ro->m01 = Ro_01;
   Ro->m02 = Ro_02;
@@ -158,24 +131,16 @@ static inline void ksl_product_drdr(const ksl_mat3x3_t *R1, const ksl_mat3x3_t *
      and underflow. */
 static inline void ksl_product_drdrinv(const ksl_mat3x3_t *R1, const ksl_mat3x3_t *R2,
     ksl_mat3x3_t *Ro) {
-  const double Ro_00a = KSL_MUL(R1->m00, R2->m00), Ro_00b = KSL_MUL(R1->m01, R2->m01),
-      Ro_00c = Ro_00a + Ro_00b, Ro_00d = KSL_MUL(R1->m02, R2->m02), Ro_00 = Ro_00c + Ro_00d;
-  const double Ro_01a = KSL_MUL(R1->m00, R2->m10), Ro_01b = KSL_MUL(R1->m01, R2->m11),
-      Ro_01c = Ro_01a + Ro_01b, Ro_01d = KSL_MUL(R1->m02, R2->m12), Ro_01 = Ro_01c + Ro_01d;
-  const double Ro_02a = KSL_MUL(R1->m00, R2->m20), Ro_02b = KSL_MUL(R1->m01, R2->m21),
-      Ro_02c = Ro_02a + Ro_02b, Ro_02d = KSL_MUL(R1->m02, R2->m22), Ro_02 = Ro_02c + Ro_02d;
-  const double Ro_10a = KSL_MUL(R1->m10, R2->m00), Ro_10b = KSL_MUL(R1->m11, R2->m01),
-      Ro_10c = Ro_10a + Ro_10b, Ro_10d = KSL_MUL(R1->m12, R2->m02), Ro_10 = Ro_10c + Ro_10d;
-  const double Ro_11a = KSL_MUL(R1->m10, R2->m10), Ro_11b = KSL_MUL(R1->m11, R2->m11),
-      Ro_11c = Ro_11a + Ro_11b, Ro_11d = KSL_MUL(R1->m12, R2->m12), Ro_11 = Ro_11c + Ro_11d;
-  const double Ro_12a = KSL_MUL(R1->m10, R2->m20), Ro_12b = KSL_MUL(R1->m11, R2->m21),
-      Ro_12c = Ro_12a + Ro_12b, Ro_12d = KSL_MUL(R1->m12, R2->m22), Ro_12 = Ro_12c + Ro_12d;
-  const double Ro_20a = KSL_MUL(R1->m20, R2->m00), Ro_20b = KSL_MUL(R1->m21, R2->m01),
-      Ro_20c = Ro_20a + Ro_20b, Ro_20d = KSL_MUL(R1->m22, R2->m02), Ro_20 = Ro_20c + Ro_20d;
-  const double Ro_21a = KSL_MUL(R1->m20, R2->m10), Ro_21b = KSL_MUL(R1->m21, R2->m11),
-      Ro_21c = Ro_21a + Ro_21b, Ro_21d = KSL_MUL(R1->m22, R2->m12), Ro_21 = Ro_21c + Ro_21d;
-  const double Ro_22a = KSL_MUL(R1->m20, R2->m20), Ro_22b = KSL_MUL(R1->m21, R2->m21),
-      Ro_22c = Ro_22a + Ro_22b, Ro_22d = KSL_MUL(R1->m22, R2->m22), Ro_22 = Ro_22c + Ro_22d;
+  const double Ro_00 = KSL_MUL(R1->m00, R2->m00) + KSL_MUL(R1->m01, R2->m01)
+          + KSL_MUL(R1->m02, R2->m02),
+      Ro_01 = KSL_MUL(R1->m00, R2->m10) + KSL_MUL(R1->m01, R2->m11) + KSL_MUL(R1->m02, R2->m12),
+      Ro_02 = KSL_MUL(R1->m00, R2->m20) + KSL_MUL(R1->m01, R2->m21) + KSL_MUL(R1->m02, R2->m22),
+      Ro_10 = KSL_MUL(R1->m10, R2->m00) + KSL_MUL(R1->m11, R2->m01) + KSL_MUL(R1->m12, R2->m02),
+      Ro_11 = KSL_MUL(R1->m10, R2->m10) + KSL_MUL(R1->m11, R2->m11) + KSL_MUL(R1->m12, R2->m12),
+      Ro_12 = KSL_MUL(R1->m10, R2->m20) + KSL_MUL(R1->m11, R2->m21) + KSL_MUL(R1->m12, R2->m22),
+      Ro_20 = KSL_MUL(R1->m20, R2->m00) + KSL_MUL(R1->m21, R2->m01) + KSL_MUL(R1->m22, R2->m02),
+      Ro_21 = KSL_MUL(R1->m20, R2->m10) + KSL_MUL(R1->m21, R2->m11) + KSL_MUL(R1->m22, R2->m12),
+      Ro_22 = KSL_MUL(R1->m20, R2->m20) + KSL_MUL(R1->m21, R2->m21) + KSL_MUL(R1->m22, R2->m22);
   Ro->m00 = Ro_00;
   Ro->m01 = Ro_01;
   Ro->m02 = Ro_02;
@@ -194,24 +159,16 @@ static inline void ksl_product_drdrinv(const ksl_mat3x3_t *R1, const ksl_mat3x3_
      and underflow. */
 static inline void ksl_product_drinvdr(const ksl_mat3x3_t *R1, const ksl_mat3x3_t *R2,
     ksl_mat3x3_t *Ro) {
-  const double Ro_00a = KSL_MUL(R1->m00, R2->m00), Ro_00b = KSL_MUL(R1->m10, R2->m10),
-      Ro_00c = Ro_00a + Ro_00b, Ro_00d = KSL_MUL(R1->m20, R2->m20), Ro_00 = Ro_00c + Ro_00d;
-  const double Ro_01a = KSL_MUL(R1->m00, R2->m01), Ro_01b = KSL_MUL(R1->m10, R2->m11),
-      Ro_01c = Ro_01a + Ro_01b, Ro_01d = KSL_MUL(R1->m20, R2->m21), Ro_01 = Ro_01c + Ro_01d;
-  const double Ro_02a = KSL_MUL(R1->m00, R2->m02), Ro_02b = KSL_MUL(R1->m10, R2->m12),
-      Ro_02c = Ro_02a + Ro_02b, Ro_02d = KSL_MUL(R1->m20, R2->m22), Ro_02 = Ro_02c + Ro_02d;
-  const double Ro_10a = KSL_MUL(R1->m01, R2->m00), Ro_10b = KSL_MUL(R1->m11, R2->m10),
-      Ro_10c = Ro_10a + Ro_10b, Ro_10d = KSL_MUL(R1->m21, R2->m20), Ro_10 = Ro_10c + Ro_10d;
-  const double Ro_11a = KSL_MUL(R1->m01, R2->m01), Ro_11b = KSL_MUL(R1->m11, R2->m11),
-      Ro_11c = Ro_11a + Ro_11b, Ro_11d = KSL_MUL(R1->m21, R2->m21), Ro_11 = Ro_11c + Ro_11d;
-  const double Ro_12a = KSL_MUL(R1->m01, R2->m02), Ro_12b = KSL_MUL(R1->m11, R2->m12),
-      Ro_12c = Ro_12a + Ro_12b, Ro_12d = KSL_MUL(R1->m21, R2->m22), Ro_12 = Ro_12c + Ro_12d;
-  const double Ro_20a = KSL_MUL(R1->m02, R2->m00), Ro_20b = KSL_MUL(R1->m12, R2->m10),
-      Ro_20c = Ro_20a + Ro_20b, Ro_20d = KSL_MUL(R1->m22, R2->m20), Ro_20 = Ro_20c + Ro_20d;
-  const double Ro_21a = KSL_MUL(R1->m02, R2->m01), Ro_21b = KSL_MUL(R1->m12, R2->m11),
-      Ro_21c = Ro_21a + Ro_21b, Ro_21d = KSL_MUL(R1->m22, R2->m21), Ro_21 = Ro_21c + Ro_21d;
-  const double Ro_22a = KSL_MUL(R1->m02, R2->m02), Ro_22b = KSL_MUL(R1->m12, R2->m12),
-      Ro_22c = Ro_22a + Ro_22b, Ro_22d = KSL_MUL(R1->m22, R2->m22), Ro_22 = Ro_22c + Ro_22d;
+  const double Ro_00 = KSL_MUL(R1->m00, R2->m00) + KSL_MUL(R1->m10, R2->m10)
+          + KSL_MUL(R1->m20, R2->m20),
+      Ro_01 = KSL_MUL(R1->m00, R2->m01) + KSL_MUL(R1->m10, R2->m11) + KSL_MUL(R1->m20, R2->m21),
+      Ro_02 = KSL_MUL(R1->m00, R2->m02) + KSL_MUL(R1->m10, R2->m12) + KSL_MUL(R1->m20, R2->m22),
+      Ro_10 = KSL_MUL(R1->m01, R2->m00) + KSL_MUL(R1->m11, R2->m10) + KSL_MUL(R1->m21, R2->m20),
+      Ro_11 = KSL_MUL(R1->m01, R2->m01) + KSL_MUL(R1->m11, R2->m11) + KSL_MUL(R1->m21, R2->m21),
+      Ro_12 = KSL_MUL(R1->m01, R2->m02) + KSL_MUL(R1->m11, R2->m12) + KSL_MUL(R1->m21, R2->m22),
+      Ro_20 = KSL_MUL(R1->m02, R2->m00) + KSL_MUL(R1->m12, R2->m10) + KSL_MUL(R1->m22, R2->m20),
+      Ro_21 = KSL_MUL(R1->m02, R2->m01) + KSL_MUL(R1->m12, R2->m11) + KSL_MUL(R1->m22, R2->m21),
+      Ro_22 = KSL_MUL(R1->m02, R2->m02) + KSL_MUL(R1->m12, R2->m12) + KSL_MUL(R1->m22, R2->m22);
   Ro->m00 = Ro_00;
   Ro->m01 = Ro_01;
   Ro->m02 = Ro_02;
@@ -229,33 +186,22 @@ static inline void ksl_product_drinvdr(const ksl_mat3x3_t *R1, const ksl_mat3x3_
    Error <= u |result| + (R: 2, t: 3) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_dd(const ksl_SE3_t *D1, const ksl_SE3_t *D2, ksl_SE3_t *Do) {
-  const double Do_00a = KSL_MUL(D1->m00, D2->m00), Do_00b = KSL_MUL(D1->m01, D2->m10),
-      Do_00c = Do_00a + Do_00b, Do_00d = KSL_MUL(D1->m02, D2->m20), Do_00 = Do_00c + Do_00d;
-  const double Do_01a = KSL_MUL(D1->m00, D2->m01), Do_01b = KSL_MUL(D1->m01, D2->m11),
-      Do_01c = Do_01a + Do_01b, Do_01d = KSL_MUL(D1->m02, D2->m21), Do_01 = Do_01c + Do_01d;
-  const double Do_02a = KSL_MUL(D1->m00, D2->m02), Do_02b = KSL_MUL(D1->m01, D2->m12),
-      Do_02c = Do_02a + Do_02b, Do_02d = KSL_MUL(D1->m02, D2->m22), Do_02 = Do_02c + Do_02d;
-  const double Do_03a = KSL_MUL(D1->m00, D2->m03), Do_03b = KSL_MUL(D1->m01, D2->m13),
-      Do_03c = Do_03a + Do_03b, Do_03d = KSL_MUL(D1->m02, D2->m23), Do_03e = Do_03c + Do_03d,
-      Do_03 = Do_03e + D1->m03;
-  const double Do_10a = KSL_MUL(D1->m10, D2->m00), Do_10b = KSL_MUL(D1->m11, D2->m10),
-      Do_10c = Do_10a + Do_10b, Do_10d = KSL_MUL(D1->m12, D2->m20), Do_10 = Do_10c + Do_10d;
-  const double Do_11a = KSL_MUL(D1->m10, D2->m01), Do_11b = KSL_MUL(D1->m11, D2->m11),
-      Do_11c = Do_11a + Do_11b, Do_11d = KSL_MUL(D1->m12, D2->m21), Do_11 = Do_11c + Do_11d;
-  const double Do_12a = KSL_MUL(D1->m10, D2->m02), Do_12b = KSL_MUL(D1->m11, D2->m12),
-      Do_12c = Do_12a + Do_12b, Do_12d = KSL_MUL(D1->m12, D2->m22), Do_12 = Do_12c + Do_12d;
-  const double Do_13a = KSL_MUL(D1->m10, D2->m03), Do_13b = KSL_MUL(D1->m11, D2->m13),
-      Do_13c = Do_13a + Do_13b, Do_13d = KSL_MUL(D1->m12, D2->m23), Do_13e = Do_13c + Do_13d,
-      Do_13 = Do_13e + D1->m13;
-  const double Do_20a = KSL_MUL(D1->m20, D2->m00), Do_20b = KSL_MUL(D1->m21, D2->m10),
-      Do_20c = Do_20a + Do_20b, Do_20d = KSL_MUL(D1->m22, D2->m20), Do_20 = Do_20c + Do_20d;
-  const double Do_21a = KSL_MUL(D1->m20, D2->m01), Do_21b = KSL_MUL(D1->m21, D2->m11),
-      Do_21c = Do_21a + Do_21b, Do_21d = KSL_MUL(D1->m22, D2->m21), Do_21 = Do_21c + Do_21d;
-  const double Do_22a = KSL_MUL(D1->m20, D2->m02), Do_22b = KSL_MUL(D1->m21, D2->m12),
-      Do_22c = Do_22a + Do_22b, Do_22d = KSL_MUL(D1->m22, D2->m22), Do_22 = Do_22c + Do_22d;
-  const double Do_23a = KSL_MUL(D1->m20, D2->m03), Do_23b = KSL_MUL(D1->m21, D2->m13),
-      Do_23c = Do_23a + Do_23b, Do_23d = KSL_MUL(D1->m22, D2->m23), Do_23e = Do_23c + Do_23d,
-      Do_23 = Do_23e + D1->m23;
+  const double Do_00 = KSL_MUL(D1->m00, D2->m00) + KSL_MUL(D1->m01, D2->m10)
+          + KSL_MUL(D1->m02, D2->m20),
+      Do_01 = KSL_MUL(D1->m00, D2->m01) + KSL_MUL(D1->m01, D2->m11) + KSL_MUL(D1->m02, D2->m21),
+      Do_02 = KSL_MUL(D1->m00, D2->m02) + KSL_MUL(D1->m01, D2->m12) + KSL_MUL(D1->m02, D2->m22),
+      Do_03 = KSL_MUL(D1->m00, D2->m03) + KSL_MUL(D1->m01, D2->m13) + KSL_MUL(D1->m02, D2->m23)
+          + D1->m03,
+      Do_10 = KSL_MUL(D1->m10, D2->m00) + KSL_MUL(D1->m11, D2->m10) + KSL_MUL(D1->m12, D2->m20),
+      Do_11 = KSL_MUL(D1->m10, D2->m01) + KSL_MUL(D1->m11, D2->m11) + KSL_MUL(D1->m12, D2->m21),
+      Do_12 = KSL_MUL(D1->m10, D2->m02) + KSL_MUL(D1->m11, D2->m12) + KSL_MUL(D1->m12, D2->m22),
+      Do_13 = KSL_MUL(D1->m10, D2->m03) + KSL_MUL(D1->m11, D2->m13) + KSL_MUL(D1->m12, D2->m23)
+          + D1->m13,
+      Do_20 = KSL_MUL(D1->m20, D2->m00) + KSL_MUL(D1->m21, D2->m10) + KSL_MUL(D1->m22, D2->m20),
+      Do_21 = KSL_MUL(D1->m20, D2->m01) + KSL_MUL(D1->m21, D2->m11) + KSL_MUL(D1->m22, D2->m21),
+      Do_22 = KSL_MUL(D1->m20, D2->m02) + KSL_MUL(D1->m21, D2->m12) + KSL_MUL(D1->m22, D2->m22),
+      Do_23 = KSL_MUL(D1->m20, D2->m03) + KSL_MUL(D1->m21, D2->m13) + KSL_MUL(D1->m22, D2->m23)
+          + D1->m23;
   Do->m00 = Do_00;
   Do->m01 = Do_01;
   Do->m02 = Do_02;
@@ -276,33 +222,20 @@ static inline void ksl_product_dd(const ksl_SE3_t *D1, const ksl_SE3_t *D2, ksl_
    Error <= u |result| + (R: 2, t: 6) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_ddinv(const ksl_SE3_t *D1, const ksl_SE3_t *D2, ksl_SE3_t *Do) {
-  const double R_0a = KSL_MUL(D1->m00, D2->m00), R_0b = KSL_MUL(D1->m01, D2->m01),
-      R_0c = R_0a + R_0b, R_0d = KSL_MUL(D1->m02, D2->m02), R_0 = R_0c + R_0d;
-  const double R_1a = KSL_MUL(D1->m00, D2->m10), R_1b = KSL_MUL(D1->m01, D2->m11),
-      R_1c = R_1a + R_1b, R_1d = KSL_MUL(D1->m02, D2->m12), R_1 = R_1c + R_1d;
-  const double R_2a = KSL_MUL(D1->m00, D2->m20), R_2b = KSL_MUL(D1->m01, D2->m21),
-      R_2c = R_2a + R_2b, R_2d = KSL_MUL(D1->m02, D2->m22), R_2 = R_2c + R_2d;
-  const double R_3a = KSL_MUL(D1->m10, D2->m00), R_3b = KSL_MUL(D1->m11, D2->m01),
-      R_3c = R_3a + R_3b, R_3d = KSL_MUL(D1->m12, D2->m02), R_3 = R_3c + R_3d;
-  const double R_4a = KSL_MUL(D1->m10, D2->m10), R_4b = KSL_MUL(D1->m11, D2->m11),
-      R_4c = R_4a + R_4b, R_4d = KSL_MUL(D1->m12, D2->m12), R_4 = R_4c + R_4d;
-  const double R_5a = KSL_MUL(D1->m10, D2->m20), R_5b = KSL_MUL(D1->m11, D2->m21),
-      R_5c = R_5a + R_5b, R_5d = KSL_MUL(D1->m12, D2->m22), R_5 = R_5c + R_5d;
-  const double R_6a = KSL_MUL(D1->m20, D2->m00), R_6b = KSL_MUL(D1->m21, D2->m01),
-      R_6c = R_6a + R_6b, R_6d = KSL_MUL(D1->m22, D2->m02), R_6 = R_6c + R_6d;
-  const double R_7a = KSL_MUL(D1->m20, D2->m10), R_7b = KSL_MUL(D1->m21, D2->m11),
-      R_7c = R_7a + R_7b, R_7d = KSL_MUL(D1->m22, D2->m12), R_7 = R_7c + R_7d;
-  const double R_8a = KSL_MUL(D1->m20, D2->m20), R_8b = KSL_MUL(D1->m21, D2->m21),
-      R_8c = R_8a + R_8b, R_8d = KSL_MUL(D1->m22, D2->m22), R_8 = R_8c + R_8d;
-  const double Do_03a = KSL_MUL(D2->m03, R_0), Do_03b = KSL_MUL(D2->m13, R_1),
-      Do_03c = Do_03a + Do_03b, Do_03d = KSL_MUL(D2->m23, R_2), Do_03e = Do_03c + Do_03d,
-      Do_03 = D1->m03 - Do_03e;
-  const double Do_13a = KSL_MUL(D2->m03, R_3), Do_13b = KSL_MUL(D2->m13, R_4),
-      Do_13c = Do_13a + Do_13b, Do_13d = KSL_MUL(D2->m23, R_5), Do_13e = Do_13c + Do_13d,
-      Do_13 = D1->m13 - Do_13e;
-  const double Do_23a = KSL_MUL(D2->m03, R_6), Do_23b = KSL_MUL(D2->m13, R_7),
-      Do_23c = Do_23a + Do_23b, Do_23d = KSL_MUL(D2->m23, R_8), Do_23e = Do_23c + Do_23d,
-      Do_23 = D1->m23 - Do_23e;
+  const double R_0 = KSL_MUL(D1->m00, D2->m00) + KSL_MUL(D1->m01, D2->m01)
+          + KSL_MUL(D1->m02, D2->m02),
+      R_1 = KSL_MUL(D1->m00, D2->m10) + KSL_MUL(D1->m01, D2->m11) + KSL_MUL(D1->m02, D2->m12),
+      R_2 = KSL_MUL(D1->m00, D2->m20) + KSL_MUL(D1->m01, D2->m21) + KSL_MUL(D1->m02, D2->m22),
+      R_3 = KSL_MUL(D1->m10, D2->m00) + KSL_MUL(D1->m11, D2->m01) + KSL_MUL(D1->m12, D2->m02),
+      R_4 = KSL_MUL(D1->m10, D2->m10) + KSL_MUL(D1->m11, D2->m11) + KSL_MUL(D1->m12, D2->m12),
+      R_5 = KSL_MUL(D1->m10, D2->m20) + KSL_MUL(D1->m11, D2->m21) + KSL_MUL(D1->m12, D2->m22),
+      R_6 = KSL_MUL(D1->m20, D2->m00) + KSL_MUL(D1->m21, D2->m01) + KSL_MUL(D1->m22, D2->m02),
+      R_7 = KSL_MUL(D1->m20, D2->m10) + KSL_MUL(D1->m21, D2->m11) + KSL_MUL(D1->m22, D2->m12),
+      R_8 = KSL_MUL(D1->m20, D2->m20) + KSL_MUL(D1->m21, D2->m21) + KSL_MUL(D1->m22, D2->m22);
+  const double Do_03 = D1->m03
+          - (KSL_MUL(D2->m03, R_0) + KSL_MUL(D2->m13, R_1) + KSL_MUL(D2->m23, R_2)),
+      Do_13 = D1->m13 - (KSL_MUL(D2->m03, R_3) + KSL_MUL(D2->m13, R_4) + KSL_MUL(D2->m23, R_5)),
+      Do_23 = D1->m23 - (KSL_MUL(D2->m03, R_6) + KSL_MUL(D2->m13, R_7) + KSL_MUL(D2->m23, R_8));
   Do->m00 = R_0;
   Do->m01 = R_1;
   Do->m02 = R_2;
@@ -323,33 +256,20 @@ static inline void ksl_product_ddinv(const ksl_SE3_t *D1, const ksl_SE3_t *D2, k
    Error <= u |result| + (R: 2, t: 3) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_dinvd(const ksl_SE3_t *D1, const ksl_SE3_t *D2, ksl_SE3_t *Do) {
-  const double p_0 = D2->m03 - D1->m03;
-  const double p_1 = D2->m13 - D1->m13;
-  const double p_2 = D2->m23 - D1->m23;
-  const double Do_00a = KSL_MUL(D1->m00, D2->m00), Do_00b = KSL_MUL(D1->m10, D2->m10),
-      Do_00c = Do_00a + Do_00b, Do_00d = KSL_MUL(D1->m20, D2->m20), Do_00 = Do_00c + Do_00d;
-  const double Do_01a = KSL_MUL(D1->m00, D2->m01), Do_01b = KSL_MUL(D1->m10, D2->m11),
-      Do_01c = Do_01a + Do_01b, Do_01d = KSL_MUL(D1->m20, D2->m21), Do_01 = Do_01c + Do_01d;
-  const double Do_02a = KSL_MUL(D1->m00, D2->m02), Do_02b = KSL_MUL(D1->m10, D2->m12),
-      Do_02c = Do_02a + Do_02b, Do_02d = KSL_MUL(D1->m20, D2->m22), Do_02 = Do_02c + Do_02d;
-  const double Do_03a = KSL_MUL(D1->m00, p_0), Do_03b = KSL_MUL(D1->m10, p_1),
-      Do_03c = Do_03a + Do_03b, Do_03d = KSL_MUL(D1->m20, p_2), Do_03 = Do_03c + Do_03d;
-  const double Do_10a = KSL_MUL(D1->m01, D2->m00), Do_10b = KSL_MUL(D1->m11, D2->m10),
-      Do_10c = Do_10a + Do_10b, Do_10d = KSL_MUL(D1->m21, D2->m20), Do_10 = Do_10c + Do_10d;
-  const double Do_11a = KSL_MUL(D1->m01, D2->m01), Do_11b = KSL_MUL(D1->m11, D2->m11),
-      Do_11c = Do_11a + Do_11b, Do_11d = KSL_MUL(D1->m21, D2->m21), Do_11 = Do_11c + Do_11d;
-  const double Do_12a = KSL_MUL(D1->m01, D2->m02), Do_12b = KSL_MUL(D1->m11, D2->m12),
-      Do_12c = Do_12a + Do_12b, Do_12d = KSL_MUL(D1->m21, D2->m22), Do_12 = Do_12c + Do_12d;
-  const double Do_13a = KSL_MUL(D1->m01, p_0), Do_13b = KSL_MUL(D1->m11, p_1),
-      Do_13c = Do_13a + Do_13b, Do_13d = KSL_MUL(D1->m21, p_2), Do_13 = Do_13c + Do_13d;
-  const double Do_20a = KSL_MUL(D1->m02, D2->m00), Do_20b = KSL_MUL(D1->m12, D2->m10),
-      Do_20c = Do_20a + Do_20b, Do_20d = KSL_MUL(D1->m22, D2->m20), Do_20 = Do_20c + Do_20d;
-  const double Do_21a = KSL_MUL(D1->m02, D2->m01), Do_21b = KSL_MUL(D1->m12, D2->m11),
-      Do_21c = Do_21a + Do_21b, Do_21d = KSL_MUL(D1->m22, D2->m21), Do_21 = Do_21c + Do_21d;
-  const double Do_22a = KSL_MUL(D1->m02, D2->m02), Do_22b = KSL_MUL(D1->m12, D2->m12),
-      Do_22c = Do_22a + Do_22b, Do_22d = KSL_MUL(D1->m22, D2->m22), Do_22 = Do_22c + Do_22d;
-  const double Do_23a = KSL_MUL(D1->m02, p_0), Do_23b = KSL_MUL(D1->m12, p_1),
-      Do_23c = Do_23a + Do_23b, Do_23d = KSL_MUL(D1->m22, p_2), Do_23 = Do_23c + Do_23d;
+  const double p_0 = D2->m03 - D1->m03, p_1 = D2->m13 - D1->m13, p_2 = D2->m23 - D1->m23;
+  const double Do_00 = KSL_MUL(D1->m00, D2->m00) + KSL_MUL(D1->m10, D2->m10)
+          + KSL_MUL(D1->m20, D2->m20),
+      Do_01 = KSL_MUL(D1->m00, D2->m01) + KSL_MUL(D1->m10, D2->m11) + KSL_MUL(D1->m20, D2->m21),
+      Do_02 = KSL_MUL(D1->m00, D2->m02) + KSL_MUL(D1->m10, D2->m12) + KSL_MUL(D1->m20, D2->m22),
+      Do_03 = KSL_MUL(D1->m00, p_0) + KSL_MUL(D1->m10, p_1) + KSL_MUL(D1->m20, p_2),
+      Do_10 = KSL_MUL(D1->m01, D2->m00) + KSL_MUL(D1->m11, D2->m10) + KSL_MUL(D1->m21, D2->m20),
+      Do_11 = KSL_MUL(D1->m01, D2->m01) + KSL_MUL(D1->m11, D2->m11) + KSL_MUL(D1->m21, D2->m21),
+      Do_12 = KSL_MUL(D1->m01, D2->m02) + KSL_MUL(D1->m11, D2->m12) + KSL_MUL(D1->m21, D2->m22),
+      Do_13 = KSL_MUL(D1->m01, p_0) + KSL_MUL(D1->m11, p_1) + KSL_MUL(D1->m21, p_2),
+      Do_20 = KSL_MUL(D1->m02, D2->m00) + KSL_MUL(D1->m12, D2->m10) + KSL_MUL(D1->m22, D2->m20),
+      Do_21 = KSL_MUL(D1->m02, D2->m01) + KSL_MUL(D1->m12, D2->m11) + KSL_MUL(D1->m22, D2->m21),
+      Do_22 = KSL_MUL(D1->m02, D2->m02) + KSL_MUL(D1->m12, D2->m12) + KSL_MUL(D1->m22, D2->m22),
+      Do_23 = KSL_MUL(D1->m02, p_0) + KSL_MUL(D1->m12, p_1) + KSL_MUL(D1->m22, p_2);
   Do->m00 = Do_00;
   Do->m01 = Do_01;
   Do->m02 = Do_02;
@@ -370,24 +290,15 @@ static inline void ksl_product_dinvd(const ksl_SE3_t *D1, const ksl_SE3_t *D2, k
    Error <= u |result| + (R: 2, t: 0) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_ddr(const ksl_SE3_t *D, const ksl_mat3x3_t *R, ksl_SE3_t *Do) {
-  const double Do_00a = KSL_MUL(D->m00, R->m00), Do_00b = KSL_MUL(D->m01, R->m10),
-      Do_00c = Do_00a + Do_00b, Do_00d = KSL_MUL(D->m02, R->m20), Do_00 = Do_00c + Do_00d;
-  const double Do_01a = KSL_MUL(D->m00, R->m01), Do_01b = KSL_MUL(D->m01, R->m11),
-      Do_01c = Do_01a + Do_01b, Do_01d = KSL_MUL(D->m02, R->m21), Do_01 = Do_01c + Do_01d;
-  const double Do_02a = KSL_MUL(D->m00, R->m02), Do_02b = KSL_MUL(D->m01, R->m12),
-      Do_02c = Do_02a + Do_02b, Do_02d = KSL_MUL(D->m02, R->m22), Do_02 = Do_02c + Do_02d;
-  const double Do_10a = KSL_MUL(D->m10, R->m00), Do_10b = KSL_MUL(D->m11, R->m10),
-      Do_10c = Do_10a + Do_10b, Do_10d = KSL_MUL(D->m12, R->m20), Do_10 = Do_10c + Do_10d;
-  const double Do_11a = KSL_MUL(D->m10, R->m01), Do_11b = KSL_MUL(D->m11, R->m11),
-      Do_11c = Do_11a + Do_11b, Do_11d = KSL_MUL(D->m12, R->m21), Do_11 = Do_11c + Do_11d;
-  const double Do_12a = KSL_MUL(D->m10, R->m02), Do_12b = KSL_MUL(D->m11, R->m12),
-      Do_12c = Do_12a + Do_12b, Do_12d = KSL_MUL(D->m12, R->m22), Do_12 = Do_12c + Do_12d;
-  const double Do_20a = KSL_MUL(D->m20, R->m00), Do_20b = KSL_MUL(D->m21, R->m10),
-      Do_20c = Do_20a + Do_20b, Do_20d = KSL_MUL(D->m22, R->m20), Do_20 = Do_20c + Do_20d;
-  const double Do_21a = KSL_MUL(D->m20, R->m01), Do_21b = KSL_MUL(D->m21, R->m11),
-      Do_21c = Do_21a + Do_21b, Do_21d = KSL_MUL(D->m22, R->m21), Do_21 = Do_21c + Do_21d;
-  const double Do_22a = KSL_MUL(D->m20, R->m02), Do_22b = KSL_MUL(D->m21, R->m12),
-      Do_22c = Do_22a + Do_22b, Do_22d = KSL_MUL(D->m22, R->m22), Do_22 = Do_22c + Do_22d;
+  const double Do_00 = KSL_MUL(D->m00, R->m00) + KSL_MUL(D->m01, R->m10) + KSL_MUL(D->m02, R->m20),
+      Do_01 = KSL_MUL(D->m00, R->m01) + KSL_MUL(D->m01, R->m11) + KSL_MUL(D->m02, R->m21),
+      Do_02 = KSL_MUL(D->m00, R->m02) + KSL_MUL(D->m01, R->m12) + KSL_MUL(D->m02, R->m22),
+      Do_10 = KSL_MUL(D->m10, R->m00) + KSL_MUL(D->m11, R->m10) + KSL_MUL(D->m12, R->m20),
+      Do_11 = KSL_MUL(D->m10, R->m01) + KSL_MUL(D->m11, R->m11) + KSL_MUL(D->m12, R->m21),
+      Do_12 = KSL_MUL(D->m10, R->m02) + KSL_MUL(D->m11, R->m12) + KSL_MUL(D->m12, R->m22),
+      Do_20 = KSL_MUL(D->m20, R->m00) + KSL_MUL(D->m21, R->m10) + KSL_MUL(D->m22, R->m20),
+      Do_21 = KSL_MUL(D->m20, R->m01) + KSL_MUL(D->m21, R->m11) + KSL_MUL(D->m22, R->m21),
+      Do_22 = KSL_MUL(D->m20, R->m02) + KSL_MUL(D->m21, R->m12) + KSL_MUL(D->m22, R->m22);
   const double D_m03 = D->m03;
   const double D_m13 = D->m13;
   const double D_m23 = D->m23;
@@ -411,24 +322,15 @@ static inline void ksl_product_ddr(const ksl_SE3_t *D, const ksl_mat3x3_t *R, ks
    Error <= u |result| + (R: 2, t: 0) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_ddrinv(const ksl_SE3_t *D, const ksl_mat3x3_t *R, ksl_SE3_t *Do) {
-  const double Do_00a = KSL_MUL(D->m00, R->m00), Do_00b = KSL_MUL(D->m01, R->m01),
-      Do_00c = Do_00a + Do_00b, Do_00d = KSL_MUL(D->m02, R->m02), Do_00 = Do_00c + Do_00d;
-  const double Do_01a = KSL_MUL(D->m00, R->m10), Do_01b = KSL_MUL(D->m01, R->m11),
-      Do_01c = Do_01a + Do_01b, Do_01d = KSL_MUL(D->m02, R->m12), Do_01 = Do_01c + Do_01d;
-  const double Do_02a = KSL_MUL(D->m00, R->m20), Do_02b = KSL_MUL(D->m01, R->m21),
-      Do_02c = Do_02a + Do_02b, Do_02d = KSL_MUL(D->m02, R->m22), Do_02 = Do_02c + Do_02d;
-  const double Do_10a = KSL_MUL(D->m10, R->m00), Do_10b = KSL_MUL(D->m11, R->m01),
-      Do_10c = Do_10a + Do_10b, Do_10d = KSL_MUL(D->m12, R->m02), Do_10 = Do_10c + Do_10d;
-  const double Do_11a = KSL_MUL(D->m10, R->m10), Do_11b = KSL_MUL(D->m11, R->m11),
-      Do_11c = Do_11a + Do_11b, Do_11d = KSL_MUL(D->m12, R->m12), Do_11 = Do_11c + Do_11d;
-  const double Do_12a = KSL_MUL(D->m10, R->m20), Do_12b = KSL_MUL(D->m11, R->m21),
-      Do_12c = Do_12a + Do_12b, Do_12d = KSL_MUL(D->m12, R->m22), Do_12 = Do_12c + Do_12d;
-  const double Do_20a = KSL_MUL(D->m20, R->m00), Do_20b = KSL_MUL(D->m21, R->m01),
-      Do_20c = Do_20a + Do_20b, Do_20d = KSL_MUL(D->m22, R->m02), Do_20 = Do_20c + Do_20d;
-  const double Do_21a = KSL_MUL(D->m20, R->m10), Do_21b = KSL_MUL(D->m21, R->m11),
-      Do_21c = Do_21a + Do_21b, Do_21d = KSL_MUL(D->m22, R->m12), Do_21 = Do_21c + Do_21d;
-  const double Do_22a = KSL_MUL(D->m20, R->m20), Do_22b = KSL_MUL(D->m21, R->m21),
-      Do_22c = Do_22a + Do_22b, Do_22d = KSL_MUL(D->m22, R->m22), Do_22 = Do_22c + Do_22d;
+  const double Do_00 = KSL_MUL(D->m00, R->m00) + KSL_MUL(D->m01, R->m01) + KSL_MUL(D->m02, R->m02),
+      Do_01 = KSL_MUL(D->m00, R->m10) + KSL_MUL(D->m01, R->m11) + KSL_MUL(D->m02, R->m12),
+      Do_02 = KSL_MUL(D->m00, R->m20) + KSL_MUL(D->m01, R->m21) + KSL_MUL(D->m02, R->m22),
+      Do_10 = KSL_MUL(D->m10, R->m00) + KSL_MUL(D->m11, R->m01) + KSL_MUL(D->m12, R->m02),
+      Do_11 = KSL_MUL(D->m10, R->m10) + KSL_MUL(D->m11, R->m11) + KSL_MUL(D->m12, R->m12),
+      Do_12 = KSL_MUL(D->m10, R->m20) + KSL_MUL(D->m11, R->m21) + KSL_MUL(D->m12, R->m22),
+      Do_20 = KSL_MUL(D->m20, R->m00) + KSL_MUL(D->m21, R->m01) + KSL_MUL(D->m22, R->m02),
+      Do_21 = KSL_MUL(D->m20, R->m10) + KSL_MUL(D->m21, R->m11) + KSL_MUL(D->m22, R->m12),
+      Do_22 = KSL_MUL(D->m20, R->m20) + KSL_MUL(D->m21, R->m21) + KSL_MUL(D->m22, R->m22);
   const double D_m03 = D->m03;
   const double D_m13 = D->m13;
   const double D_m23 = D->m23;
@@ -452,15 +354,10 @@ static inline void ksl_product_ddrinv(const ksl_SE3_t *D, const ksl_mat3x3_t *R,
    Error <= u |result| + (R: 0, t: 3) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_ddt(const ksl_SE3_t *D, const ksl_vec3_t *t, ksl_SE3_t *Do) {
-  const double Do_03a = KSL_MUL(D->m00, t->x), Do_03b = KSL_MUL(D->m01, t->y),
-      Do_03c = Do_03a + Do_03b, Do_03d = KSL_MUL(D->m02, t->z), Do_03e = Do_03c + Do_03d,
-      Do_03 = Do_03e + D->m03;
-  const double Do_13a = KSL_MUL(D->m10, t->x), Do_13b = KSL_MUL(D->m11, t->y),
-      Do_13c = Do_13a + Do_13b, Do_13d = KSL_MUL(D->m12, t->z), Do_13e = Do_13c + Do_13d,
-      Do_13 = Do_13e + D->m13;
-  const double Do_23a = KSL_MUL(D->m20, t->x), Do_23b = KSL_MUL(D->m21, t->y),
-      Do_23c = Do_23a + Do_23b, Do_23d = KSL_MUL(D->m22, t->z), Do_23e = Do_23c + Do_23d,
-      Do_23 = Do_23e + D->m23;
+  const double Do_03 = KSL_MUL(D->m00, t->x) + KSL_MUL(D->m01, t->y) + KSL_MUL(D->m02, t->z)
+          + D->m03,
+      Do_13 = KSL_MUL(D->m10, t->x) + KSL_MUL(D->m11, t->y) + KSL_MUL(D->m12, t->z) + D->m13,
+      Do_23 = KSL_MUL(D->m20, t->x) + KSL_MUL(D->m21, t->y) + KSL_MUL(D->m22, t->z) + D->m23;
   const double D_m00 = D->m00;
   const double D_m01 = D->m01;
   const double D_m02 = D->m02;
@@ -490,15 +387,10 @@ static inline void ksl_product_ddt(const ksl_SE3_t *D, const ksl_vec3_t *t, ksl_
    Error <= u |result| + (R: 0, t: 3) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_ddtinv(const ksl_SE3_t *D, const ksl_vec3_t *t, ksl_SE3_t *Do) {
-  const double Do_03a = KSL_MUL(D->m00, t->x), Do_03b = KSL_MUL(D->m01, t->y),
-      Do_03c = Do_03a + Do_03b, Do_03d = KSL_MUL(D->m02, t->z), Do_03e = Do_03c + Do_03d,
-      Do_03 = D->m03 - Do_03e;
-  const double Do_13a = KSL_MUL(D->m10, t->x), Do_13b = KSL_MUL(D->m11, t->y),
-      Do_13c = Do_13a + Do_13b, Do_13d = KSL_MUL(D->m12, t->z), Do_13e = Do_13c + Do_13d,
-      Do_13 = D->m13 - Do_13e;
-  const double Do_23a = KSL_MUL(D->m20, t->x), Do_23b = KSL_MUL(D->m21, t->y),
-      Do_23c = Do_23a + Do_23b, Do_23d = KSL_MUL(D->m22, t->z), Do_23e = Do_23c + Do_23d,
-      Do_23 = D->m23 - Do_23e;
+  const double Do_03 = D->m03
+          - (KSL_MUL(D->m00, t->x) + KSL_MUL(D->m01, t->y) + KSL_MUL(D->m02, t->z)),
+      Do_13 = D->m13 - (KSL_MUL(D->m10, t->x) + KSL_MUL(D->m11, t->y) + KSL_MUL(D->m12, t->z)),
+      Do_23 = D->m23 - (KSL_MUL(D->m20, t->x) + KSL_MUL(D->m21, t->y) + KSL_MUL(D->m22, t->z));
   const double D_m00 = D->m00;
   const double D_m01 = D->m01;
   const double D_m02 = D->m02;
@@ -528,15 +420,10 @@ static inline void ksl_product_ddtinv(const ksl_SE3_t *D, const ksl_vec3_t *t, k
    Error <= u |result| + (R: 0, t: 3) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_dinvdt(const ksl_SE3_t *D, const ksl_vec3_t *t, ksl_SE3_t *Do) {
-  const double p_0 = t->x - D->m03;
-  const double p_1 = t->y - D->m13;
-  const double p_2 = t->z - D->m23;
-  const double Do_03a = KSL_MUL(D->m00, p_0), Do_03b = KSL_MUL(D->m10, p_1),
-      Do_03c = Do_03a + Do_03b, Do_03d = KSL_MUL(D->m20, p_2), Do_03 = Do_03c + Do_03d;
-  const double Do_13a = KSL_MUL(D->m01, p_0), Do_13b = KSL_MUL(D->m11, p_1),
-      Do_13c = Do_13a + Do_13b, Do_13d = KSL_MUL(D->m21, p_2), Do_13 = Do_13c + Do_13d;
-  const double Do_23a = KSL_MUL(D->m02, p_0), Do_23b = KSL_MUL(D->m12, p_1),
-      Do_23c = Do_23a + Do_23b, Do_23d = KSL_MUL(D->m22, p_2), Do_23 = Do_23c + Do_23d;
+  const double p_0 = t->x - D->m03, p_1 = t->y - D->m13, p_2 = t->z - D->m23;
+  const double Do_03 = KSL_MUL(D->m00, p_0) + KSL_MUL(D->m10, p_1) + KSL_MUL(D->m20, p_2),
+      Do_13 = KSL_MUL(D->m01, p_0) + KSL_MUL(D->m11, p_1) + KSL_MUL(D->m21, p_2),
+      Do_23 = KSL_MUL(D->m02, p_0) + KSL_MUL(D->m12, p_1) + KSL_MUL(D->m22, p_2);
   const double D_m00 = D->m00;
   const double D_m10 = D->m10;
   const double D_m20 = D->m20;
@@ -565,9 +452,7 @@ static inline void ksl_product_dinvdt(const ksl_SE3_t *D, const ksl_vec3_t *t, k
    3 mul.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_product_drvtx(const ksl_mat3x3_t *R, const double k, ksl_vec3_t *vo) {
-  const double vo_0 = KSL_MUL(R->m00, k);
-  const double vo_1 = KSL_MUL(R->m10, k);
-  const double vo_2 = KSL_MUL(R->m20, k);
+  const double vo_0 = KSL_MUL(R->m00, k), vo_1 = KSL_MUL(R->m10, k), vo_2 = KSL_MUL(R->m20, k);
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -579,18 +464,12 @@ static inline void ksl_product_drvtx(const ksl_mat3x3_t *R, const double k, ksl_
    Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline void ksl_product_drdrx(const ksl_mat3x3_t *R, const double dc[2], ksl_mat3x3_t *Ro) {
-  const double Ro_01a = KSL_MUL(R->m01, dc[1]), Ro_01b = KSL_MUL(R->m02, dc[0]),
-      Ro_01 = Ro_01a + Ro_01b;
-  const double Ro_02a = KSL_MUL(R->m02, dc[1]), Ro_02b = KSL_MUL(R->m01, dc[0]),
-      Ro_02 = Ro_02a - Ro_02b;
-  const double Ro_11a = KSL_MUL(R->m11, dc[1]), Ro_11b = KSL_MUL(R->m12, dc[0]),
-      Ro_11 = Ro_11a + Ro_11b;
-  const double Ro_12a = KSL_MUL(R->m12, dc[1]), Ro_12b = KSL_MUL(R->m11, dc[0]),
-      Ro_12 = Ro_12a - Ro_12b;
-  const double Ro_21a = KSL_MUL(R->m21, dc[1]), Ro_21b = KSL_MUL(R->m22, dc[0]),
-      Ro_21 = Ro_21a + Ro_21b;
-  const double Ro_22a = KSL_MUL(R->m22, dc[1]), Ro_22b = KSL_MUL(R->m21, dc[0]),
-      Ro_22 = Ro_22a - Ro_22b;
+  const double Ro_01 = KSL_MUL(R->m01, dc[1]) + KSL_MUL(R->m02, dc[0]),
+      Ro_02 = KSL_MUL(R->m02, dc[1]) - KSL_MUL(R->m01, dc[0]),
+      Ro_11 = KSL_MUL(R->m11, dc[1]) + KSL_MUL(R->m12, dc[0]),
+      Ro_12 = KSL_MUL(R->m12, dc[1]) - KSL_MUL(R->m11, dc[0]),
+      Ro_21 = KSL_MUL(R->m21, dc[1]) + KSL_MUL(R->m22, dc[0]),
+      Ro_22 = KSL_MUL(R->m22, dc[1]) - KSL_MUL(R->m21, dc[0]);
   const double R_m00 = R->m00;
   const double R_m10 = R->m10;
   const double R_m20 = R->m20;
@@ -611,18 +490,12 @@ static inline void ksl_product_drdrx(const ksl_mat3x3_t *R, const double dc[2], 
    Error <= u |result| + (R: 1, t: 0) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_ddrx(const ksl_SE3_t *D, const double dc[2], ksl_SE3_t *Do) {
-  const double Do_01a = KSL_MUL(D->m01, dc[1]), Do_01b = KSL_MUL(D->m02, dc[0]),
-      Do_01 = Do_01a + Do_01b;
-  const double Do_02a = KSL_MUL(D->m02, dc[1]), Do_02b = KSL_MUL(D->m01, dc[0]),
-      Do_02 = Do_02a - Do_02b;
-  const double Do_11a = KSL_MUL(D->m11, dc[1]), Do_11b = KSL_MUL(D->m12, dc[0]),
-      Do_11 = Do_11a + Do_11b;
-  const double Do_12a = KSL_MUL(D->m12, dc[1]), Do_12b = KSL_MUL(D->m11, dc[0]),
-      Do_12 = Do_12a - Do_12b;
-  const double Do_21a = KSL_MUL(D->m21, dc[1]), Do_21b = KSL_MUL(D->m22, dc[0]),
-      Do_21 = Do_21a + Do_21b;
-  const double Do_22a = KSL_MUL(D->m22, dc[1]), Do_22b = KSL_MUL(D->m21, dc[0]),
-      Do_22 = Do_22a - Do_22b;
+  const double Do_01 = KSL_MUL(D->m01, dc[1]) + KSL_MUL(D->m02, dc[0]),
+      Do_02 = KSL_MUL(D->m02, dc[1]) - KSL_MUL(D->m01, dc[0]),
+      Do_11 = KSL_MUL(D->m11, dc[1]) + KSL_MUL(D->m12, dc[0]),
+      Do_12 = KSL_MUL(D->m12, dc[1]) - KSL_MUL(D->m11, dc[0]),
+      Do_21 = KSL_MUL(D->m21, dc[1]) + KSL_MUL(D->m22, dc[0]),
+      Do_22 = KSL_MUL(D->m22, dc[1]) - KSL_MUL(D->m21, dc[0]);
   const double D_m00 = D->m00;
   const double D_m03 = D->m03;
   const double D_m10 = D->m10;
@@ -649,9 +522,8 @@ static inline void ksl_product_ddrx(const ksl_SE3_t *D, const double dc[2], ksl_
    Error <= u |result| + (R: 0, t: 1) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_ddtx(const ksl_SE3_t *D, const double k, ksl_SE3_t *Do) {
-  const double Do_03a = KSL_MUL(D->m00, k), Do_03 = Do_03a + D->m03;
-  const double Do_13a = KSL_MUL(D->m10, k), Do_13 = Do_13a + D->m13;
-  const double Do_23a = KSL_MUL(D->m20, k), Do_23 = Do_23a + D->m23;
+  const double Do_03 = KSL_MUL(D->m00, k) + D->m03, Do_13 = KSL_MUL(D->m10, k) + D->m13,
+      Do_23 = KSL_MUL(D->m20, k) + D->m23;
   const double D_m00 = D->m00;
   const double D_m01 = D->m01;
   const double D_m02 = D->m02;
@@ -680,9 +552,7 @@ static inline void ksl_product_ddtx(const ksl_SE3_t *D, const double k, ksl_SE3_
    3 mul, 3 neg.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_product_drvtxinv(const ksl_mat3x3_t *R, const double k, ksl_vec3_t *vo) {
-  const double vo_0a = KSL_MUL(R->m00, k), vo_0 = -vo_0a;
-  const double vo_1a = KSL_MUL(R->m10, k), vo_1 = -vo_1a;
-  const double vo_2a = KSL_MUL(R->m20, k), vo_2 = -vo_2a;
+  const double vo_0 = -KSL_MUL(R->m00, k), vo_1 = -KSL_MUL(R->m10, k), vo_2 = -KSL_MUL(R->m20, k);
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -695,18 +565,12 @@ static inline void ksl_product_drvtxinv(const ksl_mat3x3_t *R, const double k, k
      and underflow. */
 static inline void ksl_product_drdrxinv(const ksl_mat3x3_t *R, const double dc[2],
     ksl_mat3x3_t *Ro) {
-  const double Ro_01a = KSL_MUL(R->m01, dc[1]), Ro_01b = KSL_MUL(R->m02, dc[0]),
-      Ro_01 = Ro_01a - Ro_01b;
-  const double Ro_02a = KSL_MUL(R->m01, dc[0]), Ro_02b = KSL_MUL(R->m02, dc[1]),
-      Ro_02 = Ro_02a + Ro_02b;
-  const double Ro_11a = KSL_MUL(R->m11, dc[1]), Ro_11b = KSL_MUL(R->m12, dc[0]),
-      Ro_11 = Ro_11a - Ro_11b;
-  const double Ro_12a = KSL_MUL(R->m11, dc[0]), Ro_12b = KSL_MUL(R->m12, dc[1]),
-      Ro_12 = Ro_12a + Ro_12b;
-  const double Ro_21a = KSL_MUL(R->m21, dc[1]), Ro_21b = KSL_MUL(R->m22, dc[0]),
-      Ro_21 = Ro_21a - Ro_21b;
-  const double Ro_22a = KSL_MUL(R->m21, dc[0]), Ro_22b = KSL_MUL(R->m22, dc[1]),
-      Ro_22 = Ro_22a + Ro_22b;
+  const double Ro_01 = KSL_MUL(R->m01, dc[1]) - KSL_MUL(R->m02, dc[0]),
+      Ro_02 = KSL_MUL(R->m01, dc[0]) + KSL_MUL(R->m02, dc[1]),
+      Ro_11 = KSL_MUL(R->m11, dc[1]) - KSL_MUL(R->m12, dc[0]),
+      Ro_12 = KSL_MUL(R->m11, dc[0]) + KSL_MUL(R->m12, dc[1]),
+      Ro_21 = KSL_MUL(R->m21, dc[1]) - KSL_MUL(R->m22, dc[0]),
+      Ro_22 = KSL_MUL(R->m21, dc[0]) + KSL_MUL(R->m22, dc[1]);
   const double R_m00 = R->m00;
   const double R_m10 = R->m10;
   const double R_m20 = R->m20;
@@ -727,18 +591,12 @@ static inline void ksl_product_drdrxinv(const ksl_mat3x3_t *R, const double dc[2
    Error <= u |result| + (R: 1, t: 0) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_ddrxinv(const ksl_SE3_t *D, const double dc[2], ksl_SE3_t *Do) {
-  const double Do_01a = KSL_MUL(D->m01, dc[1]), Do_01b = KSL_MUL(D->m02, dc[0]),
-      Do_01 = Do_01a - Do_01b;
-  const double Do_02a = KSL_MUL(D->m01, dc[0]), Do_02b = KSL_MUL(D->m02, dc[1]),
-      Do_02 = Do_02a + Do_02b;
-  const double Do_11a = KSL_MUL(D->m11, dc[1]), Do_11b = KSL_MUL(D->m12, dc[0]),
-      Do_11 = Do_11a - Do_11b;
-  const double Do_12a = KSL_MUL(D->m11, dc[0]), Do_12b = KSL_MUL(D->m12, dc[1]),
-      Do_12 = Do_12a + Do_12b;
-  const double Do_21a = KSL_MUL(D->m21, dc[1]), Do_21b = KSL_MUL(D->m22, dc[0]),
-      Do_21 = Do_21a - Do_21b;
-  const double Do_22a = KSL_MUL(D->m21, dc[0]), Do_22b = KSL_MUL(D->m22, dc[1]),
-      Do_22 = Do_22a + Do_22b;
+  const double Do_01 = KSL_MUL(D->m01, dc[1]) - KSL_MUL(D->m02, dc[0]),
+      Do_02 = KSL_MUL(D->m01, dc[0]) + KSL_MUL(D->m02, dc[1]),
+      Do_11 = KSL_MUL(D->m11, dc[1]) - KSL_MUL(D->m12, dc[0]),
+      Do_12 = KSL_MUL(D->m11, dc[0]) + KSL_MUL(D->m12, dc[1]),
+      Do_21 = KSL_MUL(D->m21, dc[1]) - KSL_MUL(D->m22, dc[0]),
+      Do_22 = KSL_MUL(D->m21, dc[0]) + KSL_MUL(D->m22, dc[1]);
   const double D_m00 = D->m00;
   const double D_m03 = D->m03;
   const double D_m10 = D->m10;
@@ -765,9 +623,8 @@ static inline void ksl_product_ddrxinv(const ksl_SE3_t *D, const double dc[2], k
    Error <= u |result| + (R: 0, t: 1) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_ddtxinv(const ksl_SE3_t *D, const double k, ksl_SE3_t *Do) {
-  const double Do_03a = KSL_MUL(D->m00, k), Do_03 = D->m03 - Do_03a;
-  const double Do_13a = KSL_MUL(D->m10, k), Do_13 = D->m13 - Do_13a;
-  const double Do_23a = KSL_MUL(D->m20, k), Do_23 = D->m23 - Do_23a;
+  const double Do_03 = D->m03 - KSL_MUL(D->m00, k), Do_13 = D->m13 - KSL_MUL(D->m10, k),
+      Do_23 = D->m23 - KSL_MUL(D->m20, k);
   const double D_m00 = D->m00;
   const double D_m01 = D->m01;
   const double D_m02 = D->m02;
@@ -796,9 +653,7 @@ static inline void ksl_product_ddtxinv(const ksl_SE3_t *D, const double k, ksl_S
    3 mul.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_product_drvty(const ksl_mat3x3_t *R, const double k, ksl_vec3_t *vo) {
-  const double vo_0 = KSL_MUL(R->m01, k);
-  const double vo_1 = KSL_MUL(R->m11, k);
-  const double vo_2 = KSL_MUL(R->m21, k);
+  const double vo_0 = KSL_MUL(R->m01, k), vo_1 = KSL_MUL(R->m11, k), vo_2 = KSL_MUL(R->m21, k);
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -810,18 +665,12 @@ static inline void ksl_product_drvty(const ksl_mat3x3_t *R, const double k, ksl_
    Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline void ksl_product_drdry(const ksl_mat3x3_t *R, const double dc[2], ksl_mat3x3_t *Ro) {
-  const double Ro_00a = KSL_MUL(R->m00, dc[1]), Ro_00b = KSL_MUL(R->m02, dc[0]),
-      Ro_00 = Ro_00a - Ro_00b;
-  const double Ro_02a = KSL_MUL(R->m00, dc[0]), Ro_02b = KSL_MUL(R->m02, dc[1]),
-      Ro_02 = Ro_02a + Ro_02b;
-  const double Ro_10a = KSL_MUL(R->m10, dc[1]), Ro_10b = KSL_MUL(R->m12, dc[0]),
-      Ro_10 = Ro_10a - Ro_10b;
-  const double Ro_12a = KSL_MUL(R->m10, dc[0]), Ro_12b = KSL_MUL(R->m12, dc[1]),
-      Ro_12 = Ro_12a + Ro_12b;
-  const double Ro_20a = KSL_MUL(R->m20, dc[1]), Ro_20b = KSL_MUL(R->m22, dc[0]),
-      Ro_20 = Ro_20a - Ro_20b;
-  const double Ro_22a = KSL_MUL(R->m20, dc[0]), Ro_22b = KSL_MUL(R->m22, dc[1]),
-      Ro_22 = Ro_22a + Ro_22b;
+  const double Ro_00 = KSL_MUL(R->m00, dc[1]) - KSL_MUL(R->m02, dc[0]),
+      Ro_02 = KSL_MUL(R->m00, dc[0]) + KSL_MUL(R->m02, dc[1]),
+      Ro_10 = KSL_MUL(R->m10, dc[1]) - KSL_MUL(R->m12, dc[0]),
+      Ro_12 = KSL_MUL(R->m10, dc[0]) + KSL_MUL(R->m12, dc[1]),
+      Ro_20 = KSL_MUL(R->m20, dc[1]) - KSL_MUL(R->m22, dc[0]),
+      Ro_22 = KSL_MUL(R->m20, dc[0]) + KSL_MUL(R->m22, dc[1]);
   const double R_m01 = R->m01;
   const double R_m11 = R->m11;
   const double R_m21 = R->m21;
@@ -842,18 +691,12 @@ static inline void ksl_product_drdry(const ksl_mat3x3_t *R, const double dc[2], 
    Error <= u |result| + (R: 1, t: 0) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_ddry(const ksl_SE3_t *D, const double dc[2], ksl_SE3_t *Do) {
-  const double Do_00a = KSL_MUL(D->m00, dc[1]), Do_00b = KSL_MUL(D->m02, dc[0]),
-      Do_00 = Do_00a - Do_00b;
-  const double Do_02a = KSL_MUL(D->m00, dc[0]), Do_02b = KSL_MUL(D->m02, dc[1]),
-      Do_02 = Do_02a + Do_02b;
-  const double Do_10a = KSL_MUL(D->m10, dc[1]), Do_10b = KSL_MUL(D->m12, dc[0]),
-      Do_10 = Do_10a - Do_10b;
-  const double Do_12a = KSL_MUL(D->m10, dc[0]), Do_12b = KSL_MUL(D->m12, dc[1]),
-      Do_12 = Do_12a + Do_12b;
-  const double Do_20a = KSL_MUL(D->m20, dc[1]), Do_20b = KSL_MUL(D->m22, dc[0]),
-      Do_20 = Do_20a - Do_20b;
-  const double Do_22a = KSL_MUL(D->m20, dc[0]), Do_22b = KSL_MUL(D->m22, dc[1]),
-      Do_22 = Do_22a + Do_22b;
+  const double Do_00 = KSL_MUL(D->m00, dc[1]) - KSL_MUL(D->m02, dc[0]),
+      Do_02 = KSL_MUL(D->m00, dc[0]) + KSL_MUL(D->m02, dc[1]),
+      Do_10 = KSL_MUL(D->m10, dc[1]) - KSL_MUL(D->m12, dc[0]),
+      Do_12 = KSL_MUL(D->m10, dc[0]) + KSL_MUL(D->m12, dc[1]),
+      Do_20 = KSL_MUL(D->m20, dc[1]) - KSL_MUL(D->m22, dc[0]),
+      Do_22 = KSL_MUL(D->m20, dc[0]) + KSL_MUL(D->m22, dc[1]);
   const double D_m01 = D->m01;
   const double D_m03 = D->m03;
   const double D_m11 = D->m11;
@@ -880,9 +723,8 @@ static inline void ksl_product_ddry(const ksl_SE3_t *D, const double dc[2], ksl_
    Error <= u |result| + (R: 0, t: 1) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_ddty(const ksl_SE3_t *D, const double k, ksl_SE3_t *Do) {
-  const double Do_03a = KSL_MUL(D->m01, k), Do_03 = Do_03a + D->m03;
-  const double Do_13a = KSL_MUL(D->m11, k), Do_13 = Do_13a + D->m13;
-  const double Do_23a = KSL_MUL(D->m21, k), Do_23 = Do_23a + D->m23;
+  const double Do_03 = KSL_MUL(D->m01, k) + D->m03, Do_13 = KSL_MUL(D->m11, k) + D->m13,
+      Do_23 = KSL_MUL(D->m21, k) + D->m23;
   const double D_m00 = D->m00;
   const double D_m01 = D->m01;
   const double D_m02 = D->m02;
@@ -911,9 +753,7 @@ static inline void ksl_product_ddty(const ksl_SE3_t *D, const double k, ksl_SE3_
    3 mul, 3 neg.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_product_drvtyinv(const ksl_mat3x3_t *R, const double k, ksl_vec3_t *vo) {
-  const double vo_0a = KSL_MUL(R->m01, k), vo_0 = -vo_0a;
-  const double vo_1a = KSL_MUL(R->m11, k), vo_1 = -vo_1a;
-  const double vo_2a = KSL_MUL(R->m21, k), vo_2 = -vo_2a;
+  const double vo_0 = -KSL_MUL(R->m01, k), vo_1 = -KSL_MUL(R->m11, k), vo_2 = -KSL_MUL(R->m21, k);
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -926,18 +766,12 @@ static inline void ksl_product_drvtyinv(const ksl_mat3x3_t *R, const double k, k
      and underflow. */
 static inline void ksl_product_drdryinv(const ksl_mat3x3_t *R, const double dc[2],
     ksl_mat3x3_t *Ro) {
-  const double Ro_00a = KSL_MUL(R->m00, dc[1]), Ro_00b = KSL_MUL(R->m02, dc[0]),
-      Ro_00 = Ro_00a + Ro_00b;
-  const double Ro_02a = KSL_MUL(R->m02, dc[1]), Ro_02b = KSL_MUL(R->m00, dc[0]),
-      Ro_02 = Ro_02a - Ro_02b;
-  const double Ro_10a = KSL_MUL(R->m10, dc[1]), Ro_10b = KSL_MUL(R->m12, dc[0]),
-      Ro_10 = Ro_10a + Ro_10b;
-  const double Ro_12a = KSL_MUL(R->m12, dc[1]), Ro_12b = KSL_MUL(R->m10, dc[0]),
-      Ro_12 = Ro_12a - Ro_12b;
-  const double Ro_20a = KSL_MUL(R->m20, dc[1]), Ro_20b = KSL_MUL(R->m22, dc[0]),
-      Ro_20 = Ro_20a + Ro_20b;
-  const double Ro_22a = KSL_MUL(R->m22, dc[1]), Ro_22b = KSL_MUL(R->m20, dc[0]),
-      Ro_22 = Ro_22a - Ro_22b;
+  const double Ro_00 = KSL_MUL(R->m00, dc[1]) + KSL_MUL(R->m02, dc[0]),
+      Ro_02 = KSL_MUL(R->m02, dc[1]) - KSL_MUL(R->m00, dc[0]),
+      Ro_10 = KSL_MUL(R->m10, dc[1]) + KSL_MUL(R->m12, dc[0]),
+      Ro_12 = KSL_MUL(R->m12, dc[1]) - KSL_MUL(R->m10, dc[0]),
+      Ro_20 = KSL_MUL(R->m20, dc[1]) + KSL_MUL(R->m22, dc[0]),
+      Ro_22 = KSL_MUL(R->m22, dc[1]) - KSL_MUL(R->m20, dc[0]);
   const double R_m01 = R->m01;
   const double R_m11 = R->m11;
   const double R_m21 = R->m21;
@@ -958,18 +792,12 @@ static inline void ksl_product_drdryinv(const ksl_mat3x3_t *R, const double dc[2
    Error <= u |result| + (R: 1, t: 0) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_ddryinv(const ksl_SE3_t *D, const double dc[2], ksl_SE3_t *Do) {
-  const double Do_00a = KSL_MUL(D->m00, dc[1]), Do_00b = KSL_MUL(D->m02, dc[0]),
-      Do_00 = Do_00a + Do_00b;
-  const double Do_02a = KSL_MUL(D->m02, dc[1]), Do_02b = KSL_MUL(D->m00, dc[0]),
-      Do_02 = Do_02a - Do_02b;
-  const double Do_10a = KSL_MUL(D->m10, dc[1]), Do_10b = KSL_MUL(D->m12, dc[0]),
-      Do_10 = Do_10a + Do_10b;
-  const double Do_12a = KSL_MUL(D->m12, dc[1]), Do_12b = KSL_MUL(D->m10, dc[0]),
-      Do_12 = Do_12a - Do_12b;
-  const double Do_20a = KSL_MUL(D->m20, dc[1]), Do_20b = KSL_MUL(D->m22, dc[0]),
-      Do_20 = Do_20a + Do_20b;
-  const double Do_22a = KSL_MUL(D->m22, dc[1]), Do_22b = KSL_MUL(D->m20, dc[0]),
-      Do_22 = Do_22a - Do_22b;
+  const double Do_00 = KSL_MUL(D->m00, dc[1]) + KSL_MUL(D->m02, dc[0]),
+      Do_02 = KSL_MUL(D->m02, dc[1]) - KSL_MUL(D->m00, dc[0]),
+      Do_10 = KSL_MUL(D->m10, dc[1]) + KSL_MUL(D->m12, dc[0]),
+      Do_12 = KSL_MUL(D->m12, dc[1]) - KSL_MUL(D->m10, dc[0]),
+      Do_20 = KSL_MUL(D->m20, dc[1]) + KSL_MUL(D->m22, dc[0]),
+      Do_22 = KSL_MUL(D->m22, dc[1]) - KSL_MUL(D->m20, dc[0]);
   const double D_m01 = D->m01;
   const double D_m03 = D->m03;
   const double D_m11 = D->m11;
@@ -996,9 +824,8 @@ static inline void ksl_product_ddryinv(const ksl_SE3_t *D, const double dc[2], k
    Error <= u |result| + (R: 0, t: 1) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_ddtyinv(const ksl_SE3_t *D, const double k, ksl_SE3_t *Do) {
-  const double Do_03a = KSL_MUL(D->m01, k), Do_03 = D->m03 - Do_03a;
-  const double Do_13a = KSL_MUL(D->m11, k), Do_13 = D->m13 - Do_13a;
-  const double Do_23a = KSL_MUL(D->m21, k), Do_23 = D->m23 - Do_23a;
+  const double Do_03 = D->m03 - KSL_MUL(D->m01, k), Do_13 = D->m13 - KSL_MUL(D->m11, k),
+      Do_23 = D->m23 - KSL_MUL(D->m21, k);
   const double D_m00 = D->m00;
   const double D_m01 = D->m01;
   const double D_m02 = D->m02;
@@ -1027,9 +854,7 @@ static inline void ksl_product_ddtyinv(const ksl_SE3_t *D, const double k, ksl_S
    3 mul.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_product_drvtz(const ksl_mat3x3_t *R, const double k, ksl_vec3_t *vo) {
-  const double vo_0 = KSL_MUL(R->m02, k);
-  const double vo_1 = KSL_MUL(R->m12, k);
-  const double vo_2 = KSL_MUL(R->m22, k);
+  const double vo_0 = KSL_MUL(R->m02, k), vo_1 = KSL_MUL(R->m12, k), vo_2 = KSL_MUL(R->m22, k);
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -1041,18 +866,12 @@ static inline void ksl_product_drvtz(const ksl_mat3x3_t *R, const double k, ksl_
    Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline void ksl_product_drdrz(const ksl_mat3x3_t *R, const double dc[2], ksl_mat3x3_t *Ro) {
-  const double Ro_00a = KSL_MUL(R->m00, dc[1]), Ro_00b = KSL_MUL(R->m01, dc[0]),
-      Ro_00 = Ro_00a + Ro_00b;
-  const double Ro_01a = KSL_MUL(R->m01, dc[1]), Ro_01b = KSL_MUL(R->m00, dc[0]),
-      Ro_01 = Ro_01a - Ro_01b;
-  const double Ro_10a = KSL_MUL(R->m10, dc[1]), Ro_10b = KSL_MUL(R->m11, dc[0]),
-      Ro_10 = Ro_10a + Ro_10b;
-  const double Ro_11a = KSL_MUL(R->m11, dc[1]), Ro_11b = KSL_MUL(R->m10, dc[0]),
-      Ro_11 = Ro_11a - Ro_11b;
-  const double Ro_20a = KSL_MUL(R->m20, dc[1]), Ro_20b = KSL_MUL(R->m21, dc[0]),
-      Ro_20 = Ro_20a + Ro_20b;
-  const double Ro_21a = KSL_MUL(R->m21, dc[1]), Ro_21b = KSL_MUL(R->m20, dc[0]),
-      Ro_21 = Ro_21a - Ro_21b;
+  const double Ro_00 = KSL_MUL(R->m00, dc[1]) + KSL_MUL(R->m01, dc[0]),
+      Ro_01 = KSL_MUL(R->m01, dc[1]) - KSL_MUL(R->m00, dc[0]),
+      Ro_10 = KSL_MUL(R->m10, dc[1]) + KSL_MUL(R->m11, dc[0]),
+      Ro_11 = KSL_MUL(R->m11, dc[1]) - KSL_MUL(R->m10, dc[0]),
+      Ro_20 = KSL_MUL(R->m20, dc[1]) + KSL_MUL(R->m21, dc[0]),
+      Ro_21 = KSL_MUL(R->m21, dc[1]) - KSL_MUL(R->m20, dc[0]);
   const double R_m02 = R->m02;
   const double R_m12 = R->m12;
   const double R_m22 = R->m22;
@@ -1073,18 +892,12 @@ static inline void ksl_product_drdrz(const ksl_mat3x3_t *R, const double dc[2], 
    Error <= u |result| + (R: 1, t: 0) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_ddrz(const ksl_SE3_t *D, const double dc[2], ksl_SE3_t *Do) {
-  const double Do_00a = KSL_MUL(D->m00, dc[1]), Do_00b = KSL_MUL(D->m01, dc[0]),
-      Do_00 = Do_00a + Do_00b;
-  const double Do_01a = KSL_MUL(D->m01, dc[1]), Do_01b = KSL_MUL(D->m00, dc[0]),
-      Do_01 = Do_01a - Do_01b;
-  const double Do_10a = KSL_MUL(D->m10, dc[1]), Do_10b = KSL_MUL(D->m11, dc[0]),
-      Do_10 = Do_10a + Do_10b;
-  const double Do_11a = KSL_MUL(D->m11, dc[1]), Do_11b = KSL_MUL(D->m10, dc[0]),
-      Do_11 = Do_11a - Do_11b;
-  const double Do_20a = KSL_MUL(D->m20, dc[1]), Do_20b = KSL_MUL(D->m21, dc[0]),
-      Do_20 = Do_20a + Do_20b;
-  const double Do_21a = KSL_MUL(D->m21, dc[1]), Do_21b = KSL_MUL(D->m20, dc[0]),
-      Do_21 = Do_21a - Do_21b;
+  const double Do_00 = KSL_MUL(D->m00, dc[1]) + KSL_MUL(D->m01, dc[0]),
+      Do_01 = KSL_MUL(D->m01, dc[1]) - KSL_MUL(D->m00, dc[0]),
+      Do_10 = KSL_MUL(D->m10, dc[1]) + KSL_MUL(D->m11, dc[0]),
+      Do_11 = KSL_MUL(D->m11, dc[1]) - KSL_MUL(D->m10, dc[0]),
+      Do_20 = KSL_MUL(D->m20, dc[1]) + KSL_MUL(D->m21, dc[0]),
+      Do_21 = KSL_MUL(D->m21, dc[1]) - KSL_MUL(D->m20, dc[0]);
   const double D_m02 = D->m02;
   const double D_m03 = D->m03;
   const double D_m12 = D->m12;
@@ -1111,9 +924,8 @@ static inline void ksl_product_ddrz(const ksl_SE3_t *D, const double dc[2], ksl_
    Error <= u |result| + (R: 0, t: 1) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_ddtz(const ksl_SE3_t *D, const double k, ksl_SE3_t *Do) {
-  const double Do_03a = KSL_MUL(D->m02, k), Do_03 = Do_03a + D->m03;
-  const double Do_13a = KSL_MUL(D->m12, k), Do_13 = Do_13a + D->m13;
-  const double Do_23a = KSL_MUL(D->m22, k), Do_23 = Do_23a + D->m23;
+  const double Do_03 = KSL_MUL(D->m02, k) + D->m03, Do_13 = KSL_MUL(D->m12, k) + D->m13,
+      Do_23 = KSL_MUL(D->m22, k) + D->m23;
   const double D_m00 = D->m00;
   const double D_m01 = D->m01;
   const double D_m02 = D->m02;
@@ -1142,9 +954,7 @@ static inline void ksl_product_ddtz(const ksl_SE3_t *D, const double k, ksl_SE3_
    3 mul, 3 neg.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_product_drvtzinv(const ksl_mat3x3_t *R, const double k, ksl_vec3_t *vo) {
-  const double vo_0a = KSL_MUL(R->m02, k), vo_0 = -vo_0a;
-  const double vo_1a = KSL_MUL(R->m12, k), vo_1 = -vo_1a;
-  const double vo_2a = KSL_MUL(R->m22, k), vo_2 = -vo_2a;
+  const double vo_0 = -KSL_MUL(R->m02, k), vo_1 = -KSL_MUL(R->m12, k), vo_2 = -KSL_MUL(R->m22, k);
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -1157,18 +967,12 @@ static inline void ksl_product_drvtzinv(const ksl_mat3x3_t *R, const double k, k
      and underflow. */
 static inline void ksl_product_drdrzinv(const ksl_mat3x3_t *R, const double dc[2],
     ksl_mat3x3_t *Ro) {
-  const double Ro_00a = KSL_MUL(R->m00, dc[1]), Ro_00b = KSL_MUL(R->m01, dc[0]),
-      Ro_00 = Ro_00a - Ro_00b;
-  const double Ro_01a = KSL_MUL(R->m00, dc[0]), Ro_01b = KSL_MUL(R->m01, dc[1]),
-      Ro_01 = Ro_01a + Ro_01b;
-  const double Ro_10a = KSL_MUL(R->m10, dc[1]), Ro_10b = KSL_MUL(R->m11, dc[0]),
-      Ro_10 = Ro_10a - Ro_10b;
-  const double Ro_11a = KSL_MUL(R->m10, dc[0]), Ro_11b = KSL_MUL(R->m11, dc[1]),
-      Ro_11 = Ro_11a + Ro_11b;
-  const double Ro_20a = KSL_MUL(R->m20, dc[1]), Ro_20b = KSL_MUL(R->m21, dc[0]),
-      Ro_20 = Ro_20a - Ro_20b;
-  const double Ro_21a = KSL_MUL(R->m20, dc[0]), Ro_21b = KSL_MUL(R->m21, dc[1]),
-      Ro_21 = Ro_21a + Ro_21b;
+  const double Ro_00 = KSL_MUL(R->m00, dc[1]) - KSL_MUL(R->m01, dc[0]),
+      Ro_01 = KSL_MUL(R->m00, dc[0]) + KSL_MUL(R->m01, dc[1]),
+      Ro_10 = KSL_MUL(R->m10, dc[1]) - KSL_MUL(R->m11, dc[0]),
+      Ro_11 = KSL_MUL(R->m10, dc[0]) + KSL_MUL(R->m11, dc[1]),
+      Ro_20 = KSL_MUL(R->m20, dc[1]) - KSL_MUL(R->m21, dc[0]),
+      Ro_21 = KSL_MUL(R->m20, dc[0]) + KSL_MUL(R->m21, dc[1]);
   const double R_m02 = R->m02;
   const double R_m12 = R->m12;
   const double R_m22 = R->m22;
@@ -1189,18 +993,12 @@ static inline void ksl_product_drdrzinv(const ksl_mat3x3_t *R, const double dc[2
    Error <= u |result| + (R: 1, t: 0) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_ddrzinv(const ksl_SE3_t *D, const double dc[2], ksl_SE3_t *Do) {
-  const double Do_00a = KSL_MUL(D->m00, dc[1]), Do_00b = KSL_MUL(D->m01, dc[0]),
-      Do_00 = Do_00a - Do_00b;
-  const double Do_01a = KSL_MUL(D->m00, dc[0]), Do_01b = KSL_MUL(D->m01, dc[1]),
-      Do_01 = Do_01a + Do_01b;
-  const double Do_10a = KSL_MUL(D->m10, dc[1]), Do_10b = KSL_MUL(D->m11, dc[0]),
-      Do_10 = Do_10a - Do_10b;
-  const double Do_11a = KSL_MUL(D->m10, dc[0]), Do_11b = KSL_MUL(D->m11, dc[1]),
-      Do_11 = Do_11a + Do_11b;
-  const double Do_20a = KSL_MUL(D->m20, dc[1]), Do_20b = KSL_MUL(D->m21, dc[0]),
-      Do_20 = Do_20a - Do_20b;
-  const double Do_21a = KSL_MUL(D->m20, dc[0]), Do_21b = KSL_MUL(D->m21, dc[1]),
-      Do_21 = Do_21a + Do_21b;
+  const double Do_00 = KSL_MUL(D->m00, dc[1]) - KSL_MUL(D->m01, dc[0]),
+      Do_01 = KSL_MUL(D->m00, dc[0]) + KSL_MUL(D->m01, dc[1]),
+      Do_10 = KSL_MUL(D->m10, dc[1]) - KSL_MUL(D->m11, dc[0]),
+      Do_11 = KSL_MUL(D->m10, dc[0]) + KSL_MUL(D->m11, dc[1]),
+      Do_20 = KSL_MUL(D->m20, dc[1]) - KSL_MUL(D->m21, dc[0]),
+      Do_21 = KSL_MUL(D->m20, dc[0]) + KSL_MUL(D->m21, dc[1]);
   const double D_m02 = D->m02;
   const double D_m03 = D->m03;
   const double D_m12 = D->m12;
@@ -1227,9 +1025,8 @@ static inline void ksl_product_ddrzinv(const ksl_SE3_t *D, const double dc[2], k
    Error <= u |result| + (R: 0, t: 1) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_ddtzinv(const ksl_SE3_t *D, const double k, ksl_SE3_t *Do) {
-  const double Do_03a = KSL_MUL(D->m02, k), Do_03 = D->m03 - Do_03a;
-  const double Do_13a = KSL_MUL(D->m12, k), Do_13 = D->m13 - Do_13a;
-  const double Do_23a = KSL_MUL(D->m22, k), Do_23 = D->m23 - Do_23a;
+  const double Do_03 = D->m03 - KSL_MUL(D->m02, k), Do_13 = D->m13 - KSL_MUL(D->m12, k),
+      Do_23 = D->m23 - KSL_MUL(D->m22, k);
   const double D_m00 = D->m00;
   const double D_m01 = D->m01;
   const double D_m02 = D->m02;
@@ -1259,12 +1056,9 @@ static inline void ksl_product_ddtzinv(const ksl_SE3_t *D, const double k, ksl_S
    Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline void ksl_product_drvf(const ksl_mat3x3f_t *R, const ksl_vec3f_t *v, ksl_vec3f_t *vo) {
-  const float vo_0a = KSL_MULF(R->m00, v->x), vo_0b = KSL_MULF(R->m01, v->y), vo_0c = vo_0a + vo_0b,
-      vo_0d = KSL_MULF(R->m02, v->z), vo_0 = vo_0c + vo_0d;
-  const float vo_1a = KSL_MULF(R->m10, v->x), vo_1b = KSL_MULF(R->m11, v->y), vo_1c = vo_1a + vo_1b,
-      vo_1d = KSL_MULF(R->m12, v->z), vo_1 = vo_1c + vo_1d;
-  const float vo_2a = KSL_MULF(R->m20, v->x), vo_2b = KSL_MULF(R->m21, v->y), vo_2c = vo_2a + vo_2b,
-      vo_2d = KSL_MULF(R->m22, v->z), vo_2 = vo_2c + vo_2d;
+  const float vo_0 = KSL_MULF(R->m00, v->x) + KSL_MULF(R->m01, v->y) + KSL_MULF(R->m02, v->z),
+      vo_1 = KSL_MULF(R->m10, v->x) + KSL_MULF(R->m11, v->y) + KSL_MULF(R->m12, v->z),
+      vo_2 = KSL_MULF(R->m20, v->x) + KSL_MULF(R->m21, v->y) + KSL_MULF(R->m22, v->z);
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -1277,12 +1071,9 @@ static inline void ksl_product_drvf(const ksl_mat3x3f_t *R, const ksl_vec3f_t *v
      and underflow. */
 static inline void ksl_product_drvinvf(const ksl_mat3x3f_t *R, const ksl_vec3f_t *v,
     ksl_vec3f_t *vo) {
-  const float vo_0a = KSL_MULF(R->m00, v->x), vo_0b = KSL_MULF(R->m01, v->y), vo_0c = vo_0a + vo_0b,
-      vo_0d = KSL_MULF(R->m02, v->z), vo_0e = vo_0c + vo_0d, vo_0 = -vo_0e;
-  const float vo_1a = KSL_MULF(R->m10, v->x), vo_1b = KSL_MULF(R->m11, v->y), vo_1c = vo_1a + vo_1b,
-      vo_1d = KSL_MULF(R->m12, v->z), vo_1e = vo_1c + vo_1d, vo_1 = -vo_1e;
-  const float vo_2a = KSL_MULF(R->m20, v->x), vo_2b = KSL_MULF(R->m21, v->y), vo_2c = vo_2a + vo_2b,
-      vo_2d = KSL_MULF(R->m22, v->z), vo_2e = vo_2c + vo_2d, vo_2 = -vo_2e;
+  const float vo_0 = -(KSL_MULF(R->m00, v->x) + KSL_MULF(R->m01, v->y) + KSL_MULF(R->m02, v->z)),
+      vo_1 = -(KSL_MULF(R->m10, v->x) + KSL_MULF(R->m11, v->y) + KSL_MULF(R->m12, v->z)),
+      vo_2 = -(KSL_MULF(R->m20, v->x) + KSL_MULF(R->m21, v->y) + KSL_MULF(R->m22, v->z));
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -1295,12 +1086,9 @@ static inline void ksl_product_drvinvf(const ksl_mat3x3f_t *R, const ksl_vec3f_t
      and underflow. */
 static inline void ksl_product_drinvvf(const ksl_mat3x3f_t *R, const ksl_vec3f_t *v,
     ksl_vec3f_t *vo) {
-  const float vo_0a = KSL_MULF(R->m00, v->x), vo_0b = KSL_MULF(R->m10, v->y), vo_0c = vo_0a + vo_0b,
-      vo_0d = KSL_MULF(R->m20, v->z), vo_0 = vo_0c + vo_0d;
-  const float vo_1a = KSL_MULF(R->m01, v->x), vo_1b = KSL_MULF(R->m11, v->y), vo_1c = vo_1a + vo_1b,
-      vo_1d = KSL_MULF(R->m21, v->z), vo_1 = vo_1c + vo_1d;
-  const float vo_2a = KSL_MULF(R->m02, v->x), vo_2b = KSL_MULF(R->m12, v->y), vo_2c = vo_2a + vo_2b,
-      vo_2d = KSL_MULF(R->m22, v->z), vo_2 = vo_2c + vo_2d;
+  const float vo_0 = KSL_MULF(R->m00, v->x) + KSL_MULF(R->m10, v->y) + KSL_MULF(R->m20, v->z),
+      vo_1 = KSL_MULF(R->m01, v->x) + KSL_MULF(R->m11, v->y) + KSL_MULF(R->m21, v->z),
+      vo_2 = KSL_MULF(R->m02, v->x) + KSL_MULF(R->m12, v->y) + KSL_MULF(R->m22, v->z);
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -1313,12 +1101,9 @@ static inline void ksl_product_drinvvf(const ksl_mat3x3f_t *R, const ksl_vec3f_t
      and underflow. */
 static inline void ksl_product_drinvvinvf(const ksl_mat3x3f_t *R, const ksl_vec3f_t *v,
     ksl_vec3f_t *vo) {
-  const float vo_0a = KSL_MULF(R->m00, v->x), vo_0b = KSL_MULF(R->m10, v->y), vo_0c = vo_0a + vo_0b,
-      vo_0d = KSL_MULF(R->m20, v->z), vo_0e = vo_0c + vo_0d, vo_0 = -vo_0e;
-  const float vo_1a = KSL_MULF(R->m01, v->x), vo_1b = KSL_MULF(R->m11, v->y), vo_1c = vo_1a + vo_1b,
-      vo_1d = KSL_MULF(R->m21, v->z), vo_1e = vo_1c + vo_1d, vo_1 = -vo_1e;
-  const float vo_2a = KSL_MULF(R->m02, v->x), vo_2b = KSL_MULF(R->m12, v->y), vo_2c = vo_2a + vo_2b,
-      vo_2d = KSL_MULF(R->m22, v->z), vo_2e = vo_2c + vo_2d, vo_2 = -vo_2e;
+  const float vo_0 = -(KSL_MULF(R->m00, v->x) + KSL_MULF(R->m10, v->y) + KSL_MULF(R->m20, v->z)),
+      vo_1 = -(KSL_MULF(R->m01, v->x) + KSL_MULF(R->m11, v->y) + KSL_MULF(R->m21, v->z)),
+      vo_2 = -(KSL_MULF(R->m02, v->x) + KSL_MULF(R->m12, v->y) + KSL_MULF(R->m22, v->z));
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -1330,12 +1115,10 @@ static inline void ksl_product_drinvvinvf(const ksl_mat3x3f_t *R, const ksl_vec3
    Error <= u |result| + 3 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline void ksl_product_dvf(const ksl_SE3f_t *D, const ksl_vec3f_t *v, ksl_vec3f_t *vo) {
-  const float vo_0a = KSL_MULF(D->m00, v->x), vo_0b = KSL_MULF(D->m01, v->y), vo_0c = vo_0a + vo_0b,
-      vo_0d = KSL_MULF(D->m02, v->z), vo_0e = vo_0c + vo_0d, vo_0 = vo_0e + D->m03;
-  const float vo_1a = KSL_MULF(D->m10, v->x), vo_1b = KSL_MULF(D->m11, v->y), vo_1c = vo_1a + vo_1b,
-      vo_1d = KSL_MULF(D->m12, v->z), vo_1e = vo_1c + vo_1d, vo_1 = vo_1e + D->m13;
-  const float vo_2a = KSL_MULF(D->m20, v->x), vo_2b = KSL_MULF(D->m21, v->y), vo_2c = vo_2a + vo_2b,
-      vo_2d = KSL_MULF(D->m22, v->z), vo_2e = vo_2c + vo_2d, vo_2 = vo_2e + D->m23;
+  const float vo_0 = KSL_MULF(D->m00, v->x) + KSL_MULF(D->m01, v->y) + KSL_MULF(D->m02, v->z)
+          + D->m03,
+      vo_1 = KSL_MULF(D->m10, v->x) + KSL_MULF(D->m11, v->y) + KSL_MULF(D->m12, v->z) + D->m13,
+      vo_2 = KSL_MULF(D->m20, v->x) + KSL_MULF(D->m21, v->y) + KSL_MULF(D->m22, v->z) + D->m23;
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -1347,15 +1130,10 @@ static inline void ksl_product_dvf(const ksl_SE3f_t *D, const ksl_vec3f_t *v, ks
    Error <= u |result| + 3 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline void ksl_product_dinvvf(const ksl_SE3f_t *D, const ksl_vec3f_t *v, ksl_vec3f_t *vo) {
-  const float p_0 = v->x - D->m03;
-  const float p_1 = v->y - D->m13;
-  const float p_2 = v->z - D->m23;
-  const float vo_0a = KSL_MULF(D->m00, p_0), vo_0b = KSL_MULF(D->m10, p_1), vo_0c = vo_0a + vo_0b,
-      vo_0d = KSL_MULF(D->m20, p_2), vo_0 = vo_0c + vo_0d;
-  const float vo_1a = KSL_MULF(D->m01, p_0), vo_1b = KSL_MULF(D->m11, p_1), vo_1c = vo_1a + vo_1b,
-      vo_1d = KSL_MULF(D->m21, p_2), vo_1 = vo_1c + vo_1d;
-  const float vo_2a = KSL_MULF(D->m02, p_0), vo_2b = KSL_MULF(D->m12, p_1), vo_2c = vo_2a + vo_2b,
-      vo_2d = KSL_MULF(D->m22, p_2), vo_2 = vo_2c + vo_2d;
+  const float p_0 = v->x - D->m03, p_1 = v->y - D->m13, p_2 = v->z - D->m23;
+  const float vo_0 = KSL_MULF(D->m00, p_0) + KSL_MULF(D->m10, p_1) + KSL_MULF(D->m20, p_2),
+      vo_1 = KSL_MULF(D->m01, p_0) + KSL_MULF(D->m11, p_1) + KSL_MULF(D->m21, p_2),
+      vo_2 = KSL_MULF(D->m02, p_0) + KSL_MULF(D->m12, p_1) + KSL_MULF(D->m22, p_2);
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -1368,24 +1146,16 @@ static inline void ksl_product_dinvvf(const ksl_SE3f_t *D, const ksl_vec3f_t *v,
      and underflow. */
 static inline void ksl_product_drdrf(const ksl_mat3x3f_t *R1, const ksl_mat3x3f_t *R2,
     ksl_mat3x3f_t *Ro) {
-  const float Ro_00a = KSL_MULF(R1->m00, R2->m00), Ro_00b = KSL_MULF(R1->m01, R2->m10),
-      Ro_00c = Ro_00a + Ro_00b, Ro_00d = KSL_MULF(R1->m02, R2->m20), Ro_00 = Ro_00c + Ro_00d;
-  const float Ro_01a = KSL_MULF(R1->m00, R2->m01), Ro_01b = KSL_MULF(R1->m01, R2->m11),
-      Ro_01c = Ro_01a + Ro_01b, Ro_01d = KSL_MULF(R1->m02, R2->m21), Ro_01 = Ro_01c + Ro_01d;
-  const float Ro_02a = KSL_MULF(R1->m00, R2->m02), Ro_02b = KSL_MULF(R1->m01, R2->m12),
-      Ro_02c = Ro_02a + Ro_02b, Ro_02d = KSL_MULF(R1->m02, R2->m22), Ro_02 = Ro_02c + Ro_02d;
-  const float Ro_10a = KSL_MULF(R1->m10, R2->m00), Ro_10b = KSL_MULF(R1->m11, R2->m10),
-      Ro_10c = Ro_10a + Ro_10b, Ro_10d = KSL_MULF(R1->m12, R2->m20), Ro_10 = Ro_10c + Ro_10d;
-  const float Ro_11a = KSL_MULF(R1->m10, R2->m01), Ro_11b = KSL_MULF(R1->m11, R2->m11),
-      Ro_11c = Ro_11a + Ro_11b, Ro_11d = KSL_MULF(R1->m12, R2->m21), Ro_11 = Ro_11c + Ro_11d;
-  const float Ro_12a = KSL_MULF(R1->m10, R2->m02), Ro_12b = KSL_MULF(R1->m11, R2->m12),
-      Ro_12c = Ro_12a + Ro_12b, Ro_12d = KSL_MULF(R1->m12, R2->m22), Ro_12 = Ro_12c + Ro_12d;
-  const float Ro_20a = KSL_MULF(R1->m20, R2->m00), Ro_20b = KSL_MULF(R1->m21, R2->m10),
-      Ro_20c = Ro_20a + Ro_20b, Ro_20d = KSL_MULF(R1->m22, R2->m20), Ro_20 = Ro_20c + Ro_20d;
-  const float Ro_21a = KSL_MULF(R1->m20, R2->m01), Ro_21b = KSL_MULF(R1->m21, R2->m11),
-      Ro_21c = Ro_21a + Ro_21b, Ro_21d = KSL_MULF(R1->m22, R2->m21), Ro_21 = Ro_21c + Ro_21d;
-  const float Ro_22a = KSL_MULF(R1->m20, R2->m02), Ro_22b = KSL_MULF(R1->m21, R2->m12),
-      Ro_22c = Ro_22a + Ro_22b, Ro_22d = KSL_MULF(R1->m22, R2->m22), Ro_22 = Ro_22c + Ro_22d;
+  const float Ro_00 = KSL_MULF(R1->m00, R2->m00) + KSL_MULF(R1->m01, R2->m10)
+          + KSL_MULF(R1->m02, R2->m20),
+      Ro_01 = KSL_MULF(R1->m00, R2->m01) + KSL_MULF(R1->m01, R2->m11) + KSL_MULF(R1->m02, R2->m21),
+      Ro_02 = KSL_MULF(R1->m00, R2->m02) + KSL_MULF(R1->m01, R2->m12) + KSL_MULF(R1->m02, R2->m22),
+      Ro_10 = KSL_MULF(R1->m10, R2->m00) + KSL_MULF(R1->m11, R2->m10) + KSL_MULF(R1->m12, R2->m20),
+      Ro_11 = KSL_MULF(R1->m10, R2->m01) + KSL_MULF(R1->m11, R2->m11) + KSL_MULF(R1->m12, R2->m21),
+      Ro_12 = KSL_MULF(R1->m10, R2->m02) + KSL_MULF(R1->m11, R2->m12) + KSL_MULF(R1->m12, R2->m22),
+      Ro_20 = KSL_MULF(R1->m20, R2->m00) + KSL_MULF(R1->m21, R2->m10) + KSL_MULF(R1->m22, R2->m20),
+      Ro_21 = KSL_MULF(R1->m20, R2->m01) + KSL_MULF(R1->m21, R2->m11) + KSL_MULF(R1->m22, R2->m21),
+      Ro_22 = KSL_MULF(R1->m20, R2->m02) + KSL_MULF(R1->m21, R2->m12) + KSL_MULF(R1->m22, R2->m22);
   Ro->m00 = Ro_00;
   Ro->m01 = Ro_01;
   Ro->m02 = Ro_02;
@@ -1404,24 +1174,16 @@ static inline void ksl_product_drdrf(const ksl_mat3x3f_t *R1, const ksl_mat3x3f_
      and underflow. */
 static inline void ksl_product_drdrinvf(const ksl_mat3x3f_t *R1, const ksl_mat3x3f_t *R2,
     ksl_mat3x3f_t *Ro) {
-  const float Ro_00a = KSL_MULF(R1->m00, R2->m00), Ro_00b = KSL_MULF(R1->m01, R2->m01),
-      Ro_00c = Ro_00a + Ro_00b, Ro_00d = KSL_MULF(R1->m02, R2->m02), Ro_00 = Ro_00c + Ro_00d;
-  const float Ro_01a = KSL_MULF(R1->m00, R2->m10), Ro_01b = KSL_MULF(R1->m01, R2->m11),
-      Ro_01c = Ro_01a + Ro_01b, Ro_01d = KSL_MULF(R1->m02, R2->m12), Ro_01 = Ro_01c + Ro_01d;
-  const float Ro_02a = KSL_MULF(R1->m00, R2->m20), Ro_02b = KSL_MULF(R1->m01, R2->m21),
-      Ro_02c = Ro_02a + Ro_02b, Ro_02d = KSL_MULF(R1->m02, R2->m22), Ro_02 = Ro_02c + Ro_02d;
-  const float Ro_10a = KSL_MULF(R1->m10, R2->m00), Ro_10b = KSL_MULF(R1->m11, R2->m01),
-      Ro_10c = Ro_10a + Ro_10b, Ro_10d = KSL_MULF(R1->m12, R2->m02), Ro_10 = Ro_10c + Ro_10d;
-  const float Ro_11a = KSL_MULF(R1->m10, R2->m10), Ro_11b = KSL_MULF(R1->m11, R2->m11),
-      Ro_11c = Ro_11a + Ro_11b, Ro_11d = KSL_MULF(R1->m12, R2->m12), Ro_11 = Ro_11c + Ro_11d;
-  const float Ro_12a = KSL_MULF(R1->m10, R2->m20), Ro_12b = KSL_MULF(R1->m11, R2->m21),
-      Ro_12c = Ro_12a + Ro_12b, Ro_12d = KSL_MULF(R1->m12, R2->m22), Ro_12 = Ro_12c + Ro_12d;
-  const float Ro_20a = KSL_MULF(R1->m20, R2->m00), Ro_20b = KSL_MULF(R1->m21, R2->m01),
-      Ro_20c = Ro_20a + Ro_20b, Ro_20d = KSL_MULF(R1->m22, R2->m02), Ro_20 = Ro_20c + Ro_20d;
-  const float Ro_21a = KSL_MULF(R1->m20, R2->m10), Ro_21b = KSL_MULF(R1->m21, R2->m11),
-      Ro_21c = Ro_21a + Ro_21b, Ro_21d = KSL_MULF(R1->m22, R2->m12), Ro_21 = Ro_21c + Ro_21d;
-  const float Ro_22a = KSL_MULF(R1->m20, R2->m20), Ro_22b = KSL_MULF(R1->m21, R2->m21),
-      Ro_22c = Ro_22a + Ro_22b, Ro_22d = KSL_MULF(R1->m22, R2->m22), Ro_22 = Ro_22c + Ro_22d;
+  const float Ro_00 = KSL_MULF(R1->m00, R2->m00) + KSL_MULF(R1->m01, R2->m01)
+          + KSL_MULF(R1->m02, R2->m02),
+      Ro_01 = KSL_MULF(R1->m00, R2->m10) + KSL_MULF(R1->m01, R2->m11) + KSL_MULF(R1->m02, R2->m12),
+      Ro_02 = KSL_MULF(R1->m00, R2->m20) + KSL_MULF(R1->m01, R2->m21) + KSL_MULF(R1->m02, R2->m22),
+      Ro_10 = KSL_MULF(R1->m10, R2->m00) + KSL_MULF(R1->m11, R2->m01) + KSL_MULF(R1->m12, R2->m02),
+      Ro_11 = KSL_MULF(R1->m10, R2->m10) + KSL_MULF(R1->m11, R2->m11) + KSL_MULF(R1->m12, R2->m12),
+      Ro_12 = KSL_MULF(R1->m10, R2->m20) + KSL_MULF(R1->m11, R2->m21) + KSL_MULF(R1->m12, R2->m22),
+      Ro_20 = KSL_MULF(R1->m20, R2->m00) + KSL_MULF(R1->m21, R2->m01) + KSL_MULF(R1->m22, R2->m02),
+      Ro_21 = KSL_MULF(R1->m20, R2->m10) + KSL_MULF(R1->m21, R2->m11) + KSL_MULF(R1->m22, R2->m12),
+      Ro_22 = KSL_MULF(R1->m20, R2->m20) + KSL_MULF(R1->m21, R2->m21) + KSL_MULF(R1->m22, R2->m22);
   Ro->m00 = Ro_00;
   Ro->m01 = Ro_01;
   Ro->m02 = Ro_02;
@@ -1440,24 +1202,16 @@ static inline void ksl_product_drdrinvf(const ksl_mat3x3f_t *R1, const ksl_mat3x
      and underflow. */
 static inline void ksl_product_drinvdrf(const ksl_mat3x3f_t *R1, const ksl_mat3x3f_t *R2,
     ksl_mat3x3f_t *Ro) {
-  const float Ro_00a = KSL_MULF(R1->m00, R2->m00), Ro_00b = KSL_MULF(R1->m10, R2->m10),
-      Ro_00c = Ro_00a + Ro_00b, Ro_00d = KSL_MULF(R1->m20, R2->m20), Ro_00 = Ro_00c + Ro_00d;
-  const float Ro_01a = KSL_MULF(R1->m00, R2->m01), Ro_01b = KSL_MULF(R1->m10, R2->m11),
-      Ro_01c = Ro_01a + Ro_01b, Ro_01d = KSL_MULF(R1->m20, R2->m21), Ro_01 = Ro_01c + Ro_01d;
-  const float Ro_02a = KSL_MULF(R1->m00, R2->m02), Ro_02b = KSL_MULF(R1->m10, R2->m12),
-      Ro_02c = Ro_02a + Ro_02b, Ro_02d = KSL_MULF(R1->m20, R2->m22), Ro_02 = Ro_02c + Ro_02d;
-  const float Ro_10a = KSL_MULF(R1->m01, R2->m00), Ro_10b = KSL_MULF(R1->m11, R2->m10),
-      Ro_10c = Ro_10a + Ro_10b, Ro_10d = KSL_MULF(R1->m21, R2->m20), Ro_10 = Ro_10c + Ro_10d;
-  const float Ro_11a = KSL_MULF(R1->m01, R2->m01), Ro_11b = KSL_MULF(R1->m11, R2->m11),
-      Ro_11c = Ro_11a + Ro_11b, Ro_11d = KSL_MULF(R1->m21, R2->m21), Ro_11 = Ro_11c + Ro_11d;
-  const float Ro_12a = KSL_MULF(R1->m01, R2->m02), Ro_12b = KSL_MULF(R1->m11, R2->m12),
-      Ro_12c = Ro_12a + Ro_12b, Ro_12d = KSL_MULF(R1->m21, R2->m22), Ro_12 = Ro_12c + Ro_12d;
-  const float Ro_20a = KSL_MULF(R1->m02, R2->m00), Ro_20b = KSL_MULF(R1->m12, R2->m10),
-      Ro_20c = Ro_20a + Ro_20b, Ro_20d = KSL_MULF(R1->m22, R2->m20), Ro_20 = Ro_20c + Ro_20d;
-  const float Ro_21a = KSL_MULF(R1->m02, R2->m01), Ro_21b = KSL_MULF(R1->m12, R2->m11),
-      Ro_21c = Ro_21a + Ro_21b, Ro_21d = KSL_MULF(R1->m22, R2->m21), Ro_21 = Ro_21c + Ro_21d;
-  const float Ro_22a = KSL_MULF(R1->m02, R2->m02), Ro_22b = KSL_MULF(R1->m12, R2->m12),
-      Ro_22c = Ro_22a + Ro_22b, Ro_22d = KSL_MULF(R1->m22, R2->m22), Ro_22 = Ro_22c + Ro_22d;
+  const float Ro_00 = KSL_MULF(R1->m00, R2->m00) + KSL_MULF(R1->m10, R2->m10)
+          + KSL_MULF(R1->m20, R2->m20),
+      Ro_01 = KSL_MULF(R1->m00, R2->m01) + KSL_MULF(R1->m10, R2->m11) + KSL_MULF(R1->m20, R2->m21),
+      Ro_02 = KSL_MULF(R1->m00, R2->m02) + KSL_MULF(R1->m10, R2->m12) + KSL_MULF(R1->m20, R2->m22),
+      Ro_10 = KSL_MULF(R1->m01, R2->m00) + KSL_MULF(R1->m11, R2->m10) + KSL_MULF(R1->m21, R2->m20),
+      Ro_11 = KSL_MULF(R1->m01, R2->m01) + KSL_MULF(R1->m11, R2->m11) + KSL_MULF(R1->m21, R2->m21),
+      Ro_12 = KSL_MULF(R1->m01, R2->m02) + KSL_MULF(R1->m11, R2->m12) + KSL_MULF(R1->m21, R2->m22),
+      Ro_20 = KSL_MULF(R1->m02, R2->m00) + KSL_MULF(R1->m12, R2->m10) + KSL_MULF(R1->m22, R2->m20),
+      Ro_21 = KSL_MULF(R1->m02, R2->m01) + KSL_MULF(R1->m12, R2->m11) + KSL_MULF(R1->m22, R2->m21),
+      Ro_22 = KSL_MULF(R1->m02, R2->m02) + KSL_MULF(R1->m12, R2->m12) + KSL_MULF(R1->m22, R2->m22);
   Ro->m00 = Ro_00;
   Ro->m01 = Ro_01;
   Ro->m02 = Ro_02;
@@ -1475,33 +1229,22 @@ static inline void ksl_product_drinvdrf(const ksl_mat3x3f_t *R1, const ksl_mat3x
    Error <= u |result| + (R: 2, t: 3) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_ddf(const ksl_SE3f_t *D1, const ksl_SE3f_t *D2, ksl_SE3f_t *Do) {
-  const float Do_00a = KSL_MULF(D1->m00, D2->m00), Do_00b = KSL_MULF(D1->m01, D2->m10),
-      Do_00c = Do_00a + Do_00b, Do_00d = KSL_MULF(D1->m02, D2->m20), Do_00 = Do_00c + Do_00d;
-  const float Do_01a = KSL_MULF(D1->m00, D2->m01), Do_01b = KSL_MULF(D1->m01, D2->m11),
-      Do_01c = Do_01a + Do_01b, Do_01d = KSL_MULF(D1->m02, D2->m21), Do_01 = Do_01c + Do_01d;
-  const float Do_02a = KSL_MULF(D1->m00, D2->m02), Do_02b = KSL_MULF(D1->m01, D2->m12),
-      Do_02c = Do_02a + Do_02b, Do_02d = KSL_MULF(D1->m02, D2->m22), Do_02 = Do_02c + Do_02d;
-  const float Do_03a = KSL_MULF(D1->m00, D2->m03), Do_03b = KSL_MULF(D1->m01, D2->m13),
-      Do_03c = Do_03a + Do_03b, Do_03d = KSL_MULF(D1->m02, D2->m23), Do_03e = Do_03c + Do_03d,
-      Do_03 = Do_03e + D1->m03;
-  const float Do_10a = KSL_MULF(D1->m10, D2->m00), Do_10b = KSL_MULF(D1->m11, D2->m10),
-      Do_10c = Do_10a + Do_10b, Do_10d = KSL_MULF(D1->m12, D2->m20), Do_10 = Do_10c + Do_10d;
-  const float Do_11a = KSL_MULF(D1->m10, D2->m01), Do_11b = KSL_MULF(D1->m11, D2->m11),
-      Do_11c = Do_11a + Do_11b, Do_11d = KSL_MULF(D1->m12, D2->m21), Do_11 = Do_11c + Do_11d;
-  const float Do_12a = KSL_MULF(D1->m10, D2->m02), Do_12b = KSL_MULF(D1->m11, D2->m12),
-      Do_12c = Do_12a + Do_12b, Do_12d = KSL_MULF(D1->m12, D2->m22), Do_12 = Do_12c + Do_12d;
-  const float Do_13a = KSL_MULF(D1->m10, D2->m03), Do_13b = KSL_MULF(D1->m11, D2->m13),
-      Do_13c = Do_13a + Do_13b, Do_13d = KSL_MULF(D1->m12, D2->m23), Do_13e = Do_13c + Do_13d,
-      Do_13 = Do_13e + D1->m13;
-  const float Do_20a = KSL_MULF(D1->m20, D2->m00), Do_20b = KSL_MULF(D1->m21, D2->m10),
-      Do_20c = Do_20a + Do_20b, Do_20d = KSL_MULF(D1->m22, D2->m20), Do_20 = Do_20c + Do_20d;
-  const float Do_21a = KSL_MULF(D1->m20, D2->m01), Do_21b = KSL_MULF(D1->m21, D2->m11),
-      Do_21c = Do_21a + Do_21b, Do_21d = KSL_MULF(D1->m22, D2->m21), Do_21 = Do_21c + Do_21d;
-  const float Do_22a = KSL_MULF(D1->m20, D2->m02), Do_22b = KSL_MULF(D1->m21, D2->m12),
-      Do_22c = Do_22a + Do_22b, Do_22d = KSL_MULF(D1->m22, D2->m22), Do_22 = Do_22c + Do_22d;
-  const float Do_23a = KSL_MULF(D1->m20, D2->m03), Do_23b = KSL_MULF(D1->m21, D2->m13),
-      Do_23c = Do_23a + Do_23b, Do_23d = KSL_MULF(D1->m22, D2->m23), Do_23e = Do_23c + Do_23d,
-      Do_23 = Do_23e + D1->m23;
+  const float Do_00 = KSL_MULF(D1->m00, D2->m00) + KSL_MULF(D1->m01, D2->m10)
+          + KSL_MULF(D1->m02, D2->m20),
+      Do_01 = KSL_MULF(D1->m00, D2->m01) + KSL_MULF(D1->m01, D2->m11) + KSL_MULF(D1->m02, D2->m21),
+      Do_02 = KSL_MULF(D1->m00, D2->m02) + KSL_MULF(D1->m01, D2->m12) + KSL_MULF(D1->m02, D2->m22),
+      Do_03 = KSL_MULF(D1->m00, D2->m03) + KSL_MULF(D1->m01, D2->m13) + KSL_MULF(D1->m02, D2->m23)
+          + D1->m03,
+      Do_10 = KSL_MULF(D1->m10, D2->m00) + KSL_MULF(D1->m11, D2->m10) + KSL_MULF(D1->m12, D2->m20),
+      Do_11 = KSL_MULF(D1->m10, D2->m01) + KSL_MULF(D1->m11, D2->m11) + KSL_MULF(D1->m12, D2->m21),
+      Do_12 = KSL_MULF(D1->m10, D2->m02) + KSL_MULF(D1->m11, D2->m12) + KSL_MULF(D1->m12, D2->m22),
+      Do_13 = KSL_MULF(D1->m10, D2->m03) + KSL_MULF(D1->m11, D2->m13) + KSL_MULF(D1->m12, D2->m23)
+          + D1->m13,
+      Do_20 = KSL_MULF(D1->m20, D2->m00) + KSL_MULF(D1->m21, D2->m10) + KSL_MULF(D1->m22, D2->m20),
+      Do_21 = KSL_MULF(D1->m20, D2->m01) + KSL_MULF(D1->m21, D2->m11) + KSL_MULF(D1->m22, D2->m21),
+      Do_22 = KSL_MULF(D1->m20, D2->m02) + KSL_MULF(D1->m21, D2->m12) + KSL_MULF(D1->m22, D2->m22),
+      Do_23 = KSL_MULF(D1->m20, D2->m03) + KSL_MULF(D1->m21, D2->m13) + KSL_MULF(D1->m22, D2->m23)
+          + D1->m23;
   Do->m00 = Do_00;
   Do->m01 = Do_01;
   Do->m02 = Do_02;
@@ -1522,33 +1265,20 @@ static inline void ksl_product_ddf(const ksl_SE3f_t *D1, const ksl_SE3f_t *D2, k
    Error <= u |result| + (R: 2, t: 6) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_ddinvf(const ksl_SE3f_t *D1, const ksl_SE3f_t *D2, ksl_SE3f_t *Do) {
-  const float R_0a = KSL_MULF(D1->m00, D2->m00), R_0b = KSL_MULF(D1->m01, D2->m01),
-      R_0c = R_0a + R_0b, R_0d = KSL_MULF(D1->m02, D2->m02), R_0 = R_0c + R_0d;
-  const float R_1a = KSL_MULF(D1->m00, D2->m10), R_1b = KSL_MULF(D1->m01, D2->m11),
-      R_1c = R_1a + R_1b, R_1d = KSL_MULF(D1->m02, D2->m12), R_1 = R_1c + R_1d;
-  const float R_2a = KSL_MULF(D1->m00, D2->m20), R_2b = KSL_MULF(D1->m01, D2->m21),
-      R_2c = R_2a + R_2b, R_2d = KSL_MULF(D1->m02, D2->m22), R_2 = R_2c + R_2d;
-  const float R_3a = KSL_MULF(D1->m10, D2->m00), R_3b = KSL_MULF(D1->m11, D2->m01),
-      R_3c = R_3a + R_3b, R_3d = KSL_MULF(D1->m12, D2->m02), R_3 = R_3c + R_3d;
-  const float R_4a = KSL_MULF(D1->m10, D2->m10), R_4b = KSL_MULF(D1->m11, D2->m11),
-      R_4c = R_4a + R_4b, R_4d = KSL_MULF(D1->m12, D2->m12), R_4 = R_4c + R_4d;
-  const float R_5a = KSL_MULF(D1->m10, D2->m20), R_5b = KSL_MULF(D1->m11, D2->m21),
-      R_5c = R_5a + R_5b, R_5d = KSL_MULF(D1->m12, D2->m22), R_5 = R_5c + R_5d;
-  const float R_6a = KSL_MULF(D1->m20, D2->m00), R_6b = KSL_MULF(D1->m21, D2->m01),
-      R_6c = R_6a + R_6b, R_6d = KSL_MULF(D1->m22, D2->m02), R_6 = R_6c + R_6d;
-  const float R_7a = KSL_MULF(D1->m20, D2->m10), R_7b = KSL_MULF(D1->m21, D2->m11),
-      R_7c = R_7a + R_7b, R_7d = KSL_MULF(D1->m22, D2->m12), R_7 = R_7c + R_7d;
-  const float R_8a = KSL_MULF(D1->m20, D2->m20), R_8b = KSL_MULF(D1->m21, D2->m21),
-      R_8c = R_8a + R_8b, R_8d = KSL_MULF(D1->m22, D2->m22), R_8 = R_8c + R_8d;
-  const float Do_03a = KSL_MULF(D2->m03, R_0), Do_03b = KSL_MULF(D2->m13, R_1),
-      Do_03c = Do_03a + Do_03b, Do_03d = KSL_MULF(D2->m23, R_2), Do_03e = Do_03c + Do_03d,
-      Do_03 = D1->m03 - Do_03e;
-  const float Do_13a = KSL_MULF(D2->m03, R_3), Do_13b = KSL_MULF(D2->m13, R_4),
-      Do_13c = Do_13a + Do_13b, Do_13d = KSL_MULF(D2->m23, R_5), Do_13e = Do_13c + Do_13d,
-      Do_13 = D1->m13 - Do_13e;
-  const float Do_23a = KSL_MULF(D2->m03, R_6), Do_23b = KSL_MULF(D2->m13, R_7),
-      Do_23c = Do_23a + Do_23b, Do_23d = KSL_MULF(D2->m23, R_8), Do_23e = Do_23c + Do_23d,
-      Do_23 = D1->m23 - Do_23e;
+  const float R_0 = KSL_MULF(D1->m00, D2->m00) + KSL_MULF(D1->m01, D2->m01)
+          + KSL_MULF(D1->m02, D2->m02),
+      R_1 = KSL_MULF(D1->m00, D2->m10) + KSL_MULF(D1->m01, D2->m11) + KSL_MULF(D1->m02, D2->m12),
+      R_2 = KSL_MULF(D1->m00, D2->m20) + KSL_MULF(D1->m01, D2->m21) + KSL_MULF(D1->m02, D2->m22),
+      R_3 = KSL_MULF(D1->m10, D2->m00) + KSL_MULF(D1->m11, D2->m01) + KSL_MULF(D1->m12, D2->m02),
+      R_4 = KSL_MULF(D1->m10, D2->m10) + KSL_MULF(D1->m11, D2->m11) + KSL_MULF(D1->m12, D2->m12),
+      R_5 = KSL_MULF(D1->m10, D2->m20) + KSL_MULF(D1->m11, D2->m21) + KSL_MULF(D1->m12, D2->m22),
+      R_6 = KSL_MULF(D1->m20, D2->m00) + KSL_MULF(D1->m21, D2->m01) + KSL_MULF(D1->m22, D2->m02),
+      R_7 = KSL_MULF(D1->m20, D2->m10) + KSL_MULF(D1->m21, D2->m11) + KSL_MULF(D1->m22, D2->m12),
+      R_8 = KSL_MULF(D1->m20, D2->m20) + KSL_MULF(D1->m21, D2->m21) + KSL_MULF(D1->m22, D2->m22);
+  const float Do_03 = D1->m03
+          - (KSL_MULF(D2->m03, R_0) + KSL_MULF(D2->m13, R_1) + KSL_MULF(D2->m23, R_2)),
+      Do_13 = D1->m13 - (KSL_MULF(D2->m03, R_3) + KSL_MULF(D2->m13, R_4) + KSL_MULF(D2->m23, R_5)),
+      Do_23 = D1->m23 - (KSL_MULF(D2->m03, R_6) + KSL_MULF(D2->m13, R_7) + KSL_MULF(D2->m23, R_8));
   Do->m00 = R_0;
   Do->m01 = R_1;
   Do->m02 = R_2;
@@ -1569,33 +1299,20 @@ static inline void ksl_product_ddinvf(const ksl_SE3f_t *D1, const ksl_SE3f_t *D2
    Error <= u |result| + (R: 2, t: 3) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_dinvdf(const ksl_SE3f_t *D1, const ksl_SE3f_t *D2, ksl_SE3f_t *Do) {
-  const float p_0 = D2->m03 - D1->m03;
-  const float p_1 = D2->m13 - D1->m13;
-  const float p_2 = D2->m23 - D1->m23;
-  const float Do_00a = KSL_MULF(D1->m00, D2->m00), Do_00b = KSL_MULF(D1->m10, D2->m10),
-      Do_00c = Do_00a + Do_00b, Do_00d = KSL_MULF(D1->m20, D2->m20), Do_00 = Do_00c + Do_00d;
-  const float Do_01a = KSL_MULF(D1->m00, D2->m01), Do_01b = KSL_MULF(D1->m10, D2->m11),
-      Do_01c = Do_01a + Do_01b, Do_01d = KSL_MULF(D1->m20, D2->m21), Do_01 = Do_01c + Do_01d;
-  const float Do_02a = KSL_MULF(D1->m00, D2->m02), Do_02b = KSL_MULF(D1->m10, D2->m12),
-      Do_02c = Do_02a + Do_02b, Do_02d = KSL_MULF(D1->m20, D2->m22), Do_02 = Do_02c + Do_02d;
-  const float Do_03a = KSL_MULF(D1->m00, p_0), Do_03b = KSL_MULF(D1->m10, p_1),
-      Do_03c = Do_03a + Do_03b, Do_03d = KSL_MULF(D1->m20, p_2), Do_03 = Do_03c + Do_03d;
-  const float Do_10a = KSL_MULF(D1->m01, D2->m00), Do_10b = KSL_MULF(D1->m11, D2->m10),
-      Do_10c = Do_10a + Do_10b, Do_10d = KSL_MULF(D1->m21, D2->m20), Do_10 = Do_10c + Do_10d;
-  const float Do_11a = KSL_MULF(D1->m01, D2->m01), Do_11b = KSL_MULF(D1->m11, D2->m11),
-      Do_11c = Do_11a + Do_11b, Do_11d = KSL_MULF(D1->m21, D2->m21), Do_11 = Do_11c + Do_11d;
-  const float Do_12a = KSL_MULF(D1->m01, D2->m02), Do_12b = KSL_MULF(D1->m11, D2->m12),
-      Do_12c = Do_12a + Do_12b, Do_12d = KSL_MULF(D1->m21, D2->m22), Do_12 = Do_12c + Do_12d;
-  const float Do_13a = KSL_MULF(D1->m01, p_0), Do_13b = KSL_MULF(D1->m11, p_1),
-      Do_13c = Do_13a + Do_13b, Do_13d = KSL_MULF(D1->m21, p_2), Do_13 = Do_13c + Do_13d;
-  const float Do_20a = KSL_MULF(D1->m02, D2->m00), Do_20b = KSL_MULF(D1->m12, D2->m10),
-      Do_20c = Do_20a + Do_20b, Do_20d = KSL_MULF(D1->m22, D2->m20), Do_20 = Do_20c + Do_20d;
-  const float Do_21a = KSL_MULF(D1->m02, D2->m01), Do_21b = KSL_MULF(D1->m12, D2->m11),
-      Do_21c = Do_21a + Do_21b, Do_21d = KSL_MULF(D1->m22, D2->m21), Do_21 = Do_21c + Do_21d;
-  const float Do_22a = KSL_MULF(D1->m02, D2->m02), Do_22b = KSL_MULF(D1->m12, D2->m12),
-      Do_22c = Do_22a + Do_22b, Do_22d = KSL_MULF(D1->m22, D2->m22), Do_22 = Do_22c + Do_22d;
-  const float Do_23a = KSL_MULF(D1->m02, p_0), Do_23b = KSL_MULF(D1->m12, p_1),
-      Do_23c = Do_23a + Do_23b, Do_23d = KSL_MULF(D1->m22, p_2), Do_23 = Do_23c + Do_23d;
+  const float p_0 = D2->m03 - D1->m03, p_1 = D2->m13 - D1->m13, p_2 = D2->m23 - D1->m23;
+  const float Do_00 = KSL_MULF(D1->m00, D2->m00) + KSL_MULF(D1->m10, D2->m10)
+          + KSL_MULF(D1->m20, D2->m20),
+      Do_01 = KSL_MULF(D1->m00, D2->m01) + KSL_MULF(D1->m10, D2->m11) + KSL_MULF(D1->m20, D2->m21),
+      Do_02 = KSL_MULF(D1->m00, D2->m02) + KSL_MULF(D1->m10, D2->m12) + KSL_MULF(D1->m20, D2->m22),
+      Do_03 = KSL_MULF(D1->m00, p_0) + KSL_MULF(D1->m10, p_1) + KSL_MULF(D1->m20, p_2),
+      Do_10 = KSL_MULF(D1->m01, D2->m00) + KSL_MULF(D1->m11, D2->m10) + KSL_MULF(D1->m21, D2->m20),
+      Do_11 = KSL_MULF(D1->m01, D2->m01) + KSL_MULF(D1->m11, D2->m11) + KSL_MULF(D1->m21, D2->m21),
+      Do_12 = KSL_MULF(D1->m01, D2->m02) + KSL_MULF(D1->m11, D2->m12) + KSL_MULF(D1->m21, D2->m22),
+      Do_13 = KSL_MULF(D1->m01, p_0) + KSL_MULF(D1->m11, p_1) + KSL_MULF(D1->m21, p_2),
+      Do_20 = KSL_MULF(D1->m02, D2->m00) + KSL_MULF(D1->m12, D2->m10) + KSL_MULF(D1->m22, D2->m20),
+      Do_21 = KSL_MULF(D1->m02, D2->m01) + KSL_MULF(D1->m12, D2->m11) + KSL_MULF(D1->m22, D2->m21),
+      Do_22 = KSL_MULF(D1->m02, D2->m02) + KSL_MULF(D1->m12, D2->m12) + KSL_MULF(D1->m22, D2->m22),
+      Do_23 = KSL_MULF(D1->m02, p_0) + KSL_MULF(D1->m12, p_1) + KSL_MULF(D1->m22, p_2);
   Do->m00 = Do_00;
   Do->m01 = Do_01;
   Do->m02 = Do_02;
@@ -1616,24 +1333,16 @@ static inline void ksl_product_dinvdf(const ksl_SE3f_t *D1, const ksl_SE3f_t *D2
    Error <= u |result| + (R: 2, t: 0) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_ddrf(const ksl_SE3f_t *D, const ksl_mat3x3f_t *R, ksl_SE3f_t *Do) {
-  const float Do_00a = KSL_MULF(D->m00, R->m00), Do_00b = KSL_MULF(D->m01, R->m10),
-      Do_00c = Do_00a + Do_00b, Do_00d = KSL_MULF(D->m02, R->m20), Do_00 = Do_00c + Do_00d;
-  const float Do_01a = KSL_MULF(D->m00, R->m01), Do_01b = KSL_MULF(D->m01, R->m11),
-      Do_01c = Do_01a + Do_01b, Do_01d = KSL_MULF(D->m02, R->m21), Do_01 = Do_01c + Do_01d;
-  const float Do_02a = KSL_MULF(D->m00, R->m02), Do_02b = KSL_MULF(D->m01, R->m12),
-      Do_02c = Do_02a + Do_02b, Do_02d = KSL_MULF(D->m02, R->m22), Do_02 = Do_02c + Do_02d;
-  const float Do_10a = KSL_MULF(D->m10, R->m00), Do_10b = KSL_MULF(D->m11, R->m10),
-      Do_10c = Do_10a + Do_10b, Do_10d = KSL_MULF(D->m12, R->m20), Do_10 = Do_10c + Do_10d;
-  const float Do_11a = KSL_MULF(D->m10, R->m01), Do_11b = KSL_MULF(D->m11, R->m11),
-      Do_11c = Do_11a + Do_11b, Do_11d = KSL_MULF(D->m12, R->m21), Do_11 = Do_11c + Do_11d;
-  const float Do_12a = KSL_MULF(D->m10, R->m02), Do_12b = KSL_MULF(D->m11, R->m12),
-      Do_12c = Do_12a + Do_12b, Do_12d = KSL_MULF(D->m12, R->m22), Do_12 = Do_12c + Do_12d;
-  const float Do_20a = KSL_MULF(D->m20, R->m00), Do_20b = KSL_MULF(D->m21, R->m10),
-      Do_20c = Do_20a + Do_20b, Do_20d = KSL_MULF(D->m22, R->m20), Do_20 = Do_20c + Do_20d;
-  const float Do_21a = KSL_MULF(D->m20, R->m01), Do_21b = KSL_MULF(D->m21, R->m11),
-      Do_21c = Do_21a + Do_21b, Do_21d = KSL_MULF(D->m22, R->m21), Do_21 = Do_21c + Do_21d;
-  const float Do_22a = KSL_MULF(D->m20, R->m02), Do_22b = KSL_MULF(D->m21, R->m12),
-      Do_22c = Do_22a + Do_22b, Do_22d = KSL_MULF(D->m22, R->m22), Do_22 = Do_22c + Do_22d;
+  const float Do_00 = KSL_MULF(D->m00, R->m00) + KSL_MULF(D->m01, R->m10)
+          + KSL_MULF(D->m02, R->m20),
+      Do_01 = KSL_MULF(D->m00, R->m01) + KSL_MULF(D->m01, R->m11) + KSL_MULF(D->m02, R->m21),
+      Do_02 = KSL_MULF(D->m00, R->m02) + KSL_MULF(D->m01, R->m12) + KSL_MULF(D->m02, R->m22),
+      Do_10 = KSL_MULF(D->m10, R->m00) + KSL_MULF(D->m11, R->m10) + KSL_MULF(D->m12, R->m20),
+      Do_11 = KSL_MULF(D->m10, R->m01) + KSL_MULF(D->m11, R->m11) + KSL_MULF(D->m12, R->m21),
+      Do_12 = KSL_MULF(D->m10, R->m02) + KSL_MULF(D->m11, R->m12) + KSL_MULF(D->m12, R->m22),
+      Do_20 = KSL_MULF(D->m20, R->m00) + KSL_MULF(D->m21, R->m10) + KSL_MULF(D->m22, R->m20),
+      Do_21 = KSL_MULF(D->m20, R->m01) + KSL_MULF(D->m21, R->m11) + KSL_MULF(D->m22, R->m21),
+      Do_22 = KSL_MULF(D->m20, R->m02) + KSL_MULF(D->m21, R->m12) + KSL_MULF(D->m22, R->m22);
   const float D_m03 = D->m03;
   const float D_m13 = D->m13;
   const float D_m23 = D->m23;
@@ -1658,24 +1367,16 @@ static inline void ksl_product_ddrf(const ksl_SE3f_t *D, const ksl_mat3x3f_t *R,
      barring over- and underflow. */
 static inline void ksl_product_ddrinvf(const ksl_SE3f_t *D, const ksl_mat3x3f_t *R,
     ksl_SE3f_t *Do) {
-  const float Do_00a = KSL_MULF(D->m00, R->m00), Do_00b = KSL_MULF(D->m01, R->m01),
-      Do_00c = Do_00a + Do_00b, Do_00d = KSL_MULF(D->m02, R->m02), Do_00 = Do_00c + Do_00d;
-  const float Do_01a = KSL_MULF(D->m00, R->m10), Do_01b = KSL_MULF(D->m01, R->m11),
-      Do_01c = Do_01a + Do_01b, Do_01d = KSL_MULF(D->m02, R->m12), Do_01 = Do_01c + Do_01d;
-  const float Do_02a = KSL_MULF(D->m00, R->m20), Do_02b = KSL_MULF(D->m01, R->m21),
-      Do_02c = Do_02a + Do_02b, Do_02d = KSL_MULF(D->m02, R->m22), Do_02 = Do_02c + Do_02d;
-  const float Do_10a = KSL_MULF(D->m10, R->m00), Do_10b = KSL_MULF(D->m11, R->m01),
-      Do_10c = Do_10a + Do_10b, Do_10d = KSL_MULF(D->m12, R->m02), Do_10 = Do_10c + Do_10d;
-  const float Do_11a = KSL_MULF(D->m10, R->m10), Do_11b = KSL_MULF(D->m11, R->m11),
-      Do_11c = Do_11a + Do_11b, Do_11d = KSL_MULF(D->m12, R->m12), Do_11 = Do_11c + Do_11d;
-  const float Do_12a = KSL_MULF(D->m10, R->m20), Do_12b = KSL_MULF(D->m11, R->m21),
-      Do_12c = Do_12a + Do_12b, Do_12d = KSL_MULF(D->m12, R->m22), Do_12 = Do_12c + Do_12d;
-  const float Do_20a = KSL_MULF(D->m20, R->m00), Do_20b = KSL_MULF(D->m21, R->m01),
-      Do_20c = Do_20a + Do_20b, Do_20d = KSL_MULF(D->m22, R->m02), Do_20 = Do_20c + Do_20d;
-  const float Do_21a = KSL_MULF(D->m20, R->m10), Do_21b = KSL_MULF(D->m21, R->m11),
-      Do_21c = Do_21a + Do_21b, Do_21d = KSL_MULF(D->m22, R->m12), Do_21 = Do_21c + Do_21d;
-  const float Do_22a = KSL_MULF(D->m20, R->m20), Do_22b = KSL_MULF(D->m21, R->m21),
-      Do_22c = Do_22a + Do_22b, Do_22d = KSL_MULF(D->m22, R->m22), Do_22 = Do_22c + Do_22d;
+  const float Do_00 = KSL_MULF(D->m00, R->m00) + KSL_MULF(D->m01, R->m01)
+          + KSL_MULF(D->m02, R->m02),
+      Do_01 = KSL_MULF(D->m00, R->m10) + KSL_MULF(D->m01, R->m11) + KSL_MULF(D->m02, R->m12),
+      Do_02 = KSL_MULF(D->m00, R->m20) + KSL_MULF(D->m01, R->m21) + KSL_MULF(D->m02, R->m22),
+      Do_10 = KSL_MULF(D->m10, R->m00) + KSL_MULF(D->m11, R->m01) + KSL_MULF(D->m12, R->m02),
+      Do_11 = KSL_MULF(D->m10, R->m10) + KSL_MULF(D->m11, R->m11) + KSL_MULF(D->m12, R->m12),
+      Do_12 = KSL_MULF(D->m10, R->m20) + KSL_MULF(D->m11, R->m21) + KSL_MULF(D->m12, R->m22),
+      Do_20 = KSL_MULF(D->m20, R->m00) + KSL_MULF(D->m21, R->m01) + KSL_MULF(D->m22, R->m02),
+      Do_21 = KSL_MULF(D->m20, R->m10) + KSL_MULF(D->m21, R->m11) + KSL_MULF(D->m22, R->m12),
+      Do_22 = KSL_MULF(D->m20, R->m20) + KSL_MULF(D->m21, R->m21) + KSL_MULF(D->m22, R->m22);
   const float D_m03 = D->m03;
   const float D_m13 = D->m13;
   const float D_m23 = D->m23;
@@ -1699,15 +1400,10 @@ static inline void ksl_product_ddrinvf(const ksl_SE3f_t *D, const ksl_mat3x3f_t 
    Error <= u |result| + (R: 0, t: 3) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_ddtf(const ksl_SE3f_t *D, const ksl_vec3f_t *t, ksl_SE3f_t *Do) {
-  const float Do_03a = KSL_MULF(D->m00, t->x), Do_03b = KSL_MULF(D->m01, t->y),
-      Do_03c = Do_03a + Do_03b, Do_03d = KSL_MULF(D->m02, t->z), Do_03e = Do_03c + Do_03d,
-      Do_03 = Do_03e + D->m03;
-  const float Do_13a = KSL_MULF(D->m10, t->x), Do_13b = KSL_MULF(D->m11, t->y),
-      Do_13c = Do_13a + Do_13b, Do_13d = KSL_MULF(D->m12, t->z), Do_13e = Do_13c + Do_13d,
-      Do_13 = Do_13e + D->m13;
-  const float Do_23a = KSL_MULF(D->m20, t->x), Do_23b = KSL_MULF(D->m21, t->y),
-      Do_23c = Do_23a + Do_23b, Do_23d = KSL_MULF(D->m22, t->z), Do_23e = Do_23c + Do_23d,
-      Do_23 = Do_23e + D->m23;
+  const float Do_03 = KSL_MULF(D->m00, t->x) + KSL_MULF(D->m01, t->y) + KSL_MULF(D->m02, t->z)
+          + D->m03,
+      Do_13 = KSL_MULF(D->m10, t->x) + KSL_MULF(D->m11, t->y) + KSL_MULF(D->m12, t->z) + D->m13,
+      Do_23 = KSL_MULF(D->m20, t->x) + KSL_MULF(D->m21, t->y) + KSL_MULF(D->m22, t->z) + D->m23;
   const float D_m00 = D->m00;
   const float D_m01 = D->m01;
   const float D_m02 = D->m02;
@@ -1737,15 +1433,10 @@ static inline void ksl_product_ddtf(const ksl_SE3f_t *D, const ksl_vec3f_t *t, k
    Error <= u |result| + (R: 0, t: 3) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_ddtinvf(const ksl_SE3f_t *D, const ksl_vec3f_t *t, ksl_SE3f_t *Do) {
-  const float Do_03a = KSL_MULF(D->m00, t->x), Do_03b = KSL_MULF(D->m01, t->y),
-      Do_03c = Do_03a + Do_03b, Do_03d = KSL_MULF(D->m02, t->z), Do_03e = Do_03c + Do_03d,
-      Do_03 = D->m03 - Do_03e;
-  const float Do_13a = KSL_MULF(D->m10, t->x), Do_13b = KSL_MULF(D->m11, t->y),
-      Do_13c = Do_13a + Do_13b, Do_13d = KSL_MULF(D->m12, t->z), Do_13e = Do_13c + Do_13d,
-      Do_13 = D->m13 - Do_13e;
-  const float Do_23a = KSL_MULF(D->m20, t->x), Do_23b = KSL_MULF(D->m21, t->y),
-      Do_23c = Do_23a + Do_23b, Do_23d = KSL_MULF(D->m22, t->z), Do_23e = Do_23c + Do_23d,
-      Do_23 = D->m23 - Do_23e;
+  const float Do_03 = D->m03
+          - (KSL_MULF(D->m00, t->x) + KSL_MULF(D->m01, t->y) + KSL_MULF(D->m02, t->z)),
+      Do_13 = D->m13 - (KSL_MULF(D->m10, t->x) + KSL_MULF(D->m11, t->y) + KSL_MULF(D->m12, t->z)),
+      Do_23 = D->m23 - (KSL_MULF(D->m20, t->x) + KSL_MULF(D->m21, t->y) + KSL_MULF(D->m22, t->z));
   const float D_m00 = D->m00;
   const float D_m01 = D->m01;
   const float D_m02 = D->m02;
@@ -1775,15 +1466,10 @@ static inline void ksl_product_ddtinvf(const ksl_SE3f_t *D, const ksl_vec3f_t *t
    Error <= u |result| + (R: 0, t: 3) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_dinvdtf(const ksl_SE3f_t *D, const ksl_vec3f_t *t, ksl_SE3f_t *Do) {
-  const float p_0 = t->x - D->m03;
-  const float p_1 = t->y - D->m13;
-  const float p_2 = t->z - D->m23;
-  const float Do_03a = KSL_MULF(D->m00, p_0), Do_03b = KSL_MULF(D->m10, p_1),
-      Do_03c = Do_03a + Do_03b, Do_03d = KSL_MULF(D->m20, p_2), Do_03 = Do_03c + Do_03d;
-  const float Do_13a = KSL_MULF(D->m01, p_0), Do_13b = KSL_MULF(D->m11, p_1),
-      Do_13c = Do_13a + Do_13b, Do_13d = KSL_MULF(D->m21, p_2), Do_13 = Do_13c + Do_13d;
-  const float Do_23a = KSL_MULF(D->m02, p_0), Do_23b = KSL_MULF(D->m12, p_1),
-      Do_23c = Do_23a + Do_23b, Do_23d = KSL_MULF(D->m22, p_2), Do_23 = Do_23c + Do_23d;
+  const float p_0 = t->x - D->m03, p_1 = t->y - D->m13, p_2 = t->z - D->m23;
+  const float Do_03 = KSL_MULF(D->m00, p_0) + KSL_MULF(D->m10, p_1) + KSL_MULF(D->m20, p_2),
+      Do_13 = KSL_MULF(D->m01, p_0) + KSL_MULF(D->m11, p_1) + KSL_MULF(D->m21, p_2),
+      Do_23 = KSL_MULF(D->m02, p_0) + KSL_MULF(D->m12, p_1) + KSL_MULF(D->m22, p_2);
   const float D_m00 = D->m00;
   const float D_m10 = D->m10;
   const float D_m20 = D->m20;
@@ -1812,9 +1498,7 @@ static inline void ksl_product_dinvdtf(const ksl_SE3f_t *D, const ksl_vec3f_t *t
    3 mul.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_product_drvtxf(const ksl_mat3x3f_t *R, const float k, ksl_vec3f_t *vo) {
-  const float vo_0 = KSL_MULF(R->m00, k);
-  const float vo_1 = KSL_MULF(R->m10, k);
-  const float vo_2 = KSL_MULF(R->m20, k);
+  const float vo_0 = KSL_MULF(R->m00, k), vo_1 = KSL_MULF(R->m10, k), vo_2 = KSL_MULF(R->m20, k);
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -1827,18 +1511,12 @@ static inline void ksl_product_drvtxf(const ksl_mat3x3f_t *R, const float k, ksl
      and underflow. */
 static inline void ksl_product_drdrxf(const ksl_mat3x3f_t *R, const float dc[2],
     ksl_mat3x3f_t *Ro) {
-  const float Ro_01a = KSL_MULF(R->m01, dc[1]), Ro_01b = KSL_MULF(R->m02, dc[0]),
-      Ro_01 = Ro_01a + Ro_01b;
-  const float Ro_02a = KSL_MULF(R->m02, dc[1]), Ro_02b = KSL_MULF(R->m01, dc[0]),
-      Ro_02 = Ro_02a - Ro_02b;
-  const float Ro_11a = KSL_MULF(R->m11, dc[1]), Ro_11b = KSL_MULF(R->m12, dc[0]),
-      Ro_11 = Ro_11a + Ro_11b;
-  const float Ro_12a = KSL_MULF(R->m12, dc[1]), Ro_12b = KSL_MULF(R->m11, dc[0]),
-      Ro_12 = Ro_12a - Ro_12b;
-  const float Ro_21a = KSL_MULF(R->m21, dc[1]), Ro_21b = KSL_MULF(R->m22, dc[0]),
-      Ro_21 = Ro_21a + Ro_21b;
-  const float Ro_22a = KSL_MULF(R->m22, dc[1]), Ro_22b = KSL_MULF(R->m21, dc[0]),
-      Ro_22 = Ro_22a - Ro_22b;
+  const float Ro_01 = KSL_MULF(R->m01, dc[1]) + KSL_MULF(R->m02, dc[0]),
+      Ro_02 = KSL_MULF(R->m02, dc[1]) - KSL_MULF(R->m01, dc[0]),
+      Ro_11 = KSL_MULF(R->m11, dc[1]) + KSL_MULF(R->m12, dc[0]),
+      Ro_12 = KSL_MULF(R->m12, dc[1]) - KSL_MULF(R->m11, dc[0]),
+      Ro_21 = KSL_MULF(R->m21, dc[1]) + KSL_MULF(R->m22, dc[0]),
+      Ro_22 = KSL_MULF(R->m22, dc[1]) - KSL_MULF(R->m21, dc[0]);
   const float R_m00 = R->m00;
   const float R_m10 = R->m10;
   const float R_m20 = R->m20;
@@ -1859,18 +1537,12 @@ static inline void ksl_product_drdrxf(const ksl_mat3x3f_t *R, const float dc[2],
    Error <= u |result| + (R: 1, t: 0) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_ddrxf(const ksl_SE3f_t *D, const float dc[2], ksl_SE3f_t *Do) {
-  const float Do_01a = KSL_MULF(D->m01, dc[1]), Do_01b = KSL_MULF(D->m02, dc[0]),
-      Do_01 = Do_01a + Do_01b;
-  const float Do_02a = KSL_MULF(D->m02, dc[1]), Do_02b = KSL_MULF(D->m01, dc[0]),
-      Do_02 = Do_02a - Do_02b;
-  const float Do_11a = KSL_MULF(D->m11, dc[1]), Do_11b = KSL_MULF(D->m12, dc[0]),
-      Do_11 = Do_11a + Do_11b;
-  const float Do_12a = KSL_MULF(D->m12, dc[1]), Do_12b = KSL_MULF(D->m11, dc[0]),
-      Do_12 = Do_12a - Do_12b;
-  const float Do_21a = KSL_MULF(D->m21, dc[1]), Do_21b = KSL_MULF(D->m22, dc[0]),
-      Do_21 = Do_21a + Do_21b;
-  const float Do_22a = KSL_MULF(D->m22, dc[1]), Do_22b = KSL_MULF(D->m21, dc[0]),
-      Do_22 = Do_22a - Do_22b;
+  const float Do_01 = KSL_MULF(D->m01, dc[1]) + KSL_MULF(D->m02, dc[0]),
+      Do_02 = KSL_MULF(D->m02, dc[1]) - KSL_MULF(D->m01, dc[0]),
+      Do_11 = KSL_MULF(D->m11, dc[1]) + KSL_MULF(D->m12, dc[0]),
+      Do_12 = KSL_MULF(D->m12, dc[1]) - KSL_MULF(D->m11, dc[0]),
+      Do_21 = KSL_MULF(D->m21, dc[1]) + KSL_MULF(D->m22, dc[0]),
+      Do_22 = KSL_MULF(D->m22, dc[1]) - KSL_MULF(D->m21, dc[0]);
   const float D_m00 = D->m00;
   const float D_m03 = D->m03;
   const float D_m10 = D->m10;
@@ -1897,9 +1569,8 @@ static inline void ksl_product_ddrxf(const ksl_SE3f_t *D, const float dc[2], ksl
    Error <= u |result| + (R: 0, t: 1) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_ddtxf(const ksl_SE3f_t *D, const float k, ksl_SE3f_t *Do) {
-  const float Do_03a = KSL_MULF(D->m00, k), Do_03 = Do_03a + D->m03;
-  const float Do_13a = KSL_MULF(D->m10, k), Do_13 = Do_13a + D->m13;
-  const float Do_23a = KSL_MULF(D->m20, k), Do_23 = Do_23a + D->m23;
+  const float Do_03 = KSL_MULF(D->m00, k) + D->m03, Do_13 = KSL_MULF(D->m10, k) + D->m13,
+      Do_23 = KSL_MULF(D->m20, k) + D->m23;
   const float D_m00 = D->m00;
   const float D_m01 = D->m01;
   const float D_m02 = D->m02;
@@ -1928,9 +1599,7 @@ static inline void ksl_product_ddtxf(const ksl_SE3f_t *D, const float k, ksl_SE3
    3 mul, 3 neg.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_product_drvtxinvf(const ksl_mat3x3f_t *R, const float k, ksl_vec3f_t *vo) {
-  const float vo_0a = KSL_MULF(R->m00, k), vo_0 = -vo_0a;
-  const float vo_1a = KSL_MULF(R->m10, k), vo_1 = -vo_1a;
-  const float vo_2a = KSL_MULF(R->m20, k), vo_2 = -vo_2a;
+  const float vo_0 = -KSL_MULF(R->m00, k), vo_1 = -KSL_MULF(R->m10, k), vo_2 = -KSL_MULF(R->m20, k);
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -1943,18 +1612,12 @@ static inline void ksl_product_drvtxinvf(const ksl_mat3x3f_t *R, const float k, 
      and underflow. */
 static inline void ksl_product_drdrxinvf(const ksl_mat3x3f_t *R, const float dc[2],
     ksl_mat3x3f_t *Ro) {
-  const float Ro_01a = KSL_MULF(R->m01, dc[1]), Ro_01b = KSL_MULF(R->m02, dc[0]),
-      Ro_01 = Ro_01a - Ro_01b;
-  const float Ro_02a = KSL_MULF(R->m01, dc[0]), Ro_02b = KSL_MULF(R->m02, dc[1]),
-      Ro_02 = Ro_02a + Ro_02b;
-  const float Ro_11a = KSL_MULF(R->m11, dc[1]), Ro_11b = KSL_MULF(R->m12, dc[0]),
-      Ro_11 = Ro_11a - Ro_11b;
-  const float Ro_12a = KSL_MULF(R->m11, dc[0]), Ro_12b = KSL_MULF(R->m12, dc[1]),
-      Ro_12 = Ro_12a + Ro_12b;
-  const float Ro_21a = KSL_MULF(R->m21, dc[1]), Ro_21b = KSL_MULF(R->m22, dc[0]),
-      Ro_21 = Ro_21a - Ro_21b;
-  const float Ro_22a = KSL_MULF(R->m21, dc[0]), Ro_22b = KSL_MULF(R->m22, dc[1]),
-      Ro_22 = Ro_22a + Ro_22b;
+  const float Ro_01 = KSL_MULF(R->m01, dc[1]) - KSL_MULF(R->m02, dc[0]),
+      Ro_02 = KSL_MULF(R->m01, dc[0]) + KSL_MULF(R->m02, dc[1]),
+      Ro_11 = KSL_MULF(R->m11, dc[1]) - KSL_MULF(R->m12, dc[0]),
+      Ro_12 = KSL_MULF(R->m11, dc[0]) + KSL_MULF(R->m12, dc[1]),
+      Ro_21 = KSL_MULF(R->m21, dc[1]) - KSL_MULF(R->m22, dc[0]),
+      Ro_22 = KSL_MULF(R->m21, dc[0]) + KSL_MULF(R->m22, dc[1]);
   const float R_m00 = R->m00;
   const float R_m10 = R->m10;
   const float R_m20 = R->m20;
@@ -1975,18 +1638,12 @@ static inline void ksl_product_drdrxinvf(const ksl_mat3x3f_t *R, const float dc[
    Error <= u |result| + (R: 1, t: 0) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_ddrxinvf(const ksl_SE3f_t *D, const float dc[2], ksl_SE3f_t *Do) {
-  const float Do_01a = KSL_MULF(D->m01, dc[1]), Do_01b = KSL_MULF(D->m02, dc[0]),
-      Do_01 = Do_01a - Do_01b;
-  const float Do_02a = KSL_MULF(D->m01, dc[0]), Do_02b = KSL_MULF(D->m02, dc[1]),
-      Do_02 = Do_02a + Do_02b;
-  const float Do_11a = KSL_MULF(D->m11, dc[1]), Do_11b = KSL_MULF(D->m12, dc[0]),
-      Do_11 = Do_11a - Do_11b;
-  const float Do_12a = KSL_MULF(D->m11, dc[0]), Do_12b = KSL_MULF(D->m12, dc[1]),
-      Do_12 = Do_12a + Do_12b;
-  const float Do_21a = KSL_MULF(D->m21, dc[1]), Do_21b = KSL_MULF(D->m22, dc[0]),
-      Do_21 = Do_21a - Do_21b;
-  const float Do_22a = KSL_MULF(D->m21, dc[0]), Do_22b = KSL_MULF(D->m22, dc[1]),
-      Do_22 = Do_22a + Do_22b;
+  const float Do_01 = KSL_MULF(D->m01, dc[1]) - KSL_MULF(D->m02, dc[0]),
+      Do_02 = KSL_MULF(D->m01, dc[0]) + KSL_MULF(D->m02, dc[1]),
+      Do_11 = KSL_MULF(D->m11, dc[1]) - KSL_MULF(D->m12, dc[0]),
+      Do_12 = KSL_MULF(D->m11, dc[0]) + KSL_MULF(D->m12, dc[1]),
+      Do_21 = KSL_MULF(D->m21, dc[1]) - KSL_MULF(D->m22, dc[0]),
+      Do_22 = KSL_MULF(D->m21, dc[0]) + KSL_MULF(D->m22, dc[1]);
   const float D_m00 = D->m00;
   const float D_m03 = D->m03;
   const float D_m10 = D->m10;
@@ -2013,9 +1670,8 @@ static inline void ksl_product_ddrxinvf(const ksl_SE3f_t *D, const float dc[2], 
    Error <= u |result| + (R: 0, t: 1) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_ddtxinvf(const ksl_SE3f_t *D, const float k, ksl_SE3f_t *Do) {
-  const float Do_03a = KSL_MULF(D->m00, k), Do_03 = D->m03 - Do_03a;
-  const float Do_13a = KSL_MULF(D->m10, k), Do_13 = D->m13 - Do_13a;
-  const float Do_23a = KSL_MULF(D->m20, k), Do_23 = D->m23 - Do_23a;
+  const float Do_03 = D->m03 - KSL_MULF(D->m00, k), Do_13 = D->m13 - KSL_MULF(D->m10, k),
+      Do_23 = D->m23 - KSL_MULF(D->m20, k);
   const float D_m00 = D->m00;
   const float D_m01 = D->m01;
   const float D_m02 = D->m02;
@@ -2044,9 +1700,7 @@ static inline void ksl_product_ddtxinvf(const ksl_SE3f_t *D, const float k, ksl_
    3 mul.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_product_drvtyf(const ksl_mat3x3f_t *R, const float k, ksl_vec3f_t *vo) {
-  const float vo_0 = KSL_MULF(R->m01, k);
-  const float vo_1 = KSL_MULF(R->m11, k);
-  const float vo_2 = KSL_MULF(R->m21, k);
+  const float vo_0 = KSL_MULF(R->m01, k), vo_1 = KSL_MULF(R->m11, k), vo_2 = KSL_MULF(R->m21, k);
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -2059,18 +1713,12 @@ static inline void ksl_product_drvtyf(const ksl_mat3x3f_t *R, const float k, ksl
      and underflow. */
 static inline void ksl_product_drdryf(const ksl_mat3x3f_t *R, const float dc[2],
     ksl_mat3x3f_t *Ro) {
-  const float Ro_00a = KSL_MULF(R->m00, dc[1]), Ro_00b = KSL_MULF(R->m02, dc[0]),
-      Ro_00 = Ro_00a - Ro_00b;
-  const float Ro_02a = KSL_MULF(R->m00, dc[0]), Ro_02b = KSL_MULF(R->m02, dc[1]),
-      Ro_02 = Ro_02a + Ro_02b;
-  const float Ro_10a = KSL_MULF(R->m10, dc[1]), Ro_10b = KSL_MULF(R->m12, dc[0]),
-      Ro_10 = Ro_10a - Ro_10b;
-  const float Ro_12a = KSL_MULF(R->m10, dc[0]), Ro_12b = KSL_MULF(R->m12, dc[1]),
-      Ro_12 = Ro_12a + Ro_12b;
-  const float Ro_20a = KSL_MULF(R->m20, dc[1]), Ro_20b = KSL_MULF(R->m22, dc[0]),
-      Ro_20 = Ro_20a - Ro_20b;
-  const float Ro_22a = KSL_MULF(R->m20, dc[0]), Ro_22b = KSL_MULF(R->m22, dc[1]),
-      Ro_22 = Ro_22a + Ro_22b;
+  const float Ro_00 = KSL_MULF(R->m00, dc[1]) - KSL_MULF(R->m02, dc[0]),
+      Ro_02 = KSL_MULF(R->m00, dc[0]) + KSL_MULF(R->m02, dc[1]),
+      Ro_10 = KSL_MULF(R->m10, dc[1]) - KSL_MULF(R->m12, dc[0]),
+      Ro_12 = KSL_MULF(R->m10, dc[0]) + KSL_MULF(R->m12, dc[1]),
+      Ro_20 = KSL_MULF(R->m20, dc[1]) - KSL_MULF(R->m22, dc[0]),
+      Ro_22 = KSL_MULF(R->m20, dc[0]) + KSL_MULF(R->m22, dc[1]);
   const float R_m01 = R->m01;
   const float R_m11 = R->m11;
   const float R_m21 = R->m21;
@@ -2091,18 +1739,12 @@ static inline void ksl_product_drdryf(const ksl_mat3x3f_t *R, const float dc[2],
    Error <= u |result| + (R: 1, t: 0) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_ddryf(const ksl_SE3f_t *D, const float dc[2], ksl_SE3f_t *Do) {
-  const float Do_00a = KSL_MULF(D->m00, dc[1]), Do_00b = KSL_MULF(D->m02, dc[0]),
-      Do_00 = Do_00a - Do_00b;
-  const float Do_02a = KSL_MULF(D->m00, dc[0]), Do_02b = KSL_MULF(D->m02, dc[1]),
-      Do_02 = Do_02a + Do_02b;
-  const float Do_10a = KSL_MULF(D->m10, dc[1]), Do_10b = KSL_MULF(D->m12, dc[0]),
-      Do_10 = Do_10a - Do_10b;
-  const float Do_12a = KSL_MULF(D->m10, dc[0]), Do_12b = KSL_MULF(D->m12, dc[1]),
-      Do_12 = Do_12a + Do_12b;
-  const float Do_20a = KSL_MULF(D->m20, dc[1]), Do_20b = KSL_MULF(D->m22, dc[0]),
-      Do_20 = Do_20a - Do_20b;
-  const float Do_22a = KSL_MULF(D->m20, dc[0]), Do_22b = KSL_MULF(D->m22, dc[1]),
-      Do_22 = Do_22a + Do_22b;
+  const float Do_00 = KSL_MULF(D->m00, dc[1]) - KSL_MULF(D->m02, dc[0]),
+      Do_02 = KSL_MULF(D->m00, dc[0]) + KSL_MULF(D->m02, dc[1]),
+      Do_10 = KSL_MULF(D->m10, dc[1]) - KSL_MULF(D->m12, dc[0]),
+      Do_12 = KSL_MULF(D->m10, dc[0]) + KSL_MULF(D->m12, dc[1]),
+      Do_20 = KSL_MULF(D->m20, dc[1]) - KSL_MULF(D->m22, dc[0]),
+      Do_22 = KSL_MULF(D->m20, dc[0]) + KSL_MULF(D->m22, dc[1]);
   const float D_m01 = D->m01;
   const float D_m03 = D->m03;
   const float D_m11 = D->m11;
@@ -2129,9 +1771,8 @@ static inline void ksl_product_ddryf(const ksl_SE3f_t *D, const float dc[2], ksl
    Error <= u |result| + (R: 0, t: 1) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_ddtyf(const ksl_SE3f_t *D, const float k, ksl_SE3f_t *Do) {
-  const float Do_03a = KSL_MULF(D->m01, k), Do_03 = Do_03a + D->m03;
-  const float Do_13a = KSL_MULF(D->m11, k), Do_13 = Do_13a + D->m13;
-  const float Do_23a = KSL_MULF(D->m21, k), Do_23 = Do_23a + D->m23;
+  const float Do_03 = KSL_MULF(D->m01, k) + D->m03, Do_13 = KSL_MULF(D->m11, k) + D->m13,
+      Do_23 = KSL_MULF(D->m21, k) + D->m23;
   const float D_m00 = D->m00;
   const float D_m01 = D->m01;
   const float D_m02 = D->m02;
@@ -2160,9 +1801,7 @@ static inline void ksl_product_ddtyf(const ksl_SE3f_t *D, const float k, ksl_SE3
    3 mul, 3 neg.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_product_drvtyinvf(const ksl_mat3x3f_t *R, const float k, ksl_vec3f_t *vo) {
-  const float vo_0a = KSL_MULF(R->m01, k), vo_0 = -vo_0a;
-  const float vo_1a = KSL_MULF(R->m11, k), vo_1 = -vo_1a;
-  const float vo_2a = KSL_MULF(R->m21, k), vo_2 = -vo_2a;
+  const float vo_0 = -KSL_MULF(R->m01, k), vo_1 = -KSL_MULF(R->m11, k), vo_2 = -KSL_MULF(R->m21, k);
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -2175,18 +1814,12 @@ static inline void ksl_product_drvtyinvf(const ksl_mat3x3f_t *R, const float k, 
      and underflow. */
 static inline void ksl_product_drdryinvf(const ksl_mat3x3f_t *R, const float dc[2],
     ksl_mat3x3f_t *Ro) {
-  const float Ro_00a = KSL_MULF(R->m00, dc[1]), Ro_00b = KSL_MULF(R->m02, dc[0]),
-      Ro_00 = Ro_00a + Ro_00b;
-  const float Ro_02a = KSL_MULF(R->m02, dc[1]), Ro_02b = KSL_MULF(R->m00, dc[0]),
-      Ro_02 = Ro_02a - Ro_02b;
-  const float Ro_10a = KSL_MULF(R->m10, dc[1]), Ro_10b = KSL_MULF(R->m12, dc[0]),
-      Ro_10 = Ro_10a + Ro_10b;
-  const float Ro_12a = KSL_MULF(R->m12, dc[1]), Ro_12b = KSL_MULF(R->m10, dc[0]),
-      Ro_12 = Ro_12a - Ro_12b;
-  const float Ro_20a = KSL_MULF(R->m20, dc[1]), Ro_20b = KSL_MULF(R->m22, dc[0]),
-      Ro_20 = Ro_20a + Ro_20b;
-  const float Ro_22a = KSL_MULF(R->m22, dc[1]), Ro_22b = KSL_MULF(R->m20, dc[0]),
-      Ro_22 = Ro_22a - Ro_22b;
+  const float Ro_00 = KSL_MULF(R->m00, dc[1]) + KSL_MULF(R->m02, dc[0]),
+      Ro_02 = KSL_MULF(R->m02, dc[1]) - KSL_MULF(R->m00, dc[0]),
+      Ro_10 = KSL_MULF(R->m10, dc[1]) + KSL_MULF(R->m12, dc[0]),
+      Ro_12 = KSL_MULF(R->m12, dc[1]) - KSL_MULF(R->m10, dc[0]),
+      Ro_20 = KSL_MULF(R->m20, dc[1]) + KSL_MULF(R->m22, dc[0]),
+      Ro_22 = KSL_MULF(R->m22, dc[1]) - KSL_MULF(R->m20, dc[0]);
   const float R_m01 = R->m01;
   const float R_m11 = R->m11;
   const float R_m21 = R->m21;
@@ -2207,18 +1840,12 @@ static inline void ksl_product_drdryinvf(const ksl_mat3x3f_t *R, const float dc[
    Error <= u |result| + (R: 1, t: 0) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_ddryinvf(const ksl_SE3f_t *D, const float dc[2], ksl_SE3f_t *Do) {
-  const float Do_00a = KSL_MULF(D->m00, dc[1]), Do_00b = KSL_MULF(D->m02, dc[0]),
-      Do_00 = Do_00a + Do_00b;
-  const float Do_02a = KSL_MULF(D->m02, dc[1]), Do_02b = KSL_MULF(D->m00, dc[0]),
-      Do_02 = Do_02a - Do_02b;
-  const float Do_10a = KSL_MULF(D->m10, dc[1]), Do_10b = KSL_MULF(D->m12, dc[0]),
-      Do_10 = Do_10a + Do_10b;
-  const float Do_12a = KSL_MULF(D->m12, dc[1]), Do_12b = KSL_MULF(D->m10, dc[0]),
-      Do_12 = Do_12a - Do_12b;
-  const float Do_20a = KSL_MULF(D->m20, dc[1]), Do_20b = KSL_MULF(D->m22, dc[0]),
-      Do_20 = Do_20a + Do_20b;
-  const float Do_22a = KSL_MULF(D->m22, dc[1]), Do_22b = KSL_MULF(D->m20, dc[0]),
-      Do_22 = Do_22a - Do_22b;
+  const float Do_00 = KSL_MULF(D->m00, dc[1]) + KSL_MULF(D->m02, dc[0]),
+      Do_02 = KSL_MULF(D->m02, dc[1]) - KSL_MULF(D->m00, dc[0]),
+      Do_10 = KSL_MULF(D->m10, dc[1]) + KSL_MULF(D->m12, dc[0]),
+      Do_12 = KSL_MULF(D->m12, dc[1]) - KSL_MULF(D->m10, dc[0]),
+      Do_20 = KSL_MULF(D->m20, dc[1]) + KSL_MULF(D->m22, dc[0]),
+      Do_22 = KSL_MULF(D->m22, dc[1]) - KSL_MULF(D->m20, dc[0]);
   const float D_m01 = D->m01;
   const float D_m03 = D->m03;
   const float D_m11 = D->m11;
@@ -2245,9 +1872,8 @@ static inline void ksl_product_ddryinvf(const ksl_SE3f_t *D, const float dc[2], 
    Error <= u |result| + (R: 0, t: 1) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_ddtyinvf(const ksl_SE3f_t *D, const float k, ksl_SE3f_t *Do) {
-  const float Do_03a = KSL_MULF(D->m01, k), Do_03 = D->m03 - Do_03a;
-  const float Do_13a = KSL_MULF(D->m11, k), Do_13 = D->m13 - Do_13a;
-  const float Do_23a = KSL_MULF(D->m21, k), Do_23 = D->m23 - Do_23a;
+  const float Do_03 = D->m03 - KSL_MULF(D->m01, k), Do_13 = D->m13 - KSL_MULF(D->m11, k),
+      Do_23 = D->m23 - KSL_MULF(D->m21, k);
   const float D_m00 = D->m00;
   const float D_m01 = D->m01;
   const float D_m02 = D->m02;
@@ -2276,9 +1902,7 @@ static inline void ksl_product_ddtyinvf(const ksl_SE3f_t *D, const float k, ksl_
    3 mul.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_product_drvtzf(const ksl_mat3x3f_t *R, const float k, ksl_vec3f_t *vo) {
-  const float vo_0 = KSL_MULF(R->m02, k);
-  const float vo_1 = KSL_MULF(R->m12, k);
-  const float vo_2 = KSL_MULF(R->m22, k);
+  const float vo_0 = KSL_MULF(R->m02, k), vo_1 = KSL_MULF(R->m12, k), vo_2 = KSL_MULF(R->m22, k);
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -2291,18 +1915,12 @@ static inline void ksl_product_drvtzf(const ksl_mat3x3f_t *R, const float k, ksl
      and underflow. */
 static inline void ksl_product_drdrzf(const ksl_mat3x3f_t *R, const float dc[2],
     ksl_mat3x3f_t *Ro) {
-  const float Ro_00a = KSL_MULF(R->m00, dc[1]), Ro_00b = KSL_MULF(R->m01, dc[0]),
-      Ro_00 = Ro_00a + Ro_00b;
-  const float Ro_01a = KSL_MULF(R->m01, dc[1]), Ro_01b = KSL_MULF(R->m00, dc[0]),
-      Ro_01 = Ro_01a - Ro_01b;
-  const float Ro_10a = KSL_MULF(R->m10, dc[1]), Ro_10b = KSL_MULF(R->m11, dc[0]),
-      Ro_10 = Ro_10a + Ro_10b;
-  const float Ro_11a = KSL_MULF(R->m11, dc[1]), Ro_11b = KSL_MULF(R->m10, dc[0]),
-      Ro_11 = Ro_11a - Ro_11b;
-  const float Ro_20a = KSL_MULF(R->m20, dc[1]), Ro_20b = KSL_MULF(R->m21, dc[0]),
-      Ro_20 = Ro_20a + Ro_20b;
-  const float Ro_21a = KSL_MULF(R->m21, dc[1]), Ro_21b = KSL_MULF(R->m20, dc[0]),
-      Ro_21 = Ro_21a - Ro_21b;
+  const float Ro_00 = KSL_MULF(R->m00, dc[1]) + KSL_MULF(R->m01, dc[0]),
+      Ro_01 = KSL_MULF(R->m01, dc[1]) - KSL_MULF(R->m00, dc[0]),
+      Ro_10 = KSL_MULF(R->m10, dc[1]) + KSL_MULF(R->m11, dc[0]),
+      Ro_11 = KSL_MULF(R->m11, dc[1]) - KSL_MULF(R->m10, dc[0]),
+      Ro_20 = KSL_MULF(R->m20, dc[1]) + KSL_MULF(R->m21, dc[0]),
+      Ro_21 = KSL_MULF(R->m21, dc[1]) - KSL_MULF(R->m20, dc[0]);
   const float R_m02 = R->m02;
   const float R_m12 = R->m12;
   const float R_m22 = R->m22;
@@ -2323,18 +1941,12 @@ static inline void ksl_product_drdrzf(const ksl_mat3x3f_t *R, const float dc[2],
    Error <= u |result| + (R: 1, t: 0) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_ddrzf(const ksl_SE3f_t *D, const float dc[2], ksl_SE3f_t *Do) {
-  const float Do_00a = KSL_MULF(D->m00, dc[1]), Do_00b = KSL_MULF(D->m01, dc[0]),
-      Do_00 = Do_00a + Do_00b;
-  const float Do_01a = KSL_MULF(D->m01, dc[1]), Do_01b = KSL_MULF(D->m00, dc[0]),
-      Do_01 = Do_01a - Do_01b;
-  const float Do_10a = KSL_MULF(D->m10, dc[1]), Do_10b = KSL_MULF(D->m11, dc[0]),
-      Do_10 = Do_10a + Do_10b;
-  const float Do_11a = KSL_MULF(D->m11, dc[1]), Do_11b = KSL_MULF(D->m10, dc[0]),
-      Do_11 = Do_11a - Do_11b;
-  const float Do_20a = KSL_MULF(D->m20, dc[1]), Do_20b = KSL_MULF(D->m21, dc[0]),
-      Do_20 = Do_20a + Do_20b;
-  const float Do_21a = KSL_MULF(D->m21, dc[1]), Do_21b = KSL_MULF(D->m20, dc[0]),
-      Do_21 = Do_21a - Do_21b;
+  const float Do_00 = KSL_MULF(D->m00, dc[1]) + KSL_MULF(D->m01, dc[0]),
+      Do_01 = KSL_MULF(D->m01, dc[1]) - KSL_MULF(D->m00, dc[0]),
+      Do_10 = KSL_MULF(D->m10, dc[1]) + KSL_MULF(D->m11, dc[0]),
+      Do_11 = KSL_MULF(D->m11, dc[1]) - KSL_MULF(D->m10, dc[0]),
+      Do_20 = KSL_MULF(D->m20, dc[1]) + KSL_MULF(D->m21, dc[0]),
+      Do_21 = KSL_MULF(D->m21, dc[1]) - KSL_MULF(D->m20, dc[0]);
   const float D_m02 = D->m02;
   const float D_m03 = D->m03;
   const float D_m12 = D->m12;
@@ -2361,9 +1973,8 @@ static inline void ksl_product_ddrzf(const ksl_SE3f_t *D, const float dc[2], ksl
    Error <= u |result| + (R: 0, t: 1) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_ddtzf(const ksl_SE3f_t *D, const float k, ksl_SE3f_t *Do) {
-  const float Do_03a = KSL_MULF(D->m02, k), Do_03 = Do_03a + D->m03;
-  const float Do_13a = KSL_MULF(D->m12, k), Do_13 = Do_13a + D->m13;
-  const float Do_23a = KSL_MULF(D->m22, k), Do_23 = Do_23a + D->m23;
+  const float Do_03 = KSL_MULF(D->m02, k) + D->m03, Do_13 = KSL_MULF(D->m12, k) + D->m13,
+      Do_23 = KSL_MULF(D->m22, k) + D->m23;
   const float D_m00 = D->m00;
   const float D_m01 = D->m01;
   const float D_m02 = D->m02;
@@ -2392,9 +2003,7 @@ static inline void ksl_product_ddtzf(const ksl_SE3f_t *D, const float k, ksl_SE3
    3 mul, 3 neg.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_product_drvtzinvf(const ksl_mat3x3f_t *R, const float k, ksl_vec3f_t *vo) {
-  const float vo_0a = KSL_MULF(R->m02, k), vo_0 = -vo_0a;
-  const float vo_1a = KSL_MULF(R->m12, k), vo_1 = -vo_1a;
-  const float vo_2a = KSL_MULF(R->m22, k), vo_2 = -vo_2a;
+  const float vo_0 = -KSL_MULF(R->m02, k), vo_1 = -KSL_MULF(R->m12, k), vo_2 = -KSL_MULF(R->m22, k);
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -2407,18 +2016,12 @@ static inline void ksl_product_drvtzinvf(const ksl_mat3x3f_t *R, const float k, 
      and underflow. */
 static inline void ksl_product_drdrzinvf(const ksl_mat3x3f_t *R, const float dc[2],
     ksl_mat3x3f_t *Ro) {
-  const float Ro_00a = KSL_MULF(R->m00, dc[1]), Ro_00b = KSL_MULF(R->m01, dc[0]),
-      Ro_00 = Ro_00a - Ro_00b;
-  const float Ro_01a = KSL_MULF(R->m00, dc[0]), Ro_01b = KSL_MULF(R->m01, dc[1]),
-      Ro_01 = Ro_01a + Ro_01b;
-  const float Ro_10a = KSL_MULF(R->m10, dc[1]), Ro_10b = KSL_MULF(R->m11, dc[0]),
-      Ro_10 = Ro_10a - Ro_10b;
-  const float Ro_11a = KSL_MULF(R->m10, dc[0]), Ro_11b = KSL_MULF(R->m11, dc[1]),
-      Ro_11 = Ro_11a + Ro_11b;
-  const float Ro_20a = KSL_MULF(R->m20, dc[1]), Ro_20b = KSL_MULF(R->m21, dc[0]),
-      Ro_20 = Ro_20a - Ro_20b;
-  const float Ro_21a = KSL_MULF(R->m20, dc[0]), Ro_21b = KSL_MULF(R->m21, dc[1]),
-      Ro_21 = Ro_21a + Ro_21b;
+  const float Ro_00 = KSL_MULF(R->m00, dc[1]) - KSL_MULF(R->m01, dc[0]),
+      Ro_01 = KSL_MULF(R->m00, dc[0]) + KSL_MULF(R->m01, dc[1]),
+      Ro_10 = KSL_MULF(R->m10, dc[1]) - KSL_MULF(R->m11, dc[0]),
+      Ro_11 = KSL_MULF(R->m10, dc[0]) + KSL_MULF(R->m11, dc[1]),
+      Ro_20 = KSL_MULF(R->m20, dc[1]) - KSL_MULF(R->m21, dc[0]),
+      Ro_21 = KSL_MULF(R->m20, dc[0]) + KSL_MULF(R->m21, dc[1]);
   const float R_m02 = R->m02;
   const float R_m12 = R->m12;
   const float R_m22 = R->m22;
@@ -2439,18 +2042,12 @@ static inline void ksl_product_drdrzinvf(const ksl_mat3x3f_t *R, const float dc[
    Error <= u |result| + (R: 1, t: 0) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_ddrzinvf(const ksl_SE3f_t *D, const float dc[2], ksl_SE3f_t *Do) {
-  const float Do_00a = KSL_MULF(D->m00, dc[1]), Do_00b = KSL_MULF(D->m01, dc[0]),
-      Do_00 = Do_00a - Do_00b;
-  const float Do_01a = KSL_MULF(D->m00, dc[0]), Do_01b = KSL_MULF(D->m01, dc[1]),
-      Do_01 = Do_01a + Do_01b;
-  const float Do_10a = KSL_MULF(D->m10, dc[1]), Do_10b = KSL_MULF(D->m11, dc[0]),
-      Do_10 = Do_10a - Do_10b;
-  const float Do_11a = KSL_MULF(D->m10, dc[0]), Do_11b = KSL_MULF(D->m11, dc[1]),
-      Do_11 = Do_11a + Do_11b;
-  const float Do_20a = KSL_MULF(D->m20, dc[1]), Do_20b = KSL_MULF(D->m21, dc[0]),
-      Do_20 = Do_20a - Do_20b;
-  const float Do_21a = KSL_MULF(D->m20, dc[0]), Do_21b = KSL_MULF(D->m21, dc[1]),
-      Do_21 = Do_21a + Do_21b;
+  const float Do_00 = KSL_MULF(D->m00, dc[1]) - KSL_MULF(D->m01, dc[0]),
+      Do_01 = KSL_MULF(D->m00, dc[0]) + KSL_MULF(D->m01, dc[1]),
+      Do_10 = KSL_MULF(D->m10, dc[1]) - KSL_MULF(D->m11, dc[0]),
+      Do_11 = KSL_MULF(D->m10, dc[0]) + KSL_MULF(D->m11, dc[1]),
+      Do_20 = KSL_MULF(D->m20, dc[1]) - KSL_MULF(D->m21, dc[0]),
+      Do_21 = KSL_MULF(D->m20, dc[0]) + KSL_MULF(D->m21, dc[1]);
   const float D_m02 = D->m02;
   const float D_m03 = D->m03;
   const float D_m12 = D->m12;
@@ -2477,9 +2074,8 @@ static inline void ksl_product_ddrzinvf(const ksl_SE3f_t *D, const float dc[2], 
    Error <= u |result| + (R: 0, t: 1) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_ddtzinvf(const ksl_SE3f_t *D, const float k, ksl_SE3f_t *Do) {
-  const float Do_03a = KSL_MULF(D->m02, k), Do_03 = D->m03 - Do_03a;
-  const float Do_13a = KSL_MULF(D->m12, k), Do_13 = D->m13 - Do_13a;
-  const float Do_23a = KSL_MULF(D->m22, k), Do_23 = D->m23 - Do_23a;
+  const float Do_03 = D->m03 - KSL_MULF(D->m02, k), Do_13 = D->m13 - KSL_MULF(D->m12, k),
+      Do_23 = D->m23 - KSL_MULF(D->m22, k);
   const float D_m00 = D->m00;
   const float D_m01 = D->m01;
   const float D_m02 = D->m02;

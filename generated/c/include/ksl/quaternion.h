@@ -41,10 +41,8 @@ static inline void ksl_quaternion_copy(const ksl_quaternion_t *qi, ksl_quaternio
    4 mul.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_quaternion_scale(ksl_quaternion_t *self, const double a) {
-  const double self_0_new = KSL_MUL(self->x, a);
-  const double self_1_new = KSL_MUL(self->y, a);
-  const double self_2_new = KSL_MUL(self->z, a);
-  const double self_3_new = KSL_MUL(self->w, a);
+  const double self_0_new = KSL_MUL(self->x, a), self_1_new = KSL_MUL(self->y, a),
+      self_2_new = KSL_MUL(self->z, a), self_3_new = KSL_MUL(self->w, a);
   self->x = self_0_new;
   self->y = self_1_new;
   self->z = self_2_new;
@@ -57,10 +55,8 @@ static inline void ksl_quaternion_scale(ksl_quaternion_t *self, const double a) 
    Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline void ksl_axpy_qq(const double a, const ksl_quaternion_t *x, ksl_quaternion_t *y) {
-  const double y_0_new_a = KSL_MUL(a, x->x), y_0_new = y_0_new_a + y->x;
-  const double y_1_new_a = KSL_MUL(a, x->y), y_1_new = y_1_new_a + y->y;
-  const double y_2_new_a = KSL_MUL(a, x->z), y_2_new = y_2_new_a + y->z;
-  const double y_3_new_a = KSL_MUL(a, x->w), y_3_new = y_3_new_a + y->w;
+  const double y_0_new = KSL_MUL(a, x->x) + y->x, y_1_new = KSL_MUL(a, x->y) + y->y,
+      y_2_new = KSL_MUL(a, x->z) + y->z, y_3_new = KSL_MUL(a, x->w) + y->w;
   y->x = y_0_new;
   y->y = y_1_new;
   y->z = y_2_new;
@@ -83,9 +79,7 @@ static inline void ksl_quaternion_setIdentity(ksl_quaternion_t *self) {
    3 neg.
    Exact. */
 static inline void ksl_quaternion_conjugated(const ksl_quaternion_t *q, ksl_quaternion_t *qo) {
-  const double qo_0 = -q->x;
-  const double qo_1 = -q->y;
-  const double qo_2 = -q->z;
+  const double qo_0 = -q->x, qo_1 = -q->y, qo_2 = -q->z;
   const double q_w = q->w;
   qo->x = qo_0;
   qo->y = qo_1;
@@ -97,23 +91,18 @@ static inline void ksl_quaternion_conjugated(const ksl_quaternion_t *q, ksl_quat
    q: quaternion (x, y, z, w), the scalar last.
    9 mul, 3 add, 1 sqrt, 4 abs, 9 less, 9 select. */
 static inline double ksl_quaternion_norm(const ksl_quaternion_t *q) {
-  const double s_size_0 = fabs(q->x);
-  const double s_size_1 = fabs(q->y);
-  const double s_size_2 = fabs(q->z);
-  const double s_size_3 = fabs(q->w);
+  const double s_size_0 = fabs(q->x), s_size_1 = fabs(q->y), s_size_2 = fabs(q->z),
+      s_size_3 = fabs(q->w);
   const double s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
   const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const double s_largest3 = s_largest2 < s_size_3 ? s_size_3 : s_largest2;
   const double s_b = 6.703903964971299e+153 < s_largest3 ? 3.7291703656001034e-155 : 1.0,
       s_d = s_largest3 < 256.0 ? 1.3093562431584567e+151 : s_b,
       s = s_largest3 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : s_d;
-  const double y_0 = KSL_MUL(q->x, s);
-  const double y_1 = KSL_MUL(q->y, s);
-  const double y_2 = KSL_MUL(q->z, s);
-  const double y_3 = KSL_MUL(q->w, s);
-  const double n_a = KSL_MUL(y_0, y_0), n_b = KSL_MUL(y_1, y_1), n_c = n_a + n_b,
-      n_d = KSL_MUL(y_2, y_2), n_e = n_c + n_d, n_f = KSL_MUL(y_3, y_3), n_g = n_e + n_f,
-      n = sqrt(n_g);
+  const double y_0 = KSL_MUL(q->x, s), y_1 = KSL_MUL(q->y, s), y_2 = KSL_MUL(q->z, s),
+      y_3 = KSL_MUL(q->w, s);
+  const double n = sqrt(KSL_MUL(y_0, y_0) + KSL_MUL(y_1, y_1) + KSL_MUL(y_2, y_2)
+          + KSL_MUL(y_3, y_3));
   const double r_b = s < 1.0 ? 2.6815615859885194e+154 : 1.0,
       r_d = 1.0 < s ? 7.637340908749012e-152 : r_b,
       r = 1.3093562431584567e+151 < s ? 9.332636185032189e-302 : r_d;
@@ -125,38 +114,27 @@ static inline double ksl_quaternion_norm(const ksl_quaternion_t *q) {
    self: quaternion (x, y, z, w), the scalar last.
    16 mul, 3 add, 4 div, 1 sqrt, 4 abs, 8 less, 1 equal, 9 select. */
 static inline void ksl_quaternion_normalize(ksl_quaternion_t *self) {
-  const double s_size_0 = fabs(self->x);
-  const double s_size_1 = fabs(self->y);
-  const double s_size_2 = fabs(self->z);
-  const double s_size_3 = fabs(self->w);
+  const double s_size_0 = fabs(self->x), s_size_1 = fabs(self->y), s_size_2 = fabs(self->z),
+      s_size_3 = fabs(self->w);
   const double s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
   const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const double s_largest3 = s_largest2 < s_size_3 ? s_size_3 : s_largest2;
   const double s_b = 6.703903964971299e+153 < s_largest3 ? 3.7291703656001034e-155 : 1.0,
       s_d = s_largest3 < 256.0 ? 1.3093562431584567e+151 : s_b,
       s = s_largest3 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : s_d;
-  const double y_0 = KSL_MUL(self->x, s);
-  const double y_1 = KSL_MUL(self->y, s);
-  const double y_2 = KSL_MUL(self->z, s);
-  const double y_3 = KSL_MUL(self->w, s);
+  const double y_0 = KSL_MUL(self->x, s), y_1 = KSL_MUL(self->y, s), y_2 = KSL_MUL(self->z, s),
+      y_3 = KSL_MUL(self->w, s);
   const double up = 1.0 < s ? s : 1.0;
   const double down = s < 1.0 ? s : 1.0;
-  const double n_a = KSL_MUL(y_0, y_0), n_b = KSL_MUL(y_1, y_1), n_c = n_a + n_b,
-      n_d = KSL_MUL(y_2, y_2), n_e = n_c + n_d, n_f = KSL_MUL(y_3, y_3), n_g = n_e + n_f,
-      n = sqrt(n_g);
+  const double n = sqrt(KSL_MUL(y_0, y_0) + KSL_MUL(y_1, y_1) + KSL_MUL(y_2, y_2)
+          + KSL_MUL(y_3, y_3));
   const double divisor = n == 0.0 ? up : n;
-  const double sized_0 = KSL_MUL(self->x, up);
-  const double sized_1 = KSL_MUL(self->y, up);
-  const double sized_2 = KSL_MUL(self->z, up);
-  const double sized_3 = KSL_MUL(self->w, up);
-  const double quotient_0 = sized_0 / divisor;
-  const double quotient_1 = sized_1 / divisor;
-  const double quotient_2 = sized_2 / divisor;
-  const double quotient_3 = sized_3 / divisor;
-  const double self_0_new = KSL_MUL(quotient_0, down);
-  const double self_1_new = KSL_MUL(quotient_1, down);
-  const double self_2_new = KSL_MUL(quotient_2, down);
-  const double self_3_new = KSL_MUL(quotient_3, down);
+  const double sized_0 = KSL_MUL(self->x, up), sized_1 = KSL_MUL(self->y, up),
+      sized_2 = KSL_MUL(self->z, up), sized_3 = KSL_MUL(self->w, up);
+  const double quotient_0 = sized_0 / divisor, quotient_1 = sized_1 / divisor,
+      quotient_2 = sized_2 / divisor, quotient_3 = sized_3 / divisor;
+  const double self_0_new = KSL_MUL(quotient_0, down), self_1_new = KSL_MUL(quotient_1, down),
+      self_2_new = KSL_MUL(quotient_2, down), self_3_new = KSL_MUL(quotient_3, down);
   self->x = self_0_new;
   self->y = self_1_new;
   self->z = self_2_new;
@@ -167,38 +145,27 @@ static inline void ksl_quaternion_normalize(ksl_quaternion_t *self) {
    q, qo: quaternion (x, y, z, w), the scalar last.
    16 mul, 3 add, 4 div, 1 sqrt, 4 abs, 8 less, 1 equal, 9 select. */
 static inline void ksl_quaternion_normalized(const ksl_quaternion_t *q, ksl_quaternion_t *qo) {
-  const double s_size_0 = fabs(q->x);
-  const double s_size_1 = fabs(q->y);
-  const double s_size_2 = fabs(q->z);
-  const double s_size_3 = fabs(q->w);
+  const double s_size_0 = fabs(q->x), s_size_1 = fabs(q->y), s_size_2 = fabs(q->z),
+      s_size_3 = fabs(q->w);
   const double s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
   const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const double s_largest3 = s_largest2 < s_size_3 ? s_size_3 : s_largest2;
   const double s_b = 6.703903964971299e+153 < s_largest3 ? 3.7291703656001034e-155 : 1.0,
       s_d = s_largest3 < 256.0 ? 1.3093562431584567e+151 : s_b,
       s = s_largest3 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : s_d;
-  const double y_0 = KSL_MUL(q->x, s);
-  const double y_1 = KSL_MUL(q->y, s);
-  const double y_2 = KSL_MUL(q->z, s);
-  const double y_3 = KSL_MUL(q->w, s);
+  const double y_0 = KSL_MUL(q->x, s), y_1 = KSL_MUL(q->y, s), y_2 = KSL_MUL(q->z, s),
+      y_3 = KSL_MUL(q->w, s);
   const double up = 1.0 < s ? s : 1.0;
   const double down = s < 1.0 ? s : 1.0;
-  const double n_a = KSL_MUL(y_0, y_0), n_b = KSL_MUL(y_1, y_1), n_c = n_a + n_b,
-      n_d = KSL_MUL(y_2, y_2), n_e = n_c + n_d, n_f = KSL_MUL(y_3, y_3), n_g = n_e + n_f,
-      n = sqrt(n_g);
+  const double n = sqrt(KSL_MUL(y_0, y_0) + KSL_MUL(y_1, y_1) + KSL_MUL(y_2, y_2)
+          + KSL_MUL(y_3, y_3));
   const double divisor = n == 0.0 ? up : n;
-  const double sized_0 = KSL_MUL(q->x, up);
-  const double sized_1 = KSL_MUL(q->y, up);
-  const double sized_2 = KSL_MUL(q->z, up);
-  const double sized_3 = KSL_MUL(q->w, up);
-  const double quotient_0 = sized_0 / divisor;
-  const double quotient_1 = sized_1 / divisor;
-  const double quotient_2 = sized_2 / divisor;
-  const double quotient_3 = sized_3 / divisor;
-  const double qo_0 = KSL_MUL(quotient_0, down);
-  const double qo_1 = KSL_MUL(quotient_1, down);
-  const double qo_2 = KSL_MUL(quotient_2, down);
-  const double qo_3 = KSL_MUL(quotient_3, down);
+  const double sized_0 = KSL_MUL(q->x, up), sized_1 = KSL_MUL(q->y, up),
+      sized_2 = KSL_MUL(q->z, up), sized_3 = KSL_MUL(q->w, up);
+  const double quotient_0 = sized_0 / divisor, quotient_1 = sized_1 / divisor,
+      quotient_2 = sized_2 / divisor, quotient_3 = sized_3 / divisor;
+  const double qo_0 = KSL_MUL(quotient_0, down), qo_1 = KSL_MUL(quotient_1, down),
+      qo_2 = KSL_MUL(quotient_2, down), qo_3 = KSL_MUL(quotient_3, down);
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -209,23 +176,18 @@ static inline void ksl_quaternion_normalized(const ksl_quaternion_t *q, ksl_quat
    q: quaternion (x, y, z, w), the scalar last.
    9 mul, 4 add, 1 sqrt, 4 abs, 9 less, 9 select. */
 static inline double ksl_quaternion_unit_defect(const ksl_quaternion_t *q) {
-  const double s_size_0 = fabs(q->x);
-  const double s_size_1 = fabs(q->y);
-  const double s_size_2 = fabs(q->z);
-  const double s_size_3 = fabs(q->w);
+  const double s_size_0 = fabs(q->x), s_size_1 = fabs(q->y), s_size_2 = fabs(q->z),
+      s_size_3 = fabs(q->w);
   const double s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
   const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const double s_largest3 = s_largest2 < s_size_3 ? s_size_3 : s_largest2;
   const double s_b = 6.703903964971299e+153 < s_largest3 ? 3.7291703656001034e-155 : 1.0,
       s_d = s_largest3 < 256.0 ? 1.3093562431584567e+151 : s_b,
       s = s_largest3 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : s_d;
-  const double y_0 = KSL_MUL(q->x, s);
-  const double y_1 = KSL_MUL(q->y, s);
-  const double y_2 = KSL_MUL(q->z, s);
-  const double y_3 = KSL_MUL(q->w, s);
-  const double n_a = KSL_MUL(y_0, y_0), n_b = KSL_MUL(y_1, y_1), n_c = n_a + n_b,
-      n_d = KSL_MUL(y_2, y_2), n_e = n_c + n_d, n_f = KSL_MUL(y_3, y_3), n_g = n_e + n_f,
-      n = sqrt(n_g);
+  const double y_0 = KSL_MUL(q->x, s), y_1 = KSL_MUL(q->y, s), y_2 = KSL_MUL(q->z, s),
+      y_3 = KSL_MUL(q->w, s);
+  const double n = sqrt(KSL_MUL(y_0, y_0) + KSL_MUL(y_1, y_1) + KSL_MUL(y_2, y_2)
+          + KSL_MUL(y_3, y_3));
   const double r_b = s < 1.0 ? 2.6815615859885194e+154 : 1.0,
       r_d = 1.0 < s ? 7.637340908749012e-152 : r_b,
       r = 1.3093562431584567e+151 < s ? 9.332636185032189e-302 : r_d;
@@ -238,32 +200,23 @@ static inline double ksl_quaternion_unit_defect(const ksl_quaternion_t *q) {
    q, qo: quaternion (x, y, z, w), the scalar last.
    8 mul, 3 add, 4 div, 1 sqrt, 4 abs, 6 less, 1 equal, 11 select. */
 static inline void ksl_quaternion_nearest_unit(const ksl_quaternion_t *q, ksl_quaternion_t *qo) {
-  const double s_size_0 = fabs(q->x);
-  const double s_size_1 = fabs(q->y);
-  const double s_size_2 = fabs(q->z);
-  const double s_size_3 = fabs(q->w);
+  const double s_size_0 = fabs(q->x), s_size_1 = fabs(q->y), s_size_2 = fabs(q->z),
+      s_size_3 = fabs(q->w);
   const double s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
   const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const double s_largest3 = s_largest2 < s_size_3 ? s_size_3 : s_largest2;
   const double s_b = 6.703903964971299e+153 < s_largest3 ? 3.7291703656001034e-155 : 1.0,
       s_d = s_largest3 < 256.0 ? 1.3093562431584567e+151 : s_b,
       s = s_largest3 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : s_d;
-  const double scaled_s_0 = KSL_MUL(q->x, s);
-  const double scaled_s_1 = KSL_MUL(q->y, s);
-  const double scaled_s_2 = KSL_MUL(q->z, s);
-  const double scaled_s_3 = KSL_MUL(q->w, s);
-  const double n_a = KSL_MUL(scaled_s_0, scaled_s_0), n_b = KSL_MUL(scaled_s_1, scaled_s_1),
-      n_c = n_a + n_b, n_d = KSL_MUL(scaled_s_2, scaled_s_2), n_e = n_c + n_d,
-      n_f = KSL_MUL(scaled_s_3, scaled_s_3), n_g = n_e + n_f, n = sqrt(n_g);
+  const double scaled_s_0 = KSL_MUL(q->x, s), scaled_s_1 = KSL_MUL(q->y, s),
+      scaled_s_2 = KSL_MUL(q->z, s), scaled_s_3 = KSL_MUL(q->w, s);
+  const double n = sqrt(KSL_MUL(scaled_s_0, scaled_s_0) + KSL_MUL(scaled_s_1, scaled_s_1)
+          + KSL_MUL(scaled_s_2, scaled_s_2) + KSL_MUL(scaled_s_3, scaled_s_3));
   const double divisor = n == 0.0 ? 1.0 : n;
-  const double unit_0 = scaled_s_0 / divisor;
-  const double unit_1 = scaled_s_1 / divisor;
-  const double unit_2 = scaled_s_2 / divisor;
-  const double unit_3 = scaled_s_3 / divisor;
-  const double qo_0 = n == 0.0 ? (double)NAN : unit_0;
-  const double qo_1 = n == 0.0 ? (double)NAN : unit_1;
-  const double qo_2 = n == 0.0 ? (double)NAN : unit_2;
-  const double qo_3 = n == 0.0 ? (double)NAN : unit_3;
+  const double unit_0 = scaled_s_0 / divisor, unit_1 = scaled_s_1 / divisor,
+      unit_2 = scaled_s_2 / divisor, unit_3 = scaled_s_3 / divisor;
+  const double qo_0 = n == 0.0 ? (double)NAN : unit_0, qo_1 = n == 0.0 ? (double)NAN : unit_1,
+      qo_2 = n == 0.0 ? (double)NAN : unit_2, qo_3 = n == 0.0 ? (double)NAN : unit_3;
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -276,21 +229,14 @@ static inline void ksl_quaternion_nearest_unit(const ksl_quaternion_t *q, ksl_qu
    Error <= u |result| + 5 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline void ksl_rotate_qv(const ksl_quaternion_t *q, const ksl_vec3_t *v, ksl_vec3_t *vo) {
-  const double c_0a = KSL_MUL(q->y, v->z), c_0b = KSL_MUL(q->z, v->y), c_0 = c_0a - c_0b;
-  const double c_1a = KSL_MUL(q->z, v->x), c_1b = KSL_MUL(q->x, v->z), c_1 = c_1a - c_1b;
-  const double c_2a = KSL_MUL(q->x, v->y), c_2b = KSL_MUL(q->y, v->x), c_2 = c_2a - c_2b;
-  const double t_0 = KSL_MUL(2.0, c_0);
-  const double t_1 = KSL_MUL(2.0, c_1);
-  const double t_2 = KSL_MUL(2.0, c_2);
-  const double turn_0a = KSL_MUL(q->y, t_2), turn_0b = KSL_MUL(q->z, t_1),
-      turn_0c = turn_0a - turn_0b, turn_0d = KSL_MUL(q->w, t_0), turn_0 = turn_0c + turn_0d;
-  const double turn_1a = KSL_MUL(q->z, t_0), turn_1b = KSL_MUL(q->x, t_2),
-      turn_1c = turn_1a - turn_1b, turn_1d = KSL_MUL(q->w, t_1), turn_1 = turn_1c + turn_1d;
-  const double turn_2a = KSL_MUL(q->x, t_1), turn_2b = KSL_MUL(q->y, t_0),
-      turn_2c = turn_2a - turn_2b, turn_2d = KSL_MUL(q->w, t_2), turn_2 = turn_2c + turn_2d;
-  const double vo_0 = v->x + turn_0;
-  const double vo_1 = v->y + turn_1;
-  const double vo_2 = v->z + turn_2;
+  const double c_0 = KSL_MUL(q->y, v->z) - KSL_MUL(q->z, v->y),
+      c_1 = KSL_MUL(q->z, v->x) - KSL_MUL(q->x, v->z),
+      c_2 = KSL_MUL(q->x, v->y) - KSL_MUL(q->y, v->x);
+  const double t_0 = KSL_MUL(2.0, c_0), t_1 = KSL_MUL(2.0, c_1), t_2 = KSL_MUL(2.0, c_2);
+  const double turn_0 = KSL_MUL(q->y, t_2) - KSL_MUL(q->z, t_1) + KSL_MUL(q->w, t_0),
+      turn_1 = KSL_MUL(q->z, t_0) - KSL_MUL(q->x, t_2) + KSL_MUL(q->w, t_1),
+      turn_2 = KSL_MUL(q->x, t_1) - KSL_MUL(q->y, t_0) + KSL_MUL(q->w, t_2);
+  const double vo_0 = v->x + turn_0, vo_1 = v->y + turn_1, vo_2 = v->z + turn_2;
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -303,21 +249,14 @@ static inline void ksl_rotate_qv(const ksl_quaternion_t *q, const ksl_vec3_t *v,
      and underflow. */
 static inline void ksl_rotate_qconjv(const ksl_quaternion_t *q, const ksl_vec3_t *v,
     ksl_vec3_t *vo) {
-  const double c_0a = KSL_MUL(q->z, v->y), c_0b = KSL_MUL(q->y, v->z), c_0 = c_0a - c_0b;
-  const double c_1a = KSL_MUL(q->x, v->z), c_1b = KSL_MUL(q->z, v->x), c_1 = c_1a - c_1b;
-  const double c_2a = KSL_MUL(q->y, v->x), c_2b = KSL_MUL(q->x, v->y), c_2 = c_2a - c_2b;
-  const double t_0 = KSL_MUL(2.0, c_0);
-  const double t_1 = KSL_MUL(2.0, c_1);
-  const double t_2 = KSL_MUL(2.0, c_2);
-  const double turn_0a = KSL_MUL(q->z, t_1), turn_0b = KSL_MUL(q->y, t_2),
-      turn_0c = turn_0a - turn_0b, turn_0d = KSL_MUL(q->w, t_0), turn_0 = turn_0c + turn_0d;
-  const double turn_1a = KSL_MUL(q->x, t_2), turn_1b = KSL_MUL(q->z, t_0),
-      turn_1c = turn_1a - turn_1b, turn_1d = KSL_MUL(q->w, t_1), turn_1 = turn_1c + turn_1d;
-  const double turn_2a = KSL_MUL(q->y, t_0), turn_2b = KSL_MUL(q->x, t_1),
-      turn_2c = turn_2a - turn_2b, turn_2d = KSL_MUL(q->w, t_2), turn_2 = turn_2c + turn_2d;
-  const double vo_0 = v->x + turn_0;
-  const double vo_1 = v->y + turn_1;
-  const double vo_2 = v->z + turn_2;
+  const double c_0 = KSL_MUL(q->z, v->y) - KSL_MUL(q->y, v->z),
+      c_1 = KSL_MUL(q->x, v->z) - KSL_MUL(q->z, v->x),
+      c_2 = KSL_MUL(q->y, v->x) - KSL_MUL(q->x, v->y);
+  const double t_0 = KSL_MUL(2.0, c_0), t_1 = KSL_MUL(2.0, c_1), t_2 = KSL_MUL(2.0, c_2);
+  const double turn_0 = KSL_MUL(q->z, t_1) - KSL_MUL(q->y, t_2) + KSL_MUL(q->w, t_0),
+      turn_1 = KSL_MUL(q->x, t_2) - KSL_MUL(q->z, t_0) + KSL_MUL(q->w, t_1),
+      turn_2 = KSL_MUL(q->y, t_0) - KSL_MUL(q->x, t_1) + KSL_MUL(q->w, t_2);
+  const double vo_0 = v->x + turn_0, vo_1 = v->y + turn_1, vo_2 = v->z + turn_2;
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -330,18 +269,14 @@ static inline void ksl_rotate_qconjv(const ksl_quaternion_t *q, const ksl_vec3_t
      and underflow. */
 static inline void ksl_quaternion_product_qq(const ksl_quaternion_t *q1i,
     const ksl_quaternion_t *q2i, ksl_quaternion_t *qo) {
-  const double qo_0a = KSL_MUL(q1i->x, q2i->w), qo_0b = KSL_MUL(q1i->y, q2i->z),
-      qo_0c = KSL_MUL(q1i->z, q2i->y), qo_0d = qo_0b - qo_0c, qo_0e = qo_0a + qo_0d,
-      qo_0f = KSL_MUL(q1i->w, q2i->x), qo_0 = qo_0e + qo_0f;
-  const double qo_1a = KSL_MUL(q1i->z, q2i->x), qo_1b = KSL_MUL(q1i->x, q2i->z),
-      qo_1c = qo_1a - qo_1b, qo_1d = KSL_MUL(q1i->y, q2i->w), qo_1e = qo_1c + qo_1d,
-      qo_1f = KSL_MUL(q1i->w, q2i->y), qo_1 = qo_1e + qo_1f;
-  const double qo_2a = KSL_MUL(q1i->x, q2i->y), qo_2b = KSL_MUL(q1i->y, q2i->x),
-      qo_2c = qo_2a - qo_2b, qo_2d = KSL_MUL(q1i->z, q2i->w), qo_2e = qo_2c + qo_2d,
-      qo_2f = KSL_MUL(q1i->w, q2i->z), qo_2 = qo_2e + qo_2f;
-  const double qo_3a = KSL_MUL(q1i->w, q2i->w), qo_3b = KSL_MUL(q1i->x, q2i->x),
-      qo_3c = KSL_MUL(q1i->y, q2i->y), qo_3d = qo_3b + qo_3c, qo_3e = KSL_MUL(q1i->z, q2i->z),
-      qo_3f = qo_3d + qo_3e, qo_3 = qo_3a - qo_3f;
+  const double qo_0 = KSL_MUL(q1i->x, q2i->w) + (KSL_MUL(q1i->y, q2i->z) - KSL_MUL(q1i->z, q2i->y))
+          + KSL_MUL(q1i->w, q2i->x),
+      qo_1 = KSL_MUL(q1i->z, q2i->x) - KSL_MUL(q1i->x, q2i->z) + KSL_MUL(q1i->y, q2i->w)
+          + KSL_MUL(q1i->w, q2i->y),
+      qo_2 = KSL_MUL(q1i->x, q2i->y) - KSL_MUL(q1i->y, q2i->x) + KSL_MUL(q1i->z, q2i->w)
+          + KSL_MUL(q1i->w, q2i->z),
+      qo_3 = KSL_MUL(q1i->w, q2i->w)
+          - (KSL_MUL(q1i->x, q2i->x) + KSL_MUL(q1i->y, q2i->y) + KSL_MUL(q1i->z, q2i->z));
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -355,18 +290,14 @@ static inline void ksl_quaternion_product_qq(const ksl_quaternion_t *q1i,
      barring over- and underflow. */
 static inline void ksl_quaternion_product_qqconj(const ksl_quaternion_t *q1i,
     const ksl_quaternion_t *q2i, ksl_quaternion_t *qo) {
-  const double qo_0a = KSL_MUL(q1i->x, q2i->w), qo_0b = KSL_MUL(q1i->w, q2i->x),
-      qo_0c = qo_0a - qo_0b, qo_0d = KSL_MUL(q1i->z, q2i->y), qo_0e = KSL_MUL(q1i->y, q2i->z),
-      qo_0f = qo_0d - qo_0e, qo_0 = qo_0c + qo_0f;
-  const double qo_1a = KSL_MUL(q1i->x, q2i->z), qo_1b = KSL_MUL(q1i->z, q2i->x),
-      qo_1c = qo_1a - qo_1b, qo_1d = KSL_MUL(q1i->y, q2i->w), qo_1e = KSL_MUL(q1i->w, q2i->y),
-      qo_1f = qo_1d - qo_1e, qo_1 = qo_1c + qo_1f;
-  const double qo_2a = KSL_MUL(q1i->y, q2i->x), qo_2b = KSL_MUL(q1i->x, q2i->y),
-      qo_2c = qo_2a - qo_2b, qo_2d = KSL_MUL(q1i->z, q2i->w), qo_2e = KSL_MUL(q1i->w, q2i->z),
-      qo_2f = qo_2d - qo_2e, qo_2 = qo_2c + qo_2f;
-  const double qo_3a = KSL_MUL(q1i->x, q2i->x), qo_3b = KSL_MUL(q1i->y, q2i->y),
-      qo_3c = qo_3a + qo_3b, qo_3d = KSL_MUL(q1i->z, q2i->z), qo_3e = qo_3c + qo_3d,
-      qo_3f = KSL_MUL(q1i->w, q2i->w), qo_3 = qo_3e + qo_3f;
+  const double qo_0 = KSL_MUL(q1i->x, q2i->w) - KSL_MUL(q1i->w, q2i->x)
+          + (KSL_MUL(q1i->z, q2i->y) - KSL_MUL(q1i->y, q2i->z)),
+      qo_1 = KSL_MUL(q1i->x, q2i->z) - KSL_MUL(q1i->z, q2i->x)
+          + (KSL_MUL(q1i->y, q2i->w) - KSL_MUL(q1i->w, q2i->y)),
+      qo_2 = KSL_MUL(q1i->y, q2i->x) - KSL_MUL(q1i->x, q2i->y)
+          + (KSL_MUL(q1i->z, q2i->w) - KSL_MUL(q1i->w, q2i->z)),
+      qo_3 = KSL_MUL(q1i->x, q2i->x) + KSL_MUL(q1i->y, q2i->y) + KSL_MUL(q1i->z, q2i->z)
+          + KSL_MUL(q1i->w, q2i->w);
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -380,18 +311,14 @@ static inline void ksl_quaternion_product_qqconj(const ksl_quaternion_t *q1i,
      barring over- and underflow. */
 static inline void ksl_quaternion_product_qconjq(const ksl_quaternion_t *q1i,
     const ksl_quaternion_t *q2i, ksl_quaternion_t *qo) {
-  const double qo_0a = KSL_MUL(q1i->w, q2i->x), qo_0b = KSL_MUL(q1i->x, q2i->w),
-      qo_0c = qo_0a - qo_0b, qo_0d = KSL_MUL(q1i->z, q2i->y), qo_0e = KSL_MUL(q1i->y, q2i->z),
-      qo_0f = qo_0d - qo_0e, qo_0 = qo_0c + qo_0f;
-  const double qo_1a = KSL_MUL(q1i->x, q2i->z), qo_1b = KSL_MUL(q1i->z, q2i->x),
-      qo_1c = qo_1a - qo_1b, qo_1d = KSL_MUL(q1i->w, q2i->y), qo_1e = KSL_MUL(q1i->y, q2i->w),
-      qo_1f = qo_1d - qo_1e, qo_1 = qo_1c + qo_1f;
-  const double qo_2a = KSL_MUL(q1i->y, q2i->x), qo_2b = KSL_MUL(q1i->x, q2i->y),
-      qo_2c = qo_2a - qo_2b, qo_2d = KSL_MUL(q1i->w, q2i->z), qo_2e = KSL_MUL(q1i->z, q2i->w),
-      qo_2f = qo_2d - qo_2e, qo_2 = qo_2c + qo_2f;
-  const double qo_3a = KSL_MUL(q1i->x, q2i->x), qo_3b = KSL_MUL(q1i->y, q2i->y),
-      qo_3c = qo_3a + qo_3b, qo_3d = KSL_MUL(q1i->z, q2i->z), qo_3e = qo_3c + qo_3d,
-      qo_3f = KSL_MUL(q1i->w, q2i->w), qo_3 = qo_3e + qo_3f;
+  const double qo_0 = KSL_MUL(q1i->w, q2i->x) - KSL_MUL(q1i->x, q2i->w)
+          + (KSL_MUL(q1i->z, q2i->y) - KSL_MUL(q1i->y, q2i->z)),
+      qo_1 = KSL_MUL(q1i->x, q2i->z) - KSL_MUL(q1i->z, q2i->x)
+          + (KSL_MUL(q1i->w, q2i->y) - KSL_MUL(q1i->y, q2i->w)),
+      qo_2 = KSL_MUL(q1i->y, q2i->x) - KSL_MUL(q1i->x, q2i->y)
+          + (KSL_MUL(q1i->w, q2i->z) - KSL_MUL(q1i->z, q2i->w)),
+      qo_3 = KSL_MUL(q1i->x, q2i->x) + KSL_MUL(q1i->y, q2i->y) + KSL_MUL(q1i->z, q2i->z)
+          + KSL_MUL(q1i->w, q2i->w);
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -405,18 +332,14 @@ static inline void ksl_quaternion_product_qconjq(const ksl_quaternion_t *q1i,
      and underflow. */
 static inline void ksl_quaternion_product_qconjqconj(const ksl_quaternion_t *q1i,
     const ksl_quaternion_t *q2i, ksl_quaternion_t *qo) {
-  const double qo_0a = KSL_MUL(q1i->y, q2i->z), qo_0b = KSL_MUL(q1i->z, q2i->y),
-      qo_0c = qo_0a - qo_0b, qo_0d = KSL_MUL(q1i->x, q2i->w), qo_0e = qo_0c - qo_0d,
-      qo_0f = KSL_MUL(q1i->w, q2i->x), qo_0 = qo_0e - qo_0f;
-  const double qo_1a = KSL_MUL(q1i->z, q2i->x), qo_1b = KSL_MUL(q1i->x, q2i->z),
-      qo_1c = qo_1a - qo_1b, qo_1d = KSL_MUL(q1i->y, q2i->w), qo_1e = qo_1c - qo_1d,
-      qo_1f = KSL_MUL(q1i->w, q2i->y), qo_1 = qo_1e - qo_1f;
-  const double qo_2a = KSL_MUL(q1i->x, q2i->y), qo_2b = KSL_MUL(q1i->y, q2i->x),
-      qo_2c = qo_2a - qo_2b, qo_2d = KSL_MUL(q1i->z, q2i->w), qo_2e = qo_2c - qo_2d,
-      qo_2f = KSL_MUL(q1i->w, q2i->z), qo_2 = qo_2e - qo_2f;
-  const double qo_3a = KSL_MUL(q1i->w, q2i->w), qo_3b = KSL_MUL(q1i->x, q2i->x),
-      qo_3c = KSL_MUL(q1i->y, q2i->y), qo_3d = qo_3b + qo_3c, qo_3e = KSL_MUL(q1i->z, q2i->z),
-      qo_3f = qo_3d + qo_3e, qo_3 = qo_3a - qo_3f;
+  const double qo_0 = KSL_MUL(q1i->y, q2i->z) - KSL_MUL(q1i->z, q2i->y) - KSL_MUL(q1i->x, q2i->w)
+          - KSL_MUL(q1i->w, q2i->x),
+      qo_1 = KSL_MUL(q1i->z, q2i->x) - KSL_MUL(q1i->x, q2i->z) - KSL_MUL(q1i->y, q2i->w)
+          - KSL_MUL(q1i->w, q2i->y),
+      qo_2 = KSL_MUL(q1i->x, q2i->y) - KSL_MUL(q1i->y, q2i->x) - KSL_MUL(q1i->z, q2i->w)
+          - KSL_MUL(q1i->w, q2i->z),
+      qo_3 = KSL_MUL(q1i->w, q2i->w)
+          - (KSL_MUL(q1i->x, q2i->x) + KSL_MUL(q1i->y, q2i->y) + KSL_MUL(q1i->z, q2i->z));
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -430,10 +353,10 @@ static inline void ksl_quaternion_product_qconjqconj(const ksl_quaternion_t *q1i
      and underflow. */
 static inline void ksl_quaternion_product_qxq(const double dci[2], const ksl_quaternion_t *qi,
     ksl_quaternion_t *qo) {
-  const double qo_0a = KSL_MUL(dci[0], qi->w), qo_0b = KSL_MUL(dci[1], qi->x), qo_0 = qo_0a + qo_0b;
-  const double qo_1a = KSL_MUL(dci[1], qi->y), qo_1b = KSL_MUL(dci[0], qi->z), qo_1 = qo_1a - qo_1b;
-  const double qo_2a = KSL_MUL(dci[0], qi->y), qo_2b = KSL_MUL(dci[1], qi->z), qo_2 = qo_2a + qo_2b;
-  const double qo_3a = KSL_MUL(dci[1], qi->w), qo_3b = KSL_MUL(dci[0], qi->x), qo_3 = qo_3a - qo_3b;
+  const double qo_0 = KSL_MUL(dci[0], qi->w) + KSL_MUL(dci[1], qi->x),
+      qo_1 = KSL_MUL(dci[1], qi->y) - KSL_MUL(dci[0], qi->z),
+      qo_2 = KSL_MUL(dci[0], qi->y) + KSL_MUL(dci[1], qi->z),
+      qo_3 = KSL_MUL(dci[1], qi->w) - KSL_MUL(dci[0], qi->x);
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -447,11 +370,10 @@ static inline void ksl_quaternion_product_qxq(const double dci[2], const ksl_qua
      and underflow. */
 static inline void ksl_quaternion_product_qxqconj(const double dci[2], const ksl_quaternion_t *qi,
     ksl_quaternion_t *qo) {
-  const double qo_0a = KSL_MUL(dci[0], qi->w), qo_0b = KSL_MUL(dci[1], qi->x), qo_0 = qo_0a - qo_0b;
-  const double qo_1a = KSL_MUL(dci[0], qi->z), qo_1b = KSL_MUL(dci[1], qi->y), qo_1 = qo_1a - qo_1b;
-  const double qo_2a = KSL_MUL(dci[0], qi->y), qo_2b = KSL_MUL(dci[1], qi->z),
-      qo_2c = qo_2a + qo_2b, qo_2 = -qo_2c;
-  const double qo_3a = KSL_MUL(dci[0], qi->x), qo_3b = KSL_MUL(dci[1], qi->w), qo_3 = qo_3a + qo_3b;
+  const double qo_0 = KSL_MUL(dci[0], qi->w) - KSL_MUL(dci[1], qi->x),
+      qo_1 = KSL_MUL(dci[0], qi->z) - KSL_MUL(dci[1], qi->y),
+      qo_2 = -(KSL_MUL(dci[0], qi->y) + KSL_MUL(dci[1], qi->z)),
+      qo_3 = KSL_MUL(dci[0], qi->x) + KSL_MUL(dci[1], qi->w);
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -465,10 +387,10 @@ static inline void ksl_quaternion_product_qxqconj(const double dci[2], const ksl
      and underflow. */
 static inline void ksl_quaternion_product_qxconjq(const double dci[2], const ksl_quaternion_t *qi,
     ksl_quaternion_t *qo) {
-  const double qo_0a = KSL_MUL(dci[1], qi->x), qo_0b = KSL_MUL(dci[0], qi->w), qo_0 = qo_0a - qo_0b;
-  const double qo_1a = KSL_MUL(dci[0], qi->z), qo_1b = KSL_MUL(dci[1], qi->y), qo_1 = qo_1a + qo_1b;
-  const double qo_2a = KSL_MUL(dci[1], qi->z), qo_2b = KSL_MUL(dci[0], qi->y), qo_2 = qo_2a - qo_2b;
-  const double qo_3a = KSL_MUL(dci[0], qi->x), qo_3b = KSL_MUL(dci[1], qi->w), qo_3 = qo_3a + qo_3b;
+  const double qo_0 = KSL_MUL(dci[1], qi->x) - KSL_MUL(dci[0], qi->w),
+      qo_1 = KSL_MUL(dci[0], qi->z) + KSL_MUL(dci[1], qi->y),
+      qo_2 = KSL_MUL(dci[1], qi->z) - KSL_MUL(dci[0], qi->y),
+      qo_3 = KSL_MUL(dci[0], qi->x) + KSL_MUL(dci[1], qi->w);
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -482,12 +404,10 @@ static inline void ksl_quaternion_product_qxconjq(const double dci[2], const ksl
      and underflow. */
 static inline void ksl_quaternion_product_qxconjqconj(const double dci[2],
     const ksl_quaternion_t *qi, ksl_quaternion_t *qo) {
-  const double qo_0a = KSL_MUL(dci[0], qi->w), qo_0b = KSL_MUL(dci[1], qi->x),
-      qo_0c = qo_0a + qo_0b, qo_0 = -qo_0c;
-  const double qo_1a = KSL_MUL(dci[0], qi->z), qo_1b = KSL_MUL(dci[1], qi->y),
-      qo_1c = qo_1a + qo_1b, qo_1 = -qo_1c;
-  const double qo_2a = KSL_MUL(dci[0], qi->y), qo_2b = KSL_MUL(dci[1], qi->z), qo_2 = qo_2a - qo_2b;
-  const double qo_3a = KSL_MUL(dci[1], qi->w), qo_3b = KSL_MUL(dci[0], qi->x), qo_3 = qo_3a - qo_3b;
+  const double qo_0 = -(KSL_MUL(dci[0], qi->w) + KSL_MUL(dci[1], qi->x)),
+      qo_1 = -(KSL_MUL(dci[0], qi->z) + KSL_MUL(dci[1], qi->y)),
+      qo_2 = KSL_MUL(dci[0], qi->y) - KSL_MUL(dci[1], qi->z),
+      qo_3 = KSL_MUL(dci[1], qi->w) - KSL_MUL(dci[0], qi->x);
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -501,10 +421,10 @@ static inline void ksl_quaternion_product_qxconjqconj(const double dci[2],
      and underflow. */
 static inline void ksl_quaternion_product_qqx(const ksl_quaternion_t *qi, const double dci[2],
     ksl_quaternion_t *qo) {
-  const double qo_0a = KSL_MUL(qi->x, dci[1]), qo_0b = KSL_MUL(qi->w, dci[0]), qo_0 = qo_0a + qo_0b;
-  const double qo_1a = KSL_MUL(qi->y, dci[1]), qo_1b = KSL_MUL(qi->z, dci[0]), qo_1 = qo_1a + qo_1b;
-  const double qo_2a = KSL_MUL(qi->z, dci[1]), qo_2b = KSL_MUL(qi->y, dci[0]), qo_2 = qo_2a - qo_2b;
-  const double qo_3a = KSL_MUL(qi->w, dci[1]), qo_3b = KSL_MUL(qi->x, dci[0]), qo_3 = qo_3a - qo_3b;
+  const double qo_0 = KSL_MUL(qi->x, dci[1]) + KSL_MUL(qi->w, dci[0]),
+      qo_1 = KSL_MUL(qi->y, dci[1]) + KSL_MUL(qi->z, dci[0]),
+      qo_2 = KSL_MUL(qi->z, dci[1]) - KSL_MUL(qi->y, dci[0]),
+      qo_3 = KSL_MUL(qi->w, dci[1]) - KSL_MUL(qi->x, dci[0]);
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -518,10 +438,10 @@ static inline void ksl_quaternion_product_qqx(const ksl_quaternion_t *qi, const 
      and underflow. */
 static inline void ksl_quaternion_product_qqxconj(const ksl_quaternion_t *qi, const double dci[2],
     ksl_quaternion_t *qo) {
-  const double qo_0a = KSL_MUL(qi->x, dci[1]), qo_0b = KSL_MUL(qi->w, dci[0]), qo_0 = qo_0a - qo_0b;
-  const double qo_1a = KSL_MUL(qi->y, dci[1]), qo_1b = KSL_MUL(qi->z, dci[0]), qo_1 = qo_1a - qo_1b;
-  const double qo_2a = KSL_MUL(qi->y, dci[0]), qo_2b = KSL_MUL(qi->z, dci[1]), qo_2 = qo_2a + qo_2b;
-  const double qo_3a = KSL_MUL(qi->x, dci[0]), qo_3b = KSL_MUL(qi->w, dci[1]), qo_3 = qo_3a + qo_3b;
+  const double qo_0 = KSL_MUL(qi->x, dci[1]) - KSL_MUL(qi->w, dci[0]),
+      qo_1 = KSL_MUL(qi->y, dci[1]) - KSL_MUL(qi->z, dci[0]),
+      qo_2 = KSL_MUL(qi->y, dci[0]) + KSL_MUL(qi->z, dci[1]),
+      qo_3 = KSL_MUL(qi->x, dci[0]) + KSL_MUL(qi->w, dci[1]);
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -535,11 +455,10 @@ static inline void ksl_quaternion_product_qqxconj(const ksl_quaternion_t *qi, co
      and underflow. */
 static inline void ksl_quaternion_product_qconjqx(const ksl_quaternion_t *qi, const double dci[2],
     ksl_quaternion_t *qo) {
-  const double qo_0a = KSL_MUL(qi->w, dci[0]), qo_0b = KSL_MUL(qi->x, dci[1]), qo_0 = qo_0a - qo_0b;
-  const double qo_1a = KSL_MUL(qi->y, dci[1]), qo_1b = KSL_MUL(qi->z, dci[0]),
-      qo_1c = qo_1a + qo_1b, qo_1 = -qo_1c;
-  const double qo_2a = KSL_MUL(qi->y, dci[0]), qo_2b = KSL_MUL(qi->z, dci[1]), qo_2 = qo_2a - qo_2b;
-  const double qo_3a = KSL_MUL(qi->x, dci[0]), qo_3b = KSL_MUL(qi->w, dci[1]), qo_3 = qo_3a + qo_3b;
+  const double qo_0 = KSL_MUL(qi->w, dci[0]) - KSL_MUL(qi->x, dci[1]),
+      qo_1 = -(KSL_MUL(qi->y, dci[1]) + KSL_MUL(qi->z, dci[0])),
+      qo_2 = KSL_MUL(qi->y, dci[0]) - KSL_MUL(qi->z, dci[1]),
+      qo_3 = KSL_MUL(qi->x, dci[0]) + KSL_MUL(qi->w, dci[1]);
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -553,12 +472,10 @@ static inline void ksl_quaternion_product_qconjqx(const ksl_quaternion_t *qi, co
      and underflow. */
 static inline void ksl_quaternion_product_qconjqxconj(const ksl_quaternion_t *qi,
     const double dci[2], ksl_quaternion_t *qo) {
-  const double qo_0a = KSL_MUL(qi->x, dci[1]), qo_0b = KSL_MUL(qi->w, dci[0]),
-      qo_0c = qo_0a + qo_0b, qo_0 = -qo_0c;
-  const double qo_1a = KSL_MUL(qi->z, dci[0]), qo_1b = KSL_MUL(qi->y, dci[1]), qo_1 = qo_1a - qo_1b;
-  const double qo_2a = KSL_MUL(qi->y, dci[0]), qo_2b = KSL_MUL(qi->z, dci[1]),
-      qo_2c = qo_2a + qo_2b, qo_2 = -qo_2c;
-  const double qo_3a = KSL_MUL(qi->w, dci[1]), qo_3b = KSL_MUL(qi->x, dci[0]), qo_3 = qo_3a - qo_3b;
+  const double qo_0 = -(KSL_MUL(qi->x, dci[1]) + KSL_MUL(qi->w, dci[0])),
+      qo_1 = KSL_MUL(qi->z, dci[0]) - KSL_MUL(qi->y, dci[1]),
+      qo_2 = -(KSL_MUL(qi->y, dci[0]) + KSL_MUL(qi->z, dci[1])),
+      qo_3 = KSL_MUL(qi->w, dci[1]) - KSL_MUL(qi->x, dci[0]);
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -572,10 +489,10 @@ static inline void ksl_quaternion_product_qconjqxconj(const ksl_quaternion_t *qi
      and underflow. */
 static inline void ksl_quaternion_product_qyq(const double dci[2], const ksl_quaternion_t *qi,
     ksl_quaternion_t *qo) {
-  const double qo_0a = KSL_MUL(dci[0], qi->z), qo_0b = KSL_MUL(dci[1], qi->x), qo_0 = qo_0a + qo_0b;
-  const double qo_1a = KSL_MUL(dci[0], qi->w), qo_1b = KSL_MUL(dci[1], qi->y), qo_1 = qo_1a + qo_1b;
-  const double qo_2a = KSL_MUL(dci[1], qi->z), qo_2b = KSL_MUL(dci[0], qi->x), qo_2 = qo_2a - qo_2b;
-  const double qo_3a = KSL_MUL(dci[1], qi->w), qo_3b = KSL_MUL(dci[0], qi->y), qo_3 = qo_3a - qo_3b;
+  const double qo_0 = KSL_MUL(dci[0], qi->z) + KSL_MUL(dci[1], qi->x),
+      qo_1 = KSL_MUL(dci[0], qi->w) + KSL_MUL(dci[1], qi->y),
+      qo_2 = KSL_MUL(dci[1], qi->z) - KSL_MUL(dci[0], qi->x),
+      qo_3 = KSL_MUL(dci[1], qi->w) - KSL_MUL(dci[0], qi->y);
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -589,11 +506,10 @@ static inline void ksl_quaternion_product_qyq(const double dci[2], const ksl_qua
      and underflow. */
 static inline void ksl_quaternion_product_qyqconj(const double dci[2], const ksl_quaternion_t *qi,
     ksl_quaternion_t *qo) {
-  const double qo_0a = KSL_MUL(dci[0], qi->z), qo_0b = KSL_MUL(dci[1], qi->x),
-      qo_0c = qo_0a + qo_0b, qo_0 = -qo_0c;
-  const double qo_1a = KSL_MUL(dci[0], qi->w), qo_1b = KSL_MUL(dci[1], qi->y), qo_1 = qo_1a - qo_1b;
-  const double qo_2a = KSL_MUL(dci[0], qi->x), qo_2b = KSL_MUL(dci[1], qi->z), qo_2 = qo_2a - qo_2b;
-  const double qo_3a = KSL_MUL(dci[0], qi->y), qo_3b = KSL_MUL(dci[1], qi->w), qo_3 = qo_3a + qo_3b;
+  const double qo_0 = -(KSL_MUL(dci[0], qi->z) + KSL_MUL(dci[1], qi->x)),
+      qo_1 = KSL_MUL(dci[0], qi->w) - KSL_MUL(dci[1], qi->y),
+      qo_2 = KSL_MUL(dci[0], qi->x) - KSL_MUL(dci[1], qi->z),
+      qo_3 = KSL_MUL(dci[0], qi->y) + KSL_MUL(dci[1], qi->w);
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -607,10 +523,10 @@ static inline void ksl_quaternion_product_qyqconj(const double dci[2], const ksl
      and underflow. */
 static inline void ksl_quaternion_product_qyconjq(const double dci[2], const ksl_quaternion_t *qi,
     ksl_quaternion_t *qo) {
-  const double qo_0a = KSL_MUL(dci[1], qi->x), qo_0b = KSL_MUL(dci[0], qi->z), qo_0 = qo_0a - qo_0b;
-  const double qo_1a = KSL_MUL(dci[1], qi->y), qo_1b = KSL_MUL(dci[0], qi->w), qo_1 = qo_1a - qo_1b;
-  const double qo_2a = KSL_MUL(dci[0], qi->x), qo_2b = KSL_MUL(dci[1], qi->z), qo_2 = qo_2a + qo_2b;
-  const double qo_3a = KSL_MUL(dci[0], qi->y), qo_3b = KSL_MUL(dci[1], qi->w), qo_3 = qo_3a + qo_3b;
+  const double qo_0 = KSL_MUL(dci[1], qi->x) - KSL_MUL(dci[0], qi->z),
+      qo_1 = KSL_MUL(dci[1], qi->y) - KSL_MUL(dci[0], qi->w),
+      qo_2 = KSL_MUL(dci[0], qi->x) + KSL_MUL(dci[1], qi->z),
+      qo_3 = KSL_MUL(dci[0], qi->y) + KSL_MUL(dci[1], qi->w);
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -624,12 +540,10 @@ static inline void ksl_quaternion_product_qyconjq(const double dci[2], const ksl
      and underflow. */
 static inline void ksl_quaternion_product_qyconjqconj(const double dci[2],
     const ksl_quaternion_t *qi, ksl_quaternion_t *qo) {
-  const double qo_0a = KSL_MUL(dci[0], qi->z), qo_0b = KSL_MUL(dci[1], qi->x), qo_0 = qo_0a - qo_0b;
-  const double qo_1a = KSL_MUL(dci[0], qi->w), qo_1b = KSL_MUL(dci[1], qi->y),
-      qo_1c = qo_1a + qo_1b, qo_1 = -qo_1c;
-  const double qo_2a = KSL_MUL(dci[0], qi->x), qo_2b = KSL_MUL(dci[1], qi->z),
-      qo_2c = qo_2a + qo_2b, qo_2 = -qo_2c;
-  const double qo_3a = KSL_MUL(dci[1], qi->w), qo_3b = KSL_MUL(dci[0], qi->y), qo_3 = qo_3a - qo_3b;
+  const double qo_0 = KSL_MUL(dci[0], qi->z) - KSL_MUL(dci[1], qi->x),
+      qo_1 = -(KSL_MUL(dci[0], qi->w) + KSL_MUL(dci[1], qi->y)),
+      qo_2 = -(KSL_MUL(dci[0], qi->x) + KSL_MUL(dci[1], qi->z)),
+      qo_3 = KSL_MUL(dci[1], qi->w) - KSL_MUL(dci[0], qi->y);
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -643,10 +557,10 @@ static inline void ksl_quaternion_product_qyconjqconj(const double dci[2],
      and underflow. */
 static inline void ksl_quaternion_product_qqy(const ksl_quaternion_t *qi, const double dci[2],
     ksl_quaternion_t *qo) {
-  const double qo_0a = KSL_MUL(qi->x, dci[1]), qo_0b = KSL_MUL(qi->z, dci[0]), qo_0 = qo_0a - qo_0b;
-  const double qo_1a = KSL_MUL(qi->y, dci[1]), qo_1b = KSL_MUL(qi->w, dci[0]), qo_1 = qo_1a + qo_1b;
-  const double qo_2a = KSL_MUL(qi->x, dci[0]), qo_2b = KSL_MUL(qi->z, dci[1]), qo_2 = qo_2a + qo_2b;
-  const double qo_3a = KSL_MUL(qi->w, dci[1]), qo_3b = KSL_MUL(qi->y, dci[0]), qo_3 = qo_3a - qo_3b;
+  const double qo_0 = KSL_MUL(qi->x, dci[1]) - KSL_MUL(qi->z, dci[0]),
+      qo_1 = KSL_MUL(qi->y, dci[1]) + KSL_MUL(qi->w, dci[0]),
+      qo_2 = KSL_MUL(qi->x, dci[0]) + KSL_MUL(qi->z, dci[1]),
+      qo_3 = KSL_MUL(qi->w, dci[1]) - KSL_MUL(qi->y, dci[0]);
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -660,10 +574,10 @@ static inline void ksl_quaternion_product_qqy(const ksl_quaternion_t *qi, const 
      and underflow. */
 static inline void ksl_quaternion_product_qqyconj(const ksl_quaternion_t *qi, const double dci[2],
     ksl_quaternion_t *qo) {
-  const double qo_0a = KSL_MUL(qi->x, dci[1]), qo_0b = KSL_MUL(qi->z, dci[0]), qo_0 = qo_0a + qo_0b;
-  const double qo_1a = KSL_MUL(qi->y, dci[1]), qo_1b = KSL_MUL(qi->w, dci[0]), qo_1 = qo_1a - qo_1b;
-  const double qo_2a = KSL_MUL(qi->z, dci[1]), qo_2b = KSL_MUL(qi->x, dci[0]), qo_2 = qo_2a - qo_2b;
-  const double qo_3a = KSL_MUL(qi->y, dci[0]), qo_3b = KSL_MUL(qi->w, dci[1]), qo_3 = qo_3a + qo_3b;
+  const double qo_0 = KSL_MUL(qi->x, dci[1]) + KSL_MUL(qi->z, dci[0]),
+      qo_1 = KSL_MUL(qi->y, dci[1]) - KSL_MUL(qi->w, dci[0]),
+      qo_2 = KSL_MUL(qi->z, dci[1]) - KSL_MUL(qi->x, dci[0]),
+      qo_3 = KSL_MUL(qi->y, dci[0]) + KSL_MUL(qi->w, dci[1]);
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -677,11 +591,10 @@ static inline void ksl_quaternion_product_qqyconj(const ksl_quaternion_t *qi, co
      and underflow. */
 static inline void ksl_quaternion_product_qconjqy(const ksl_quaternion_t *qi, const double dci[2],
     ksl_quaternion_t *qo) {
-  const double qo_0a = KSL_MUL(qi->z, dci[0]), qo_0b = KSL_MUL(qi->x, dci[1]), qo_0 = qo_0a - qo_0b;
-  const double qo_1a = KSL_MUL(qi->w, dci[0]), qo_1b = KSL_MUL(qi->y, dci[1]), qo_1 = qo_1a - qo_1b;
-  const double qo_2a = KSL_MUL(qi->x, dci[0]), qo_2b = KSL_MUL(qi->z, dci[1]),
-      qo_2c = qo_2a + qo_2b, qo_2 = -qo_2c;
-  const double qo_3a = KSL_MUL(qi->y, dci[0]), qo_3b = KSL_MUL(qi->w, dci[1]), qo_3 = qo_3a + qo_3b;
+  const double qo_0 = KSL_MUL(qi->z, dci[0]) - KSL_MUL(qi->x, dci[1]),
+      qo_1 = KSL_MUL(qi->w, dci[0]) - KSL_MUL(qi->y, dci[1]),
+      qo_2 = -(KSL_MUL(qi->x, dci[0]) + KSL_MUL(qi->z, dci[1])),
+      qo_3 = KSL_MUL(qi->y, dci[0]) + KSL_MUL(qi->w, dci[1]);
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -695,12 +608,10 @@ static inline void ksl_quaternion_product_qconjqy(const ksl_quaternion_t *qi, co
      and underflow. */
 static inline void ksl_quaternion_product_qconjqyconj(const ksl_quaternion_t *qi,
     const double dci[2], ksl_quaternion_t *qo) {
-  const double qo_0a = KSL_MUL(qi->x, dci[1]), qo_0b = KSL_MUL(qi->z, dci[0]),
-      qo_0c = qo_0a + qo_0b, qo_0 = -qo_0c;
-  const double qo_1a = KSL_MUL(qi->y, dci[1]), qo_1b = KSL_MUL(qi->w, dci[0]),
-      qo_1c = qo_1a + qo_1b, qo_1 = -qo_1c;
-  const double qo_2a = KSL_MUL(qi->x, dci[0]), qo_2b = KSL_MUL(qi->z, dci[1]), qo_2 = qo_2a - qo_2b;
-  const double qo_3a = KSL_MUL(qi->w, dci[1]), qo_3b = KSL_MUL(qi->y, dci[0]), qo_3 = qo_3a - qo_3b;
+  const double qo_0 = -(KSL_MUL(qi->x, dci[1]) + KSL_MUL(qi->z, dci[0])),
+      qo_1 = -(KSL_MUL(qi->y, dci[1]) + KSL_MUL(qi->w, dci[0])),
+      qo_2 = KSL_MUL(qi->x, dci[0]) - KSL_MUL(qi->z, dci[1]),
+      qo_3 = KSL_MUL(qi->w, dci[1]) - KSL_MUL(qi->y, dci[0]);
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -714,10 +625,10 @@ static inline void ksl_quaternion_product_qconjqyconj(const ksl_quaternion_t *qi
      and underflow. */
 static inline void ksl_quaternion_product_qzq(const double dci[2], const ksl_quaternion_t *qi,
     ksl_quaternion_t *qo) {
-  const double qo_0a = KSL_MUL(dci[1], qi->x), qo_0b = KSL_MUL(dci[0], qi->y), qo_0 = qo_0a - qo_0b;
-  const double qo_1a = KSL_MUL(dci[0], qi->x), qo_1b = KSL_MUL(dci[1], qi->y), qo_1 = qo_1a + qo_1b;
-  const double qo_2a = KSL_MUL(dci[0], qi->w), qo_2b = KSL_MUL(dci[1], qi->z), qo_2 = qo_2a + qo_2b;
-  const double qo_3a = KSL_MUL(dci[1], qi->w), qo_3b = KSL_MUL(dci[0], qi->z), qo_3 = qo_3a - qo_3b;
+  const double qo_0 = KSL_MUL(dci[1], qi->x) - KSL_MUL(dci[0], qi->y),
+      qo_1 = KSL_MUL(dci[0], qi->x) + KSL_MUL(dci[1], qi->y),
+      qo_2 = KSL_MUL(dci[0], qi->w) + KSL_MUL(dci[1], qi->z),
+      qo_3 = KSL_MUL(dci[1], qi->w) - KSL_MUL(dci[0], qi->z);
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -731,11 +642,10 @@ static inline void ksl_quaternion_product_qzq(const double dci[2], const ksl_qua
      and underflow. */
 static inline void ksl_quaternion_product_qzqconj(const double dci[2], const ksl_quaternion_t *qi,
     ksl_quaternion_t *qo) {
-  const double qo_0a = KSL_MUL(dci[0], qi->y), qo_0b = KSL_MUL(dci[1], qi->x), qo_0 = qo_0a - qo_0b;
-  const double qo_1a = KSL_MUL(dci[0], qi->x), qo_1b = KSL_MUL(dci[1], qi->y),
-      qo_1c = qo_1a + qo_1b, qo_1 = -qo_1c;
-  const double qo_2a = KSL_MUL(dci[0], qi->w), qo_2b = KSL_MUL(dci[1], qi->z), qo_2 = qo_2a - qo_2b;
-  const double qo_3a = KSL_MUL(dci[0], qi->z), qo_3b = KSL_MUL(dci[1], qi->w), qo_3 = qo_3a + qo_3b;
+  const double qo_0 = KSL_MUL(dci[0], qi->y) - KSL_MUL(dci[1], qi->x),
+      qo_1 = -(KSL_MUL(dci[0], qi->x) + KSL_MUL(dci[1], qi->y)),
+      qo_2 = KSL_MUL(dci[0], qi->w) - KSL_MUL(dci[1], qi->z),
+      qo_3 = KSL_MUL(dci[0], qi->z) + KSL_MUL(dci[1], qi->w);
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -749,10 +659,10 @@ static inline void ksl_quaternion_product_qzqconj(const double dci[2], const ksl
      and underflow. */
 static inline void ksl_quaternion_product_qzconjq(const double dci[2], const ksl_quaternion_t *qi,
     ksl_quaternion_t *qo) {
-  const double qo_0a = KSL_MUL(dci[0], qi->y), qo_0b = KSL_MUL(dci[1], qi->x), qo_0 = qo_0a + qo_0b;
-  const double qo_1a = KSL_MUL(dci[1], qi->y), qo_1b = KSL_MUL(dci[0], qi->x), qo_1 = qo_1a - qo_1b;
-  const double qo_2a = KSL_MUL(dci[1], qi->z), qo_2b = KSL_MUL(dci[0], qi->w), qo_2 = qo_2a - qo_2b;
-  const double qo_3a = KSL_MUL(dci[0], qi->z), qo_3b = KSL_MUL(dci[1], qi->w), qo_3 = qo_3a + qo_3b;
+  const double qo_0 = KSL_MUL(dci[0], qi->y) + KSL_MUL(dci[1], qi->x),
+      qo_1 = KSL_MUL(dci[1], qi->y) - KSL_MUL(dci[0], qi->x),
+      qo_2 = KSL_MUL(dci[1], qi->z) - KSL_MUL(dci[0], qi->w),
+      qo_3 = KSL_MUL(dci[0], qi->z) + KSL_MUL(dci[1], qi->w);
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -766,12 +676,10 @@ static inline void ksl_quaternion_product_qzconjq(const double dci[2], const ksl
      and underflow. */
 static inline void ksl_quaternion_product_qzconjqconj(const double dci[2],
     const ksl_quaternion_t *qi, ksl_quaternion_t *qo) {
-  const double qo_0a = KSL_MUL(dci[0], qi->y), qo_0b = KSL_MUL(dci[1], qi->x),
-      qo_0c = qo_0a + qo_0b, qo_0 = -qo_0c;
-  const double qo_1a = KSL_MUL(dci[0], qi->x), qo_1b = KSL_MUL(dci[1], qi->y), qo_1 = qo_1a - qo_1b;
-  const double qo_2a = KSL_MUL(dci[0], qi->w), qo_2b = KSL_MUL(dci[1], qi->z),
-      qo_2c = qo_2a + qo_2b, qo_2 = -qo_2c;
-  const double qo_3a = KSL_MUL(dci[1], qi->w), qo_3b = KSL_MUL(dci[0], qi->z), qo_3 = qo_3a - qo_3b;
+  const double qo_0 = -(KSL_MUL(dci[0], qi->y) + KSL_MUL(dci[1], qi->x)),
+      qo_1 = KSL_MUL(dci[0], qi->x) - KSL_MUL(dci[1], qi->y),
+      qo_2 = -(KSL_MUL(dci[0], qi->w) + KSL_MUL(dci[1], qi->z)),
+      qo_3 = KSL_MUL(dci[1], qi->w) - KSL_MUL(dci[0], qi->z);
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -785,10 +693,10 @@ static inline void ksl_quaternion_product_qzconjqconj(const double dci[2],
      and underflow. */
 static inline void ksl_quaternion_product_qqz(const ksl_quaternion_t *qi, const double dci[2],
     ksl_quaternion_t *qo) {
-  const double qo_0a = KSL_MUL(qi->x, dci[1]), qo_0b = KSL_MUL(qi->y, dci[0]), qo_0 = qo_0a + qo_0b;
-  const double qo_1a = KSL_MUL(qi->y, dci[1]), qo_1b = KSL_MUL(qi->x, dci[0]), qo_1 = qo_1a - qo_1b;
-  const double qo_2a = KSL_MUL(qi->z, dci[1]), qo_2b = KSL_MUL(qi->w, dci[0]), qo_2 = qo_2a + qo_2b;
-  const double qo_3a = KSL_MUL(qi->w, dci[1]), qo_3b = KSL_MUL(qi->z, dci[0]), qo_3 = qo_3a - qo_3b;
+  const double qo_0 = KSL_MUL(qi->x, dci[1]) + KSL_MUL(qi->y, dci[0]),
+      qo_1 = KSL_MUL(qi->y, dci[1]) - KSL_MUL(qi->x, dci[0]),
+      qo_2 = KSL_MUL(qi->z, dci[1]) + KSL_MUL(qi->w, dci[0]),
+      qo_3 = KSL_MUL(qi->w, dci[1]) - KSL_MUL(qi->z, dci[0]);
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -802,10 +710,10 @@ static inline void ksl_quaternion_product_qqz(const ksl_quaternion_t *qi, const 
      and underflow. */
 static inline void ksl_quaternion_product_qqzconj(const ksl_quaternion_t *qi, const double dci[2],
     ksl_quaternion_t *qo) {
-  const double qo_0a = KSL_MUL(qi->x, dci[1]), qo_0b = KSL_MUL(qi->y, dci[0]), qo_0 = qo_0a - qo_0b;
-  const double qo_1a = KSL_MUL(qi->x, dci[0]), qo_1b = KSL_MUL(qi->y, dci[1]), qo_1 = qo_1a + qo_1b;
-  const double qo_2a = KSL_MUL(qi->z, dci[1]), qo_2b = KSL_MUL(qi->w, dci[0]), qo_2 = qo_2a - qo_2b;
-  const double qo_3a = KSL_MUL(qi->z, dci[0]), qo_3b = KSL_MUL(qi->w, dci[1]), qo_3 = qo_3a + qo_3b;
+  const double qo_0 = KSL_MUL(qi->x, dci[1]) - KSL_MUL(qi->y, dci[0]),
+      qo_1 = KSL_MUL(qi->x, dci[0]) + KSL_MUL(qi->y, dci[1]),
+      qo_2 = KSL_MUL(qi->z, dci[1]) - KSL_MUL(qi->w, dci[0]),
+      qo_3 = KSL_MUL(qi->z, dci[0]) + KSL_MUL(qi->w, dci[1]);
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -819,11 +727,10 @@ static inline void ksl_quaternion_product_qqzconj(const ksl_quaternion_t *qi, co
      and underflow. */
 static inline void ksl_quaternion_product_qconjqz(const ksl_quaternion_t *qi, const double dci[2],
     ksl_quaternion_t *qo) {
-  const double qo_0a = KSL_MUL(qi->x, dci[1]), qo_0b = KSL_MUL(qi->y, dci[0]),
-      qo_0c = qo_0a + qo_0b, qo_0 = -qo_0c;
-  const double qo_1a = KSL_MUL(qi->x, dci[0]), qo_1b = KSL_MUL(qi->y, dci[1]), qo_1 = qo_1a - qo_1b;
-  const double qo_2a = KSL_MUL(qi->w, dci[0]), qo_2b = KSL_MUL(qi->z, dci[1]), qo_2 = qo_2a - qo_2b;
-  const double qo_3a = KSL_MUL(qi->z, dci[0]), qo_3b = KSL_MUL(qi->w, dci[1]), qo_3 = qo_3a + qo_3b;
+  const double qo_0 = -(KSL_MUL(qi->x, dci[1]) + KSL_MUL(qi->y, dci[0])),
+      qo_1 = KSL_MUL(qi->x, dci[0]) - KSL_MUL(qi->y, dci[1]),
+      qo_2 = KSL_MUL(qi->w, dci[0]) - KSL_MUL(qi->z, dci[1]),
+      qo_3 = KSL_MUL(qi->z, dci[0]) + KSL_MUL(qi->w, dci[1]);
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -837,12 +744,10 @@ static inline void ksl_quaternion_product_qconjqz(const ksl_quaternion_t *qi, co
      and underflow. */
 static inline void ksl_quaternion_product_qconjqzconj(const ksl_quaternion_t *qi,
     const double dci[2], ksl_quaternion_t *qo) {
-  const double qo_0a = KSL_MUL(qi->y, dci[0]), qo_0b = KSL_MUL(qi->x, dci[1]), qo_0 = qo_0a - qo_0b;
-  const double qo_1a = KSL_MUL(qi->x, dci[0]), qo_1b = KSL_MUL(qi->y, dci[1]),
-      qo_1c = qo_1a + qo_1b, qo_1 = -qo_1c;
-  const double qo_2a = KSL_MUL(qi->z, dci[1]), qo_2b = KSL_MUL(qi->w, dci[0]),
-      qo_2c = qo_2a + qo_2b, qo_2 = -qo_2c;
-  const double qo_3a = KSL_MUL(qi->w, dci[1]), qo_3b = KSL_MUL(qi->z, dci[0]), qo_3 = qo_3a - qo_3b;
+  const double qo_0 = KSL_MUL(qi->y, dci[0]) - KSL_MUL(qi->x, dci[1]),
+      qo_1 = -(KSL_MUL(qi->x, dci[0]) + KSL_MUL(qi->y, dci[1])),
+      qo_2 = -(KSL_MUL(qi->z, dci[1]) + KSL_MUL(qi->w, dci[0])),
+      qo_3 = KSL_MUL(qi->w, dci[1]) - KSL_MUL(qi->z, dci[0]);
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -856,14 +761,10 @@ static inline void ksl_quaternion_product_qconjqzconj(const ksl_quaternion_t *qi
      and underflow. */
 static inline void ksl_quaternion_product_qv(const ksl_quaternion_t *qi, const ksl_vec3_t *vi,
     ksl_quaternion_t *qo) {
-  const double qo_0a = KSL_MUL(qi->y, vi->z), qo_0b = KSL_MUL(qi->z, vi->y), qo_0c = qo_0a - qo_0b,
-      qo_0d = KSL_MUL(qi->w, vi->x), qo_0 = qo_0c + qo_0d;
-  const double qo_1a = KSL_MUL(qi->z, vi->x), qo_1b = KSL_MUL(qi->x, vi->z), qo_1c = qo_1a - qo_1b,
-      qo_1d = KSL_MUL(qi->w, vi->y), qo_1 = qo_1c + qo_1d;
-  const double qo_2a = KSL_MUL(qi->x, vi->y), qo_2b = KSL_MUL(qi->y, vi->x), qo_2c = qo_2a - qo_2b,
-      qo_2d = KSL_MUL(qi->w, vi->z), qo_2 = qo_2c + qo_2d;
-  const double qo_3a = KSL_MUL(qi->x, vi->x), qo_3b = KSL_MUL(qi->y, vi->y), qo_3c = qo_3a + qo_3b,
-      qo_3d = KSL_MUL(qi->z, vi->z), qo_3e = qo_3c + qo_3d, qo_3 = -qo_3e;
+  const double qo_0 = KSL_MUL(qi->y, vi->z) - KSL_MUL(qi->z, vi->y) + KSL_MUL(qi->w, vi->x),
+      qo_1 = KSL_MUL(qi->z, vi->x) - KSL_MUL(qi->x, vi->z) + KSL_MUL(qi->w, vi->y),
+      qo_2 = KSL_MUL(qi->x, vi->y) - KSL_MUL(qi->y, vi->x) + KSL_MUL(qi->w, vi->z),
+      qo_3 = -(KSL_MUL(qi->x, vi->x) + KSL_MUL(qi->y, vi->y) + KSL_MUL(qi->z, vi->z));
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -877,14 +778,10 @@ static inline void ksl_quaternion_product_qv(const ksl_quaternion_t *qi, const k
      and underflow. */
 static inline void ksl_quaternion_product_qconjv(const ksl_quaternion_t *qi, const ksl_vec3_t *vi,
     ksl_quaternion_t *qo) {
-  const double qo_0a = KSL_MUL(qi->z, vi->y), qo_0b = KSL_MUL(qi->y, vi->z), qo_0c = qo_0a - qo_0b,
-      qo_0d = KSL_MUL(qi->w, vi->x), qo_0 = qo_0c + qo_0d;
-  const double qo_1a = KSL_MUL(qi->x, vi->z), qo_1b = KSL_MUL(qi->z, vi->x), qo_1c = qo_1a - qo_1b,
-      qo_1d = KSL_MUL(qi->w, vi->y), qo_1 = qo_1c + qo_1d;
-  const double qo_2a = KSL_MUL(qi->y, vi->x), qo_2b = KSL_MUL(qi->x, vi->y), qo_2c = qo_2a - qo_2b,
-      qo_2d = KSL_MUL(qi->w, vi->z), qo_2 = qo_2c + qo_2d;
-  const double qo_3a = KSL_MUL(qi->x, vi->x), qo_3b = KSL_MUL(qi->y, vi->y), qo_3c = qo_3a + qo_3b,
-      qo_3d = KSL_MUL(qi->z, vi->z), qo_3 = qo_3c + qo_3d;
+  const double qo_0 = KSL_MUL(qi->z, vi->y) - KSL_MUL(qi->y, vi->z) + KSL_MUL(qi->w, vi->x),
+      qo_1 = KSL_MUL(qi->x, vi->z) - KSL_MUL(qi->z, vi->x) + KSL_MUL(qi->w, vi->y),
+      qo_2 = KSL_MUL(qi->y, vi->x) - KSL_MUL(qi->x, vi->y) + KSL_MUL(qi->w, vi->z),
+      qo_3 = KSL_MUL(qi->x, vi->x) + KSL_MUL(qi->y, vi->y) + KSL_MUL(qi->z, vi->z);
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -898,14 +795,10 @@ static inline void ksl_quaternion_product_qconjv(const ksl_quaternion_t *qi, con
      and underflow. */
 static inline void ksl_quaternion_product_vq(const ksl_vec3_t *vi, const ksl_quaternion_t *qi,
     ksl_quaternion_t *qo) {
-  const double qo_0a = KSL_MUL(vi->x, qi->w), qo_0b = KSL_MUL(vi->y, qi->z),
-      qo_0c = KSL_MUL(vi->z, qi->y), qo_0d = qo_0b - qo_0c, qo_0 = qo_0a + qo_0d;
-  const double qo_1a = KSL_MUL(vi->z, qi->x), qo_1b = KSL_MUL(vi->x, qi->z), qo_1c = qo_1a - qo_1b,
-      qo_1d = KSL_MUL(vi->y, qi->w), qo_1 = qo_1c + qo_1d;
-  const double qo_2a = KSL_MUL(vi->x, qi->y), qo_2b = KSL_MUL(vi->y, qi->x), qo_2c = qo_2a - qo_2b,
-      qo_2d = KSL_MUL(vi->z, qi->w), qo_2 = qo_2c + qo_2d;
-  const double qo_3a = KSL_MUL(vi->x, qi->x), qo_3b = KSL_MUL(vi->y, qi->y), qo_3c = qo_3a + qo_3b,
-      qo_3d = KSL_MUL(vi->z, qi->z), qo_3e = qo_3c + qo_3d, qo_3 = -qo_3e;
+  const double qo_0 = KSL_MUL(vi->x, qi->w) + (KSL_MUL(vi->y, qi->z) - KSL_MUL(vi->z, qi->y)),
+      qo_1 = KSL_MUL(vi->z, qi->x) - KSL_MUL(vi->x, qi->z) + KSL_MUL(vi->y, qi->w),
+      qo_2 = KSL_MUL(vi->x, qi->y) - KSL_MUL(vi->y, qi->x) + KSL_MUL(vi->z, qi->w),
+      qo_3 = -(KSL_MUL(vi->x, qi->x) + KSL_MUL(vi->y, qi->y) + KSL_MUL(vi->z, qi->z));
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -919,14 +812,10 @@ static inline void ksl_quaternion_product_vq(const ksl_vec3_t *vi, const ksl_qua
      and underflow. */
 static inline void ksl_quaternion_product_vqconj(const ksl_vec3_t *vi, const ksl_quaternion_t *qi,
     ksl_quaternion_t *qo) {
-  const double qo_0a = KSL_MUL(vi->x, qi->w), qo_0b = KSL_MUL(vi->z, qi->y),
-      qo_0c = KSL_MUL(vi->y, qi->z), qo_0d = qo_0b - qo_0c, qo_0 = qo_0a + qo_0d;
-  const double qo_1a = KSL_MUL(vi->x, qi->z), qo_1b = KSL_MUL(vi->z, qi->x), qo_1c = qo_1a - qo_1b,
-      qo_1d = KSL_MUL(vi->y, qi->w), qo_1 = qo_1c + qo_1d;
-  const double qo_2a = KSL_MUL(vi->y, qi->x), qo_2b = KSL_MUL(vi->x, qi->y), qo_2c = qo_2a - qo_2b,
-      qo_2d = KSL_MUL(vi->z, qi->w), qo_2 = qo_2c + qo_2d;
-  const double qo_3a = KSL_MUL(vi->x, qi->x), qo_3b = KSL_MUL(vi->y, qi->y), qo_3c = qo_3a + qo_3b,
-      qo_3d = KSL_MUL(vi->z, qi->z), qo_3 = qo_3c + qo_3d;
+  const double qo_0 = KSL_MUL(vi->x, qi->w) + (KSL_MUL(vi->z, qi->y) - KSL_MUL(vi->y, qi->z)),
+      qo_1 = KSL_MUL(vi->x, qi->z) - KSL_MUL(vi->z, qi->x) + KSL_MUL(vi->y, qi->w),
+      qo_2 = KSL_MUL(vi->y, qi->x) - KSL_MUL(vi->x, qi->y) + KSL_MUL(vi->z, qi->w),
+      qo_3 = KSL_MUL(vi->x, qi->x) + KSL_MUL(vi->y, qi->y) + KSL_MUL(vi->z, qi->z);
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -939,9 +828,8 @@ static inline void ksl_quaternion_product_vqconj(const ksl_vec3_t *vi, const ksl
    Error <= u |result| + 3 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline double ksl_dot_qq(const ksl_quaternion_t *q1i, const ksl_quaternion_t *q2i) {
-  const double dot_a = KSL_MUL(q1i->x, q2i->x), dot_b = KSL_MUL(q1i->y, q2i->y),
-      dot_c = dot_a + dot_b, dot_d = KSL_MUL(q1i->z, q2i->z), dot_e = dot_c + dot_d,
-      dot_f = KSL_MUL(q1i->w, q2i->w), dot = dot_e + dot_f;
+  const double dot = KSL_MUL(q1i->x, q2i->x) + KSL_MUL(q1i->y, q2i->y) + KSL_MUL(q1i->z, q2i->z)
+          + KSL_MUL(q1i->w, q2i->w);
   return dot;
 }
 
@@ -952,20 +840,16 @@ static inline double ksl_dot_qq(const ksl_quaternion_t *q1i, const ksl_quaternio
    Error <= u |result| + 3 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline void ksl_add_dpiToq(const ksl_vec3_t *dpi, ksl_quaternion_t *qi) {
-  const double qi_0_new_a = KSL_MUL(0.5, dpi->x), qi_0_new_b = KSL_MUL(qi_0_new_a, qi->w),
-      qi_0_new_c = KSL_MUL(0.5, dpi->z), qi_0_new_d = KSL_MUL(qi_0_new_c, qi->y),
-      qi_0_new_e = KSL_MUL(0.5, dpi->y), qi_0_new_f = KSL_MUL(qi_0_new_e, qi->z),
-      qi_0_new_g = qi_0_new_d - qi_0_new_f, qi_0_new_h = qi_0_new_b + qi_0_new_g,
-      qi_0_new = qi_0_new_h + qi->x;
-  const double qi_1_new_a = KSL_MUL(qi_0_new_a, qi->z), qi_1_new_b = KSL_MUL(qi_0_new_c, qi->x),
-      qi_1_new_c = qi_1_new_a - qi_1_new_b, qi_1_new_d = KSL_MUL(qi_0_new_e, qi->w),
-      qi_1_new_e = qi_1_new_c + qi_1_new_d, qi_1_new = qi_1_new_e + qi->y;
-  const double qi_2_new_a = KSL_MUL(qi_0_new_e, qi->x), qi_2_new_b = KSL_MUL(qi_0_new_a, qi->y),
-      qi_2_new_c = qi_2_new_a - qi_2_new_b, qi_2_new_d = KSL_MUL(qi_0_new_c, qi->w),
-      qi_2_new_e = qi_2_new_c + qi_2_new_d, qi_2_new = qi_2_new_e + qi->z;
-  const double qi_3_new_a = KSL_MUL(qi_0_new_a, qi->x), qi_3_new_b = KSL_MUL(qi_0_new_e, qi->y),
-      qi_3_new_c = qi_3_new_a + qi_3_new_b, qi_3_new_d = KSL_MUL(qi_0_new_c, qi->z),
-      qi_3_new_e = qi_3_new_c + qi_3_new_d, qi_3_new = qi->w - qi_3_new_e;
+  const double qi_0_new_a = KSL_MUL(0.5, dpi->x), qi_0_new_c = KSL_MUL(0.5, dpi->z),
+      qi_0_new_e = KSL_MUL(0.5, dpi->y),
+      qi_0_new = KSL_MUL(qi_0_new_a, qi->w)
+          + (KSL_MUL(qi_0_new_c, qi->y) - KSL_MUL(qi_0_new_e, qi->z)) + qi->x;
+  const double qi_1_new = KSL_MUL(qi_0_new_a, qi->z) - KSL_MUL(qi_0_new_c, qi->x)
+          + KSL_MUL(qi_0_new_e, qi->w) + qi->y,
+      qi_2_new = KSL_MUL(qi_0_new_e, qi->x) - KSL_MUL(qi_0_new_a, qi->y)
+          + KSL_MUL(qi_0_new_c, qi->w) + qi->z,
+      qi_3_new = qi->w
+          - (KSL_MUL(qi_0_new_a, qi->x) + KSL_MUL(qi_0_new_e, qi->y) + KSL_MUL(qi_0_new_c, qi->z));
   qi->x = qi_0_new;
   qi->y = qi_1_new;
   qi->z = qi_2_new;
@@ -978,20 +862,16 @@ static inline void ksl_add_dpiToq(const ksl_vec3_t *dpi, ksl_quaternion_t *qi) {
    Error <= u |result| + 3 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline void ksl_subtract_dpiFromq(const ksl_vec3_t *dpi, ksl_quaternion_t *qi) {
-  const double qi_0_new_a = KSL_MUL(0.5, dpi->y), qi_0_new_b = KSL_MUL(qi_0_new_a, qi->z),
-      qi_0_new_c = KSL_MUL(0.5, dpi->z), qi_0_new_d = KSL_MUL(qi_0_new_c, qi->y),
-      qi_0_new_e = qi_0_new_b - qi_0_new_d, qi_0_new_f = KSL_MUL(0.5, dpi->x),
-      qi_0_new_g = KSL_MUL(qi_0_new_f, qi->w), qi_0_new_h = qi_0_new_e - qi_0_new_g,
-      qi_0_new = qi_0_new_h + qi->x;
-  const double qi_1_new_a = KSL_MUL(qi_0_new_c, qi->x), qi_1_new_b = KSL_MUL(qi_0_new_f, qi->z),
-      qi_1_new_c = qi_1_new_a - qi_1_new_b, qi_1_new_d = KSL_MUL(qi_0_new_a, qi->w),
-      qi_1_new_e = qi_1_new_c - qi_1_new_d, qi_1_new = qi_1_new_e + qi->y;
-  const double qi_2_new_a = KSL_MUL(qi_0_new_f, qi->y), qi_2_new_b = KSL_MUL(qi_0_new_a, qi->x),
-      qi_2_new_c = qi_2_new_a - qi_2_new_b, qi_2_new_d = KSL_MUL(qi_0_new_c, qi->w),
-      qi_2_new_e = qi_2_new_c - qi_2_new_d, qi_2_new = qi_2_new_e + qi->z;
-  const double qi_3_new_a = KSL_MUL(qi_0_new_f, qi->x), qi_3_new_b = KSL_MUL(qi_0_new_a, qi->y),
-      qi_3_new_c = qi_3_new_a + qi_3_new_b, qi_3_new_d = KSL_MUL(qi_0_new_c, qi->z),
-      qi_3_new_e = qi_3_new_c + qi_3_new_d, qi_3_new = qi_3_new_e + qi->w;
+  const double qi_0_new_a = KSL_MUL(0.5, dpi->y), qi_0_new_c = KSL_MUL(0.5, dpi->z),
+      qi_0_new_f = KSL_MUL(0.5, dpi->x),
+      qi_0_new = KSL_MUL(qi_0_new_a, qi->z) - KSL_MUL(qi_0_new_c, qi->y)
+          - KSL_MUL(qi_0_new_f, qi->w) + qi->x;
+  const double qi_1_new = KSL_MUL(qi_0_new_c, qi->x) - KSL_MUL(qi_0_new_f, qi->z)
+          - KSL_MUL(qi_0_new_a, qi->w) + qi->y,
+      qi_2_new = KSL_MUL(qi_0_new_f, qi->y) - KSL_MUL(qi_0_new_a, qi->x)
+          - KSL_MUL(qi_0_new_c, qi->w) + qi->z,
+      qi_3_new = KSL_MUL(qi_0_new_f, qi->x) + KSL_MUL(qi_0_new_a, qi->y)
+          + KSL_MUL(qi_0_new_c, qi->z) + qi->w;
   qi->x = qi_0_new;
   qi->y = qi_1_new;
   qi->z = qi_2_new;
@@ -1006,22 +886,18 @@ static inline void ksl_subtract_dpiFromq(const ksl_vec3_t *dpi, ksl_quaternion_t
      and underflow. */
 static inline void ksl_omega_to_dquaternion(const ksl_vec3_t *w, const ksl_quaternion_t *qi,
     ksl_quaternion_t *dqo) {
-  const double dqo_0a = KSL_MUL(0.5, w->x), dqo_0b = KSL_MUL(dqo_0a, qi->w),
-      dqo_0c = KSL_MUL(0.5, w->y), dqo_0d = KSL_MUL(dqo_0c, qi->z), dqo_0e = KSL_MUL(0.5, w->z),
-      dqo_0f = KSL_MUL(dqo_0e, qi->y), dqo_0g = dqo_0d - dqo_0f, dqo_0h = dqo_0b + dqo_0g,
-      dqo_0i = KSL_MUL(qi->x, qi->x), dqo_0j = 1.0 - dqo_0i, dqo_0k = KSL_MUL(qi->y, qi->y),
-      dqo_0l = dqo_0j - dqo_0k, dqo_0m = KSL_MUL(qi->z, qi->z), dqo_0n = dqo_0l - dqo_0m,
-      dqo_0o = KSL_MUL(qi->w, qi->w), dqo_0p = dqo_0n - dqo_0o, dqo_0q = KSL_MUL(qi->x, dqo_0p),
-      dqo_0 = dqo_0h + dqo_0q;
-  const double dqo_1a = KSL_MUL(dqo_0e, qi->x), dqo_1b = KSL_MUL(dqo_0a, qi->z),
-      dqo_1c = dqo_1a - dqo_1b, dqo_1d = KSL_MUL(dqo_0c, qi->w), dqo_1e = dqo_1c + dqo_1d,
-      dqo_1f = KSL_MUL(qi->y, dqo_0p), dqo_1 = dqo_1e + dqo_1f;
-  const double dqo_2a = KSL_MUL(dqo_0a, qi->y), dqo_2b = KSL_MUL(dqo_0c, qi->x),
-      dqo_2c = dqo_2a - dqo_2b, dqo_2d = KSL_MUL(dqo_0e, qi->w), dqo_2e = dqo_2c + dqo_2d,
-      dqo_2f = KSL_MUL(qi->z, dqo_0p), dqo_2 = dqo_2e + dqo_2f;
-  const double dqo_3a = KSL_MUL(qi->w, dqo_0p), dqo_3b = KSL_MUL(dqo_0a, qi->x),
-      dqo_3c = KSL_MUL(dqo_0c, qi->y), dqo_3d = dqo_3b + dqo_3c, dqo_3e = KSL_MUL(dqo_0e, qi->z),
-      dqo_3f = dqo_3d + dqo_3e, dqo_3 = dqo_3a - dqo_3f;
+  const double dqo_0a = KSL_MUL(0.5, w->x), dqo_0c = KSL_MUL(0.5, w->y),
+      dqo_0e = KSL_MUL(0.5, w->z),
+      dqo_0p = 1.0 - KSL_MUL(qi->x, qi->x) - KSL_MUL(qi->y, qi->y) - KSL_MUL(qi->z, qi->z)
+          - KSL_MUL(qi->w, qi->w),
+      dqo_0 = KSL_MUL(dqo_0a, qi->w) + (KSL_MUL(dqo_0c, qi->z) - KSL_MUL(dqo_0e, qi->y))
+          + KSL_MUL(qi->x, dqo_0p);
+  const double dqo_1 = KSL_MUL(dqo_0e, qi->x) - KSL_MUL(dqo_0a, qi->z) + KSL_MUL(dqo_0c, qi->w)
+          + KSL_MUL(qi->y, dqo_0p),
+      dqo_2 = KSL_MUL(dqo_0a, qi->y) - KSL_MUL(dqo_0c, qi->x) + KSL_MUL(dqo_0e, qi->w)
+          + KSL_MUL(qi->z, dqo_0p),
+      dqo_3 = KSL_MUL(qi->w, dqo_0p)
+          - (KSL_MUL(dqo_0a, qi->x) + KSL_MUL(dqo_0c, qi->y) + KSL_MUL(dqo_0e, qi->z));
   dqo->x = dqo_0;
   dqo->y = dqo_1;
   dqo->z = dqo_2;
@@ -1034,16 +910,11 @@ static inline void ksl_omega_to_dquaternion(const ksl_vec3_t *w, const ksl_quate
    Error <= R: 8 u of its largest component for 2^-450 < |q| < 2^511, in single precision 2^-45 <
      |q| < 2^63; searched, not proved. */
 static inline void ksl_mat3x3_from_quaternion(const ksl_quaternion_t *q, ksl_mat3x3_t *R) {
-  const double squares_0 = KSL_MUL(q->w, q->w);
-  const double squares_1 = KSL_MUL(q->x, q->x);
-  const double squares_2 = KSL_MUL(q->y, q->y);
-  const double squares_3 = KSL_MUL(q->z, q->z);
-  const double pairs_0 = squares_0 + squares_1;
-  const double pairs_1 = squares_2 + squares_3;
-  const double pairs_2 = squares_0 + squares_2;
-  const double pairs_3 = squares_1 + squares_3;
-  const double pairs_4 = squares_0 + squares_3;
-  const double pairs_5 = squares_1 + squares_2;
+  const double squares_0 = KSL_MUL(q->w, q->w), squares_1 = KSL_MUL(q->x, q->x),
+      squares_2 = KSL_MUL(q->y, q->y), squares_3 = KSL_MUL(q->z, q->z);
+  const double pairs_0 = squares_0 + squares_1, pairs_1 = squares_2 + squares_3,
+      pairs_2 = squares_0 + squares_2, pairs_3 = squares_1 + squares_3,
+      pairs_4 = squares_0 + squares_3, pairs_5 = squares_1 + squares_2;
   const double square = pairs_0 + pairs_1;
   const double factor = 1.0 / square;
   const double d0 = pairs_0 - pairs_1;
@@ -1053,18 +924,10 @@ static inline void ksl_mat3x3_from_quaternion(const ksl_quaternion_t *q, ksl_mat
   const double m_0a = KSL_MUL(q->x, q->y), m_0b = KSL_MUL(q->z, q->w), m_0 = m_0a - m_0b;
   const double m_1a = KSL_MUL(q->x, q->z), m_1b = KSL_MUL(q->y, q->w), m_1 = m_1a + m_1b;
   const double m_2a = KSL_MUL(q->y, q->z), m_2b = KSL_MUL(q->x, q->w), m_2 = m_2a - m_2b;
-  const double m_3 = m_0a + m_0b;
-  const double m_4 = m_1a - m_1b;
-  const double m_5 = m_2b + m_2a;
-  const double R_00 = KSL_MUL(factor, d0);
-  const double R_01 = KSL_MUL(twice, m_0);
-  const double R_02 = KSL_MUL(twice, m_1);
-  const double R_10 = KSL_MUL(twice, m_3);
-  const double R_11 = KSL_MUL(factor, d1);
-  const double R_12 = KSL_MUL(twice, m_2);
-  const double R_20 = KSL_MUL(twice, m_4);
-  const double R_21 = KSL_MUL(twice, m_5);
-  const double R_22 = KSL_MUL(factor, d2);
+  const double m_3 = m_0a + m_0b, m_4 = m_1a - m_1b, m_5 = m_2b + m_2a;
+  const double R_00 = KSL_MUL(factor, d0), R_01 = KSL_MUL(twice, m_0), R_02 = KSL_MUL(twice, m_1),
+      R_10 = KSL_MUL(twice, m_3), R_11 = KSL_MUL(factor, d1), R_12 = KSL_MUL(twice, m_2),
+      R_20 = KSL_MUL(twice, m_4), R_21 = KSL_MUL(twice, m_5), R_22 = KSL_MUL(factor, d2);
   R->m00 = R_00;
   R->m01 = R_01;
   R->m02 = R_02;
@@ -1081,44 +944,27 @@ static inline void ksl_mat3x3_from_quaternion(const ksl_quaternion_t *q, ksl_mat
    4 mul, 17 add, 4 div, 1 sqrt, 5 neg, 4 less, 16 select.
    Error <= qo: 6 u of its largest component for R a rotation; searched, not proved. */
 static inline void ksl_quaternion_from_mat3x3(const ksl_mat3x3_t *R, ksl_quaternion_t *qo) {
-  const double p_0 = R->m21 - R->m12;
-  const double p_1 = R->m02 - R->m20;
-  const double p_2 = R->m10 - R->m01;
-  const double s_0 = R->m12 + R->m21;
-  const double s_1 = R->m02 + R->m20;
-  const double s_2 = R->m01 + R->m10;
-  const double first_0 = R->m00 + 1.0;
-  const double first_1 = 1.0 - R->m00;
-  const double others_0 = R->m11 + R->m22;
-  const double others_1 = R->m11 - R->m22;
-  const double d_0 = first_0 + others_0;
-  const double d_1 = first_0 - others_0;
-  const double d_2 = first_1 + others_1;
-  const double d_3 = first_1 - others_1;
-  const double low_0 = R->m11 < R->m00 ? d_1 : s_2;
-  const double low_1 = R->m11 < R->m00 ? s_2 : d_2;
-  const double low_2 = R->m11 < R->m00 ? s_1 : s_0;
-  const double low_3 = R->m11 < R->m00 ? p_0 : p_1;
+  const double p_0 = R->m21 - R->m12, p_1 = R->m02 - R->m20, p_2 = R->m10 - R->m01;
+  const double s_0 = R->m12 + R->m21, s_1 = R->m02 + R->m20, s_2 = R->m01 + R->m10;
+  const double first_0 = R->m00 + 1.0, first_1 = 1.0 - R->m00;
+  const double others_0 = R->m11 + R->m22, others_1 = R->m11 - R->m22;
+  const double d_0 = first_0 + others_0, d_1 = first_0 - others_0, d_2 = first_1 + others_1,
+      d_3 = first_1 - others_1;
+  const double low_0 = R->m11 < R->m00 ? d_1 : s_2, low_1 = R->m11 < R->m00 ? s_2 : d_2,
+      low_2 = R->m11 < R->m00 ? s_1 : s_0, low_3 = R->m11 < R->m00 ? p_0 : p_1;
   const double high_0a = -R->m11, high_0 = R->m00 < high_0a ? s_1 : p_0;
-  const double high_1 = R->m00 < high_0a ? s_0 : p_1;
-  const double high_2 = R->m00 < high_0a ? d_3 : p_2;
-  const double high_3 = R->m00 < high_0a ? p_2 : d_0;
-  const double column_0 = R->m22 < 0.0 ? low_0 : high_0;
-  const double column_1 = R->m22 < 0.0 ? low_1 : high_1;
-  const double column_2 = R->m22 < 0.0 ? low_2 : high_2;
-  const double column_3 = R->m22 < 0.0 ? low_3 : high_3;
+  const double high_1 = R->m00 < high_0a ? s_0 : p_1, high_2 = R->m00 < high_0a ? d_3 : p_2,
+      high_3 = R->m00 < high_0a ? p_2 : d_0;
+  const double column_0 = R->m22 < 0.0 ? low_0 : high_0, column_1 = R->m22 < 0.0 ? low_1 : high_1,
+      column_2 = R->m22 < 0.0 ? low_2 : high_2, column_3 = R->m22 < 0.0 ? low_3 : high_3;
   const double upper_0a = -column_0, upper_0 = column_3 < 0.0 ? upper_0a : column_0;
   const double upper_1a = -column_1, upper_1 = column_3 < 0.0 ? upper_1a : column_1;
   const double upper_2a = -column_2, upper_2 = column_3 < 0.0 ? upper_2a : column_2;
   const double upper_3a = -column_3, upper_3 = column_3 < 0.0 ? upper_3a : column_3;
-  const double length_a = KSL_MUL(upper_0, upper_0), length_b = KSL_MUL(upper_1, upper_1),
-      length_c = length_a + length_b, length_d = KSL_MUL(upper_2, upper_2),
-      length_e = length_c + length_d, length_f = KSL_MUL(upper_3, upper_3),
-      length_g = length_e + length_f, length = sqrt(length_g);
-  const double qo_0 = upper_0 / length;
-  const double qo_1 = upper_1 / length;
-  const double qo_2 = upper_2 / length;
-  const double qo_3 = upper_3 / length;
+  const double length = sqrt(KSL_MUL(upper_0, upper_0) + KSL_MUL(upper_1, upper_1)
+          + KSL_MUL(upper_2, upper_2) + KSL_MUL(upper_3, upper_3));
+  const double qo_0 = upper_0 / length, qo_1 = upper_1 / length, qo_2 = upper_2 / length,
+      qo_3 = upper_3 / length;
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -1134,9 +980,8 @@ static inline void ksl_quaternion_from_axis_angle(const ksl_vec3_t *axis, const 
     ksl_quaternion_t *qo) {
   const double half = KSL_MUL(0.5, angle);
   double qo_3; const double sine = ksl_sincos(half, &qo_3);
-  const double qo_0 = KSL_MUL(axis->x, sine);
-  const double qo_1 = KSL_MUL(axis->y, sine);
-  const double qo_2 = KSL_MUL(axis->z, sine);
+  const double qo_0 = KSL_MUL(axis->x, sine), qo_1 = KSL_MUL(axis->y, sine),
+      qo_2 = KSL_MUL(axis->z, sine);
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -1149,44 +994,34 @@ static inline void ksl_quaternion_from_axis_angle(const ksl_vec3_t *axis, const 
    41 mul, 37 add, 4 div, 1 sqrt, 5 neg, 9 abs, 2 copysign, 19 less, 2 equal, 32 select.
    Error <= angle: 6 u, axis: 4 u of its largest component; searched, not proved. */
 static inline double ksl_axis_angle_from_quaternion(const ksl_quaternion_t *q, ksl_vec3_t *axis) {
-  const double s_size_0 = fabs(q->x);
-  const double s_size_1 = fabs(q->y);
-  const double s_size_2 = fabs(q->z);
-  const double s_size_3 = fabs(q->w);
+  const double s_size_0 = fabs(q->x), s_size_1 = fabs(q->y), s_size_2 = fabs(q->z),
+      s_size_3 = fabs(q->w);
   const double s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
   const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const double s_largest3 = s_largest2 < s_size_3 ? s_size_3 : s_largest2;
   const double s_b = 6.703903964971299e+153 < s_largest3 ? 3.7291703656001034e-155 : 1.0,
       s_d = s_largest3 < 256.0 ? 1.3093562431584567e+151 : s_b,
       s = s_largest3 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : s_d;
-  const double scaled_s_0 = KSL_MUL(q->x, s);
-  const double scaled_s_1 = KSL_MUL(q->y, s);
-  const double scaled_s_2 = KSL_MUL(q->z, s);
-  const double scaled_s_3 = KSL_MUL(q->w, s);
+  const double scaled_s_0 = KSL_MUL(q->x, s), scaled_s_1 = KSL_MUL(q->y, s),
+      scaled_s_2 = KSL_MUL(q->z, s), scaled_s_3 = KSL_MUL(q->w, s);
   const double upper_0a = -scaled_s_0, upper_0 = scaled_s_3 < 0.0 ? upper_0a : scaled_s_0;
   const double upper_1a = -scaled_s_1, upper_1 = scaled_s_3 < 0.0 ? upper_1a : scaled_s_1;
   const double upper_2a = -scaled_s_2, upper_2 = scaled_s_3 < 0.0 ? upper_2a : scaled_s_2;
   const double upper_3a = -scaled_s_3, upper_3 = scaled_s_3 < 0.0 ? upper_3a : scaled_s_3;
-  const double v_s_size_0 = fabs(upper_0);
-  const double v_s_size_1 = fabs(upper_1);
-  const double v_s_size_2 = fabs(upper_2);
+  const double v_s_size_0 = fabs(upper_0), v_s_size_1 = fabs(upper_1), v_s_size_2 = fabs(upper_2);
   const double v_s_largest1 = v_s_size_0 < v_s_size_1 ? v_s_size_1 : v_s_size_0;
   const double v_s_largest2 = v_s_largest1 < v_s_size_2 ? v_s_size_2 : v_s_largest1;
   const double v_s_b = v_s_largest2 < 256.0 ? 1.3093562431584567e+151 : 1.0,
       v_s = v_s_largest2 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : v_s_b;
-  const double v_y_0 = KSL_MUL(upper_0, v_s);
-  const double v_y_1 = KSL_MUL(upper_1, v_s);
-  const double v_y_2 = KSL_MUL(upper_2, v_s);
-  const double v_n_a = KSL_MUL(v_y_0, v_y_0), v_n_b = KSL_MUL(v_y_1, v_y_1), v_n_c = v_n_a + v_n_b,
-      v_n_d = KSL_MUL(v_y_2, v_y_2), v_n_e = v_n_c + v_n_d, v_n = sqrt(v_n_e);
+  const double v_y_0 = KSL_MUL(upper_0, v_s), v_y_1 = KSL_MUL(upper_1, v_s),
+      v_y_2 = KSL_MUL(upper_2, v_s);
+  const double v_n = sqrt(KSL_MUL(v_y_0, v_y_0) + KSL_MUL(v_y_1, v_y_1) + KSL_MUL(v_y_2, v_y_2));
   const double v_r_b = 1.0 < v_s ? 7.637340908749012e-152 : 1.0,
       v_r = 1.3093562431584567e+151 < v_s ? 9.332636185032189e-302 : v_r_b;
   const double n = KSL_MUL(v_n, v_r);
   const double half = ksl_atan2(n, upper_3);
   const double divisor = v_n == 0.0 ? 1.0 : v_n;
-  const double unit_0 = v_y_0 / divisor;
-  const double unit_1 = v_y_1 / divisor;
-  const double unit_2 = v_y_2 / divisor;
+  const double unit_0 = v_y_0 / divisor, unit_1 = v_y_1 / divisor, unit_2 = v_y_2 / divisor;
   const double angle = KSL_MUL(2.0, half);
   const double axis_0 = v_n == 0.0 ? 1.0 : unit_0;
   axis->x = axis_0;
@@ -1201,71 +1036,51 @@ static inline double ksl_axis_angle_from_quaternion(const ksl_quaternion_t *q, k
    Error <= qo: (7 + θ/200) u of its largest component for |v| <= 1e13, in single precision 1e5;
      searched, not proved. */
 static inline void ksl_quaternion_exp(const ksl_vec3_t *v, ksl_quaternion_t *qo) {
-  const double h_0 = KSL_MUL(0.5, v->x);
-  const double h_1 = KSL_MUL(0.5, v->y);
-  const double h_2 = KSL_MUL(0.5, v->z);
-  const double size_0 = fabs(h_0);
-  const double size_1 = fabs(h_1);
-  const double size_2 = fabs(h_2);
-  const double sizes_a = size_0 + size_1, sizes = sizes_a + size_2;
+  const double h_0 = KSL_MUL(0.5, v->x), h_1 = KSL_MUL(0.5, v->y), h_2 = KSL_MUL(0.5, v->z);
+  const double size_0 = fabs(h_0), size_1 = fabs(h_1), size_2 = fabs(h_2);
+  const double sizes = size_0 + size_1 + size_2;
   const double grid = KSL_MUL(sizes, 268435456.0);
-  const double shifted_0 = h_0 + grid;
-  const double shifted_1 = h_1 + grid;
-  const double shifted_2 = h_2 + grid;
-  const double high_0 = shifted_0 - grid;
-  const double high_1 = shifted_1 - grid;
-  const double high_2 = shifted_2 - grid;
-  const double low_0 = h_0 - high_0;
-  const double low_1 = h_1 - high_1;
-  const double low_2 = h_2 - high_2;
-  const double sum_0 = h_0 + high_0;
-  const double sum_1 = h_1 + high_1;
-  const double sum_2 = h_2 + high_2;
-  const double squares_a = KSL_MUL(high_0, high_0), squares_b = KSL_MUL(high_1, high_1),
-      squares_c = squares_a + squares_b, squares_d = KSL_MUL(high_2, high_2),
-      squares = squares_c + squares_d;
-  const double cross_a = KSL_MUL(low_0, sum_0), cross_b = KSL_MUL(low_1, sum_1),
-      cross_c = cross_a + cross_b, cross_d = KSL_MUL(low_2, sum_2), cross = cross_c + cross_d;
+  const double shifted_0 = h_0 + grid, shifted_1 = h_1 + grid, shifted_2 = h_2 + grid;
+  const double high_0 = shifted_0 - grid, high_1 = shifted_1 - grid, high_2 = shifted_2 - grid;
+  const double low_0 = h_0 - high_0, low_1 = h_1 - high_1, low_2 = h_2 - high_2;
+  const double sum_0 = h_0 + high_0, sum_1 = h_1 + high_1, sum_2 = h_2 + high_2;
+  const double squares = KSL_MUL(high_0, high_0) + KSL_MUL(high_1, high_1)
+          + KSL_MUL(high_2, high_2);
+  const double cross = KSL_MUL(low_0, sum_0) + KSL_MUL(low_1, sum_1) + KSL_MUL(low_2, sum_2);
   const double x = squares + cross;
   const double theta_a = sqrt(x), theta = x < 1.0 ? 1.0 : theta_a;
   const double theta_shifted = grid + theta;
   const double theta_high = theta_shifted - grid;
   const double theta_low = theta - theta_high;
   const double theta_sum = theta + theta_high;
-  const double cross_rest_a = KSL_MUL(theta_low, theta_sum), cross_rest = cross - cross_rest_a;
-  const double exact_a = KSL_MUL(theta_high, theta_high), exact = squares - exact_a;
+  const double cross_rest = cross - KSL_MUL(theta_low, theta_sum);
+  const double exact = squares - KSL_MUL(theta_high, theta_high);
   const double residual = cross_rest + exact;
-  const double small_a = KSL_MUL(0.5, residual), small = small_a / theta;
-  const double delta_a = fabs(small), delta = delta_a < 0.0078125 ? small : 0.0;
+  const double small = KSL_MUL(0.5, residual) / theta;
+  const double delta = fabs(small) < 0.0078125 ? small : 0.0;
   double far_cosine_a; const double far_sine_a = ksl_sincos(theta, &far_cosine_a);
   const double far_sine = x < 1.0 ? 1.0 : far_sine_a;
   const double far_cosine = x < 1.0 ? 0.0 : far_cosine_a;
-  const double sine_a = KSL_MUL(delta, far_cosine), sine = sine_a + far_sine;
-  const double cosine_a = KSL_MUL(delta, far_sine), cosine = far_cosine - cosine_a;
+  const double sine = KSL_MUL(delta, far_cosine) + far_sine;
+  const double cosine = far_cosine - KSL_MUL(delta, far_sine);
   const double far_k = sine / theta;
-  const double k_a = KSL_MUL(6.446950284384474e-26, x), k_b = k_a - 3.868170170630684e-23,
-      k_c = KSL_MUL(x, k_b), k_d = k_c + 1.9572941063391263e-20, k_e = KSL_MUL(x, k_d),
-      k_f = k_e - 8.22063524662433e-18, k_g = KSL_MUL(x, k_f), k_h = k_g + 2.8114572543455206e-15,
-      k_i = KSL_MUL(x, k_h), k_j = k_i - 7.647163731819816e-13, k_k = KSL_MUL(x, k_j),
-      k_l = k_k + 1.6059043836821613e-10, k_m = KSL_MUL(x, k_l), k_n = k_m - 2.505210838544172e-08,
-      k_o = KSL_MUL(x, k_n), k_p = k_o + 2.7557319223985893e-06, k_q = KSL_MUL(x, k_p),
-      k_r = k_q - 0.0001984126984126984, k_s = KSL_MUL(x, k_r), k_t = k_s + 0.008333333333333333,
-      k_u = KSL_MUL(x, k_t), k_v = k_u - 0.16666666666666666, k_w = KSL_MUL(x, k_v),
-      k_x = k_w + 1.0, k = x < 1.0 ? k_x : far_k;
-  const double g2a = KSL_MUL(2.4795962632247976e-27, x), g2b = g2a - 1.6117375710961184e-24,
-      g2c = KSL_MUL(x, g2b), g2d = g2c + 8.896791392450574e-22, g2e = KSL_MUL(x, g2d),
-      g2f = g2e - 4.110317623312165e-19, g2g = KSL_MUL(x, g2f), g2h = g2g + 1.5619206968586225e-16,
-      g2i = KSL_MUL(x, g2h), g2j = g2i - 4.779477332387385e-14, g2k = KSL_MUL(x, g2j),
-      g2l = g2k + 1.1470745597729725e-11, g2m = KSL_MUL(x, g2l), g2n = g2m - 2.08767569878681e-09,
-      g2o = KSL_MUL(x, g2n), g2p = g2o + 2.755731922398589e-07, g2q = KSL_MUL(x, g2p),
-      g2r = g2q - 2.48015873015873e-05, g2s = KSL_MUL(x, g2r), g2t = g2s + 0.001388888888888889,
-      g2u = KSL_MUL(x, g2t), g2v = g2u - 0.041666666666666664, g2w = KSL_MUL(x, g2v),
-      g2 = g2w + 0.5;
-  const double near_a = KSL_MUL(x, g2), near = 1.0 - near_a;
-  const double qo_0 = KSL_MUL(h_0, k);
-  const double qo_1 = KSL_MUL(h_1, k);
-  const double qo_2 = KSL_MUL(h_2, k);
-  const double qo_3 = x < 1.0 ? near : cosine;
+  const double k_g = KSL_MUL(x, KSL_MUL(x, KSL_MUL(x, KSL_MUL(6.446950284384474e-26, x)
+          - 3.868170170630684e-23) + 1.9572941063391263e-20) - 8.22063524662433e-18),
+      k_n = KSL_MUL(x, KSL_MUL(x, KSL_MUL(x, k_g + 2.8114572543455206e-15) - 7.647163731819816e-13)
+          + 1.6059043836821613e-10) - 2.505210838544172e-08,
+      k_u = KSL_MUL(x, KSL_MUL(x, KSL_MUL(x, KSL_MUL(x, k_n) + 2.7557319223985893e-06)
+          - 0.0001984126984126984) + 0.008333333333333333),
+      k_x = KSL_MUL(x, k_u - 0.16666666666666666) + 1.0, k = x < 1.0 ? k_x : far_k;
+  const double g2g = KSL_MUL(x, KSL_MUL(x, KSL_MUL(x, KSL_MUL(2.4795962632247976e-27, x)
+          - 1.6117375710961184e-24) + 8.896791392450574e-22) - 4.110317623312165e-19),
+      g2n = KSL_MUL(x, KSL_MUL(x, KSL_MUL(x, g2g + 1.5619206968586225e-16) - 4.779477332387385e-14)
+          + 1.1470745597729725e-11) - 2.08767569878681e-09,
+      g2v = KSL_MUL(x, KSL_MUL(x, KSL_MUL(x, KSL_MUL(x, g2n) + 2.755731922398589e-07)
+          - 2.48015873015873e-05) + 0.001388888888888889) - 0.041666666666666664,
+      g2 = KSL_MUL(x, g2v) + 0.5;
+  const double near = 1.0 - KSL_MUL(x, g2);
+  const double qo_0 = KSL_MUL(h_0, k), qo_1 = KSL_MUL(h_1, k), qo_2 = KSL_MUL(h_2, k),
+      qo_3 = x < 1.0 ? near : cosine;
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -1277,36 +1092,28 @@ static inline void ksl_quaternion_exp(const ksl_vec3_t *v, ksl_quaternion_t *qo)
    44 mul, 37 add, 2 div, 1 sqrt, 5 neg, 9 abs, 2 copysign, 19 less, 2 equal, 31 select.
    Error <= vo: 6 u of its largest component; searched, not proved. */
 static inline void ksl_quaternion_log(const ksl_quaternion_t *q, ksl_vec3_t *vo) {
-  const double s_size_0 = fabs(q->x);
-  const double s_size_1 = fabs(q->y);
-  const double s_size_2 = fabs(q->z);
-  const double s_size_3 = fabs(q->w);
+  const double s_size_0 = fabs(q->x), s_size_1 = fabs(q->y), s_size_2 = fabs(q->z),
+      s_size_3 = fabs(q->w);
   const double s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
   const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const double s_largest3 = s_largest2 < s_size_3 ? s_size_3 : s_largest2;
   const double s_b = 6.703903964971299e+153 < s_largest3 ? 3.7291703656001034e-155 : 1.0,
       s_d = s_largest3 < 256.0 ? 1.3093562431584567e+151 : s_b,
       s = s_largest3 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : s_d;
-  const double scaled_s_0 = KSL_MUL(q->x, s);
-  const double scaled_s_1 = KSL_MUL(q->y, s);
-  const double scaled_s_2 = KSL_MUL(q->z, s);
-  const double scaled_s_3 = KSL_MUL(q->w, s);
+  const double scaled_s_0 = KSL_MUL(q->x, s), scaled_s_1 = KSL_MUL(q->y, s),
+      scaled_s_2 = KSL_MUL(q->z, s), scaled_s_3 = KSL_MUL(q->w, s);
   const double upper_0a = -scaled_s_0, upper_0 = scaled_s_3 < 0.0 ? upper_0a : scaled_s_0;
   const double upper_1a = -scaled_s_1, upper_1 = scaled_s_3 < 0.0 ? upper_1a : scaled_s_1;
   const double upper_2a = -scaled_s_2, upper_2 = scaled_s_3 < 0.0 ? upper_2a : scaled_s_2;
   const double upper_3a = -scaled_s_3, upper_3 = scaled_s_3 < 0.0 ? upper_3a : scaled_s_3;
-  const double v_s_size_0 = fabs(upper_0);
-  const double v_s_size_1 = fabs(upper_1);
-  const double v_s_size_2 = fabs(upper_2);
+  const double v_s_size_0 = fabs(upper_0), v_s_size_1 = fabs(upper_1), v_s_size_2 = fabs(upper_2);
   const double v_s_largest1 = v_s_size_0 < v_s_size_1 ? v_s_size_1 : v_s_size_0;
   const double v_s_largest2 = v_s_largest1 < v_s_size_2 ? v_s_size_2 : v_s_largest1;
   const double v_s_b = v_s_largest2 < 256.0 ? 1.3093562431584567e+151 : 1.0,
       v_s = v_s_largest2 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : v_s_b;
-  const double v_y_0 = KSL_MUL(upper_0, v_s);
-  const double v_y_1 = KSL_MUL(upper_1, v_s);
-  const double v_y_2 = KSL_MUL(upper_2, v_s);
-  const double v_n_a = KSL_MUL(v_y_0, v_y_0), v_n_b = KSL_MUL(v_y_1, v_y_1), v_n_c = v_n_a + v_n_b,
-      v_n_d = KSL_MUL(v_y_2, v_y_2), v_n_e = v_n_c + v_n_d, v_n = sqrt(v_n_e);
+  const double v_y_0 = KSL_MUL(upper_0, v_s), v_y_1 = KSL_MUL(upper_1, v_s),
+      v_y_2 = KSL_MUL(upper_2, v_s);
+  const double v_n = sqrt(KSL_MUL(v_y_0, v_y_0) + KSL_MUL(v_y_1, v_y_1) + KSL_MUL(v_y_2, v_y_2));
   const double v_r_b = 1.0 < v_s ? 7.637340908749012e-152 : 1.0,
       v_r = 1.3093562431584567e+151 < v_s ? 9.332636185032189e-302 : v_r_b;
   const double n = KSL_MUL(v_n, v_r);
@@ -1314,9 +1121,8 @@ static inline void ksl_quaternion_log(const ksl_quaternion_t *q, ksl_vec3_t *vo)
   const double divisor = n == 0.0 ? 1.0 : n;
   const double theta = KSL_MUL(2.0, half);
   const double k = theta / divisor;
-  const double vector_0 = KSL_MUL(upper_0, k);
-  const double vector_1 = KSL_MUL(upper_1, k);
-  const double vector_2 = KSL_MUL(upper_2, k);
+  const double vector_0 = KSL_MUL(upper_0, k), vector_1 = KSL_MUL(upper_1, k),
+      vector_2 = KSL_MUL(upper_2, k);
   vo->x = vector_0;
   vo->y = vector_1;
   vo->z = vector_2;
@@ -1329,39 +1135,27 @@ static inline void ksl_quaternion_log(const ksl_quaternion_t *q, ksl_vec3_t *vo)
      searched, not proved. */
 static inline void ksl_quaternion_interpolated(const ksl_quaternion_t *q1,
     const ksl_quaternion_t *q2, const double k, ksl_quaternion_t *qo) {
-  const double between_0a = KSL_MUL(q1->w, q2->x), between_0b = KSL_MUL(q1->x, q2->w),
-      between_0c = between_0a - between_0b, between_0d = KSL_MUL(q1->z, q2->y),
-      between_0e = KSL_MUL(q1->y, q2->z), between_0f = between_0d - between_0e,
-      between_0 = between_0c + between_0f;
-  const double between_1a = KSL_MUL(q1->x, q2->z), between_1b = KSL_MUL(q1->z, q2->x),
-      between_1c = between_1a - between_1b, between_1d = KSL_MUL(q1->w, q2->y),
-      between_1e = KSL_MUL(q1->y, q2->w), between_1f = between_1d - between_1e,
-      between_1 = between_1c + between_1f;
-  const double between_2a = KSL_MUL(q1->y, q2->x), between_2b = KSL_MUL(q1->x, q2->y),
-      between_2c = between_2a - between_2b, between_2d = KSL_MUL(q1->w, q2->z),
-      between_2e = KSL_MUL(q1->z, q2->w), between_2f = between_2d - between_2e,
-      between_2 = between_2c + between_2f;
-  const double between_3a = KSL_MUL(q1->x, q2->x), between_3b = KSL_MUL(q1->y, q2->y),
-      between_3c = between_3a + between_3b, between_3d = KSL_MUL(q1->z, q2->z),
-      between_3e = between_3c + between_3d, between_3f = KSL_MUL(q1->w, q2->w),
-      between_3 = between_3e + between_3f;
+  const double between_0 = KSL_MUL(q1->w, q2->x) - KSL_MUL(q1->x, q2->w)
+          + (KSL_MUL(q1->z, q2->y) - KSL_MUL(q1->y, q2->z)),
+      between_1 = KSL_MUL(q1->x, q2->z) - KSL_MUL(q1->z, q2->x)
+          + (KSL_MUL(q1->w, q2->y) - KSL_MUL(q1->y, q2->w)),
+      between_2 = KSL_MUL(q1->y, q2->x) - KSL_MUL(q1->x, q2->y)
+          + (KSL_MUL(q1->w, q2->z) - KSL_MUL(q1->z, q2->w)),
+      between_3 = KSL_MUL(q1->x, q2->x) + KSL_MUL(q1->y, q2->y) + KSL_MUL(q1->z, q2->z)
+          + KSL_MUL(q1->w, q2->w);
   const double upper_0a = -between_0, upper_0 = between_3 < 0.0 ? upper_0a : between_0;
   const double upper_1a = -between_1, upper_1 = between_3 < 0.0 ? upper_1a : between_1;
   const double upper_2a = -between_2, upper_2 = between_3 < 0.0 ? upper_2a : between_2;
   const double upper_3a = -between_3, upper_3 = between_3 < 0.0 ? upper_3a : between_3;
-  const double v_s_size_0 = fabs(upper_0);
-  const double v_s_size_1 = fabs(upper_1);
-  const double v_s_size_2 = fabs(upper_2);
+  const double v_s_size_0 = fabs(upper_0), v_s_size_1 = fabs(upper_1), v_s_size_2 = fabs(upper_2);
   const double v_s_largest1 = v_s_size_0 < v_s_size_1 ? v_s_size_1 : v_s_size_0;
   const double v_s_largest2 = v_s_largest1 < v_s_size_2 ? v_s_size_2 : v_s_largest1;
   const double v_s_b = 6.703903964971299e+153 < v_s_largest2 ? 3.7291703656001034e-155 : 1.0,
       v_s_d = v_s_largest2 < 256.0 ? 1.3093562431584567e+151 : v_s_b,
       v_s = v_s_largest2 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : v_s_d;
-  const double v_y_0 = KSL_MUL(upper_0, v_s);
-  const double v_y_1 = KSL_MUL(upper_1, v_s);
-  const double v_y_2 = KSL_MUL(upper_2, v_s);
-  const double v_n_a = KSL_MUL(v_y_0, v_y_0), v_n_b = KSL_MUL(v_y_1, v_y_1), v_n_c = v_n_a + v_n_b,
-      v_n_d = KSL_MUL(v_y_2, v_y_2), v_n_e = v_n_c + v_n_d, v_n = sqrt(v_n_e);
+  const double v_y_0 = KSL_MUL(upper_0, v_s), v_y_1 = KSL_MUL(upper_1, v_s),
+      v_y_2 = KSL_MUL(upper_2, v_s);
+  const double v_n = sqrt(KSL_MUL(v_y_0, v_y_0) + KSL_MUL(v_y_1, v_y_1) + KSL_MUL(v_y_2, v_y_2));
   const double v_r_b = v_s < 1.0 ? 2.6815615859885194e+154 : 1.0,
       v_r_d = 1.0 < v_s ? 7.637340908749012e-152 : v_r_b,
       v_r = 1.3093562431584567e+151 < v_s ? 9.332636185032189e-302 : v_r_d;
@@ -1369,100 +1163,69 @@ static inline void ksl_quaternion_interpolated(const ksl_quaternion_t *q1,
   const double half = ksl_atan2(n, upper_3);
   const double divisor = n == 0.0 ? 1.0 : n;
   const double rate = half / divisor;
-  const double kv_0 = KSL_MUL(k, upper_0);
-  const double kv_1 = KSL_MUL(k, upper_1);
-  const double kv_2 = KSL_MUL(k, upper_2);
-  const double step_0 = KSL_MUL(rate, kv_0);
-  const double step_1 = KSL_MUL(rate, kv_1);
-  const double step_2 = KSL_MUL(rate, kv_2);
-  const double exp_size_0 = fabs(step_0);
-  const double exp_size_1 = fabs(step_1);
-  const double exp_size_2 = fabs(step_2);
-  const double exp_sizes_a = exp_size_0 + exp_size_1, exp_sizes = exp_sizes_a + exp_size_2;
+  const double kv_0 = KSL_MUL(k, upper_0), kv_1 = KSL_MUL(k, upper_1), kv_2 = KSL_MUL(k, upper_2);
+  const double step_0 = KSL_MUL(rate, kv_0), step_1 = KSL_MUL(rate, kv_1),
+      step_2 = KSL_MUL(rate, kv_2);
+  const double exp_size_0 = fabs(step_0), exp_size_1 = fabs(step_1), exp_size_2 = fabs(step_2);
+  const double exp_sizes = exp_size_0 + exp_size_1 + exp_size_2;
   const double exp_grid = KSL_MUL(exp_sizes, 268435456.0);
-  const double exp_shifted_0 = step_0 + exp_grid;
-  const double exp_shifted_1 = step_1 + exp_grid;
-  const double exp_shifted_2 = step_2 + exp_grid;
-  const double exp_high_0 = exp_shifted_0 - exp_grid;
-  const double exp_high_1 = exp_shifted_1 - exp_grid;
-  const double exp_high_2 = exp_shifted_2 - exp_grid;
-  const double exp_low_0 = step_0 - exp_high_0;
-  const double exp_low_1 = step_1 - exp_high_1;
-  const double exp_low_2 = step_2 - exp_high_2;
-  const double exp_sum_0 = step_0 + exp_high_0;
-  const double exp_sum_1 = step_1 + exp_high_1;
-  const double exp_sum_2 = step_2 + exp_high_2;
-  const double exp_squares_a = KSL_MUL(exp_high_0, exp_high_0),
-      exp_squares_b = KSL_MUL(exp_high_1, exp_high_1),
-      exp_squares_c = exp_squares_a + exp_squares_b,
-      exp_squares_d = KSL_MUL(exp_high_2, exp_high_2), exp_squares = exp_squares_c + exp_squares_d;
-  const double exp_cross_a = KSL_MUL(exp_low_0, exp_sum_0),
-      exp_cross_b = KSL_MUL(exp_low_1, exp_sum_1), exp_cross_c = exp_cross_a + exp_cross_b,
-      exp_cross_d = KSL_MUL(exp_low_2, exp_sum_2), exp_cross = exp_cross_c + exp_cross_d;
+  const double exp_shifted_0 = step_0 + exp_grid, exp_shifted_1 = step_1 + exp_grid,
+      exp_shifted_2 = step_2 + exp_grid;
+  const double exp_high_0 = exp_shifted_0 - exp_grid, exp_high_1 = exp_shifted_1 - exp_grid,
+      exp_high_2 = exp_shifted_2 - exp_grid;
+  const double exp_low_0 = step_0 - exp_high_0, exp_low_1 = step_1 - exp_high_1,
+      exp_low_2 = step_2 - exp_high_2;
+  const double exp_sum_0 = step_0 + exp_high_0, exp_sum_1 = step_1 + exp_high_1,
+      exp_sum_2 = step_2 + exp_high_2;
+  const double exp_squares = KSL_MUL(exp_high_0, exp_high_0) + KSL_MUL(exp_high_1, exp_high_1)
+          + KSL_MUL(exp_high_2, exp_high_2);
+  const double exp_cross = KSL_MUL(exp_low_0, exp_sum_0) + KSL_MUL(exp_low_1, exp_sum_1)
+          + KSL_MUL(exp_low_2, exp_sum_2);
   const double exp_x = exp_squares + exp_cross;
   const double exp_theta_a = sqrt(exp_x), exp_theta = exp_x < 1.0 ? 1.0 : exp_theta_a;
   const double exp_theta_shifted = exp_grid + exp_theta;
   const double exp_theta_high = exp_theta_shifted - exp_grid;
   const double exp_theta_low = exp_theta - exp_theta_high;
   const double exp_theta_sum = exp_theta + exp_theta_high;
-  const double exp_cross_rest_a = KSL_MUL(exp_theta_low, exp_theta_sum),
-      exp_cross_rest = exp_cross - exp_cross_rest_a;
-  const double exp_exact_a = KSL_MUL(exp_theta_high, exp_theta_high),
-      exp_exact = exp_squares - exp_exact_a;
+  const double exp_cross_rest = exp_cross - KSL_MUL(exp_theta_low, exp_theta_sum);
+  const double exp_exact = exp_squares - KSL_MUL(exp_theta_high, exp_theta_high);
   const double exp_residual = exp_cross_rest + exp_exact;
-  const double exp_small_a = KSL_MUL(0.5, exp_residual), exp_small = exp_small_a / exp_theta;
-  const double exp_delta_a = fabs(exp_small), exp_delta = exp_delta_a < 0.0078125 ? exp_small : 0.0;
+  const double exp_small = KSL_MUL(0.5, exp_residual) / exp_theta;
+  const double exp_delta = fabs(exp_small) < 0.0078125 ? exp_small : 0.0;
   double exp_far_cosine_a; const double exp_far_sine_a = ksl_sincos(exp_theta, &exp_far_cosine_a);
   const double exp_far_sine = exp_x < 1.0 ? 1.0 : exp_far_sine_a;
   const double exp_far_cosine = exp_x < 1.0 ? 0.0 : exp_far_cosine_a;
-  const double exp_sine_a = KSL_MUL(exp_delta, exp_far_cosine),
-      exp_sine = exp_sine_a + exp_far_sine;
-  const double exp_cosine_a = KSL_MUL(exp_delta, exp_far_sine),
-      exp_cosine = exp_far_cosine - exp_cosine_a;
+  const double exp_sine = KSL_MUL(exp_delta, exp_far_cosine) + exp_far_sine;
+  const double exp_cosine = exp_far_cosine - KSL_MUL(exp_delta, exp_far_sine);
   const double exp_far_k = exp_sine / exp_theta;
-  const double exp_k_a = KSL_MUL(6.446950284384474e-26, exp_x),
-      exp_k_b = exp_k_a - 3.868170170630684e-23, exp_k_c = KSL_MUL(exp_x, exp_k_b),
-      exp_k_d = exp_k_c + 1.9572941063391263e-20, exp_k_e = KSL_MUL(exp_x, exp_k_d),
-      exp_k_f = exp_k_e - 8.22063524662433e-18, exp_k_g = KSL_MUL(exp_x, exp_k_f),
-      exp_k_h = exp_k_g + 2.8114572543455206e-15, exp_k_i = KSL_MUL(exp_x, exp_k_h),
-      exp_k_j = exp_k_i - 7.647163731819816e-13, exp_k_k = KSL_MUL(exp_x, exp_k_j),
-      exp_k_l = exp_k_k + 1.6059043836821613e-10, exp_k_m = KSL_MUL(exp_x, exp_k_l),
-      exp_k_n = exp_k_m - 2.505210838544172e-08, exp_k_o = KSL_MUL(exp_x, exp_k_n),
-      exp_k_p = exp_k_o + 2.7557319223985893e-06, exp_k_q = KSL_MUL(exp_x, exp_k_p),
-      exp_k_r = exp_k_q - 0.0001984126984126984, exp_k_s = KSL_MUL(exp_x, exp_k_r),
-      exp_k_t = exp_k_s + 0.008333333333333333, exp_k_u = KSL_MUL(exp_x, exp_k_t),
-      exp_k_v = exp_k_u - 0.16666666666666666, exp_k_w = KSL_MUL(exp_x, exp_k_v),
-      exp_k_x = exp_k_w + 1.0, exp_k = exp_x < 1.0 ? exp_k_x : exp_far_k;
-  const double exp_g2a = KSL_MUL(2.4795962632247976e-27, exp_x),
-      exp_g2b = exp_g2a - 1.6117375710961184e-24, exp_g2c = KSL_MUL(exp_x, exp_g2b),
-      exp_g2d = exp_g2c + 8.896791392450574e-22, exp_g2e = KSL_MUL(exp_x, exp_g2d),
-      exp_g2f = exp_g2e - 4.110317623312165e-19, exp_g2g = KSL_MUL(exp_x, exp_g2f),
-      exp_g2h = exp_g2g + 1.5619206968586225e-16, exp_g2i = KSL_MUL(exp_x, exp_g2h),
-      exp_g2j = exp_g2i - 4.779477332387385e-14, exp_g2k = KSL_MUL(exp_x, exp_g2j),
-      exp_g2l = exp_g2k + 1.1470745597729725e-11, exp_g2m = KSL_MUL(exp_x, exp_g2l),
-      exp_g2n = exp_g2m - 2.08767569878681e-09, exp_g2o = KSL_MUL(exp_x, exp_g2n),
-      exp_g2p = exp_g2o + 2.755731922398589e-07, exp_g2q = KSL_MUL(exp_x, exp_g2p),
-      exp_g2r = exp_g2q - 2.48015873015873e-05, exp_g2s = KSL_MUL(exp_x, exp_g2r),
-      exp_g2t = exp_g2s + 0.001388888888888889, exp_g2u = KSL_MUL(exp_x, exp_g2t),
-      exp_g2v = exp_g2u - 0.041666666666666664, exp_g2w = KSL_MUL(exp_x, exp_g2v),
-      exp_g2 = exp_g2w + 0.5;
-  const double exp_near_a = KSL_MUL(exp_x, exp_g2), exp_near = 1.0 - exp_near_a;
-  const double power_0 = KSL_MUL(step_0, exp_k);
-  const double power_1 = KSL_MUL(step_1, exp_k);
-  const double power_2 = KSL_MUL(step_2, exp_k);
-  const double power_3 = exp_x < 1.0 ? exp_near : exp_cosine;
-  const double qo_0a = KSL_MUL(q1->x, power_3), qo_0b = KSL_MUL(q1->y, power_2),
-      qo_0c = KSL_MUL(q1->z, power_1), qo_0d = qo_0b - qo_0c, qo_0e = qo_0a + qo_0d,
-      qo_0f = KSL_MUL(q1->w, power_0), qo_0 = qo_0e + qo_0f;
-  const double qo_1a = KSL_MUL(q1->z, power_0), qo_1b = KSL_MUL(q1->x, power_2),
-      qo_1c = qo_1a - qo_1b, qo_1d = KSL_MUL(q1->y, power_3), qo_1e = qo_1c + qo_1d,
-      qo_1f = KSL_MUL(q1->w, power_1), qo_1 = qo_1e + qo_1f;
-  const double qo_2a = KSL_MUL(q1->x, power_1), qo_2b = KSL_MUL(q1->y, power_0),
-      qo_2c = qo_2a - qo_2b, qo_2d = KSL_MUL(q1->z, power_3), qo_2e = qo_2c + qo_2d,
-      qo_2f = KSL_MUL(q1->w, power_2), qo_2 = qo_2e + qo_2f;
-  const double qo_3a = KSL_MUL(q1->w, power_3), qo_3b = KSL_MUL(q1->x, power_0),
-      qo_3c = KSL_MUL(q1->y, power_1), qo_3d = qo_3b + qo_3c, qo_3e = KSL_MUL(q1->z, power_2),
-      qo_3f = qo_3d + qo_3e, qo_3 = qo_3a - qo_3f;
+  const double exp_k_e = KSL_MUL(exp_x, KSL_MUL(exp_x, KSL_MUL(6.446950284384474e-26, exp_x)
+          - 3.868170170630684e-23) + 1.9572941063391263e-20),
+      exp_k_k = KSL_MUL(exp_x, KSL_MUL(exp_x, KSL_MUL(exp_x, exp_k_e - 8.22063524662433e-18)
+          + 2.8114572543455206e-15) - 7.647163731819816e-13),
+      exp_k_q = KSL_MUL(exp_x, KSL_MUL(exp_x, KSL_MUL(exp_x, exp_k_k + 1.6059043836821613e-10)
+          - 2.505210838544172e-08) + 2.7557319223985893e-06),
+      exp_k_x = KSL_MUL(exp_x, KSL_MUL(exp_x, KSL_MUL(exp_x, exp_k_q - 0.0001984126984126984)
+          + 0.008333333333333333) - 0.16666666666666666) + 1.0,
+      exp_k = exp_x < 1.0 ? exp_k_x : exp_far_k;
+  const double exp_g2e = KSL_MUL(exp_x, KSL_MUL(exp_x, KSL_MUL(2.4795962632247976e-27, exp_x)
+          - 1.6117375710961184e-24) + 8.896791392450574e-22),
+      exp_g2k = KSL_MUL(exp_x, KSL_MUL(exp_x, KSL_MUL(exp_x, exp_g2e - 4.110317623312165e-19)
+          + 1.5619206968586225e-16) - 4.779477332387385e-14),
+      exp_g2q = KSL_MUL(exp_x, KSL_MUL(exp_x, KSL_MUL(exp_x, exp_g2k + 1.1470745597729725e-11)
+          - 2.08767569878681e-09) + 2.755731922398589e-07),
+      exp_g2 = KSL_MUL(exp_x, KSL_MUL(exp_x, KSL_MUL(exp_x, exp_g2q - 2.48015873015873e-05)
+          + 0.001388888888888889) - 0.041666666666666664) + 0.5;
+  const double exp_near = 1.0 - KSL_MUL(exp_x, exp_g2);
+  const double power_0 = KSL_MUL(step_0, exp_k), power_1 = KSL_MUL(step_1, exp_k),
+      power_2 = KSL_MUL(step_2, exp_k), power_3 = exp_x < 1.0 ? exp_near : exp_cosine;
+  const double qo_0 = KSL_MUL(q1->x, power_3) + (KSL_MUL(q1->y, power_2) - KSL_MUL(q1->z, power_1))
+          + KSL_MUL(q1->w, power_0),
+      qo_1 = KSL_MUL(q1->z, power_0) - KSL_MUL(q1->x, power_2) + KSL_MUL(q1->y, power_3)
+          + KSL_MUL(q1->w, power_1),
+      qo_2 = KSL_MUL(q1->x, power_1) - KSL_MUL(q1->y, power_0) + KSL_MUL(q1->z, power_3)
+          + KSL_MUL(q1->w, power_2),
+      qo_3 = KSL_MUL(q1->w, power_3)
+          - (KSL_MUL(q1->x, power_0) + KSL_MUL(q1->y, power_1) + KSL_MUL(q1->z, power_2));
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -1500,10 +1263,8 @@ static inline void ksl_quaternionf_copy(const ksl_quaternionf_t *qi, ksl_quatern
    4 mul.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_quaternionf_scale(ksl_quaternionf_t *self, const float a) {
-  const float self_0_new = KSL_MULF(self->x, a);
-  const float self_1_new = KSL_MULF(self->y, a);
-  const float self_2_new = KSL_MULF(self->z, a);
-  const float self_3_new = KSL_MULF(self->w, a);
+  const float self_0_new = KSL_MULF(self->x, a), self_1_new = KSL_MULF(self->y, a),
+      self_2_new = KSL_MULF(self->z, a), self_3_new = KSL_MULF(self->w, a);
   self->x = self_0_new;
   self->y = self_1_new;
   self->z = self_2_new;
@@ -1516,10 +1277,8 @@ static inline void ksl_quaternionf_scale(ksl_quaternionf_t *self, const float a)
    Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline void ksl_axpy_qqf(const float a, const ksl_quaternionf_t *x, ksl_quaternionf_t *y) {
-  const float y_0_new_a = KSL_MULF(a, x->x), y_0_new = y_0_new_a + y->x;
-  const float y_1_new_a = KSL_MULF(a, x->y), y_1_new = y_1_new_a + y->y;
-  const float y_2_new_a = KSL_MULF(a, x->z), y_2_new = y_2_new_a + y->z;
-  const float y_3_new_a = KSL_MULF(a, x->w), y_3_new = y_3_new_a + y->w;
+  const float y_0_new = KSL_MULF(a, x->x) + y->x, y_1_new = KSL_MULF(a, x->y) + y->y,
+      y_2_new = KSL_MULF(a, x->z) + y->z, y_3_new = KSL_MULF(a, x->w) + y->w;
   y->x = y_0_new;
   y->y = y_1_new;
   y->z = y_2_new;
@@ -1542,9 +1301,7 @@ static inline void ksl_quaternionf_setIdentity(ksl_quaternionf_t *self) {
    3 neg.
    Exact. */
 static inline void ksl_quaternionf_conjugated(const ksl_quaternionf_t *q, ksl_quaternionf_t *qo) {
-  const float qo_0 = -q->x;
-  const float qo_1 = -q->y;
-  const float qo_2 = -q->z;
+  const float qo_0 = -q->x, qo_1 = -q->y, qo_2 = -q->z;
   const float q_w = q->w;
   qo->x = qo_0;
   qo->y = qo_1;
@@ -1556,23 +1313,18 @@ static inline void ksl_quaternionf_conjugated(const ksl_quaternionf_t *q, ksl_qu
    q: quaternion (x, y, z, w), the scalar last.
    9 mul, 3 add, 1 sqrt, 4 abs, 9 less, 9 select. */
 static inline float ksl_quaternionf_norm(const ksl_quaternionf_t *q) {
-  const float s_size_0 = fabsf(q->x);
-  const float s_size_1 = fabsf(q->y);
-  const float s_size_2 = fabsf(q->z);
-  const float s_size_3 = fabsf(q->w);
+  const float s_size_0 = fabsf(q->x), s_size_1 = fabsf(q->y), s_size_2 = fabsf(q->z),
+      s_size_3 = fabsf(q->w);
   const float s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
   const float s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const float s_largest3 = s_largest2 < s_size_3 ? s_size_3 : s_largest2;
   const float s_b = 4.611686e+18f < s_largest3 ? 2.7105054e-20f : 1.0f,
       s_d = s_largest3 < 256.0f ? 1.8014399e+16f : s_b,
       s = s_largest3 < 1.4210855e-14f ? 3.2451855e+32f : s_d;
-  const float y_0 = KSL_MULF(q->x, s);
-  const float y_1 = KSL_MULF(q->y, s);
-  const float y_2 = KSL_MULF(q->z, s);
-  const float y_3 = KSL_MULF(q->w, s);
-  const float n_a = KSL_MULF(y_0, y_0), n_b = KSL_MULF(y_1, y_1), n_c = n_a + n_b,
-      n_d = KSL_MULF(y_2, y_2), n_e = n_c + n_d, n_f = KSL_MULF(y_3, y_3), n_g = n_e + n_f,
-      n = sqrtf(n_g);
+  const float y_0 = KSL_MULF(q->x, s), y_1 = KSL_MULF(q->y, s), y_2 = KSL_MULF(q->z, s),
+      y_3 = KSL_MULF(q->w, s);
+  const float n = sqrtf(KSL_MULF(y_0, y_0) + KSL_MULF(y_1, y_1) + KSL_MULF(y_2, y_2)
+          + KSL_MULF(y_3, y_3));
   const float r_b = s < 1.0f ? 3.689349e+19f : 1.0f, r_d = 1.0f < s ? 5.551115e-17f : r_b,
       r = 1.8014399e+16f < s ? 3.081488e-33f : r_d;
   const float norm = KSL_MULF(n, r);
@@ -1583,38 +1335,27 @@ static inline float ksl_quaternionf_norm(const ksl_quaternionf_t *q) {
    self: quaternion (x, y, z, w), the scalar last.
    16 mul, 3 add, 4 div, 1 sqrt, 4 abs, 8 less, 1 equal, 9 select. */
 static inline void ksl_quaternionf_normalize(ksl_quaternionf_t *self) {
-  const float s_size_0 = fabsf(self->x);
-  const float s_size_1 = fabsf(self->y);
-  const float s_size_2 = fabsf(self->z);
-  const float s_size_3 = fabsf(self->w);
+  const float s_size_0 = fabsf(self->x), s_size_1 = fabsf(self->y), s_size_2 = fabsf(self->z),
+      s_size_3 = fabsf(self->w);
   const float s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
   const float s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const float s_largest3 = s_largest2 < s_size_3 ? s_size_3 : s_largest2;
   const float s_b = 4.611686e+18f < s_largest3 ? 2.7105054e-20f : 1.0f,
       s_d = s_largest3 < 256.0f ? 1.8014399e+16f : s_b,
       s = s_largest3 < 1.4210855e-14f ? 3.2451855e+32f : s_d;
-  const float y_0 = KSL_MULF(self->x, s);
-  const float y_1 = KSL_MULF(self->y, s);
-  const float y_2 = KSL_MULF(self->z, s);
-  const float y_3 = KSL_MULF(self->w, s);
+  const float y_0 = KSL_MULF(self->x, s), y_1 = KSL_MULF(self->y, s), y_2 = KSL_MULF(self->z, s),
+      y_3 = KSL_MULF(self->w, s);
   const float up = 1.0f < s ? s : 1.0f;
   const float down = s < 1.0f ? s : 1.0f;
-  const float n_a = KSL_MULF(y_0, y_0), n_b = KSL_MULF(y_1, y_1), n_c = n_a + n_b,
-      n_d = KSL_MULF(y_2, y_2), n_e = n_c + n_d, n_f = KSL_MULF(y_3, y_3), n_g = n_e + n_f,
-      n = sqrtf(n_g);
+  const float n = sqrtf(KSL_MULF(y_0, y_0) + KSL_MULF(y_1, y_1) + KSL_MULF(y_2, y_2)
+          + KSL_MULF(y_3, y_3));
   const float divisor = n == 0.0f ? up : n;
-  const float sized_0 = KSL_MULF(self->x, up);
-  const float sized_1 = KSL_MULF(self->y, up);
-  const float sized_2 = KSL_MULF(self->z, up);
-  const float sized_3 = KSL_MULF(self->w, up);
-  const float quotient_0 = sized_0 / divisor;
-  const float quotient_1 = sized_1 / divisor;
-  const float quotient_2 = sized_2 / divisor;
-  const float quotient_3 = sized_3 / divisor;
-  const float self_0_new = KSL_MULF(quotient_0, down);
-  const float self_1_new = KSL_MULF(quotient_1, down);
-  const float self_2_new = KSL_MULF(quotient_2, down);
-  const float self_3_new = KSL_MULF(quotient_3, down);
+  const float sized_0 = KSL_MULF(self->x, up), sized_1 = KSL_MULF(self->y, up),
+      sized_2 = KSL_MULF(self->z, up), sized_3 = KSL_MULF(self->w, up);
+  const float quotient_0 = sized_0 / divisor, quotient_1 = sized_1 / divisor,
+      quotient_2 = sized_2 / divisor, quotient_3 = sized_3 / divisor;
+  const float self_0_new = KSL_MULF(quotient_0, down), self_1_new = KSL_MULF(quotient_1, down),
+      self_2_new = KSL_MULF(quotient_2, down), self_3_new = KSL_MULF(quotient_3, down);
   self->x = self_0_new;
   self->y = self_1_new;
   self->z = self_2_new;
@@ -1625,38 +1366,27 @@ static inline void ksl_quaternionf_normalize(ksl_quaternionf_t *self) {
    q, qo: quaternion (x, y, z, w), the scalar last.
    16 mul, 3 add, 4 div, 1 sqrt, 4 abs, 8 less, 1 equal, 9 select. */
 static inline void ksl_quaternionf_normalized(const ksl_quaternionf_t *q, ksl_quaternionf_t *qo) {
-  const float s_size_0 = fabsf(q->x);
-  const float s_size_1 = fabsf(q->y);
-  const float s_size_2 = fabsf(q->z);
-  const float s_size_3 = fabsf(q->w);
+  const float s_size_0 = fabsf(q->x), s_size_1 = fabsf(q->y), s_size_2 = fabsf(q->z),
+      s_size_3 = fabsf(q->w);
   const float s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
   const float s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const float s_largest3 = s_largest2 < s_size_3 ? s_size_3 : s_largest2;
   const float s_b = 4.611686e+18f < s_largest3 ? 2.7105054e-20f : 1.0f,
       s_d = s_largest3 < 256.0f ? 1.8014399e+16f : s_b,
       s = s_largest3 < 1.4210855e-14f ? 3.2451855e+32f : s_d;
-  const float y_0 = KSL_MULF(q->x, s);
-  const float y_1 = KSL_MULF(q->y, s);
-  const float y_2 = KSL_MULF(q->z, s);
-  const float y_3 = KSL_MULF(q->w, s);
+  const float y_0 = KSL_MULF(q->x, s), y_1 = KSL_MULF(q->y, s), y_2 = KSL_MULF(q->z, s),
+      y_3 = KSL_MULF(q->w, s);
   const float up = 1.0f < s ? s : 1.0f;
   const float down = s < 1.0f ? s : 1.0f;
-  const float n_a = KSL_MULF(y_0, y_0), n_b = KSL_MULF(y_1, y_1), n_c = n_a + n_b,
-      n_d = KSL_MULF(y_2, y_2), n_e = n_c + n_d, n_f = KSL_MULF(y_3, y_3), n_g = n_e + n_f,
-      n = sqrtf(n_g);
+  const float n = sqrtf(KSL_MULF(y_0, y_0) + KSL_MULF(y_1, y_1) + KSL_MULF(y_2, y_2)
+          + KSL_MULF(y_3, y_3));
   const float divisor = n == 0.0f ? up : n;
-  const float sized_0 = KSL_MULF(q->x, up);
-  const float sized_1 = KSL_MULF(q->y, up);
-  const float sized_2 = KSL_MULF(q->z, up);
-  const float sized_3 = KSL_MULF(q->w, up);
-  const float quotient_0 = sized_0 / divisor;
-  const float quotient_1 = sized_1 / divisor;
-  const float quotient_2 = sized_2 / divisor;
-  const float quotient_3 = sized_3 / divisor;
-  const float qo_0 = KSL_MULF(quotient_0, down);
-  const float qo_1 = KSL_MULF(quotient_1, down);
-  const float qo_2 = KSL_MULF(quotient_2, down);
-  const float qo_3 = KSL_MULF(quotient_3, down);
+  const float sized_0 = KSL_MULF(q->x, up), sized_1 = KSL_MULF(q->y, up),
+      sized_2 = KSL_MULF(q->z, up), sized_3 = KSL_MULF(q->w, up);
+  const float quotient_0 = sized_0 / divisor, quotient_1 = sized_1 / divisor,
+      quotient_2 = sized_2 / divisor, quotient_3 = sized_3 / divisor;
+  const float qo_0 = KSL_MULF(quotient_0, down), qo_1 = KSL_MULF(quotient_1, down),
+      qo_2 = KSL_MULF(quotient_2, down), qo_3 = KSL_MULF(quotient_3, down);
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -1667,23 +1397,18 @@ static inline void ksl_quaternionf_normalized(const ksl_quaternionf_t *q, ksl_qu
    q: quaternion (x, y, z, w), the scalar last.
    9 mul, 4 add, 1 sqrt, 4 abs, 9 less, 9 select. */
 static inline float ksl_quaternionf_unit_defect(const ksl_quaternionf_t *q) {
-  const float s_size_0 = fabsf(q->x);
-  const float s_size_1 = fabsf(q->y);
-  const float s_size_2 = fabsf(q->z);
-  const float s_size_3 = fabsf(q->w);
+  const float s_size_0 = fabsf(q->x), s_size_1 = fabsf(q->y), s_size_2 = fabsf(q->z),
+      s_size_3 = fabsf(q->w);
   const float s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
   const float s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const float s_largest3 = s_largest2 < s_size_3 ? s_size_3 : s_largest2;
   const float s_b = 4.611686e+18f < s_largest3 ? 2.7105054e-20f : 1.0f,
       s_d = s_largest3 < 256.0f ? 1.8014399e+16f : s_b,
       s = s_largest3 < 1.4210855e-14f ? 3.2451855e+32f : s_d;
-  const float y_0 = KSL_MULF(q->x, s);
-  const float y_1 = KSL_MULF(q->y, s);
-  const float y_2 = KSL_MULF(q->z, s);
-  const float y_3 = KSL_MULF(q->w, s);
-  const float n_a = KSL_MULF(y_0, y_0), n_b = KSL_MULF(y_1, y_1), n_c = n_a + n_b,
-      n_d = KSL_MULF(y_2, y_2), n_e = n_c + n_d, n_f = KSL_MULF(y_3, y_3), n_g = n_e + n_f,
-      n = sqrtf(n_g);
+  const float y_0 = KSL_MULF(q->x, s), y_1 = KSL_MULF(q->y, s), y_2 = KSL_MULF(q->z, s),
+      y_3 = KSL_MULF(q->w, s);
+  const float n = sqrtf(KSL_MULF(y_0, y_0) + KSL_MULF(y_1, y_1) + KSL_MULF(y_2, y_2)
+          + KSL_MULF(y_3, y_3));
   const float r_b = s < 1.0f ? 3.689349e+19f : 1.0f, r_d = 1.0f < s ? 5.551115e-17f : r_b,
       r = 1.8014399e+16f < s ? 3.081488e-33f : r_d;
   const float length = KSL_MULF(n, r);
@@ -1695,32 +1420,23 @@ static inline float ksl_quaternionf_unit_defect(const ksl_quaternionf_t *q) {
    q, qo: quaternion (x, y, z, w), the scalar last.
    8 mul, 3 add, 4 div, 1 sqrt, 4 abs, 6 less, 1 equal, 11 select. */
 static inline void ksl_quaternionf_nearest_unit(const ksl_quaternionf_t *q, ksl_quaternionf_t *qo) {
-  const float s_size_0 = fabsf(q->x);
-  const float s_size_1 = fabsf(q->y);
-  const float s_size_2 = fabsf(q->z);
-  const float s_size_3 = fabsf(q->w);
+  const float s_size_0 = fabsf(q->x), s_size_1 = fabsf(q->y), s_size_2 = fabsf(q->z),
+      s_size_3 = fabsf(q->w);
   const float s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
   const float s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const float s_largest3 = s_largest2 < s_size_3 ? s_size_3 : s_largest2;
   const float s_b = 4.611686e+18f < s_largest3 ? 2.7105054e-20f : 1.0f,
       s_d = s_largest3 < 256.0f ? 1.8014399e+16f : s_b,
       s = s_largest3 < 1.4210855e-14f ? 3.2451855e+32f : s_d;
-  const float scaled_s_0 = KSL_MULF(q->x, s);
-  const float scaled_s_1 = KSL_MULF(q->y, s);
-  const float scaled_s_2 = KSL_MULF(q->z, s);
-  const float scaled_s_3 = KSL_MULF(q->w, s);
-  const float n_a = KSL_MULF(scaled_s_0, scaled_s_0), n_b = KSL_MULF(scaled_s_1, scaled_s_1),
-      n_c = n_a + n_b, n_d = KSL_MULF(scaled_s_2, scaled_s_2), n_e = n_c + n_d,
-      n_f = KSL_MULF(scaled_s_3, scaled_s_3), n_g = n_e + n_f, n = sqrtf(n_g);
+  const float scaled_s_0 = KSL_MULF(q->x, s), scaled_s_1 = KSL_MULF(q->y, s),
+      scaled_s_2 = KSL_MULF(q->z, s), scaled_s_3 = KSL_MULF(q->w, s);
+  const float n = sqrtf(KSL_MULF(scaled_s_0, scaled_s_0) + KSL_MULF(scaled_s_1, scaled_s_1)
+          + KSL_MULF(scaled_s_2, scaled_s_2) + KSL_MULF(scaled_s_3, scaled_s_3));
   const float divisor = n == 0.0f ? 1.0f : n;
-  const float unit_0 = scaled_s_0 / divisor;
-  const float unit_1 = scaled_s_1 / divisor;
-  const float unit_2 = scaled_s_2 / divisor;
-  const float unit_3 = scaled_s_3 / divisor;
-  const float qo_0 = n == 0.0f ? (float)NAN : unit_0;
-  const float qo_1 = n == 0.0f ? (float)NAN : unit_1;
-  const float qo_2 = n == 0.0f ? (float)NAN : unit_2;
-  const float qo_3 = n == 0.0f ? (float)NAN : unit_3;
+  const float unit_0 = scaled_s_0 / divisor, unit_1 = scaled_s_1 / divisor,
+      unit_2 = scaled_s_2 / divisor, unit_3 = scaled_s_3 / divisor;
+  const float qo_0 = n == 0.0f ? (float)NAN : unit_0, qo_1 = n == 0.0f ? (float)NAN : unit_1,
+      qo_2 = n == 0.0f ? (float)NAN : unit_2, qo_3 = n == 0.0f ? (float)NAN : unit_3;
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -1734,21 +1450,14 @@ static inline void ksl_quaternionf_nearest_unit(const ksl_quaternionf_t *q, ksl_
      and underflow. */
 static inline void ksl_rotate_qvf(const ksl_quaternionf_t *q, const ksl_vec3f_t *v,
     ksl_vec3f_t *vo) {
-  const float c_0a = KSL_MULF(q->y, v->z), c_0b = KSL_MULF(q->z, v->y), c_0 = c_0a - c_0b;
-  const float c_1a = KSL_MULF(q->z, v->x), c_1b = KSL_MULF(q->x, v->z), c_1 = c_1a - c_1b;
-  const float c_2a = KSL_MULF(q->x, v->y), c_2b = KSL_MULF(q->y, v->x), c_2 = c_2a - c_2b;
-  const float t_0 = KSL_MULF(2.0f, c_0);
-  const float t_1 = KSL_MULF(2.0f, c_1);
-  const float t_2 = KSL_MULF(2.0f, c_2);
-  const float turn_0a = KSL_MULF(q->y, t_2), turn_0b = KSL_MULF(q->z, t_1),
-      turn_0c = turn_0a - turn_0b, turn_0d = KSL_MULF(q->w, t_0), turn_0 = turn_0c + turn_0d;
-  const float turn_1a = KSL_MULF(q->z, t_0), turn_1b = KSL_MULF(q->x, t_2),
-      turn_1c = turn_1a - turn_1b, turn_1d = KSL_MULF(q->w, t_1), turn_1 = turn_1c + turn_1d;
-  const float turn_2a = KSL_MULF(q->x, t_1), turn_2b = KSL_MULF(q->y, t_0),
-      turn_2c = turn_2a - turn_2b, turn_2d = KSL_MULF(q->w, t_2), turn_2 = turn_2c + turn_2d;
-  const float vo_0 = v->x + turn_0;
-  const float vo_1 = v->y + turn_1;
-  const float vo_2 = v->z + turn_2;
+  const float c_0 = KSL_MULF(q->y, v->z) - KSL_MULF(q->z, v->y),
+      c_1 = KSL_MULF(q->z, v->x) - KSL_MULF(q->x, v->z),
+      c_2 = KSL_MULF(q->x, v->y) - KSL_MULF(q->y, v->x);
+  const float t_0 = KSL_MULF(2.0f, c_0), t_1 = KSL_MULF(2.0f, c_1), t_2 = KSL_MULF(2.0f, c_2);
+  const float turn_0 = KSL_MULF(q->y, t_2) - KSL_MULF(q->z, t_1) + KSL_MULF(q->w, t_0),
+      turn_1 = KSL_MULF(q->z, t_0) - KSL_MULF(q->x, t_2) + KSL_MULF(q->w, t_1),
+      turn_2 = KSL_MULF(q->x, t_1) - KSL_MULF(q->y, t_0) + KSL_MULF(q->w, t_2);
+  const float vo_0 = v->x + turn_0, vo_1 = v->y + turn_1, vo_2 = v->z + turn_2;
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -1761,21 +1470,14 @@ static inline void ksl_rotate_qvf(const ksl_quaternionf_t *q, const ksl_vec3f_t 
      and underflow. */
 static inline void ksl_rotate_qconjvf(const ksl_quaternionf_t *q, const ksl_vec3f_t *v,
     ksl_vec3f_t *vo) {
-  const float c_0a = KSL_MULF(q->z, v->y), c_0b = KSL_MULF(q->y, v->z), c_0 = c_0a - c_0b;
-  const float c_1a = KSL_MULF(q->x, v->z), c_1b = KSL_MULF(q->z, v->x), c_1 = c_1a - c_1b;
-  const float c_2a = KSL_MULF(q->y, v->x), c_2b = KSL_MULF(q->x, v->y), c_2 = c_2a - c_2b;
-  const float t_0 = KSL_MULF(2.0f, c_0);
-  const float t_1 = KSL_MULF(2.0f, c_1);
-  const float t_2 = KSL_MULF(2.0f, c_2);
-  const float turn_0a = KSL_MULF(q->z, t_1), turn_0b = KSL_MULF(q->y, t_2),
-      turn_0c = turn_0a - turn_0b, turn_0d = KSL_MULF(q->w, t_0), turn_0 = turn_0c + turn_0d;
-  const float turn_1a = KSL_MULF(q->x, t_2), turn_1b = KSL_MULF(q->z, t_0),
-      turn_1c = turn_1a - turn_1b, turn_1d = KSL_MULF(q->w, t_1), turn_1 = turn_1c + turn_1d;
-  const float turn_2a = KSL_MULF(q->y, t_0), turn_2b = KSL_MULF(q->x, t_1),
-      turn_2c = turn_2a - turn_2b, turn_2d = KSL_MULF(q->w, t_2), turn_2 = turn_2c + turn_2d;
-  const float vo_0 = v->x + turn_0;
-  const float vo_1 = v->y + turn_1;
-  const float vo_2 = v->z + turn_2;
+  const float c_0 = KSL_MULF(q->z, v->y) - KSL_MULF(q->y, v->z),
+      c_1 = KSL_MULF(q->x, v->z) - KSL_MULF(q->z, v->x),
+      c_2 = KSL_MULF(q->y, v->x) - KSL_MULF(q->x, v->y);
+  const float t_0 = KSL_MULF(2.0f, c_0), t_1 = KSL_MULF(2.0f, c_1), t_2 = KSL_MULF(2.0f, c_2);
+  const float turn_0 = KSL_MULF(q->z, t_1) - KSL_MULF(q->y, t_2) + KSL_MULF(q->w, t_0),
+      turn_1 = KSL_MULF(q->x, t_2) - KSL_MULF(q->z, t_0) + KSL_MULF(q->w, t_1),
+      turn_2 = KSL_MULF(q->y, t_0) - KSL_MULF(q->x, t_1) + KSL_MULF(q->w, t_2);
+  const float vo_0 = v->x + turn_0, vo_1 = v->y + turn_1, vo_2 = v->z + turn_2;
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -1788,18 +1490,14 @@ static inline void ksl_rotate_qconjvf(const ksl_quaternionf_t *q, const ksl_vec3
      and underflow. */
 static inline void ksl_product_qqf(const ksl_quaternionf_t *q1i, const ksl_quaternionf_t *q2i,
     ksl_quaternionf_t *qo) {
-  const float qo_0a = KSL_MULF(q1i->x, q2i->w), qo_0b = KSL_MULF(q1i->y, q2i->z),
-      qo_0c = KSL_MULF(q1i->z, q2i->y), qo_0d = qo_0b - qo_0c, qo_0e = qo_0a + qo_0d,
-      qo_0f = KSL_MULF(q1i->w, q2i->x), qo_0 = qo_0e + qo_0f;
-  const float qo_1a = KSL_MULF(q1i->z, q2i->x), qo_1b = KSL_MULF(q1i->x, q2i->z),
-      qo_1c = qo_1a - qo_1b, qo_1d = KSL_MULF(q1i->y, q2i->w), qo_1e = qo_1c + qo_1d,
-      qo_1f = KSL_MULF(q1i->w, q2i->y), qo_1 = qo_1e + qo_1f;
-  const float qo_2a = KSL_MULF(q1i->x, q2i->y), qo_2b = KSL_MULF(q1i->y, q2i->x),
-      qo_2c = qo_2a - qo_2b, qo_2d = KSL_MULF(q1i->z, q2i->w), qo_2e = qo_2c + qo_2d,
-      qo_2f = KSL_MULF(q1i->w, q2i->z), qo_2 = qo_2e + qo_2f;
-  const float qo_3a = KSL_MULF(q1i->w, q2i->w), qo_3b = KSL_MULF(q1i->x, q2i->x),
-      qo_3c = KSL_MULF(q1i->y, q2i->y), qo_3d = qo_3b + qo_3c, qo_3e = KSL_MULF(q1i->z, q2i->z),
-      qo_3f = qo_3d + qo_3e, qo_3 = qo_3a - qo_3f;
+  const float qo_0 = KSL_MULF(q1i->x, q2i->w)
+          + (KSL_MULF(q1i->y, q2i->z) - KSL_MULF(q1i->z, q2i->y)) + KSL_MULF(q1i->w, q2i->x),
+      qo_1 = KSL_MULF(q1i->z, q2i->x) - KSL_MULF(q1i->x, q2i->z) + KSL_MULF(q1i->y, q2i->w)
+          + KSL_MULF(q1i->w, q2i->y),
+      qo_2 = KSL_MULF(q1i->x, q2i->y) - KSL_MULF(q1i->y, q2i->x) + KSL_MULF(q1i->z, q2i->w)
+          + KSL_MULF(q1i->w, q2i->z),
+      qo_3 = KSL_MULF(q1i->w, q2i->w)
+          - (KSL_MULF(q1i->x, q2i->x) + KSL_MULF(q1i->y, q2i->y) + KSL_MULF(q1i->z, q2i->z));
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -1813,18 +1511,14 @@ static inline void ksl_product_qqf(const ksl_quaternionf_t *q1i, const ksl_quate
      barring over- and underflow. */
 static inline void ksl_product_qqconjf(const ksl_quaternionf_t *q1i, const ksl_quaternionf_t *q2i,
     ksl_quaternionf_t *qo) {
-  const float qo_0a = KSL_MULF(q1i->x, q2i->w), qo_0b = KSL_MULF(q1i->w, q2i->x),
-      qo_0c = qo_0a - qo_0b, qo_0d = KSL_MULF(q1i->z, q2i->y), qo_0e = KSL_MULF(q1i->y, q2i->z),
-      qo_0f = qo_0d - qo_0e, qo_0 = qo_0c + qo_0f;
-  const float qo_1a = KSL_MULF(q1i->x, q2i->z), qo_1b = KSL_MULF(q1i->z, q2i->x),
-      qo_1c = qo_1a - qo_1b, qo_1d = KSL_MULF(q1i->y, q2i->w), qo_1e = KSL_MULF(q1i->w, q2i->y),
-      qo_1f = qo_1d - qo_1e, qo_1 = qo_1c + qo_1f;
-  const float qo_2a = KSL_MULF(q1i->y, q2i->x), qo_2b = KSL_MULF(q1i->x, q2i->y),
-      qo_2c = qo_2a - qo_2b, qo_2d = KSL_MULF(q1i->z, q2i->w), qo_2e = KSL_MULF(q1i->w, q2i->z),
-      qo_2f = qo_2d - qo_2e, qo_2 = qo_2c + qo_2f;
-  const float qo_3a = KSL_MULF(q1i->x, q2i->x), qo_3b = KSL_MULF(q1i->y, q2i->y),
-      qo_3c = qo_3a + qo_3b, qo_3d = KSL_MULF(q1i->z, q2i->z), qo_3e = qo_3c + qo_3d,
-      qo_3f = KSL_MULF(q1i->w, q2i->w), qo_3 = qo_3e + qo_3f;
+  const float qo_0 = KSL_MULF(q1i->x, q2i->w) - KSL_MULF(q1i->w, q2i->x)
+          + (KSL_MULF(q1i->z, q2i->y) - KSL_MULF(q1i->y, q2i->z)),
+      qo_1 = KSL_MULF(q1i->x, q2i->z) - KSL_MULF(q1i->z, q2i->x)
+          + (KSL_MULF(q1i->y, q2i->w) - KSL_MULF(q1i->w, q2i->y)),
+      qo_2 = KSL_MULF(q1i->y, q2i->x) - KSL_MULF(q1i->x, q2i->y)
+          + (KSL_MULF(q1i->z, q2i->w) - KSL_MULF(q1i->w, q2i->z)),
+      qo_3 = KSL_MULF(q1i->x, q2i->x) + KSL_MULF(q1i->y, q2i->y) + KSL_MULF(q1i->z, q2i->z)
+          + KSL_MULF(q1i->w, q2i->w);
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -1838,18 +1532,14 @@ static inline void ksl_product_qqconjf(const ksl_quaternionf_t *q1i, const ksl_q
      barring over- and underflow. */
 static inline void ksl_product_qconjqf(const ksl_quaternionf_t *q1i, const ksl_quaternionf_t *q2i,
     ksl_quaternionf_t *qo) {
-  const float qo_0a = KSL_MULF(q1i->w, q2i->x), qo_0b = KSL_MULF(q1i->x, q2i->w),
-      qo_0c = qo_0a - qo_0b, qo_0d = KSL_MULF(q1i->z, q2i->y), qo_0e = KSL_MULF(q1i->y, q2i->z),
-      qo_0f = qo_0d - qo_0e, qo_0 = qo_0c + qo_0f;
-  const float qo_1a = KSL_MULF(q1i->x, q2i->z), qo_1b = KSL_MULF(q1i->z, q2i->x),
-      qo_1c = qo_1a - qo_1b, qo_1d = KSL_MULF(q1i->w, q2i->y), qo_1e = KSL_MULF(q1i->y, q2i->w),
-      qo_1f = qo_1d - qo_1e, qo_1 = qo_1c + qo_1f;
-  const float qo_2a = KSL_MULF(q1i->y, q2i->x), qo_2b = KSL_MULF(q1i->x, q2i->y),
-      qo_2c = qo_2a - qo_2b, qo_2d = KSL_MULF(q1i->w, q2i->z), qo_2e = KSL_MULF(q1i->z, q2i->w),
-      qo_2f = qo_2d - qo_2e, qo_2 = qo_2c + qo_2f;
-  const float qo_3a = KSL_MULF(q1i->x, q2i->x), qo_3b = KSL_MULF(q1i->y, q2i->y),
-      qo_3c = qo_3a + qo_3b, qo_3d = KSL_MULF(q1i->z, q2i->z), qo_3e = qo_3c + qo_3d,
-      qo_3f = KSL_MULF(q1i->w, q2i->w), qo_3 = qo_3e + qo_3f;
+  const float qo_0 = KSL_MULF(q1i->w, q2i->x) - KSL_MULF(q1i->x, q2i->w)
+          + (KSL_MULF(q1i->z, q2i->y) - KSL_MULF(q1i->y, q2i->z)),
+      qo_1 = KSL_MULF(q1i->x, q2i->z) - KSL_MULF(q1i->z, q2i->x)
+          + (KSL_MULF(q1i->w, q2i->y) - KSL_MULF(q1i->y, q2i->w)),
+      qo_2 = KSL_MULF(q1i->y, q2i->x) - KSL_MULF(q1i->x, q2i->y)
+          + (KSL_MULF(q1i->w, q2i->z) - KSL_MULF(q1i->z, q2i->w)),
+      qo_3 = KSL_MULF(q1i->x, q2i->x) + KSL_MULF(q1i->y, q2i->y) + KSL_MULF(q1i->z, q2i->z)
+          + KSL_MULF(q1i->w, q2i->w);
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -1863,18 +1553,14 @@ static inline void ksl_product_qconjqf(const ksl_quaternionf_t *q1i, const ksl_q
      and underflow. */
 static inline void ksl_product_qconjqconjf(const ksl_quaternionf_t *q1i,
     const ksl_quaternionf_t *q2i, ksl_quaternionf_t *qo) {
-  const float qo_0a = KSL_MULF(q1i->y, q2i->z), qo_0b = KSL_MULF(q1i->z, q2i->y),
-      qo_0c = qo_0a - qo_0b, qo_0d = KSL_MULF(q1i->x, q2i->w), qo_0e = qo_0c - qo_0d,
-      qo_0f = KSL_MULF(q1i->w, q2i->x), qo_0 = qo_0e - qo_0f;
-  const float qo_1a = KSL_MULF(q1i->z, q2i->x), qo_1b = KSL_MULF(q1i->x, q2i->z),
-      qo_1c = qo_1a - qo_1b, qo_1d = KSL_MULF(q1i->y, q2i->w), qo_1e = qo_1c - qo_1d,
-      qo_1f = KSL_MULF(q1i->w, q2i->y), qo_1 = qo_1e - qo_1f;
-  const float qo_2a = KSL_MULF(q1i->x, q2i->y), qo_2b = KSL_MULF(q1i->y, q2i->x),
-      qo_2c = qo_2a - qo_2b, qo_2d = KSL_MULF(q1i->z, q2i->w), qo_2e = qo_2c - qo_2d,
-      qo_2f = KSL_MULF(q1i->w, q2i->z), qo_2 = qo_2e - qo_2f;
-  const float qo_3a = KSL_MULF(q1i->w, q2i->w), qo_3b = KSL_MULF(q1i->x, q2i->x),
-      qo_3c = KSL_MULF(q1i->y, q2i->y), qo_3d = qo_3b + qo_3c, qo_3e = KSL_MULF(q1i->z, q2i->z),
-      qo_3f = qo_3d + qo_3e, qo_3 = qo_3a - qo_3f;
+  const float qo_0 = KSL_MULF(q1i->y, q2i->z) - KSL_MULF(q1i->z, q2i->y) - KSL_MULF(q1i->x, q2i->w)
+          - KSL_MULF(q1i->w, q2i->x),
+      qo_1 = KSL_MULF(q1i->z, q2i->x) - KSL_MULF(q1i->x, q2i->z) - KSL_MULF(q1i->y, q2i->w)
+          - KSL_MULF(q1i->w, q2i->y),
+      qo_2 = KSL_MULF(q1i->x, q2i->y) - KSL_MULF(q1i->y, q2i->x) - KSL_MULF(q1i->z, q2i->w)
+          - KSL_MULF(q1i->w, q2i->z),
+      qo_3 = KSL_MULF(q1i->w, q2i->w)
+          - (KSL_MULF(q1i->x, q2i->x) + KSL_MULF(q1i->y, q2i->y) + KSL_MULF(q1i->z, q2i->z));
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -1888,14 +1574,10 @@ static inline void ksl_product_qconjqconjf(const ksl_quaternionf_t *q1i,
      and underflow. */
 static inline void ksl_product_qxqf(const float dci[2], const ksl_quaternionf_t *qi,
     ksl_quaternionf_t *qo) {
-  const float qo_0a = KSL_MULF(dci[0], qi->w), qo_0b = KSL_MULF(dci[1], qi->x),
-      qo_0 = qo_0a + qo_0b;
-  const float qo_1a = KSL_MULF(dci[1], qi->y), qo_1b = KSL_MULF(dci[0], qi->z),
-      qo_1 = qo_1a - qo_1b;
-  const float qo_2a = KSL_MULF(dci[0], qi->y), qo_2b = KSL_MULF(dci[1], qi->z),
-      qo_2 = qo_2a + qo_2b;
-  const float qo_3a = KSL_MULF(dci[1], qi->w), qo_3b = KSL_MULF(dci[0], qi->x),
-      qo_3 = qo_3a - qo_3b;
+  const float qo_0 = KSL_MULF(dci[0], qi->w) + KSL_MULF(dci[1], qi->x),
+      qo_1 = KSL_MULF(dci[1], qi->y) - KSL_MULF(dci[0], qi->z),
+      qo_2 = KSL_MULF(dci[0], qi->y) + KSL_MULF(dci[1], qi->z),
+      qo_3 = KSL_MULF(dci[1], qi->w) - KSL_MULF(dci[0], qi->x);
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -1909,14 +1591,10 @@ static inline void ksl_product_qxqf(const float dci[2], const ksl_quaternionf_t 
      and underflow. */
 static inline void ksl_product_qxqconjf(const float dci[2], const ksl_quaternionf_t *qi,
     ksl_quaternionf_t *qo) {
-  const float qo_0a = KSL_MULF(dci[0], qi->w), qo_0b = KSL_MULF(dci[1], qi->x),
-      qo_0 = qo_0a - qo_0b;
-  const float qo_1a = KSL_MULF(dci[0], qi->z), qo_1b = KSL_MULF(dci[1], qi->y),
-      qo_1 = qo_1a - qo_1b;
-  const float qo_2a = KSL_MULF(dci[0], qi->y), qo_2b = KSL_MULF(dci[1], qi->z),
-      qo_2c = qo_2a + qo_2b, qo_2 = -qo_2c;
-  const float qo_3a = KSL_MULF(dci[0], qi->x), qo_3b = KSL_MULF(dci[1], qi->w),
-      qo_3 = qo_3a + qo_3b;
+  const float qo_0 = KSL_MULF(dci[0], qi->w) - KSL_MULF(dci[1], qi->x),
+      qo_1 = KSL_MULF(dci[0], qi->z) - KSL_MULF(dci[1], qi->y),
+      qo_2 = -(KSL_MULF(dci[0], qi->y) + KSL_MULF(dci[1], qi->z)),
+      qo_3 = KSL_MULF(dci[0], qi->x) + KSL_MULF(dci[1], qi->w);
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -1930,14 +1608,10 @@ static inline void ksl_product_qxqconjf(const float dci[2], const ksl_quaternion
      and underflow. */
 static inline void ksl_product_qxconjqf(const float dci[2], const ksl_quaternionf_t *qi,
     ksl_quaternionf_t *qo) {
-  const float qo_0a = KSL_MULF(dci[1], qi->x), qo_0b = KSL_MULF(dci[0], qi->w),
-      qo_0 = qo_0a - qo_0b;
-  const float qo_1a = KSL_MULF(dci[0], qi->z), qo_1b = KSL_MULF(dci[1], qi->y),
-      qo_1 = qo_1a + qo_1b;
-  const float qo_2a = KSL_MULF(dci[1], qi->z), qo_2b = KSL_MULF(dci[0], qi->y),
-      qo_2 = qo_2a - qo_2b;
-  const float qo_3a = KSL_MULF(dci[0], qi->x), qo_3b = KSL_MULF(dci[1], qi->w),
-      qo_3 = qo_3a + qo_3b;
+  const float qo_0 = KSL_MULF(dci[1], qi->x) - KSL_MULF(dci[0], qi->w),
+      qo_1 = KSL_MULF(dci[0], qi->z) + KSL_MULF(dci[1], qi->y),
+      qo_2 = KSL_MULF(dci[1], qi->z) - KSL_MULF(dci[0], qi->y),
+      qo_3 = KSL_MULF(dci[0], qi->x) + KSL_MULF(dci[1], qi->w);
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -1951,14 +1625,10 @@ static inline void ksl_product_qxconjqf(const float dci[2], const ksl_quaternion
      and underflow. */
 static inline void ksl_product_qxconjqconjf(const float dci[2], const ksl_quaternionf_t *qi,
     ksl_quaternionf_t *qo) {
-  const float qo_0a = KSL_MULF(dci[0], qi->w), qo_0b = KSL_MULF(dci[1], qi->x),
-      qo_0c = qo_0a + qo_0b, qo_0 = -qo_0c;
-  const float qo_1a = KSL_MULF(dci[0], qi->z), qo_1b = KSL_MULF(dci[1], qi->y),
-      qo_1c = qo_1a + qo_1b, qo_1 = -qo_1c;
-  const float qo_2a = KSL_MULF(dci[0], qi->y), qo_2b = KSL_MULF(dci[1], qi->z),
-      qo_2 = qo_2a - qo_2b;
-  const float qo_3a = KSL_MULF(dci[1], qi->w), qo_3b = KSL_MULF(dci[0], qi->x),
-      qo_3 = qo_3a - qo_3b;
+  const float qo_0 = -(KSL_MULF(dci[0], qi->w) + KSL_MULF(dci[1], qi->x)),
+      qo_1 = -(KSL_MULF(dci[0], qi->z) + KSL_MULF(dci[1], qi->y)),
+      qo_2 = KSL_MULF(dci[0], qi->y) - KSL_MULF(dci[1], qi->z),
+      qo_3 = KSL_MULF(dci[1], qi->w) - KSL_MULF(dci[0], qi->x);
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -1972,14 +1642,10 @@ static inline void ksl_product_qxconjqconjf(const float dci[2], const ksl_quater
      and underflow. */
 static inline void ksl_product_qqxf(const ksl_quaternionf_t *qi, const float dci[2],
     ksl_quaternionf_t *qo) {
-  const float qo_0a = KSL_MULF(qi->x, dci[1]), qo_0b = KSL_MULF(qi->w, dci[0]),
-      qo_0 = qo_0a + qo_0b;
-  const float qo_1a = KSL_MULF(qi->y, dci[1]), qo_1b = KSL_MULF(qi->z, dci[0]),
-      qo_1 = qo_1a + qo_1b;
-  const float qo_2a = KSL_MULF(qi->z, dci[1]), qo_2b = KSL_MULF(qi->y, dci[0]),
-      qo_2 = qo_2a - qo_2b;
-  const float qo_3a = KSL_MULF(qi->w, dci[1]), qo_3b = KSL_MULF(qi->x, dci[0]),
-      qo_3 = qo_3a - qo_3b;
+  const float qo_0 = KSL_MULF(qi->x, dci[1]) + KSL_MULF(qi->w, dci[0]),
+      qo_1 = KSL_MULF(qi->y, dci[1]) + KSL_MULF(qi->z, dci[0]),
+      qo_2 = KSL_MULF(qi->z, dci[1]) - KSL_MULF(qi->y, dci[0]),
+      qo_3 = KSL_MULF(qi->w, dci[1]) - KSL_MULF(qi->x, dci[0]);
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -1993,14 +1659,10 @@ static inline void ksl_product_qqxf(const ksl_quaternionf_t *qi, const float dci
      and underflow. */
 static inline void ksl_product_qqxconjf(const ksl_quaternionf_t *qi, const float dci[2],
     ksl_quaternionf_t *qo) {
-  const float qo_0a = KSL_MULF(qi->x, dci[1]), qo_0b = KSL_MULF(qi->w, dci[0]),
-      qo_0 = qo_0a - qo_0b;
-  const float qo_1a = KSL_MULF(qi->y, dci[1]), qo_1b = KSL_MULF(qi->z, dci[0]),
-      qo_1 = qo_1a - qo_1b;
-  const float qo_2a = KSL_MULF(qi->y, dci[0]), qo_2b = KSL_MULF(qi->z, dci[1]),
-      qo_2 = qo_2a + qo_2b;
-  const float qo_3a = KSL_MULF(qi->x, dci[0]), qo_3b = KSL_MULF(qi->w, dci[1]),
-      qo_3 = qo_3a + qo_3b;
+  const float qo_0 = KSL_MULF(qi->x, dci[1]) - KSL_MULF(qi->w, dci[0]),
+      qo_1 = KSL_MULF(qi->y, dci[1]) - KSL_MULF(qi->z, dci[0]),
+      qo_2 = KSL_MULF(qi->y, dci[0]) + KSL_MULF(qi->z, dci[1]),
+      qo_3 = KSL_MULF(qi->x, dci[0]) + KSL_MULF(qi->w, dci[1]);
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -2014,14 +1676,10 @@ static inline void ksl_product_qqxconjf(const ksl_quaternionf_t *qi, const float
      and underflow. */
 static inline void ksl_product_qconjqxf(const ksl_quaternionf_t *qi, const float dci[2],
     ksl_quaternionf_t *qo) {
-  const float qo_0a = KSL_MULF(qi->w, dci[0]), qo_0b = KSL_MULF(qi->x, dci[1]),
-      qo_0 = qo_0a - qo_0b;
-  const float qo_1a = KSL_MULF(qi->y, dci[1]), qo_1b = KSL_MULF(qi->z, dci[0]),
-      qo_1c = qo_1a + qo_1b, qo_1 = -qo_1c;
-  const float qo_2a = KSL_MULF(qi->y, dci[0]), qo_2b = KSL_MULF(qi->z, dci[1]),
-      qo_2 = qo_2a - qo_2b;
-  const float qo_3a = KSL_MULF(qi->x, dci[0]), qo_3b = KSL_MULF(qi->w, dci[1]),
-      qo_3 = qo_3a + qo_3b;
+  const float qo_0 = KSL_MULF(qi->w, dci[0]) - KSL_MULF(qi->x, dci[1]),
+      qo_1 = -(KSL_MULF(qi->y, dci[1]) + KSL_MULF(qi->z, dci[0])),
+      qo_2 = KSL_MULF(qi->y, dci[0]) - KSL_MULF(qi->z, dci[1]),
+      qo_3 = KSL_MULF(qi->x, dci[0]) + KSL_MULF(qi->w, dci[1]);
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -2035,14 +1693,10 @@ static inline void ksl_product_qconjqxf(const ksl_quaternionf_t *qi, const float
      and underflow. */
 static inline void ksl_product_qconjqxconjf(const ksl_quaternionf_t *qi, const float dci[2],
     ksl_quaternionf_t *qo) {
-  const float qo_0a = KSL_MULF(qi->x, dci[1]), qo_0b = KSL_MULF(qi->w, dci[0]),
-      qo_0c = qo_0a + qo_0b, qo_0 = -qo_0c;
-  const float qo_1a = KSL_MULF(qi->z, dci[0]), qo_1b = KSL_MULF(qi->y, dci[1]),
-      qo_1 = qo_1a - qo_1b;
-  const float qo_2a = KSL_MULF(qi->y, dci[0]), qo_2b = KSL_MULF(qi->z, dci[1]),
-      qo_2c = qo_2a + qo_2b, qo_2 = -qo_2c;
-  const float qo_3a = KSL_MULF(qi->w, dci[1]), qo_3b = KSL_MULF(qi->x, dci[0]),
-      qo_3 = qo_3a - qo_3b;
+  const float qo_0 = -(KSL_MULF(qi->x, dci[1]) + KSL_MULF(qi->w, dci[0])),
+      qo_1 = KSL_MULF(qi->z, dci[0]) - KSL_MULF(qi->y, dci[1]),
+      qo_2 = -(KSL_MULF(qi->y, dci[0]) + KSL_MULF(qi->z, dci[1])),
+      qo_3 = KSL_MULF(qi->w, dci[1]) - KSL_MULF(qi->x, dci[0]);
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -2056,14 +1710,10 @@ static inline void ksl_product_qconjqxconjf(const ksl_quaternionf_t *qi, const f
      and underflow. */
 static inline void ksl_product_qyqf(const float dci[2], const ksl_quaternionf_t *qi,
     ksl_quaternionf_t *qo) {
-  const float qo_0a = KSL_MULF(dci[0], qi->z), qo_0b = KSL_MULF(dci[1], qi->x),
-      qo_0 = qo_0a + qo_0b;
-  const float qo_1a = KSL_MULF(dci[0], qi->w), qo_1b = KSL_MULF(dci[1], qi->y),
-      qo_1 = qo_1a + qo_1b;
-  const float qo_2a = KSL_MULF(dci[1], qi->z), qo_2b = KSL_MULF(dci[0], qi->x),
-      qo_2 = qo_2a - qo_2b;
-  const float qo_3a = KSL_MULF(dci[1], qi->w), qo_3b = KSL_MULF(dci[0], qi->y),
-      qo_3 = qo_3a - qo_3b;
+  const float qo_0 = KSL_MULF(dci[0], qi->z) + KSL_MULF(dci[1], qi->x),
+      qo_1 = KSL_MULF(dci[0], qi->w) + KSL_MULF(dci[1], qi->y),
+      qo_2 = KSL_MULF(dci[1], qi->z) - KSL_MULF(dci[0], qi->x),
+      qo_3 = KSL_MULF(dci[1], qi->w) - KSL_MULF(dci[0], qi->y);
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -2077,14 +1727,10 @@ static inline void ksl_product_qyqf(const float dci[2], const ksl_quaternionf_t 
      and underflow. */
 static inline void ksl_product_qyqconjf(const float dci[2], const ksl_quaternionf_t *qi,
     ksl_quaternionf_t *qo) {
-  const float qo_0a = KSL_MULF(dci[0], qi->z), qo_0b = KSL_MULF(dci[1], qi->x),
-      qo_0c = qo_0a + qo_0b, qo_0 = -qo_0c;
-  const float qo_1a = KSL_MULF(dci[0], qi->w), qo_1b = KSL_MULF(dci[1], qi->y),
-      qo_1 = qo_1a - qo_1b;
-  const float qo_2a = KSL_MULF(dci[0], qi->x), qo_2b = KSL_MULF(dci[1], qi->z),
-      qo_2 = qo_2a - qo_2b;
-  const float qo_3a = KSL_MULF(dci[0], qi->y), qo_3b = KSL_MULF(dci[1], qi->w),
-      qo_3 = qo_3a + qo_3b;
+  const float qo_0 = -(KSL_MULF(dci[0], qi->z) + KSL_MULF(dci[1], qi->x)),
+      qo_1 = KSL_MULF(dci[0], qi->w) - KSL_MULF(dci[1], qi->y),
+      qo_2 = KSL_MULF(dci[0], qi->x) - KSL_MULF(dci[1], qi->z),
+      qo_3 = KSL_MULF(dci[0], qi->y) + KSL_MULF(dci[1], qi->w);
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -2098,14 +1744,10 @@ static inline void ksl_product_qyqconjf(const float dci[2], const ksl_quaternion
      and underflow. */
 static inline void ksl_product_qyconjqf(const float dci[2], const ksl_quaternionf_t *qi,
     ksl_quaternionf_t *qo) {
-  const float qo_0a = KSL_MULF(dci[1], qi->x), qo_0b = KSL_MULF(dci[0], qi->z),
-      qo_0 = qo_0a - qo_0b;
-  const float qo_1a = KSL_MULF(dci[1], qi->y), qo_1b = KSL_MULF(dci[0], qi->w),
-      qo_1 = qo_1a - qo_1b;
-  const float qo_2a = KSL_MULF(dci[0], qi->x), qo_2b = KSL_MULF(dci[1], qi->z),
-      qo_2 = qo_2a + qo_2b;
-  const float qo_3a = KSL_MULF(dci[0], qi->y), qo_3b = KSL_MULF(dci[1], qi->w),
-      qo_3 = qo_3a + qo_3b;
+  const float qo_0 = KSL_MULF(dci[1], qi->x) - KSL_MULF(dci[0], qi->z),
+      qo_1 = KSL_MULF(dci[1], qi->y) - KSL_MULF(dci[0], qi->w),
+      qo_2 = KSL_MULF(dci[0], qi->x) + KSL_MULF(dci[1], qi->z),
+      qo_3 = KSL_MULF(dci[0], qi->y) + KSL_MULF(dci[1], qi->w);
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -2119,14 +1761,10 @@ static inline void ksl_product_qyconjqf(const float dci[2], const ksl_quaternion
      and underflow. */
 static inline void ksl_product_qyconjqconjf(const float dci[2], const ksl_quaternionf_t *qi,
     ksl_quaternionf_t *qo) {
-  const float qo_0a = KSL_MULF(dci[0], qi->z), qo_0b = KSL_MULF(dci[1], qi->x),
-      qo_0 = qo_0a - qo_0b;
-  const float qo_1a = KSL_MULF(dci[0], qi->w), qo_1b = KSL_MULF(dci[1], qi->y),
-      qo_1c = qo_1a + qo_1b, qo_1 = -qo_1c;
-  const float qo_2a = KSL_MULF(dci[0], qi->x), qo_2b = KSL_MULF(dci[1], qi->z),
-      qo_2c = qo_2a + qo_2b, qo_2 = -qo_2c;
-  const float qo_3a = KSL_MULF(dci[1], qi->w), qo_3b = KSL_MULF(dci[0], qi->y),
-      qo_3 = qo_3a - qo_3b;
+  const float qo_0 = KSL_MULF(dci[0], qi->z) - KSL_MULF(dci[1], qi->x),
+      qo_1 = -(KSL_MULF(dci[0], qi->w) + KSL_MULF(dci[1], qi->y)),
+      qo_2 = -(KSL_MULF(dci[0], qi->x) + KSL_MULF(dci[1], qi->z)),
+      qo_3 = KSL_MULF(dci[1], qi->w) - KSL_MULF(dci[0], qi->y);
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -2140,14 +1778,10 @@ static inline void ksl_product_qyconjqconjf(const float dci[2], const ksl_quater
      and underflow. */
 static inline void ksl_product_qqyf(const ksl_quaternionf_t *qi, const float dci[2],
     ksl_quaternionf_t *qo) {
-  const float qo_0a = KSL_MULF(qi->x, dci[1]), qo_0b = KSL_MULF(qi->z, dci[0]),
-      qo_0 = qo_0a - qo_0b;
-  const float qo_1a = KSL_MULF(qi->y, dci[1]), qo_1b = KSL_MULF(qi->w, dci[0]),
-      qo_1 = qo_1a + qo_1b;
-  const float qo_2a = KSL_MULF(qi->x, dci[0]), qo_2b = KSL_MULF(qi->z, dci[1]),
-      qo_2 = qo_2a + qo_2b;
-  const float qo_3a = KSL_MULF(qi->w, dci[1]), qo_3b = KSL_MULF(qi->y, dci[0]),
-      qo_3 = qo_3a - qo_3b;
+  const float qo_0 = KSL_MULF(qi->x, dci[1]) - KSL_MULF(qi->z, dci[0]),
+      qo_1 = KSL_MULF(qi->y, dci[1]) + KSL_MULF(qi->w, dci[0]),
+      qo_2 = KSL_MULF(qi->x, dci[0]) + KSL_MULF(qi->z, dci[1]),
+      qo_3 = KSL_MULF(qi->w, dci[1]) - KSL_MULF(qi->y, dci[0]);
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -2161,14 +1795,10 @@ static inline void ksl_product_qqyf(const ksl_quaternionf_t *qi, const float dci
      and underflow. */
 static inline void ksl_product_qqyconjf(const ksl_quaternionf_t *qi, const float dci[2],
     ksl_quaternionf_t *qo) {
-  const float qo_0a = KSL_MULF(qi->x, dci[1]), qo_0b = KSL_MULF(qi->z, dci[0]),
-      qo_0 = qo_0a + qo_0b;
-  const float qo_1a = KSL_MULF(qi->y, dci[1]), qo_1b = KSL_MULF(qi->w, dci[0]),
-      qo_1 = qo_1a - qo_1b;
-  const float qo_2a = KSL_MULF(qi->z, dci[1]), qo_2b = KSL_MULF(qi->x, dci[0]),
-      qo_2 = qo_2a - qo_2b;
-  const float qo_3a = KSL_MULF(qi->y, dci[0]), qo_3b = KSL_MULF(qi->w, dci[1]),
-      qo_3 = qo_3a + qo_3b;
+  const float qo_0 = KSL_MULF(qi->x, dci[1]) + KSL_MULF(qi->z, dci[0]),
+      qo_1 = KSL_MULF(qi->y, dci[1]) - KSL_MULF(qi->w, dci[0]),
+      qo_2 = KSL_MULF(qi->z, dci[1]) - KSL_MULF(qi->x, dci[0]),
+      qo_3 = KSL_MULF(qi->y, dci[0]) + KSL_MULF(qi->w, dci[1]);
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -2182,14 +1812,10 @@ static inline void ksl_product_qqyconjf(const ksl_quaternionf_t *qi, const float
      and underflow. */
 static inline void ksl_product_qconjqyf(const ksl_quaternionf_t *qi, const float dci[2],
     ksl_quaternionf_t *qo) {
-  const float qo_0a = KSL_MULF(qi->z, dci[0]), qo_0b = KSL_MULF(qi->x, dci[1]),
-      qo_0 = qo_0a - qo_0b;
-  const float qo_1a = KSL_MULF(qi->w, dci[0]), qo_1b = KSL_MULF(qi->y, dci[1]),
-      qo_1 = qo_1a - qo_1b;
-  const float qo_2a = KSL_MULF(qi->x, dci[0]), qo_2b = KSL_MULF(qi->z, dci[1]),
-      qo_2c = qo_2a + qo_2b, qo_2 = -qo_2c;
-  const float qo_3a = KSL_MULF(qi->y, dci[0]), qo_3b = KSL_MULF(qi->w, dci[1]),
-      qo_3 = qo_3a + qo_3b;
+  const float qo_0 = KSL_MULF(qi->z, dci[0]) - KSL_MULF(qi->x, dci[1]),
+      qo_1 = KSL_MULF(qi->w, dci[0]) - KSL_MULF(qi->y, dci[1]),
+      qo_2 = -(KSL_MULF(qi->x, dci[0]) + KSL_MULF(qi->z, dci[1])),
+      qo_3 = KSL_MULF(qi->y, dci[0]) + KSL_MULF(qi->w, dci[1]);
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -2203,14 +1829,10 @@ static inline void ksl_product_qconjqyf(const ksl_quaternionf_t *qi, const float
      and underflow. */
 static inline void ksl_product_qconjqyconjf(const ksl_quaternionf_t *qi, const float dci[2],
     ksl_quaternionf_t *qo) {
-  const float qo_0a = KSL_MULF(qi->x, dci[1]), qo_0b = KSL_MULF(qi->z, dci[0]),
-      qo_0c = qo_0a + qo_0b, qo_0 = -qo_0c;
-  const float qo_1a = KSL_MULF(qi->y, dci[1]), qo_1b = KSL_MULF(qi->w, dci[0]),
-      qo_1c = qo_1a + qo_1b, qo_1 = -qo_1c;
-  const float qo_2a = KSL_MULF(qi->x, dci[0]), qo_2b = KSL_MULF(qi->z, dci[1]),
-      qo_2 = qo_2a - qo_2b;
-  const float qo_3a = KSL_MULF(qi->w, dci[1]), qo_3b = KSL_MULF(qi->y, dci[0]),
-      qo_3 = qo_3a - qo_3b;
+  const float qo_0 = -(KSL_MULF(qi->x, dci[1]) + KSL_MULF(qi->z, dci[0])),
+      qo_1 = -(KSL_MULF(qi->y, dci[1]) + KSL_MULF(qi->w, dci[0])),
+      qo_2 = KSL_MULF(qi->x, dci[0]) - KSL_MULF(qi->z, dci[1]),
+      qo_3 = KSL_MULF(qi->w, dci[1]) - KSL_MULF(qi->y, dci[0]);
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -2224,14 +1846,10 @@ static inline void ksl_product_qconjqyconjf(const ksl_quaternionf_t *qi, const f
      and underflow. */
 static inline void ksl_product_qzqf(const float dci[2], const ksl_quaternionf_t *qi,
     ksl_quaternionf_t *qo) {
-  const float qo_0a = KSL_MULF(dci[1], qi->x), qo_0b = KSL_MULF(dci[0], qi->y),
-      qo_0 = qo_0a - qo_0b;
-  const float qo_1a = KSL_MULF(dci[0], qi->x), qo_1b = KSL_MULF(dci[1], qi->y),
-      qo_1 = qo_1a + qo_1b;
-  const float qo_2a = KSL_MULF(dci[0], qi->w), qo_2b = KSL_MULF(dci[1], qi->z),
-      qo_2 = qo_2a + qo_2b;
-  const float qo_3a = KSL_MULF(dci[1], qi->w), qo_3b = KSL_MULF(dci[0], qi->z),
-      qo_3 = qo_3a - qo_3b;
+  const float qo_0 = KSL_MULF(dci[1], qi->x) - KSL_MULF(dci[0], qi->y),
+      qo_1 = KSL_MULF(dci[0], qi->x) + KSL_MULF(dci[1], qi->y),
+      qo_2 = KSL_MULF(dci[0], qi->w) + KSL_MULF(dci[1], qi->z),
+      qo_3 = KSL_MULF(dci[1], qi->w) - KSL_MULF(dci[0], qi->z);
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -2245,14 +1863,10 @@ static inline void ksl_product_qzqf(const float dci[2], const ksl_quaternionf_t 
      and underflow. */
 static inline void ksl_product_qzqconjf(const float dci[2], const ksl_quaternionf_t *qi,
     ksl_quaternionf_t *qo) {
-  const float qo_0a = KSL_MULF(dci[0], qi->y), qo_0b = KSL_MULF(dci[1], qi->x),
-      qo_0 = qo_0a - qo_0b;
-  const float qo_1a = KSL_MULF(dci[0], qi->x), qo_1b = KSL_MULF(dci[1], qi->y),
-      qo_1c = qo_1a + qo_1b, qo_1 = -qo_1c;
-  const float qo_2a = KSL_MULF(dci[0], qi->w), qo_2b = KSL_MULF(dci[1], qi->z),
-      qo_2 = qo_2a - qo_2b;
-  const float qo_3a = KSL_MULF(dci[0], qi->z), qo_3b = KSL_MULF(dci[1], qi->w),
-      qo_3 = qo_3a + qo_3b;
+  const float qo_0 = KSL_MULF(dci[0], qi->y) - KSL_MULF(dci[1], qi->x),
+      qo_1 = -(KSL_MULF(dci[0], qi->x) + KSL_MULF(dci[1], qi->y)),
+      qo_2 = KSL_MULF(dci[0], qi->w) - KSL_MULF(dci[1], qi->z),
+      qo_3 = KSL_MULF(dci[0], qi->z) + KSL_MULF(dci[1], qi->w);
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -2266,14 +1880,10 @@ static inline void ksl_product_qzqconjf(const float dci[2], const ksl_quaternion
      and underflow. */
 static inline void ksl_product_qzconjqf(const float dci[2], const ksl_quaternionf_t *qi,
     ksl_quaternionf_t *qo) {
-  const float qo_0a = KSL_MULF(dci[0], qi->y), qo_0b = KSL_MULF(dci[1], qi->x),
-      qo_0 = qo_0a + qo_0b;
-  const float qo_1a = KSL_MULF(dci[1], qi->y), qo_1b = KSL_MULF(dci[0], qi->x),
-      qo_1 = qo_1a - qo_1b;
-  const float qo_2a = KSL_MULF(dci[1], qi->z), qo_2b = KSL_MULF(dci[0], qi->w),
-      qo_2 = qo_2a - qo_2b;
-  const float qo_3a = KSL_MULF(dci[0], qi->z), qo_3b = KSL_MULF(dci[1], qi->w),
-      qo_3 = qo_3a + qo_3b;
+  const float qo_0 = KSL_MULF(dci[0], qi->y) + KSL_MULF(dci[1], qi->x),
+      qo_1 = KSL_MULF(dci[1], qi->y) - KSL_MULF(dci[0], qi->x),
+      qo_2 = KSL_MULF(dci[1], qi->z) - KSL_MULF(dci[0], qi->w),
+      qo_3 = KSL_MULF(dci[0], qi->z) + KSL_MULF(dci[1], qi->w);
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -2287,14 +1897,10 @@ static inline void ksl_product_qzconjqf(const float dci[2], const ksl_quaternion
      and underflow. */
 static inline void ksl_product_qzconjqconjf(const float dci[2], const ksl_quaternionf_t *qi,
     ksl_quaternionf_t *qo) {
-  const float qo_0a = KSL_MULF(dci[0], qi->y), qo_0b = KSL_MULF(dci[1], qi->x),
-      qo_0c = qo_0a + qo_0b, qo_0 = -qo_0c;
-  const float qo_1a = KSL_MULF(dci[0], qi->x), qo_1b = KSL_MULF(dci[1], qi->y),
-      qo_1 = qo_1a - qo_1b;
-  const float qo_2a = KSL_MULF(dci[0], qi->w), qo_2b = KSL_MULF(dci[1], qi->z),
-      qo_2c = qo_2a + qo_2b, qo_2 = -qo_2c;
-  const float qo_3a = KSL_MULF(dci[1], qi->w), qo_3b = KSL_MULF(dci[0], qi->z),
-      qo_3 = qo_3a - qo_3b;
+  const float qo_0 = -(KSL_MULF(dci[0], qi->y) + KSL_MULF(dci[1], qi->x)),
+      qo_1 = KSL_MULF(dci[0], qi->x) - KSL_MULF(dci[1], qi->y),
+      qo_2 = -(KSL_MULF(dci[0], qi->w) + KSL_MULF(dci[1], qi->z)),
+      qo_3 = KSL_MULF(dci[1], qi->w) - KSL_MULF(dci[0], qi->z);
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -2308,14 +1914,10 @@ static inline void ksl_product_qzconjqconjf(const float dci[2], const ksl_quater
      and underflow. */
 static inline void ksl_product_qqzf(const ksl_quaternionf_t *qi, const float dci[2],
     ksl_quaternionf_t *qo) {
-  const float qo_0a = KSL_MULF(qi->x, dci[1]), qo_0b = KSL_MULF(qi->y, dci[0]),
-      qo_0 = qo_0a + qo_0b;
-  const float qo_1a = KSL_MULF(qi->y, dci[1]), qo_1b = KSL_MULF(qi->x, dci[0]),
-      qo_1 = qo_1a - qo_1b;
-  const float qo_2a = KSL_MULF(qi->z, dci[1]), qo_2b = KSL_MULF(qi->w, dci[0]),
-      qo_2 = qo_2a + qo_2b;
-  const float qo_3a = KSL_MULF(qi->w, dci[1]), qo_3b = KSL_MULF(qi->z, dci[0]),
-      qo_3 = qo_3a - qo_3b;
+  const float qo_0 = KSL_MULF(qi->x, dci[1]) + KSL_MULF(qi->y, dci[0]),
+      qo_1 = KSL_MULF(qi->y, dci[1]) - KSL_MULF(qi->x, dci[0]),
+      qo_2 = KSL_MULF(qi->z, dci[1]) + KSL_MULF(qi->w, dci[0]),
+      qo_3 = KSL_MULF(qi->w, dci[1]) - KSL_MULF(qi->z, dci[0]);
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -2329,14 +1931,10 @@ static inline void ksl_product_qqzf(const ksl_quaternionf_t *qi, const float dci
      and underflow. */
 static inline void ksl_product_qqzconjf(const ksl_quaternionf_t *qi, const float dci[2],
     ksl_quaternionf_t *qo) {
-  const float qo_0a = KSL_MULF(qi->x, dci[1]), qo_0b = KSL_MULF(qi->y, dci[0]),
-      qo_0 = qo_0a - qo_0b;
-  const float qo_1a = KSL_MULF(qi->x, dci[0]), qo_1b = KSL_MULF(qi->y, dci[1]),
-      qo_1 = qo_1a + qo_1b;
-  const float qo_2a = KSL_MULF(qi->z, dci[1]), qo_2b = KSL_MULF(qi->w, dci[0]),
-      qo_2 = qo_2a - qo_2b;
-  const float qo_3a = KSL_MULF(qi->z, dci[0]), qo_3b = KSL_MULF(qi->w, dci[1]),
-      qo_3 = qo_3a + qo_3b;
+  const float qo_0 = KSL_MULF(qi->x, dci[1]) - KSL_MULF(qi->y, dci[0]),
+      qo_1 = KSL_MULF(qi->x, dci[0]) + KSL_MULF(qi->y, dci[1]),
+      qo_2 = KSL_MULF(qi->z, dci[1]) - KSL_MULF(qi->w, dci[0]),
+      qo_3 = KSL_MULF(qi->z, dci[0]) + KSL_MULF(qi->w, dci[1]);
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -2350,14 +1948,10 @@ static inline void ksl_product_qqzconjf(const ksl_quaternionf_t *qi, const float
      and underflow. */
 static inline void ksl_product_qconjqzf(const ksl_quaternionf_t *qi, const float dci[2],
     ksl_quaternionf_t *qo) {
-  const float qo_0a = KSL_MULF(qi->x, dci[1]), qo_0b = KSL_MULF(qi->y, dci[0]),
-      qo_0c = qo_0a + qo_0b, qo_0 = -qo_0c;
-  const float qo_1a = KSL_MULF(qi->x, dci[0]), qo_1b = KSL_MULF(qi->y, dci[1]),
-      qo_1 = qo_1a - qo_1b;
-  const float qo_2a = KSL_MULF(qi->w, dci[0]), qo_2b = KSL_MULF(qi->z, dci[1]),
-      qo_2 = qo_2a - qo_2b;
-  const float qo_3a = KSL_MULF(qi->z, dci[0]), qo_3b = KSL_MULF(qi->w, dci[1]),
-      qo_3 = qo_3a + qo_3b;
+  const float qo_0 = -(KSL_MULF(qi->x, dci[1]) + KSL_MULF(qi->y, dci[0])),
+      qo_1 = KSL_MULF(qi->x, dci[0]) - KSL_MULF(qi->y, dci[1]),
+      qo_2 = KSL_MULF(qi->w, dci[0]) - KSL_MULF(qi->z, dci[1]),
+      qo_3 = KSL_MULF(qi->z, dci[0]) + KSL_MULF(qi->w, dci[1]);
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -2371,14 +1965,10 @@ static inline void ksl_product_qconjqzf(const ksl_quaternionf_t *qi, const float
      and underflow. */
 static inline void ksl_product_qconjqzconjf(const ksl_quaternionf_t *qi, const float dci[2],
     ksl_quaternionf_t *qo) {
-  const float qo_0a = KSL_MULF(qi->y, dci[0]), qo_0b = KSL_MULF(qi->x, dci[1]),
-      qo_0 = qo_0a - qo_0b;
-  const float qo_1a = KSL_MULF(qi->x, dci[0]), qo_1b = KSL_MULF(qi->y, dci[1]),
-      qo_1c = qo_1a + qo_1b, qo_1 = -qo_1c;
-  const float qo_2a = KSL_MULF(qi->z, dci[1]), qo_2b = KSL_MULF(qi->w, dci[0]),
-      qo_2c = qo_2a + qo_2b, qo_2 = -qo_2c;
-  const float qo_3a = KSL_MULF(qi->w, dci[1]), qo_3b = KSL_MULF(qi->z, dci[0]),
-      qo_3 = qo_3a - qo_3b;
+  const float qo_0 = KSL_MULF(qi->y, dci[0]) - KSL_MULF(qi->x, dci[1]),
+      qo_1 = -(KSL_MULF(qi->x, dci[0]) + KSL_MULF(qi->y, dci[1])),
+      qo_2 = -(KSL_MULF(qi->z, dci[1]) + KSL_MULF(qi->w, dci[0])),
+      qo_3 = KSL_MULF(qi->w, dci[1]) - KSL_MULF(qi->z, dci[0]);
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -2392,14 +1982,10 @@ static inline void ksl_product_qconjqzconjf(const ksl_quaternionf_t *qi, const f
      and underflow. */
 static inline void ksl_product_qvf(const ksl_quaternionf_t *qi, const ksl_vec3f_t *vi,
     ksl_quaternionf_t *qo) {
-  const float qo_0a = KSL_MULF(qi->y, vi->z), qo_0b = KSL_MULF(qi->z, vi->y), qo_0c = qo_0a - qo_0b,
-      qo_0d = KSL_MULF(qi->w, vi->x), qo_0 = qo_0c + qo_0d;
-  const float qo_1a = KSL_MULF(qi->z, vi->x), qo_1b = KSL_MULF(qi->x, vi->z), qo_1c = qo_1a - qo_1b,
-      qo_1d = KSL_MULF(qi->w, vi->y), qo_1 = qo_1c + qo_1d;
-  const float qo_2a = KSL_MULF(qi->x, vi->y), qo_2b = KSL_MULF(qi->y, vi->x), qo_2c = qo_2a - qo_2b,
-      qo_2d = KSL_MULF(qi->w, vi->z), qo_2 = qo_2c + qo_2d;
-  const float qo_3a = KSL_MULF(qi->x, vi->x), qo_3b = KSL_MULF(qi->y, vi->y), qo_3c = qo_3a + qo_3b,
-      qo_3d = KSL_MULF(qi->z, vi->z), qo_3e = qo_3c + qo_3d, qo_3 = -qo_3e;
+  const float qo_0 = KSL_MULF(qi->y, vi->z) - KSL_MULF(qi->z, vi->y) + KSL_MULF(qi->w, vi->x),
+      qo_1 = KSL_MULF(qi->z, vi->x) - KSL_MULF(qi->x, vi->z) + KSL_MULF(qi->w, vi->y),
+      qo_2 = KSL_MULF(qi->x, vi->y) - KSL_MULF(qi->y, vi->x) + KSL_MULF(qi->w, vi->z),
+      qo_3 = -(KSL_MULF(qi->x, vi->x) + KSL_MULF(qi->y, vi->y) + KSL_MULF(qi->z, vi->z));
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -2413,14 +1999,10 @@ static inline void ksl_product_qvf(const ksl_quaternionf_t *qi, const ksl_vec3f_
      and underflow. */
 static inline void ksl_product_qconjvf(const ksl_quaternionf_t *qi, const ksl_vec3f_t *vi,
     ksl_quaternionf_t *qo) {
-  const float qo_0a = KSL_MULF(qi->z, vi->y), qo_0b = KSL_MULF(qi->y, vi->z), qo_0c = qo_0a - qo_0b,
-      qo_0d = KSL_MULF(qi->w, vi->x), qo_0 = qo_0c + qo_0d;
-  const float qo_1a = KSL_MULF(qi->x, vi->z), qo_1b = KSL_MULF(qi->z, vi->x), qo_1c = qo_1a - qo_1b,
-      qo_1d = KSL_MULF(qi->w, vi->y), qo_1 = qo_1c + qo_1d;
-  const float qo_2a = KSL_MULF(qi->y, vi->x), qo_2b = KSL_MULF(qi->x, vi->y), qo_2c = qo_2a - qo_2b,
-      qo_2d = KSL_MULF(qi->w, vi->z), qo_2 = qo_2c + qo_2d;
-  const float qo_3a = KSL_MULF(qi->x, vi->x), qo_3b = KSL_MULF(qi->y, vi->y), qo_3c = qo_3a + qo_3b,
-      qo_3d = KSL_MULF(qi->z, vi->z), qo_3 = qo_3c + qo_3d;
+  const float qo_0 = KSL_MULF(qi->z, vi->y) - KSL_MULF(qi->y, vi->z) + KSL_MULF(qi->w, vi->x),
+      qo_1 = KSL_MULF(qi->x, vi->z) - KSL_MULF(qi->z, vi->x) + KSL_MULF(qi->w, vi->y),
+      qo_2 = KSL_MULF(qi->y, vi->x) - KSL_MULF(qi->x, vi->y) + KSL_MULF(qi->w, vi->z),
+      qo_3 = KSL_MULF(qi->x, vi->x) + KSL_MULF(qi->y, vi->y) + KSL_MULF(qi->z, vi->z);
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -2434,14 +2016,10 @@ static inline void ksl_product_qconjvf(const ksl_quaternionf_t *qi, const ksl_ve
      and underflow. */
 static inline void ksl_product_vqf(const ksl_vec3f_t *vi, const ksl_quaternionf_t *qi,
     ksl_quaternionf_t *qo) {
-  const float qo_0a = KSL_MULF(vi->x, qi->w), qo_0b = KSL_MULF(vi->y, qi->z),
-      qo_0c = KSL_MULF(vi->z, qi->y), qo_0d = qo_0b - qo_0c, qo_0 = qo_0a + qo_0d;
-  const float qo_1a = KSL_MULF(vi->z, qi->x), qo_1b = KSL_MULF(vi->x, qi->z), qo_1c = qo_1a - qo_1b,
-      qo_1d = KSL_MULF(vi->y, qi->w), qo_1 = qo_1c + qo_1d;
-  const float qo_2a = KSL_MULF(vi->x, qi->y), qo_2b = KSL_MULF(vi->y, qi->x), qo_2c = qo_2a - qo_2b,
-      qo_2d = KSL_MULF(vi->z, qi->w), qo_2 = qo_2c + qo_2d;
-  const float qo_3a = KSL_MULF(vi->x, qi->x), qo_3b = KSL_MULF(vi->y, qi->y), qo_3c = qo_3a + qo_3b,
-      qo_3d = KSL_MULF(vi->z, qi->z), qo_3e = qo_3c + qo_3d, qo_3 = -qo_3e;
+  const float qo_0 = KSL_MULF(vi->x, qi->w) + (KSL_MULF(vi->y, qi->z) - KSL_MULF(vi->z, qi->y)),
+      qo_1 = KSL_MULF(vi->z, qi->x) - KSL_MULF(vi->x, qi->z) + KSL_MULF(vi->y, qi->w),
+      qo_2 = KSL_MULF(vi->x, qi->y) - KSL_MULF(vi->y, qi->x) + KSL_MULF(vi->z, qi->w),
+      qo_3 = -(KSL_MULF(vi->x, qi->x) + KSL_MULF(vi->y, qi->y) + KSL_MULF(vi->z, qi->z));
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -2455,14 +2033,10 @@ static inline void ksl_product_vqf(const ksl_vec3f_t *vi, const ksl_quaternionf_
      and underflow. */
 static inline void ksl_product_vqconjf(const ksl_vec3f_t *vi, const ksl_quaternionf_t *qi,
     ksl_quaternionf_t *qo) {
-  const float qo_0a = KSL_MULF(vi->x, qi->w), qo_0b = KSL_MULF(vi->z, qi->y),
-      qo_0c = KSL_MULF(vi->y, qi->z), qo_0d = qo_0b - qo_0c, qo_0 = qo_0a + qo_0d;
-  const float qo_1a = KSL_MULF(vi->x, qi->z), qo_1b = KSL_MULF(vi->z, qi->x), qo_1c = qo_1a - qo_1b,
-      qo_1d = KSL_MULF(vi->y, qi->w), qo_1 = qo_1c + qo_1d;
-  const float qo_2a = KSL_MULF(vi->y, qi->x), qo_2b = KSL_MULF(vi->x, qi->y), qo_2c = qo_2a - qo_2b,
-      qo_2d = KSL_MULF(vi->z, qi->w), qo_2 = qo_2c + qo_2d;
-  const float qo_3a = KSL_MULF(vi->x, qi->x), qo_3b = KSL_MULF(vi->y, qi->y), qo_3c = qo_3a + qo_3b,
-      qo_3d = KSL_MULF(vi->z, qi->z), qo_3 = qo_3c + qo_3d;
+  const float qo_0 = KSL_MULF(vi->x, qi->w) + (KSL_MULF(vi->z, qi->y) - KSL_MULF(vi->y, qi->z)),
+      qo_1 = KSL_MULF(vi->x, qi->z) - KSL_MULF(vi->z, qi->x) + KSL_MULF(vi->y, qi->w),
+      qo_2 = KSL_MULF(vi->y, qi->x) - KSL_MULF(vi->x, qi->y) + KSL_MULF(vi->z, qi->w),
+      qo_3 = KSL_MULF(vi->x, qi->x) + KSL_MULF(vi->y, qi->y) + KSL_MULF(vi->z, qi->z);
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -2475,9 +2049,8 @@ static inline void ksl_product_vqconjf(const ksl_vec3f_t *vi, const ksl_quaterni
    Error <= u |result| + 3 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline float ksl_dot_qqf(const ksl_quaternionf_t *q1i, const ksl_quaternionf_t *q2i) {
-  const float dot_a = KSL_MULF(q1i->x, q2i->x), dot_b = KSL_MULF(q1i->y, q2i->y),
-      dot_c = dot_a + dot_b, dot_d = KSL_MULF(q1i->z, q2i->z), dot_e = dot_c + dot_d,
-      dot_f = KSL_MULF(q1i->w, q2i->w), dot = dot_e + dot_f;
+  const float dot = KSL_MULF(q1i->x, q2i->x) + KSL_MULF(q1i->y, q2i->y) + KSL_MULF(q1i->z, q2i->z)
+          + KSL_MULF(q1i->w, q2i->w);
   return dot;
 }
 
@@ -2488,20 +2061,17 @@ static inline float ksl_dot_qqf(const ksl_quaternionf_t *q1i, const ksl_quaterni
    Error <= u |result| + 3 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline void ksl_add_dpiToqf(const ksl_vec3f_t *dpi, ksl_quaternionf_t *qi) {
-  const float qi_0_new_a = KSL_MULF(0.5f, dpi->x), qi_0_new_b = KSL_MULF(qi_0_new_a, qi->w),
-      qi_0_new_c = KSL_MULF(0.5f, dpi->z), qi_0_new_d = KSL_MULF(qi_0_new_c, qi->y),
-      qi_0_new_e = KSL_MULF(0.5f, dpi->y), qi_0_new_f = KSL_MULF(qi_0_new_e, qi->z),
-      qi_0_new_g = qi_0_new_d - qi_0_new_f, qi_0_new_h = qi_0_new_b + qi_0_new_g,
-      qi_0_new = qi_0_new_h + qi->x;
-  const float qi_1_new_a = KSL_MULF(qi_0_new_a, qi->z), qi_1_new_b = KSL_MULF(qi_0_new_c, qi->x),
-      qi_1_new_c = qi_1_new_a - qi_1_new_b, qi_1_new_d = KSL_MULF(qi_0_new_e, qi->w),
-      qi_1_new_e = qi_1_new_c + qi_1_new_d, qi_1_new = qi_1_new_e + qi->y;
-  const float qi_2_new_a = KSL_MULF(qi_0_new_e, qi->x), qi_2_new_b = KSL_MULF(qi_0_new_a, qi->y),
-      qi_2_new_c = qi_2_new_a - qi_2_new_b, qi_2_new_d = KSL_MULF(qi_0_new_c, qi->w),
-      qi_2_new_e = qi_2_new_c + qi_2_new_d, qi_2_new = qi_2_new_e + qi->z;
-  const float qi_3_new_a = KSL_MULF(qi_0_new_a, qi->x), qi_3_new_b = KSL_MULF(qi_0_new_e, qi->y),
-      qi_3_new_c = qi_3_new_a + qi_3_new_b, qi_3_new_d = KSL_MULF(qi_0_new_c, qi->z),
-      qi_3_new_e = qi_3_new_c + qi_3_new_d, qi_3_new = qi->w - qi_3_new_e;
+  const float qi_0_new_a = KSL_MULF(0.5f, dpi->x), qi_0_new_c = KSL_MULF(0.5f, dpi->z),
+      qi_0_new_e = KSL_MULF(0.5f, dpi->y),
+      qi_0_new = KSL_MULF(qi_0_new_a, qi->w)
+          + (KSL_MULF(qi_0_new_c, qi->y) - KSL_MULF(qi_0_new_e, qi->z)) + qi->x;
+  const float qi_1_new = KSL_MULF(qi_0_new_a, qi->z) - KSL_MULF(qi_0_new_c, qi->x)
+          + KSL_MULF(qi_0_new_e, qi->w) + qi->y,
+      qi_2_new = KSL_MULF(qi_0_new_e, qi->x) - KSL_MULF(qi_0_new_a, qi->y)
+          + KSL_MULF(qi_0_new_c, qi->w) + qi->z,
+      qi_3_new = qi->w
+          - (KSL_MULF(qi_0_new_a, qi->x) + KSL_MULF(qi_0_new_e, qi->y)
+          + KSL_MULF(qi_0_new_c, qi->z));
   qi->x = qi_0_new;
   qi->y = qi_1_new;
   qi->z = qi_2_new;
@@ -2514,20 +2084,16 @@ static inline void ksl_add_dpiToqf(const ksl_vec3f_t *dpi, ksl_quaternionf_t *qi
    Error <= u |result| + 3 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline void ksl_subtract_dpiFromqf(const ksl_vec3f_t *dpi, ksl_quaternionf_t *qi) {
-  const float qi_0_new_a = KSL_MULF(0.5f, dpi->y), qi_0_new_b = KSL_MULF(qi_0_new_a, qi->z),
-      qi_0_new_c = KSL_MULF(0.5f, dpi->z), qi_0_new_d = KSL_MULF(qi_0_new_c, qi->y),
-      qi_0_new_e = qi_0_new_b - qi_0_new_d, qi_0_new_f = KSL_MULF(0.5f, dpi->x),
-      qi_0_new_g = KSL_MULF(qi_0_new_f, qi->w), qi_0_new_h = qi_0_new_e - qi_0_new_g,
-      qi_0_new = qi_0_new_h + qi->x;
-  const float qi_1_new_a = KSL_MULF(qi_0_new_c, qi->x), qi_1_new_b = KSL_MULF(qi_0_new_f, qi->z),
-      qi_1_new_c = qi_1_new_a - qi_1_new_b, qi_1_new_d = KSL_MULF(qi_0_new_a, qi->w),
-      qi_1_new_e = qi_1_new_c - qi_1_new_d, qi_1_new = qi_1_new_e + qi->y;
-  const float qi_2_new_a = KSL_MULF(qi_0_new_f, qi->y), qi_2_new_b = KSL_MULF(qi_0_new_a, qi->x),
-      qi_2_new_c = qi_2_new_a - qi_2_new_b, qi_2_new_d = KSL_MULF(qi_0_new_c, qi->w),
-      qi_2_new_e = qi_2_new_c - qi_2_new_d, qi_2_new = qi_2_new_e + qi->z;
-  const float qi_3_new_a = KSL_MULF(qi_0_new_f, qi->x), qi_3_new_b = KSL_MULF(qi_0_new_a, qi->y),
-      qi_3_new_c = qi_3_new_a + qi_3_new_b, qi_3_new_d = KSL_MULF(qi_0_new_c, qi->z),
-      qi_3_new_e = qi_3_new_c + qi_3_new_d, qi_3_new = qi_3_new_e + qi->w;
+  const float qi_0_new_a = KSL_MULF(0.5f, dpi->y), qi_0_new_c = KSL_MULF(0.5f, dpi->z),
+      qi_0_new_f = KSL_MULF(0.5f, dpi->x),
+      qi_0_new = KSL_MULF(qi_0_new_a, qi->z) - KSL_MULF(qi_0_new_c, qi->y)
+          - KSL_MULF(qi_0_new_f, qi->w) + qi->x;
+  const float qi_1_new = KSL_MULF(qi_0_new_c, qi->x) - KSL_MULF(qi_0_new_f, qi->z)
+          - KSL_MULF(qi_0_new_a, qi->w) + qi->y,
+      qi_2_new = KSL_MULF(qi_0_new_f, qi->y) - KSL_MULF(qi_0_new_a, qi->x)
+          - KSL_MULF(qi_0_new_c, qi->w) + qi->z,
+      qi_3_new = KSL_MULF(qi_0_new_f, qi->x) + KSL_MULF(qi_0_new_a, qi->y)
+          + KSL_MULF(qi_0_new_c, qi->z) + qi->w;
   qi->x = qi_0_new;
   qi->y = qi_1_new;
   qi->z = qi_2_new;
@@ -2542,22 +2108,18 @@ static inline void ksl_subtract_dpiFromqf(const ksl_vec3f_t *dpi, ksl_quaternion
      and underflow. */
 static inline void ksl_omega_to_dquaternionf(const ksl_vec3f_t *w, const ksl_quaternionf_t *qi,
     ksl_quaternionf_t *dqo) {
-  const float dqo_0a = KSL_MULF(0.5f, w->x), dqo_0b = KSL_MULF(dqo_0a, qi->w),
-      dqo_0c = KSL_MULF(0.5f, w->y), dqo_0d = KSL_MULF(dqo_0c, qi->z),
-      dqo_0e = KSL_MULF(0.5f, w->z), dqo_0f = KSL_MULF(dqo_0e, qi->y), dqo_0g = dqo_0d - dqo_0f,
-      dqo_0h = dqo_0b + dqo_0g, dqo_0i = KSL_MULF(qi->x, qi->x), dqo_0j = 1.0f - dqo_0i,
-      dqo_0k = KSL_MULF(qi->y, qi->y), dqo_0l = dqo_0j - dqo_0k, dqo_0m = KSL_MULF(qi->z, qi->z),
-      dqo_0n = dqo_0l - dqo_0m, dqo_0o = KSL_MULF(qi->w, qi->w), dqo_0p = dqo_0n - dqo_0o,
-      dqo_0q = KSL_MULF(qi->x, dqo_0p), dqo_0 = dqo_0h + dqo_0q;
-  const float dqo_1a = KSL_MULF(dqo_0e, qi->x), dqo_1b = KSL_MULF(dqo_0a, qi->z),
-      dqo_1c = dqo_1a - dqo_1b, dqo_1d = KSL_MULF(dqo_0c, qi->w), dqo_1e = dqo_1c + dqo_1d,
-      dqo_1f = KSL_MULF(qi->y, dqo_0p), dqo_1 = dqo_1e + dqo_1f;
-  const float dqo_2a = KSL_MULF(dqo_0a, qi->y), dqo_2b = KSL_MULF(dqo_0c, qi->x),
-      dqo_2c = dqo_2a - dqo_2b, dqo_2d = KSL_MULF(dqo_0e, qi->w), dqo_2e = dqo_2c + dqo_2d,
-      dqo_2f = KSL_MULF(qi->z, dqo_0p), dqo_2 = dqo_2e + dqo_2f;
-  const float dqo_3a = KSL_MULF(qi->w, dqo_0p), dqo_3b = KSL_MULF(dqo_0a, qi->x),
-      dqo_3c = KSL_MULF(dqo_0c, qi->y), dqo_3d = dqo_3b + dqo_3c, dqo_3e = KSL_MULF(dqo_0e, qi->z),
-      dqo_3f = dqo_3d + dqo_3e, dqo_3 = dqo_3a - dqo_3f;
+  const float dqo_0a = KSL_MULF(0.5f, w->x), dqo_0c = KSL_MULF(0.5f, w->y),
+      dqo_0e = KSL_MULF(0.5f, w->z),
+      dqo_0p = 1.0f - KSL_MULF(qi->x, qi->x) - KSL_MULF(qi->y, qi->y) - KSL_MULF(qi->z, qi->z)
+          - KSL_MULF(qi->w, qi->w),
+      dqo_0 = KSL_MULF(dqo_0a, qi->w) + (KSL_MULF(dqo_0c, qi->z) - KSL_MULF(dqo_0e, qi->y))
+          + KSL_MULF(qi->x, dqo_0p);
+  const float dqo_1 = KSL_MULF(dqo_0e, qi->x) - KSL_MULF(dqo_0a, qi->z) + KSL_MULF(dqo_0c, qi->w)
+          + KSL_MULF(qi->y, dqo_0p),
+      dqo_2 = KSL_MULF(dqo_0a, qi->y) - KSL_MULF(dqo_0c, qi->x) + KSL_MULF(dqo_0e, qi->w)
+          + KSL_MULF(qi->z, dqo_0p),
+      dqo_3 = KSL_MULF(qi->w, dqo_0p)
+          - (KSL_MULF(dqo_0a, qi->x) + KSL_MULF(dqo_0c, qi->y) + KSL_MULF(dqo_0e, qi->z));
   dqo->x = dqo_0;
   dqo->y = dqo_1;
   dqo->z = dqo_2;
@@ -2570,16 +2132,11 @@ static inline void ksl_omega_to_dquaternionf(const ksl_vec3f_t *w, const ksl_qua
    Error <= R: 8 u of its largest component for 2^-450 < |q| < 2^511, in single precision 2^-45 <
      |q| < 2^63; searched, not proved. */
 static inline void ksl_mat3x3f_from_quaternion(const ksl_quaternionf_t *q, ksl_mat3x3f_t *R) {
-  const float squares_0 = KSL_MULF(q->w, q->w);
-  const float squares_1 = KSL_MULF(q->x, q->x);
-  const float squares_2 = KSL_MULF(q->y, q->y);
-  const float squares_3 = KSL_MULF(q->z, q->z);
-  const float pairs_0 = squares_0 + squares_1;
-  const float pairs_1 = squares_2 + squares_3;
-  const float pairs_2 = squares_0 + squares_2;
-  const float pairs_3 = squares_1 + squares_3;
-  const float pairs_4 = squares_0 + squares_3;
-  const float pairs_5 = squares_1 + squares_2;
+  const float squares_0 = KSL_MULF(q->w, q->w), squares_1 = KSL_MULF(q->x, q->x),
+      squares_2 = KSL_MULF(q->y, q->y), squares_3 = KSL_MULF(q->z, q->z);
+  const float pairs_0 = squares_0 + squares_1, pairs_1 = squares_2 + squares_3,
+      pairs_2 = squares_0 + squares_2, pairs_3 = squares_1 + squares_3,
+      pairs_4 = squares_0 + squares_3, pairs_5 = squares_1 + squares_2;
   const float square = pairs_0 + pairs_1;
   const float factor = 1.0f / square;
   const float d0 = pairs_0 - pairs_1;
@@ -2589,18 +2146,10 @@ static inline void ksl_mat3x3f_from_quaternion(const ksl_quaternionf_t *q, ksl_m
   const float m_0a = KSL_MULF(q->x, q->y), m_0b = KSL_MULF(q->z, q->w), m_0 = m_0a - m_0b;
   const float m_1a = KSL_MULF(q->x, q->z), m_1b = KSL_MULF(q->y, q->w), m_1 = m_1a + m_1b;
   const float m_2a = KSL_MULF(q->y, q->z), m_2b = KSL_MULF(q->x, q->w), m_2 = m_2a - m_2b;
-  const float m_3 = m_0a + m_0b;
-  const float m_4 = m_1a - m_1b;
-  const float m_5 = m_2b + m_2a;
-  const float R_00 = KSL_MULF(factor, d0);
-  const float R_01 = KSL_MULF(twice, m_0);
-  const float R_02 = KSL_MULF(twice, m_1);
-  const float R_10 = KSL_MULF(twice, m_3);
-  const float R_11 = KSL_MULF(factor, d1);
-  const float R_12 = KSL_MULF(twice, m_2);
-  const float R_20 = KSL_MULF(twice, m_4);
-  const float R_21 = KSL_MULF(twice, m_5);
-  const float R_22 = KSL_MULF(factor, d2);
+  const float m_3 = m_0a + m_0b, m_4 = m_1a - m_1b, m_5 = m_2b + m_2a;
+  const float R_00 = KSL_MULF(factor, d0), R_01 = KSL_MULF(twice, m_0), R_02 = KSL_MULF(twice, m_1),
+      R_10 = KSL_MULF(twice, m_3), R_11 = KSL_MULF(factor, d1), R_12 = KSL_MULF(twice, m_2),
+      R_20 = KSL_MULF(twice, m_4), R_21 = KSL_MULF(twice, m_5), R_22 = KSL_MULF(factor, d2);
   R->m00 = R_00;
   R->m01 = R_01;
   R->m02 = R_02;
@@ -2617,44 +2166,27 @@ static inline void ksl_mat3x3f_from_quaternion(const ksl_quaternionf_t *q, ksl_m
    4 mul, 17 add, 4 div, 1 sqrt, 5 neg, 4 less, 16 select.
    Error <= qo: 6 u of its largest component for R a rotation; searched, not proved. */
 static inline void ksl_quaternionf_from_mat3x3(const ksl_mat3x3f_t *R, ksl_quaternionf_t *qo) {
-  const float p_0 = R->m21 - R->m12;
-  const float p_1 = R->m02 - R->m20;
-  const float p_2 = R->m10 - R->m01;
-  const float s_0 = R->m12 + R->m21;
-  const float s_1 = R->m02 + R->m20;
-  const float s_2 = R->m01 + R->m10;
-  const float first_0 = R->m00 + 1.0f;
-  const float first_1 = 1.0f - R->m00;
-  const float others_0 = R->m11 + R->m22;
-  const float others_1 = R->m11 - R->m22;
-  const float d_0 = first_0 + others_0;
-  const float d_1 = first_0 - others_0;
-  const float d_2 = first_1 + others_1;
-  const float d_3 = first_1 - others_1;
-  const float low_0 = R->m11 < R->m00 ? d_1 : s_2;
-  const float low_1 = R->m11 < R->m00 ? s_2 : d_2;
-  const float low_2 = R->m11 < R->m00 ? s_1 : s_0;
-  const float low_3 = R->m11 < R->m00 ? p_0 : p_1;
+  const float p_0 = R->m21 - R->m12, p_1 = R->m02 - R->m20, p_2 = R->m10 - R->m01;
+  const float s_0 = R->m12 + R->m21, s_1 = R->m02 + R->m20, s_2 = R->m01 + R->m10;
+  const float first_0 = R->m00 + 1.0f, first_1 = 1.0f - R->m00;
+  const float others_0 = R->m11 + R->m22, others_1 = R->m11 - R->m22;
+  const float d_0 = first_0 + others_0, d_1 = first_0 - others_0, d_2 = first_1 + others_1,
+      d_3 = first_1 - others_1;
+  const float low_0 = R->m11 < R->m00 ? d_1 : s_2, low_1 = R->m11 < R->m00 ? s_2 : d_2,
+      low_2 = R->m11 < R->m00 ? s_1 : s_0, low_3 = R->m11 < R->m00 ? p_0 : p_1;
   const float high_0a = -R->m11, high_0 = R->m00 < high_0a ? s_1 : p_0;
-  const float high_1 = R->m00 < high_0a ? s_0 : p_1;
-  const float high_2 = R->m00 < high_0a ? d_3 : p_2;
-  const float high_3 = R->m00 < high_0a ? p_2 : d_0;
-  const float column_0 = R->m22 < 0.0f ? low_0 : high_0;
-  const float column_1 = R->m22 < 0.0f ? low_1 : high_1;
-  const float column_2 = R->m22 < 0.0f ? low_2 : high_2;
-  const float column_3 = R->m22 < 0.0f ? low_3 : high_3;
+  const float high_1 = R->m00 < high_0a ? s_0 : p_1, high_2 = R->m00 < high_0a ? d_3 : p_2,
+      high_3 = R->m00 < high_0a ? p_2 : d_0;
+  const float column_0 = R->m22 < 0.0f ? low_0 : high_0, column_1 = R->m22 < 0.0f ? low_1 : high_1,
+      column_2 = R->m22 < 0.0f ? low_2 : high_2, column_3 = R->m22 < 0.0f ? low_3 : high_3;
   const float upper_0a = -column_0, upper_0 = column_3 < 0.0f ? upper_0a : column_0;
   const float upper_1a = -column_1, upper_1 = column_3 < 0.0f ? upper_1a : column_1;
   const float upper_2a = -column_2, upper_2 = column_3 < 0.0f ? upper_2a : column_2;
   const float upper_3a = -column_3, upper_3 = column_3 < 0.0f ? upper_3a : column_3;
-  const float length_a = KSL_MULF(upper_0, upper_0), length_b = KSL_MULF(upper_1, upper_1),
-      length_c = length_a + length_b, length_d = KSL_MULF(upper_2, upper_2),
-      length_e = length_c + length_d, length_f = KSL_MULF(upper_3, upper_3),
-      length_g = length_e + length_f, length = sqrtf(length_g);
-  const float qo_0 = upper_0 / length;
-  const float qo_1 = upper_1 / length;
-  const float qo_2 = upper_2 / length;
-  const float qo_3 = upper_3 / length;
+  const float length = sqrtf(KSL_MULF(upper_0, upper_0) + KSL_MULF(upper_1, upper_1)
+          + KSL_MULF(upper_2, upper_2) + KSL_MULF(upper_3, upper_3));
+  const float qo_0 = upper_0 / length, qo_1 = upper_1 / length, qo_2 = upper_2 / length,
+      qo_3 = upper_3 / length;
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -2670,9 +2202,8 @@ static inline void ksl_quaternionf_from_axis_angle(const ksl_vec3f_t *axis, cons
     ksl_quaternionf_t *qo) {
   const float half = KSL_MULF(0.5f, angle);
   float qo_3; const float sine = ksl_sincosf(half, &qo_3);
-  const float qo_0 = KSL_MULF(axis->x, sine);
-  const float qo_1 = KSL_MULF(axis->y, sine);
-  const float qo_2 = KSL_MULF(axis->z, sine);
+  const float qo_0 = KSL_MULF(axis->x, sine), qo_1 = KSL_MULF(axis->y, sine),
+      qo_2 = KSL_MULF(axis->z, sine);
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -2685,44 +2216,34 @@ static inline void ksl_quaternionf_from_axis_angle(const ksl_vec3f_t *axis, cons
    34 mul, 31 add, 4 div, 1 sqrt, 5 neg, 9 abs, 2 copysign, 19 less, 2 equal, 32 select.
    Error <= angle: 6 u, axis: 4 u of its largest component; searched, not proved. */
 static inline float ksl_axis_angle_from_quaternionf(const ksl_quaternionf_t *q, ksl_vec3f_t *axis) {
-  const float s_size_0 = fabsf(q->x);
-  const float s_size_1 = fabsf(q->y);
-  const float s_size_2 = fabsf(q->z);
-  const float s_size_3 = fabsf(q->w);
+  const float s_size_0 = fabsf(q->x), s_size_1 = fabsf(q->y), s_size_2 = fabsf(q->z),
+      s_size_3 = fabsf(q->w);
   const float s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
   const float s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const float s_largest3 = s_largest2 < s_size_3 ? s_size_3 : s_largest2;
   const float s_b = 4.611686e+18f < s_largest3 ? 2.7105054e-20f : 1.0f,
       s_d = s_largest3 < 256.0f ? 1.8014399e+16f : s_b,
       s = s_largest3 < 1.4210855e-14f ? 3.2451855e+32f : s_d;
-  const float scaled_s_0 = KSL_MULF(q->x, s);
-  const float scaled_s_1 = KSL_MULF(q->y, s);
-  const float scaled_s_2 = KSL_MULF(q->z, s);
-  const float scaled_s_3 = KSL_MULF(q->w, s);
+  const float scaled_s_0 = KSL_MULF(q->x, s), scaled_s_1 = KSL_MULF(q->y, s),
+      scaled_s_2 = KSL_MULF(q->z, s), scaled_s_3 = KSL_MULF(q->w, s);
   const float upper_0a = -scaled_s_0, upper_0 = scaled_s_3 < 0.0f ? upper_0a : scaled_s_0;
   const float upper_1a = -scaled_s_1, upper_1 = scaled_s_3 < 0.0f ? upper_1a : scaled_s_1;
   const float upper_2a = -scaled_s_2, upper_2 = scaled_s_3 < 0.0f ? upper_2a : scaled_s_2;
   const float upper_3a = -scaled_s_3, upper_3 = scaled_s_3 < 0.0f ? upper_3a : scaled_s_3;
-  const float v_s_size_0 = fabsf(upper_0);
-  const float v_s_size_1 = fabsf(upper_1);
-  const float v_s_size_2 = fabsf(upper_2);
+  const float v_s_size_0 = fabsf(upper_0), v_s_size_1 = fabsf(upper_1), v_s_size_2 = fabsf(upper_2);
   const float v_s_largest1 = v_s_size_0 < v_s_size_1 ? v_s_size_1 : v_s_size_0;
   const float v_s_largest2 = v_s_largest1 < v_s_size_2 ? v_s_size_2 : v_s_largest1;
   const float v_s_b = v_s_largest2 < 256.0f ? 1.8014399e+16f : 1.0f,
       v_s = v_s_largest2 < 1.4210855e-14f ? 3.2451855e+32f : v_s_b;
-  const float v_y_0 = KSL_MULF(upper_0, v_s);
-  const float v_y_1 = KSL_MULF(upper_1, v_s);
-  const float v_y_2 = KSL_MULF(upper_2, v_s);
-  const float v_n_a = KSL_MULF(v_y_0, v_y_0), v_n_b = KSL_MULF(v_y_1, v_y_1), v_n_c = v_n_a + v_n_b,
-      v_n_d = KSL_MULF(v_y_2, v_y_2), v_n_e = v_n_c + v_n_d, v_n = sqrtf(v_n_e);
+  const float v_y_0 = KSL_MULF(upper_0, v_s), v_y_1 = KSL_MULF(upper_1, v_s),
+      v_y_2 = KSL_MULF(upper_2, v_s);
+  const float v_n = sqrtf(KSL_MULF(v_y_0, v_y_0) + KSL_MULF(v_y_1, v_y_1) + KSL_MULF(v_y_2, v_y_2));
   const float v_r_b = 1.0f < v_s ? 5.551115e-17f : 1.0f,
       v_r = 1.8014399e+16f < v_s ? 3.081488e-33f : v_r_b;
   const float n = KSL_MULF(v_n, v_r);
   const float half = ksl_atan2f(n, upper_3);
   const float divisor = v_n == 0.0f ? 1.0f : v_n;
-  const float unit_0 = v_y_0 / divisor;
-  const float unit_1 = v_y_1 / divisor;
-  const float unit_2 = v_y_2 / divisor;
+  const float unit_0 = v_y_0 / divisor, unit_1 = v_y_1 / divisor, unit_2 = v_y_2 / divisor;
   const float angle = KSL_MULF(2.0f, half);
   const float axis_0 = v_n == 0.0f ? 1.0f : unit_0;
   axis->x = axis_0;
@@ -2737,69 +2258,49 @@ static inline float ksl_axis_angle_from_quaternionf(const ksl_quaternionf_t *q, 
    Error <= qo: (7 + θ/200) u of its largest component for |v| <= 1e13, in single precision 1e5;
      searched, not proved. */
 static inline void ksl_quaternionf_exp(const ksl_vec3f_t *v, ksl_quaternionf_t *qo) {
-  const float h_0 = KSL_MULF(0.5f, v->x);
-  const float h_1 = KSL_MULF(0.5f, v->y);
-  const float h_2 = KSL_MULF(0.5f, v->z);
-  const float size_0 = fabsf(h_0);
-  const float size_1 = fabsf(h_1);
-  const float size_2 = fabsf(h_2);
-  const float sizes_a = size_0 + size_1, sizes = sizes_a + size_2;
+  const float h_0 = KSL_MULF(0.5f, v->x), h_1 = KSL_MULF(0.5f, v->y), h_2 = KSL_MULF(0.5f, v->z);
+  const float size_0 = fabsf(h_0), size_1 = fabsf(h_1), size_2 = fabsf(h_2);
+  const float sizes = size_0 + size_1 + size_2;
   const float grid = KSL_MULF(sizes, 8192.0f);
-  const float shifted_0 = h_0 + grid;
-  const float shifted_1 = h_1 + grid;
-  const float shifted_2 = h_2 + grid;
-  const float high_0 = shifted_0 - grid;
-  const float high_1 = shifted_1 - grid;
-  const float high_2 = shifted_2 - grid;
-  const float low_0 = h_0 - high_0;
-  const float low_1 = h_1 - high_1;
-  const float low_2 = h_2 - high_2;
-  const float sum_0 = h_0 + high_0;
-  const float sum_1 = h_1 + high_1;
-  const float sum_2 = h_2 + high_2;
-  const float squares_a = KSL_MULF(high_0, high_0), squares_b = KSL_MULF(high_1, high_1),
-      squares_c = squares_a + squares_b, squares_d = KSL_MULF(high_2, high_2),
-      squares = squares_c + squares_d;
-  const float cross_a = KSL_MULF(low_0, sum_0), cross_b = KSL_MULF(low_1, sum_1),
-      cross_c = cross_a + cross_b, cross_d = KSL_MULF(low_2, sum_2), cross = cross_c + cross_d;
+  const float shifted_0 = h_0 + grid, shifted_1 = h_1 + grid, shifted_2 = h_2 + grid;
+  const float high_0 = shifted_0 - grid, high_1 = shifted_1 - grid, high_2 = shifted_2 - grid;
+  const float low_0 = h_0 - high_0, low_1 = h_1 - high_1, low_2 = h_2 - high_2;
+  const float sum_0 = h_0 + high_0, sum_1 = h_1 + high_1, sum_2 = h_2 + high_2;
+  const float squares = KSL_MULF(high_0, high_0) + KSL_MULF(high_1, high_1)
+          + KSL_MULF(high_2, high_2);
+  const float cross = KSL_MULF(low_0, sum_0) + KSL_MULF(low_1, sum_1) + KSL_MULF(low_2, sum_2);
   const float x = squares + cross;
   const float theta_a = sqrtf(x), theta = x < 1.0f ? 1.0f : theta_a;
   const float theta_shifted = grid + theta;
   const float theta_high = theta_shifted - grid;
   const float theta_low = theta - theta_high;
   const float theta_sum = theta + theta_high;
-  const float cross_rest_a = KSL_MULF(theta_low, theta_sum), cross_rest = cross - cross_rest_a;
-  const float exact_a = KSL_MULF(theta_high, theta_high), exact = squares - exact_a;
+  const float cross_rest = cross - KSL_MULF(theta_low, theta_sum);
+  const float exact = squares - KSL_MULF(theta_high, theta_high);
   const float residual = cross_rest + exact;
-  const float small_a = KSL_MULF(0.5f, residual), small = small_a / theta;
-  const float delta_a = fabsf(small), delta = delta_a < 0.0078125f ? small : 0.0f;
+  const float small = KSL_MULF(0.5f, residual) / theta;
+  const float delta = fabsf(small) < 0.0078125f ? small : 0.0f;
   float far_cosine_a; const float far_sine_a = ksl_sincosf(theta, &far_cosine_a);
   const float far_sine = x < 1.0f ? 1.0f : far_sine_a;
   const float far_cosine = x < 1.0f ? 0.0f : far_cosine_a;
-  const float sine_a = KSL_MULF(delta, far_cosine), sine = sine_a + far_sine;
-  const float cosine_a = KSL_MULF(delta, far_sine), cosine = far_cosine - cosine_a;
+  const float sine = KSL_MULF(delta, far_cosine) + far_sine;
+  const float cosine = far_cosine - KSL_MULF(delta, far_sine);
   const float far_k = sine / theta;
-  const float k_a = KSL_MULF(6.4469503e-26f, x), k_b = k_a - 3.8681703e-23f, k_c = KSL_MULF(x, k_b),
-      k_d = k_c + 1.9572942e-20f, k_e = KSL_MULF(x, k_d), k_f = k_e - 8.220635e-18f,
-      k_g = KSL_MULF(x, k_f), k_h = k_g + 2.8114574e-15f, k_i = KSL_MULF(x, k_h),
-      k_j = k_i - 7.6471636e-13f, k_k = KSL_MULF(x, k_j), k_l = k_k + 1.6059044e-10f,
-      k_m = KSL_MULF(x, k_l), k_n = k_m - 2.5052108e-08f, k_o = KSL_MULF(x, k_n),
-      k_p = k_o + 2.7557319e-06f, k_q = KSL_MULF(x, k_p), k_r = k_q - 0.0001984127f,
-      k_s = KSL_MULF(x, k_r), k_t = k_s + 0.008333334f, k_u = KSL_MULF(x, k_t),
-      k_v = k_u - 0.16666667f, k_w = KSL_MULF(x, k_v), k_x = k_w + 1.0f, k = x < 1.0f ? k_x : far_k;
-  const float g2a = KSL_MULF(2.4795963e-27f, x), g2b = g2a - 1.6117376e-24f, g2c = KSL_MULF(x, g2b),
-      g2d = g2c + 8.896791e-22f, g2e = KSL_MULF(x, g2d), g2f = g2e - 4.1103176e-19f,
-      g2g = KSL_MULF(x, g2f), g2h = g2g + 1.5619207e-16f, g2i = KSL_MULF(x, g2h),
-      g2j = g2i - 4.7794773e-14f, g2k = KSL_MULF(x, g2j), g2l = g2k + 1.1470745e-11f,
-      g2m = KSL_MULF(x, g2l), g2n = g2m - 2.0876756e-09f, g2o = KSL_MULF(x, g2n),
-      g2p = g2o + 2.755732e-07f, g2q = KSL_MULF(x, g2p), g2r = g2q - 2.4801588e-05f,
-      g2s = KSL_MULF(x, g2r), g2t = g2s + 0.0013888889f, g2u = KSL_MULF(x, g2t),
-      g2v = g2u - 0.041666668f, g2w = KSL_MULF(x, g2v), g2 = g2w + 0.5f;
-  const float near_a = KSL_MULF(x, g2), near = 1.0f - near_a;
-  const float qo_0 = KSL_MULF(h_0, k);
-  const float qo_1 = KSL_MULF(h_1, k);
-  const float qo_2 = KSL_MULF(h_2, k);
-  const float qo_3 = x < 1.0f ? near : cosine;
+  const float k_h = KSL_MULF(x, KSL_MULF(x, KSL_MULF(x, KSL_MULF(6.4469503e-26f, x)
+          - 3.8681703e-23f) + 1.9572942e-20f) - 8.220635e-18f) + 2.8114574e-15f,
+      k_q = KSL_MULF(x, KSL_MULF(x, KSL_MULF(x, KSL_MULF(x, KSL_MULF(x, k_h) - 7.6471636e-13f)
+          + 1.6059044e-10f) - 2.5052108e-08f) + 2.7557319e-06f),
+      k_x = KSL_MULF(x, KSL_MULF(x, KSL_MULF(x, k_q - 0.0001984127f) + 0.008333334f) - 0.16666667f)
+          + 1.0f, k = x < 1.0f ? k_x : far_k;
+  const float g2h = KSL_MULF(x, KSL_MULF(x, KSL_MULF(x, KSL_MULF(2.4795963e-27f, x)
+          - 1.6117376e-24f) + 8.896791e-22f) - 4.1103176e-19f) + 1.5619207e-16f,
+      g2q = KSL_MULF(x, KSL_MULF(x, KSL_MULF(x, KSL_MULF(x, KSL_MULF(x, g2h) - 4.7794773e-14f)
+          + 1.1470745e-11f) - 2.0876756e-09f) + 2.755732e-07f),
+      g2 = KSL_MULF(x, KSL_MULF(x, KSL_MULF(x, g2q - 2.4801588e-05f) + 0.0013888889f)
+          - 0.041666668f) + 0.5f;
+  const float near = 1.0f - KSL_MULF(x, g2);
+  const float qo_0 = KSL_MULF(h_0, k), qo_1 = KSL_MULF(h_1, k), qo_2 = KSL_MULF(h_2, k),
+      qo_3 = x < 1.0f ? near : cosine;
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;
@@ -2811,36 +2312,28 @@ static inline void ksl_quaternionf_exp(const ksl_vec3f_t *v, ksl_quaternionf_t *
    37 mul, 31 add, 2 div, 1 sqrt, 5 neg, 9 abs, 2 copysign, 19 less, 2 equal, 31 select.
    Error <= vo: 6 u of its largest component; searched, not proved. */
 static inline void ksl_quaternionf_log(const ksl_quaternionf_t *q, ksl_vec3f_t *vo) {
-  const float s_size_0 = fabsf(q->x);
-  const float s_size_1 = fabsf(q->y);
-  const float s_size_2 = fabsf(q->z);
-  const float s_size_3 = fabsf(q->w);
+  const float s_size_0 = fabsf(q->x), s_size_1 = fabsf(q->y), s_size_2 = fabsf(q->z),
+      s_size_3 = fabsf(q->w);
   const float s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
   const float s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const float s_largest3 = s_largest2 < s_size_3 ? s_size_3 : s_largest2;
   const float s_b = 4.611686e+18f < s_largest3 ? 2.7105054e-20f : 1.0f,
       s_d = s_largest3 < 256.0f ? 1.8014399e+16f : s_b,
       s = s_largest3 < 1.4210855e-14f ? 3.2451855e+32f : s_d;
-  const float scaled_s_0 = KSL_MULF(q->x, s);
-  const float scaled_s_1 = KSL_MULF(q->y, s);
-  const float scaled_s_2 = KSL_MULF(q->z, s);
-  const float scaled_s_3 = KSL_MULF(q->w, s);
+  const float scaled_s_0 = KSL_MULF(q->x, s), scaled_s_1 = KSL_MULF(q->y, s),
+      scaled_s_2 = KSL_MULF(q->z, s), scaled_s_3 = KSL_MULF(q->w, s);
   const float upper_0a = -scaled_s_0, upper_0 = scaled_s_3 < 0.0f ? upper_0a : scaled_s_0;
   const float upper_1a = -scaled_s_1, upper_1 = scaled_s_3 < 0.0f ? upper_1a : scaled_s_1;
   const float upper_2a = -scaled_s_2, upper_2 = scaled_s_3 < 0.0f ? upper_2a : scaled_s_2;
   const float upper_3a = -scaled_s_3, upper_3 = scaled_s_3 < 0.0f ? upper_3a : scaled_s_3;
-  const float v_s_size_0 = fabsf(upper_0);
-  const float v_s_size_1 = fabsf(upper_1);
-  const float v_s_size_2 = fabsf(upper_2);
+  const float v_s_size_0 = fabsf(upper_0), v_s_size_1 = fabsf(upper_1), v_s_size_2 = fabsf(upper_2);
   const float v_s_largest1 = v_s_size_0 < v_s_size_1 ? v_s_size_1 : v_s_size_0;
   const float v_s_largest2 = v_s_largest1 < v_s_size_2 ? v_s_size_2 : v_s_largest1;
   const float v_s_b = v_s_largest2 < 256.0f ? 1.8014399e+16f : 1.0f,
       v_s = v_s_largest2 < 1.4210855e-14f ? 3.2451855e+32f : v_s_b;
-  const float v_y_0 = KSL_MULF(upper_0, v_s);
-  const float v_y_1 = KSL_MULF(upper_1, v_s);
-  const float v_y_2 = KSL_MULF(upper_2, v_s);
-  const float v_n_a = KSL_MULF(v_y_0, v_y_0), v_n_b = KSL_MULF(v_y_1, v_y_1), v_n_c = v_n_a + v_n_b,
-      v_n_d = KSL_MULF(v_y_2, v_y_2), v_n_e = v_n_c + v_n_d, v_n = sqrtf(v_n_e);
+  const float v_y_0 = KSL_MULF(upper_0, v_s), v_y_1 = KSL_MULF(upper_1, v_s),
+      v_y_2 = KSL_MULF(upper_2, v_s);
+  const float v_n = sqrtf(KSL_MULF(v_y_0, v_y_0) + KSL_MULF(v_y_1, v_y_1) + KSL_MULF(v_y_2, v_y_2));
   const float v_r_b = 1.0f < v_s ? 5.551115e-17f : 1.0f,
       v_r = 1.8014399e+16f < v_s ? 3.081488e-33f : v_r_b;
   const float n = KSL_MULF(v_n, v_r);
@@ -2848,9 +2341,8 @@ static inline void ksl_quaternionf_log(const ksl_quaternionf_t *q, ksl_vec3f_t *
   const float divisor = n == 0.0f ? 1.0f : n;
   const float theta = KSL_MULF(2.0f, half);
   const float k = theta / divisor;
-  const float vector_0 = KSL_MULF(upper_0, k);
-  const float vector_1 = KSL_MULF(upper_1, k);
-  const float vector_2 = KSL_MULF(upper_2, k);
+  const float vector_0 = KSL_MULF(upper_0, k), vector_1 = KSL_MULF(upper_1, k),
+      vector_2 = KSL_MULF(upper_2, k);
   vo->x = vector_0;
   vo->y = vector_1;
   vo->z = vector_2;
@@ -2863,139 +2355,93 @@ static inline void ksl_quaternionf_log(const ksl_quaternionf_t *q, ksl_vec3f_t *
      searched, not proved. */
 static inline void ksl_quaternionf_interpolated(const ksl_quaternionf_t *q1,
     const ksl_quaternionf_t *q2, const float k, ksl_quaternionf_t *qo) {
-  const float between_0a = KSL_MULF(q1->w, q2->x), between_0b = KSL_MULF(q1->x, q2->w),
-      between_0c = between_0a - between_0b, between_0d = KSL_MULF(q1->z, q2->y),
-      between_0e = KSL_MULF(q1->y, q2->z), between_0f = between_0d - between_0e,
-      between_0 = between_0c + between_0f;
-  const float between_1a = KSL_MULF(q1->x, q2->z), between_1b = KSL_MULF(q1->z, q2->x),
-      between_1c = between_1a - between_1b, between_1d = KSL_MULF(q1->w, q2->y),
-      between_1e = KSL_MULF(q1->y, q2->w), between_1f = between_1d - between_1e,
-      between_1 = between_1c + between_1f;
-  const float between_2a = KSL_MULF(q1->y, q2->x), between_2b = KSL_MULF(q1->x, q2->y),
-      between_2c = between_2a - between_2b, between_2d = KSL_MULF(q1->w, q2->z),
-      between_2e = KSL_MULF(q1->z, q2->w), between_2f = between_2d - between_2e,
-      between_2 = between_2c + between_2f;
-  const float between_3a = KSL_MULF(q1->x, q2->x), between_3b = KSL_MULF(q1->y, q2->y),
-      between_3c = between_3a + between_3b, between_3d = KSL_MULF(q1->z, q2->z),
-      between_3e = between_3c + between_3d, between_3f = KSL_MULF(q1->w, q2->w),
-      between_3 = between_3e + between_3f;
+  const float between_0 = KSL_MULF(q1->w, q2->x) - KSL_MULF(q1->x, q2->w)
+          + (KSL_MULF(q1->z, q2->y) - KSL_MULF(q1->y, q2->z)),
+      between_1 = KSL_MULF(q1->x, q2->z) - KSL_MULF(q1->z, q2->x)
+          + (KSL_MULF(q1->w, q2->y) - KSL_MULF(q1->y, q2->w)),
+      between_2 = KSL_MULF(q1->y, q2->x) - KSL_MULF(q1->x, q2->y)
+          + (KSL_MULF(q1->w, q2->z) - KSL_MULF(q1->z, q2->w)),
+      between_3 = KSL_MULF(q1->x, q2->x) + KSL_MULF(q1->y, q2->y) + KSL_MULF(q1->z, q2->z)
+          + KSL_MULF(q1->w, q2->w);
   const float upper_0a = -between_0, upper_0 = between_3 < 0.0f ? upper_0a : between_0;
   const float upper_1a = -between_1, upper_1 = between_3 < 0.0f ? upper_1a : between_1;
   const float upper_2a = -between_2, upper_2 = between_3 < 0.0f ? upper_2a : between_2;
   const float upper_3a = -between_3, upper_3 = between_3 < 0.0f ? upper_3a : between_3;
-  const float v_s_size_0 = fabsf(upper_0);
-  const float v_s_size_1 = fabsf(upper_1);
-  const float v_s_size_2 = fabsf(upper_2);
+  const float v_s_size_0 = fabsf(upper_0), v_s_size_1 = fabsf(upper_1), v_s_size_2 = fabsf(upper_2);
   const float v_s_largest1 = v_s_size_0 < v_s_size_1 ? v_s_size_1 : v_s_size_0;
   const float v_s_largest2 = v_s_largest1 < v_s_size_2 ? v_s_size_2 : v_s_largest1;
   const float v_s_b = 4.611686e+18f < v_s_largest2 ? 2.7105054e-20f : 1.0f,
       v_s_d = v_s_largest2 < 256.0f ? 1.8014399e+16f : v_s_b,
       v_s = v_s_largest2 < 1.4210855e-14f ? 3.2451855e+32f : v_s_d;
-  const float v_y_0 = KSL_MULF(upper_0, v_s);
-  const float v_y_1 = KSL_MULF(upper_1, v_s);
-  const float v_y_2 = KSL_MULF(upper_2, v_s);
-  const float v_n_a = KSL_MULF(v_y_0, v_y_0), v_n_b = KSL_MULF(v_y_1, v_y_1), v_n_c = v_n_a + v_n_b,
-      v_n_d = KSL_MULF(v_y_2, v_y_2), v_n_e = v_n_c + v_n_d, v_n = sqrtf(v_n_e);
+  const float v_y_0 = KSL_MULF(upper_0, v_s), v_y_1 = KSL_MULF(upper_1, v_s),
+      v_y_2 = KSL_MULF(upper_2, v_s);
+  const float v_n = sqrtf(KSL_MULF(v_y_0, v_y_0) + KSL_MULF(v_y_1, v_y_1) + KSL_MULF(v_y_2, v_y_2));
   const float v_r_b = v_s < 1.0f ? 3.689349e+19f : 1.0f, v_r_d = 1.0f < v_s ? 5.551115e-17f : v_r_b,
       v_r = 1.8014399e+16f < v_s ? 3.081488e-33f : v_r_d;
   const float n = KSL_MULF(v_n, v_r);
   const float half = ksl_atan2f(n, upper_3);
   const float divisor = n == 0.0f ? 1.0f : n;
   const float rate = half / divisor;
-  const float kv_0 = KSL_MULF(k, upper_0);
-  const float kv_1 = KSL_MULF(k, upper_1);
-  const float kv_2 = KSL_MULF(k, upper_2);
-  const float step_0 = KSL_MULF(rate, kv_0);
-  const float step_1 = KSL_MULF(rate, kv_1);
-  const float step_2 = KSL_MULF(rate, kv_2);
-  const float exp_size_0 = fabsf(step_0);
-  const float exp_size_1 = fabsf(step_1);
-  const float exp_size_2 = fabsf(step_2);
-  const float exp_sizes_a = exp_size_0 + exp_size_1, exp_sizes = exp_sizes_a + exp_size_2;
+  const float kv_0 = KSL_MULF(k, upper_0), kv_1 = KSL_MULF(k, upper_1), kv_2 = KSL_MULF(k, upper_2);
+  const float step_0 = KSL_MULF(rate, kv_0), step_1 = KSL_MULF(rate, kv_1),
+      step_2 = KSL_MULF(rate, kv_2);
+  const float exp_size_0 = fabsf(step_0), exp_size_1 = fabsf(step_1), exp_size_2 = fabsf(step_2);
+  const float exp_sizes = exp_size_0 + exp_size_1 + exp_size_2;
   const float exp_grid = KSL_MULF(exp_sizes, 8192.0f);
-  const float exp_shifted_0 = step_0 + exp_grid;
-  const float exp_shifted_1 = step_1 + exp_grid;
-  const float exp_shifted_2 = step_2 + exp_grid;
-  const float exp_high_0 = exp_shifted_0 - exp_grid;
-  const float exp_high_1 = exp_shifted_1 - exp_grid;
-  const float exp_high_2 = exp_shifted_2 - exp_grid;
-  const float exp_low_0 = step_0 - exp_high_0;
-  const float exp_low_1 = step_1 - exp_high_1;
-  const float exp_low_2 = step_2 - exp_high_2;
-  const float exp_sum_0 = step_0 + exp_high_0;
-  const float exp_sum_1 = step_1 + exp_high_1;
-  const float exp_sum_2 = step_2 + exp_high_2;
-  const float exp_squares_a = KSL_MULF(exp_high_0, exp_high_0),
-      exp_squares_b = KSL_MULF(exp_high_1, exp_high_1),
-      exp_squares_c = exp_squares_a + exp_squares_b,
-      exp_squares_d = KSL_MULF(exp_high_2, exp_high_2), exp_squares = exp_squares_c + exp_squares_d;
-  const float exp_cross_a = KSL_MULF(exp_low_0, exp_sum_0),
-      exp_cross_b = KSL_MULF(exp_low_1, exp_sum_1), exp_cross_c = exp_cross_a + exp_cross_b,
-      exp_cross_d = KSL_MULF(exp_low_2, exp_sum_2), exp_cross = exp_cross_c + exp_cross_d;
+  const float exp_shifted_0 = step_0 + exp_grid, exp_shifted_1 = step_1 + exp_grid,
+      exp_shifted_2 = step_2 + exp_grid;
+  const float exp_high_0 = exp_shifted_0 - exp_grid, exp_high_1 = exp_shifted_1 - exp_grid,
+      exp_high_2 = exp_shifted_2 - exp_grid;
+  const float exp_low_0 = step_0 - exp_high_0, exp_low_1 = step_1 - exp_high_1,
+      exp_low_2 = step_2 - exp_high_2;
+  const float exp_sum_0 = step_0 + exp_high_0, exp_sum_1 = step_1 + exp_high_1,
+      exp_sum_2 = step_2 + exp_high_2;
+  const float exp_squares = KSL_MULF(exp_high_0, exp_high_0) + KSL_MULF(exp_high_1, exp_high_1)
+          + KSL_MULF(exp_high_2, exp_high_2);
+  const float exp_cross = KSL_MULF(exp_low_0, exp_sum_0) + KSL_MULF(exp_low_1, exp_sum_1)
+          + KSL_MULF(exp_low_2, exp_sum_2);
   const float exp_x = exp_squares + exp_cross;
   const float exp_theta_a = sqrtf(exp_x), exp_theta = exp_x < 1.0f ? 1.0f : exp_theta_a;
   const float exp_theta_shifted = exp_grid + exp_theta;
   const float exp_theta_high = exp_theta_shifted - exp_grid;
   const float exp_theta_low = exp_theta - exp_theta_high;
   const float exp_theta_sum = exp_theta + exp_theta_high;
-  const float exp_cross_rest_a = KSL_MULF(exp_theta_low, exp_theta_sum),
-      exp_cross_rest = exp_cross - exp_cross_rest_a;
-  const float exp_exact_a = KSL_MULF(exp_theta_high, exp_theta_high),
-      exp_exact = exp_squares - exp_exact_a;
+  const float exp_cross_rest = exp_cross - KSL_MULF(exp_theta_low, exp_theta_sum);
+  const float exp_exact = exp_squares - KSL_MULF(exp_theta_high, exp_theta_high);
   const float exp_residual = exp_cross_rest + exp_exact;
-  const float exp_small_a = KSL_MULF(0.5f, exp_residual), exp_small = exp_small_a / exp_theta;
-  const float exp_delta_a = fabsf(exp_small),
-      exp_delta = exp_delta_a < 0.0078125f ? exp_small : 0.0f;
+  const float exp_small = KSL_MULF(0.5f, exp_residual) / exp_theta;
+  const float exp_delta = fabsf(exp_small) < 0.0078125f ? exp_small : 0.0f;
   float exp_far_cosine_a; const float exp_far_sine_a = ksl_sincosf(exp_theta, &exp_far_cosine_a);
   const float exp_far_sine = exp_x < 1.0f ? 1.0f : exp_far_sine_a;
   const float exp_far_cosine = exp_x < 1.0f ? 0.0f : exp_far_cosine_a;
-  const float exp_sine_a = KSL_MULF(exp_delta, exp_far_cosine),
-      exp_sine = exp_sine_a + exp_far_sine;
-  const float exp_cosine_a = KSL_MULF(exp_delta, exp_far_sine),
-      exp_cosine = exp_far_cosine - exp_cosine_a;
+  const float exp_sine = KSL_MULF(exp_delta, exp_far_cosine) + exp_far_sine;
+  const float exp_cosine = exp_far_cosine - KSL_MULF(exp_delta, exp_far_sine);
   const float exp_far_k = exp_sine / exp_theta;
-  const float exp_k_a = KSL_MULF(6.4469503e-26f, exp_x), exp_k_b = exp_k_a - 3.8681703e-23f,
-      exp_k_c = KSL_MULF(exp_x, exp_k_b), exp_k_d = exp_k_c + 1.9572942e-20f,
-      exp_k_e = KSL_MULF(exp_x, exp_k_d), exp_k_f = exp_k_e - 8.220635e-18f,
-      exp_k_g = KSL_MULF(exp_x, exp_k_f), exp_k_h = exp_k_g + 2.8114574e-15f,
-      exp_k_i = KSL_MULF(exp_x, exp_k_h), exp_k_j = exp_k_i - 7.6471636e-13f,
-      exp_k_k = KSL_MULF(exp_x, exp_k_j), exp_k_l = exp_k_k + 1.6059044e-10f,
-      exp_k_m = KSL_MULF(exp_x, exp_k_l), exp_k_n = exp_k_m - 2.5052108e-08f,
-      exp_k_o = KSL_MULF(exp_x, exp_k_n), exp_k_p = exp_k_o + 2.7557319e-06f,
-      exp_k_q = KSL_MULF(exp_x, exp_k_p), exp_k_r = exp_k_q - 0.0001984127f,
-      exp_k_s = KSL_MULF(exp_x, exp_k_r), exp_k_t = exp_k_s + 0.008333334f,
-      exp_k_u = KSL_MULF(exp_x, exp_k_t), exp_k_v = exp_k_u - 0.16666667f,
-      exp_k_w = KSL_MULF(exp_x, exp_k_v), exp_k_x = exp_k_w + 1.0f,
-      exp_k = exp_x < 1.0f ? exp_k_x : exp_far_k;
-  const float exp_g2a = KSL_MULF(2.4795963e-27f, exp_x), exp_g2b = exp_g2a - 1.6117376e-24f,
-      exp_g2c = KSL_MULF(exp_x, exp_g2b), exp_g2d = exp_g2c + 8.896791e-22f,
-      exp_g2e = KSL_MULF(exp_x, exp_g2d), exp_g2f = exp_g2e - 4.1103176e-19f,
-      exp_g2g = KSL_MULF(exp_x, exp_g2f), exp_g2h = exp_g2g + 1.5619207e-16f,
-      exp_g2i = KSL_MULF(exp_x, exp_g2h), exp_g2j = exp_g2i - 4.7794773e-14f,
-      exp_g2k = KSL_MULF(exp_x, exp_g2j), exp_g2l = exp_g2k + 1.1470745e-11f,
-      exp_g2m = KSL_MULF(exp_x, exp_g2l), exp_g2n = exp_g2m - 2.0876756e-09f,
-      exp_g2o = KSL_MULF(exp_x, exp_g2n), exp_g2p = exp_g2o + 2.755732e-07f,
-      exp_g2q = KSL_MULF(exp_x, exp_g2p), exp_g2r = exp_g2q - 2.4801588e-05f,
-      exp_g2s = KSL_MULF(exp_x, exp_g2r), exp_g2t = exp_g2s + 0.0013888889f,
-      exp_g2u = KSL_MULF(exp_x, exp_g2t), exp_g2v = exp_g2u - 0.041666668f,
-      exp_g2w = KSL_MULF(exp_x, exp_g2v), exp_g2 = exp_g2w + 0.5f;
-  const float exp_near_a = KSL_MULF(exp_x, exp_g2), exp_near = 1.0f - exp_near_a;
-  const float power_0 = KSL_MULF(step_0, exp_k);
-  const float power_1 = KSL_MULF(step_1, exp_k);
-  const float power_2 = KSL_MULF(step_2, exp_k);
-  const float power_3 = exp_x < 1.0f ? exp_near : exp_cosine;
-  const float qo_0a = KSL_MULF(q1->x, power_3), qo_0b = KSL_MULF(q1->y, power_2),
-      qo_0c = KSL_MULF(q1->z, power_1), qo_0d = qo_0b - qo_0c, qo_0e = qo_0a + qo_0d,
-      qo_0f = KSL_MULF(q1->w, power_0), qo_0 = qo_0e + qo_0f;
-  const float qo_1a = KSL_MULF(q1->z, power_0), qo_1b = KSL_MULF(q1->x, power_2),
-      qo_1c = qo_1a - qo_1b, qo_1d = KSL_MULF(q1->y, power_3), qo_1e = qo_1c + qo_1d,
-      qo_1f = KSL_MULF(q1->w, power_1), qo_1 = qo_1e + qo_1f;
-  const float qo_2a = KSL_MULF(q1->x, power_1), qo_2b = KSL_MULF(q1->y, power_0),
-      qo_2c = qo_2a - qo_2b, qo_2d = KSL_MULF(q1->z, power_3), qo_2e = qo_2c + qo_2d,
-      qo_2f = KSL_MULF(q1->w, power_2), qo_2 = qo_2e + qo_2f;
-  const float qo_3a = KSL_MULF(q1->w, power_3), qo_3b = KSL_MULF(q1->x, power_0),
-      qo_3c = KSL_MULF(q1->y, power_1), qo_3d = qo_3b + qo_3c, qo_3e = KSL_MULF(q1->z, power_2),
-      qo_3f = qo_3d + qo_3e, qo_3 = qo_3a - qo_3f;
+  const float exp_k_g = KSL_MULF(exp_x, KSL_MULF(exp_x, KSL_MULF(exp_x, KSL_MULF(6.4469503e-26f,
+      exp_x) - 3.8681703e-23f) + 1.9572942e-20f) - 8.220635e-18f),
+      exp_k_n = KSL_MULF(exp_x, KSL_MULF(exp_x, KSL_MULF(exp_x, exp_k_g + 2.8114574e-15f)
+          - 7.6471636e-13f) + 1.6059044e-10f) - 2.5052108e-08f,
+      exp_k_v = KSL_MULF(exp_x, KSL_MULF(exp_x, KSL_MULF(exp_x, KSL_MULF(exp_x, exp_k_n)
+          + 2.7557319e-06f) - 0.0001984127f) + 0.008333334f) - 0.16666667f,
+      exp_k_x = KSL_MULF(exp_x, exp_k_v) + 1.0f, exp_k = exp_x < 1.0f ? exp_k_x : exp_far_k;
+  const float exp_g2g = KSL_MULF(exp_x, KSL_MULF(exp_x, KSL_MULF(exp_x, KSL_MULF(2.4795963e-27f,
+      exp_x) - 1.6117376e-24f) + 8.896791e-22f) - 4.1103176e-19f),
+      exp_g2n = KSL_MULF(exp_x, KSL_MULF(exp_x, KSL_MULF(exp_x, exp_g2g + 1.5619207e-16f)
+          - 4.7794773e-14f) + 1.1470745e-11f) - 2.0876756e-09f,
+      exp_g2v = KSL_MULF(exp_x, KSL_MULF(exp_x, KSL_MULF(exp_x, KSL_MULF(exp_x, exp_g2n)
+          + 2.755732e-07f) - 2.4801588e-05f) + 0.0013888889f) - 0.041666668f,
+      exp_g2 = KSL_MULF(exp_x, exp_g2v) + 0.5f;
+  const float exp_near = 1.0f - KSL_MULF(exp_x, exp_g2);
+  const float power_0 = KSL_MULF(step_0, exp_k), power_1 = KSL_MULF(step_1, exp_k),
+      power_2 = KSL_MULF(step_2, exp_k), power_3 = exp_x < 1.0f ? exp_near : exp_cosine;
+  const float qo_0 = KSL_MULF(q1->x, power_3)
+          + (KSL_MULF(q1->y, power_2) - KSL_MULF(q1->z, power_1)) + KSL_MULF(q1->w, power_0),
+      qo_1 = KSL_MULF(q1->z, power_0) - KSL_MULF(q1->x, power_2) + KSL_MULF(q1->y, power_3)
+          + KSL_MULF(q1->w, power_1),
+      qo_2 = KSL_MULF(q1->x, power_1) - KSL_MULF(q1->y, power_0) + KSL_MULF(q1->z, power_3)
+          + KSL_MULF(q1->w, power_2),
+      qo_3 = KSL_MULF(q1->w, power_3)
+          - (KSL_MULF(q1->x, power_0) + KSL_MULF(q1->y, power_1) + KSL_MULF(q1->z, power_2));
   qo->x = qo_0;
   qo->y = qo_1;
   qo->z = qo_2;

@@ -46,12 +46,9 @@ static inline void ksl_screw_copy(const ksl_screw_t *si, ksl_screw_t *so) {
    6 mul.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_screw_scale(ksl_screw_t *self, const double a) {
-  const double self_0_new = KSL_MUL(self->m0, a);
-  const double self_1_new = KSL_MUL(self->m1, a);
-  const double self_2_new = KSL_MUL(self->m2, a);
-  const double self_3_new = KSL_MUL(self->m3, a);
-  const double self_4_new = KSL_MUL(self->m4, a);
-  const double self_5_new = KSL_MUL(self->m5, a);
+  const double self_0_new = KSL_MUL(self->m0, a), self_1_new = KSL_MUL(self->m1, a),
+      self_2_new = KSL_MUL(self->m2, a), self_3_new = KSL_MUL(self->m3, a),
+      self_4_new = KSL_MUL(self->m4, a), self_5_new = KSL_MUL(self->m5, a);
   self->m0 = self_0_new;
   self->m1 = self_1_new;
   self->m2 = self_2_new;
@@ -65,12 +62,8 @@ static inline void ksl_screw_scale(ksl_screw_t *self, const double a) {
    6 neg.
    Exact. */
 static inline void ksl_screw_inverted(const ksl_screw_t *si, ksl_screw_t *so) {
-  const double so_0 = -si->m0;
-  const double so_1 = -si->m1;
-  const double so_2 = -si->m2;
-  const double so_3 = -si->m3;
-  const double so_4 = -si->m4;
-  const double so_5 = -si->m5;
+  const double so_0 = -si->m0, so_1 = -si->m1, so_2 = -si->m2, so_3 = -si->m3, so_4 = -si->m4,
+      so_5 = -si->m5;
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -84,12 +77,8 @@ static inline void ksl_screw_inverted(const ksl_screw_t *si, ksl_screw_t *so) {
    6 neg.
    Exact. */
 static inline void ksl_screw_invert(ksl_screw_t *self) {
-  const double self_0_new = -self->m0;
-  const double self_1_new = -self->m1;
-  const double self_2_new = -self->m2;
-  const double self_3_new = -self->m3;
-  const double self_4_new = -self->m4;
-  const double self_5_new = -self->m5;
+  const double self_0_new = -self->m0, self_1_new = -self->m1, self_2_new = -self->m2,
+      self_3_new = -self->m3, self_4_new = -self->m4, self_5_new = -self->m5;
   self->m0 = self_0_new;
   self->m1 = self_1_new;
   self->m2 = self_2_new;
@@ -104,12 +93,9 @@ static inline void ksl_screw_invert(ksl_screw_t *self) {
    Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline void ksl_axpy_ss(const double a, const ksl_screw_t *x, ksl_screw_t *y) {
-  const double y_0_new_a = KSL_MUL(a, x->m0), y_0_new = y_0_new_a + y->m0;
-  const double y_1_new_a = KSL_MUL(a, x->m1), y_1_new = y_1_new_a + y->m1;
-  const double y_2_new_a = KSL_MUL(a, x->m2), y_2_new = y_2_new_a + y->m2;
-  const double y_3_new_a = KSL_MUL(a, x->m3), y_3_new = y_3_new_a + y->m3;
-  const double y_4_new_a = KSL_MUL(a, x->m4), y_4_new = y_4_new_a + y->m4;
-  const double y_5_new_a = KSL_MUL(a, x->m5), y_5_new = y_5_new_a + y->m5;
+  const double y_0_new = KSL_MUL(a, x->m0) + y->m0, y_1_new = KSL_MUL(a, x->m1) + y->m1,
+      y_2_new = KSL_MUL(a, x->m2) + y->m2, y_3_new = KSL_MUL(a, x->m3) + y->m3,
+      y_4_new = KSL_MUL(a, x->m4) + y->m4, y_5_new = KSL_MUL(a, x->m5) + y->m5;
   y->m0 = y_0_new;
   y->m1 = y_1_new;
   y->m2 = y_2_new;
@@ -123,12 +109,8 @@ static inline void ksl_axpy_ss(const double a, const ksl_screw_t *x, ksl_screw_t
    6 add.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_xpy_ss(const ksl_screw_t *x, ksl_screw_t *y) {
-  const double y_0_new = x->m0 + y->m0;
-  const double y_1_new = x->m1 + y->m1;
-  const double y_2_new = x->m2 + y->m2;
-  const double y_3_new = x->m3 + y->m3;
-  const double y_4_new = x->m4 + y->m4;
-  const double y_5_new = x->m5 + y->m5;
+  const double y_0_new = x->m0 + y->m0, y_1_new = x->m1 + y->m1, y_2_new = x->m2 + y->m2,
+      y_3_new = x->m3 + y->m3, y_4_new = x->m4 + y->m4, y_5_new = x->m5 + y->m5;
   y->m0 = y_0_new;
   y->m1 = y_1_new;
   y->m2 = y_2_new;
@@ -142,12 +124,8 @@ static inline void ksl_xpy_ss(const ksl_screw_t *x, ksl_screw_t *y) {
    6 add.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_nxpy_ss(const ksl_screw_t *x, ksl_screw_t *y) {
-  const double y_0_new = y->m0 - x->m0;
-  const double y_1_new = y->m1 - x->m1;
-  const double y_2_new = y->m2 - x->m2;
-  const double y_3_new = y->m3 - x->m3;
-  const double y_4_new = y->m4 - x->m4;
-  const double y_5_new = y->m5 - x->m5;
+  const double y_0_new = y->m0 - x->m0, y_1_new = y->m1 - x->m1, y_2_new = y->m2 - x->m2,
+      y_3_new = y->m3 - x->m3, y_4_new = y->m4 - x->m4, y_5_new = y->m5 - x->m5;
   y->m0 = y_0_new;
   y->m1 = y_1_new;
   y->m2 = y_2_new;
@@ -161,12 +139,8 @@ static inline void ksl_nxpy_ss(const ksl_screw_t *x, ksl_screw_t *y) {
    6 mul.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_product_as(const double a, const ksl_screw_t *si, ksl_screw_t *so) {
-  const double so_0 = KSL_MUL(a, si->m0);
-  const double so_1 = KSL_MUL(a, si->m1);
-  const double so_2 = KSL_MUL(a, si->m2);
-  const double so_3 = KSL_MUL(a, si->m3);
-  const double so_4 = KSL_MUL(a, si->m4);
-  const double so_5 = KSL_MUL(a, si->m5);
+  const double so_0 = KSL_MUL(a, si->m0), so_1 = KSL_MUL(a, si->m1), so_2 = KSL_MUL(a, si->m2),
+      so_3 = KSL_MUL(a, si->m3), so_4 = KSL_MUL(a, si->m4), so_5 = KSL_MUL(a, si->m5);
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -180,12 +154,8 @@ static inline void ksl_product_as(const double a, const ksl_screw_t *si, ksl_scr
    6 add.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_add_ss(const ksl_screw_t *s1, const ksl_screw_t *s2, ksl_screw_t *so) {
-  const double so_0 = s1->m0 + s2->m0;
-  const double so_1 = s1->m1 + s2->m1;
-  const double so_2 = s1->m2 + s2->m2;
-  const double so_3 = s1->m3 + s2->m3;
-  const double so_4 = s1->m4 + s2->m4;
-  const double so_5 = s1->m5 + s2->m5;
+  const double so_0 = s1->m0 + s2->m0, so_1 = s1->m1 + s2->m1, so_2 = s1->m2 + s2->m2,
+      so_3 = s1->m3 + s2->m3, so_4 = s1->m4 + s2->m4, so_5 = s1->m5 + s2->m5;
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -199,12 +169,8 @@ static inline void ksl_add_ss(const ksl_screw_t *s1, const ksl_screw_t *s2, ksl_
    6 add.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_subtract_ss(const ksl_screw_t *s1, const ksl_screw_t *s2, ksl_screw_t *so) {
-  const double so_0 = s1->m0 - s2->m0;
-  const double so_1 = s1->m1 - s2->m1;
-  const double so_2 = s1->m2 - s2->m2;
-  const double so_3 = s1->m3 - s2->m3;
-  const double so_4 = s1->m4 - s2->m4;
-  const double so_5 = s1->m5 - s2->m5;
+  const double so_0 = s1->m0 - s2->m0, so_1 = s1->m1 - s2->m1, so_2 = s1->m2 - s2->m2,
+      so_3 = s1->m3 - s2->m3, so_4 = s1->m4 - s2->m4, so_5 = s1->m5 - s2->m5;
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -217,25 +183,18 @@ static inline void ksl_subtract_ss(const ksl_screw_t *s1, const ksl_screw_t *s2,
    si: screw (v in m/s; ω in rad/s).
    7 mul, 2 add, 1 sqrt, 6 abs, 11 less, 1 equal, 14 select. */
 static inline double ksl_screw_norm(const ksl_screw_t *si) {
-  const double small_a = fabs(si->m5), small_c = small_a < 1e-09 ? 1.0 : 0.0,
-      small_d = fabs(si->m4), small_f = small_d < 1e-09 ? small_c : 0.0, small_g = fabs(si->m3),
-      small = small_g < 1e-09 ? small_f : 0.0;
-  const double p_0 = small == 1.0 ? si->m0 : si->m3;
-  const double p_1 = small == 1.0 ? si->m1 : si->m4;
-  const double p_2 = small == 1.0 ? si->m2 : si->m5;
-  const double s_size_0 = fabs(p_0);
-  const double s_size_1 = fabs(p_1);
-  const double s_size_2 = fabs(p_2);
+  const double small_c = fabs(si->m5) < 1e-09 ? 1.0 : 0.0,
+      small_f = fabs(si->m4) < 1e-09 ? small_c : 0.0, small = fabs(si->m3) < 1e-09 ? small_f : 0.0;
+  const double p_0 = small == 1.0 ? si->m0 : si->m3, p_1 = small == 1.0 ? si->m1 : si->m4,
+      p_2 = small == 1.0 ? si->m2 : si->m5;
+  const double s_size_0 = fabs(p_0), s_size_1 = fabs(p_1), s_size_2 = fabs(p_2);
   const double s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
   const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const double s_b = 6.703903964971299e+153 < s_largest2 ? 3.7291703656001034e-155 : 1.0,
       s_d = s_largest2 < 256.0 ? 1.3093562431584567e+151 : s_b,
       s = s_largest2 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : s_d;
-  const double y_0 = KSL_MUL(p_0, s);
-  const double y_1 = KSL_MUL(p_1, s);
-  const double y_2 = KSL_MUL(p_2, s);
-  const double n_a = KSL_MUL(y_0, y_0), n_b = KSL_MUL(y_1, y_1), n_c = n_a + n_b,
-      n_d = KSL_MUL(y_2, y_2), n_e = n_c + n_d, n = sqrt(n_e);
+  const double y_0 = KSL_MUL(p_0, s), y_1 = KSL_MUL(p_1, s), y_2 = KSL_MUL(p_2, s);
+  const double n = sqrt(KSL_MUL(y_0, y_0) + KSL_MUL(y_1, y_1) + KSL_MUL(y_2, y_2));
   const double r_b = s < 1.0 ? 2.6815615859885194e+154 : 1.0,
       r_d = 1.0 < s ? 7.637340908749012e-152 : r_b,
       r = 1.3093562431584567e+151 < s ? 9.332636185032189e-302 : r_d;
@@ -250,58 +209,35 @@ static inline void ksl_screw_normalize(ksl_screw_t *self) {
   const double small_a = fabs(self->m5), small_c = small_a < 1e-09 ? 1.0 : 0.0,
       small_d = fabs(self->m4), small_f = small_d < 1e-09 ? small_c : 0.0, small_g = fabs(self->m3),
       small = small_g < 1e-09 ? small_f : 0.0;
-  const double p_0 = small == 1.0 ? self->m0 : self->m3;
-  const double p_1 = small == 1.0 ? self->m1 : self->m4;
-  const double p_2 = small == 1.0 ? self->m2 : self->m5;
-  const double s_size_0 = fabs(p_0);
-  const double s_size_1 = fabs(p_1);
-  const double s_size_2 = fabs(p_2);
+  const double p_0 = small == 1.0 ? self->m0 : self->m3, p_1 = small == 1.0 ? self->m1 : self->m4,
+      p_2 = small == 1.0 ? self->m2 : self->m5;
+  const double s_size_0 = fabs(p_0), s_size_1 = fabs(p_1), s_size_2 = fabs(p_2);
   const double s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
   const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const double s_b = 6.703903964971299e+153 < s_largest2 ? 3.7291703656001034e-155 : 1.0,
       s_d = s_largest2 < 256.0 ? 1.3093562431584567e+151 : s_b,
       s = s_largest2 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : s_d;
-  const double y_0 = KSL_MUL(p_0, s);
-  const double y_1 = KSL_MUL(p_1, s);
-  const double y_2 = KSL_MUL(p_2, s);
+  const double y_0 = KSL_MUL(p_0, s), y_1 = KSL_MUL(p_1, s), y_2 = KSL_MUL(p_2, s);
   const double up = 1.0 < s ? s : 1.0;
   const double down = s < 1.0 ? s : 1.0;
-  const double n_a = KSL_MUL(y_0, y_0), n_b = KSL_MUL(y_1, y_1), n_c = n_a + n_b,
-      n_d = KSL_MUL(y_2, y_2), n_e = n_c + n_d, n = sqrt(n_e);
+  const double n = sqrt(KSL_MUL(y_0, y_0) + KSL_MUL(y_1, y_1) + KSL_MUL(y_2, y_2));
   const double divisor = n == 0.0 ? up : n;
-  const double size_0 = fabs(self->m0);
-  const double size_1 = fabs(self->m1);
-  const double size_2 = fabs(self->m2);
-  const double before_0 = size_0 < 256.0 ? up : down;
-  const double before_1 = size_1 < 256.0 ? up : down;
-  const double before_2 = size_2 < 256.0 ? up : down;
-  const double before_3 = small_g < 256.0 ? up : down;
-  const double before_4 = small_d < 256.0 ? up : down;
-  const double before_5 = small_a < 256.0 ? up : down;
-  const double after_0 = size_0 < 256.0 ? down : up;
-  const double after_1 = size_1 < 256.0 ? down : up;
-  const double after_2 = size_2 < 256.0 ? down : up;
-  const double after_3 = small_g < 256.0 ? down : up;
-  const double after_4 = small_d < 256.0 ? down : up;
-  const double after_5 = small_a < 256.0 ? down : up;
-  const double sized_0 = KSL_MUL(self->m0, before_0);
-  const double sized_1 = KSL_MUL(self->m1, before_1);
-  const double sized_2 = KSL_MUL(self->m2, before_2);
-  const double sized_3 = KSL_MUL(self->m3, before_3);
-  const double sized_4 = KSL_MUL(self->m4, before_4);
-  const double sized_5 = KSL_MUL(self->m5, before_5);
-  const double quotient_0 = sized_0 / divisor;
-  const double quotient_1 = sized_1 / divisor;
-  const double quotient_2 = sized_2 / divisor;
-  const double quotient_3 = sized_3 / divisor;
-  const double quotient_4 = sized_4 / divisor;
-  const double quotient_5 = sized_5 / divisor;
-  const double self_0_new = KSL_MUL(quotient_0, after_0);
-  const double self_1_new = KSL_MUL(quotient_1, after_1);
-  const double self_2_new = KSL_MUL(quotient_2, after_2);
-  const double self_3_new = KSL_MUL(quotient_3, after_3);
-  const double self_4_new = KSL_MUL(quotient_4, after_4);
-  const double self_5_new = KSL_MUL(quotient_5, after_5);
+  const double size_0 = fabs(self->m0), size_1 = fabs(self->m1), size_2 = fabs(self->m2);
+  const double before_0 = size_0 < 256.0 ? up : down, before_1 = size_1 < 256.0 ? up : down,
+      before_2 = size_2 < 256.0 ? up : down, before_3 = small_g < 256.0 ? up : down,
+      before_4 = small_d < 256.0 ? up : down, before_5 = small_a < 256.0 ? up : down;
+  const double after_0 = size_0 < 256.0 ? down : up, after_1 = size_1 < 256.0 ? down : up,
+      after_2 = size_2 < 256.0 ? down : up, after_3 = small_g < 256.0 ? down : up,
+      after_4 = small_d < 256.0 ? down : up, after_5 = small_a < 256.0 ? down : up;
+  const double sized_0 = KSL_MUL(self->m0, before_0), sized_1 = KSL_MUL(self->m1, before_1),
+      sized_2 = KSL_MUL(self->m2, before_2), sized_3 = KSL_MUL(self->m3, before_3),
+      sized_4 = KSL_MUL(self->m4, before_4), sized_5 = KSL_MUL(self->m5, before_5);
+  const double quotient_0 = sized_0 / divisor, quotient_1 = sized_1 / divisor,
+      quotient_2 = sized_2 / divisor, quotient_3 = sized_3 / divisor,
+      quotient_4 = sized_4 / divisor, quotient_5 = sized_5 / divisor;
+  const double self_0_new = KSL_MUL(quotient_0, after_0), self_1_new = KSL_MUL(quotient_1, after_1),
+      self_2_new = KSL_MUL(quotient_2, after_2), self_3_new = KSL_MUL(quotient_3, after_3),
+      self_4_new = KSL_MUL(quotient_4, after_4), self_5_new = KSL_MUL(quotient_5, after_5);
   self->m0 = self_0_new;
   self->m1 = self_1_new;
   self->m2 = self_2_new;
@@ -317,58 +253,35 @@ static inline void ksl_screw_normalized(const ksl_screw_t *si, ksl_screw_t *so) 
   const double small_a = fabs(si->m5), small_c = small_a < 1e-09 ? 1.0 : 0.0,
       small_d = fabs(si->m4), small_f = small_d < 1e-09 ? small_c : 0.0, small_g = fabs(si->m3),
       small = small_g < 1e-09 ? small_f : 0.0;
-  const double p_0 = small == 1.0 ? si->m0 : si->m3;
-  const double p_1 = small == 1.0 ? si->m1 : si->m4;
-  const double p_2 = small == 1.0 ? si->m2 : si->m5;
-  const double s_size_0 = fabs(p_0);
-  const double s_size_1 = fabs(p_1);
-  const double s_size_2 = fabs(p_2);
+  const double p_0 = small == 1.0 ? si->m0 : si->m3, p_1 = small == 1.0 ? si->m1 : si->m4,
+      p_2 = small == 1.0 ? si->m2 : si->m5;
+  const double s_size_0 = fabs(p_0), s_size_1 = fabs(p_1), s_size_2 = fabs(p_2);
   const double s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
   const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const double s_b = 6.703903964971299e+153 < s_largest2 ? 3.7291703656001034e-155 : 1.0,
       s_d = s_largest2 < 256.0 ? 1.3093562431584567e+151 : s_b,
       s = s_largest2 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : s_d;
-  const double y_0 = KSL_MUL(p_0, s);
-  const double y_1 = KSL_MUL(p_1, s);
-  const double y_2 = KSL_MUL(p_2, s);
+  const double y_0 = KSL_MUL(p_0, s), y_1 = KSL_MUL(p_1, s), y_2 = KSL_MUL(p_2, s);
   const double up = 1.0 < s ? s : 1.0;
   const double down = s < 1.0 ? s : 1.0;
-  const double n_a = KSL_MUL(y_0, y_0), n_b = KSL_MUL(y_1, y_1), n_c = n_a + n_b,
-      n_d = KSL_MUL(y_2, y_2), n_e = n_c + n_d, n = sqrt(n_e);
+  const double n = sqrt(KSL_MUL(y_0, y_0) + KSL_MUL(y_1, y_1) + KSL_MUL(y_2, y_2));
   const double divisor = n == 0.0 ? up : n;
-  const double size_0 = fabs(si->m0);
-  const double size_1 = fabs(si->m1);
-  const double size_2 = fabs(si->m2);
-  const double before_0 = size_0 < 256.0 ? up : down;
-  const double before_1 = size_1 < 256.0 ? up : down;
-  const double before_2 = size_2 < 256.0 ? up : down;
-  const double before_3 = small_g < 256.0 ? up : down;
-  const double before_4 = small_d < 256.0 ? up : down;
-  const double before_5 = small_a < 256.0 ? up : down;
-  const double after_0 = size_0 < 256.0 ? down : up;
-  const double after_1 = size_1 < 256.0 ? down : up;
-  const double after_2 = size_2 < 256.0 ? down : up;
-  const double after_3 = small_g < 256.0 ? down : up;
-  const double after_4 = small_d < 256.0 ? down : up;
-  const double after_5 = small_a < 256.0 ? down : up;
-  const double sized_0 = KSL_MUL(si->m0, before_0);
-  const double sized_1 = KSL_MUL(si->m1, before_1);
-  const double sized_2 = KSL_MUL(si->m2, before_2);
-  const double sized_3 = KSL_MUL(si->m3, before_3);
-  const double sized_4 = KSL_MUL(si->m4, before_4);
-  const double sized_5 = KSL_MUL(si->m5, before_5);
-  const double quotient_0 = sized_0 / divisor;
-  const double quotient_1 = sized_1 / divisor;
-  const double quotient_2 = sized_2 / divisor;
-  const double quotient_3 = sized_3 / divisor;
-  const double quotient_4 = sized_4 / divisor;
-  const double quotient_5 = sized_5 / divisor;
-  const double so_0 = KSL_MUL(quotient_0, after_0);
-  const double so_1 = KSL_MUL(quotient_1, after_1);
-  const double so_2 = KSL_MUL(quotient_2, after_2);
-  const double so_3 = KSL_MUL(quotient_3, after_3);
-  const double so_4 = KSL_MUL(quotient_4, after_4);
-  const double so_5 = KSL_MUL(quotient_5, after_5);
+  const double size_0 = fabs(si->m0), size_1 = fabs(si->m1), size_2 = fabs(si->m2);
+  const double before_0 = size_0 < 256.0 ? up : down, before_1 = size_1 < 256.0 ? up : down,
+      before_2 = size_2 < 256.0 ? up : down, before_3 = small_g < 256.0 ? up : down,
+      before_4 = small_d < 256.0 ? up : down, before_5 = small_a < 256.0 ? up : down;
+  const double after_0 = size_0 < 256.0 ? down : up, after_1 = size_1 < 256.0 ? down : up,
+      after_2 = size_2 < 256.0 ? down : up, after_3 = small_g < 256.0 ? down : up,
+      after_4 = small_d < 256.0 ? down : up, after_5 = small_a < 256.0 ? down : up;
+  const double sized_0 = KSL_MUL(si->m0, before_0), sized_1 = KSL_MUL(si->m1, before_1),
+      sized_2 = KSL_MUL(si->m2, before_2), sized_3 = KSL_MUL(si->m3, before_3),
+      sized_4 = KSL_MUL(si->m4, before_4), sized_5 = KSL_MUL(si->m5, before_5);
+  const double quotient_0 = sized_0 / divisor, quotient_1 = sized_1 / divisor,
+      quotient_2 = sized_2 / divisor, quotient_3 = sized_3 / divisor,
+      quotient_4 = sized_4 / divisor, quotient_5 = sized_5 / divisor;
+  const double so_0 = KSL_MUL(quotient_0, after_0), so_1 = KSL_MUL(quotient_1, after_1),
+      so_2 = KSL_MUL(quotient_2, after_2), so_3 = KSL_MUL(quotient_3, after_3),
+      so_4 = KSL_MUL(quotient_4, after_4), so_5 = KSL_MUL(quotient_5, after_5);
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -440,9 +353,7 @@ static inline void ksl_screw_from_angular_first(const double x[6], ksl_screw_t *
    3 add.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_add_sst(const ksl_screw_t *s1, const ksl_screw_t *s2, ksl_screw_t *so) {
-  const double so_0 = s1->m0 + s2->m0;
-  const double so_1 = s1->m1 + s2->m1;
-  const double so_2 = s1->m2 + s2->m2;
+  const double so_0 = s1->m0 + s2->m0, so_1 = s1->m1 + s2->m1, so_2 = s1->m2 + s2->m2;
   const double s1_m3 = s1->m3;
   const double s1_m4 = s1->m4;
   const double s1_m5 = s1->m5;
@@ -460,12 +371,9 @@ static inline void ksl_add_sst(const ksl_screw_t *s1, const ksl_screw_t *s2, ksl
    Error <= u |result| + (lin: 2, ang: 0) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_Adts(const ksl_vec3_t *t, const ksl_screw_t *si, ksl_screw_t *so) {
-  const double so_0a = KSL_MUL(t->y, si->m5), so_0b = KSL_MUL(t->z, si->m4), so_0c = so_0a - so_0b,
-      so_0 = so_0c + si->m0;
-  const double so_1a = KSL_MUL(t->z, si->m3), so_1b = KSL_MUL(t->x, si->m5), so_1c = so_1a - so_1b,
-      so_1 = so_1c + si->m1;
-  const double so_2a = KSL_MUL(t->x, si->m4), so_2b = KSL_MUL(t->y, si->m3), so_2c = so_2a - so_2b,
-      so_2 = so_2c + si->m2;
+  const double so_0 = KSL_MUL(t->y, si->m5) - KSL_MUL(t->z, si->m4) + si->m0,
+      so_1 = KSL_MUL(t->z, si->m3) - KSL_MUL(t->x, si->m5) + si->m1,
+      so_2 = KSL_MUL(t->x, si->m4) - KSL_MUL(t->y, si->m3) + si->m2;
   const double si_m3 = si->m3;
   const double si_m4 = si->m4;
   const double si_m5 = si->m5;
@@ -484,12 +392,9 @@ static inline void ksl_product_Adts(const ksl_vec3_t *t, const ksl_screw_t *si, 
      barring over- and underflow. */
 static inline void ksl_product_Adtinvs(const ksl_vec3_t *t, const ksl_screw_t *si,
     ksl_screw_t *so) {
-  const double so_0a = KSL_MUL(t->z, si->m4), so_0b = KSL_MUL(t->y, si->m5), so_0c = so_0a - so_0b,
-      so_0 = so_0c + si->m0;
-  const double so_1a = KSL_MUL(t->x, si->m5), so_1b = KSL_MUL(t->z, si->m3), so_1c = so_1a - so_1b,
-      so_1 = so_1c + si->m1;
-  const double so_2a = KSL_MUL(t->y, si->m3), so_2b = KSL_MUL(t->x, si->m4), so_2c = so_2a - so_2b,
-      so_2 = so_2c + si->m2;
+  const double so_0 = KSL_MUL(t->z, si->m4) - KSL_MUL(t->y, si->m5) + si->m0,
+      so_1 = KSL_MUL(t->x, si->m5) - KSL_MUL(t->z, si->m3) + si->m1,
+      so_2 = KSL_MUL(t->y, si->m3) - KSL_MUL(t->x, si->m4) + si->m2;
   const double si_m3 = si->m3;
   const double si_m4 = si->m4;
   const double si_m5 = si->m5;
@@ -508,15 +413,10 @@ static inline void ksl_product_Adtinvs(const ksl_vec3_t *t, const ksl_screw_t *s
      barring over- and underflow. */
 static inline void ksl_product_Adtsinv(const ksl_vec3_t *t, const ksl_screw_t *si,
     ksl_screw_t *so) {
-  const double so_0a = KSL_MUL(t->z, si->m4), so_0b = KSL_MUL(t->y, si->m5), so_0c = so_0a - so_0b,
-      so_0 = so_0c - si->m0;
-  const double so_1a = KSL_MUL(t->x, si->m5), so_1b = KSL_MUL(t->z, si->m3), so_1c = so_1a - so_1b,
-      so_1 = so_1c - si->m1;
-  const double so_2a = KSL_MUL(t->y, si->m3), so_2b = KSL_MUL(t->x, si->m4), so_2c = so_2a - so_2b,
-      so_2 = so_2c - si->m2;
-  const double so_3 = -si->m3;
-  const double so_4 = -si->m4;
-  const double so_5 = -si->m5;
+  const double so_0 = KSL_MUL(t->z, si->m4) - KSL_MUL(t->y, si->m5) - si->m0,
+      so_1 = KSL_MUL(t->x, si->m5) - KSL_MUL(t->z, si->m3) - si->m1,
+      so_2 = KSL_MUL(t->y, si->m3) - KSL_MUL(t->x, si->m4) - si->m2, so_3 = -si->m3, so_4 = -si->m4,
+      so_5 = -si->m5;
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -531,18 +431,12 @@ static inline void ksl_product_Adtsinv(const ksl_vec3_t *t, const ksl_screw_t *s
    Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline void ksl_product_Adrs(const ksl_mat3x3_t *R, const ksl_screw_t *si, ksl_screw_t *so) {
-  const double so_0a = KSL_MUL(R->m00, si->m0), so_0b = KSL_MUL(R->m01, si->m1),
-      so_0c = so_0a + so_0b, so_0d = KSL_MUL(R->m02, si->m2), so_0 = so_0c + so_0d;
-  const double so_1a = KSL_MUL(R->m10, si->m0), so_1b = KSL_MUL(R->m11, si->m1),
-      so_1c = so_1a + so_1b, so_1d = KSL_MUL(R->m12, si->m2), so_1 = so_1c + so_1d;
-  const double so_2a = KSL_MUL(R->m20, si->m0), so_2b = KSL_MUL(R->m21, si->m1),
-      so_2c = so_2a + so_2b, so_2d = KSL_MUL(R->m22, si->m2), so_2 = so_2c + so_2d;
-  const double so_3a = KSL_MUL(R->m00, si->m3), so_3b = KSL_MUL(R->m01, si->m4),
-      so_3c = so_3a + so_3b, so_3d = KSL_MUL(R->m02, si->m5), so_3 = so_3c + so_3d;
-  const double so_4a = KSL_MUL(R->m10, si->m3), so_4b = KSL_MUL(R->m11, si->m4),
-      so_4c = so_4a + so_4b, so_4d = KSL_MUL(R->m12, si->m5), so_4 = so_4c + so_4d;
-  const double so_5a = KSL_MUL(R->m20, si->m3), so_5b = KSL_MUL(R->m21, si->m4),
-      so_5c = so_5a + so_5b, so_5d = KSL_MUL(R->m22, si->m5), so_5 = so_5c + so_5d;
+  const double so_0 = KSL_MUL(R->m00, si->m0) + KSL_MUL(R->m01, si->m1) + KSL_MUL(R->m02, si->m2),
+      so_1 = KSL_MUL(R->m10, si->m0) + KSL_MUL(R->m11, si->m1) + KSL_MUL(R->m12, si->m2),
+      so_2 = KSL_MUL(R->m20, si->m0) + KSL_MUL(R->m21, si->m1) + KSL_MUL(R->m22, si->m2),
+      so_3 = KSL_MUL(R->m00, si->m3) + KSL_MUL(R->m01, si->m4) + KSL_MUL(R->m02, si->m5),
+      so_4 = KSL_MUL(R->m10, si->m3) + KSL_MUL(R->m11, si->m4) + KSL_MUL(R->m12, si->m5),
+      so_5 = KSL_MUL(R->m20, si->m3) + KSL_MUL(R->m21, si->m4) + KSL_MUL(R->m22, si->m5);
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -558,18 +452,12 @@ static inline void ksl_product_Adrs(const ksl_mat3x3_t *R, const ksl_screw_t *si
      and underflow. */
 static inline void ksl_product_Adrinvs(const ksl_mat3x3_t *R, const ksl_screw_t *si,
     ksl_screw_t *so) {
-  const double so_0a = KSL_MUL(R->m00, si->m0), so_0b = KSL_MUL(R->m10, si->m1),
-      so_0c = so_0a + so_0b, so_0d = KSL_MUL(R->m20, si->m2), so_0 = so_0c + so_0d;
-  const double so_1a = KSL_MUL(R->m01, si->m0), so_1b = KSL_MUL(R->m11, si->m1),
-      so_1c = so_1a + so_1b, so_1d = KSL_MUL(R->m21, si->m2), so_1 = so_1c + so_1d;
-  const double so_2a = KSL_MUL(R->m02, si->m0), so_2b = KSL_MUL(R->m12, si->m1),
-      so_2c = so_2a + so_2b, so_2d = KSL_MUL(R->m22, si->m2), so_2 = so_2c + so_2d;
-  const double so_3a = KSL_MUL(R->m00, si->m3), so_3b = KSL_MUL(R->m10, si->m4),
-      so_3c = so_3a + so_3b, so_3d = KSL_MUL(R->m20, si->m5), so_3 = so_3c + so_3d;
-  const double so_4a = KSL_MUL(R->m01, si->m3), so_4b = KSL_MUL(R->m11, si->m4),
-      so_4c = so_4a + so_4b, so_4d = KSL_MUL(R->m21, si->m5), so_4 = so_4c + so_4d;
-  const double so_5a = KSL_MUL(R->m02, si->m3), so_5b = KSL_MUL(R->m12, si->m4),
-      so_5c = so_5a + so_5b, so_5d = KSL_MUL(R->m22, si->m5), so_5 = so_5c + so_5d;
+  const double so_0 = KSL_MUL(R->m00, si->m0) + KSL_MUL(R->m10, si->m1) + KSL_MUL(R->m20, si->m2),
+      so_1 = KSL_MUL(R->m01, si->m0) + KSL_MUL(R->m11, si->m1) + KSL_MUL(R->m21, si->m2),
+      so_2 = KSL_MUL(R->m02, si->m0) + KSL_MUL(R->m12, si->m1) + KSL_MUL(R->m22, si->m2),
+      so_3 = KSL_MUL(R->m00, si->m3) + KSL_MUL(R->m10, si->m4) + KSL_MUL(R->m20, si->m5),
+      so_4 = KSL_MUL(R->m01, si->m3) + KSL_MUL(R->m11, si->m4) + KSL_MUL(R->m21, si->m5),
+      so_5 = KSL_MUL(R->m02, si->m3) + KSL_MUL(R->m12, si->m4) + KSL_MUL(R->m22, si->m5);
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -585,18 +473,13 @@ static inline void ksl_product_Adrinvs(const ksl_mat3x3_t *R, const ksl_screw_t 
      and underflow. */
 static inline void ksl_product_Adrsinv(const ksl_mat3x3_t *R, const ksl_screw_t *si,
     ksl_screw_t *so) {
-  const double so_0a = KSL_MUL(R->m00, si->m0), so_0b = KSL_MUL(R->m01, si->m1),
-      so_0c = so_0a + so_0b, so_0d = KSL_MUL(R->m02, si->m2), so_0e = so_0c + so_0d, so_0 = -so_0e;
-  const double so_1a = KSL_MUL(R->m10, si->m0), so_1b = KSL_MUL(R->m11, si->m1),
-      so_1c = so_1a + so_1b, so_1d = KSL_MUL(R->m12, si->m2), so_1e = so_1c + so_1d, so_1 = -so_1e;
-  const double so_2a = KSL_MUL(R->m20, si->m0), so_2b = KSL_MUL(R->m21, si->m1),
-      so_2c = so_2a + so_2b, so_2d = KSL_MUL(R->m22, si->m2), so_2e = so_2c + so_2d, so_2 = -so_2e;
-  const double so_3a = KSL_MUL(R->m00, si->m3), so_3b = KSL_MUL(R->m01, si->m4),
-      so_3c = so_3a + so_3b, so_3d = KSL_MUL(R->m02, si->m5), so_3e = so_3c + so_3d, so_3 = -so_3e;
-  const double so_4a = KSL_MUL(R->m10, si->m3), so_4b = KSL_MUL(R->m11, si->m4),
-      so_4c = so_4a + so_4b, so_4d = KSL_MUL(R->m12, si->m5), so_4e = so_4c + so_4d, so_4 = -so_4e;
-  const double so_5a = KSL_MUL(R->m20, si->m3), so_5b = KSL_MUL(R->m21, si->m4),
-      so_5c = so_5a + so_5b, so_5d = KSL_MUL(R->m22, si->m5), so_5e = so_5c + so_5d, so_5 = -so_5e;
+  const double so_0 =
+          -(KSL_MUL(R->m00, si->m0) + KSL_MUL(R->m01, si->m1) + KSL_MUL(R->m02, si->m2)),
+      so_1 = -(KSL_MUL(R->m10, si->m0) + KSL_MUL(R->m11, si->m1) + KSL_MUL(R->m12, si->m2)),
+      so_2 = -(KSL_MUL(R->m20, si->m0) + KSL_MUL(R->m21, si->m1) + KSL_MUL(R->m22, si->m2)),
+      so_3 = -(KSL_MUL(R->m00, si->m3) + KSL_MUL(R->m01, si->m4) + KSL_MUL(R->m02, si->m5)),
+      so_4 = -(KSL_MUL(R->m10, si->m3) + KSL_MUL(R->m11, si->m4) + KSL_MUL(R->m12, si->m5)),
+      so_5 = -(KSL_MUL(R->m20, si->m3) + KSL_MUL(R->m21, si->m4) + KSL_MUL(R->m22, si->m5));
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -611,24 +494,15 @@ static inline void ksl_product_Adrsinv(const ksl_mat3x3_t *R, const ksl_screw_t 
    Error <= u |result| + (lin: 5, ang: 2) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_Ads(const ksl_SE3_t *D, const ksl_screw_t *si, ksl_screw_t *so) {
-  const double w_0a = KSL_MUL(D->m00, si->m0), w_0b = KSL_MUL(D->m01, si->m1), w_0c = w_0a + w_0b,
-      w_0d = KSL_MUL(D->m02, si->m2), w_0 = w_0c + w_0d;
-  const double w_1a = KSL_MUL(D->m10, si->m0), w_1b = KSL_MUL(D->m11, si->m1), w_1c = w_1a + w_1b,
-      w_1d = KSL_MUL(D->m12, si->m2), w_1 = w_1c + w_1d;
-  const double w_2a = KSL_MUL(D->m20, si->m0), w_2b = KSL_MUL(D->m21, si->m1), w_2c = w_2a + w_2b,
-      w_2d = KSL_MUL(D->m22, si->m2), w_2 = w_2c + w_2d;
-  const double w_3a = KSL_MUL(D->m00, si->m3), w_3b = KSL_MUL(D->m01, si->m4), w_3c = w_3a + w_3b,
-      w_3d = KSL_MUL(D->m02, si->m5), w_3 = w_3c + w_3d;
-  const double w_4a = KSL_MUL(D->m10, si->m3), w_4b = KSL_MUL(D->m11, si->m4), w_4c = w_4a + w_4b,
-      w_4d = KSL_MUL(D->m12, si->m5), w_4 = w_4c + w_4d;
-  const double w_5a = KSL_MUL(D->m20, si->m3), w_5b = KSL_MUL(D->m21, si->m4), w_5c = w_5a + w_5b,
-      w_5d = KSL_MUL(D->m22, si->m5), w_5 = w_5c + w_5d;
-  const double so_0a = KSL_MUL(D->m13, w_5), so_0b = KSL_MUL(D->m23, w_4), so_0c = so_0a - so_0b,
-      so_0 = so_0c + w_0;
-  const double so_1a = KSL_MUL(D->m23, w_3), so_1b = KSL_MUL(D->m03, w_5), so_1c = so_1a - so_1b,
-      so_1 = so_1c + w_1;
-  const double so_2a = KSL_MUL(D->m03, w_4), so_2b = KSL_MUL(D->m13, w_3), so_2c = so_2a - so_2b,
-      so_2 = so_2c + w_2;
+  const double w_0 = KSL_MUL(D->m00, si->m0) + KSL_MUL(D->m01, si->m1) + KSL_MUL(D->m02, si->m2),
+      w_1 = KSL_MUL(D->m10, si->m0) + KSL_MUL(D->m11, si->m1) + KSL_MUL(D->m12, si->m2),
+      w_2 = KSL_MUL(D->m20, si->m0) + KSL_MUL(D->m21, si->m1) + KSL_MUL(D->m22, si->m2),
+      w_3 = KSL_MUL(D->m00, si->m3) + KSL_MUL(D->m01, si->m4) + KSL_MUL(D->m02, si->m5),
+      w_4 = KSL_MUL(D->m10, si->m3) + KSL_MUL(D->m11, si->m4) + KSL_MUL(D->m12, si->m5),
+      w_5 = KSL_MUL(D->m20, si->m3) + KSL_MUL(D->m21, si->m4) + KSL_MUL(D->m22, si->m5);
+  const double so_0 = KSL_MUL(D->m13, w_5) - KSL_MUL(D->m23, w_4) + w_0,
+      so_1 = KSL_MUL(D->m23, w_3) - KSL_MUL(D->m03, w_5) + w_1,
+      so_2 = KSL_MUL(D->m03, w_4) - KSL_MUL(D->m13, w_3) + w_2;
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -643,24 +517,15 @@ static inline void ksl_product_Ads(const ksl_SE3_t *D, const ksl_screw_t *si, ks
    Error <= u |result| + (lin: 5, ang: 2) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_Adinvs(const ksl_SE3_t *D, const ksl_screw_t *si, ksl_screw_t *so) {
-  const double w_0a = KSL_MUL(D->m23, si->m4), w_0b = KSL_MUL(D->m13, si->m5), w_0c = w_0a - w_0b,
-      w_0 = w_0c + si->m0;
-  const double w_1a = KSL_MUL(D->m03, si->m5), w_1b = KSL_MUL(D->m23, si->m3), w_1c = w_1a - w_1b,
-      w_1 = w_1c + si->m1;
-  const double w_2a = KSL_MUL(D->m13, si->m3), w_2b = KSL_MUL(D->m03, si->m4), w_2c = w_2a - w_2b,
-      w_2 = w_2c + si->m2;
-  const double so_0a = KSL_MUL(D->m00, w_0), so_0b = KSL_MUL(D->m10, w_1), so_0c = so_0a + so_0b,
-      so_0d = KSL_MUL(D->m20, w_2), so_0 = so_0c + so_0d;
-  const double so_1a = KSL_MUL(D->m01, w_0), so_1b = KSL_MUL(D->m11, w_1), so_1c = so_1a + so_1b,
-      so_1d = KSL_MUL(D->m21, w_2), so_1 = so_1c + so_1d;
-  const double so_2a = KSL_MUL(D->m02, w_0), so_2b = KSL_MUL(D->m12, w_1), so_2c = so_2a + so_2b,
-      so_2d = KSL_MUL(D->m22, w_2), so_2 = so_2c + so_2d;
-  const double so_3a = KSL_MUL(D->m00, si->m3), so_3b = KSL_MUL(D->m10, si->m4),
-      so_3c = so_3a + so_3b, so_3d = KSL_MUL(D->m20, si->m5), so_3 = so_3c + so_3d;
-  const double so_4a = KSL_MUL(D->m01, si->m3), so_4b = KSL_MUL(D->m11, si->m4),
-      so_4c = so_4a + so_4b, so_4d = KSL_MUL(D->m21, si->m5), so_4 = so_4c + so_4d;
-  const double so_5a = KSL_MUL(D->m02, si->m3), so_5b = KSL_MUL(D->m12, si->m4),
-      so_5c = so_5a + so_5b, so_5d = KSL_MUL(D->m22, si->m5), so_5 = so_5c + so_5d;
+  const double w_0 = KSL_MUL(D->m23, si->m4) - KSL_MUL(D->m13, si->m5) + si->m0,
+      w_1 = KSL_MUL(D->m03, si->m5) - KSL_MUL(D->m23, si->m3) + si->m1,
+      w_2 = KSL_MUL(D->m13, si->m3) - KSL_MUL(D->m03, si->m4) + si->m2;
+  const double so_0 = KSL_MUL(D->m00, w_0) + KSL_MUL(D->m10, w_1) + KSL_MUL(D->m20, w_2),
+      so_1 = KSL_MUL(D->m01, w_0) + KSL_MUL(D->m11, w_1) + KSL_MUL(D->m21, w_2),
+      so_2 = KSL_MUL(D->m02, w_0) + KSL_MUL(D->m12, w_1) + KSL_MUL(D->m22, w_2),
+      so_3 = KSL_MUL(D->m00, si->m3) + KSL_MUL(D->m10, si->m4) + KSL_MUL(D->m20, si->m5),
+      so_4 = KSL_MUL(D->m01, si->m3) + KSL_MUL(D->m11, si->m4) + KSL_MUL(D->m21, si->m5),
+      so_5 = KSL_MUL(D->m02, si->m3) + KSL_MUL(D->m12, si->m4) + KSL_MUL(D->m22, si->m5);
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -675,24 +540,15 @@ static inline void ksl_product_Adinvs(const ksl_SE3_t *D, const ksl_screw_t *si,
    Error <= u |result| + (lin: 5, ang: 2) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_Adsinv(const ksl_SE3_t *D, const ksl_screw_t *si, ksl_screw_t *so) {
-  const double w_0a = KSL_MUL(D->m00, si->m0), w_0b = KSL_MUL(D->m01, si->m1), w_0c = w_0a + w_0b,
-      w_0d = KSL_MUL(D->m02, si->m2), w_0e = w_0c + w_0d, w_0 = -w_0e;
-  const double w_1a = KSL_MUL(D->m10, si->m0), w_1b = KSL_MUL(D->m11, si->m1), w_1c = w_1a + w_1b,
-      w_1d = KSL_MUL(D->m12, si->m2), w_1e = w_1c + w_1d, w_1 = -w_1e;
-  const double w_2a = KSL_MUL(D->m20, si->m0), w_2b = KSL_MUL(D->m21, si->m1), w_2c = w_2a + w_2b,
-      w_2d = KSL_MUL(D->m22, si->m2), w_2e = w_2c + w_2d, w_2 = -w_2e;
-  const double w_3a = KSL_MUL(D->m00, si->m3), w_3b = KSL_MUL(D->m01, si->m4), w_3c = w_3a + w_3b,
-      w_3d = KSL_MUL(D->m02, si->m5), w_3e = w_3c + w_3d, w_3 = -w_3e;
-  const double w_4a = KSL_MUL(D->m10, si->m3), w_4b = KSL_MUL(D->m11, si->m4), w_4c = w_4a + w_4b,
-      w_4d = KSL_MUL(D->m12, si->m5), w_4e = w_4c + w_4d, w_4 = -w_4e;
-  const double w_5a = KSL_MUL(D->m20, si->m3), w_5b = KSL_MUL(D->m21, si->m4), w_5c = w_5a + w_5b,
-      w_5d = KSL_MUL(D->m22, si->m5), w_5e = w_5c + w_5d, w_5 = -w_5e;
-  const double so_0a = KSL_MUL(D->m13, w_5), so_0b = KSL_MUL(D->m23, w_4), so_0c = so_0a - so_0b,
-      so_0 = so_0c + w_0;
-  const double so_1a = KSL_MUL(D->m23, w_3), so_1b = KSL_MUL(D->m03, w_5), so_1c = so_1a - so_1b,
-      so_1 = so_1c + w_1;
-  const double so_2a = KSL_MUL(D->m03, w_4), so_2b = KSL_MUL(D->m13, w_3), so_2c = so_2a - so_2b,
-      so_2 = so_2c + w_2;
+  const double w_0 = -(KSL_MUL(D->m00, si->m0) + KSL_MUL(D->m01, si->m1) + KSL_MUL(D->m02, si->m2)),
+      w_1 = -(KSL_MUL(D->m10, si->m0) + KSL_MUL(D->m11, si->m1) + KSL_MUL(D->m12, si->m2)),
+      w_2 = -(KSL_MUL(D->m20, si->m0) + KSL_MUL(D->m21, si->m1) + KSL_MUL(D->m22, si->m2)),
+      w_3 = -(KSL_MUL(D->m00, si->m3) + KSL_MUL(D->m01, si->m4) + KSL_MUL(D->m02, si->m5)),
+      w_4 = -(KSL_MUL(D->m10, si->m3) + KSL_MUL(D->m11, si->m4) + KSL_MUL(D->m12, si->m5)),
+      w_5 = -(KSL_MUL(D->m20, si->m3) + KSL_MUL(D->m21, si->m4) + KSL_MUL(D->m22, si->m5));
+  const double so_0 = KSL_MUL(D->m13, w_5) - KSL_MUL(D->m23, w_4) + w_0,
+      so_1 = KSL_MUL(D->m23, w_3) - KSL_MUL(D->m03, w_5) + w_1,
+      so_2 = KSL_MUL(D->m03, w_4) - KSL_MUL(D->m13, w_3) + w_2;
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -755,12 +611,9 @@ static inline void ksl_hstz(const ksl_SE3_t *D, ksl_screw_t *so) {
    Error <= u |result| + (lin: 1, ang: 0) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_hsrx(const ksl_SE3_t *D, ksl_screw_t *so) {
-  const double so_0a = KSL_MUL(D->m20, D->m13), so_0b = KSL_MUL(D->m10, D->m23),
-      so_0 = so_0a - so_0b;
-  const double so_1a = KSL_MUL(D->m00, D->m23), so_1b = KSL_MUL(D->m20, D->m03),
-      so_1 = so_1a - so_1b;
-  const double so_2a = KSL_MUL(D->m10, D->m03), so_2b = KSL_MUL(D->m00, D->m13),
-      so_2 = so_2a - so_2b;
+  const double so_0 = KSL_MUL(D->m20, D->m13) - KSL_MUL(D->m10, D->m23),
+      so_1 = KSL_MUL(D->m00, D->m23) - KSL_MUL(D->m20, D->m03),
+      so_2 = KSL_MUL(D->m10, D->m03) - KSL_MUL(D->m00, D->m13);
   const double D_m00 = D->m00;
   const double D_m10 = D->m10;
   const double D_m20 = D->m20;
@@ -778,12 +631,9 @@ static inline void ksl_hsrx(const ksl_SE3_t *D, ksl_screw_t *so) {
    Error <= u |result| + (lin: 1, ang: 0) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_hsry(const ksl_SE3_t *D, ksl_screw_t *so) {
-  const double so_0a = KSL_MUL(D->m21, D->m13), so_0b = KSL_MUL(D->m11, D->m23),
-      so_0 = so_0a - so_0b;
-  const double so_1a = KSL_MUL(D->m01, D->m23), so_1b = KSL_MUL(D->m21, D->m03),
-      so_1 = so_1a - so_1b;
-  const double so_2a = KSL_MUL(D->m11, D->m03), so_2b = KSL_MUL(D->m01, D->m13),
-      so_2 = so_2a - so_2b;
+  const double so_0 = KSL_MUL(D->m21, D->m13) - KSL_MUL(D->m11, D->m23),
+      so_1 = KSL_MUL(D->m01, D->m23) - KSL_MUL(D->m21, D->m03),
+      so_2 = KSL_MUL(D->m11, D->m03) - KSL_MUL(D->m01, D->m13);
   const double D_m01 = D->m01;
   const double D_m11 = D->m11;
   const double D_m21 = D->m21;
@@ -801,12 +651,9 @@ static inline void ksl_hsry(const ksl_SE3_t *D, ksl_screw_t *so) {
    Error <= u |result| + (lin: 1, ang: 0) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_hsrz(const ksl_SE3_t *D, ksl_screw_t *so) {
-  const double so_0a = KSL_MUL(D->m22, D->m13), so_0b = KSL_MUL(D->m12, D->m23),
-      so_0 = so_0a - so_0b;
-  const double so_1a = KSL_MUL(D->m02, D->m23), so_1b = KSL_MUL(D->m22, D->m03),
-      so_1 = so_1a - so_1b;
-  const double so_2a = KSL_MUL(D->m12, D->m03), so_2b = KSL_MUL(D->m02, D->m13),
-      so_2 = so_2a - so_2b;
+  const double so_0 = KSL_MUL(D->m22, D->m13) - KSL_MUL(D->m12, D->m23),
+      so_1 = KSL_MUL(D->m02, D->m23) - KSL_MUL(D->m22, D->m03),
+      so_2 = KSL_MUL(D->m12, D->m03) - KSL_MUL(D->m02, D->m13);
   const double D_m02 = D->m02;
   const double D_m12 = D->m12;
   const double D_m22 = D->m22;
@@ -823,9 +670,7 @@ static inline void ksl_hsrz(const ksl_SE3_t *D, ksl_screw_t *so) {
    3 neg.
    Exact. */
 static inline void ksl_hstxinv(const ksl_SE3_t *D, ksl_screw_t *so) {
-  const double so_0 = -D->m00;
-  const double so_1 = -D->m10;
-  const double so_2 = -D->m20;
+  const double so_0 = -D->m00, so_1 = -D->m10, so_2 = -D->m20;
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -839,9 +684,7 @@ static inline void ksl_hstxinv(const ksl_SE3_t *D, ksl_screw_t *so) {
    3 neg.
    Exact. */
 static inline void ksl_hstyinv(const ksl_SE3_t *D, ksl_screw_t *so) {
-  const double so_0 = -D->m01;
-  const double so_1 = -D->m11;
-  const double so_2 = -D->m21;
+  const double so_0 = -D->m01, so_1 = -D->m11, so_2 = -D->m21;
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -855,9 +698,7 @@ static inline void ksl_hstyinv(const ksl_SE3_t *D, ksl_screw_t *so) {
    3 neg.
    Exact. */
 static inline void ksl_hstzinv(const ksl_SE3_t *D, ksl_screw_t *so) {
-  const double so_0 = -D->m02;
-  const double so_1 = -D->m12;
-  const double so_2 = -D->m22;
+  const double so_0 = -D->m02, so_1 = -D->m12, so_2 = -D->m22;
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -872,15 +713,10 @@ static inline void ksl_hstzinv(const ksl_SE3_t *D, ksl_screw_t *so) {
    Error <= u |result| + (lin: 1, ang: 0) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_hsrxinv(const ksl_SE3_t *D, ksl_screw_t *so) {
-  const double so_0a = KSL_MUL(D->m10, D->m23), so_0b = KSL_MUL(D->m20, D->m13),
-      so_0 = so_0a - so_0b;
-  const double so_1a = KSL_MUL(D->m20, D->m03), so_1b = KSL_MUL(D->m00, D->m23),
-      so_1 = so_1a - so_1b;
-  const double so_2a = KSL_MUL(D->m00, D->m13), so_2b = KSL_MUL(D->m10, D->m03),
-      so_2 = so_2a - so_2b;
-  const double so_3 = -D->m00;
-  const double so_4 = -D->m10;
-  const double so_5 = -D->m20;
+  const double so_0 = KSL_MUL(D->m10, D->m23) - KSL_MUL(D->m20, D->m13),
+      so_1 = KSL_MUL(D->m20, D->m03) - KSL_MUL(D->m00, D->m23),
+      so_2 = KSL_MUL(D->m00, D->m13) - KSL_MUL(D->m10, D->m03), so_3 = -D->m00, so_4 = -D->m10,
+      so_5 = -D->m20;
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -895,15 +731,10 @@ static inline void ksl_hsrxinv(const ksl_SE3_t *D, ksl_screw_t *so) {
    Error <= u |result| + (lin: 1, ang: 0) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_hsryinv(const ksl_SE3_t *D, ksl_screw_t *so) {
-  const double so_0a = KSL_MUL(D->m11, D->m23), so_0b = KSL_MUL(D->m21, D->m13),
-      so_0 = so_0a - so_0b;
-  const double so_1a = KSL_MUL(D->m21, D->m03), so_1b = KSL_MUL(D->m01, D->m23),
-      so_1 = so_1a - so_1b;
-  const double so_2a = KSL_MUL(D->m01, D->m13), so_2b = KSL_MUL(D->m11, D->m03),
-      so_2 = so_2a - so_2b;
-  const double so_3 = -D->m01;
-  const double so_4 = -D->m11;
-  const double so_5 = -D->m21;
+  const double so_0 = KSL_MUL(D->m11, D->m23) - KSL_MUL(D->m21, D->m13),
+      so_1 = KSL_MUL(D->m21, D->m03) - KSL_MUL(D->m01, D->m23),
+      so_2 = KSL_MUL(D->m01, D->m13) - KSL_MUL(D->m11, D->m03), so_3 = -D->m01, so_4 = -D->m11,
+      so_5 = -D->m21;
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -918,15 +749,10 @@ static inline void ksl_hsryinv(const ksl_SE3_t *D, ksl_screw_t *so) {
    Error <= u |result| + (lin: 1, ang: 0) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_hsrzinv(const ksl_SE3_t *D, ksl_screw_t *so) {
-  const double so_0a = KSL_MUL(D->m12, D->m23), so_0b = KSL_MUL(D->m22, D->m13),
-      so_0 = so_0a - so_0b;
-  const double so_1a = KSL_MUL(D->m22, D->m03), so_1b = KSL_MUL(D->m02, D->m23),
-      so_1 = so_1a - so_1b;
-  const double so_2a = KSL_MUL(D->m02, D->m13), so_2b = KSL_MUL(D->m12, D->m03),
-      so_2 = so_2a - so_2b;
-  const double so_3 = -D->m02;
-  const double so_4 = -D->m12;
-  const double so_5 = -D->m22;
+  const double so_0 = KSL_MUL(D->m12, D->m23) - KSL_MUL(D->m22, D->m13),
+      so_1 = KSL_MUL(D->m22, D->m03) - KSL_MUL(D->m02, D->m23),
+      so_2 = KSL_MUL(D->m02, D->m13) - KSL_MUL(D->m12, D->m03), so_3 = -D->m02, so_4 = -D->m12,
+      so_5 = -D->m22;
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -941,24 +767,15 @@ static inline void ksl_hsrzinv(const ksl_SE3_t *D, ksl_screw_t *so) {
    Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline void ksl_Ad(const ksl_SE3_t *D, ksl_mat6x6_t *M) {
-  const double M_03a = KSL_MUL(D->m20, D->m13), M_03b = KSL_MUL(D->m10, D->m23),
-      M_03 = M_03a - M_03b;
-  const double M_04a = KSL_MUL(D->m21, D->m13), M_04b = KSL_MUL(D->m11, D->m23),
-      M_04 = M_04a - M_04b;
-  const double M_05a = KSL_MUL(D->m22, D->m13), M_05b = KSL_MUL(D->m12, D->m23),
-      M_05 = M_05a - M_05b;
-  const double M_13a = KSL_MUL(D->m00, D->m23), M_13b = KSL_MUL(D->m20, D->m03),
-      M_13 = M_13a - M_13b;
-  const double M_14a = KSL_MUL(D->m01, D->m23), M_14b = KSL_MUL(D->m21, D->m03),
-      M_14 = M_14a - M_14b;
-  const double M_15a = KSL_MUL(D->m02, D->m23), M_15b = KSL_MUL(D->m22, D->m03),
-      M_15 = M_15a - M_15b;
-  const double M_23a = KSL_MUL(D->m10, D->m03), M_23b = KSL_MUL(D->m00, D->m13),
-      M_23 = M_23a - M_23b;
-  const double M_24a = KSL_MUL(D->m11, D->m03), M_24b = KSL_MUL(D->m01, D->m13),
-      M_24 = M_24a - M_24b;
-  const double M_25a = KSL_MUL(D->m12, D->m03), M_25b = KSL_MUL(D->m02, D->m13),
-      M_25 = M_25a - M_25b;
+  const double M_03 = KSL_MUL(D->m20, D->m13) - KSL_MUL(D->m10, D->m23),
+      M_04 = KSL_MUL(D->m21, D->m13) - KSL_MUL(D->m11, D->m23),
+      M_05 = KSL_MUL(D->m22, D->m13) - KSL_MUL(D->m12, D->m23),
+      M_13 = KSL_MUL(D->m00, D->m23) - KSL_MUL(D->m20, D->m03),
+      M_14 = KSL_MUL(D->m01, D->m23) - KSL_MUL(D->m21, D->m03),
+      M_15 = KSL_MUL(D->m02, D->m23) - KSL_MUL(D->m22, D->m03),
+      M_23 = KSL_MUL(D->m10, D->m03) - KSL_MUL(D->m00, D->m13),
+      M_24 = KSL_MUL(D->m11, D->m03) - KSL_MUL(D->m01, D->m13),
+      M_25 = KSL_MUL(D->m12, D->m03) - KSL_MUL(D->m02, D->m13);
   const double D_m00 = D->m00;
   const double D_m01 = D->m01;
   const double D_m02 = D->m02;
@@ -1012,10 +829,8 @@ static inline void ksl_Ad(const ksl_SE3_t *D, ksl_mat6x6_t *M) {
    Error <= u |result| + 3 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline double ksl_dot_cs(const ksl_coscrew_t *c, const ksl_screw_t *s) {
-  const double power_a = KSL_MUL(c->m0, s->m0), power_b = KSL_MUL(c->m1, s->m1),
-      power_c = power_a + power_b, power_d = KSL_MUL(c->m2, s->m2), power_e = power_c + power_d,
-      power_f = KSL_MUL(c->m3, s->m3), power_g = KSL_MUL(c->m4, s->m4), power_h = power_f + power_g,
-      power_i = KSL_MUL(c->m5, s->m5), power_j = power_h + power_i, power = power_e + power_j;
+  const double power_e = KSL_MUL(c->m0, s->m0) + KSL_MUL(c->m1, s->m1) + KSL_MUL(c->m2, s->m2),
+      power = power_e + (KSL_MUL(c->m3, s->m3) + KSL_MUL(c->m4, s->m4) + KSL_MUL(c->m5, s->m5));
   return power;
 }
 
@@ -1026,21 +841,15 @@ static inline double ksl_dot_cs(const ksl_coscrew_t *c, const ksl_screw_t *s) {
    Error <= u |result| + (lin: 2, ang: 1) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_cross_ss(const ksl_screw_t *s1, const ksl_screw_t *s2, ksl_screw_t *so) {
-  const double so_0a = KSL_MUL(s1->m1, s2->m5), so_0b = KSL_MUL(s1->m5, s2->m1),
-      so_0c = so_0a - so_0b, so_0d = KSL_MUL(s1->m4, s2->m2), so_0e = KSL_MUL(s1->m2, s2->m4),
-      so_0f = so_0d - so_0e, so_0 = so_0c + so_0f;
-  const double so_1a = KSL_MUL(s1->m5, s2->m0), so_1b = KSL_MUL(s1->m0, s2->m5),
-      so_1c = so_1a - so_1b, so_1d = KSL_MUL(s1->m2, s2->m3), so_1e = KSL_MUL(s1->m3, s2->m2),
-      so_1f = so_1d - so_1e, so_1 = so_1c + so_1f;
-  const double so_2a = KSL_MUL(s1->m0, s2->m4), so_2b = KSL_MUL(s1->m4, s2->m0),
-      so_2c = so_2a - so_2b, so_2d = KSL_MUL(s1->m3, s2->m1), so_2e = KSL_MUL(s1->m1, s2->m3),
-      so_2f = so_2d - so_2e, so_2 = so_2c + so_2f;
-  const double so_3a = KSL_MUL(s1->m4, s2->m5), so_3b = KSL_MUL(s1->m5, s2->m4),
-      so_3 = so_3a - so_3b;
-  const double so_4a = KSL_MUL(s1->m5, s2->m3), so_4b = KSL_MUL(s1->m3, s2->m5),
-      so_4 = so_4a - so_4b;
-  const double so_5a = KSL_MUL(s1->m3, s2->m4), so_5b = KSL_MUL(s1->m4, s2->m3),
-      so_5 = so_5a - so_5b;
+  const double so_0 = KSL_MUL(s1->m1, s2->m5) - KSL_MUL(s1->m5, s2->m1)
+          + (KSL_MUL(s1->m4, s2->m2) - KSL_MUL(s1->m2, s2->m4)),
+      so_1 = KSL_MUL(s1->m5, s2->m0) - KSL_MUL(s1->m0, s2->m5)
+          + (KSL_MUL(s1->m2, s2->m3) - KSL_MUL(s1->m3, s2->m2)),
+      so_2 = KSL_MUL(s1->m0, s2->m4) - KSL_MUL(s1->m4, s2->m0)
+          + (KSL_MUL(s1->m3, s2->m1) - KSL_MUL(s1->m1, s2->m3)),
+      so_3 = KSL_MUL(s1->m4, s2->m5) - KSL_MUL(s1->m5, s2->m4),
+      so_4 = KSL_MUL(s1->m5, s2->m3) - KSL_MUL(s1->m3, s2->m5),
+      so_5 = KSL_MUL(s1->m3, s2->m4) - KSL_MUL(s1->m4, s2->m3);
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -1055,12 +864,9 @@ static inline void ksl_cross_ss(const ksl_screw_t *s1, const ksl_screw_t *s2, ks
    Error <= u |result| + (lin: 1, ang: 0) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_cross_sst(const ksl_screw_t *s1, const ksl_screw_t *s2, ksl_screw_t *so) {
-  const double so_0a = KSL_MUL(s1->m4, s2->m2), so_0b = KSL_MUL(s1->m5, s2->m1),
-      so_0 = so_0a - so_0b;
-  const double so_1a = KSL_MUL(s1->m5, s2->m0), so_1b = KSL_MUL(s1->m3, s2->m2),
-      so_1 = so_1a - so_1b;
-  const double so_2a = KSL_MUL(s1->m3, s2->m1), so_2b = KSL_MUL(s1->m4, s2->m0),
-      so_2 = so_2a - so_2b;
+  const double so_0 = KSL_MUL(s1->m4, s2->m2) - KSL_MUL(s1->m5, s2->m1),
+      so_1 = KSL_MUL(s1->m5, s2->m0) - KSL_MUL(s1->m3, s2->m2),
+      so_2 = KSL_MUL(s1->m3, s2->m1) - KSL_MUL(s1->m4, s2->m0);
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -1075,15 +881,12 @@ static inline void ksl_cross_sst(const ksl_screw_t *s1, const ksl_screw_t *s2, k
    Error <= u |result| + (lin: 4, ang: 2) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_hsra(const ksl_SE3_t *D, const ksl_vec3_t *axis, ksl_screw_t *so) {
-  const double a_0a = KSL_MUL(D->m00, axis->x), a_0b = KSL_MUL(D->m01, axis->y), a_0c = a_0a + a_0b,
-      a_0d = KSL_MUL(D->m02, axis->z), a_0 = a_0c + a_0d;
-  const double a_1a = KSL_MUL(D->m10, axis->x), a_1b = KSL_MUL(D->m11, axis->y), a_1c = a_1a + a_1b,
-      a_1d = KSL_MUL(D->m12, axis->z), a_1 = a_1c + a_1d;
-  const double a_2a = KSL_MUL(D->m20, axis->x), a_2b = KSL_MUL(D->m21, axis->y), a_2c = a_2a + a_2b,
-      a_2d = KSL_MUL(D->m22, axis->z), a_2 = a_2c + a_2d;
-  const double so_0a = KSL_MUL(D->m13, a_2), so_0b = KSL_MUL(D->m23, a_1), so_0 = so_0a - so_0b;
-  const double so_1a = KSL_MUL(D->m23, a_0), so_1b = KSL_MUL(D->m03, a_2), so_1 = so_1a - so_1b;
-  const double so_2a = KSL_MUL(D->m03, a_1), so_2b = KSL_MUL(D->m13, a_0), so_2 = so_2a - so_2b;
+  const double a_0 = KSL_MUL(D->m00, axis->x) + KSL_MUL(D->m01, axis->y) + KSL_MUL(D->m02, axis->z),
+      a_1 = KSL_MUL(D->m10, axis->x) + KSL_MUL(D->m11, axis->y) + KSL_MUL(D->m12, axis->z),
+      a_2 = KSL_MUL(D->m20, axis->x) + KSL_MUL(D->m21, axis->y) + KSL_MUL(D->m22, axis->z);
+  const double so_0 = KSL_MUL(D->m13, a_2) - KSL_MUL(D->m23, a_1),
+      so_1 = KSL_MUL(D->m23, a_0) - KSL_MUL(D->m03, a_2),
+      so_2 = KSL_MUL(D->m03, a_1) - KSL_MUL(D->m13, a_0);
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -1098,12 +901,10 @@ static inline void ksl_hsra(const ksl_SE3_t *D, const ksl_vec3_t *axis, ksl_scre
    Error <= u |result| + (lin: 2, ang: 0) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_hsta(const ksl_SE3_t *D, const ksl_vec3_t *axis, ksl_screw_t *so) {
-  const double so_0a = KSL_MUL(D->m00, axis->x), so_0b = KSL_MUL(D->m01, axis->y),
-      so_0c = so_0a + so_0b, so_0d = KSL_MUL(D->m02, axis->z), so_0 = so_0c + so_0d;
-  const double so_1a = KSL_MUL(D->m10, axis->x), so_1b = KSL_MUL(D->m11, axis->y),
-      so_1c = so_1a + so_1b, so_1d = KSL_MUL(D->m12, axis->z), so_1 = so_1c + so_1d;
-  const double so_2a = KSL_MUL(D->m20, axis->x), so_2b = KSL_MUL(D->m21, axis->y),
-      so_2c = so_2a + so_2b, so_2d = KSL_MUL(D->m22, axis->z), so_2 = so_2c + so_2d;
+  const double so_0 = KSL_MUL(D->m00, axis->x) + KSL_MUL(D->m01, axis->y)
+          + KSL_MUL(D->m02, axis->z),
+      so_1 = KSL_MUL(D->m10, axis->x) + KSL_MUL(D->m11, axis->y) + KSL_MUL(D->m12, axis->z),
+      so_2 = KSL_MUL(D->m20, axis->x) + KSL_MUL(D->m21, axis->y) + KSL_MUL(D->m22, axis->z);
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -1118,15 +919,13 @@ static inline void ksl_hsta(const ksl_SE3_t *D, const ksl_vec3_t *axis, ksl_scre
    Error <= u |result| + (lin: 4, ang: 2) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_hsrainv(const ksl_SE3_t *D, const ksl_vec3_t *axis, ksl_screw_t *so) {
-  const double a_0a = KSL_MUL(D->m00, axis->x), a_0b = KSL_MUL(D->m01, axis->y), a_0c = a_0a + a_0b,
-      a_0d = KSL_MUL(D->m02, axis->z), a_0e = a_0c + a_0d, a_0 = -a_0e;
-  const double a_1a = KSL_MUL(D->m10, axis->x), a_1b = KSL_MUL(D->m11, axis->y), a_1c = a_1a + a_1b,
-      a_1d = KSL_MUL(D->m12, axis->z), a_1e = a_1c + a_1d, a_1 = -a_1e;
-  const double a_2a = KSL_MUL(D->m20, axis->x), a_2b = KSL_MUL(D->m21, axis->y), a_2c = a_2a + a_2b,
-      a_2d = KSL_MUL(D->m22, axis->z), a_2e = a_2c + a_2d, a_2 = -a_2e;
-  const double so_0a = KSL_MUL(D->m13, a_2), so_0b = KSL_MUL(D->m23, a_1), so_0 = so_0a - so_0b;
-  const double so_1a = KSL_MUL(D->m23, a_0), so_1b = KSL_MUL(D->m03, a_2), so_1 = so_1a - so_1b;
-  const double so_2a = KSL_MUL(D->m03, a_1), so_2b = KSL_MUL(D->m13, a_0), so_2 = so_2a - so_2b;
+  const double a_0 =
+          -(KSL_MUL(D->m00, axis->x) + KSL_MUL(D->m01, axis->y) + KSL_MUL(D->m02, axis->z)),
+      a_1 = -(KSL_MUL(D->m10, axis->x) + KSL_MUL(D->m11, axis->y) + KSL_MUL(D->m12, axis->z)),
+      a_2 = -(KSL_MUL(D->m20, axis->x) + KSL_MUL(D->m21, axis->y) + KSL_MUL(D->m22, axis->z));
+  const double so_0 = KSL_MUL(D->m13, a_2) - KSL_MUL(D->m23, a_1),
+      so_1 = KSL_MUL(D->m23, a_0) - KSL_MUL(D->m03, a_2),
+      so_2 = KSL_MUL(D->m03, a_1) - KSL_MUL(D->m13, a_0);
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -1141,12 +940,10 @@ static inline void ksl_hsrainv(const ksl_SE3_t *D, const ksl_vec3_t *axis, ksl_s
    Error <= u |result| + (lin: 2, ang: 0) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_hstainv(const ksl_SE3_t *D, const ksl_vec3_t *axis, ksl_screw_t *so) {
-  const double so_0a = KSL_MUL(D->m00, axis->x), so_0b = KSL_MUL(D->m01, axis->y),
-      so_0c = so_0a + so_0b, so_0d = KSL_MUL(D->m02, axis->z), so_0e = so_0c + so_0d, so_0 = -so_0e;
-  const double so_1a = KSL_MUL(D->m10, axis->x), so_1b = KSL_MUL(D->m11, axis->y),
-      so_1c = so_1a + so_1b, so_1d = KSL_MUL(D->m12, axis->z), so_1e = so_1c + so_1d, so_1 = -so_1e;
-  const double so_2a = KSL_MUL(D->m20, axis->x), so_2b = KSL_MUL(D->m21, axis->y),
-      so_2c = so_2a + so_2b, so_2d = KSL_MUL(D->m22, axis->z), so_2e = so_2c + so_2d, so_2 = -so_2e;
+  const double so_0 =
+          -(KSL_MUL(D->m00, axis->x) + KSL_MUL(D->m01, axis->y) + KSL_MUL(D->m02, axis->z)),
+      so_1 = -(KSL_MUL(D->m10, axis->x) + KSL_MUL(D->m11, axis->y) + KSL_MUL(D->m12, axis->z)),
+      so_2 = -(KSL_MUL(D->m20, axis->x) + KSL_MUL(D->m21, axis->y) + KSL_MUL(D->m22, axis->z));
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -1160,12 +957,8 @@ static inline void ksl_hstainv(const ksl_SE3_t *D, const ksl_vec3_t *axis, ksl_s
    6 neg.
    Exact. */
 static inline void ksl_ad(const ksl_screw_t *s, ksl_mat6x6_t *M) {
-  const double M_01 = -s->m5;
-  const double M_04 = -s->m2;
-  const double M_12 = -s->m3;
-  const double M_15 = -s->m0;
-  const double M_20 = -s->m4;
-  const double M_23 = -s->m1;
+  const double M_01 = -s->m5, M_04 = -s->m2, M_12 = -s->m3, M_15 = -s->m0, M_20 = -s->m4,
+      M_23 = -s->m1;
   const double s_m4 = s->m4;
   const double s_m1 = s->m1;
   const double s_m5 = s->m5;
@@ -1247,12 +1040,9 @@ static inline void ksl_screwf_copy(const ksl_screwf_t *si, ksl_screwf_t *so) {
    6 mul.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_screwf_scale(ksl_screwf_t *self, const float a) {
-  const float self_0_new = KSL_MULF(self->m0, a);
-  const float self_1_new = KSL_MULF(self->m1, a);
-  const float self_2_new = KSL_MULF(self->m2, a);
-  const float self_3_new = KSL_MULF(self->m3, a);
-  const float self_4_new = KSL_MULF(self->m4, a);
-  const float self_5_new = KSL_MULF(self->m5, a);
+  const float self_0_new = KSL_MULF(self->m0, a), self_1_new = KSL_MULF(self->m1, a),
+      self_2_new = KSL_MULF(self->m2, a), self_3_new = KSL_MULF(self->m3, a),
+      self_4_new = KSL_MULF(self->m4, a), self_5_new = KSL_MULF(self->m5, a);
   self->m0 = self_0_new;
   self->m1 = self_1_new;
   self->m2 = self_2_new;
@@ -1266,12 +1056,8 @@ static inline void ksl_screwf_scale(ksl_screwf_t *self, const float a) {
    6 neg.
    Exact. */
 static inline void ksl_screwf_inverted(const ksl_screwf_t *si, ksl_screwf_t *so) {
-  const float so_0 = -si->m0;
-  const float so_1 = -si->m1;
-  const float so_2 = -si->m2;
-  const float so_3 = -si->m3;
-  const float so_4 = -si->m4;
-  const float so_5 = -si->m5;
+  const float so_0 = -si->m0, so_1 = -si->m1, so_2 = -si->m2, so_3 = -si->m3, so_4 = -si->m4,
+      so_5 = -si->m5;
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -1285,12 +1071,8 @@ static inline void ksl_screwf_inverted(const ksl_screwf_t *si, ksl_screwf_t *so)
    6 neg.
    Exact. */
 static inline void ksl_screwf_invert(ksl_screwf_t *self) {
-  const float self_0_new = -self->m0;
-  const float self_1_new = -self->m1;
-  const float self_2_new = -self->m2;
-  const float self_3_new = -self->m3;
-  const float self_4_new = -self->m4;
-  const float self_5_new = -self->m5;
+  const float self_0_new = -self->m0, self_1_new = -self->m1, self_2_new = -self->m2,
+      self_3_new = -self->m3, self_4_new = -self->m4, self_5_new = -self->m5;
   self->m0 = self_0_new;
   self->m1 = self_1_new;
   self->m2 = self_2_new;
@@ -1305,12 +1087,9 @@ static inline void ksl_screwf_invert(ksl_screwf_t *self) {
    Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline void ksl_axpy_ssf(const float a, const ksl_screwf_t *x, ksl_screwf_t *y) {
-  const float y_0_new_a = KSL_MULF(a, x->m0), y_0_new = y_0_new_a + y->m0;
-  const float y_1_new_a = KSL_MULF(a, x->m1), y_1_new = y_1_new_a + y->m1;
-  const float y_2_new_a = KSL_MULF(a, x->m2), y_2_new = y_2_new_a + y->m2;
-  const float y_3_new_a = KSL_MULF(a, x->m3), y_3_new = y_3_new_a + y->m3;
-  const float y_4_new_a = KSL_MULF(a, x->m4), y_4_new = y_4_new_a + y->m4;
-  const float y_5_new_a = KSL_MULF(a, x->m5), y_5_new = y_5_new_a + y->m5;
+  const float y_0_new = KSL_MULF(a, x->m0) + y->m0, y_1_new = KSL_MULF(a, x->m1) + y->m1,
+      y_2_new = KSL_MULF(a, x->m2) + y->m2, y_3_new = KSL_MULF(a, x->m3) + y->m3,
+      y_4_new = KSL_MULF(a, x->m4) + y->m4, y_5_new = KSL_MULF(a, x->m5) + y->m5;
   y->m0 = y_0_new;
   y->m1 = y_1_new;
   y->m2 = y_2_new;
@@ -1324,12 +1103,8 @@ static inline void ksl_axpy_ssf(const float a, const ksl_screwf_t *x, ksl_screwf
    6 add.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_xpy_ssf(const ksl_screwf_t *x, ksl_screwf_t *y) {
-  const float y_0_new = x->m0 + y->m0;
-  const float y_1_new = x->m1 + y->m1;
-  const float y_2_new = x->m2 + y->m2;
-  const float y_3_new = x->m3 + y->m3;
-  const float y_4_new = x->m4 + y->m4;
-  const float y_5_new = x->m5 + y->m5;
+  const float y_0_new = x->m0 + y->m0, y_1_new = x->m1 + y->m1, y_2_new = x->m2 + y->m2,
+      y_3_new = x->m3 + y->m3, y_4_new = x->m4 + y->m4, y_5_new = x->m5 + y->m5;
   y->m0 = y_0_new;
   y->m1 = y_1_new;
   y->m2 = y_2_new;
@@ -1343,12 +1118,8 @@ static inline void ksl_xpy_ssf(const ksl_screwf_t *x, ksl_screwf_t *y) {
    6 add.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_nxpy_ssf(const ksl_screwf_t *x, ksl_screwf_t *y) {
-  const float y_0_new = y->m0 - x->m0;
-  const float y_1_new = y->m1 - x->m1;
-  const float y_2_new = y->m2 - x->m2;
-  const float y_3_new = y->m3 - x->m3;
-  const float y_4_new = y->m4 - x->m4;
-  const float y_5_new = y->m5 - x->m5;
+  const float y_0_new = y->m0 - x->m0, y_1_new = y->m1 - x->m1, y_2_new = y->m2 - x->m2,
+      y_3_new = y->m3 - x->m3, y_4_new = y->m4 - x->m4, y_5_new = y->m5 - x->m5;
   y->m0 = y_0_new;
   y->m1 = y_1_new;
   y->m2 = y_2_new;
@@ -1362,12 +1133,8 @@ static inline void ksl_nxpy_ssf(const ksl_screwf_t *x, ksl_screwf_t *y) {
    6 mul.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_product_asf(const float a, const ksl_screwf_t *si, ksl_screwf_t *so) {
-  const float so_0 = KSL_MULF(a, si->m0);
-  const float so_1 = KSL_MULF(a, si->m1);
-  const float so_2 = KSL_MULF(a, si->m2);
-  const float so_3 = KSL_MULF(a, si->m3);
-  const float so_4 = KSL_MULF(a, si->m4);
-  const float so_5 = KSL_MULF(a, si->m5);
+  const float so_0 = KSL_MULF(a, si->m0), so_1 = KSL_MULF(a, si->m1), so_2 = KSL_MULF(a, si->m2),
+      so_3 = KSL_MULF(a, si->m3), so_4 = KSL_MULF(a, si->m4), so_5 = KSL_MULF(a, si->m5);
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -1381,12 +1148,8 @@ static inline void ksl_product_asf(const float a, const ksl_screwf_t *si, ksl_sc
    6 add.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_add_ssf(const ksl_screwf_t *s1, const ksl_screwf_t *s2, ksl_screwf_t *so) {
-  const float so_0 = s1->m0 + s2->m0;
-  const float so_1 = s1->m1 + s2->m1;
-  const float so_2 = s1->m2 + s2->m2;
-  const float so_3 = s1->m3 + s2->m3;
-  const float so_4 = s1->m4 + s2->m4;
-  const float so_5 = s1->m5 + s2->m5;
+  const float so_0 = s1->m0 + s2->m0, so_1 = s1->m1 + s2->m1, so_2 = s1->m2 + s2->m2,
+      so_3 = s1->m3 + s2->m3, so_4 = s1->m4 + s2->m4, so_5 = s1->m5 + s2->m5;
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -1401,12 +1164,8 @@ static inline void ksl_add_ssf(const ksl_screwf_t *s1, const ksl_screwf_t *s2, k
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_subtract_ssf(const ksl_screwf_t *s1, const ksl_screwf_t *s2,
     ksl_screwf_t *so) {
-  const float so_0 = s1->m0 - s2->m0;
-  const float so_1 = s1->m1 - s2->m1;
-  const float so_2 = s1->m2 - s2->m2;
-  const float so_3 = s1->m3 - s2->m3;
-  const float so_4 = s1->m4 - s2->m4;
-  const float so_5 = s1->m5 - s2->m5;
+  const float so_0 = s1->m0 - s2->m0, so_1 = s1->m1 - s2->m1, so_2 = s1->m2 - s2->m2,
+      so_3 = s1->m3 - s2->m3, so_4 = s1->m4 - s2->m4, so_5 = s1->m5 - s2->m5;
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -1419,25 +1178,19 @@ static inline void ksl_subtract_ssf(const ksl_screwf_t *s1, const ksl_screwf_t *
    si: screw (v in m/s; ω in rad/s).
    7 mul, 2 add, 1 sqrt, 6 abs, 11 less, 1 equal, 14 select. */
 static inline float ksl_screwf_norm(const ksl_screwf_t *si) {
-  const float small_a = fabsf(si->m5), small_c = small_a < 1e-06f ? 1.0f : 0.0f,
-      small_d = fabsf(si->m4), small_f = small_d < 1e-06f ? small_c : 0.0f, small_g = fabsf(si->m3),
-      small = small_g < 1e-06f ? small_f : 0.0f;
-  const float p_0 = small == 1.0f ? si->m0 : si->m3;
-  const float p_1 = small == 1.0f ? si->m1 : si->m4;
-  const float p_2 = small == 1.0f ? si->m2 : si->m5;
-  const float s_size_0 = fabsf(p_0);
-  const float s_size_1 = fabsf(p_1);
-  const float s_size_2 = fabsf(p_2);
+  const float small_c = fabsf(si->m5) < 1e-06f ? 1.0f : 0.0f,
+      small_f = fabsf(si->m4) < 1e-06f ? small_c : 0.0f,
+      small = fabsf(si->m3) < 1e-06f ? small_f : 0.0f;
+  const float p_0 = small == 1.0f ? si->m0 : si->m3, p_1 = small == 1.0f ? si->m1 : si->m4,
+      p_2 = small == 1.0f ? si->m2 : si->m5;
+  const float s_size_0 = fabsf(p_0), s_size_1 = fabsf(p_1), s_size_2 = fabsf(p_2);
   const float s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
   const float s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const float s_b = 4.611686e+18f < s_largest2 ? 2.7105054e-20f : 1.0f,
       s_d = s_largest2 < 256.0f ? 1.8014399e+16f : s_b,
       s = s_largest2 < 1.4210855e-14f ? 3.2451855e+32f : s_d;
-  const float y_0 = KSL_MULF(p_0, s);
-  const float y_1 = KSL_MULF(p_1, s);
-  const float y_2 = KSL_MULF(p_2, s);
-  const float n_a = KSL_MULF(y_0, y_0), n_b = KSL_MULF(y_1, y_1), n_c = n_a + n_b,
-      n_d = KSL_MULF(y_2, y_2), n_e = n_c + n_d, n = sqrtf(n_e);
+  const float y_0 = KSL_MULF(p_0, s), y_1 = KSL_MULF(p_1, s), y_2 = KSL_MULF(p_2, s);
+  const float n = sqrtf(KSL_MULF(y_0, y_0) + KSL_MULF(y_1, y_1) + KSL_MULF(y_2, y_2));
   const float r_b = s < 1.0f ? 3.689349e+19f : 1.0f, r_d = 1.0f < s ? 5.551115e-17f : r_b,
       r = 1.8014399e+16f < s ? 3.081488e-33f : r_d;
   const float norm = KSL_MULF(n, r);
@@ -1451,58 +1204,36 @@ static inline void ksl_screwf_normalize(ksl_screwf_t *self) {
   const float small_a = fabsf(self->m5), small_c = small_a < 1e-06f ? 1.0f : 0.0f,
       small_d = fabsf(self->m4), small_f = small_d < 1e-06f ? small_c : 0.0f,
       small_g = fabsf(self->m3), small = small_g < 1e-06f ? small_f : 0.0f;
-  const float p_0 = small == 1.0f ? self->m0 : self->m3;
-  const float p_1 = small == 1.0f ? self->m1 : self->m4;
-  const float p_2 = small == 1.0f ? self->m2 : self->m5;
-  const float s_size_0 = fabsf(p_0);
-  const float s_size_1 = fabsf(p_1);
-  const float s_size_2 = fabsf(p_2);
+  const float p_0 = small == 1.0f ? self->m0 : self->m3, p_1 = small == 1.0f ? self->m1 : self->m4,
+      p_2 = small == 1.0f ? self->m2 : self->m5;
+  const float s_size_0 = fabsf(p_0), s_size_1 = fabsf(p_1), s_size_2 = fabsf(p_2);
   const float s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
   const float s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const float s_b = 4.611686e+18f < s_largest2 ? 2.7105054e-20f : 1.0f,
       s_d = s_largest2 < 256.0f ? 1.8014399e+16f : s_b,
       s = s_largest2 < 1.4210855e-14f ? 3.2451855e+32f : s_d;
-  const float y_0 = KSL_MULF(p_0, s);
-  const float y_1 = KSL_MULF(p_1, s);
-  const float y_2 = KSL_MULF(p_2, s);
+  const float y_0 = KSL_MULF(p_0, s), y_1 = KSL_MULF(p_1, s), y_2 = KSL_MULF(p_2, s);
   const float up = 1.0f < s ? s : 1.0f;
   const float down = s < 1.0f ? s : 1.0f;
-  const float n_a = KSL_MULF(y_0, y_0), n_b = KSL_MULF(y_1, y_1), n_c = n_a + n_b,
-      n_d = KSL_MULF(y_2, y_2), n_e = n_c + n_d, n = sqrtf(n_e);
+  const float n = sqrtf(KSL_MULF(y_0, y_0) + KSL_MULF(y_1, y_1) + KSL_MULF(y_2, y_2));
   const float divisor = n == 0.0f ? up : n;
-  const float size_0 = fabsf(self->m0);
-  const float size_1 = fabsf(self->m1);
-  const float size_2 = fabsf(self->m2);
-  const float before_0 = size_0 < 256.0f ? up : down;
-  const float before_1 = size_1 < 256.0f ? up : down;
-  const float before_2 = size_2 < 256.0f ? up : down;
-  const float before_3 = small_g < 256.0f ? up : down;
-  const float before_4 = small_d < 256.0f ? up : down;
-  const float before_5 = small_a < 256.0f ? up : down;
-  const float after_0 = size_0 < 256.0f ? down : up;
-  const float after_1 = size_1 < 256.0f ? down : up;
-  const float after_2 = size_2 < 256.0f ? down : up;
-  const float after_3 = small_g < 256.0f ? down : up;
-  const float after_4 = small_d < 256.0f ? down : up;
-  const float after_5 = small_a < 256.0f ? down : up;
-  const float sized_0 = KSL_MULF(self->m0, before_0);
-  const float sized_1 = KSL_MULF(self->m1, before_1);
-  const float sized_2 = KSL_MULF(self->m2, before_2);
-  const float sized_3 = KSL_MULF(self->m3, before_3);
-  const float sized_4 = KSL_MULF(self->m4, before_4);
-  const float sized_5 = KSL_MULF(self->m5, before_5);
-  const float quotient_0 = sized_0 / divisor;
-  const float quotient_1 = sized_1 / divisor;
-  const float quotient_2 = sized_2 / divisor;
-  const float quotient_3 = sized_3 / divisor;
-  const float quotient_4 = sized_4 / divisor;
-  const float quotient_5 = sized_5 / divisor;
-  const float self_0_new = KSL_MULF(quotient_0, after_0);
-  const float self_1_new = KSL_MULF(quotient_1, after_1);
-  const float self_2_new = KSL_MULF(quotient_2, after_2);
-  const float self_3_new = KSL_MULF(quotient_3, after_3);
-  const float self_4_new = KSL_MULF(quotient_4, after_4);
-  const float self_5_new = KSL_MULF(quotient_5, after_5);
+  const float size_0 = fabsf(self->m0), size_1 = fabsf(self->m1), size_2 = fabsf(self->m2);
+  const float before_0 = size_0 < 256.0f ? up : down, before_1 = size_1 < 256.0f ? up : down,
+      before_2 = size_2 < 256.0f ? up : down, before_3 = small_g < 256.0f ? up : down,
+      before_4 = small_d < 256.0f ? up : down, before_5 = small_a < 256.0f ? up : down;
+  const float after_0 = size_0 < 256.0f ? down : up, after_1 = size_1 < 256.0f ? down : up,
+      after_2 = size_2 < 256.0f ? down : up, after_3 = small_g < 256.0f ? down : up,
+      after_4 = small_d < 256.0f ? down : up, after_5 = small_a < 256.0f ? down : up;
+  const float sized_0 = KSL_MULF(self->m0, before_0), sized_1 = KSL_MULF(self->m1, before_1),
+      sized_2 = KSL_MULF(self->m2, before_2), sized_3 = KSL_MULF(self->m3, before_3),
+      sized_4 = KSL_MULF(self->m4, before_4), sized_5 = KSL_MULF(self->m5, before_5);
+  const float quotient_0 = sized_0 / divisor, quotient_1 = sized_1 / divisor,
+      quotient_2 = sized_2 / divisor, quotient_3 = sized_3 / divisor,
+      quotient_4 = sized_4 / divisor, quotient_5 = sized_5 / divisor;
+  const float self_0_new = KSL_MULF(quotient_0, after_0),
+      self_1_new = KSL_MULF(quotient_1, after_1), self_2_new = KSL_MULF(quotient_2, after_2),
+      self_3_new = KSL_MULF(quotient_3, after_3), self_4_new = KSL_MULF(quotient_4, after_4),
+      self_5_new = KSL_MULF(quotient_5, after_5);
   self->m0 = self_0_new;
   self->m1 = self_1_new;
   self->m2 = self_2_new;
@@ -1518,58 +1249,35 @@ static inline void ksl_screwf_normalized(const ksl_screwf_t *si, ksl_screwf_t *s
   const float small_a = fabsf(si->m5), small_c = small_a < 1e-06f ? 1.0f : 0.0f,
       small_d = fabsf(si->m4), small_f = small_d < 1e-06f ? small_c : 0.0f, small_g = fabsf(si->m3),
       small = small_g < 1e-06f ? small_f : 0.0f;
-  const float p_0 = small == 1.0f ? si->m0 : si->m3;
-  const float p_1 = small == 1.0f ? si->m1 : si->m4;
-  const float p_2 = small == 1.0f ? si->m2 : si->m5;
-  const float s_size_0 = fabsf(p_0);
-  const float s_size_1 = fabsf(p_1);
-  const float s_size_2 = fabsf(p_2);
+  const float p_0 = small == 1.0f ? si->m0 : si->m3, p_1 = small == 1.0f ? si->m1 : si->m4,
+      p_2 = small == 1.0f ? si->m2 : si->m5;
+  const float s_size_0 = fabsf(p_0), s_size_1 = fabsf(p_1), s_size_2 = fabsf(p_2);
   const float s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
   const float s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const float s_b = 4.611686e+18f < s_largest2 ? 2.7105054e-20f : 1.0f,
       s_d = s_largest2 < 256.0f ? 1.8014399e+16f : s_b,
       s = s_largest2 < 1.4210855e-14f ? 3.2451855e+32f : s_d;
-  const float y_0 = KSL_MULF(p_0, s);
-  const float y_1 = KSL_MULF(p_1, s);
-  const float y_2 = KSL_MULF(p_2, s);
+  const float y_0 = KSL_MULF(p_0, s), y_1 = KSL_MULF(p_1, s), y_2 = KSL_MULF(p_2, s);
   const float up = 1.0f < s ? s : 1.0f;
   const float down = s < 1.0f ? s : 1.0f;
-  const float n_a = KSL_MULF(y_0, y_0), n_b = KSL_MULF(y_1, y_1), n_c = n_a + n_b,
-      n_d = KSL_MULF(y_2, y_2), n_e = n_c + n_d, n = sqrtf(n_e);
+  const float n = sqrtf(KSL_MULF(y_0, y_0) + KSL_MULF(y_1, y_1) + KSL_MULF(y_2, y_2));
   const float divisor = n == 0.0f ? up : n;
-  const float size_0 = fabsf(si->m0);
-  const float size_1 = fabsf(si->m1);
-  const float size_2 = fabsf(si->m2);
-  const float before_0 = size_0 < 256.0f ? up : down;
-  const float before_1 = size_1 < 256.0f ? up : down;
-  const float before_2 = size_2 < 256.0f ? up : down;
-  const float before_3 = small_g < 256.0f ? up : down;
-  const float before_4 = small_d < 256.0f ? up : down;
-  const float before_5 = small_a < 256.0f ? up : down;
-  const float after_0 = size_0 < 256.0f ? down : up;
-  const float after_1 = size_1 < 256.0f ? down : up;
-  const float after_2 = size_2 < 256.0f ? down : up;
-  const float after_3 = small_g < 256.0f ? down : up;
-  const float after_4 = small_d < 256.0f ? down : up;
-  const float after_5 = small_a < 256.0f ? down : up;
-  const float sized_0 = KSL_MULF(si->m0, before_0);
-  const float sized_1 = KSL_MULF(si->m1, before_1);
-  const float sized_2 = KSL_MULF(si->m2, before_2);
-  const float sized_3 = KSL_MULF(si->m3, before_3);
-  const float sized_4 = KSL_MULF(si->m4, before_4);
-  const float sized_5 = KSL_MULF(si->m5, before_5);
-  const float quotient_0 = sized_0 / divisor;
-  const float quotient_1 = sized_1 / divisor;
-  const float quotient_2 = sized_2 / divisor;
-  const float quotient_3 = sized_3 / divisor;
-  const float quotient_4 = sized_4 / divisor;
-  const float quotient_5 = sized_5 / divisor;
-  const float so_0 = KSL_MULF(quotient_0, after_0);
-  const float so_1 = KSL_MULF(quotient_1, after_1);
-  const float so_2 = KSL_MULF(quotient_2, after_2);
-  const float so_3 = KSL_MULF(quotient_3, after_3);
-  const float so_4 = KSL_MULF(quotient_4, after_4);
-  const float so_5 = KSL_MULF(quotient_5, after_5);
+  const float size_0 = fabsf(si->m0), size_1 = fabsf(si->m1), size_2 = fabsf(si->m2);
+  const float before_0 = size_0 < 256.0f ? up : down, before_1 = size_1 < 256.0f ? up : down,
+      before_2 = size_2 < 256.0f ? up : down, before_3 = small_g < 256.0f ? up : down,
+      before_4 = small_d < 256.0f ? up : down, before_5 = small_a < 256.0f ? up : down;
+  const float after_0 = size_0 < 256.0f ? down : up, after_1 = size_1 < 256.0f ? down : up,
+      after_2 = size_2 < 256.0f ? down : up, after_3 = small_g < 256.0f ? down : up,
+      after_4 = small_d < 256.0f ? down : up, after_5 = small_a < 256.0f ? down : up;
+  const float sized_0 = KSL_MULF(si->m0, before_0), sized_1 = KSL_MULF(si->m1, before_1),
+      sized_2 = KSL_MULF(si->m2, before_2), sized_3 = KSL_MULF(si->m3, before_3),
+      sized_4 = KSL_MULF(si->m4, before_4), sized_5 = KSL_MULF(si->m5, before_5);
+  const float quotient_0 = sized_0 / divisor, quotient_1 = sized_1 / divisor,
+      quotient_2 = sized_2 / divisor, quotient_3 = sized_3 / divisor,
+      quotient_4 = sized_4 / divisor, quotient_5 = sized_5 / divisor;
+  const float so_0 = KSL_MULF(quotient_0, after_0), so_1 = KSL_MULF(quotient_1, after_1),
+      so_2 = KSL_MULF(quotient_2, after_2), so_3 = KSL_MULF(quotient_3, after_3),
+      so_4 = KSL_MULF(quotient_4, after_4), so_5 = KSL_MULF(quotient_5, after_5);
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -1641,9 +1349,7 @@ static inline void ksl_screwf_from_angular_first(const float x[6], ksl_screwf_t 
    3 add.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_add_sstf(const ksl_screwf_t *s1, const ksl_screwf_t *s2, ksl_screwf_t *so) {
-  const float so_0 = s1->m0 + s2->m0;
-  const float so_1 = s1->m1 + s2->m1;
-  const float so_2 = s1->m2 + s2->m2;
+  const float so_0 = s1->m0 + s2->m0, so_1 = s1->m1 + s2->m1, so_2 = s1->m2 + s2->m2;
   const float s1_m3 = s1->m3;
   const float s1_m4 = s1->m4;
   const float s1_m5 = s1->m5;
@@ -1662,12 +1368,9 @@ static inline void ksl_add_sstf(const ksl_screwf_t *s1, const ksl_screwf_t *s2, 
      barring over- and underflow. */
 static inline void ksl_product_Adtsf(const ksl_vec3f_t *t, const ksl_screwf_t *si,
     ksl_screwf_t *so) {
-  const float so_0a = KSL_MULF(t->y, si->m5), so_0b = KSL_MULF(t->z, si->m4), so_0c = so_0a - so_0b,
-      so_0 = so_0c + si->m0;
-  const float so_1a = KSL_MULF(t->z, si->m3), so_1b = KSL_MULF(t->x, si->m5), so_1c = so_1a - so_1b,
-      so_1 = so_1c + si->m1;
-  const float so_2a = KSL_MULF(t->x, si->m4), so_2b = KSL_MULF(t->y, si->m3), so_2c = so_2a - so_2b,
-      so_2 = so_2c + si->m2;
+  const float so_0 = KSL_MULF(t->y, si->m5) - KSL_MULF(t->z, si->m4) + si->m0,
+      so_1 = KSL_MULF(t->z, si->m3) - KSL_MULF(t->x, si->m5) + si->m1,
+      so_2 = KSL_MULF(t->x, si->m4) - KSL_MULF(t->y, si->m3) + si->m2;
   const float si_m3 = si->m3;
   const float si_m4 = si->m4;
   const float si_m5 = si->m5;
@@ -1686,12 +1389,9 @@ static inline void ksl_product_Adtsf(const ksl_vec3f_t *t, const ksl_screwf_t *s
      barring over- and underflow. */
 static inline void ksl_product_Adtinvsf(const ksl_vec3f_t *t, const ksl_screwf_t *si,
     ksl_screwf_t *so) {
-  const float so_0a = KSL_MULF(t->z, si->m4), so_0b = KSL_MULF(t->y, si->m5), so_0c = so_0a - so_0b,
-      so_0 = so_0c + si->m0;
-  const float so_1a = KSL_MULF(t->x, si->m5), so_1b = KSL_MULF(t->z, si->m3), so_1c = so_1a - so_1b,
-      so_1 = so_1c + si->m1;
-  const float so_2a = KSL_MULF(t->y, si->m3), so_2b = KSL_MULF(t->x, si->m4), so_2c = so_2a - so_2b,
-      so_2 = so_2c + si->m2;
+  const float so_0 = KSL_MULF(t->z, si->m4) - KSL_MULF(t->y, si->m5) + si->m0,
+      so_1 = KSL_MULF(t->x, si->m5) - KSL_MULF(t->z, si->m3) + si->m1,
+      so_2 = KSL_MULF(t->y, si->m3) - KSL_MULF(t->x, si->m4) + si->m2;
   const float si_m3 = si->m3;
   const float si_m4 = si->m4;
   const float si_m5 = si->m5;
@@ -1710,15 +1410,10 @@ static inline void ksl_product_Adtinvsf(const ksl_vec3f_t *t, const ksl_screwf_t
      barring over- and underflow. */
 static inline void ksl_product_Adtsinvf(const ksl_vec3f_t *t, const ksl_screwf_t *si,
     ksl_screwf_t *so) {
-  const float so_0a = KSL_MULF(t->z, si->m4), so_0b = KSL_MULF(t->y, si->m5), so_0c = so_0a - so_0b,
-      so_0 = so_0c - si->m0;
-  const float so_1a = KSL_MULF(t->x, si->m5), so_1b = KSL_MULF(t->z, si->m3), so_1c = so_1a - so_1b,
-      so_1 = so_1c - si->m1;
-  const float so_2a = KSL_MULF(t->y, si->m3), so_2b = KSL_MULF(t->x, si->m4), so_2c = so_2a - so_2b,
-      so_2 = so_2c - si->m2;
-  const float so_3 = -si->m3;
-  const float so_4 = -si->m4;
-  const float so_5 = -si->m5;
+  const float so_0 = KSL_MULF(t->z, si->m4) - KSL_MULF(t->y, si->m5) - si->m0,
+      so_1 = KSL_MULF(t->x, si->m5) - KSL_MULF(t->z, si->m3) - si->m1,
+      so_2 = KSL_MULF(t->y, si->m3) - KSL_MULF(t->x, si->m4) - si->m2, so_3 = -si->m3,
+      so_4 = -si->m4, so_5 = -si->m5;
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -1734,18 +1429,12 @@ static inline void ksl_product_Adtsinvf(const ksl_vec3f_t *t, const ksl_screwf_t
      and underflow. */
 static inline void ksl_product_Adrsf(const ksl_mat3x3f_t *R, const ksl_screwf_t *si,
     ksl_screwf_t *so) {
-  const float so_0a = KSL_MULF(R->m00, si->m0), so_0b = KSL_MULF(R->m01, si->m1),
-      so_0c = so_0a + so_0b, so_0d = KSL_MULF(R->m02, si->m2), so_0 = so_0c + so_0d;
-  const float so_1a = KSL_MULF(R->m10, si->m0), so_1b = KSL_MULF(R->m11, si->m1),
-      so_1c = so_1a + so_1b, so_1d = KSL_MULF(R->m12, si->m2), so_1 = so_1c + so_1d;
-  const float so_2a = KSL_MULF(R->m20, si->m0), so_2b = KSL_MULF(R->m21, si->m1),
-      so_2c = so_2a + so_2b, so_2d = KSL_MULF(R->m22, si->m2), so_2 = so_2c + so_2d;
-  const float so_3a = KSL_MULF(R->m00, si->m3), so_3b = KSL_MULF(R->m01, si->m4),
-      so_3c = so_3a + so_3b, so_3d = KSL_MULF(R->m02, si->m5), so_3 = so_3c + so_3d;
-  const float so_4a = KSL_MULF(R->m10, si->m3), so_4b = KSL_MULF(R->m11, si->m4),
-      so_4c = so_4a + so_4b, so_4d = KSL_MULF(R->m12, si->m5), so_4 = so_4c + so_4d;
-  const float so_5a = KSL_MULF(R->m20, si->m3), so_5b = KSL_MULF(R->m21, si->m4),
-      so_5c = so_5a + so_5b, so_5d = KSL_MULF(R->m22, si->m5), so_5 = so_5c + so_5d;
+  const float so_0 = KSL_MULF(R->m00, si->m0) + KSL_MULF(R->m01, si->m1) + KSL_MULF(R->m02, si->m2),
+      so_1 = KSL_MULF(R->m10, si->m0) + KSL_MULF(R->m11, si->m1) + KSL_MULF(R->m12, si->m2),
+      so_2 = KSL_MULF(R->m20, si->m0) + KSL_MULF(R->m21, si->m1) + KSL_MULF(R->m22, si->m2),
+      so_3 = KSL_MULF(R->m00, si->m3) + KSL_MULF(R->m01, si->m4) + KSL_MULF(R->m02, si->m5),
+      so_4 = KSL_MULF(R->m10, si->m3) + KSL_MULF(R->m11, si->m4) + KSL_MULF(R->m12, si->m5),
+      so_5 = KSL_MULF(R->m20, si->m3) + KSL_MULF(R->m21, si->m4) + KSL_MULF(R->m22, si->m5);
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -1761,18 +1450,12 @@ static inline void ksl_product_Adrsf(const ksl_mat3x3f_t *R, const ksl_screwf_t 
      and underflow. */
 static inline void ksl_product_Adrinvsf(const ksl_mat3x3f_t *R, const ksl_screwf_t *si,
     ksl_screwf_t *so) {
-  const float so_0a = KSL_MULF(R->m00, si->m0), so_0b = KSL_MULF(R->m10, si->m1),
-      so_0c = so_0a + so_0b, so_0d = KSL_MULF(R->m20, si->m2), so_0 = so_0c + so_0d;
-  const float so_1a = KSL_MULF(R->m01, si->m0), so_1b = KSL_MULF(R->m11, si->m1),
-      so_1c = so_1a + so_1b, so_1d = KSL_MULF(R->m21, si->m2), so_1 = so_1c + so_1d;
-  const float so_2a = KSL_MULF(R->m02, si->m0), so_2b = KSL_MULF(R->m12, si->m1),
-      so_2c = so_2a + so_2b, so_2d = KSL_MULF(R->m22, si->m2), so_2 = so_2c + so_2d;
-  const float so_3a = KSL_MULF(R->m00, si->m3), so_3b = KSL_MULF(R->m10, si->m4),
-      so_3c = so_3a + so_3b, so_3d = KSL_MULF(R->m20, si->m5), so_3 = so_3c + so_3d;
-  const float so_4a = KSL_MULF(R->m01, si->m3), so_4b = KSL_MULF(R->m11, si->m4),
-      so_4c = so_4a + so_4b, so_4d = KSL_MULF(R->m21, si->m5), so_4 = so_4c + so_4d;
-  const float so_5a = KSL_MULF(R->m02, si->m3), so_5b = KSL_MULF(R->m12, si->m4),
-      so_5c = so_5a + so_5b, so_5d = KSL_MULF(R->m22, si->m5), so_5 = so_5c + so_5d;
+  const float so_0 = KSL_MULF(R->m00, si->m0) + KSL_MULF(R->m10, si->m1) + KSL_MULF(R->m20, si->m2),
+      so_1 = KSL_MULF(R->m01, si->m0) + KSL_MULF(R->m11, si->m1) + KSL_MULF(R->m21, si->m2),
+      so_2 = KSL_MULF(R->m02, si->m0) + KSL_MULF(R->m12, si->m1) + KSL_MULF(R->m22, si->m2),
+      so_3 = KSL_MULF(R->m00, si->m3) + KSL_MULF(R->m10, si->m4) + KSL_MULF(R->m20, si->m5),
+      so_4 = KSL_MULF(R->m01, si->m3) + KSL_MULF(R->m11, si->m4) + KSL_MULF(R->m21, si->m5),
+      so_5 = KSL_MULF(R->m02, si->m3) + KSL_MULF(R->m12, si->m4) + KSL_MULF(R->m22, si->m5);
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -1788,18 +1471,13 @@ static inline void ksl_product_Adrinvsf(const ksl_mat3x3f_t *R, const ksl_screwf
      and underflow. */
 static inline void ksl_product_Adrsinvf(const ksl_mat3x3f_t *R, const ksl_screwf_t *si,
     ksl_screwf_t *so) {
-  const float so_0a = KSL_MULF(R->m00, si->m0), so_0b = KSL_MULF(R->m01, si->m1),
-      so_0c = so_0a + so_0b, so_0d = KSL_MULF(R->m02, si->m2), so_0e = so_0c + so_0d, so_0 = -so_0e;
-  const float so_1a = KSL_MULF(R->m10, si->m0), so_1b = KSL_MULF(R->m11, si->m1),
-      so_1c = so_1a + so_1b, so_1d = KSL_MULF(R->m12, si->m2), so_1e = so_1c + so_1d, so_1 = -so_1e;
-  const float so_2a = KSL_MULF(R->m20, si->m0), so_2b = KSL_MULF(R->m21, si->m1),
-      so_2c = so_2a + so_2b, so_2d = KSL_MULF(R->m22, si->m2), so_2e = so_2c + so_2d, so_2 = -so_2e;
-  const float so_3a = KSL_MULF(R->m00, si->m3), so_3b = KSL_MULF(R->m01, si->m4),
-      so_3c = so_3a + so_3b, so_3d = KSL_MULF(R->m02, si->m5), so_3e = so_3c + so_3d, so_3 = -so_3e;
-  const float so_4a = KSL_MULF(R->m10, si->m3), so_4b = KSL_MULF(R->m11, si->m4),
-      so_4c = so_4a + so_4b, so_4d = KSL_MULF(R->m12, si->m5), so_4e = so_4c + so_4d, so_4 = -so_4e;
-  const float so_5a = KSL_MULF(R->m20, si->m3), so_5b = KSL_MULF(R->m21, si->m4),
-      so_5c = so_5a + so_5b, so_5d = KSL_MULF(R->m22, si->m5), so_5e = so_5c + so_5d, so_5 = -so_5e;
+  const float so_0 =
+          -(KSL_MULF(R->m00, si->m0) + KSL_MULF(R->m01, si->m1) + KSL_MULF(R->m02, si->m2)),
+      so_1 = -(KSL_MULF(R->m10, si->m0) + KSL_MULF(R->m11, si->m1) + KSL_MULF(R->m12, si->m2)),
+      so_2 = -(KSL_MULF(R->m20, si->m0) + KSL_MULF(R->m21, si->m1) + KSL_MULF(R->m22, si->m2)),
+      so_3 = -(KSL_MULF(R->m00, si->m3) + KSL_MULF(R->m01, si->m4) + KSL_MULF(R->m02, si->m5)),
+      so_4 = -(KSL_MULF(R->m10, si->m3) + KSL_MULF(R->m11, si->m4) + KSL_MULF(R->m12, si->m5)),
+      so_5 = -(KSL_MULF(R->m20, si->m3) + KSL_MULF(R->m21, si->m4) + KSL_MULF(R->m22, si->m5));
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -1814,24 +1492,15 @@ static inline void ksl_product_Adrsinvf(const ksl_mat3x3f_t *R, const ksl_screwf
    Error <= u |result| + (lin: 5, ang: 2) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_product_Adsf(const ksl_SE3f_t *D, const ksl_screwf_t *si, ksl_screwf_t *so) {
-  const float w_0a = KSL_MULF(D->m00, si->m0), w_0b = KSL_MULF(D->m01, si->m1), w_0c = w_0a + w_0b,
-      w_0d = KSL_MULF(D->m02, si->m2), w_0 = w_0c + w_0d;
-  const float w_1a = KSL_MULF(D->m10, si->m0), w_1b = KSL_MULF(D->m11, si->m1), w_1c = w_1a + w_1b,
-      w_1d = KSL_MULF(D->m12, si->m2), w_1 = w_1c + w_1d;
-  const float w_2a = KSL_MULF(D->m20, si->m0), w_2b = KSL_MULF(D->m21, si->m1), w_2c = w_2a + w_2b,
-      w_2d = KSL_MULF(D->m22, si->m2), w_2 = w_2c + w_2d;
-  const float w_3a = KSL_MULF(D->m00, si->m3), w_3b = KSL_MULF(D->m01, si->m4), w_3c = w_3a + w_3b,
-      w_3d = KSL_MULF(D->m02, si->m5), w_3 = w_3c + w_3d;
-  const float w_4a = KSL_MULF(D->m10, si->m3), w_4b = KSL_MULF(D->m11, si->m4), w_4c = w_4a + w_4b,
-      w_4d = KSL_MULF(D->m12, si->m5), w_4 = w_4c + w_4d;
-  const float w_5a = KSL_MULF(D->m20, si->m3), w_5b = KSL_MULF(D->m21, si->m4), w_5c = w_5a + w_5b,
-      w_5d = KSL_MULF(D->m22, si->m5), w_5 = w_5c + w_5d;
-  const float so_0a = KSL_MULF(D->m13, w_5), so_0b = KSL_MULF(D->m23, w_4), so_0c = so_0a - so_0b,
-      so_0 = so_0c + w_0;
-  const float so_1a = KSL_MULF(D->m23, w_3), so_1b = KSL_MULF(D->m03, w_5), so_1c = so_1a - so_1b,
-      so_1 = so_1c + w_1;
-  const float so_2a = KSL_MULF(D->m03, w_4), so_2b = KSL_MULF(D->m13, w_3), so_2c = so_2a - so_2b,
-      so_2 = so_2c + w_2;
+  const float w_0 = KSL_MULF(D->m00, si->m0) + KSL_MULF(D->m01, si->m1) + KSL_MULF(D->m02, si->m2),
+      w_1 = KSL_MULF(D->m10, si->m0) + KSL_MULF(D->m11, si->m1) + KSL_MULF(D->m12, si->m2),
+      w_2 = KSL_MULF(D->m20, si->m0) + KSL_MULF(D->m21, si->m1) + KSL_MULF(D->m22, si->m2),
+      w_3 = KSL_MULF(D->m00, si->m3) + KSL_MULF(D->m01, si->m4) + KSL_MULF(D->m02, si->m5),
+      w_4 = KSL_MULF(D->m10, si->m3) + KSL_MULF(D->m11, si->m4) + KSL_MULF(D->m12, si->m5),
+      w_5 = KSL_MULF(D->m20, si->m3) + KSL_MULF(D->m21, si->m4) + KSL_MULF(D->m22, si->m5);
+  const float so_0 = KSL_MULF(D->m13, w_5) - KSL_MULF(D->m23, w_4) + w_0,
+      so_1 = KSL_MULF(D->m23, w_3) - KSL_MULF(D->m03, w_5) + w_1,
+      so_2 = KSL_MULF(D->m03, w_4) - KSL_MULF(D->m13, w_3) + w_2;
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -1847,24 +1516,15 @@ static inline void ksl_product_Adsf(const ksl_SE3f_t *D, const ksl_screwf_t *si,
      barring over- and underflow. */
 static inline void ksl_product_Adinvsf(const ksl_SE3f_t *D, const ksl_screwf_t *si,
     ksl_screwf_t *so) {
-  const float w_0a = KSL_MULF(D->m23, si->m4), w_0b = KSL_MULF(D->m13, si->m5), w_0c = w_0a - w_0b,
-      w_0 = w_0c + si->m0;
-  const float w_1a = KSL_MULF(D->m03, si->m5), w_1b = KSL_MULF(D->m23, si->m3), w_1c = w_1a - w_1b,
-      w_1 = w_1c + si->m1;
-  const float w_2a = KSL_MULF(D->m13, si->m3), w_2b = KSL_MULF(D->m03, si->m4), w_2c = w_2a - w_2b,
-      w_2 = w_2c + si->m2;
-  const float so_0a = KSL_MULF(D->m00, w_0), so_0b = KSL_MULF(D->m10, w_1), so_0c = so_0a + so_0b,
-      so_0d = KSL_MULF(D->m20, w_2), so_0 = so_0c + so_0d;
-  const float so_1a = KSL_MULF(D->m01, w_0), so_1b = KSL_MULF(D->m11, w_1), so_1c = so_1a + so_1b,
-      so_1d = KSL_MULF(D->m21, w_2), so_1 = so_1c + so_1d;
-  const float so_2a = KSL_MULF(D->m02, w_0), so_2b = KSL_MULF(D->m12, w_1), so_2c = so_2a + so_2b,
-      so_2d = KSL_MULF(D->m22, w_2), so_2 = so_2c + so_2d;
-  const float so_3a = KSL_MULF(D->m00, si->m3), so_3b = KSL_MULF(D->m10, si->m4),
-      so_3c = so_3a + so_3b, so_3d = KSL_MULF(D->m20, si->m5), so_3 = so_3c + so_3d;
-  const float so_4a = KSL_MULF(D->m01, si->m3), so_4b = KSL_MULF(D->m11, si->m4),
-      so_4c = so_4a + so_4b, so_4d = KSL_MULF(D->m21, si->m5), so_4 = so_4c + so_4d;
-  const float so_5a = KSL_MULF(D->m02, si->m3), so_5b = KSL_MULF(D->m12, si->m4),
-      so_5c = so_5a + so_5b, so_5d = KSL_MULF(D->m22, si->m5), so_5 = so_5c + so_5d;
+  const float w_0 = KSL_MULF(D->m23, si->m4) - KSL_MULF(D->m13, si->m5) + si->m0,
+      w_1 = KSL_MULF(D->m03, si->m5) - KSL_MULF(D->m23, si->m3) + si->m1,
+      w_2 = KSL_MULF(D->m13, si->m3) - KSL_MULF(D->m03, si->m4) + si->m2;
+  const float so_0 = KSL_MULF(D->m00, w_0) + KSL_MULF(D->m10, w_1) + KSL_MULF(D->m20, w_2),
+      so_1 = KSL_MULF(D->m01, w_0) + KSL_MULF(D->m11, w_1) + KSL_MULF(D->m21, w_2),
+      so_2 = KSL_MULF(D->m02, w_0) + KSL_MULF(D->m12, w_1) + KSL_MULF(D->m22, w_2),
+      so_3 = KSL_MULF(D->m00, si->m3) + KSL_MULF(D->m10, si->m4) + KSL_MULF(D->m20, si->m5),
+      so_4 = KSL_MULF(D->m01, si->m3) + KSL_MULF(D->m11, si->m4) + KSL_MULF(D->m21, si->m5),
+      so_5 = KSL_MULF(D->m02, si->m3) + KSL_MULF(D->m12, si->m4) + KSL_MULF(D->m22, si->m5);
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -1880,24 +1540,16 @@ static inline void ksl_product_Adinvsf(const ksl_SE3f_t *D, const ksl_screwf_t *
      barring over- and underflow. */
 static inline void ksl_product_Adsinvf(const ksl_SE3f_t *D, const ksl_screwf_t *si,
     ksl_screwf_t *so) {
-  const float w_0a = KSL_MULF(D->m00, si->m0), w_0b = KSL_MULF(D->m01, si->m1), w_0c = w_0a + w_0b,
-      w_0d = KSL_MULF(D->m02, si->m2), w_0e = w_0c + w_0d, w_0 = -w_0e;
-  const float w_1a = KSL_MULF(D->m10, si->m0), w_1b = KSL_MULF(D->m11, si->m1), w_1c = w_1a + w_1b,
-      w_1d = KSL_MULF(D->m12, si->m2), w_1e = w_1c + w_1d, w_1 = -w_1e;
-  const float w_2a = KSL_MULF(D->m20, si->m0), w_2b = KSL_MULF(D->m21, si->m1), w_2c = w_2a + w_2b,
-      w_2d = KSL_MULF(D->m22, si->m2), w_2e = w_2c + w_2d, w_2 = -w_2e;
-  const float w_3a = KSL_MULF(D->m00, si->m3), w_3b = KSL_MULF(D->m01, si->m4), w_3c = w_3a + w_3b,
-      w_3d = KSL_MULF(D->m02, si->m5), w_3e = w_3c + w_3d, w_3 = -w_3e;
-  const float w_4a = KSL_MULF(D->m10, si->m3), w_4b = KSL_MULF(D->m11, si->m4), w_4c = w_4a + w_4b,
-      w_4d = KSL_MULF(D->m12, si->m5), w_4e = w_4c + w_4d, w_4 = -w_4e;
-  const float w_5a = KSL_MULF(D->m20, si->m3), w_5b = KSL_MULF(D->m21, si->m4), w_5c = w_5a + w_5b,
-      w_5d = KSL_MULF(D->m22, si->m5), w_5e = w_5c + w_5d, w_5 = -w_5e;
-  const float so_0a = KSL_MULF(D->m13, w_5), so_0b = KSL_MULF(D->m23, w_4), so_0c = so_0a - so_0b,
-      so_0 = so_0c + w_0;
-  const float so_1a = KSL_MULF(D->m23, w_3), so_1b = KSL_MULF(D->m03, w_5), so_1c = so_1a - so_1b,
-      so_1 = so_1c + w_1;
-  const float so_2a = KSL_MULF(D->m03, w_4), so_2b = KSL_MULF(D->m13, w_3), so_2c = so_2a - so_2b,
-      so_2 = so_2c + w_2;
+  const float w_0 =
+          -(KSL_MULF(D->m00, si->m0) + KSL_MULF(D->m01, si->m1) + KSL_MULF(D->m02, si->m2)),
+      w_1 = -(KSL_MULF(D->m10, si->m0) + KSL_MULF(D->m11, si->m1) + KSL_MULF(D->m12, si->m2)),
+      w_2 = -(KSL_MULF(D->m20, si->m0) + KSL_MULF(D->m21, si->m1) + KSL_MULF(D->m22, si->m2)),
+      w_3 = -(KSL_MULF(D->m00, si->m3) + KSL_MULF(D->m01, si->m4) + KSL_MULF(D->m02, si->m5)),
+      w_4 = -(KSL_MULF(D->m10, si->m3) + KSL_MULF(D->m11, si->m4) + KSL_MULF(D->m12, si->m5)),
+      w_5 = -(KSL_MULF(D->m20, si->m3) + KSL_MULF(D->m21, si->m4) + KSL_MULF(D->m22, si->m5));
+  const float so_0 = KSL_MULF(D->m13, w_5) - KSL_MULF(D->m23, w_4) + w_0,
+      so_1 = KSL_MULF(D->m23, w_3) - KSL_MULF(D->m03, w_5) + w_1,
+      so_2 = KSL_MULF(D->m03, w_4) - KSL_MULF(D->m13, w_3) + w_2;
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -1960,12 +1612,9 @@ static inline void ksl_hstzf(const ksl_SE3f_t *D, ksl_screwf_t *so) {
    Error <= u |result| + (lin: 1, ang: 0) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_hsrxf(const ksl_SE3f_t *D, ksl_screwf_t *so) {
-  const float so_0a = KSL_MULF(D->m20, D->m13), so_0b = KSL_MULF(D->m10, D->m23),
-      so_0 = so_0a - so_0b;
-  const float so_1a = KSL_MULF(D->m00, D->m23), so_1b = KSL_MULF(D->m20, D->m03),
-      so_1 = so_1a - so_1b;
-  const float so_2a = KSL_MULF(D->m10, D->m03), so_2b = KSL_MULF(D->m00, D->m13),
-      so_2 = so_2a - so_2b;
+  const float so_0 = KSL_MULF(D->m20, D->m13) - KSL_MULF(D->m10, D->m23),
+      so_1 = KSL_MULF(D->m00, D->m23) - KSL_MULF(D->m20, D->m03),
+      so_2 = KSL_MULF(D->m10, D->m03) - KSL_MULF(D->m00, D->m13);
   const float D_m00 = D->m00;
   const float D_m10 = D->m10;
   const float D_m20 = D->m20;
@@ -1983,12 +1632,9 @@ static inline void ksl_hsrxf(const ksl_SE3f_t *D, ksl_screwf_t *so) {
    Error <= u |result| + (lin: 1, ang: 0) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_hsryf(const ksl_SE3f_t *D, ksl_screwf_t *so) {
-  const float so_0a = KSL_MULF(D->m21, D->m13), so_0b = KSL_MULF(D->m11, D->m23),
-      so_0 = so_0a - so_0b;
-  const float so_1a = KSL_MULF(D->m01, D->m23), so_1b = KSL_MULF(D->m21, D->m03),
-      so_1 = so_1a - so_1b;
-  const float so_2a = KSL_MULF(D->m11, D->m03), so_2b = KSL_MULF(D->m01, D->m13),
-      so_2 = so_2a - so_2b;
+  const float so_0 = KSL_MULF(D->m21, D->m13) - KSL_MULF(D->m11, D->m23),
+      so_1 = KSL_MULF(D->m01, D->m23) - KSL_MULF(D->m21, D->m03),
+      so_2 = KSL_MULF(D->m11, D->m03) - KSL_MULF(D->m01, D->m13);
   const float D_m01 = D->m01;
   const float D_m11 = D->m11;
   const float D_m21 = D->m21;
@@ -2006,12 +1652,9 @@ static inline void ksl_hsryf(const ksl_SE3f_t *D, ksl_screwf_t *so) {
    Error <= u |result| + (lin: 1, ang: 0) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_hsrzf(const ksl_SE3f_t *D, ksl_screwf_t *so) {
-  const float so_0a = KSL_MULF(D->m22, D->m13), so_0b = KSL_MULF(D->m12, D->m23),
-      so_0 = so_0a - so_0b;
-  const float so_1a = KSL_MULF(D->m02, D->m23), so_1b = KSL_MULF(D->m22, D->m03),
-      so_1 = so_1a - so_1b;
-  const float so_2a = KSL_MULF(D->m12, D->m03), so_2b = KSL_MULF(D->m02, D->m13),
-      so_2 = so_2a - so_2b;
+  const float so_0 = KSL_MULF(D->m22, D->m13) - KSL_MULF(D->m12, D->m23),
+      so_1 = KSL_MULF(D->m02, D->m23) - KSL_MULF(D->m22, D->m03),
+      so_2 = KSL_MULF(D->m12, D->m03) - KSL_MULF(D->m02, D->m13);
   const float D_m02 = D->m02;
   const float D_m12 = D->m12;
   const float D_m22 = D->m22;
@@ -2028,9 +1671,7 @@ static inline void ksl_hsrzf(const ksl_SE3f_t *D, ksl_screwf_t *so) {
    3 neg.
    Exact. */
 static inline void ksl_hstxinvf(const ksl_SE3f_t *D, ksl_screwf_t *so) {
-  const float so_0 = -D->m00;
-  const float so_1 = -D->m10;
-  const float so_2 = -D->m20;
+  const float so_0 = -D->m00, so_1 = -D->m10, so_2 = -D->m20;
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -2044,9 +1685,7 @@ static inline void ksl_hstxinvf(const ksl_SE3f_t *D, ksl_screwf_t *so) {
    3 neg.
    Exact. */
 static inline void ksl_hstyinvf(const ksl_SE3f_t *D, ksl_screwf_t *so) {
-  const float so_0 = -D->m01;
-  const float so_1 = -D->m11;
-  const float so_2 = -D->m21;
+  const float so_0 = -D->m01, so_1 = -D->m11, so_2 = -D->m21;
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -2060,9 +1699,7 @@ static inline void ksl_hstyinvf(const ksl_SE3f_t *D, ksl_screwf_t *so) {
    3 neg.
    Exact. */
 static inline void ksl_hstzinvf(const ksl_SE3f_t *D, ksl_screwf_t *so) {
-  const float so_0 = -D->m02;
-  const float so_1 = -D->m12;
-  const float so_2 = -D->m22;
+  const float so_0 = -D->m02, so_1 = -D->m12, so_2 = -D->m22;
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -2077,15 +1714,10 @@ static inline void ksl_hstzinvf(const ksl_SE3f_t *D, ksl_screwf_t *so) {
    Error <= u |result| + (lin: 1, ang: 0) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_hsrxinvf(const ksl_SE3f_t *D, ksl_screwf_t *so) {
-  const float so_0a = KSL_MULF(D->m10, D->m23), so_0b = KSL_MULF(D->m20, D->m13),
-      so_0 = so_0a - so_0b;
-  const float so_1a = KSL_MULF(D->m20, D->m03), so_1b = KSL_MULF(D->m00, D->m23),
-      so_1 = so_1a - so_1b;
-  const float so_2a = KSL_MULF(D->m00, D->m13), so_2b = KSL_MULF(D->m10, D->m03),
-      so_2 = so_2a - so_2b;
-  const float so_3 = -D->m00;
-  const float so_4 = -D->m10;
-  const float so_5 = -D->m20;
+  const float so_0 = KSL_MULF(D->m10, D->m23) - KSL_MULF(D->m20, D->m13),
+      so_1 = KSL_MULF(D->m20, D->m03) - KSL_MULF(D->m00, D->m23),
+      so_2 = KSL_MULF(D->m00, D->m13) - KSL_MULF(D->m10, D->m03), so_3 = -D->m00, so_4 = -D->m10,
+      so_5 = -D->m20;
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -2100,15 +1732,10 @@ static inline void ksl_hsrxinvf(const ksl_SE3f_t *D, ksl_screwf_t *so) {
    Error <= u |result| + (lin: 1, ang: 0) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_hsryinvf(const ksl_SE3f_t *D, ksl_screwf_t *so) {
-  const float so_0a = KSL_MULF(D->m11, D->m23), so_0b = KSL_MULF(D->m21, D->m13),
-      so_0 = so_0a - so_0b;
-  const float so_1a = KSL_MULF(D->m21, D->m03), so_1b = KSL_MULF(D->m01, D->m23),
-      so_1 = so_1a - so_1b;
-  const float so_2a = KSL_MULF(D->m01, D->m13), so_2b = KSL_MULF(D->m11, D->m03),
-      so_2 = so_2a - so_2b;
-  const float so_3 = -D->m01;
-  const float so_4 = -D->m11;
-  const float so_5 = -D->m21;
+  const float so_0 = KSL_MULF(D->m11, D->m23) - KSL_MULF(D->m21, D->m13),
+      so_1 = KSL_MULF(D->m21, D->m03) - KSL_MULF(D->m01, D->m23),
+      so_2 = KSL_MULF(D->m01, D->m13) - KSL_MULF(D->m11, D->m03), so_3 = -D->m01, so_4 = -D->m11,
+      so_5 = -D->m21;
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -2123,15 +1750,10 @@ static inline void ksl_hsryinvf(const ksl_SE3f_t *D, ksl_screwf_t *so) {
    Error <= u |result| + (lin: 1, ang: 0) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_hsrzinvf(const ksl_SE3f_t *D, ksl_screwf_t *so) {
-  const float so_0a = KSL_MULF(D->m12, D->m23), so_0b = KSL_MULF(D->m22, D->m13),
-      so_0 = so_0a - so_0b;
-  const float so_1a = KSL_MULF(D->m22, D->m03), so_1b = KSL_MULF(D->m02, D->m23),
-      so_1 = so_1a - so_1b;
-  const float so_2a = KSL_MULF(D->m02, D->m13), so_2b = KSL_MULF(D->m12, D->m03),
-      so_2 = so_2a - so_2b;
-  const float so_3 = -D->m02;
-  const float so_4 = -D->m12;
-  const float so_5 = -D->m22;
+  const float so_0 = KSL_MULF(D->m12, D->m23) - KSL_MULF(D->m22, D->m13),
+      so_1 = KSL_MULF(D->m22, D->m03) - KSL_MULF(D->m02, D->m23),
+      so_2 = KSL_MULF(D->m02, D->m13) - KSL_MULF(D->m12, D->m03), so_3 = -D->m02, so_4 = -D->m12,
+      so_5 = -D->m22;
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -2146,24 +1768,15 @@ static inline void ksl_hsrzinvf(const ksl_SE3f_t *D, ksl_screwf_t *so) {
    Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline void ksl_Adf(const ksl_SE3f_t *D, ksl_mat6x6f_t *M) {
-  const float M_03a = KSL_MULF(D->m20, D->m13), M_03b = KSL_MULF(D->m10, D->m23),
-      M_03 = M_03a - M_03b;
-  const float M_04a = KSL_MULF(D->m21, D->m13), M_04b = KSL_MULF(D->m11, D->m23),
-      M_04 = M_04a - M_04b;
-  const float M_05a = KSL_MULF(D->m22, D->m13), M_05b = KSL_MULF(D->m12, D->m23),
-      M_05 = M_05a - M_05b;
-  const float M_13a = KSL_MULF(D->m00, D->m23), M_13b = KSL_MULF(D->m20, D->m03),
-      M_13 = M_13a - M_13b;
-  const float M_14a = KSL_MULF(D->m01, D->m23), M_14b = KSL_MULF(D->m21, D->m03),
-      M_14 = M_14a - M_14b;
-  const float M_15a = KSL_MULF(D->m02, D->m23), M_15b = KSL_MULF(D->m22, D->m03),
-      M_15 = M_15a - M_15b;
-  const float M_23a = KSL_MULF(D->m10, D->m03), M_23b = KSL_MULF(D->m00, D->m13),
-      M_23 = M_23a - M_23b;
-  const float M_24a = KSL_MULF(D->m11, D->m03), M_24b = KSL_MULF(D->m01, D->m13),
-      M_24 = M_24a - M_24b;
-  const float M_25a = KSL_MULF(D->m12, D->m03), M_25b = KSL_MULF(D->m02, D->m13),
-      M_25 = M_25a - M_25b;
+  const float M_03 = KSL_MULF(D->m20, D->m13) - KSL_MULF(D->m10, D->m23),
+      M_04 = KSL_MULF(D->m21, D->m13) - KSL_MULF(D->m11, D->m23),
+      M_05 = KSL_MULF(D->m22, D->m13) - KSL_MULF(D->m12, D->m23),
+      M_13 = KSL_MULF(D->m00, D->m23) - KSL_MULF(D->m20, D->m03),
+      M_14 = KSL_MULF(D->m01, D->m23) - KSL_MULF(D->m21, D->m03),
+      M_15 = KSL_MULF(D->m02, D->m23) - KSL_MULF(D->m22, D->m03),
+      M_23 = KSL_MULF(D->m10, D->m03) - KSL_MULF(D->m00, D->m13),
+      M_24 = KSL_MULF(D->m11, D->m03) - KSL_MULF(D->m01, D->m13),
+      M_25 = KSL_MULF(D->m12, D->m03) - KSL_MULF(D->m02, D->m13);
   const float D_m00 = D->m00;
   const float D_m01 = D->m01;
   const float D_m02 = D->m02;
@@ -2217,11 +1830,8 @@ static inline void ksl_Adf(const ksl_SE3f_t *D, ksl_mat6x6f_t *M) {
    Error <= u |result| + 3 u S, S the sum of the |terms| of the expanded formula; barring over-
      and underflow. */
 static inline float ksl_dot_csf(const ksl_coscrewf_t *c, const ksl_screwf_t *s) {
-  const float power_a = KSL_MULF(c->m0, s->m0), power_b = KSL_MULF(c->m1, s->m1),
-      power_c = power_a + power_b, power_d = KSL_MULF(c->m2, s->m2), power_e = power_c + power_d,
-      power_f = KSL_MULF(c->m3, s->m3), power_g = KSL_MULF(c->m4, s->m4),
-      power_h = power_f + power_g, power_i = KSL_MULF(c->m5, s->m5), power_j = power_h + power_i,
-      power = power_e + power_j;
+  const float power_e = KSL_MULF(c->m0, s->m0) + KSL_MULF(c->m1, s->m1) + KSL_MULF(c->m2, s->m2),
+      power = power_e + (KSL_MULF(c->m3, s->m3) + KSL_MULF(c->m4, s->m4) + KSL_MULF(c->m5, s->m5));
   return power;
 }
 
@@ -2232,21 +1842,15 @@ static inline float ksl_dot_csf(const ksl_coscrewf_t *c, const ksl_screwf_t *s) 
    Error <= u |result| + (lin: 2, ang: 1) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_cross_ssf(const ksl_screwf_t *s1, const ksl_screwf_t *s2, ksl_screwf_t *so) {
-  const float so_0a = KSL_MULF(s1->m1, s2->m5), so_0b = KSL_MULF(s1->m5, s2->m1),
-      so_0c = so_0a - so_0b, so_0d = KSL_MULF(s1->m4, s2->m2), so_0e = KSL_MULF(s1->m2, s2->m4),
-      so_0f = so_0d - so_0e, so_0 = so_0c + so_0f;
-  const float so_1a = KSL_MULF(s1->m5, s2->m0), so_1b = KSL_MULF(s1->m0, s2->m5),
-      so_1c = so_1a - so_1b, so_1d = KSL_MULF(s1->m2, s2->m3), so_1e = KSL_MULF(s1->m3, s2->m2),
-      so_1f = so_1d - so_1e, so_1 = so_1c + so_1f;
-  const float so_2a = KSL_MULF(s1->m0, s2->m4), so_2b = KSL_MULF(s1->m4, s2->m0),
-      so_2c = so_2a - so_2b, so_2d = KSL_MULF(s1->m3, s2->m1), so_2e = KSL_MULF(s1->m1, s2->m3),
-      so_2f = so_2d - so_2e, so_2 = so_2c + so_2f;
-  const float so_3a = KSL_MULF(s1->m4, s2->m5), so_3b = KSL_MULF(s1->m5, s2->m4),
-      so_3 = so_3a - so_3b;
-  const float so_4a = KSL_MULF(s1->m5, s2->m3), so_4b = KSL_MULF(s1->m3, s2->m5),
-      so_4 = so_4a - so_4b;
-  const float so_5a = KSL_MULF(s1->m3, s2->m4), so_5b = KSL_MULF(s1->m4, s2->m3),
-      so_5 = so_5a - so_5b;
+  const float so_0 = KSL_MULF(s1->m1, s2->m5) - KSL_MULF(s1->m5, s2->m1)
+          + (KSL_MULF(s1->m4, s2->m2) - KSL_MULF(s1->m2, s2->m4)),
+      so_1 = KSL_MULF(s1->m5, s2->m0) - KSL_MULF(s1->m0, s2->m5)
+          + (KSL_MULF(s1->m2, s2->m3) - KSL_MULF(s1->m3, s2->m2)),
+      so_2 = KSL_MULF(s1->m0, s2->m4) - KSL_MULF(s1->m4, s2->m0)
+          + (KSL_MULF(s1->m3, s2->m1) - KSL_MULF(s1->m1, s2->m3)),
+      so_3 = KSL_MULF(s1->m4, s2->m5) - KSL_MULF(s1->m5, s2->m4),
+      so_4 = KSL_MULF(s1->m5, s2->m3) - KSL_MULF(s1->m3, s2->m5),
+      so_5 = KSL_MULF(s1->m3, s2->m4) - KSL_MULF(s1->m4, s2->m3);
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -2262,12 +1866,9 @@ static inline void ksl_cross_ssf(const ksl_screwf_t *s1, const ksl_screwf_t *s2,
      barring over- and underflow. */
 static inline void ksl_cross_sstf(const ksl_screwf_t *s1, const ksl_screwf_t *s2,
     ksl_screwf_t *so) {
-  const float so_0a = KSL_MULF(s1->m4, s2->m2), so_0b = KSL_MULF(s1->m5, s2->m1),
-      so_0 = so_0a - so_0b;
-  const float so_1a = KSL_MULF(s1->m5, s2->m0), so_1b = KSL_MULF(s1->m3, s2->m2),
-      so_1 = so_1a - so_1b;
-  const float so_2a = KSL_MULF(s1->m3, s2->m1), so_2b = KSL_MULF(s1->m4, s2->m0),
-      so_2 = so_2a - so_2b;
+  const float so_0 = KSL_MULF(s1->m4, s2->m2) - KSL_MULF(s1->m5, s2->m1),
+      so_1 = KSL_MULF(s1->m5, s2->m0) - KSL_MULF(s1->m3, s2->m2),
+      so_2 = KSL_MULF(s1->m3, s2->m1) - KSL_MULF(s1->m4, s2->m0);
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -2282,15 +1883,13 @@ static inline void ksl_cross_sstf(const ksl_screwf_t *s1, const ksl_screwf_t *s2
    Error <= u |result| + (lin: 4, ang: 2) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_hsraf(const ksl_SE3f_t *D, const ksl_vec3f_t *axis, ksl_screwf_t *so) {
-  const float a_0a = KSL_MULF(D->m00, axis->x), a_0b = KSL_MULF(D->m01, axis->y),
-      a_0c = a_0a + a_0b, a_0d = KSL_MULF(D->m02, axis->z), a_0 = a_0c + a_0d;
-  const float a_1a = KSL_MULF(D->m10, axis->x), a_1b = KSL_MULF(D->m11, axis->y),
-      a_1c = a_1a + a_1b, a_1d = KSL_MULF(D->m12, axis->z), a_1 = a_1c + a_1d;
-  const float a_2a = KSL_MULF(D->m20, axis->x), a_2b = KSL_MULF(D->m21, axis->y),
-      a_2c = a_2a + a_2b, a_2d = KSL_MULF(D->m22, axis->z), a_2 = a_2c + a_2d;
-  const float so_0a = KSL_MULF(D->m13, a_2), so_0b = KSL_MULF(D->m23, a_1), so_0 = so_0a - so_0b;
-  const float so_1a = KSL_MULF(D->m23, a_0), so_1b = KSL_MULF(D->m03, a_2), so_1 = so_1a - so_1b;
-  const float so_2a = KSL_MULF(D->m03, a_1), so_2b = KSL_MULF(D->m13, a_0), so_2 = so_2a - so_2b;
+  const float a_0 = KSL_MULF(D->m00, axis->x) + KSL_MULF(D->m01, axis->y)
+          + KSL_MULF(D->m02, axis->z),
+      a_1 = KSL_MULF(D->m10, axis->x) + KSL_MULF(D->m11, axis->y) + KSL_MULF(D->m12, axis->z),
+      a_2 = KSL_MULF(D->m20, axis->x) + KSL_MULF(D->m21, axis->y) + KSL_MULF(D->m22, axis->z);
+  const float so_0 = KSL_MULF(D->m13, a_2) - KSL_MULF(D->m23, a_1),
+      so_1 = KSL_MULF(D->m23, a_0) - KSL_MULF(D->m03, a_2),
+      so_2 = KSL_MULF(D->m03, a_1) - KSL_MULF(D->m13, a_0);
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -2305,12 +1904,10 @@ static inline void ksl_hsraf(const ksl_SE3f_t *D, const ksl_vec3f_t *axis, ksl_s
    Error <= u |result| + (lin: 2, ang: 0) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_hstaf(const ksl_SE3f_t *D, const ksl_vec3f_t *axis, ksl_screwf_t *so) {
-  const float so_0a = KSL_MULF(D->m00, axis->x), so_0b = KSL_MULF(D->m01, axis->y),
-      so_0c = so_0a + so_0b, so_0d = KSL_MULF(D->m02, axis->z), so_0 = so_0c + so_0d;
-  const float so_1a = KSL_MULF(D->m10, axis->x), so_1b = KSL_MULF(D->m11, axis->y),
-      so_1c = so_1a + so_1b, so_1d = KSL_MULF(D->m12, axis->z), so_1 = so_1c + so_1d;
-  const float so_2a = KSL_MULF(D->m20, axis->x), so_2b = KSL_MULF(D->m21, axis->y),
-      so_2c = so_2a + so_2b, so_2d = KSL_MULF(D->m22, axis->z), so_2 = so_2c + so_2d;
+  const float so_0 = KSL_MULF(D->m00, axis->x) + KSL_MULF(D->m01, axis->y)
+          + KSL_MULF(D->m02, axis->z),
+      so_1 = KSL_MULF(D->m10, axis->x) + KSL_MULF(D->m11, axis->y) + KSL_MULF(D->m12, axis->z),
+      so_2 = KSL_MULF(D->m20, axis->x) + KSL_MULF(D->m21, axis->y) + KSL_MULF(D->m22, axis->z);
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -2325,15 +1922,13 @@ static inline void ksl_hstaf(const ksl_SE3f_t *D, const ksl_vec3f_t *axis, ksl_s
    Error <= u |result| + (lin: 4, ang: 2) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_hsrainvf(const ksl_SE3f_t *D, const ksl_vec3f_t *axis, ksl_screwf_t *so) {
-  const float a_0a = KSL_MULF(D->m00, axis->x), a_0b = KSL_MULF(D->m01, axis->y),
-      a_0c = a_0a + a_0b, a_0d = KSL_MULF(D->m02, axis->z), a_0e = a_0c + a_0d, a_0 = -a_0e;
-  const float a_1a = KSL_MULF(D->m10, axis->x), a_1b = KSL_MULF(D->m11, axis->y),
-      a_1c = a_1a + a_1b, a_1d = KSL_MULF(D->m12, axis->z), a_1e = a_1c + a_1d, a_1 = -a_1e;
-  const float a_2a = KSL_MULF(D->m20, axis->x), a_2b = KSL_MULF(D->m21, axis->y),
-      a_2c = a_2a + a_2b, a_2d = KSL_MULF(D->m22, axis->z), a_2e = a_2c + a_2d, a_2 = -a_2e;
-  const float so_0a = KSL_MULF(D->m13, a_2), so_0b = KSL_MULF(D->m23, a_1), so_0 = so_0a - so_0b;
-  const float so_1a = KSL_MULF(D->m23, a_0), so_1b = KSL_MULF(D->m03, a_2), so_1 = so_1a - so_1b;
-  const float so_2a = KSL_MULF(D->m03, a_1), so_2b = KSL_MULF(D->m13, a_0), so_2 = so_2a - so_2b;
+  const float a_0 =
+          -(KSL_MULF(D->m00, axis->x) + KSL_MULF(D->m01, axis->y) + KSL_MULF(D->m02, axis->z)),
+      a_1 = -(KSL_MULF(D->m10, axis->x) + KSL_MULF(D->m11, axis->y) + KSL_MULF(D->m12, axis->z)),
+      a_2 = -(KSL_MULF(D->m20, axis->x) + KSL_MULF(D->m21, axis->y) + KSL_MULF(D->m22, axis->z));
+  const float so_0 = KSL_MULF(D->m13, a_2) - KSL_MULF(D->m23, a_1),
+      so_1 = KSL_MULF(D->m23, a_0) - KSL_MULF(D->m03, a_2),
+      so_2 = KSL_MULF(D->m03, a_1) - KSL_MULF(D->m13, a_0);
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -2348,15 +1943,10 @@ static inline void ksl_hsrainvf(const ksl_SE3f_t *D, const ksl_vec3f_t *axis, ks
    Error <= u |result| + (lin: 2, ang: 0) u S, S the sum of the |terms| of the expanded formula;
      barring over- and underflow. */
 static inline void ksl_hstainvf(const ksl_SE3f_t *D, const ksl_vec3f_t *axis, ksl_screwf_t *so) {
-  const float so_0a = KSL_MULF(D->m00, axis->x), so_0b = KSL_MULF(D->m01, axis->y),
-      so_0c = so_0a + so_0b, so_0d = KSL_MULF(D->m02, axis->z), so_0e = so_0c + so_0d,
-      so_0 = -so_0e;
-  const float so_1a = KSL_MULF(D->m10, axis->x), so_1b = KSL_MULF(D->m11, axis->y),
-      so_1c = so_1a + so_1b, so_1d = KSL_MULF(D->m12, axis->z), so_1e = so_1c + so_1d,
-      so_1 = -so_1e;
-  const float so_2a = KSL_MULF(D->m20, axis->x), so_2b = KSL_MULF(D->m21, axis->y),
-      so_2c = so_2a + so_2b, so_2d = KSL_MULF(D->m22, axis->z), so_2e = so_2c + so_2d,
-      so_2 = -so_2e;
+  const float so_0 =
+          -(KSL_MULF(D->m00, axis->x) + KSL_MULF(D->m01, axis->y) + KSL_MULF(D->m02, axis->z)),
+      so_1 = -(KSL_MULF(D->m10, axis->x) + KSL_MULF(D->m11, axis->y) + KSL_MULF(D->m12, axis->z)),
+      so_2 = -(KSL_MULF(D->m20, axis->x) + KSL_MULF(D->m21, axis->y) + KSL_MULF(D->m22, axis->z));
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
@@ -2370,12 +1960,8 @@ static inline void ksl_hstainvf(const ksl_SE3f_t *D, const ksl_vec3f_t *axis, ks
    6 neg.
    Exact. */
 static inline void ksl_adf(const ksl_screwf_t *s, ksl_mat6x6f_t *M) {
-  const float M_01 = -s->m5;
-  const float M_04 = -s->m2;
-  const float M_12 = -s->m3;
-  const float M_15 = -s->m0;
-  const float M_20 = -s->m4;
-  const float M_23 = -s->m1;
+  const float M_01 = -s->m5, M_04 = -s->m2, M_12 = -s->m3, M_15 = -s->m0, M_20 = -s->m4,
+      M_23 = -s->m1;
   const float s_m4 = s->m4;
   const float s_m1 = s->m1;
   const float s_m5 = s->m5;

@@ -13,24 +13,15 @@
    6 mul, 6 add, 6 product error.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_screw_scale_accurate(ksl_screw_t *self, const double a) {
-  const double self_0_new = KSL_MUL(self->m0, a);
-  const double self_1_new = KSL_MUL(self->m1, a);
-  const double self_2_new = KSL_MUL(self->m2, a);
-  const double self_3_new = KSL_MUL(self->m3, a);
-  const double self_4_new = KSL_MUL(self->m4, a);
-  const double self_5_new = KSL_MUL(self->m5, a);
-  const double self_0_new_lo = ksl_product_error(self->m0, a, self_0_new),
-      self_0_new_rounded = self_0_new + self_0_new_lo;
-  const double self_1_new_lo = ksl_product_error(self->m1, a, self_1_new),
-      self_1_new_rounded = self_1_new + self_1_new_lo;
-  const double self_2_new_lo = ksl_product_error(self->m2, a, self_2_new),
-      self_2_new_rounded = self_2_new + self_2_new_lo;
-  const double self_3_new_lo = ksl_product_error(self->m3, a, self_3_new),
-      self_3_new_rounded = self_3_new + self_3_new_lo;
-  const double self_4_new_lo = ksl_product_error(self->m4, a, self_4_new),
-      self_4_new_rounded = self_4_new + self_4_new_lo;
-  const double self_5_new_lo = ksl_product_error(self->m5, a, self_5_new),
-      self_5_new_rounded = self_5_new + self_5_new_lo;
+  const double self_0_new = KSL_MUL(self->m0, a), self_1_new = KSL_MUL(self->m1, a),
+      self_2_new = KSL_MUL(self->m2, a), self_3_new = KSL_MUL(self->m3, a),
+      self_4_new = KSL_MUL(self->m4, a), self_5_new = KSL_MUL(self->m5, a);
+  const double self_0_new_rounded = self_0_new + ksl_product_error(self->m0, a, self_0_new),
+      self_1_new_rounded = self_1_new + ksl_product_error(self->m1, a, self_1_new),
+      self_2_new_rounded = self_2_new + ksl_product_error(self->m2, a, self_2_new),
+      self_3_new_rounded = self_3_new + ksl_product_error(self->m3, a, self_3_new),
+      self_4_new_rounded = self_4_new + ksl_product_error(self->m4, a, self_4_new),
+      self_5_new_rounded = self_5_new + ksl_product_error(self->m5, a, self_5_new);
   self->m0 = self_0_new_rounded;
   self->m1 = self_1_new_rounded;
   self->m2 = self_2_new_rounded;
@@ -46,41 +37,35 @@ static inline void ksl_screw_scale_accurate(ksl_screw_t *self, const double a) {
      and underflow. */
 static inline void ksl_axpy_ss_accurate(const double a, const ksl_screw_t *x, ksl_screw_t *y) {
   const double y_0_new_a = KSL_MUL(a, x->m0), y_0_new = y_0_new_a + y->m0,
-      y_0_new_right = y_0_new - y_0_new_a, y_0_new_left = y_0_new - y_0_new_right,
-      y_0_new_left_rest = ksl_product_rest(a, x->m0, y_0_new_a, y_0_new_left),
-      y_0_new_right_rest = y->m0 - y_0_new_right,
-      y_0_new_lo = y_0_new_left_rest + y_0_new_right_rest;
+      y_0_new_right = y_0_new - y_0_new_a;
   const double y_1_new_a = KSL_MUL(a, x->m1), y_1_new = y_1_new_a + y->m1,
-      y_1_new_right = y_1_new - y_1_new_a, y_1_new_left = y_1_new - y_1_new_right,
-      y_1_new_left_rest = ksl_product_rest(a, x->m1, y_1_new_a, y_1_new_left),
-      y_1_new_right_rest = y->m1 - y_1_new_right,
-      y_1_new_lo = y_1_new_left_rest + y_1_new_right_rest;
+      y_1_new_right = y_1_new - y_1_new_a;
   const double y_2_new_a = KSL_MUL(a, x->m2), y_2_new = y_2_new_a + y->m2,
-      y_2_new_right = y_2_new - y_2_new_a, y_2_new_left = y_2_new - y_2_new_right,
-      y_2_new_left_rest = ksl_product_rest(a, x->m2, y_2_new_a, y_2_new_left),
-      y_2_new_right_rest = y->m2 - y_2_new_right,
-      y_2_new_lo = y_2_new_left_rest + y_2_new_right_rest;
+      y_2_new_right = y_2_new - y_2_new_a;
   const double y_3_new_a = KSL_MUL(a, x->m3), y_3_new = y_3_new_a + y->m3,
-      y_3_new_right = y_3_new - y_3_new_a, y_3_new_left = y_3_new - y_3_new_right,
-      y_3_new_left_rest = ksl_product_rest(a, x->m3, y_3_new_a, y_3_new_left),
-      y_3_new_right_rest = y->m3 - y_3_new_right,
-      y_3_new_lo = y_3_new_left_rest + y_3_new_right_rest;
+      y_3_new_right = y_3_new - y_3_new_a;
   const double y_4_new_a = KSL_MUL(a, x->m4), y_4_new = y_4_new_a + y->m4,
-      y_4_new_right = y_4_new - y_4_new_a, y_4_new_left = y_4_new - y_4_new_right,
-      y_4_new_left_rest = ksl_product_rest(a, x->m4, y_4_new_a, y_4_new_left),
-      y_4_new_right_rest = y->m4 - y_4_new_right,
-      y_4_new_lo = y_4_new_left_rest + y_4_new_right_rest;
+      y_4_new_right = y_4_new - y_4_new_a;
   const double y_5_new_a = KSL_MUL(a, x->m5), y_5_new = y_5_new_a + y->m5,
-      y_5_new_right = y_5_new - y_5_new_a, y_5_new_left = y_5_new - y_5_new_right,
-      y_5_new_left_rest = ksl_product_rest(a, x->m5, y_5_new_a, y_5_new_left),
-      y_5_new_right_rest = y->m5 - y_5_new_right,
-      y_5_new_lo = y_5_new_left_rest + y_5_new_right_rest;
-  const double y_0_new_rounded = y_0_new + y_0_new_lo;
-  const double y_1_new_rounded = y_1_new + y_1_new_lo;
-  const double y_2_new_rounded = y_2_new + y_2_new_lo;
-  const double y_3_new_rounded = y_3_new + y_3_new_lo;
-  const double y_4_new_rounded = y_4_new + y_4_new_lo;
-  const double y_5_new_rounded = y_5_new + y_5_new_lo;
+      y_5_new_right = y_5_new - y_5_new_a;
+  const double y_0_new_rounded = y_0_new
+          + (ksl_product_rest(a, x->m0, y_0_new_a, y_0_new - y_0_new_right)
+          + (y->m0 - y_0_new_right)),
+      y_1_new_rounded = y_1_new
+          + (ksl_product_rest(a, x->m1, y_1_new_a, y_1_new - y_1_new_right)
+          + (y->m1 - y_1_new_right)),
+      y_2_new_rounded = y_2_new
+          + (ksl_product_rest(a, x->m2, y_2_new_a, y_2_new - y_2_new_right)
+          + (y->m2 - y_2_new_right)),
+      y_3_new_rounded = y_3_new
+          + (ksl_product_rest(a, x->m3, y_3_new_a, y_3_new - y_3_new_right)
+          + (y->m3 - y_3_new_right)),
+      y_4_new_rounded = y_4_new
+          + (ksl_product_rest(a, x->m4, y_4_new_a, y_4_new - y_4_new_right)
+          + (y->m4 - y_4_new_right)),
+      y_5_new_rounded = y_5_new
+          + (ksl_product_rest(a, x->m5, y_5_new_a, y_5_new - y_5_new_right)
+          + (y->m5 - y_5_new_right));
   y->m0 = y_0_new_rounded;
   y->m1 = y_1_new_rounded;
   y->m2 = y_2_new_rounded;
@@ -94,36 +79,19 @@ static inline void ksl_axpy_ss_accurate(const double a, const ksl_screw_t *x, ks
    42 add.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_xpy_ss_accurate(const ksl_screw_t *x, ksl_screw_t *y) {
-  const double y_0_new = x->m0 + y->m0, y_0_new_right = y_0_new - x->m0,
-      y_0_new_left = y_0_new - y_0_new_right, y_0_new_left_rest = x->m0 - y_0_new_left,
-      y_0_new_right_rest = y->m0 - y_0_new_right,
-      y_0_new_lo = y_0_new_left_rest + y_0_new_right_rest;
-  const double y_1_new = x->m1 + y->m1, y_1_new_right = y_1_new - x->m1,
-      y_1_new_left = y_1_new - y_1_new_right, y_1_new_left_rest = x->m1 - y_1_new_left,
-      y_1_new_right_rest = y->m1 - y_1_new_right,
-      y_1_new_lo = y_1_new_left_rest + y_1_new_right_rest;
-  const double y_2_new = x->m2 + y->m2, y_2_new_right = y_2_new - x->m2,
-      y_2_new_left = y_2_new - y_2_new_right, y_2_new_left_rest = x->m2 - y_2_new_left,
-      y_2_new_right_rest = y->m2 - y_2_new_right,
-      y_2_new_lo = y_2_new_left_rest + y_2_new_right_rest;
-  const double y_3_new = x->m3 + y->m3, y_3_new_right = y_3_new - x->m3,
-      y_3_new_left = y_3_new - y_3_new_right, y_3_new_left_rest = x->m3 - y_3_new_left,
-      y_3_new_right_rest = y->m3 - y_3_new_right,
-      y_3_new_lo = y_3_new_left_rest + y_3_new_right_rest;
-  const double y_4_new = x->m4 + y->m4, y_4_new_right = y_4_new - x->m4,
-      y_4_new_left = y_4_new - y_4_new_right, y_4_new_left_rest = x->m4 - y_4_new_left,
-      y_4_new_right_rest = y->m4 - y_4_new_right,
-      y_4_new_lo = y_4_new_left_rest + y_4_new_right_rest;
-  const double y_5_new = x->m5 + y->m5, y_5_new_right = y_5_new - x->m5,
-      y_5_new_left = y_5_new - y_5_new_right, y_5_new_left_rest = x->m5 - y_5_new_left,
-      y_5_new_right_rest = y->m5 - y_5_new_right,
-      y_5_new_lo = y_5_new_left_rest + y_5_new_right_rest;
-  const double y_0_new_rounded = y_0_new + y_0_new_lo;
-  const double y_1_new_rounded = y_1_new + y_1_new_lo;
-  const double y_2_new_rounded = y_2_new + y_2_new_lo;
-  const double y_3_new_rounded = y_3_new + y_3_new_lo;
-  const double y_4_new_rounded = y_4_new + y_4_new_lo;
-  const double y_5_new_rounded = y_5_new + y_5_new_lo;
+  const double y_0_new = x->m0 + y->m0, y_0_new_right = y_0_new - x->m0;
+  const double y_1_new = x->m1 + y->m1, y_1_new_right = y_1_new - x->m1;
+  const double y_2_new = x->m2 + y->m2, y_2_new_right = y_2_new - x->m2;
+  const double y_3_new = x->m3 + y->m3, y_3_new_right = y_3_new - x->m3;
+  const double y_4_new = x->m4 + y->m4, y_4_new_right = y_4_new - x->m4;
+  const double y_5_new = x->m5 + y->m5, y_5_new_right = y_5_new - x->m5;
+  const double y_0_new_rounded = y_0_new
+          + (x->m0 - (y_0_new - y_0_new_right) + (y->m0 - y_0_new_right)),
+      y_1_new_rounded = y_1_new + (x->m1 - (y_1_new - y_1_new_right) + (y->m1 - y_1_new_right)),
+      y_2_new_rounded = y_2_new + (x->m2 - (y_2_new - y_2_new_right) + (y->m2 - y_2_new_right)),
+      y_3_new_rounded = y_3_new + (x->m3 - (y_3_new - y_3_new_right) + (y->m3 - y_3_new_right)),
+      y_4_new_rounded = y_4_new + (x->m4 - (y_4_new - y_4_new_right) + (y->m4 - y_4_new_right)),
+      y_5_new_rounded = y_5_new + (x->m5 - (y_5_new - y_5_new_right) + (y->m5 - y_5_new_right));
   y->m0 = y_0_new_rounded;
   y->m1 = y_1_new_rounded;
   y->m2 = y_2_new_rounded;
@@ -137,36 +105,19 @@ static inline void ksl_xpy_ss_accurate(const ksl_screw_t *x, ksl_screw_t *y) {
    42 add.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_nxpy_ss_accurate(const ksl_screw_t *x, ksl_screw_t *y) {
-  const double y_0_new = y->m0 - x->m0, y_0_new_right = y->m0 - y_0_new,
-      y_0_new_left = y_0_new + y_0_new_right, y_0_new_left_rest = y->m0 - y_0_new_left,
-      y_0_new_right_rest = x->m0 - y_0_new_right,
-      y_0_new_lo = y_0_new_left_rest - y_0_new_right_rest;
-  const double y_1_new = y->m1 - x->m1, y_1_new_right = y->m1 - y_1_new,
-      y_1_new_left = y_1_new + y_1_new_right, y_1_new_left_rest = y->m1 - y_1_new_left,
-      y_1_new_right_rest = x->m1 - y_1_new_right,
-      y_1_new_lo = y_1_new_left_rest - y_1_new_right_rest;
-  const double y_2_new = y->m2 - x->m2, y_2_new_right = y->m2 - y_2_new,
-      y_2_new_left = y_2_new + y_2_new_right, y_2_new_left_rest = y->m2 - y_2_new_left,
-      y_2_new_right_rest = x->m2 - y_2_new_right,
-      y_2_new_lo = y_2_new_left_rest - y_2_new_right_rest;
-  const double y_3_new = y->m3 - x->m3, y_3_new_right = y->m3 - y_3_new,
-      y_3_new_left = y_3_new + y_3_new_right, y_3_new_left_rest = y->m3 - y_3_new_left,
-      y_3_new_right_rest = x->m3 - y_3_new_right,
-      y_3_new_lo = y_3_new_left_rest - y_3_new_right_rest;
-  const double y_4_new = y->m4 - x->m4, y_4_new_right = y->m4 - y_4_new,
-      y_4_new_left = y_4_new + y_4_new_right, y_4_new_left_rest = y->m4 - y_4_new_left,
-      y_4_new_right_rest = x->m4 - y_4_new_right,
-      y_4_new_lo = y_4_new_left_rest - y_4_new_right_rest;
-  const double y_5_new = y->m5 - x->m5, y_5_new_right = y->m5 - y_5_new,
-      y_5_new_left = y_5_new + y_5_new_right, y_5_new_left_rest = y->m5 - y_5_new_left,
-      y_5_new_right_rest = x->m5 - y_5_new_right,
-      y_5_new_lo = y_5_new_left_rest - y_5_new_right_rest;
-  const double y_0_new_rounded = y_0_new + y_0_new_lo;
-  const double y_1_new_rounded = y_1_new + y_1_new_lo;
-  const double y_2_new_rounded = y_2_new + y_2_new_lo;
-  const double y_3_new_rounded = y_3_new + y_3_new_lo;
-  const double y_4_new_rounded = y_4_new + y_4_new_lo;
-  const double y_5_new_rounded = y_5_new + y_5_new_lo;
+  const double y_0_new = y->m0 - x->m0, y_0_new_right = y->m0 - y_0_new;
+  const double y_1_new = y->m1 - x->m1, y_1_new_right = y->m1 - y_1_new;
+  const double y_2_new = y->m2 - x->m2, y_2_new_right = y->m2 - y_2_new;
+  const double y_3_new = y->m3 - x->m3, y_3_new_right = y->m3 - y_3_new;
+  const double y_4_new = y->m4 - x->m4, y_4_new_right = y->m4 - y_4_new;
+  const double y_5_new = y->m5 - x->m5, y_5_new_right = y->m5 - y_5_new;
+  const double y_0_new_rounded = y_0_new
+          + (y->m0 - (y_0_new + y_0_new_right) - (x->m0 - y_0_new_right)),
+      y_1_new_rounded = y_1_new + (y->m1 - (y_1_new + y_1_new_right) - (x->m1 - y_1_new_right)),
+      y_2_new_rounded = y_2_new + (y->m2 - (y_2_new + y_2_new_right) - (x->m2 - y_2_new_right)),
+      y_3_new_rounded = y_3_new + (y->m3 - (y_3_new + y_3_new_right) - (x->m3 - y_3_new_right)),
+      y_4_new_rounded = y_4_new + (y->m4 - (y_4_new + y_4_new_right) - (x->m4 - y_4_new_right)),
+      y_5_new_rounded = y_5_new + (y->m5 - (y_5_new + y_5_new_right) - (x->m5 - y_5_new_right));
   y->m0 = y_0_new_rounded;
   y->m1 = y_1_new_rounded;
   y->m2 = y_2_new_rounded;
@@ -180,18 +131,14 @@ static inline void ksl_nxpy_ss_accurate(const ksl_screw_t *x, ksl_screw_t *y) {
    6 mul, 6 add, 6 product error.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_product_as_accurate(const double a, const ksl_screw_t *si, ksl_screw_t *so) {
-  const double so_0 = KSL_MUL(a, si->m0);
-  const double so_1 = KSL_MUL(a, si->m1);
-  const double so_2 = KSL_MUL(a, si->m2);
-  const double so_3 = KSL_MUL(a, si->m3);
-  const double so_4 = KSL_MUL(a, si->m4);
-  const double so_5 = KSL_MUL(a, si->m5);
-  const double so_0_lo = ksl_product_error(a, si->m0, so_0), so_0_rounded = so_0 + so_0_lo;
-  const double so_1_lo = ksl_product_error(a, si->m1, so_1), so_1_rounded = so_1 + so_1_lo;
-  const double so_2_lo = ksl_product_error(a, si->m2, so_2), so_2_rounded = so_2 + so_2_lo;
-  const double so_3_lo = ksl_product_error(a, si->m3, so_3), so_3_rounded = so_3 + so_3_lo;
-  const double so_4_lo = ksl_product_error(a, si->m4, so_4), so_4_rounded = so_4 + so_4_lo;
-  const double so_5_lo = ksl_product_error(a, si->m5, so_5), so_5_rounded = so_5 + so_5_lo;
+  const double so_0 = KSL_MUL(a, si->m0), so_1 = KSL_MUL(a, si->m1), so_2 = KSL_MUL(a, si->m2),
+      so_3 = KSL_MUL(a, si->m3), so_4 = KSL_MUL(a, si->m4), so_5 = KSL_MUL(a, si->m5);
+  const double so_0_rounded = so_0 + ksl_product_error(a, si->m0, so_0),
+      so_1_rounded = so_1 + ksl_product_error(a, si->m1, so_1),
+      so_2_rounded = so_2 + ksl_product_error(a, si->m2, so_2),
+      so_3_rounded = so_3 + ksl_product_error(a, si->m3, so_3),
+      so_4_rounded = so_4 + ksl_product_error(a, si->m4, so_4),
+      so_5_rounded = so_5 + ksl_product_error(a, si->m5, so_5);
   so->m0 = so_0_rounded;
   so->m1 = so_1_rounded;
   so->m2 = so_2_rounded;
@@ -206,30 +153,18 @@ static inline void ksl_product_as_accurate(const double a, const ksl_screw_t *si
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_add_ss_accurate(const ksl_screw_t *s1, const ksl_screw_t *s2,
     ksl_screw_t *so) {
-  const double so_0 = s1->m0 + s2->m0, so_0_right = so_0 - s1->m0, so_0_left = so_0 - so_0_right,
-      so_0_left_rest = s1->m0 - so_0_left, so_0_right_rest = s2->m0 - so_0_right,
-      so_0_lo = so_0_left_rest + so_0_right_rest;
-  const double so_1 = s1->m1 + s2->m1, so_1_right = so_1 - s1->m1, so_1_left = so_1 - so_1_right,
-      so_1_left_rest = s1->m1 - so_1_left, so_1_right_rest = s2->m1 - so_1_right,
-      so_1_lo = so_1_left_rest + so_1_right_rest;
-  const double so_2 = s1->m2 + s2->m2, so_2_right = so_2 - s1->m2, so_2_left = so_2 - so_2_right,
-      so_2_left_rest = s1->m2 - so_2_left, so_2_right_rest = s2->m2 - so_2_right,
-      so_2_lo = so_2_left_rest + so_2_right_rest;
-  const double so_3 = s1->m3 + s2->m3, so_3_right = so_3 - s1->m3, so_3_left = so_3 - so_3_right,
-      so_3_left_rest = s1->m3 - so_3_left, so_3_right_rest = s2->m3 - so_3_right,
-      so_3_lo = so_3_left_rest + so_3_right_rest;
-  const double so_4 = s1->m4 + s2->m4, so_4_right = so_4 - s1->m4, so_4_left = so_4 - so_4_right,
-      so_4_left_rest = s1->m4 - so_4_left, so_4_right_rest = s2->m4 - so_4_right,
-      so_4_lo = so_4_left_rest + so_4_right_rest;
-  const double so_5 = s1->m5 + s2->m5, so_5_right = so_5 - s1->m5, so_5_left = so_5 - so_5_right,
-      so_5_left_rest = s1->m5 - so_5_left, so_5_right_rest = s2->m5 - so_5_right,
-      so_5_lo = so_5_left_rest + so_5_right_rest;
-  const double so_0_rounded = so_0 + so_0_lo;
-  const double so_1_rounded = so_1 + so_1_lo;
-  const double so_2_rounded = so_2 + so_2_lo;
-  const double so_3_rounded = so_3 + so_3_lo;
-  const double so_4_rounded = so_4 + so_4_lo;
-  const double so_5_rounded = so_5 + so_5_lo;
+  const double so_0 = s1->m0 + s2->m0, so_0_right = so_0 - s1->m0;
+  const double so_1 = s1->m1 + s2->m1, so_1_right = so_1 - s1->m1;
+  const double so_2 = s1->m2 + s2->m2, so_2_right = so_2 - s1->m2;
+  const double so_3 = s1->m3 + s2->m3, so_3_right = so_3 - s1->m3;
+  const double so_4 = s1->m4 + s2->m4, so_4_right = so_4 - s1->m4;
+  const double so_5 = s1->m5 + s2->m5, so_5_right = so_5 - s1->m5;
+  const double so_0_rounded = so_0 + (s1->m0 - (so_0 - so_0_right) + (s2->m0 - so_0_right)),
+      so_1_rounded = so_1 + (s1->m1 - (so_1 - so_1_right) + (s2->m1 - so_1_right)),
+      so_2_rounded = so_2 + (s1->m2 - (so_2 - so_2_right) + (s2->m2 - so_2_right)),
+      so_3_rounded = so_3 + (s1->m3 - (so_3 - so_3_right) + (s2->m3 - so_3_right)),
+      so_4_rounded = so_4 + (s1->m4 - (so_4 - so_4_right) + (s2->m4 - so_4_right)),
+      so_5_rounded = so_5 + (s1->m5 - (so_5 - so_5_right) + (s2->m5 - so_5_right));
   so->m0 = so_0_rounded;
   so->m1 = so_1_rounded;
   so->m2 = so_2_rounded;
@@ -244,30 +179,18 @@ static inline void ksl_add_ss_accurate(const ksl_screw_t *s1, const ksl_screw_t 
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_subtract_ss_accurate(const ksl_screw_t *s1, const ksl_screw_t *s2,
     ksl_screw_t *so) {
-  const double so_0 = s1->m0 - s2->m0, so_0_right = s1->m0 - so_0, so_0_left = so_0 + so_0_right,
-      so_0_left_rest = s1->m0 - so_0_left, so_0_right_rest = s2->m0 - so_0_right,
-      so_0_lo = so_0_left_rest - so_0_right_rest;
-  const double so_1 = s1->m1 - s2->m1, so_1_right = s1->m1 - so_1, so_1_left = so_1 + so_1_right,
-      so_1_left_rest = s1->m1 - so_1_left, so_1_right_rest = s2->m1 - so_1_right,
-      so_1_lo = so_1_left_rest - so_1_right_rest;
-  const double so_2 = s1->m2 - s2->m2, so_2_right = s1->m2 - so_2, so_2_left = so_2 + so_2_right,
-      so_2_left_rest = s1->m2 - so_2_left, so_2_right_rest = s2->m2 - so_2_right,
-      so_2_lo = so_2_left_rest - so_2_right_rest;
-  const double so_3 = s1->m3 - s2->m3, so_3_right = s1->m3 - so_3, so_3_left = so_3 + so_3_right,
-      so_3_left_rest = s1->m3 - so_3_left, so_3_right_rest = s2->m3 - so_3_right,
-      so_3_lo = so_3_left_rest - so_3_right_rest;
-  const double so_4 = s1->m4 - s2->m4, so_4_right = s1->m4 - so_4, so_4_left = so_4 + so_4_right,
-      so_4_left_rest = s1->m4 - so_4_left, so_4_right_rest = s2->m4 - so_4_right,
-      so_4_lo = so_4_left_rest - so_4_right_rest;
-  const double so_5 = s1->m5 - s2->m5, so_5_right = s1->m5 - so_5, so_5_left = so_5 + so_5_right,
-      so_5_left_rest = s1->m5 - so_5_left, so_5_right_rest = s2->m5 - so_5_right,
-      so_5_lo = so_5_left_rest - so_5_right_rest;
-  const double so_0_rounded = so_0 + so_0_lo;
-  const double so_1_rounded = so_1 + so_1_lo;
-  const double so_2_rounded = so_2 + so_2_lo;
-  const double so_3_rounded = so_3 + so_3_lo;
-  const double so_4_rounded = so_4 + so_4_lo;
-  const double so_5_rounded = so_5 + so_5_lo;
+  const double so_0 = s1->m0 - s2->m0, so_0_right = s1->m0 - so_0;
+  const double so_1 = s1->m1 - s2->m1, so_1_right = s1->m1 - so_1;
+  const double so_2 = s1->m2 - s2->m2, so_2_right = s1->m2 - so_2;
+  const double so_3 = s1->m3 - s2->m3, so_3_right = s1->m3 - so_3;
+  const double so_4 = s1->m4 - s2->m4, so_4_right = s1->m4 - so_4;
+  const double so_5 = s1->m5 - s2->m5, so_5_right = s1->m5 - so_5;
+  const double so_0_rounded = so_0 + (s1->m0 - (so_0 + so_0_right) - (s2->m0 - so_0_right)),
+      so_1_rounded = so_1 + (s1->m1 - (so_1 + so_1_right) - (s2->m1 - so_1_right)),
+      so_2_rounded = so_2 + (s1->m2 - (so_2 + so_2_right) - (s2->m2 - so_2_right)),
+      so_3_rounded = so_3 + (s1->m3 - (so_3 + so_3_right) - (s2->m3 - so_3_right)),
+      so_4_rounded = so_4 + (s1->m4 - (so_4 + so_4_right) - (s2->m4 - so_4_right)),
+      so_5_rounded = so_5 + (s1->m5 - (so_5 + so_5_right) - (s2->m5 - so_5_right));
   so->m0 = so_0_rounded;
   so->m1 = so_1_rounded;
   so->m2 = so_2_rounded;
@@ -281,49 +204,34 @@ static inline void ksl_subtract_ss_accurate(const ksl_screw_t *s1, const ksl_scr
    10 mul, 29 add, 1 product error, 3 product rest, 2 div, 1 sqrt, 6 abs, 11 less, 3 equal, 16
      select. */
 static inline double ksl_screw_norm_accurate(const ksl_screw_t *si) {
-  const double small_a = fabs(si->m5), small_c = small_a < 1e-09 ? 1.0 : 0.0,
-      small_d = fabs(si->m4), small_f = small_d < 1e-09 ? small_c : 0.0, small_g = fabs(si->m3),
-      small = small_g < 1e-09 ? small_f : 0.0;
-  const double p_0 = small == 1.0 ? si->m0 : si->m3;
-  const double p_1 = small == 1.0 ? si->m1 : si->m4;
-  const double p_2 = small == 1.0 ? si->m2 : si->m5;
-  const double s_size_0 = fabs(p_0);
-  const double s_size_1 = fabs(p_1);
-  const double s_size_2 = fabs(p_2);
+  const double small_c = fabs(si->m5) < 1e-09 ? 1.0 : 0.0,
+      small_f = fabs(si->m4) < 1e-09 ? small_c : 0.0, small = fabs(si->m3) < 1e-09 ? small_f : 0.0;
+  const double p_0 = small == 1.0 ? si->m0 : si->m3, p_1 = small == 1.0 ? si->m1 : si->m4,
+      p_2 = small == 1.0 ? si->m2 : si->m5;
+  const double s_size_0 = fabs(p_0), s_size_1 = fabs(p_1), s_size_2 = fabs(p_2);
   const double s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
   const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const double s_b = 6.703903964971299e+153 < s_largest2 ? 3.7291703656001034e-155 : 1.0,
       s_d = s_largest2 < 256.0 ? 1.3093562431584567e+151 : s_b,
       s = s_largest2 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : s_d;
-  const double y_0 = KSL_MUL(p_0, s);
-  const double y_1 = KSL_MUL(p_1, s);
-  const double y_2 = KSL_MUL(p_2, s);
+  const double y_0 = KSL_MUL(p_0, s), y_1 = KSL_MUL(p_1, s), y_2 = KSL_MUL(p_2, s);
   const double n_a = KSL_MUL(y_0, y_0), n_b = KSL_MUL(y_1, y_1), n_c = n_a + n_b,
-      n_c_right = n_c - n_a, n_c_left = n_c - n_c_right,
-      n_c_left_rest = ksl_product_rest(y_0, y_0, n_a, n_c_left),
-      n_c_right_rest = ksl_product_rest(y_1, y_1, n_b, n_c_right),
-      n_c_lo = n_c_left_rest + n_c_right_rest, n_d = KSL_MUL(y_2, y_2), n_e = n_c + n_d,
-      n_e_right = n_e - n_c, n_e_left = n_e - n_e_right, n_e_left_rest = n_c - n_e_left,
-      n_e_right_rest = ksl_product_rest(y_2, y_2, n_d, n_e_right),
-      n_e_lo1 = n_e_left_rest + n_e_right_rest, n_e_lo = n_e_lo1 + n_c_lo, n_of_n_e = n_e + n_e_lo,
-      n_of_n_e_right = n_of_n_e - n_e, n_of_n_e_left = n_of_n_e - n_of_n_e_right,
-      n_of_n_e_left_rest = n_e - n_of_n_e_left, n_of_n_e_right_rest = n_e_lo - n_of_n_e_right,
-      n_of_n_e_lo = n_of_n_e_left_rest + n_of_n_e_right_rest, n = sqrt(n_of_n_e),
-      n_product = KSL_MUL(n, n), n_product_error = ksl_product_error(n, n, n_product),
-      n_rest = n_of_n_e - n_product, n_exact = n_rest - n_product_error,
-      n_residual = n_exact + n_of_n_e_lo, n_twice = n + n, n_divisor = n == 0.0 ? 1.0 : n_twice,
-      n_lo = n_residual / n_divisor;
+      n_c_right = n_c - n_a, n_d = KSL_MUL(y_2, y_2), n_e = n_c + n_d, n_e_right = n_e - n_c,
+      n_c_lo = ksl_product_rest(y_0, y_0, n_a, n_c - n_c_right)
+          + ksl_product_rest(y_1, y_1, n_b, n_c_right),
+      n_e_lo = n_c - (n_e - n_e_right) + ksl_product_rest(y_2, y_2, n_d, n_e_right) + n_c_lo,
+      n_e_sum = n_e + n_e_lo, n_e_sum_right = n_e_sum - n_e, n = sqrt(n_e_sum),
+      n_product = KSL_MUL(n, n), n_twice = n + n,
+      n_residual = n_e_sum - n_product - ksl_product_error(n, n, n_product)
+          + (n_e - (n_e_sum - n_e_sum_right) + (n_e_lo - n_e_sum_right)),
+      n_lo = n_residual / (n == 0.0 ? 1.0 : n_twice);
   const double r_b = s < 1.0 ? 2.6815615859885194e+154 : 1.0,
       r_d = 1.0 < s ? 7.637340908749012e-152 : r_b,
       r = 1.3093562431584567e+151 < s ? 9.332636185032189e-302 : r_d;
-  const double norm_of_n = n + n_lo, norm_of_n_right = norm_of_n - n,
-      norm_of_n_left = norm_of_n - norm_of_n_right, norm_of_n_left_rest = n - norm_of_n_left,
-      norm_of_n_right_rest = n_lo - norm_of_n_right,
-      norm_of_n_lo = norm_of_n_left_rest + norm_of_n_right_rest, norm = KSL_MUL(norm_of_n, r),
-      norm_inverse = 1.0 / r, norm_back = KSL_MUL(norm, norm_inverse),
-      norm_lost = norm_of_n - norm_back, norm_rest = norm_lost + norm_of_n_lo,
-      norm_lo = KSL_MUL(norm_rest, r);
-  const double norm_rounded = norm + norm_lo,
+  const double n_sum = n + n_lo, n_sum_right = n_sum - n, norm = KSL_MUL(n_sum, r);
+  const double norm_rounded = norm
+          + KSL_MUL(n_sum - KSL_MUL(norm, 1.0 / r)
+          + (n - (n_sum - n_sum_right) + (n_lo - n_sum_right)), r),
       norm_final = norm_rounded == norm_rounded ? norm_rounded : norm;
   return norm_final;
 }
@@ -336,209 +244,132 @@ static inline void ksl_screw_normalize_accurate(ksl_screw_t *self) {
   const double small_a = fabs(self->m5), small_c = small_a < 1e-09 ? 1.0 : 0.0,
       small_d = fabs(self->m4), small_f = small_d < 1e-09 ? small_c : 0.0, small_g = fabs(self->m3),
       small = small_g < 1e-09 ? small_f : 0.0;
-  const double p_0 = small == 1.0 ? self->m0 : self->m3;
-  const double p_1 = small == 1.0 ? self->m1 : self->m4;
-  const double p_2 = small == 1.0 ? self->m2 : self->m5;
-  const double s_size_0 = fabs(p_0);
-  const double s_size_1 = fabs(p_1);
-  const double s_size_2 = fabs(p_2);
+  const double p_0 = small == 1.0 ? self->m0 : self->m3, p_1 = small == 1.0 ? self->m1 : self->m4,
+      p_2 = small == 1.0 ? self->m2 : self->m5;
+  const double s_size_0 = fabs(p_0), s_size_1 = fabs(p_1), s_size_2 = fabs(p_2);
   const double s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
   const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const double s_b = 6.703903964971299e+153 < s_largest2 ? 3.7291703656001034e-155 : 1.0,
       s_d = s_largest2 < 256.0 ? 1.3093562431584567e+151 : s_b,
       s = s_largest2 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : s_d;
-  const double y_0 = KSL_MUL(p_0, s);
-  const double y_1 = KSL_MUL(p_1, s);
-  const double y_2 = KSL_MUL(p_2, s);
+  const double y_0 = KSL_MUL(p_0, s), y_1 = KSL_MUL(p_1, s), y_2 = KSL_MUL(p_2, s);
   const double up = 1.0 < s ? s : 1.0;
   const double down = s < 1.0 ? s : 1.0;
   const double n_a = KSL_MUL(y_0, y_0), n_b = KSL_MUL(y_1, y_1), n_c = n_a + n_b,
-      n_c_right = n_c - n_a, n_c_left = n_c - n_c_right,
-      n_c_left_rest = ksl_product_rest(y_0, y_0, n_a, n_c_left),
-      n_c_right_rest = ksl_product_rest(y_1, y_1, n_b, n_c_right),
-      n_c_lo = n_c_left_rest + n_c_right_rest, n_d = KSL_MUL(y_2, y_2), n_e = n_c + n_d,
-      n_e_right = n_e - n_c, n_e_left = n_e - n_e_right, n_e_left_rest = n_c - n_e_left,
-      n_e_right_rest = ksl_product_rest(y_2, y_2, n_d, n_e_right),
-      n_e_lo1 = n_e_left_rest + n_e_right_rest, n_e_lo = n_e_lo1 + n_c_lo, n_of_n_e = n_e + n_e_lo,
-      n_of_n_e_right = n_of_n_e - n_e, n_of_n_e_left = n_of_n_e - n_of_n_e_right,
-      n_of_n_e_left_rest = n_e - n_of_n_e_left, n_of_n_e_right_rest = n_e_lo - n_of_n_e_right,
-      n_of_n_e_lo = n_of_n_e_left_rest + n_of_n_e_right_rest, n = sqrt(n_of_n_e),
-      n_product = KSL_MUL(n, n), n_product_error = ksl_product_error(n, n, n_product),
-      n_rest = n_of_n_e - n_product, n_exact = n_rest - n_product_error,
-      n_residual = n_exact + n_of_n_e_lo, n_twice = n + n, n_divisor = n == 0.0 ? 1.0 : n_twice,
-      n_lo = n_residual / n_divisor;
-  const double divisor_a_of_n = n + n_lo, divisor_a_of_n_right = divisor_a_of_n - n,
-      divisor_a_of_n_left = divisor_a_of_n - divisor_a_of_n_right,
-      divisor_a_of_n_left_rest = n - divisor_a_of_n_left,
-      divisor_a_of_n_right_rest = n_lo - divisor_a_of_n_right,
-      divisor_a_of_n_lo = divisor_a_of_n_left_rest + divisor_a_of_n_right_rest,
-      divisor = divisor_a_of_n == 0.0 ? up : divisor_a_of_n,
-      divisor_lo = divisor_a_of_n == 0.0 ? 0.0 : divisor_a_of_n_lo;
-  const double size_0 = fabs(self->m0);
-  const double size_1 = fabs(self->m1);
-  const double size_2 = fabs(self->m2);
-  const double before_0 = size_0 < 256.0 ? up : down;
-  const double before_1 = size_1 < 256.0 ? up : down;
-  const double before_2 = size_2 < 256.0 ? up : down;
-  const double before_3 = small_g < 256.0 ? up : down;
-  const double before_4 = small_d < 256.0 ? up : down;
-  const double before_5 = small_a < 256.0 ? up : down;
-  const double after_0 = size_0 < 256.0 ? down : up;
-  const double after_1 = size_1 < 256.0 ? down : up;
-  const double after_2 = size_2 < 256.0 ? down : up;
-  const double after_3 = small_g < 256.0 ? down : up;
-  const double after_4 = small_d < 256.0 ? down : up;
-  const double after_5 = small_a < 256.0 ? down : up;
-  const double sized_0 = KSL_MUL(self->m0, before_0);
-  const double sized_1 = KSL_MUL(self->m1, before_1);
-  const double sized_2 = KSL_MUL(self->m2, before_2);
-  const double sized_3 = KSL_MUL(self->m3, before_3);
-  const double sized_4 = KSL_MUL(self->m4, before_4);
-  const double sized_5 = KSL_MUL(self->m5, before_5);
-  const double quotient_0_of_divisor = divisor + divisor_lo,
-      quotient_0_of_divisor_right = quotient_0_of_divisor - divisor,
-      quotient_0_of_divisor_left = quotient_0_of_divisor - quotient_0_of_divisor_right,
-      quotient_0_of_divisor_left_rest = divisor - quotient_0_of_divisor_left,
-      quotient_0_of_divisor_right_rest = divisor_lo - quotient_0_of_divisor_right,
-      quotient_0_of_divisor_lo = quotient_0_of_divisor_left_rest + quotient_0_of_divisor_right_rest,
-      quotient_0 = sized_0 / quotient_0_of_divisor,
-      quotient_0_product = KSL_MUL(quotient_0, quotient_0_of_divisor),
-      quotient_0_product_error = ksl_product_error(quotient_0, quotient_0_of_divisor,
-          quotient_0_product),
-      quotient_0_rest = sized_0 - quotient_0_product,
-      quotient_0_exact = quotient_0_rest - quotient_0_product_error,
-      quotient_0_cross = KSL_MUL(quotient_0, quotient_0_of_divisor_lo),
-      quotient_0_residual = quotient_0_exact - quotient_0_cross,
-      quotient_0_lo = quotient_0_residual / quotient_0_of_divisor;
-  const double quotient_1 = sized_1 / quotient_0_of_divisor,
-      quotient_1_product = KSL_MUL(quotient_1, quotient_0_of_divisor),
-      quotient_1_product_error = ksl_product_error(quotient_1, quotient_0_of_divisor,
-          quotient_1_product),
-      quotient_1_rest = sized_1 - quotient_1_product,
-      quotient_1_exact = quotient_1_rest - quotient_1_product_error,
-      quotient_1_cross = KSL_MUL(quotient_1, quotient_0_of_divisor_lo),
-      quotient_1_residual = quotient_1_exact - quotient_1_cross,
-      quotient_1_lo = quotient_1_residual / quotient_0_of_divisor;
-  const double quotient_2 = sized_2 / quotient_0_of_divisor,
-      quotient_2_product = KSL_MUL(quotient_2, quotient_0_of_divisor),
-      quotient_2_product_error = ksl_product_error(quotient_2, quotient_0_of_divisor,
-          quotient_2_product),
-      quotient_2_rest = sized_2 - quotient_2_product,
-      quotient_2_exact = quotient_2_rest - quotient_2_product_error,
-      quotient_2_cross = KSL_MUL(quotient_2, quotient_0_of_divisor_lo),
-      quotient_2_residual = quotient_2_exact - quotient_2_cross,
-      quotient_2_lo = quotient_2_residual / quotient_0_of_divisor;
-  const double quotient_3 = sized_3 / quotient_0_of_divisor,
-      quotient_3_product = KSL_MUL(quotient_3, quotient_0_of_divisor),
-      quotient_3_product_error = ksl_product_error(quotient_3, quotient_0_of_divisor,
-          quotient_3_product),
-      quotient_3_rest = sized_3 - quotient_3_product,
-      quotient_3_exact = quotient_3_rest - quotient_3_product_error,
-      quotient_3_cross = KSL_MUL(quotient_3, quotient_0_of_divisor_lo),
-      quotient_3_residual = quotient_3_exact - quotient_3_cross,
-      quotient_3_lo = quotient_3_residual / quotient_0_of_divisor;
-  const double quotient_4 = sized_4 / quotient_0_of_divisor,
-      quotient_4_product = KSL_MUL(quotient_4, quotient_0_of_divisor),
-      quotient_4_product_error = ksl_product_error(quotient_4, quotient_0_of_divisor,
-          quotient_4_product),
-      quotient_4_rest = sized_4 - quotient_4_product,
-      quotient_4_exact = quotient_4_rest - quotient_4_product_error,
-      quotient_4_cross = KSL_MUL(quotient_4, quotient_0_of_divisor_lo),
-      quotient_4_residual = quotient_4_exact - quotient_4_cross,
-      quotient_4_lo = quotient_4_residual / quotient_0_of_divisor;
-  const double quotient_5 = sized_5 / quotient_0_of_divisor,
-      quotient_5_product = KSL_MUL(quotient_5, quotient_0_of_divisor),
-      quotient_5_product_error = ksl_product_error(quotient_5, quotient_0_of_divisor,
-          quotient_5_product),
-      quotient_5_rest = sized_5 - quotient_5_product,
-      quotient_5_exact = quotient_5_rest - quotient_5_product_error,
-      quotient_5_cross = KSL_MUL(quotient_5, quotient_0_of_divisor_lo),
-      quotient_5_residual = quotient_5_exact - quotient_5_cross,
-      quotient_5_lo = quotient_5_residual / quotient_0_of_divisor;
-  const double self_0_new_of_quotient_0 = quotient_0 + quotient_0_lo,
-      self_0_new_of_quotient_0_right = self_0_new_of_quotient_0 - quotient_0,
-      self_0_new_of_quotient_0_left = self_0_new_of_quotient_0 - self_0_new_of_quotient_0_right,
-      self_0_new_of_quotient_0_left_rest = quotient_0 - self_0_new_of_quotient_0_left,
-      self_0_new_of_quotient_0_right_rest = quotient_0_lo - self_0_new_of_quotient_0_right,
-      self_0_new_of_quotient_0_lo = self_0_new_of_quotient_0_left_rest +
-          self_0_new_of_quotient_0_right_rest,
-      self_0_new = KSL_MUL(self_0_new_of_quotient_0, after_0), self_0_new_inverse = 1.0 / after_0,
-      self_0_new_back = KSL_MUL(self_0_new, self_0_new_inverse),
-      self_0_new_lost = self_0_new_of_quotient_0 - self_0_new_back,
-      self_0_new_rest = self_0_new_lost + self_0_new_of_quotient_0_lo,
-      self_0_new_lo = KSL_MUL(self_0_new_rest, after_0);
-  const double self_1_new_of_quotient_1 = quotient_1 + quotient_1_lo,
-      self_1_new_of_quotient_1_right = self_1_new_of_quotient_1 - quotient_1,
-      self_1_new_of_quotient_1_left = self_1_new_of_quotient_1 - self_1_new_of_quotient_1_right,
-      self_1_new_of_quotient_1_left_rest = quotient_1 - self_1_new_of_quotient_1_left,
-      self_1_new_of_quotient_1_right_rest = quotient_1_lo - self_1_new_of_quotient_1_right,
-      self_1_new_of_quotient_1_lo = self_1_new_of_quotient_1_left_rest +
-          self_1_new_of_quotient_1_right_rest,
-      self_1_new = KSL_MUL(self_1_new_of_quotient_1, after_1), self_1_new_inverse = 1.0 / after_1,
-      self_1_new_back = KSL_MUL(self_1_new, self_1_new_inverse),
-      self_1_new_lost = self_1_new_of_quotient_1 - self_1_new_back,
-      self_1_new_rest = self_1_new_lost + self_1_new_of_quotient_1_lo,
-      self_1_new_lo = KSL_MUL(self_1_new_rest, after_1);
-  const double self_2_new_of_quotient_2 = quotient_2 + quotient_2_lo,
-      self_2_new_of_quotient_2_right = self_2_new_of_quotient_2 - quotient_2,
-      self_2_new_of_quotient_2_left = self_2_new_of_quotient_2 - self_2_new_of_quotient_2_right,
-      self_2_new_of_quotient_2_left_rest = quotient_2 - self_2_new_of_quotient_2_left,
-      self_2_new_of_quotient_2_right_rest = quotient_2_lo - self_2_new_of_quotient_2_right,
-      self_2_new_of_quotient_2_lo = self_2_new_of_quotient_2_left_rest +
-          self_2_new_of_quotient_2_right_rest,
-      self_2_new = KSL_MUL(self_2_new_of_quotient_2, after_2), self_2_new_inverse = 1.0 / after_2,
-      self_2_new_back = KSL_MUL(self_2_new, self_2_new_inverse),
-      self_2_new_lost = self_2_new_of_quotient_2 - self_2_new_back,
-      self_2_new_rest = self_2_new_lost + self_2_new_of_quotient_2_lo,
-      self_2_new_lo = KSL_MUL(self_2_new_rest, after_2);
-  const double self_3_new_of_quotient_3 = quotient_3 + quotient_3_lo,
-      self_3_new_of_quotient_3_right = self_3_new_of_quotient_3 - quotient_3,
-      self_3_new_of_quotient_3_left = self_3_new_of_quotient_3 - self_3_new_of_quotient_3_right,
-      self_3_new_of_quotient_3_left_rest = quotient_3 - self_3_new_of_quotient_3_left,
-      self_3_new_of_quotient_3_right_rest = quotient_3_lo - self_3_new_of_quotient_3_right,
-      self_3_new_of_quotient_3_lo = self_3_new_of_quotient_3_left_rest +
-          self_3_new_of_quotient_3_right_rest,
-      self_3_new = KSL_MUL(self_3_new_of_quotient_3, after_3), self_3_new_inverse = 1.0 / after_3,
-      self_3_new_back = KSL_MUL(self_3_new, self_3_new_inverse),
-      self_3_new_lost = self_3_new_of_quotient_3 - self_3_new_back,
-      self_3_new_rest = self_3_new_lost + self_3_new_of_quotient_3_lo,
-      self_3_new_lo = KSL_MUL(self_3_new_rest, after_3);
-  const double self_4_new_of_quotient_4 = quotient_4 + quotient_4_lo,
-      self_4_new_of_quotient_4_right = self_4_new_of_quotient_4 - quotient_4,
-      self_4_new_of_quotient_4_left = self_4_new_of_quotient_4 - self_4_new_of_quotient_4_right,
-      self_4_new_of_quotient_4_left_rest = quotient_4 - self_4_new_of_quotient_4_left,
-      self_4_new_of_quotient_4_right_rest = quotient_4_lo - self_4_new_of_quotient_4_right,
-      self_4_new_of_quotient_4_lo = self_4_new_of_quotient_4_left_rest +
-          self_4_new_of_quotient_4_right_rest,
-      self_4_new = KSL_MUL(self_4_new_of_quotient_4, after_4), self_4_new_inverse = 1.0 / after_4,
-      self_4_new_back = KSL_MUL(self_4_new, self_4_new_inverse),
-      self_4_new_lost = self_4_new_of_quotient_4 - self_4_new_back,
-      self_4_new_rest = self_4_new_lost + self_4_new_of_quotient_4_lo,
-      self_4_new_lo = KSL_MUL(self_4_new_rest, after_4);
-  const double self_5_new_of_quotient_5 = quotient_5 + quotient_5_lo,
-      self_5_new_of_quotient_5_right = self_5_new_of_quotient_5 - quotient_5,
-      self_5_new_of_quotient_5_left = self_5_new_of_quotient_5 - self_5_new_of_quotient_5_right,
-      self_5_new_of_quotient_5_left_rest = quotient_5 - self_5_new_of_quotient_5_left,
-      self_5_new_of_quotient_5_right_rest = quotient_5_lo - self_5_new_of_quotient_5_right,
-      self_5_new_of_quotient_5_lo = self_5_new_of_quotient_5_left_rest +
-          self_5_new_of_quotient_5_right_rest,
-      self_5_new = KSL_MUL(self_5_new_of_quotient_5, after_5), self_5_new_inverse = 1.0 / after_5,
-      self_5_new_back = KSL_MUL(self_5_new, self_5_new_inverse),
-      self_5_new_lost = self_5_new_of_quotient_5 - self_5_new_back,
-      self_5_new_rest = self_5_new_lost + self_5_new_of_quotient_5_lo,
-      self_5_new_lo = KSL_MUL(self_5_new_rest, after_5);
-  const double self_0_new_rounded = self_0_new + self_0_new_lo,
-      self_0_new_final = self_0_new_rounded == self_0_new_rounded ? self_0_new_rounded : self_0_new;
-  const double self_1_new_rounded = self_1_new + self_1_new_lo,
-      self_1_new_final = self_1_new_rounded == self_1_new_rounded ? self_1_new_rounded : self_1_new;
-  const double self_2_new_rounded = self_2_new + self_2_new_lo,
-      self_2_new_final = self_2_new_rounded == self_2_new_rounded ? self_2_new_rounded : self_2_new;
-  const double self_3_new_rounded = self_3_new + self_3_new_lo,
-      self_3_new_final = self_3_new_rounded == self_3_new_rounded ? self_3_new_rounded : self_3_new;
-  const double self_4_new_rounded = self_4_new + self_4_new_lo,
-      self_4_new_final = self_4_new_rounded == self_4_new_rounded ? self_4_new_rounded : self_4_new;
-  const double self_5_new_rounded = self_5_new + self_5_new_lo,
-      self_5_new_final = self_5_new_rounded == self_5_new_rounded ? self_5_new_rounded : self_5_new;
+      n_c_right = n_c - n_a, n_d = KSL_MUL(y_2, y_2), n_e = n_c + n_d, n_e_right = n_e - n_c,
+      n_c_lo = ksl_product_rest(y_0, y_0, n_a, n_c - n_c_right)
+          + ksl_product_rest(y_1, y_1, n_b, n_c_right),
+      n_e_lo = n_c - (n_e - n_e_right) + ksl_product_rest(y_2, y_2, n_d, n_e_right) + n_c_lo,
+      n_e_sum = n_e + n_e_lo, n_e_sum_right = n_e_sum - n_e, n = sqrt(n_e_sum),
+      n_product = KSL_MUL(n, n), n_twice = n + n,
+      n_residual = n_e_sum - n_product - ksl_product_error(n, n, n_product)
+          + (n_e - (n_e_sum - n_e_sum_right) + (n_e_lo - n_e_sum_right)),
+      n_lo = n_residual / (n == 0.0 ? 1.0 : n_twice);
+  const double n_sum = n + n_lo, n_sum_right = n_sum - n,
+      n_sum_lo = n - (n_sum - n_sum_right) + (n_lo - n_sum_right),
+      divisor = n_sum == 0.0 ? up : n_sum, divisor_lo = n_sum == 0.0 ? 0.0 : n_sum_lo;
+  const double size_0 = fabs(self->m0), size_1 = fabs(self->m1), size_2 = fabs(self->m2);
+  const double before_0 = size_0 < 256.0 ? up : down, before_1 = size_1 < 256.0 ? up : down,
+      before_2 = size_2 < 256.0 ? up : down, before_3 = small_g < 256.0 ? up : down,
+      before_4 = small_d < 256.0 ? up : down, before_5 = small_a < 256.0 ? up : down;
+  const double after_0 = size_0 < 256.0 ? down : up, after_1 = size_1 < 256.0 ? down : up,
+      after_2 = size_2 < 256.0 ? down : up, after_3 = small_g < 256.0 ? down : up,
+      after_4 = small_d < 256.0 ? down : up, after_5 = small_a < 256.0 ? down : up;
+  const double sized_0 = KSL_MUL(self->m0, before_0), sized_1 = KSL_MUL(self->m1, before_1),
+      sized_2 = KSL_MUL(self->m2, before_2), sized_3 = KSL_MUL(self->m3, before_3),
+      sized_4 = KSL_MUL(self->m4, before_4), sized_5 = KSL_MUL(self->m5, before_5);
+  const double divisor_sum = divisor + divisor_lo, divisor_sum_right = divisor_sum - divisor,
+      divisor_sum_lo = divisor - (divisor_sum - divisor_sum_right)
+          + (divisor_lo - divisor_sum_right), quotient_0 = sized_0 / divisor_sum,
+      quotient_0_product = KSL_MUL(quotient_0, divisor_sum),
+      quotient_0_exact = sized_0 - quotient_0_product
+          - ksl_product_error(quotient_0, divisor_sum, quotient_0_product),
+      quotient_0_lo = (quotient_0_exact - KSL_MUL(quotient_0, divisor_sum_lo)) / divisor_sum;
+  const double quotient_1 = sized_1 / divisor_sum,
+      quotient_1_product = KSL_MUL(quotient_1, divisor_sum),
+      quotient_1_exact = sized_1 - quotient_1_product
+          - ksl_product_error(quotient_1, divisor_sum, quotient_1_product),
+      quotient_1_lo = (quotient_1_exact - KSL_MUL(quotient_1, divisor_sum_lo)) / divisor_sum;
+  const double quotient_2 = sized_2 / divisor_sum,
+      quotient_2_product = KSL_MUL(quotient_2, divisor_sum),
+      quotient_2_exact = sized_2 - quotient_2_product
+          - ksl_product_error(quotient_2, divisor_sum, quotient_2_product),
+      quotient_2_lo = (quotient_2_exact - KSL_MUL(quotient_2, divisor_sum_lo)) / divisor_sum;
+  const double quotient_3 = sized_3 / divisor_sum,
+      quotient_3_product = KSL_MUL(quotient_3, divisor_sum),
+      quotient_3_exact = sized_3 - quotient_3_product
+          - ksl_product_error(quotient_3, divisor_sum, quotient_3_product),
+      quotient_3_lo = (quotient_3_exact - KSL_MUL(quotient_3, divisor_sum_lo)) / divisor_sum;
+  const double quotient_4 = sized_4 / divisor_sum,
+      quotient_4_product = KSL_MUL(quotient_4, divisor_sum),
+      quotient_4_exact = sized_4 - quotient_4_product
+          - ksl_product_error(quotient_4, divisor_sum, quotient_4_product),
+      quotient_4_lo = (quotient_4_exact - KSL_MUL(quotient_4, divisor_sum_lo)) / divisor_sum;
+  const double quotient_5 = sized_5 / divisor_sum,
+      quotient_5_product = KSL_MUL(quotient_5, divisor_sum),
+      quotient_5_exact = sized_5 - quotient_5_product
+          - ksl_product_error(quotient_5, divisor_sum, quotient_5_product),
+      quotient_5_lo = (quotient_5_exact - KSL_MUL(quotient_5, divisor_sum_lo)) / divisor_sum;
+  const double quotient_0_sum = quotient_0 + quotient_0_lo,
+      quotient_0_sum_right = quotient_0_sum - quotient_0,
+      self_0_new = KSL_MUL(quotient_0_sum, after_0),
+      quotient_0_sum_lo = quotient_0 - (quotient_0_sum - quotient_0_sum_right)
+          + (quotient_0_lo - quotient_0_sum_right);
+  const double quotient_1_sum = quotient_1 + quotient_1_lo,
+      quotient_1_sum_right = quotient_1_sum - quotient_1,
+      self_1_new = KSL_MUL(quotient_1_sum, after_1),
+      quotient_1_sum_lo = quotient_1 - (quotient_1_sum - quotient_1_sum_right)
+          + (quotient_1_lo - quotient_1_sum_right);
+  const double quotient_2_sum = quotient_2 + quotient_2_lo,
+      quotient_2_sum_right = quotient_2_sum - quotient_2,
+      self_2_new = KSL_MUL(quotient_2_sum, after_2),
+      quotient_2_sum_lo = quotient_2 - (quotient_2_sum - quotient_2_sum_right)
+          + (quotient_2_lo - quotient_2_sum_right);
+  const double quotient_3_sum = quotient_3 + quotient_3_lo,
+      quotient_3_sum_right = quotient_3_sum - quotient_3,
+      self_3_new = KSL_MUL(quotient_3_sum, after_3),
+      quotient_3_sum_lo = quotient_3 - (quotient_3_sum - quotient_3_sum_right)
+          + (quotient_3_lo - quotient_3_sum_right);
+  const double quotient_4_sum = quotient_4 + quotient_4_lo,
+      quotient_4_sum_right = quotient_4_sum - quotient_4,
+      self_4_new = KSL_MUL(quotient_4_sum, after_4),
+      quotient_4_sum_lo = quotient_4 - (quotient_4_sum - quotient_4_sum_right)
+          + (quotient_4_lo - quotient_4_sum_right);
+  const double quotient_5_sum = quotient_5 + quotient_5_lo,
+      quotient_5_sum_right = quotient_5_sum - quotient_5,
+      self_5_new = KSL_MUL(quotient_5_sum, after_5),
+      quotient_5_sum_lo = quotient_5 - (quotient_5_sum - quotient_5_sum_right)
+          + (quotient_5_lo - quotient_5_sum_right);
+  const double self_0_new_rounded = self_0_new
+          + KSL_MUL(quotient_0_sum - KSL_MUL(self_0_new, 1.0 / after_0)
+          + quotient_0_sum_lo, after_0);
+  const double self_1_new_rounded = self_1_new
+          + KSL_MUL(quotient_1_sum - KSL_MUL(self_1_new, 1.0 / after_1)
+          + quotient_1_sum_lo, after_1);
+  const double self_2_new_rounded = self_2_new
+          + KSL_MUL(quotient_2_sum - KSL_MUL(self_2_new, 1.0 / after_2)
+          + quotient_2_sum_lo, after_2);
+  const double self_3_new_rounded = self_3_new
+          + KSL_MUL(quotient_3_sum - KSL_MUL(self_3_new, 1.0 / after_3)
+          + quotient_3_sum_lo, after_3);
+  const double self_4_new_rounded = self_4_new
+          + KSL_MUL(quotient_4_sum - KSL_MUL(self_4_new, 1.0 / after_4)
+          + quotient_4_sum_lo, after_4);
+  const double self_5_new_rounded = self_5_new
+          + KSL_MUL(quotient_5_sum - KSL_MUL(self_5_new, 1.0 / after_5)
+          + quotient_5_sum_lo, after_5);
+  const double self_0_new_final = self_0_new_rounded == self_0_new_rounded ? self_0_new_rounded
+          : self_0_new;
+  const double self_1_new_final = self_1_new_rounded == self_1_new_rounded ? self_1_new_rounded
+          : self_1_new;
+  const double self_2_new_final = self_2_new_rounded == self_2_new_rounded ? self_2_new_rounded
+          : self_2_new;
+  const double self_3_new_final = self_3_new_rounded == self_3_new_rounded ? self_3_new_rounded
+          : self_3_new;
+  const double self_4_new_final = self_4_new_rounded == self_4_new_rounded ? self_4_new_rounded
+          : self_4_new;
+  const double self_5_new_final = self_5_new_rounded == self_5_new_rounded ? self_5_new_rounded
+          : self_5_new;
   self->m0 = self_0_new_final;
   self->m1 = self_1_new_final;
   self->m2 = self_2_new_final;
@@ -555,191 +386,114 @@ static inline void ksl_screw_normalized_accurate(const ksl_screw_t *si, ksl_scre
   const double small_a = fabs(si->m5), small_c = small_a < 1e-09 ? 1.0 : 0.0,
       small_d = fabs(si->m4), small_f = small_d < 1e-09 ? small_c : 0.0, small_g = fabs(si->m3),
       small = small_g < 1e-09 ? small_f : 0.0;
-  const double p_0 = small == 1.0 ? si->m0 : si->m3;
-  const double p_1 = small == 1.0 ? si->m1 : si->m4;
-  const double p_2 = small == 1.0 ? si->m2 : si->m5;
-  const double s_size_0 = fabs(p_0);
-  const double s_size_1 = fabs(p_1);
-  const double s_size_2 = fabs(p_2);
+  const double p_0 = small == 1.0 ? si->m0 : si->m3, p_1 = small == 1.0 ? si->m1 : si->m4,
+      p_2 = small == 1.0 ? si->m2 : si->m5;
+  const double s_size_0 = fabs(p_0), s_size_1 = fabs(p_1), s_size_2 = fabs(p_2);
   const double s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
   const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const double s_b = 6.703903964971299e+153 < s_largest2 ? 3.7291703656001034e-155 : 1.0,
       s_d = s_largest2 < 256.0 ? 1.3093562431584567e+151 : s_b,
       s = s_largest2 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : s_d;
-  const double y_0 = KSL_MUL(p_0, s);
-  const double y_1 = KSL_MUL(p_1, s);
-  const double y_2 = KSL_MUL(p_2, s);
+  const double y_0 = KSL_MUL(p_0, s), y_1 = KSL_MUL(p_1, s), y_2 = KSL_MUL(p_2, s);
   const double up = 1.0 < s ? s : 1.0;
   const double down = s < 1.0 ? s : 1.0;
   const double n_a = KSL_MUL(y_0, y_0), n_b = KSL_MUL(y_1, y_1), n_c = n_a + n_b,
-      n_c_right = n_c - n_a, n_c_left = n_c - n_c_right,
-      n_c_left_rest = ksl_product_rest(y_0, y_0, n_a, n_c_left),
-      n_c_right_rest = ksl_product_rest(y_1, y_1, n_b, n_c_right),
-      n_c_lo = n_c_left_rest + n_c_right_rest, n_d = KSL_MUL(y_2, y_2), n_e = n_c + n_d,
-      n_e_right = n_e - n_c, n_e_left = n_e - n_e_right, n_e_left_rest = n_c - n_e_left,
-      n_e_right_rest = ksl_product_rest(y_2, y_2, n_d, n_e_right),
-      n_e_lo1 = n_e_left_rest + n_e_right_rest, n_e_lo = n_e_lo1 + n_c_lo, n_of_n_e = n_e + n_e_lo,
-      n_of_n_e_right = n_of_n_e - n_e, n_of_n_e_left = n_of_n_e - n_of_n_e_right,
-      n_of_n_e_left_rest = n_e - n_of_n_e_left, n_of_n_e_right_rest = n_e_lo - n_of_n_e_right,
-      n_of_n_e_lo = n_of_n_e_left_rest + n_of_n_e_right_rest, n = sqrt(n_of_n_e),
-      n_product = KSL_MUL(n, n), n_product_error = ksl_product_error(n, n, n_product),
-      n_rest = n_of_n_e - n_product, n_exact = n_rest - n_product_error,
-      n_residual = n_exact + n_of_n_e_lo, n_twice = n + n, n_divisor = n == 0.0 ? 1.0 : n_twice,
-      n_lo = n_residual / n_divisor;
-  const double divisor_a_of_n = n + n_lo, divisor_a_of_n_right = divisor_a_of_n - n,
-      divisor_a_of_n_left = divisor_a_of_n - divisor_a_of_n_right,
-      divisor_a_of_n_left_rest = n - divisor_a_of_n_left,
-      divisor_a_of_n_right_rest = n_lo - divisor_a_of_n_right,
-      divisor_a_of_n_lo = divisor_a_of_n_left_rest + divisor_a_of_n_right_rest,
-      divisor = divisor_a_of_n == 0.0 ? up : divisor_a_of_n,
-      divisor_lo = divisor_a_of_n == 0.0 ? 0.0 : divisor_a_of_n_lo;
-  const double size_0 = fabs(si->m0);
-  const double size_1 = fabs(si->m1);
-  const double size_2 = fabs(si->m2);
-  const double before_0 = size_0 < 256.0 ? up : down;
-  const double before_1 = size_1 < 256.0 ? up : down;
-  const double before_2 = size_2 < 256.0 ? up : down;
-  const double before_3 = small_g < 256.0 ? up : down;
-  const double before_4 = small_d < 256.0 ? up : down;
-  const double before_5 = small_a < 256.0 ? up : down;
-  const double after_0 = size_0 < 256.0 ? down : up;
-  const double after_1 = size_1 < 256.0 ? down : up;
-  const double after_2 = size_2 < 256.0 ? down : up;
-  const double after_3 = small_g < 256.0 ? down : up;
-  const double after_4 = small_d < 256.0 ? down : up;
-  const double after_5 = small_a < 256.0 ? down : up;
-  const double sized_0 = KSL_MUL(si->m0, before_0);
-  const double sized_1 = KSL_MUL(si->m1, before_1);
-  const double sized_2 = KSL_MUL(si->m2, before_2);
-  const double sized_3 = KSL_MUL(si->m3, before_3);
-  const double sized_4 = KSL_MUL(si->m4, before_4);
-  const double sized_5 = KSL_MUL(si->m5, before_5);
-  const double quotient_0_of_divisor = divisor + divisor_lo,
-      quotient_0_of_divisor_right = quotient_0_of_divisor - divisor,
-      quotient_0_of_divisor_left = quotient_0_of_divisor - quotient_0_of_divisor_right,
-      quotient_0_of_divisor_left_rest = divisor - quotient_0_of_divisor_left,
-      quotient_0_of_divisor_right_rest = divisor_lo - quotient_0_of_divisor_right,
-      quotient_0_of_divisor_lo = quotient_0_of_divisor_left_rest + quotient_0_of_divisor_right_rest,
-      quotient_0 = sized_0 / quotient_0_of_divisor,
-      quotient_0_product = KSL_MUL(quotient_0, quotient_0_of_divisor),
-      quotient_0_product_error = ksl_product_error(quotient_0, quotient_0_of_divisor,
-          quotient_0_product),
-      quotient_0_rest = sized_0 - quotient_0_product,
-      quotient_0_exact = quotient_0_rest - quotient_0_product_error,
-      quotient_0_cross = KSL_MUL(quotient_0, quotient_0_of_divisor_lo),
-      quotient_0_residual = quotient_0_exact - quotient_0_cross,
-      quotient_0_lo = quotient_0_residual / quotient_0_of_divisor;
-  const double quotient_1 = sized_1 / quotient_0_of_divisor,
-      quotient_1_product = KSL_MUL(quotient_1, quotient_0_of_divisor),
-      quotient_1_product_error = ksl_product_error(quotient_1, quotient_0_of_divisor,
-          quotient_1_product),
-      quotient_1_rest = sized_1 - quotient_1_product,
-      quotient_1_exact = quotient_1_rest - quotient_1_product_error,
-      quotient_1_cross = KSL_MUL(quotient_1, quotient_0_of_divisor_lo),
-      quotient_1_residual = quotient_1_exact - quotient_1_cross,
-      quotient_1_lo = quotient_1_residual / quotient_0_of_divisor;
-  const double quotient_2 = sized_2 / quotient_0_of_divisor,
-      quotient_2_product = KSL_MUL(quotient_2, quotient_0_of_divisor),
-      quotient_2_product_error = ksl_product_error(quotient_2, quotient_0_of_divisor,
-          quotient_2_product),
-      quotient_2_rest = sized_2 - quotient_2_product,
-      quotient_2_exact = quotient_2_rest - quotient_2_product_error,
-      quotient_2_cross = KSL_MUL(quotient_2, quotient_0_of_divisor_lo),
-      quotient_2_residual = quotient_2_exact - quotient_2_cross,
-      quotient_2_lo = quotient_2_residual / quotient_0_of_divisor;
-  const double quotient_3 = sized_3 / quotient_0_of_divisor,
-      quotient_3_product = KSL_MUL(quotient_3, quotient_0_of_divisor),
-      quotient_3_product_error = ksl_product_error(quotient_3, quotient_0_of_divisor,
-          quotient_3_product),
-      quotient_3_rest = sized_3 - quotient_3_product,
-      quotient_3_exact = quotient_3_rest - quotient_3_product_error,
-      quotient_3_cross = KSL_MUL(quotient_3, quotient_0_of_divisor_lo),
-      quotient_3_residual = quotient_3_exact - quotient_3_cross,
-      quotient_3_lo = quotient_3_residual / quotient_0_of_divisor;
-  const double quotient_4 = sized_4 / quotient_0_of_divisor,
-      quotient_4_product = KSL_MUL(quotient_4, quotient_0_of_divisor),
-      quotient_4_product_error = ksl_product_error(quotient_4, quotient_0_of_divisor,
-          quotient_4_product),
-      quotient_4_rest = sized_4 - quotient_4_product,
-      quotient_4_exact = quotient_4_rest - quotient_4_product_error,
-      quotient_4_cross = KSL_MUL(quotient_4, quotient_0_of_divisor_lo),
-      quotient_4_residual = quotient_4_exact - quotient_4_cross,
-      quotient_4_lo = quotient_4_residual / quotient_0_of_divisor;
-  const double quotient_5 = sized_5 / quotient_0_of_divisor,
-      quotient_5_product = KSL_MUL(quotient_5, quotient_0_of_divisor),
-      quotient_5_product_error = ksl_product_error(quotient_5, quotient_0_of_divisor,
-          quotient_5_product),
-      quotient_5_rest = sized_5 - quotient_5_product,
-      quotient_5_exact = quotient_5_rest - quotient_5_product_error,
-      quotient_5_cross = KSL_MUL(quotient_5, quotient_0_of_divisor_lo),
-      quotient_5_residual = quotient_5_exact - quotient_5_cross,
-      quotient_5_lo = quotient_5_residual / quotient_0_of_divisor;
-  const double so_0_of_quotient_0 = quotient_0 + quotient_0_lo,
-      so_0_of_quotient_0_right = so_0_of_quotient_0 - quotient_0,
-      so_0_of_quotient_0_left = so_0_of_quotient_0 - so_0_of_quotient_0_right,
-      so_0_of_quotient_0_left_rest = quotient_0 - so_0_of_quotient_0_left,
-      so_0_of_quotient_0_right_rest = quotient_0_lo - so_0_of_quotient_0_right,
-      so_0_of_quotient_0_lo = so_0_of_quotient_0_left_rest + so_0_of_quotient_0_right_rest,
-      so_0 = KSL_MUL(so_0_of_quotient_0, after_0), so_0_inverse = 1.0 / after_0,
-      so_0_back = KSL_MUL(so_0, so_0_inverse), so_0_lost = so_0_of_quotient_0 - so_0_back,
-      so_0_rest = so_0_lost + so_0_of_quotient_0_lo, so_0_lo = KSL_MUL(so_0_rest, after_0);
-  const double so_1_of_quotient_1 = quotient_1 + quotient_1_lo,
-      so_1_of_quotient_1_right = so_1_of_quotient_1 - quotient_1,
-      so_1_of_quotient_1_left = so_1_of_quotient_1 - so_1_of_quotient_1_right,
-      so_1_of_quotient_1_left_rest = quotient_1 - so_1_of_quotient_1_left,
-      so_1_of_quotient_1_right_rest = quotient_1_lo - so_1_of_quotient_1_right,
-      so_1_of_quotient_1_lo = so_1_of_quotient_1_left_rest + so_1_of_quotient_1_right_rest,
-      so_1 = KSL_MUL(so_1_of_quotient_1, after_1), so_1_inverse = 1.0 / after_1,
-      so_1_back = KSL_MUL(so_1, so_1_inverse), so_1_lost = so_1_of_quotient_1 - so_1_back,
-      so_1_rest = so_1_lost + so_1_of_quotient_1_lo, so_1_lo = KSL_MUL(so_1_rest, after_1);
-  const double so_2_of_quotient_2 = quotient_2 + quotient_2_lo,
-      so_2_of_quotient_2_right = so_2_of_quotient_2 - quotient_2,
-      so_2_of_quotient_2_left = so_2_of_quotient_2 - so_2_of_quotient_2_right,
-      so_2_of_quotient_2_left_rest = quotient_2 - so_2_of_quotient_2_left,
-      so_2_of_quotient_2_right_rest = quotient_2_lo - so_2_of_quotient_2_right,
-      so_2_of_quotient_2_lo = so_2_of_quotient_2_left_rest + so_2_of_quotient_2_right_rest,
-      so_2 = KSL_MUL(so_2_of_quotient_2, after_2), so_2_inverse = 1.0 / after_2,
-      so_2_back = KSL_MUL(so_2, so_2_inverse), so_2_lost = so_2_of_quotient_2 - so_2_back,
-      so_2_rest = so_2_lost + so_2_of_quotient_2_lo, so_2_lo = KSL_MUL(so_2_rest, after_2);
-  const double so_3_of_quotient_3 = quotient_3 + quotient_3_lo,
-      so_3_of_quotient_3_right = so_3_of_quotient_3 - quotient_3,
-      so_3_of_quotient_3_left = so_3_of_quotient_3 - so_3_of_quotient_3_right,
-      so_3_of_quotient_3_left_rest = quotient_3 - so_3_of_quotient_3_left,
-      so_3_of_quotient_3_right_rest = quotient_3_lo - so_3_of_quotient_3_right,
-      so_3_of_quotient_3_lo = so_3_of_quotient_3_left_rest + so_3_of_quotient_3_right_rest,
-      so_3 = KSL_MUL(so_3_of_quotient_3, after_3), so_3_inverse = 1.0 / after_3,
-      so_3_back = KSL_MUL(so_3, so_3_inverse), so_3_lost = so_3_of_quotient_3 - so_3_back,
-      so_3_rest = so_3_lost + so_3_of_quotient_3_lo, so_3_lo = KSL_MUL(so_3_rest, after_3);
-  const double so_4_of_quotient_4 = quotient_4 + quotient_4_lo,
-      so_4_of_quotient_4_right = so_4_of_quotient_4 - quotient_4,
-      so_4_of_quotient_4_left = so_4_of_quotient_4 - so_4_of_quotient_4_right,
-      so_4_of_quotient_4_left_rest = quotient_4 - so_4_of_quotient_4_left,
-      so_4_of_quotient_4_right_rest = quotient_4_lo - so_4_of_quotient_4_right,
-      so_4_of_quotient_4_lo = so_4_of_quotient_4_left_rest + so_4_of_quotient_4_right_rest,
-      so_4 = KSL_MUL(so_4_of_quotient_4, after_4), so_4_inverse = 1.0 / after_4,
-      so_4_back = KSL_MUL(so_4, so_4_inverse), so_4_lost = so_4_of_quotient_4 - so_4_back,
-      so_4_rest = so_4_lost + so_4_of_quotient_4_lo, so_4_lo = KSL_MUL(so_4_rest, after_4);
-  const double so_5_of_quotient_5 = quotient_5 + quotient_5_lo,
-      so_5_of_quotient_5_right = so_5_of_quotient_5 - quotient_5,
-      so_5_of_quotient_5_left = so_5_of_quotient_5 - so_5_of_quotient_5_right,
-      so_5_of_quotient_5_left_rest = quotient_5 - so_5_of_quotient_5_left,
-      so_5_of_quotient_5_right_rest = quotient_5_lo - so_5_of_quotient_5_right,
-      so_5_of_quotient_5_lo = so_5_of_quotient_5_left_rest + so_5_of_quotient_5_right_rest,
-      so_5 = KSL_MUL(so_5_of_quotient_5, after_5), so_5_inverse = 1.0 / after_5,
-      so_5_back = KSL_MUL(so_5, so_5_inverse), so_5_lost = so_5_of_quotient_5 - so_5_back,
-      so_5_rest = so_5_lost + so_5_of_quotient_5_lo, so_5_lo = KSL_MUL(so_5_rest, after_5);
-  const double so_0_rounded = so_0 + so_0_lo,
-      so_0_final = so_0_rounded == so_0_rounded ? so_0_rounded : so_0;
-  const double so_1_rounded = so_1 + so_1_lo,
-      so_1_final = so_1_rounded == so_1_rounded ? so_1_rounded : so_1;
-  const double so_2_rounded = so_2 + so_2_lo,
-      so_2_final = so_2_rounded == so_2_rounded ? so_2_rounded : so_2;
-  const double so_3_rounded = so_3 + so_3_lo,
-      so_3_final = so_3_rounded == so_3_rounded ? so_3_rounded : so_3;
-  const double so_4_rounded = so_4 + so_4_lo,
-      so_4_final = so_4_rounded == so_4_rounded ? so_4_rounded : so_4;
-  const double so_5_rounded = so_5 + so_5_lo,
-      so_5_final = so_5_rounded == so_5_rounded ? so_5_rounded : so_5;
+      n_c_right = n_c - n_a, n_d = KSL_MUL(y_2, y_2), n_e = n_c + n_d, n_e_right = n_e - n_c,
+      n_c_lo = ksl_product_rest(y_0, y_0, n_a, n_c - n_c_right)
+          + ksl_product_rest(y_1, y_1, n_b, n_c_right),
+      n_e_lo = n_c - (n_e - n_e_right) + ksl_product_rest(y_2, y_2, n_d, n_e_right) + n_c_lo,
+      n_e_sum = n_e + n_e_lo, n_e_sum_right = n_e_sum - n_e, n = sqrt(n_e_sum),
+      n_product = KSL_MUL(n, n), n_twice = n + n,
+      n_residual = n_e_sum - n_product - ksl_product_error(n, n, n_product)
+          + (n_e - (n_e_sum - n_e_sum_right) + (n_e_lo - n_e_sum_right)),
+      n_lo = n_residual / (n == 0.0 ? 1.0 : n_twice);
+  const double n_sum = n + n_lo, n_sum_right = n_sum - n,
+      n_sum_lo = n - (n_sum - n_sum_right) + (n_lo - n_sum_right),
+      divisor = n_sum == 0.0 ? up : n_sum, divisor_lo = n_sum == 0.0 ? 0.0 : n_sum_lo;
+  const double size_0 = fabs(si->m0), size_1 = fabs(si->m1), size_2 = fabs(si->m2);
+  const double before_0 = size_0 < 256.0 ? up : down, before_1 = size_1 < 256.0 ? up : down,
+      before_2 = size_2 < 256.0 ? up : down, before_3 = small_g < 256.0 ? up : down,
+      before_4 = small_d < 256.0 ? up : down, before_5 = small_a < 256.0 ? up : down;
+  const double after_0 = size_0 < 256.0 ? down : up, after_1 = size_1 < 256.0 ? down : up,
+      after_2 = size_2 < 256.0 ? down : up, after_3 = small_g < 256.0 ? down : up,
+      after_4 = small_d < 256.0 ? down : up, after_5 = small_a < 256.0 ? down : up;
+  const double sized_0 = KSL_MUL(si->m0, before_0), sized_1 = KSL_MUL(si->m1, before_1),
+      sized_2 = KSL_MUL(si->m2, before_2), sized_3 = KSL_MUL(si->m3, before_3),
+      sized_4 = KSL_MUL(si->m4, before_4), sized_5 = KSL_MUL(si->m5, before_5);
+  const double divisor_sum = divisor + divisor_lo, divisor_sum_right = divisor_sum - divisor,
+      divisor_sum_lo = divisor - (divisor_sum - divisor_sum_right)
+          + (divisor_lo - divisor_sum_right), quotient_0 = sized_0 / divisor_sum,
+      quotient_0_product = KSL_MUL(quotient_0, divisor_sum),
+      quotient_0_exact = sized_0 - quotient_0_product
+          - ksl_product_error(quotient_0, divisor_sum, quotient_0_product),
+      quotient_0_lo = (quotient_0_exact - KSL_MUL(quotient_0, divisor_sum_lo)) / divisor_sum;
+  const double quotient_1 = sized_1 / divisor_sum,
+      quotient_1_product = KSL_MUL(quotient_1, divisor_sum),
+      quotient_1_exact = sized_1 - quotient_1_product
+          - ksl_product_error(quotient_1, divisor_sum, quotient_1_product),
+      quotient_1_lo = (quotient_1_exact - KSL_MUL(quotient_1, divisor_sum_lo)) / divisor_sum;
+  const double quotient_2 = sized_2 / divisor_sum,
+      quotient_2_product = KSL_MUL(quotient_2, divisor_sum),
+      quotient_2_exact = sized_2 - quotient_2_product
+          - ksl_product_error(quotient_2, divisor_sum, quotient_2_product),
+      quotient_2_lo = (quotient_2_exact - KSL_MUL(quotient_2, divisor_sum_lo)) / divisor_sum;
+  const double quotient_3 = sized_3 / divisor_sum,
+      quotient_3_product = KSL_MUL(quotient_3, divisor_sum),
+      quotient_3_exact = sized_3 - quotient_3_product
+          - ksl_product_error(quotient_3, divisor_sum, quotient_3_product),
+      quotient_3_lo = (quotient_3_exact - KSL_MUL(quotient_3, divisor_sum_lo)) / divisor_sum;
+  const double quotient_4 = sized_4 / divisor_sum,
+      quotient_4_product = KSL_MUL(quotient_4, divisor_sum),
+      quotient_4_exact = sized_4 - quotient_4_product
+          - ksl_product_error(quotient_4, divisor_sum, quotient_4_product),
+      quotient_4_lo = (quotient_4_exact - KSL_MUL(quotient_4, divisor_sum_lo)) / divisor_sum;
+  const double quotient_5 = sized_5 / divisor_sum,
+      quotient_5_product = KSL_MUL(quotient_5, divisor_sum),
+      quotient_5_exact = sized_5 - quotient_5_product
+          - ksl_product_error(quotient_5, divisor_sum, quotient_5_product),
+      quotient_5_lo = (quotient_5_exact - KSL_MUL(quotient_5, divisor_sum_lo)) / divisor_sum;
+  const double quotient_0_sum = quotient_0 + quotient_0_lo,
+      quotient_0_sum_right = quotient_0_sum - quotient_0, so_0 = KSL_MUL(quotient_0_sum, after_0),
+      quotient_0_sum_lo = quotient_0 - (quotient_0_sum - quotient_0_sum_right)
+          + (quotient_0_lo - quotient_0_sum_right);
+  const double quotient_1_sum = quotient_1 + quotient_1_lo,
+      quotient_1_sum_right = quotient_1_sum - quotient_1, so_1 = KSL_MUL(quotient_1_sum, after_1),
+      quotient_1_sum_lo = quotient_1 - (quotient_1_sum - quotient_1_sum_right)
+          + (quotient_1_lo - quotient_1_sum_right);
+  const double quotient_2_sum = quotient_2 + quotient_2_lo,
+      quotient_2_sum_right = quotient_2_sum - quotient_2, so_2 = KSL_MUL(quotient_2_sum, after_2),
+      quotient_2_sum_lo = quotient_2 - (quotient_2_sum - quotient_2_sum_right)
+          + (quotient_2_lo - quotient_2_sum_right);
+  const double quotient_3_sum = quotient_3 + quotient_3_lo,
+      quotient_3_sum_right = quotient_3_sum - quotient_3, so_3 = KSL_MUL(quotient_3_sum, after_3),
+      quotient_3_sum_lo = quotient_3 - (quotient_3_sum - quotient_3_sum_right)
+          + (quotient_3_lo - quotient_3_sum_right);
+  const double quotient_4_sum = quotient_4 + quotient_4_lo,
+      quotient_4_sum_right = quotient_4_sum - quotient_4, so_4 = KSL_MUL(quotient_4_sum, after_4),
+      quotient_4_sum_lo = quotient_4 - (quotient_4_sum - quotient_4_sum_right)
+          + (quotient_4_lo - quotient_4_sum_right);
+  const double quotient_5_sum = quotient_5 + quotient_5_lo,
+      quotient_5_sum_right = quotient_5_sum - quotient_5, so_5 = KSL_MUL(quotient_5_sum, after_5),
+      quotient_5_sum_lo = quotient_5 - (quotient_5_sum - quotient_5_sum_right)
+          + (quotient_5_lo - quotient_5_sum_right);
+  const double so_0_rounded = so_0
+          + KSL_MUL(quotient_0_sum - KSL_MUL(so_0, 1.0 / after_0) + quotient_0_sum_lo, after_0);
+  const double so_1_rounded = so_1
+          + KSL_MUL(quotient_1_sum - KSL_MUL(so_1, 1.0 / after_1) + quotient_1_sum_lo, after_1);
+  const double so_2_rounded = so_2
+          + KSL_MUL(quotient_2_sum - KSL_MUL(so_2, 1.0 / after_2) + quotient_2_sum_lo, after_2);
+  const double so_3_rounded = so_3
+          + KSL_MUL(quotient_3_sum - KSL_MUL(so_3, 1.0 / after_3) + quotient_3_sum_lo, after_3);
+  const double so_4_rounded = so_4
+          + KSL_MUL(quotient_4_sum - KSL_MUL(so_4, 1.0 / after_4) + quotient_4_sum_lo, after_4);
+  const double so_5_rounded = so_5
+          + KSL_MUL(quotient_5_sum - KSL_MUL(so_5, 1.0 / after_5) + quotient_5_sum_lo, after_5);
+  const double so_0_final = so_0_rounded == so_0_rounded ? so_0_rounded : so_0;
+  const double so_1_final = so_1_rounded == so_1_rounded ? so_1_rounded : so_1;
+  const double so_2_final = so_2_rounded == so_2_rounded ? so_2_rounded : so_2;
+  const double so_3_final = so_3_rounded == so_3_rounded ? so_3_rounded : so_3;
+  const double so_4_final = so_4_rounded == so_4_rounded ? so_4_rounded : so_4;
+  const double so_5_final = so_5_rounded == so_5_rounded ? so_5_rounded : so_5;
   so->m0 = so_0_final;
   so->m1 = so_1_final;
   so->m2 = so_2_final;
@@ -754,18 +508,12 @@ static inline void ksl_screw_normalized_accurate(const ksl_screw_t *si, ksl_scre
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_add_sst_accurate(const ksl_screw_t *s1, const ksl_screw_t *s2,
     ksl_screw_t *so) {
-  const double so_0 = s1->m0 + s2->m0, so_0_right = so_0 - s1->m0, so_0_left = so_0 - so_0_right,
-      so_0_left_rest = s1->m0 - so_0_left, so_0_right_rest = s2->m0 - so_0_right,
-      so_0_lo = so_0_left_rest + so_0_right_rest;
-  const double so_1 = s1->m1 + s2->m1, so_1_right = so_1 - s1->m1, so_1_left = so_1 - so_1_right,
-      so_1_left_rest = s1->m1 - so_1_left, so_1_right_rest = s2->m1 - so_1_right,
-      so_1_lo = so_1_left_rest + so_1_right_rest;
-  const double so_2 = s1->m2 + s2->m2, so_2_right = so_2 - s1->m2, so_2_left = so_2 - so_2_right,
-      so_2_left_rest = s1->m2 - so_2_left, so_2_right_rest = s2->m2 - so_2_right,
-      so_2_lo = so_2_left_rest + so_2_right_rest;
-  const double so_0_rounded = so_0 + so_0_lo;
-  const double so_1_rounded = so_1 + so_1_lo;
-  const double so_2_rounded = so_2 + so_2_lo;
+  const double so_0 = s1->m0 + s2->m0, so_0_right = so_0 - s1->m0;
+  const double so_1 = s1->m1 + s2->m1, so_1_right = so_1 - s1->m1;
+  const double so_2 = s1->m2 + s2->m2, so_2_right = so_2 - s1->m2;
+  const double so_0_rounded = so_0 + (s1->m0 - (so_0 - so_0_right) + (s2->m0 - so_0_right)),
+      so_1_rounded = so_1 + (s1->m1 - (so_1 - so_1_right) + (s2->m1 - so_1_right)),
+      so_2_rounded = so_2 + (s1->m2 - (so_2 - so_2_right) + (s2->m2 - so_2_right));
   const double s1_m3 = s1->m3;
   const double s1_m4 = s1->m4;
   const double s1_m5 = s1->m5;
@@ -785,32 +533,21 @@ static inline void ksl_add_sst_accurate(const ksl_screw_t *s1, const ksl_screw_t
 static inline void ksl_product_Adts_accurate(const ksl_vec3_t *t, const ksl_screw_t *si,
     ksl_screw_t *so) {
   const double so_0a = KSL_MUL(t->y, si->m5), so_0b = KSL_MUL(t->z, si->m4), so_0c = so_0a - so_0b,
-      so_0c_right = so_0a - so_0c, so_0c_left = so_0c + so_0c_right,
-      so_0c_left_rest = ksl_product_rest(t->y, si->m5, so_0a, so_0c_left),
-      so_0c_right_rest = ksl_product_rest(t->z, si->m4, so_0b, so_0c_right),
-      so_0c_lo = so_0c_left_rest - so_0c_right_rest, so_0 = so_0c + si->m0,
-      so_0_right = so_0 - so_0c, so_0_left = so_0 - so_0_right, so_0_left_rest = so_0c - so_0_left,
-      so_0_right_rest = si->m0 - so_0_right, so_0_lo1 = so_0_left_rest + so_0_right_rest,
-      so_0_lo = so_0_lo1 + so_0c_lo;
+      so_0c_right = so_0a - so_0c, so_0 = so_0c + si->m0, so_0_right = so_0 - so_0c,
+      so_0c_lo = ksl_product_rest(t->y, si->m5, so_0a, so_0c + so_0c_right)
+          - ksl_product_rest(t->z, si->m4, so_0b, so_0c_right);
   const double so_1a = KSL_MUL(t->z, si->m3), so_1b = KSL_MUL(t->x, si->m5), so_1c = so_1a - so_1b,
-      so_1c_right = so_1a - so_1c, so_1c_left = so_1c + so_1c_right,
-      so_1c_left_rest = ksl_product_rest(t->z, si->m3, so_1a, so_1c_left),
-      so_1c_right_rest = ksl_product_rest(t->x, si->m5, so_1b, so_1c_right),
-      so_1c_lo = so_1c_left_rest - so_1c_right_rest, so_1 = so_1c + si->m1,
-      so_1_right = so_1 - so_1c, so_1_left = so_1 - so_1_right, so_1_left_rest = so_1c - so_1_left,
-      so_1_right_rest = si->m1 - so_1_right, so_1_lo1 = so_1_left_rest + so_1_right_rest,
-      so_1_lo = so_1_lo1 + so_1c_lo;
+      so_1c_right = so_1a - so_1c, so_1 = so_1c + si->m1, so_1_right = so_1 - so_1c,
+      so_1c_lo = ksl_product_rest(t->z, si->m3, so_1a, so_1c + so_1c_right)
+          - ksl_product_rest(t->x, si->m5, so_1b, so_1c_right);
   const double so_2a = KSL_MUL(t->x, si->m4), so_2b = KSL_MUL(t->y, si->m3), so_2c = so_2a - so_2b,
-      so_2c_right = so_2a - so_2c, so_2c_left = so_2c + so_2c_right,
-      so_2c_left_rest = ksl_product_rest(t->x, si->m4, so_2a, so_2c_left),
-      so_2c_right_rest = ksl_product_rest(t->y, si->m3, so_2b, so_2c_right),
-      so_2c_lo = so_2c_left_rest - so_2c_right_rest, so_2 = so_2c + si->m2,
-      so_2_right = so_2 - so_2c, so_2_left = so_2 - so_2_right, so_2_left_rest = so_2c - so_2_left,
-      so_2_right_rest = si->m2 - so_2_right, so_2_lo1 = so_2_left_rest + so_2_right_rest,
-      so_2_lo = so_2_lo1 + so_2c_lo;
-  const double so_0_rounded = so_0 + so_0_lo;
-  const double so_1_rounded = so_1 + so_1_lo;
-  const double so_2_rounded = so_2 + so_2_lo;
+      so_2c_right = so_2a - so_2c, so_2 = so_2c + si->m2, so_2_right = so_2 - so_2c,
+      so_2c_lo = ksl_product_rest(t->x, si->m4, so_2a, so_2c + so_2c_right)
+          - ksl_product_rest(t->y, si->m3, so_2b, so_2c_right);
+  const double so_0_rounded = so_0
+          + (so_0c - (so_0 - so_0_right) + (si->m0 - so_0_right) + so_0c_lo),
+      so_1_rounded = so_1 + (so_1c - (so_1 - so_1_right) + (si->m1 - so_1_right) + so_1c_lo),
+      so_2_rounded = so_2 + (so_2c - (so_2 - so_2_right) + (si->m2 - so_2_right) + so_2c_lo);
   const double si_m3 = si->m3;
   const double si_m4 = si->m4;
   const double si_m5 = si->m5;
@@ -830,32 +567,21 @@ static inline void ksl_product_Adts_accurate(const ksl_vec3_t *t, const ksl_scre
 static inline void ksl_product_Adtinvs_accurate(const ksl_vec3_t *t, const ksl_screw_t *si,
     ksl_screw_t *so) {
   const double so_0a = KSL_MUL(t->z, si->m4), so_0b = KSL_MUL(t->y, si->m5), so_0c = so_0a - so_0b,
-      so_0c_right = so_0a - so_0c, so_0c_left = so_0c + so_0c_right,
-      so_0c_left_rest = ksl_product_rest(t->z, si->m4, so_0a, so_0c_left),
-      so_0c_right_rest = ksl_product_rest(t->y, si->m5, so_0b, so_0c_right),
-      so_0c_lo = so_0c_left_rest - so_0c_right_rest, so_0 = so_0c + si->m0,
-      so_0_right = so_0 - so_0c, so_0_left = so_0 - so_0_right, so_0_left_rest = so_0c - so_0_left,
-      so_0_right_rest = si->m0 - so_0_right, so_0_lo1 = so_0_left_rest + so_0_right_rest,
-      so_0_lo = so_0_lo1 + so_0c_lo;
+      so_0c_right = so_0a - so_0c, so_0 = so_0c + si->m0, so_0_right = so_0 - so_0c,
+      so_0c_lo = ksl_product_rest(t->z, si->m4, so_0a, so_0c + so_0c_right)
+          - ksl_product_rest(t->y, si->m5, so_0b, so_0c_right);
   const double so_1a = KSL_MUL(t->x, si->m5), so_1b = KSL_MUL(t->z, si->m3), so_1c = so_1a - so_1b,
-      so_1c_right = so_1a - so_1c, so_1c_left = so_1c + so_1c_right,
-      so_1c_left_rest = ksl_product_rest(t->x, si->m5, so_1a, so_1c_left),
-      so_1c_right_rest = ksl_product_rest(t->z, si->m3, so_1b, so_1c_right),
-      so_1c_lo = so_1c_left_rest - so_1c_right_rest, so_1 = so_1c + si->m1,
-      so_1_right = so_1 - so_1c, so_1_left = so_1 - so_1_right, so_1_left_rest = so_1c - so_1_left,
-      so_1_right_rest = si->m1 - so_1_right, so_1_lo1 = so_1_left_rest + so_1_right_rest,
-      so_1_lo = so_1_lo1 + so_1c_lo;
+      so_1c_right = so_1a - so_1c, so_1 = so_1c + si->m1, so_1_right = so_1 - so_1c,
+      so_1c_lo = ksl_product_rest(t->x, si->m5, so_1a, so_1c + so_1c_right)
+          - ksl_product_rest(t->z, si->m3, so_1b, so_1c_right);
   const double so_2a = KSL_MUL(t->y, si->m3), so_2b = KSL_MUL(t->x, si->m4), so_2c = so_2a - so_2b,
-      so_2c_right = so_2a - so_2c, so_2c_left = so_2c + so_2c_right,
-      so_2c_left_rest = ksl_product_rest(t->y, si->m3, so_2a, so_2c_left),
-      so_2c_right_rest = ksl_product_rest(t->x, si->m4, so_2b, so_2c_right),
-      so_2c_lo = so_2c_left_rest - so_2c_right_rest, so_2 = so_2c + si->m2,
-      so_2_right = so_2 - so_2c, so_2_left = so_2 - so_2_right, so_2_left_rest = so_2c - so_2_left,
-      so_2_right_rest = si->m2 - so_2_right, so_2_lo1 = so_2_left_rest + so_2_right_rest,
-      so_2_lo = so_2_lo1 + so_2c_lo;
-  const double so_0_rounded = so_0 + so_0_lo;
-  const double so_1_rounded = so_1 + so_1_lo;
-  const double so_2_rounded = so_2 + so_2_lo;
+      so_2c_right = so_2a - so_2c, so_2 = so_2c + si->m2, so_2_right = so_2 - so_2c,
+      so_2c_lo = ksl_product_rest(t->y, si->m3, so_2a, so_2c + so_2c_right)
+          - ksl_product_rest(t->x, si->m4, so_2b, so_2c_right);
+  const double so_0_rounded = so_0
+          + (so_0c - (so_0 - so_0_right) + (si->m0 - so_0_right) + so_0c_lo),
+      so_1_rounded = so_1 + (so_1c - (so_1 - so_1_right) + (si->m1 - so_1_right) + so_1c_lo),
+      so_2_rounded = so_2 + (so_2c - (so_2 - so_2_right) + (si->m2 - so_2_right) + so_2c_lo);
   const double si_m3 = si->m3;
   const double si_m4 = si->m4;
   const double si_m5 = si->m5;
@@ -875,35 +601,22 @@ static inline void ksl_product_Adtinvs_accurate(const ksl_vec3_t *t, const ksl_s
 static inline void ksl_product_Adtsinv_accurate(const ksl_vec3_t *t, const ksl_screw_t *si,
     ksl_screw_t *so) {
   const double so_0a = KSL_MUL(t->z, si->m4), so_0b = KSL_MUL(t->y, si->m5), so_0c = so_0a - so_0b,
-      so_0c_right = so_0a - so_0c, so_0c_left = so_0c + so_0c_right,
-      so_0c_left_rest = ksl_product_rest(t->z, si->m4, so_0a, so_0c_left),
-      so_0c_right_rest = ksl_product_rest(t->y, si->m5, so_0b, so_0c_right),
-      so_0c_lo = so_0c_left_rest - so_0c_right_rest, so_0 = so_0c - si->m0,
-      so_0_right = so_0c - so_0, so_0_left = so_0 + so_0_right, so_0_left_rest = so_0c - so_0_left,
-      so_0_right_rest = si->m0 - so_0_right, so_0_lo1 = so_0_left_rest - so_0_right_rest,
-      so_0_lo = so_0_lo1 + so_0c_lo;
+      so_0c_right = so_0a - so_0c, so_0 = so_0c - si->m0, so_0_right = so_0c - so_0,
+      so_0c_lo = ksl_product_rest(t->z, si->m4, so_0a, so_0c + so_0c_right)
+          - ksl_product_rest(t->y, si->m5, so_0b, so_0c_right);
   const double so_1a = KSL_MUL(t->x, si->m5), so_1b = KSL_MUL(t->z, si->m3), so_1c = so_1a - so_1b,
-      so_1c_right = so_1a - so_1c, so_1c_left = so_1c + so_1c_right,
-      so_1c_left_rest = ksl_product_rest(t->x, si->m5, so_1a, so_1c_left),
-      so_1c_right_rest = ksl_product_rest(t->z, si->m3, so_1b, so_1c_right),
-      so_1c_lo = so_1c_left_rest - so_1c_right_rest, so_1 = so_1c - si->m1,
-      so_1_right = so_1c - so_1, so_1_left = so_1 + so_1_right, so_1_left_rest = so_1c - so_1_left,
-      so_1_right_rest = si->m1 - so_1_right, so_1_lo1 = so_1_left_rest - so_1_right_rest,
-      so_1_lo = so_1_lo1 + so_1c_lo;
+      so_1c_right = so_1a - so_1c, so_1 = so_1c - si->m1, so_1_right = so_1c - so_1,
+      so_1c_lo = ksl_product_rest(t->x, si->m5, so_1a, so_1c + so_1c_right)
+          - ksl_product_rest(t->z, si->m3, so_1b, so_1c_right);
   const double so_2a = KSL_MUL(t->y, si->m3), so_2b = KSL_MUL(t->x, si->m4), so_2c = so_2a - so_2b,
-      so_2c_right = so_2a - so_2c, so_2c_left = so_2c + so_2c_right,
-      so_2c_left_rest = ksl_product_rest(t->y, si->m3, so_2a, so_2c_left),
-      so_2c_right_rest = ksl_product_rest(t->x, si->m4, so_2b, so_2c_right),
-      so_2c_lo = so_2c_left_rest - so_2c_right_rest, so_2 = so_2c - si->m2,
-      so_2_right = so_2c - so_2, so_2_left = so_2 + so_2_right, so_2_left_rest = so_2c - so_2_left,
-      so_2_right_rest = si->m2 - so_2_right, so_2_lo1 = so_2_left_rest - so_2_right_rest,
-      so_2_lo = so_2_lo1 + so_2c_lo;
-  const double so_3 = -si->m3;
-  const double so_4 = -si->m4;
-  const double so_5 = -si->m5;
-  const double so_0_rounded = so_0 + so_0_lo;
-  const double so_1_rounded = so_1 + so_1_lo;
-  const double so_2_rounded = so_2 + so_2_lo;
+      so_2c_right = so_2a - so_2c, so_2 = so_2c - si->m2, so_2_right = so_2c - so_2,
+      so_2c_lo = ksl_product_rest(t->y, si->m3, so_2a, so_2c + so_2c_right)
+          - ksl_product_rest(t->x, si->m4, so_2b, so_2c_right);
+  const double so_3 = -si->m3, so_4 = -si->m4, so_5 = -si->m5;
+  const double so_0_rounded = so_0
+          + (so_0c - (so_0 + so_0_right) - (si->m0 - so_0_right) + so_0c_lo),
+      so_1_rounded = so_1 + (so_1c - (so_1 + so_1_right) - (si->m1 - so_1_right) + so_1c_lo),
+      so_2_rounded = so_2 + (so_2c - (so_2 + so_2_right) - (si->m2 - so_2_right) + so_2c_lo);
   so->m0 = so_0_rounded;
   so->m1 = so_1_rounded;
   so->m2 = so_2_rounded;
@@ -920,65 +633,53 @@ static inline void ksl_product_Adtsinv_accurate(const ksl_vec3_t *t, const ksl_s
 static inline void ksl_product_Adrs_accurate(const ksl_mat3x3_t *R, const ksl_screw_t *si,
     ksl_screw_t *so) {
   const double so_0a = KSL_MUL(R->m00, si->m0), so_0b = KSL_MUL(R->m01, si->m1),
-      so_0c = so_0a + so_0b, so_0c_right = so_0c - so_0a, so_0c_left = so_0c - so_0c_right,
-      so_0c_left_rest = ksl_product_rest(R->m00, si->m0, so_0a, so_0c_left),
-      so_0c_right_rest = ksl_product_rest(R->m01, si->m1, so_0b, so_0c_right),
-      so_0c_lo = so_0c_left_rest + so_0c_right_rest, so_0d = KSL_MUL(R->m02, si->m2),
-      so_0 = so_0c + so_0d, so_0_right = so_0 - so_0c, so_0_left = so_0 - so_0_right,
-      so_0_left_rest = so_0c - so_0_left,
-      so_0_right_rest = ksl_product_rest(R->m02, si->m2, so_0d, so_0_right),
-      so_0_lo1 = so_0_left_rest + so_0_right_rest, so_0_lo = so_0_lo1 + so_0c_lo;
+      so_0c = so_0a + so_0b, so_0c_right = so_0c - so_0a, so_0d = KSL_MUL(R->m02, si->m2),
+      so_0 = so_0c + so_0d, so_0_right = so_0 - so_0c,
+      so_0c_lo = ksl_product_rest(R->m00, si->m0, so_0a, so_0c - so_0c_right)
+          + ksl_product_rest(R->m01, si->m1, so_0b, so_0c_right);
   const double so_1a = KSL_MUL(R->m10, si->m0), so_1b = KSL_MUL(R->m11, si->m1),
-      so_1c = so_1a + so_1b, so_1c_right = so_1c - so_1a, so_1c_left = so_1c - so_1c_right,
-      so_1c_left_rest = ksl_product_rest(R->m10, si->m0, so_1a, so_1c_left),
-      so_1c_right_rest = ksl_product_rest(R->m11, si->m1, so_1b, so_1c_right),
-      so_1c_lo = so_1c_left_rest + so_1c_right_rest, so_1d = KSL_MUL(R->m12, si->m2),
-      so_1 = so_1c + so_1d, so_1_right = so_1 - so_1c, so_1_left = so_1 - so_1_right,
-      so_1_left_rest = so_1c - so_1_left,
-      so_1_right_rest = ksl_product_rest(R->m12, si->m2, so_1d, so_1_right),
-      so_1_lo1 = so_1_left_rest + so_1_right_rest, so_1_lo = so_1_lo1 + so_1c_lo;
+      so_1c = so_1a + so_1b, so_1c_right = so_1c - so_1a, so_1d = KSL_MUL(R->m12, si->m2),
+      so_1 = so_1c + so_1d, so_1_right = so_1 - so_1c,
+      so_1c_lo = ksl_product_rest(R->m10, si->m0, so_1a, so_1c - so_1c_right)
+          + ksl_product_rest(R->m11, si->m1, so_1b, so_1c_right);
   const double so_2a = KSL_MUL(R->m20, si->m0), so_2b = KSL_MUL(R->m21, si->m1),
-      so_2c = so_2a + so_2b, so_2c_right = so_2c - so_2a, so_2c_left = so_2c - so_2c_right,
-      so_2c_left_rest = ksl_product_rest(R->m20, si->m0, so_2a, so_2c_left),
-      so_2c_right_rest = ksl_product_rest(R->m21, si->m1, so_2b, so_2c_right),
-      so_2c_lo = so_2c_left_rest + so_2c_right_rest, so_2d = KSL_MUL(R->m22, si->m2),
-      so_2 = so_2c + so_2d, so_2_right = so_2 - so_2c, so_2_left = so_2 - so_2_right,
-      so_2_left_rest = so_2c - so_2_left,
-      so_2_right_rest = ksl_product_rest(R->m22, si->m2, so_2d, so_2_right),
-      so_2_lo1 = so_2_left_rest + so_2_right_rest, so_2_lo = so_2_lo1 + so_2c_lo;
+      so_2c = so_2a + so_2b, so_2c_right = so_2c - so_2a, so_2d = KSL_MUL(R->m22, si->m2),
+      so_2 = so_2c + so_2d, so_2_right = so_2 - so_2c,
+      so_2c_lo = ksl_product_rest(R->m20, si->m0, so_2a, so_2c - so_2c_right)
+          + ksl_product_rest(R->m21, si->m1, so_2b, so_2c_right);
   const double so_3a = KSL_MUL(R->m00, si->m3), so_3b = KSL_MUL(R->m01, si->m4),
-      so_3c = so_3a + so_3b, so_3c_right = so_3c - so_3a, so_3c_left = so_3c - so_3c_right,
-      so_3c_left_rest = ksl_product_rest(R->m00, si->m3, so_3a, so_3c_left),
-      so_3c_right_rest = ksl_product_rest(R->m01, si->m4, so_3b, so_3c_right),
-      so_3c_lo = so_3c_left_rest + so_3c_right_rest, so_3d = KSL_MUL(R->m02, si->m5),
-      so_3 = so_3c + so_3d, so_3_right = so_3 - so_3c, so_3_left = so_3 - so_3_right,
-      so_3_left_rest = so_3c - so_3_left,
-      so_3_right_rest = ksl_product_rest(R->m02, si->m5, so_3d, so_3_right),
-      so_3_lo1 = so_3_left_rest + so_3_right_rest, so_3_lo = so_3_lo1 + so_3c_lo;
+      so_3c = so_3a + so_3b, so_3c_right = so_3c - so_3a, so_3d = KSL_MUL(R->m02, si->m5),
+      so_3 = so_3c + so_3d, so_3_right = so_3 - so_3c,
+      so_3c_lo = ksl_product_rest(R->m00, si->m3, so_3a, so_3c - so_3c_right)
+          + ksl_product_rest(R->m01, si->m4, so_3b, so_3c_right);
   const double so_4a = KSL_MUL(R->m10, si->m3), so_4b = KSL_MUL(R->m11, si->m4),
-      so_4c = so_4a + so_4b, so_4c_right = so_4c - so_4a, so_4c_left = so_4c - so_4c_right,
-      so_4c_left_rest = ksl_product_rest(R->m10, si->m3, so_4a, so_4c_left),
-      so_4c_right_rest = ksl_product_rest(R->m11, si->m4, so_4b, so_4c_right),
-      so_4c_lo = so_4c_left_rest + so_4c_right_rest, so_4d = KSL_MUL(R->m12, si->m5),
-      so_4 = so_4c + so_4d, so_4_right = so_4 - so_4c, so_4_left = so_4 - so_4_right,
-      so_4_left_rest = so_4c - so_4_left,
-      so_4_right_rest = ksl_product_rest(R->m12, si->m5, so_4d, so_4_right),
-      so_4_lo1 = so_4_left_rest + so_4_right_rest, so_4_lo = so_4_lo1 + so_4c_lo;
+      so_4c = so_4a + so_4b, so_4c_right = so_4c - so_4a, so_4d = KSL_MUL(R->m12, si->m5),
+      so_4 = so_4c + so_4d, so_4_right = so_4 - so_4c,
+      so_4c_lo = ksl_product_rest(R->m10, si->m3, so_4a, so_4c - so_4c_right)
+          + ksl_product_rest(R->m11, si->m4, so_4b, so_4c_right);
   const double so_5a = KSL_MUL(R->m20, si->m3), so_5b = KSL_MUL(R->m21, si->m4),
-      so_5c = so_5a + so_5b, so_5c_right = so_5c - so_5a, so_5c_left = so_5c - so_5c_right,
-      so_5c_left_rest = ksl_product_rest(R->m20, si->m3, so_5a, so_5c_left),
-      so_5c_right_rest = ksl_product_rest(R->m21, si->m4, so_5b, so_5c_right),
-      so_5c_lo = so_5c_left_rest + so_5c_right_rest, so_5d = KSL_MUL(R->m22, si->m5),
-      so_5 = so_5c + so_5d, so_5_right = so_5 - so_5c, so_5_left = so_5 - so_5_right,
-      so_5_left_rest = so_5c - so_5_left,
-      so_5_right_rest = ksl_product_rest(R->m22, si->m5, so_5d, so_5_right),
-      so_5_lo1 = so_5_left_rest + so_5_right_rest, so_5_lo = so_5_lo1 + so_5c_lo;
-  const double so_0_rounded = so_0 + so_0_lo;
-  const double so_1_rounded = so_1 + so_1_lo;
-  const double so_2_rounded = so_2 + so_2_lo;
-  const double so_3_rounded = so_3 + so_3_lo;
-  const double so_4_rounded = so_4 + so_4_lo;
-  const double so_5_rounded = so_5 + so_5_lo;
+      so_5c = so_5a + so_5b, so_5c_right = so_5c - so_5a, so_5d = KSL_MUL(R->m22, si->m5),
+      so_5 = so_5c + so_5d, so_5_right = so_5 - so_5c,
+      so_5c_lo = ksl_product_rest(R->m20, si->m3, so_5a, so_5c - so_5c_right)
+          + ksl_product_rest(R->m21, si->m4, so_5b, so_5c_right);
+  const double so_0_rounded = so_0
+          + (so_0c - (so_0 - so_0_right) + ksl_product_rest(R->m02, si->m2, so_0d, so_0_right)
+          + so_0c_lo),
+      so_1_rounded = so_1
+          + (so_1c - (so_1 - so_1_right) + ksl_product_rest(R->m12, si->m2, so_1d, so_1_right)
+          + so_1c_lo),
+      so_2_rounded = so_2
+          + (so_2c - (so_2 - so_2_right) + ksl_product_rest(R->m22, si->m2, so_2d, so_2_right)
+          + so_2c_lo),
+      so_3_rounded = so_3
+          + (so_3c - (so_3 - so_3_right) + ksl_product_rest(R->m02, si->m5, so_3d, so_3_right)
+          + so_3c_lo),
+      so_4_rounded = so_4
+          + (so_4c - (so_4 - so_4_right) + ksl_product_rest(R->m12, si->m5, so_4d, so_4_right)
+          + so_4c_lo),
+      so_5_rounded = so_5
+          + (so_5c - (so_5 - so_5_right) + ksl_product_rest(R->m22, si->m5, so_5d, so_5_right)
+          + so_5c_lo);
   so->m0 = so_0_rounded;
   so->m1 = so_1_rounded;
   so->m2 = so_2_rounded;
@@ -995,65 +696,53 @@ static inline void ksl_product_Adrs_accurate(const ksl_mat3x3_t *R, const ksl_sc
 static inline void ksl_product_Adrinvs_accurate(const ksl_mat3x3_t *R, const ksl_screw_t *si,
     ksl_screw_t *so) {
   const double so_0a = KSL_MUL(R->m00, si->m0), so_0b = KSL_MUL(R->m10, si->m1),
-      so_0c = so_0a + so_0b, so_0c_right = so_0c - so_0a, so_0c_left = so_0c - so_0c_right,
-      so_0c_left_rest = ksl_product_rest(R->m00, si->m0, so_0a, so_0c_left),
-      so_0c_right_rest = ksl_product_rest(R->m10, si->m1, so_0b, so_0c_right),
-      so_0c_lo = so_0c_left_rest + so_0c_right_rest, so_0d = KSL_MUL(R->m20, si->m2),
-      so_0 = so_0c + so_0d, so_0_right = so_0 - so_0c, so_0_left = so_0 - so_0_right,
-      so_0_left_rest = so_0c - so_0_left,
-      so_0_right_rest = ksl_product_rest(R->m20, si->m2, so_0d, so_0_right),
-      so_0_lo1 = so_0_left_rest + so_0_right_rest, so_0_lo = so_0_lo1 + so_0c_lo;
+      so_0c = so_0a + so_0b, so_0c_right = so_0c - so_0a, so_0d = KSL_MUL(R->m20, si->m2),
+      so_0 = so_0c + so_0d, so_0_right = so_0 - so_0c,
+      so_0c_lo = ksl_product_rest(R->m00, si->m0, so_0a, so_0c - so_0c_right)
+          + ksl_product_rest(R->m10, si->m1, so_0b, so_0c_right);
   const double so_1a = KSL_MUL(R->m01, si->m0), so_1b = KSL_MUL(R->m11, si->m1),
-      so_1c = so_1a + so_1b, so_1c_right = so_1c - so_1a, so_1c_left = so_1c - so_1c_right,
-      so_1c_left_rest = ksl_product_rest(R->m01, si->m0, so_1a, so_1c_left),
-      so_1c_right_rest = ksl_product_rest(R->m11, si->m1, so_1b, so_1c_right),
-      so_1c_lo = so_1c_left_rest + so_1c_right_rest, so_1d = KSL_MUL(R->m21, si->m2),
-      so_1 = so_1c + so_1d, so_1_right = so_1 - so_1c, so_1_left = so_1 - so_1_right,
-      so_1_left_rest = so_1c - so_1_left,
-      so_1_right_rest = ksl_product_rest(R->m21, si->m2, so_1d, so_1_right),
-      so_1_lo1 = so_1_left_rest + so_1_right_rest, so_1_lo = so_1_lo1 + so_1c_lo;
+      so_1c = so_1a + so_1b, so_1c_right = so_1c - so_1a, so_1d = KSL_MUL(R->m21, si->m2),
+      so_1 = so_1c + so_1d, so_1_right = so_1 - so_1c,
+      so_1c_lo = ksl_product_rest(R->m01, si->m0, so_1a, so_1c - so_1c_right)
+          + ksl_product_rest(R->m11, si->m1, so_1b, so_1c_right);
   const double so_2a = KSL_MUL(R->m02, si->m0), so_2b = KSL_MUL(R->m12, si->m1),
-      so_2c = so_2a + so_2b, so_2c_right = so_2c - so_2a, so_2c_left = so_2c - so_2c_right,
-      so_2c_left_rest = ksl_product_rest(R->m02, si->m0, so_2a, so_2c_left),
-      so_2c_right_rest = ksl_product_rest(R->m12, si->m1, so_2b, so_2c_right),
-      so_2c_lo = so_2c_left_rest + so_2c_right_rest, so_2d = KSL_MUL(R->m22, si->m2),
-      so_2 = so_2c + so_2d, so_2_right = so_2 - so_2c, so_2_left = so_2 - so_2_right,
-      so_2_left_rest = so_2c - so_2_left,
-      so_2_right_rest = ksl_product_rest(R->m22, si->m2, so_2d, so_2_right),
-      so_2_lo1 = so_2_left_rest + so_2_right_rest, so_2_lo = so_2_lo1 + so_2c_lo;
+      so_2c = so_2a + so_2b, so_2c_right = so_2c - so_2a, so_2d = KSL_MUL(R->m22, si->m2),
+      so_2 = so_2c + so_2d, so_2_right = so_2 - so_2c,
+      so_2c_lo = ksl_product_rest(R->m02, si->m0, so_2a, so_2c - so_2c_right)
+          + ksl_product_rest(R->m12, si->m1, so_2b, so_2c_right);
   const double so_3a = KSL_MUL(R->m00, si->m3), so_3b = KSL_MUL(R->m10, si->m4),
-      so_3c = so_3a + so_3b, so_3c_right = so_3c - so_3a, so_3c_left = so_3c - so_3c_right,
-      so_3c_left_rest = ksl_product_rest(R->m00, si->m3, so_3a, so_3c_left),
-      so_3c_right_rest = ksl_product_rest(R->m10, si->m4, so_3b, so_3c_right),
-      so_3c_lo = so_3c_left_rest + so_3c_right_rest, so_3d = KSL_MUL(R->m20, si->m5),
-      so_3 = so_3c + so_3d, so_3_right = so_3 - so_3c, so_3_left = so_3 - so_3_right,
-      so_3_left_rest = so_3c - so_3_left,
-      so_3_right_rest = ksl_product_rest(R->m20, si->m5, so_3d, so_3_right),
-      so_3_lo1 = so_3_left_rest + so_3_right_rest, so_3_lo = so_3_lo1 + so_3c_lo;
+      so_3c = so_3a + so_3b, so_3c_right = so_3c - so_3a, so_3d = KSL_MUL(R->m20, si->m5),
+      so_3 = so_3c + so_3d, so_3_right = so_3 - so_3c,
+      so_3c_lo = ksl_product_rest(R->m00, si->m3, so_3a, so_3c - so_3c_right)
+          + ksl_product_rest(R->m10, si->m4, so_3b, so_3c_right);
   const double so_4a = KSL_MUL(R->m01, si->m3), so_4b = KSL_MUL(R->m11, si->m4),
-      so_4c = so_4a + so_4b, so_4c_right = so_4c - so_4a, so_4c_left = so_4c - so_4c_right,
-      so_4c_left_rest = ksl_product_rest(R->m01, si->m3, so_4a, so_4c_left),
-      so_4c_right_rest = ksl_product_rest(R->m11, si->m4, so_4b, so_4c_right),
-      so_4c_lo = so_4c_left_rest + so_4c_right_rest, so_4d = KSL_MUL(R->m21, si->m5),
-      so_4 = so_4c + so_4d, so_4_right = so_4 - so_4c, so_4_left = so_4 - so_4_right,
-      so_4_left_rest = so_4c - so_4_left,
-      so_4_right_rest = ksl_product_rest(R->m21, si->m5, so_4d, so_4_right),
-      so_4_lo1 = so_4_left_rest + so_4_right_rest, so_4_lo = so_4_lo1 + so_4c_lo;
+      so_4c = so_4a + so_4b, so_4c_right = so_4c - so_4a, so_4d = KSL_MUL(R->m21, si->m5),
+      so_4 = so_4c + so_4d, so_4_right = so_4 - so_4c,
+      so_4c_lo = ksl_product_rest(R->m01, si->m3, so_4a, so_4c - so_4c_right)
+          + ksl_product_rest(R->m11, si->m4, so_4b, so_4c_right);
   const double so_5a = KSL_MUL(R->m02, si->m3), so_5b = KSL_MUL(R->m12, si->m4),
-      so_5c = so_5a + so_5b, so_5c_right = so_5c - so_5a, so_5c_left = so_5c - so_5c_right,
-      so_5c_left_rest = ksl_product_rest(R->m02, si->m3, so_5a, so_5c_left),
-      so_5c_right_rest = ksl_product_rest(R->m12, si->m4, so_5b, so_5c_right),
-      so_5c_lo = so_5c_left_rest + so_5c_right_rest, so_5d = KSL_MUL(R->m22, si->m5),
-      so_5 = so_5c + so_5d, so_5_right = so_5 - so_5c, so_5_left = so_5 - so_5_right,
-      so_5_left_rest = so_5c - so_5_left,
-      so_5_right_rest = ksl_product_rest(R->m22, si->m5, so_5d, so_5_right),
-      so_5_lo1 = so_5_left_rest + so_5_right_rest, so_5_lo = so_5_lo1 + so_5c_lo;
-  const double so_0_rounded = so_0 + so_0_lo;
-  const double so_1_rounded = so_1 + so_1_lo;
-  const double so_2_rounded = so_2 + so_2_lo;
-  const double so_3_rounded = so_3 + so_3_lo;
-  const double so_4_rounded = so_4 + so_4_lo;
-  const double so_5_rounded = so_5 + so_5_lo;
+      so_5c = so_5a + so_5b, so_5c_right = so_5c - so_5a, so_5d = KSL_MUL(R->m22, si->m5),
+      so_5 = so_5c + so_5d, so_5_right = so_5 - so_5c,
+      so_5c_lo = ksl_product_rest(R->m02, si->m3, so_5a, so_5c - so_5c_right)
+          + ksl_product_rest(R->m12, si->m4, so_5b, so_5c_right);
+  const double so_0_rounded = so_0
+          + (so_0c - (so_0 - so_0_right) + ksl_product_rest(R->m20, si->m2, so_0d, so_0_right)
+          + so_0c_lo),
+      so_1_rounded = so_1
+          + (so_1c - (so_1 - so_1_right) + ksl_product_rest(R->m21, si->m2, so_1d, so_1_right)
+          + so_1c_lo),
+      so_2_rounded = so_2
+          + (so_2c - (so_2 - so_2_right) + ksl_product_rest(R->m22, si->m2, so_2d, so_2_right)
+          + so_2c_lo),
+      so_3_rounded = so_3
+          + (so_3c - (so_3 - so_3_right) + ksl_product_rest(R->m20, si->m5, so_3d, so_3_right)
+          + so_3c_lo),
+      so_4_rounded = so_4
+          + (so_4c - (so_4 - so_4_right) + ksl_product_rest(R->m21, si->m5, so_4d, so_4_right)
+          + so_4c_lo),
+      so_5_rounded = so_5
+          + (so_5c - (so_5 - so_5_right) + ksl_product_rest(R->m22, si->m5, so_5d, so_5_right)
+          + so_5c_lo);
   so->m0 = so_0_rounded;
   so->m1 = so_1_rounded;
   so->m2 = so_2_rounded;
@@ -1070,71 +759,53 @@ static inline void ksl_product_Adrinvs_accurate(const ksl_mat3x3_t *R, const ksl
 static inline void ksl_product_Adrsinv_accurate(const ksl_mat3x3_t *R, const ksl_screw_t *si,
     ksl_screw_t *so) {
   const double so_0a = KSL_MUL(R->m00, si->m0), so_0b = KSL_MUL(R->m01, si->m1),
-      so_0c = so_0a + so_0b, so_0c_right = so_0c - so_0a, so_0c_left = so_0c - so_0c_right,
-      so_0c_left_rest = ksl_product_rest(R->m00, si->m0, so_0a, so_0c_left),
-      so_0c_right_rest = ksl_product_rest(R->m01, si->m1, so_0b, so_0c_right),
-      so_0c_lo = so_0c_left_rest + so_0c_right_rest, so_0d = KSL_MUL(R->m02, si->m2),
-      so_0e = so_0c + so_0d, so_0e_right = so_0e - so_0c, so_0e_left = so_0e - so_0e_right,
-      so_0e_left_rest = so_0c - so_0e_left,
-      so_0e_right_rest = ksl_product_rest(R->m02, si->m2, so_0d, so_0e_right),
-      so_0e_lo1 = so_0e_left_rest + so_0e_right_rest, so_0e_lo = so_0e_lo1 + so_0c_lo,
-      so_0 = -so_0e, so_0_lo = -so_0e_lo;
+      so_0c = so_0a + so_0b, so_0c_right = so_0c - so_0a, so_0d = KSL_MUL(R->m02, si->m2),
+      so_0e = so_0c + so_0d, so_0e_right = so_0e - so_0c,
+      so_0c_lo = ksl_product_rest(R->m00, si->m0, so_0a, so_0c - so_0c_right)
+          + ksl_product_rest(R->m01, si->m1, so_0b, so_0c_right), so_0 = -so_0e;
   const double so_1a = KSL_MUL(R->m10, si->m0), so_1b = KSL_MUL(R->m11, si->m1),
-      so_1c = so_1a + so_1b, so_1c_right = so_1c - so_1a, so_1c_left = so_1c - so_1c_right,
-      so_1c_left_rest = ksl_product_rest(R->m10, si->m0, so_1a, so_1c_left),
-      so_1c_right_rest = ksl_product_rest(R->m11, si->m1, so_1b, so_1c_right),
-      so_1c_lo = so_1c_left_rest + so_1c_right_rest, so_1d = KSL_MUL(R->m12, si->m2),
-      so_1e = so_1c + so_1d, so_1e_right = so_1e - so_1c, so_1e_left = so_1e - so_1e_right,
-      so_1e_left_rest = so_1c - so_1e_left,
-      so_1e_right_rest = ksl_product_rest(R->m12, si->m2, so_1d, so_1e_right),
-      so_1e_lo1 = so_1e_left_rest + so_1e_right_rest, so_1e_lo = so_1e_lo1 + so_1c_lo,
-      so_1 = -so_1e, so_1_lo = -so_1e_lo;
+      so_1c = so_1a + so_1b, so_1c_right = so_1c - so_1a, so_1d = KSL_MUL(R->m12, si->m2),
+      so_1e = so_1c + so_1d, so_1e_right = so_1e - so_1c,
+      so_1c_lo = ksl_product_rest(R->m10, si->m0, so_1a, so_1c - so_1c_right)
+          + ksl_product_rest(R->m11, si->m1, so_1b, so_1c_right), so_1 = -so_1e;
   const double so_2a = KSL_MUL(R->m20, si->m0), so_2b = KSL_MUL(R->m21, si->m1),
-      so_2c = so_2a + so_2b, so_2c_right = so_2c - so_2a, so_2c_left = so_2c - so_2c_right,
-      so_2c_left_rest = ksl_product_rest(R->m20, si->m0, so_2a, so_2c_left),
-      so_2c_right_rest = ksl_product_rest(R->m21, si->m1, so_2b, so_2c_right),
-      so_2c_lo = so_2c_left_rest + so_2c_right_rest, so_2d = KSL_MUL(R->m22, si->m2),
-      so_2e = so_2c + so_2d, so_2e_right = so_2e - so_2c, so_2e_left = so_2e - so_2e_right,
-      so_2e_left_rest = so_2c - so_2e_left,
-      so_2e_right_rest = ksl_product_rest(R->m22, si->m2, so_2d, so_2e_right),
-      so_2e_lo1 = so_2e_left_rest + so_2e_right_rest, so_2e_lo = so_2e_lo1 + so_2c_lo,
-      so_2 = -so_2e, so_2_lo = -so_2e_lo;
+      so_2c = so_2a + so_2b, so_2c_right = so_2c - so_2a, so_2d = KSL_MUL(R->m22, si->m2),
+      so_2e = so_2c + so_2d, so_2e_right = so_2e - so_2c,
+      so_2c_lo = ksl_product_rest(R->m20, si->m0, so_2a, so_2c - so_2c_right)
+          + ksl_product_rest(R->m21, si->m1, so_2b, so_2c_right), so_2 = -so_2e;
   const double so_3a = KSL_MUL(R->m00, si->m3), so_3b = KSL_MUL(R->m01, si->m4),
-      so_3c = so_3a + so_3b, so_3c_right = so_3c - so_3a, so_3c_left = so_3c - so_3c_right,
-      so_3c_left_rest = ksl_product_rest(R->m00, si->m3, so_3a, so_3c_left),
-      so_3c_right_rest = ksl_product_rest(R->m01, si->m4, so_3b, so_3c_right),
-      so_3c_lo = so_3c_left_rest + so_3c_right_rest, so_3d = KSL_MUL(R->m02, si->m5),
-      so_3e = so_3c + so_3d, so_3e_right = so_3e - so_3c, so_3e_left = so_3e - so_3e_right,
-      so_3e_left_rest = so_3c - so_3e_left,
-      so_3e_right_rest = ksl_product_rest(R->m02, si->m5, so_3d, so_3e_right),
-      so_3e_lo1 = so_3e_left_rest + so_3e_right_rest, so_3e_lo = so_3e_lo1 + so_3c_lo,
-      so_3 = -so_3e, so_3_lo = -so_3e_lo;
+      so_3c = so_3a + so_3b, so_3c_right = so_3c - so_3a, so_3d = KSL_MUL(R->m02, si->m5),
+      so_3e = so_3c + so_3d, so_3e_right = so_3e - so_3c,
+      so_3c_lo = ksl_product_rest(R->m00, si->m3, so_3a, so_3c - so_3c_right)
+          + ksl_product_rest(R->m01, si->m4, so_3b, so_3c_right), so_3 = -so_3e;
   const double so_4a = KSL_MUL(R->m10, si->m3), so_4b = KSL_MUL(R->m11, si->m4),
-      so_4c = so_4a + so_4b, so_4c_right = so_4c - so_4a, so_4c_left = so_4c - so_4c_right,
-      so_4c_left_rest = ksl_product_rest(R->m10, si->m3, so_4a, so_4c_left),
-      so_4c_right_rest = ksl_product_rest(R->m11, si->m4, so_4b, so_4c_right),
-      so_4c_lo = so_4c_left_rest + so_4c_right_rest, so_4d = KSL_MUL(R->m12, si->m5),
-      so_4e = so_4c + so_4d, so_4e_right = so_4e - so_4c, so_4e_left = so_4e - so_4e_right,
-      so_4e_left_rest = so_4c - so_4e_left,
-      so_4e_right_rest = ksl_product_rest(R->m12, si->m5, so_4d, so_4e_right),
-      so_4e_lo1 = so_4e_left_rest + so_4e_right_rest, so_4e_lo = so_4e_lo1 + so_4c_lo,
-      so_4 = -so_4e, so_4_lo = -so_4e_lo;
+      so_4c = so_4a + so_4b, so_4c_right = so_4c - so_4a, so_4d = KSL_MUL(R->m12, si->m5),
+      so_4e = so_4c + so_4d, so_4e_right = so_4e - so_4c,
+      so_4c_lo = ksl_product_rest(R->m10, si->m3, so_4a, so_4c - so_4c_right)
+          + ksl_product_rest(R->m11, si->m4, so_4b, so_4c_right), so_4 = -so_4e;
   const double so_5a = KSL_MUL(R->m20, si->m3), so_5b = KSL_MUL(R->m21, si->m4),
-      so_5c = so_5a + so_5b, so_5c_right = so_5c - so_5a, so_5c_left = so_5c - so_5c_right,
-      so_5c_left_rest = ksl_product_rest(R->m20, si->m3, so_5a, so_5c_left),
-      so_5c_right_rest = ksl_product_rest(R->m21, si->m4, so_5b, so_5c_right),
-      so_5c_lo = so_5c_left_rest + so_5c_right_rest, so_5d = KSL_MUL(R->m22, si->m5),
-      so_5e = so_5c + so_5d, so_5e_right = so_5e - so_5c, so_5e_left = so_5e - so_5e_right,
-      so_5e_left_rest = so_5c - so_5e_left,
-      so_5e_right_rest = ksl_product_rest(R->m22, si->m5, so_5d, so_5e_right),
-      so_5e_lo1 = so_5e_left_rest + so_5e_right_rest, so_5e_lo = so_5e_lo1 + so_5c_lo,
-      so_5 = -so_5e, so_5_lo = -so_5e_lo;
-  const double so_0_rounded = so_0 + so_0_lo;
-  const double so_1_rounded = so_1 + so_1_lo;
-  const double so_2_rounded = so_2 + so_2_lo;
-  const double so_3_rounded = so_3 + so_3_lo;
-  const double so_4_rounded = so_4 + so_4_lo;
-  const double so_5_rounded = so_5 + so_5_lo;
+      so_5c = so_5a + so_5b, so_5c_right = so_5c - so_5a, so_5d = KSL_MUL(R->m22, si->m5),
+      so_5e = so_5c + so_5d, so_5e_right = so_5e - so_5c,
+      so_5c_lo = ksl_product_rest(R->m20, si->m3, so_5a, so_5c - so_5c_right)
+          + ksl_product_rest(R->m21, si->m4, so_5b, so_5c_right), so_5 = -so_5e;
+  const double so_0_rounded = so_0 +
+          -(so_0c - (so_0e - so_0e_right) + ksl_product_rest(R->m02, si->m2, so_0d, so_0e_right)
+          + so_0c_lo),
+      so_1_rounded = so_1 +
+          -(so_1c - (so_1e - so_1e_right) + ksl_product_rest(R->m12, si->m2, so_1d, so_1e_right)
+          + so_1c_lo),
+      so_2_rounded = so_2 +
+          -(so_2c - (so_2e - so_2e_right) + ksl_product_rest(R->m22, si->m2, so_2d, so_2e_right)
+          + so_2c_lo),
+      so_3_rounded = so_3 +
+          -(so_3c - (so_3e - so_3e_right) + ksl_product_rest(R->m02, si->m5, so_3d, so_3e_right)
+          + so_3c_lo),
+      so_4_rounded = so_4 +
+          -(so_4c - (so_4e - so_4e_right) + ksl_product_rest(R->m12, si->m5, so_4d, so_4e_right)
+          + so_4c_lo),
+      so_5_rounded = so_5 +
+          -(so_5c - (so_5e - so_5e_right) + ksl_product_rest(R->m22, si->m5, so_5d, so_5e_right)
+          + so_5c_lo);
   so->m0 = so_0_rounded;
   so->m1 = so_1_rounded;
   so->m2 = so_2_rounded;
@@ -1151,89 +822,72 @@ static inline void ksl_product_Adrsinv_accurate(const ksl_mat3x3_t *R, const ksl
 static inline void ksl_product_Ads_accurate(const ksl_SE3_t *D, const ksl_screw_t *si,
     ksl_screw_t *so) {
   const double w_0a = KSL_MUL(D->m00, si->m0), w_0b = KSL_MUL(D->m01, si->m1), w_0c = w_0a + w_0b,
-      w_0c_right = w_0c - w_0a, w_0c_left = w_0c - w_0c_right,
-      w_0c_left_rest = ksl_product_rest(D->m00, si->m0, w_0a, w_0c_left),
-      w_0c_right_rest = ksl_product_rest(D->m01, si->m1, w_0b, w_0c_right),
-      w_0c_lo = w_0c_left_rest + w_0c_right_rest, w_0d = KSL_MUL(D->m02, si->m2), w_0 = w_0c + w_0d,
-      w_0_right = w_0 - w_0c, w_0_left = w_0 - w_0_right, w_0_left_rest = w_0c - w_0_left,
-      w_0_right_rest = ksl_product_rest(D->m02, si->m2, w_0d, w_0_right),
-      w_0_lo1 = w_0_left_rest + w_0_right_rest, w_0_lo = w_0_lo1 + w_0c_lo;
+      w_0c_right = w_0c - w_0a, w_0d = KSL_MUL(D->m02, si->m2), w_0 = w_0c + w_0d,
+      w_0_right = w_0 - w_0c,
+      w_0c_lo = ksl_product_rest(D->m00, si->m0, w_0a, w_0c - w_0c_right)
+          + ksl_product_rest(D->m01, si->m1, w_0b, w_0c_right);
   const double w_1a = KSL_MUL(D->m10, si->m0), w_1b = KSL_MUL(D->m11, si->m1), w_1c = w_1a + w_1b,
-      w_1c_right = w_1c - w_1a, w_1c_left = w_1c - w_1c_right,
-      w_1c_left_rest = ksl_product_rest(D->m10, si->m0, w_1a, w_1c_left),
-      w_1c_right_rest = ksl_product_rest(D->m11, si->m1, w_1b, w_1c_right),
-      w_1c_lo = w_1c_left_rest + w_1c_right_rest, w_1d = KSL_MUL(D->m12, si->m2), w_1 = w_1c + w_1d,
-      w_1_right = w_1 - w_1c, w_1_left = w_1 - w_1_right, w_1_left_rest = w_1c - w_1_left,
-      w_1_right_rest = ksl_product_rest(D->m12, si->m2, w_1d, w_1_right),
-      w_1_lo1 = w_1_left_rest + w_1_right_rest, w_1_lo = w_1_lo1 + w_1c_lo;
+      w_1c_right = w_1c - w_1a, w_1d = KSL_MUL(D->m12, si->m2), w_1 = w_1c + w_1d,
+      w_1_right = w_1 - w_1c,
+      w_1c_lo = ksl_product_rest(D->m10, si->m0, w_1a, w_1c - w_1c_right)
+          + ksl_product_rest(D->m11, si->m1, w_1b, w_1c_right);
   const double w_2a = KSL_MUL(D->m20, si->m0), w_2b = KSL_MUL(D->m21, si->m1), w_2c = w_2a + w_2b,
-      w_2c_right = w_2c - w_2a, w_2c_left = w_2c - w_2c_right,
-      w_2c_left_rest = ksl_product_rest(D->m20, si->m0, w_2a, w_2c_left),
-      w_2c_right_rest = ksl_product_rest(D->m21, si->m1, w_2b, w_2c_right),
-      w_2c_lo = w_2c_left_rest + w_2c_right_rest, w_2d = KSL_MUL(D->m22, si->m2), w_2 = w_2c + w_2d,
-      w_2_right = w_2 - w_2c, w_2_left = w_2 - w_2_right, w_2_left_rest = w_2c - w_2_left,
-      w_2_right_rest = ksl_product_rest(D->m22, si->m2, w_2d, w_2_right),
-      w_2_lo1 = w_2_left_rest + w_2_right_rest, w_2_lo = w_2_lo1 + w_2c_lo;
+      w_2c_right = w_2c - w_2a, w_2d = KSL_MUL(D->m22, si->m2), w_2 = w_2c + w_2d,
+      w_2_right = w_2 - w_2c,
+      w_2c_lo = ksl_product_rest(D->m20, si->m0, w_2a, w_2c - w_2c_right)
+          + ksl_product_rest(D->m21, si->m1, w_2b, w_2c_right);
   const double w_3a = KSL_MUL(D->m00, si->m3), w_3b = KSL_MUL(D->m01, si->m4), w_3c = w_3a + w_3b,
-      w_3c_right = w_3c - w_3a, w_3c_left = w_3c - w_3c_right,
-      w_3c_left_rest = ksl_product_rest(D->m00, si->m3, w_3a, w_3c_left),
-      w_3c_right_rest = ksl_product_rest(D->m01, si->m4, w_3b, w_3c_right),
-      w_3c_lo = w_3c_left_rest + w_3c_right_rest, w_3d = KSL_MUL(D->m02, si->m5), w_3 = w_3c + w_3d,
-      w_3_right = w_3 - w_3c, w_3_left = w_3 - w_3_right, w_3_left_rest = w_3c - w_3_left,
-      w_3_right_rest = ksl_product_rest(D->m02, si->m5, w_3d, w_3_right),
-      w_3_lo1 = w_3_left_rest + w_3_right_rest, w_3_lo = w_3_lo1 + w_3c_lo;
+      w_3c_right = w_3c - w_3a, w_3d = KSL_MUL(D->m02, si->m5), w_3 = w_3c + w_3d,
+      w_3_right = w_3 - w_3c,
+      w_3c_lo = ksl_product_rest(D->m00, si->m3, w_3a, w_3c - w_3c_right)
+          + ksl_product_rest(D->m01, si->m4, w_3b, w_3c_right),
+      w_3_lo = w_3c - (w_3 - w_3_right) + ksl_product_rest(D->m02, si->m5, w_3d, w_3_right)
+          + w_3c_lo;
   const double w_4a = KSL_MUL(D->m10, si->m3), w_4b = KSL_MUL(D->m11, si->m4), w_4c = w_4a + w_4b,
-      w_4c_right = w_4c - w_4a, w_4c_left = w_4c - w_4c_right,
-      w_4c_left_rest = ksl_product_rest(D->m10, si->m3, w_4a, w_4c_left),
-      w_4c_right_rest = ksl_product_rest(D->m11, si->m4, w_4b, w_4c_right),
-      w_4c_lo = w_4c_left_rest + w_4c_right_rest, w_4d = KSL_MUL(D->m12, si->m5), w_4 = w_4c + w_4d,
-      w_4_right = w_4 - w_4c, w_4_left = w_4 - w_4_right, w_4_left_rest = w_4c - w_4_left,
-      w_4_right_rest = ksl_product_rest(D->m12, si->m5, w_4d, w_4_right),
-      w_4_lo1 = w_4_left_rest + w_4_right_rest, w_4_lo = w_4_lo1 + w_4c_lo;
+      w_4c_right = w_4c - w_4a, w_4d = KSL_MUL(D->m12, si->m5), w_4 = w_4c + w_4d,
+      w_4_right = w_4 - w_4c,
+      w_4c_lo = ksl_product_rest(D->m10, si->m3, w_4a, w_4c - w_4c_right)
+          + ksl_product_rest(D->m11, si->m4, w_4b, w_4c_right),
+      w_4_lo = w_4c - (w_4 - w_4_right) + ksl_product_rest(D->m12, si->m5, w_4d, w_4_right)
+          + w_4c_lo;
   const double w_5a = KSL_MUL(D->m20, si->m3), w_5b = KSL_MUL(D->m21, si->m4), w_5c = w_5a + w_5b,
-      w_5c_right = w_5c - w_5a, w_5c_left = w_5c - w_5c_right,
-      w_5c_left_rest = ksl_product_rest(D->m20, si->m3, w_5a, w_5c_left),
-      w_5c_right_rest = ksl_product_rest(D->m21, si->m4, w_5b, w_5c_right),
-      w_5c_lo = w_5c_left_rest + w_5c_right_rest, w_5d = KSL_MUL(D->m22, si->m5), w_5 = w_5c + w_5d,
-      w_5_right = w_5 - w_5c, w_5_left = w_5 - w_5_right, w_5_left_rest = w_5c - w_5_left,
-      w_5_right_rest = ksl_product_rest(D->m22, si->m5, w_5d, w_5_right),
-      w_5_lo1 = w_5_left_rest + w_5_right_rest, w_5_lo = w_5_lo1 + w_5c_lo;
-  const double so_0a = KSL_MUL(D->m13, w_5), so_0a_cross2 = KSL_MUL(D->m13, w_5_lo),
-      so_0b = KSL_MUL(D->m23, w_4), so_0b_cross2 = KSL_MUL(D->m23, w_4_lo), so_0c = so_0a - so_0b,
-      so_0c_right = so_0a - so_0c, so_0c_left = so_0c + so_0c_right,
-      so_0c_left_rest = ksl_product_rest(D->m13, w_5, so_0a, so_0c_left),
-      so_0c_right_rest = ksl_product_rest(D->m23, w_4, so_0b, so_0c_right),
-      so_0c_cross = so_0a_cross2 - so_0b_cross2, so_0c_lo1 = so_0c_left_rest - so_0c_right_rest,
-      so_0c_lo = so_0c_lo1 + so_0c_cross, so_0 = so_0c + w_0, so_0_right = so_0 - so_0c,
-      so_0_left = so_0 - so_0_right, so_0_left_rest = so_0c - so_0_left,
-      so_0_right_rest = w_0 - so_0_right, so_0_lo1 = so_0_left_rest + so_0_right_rest,
-      so_0_lo2 = so_0_lo1 + w_0_lo, so_0_lo = so_0_lo2 + so_0c_lo;
-  const double so_1a = KSL_MUL(D->m23, w_3), so_1a_cross2 = KSL_MUL(D->m23, w_3_lo),
-      so_1b = KSL_MUL(D->m03, w_5), so_1b_cross2 = KSL_MUL(D->m03, w_5_lo), so_1c = so_1a - so_1b,
-      so_1c_right = so_1a - so_1c, so_1c_left = so_1c + so_1c_right,
-      so_1c_left_rest = ksl_product_rest(D->m23, w_3, so_1a, so_1c_left),
-      so_1c_right_rest = ksl_product_rest(D->m03, w_5, so_1b, so_1c_right),
-      so_1c_cross = so_1a_cross2 - so_1b_cross2, so_1c_lo1 = so_1c_left_rest - so_1c_right_rest,
-      so_1c_lo = so_1c_lo1 + so_1c_cross, so_1 = so_1c + w_1, so_1_right = so_1 - so_1c,
-      so_1_left = so_1 - so_1_right, so_1_left_rest = so_1c - so_1_left,
-      so_1_right_rest = w_1 - so_1_right, so_1_lo1 = so_1_left_rest + so_1_right_rest,
-      so_1_lo2 = so_1_lo1 + w_1_lo, so_1_lo = so_1_lo2 + so_1c_lo;
-  const double so_2a = KSL_MUL(D->m03, w_4), so_2a_cross2 = KSL_MUL(D->m03, w_4_lo),
-      so_2b = KSL_MUL(D->m13, w_3), so_2b_cross2 = KSL_MUL(D->m13, w_3_lo), so_2c = so_2a - so_2b,
-      so_2c_right = so_2a - so_2c, so_2c_left = so_2c + so_2c_right,
-      so_2c_left_rest = ksl_product_rest(D->m03, w_4, so_2a, so_2c_left),
-      so_2c_right_rest = ksl_product_rest(D->m13, w_3, so_2b, so_2c_right),
-      so_2c_cross = so_2a_cross2 - so_2b_cross2, so_2c_lo1 = so_2c_left_rest - so_2c_right_rest,
-      so_2c_lo = so_2c_lo1 + so_2c_cross, so_2 = so_2c + w_2, so_2_right = so_2 - so_2c,
-      so_2_left = so_2 - so_2_right, so_2_left_rest = so_2c - so_2_left,
-      so_2_right_rest = w_2 - so_2_right, so_2_lo1 = so_2_left_rest + so_2_right_rest,
-      so_2_lo2 = so_2_lo1 + w_2_lo, so_2_lo = so_2_lo2 + so_2c_lo;
-  const double so_0_rounded = so_0 + so_0_lo;
-  const double so_1_rounded = so_1 + so_1_lo;
-  const double so_2_rounded = so_2 + so_2_lo;
-  const double w_3_rounded = w_3 + w_3_lo;
-  const double w_4_rounded = w_4 + w_4_lo;
-  const double w_5_rounded = w_5 + w_5_lo;
+      w_5c_right = w_5c - w_5a, w_5d = KSL_MUL(D->m22, si->m5), w_5 = w_5c + w_5d,
+      w_5_right = w_5 - w_5c,
+      w_5c_lo = ksl_product_rest(D->m20, si->m3, w_5a, w_5c - w_5c_right)
+          + ksl_product_rest(D->m21, si->m4, w_5b, w_5c_right),
+      w_5_lo = w_5c - (w_5 - w_5_right) + ksl_product_rest(D->m22, si->m5, w_5d, w_5_right)
+          + w_5c_lo;
+  const double so_0a = KSL_MUL(D->m13, w_5), so_0b = KSL_MUL(D->m23, w_4), so_0c = so_0a - so_0b,
+      so_0c_right = so_0a - so_0c,
+      so_0c_lo1 = ksl_product_rest(D->m13, w_5, so_0a, so_0c + so_0c_right)
+          - ksl_product_rest(D->m23, w_4, so_0b, so_0c_right), so_0 = so_0c + w_0,
+      so_0_right = so_0 - so_0c,
+      so_0_lo2 = so_0c - (so_0 - so_0_right) + (w_0 - so_0_right)
+          + (w_0c - (w_0 - w_0_right) + ksl_product_rest(D->m02, si->m2, w_0d, w_0_right)
+          + w_0c_lo);
+  const double so_1a = KSL_MUL(D->m23, w_3), so_1b = KSL_MUL(D->m03, w_5), so_1c = so_1a - so_1b,
+      so_1c_right = so_1a - so_1c,
+      so_1c_lo1 = ksl_product_rest(D->m23, w_3, so_1a, so_1c + so_1c_right)
+          - ksl_product_rest(D->m03, w_5, so_1b, so_1c_right), so_1 = so_1c + w_1,
+      so_1_right = so_1 - so_1c,
+      so_1_lo2 = so_1c - (so_1 - so_1_right) + (w_1 - so_1_right)
+          + (w_1c - (w_1 - w_1_right) + ksl_product_rest(D->m12, si->m2, w_1d, w_1_right)
+          + w_1c_lo);
+  const double so_2a = KSL_MUL(D->m03, w_4), so_2b = KSL_MUL(D->m13, w_3), so_2c = so_2a - so_2b,
+      so_2c_right = so_2a - so_2c,
+      so_2c_lo1 = ksl_product_rest(D->m03, w_4, so_2a, so_2c + so_2c_right)
+          - ksl_product_rest(D->m13, w_3, so_2b, so_2c_right), so_2 = so_2c + w_2,
+      so_2_right = so_2 - so_2c,
+      so_2_lo2 = so_2c - (so_2 - so_2_right) + (w_2 - so_2_right)
+          + (w_2c - (w_2 - w_2_right) + ksl_product_rest(D->m22, si->m2, w_2d, w_2_right)
+          + w_2c_lo);
+  const double so_0_rounded = so_0
+          + (so_0_lo2 + (so_0c_lo1 + (KSL_MUL(D->m13, w_5_lo) - KSL_MUL(D->m23, w_4_lo)))),
+      so_1_rounded = so_1
+          + (so_1_lo2 + (so_1c_lo1 + (KSL_MUL(D->m23, w_3_lo) - KSL_MUL(D->m03, w_5_lo)))),
+      so_2_rounded = so_2
+          + (so_2_lo2 + (so_2c_lo1 + (KSL_MUL(D->m03, w_4_lo) - KSL_MUL(D->m13, w_3_lo))));
+  const double w_3_rounded = w_3 + w_3_lo, w_4_rounded = w_4 + w_4_lo, w_5_rounded = w_5 + w_5_lo;
   so->m0 = so_0_rounded;
   so->m1 = so_1_rounded;
   so->m2 = so_2_rounded;
@@ -1250,98 +904,71 @@ static inline void ksl_product_Ads_accurate(const ksl_SE3_t *D, const ksl_screw_
 static inline void ksl_product_Adinvs_accurate(const ksl_SE3_t *D, const ksl_screw_t *si,
     ksl_screw_t *so) {
   const double w_0a = KSL_MUL(D->m23, si->m4), w_0b = KSL_MUL(D->m13, si->m5), w_0c = w_0a - w_0b,
-      w_0c_right = w_0a - w_0c, w_0c_left = w_0c + w_0c_right,
-      w_0c_left_rest = ksl_product_rest(D->m23, si->m4, w_0a, w_0c_left),
-      w_0c_right_rest = ksl_product_rest(D->m13, si->m5, w_0b, w_0c_right),
-      w_0c_lo = w_0c_left_rest - w_0c_right_rest, w_0 = w_0c + si->m0, w_0_right = w_0 - w_0c,
-      w_0_left = w_0 - w_0_right, w_0_left_rest = w_0c - w_0_left,
-      w_0_right_rest = si->m0 - w_0_right, w_0_lo1 = w_0_left_rest + w_0_right_rest,
-      w_0_lo = w_0_lo1 + w_0c_lo;
+      w_0c_right = w_0a - w_0c, w_0 = w_0c + si->m0, w_0_right = w_0 - w_0c,
+      w_0c_lo = ksl_product_rest(D->m23, si->m4, w_0a, w_0c + w_0c_right)
+          - ksl_product_rest(D->m13, si->m5, w_0b, w_0c_right),
+      w_0_lo = w_0c - (w_0 - w_0_right) + (si->m0 - w_0_right) + w_0c_lo;
   const double w_1a = KSL_MUL(D->m03, si->m5), w_1b = KSL_MUL(D->m23, si->m3), w_1c = w_1a - w_1b,
-      w_1c_right = w_1a - w_1c, w_1c_left = w_1c + w_1c_right,
-      w_1c_left_rest = ksl_product_rest(D->m03, si->m5, w_1a, w_1c_left),
-      w_1c_right_rest = ksl_product_rest(D->m23, si->m3, w_1b, w_1c_right),
-      w_1c_lo = w_1c_left_rest - w_1c_right_rest, w_1 = w_1c + si->m1, w_1_right = w_1 - w_1c,
-      w_1_left = w_1 - w_1_right, w_1_left_rest = w_1c - w_1_left,
-      w_1_right_rest = si->m1 - w_1_right, w_1_lo1 = w_1_left_rest + w_1_right_rest,
-      w_1_lo = w_1_lo1 + w_1c_lo;
+      w_1c_right = w_1a - w_1c, w_1 = w_1c + si->m1, w_1_right = w_1 - w_1c,
+      w_1c_lo = ksl_product_rest(D->m03, si->m5, w_1a, w_1c + w_1c_right)
+          - ksl_product_rest(D->m23, si->m3, w_1b, w_1c_right),
+      w_1_lo = w_1c - (w_1 - w_1_right) + (si->m1 - w_1_right) + w_1c_lo;
   const double w_2a = KSL_MUL(D->m13, si->m3), w_2b = KSL_MUL(D->m03, si->m4), w_2c = w_2a - w_2b,
-      w_2c_right = w_2a - w_2c, w_2c_left = w_2c + w_2c_right,
-      w_2c_left_rest = ksl_product_rest(D->m13, si->m3, w_2a, w_2c_left),
-      w_2c_right_rest = ksl_product_rest(D->m03, si->m4, w_2b, w_2c_right),
-      w_2c_lo = w_2c_left_rest - w_2c_right_rest, w_2 = w_2c + si->m2, w_2_right = w_2 - w_2c,
-      w_2_left = w_2 - w_2_right, w_2_left_rest = w_2c - w_2_left,
-      w_2_right_rest = si->m2 - w_2_right, w_2_lo1 = w_2_left_rest + w_2_right_rest,
-      w_2_lo = w_2_lo1 + w_2c_lo;
-  const double so_0a = KSL_MUL(D->m00, w_0), so_0a_cross2 = KSL_MUL(D->m00, w_0_lo),
-      so_0b = KSL_MUL(D->m10, w_1), so_0b_cross2 = KSL_MUL(D->m10, w_1_lo), so_0c = so_0a + so_0b,
-      so_0c_right = so_0c - so_0a, so_0c_left = so_0c - so_0c_right,
-      so_0c_left_rest = ksl_product_rest(D->m00, w_0, so_0a, so_0c_left),
-      so_0c_right_rest = ksl_product_rest(D->m10, w_1, so_0b, so_0c_right),
-      so_0c_cross = so_0a_cross2 + so_0b_cross2, so_0c_lo1 = so_0c_left_rest + so_0c_right_rest,
-      so_0c_lo = so_0c_lo1 + so_0c_cross, so_0d = KSL_MUL(D->m20, w_2),
-      so_0d_cross2 = KSL_MUL(D->m20, w_2_lo), so_0 = so_0c + so_0d, so_0_right = so_0 - so_0c,
-      so_0_left = so_0 - so_0_right, so_0_left_rest = so_0c - so_0_left,
-      so_0_right_rest = ksl_product_rest(D->m20, w_2, so_0d, so_0_right),
-      so_0_lo1 = so_0_left_rest + so_0_right_rest, so_0_lo2 = so_0_lo1 + so_0d_cross2,
-      so_0_lo = so_0_lo2 + so_0c_lo;
-  const double so_1a = KSL_MUL(D->m01, w_0), so_1a_cross2 = KSL_MUL(D->m01, w_0_lo),
-      so_1b = KSL_MUL(D->m11, w_1), so_1b_cross2 = KSL_MUL(D->m11, w_1_lo), so_1c = so_1a + so_1b,
-      so_1c_right = so_1c - so_1a, so_1c_left = so_1c - so_1c_right,
-      so_1c_left_rest = ksl_product_rest(D->m01, w_0, so_1a, so_1c_left),
-      so_1c_right_rest = ksl_product_rest(D->m11, w_1, so_1b, so_1c_right),
-      so_1c_cross = so_1a_cross2 + so_1b_cross2, so_1c_lo1 = so_1c_left_rest + so_1c_right_rest,
-      so_1c_lo = so_1c_lo1 + so_1c_cross, so_1d = KSL_MUL(D->m21, w_2),
-      so_1d_cross2 = KSL_MUL(D->m21, w_2_lo), so_1 = so_1c + so_1d, so_1_right = so_1 - so_1c,
-      so_1_left = so_1 - so_1_right, so_1_left_rest = so_1c - so_1_left,
-      so_1_right_rest = ksl_product_rest(D->m21, w_2, so_1d, so_1_right),
-      so_1_lo1 = so_1_left_rest + so_1_right_rest, so_1_lo2 = so_1_lo1 + so_1d_cross2,
-      so_1_lo = so_1_lo2 + so_1c_lo;
-  const double so_2a = KSL_MUL(D->m02, w_0), so_2a_cross2 = KSL_MUL(D->m02, w_0_lo),
-      so_2b = KSL_MUL(D->m12, w_1), so_2b_cross2 = KSL_MUL(D->m12, w_1_lo), so_2c = so_2a + so_2b,
-      so_2c_right = so_2c - so_2a, so_2c_left = so_2c - so_2c_right,
-      so_2c_left_rest = ksl_product_rest(D->m02, w_0, so_2a, so_2c_left),
-      so_2c_right_rest = ksl_product_rest(D->m12, w_1, so_2b, so_2c_right),
-      so_2c_cross = so_2a_cross2 + so_2b_cross2, so_2c_lo1 = so_2c_left_rest + so_2c_right_rest,
-      so_2c_lo = so_2c_lo1 + so_2c_cross, so_2d = KSL_MUL(D->m22, w_2),
-      so_2d_cross2 = KSL_MUL(D->m22, w_2_lo), so_2 = so_2c + so_2d, so_2_right = so_2 - so_2c,
-      so_2_left = so_2 - so_2_right, so_2_left_rest = so_2c - so_2_left,
-      so_2_right_rest = ksl_product_rest(D->m22, w_2, so_2d, so_2_right),
-      so_2_lo1 = so_2_left_rest + so_2_right_rest, so_2_lo2 = so_2_lo1 + so_2d_cross2,
-      so_2_lo = so_2_lo2 + so_2c_lo;
+      w_2c_right = w_2a - w_2c, w_2 = w_2c + si->m2, w_2_right = w_2 - w_2c,
+      w_2c_lo = ksl_product_rest(D->m13, si->m3, w_2a, w_2c + w_2c_right)
+          - ksl_product_rest(D->m03, si->m4, w_2b, w_2c_right),
+      w_2_lo = w_2c - (w_2 - w_2_right) + (si->m2 - w_2_right) + w_2c_lo;
+  const double so_0a = KSL_MUL(D->m00, w_0), so_0b = KSL_MUL(D->m10, w_1), so_0c = so_0a + so_0b,
+      so_0c_right = so_0c - so_0a,
+      so_0c_lo1 = ksl_product_rest(D->m00, w_0, so_0a, so_0c - so_0c_right)
+          + ksl_product_rest(D->m10, w_1, so_0b, so_0c_right), so_0d = KSL_MUL(D->m20, w_2),
+      so_0 = so_0c + so_0d, so_0_right = so_0 - so_0c,
+      so_0_lo2 = so_0c - (so_0 - so_0_right) + ksl_product_rest(D->m20, w_2, so_0d, so_0_right)
+          + KSL_MUL(D->m20, w_2_lo);
+  const double so_1a = KSL_MUL(D->m01, w_0), so_1b = KSL_MUL(D->m11, w_1), so_1c = so_1a + so_1b,
+      so_1c_right = so_1c - so_1a,
+      so_1c_lo1 = ksl_product_rest(D->m01, w_0, so_1a, so_1c - so_1c_right)
+          + ksl_product_rest(D->m11, w_1, so_1b, so_1c_right), so_1d = KSL_MUL(D->m21, w_2),
+      so_1 = so_1c + so_1d, so_1_right = so_1 - so_1c,
+      so_1_lo2 = so_1c - (so_1 - so_1_right) + ksl_product_rest(D->m21, w_2, so_1d, so_1_right)
+          + KSL_MUL(D->m21, w_2_lo);
+  const double so_2a = KSL_MUL(D->m02, w_0), so_2b = KSL_MUL(D->m12, w_1), so_2c = so_2a + so_2b,
+      so_2c_right = so_2c - so_2a,
+      so_2c_lo1 = ksl_product_rest(D->m02, w_0, so_2a, so_2c - so_2c_right)
+          + ksl_product_rest(D->m12, w_1, so_2b, so_2c_right), so_2d = KSL_MUL(D->m22, w_2),
+      so_2 = so_2c + so_2d, so_2_right = so_2 - so_2c,
+      so_2_lo2 = so_2c - (so_2 - so_2_right) + ksl_product_rest(D->m22, w_2, so_2d, so_2_right)
+          + KSL_MUL(D->m22, w_2_lo);
   const double so_3a = KSL_MUL(D->m00, si->m3), so_3b = KSL_MUL(D->m10, si->m4),
-      so_3c = so_3a + so_3b, so_3c_right = so_3c - so_3a, so_3c_left = so_3c - so_3c_right,
-      so_3c_left_rest = ksl_product_rest(D->m00, si->m3, so_3a, so_3c_left),
-      so_3c_right_rest = ksl_product_rest(D->m10, si->m4, so_3b, so_3c_right),
-      so_3c_lo = so_3c_left_rest + so_3c_right_rest, so_3d = KSL_MUL(D->m20, si->m5),
-      so_3 = so_3c + so_3d, so_3_right = so_3 - so_3c, so_3_left = so_3 - so_3_right,
-      so_3_left_rest = so_3c - so_3_left,
-      so_3_right_rest = ksl_product_rest(D->m20, si->m5, so_3d, so_3_right),
-      so_3_lo1 = so_3_left_rest + so_3_right_rest, so_3_lo = so_3_lo1 + so_3c_lo;
+      so_3c = so_3a + so_3b, so_3c_right = so_3c - so_3a, so_3d = KSL_MUL(D->m20, si->m5),
+      so_3 = so_3c + so_3d, so_3_right = so_3 - so_3c,
+      so_3c_lo = ksl_product_rest(D->m00, si->m3, so_3a, so_3c - so_3c_right)
+          + ksl_product_rest(D->m10, si->m4, so_3b, so_3c_right);
   const double so_4a = KSL_MUL(D->m01, si->m3), so_4b = KSL_MUL(D->m11, si->m4),
-      so_4c = so_4a + so_4b, so_4c_right = so_4c - so_4a, so_4c_left = so_4c - so_4c_right,
-      so_4c_left_rest = ksl_product_rest(D->m01, si->m3, so_4a, so_4c_left),
-      so_4c_right_rest = ksl_product_rest(D->m11, si->m4, so_4b, so_4c_right),
-      so_4c_lo = so_4c_left_rest + so_4c_right_rest, so_4d = KSL_MUL(D->m21, si->m5),
-      so_4 = so_4c + so_4d, so_4_right = so_4 - so_4c, so_4_left = so_4 - so_4_right,
-      so_4_left_rest = so_4c - so_4_left,
-      so_4_right_rest = ksl_product_rest(D->m21, si->m5, so_4d, so_4_right),
-      so_4_lo1 = so_4_left_rest + so_4_right_rest, so_4_lo = so_4_lo1 + so_4c_lo;
+      so_4c = so_4a + so_4b, so_4c_right = so_4c - so_4a, so_4d = KSL_MUL(D->m21, si->m5),
+      so_4 = so_4c + so_4d, so_4_right = so_4 - so_4c,
+      so_4c_lo = ksl_product_rest(D->m01, si->m3, so_4a, so_4c - so_4c_right)
+          + ksl_product_rest(D->m11, si->m4, so_4b, so_4c_right);
   const double so_5a = KSL_MUL(D->m02, si->m3), so_5b = KSL_MUL(D->m12, si->m4),
-      so_5c = so_5a + so_5b, so_5c_right = so_5c - so_5a, so_5c_left = so_5c - so_5c_right,
-      so_5c_left_rest = ksl_product_rest(D->m02, si->m3, so_5a, so_5c_left),
-      so_5c_right_rest = ksl_product_rest(D->m12, si->m4, so_5b, so_5c_right),
-      so_5c_lo = so_5c_left_rest + so_5c_right_rest, so_5d = KSL_MUL(D->m22, si->m5),
-      so_5 = so_5c + so_5d, so_5_right = so_5 - so_5c, so_5_left = so_5 - so_5_right,
-      so_5_left_rest = so_5c - so_5_left,
-      so_5_right_rest = ksl_product_rest(D->m22, si->m5, so_5d, so_5_right),
-      so_5_lo1 = so_5_left_rest + so_5_right_rest, so_5_lo = so_5_lo1 + so_5c_lo;
-  const double so_0_rounded = so_0 + so_0_lo;
-  const double so_1_rounded = so_1 + so_1_lo;
-  const double so_2_rounded = so_2 + so_2_lo;
-  const double so_3_rounded = so_3 + so_3_lo;
-  const double so_4_rounded = so_4 + so_4_lo;
-  const double so_5_rounded = so_5 + so_5_lo;
+      so_5c = so_5a + so_5b, so_5c_right = so_5c - so_5a, so_5d = KSL_MUL(D->m22, si->m5),
+      so_5 = so_5c + so_5d, so_5_right = so_5 - so_5c,
+      so_5c_lo = ksl_product_rest(D->m02, si->m3, so_5a, so_5c - so_5c_right)
+          + ksl_product_rest(D->m12, si->m4, so_5b, so_5c_right);
+  const double so_0_rounded = so_0
+          + (so_0_lo2 + (so_0c_lo1 + (KSL_MUL(D->m00, w_0_lo) + KSL_MUL(D->m10, w_1_lo)))),
+      so_1_rounded = so_1
+          + (so_1_lo2 + (so_1c_lo1 + (KSL_MUL(D->m01, w_0_lo) + KSL_MUL(D->m11, w_1_lo)))),
+      so_2_rounded = so_2
+          + (so_2_lo2 + (so_2c_lo1 + (KSL_MUL(D->m02, w_0_lo) + KSL_MUL(D->m12, w_1_lo)))),
+      so_3_rounded = so_3
+          + (so_3c - (so_3 - so_3_right) + ksl_product_rest(D->m20, si->m5, so_3d, so_3_right)
+          + so_3c_lo),
+      so_4_rounded = so_4
+          + (so_4c - (so_4 - so_4_right) + ksl_product_rest(D->m21, si->m5, so_4d, so_4_right)
+          + so_4c_lo),
+      so_5_rounded = so_5
+          + (so_5c - (so_5 - so_5_right) + ksl_product_rest(D->m22, si->m5, so_5d, so_5_right)
+          + so_5c_lo);
   so->m0 = so_0_rounded;
   so->m1 = so_1_rounded;
   so->m2 = so_2_rounded;
@@ -1358,101 +985,78 @@ static inline void ksl_product_Adinvs_accurate(const ksl_SE3_t *D, const ksl_scr
 static inline void ksl_product_Adsinv_accurate(const ksl_SE3_t *D, const ksl_screw_t *si,
     ksl_screw_t *so) {
   const double w_0a = KSL_MUL(D->m00, si->m0), w_0b = KSL_MUL(D->m01, si->m1), w_0c = w_0a + w_0b,
-      w_0c_right = w_0c - w_0a, w_0c_left = w_0c - w_0c_right,
-      w_0c_left_rest = ksl_product_rest(D->m00, si->m0, w_0a, w_0c_left),
-      w_0c_right_rest = ksl_product_rest(D->m01, si->m1, w_0b, w_0c_right),
-      w_0c_lo = w_0c_left_rest + w_0c_right_rest, w_0d = KSL_MUL(D->m02, si->m2),
-      w_0e = w_0c + w_0d, w_0e_right = w_0e - w_0c, w_0e_left = w_0e - w_0e_right,
-      w_0e_left_rest = w_0c - w_0e_left,
-      w_0e_right_rest = ksl_product_rest(D->m02, si->m2, w_0d, w_0e_right),
-      w_0e_lo1 = w_0e_left_rest + w_0e_right_rest, w_0e_lo = w_0e_lo1 + w_0c_lo, w_0 = -w_0e,
-      w_0_lo = -w_0e_lo;
+      w_0c_right = w_0c - w_0a, w_0d = KSL_MUL(D->m02, si->m2), w_0e = w_0c + w_0d,
+      w_0e_right = w_0e - w_0c,
+      w_0c_lo = ksl_product_rest(D->m00, si->m0, w_0a, w_0c - w_0c_right)
+          + ksl_product_rest(D->m01, si->m1, w_0b, w_0c_right), w_0 = -w_0e;
   const double w_1a = KSL_MUL(D->m10, si->m0), w_1b = KSL_MUL(D->m11, si->m1), w_1c = w_1a + w_1b,
-      w_1c_right = w_1c - w_1a, w_1c_left = w_1c - w_1c_right,
-      w_1c_left_rest = ksl_product_rest(D->m10, si->m0, w_1a, w_1c_left),
-      w_1c_right_rest = ksl_product_rest(D->m11, si->m1, w_1b, w_1c_right),
-      w_1c_lo = w_1c_left_rest + w_1c_right_rest, w_1d = KSL_MUL(D->m12, si->m2),
-      w_1e = w_1c + w_1d, w_1e_right = w_1e - w_1c, w_1e_left = w_1e - w_1e_right,
-      w_1e_left_rest = w_1c - w_1e_left,
-      w_1e_right_rest = ksl_product_rest(D->m12, si->m2, w_1d, w_1e_right),
-      w_1e_lo1 = w_1e_left_rest + w_1e_right_rest, w_1e_lo = w_1e_lo1 + w_1c_lo, w_1 = -w_1e,
-      w_1_lo = -w_1e_lo;
+      w_1c_right = w_1c - w_1a, w_1d = KSL_MUL(D->m12, si->m2), w_1e = w_1c + w_1d,
+      w_1e_right = w_1e - w_1c,
+      w_1c_lo = ksl_product_rest(D->m10, si->m0, w_1a, w_1c - w_1c_right)
+          + ksl_product_rest(D->m11, si->m1, w_1b, w_1c_right), w_1 = -w_1e;
   const double w_2a = KSL_MUL(D->m20, si->m0), w_2b = KSL_MUL(D->m21, si->m1), w_2c = w_2a + w_2b,
-      w_2c_right = w_2c - w_2a, w_2c_left = w_2c - w_2c_right,
-      w_2c_left_rest = ksl_product_rest(D->m20, si->m0, w_2a, w_2c_left),
-      w_2c_right_rest = ksl_product_rest(D->m21, si->m1, w_2b, w_2c_right),
-      w_2c_lo = w_2c_left_rest + w_2c_right_rest, w_2d = KSL_MUL(D->m22, si->m2),
-      w_2e = w_2c + w_2d, w_2e_right = w_2e - w_2c, w_2e_left = w_2e - w_2e_right,
-      w_2e_left_rest = w_2c - w_2e_left,
-      w_2e_right_rest = ksl_product_rest(D->m22, si->m2, w_2d, w_2e_right),
-      w_2e_lo1 = w_2e_left_rest + w_2e_right_rest, w_2e_lo = w_2e_lo1 + w_2c_lo, w_2 = -w_2e,
-      w_2_lo = -w_2e_lo;
+      w_2c_right = w_2c - w_2a, w_2d = KSL_MUL(D->m22, si->m2), w_2e = w_2c + w_2d,
+      w_2e_right = w_2e - w_2c,
+      w_2c_lo = ksl_product_rest(D->m20, si->m0, w_2a, w_2c - w_2c_right)
+          + ksl_product_rest(D->m21, si->m1, w_2b, w_2c_right), w_2 = -w_2e;
   const double w_3a = KSL_MUL(D->m00, si->m3), w_3b = KSL_MUL(D->m01, si->m4), w_3c = w_3a + w_3b,
-      w_3c_right = w_3c - w_3a, w_3c_left = w_3c - w_3c_right,
-      w_3c_left_rest = ksl_product_rest(D->m00, si->m3, w_3a, w_3c_left),
-      w_3c_right_rest = ksl_product_rest(D->m01, si->m4, w_3b, w_3c_right),
-      w_3c_lo = w_3c_left_rest + w_3c_right_rest, w_3d = KSL_MUL(D->m02, si->m5),
-      w_3e = w_3c + w_3d, w_3e_right = w_3e - w_3c, w_3e_left = w_3e - w_3e_right,
-      w_3e_left_rest = w_3c - w_3e_left,
-      w_3e_right_rest = ksl_product_rest(D->m02, si->m5, w_3d, w_3e_right),
-      w_3e_lo1 = w_3e_left_rest + w_3e_right_rest, w_3e_lo = w_3e_lo1 + w_3c_lo, w_3 = -w_3e,
-      w_3_lo = -w_3e_lo;
+      w_3c_right = w_3c - w_3a, w_3d = KSL_MUL(D->m02, si->m5), w_3e = w_3c + w_3d,
+      w_3e_right = w_3e - w_3c,
+      w_3c_lo = ksl_product_rest(D->m00, si->m3, w_3a, w_3c - w_3c_right)
+          + ksl_product_rest(D->m01, si->m4, w_3b, w_3c_right), w_3 = -w_3e,
+      w_3_lo =
+          -(w_3c - (w_3e - w_3e_right) + ksl_product_rest(D->m02, si->m5, w_3d, w_3e_right)
+          + w_3c_lo);
   const double w_4a = KSL_MUL(D->m10, si->m3), w_4b = KSL_MUL(D->m11, si->m4), w_4c = w_4a + w_4b,
-      w_4c_right = w_4c - w_4a, w_4c_left = w_4c - w_4c_right,
-      w_4c_left_rest = ksl_product_rest(D->m10, si->m3, w_4a, w_4c_left),
-      w_4c_right_rest = ksl_product_rest(D->m11, si->m4, w_4b, w_4c_right),
-      w_4c_lo = w_4c_left_rest + w_4c_right_rest, w_4d = KSL_MUL(D->m12, si->m5),
-      w_4e = w_4c + w_4d, w_4e_right = w_4e - w_4c, w_4e_left = w_4e - w_4e_right,
-      w_4e_left_rest = w_4c - w_4e_left,
-      w_4e_right_rest = ksl_product_rest(D->m12, si->m5, w_4d, w_4e_right),
-      w_4e_lo1 = w_4e_left_rest + w_4e_right_rest, w_4e_lo = w_4e_lo1 + w_4c_lo, w_4 = -w_4e,
-      w_4_lo = -w_4e_lo;
+      w_4c_right = w_4c - w_4a, w_4d = KSL_MUL(D->m12, si->m5), w_4e = w_4c + w_4d,
+      w_4e_right = w_4e - w_4c,
+      w_4c_lo = ksl_product_rest(D->m10, si->m3, w_4a, w_4c - w_4c_right)
+          + ksl_product_rest(D->m11, si->m4, w_4b, w_4c_right), w_4 = -w_4e,
+      w_4_lo =
+          -(w_4c - (w_4e - w_4e_right) + ksl_product_rest(D->m12, si->m5, w_4d, w_4e_right)
+          + w_4c_lo);
   const double w_5a = KSL_MUL(D->m20, si->m3), w_5b = KSL_MUL(D->m21, si->m4), w_5c = w_5a + w_5b,
-      w_5c_right = w_5c - w_5a, w_5c_left = w_5c - w_5c_right,
-      w_5c_left_rest = ksl_product_rest(D->m20, si->m3, w_5a, w_5c_left),
-      w_5c_right_rest = ksl_product_rest(D->m21, si->m4, w_5b, w_5c_right),
-      w_5c_lo = w_5c_left_rest + w_5c_right_rest, w_5d = KSL_MUL(D->m22, si->m5),
-      w_5e = w_5c + w_5d, w_5e_right = w_5e - w_5c, w_5e_left = w_5e - w_5e_right,
-      w_5e_left_rest = w_5c - w_5e_left,
-      w_5e_right_rest = ksl_product_rest(D->m22, si->m5, w_5d, w_5e_right),
-      w_5e_lo1 = w_5e_left_rest + w_5e_right_rest, w_5e_lo = w_5e_lo1 + w_5c_lo, w_5 = -w_5e,
-      w_5_lo = -w_5e_lo;
-  const double so_0a = KSL_MUL(D->m13, w_5), so_0a_cross2 = KSL_MUL(D->m13, w_5_lo),
-      so_0b = KSL_MUL(D->m23, w_4), so_0b_cross2 = KSL_MUL(D->m23, w_4_lo), so_0c = so_0a - so_0b,
-      so_0c_right = so_0a - so_0c, so_0c_left = so_0c + so_0c_right,
-      so_0c_left_rest = ksl_product_rest(D->m13, w_5, so_0a, so_0c_left),
-      so_0c_right_rest = ksl_product_rest(D->m23, w_4, so_0b, so_0c_right),
-      so_0c_cross = so_0a_cross2 - so_0b_cross2, so_0c_lo1 = so_0c_left_rest - so_0c_right_rest,
-      so_0c_lo = so_0c_lo1 + so_0c_cross, so_0 = so_0c + w_0, so_0_right = so_0 - so_0c,
-      so_0_left = so_0 - so_0_right, so_0_left_rest = so_0c - so_0_left,
-      so_0_right_rest = w_0 - so_0_right, so_0_lo1 = so_0_left_rest + so_0_right_rest,
-      so_0_lo2 = so_0_lo1 + w_0_lo, so_0_lo = so_0_lo2 + so_0c_lo;
-  const double so_1a = KSL_MUL(D->m23, w_3), so_1a_cross2 = KSL_MUL(D->m23, w_3_lo),
-      so_1b = KSL_MUL(D->m03, w_5), so_1b_cross2 = KSL_MUL(D->m03, w_5_lo), so_1c = so_1a - so_1b,
-      so_1c_right = so_1a - so_1c, so_1c_left = so_1c + so_1c_right,
-      so_1c_left_rest = ksl_product_rest(D->m23, w_3, so_1a, so_1c_left),
-      so_1c_right_rest = ksl_product_rest(D->m03, w_5, so_1b, so_1c_right),
-      so_1c_cross = so_1a_cross2 - so_1b_cross2, so_1c_lo1 = so_1c_left_rest - so_1c_right_rest,
-      so_1c_lo = so_1c_lo1 + so_1c_cross, so_1 = so_1c + w_1, so_1_right = so_1 - so_1c,
-      so_1_left = so_1 - so_1_right, so_1_left_rest = so_1c - so_1_left,
-      so_1_right_rest = w_1 - so_1_right, so_1_lo1 = so_1_left_rest + so_1_right_rest,
-      so_1_lo2 = so_1_lo1 + w_1_lo, so_1_lo = so_1_lo2 + so_1c_lo;
-  const double so_2a = KSL_MUL(D->m03, w_4), so_2a_cross2 = KSL_MUL(D->m03, w_4_lo),
-      so_2b = KSL_MUL(D->m13, w_3), so_2b_cross2 = KSL_MUL(D->m13, w_3_lo), so_2c = so_2a - so_2b,
-      so_2c_right = so_2a - so_2c, so_2c_left = so_2c + so_2c_right,
-      so_2c_left_rest = ksl_product_rest(D->m03, w_4, so_2a, so_2c_left),
-      so_2c_right_rest = ksl_product_rest(D->m13, w_3, so_2b, so_2c_right),
-      so_2c_cross = so_2a_cross2 - so_2b_cross2, so_2c_lo1 = so_2c_left_rest - so_2c_right_rest,
-      so_2c_lo = so_2c_lo1 + so_2c_cross, so_2 = so_2c + w_2, so_2_right = so_2 - so_2c,
-      so_2_left = so_2 - so_2_right, so_2_left_rest = so_2c - so_2_left,
-      so_2_right_rest = w_2 - so_2_right, so_2_lo1 = so_2_left_rest + so_2_right_rest,
-      so_2_lo2 = so_2_lo1 + w_2_lo, so_2_lo = so_2_lo2 + so_2c_lo;
-  const double so_0_rounded = so_0 + so_0_lo;
-  const double so_1_rounded = so_1 + so_1_lo;
-  const double so_2_rounded = so_2 + so_2_lo;
-  const double w_3_rounded = w_3 + w_3_lo;
-  const double w_4_rounded = w_4 + w_4_lo;
-  const double w_5_rounded = w_5 + w_5_lo;
+      w_5c_right = w_5c - w_5a, w_5d = KSL_MUL(D->m22, si->m5), w_5e = w_5c + w_5d,
+      w_5e_right = w_5e - w_5c,
+      w_5c_lo = ksl_product_rest(D->m20, si->m3, w_5a, w_5c - w_5c_right)
+          + ksl_product_rest(D->m21, si->m4, w_5b, w_5c_right), w_5 = -w_5e,
+      w_5_lo =
+          -(w_5c - (w_5e - w_5e_right) + ksl_product_rest(D->m22, si->m5, w_5d, w_5e_right)
+          + w_5c_lo);
+  const double so_0a = KSL_MUL(D->m13, w_5), so_0b = KSL_MUL(D->m23, w_4), so_0c = so_0a - so_0b,
+      so_0c_right = so_0a - so_0c,
+      so_0c_lo1 = ksl_product_rest(D->m13, w_5, so_0a, so_0c + so_0c_right)
+          - ksl_product_rest(D->m23, w_4, so_0b, so_0c_right), so_0 = so_0c + w_0,
+      so_0_right = so_0 - so_0c;
+  const double w_0_lo =
+          -(w_0c - (w_0e - w_0e_right) + ksl_product_rest(D->m02, si->m2, w_0d, w_0e_right)
+          + w_0c_lo);
+  const double so_1a = KSL_MUL(D->m23, w_3), so_1b = KSL_MUL(D->m03, w_5), so_1c = so_1a - so_1b,
+      so_1c_right = so_1a - so_1c,
+      so_1c_lo1 = ksl_product_rest(D->m23, w_3, so_1a, so_1c + so_1c_right)
+          - ksl_product_rest(D->m03, w_5, so_1b, so_1c_right), so_1 = so_1c + w_1,
+      so_1_right = so_1 - so_1c;
+  const double w_1_lo =
+          -(w_1c - (w_1e - w_1e_right) + ksl_product_rest(D->m12, si->m2, w_1d, w_1e_right)
+          + w_1c_lo);
+  const double so_2a = KSL_MUL(D->m03, w_4), so_2b = KSL_MUL(D->m13, w_3), so_2c = so_2a - so_2b,
+      so_2c_right = so_2a - so_2c,
+      so_2c_lo1 = ksl_product_rest(D->m03, w_4, so_2a, so_2c + so_2c_right)
+          - ksl_product_rest(D->m13, w_3, so_2b, so_2c_right), so_2 = so_2c + w_2,
+      so_2_right = so_2 - so_2c;
+  const double w_2_lo =
+          -(w_2c - (w_2e - w_2e_right) + ksl_product_rest(D->m22, si->m2, w_2d, w_2e_right)
+          + w_2c_lo);
+  const double so_0_rounded = so_0
+          + (so_0c - (so_0 - so_0_right) + (w_0 - so_0_right) + w_0_lo
+          + (so_0c_lo1 + (KSL_MUL(D->m13, w_5_lo) - KSL_MUL(D->m23, w_4_lo)))),
+      so_1_rounded = so_1
+          + (so_1c - (so_1 - so_1_right) + (w_1 - so_1_right) + w_1_lo
+          + (so_1c_lo1 + (KSL_MUL(D->m23, w_3_lo) - KSL_MUL(D->m03, w_5_lo)))),
+      so_2_rounded = so_2
+          + (so_2c - (so_2 - so_2_right) + (w_2 - so_2_right) + w_2_lo
+          + (so_2c_lo1 + (KSL_MUL(D->m03, w_4_lo) - KSL_MUL(D->m13, w_3_lo))));
+  const double w_3_rounded = w_3 + w_3_lo, w_4_rounded = w_4 + w_4_lo, w_5_rounded = w_5 + w_5_lo;
   so->m0 = so_0_rounded;
   so->m1 = so_1_rounded;
   so->m2 = so_2_rounded;
@@ -1468,23 +1072,20 @@ static inline void ksl_product_Adsinv_accurate(const ksl_SE3_t *D, const ksl_scr
      formula; barring over- and underflow. */
 static inline void ksl_hsrx_accurate(const ksl_SE3_t *D, ksl_screw_t *so) {
   const double so_0a = KSL_MUL(D->m20, D->m13), so_0b = KSL_MUL(D->m10, D->m23),
-      so_0 = so_0a - so_0b, so_0_right = so_0a - so_0, so_0_left = so_0 + so_0_right,
-      so_0_left_rest = ksl_product_rest(D->m20, D->m13, so_0a, so_0_left),
-      so_0_right_rest = ksl_product_rest(D->m10, D->m23, so_0b, so_0_right),
-      so_0_lo = so_0_left_rest - so_0_right_rest;
+      so_0 = so_0a - so_0b, so_0_right = so_0a - so_0;
   const double so_1a = KSL_MUL(D->m00, D->m23), so_1b = KSL_MUL(D->m20, D->m03),
-      so_1 = so_1a - so_1b, so_1_right = so_1a - so_1, so_1_left = so_1 + so_1_right,
-      so_1_left_rest = ksl_product_rest(D->m00, D->m23, so_1a, so_1_left),
-      so_1_right_rest = ksl_product_rest(D->m20, D->m03, so_1b, so_1_right),
-      so_1_lo = so_1_left_rest - so_1_right_rest;
+      so_1 = so_1a - so_1b, so_1_right = so_1a - so_1;
   const double so_2a = KSL_MUL(D->m10, D->m03), so_2b = KSL_MUL(D->m00, D->m13),
-      so_2 = so_2a - so_2b, so_2_right = so_2a - so_2, so_2_left = so_2 + so_2_right,
-      so_2_left_rest = ksl_product_rest(D->m10, D->m03, so_2a, so_2_left),
-      so_2_right_rest = ksl_product_rest(D->m00, D->m13, so_2b, so_2_right),
-      so_2_lo = so_2_left_rest - so_2_right_rest;
-  const double so_0_rounded = so_0 + so_0_lo;
-  const double so_1_rounded = so_1 + so_1_lo;
-  const double so_2_rounded = so_2 + so_2_lo;
+      so_2 = so_2a - so_2b, so_2_right = so_2a - so_2;
+  const double so_0_rounded = so_0
+          + (ksl_product_rest(D->m20, D->m13, so_0a, so_0 + so_0_right)
+          - ksl_product_rest(D->m10, D->m23, so_0b, so_0_right)),
+      so_1_rounded = so_1
+          + (ksl_product_rest(D->m00, D->m23, so_1a, so_1 + so_1_right)
+          - ksl_product_rest(D->m20, D->m03, so_1b, so_1_right)),
+      so_2_rounded = so_2
+          + (ksl_product_rest(D->m10, D->m03, so_2a, so_2 + so_2_right)
+          - ksl_product_rest(D->m00, D->m13, so_2b, so_2_right));
   const double D_m00 = D->m00;
   const double D_m10 = D->m10;
   const double D_m20 = D->m20;
@@ -1503,23 +1104,20 @@ static inline void ksl_hsrx_accurate(const ksl_SE3_t *D, ksl_screw_t *so) {
      formula; barring over- and underflow. */
 static inline void ksl_hsry_accurate(const ksl_SE3_t *D, ksl_screw_t *so) {
   const double so_0a = KSL_MUL(D->m21, D->m13), so_0b = KSL_MUL(D->m11, D->m23),
-      so_0 = so_0a - so_0b, so_0_right = so_0a - so_0, so_0_left = so_0 + so_0_right,
-      so_0_left_rest = ksl_product_rest(D->m21, D->m13, so_0a, so_0_left),
-      so_0_right_rest = ksl_product_rest(D->m11, D->m23, so_0b, so_0_right),
-      so_0_lo = so_0_left_rest - so_0_right_rest;
+      so_0 = so_0a - so_0b, so_0_right = so_0a - so_0;
   const double so_1a = KSL_MUL(D->m01, D->m23), so_1b = KSL_MUL(D->m21, D->m03),
-      so_1 = so_1a - so_1b, so_1_right = so_1a - so_1, so_1_left = so_1 + so_1_right,
-      so_1_left_rest = ksl_product_rest(D->m01, D->m23, so_1a, so_1_left),
-      so_1_right_rest = ksl_product_rest(D->m21, D->m03, so_1b, so_1_right),
-      so_1_lo = so_1_left_rest - so_1_right_rest;
+      so_1 = so_1a - so_1b, so_1_right = so_1a - so_1;
   const double so_2a = KSL_MUL(D->m11, D->m03), so_2b = KSL_MUL(D->m01, D->m13),
-      so_2 = so_2a - so_2b, so_2_right = so_2a - so_2, so_2_left = so_2 + so_2_right,
-      so_2_left_rest = ksl_product_rest(D->m11, D->m03, so_2a, so_2_left),
-      so_2_right_rest = ksl_product_rest(D->m01, D->m13, so_2b, so_2_right),
-      so_2_lo = so_2_left_rest - so_2_right_rest;
-  const double so_0_rounded = so_0 + so_0_lo;
-  const double so_1_rounded = so_1 + so_1_lo;
-  const double so_2_rounded = so_2 + so_2_lo;
+      so_2 = so_2a - so_2b, so_2_right = so_2a - so_2;
+  const double so_0_rounded = so_0
+          + (ksl_product_rest(D->m21, D->m13, so_0a, so_0 + so_0_right)
+          - ksl_product_rest(D->m11, D->m23, so_0b, so_0_right)),
+      so_1_rounded = so_1
+          + (ksl_product_rest(D->m01, D->m23, so_1a, so_1 + so_1_right)
+          - ksl_product_rest(D->m21, D->m03, so_1b, so_1_right)),
+      so_2_rounded = so_2
+          + (ksl_product_rest(D->m11, D->m03, so_2a, so_2 + so_2_right)
+          - ksl_product_rest(D->m01, D->m13, so_2b, so_2_right));
   const double D_m01 = D->m01;
   const double D_m11 = D->m11;
   const double D_m21 = D->m21;
@@ -1538,23 +1136,20 @@ static inline void ksl_hsry_accurate(const ksl_SE3_t *D, ksl_screw_t *so) {
      formula; barring over- and underflow. */
 static inline void ksl_hsrz_accurate(const ksl_SE3_t *D, ksl_screw_t *so) {
   const double so_0a = KSL_MUL(D->m22, D->m13), so_0b = KSL_MUL(D->m12, D->m23),
-      so_0 = so_0a - so_0b, so_0_right = so_0a - so_0, so_0_left = so_0 + so_0_right,
-      so_0_left_rest = ksl_product_rest(D->m22, D->m13, so_0a, so_0_left),
-      so_0_right_rest = ksl_product_rest(D->m12, D->m23, so_0b, so_0_right),
-      so_0_lo = so_0_left_rest - so_0_right_rest;
+      so_0 = so_0a - so_0b, so_0_right = so_0a - so_0;
   const double so_1a = KSL_MUL(D->m02, D->m23), so_1b = KSL_MUL(D->m22, D->m03),
-      so_1 = so_1a - so_1b, so_1_right = so_1a - so_1, so_1_left = so_1 + so_1_right,
-      so_1_left_rest = ksl_product_rest(D->m02, D->m23, so_1a, so_1_left),
-      so_1_right_rest = ksl_product_rest(D->m22, D->m03, so_1b, so_1_right),
-      so_1_lo = so_1_left_rest - so_1_right_rest;
+      so_1 = so_1a - so_1b, so_1_right = so_1a - so_1;
   const double so_2a = KSL_MUL(D->m12, D->m03), so_2b = KSL_MUL(D->m02, D->m13),
-      so_2 = so_2a - so_2b, so_2_right = so_2a - so_2, so_2_left = so_2 + so_2_right,
-      so_2_left_rest = ksl_product_rest(D->m12, D->m03, so_2a, so_2_left),
-      so_2_right_rest = ksl_product_rest(D->m02, D->m13, so_2b, so_2_right),
-      so_2_lo = so_2_left_rest - so_2_right_rest;
-  const double so_0_rounded = so_0 + so_0_lo;
-  const double so_1_rounded = so_1 + so_1_lo;
-  const double so_2_rounded = so_2 + so_2_lo;
+      so_2 = so_2a - so_2b, so_2_right = so_2a - so_2;
+  const double so_0_rounded = so_0
+          + (ksl_product_rest(D->m22, D->m13, so_0a, so_0 + so_0_right)
+          - ksl_product_rest(D->m12, D->m23, so_0b, so_0_right)),
+      so_1_rounded = so_1
+          + (ksl_product_rest(D->m02, D->m23, so_1a, so_1 + so_1_right)
+          - ksl_product_rest(D->m22, D->m03, so_1b, so_1_right)),
+      so_2_rounded = so_2
+          + (ksl_product_rest(D->m12, D->m03, so_2a, so_2 + so_2_right)
+          - ksl_product_rest(D->m02, D->m13, so_2b, so_2_right));
   const double D_m02 = D->m02;
   const double D_m12 = D->m12;
   const double D_m22 = D->m22;
@@ -1573,26 +1168,21 @@ static inline void ksl_hsrz_accurate(const ksl_SE3_t *D, ksl_screw_t *so) {
      formula; barring over- and underflow. */
 static inline void ksl_hsrxinv_accurate(const ksl_SE3_t *D, ksl_screw_t *so) {
   const double so_0a = KSL_MUL(D->m10, D->m23), so_0b = KSL_MUL(D->m20, D->m13),
-      so_0 = so_0a - so_0b, so_0_right = so_0a - so_0, so_0_left = so_0 + so_0_right,
-      so_0_left_rest = ksl_product_rest(D->m10, D->m23, so_0a, so_0_left),
-      so_0_right_rest = ksl_product_rest(D->m20, D->m13, so_0b, so_0_right),
-      so_0_lo = so_0_left_rest - so_0_right_rest;
+      so_0 = so_0a - so_0b, so_0_right = so_0a - so_0;
   const double so_1a = KSL_MUL(D->m20, D->m03), so_1b = KSL_MUL(D->m00, D->m23),
-      so_1 = so_1a - so_1b, so_1_right = so_1a - so_1, so_1_left = so_1 + so_1_right,
-      so_1_left_rest = ksl_product_rest(D->m20, D->m03, so_1a, so_1_left),
-      so_1_right_rest = ksl_product_rest(D->m00, D->m23, so_1b, so_1_right),
-      so_1_lo = so_1_left_rest - so_1_right_rest;
+      so_1 = so_1a - so_1b, so_1_right = so_1a - so_1;
   const double so_2a = KSL_MUL(D->m00, D->m13), so_2b = KSL_MUL(D->m10, D->m03),
-      so_2 = so_2a - so_2b, so_2_right = so_2a - so_2, so_2_left = so_2 + so_2_right,
-      so_2_left_rest = ksl_product_rest(D->m00, D->m13, so_2a, so_2_left),
-      so_2_right_rest = ksl_product_rest(D->m10, D->m03, so_2b, so_2_right),
-      so_2_lo = so_2_left_rest - so_2_right_rest;
-  const double so_3 = -D->m00;
-  const double so_4 = -D->m10;
-  const double so_5 = -D->m20;
-  const double so_0_rounded = so_0 + so_0_lo;
-  const double so_1_rounded = so_1 + so_1_lo;
-  const double so_2_rounded = so_2 + so_2_lo;
+      so_2 = so_2a - so_2b, so_2_right = so_2a - so_2;
+  const double so_3 = -D->m00, so_4 = -D->m10, so_5 = -D->m20;
+  const double so_0_rounded = so_0
+          + (ksl_product_rest(D->m10, D->m23, so_0a, so_0 + so_0_right)
+          - ksl_product_rest(D->m20, D->m13, so_0b, so_0_right)),
+      so_1_rounded = so_1
+          + (ksl_product_rest(D->m20, D->m03, so_1a, so_1 + so_1_right)
+          - ksl_product_rest(D->m00, D->m23, so_1b, so_1_right)),
+      so_2_rounded = so_2
+          + (ksl_product_rest(D->m00, D->m13, so_2a, so_2 + so_2_right)
+          - ksl_product_rest(D->m10, D->m03, so_2b, so_2_right));
   so->m0 = so_0_rounded;
   so->m1 = so_1_rounded;
   so->m2 = so_2_rounded;
@@ -1608,26 +1198,21 @@ static inline void ksl_hsrxinv_accurate(const ksl_SE3_t *D, ksl_screw_t *so) {
      formula; barring over- and underflow. */
 static inline void ksl_hsryinv_accurate(const ksl_SE3_t *D, ksl_screw_t *so) {
   const double so_0a = KSL_MUL(D->m11, D->m23), so_0b = KSL_MUL(D->m21, D->m13),
-      so_0 = so_0a - so_0b, so_0_right = so_0a - so_0, so_0_left = so_0 + so_0_right,
-      so_0_left_rest = ksl_product_rest(D->m11, D->m23, so_0a, so_0_left),
-      so_0_right_rest = ksl_product_rest(D->m21, D->m13, so_0b, so_0_right),
-      so_0_lo = so_0_left_rest - so_0_right_rest;
+      so_0 = so_0a - so_0b, so_0_right = so_0a - so_0;
   const double so_1a = KSL_MUL(D->m21, D->m03), so_1b = KSL_MUL(D->m01, D->m23),
-      so_1 = so_1a - so_1b, so_1_right = so_1a - so_1, so_1_left = so_1 + so_1_right,
-      so_1_left_rest = ksl_product_rest(D->m21, D->m03, so_1a, so_1_left),
-      so_1_right_rest = ksl_product_rest(D->m01, D->m23, so_1b, so_1_right),
-      so_1_lo = so_1_left_rest - so_1_right_rest;
+      so_1 = so_1a - so_1b, so_1_right = so_1a - so_1;
   const double so_2a = KSL_MUL(D->m01, D->m13), so_2b = KSL_MUL(D->m11, D->m03),
-      so_2 = so_2a - so_2b, so_2_right = so_2a - so_2, so_2_left = so_2 + so_2_right,
-      so_2_left_rest = ksl_product_rest(D->m01, D->m13, so_2a, so_2_left),
-      so_2_right_rest = ksl_product_rest(D->m11, D->m03, so_2b, so_2_right),
-      so_2_lo = so_2_left_rest - so_2_right_rest;
-  const double so_3 = -D->m01;
-  const double so_4 = -D->m11;
-  const double so_5 = -D->m21;
-  const double so_0_rounded = so_0 + so_0_lo;
-  const double so_1_rounded = so_1 + so_1_lo;
-  const double so_2_rounded = so_2 + so_2_lo;
+      so_2 = so_2a - so_2b, so_2_right = so_2a - so_2;
+  const double so_3 = -D->m01, so_4 = -D->m11, so_5 = -D->m21;
+  const double so_0_rounded = so_0
+          + (ksl_product_rest(D->m11, D->m23, so_0a, so_0 + so_0_right)
+          - ksl_product_rest(D->m21, D->m13, so_0b, so_0_right)),
+      so_1_rounded = so_1
+          + (ksl_product_rest(D->m21, D->m03, so_1a, so_1 + so_1_right)
+          - ksl_product_rest(D->m01, D->m23, so_1b, so_1_right)),
+      so_2_rounded = so_2
+          + (ksl_product_rest(D->m01, D->m13, so_2a, so_2 + so_2_right)
+          - ksl_product_rest(D->m11, D->m03, so_2b, so_2_right));
   so->m0 = so_0_rounded;
   so->m1 = so_1_rounded;
   so->m2 = so_2_rounded;
@@ -1643,26 +1228,21 @@ static inline void ksl_hsryinv_accurate(const ksl_SE3_t *D, ksl_screw_t *so) {
      formula; barring over- and underflow. */
 static inline void ksl_hsrzinv_accurate(const ksl_SE3_t *D, ksl_screw_t *so) {
   const double so_0a = KSL_MUL(D->m12, D->m23), so_0b = KSL_MUL(D->m22, D->m13),
-      so_0 = so_0a - so_0b, so_0_right = so_0a - so_0, so_0_left = so_0 + so_0_right,
-      so_0_left_rest = ksl_product_rest(D->m12, D->m23, so_0a, so_0_left),
-      so_0_right_rest = ksl_product_rest(D->m22, D->m13, so_0b, so_0_right),
-      so_0_lo = so_0_left_rest - so_0_right_rest;
+      so_0 = so_0a - so_0b, so_0_right = so_0a - so_0;
   const double so_1a = KSL_MUL(D->m22, D->m03), so_1b = KSL_MUL(D->m02, D->m23),
-      so_1 = so_1a - so_1b, so_1_right = so_1a - so_1, so_1_left = so_1 + so_1_right,
-      so_1_left_rest = ksl_product_rest(D->m22, D->m03, so_1a, so_1_left),
-      so_1_right_rest = ksl_product_rest(D->m02, D->m23, so_1b, so_1_right),
-      so_1_lo = so_1_left_rest - so_1_right_rest;
+      so_1 = so_1a - so_1b, so_1_right = so_1a - so_1;
   const double so_2a = KSL_MUL(D->m02, D->m13), so_2b = KSL_MUL(D->m12, D->m03),
-      so_2 = so_2a - so_2b, so_2_right = so_2a - so_2, so_2_left = so_2 + so_2_right,
-      so_2_left_rest = ksl_product_rest(D->m02, D->m13, so_2a, so_2_left),
-      so_2_right_rest = ksl_product_rest(D->m12, D->m03, so_2b, so_2_right),
-      so_2_lo = so_2_left_rest - so_2_right_rest;
-  const double so_3 = -D->m02;
-  const double so_4 = -D->m12;
-  const double so_5 = -D->m22;
-  const double so_0_rounded = so_0 + so_0_lo;
-  const double so_1_rounded = so_1 + so_1_lo;
-  const double so_2_rounded = so_2 + so_2_lo;
+      so_2 = so_2a - so_2b, so_2_right = so_2a - so_2;
+  const double so_3 = -D->m02, so_4 = -D->m12, so_5 = -D->m22;
+  const double so_0_rounded = so_0
+          + (ksl_product_rest(D->m12, D->m23, so_0a, so_0 + so_0_right)
+          - ksl_product_rest(D->m22, D->m13, so_0b, so_0_right)),
+      so_1_rounded = so_1
+          + (ksl_product_rest(D->m22, D->m03, so_1a, so_1 + so_1_right)
+          - ksl_product_rest(D->m02, D->m23, so_1b, so_1_right)),
+      so_2_rounded = so_2
+          + (ksl_product_rest(D->m02, D->m13, so_2a, so_2 + so_2_right)
+          - ksl_product_rest(D->m12, D->m03, so_2b, so_2_right));
   so->m0 = so_0_rounded;
   so->m1 = so_1_rounded;
   so->m2 = so_2_rounded;
@@ -1678,59 +1258,50 @@ static inline void ksl_hsrzinv_accurate(const ksl_SE3_t *D, ksl_screw_t *so) {
      and underflow. */
 static inline void ksl_Ad_accurate(const ksl_SE3_t *D, ksl_mat6x6_t *M) {
   const double M_03a = KSL_MUL(D->m20, D->m13), M_03b = KSL_MUL(D->m10, D->m23),
-      M_03 = M_03a - M_03b, M_03_right = M_03a - M_03, M_03_left = M_03 + M_03_right,
-      M_03_left_rest = ksl_product_rest(D->m20, D->m13, M_03a, M_03_left),
-      M_03_right_rest = ksl_product_rest(D->m10, D->m23, M_03b, M_03_right),
-      M_03_lo = M_03_left_rest - M_03_right_rest;
+      M_03 = M_03a - M_03b, M_03_right = M_03a - M_03;
   const double M_04a = KSL_MUL(D->m21, D->m13), M_04b = KSL_MUL(D->m11, D->m23),
-      M_04 = M_04a - M_04b, M_04_right = M_04a - M_04, M_04_left = M_04 + M_04_right,
-      M_04_left_rest = ksl_product_rest(D->m21, D->m13, M_04a, M_04_left),
-      M_04_right_rest = ksl_product_rest(D->m11, D->m23, M_04b, M_04_right),
-      M_04_lo = M_04_left_rest - M_04_right_rest;
+      M_04 = M_04a - M_04b, M_04_right = M_04a - M_04;
   const double M_05a = KSL_MUL(D->m22, D->m13), M_05b = KSL_MUL(D->m12, D->m23),
-      M_05 = M_05a - M_05b, M_05_right = M_05a - M_05, M_05_left = M_05 + M_05_right,
-      M_05_left_rest = ksl_product_rest(D->m22, D->m13, M_05a, M_05_left),
-      M_05_right_rest = ksl_product_rest(D->m12, D->m23, M_05b, M_05_right),
-      M_05_lo = M_05_left_rest - M_05_right_rest;
+      M_05 = M_05a - M_05b, M_05_right = M_05a - M_05;
   const double M_13a = KSL_MUL(D->m00, D->m23), M_13b = KSL_MUL(D->m20, D->m03),
-      M_13 = M_13a - M_13b, M_13_right = M_13a - M_13, M_13_left = M_13 + M_13_right,
-      M_13_left_rest = ksl_product_rest(D->m00, D->m23, M_13a, M_13_left),
-      M_13_right_rest = ksl_product_rest(D->m20, D->m03, M_13b, M_13_right),
-      M_13_lo = M_13_left_rest - M_13_right_rest;
+      M_13 = M_13a - M_13b, M_13_right = M_13a - M_13;
   const double M_14a = KSL_MUL(D->m01, D->m23), M_14b = KSL_MUL(D->m21, D->m03),
-      M_14 = M_14a - M_14b, M_14_right = M_14a - M_14, M_14_left = M_14 + M_14_right,
-      M_14_left_rest = ksl_product_rest(D->m01, D->m23, M_14a, M_14_left),
-      M_14_right_rest = ksl_product_rest(D->m21, D->m03, M_14b, M_14_right),
-      M_14_lo = M_14_left_rest - M_14_right_rest;
+      M_14 = M_14a - M_14b, M_14_right = M_14a - M_14;
   const double M_15a = KSL_MUL(D->m02, D->m23), M_15b = KSL_MUL(D->m22, D->m03),
-      M_15 = M_15a - M_15b, M_15_right = M_15a - M_15, M_15_left = M_15 + M_15_right,
-      M_15_left_rest = ksl_product_rest(D->m02, D->m23, M_15a, M_15_left),
-      M_15_right_rest = ksl_product_rest(D->m22, D->m03, M_15b, M_15_right),
-      M_15_lo = M_15_left_rest - M_15_right_rest;
+      M_15 = M_15a - M_15b, M_15_right = M_15a - M_15;
   const double M_23a = KSL_MUL(D->m10, D->m03), M_23b = KSL_MUL(D->m00, D->m13),
-      M_23 = M_23a - M_23b, M_23_right = M_23a - M_23, M_23_left = M_23 + M_23_right,
-      M_23_left_rest = ksl_product_rest(D->m10, D->m03, M_23a, M_23_left),
-      M_23_right_rest = ksl_product_rest(D->m00, D->m13, M_23b, M_23_right),
-      M_23_lo = M_23_left_rest - M_23_right_rest;
+      M_23 = M_23a - M_23b, M_23_right = M_23a - M_23;
   const double M_24a = KSL_MUL(D->m11, D->m03), M_24b = KSL_MUL(D->m01, D->m13),
-      M_24 = M_24a - M_24b, M_24_right = M_24a - M_24, M_24_left = M_24 + M_24_right,
-      M_24_left_rest = ksl_product_rest(D->m11, D->m03, M_24a, M_24_left),
-      M_24_right_rest = ksl_product_rest(D->m01, D->m13, M_24b, M_24_right),
-      M_24_lo = M_24_left_rest - M_24_right_rest;
+      M_24 = M_24a - M_24b, M_24_right = M_24a - M_24;
   const double M_25a = KSL_MUL(D->m12, D->m03), M_25b = KSL_MUL(D->m02, D->m13),
-      M_25 = M_25a - M_25b, M_25_right = M_25a - M_25, M_25_left = M_25 + M_25_right,
-      M_25_left_rest = ksl_product_rest(D->m12, D->m03, M_25a, M_25_left),
-      M_25_right_rest = ksl_product_rest(D->m02, D->m13, M_25b, M_25_right),
-      M_25_lo = M_25_left_rest - M_25_right_rest;
-  const double M_03_rounded = M_03 + M_03_lo;
-  const double M_04_rounded = M_04 + M_04_lo;
-  const double M_05_rounded = M_05 + M_05_lo;
-  const double M_13_rounded = M_13 + M_13_lo;
-  const double M_14_rounded = M_14 + M_14_lo;
-  const double M_15_rounded = M_15 + M_15_lo;
-  const double M_23_rounded = M_23 + M_23_lo;
-  const double M_24_rounded = M_24 + M_24_lo;
-  const double M_25_rounded = M_25 + M_25_lo;
+      M_25 = M_25a - M_25b, M_25_right = M_25a - M_25;
+  const double M_03_rounded = M_03
+          + (ksl_product_rest(D->m20, D->m13, M_03a, M_03 + M_03_right)
+          - ksl_product_rest(D->m10, D->m23, M_03b, M_03_right)),
+      M_04_rounded = M_04
+          + (ksl_product_rest(D->m21, D->m13, M_04a, M_04 + M_04_right)
+          - ksl_product_rest(D->m11, D->m23, M_04b, M_04_right)),
+      M_05_rounded = M_05
+          + (ksl_product_rest(D->m22, D->m13, M_05a, M_05 + M_05_right)
+          - ksl_product_rest(D->m12, D->m23, M_05b, M_05_right)),
+      M_13_rounded = M_13
+          + (ksl_product_rest(D->m00, D->m23, M_13a, M_13 + M_13_right)
+          - ksl_product_rest(D->m20, D->m03, M_13b, M_13_right)),
+      M_14_rounded = M_14
+          + (ksl_product_rest(D->m01, D->m23, M_14a, M_14 + M_14_right)
+          - ksl_product_rest(D->m21, D->m03, M_14b, M_14_right)),
+      M_15_rounded = M_15
+          + (ksl_product_rest(D->m02, D->m23, M_15a, M_15 + M_15_right)
+          - ksl_product_rest(D->m22, D->m03, M_15b, M_15_right)),
+      M_23_rounded = M_23
+          + (ksl_product_rest(D->m10, D->m03, M_23a, M_23 + M_23_right)
+          - ksl_product_rest(D->m00, D->m13, M_23b, M_23_right)),
+      M_24_rounded = M_24
+          + (ksl_product_rest(D->m11, D->m03, M_24a, M_24 + M_24_right)
+          - ksl_product_rest(D->m01, D->m13, M_24b, M_24_right)),
+      M_25_rounded = M_25
+          + (ksl_product_rest(D->m12, D->m03, M_25a, M_25 + M_25_right)
+          - ksl_product_rest(D->m02, D->m13, M_25b, M_25_right));
   const double D_m00 = D->m00;
   const double D_m01 = D->m01;
   const double D_m02 = D->m02;
@@ -1786,28 +1357,22 @@ static inline void ksl_Ad_accurate(const ksl_SE3_t *D, ksl_mat6x6_t *M) {
 static inline double ksl_dot_cs_accurate(const ksl_coscrew_t *c, const ksl_screw_t *s) {
   const double power_a = KSL_MUL(c->m0, s->m0), power_b = KSL_MUL(c->m1, s->m1),
       power_c = power_a + power_b, power_c_right = power_c - power_a,
-      power_c_left = power_c - power_c_right,
-      power_c_left_rest = ksl_product_rest(c->m0, s->m0, power_a, power_c_left),
-      power_c_right_rest = ksl_product_rest(c->m1, s->m1, power_b, power_c_right),
-      power_c_lo = power_c_left_rest + power_c_right_rest, power_d = KSL_MUL(c->m2, s->m2),
-      power_e = power_c + power_d, power_e_right = power_e - power_c,
-      power_e_left = power_e - power_e_right, power_e_left_rest = power_c - power_e_left,
-      power_e_right_rest = ksl_product_rest(c->m2, s->m2, power_d, power_e_right),
-      power_e_lo1 = power_e_left_rest + power_e_right_rest, power_e_lo = power_e_lo1 + power_c_lo,
-      power_f = KSL_MUL(c->m3, s->m3), power_g = KSL_MUL(c->m4, s->m4), power_h = power_f + power_g,
-      power_h_right = power_h - power_f, power_h_left = power_h - power_h_right,
-      power_h_left_rest = ksl_product_rest(c->m3, s->m3, power_f, power_h_left),
-      power_h_right_rest = ksl_product_rest(c->m4, s->m4, power_g, power_h_right),
-      power_h_lo = power_h_left_rest + power_h_right_rest, power_i = KSL_MUL(c->m5, s->m5),
+      power_d = KSL_MUL(c->m2, s->m2), power_e = power_c + power_d,
+      power_e_right = power_e - power_c,
+      power_c_lo = ksl_product_rest(c->m0, s->m0, power_a, power_c - power_c_right)
+          + ksl_product_rest(c->m1, s->m1, power_b, power_c_right), power_f = KSL_MUL(c->m3, s->m3),
+      power_g = KSL_MUL(c->m4, s->m4), power_h = power_f + power_g,
+      power_h_right = power_h - power_f, power_i = KSL_MUL(c->m5, s->m5),
       power_j = power_h + power_i, power_j_right = power_j - power_h,
-      power_j_left = power_j - power_j_right, power_j_left_rest = power_h - power_j_left,
-      power_j_right_rest = ksl_product_rest(c->m5, s->m5, power_i, power_j_right),
-      power_j_lo1 = power_j_left_rest + power_j_right_rest, power_j_lo = power_j_lo1 + power_h_lo,
-      power = power_e + power_j, power_right = power - power_e, power_left = power - power_right,
-      power_left_rest = power_e - power_left, power_right_rest = power_j - power_right,
-      power_lo1 = power_left_rest + power_right_rest, power_lo2 = power_lo1 + power_j_lo,
-      power_lo = power_lo2 + power_e_lo;
-  const double power_rounded = power + power_lo;
+      power_h_lo = ksl_product_rest(c->m3, s->m3, power_f, power_h - power_h_right)
+          + ksl_product_rest(c->m4, s->m4, power_g, power_h_right), power = power_e + power_j,
+      power_right = power - power_e,
+      power_j_lo = power_h - (power_j - power_j_right)
+          + ksl_product_rest(c->m5, s->m5, power_i, power_j_right) + power_h_lo,
+      power_e_lo = power_c - (power_e - power_e_right)
+          + ksl_product_rest(c->m2, s->m2, power_d, power_e_right) + power_c_lo;
+  const double power_rounded = power
+          + (power_e - (power - power_right) + (power_j - power_right) + power_j_lo + power_e_lo);
   return power_rounded;
 }
 
@@ -1820,65 +1385,50 @@ static inline double ksl_dot_cs_accurate(const ksl_coscrew_t *c, const ksl_screw
 static inline void ksl_cross_ss_accurate(const ksl_screw_t *s1, const ksl_screw_t *s2,
     ksl_screw_t *so) {
   const double so_0a = KSL_MUL(s1->m1, s2->m5), so_0b = KSL_MUL(s1->m5, s2->m1),
-      so_0c = so_0a - so_0b, so_0c_right = so_0a - so_0c, so_0c_left = so_0c + so_0c_right,
-      so_0c_left_rest = ksl_product_rest(s1->m1, s2->m5, so_0a, so_0c_left),
-      so_0c_right_rest = ksl_product_rest(s1->m5, s2->m1, so_0b, so_0c_right),
-      so_0c_lo = so_0c_left_rest - so_0c_right_rest, so_0d = KSL_MUL(s1->m4, s2->m2),
+      so_0c = so_0a - so_0b, so_0c_right = so_0a - so_0c, so_0d = KSL_MUL(s1->m4, s2->m2),
       so_0e = KSL_MUL(s1->m2, s2->m4), so_0f = so_0d - so_0e, so_0f_right = so_0d - so_0f,
-      so_0f_left = so_0f + so_0f_right,
-      so_0f_left_rest = ksl_product_rest(s1->m4, s2->m2, so_0d, so_0f_left),
-      so_0f_right_rest = ksl_product_rest(s1->m2, s2->m4, so_0e, so_0f_right),
-      so_0f_lo = so_0f_left_rest - so_0f_right_rest, so_0 = so_0c + so_0f,
-      so_0_right = so_0 - so_0c, so_0_left = so_0 - so_0_right, so_0_left_rest = so_0c - so_0_left,
-      so_0_right_rest = so_0f - so_0_right, so_0_lo1 = so_0_left_rest + so_0_right_rest,
-      so_0_lo2 = so_0_lo1 + so_0f_lo, so_0_lo = so_0_lo2 + so_0c_lo;
+      so_0 = so_0c + so_0f, so_0_right = so_0 - so_0c,
+      so_0f_lo = ksl_product_rest(s1->m4, s2->m2, so_0d, so_0f + so_0f_right)
+          - ksl_product_rest(s1->m2, s2->m4, so_0e, so_0f_right),
+      so_0c_lo = ksl_product_rest(s1->m1, s2->m5, so_0a, so_0c + so_0c_right)
+          - ksl_product_rest(s1->m5, s2->m1, so_0b, so_0c_right);
   const double so_1a = KSL_MUL(s1->m5, s2->m0), so_1b = KSL_MUL(s1->m0, s2->m5),
-      so_1c = so_1a - so_1b, so_1c_right = so_1a - so_1c, so_1c_left = so_1c + so_1c_right,
-      so_1c_left_rest = ksl_product_rest(s1->m5, s2->m0, so_1a, so_1c_left),
-      so_1c_right_rest = ksl_product_rest(s1->m0, s2->m5, so_1b, so_1c_right),
-      so_1c_lo = so_1c_left_rest - so_1c_right_rest, so_1d = KSL_MUL(s1->m2, s2->m3),
+      so_1c = so_1a - so_1b, so_1c_right = so_1a - so_1c, so_1d = KSL_MUL(s1->m2, s2->m3),
       so_1e = KSL_MUL(s1->m3, s2->m2), so_1f = so_1d - so_1e, so_1f_right = so_1d - so_1f,
-      so_1f_left = so_1f + so_1f_right,
-      so_1f_left_rest = ksl_product_rest(s1->m2, s2->m3, so_1d, so_1f_left),
-      so_1f_right_rest = ksl_product_rest(s1->m3, s2->m2, so_1e, so_1f_right),
-      so_1f_lo = so_1f_left_rest - so_1f_right_rest, so_1 = so_1c + so_1f,
-      so_1_right = so_1 - so_1c, so_1_left = so_1 - so_1_right, so_1_left_rest = so_1c - so_1_left,
-      so_1_right_rest = so_1f - so_1_right, so_1_lo1 = so_1_left_rest + so_1_right_rest,
-      so_1_lo2 = so_1_lo1 + so_1f_lo, so_1_lo = so_1_lo2 + so_1c_lo;
+      so_1 = so_1c + so_1f, so_1_right = so_1 - so_1c,
+      so_1f_lo = ksl_product_rest(s1->m2, s2->m3, so_1d, so_1f + so_1f_right)
+          - ksl_product_rest(s1->m3, s2->m2, so_1e, so_1f_right),
+      so_1c_lo = ksl_product_rest(s1->m5, s2->m0, so_1a, so_1c + so_1c_right)
+          - ksl_product_rest(s1->m0, s2->m5, so_1b, so_1c_right);
   const double so_2a = KSL_MUL(s1->m0, s2->m4), so_2b = KSL_MUL(s1->m4, s2->m0),
-      so_2c = so_2a - so_2b, so_2c_right = so_2a - so_2c, so_2c_left = so_2c + so_2c_right,
-      so_2c_left_rest = ksl_product_rest(s1->m0, s2->m4, so_2a, so_2c_left),
-      so_2c_right_rest = ksl_product_rest(s1->m4, s2->m0, so_2b, so_2c_right),
-      so_2c_lo = so_2c_left_rest - so_2c_right_rest, so_2d = KSL_MUL(s1->m3, s2->m1),
+      so_2c = so_2a - so_2b, so_2c_right = so_2a - so_2c, so_2d = KSL_MUL(s1->m3, s2->m1),
       so_2e = KSL_MUL(s1->m1, s2->m3), so_2f = so_2d - so_2e, so_2f_right = so_2d - so_2f,
-      so_2f_left = so_2f + so_2f_right,
-      so_2f_left_rest = ksl_product_rest(s1->m3, s2->m1, so_2d, so_2f_left),
-      so_2f_right_rest = ksl_product_rest(s1->m1, s2->m3, so_2e, so_2f_right),
-      so_2f_lo = so_2f_left_rest - so_2f_right_rest, so_2 = so_2c + so_2f,
-      so_2_right = so_2 - so_2c, so_2_left = so_2 - so_2_right, so_2_left_rest = so_2c - so_2_left,
-      so_2_right_rest = so_2f - so_2_right, so_2_lo1 = so_2_left_rest + so_2_right_rest,
-      so_2_lo2 = so_2_lo1 + so_2f_lo, so_2_lo = so_2_lo2 + so_2c_lo;
+      so_2 = so_2c + so_2f, so_2_right = so_2 - so_2c,
+      so_2f_lo = ksl_product_rest(s1->m3, s2->m1, so_2d, so_2f + so_2f_right)
+          - ksl_product_rest(s1->m1, s2->m3, so_2e, so_2f_right),
+      so_2c_lo = ksl_product_rest(s1->m0, s2->m4, so_2a, so_2c + so_2c_right)
+          - ksl_product_rest(s1->m4, s2->m0, so_2b, so_2c_right);
   const double so_3a = KSL_MUL(s1->m4, s2->m5), so_3b = KSL_MUL(s1->m5, s2->m4),
-      so_3 = so_3a - so_3b, so_3_right = so_3a - so_3, so_3_left = so_3 + so_3_right,
-      so_3_left_rest = ksl_product_rest(s1->m4, s2->m5, so_3a, so_3_left),
-      so_3_right_rest = ksl_product_rest(s1->m5, s2->m4, so_3b, so_3_right),
-      so_3_lo = so_3_left_rest - so_3_right_rest;
+      so_3 = so_3a - so_3b, so_3_right = so_3a - so_3;
   const double so_4a = KSL_MUL(s1->m5, s2->m3), so_4b = KSL_MUL(s1->m3, s2->m5),
-      so_4 = so_4a - so_4b, so_4_right = so_4a - so_4, so_4_left = so_4 + so_4_right,
-      so_4_left_rest = ksl_product_rest(s1->m5, s2->m3, so_4a, so_4_left),
-      so_4_right_rest = ksl_product_rest(s1->m3, s2->m5, so_4b, so_4_right),
-      so_4_lo = so_4_left_rest - so_4_right_rest;
+      so_4 = so_4a - so_4b, so_4_right = so_4a - so_4;
   const double so_5a = KSL_MUL(s1->m3, s2->m4), so_5b = KSL_MUL(s1->m4, s2->m3),
-      so_5 = so_5a - so_5b, so_5_right = so_5a - so_5, so_5_left = so_5 + so_5_right,
-      so_5_left_rest = ksl_product_rest(s1->m3, s2->m4, so_5a, so_5_left),
-      so_5_right_rest = ksl_product_rest(s1->m4, s2->m3, so_5b, so_5_right),
-      so_5_lo = so_5_left_rest - so_5_right_rest;
-  const double so_0_rounded = so_0 + so_0_lo;
-  const double so_1_rounded = so_1 + so_1_lo;
-  const double so_2_rounded = so_2 + so_2_lo;
-  const double so_3_rounded = so_3 + so_3_lo;
-  const double so_4_rounded = so_4 + so_4_lo;
-  const double so_5_rounded = so_5 + so_5_lo;
+      so_5 = so_5a - so_5b, so_5_right = so_5a - so_5;
+  const double so_0_rounded = so_0
+          + (so_0c - (so_0 - so_0_right) + (so_0f - so_0_right) + so_0f_lo + so_0c_lo),
+      so_1_rounded = so_1
+          + (so_1c - (so_1 - so_1_right) + (so_1f - so_1_right) + so_1f_lo + so_1c_lo),
+      so_2_rounded = so_2
+          + (so_2c - (so_2 - so_2_right) + (so_2f - so_2_right) + so_2f_lo + so_2c_lo),
+      so_3_rounded = so_3
+          + (ksl_product_rest(s1->m4, s2->m5, so_3a, so_3 + so_3_right)
+          - ksl_product_rest(s1->m5, s2->m4, so_3b, so_3_right)),
+      so_4_rounded = so_4
+          + (ksl_product_rest(s1->m5, s2->m3, so_4a, so_4 + so_4_right)
+          - ksl_product_rest(s1->m3, s2->m5, so_4b, so_4_right)),
+      so_5_rounded = so_5
+          + (ksl_product_rest(s1->m3, s2->m4, so_5a, so_5 + so_5_right)
+          - ksl_product_rest(s1->m4, s2->m3, so_5b, so_5_right));
   so->m0 = so_0_rounded;
   so->m1 = so_1_rounded;
   so->m2 = so_2_rounded;
@@ -1895,23 +1445,20 @@ static inline void ksl_cross_ss_accurate(const ksl_screw_t *s1, const ksl_screw_
 static inline void ksl_cross_sst_accurate(const ksl_screw_t *s1, const ksl_screw_t *s2,
     ksl_screw_t *so) {
   const double so_0a = KSL_MUL(s1->m4, s2->m2), so_0b = KSL_MUL(s1->m5, s2->m1),
-      so_0 = so_0a - so_0b, so_0_right = so_0a - so_0, so_0_left = so_0 + so_0_right,
-      so_0_left_rest = ksl_product_rest(s1->m4, s2->m2, so_0a, so_0_left),
-      so_0_right_rest = ksl_product_rest(s1->m5, s2->m1, so_0b, so_0_right),
-      so_0_lo = so_0_left_rest - so_0_right_rest;
+      so_0 = so_0a - so_0b, so_0_right = so_0a - so_0;
   const double so_1a = KSL_MUL(s1->m5, s2->m0), so_1b = KSL_MUL(s1->m3, s2->m2),
-      so_1 = so_1a - so_1b, so_1_right = so_1a - so_1, so_1_left = so_1 + so_1_right,
-      so_1_left_rest = ksl_product_rest(s1->m5, s2->m0, so_1a, so_1_left),
-      so_1_right_rest = ksl_product_rest(s1->m3, s2->m2, so_1b, so_1_right),
-      so_1_lo = so_1_left_rest - so_1_right_rest;
+      so_1 = so_1a - so_1b, so_1_right = so_1a - so_1;
   const double so_2a = KSL_MUL(s1->m3, s2->m1), so_2b = KSL_MUL(s1->m4, s2->m0),
-      so_2 = so_2a - so_2b, so_2_right = so_2a - so_2, so_2_left = so_2 + so_2_right,
-      so_2_left_rest = ksl_product_rest(s1->m3, s2->m1, so_2a, so_2_left),
-      so_2_right_rest = ksl_product_rest(s1->m4, s2->m0, so_2b, so_2_right),
-      so_2_lo = so_2_left_rest - so_2_right_rest;
-  const double so_0_rounded = so_0 + so_0_lo;
-  const double so_1_rounded = so_1 + so_1_lo;
-  const double so_2_rounded = so_2 + so_2_lo;
+      so_2 = so_2a - so_2b, so_2_right = so_2a - so_2;
+  const double so_0_rounded = so_0
+          + (ksl_product_rest(s1->m4, s2->m2, so_0a, so_0 + so_0_right)
+          - ksl_product_rest(s1->m5, s2->m1, so_0b, so_0_right)),
+      so_1_rounded = so_1
+          + (ksl_product_rest(s1->m5, s2->m0, so_1a, so_1 + so_1_right)
+          - ksl_product_rest(s1->m3, s2->m2, so_1b, so_1_right)),
+      so_2_rounded = so_2
+          + (ksl_product_rest(s1->m3, s2->m1, so_2a, so_2 + so_2_right)
+          - ksl_product_rest(s1->m4, s2->m0, so_2b, so_2_right));
   so->m0 = so_0_rounded;
   so->m1 = so_1_rounded;
   so->m2 = so_2_rounded;
@@ -1927,59 +1474,43 @@ static inline void ksl_cross_sst_accurate(const ksl_screw_t *s1, const ksl_screw
      formula; barring over- and underflow. */
 static inline void ksl_hsra_accurate(const ksl_SE3_t *D, const ksl_vec3_t *axis, ksl_screw_t *so) {
   const double a_0a = KSL_MUL(D->m00, axis->x), a_0b = KSL_MUL(D->m01, axis->y), a_0c = a_0a + a_0b,
-      a_0c_right = a_0c - a_0a, a_0c_left = a_0c - a_0c_right,
-      a_0c_left_rest = ksl_product_rest(D->m00, axis->x, a_0a, a_0c_left),
-      a_0c_right_rest = ksl_product_rest(D->m01, axis->y, a_0b, a_0c_right),
-      a_0c_lo = a_0c_left_rest + a_0c_right_rest, a_0d = KSL_MUL(D->m02, axis->z),
-      a_0 = a_0c + a_0d, a_0_right = a_0 - a_0c, a_0_left = a_0 - a_0_right,
-      a_0_left_rest = a_0c - a_0_left,
-      a_0_right_rest = ksl_product_rest(D->m02, axis->z, a_0d, a_0_right),
-      a_0_lo1 = a_0_left_rest + a_0_right_rest, a_0_lo = a_0_lo1 + a_0c_lo;
+      a_0c_right = a_0c - a_0a, a_0d = KSL_MUL(D->m02, axis->z), a_0 = a_0c + a_0d,
+      a_0_right = a_0 - a_0c,
+      a_0c_lo = ksl_product_rest(D->m00, axis->x, a_0a, a_0c - a_0c_right)
+          + ksl_product_rest(D->m01, axis->y, a_0b, a_0c_right),
+      a_0_lo = a_0c - (a_0 - a_0_right) + ksl_product_rest(D->m02, axis->z, a_0d, a_0_right)
+          + a_0c_lo;
   const double a_1a = KSL_MUL(D->m10, axis->x), a_1b = KSL_MUL(D->m11, axis->y), a_1c = a_1a + a_1b,
-      a_1c_right = a_1c - a_1a, a_1c_left = a_1c - a_1c_right,
-      a_1c_left_rest = ksl_product_rest(D->m10, axis->x, a_1a, a_1c_left),
-      a_1c_right_rest = ksl_product_rest(D->m11, axis->y, a_1b, a_1c_right),
-      a_1c_lo = a_1c_left_rest + a_1c_right_rest, a_1d = KSL_MUL(D->m12, axis->z),
-      a_1 = a_1c + a_1d, a_1_right = a_1 - a_1c, a_1_left = a_1 - a_1_right,
-      a_1_left_rest = a_1c - a_1_left,
-      a_1_right_rest = ksl_product_rest(D->m12, axis->z, a_1d, a_1_right),
-      a_1_lo1 = a_1_left_rest + a_1_right_rest, a_1_lo = a_1_lo1 + a_1c_lo;
+      a_1c_right = a_1c - a_1a, a_1d = KSL_MUL(D->m12, axis->z), a_1 = a_1c + a_1d,
+      a_1_right = a_1 - a_1c,
+      a_1c_lo = ksl_product_rest(D->m10, axis->x, a_1a, a_1c - a_1c_right)
+          + ksl_product_rest(D->m11, axis->y, a_1b, a_1c_right),
+      a_1_lo = a_1c - (a_1 - a_1_right) + ksl_product_rest(D->m12, axis->z, a_1d, a_1_right)
+          + a_1c_lo;
   const double a_2a = KSL_MUL(D->m20, axis->x), a_2b = KSL_MUL(D->m21, axis->y), a_2c = a_2a + a_2b,
-      a_2c_right = a_2c - a_2a, a_2c_left = a_2c - a_2c_right,
-      a_2c_left_rest = ksl_product_rest(D->m20, axis->x, a_2a, a_2c_left),
-      a_2c_right_rest = ksl_product_rest(D->m21, axis->y, a_2b, a_2c_right),
-      a_2c_lo = a_2c_left_rest + a_2c_right_rest, a_2d = KSL_MUL(D->m22, axis->z),
-      a_2 = a_2c + a_2d, a_2_right = a_2 - a_2c, a_2_left = a_2 - a_2_right,
-      a_2_left_rest = a_2c - a_2_left,
-      a_2_right_rest = ksl_product_rest(D->m22, axis->z, a_2d, a_2_right),
-      a_2_lo1 = a_2_left_rest + a_2_right_rest, a_2_lo = a_2_lo1 + a_2c_lo;
-  const double so_0a = KSL_MUL(D->m13, a_2), so_0a_cross2 = KSL_MUL(D->m13, a_2_lo),
-      so_0b = KSL_MUL(D->m23, a_1), so_0b_cross2 = KSL_MUL(D->m23, a_1_lo), so_0 = so_0a - so_0b,
-      so_0_right = so_0a - so_0, so_0_left = so_0 + so_0_right,
-      so_0_left_rest = ksl_product_rest(D->m13, a_2, so_0a, so_0_left),
-      so_0_right_rest = ksl_product_rest(D->m23, a_1, so_0b, so_0_right),
-      so_0_cross = so_0a_cross2 - so_0b_cross2, so_0_lo1 = so_0_left_rest - so_0_right_rest,
-      so_0_lo = so_0_lo1 + so_0_cross;
-  const double so_1a = KSL_MUL(D->m23, a_0), so_1a_cross2 = KSL_MUL(D->m23, a_0_lo),
-      so_1b = KSL_MUL(D->m03, a_2), so_1b_cross2 = KSL_MUL(D->m03, a_2_lo), so_1 = so_1a - so_1b,
-      so_1_right = so_1a - so_1, so_1_left = so_1 + so_1_right,
-      so_1_left_rest = ksl_product_rest(D->m23, a_0, so_1a, so_1_left),
-      so_1_right_rest = ksl_product_rest(D->m03, a_2, so_1b, so_1_right),
-      so_1_cross = so_1a_cross2 - so_1b_cross2, so_1_lo1 = so_1_left_rest - so_1_right_rest,
-      so_1_lo = so_1_lo1 + so_1_cross;
-  const double so_2a = KSL_MUL(D->m03, a_1), so_2a_cross2 = KSL_MUL(D->m03, a_1_lo),
-      so_2b = KSL_MUL(D->m13, a_0), so_2b_cross2 = KSL_MUL(D->m13, a_0_lo), so_2 = so_2a - so_2b,
-      so_2_right = so_2a - so_2, so_2_left = so_2 + so_2_right,
-      so_2_left_rest = ksl_product_rest(D->m03, a_1, so_2a, so_2_left),
-      so_2_right_rest = ksl_product_rest(D->m13, a_0, so_2b, so_2_right),
-      so_2_cross = so_2a_cross2 - so_2b_cross2, so_2_lo1 = so_2_left_rest - so_2_right_rest,
-      so_2_lo = so_2_lo1 + so_2_cross;
-  const double so_0_rounded = so_0 + so_0_lo;
-  const double so_1_rounded = so_1 + so_1_lo;
-  const double so_2_rounded = so_2 + so_2_lo;
-  const double a_0_rounded = a_0 + a_0_lo;
-  const double a_1_rounded = a_1 + a_1_lo;
-  const double a_2_rounded = a_2 + a_2_lo;
+      a_2c_right = a_2c - a_2a, a_2d = KSL_MUL(D->m22, axis->z), a_2 = a_2c + a_2d,
+      a_2_right = a_2 - a_2c,
+      a_2c_lo = ksl_product_rest(D->m20, axis->x, a_2a, a_2c - a_2c_right)
+          + ksl_product_rest(D->m21, axis->y, a_2b, a_2c_right),
+      a_2_lo = a_2c - (a_2 - a_2_right) + ksl_product_rest(D->m22, axis->z, a_2d, a_2_right)
+          + a_2c_lo;
+  const double so_0a = KSL_MUL(D->m13, a_2), so_0b = KSL_MUL(D->m23, a_1), so_0 = so_0a - so_0b,
+      so_0_right = so_0a - so_0,
+      so_0_lo1 = ksl_product_rest(D->m13, a_2, so_0a, so_0 + so_0_right)
+          - ksl_product_rest(D->m23, a_1, so_0b, so_0_right);
+  const double so_1a = KSL_MUL(D->m23, a_0), so_1b = KSL_MUL(D->m03, a_2), so_1 = so_1a - so_1b,
+      so_1_right = so_1a - so_1,
+      so_1_lo1 = ksl_product_rest(D->m23, a_0, so_1a, so_1 + so_1_right)
+          - ksl_product_rest(D->m03, a_2, so_1b, so_1_right);
+  const double so_2a = KSL_MUL(D->m03, a_1), so_2b = KSL_MUL(D->m13, a_0), so_2 = so_2a - so_2b,
+      so_2_right = so_2a - so_2,
+      so_2_lo1 = ksl_product_rest(D->m03, a_1, so_2a, so_2 + so_2_right)
+          - ksl_product_rest(D->m13, a_0, so_2b, so_2_right);
+  const double so_0_rounded = so_0
+          + (so_0_lo1 + (KSL_MUL(D->m13, a_2_lo) - KSL_MUL(D->m23, a_1_lo))),
+      so_1_rounded = so_1 + (so_1_lo1 + (KSL_MUL(D->m23, a_0_lo) - KSL_MUL(D->m03, a_2_lo))),
+      so_2_rounded = so_2 + (so_2_lo1 + (KSL_MUL(D->m03, a_1_lo) - KSL_MUL(D->m13, a_0_lo)));
+  const double a_0_rounded = a_0 + a_0_lo, a_1_rounded = a_1 + a_1_lo, a_2_rounded = a_2 + a_2_lo;
   so->m0 = so_0_rounded;
   so->m1 = so_1_rounded;
   so->m2 = so_2_rounded;
@@ -1995,35 +1526,29 @@ static inline void ksl_hsra_accurate(const ksl_SE3_t *D, const ksl_vec3_t *axis,
      formula; barring over- and underflow. */
 static inline void ksl_hsta_accurate(const ksl_SE3_t *D, const ksl_vec3_t *axis, ksl_screw_t *so) {
   const double so_0a = KSL_MUL(D->m00, axis->x), so_0b = KSL_MUL(D->m01, axis->y),
-      so_0c = so_0a + so_0b, so_0c_right = so_0c - so_0a, so_0c_left = so_0c - so_0c_right,
-      so_0c_left_rest = ksl_product_rest(D->m00, axis->x, so_0a, so_0c_left),
-      so_0c_right_rest = ksl_product_rest(D->m01, axis->y, so_0b, so_0c_right),
-      so_0c_lo = so_0c_left_rest + so_0c_right_rest, so_0d = KSL_MUL(D->m02, axis->z),
-      so_0 = so_0c + so_0d, so_0_right = so_0 - so_0c, so_0_left = so_0 - so_0_right,
-      so_0_left_rest = so_0c - so_0_left,
-      so_0_right_rest = ksl_product_rest(D->m02, axis->z, so_0d, so_0_right),
-      so_0_lo1 = so_0_left_rest + so_0_right_rest, so_0_lo = so_0_lo1 + so_0c_lo;
+      so_0c = so_0a + so_0b, so_0c_right = so_0c - so_0a, so_0d = KSL_MUL(D->m02, axis->z),
+      so_0 = so_0c + so_0d, so_0_right = so_0 - so_0c,
+      so_0c_lo = ksl_product_rest(D->m00, axis->x, so_0a, so_0c - so_0c_right)
+          + ksl_product_rest(D->m01, axis->y, so_0b, so_0c_right);
   const double so_1a = KSL_MUL(D->m10, axis->x), so_1b = KSL_MUL(D->m11, axis->y),
-      so_1c = so_1a + so_1b, so_1c_right = so_1c - so_1a, so_1c_left = so_1c - so_1c_right,
-      so_1c_left_rest = ksl_product_rest(D->m10, axis->x, so_1a, so_1c_left),
-      so_1c_right_rest = ksl_product_rest(D->m11, axis->y, so_1b, so_1c_right),
-      so_1c_lo = so_1c_left_rest + so_1c_right_rest, so_1d = KSL_MUL(D->m12, axis->z),
-      so_1 = so_1c + so_1d, so_1_right = so_1 - so_1c, so_1_left = so_1 - so_1_right,
-      so_1_left_rest = so_1c - so_1_left,
-      so_1_right_rest = ksl_product_rest(D->m12, axis->z, so_1d, so_1_right),
-      so_1_lo1 = so_1_left_rest + so_1_right_rest, so_1_lo = so_1_lo1 + so_1c_lo;
+      so_1c = so_1a + so_1b, so_1c_right = so_1c - so_1a, so_1d = KSL_MUL(D->m12, axis->z),
+      so_1 = so_1c + so_1d, so_1_right = so_1 - so_1c,
+      so_1c_lo = ksl_product_rest(D->m10, axis->x, so_1a, so_1c - so_1c_right)
+          + ksl_product_rest(D->m11, axis->y, so_1b, so_1c_right);
   const double so_2a = KSL_MUL(D->m20, axis->x), so_2b = KSL_MUL(D->m21, axis->y),
-      so_2c = so_2a + so_2b, so_2c_right = so_2c - so_2a, so_2c_left = so_2c - so_2c_right,
-      so_2c_left_rest = ksl_product_rest(D->m20, axis->x, so_2a, so_2c_left),
-      so_2c_right_rest = ksl_product_rest(D->m21, axis->y, so_2b, so_2c_right),
-      so_2c_lo = so_2c_left_rest + so_2c_right_rest, so_2d = KSL_MUL(D->m22, axis->z),
-      so_2 = so_2c + so_2d, so_2_right = so_2 - so_2c, so_2_left = so_2 - so_2_right,
-      so_2_left_rest = so_2c - so_2_left,
-      so_2_right_rest = ksl_product_rest(D->m22, axis->z, so_2d, so_2_right),
-      so_2_lo1 = so_2_left_rest + so_2_right_rest, so_2_lo = so_2_lo1 + so_2c_lo;
-  const double so_0_rounded = so_0 + so_0_lo;
-  const double so_1_rounded = so_1 + so_1_lo;
-  const double so_2_rounded = so_2 + so_2_lo;
+      so_2c = so_2a + so_2b, so_2c_right = so_2c - so_2a, so_2d = KSL_MUL(D->m22, axis->z),
+      so_2 = so_2c + so_2d, so_2_right = so_2 - so_2c,
+      so_2c_lo = ksl_product_rest(D->m20, axis->x, so_2a, so_2c - so_2c_right)
+          + ksl_product_rest(D->m21, axis->y, so_2b, so_2c_right);
+  const double so_0_rounded = so_0
+          + (so_0c - (so_0 - so_0_right) + ksl_product_rest(D->m02, axis->z, so_0d, so_0_right)
+          + so_0c_lo),
+      so_1_rounded = so_1
+          + (so_1c - (so_1 - so_1_right) + ksl_product_rest(D->m12, axis->z, so_1d, so_1_right)
+          + so_1c_lo),
+      so_2_rounded = so_2
+          + (so_2c - (so_2 - so_2_right) + ksl_product_rest(D->m22, axis->z, so_2d, so_2_right)
+          + so_2c_lo);
   so->m0 = so_0_rounded;
   so->m1 = so_1_rounded;
   so->m2 = so_2_rounded;
@@ -2040,62 +1565,46 @@ static inline void ksl_hsta_accurate(const ksl_SE3_t *D, const ksl_vec3_t *axis,
 static inline void ksl_hsrainv_accurate(const ksl_SE3_t *D, const ksl_vec3_t *axis,
     ksl_screw_t *so) {
   const double a_0a = KSL_MUL(D->m00, axis->x), a_0b = KSL_MUL(D->m01, axis->y), a_0c = a_0a + a_0b,
-      a_0c_right = a_0c - a_0a, a_0c_left = a_0c - a_0c_right,
-      a_0c_left_rest = ksl_product_rest(D->m00, axis->x, a_0a, a_0c_left),
-      a_0c_right_rest = ksl_product_rest(D->m01, axis->y, a_0b, a_0c_right),
-      a_0c_lo = a_0c_left_rest + a_0c_right_rest, a_0d = KSL_MUL(D->m02, axis->z),
-      a_0e = a_0c + a_0d, a_0e_right = a_0e - a_0c, a_0e_left = a_0e - a_0e_right,
-      a_0e_left_rest = a_0c - a_0e_left,
-      a_0e_right_rest = ksl_product_rest(D->m02, axis->z, a_0d, a_0e_right),
-      a_0e_lo1 = a_0e_left_rest + a_0e_right_rest, a_0e_lo = a_0e_lo1 + a_0c_lo, a_0 = -a_0e,
-      a_0_lo = -a_0e_lo;
+      a_0c_right = a_0c - a_0a, a_0d = KSL_MUL(D->m02, axis->z), a_0e = a_0c + a_0d,
+      a_0e_right = a_0e - a_0c,
+      a_0c_lo = ksl_product_rest(D->m00, axis->x, a_0a, a_0c - a_0c_right)
+          + ksl_product_rest(D->m01, axis->y, a_0b, a_0c_right), a_0 = -a_0e,
+      a_0_lo =
+          -(a_0c - (a_0e - a_0e_right) + ksl_product_rest(D->m02, axis->z, a_0d, a_0e_right)
+          + a_0c_lo);
   const double a_1a = KSL_MUL(D->m10, axis->x), a_1b = KSL_MUL(D->m11, axis->y), a_1c = a_1a + a_1b,
-      a_1c_right = a_1c - a_1a, a_1c_left = a_1c - a_1c_right,
-      a_1c_left_rest = ksl_product_rest(D->m10, axis->x, a_1a, a_1c_left),
-      a_1c_right_rest = ksl_product_rest(D->m11, axis->y, a_1b, a_1c_right),
-      a_1c_lo = a_1c_left_rest + a_1c_right_rest, a_1d = KSL_MUL(D->m12, axis->z),
-      a_1e = a_1c + a_1d, a_1e_right = a_1e - a_1c, a_1e_left = a_1e - a_1e_right,
-      a_1e_left_rest = a_1c - a_1e_left,
-      a_1e_right_rest = ksl_product_rest(D->m12, axis->z, a_1d, a_1e_right),
-      a_1e_lo1 = a_1e_left_rest + a_1e_right_rest, a_1e_lo = a_1e_lo1 + a_1c_lo, a_1 = -a_1e,
-      a_1_lo = -a_1e_lo;
+      a_1c_right = a_1c - a_1a, a_1d = KSL_MUL(D->m12, axis->z), a_1e = a_1c + a_1d,
+      a_1e_right = a_1e - a_1c,
+      a_1c_lo = ksl_product_rest(D->m10, axis->x, a_1a, a_1c - a_1c_right)
+          + ksl_product_rest(D->m11, axis->y, a_1b, a_1c_right), a_1 = -a_1e,
+      a_1_lo =
+          -(a_1c - (a_1e - a_1e_right) + ksl_product_rest(D->m12, axis->z, a_1d, a_1e_right)
+          + a_1c_lo);
   const double a_2a = KSL_MUL(D->m20, axis->x), a_2b = KSL_MUL(D->m21, axis->y), a_2c = a_2a + a_2b,
-      a_2c_right = a_2c - a_2a, a_2c_left = a_2c - a_2c_right,
-      a_2c_left_rest = ksl_product_rest(D->m20, axis->x, a_2a, a_2c_left),
-      a_2c_right_rest = ksl_product_rest(D->m21, axis->y, a_2b, a_2c_right),
-      a_2c_lo = a_2c_left_rest + a_2c_right_rest, a_2d = KSL_MUL(D->m22, axis->z),
-      a_2e = a_2c + a_2d, a_2e_right = a_2e - a_2c, a_2e_left = a_2e - a_2e_right,
-      a_2e_left_rest = a_2c - a_2e_left,
-      a_2e_right_rest = ksl_product_rest(D->m22, axis->z, a_2d, a_2e_right),
-      a_2e_lo1 = a_2e_left_rest + a_2e_right_rest, a_2e_lo = a_2e_lo1 + a_2c_lo, a_2 = -a_2e,
-      a_2_lo = -a_2e_lo;
-  const double so_0a = KSL_MUL(D->m13, a_2), so_0a_cross2 = KSL_MUL(D->m13, a_2_lo),
-      so_0b = KSL_MUL(D->m23, a_1), so_0b_cross2 = KSL_MUL(D->m23, a_1_lo), so_0 = so_0a - so_0b,
-      so_0_right = so_0a - so_0, so_0_left = so_0 + so_0_right,
-      so_0_left_rest = ksl_product_rest(D->m13, a_2, so_0a, so_0_left),
-      so_0_right_rest = ksl_product_rest(D->m23, a_1, so_0b, so_0_right),
-      so_0_cross = so_0a_cross2 - so_0b_cross2, so_0_lo1 = so_0_left_rest - so_0_right_rest,
-      so_0_lo = so_0_lo1 + so_0_cross;
-  const double so_1a = KSL_MUL(D->m23, a_0), so_1a_cross2 = KSL_MUL(D->m23, a_0_lo),
-      so_1b = KSL_MUL(D->m03, a_2), so_1b_cross2 = KSL_MUL(D->m03, a_2_lo), so_1 = so_1a - so_1b,
-      so_1_right = so_1a - so_1, so_1_left = so_1 + so_1_right,
-      so_1_left_rest = ksl_product_rest(D->m23, a_0, so_1a, so_1_left),
-      so_1_right_rest = ksl_product_rest(D->m03, a_2, so_1b, so_1_right),
-      so_1_cross = so_1a_cross2 - so_1b_cross2, so_1_lo1 = so_1_left_rest - so_1_right_rest,
-      so_1_lo = so_1_lo1 + so_1_cross;
-  const double so_2a = KSL_MUL(D->m03, a_1), so_2a_cross2 = KSL_MUL(D->m03, a_1_lo),
-      so_2b = KSL_MUL(D->m13, a_0), so_2b_cross2 = KSL_MUL(D->m13, a_0_lo), so_2 = so_2a - so_2b,
-      so_2_right = so_2a - so_2, so_2_left = so_2 + so_2_right,
-      so_2_left_rest = ksl_product_rest(D->m03, a_1, so_2a, so_2_left),
-      so_2_right_rest = ksl_product_rest(D->m13, a_0, so_2b, so_2_right),
-      so_2_cross = so_2a_cross2 - so_2b_cross2, so_2_lo1 = so_2_left_rest - so_2_right_rest,
-      so_2_lo = so_2_lo1 + so_2_cross;
-  const double so_0_rounded = so_0 + so_0_lo;
-  const double so_1_rounded = so_1 + so_1_lo;
-  const double so_2_rounded = so_2 + so_2_lo;
-  const double a_0_rounded = a_0 + a_0_lo;
-  const double a_1_rounded = a_1 + a_1_lo;
-  const double a_2_rounded = a_2 + a_2_lo;
+      a_2c_right = a_2c - a_2a, a_2d = KSL_MUL(D->m22, axis->z), a_2e = a_2c + a_2d,
+      a_2e_right = a_2e - a_2c,
+      a_2c_lo = ksl_product_rest(D->m20, axis->x, a_2a, a_2c - a_2c_right)
+          + ksl_product_rest(D->m21, axis->y, a_2b, a_2c_right), a_2 = -a_2e,
+      a_2_lo =
+          -(a_2c - (a_2e - a_2e_right) + ksl_product_rest(D->m22, axis->z, a_2d, a_2e_right)
+          + a_2c_lo);
+  const double so_0a = KSL_MUL(D->m13, a_2), so_0b = KSL_MUL(D->m23, a_1), so_0 = so_0a - so_0b,
+      so_0_right = so_0a - so_0,
+      so_0_lo1 = ksl_product_rest(D->m13, a_2, so_0a, so_0 + so_0_right)
+          - ksl_product_rest(D->m23, a_1, so_0b, so_0_right);
+  const double so_1a = KSL_MUL(D->m23, a_0), so_1b = KSL_MUL(D->m03, a_2), so_1 = so_1a - so_1b,
+      so_1_right = so_1a - so_1,
+      so_1_lo1 = ksl_product_rest(D->m23, a_0, so_1a, so_1 + so_1_right)
+          - ksl_product_rest(D->m03, a_2, so_1b, so_1_right);
+  const double so_2a = KSL_MUL(D->m03, a_1), so_2b = KSL_MUL(D->m13, a_0), so_2 = so_2a - so_2b,
+      so_2_right = so_2a - so_2,
+      so_2_lo1 = ksl_product_rest(D->m03, a_1, so_2a, so_2 + so_2_right)
+          - ksl_product_rest(D->m13, a_0, so_2b, so_2_right);
+  const double so_0_rounded = so_0
+          + (so_0_lo1 + (KSL_MUL(D->m13, a_2_lo) - KSL_MUL(D->m23, a_1_lo))),
+      so_1_rounded = so_1 + (so_1_lo1 + (KSL_MUL(D->m23, a_0_lo) - KSL_MUL(D->m03, a_2_lo))),
+      so_2_rounded = so_2 + (so_2_lo1 + (KSL_MUL(D->m03, a_1_lo) - KSL_MUL(D->m13, a_0_lo)));
+  const double a_0_rounded = a_0 + a_0_lo, a_1_rounded = a_1 + a_1_lo, a_2_rounded = a_2 + a_2_lo;
   so->m0 = so_0_rounded;
   so->m1 = so_1_rounded;
   so->m2 = so_2_rounded;
@@ -2112,38 +1621,29 @@ static inline void ksl_hsrainv_accurate(const ksl_SE3_t *D, const ksl_vec3_t *ax
 static inline void ksl_hstainv_accurate(const ksl_SE3_t *D, const ksl_vec3_t *axis,
     ksl_screw_t *so) {
   const double so_0a = KSL_MUL(D->m00, axis->x), so_0b = KSL_MUL(D->m01, axis->y),
-      so_0c = so_0a + so_0b, so_0c_right = so_0c - so_0a, so_0c_left = so_0c - so_0c_right,
-      so_0c_left_rest = ksl_product_rest(D->m00, axis->x, so_0a, so_0c_left),
-      so_0c_right_rest = ksl_product_rest(D->m01, axis->y, so_0b, so_0c_right),
-      so_0c_lo = so_0c_left_rest + so_0c_right_rest, so_0d = KSL_MUL(D->m02, axis->z),
-      so_0e = so_0c + so_0d, so_0e_right = so_0e - so_0c, so_0e_left = so_0e - so_0e_right,
-      so_0e_left_rest = so_0c - so_0e_left,
-      so_0e_right_rest = ksl_product_rest(D->m02, axis->z, so_0d, so_0e_right),
-      so_0e_lo1 = so_0e_left_rest + so_0e_right_rest, so_0e_lo = so_0e_lo1 + so_0c_lo,
-      so_0 = -so_0e, so_0_lo = -so_0e_lo;
+      so_0c = so_0a + so_0b, so_0c_right = so_0c - so_0a, so_0d = KSL_MUL(D->m02, axis->z),
+      so_0e = so_0c + so_0d, so_0e_right = so_0e - so_0c,
+      so_0c_lo = ksl_product_rest(D->m00, axis->x, so_0a, so_0c - so_0c_right)
+          + ksl_product_rest(D->m01, axis->y, so_0b, so_0c_right), so_0 = -so_0e;
   const double so_1a = KSL_MUL(D->m10, axis->x), so_1b = KSL_MUL(D->m11, axis->y),
-      so_1c = so_1a + so_1b, so_1c_right = so_1c - so_1a, so_1c_left = so_1c - so_1c_right,
-      so_1c_left_rest = ksl_product_rest(D->m10, axis->x, so_1a, so_1c_left),
-      so_1c_right_rest = ksl_product_rest(D->m11, axis->y, so_1b, so_1c_right),
-      so_1c_lo = so_1c_left_rest + so_1c_right_rest, so_1d = KSL_MUL(D->m12, axis->z),
-      so_1e = so_1c + so_1d, so_1e_right = so_1e - so_1c, so_1e_left = so_1e - so_1e_right,
-      so_1e_left_rest = so_1c - so_1e_left,
-      so_1e_right_rest = ksl_product_rest(D->m12, axis->z, so_1d, so_1e_right),
-      so_1e_lo1 = so_1e_left_rest + so_1e_right_rest, so_1e_lo = so_1e_lo1 + so_1c_lo,
-      so_1 = -so_1e, so_1_lo = -so_1e_lo;
+      so_1c = so_1a + so_1b, so_1c_right = so_1c - so_1a, so_1d = KSL_MUL(D->m12, axis->z),
+      so_1e = so_1c + so_1d, so_1e_right = so_1e - so_1c,
+      so_1c_lo = ksl_product_rest(D->m10, axis->x, so_1a, so_1c - so_1c_right)
+          + ksl_product_rest(D->m11, axis->y, so_1b, so_1c_right), so_1 = -so_1e;
   const double so_2a = KSL_MUL(D->m20, axis->x), so_2b = KSL_MUL(D->m21, axis->y),
-      so_2c = so_2a + so_2b, so_2c_right = so_2c - so_2a, so_2c_left = so_2c - so_2c_right,
-      so_2c_left_rest = ksl_product_rest(D->m20, axis->x, so_2a, so_2c_left),
-      so_2c_right_rest = ksl_product_rest(D->m21, axis->y, so_2b, so_2c_right),
-      so_2c_lo = so_2c_left_rest + so_2c_right_rest, so_2d = KSL_MUL(D->m22, axis->z),
-      so_2e = so_2c + so_2d, so_2e_right = so_2e - so_2c, so_2e_left = so_2e - so_2e_right,
-      so_2e_left_rest = so_2c - so_2e_left,
-      so_2e_right_rest = ksl_product_rest(D->m22, axis->z, so_2d, so_2e_right),
-      so_2e_lo1 = so_2e_left_rest + so_2e_right_rest, so_2e_lo = so_2e_lo1 + so_2c_lo,
-      so_2 = -so_2e, so_2_lo = -so_2e_lo;
-  const double so_0_rounded = so_0 + so_0_lo;
-  const double so_1_rounded = so_1 + so_1_lo;
-  const double so_2_rounded = so_2 + so_2_lo;
+      so_2c = so_2a + so_2b, so_2c_right = so_2c - so_2a, so_2d = KSL_MUL(D->m22, axis->z),
+      so_2e = so_2c + so_2d, so_2e_right = so_2e - so_2c,
+      so_2c_lo = ksl_product_rest(D->m20, axis->x, so_2a, so_2c - so_2c_right)
+          + ksl_product_rest(D->m21, axis->y, so_2b, so_2c_right), so_2 = -so_2e;
+  const double so_0_rounded = so_0 +
+          -(so_0c - (so_0e - so_0e_right) + ksl_product_rest(D->m02, axis->z, so_0d, so_0e_right)
+          + so_0c_lo),
+      so_1_rounded = so_1 +
+          -(so_1c - (so_1e - so_1e_right) + ksl_product_rest(D->m12, axis->z, so_1d, so_1e_right)
+          + so_1c_lo),
+      so_2_rounded = so_2 +
+          -(so_2c - (so_2e - so_2e_right) + ksl_product_rest(D->m22, axis->z, so_2d, so_2e_right)
+          + so_2c_lo);
   so->m0 = so_0_rounded;
   so->m1 = so_1_rounded;
   so->m2 = so_2_rounded;
@@ -2158,12 +1658,9 @@ static inline void ksl_hstainv_accurate(const ksl_SE3_t *D, const ksl_vec3_t *ax
    Error <= u |result| + 1/32 u^2 S, S the sum of the |terms| of the expanded formula; barring
      over- and underflow. */
 static inline void ksl_screwf_scale_accurate(ksl_screwf_t *self, const float a) {
-  const double self_0_new = (double)self->m0 * (double)a;
-  const double self_1_new = (double)self->m1 * (double)a;
-  const double self_2_new = (double)self->m2 * (double)a;
-  const double self_3_new = (double)self->m3 * (double)a;
-  const double self_4_new = (double)self->m4 * (double)a;
-  const double self_5_new = (double)self->m5 * (double)a;
+  const double self_0_new = (double)self->m0 * (double)a, self_1_new = (double)self->m1 * (double)a,
+      self_2_new = (double)self->m2 * (double)a, self_3_new = (double)self->m3 * (double)a,
+      self_4_new = (double)self->m4 * (double)a, self_5_new = (double)self->m5 * (double)a;
   self->m0 = (float)self_0_new;
   self->m1 = (float)self_1_new;
   self->m2 = (float)self_2_new;
@@ -2178,12 +1675,12 @@ static inline void ksl_screwf_scale_accurate(ksl_screwf_t *self, const float a) 
    Error <= u |result| + 1/16 u^2 S, S the sum of the |terms| of the expanded formula; barring
      over- and underflow. */
 static inline void ksl_axpy_ssf_accurate(const float a, const ksl_screwf_t *x, ksl_screwf_t *y) {
-  const double y_0_new = ksl_product_sum((double)a, (double)x->m0, (double)y->m0);
-  const double y_1_new = ksl_product_sum((double)a, (double)x->m1, (double)y->m1);
-  const double y_2_new = ksl_product_sum((double)a, (double)x->m2, (double)y->m2);
-  const double y_3_new = ksl_product_sum((double)a, (double)x->m3, (double)y->m3);
-  const double y_4_new = ksl_product_sum((double)a, (double)x->m4, (double)y->m4);
-  const double y_5_new = ksl_product_sum((double)a, (double)x->m5, (double)y->m5);
+  const double y_0_new = ksl_product_sum((double)a, (double)x->m0, (double)y->m0),
+      y_1_new = ksl_product_sum((double)a, (double)x->m1, (double)y->m1),
+      y_2_new = ksl_product_sum((double)a, (double)x->m2, (double)y->m2),
+      y_3_new = ksl_product_sum((double)a, (double)x->m3, (double)y->m3),
+      y_4_new = ksl_product_sum((double)a, (double)x->m4, (double)y->m4),
+      y_5_new = ksl_product_sum((double)a, (double)x->m5, (double)y->m5);
   y->m0 = (float)y_0_new;
   y->m1 = (float)y_1_new;
   y->m2 = (float)y_2_new;
@@ -2198,12 +1695,9 @@ static inline void ksl_axpy_ssf_accurate(const float a, const ksl_screwf_t *x, k
    Error <= u |result| + 1/32 u^2 S, S the sum of the |terms| of the expanded formula; barring
      over- and underflow. */
 static inline void ksl_xpy_ssf_accurate(const ksl_screwf_t *x, ksl_screwf_t *y) {
-  const double y_0_new = (double)x->m0 + (double)y->m0;
-  const double y_1_new = (double)x->m1 + (double)y->m1;
-  const double y_2_new = (double)x->m2 + (double)y->m2;
-  const double y_3_new = (double)x->m3 + (double)y->m3;
-  const double y_4_new = (double)x->m4 + (double)y->m4;
-  const double y_5_new = (double)x->m5 + (double)y->m5;
+  const double y_0_new = (double)x->m0 + (double)y->m0, y_1_new = (double)x->m1 + (double)y->m1,
+      y_2_new = (double)x->m2 + (double)y->m2, y_3_new = (double)x->m3 + (double)y->m3,
+      y_4_new = (double)x->m4 + (double)y->m4, y_5_new = (double)x->m5 + (double)y->m5;
   y->m0 = (float)y_0_new;
   y->m1 = (float)y_1_new;
   y->m2 = (float)y_2_new;
@@ -2218,12 +1712,9 @@ static inline void ksl_xpy_ssf_accurate(const ksl_screwf_t *x, ksl_screwf_t *y) 
    Error <= u |result| + 1/32 u^2 S, S the sum of the |terms| of the expanded formula; barring
      over- and underflow. */
 static inline void ksl_nxpy_ssf_accurate(const ksl_screwf_t *x, ksl_screwf_t *y) {
-  const double y_0_new = (double)y->m0 - (double)x->m0;
-  const double y_1_new = (double)y->m1 - (double)x->m1;
-  const double y_2_new = (double)y->m2 - (double)x->m2;
-  const double y_3_new = (double)y->m3 - (double)x->m3;
-  const double y_4_new = (double)y->m4 - (double)x->m4;
-  const double y_5_new = (double)y->m5 - (double)x->m5;
+  const double y_0_new = (double)y->m0 - (double)x->m0, y_1_new = (double)y->m1 - (double)x->m1,
+      y_2_new = (double)y->m2 - (double)x->m2, y_3_new = (double)y->m3 - (double)x->m3,
+      y_4_new = (double)y->m4 - (double)x->m4, y_5_new = (double)y->m5 - (double)x->m5;
   y->m0 = (float)y_0_new;
   y->m1 = (float)y_1_new;
   y->m2 = (float)y_2_new;
@@ -2239,12 +1730,9 @@ static inline void ksl_nxpy_ssf_accurate(const ksl_screwf_t *x, ksl_screwf_t *y)
      over- and underflow. */
 static inline void ksl_product_asf_accurate(const float a, const ksl_screwf_t *si,
     ksl_screwf_t *so) {
-  const double so_0 = (double)a * (double)si->m0;
-  const double so_1 = (double)a * (double)si->m1;
-  const double so_2 = (double)a * (double)si->m2;
-  const double so_3 = (double)a * (double)si->m3;
-  const double so_4 = (double)a * (double)si->m4;
-  const double so_5 = (double)a * (double)si->m5;
+  const double so_0 = (double)a * (double)si->m0, so_1 = (double)a * (double)si->m1,
+      so_2 = (double)a * (double)si->m2, so_3 = (double)a * (double)si->m3,
+      so_4 = (double)a * (double)si->m4, so_5 = (double)a * (double)si->m5;
   so->m0 = (float)so_0;
   so->m1 = (float)so_1;
   so->m2 = (float)so_2;
@@ -2260,12 +1748,9 @@ static inline void ksl_product_asf_accurate(const float a, const ksl_screwf_t *s
      over- and underflow. */
 static inline void ksl_add_ssf_accurate(const ksl_screwf_t *s1, const ksl_screwf_t *s2,
     ksl_screwf_t *so) {
-  const double so_0 = (double)s1->m0 + (double)s2->m0;
-  const double so_1 = (double)s1->m1 + (double)s2->m1;
-  const double so_2 = (double)s1->m2 + (double)s2->m2;
-  const double so_3 = (double)s1->m3 + (double)s2->m3;
-  const double so_4 = (double)s1->m4 + (double)s2->m4;
-  const double so_5 = (double)s1->m5 + (double)s2->m5;
+  const double so_0 = (double)s1->m0 + (double)s2->m0, so_1 = (double)s1->m1 + (double)s2->m1,
+      so_2 = (double)s1->m2 + (double)s2->m2, so_3 = (double)s1->m3 + (double)s2->m3,
+      so_4 = (double)s1->m4 + (double)s2->m4, so_5 = (double)s1->m5 + (double)s2->m5;
   so->m0 = (float)so_0;
   so->m1 = (float)so_1;
   so->m2 = (float)so_2;
@@ -2281,12 +1766,9 @@ static inline void ksl_add_ssf_accurate(const ksl_screwf_t *s1, const ksl_screwf
      over- and underflow. */
 static inline void ksl_subtract_ssf_accurate(const ksl_screwf_t *s1, const ksl_screwf_t *s2,
     ksl_screwf_t *so) {
-  const double so_0 = (double)s1->m0 - (double)s2->m0;
-  const double so_1 = (double)s1->m1 - (double)s2->m1;
-  const double so_2 = (double)s1->m2 - (double)s2->m2;
-  const double so_3 = (double)s1->m3 - (double)s2->m3;
-  const double so_4 = (double)s1->m4 - (double)s2->m4;
-  const double so_5 = (double)s1->m5 - (double)s2->m5;
+  const double so_0 = (double)s1->m0 - (double)s2->m0, so_1 = (double)s1->m1 - (double)s2->m1,
+      so_2 = (double)s1->m2 - (double)s2->m2, so_3 = (double)s1->m3 - (double)s2->m3,
+      so_4 = (double)s1->m4 - (double)s2->m4, so_5 = (double)s1->m5 - (double)s2->m5;
   so->m0 = (float)so_0;
   so->m1 = (float)so_1;
   so->m2 = (float)so_2;
@@ -2299,26 +1781,20 @@ static inline void ksl_subtract_ssf_accurate(const ksl_screwf_t *s1, const ksl_s
    si: screw (v in m/s; ω in rad/s).
    7 mul, 2 add, 1 sqrt, 6 abs, 11 less, 1 equal, 14 select. */
 static inline float ksl_screwf_norm_accurate(const ksl_screwf_t *si) {
-  const double small_a = fabs((double)si->m5),
-      small_c = small_a < 9.999999974752427e-07 ? 1.0 : 0.0, small_d = fabs((double)si->m4),
-      small_f = small_d < 9.999999974752427e-07 ? small_c : 0.0, small_g = fabs((double)si->m3),
-      small = small_g < 9.999999974752427e-07 ? small_f : 0.0;
-  const double p_0 = small == 1.0 ? (double)si->m0 : (double)si->m3;
-  const double p_1 = small == 1.0 ? (double)si->m1 : (double)si->m4;
-  const double p_2 = small == 1.0 ? (double)si->m2 : (double)si->m5;
-  const double s_size_0 = fabs(p_0);
-  const double s_size_1 = fabs(p_1);
-  const double s_size_2 = fabs(p_2);
+  const double small_c = fabs((double)si->m5) < 9.999999974752427e-07 ? 1.0 : 0.0,
+      small_f = fabs((double)si->m4) < 9.999999974752427e-07 ? small_c : 0.0,
+      small = fabs((double)si->m3) < 9.999999974752427e-07 ? small_f : 0.0;
+  const double p_0 = small == 1.0 ? (double)si->m0 : (double)si->m3,
+      p_1 = small == 1.0 ? (double)si->m1 : (double)si->m4,
+      p_2 = small == 1.0 ? (double)si->m2 : (double)si->m5;
+  const double s_size_0 = fabs(p_0), s_size_1 = fabs(p_1), s_size_2 = fabs(p_2);
   const double s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
   const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const double s_b = 4.611686018427388e+18 < s_largest2 ? 2.710505431213761e-20 : 1.0,
       s_d = s_largest2 < 256.0 ? 1.8014398509481984e+16 : s_b,
       s = s_largest2 < 1.4210854715202004e-14 ? 3.2451855365842673e+32 : s_d;
-  const double y_0 = KSL_MUL(p_0, s);
-  const double y_1 = KSL_MUL(p_1, s);
-  const double y_2 = KSL_MUL(p_2, s);
-  const double n_a = KSL_MUL(y_0, y_0), n_b = KSL_MUL(y_1, y_1), n_c = n_a + n_b,
-      n_d = KSL_MUL(y_2, y_2), n_e = n_c + n_d, n = sqrt(n_e);
+  const double y_0 = KSL_MUL(p_0, s), y_1 = KSL_MUL(p_1, s), y_2 = KSL_MUL(p_2, s);
+  const double n = sqrt(KSL_MUL(y_0, y_0) + KSL_MUL(y_1, y_1) + KSL_MUL(y_2, y_2));
   const double r_b = s < 1.0 ? 3.6893488147419103e+19 : 1.0,
       r_d = 1.0 < s ? 5.551115123125783e-17 : r_b,
       r = 1.8014398509481984e+16 < s ? 3.0814879110195774e-33 : r_d;
@@ -2334,58 +1810,38 @@ static inline void ksl_screwf_normalize_accurate(ksl_screwf_t *self) {
       small_c = small_a < 9.999999974752427e-07 ? 1.0 : 0.0, small_d = fabs((double)self->m4),
       small_f = small_d < 9.999999974752427e-07 ? small_c : 0.0, small_g = fabs((double)self->m3),
       small = small_g < 9.999999974752427e-07 ? small_f : 0.0;
-  const double p_0 = small == 1.0 ? (double)self->m0 : (double)self->m3;
-  const double p_1 = small == 1.0 ? (double)self->m1 : (double)self->m4;
-  const double p_2 = small == 1.0 ? (double)self->m2 : (double)self->m5;
-  const double s_size_0 = fabs(p_0);
-  const double s_size_1 = fabs(p_1);
-  const double s_size_2 = fabs(p_2);
+  const double p_0 = small == 1.0 ? (double)self->m0 : (double)self->m3,
+      p_1 = small == 1.0 ? (double)self->m1 : (double)self->m4,
+      p_2 = small == 1.0 ? (double)self->m2 : (double)self->m5;
+  const double s_size_0 = fabs(p_0), s_size_1 = fabs(p_1), s_size_2 = fabs(p_2);
   const double s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
   const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const double s_b = 4.611686018427388e+18 < s_largest2 ? 2.710505431213761e-20 : 1.0,
       s_d = s_largest2 < 256.0 ? 1.8014398509481984e+16 : s_b,
       s = s_largest2 < 1.4210854715202004e-14 ? 3.2451855365842673e+32 : s_d;
-  const double y_0 = KSL_MUL(p_0, s);
-  const double y_1 = KSL_MUL(p_1, s);
-  const double y_2 = KSL_MUL(p_2, s);
+  const double y_0 = KSL_MUL(p_0, s), y_1 = KSL_MUL(p_1, s), y_2 = KSL_MUL(p_2, s);
   const double up = 1.0 < s ? s : 1.0;
   const double down = s < 1.0 ? s : 1.0;
-  const double n_a = KSL_MUL(y_0, y_0), n_b = KSL_MUL(y_1, y_1), n_c = n_a + n_b,
-      n_d = KSL_MUL(y_2, y_2), n_e = n_c + n_d, n = sqrt(n_e);
+  const double n = sqrt(KSL_MUL(y_0, y_0) + KSL_MUL(y_1, y_1) + KSL_MUL(y_2, y_2));
   const double divisor = n == 0.0 ? up : n;
-  const double size_0 = fabs((double)self->m0);
-  const double size_1 = fabs((double)self->m1);
-  const double size_2 = fabs((double)self->m2);
-  const double before_0 = size_0 < 256.0 ? up : down;
-  const double before_1 = size_1 < 256.0 ? up : down;
-  const double before_2 = size_2 < 256.0 ? up : down;
-  const double before_3 = small_g < 256.0 ? up : down;
-  const double before_4 = small_d < 256.0 ? up : down;
-  const double before_5 = small_a < 256.0 ? up : down;
-  const double after_0 = size_0 < 256.0 ? down : up;
-  const double after_1 = size_1 < 256.0 ? down : up;
-  const double after_2 = size_2 < 256.0 ? down : up;
-  const double after_3 = small_g < 256.0 ? down : up;
-  const double after_4 = small_d < 256.0 ? down : up;
-  const double after_5 = small_a < 256.0 ? down : up;
-  const double sized_0 = KSL_MUL((double)self->m0, before_0);
-  const double sized_1 = KSL_MUL((double)self->m1, before_1);
-  const double sized_2 = KSL_MUL((double)self->m2, before_2);
-  const double sized_3 = KSL_MUL((double)self->m3, before_3);
-  const double sized_4 = KSL_MUL((double)self->m4, before_4);
-  const double sized_5 = KSL_MUL((double)self->m5, before_5);
-  const double quotient_0 = sized_0 / divisor;
-  const double quotient_1 = sized_1 / divisor;
-  const double quotient_2 = sized_2 / divisor;
-  const double quotient_3 = sized_3 / divisor;
-  const double quotient_4 = sized_4 / divisor;
-  const double quotient_5 = sized_5 / divisor;
-  const double self_0_new = KSL_MUL(quotient_0, after_0);
-  const double self_1_new = KSL_MUL(quotient_1, after_1);
-  const double self_2_new = KSL_MUL(quotient_2, after_2);
-  const double self_3_new = KSL_MUL(quotient_3, after_3);
-  const double self_4_new = KSL_MUL(quotient_4, after_4);
-  const double self_5_new = KSL_MUL(quotient_5, after_5);
+  const double size_0 = fabs((double)self->m0), size_1 = fabs((double)self->m1),
+      size_2 = fabs((double)self->m2);
+  const double before_0 = size_0 < 256.0 ? up : down, before_1 = size_1 < 256.0 ? up : down,
+      before_2 = size_2 < 256.0 ? up : down, before_3 = small_g < 256.0 ? up : down,
+      before_4 = small_d < 256.0 ? up : down, before_5 = small_a < 256.0 ? up : down;
+  const double after_0 = size_0 < 256.0 ? down : up, after_1 = size_1 < 256.0 ? down : up,
+      after_2 = size_2 < 256.0 ? down : up, after_3 = small_g < 256.0 ? down : up,
+      after_4 = small_d < 256.0 ? down : up, after_5 = small_a < 256.0 ? down : up;
+  const double sized_0 = KSL_MUL((double)self->m0, before_0),
+      sized_1 = KSL_MUL((double)self->m1, before_1), sized_2 = KSL_MUL((double)self->m2, before_2),
+      sized_3 = KSL_MUL((double)self->m3, before_3), sized_4 = KSL_MUL((double)self->m4, before_4),
+      sized_5 = KSL_MUL((double)self->m5, before_5);
+  const double quotient_0 = sized_0 / divisor, quotient_1 = sized_1 / divisor,
+      quotient_2 = sized_2 / divisor, quotient_3 = sized_3 / divisor,
+      quotient_4 = sized_4 / divisor, quotient_5 = sized_5 / divisor;
+  const double self_0_new = KSL_MUL(quotient_0, after_0), self_1_new = KSL_MUL(quotient_1, after_1),
+      self_2_new = KSL_MUL(quotient_2, after_2), self_3_new = KSL_MUL(quotient_3, after_3),
+      self_4_new = KSL_MUL(quotient_4, after_4), self_5_new = KSL_MUL(quotient_5, after_5);
   self->m0 = (float)self_0_new;
   self->m1 = (float)self_1_new;
   self->m2 = (float)self_2_new;
@@ -2402,58 +1858,38 @@ static inline void ksl_screwf_normalized_accurate(const ksl_screwf_t *si, ksl_sc
       small_c = small_a < 9.999999974752427e-07 ? 1.0 : 0.0, small_d = fabs((double)si->m4),
       small_f = small_d < 9.999999974752427e-07 ? small_c : 0.0, small_g = fabs((double)si->m3),
       small = small_g < 9.999999974752427e-07 ? small_f : 0.0;
-  const double p_0 = small == 1.0 ? (double)si->m0 : (double)si->m3;
-  const double p_1 = small == 1.0 ? (double)si->m1 : (double)si->m4;
-  const double p_2 = small == 1.0 ? (double)si->m2 : (double)si->m5;
-  const double s_size_0 = fabs(p_0);
-  const double s_size_1 = fabs(p_1);
-  const double s_size_2 = fabs(p_2);
+  const double p_0 = small == 1.0 ? (double)si->m0 : (double)si->m3,
+      p_1 = small == 1.0 ? (double)si->m1 : (double)si->m4,
+      p_2 = small == 1.0 ? (double)si->m2 : (double)si->m5;
+  const double s_size_0 = fabs(p_0), s_size_1 = fabs(p_1), s_size_2 = fabs(p_2);
   const double s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
   const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const double s_b = 4.611686018427388e+18 < s_largest2 ? 2.710505431213761e-20 : 1.0,
       s_d = s_largest2 < 256.0 ? 1.8014398509481984e+16 : s_b,
       s = s_largest2 < 1.4210854715202004e-14 ? 3.2451855365842673e+32 : s_d;
-  const double y_0 = KSL_MUL(p_0, s);
-  const double y_1 = KSL_MUL(p_1, s);
-  const double y_2 = KSL_MUL(p_2, s);
+  const double y_0 = KSL_MUL(p_0, s), y_1 = KSL_MUL(p_1, s), y_2 = KSL_MUL(p_2, s);
   const double up = 1.0 < s ? s : 1.0;
   const double down = s < 1.0 ? s : 1.0;
-  const double n_a = KSL_MUL(y_0, y_0), n_b = KSL_MUL(y_1, y_1), n_c = n_a + n_b,
-      n_d = KSL_MUL(y_2, y_2), n_e = n_c + n_d, n = sqrt(n_e);
+  const double n = sqrt(KSL_MUL(y_0, y_0) + KSL_MUL(y_1, y_1) + KSL_MUL(y_2, y_2));
   const double divisor = n == 0.0 ? up : n;
-  const double size_0 = fabs((double)si->m0);
-  const double size_1 = fabs((double)si->m1);
-  const double size_2 = fabs((double)si->m2);
-  const double before_0 = size_0 < 256.0 ? up : down;
-  const double before_1 = size_1 < 256.0 ? up : down;
-  const double before_2 = size_2 < 256.0 ? up : down;
-  const double before_3 = small_g < 256.0 ? up : down;
-  const double before_4 = small_d < 256.0 ? up : down;
-  const double before_5 = small_a < 256.0 ? up : down;
-  const double after_0 = size_0 < 256.0 ? down : up;
-  const double after_1 = size_1 < 256.0 ? down : up;
-  const double after_2 = size_2 < 256.0 ? down : up;
-  const double after_3 = small_g < 256.0 ? down : up;
-  const double after_4 = small_d < 256.0 ? down : up;
-  const double after_5 = small_a < 256.0 ? down : up;
-  const double sized_0 = KSL_MUL((double)si->m0, before_0);
-  const double sized_1 = KSL_MUL((double)si->m1, before_1);
-  const double sized_2 = KSL_MUL((double)si->m2, before_2);
-  const double sized_3 = KSL_MUL((double)si->m3, before_3);
-  const double sized_4 = KSL_MUL((double)si->m4, before_4);
-  const double sized_5 = KSL_MUL((double)si->m5, before_5);
-  const double quotient_0 = sized_0 / divisor;
-  const double quotient_1 = sized_1 / divisor;
-  const double quotient_2 = sized_2 / divisor;
-  const double quotient_3 = sized_3 / divisor;
-  const double quotient_4 = sized_4 / divisor;
-  const double quotient_5 = sized_5 / divisor;
-  const double so_0 = KSL_MUL(quotient_0, after_0);
-  const double so_1 = KSL_MUL(quotient_1, after_1);
-  const double so_2 = KSL_MUL(quotient_2, after_2);
-  const double so_3 = KSL_MUL(quotient_3, after_3);
-  const double so_4 = KSL_MUL(quotient_4, after_4);
-  const double so_5 = KSL_MUL(quotient_5, after_5);
+  const double size_0 = fabs((double)si->m0), size_1 = fabs((double)si->m1),
+      size_2 = fabs((double)si->m2);
+  const double before_0 = size_0 < 256.0 ? up : down, before_1 = size_1 < 256.0 ? up : down,
+      before_2 = size_2 < 256.0 ? up : down, before_3 = small_g < 256.0 ? up : down,
+      before_4 = small_d < 256.0 ? up : down, before_5 = small_a < 256.0 ? up : down;
+  const double after_0 = size_0 < 256.0 ? down : up, after_1 = size_1 < 256.0 ? down : up,
+      after_2 = size_2 < 256.0 ? down : up, after_3 = small_g < 256.0 ? down : up,
+      after_4 = small_d < 256.0 ? down : up, after_5 = small_a < 256.0 ? down : up;
+  const double sized_0 = KSL_MUL((double)si->m0, before_0),
+      sized_1 = KSL_MUL((double)si->m1, before_1), sized_2 = KSL_MUL((double)si->m2, before_2),
+      sized_3 = KSL_MUL((double)si->m3, before_3), sized_4 = KSL_MUL((double)si->m4, before_4),
+      sized_5 = KSL_MUL((double)si->m5, before_5);
+  const double quotient_0 = sized_0 / divisor, quotient_1 = sized_1 / divisor,
+      quotient_2 = sized_2 / divisor, quotient_3 = sized_3 / divisor,
+      quotient_4 = sized_4 / divisor, quotient_5 = sized_5 / divisor;
+  const double so_0 = KSL_MUL(quotient_0, after_0), so_1 = KSL_MUL(quotient_1, after_1),
+      so_2 = KSL_MUL(quotient_2, after_2), so_3 = KSL_MUL(quotient_3, after_3),
+      so_4 = KSL_MUL(quotient_4, after_4), so_5 = KSL_MUL(quotient_5, after_5);
   so->m0 = (float)so_0;
   so->m1 = (float)so_1;
   so->m2 = (float)so_2;
@@ -2469,9 +1905,8 @@ static inline void ksl_screwf_normalized_accurate(const ksl_screwf_t *si, ksl_sc
      formula; barring over- and underflow. */
 static inline void ksl_add_sstf_accurate(const ksl_screwf_t *s1, const ksl_screwf_t *s2,
     ksl_screwf_t *so) {
-  const double so_0 = (double)s1->m0 + (double)s2->m0;
-  const double so_1 = (double)s1->m1 + (double)s2->m1;
-  const double so_2 = (double)s1->m2 + (double)s2->m2;
+  const double so_0 = (double)s1->m0 + (double)s2->m0, so_1 = (double)s1->m1 + (double)s2->m1,
+      so_2 = (double)s1->m2 + (double)s2->m2;
   const float s1_m3 = s1->m3;
   const float s1_m4 = s1->m4;
   const float s1_m5 = s1->m5;
@@ -2490,12 +1925,12 @@ static inline void ksl_add_sstf_accurate(const ksl_screwf_t *s1, const ksl_screw
      formula; barring over- and underflow. */
 static inline void ksl_product_Adtsf_accurate(const ksl_vec3f_t *t, const ksl_screwf_t *si,
     ksl_screwf_t *so) {
-  const double so_0a = (double)t->y * (double)si->m5,
-      so_0c = ksl_product_sum(-(double)t->z, (double)si->m4, so_0a), so_0 = so_0c + (double)si->m0;
-  const double so_1a = (double)t->z * (double)si->m3,
-      so_1c = ksl_product_sum(-(double)t->x, (double)si->m5, so_1a), so_1 = so_1c + (double)si->m1;
-  const double so_2a = (double)t->x * (double)si->m4,
-      so_2c = ksl_product_sum(-(double)t->y, (double)si->m3, so_2a), so_2 = so_2c + (double)si->m2;
+  const double so_0 = ksl_product_sum(-(double)t->z, (double)si->m4, (double)t->y * (double)si->m5)
+          + (double)si->m0,
+      so_1 = ksl_product_sum(-(double)t->x, (double)si->m5, (double)t->z * (double)si->m3)
+          + (double)si->m1,
+      so_2 = ksl_product_sum(-(double)t->y, (double)si->m3, (double)t->x * (double)si->m4)
+          + (double)si->m2;
   const float si_m3 = si->m3;
   const float si_m4 = si->m4;
   const float si_m5 = si->m5;
@@ -2514,12 +1949,12 @@ static inline void ksl_product_Adtsf_accurate(const ksl_vec3f_t *t, const ksl_sc
      formula; barring over- and underflow. */
 static inline void ksl_product_Adtinvsf_accurate(const ksl_vec3f_t *t, const ksl_screwf_t *si,
     ksl_screwf_t *so) {
-  const double so_0a = (double)t->z * (double)si->m4,
-      so_0c = ksl_product_sum(-(double)t->y, (double)si->m5, so_0a), so_0 = so_0c + (double)si->m0;
-  const double so_1a = (double)t->x * (double)si->m5,
-      so_1c = ksl_product_sum(-(double)t->z, (double)si->m3, so_1a), so_1 = so_1c + (double)si->m1;
-  const double so_2a = (double)t->y * (double)si->m3,
-      so_2c = ksl_product_sum(-(double)t->x, (double)si->m4, so_2a), so_2 = so_2c + (double)si->m2;
+  const double so_0 = ksl_product_sum(-(double)t->y, (double)si->m5, (double)t->z * (double)si->m4)
+          + (double)si->m0,
+      so_1 = ksl_product_sum(-(double)t->z, (double)si->m3, (double)t->x * (double)si->m5)
+          + (double)si->m1,
+      so_2 = ksl_product_sum(-(double)t->x, (double)si->m4, (double)t->y * (double)si->m3)
+          + (double)si->m2;
   const float si_m3 = si->m3;
   const float si_m4 = si->m4;
   const float si_m5 = si->m5;
@@ -2538,15 +1973,12 @@ static inline void ksl_product_Adtinvsf_accurate(const ksl_vec3f_t *t, const ksl
      formula; barring over- and underflow. */
 static inline void ksl_product_Adtsinvf_accurate(const ksl_vec3f_t *t, const ksl_screwf_t *si,
     ksl_screwf_t *so) {
-  const double so_0a = (double)t->z * (double)si->m4,
-      so_0c = ksl_product_sum(-(double)t->y, (double)si->m5, so_0a), so_0 = so_0c - (double)si->m0;
-  const double so_1a = (double)t->x * (double)si->m5,
-      so_1c = ksl_product_sum(-(double)t->z, (double)si->m3, so_1a), so_1 = so_1c - (double)si->m1;
-  const double so_2a = (double)t->y * (double)si->m3,
-      so_2c = ksl_product_sum(-(double)t->x, (double)si->m4, so_2a), so_2 = so_2c - (double)si->m2;
-  const double so_3 = -(double)si->m3;
-  const double so_4 = -(double)si->m4;
-  const double so_5 = -(double)si->m5;
+  const double so_0 = ksl_product_sum(-(double)t->y, (double)si->m5, (double)t->z * (double)si->m4)
+          - (double)si->m0,
+      so_1 = ksl_product_sum(-(double)t->z, (double)si->m3, (double)t->x * (double)si->m5)
+          - (double)si->m1,
+      so_2 = ksl_product_sum(-(double)t->x, (double)si->m4, (double)t->y * (double)si->m3)
+          - (double)si->m2, so_3 = -(double)si->m3, so_4 = -(double)si->m4, so_5 = -(double)si->m5;
   so->m0 = (float)so_0;
   so->m1 = (float)so_1;
   so->m2 = (float)so_2;
@@ -2562,24 +1994,18 @@ static inline void ksl_product_Adtsinvf_accurate(const ksl_vec3f_t *t, const ksl
      over- and underflow. */
 static inline void ksl_product_Adrsf_accurate(const ksl_mat3x3f_t *R, const ksl_screwf_t *si,
     ksl_screwf_t *so) {
-  const double so_0a = (double)R->m00 * (double)si->m0,
-      so_0c = ksl_product_sum((double)R->m01, (double)si->m1, so_0a),
-      so_0 = ksl_product_sum((double)R->m02, (double)si->m2, so_0c);
-  const double so_1a = (double)R->m10 * (double)si->m0,
-      so_1c = ksl_product_sum((double)R->m11, (double)si->m1, so_1a),
-      so_1 = ksl_product_sum((double)R->m12, (double)si->m2, so_1c);
-  const double so_2a = (double)R->m20 * (double)si->m0,
-      so_2c = ksl_product_sum((double)R->m21, (double)si->m1, so_2a),
-      so_2 = ksl_product_sum((double)R->m22, (double)si->m2, so_2c);
-  const double so_3a = (double)R->m00 * (double)si->m3,
-      so_3c = ksl_product_sum((double)R->m01, (double)si->m4, so_3a),
-      so_3 = ksl_product_sum((double)R->m02, (double)si->m5, so_3c);
-  const double so_4a = (double)R->m10 * (double)si->m3,
-      so_4c = ksl_product_sum((double)R->m11, (double)si->m4, so_4a),
-      so_4 = ksl_product_sum((double)R->m12, (double)si->m5, so_4c);
-  const double so_5a = (double)R->m20 * (double)si->m3,
-      so_5c = ksl_product_sum((double)R->m21, (double)si->m4, so_5a),
-      so_5 = ksl_product_sum((double)R->m22, (double)si->m5, so_5c);
+  const double so_0 = ksl_product_sum((double)R->m02, (double)si->m2,
+      ksl_product_sum((double)R->m01, (double)si->m1, (double)R->m00 * (double)si->m0)),
+      so_1 = ksl_product_sum((double)R->m12, (double)si->m2, ksl_product_sum((double)R->m11,
+          (double)si->m1, (double)R->m10 * (double)si->m0)),
+      so_2 = ksl_product_sum((double)R->m22, (double)si->m2, ksl_product_sum((double)R->m21,
+          (double)si->m1, (double)R->m20 * (double)si->m0)),
+      so_3 = ksl_product_sum((double)R->m02, (double)si->m5, ksl_product_sum((double)R->m01,
+          (double)si->m4, (double)R->m00 * (double)si->m3)),
+      so_4 = ksl_product_sum((double)R->m12, (double)si->m5, ksl_product_sum((double)R->m11,
+          (double)si->m4, (double)R->m10 * (double)si->m3)),
+      so_5 = ksl_product_sum((double)R->m22, (double)si->m5, ksl_product_sum((double)R->m21,
+          (double)si->m4, (double)R->m20 * (double)si->m3));
   so->m0 = (float)so_0;
   so->m1 = (float)so_1;
   so->m2 = (float)so_2;
@@ -2595,24 +2021,18 @@ static inline void ksl_product_Adrsf_accurate(const ksl_mat3x3f_t *R, const ksl_
      over- and underflow. */
 static inline void ksl_product_Adrinvsf_accurate(const ksl_mat3x3f_t *R, const ksl_screwf_t *si,
     ksl_screwf_t *so) {
-  const double so_0a = (double)R->m00 * (double)si->m0,
-      so_0c = ksl_product_sum((double)R->m10, (double)si->m1, so_0a),
-      so_0 = ksl_product_sum((double)R->m20, (double)si->m2, so_0c);
-  const double so_1a = (double)R->m01 * (double)si->m0,
-      so_1c = ksl_product_sum((double)R->m11, (double)si->m1, so_1a),
-      so_1 = ksl_product_sum((double)R->m21, (double)si->m2, so_1c);
-  const double so_2a = (double)R->m02 * (double)si->m0,
-      so_2c = ksl_product_sum((double)R->m12, (double)si->m1, so_2a),
-      so_2 = ksl_product_sum((double)R->m22, (double)si->m2, so_2c);
-  const double so_3a = (double)R->m00 * (double)si->m3,
-      so_3c = ksl_product_sum((double)R->m10, (double)si->m4, so_3a),
-      so_3 = ksl_product_sum((double)R->m20, (double)si->m5, so_3c);
-  const double so_4a = (double)R->m01 * (double)si->m3,
-      so_4c = ksl_product_sum((double)R->m11, (double)si->m4, so_4a),
-      so_4 = ksl_product_sum((double)R->m21, (double)si->m5, so_4c);
-  const double so_5a = (double)R->m02 * (double)si->m3,
-      so_5c = ksl_product_sum((double)R->m12, (double)si->m4, so_5a),
-      so_5 = ksl_product_sum((double)R->m22, (double)si->m5, so_5c);
+  const double so_0 = ksl_product_sum((double)R->m20, (double)si->m2,
+      ksl_product_sum((double)R->m10, (double)si->m1, (double)R->m00 * (double)si->m0)),
+      so_1 = ksl_product_sum((double)R->m21, (double)si->m2, ksl_product_sum((double)R->m11,
+          (double)si->m1, (double)R->m01 * (double)si->m0)),
+      so_2 = ksl_product_sum((double)R->m22, (double)si->m2, ksl_product_sum((double)R->m12,
+          (double)si->m1, (double)R->m02 * (double)si->m0)),
+      so_3 = ksl_product_sum((double)R->m20, (double)si->m5, ksl_product_sum((double)R->m10,
+          (double)si->m4, (double)R->m00 * (double)si->m3)),
+      so_4 = ksl_product_sum((double)R->m21, (double)si->m5, ksl_product_sum((double)R->m11,
+          (double)si->m4, (double)R->m01 * (double)si->m3)),
+      so_5 = ksl_product_sum((double)R->m22, (double)si->m5, ksl_product_sum((double)R->m12,
+          (double)si->m4, (double)R->m02 * (double)si->m3));
   so->m0 = (float)so_0;
   so->m1 = (float)so_1;
   so->m2 = (float)so_2;
@@ -2628,24 +2048,18 @@ static inline void ksl_product_Adrinvsf_accurate(const ksl_mat3x3f_t *R, const k
      over- and underflow. */
 static inline void ksl_product_Adrsinvf_accurate(const ksl_mat3x3f_t *R, const ksl_screwf_t *si,
     ksl_screwf_t *so) {
-  const double so_0a = (double)R->m00 * (double)si->m0, so_0c_lead = -so_0a,
-      so_0c = ksl_product_sum(-(double)R->m01, (double)si->m1, so_0c_lead),
-      so_0 = ksl_product_sum(-(double)R->m02, (double)si->m2, so_0c);
-  const double so_1a = (double)R->m10 * (double)si->m0, so_1c_lead = -so_1a,
-      so_1c = ksl_product_sum(-(double)R->m11, (double)si->m1, so_1c_lead),
-      so_1 = ksl_product_sum(-(double)R->m12, (double)si->m2, so_1c);
-  const double so_2a = (double)R->m20 * (double)si->m0, so_2c_lead = -so_2a,
-      so_2c = ksl_product_sum(-(double)R->m21, (double)si->m1, so_2c_lead),
-      so_2 = ksl_product_sum(-(double)R->m22, (double)si->m2, so_2c);
-  const double so_3a = (double)R->m00 * (double)si->m3, so_3c_lead = -so_3a,
-      so_3c = ksl_product_sum(-(double)R->m01, (double)si->m4, so_3c_lead),
-      so_3 = ksl_product_sum(-(double)R->m02, (double)si->m5, so_3c);
-  const double so_4a = (double)R->m10 * (double)si->m3, so_4c_lead = -so_4a,
-      so_4c = ksl_product_sum(-(double)R->m11, (double)si->m4, so_4c_lead),
-      so_4 = ksl_product_sum(-(double)R->m12, (double)si->m5, so_4c);
-  const double so_5a = (double)R->m20 * (double)si->m3, so_5c_lead = -so_5a,
-      so_5c = ksl_product_sum(-(double)R->m21, (double)si->m4, so_5c_lead),
-      so_5 = ksl_product_sum(-(double)R->m22, (double)si->m5, so_5c);
+  const double so_0 = ksl_product_sum(-(double)R->m02, (double)si->m2,
+      ksl_product_sum(-(double)R->m01, (double)si->m1, -((double)R->m00 * (double)si->m0))),
+      so_1 = ksl_product_sum(-(double)R->m12, (double)si->m2, ksl_product_sum(-(double)R->m11,
+          (double)si->m1, -((double)R->m10 * (double)si->m0))),
+      so_2 = ksl_product_sum(-(double)R->m22, (double)si->m2, ksl_product_sum(-(double)R->m21,
+          (double)si->m1, -((double)R->m20 * (double)si->m0))),
+      so_3 = ksl_product_sum(-(double)R->m02, (double)si->m5, ksl_product_sum(-(double)R->m01,
+          (double)si->m4, -((double)R->m00 * (double)si->m3))),
+      so_4 = ksl_product_sum(-(double)R->m12, (double)si->m5, ksl_product_sum(-(double)R->m11,
+          (double)si->m4, -((double)R->m10 * (double)si->m3))),
+      so_5 = ksl_product_sum(-(double)R->m22, (double)si->m5, ksl_product_sum(-(double)R->m21,
+          (double)si->m4, -((double)R->m20 * (double)si->m3)));
   so->m0 = (float)so_0;
   so->m1 = (float)so_1;
   so->m2 = (float)so_2;
@@ -2661,30 +2075,21 @@ static inline void ksl_product_Adrsinvf_accurate(const ksl_mat3x3f_t *R, const k
      formula; barring over- and underflow. */
 static inline void ksl_product_Adsf_accurate(const ksl_SE3f_t *D, const ksl_screwf_t *si,
     ksl_screwf_t *so) {
-  const double w_0a = (double)D->m00 * (double)si->m0,
-      w_0c = ksl_product_sum((double)D->m01, (double)si->m1, w_0a),
-      w_0 = ksl_product_sum((double)D->m02, (double)si->m2, w_0c);
-  const double w_1a = (double)D->m10 * (double)si->m0,
-      w_1c = ksl_product_sum((double)D->m11, (double)si->m1, w_1a),
-      w_1 = ksl_product_sum((double)D->m12, (double)si->m2, w_1c);
-  const double w_2a = (double)D->m20 * (double)si->m0,
-      w_2c = ksl_product_sum((double)D->m21, (double)si->m1, w_2a),
-      w_2 = ksl_product_sum((double)D->m22, (double)si->m2, w_2c);
-  const double w_3a = (double)D->m00 * (double)si->m3,
-      w_3c = ksl_product_sum((double)D->m01, (double)si->m4, w_3a),
-      w_3 = ksl_product_sum((double)D->m02, (double)si->m5, w_3c);
-  const double w_4a = (double)D->m10 * (double)si->m3,
-      w_4c = ksl_product_sum((double)D->m11, (double)si->m4, w_4a),
-      w_4 = ksl_product_sum((double)D->m12, (double)si->m5, w_4c);
-  const double w_5a = (double)D->m20 * (double)si->m3,
-      w_5c = ksl_product_sum((double)D->m21, (double)si->m4, w_5a),
-      w_5 = ksl_product_sum((double)D->m22, (double)si->m5, w_5c);
-  const double so_0a = KSL_MUL((double)D->m13, w_5), so_0b = KSL_MUL((double)D->m23, w_4),
-      so_0c = so_0a - so_0b, so_0 = so_0c + w_0;
-  const double so_1a = KSL_MUL((double)D->m23, w_3), so_1b = KSL_MUL((double)D->m03, w_5),
-      so_1c = so_1a - so_1b, so_1 = so_1c + w_1;
-  const double so_2a = KSL_MUL((double)D->m03, w_4), so_2b = KSL_MUL((double)D->m13, w_3),
-      so_2c = so_2a - so_2b, so_2 = so_2c + w_2;
+  const double w_0 = ksl_product_sum((double)D->m02, (double)si->m2, ksl_product_sum((double)D->m01,
+      (double)si->m1, (double)D->m00 * (double)si->m0)),
+      w_1 = ksl_product_sum((double)D->m12, (double)si->m2, ksl_product_sum((double)D->m11,
+          (double)si->m1, (double)D->m10 * (double)si->m0)),
+      w_2 = ksl_product_sum((double)D->m22, (double)si->m2, ksl_product_sum((double)D->m21,
+          (double)si->m1, (double)D->m20 * (double)si->m0)),
+      w_3 = ksl_product_sum((double)D->m02, (double)si->m5, ksl_product_sum((double)D->m01,
+          (double)si->m4, (double)D->m00 * (double)si->m3)),
+      w_4 = ksl_product_sum((double)D->m12, (double)si->m5, ksl_product_sum((double)D->m11,
+          (double)si->m4, (double)D->m10 * (double)si->m3)),
+      w_5 = ksl_product_sum((double)D->m22, (double)si->m5, ksl_product_sum((double)D->m21,
+          (double)si->m4, (double)D->m20 * (double)si->m3));
+  const double so_0 = KSL_MUL((double)D->m13, w_5) - KSL_MUL((double)D->m23, w_4) + w_0,
+      so_1 = KSL_MUL((double)D->m23, w_3) - KSL_MUL((double)D->m03, w_5) + w_1,
+      so_2 = KSL_MUL((double)D->m03, w_4) - KSL_MUL((double)D->m13, w_3) + w_2;
   so->m0 = (float)so_0;
   so->m1 = (float)so_1;
   so->m2 = (float)so_2;
@@ -2700,27 +2105,24 @@ static inline void ksl_product_Adsf_accurate(const ksl_SE3f_t *D, const ksl_scre
      formula; barring over- and underflow. */
 static inline void ksl_product_Adinvsf_accurate(const ksl_SE3f_t *D, const ksl_screwf_t *si,
     ksl_screwf_t *so) {
-  const double w_0a = (double)D->m23 * (double)si->m4,
-      w_0c = ksl_product_sum(-(double)D->m13, (double)si->m5, w_0a), w_0 = w_0c + (double)si->m0;
-  const double w_1a = (double)D->m03 * (double)si->m5,
-      w_1c = ksl_product_sum(-(double)D->m23, (double)si->m3, w_1a), w_1 = w_1c + (double)si->m1;
-  const double w_2a = (double)D->m13 * (double)si->m3,
-      w_2c = ksl_product_sum(-(double)D->m03, (double)si->m4, w_2a), w_2 = w_2c + (double)si->m2;
-  const double so_0a = KSL_MUL((double)D->m00, w_0), so_0b = KSL_MUL((double)D->m10, w_1),
-      so_0c = so_0a + so_0b, so_0d = KSL_MUL((double)D->m20, w_2), so_0 = so_0c + so_0d;
-  const double so_1a = KSL_MUL((double)D->m01, w_0), so_1b = KSL_MUL((double)D->m11, w_1),
-      so_1c = so_1a + so_1b, so_1d = KSL_MUL((double)D->m21, w_2), so_1 = so_1c + so_1d;
-  const double so_2a = KSL_MUL((double)D->m02, w_0), so_2b = KSL_MUL((double)D->m12, w_1),
-      so_2c = so_2a + so_2b, so_2d = KSL_MUL((double)D->m22, w_2), so_2 = so_2c + so_2d;
-  const double so_3a = (double)D->m00 * (double)si->m3,
-      so_3c = ksl_product_sum((double)D->m10, (double)si->m4, so_3a),
-      so_3 = ksl_product_sum((double)D->m20, (double)si->m5, so_3c);
-  const double so_4a = (double)D->m01 * (double)si->m3,
-      so_4c = ksl_product_sum((double)D->m11, (double)si->m4, so_4a),
-      so_4 = ksl_product_sum((double)D->m21, (double)si->m5, so_4c);
-  const double so_5a = (double)D->m02 * (double)si->m3,
-      so_5c = ksl_product_sum((double)D->m12, (double)si->m4, so_5a),
-      so_5 = ksl_product_sum((double)D->m22, (double)si->m5, so_5c);
+  const double w_0 = ksl_product_sum(-(double)D->m13, (double)si->m5, (double)D->m23
+          * (double)si->m4) + (double)si->m0,
+      w_1 = ksl_product_sum(-(double)D->m23, (double)si->m3, (double)D->m03 * (double)si->m5)
+          + (double)si->m1,
+      w_2 = ksl_product_sum(-(double)D->m03, (double)si->m4, (double)D->m13 * (double)si->m3)
+          + (double)si->m2;
+  const double so_0 = KSL_MUL((double)D->m00, w_0) + KSL_MUL((double)D->m10, w_1)
+          + KSL_MUL((double)D->m20, w_2),
+      so_1 = KSL_MUL((double)D->m01, w_0) + KSL_MUL((double)D->m11, w_1)
+          + KSL_MUL((double)D->m21, w_2),
+      so_2 = KSL_MUL((double)D->m02, w_0) + KSL_MUL((double)D->m12, w_1)
+          + KSL_MUL((double)D->m22, w_2),
+      so_3 = ksl_product_sum((double)D->m20, (double)si->m5, ksl_product_sum((double)D->m10,
+          (double)si->m4, (double)D->m00 * (double)si->m3)),
+      so_4 = ksl_product_sum((double)D->m21, (double)si->m5, ksl_product_sum((double)D->m11,
+          (double)si->m4, (double)D->m01 * (double)si->m3)),
+      so_5 = ksl_product_sum((double)D->m22, (double)si->m5, ksl_product_sum((double)D->m12,
+          (double)si->m4, (double)D->m02 * (double)si->m3));
   so->m0 = (float)so_0;
   so->m1 = (float)so_1;
   so->m2 = (float)so_2;
@@ -2736,30 +2138,21 @@ static inline void ksl_product_Adinvsf_accurate(const ksl_SE3f_t *D, const ksl_s
      formula; barring over- and underflow. */
 static inline void ksl_product_Adsinvf_accurate(const ksl_SE3f_t *D, const ksl_screwf_t *si,
     ksl_screwf_t *so) {
-  const double w_0a = (double)D->m00 * (double)si->m0, w_0c_lead = -w_0a,
-      w_0c = ksl_product_sum(-(double)D->m01, (double)si->m1, w_0c_lead),
-      w_0 = ksl_product_sum(-(double)D->m02, (double)si->m2, w_0c);
-  const double w_1a = (double)D->m10 * (double)si->m0, w_1c_lead = -w_1a,
-      w_1c = ksl_product_sum(-(double)D->m11, (double)si->m1, w_1c_lead),
-      w_1 = ksl_product_sum(-(double)D->m12, (double)si->m2, w_1c);
-  const double w_2a = (double)D->m20 * (double)si->m0, w_2c_lead = -w_2a,
-      w_2c = ksl_product_sum(-(double)D->m21, (double)si->m1, w_2c_lead),
-      w_2 = ksl_product_sum(-(double)D->m22, (double)si->m2, w_2c);
-  const double w_3a = (double)D->m00 * (double)si->m3, w_3c_lead = -w_3a,
-      w_3c = ksl_product_sum(-(double)D->m01, (double)si->m4, w_3c_lead),
-      w_3 = ksl_product_sum(-(double)D->m02, (double)si->m5, w_3c);
-  const double w_4a = (double)D->m10 * (double)si->m3, w_4c_lead = -w_4a,
-      w_4c = ksl_product_sum(-(double)D->m11, (double)si->m4, w_4c_lead),
-      w_4 = ksl_product_sum(-(double)D->m12, (double)si->m5, w_4c);
-  const double w_5a = (double)D->m20 * (double)si->m3, w_5c_lead = -w_5a,
-      w_5c = ksl_product_sum(-(double)D->m21, (double)si->m4, w_5c_lead),
-      w_5 = ksl_product_sum(-(double)D->m22, (double)si->m5, w_5c);
-  const double so_0a = KSL_MUL((double)D->m13, w_5), so_0b = KSL_MUL((double)D->m23, w_4),
-      so_0c = so_0a - so_0b, so_0 = so_0c + w_0;
-  const double so_1a = KSL_MUL((double)D->m23, w_3), so_1b = KSL_MUL((double)D->m03, w_5),
-      so_1c = so_1a - so_1b, so_1 = so_1c + w_1;
-  const double so_2a = KSL_MUL((double)D->m03, w_4), so_2b = KSL_MUL((double)D->m13, w_3),
-      so_2c = so_2a - so_2b, so_2 = so_2c + w_2;
+  const double w_0 = ksl_product_sum(-(double)D->m02, (double)si->m2,
+      ksl_product_sum(-(double)D->m01, (double)si->m1, -((double)D->m00 * (double)si->m0))),
+      w_1 = ksl_product_sum(-(double)D->m12, (double)si->m2, ksl_product_sum(-(double)D->m11,
+          (double)si->m1, -((double)D->m10 * (double)si->m0))),
+      w_2 = ksl_product_sum(-(double)D->m22, (double)si->m2, ksl_product_sum(-(double)D->m21,
+          (double)si->m1, -((double)D->m20 * (double)si->m0))),
+      w_3 = ksl_product_sum(-(double)D->m02, (double)si->m5, ksl_product_sum(-(double)D->m01,
+          (double)si->m4, -((double)D->m00 * (double)si->m3))),
+      w_4 = ksl_product_sum(-(double)D->m12, (double)si->m5, ksl_product_sum(-(double)D->m11,
+          (double)si->m4, -((double)D->m10 * (double)si->m3))),
+      w_5 = ksl_product_sum(-(double)D->m22, (double)si->m5, ksl_product_sum(-(double)D->m21,
+          (double)si->m4, -((double)D->m20 * (double)si->m3)));
+  const double so_0 = KSL_MUL((double)D->m13, w_5) - KSL_MUL((double)D->m23, w_4) + w_0,
+      so_1 = KSL_MUL((double)D->m23, w_3) - KSL_MUL((double)D->m03, w_5) + w_1,
+      so_2 = KSL_MUL((double)D->m03, w_4) - KSL_MUL((double)D->m13, w_3) + w_2;
   so->m0 = (float)so_0;
   so->m1 = (float)so_1;
   so->m2 = (float)so_2;
@@ -2774,12 +2167,10 @@ static inline void ksl_product_Adsinvf_accurate(const ksl_SE3f_t *D, const ksl_s
    Error <= u |result| + (lin: 1/16, ang: 0) u^2 S, S the sum of the |terms| of the expanded
      formula; barring over- and underflow. */
 static inline void ksl_hsrxf_accurate(const ksl_SE3f_t *D, ksl_screwf_t *so) {
-  const double so_0a = (double)D->m20 * (double)D->m13,
-      so_0 = ksl_product_sum(-(double)D->m10, (double)D->m23, so_0a);
-  const double so_1a = (double)D->m00 * (double)D->m23,
-      so_1 = ksl_product_sum(-(double)D->m20, (double)D->m03, so_1a);
-  const double so_2a = (double)D->m10 * (double)D->m03,
-      so_2 = ksl_product_sum(-(double)D->m00, (double)D->m13, so_2a);
+  const double so_0 = ksl_product_sum(-(double)D->m10, (double)D->m23, (double)D->m20
+          * (double)D->m13),
+      so_1 = ksl_product_sum(-(double)D->m20, (double)D->m03, (double)D->m00 * (double)D->m23),
+      so_2 = ksl_product_sum(-(double)D->m00, (double)D->m13, (double)D->m10 * (double)D->m03);
   const float D_m00 = D->m00;
   const float D_m10 = D->m10;
   const float D_m20 = D->m20;
@@ -2797,12 +2188,10 @@ static inline void ksl_hsrxf_accurate(const ksl_SE3f_t *D, ksl_screwf_t *so) {
    Error <= u |result| + (lin: 1/16, ang: 0) u^2 S, S the sum of the |terms| of the expanded
      formula; barring over- and underflow. */
 static inline void ksl_hsryf_accurate(const ksl_SE3f_t *D, ksl_screwf_t *so) {
-  const double so_0a = (double)D->m21 * (double)D->m13,
-      so_0 = ksl_product_sum(-(double)D->m11, (double)D->m23, so_0a);
-  const double so_1a = (double)D->m01 * (double)D->m23,
-      so_1 = ksl_product_sum(-(double)D->m21, (double)D->m03, so_1a);
-  const double so_2a = (double)D->m11 * (double)D->m03,
-      so_2 = ksl_product_sum(-(double)D->m01, (double)D->m13, so_2a);
+  const double so_0 = ksl_product_sum(-(double)D->m11, (double)D->m23, (double)D->m21
+          * (double)D->m13),
+      so_1 = ksl_product_sum(-(double)D->m21, (double)D->m03, (double)D->m01 * (double)D->m23),
+      so_2 = ksl_product_sum(-(double)D->m01, (double)D->m13, (double)D->m11 * (double)D->m03);
   const float D_m01 = D->m01;
   const float D_m11 = D->m11;
   const float D_m21 = D->m21;
@@ -2820,12 +2209,10 @@ static inline void ksl_hsryf_accurate(const ksl_SE3f_t *D, ksl_screwf_t *so) {
    Error <= u |result| + (lin: 1/16, ang: 0) u^2 S, S the sum of the |terms| of the expanded
      formula; barring over- and underflow. */
 static inline void ksl_hsrzf_accurate(const ksl_SE3f_t *D, ksl_screwf_t *so) {
-  const double so_0a = (double)D->m22 * (double)D->m13,
-      so_0 = ksl_product_sum(-(double)D->m12, (double)D->m23, so_0a);
-  const double so_1a = (double)D->m02 * (double)D->m23,
-      so_1 = ksl_product_sum(-(double)D->m22, (double)D->m03, so_1a);
-  const double so_2a = (double)D->m12 * (double)D->m03,
-      so_2 = ksl_product_sum(-(double)D->m02, (double)D->m13, so_2a);
+  const double so_0 = ksl_product_sum(-(double)D->m12, (double)D->m23, (double)D->m22
+          * (double)D->m13),
+      so_1 = ksl_product_sum(-(double)D->m22, (double)D->m03, (double)D->m02 * (double)D->m23),
+      so_2 = ksl_product_sum(-(double)D->m02, (double)D->m13, (double)D->m12 * (double)D->m03);
   const float D_m02 = D->m02;
   const float D_m12 = D->m12;
   const float D_m22 = D->m22;
@@ -2843,15 +2230,11 @@ static inline void ksl_hsrzf_accurate(const ksl_SE3f_t *D, ksl_screwf_t *so) {
    Error <= u |result| + (lin: 1/16, ang: 0) u^2 S, S the sum of the |terms| of the expanded
      formula; barring over- and underflow. */
 static inline void ksl_hsrxinvf_accurate(const ksl_SE3f_t *D, ksl_screwf_t *so) {
-  const double so_0a = (double)D->m10 * (double)D->m23,
-      so_0 = ksl_product_sum(-(double)D->m20, (double)D->m13, so_0a);
-  const double so_1a = (double)D->m20 * (double)D->m03,
-      so_1 = ksl_product_sum(-(double)D->m00, (double)D->m23, so_1a);
-  const double so_2a = (double)D->m00 * (double)D->m13,
-      so_2 = ksl_product_sum(-(double)D->m10, (double)D->m03, so_2a);
-  const double so_3 = -(double)D->m00;
-  const double so_4 = -(double)D->m10;
-  const double so_5 = -(double)D->m20;
+  const double so_0 = ksl_product_sum(-(double)D->m20, (double)D->m13, (double)D->m10
+          * (double)D->m23),
+      so_1 = ksl_product_sum(-(double)D->m00, (double)D->m23, (double)D->m20 * (double)D->m03),
+      so_2 = ksl_product_sum(-(double)D->m10, (double)D->m03, (double)D->m00 * (double)D->m13),
+      so_3 = -(double)D->m00, so_4 = -(double)D->m10, so_5 = -(double)D->m20;
   so->m0 = (float)so_0;
   so->m1 = (float)so_1;
   so->m2 = (float)so_2;
@@ -2866,15 +2249,11 @@ static inline void ksl_hsrxinvf_accurate(const ksl_SE3f_t *D, ksl_screwf_t *so) 
    Error <= u |result| + (lin: 1/16, ang: 0) u^2 S, S the sum of the |terms| of the expanded
      formula; barring over- and underflow. */
 static inline void ksl_hsryinvf_accurate(const ksl_SE3f_t *D, ksl_screwf_t *so) {
-  const double so_0a = (double)D->m11 * (double)D->m23,
-      so_0 = ksl_product_sum(-(double)D->m21, (double)D->m13, so_0a);
-  const double so_1a = (double)D->m21 * (double)D->m03,
-      so_1 = ksl_product_sum(-(double)D->m01, (double)D->m23, so_1a);
-  const double so_2a = (double)D->m01 * (double)D->m13,
-      so_2 = ksl_product_sum(-(double)D->m11, (double)D->m03, so_2a);
-  const double so_3 = -(double)D->m01;
-  const double so_4 = -(double)D->m11;
-  const double so_5 = -(double)D->m21;
+  const double so_0 = ksl_product_sum(-(double)D->m21, (double)D->m13, (double)D->m11
+          * (double)D->m23),
+      so_1 = ksl_product_sum(-(double)D->m01, (double)D->m23, (double)D->m21 * (double)D->m03),
+      so_2 = ksl_product_sum(-(double)D->m11, (double)D->m03, (double)D->m01 * (double)D->m13),
+      so_3 = -(double)D->m01, so_4 = -(double)D->m11, so_5 = -(double)D->m21;
   so->m0 = (float)so_0;
   so->m1 = (float)so_1;
   so->m2 = (float)so_2;
@@ -2889,15 +2268,11 @@ static inline void ksl_hsryinvf_accurate(const ksl_SE3f_t *D, ksl_screwf_t *so) 
    Error <= u |result| + (lin: 1/16, ang: 0) u^2 S, S the sum of the |terms| of the expanded
      formula; barring over- and underflow. */
 static inline void ksl_hsrzinvf_accurate(const ksl_SE3f_t *D, ksl_screwf_t *so) {
-  const double so_0a = (double)D->m12 * (double)D->m23,
-      so_0 = ksl_product_sum(-(double)D->m22, (double)D->m13, so_0a);
-  const double so_1a = (double)D->m22 * (double)D->m03,
-      so_1 = ksl_product_sum(-(double)D->m02, (double)D->m23, so_1a);
-  const double so_2a = (double)D->m02 * (double)D->m13,
-      so_2 = ksl_product_sum(-(double)D->m12, (double)D->m03, so_2a);
-  const double so_3 = -(double)D->m02;
-  const double so_4 = -(double)D->m12;
-  const double so_5 = -(double)D->m22;
+  const double so_0 = ksl_product_sum(-(double)D->m22, (double)D->m13, (double)D->m12
+          * (double)D->m23),
+      so_1 = ksl_product_sum(-(double)D->m02, (double)D->m23, (double)D->m22 * (double)D->m03),
+      so_2 = ksl_product_sum(-(double)D->m12, (double)D->m03, (double)D->m02 * (double)D->m13),
+      so_3 = -(double)D->m02, so_4 = -(double)D->m12, so_5 = -(double)D->m22;
   so->m0 = (float)so_0;
   so->m1 = (float)so_1;
   so->m2 = (float)so_2;
@@ -2912,24 +2287,16 @@ static inline void ksl_hsrzinvf_accurate(const ksl_SE3f_t *D, ksl_screwf_t *so) 
    Error <= u |result| + 1/16 u^2 S, S the sum of the |terms| of the expanded formula; barring
      over- and underflow. */
 static inline void ksl_Adf_accurate(const ksl_SE3f_t *D, ksl_mat6x6f_t *M) {
-  const double M_03a = (double)D->m20 * (double)D->m13,
-      M_03 = ksl_product_sum(-(double)D->m10, (double)D->m23, M_03a);
-  const double M_04a = (double)D->m21 * (double)D->m13,
-      M_04 = ksl_product_sum(-(double)D->m11, (double)D->m23, M_04a);
-  const double M_05a = (double)D->m22 * (double)D->m13,
-      M_05 = ksl_product_sum(-(double)D->m12, (double)D->m23, M_05a);
-  const double M_13a = (double)D->m00 * (double)D->m23,
-      M_13 = ksl_product_sum(-(double)D->m20, (double)D->m03, M_13a);
-  const double M_14a = (double)D->m01 * (double)D->m23,
-      M_14 = ksl_product_sum(-(double)D->m21, (double)D->m03, M_14a);
-  const double M_15a = (double)D->m02 * (double)D->m23,
-      M_15 = ksl_product_sum(-(double)D->m22, (double)D->m03, M_15a);
-  const double M_23a = (double)D->m10 * (double)D->m03,
-      M_23 = ksl_product_sum(-(double)D->m00, (double)D->m13, M_23a);
-  const double M_24a = (double)D->m11 * (double)D->m03,
-      M_24 = ksl_product_sum(-(double)D->m01, (double)D->m13, M_24a);
-  const double M_25a = (double)D->m12 * (double)D->m03,
-      M_25 = ksl_product_sum(-(double)D->m02, (double)D->m13, M_25a);
+  const double M_03 = ksl_product_sum(-(double)D->m10, (double)D->m23, (double)D->m20
+          * (double)D->m13),
+      M_04 = ksl_product_sum(-(double)D->m11, (double)D->m23, (double)D->m21 * (double)D->m13),
+      M_05 = ksl_product_sum(-(double)D->m12, (double)D->m23, (double)D->m22 * (double)D->m13),
+      M_13 = ksl_product_sum(-(double)D->m20, (double)D->m03, (double)D->m00 * (double)D->m23),
+      M_14 = ksl_product_sum(-(double)D->m21, (double)D->m03, (double)D->m01 * (double)D->m23),
+      M_15 = ksl_product_sum(-(double)D->m22, (double)D->m03, (double)D->m02 * (double)D->m23),
+      M_23 = ksl_product_sum(-(double)D->m00, (double)D->m13, (double)D->m10 * (double)D->m03),
+      M_24 = ksl_product_sum(-(double)D->m01, (double)D->m13, (double)D->m11 * (double)D->m03),
+      M_25 = ksl_product_sum(-(double)D->m02, (double)D->m13, (double)D->m12 * (double)D->m03);
   const float D_m00 = D->m00;
   const float D_m01 = D->m01;
   const float D_m02 = D->m02;
@@ -2983,12 +2350,11 @@ static inline void ksl_Adf_accurate(const ksl_SE3f_t *D, ksl_mat6x6f_t *M) {
    Error <= u |result| + 1/8 u^2 S, S the sum of the |terms| of the expanded formula; barring
      over- and underflow. */
 static inline float ksl_dot_csf_accurate(const ksl_coscrewf_t *c, const ksl_screwf_t *s) {
-  const double power_a = (double)c->m0 * (double)s->m0,
-      power_c = ksl_product_sum((double)c->m1, (double)s->m1, power_a),
-      power_e = ksl_product_sum((double)c->m2, (double)s->m2, power_c),
-      power_f = (double)c->m3 * (double)s->m3,
-      power_h = ksl_product_sum((double)c->m4, (double)s->m4, power_f),
-      power_j = ksl_product_sum((double)c->m5, (double)s->m5, power_h), power = power_e + power_j;
+  const double power_e = ksl_product_sum((double)c->m2, (double)s->m2,
+      ksl_product_sum((double)c->m1, (double)s->m1, (double)c->m0 * (double)s->m0)),
+      power = power_e
+          + ksl_product_sum((double)c->m5, (double)s->m5, ksl_product_sum((double)c->m4,
+              (double)s->m4, (double)c->m3 * (double)s->m3));
   return (float)power;
 }
 
@@ -3000,24 +2366,22 @@ static inline float ksl_dot_csf_accurate(const ksl_coscrewf_t *c, const ksl_scre
      formula; barring over- and underflow. */
 static inline void ksl_cross_ssf_accurate(const ksl_screwf_t *s1, const ksl_screwf_t *s2,
     ksl_screwf_t *so) {
-  const double so_0a = (double)s1->m1 * (double)s2->m5,
-      so_0c = ksl_product_sum(-(double)s1->m5, (double)s2->m1, so_0a),
-      so_0d = (double)s1->m4 * (double)s2->m2,
-      so_0f = ksl_product_sum(-(double)s1->m2, (double)s2->m4, so_0d), so_0 = so_0c + so_0f;
-  const double so_1a = (double)s1->m5 * (double)s2->m0,
-      so_1c = ksl_product_sum(-(double)s1->m0, (double)s2->m5, so_1a),
-      so_1d = (double)s1->m2 * (double)s2->m3,
-      so_1f = ksl_product_sum(-(double)s1->m3, (double)s2->m2, so_1d), so_1 = so_1c + so_1f;
-  const double so_2a = (double)s1->m0 * (double)s2->m4,
-      so_2c = ksl_product_sum(-(double)s1->m4, (double)s2->m0, so_2a),
-      so_2d = (double)s1->m3 * (double)s2->m1,
-      so_2f = ksl_product_sum(-(double)s1->m1, (double)s2->m3, so_2d), so_2 = so_2c + so_2f;
-  const double so_3a = (double)s1->m4 * (double)s2->m5,
-      so_3 = ksl_product_sum(-(double)s1->m5, (double)s2->m4, so_3a);
-  const double so_4a = (double)s1->m5 * (double)s2->m3,
-      so_4 = ksl_product_sum(-(double)s1->m3, (double)s2->m5, so_4a);
-  const double so_5a = (double)s1->m3 * (double)s2->m4,
-      so_5 = ksl_product_sum(-(double)s1->m4, (double)s2->m3, so_5a);
+  const double so_0c = ksl_product_sum(-(double)s1->m5, (double)s2->m1, (double)s1->m1
+          * (double)s2->m5),
+      so_0 = so_0c
+          + ksl_product_sum(-(double)s1->m2, (double)s2->m4, (double)s1->m4 * (double)s2->m2);
+  const double so_1c = ksl_product_sum(-(double)s1->m0, (double)s2->m5, (double)s1->m5
+          * (double)s2->m0),
+      so_1 = so_1c
+          + ksl_product_sum(-(double)s1->m3, (double)s2->m2, (double)s1->m2 * (double)s2->m3);
+  const double so_2c = ksl_product_sum(-(double)s1->m4, (double)s2->m0, (double)s1->m0
+          * (double)s2->m4),
+      so_2 = so_2c
+          + ksl_product_sum(-(double)s1->m1, (double)s2->m3, (double)s1->m3 * (double)s2->m1);
+  const double so_3 = ksl_product_sum(-(double)s1->m5, (double)s2->m4, (double)s1->m4
+          * (double)s2->m5),
+      so_4 = ksl_product_sum(-(double)s1->m3, (double)s2->m5, (double)s1->m5 * (double)s2->m3),
+      so_5 = ksl_product_sum(-(double)s1->m4, (double)s2->m3, (double)s1->m3 * (double)s2->m4);
   so->m0 = (float)so_0;
   so->m1 = (float)so_1;
   so->m2 = (float)so_2;
@@ -3033,12 +2397,10 @@ static inline void ksl_cross_ssf_accurate(const ksl_screwf_t *s1, const ksl_scre
      formula; barring over- and underflow. */
 static inline void ksl_cross_sstf_accurate(const ksl_screwf_t *s1, const ksl_screwf_t *s2,
     ksl_screwf_t *so) {
-  const double so_0a = (double)s1->m4 * (double)s2->m2,
-      so_0 = ksl_product_sum(-(double)s1->m5, (double)s2->m1, so_0a);
-  const double so_1a = (double)s1->m5 * (double)s2->m0,
-      so_1 = ksl_product_sum(-(double)s1->m3, (double)s2->m2, so_1a);
-  const double so_2a = (double)s1->m3 * (double)s2->m1,
-      so_2 = ksl_product_sum(-(double)s1->m4, (double)s2->m0, so_2a);
+  const double so_0 = ksl_product_sum(-(double)s1->m5, (double)s2->m1, (double)s1->m4
+          * (double)s2->m2),
+      so_1 = ksl_product_sum(-(double)s1->m3, (double)s2->m2, (double)s1->m5 * (double)s2->m0),
+      so_2 = ksl_product_sum(-(double)s1->m4, (double)s2->m0, (double)s1->m3 * (double)s2->m1);
   so->m0 = (float)so_0;
   so->m1 = (float)so_1;
   so->m2 = (float)so_2;
@@ -3054,21 +2416,15 @@ static inline void ksl_cross_sstf_accurate(const ksl_screwf_t *s1, const ksl_scr
      formula; barring over- and underflow. */
 static inline void ksl_hsraf_accurate(const ksl_SE3f_t *D, const ksl_vec3f_t *axis,
     ksl_screwf_t *so) {
-  const double a_0a = (double)D->m00 * (double)axis->x,
-      a_0c = ksl_product_sum((double)D->m01, (double)axis->y, a_0a),
-      a_0 = ksl_product_sum((double)D->m02, (double)axis->z, a_0c);
-  const double a_1a = (double)D->m10 * (double)axis->x,
-      a_1c = ksl_product_sum((double)D->m11, (double)axis->y, a_1a),
-      a_1 = ksl_product_sum((double)D->m12, (double)axis->z, a_1c);
-  const double a_2a = (double)D->m20 * (double)axis->x,
-      a_2c = ksl_product_sum((double)D->m21, (double)axis->y, a_2a),
-      a_2 = ksl_product_sum((double)D->m22, (double)axis->z, a_2c);
-  const double so_0a = KSL_MUL((double)D->m13, a_2), so_0b = KSL_MUL((double)D->m23, a_1),
-      so_0 = so_0a - so_0b;
-  const double so_1a = KSL_MUL((double)D->m23, a_0), so_1b = KSL_MUL((double)D->m03, a_2),
-      so_1 = so_1a - so_1b;
-  const double so_2a = KSL_MUL((double)D->m03, a_1), so_2b = KSL_MUL((double)D->m13, a_0),
-      so_2 = so_2a - so_2b;
+  const double a_0 = ksl_product_sum((double)D->m02, (double)axis->z,
+      ksl_product_sum((double)D->m01, (double)axis->y, (double)D->m00 * (double)axis->x)),
+      a_1 = ksl_product_sum((double)D->m12, (double)axis->z, ksl_product_sum((double)D->m11,
+          (double)axis->y, (double)D->m10 * (double)axis->x)),
+      a_2 = ksl_product_sum((double)D->m22, (double)axis->z, ksl_product_sum((double)D->m21,
+          (double)axis->y, (double)D->m20 * (double)axis->x));
+  const double so_0 = KSL_MUL((double)D->m13, a_2) - KSL_MUL((double)D->m23, a_1),
+      so_1 = KSL_MUL((double)D->m23, a_0) - KSL_MUL((double)D->m03, a_2),
+      so_2 = KSL_MUL((double)D->m03, a_1) - KSL_MUL((double)D->m13, a_0);
   so->m0 = (float)so_0;
   so->m1 = (float)so_1;
   so->m2 = (float)so_2;
@@ -3084,15 +2440,12 @@ static inline void ksl_hsraf_accurate(const ksl_SE3f_t *D, const ksl_vec3f_t *ax
      formula; barring over- and underflow. */
 static inline void ksl_hstaf_accurate(const ksl_SE3f_t *D, const ksl_vec3f_t *axis,
     ksl_screwf_t *so) {
-  const double so_0a = (double)D->m00 * (double)axis->x,
-      so_0c = ksl_product_sum((double)D->m01, (double)axis->y, so_0a),
-      so_0 = ksl_product_sum((double)D->m02, (double)axis->z, so_0c);
-  const double so_1a = (double)D->m10 * (double)axis->x,
-      so_1c = ksl_product_sum((double)D->m11, (double)axis->y, so_1a),
-      so_1 = ksl_product_sum((double)D->m12, (double)axis->z, so_1c);
-  const double so_2a = (double)D->m20 * (double)axis->x,
-      so_2c = ksl_product_sum((double)D->m21, (double)axis->y, so_2a),
-      so_2 = ksl_product_sum((double)D->m22, (double)axis->z, so_2c);
+  const double so_0 = ksl_product_sum((double)D->m02, (double)axis->z,
+      ksl_product_sum((double)D->m01, (double)axis->y, (double)D->m00 * (double)axis->x)),
+      so_1 = ksl_product_sum((double)D->m12, (double)axis->z, ksl_product_sum((double)D->m11,
+          (double)axis->y, (double)D->m10 * (double)axis->x)),
+      so_2 = ksl_product_sum((double)D->m22, (double)axis->z, ksl_product_sum((double)D->m21,
+          (double)axis->y, (double)D->m20 * (double)axis->x));
   so->m0 = (float)so_0;
   so->m1 = (float)so_1;
   so->m2 = (float)so_2;
@@ -3108,21 +2461,15 @@ static inline void ksl_hstaf_accurate(const ksl_SE3f_t *D, const ksl_vec3f_t *ax
      formula; barring over- and underflow. */
 static inline void ksl_hsrainvf_accurate(const ksl_SE3f_t *D, const ksl_vec3f_t *axis,
     ksl_screwf_t *so) {
-  const double a_0a = (double)D->m00 * (double)axis->x, a_0c_lead = -a_0a,
-      a_0c = ksl_product_sum(-(double)D->m01, (double)axis->y, a_0c_lead),
-      a_0 = ksl_product_sum(-(double)D->m02, (double)axis->z, a_0c);
-  const double a_1a = (double)D->m10 * (double)axis->x, a_1c_lead = -a_1a,
-      a_1c = ksl_product_sum(-(double)D->m11, (double)axis->y, a_1c_lead),
-      a_1 = ksl_product_sum(-(double)D->m12, (double)axis->z, a_1c);
-  const double a_2a = (double)D->m20 * (double)axis->x, a_2c_lead = -a_2a,
-      a_2c = ksl_product_sum(-(double)D->m21, (double)axis->y, a_2c_lead),
-      a_2 = ksl_product_sum(-(double)D->m22, (double)axis->z, a_2c);
-  const double so_0a = KSL_MUL((double)D->m13, a_2), so_0b = KSL_MUL((double)D->m23, a_1),
-      so_0 = so_0a - so_0b;
-  const double so_1a = KSL_MUL((double)D->m23, a_0), so_1b = KSL_MUL((double)D->m03, a_2),
-      so_1 = so_1a - so_1b;
-  const double so_2a = KSL_MUL((double)D->m03, a_1), so_2b = KSL_MUL((double)D->m13, a_0),
-      so_2 = so_2a - so_2b;
+  const double a_0 = ksl_product_sum(-(double)D->m02, (double)axis->z,
+      ksl_product_sum(-(double)D->m01, (double)axis->y, -((double)D->m00 * (double)axis->x))),
+      a_1 = ksl_product_sum(-(double)D->m12, (double)axis->z, ksl_product_sum(-(double)D->m11,
+          (double)axis->y, -((double)D->m10 * (double)axis->x))),
+      a_2 = ksl_product_sum(-(double)D->m22, (double)axis->z, ksl_product_sum(-(double)D->m21,
+          (double)axis->y, -((double)D->m20 * (double)axis->x)));
+  const double so_0 = KSL_MUL((double)D->m13, a_2) - KSL_MUL((double)D->m23, a_1),
+      so_1 = KSL_MUL((double)D->m23, a_0) - KSL_MUL((double)D->m03, a_2),
+      so_2 = KSL_MUL((double)D->m03, a_1) - KSL_MUL((double)D->m13, a_0);
   so->m0 = (float)so_0;
   so->m1 = (float)so_1;
   so->m2 = (float)so_2;
@@ -3138,15 +2485,12 @@ static inline void ksl_hsrainvf_accurate(const ksl_SE3f_t *D, const ksl_vec3f_t 
      formula; barring over- and underflow. */
 static inline void ksl_hstainvf_accurate(const ksl_SE3f_t *D, const ksl_vec3f_t *axis,
     ksl_screwf_t *so) {
-  const double so_0a = (double)D->m00 * (double)axis->x, so_0c_lead = -so_0a,
-      so_0c = ksl_product_sum(-(double)D->m01, (double)axis->y, so_0c_lead),
-      so_0 = ksl_product_sum(-(double)D->m02, (double)axis->z, so_0c);
-  const double so_1a = (double)D->m10 * (double)axis->x, so_1c_lead = -so_1a,
-      so_1c = ksl_product_sum(-(double)D->m11, (double)axis->y, so_1c_lead),
-      so_1 = ksl_product_sum(-(double)D->m12, (double)axis->z, so_1c);
-  const double so_2a = (double)D->m20 * (double)axis->x, so_2c_lead = -so_2a,
-      so_2c = ksl_product_sum(-(double)D->m21, (double)axis->y, so_2c_lead),
-      so_2 = ksl_product_sum(-(double)D->m22, (double)axis->z, so_2c);
+  const double so_0 = ksl_product_sum(-(double)D->m02, (double)axis->z,
+      ksl_product_sum(-(double)D->m01, (double)axis->y, -((double)D->m00 * (double)axis->x))),
+      so_1 = ksl_product_sum(-(double)D->m12, (double)axis->z, ksl_product_sum(-(double)D->m11,
+          (double)axis->y, -((double)D->m10 * (double)axis->x))),
+      so_2 = ksl_product_sum(-(double)D->m22, (double)axis->z, ksl_product_sum(-(double)D->m21,
+          (double)axis->y, -((double)D->m20 * (double)axis->x)));
   so->m0 = (float)so_0;
   so->m1 = (float)so_1;
   so->m2 = (float)so_2;

@@ -13,42 +13,28 @@
    12 mul, 6 add, 6 abs. */
 static inline void ksl_screw_scale_certified(ksl_screw_t *self, const double a,
     ksl_screw_t *self_bound) {
-  const double self_0_new = KSL_MUL(self->m0, a);
-  const double self_1_new = KSL_MUL(self->m1, a);
-  const double self_2_new = KSL_MUL(self->m2, a);
-  const double self_3_new = KSL_MUL(self->m3, a);
-  const double self_4_new = KSL_MUL(self->m4, a);
-  const double self_5_new = KSL_MUL(self->m5, a);
-  const double self_0_new_abs = fabs(self_0_new),
-      self_0_new_padded = self_0_new_abs + 2.004168360008973e-292,
-      self_0_new_error_bound = KSL_MUL(1.1102230246251568e-16, self_0_new_padded);
-  const double self_1_new_abs = fabs(self_1_new),
-      self_1_new_padded = self_1_new_abs + 2.004168360008973e-292,
-      self_1_new_error_bound = KSL_MUL(1.1102230246251568e-16, self_1_new_padded);
-  const double self_2_new_abs = fabs(self_2_new),
-      self_2_new_padded = self_2_new_abs + 2.004168360008973e-292,
-      self_2_new_error_bound = KSL_MUL(1.1102230246251568e-16, self_2_new_padded);
-  const double self_3_new_abs = fabs(self_3_new),
-      self_3_new_padded = self_3_new_abs + 2.004168360008973e-292,
-      self_3_new_error_bound = KSL_MUL(1.1102230246251568e-16, self_3_new_padded);
-  const double self_4_new_abs = fabs(self_4_new),
-      self_4_new_padded = self_4_new_abs + 2.004168360008973e-292,
-      self_4_new_error_bound = KSL_MUL(1.1102230246251568e-16, self_4_new_padded);
-  const double self_5_new_abs = fabs(self_5_new),
-      self_5_new_padded = self_5_new_abs + 2.004168360008973e-292,
-      self_5_new_error_bound = KSL_MUL(1.1102230246251568e-16, self_5_new_padded);
+  const double self_0_new = KSL_MUL(self->m0, a), self_1_new = KSL_MUL(self->m1, a),
+      self_2_new = KSL_MUL(self->m2, a), self_3_new = KSL_MUL(self->m3, a),
+      self_4_new = KSL_MUL(self->m4, a), self_5_new = KSL_MUL(self->m5, a);
+  const double self_0_new_bound = KSL_MUL(1.1102230246251568e-16, fabs(self_0_new)
+          + 2.004168360008973e-292),
+      self_1_new_bound = KSL_MUL(1.1102230246251568e-16, fabs(self_1_new) + 2.004168360008973e-292),
+      self_2_new_bound = KSL_MUL(1.1102230246251568e-16, fabs(self_2_new) + 2.004168360008973e-292),
+      self_3_new_bound = KSL_MUL(1.1102230246251568e-16, fabs(self_3_new) + 2.004168360008973e-292),
+      self_4_new_bound = KSL_MUL(1.1102230246251568e-16, fabs(self_4_new) + 2.004168360008973e-292),
+      self_5_new_bound = KSL_MUL(1.1102230246251568e-16, fabs(self_5_new) + 2.004168360008973e-292);
   self->m0 = self_0_new;
   self->m1 = self_1_new;
   self->m2 = self_2_new;
   self->m3 = self_3_new;
   self->m4 = self_4_new;
   self->m5 = self_5_new;
-  self_bound->m0 = self_0_new_error_bound;
-  self_bound->m1 = self_1_new_error_bound;
-  self_bound->m2 = self_2_new_error_bound;
-  self_bound->m3 = self_3_new_error_bound;
-  self_bound->m4 = self_4_new_error_bound;
-  self_bound->m5 = self_5_new_error_bound;
+  self_bound->m0 = self_0_new_bound;
+  self_bound->m1 = self_1_new_bound;
+  self_bound->m2 = self_2_new_bound;
+  self_bound->m3 = self_3_new_bound;
+  self_bound->m4 = self_4_new_bound;
+  self_bound->m5 = self_5_new_bound;
 }
 
 /* y = a x + y; |error of y| <= y_bound unless inf or NaN.
@@ -62,42 +48,29 @@ static inline void ksl_axpy_ss_certified(const double a, const ksl_screw_t *x, k
   const double y_3_new_a = KSL_MUL(a, x->m3), y_3_new = y_3_new_a + y->m3;
   const double y_4_new_a = KSL_MUL(a, x->m4), y_4_new = y_4_new_a + y->m4;
   const double y_5_new_a = KSL_MUL(a, x->m5), y_5_new = y_5_new_a + y->m5;
-  const double y_0_new_a_abs = fabs(y_0_new_a), y_0_abs = fabs(y->m0),
-      y_0_new_size = y_0_new_a_abs + y_0_abs;
-  const double y_1_new_a_abs = fabs(y_1_new_a), y_1_abs = fabs(y->m1),
-      y_1_new_size = y_1_new_a_abs + y_1_abs;
-  const double y_2_new_a_abs = fabs(y_2_new_a), y_2_abs = fabs(y->m2),
-      y_2_new_size = y_2_new_a_abs + y_2_abs;
-  const double y_3_new_a_abs = fabs(y_3_new_a), y_3_abs = fabs(y->m3),
-      y_3_new_size = y_3_new_a_abs + y_3_abs;
-  const double y_4_new_a_abs = fabs(y_4_new_a), y_4_abs = fabs(y->m4),
-      y_4_new_size = y_4_new_a_abs + y_4_abs;
-  const double y_5_new_a_abs = fabs(y_5_new_a), y_5_abs = fabs(y->m5),
-      y_5_new_size = y_5_new_a_abs + y_5_abs;
-  const double y_0_new_padded = y_0_new_size + 2.004168360008973e-292,
-      y_0_new_error_bound = KSL_MUL(2.2204460492503136e-16, y_0_new_padded);
-  const double y_1_new_padded = y_1_new_size + 2.004168360008973e-292,
-      y_1_new_error_bound = KSL_MUL(2.2204460492503136e-16, y_1_new_padded);
-  const double y_2_new_padded = y_2_new_size + 2.004168360008973e-292,
-      y_2_new_error_bound = KSL_MUL(2.2204460492503136e-16, y_2_new_padded);
-  const double y_3_new_padded = y_3_new_size + 2.004168360008973e-292,
-      y_3_new_error_bound = KSL_MUL(2.2204460492503136e-16, y_3_new_padded);
-  const double y_4_new_padded = y_4_new_size + 2.004168360008973e-292,
-      y_4_new_error_bound = KSL_MUL(2.2204460492503136e-16, y_4_new_padded);
-  const double y_5_new_padded = y_5_new_size + 2.004168360008973e-292,
-      y_5_new_error_bound = KSL_MUL(2.2204460492503136e-16, y_5_new_padded);
+  const double y_0_new_size = fabs(y_0_new_a) + fabs(y->m0),
+      y_1_new_size = fabs(y_1_new_a) + fabs(y->m1), y_2_new_size = fabs(y_2_new_a) + fabs(y->m2),
+      y_3_new_size = fabs(y_3_new_a) + fabs(y->m3), y_4_new_size = fabs(y_4_new_a) + fabs(y->m4),
+      y_5_new_size = fabs(y_5_new_a) + fabs(y->m5);
+  const double y_0_new_bound = KSL_MUL(2.2204460492503136e-16, y_0_new_size
+          + 2.004168360008973e-292),
+      y_1_new_bound = KSL_MUL(2.2204460492503136e-16, y_1_new_size + 2.004168360008973e-292),
+      y_2_new_bound = KSL_MUL(2.2204460492503136e-16, y_2_new_size + 2.004168360008973e-292),
+      y_3_new_bound = KSL_MUL(2.2204460492503136e-16, y_3_new_size + 2.004168360008973e-292),
+      y_4_new_bound = KSL_MUL(2.2204460492503136e-16, y_4_new_size + 2.004168360008973e-292),
+      y_5_new_bound = KSL_MUL(2.2204460492503136e-16, y_5_new_size + 2.004168360008973e-292);
   y->m0 = y_0_new;
   y->m1 = y_1_new;
   y->m2 = y_2_new;
   y->m3 = y_3_new;
   y->m4 = y_4_new;
   y->m5 = y_5_new;
-  y_bound->m0 = y_0_new_error_bound;
-  y_bound->m1 = y_1_new_error_bound;
-  y_bound->m2 = y_2_new_error_bound;
-  y_bound->m3 = y_3_new_error_bound;
-  y_bound->m4 = y_4_new_error_bound;
-  y_bound->m5 = y_5_new_error_bound;
+  y_bound->m0 = y_0_new_bound;
+  y_bound->m1 = y_1_new_bound;
+  y_bound->m2 = y_2_new_bound;
+  y_bound->m3 = y_3_new_bound;
+  y_bound->m4 = y_4_new_bound;
+  y_bound->m5 = y_5_new_bound;
 }
 
 /* y = x + y; |error of y| <= y_bound unless inf or NaN.
@@ -105,36 +78,26 @@ static inline void ksl_axpy_ss_certified(const double a, const ksl_screw_t *x, k
    6 mul, 6 add, 6 abs. */
 static inline void ksl_xpy_ss_certified(const ksl_screw_t *x, ksl_screw_t *y,
     ksl_screw_t *y_bound) {
-  const double y_0_new = x->m0 + y->m0;
-  const double y_1_new = x->m1 + y->m1;
-  const double y_2_new = x->m2 + y->m2;
-  const double y_3_new = x->m3 + y->m3;
-  const double y_4_new = x->m4 + y->m4;
-  const double y_5_new = x->m5 + y->m5;
-  const double y_0_new_abs = fabs(y_0_new),
-      y_0_new_error_bound = KSL_MUL(1.1102230246251568e-16, y_0_new_abs);
-  const double y_1_new_abs = fabs(y_1_new),
-      y_1_new_error_bound = KSL_MUL(1.1102230246251568e-16, y_1_new_abs);
-  const double y_2_new_abs = fabs(y_2_new),
-      y_2_new_error_bound = KSL_MUL(1.1102230246251568e-16, y_2_new_abs);
-  const double y_3_new_abs = fabs(y_3_new),
-      y_3_new_error_bound = KSL_MUL(1.1102230246251568e-16, y_3_new_abs);
-  const double y_4_new_abs = fabs(y_4_new),
-      y_4_new_error_bound = KSL_MUL(1.1102230246251568e-16, y_4_new_abs);
-  const double y_5_new_abs = fabs(y_5_new),
-      y_5_new_error_bound = KSL_MUL(1.1102230246251568e-16, y_5_new_abs);
+  const double y_0_new = x->m0 + y->m0, y_1_new = x->m1 + y->m1, y_2_new = x->m2 + y->m2,
+      y_3_new = x->m3 + y->m3, y_4_new = x->m4 + y->m4, y_5_new = x->m5 + y->m5;
+  const double y_0_new_bound = KSL_MUL(1.1102230246251568e-16, fabs(y_0_new)),
+      y_1_new_bound = KSL_MUL(1.1102230246251568e-16, fabs(y_1_new)),
+      y_2_new_bound = KSL_MUL(1.1102230246251568e-16, fabs(y_2_new)),
+      y_3_new_bound = KSL_MUL(1.1102230246251568e-16, fabs(y_3_new)),
+      y_4_new_bound = KSL_MUL(1.1102230246251568e-16, fabs(y_4_new)),
+      y_5_new_bound = KSL_MUL(1.1102230246251568e-16, fabs(y_5_new));
   y->m0 = y_0_new;
   y->m1 = y_1_new;
   y->m2 = y_2_new;
   y->m3 = y_3_new;
   y->m4 = y_4_new;
   y->m5 = y_5_new;
-  y_bound->m0 = y_0_new_error_bound;
-  y_bound->m1 = y_1_new_error_bound;
-  y_bound->m2 = y_2_new_error_bound;
-  y_bound->m3 = y_3_new_error_bound;
-  y_bound->m4 = y_4_new_error_bound;
-  y_bound->m5 = y_5_new_error_bound;
+  y_bound->m0 = y_0_new_bound;
+  y_bound->m1 = y_1_new_bound;
+  y_bound->m2 = y_2_new_bound;
+  y_bound->m3 = y_3_new_bound;
+  y_bound->m4 = y_4_new_bound;
+  y_bound->m5 = y_5_new_bound;
 }
 
 /* y = -x + y; |error of y| <= y_bound unless inf or NaN.
@@ -142,36 +105,26 @@ static inline void ksl_xpy_ss_certified(const ksl_screw_t *x, ksl_screw_t *y,
    6 mul, 6 add, 6 abs. */
 static inline void ksl_nxpy_ss_certified(const ksl_screw_t *x, ksl_screw_t *y,
     ksl_screw_t *y_bound) {
-  const double y_0_new = y->m0 - x->m0;
-  const double y_1_new = y->m1 - x->m1;
-  const double y_2_new = y->m2 - x->m2;
-  const double y_3_new = y->m3 - x->m3;
-  const double y_4_new = y->m4 - x->m4;
-  const double y_5_new = y->m5 - x->m5;
-  const double y_0_new_abs = fabs(y_0_new),
-      y_0_new_error_bound = KSL_MUL(1.1102230246251568e-16, y_0_new_abs);
-  const double y_1_new_abs = fabs(y_1_new),
-      y_1_new_error_bound = KSL_MUL(1.1102230246251568e-16, y_1_new_abs);
-  const double y_2_new_abs = fabs(y_2_new),
-      y_2_new_error_bound = KSL_MUL(1.1102230246251568e-16, y_2_new_abs);
-  const double y_3_new_abs = fabs(y_3_new),
-      y_3_new_error_bound = KSL_MUL(1.1102230246251568e-16, y_3_new_abs);
-  const double y_4_new_abs = fabs(y_4_new),
-      y_4_new_error_bound = KSL_MUL(1.1102230246251568e-16, y_4_new_abs);
-  const double y_5_new_abs = fabs(y_5_new),
-      y_5_new_error_bound = KSL_MUL(1.1102230246251568e-16, y_5_new_abs);
+  const double y_0_new = y->m0 - x->m0, y_1_new = y->m1 - x->m1, y_2_new = y->m2 - x->m2,
+      y_3_new = y->m3 - x->m3, y_4_new = y->m4 - x->m4, y_5_new = y->m5 - x->m5;
+  const double y_0_new_bound = KSL_MUL(1.1102230246251568e-16, fabs(y_0_new)),
+      y_1_new_bound = KSL_MUL(1.1102230246251568e-16, fabs(y_1_new)),
+      y_2_new_bound = KSL_MUL(1.1102230246251568e-16, fabs(y_2_new)),
+      y_3_new_bound = KSL_MUL(1.1102230246251568e-16, fabs(y_3_new)),
+      y_4_new_bound = KSL_MUL(1.1102230246251568e-16, fabs(y_4_new)),
+      y_5_new_bound = KSL_MUL(1.1102230246251568e-16, fabs(y_5_new));
   y->m0 = y_0_new;
   y->m1 = y_1_new;
   y->m2 = y_2_new;
   y->m3 = y_3_new;
   y->m4 = y_4_new;
   y->m5 = y_5_new;
-  y_bound->m0 = y_0_new_error_bound;
-  y_bound->m1 = y_1_new_error_bound;
-  y_bound->m2 = y_2_new_error_bound;
-  y_bound->m3 = y_3_new_error_bound;
-  y_bound->m4 = y_4_new_error_bound;
-  y_bound->m5 = y_5_new_error_bound;
+  y_bound->m0 = y_0_new_bound;
+  y_bound->m1 = y_1_new_bound;
+  y_bound->m2 = y_2_new_bound;
+  y_bound->m3 = y_3_new_bound;
+  y_bound->m4 = y_4_new_bound;
+  y_bound->m5 = y_5_new_bound;
 }
 
 /* so = a si; |error of so| <= so_bound unless inf or NaN.
@@ -179,36 +132,26 @@ static inline void ksl_nxpy_ss_certified(const ksl_screw_t *x, ksl_screw_t *y,
    12 mul, 6 add, 6 abs. */
 static inline void ksl_product_as_certified(const double a, const ksl_screw_t *si,
     ksl_screw_t *so, ksl_screw_t *so_bound) {
-  const double so_0 = KSL_MUL(a, si->m0);
-  const double so_1 = KSL_MUL(a, si->m1);
-  const double so_2 = KSL_MUL(a, si->m2);
-  const double so_3 = KSL_MUL(a, si->m3);
-  const double so_4 = KSL_MUL(a, si->m4);
-  const double so_5 = KSL_MUL(a, si->m5);
-  const double so_0_abs = fabs(so_0), so_0_padded = so_0_abs + 2.004168360008973e-292,
-      so_0_error_bound = KSL_MUL(1.1102230246251568e-16, so_0_padded);
-  const double so_1_abs = fabs(so_1), so_1_padded = so_1_abs + 2.004168360008973e-292,
-      so_1_error_bound = KSL_MUL(1.1102230246251568e-16, so_1_padded);
-  const double so_2_abs = fabs(so_2), so_2_padded = so_2_abs + 2.004168360008973e-292,
-      so_2_error_bound = KSL_MUL(1.1102230246251568e-16, so_2_padded);
-  const double so_3_abs = fabs(so_3), so_3_padded = so_3_abs + 2.004168360008973e-292,
-      so_3_error_bound = KSL_MUL(1.1102230246251568e-16, so_3_padded);
-  const double so_4_abs = fabs(so_4), so_4_padded = so_4_abs + 2.004168360008973e-292,
-      so_4_error_bound = KSL_MUL(1.1102230246251568e-16, so_4_padded);
-  const double so_5_abs = fabs(so_5), so_5_padded = so_5_abs + 2.004168360008973e-292,
-      so_5_error_bound = KSL_MUL(1.1102230246251568e-16, so_5_padded);
+  const double so_0 = KSL_MUL(a, si->m0), so_1 = KSL_MUL(a, si->m1), so_2 = KSL_MUL(a, si->m2),
+      so_3 = KSL_MUL(a, si->m3), so_4 = KSL_MUL(a, si->m4), so_5 = KSL_MUL(a, si->m5);
+  const double so_0_bound = KSL_MUL(1.1102230246251568e-16, fabs(so_0) + 2.004168360008973e-292),
+      so_1_bound = KSL_MUL(1.1102230246251568e-16, fabs(so_1) + 2.004168360008973e-292),
+      so_2_bound = KSL_MUL(1.1102230246251568e-16, fabs(so_2) + 2.004168360008973e-292),
+      so_3_bound = KSL_MUL(1.1102230246251568e-16, fabs(so_3) + 2.004168360008973e-292),
+      so_4_bound = KSL_MUL(1.1102230246251568e-16, fabs(so_4) + 2.004168360008973e-292),
+      so_5_bound = KSL_MUL(1.1102230246251568e-16, fabs(so_5) + 2.004168360008973e-292);
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
   so->m3 = so_3;
   so->m4 = so_4;
   so->m5 = so_5;
-  so_bound->m0 = so_0_error_bound;
-  so_bound->m1 = so_1_error_bound;
-  so_bound->m2 = so_2_error_bound;
-  so_bound->m3 = so_3_error_bound;
-  so_bound->m4 = so_4_error_bound;
-  so_bound->m5 = so_5_error_bound;
+  so_bound->m0 = so_0_bound;
+  so_bound->m1 = so_1_bound;
+  so_bound->m2 = so_2_bound;
+  so_bound->m3 = so_3_bound;
+  so_bound->m4 = so_4_bound;
+  so_bound->m5 = so_5_bound;
 }
 
 /* so = s1 + s2; |error of so| <= so_bound unless inf or NaN.
@@ -216,30 +159,26 @@ static inline void ksl_product_as_certified(const double a, const ksl_screw_t *s
    6 mul, 6 add, 6 abs. */
 static inline void ksl_add_ss_certified(const ksl_screw_t *s1, const ksl_screw_t *s2,
     ksl_screw_t *so, ksl_screw_t *so_bound) {
-  const double so_0 = s1->m0 + s2->m0;
-  const double so_1 = s1->m1 + s2->m1;
-  const double so_2 = s1->m2 + s2->m2;
-  const double so_3 = s1->m3 + s2->m3;
-  const double so_4 = s1->m4 + s2->m4;
-  const double so_5 = s1->m5 + s2->m5;
-  const double so_0_abs = fabs(so_0), so_0_error_bound = KSL_MUL(1.1102230246251568e-16, so_0_abs);
-  const double so_1_abs = fabs(so_1), so_1_error_bound = KSL_MUL(1.1102230246251568e-16, so_1_abs);
-  const double so_2_abs = fabs(so_2), so_2_error_bound = KSL_MUL(1.1102230246251568e-16, so_2_abs);
-  const double so_3_abs = fabs(so_3), so_3_error_bound = KSL_MUL(1.1102230246251568e-16, so_3_abs);
-  const double so_4_abs = fabs(so_4), so_4_error_bound = KSL_MUL(1.1102230246251568e-16, so_4_abs);
-  const double so_5_abs = fabs(so_5), so_5_error_bound = KSL_MUL(1.1102230246251568e-16, so_5_abs);
+  const double so_0 = s1->m0 + s2->m0, so_1 = s1->m1 + s2->m1, so_2 = s1->m2 + s2->m2,
+      so_3 = s1->m3 + s2->m3, so_4 = s1->m4 + s2->m4, so_5 = s1->m5 + s2->m5;
+  const double so_0_bound = KSL_MUL(1.1102230246251568e-16, fabs(so_0)),
+      so_1_bound = KSL_MUL(1.1102230246251568e-16, fabs(so_1)),
+      so_2_bound = KSL_MUL(1.1102230246251568e-16, fabs(so_2)),
+      so_3_bound = KSL_MUL(1.1102230246251568e-16, fabs(so_3)),
+      so_4_bound = KSL_MUL(1.1102230246251568e-16, fabs(so_4)),
+      so_5_bound = KSL_MUL(1.1102230246251568e-16, fabs(so_5));
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
   so->m3 = so_3;
   so->m4 = so_4;
   so->m5 = so_5;
-  so_bound->m0 = so_0_error_bound;
-  so_bound->m1 = so_1_error_bound;
-  so_bound->m2 = so_2_error_bound;
-  so_bound->m3 = so_3_error_bound;
-  so_bound->m4 = so_4_error_bound;
-  so_bound->m5 = so_5_error_bound;
+  so_bound->m0 = so_0_bound;
+  so_bound->m1 = so_1_bound;
+  so_bound->m2 = so_2_bound;
+  so_bound->m3 = so_3_bound;
+  so_bound->m4 = so_4_bound;
+  so_bound->m5 = so_5_bound;
 }
 
 /* so = s1 - s2; |error of so| <= so_bound unless inf or NaN.
@@ -247,30 +186,26 @@ static inline void ksl_add_ss_certified(const ksl_screw_t *s1, const ksl_screw_t
    6 mul, 6 add, 6 abs. */
 static inline void ksl_subtract_ss_certified(const ksl_screw_t *s1, const ksl_screw_t *s2,
     ksl_screw_t *so, ksl_screw_t *so_bound) {
-  const double so_0 = s1->m0 - s2->m0;
-  const double so_1 = s1->m1 - s2->m1;
-  const double so_2 = s1->m2 - s2->m2;
-  const double so_3 = s1->m3 - s2->m3;
-  const double so_4 = s1->m4 - s2->m4;
-  const double so_5 = s1->m5 - s2->m5;
-  const double so_0_abs = fabs(so_0), so_0_error_bound = KSL_MUL(1.1102230246251568e-16, so_0_abs);
-  const double so_1_abs = fabs(so_1), so_1_error_bound = KSL_MUL(1.1102230246251568e-16, so_1_abs);
-  const double so_2_abs = fabs(so_2), so_2_error_bound = KSL_MUL(1.1102230246251568e-16, so_2_abs);
-  const double so_3_abs = fabs(so_3), so_3_error_bound = KSL_MUL(1.1102230246251568e-16, so_3_abs);
-  const double so_4_abs = fabs(so_4), so_4_error_bound = KSL_MUL(1.1102230246251568e-16, so_4_abs);
-  const double so_5_abs = fabs(so_5), so_5_error_bound = KSL_MUL(1.1102230246251568e-16, so_5_abs);
+  const double so_0 = s1->m0 - s2->m0, so_1 = s1->m1 - s2->m1, so_2 = s1->m2 - s2->m2,
+      so_3 = s1->m3 - s2->m3, so_4 = s1->m4 - s2->m4, so_5 = s1->m5 - s2->m5;
+  const double so_0_bound = KSL_MUL(1.1102230246251568e-16, fabs(so_0)),
+      so_1_bound = KSL_MUL(1.1102230246251568e-16, fabs(so_1)),
+      so_2_bound = KSL_MUL(1.1102230246251568e-16, fabs(so_2)),
+      so_3_bound = KSL_MUL(1.1102230246251568e-16, fabs(so_3)),
+      so_4_bound = KSL_MUL(1.1102230246251568e-16, fabs(so_4)),
+      so_5_bound = KSL_MUL(1.1102230246251568e-16, fabs(so_5));
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
   so->m3 = so_3;
   so->m4 = so_4;
   so->m5 = so_5;
-  so_bound->m0 = so_0_error_bound;
-  so_bound->m1 = so_1_error_bound;
-  so_bound->m2 = so_2_error_bound;
-  so_bound->m3 = so_3_error_bound;
-  so_bound->m4 = so_4_error_bound;
-  so_bound->m5 = so_5_error_bound;
+  so_bound->m0 = so_0_bound;
+  so_bound->m1 = so_1_bound;
+  so_bound->m2 = so_2_bound;
+  so_bound->m3 = so_3_bound;
+  so_bound->m4 = so_4_bound;
+  so_bound->m5 = so_5_bound;
 }
 
 /* so = (s1.lin + s2.lin ; s1.ang); |error of so| <= so_bound unless inf or NaN.
@@ -278,12 +213,10 @@ static inline void ksl_subtract_ss_certified(const ksl_screw_t *s1, const ksl_sc
    3 mul, 3 add, 3 abs. */
 static inline void ksl_add_sst_certified(const ksl_screw_t *s1, const ksl_screw_t *s2,
     ksl_screw_t *so, ksl_screw_t *so_bound) {
-  const double so_0 = s1->m0 + s2->m0;
-  const double so_1 = s1->m1 + s2->m1;
-  const double so_2 = s1->m2 + s2->m2;
-  const double so_0_abs = fabs(so_0), so_0_error_bound = KSL_MUL(1.1102230246251568e-16, so_0_abs);
-  const double so_1_abs = fabs(so_1), so_1_error_bound = KSL_MUL(1.1102230246251568e-16, so_1_abs);
-  const double so_2_abs = fabs(so_2), so_2_error_bound = KSL_MUL(1.1102230246251568e-16, so_2_abs);
+  const double so_0 = s1->m0 + s2->m0, so_1 = s1->m1 + s2->m1, so_2 = s1->m2 + s2->m2;
+  const double so_0_bound = KSL_MUL(1.1102230246251568e-16, fabs(so_0)),
+      so_1_bound = KSL_MUL(1.1102230246251568e-16, fabs(so_1)),
+      so_2_bound = KSL_MUL(1.1102230246251568e-16, fabs(so_2));
   const double s1_m3 = s1->m3;
   const double s1_m4 = s1->m4;
   const double s1_m5 = s1->m5;
@@ -293,9 +226,9 @@ static inline void ksl_add_sst_certified(const ksl_screw_t *s1, const ksl_screw_
   so->m3 = s1_m3;
   so->m4 = s1_m4;
   so->m5 = s1_m5;
-  so_bound->m0 = so_0_error_bound;
-  so_bound->m1 = so_1_error_bound;
-  so_bound->m2 = so_2_error_bound;
+  so_bound->m0 = so_0_bound;
+  so_bound->m1 = so_1_bound;
+  so_bound->m2 = so_2_bound;
   so_bound->m3 = 0.0;
   so_bound->m4 = 0.0;
   so_bound->m5 = 0.0;
@@ -306,24 +239,18 @@ static inline void ksl_add_sst_certified(const ksl_screw_t *s1, const ksl_screw_
    9 mul, 15 add, 9 abs. */
 static inline void ksl_product_Adts_certified(const ksl_vec3_t *t, const ksl_screw_t *si,
     ksl_screw_t *so, ksl_screw_t *so_bound) {
-  const double so_0a = KSL_MUL(t->y, si->m5), so_0b = KSL_MUL(t->z, si->m4), so_0c = so_0a - so_0b,
-      so_0 = so_0c + si->m0;
-  const double so_1a = KSL_MUL(t->z, si->m3), so_1b = KSL_MUL(t->x, si->m5), so_1c = so_1a - so_1b,
-      so_1 = so_1c + si->m1;
-  const double so_2a = KSL_MUL(t->x, si->m4), so_2b = KSL_MUL(t->y, si->m3), so_2c = so_2a - so_2b,
-      so_2 = so_2c + si->m2;
-  const double so_0a_abs = fabs(so_0a), so_0b_abs = fabs(so_0b), so_0c_size = so_0a_abs + so_0b_abs,
-      si_0_abs = fabs(si->m0), so_0_size = so_0c_size + si_0_abs;
-  const double so_1a_abs = fabs(so_1a), so_1b_abs = fabs(so_1b), so_1c_size = so_1a_abs + so_1b_abs,
-      si_1_abs = fabs(si->m1), so_1_size = so_1c_size + si_1_abs;
-  const double so_2a_abs = fabs(so_2a), so_2b_abs = fabs(so_2b), so_2c_size = so_2a_abs + so_2b_abs,
-      si_2_abs = fabs(si->m2), so_2_size = so_2c_size + si_2_abs;
-  const double so_0_padded = so_0_size + 2.004168360008973e-292,
-      so_0_error_bound = KSL_MUL(3.3306690738754706e-16, so_0_padded);
-  const double so_1_padded = so_1_size + 2.004168360008973e-292,
-      so_1_error_bound = KSL_MUL(3.3306690738754706e-16, so_1_padded);
-  const double so_2_padded = so_2_size + 2.004168360008973e-292,
-      so_2_error_bound = KSL_MUL(3.3306690738754706e-16, so_2_padded);
+  const double so_0a = KSL_MUL(t->y, si->m5), so_0b = KSL_MUL(t->z, si->m4),
+      so_0 = so_0a - so_0b + si->m0;
+  const double so_1a = KSL_MUL(t->z, si->m3), so_1b = KSL_MUL(t->x, si->m5),
+      so_1 = so_1a - so_1b + si->m1;
+  const double so_2a = KSL_MUL(t->x, si->m4), so_2b = KSL_MUL(t->y, si->m3),
+      so_2 = so_2a - so_2b + si->m2;
+  const double so_0_size = fabs(so_0a) + fabs(so_0b) + fabs(si->m0),
+      so_1_size = fabs(so_1a) + fabs(so_1b) + fabs(si->m1),
+      so_2_size = fabs(so_2a) + fabs(so_2b) + fabs(si->m2);
+  const double so_0_bound = KSL_MUL(3.3306690738754706e-16, so_0_size + 2.004168360008973e-292),
+      so_1_bound = KSL_MUL(3.3306690738754706e-16, so_1_size + 2.004168360008973e-292),
+      so_2_bound = KSL_MUL(3.3306690738754706e-16, so_2_size + 2.004168360008973e-292);
   const double si_m3 = si->m3;
   const double si_m4 = si->m4;
   const double si_m5 = si->m5;
@@ -333,9 +260,9 @@ static inline void ksl_product_Adts_certified(const ksl_vec3_t *t, const ksl_scr
   so->m3 = si_m3;
   so->m4 = si_m4;
   so->m5 = si_m5;
-  so_bound->m0 = so_0_error_bound;
-  so_bound->m1 = so_1_error_bound;
-  so_bound->m2 = so_2_error_bound;
+  so_bound->m0 = so_0_bound;
+  so_bound->m1 = so_1_bound;
+  so_bound->m2 = so_2_bound;
   so_bound->m3 = 0.0;
   so_bound->m4 = 0.0;
   so_bound->m5 = 0.0;
@@ -346,24 +273,18 @@ static inline void ksl_product_Adts_certified(const ksl_vec3_t *t, const ksl_scr
    9 mul, 15 add, 9 abs. */
 static inline void ksl_product_Adtinvs_certified(const ksl_vec3_t *t, const ksl_screw_t *si,
     ksl_screw_t *so, ksl_screw_t *so_bound) {
-  const double so_0a = KSL_MUL(t->z, si->m4), so_0b = KSL_MUL(t->y, si->m5), so_0c = so_0a - so_0b,
-      so_0 = so_0c + si->m0;
-  const double so_1a = KSL_MUL(t->x, si->m5), so_1b = KSL_MUL(t->z, si->m3), so_1c = so_1a - so_1b,
-      so_1 = so_1c + si->m1;
-  const double so_2a = KSL_MUL(t->y, si->m3), so_2b = KSL_MUL(t->x, si->m4), so_2c = so_2a - so_2b,
-      so_2 = so_2c + si->m2;
-  const double so_0a_abs = fabs(so_0a), so_0b_abs = fabs(so_0b), so_0c_size = so_0a_abs + so_0b_abs,
-      si_0_abs = fabs(si->m0), so_0_size = so_0c_size + si_0_abs;
-  const double so_1a_abs = fabs(so_1a), so_1b_abs = fabs(so_1b), so_1c_size = so_1a_abs + so_1b_abs,
-      si_1_abs = fabs(si->m1), so_1_size = so_1c_size + si_1_abs;
-  const double so_2a_abs = fabs(so_2a), so_2b_abs = fabs(so_2b), so_2c_size = so_2a_abs + so_2b_abs,
-      si_2_abs = fabs(si->m2), so_2_size = so_2c_size + si_2_abs;
-  const double so_0_padded = so_0_size + 2.004168360008973e-292,
-      so_0_error_bound = KSL_MUL(3.3306690738754706e-16, so_0_padded);
-  const double so_1_padded = so_1_size + 2.004168360008973e-292,
-      so_1_error_bound = KSL_MUL(3.3306690738754706e-16, so_1_padded);
-  const double so_2_padded = so_2_size + 2.004168360008973e-292,
-      so_2_error_bound = KSL_MUL(3.3306690738754706e-16, so_2_padded);
+  const double so_0a = KSL_MUL(t->z, si->m4), so_0b = KSL_MUL(t->y, si->m5),
+      so_0 = so_0a - so_0b + si->m0;
+  const double so_1a = KSL_MUL(t->x, si->m5), so_1b = KSL_MUL(t->z, si->m3),
+      so_1 = so_1a - so_1b + si->m1;
+  const double so_2a = KSL_MUL(t->y, si->m3), so_2b = KSL_MUL(t->x, si->m4),
+      so_2 = so_2a - so_2b + si->m2;
+  const double so_0_size = fabs(so_0a) + fabs(so_0b) + fabs(si->m0),
+      so_1_size = fabs(so_1a) + fabs(so_1b) + fabs(si->m1),
+      so_2_size = fabs(so_2a) + fabs(so_2b) + fabs(si->m2);
+  const double so_0_bound = KSL_MUL(3.3306690738754706e-16, so_0_size + 2.004168360008973e-292),
+      so_1_bound = KSL_MUL(3.3306690738754706e-16, so_1_size + 2.004168360008973e-292),
+      so_2_bound = KSL_MUL(3.3306690738754706e-16, so_2_size + 2.004168360008973e-292);
   const double si_m3 = si->m3;
   const double si_m4 = si->m4;
   const double si_m5 = si->m5;
@@ -373,9 +294,9 @@ static inline void ksl_product_Adtinvs_certified(const ksl_vec3_t *t, const ksl_
   so->m3 = si_m3;
   so->m4 = si_m4;
   so->m5 = si_m5;
-  so_bound->m0 = so_0_error_bound;
-  so_bound->m1 = so_1_error_bound;
-  so_bound->m2 = so_2_error_bound;
+  so_bound->m0 = so_0_bound;
+  so_bound->m1 = so_1_bound;
+  so_bound->m2 = so_2_bound;
   so_bound->m3 = 0.0;
   so_bound->m4 = 0.0;
   so_bound->m5 = 0.0;
@@ -386,36 +307,28 @@ static inline void ksl_product_Adtinvs_certified(const ksl_vec3_t *t, const ksl_
    9 mul, 15 add, 3 neg, 9 abs. */
 static inline void ksl_product_Adtsinv_certified(const ksl_vec3_t *t, const ksl_screw_t *si,
     ksl_screw_t *so, ksl_screw_t *so_bound) {
-  const double so_0a = KSL_MUL(t->z, si->m4), so_0b = KSL_MUL(t->y, si->m5), so_0c = so_0a - so_0b,
-      so_0 = so_0c - si->m0;
-  const double so_1a = KSL_MUL(t->x, si->m5), so_1b = KSL_MUL(t->z, si->m3), so_1c = so_1a - so_1b,
-      so_1 = so_1c - si->m1;
-  const double so_2a = KSL_MUL(t->y, si->m3), so_2b = KSL_MUL(t->x, si->m4), so_2c = so_2a - so_2b,
-      so_2 = so_2c - si->m2;
-  const double so_3 = -si->m3;
-  const double so_4 = -si->m4;
-  const double so_5 = -si->m5;
-  const double so_0a_abs = fabs(so_0a), so_0b_abs = fabs(so_0b), so_0c_size = so_0a_abs + so_0b_abs,
-      si_0_abs = fabs(si->m0), so_0_size = so_0c_size + si_0_abs;
-  const double so_1a_abs = fabs(so_1a), so_1b_abs = fabs(so_1b), so_1c_size = so_1a_abs + so_1b_abs,
-      si_1_abs = fabs(si->m1), so_1_size = so_1c_size + si_1_abs;
-  const double so_2a_abs = fabs(so_2a), so_2b_abs = fabs(so_2b), so_2c_size = so_2a_abs + so_2b_abs,
-      si_2_abs = fabs(si->m2), so_2_size = so_2c_size + si_2_abs;
-  const double so_0_padded = so_0_size + 2.004168360008973e-292,
-      so_0_error_bound = KSL_MUL(3.3306690738754706e-16, so_0_padded);
-  const double so_1_padded = so_1_size + 2.004168360008973e-292,
-      so_1_error_bound = KSL_MUL(3.3306690738754706e-16, so_1_padded);
-  const double so_2_padded = so_2_size + 2.004168360008973e-292,
-      so_2_error_bound = KSL_MUL(3.3306690738754706e-16, so_2_padded);
+  const double so_0a = KSL_MUL(t->z, si->m4), so_0b = KSL_MUL(t->y, si->m5),
+      so_0 = so_0a - so_0b - si->m0;
+  const double so_1a = KSL_MUL(t->x, si->m5), so_1b = KSL_MUL(t->z, si->m3),
+      so_1 = so_1a - so_1b - si->m1;
+  const double so_2a = KSL_MUL(t->y, si->m3), so_2b = KSL_MUL(t->x, si->m4),
+      so_2 = so_2a - so_2b - si->m2;
+  const double so_3 = -si->m3, so_4 = -si->m4, so_5 = -si->m5;
+  const double so_0_size = fabs(so_0a) + fabs(so_0b) + fabs(si->m0),
+      so_1_size = fabs(so_1a) + fabs(so_1b) + fabs(si->m1),
+      so_2_size = fabs(so_2a) + fabs(so_2b) + fabs(si->m2);
+  const double so_0_bound = KSL_MUL(3.3306690738754706e-16, so_0_size + 2.004168360008973e-292),
+      so_1_bound = KSL_MUL(3.3306690738754706e-16, so_1_size + 2.004168360008973e-292),
+      so_2_bound = KSL_MUL(3.3306690738754706e-16, so_2_size + 2.004168360008973e-292);
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
   so->m3 = so_3;
   so->m4 = so_4;
   so->m5 = so_5;
-  so_bound->m0 = so_0_error_bound;
-  so_bound->m1 = so_1_error_bound;
-  so_bound->m2 = so_2_error_bound;
+  so_bound->m0 = so_0_bound;
+  so_bound->m1 = so_1_bound;
+  so_bound->m2 = so_2_bound;
   so_bound->m3 = 0.0;
   so_bound->m4 = 0.0;
   so_bound->m5 = 0.0;
@@ -427,53 +340,41 @@ static inline void ksl_product_Adtsinv_certified(const ksl_vec3_t *t, const ksl_
 static inline void ksl_product_Adrs_certified(const ksl_mat3x3_t *R, const ksl_screw_t *si,
     ksl_screw_t *so, ksl_screw_t *so_bound) {
   const double so_0a = KSL_MUL(R->m00, si->m0), so_0b = KSL_MUL(R->m01, si->m1),
-      so_0c = so_0a + so_0b, so_0d = KSL_MUL(R->m02, si->m2), so_0 = so_0c + so_0d;
+      so_0d = KSL_MUL(R->m02, si->m2), so_0 = so_0a + so_0b + so_0d;
   const double so_1a = KSL_MUL(R->m10, si->m0), so_1b = KSL_MUL(R->m11, si->m1),
-      so_1c = so_1a + so_1b, so_1d = KSL_MUL(R->m12, si->m2), so_1 = so_1c + so_1d;
+      so_1d = KSL_MUL(R->m12, si->m2), so_1 = so_1a + so_1b + so_1d;
   const double so_2a = KSL_MUL(R->m20, si->m0), so_2b = KSL_MUL(R->m21, si->m1),
-      so_2c = so_2a + so_2b, so_2d = KSL_MUL(R->m22, si->m2), so_2 = so_2c + so_2d;
+      so_2d = KSL_MUL(R->m22, si->m2), so_2 = so_2a + so_2b + so_2d;
   const double so_3a = KSL_MUL(R->m00, si->m3), so_3b = KSL_MUL(R->m01, si->m4),
-      so_3c = so_3a + so_3b, so_3d = KSL_MUL(R->m02, si->m5), so_3 = so_3c + so_3d;
+      so_3d = KSL_MUL(R->m02, si->m5), so_3 = so_3a + so_3b + so_3d;
   const double so_4a = KSL_MUL(R->m10, si->m3), so_4b = KSL_MUL(R->m11, si->m4),
-      so_4c = so_4a + so_4b, so_4d = KSL_MUL(R->m12, si->m5), so_4 = so_4c + so_4d;
+      so_4d = KSL_MUL(R->m12, si->m5), so_4 = so_4a + so_4b + so_4d;
   const double so_5a = KSL_MUL(R->m20, si->m3), so_5b = KSL_MUL(R->m21, si->m4),
-      so_5c = so_5a + so_5b, so_5d = KSL_MUL(R->m22, si->m5), so_5 = so_5c + so_5d;
-  const double so_0a_abs = fabs(so_0a), so_0b_abs = fabs(so_0b), so_0c_size = so_0a_abs + so_0b_abs,
-      so_0d_abs = fabs(so_0d), so_0_size = so_0c_size + so_0d_abs;
-  const double so_1a_abs = fabs(so_1a), so_1b_abs = fabs(so_1b), so_1c_size = so_1a_abs + so_1b_abs,
-      so_1d_abs = fabs(so_1d), so_1_size = so_1c_size + so_1d_abs;
-  const double so_2a_abs = fabs(so_2a), so_2b_abs = fabs(so_2b), so_2c_size = so_2a_abs + so_2b_abs,
-      so_2d_abs = fabs(so_2d), so_2_size = so_2c_size + so_2d_abs;
-  const double so_3a_abs = fabs(so_3a), so_3b_abs = fabs(so_3b), so_3c_size = so_3a_abs + so_3b_abs,
-      so_3d_abs = fabs(so_3d), so_3_size = so_3c_size + so_3d_abs;
-  const double so_4a_abs = fabs(so_4a), so_4b_abs = fabs(so_4b), so_4c_size = so_4a_abs + so_4b_abs,
-      so_4d_abs = fabs(so_4d), so_4_size = so_4c_size + so_4d_abs;
-  const double so_5a_abs = fabs(so_5a), so_5b_abs = fabs(so_5b), so_5c_size = so_5a_abs + so_5b_abs,
-      so_5d_abs = fabs(so_5d), so_5_size = so_5c_size + so_5d_abs;
-  const double so_0_padded = so_0_size + 2.004168360008973e-292,
-      so_0_error_bound = KSL_MUL(3.3306690738754706e-16, so_0_padded);
-  const double so_1_padded = so_1_size + 2.004168360008973e-292,
-      so_1_error_bound = KSL_MUL(3.3306690738754706e-16, so_1_padded);
-  const double so_2_padded = so_2_size + 2.004168360008973e-292,
-      so_2_error_bound = KSL_MUL(3.3306690738754706e-16, so_2_padded);
-  const double so_3_padded = so_3_size + 2.004168360008973e-292,
-      so_3_error_bound = KSL_MUL(3.3306690738754706e-16, so_3_padded);
-  const double so_4_padded = so_4_size + 2.004168360008973e-292,
-      so_4_error_bound = KSL_MUL(3.3306690738754706e-16, so_4_padded);
-  const double so_5_padded = so_5_size + 2.004168360008973e-292,
-      so_5_error_bound = KSL_MUL(3.3306690738754706e-16, so_5_padded);
+      so_5d = KSL_MUL(R->m22, si->m5), so_5 = so_5a + so_5b + so_5d;
+  const double so_0_size = fabs(so_0a) + fabs(so_0b) + fabs(so_0d),
+      so_1_size = fabs(so_1a) + fabs(so_1b) + fabs(so_1d),
+      so_2_size = fabs(so_2a) + fabs(so_2b) + fabs(so_2d),
+      so_3_size = fabs(so_3a) + fabs(so_3b) + fabs(so_3d),
+      so_4_size = fabs(so_4a) + fabs(so_4b) + fabs(so_4d),
+      so_5_size = fabs(so_5a) + fabs(so_5b) + fabs(so_5d);
+  const double so_0_bound = KSL_MUL(3.3306690738754706e-16, so_0_size + 2.004168360008973e-292),
+      so_1_bound = KSL_MUL(3.3306690738754706e-16, so_1_size + 2.004168360008973e-292),
+      so_2_bound = KSL_MUL(3.3306690738754706e-16, so_2_size + 2.004168360008973e-292),
+      so_3_bound = KSL_MUL(3.3306690738754706e-16, so_3_size + 2.004168360008973e-292),
+      so_4_bound = KSL_MUL(3.3306690738754706e-16, so_4_size + 2.004168360008973e-292),
+      so_5_bound = KSL_MUL(3.3306690738754706e-16, so_5_size + 2.004168360008973e-292);
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
   so->m3 = so_3;
   so->m4 = so_4;
   so->m5 = so_5;
-  so_bound->m0 = so_0_error_bound;
-  so_bound->m1 = so_1_error_bound;
-  so_bound->m2 = so_2_error_bound;
-  so_bound->m3 = so_3_error_bound;
-  so_bound->m4 = so_4_error_bound;
-  so_bound->m5 = so_5_error_bound;
+  so_bound->m0 = so_0_bound;
+  so_bound->m1 = so_1_bound;
+  so_bound->m2 = so_2_bound;
+  so_bound->m3 = so_3_bound;
+  so_bound->m4 = so_4_bound;
+  so_bound->m5 = so_5_bound;
 }
 
 /* so = [Ad](R)^-1 si; |error of so| <= so_bound unless inf or NaN.
@@ -482,53 +383,41 @@ static inline void ksl_product_Adrs_certified(const ksl_mat3x3_t *R, const ksl_s
 static inline void ksl_product_Adrinvs_certified(const ksl_mat3x3_t *R, const ksl_screw_t *si,
     ksl_screw_t *so, ksl_screw_t *so_bound) {
   const double so_0a = KSL_MUL(R->m00, si->m0), so_0b = KSL_MUL(R->m10, si->m1),
-      so_0c = so_0a + so_0b, so_0d = KSL_MUL(R->m20, si->m2), so_0 = so_0c + so_0d;
+      so_0d = KSL_MUL(R->m20, si->m2), so_0 = so_0a + so_0b + so_0d;
   const double so_1a = KSL_MUL(R->m01, si->m0), so_1b = KSL_MUL(R->m11, si->m1),
-      so_1c = so_1a + so_1b, so_1d = KSL_MUL(R->m21, si->m2), so_1 = so_1c + so_1d;
+      so_1d = KSL_MUL(R->m21, si->m2), so_1 = so_1a + so_1b + so_1d;
   const double so_2a = KSL_MUL(R->m02, si->m0), so_2b = KSL_MUL(R->m12, si->m1),
-      so_2c = so_2a + so_2b, so_2d = KSL_MUL(R->m22, si->m2), so_2 = so_2c + so_2d;
+      so_2d = KSL_MUL(R->m22, si->m2), so_2 = so_2a + so_2b + so_2d;
   const double so_3a = KSL_MUL(R->m00, si->m3), so_3b = KSL_MUL(R->m10, si->m4),
-      so_3c = so_3a + so_3b, so_3d = KSL_MUL(R->m20, si->m5), so_3 = so_3c + so_3d;
+      so_3d = KSL_MUL(R->m20, si->m5), so_3 = so_3a + so_3b + so_3d;
   const double so_4a = KSL_MUL(R->m01, si->m3), so_4b = KSL_MUL(R->m11, si->m4),
-      so_4c = so_4a + so_4b, so_4d = KSL_MUL(R->m21, si->m5), so_4 = so_4c + so_4d;
+      so_4d = KSL_MUL(R->m21, si->m5), so_4 = so_4a + so_4b + so_4d;
   const double so_5a = KSL_MUL(R->m02, si->m3), so_5b = KSL_MUL(R->m12, si->m4),
-      so_5c = so_5a + so_5b, so_5d = KSL_MUL(R->m22, si->m5), so_5 = so_5c + so_5d;
-  const double so_0a_abs = fabs(so_0a), so_0b_abs = fabs(so_0b), so_0c_size = so_0a_abs + so_0b_abs,
-      so_0d_abs = fabs(so_0d), so_0_size = so_0c_size + so_0d_abs;
-  const double so_1a_abs = fabs(so_1a), so_1b_abs = fabs(so_1b), so_1c_size = so_1a_abs + so_1b_abs,
-      so_1d_abs = fabs(so_1d), so_1_size = so_1c_size + so_1d_abs;
-  const double so_2a_abs = fabs(so_2a), so_2b_abs = fabs(so_2b), so_2c_size = so_2a_abs + so_2b_abs,
-      so_2d_abs = fabs(so_2d), so_2_size = so_2c_size + so_2d_abs;
-  const double so_3a_abs = fabs(so_3a), so_3b_abs = fabs(so_3b), so_3c_size = so_3a_abs + so_3b_abs,
-      so_3d_abs = fabs(so_3d), so_3_size = so_3c_size + so_3d_abs;
-  const double so_4a_abs = fabs(so_4a), so_4b_abs = fabs(so_4b), so_4c_size = so_4a_abs + so_4b_abs,
-      so_4d_abs = fabs(so_4d), so_4_size = so_4c_size + so_4d_abs;
-  const double so_5a_abs = fabs(so_5a), so_5b_abs = fabs(so_5b), so_5c_size = so_5a_abs + so_5b_abs,
-      so_5d_abs = fabs(so_5d), so_5_size = so_5c_size + so_5d_abs;
-  const double so_0_padded = so_0_size + 2.004168360008973e-292,
-      so_0_error_bound = KSL_MUL(3.3306690738754706e-16, so_0_padded);
-  const double so_1_padded = so_1_size + 2.004168360008973e-292,
-      so_1_error_bound = KSL_MUL(3.3306690738754706e-16, so_1_padded);
-  const double so_2_padded = so_2_size + 2.004168360008973e-292,
-      so_2_error_bound = KSL_MUL(3.3306690738754706e-16, so_2_padded);
-  const double so_3_padded = so_3_size + 2.004168360008973e-292,
-      so_3_error_bound = KSL_MUL(3.3306690738754706e-16, so_3_padded);
-  const double so_4_padded = so_4_size + 2.004168360008973e-292,
-      so_4_error_bound = KSL_MUL(3.3306690738754706e-16, so_4_padded);
-  const double so_5_padded = so_5_size + 2.004168360008973e-292,
-      so_5_error_bound = KSL_MUL(3.3306690738754706e-16, so_5_padded);
+      so_5d = KSL_MUL(R->m22, si->m5), so_5 = so_5a + so_5b + so_5d;
+  const double so_0_size = fabs(so_0a) + fabs(so_0b) + fabs(so_0d),
+      so_1_size = fabs(so_1a) + fabs(so_1b) + fabs(so_1d),
+      so_2_size = fabs(so_2a) + fabs(so_2b) + fabs(so_2d),
+      so_3_size = fabs(so_3a) + fabs(so_3b) + fabs(so_3d),
+      so_4_size = fabs(so_4a) + fabs(so_4b) + fabs(so_4d),
+      so_5_size = fabs(so_5a) + fabs(so_5b) + fabs(so_5d);
+  const double so_0_bound = KSL_MUL(3.3306690738754706e-16, so_0_size + 2.004168360008973e-292),
+      so_1_bound = KSL_MUL(3.3306690738754706e-16, so_1_size + 2.004168360008973e-292),
+      so_2_bound = KSL_MUL(3.3306690738754706e-16, so_2_size + 2.004168360008973e-292),
+      so_3_bound = KSL_MUL(3.3306690738754706e-16, so_3_size + 2.004168360008973e-292),
+      so_4_bound = KSL_MUL(3.3306690738754706e-16, so_4_size + 2.004168360008973e-292),
+      so_5_bound = KSL_MUL(3.3306690738754706e-16, so_5_size + 2.004168360008973e-292);
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
   so->m3 = so_3;
   so->m4 = so_4;
   so->m5 = so_5;
-  so_bound->m0 = so_0_error_bound;
-  so_bound->m1 = so_1_error_bound;
-  so_bound->m2 = so_2_error_bound;
-  so_bound->m3 = so_3_error_bound;
-  so_bound->m4 = so_4_error_bound;
-  so_bound->m5 = so_5_error_bound;
+  so_bound->m0 = so_0_bound;
+  so_bound->m1 = so_1_bound;
+  so_bound->m2 = so_2_bound;
+  so_bound->m3 = so_3_bound;
+  so_bound->m4 = so_4_bound;
+  so_bound->m5 = so_5_bound;
 }
 
 /* so = [Ad](R) (-si); |error of so| <= so_bound unless inf or NaN.
@@ -537,53 +426,41 @@ static inline void ksl_product_Adrinvs_certified(const ksl_mat3x3_t *R, const ks
 static inline void ksl_product_Adrsinv_certified(const ksl_mat3x3_t *R, const ksl_screw_t *si,
     ksl_screw_t *so, ksl_screw_t *so_bound) {
   const double so_0a = KSL_MUL(R->m00, si->m0), so_0b = KSL_MUL(R->m01, si->m1),
-      so_0c = so_0a + so_0b, so_0d = KSL_MUL(R->m02, si->m2), so_0e = so_0c + so_0d, so_0 = -so_0e;
+      so_0d = KSL_MUL(R->m02, si->m2), so_0 = -(so_0a + so_0b + so_0d);
   const double so_1a = KSL_MUL(R->m10, si->m0), so_1b = KSL_MUL(R->m11, si->m1),
-      so_1c = so_1a + so_1b, so_1d = KSL_MUL(R->m12, si->m2), so_1e = so_1c + so_1d, so_1 = -so_1e;
+      so_1d = KSL_MUL(R->m12, si->m2), so_1 = -(so_1a + so_1b + so_1d);
   const double so_2a = KSL_MUL(R->m20, si->m0), so_2b = KSL_MUL(R->m21, si->m1),
-      so_2c = so_2a + so_2b, so_2d = KSL_MUL(R->m22, si->m2), so_2e = so_2c + so_2d, so_2 = -so_2e;
+      so_2d = KSL_MUL(R->m22, si->m2), so_2 = -(so_2a + so_2b + so_2d);
   const double so_3a = KSL_MUL(R->m00, si->m3), so_3b = KSL_MUL(R->m01, si->m4),
-      so_3c = so_3a + so_3b, so_3d = KSL_MUL(R->m02, si->m5), so_3e = so_3c + so_3d, so_3 = -so_3e;
+      so_3d = KSL_MUL(R->m02, si->m5), so_3 = -(so_3a + so_3b + so_3d);
   const double so_4a = KSL_MUL(R->m10, si->m3), so_4b = KSL_MUL(R->m11, si->m4),
-      so_4c = so_4a + so_4b, so_4d = KSL_MUL(R->m12, si->m5), so_4e = so_4c + so_4d, so_4 = -so_4e;
+      so_4d = KSL_MUL(R->m12, si->m5), so_4 = -(so_4a + so_4b + so_4d);
   const double so_5a = KSL_MUL(R->m20, si->m3), so_5b = KSL_MUL(R->m21, si->m4),
-      so_5c = so_5a + so_5b, so_5d = KSL_MUL(R->m22, si->m5), so_5e = so_5c + so_5d, so_5 = -so_5e;
-  const double so_0a_abs = fabs(so_0a), so_0b_abs = fabs(so_0b), so_0c_size = so_0a_abs + so_0b_abs,
-      so_0d_abs = fabs(so_0d), so_0e_size = so_0c_size + so_0d_abs;
-  const double so_1a_abs = fabs(so_1a), so_1b_abs = fabs(so_1b), so_1c_size = so_1a_abs + so_1b_abs,
-      so_1d_abs = fabs(so_1d), so_1e_size = so_1c_size + so_1d_abs;
-  const double so_2a_abs = fabs(so_2a), so_2b_abs = fabs(so_2b), so_2c_size = so_2a_abs + so_2b_abs,
-      so_2d_abs = fabs(so_2d), so_2e_size = so_2c_size + so_2d_abs;
-  const double so_3a_abs = fabs(so_3a), so_3b_abs = fabs(so_3b), so_3c_size = so_3a_abs + so_3b_abs,
-      so_3d_abs = fabs(so_3d), so_3e_size = so_3c_size + so_3d_abs;
-  const double so_4a_abs = fabs(so_4a), so_4b_abs = fabs(so_4b), so_4c_size = so_4a_abs + so_4b_abs,
-      so_4d_abs = fabs(so_4d), so_4e_size = so_4c_size + so_4d_abs;
-  const double so_5a_abs = fabs(so_5a), so_5b_abs = fabs(so_5b), so_5c_size = so_5a_abs + so_5b_abs,
-      so_5d_abs = fabs(so_5d), so_5e_size = so_5c_size + so_5d_abs;
-  const double so_0e_padded = so_0e_size + 2.004168360008973e-292,
-      so_0e_error_bound = KSL_MUL(3.3306690738754706e-16, so_0e_padded);
-  const double so_1e_padded = so_1e_size + 2.004168360008973e-292,
-      so_1e_error_bound = KSL_MUL(3.3306690738754706e-16, so_1e_padded);
-  const double so_2e_padded = so_2e_size + 2.004168360008973e-292,
-      so_2e_error_bound = KSL_MUL(3.3306690738754706e-16, so_2e_padded);
-  const double so_3e_padded = so_3e_size + 2.004168360008973e-292,
-      so_3e_error_bound = KSL_MUL(3.3306690738754706e-16, so_3e_padded);
-  const double so_4e_padded = so_4e_size + 2.004168360008973e-292,
-      so_4e_error_bound = KSL_MUL(3.3306690738754706e-16, so_4e_padded);
-  const double so_5e_padded = so_5e_size + 2.004168360008973e-292,
-      so_5e_error_bound = KSL_MUL(3.3306690738754706e-16, so_5e_padded);
+      so_5d = KSL_MUL(R->m22, si->m5), so_5 = -(so_5a + so_5b + so_5d);
+  const double so_0e_bound = KSL_MUL(3.3306690738754706e-16, fabs(so_0a) + fabs(so_0b)
+          + fabs(so_0d) + 2.004168360008973e-292);
+  const double so_1e_bound = KSL_MUL(3.3306690738754706e-16, fabs(so_1a) + fabs(so_1b)
+          + fabs(so_1d) + 2.004168360008973e-292);
+  const double so_2e_bound = KSL_MUL(3.3306690738754706e-16, fabs(so_2a) + fabs(so_2b)
+          + fabs(so_2d) + 2.004168360008973e-292);
+  const double so_3e_bound = KSL_MUL(3.3306690738754706e-16, fabs(so_3a) + fabs(so_3b)
+          + fabs(so_3d) + 2.004168360008973e-292);
+  const double so_4e_bound = KSL_MUL(3.3306690738754706e-16, fabs(so_4a) + fabs(so_4b)
+          + fabs(so_4d) + 2.004168360008973e-292);
+  const double so_5e_bound = KSL_MUL(3.3306690738754706e-16, fabs(so_5a) + fabs(so_5b)
+          + fabs(so_5d) + 2.004168360008973e-292);
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
   so->m3 = so_3;
   so->m4 = so_4;
   so->m5 = so_5;
-  so_bound->m0 = so_0e_error_bound;
-  so_bound->m1 = so_1e_error_bound;
-  so_bound->m2 = so_2e_error_bound;
-  so_bound->m3 = so_3e_error_bound;
-  so_bound->m4 = so_4e_error_bound;
-  so_bound->m5 = so_5e_error_bound;
+  so_bound->m0 = so_0e_bound;
+  so_bound->m1 = so_1e_bound;
+  so_bound->m2 = so_2e_bound;
+  so_bound->m3 = so_3e_bound;
+  so_bound->m4 = so_4e_bound;
+  so_bound->m5 = so_5e_bound;
 }
 
 /* so = [Ad](D) si = [Ad](t) [Ad](R) si; |error of so| <= so_bound unless inf or NaN.
@@ -591,69 +468,54 @@ static inline void ksl_product_Adrsinv_certified(const ksl_mat3x3_t *R, const ks
    36 mul, 42 add, 21 abs. */
 static inline void ksl_product_Ads_certified(const ksl_SE3_t *D, const ksl_screw_t *si,
     ksl_screw_t *so, ksl_screw_t *so_bound) {
-  const double w_0a = KSL_MUL(D->m00, si->m0), w_0b = KSL_MUL(D->m01, si->m1), w_0c = w_0a + w_0b,
-      w_0d = KSL_MUL(D->m02, si->m2), w_0 = w_0c + w_0d;
-  const double w_1a = KSL_MUL(D->m10, si->m0), w_1b = KSL_MUL(D->m11, si->m1), w_1c = w_1a + w_1b,
-      w_1d = KSL_MUL(D->m12, si->m2), w_1 = w_1c + w_1d;
-  const double w_2a = KSL_MUL(D->m20, si->m0), w_2b = KSL_MUL(D->m21, si->m1), w_2c = w_2a + w_2b,
-      w_2d = KSL_MUL(D->m22, si->m2), w_2 = w_2c + w_2d;
-  const double w_3a = KSL_MUL(D->m00, si->m3), w_3b = KSL_MUL(D->m01, si->m4), w_3c = w_3a + w_3b,
-      w_3d = KSL_MUL(D->m02, si->m5), w_3 = w_3c + w_3d;
-  const double w_4a = KSL_MUL(D->m10, si->m3), w_4b = KSL_MUL(D->m11, si->m4), w_4c = w_4a + w_4b,
-      w_4d = KSL_MUL(D->m12, si->m5), w_4 = w_4c + w_4d;
-  const double w_5a = KSL_MUL(D->m20, si->m3), w_5b = KSL_MUL(D->m21, si->m4), w_5c = w_5a + w_5b,
-      w_5d = KSL_MUL(D->m22, si->m5), w_5 = w_5c + w_5d;
-  const double so_0a = KSL_MUL(D->m13, w_5), so_0b = KSL_MUL(D->m23, w_4), so_0c = so_0a - so_0b,
-      so_0 = so_0c + w_0;
-  const double so_1a = KSL_MUL(D->m23, w_3), so_1b = KSL_MUL(D->m03, w_5), so_1c = so_1a - so_1b,
-      so_1 = so_1c + w_1;
-  const double so_2a = KSL_MUL(D->m03, w_4), so_2b = KSL_MUL(D->m13, w_3), so_2c = so_2a - so_2b,
-      so_2 = so_2c + w_2;
-  const double w_0a_abs = fabs(w_0a), w_0b_abs = fabs(w_0b), w_0c_size = w_0a_abs + w_0b_abs,
-      w_0d_abs = fabs(w_0d), w_0_size = w_0c_size + w_0d_abs;
-  const double w_1a_abs = fabs(w_1a), w_1b_abs = fabs(w_1b), w_1c_size = w_1a_abs + w_1b_abs,
-      w_1d_abs = fabs(w_1d), w_1_size = w_1c_size + w_1d_abs;
-  const double w_2a_abs = fabs(w_2a), w_2b_abs = fabs(w_2b), w_2c_size = w_2a_abs + w_2b_abs,
-      w_2d_abs = fabs(w_2d), w_2_size = w_2c_size + w_2d_abs;
-  const double w_3a_abs = fabs(w_3a), w_3b_abs = fabs(w_3b), w_3c_size = w_3a_abs + w_3b_abs,
-      w_3d_abs = fabs(w_3d), w_3_size = w_3c_size + w_3d_abs;
-  const double w_4a_abs = fabs(w_4a), w_4b_abs = fabs(w_4b), w_4c_size = w_4a_abs + w_4b_abs,
-      w_4d_abs = fabs(w_4d), w_4_size = w_4c_size + w_4d_abs;
-  const double w_5a_abs = fabs(w_5a), w_5b_abs = fabs(w_5b), w_5c_size = w_5a_abs + w_5b_abs,
-      w_5d_abs = fabs(w_5d), w_5_size = w_5c_size + w_5d_abs;
+  const double w_0a = KSL_MUL(D->m00, si->m0), w_0b = KSL_MUL(D->m01, si->m1),
+      w_0d = KSL_MUL(D->m02, si->m2), w_0 = w_0a + w_0b + w_0d;
+  const double w_1a = KSL_MUL(D->m10, si->m0), w_1b = KSL_MUL(D->m11, si->m1),
+      w_1d = KSL_MUL(D->m12, si->m2), w_1 = w_1a + w_1b + w_1d;
+  const double w_2a = KSL_MUL(D->m20, si->m0), w_2b = KSL_MUL(D->m21, si->m1),
+      w_2d = KSL_MUL(D->m22, si->m2), w_2 = w_2a + w_2b + w_2d;
+  const double w_3a = KSL_MUL(D->m00, si->m3), w_3b = KSL_MUL(D->m01, si->m4),
+      w_3d = KSL_MUL(D->m02, si->m5), w_3 = w_3a + w_3b + w_3d;
+  const double w_4a = KSL_MUL(D->m10, si->m3), w_4b = KSL_MUL(D->m11, si->m4),
+      w_4d = KSL_MUL(D->m12, si->m5), w_4 = w_4a + w_4b + w_4d;
+  const double w_5a = KSL_MUL(D->m20, si->m3), w_5b = KSL_MUL(D->m21, si->m4),
+      w_5d = KSL_MUL(D->m22, si->m5), w_5 = w_5a + w_5b + w_5d;
+  const double so_0 = KSL_MUL(D->m13, w_5) - KSL_MUL(D->m23, w_4) + w_0;
+  const double so_1 = KSL_MUL(D->m23, w_3) - KSL_MUL(D->m03, w_5) + w_1;
+  const double so_2 = KSL_MUL(D->m03, w_4) - KSL_MUL(D->m13, w_3) + w_2;
+  const double w_0_size = fabs(w_0a) + fabs(w_0b) + fabs(w_0d),
+      w_1_size = fabs(w_1a) + fabs(w_1b) + fabs(w_1d),
+      w_2_size = fabs(w_2a) + fabs(w_2b) + fabs(w_2d),
+      w_3_size = fabs(w_3a) + fabs(w_3b) + fabs(w_3d),
+      w_4_size = fabs(w_4a) + fabs(w_4b) + fabs(w_4d),
+      w_5_size = fabs(w_5a) + fabs(w_5b) + fabs(w_5d);
   const double w_5_padded = w_5_size + 2.004168360008973e-292;
-  const double D_13_abs = fabs(D->m13), so_0a_size = KSL_MUL(D_13_abs, w_5_padded);
+  const double D_13_abs = fabs(D->m13);
   const double w_4_padded = w_4_size + 2.004168360008973e-292;
-  const double D_23_abs = fabs(D->m23), so_0b_size = KSL_MUL(D_23_abs, w_4_padded),
-      so_0c_size = so_0a_size + so_0b_size, so_0_size = so_0c_size + w_0_size;
+  const double D_23_abs = fabs(D->m23),
+      so_0_size = KSL_MUL(D_13_abs, w_5_padded) + KSL_MUL(D_23_abs, w_4_padded) + w_0_size;
   const double w_3_padded = w_3_size + 2.004168360008973e-292;
-  const double so_1a_size = KSL_MUL(D_23_abs, w_3_padded), D_03_abs = fabs(D->m03),
-      so_1b_size = KSL_MUL(D_03_abs, w_5_padded), so_1c_size = so_1a_size + so_1b_size,
-      so_1_size = so_1c_size + w_1_size;
-  const double so_2a_size = KSL_MUL(D_03_abs, w_4_padded),
-      so_2b_size = KSL_MUL(D_13_abs, w_3_padded), so_2c_size = so_2a_size + so_2b_size,
-      so_2_size = so_2c_size + w_2_size;
-  const double so_0_padded = so_0_size + 2.004168360008973e-292,
-      so_0_error_bound = KSL_MUL(6.661338147750942e-16, so_0_padded);
-  const double so_1_padded = so_1_size + 2.004168360008973e-292,
-      so_1_error_bound = KSL_MUL(6.661338147750942e-16, so_1_padded);
-  const double so_2_padded = so_2_size + 2.004168360008973e-292,
-      so_2_error_bound = KSL_MUL(6.661338147750942e-16, so_2_padded);
-  const double w_3_error_bound = KSL_MUL(3.3306690738754706e-16, w_3_padded);
-  const double w_4_error_bound = KSL_MUL(3.3306690738754706e-16, w_4_padded);
-  const double w_5_error_bound = KSL_MUL(3.3306690738754706e-16, w_5_padded);
+  const double D_03_abs = fabs(D->m03),
+      so_1_size = KSL_MUL(D_23_abs, w_3_padded) + KSL_MUL(D_03_abs, w_5_padded) + w_1_size;
+  const double so_2_size = KSL_MUL(D_03_abs, w_4_padded) + KSL_MUL(D_13_abs, w_3_padded) + w_2_size;
+  const double so_0_bound = KSL_MUL(6.661338147750942e-16, so_0_size + 2.004168360008973e-292),
+      so_1_bound = KSL_MUL(6.661338147750942e-16, so_1_size + 2.004168360008973e-292),
+      so_2_bound = KSL_MUL(6.661338147750942e-16, so_2_size + 2.004168360008973e-292);
+  const double w_3_bound = KSL_MUL(3.3306690738754706e-16, w_3_padded),
+      w_4_bound = KSL_MUL(3.3306690738754706e-16, w_4_padded),
+      w_5_bound = KSL_MUL(3.3306690738754706e-16, w_5_padded);
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
   so->m3 = w_3;
   so->m4 = w_4;
   so->m5 = w_5;
-  so_bound->m0 = so_0_error_bound;
-  so_bound->m1 = so_1_error_bound;
-  so_bound->m2 = so_2_error_bound;
-  so_bound->m3 = w_3_error_bound;
-  so_bound->m4 = w_4_error_bound;
-  so_bound->m5 = w_5_error_bound;
+  so_bound->m0 = so_0_bound;
+  so_bound->m1 = so_1_bound;
+  so_bound->m2 = so_2_bound;
+  so_bound->m3 = w_3_bound;
+  so_bound->m4 = w_4_bound;
+  so_bound->m5 = w_5_bound;
 }
 
 /* so = [Ad](D)^-1 si = [Ad](R^T) [Ad](-t) si; |error of so| <= so_bound unless inf or NaN.
@@ -661,76 +523,53 @@ static inline void ksl_product_Ads_certified(const ksl_SE3_t *D, const ksl_screw
    39 mul, 45 add, 27 abs. */
 static inline void ksl_product_Adinvs_certified(const ksl_SE3_t *D, const ksl_screw_t *si,
     ksl_screw_t *so, ksl_screw_t *so_bound) {
-  const double w_0a = KSL_MUL(D->m23, si->m4), w_0b = KSL_MUL(D->m13, si->m5), w_0c = w_0a - w_0b,
-      w_0 = w_0c + si->m0;
-  const double w_1a = KSL_MUL(D->m03, si->m5), w_1b = KSL_MUL(D->m23, si->m3), w_1c = w_1a - w_1b,
-      w_1 = w_1c + si->m1;
-  const double w_2a = KSL_MUL(D->m13, si->m3), w_2b = KSL_MUL(D->m03, si->m4), w_2c = w_2a - w_2b,
-      w_2 = w_2c + si->m2;
-  const double so_0a = KSL_MUL(D->m00, w_0), so_0b = KSL_MUL(D->m10, w_1), so_0c = so_0a + so_0b,
-      so_0d = KSL_MUL(D->m20, w_2), so_0 = so_0c + so_0d;
-  const double so_1a = KSL_MUL(D->m01, w_0), so_1b = KSL_MUL(D->m11, w_1), so_1c = so_1a + so_1b,
-      so_1d = KSL_MUL(D->m21, w_2), so_1 = so_1c + so_1d;
-  const double so_2a = KSL_MUL(D->m02, w_0), so_2b = KSL_MUL(D->m12, w_1), so_2c = so_2a + so_2b,
-      so_2d = KSL_MUL(D->m22, w_2), so_2 = so_2c + so_2d;
+  const double w_0a = KSL_MUL(D->m23, si->m4), w_0b = KSL_MUL(D->m13, si->m5),
+      w_0 = w_0a - w_0b + si->m0;
+  const double w_1a = KSL_MUL(D->m03, si->m5), w_1b = KSL_MUL(D->m23, si->m3),
+      w_1 = w_1a - w_1b + si->m1;
+  const double w_2a = KSL_MUL(D->m13, si->m3), w_2b = KSL_MUL(D->m03, si->m4),
+      w_2 = w_2a - w_2b + si->m2;
+  const double so_0 = KSL_MUL(D->m00, w_0) + KSL_MUL(D->m10, w_1) + KSL_MUL(D->m20, w_2);
+  const double so_1 = KSL_MUL(D->m01, w_0) + KSL_MUL(D->m11, w_1) + KSL_MUL(D->m21, w_2),
+      so_2 = KSL_MUL(D->m02, w_0) + KSL_MUL(D->m12, w_1) + KSL_MUL(D->m22, w_2);
   const double so_3a = KSL_MUL(D->m00, si->m3), so_3b = KSL_MUL(D->m10, si->m4),
-      so_3c = so_3a + so_3b, so_3d = KSL_MUL(D->m20, si->m5), so_3 = so_3c + so_3d;
+      so_3d = KSL_MUL(D->m20, si->m5), so_3 = so_3a + so_3b + so_3d;
   const double so_4a = KSL_MUL(D->m01, si->m3), so_4b = KSL_MUL(D->m11, si->m4),
-      so_4c = so_4a + so_4b, so_4d = KSL_MUL(D->m21, si->m5), so_4 = so_4c + so_4d;
+      so_4d = KSL_MUL(D->m21, si->m5), so_4 = so_4a + so_4b + so_4d;
   const double so_5a = KSL_MUL(D->m02, si->m3), so_5b = KSL_MUL(D->m12, si->m4),
-      so_5c = so_5a + so_5b, so_5d = KSL_MUL(D->m22, si->m5), so_5 = so_5c + so_5d;
-  const double w_0a_abs = fabs(w_0a), w_0b_abs = fabs(w_0b), w_0c_size = w_0a_abs + w_0b_abs,
-      si_0_abs = fabs(si->m0), w_0_size = w_0c_size + si_0_abs;
-  const double w_1a_abs = fabs(w_1a), w_1b_abs = fabs(w_1b), w_1c_size = w_1a_abs + w_1b_abs,
-      si_1_abs = fabs(si->m1), w_1_size = w_1c_size + si_1_abs;
-  const double w_2a_abs = fabs(w_2a), w_2b_abs = fabs(w_2b), w_2c_size = w_2a_abs + w_2b_abs,
-      si_2_abs = fabs(si->m2), w_2_size = w_2c_size + si_2_abs;
-  const double w_0_padded = w_0_size + 2.004168360008973e-292;
-  const double D_00_abs = fabs(D->m00), so_0a_size = KSL_MUL(D_00_abs, w_0_padded);
-  const double w_1_padded = w_1_size + 2.004168360008973e-292;
-  const double D_10_abs = fabs(D->m10), so_0b_size = KSL_MUL(D_10_abs, w_1_padded),
-      so_0c_size = so_0a_size + so_0b_size;
-  const double w_2_padded = w_2_size + 2.004168360008973e-292;
-  const double D_20_abs = fabs(D->m20), so_0d_size = KSL_MUL(D_20_abs, w_2_padded),
-      so_0_size = so_0c_size + so_0d_size;
-  const double D_01_abs = fabs(D->m01), so_1a_size = KSL_MUL(D_01_abs, w_0_padded),
-      D_11_abs = fabs(D->m11), so_1b_size = KSL_MUL(D_11_abs, w_1_padded),
-      so_1c_size = so_1a_size + so_1b_size, D_21_abs = fabs(D->m21),
-      so_1d_size = KSL_MUL(D_21_abs, w_2_padded), so_1_size = so_1c_size + so_1d_size;
-  const double D_02_abs = fabs(D->m02), so_2a_size = KSL_MUL(D_02_abs, w_0_padded),
-      D_12_abs = fabs(D->m12), so_2b_size = KSL_MUL(D_12_abs, w_1_padded),
-      so_2c_size = so_2a_size + so_2b_size, D_22_abs = fabs(D->m22),
-      so_2d_size = KSL_MUL(D_22_abs, w_2_padded), so_2_size = so_2c_size + so_2d_size;
-  const double so_3a_abs = fabs(so_3a), so_3b_abs = fabs(so_3b), so_3c_size = so_3a_abs + so_3b_abs,
-      so_3d_abs = fabs(so_3d), so_3_size = so_3c_size + so_3d_abs;
-  const double so_4a_abs = fabs(so_4a), so_4b_abs = fabs(so_4b), so_4c_size = so_4a_abs + so_4b_abs,
-      so_4d_abs = fabs(so_4d), so_4_size = so_4c_size + so_4d_abs;
-  const double so_5a_abs = fabs(so_5a), so_5b_abs = fabs(so_5b), so_5c_size = so_5a_abs + so_5b_abs,
-      so_5d_abs = fabs(so_5d), so_5_size = so_5c_size + so_5d_abs;
-  const double so_0_padded = so_0_size + 2.004168360008973e-292,
-      so_0_error_bound = KSL_MUL(6.661338147750942e-16, so_0_padded);
-  const double so_1_padded = so_1_size + 2.004168360008973e-292,
-      so_1_error_bound = KSL_MUL(6.661338147750942e-16, so_1_padded);
-  const double so_2_padded = so_2_size + 2.004168360008973e-292,
-      so_2_error_bound = KSL_MUL(6.661338147750942e-16, so_2_padded);
-  const double so_3_padded = so_3_size + 2.004168360008973e-292,
-      so_3_error_bound = KSL_MUL(3.3306690738754706e-16, so_3_padded);
-  const double so_4_padded = so_4_size + 2.004168360008973e-292,
-      so_4_error_bound = KSL_MUL(3.3306690738754706e-16, so_4_padded);
-  const double so_5_padded = so_5_size + 2.004168360008973e-292,
-      so_5_error_bound = KSL_MUL(3.3306690738754706e-16, so_5_padded);
+      so_5d = KSL_MUL(D->m22, si->m5), so_5 = so_5a + so_5b + so_5d;
+  const double w_0_size = fabs(w_0a) + fabs(w_0b) + fabs(si->m0),
+      w_1_size = fabs(w_1a) + fabs(w_1b) + fabs(si->m1),
+      w_2_size = fabs(w_2a) + fabs(w_2b) + fabs(si->m2);
+  const double w_0_padded = w_0_size + 2.004168360008973e-292,
+      w_1_padded = w_1_size + 2.004168360008973e-292,
+      w_2_padded = w_2_size + 2.004168360008973e-292;
+  const double so_0_size = KSL_MUL(fabs(D->m00), w_0_padded) + KSL_MUL(fabs(D->m10), w_1_padded)
+          + KSL_MUL(fabs(D->m20), w_2_padded),
+      so_1_size = KSL_MUL(fabs(D->m01), w_0_padded) + KSL_MUL(fabs(D->m11), w_1_padded)
+          + KSL_MUL(fabs(D->m21), w_2_padded),
+      so_2_size = KSL_MUL(fabs(D->m02), w_0_padded) + KSL_MUL(fabs(D->m12), w_1_padded)
+          + KSL_MUL(fabs(D->m22), w_2_padded), so_3_size = fabs(so_3a) + fabs(so_3b) + fabs(so_3d),
+      so_4_size = fabs(so_4a) + fabs(so_4b) + fabs(so_4d),
+      so_5_size = fabs(so_5a) + fabs(so_5b) + fabs(so_5d);
+  const double so_0_bound = KSL_MUL(6.661338147750942e-16, so_0_size + 2.004168360008973e-292),
+      so_1_bound = KSL_MUL(6.661338147750942e-16, so_1_size + 2.004168360008973e-292),
+      so_2_bound = KSL_MUL(6.661338147750942e-16, so_2_size + 2.004168360008973e-292),
+      so_3_bound = KSL_MUL(3.3306690738754706e-16, so_3_size + 2.004168360008973e-292),
+      so_4_bound = KSL_MUL(3.3306690738754706e-16, so_4_size + 2.004168360008973e-292),
+      so_5_bound = KSL_MUL(3.3306690738754706e-16, so_5_size + 2.004168360008973e-292);
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
   so->m3 = so_3;
   so->m4 = so_4;
   so->m5 = so_5;
-  so_bound->m0 = so_0_error_bound;
-  so_bound->m1 = so_1_error_bound;
-  so_bound->m2 = so_2_error_bound;
-  so_bound->m3 = so_3_error_bound;
-  so_bound->m4 = so_4_error_bound;
-  so_bound->m5 = so_5_error_bound;
+  so_bound->m0 = so_0_bound;
+  so_bound->m1 = so_1_bound;
+  so_bound->m2 = so_2_bound;
+  so_bound->m3 = so_3_bound;
+  so_bound->m4 = so_4_bound;
+  so_bound->m5 = so_5_bound;
 }
 
 /* so = [Ad](D) (-si); |error of so| <= so_bound unless inf or NaN.
@@ -738,69 +577,51 @@ static inline void ksl_product_Adinvs_certified(const ksl_SE3_t *D, const ksl_sc
    36 mul, 42 add, 6 neg, 21 abs. */
 static inline void ksl_product_Adsinv_certified(const ksl_SE3_t *D, const ksl_screw_t *si,
     ksl_screw_t *so, ksl_screw_t *so_bound) {
-  const double w_0a = KSL_MUL(D->m00, si->m0), w_0b = KSL_MUL(D->m01, si->m1), w_0c = w_0a + w_0b,
-      w_0d = KSL_MUL(D->m02, si->m2), w_0e = w_0c + w_0d, w_0 = -w_0e;
-  const double w_1a = KSL_MUL(D->m10, si->m0), w_1b = KSL_MUL(D->m11, si->m1), w_1c = w_1a + w_1b,
-      w_1d = KSL_MUL(D->m12, si->m2), w_1e = w_1c + w_1d, w_1 = -w_1e;
-  const double w_2a = KSL_MUL(D->m20, si->m0), w_2b = KSL_MUL(D->m21, si->m1), w_2c = w_2a + w_2b,
-      w_2d = KSL_MUL(D->m22, si->m2), w_2e = w_2c + w_2d, w_2 = -w_2e;
-  const double w_3a = KSL_MUL(D->m00, si->m3), w_3b = KSL_MUL(D->m01, si->m4), w_3c = w_3a + w_3b,
-      w_3d = KSL_MUL(D->m02, si->m5), w_3e = w_3c + w_3d, w_3 = -w_3e;
-  const double w_4a = KSL_MUL(D->m10, si->m3), w_4b = KSL_MUL(D->m11, si->m4), w_4c = w_4a + w_4b,
-      w_4d = KSL_MUL(D->m12, si->m5), w_4e = w_4c + w_4d, w_4 = -w_4e;
-  const double w_5a = KSL_MUL(D->m20, si->m3), w_5b = KSL_MUL(D->m21, si->m4), w_5c = w_5a + w_5b,
-      w_5d = KSL_MUL(D->m22, si->m5), w_5e = w_5c + w_5d, w_5 = -w_5e;
-  const double so_0a = KSL_MUL(D->m13, w_5), so_0b = KSL_MUL(D->m23, w_4), so_0c = so_0a - so_0b,
-      so_0 = so_0c + w_0;
-  const double so_1a = KSL_MUL(D->m23, w_3), so_1b = KSL_MUL(D->m03, w_5), so_1c = so_1a - so_1b,
-      so_1 = so_1c + w_1;
-  const double so_2a = KSL_MUL(D->m03, w_4), so_2b = KSL_MUL(D->m13, w_3), so_2c = so_2a - so_2b,
-      so_2 = so_2c + w_2;
-  const double w_0a_abs = fabs(w_0a), w_0b_abs = fabs(w_0b), w_0c_size = w_0a_abs + w_0b_abs,
-      w_0d_abs = fabs(w_0d), w_0e_size = w_0c_size + w_0d_abs;
-  const double w_1a_abs = fabs(w_1a), w_1b_abs = fabs(w_1b), w_1c_size = w_1a_abs + w_1b_abs,
-      w_1d_abs = fabs(w_1d), w_1e_size = w_1c_size + w_1d_abs;
-  const double w_2a_abs = fabs(w_2a), w_2b_abs = fabs(w_2b), w_2c_size = w_2a_abs + w_2b_abs,
-      w_2d_abs = fabs(w_2d), w_2e_size = w_2c_size + w_2d_abs;
-  const double w_3a_abs = fabs(w_3a), w_3b_abs = fabs(w_3b), w_3c_size = w_3a_abs + w_3b_abs,
-      w_3d_abs = fabs(w_3d), w_3e_size = w_3c_size + w_3d_abs;
-  const double w_4a_abs = fabs(w_4a), w_4b_abs = fabs(w_4b), w_4c_size = w_4a_abs + w_4b_abs,
-      w_4d_abs = fabs(w_4d), w_4e_size = w_4c_size + w_4d_abs;
-  const double w_5a_abs = fabs(w_5a), w_5b_abs = fabs(w_5b), w_5c_size = w_5a_abs + w_5b_abs,
-      w_5d_abs = fabs(w_5d), w_5e_size = w_5c_size + w_5d_abs;
-  const double w_5e_padded = w_5e_size + 2.004168360008973e-292;
-  const double D_13_abs = fabs(D->m13), so_0a_size = KSL_MUL(D_13_abs, w_5e_padded);
-  const double w_4e_padded = w_4e_size + 2.004168360008973e-292;
-  const double D_23_abs = fabs(D->m23), so_0b_size = KSL_MUL(D_23_abs, w_4e_padded),
-      so_0c_size = so_0a_size + so_0b_size, so_0_size = so_0c_size + w_0e_size;
-  const double w_3e_padded = w_3e_size + 2.004168360008973e-292;
-  const double so_1a_size = KSL_MUL(D_23_abs, w_3e_padded), D_03_abs = fabs(D->m03),
-      so_1b_size = KSL_MUL(D_03_abs, w_5e_padded), so_1c_size = so_1a_size + so_1b_size,
-      so_1_size = so_1c_size + w_1e_size;
-  const double so_2a_size = KSL_MUL(D_03_abs, w_4e_padded),
-      so_2b_size = KSL_MUL(D_13_abs, w_3e_padded), so_2c_size = so_2a_size + so_2b_size,
-      so_2_size = so_2c_size + w_2e_size;
-  const double so_0_padded = so_0_size + 2.004168360008973e-292,
-      so_0_error_bound = KSL_MUL(6.661338147750942e-16, so_0_padded);
-  const double so_1_padded = so_1_size + 2.004168360008973e-292,
-      so_1_error_bound = KSL_MUL(6.661338147750942e-16, so_1_padded);
-  const double so_2_padded = so_2_size + 2.004168360008973e-292,
-      so_2_error_bound = KSL_MUL(6.661338147750942e-16, so_2_padded);
-  const double w_3e_error_bound = KSL_MUL(3.3306690738754706e-16, w_3e_padded);
-  const double w_4e_error_bound = KSL_MUL(3.3306690738754706e-16, w_4e_padded);
-  const double w_5e_error_bound = KSL_MUL(3.3306690738754706e-16, w_5e_padded);
+  const double w_0a = KSL_MUL(D->m00, si->m0), w_0b = KSL_MUL(D->m01, si->m1),
+      w_0d = KSL_MUL(D->m02, si->m2), w_0 = -(w_0a + w_0b + w_0d);
+  const double w_1a = KSL_MUL(D->m10, si->m0), w_1b = KSL_MUL(D->m11, si->m1),
+      w_1d = KSL_MUL(D->m12, si->m2), w_1 = -(w_1a + w_1b + w_1d);
+  const double w_2a = KSL_MUL(D->m20, si->m0), w_2b = KSL_MUL(D->m21, si->m1),
+      w_2d = KSL_MUL(D->m22, si->m2), w_2 = -(w_2a + w_2b + w_2d);
+  const double w_3a = KSL_MUL(D->m00, si->m3), w_3b = KSL_MUL(D->m01, si->m4),
+      w_3d = KSL_MUL(D->m02, si->m5), w_3 = -(w_3a + w_3b + w_3d);
+  const double w_4a = KSL_MUL(D->m10, si->m3), w_4b = KSL_MUL(D->m11, si->m4),
+      w_4d = KSL_MUL(D->m12, si->m5), w_4 = -(w_4a + w_4b + w_4d);
+  const double w_5a = KSL_MUL(D->m20, si->m3), w_5b = KSL_MUL(D->m21, si->m4),
+      w_5d = KSL_MUL(D->m22, si->m5), w_5 = -(w_5a + w_5b + w_5d);
+  const double so_0 = KSL_MUL(D->m13, w_5) - KSL_MUL(D->m23, w_4) + w_0;
+  const double so_1 = KSL_MUL(D->m23, w_3) - KSL_MUL(D->m03, w_5) + w_1;
+  const double so_2 = KSL_MUL(D->m03, w_4) - KSL_MUL(D->m13, w_3) + w_2;
+  const double w_5e_padded = fabs(w_5a) + fabs(w_5b) + fabs(w_5d) + 2.004168360008973e-292;
+  const double D_13_abs = fabs(D->m13);
+  const double w_4e_padded = fabs(w_4a) + fabs(w_4b) + fabs(w_4d) + 2.004168360008973e-292;
+  const double D_23_abs = fabs(D->m23),
+      so_0_size = KSL_MUL(D_13_abs, w_5e_padded) + KSL_MUL(D_23_abs, w_4e_padded)
+          + (fabs(w_0a) + fabs(w_0b) + fabs(w_0d));
+  const double w_3e_padded = fabs(w_3a) + fabs(w_3b) + fabs(w_3d) + 2.004168360008973e-292;
+  const double D_03_abs = fabs(D->m03),
+      so_1_size = KSL_MUL(D_23_abs, w_3e_padded) + KSL_MUL(D_03_abs, w_5e_padded)
+          + (fabs(w_1a) + fabs(w_1b) + fabs(w_1d));
+  const double so_2_size = KSL_MUL(D_03_abs, w_4e_padded) + KSL_MUL(D_13_abs, w_3e_padded)
+          + (fabs(w_2a) + fabs(w_2b) + fabs(w_2d));
+  const double so_0_bound = KSL_MUL(6.661338147750942e-16, so_0_size + 2.004168360008973e-292),
+      so_1_bound = KSL_MUL(6.661338147750942e-16, so_1_size + 2.004168360008973e-292),
+      so_2_bound = KSL_MUL(6.661338147750942e-16, so_2_size + 2.004168360008973e-292);
+  const double w_3e_bound = KSL_MUL(3.3306690738754706e-16, w_3e_padded);
+  const double w_4e_bound = KSL_MUL(3.3306690738754706e-16, w_4e_padded);
+  const double w_5e_bound = KSL_MUL(3.3306690738754706e-16, w_5e_padded);
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
   so->m3 = w_3;
   so->m4 = w_4;
   so->m5 = w_5;
-  so_bound->m0 = so_0_error_bound;
-  so_bound->m1 = so_1_error_bound;
-  so_bound->m2 = so_2_error_bound;
-  so_bound->m3 = w_3e_error_bound;
-  so_bound->m4 = w_4e_error_bound;
-  so_bound->m5 = w_5e_error_bound;
+  so_bound->m0 = so_0_bound;
+  so_bound->m1 = so_1_bound;
+  so_bound->m2 = so_2_bound;
+  so_bound->m3 = w_3e_bound;
+  so_bound->m4 = w_4e_bound;
+  so_bound->m5 = w_5e_bound;
 }
 
 /* so = h_rx: column 3 of [Ad](D); |error of so| <= so_bound unless inf or NaN.
@@ -813,15 +634,11 @@ static inline void ksl_hsrx_certified(const ksl_SE3_t *D, ksl_screw_t *so, ksl_s
       so_1 = so_1a - so_1b;
   const double so_2a = KSL_MUL(D->m10, D->m03), so_2b = KSL_MUL(D->m00, D->m13),
       so_2 = so_2a - so_2b;
-  const double so_0a_abs = fabs(so_0a), so_0b_abs = fabs(so_0b), so_0_size = so_0a_abs + so_0b_abs;
-  const double so_1a_abs = fabs(so_1a), so_1b_abs = fabs(so_1b), so_1_size = so_1a_abs + so_1b_abs;
-  const double so_2a_abs = fabs(so_2a), so_2b_abs = fabs(so_2b), so_2_size = so_2a_abs + so_2b_abs;
-  const double so_0_padded = so_0_size + 2.004168360008973e-292,
-      so_0_error_bound = KSL_MUL(2.2204460492503136e-16, so_0_padded);
-  const double so_1_padded = so_1_size + 2.004168360008973e-292,
-      so_1_error_bound = KSL_MUL(2.2204460492503136e-16, so_1_padded);
-  const double so_2_padded = so_2_size + 2.004168360008973e-292,
-      so_2_error_bound = KSL_MUL(2.2204460492503136e-16, so_2_padded);
+  const double so_0_size = fabs(so_0a) + fabs(so_0b), so_1_size = fabs(so_1a) + fabs(so_1b),
+      so_2_size = fabs(so_2a) + fabs(so_2b);
+  const double so_0_bound = KSL_MUL(2.2204460492503136e-16, so_0_size + 2.004168360008973e-292),
+      so_1_bound = KSL_MUL(2.2204460492503136e-16, so_1_size + 2.004168360008973e-292),
+      so_2_bound = KSL_MUL(2.2204460492503136e-16, so_2_size + 2.004168360008973e-292);
   const double D_m00 = D->m00;
   const double D_m10 = D->m10;
   const double D_m20 = D->m20;
@@ -831,9 +648,9 @@ static inline void ksl_hsrx_certified(const ksl_SE3_t *D, ksl_screw_t *so, ksl_s
   so->m3 = D_m00;
   so->m4 = D_m10;
   so->m5 = D_m20;
-  so_bound->m0 = so_0_error_bound;
-  so_bound->m1 = so_1_error_bound;
-  so_bound->m2 = so_2_error_bound;
+  so_bound->m0 = so_0_bound;
+  so_bound->m1 = so_1_bound;
+  so_bound->m2 = so_2_bound;
   so_bound->m3 = 0.0;
   so_bound->m4 = 0.0;
   so_bound->m5 = 0.0;
@@ -849,15 +666,11 @@ static inline void ksl_hsry_certified(const ksl_SE3_t *D, ksl_screw_t *so, ksl_s
       so_1 = so_1a - so_1b;
   const double so_2a = KSL_MUL(D->m11, D->m03), so_2b = KSL_MUL(D->m01, D->m13),
       so_2 = so_2a - so_2b;
-  const double so_0a_abs = fabs(so_0a), so_0b_abs = fabs(so_0b), so_0_size = so_0a_abs + so_0b_abs;
-  const double so_1a_abs = fabs(so_1a), so_1b_abs = fabs(so_1b), so_1_size = so_1a_abs + so_1b_abs;
-  const double so_2a_abs = fabs(so_2a), so_2b_abs = fabs(so_2b), so_2_size = so_2a_abs + so_2b_abs;
-  const double so_0_padded = so_0_size + 2.004168360008973e-292,
-      so_0_error_bound = KSL_MUL(2.2204460492503136e-16, so_0_padded);
-  const double so_1_padded = so_1_size + 2.004168360008973e-292,
-      so_1_error_bound = KSL_MUL(2.2204460492503136e-16, so_1_padded);
-  const double so_2_padded = so_2_size + 2.004168360008973e-292,
-      so_2_error_bound = KSL_MUL(2.2204460492503136e-16, so_2_padded);
+  const double so_0_size = fabs(so_0a) + fabs(so_0b), so_1_size = fabs(so_1a) + fabs(so_1b),
+      so_2_size = fabs(so_2a) + fabs(so_2b);
+  const double so_0_bound = KSL_MUL(2.2204460492503136e-16, so_0_size + 2.004168360008973e-292),
+      so_1_bound = KSL_MUL(2.2204460492503136e-16, so_1_size + 2.004168360008973e-292),
+      so_2_bound = KSL_MUL(2.2204460492503136e-16, so_2_size + 2.004168360008973e-292);
   const double D_m01 = D->m01;
   const double D_m11 = D->m11;
   const double D_m21 = D->m21;
@@ -867,9 +680,9 @@ static inline void ksl_hsry_certified(const ksl_SE3_t *D, ksl_screw_t *so, ksl_s
   so->m3 = D_m01;
   so->m4 = D_m11;
   so->m5 = D_m21;
-  so_bound->m0 = so_0_error_bound;
-  so_bound->m1 = so_1_error_bound;
-  so_bound->m2 = so_2_error_bound;
+  so_bound->m0 = so_0_bound;
+  so_bound->m1 = so_1_bound;
+  so_bound->m2 = so_2_bound;
   so_bound->m3 = 0.0;
   so_bound->m4 = 0.0;
   so_bound->m5 = 0.0;
@@ -885,15 +698,11 @@ static inline void ksl_hsrz_certified(const ksl_SE3_t *D, ksl_screw_t *so, ksl_s
       so_1 = so_1a - so_1b;
   const double so_2a = KSL_MUL(D->m12, D->m03), so_2b = KSL_MUL(D->m02, D->m13),
       so_2 = so_2a - so_2b;
-  const double so_0a_abs = fabs(so_0a), so_0b_abs = fabs(so_0b), so_0_size = so_0a_abs + so_0b_abs;
-  const double so_1a_abs = fabs(so_1a), so_1b_abs = fabs(so_1b), so_1_size = so_1a_abs + so_1b_abs;
-  const double so_2a_abs = fabs(so_2a), so_2b_abs = fabs(so_2b), so_2_size = so_2a_abs + so_2b_abs;
-  const double so_0_padded = so_0_size + 2.004168360008973e-292,
-      so_0_error_bound = KSL_MUL(2.2204460492503136e-16, so_0_padded);
-  const double so_1_padded = so_1_size + 2.004168360008973e-292,
-      so_1_error_bound = KSL_MUL(2.2204460492503136e-16, so_1_padded);
-  const double so_2_padded = so_2_size + 2.004168360008973e-292,
-      so_2_error_bound = KSL_MUL(2.2204460492503136e-16, so_2_padded);
+  const double so_0_size = fabs(so_0a) + fabs(so_0b), so_1_size = fabs(so_1a) + fabs(so_1b),
+      so_2_size = fabs(so_2a) + fabs(so_2b);
+  const double so_0_bound = KSL_MUL(2.2204460492503136e-16, so_0_size + 2.004168360008973e-292),
+      so_1_bound = KSL_MUL(2.2204460492503136e-16, so_1_size + 2.004168360008973e-292),
+      so_2_bound = KSL_MUL(2.2204460492503136e-16, so_2_size + 2.004168360008973e-292);
   const double D_m02 = D->m02;
   const double D_m12 = D->m12;
   const double D_m22 = D->m22;
@@ -903,9 +712,9 @@ static inline void ksl_hsrz_certified(const ksl_SE3_t *D, ksl_screw_t *so, ksl_s
   so->m3 = D_m02;
   so->m4 = D_m12;
   so->m5 = D_m22;
-  so_bound->m0 = so_0_error_bound;
-  so_bound->m1 = so_1_error_bound;
-  so_bound->m2 = so_2_error_bound;
+  so_bound->m0 = so_0_bound;
+  so_bound->m1 = so_1_bound;
+  so_bound->m2 = so_2_bound;
   so_bound->m3 = 0.0;
   so_bound->m4 = 0.0;
   so_bound->m5 = 0.0;
@@ -922,27 +731,21 @@ static inline void ksl_hsrxinv_certified(const ksl_SE3_t *D, ksl_screw_t *so,
       so_1 = so_1a - so_1b;
   const double so_2a = KSL_MUL(D->m00, D->m13), so_2b = KSL_MUL(D->m10, D->m03),
       so_2 = so_2a - so_2b;
-  const double so_3 = -D->m00;
-  const double so_4 = -D->m10;
-  const double so_5 = -D->m20;
-  const double so_0a_abs = fabs(so_0a), so_0b_abs = fabs(so_0b), so_0_size = so_0a_abs + so_0b_abs;
-  const double so_1a_abs = fabs(so_1a), so_1b_abs = fabs(so_1b), so_1_size = so_1a_abs + so_1b_abs;
-  const double so_2a_abs = fabs(so_2a), so_2b_abs = fabs(so_2b), so_2_size = so_2a_abs + so_2b_abs;
-  const double so_0_padded = so_0_size + 2.004168360008973e-292,
-      so_0_error_bound = KSL_MUL(2.2204460492503136e-16, so_0_padded);
-  const double so_1_padded = so_1_size + 2.004168360008973e-292,
-      so_1_error_bound = KSL_MUL(2.2204460492503136e-16, so_1_padded);
-  const double so_2_padded = so_2_size + 2.004168360008973e-292,
-      so_2_error_bound = KSL_MUL(2.2204460492503136e-16, so_2_padded);
+  const double so_3 = -D->m00, so_4 = -D->m10, so_5 = -D->m20;
+  const double so_0_size = fabs(so_0a) + fabs(so_0b), so_1_size = fabs(so_1a) + fabs(so_1b),
+      so_2_size = fabs(so_2a) + fabs(so_2b);
+  const double so_0_bound = KSL_MUL(2.2204460492503136e-16, so_0_size + 2.004168360008973e-292),
+      so_1_bound = KSL_MUL(2.2204460492503136e-16, so_1_size + 2.004168360008973e-292),
+      so_2_bound = KSL_MUL(2.2204460492503136e-16, so_2_size + 2.004168360008973e-292);
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
   so->m3 = so_3;
   so->m4 = so_4;
   so->m5 = so_5;
-  so_bound->m0 = so_0_error_bound;
-  so_bound->m1 = so_1_error_bound;
-  so_bound->m2 = so_2_error_bound;
+  so_bound->m0 = so_0_bound;
+  so_bound->m1 = so_1_bound;
+  so_bound->m2 = so_2_bound;
   so_bound->m3 = 0.0;
   so_bound->m4 = 0.0;
   so_bound->m5 = 0.0;
@@ -959,27 +762,21 @@ static inline void ksl_hsryinv_certified(const ksl_SE3_t *D, ksl_screw_t *so,
       so_1 = so_1a - so_1b;
   const double so_2a = KSL_MUL(D->m01, D->m13), so_2b = KSL_MUL(D->m11, D->m03),
       so_2 = so_2a - so_2b;
-  const double so_3 = -D->m01;
-  const double so_4 = -D->m11;
-  const double so_5 = -D->m21;
-  const double so_0a_abs = fabs(so_0a), so_0b_abs = fabs(so_0b), so_0_size = so_0a_abs + so_0b_abs;
-  const double so_1a_abs = fabs(so_1a), so_1b_abs = fabs(so_1b), so_1_size = so_1a_abs + so_1b_abs;
-  const double so_2a_abs = fabs(so_2a), so_2b_abs = fabs(so_2b), so_2_size = so_2a_abs + so_2b_abs;
-  const double so_0_padded = so_0_size + 2.004168360008973e-292,
-      so_0_error_bound = KSL_MUL(2.2204460492503136e-16, so_0_padded);
-  const double so_1_padded = so_1_size + 2.004168360008973e-292,
-      so_1_error_bound = KSL_MUL(2.2204460492503136e-16, so_1_padded);
-  const double so_2_padded = so_2_size + 2.004168360008973e-292,
-      so_2_error_bound = KSL_MUL(2.2204460492503136e-16, so_2_padded);
+  const double so_3 = -D->m01, so_4 = -D->m11, so_5 = -D->m21;
+  const double so_0_size = fabs(so_0a) + fabs(so_0b), so_1_size = fabs(so_1a) + fabs(so_1b),
+      so_2_size = fabs(so_2a) + fabs(so_2b);
+  const double so_0_bound = KSL_MUL(2.2204460492503136e-16, so_0_size + 2.004168360008973e-292),
+      so_1_bound = KSL_MUL(2.2204460492503136e-16, so_1_size + 2.004168360008973e-292),
+      so_2_bound = KSL_MUL(2.2204460492503136e-16, so_2_size + 2.004168360008973e-292);
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
   so->m3 = so_3;
   so->m4 = so_4;
   so->m5 = so_5;
-  so_bound->m0 = so_0_error_bound;
-  so_bound->m1 = so_1_error_bound;
-  so_bound->m2 = so_2_error_bound;
+  so_bound->m0 = so_0_bound;
+  so_bound->m1 = so_1_bound;
+  so_bound->m2 = so_2_bound;
   so_bound->m3 = 0.0;
   so_bound->m4 = 0.0;
   so_bound->m5 = 0.0;
@@ -996,27 +793,21 @@ static inline void ksl_hsrzinv_certified(const ksl_SE3_t *D, ksl_screw_t *so,
       so_1 = so_1a - so_1b;
   const double so_2a = KSL_MUL(D->m02, D->m13), so_2b = KSL_MUL(D->m12, D->m03),
       so_2 = so_2a - so_2b;
-  const double so_3 = -D->m02;
-  const double so_4 = -D->m12;
-  const double so_5 = -D->m22;
-  const double so_0a_abs = fabs(so_0a), so_0b_abs = fabs(so_0b), so_0_size = so_0a_abs + so_0b_abs;
-  const double so_1a_abs = fabs(so_1a), so_1b_abs = fabs(so_1b), so_1_size = so_1a_abs + so_1b_abs;
-  const double so_2a_abs = fabs(so_2a), so_2b_abs = fabs(so_2b), so_2_size = so_2a_abs + so_2b_abs;
-  const double so_0_padded = so_0_size + 2.004168360008973e-292,
-      so_0_error_bound = KSL_MUL(2.2204460492503136e-16, so_0_padded);
-  const double so_1_padded = so_1_size + 2.004168360008973e-292,
-      so_1_error_bound = KSL_MUL(2.2204460492503136e-16, so_1_padded);
-  const double so_2_padded = so_2_size + 2.004168360008973e-292,
-      so_2_error_bound = KSL_MUL(2.2204460492503136e-16, so_2_padded);
+  const double so_3 = -D->m02, so_4 = -D->m12, so_5 = -D->m22;
+  const double so_0_size = fabs(so_0a) + fabs(so_0b), so_1_size = fabs(so_1a) + fabs(so_1b),
+      so_2_size = fabs(so_2a) + fabs(so_2b);
+  const double so_0_bound = KSL_MUL(2.2204460492503136e-16, so_0_size + 2.004168360008973e-292),
+      so_1_bound = KSL_MUL(2.2204460492503136e-16, so_1_size + 2.004168360008973e-292),
+      so_2_bound = KSL_MUL(2.2204460492503136e-16, so_2_size + 2.004168360008973e-292);
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
   so->m3 = so_3;
   so->m4 = so_4;
   so->m5 = so_5;
-  so_bound->m0 = so_0_error_bound;
-  so_bound->m1 = so_1_error_bound;
-  so_bound->m2 = so_2_error_bound;
+  so_bound->m0 = so_0_bound;
+  so_bound->m1 = so_1_bound;
+  so_bound->m2 = so_2_bound;
   so_bound->m3 = 0.0;
   so_bound->m4 = 0.0;
   so_bound->m5 = 0.0;
@@ -1044,33 +835,20 @@ static inline void ksl_Ad_certified(const ksl_SE3_t *D, ksl_mat6x6_t *M, ksl_mat
       M_24 = M_24a - M_24b;
   const double M_25a = KSL_MUL(D->m12, D->m03), M_25b = KSL_MUL(D->m02, D->m13),
       M_25 = M_25a - M_25b;
-  const double M_03a_abs = fabs(M_03a), M_03b_abs = fabs(M_03b), M_03_size = M_03a_abs + M_03b_abs;
-  const double M_04a_abs = fabs(M_04a), M_04b_abs = fabs(M_04b), M_04_size = M_04a_abs + M_04b_abs;
-  const double M_05a_abs = fabs(M_05a), M_05b_abs = fabs(M_05b), M_05_size = M_05a_abs + M_05b_abs;
-  const double M_13a_abs = fabs(M_13a), M_13b_abs = fabs(M_13b), M_13_size = M_13a_abs + M_13b_abs;
-  const double M_14a_abs = fabs(M_14a), M_14b_abs = fabs(M_14b), M_14_size = M_14a_abs + M_14b_abs;
-  const double M_15a_abs = fabs(M_15a), M_15b_abs = fabs(M_15b), M_15_size = M_15a_abs + M_15b_abs;
-  const double M_23a_abs = fabs(M_23a), M_23b_abs = fabs(M_23b), M_23_size = M_23a_abs + M_23b_abs;
-  const double M_24a_abs = fabs(M_24a), M_24b_abs = fabs(M_24b), M_24_size = M_24a_abs + M_24b_abs;
-  const double M_25a_abs = fabs(M_25a), M_25b_abs = fabs(M_25b), M_25_size = M_25a_abs + M_25b_abs;
-  const double M_03_padded = M_03_size + 2.004168360008973e-292,
-      M_03_error_bound = KSL_MUL(2.2204460492503136e-16, M_03_padded);
-  const double M_04_padded = M_04_size + 2.004168360008973e-292,
-      M_04_error_bound = KSL_MUL(2.2204460492503136e-16, M_04_padded);
-  const double M_05_padded = M_05_size + 2.004168360008973e-292,
-      M_05_error_bound = KSL_MUL(2.2204460492503136e-16, M_05_padded);
-  const double M_13_padded = M_13_size + 2.004168360008973e-292,
-      M_13_error_bound = KSL_MUL(2.2204460492503136e-16, M_13_padded);
-  const double M_14_padded = M_14_size + 2.004168360008973e-292,
-      M_14_error_bound = KSL_MUL(2.2204460492503136e-16, M_14_padded);
-  const double M_15_padded = M_15_size + 2.004168360008973e-292,
-      M_15_error_bound = KSL_MUL(2.2204460492503136e-16, M_15_padded);
-  const double M_23_padded = M_23_size + 2.004168360008973e-292,
-      M_23_error_bound = KSL_MUL(2.2204460492503136e-16, M_23_padded);
-  const double M_24_padded = M_24_size + 2.004168360008973e-292,
-      M_24_error_bound = KSL_MUL(2.2204460492503136e-16, M_24_padded);
-  const double M_25_padded = M_25_size + 2.004168360008973e-292,
-      M_25_error_bound = KSL_MUL(2.2204460492503136e-16, M_25_padded);
+  const double M_03_size = fabs(M_03a) + fabs(M_03b), M_04_size = fabs(M_04a) + fabs(M_04b),
+      M_05_size = fabs(M_05a) + fabs(M_05b), M_13_size = fabs(M_13a) + fabs(M_13b),
+      M_14_size = fabs(M_14a) + fabs(M_14b), M_15_size = fabs(M_15a) + fabs(M_15b),
+      M_23_size = fabs(M_23a) + fabs(M_23b), M_24_size = fabs(M_24a) + fabs(M_24b),
+      M_25_size = fabs(M_25a) + fabs(M_25b);
+  const double M_03_bound = KSL_MUL(2.2204460492503136e-16, M_03_size + 2.004168360008973e-292),
+      M_04_bound = KSL_MUL(2.2204460492503136e-16, M_04_size + 2.004168360008973e-292),
+      M_05_bound = KSL_MUL(2.2204460492503136e-16, M_05_size + 2.004168360008973e-292),
+      M_13_bound = KSL_MUL(2.2204460492503136e-16, M_13_size + 2.004168360008973e-292),
+      M_14_bound = KSL_MUL(2.2204460492503136e-16, M_14_size + 2.004168360008973e-292),
+      M_15_bound = KSL_MUL(2.2204460492503136e-16, M_15_size + 2.004168360008973e-292),
+      M_23_bound = KSL_MUL(2.2204460492503136e-16, M_23_size + 2.004168360008973e-292),
+      M_24_bound = KSL_MUL(2.2204460492503136e-16, M_24_size + 2.004168360008973e-292),
+      M_25_bound = KSL_MUL(2.2204460492503136e-16, M_25_size + 2.004168360008973e-292);
   const double D_m00 = D->m00;
   const double D_m01 = D->m01;
   const double D_m02 = D->m02;
@@ -1119,21 +897,21 @@ static inline void ksl_Ad_certified(const ksl_SE3_t *D, ksl_mat6x6_t *M, ksl_mat
   M_bound->at[0][0] = 0.0;
   M_bound->at[1][0] = 0.0;
   M_bound->at[2][0] = 0.0;
-  M_bound->at[3][0] = M_03_error_bound;
-  M_bound->at[4][0] = M_04_error_bound;
-  M_bound->at[5][0] = M_05_error_bound;
+  M_bound->at[3][0] = M_03_bound;
+  M_bound->at[4][0] = M_04_bound;
+  M_bound->at[5][0] = M_05_bound;
   M_bound->at[0][1] = 0.0;
   M_bound->at[1][1] = 0.0;
   M_bound->at[2][1] = 0.0;
-  M_bound->at[3][1] = M_13_error_bound;
-  M_bound->at[4][1] = M_14_error_bound;
-  M_bound->at[5][1] = M_15_error_bound;
+  M_bound->at[3][1] = M_13_bound;
+  M_bound->at[4][1] = M_14_bound;
+  M_bound->at[5][1] = M_15_bound;
   M_bound->at[0][2] = 0.0;
   M_bound->at[1][2] = 0.0;
   M_bound->at[2][2] = 0.0;
-  M_bound->at[3][2] = M_23_error_bound;
-  M_bound->at[4][2] = M_24_error_bound;
-  M_bound->at[5][2] = M_25_error_bound;
+  M_bound->at[3][2] = M_23_bound;
+  M_bound->at[4][2] = M_24_bound;
+  M_bound->at[5][2] = M_25_bound;
   M_bound->at[0][3] = 0.0;
   M_bound->at[1][3] = 0.0;
   M_bound->at[2][3] = 0.0;
@@ -1160,18 +938,13 @@ static inline void ksl_Ad_certified(const ksl_SE3_t *D, ksl_mat6x6_t *M, ksl_mat
 static inline double ksl_dot_cs_certified(const ksl_coscrew_t *c, const ksl_screw_t *s,
     double *power_bound) {
   const double power_a = KSL_MUL(c->m0, s->m0), power_b = KSL_MUL(c->m1, s->m1),
-      power_c = power_a + power_b, power_d = KSL_MUL(c->m2, s->m2), power_e = power_c + power_d,
-      power_f = KSL_MUL(c->m3, s->m3), power_g = KSL_MUL(c->m4, s->m4), power_h = power_f + power_g,
-      power_i = KSL_MUL(c->m5, s->m5), power_j = power_h + power_i, power = power_e + power_j;
-  const double power_a_abs = fabs(power_a), power_b_abs = fabs(power_b),
-      power_c_size = power_a_abs + power_b_abs, power_d_abs = fabs(power_d),
-      power_e_size = power_c_size + power_d_abs, power_f_abs = fabs(power_f),
-      power_g_abs = fabs(power_g), power_h_size = power_f_abs + power_g_abs,
-      power_i_abs = fabs(power_i), power_j_size = power_h_size + power_i_abs,
-      power_size = power_e_size + power_j_size;
-  const double power_padded = power_size + 2.004168360008973e-292,
-      power_error_bound = KSL_MUL(4.440892098500628e-16, power_padded);
-  *power_bound = power_error_bound;
+      power_d = KSL_MUL(c->m2, s->m2), power_f = KSL_MUL(c->m3, s->m3),
+      power_g = KSL_MUL(c->m4, s->m4), power_i = KSL_MUL(c->m5, s->m5),
+      power = power_a + power_b + power_d + (power_f + power_g + power_i);
+  const double power_size = fabs(power_a) + fabs(power_b) + fabs(power_d)
+          + (fabs(power_f) + fabs(power_g) + fabs(power_i));
+  const double power_bound_ = KSL_MUL(4.440892098500628e-16, power_size + 2.004168360008973e-292);
+  *power_bound = power_bound_;
   return power;
 }
 
@@ -1182,56 +955,43 @@ static inline double ksl_dot_cs_certified(const ksl_coscrew_t *c, const ksl_scre
 static inline void ksl_cross_ss_certified(const ksl_screw_t *s1, const ksl_screw_t *s2,
     ksl_screw_t *so, ksl_screw_t *so_bound) {
   const double so_0a = KSL_MUL(s1->m1, s2->m5), so_0b = KSL_MUL(s1->m5, s2->m1),
-      so_0c = so_0a - so_0b, so_0d = KSL_MUL(s1->m4, s2->m2), so_0e = KSL_MUL(s1->m2, s2->m4),
-      so_0f = so_0d - so_0e, so_0 = so_0c + so_0f;
+      so_0d = KSL_MUL(s1->m4, s2->m2), so_0e = KSL_MUL(s1->m2, s2->m4),
+      so_0 = so_0a - so_0b + (so_0d - so_0e);
   const double so_1a = KSL_MUL(s1->m5, s2->m0), so_1b = KSL_MUL(s1->m0, s2->m5),
-      so_1c = so_1a - so_1b, so_1d = KSL_MUL(s1->m2, s2->m3), so_1e = KSL_MUL(s1->m3, s2->m2),
-      so_1f = so_1d - so_1e, so_1 = so_1c + so_1f;
+      so_1d = KSL_MUL(s1->m2, s2->m3), so_1e = KSL_MUL(s1->m3, s2->m2),
+      so_1 = so_1a - so_1b + (so_1d - so_1e);
   const double so_2a = KSL_MUL(s1->m0, s2->m4), so_2b = KSL_MUL(s1->m4, s2->m0),
-      so_2c = so_2a - so_2b, so_2d = KSL_MUL(s1->m3, s2->m1), so_2e = KSL_MUL(s1->m1, s2->m3),
-      so_2f = so_2d - so_2e, so_2 = so_2c + so_2f;
+      so_2d = KSL_MUL(s1->m3, s2->m1), so_2e = KSL_MUL(s1->m1, s2->m3),
+      so_2 = so_2a - so_2b + (so_2d - so_2e);
   const double so_3a = KSL_MUL(s1->m4, s2->m5), so_3b = KSL_MUL(s1->m5, s2->m4),
       so_3 = so_3a - so_3b;
   const double so_4a = KSL_MUL(s1->m5, s2->m3), so_4b = KSL_MUL(s1->m3, s2->m5),
       so_4 = so_4a - so_4b;
   const double so_5a = KSL_MUL(s1->m3, s2->m4), so_5b = KSL_MUL(s1->m4, s2->m3),
       so_5 = so_5a - so_5b;
-  const double so_0a_abs = fabs(so_0a), so_0b_abs = fabs(so_0b), so_0c_size = so_0a_abs + so_0b_abs,
-      so_0d_abs = fabs(so_0d), so_0e_abs = fabs(so_0e), so_0f_size = so_0d_abs + so_0e_abs,
-      so_0_size = so_0c_size + so_0f_size;
-  const double so_1a_abs = fabs(so_1a), so_1b_abs = fabs(so_1b), so_1c_size = so_1a_abs + so_1b_abs,
-      so_1d_abs = fabs(so_1d), so_1e_abs = fabs(so_1e), so_1f_size = so_1d_abs + so_1e_abs,
-      so_1_size = so_1c_size + so_1f_size;
-  const double so_2a_abs = fabs(so_2a), so_2b_abs = fabs(so_2b), so_2c_size = so_2a_abs + so_2b_abs,
-      so_2d_abs = fabs(so_2d), so_2e_abs = fabs(so_2e), so_2f_size = so_2d_abs + so_2e_abs,
-      so_2_size = so_2c_size + so_2f_size;
-  const double so_3a_abs = fabs(so_3a), so_3b_abs = fabs(so_3b), so_3_size = so_3a_abs + so_3b_abs;
-  const double so_4a_abs = fabs(so_4a), so_4b_abs = fabs(so_4b), so_4_size = so_4a_abs + so_4b_abs;
-  const double so_5a_abs = fabs(so_5a), so_5b_abs = fabs(so_5b), so_5_size = so_5a_abs + so_5b_abs;
-  const double so_0_padded = so_0_size + 2.004168360008973e-292,
-      so_0_error_bound = KSL_MUL(3.3306690738754706e-16, so_0_padded);
-  const double so_1_padded = so_1_size + 2.004168360008973e-292,
-      so_1_error_bound = KSL_MUL(3.3306690738754706e-16, so_1_padded);
-  const double so_2_padded = so_2_size + 2.004168360008973e-292,
-      so_2_error_bound = KSL_MUL(3.3306690738754706e-16, so_2_padded);
-  const double so_3_padded = so_3_size + 2.004168360008973e-292,
-      so_3_error_bound = KSL_MUL(2.2204460492503136e-16, so_3_padded);
-  const double so_4_padded = so_4_size + 2.004168360008973e-292,
-      so_4_error_bound = KSL_MUL(2.2204460492503136e-16, so_4_padded);
-  const double so_5_padded = so_5_size + 2.004168360008973e-292,
-      so_5_error_bound = KSL_MUL(2.2204460492503136e-16, so_5_padded);
+  const double so_0_size = fabs(so_0a) + fabs(so_0b) + (fabs(so_0d) + fabs(so_0e)),
+      so_1_size = fabs(so_1a) + fabs(so_1b) + (fabs(so_1d) + fabs(so_1e)),
+      so_2_size = fabs(so_2a) + fabs(so_2b) + (fabs(so_2d) + fabs(so_2e)),
+      so_3_size = fabs(so_3a) + fabs(so_3b), so_4_size = fabs(so_4a) + fabs(so_4b),
+      so_5_size = fabs(so_5a) + fabs(so_5b);
+  const double so_0_bound = KSL_MUL(3.3306690738754706e-16, so_0_size + 2.004168360008973e-292),
+      so_1_bound = KSL_MUL(3.3306690738754706e-16, so_1_size + 2.004168360008973e-292),
+      so_2_bound = KSL_MUL(3.3306690738754706e-16, so_2_size + 2.004168360008973e-292),
+      so_3_bound = KSL_MUL(2.2204460492503136e-16, so_3_size + 2.004168360008973e-292),
+      so_4_bound = KSL_MUL(2.2204460492503136e-16, so_4_size + 2.004168360008973e-292),
+      so_5_bound = KSL_MUL(2.2204460492503136e-16, so_5_size + 2.004168360008973e-292);
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
   so->m3 = so_3;
   so->m4 = so_4;
   so->m5 = so_5;
-  so_bound->m0 = so_0_error_bound;
-  so_bound->m1 = so_1_error_bound;
-  so_bound->m2 = so_2_error_bound;
-  so_bound->m3 = so_3_error_bound;
-  so_bound->m4 = so_4_error_bound;
-  so_bound->m5 = so_5_error_bound;
+  so_bound->m0 = so_0_bound;
+  so_bound->m1 = so_1_bound;
+  so_bound->m2 = so_2_bound;
+  so_bound->m3 = so_3_bound;
+  so_bound->m4 = so_4_bound;
+  so_bound->m5 = so_5_bound;
 }
 
 /* so = (ω1×v2 ; 0); |error of so| <= so_bound unless inf or NaN.
@@ -1245,24 +1005,20 @@ static inline void ksl_cross_sst_certified(const ksl_screw_t *s1, const ksl_scre
       so_1 = so_1a - so_1b;
   const double so_2a = KSL_MUL(s1->m3, s2->m1), so_2b = KSL_MUL(s1->m4, s2->m0),
       so_2 = so_2a - so_2b;
-  const double so_0a_abs = fabs(so_0a), so_0b_abs = fabs(so_0b), so_0_size = so_0a_abs + so_0b_abs;
-  const double so_1a_abs = fabs(so_1a), so_1b_abs = fabs(so_1b), so_1_size = so_1a_abs + so_1b_abs;
-  const double so_2a_abs = fabs(so_2a), so_2b_abs = fabs(so_2b), so_2_size = so_2a_abs + so_2b_abs;
-  const double so_0_padded = so_0_size + 2.004168360008973e-292,
-      so_0_error_bound = KSL_MUL(2.2204460492503136e-16, so_0_padded);
-  const double so_1_padded = so_1_size + 2.004168360008973e-292,
-      so_1_error_bound = KSL_MUL(2.2204460492503136e-16, so_1_padded);
-  const double so_2_padded = so_2_size + 2.004168360008973e-292,
-      so_2_error_bound = KSL_MUL(2.2204460492503136e-16, so_2_padded);
+  const double so_0_size = fabs(so_0a) + fabs(so_0b), so_1_size = fabs(so_1a) + fabs(so_1b),
+      so_2_size = fabs(so_2a) + fabs(so_2b);
+  const double so_0_bound = KSL_MUL(2.2204460492503136e-16, so_0_size + 2.004168360008973e-292),
+      so_1_bound = KSL_MUL(2.2204460492503136e-16, so_1_size + 2.004168360008973e-292),
+      so_2_bound = KSL_MUL(2.2204460492503136e-16, so_2_size + 2.004168360008973e-292);
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
   so->m3 = 0.0;
   so->m4 = 0.0;
   so->m5 = 0.0;
-  so_bound->m0 = so_0_error_bound;
-  so_bound->m1 = so_1_error_bound;
-  so_bound->m2 = so_2_error_bound;
+  so_bound->m0 = so_0_bound;
+  so_bound->m1 = so_1_bound;
+  so_bound->m2 = so_2_bound;
   so_bound->m3 = 0.0;
   so_bound->m4 = 0.0;
   so_bound->m5 = 0.0;
@@ -1274,52 +1030,45 @@ static inline void ksl_cross_sst_certified(const ksl_screw_t *s1, const ksl_scre
    27 mul, 24 add, 12 abs. */
 static inline void ksl_hsra_certified(const ksl_SE3_t *D, const ksl_vec3_t *axis, ksl_screw_t *so,
     ksl_screw_t *so_bound) {
-  const double a_0a = KSL_MUL(D->m00, axis->x), a_0b = KSL_MUL(D->m01, axis->y), a_0c = a_0a + a_0b,
-      a_0d = KSL_MUL(D->m02, axis->z), a_0 = a_0c + a_0d;
-  const double a_1a = KSL_MUL(D->m10, axis->x), a_1b = KSL_MUL(D->m11, axis->y), a_1c = a_1a + a_1b,
-      a_1d = KSL_MUL(D->m12, axis->z), a_1 = a_1c + a_1d;
-  const double a_2a = KSL_MUL(D->m20, axis->x), a_2b = KSL_MUL(D->m21, axis->y), a_2c = a_2a + a_2b,
-      a_2d = KSL_MUL(D->m22, axis->z), a_2 = a_2c + a_2d;
-  const double so_0a = KSL_MUL(D->m13, a_2), so_0b = KSL_MUL(D->m23, a_1), so_0 = so_0a - so_0b;
-  const double so_1a = KSL_MUL(D->m23, a_0), so_1b = KSL_MUL(D->m03, a_2), so_1 = so_1a - so_1b;
-  const double so_2a = KSL_MUL(D->m03, a_1), so_2b = KSL_MUL(D->m13, a_0), so_2 = so_2a - so_2b;
-  const double a_0a_abs = fabs(a_0a), a_0b_abs = fabs(a_0b), a_0c_size = a_0a_abs + a_0b_abs,
-      a_0d_abs = fabs(a_0d), a_0_size = a_0c_size + a_0d_abs;
-  const double a_1a_abs = fabs(a_1a), a_1b_abs = fabs(a_1b), a_1c_size = a_1a_abs + a_1b_abs,
-      a_1d_abs = fabs(a_1d), a_1_size = a_1c_size + a_1d_abs;
-  const double a_2a_abs = fabs(a_2a), a_2b_abs = fabs(a_2b), a_2c_size = a_2a_abs + a_2b_abs,
-      a_2d_abs = fabs(a_2d), a_2_size = a_2c_size + a_2d_abs;
+  const double a_0a = KSL_MUL(D->m00, axis->x), a_0b = KSL_MUL(D->m01, axis->y),
+      a_0d = KSL_MUL(D->m02, axis->z), a_0 = a_0a + a_0b + a_0d;
+  const double a_1a = KSL_MUL(D->m10, axis->x), a_1b = KSL_MUL(D->m11, axis->y),
+      a_1d = KSL_MUL(D->m12, axis->z), a_1 = a_1a + a_1b + a_1d;
+  const double a_2a = KSL_MUL(D->m20, axis->x), a_2b = KSL_MUL(D->m21, axis->y),
+      a_2d = KSL_MUL(D->m22, axis->z), a_2 = a_2a + a_2b + a_2d;
+  const double so_0 = KSL_MUL(D->m13, a_2) - KSL_MUL(D->m23, a_1);
+  const double so_1 = KSL_MUL(D->m23, a_0) - KSL_MUL(D->m03, a_2);
+  const double so_2 = KSL_MUL(D->m03, a_1) - KSL_MUL(D->m13, a_0);
+  const double a_0_size = fabs(a_0a) + fabs(a_0b) + fabs(a_0d),
+      a_1_size = fabs(a_1a) + fabs(a_1b) + fabs(a_1d),
+      a_2_size = fabs(a_2a) + fabs(a_2b) + fabs(a_2d);
   const double a_2_padded = a_2_size + 2.004168360008973e-292;
-  const double D_13_abs = fabs(D->m13), so_0a_size = KSL_MUL(D_13_abs, a_2_padded);
+  const double D_13_abs = fabs(D->m13);
   const double a_1_padded = a_1_size + 2.004168360008973e-292;
-  const double D_23_abs = fabs(D->m23), so_0b_size = KSL_MUL(D_23_abs, a_1_padded),
-      so_0_size = so_0a_size + so_0b_size;
+  const double D_23_abs = fabs(D->m23),
+      so_0_size = KSL_MUL(D_13_abs, a_2_padded) + KSL_MUL(D_23_abs, a_1_padded);
   const double a_0_padded = a_0_size + 2.004168360008973e-292;
-  const double so_1a_size = KSL_MUL(D_23_abs, a_0_padded), D_03_abs = fabs(D->m03),
-      so_1b_size = KSL_MUL(D_03_abs, a_2_padded), so_1_size = so_1a_size + so_1b_size;
-  const double so_2a_size = KSL_MUL(D_03_abs, a_1_padded),
-      so_2b_size = KSL_MUL(D_13_abs, a_0_padded), so_2_size = so_2a_size + so_2b_size;
-  const double so_0_padded = so_0_size + 2.004168360008973e-292,
-      so_0_error_bound = KSL_MUL(5.551115123125785e-16, so_0_padded);
-  const double so_1_padded = so_1_size + 2.004168360008973e-292,
-      so_1_error_bound = KSL_MUL(5.551115123125785e-16, so_1_padded);
-  const double so_2_padded = so_2_size + 2.004168360008973e-292,
-      so_2_error_bound = KSL_MUL(5.551115123125785e-16, so_2_padded);
-  const double a_0_error_bound = KSL_MUL(3.3306690738754706e-16, a_0_padded);
-  const double a_1_error_bound = KSL_MUL(3.3306690738754706e-16, a_1_padded);
-  const double a_2_error_bound = KSL_MUL(3.3306690738754706e-16, a_2_padded);
+  const double D_03_abs = fabs(D->m03),
+      so_1_size = KSL_MUL(D_23_abs, a_0_padded) + KSL_MUL(D_03_abs, a_2_padded);
+  const double so_2_size = KSL_MUL(D_03_abs, a_1_padded) + KSL_MUL(D_13_abs, a_0_padded);
+  const double so_0_bound = KSL_MUL(5.551115123125785e-16, so_0_size + 2.004168360008973e-292),
+      so_1_bound = KSL_MUL(5.551115123125785e-16, so_1_size + 2.004168360008973e-292),
+      so_2_bound = KSL_MUL(5.551115123125785e-16, so_2_size + 2.004168360008973e-292);
+  const double a_0_bound = KSL_MUL(3.3306690738754706e-16, a_0_padded),
+      a_1_bound = KSL_MUL(3.3306690738754706e-16, a_1_padded),
+      a_2_bound = KSL_MUL(3.3306690738754706e-16, a_2_padded);
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
   so->m3 = a_0;
   so->m4 = a_1;
   so->m5 = a_2;
-  so_bound->m0 = so_0_error_bound;
-  so_bound->m1 = so_1_error_bound;
-  so_bound->m2 = so_2_error_bound;
-  so_bound->m3 = a_0_error_bound;
-  so_bound->m4 = a_1_error_bound;
-  so_bound->m5 = a_2_error_bound;
+  so_bound->m0 = so_0_bound;
+  so_bound->m1 = so_1_bound;
+  so_bound->m2 = so_2_bound;
+  so_bound->m3 = a_0_bound;
+  so_bound->m4 = a_1_bound;
+  so_bound->m5 = a_2_bound;
 }
 
 /* so = (R a ; 0), a = axis in the body's frame; |error of so| <= so_bound unless inf or NaN.
@@ -1329,32 +1078,26 @@ static inline void ksl_hsra_certified(const ksl_SE3_t *D, const ksl_vec3_t *axis
 static inline void ksl_hsta_certified(const ksl_SE3_t *D, const ksl_vec3_t *axis, ksl_screw_t *so,
     ksl_screw_t *so_bound) {
   const double so_0a = KSL_MUL(D->m00, axis->x), so_0b = KSL_MUL(D->m01, axis->y),
-      so_0c = so_0a + so_0b, so_0d = KSL_MUL(D->m02, axis->z), so_0 = so_0c + so_0d;
+      so_0d = KSL_MUL(D->m02, axis->z), so_0 = so_0a + so_0b + so_0d;
   const double so_1a = KSL_MUL(D->m10, axis->x), so_1b = KSL_MUL(D->m11, axis->y),
-      so_1c = so_1a + so_1b, so_1d = KSL_MUL(D->m12, axis->z), so_1 = so_1c + so_1d;
+      so_1d = KSL_MUL(D->m12, axis->z), so_1 = so_1a + so_1b + so_1d;
   const double so_2a = KSL_MUL(D->m20, axis->x), so_2b = KSL_MUL(D->m21, axis->y),
-      so_2c = so_2a + so_2b, so_2d = KSL_MUL(D->m22, axis->z), so_2 = so_2c + so_2d;
-  const double so_0a_abs = fabs(so_0a), so_0b_abs = fabs(so_0b), so_0c_size = so_0a_abs + so_0b_abs,
-      so_0d_abs = fabs(so_0d), so_0_size = so_0c_size + so_0d_abs;
-  const double so_1a_abs = fabs(so_1a), so_1b_abs = fabs(so_1b), so_1c_size = so_1a_abs + so_1b_abs,
-      so_1d_abs = fabs(so_1d), so_1_size = so_1c_size + so_1d_abs;
-  const double so_2a_abs = fabs(so_2a), so_2b_abs = fabs(so_2b), so_2c_size = so_2a_abs + so_2b_abs,
-      so_2d_abs = fabs(so_2d), so_2_size = so_2c_size + so_2d_abs;
-  const double so_0_padded = so_0_size + 2.004168360008973e-292,
-      so_0_error_bound = KSL_MUL(3.3306690738754706e-16, so_0_padded);
-  const double so_1_padded = so_1_size + 2.004168360008973e-292,
-      so_1_error_bound = KSL_MUL(3.3306690738754706e-16, so_1_padded);
-  const double so_2_padded = so_2_size + 2.004168360008973e-292,
-      so_2_error_bound = KSL_MUL(3.3306690738754706e-16, so_2_padded);
+      so_2d = KSL_MUL(D->m22, axis->z), so_2 = so_2a + so_2b + so_2d;
+  const double so_0_size = fabs(so_0a) + fabs(so_0b) + fabs(so_0d),
+      so_1_size = fabs(so_1a) + fabs(so_1b) + fabs(so_1d),
+      so_2_size = fabs(so_2a) + fabs(so_2b) + fabs(so_2d);
+  const double so_0_bound = KSL_MUL(3.3306690738754706e-16, so_0_size + 2.004168360008973e-292),
+      so_1_bound = KSL_MUL(3.3306690738754706e-16, so_1_size + 2.004168360008973e-292),
+      so_2_bound = KSL_MUL(3.3306690738754706e-16, so_2_size + 2.004168360008973e-292);
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
   so->m3 = 0.0;
   so->m4 = 0.0;
   so->m5 = 0.0;
-  so_bound->m0 = so_0_error_bound;
-  so_bound->m1 = so_1_error_bound;
-  so_bound->m2 = so_2_error_bound;
+  so_bound->m0 = so_0_bound;
+  so_bound->m1 = so_1_bound;
+  so_bound->m2 = so_2_bound;
   so_bound->m3 = 0.0;
   so_bound->m4 = 0.0;
   so_bound->m5 = 0.0;
@@ -1367,52 +1110,42 @@ static inline void ksl_hsta_certified(const ksl_SE3_t *D, const ksl_vec3_t *axis
    27 mul, 24 add, 3 neg, 12 abs. */
 static inline void ksl_hsrainv_certified(const ksl_SE3_t *D, const ksl_vec3_t *axis,
     ksl_screw_t *so, ksl_screw_t *so_bound) {
-  const double a_0a = KSL_MUL(D->m00, axis->x), a_0b = KSL_MUL(D->m01, axis->y), a_0c = a_0a + a_0b,
-      a_0d = KSL_MUL(D->m02, axis->z), a_0e = a_0c + a_0d, a_0 = -a_0e;
-  const double a_1a = KSL_MUL(D->m10, axis->x), a_1b = KSL_MUL(D->m11, axis->y), a_1c = a_1a + a_1b,
-      a_1d = KSL_MUL(D->m12, axis->z), a_1e = a_1c + a_1d, a_1 = -a_1e;
-  const double a_2a = KSL_MUL(D->m20, axis->x), a_2b = KSL_MUL(D->m21, axis->y), a_2c = a_2a + a_2b,
-      a_2d = KSL_MUL(D->m22, axis->z), a_2e = a_2c + a_2d, a_2 = -a_2e;
-  const double so_0a = KSL_MUL(D->m13, a_2), so_0b = KSL_MUL(D->m23, a_1), so_0 = so_0a - so_0b;
-  const double so_1a = KSL_MUL(D->m23, a_0), so_1b = KSL_MUL(D->m03, a_2), so_1 = so_1a - so_1b;
-  const double so_2a = KSL_MUL(D->m03, a_1), so_2b = KSL_MUL(D->m13, a_0), so_2 = so_2a - so_2b;
-  const double a_0a_abs = fabs(a_0a), a_0b_abs = fabs(a_0b), a_0c_size = a_0a_abs + a_0b_abs,
-      a_0d_abs = fabs(a_0d), a_0e_size = a_0c_size + a_0d_abs;
-  const double a_1a_abs = fabs(a_1a), a_1b_abs = fabs(a_1b), a_1c_size = a_1a_abs + a_1b_abs,
-      a_1d_abs = fabs(a_1d), a_1e_size = a_1c_size + a_1d_abs;
-  const double a_2a_abs = fabs(a_2a), a_2b_abs = fabs(a_2b), a_2c_size = a_2a_abs + a_2b_abs,
-      a_2d_abs = fabs(a_2d), a_2e_size = a_2c_size + a_2d_abs;
-  const double a_2e_padded = a_2e_size + 2.004168360008973e-292;
-  const double D_13_abs = fabs(D->m13), so_0a_size = KSL_MUL(D_13_abs, a_2e_padded);
-  const double a_1e_padded = a_1e_size + 2.004168360008973e-292;
-  const double D_23_abs = fabs(D->m23), so_0b_size = KSL_MUL(D_23_abs, a_1e_padded),
-      so_0_size = so_0a_size + so_0b_size;
-  const double a_0e_padded = a_0e_size + 2.004168360008973e-292;
-  const double so_1a_size = KSL_MUL(D_23_abs, a_0e_padded), D_03_abs = fabs(D->m03),
-      so_1b_size = KSL_MUL(D_03_abs, a_2e_padded), so_1_size = so_1a_size + so_1b_size;
-  const double so_2a_size = KSL_MUL(D_03_abs, a_1e_padded),
-      so_2b_size = KSL_MUL(D_13_abs, a_0e_padded), so_2_size = so_2a_size + so_2b_size;
-  const double so_0_padded = so_0_size + 2.004168360008973e-292,
-      so_0_error_bound = KSL_MUL(5.551115123125785e-16, so_0_padded);
-  const double so_1_padded = so_1_size + 2.004168360008973e-292,
-      so_1_error_bound = KSL_MUL(5.551115123125785e-16, so_1_padded);
-  const double so_2_padded = so_2_size + 2.004168360008973e-292,
-      so_2_error_bound = KSL_MUL(5.551115123125785e-16, so_2_padded);
-  const double a_0e_error_bound = KSL_MUL(3.3306690738754706e-16, a_0e_padded);
-  const double a_1e_error_bound = KSL_MUL(3.3306690738754706e-16, a_1e_padded);
-  const double a_2e_error_bound = KSL_MUL(3.3306690738754706e-16, a_2e_padded);
+  const double a_0a = KSL_MUL(D->m00, axis->x), a_0b = KSL_MUL(D->m01, axis->y),
+      a_0d = KSL_MUL(D->m02, axis->z), a_0 = -(a_0a + a_0b + a_0d);
+  const double a_1a = KSL_MUL(D->m10, axis->x), a_1b = KSL_MUL(D->m11, axis->y),
+      a_1d = KSL_MUL(D->m12, axis->z), a_1 = -(a_1a + a_1b + a_1d);
+  const double a_2a = KSL_MUL(D->m20, axis->x), a_2b = KSL_MUL(D->m21, axis->y),
+      a_2d = KSL_MUL(D->m22, axis->z), a_2 = -(a_2a + a_2b + a_2d);
+  const double so_0 = KSL_MUL(D->m13, a_2) - KSL_MUL(D->m23, a_1);
+  const double so_1 = KSL_MUL(D->m23, a_0) - KSL_MUL(D->m03, a_2);
+  const double so_2 = KSL_MUL(D->m03, a_1) - KSL_MUL(D->m13, a_0);
+  const double a_2e_padded = fabs(a_2a) + fabs(a_2b) + fabs(a_2d) + 2.004168360008973e-292;
+  const double D_13_abs = fabs(D->m13);
+  const double a_1e_padded = fabs(a_1a) + fabs(a_1b) + fabs(a_1d) + 2.004168360008973e-292;
+  const double D_23_abs = fabs(D->m23),
+      so_0_size = KSL_MUL(D_13_abs, a_2e_padded) + KSL_MUL(D_23_abs, a_1e_padded);
+  const double a_0e_padded = fabs(a_0a) + fabs(a_0b) + fabs(a_0d) + 2.004168360008973e-292;
+  const double D_03_abs = fabs(D->m03),
+      so_1_size = KSL_MUL(D_23_abs, a_0e_padded) + KSL_MUL(D_03_abs, a_2e_padded);
+  const double so_2_size = KSL_MUL(D_03_abs, a_1e_padded) + KSL_MUL(D_13_abs, a_0e_padded);
+  const double so_0_bound = KSL_MUL(5.551115123125785e-16, so_0_size + 2.004168360008973e-292),
+      so_1_bound = KSL_MUL(5.551115123125785e-16, so_1_size + 2.004168360008973e-292),
+      so_2_bound = KSL_MUL(5.551115123125785e-16, so_2_size + 2.004168360008973e-292);
+  const double a_0e_bound = KSL_MUL(3.3306690738754706e-16, a_0e_padded);
+  const double a_1e_bound = KSL_MUL(3.3306690738754706e-16, a_1e_padded);
+  const double a_2e_bound = KSL_MUL(3.3306690738754706e-16, a_2e_padded);
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
   so->m3 = a_0;
   so->m4 = a_1;
   so->m5 = a_2;
-  so_bound->m0 = so_0_error_bound;
-  so_bound->m1 = so_1_error_bound;
-  so_bound->m2 = so_2_error_bound;
-  so_bound->m3 = a_0e_error_bound;
-  so_bound->m4 = a_1e_error_bound;
-  so_bound->m5 = a_2e_error_bound;
+  so_bound->m0 = so_0_bound;
+  so_bound->m1 = so_1_bound;
+  so_bound->m2 = so_2_bound;
+  so_bound->m3 = a_0e_bound;
+  so_bound->m4 = a_1e_bound;
+  so_bound->m5 = a_2e_bound;
 }
 
 /* so = -(R a ; 0), a = axis in the body's frame; |error of so| <= so_bound unless inf or NaN.
@@ -1422,32 +1155,26 @@ static inline void ksl_hsrainv_certified(const ksl_SE3_t *D, const ksl_vec3_t *a
 static inline void ksl_hstainv_certified(const ksl_SE3_t *D, const ksl_vec3_t *axis,
     ksl_screw_t *so, ksl_screw_t *so_bound) {
   const double so_0a = KSL_MUL(D->m00, axis->x), so_0b = KSL_MUL(D->m01, axis->y),
-      so_0c = so_0a + so_0b, so_0d = KSL_MUL(D->m02, axis->z), so_0e = so_0c + so_0d, so_0 = -so_0e;
+      so_0d = KSL_MUL(D->m02, axis->z), so_0 = -(so_0a + so_0b + so_0d);
   const double so_1a = KSL_MUL(D->m10, axis->x), so_1b = KSL_MUL(D->m11, axis->y),
-      so_1c = so_1a + so_1b, so_1d = KSL_MUL(D->m12, axis->z), so_1e = so_1c + so_1d, so_1 = -so_1e;
+      so_1d = KSL_MUL(D->m12, axis->z), so_1 = -(so_1a + so_1b + so_1d);
   const double so_2a = KSL_MUL(D->m20, axis->x), so_2b = KSL_MUL(D->m21, axis->y),
-      so_2c = so_2a + so_2b, so_2d = KSL_MUL(D->m22, axis->z), so_2e = so_2c + so_2d, so_2 = -so_2e;
-  const double so_0a_abs = fabs(so_0a), so_0b_abs = fabs(so_0b), so_0c_size = so_0a_abs + so_0b_abs,
-      so_0d_abs = fabs(so_0d), so_0e_size = so_0c_size + so_0d_abs;
-  const double so_1a_abs = fabs(so_1a), so_1b_abs = fabs(so_1b), so_1c_size = so_1a_abs + so_1b_abs,
-      so_1d_abs = fabs(so_1d), so_1e_size = so_1c_size + so_1d_abs;
-  const double so_2a_abs = fabs(so_2a), so_2b_abs = fabs(so_2b), so_2c_size = so_2a_abs + so_2b_abs,
-      so_2d_abs = fabs(so_2d), so_2e_size = so_2c_size + so_2d_abs;
-  const double so_0e_padded = so_0e_size + 2.004168360008973e-292,
-      so_0e_error_bound = KSL_MUL(3.3306690738754706e-16, so_0e_padded);
-  const double so_1e_padded = so_1e_size + 2.004168360008973e-292,
-      so_1e_error_bound = KSL_MUL(3.3306690738754706e-16, so_1e_padded);
-  const double so_2e_padded = so_2e_size + 2.004168360008973e-292,
-      so_2e_error_bound = KSL_MUL(3.3306690738754706e-16, so_2e_padded);
+      so_2d = KSL_MUL(D->m22, axis->z), so_2 = -(so_2a + so_2b + so_2d);
+  const double so_0e_bound = KSL_MUL(3.3306690738754706e-16, fabs(so_0a) + fabs(so_0b)
+          + fabs(so_0d) + 2.004168360008973e-292);
+  const double so_1e_bound = KSL_MUL(3.3306690738754706e-16, fabs(so_1a) + fabs(so_1b)
+          + fabs(so_1d) + 2.004168360008973e-292);
+  const double so_2e_bound = KSL_MUL(3.3306690738754706e-16, fabs(so_2a) + fabs(so_2b)
+          + fabs(so_2d) + 2.004168360008973e-292);
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
   so->m3 = 0.0;
   so->m4 = 0.0;
   so->m5 = 0.0;
-  so_bound->m0 = so_0e_error_bound;
-  so_bound->m1 = so_1e_error_bound;
-  so_bound->m2 = so_2e_error_bound;
+  so_bound->m0 = so_0e_bound;
+  so_bound->m1 = so_1e_bound;
+  so_bound->m2 = so_2e_bound;
   so_bound->m3 = 0.0;
   so_bound->m4 = 0.0;
   so_bound->m5 = 0.0;
@@ -1458,42 +1185,27 @@ static inline void ksl_hstainv_certified(const ksl_SE3_t *D, const ksl_vec3_t *a
    12 mul, 6 add, 6 abs. */
 static inline void ksl_screwf_scale_certified(ksl_screwf_t *self, const float a,
     ksl_screwf_t *self_bound) {
-  const float self_0_new = KSL_MULF(self->m0, a);
-  const float self_1_new = KSL_MULF(self->m1, a);
-  const float self_2_new = KSL_MULF(self->m2, a);
-  const float self_3_new = KSL_MULF(self->m3, a);
-  const float self_4_new = KSL_MULF(self->m4, a);
-  const float self_5_new = KSL_MULF(self->m5, a);
-  const float self_0_new_abs = fabsf(self_0_new),
-      self_0_new_padded = self_0_new_abs + 1.9721523e-31f,
-      self_0_new_error_bound = KSL_MULF(5.960465e-08f, self_0_new_padded);
-  const float self_1_new_abs = fabsf(self_1_new),
-      self_1_new_padded = self_1_new_abs + 1.9721523e-31f,
-      self_1_new_error_bound = KSL_MULF(5.960465e-08f, self_1_new_padded);
-  const float self_2_new_abs = fabsf(self_2_new),
-      self_2_new_padded = self_2_new_abs + 1.9721523e-31f,
-      self_2_new_error_bound = KSL_MULF(5.960465e-08f, self_2_new_padded);
-  const float self_3_new_abs = fabsf(self_3_new),
-      self_3_new_padded = self_3_new_abs + 1.9721523e-31f,
-      self_3_new_error_bound = KSL_MULF(5.960465e-08f, self_3_new_padded);
-  const float self_4_new_abs = fabsf(self_4_new),
-      self_4_new_padded = self_4_new_abs + 1.9721523e-31f,
-      self_4_new_error_bound = KSL_MULF(5.960465e-08f, self_4_new_padded);
-  const float self_5_new_abs = fabsf(self_5_new),
-      self_5_new_padded = self_5_new_abs + 1.9721523e-31f,
-      self_5_new_error_bound = KSL_MULF(5.960465e-08f, self_5_new_padded);
+  const float self_0_new = KSL_MULF(self->m0, a), self_1_new = KSL_MULF(self->m1, a),
+      self_2_new = KSL_MULF(self->m2, a), self_3_new = KSL_MULF(self->m3, a),
+      self_4_new = KSL_MULF(self->m4, a), self_5_new = KSL_MULF(self->m5, a);
+  const float self_0_new_bound = KSL_MULF(5.960465e-08f, fabsf(self_0_new) + 1.9721523e-31f),
+      self_1_new_bound = KSL_MULF(5.960465e-08f, fabsf(self_1_new) + 1.9721523e-31f),
+      self_2_new_bound = KSL_MULF(5.960465e-08f, fabsf(self_2_new) + 1.9721523e-31f),
+      self_3_new_bound = KSL_MULF(5.960465e-08f, fabsf(self_3_new) + 1.9721523e-31f),
+      self_4_new_bound = KSL_MULF(5.960465e-08f, fabsf(self_4_new) + 1.9721523e-31f),
+      self_5_new_bound = KSL_MULF(5.960465e-08f, fabsf(self_5_new) + 1.9721523e-31f);
   self->m0 = self_0_new;
   self->m1 = self_1_new;
   self->m2 = self_2_new;
   self->m3 = self_3_new;
   self->m4 = self_4_new;
   self->m5 = self_5_new;
-  self_bound->m0 = self_0_new_error_bound;
-  self_bound->m1 = self_1_new_error_bound;
-  self_bound->m2 = self_2_new_error_bound;
-  self_bound->m3 = self_3_new_error_bound;
-  self_bound->m4 = self_4_new_error_bound;
-  self_bound->m5 = self_5_new_error_bound;
+  self_bound->m0 = self_0_new_bound;
+  self_bound->m1 = self_1_new_bound;
+  self_bound->m2 = self_2_new_bound;
+  self_bound->m3 = self_3_new_bound;
+  self_bound->m4 = self_4_new_bound;
+  self_bound->m5 = self_5_new_bound;
 }
 
 /* y = a x + y; |error of y| <= y_bound unless inf or NaN.
@@ -1507,42 +1219,30 @@ static inline void ksl_axpy_ssf_certified(const float a, const ksl_screwf_t *x, 
   const float y_3_new_a = KSL_MULF(a, x->m3), y_3_new = y_3_new_a + y->m3;
   const float y_4_new_a = KSL_MULF(a, x->m4), y_4_new = y_4_new_a + y->m4;
   const float y_5_new_a = KSL_MULF(a, x->m5), y_5_new = y_5_new_a + y->m5;
-  const float y_0_new_a_abs = fabsf(y_0_new_a), y_0_abs = fabsf(y->m0),
-      y_0_new_size = y_0_new_a_abs + y_0_abs;
-  const float y_1_new_a_abs = fabsf(y_1_new_a), y_1_abs = fabsf(y->m1),
-      y_1_new_size = y_1_new_a_abs + y_1_abs;
-  const float y_2_new_a_abs = fabsf(y_2_new_a), y_2_abs = fabsf(y->m2),
-      y_2_new_size = y_2_new_a_abs + y_2_abs;
-  const float y_3_new_a_abs = fabsf(y_3_new_a), y_3_abs = fabsf(y->m3),
-      y_3_new_size = y_3_new_a_abs + y_3_abs;
-  const float y_4_new_a_abs = fabsf(y_4_new_a), y_4_abs = fabsf(y->m4),
-      y_4_new_size = y_4_new_a_abs + y_4_abs;
-  const float y_5_new_a_abs = fabsf(y_5_new_a), y_5_abs = fabsf(y->m5),
-      y_5_new_size = y_5_new_a_abs + y_5_abs;
-  const float y_0_new_padded = y_0_new_size + 1.9721523e-31f,
-      y_0_new_error_bound = KSL_MULF(1.192093e-07f, y_0_new_padded);
-  const float y_1_new_padded = y_1_new_size + 1.9721523e-31f,
-      y_1_new_error_bound = KSL_MULF(1.192093e-07f, y_1_new_padded);
-  const float y_2_new_padded = y_2_new_size + 1.9721523e-31f,
-      y_2_new_error_bound = KSL_MULF(1.192093e-07f, y_2_new_padded);
-  const float y_3_new_padded = y_3_new_size + 1.9721523e-31f,
-      y_3_new_error_bound = KSL_MULF(1.192093e-07f, y_3_new_padded);
-  const float y_4_new_padded = y_4_new_size + 1.9721523e-31f,
-      y_4_new_error_bound = KSL_MULF(1.192093e-07f, y_4_new_padded);
-  const float y_5_new_padded = y_5_new_size + 1.9721523e-31f,
-      y_5_new_error_bound = KSL_MULF(1.192093e-07f, y_5_new_padded);
+  const float y_0_new_size = fabsf(y_0_new_a) + fabsf(y->m0),
+      y_1_new_size = fabsf(y_1_new_a) + fabsf(y->m1),
+      y_2_new_size = fabsf(y_2_new_a) + fabsf(y->m2),
+      y_3_new_size = fabsf(y_3_new_a) + fabsf(y->m3),
+      y_4_new_size = fabsf(y_4_new_a) + fabsf(y->m4),
+      y_5_new_size = fabsf(y_5_new_a) + fabsf(y->m5);
+  const float y_0_new_bound = KSL_MULF(1.192093e-07f, y_0_new_size + 1.9721523e-31f),
+      y_1_new_bound = KSL_MULF(1.192093e-07f, y_1_new_size + 1.9721523e-31f),
+      y_2_new_bound = KSL_MULF(1.192093e-07f, y_2_new_size + 1.9721523e-31f),
+      y_3_new_bound = KSL_MULF(1.192093e-07f, y_3_new_size + 1.9721523e-31f),
+      y_4_new_bound = KSL_MULF(1.192093e-07f, y_4_new_size + 1.9721523e-31f),
+      y_5_new_bound = KSL_MULF(1.192093e-07f, y_5_new_size + 1.9721523e-31f);
   y->m0 = y_0_new;
   y->m1 = y_1_new;
   y->m2 = y_2_new;
   y->m3 = y_3_new;
   y->m4 = y_4_new;
   y->m5 = y_5_new;
-  y_bound->m0 = y_0_new_error_bound;
-  y_bound->m1 = y_1_new_error_bound;
-  y_bound->m2 = y_2_new_error_bound;
-  y_bound->m3 = y_3_new_error_bound;
-  y_bound->m4 = y_4_new_error_bound;
-  y_bound->m5 = y_5_new_error_bound;
+  y_bound->m0 = y_0_new_bound;
+  y_bound->m1 = y_1_new_bound;
+  y_bound->m2 = y_2_new_bound;
+  y_bound->m3 = y_3_new_bound;
+  y_bound->m4 = y_4_new_bound;
+  y_bound->m5 = y_5_new_bound;
 }
 
 /* y = x + y; |error of y| <= y_bound unless inf or NaN.
@@ -1550,36 +1250,26 @@ static inline void ksl_axpy_ssf_certified(const float a, const ksl_screwf_t *x, 
    6 mul, 6 add, 6 abs. */
 static inline void ksl_xpy_ssf_certified(const ksl_screwf_t *x, ksl_screwf_t *y,
     ksl_screwf_t *y_bound) {
-  const float y_0_new = x->m0 + y->m0;
-  const float y_1_new = x->m1 + y->m1;
-  const float y_2_new = x->m2 + y->m2;
-  const float y_3_new = x->m3 + y->m3;
-  const float y_4_new = x->m4 + y->m4;
-  const float y_5_new = x->m5 + y->m5;
-  const float y_0_new_abs = fabsf(y_0_new),
-      y_0_new_error_bound = KSL_MULF(5.960465e-08f, y_0_new_abs);
-  const float y_1_new_abs = fabsf(y_1_new),
-      y_1_new_error_bound = KSL_MULF(5.960465e-08f, y_1_new_abs);
-  const float y_2_new_abs = fabsf(y_2_new),
-      y_2_new_error_bound = KSL_MULF(5.960465e-08f, y_2_new_abs);
-  const float y_3_new_abs = fabsf(y_3_new),
-      y_3_new_error_bound = KSL_MULF(5.960465e-08f, y_3_new_abs);
-  const float y_4_new_abs = fabsf(y_4_new),
-      y_4_new_error_bound = KSL_MULF(5.960465e-08f, y_4_new_abs);
-  const float y_5_new_abs = fabsf(y_5_new),
-      y_5_new_error_bound = KSL_MULF(5.960465e-08f, y_5_new_abs);
+  const float y_0_new = x->m0 + y->m0, y_1_new = x->m1 + y->m1, y_2_new = x->m2 + y->m2,
+      y_3_new = x->m3 + y->m3, y_4_new = x->m4 + y->m4, y_5_new = x->m5 + y->m5;
+  const float y_0_new_bound = KSL_MULF(5.960465e-08f, fabsf(y_0_new)),
+      y_1_new_bound = KSL_MULF(5.960465e-08f, fabsf(y_1_new)),
+      y_2_new_bound = KSL_MULF(5.960465e-08f, fabsf(y_2_new)),
+      y_3_new_bound = KSL_MULF(5.960465e-08f, fabsf(y_3_new)),
+      y_4_new_bound = KSL_MULF(5.960465e-08f, fabsf(y_4_new)),
+      y_5_new_bound = KSL_MULF(5.960465e-08f, fabsf(y_5_new));
   y->m0 = y_0_new;
   y->m1 = y_1_new;
   y->m2 = y_2_new;
   y->m3 = y_3_new;
   y->m4 = y_4_new;
   y->m5 = y_5_new;
-  y_bound->m0 = y_0_new_error_bound;
-  y_bound->m1 = y_1_new_error_bound;
-  y_bound->m2 = y_2_new_error_bound;
-  y_bound->m3 = y_3_new_error_bound;
-  y_bound->m4 = y_4_new_error_bound;
-  y_bound->m5 = y_5_new_error_bound;
+  y_bound->m0 = y_0_new_bound;
+  y_bound->m1 = y_1_new_bound;
+  y_bound->m2 = y_2_new_bound;
+  y_bound->m3 = y_3_new_bound;
+  y_bound->m4 = y_4_new_bound;
+  y_bound->m5 = y_5_new_bound;
 }
 
 /* y = -x + y; |error of y| <= y_bound unless inf or NaN.
@@ -1587,36 +1277,26 @@ static inline void ksl_xpy_ssf_certified(const ksl_screwf_t *x, ksl_screwf_t *y,
    6 mul, 6 add, 6 abs. */
 static inline void ksl_nxpy_ssf_certified(const ksl_screwf_t *x, ksl_screwf_t *y,
     ksl_screwf_t *y_bound) {
-  const float y_0_new = y->m0 - x->m0;
-  const float y_1_new = y->m1 - x->m1;
-  const float y_2_new = y->m2 - x->m2;
-  const float y_3_new = y->m3 - x->m3;
-  const float y_4_new = y->m4 - x->m4;
-  const float y_5_new = y->m5 - x->m5;
-  const float y_0_new_abs = fabsf(y_0_new),
-      y_0_new_error_bound = KSL_MULF(5.960465e-08f, y_0_new_abs);
-  const float y_1_new_abs = fabsf(y_1_new),
-      y_1_new_error_bound = KSL_MULF(5.960465e-08f, y_1_new_abs);
-  const float y_2_new_abs = fabsf(y_2_new),
-      y_2_new_error_bound = KSL_MULF(5.960465e-08f, y_2_new_abs);
-  const float y_3_new_abs = fabsf(y_3_new),
-      y_3_new_error_bound = KSL_MULF(5.960465e-08f, y_3_new_abs);
-  const float y_4_new_abs = fabsf(y_4_new),
-      y_4_new_error_bound = KSL_MULF(5.960465e-08f, y_4_new_abs);
-  const float y_5_new_abs = fabsf(y_5_new),
-      y_5_new_error_bound = KSL_MULF(5.960465e-08f, y_5_new_abs);
+  const float y_0_new = y->m0 - x->m0, y_1_new = y->m1 - x->m1, y_2_new = y->m2 - x->m2,
+      y_3_new = y->m3 - x->m3, y_4_new = y->m4 - x->m4, y_5_new = y->m5 - x->m5;
+  const float y_0_new_bound = KSL_MULF(5.960465e-08f, fabsf(y_0_new)),
+      y_1_new_bound = KSL_MULF(5.960465e-08f, fabsf(y_1_new)),
+      y_2_new_bound = KSL_MULF(5.960465e-08f, fabsf(y_2_new)),
+      y_3_new_bound = KSL_MULF(5.960465e-08f, fabsf(y_3_new)),
+      y_4_new_bound = KSL_MULF(5.960465e-08f, fabsf(y_4_new)),
+      y_5_new_bound = KSL_MULF(5.960465e-08f, fabsf(y_5_new));
   y->m0 = y_0_new;
   y->m1 = y_1_new;
   y->m2 = y_2_new;
   y->m3 = y_3_new;
   y->m4 = y_4_new;
   y->m5 = y_5_new;
-  y_bound->m0 = y_0_new_error_bound;
-  y_bound->m1 = y_1_new_error_bound;
-  y_bound->m2 = y_2_new_error_bound;
-  y_bound->m3 = y_3_new_error_bound;
-  y_bound->m4 = y_4_new_error_bound;
-  y_bound->m5 = y_5_new_error_bound;
+  y_bound->m0 = y_0_new_bound;
+  y_bound->m1 = y_1_new_bound;
+  y_bound->m2 = y_2_new_bound;
+  y_bound->m3 = y_3_new_bound;
+  y_bound->m4 = y_4_new_bound;
+  y_bound->m5 = y_5_new_bound;
 }
 
 /* so = a si; |error of so| <= so_bound unless inf or NaN.
@@ -1624,36 +1304,26 @@ static inline void ksl_nxpy_ssf_certified(const ksl_screwf_t *x, ksl_screwf_t *y
    12 mul, 6 add, 6 abs. */
 static inline void ksl_product_asf_certified(const float a, const ksl_screwf_t *si,
     ksl_screwf_t *so, ksl_screwf_t *so_bound) {
-  const float so_0 = KSL_MULF(a, si->m0);
-  const float so_1 = KSL_MULF(a, si->m1);
-  const float so_2 = KSL_MULF(a, si->m2);
-  const float so_3 = KSL_MULF(a, si->m3);
-  const float so_4 = KSL_MULF(a, si->m4);
-  const float so_5 = KSL_MULF(a, si->m5);
-  const float so_0_abs = fabsf(so_0), so_0_padded = so_0_abs + 1.9721523e-31f,
-      so_0_error_bound = KSL_MULF(5.960465e-08f, so_0_padded);
-  const float so_1_abs = fabsf(so_1), so_1_padded = so_1_abs + 1.9721523e-31f,
-      so_1_error_bound = KSL_MULF(5.960465e-08f, so_1_padded);
-  const float so_2_abs = fabsf(so_2), so_2_padded = so_2_abs + 1.9721523e-31f,
-      so_2_error_bound = KSL_MULF(5.960465e-08f, so_2_padded);
-  const float so_3_abs = fabsf(so_3), so_3_padded = so_3_abs + 1.9721523e-31f,
-      so_3_error_bound = KSL_MULF(5.960465e-08f, so_3_padded);
-  const float so_4_abs = fabsf(so_4), so_4_padded = so_4_abs + 1.9721523e-31f,
-      so_4_error_bound = KSL_MULF(5.960465e-08f, so_4_padded);
-  const float so_5_abs = fabsf(so_5), so_5_padded = so_5_abs + 1.9721523e-31f,
-      so_5_error_bound = KSL_MULF(5.960465e-08f, so_5_padded);
+  const float so_0 = KSL_MULF(a, si->m0), so_1 = KSL_MULF(a, si->m1), so_2 = KSL_MULF(a, si->m2),
+      so_3 = KSL_MULF(a, si->m3), so_4 = KSL_MULF(a, si->m4), so_5 = KSL_MULF(a, si->m5);
+  const float so_0_bound = KSL_MULF(5.960465e-08f, fabsf(so_0) + 1.9721523e-31f),
+      so_1_bound = KSL_MULF(5.960465e-08f, fabsf(so_1) + 1.9721523e-31f),
+      so_2_bound = KSL_MULF(5.960465e-08f, fabsf(so_2) + 1.9721523e-31f),
+      so_3_bound = KSL_MULF(5.960465e-08f, fabsf(so_3) + 1.9721523e-31f),
+      so_4_bound = KSL_MULF(5.960465e-08f, fabsf(so_4) + 1.9721523e-31f),
+      so_5_bound = KSL_MULF(5.960465e-08f, fabsf(so_5) + 1.9721523e-31f);
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
   so->m3 = so_3;
   so->m4 = so_4;
   so->m5 = so_5;
-  so_bound->m0 = so_0_error_bound;
-  so_bound->m1 = so_1_error_bound;
-  so_bound->m2 = so_2_error_bound;
-  so_bound->m3 = so_3_error_bound;
-  so_bound->m4 = so_4_error_bound;
-  so_bound->m5 = so_5_error_bound;
+  so_bound->m0 = so_0_bound;
+  so_bound->m1 = so_1_bound;
+  so_bound->m2 = so_2_bound;
+  so_bound->m3 = so_3_bound;
+  so_bound->m4 = so_4_bound;
+  so_bound->m5 = so_5_bound;
 }
 
 /* so = s1 + s2; |error of so| <= so_bound unless inf or NaN.
@@ -1661,30 +1331,26 @@ static inline void ksl_product_asf_certified(const float a, const ksl_screwf_t *
    6 mul, 6 add, 6 abs. */
 static inline void ksl_add_ssf_certified(const ksl_screwf_t *s1, const ksl_screwf_t *s2,
     ksl_screwf_t *so, ksl_screwf_t *so_bound) {
-  const float so_0 = s1->m0 + s2->m0;
-  const float so_1 = s1->m1 + s2->m1;
-  const float so_2 = s1->m2 + s2->m2;
-  const float so_3 = s1->m3 + s2->m3;
-  const float so_4 = s1->m4 + s2->m4;
-  const float so_5 = s1->m5 + s2->m5;
-  const float so_0_abs = fabsf(so_0), so_0_error_bound = KSL_MULF(5.960465e-08f, so_0_abs);
-  const float so_1_abs = fabsf(so_1), so_1_error_bound = KSL_MULF(5.960465e-08f, so_1_abs);
-  const float so_2_abs = fabsf(so_2), so_2_error_bound = KSL_MULF(5.960465e-08f, so_2_abs);
-  const float so_3_abs = fabsf(so_3), so_3_error_bound = KSL_MULF(5.960465e-08f, so_3_abs);
-  const float so_4_abs = fabsf(so_4), so_4_error_bound = KSL_MULF(5.960465e-08f, so_4_abs);
-  const float so_5_abs = fabsf(so_5), so_5_error_bound = KSL_MULF(5.960465e-08f, so_5_abs);
+  const float so_0 = s1->m0 + s2->m0, so_1 = s1->m1 + s2->m1, so_2 = s1->m2 + s2->m2,
+      so_3 = s1->m3 + s2->m3, so_4 = s1->m4 + s2->m4, so_5 = s1->m5 + s2->m5;
+  const float so_0_bound = KSL_MULF(5.960465e-08f, fabsf(so_0)),
+      so_1_bound = KSL_MULF(5.960465e-08f, fabsf(so_1)),
+      so_2_bound = KSL_MULF(5.960465e-08f, fabsf(so_2)),
+      so_3_bound = KSL_MULF(5.960465e-08f, fabsf(so_3)),
+      so_4_bound = KSL_MULF(5.960465e-08f, fabsf(so_4)),
+      so_5_bound = KSL_MULF(5.960465e-08f, fabsf(so_5));
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
   so->m3 = so_3;
   so->m4 = so_4;
   so->m5 = so_5;
-  so_bound->m0 = so_0_error_bound;
-  so_bound->m1 = so_1_error_bound;
-  so_bound->m2 = so_2_error_bound;
-  so_bound->m3 = so_3_error_bound;
-  so_bound->m4 = so_4_error_bound;
-  so_bound->m5 = so_5_error_bound;
+  so_bound->m0 = so_0_bound;
+  so_bound->m1 = so_1_bound;
+  so_bound->m2 = so_2_bound;
+  so_bound->m3 = so_3_bound;
+  so_bound->m4 = so_4_bound;
+  so_bound->m5 = so_5_bound;
 }
 
 /* so = s1 - s2; |error of so| <= so_bound unless inf or NaN.
@@ -1692,30 +1358,26 @@ static inline void ksl_add_ssf_certified(const ksl_screwf_t *s1, const ksl_screw
    6 mul, 6 add, 6 abs. */
 static inline void ksl_subtract_ssf_certified(const ksl_screwf_t *s1, const ksl_screwf_t *s2,
     ksl_screwf_t *so, ksl_screwf_t *so_bound) {
-  const float so_0 = s1->m0 - s2->m0;
-  const float so_1 = s1->m1 - s2->m1;
-  const float so_2 = s1->m2 - s2->m2;
-  const float so_3 = s1->m3 - s2->m3;
-  const float so_4 = s1->m4 - s2->m4;
-  const float so_5 = s1->m5 - s2->m5;
-  const float so_0_abs = fabsf(so_0), so_0_error_bound = KSL_MULF(5.960465e-08f, so_0_abs);
-  const float so_1_abs = fabsf(so_1), so_1_error_bound = KSL_MULF(5.960465e-08f, so_1_abs);
-  const float so_2_abs = fabsf(so_2), so_2_error_bound = KSL_MULF(5.960465e-08f, so_2_abs);
-  const float so_3_abs = fabsf(so_3), so_3_error_bound = KSL_MULF(5.960465e-08f, so_3_abs);
-  const float so_4_abs = fabsf(so_4), so_4_error_bound = KSL_MULF(5.960465e-08f, so_4_abs);
-  const float so_5_abs = fabsf(so_5), so_5_error_bound = KSL_MULF(5.960465e-08f, so_5_abs);
+  const float so_0 = s1->m0 - s2->m0, so_1 = s1->m1 - s2->m1, so_2 = s1->m2 - s2->m2,
+      so_3 = s1->m3 - s2->m3, so_4 = s1->m4 - s2->m4, so_5 = s1->m5 - s2->m5;
+  const float so_0_bound = KSL_MULF(5.960465e-08f, fabsf(so_0)),
+      so_1_bound = KSL_MULF(5.960465e-08f, fabsf(so_1)),
+      so_2_bound = KSL_MULF(5.960465e-08f, fabsf(so_2)),
+      so_3_bound = KSL_MULF(5.960465e-08f, fabsf(so_3)),
+      so_4_bound = KSL_MULF(5.960465e-08f, fabsf(so_4)),
+      so_5_bound = KSL_MULF(5.960465e-08f, fabsf(so_5));
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
   so->m3 = so_3;
   so->m4 = so_4;
   so->m5 = so_5;
-  so_bound->m0 = so_0_error_bound;
-  so_bound->m1 = so_1_error_bound;
-  so_bound->m2 = so_2_error_bound;
-  so_bound->m3 = so_3_error_bound;
-  so_bound->m4 = so_4_error_bound;
-  so_bound->m5 = so_5_error_bound;
+  so_bound->m0 = so_0_bound;
+  so_bound->m1 = so_1_bound;
+  so_bound->m2 = so_2_bound;
+  so_bound->m3 = so_3_bound;
+  so_bound->m4 = so_4_bound;
+  so_bound->m5 = so_5_bound;
 }
 
 /* so = (s1.lin + s2.lin ; s1.ang); |error of so| <= so_bound unless inf or NaN.
@@ -1723,12 +1385,10 @@ static inline void ksl_subtract_ssf_certified(const ksl_screwf_t *s1, const ksl_
    3 mul, 3 add, 3 abs. */
 static inline void ksl_add_sstf_certified(const ksl_screwf_t *s1, const ksl_screwf_t *s2,
     ksl_screwf_t *so, ksl_screwf_t *so_bound) {
-  const float so_0 = s1->m0 + s2->m0;
-  const float so_1 = s1->m1 + s2->m1;
-  const float so_2 = s1->m2 + s2->m2;
-  const float so_0_abs = fabsf(so_0), so_0_error_bound = KSL_MULF(5.960465e-08f, so_0_abs);
-  const float so_1_abs = fabsf(so_1), so_1_error_bound = KSL_MULF(5.960465e-08f, so_1_abs);
-  const float so_2_abs = fabsf(so_2), so_2_error_bound = KSL_MULF(5.960465e-08f, so_2_abs);
+  const float so_0 = s1->m0 + s2->m0, so_1 = s1->m1 + s2->m1, so_2 = s1->m2 + s2->m2;
+  const float so_0_bound = KSL_MULF(5.960465e-08f, fabsf(so_0)),
+      so_1_bound = KSL_MULF(5.960465e-08f, fabsf(so_1)),
+      so_2_bound = KSL_MULF(5.960465e-08f, fabsf(so_2));
   const float s1_m3 = s1->m3;
   const float s1_m4 = s1->m4;
   const float s1_m5 = s1->m5;
@@ -1738,9 +1398,9 @@ static inline void ksl_add_sstf_certified(const ksl_screwf_t *s1, const ksl_scre
   so->m3 = s1_m3;
   so->m4 = s1_m4;
   so->m5 = s1_m5;
-  so_bound->m0 = so_0_error_bound;
-  so_bound->m1 = so_1_error_bound;
-  so_bound->m2 = so_2_error_bound;
+  so_bound->m0 = so_0_bound;
+  so_bound->m1 = so_1_bound;
+  so_bound->m2 = so_2_bound;
   so_bound->m3 = 0.0f;
   so_bound->m4 = 0.0f;
   so_bound->m5 = 0.0f;
@@ -1751,27 +1411,18 @@ static inline void ksl_add_sstf_certified(const ksl_screwf_t *s1, const ksl_scre
    9 mul, 15 add, 9 abs. */
 static inline void ksl_product_Adtsf_certified(const ksl_vec3f_t *t, const ksl_screwf_t *si,
     ksl_screwf_t *so, ksl_screwf_t *so_bound) {
-  const float so_0a = KSL_MULF(t->y, si->m5), so_0b = KSL_MULF(t->z, si->m4), so_0c = so_0a - so_0b,
-      so_0 = so_0c + si->m0;
-  const float so_1a = KSL_MULF(t->z, si->m3), so_1b = KSL_MULF(t->x, si->m5), so_1c = so_1a - so_1b,
-      so_1 = so_1c + si->m1;
-  const float so_2a = KSL_MULF(t->x, si->m4), so_2b = KSL_MULF(t->y, si->m3), so_2c = so_2a - so_2b,
-      so_2 = so_2c + si->m2;
-  const float so_0a_abs = fabsf(so_0a), so_0b_abs = fabsf(so_0b),
-      so_0c_size = so_0a_abs + so_0b_abs, si_0_abs = fabsf(si->m0),
-      so_0_size = so_0c_size + si_0_abs;
-  const float so_1a_abs = fabsf(so_1a), so_1b_abs = fabsf(so_1b),
-      so_1c_size = so_1a_abs + so_1b_abs, si_1_abs = fabsf(si->m1),
-      so_1_size = so_1c_size + si_1_abs;
-  const float so_2a_abs = fabsf(so_2a), so_2b_abs = fabsf(so_2b),
-      so_2c_size = so_2a_abs + so_2b_abs, si_2_abs = fabsf(si->m2),
-      so_2_size = so_2c_size + si_2_abs;
-  const float so_0_padded = so_0_size + 1.9721523e-31f,
-      so_0_error_bound = KSL_MULF(1.7881396e-07f, so_0_padded);
-  const float so_1_padded = so_1_size + 1.9721523e-31f,
-      so_1_error_bound = KSL_MULF(1.7881396e-07f, so_1_padded);
-  const float so_2_padded = so_2_size + 1.9721523e-31f,
-      so_2_error_bound = KSL_MULF(1.7881396e-07f, so_2_padded);
+  const float so_0a = KSL_MULF(t->y, si->m5), so_0b = KSL_MULF(t->z, si->m4),
+      so_0 = so_0a - so_0b + si->m0;
+  const float so_1a = KSL_MULF(t->z, si->m3), so_1b = KSL_MULF(t->x, si->m5),
+      so_1 = so_1a - so_1b + si->m1;
+  const float so_2a = KSL_MULF(t->x, si->m4), so_2b = KSL_MULF(t->y, si->m3),
+      so_2 = so_2a - so_2b + si->m2;
+  const float so_0_size = fabsf(so_0a) + fabsf(so_0b) + fabsf(si->m0),
+      so_1_size = fabsf(so_1a) + fabsf(so_1b) + fabsf(si->m1),
+      so_2_size = fabsf(so_2a) + fabsf(so_2b) + fabsf(si->m2);
+  const float so_0_bound = KSL_MULF(1.7881396e-07f, so_0_size + 1.9721523e-31f),
+      so_1_bound = KSL_MULF(1.7881396e-07f, so_1_size + 1.9721523e-31f),
+      so_2_bound = KSL_MULF(1.7881396e-07f, so_2_size + 1.9721523e-31f);
   const float si_m3 = si->m3;
   const float si_m4 = si->m4;
   const float si_m5 = si->m5;
@@ -1781,9 +1432,9 @@ static inline void ksl_product_Adtsf_certified(const ksl_vec3f_t *t, const ksl_s
   so->m3 = si_m3;
   so->m4 = si_m4;
   so->m5 = si_m5;
-  so_bound->m0 = so_0_error_bound;
-  so_bound->m1 = so_1_error_bound;
-  so_bound->m2 = so_2_error_bound;
+  so_bound->m0 = so_0_bound;
+  so_bound->m1 = so_1_bound;
+  so_bound->m2 = so_2_bound;
   so_bound->m3 = 0.0f;
   so_bound->m4 = 0.0f;
   so_bound->m5 = 0.0f;
@@ -1794,27 +1445,18 @@ static inline void ksl_product_Adtsf_certified(const ksl_vec3f_t *t, const ksl_s
    9 mul, 15 add, 9 abs. */
 static inline void ksl_product_Adtinvsf_certified(const ksl_vec3f_t *t, const ksl_screwf_t *si,
     ksl_screwf_t *so, ksl_screwf_t *so_bound) {
-  const float so_0a = KSL_MULF(t->z, si->m4), so_0b = KSL_MULF(t->y, si->m5), so_0c = so_0a - so_0b,
-      so_0 = so_0c + si->m0;
-  const float so_1a = KSL_MULF(t->x, si->m5), so_1b = KSL_MULF(t->z, si->m3), so_1c = so_1a - so_1b,
-      so_1 = so_1c + si->m1;
-  const float so_2a = KSL_MULF(t->y, si->m3), so_2b = KSL_MULF(t->x, si->m4), so_2c = so_2a - so_2b,
-      so_2 = so_2c + si->m2;
-  const float so_0a_abs = fabsf(so_0a), so_0b_abs = fabsf(so_0b),
-      so_0c_size = so_0a_abs + so_0b_abs, si_0_abs = fabsf(si->m0),
-      so_0_size = so_0c_size + si_0_abs;
-  const float so_1a_abs = fabsf(so_1a), so_1b_abs = fabsf(so_1b),
-      so_1c_size = so_1a_abs + so_1b_abs, si_1_abs = fabsf(si->m1),
-      so_1_size = so_1c_size + si_1_abs;
-  const float so_2a_abs = fabsf(so_2a), so_2b_abs = fabsf(so_2b),
-      so_2c_size = so_2a_abs + so_2b_abs, si_2_abs = fabsf(si->m2),
-      so_2_size = so_2c_size + si_2_abs;
-  const float so_0_padded = so_0_size + 1.9721523e-31f,
-      so_0_error_bound = KSL_MULF(1.7881396e-07f, so_0_padded);
-  const float so_1_padded = so_1_size + 1.9721523e-31f,
-      so_1_error_bound = KSL_MULF(1.7881396e-07f, so_1_padded);
-  const float so_2_padded = so_2_size + 1.9721523e-31f,
-      so_2_error_bound = KSL_MULF(1.7881396e-07f, so_2_padded);
+  const float so_0a = KSL_MULF(t->z, si->m4), so_0b = KSL_MULF(t->y, si->m5),
+      so_0 = so_0a - so_0b + si->m0;
+  const float so_1a = KSL_MULF(t->x, si->m5), so_1b = KSL_MULF(t->z, si->m3),
+      so_1 = so_1a - so_1b + si->m1;
+  const float so_2a = KSL_MULF(t->y, si->m3), so_2b = KSL_MULF(t->x, si->m4),
+      so_2 = so_2a - so_2b + si->m2;
+  const float so_0_size = fabsf(so_0a) + fabsf(so_0b) + fabsf(si->m0),
+      so_1_size = fabsf(so_1a) + fabsf(so_1b) + fabsf(si->m1),
+      so_2_size = fabsf(so_2a) + fabsf(so_2b) + fabsf(si->m2);
+  const float so_0_bound = KSL_MULF(1.7881396e-07f, so_0_size + 1.9721523e-31f),
+      so_1_bound = KSL_MULF(1.7881396e-07f, so_1_size + 1.9721523e-31f),
+      so_2_bound = KSL_MULF(1.7881396e-07f, so_2_size + 1.9721523e-31f);
   const float si_m3 = si->m3;
   const float si_m4 = si->m4;
   const float si_m5 = si->m5;
@@ -1824,9 +1466,9 @@ static inline void ksl_product_Adtinvsf_certified(const ksl_vec3f_t *t, const ks
   so->m3 = si_m3;
   so->m4 = si_m4;
   so->m5 = si_m5;
-  so_bound->m0 = so_0_error_bound;
-  so_bound->m1 = so_1_error_bound;
-  so_bound->m2 = so_2_error_bound;
+  so_bound->m0 = so_0_bound;
+  so_bound->m1 = so_1_bound;
+  so_bound->m2 = so_2_bound;
   so_bound->m3 = 0.0f;
   so_bound->m4 = 0.0f;
   so_bound->m5 = 0.0f;
@@ -1837,39 +1479,28 @@ static inline void ksl_product_Adtinvsf_certified(const ksl_vec3f_t *t, const ks
    9 mul, 15 add, 3 neg, 9 abs. */
 static inline void ksl_product_Adtsinvf_certified(const ksl_vec3f_t *t, const ksl_screwf_t *si,
     ksl_screwf_t *so, ksl_screwf_t *so_bound) {
-  const float so_0a = KSL_MULF(t->z, si->m4), so_0b = KSL_MULF(t->y, si->m5), so_0c = so_0a - so_0b,
-      so_0 = so_0c - si->m0;
-  const float so_1a = KSL_MULF(t->x, si->m5), so_1b = KSL_MULF(t->z, si->m3), so_1c = so_1a - so_1b,
-      so_1 = so_1c - si->m1;
-  const float so_2a = KSL_MULF(t->y, si->m3), so_2b = KSL_MULF(t->x, si->m4), so_2c = so_2a - so_2b,
-      so_2 = so_2c - si->m2;
-  const float so_3 = -si->m3;
-  const float so_4 = -si->m4;
-  const float so_5 = -si->m5;
-  const float so_0a_abs = fabsf(so_0a), so_0b_abs = fabsf(so_0b),
-      so_0c_size = so_0a_abs + so_0b_abs, si_0_abs = fabsf(si->m0),
-      so_0_size = so_0c_size + si_0_abs;
-  const float so_1a_abs = fabsf(so_1a), so_1b_abs = fabsf(so_1b),
-      so_1c_size = so_1a_abs + so_1b_abs, si_1_abs = fabsf(si->m1),
-      so_1_size = so_1c_size + si_1_abs;
-  const float so_2a_abs = fabsf(so_2a), so_2b_abs = fabsf(so_2b),
-      so_2c_size = so_2a_abs + so_2b_abs, si_2_abs = fabsf(si->m2),
-      so_2_size = so_2c_size + si_2_abs;
-  const float so_0_padded = so_0_size + 1.9721523e-31f,
-      so_0_error_bound = KSL_MULF(1.7881396e-07f, so_0_padded);
-  const float so_1_padded = so_1_size + 1.9721523e-31f,
-      so_1_error_bound = KSL_MULF(1.7881396e-07f, so_1_padded);
-  const float so_2_padded = so_2_size + 1.9721523e-31f,
-      so_2_error_bound = KSL_MULF(1.7881396e-07f, so_2_padded);
+  const float so_0a = KSL_MULF(t->z, si->m4), so_0b = KSL_MULF(t->y, si->m5),
+      so_0 = so_0a - so_0b - si->m0;
+  const float so_1a = KSL_MULF(t->x, si->m5), so_1b = KSL_MULF(t->z, si->m3),
+      so_1 = so_1a - so_1b - si->m1;
+  const float so_2a = KSL_MULF(t->y, si->m3), so_2b = KSL_MULF(t->x, si->m4),
+      so_2 = so_2a - so_2b - si->m2;
+  const float so_3 = -si->m3, so_4 = -si->m4, so_5 = -si->m5;
+  const float so_0_size = fabsf(so_0a) + fabsf(so_0b) + fabsf(si->m0),
+      so_1_size = fabsf(so_1a) + fabsf(so_1b) + fabsf(si->m1),
+      so_2_size = fabsf(so_2a) + fabsf(so_2b) + fabsf(si->m2);
+  const float so_0_bound = KSL_MULF(1.7881396e-07f, so_0_size + 1.9721523e-31f),
+      so_1_bound = KSL_MULF(1.7881396e-07f, so_1_size + 1.9721523e-31f),
+      so_2_bound = KSL_MULF(1.7881396e-07f, so_2_size + 1.9721523e-31f);
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
   so->m3 = so_3;
   so->m4 = so_4;
   so->m5 = so_5;
-  so_bound->m0 = so_0_error_bound;
-  so_bound->m1 = so_1_error_bound;
-  so_bound->m2 = so_2_error_bound;
+  so_bound->m0 = so_0_bound;
+  so_bound->m1 = so_1_bound;
+  so_bound->m2 = so_2_bound;
   so_bound->m3 = 0.0f;
   so_bound->m4 = 0.0f;
   so_bound->m5 = 0.0f;
@@ -1881,59 +1512,41 @@ static inline void ksl_product_Adtsinvf_certified(const ksl_vec3f_t *t, const ks
 static inline void ksl_product_Adrsf_certified(const ksl_mat3x3f_t *R, const ksl_screwf_t *si,
     ksl_screwf_t *so, ksl_screwf_t *so_bound) {
   const float so_0a = KSL_MULF(R->m00, si->m0), so_0b = KSL_MULF(R->m01, si->m1),
-      so_0c = so_0a + so_0b, so_0d = KSL_MULF(R->m02, si->m2), so_0 = so_0c + so_0d;
+      so_0d = KSL_MULF(R->m02, si->m2), so_0 = so_0a + so_0b + so_0d;
   const float so_1a = KSL_MULF(R->m10, si->m0), so_1b = KSL_MULF(R->m11, si->m1),
-      so_1c = so_1a + so_1b, so_1d = KSL_MULF(R->m12, si->m2), so_1 = so_1c + so_1d;
+      so_1d = KSL_MULF(R->m12, si->m2), so_1 = so_1a + so_1b + so_1d;
   const float so_2a = KSL_MULF(R->m20, si->m0), so_2b = KSL_MULF(R->m21, si->m1),
-      so_2c = so_2a + so_2b, so_2d = KSL_MULF(R->m22, si->m2), so_2 = so_2c + so_2d;
+      so_2d = KSL_MULF(R->m22, si->m2), so_2 = so_2a + so_2b + so_2d;
   const float so_3a = KSL_MULF(R->m00, si->m3), so_3b = KSL_MULF(R->m01, si->m4),
-      so_3c = so_3a + so_3b, so_3d = KSL_MULF(R->m02, si->m5), so_3 = so_3c + so_3d;
+      so_3d = KSL_MULF(R->m02, si->m5), so_3 = so_3a + so_3b + so_3d;
   const float so_4a = KSL_MULF(R->m10, si->m3), so_4b = KSL_MULF(R->m11, si->m4),
-      so_4c = so_4a + so_4b, so_4d = KSL_MULF(R->m12, si->m5), so_4 = so_4c + so_4d;
+      so_4d = KSL_MULF(R->m12, si->m5), so_4 = so_4a + so_4b + so_4d;
   const float so_5a = KSL_MULF(R->m20, si->m3), so_5b = KSL_MULF(R->m21, si->m4),
-      so_5c = so_5a + so_5b, so_5d = KSL_MULF(R->m22, si->m5), so_5 = so_5c + so_5d;
-  const float so_0a_abs = fabsf(so_0a), so_0b_abs = fabsf(so_0b),
-      so_0c_size = so_0a_abs + so_0b_abs, so_0d_abs = fabsf(so_0d),
-      so_0_size = so_0c_size + so_0d_abs;
-  const float so_1a_abs = fabsf(so_1a), so_1b_abs = fabsf(so_1b),
-      so_1c_size = so_1a_abs + so_1b_abs, so_1d_abs = fabsf(so_1d),
-      so_1_size = so_1c_size + so_1d_abs;
-  const float so_2a_abs = fabsf(so_2a), so_2b_abs = fabsf(so_2b),
-      so_2c_size = so_2a_abs + so_2b_abs, so_2d_abs = fabsf(so_2d),
-      so_2_size = so_2c_size + so_2d_abs;
-  const float so_3a_abs = fabsf(so_3a), so_3b_abs = fabsf(so_3b),
-      so_3c_size = so_3a_abs + so_3b_abs, so_3d_abs = fabsf(so_3d),
-      so_3_size = so_3c_size + so_3d_abs;
-  const float so_4a_abs = fabsf(so_4a), so_4b_abs = fabsf(so_4b),
-      so_4c_size = so_4a_abs + so_4b_abs, so_4d_abs = fabsf(so_4d),
-      so_4_size = so_4c_size + so_4d_abs;
-  const float so_5a_abs = fabsf(so_5a), so_5b_abs = fabsf(so_5b),
-      so_5c_size = so_5a_abs + so_5b_abs, so_5d_abs = fabsf(so_5d),
-      so_5_size = so_5c_size + so_5d_abs;
-  const float so_0_padded = so_0_size + 1.9721523e-31f,
-      so_0_error_bound = KSL_MULF(1.7881396e-07f, so_0_padded);
-  const float so_1_padded = so_1_size + 1.9721523e-31f,
-      so_1_error_bound = KSL_MULF(1.7881396e-07f, so_1_padded);
-  const float so_2_padded = so_2_size + 1.9721523e-31f,
-      so_2_error_bound = KSL_MULF(1.7881396e-07f, so_2_padded);
-  const float so_3_padded = so_3_size + 1.9721523e-31f,
-      so_3_error_bound = KSL_MULF(1.7881396e-07f, so_3_padded);
-  const float so_4_padded = so_4_size + 1.9721523e-31f,
-      so_4_error_bound = KSL_MULF(1.7881396e-07f, so_4_padded);
-  const float so_5_padded = so_5_size + 1.9721523e-31f,
-      so_5_error_bound = KSL_MULF(1.7881396e-07f, so_5_padded);
+      so_5d = KSL_MULF(R->m22, si->m5), so_5 = so_5a + so_5b + so_5d;
+  const float so_0_size = fabsf(so_0a) + fabsf(so_0b) + fabsf(so_0d),
+      so_1_size = fabsf(so_1a) + fabsf(so_1b) + fabsf(so_1d),
+      so_2_size = fabsf(so_2a) + fabsf(so_2b) + fabsf(so_2d),
+      so_3_size = fabsf(so_3a) + fabsf(so_3b) + fabsf(so_3d),
+      so_4_size = fabsf(so_4a) + fabsf(so_4b) + fabsf(so_4d),
+      so_5_size = fabsf(so_5a) + fabsf(so_5b) + fabsf(so_5d);
+  const float so_0_bound = KSL_MULF(1.7881396e-07f, so_0_size + 1.9721523e-31f),
+      so_1_bound = KSL_MULF(1.7881396e-07f, so_1_size + 1.9721523e-31f),
+      so_2_bound = KSL_MULF(1.7881396e-07f, so_2_size + 1.9721523e-31f),
+      so_3_bound = KSL_MULF(1.7881396e-07f, so_3_size + 1.9721523e-31f),
+      so_4_bound = KSL_MULF(1.7881396e-07f, so_4_size + 1.9721523e-31f),
+      so_5_bound = KSL_MULF(1.7881396e-07f, so_5_size + 1.9721523e-31f);
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
   so->m3 = so_3;
   so->m4 = so_4;
   so->m5 = so_5;
-  so_bound->m0 = so_0_error_bound;
-  so_bound->m1 = so_1_error_bound;
-  so_bound->m2 = so_2_error_bound;
-  so_bound->m3 = so_3_error_bound;
-  so_bound->m4 = so_4_error_bound;
-  so_bound->m5 = so_5_error_bound;
+  so_bound->m0 = so_0_bound;
+  so_bound->m1 = so_1_bound;
+  so_bound->m2 = so_2_bound;
+  so_bound->m3 = so_3_bound;
+  so_bound->m4 = so_4_bound;
+  so_bound->m5 = so_5_bound;
 }
 
 /* so = [Ad](R)^-1 si; |error of so| <= so_bound unless inf or NaN.
@@ -1942,59 +1555,41 @@ static inline void ksl_product_Adrsf_certified(const ksl_mat3x3f_t *R, const ksl
 static inline void ksl_product_Adrinvsf_certified(const ksl_mat3x3f_t *R, const ksl_screwf_t *si,
     ksl_screwf_t *so, ksl_screwf_t *so_bound) {
   const float so_0a = KSL_MULF(R->m00, si->m0), so_0b = KSL_MULF(R->m10, si->m1),
-      so_0c = so_0a + so_0b, so_0d = KSL_MULF(R->m20, si->m2), so_0 = so_0c + so_0d;
+      so_0d = KSL_MULF(R->m20, si->m2), so_0 = so_0a + so_0b + so_0d;
   const float so_1a = KSL_MULF(R->m01, si->m0), so_1b = KSL_MULF(R->m11, si->m1),
-      so_1c = so_1a + so_1b, so_1d = KSL_MULF(R->m21, si->m2), so_1 = so_1c + so_1d;
+      so_1d = KSL_MULF(R->m21, si->m2), so_1 = so_1a + so_1b + so_1d;
   const float so_2a = KSL_MULF(R->m02, si->m0), so_2b = KSL_MULF(R->m12, si->m1),
-      so_2c = so_2a + so_2b, so_2d = KSL_MULF(R->m22, si->m2), so_2 = so_2c + so_2d;
+      so_2d = KSL_MULF(R->m22, si->m2), so_2 = so_2a + so_2b + so_2d;
   const float so_3a = KSL_MULF(R->m00, si->m3), so_3b = KSL_MULF(R->m10, si->m4),
-      so_3c = so_3a + so_3b, so_3d = KSL_MULF(R->m20, si->m5), so_3 = so_3c + so_3d;
+      so_3d = KSL_MULF(R->m20, si->m5), so_3 = so_3a + so_3b + so_3d;
   const float so_4a = KSL_MULF(R->m01, si->m3), so_4b = KSL_MULF(R->m11, si->m4),
-      so_4c = so_4a + so_4b, so_4d = KSL_MULF(R->m21, si->m5), so_4 = so_4c + so_4d;
+      so_4d = KSL_MULF(R->m21, si->m5), so_4 = so_4a + so_4b + so_4d;
   const float so_5a = KSL_MULF(R->m02, si->m3), so_5b = KSL_MULF(R->m12, si->m4),
-      so_5c = so_5a + so_5b, so_5d = KSL_MULF(R->m22, si->m5), so_5 = so_5c + so_5d;
-  const float so_0a_abs = fabsf(so_0a), so_0b_abs = fabsf(so_0b),
-      so_0c_size = so_0a_abs + so_0b_abs, so_0d_abs = fabsf(so_0d),
-      so_0_size = so_0c_size + so_0d_abs;
-  const float so_1a_abs = fabsf(so_1a), so_1b_abs = fabsf(so_1b),
-      so_1c_size = so_1a_abs + so_1b_abs, so_1d_abs = fabsf(so_1d),
-      so_1_size = so_1c_size + so_1d_abs;
-  const float so_2a_abs = fabsf(so_2a), so_2b_abs = fabsf(so_2b),
-      so_2c_size = so_2a_abs + so_2b_abs, so_2d_abs = fabsf(so_2d),
-      so_2_size = so_2c_size + so_2d_abs;
-  const float so_3a_abs = fabsf(so_3a), so_3b_abs = fabsf(so_3b),
-      so_3c_size = so_3a_abs + so_3b_abs, so_3d_abs = fabsf(so_3d),
-      so_3_size = so_3c_size + so_3d_abs;
-  const float so_4a_abs = fabsf(so_4a), so_4b_abs = fabsf(so_4b),
-      so_4c_size = so_4a_abs + so_4b_abs, so_4d_abs = fabsf(so_4d),
-      so_4_size = so_4c_size + so_4d_abs;
-  const float so_5a_abs = fabsf(so_5a), so_5b_abs = fabsf(so_5b),
-      so_5c_size = so_5a_abs + so_5b_abs, so_5d_abs = fabsf(so_5d),
-      so_5_size = so_5c_size + so_5d_abs;
-  const float so_0_padded = so_0_size + 1.9721523e-31f,
-      so_0_error_bound = KSL_MULF(1.7881396e-07f, so_0_padded);
-  const float so_1_padded = so_1_size + 1.9721523e-31f,
-      so_1_error_bound = KSL_MULF(1.7881396e-07f, so_1_padded);
-  const float so_2_padded = so_2_size + 1.9721523e-31f,
-      so_2_error_bound = KSL_MULF(1.7881396e-07f, so_2_padded);
-  const float so_3_padded = so_3_size + 1.9721523e-31f,
-      so_3_error_bound = KSL_MULF(1.7881396e-07f, so_3_padded);
-  const float so_4_padded = so_4_size + 1.9721523e-31f,
-      so_4_error_bound = KSL_MULF(1.7881396e-07f, so_4_padded);
-  const float so_5_padded = so_5_size + 1.9721523e-31f,
-      so_5_error_bound = KSL_MULF(1.7881396e-07f, so_5_padded);
+      so_5d = KSL_MULF(R->m22, si->m5), so_5 = so_5a + so_5b + so_5d;
+  const float so_0_size = fabsf(so_0a) + fabsf(so_0b) + fabsf(so_0d),
+      so_1_size = fabsf(so_1a) + fabsf(so_1b) + fabsf(so_1d),
+      so_2_size = fabsf(so_2a) + fabsf(so_2b) + fabsf(so_2d),
+      so_3_size = fabsf(so_3a) + fabsf(so_3b) + fabsf(so_3d),
+      so_4_size = fabsf(so_4a) + fabsf(so_4b) + fabsf(so_4d),
+      so_5_size = fabsf(so_5a) + fabsf(so_5b) + fabsf(so_5d);
+  const float so_0_bound = KSL_MULF(1.7881396e-07f, so_0_size + 1.9721523e-31f),
+      so_1_bound = KSL_MULF(1.7881396e-07f, so_1_size + 1.9721523e-31f),
+      so_2_bound = KSL_MULF(1.7881396e-07f, so_2_size + 1.9721523e-31f),
+      so_3_bound = KSL_MULF(1.7881396e-07f, so_3_size + 1.9721523e-31f),
+      so_4_bound = KSL_MULF(1.7881396e-07f, so_4_size + 1.9721523e-31f),
+      so_5_bound = KSL_MULF(1.7881396e-07f, so_5_size + 1.9721523e-31f);
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
   so->m3 = so_3;
   so->m4 = so_4;
   so->m5 = so_5;
-  so_bound->m0 = so_0_error_bound;
-  so_bound->m1 = so_1_error_bound;
-  so_bound->m2 = so_2_error_bound;
-  so_bound->m3 = so_3_error_bound;
-  so_bound->m4 = so_4_error_bound;
-  so_bound->m5 = so_5_error_bound;
+  so_bound->m0 = so_0_bound;
+  so_bound->m1 = so_1_bound;
+  so_bound->m2 = so_2_bound;
+  so_bound->m3 = so_3_bound;
+  so_bound->m4 = so_4_bound;
+  so_bound->m5 = so_5_bound;
 }
 
 /* so = [Ad](R) (-si); |error of so| <= so_bound unless inf or NaN.
@@ -2003,59 +1598,41 @@ static inline void ksl_product_Adrinvsf_certified(const ksl_mat3x3f_t *R, const 
 static inline void ksl_product_Adrsinvf_certified(const ksl_mat3x3f_t *R, const ksl_screwf_t *si,
     ksl_screwf_t *so, ksl_screwf_t *so_bound) {
   const float so_0a = KSL_MULF(R->m00, si->m0), so_0b = KSL_MULF(R->m01, si->m1),
-      so_0c = so_0a + so_0b, so_0d = KSL_MULF(R->m02, si->m2), so_0e = so_0c + so_0d, so_0 = -so_0e;
+      so_0d = KSL_MULF(R->m02, si->m2), so_0 = -(so_0a + so_0b + so_0d);
   const float so_1a = KSL_MULF(R->m10, si->m0), so_1b = KSL_MULF(R->m11, si->m1),
-      so_1c = so_1a + so_1b, so_1d = KSL_MULF(R->m12, si->m2), so_1e = so_1c + so_1d, so_1 = -so_1e;
+      so_1d = KSL_MULF(R->m12, si->m2), so_1 = -(so_1a + so_1b + so_1d);
   const float so_2a = KSL_MULF(R->m20, si->m0), so_2b = KSL_MULF(R->m21, si->m1),
-      so_2c = so_2a + so_2b, so_2d = KSL_MULF(R->m22, si->m2), so_2e = so_2c + so_2d, so_2 = -so_2e;
+      so_2d = KSL_MULF(R->m22, si->m2), so_2 = -(so_2a + so_2b + so_2d);
   const float so_3a = KSL_MULF(R->m00, si->m3), so_3b = KSL_MULF(R->m01, si->m4),
-      so_3c = so_3a + so_3b, so_3d = KSL_MULF(R->m02, si->m5), so_3e = so_3c + so_3d, so_3 = -so_3e;
+      so_3d = KSL_MULF(R->m02, si->m5), so_3 = -(so_3a + so_3b + so_3d);
   const float so_4a = KSL_MULF(R->m10, si->m3), so_4b = KSL_MULF(R->m11, si->m4),
-      so_4c = so_4a + so_4b, so_4d = KSL_MULF(R->m12, si->m5), so_4e = so_4c + so_4d, so_4 = -so_4e;
+      so_4d = KSL_MULF(R->m12, si->m5), so_4 = -(so_4a + so_4b + so_4d);
   const float so_5a = KSL_MULF(R->m20, si->m3), so_5b = KSL_MULF(R->m21, si->m4),
-      so_5c = so_5a + so_5b, so_5d = KSL_MULF(R->m22, si->m5), so_5e = so_5c + so_5d, so_5 = -so_5e;
-  const float so_0a_abs = fabsf(so_0a), so_0b_abs = fabsf(so_0b),
-      so_0c_size = so_0a_abs + so_0b_abs, so_0d_abs = fabsf(so_0d),
-      so_0e_size = so_0c_size + so_0d_abs;
-  const float so_1a_abs = fabsf(so_1a), so_1b_abs = fabsf(so_1b),
-      so_1c_size = so_1a_abs + so_1b_abs, so_1d_abs = fabsf(so_1d),
-      so_1e_size = so_1c_size + so_1d_abs;
-  const float so_2a_abs = fabsf(so_2a), so_2b_abs = fabsf(so_2b),
-      so_2c_size = so_2a_abs + so_2b_abs, so_2d_abs = fabsf(so_2d),
-      so_2e_size = so_2c_size + so_2d_abs;
-  const float so_3a_abs = fabsf(so_3a), so_3b_abs = fabsf(so_3b),
-      so_3c_size = so_3a_abs + so_3b_abs, so_3d_abs = fabsf(so_3d),
-      so_3e_size = so_3c_size + so_3d_abs;
-  const float so_4a_abs = fabsf(so_4a), so_4b_abs = fabsf(so_4b),
-      so_4c_size = so_4a_abs + so_4b_abs, so_4d_abs = fabsf(so_4d),
-      so_4e_size = so_4c_size + so_4d_abs;
-  const float so_5a_abs = fabsf(so_5a), so_5b_abs = fabsf(so_5b),
-      so_5c_size = so_5a_abs + so_5b_abs, so_5d_abs = fabsf(so_5d),
-      so_5e_size = so_5c_size + so_5d_abs;
-  const float so_0e_padded = so_0e_size + 1.9721523e-31f,
-      so_0e_error_bound = KSL_MULF(1.7881396e-07f, so_0e_padded);
-  const float so_1e_padded = so_1e_size + 1.9721523e-31f,
-      so_1e_error_bound = KSL_MULF(1.7881396e-07f, so_1e_padded);
-  const float so_2e_padded = so_2e_size + 1.9721523e-31f,
-      so_2e_error_bound = KSL_MULF(1.7881396e-07f, so_2e_padded);
-  const float so_3e_padded = so_3e_size + 1.9721523e-31f,
-      so_3e_error_bound = KSL_MULF(1.7881396e-07f, so_3e_padded);
-  const float so_4e_padded = so_4e_size + 1.9721523e-31f,
-      so_4e_error_bound = KSL_MULF(1.7881396e-07f, so_4e_padded);
-  const float so_5e_padded = so_5e_size + 1.9721523e-31f,
-      so_5e_error_bound = KSL_MULF(1.7881396e-07f, so_5e_padded);
+      so_5d = KSL_MULF(R->m22, si->m5), so_5 = -(so_5a + so_5b + so_5d);
+  const float so_0e_bound = KSL_MULF(1.7881396e-07f, fabsf(so_0a) + fabsf(so_0b) + fabsf(so_0d)
+          + 1.9721523e-31f);
+  const float so_1e_bound = KSL_MULF(1.7881396e-07f, fabsf(so_1a) + fabsf(so_1b) + fabsf(so_1d)
+          + 1.9721523e-31f);
+  const float so_2e_bound = KSL_MULF(1.7881396e-07f, fabsf(so_2a) + fabsf(so_2b) + fabsf(so_2d)
+          + 1.9721523e-31f);
+  const float so_3e_bound = KSL_MULF(1.7881396e-07f, fabsf(so_3a) + fabsf(so_3b) + fabsf(so_3d)
+          + 1.9721523e-31f);
+  const float so_4e_bound = KSL_MULF(1.7881396e-07f, fabsf(so_4a) + fabsf(so_4b) + fabsf(so_4d)
+          + 1.9721523e-31f);
+  const float so_5e_bound = KSL_MULF(1.7881396e-07f, fabsf(so_5a) + fabsf(so_5b) + fabsf(so_5d)
+          + 1.9721523e-31f);
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
   so->m3 = so_3;
   so->m4 = so_4;
   so->m5 = so_5;
-  so_bound->m0 = so_0e_error_bound;
-  so_bound->m1 = so_1e_error_bound;
-  so_bound->m2 = so_2e_error_bound;
-  so_bound->m3 = so_3e_error_bound;
-  so_bound->m4 = so_4e_error_bound;
-  so_bound->m5 = so_5e_error_bound;
+  so_bound->m0 = so_0e_bound;
+  so_bound->m1 = so_1e_bound;
+  so_bound->m2 = so_2e_bound;
+  so_bound->m3 = so_3e_bound;
+  so_bound->m4 = so_4e_bound;
+  so_bound->m5 = so_5e_bound;
 }
 
 /* so = [Ad](D) si = [Ad](t) [Ad](R) si; |error of so| <= so_bound unless inf or NaN.
@@ -2063,69 +1640,55 @@ static inline void ksl_product_Adrsinvf_certified(const ksl_mat3x3f_t *R, const 
    36 mul, 42 add, 21 abs. */
 static inline void ksl_product_Adsf_certified(const ksl_SE3f_t *D, const ksl_screwf_t *si,
     ksl_screwf_t *so, ksl_screwf_t *so_bound) {
-  const float w_0a = KSL_MULF(D->m00, si->m0), w_0b = KSL_MULF(D->m01, si->m1), w_0c = w_0a + w_0b,
-      w_0d = KSL_MULF(D->m02, si->m2), w_0 = w_0c + w_0d;
-  const float w_1a = KSL_MULF(D->m10, si->m0), w_1b = KSL_MULF(D->m11, si->m1), w_1c = w_1a + w_1b,
-      w_1d = KSL_MULF(D->m12, si->m2), w_1 = w_1c + w_1d;
-  const float w_2a = KSL_MULF(D->m20, si->m0), w_2b = KSL_MULF(D->m21, si->m1), w_2c = w_2a + w_2b,
-      w_2d = KSL_MULF(D->m22, si->m2), w_2 = w_2c + w_2d;
-  const float w_3a = KSL_MULF(D->m00, si->m3), w_3b = KSL_MULF(D->m01, si->m4), w_3c = w_3a + w_3b,
-      w_3d = KSL_MULF(D->m02, si->m5), w_3 = w_3c + w_3d;
-  const float w_4a = KSL_MULF(D->m10, si->m3), w_4b = KSL_MULF(D->m11, si->m4), w_4c = w_4a + w_4b,
-      w_4d = KSL_MULF(D->m12, si->m5), w_4 = w_4c + w_4d;
-  const float w_5a = KSL_MULF(D->m20, si->m3), w_5b = KSL_MULF(D->m21, si->m4), w_5c = w_5a + w_5b,
-      w_5d = KSL_MULF(D->m22, si->m5), w_5 = w_5c + w_5d;
-  const float so_0a = KSL_MULF(D->m13, w_5), so_0b = KSL_MULF(D->m23, w_4), so_0c = so_0a - so_0b,
-      so_0 = so_0c + w_0;
-  const float so_1a = KSL_MULF(D->m23, w_3), so_1b = KSL_MULF(D->m03, w_5), so_1c = so_1a - so_1b,
-      so_1 = so_1c + w_1;
-  const float so_2a = KSL_MULF(D->m03, w_4), so_2b = KSL_MULF(D->m13, w_3), so_2c = so_2a - so_2b,
-      so_2 = so_2c + w_2;
-  const float w_0a_abs = fabsf(w_0a), w_0b_abs = fabsf(w_0b), w_0c_size = w_0a_abs + w_0b_abs,
-      w_0d_abs = fabsf(w_0d), w_0_size = w_0c_size + w_0d_abs;
-  const float w_1a_abs = fabsf(w_1a), w_1b_abs = fabsf(w_1b), w_1c_size = w_1a_abs + w_1b_abs,
-      w_1d_abs = fabsf(w_1d), w_1_size = w_1c_size + w_1d_abs;
-  const float w_2a_abs = fabsf(w_2a), w_2b_abs = fabsf(w_2b), w_2c_size = w_2a_abs + w_2b_abs,
-      w_2d_abs = fabsf(w_2d), w_2_size = w_2c_size + w_2d_abs;
-  const float w_3a_abs = fabsf(w_3a), w_3b_abs = fabsf(w_3b), w_3c_size = w_3a_abs + w_3b_abs,
-      w_3d_abs = fabsf(w_3d), w_3_size = w_3c_size + w_3d_abs;
-  const float w_4a_abs = fabsf(w_4a), w_4b_abs = fabsf(w_4b), w_4c_size = w_4a_abs + w_4b_abs,
-      w_4d_abs = fabsf(w_4d), w_4_size = w_4c_size + w_4d_abs;
-  const float w_5a_abs = fabsf(w_5a), w_5b_abs = fabsf(w_5b), w_5c_size = w_5a_abs + w_5b_abs,
-      w_5d_abs = fabsf(w_5d), w_5_size = w_5c_size + w_5d_abs;
+  const float w_0a = KSL_MULF(D->m00, si->m0), w_0b = KSL_MULF(D->m01, si->m1),
+      w_0d = KSL_MULF(D->m02, si->m2), w_0 = w_0a + w_0b + w_0d;
+  const float w_1a = KSL_MULF(D->m10, si->m0), w_1b = KSL_MULF(D->m11, si->m1),
+      w_1d = KSL_MULF(D->m12, si->m2), w_1 = w_1a + w_1b + w_1d;
+  const float w_2a = KSL_MULF(D->m20, si->m0), w_2b = KSL_MULF(D->m21, si->m1),
+      w_2d = KSL_MULF(D->m22, si->m2), w_2 = w_2a + w_2b + w_2d;
+  const float w_3a = KSL_MULF(D->m00, si->m3), w_3b = KSL_MULF(D->m01, si->m4),
+      w_3d = KSL_MULF(D->m02, si->m5), w_3 = w_3a + w_3b + w_3d;
+  const float w_4a = KSL_MULF(D->m10, si->m3), w_4b = KSL_MULF(D->m11, si->m4),
+      w_4d = KSL_MULF(D->m12, si->m5), w_4 = w_4a + w_4b + w_4d;
+  const float w_5a = KSL_MULF(D->m20, si->m3), w_5b = KSL_MULF(D->m21, si->m4),
+      w_5d = KSL_MULF(D->m22, si->m5), w_5 = w_5a + w_5b + w_5d;
+  const float so_0 = KSL_MULF(D->m13, w_5) - KSL_MULF(D->m23, w_4) + w_0;
+  const float so_1 = KSL_MULF(D->m23, w_3) - KSL_MULF(D->m03, w_5) + w_1;
+  const float so_2 = KSL_MULF(D->m03, w_4) - KSL_MULF(D->m13, w_3) + w_2;
+  const float w_0_size = fabsf(w_0a) + fabsf(w_0b) + fabsf(w_0d),
+      w_1_size = fabsf(w_1a) + fabsf(w_1b) + fabsf(w_1d),
+      w_2_size = fabsf(w_2a) + fabsf(w_2b) + fabsf(w_2d),
+      w_3_size = fabsf(w_3a) + fabsf(w_3b) + fabsf(w_3d),
+      w_4_size = fabsf(w_4a) + fabsf(w_4b) + fabsf(w_4d),
+      w_5_size = fabsf(w_5a) + fabsf(w_5b) + fabsf(w_5d);
   const float w_5_padded = w_5_size + 1.9721523e-31f;
-  const float D_13_abs = fabsf(D->m13), so_0a_size = KSL_MULF(D_13_abs, w_5_padded);
+  const float D_13_abs = fabsf(D->m13);
   const float w_4_padded = w_4_size + 1.9721523e-31f;
-  const float D_23_abs = fabsf(D->m23), so_0b_size = KSL_MULF(D_23_abs, w_4_padded),
-      so_0c_size = so_0a_size + so_0b_size, so_0_size = so_0c_size + w_0_size;
+  const float D_23_abs = fabsf(D->m23),
+      so_0_size = KSL_MULF(D_13_abs, w_5_padded) + KSL_MULF(D_23_abs, w_4_padded) + w_0_size;
   const float w_3_padded = w_3_size + 1.9721523e-31f;
-  const float so_1a_size = KSL_MULF(D_23_abs, w_3_padded), D_03_abs = fabsf(D->m03),
-      so_1b_size = KSL_MULF(D_03_abs, w_5_padded), so_1c_size = so_1a_size + so_1b_size,
-      so_1_size = so_1c_size + w_1_size;
-  const float so_2a_size = KSL_MULF(D_03_abs, w_4_padded),
-      so_2b_size = KSL_MULF(D_13_abs, w_3_padded), so_2c_size = so_2a_size + so_2b_size,
-      so_2_size = so_2c_size + w_2_size;
-  const float so_0_padded = so_0_size + 1.9721523e-31f,
-      so_0_error_bound = KSL_MULF(3.5762795e-07f, so_0_padded);
-  const float so_1_padded = so_1_size + 1.9721523e-31f,
-      so_1_error_bound = KSL_MULF(3.5762795e-07f, so_1_padded);
-  const float so_2_padded = so_2_size + 1.9721523e-31f,
-      so_2_error_bound = KSL_MULF(3.5762795e-07f, so_2_padded);
-  const float w_3_error_bound = KSL_MULF(1.7881396e-07f, w_3_padded);
-  const float w_4_error_bound = KSL_MULF(1.7881396e-07f, w_4_padded);
-  const float w_5_error_bound = KSL_MULF(1.7881396e-07f, w_5_padded);
+  const float D_03_abs = fabsf(D->m03),
+      so_1_size = KSL_MULF(D_23_abs, w_3_padded) + KSL_MULF(D_03_abs, w_5_padded) + w_1_size;
+  const float so_2_size = KSL_MULF(D_03_abs, w_4_padded) + KSL_MULF(D_13_abs, w_3_padded)
+          + w_2_size;
+  const float so_0_bound = KSL_MULF(3.5762795e-07f, so_0_size + 1.9721523e-31f),
+      so_1_bound = KSL_MULF(3.5762795e-07f, so_1_size + 1.9721523e-31f),
+      so_2_bound = KSL_MULF(3.5762795e-07f, so_2_size + 1.9721523e-31f);
+  const float w_3_bound = KSL_MULF(1.7881396e-07f, w_3_padded),
+      w_4_bound = KSL_MULF(1.7881396e-07f, w_4_padded),
+      w_5_bound = KSL_MULF(1.7881396e-07f, w_5_padded);
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
   so->m3 = w_3;
   so->m4 = w_4;
   so->m5 = w_5;
-  so_bound->m0 = so_0_error_bound;
-  so_bound->m1 = so_1_error_bound;
-  so_bound->m2 = so_2_error_bound;
-  so_bound->m3 = w_3_error_bound;
-  so_bound->m4 = w_4_error_bound;
-  so_bound->m5 = w_5_error_bound;
+  so_bound->m0 = so_0_bound;
+  so_bound->m1 = so_1_bound;
+  so_bound->m2 = so_2_bound;
+  so_bound->m3 = w_3_bound;
+  so_bound->m4 = w_4_bound;
+  so_bound->m5 = w_5_bound;
 }
 
 /* so = [Ad](D)^-1 si = [Ad](R^T) [Ad](-t) si; |error of so| <= so_bound unless inf or NaN.
@@ -2133,79 +1696,53 @@ static inline void ksl_product_Adsf_certified(const ksl_SE3f_t *D, const ksl_scr
    39 mul, 45 add, 27 abs. */
 static inline void ksl_product_Adinvsf_certified(const ksl_SE3f_t *D, const ksl_screwf_t *si,
     ksl_screwf_t *so, ksl_screwf_t *so_bound) {
-  const float w_0a = KSL_MULF(D->m23, si->m4), w_0b = KSL_MULF(D->m13, si->m5), w_0c = w_0a - w_0b,
-      w_0 = w_0c + si->m0;
-  const float w_1a = KSL_MULF(D->m03, si->m5), w_1b = KSL_MULF(D->m23, si->m3), w_1c = w_1a - w_1b,
-      w_1 = w_1c + si->m1;
-  const float w_2a = KSL_MULF(D->m13, si->m3), w_2b = KSL_MULF(D->m03, si->m4), w_2c = w_2a - w_2b,
-      w_2 = w_2c + si->m2;
-  const float so_0a = KSL_MULF(D->m00, w_0), so_0b = KSL_MULF(D->m10, w_1), so_0c = so_0a + so_0b,
-      so_0d = KSL_MULF(D->m20, w_2), so_0 = so_0c + so_0d;
-  const float so_1a = KSL_MULF(D->m01, w_0), so_1b = KSL_MULF(D->m11, w_1), so_1c = so_1a + so_1b,
-      so_1d = KSL_MULF(D->m21, w_2), so_1 = so_1c + so_1d;
-  const float so_2a = KSL_MULF(D->m02, w_0), so_2b = KSL_MULF(D->m12, w_1), so_2c = so_2a + so_2b,
-      so_2d = KSL_MULF(D->m22, w_2), so_2 = so_2c + so_2d;
+  const float w_0a = KSL_MULF(D->m23, si->m4), w_0b = KSL_MULF(D->m13, si->m5),
+      w_0 = w_0a - w_0b + si->m0;
+  const float w_1a = KSL_MULF(D->m03, si->m5), w_1b = KSL_MULF(D->m23, si->m3),
+      w_1 = w_1a - w_1b + si->m1;
+  const float w_2a = KSL_MULF(D->m13, si->m3), w_2b = KSL_MULF(D->m03, si->m4),
+      w_2 = w_2a - w_2b + si->m2;
+  const float so_0 = KSL_MULF(D->m00, w_0) + KSL_MULF(D->m10, w_1) + KSL_MULF(D->m20, w_2);
+  const float so_1 = KSL_MULF(D->m01, w_0) + KSL_MULF(D->m11, w_1) + KSL_MULF(D->m21, w_2),
+      so_2 = KSL_MULF(D->m02, w_0) + KSL_MULF(D->m12, w_1) + KSL_MULF(D->m22, w_2);
   const float so_3a = KSL_MULF(D->m00, si->m3), so_3b = KSL_MULF(D->m10, si->m4),
-      so_3c = so_3a + so_3b, so_3d = KSL_MULF(D->m20, si->m5), so_3 = so_3c + so_3d;
+      so_3d = KSL_MULF(D->m20, si->m5), so_3 = so_3a + so_3b + so_3d;
   const float so_4a = KSL_MULF(D->m01, si->m3), so_4b = KSL_MULF(D->m11, si->m4),
-      so_4c = so_4a + so_4b, so_4d = KSL_MULF(D->m21, si->m5), so_4 = so_4c + so_4d;
+      so_4d = KSL_MULF(D->m21, si->m5), so_4 = so_4a + so_4b + so_4d;
   const float so_5a = KSL_MULF(D->m02, si->m3), so_5b = KSL_MULF(D->m12, si->m4),
-      so_5c = so_5a + so_5b, so_5d = KSL_MULF(D->m22, si->m5), so_5 = so_5c + so_5d;
-  const float w_0a_abs = fabsf(w_0a), w_0b_abs = fabsf(w_0b), w_0c_size = w_0a_abs + w_0b_abs,
-      si_0_abs = fabsf(si->m0), w_0_size = w_0c_size + si_0_abs;
-  const float w_1a_abs = fabsf(w_1a), w_1b_abs = fabsf(w_1b), w_1c_size = w_1a_abs + w_1b_abs,
-      si_1_abs = fabsf(si->m1), w_1_size = w_1c_size + si_1_abs;
-  const float w_2a_abs = fabsf(w_2a), w_2b_abs = fabsf(w_2b), w_2c_size = w_2a_abs + w_2b_abs,
-      si_2_abs = fabsf(si->m2), w_2_size = w_2c_size + si_2_abs;
-  const float w_0_padded = w_0_size + 1.9721523e-31f;
-  const float D_00_abs = fabsf(D->m00), so_0a_size = KSL_MULF(D_00_abs, w_0_padded);
-  const float w_1_padded = w_1_size + 1.9721523e-31f;
-  const float D_10_abs = fabsf(D->m10), so_0b_size = KSL_MULF(D_10_abs, w_1_padded),
-      so_0c_size = so_0a_size + so_0b_size;
-  const float w_2_padded = w_2_size + 1.9721523e-31f;
-  const float D_20_abs = fabsf(D->m20), so_0d_size = KSL_MULF(D_20_abs, w_2_padded),
-      so_0_size = so_0c_size + so_0d_size;
-  const float D_01_abs = fabsf(D->m01), so_1a_size = KSL_MULF(D_01_abs, w_0_padded),
-      D_11_abs = fabsf(D->m11), so_1b_size = KSL_MULF(D_11_abs, w_1_padded),
-      so_1c_size = so_1a_size + so_1b_size, D_21_abs = fabsf(D->m21),
-      so_1d_size = KSL_MULF(D_21_abs, w_2_padded), so_1_size = so_1c_size + so_1d_size;
-  const float D_02_abs = fabsf(D->m02), so_2a_size = KSL_MULF(D_02_abs, w_0_padded),
-      D_12_abs = fabsf(D->m12), so_2b_size = KSL_MULF(D_12_abs, w_1_padded),
-      so_2c_size = so_2a_size + so_2b_size, D_22_abs = fabsf(D->m22),
-      so_2d_size = KSL_MULF(D_22_abs, w_2_padded), so_2_size = so_2c_size + so_2d_size;
-  const float so_3a_abs = fabsf(so_3a), so_3b_abs = fabsf(so_3b),
-      so_3c_size = so_3a_abs + so_3b_abs, so_3d_abs = fabsf(so_3d),
-      so_3_size = so_3c_size + so_3d_abs;
-  const float so_4a_abs = fabsf(so_4a), so_4b_abs = fabsf(so_4b),
-      so_4c_size = so_4a_abs + so_4b_abs, so_4d_abs = fabsf(so_4d),
-      so_4_size = so_4c_size + so_4d_abs;
-  const float so_5a_abs = fabsf(so_5a), so_5b_abs = fabsf(so_5b),
-      so_5c_size = so_5a_abs + so_5b_abs, so_5d_abs = fabsf(so_5d),
-      so_5_size = so_5c_size + so_5d_abs;
-  const float so_0_padded = so_0_size + 1.9721523e-31f,
-      so_0_error_bound = KSL_MULF(3.5762795e-07f, so_0_padded);
-  const float so_1_padded = so_1_size + 1.9721523e-31f,
-      so_1_error_bound = KSL_MULF(3.5762795e-07f, so_1_padded);
-  const float so_2_padded = so_2_size + 1.9721523e-31f,
-      so_2_error_bound = KSL_MULF(3.5762795e-07f, so_2_padded);
-  const float so_3_padded = so_3_size + 1.9721523e-31f,
-      so_3_error_bound = KSL_MULF(1.7881396e-07f, so_3_padded);
-  const float so_4_padded = so_4_size + 1.9721523e-31f,
-      so_4_error_bound = KSL_MULF(1.7881396e-07f, so_4_padded);
-  const float so_5_padded = so_5_size + 1.9721523e-31f,
-      so_5_error_bound = KSL_MULF(1.7881396e-07f, so_5_padded);
+      so_5d = KSL_MULF(D->m22, si->m5), so_5 = so_5a + so_5b + so_5d;
+  const float w_0_size = fabsf(w_0a) + fabsf(w_0b) + fabsf(si->m0),
+      w_1_size = fabsf(w_1a) + fabsf(w_1b) + fabsf(si->m1),
+      w_2_size = fabsf(w_2a) + fabsf(w_2b) + fabsf(si->m2);
+  const float w_0_padded = w_0_size + 1.9721523e-31f, w_1_padded = w_1_size + 1.9721523e-31f,
+      w_2_padded = w_2_size + 1.9721523e-31f;
+  const float so_0_size = KSL_MULF(fabsf(D->m00), w_0_padded) + KSL_MULF(fabsf(D->m10), w_1_padded)
+          + KSL_MULF(fabsf(D->m20), w_2_padded),
+      so_1_size = KSL_MULF(fabsf(D->m01), w_0_padded) + KSL_MULF(fabsf(D->m11), w_1_padded)
+          + KSL_MULF(fabsf(D->m21), w_2_padded),
+      so_2_size = KSL_MULF(fabsf(D->m02), w_0_padded) + KSL_MULF(fabsf(D->m12), w_1_padded)
+          + KSL_MULF(fabsf(D->m22), w_2_padded),
+      so_3_size = fabsf(so_3a) + fabsf(so_3b) + fabsf(so_3d),
+      so_4_size = fabsf(so_4a) + fabsf(so_4b) + fabsf(so_4d),
+      so_5_size = fabsf(so_5a) + fabsf(so_5b) + fabsf(so_5d);
+  const float so_0_bound = KSL_MULF(3.5762795e-07f, so_0_size + 1.9721523e-31f),
+      so_1_bound = KSL_MULF(3.5762795e-07f, so_1_size + 1.9721523e-31f),
+      so_2_bound = KSL_MULF(3.5762795e-07f, so_2_size + 1.9721523e-31f),
+      so_3_bound = KSL_MULF(1.7881396e-07f, so_3_size + 1.9721523e-31f),
+      so_4_bound = KSL_MULF(1.7881396e-07f, so_4_size + 1.9721523e-31f),
+      so_5_bound = KSL_MULF(1.7881396e-07f, so_5_size + 1.9721523e-31f);
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
   so->m3 = so_3;
   so->m4 = so_4;
   so->m5 = so_5;
-  so_bound->m0 = so_0_error_bound;
-  so_bound->m1 = so_1_error_bound;
-  so_bound->m2 = so_2_error_bound;
-  so_bound->m3 = so_3_error_bound;
-  so_bound->m4 = so_4_error_bound;
-  so_bound->m5 = so_5_error_bound;
+  so_bound->m0 = so_0_bound;
+  so_bound->m1 = so_1_bound;
+  so_bound->m2 = so_2_bound;
+  so_bound->m3 = so_3_bound;
+  so_bound->m4 = so_4_bound;
+  so_bound->m5 = so_5_bound;
 }
 
 /* so = [Ad](D) (-si); |error of so| <= so_bound unless inf or NaN.
@@ -2213,69 +1750,51 @@ static inline void ksl_product_Adinvsf_certified(const ksl_SE3f_t *D, const ksl_
    36 mul, 42 add, 6 neg, 21 abs. */
 static inline void ksl_product_Adsinvf_certified(const ksl_SE3f_t *D, const ksl_screwf_t *si,
     ksl_screwf_t *so, ksl_screwf_t *so_bound) {
-  const float w_0a = KSL_MULF(D->m00, si->m0), w_0b = KSL_MULF(D->m01, si->m1), w_0c = w_0a + w_0b,
-      w_0d = KSL_MULF(D->m02, si->m2), w_0e = w_0c + w_0d, w_0 = -w_0e;
-  const float w_1a = KSL_MULF(D->m10, si->m0), w_1b = KSL_MULF(D->m11, si->m1), w_1c = w_1a + w_1b,
-      w_1d = KSL_MULF(D->m12, si->m2), w_1e = w_1c + w_1d, w_1 = -w_1e;
-  const float w_2a = KSL_MULF(D->m20, si->m0), w_2b = KSL_MULF(D->m21, si->m1), w_2c = w_2a + w_2b,
-      w_2d = KSL_MULF(D->m22, si->m2), w_2e = w_2c + w_2d, w_2 = -w_2e;
-  const float w_3a = KSL_MULF(D->m00, si->m3), w_3b = KSL_MULF(D->m01, si->m4), w_3c = w_3a + w_3b,
-      w_3d = KSL_MULF(D->m02, si->m5), w_3e = w_3c + w_3d, w_3 = -w_3e;
-  const float w_4a = KSL_MULF(D->m10, si->m3), w_4b = KSL_MULF(D->m11, si->m4), w_4c = w_4a + w_4b,
-      w_4d = KSL_MULF(D->m12, si->m5), w_4e = w_4c + w_4d, w_4 = -w_4e;
-  const float w_5a = KSL_MULF(D->m20, si->m3), w_5b = KSL_MULF(D->m21, si->m4), w_5c = w_5a + w_5b,
-      w_5d = KSL_MULF(D->m22, si->m5), w_5e = w_5c + w_5d, w_5 = -w_5e;
-  const float so_0a = KSL_MULF(D->m13, w_5), so_0b = KSL_MULF(D->m23, w_4), so_0c = so_0a - so_0b,
-      so_0 = so_0c + w_0;
-  const float so_1a = KSL_MULF(D->m23, w_3), so_1b = KSL_MULF(D->m03, w_5), so_1c = so_1a - so_1b,
-      so_1 = so_1c + w_1;
-  const float so_2a = KSL_MULF(D->m03, w_4), so_2b = KSL_MULF(D->m13, w_3), so_2c = so_2a - so_2b,
-      so_2 = so_2c + w_2;
-  const float w_0a_abs = fabsf(w_0a), w_0b_abs = fabsf(w_0b), w_0c_size = w_0a_abs + w_0b_abs,
-      w_0d_abs = fabsf(w_0d), w_0e_size = w_0c_size + w_0d_abs;
-  const float w_1a_abs = fabsf(w_1a), w_1b_abs = fabsf(w_1b), w_1c_size = w_1a_abs + w_1b_abs,
-      w_1d_abs = fabsf(w_1d), w_1e_size = w_1c_size + w_1d_abs;
-  const float w_2a_abs = fabsf(w_2a), w_2b_abs = fabsf(w_2b), w_2c_size = w_2a_abs + w_2b_abs,
-      w_2d_abs = fabsf(w_2d), w_2e_size = w_2c_size + w_2d_abs;
-  const float w_3a_abs = fabsf(w_3a), w_3b_abs = fabsf(w_3b), w_3c_size = w_3a_abs + w_3b_abs,
-      w_3d_abs = fabsf(w_3d), w_3e_size = w_3c_size + w_3d_abs;
-  const float w_4a_abs = fabsf(w_4a), w_4b_abs = fabsf(w_4b), w_4c_size = w_4a_abs + w_4b_abs,
-      w_4d_abs = fabsf(w_4d), w_4e_size = w_4c_size + w_4d_abs;
-  const float w_5a_abs = fabsf(w_5a), w_5b_abs = fabsf(w_5b), w_5c_size = w_5a_abs + w_5b_abs,
-      w_5d_abs = fabsf(w_5d), w_5e_size = w_5c_size + w_5d_abs;
-  const float w_5e_padded = w_5e_size + 1.9721523e-31f;
-  const float D_13_abs = fabsf(D->m13), so_0a_size = KSL_MULF(D_13_abs, w_5e_padded);
-  const float w_4e_padded = w_4e_size + 1.9721523e-31f;
-  const float D_23_abs = fabsf(D->m23), so_0b_size = KSL_MULF(D_23_abs, w_4e_padded),
-      so_0c_size = so_0a_size + so_0b_size, so_0_size = so_0c_size + w_0e_size;
-  const float w_3e_padded = w_3e_size + 1.9721523e-31f;
-  const float so_1a_size = KSL_MULF(D_23_abs, w_3e_padded), D_03_abs = fabsf(D->m03),
-      so_1b_size = KSL_MULF(D_03_abs, w_5e_padded), so_1c_size = so_1a_size + so_1b_size,
-      so_1_size = so_1c_size + w_1e_size;
-  const float so_2a_size = KSL_MULF(D_03_abs, w_4e_padded),
-      so_2b_size = KSL_MULF(D_13_abs, w_3e_padded), so_2c_size = so_2a_size + so_2b_size,
-      so_2_size = so_2c_size + w_2e_size;
-  const float so_0_padded = so_0_size + 1.9721523e-31f,
-      so_0_error_bound = KSL_MULF(3.5762795e-07f, so_0_padded);
-  const float so_1_padded = so_1_size + 1.9721523e-31f,
-      so_1_error_bound = KSL_MULF(3.5762795e-07f, so_1_padded);
-  const float so_2_padded = so_2_size + 1.9721523e-31f,
-      so_2_error_bound = KSL_MULF(3.5762795e-07f, so_2_padded);
-  const float w_3e_error_bound = KSL_MULF(1.7881396e-07f, w_3e_padded);
-  const float w_4e_error_bound = KSL_MULF(1.7881396e-07f, w_4e_padded);
-  const float w_5e_error_bound = KSL_MULF(1.7881396e-07f, w_5e_padded);
+  const float w_0a = KSL_MULF(D->m00, si->m0), w_0b = KSL_MULF(D->m01, si->m1),
+      w_0d = KSL_MULF(D->m02, si->m2), w_0 = -(w_0a + w_0b + w_0d);
+  const float w_1a = KSL_MULF(D->m10, si->m0), w_1b = KSL_MULF(D->m11, si->m1),
+      w_1d = KSL_MULF(D->m12, si->m2), w_1 = -(w_1a + w_1b + w_1d);
+  const float w_2a = KSL_MULF(D->m20, si->m0), w_2b = KSL_MULF(D->m21, si->m1),
+      w_2d = KSL_MULF(D->m22, si->m2), w_2 = -(w_2a + w_2b + w_2d);
+  const float w_3a = KSL_MULF(D->m00, si->m3), w_3b = KSL_MULF(D->m01, si->m4),
+      w_3d = KSL_MULF(D->m02, si->m5), w_3 = -(w_3a + w_3b + w_3d);
+  const float w_4a = KSL_MULF(D->m10, si->m3), w_4b = KSL_MULF(D->m11, si->m4),
+      w_4d = KSL_MULF(D->m12, si->m5), w_4 = -(w_4a + w_4b + w_4d);
+  const float w_5a = KSL_MULF(D->m20, si->m3), w_5b = KSL_MULF(D->m21, si->m4),
+      w_5d = KSL_MULF(D->m22, si->m5), w_5 = -(w_5a + w_5b + w_5d);
+  const float so_0 = KSL_MULF(D->m13, w_5) - KSL_MULF(D->m23, w_4) + w_0;
+  const float so_1 = KSL_MULF(D->m23, w_3) - KSL_MULF(D->m03, w_5) + w_1;
+  const float so_2 = KSL_MULF(D->m03, w_4) - KSL_MULF(D->m13, w_3) + w_2;
+  const float w_5e_padded = fabsf(w_5a) + fabsf(w_5b) + fabsf(w_5d) + 1.9721523e-31f;
+  const float D_13_abs = fabsf(D->m13);
+  const float w_4e_padded = fabsf(w_4a) + fabsf(w_4b) + fabsf(w_4d) + 1.9721523e-31f;
+  const float D_23_abs = fabsf(D->m23),
+      so_0_size = KSL_MULF(D_13_abs, w_5e_padded) + KSL_MULF(D_23_abs, w_4e_padded)
+          + (fabsf(w_0a) + fabsf(w_0b) + fabsf(w_0d));
+  const float w_3e_padded = fabsf(w_3a) + fabsf(w_3b) + fabsf(w_3d) + 1.9721523e-31f;
+  const float D_03_abs = fabsf(D->m03),
+      so_1_size = KSL_MULF(D_23_abs, w_3e_padded) + KSL_MULF(D_03_abs, w_5e_padded)
+          + (fabsf(w_1a) + fabsf(w_1b) + fabsf(w_1d));
+  const float so_2_size = KSL_MULF(D_03_abs, w_4e_padded) + KSL_MULF(D_13_abs, w_3e_padded)
+          + (fabsf(w_2a) + fabsf(w_2b) + fabsf(w_2d));
+  const float so_0_bound = KSL_MULF(3.5762795e-07f, so_0_size + 1.9721523e-31f),
+      so_1_bound = KSL_MULF(3.5762795e-07f, so_1_size + 1.9721523e-31f),
+      so_2_bound = KSL_MULF(3.5762795e-07f, so_2_size + 1.9721523e-31f);
+  const float w_3e_bound = KSL_MULF(1.7881396e-07f, w_3e_padded);
+  const float w_4e_bound = KSL_MULF(1.7881396e-07f, w_4e_padded);
+  const float w_5e_bound = KSL_MULF(1.7881396e-07f, w_5e_padded);
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
   so->m3 = w_3;
   so->m4 = w_4;
   so->m5 = w_5;
-  so_bound->m0 = so_0_error_bound;
-  so_bound->m1 = so_1_error_bound;
-  so_bound->m2 = so_2_error_bound;
-  so_bound->m3 = w_3e_error_bound;
-  so_bound->m4 = w_4e_error_bound;
-  so_bound->m5 = w_5e_error_bound;
+  so_bound->m0 = so_0_bound;
+  so_bound->m1 = so_1_bound;
+  so_bound->m2 = so_2_bound;
+  so_bound->m3 = w_3e_bound;
+  so_bound->m4 = w_4e_bound;
+  so_bound->m5 = w_5e_bound;
 }
 
 /* so = h_rx: column 3 of [Ad](D); |error of so| <= so_bound unless inf or NaN.
@@ -2289,15 +1808,11 @@ static inline void ksl_hsrxf_certified(const ksl_SE3f_t *D, ksl_screwf_t *so,
       so_1 = so_1a - so_1b;
   const float so_2a = KSL_MULF(D->m10, D->m03), so_2b = KSL_MULF(D->m00, D->m13),
       so_2 = so_2a - so_2b;
-  const float so_0a_abs = fabsf(so_0a), so_0b_abs = fabsf(so_0b), so_0_size = so_0a_abs + so_0b_abs;
-  const float so_1a_abs = fabsf(so_1a), so_1b_abs = fabsf(so_1b), so_1_size = so_1a_abs + so_1b_abs;
-  const float so_2a_abs = fabsf(so_2a), so_2b_abs = fabsf(so_2b), so_2_size = so_2a_abs + so_2b_abs;
-  const float so_0_padded = so_0_size + 1.9721523e-31f,
-      so_0_error_bound = KSL_MULF(1.192093e-07f, so_0_padded);
-  const float so_1_padded = so_1_size + 1.9721523e-31f,
-      so_1_error_bound = KSL_MULF(1.192093e-07f, so_1_padded);
-  const float so_2_padded = so_2_size + 1.9721523e-31f,
-      so_2_error_bound = KSL_MULF(1.192093e-07f, so_2_padded);
+  const float so_0_size = fabsf(so_0a) + fabsf(so_0b), so_1_size = fabsf(so_1a) + fabsf(so_1b),
+      so_2_size = fabsf(so_2a) + fabsf(so_2b);
+  const float so_0_bound = KSL_MULF(1.192093e-07f, so_0_size + 1.9721523e-31f),
+      so_1_bound = KSL_MULF(1.192093e-07f, so_1_size + 1.9721523e-31f),
+      so_2_bound = KSL_MULF(1.192093e-07f, so_2_size + 1.9721523e-31f);
   const float D_m00 = D->m00;
   const float D_m10 = D->m10;
   const float D_m20 = D->m20;
@@ -2307,9 +1822,9 @@ static inline void ksl_hsrxf_certified(const ksl_SE3f_t *D, ksl_screwf_t *so,
   so->m3 = D_m00;
   so->m4 = D_m10;
   so->m5 = D_m20;
-  so_bound->m0 = so_0_error_bound;
-  so_bound->m1 = so_1_error_bound;
-  so_bound->m2 = so_2_error_bound;
+  so_bound->m0 = so_0_bound;
+  so_bound->m1 = so_1_bound;
+  so_bound->m2 = so_2_bound;
   so_bound->m3 = 0.0f;
   so_bound->m4 = 0.0f;
   so_bound->m5 = 0.0f;
@@ -2326,15 +1841,11 @@ static inline void ksl_hsryf_certified(const ksl_SE3f_t *D, ksl_screwf_t *so,
       so_1 = so_1a - so_1b;
   const float so_2a = KSL_MULF(D->m11, D->m03), so_2b = KSL_MULF(D->m01, D->m13),
       so_2 = so_2a - so_2b;
-  const float so_0a_abs = fabsf(so_0a), so_0b_abs = fabsf(so_0b), so_0_size = so_0a_abs + so_0b_abs;
-  const float so_1a_abs = fabsf(so_1a), so_1b_abs = fabsf(so_1b), so_1_size = so_1a_abs + so_1b_abs;
-  const float so_2a_abs = fabsf(so_2a), so_2b_abs = fabsf(so_2b), so_2_size = so_2a_abs + so_2b_abs;
-  const float so_0_padded = so_0_size + 1.9721523e-31f,
-      so_0_error_bound = KSL_MULF(1.192093e-07f, so_0_padded);
-  const float so_1_padded = so_1_size + 1.9721523e-31f,
-      so_1_error_bound = KSL_MULF(1.192093e-07f, so_1_padded);
-  const float so_2_padded = so_2_size + 1.9721523e-31f,
-      so_2_error_bound = KSL_MULF(1.192093e-07f, so_2_padded);
+  const float so_0_size = fabsf(so_0a) + fabsf(so_0b), so_1_size = fabsf(so_1a) + fabsf(so_1b),
+      so_2_size = fabsf(so_2a) + fabsf(so_2b);
+  const float so_0_bound = KSL_MULF(1.192093e-07f, so_0_size + 1.9721523e-31f),
+      so_1_bound = KSL_MULF(1.192093e-07f, so_1_size + 1.9721523e-31f),
+      so_2_bound = KSL_MULF(1.192093e-07f, so_2_size + 1.9721523e-31f);
   const float D_m01 = D->m01;
   const float D_m11 = D->m11;
   const float D_m21 = D->m21;
@@ -2344,9 +1855,9 @@ static inline void ksl_hsryf_certified(const ksl_SE3f_t *D, ksl_screwf_t *so,
   so->m3 = D_m01;
   so->m4 = D_m11;
   so->m5 = D_m21;
-  so_bound->m0 = so_0_error_bound;
-  so_bound->m1 = so_1_error_bound;
-  so_bound->m2 = so_2_error_bound;
+  so_bound->m0 = so_0_bound;
+  so_bound->m1 = so_1_bound;
+  so_bound->m2 = so_2_bound;
   so_bound->m3 = 0.0f;
   so_bound->m4 = 0.0f;
   so_bound->m5 = 0.0f;
@@ -2363,15 +1874,11 @@ static inline void ksl_hsrzf_certified(const ksl_SE3f_t *D, ksl_screwf_t *so,
       so_1 = so_1a - so_1b;
   const float so_2a = KSL_MULF(D->m12, D->m03), so_2b = KSL_MULF(D->m02, D->m13),
       so_2 = so_2a - so_2b;
-  const float so_0a_abs = fabsf(so_0a), so_0b_abs = fabsf(so_0b), so_0_size = so_0a_abs + so_0b_abs;
-  const float so_1a_abs = fabsf(so_1a), so_1b_abs = fabsf(so_1b), so_1_size = so_1a_abs + so_1b_abs;
-  const float so_2a_abs = fabsf(so_2a), so_2b_abs = fabsf(so_2b), so_2_size = so_2a_abs + so_2b_abs;
-  const float so_0_padded = so_0_size + 1.9721523e-31f,
-      so_0_error_bound = KSL_MULF(1.192093e-07f, so_0_padded);
-  const float so_1_padded = so_1_size + 1.9721523e-31f,
-      so_1_error_bound = KSL_MULF(1.192093e-07f, so_1_padded);
-  const float so_2_padded = so_2_size + 1.9721523e-31f,
-      so_2_error_bound = KSL_MULF(1.192093e-07f, so_2_padded);
+  const float so_0_size = fabsf(so_0a) + fabsf(so_0b), so_1_size = fabsf(so_1a) + fabsf(so_1b),
+      so_2_size = fabsf(so_2a) + fabsf(so_2b);
+  const float so_0_bound = KSL_MULF(1.192093e-07f, so_0_size + 1.9721523e-31f),
+      so_1_bound = KSL_MULF(1.192093e-07f, so_1_size + 1.9721523e-31f),
+      so_2_bound = KSL_MULF(1.192093e-07f, so_2_size + 1.9721523e-31f);
   const float D_m02 = D->m02;
   const float D_m12 = D->m12;
   const float D_m22 = D->m22;
@@ -2381,9 +1888,9 @@ static inline void ksl_hsrzf_certified(const ksl_SE3f_t *D, ksl_screwf_t *so,
   so->m3 = D_m02;
   so->m4 = D_m12;
   so->m5 = D_m22;
-  so_bound->m0 = so_0_error_bound;
-  so_bound->m1 = so_1_error_bound;
-  so_bound->m2 = so_2_error_bound;
+  so_bound->m0 = so_0_bound;
+  so_bound->m1 = so_1_bound;
+  so_bound->m2 = so_2_bound;
   so_bound->m3 = 0.0f;
   so_bound->m4 = 0.0f;
   so_bound->m5 = 0.0f;
@@ -2400,27 +1907,21 @@ static inline void ksl_hsrxinvf_certified(const ksl_SE3f_t *D, ksl_screwf_t *so,
       so_1 = so_1a - so_1b;
   const float so_2a = KSL_MULF(D->m00, D->m13), so_2b = KSL_MULF(D->m10, D->m03),
       so_2 = so_2a - so_2b;
-  const float so_3 = -D->m00;
-  const float so_4 = -D->m10;
-  const float so_5 = -D->m20;
-  const float so_0a_abs = fabsf(so_0a), so_0b_abs = fabsf(so_0b), so_0_size = so_0a_abs + so_0b_abs;
-  const float so_1a_abs = fabsf(so_1a), so_1b_abs = fabsf(so_1b), so_1_size = so_1a_abs + so_1b_abs;
-  const float so_2a_abs = fabsf(so_2a), so_2b_abs = fabsf(so_2b), so_2_size = so_2a_abs + so_2b_abs;
-  const float so_0_padded = so_0_size + 1.9721523e-31f,
-      so_0_error_bound = KSL_MULF(1.192093e-07f, so_0_padded);
-  const float so_1_padded = so_1_size + 1.9721523e-31f,
-      so_1_error_bound = KSL_MULF(1.192093e-07f, so_1_padded);
-  const float so_2_padded = so_2_size + 1.9721523e-31f,
-      so_2_error_bound = KSL_MULF(1.192093e-07f, so_2_padded);
+  const float so_3 = -D->m00, so_4 = -D->m10, so_5 = -D->m20;
+  const float so_0_size = fabsf(so_0a) + fabsf(so_0b), so_1_size = fabsf(so_1a) + fabsf(so_1b),
+      so_2_size = fabsf(so_2a) + fabsf(so_2b);
+  const float so_0_bound = KSL_MULF(1.192093e-07f, so_0_size + 1.9721523e-31f),
+      so_1_bound = KSL_MULF(1.192093e-07f, so_1_size + 1.9721523e-31f),
+      so_2_bound = KSL_MULF(1.192093e-07f, so_2_size + 1.9721523e-31f);
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
   so->m3 = so_3;
   so->m4 = so_4;
   so->m5 = so_5;
-  so_bound->m0 = so_0_error_bound;
-  so_bound->m1 = so_1_error_bound;
-  so_bound->m2 = so_2_error_bound;
+  so_bound->m0 = so_0_bound;
+  so_bound->m1 = so_1_bound;
+  so_bound->m2 = so_2_bound;
   so_bound->m3 = 0.0f;
   so_bound->m4 = 0.0f;
   so_bound->m5 = 0.0f;
@@ -2437,27 +1938,21 @@ static inline void ksl_hsryinvf_certified(const ksl_SE3f_t *D, ksl_screwf_t *so,
       so_1 = so_1a - so_1b;
   const float so_2a = KSL_MULF(D->m01, D->m13), so_2b = KSL_MULF(D->m11, D->m03),
       so_2 = so_2a - so_2b;
-  const float so_3 = -D->m01;
-  const float so_4 = -D->m11;
-  const float so_5 = -D->m21;
-  const float so_0a_abs = fabsf(so_0a), so_0b_abs = fabsf(so_0b), so_0_size = so_0a_abs + so_0b_abs;
-  const float so_1a_abs = fabsf(so_1a), so_1b_abs = fabsf(so_1b), so_1_size = so_1a_abs + so_1b_abs;
-  const float so_2a_abs = fabsf(so_2a), so_2b_abs = fabsf(so_2b), so_2_size = so_2a_abs + so_2b_abs;
-  const float so_0_padded = so_0_size + 1.9721523e-31f,
-      so_0_error_bound = KSL_MULF(1.192093e-07f, so_0_padded);
-  const float so_1_padded = so_1_size + 1.9721523e-31f,
-      so_1_error_bound = KSL_MULF(1.192093e-07f, so_1_padded);
-  const float so_2_padded = so_2_size + 1.9721523e-31f,
-      so_2_error_bound = KSL_MULF(1.192093e-07f, so_2_padded);
+  const float so_3 = -D->m01, so_4 = -D->m11, so_5 = -D->m21;
+  const float so_0_size = fabsf(so_0a) + fabsf(so_0b), so_1_size = fabsf(so_1a) + fabsf(so_1b),
+      so_2_size = fabsf(so_2a) + fabsf(so_2b);
+  const float so_0_bound = KSL_MULF(1.192093e-07f, so_0_size + 1.9721523e-31f),
+      so_1_bound = KSL_MULF(1.192093e-07f, so_1_size + 1.9721523e-31f),
+      so_2_bound = KSL_MULF(1.192093e-07f, so_2_size + 1.9721523e-31f);
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
   so->m3 = so_3;
   so->m4 = so_4;
   so->m5 = so_5;
-  so_bound->m0 = so_0_error_bound;
-  so_bound->m1 = so_1_error_bound;
-  so_bound->m2 = so_2_error_bound;
+  so_bound->m0 = so_0_bound;
+  so_bound->m1 = so_1_bound;
+  so_bound->m2 = so_2_bound;
   so_bound->m3 = 0.0f;
   so_bound->m4 = 0.0f;
   so_bound->m5 = 0.0f;
@@ -2474,27 +1969,21 @@ static inline void ksl_hsrzinvf_certified(const ksl_SE3f_t *D, ksl_screwf_t *so,
       so_1 = so_1a - so_1b;
   const float so_2a = KSL_MULF(D->m02, D->m13), so_2b = KSL_MULF(D->m12, D->m03),
       so_2 = so_2a - so_2b;
-  const float so_3 = -D->m02;
-  const float so_4 = -D->m12;
-  const float so_5 = -D->m22;
-  const float so_0a_abs = fabsf(so_0a), so_0b_abs = fabsf(so_0b), so_0_size = so_0a_abs + so_0b_abs;
-  const float so_1a_abs = fabsf(so_1a), so_1b_abs = fabsf(so_1b), so_1_size = so_1a_abs + so_1b_abs;
-  const float so_2a_abs = fabsf(so_2a), so_2b_abs = fabsf(so_2b), so_2_size = so_2a_abs + so_2b_abs;
-  const float so_0_padded = so_0_size + 1.9721523e-31f,
-      so_0_error_bound = KSL_MULF(1.192093e-07f, so_0_padded);
-  const float so_1_padded = so_1_size + 1.9721523e-31f,
-      so_1_error_bound = KSL_MULF(1.192093e-07f, so_1_padded);
-  const float so_2_padded = so_2_size + 1.9721523e-31f,
-      so_2_error_bound = KSL_MULF(1.192093e-07f, so_2_padded);
+  const float so_3 = -D->m02, so_4 = -D->m12, so_5 = -D->m22;
+  const float so_0_size = fabsf(so_0a) + fabsf(so_0b), so_1_size = fabsf(so_1a) + fabsf(so_1b),
+      so_2_size = fabsf(so_2a) + fabsf(so_2b);
+  const float so_0_bound = KSL_MULF(1.192093e-07f, so_0_size + 1.9721523e-31f),
+      so_1_bound = KSL_MULF(1.192093e-07f, so_1_size + 1.9721523e-31f),
+      so_2_bound = KSL_MULF(1.192093e-07f, so_2_size + 1.9721523e-31f);
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
   so->m3 = so_3;
   so->m4 = so_4;
   so->m5 = so_5;
-  so_bound->m0 = so_0_error_bound;
-  so_bound->m1 = so_1_error_bound;
-  so_bound->m2 = so_2_error_bound;
+  so_bound->m0 = so_0_bound;
+  so_bound->m1 = so_1_bound;
+  so_bound->m2 = so_2_bound;
   so_bound->m3 = 0.0f;
   so_bound->m4 = 0.0f;
   so_bound->m5 = 0.0f;
@@ -2523,33 +2012,20 @@ static inline void ksl_Adf_certified(const ksl_SE3f_t *D, ksl_mat6x6f_t *M,
       M_24 = M_24a - M_24b;
   const float M_25a = KSL_MULF(D->m12, D->m03), M_25b = KSL_MULF(D->m02, D->m13),
       M_25 = M_25a - M_25b;
-  const float M_03a_abs = fabsf(M_03a), M_03b_abs = fabsf(M_03b), M_03_size = M_03a_abs + M_03b_abs;
-  const float M_04a_abs = fabsf(M_04a), M_04b_abs = fabsf(M_04b), M_04_size = M_04a_abs + M_04b_abs;
-  const float M_05a_abs = fabsf(M_05a), M_05b_abs = fabsf(M_05b), M_05_size = M_05a_abs + M_05b_abs;
-  const float M_13a_abs = fabsf(M_13a), M_13b_abs = fabsf(M_13b), M_13_size = M_13a_abs + M_13b_abs;
-  const float M_14a_abs = fabsf(M_14a), M_14b_abs = fabsf(M_14b), M_14_size = M_14a_abs + M_14b_abs;
-  const float M_15a_abs = fabsf(M_15a), M_15b_abs = fabsf(M_15b), M_15_size = M_15a_abs + M_15b_abs;
-  const float M_23a_abs = fabsf(M_23a), M_23b_abs = fabsf(M_23b), M_23_size = M_23a_abs + M_23b_abs;
-  const float M_24a_abs = fabsf(M_24a), M_24b_abs = fabsf(M_24b), M_24_size = M_24a_abs + M_24b_abs;
-  const float M_25a_abs = fabsf(M_25a), M_25b_abs = fabsf(M_25b), M_25_size = M_25a_abs + M_25b_abs;
-  const float M_03_padded = M_03_size + 1.9721523e-31f,
-      M_03_error_bound = KSL_MULF(1.192093e-07f, M_03_padded);
-  const float M_04_padded = M_04_size + 1.9721523e-31f,
-      M_04_error_bound = KSL_MULF(1.192093e-07f, M_04_padded);
-  const float M_05_padded = M_05_size + 1.9721523e-31f,
-      M_05_error_bound = KSL_MULF(1.192093e-07f, M_05_padded);
-  const float M_13_padded = M_13_size + 1.9721523e-31f,
-      M_13_error_bound = KSL_MULF(1.192093e-07f, M_13_padded);
-  const float M_14_padded = M_14_size + 1.9721523e-31f,
-      M_14_error_bound = KSL_MULF(1.192093e-07f, M_14_padded);
-  const float M_15_padded = M_15_size + 1.9721523e-31f,
-      M_15_error_bound = KSL_MULF(1.192093e-07f, M_15_padded);
-  const float M_23_padded = M_23_size + 1.9721523e-31f,
-      M_23_error_bound = KSL_MULF(1.192093e-07f, M_23_padded);
-  const float M_24_padded = M_24_size + 1.9721523e-31f,
-      M_24_error_bound = KSL_MULF(1.192093e-07f, M_24_padded);
-  const float M_25_padded = M_25_size + 1.9721523e-31f,
-      M_25_error_bound = KSL_MULF(1.192093e-07f, M_25_padded);
+  const float M_03_size = fabsf(M_03a) + fabsf(M_03b), M_04_size = fabsf(M_04a) + fabsf(M_04b),
+      M_05_size = fabsf(M_05a) + fabsf(M_05b), M_13_size = fabsf(M_13a) + fabsf(M_13b),
+      M_14_size = fabsf(M_14a) + fabsf(M_14b), M_15_size = fabsf(M_15a) + fabsf(M_15b),
+      M_23_size = fabsf(M_23a) + fabsf(M_23b), M_24_size = fabsf(M_24a) + fabsf(M_24b),
+      M_25_size = fabsf(M_25a) + fabsf(M_25b);
+  const float M_03_bound = KSL_MULF(1.192093e-07f, M_03_size + 1.9721523e-31f),
+      M_04_bound = KSL_MULF(1.192093e-07f, M_04_size + 1.9721523e-31f),
+      M_05_bound = KSL_MULF(1.192093e-07f, M_05_size + 1.9721523e-31f),
+      M_13_bound = KSL_MULF(1.192093e-07f, M_13_size + 1.9721523e-31f),
+      M_14_bound = KSL_MULF(1.192093e-07f, M_14_size + 1.9721523e-31f),
+      M_15_bound = KSL_MULF(1.192093e-07f, M_15_size + 1.9721523e-31f),
+      M_23_bound = KSL_MULF(1.192093e-07f, M_23_size + 1.9721523e-31f),
+      M_24_bound = KSL_MULF(1.192093e-07f, M_24_size + 1.9721523e-31f),
+      M_25_bound = KSL_MULF(1.192093e-07f, M_25_size + 1.9721523e-31f);
   const float D_m00 = D->m00;
   const float D_m01 = D->m01;
   const float D_m02 = D->m02;
@@ -2598,21 +2074,21 @@ static inline void ksl_Adf_certified(const ksl_SE3f_t *D, ksl_mat6x6f_t *M,
   M_bound->at[0][0] = 0.0f;
   M_bound->at[1][0] = 0.0f;
   M_bound->at[2][0] = 0.0f;
-  M_bound->at[3][0] = M_03_error_bound;
-  M_bound->at[4][0] = M_04_error_bound;
-  M_bound->at[5][0] = M_05_error_bound;
+  M_bound->at[3][0] = M_03_bound;
+  M_bound->at[4][0] = M_04_bound;
+  M_bound->at[5][0] = M_05_bound;
   M_bound->at[0][1] = 0.0f;
   M_bound->at[1][1] = 0.0f;
   M_bound->at[2][1] = 0.0f;
-  M_bound->at[3][1] = M_13_error_bound;
-  M_bound->at[4][1] = M_14_error_bound;
-  M_bound->at[5][1] = M_15_error_bound;
+  M_bound->at[3][1] = M_13_bound;
+  M_bound->at[4][1] = M_14_bound;
+  M_bound->at[5][1] = M_15_bound;
   M_bound->at[0][2] = 0.0f;
   M_bound->at[1][2] = 0.0f;
   M_bound->at[2][2] = 0.0f;
-  M_bound->at[3][2] = M_23_error_bound;
-  M_bound->at[4][2] = M_24_error_bound;
-  M_bound->at[5][2] = M_25_error_bound;
+  M_bound->at[3][2] = M_23_bound;
+  M_bound->at[4][2] = M_24_bound;
+  M_bound->at[5][2] = M_25_bound;
   M_bound->at[0][3] = 0.0f;
   M_bound->at[1][3] = 0.0f;
   M_bound->at[2][3] = 0.0f;
@@ -2639,19 +2115,13 @@ static inline void ksl_Adf_certified(const ksl_SE3f_t *D, ksl_mat6x6f_t *M,
 static inline float ksl_dot_csf_certified(const ksl_coscrewf_t *c, const ksl_screwf_t *s,
     float *power_bound) {
   const float power_a = KSL_MULF(c->m0, s->m0), power_b = KSL_MULF(c->m1, s->m1),
-      power_c = power_a + power_b, power_d = KSL_MULF(c->m2, s->m2), power_e = power_c + power_d,
-      power_f = KSL_MULF(c->m3, s->m3), power_g = KSL_MULF(c->m4, s->m4),
-      power_h = power_f + power_g, power_i = KSL_MULF(c->m5, s->m5), power_j = power_h + power_i,
-      power = power_e + power_j;
-  const float power_a_abs = fabsf(power_a), power_b_abs = fabsf(power_b),
-      power_c_size = power_a_abs + power_b_abs, power_d_abs = fabsf(power_d),
-      power_e_size = power_c_size + power_d_abs, power_f_abs = fabsf(power_f),
-      power_g_abs = fabsf(power_g), power_h_size = power_f_abs + power_g_abs,
-      power_i_abs = fabsf(power_i), power_j_size = power_h_size + power_i_abs,
-      power_size = power_e_size + power_j_size;
-  const float power_padded = power_size + 1.9721523e-31f,
-      power_error_bound = KSL_MULF(2.3841864e-07f, power_padded);
-  *power_bound = power_error_bound;
+      power_d = KSL_MULF(c->m2, s->m2), power_f = KSL_MULF(c->m3, s->m3),
+      power_g = KSL_MULF(c->m4, s->m4), power_i = KSL_MULF(c->m5, s->m5),
+      power = power_a + power_b + power_d + (power_f + power_g + power_i);
+  const float power_size = fabsf(power_a) + fabsf(power_b) + fabsf(power_d)
+          + (fabsf(power_f) + fabsf(power_g) + fabsf(power_i));
+  const float power_bound_ = KSL_MULF(2.3841864e-07f, power_size + 1.9721523e-31f);
+  *power_bound = power_bound_;
   return power;
 }
 
@@ -2662,56 +2132,43 @@ static inline float ksl_dot_csf_certified(const ksl_coscrewf_t *c, const ksl_scr
 static inline void ksl_cross_ssf_certified(const ksl_screwf_t *s1, const ksl_screwf_t *s2,
     ksl_screwf_t *so, ksl_screwf_t *so_bound) {
   const float so_0a = KSL_MULF(s1->m1, s2->m5), so_0b = KSL_MULF(s1->m5, s2->m1),
-      so_0c = so_0a - so_0b, so_0d = KSL_MULF(s1->m4, s2->m2), so_0e = KSL_MULF(s1->m2, s2->m4),
-      so_0f = so_0d - so_0e, so_0 = so_0c + so_0f;
+      so_0d = KSL_MULF(s1->m4, s2->m2), so_0e = KSL_MULF(s1->m2, s2->m4),
+      so_0 = so_0a - so_0b + (so_0d - so_0e);
   const float so_1a = KSL_MULF(s1->m5, s2->m0), so_1b = KSL_MULF(s1->m0, s2->m5),
-      so_1c = so_1a - so_1b, so_1d = KSL_MULF(s1->m2, s2->m3), so_1e = KSL_MULF(s1->m3, s2->m2),
-      so_1f = so_1d - so_1e, so_1 = so_1c + so_1f;
+      so_1d = KSL_MULF(s1->m2, s2->m3), so_1e = KSL_MULF(s1->m3, s2->m2),
+      so_1 = so_1a - so_1b + (so_1d - so_1e);
   const float so_2a = KSL_MULF(s1->m0, s2->m4), so_2b = KSL_MULF(s1->m4, s2->m0),
-      so_2c = so_2a - so_2b, so_2d = KSL_MULF(s1->m3, s2->m1), so_2e = KSL_MULF(s1->m1, s2->m3),
-      so_2f = so_2d - so_2e, so_2 = so_2c + so_2f;
+      so_2d = KSL_MULF(s1->m3, s2->m1), so_2e = KSL_MULF(s1->m1, s2->m3),
+      so_2 = so_2a - so_2b + (so_2d - so_2e);
   const float so_3a = KSL_MULF(s1->m4, s2->m5), so_3b = KSL_MULF(s1->m5, s2->m4),
       so_3 = so_3a - so_3b;
   const float so_4a = KSL_MULF(s1->m5, s2->m3), so_4b = KSL_MULF(s1->m3, s2->m5),
       so_4 = so_4a - so_4b;
   const float so_5a = KSL_MULF(s1->m3, s2->m4), so_5b = KSL_MULF(s1->m4, s2->m3),
       so_5 = so_5a - so_5b;
-  const float so_0a_abs = fabsf(so_0a), so_0b_abs = fabsf(so_0b),
-      so_0c_size = so_0a_abs + so_0b_abs, so_0d_abs = fabsf(so_0d), so_0e_abs = fabsf(so_0e),
-      so_0f_size = so_0d_abs + so_0e_abs, so_0_size = so_0c_size + so_0f_size;
-  const float so_1a_abs = fabsf(so_1a), so_1b_abs = fabsf(so_1b),
-      so_1c_size = so_1a_abs + so_1b_abs, so_1d_abs = fabsf(so_1d), so_1e_abs = fabsf(so_1e),
-      so_1f_size = so_1d_abs + so_1e_abs, so_1_size = so_1c_size + so_1f_size;
-  const float so_2a_abs = fabsf(so_2a), so_2b_abs = fabsf(so_2b),
-      so_2c_size = so_2a_abs + so_2b_abs, so_2d_abs = fabsf(so_2d), so_2e_abs = fabsf(so_2e),
-      so_2f_size = so_2d_abs + so_2e_abs, so_2_size = so_2c_size + so_2f_size;
-  const float so_3a_abs = fabsf(so_3a), so_3b_abs = fabsf(so_3b), so_3_size = so_3a_abs + so_3b_abs;
-  const float so_4a_abs = fabsf(so_4a), so_4b_abs = fabsf(so_4b), so_4_size = so_4a_abs + so_4b_abs;
-  const float so_5a_abs = fabsf(so_5a), so_5b_abs = fabsf(so_5b), so_5_size = so_5a_abs + so_5b_abs;
-  const float so_0_padded = so_0_size + 1.9721523e-31f,
-      so_0_error_bound = KSL_MULF(1.7881396e-07f, so_0_padded);
-  const float so_1_padded = so_1_size + 1.9721523e-31f,
-      so_1_error_bound = KSL_MULF(1.7881396e-07f, so_1_padded);
-  const float so_2_padded = so_2_size + 1.9721523e-31f,
-      so_2_error_bound = KSL_MULF(1.7881396e-07f, so_2_padded);
-  const float so_3_padded = so_3_size + 1.9721523e-31f,
-      so_3_error_bound = KSL_MULF(1.192093e-07f, so_3_padded);
-  const float so_4_padded = so_4_size + 1.9721523e-31f,
-      so_4_error_bound = KSL_MULF(1.192093e-07f, so_4_padded);
-  const float so_5_padded = so_5_size + 1.9721523e-31f,
-      so_5_error_bound = KSL_MULF(1.192093e-07f, so_5_padded);
+  const float so_0_size = fabsf(so_0a) + fabsf(so_0b) + (fabsf(so_0d) + fabsf(so_0e)),
+      so_1_size = fabsf(so_1a) + fabsf(so_1b) + (fabsf(so_1d) + fabsf(so_1e)),
+      so_2_size = fabsf(so_2a) + fabsf(so_2b) + (fabsf(so_2d) + fabsf(so_2e)),
+      so_3_size = fabsf(so_3a) + fabsf(so_3b), so_4_size = fabsf(so_4a) + fabsf(so_4b),
+      so_5_size = fabsf(so_5a) + fabsf(so_5b);
+  const float so_0_bound = KSL_MULF(1.7881396e-07f, so_0_size + 1.9721523e-31f),
+      so_1_bound = KSL_MULF(1.7881396e-07f, so_1_size + 1.9721523e-31f),
+      so_2_bound = KSL_MULF(1.7881396e-07f, so_2_size + 1.9721523e-31f),
+      so_3_bound = KSL_MULF(1.192093e-07f, so_3_size + 1.9721523e-31f),
+      so_4_bound = KSL_MULF(1.192093e-07f, so_4_size + 1.9721523e-31f),
+      so_5_bound = KSL_MULF(1.192093e-07f, so_5_size + 1.9721523e-31f);
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
   so->m3 = so_3;
   so->m4 = so_4;
   so->m5 = so_5;
-  so_bound->m0 = so_0_error_bound;
-  so_bound->m1 = so_1_error_bound;
-  so_bound->m2 = so_2_error_bound;
-  so_bound->m3 = so_3_error_bound;
-  so_bound->m4 = so_4_error_bound;
-  so_bound->m5 = so_5_error_bound;
+  so_bound->m0 = so_0_bound;
+  so_bound->m1 = so_1_bound;
+  so_bound->m2 = so_2_bound;
+  so_bound->m3 = so_3_bound;
+  so_bound->m4 = so_4_bound;
+  so_bound->m5 = so_5_bound;
 }
 
 /* so = (ω1×v2 ; 0); |error of so| <= so_bound unless inf or NaN.
@@ -2725,24 +2182,20 @@ static inline void ksl_cross_sstf_certified(const ksl_screwf_t *s1, const ksl_sc
       so_1 = so_1a - so_1b;
   const float so_2a = KSL_MULF(s1->m3, s2->m1), so_2b = KSL_MULF(s1->m4, s2->m0),
       so_2 = so_2a - so_2b;
-  const float so_0a_abs = fabsf(so_0a), so_0b_abs = fabsf(so_0b), so_0_size = so_0a_abs + so_0b_abs;
-  const float so_1a_abs = fabsf(so_1a), so_1b_abs = fabsf(so_1b), so_1_size = so_1a_abs + so_1b_abs;
-  const float so_2a_abs = fabsf(so_2a), so_2b_abs = fabsf(so_2b), so_2_size = so_2a_abs + so_2b_abs;
-  const float so_0_padded = so_0_size + 1.9721523e-31f,
-      so_0_error_bound = KSL_MULF(1.192093e-07f, so_0_padded);
-  const float so_1_padded = so_1_size + 1.9721523e-31f,
-      so_1_error_bound = KSL_MULF(1.192093e-07f, so_1_padded);
-  const float so_2_padded = so_2_size + 1.9721523e-31f,
-      so_2_error_bound = KSL_MULF(1.192093e-07f, so_2_padded);
+  const float so_0_size = fabsf(so_0a) + fabsf(so_0b), so_1_size = fabsf(so_1a) + fabsf(so_1b),
+      so_2_size = fabsf(so_2a) + fabsf(so_2b);
+  const float so_0_bound = KSL_MULF(1.192093e-07f, so_0_size + 1.9721523e-31f),
+      so_1_bound = KSL_MULF(1.192093e-07f, so_1_size + 1.9721523e-31f),
+      so_2_bound = KSL_MULF(1.192093e-07f, so_2_size + 1.9721523e-31f);
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
   so->m3 = 0.0f;
   so->m4 = 0.0f;
   so->m5 = 0.0f;
-  so_bound->m0 = so_0_error_bound;
-  so_bound->m1 = so_1_error_bound;
-  so_bound->m2 = so_2_error_bound;
+  so_bound->m0 = so_0_bound;
+  so_bound->m1 = so_1_bound;
+  so_bound->m2 = so_2_bound;
   so_bound->m3 = 0.0f;
   so_bound->m4 = 0.0f;
   so_bound->m5 = 0.0f;
@@ -2755,51 +2208,44 @@ static inline void ksl_cross_sstf_certified(const ksl_screwf_t *s1, const ksl_sc
 static inline void ksl_hsraf_certified(const ksl_SE3f_t *D, const ksl_vec3f_t *axis,
     ksl_screwf_t *so, ksl_screwf_t *so_bound) {
   const float a_0a = KSL_MULF(D->m00, axis->x), a_0b = KSL_MULF(D->m01, axis->y),
-      a_0c = a_0a + a_0b, a_0d = KSL_MULF(D->m02, axis->z), a_0 = a_0c + a_0d;
+      a_0d = KSL_MULF(D->m02, axis->z), a_0 = a_0a + a_0b + a_0d;
   const float a_1a = KSL_MULF(D->m10, axis->x), a_1b = KSL_MULF(D->m11, axis->y),
-      a_1c = a_1a + a_1b, a_1d = KSL_MULF(D->m12, axis->z), a_1 = a_1c + a_1d;
+      a_1d = KSL_MULF(D->m12, axis->z), a_1 = a_1a + a_1b + a_1d;
   const float a_2a = KSL_MULF(D->m20, axis->x), a_2b = KSL_MULF(D->m21, axis->y),
-      a_2c = a_2a + a_2b, a_2d = KSL_MULF(D->m22, axis->z), a_2 = a_2c + a_2d;
-  const float so_0a = KSL_MULF(D->m13, a_2), so_0b = KSL_MULF(D->m23, a_1), so_0 = so_0a - so_0b;
-  const float so_1a = KSL_MULF(D->m23, a_0), so_1b = KSL_MULF(D->m03, a_2), so_1 = so_1a - so_1b;
-  const float so_2a = KSL_MULF(D->m03, a_1), so_2b = KSL_MULF(D->m13, a_0), so_2 = so_2a - so_2b;
-  const float a_0a_abs = fabsf(a_0a), a_0b_abs = fabsf(a_0b), a_0c_size = a_0a_abs + a_0b_abs,
-      a_0d_abs = fabsf(a_0d), a_0_size = a_0c_size + a_0d_abs;
-  const float a_1a_abs = fabsf(a_1a), a_1b_abs = fabsf(a_1b), a_1c_size = a_1a_abs + a_1b_abs,
-      a_1d_abs = fabsf(a_1d), a_1_size = a_1c_size + a_1d_abs;
-  const float a_2a_abs = fabsf(a_2a), a_2b_abs = fabsf(a_2b), a_2c_size = a_2a_abs + a_2b_abs,
-      a_2d_abs = fabsf(a_2d), a_2_size = a_2c_size + a_2d_abs;
+      a_2d = KSL_MULF(D->m22, axis->z), a_2 = a_2a + a_2b + a_2d;
+  const float so_0 = KSL_MULF(D->m13, a_2) - KSL_MULF(D->m23, a_1);
+  const float so_1 = KSL_MULF(D->m23, a_0) - KSL_MULF(D->m03, a_2);
+  const float so_2 = KSL_MULF(D->m03, a_1) - KSL_MULF(D->m13, a_0);
+  const float a_0_size = fabsf(a_0a) + fabsf(a_0b) + fabsf(a_0d),
+      a_1_size = fabsf(a_1a) + fabsf(a_1b) + fabsf(a_1d),
+      a_2_size = fabsf(a_2a) + fabsf(a_2b) + fabsf(a_2d);
   const float a_2_padded = a_2_size + 1.9721523e-31f;
-  const float D_13_abs = fabsf(D->m13), so_0a_size = KSL_MULF(D_13_abs, a_2_padded);
+  const float D_13_abs = fabsf(D->m13);
   const float a_1_padded = a_1_size + 1.9721523e-31f;
-  const float D_23_abs = fabsf(D->m23), so_0b_size = KSL_MULF(D_23_abs, a_1_padded),
-      so_0_size = so_0a_size + so_0b_size;
+  const float D_23_abs = fabsf(D->m23),
+      so_0_size = KSL_MULF(D_13_abs, a_2_padded) + KSL_MULF(D_23_abs, a_1_padded);
   const float a_0_padded = a_0_size + 1.9721523e-31f;
-  const float so_1a_size = KSL_MULF(D_23_abs, a_0_padded), D_03_abs = fabsf(D->m03),
-      so_1b_size = KSL_MULF(D_03_abs, a_2_padded), so_1_size = so_1a_size + so_1b_size;
-  const float so_2a_size = KSL_MULF(D_03_abs, a_1_padded),
-      so_2b_size = KSL_MULF(D_13_abs, a_0_padded), so_2_size = so_2a_size + so_2b_size;
-  const float so_0_padded = so_0_size + 1.9721523e-31f,
-      so_0_error_bound = KSL_MULF(2.9802328e-07f, so_0_padded);
-  const float so_1_padded = so_1_size + 1.9721523e-31f,
-      so_1_error_bound = KSL_MULF(2.9802328e-07f, so_1_padded);
-  const float so_2_padded = so_2_size + 1.9721523e-31f,
-      so_2_error_bound = KSL_MULF(2.9802328e-07f, so_2_padded);
-  const float a_0_error_bound = KSL_MULF(1.7881396e-07f, a_0_padded);
-  const float a_1_error_bound = KSL_MULF(1.7881396e-07f, a_1_padded);
-  const float a_2_error_bound = KSL_MULF(1.7881396e-07f, a_2_padded);
+  const float D_03_abs = fabsf(D->m03),
+      so_1_size = KSL_MULF(D_23_abs, a_0_padded) + KSL_MULF(D_03_abs, a_2_padded);
+  const float so_2_size = KSL_MULF(D_03_abs, a_1_padded) + KSL_MULF(D_13_abs, a_0_padded);
+  const float so_0_bound = KSL_MULF(2.9802328e-07f, so_0_size + 1.9721523e-31f),
+      so_1_bound = KSL_MULF(2.9802328e-07f, so_1_size + 1.9721523e-31f),
+      so_2_bound = KSL_MULF(2.9802328e-07f, so_2_size + 1.9721523e-31f);
+  const float a_0_bound = KSL_MULF(1.7881396e-07f, a_0_padded),
+      a_1_bound = KSL_MULF(1.7881396e-07f, a_1_padded),
+      a_2_bound = KSL_MULF(1.7881396e-07f, a_2_padded);
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
   so->m3 = a_0;
   so->m4 = a_1;
   so->m5 = a_2;
-  so_bound->m0 = so_0_error_bound;
-  so_bound->m1 = so_1_error_bound;
-  so_bound->m2 = so_2_error_bound;
-  so_bound->m3 = a_0_error_bound;
-  so_bound->m4 = a_1_error_bound;
-  so_bound->m5 = a_2_error_bound;
+  so_bound->m0 = so_0_bound;
+  so_bound->m1 = so_1_bound;
+  so_bound->m2 = so_2_bound;
+  so_bound->m3 = a_0_bound;
+  so_bound->m4 = a_1_bound;
+  so_bound->m5 = a_2_bound;
 }
 
 /* so = (R a ; 0), a = axis in the body's frame; |error of so| <= so_bound unless inf or NaN.
@@ -2809,35 +2255,26 @@ static inline void ksl_hsraf_certified(const ksl_SE3f_t *D, const ksl_vec3f_t *a
 static inline void ksl_hstaf_certified(const ksl_SE3f_t *D, const ksl_vec3f_t *axis,
     ksl_screwf_t *so, ksl_screwf_t *so_bound) {
   const float so_0a = KSL_MULF(D->m00, axis->x), so_0b = KSL_MULF(D->m01, axis->y),
-      so_0c = so_0a + so_0b, so_0d = KSL_MULF(D->m02, axis->z), so_0 = so_0c + so_0d;
+      so_0d = KSL_MULF(D->m02, axis->z), so_0 = so_0a + so_0b + so_0d;
   const float so_1a = KSL_MULF(D->m10, axis->x), so_1b = KSL_MULF(D->m11, axis->y),
-      so_1c = so_1a + so_1b, so_1d = KSL_MULF(D->m12, axis->z), so_1 = so_1c + so_1d;
+      so_1d = KSL_MULF(D->m12, axis->z), so_1 = so_1a + so_1b + so_1d;
   const float so_2a = KSL_MULF(D->m20, axis->x), so_2b = KSL_MULF(D->m21, axis->y),
-      so_2c = so_2a + so_2b, so_2d = KSL_MULF(D->m22, axis->z), so_2 = so_2c + so_2d;
-  const float so_0a_abs = fabsf(so_0a), so_0b_abs = fabsf(so_0b),
-      so_0c_size = so_0a_abs + so_0b_abs, so_0d_abs = fabsf(so_0d),
-      so_0_size = so_0c_size + so_0d_abs;
-  const float so_1a_abs = fabsf(so_1a), so_1b_abs = fabsf(so_1b),
-      so_1c_size = so_1a_abs + so_1b_abs, so_1d_abs = fabsf(so_1d),
-      so_1_size = so_1c_size + so_1d_abs;
-  const float so_2a_abs = fabsf(so_2a), so_2b_abs = fabsf(so_2b),
-      so_2c_size = so_2a_abs + so_2b_abs, so_2d_abs = fabsf(so_2d),
-      so_2_size = so_2c_size + so_2d_abs;
-  const float so_0_padded = so_0_size + 1.9721523e-31f,
-      so_0_error_bound = KSL_MULF(1.7881396e-07f, so_0_padded);
-  const float so_1_padded = so_1_size + 1.9721523e-31f,
-      so_1_error_bound = KSL_MULF(1.7881396e-07f, so_1_padded);
-  const float so_2_padded = so_2_size + 1.9721523e-31f,
-      so_2_error_bound = KSL_MULF(1.7881396e-07f, so_2_padded);
+      so_2d = KSL_MULF(D->m22, axis->z), so_2 = so_2a + so_2b + so_2d;
+  const float so_0_size = fabsf(so_0a) + fabsf(so_0b) + fabsf(so_0d),
+      so_1_size = fabsf(so_1a) + fabsf(so_1b) + fabsf(so_1d),
+      so_2_size = fabsf(so_2a) + fabsf(so_2b) + fabsf(so_2d);
+  const float so_0_bound = KSL_MULF(1.7881396e-07f, so_0_size + 1.9721523e-31f),
+      so_1_bound = KSL_MULF(1.7881396e-07f, so_1_size + 1.9721523e-31f),
+      so_2_bound = KSL_MULF(1.7881396e-07f, so_2_size + 1.9721523e-31f);
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
   so->m3 = 0.0f;
   so->m4 = 0.0f;
   so->m5 = 0.0f;
-  so_bound->m0 = so_0_error_bound;
-  so_bound->m1 = so_1_error_bound;
-  so_bound->m2 = so_2_error_bound;
+  so_bound->m0 = so_0_bound;
+  so_bound->m1 = so_1_bound;
+  so_bound->m2 = so_2_bound;
   so_bound->m3 = 0.0f;
   so_bound->m4 = 0.0f;
   so_bound->m5 = 0.0f;
@@ -2851,51 +2288,41 @@ static inline void ksl_hstaf_certified(const ksl_SE3f_t *D, const ksl_vec3f_t *a
 static inline void ksl_hsrainvf_certified(const ksl_SE3f_t *D, const ksl_vec3f_t *axis,
     ksl_screwf_t *so, ksl_screwf_t *so_bound) {
   const float a_0a = KSL_MULF(D->m00, axis->x), a_0b = KSL_MULF(D->m01, axis->y),
-      a_0c = a_0a + a_0b, a_0d = KSL_MULF(D->m02, axis->z), a_0e = a_0c + a_0d, a_0 = -a_0e;
+      a_0d = KSL_MULF(D->m02, axis->z), a_0 = -(a_0a + a_0b + a_0d);
   const float a_1a = KSL_MULF(D->m10, axis->x), a_1b = KSL_MULF(D->m11, axis->y),
-      a_1c = a_1a + a_1b, a_1d = KSL_MULF(D->m12, axis->z), a_1e = a_1c + a_1d, a_1 = -a_1e;
+      a_1d = KSL_MULF(D->m12, axis->z), a_1 = -(a_1a + a_1b + a_1d);
   const float a_2a = KSL_MULF(D->m20, axis->x), a_2b = KSL_MULF(D->m21, axis->y),
-      a_2c = a_2a + a_2b, a_2d = KSL_MULF(D->m22, axis->z), a_2e = a_2c + a_2d, a_2 = -a_2e;
-  const float so_0a = KSL_MULF(D->m13, a_2), so_0b = KSL_MULF(D->m23, a_1), so_0 = so_0a - so_0b;
-  const float so_1a = KSL_MULF(D->m23, a_0), so_1b = KSL_MULF(D->m03, a_2), so_1 = so_1a - so_1b;
-  const float so_2a = KSL_MULF(D->m03, a_1), so_2b = KSL_MULF(D->m13, a_0), so_2 = so_2a - so_2b;
-  const float a_0a_abs = fabsf(a_0a), a_0b_abs = fabsf(a_0b), a_0c_size = a_0a_abs + a_0b_abs,
-      a_0d_abs = fabsf(a_0d), a_0e_size = a_0c_size + a_0d_abs;
-  const float a_1a_abs = fabsf(a_1a), a_1b_abs = fabsf(a_1b), a_1c_size = a_1a_abs + a_1b_abs,
-      a_1d_abs = fabsf(a_1d), a_1e_size = a_1c_size + a_1d_abs;
-  const float a_2a_abs = fabsf(a_2a), a_2b_abs = fabsf(a_2b), a_2c_size = a_2a_abs + a_2b_abs,
-      a_2d_abs = fabsf(a_2d), a_2e_size = a_2c_size + a_2d_abs;
-  const float a_2e_padded = a_2e_size + 1.9721523e-31f;
-  const float D_13_abs = fabsf(D->m13), so_0a_size = KSL_MULF(D_13_abs, a_2e_padded);
-  const float a_1e_padded = a_1e_size + 1.9721523e-31f;
-  const float D_23_abs = fabsf(D->m23), so_0b_size = KSL_MULF(D_23_abs, a_1e_padded),
-      so_0_size = so_0a_size + so_0b_size;
-  const float a_0e_padded = a_0e_size + 1.9721523e-31f;
-  const float so_1a_size = KSL_MULF(D_23_abs, a_0e_padded), D_03_abs = fabsf(D->m03),
-      so_1b_size = KSL_MULF(D_03_abs, a_2e_padded), so_1_size = so_1a_size + so_1b_size;
-  const float so_2a_size = KSL_MULF(D_03_abs, a_1e_padded),
-      so_2b_size = KSL_MULF(D_13_abs, a_0e_padded), so_2_size = so_2a_size + so_2b_size;
-  const float so_0_padded = so_0_size + 1.9721523e-31f,
-      so_0_error_bound = KSL_MULF(2.9802328e-07f, so_0_padded);
-  const float so_1_padded = so_1_size + 1.9721523e-31f,
-      so_1_error_bound = KSL_MULF(2.9802328e-07f, so_1_padded);
-  const float so_2_padded = so_2_size + 1.9721523e-31f,
-      so_2_error_bound = KSL_MULF(2.9802328e-07f, so_2_padded);
-  const float a_0e_error_bound = KSL_MULF(1.7881396e-07f, a_0e_padded);
-  const float a_1e_error_bound = KSL_MULF(1.7881396e-07f, a_1e_padded);
-  const float a_2e_error_bound = KSL_MULF(1.7881396e-07f, a_2e_padded);
+      a_2d = KSL_MULF(D->m22, axis->z), a_2 = -(a_2a + a_2b + a_2d);
+  const float so_0 = KSL_MULF(D->m13, a_2) - KSL_MULF(D->m23, a_1);
+  const float so_1 = KSL_MULF(D->m23, a_0) - KSL_MULF(D->m03, a_2);
+  const float so_2 = KSL_MULF(D->m03, a_1) - KSL_MULF(D->m13, a_0);
+  const float a_2e_padded = fabsf(a_2a) + fabsf(a_2b) + fabsf(a_2d) + 1.9721523e-31f;
+  const float D_13_abs = fabsf(D->m13);
+  const float a_1e_padded = fabsf(a_1a) + fabsf(a_1b) + fabsf(a_1d) + 1.9721523e-31f;
+  const float D_23_abs = fabsf(D->m23),
+      so_0_size = KSL_MULF(D_13_abs, a_2e_padded) + KSL_MULF(D_23_abs, a_1e_padded);
+  const float a_0e_padded = fabsf(a_0a) + fabsf(a_0b) + fabsf(a_0d) + 1.9721523e-31f;
+  const float D_03_abs = fabsf(D->m03),
+      so_1_size = KSL_MULF(D_23_abs, a_0e_padded) + KSL_MULF(D_03_abs, a_2e_padded);
+  const float so_2_size = KSL_MULF(D_03_abs, a_1e_padded) + KSL_MULF(D_13_abs, a_0e_padded);
+  const float so_0_bound = KSL_MULF(2.9802328e-07f, so_0_size + 1.9721523e-31f),
+      so_1_bound = KSL_MULF(2.9802328e-07f, so_1_size + 1.9721523e-31f),
+      so_2_bound = KSL_MULF(2.9802328e-07f, so_2_size + 1.9721523e-31f);
+  const float a_0e_bound = KSL_MULF(1.7881396e-07f, a_0e_padded);
+  const float a_1e_bound = KSL_MULF(1.7881396e-07f, a_1e_padded);
+  const float a_2e_bound = KSL_MULF(1.7881396e-07f, a_2e_padded);
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
   so->m3 = a_0;
   so->m4 = a_1;
   so->m5 = a_2;
-  so_bound->m0 = so_0_error_bound;
-  so_bound->m1 = so_1_error_bound;
-  so_bound->m2 = so_2_error_bound;
-  so_bound->m3 = a_0e_error_bound;
-  so_bound->m4 = a_1e_error_bound;
-  so_bound->m5 = a_2e_error_bound;
+  so_bound->m0 = so_0_bound;
+  so_bound->m1 = so_1_bound;
+  so_bound->m2 = so_2_bound;
+  so_bound->m3 = a_0e_bound;
+  so_bound->m4 = a_1e_bound;
+  so_bound->m5 = a_2e_bound;
 }
 
 /* so = -(R a ; 0), a = axis in the body's frame; |error of so| <= so_bound unless inf or NaN.
@@ -2905,38 +2332,26 @@ static inline void ksl_hsrainvf_certified(const ksl_SE3f_t *D, const ksl_vec3f_t
 static inline void ksl_hstainvf_certified(const ksl_SE3f_t *D, const ksl_vec3f_t *axis,
     ksl_screwf_t *so, ksl_screwf_t *so_bound) {
   const float so_0a = KSL_MULF(D->m00, axis->x), so_0b = KSL_MULF(D->m01, axis->y),
-      so_0c = so_0a + so_0b, so_0d = KSL_MULF(D->m02, axis->z), so_0e = so_0c + so_0d,
-      so_0 = -so_0e;
+      so_0d = KSL_MULF(D->m02, axis->z), so_0 = -(so_0a + so_0b + so_0d);
   const float so_1a = KSL_MULF(D->m10, axis->x), so_1b = KSL_MULF(D->m11, axis->y),
-      so_1c = so_1a + so_1b, so_1d = KSL_MULF(D->m12, axis->z), so_1e = so_1c + so_1d,
-      so_1 = -so_1e;
+      so_1d = KSL_MULF(D->m12, axis->z), so_1 = -(so_1a + so_1b + so_1d);
   const float so_2a = KSL_MULF(D->m20, axis->x), so_2b = KSL_MULF(D->m21, axis->y),
-      so_2c = so_2a + so_2b, so_2d = KSL_MULF(D->m22, axis->z), so_2e = so_2c + so_2d,
-      so_2 = -so_2e;
-  const float so_0a_abs = fabsf(so_0a), so_0b_abs = fabsf(so_0b),
-      so_0c_size = so_0a_abs + so_0b_abs, so_0d_abs = fabsf(so_0d),
-      so_0e_size = so_0c_size + so_0d_abs;
-  const float so_1a_abs = fabsf(so_1a), so_1b_abs = fabsf(so_1b),
-      so_1c_size = so_1a_abs + so_1b_abs, so_1d_abs = fabsf(so_1d),
-      so_1e_size = so_1c_size + so_1d_abs;
-  const float so_2a_abs = fabsf(so_2a), so_2b_abs = fabsf(so_2b),
-      so_2c_size = so_2a_abs + so_2b_abs, so_2d_abs = fabsf(so_2d),
-      so_2e_size = so_2c_size + so_2d_abs;
-  const float so_0e_padded = so_0e_size + 1.9721523e-31f,
-      so_0e_error_bound = KSL_MULF(1.7881396e-07f, so_0e_padded);
-  const float so_1e_padded = so_1e_size + 1.9721523e-31f,
-      so_1e_error_bound = KSL_MULF(1.7881396e-07f, so_1e_padded);
-  const float so_2e_padded = so_2e_size + 1.9721523e-31f,
-      so_2e_error_bound = KSL_MULF(1.7881396e-07f, so_2e_padded);
+      so_2d = KSL_MULF(D->m22, axis->z), so_2 = -(so_2a + so_2b + so_2d);
+  const float so_0e_bound = KSL_MULF(1.7881396e-07f, fabsf(so_0a) + fabsf(so_0b) + fabsf(so_0d)
+          + 1.9721523e-31f);
+  const float so_1e_bound = KSL_MULF(1.7881396e-07f, fabsf(so_1a) + fabsf(so_1b) + fabsf(so_1d)
+          + 1.9721523e-31f);
+  const float so_2e_bound = KSL_MULF(1.7881396e-07f, fabsf(so_2a) + fabsf(so_2b) + fabsf(so_2d)
+          + 1.9721523e-31f);
   so->m0 = so_0;
   so->m1 = so_1;
   so->m2 = so_2;
   so->m3 = 0.0f;
   so->m4 = 0.0f;
   so->m5 = 0.0f;
-  so_bound->m0 = so_0e_error_bound;
-  so_bound->m1 = so_1e_error_bound;
-  so_bound->m2 = so_2e_error_bound;
+  so_bound->m0 = so_0e_bound;
+  so_bound->m1 = so_1e_bound;
+  so_bound->m2 = so_2e_bound;
   so_bound->m3 = 0.0f;
   so_bound->m4 = 0.0f;
   so_bound->m5 = 0.0f;

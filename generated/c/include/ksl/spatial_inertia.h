@@ -62,16 +62,11 @@ static inline void ksl_spatial_inertia_copy(const ksl_spatial_inertia_t *Bi,
    10 mul.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_spatial_inertia_scale(ksl_spatial_inertia_t *self, const double a) {
-  const double self_0_new = KSL_MUL(self->m, a);
-  const double self_1_new = KSL_MUL(self->h.x, a);
-  const double self_2_new = KSL_MUL(self->h.y, a);
-  const double self_3_new = KSL_MUL(self->h.z, a);
-  const double self_4_new = KSL_MUL(self->xx, a);
-  const double self_5_new = KSL_MUL(self->yy, a);
-  const double self_6_new = KSL_MUL(self->zz, a);
-  const double self_7_new = KSL_MUL(self->xy, a);
-  const double self_8_new = KSL_MUL(self->xz, a);
-  const double self_9_new = KSL_MUL(self->yz, a);
+  const double self_0_new = KSL_MUL(self->m, a), self_1_new = KSL_MUL(self->h.x, a),
+      self_2_new = KSL_MUL(self->h.y, a), self_3_new = KSL_MUL(self->h.z, a),
+      self_4_new = KSL_MUL(self->xx, a), self_5_new = KSL_MUL(self->yy, a),
+      self_6_new = KSL_MUL(self->zz, a), self_7_new = KSL_MUL(self->xy, a),
+      self_8_new = KSL_MUL(self->xz, a), self_9_new = KSL_MUL(self->yz, a);
   self->m = self_0_new;
   self->h.x = self_1_new;
   self->h.y = self_2_new;
@@ -91,16 +86,10 @@ static inline void ksl_spatial_inertia_scale(ksl_spatial_inertia_t *self, const 
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_add_BB(const ksl_spatial_inertia_t *B1, const ksl_spatial_inertia_t *B2,
     ksl_spatial_inertia_t *Bo) {
-  const double Bo_0 = B1->m + B2->m;
-  const double Bo_1 = B1->h.x + B2->h.x;
-  const double Bo_2 = B1->h.y + B2->h.y;
-  const double Bo_3 = B1->h.z + B2->h.z;
-  const double Bo_4 = B1->xx + B2->xx;
-  const double Bo_5 = B1->yy + B2->yy;
-  const double Bo_6 = B1->zz + B2->zz;
-  const double Bo_7 = B1->xy + B2->xy;
-  const double Bo_8 = B1->xz + B2->xz;
-  const double Bo_9 = B1->yz + B2->yz;
+  const double Bo_0 = B1->m + B2->m, Bo_1 = B1->h.x + B2->h.x, Bo_2 = B1->h.y + B2->h.y,
+      Bo_3 = B1->h.z + B2->h.z, Bo_4 = B1->xx + B2->xx, Bo_5 = B1->yy + B2->yy,
+      Bo_6 = B1->zz + B2->zz, Bo_7 = B1->xy + B2->xy, Bo_8 = B1->xz + B2->xz,
+      Bo_9 = B1->yz + B2->yz;
   Bo->m = Bo_0;
   Bo->h.x = Bo_1;
   Bo->h.y = Bo_2;
@@ -120,16 +109,10 @@ static inline void ksl_add_BB(const ksl_spatial_inertia_t *B1, const ksl_spatial
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_subtract_BB(const ksl_spatial_inertia_t *B1,
     const ksl_spatial_inertia_t *B2, ksl_spatial_inertia_t *Bo) {
-  const double Bo_0 = B1->m - B2->m;
-  const double Bo_1 = B1->h.x - B2->h.x;
-  const double Bo_2 = B1->h.y - B2->h.y;
-  const double Bo_3 = B1->h.z - B2->h.z;
-  const double Bo_4 = B1->xx - B2->xx;
-  const double Bo_5 = B1->yy - B2->yy;
-  const double Bo_6 = B1->zz - B2->zz;
-  const double Bo_7 = B1->xy - B2->xy;
-  const double Bo_8 = B1->xz - B2->xz;
-  const double Bo_9 = B1->yz - B2->yz;
+  const double Bo_0 = B1->m - B2->m, Bo_1 = B1->h.x - B2->h.x, Bo_2 = B1->h.y - B2->h.y,
+      Bo_3 = B1->h.z - B2->h.z, Bo_4 = B1->xx - B2->xx, Bo_5 = B1->yy - B2->yy,
+      Bo_6 = B1->zz - B2->zz, Bo_7 = B1->xy - B2->xy, Bo_8 = B1->xz - B2->xz,
+      Bo_9 = B1->yz - B2->yz;
   Bo->m = Bo_0;
   Bo->h.x = Bo_1;
   Bo->h.y = Bo_2;
@@ -151,18 +134,12 @@ static inline void ksl_subtract_BB(const ksl_spatial_inertia_t *B1,
      formula; barring over- and underflow. */
 static inline void ksl_spatial_inertia_from_com(const double m, const ksl_vec3_t *com,
     const ksl_mat3x3_t *Ic, ksl_spatial_inertia_t *Bo) {
-  const double h_0 = KSL_MUL(m, com->x);
-  const double h_1 = KSL_MUL(m, com->y);
-  const double h_2 = KSL_MUL(m, com->z);
-  const double squares_0 = KSL_MUL(com->x, h_0);
-  const double squares_1 = KSL_MUL(com->y, h_1);
-  const double squares_2 = KSL_MUL(com->z, h_2);
-  const double Bo_4a = squares_1 + squares_2, Bo_4 = Ic->m00 + Bo_4a;
-  const double Bo_5a = squares_0 + squares_2, Bo_5 = Ic->m11 + Bo_5a;
-  const double Bo_6a = squares_0 + squares_1, Bo_6 = Ic->m22 + Bo_6a;
-  const double Bo_7a = KSL_MUL(com->y, h_0), Bo_7 = Ic->m01 - Bo_7a;
-  const double Bo_8a = KSL_MUL(com->z, h_0), Bo_8 = Ic->m02 - Bo_8a;
-  const double Bo_9a = KSL_MUL(com->z, h_1), Bo_9 = Ic->m12 - Bo_9a;
+  const double h_0 = KSL_MUL(m, com->x), h_1 = KSL_MUL(m, com->y), h_2 = KSL_MUL(m, com->z);
+  const double squares_0 = KSL_MUL(com->x, h_0), squares_1 = KSL_MUL(com->y, h_1),
+      squares_2 = KSL_MUL(com->z, h_2);
+  const double Bo_4 = Ic->m00 + (squares_1 + squares_2), Bo_5 = Ic->m11 + (squares_0 + squares_2),
+      Bo_6 = Ic->m22 + (squares_0 + squares_1), Bo_7 = Ic->m01 - KSL_MUL(com->y, h_0),
+      Bo_8 = Ic->m02 - KSL_MUL(com->z, h_0), Bo_9 = Ic->m12 - KSL_MUL(com->z, h_1);
   Bo->m = m;
   Bo->h.x = h_0;
   Bo->h.y = h_1;
@@ -184,18 +161,12 @@ static inline void ksl_spatial_inertia_from_com(const double m, const ksl_vec3_t
    Error of a moment <= 4 u times the sum of its |terms|, barring over- and underflow. */
 static inline void ksl_spatial_inertia_from_inertia(const ksl_inertia_t *J,
     ksl_spatial_inertia_t *Bo) {
-  const double c_0 = J->mt.x / J->m;
-  const double c_1 = J->mt.y / J->m;
-  const double c_2 = J->mt.z / J->m;
-  const double squares_0 = KSL_MUL(J->mt.x, c_0);
-  const double squares_1 = KSL_MUL(J->mt.y, c_1);
-  const double squares_2 = KSL_MUL(J->mt.z, c_2);
-  const double Bo_4a = squares_1 + squares_2, Bo_4 = J->Ixx + Bo_4a;
-  const double Bo_5a = squares_0 + squares_2, Bo_5 = J->Iyy + Bo_5a;
-  const double Bo_6a = squares_0 + squares_1, Bo_6 = J->Izz + Bo_6a;
-  const double Bo_7a = KSL_MUL(J->mt.x, c_1), Bo_7 = J->Ixy - Bo_7a;
-  const double Bo_8a = KSL_MUL(J->mt.x, c_2), Bo_8 = J->Izx - Bo_8a;
-  const double Bo_9a = KSL_MUL(J->mt.y, c_2), Bo_9 = J->Iyz - Bo_9a;
+  const double c_0 = J->mt.x / J->m, c_1 = J->mt.y / J->m, c_2 = J->mt.z / J->m;
+  const double squares_0 = KSL_MUL(J->mt.x, c_0), squares_1 = KSL_MUL(J->mt.y, c_1),
+      squares_2 = KSL_MUL(J->mt.z, c_2);
+  const double Bo_4 = J->Ixx + (squares_1 + squares_2), Bo_5 = J->Iyy + (squares_0 + squares_2),
+      Bo_6 = J->Izz + (squares_0 + squares_1), Bo_7 = J->Ixy - KSL_MUL(J->mt.x, c_1),
+      Bo_8 = J->Izx - KSL_MUL(J->mt.x, c_2), Bo_9 = J->Iyz - KSL_MUL(J->mt.y, c_2);
   const double J_m = J->m;
   const double J_mt_x = J->mt.x;
   const double J_mt_y = J->mt.y;
@@ -221,18 +192,12 @@ static inline void ksl_spatial_inertia_from_inertia(const ksl_inertia_t *J,
    Error of a moment <= 4 u times the sum of its |terms|, barring over- and underflow. */
 static inline void ksl_inertia_from_spatial_inertia(const ksl_spatial_inertia_t *B,
     ksl_inertia_t *Jo) {
-  const double c_0 = B->h.x / B->m;
-  const double c_1 = B->h.y / B->m;
-  const double c_2 = B->h.z / B->m;
-  const double squares_0 = KSL_MUL(B->h.x, c_0);
-  const double squares_1 = KSL_MUL(B->h.y, c_1);
-  const double squares_2 = KSL_MUL(B->h.z, c_2);
-  const double Jo_4a = squares_1 + squares_2, Jo_4 = B->xx - Jo_4a;
-  const double Jo_5a = squares_0 + squares_2, Jo_5 = B->yy - Jo_5a;
-  const double Jo_6a = squares_0 + squares_1, Jo_6 = B->zz - Jo_6a;
-  const double Jo_7a = KSL_MUL(B->h.x, c_1), Jo_7 = Jo_7a + B->xy;
-  const double Jo_8a = KSL_MUL(B->h.y, c_2), Jo_8 = Jo_8a + B->yz;
-  const double Jo_9a = KSL_MUL(B->h.x, c_2), Jo_9 = Jo_9a + B->xz;
+  const double c_0 = B->h.x / B->m, c_1 = B->h.y / B->m, c_2 = B->h.z / B->m;
+  const double squares_0 = KSL_MUL(B->h.x, c_0), squares_1 = KSL_MUL(B->h.y, c_1),
+      squares_2 = KSL_MUL(B->h.z, c_2);
+  const double Jo_4 = B->xx - (squares_1 + squares_2), Jo_5 = B->yy - (squares_0 + squares_2),
+      Jo_6 = B->zz - (squares_0 + squares_1), Jo_7 = KSL_MUL(B->h.x, c_1) + B->xy,
+      Jo_8 = KSL_MUL(B->h.y, c_2) + B->yz, Jo_9 = KSL_MUL(B->h.x, c_2) + B->xz;
   const double B_m = B->m;
   const double B_h_x = B->h.x;
   const double B_h_y = B->h.y;
@@ -255,9 +220,7 @@ static inline void ksl_inertia_from_spatial_inertia(const ksl_spatial_inertia_t 
    3 div.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_spatial_inertia_com(const ksl_spatial_inertia_t *B, ksl_vec3_t *vo) {
-  const double vo_0 = B->h.x / B->m;
-  const double vo_1 = B->h.y / B->m;
-  const double vo_2 = B->h.z / B->m;
+  const double vo_0 = B->h.x / B->m, vo_1 = B->h.y / B->m, vo_2 = B->h.z / B->m;
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -268,18 +231,12 @@ static inline void ksl_spatial_inertia_com(const ksl_spatial_inertia_t *B, ksl_v
      m^2); Ro: rotation or other 3×3 matrix.
    6 mul, 9 add, 3 div. */
 static inline void ksl_spatial_inertia_about_com(const ksl_spatial_inertia_t *B, ksl_mat3x3_t *Ro) {
-  const double c_0 = B->h.x / B->m;
-  const double c_1 = B->h.y / B->m;
-  const double c_2 = B->h.z / B->m;
-  const double squares_0 = KSL_MUL(B->h.x, c_0);
-  const double squares_1 = KSL_MUL(B->h.y, c_1);
-  const double squares_2 = KSL_MUL(B->h.z, c_2);
-  const double about_0a = squares_1 + squares_2, about_0 = B->xx - about_0a;
-  const double about_1a = squares_0 + squares_2, about_1 = B->yy - about_1a;
-  const double about_2a = squares_0 + squares_1, about_2 = B->zz - about_2a;
-  const double about_3a = KSL_MUL(B->h.x, c_1), about_3 = about_3a + B->xy;
-  const double about_4a = KSL_MUL(B->h.x, c_2), about_4 = about_4a + B->xz;
-  const double about_5a = KSL_MUL(B->h.y, c_2), about_5 = about_5a + B->yz;
+  const double c_0 = B->h.x / B->m, c_1 = B->h.y / B->m, c_2 = B->h.z / B->m;
+  const double squares_0 = KSL_MUL(B->h.x, c_0), squares_1 = KSL_MUL(B->h.y, c_1),
+      squares_2 = KSL_MUL(B->h.z, c_2);
+  const double about_0 = B->xx - (squares_1 + squares_2), about_1 = B->yy - (squares_0 + squares_2),
+      about_2 = B->zz - (squares_0 + squares_1), about_3 = KSL_MUL(B->h.x, c_1) + B->xy,
+      about_4 = KSL_MUL(B->h.x, c_2) + B->xz, about_5 = KSL_MUL(B->h.y, c_2) + B->yz;
   Ro->m00 = about_0;
   Ro->m01 = about_3;
   Ro->m02 = about_4;
@@ -297,9 +254,7 @@ static inline void ksl_spatial_inertia_about_com(const ksl_spatial_inertia_t *B,
    3 neg.
    Exact. */
 static inline void ksl_spatial_inertia_matrix(const ksl_spatial_inertia_t *B, ksl_mat6x6_t *Mo) {
-  const double Mo_05 = -B->h.y;
-  const double Mo_13 = -B->h.z;
-  const double Mo_24 = -B->h.x;
+  const double Mo_05 = -B->h.y, Mo_13 = -B->h.z, Mo_24 = -B->h.x;
   const double B_m = B->m;
   const double B_h_z = B->h.z;
   const double B_h_x = B->h.x;
@@ -356,24 +311,15 @@ static inline void ksl_spatial_inertia_matrix(const ksl_spatial_inertia_t *B, ks
      barring over- and underflow. */
 static inline void ksl_product_Bs(const ksl_spatial_inertia_t *B, const ksl_screw_t *s,
     ksl_coscrew_t *co) {
-  const double co_0a = KSL_MUL(B->m, s->m0), co_0b = KSL_MUL(B->h.z, s->m4),
-      co_0c = KSL_MUL(B->h.y, s->m5), co_0d = co_0b - co_0c, co_0 = co_0a + co_0d;
-  const double co_1a = KSL_MUL(B->m, s->m1), co_1b = KSL_MUL(B->h.x, s->m5),
-      co_1c = KSL_MUL(B->h.z, s->m3), co_1d = co_1b - co_1c, co_1 = co_1a + co_1d;
-  const double co_2a = KSL_MUL(B->m, s->m2), co_2b = KSL_MUL(B->h.y, s->m3),
-      co_2c = KSL_MUL(B->h.x, s->m4), co_2d = co_2b - co_2c, co_2 = co_2a + co_2d;
-  const double co_3a = KSL_MUL(B->h.y, s->m2), co_3b = KSL_MUL(B->h.z, s->m1),
-      co_3c = co_3a - co_3b, co_3d = KSL_MUL(B->xx, s->m3), co_3e = KSL_MUL(B->xy, s->m4),
-      co_3f = co_3d + co_3e, co_3g = KSL_MUL(B->xz, s->m5), co_3h = co_3f + co_3g,
-      co_3 = co_3c + co_3h;
-  const double co_4a = KSL_MUL(B->h.z, s->m0), co_4b = KSL_MUL(B->h.x, s->m2),
-      co_4c = co_4a - co_4b, co_4d = KSL_MUL(B->yy, s->m4), co_4e = KSL_MUL(B->xy, s->m3),
-      co_4f = co_4d + co_4e, co_4g = KSL_MUL(B->yz, s->m5), co_4h = co_4f + co_4g,
-      co_4 = co_4c + co_4h;
-  const double co_5a = KSL_MUL(B->h.x, s->m1), co_5b = KSL_MUL(B->h.y, s->m0),
-      co_5c = co_5a - co_5b, co_5d = KSL_MUL(B->zz, s->m5), co_5e = KSL_MUL(B->xz, s->m3),
-      co_5f = co_5d + co_5e, co_5g = KSL_MUL(B->yz, s->m4), co_5h = co_5f + co_5g,
-      co_5 = co_5c + co_5h;
+  const double co_0 = KSL_MUL(B->m, s->m0) + (KSL_MUL(B->h.z, s->m4) - KSL_MUL(B->h.y, s->m5)),
+      co_1 = KSL_MUL(B->m, s->m1) + (KSL_MUL(B->h.x, s->m5) - KSL_MUL(B->h.z, s->m3)),
+      co_2 = KSL_MUL(B->m, s->m2) + (KSL_MUL(B->h.y, s->m3) - KSL_MUL(B->h.x, s->m4)),
+      co_3 = KSL_MUL(B->h.y, s->m2) - KSL_MUL(B->h.z, s->m1)
+          + (KSL_MUL(B->xx, s->m3) + KSL_MUL(B->xy, s->m4) + KSL_MUL(B->xz, s->m5)),
+      co_4 = KSL_MUL(B->h.z, s->m0) - KSL_MUL(B->h.x, s->m2)
+          + (KSL_MUL(B->yy, s->m4) + KSL_MUL(B->xy, s->m3) + KSL_MUL(B->yz, s->m5)),
+      co_5 = KSL_MUL(B->h.x, s->m1) - KSL_MUL(B->h.y, s->m0)
+          + (KSL_MUL(B->zz, s->m5) + KSL_MUL(B->xz, s->m3) + KSL_MUL(B->yz, s->m4));
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;
@@ -390,27 +336,17 @@ static inline void ksl_product_Bs(const ksl_spatial_inertia_t *B, const ksl_scre
      and underflow. */
 static inline double ksl_spatial_inertia_energy(const ksl_spatial_inertia_t *B,
     const ksl_screw_t *s) {
-  const double square_a = KSL_MUL(s->m0, s->m0), square_b = KSL_MUL(s->m1, s->m1),
-      square_c = square_a + square_b, square_d = KSL_MUL(s->m2, s->m2),
-      square = square_c + square_d;
-  const double L_0a = KSL_MUL(B->xx, s->m3), L_0b = KSL_MUL(B->xy, s->m4), L_0c = L_0a + L_0b,
-      L_0d = KSL_MUL(B->xz, s->m5), L_0 = L_0c + L_0d;
-  const double L_1a = KSL_MUL(B->yy, s->m4), L_1b = KSL_MUL(B->xy, s->m3), L_1c = L_1a + L_1b,
-      L_1d = KSL_MUL(B->yz, s->m5), L_1 = L_1c + L_1d;
-  const double L_2a = KSL_MUL(B->zz, s->m5), L_2b = KSL_MUL(B->xz, s->m3), L_2c = L_2a + L_2b,
-      L_2d = KSL_MUL(B->yz, s->m4), L_2 = L_2c + L_2d;
-  const double twice_a = KSL_MUL(B->m, square), twice_b = KSL_MUL(s->m3, L_0),
-      twice_c = KSL_MUL(s->m4, L_1), twice_d = twice_b + twice_c, twice_e = KSL_MUL(s->m5, L_2),
-      twice_f = twice_d + twice_e, twice = twice_a + twice_f;
-  const double across_0a = KSL_MUL(B->h.z, s->m4), across_0b = KSL_MUL(B->h.y, s->m5),
-      across_0 = across_0a - across_0b;
-  const double across_1a = KSL_MUL(B->h.x, s->m5), across_1b = KSL_MUL(B->h.z, s->m3),
-      across_1 = across_1a - across_1b;
-  const double across_2a = KSL_MUL(B->h.y, s->m3), across_2b = KSL_MUL(B->h.x, s->m4),
-      across_2 = across_2a - across_2b;
-  const double energy_a = KSL_MUL(s->m0, across_0), energy_b = KSL_MUL(s->m1, across_1),
-      energy_c = energy_a + energy_b, energy_d = KSL_MUL(s->m2, across_2),
-      energy_e = energy_c + energy_d, energy_f = KSL_MUL(0.5, twice), energy = energy_e + energy_f;
+  const double square = KSL_MUL(s->m0, s->m0) + KSL_MUL(s->m1, s->m1) + KSL_MUL(s->m2, s->m2);
+  const double L_0 = KSL_MUL(B->xx, s->m3) + KSL_MUL(B->xy, s->m4) + KSL_MUL(B->xz, s->m5),
+      L_1 = KSL_MUL(B->yy, s->m4) + KSL_MUL(B->xy, s->m3) + KSL_MUL(B->yz, s->m5),
+      L_2 = KSL_MUL(B->zz, s->m5) + KSL_MUL(B->xz, s->m3) + KSL_MUL(B->yz, s->m4);
+  const double twice = KSL_MUL(B->m, square)
+          + (KSL_MUL(s->m3, L_0) + KSL_MUL(s->m4, L_1) + KSL_MUL(s->m5, L_2));
+  const double across_0 = KSL_MUL(B->h.z, s->m4) - KSL_MUL(B->h.y, s->m5),
+      across_1 = KSL_MUL(B->h.x, s->m5) - KSL_MUL(B->h.z, s->m3),
+      across_2 = KSL_MUL(B->h.y, s->m3) - KSL_MUL(B->h.x, s->m4);
+  const double energy = KSL_MUL(s->m0, across_0) + KSL_MUL(s->m1, across_1)
+          + KSL_MUL(s->m2, across_2) + KSL_MUL(0.5, twice);
   return energy;
 }
 
@@ -424,54 +360,28 @@ static inline double ksl_spatial_inertia_energy(const ksl_spatial_inertia_t *B,
      barring over- and underflow. */
 static inline void ksl_spatial_inertia_net_wrench(const ksl_spatial_inertia_t *B,
     const ksl_vec3_t *w, const ksl_screw_t *ds, ksl_coscrew_t *co) {
-  const double ww_0 = KSL_MUL(w->x, w->x);
-  const double ww_1 = KSL_MUL(w->y, w->y);
-  const double ww_2 = KSL_MUL(w->z, w->z);
-  const double ww_3 = KSL_MUL(w->x, w->y);
-  const double ww_4 = KSL_MUL(w->x, w->z);
-  const double ww_5 = KSL_MUL(w->y, w->z);
-  const double U_0a = ww_1 + ww_2, U_0 = -U_0a;
-  const double U_1 = ww_3 - ds->m5;
-  const double U_2 = ds->m4 + ww_4;
-  const double U_3 = ds->m5 + ww_3;
-  const double U_4a = ww_0 + ww_2, U_4 = -U_4a;
-  const double U_5 = ww_5 - ds->m3;
-  const double U_6 = ww_4 - ds->m4;
-  const double U_7 = ds->m3 + ww_5;
-  const double U_8a = ww_0 + ww_1, U_8 = -U_8a;
-  const double others_0 = B->zz - B->yy;
-  const double others_1 = B->xx - B->zz;
-  const double others_2 = B->yy - B->xx;
-  const double squares_0 = ww_1 - ww_2;
-  const double squares_1 = ww_2 - ww_0;
-  const double squares_2 = ww_0 - ww_1;
-  const double own_0a = KSL_MUL(B->xx, ds->m3), own_0b = KSL_MUL(ww_5, others_0),
-      own_0 = own_0a + own_0b;
-  const double own_1a = KSL_MUL(B->yy, ds->m4), own_1b = KSL_MUL(ww_4, others_1),
-      own_1 = own_1a + own_1b;
-  const double own_2a = KSL_MUL(B->zz, ds->m5), own_2b = KSL_MUL(ww_3, others_2),
-      own_2 = own_2a + own_2b;
-  const double N_0a = KSL_MUL(B->xz, U_3), N_0b = KSL_MUL(B->xy, U_6), N_0c = N_0a - N_0b,
-      N_0d = KSL_MUL(B->yz, squares_0), N_0e = N_0c + N_0d, N_0 = N_0e + own_0;
-  const double N_1a = KSL_MUL(B->xy, U_7), N_1b = KSL_MUL(B->yz, U_1), N_1c = N_1a - N_1b,
-      N_1d = KSL_MUL(B->xz, squares_1), N_1e = N_1c + N_1d, N_1 = N_1e + own_1;
-  const double N_2a = KSL_MUL(B->xy, squares_2), N_2b = KSL_MUL(B->yz, U_2),
-      N_2c = KSL_MUL(B->xz, U_5), N_2d = N_2b - N_2c, N_2e = N_2a + N_2d, N_2 = N_2e + own_2;
-  const double co_0a = KSL_MUL(B->m, ds->m0), co_0b = KSL_MUL(B->h.x, U_0),
-      co_0c = KSL_MUL(B->h.y, U_1), co_0d = co_0b + co_0c, co_0e = KSL_MUL(B->h.z, U_2),
-      co_0f = co_0d + co_0e, co_0 = co_0a + co_0f;
-  const double co_1a = KSL_MUL(B->m, ds->m1), co_1b = KSL_MUL(B->h.x, U_3),
-      co_1c = KSL_MUL(B->h.y, U_4), co_1d = co_1b + co_1c, co_1e = KSL_MUL(B->h.z, U_5),
-      co_1f = co_1d + co_1e, co_1 = co_1a + co_1f;
-  const double co_2a = KSL_MUL(B->m, ds->m2), co_2b = KSL_MUL(B->h.x, U_6),
-      co_2c = KSL_MUL(B->h.y, U_7), co_2d = co_2b + co_2c, co_2e = KSL_MUL(B->h.z, U_8),
-      co_2f = co_2d + co_2e, co_2 = co_2a + co_2f;
-  const double co_3a = KSL_MUL(B->h.y, ds->m2), co_3b = KSL_MUL(B->h.z, ds->m1),
-      co_3c = co_3a - co_3b, co_3 = co_3c + N_0;
-  const double co_4a = KSL_MUL(B->h.z, ds->m0), co_4b = KSL_MUL(B->h.x, ds->m2),
-      co_4c = co_4a - co_4b, co_4 = co_4c + N_1;
-  const double co_5a = KSL_MUL(B->h.x, ds->m1), co_5b = KSL_MUL(B->h.y, ds->m0),
-      co_5c = co_5a - co_5b, co_5 = co_5c + N_2;
+  const double ww_0 = KSL_MUL(w->x, w->x), ww_1 = KSL_MUL(w->y, w->y), ww_2 = KSL_MUL(w->z, w->z),
+      ww_3 = KSL_MUL(w->x, w->y), ww_4 = KSL_MUL(w->x, w->z), ww_5 = KSL_MUL(w->y, w->z);
+  const double U_0 = -(ww_1 + ww_2), U_1 = ww_3 - ds->m5, U_2 = ds->m4 + ww_4, U_3 = ds->m5 + ww_3,
+      U_4 = -(ww_0 + ww_2), U_5 = ww_5 - ds->m3, U_6 = ww_4 - ds->m4, U_7 = ds->m3 + ww_5,
+      U_8 = -(ww_0 + ww_1);
+  const double others_0 = B->zz - B->yy, others_1 = B->xx - B->zz, others_2 = B->yy - B->xx;
+  const double squares_0 = ww_1 - ww_2, squares_1 = ww_2 - ww_0, squares_2 = ww_0 - ww_1;
+  const double own_0 = KSL_MUL(B->xx, ds->m3) + KSL_MUL(ww_5, others_0),
+      own_1 = KSL_MUL(B->yy, ds->m4) + KSL_MUL(ww_4, others_1),
+      own_2 = KSL_MUL(B->zz, ds->m5) + KSL_MUL(ww_3, others_2);
+  const double N_0 = KSL_MUL(B->xz, U_3) - KSL_MUL(B->xy, U_6) + KSL_MUL(B->yz, squares_0) + own_0,
+      N_1 = KSL_MUL(B->xy, U_7) - KSL_MUL(B->yz, U_1) + KSL_MUL(B->xz, squares_1) + own_1,
+      N_2 = KSL_MUL(B->xy, squares_2) + (KSL_MUL(B->yz, U_2) - KSL_MUL(B->xz, U_5)) + own_2;
+  const double co_0 = KSL_MUL(B->m, ds->m0)
+          + (KSL_MUL(B->h.x, U_0) + KSL_MUL(B->h.y, U_1) + KSL_MUL(B->h.z, U_2)),
+      co_1 = KSL_MUL(B->m, ds->m1)
+          + (KSL_MUL(B->h.x, U_3) + KSL_MUL(B->h.y, U_4) + KSL_MUL(B->h.z, U_5)),
+      co_2 = KSL_MUL(B->m, ds->m2)
+          + (KSL_MUL(B->h.x, U_6) + KSL_MUL(B->h.y, U_7) + KSL_MUL(B->h.z, U_8)),
+      co_3 = KSL_MUL(B->h.y, ds->m2) - KSL_MUL(B->h.z, ds->m1) + N_0,
+      co_4 = KSL_MUL(B->h.z, ds->m0) - KSL_MUL(B->h.x, ds->m2) + N_1,
+      co_5 = KSL_MUL(B->h.x, ds->m1) - KSL_MUL(B->h.y, ds->m0) + N_2;
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;
@@ -488,39 +398,21 @@ static inline void ksl_spatial_inertia_net_wrench(const ksl_spatial_inertia_t *B
      formula; barring over- and underflow. */
 static inline void ksl_spatial_inertia_shifted(const ksl_vec3_t *t,
     const ksl_spatial_inertia_t *B, ksl_spatial_inertia_t *Bo) {
-  const double mt_0 = KSL_MUL(t->x, B->m);
-  const double mt_1 = KSL_MUL(t->y, B->m);
-  const double mt_2 = KSL_MUL(t->z, B->m);
-  const double half_0 = KSL_MUL(0.5, mt_0);
-  const double half_1 = KSL_MUL(0.5, mt_1);
-  const double half_2 = KSL_MUL(0.5, mt_2);
-  const double n_0 = B->h.x + half_0;
-  const double n_1 = B->h.y + half_1;
-  const double n_2 = B->h.z + half_2;
+  const double mt_0 = KSL_MUL(t->x, B->m), mt_1 = KSL_MUL(t->y, B->m), mt_2 = KSL_MUL(t->z, B->m);
+  const double half_0 = KSL_MUL(0.5, mt_0), half_1 = KSL_MUL(0.5, mt_1),
+      half_2 = KSL_MUL(0.5, mt_2);
+  const double n_0 = B->h.x + half_0, n_1 = B->h.y + half_1, n_2 = B->h.z + half_2;
   const double tn0 = KSL_MUL(t->x, n_0);
   const double tn1 = KSL_MUL(t->y, n_1);
   const double tn2 = KSL_MUL(t->z, n_2);
-  const double own_0 = KSL_MUL(2.0, tn0);
-  const double own_1 = KSL_MUL(2.0, tn1);
-  const double own_2 = KSL_MUL(2.0, tn2);
-  const double pairs_0 = own_1 + own_2;
-  const double pairs_1 = own_0 + own_2;
-  const double pairs_2 = own_0 + own_1;
-  const double pairs_3a = KSL_MUL(t->x, n_1), pairs_3b = KSL_MUL(t->y, n_0),
-      pairs_3 = pairs_3a + pairs_3b;
-  const double pairs_4a = KSL_MUL(t->x, n_2), pairs_4b = KSL_MUL(t->z, n_0),
-      pairs_4 = pairs_4a + pairs_4b;
-  const double pairs_5a = KSL_MUL(t->y, n_2), pairs_5b = KSL_MUL(t->z, n_1),
-      pairs_5 = pairs_5a + pairs_5b;
-  const double moved_0 = B->h.x + mt_0;
-  const double moved_1 = B->h.y + mt_1;
-  const double moved_2 = B->h.z + mt_2;
-  const double Bo_4 = B->xx + pairs_0;
-  const double Bo_5 = B->yy + pairs_1;
-  const double Bo_6 = B->zz + pairs_2;
-  const double Bo_7 = B->xy - pairs_3;
-  const double Bo_8 = B->xz - pairs_4;
-  const double Bo_9 = B->yz - pairs_5;
+  const double own_0 = KSL_MUL(2.0, tn0), own_1 = KSL_MUL(2.0, tn1), own_2 = KSL_MUL(2.0, tn2);
+  const double pairs_0 = own_1 + own_2, pairs_1 = own_0 + own_2, pairs_2 = own_0 + own_1,
+      pairs_3 = KSL_MUL(t->x, n_1) + KSL_MUL(t->y, n_0),
+      pairs_4 = KSL_MUL(t->x, n_2) + KSL_MUL(t->z, n_0),
+      pairs_5 = KSL_MUL(t->y, n_2) + KSL_MUL(t->z, n_1);
+  const double moved_0 = B->h.x + mt_0, moved_1 = B->h.y + mt_1, moved_2 = B->h.z + mt_2;
+  const double Bo_4 = B->xx + pairs_0, Bo_5 = B->yy + pairs_1, Bo_6 = B->zz + pairs_2,
+      Bo_7 = B->xy - pairs_3, Bo_8 = B->xz - pairs_4, Bo_9 = B->yz - pairs_5;
   const double B_m = B->m;
   Bo->m = B_m;
   Bo->h.x = moved_0;
@@ -542,84 +434,41 @@ static inline void ksl_spatial_inertia_shifted(const ksl_vec3_t *t,
      formula; barring over- and underflow. */
 static inline void ksl_spatial_inertia_transformed(const ksl_SE3_t *D,
     const ksl_spatial_inertia_t *B, ksl_spatial_inertia_t *Bo) {
-  const double RI_0a = KSL_MUL(D->m00, B->xx), RI_0b = KSL_MUL(D->m01, B->xy),
-      RI_0c = RI_0a + RI_0b, RI_0d = KSL_MUL(D->m02, B->xz), RI_0 = RI_0c + RI_0d;
-  const double RI_1a = KSL_MUL(D->m00, B->xy), RI_1b = KSL_MUL(D->m01, B->yy),
-      RI_1c = RI_1a + RI_1b, RI_1d = KSL_MUL(D->m02, B->yz), RI_1 = RI_1c + RI_1d;
-  const double RI_2a = KSL_MUL(D->m00, B->xz), RI_2b = KSL_MUL(D->m01, B->yz),
-      RI_2c = RI_2a + RI_2b, RI_2d = KSL_MUL(D->m02, B->zz), RI_2 = RI_2c + RI_2d;
-  const double RI_3a = KSL_MUL(D->m10, B->xx), RI_3b = KSL_MUL(D->m11, B->xy),
-      RI_3c = RI_3a + RI_3b, RI_3d = KSL_MUL(D->m12, B->xz), RI_3 = RI_3c + RI_3d;
-  const double RI_4a = KSL_MUL(D->m10, B->xy), RI_4b = KSL_MUL(D->m11, B->yy),
-      RI_4c = RI_4a + RI_4b, RI_4d = KSL_MUL(D->m12, B->yz), RI_4 = RI_4c + RI_4d;
-  const double RI_5a = KSL_MUL(D->m10, B->xz), RI_5b = KSL_MUL(D->m11, B->yz),
-      RI_5c = RI_5a + RI_5b, RI_5d = KSL_MUL(D->m12, B->zz), RI_5 = RI_5c + RI_5d;
-  const double RI_6a = KSL_MUL(D->m20, B->xx), RI_6b = KSL_MUL(D->m21, B->xy),
-      RI_6c = RI_6a + RI_6b, RI_6d = KSL_MUL(D->m22, B->xz), RI_6 = RI_6c + RI_6d;
-  const double RI_7a = KSL_MUL(D->m20, B->xy), RI_7b = KSL_MUL(D->m21, B->yy),
-      RI_7c = RI_7a + RI_7b, RI_7d = KSL_MUL(D->m22, B->yz), RI_7 = RI_7c + RI_7d;
-  const double RI_8a = KSL_MUL(D->m20, B->xz), RI_8b = KSL_MUL(D->m21, B->yz),
-      RI_8c = RI_8a + RI_8b, RI_8d = KSL_MUL(D->m22, B->zz), RI_8 = RI_8c + RI_8d;
-  const double turned_1a = KSL_MUL(D->m00, B->h.x), turned_1b = KSL_MUL(D->m01, B->h.y),
-      turned_1c = turned_1a + turned_1b, turned_1d = KSL_MUL(D->m02, B->h.z),
-      turned_1 = turned_1c + turned_1d;
-  const double turned_2a = KSL_MUL(D->m10, B->h.x), turned_2b = KSL_MUL(D->m11, B->h.y),
-      turned_2c = turned_2a + turned_2b, turned_2d = KSL_MUL(D->m12, B->h.z),
-      turned_2 = turned_2c + turned_2d;
-  const double turned_3a = KSL_MUL(D->m20, B->h.x), turned_3b = KSL_MUL(D->m21, B->h.y),
-      turned_3c = turned_3a + turned_3b, turned_3d = KSL_MUL(D->m22, B->h.z),
-      turned_3 = turned_3c + turned_3d;
-  const double turned_4a = KSL_MUL(D->m00, RI_0), turned_4b = KSL_MUL(D->m01, RI_1),
-      turned_4c = turned_4a + turned_4b, turned_4d = KSL_MUL(D->m02, RI_2),
-      turned_4 = turned_4c + turned_4d;
-  const double turned_5a = KSL_MUL(D->m10, RI_3), turned_5b = KSL_MUL(D->m11, RI_4),
-      turned_5c = turned_5a + turned_5b, turned_5d = KSL_MUL(D->m12, RI_5),
-      turned_5 = turned_5c + turned_5d;
-  const double turned_6a = KSL_MUL(D->m20, RI_6), turned_6b = KSL_MUL(D->m21, RI_7),
-      turned_6c = turned_6a + turned_6b, turned_6d = KSL_MUL(D->m22, RI_8),
-      turned_6 = turned_6c + turned_6d;
-  const double turned_7a = KSL_MUL(D->m10, RI_0), turned_7b = KSL_MUL(D->m11, RI_1),
-      turned_7c = turned_7a + turned_7b, turned_7d = KSL_MUL(D->m12, RI_2),
-      turned_7 = turned_7c + turned_7d;
-  const double turned_8a = KSL_MUL(D->m20, RI_0), turned_8b = KSL_MUL(D->m21, RI_1),
-      turned_8c = turned_8a + turned_8b, turned_8d = KSL_MUL(D->m22, RI_2),
-      turned_8 = turned_8c + turned_8d;
-  const double turned_9a = KSL_MUL(D->m20, RI_3), turned_9b = KSL_MUL(D->m21, RI_4),
-      turned_9c = turned_9a + turned_9b, turned_9d = KSL_MUL(D->m22, RI_5),
-      turned_9 = turned_9c + turned_9d;
-  const double mt_0 = KSL_MUL(D->m03, B->m);
-  const double mt_1 = KSL_MUL(D->m13, B->m);
-  const double mt_2 = KSL_MUL(D->m23, B->m);
-  const double half_0 = KSL_MUL(0.5, mt_0);
-  const double half_1 = KSL_MUL(0.5, mt_1);
-  const double half_2 = KSL_MUL(0.5, mt_2);
-  const double n_0 = turned_1 + half_0;
-  const double n_1 = turned_2 + half_1;
-  const double n_2 = turned_3 + half_2;
+  const double RI_0 = KSL_MUL(D->m00, B->xx) + KSL_MUL(D->m01, B->xy) + KSL_MUL(D->m02, B->xz),
+      RI_1 = KSL_MUL(D->m00, B->xy) + KSL_MUL(D->m01, B->yy) + KSL_MUL(D->m02, B->yz),
+      RI_2 = KSL_MUL(D->m00, B->xz) + KSL_MUL(D->m01, B->yz) + KSL_MUL(D->m02, B->zz),
+      RI_3 = KSL_MUL(D->m10, B->xx) + KSL_MUL(D->m11, B->xy) + KSL_MUL(D->m12, B->xz),
+      RI_4 = KSL_MUL(D->m10, B->xy) + KSL_MUL(D->m11, B->yy) + KSL_MUL(D->m12, B->yz),
+      RI_5 = KSL_MUL(D->m10, B->xz) + KSL_MUL(D->m11, B->yz) + KSL_MUL(D->m12, B->zz),
+      RI_6 = KSL_MUL(D->m20, B->xx) + KSL_MUL(D->m21, B->xy) + KSL_MUL(D->m22, B->xz),
+      RI_7 = KSL_MUL(D->m20, B->xy) + KSL_MUL(D->m21, B->yy) + KSL_MUL(D->m22, B->yz),
+      RI_8 = KSL_MUL(D->m20, B->xz) + KSL_MUL(D->m21, B->yz) + KSL_MUL(D->m22, B->zz);
+  const double turned_1 = KSL_MUL(D->m00, B->h.x) + KSL_MUL(D->m01, B->h.y)
+          + KSL_MUL(D->m02, B->h.z),
+      turned_2 = KSL_MUL(D->m10, B->h.x) + KSL_MUL(D->m11, B->h.y) + KSL_MUL(D->m12, B->h.z),
+      turned_3 = KSL_MUL(D->m20, B->h.x) + KSL_MUL(D->m21, B->h.y) + KSL_MUL(D->m22, B->h.z),
+      turned_4 = KSL_MUL(D->m00, RI_0) + KSL_MUL(D->m01, RI_1) + KSL_MUL(D->m02, RI_2),
+      turned_5 = KSL_MUL(D->m10, RI_3) + KSL_MUL(D->m11, RI_4) + KSL_MUL(D->m12, RI_5),
+      turned_6 = KSL_MUL(D->m20, RI_6) + KSL_MUL(D->m21, RI_7) + KSL_MUL(D->m22, RI_8),
+      turned_7 = KSL_MUL(D->m10, RI_0) + KSL_MUL(D->m11, RI_1) + KSL_MUL(D->m12, RI_2),
+      turned_8 = KSL_MUL(D->m20, RI_0) + KSL_MUL(D->m21, RI_1) + KSL_MUL(D->m22, RI_2),
+      turned_9 = KSL_MUL(D->m20, RI_3) + KSL_MUL(D->m21, RI_4) + KSL_MUL(D->m22, RI_5);
+  const double mt_0 = KSL_MUL(D->m03, B->m), mt_1 = KSL_MUL(D->m13, B->m),
+      mt_2 = KSL_MUL(D->m23, B->m);
+  const double half_0 = KSL_MUL(0.5, mt_0), half_1 = KSL_MUL(0.5, mt_1),
+      half_2 = KSL_MUL(0.5, mt_2);
+  const double n_0 = turned_1 + half_0, n_1 = turned_2 + half_1, n_2 = turned_3 + half_2;
   const double tn0 = KSL_MUL(D->m03, n_0);
   const double tn1 = KSL_MUL(D->m13, n_1);
   const double tn2 = KSL_MUL(D->m23, n_2);
-  const double own_0 = KSL_MUL(2.0, tn0);
-  const double own_1 = KSL_MUL(2.0, tn1);
-  const double own_2 = KSL_MUL(2.0, tn2);
-  const double pairs_0 = own_1 + own_2;
-  const double pairs_1 = own_0 + own_2;
-  const double pairs_2 = own_0 + own_1;
-  const double pairs_3a = KSL_MUL(D->m03, n_1), pairs_3b = KSL_MUL(D->m13, n_0),
-      pairs_3 = pairs_3a + pairs_3b;
-  const double pairs_4a = KSL_MUL(D->m03, n_2), pairs_4b = KSL_MUL(D->m23, n_0),
-      pairs_4 = pairs_4a + pairs_4b;
-  const double pairs_5a = KSL_MUL(D->m13, n_2), pairs_5b = KSL_MUL(D->m23, n_1),
-      pairs_5 = pairs_5a + pairs_5b;
-  const double moved_0 = turned_1 + mt_0;
-  const double moved_1 = turned_2 + mt_1;
-  const double moved_2 = turned_3 + mt_2;
-  const double Bo_4 = turned_4 + pairs_0;
-  const double Bo_5 = turned_5 + pairs_1;
-  const double Bo_6 = turned_6 + pairs_2;
-  const double Bo_7 = turned_7 - pairs_3;
-  const double Bo_8 = turned_8 - pairs_4;
-  const double Bo_9 = turned_9 - pairs_5;
+  const double own_0 = KSL_MUL(2.0, tn0), own_1 = KSL_MUL(2.0, tn1), own_2 = KSL_MUL(2.0, tn2);
+  const double pairs_0 = own_1 + own_2, pairs_1 = own_0 + own_2, pairs_2 = own_0 + own_1,
+      pairs_3 = KSL_MUL(D->m03, n_1) + KSL_MUL(D->m13, n_0),
+      pairs_4 = KSL_MUL(D->m03, n_2) + KSL_MUL(D->m23, n_0),
+      pairs_5 = KSL_MUL(D->m13, n_2) + KSL_MUL(D->m23, n_1);
+  const double moved_0 = turned_1 + mt_0, moved_1 = turned_2 + mt_1, moved_2 = turned_3 + mt_2;
+  const double Bo_4 = turned_4 + pairs_0, Bo_5 = turned_5 + pairs_1, Bo_6 = turned_6 + pairs_2,
+      Bo_7 = turned_7 - pairs_3, Bo_8 = turned_8 - pairs_4, Bo_9 = turned_9 - pairs_5;
   const double B_m = B->m;
   Bo->m = B_m;
   Bo->h.x = moved_0;
@@ -639,29 +488,20 @@ static inline void ksl_spatial_inertia_transformed(const ksl_SE3_t *D,
      m^2).
    11 mul, 15 add, 10 div, 3 neg, 9 less, 13 select. */
 static inline double ksl_spatial_inertia_consistency(const ksl_spatial_inertia_t *B) {
-  const double twice_trace_a = B->xx + B->yy, twice_trace = twice_trace_a + B->zz;
+  const double twice_trace = B->xx + B->yy + B->zz;
   const double trace = KSL_MUL(0.5, twice_trace);
-  const double sigma_0 = trace - B->xx;
-  const double sigma_1 = trace - B->yy;
-  const double sigma_2 = trace - B->zz;
+  const double sigma_0 = trace - B->xx, sigma_1 = trace - B->yy, sigma_2 = trace - B->zz;
   const double divisor0 = 0.0 < B->m ? B->m : 1.0;
-  const double l0_0 = B->h.x / divisor0;
-  const double l0_1 = B->h.y / divisor0;
-  const double l0_2 = B->h.z / divisor0;
-  const double u1_0a = KSL_MUL(B->h.x, l0_0), u1_0 = sigma_0 - u1_0a;
-  const double u1_1a = KSL_MUL(B->h.y, l0_0), u1_1b = u1_1a + B->xy, u1_1 = -u1_1b;
-  const double u1_2a = KSL_MUL(B->h.z, l0_0), u1_2b = u1_2a + B->xz, u1_2 = -u1_2b;
+  const double l0_0 = B->h.x / divisor0, l0_1 = B->h.y / divisor0, l0_2 = B->h.z / divisor0;
+  const double u1_0 = sigma_0 - KSL_MUL(B->h.x, l0_0), u1_1 = -(KSL_MUL(B->h.y, l0_0) + B->xy),
+      u1_2 = -(KSL_MUL(B->h.z, l0_0) + B->xz);
   const double divisor1 = 0.0 < u1_0 ? u1_0 : 1.0;
-  const double l1_0 = u1_1 / divisor1;
-  const double l1_1 = u1_2 / divisor1;
-  const double u2_0a = KSL_MUL(B->h.y, l0_1), u2_0b = sigma_1 - u2_0a, u2_0c = KSL_MUL(u1_1, l1_0),
-      u2_0 = u2_0b - u2_0c;
-  const double u2_1a = KSL_MUL(B->h.z, l0_1), u2_1b = u2_1a + B->yz, u2_1c = KSL_MUL(u1_2, l1_0),
-      u2_1d = u2_1b + u2_1c, u2_1 = -u2_1d;
+  const double l1_0 = u1_1 / divisor1, l1_1 = u1_2 / divisor1;
+  const double u2_0 = sigma_1 - KSL_MUL(B->h.y, l0_1) - KSL_MUL(u1_1, l1_0),
+      u2_1 = -(KSL_MUL(B->h.z, l0_1) + B->yz + KSL_MUL(u1_2, l1_0));
   const double divisor2 = 0.0 < u2_0 ? u2_0 : 1.0;
   const double l2 = u2_1 / divisor2;
-  const double u3a = KSL_MUL(B->h.z, l0_2), u3b = sigma_2 - u3a, u3c = KSL_MUL(u1_2, l1_1),
-      u3d = u3b - u3c, u3e = KSL_MUL(u2_1, l2), u3 = u3d - u3e;
+  const double u3 = sigma_2 - KSL_MUL(B->h.z, l0_2) - KSL_MUL(u1_2, l1_1) - KSL_MUL(u2_1, l2);
   const double part0a = B->m / divisor0, part0 = 0.0 < B->m ? part0a : B->m;
   const double own1 = 0.0 < sigma_0 ? sigma_0 : 1.0;
   const double part1a = u1_0 / own1, part1 = 0.0 < sigma_0 ? part1a : sigma_0;
@@ -728,16 +568,11 @@ static inline void ksl_spatial_inertiaf_copy(const ksl_spatial_inertiaf_t *Bi,
    10 mul.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_spatial_inertiaf_scale(ksl_spatial_inertiaf_t *self, const float a) {
-  const float self_0_new = KSL_MULF(self->m, a);
-  const float self_1_new = KSL_MULF(self->h.x, a);
-  const float self_2_new = KSL_MULF(self->h.y, a);
-  const float self_3_new = KSL_MULF(self->h.z, a);
-  const float self_4_new = KSL_MULF(self->xx, a);
-  const float self_5_new = KSL_MULF(self->yy, a);
-  const float self_6_new = KSL_MULF(self->zz, a);
-  const float self_7_new = KSL_MULF(self->xy, a);
-  const float self_8_new = KSL_MULF(self->xz, a);
-  const float self_9_new = KSL_MULF(self->yz, a);
+  const float self_0_new = KSL_MULF(self->m, a), self_1_new = KSL_MULF(self->h.x, a),
+      self_2_new = KSL_MULF(self->h.y, a), self_3_new = KSL_MULF(self->h.z, a),
+      self_4_new = KSL_MULF(self->xx, a), self_5_new = KSL_MULF(self->yy, a),
+      self_6_new = KSL_MULF(self->zz, a), self_7_new = KSL_MULF(self->xy, a),
+      self_8_new = KSL_MULF(self->xz, a), self_9_new = KSL_MULF(self->yz, a);
   self->m = self_0_new;
   self->h.x = self_1_new;
   self->h.y = self_2_new;
@@ -757,16 +592,10 @@ static inline void ksl_spatial_inertiaf_scale(ksl_spatial_inertiaf_t *self, cons
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_add_BBf(const ksl_spatial_inertiaf_t *B1, const ksl_spatial_inertiaf_t *B2,
     ksl_spatial_inertiaf_t *Bo) {
-  const float Bo_0 = B1->m + B2->m;
-  const float Bo_1 = B1->h.x + B2->h.x;
-  const float Bo_2 = B1->h.y + B2->h.y;
-  const float Bo_3 = B1->h.z + B2->h.z;
-  const float Bo_4 = B1->xx + B2->xx;
-  const float Bo_5 = B1->yy + B2->yy;
-  const float Bo_6 = B1->zz + B2->zz;
-  const float Bo_7 = B1->xy + B2->xy;
-  const float Bo_8 = B1->xz + B2->xz;
-  const float Bo_9 = B1->yz + B2->yz;
+  const float Bo_0 = B1->m + B2->m, Bo_1 = B1->h.x + B2->h.x, Bo_2 = B1->h.y + B2->h.y,
+      Bo_3 = B1->h.z + B2->h.z, Bo_4 = B1->xx + B2->xx, Bo_5 = B1->yy + B2->yy,
+      Bo_6 = B1->zz + B2->zz, Bo_7 = B1->xy + B2->xy, Bo_8 = B1->xz + B2->xz,
+      Bo_9 = B1->yz + B2->yz;
   Bo->m = Bo_0;
   Bo->h.x = Bo_1;
   Bo->h.y = Bo_2;
@@ -786,16 +615,10 @@ static inline void ksl_add_BBf(const ksl_spatial_inertiaf_t *B1, const ksl_spati
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_subtract_BBf(const ksl_spatial_inertiaf_t *B1,
     const ksl_spatial_inertiaf_t *B2, ksl_spatial_inertiaf_t *Bo) {
-  const float Bo_0 = B1->m - B2->m;
-  const float Bo_1 = B1->h.x - B2->h.x;
-  const float Bo_2 = B1->h.y - B2->h.y;
-  const float Bo_3 = B1->h.z - B2->h.z;
-  const float Bo_4 = B1->xx - B2->xx;
-  const float Bo_5 = B1->yy - B2->yy;
-  const float Bo_6 = B1->zz - B2->zz;
-  const float Bo_7 = B1->xy - B2->xy;
-  const float Bo_8 = B1->xz - B2->xz;
-  const float Bo_9 = B1->yz - B2->yz;
+  const float Bo_0 = B1->m - B2->m, Bo_1 = B1->h.x - B2->h.x, Bo_2 = B1->h.y - B2->h.y,
+      Bo_3 = B1->h.z - B2->h.z, Bo_4 = B1->xx - B2->xx, Bo_5 = B1->yy - B2->yy,
+      Bo_6 = B1->zz - B2->zz, Bo_7 = B1->xy - B2->xy, Bo_8 = B1->xz - B2->xz,
+      Bo_9 = B1->yz - B2->yz;
   Bo->m = Bo_0;
   Bo->h.x = Bo_1;
   Bo->h.y = Bo_2;
@@ -817,18 +640,12 @@ static inline void ksl_subtract_BBf(const ksl_spatial_inertiaf_t *B1,
      formula; barring over- and underflow. */
 static inline void ksl_spatial_inertiaf_from_com(const float m, const ksl_vec3f_t *com,
     const ksl_mat3x3f_t *Ic, ksl_spatial_inertiaf_t *Bo) {
-  const float h_0 = KSL_MULF(m, com->x);
-  const float h_1 = KSL_MULF(m, com->y);
-  const float h_2 = KSL_MULF(m, com->z);
-  const float squares_0 = KSL_MULF(com->x, h_0);
-  const float squares_1 = KSL_MULF(com->y, h_1);
-  const float squares_2 = KSL_MULF(com->z, h_2);
-  const float Bo_4a = squares_1 + squares_2, Bo_4 = Ic->m00 + Bo_4a;
-  const float Bo_5a = squares_0 + squares_2, Bo_5 = Ic->m11 + Bo_5a;
-  const float Bo_6a = squares_0 + squares_1, Bo_6 = Ic->m22 + Bo_6a;
-  const float Bo_7a = KSL_MULF(com->y, h_0), Bo_7 = Ic->m01 - Bo_7a;
-  const float Bo_8a = KSL_MULF(com->z, h_0), Bo_8 = Ic->m02 - Bo_8a;
-  const float Bo_9a = KSL_MULF(com->z, h_1), Bo_9 = Ic->m12 - Bo_9a;
+  const float h_0 = KSL_MULF(m, com->x), h_1 = KSL_MULF(m, com->y), h_2 = KSL_MULF(m, com->z);
+  const float squares_0 = KSL_MULF(com->x, h_0), squares_1 = KSL_MULF(com->y, h_1),
+      squares_2 = KSL_MULF(com->z, h_2);
+  const float Bo_4 = Ic->m00 + (squares_1 + squares_2), Bo_5 = Ic->m11 + (squares_0 + squares_2),
+      Bo_6 = Ic->m22 + (squares_0 + squares_1), Bo_7 = Ic->m01 - KSL_MULF(com->y, h_0),
+      Bo_8 = Ic->m02 - KSL_MULF(com->z, h_0), Bo_9 = Ic->m12 - KSL_MULF(com->z, h_1);
   Bo->m = m;
   Bo->h.x = h_0;
   Bo->h.y = h_1;
@@ -850,18 +667,12 @@ static inline void ksl_spatial_inertiaf_from_com(const float m, const ksl_vec3f_
    Error of a moment <= 4 u times the sum of its |terms|, barring over- and underflow. */
 static inline void ksl_spatial_inertiaf_from_inertia(const ksl_inertiaf_t *J,
     ksl_spatial_inertiaf_t *Bo) {
-  const float c_0 = J->mt.x / J->m;
-  const float c_1 = J->mt.y / J->m;
-  const float c_2 = J->mt.z / J->m;
-  const float squares_0 = KSL_MULF(J->mt.x, c_0);
-  const float squares_1 = KSL_MULF(J->mt.y, c_1);
-  const float squares_2 = KSL_MULF(J->mt.z, c_2);
-  const float Bo_4a = squares_1 + squares_2, Bo_4 = J->Ixx + Bo_4a;
-  const float Bo_5a = squares_0 + squares_2, Bo_5 = J->Iyy + Bo_5a;
-  const float Bo_6a = squares_0 + squares_1, Bo_6 = J->Izz + Bo_6a;
-  const float Bo_7a = KSL_MULF(J->mt.x, c_1), Bo_7 = J->Ixy - Bo_7a;
-  const float Bo_8a = KSL_MULF(J->mt.x, c_2), Bo_8 = J->Izx - Bo_8a;
-  const float Bo_9a = KSL_MULF(J->mt.y, c_2), Bo_9 = J->Iyz - Bo_9a;
+  const float c_0 = J->mt.x / J->m, c_1 = J->mt.y / J->m, c_2 = J->mt.z / J->m;
+  const float squares_0 = KSL_MULF(J->mt.x, c_0), squares_1 = KSL_MULF(J->mt.y, c_1),
+      squares_2 = KSL_MULF(J->mt.z, c_2);
+  const float Bo_4 = J->Ixx + (squares_1 + squares_2), Bo_5 = J->Iyy + (squares_0 + squares_2),
+      Bo_6 = J->Izz + (squares_0 + squares_1), Bo_7 = J->Ixy - KSL_MULF(J->mt.x, c_1),
+      Bo_8 = J->Izx - KSL_MULF(J->mt.x, c_2), Bo_9 = J->Iyz - KSL_MULF(J->mt.y, c_2);
   const float J_m = J->m;
   const float J_mt_x = J->mt.x;
   const float J_mt_y = J->mt.y;
@@ -887,18 +698,12 @@ static inline void ksl_spatial_inertiaf_from_inertia(const ksl_inertiaf_t *J,
    Error of a moment <= 4 u times the sum of its |terms|, barring over- and underflow. */
 static inline void ksl_inertiaf_from_spatial_inertia(const ksl_spatial_inertiaf_t *B,
     ksl_inertiaf_t *Jo) {
-  const float c_0 = B->h.x / B->m;
-  const float c_1 = B->h.y / B->m;
-  const float c_2 = B->h.z / B->m;
-  const float squares_0 = KSL_MULF(B->h.x, c_0);
-  const float squares_1 = KSL_MULF(B->h.y, c_1);
-  const float squares_2 = KSL_MULF(B->h.z, c_2);
-  const float Jo_4a = squares_1 + squares_2, Jo_4 = B->xx - Jo_4a;
-  const float Jo_5a = squares_0 + squares_2, Jo_5 = B->yy - Jo_5a;
-  const float Jo_6a = squares_0 + squares_1, Jo_6 = B->zz - Jo_6a;
-  const float Jo_7a = KSL_MULF(B->h.x, c_1), Jo_7 = Jo_7a + B->xy;
-  const float Jo_8a = KSL_MULF(B->h.y, c_2), Jo_8 = Jo_8a + B->yz;
-  const float Jo_9a = KSL_MULF(B->h.x, c_2), Jo_9 = Jo_9a + B->xz;
+  const float c_0 = B->h.x / B->m, c_1 = B->h.y / B->m, c_2 = B->h.z / B->m;
+  const float squares_0 = KSL_MULF(B->h.x, c_0), squares_1 = KSL_MULF(B->h.y, c_1),
+      squares_2 = KSL_MULF(B->h.z, c_2);
+  const float Jo_4 = B->xx - (squares_1 + squares_2), Jo_5 = B->yy - (squares_0 + squares_2),
+      Jo_6 = B->zz - (squares_0 + squares_1), Jo_7 = KSL_MULF(B->h.x, c_1) + B->xy,
+      Jo_8 = KSL_MULF(B->h.y, c_2) + B->yz, Jo_9 = KSL_MULF(B->h.x, c_2) + B->xz;
   const float B_m = B->m;
   const float B_h_x = B->h.x;
   const float B_h_y = B->h.y;
@@ -921,9 +726,7 @@ static inline void ksl_inertiaf_from_spatial_inertia(const ksl_spatial_inertiaf_
    3 div.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_spatial_inertiaf_com(const ksl_spatial_inertiaf_t *B, ksl_vec3f_t *vo) {
-  const float vo_0 = B->h.x / B->m;
-  const float vo_1 = B->h.y / B->m;
-  const float vo_2 = B->h.z / B->m;
+  const float vo_0 = B->h.x / B->m, vo_1 = B->h.y / B->m, vo_2 = B->h.z / B->m;
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -935,18 +738,12 @@ static inline void ksl_spatial_inertiaf_com(const ksl_spatial_inertiaf_t *B, ksl
    6 mul, 9 add, 3 div. */
 static inline void ksl_spatial_inertiaf_about_com(const ksl_spatial_inertiaf_t *B,
     ksl_mat3x3f_t *Ro) {
-  const float c_0 = B->h.x / B->m;
-  const float c_1 = B->h.y / B->m;
-  const float c_2 = B->h.z / B->m;
-  const float squares_0 = KSL_MULF(B->h.x, c_0);
-  const float squares_1 = KSL_MULF(B->h.y, c_1);
-  const float squares_2 = KSL_MULF(B->h.z, c_2);
-  const float about_0a = squares_1 + squares_2, about_0 = B->xx - about_0a;
-  const float about_1a = squares_0 + squares_2, about_1 = B->yy - about_1a;
-  const float about_2a = squares_0 + squares_1, about_2 = B->zz - about_2a;
-  const float about_3a = KSL_MULF(B->h.x, c_1), about_3 = about_3a + B->xy;
-  const float about_4a = KSL_MULF(B->h.x, c_2), about_4 = about_4a + B->xz;
-  const float about_5a = KSL_MULF(B->h.y, c_2), about_5 = about_5a + B->yz;
+  const float c_0 = B->h.x / B->m, c_1 = B->h.y / B->m, c_2 = B->h.z / B->m;
+  const float squares_0 = KSL_MULF(B->h.x, c_0), squares_1 = KSL_MULF(B->h.y, c_1),
+      squares_2 = KSL_MULF(B->h.z, c_2);
+  const float about_0 = B->xx - (squares_1 + squares_2), about_1 = B->yy - (squares_0 + squares_2),
+      about_2 = B->zz - (squares_0 + squares_1), about_3 = KSL_MULF(B->h.x, c_1) + B->xy,
+      about_4 = KSL_MULF(B->h.x, c_2) + B->xz, about_5 = KSL_MULF(B->h.y, c_2) + B->yz;
   Ro->m00 = about_0;
   Ro->m01 = about_3;
   Ro->m02 = about_4;
@@ -964,9 +761,7 @@ static inline void ksl_spatial_inertiaf_about_com(const ksl_spatial_inertiaf_t *
    3 neg.
    Exact. */
 static inline void ksl_spatial_inertiaf_matrix(const ksl_spatial_inertiaf_t *B, ksl_mat6x6f_t *Mo) {
-  const float Mo_05 = -B->h.y;
-  const float Mo_13 = -B->h.z;
-  const float Mo_24 = -B->h.x;
+  const float Mo_05 = -B->h.y, Mo_13 = -B->h.z, Mo_24 = -B->h.x;
   const float B_m = B->m;
   const float B_h_z = B->h.z;
   const float B_h_x = B->h.x;
@@ -1023,24 +818,15 @@ static inline void ksl_spatial_inertiaf_matrix(const ksl_spatial_inertiaf_t *B, 
      barring over- and underflow. */
 static inline void ksl_product_Bsf(const ksl_spatial_inertiaf_t *B, const ksl_screwf_t *s,
     ksl_coscrewf_t *co) {
-  const float co_0a = KSL_MULF(B->m, s->m0), co_0b = KSL_MULF(B->h.z, s->m4),
-      co_0c = KSL_MULF(B->h.y, s->m5), co_0d = co_0b - co_0c, co_0 = co_0a + co_0d;
-  const float co_1a = KSL_MULF(B->m, s->m1), co_1b = KSL_MULF(B->h.x, s->m5),
-      co_1c = KSL_MULF(B->h.z, s->m3), co_1d = co_1b - co_1c, co_1 = co_1a + co_1d;
-  const float co_2a = KSL_MULF(B->m, s->m2), co_2b = KSL_MULF(B->h.y, s->m3),
-      co_2c = KSL_MULF(B->h.x, s->m4), co_2d = co_2b - co_2c, co_2 = co_2a + co_2d;
-  const float co_3a = KSL_MULF(B->h.y, s->m2), co_3b = KSL_MULF(B->h.z, s->m1),
-      co_3c = co_3a - co_3b, co_3d = KSL_MULF(B->xx, s->m3), co_3e = KSL_MULF(B->xy, s->m4),
-      co_3f = co_3d + co_3e, co_3g = KSL_MULF(B->xz, s->m5), co_3h = co_3f + co_3g,
-      co_3 = co_3c + co_3h;
-  const float co_4a = KSL_MULF(B->h.z, s->m0), co_4b = KSL_MULF(B->h.x, s->m2),
-      co_4c = co_4a - co_4b, co_4d = KSL_MULF(B->yy, s->m4), co_4e = KSL_MULF(B->xy, s->m3),
-      co_4f = co_4d + co_4e, co_4g = KSL_MULF(B->yz, s->m5), co_4h = co_4f + co_4g,
-      co_4 = co_4c + co_4h;
-  const float co_5a = KSL_MULF(B->h.x, s->m1), co_5b = KSL_MULF(B->h.y, s->m0),
-      co_5c = co_5a - co_5b, co_5d = KSL_MULF(B->zz, s->m5), co_5e = KSL_MULF(B->xz, s->m3),
-      co_5f = co_5d + co_5e, co_5g = KSL_MULF(B->yz, s->m4), co_5h = co_5f + co_5g,
-      co_5 = co_5c + co_5h;
+  const float co_0 = KSL_MULF(B->m, s->m0) + (KSL_MULF(B->h.z, s->m4) - KSL_MULF(B->h.y, s->m5)),
+      co_1 = KSL_MULF(B->m, s->m1) + (KSL_MULF(B->h.x, s->m5) - KSL_MULF(B->h.z, s->m3)),
+      co_2 = KSL_MULF(B->m, s->m2) + (KSL_MULF(B->h.y, s->m3) - KSL_MULF(B->h.x, s->m4)),
+      co_3 = KSL_MULF(B->h.y, s->m2) - KSL_MULF(B->h.z, s->m1)
+          + (KSL_MULF(B->xx, s->m3) + KSL_MULF(B->xy, s->m4) + KSL_MULF(B->xz, s->m5)),
+      co_4 = KSL_MULF(B->h.z, s->m0) - KSL_MULF(B->h.x, s->m2)
+          + (KSL_MULF(B->yy, s->m4) + KSL_MULF(B->xy, s->m3) + KSL_MULF(B->yz, s->m5)),
+      co_5 = KSL_MULF(B->h.x, s->m1) - KSL_MULF(B->h.y, s->m0)
+          + (KSL_MULF(B->zz, s->m5) + KSL_MULF(B->xz, s->m3) + KSL_MULF(B->yz, s->m4));
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;
@@ -1057,28 +843,17 @@ static inline void ksl_product_Bsf(const ksl_spatial_inertiaf_t *B, const ksl_sc
      and underflow. */
 static inline float ksl_spatial_inertiaf_energy(const ksl_spatial_inertiaf_t *B,
     const ksl_screwf_t *s) {
-  const float square_a = KSL_MULF(s->m0, s->m0), square_b = KSL_MULF(s->m1, s->m1),
-      square_c = square_a + square_b, square_d = KSL_MULF(s->m2, s->m2),
-      square = square_c + square_d;
-  const float L_0a = KSL_MULF(B->xx, s->m3), L_0b = KSL_MULF(B->xy, s->m4), L_0c = L_0a + L_0b,
-      L_0d = KSL_MULF(B->xz, s->m5), L_0 = L_0c + L_0d;
-  const float L_1a = KSL_MULF(B->yy, s->m4), L_1b = KSL_MULF(B->xy, s->m3), L_1c = L_1a + L_1b,
-      L_1d = KSL_MULF(B->yz, s->m5), L_1 = L_1c + L_1d;
-  const float L_2a = KSL_MULF(B->zz, s->m5), L_2b = KSL_MULF(B->xz, s->m3), L_2c = L_2a + L_2b,
-      L_2d = KSL_MULF(B->yz, s->m4), L_2 = L_2c + L_2d;
-  const float twice_a = KSL_MULF(B->m, square), twice_b = KSL_MULF(s->m3, L_0),
-      twice_c = KSL_MULF(s->m4, L_1), twice_d = twice_b + twice_c, twice_e = KSL_MULF(s->m5, L_2),
-      twice_f = twice_d + twice_e, twice = twice_a + twice_f;
-  const float across_0a = KSL_MULF(B->h.z, s->m4), across_0b = KSL_MULF(B->h.y, s->m5),
-      across_0 = across_0a - across_0b;
-  const float across_1a = KSL_MULF(B->h.x, s->m5), across_1b = KSL_MULF(B->h.z, s->m3),
-      across_1 = across_1a - across_1b;
-  const float across_2a = KSL_MULF(B->h.y, s->m3), across_2b = KSL_MULF(B->h.x, s->m4),
-      across_2 = across_2a - across_2b;
-  const float energy_a = KSL_MULF(s->m0, across_0), energy_b = KSL_MULF(s->m1, across_1),
-      energy_c = energy_a + energy_b, energy_d = KSL_MULF(s->m2, across_2),
-      energy_e = energy_c + energy_d, energy_f = KSL_MULF(0.5f, twice),
-      energy = energy_e + energy_f;
+  const float square = KSL_MULF(s->m0, s->m0) + KSL_MULF(s->m1, s->m1) + KSL_MULF(s->m2, s->m2);
+  const float L_0 = KSL_MULF(B->xx, s->m3) + KSL_MULF(B->xy, s->m4) + KSL_MULF(B->xz, s->m5),
+      L_1 = KSL_MULF(B->yy, s->m4) + KSL_MULF(B->xy, s->m3) + KSL_MULF(B->yz, s->m5),
+      L_2 = KSL_MULF(B->zz, s->m5) + KSL_MULF(B->xz, s->m3) + KSL_MULF(B->yz, s->m4);
+  const float twice = KSL_MULF(B->m, square)
+          + (KSL_MULF(s->m3, L_0) + KSL_MULF(s->m4, L_1) + KSL_MULF(s->m5, L_2));
+  const float across_0 = KSL_MULF(B->h.z, s->m4) - KSL_MULF(B->h.y, s->m5),
+      across_1 = KSL_MULF(B->h.x, s->m5) - KSL_MULF(B->h.z, s->m3),
+      across_2 = KSL_MULF(B->h.y, s->m3) - KSL_MULF(B->h.x, s->m4);
+  const float energy = KSL_MULF(s->m0, across_0) + KSL_MULF(s->m1, across_1)
+          + KSL_MULF(s->m2, across_2) + KSL_MULF(0.5f, twice);
   return energy;
 }
 
@@ -1092,54 +867,29 @@ static inline float ksl_spatial_inertiaf_energy(const ksl_spatial_inertiaf_t *B,
      barring over- and underflow. */
 static inline void ksl_spatial_inertiaf_net_wrench(const ksl_spatial_inertiaf_t *B,
     const ksl_vec3f_t *w, const ksl_screwf_t *ds, ksl_coscrewf_t *co) {
-  const float ww_0 = KSL_MULF(w->x, w->x);
-  const float ww_1 = KSL_MULF(w->y, w->y);
-  const float ww_2 = KSL_MULF(w->z, w->z);
-  const float ww_3 = KSL_MULF(w->x, w->y);
-  const float ww_4 = KSL_MULF(w->x, w->z);
-  const float ww_5 = KSL_MULF(w->y, w->z);
-  const float U_0a = ww_1 + ww_2, U_0 = -U_0a;
-  const float U_1 = ww_3 - ds->m5;
-  const float U_2 = ds->m4 + ww_4;
-  const float U_3 = ds->m5 + ww_3;
-  const float U_4a = ww_0 + ww_2, U_4 = -U_4a;
-  const float U_5 = ww_5 - ds->m3;
-  const float U_6 = ww_4 - ds->m4;
-  const float U_7 = ds->m3 + ww_5;
-  const float U_8a = ww_0 + ww_1, U_8 = -U_8a;
-  const float others_0 = B->zz - B->yy;
-  const float others_1 = B->xx - B->zz;
-  const float others_2 = B->yy - B->xx;
-  const float squares_0 = ww_1 - ww_2;
-  const float squares_1 = ww_2 - ww_0;
-  const float squares_2 = ww_0 - ww_1;
-  const float own_0a = KSL_MULF(B->xx, ds->m3), own_0b = KSL_MULF(ww_5, others_0),
-      own_0 = own_0a + own_0b;
-  const float own_1a = KSL_MULF(B->yy, ds->m4), own_1b = KSL_MULF(ww_4, others_1),
-      own_1 = own_1a + own_1b;
-  const float own_2a = KSL_MULF(B->zz, ds->m5), own_2b = KSL_MULF(ww_3, others_2),
-      own_2 = own_2a + own_2b;
-  const float N_0a = KSL_MULF(B->xz, U_3), N_0b = KSL_MULF(B->xy, U_6), N_0c = N_0a - N_0b,
-      N_0d = KSL_MULF(B->yz, squares_0), N_0e = N_0c + N_0d, N_0 = N_0e + own_0;
-  const float N_1a = KSL_MULF(B->xy, U_7), N_1b = KSL_MULF(B->yz, U_1), N_1c = N_1a - N_1b,
-      N_1d = KSL_MULF(B->xz, squares_1), N_1e = N_1c + N_1d, N_1 = N_1e + own_1;
-  const float N_2a = KSL_MULF(B->xy, squares_2), N_2b = KSL_MULF(B->yz, U_2),
-      N_2c = KSL_MULF(B->xz, U_5), N_2d = N_2b - N_2c, N_2e = N_2a + N_2d, N_2 = N_2e + own_2;
-  const float co_0a = KSL_MULF(B->m, ds->m0), co_0b = KSL_MULF(B->h.x, U_0),
-      co_0c = KSL_MULF(B->h.y, U_1), co_0d = co_0b + co_0c, co_0e = KSL_MULF(B->h.z, U_2),
-      co_0f = co_0d + co_0e, co_0 = co_0a + co_0f;
-  const float co_1a = KSL_MULF(B->m, ds->m1), co_1b = KSL_MULF(B->h.x, U_3),
-      co_1c = KSL_MULF(B->h.y, U_4), co_1d = co_1b + co_1c, co_1e = KSL_MULF(B->h.z, U_5),
-      co_1f = co_1d + co_1e, co_1 = co_1a + co_1f;
-  const float co_2a = KSL_MULF(B->m, ds->m2), co_2b = KSL_MULF(B->h.x, U_6),
-      co_2c = KSL_MULF(B->h.y, U_7), co_2d = co_2b + co_2c, co_2e = KSL_MULF(B->h.z, U_8),
-      co_2f = co_2d + co_2e, co_2 = co_2a + co_2f;
-  const float co_3a = KSL_MULF(B->h.y, ds->m2), co_3b = KSL_MULF(B->h.z, ds->m1),
-      co_3c = co_3a - co_3b, co_3 = co_3c + N_0;
-  const float co_4a = KSL_MULF(B->h.z, ds->m0), co_4b = KSL_MULF(B->h.x, ds->m2),
-      co_4c = co_4a - co_4b, co_4 = co_4c + N_1;
-  const float co_5a = KSL_MULF(B->h.x, ds->m1), co_5b = KSL_MULF(B->h.y, ds->m0),
-      co_5c = co_5a - co_5b, co_5 = co_5c + N_2;
+  const float ww_0 = KSL_MULF(w->x, w->x), ww_1 = KSL_MULF(w->y, w->y), ww_2 = KSL_MULF(w->z, w->z),
+      ww_3 = KSL_MULF(w->x, w->y), ww_4 = KSL_MULF(w->x, w->z), ww_5 = KSL_MULF(w->y, w->z);
+  const float U_0 = -(ww_1 + ww_2), U_1 = ww_3 - ds->m5, U_2 = ds->m4 + ww_4, U_3 = ds->m5 + ww_3,
+      U_4 = -(ww_0 + ww_2), U_5 = ww_5 - ds->m3, U_6 = ww_4 - ds->m4, U_7 = ds->m3 + ww_5,
+      U_8 = -(ww_0 + ww_1);
+  const float others_0 = B->zz - B->yy, others_1 = B->xx - B->zz, others_2 = B->yy - B->xx;
+  const float squares_0 = ww_1 - ww_2, squares_1 = ww_2 - ww_0, squares_2 = ww_0 - ww_1;
+  const float own_0 = KSL_MULF(B->xx, ds->m3) + KSL_MULF(ww_5, others_0),
+      own_1 = KSL_MULF(B->yy, ds->m4) + KSL_MULF(ww_4, others_1),
+      own_2 = KSL_MULF(B->zz, ds->m5) + KSL_MULF(ww_3, others_2);
+  const float N_0 = KSL_MULF(B->xz, U_3) - KSL_MULF(B->xy, U_6) + KSL_MULF(B->yz, squares_0)
+          + own_0,
+      N_1 = KSL_MULF(B->xy, U_7) - KSL_MULF(B->yz, U_1) + KSL_MULF(B->xz, squares_1) + own_1,
+      N_2 = KSL_MULF(B->xy, squares_2) + (KSL_MULF(B->yz, U_2) - KSL_MULF(B->xz, U_5)) + own_2;
+  const float co_0 = KSL_MULF(B->m, ds->m0)
+          + (KSL_MULF(B->h.x, U_0) + KSL_MULF(B->h.y, U_1) + KSL_MULF(B->h.z, U_2)),
+      co_1 = KSL_MULF(B->m, ds->m1)
+          + (KSL_MULF(B->h.x, U_3) + KSL_MULF(B->h.y, U_4) + KSL_MULF(B->h.z, U_5)),
+      co_2 = KSL_MULF(B->m, ds->m2)
+          + (KSL_MULF(B->h.x, U_6) + KSL_MULF(B->h.y, U_7) + KSL_MULF(B->h.z, U_8)),
+      co_3 = KSL_MULF(B->h.y, ds->m2) - KSL_MULF(B->h.z, ds->m1) + N_0,
+      co_4 = KSL_MULF(B->h.z, ds->m0) - KSL_MULF(B->h.x, ds->m2) + N_1,
+      co_5 = KSL_MULF(B->h.x, ds->m1) - KSL_MULF(B->h.y, ds->m0) + N_2;
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;
@@ -1156,39 +906,21 @@ static inline void ksl_spatial_inertiaf_net_wrench(const ksl_spatial_inertiaf_t 
      formula; barring over- and underflow. */
 static inline void ksl_spatial_inertiaf_shifted(const ksl_vec3f_t *t,
     const ksl_spatial_inertiaf_t *B, ksl_spatial_inertiaf_t *Bo) {
-  const float mt_0 = KSL_MULF(t->x, B->m);
-  const float mt_1 = KSL_MULF(t->y, B->m);
-  const float mt_2 = KSL_MULF(t->z, B->m);
-  const float half_0 = KSL_MULF(0.5f, mt_0);
-  const float half_1 = KSL_MULF(0.5f, mt_1);
-  const float half_2 = KSL_MULF(0.5f, mt_2);
-  const float n_0 = B->h.x + half_0;
-  const float n_1 = B->h.y + half_1;
-  const float n_2 = B->h.z + half_2;
+  const float mt_0 = KSL_MULF(t->x, B->m), mt_1 = KSL_MULF(t->y, B->m), mt_2 = KSL_MULF(t->z, B->m);
+  const float half_0 = KSL_MULF(0.5f, mt_0), half_1 = KSL_MULF(0.5f, mt_1),
+      half_2 = KSL_MULF(0.5f, mt_2);
+  const float n_0 = B->h.x + half_0, n_1 = B->h.y + half_1, n_2 = B->h.z + half_2;
   const float tn0 = KSL_MULF(t->x, n_0);
   const float tn1 = KSL_MULF(t->y, n_1);
   const float tn2 = KSL_MULF(t->z, n_2);
-  const float own_0 = KSL_MULF(2.0f, tn0);
-  const float own_1 = KSL_MULF(2.0f, tn1);
-  const float own_2 = KSL_MULF(2.0f, tn2);
-  const float pairs_0 = own_1 + own_2;
-  const float pairs_1 = own_0 + own_2;
-  const float pairs_2 = own_0 + own_1;
-  const float pairs_3a = KSL_MULF(t->x, n_1), pairs_3b = KSL_MULF(t->y, n_0),
-      pairs_3 = pairs_3a + pairs_3b;
-  const float pairs_4a = KSL_MULF(t->x, n_2), pairs_4b = KSL_MULF(t->z, n_0),
-      pairs_4 = pairs_4a + pairs_4b;
-  const float pairs_5a = KSL_MULF(t->y, n_2), pairs_5b = KSL_MULF(t->z, n_1),
-      pairs_5 = pairs_5a + pairs_5b;
-  const float moved_0 = B->h.x + mt_0;
-  const float moved_1 = B->h.y + mt_1;
-  const float moved_2 = B->h.z + mt_2;
-  const float Bo_4 = B->xx + pairs_0;
-  const float Bo_5 = B->yy + pairs_1;
-  const float Bo_6 = B->zz + pairs_2;
-  const float Bo_7 = B->xy - pairs_3;
-  const float Bo_8 = B->xz - pairs_4;
-  const float Bo_9 = B->yz - pairs_5;
+  const float own_0 = KSL_MULF(2.0f, tn0), own_1 = KSL_MULF(2.0f, tn1), own_2 = KSL_MULF(2.0f, tn2);
+  const float pairs_0 = own_1 + own_2, pairs_1 = own_0 + own_2, pairs_2 = own_0 + own_1,
+      pairs_3 = KSL_MULF(t->x, n_1) + KSL_MULF(t->y, n_0),
+      pairs_4 = KSL_MULF(t->x, n_2) + KSL_MULF(t->z, n_0),
+      pairs_5 = KSL_MULF(t->y, n_2) + KSL_MULF(t->z, n_1);
+  const float moved_0 = B->h.x + mt_0, moved_1 = B->h.y + mt_1, moved_2 = B->h.z + mt_2;
+  const float Bo_4 = B->xx + pairs_0, Bo_5 = B->yy + pairs_1, Bo_6 = B->zz + pairs_2,
+      Bo_7 = B->xy - pairs_3, Bo_8 = B->xz - pairs_4, Bo_9 = B->yz - pairs_5;
   const float B_m = B->m;
   Bo->m = B_m;
   Bo->h.x = moved_0;
@@ -1210,84 +942,41 @@ static inline void ksl_spatial_inertiaf_shifted(const ksl_vec3f_t *t,
      formula; barring over- and underflow. */
 static inline void ksl_spatial_inertiaf_transformed(const ksl_SE3f_t *D,
     const ksl_spatial_inertiaf_t *B, ksl_spatial_inertiaf_t *Bo) {
-  const float RI_0a = KSL_MULF(D->m00, B->xx), RI_0b = KSL_MULF(D->m01, B->xy),
-      RI_0c = RI_0a + RI_0b, RI_0d = KSL_MULF(D->m02, B->xz), RI_0 = RI_0c + RI_0d;
-  const float RI_1a = KSL_MULF(D->m00, B->xy), RI_1b = KSL_MULF(D->m01, B->yy),
-      RI_1c = RI_1a + RI_1b, RI_1d = KSL_MULF(D->m02, B->yz), RI_1 = RI_1c + RI_1d;
-  const float RI_2a = KSL_MULF(D->m00, B->xz), RI_2b = KSL_MULF(D->m01, B->yz),
-      RI_2c = RI_2a + RI_2b, RI_2d = KSL_MULF(D->m02, B->zz), RI_2 = RI_2c + RI_2d;
-  const float RI_3a = KSL_MULF(D->m10, B->xx), RI_3b = KSL_MULF(D->m11, B->xy),
-      RI_3c = RI_3a + RI_3b, RI_3d = KSL_MULF(D->m12, B->xz), RI_3 = RI_3c + RI_3d;
-  const float RI_4a = KSL_MULF(D->m10, B->xy), RI_4b = KSL_MULF(D->m11, B->yy),
-      RI_4c = RI_4a + RI_4b, RI_4d = KSL_MULF(D->m12, B->yz), RI_4 = RI_4c + RI_4d;
-  const float RI_5a = KSL_MULF(D->m10, B->xz), RI_5b = KSL_MULF(D->m11, B->yz),
-      RI_5c = RI_5a + RI_5b, RI_5d = KSL_MULF(D->m12, B->zz), RI_5 = RI_5c + RI_5d;
-  const float RI_6a = KSL_MULF(D->m20, B->xx), RI_6b = KSL_MULF(D->m21, B->xy),
-      RI_6c = RI_6a + RI_6b, RI_6d = KSL_MULF(D->m22, B->xz), RI_6 = RI_6c + RI_6d;
-  const float RI_7a = KSL_MULF(D->m20, B->xy), RI_7b = KSL_MULF(D->m21, B->yy),
-      RI_7c = RI_7a + RI_7b, RI_7d = KSL_MULF(D->m22, B->yz), RI_7 = RI_7c + RI_7d;
-  const float RI_8a = KSL_MULF(D->m20, B->xz), RI_8b = KSL_MULF(D->m21, B->yz),
-      RI_8c = RI_8a + RI_8b, RI_8d = KSL_MULF(D->m22, B->zz), RI_8 = RI_8c + RI_8d;
-  const float turned_1a = KSL_MULF(D->m00, B->h.x), turned_1b = KSL_MULF(D->m01, B->h.y),
-      turned_1c = turned_1a + turned_1b, turned_1d = KSL_MULF(D->m02, B->h.z),
-      turned_1 = turned_1c + turned_1d;
-  const float turned_2a = KSL_MULF(D->m10, B->h.x), turned_2b = KSL_MULF(D->m11, B->h.y),
-      turned_2c = turned_2a + turned_2b, turned_2d = KSL_MULF(D->m12, B->h.z),
-      turned_2 = turned_2c + turned_2d;
-  const float turned_3a = KSL_MULF(D->m20, B->h.x), turned_3b = KSL_MULF(D->m21, B->h.y),
-      turned_3c = turned_3a + turned_3b, turned_3d = KSL_MULF(D->m22, B->h.z),
-      turned_3 = turned_3c + turned_3d;
-  const float turned_4a = KSL_MULF(D->m00, RI_0), turned_4b = KSL_MULF(D->m01, RI_1),
-      turned_4c = turned_4a + turned_4b, turned_4d = KSL_MULF(D->m02, RI_2),
-      turned_4 = turned_4c + turned_4d;
-  const float turned_5a = KSL_MULF(D->m10, RI_3), turned_5b = KSL_MULF(D->m11, RI_4),
-      turned_5c = turned_5a + turned_5b, turned_5d = KSL_MULF(D->m12, RI_5),
-      turned_5 = turned_5c + turned_5d;
-  const float turned_6a = KSL_MULF(D->m20, RI_6), turned_6b = KSL_MULF(D->m21, RI_7),
-      turned_6c = turned_6a + turned_6b, turned_6d = KSL_MULF(D->m22, RI_8),
-      turned_6 = turned_6c + turned_6d;
-  const float turned_7a = KSL_MULF(D->m10, RI_0), turned_7b = KSL_MULF(D->m11, RI_1),
-      turned_7c = turned_7a + turned_7b, turned_7d = KSL_MULF(D->m12, RI_2),
-      turned_7 = turned_7c + turned_7d;
-  const float turned_8a = KSL_MULF(D->m20, RI_0), turned_8b = KSL_MULF(D->m21, RI_1),
-      turned_8c = turned_8a + turned_8b, turned_8d = KSL_MULF(D->m22, RI_2),
-      turned_8 = turned_8c + turned_8d;
-  const float turned_9a = KSL_MULF(D->m20, RI_3), turned_9b = KSL_MULF(D->m21, RI_4),
-      turned_9c = turned_9a + turned_9b, turned_9d = KSL_MULF(D->m22, RI_5),
-      turned_9 = turned_9c + turned_9d;
-  const float mt_0 = KSL_MULF(D->m03, B->m);
-  const float mt_1 = KSL_MULF(D->m13, B->m);
-  const float mt_2 = KSL_MULF(D->m23, B->m);
-  const float half_0 = KSL_MULF(0.5f, mt_0);
-  const float half_1 = KSL_MULF(0.5f, mt_1);
-  const float half_2 = KSL_MULF(0.5f, mt_2);
-  const float n_0 = turned_1 + half_0;
-  const float n_1 = turned_2 + half_1;
-  const float n_2 = turned_3 + half_2;
+  const float RI_0 = KSL_MULF(D->m00, B->xx) + KSL_MULF(D->m01, B->xy) + KSL_MULF(D->m02, B->xz),
+      RI_1 = KSL_MULF(D->m00, B->xy) + KSL_MULF(D->m01, B->yy) + KSL_MULF(D->m02, B->yz),
+      RI_2 = KSL_MULF(D->m00, B->xz) + KSL_MULF(D->m01, B->yz) + KSL_MULF(D->m02, B->zz),
+      RI_3 = KSL_MULF(D->m10, B->xx) + KSL_MULF(D->m11, B->xy) + KSL_MULF(D->m12, B->xz),
+      RI_4 = KSL_MULF(D->m10, B->xy) + KSL_MULF(D->m11, B->yy) + KSL_MULF(D->m12, B->yz),
+      RI_5 = KSL_MULF(D->m10, B->xz) + KSL_MULF(D->m11, B->yz) + KSL_MULF(D->m12, B->zz),
+      RI_6 = KSL_MULF(D->m20, B->xx) + KSL_MULF(D->m21, B->xy) + KSL_MULF(D->m22, B->xz),
+      RI_7 = KSL_MULF(D->m20, B->xy) + KSL_MULF(D->m21, B->yy) + KSL_MULF(D->m22, B->yz),
+      RI_8 = KSL_MULF(D->m20, B->xz) + KSL_MULF(D->m21, B->yz) + KSL_MULF(D->m22, B->zz);
+  const float turned_1 = KSL_MULF(D->m00, B->h.x) + KSL_MULF(D->m01, B->h.y)
+          + KSL_MULF(D->m02, B->h.z),
+      turned_2 = KSL_MULF(D->m10, B->h.x) + KSL_MULF(D->m11, B->h.y) + KSL_MULF(D->m12, B->h.z),
+      turned_3 = KSL_MULF(D->m20, B->h.x) + KSL_MULF(D->m21, B->h.y) + KSL_MULF(D->m22, B->h.z),
+      turned_4 = KSL_MULF(D->m00, RI_0) + KSL_MULF(D->m01, RI_1) + KSL_MULF(D->m02, RI_2),
+      turned_5 = KSL_MULF(D->m10, RI_3) + KSL_MULF(D->m11, RI_4) + KSL_MULF(D->m12, RI_5),
+      turned_6 = KSL_MULF(D->m20, RI_6) + KSL_MULF(D->m21, RI_7) + KSL_MULF(D->m22, RI_8),
+      turned_7 = KSL_MULF(D->m10, RI_0) + KSL_MULF(D->m11, RI_1) + KSL_MULF(D->m12, RI_2),
+      turned_8 = KSL_MULF(D->m20, RI_0) + KSL_MULF(D->m21, RI_1) + KSL_MULF(D->m22, RI_2),
+      turned_9 = KSL_MULF(D->m20, RI_3) + KSL_MULF(D->m21, RI_4) + KSL_MULF(D->m22, RI_5);
+  const float mt_0 = KSL_MULF(D->m03, B->m), mt_1 = KSL_MULF(D->m13, B->m),
+      mt_2 = KSL_MULF(D->m23, B->m);
+  const float half_0 = KSL_MULF(0.5f, mt_0), half_1 = KSL_MULF(0.5f, mt_1),
+      half_2 = KSL_MULF(0.5f, mt_2);
+  const float n_0 = turned_1 + half_0, n_1 = turned_2 + half_1, n_2 = turned_3 + half_2;
   const float tn0 = KSL_MULF(D->m03, n_0);
   const float tn1 = KSL_MULF(D->m13, n_1);
   const float tn2 = KSL_MULF(D->m23, n_2);
-  const float own_0 = KSL_MULF(2.0f, tn0);
-  const float own_1 = KSL_MULF(2.0f, tn1);
-  const float own_2 = KSL_MULF(2.0f, tn2);
-  const float pairs_0 = own_1 + own_2;
-  const float pairs_1 = own_0 + own_2;
-  const float pairs_2 = own_0 + own_1;
-  const float pairs_3a = KSL_MULF(D->m03, n_1), pairs_3b = KSL_MULF(D->m13, n_0),
-      pairs_3 = pairs_3a + pairs_3b;
-  const float pairs_4a = KSL_MULF(D->m03, n_2), pairs_4b = KSL_MULF(D->m23, n_0),
-      pairs_4 = pairs_4a + pairs_4b;
-  const float pairs_5a = KSL_MULF(D->m13, n_2), pairs_5b = KSL_MULF(D->m23, n_1),
-      pairs_5 = pairs_5a + pairs_5b;
-  const float moved_0 = turned_1 + mt_0;
-  const float moved_1 = turned_2 + mt_1;
-  const float moved_2 = turned_3 + mt_2;
-  const float Bo_4 = turned_4 + pairs_0;
-  const float Bo_5 = turned_5 + pairs_1;
-  const float Bo_6 = turned_6 + pairs_2;
-  const float Bo_7 = turned_7 - pairs_3;
-  const float Bo_8 = turned_8 - pairs_4;
-  const float Bo_9 = turned_9 - pairs_5;
+  const float own_0 = KSL_MULF(2.0f, tn0), own_1 = KSL_MULF(2.0f, tn1), own_2 = KSL_MULF(2.0f, tn2);
+  const float pairs_0 = own_1 + own_2, pairs_1 = own_0 + own_2, pairs_2 = own_0 + own_1,
+      pairs_3 = KSL_MULF(D->m03, n_1) + KSL_MULF(D->m13, n_0),
+      pairs_4 = KSL_MULF(D->m03, n_2) + KSL_MULF(D->m23, n_0),
+      pairs_5 = KSL_MULF(D->m13, n_2) + KSL_MULF(D->m23, n_1);
+  const float moved_0 = turned_1 + mt_0, moved_1 = turned_2 + mt_1, moved_2 = turned_3 + mt_2;
+  const float Bo_4 = turned_4 + pairs_0, Bo_5 = turned_5 + pairs_1, Bo_6 = turned_6 + pairs_2,
+      Bo_7 = turned_7 - pairs_3, Bo_8 = turned_8 - pairs_4, Bo_9 = turned_9 - pairs_5;
   const float B_m = B->m;
   Bo->m = B_m;
   Bo->h.x = moved_0;
@@ -1307,29 +996,20 @@ static inline void ksl_spatial_inertiaf_transformed(const ksl_SE3f_t *D,
      m^2).
    11 mul, 15 add, 10 div, 3 neg, 9 less, 13 select. */
 static inline float ksl_spatial_inertiaf_consistency(const ksl_spatial_inertiaf_t *B) {
-  const float twice_trace_a = B->xx + B->yy, twice_trace = twice_trace_a + B->zz;
+  const float twice_trace = B->xx + B->yy + B->zz;
   const float trace = KSL_MULF(0.5f, twice_trace);
-  const float sigma_0 = trace - B->xx;
-  const float sigma_1 = trace - B->yy;
-  const float sigma_2 = trace - B->zz;
+  const float sigma_0 = trace - B->xx, sigma_1 = trace - B->yy, sigma_2 = trace - B->zz;
   const float divisor0 = 0.0f < B->m ? B->m : 1.0f;
-  const float l0_0 = B->h.x / divisor0;
-  const float l0_1 = B->h.y / divisor0;
-  const float l0_2 = B->h.z / divisor0;
-  const float u1_0a = KSL_MULF(B->h.x, l0_0), u1_0 = sigma_0 - u1_0a;
-  const float u1_1a = KSL_MULF(B->h.y, l0_0), u1_1b = u1_1a + B->xy, u1_1 = -u1_1b;
-  const float u1_2a = KSL_MULF(B->h.z, l0_0), u1_2b = u1_2a + B->xz, u1_2 = -u1_2b;
+  const float l0_0 = B->h.x / divisor0, l0_1 = B->h.y / divisor0, l0_2 = B->h.z / divisor0;
+  const float u1_0 = sigma_0 - KSL_MULF(B->h.x, l0_0), u1_1 = -(KSL_MULF(B->h.y, l0_0) + B->xy),
+      u1_2 = -(KSL_MULF(B->h.z, l0_0) + B->xz);
   const float divisor1 = 0.0f < u1_0 ? u1_0 : 1.0f;
-  const float l1_0 = u1_1 / divisor1;
-  const float l1_1 = u1_2 / divisor1;
-  const float u2_0a = KSL_MULF(B->h.y, l0_1), u2_0b = sigma_1 - u2_0a, u2_0c = KSL_MULF(u1_1, l1_0),
-      u2_0 = u2_0b - u2_0c;
-  const float u2_1a = KSL_MULF(B->h.z, l0_1), u2_1b = u2_1a + B->yz, u2_1c = KSL_MULF(u1_2, l1_0),
-      u2_1d = u2_1b + u2_1c, u2_1 = -u2_1d;
+  const float l1_0 = u1_1 / divisor1, l1_1 = u1_2 / divisor1;
+  const float u2_0 = sigma_1 - KSL_MULF(B->h.y, l0_1) - KSL_MULF(u1_1, l1_0),
+      u2_1 = -(KSL_MULF(B->h.z, l0_1) + B->yz + KSL_MULF(u1_2, l1_0));
   const float divisor2 = 0.0f < u2_0 ? u2_0 : 1.0f;
   const float l2 = u2_1 / divisor2;
-  const float u3a = KSL_MULF(B->h.z, l0_2), u3b = sigma_2 - u3a, u3c = KSL_MULF(u1_2, l1_1),
-      u3d = u3b - u3c, u3e = KSL_MULF(u2_1, l2), u3 = u3d - u3e;
+  const float u3 = sigma_2 - KSL_MULF(B->h.z, l0_2) - KSL_MULF(u1_2, l1_1) - KSL_MULF(u2_1, l2);
   const float part0a = B->m / divisor0, part0 = 0.0f < B->m ? part0a : B->m;
   const float own1 = 0.0f < sigma_0 ? sigma_0 : 1.0f;
   const float part1a = u1_0 / own1, part1 = 0.0f < sigma_0 ? part1a : sigma_0;

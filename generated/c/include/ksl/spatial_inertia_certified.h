@@ -14,46 +14,22 @@
    20 mul, 10 add, 10 abs. */
 static inline void ksl_spatial_inertia_scale_certified(ksl_spatial_inertia_t *self,
     const double a, ksl_spatial_inertia_t *self_bound) {
-  const double self_0_new = KSL_MUL(self->m, a);
-  const double self_1_new = KSL_MUL(self->h.x, a);
-  const double self_2_new = KSL_MUL(self->h.y, a);
-  const double self_3_new = KSL_MUL(self->h.z, a);
-  const double self_4_new = KSL_MUL(self->xx, a);
-  const double self_5_new = KSL_MUL(self->yy, a);
-  const double self_6_new = KSL_MUL(self->zz, a);
-  const double self_7_new = KSL_MUL(self->xy, a);
-  const double self_8_new = KSL_MUL(self->xz, a);
-  const double self_9_new = KSL_MUL(self->yz, a);
-  const double self_0_new_abs = fabs(self_0_new),
-      self_0_new_padded = self_0_new_abs + 2.004168360008973e-292,
-      self_0_new_error_bound = KSL_MUL(1.1102230246251568e-16, self_0_new_padded);
-  const double self_1_new_abs = fabs(self_1_new),
-      self_1_new_padded = self_1_new_abs + 2.004168360008973e-292,
-      self_1_new_error_bound = KSL_MUL(1.1102230246251568e-16, self_1_new_padded);
-  const double self_2_new_abs = fabs(self_2_new),
-      self_2_new_padded = self_2_new_abs + 2.004168360008973e-292,
-      self_2_new_error_bound = KSL_MUL(1.1102230246251568e-16, self_2_new_padded);
-  const double self_3_new_abs = fabs(self_3_new),
-      self_3_new_padded = self_3_new_abs + 2.004168360008973e-292,
-      self_3_new_error_bound = KSL_MUL(1.1102230246251568e-16, self_3_new_padded);
-  const double self_4_new_abs = fabs(self_4_new),
-      self_4_new_padded = self_4_new_abs + 2.004168360008973e-292,
-      self_4_new_error_bound = KSL_MUL(1.1102230246251568e-16, self_4_new_padded);
-  const double self_5_new_abs = fabs(self_5_new),
-      self_5_new_padded = self_5_new_abs + 2.004168360008973e-292,
-      self_5_new_error_bound = KSL_MUL(1.1102230246251568e-16, self_5_new_padded);
-  const double self_6_new_abs = fabs(self_6_new),
-      self_6_new_padded = self_6_new_abs + 2.004168360008973e-292,
-      self_6_new_error_bound = KSL_MUL(1.1102230246251568e-16, self_6_new_padded);
-  const double self_7_new_abs = fabs(self_7_new),
-      self_7_new_padded = self_7_new_abs + 2.004168360008973e-292,
-      self_7_new_error_bound = KSL_MUL(1.1102230246251568e-16, self_7_new_padded);
-  const double self_8_new_abs = fabs(self_8_new),
-      self_8_new_padded = self_8_new_abs + 2.004168360008973e-292,
-      self_8_new_error_bound = KSL_MUL(1.1102230246251568e-16, self_8_new_padded);
-  const double self_9_new_abs = fabs(self_9_new),
-      self_9_new_padded = self_9_new_abs + 2.004168360008973e-292,
-      self_9_new_error_bound = KSL_MUL(1.1102230246251568e-16, self_9_new_padded);
+  const double self_0_new = KSL_MUL(self->m, a), self_1_new = KSL_MUL(self->h.x, a),
+      self_2_new = KSL_MUL(self->h.y, a), self_3_new = KSL_MUL(self->h.z, a),
+      self_4_new = KSL_MUL(self->xx, a), self_5_new = KSL_MUL(self->yy, a),
+      self_6_new = KSL_MUL(self->zz, a), self_7_new = KSL_MUL(self->xy, a),
+      self_8_new = KSL_MUL(self->xz, a), self_9_new = KSL_MUL(self->yz, a);
+  const double self_0_new_bound = KSL_MUL(1.1102230246251568e-16, fabs(self_0_new)
+          + 2.004168360008973e-292),
+      self_1_new_bound = KSL_MUL(1.1102230246251568e-16, fabs(self_1_new) + 2.004168360008973e-292),
+      self_2_new_bound = KSL_MUL(1.1102230246251568e-16, fabs(self_2_new) + 2.004168360008973e-292),
+      self_3_new_bound = KSL_MUL(1.1102230246251568e-16, fabs(self_3_new) + 2.004168360008973e-292),
+      self_4_new_bound = KSL_MUL(1.1102230246251568e-16, fabs(self_4_new) + 2.004168360008973e-292),
+      self_5_new_bound = KSL_MUL(1.1102230246251568e-16, fabs(self_5_new) + 2.004168360008973e-292),
+      self_6_new_bound = KSL_MUL(1.1102230246251568e-16, fabs(self_6_new) + 2.004168360008973e-292),
+      self_7_new_bound = KSL_MUL(1.1102230246251568e-16, fabs(self_7_new) + 2.004168360008973e-292),
+      self_8_new_bound = KSL_MUL(1.1102230246251568e-16, fabs(self_8_new) + 2.004168360008973e-292),
+      self_9_new_bound = KSL_MUL(1.1102230246251568e-16, fabs(self_9_new) + 2.004168360008973e-292);
   self->m = self_0_new;
   self->h.x = self_1_new;
   self->h.y = self_2_new;
@@ -64,16 +40,16 @@ static inline void ksl_spatial_inertia_scale_certified(ksl_spatial_inertia_t *se
   self->xy = self_7_new;
   self->xz = self_8_new;
   self->yz = self_9_new;
-  self_bound->m = self_0_new_error_bound;
-  self_bound->h.x = self_1_new_error_bound;
-  self_bound->h.y = self_2_new_error_bound;
-  self_bound->h.z = self_3_new_error_bound;
-  self_bound->xx = self_4_new_error_bound;
-  self_bound->yy = self_5_new_error_bound;
-  self_bound->zz = self_6_new_error_bound;
-  self_bound->xy = self_7_new_error_bound;
-  self_bound->xz = self_8_new_error_bound;
-  self_bound->yz = self_9_new_error_bound;
+  self_bound->m = self_0_new_bound;
+  self_bound->h.x = self_1_new_bound;
+  self_bound->h.y = self_2_new_bound;
+  self_bound->h.z = self_3_new_bound;
+  self_bound->xx = self_4_new_bound;
+  self_bound->yy = self_5_new_bound;
+  self_bound->zz = self_6_new_bound;
+  self_bound->xy = self_7_new_bound;
+  self_bound->xz = self_8_new_bound;
+  self_bound->yz = self_9_new_bound;
 }
 
 /* Bo = B1 + B2; |error of Bo| <= Bo_bound unless inf or NaN.
@@ -83,26 +59,20 @@ static inline void ksl_spatial_inertia_scale_certified(ksl_spatial_inertia_t *se
 static inline void ksl_add_BB_certified(const ksl_spatial_inertia_t *B1,
     const ksl_spatial_inertia_t *B2, ksl_spatial_inertia_t *Bo,
     ksl_spatial_inertia_t *Bo_bound) {
-  const double Bo_0 = B1->m + B2->m;
-  const double Bo_1 = B1->h.x + B2->h.x;
-  const double Bo_2 = B1->h.y + B2->h.y;
-  const double Bo_3 = B1->h.z + B2->h.z;
-  const double Bo_4 = B1->xx + B2->xx;
-  const double Bo_5 = B1->yy + B2->yy;
-  const double Bo_6 = B1->zz + B2->zz;
-  const double Bo_7 = B1->xy + B2->xy;
-  const double Bo_8 = B1->xz + B2->xz;
-  const double Bo_9 = B1->yz + B2->yz;
-  const double Bo_0_abs = fabs(Bo_0), Bo_0_error_bound = KSL_MUL(1.1102230246251568e-16, Bo_0_abs);
-  const double Bo_1_abs = fabs(Bo_1), Bo_1_error_bound = KSL_MUL(1.1102230246251568e-16, Bo_1_abs);
-  const double Bo_2_abs = fabs(Bo_2), Bo_2_error_bound = KSL_MUL(1.1102230246251568e-16, Bo_2_abs);
-  const double Bo_3_abs = fabs(Bo_3), Bo_3_error_bound = KSL_MUL(1.1102230246251568e-16, Bo_3_abs);
-  const double Bo_4_abs = fabs(Bo_4), Bo_4_error_bound = KSL_MUL(1.1102230246251568e-16, Bo_4_abs);
-  const double Bo_5_abs = fabs(Bo_5), Bo_5_error_bound = KSL_MUL(1.1102230246251568e-16, Bo_5_abs);
-  const double Bo_6_abs = fabs(Bo_6), Bo_6_error_bound = KSL_MUL(1.1102230246251568e-16, Bo_6_abs);
-  const double Bo_7_abs = fabs(Bo_7), Bo_7_error_bound = KSL_MUL(1.1102230246251568e-16, Bo_7_abs);
-  const double Bo_8_abs = fabs(Bo_8), Bo_8_error_bound = KSL_MUL(1.1102230246251568e-16, Bo_8_abs);
-  const double Bo_9_abs = fabs(Bo_9), Bo_9_error_bound = KSL_MUL(1.1102230246251568e-16, Bo_9_abs);
+  const double Bo_0 = B1->m + B2->m, Bo_1 = B1->h.x + B2->h.x, Bo_2 = B1->h.y + B2->h.y,
+      Bo_3 = B1->h.z + B2->h.z, Bo_4 = B1->xx + B2->xx, Bo_5 = B1->yy + B2->yy,
+      Bo_6 = B1->zz + B2->zz, Bo_7 = B1->xy + B2->xy, Bo_8 = B1->xz + B2->xz,
+      Bo_9 = B1->yz + B2->yz;
+  const double Bo_0_bound = KSL_MUL(1.1102230246251568e-16, fabs(Bo_0)),
+      Bo_1_bound = KSL_MUL(1.1102230246251568e-16, fabs(Bo_1)),
+      Bo_2_bound = KSL_MUL(1.1102230246251568e-16, fabs(Bo_2)),
+      Bo_3_bound = KSL_MUL(1.1102230246251568e-16, fabs(Bo_3)),
+      Bo_4_bound = KSL_MUL(1.1102230246251568e-16, fabs(Bo_4)),
+      Bo_5_bound = KSL_MUL(1.1102230246251568e-16, fabs(Bo_5)),
+      Bo_6_bound = KSL_MUL(1.1102230246251568e-16, fabs(Bo_6)),
+      Bo_7_bound = KSL_MUL(1.1102230246251568e-16, fabs(Bo_7)),
+      Bo_8_bound = KSL_MUL(1.1102230246251568e-16, fabs(Bo_8)),
+      Bo_9_bound = KSL_MUL(1.1102230246251568e-16, fabs(Bo_9));
   Bo->m = Bo_0;
   Bo->h.x = Bo_1;
   Bo->h.y = Bo_2;
@@ -113,16 +83,16 @@ static inline void ksl_add_BB_certified(const ksl_spatial_inertia_t *B1,
   Bo->xy = Bo_7;
   Bo->xz = Bo_8;
   Bo->yz = Bo_9;
-  Bo_bound->m = Bo_0_error_bound;
-  Bo_bound->h.x = Bo_1_error_bound;
-  Bo_bound->h.y = Bo_2_error_bound;
-  Bo_bound->h.z = Bo_3_error_bound;
-  Bo_bound->xx = Bo_4_error_bound;
-  Bo_bound->yy = Bo_5_error_bound;
-  Bo_bound->zz = Bo_6_error_bound;
-  Bo_bound->xy = Bo_7_error_bound;
-  Bo_bound->xz = Bo_8_error_bound;
-  Bo_bound->yz = Bo_9_error_bound;
+  Bo_bound->m = Bo_0_bound;
+  Bo_bound->h.x = Bo_1_bound;
+  Bo_bound->h.y = Bo_2_bound;
+  Bo_bound->h.z = Bo_3_bound;
+  Bo_bound->xx = Bo_4_bound;
+  Bo_bound->yy = Bo_5_bound;
+  Bo_bound->zz = Bo_6_bound;
+  Bo_bound->xy = Bo_7_bound;
+  Bo_bound->xz = Bo_8_bound;
+  Bo_bound->yz = Bo_9_bound;
 }
 
 /* Bo = B1 - B2; |error of Bo| <= Bo_bound unless inf or NaN.
@@ -132,26 +102,20 @@ static inline void ksl_add_BB_certified(const ksl_spatial_inertia_t *B1,
 static inline void ksl_subtract_BB_certified(const ksl_spatial_inertia_t *B1,
     const ksl_spatial_inertia_t *B2, ksl_spatial_inertia_t *Bo,
     ksl_spatial_inertia_t *Bo_bound) {
-  const double Bo_0 = B1->m - B2->m;
-  const double Bo_1 = B1->h.x - B2->h.x;
-  const double Bo_2 = B1->h.y - B2->h.y;
-  const double Bo_3 = B1->h.z - B2->h.z;
-  const double Bo_4 = B1->xx - B2->xx;
-  const double Bo_5 = B1->yy - B2->yy;
-  const double Bo_6 = B1->zz - B2->zz;
-  const double Bo_7 = B1->xy - B2->xy;
-  const double Bo_8 = B1->xz - B2->xz;
-  const double Bo_9 = B1->yz - B2->yz;
-  const double Bo_0_abs = fabs(Bo_0), Bo_0_error_bound = KSL_MUL(1.1102230246251568e-16, Bo_0_abs);
-  const double Bo_1_abs = fabs(Bo_1), Bo_1_error_bound = KSL_MUL(1.1102230246251568e-16, Bo_1_abs);
-  const double Bo_2_abs = fabs(Bo_2), Bo_2_error_bound = KSL_MUL(1.1102230246251568e-16, Bo_2_abs);
-  const double Bo_3_abs = fabs(Bo_3), Bo_3_error_bound = KSL_MUL(1.1102230246251568e-16, Bo_3_abs);
-  const double Bo_4_abs = fabs(Bo_4), Bo_4_error_bound = KSL_MUL(1.1102230246251568e-16, Bo_4_abs);
-  const double Bo_5_abs = fabs(Bo_5), Bo_5_error_bound = KSL_MUL(1.1102230246251568e-16, Bo_5_abs);
-  const double Bo_6_abs = fabs(Bo_6), Bo_6_error_bound = KSL_MUL(1.1102230246251568e-16, Bo_6_abs);
-  const double Bo_7_abs = fabs(Bo_7), Bo_7_error_bound = KSL_MUL(1.1102230246251568e-16, Bo_7_abs);
-  const double Bo_8_abs = fabs(Bo_8), Bo_8_error_bound = KSL_MUL(1.1102230246251568e-16, Bo_8_abs);
-  const double Bo_9_abs = fabs(Bo_9), Bo_9_error_bound = KSL_MUL(1.1102230246251568e-16, Bo_9_abs);
+  const double Bo_0 = B1->m - B2->m, Bo_1 = B1->h.x - B2->h.x, Bo_2 = B1->h.y - B2->h.y,
+      Bo_3 = B1->h.z - B2->h.z, Bo_4 = B1->xx - B2->xx, Bo_5 = B1->yy - B2->yy,
+      Bo_6 = B1->zz - B2->zz, Bo_7 = B1->xy - B2->xy, Bo_8 = B1->xz - B2->xz,
+      Bo_9 = B1->yz - B2->yz;
+  const double Bo_0_bound = KSL_MUL(1.1102230246251568e-16, fabs(Bo_0)),
+      Bo_1_bound = KSL_MUL(1.1102230246251568e-16, fabs(Bo_1)),
+      Bo_2_bound = KSL_MUL(1.1102230246251568e-16, fabs(Bo_2)),
+      Bo_3_bound = KSL_MUL(1.1102230246251568e-16, fabs(Bo_3)),
+      Bo_4_bound = KSL_MUL(1.1102230246251568e-16, fabs(Bo_4)),
+      Bo_5_bound = KSL_MUL(1.1102230246251568e-16, fabs(Bo_5)),
+      Bo_6_bound = KSL_MUL(1.1102230246251568e-16, fabs(Bo_6)),
+      Bo_7_bound = KSL_MUL(1.1102230246251568e-16, fabs(Bo_7)),
+      Bo_8_bound = KSL_MUL(1.1102230246251568e-16, fabs(Bo_8)),
+      Bo_9_bound = KSL_MUL(1.1102230246251568e-16, fabs(Bo_9));
   Bo->m = Bo_0;
   Bo->h.x = Bo_1;
   Bo->h.y = Bo_2;
@@ -162,16 +126,16 @@ static inline void ksl_subtract_BB_certified(const ksl_spatial_inertia_t *B1,
   Bo->xy = Bo_7;
   Bo->xz = Bo_8;
   Bo->yz = Bo_9;
-  Bo_bound->m = Bo_0_error_bound;
-  Bo_bound->h.x = Bo_1_error_bound;
-  Bo_bound->h.y = Bo_2_error_bound;
-  Bo_bound->h.z = Bo_3_error_bound;
-  Bo_bound->xx = Bo_4_error_bound;
-  Bo_bound->yy = Bo_5_error_bound;
-  Bo_bound->zz = Bo_6_error_bound;
-  Bo_bound->xy = Bo_7_error_bound;
-  Bo_bound->xz = Bo_8_error_bound;
-  Bo_bound->yz = Bo_9_error_bound;
+  Bo_bound->m = Bo_0_bound;
+  Bo_bound->h.x = Bo_1_bound;
+  Bo_bound->h.y = Bo_2_bound;
+  Bo_bound->h.z = Bo_3_bound;
+  Bo_bound->xx = Bo_4_bound;
+  Bo_bound->yy = Bo_5_bound;
+  Bo_bound->zz = Bo_6_bound;
+  Bo_bound->xy = Bo_7_bound;
+  Bo_bound->xz = Bo_8_bound;
+  Bo_bound->yz = Bo_9_bound;
 }
 
 /* Bo: mass m, centre of mass com, second moments Ic about it (kg m^2; only the upper triangle is
@@ -182,51 +146,34 @@ static inline void ksl_subtract_BB_certified(const ksl_spatial_inertia_t *B1,
 static inline void ksl_spatial_inertia_from_com_certified(const double m, const ksl_vec3_t *com,
     const ksl_mat3x3_t *Ic, ksl_spatial_inertia_t *Bo,
     ksl_spatial_inertia_t *Bo_bound) {
-  const double h_0 = KSL_MUL(m, com->x);
-  const double h_1 = KSL_MUL(m, com->y);
-  const double h_2 = KSL_MUL(m, com->z);
+  const double h_0 = KSL_MUL(m, com->x), h_1 = KSL_MUL(m, com->y), h_2 = KSL_MUL(m, com->z);
   const double squares_0 = KSL_MUL(com->x, h_0);
   const double squares_1 = KSL_MUL(com->y, h_1);
   const double squares_2 = KSL_MUL(com->z, h_2);
-  const double Bo_4a = squares_1 + squares_2, Bo_4 = Ic->m00 + Bo_4a;
-  const double Bo_5a = squares_0 + squares_2, Bo_5 = Ic->m11 + Bo_5a;
-  const double Bo_6a = squares_0 + squares_1, Bo_6 = Ic->m22 + Bo_6a;
-  const double Bo_7a = KSL_MUL(com->y, h_0), Bo_7 = Ic->m01 - Bo_7a;
-  const double Bo_8a = KSL_MUL(com->z, h_0), Bo_8 = Ic->m02 - Bo_8a;
-  const double Bo_9a = KSL_MUL(com->z, h_1), Bo_9 = Ic->m12 - Bo_9a;
-  const double h_0_abs = fabs(h_0), h_0_padded = h_0_abs + 2.004168360008973e-292;
-  const double com_0_abs = fabs(com->x), squares_0_size = KSL_MUL(com_0_abs, h_0_padded);
-  const double h_1_abs = fabs(h_1), h_1_padded = h_1_abs + 2.004168360008973e-292;
+  const double Bo_4 = Ic->m00 + (squares_1 + squares_2), Bo_5 = Ic->m11 + (squares_0 + squares_2),
+      Bo_6 = Ic->m22 + (squares_0 + squares_1), Bo_7 = Ic->m01 - KSL_MUL(com->y, h_0),
+      Bo_8 = Ic->m02 - KSL_MUL(com->z, h_0), Bo_9 = Ic->m12 - KSL_MUL(com->z, h_1);
+  const double h_0_padded = fabs(h_0) + 2.004168360008973e-292;
+  const double squares_0_size = KSL_MUL(fabs(com->x), h_0_padded);
+  const double h_1_padded = fabs(h_1) + 2.004168360008973e-292;
   const double com_1_abs = fabs(com->y), squares_1_size = KSL_MUL(com_1_abs, h_1_padded);
-  const double h_2_abs = fabs(h_2), h_2_padded = h_2_abs + 2.004168360008973e-292;
+  const double h_2_padded = fabs(h_2) + 2.004168360008973e-292;
   const double com_2_abs = fabs(com->z), squares_2_size = KSL_MUL(com_2_abs, h_2_padded);
-  const double Bo_4a_size = squares_1_size + squares_2_size, Ic_00_abs = fabs(Ic->m00),
-      Bo_4_size = Ic_00_abs + Bo_4a_size;
-  const double Bo_5a_size = squares_0_size + squares_2_size, Ic_11_abs = fabs(Ic->m11),
-      Bo_5_size = Ic_11_abs + Bo_5a_size;
-  const double Bo_6a_size = squares_0_size + squares_1_size, Ic_22_abs = fabs(Ic->m22),
-      Bo_6_size = Ic_22_abs + Bo_6a_size;
-  const double Bo_7a_size = KSL_MUL(com_1_abs, h_0_padded), Ic_01_abs = fabs(Ic->m01),
-      Bo_7_size = Ic_01_abs + Bo_7a_size;
-  const double Bo_8a_size = KSL_MUL(com_2_abs, h_0_padded), Ic_02_abs = fabs(Ic->m02),
-      Bo_8_size = Ic_02_abs + Bo_8a_size;
-  const double Bo_9a_size = KSL_MUL(com_2_abs, h_1_padded), Ic_12_abs = fabs(Ic->m12),
-      Bo_9_size = Ic_12_abs + Bo_9a_size;
-  const double h_0_error_bound = KSL_MUL(1.1102230246251568e-16, h_0_padded);
-  const double h_1_error_bound = KSL_MUL(1.1102230246251568e-16, h_1_padded);
-  const double h_2_error_bound = KSL_MUL(1.1102230246251568e-16, h_2_padded);
-  const double Bo_4_padded = Bo_4_size + 2.004168360008973e-292,
-      Bo_4_error_bound = KSL_MUL(4.440892098500628e-16, Bo_4_padded);
-  const double Bo_5_padded = Bo_5_size + 2.004168360008973e-292,
-      Bo_5_error_bound = KSL_MUL(4.440892098500628e-16, Bo_5_padded);
-  const double Bo_6_padded = Bo_6_size + 2.004168360008973e-292,
-      Bo_6_error_bound = KSL_MUL(4.440892098500628e-16, Bo_6_padded);
-  const double Bo_7_padded = Bo_7_size + 2.004168360008973e-292,
-      Bo_7_error_bound = KSL_MUL(3.3306690738754706e-16, Bo_7_padded);
-  const double Bo_8_padded = Bo_8_size + 2.004168360008973e-292,
-      Bo_8_error_bound = KSL_MUL(3.3306690738754706e-16, Bo_8_padded);
-  const double Bo_9_padded = Bo_9_size + 2.004168360008973e-292,
-      Bo_9_error_bound = KSL_MUL(3.3306690738754706e-16, Bo_9_padded);
+  const double Bo_4_size = fabs(Ic->m00) + (squares_1_size + squares_2_size),
+      Bo_5_size = fabs(Ic->m11) + (squares_0_size + squares_2_size),
+      Bo_6_size = fabs(Ic->m22) + (squares_0_size + squares_1_size),
+      Bo_7_size = fabs(Ic->m01) + KSL_MUL(com_1_abs, h_0_padded),
+      Bo_8_size = fabs(Ic->m02) + KSL_MUL(com_2_abs, h_0_padded),
+      Bo_9_size = fabs(Ic->m12) + KSL_MUL(com_2_abs, h_1_padded);
+  const double h_0_bound = KSL_MUL(1.1102230246251568e-16, h_0_padded),
+      h_1_bound = KSL_MUL(1.1102230246251568e-16, h_1_padded),
+      h_2_bound = KSL_MUL(1.1102230246251568e-16, h_2_padded);
+  const double Bo_4_bound = KSL_MUL(4.440892098500628e-16, Bo_4_size + 2.004168360008973e-292),
+      Bo_5_bound = KSL_MUL(4.440892098500628e-16, Bo_5_size + 2.004168360008973e-292),
+      Bo_6_bound = KSL_MUL(4.440892098500628e-16, Bo_6_size + 2.004168360008973e-292),
+      Bo_7_bound = KSL_MUL(3.3306690738754706e-16, Bo_7_size + 2.004168360008973e-292),
+      Bo_8_bound = KSL_MUL(3.3306690738754706e-16, Bo_8_size + 2.004168360008973e-292),
+      Bo_9_bound = KSL_MUL(3.3306690738754706e-16, Bo_9_size + 2.004168360008973e-292);
   Bo->m = m;
   Bo->h.x = h_0;
   Bo->h.y = h_1;
@@ -238,15 +185,15 @@ static inline void ksl_spatial_inertia_from_com_certified(const double m, const 
   Bo->xz = Bo_8;
   Bo->yz = Bo_9;
   Bo_bound->m = 0.0;
-  Bo_bound->h.x = h_0_error_bound;
-  Bo_bound->h.y = h_1_error_bound;
-  Bo_bound->h.z = h_2_error_bound;
-  Bo_bound->xx = Bo_4_error_bound;
-  Bo_bound->yy = Bo_5_error_bound;
-  Bo_bound->zz = Bo_6_error_bound;
-  Bo_bound->xy = Bo_7_error_bound;
-  Bo_bound->xz = Bo_8_error_bound;
-  Bo_bound->yz = Bo_9_error_bound;
+  Bo_bound->h.x = h_0_bound;
+  Bo_bound->h.y = h_1_bound;
+  Bo_bound->h.z = h_2_bound;
+  Bo_bound->xx = Bo_4_bound;
+  Bo_bound->yy = Bo_5_bound;
+  Bo_bound->zz = Bo_6_bound;
+  Bo_bound->xy = Bo_7_bound;
+  Bo_bound->xz = Bo_8_bound;
+  Bo_bound->yz = Bo_9_bound;
 }
 
 /* co = B s = (m v - h × ω; h × v + I ω), the momentum of a body that moves with s; |error of co|
@@ -257,65 +204,44 @@ static inline void ksl_spatial_inertia_from_com_certified(const double m, const 
 static inline void ksl_product_Bs_certified(const ksl_spatial_inertia_t *B, const ksl_screw_t *s,
     ksl_coscrew_t *co, ksl_coscrew_t *co_bound) {
   const double co_0a = KSL_MUL(B->m, s->m0), co_0b = KSL_MUL(B->h.z, s->m4),
-      co_0c = KSL_MUL(B->h.y, s->m5), co_0d = co_0b - co_0c, co_0 = co_0a + co_0d;
+      co_0c = KSL_MUL(B->h.y, s->m5), co_0 = co_0a + (co_0b - co_0c);
   const double co_1a = KSL_MUL(B->m, s->m1), co_1b = KSL_MUL(B->h.x, s->m5),
-      co_1c = KSL_MUL(B->h.z, s->m3), co_1d = co_1b - co_1c, co_1 = co_1a + co_1d;
+      co_1c = KSL_MUL(B->h.z, s->m3), co_1 = co_1a + (co_1b - co_1c);
   const double co_2a = KSL_MUL(B->m, s->m2), co_2b = KSL_MUL(B->h.y, s->m3),
-      co_2c = KSL_MUL(B->h.x, s->m4), co_2d = co_2b - co_2c, co_2 = co_2a + co_2d;
+      co_2c = KSL_MUL(B->h.x, s->m4), co_2 = co_2a + (co_2b - co_2c);
   const double co_3a = KSL_MUL(B->h.y, s->m2), co_3b = KSL_MUL(B->h.z, s->m1),
-      co_3c = co_3a - co_3b, co_3d = KSL_MUL(B->xx, s->m3), co_3e = KSL_MUL(B->xy, s->m4),
-      co_3f = co_3d + co_3e, co_3g = KSL_MUL(B->xz, s->m5), co_3h = co_3f + co_3g,
-      co_3 = co_3c + co_3h;
+      co_3d = KSL_MUL(B->xx, s->m3), co_3e = KSL_MUL(B->xy, s->m4), co_3g = KSL_MUL(B->xz, s->m5),
+      co_3 = co_3a - co_3b + (co_3d + co_3e + co_3g);
   const double co_4a = KSL_MUL(B->h.z, s->m0), co_4b = KSL_MUL(B->h.x, s->m2),
-      co_4c = co_4a - co_4b, co_4d = KSL_MUL(B->yy, s->m4), co_4e = KSL_MUL(B->xy, s->m3),
-      co_4f = co_4d + co_4e, co_4g = KSL_MUL(B->yz, s->m5), co_4h = co_4f + co_4g,
-      co_4 = co_4c + co_4h;
+      co_4d = KSL_MUL(B->yy, s->m4), co_4e = KSL_MUL(B->xy, s->m3), co_4g = KSL_MUL(B->yz, s->m5),
+      co_4 = co_4a - co_4b + (co_4d + co_4e + co_4g);
   const double co_5a = KSL_MUL(B->h.x, s->m1), co_5b = KSL_MUL(B->h.y, s->m0),
-      co_5c = co_5a - co_5b, co_5d = KSL_MUL(B->zz, s->m5), co_5e = KSL_MUL(B->xz, s->m3),
-      co_5f = co_5d + co_5e, co_5g = KSL_MUL(B->yz, s->m4), co_5h = co_5f + co_5g,
-      co_5 = co_5c + co_5h;
-  const double co_0b_abs = fabs(co_0b), co_0c_abs = fabs(co_0c), co_0d_size = co_0b_abs + co_0c_abs,
-      co_0a_abs = fabs(co_0a), co_0_size = co_0a_abs + co_0d_size;
-  const double co_1b_abs = fabs(co_1b), co_1c_abs = fabs(co_1c), co_1d_size = co_1b_abs + co_1c_abs,
-      co_1a_abs = fabs(co_1a), co_1_size = co_1a_abs + co_1d_size;
-  const double co_2b_abs = fabs(co_2b), co_2c_abs = fabs(co_2c), co_2d_size = co_2b_abs + co_2c_abs,
-      co_2a_abs = fabs(co_2a), co_2_size = co_2a_abs + co_2d_size;
-  const double co_3a_abs = fabs(co_3a), co_3b_abs = fabs(co_3b), co_3c_size = co_3a_abs + co_3b_abs,
-      co_3d_abs = fabs(co_3d), co_3e_abs = fabs(co_3e), co_3f_size = co_3d_abs + co_3e_abs,
-      co_3g_abs = fabs(co_3g), co_3h_size = co_3f_size + co_3g_abs,
-      co_3_size = co_3c_size + co_3h_size;
-  const double co_4a_abs = fabs(co_4a), co_4b_abs = fabs(co_4b), co_4c_size = co_4a_abs + co_4b_abs,
-      co_4d_abs = fabs(co_4d), co_4e_abs = fabs(co_4e), co_4f_size = co_4d_abs + co_4e_abs,
-      co_4g_abs = fabs(co_4g), co_4h_size = co_4f_size + co_4g_abs,
-      co_4_size = co_4c_size + co_4h_size;
-  const double co_5a_abs = fabs(co_5a), co_5b_abs = fabs(co_5b), co_5c_size = co_5a_abs + co_5b_abs,
-      co_5d_abs = fabs(co_5d), co_5e_abs = fabs(co_5e), co_5f_size = co_5d_abs + co_5e_abs,
-      co_5g_abs = fabs(co_5g), co_5h_size = co_5f_size + co_5g_abs,
-      co_5_size = co_5c_size + co_5h_size;
-  const double co_0_padded = co_0_size + 2.004168360008973e-292,
-      co_0_error_bound = KSL_MUL(3.3306690738754706e-16, co_0_padded);
-  const double co_1_padded = co_1_size + 2.004168360008973e-292,
-      co_1_error_bound = KSL_MUL(3.3306690738754706e-16, co_1_padded);
-  const double co_2_padded = co_2_size + 2.004168360008973e-292,
-      co_2_error_bound = KSL_MUL(3.3306690738754706e-16, co_2_padded);
-  const double co_3_padded = co_3_size + 2.004168360008973e-292,
-      co_3_error_bound = KSL_MUL(4.440892098500628e-16, co_3_padded);
-  const double co_4_padded = co_4_size + 2.004168360008973e-292,
-      co_4_error_bound = KSL_MUL(4.440892098500628e-16, co_4_padded);
-  const double co_5_padded = co_5_size + 2.004168360008973e-292,
-      co_5_error_bound = KSL_MUL(4.440892098500628e-16, co_5_padded);
+      co_5d = KSL_MUL(B->zz, s->m5), co_5e = KSL_MUL(B->xz, s->m3), co_5g = KSL_MUL(B->yz, s->m4),
+      co_5 = co_5a - co_5b + (co_5d + co_5e + co_5g);
+  const double co_0_size = fabs(co_0a) + (fabs(co_0b) + fabs(co_0c)),
+      co_1_size = fabs(co_1a) + (fabs(co_1b) + fabs(co_1c)),
+      co_2_size = fabs(co_2a) + (fabs(co_2b) + fabs(co_2c)),
+      co_3_size = fabs(co_3a) + fabs(co_3b) + (fabs(co_3d) + fabs(co_3e) + fabs(co_3g)),
+      co_4_size = fabs(co_4a) + fabs(co_4b) + (fabs(co_4d) + fabs(co_4e) + fabs(co_4g)),
+      co_5_size = fabs(co_5a) + fabs(co_5b) + (fabs(co_5d) + fabs(co_5e) + fabs(co_5g));
+  const double co_0_bound = KSL_MUL(3.3306690738754706e-16, co_0_size + 2.004168360008973e-292),
+      co_1_bound = KSL_MUL(3.3306690738754706e-16, co_1_size + 2.004168360008973e-292),
+      co_2_bound = KSL_MUL(3.3306690738754706e-16, co_2_size + 2.004168360008973e-292),
+      co_3_bound = KSL_MUL(4.440892098500628e-16, co_3_size + 2.004168360008973e-292),
+      co_4_bound = KSL_MUL(4.440892098500628e-16, co_4_size + 2.004168360008973e-292),
+      co_5_bound = KSL_MUL(4.440892098500628e-16, co_5_size + 2.004168360008973e-292);
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;
   co->m3 = co_3;
   co->m4 = co_4;
   co->m5 = co_5;
-  co_bound->m0 = co_0_error_bound;
-  co_bound->m1 = co_1_error_bound;
-  co_bound->m2 = co_2_error_bound;
-  co_bound->m3 = co_3_error_bound;
-  co_bound->m4 = co_4_error_bound;
-  co_bound->m5 = co_5_error_bound;
+  co_bound->m0 = co_0_bound;
+  co_bound->m1 = co_1_bound;
+  co_bound->m2 = co_2_bound;
+  co_bound->m3 = co_3_bound;
+  co_bound->m4 = co_4_bound;
+  co_bound->m5 = co_5_bound;
 }
 
 /* s·B s / 2, the kinetic energy in J of a body that moves with s; |error of energy| <=
@@ -326,65 +252,40 @@ static inline void ksl_product_Bs_certified(const ksl_spatial_inertia_t *B, cons
 static inline double ksl_spatial_inertia_energy_certified(const ksl_spatial_inertia_t *B,
     const ksl_screw_t *s, double *energy_bound) {
   const double square_a = KSL_MUL(s->m0, s->m0), square_b = KSL_MUL(s->m1, s->m1),
-      square_c = square_a + square_b, square_d = KSL_MUL(s->m2, s->m2),
-      square = square_c + square_d;
-  const double L_0a = KSL_MUL(B->xx, s->m3), L_0b = KSL_MUL(B->xy, s->m4), L_0c = L_0a + L_0b,
-      L_0d = KSL_MUL(B->xz, s->m5), L_0 = L_0c + L_0d;
-  const double L_1a = KSL_MUL(B->yy, s->m4), L_1b = KSL_MUL(B->xy, s->m3), L_1c = L_1a + L_1b,
-      L_1d = KSL_MUL(B->yz, s->m5), L_1 = L_1c + L_1d;
-  const double L_2a = KSL_MUL(B->zz, s->m5), L_2b = KSL_MUL(B->xz, s->m3), L_2c = L_2a + L_2b,
-      L_2d = KSL_MUL(B->yz, s->m4), L_2 = L_2c + L_2d;
-  const double twice_a = KSL_MUL(B->m, square), twice_b = KSL_MUL(s->m3, L_0),
-      twice_c = KSL_MUL(s->m4, L_1), twice_d = twice_b + twice_c, twice_e = KSL_MUL(s->m5, L_2),
-      twice_f = twice_d + twice_e, twice = twice_a + twice_f;
+      square_d = KSL_MUL(s->m2, s->m2), square = square_a + square_b + square_d;
+  const double L_0a = KSL_MUL(B->xx, s->m3), L_0b = KSL_MUL(B->xy, s->m4),
+      L_0d = KSL_MUL(B->xz, s->m5), L_0 = L_0a + L_0b + L_0d;
+  const double L_1a = KSL_MUL(B->yy, s->m4), L_1b = KSL_MUL(B->xy, s->m3),
+      L_1d = KSL_MUL(B->yz, s->m5), L_1 = L_1a + L_1b + L_1d;
+  const double L_2a = KSL_MUL(B->zz, s->m5), L_2b = KSL_MUL(B->xz, s->m3),
+      L_2d = KSL_MUL(B->yz, s->m4), L_2 = L_2a + L_2b + L_2d;
+  const double twice = KSL_MUL(B->m, square)
+          + (KSL_MUL(s->m3, L_0) + KSL_MUL(s->m4, L_1) + KSL_MUL(s->m5, L_2));
   const double across_0a = KSL_MUL(B->h.z, s->m4), across_0b = KSL_MUL(B->h.y, s->m5),
       across_0 = across_0a - across_0b;
   const double across_1a = KSL_MUL(B->h.x, s->m5), across_1b = KSL_MUL(B->h.z, s->m3),
       across_1 = across_1a - across_1b;
   const double across_2a = KSL_MUL(B->h.y, s->m3), across_2b = KSL_MUL(B->h.x, s->m4),
       across_2 = across_2a - across_2b;
-  const double energy_a = KSL_MUL(s->m0, across_0), energy_b = KSL_MUL(s->m1, across_1),
-      energy_c = energy_a + energy_b, energy_d = KSL_MUL(s->m2, across_2),
-      energy_e = energy_c + energy_d, energy_f = KSL_MUL(0.5, twice), energy = energy_e + energy_f;
-  const double square_a_abs = fabs(square_a), square_b_abs = fabs(square_b),
-      square_c_size = square_a_abs + square_b_abs, square_d_abs = fabs(square_d),
-      square_size = square_c_size + square_d_abs;
-  const double L_0a_abs = fabs(L_0a), L_0b_abs = fabs(L_0b), L_0c_size = L_0a_abs + L_0b_abs,
-      L_0d_abs = fabs(L_0d), L_0_size = L_0c_size + L_0d_abs;
-  const double L_1a_abs = fabs(L_1a), L_1b_abs = fabs(L_1b), L_1c_size = L_1a_abs + L_1b_abs,
-      L_1d_abs = fabs(L_1d), L_1_size = L_1c_size + L_1d_abs;
-  const double L_2a_abs = fabs(L_2a), L_2b_abs = fabs(L_2b), L_2c_size = L_2a_abs + L_2b_abs,
-      L_2d_abs = fabs(L_2d), L_2_size = L_2c_size + L_2d_abs;
-  const double square_padded = square_size + 2.004168360008973e-292;
-  const double B_0_abs = fabs(B->m), twice_a_size = KSL_MUL(B_0_abs, square_padded);
-  const double L_0_padded = L_0_size + 2.004168360008973e-292;
-  const double s_3_abs = fabs(s->m3), twice_b_size = KSL_MUL(s_3_abs, L_0_padded);
-  const double L_1_padded = L_1_size + 2.004168360008973e-292;
-  const double s_4_abs = fabs(s->m4), twice_c_size = KSL_MUL(s_4_abs, L_1_padded),
-      twice_d_size = twice_b_size + twice_c_size;
-  const double L_2_padded = L_2_size + 2.004168360008973e-292;
-  const double s_5_abs = fabs(s->m5), twice_e_size = KSL_MUL(s_5_abs, L_2_padded),
-      twice_f_size = twice_d_size + twice_e_size, twice_size = twice_a_size + twice_f_size;
-  const double across_0a_abs = fabs(across_0a), across_0b_abs = fabs(across_0b),
-      across_0_size = across_0a_abs + across_0b_abs;
-  const double across_1a_abs = fabs(across_1a), across_1b_abs = fabs(across_1b),
-      across_1_size = across_1a_abs + across_1b_abs;
-  const double across_2a_abs = fabs(across_2a), across_2b_abs = fabs(across_2b),
-      across_2_size = across_2a_abs + across_2b_abs;
-  const double across_0_padded = across_0_size + 2.004168360008973e-292;
-  const double s_0_abs = fabs(s->m0), energy_a_size = KSL_MUL(s_0_abs, across_0_padded);
-  const double across_1_padded = across_1_size + 2.004168360008973e-292;
-  const double s_1_abs = fabs(s->m1), energy_b_size = KSL_MUL(s_1_abs, across_1_padded),
-      energy_c_size = energy_a_size + energy_b_size;
-  const double across_2_padded = across_2_size + 2.004168360008973e-292;
-  const double s_2_abs = fabs(s->m2), energy_d_size = KSL_MUL(s_2_abs, across_2_padded),
-      energy_e_size = energy_c_size + energy_d_size;
-  const double twice_padded = twice_size + 2.004168360008973e-292;
-  const double energy_f_size = KSL_MUL(0.5, twice_padded),
-      energy_size = energy_e_size + energy_f_size;
-  const double energy_padded = energy_size + 2.004168360008973e-292,
-      energy_error_bound = KSL_MUL(9.992007221626415e-16, energy_padded);
-  *energy_bound = energy_error_bound;
+  const double energy = KSL_MUL(s->m0, across_0) + KSL_MUL(s->m1, across_1)
+          + KSL_MUL(s->m2, across_2) + KSL_MUL(0.5, twice);
+  const double square_size = fabs(square_a) + fabs(square_b) + fabs(square_d);
+  const double L_0_size = fabs(L_0a) + fabs(L_0b) + fabs(L_0d),
+      L_1_size = fabs(L_1a) + fabs(L_1b) + fabs(L_1d),
+      L_2_size = fabs(L_2a) + fabs(L_2b) + fabs(L_2d);
+  const double twice_d_size = KSL_MUL(fabs(s->m3), L_0_size + 2.004168360008973e-292)
+          + KSL_MUL(fabs(s->m4), L_1_size + 2.004168360008973e-292),
+      twice_size = KSL_MUL(fabs(B->m), square_size + 2.004168360008973e-292)
+          + (twice_d_size + KSL_MUL(fabs(s->m5), L_2_size + 2.004168360008973e-292));
+  const double across_0_size = fabs(across_0a) + fabs(across_0b),
+      across_1_size = fabs(across_1a) + fabs(across_1b),
+      across_2_size = fabs(across_2a) + fabs(across_2b);
+  const double energy_c_size = KSL_MUL(fabs(s->m0), across_0_size + 2.004168360008973e-292)
+          + KSL_MUL(fabs(s->m1), across_1_size + 2.004168360008973e-292),
+      energy_size = energy_c_size + KSL_MUL(fabs(s->m2), across_2_size + 2.004168360008973e-292)
+          + KSL_MUL(0.5, twice_size + 2.004168360008973e-292);
+  const double energy_bound_ = KSL_MUL(9.992007221626415e-16, energy_size + 2.004168360008973e-292);
+  *energy_bound = energy_bound_;
   return energy;
 }
 
@@ -397,143 +298,89 @@ static inline double ksl_spatial_inertia_energy_certified(const ksl_spatial_iner
 static inline void ksl_spatial_inertia_net_wrench_certified(const ksl_spatial_inertia_t *B,
     const ksl_vec3_t *w, const ksl_screw_t *ds, ksl_coscrew_t *co,
     ksl_coscrew_t *co_bound) {
-  const double ww_0 = KSL_MUL(w->x, w->x);
-  const double ww_1 = KSL_MUL(w->y, w->y);
-  const double ww_2 = KSL_MUL(w->z, w->z);
-  const double ww_3 = KSL_MUL(w->x, w->y);
-  const double ww_4 = KSL_MUL(w->x, w->z);
-  const double ww_5 = KSL_MUL(w->y, w->z);
-  const double U_0a = ww_1 + ww_2, U_0 = -U_0a;
-  const double U_1 = ww_3 - ds->m5;
-  const double U_2 = ds->m4 + ww_4;
-  const double U_3 = ds->m5 + ww_3;
-  const double U_4a = ww_0 + ww_2, U_4 = -U_4a;
-  const double U_5 = ww_5 - ds->m3;
-  const double U_6 = ww_4 - ds->m4;
-  const double U_7 = ds->m3 + ww_5;
-  const double U_8a = ww_0 + ww_1, U_8 = -U_8a;
-  const double others_0 = B->zz - B->yy;
-  const double others_1 = B->xx - B->zz;
-  const double others_2 = B->yy - B->xx;
-  const double squares_0 = ww_1 - ww_2;
-  const double squares_1 = ww_2 - ww_0;
-  const double squares_2 = ww_0 - ww_1;
-  const double own_0a = KSL_MUL(B->xx, ds->m3), own_0b = KSL_MUL(ww_5, others_0),
-      own_0 = own_0a + own_0b;
-  const double own_1a = KSL_MUL(B->yy, ds->m4), own_1b = KSL_MUL(ww_4, others_1),
-      own_1 = own_1a + own_1b;
-  const double own_2a = KSL_MUL(B->zz, ds->m5), own_2b = KSL_MUL(ww_3, others_2),
-      own_2 = own_2a + own_2b;
-  const double N_0a = KSL_MUL(B->xz, U_3), N_0b = KSL_MUL(B->xy, U_6), N_0c = N_0a - N_0b,
-      N_0d = KSL_MUL(B->yz, squares_0), N_0e = N_0c + N_0d, N_0 = N_0e + own_0;
-  const double N_1a = KSL_MUL(B->xy, U_7), N_1b = KSL_MUL(B->yz, U_1), N_1c = N_1a - N_1b,
-      N_1d = KSL_MUL(B->xz, squares_1), N_1e = N_1c + N_1d, N_1 = N_1e + own_1;
-  const double N_2a = KSL_MUL(B->xy, squares_2), N_2b = KSL_MUL(B->yz, U_2),
-      N_2c = KSL_MUL(B->xz, U_5), N_2d = N_2b - N_2c, N_2e = N_2a + N_2d, N_2 = N_2e + own_2;
-  const double co_0a = KSL_MUL(B->m, ds->m0), co_0b = KSL_MUL(B->h.x, U_0),
-      co_0c = KSL_MUL(B->h.y, U_1), co_0d = co_0b + co_0c, co_0e = KSL_MUL(B->h.z, U_2),
-      co_0f = co_0d + co_0e, co_0 = co_0a + co_0f;
-  const double co_1a = KSL_MUL(B->m, ds->m1), co_1b = KSL_MUL(B->h.x, U_3),
-      co_1c = KSL_MUL(B->h.y, U_4), co_1d = co_1b + co_1c, co_1e = KSL_MUL(B->h.z, U_5),
-      co_1f = co_1d + co_1e, co_1 = co_1a + co_1f;
-  const double co_2a = KSL_MUL(B->m, ds->m2), co_2b = KSL_MUL(B->h.x, U_6),
-      co_2c = KSL_MUL(B->h.y, U_7), co_2d = co_2b + co_2c, co_2e = KSL_MUL(B->h.z, U_8),
-      co_2f = co_2d + co_2e, co_2 = co_2a + co_2f;
+  const double ww_0 = KSL_MUL(w->x, w->x), ww_1 = KSL_MUL(w->y, w->y), ww_2 = KSL_MUL(w->z, w->z),
+      ww_3 = KSL_MUL(w->x, w->y), ww_4 = KSL_MUL(w->x, w->z), ww_5 = KSL_MUL(w->y, w->z);
+  const double U_0 = -(ww_1 + ww_2), U_1 = ww_3 - ds->m5, U_2 = ds->m4 + ww_4, U_3 = ds->m5 + ww_3,
+      U_4 = -(ww_0 + ww_2), U_5 = ww_5 - ds->m3, U_6 = ww_4 - ds->m4, U_7 = ds->m3 + ww_5,
+      U_8 = -(ww_0 + ww_1);
+  const double others_0 = B->zz - B->yy, others_1 = B->xx - B->zz, others_2 = B->yy - B->xx;
+  const double squares_0 = ww_1 - ww_2, squares_1 = ww_2 - ww_0, squares_2 = ww_0 - ww_1;
+  const double own_0a = KSL_MUL(B->xx, ds->m3), own_0 = own_0a + KSL_MUL(ww_5, others_0);
+  const double own_1a = KSL_MUL(B->yy, ds->m4), own_1 = own_1a + KSL_MUL(ww_4, others_1);
+  const double own_2a = KSL_MUL(B->zz, ds->m5), own_2 = own_2a + KSL_MUL(ww_3, others_2);
+  const double N_0 = KSL_MUL(B->xz, U_3) - KSL_MUL(B->xy, U_6) + KSL_MUL(B->yz, squares_0) + own_0;
+  const double N_1 = KSL_MUL(B->xy, U_7) - KSL_MUL(B->yz, U_1) + KSL_MUL(B->xz, squares_1) + own_1;
+  const double N_2 = KSL_MUL(B->xy, squares_2) + (KSL_MUL(B->yz, U_2) - KSL_MUL(B->xz, U_5))
+          + own_2;
+  const double co_0a = KSL_MUL(B->m, ds->m0),
+      co_0 = co_0a + (KSL_MUL(B->h.x, U_0) + KSL_MUL(B->h.y, U_1) + KSL_MUL(B->h.z, U_2));
+  const double co_1a = KSL_MUL(B->m, ds->m1),
+      co_1 = co_1a + (KSL_MUL(B->h.x, U_3) + KSL_MUL(B->h.y, U_4) + KSL_MUL(B->h.z, U_5));
+  const double co_2a = KSL_MUL(B->m, ds->m2),
+      co_2 = co_2a + (KSL_MUL(B->h.x, U_6) + KSL_MUL(B->h.y, U_7) + KSL_MUL(B->h.z, U_8));
   const double co_3a = KSL_MUL(B->h.y, ds->m2), co_3b = KSL_MUL(B->h.z, ds->m1),
-      co_3c = co_3a - co_3b, co_3 = co_3c + N_0;
+      co_3 = co_3a - co_3b + N_0;
   const double co_4a = KSL_MUL(B->h.z, ds->m0), co_4b = KSL_MUL(B->h.x, ds->m2),
-      co_4c = co_4a - co_4b, co_4 = co_4c + N_1;
+      co_4 = co_4a - co_4b + N_1;
   const double co_5a = KSL_MUL(B->h.x, ds->m1), co_5b = KSL_MUL(B->h.y, ds->m0),
-      co_5c = co_5a - co_5b, co_5 = co_5c + N_2;
-  const double ww_1_abs = fabs(ww_1), ww_2_abs = fabs(ww_2), U_0a_size = ww_1_abs + ww_2_abs;
+      co_5 = co_5a - co_5b + N_2;
+  const double ww_1_abs = fabs(ww_1), ww_2_abs = fabs(ww_2);
   const double ww_3_abs = fabs(ww_3), ds_5_abs = fabs(ds->m5), U_1_size = ww_3_abs + ds_5_abs;
   const double ds_4_abs = fabs(ds->m4), ww_4_abs = fabs(ww_4), U_2_size = ds_4_abs + ww_4_abs;
-  const double U_3_size = ds_5_abs + ww_3_abs;
-  const double ww_0_abs = fabs(ww_0), U_4a_size = ww_0_abs + ww_2_abs;
+  const double U_3_size = ds_5_abs + ww_3_abs, ww_0_abs = fabs(ww_0);
   const double ww_5_abs = fabs(ww_5), ds_3_abs = fabs(ds->m3), U_5_size = ww_5_abs + ds_3_abs;
-  const double U_6_size = ww_4_abs + ds_4_abs;
-  const double U_7_size = ds_3_abs + ww_5_abs;
-  const double U_8a_size = ww_0_abs + ww_1_abs;
-  const double squares_0_size = ww_1_abs + ww_2_abs;
-  const double squares_1_size = ww_2_abs + ww_0_abs;
-  const double squares_2_size = ww_0_abs + ww_1_abs;
-  const double ww_5_padded = ww_5_abs + 2.004168360008973e-292;
-  const double others_0_abs = fabs(others_0), own_0b_size = KSL_MUL(ww_5_padded, others_0_abs),
-      own_0a_abs = fabs(own_0a), own_0_size = own_0a_abs + own_0b_size;
-  const double ww_4_padded = ww_4_abs + 2.004168360008973e-292;
-  const double others_1_abs = fabs(others_1), own_1b_size = KSL_MUL(ww_4_padded, others_1_abs),
-      own_1a_abs = fabs(own_1a), own_1_size = own_1a_abs + own_1b_size;
-  const double ww_3_padded = ww_3_abs + 2.004168360008973e-292;
-  const double others_2_abs = fabs(others_2), own_2b_size = KSL_MUL(ww_3_padded, others_2_abs),
-      own_2a_abs = fabs(own_2a), own_2_size = own_2a_abs + own_2b_size;
+  const double U_6_size = ww_4_abs + ds_4_abs, U_7_size = ds_3_abs + ww_5_abs;
+  const double squares_0_size = ww_1_abs + ww_2_abs, squares_1_size = ww_2_abs + ww_0_abs,
+      squares_2_size = ww_0_abs + ww_1_abs;
+  const double own_0_size = fabs(own_0a)
+          + KSL_MUL(ww_5_abs + 2.004168360008973e-292, fabs(others_0)),
+      own_1_size = fabs(own_1a) + KSL_MUL(ww_4_abs + 2.004168360008973e-292, fabs(others_1)),
+      own_2_size = fabs(own_2a) + KSL_MUL(ww_3_abs + 2.004168360008973e-292, fabs(others_2));
   const double U_3_padded = U_3_size + 2.004168360008973e-292;
-  const double B_8_abs = fabs(B->xz), N_0a_size = KSL_MUL(B_8_abs, U_3_padded);
+  const double B_8_abs = fabs(B->xz);
   const double U_6_padded = U_6_size + 2.004168360008973e-292;
-  const double B_7_abs = fabs(B->xy), N_0b_size = KSL_MUL(B_7_abs, U_6_padded),
-      N_0c_size = N_0a_size + N_0b_size;
-  const double squares_0_padded = squares_0_size + 2.004168360008973e-292;
-  const double B_9_abs = fabs(B->yz), N_0d_size = KSL_MUL(B_9_abs, squares_0_padded),
-      N_0e_size = N_0c_size + N_0d_size, N_0_size = N_0e_size + own_0_size;
-  const double U_7_padded = U_7_size + 2.004168360008973e-292;
-  const double N_1a_size = KSL_MUL(B_7_abs, U_7_padded);
-  const double U_1_padded = U_1_size + 2.004168360008973e-292;
-  const double N_1b_size = KSL_MUL(B_9_abs, U_1_padded), N_1c_size = N_1a_size + N_1b_size;
-  const double squares_1_padded = squares_1_size + 2.004168360008973e-292;
-  const double N_1d_size = KSL_MUL(B_8_abs, squares_1_padded), N_1e_size = N_1c_size + N_1d_size,
-      N_1_size = N_1e_size + own_1_size;
-  const double squares_2_padded = squares_2_size + 2.004168360008973e-292;
-  const double N_2a_size = KSL_MUL(B_7_abs, squares_2_padded);
-  const double U_2_padded = U_2_size + 2.004168360008973e-292;
-  const double N_2b_size = KSL_MUL(B_9_abs, U_2_padded);
-  const double U_5_padded = U_5_size + 2.004168360008973e-292;
-  const double N_2c_size = KSL_MUL(B_8_abs, U_5_padded), N_2d_size = N_2b_size + N_2c_size,
-      N_2e_size = N_2a_size + N_2d_size, N_2_size = N_2e_size + own_2_size;
-  const double U_0a_padded = U_0a_size + 2.004168360008973e-292;
-  const double B_1_abs = fabs(B->h.x), co_0b_size = KSL_MUL(B_1_abs, U_0a_padded),
-      B_2_abs = fabs(B->h.y), co_0c_size = KSL_MUL(B_2_abs, U_1_padded),
-      co_0d_size = co_0b_size + co_0c_size, B_3_abs = fabs(B->h.z),
-      co_0e_size = KSL_MUL(B_3_abs, U_2_padded), co_0f_size = co_0d_size + co_0e_size,
-      co_0a_abs = fabs(co_0a), co_0_size = co_0a_abs + co_0f_size;
-  const double co_1b_size = KSL_MUL(B_1_abs, U_3_padded);
-  const double U_4a_padded = U_4a_size + 2.004168360008973e-292;
-  const double co_1c_size = KSL_MUL(B_2_abs, U_4a_padded), co_1d_size = co_1b_size + co_1c_size,
-      co_1e_size = KSL_MUL(B_3_abs, U_5_padded), co_1f_size = co_1d_size + co_1e_size,
-      co_1a_abs = fabs(co_1a), co_1_size = co_1a_abs + co_1f_size;
-  const double co_2b_size = KSL_MUL(B_1_abs, U_6_padded), co_2c_size = KSL_MUL(B_2_abs, U_7_padded),
-      co_2d_size = co_2b_size + co_2c_size;
-  const double U_8a_padded = U_8a_size + 2.004168360008973e-292;
-  const double co_2e_size = KSL_MUL(B_3_abs, U_8a_padded), co_2f_size = co_2d_size + co_2e_size,
-      co_2a_abs = fabs(co_2a), co_2_size = co_2a_abs + co_2f_size;
-  const double co_3a_abs = fabs(co_3a), co_3b_abs = fabs(co_3b), co_3c_size = co_3a_abs + co_3b_abs,
-      co_3_size = co_3c_size + N_0_size;
-  const double co_4a_abs = fabs(co_4a), co_4b_abs = fabs(co_4b), co_4c_size = co_4a_abs + co_4b_abs,
-      co_4_size = co_4c_size + N_1_size;
-  const double co_5a_abs = fabs(co_5a), co_5b_abs = fabs(co_5b), co_5c_size = co_5a_abs + co_5b_abs,
-      co_5_size = co_5c_size + N_2_size;
-  const double co_0_padded = co_0_size + 2.004168360008973e-292,
-      co_0_error_bound = KSL_MUL(6.661338147750942e-16, co_0_padded);
-  const double co_1_padded = co_1_size + 2.004168360008973e-292,
-      co_1_error_bound = KSL_MUL(6.661338147750942e-16, co_1_padded);
-  const double co_2_padded = co_2_size + 2.004168360008973e-292,
-      co_2_error_bound = KSL_MUL(6.661338147750942e-16, co_2_padded);
-  const double co_3_padded = co_3_size + 2.004168360008973e-292,
-      co_3_error_bound = KSL_MUL(7.7715611723761e-16, co_3_padded);
-  const double co_4_padded = co_4_size + 2.004168360008973e-292,
-      co_4_error_bound = KSL_MUL(7.7715611723761e-16, co_4_padded);
-  const double co_5_padded = co_5_size + 2.004168360008973e-292,
-      co_5_error_bound = KSL_MUL(7.7715611723761e-16, co_5_padded);
+  const double B_7_abs = fabs(B->xy), B_9_abs = fabs(B->yz),
+      N_0_size = KSL_MUL(B_8_abs, U_3_padded) + KSL_MUL(B_7_abs, U_6_padded)
+          + KSL_MUL(B_9_abs, squares_0_size + 2.004168360008973e-292) + own_0_size;
+  const double U_7_padded = U_7_size + 2.004168360008973e-292,
+      U_1_padded = U_1_size + 2.004168360008973e-292;
+  const double N_1_size = KSL_MUL(B_7_abs, U_7_padded) + KSL_MUL(B_9_abs, U_1_padded)
+          + KSL_MUL(B_8_abs, squares_1_size + 2.004168360008973e-292) + own_1_size;
+  const double U_2_padded = U_2_size + 2.004168360008973e-292,
+      U_5_padded = U_5_size + 2.004168360008973e-292;
+  const double N_2_size = KSL_MUL(B_7_abs, squares_2_size + 2.004168360008973e-292)
+          + (KSL_MUL(B_9_abs, U_2_padded) + KSL_MUL(B_8_abs, U_5_padded)) + own_2_size;
+  const double B_1_abs = fabs(B->h.x), B_2_abs = fabs(B->h.y), B_3_abs = fabs(B->h.z),
+      co_0f_size = KSL_MUL(B_1_abs, ww_1_abs + ww_2_abs + 2.004168360008973e-292)
+          + KSL_MUL(B_2_abs, U_1_padded) + KSL_MUL(B_3_abs, U_2_padded),
+      co_0_size = fabs(co_0a) + co_0f_size;
+  const double co_1f_size = KSL_MUL(B_1_abs, U_3_padded)
+          + KSL_MUL(B_2_abs, ww_0_abs + ww_2_abs + 2.004168360008973e-292)
+          + KSL_MUL(B_3_abs, U_5_padded), co_1_size = fabs(co_1a) + co_1f_size;
+  const double co_2f_size = KSL_MUL(B_1_abs, U_6_padded) + KSL_MUL(B_2_abs, U_7_padded)
+          + KSL_MUL(B_3_abs, ww_0_abs + ww_1_abs + 2.004168360008973e-292),
+      co_2_size = fabs(co_2a) + co_2f_size;
+  const double co_3_size = fabs(co_3a) + fabs(co_3b) + N_0_size,
+      co_4_size = fabs(co_4a) + fabs(co_4b) + N_1_size,
+      co_5_size = fabs(co_5a) + fabs(co_5b) + N_2_size;
+  const double co_0_bound = KSL_MUL(6.661338147750942e-16, co_0_size + 2.004168360008973e-292),
+      co_1_bound = KSL_MUL(6.661338147750942e-16, co_1_size + 2.004168360008973e-292),
+      co_2_bound = KSL_MUL(6.661338147750942e-16, co_2_size + 2.004168360008973e-292),
+      co_3_bound = KSL_MUL(7.7715611723761e-16, co_3_size + 2.004168360008973e-292),
+      co_4_bound = KSL_MUL(7.7715611723761e-16, co_4_size + 2.004168360008973e-292),
+      co_5_bound = KSL_MUL(7.7715611723761e-16, co_5_size + 2.004168360008973e-292);
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;
   co->m3 = co_3;
   co->m4 = co_4;
   co->m5 = co_5;
-  co_bound->m0 = co_0_error_bound;
-  co_bound->m1 = co_1_error_bound;
-  co_bound->m2 = co_2_error_bound;
-  co_bound->m3 = co_3_error_bound;
-  co_bound->m4 = co_4_error_bound;
-  co_bound->m5 = co_5_error_bound;
+  co_bound->m0 = co_0_bound;
+  co_bound->m1 = co_1_bound;
+  co_bound->m2 = co_2_bound;
+  co_bound->m3 = co_3_bound;
+  co_bound->m4 = co_4_bound;
+  co_bound->m5 = co_5_bound;
 }
 
 /* Bo = B moved by t: m, h + m t, I - t~ (h + m t)~ - h~ t~; |error of Bo| <= Bo_bound unless inf
@@ -544,45 +391,28 @@ static inline void ksl_spatial_inertia_net_wrench_certified(const ksl_spatial_in
 static inline void ksl_spatial_inertia_shifted_certified(const ksl_vec3_t *t,
     const ksl_spatial_inertia_t *B, ksl_spatial_inertia_t *Bo,
     ksl_spatial_inertia_t *Bo_bound) {
-  const double mt_0 = KSL_MUL(t->x, B->m);
-  const double mt_1 = KSL_MUL(t->y, B->m);
-  const double mt_2 = KSL_MUL(t->z, B->m);
+  const double mt_0 = KSL_MUL(t->x, B->m), mt_1 = KSL_MUL(t->y, B->m), mt_2 = KSL_MUL(t->z, B->m);
   const double half_0 = KSL_MUL(0.5, mt_0);
   const double half_1 = KSL_MUL(0.5, mt_1);
   const double half_2 = KSL_MUL(0.5, mt_2);
-  const double n_0 = B->h.x + half_0;
-  const double n_1 = B->h.y + half_1;
-  const double n_2 = B->h.z + half_2;
+  const double n_0 = B->h.x + half_0, n_1 = B->h.y + half_1, n_2 = B->h.z + half_2;
   const double tn0 = KSL_MUL(t->x, n_0);
   const double tn1 = KSL_MUL(t->y, n_1);
   const double tn2 = KSL_MUL(t->z, n_2);
-  const double own_0 = KSL_MUL(2.0, tn0);
-  const double own_1 = KSL_MUL(2.0, tn1);
-  const double own_2 = KSL_MUL(2.0, tn2);
-  const double pairs_0 = own_1 + own_2;
-  const double pairs_1 = own_0 + own_2;
-  const double pairs_2 = own_0 + own_1;
-  const double pairs_3a = KSL_MUL(t->x, n_1), pairs_3b = KSL_MUL(t->y, n_0),
-      pairs_3 = pairs_3a + pairs_3b;
-  const double pairs_4a = KSL_MUL(t->x, n_2), pairs_4b = KSL_MUL(t->z, n_0),
-      pairs_4 = pairs_4a + pairs_4b;
-  const double pairs_5a = KSL_MUL(t->y, n_2), pairs_5b = KSL_MUL(t->z, n_1),
-      pairs_5 = pairs_5a + pairs_5b;
-  const double moved_0 = B->h.x + mt_0;
-  const double moved_1 = B->h.y + mt_1;
-  const double moved_2 = B->h.z + mt_2;
-  const double Bo_4 = B->xx + pairs_0;
-  const double Bo_5 = B->yy + pairs_1;
-  const double Bo_6 = B->zz + pairs_2;
-  const double Bo_7 = B->xy - pairs_3;
-  const double Bo_8 = B->xz - pairs_4;
-  const double Bo_9 = B->yz - pairs_5;
-  const double mt_0_abs = fabs(mt_0), mt_0_padded = mt_0_abs + 2.004168360008973e-292;
-  const double half_0_size = KSL_MUL(0.5, mt_0_padded);
-  const double mt_1_abs = fabs(mt_1), mt_1_padded = mt_1_abs + 2.004168360008973e-292;
-  const double half_1_size = KSL_MUL(0.5, mt_1_padded);
-  const double mt_2_abs = fabs(mt_2), mt_2_padded = mt_2_abs + 2.004168360008973e-292;
-  const double half_2_size = KSL_MUL(0.5, mt_2_padded);
+  const double own_0 = KSL_MUL(2.0, tn0), own_1 = KSL_MUL(2.0, tn1), own_2 = KSL_MUL(2.0, tn2);
+  const double pairs_0 = own_1 + own_2, pairs_1 = own_0 + own_2, pairs_2 = own_0 + own_1,
+      pairs_3 = KSL_MUL(t->x, n_1) + KSL_MUL(t->y, n_0),
+      pairs_4 = KSL_MUL(t->x, n_2) + KSL_MUL(t->z, n_0),
+      pairs_5 = KSL_MUL(t->y, n_2) + KSL_MUL(t->z, n_1);
+  const double moved_0 = B->h.x + mt_0, moved_1 = B->h.y + mt_1, moved_2 = B->h.z + mt_2;
+  const double Bo_4 = B->xx + pairs_0, Bo_5 = B->yy + pairs_1, Bo_6 = B->zz + pairs_2,
+      Bo_7 = B->xy - pairs_3, Bo_8 = B->xz - pairs_4, Bo_9 = B->yz - pairs_5;
+  const double mt_0_abs = fabs(mt_0);
+  const double half_0_size = KSL_MUL(0.5, mt_0_abs + 2.004168360008973e-292);
+  const double mt_1_abs = fabs(mt_1);
+  const double half_1_size = KSL_MUL(0.5, mt_1_abs + 2.004168360008973e-292);
+  const double mt_2_abs = fabs(mt_2);
+  const double half_2_size = KSL_MUL(0.5, mt_2_abs + 2.004168360008973e-292);
   const double B_1_abs = fabs(B->h.x), n_0_size = B_1_abs + half_0_size;
   const double B_2_abs = fabs(B->h.y), n_1_size = B_2_abs + half_1_size;
   const double B_3_abs = fabs(B->h.z), n_2_size = B_3_abs + half_2_size;
@@ -592,48 +422,29 @@ static inline void ksl_spatial_inertia_shifted_certified(const ksl_vec3_t *t,
   const double t_1_abs = fabs(t->y), tn1_size = KSL_MUL(t_1_abs, n_1_padded);
   const double n_2_padded = n_2_size + 2.004168360008973e-292;
   const double t_2_abs = fabs(t->z), tn2_size = KSL_MUL(t_2_abs, n_2_padded);
-  const double tn0_padded = tn0_size + 2.004168360008973e-292;
-  const double own_0_size = KSL_MUL(2.0, tn0_padded);
-  const double tn1_padded = tn1_size + 2.004168360008973e-292;
-  const double own_1_size = KSL_MUL(2.0, tn1_padded);
-  const double tn2_padded = tn2_size + 2.004168360008973e-292;
-  const double own_2_size = KSL_MUL(2.0, tn2_padded);
-  const double pairs_0_size = own_1_size + own_2_size;
-  const double pairs_1_size = own_0_size + own_2_size;
-  const double pairs_2_size = own_0_size + own_1_size;
-  const double pairs_3a_size = KSL_MUL(t_0_abs, n_1_padded),
-      pairs_3b_size = KSL_MUL(t_1_abs, n_0_padded), pairs_3_size = pairs_3a_size + pairs_3b_size;
-  const double pairs_4a_size = KSL_MUL(t_0_abs, n_2_padded),
-      pairs_4b_size = KSL_MUL(t_2_abs, n_0_padded), pairs_4_size = pairs_4a_size + pairs_4b_size;
-  const double pairs_5a_size = KSL_MUL(t_1_abs, n_2_padded),
-      pairs_5b_size = KSL_MUL(t_2_abs, n_1_padded), pairs_5_size = pairs_5a_size + pairs_5b_size;
-  const double moved_0_size = B_1_abs + mt_0_abs;
-  const double moved_1_size = B_2_abs + mt_1_abs;
-  const double moved_2_size = B_3_abs + mt_2_abs;
-  const double B_4_abs = fabs(B->xx), Bo_4_size = B_4_abs + pairs_0_size;
-  const double B_5_abs = fabs(B->yy), Bo_5_size = B_5_abs + pairs_1_size;
-  const double B_6_abs = fabs(B->zz), Bo_6_size = B_6_abs + pairs_2_size;
-  const double B_7_abs = fabs(B->xy), Bo_7_size = B_7_abs + pairs_3_size;
-  const double B_8_abs = fabs(B->xz), Bo_8_size = B_8_abs + pairs_4_size;
-  const double B_9_abs = fabs(B->yz), Bo_9_size = B_9_abs + pairs_5_size;
-  const double moved_0_padded = moved_0_size + 2.004168360008973e-292,
-      moved_0_error_bound = KSL_MUL(2.2204460492503136e-16, moved_0_padded);
-  const double moved_1_padded = moved_1_size + 2.004168360008973e-292,
-      moved_1_error_bound = KSL_MUL(2.2204460492503136e-16, moved_1_padded);
-  const double moved_2_padded = moved_2_size + 2.004168360008973e-292,
-      moved_2_error_bound = KSL_MUL(2.2204460492503136e-16, moved_2_padded);
-  const double Bo_4_padded = Bo_4_size + 2.004168360008973e-292,
-      Bo_4_error_bound = KSL_MUL(7.7715611723761e-16, Bo_4_padded);
-  const double Bo_5_padded = Bo_5_size + 2.004168360008973e-292,
-      Bo_5_error_bound = KSL_MUL(7.7715611723761e-16, Bo_5_padded);
-  const double Bo_6_padded = Bo_6_size + 2.004168360008973e-292,
-      Bo_6_error_bound = KSL_MUL(7.7715611723761e-16, Bo_6_padded);
-  const double Bo_7_padded = Bo_7_size + 2.004168360008973e-292,
-      Bo_7_error_bound = KSL_MUL(6.661338147750942e-16, Bo_7_padded);
-  const double Bo_8_padded = Bo_8_size + 2.004168360008973e-292,
-      Bo_8_error_bound = KSL_MUL(6.661338147750942e-16, Bo_8_padded);
-  const double Bo_9_padded = Bo_9_size + 2.004168360008973e-292,
-      Bo_9_error_bound = KSL_MUL(6.661338147750942e-16, Bo_9_padded);
+  const double own_0_size = KSL_MUL(2.0, tn0_size + 2.004168360008973e-292),
+      own_1_size = KSL_MUL(2.0, tn1_size + 2.004168360008973e-292),
+      own_2_size = KSL_MUL(2.0, tn2_size + 2.004168360008973e-292);
+  const double pairs_0_size = own_1_size + own_2_size, pairs_1_size = own_0_size + own_2_size,
+      pairs_2_size = own_0_size + own_1_size,
+      pairs_3_size = KSL_MUL(t_0_abs, n_1_padded) + KSL_MUL(t_1_abs, n_0_padded),
+      pairs_4_size = KSL_MUL(t_0_abs, n_2_padded) + KSL_MUL(t_2_abs, n_0_padded),
+      pairs_5_size = KSL_MUL(t_1_abs, n_2_padded) + KSL_MUL(t_2_abs, n_1_padded);
+  const double moved_0_size = B_1_abs + mt_0_abs, moved_1_size = B_2_abs + mt_1_abs,
+      moved_2_size = B_3_abs + mt_2_abs;
+  const double Bo_4_size = fabs(B->xx) + pairs_0_size, Bo_5_size = fabs(B->yy) + pairs_1_size,
+      Bo_6_size = fabs(B->zz) + pairs_2_size, Bo_7_size = fabs(B->xy) + pairs_3_size,
+      Bo_8_size = fabs(B->xz) + pairs_4_size, Bo_9_size = fabs(B->yz) + pairs_5_size;
+  const double moved_0_bound = KSL_MUL(2.2204460492503136e-16, moved_0_size
+          + 2.004168360008973e-292),
+      moved_1_bound = KSL_MUL(2.2204460492503136e-16, moved_1_size + 2.004168360008973e-292),
+      moved_2_bound = KSL_MUL(2.2204460492503136e-16, moved_2_size + 2.004168360008973e-292);
+  const double Bo_4_bound = KSL_MUL(7.7715611723761e-16, Bo_4_size + 2.004168360008973e-292),
+      Bo_5_bound = KSL_MUL(7.7715611723761e-16, Bo_5_size + 2.004168360008973e-292),
+      Bo_6_bound = KSL_MUL(7.7715611723761e-16, Bo_6_size + 2.004168360008973e-292),
+      Bo_7_bound = KSL_MUL(6.661338147750942e-16, Bo_7_size + 2.004168360008973e-292),
+      Bo_8_bound = KSL_MUL(6.661338147750942e-16, Bo_8_size + 2.004168360008973e-292),
+      Bo_9_bound = KSL_MUL(6.661338147750942e-16, Bo_9_size + 2.004168360008973e-292);
   const double B_m = B->m;
   Bo->m = B_m;
   Bo->h.x = moved_0;
@@ -646,15 +457,15 @@ static inline void ksl_spatial_inertia_shifted_certified(const ksl_vec3_t *t,
   Bo->xz = Bo_8;
   Bo->yz = Bo_9;
   Bo_bound->m = 0.0;
-  Bo_bound->h.x = moved_0_error_bound;
-  Bo_bound->h.y = moved_1_error_bound;
-  Bo_bound->h.z = moved_2_error_bound;
-  Bo_bound->xx = Bo_4_error_bound;
-  Bo_bound->yy = Bo_5_error_bound;
-  Bo_bound->zz = Bo_6_error_bound;
-  Bo_bound->xy = Bo_7_error_bound;
-  Bo_bound->xz = Bo_8_error_bound;
-  Bo_bound->yz = Bo_9_error_bound;
+  Bo_bound->h.x = moved_0_bound;
+  Bo_bound->h.y = moved_1_bound;
+  Bo_bound->h.z = moved_2_bound;
+  Bo_bound->xx = Bo_4_bound;
+  Bo_bound->yy = Bo_5_bound;
+  Bo_bound->zz = Bo_6_bound;
+  Bo_bound->xy = Bo_7_bound;
+  Bo_bound->xz = Bo_8_bound;
+  Bo_bound->yz = Bo_9_bound;
 }
 
 /* Bo = [Ad]*(D) B [Ad]^-1(D): B, given in the frame at D, in the reference frame; |error of Bo|
@@ -666,206 +477,124 @@ static inline void ksl_spatial_inertia_transformed_certified(const ksl_SE3_t *D,
     const ksl_spatial_inertia_t *B, ksl_spatial_inertia_t *Bo,
     ksl_spatial_inertia_t *Bo_bound) {
   const double RI_0a = KSL_MUL(D->m00, B->xx), RI_0b = KSL_MUL(D->m01, B->xy),
-      RI_0c = RI_0a + RI_0b, RI_0d = KSL_MUL(D->m02, B->xz), RI_0 = RI_0c + RI_0d;
+      RI_0d = KSL_MUL(D->m02, B->xz), RI_0 = RI_0a + RI_0b + RI_0d;
   const double RI_1a = KSL_MUL(D->m00, B->xy), RI_1b = KSL_MUL(D->m01, B->yy),
-      RI_1c = RI_1a + RI_1b, RI_1d = KSL_MUL(D->m02, B->yz), RI_1 = RI_1c + RI_1d;
+      RI_1d = KSL_MUL(D->m02, B->yz), RI_1 = RI_1a + RI_1b + RI_1d;
   const double RI_2a = KSL_MUL(D->m00, B->xz), RI_2b = KSL_MUL(D->m01, B->yz),
-      RI_2c = RI_2a + RI_2b, RI_2d = KSL_MUL(D->m02, B->zz), RI_2 = RI_2c + RI_2d;
+      RI_2d = KSL_MUL(D->m02, B->zz), RI_2 = RI_2a + RI_2b + RI_2d;
   const double RI_3a = KSL_MUL(D->m10, B->xx), RI_3b = KSL_MUL(D->m11, B->xy),
-      RI_3c = RI_3a + RI_3b, RI_3d = KSL_MUL(D->m12, B->xz), RI_3 = RI_3c + RI_3d;
+      RI_3d = KSL_MUL(D->m12, B->xz), RI_3 = RI_3a + RI_3b + RI_3d;
   const double RI_4a = KSL_MUL(D->m10, B->xy), RI_4b = KSL_MUL(D->m11, B->yy),
-      RI_4c = RI_4a + RI_4b, RI_4d = KSL_MUL(D->m12, B->yz), RI_4 = RI_4c + RI_4d;
+      RI_4d = KSL_MUL(D->m12, B->yz), RI_4 = RI_4a + RI_4b + RI_4d;
   const double RI_5a = KSL_MUL(D->m10, B->xz), RI_5b = KSL_MUL(D->m11, B->yz),
-      RI_5c = RI_5a + RI_5b, RI_5d = KSL_MUL(D->m12, B->zz), RI_5 = RI_5c + RI_5d;
+      RI_5d = KSL_MUL(D->m12, B->zz), RI_5 = RI_5a + RI_5b + RI_5d;
   const double RI_6a = KSL_MUL(D->m20, B->xx), RI_6b = KSL_MUL(D->m21, B->xy),
-      RI_6c = RI_6a + RI_6b, RI_6d = KSL_MUL(D->m22, B->xz), RI_6 = RI_6c + RI_6d;
+      RI_6d = KSL_MUL(D->m22, B->xz), RI_6 = RI_6a + RI_6b + RI_6d;
   const double RI_7a = KSL_MUL(D->m20, B->xy), RI_7b = KSL_MUL(D->m21, B->yy),
-      RI_7c = RI_7a + RI_7b, RI_7d = KSL_MUL(D->m22, B->yz), RI_7 = RI_7c + RI_7d;
+      RI_7d = KSL_MUL(D->m22, B->yz), RI_7 = RI_7a + RI_7b + RI_7d;
   const double RI_8a = KSL_MUL(D->m20, B->xz), RI_8b = KSL_MUL(D->m21, B->yz),
-      RI_8c = RI_8a + RI_8b, RI_8d = KSL_MUL(D->m22, B->zz), RI_8 = RI_8c + RI_8d;
+      RI_8d = KSL_MUL(D->m22, B->zz), RI_8 = RI_8a + RI_8b + RI_8d;
   const double turned_1a = KSL_MUL(D->m00, B->h.x), turned_1b = KSL_MUL(D->m01, B->h.y),
-      turned_1c = turned_1a + turned_1b, turned_1d = KSL_MUL(D->m02, B->h.z),
-      turned_1 = turned_1c + turned_1d;
+      turned_1d = KSL_MUL(D->m02, B->h.z), turned_1 = turned_1a + turned_1b + turned_1d;
   const double turned_2a = KSL_MUL(D->m10, B->h.x), turned_2b = KSL_MUL(D->m11, B->h.y),
-      turned_2c = turned_2a + turned_2b, turned_2d = KSL_MUL(D->m12, B->h.z),
-      turned_2 = turned_2c + turned_2d;
+      turned_2d = KSL_MUL(D->m12, B->h.z), turned_2 = turned_2a + turned_2b + turned_2d;
   const double turned_3a = KSL_MUL(D->m20, B->h.x), turned_3b = KSL_MUL(D->m21, B->h.y),
-      turned_3c = turned_3a + turned_3b, turned_3d = KSL_MUL(D->m22, B->h.z),
-      turned_3 = turned_3c + turned_3d;
-  const double turned_4a = KSL_MUL(D->m00, RI_0), turned_4b = KSL_MUL(D->m01, RI_1),
-      turned_4c = turned_4a + turned_4b, turned_4d = KSL_MUL(D->m02, RI_2),
-      turned_4 = turned_4c + turned_4d;
-  const double turned_5a = KSL_MUL(D->m10, RI_3), turned_5b = KSL_MUL(D->m11, RI_4),
-      turned_5c = turned_5a + turned_5b, turned_5d = KSL_MUL(D->m12, RI_5),
-      turned_5 = turned_5c + turned_5d;
-  const double turned_6a = KSL_MUL(D->m20, RI_6), turned_6b = KSL_MUL(D->m21, RI_7),
-      turned_6c = turned_6a + turned_6b, turned_6d = KSL_MUL(D->m22, RI_8),
-      turned_6 = turned_6c + turned_6d;
-  const double turned_7a = KSL_MUL(D->m10, RI_0), turned_7b = KSL_MUL(D->m11, RI_1),
-      turned_7c = turned_7a + turned_7b, turned_7d = KSL_MUL(D->m12, RI_2),
-      turned_7 = turned_7c + turned_7d;
-  const double turned_8a = KSL_MUL(D->m20, RI_0), turned_8b = KSL_MUL(D->m21, RI_1),
-      turned_8c = turned_8a + turned_8b, turned_8d = KSL_MUL(D->m22, RI_2),
-      turned_8 = turned_8c + turned_8d;
-  const double turned_9a = KSL_MUL(D->m20, RI_3), turned_9b = KSL_MUL(D->m21, RI_4),
-      turned_9c = turned_9a + turned_9b, turned_9d = KSL_MUL(D->m22, RI_5),
-      turned_9 = turned_9c + turned_9d;
-  const double mt_0 = KSL_MUL(D->m03, B->m);
-  const double mt_1 = KSL_MUL(D->m13, B->m);
-  const double mt_2 = KSL_MUL(D->m23, B->m);
+      turned_3d = KSL_MUL(D->m22, B->h.z), turned_3 = turned_3a + turned_3b + turned_3d;
+  const double turned_4 = KSL_MUL(D->m00, RI_0) + KSL_MUL(D->m01, RI_1) + KSL_MUL(D->m02, RI_2);
+  const double turned_5 = KSL_MUL(D->m10, RI_3) + KSL_MUL(D->m11, RI_4) + KSL_MUL(D->m12, RI_5);
+  const double turned_6 = KSL_MUL(D->m20, RI_6) + KSL_MUL(D->m21, RI_7) + KSL_MUL(D->m22, RI_8),
+      turned_7 = KSL_MUL(D->m10, RI_0) + KSL_MUL(D->m11, RI_1) + KSL_MUL(D->m12, RI_2),
+      turned_8 = KSL_MUL(D->m20, RI_0) + KSL_MUL(D->m21, RI_1) + KSL_MUL(D->m22, RI_2),
+      turned_9 = KSL_MUL(D->m20, RI_3) + KSL_MUL(D->m21, RI_4) + KSL_MUL(D->m22, RI_5);
+  const double mt_0 = KSL_MUL(D->m03, B->m), mt_1 = KSL_MUL(D->m13, B->m),
+      mt_2 = KSL_MUL(D->m23, B->m);
   const double half_0 = KSL_MUL(0.5, mt_0);
   const double half_1 = KSL_MUL(0.5, mt_1);
   const double half_2 = KSL_MUL(0.5, mt_2);
-  const double n_0 = turned_1 + half_0;
-  const double n_1 = turned_2 + half_1;
-  const double n_2 = turned_3 + half_2;
+  const double n_0 = turned_1 + half_0, n_1 = turned_2 + half_1, n_2 = turned_3 + half_2;
   const double tn0 = KSL_MUL(D->m03, n_0);
   const double tn1 = KSL_MUL(D->m13, n_1);
   const double tn2 = KSL_MUL(D->m23, n_2);
-  const double own_0 = KSL_MUL(2.0, tn0);
-  const double own_1 = KSL_MUL(2.0, tn1);
-  const double own_2 = KSL_MUL(2.0, tn2);
-  const double pairs_0 = own_1 + own_2;
-  const double pairs_1 = own_0 + own_2;
-  const double pairs_2 = own_0 + own_1;
-  const double pairs_3a = KSL_MUL(D->m03, n_1), pairs_3b = KSL_MUL(D->m13, n_0),
-      pairs_3 = pairs_3a + pairs_3b;
-  const double pairs_4a = KSL_MUL(D->m03, n_2), pairs_4b = KSL_MUL(D->m23, n_0),
-      pairs_4 = pairs_4a + pairs_4b;
-  const double pairs_5a = KSL_MUL(D->m13, n_2), pairs_5b = KSL_MUL(D->m23, n_1),
-      pairs_5 = pairs_5a + pairs_5b;
-  const double moved_0 = turned_1 + mt_0;
-  const double moved_1 = turned_2 + mt_1;
-  const double moved_2 = turned_3 + mt_2;
-  const double Bo_4 = turned_4 + pairs_0;
-  const double Bo_5 = turned_5 + pairs_1;
-  const double Bo_6 = turned_6 + pairs_2;
-  const double Bo_7 = turned_7 - pairs_3;
-  const double Bo_8 = turned_8 - pairs_4;
-  const double Bo_9 = turned_9 - pairs_5;
-  const double RI_0a_abs = fabs(RI_0a), RI_0b_abs = fabs(RI_0b), RI_0c_size = RI_0a_abs + RI_0b_abs,
-      RI_0d_abs = fabs(RI_0d), RI_0_size = RI_0c_size + RI_0d_abs;
-  const double RI_1a_abs = fabs(RI_1a), RI_1b_abs = fabs(RI_1b), RI_1c_size = RI_1a_abs + RI_1b_abs,
-      RI_1d_abs = fabs(RI_1d), RI_1_size = RI_1c_size + RI_1d_abs;
-  const double RI_2a_abs = fabs(RI_2a), RI_2b_abs = fabs(RI_2b), RI_2c_size = RI_2a_abs + RI_2b_abs,
-      RI_2d_abs = fabs(RI_2d), RI_2_size = RI_2c_size + RI_2d_abs;
-  const double RI_3a_abs = fabs(RI_3a), RI_3b_abs = fabs(RI_3b), RI_3c_size = RI_3a_abs + RI_3b_abs,
-      RI_3d_abs = fabs(RI_3d), RI_3_size = RI_3c_size + RI_3d_abs;
-  const double RI_4a_abs = fabs(RI_4a), RI_4b_abs = fabs(RI_4b), RI_4c_size = RI_4a_abs + RI_4b_abs,
-      RI_4d_abs = fabs(RI_4d), RI_4_size = RI_4c_size + RI_4d_abs;
-  const double RI_5a_abs = fabs(RI_5a), RI_5b_abs = fabs(RI_5b), RI_5c_size = RI_5a_abs + RI_5b_abs,
-      RI_5d_abs = fabs(RI_5d), RI_5_size = RI_5c_size + RI_5d_abs;
-  const double RI_6a_abs = fabs(RI_6a), RI_6b_abs = fabs(RI_6b), RI_6c_size = RI_6a_abs + RI_6b_abs,
-      RI_6d_abs = fabs(RI_6d), RI_6_size = RI_6c_size + RI_6d_abs;
-  const double RI_7a_abs = fabs(RI_7a), RI_7b_abs = fabs(RI_7b), RI_7c_size = RI_7a_abs + RI_7b_abs,
-      RI_7d_abs = fabs(RI_7d), RI_7_size = RI_7c_size + RI_7d_abs;
-  const double RI_8a_abs = fabs(RI_8a), RI_8b_abs = fabs(RI_8b), RI_8c_size = RI_8a_abs + RI_8b_abs,
-      RI_8d_abs = fabs(RI_8d), RI_8_size = RI_8c_size + RI_8d_abs;
-  const double turned_1a_abs = fabs(turned_1a), turned_1b_abs = fabs(turned_1b),
-      turned_1c_size = turned_1a_abs + turned_1b_abs, turned_1d_abs = fabs(turned_1d),
-      turned_1_size = turned_1c_size + turned_1d_abs;
-  const double turned_2a_abs = fabs(turned_2a), turned_2b_abs = fabs(turned_2b),
-      turned_2c_size = turned_2a_abs + turned_2b_abs, turned_2d_abs = fabs(turned_2d),
-      turned_2_size = turned_2c_size + turned_2d_abs;
-  const double turned_3a_abs = fabs(turned_3a), turned_3b_abs = fabs(turned_3b),
-      turned_3c_size = turned_3a_abs + turned_3b_abs, turned_3d_abs = fabs(turned_3d),
-      turned_3_size = turned_3c_size + turned_3d_abs;
-  const double RI_0_padded = RI_0_size + 2.004168360008973e-292;
-  const double D_00_abs = fabs(D->m00), turned_4a_size = KSL_MUL(D_00_abs, RI_0_padded);
-  const double RI_1_padded = RI_1_size + 2.004168360008973e-292;
-  const double D_01_abs = fabs(D->m01), turned_4b_size = KSL_MUL(D_01_abs, RI_1_padded),
-      turned_4c_size = turned_4a_size + turned_4b_size;
-  const double RI_2_padded = RI_2_size + 2.004168360008973e-292;
-  const double D_02_abs = fabs(D->m02), turned_4d_size = KSL_MUL(D_02_abs, RI_2_padded),
-      turned_4_size = turned_4c_size + turned_4d_size;
+  const double own_0 = KSL_MUL(2.0, tn0), own_1 = KSL_MUL(2.0, tn1), own_2 = KSL_MUL(2.0, tn2);
+  const double pairs_0 = own_1 + own_2, pairs_1 = own_0 + own_2, pairs_2 = own_0 + own_1,
+      pairs_3 = KSL_MUL(D->m03, n_1) + KSL_MUL(D->m13, n_0),
+      pairs_4 = KSL_MUL(D->m03, n_2) + KSL_MUL(D->m23, n_0),
+      pairs_5 = KSL_MUL(D->m13, n_2) + KSL_MUL(D->m23, n_1);
+  const double moved_0 = turned_1 + mt_0, moved_1 = turned_2 + mt_1, moved_2 = turned_3 + mt_2;
+  const double Bo_4 = turned_4 + pairs_0, Bo_5 = turned_5 + pairs_1, Bo_6 = turned_6 + pairs_2,
+      Bo_7 = turned_7 - pairs_3, Bo_8 = turned_8 - pairs_4, Bo_9 = turned_9 - pairs_5;
+  const double RI_0_size = fabs(RI_0a) + fabs(RI_0b) + fabs(RI_0d),
+      RI_1_size = fabs(RI_1a) + fabs(RI_1b) + fabs(RI_1d),
+      RI_2_size = fabs(RI_2a) + fabs(RI_2b) + fabs(RI_2d),
+      RI_3_size = fabs(RI_3a) + fabs(RI_3b) + fabs(RI_3d),
+      RI_4_size = fabs(RI_4a) + fabs(RI_4b) + fabs(RI_4d),
+      RI_5_size = fabs(RI_5a) + fabs(RI_5b) + fabs(RI_5d),
+      RI_6_size = fabs(RI_6a) + fabs(RI_6b) + fabs(RI_6d),
+      RI_7_size = fabs(RI_7a) + fabs(RI_7b) + fabs(RI_7d),
+      RI_8_size = fabs(RI_8a) + fabs(RI_8b) + fabs(RI_8d);
+  const double turned_1_size = fabs(turned_1a) + fabs(turned_1b) + fabs(turned_1d),
+      turned_2_size = fabs(turned_2a) + fabs(turned_2b) + fabs(turned_2d),
+      turned_3_size = fabs(turned_3a) + fabs(turned_3b) + fabs(turned_3d);
+  const double RI_0_padded = RI_0_size + 2.004168360008973e-292,
+      RI_1_padded = RI_1_size + 2.004168360008973e-292,
+      RI_2_padded = RI_2_size + 2.004168360008973e-292;
+  const double turned_4_size = KSL_MUL(fabs(D->m00), RI_0_padded)
+          + KSL_MUL(fabs(D->m01), RI_1_padded) + KSL_MUL(fabs(D->m02), RI_2_padded);
   const double RI_3_padded = RI_3_size + 2.004168360008973e-292;
-  const double D_10_abs = fabs(D->m10), turned_5a_size = KSL_MUL(D_10_abs, RI_3_padded);
+  const double D_10_abs = fabs(D->m10);
   const double RI_4_padded = RI_4_size + 2.004168360008973e-292;
-  const double D_11_abs = fabs(D->m11), turned_5b_size = KSL_MUL(D_11_abs, RI_4_padded),
-      turned_5c_size = turned_5a_size + turned_5b_size;
+  const double D_11_abs = fabs(D->m11);
   const double RI_5_padded = RI_5_size + 2.004168360008973e-292;
-  const double D_12_abs = fabs(D->m12), turned_5d_size = KSL_MUL(D_12_abs, RI_5_padded),
-      turned_5_size = turned_5c_size + turned_5d_size;
-  const double RI_6_padded = RI_6_size + 2.004168360008973e-292;
-  const double D_20_abs = fabs(D->m20), turned_6a_size = KSL_MUL(D_20_abs, RI_6_padded);
-  const double RI_7_padded = RI_7_size + 2.004168360008973e-292;
-  const double D_21_abs = fabs(D->m21), turned_6b_size = KSL_MUL(D_21_abs, RI_7_padded),
-      turned_6c_size = turned_6a_size + turned_6b_size;
-  const double RI_8_padded = RI_8_size + 2.004168360008973e-292;
-  const double D_22_abs = fabs(D->m22), turned_6d_size = KSL_MUL(D_22_abs, RI_8_padded),
-      turned_6_size = turned_6c_size + turned_6d_size;
-  const double turned_7a_size = KSL_MUL(D_10_abs, RI_0_padded),
-      turned_7b_size = KSL_MUL(D_11_abs, RI_1_padded),
-      turned_7c_size = turned_7a_size + turned_7b_size,
-      turned_7d_size = KSL_MUL(D_12_abs, RI_2_padded),
-      turned_7_size = turned_7c_size + turned_7d_size;
-  const double turned_8a_size = KSL_MUL(D_20_abs, RI_0_padded),
-      turned_8b_size = KSL_MUL(D_21_abs, RI_1_padded),
-      turned_8c_size = turned_8a_size + turned_8b_size,
-      turned_8d_size = KSL_MUL(D_22_abs, RI_2_padded),
-      turned_8_size = turned_8c_size + turned_8d_size;
-  const double turned_9a_size = KSL_MUL(D_20_abs, RI_3_padded),
-      turned_9b_size = KSL_MUL(D_21_abs, RI_4_padded),
-      turned_9c_size = turned_9a_size + turned_9b_size,
-      turned_9d_size = KSL_MUL(D_22_abs, RI_5_padded),
-      turned_9_size = turned_9c_size + turned_9d_size;
-  const double mt_0_abs = fabs(mt_0), mt_0_padded = mt_0_abs + 2.004168360008973e-292;
-  const double half_0_size = KSL_MUL(0.5, mt_0_padded);
-  const double mt_1_abs = fabs(mt_1), mt_1_padded = mt_1_abs + 2.004168360008973e-292;
-  const double half_1_size = KSL_MUL(0.5, mt_1_padded);
-  const double mt_2_abs = fabs(mt_2), mt_2_padded = mt_2_abs + 2.004168360008973e-292;
-  const double half_2_size = KSL_MUL(0.5, mt_2_padded);
-  const double n_0_size = turned_1_size + half_0_size;
-  const double n_1_size = turned_2_size + half_1_size;
-  const double n_2_size = turned_3_size + half_2_size;
+  const double D_12_abs = fabs(D->m12),
+      turned_5_size = KSL_MUL(D_10_abs, RI_3_padded) + KSL_MUL(D_11_abs, RI_4_padded)
+          + KSL_MUL(D_12_abs, RI_5_padded);
+  const double D_20_abs = fabs(D->m20), D_21_abs = fabs(D->m21), D_22_abs = fabs(D->m22),
+      turned_6c_size = KSL_MUL(D_20_abs, RI_6_size + 2.004168360008973e-292)
+          + KSL_MUL(D_21_abs, RI_7_size + 2.004168360008973e-292),
+      turned_6_size = turned_6c_size + KSL_MUL(D_22_abs, RI_8_size + 2.004168360008973e-292);
+  const double turned_7_size = KSL_MUL(D_10_abs, RI_0_padded) + KSL_MUL(D_11_abs, RI_1_padded)
+          + KSL_MUL(D_12_abs, RI_2_padded),
+      turned_8_size = KSL_MUL(D_20_abs, RI_0_padded) + KSL_MUL(D_21_abs, RI_1_padded)
+          + KSL_MUL(D_22_abs, RI_2_padded),
+      turned_9_size = KSL_MUL(D_20_abs, RI_3_padded) + KSL_MUL(D_21_abs, RI_4_padded)
+          + KSL_MUL(D_22_abs, RI_5_padded);
+  const double mt_0_abs = fabs(mt_0);
+  const double half_0_size = KSL_MUL(0.5, mt_0_abs + 2.004168360008973e-292);
+  const double mt_1_abs = fabs(mt_1);
+  const double half_1_size = KSL_MUL(0.5, mt_1_abs + 2.004168360008973e-292);
+  const double mt_2_abs = fabs(mt_2);
+  const double half_2_size = KSL_MUL(0.5, mt_2_abs + 2.004168360008973e-292);
+  const double n_0_size = turned_1_size + half_0_size, n_1_size = turned_2_size + half_1_size,
+      n_2_size = turned_3_size + half_2_size;
   const double n_0_padded = n_0_size + 2.004168360008973e-292;
   const double D_03_abs = fabs(D->m03), tn0_size = KSL_MUL(D_03_abs, n_0_padded);
   const double n_1_padded = n_1_size + 2.004168360008973e-292;
   const double D_13_abs = fabs(D->m13), tn1_size = KSL_MUL(D_13_abs, n_1_padded);
   const double n_2_padded = n_2_size + 2.004168360008973e-292;
   const double D_23_abs = fabs(D->m23), tn2_size = KSL_MUL(D_23_abs, n_2_padded);
-  const double tn0_padded = tn0_size + 2.004168360008973e-292;
-  const double own_0_size = KSL_MUL(2.0, tn0_padded);
-  const double tn1_padded = tn1_size + 2.004168360008973e-292;
-  const double own_1_size = KSL_MUL(2.0, tn1_padded);
-  const double tn2_padded = tn2_size + 2.004168360008973e-292;
-  const double own_2_size = KSL_MUL(2.0, tn2_padded);
-  const double pairs_0_size = own_1_size + own_2_size;
-  const double pairs_1_size = own_0_size + own_2_size;
-  const double pairs_2_size = own_0_size + own_1_size;
-  const double pairs_3a_size = KSL_MUL(D_03_abs, n_1_padded),
-      pairs_3b_size = KSL_MUL(D_13_abs, n_0_padded), pairs_3_size = pairs_3a_size + pairs_3b_size;
-  const double pairs_4a_size = KSL_MUL(D_03_abs, n_2_padded),
-      pairs_4b_size = KSL_MUL(D_23_abs, n_0_padded), pairs_4_size = pairs_4a_size + pairs_4b_size;
-  const double pairs_5a_size = KSL_MUL(D_13_abs, n_2_padded),
-      pairs_5b_size = KSL_MUL(D_23_abs, n_1_padded), pairs_5_size = pairs_5a_size + pairs_5b_size;
-  const double moved_0_size = turned_1_size + mt_0_abs;
-  const double moved_1_size = turned_2_size + mt_1_abs;
-  const double moved_2_size = turned_3_size + mt_2_abs;
-  const double Bo_4_size = turned_4_size + pairs_0_size;
-  const double Bo_5_size = turned_5_size + pairs_1_size;
-  const double Bo_6_size = turned_6_size + pairs_2_size;
-  const double Bo_7_size = turned_7_size + pairs_3_size;
-  const double Bo_8_size = turned_8_size + pairs_4_size;
-  const double Bo_9_size = turned_9_size + pairs_5_size;
-  const double moved_0_padded = moved_0_size + 2.004168360008973e-292,
-      moved_0_error_bound = KSL_MUL(4.440892098500628e-16, moved_0_padded);
-  const double moved_1_padded = moved_1_size + 2.004168360008973e-292,
-      moved_1_error_bound = KSL_MUL(4.440892098500628e-16, moved_1_padded);
-  const double moved_2_padded = moved_2_size + 2.004168360008973e-292,
-      moved_2_error_bound = KSL_MUL(4.440892098500628e-16, moved_2_padded);
-  const double Bo_4_padded = Bo_4_size + 2.004168360008973e-292,
-      Bo_4_error_bound = KSL_MUL(8.881784197001258e-16, Bo_4_padded);
-  const double Bo_5_padded = Bo_5_size + 2.004168360008973e-292,
-      Bo_5_error_bound = KSL_MUL(8.881784197001258e-16, Bo_5_padded);
-  const double Bo_6_padded = Bo_6_size + 2.004168360008973e-292,
-      Bo_6_error_bound = KSL_MUL(8.881784197001258e-16, Bo_6_padded);
-  const double Bo_7_padded = Bo_7_size + 2.004168360008973e-292,
-      Bo_7_error_bound = KSL_MUL(7.7715611723761e-16, Bo_7_padded);
-  const double Bo_8_padded = Bo_8_size + 2.004168360008973e-292,
-      Bo_8_error_bound = KSL_MUL(7.7715611723761e-16, Bo_8_padded);
-  const double Bo_9_padded = Bo_9_size + 2.004168360008973e-292,
-      Bo_9_error_bound = KSL_MUL(7.7715611723761e-16, Bo_9_padded);
+  const double own_0_size = KSL_MUL(2.0, tn0_size + 2.004168360008973e-292),
+      own_1_size = KSL_MUL(2.0, tn1_size + 2.004168360008973e-292),
+      own_2_size = KSL_MUL(2.0, tn2_size + 2.004168360008973e-292);
+  const double pairs_0_size = own_1_size + own_2_size, pairs_1_size = own_0_size + own_2_size,
+      pairs_2_size = own_0_size + own_1_size,
+      pairs_3_size = KSL_MUL(D_03_abs, n_1_padded) + KSL_MUL(D_13_abs, n_0_padded),
+      pairs_4_size = KSL_MUL(D_03_abs, n_2_padded) + KSL_MUL(D_23_abs, n_0_padded),
+      pairs_5_size = KSL_MUL(D_13_abs, n_2_padded) + KSL_MUL(D_23_abs, n_1_padded);
+  const double moved_0_size = turned_1_size + mt_0_abs, moved_1_size = turned_2_size + mt_1_abs,
+      moved_2_size = turned_3_size + mt_2_abs;
+  const double Bo_4_size = turned_4_size + pairs_0_size, Bo_5_size = turned_5_size + pairs_1_size,
+      Bo_6_size = turned_6_size + pairs_2_size, Bo_7_size = turned_7_size + pairs_3_size,
+      Bo_8_size = turned_8_size + pairs_4_size, Bo_9_size = turned_9_size + pairs_5_size;
+  const double moved_0_bound = KSL_MUL(4.440892098500628e-16, moved_0_size
+          + 2.004168360008973e-292),
+      moved_1_bound = KSL_MUL(4.440892098500628e-16, moved_1_size + 2.004168360008973e-292),
+      moved_2_bound = KSL_MUL(4.440892098500628e-16, moved_2_size + 2.004168360008973e-292);
+  const double Bo_4_bound = KSL_MUL(8.881784197001258e-16, Bo_4_size + 2.004168360008973e-292),
+      Bo_5_bound = KSL_MUL(8.881784197001258e-16, Bo_5_size + 2.004168360008973e-292),
+      Bo_6_bound = KSL_MUL(8.881784197001258e-16, Bo_6_size + 2.004168360008973e-292),
+      Bo_7_bound = KSL_MUL(7.7715611723761e-16, Bo_7_size + 2.004168360008973e-292),
+      Bo_8_bound = KSL_MUL(7.7715611723761e-16, Bo_8_size + 2.004168360008973e-292),
+      Bo_9_bound = KSL_MUL(7.7715611723761e-16, Bo_9_size + 2.004168360008973e-292);
   const double B_m = B->m;
   Bo->m = B_m;
   Bo->h.x = moved_0;
@@ -878,15 +607,15 @@ static inline void ksl_spatial_inertia_transformed_certified(const ksl_SE3_t *D,
   Bo->xz = Bo_8;
   Bo->yz = Bo_9;
   Bo_bound->m = 0.0;
-  Bo_bound->h.x = moved_0_error_bound;
-  Bo_bound->h.y = moved_1_error_bound;
-  Bo_bound->h.z = moved_2_error_bound;
-  Bo_bound->xx = Bo_4_error_bound;
-  Bo_bound->yy = Bo_5_error_bound;
-  Bo_bound->zz = Bo_6_error_bound;
-  Bo_bound->xy = Bo_7_error_bound;
-  Bo_bound->xz = Bo_8_error_bound;
-  Bo_bound->yz = Bo_9_error_bound;
+  Bo_bound->h.x = moved_0_bound;
+  Bo_bound->h.y = moved_1_bound;
+  Bo_bound->h.z = moved_2_bound;
+  Bo_bound->xx = Bo_4_bound;
+  Bo_bound->yy = Bo_5_bound;
+  Bo_bound->zz = Bo_6_bound;
+  Bo_bound->xy = Bo_7_bound;
+  Bo_bound->xz = Bo_8_bound;
+  Bo_bound->yz = Bo_9_bound;
 }
 
 /* self = a self; |error of self| <= self_bound unless inf or NaN.
@@ -895,46 +624,21 @@ static inline void ksl_spatial_inertia_transformed_certified(const ksl_SE3_t *D,
    20 mul, 10 add, 10 abs. */
 static inline void ksl_spatial_inertiaf_scale_certified(ksl_spatial_inertiaf_t *self,
     const float a, ksl_spatial_inertiaf_t *self_bound) {
-  const float self_0_new = KSL_MULF(self->m, a);
-  const float self_1_new = KSL_MULF(self->h.x, a);
-  const float self_2_new = KSL_MULF(self->h.y, a);
-  const float self_3_new = KSL_MULF(self->h.z, a);
-  const float self_4_new = KSL_MULF(self->xx, a);
-  const float self_5_new = KSL_MULF(self->yy, a);
-  const float self_6_new = KSL_MULF(self->zz, a);
-  const float self_7_new = KSL_MULF(self->xy, a);
-  const float self_8_new = KSL_MULF(self->xz, a);
-  const float self_9_new = KSL_MULF(self->yz, a);
-  const float self_0_new_abs = fabsf(self_0_new),
-      self_0_new_padded = self_0_new_abs + 1.9721523e-31f,
-      self_0_new_error_bound = KSL_MULF(5.960465e-08f, self_0_new_padded);
-  const float self_1_new_abs = fabsf(self_1_new),
-      self_1_new_padded = self_1_new_abs + 1.9721523e-31f,
-      self_1_new_error_bound = KSL_MULF(5.960465e-08f, self_1_new_padded);
-  const float self_2_new_abs = fabsf(self_2_new),
-      self_2_new_padded = self_2_new_abs + 1.9721523e-31f,
-      self_2_new_error_bound = KSL_MULF(5.960465e-08f, self_2_new_padded);
-  const float self_3_new_abs = fabsf(self_3_new),
-      self_3_new_padded = self_3_new_abs + 1.9721523e-31f,
-      self_3_new_error_bound = KSL_MULF(5.960465e-08f, self_3_new_padded);
-  const float self_4_new_abs = fabsf(self_4_new),
-      self_4_new_padded = self_4_new_abs + 1.9721523e-31f,
-      self_4_new_error_bound = KSL_MULF(5.960465e-08f, self_4_new_padded);
-  const float self_5_new_abs = fabsf(self_5_new),
-      self_5_new_padded = self_5_new_abs + 1.9721523e-31f,
-      self_5_new_error_bound = KSL_MULF(5.960465e-08f, self_5_new_padded);
-  const float self_6_new_abs = fabsf(self_6_new),
-      self_6_new_padded = self_6_new_abs + 1.9721523e-31f,
-      self_6_new_error_bound = KSL_MULF(5.960465e-08f, self_6_new_padded);
-  const float self_7_new_abs = fabsf(self_7_new),
-      self_7_new_padded = self_7_new_abs + 1.9721523e-31f,
-      self_7_new_error_bound = KSL_MULF(5.960465e-08f, self_7_new_padded);
-  const float self_8_new_abs = fabsf(self_8_new),
-      self_8_new_padded = self_8_new_abs + 1.9721523e-31f,
-      self_8_new_error_bound = KSL_MULF(5.960465e-08f, self_8_new_padded);
-  const float self_9_new_abs = fabsf(self_9_new),
-      self_9_new_padded = self_9_new_abs + 1.9721523e-31f,
-      self_9_new_error_bound = KSL_MULF(5.960465e-08f, self_9_new_padded);
+  const float self_0_new = KSL_MULF(self->m, a), self_1_new = KSL_MULF(self->h.x, a),
+      self_2_new = KSL_MULF(self->h.y, a), self_3_new = KSL_MULF(self->h.z, a),
+      self_4_new = KSL_MULF(self->xx, a), self_5_new = KSL_MULF(self->yy, a),
+      self_6_new = KSL_MULF(self->zz, a), self_7_new = KSL_MULF(self->xy, a),
+      self_8_new = KSL_MULF(self->xz, a), self_9_new = KSL_MULF(self->yz, a);
+  const float self_0_new_bound = KSL_MULF(5.960465e-08f, fabsf(self_0_new) + 1.9721523e-31f),
+      self_1_new_bound = KSL_MULF(5.960465e-08f, fabsf(self_1_new) + 1.9721523e-31f),
+      self_2_new_bound = KSL_MULF(5.960465e-08f, fabsf(self_2_new) + 1.9721523e-31f),
+      self_3_new_bound = KSL_MULF(5.960465e-08f, fabsf(self_3_new) + 1.9721523e-31f),
+      self_4_new_bound = KSL_MULF(5.960465e-08f, fabsf(self_4_new) + 1.9721523e-31f),
+      self_5_new_bound = KSL_MULF(5.960465e-08f, fabsf(self_5_new) + 1.9721523e-31f),
+      self_6_new_bound = KSL_MULF(5.960465e-08f, fabsf(self_6_new) + 1.9721523e-31f),
+      self_7_new_bound = KSL_MULF(5.960465e-08f, fabsf(self_7_new) + 1.9721523e-31f),
+      self_8_new_bound = KSL_MULF(5.960465e-08f, fabsf(self_8_new) + 1.9721523e-31f),
+      self_9_new_bound = KSL_MULF(5.960465e-08f, fabsf(self_9_new) + 1.9721523e-31f);
   self->m = self_0_new;
   self->h.x = self_1_new;
   self->h.y = self_2_new;
@@ -945,16 +649,16 @@ static inline void ksl_spatial_inertiaf_scale_certified(ksl_spatial_inertiaf_t *
   self->xy = self_7_new;
   self->xz = self_8_new;
   self->yz = self_9_new;
-  self_bound->m = self_0_new_error_bound;
-  self_bound->h.x = self_1_new_error_bound;
-  self_bound->h.y = self_2_new_error_bound;
-  self_bound->h.z = self_3_new_error_bound;
-  self_bound->xx = self_4_new_error_bound;
-  self_bound->yy = self_5_new_error_bound;
-  self_bound->zz = self_6_new_error_bound;
-  self_bound->xy = self_7_new_error_bound;
-  self_bound->xz = self_8_new_error_bound;
-  self_bound->yz = self_9_new_error_bound;
+  self_bound->m = self_0_new_bound;
+  self_bound->h.x = self_1_new_bound;
+  self_bound->h.y = self_2_new_bound;
+  self_bound->h.z = self_3_new_bound;
+  self_bound->xx = self_4_new_bound;
+  self_bound->yy = self_5_new_bound;
+  self_bound->zz = self_6_new_bound;
+  self_bound->xy = self_7_new_bound;
+  self_bound->xz = self_8_new_bound;
+  self_bound->yz = self_9_new_bound;
 }
 
 /* Bo = B1 + B2; |error of Bo| <= Bo_bound unless inf or NaN.
@@ -964,26 +668,20 @@ static inline void ksl_spatial_inertiaf_scale_certified(ksl_spatial_inertiaf_t *
 static inline void ksl_add_BBf_certified(const ksl_spatial_inertiaf_t *B1,
     const ksl_spatial_inertiaf_t *B2, ksl_spatial_inertiaf_t *Bo,
     ksl_spatial_inertiaf_t *Bo_bound) {
-  const float Bo_0 = B1->m + B2->m;
-  const float Bo_1 = B1->h.x + B2->h.x;
-  const float Bo_2 = B1->h.y + B2->h.y;
-  const float Bo_3 = B1->h.z + B2->h.z;
-  const float Bo_4 = B1->xx + B2->xx;
-  const float Bo_5 = B1->yy + B2->yy;
-  const float Bo_6 = B1->zz + B2->zz;
-  const float Bo_7 = B1->xy + B2->xy;
-  const float Bo_8 = B1->xz + B2->xz;
-  const float Bo_9 = B1->yz + B2->yz;
-  const float Bo_0_abs = fabsf(Bo_0), Bo_0_error_bound = KSL_MULF(5.960465e-08f, Bo_0_abs);
-  const float Bo_1_abs = fabsf(Bo_1), Bo_1_error_bound = KSL_MULF(5.960465e-08f, Bo_1_abs);
-  const float Bo_2_abs = fabsf(Bo_2), Bo_2_error_bound = KSL_MULF(5.960465e-08f, Bo_2_abs);
-  const float Bo_3_abs = fabsf(Bo_3), Bo_3_error_bound = KSL_MULF(5.960465e-08f, Bo_3_abs);
-  const float Bo_4_abs = fabsf(Bo_4), Bo_4_error_bound = KSL_MULF(5.960465e-08f, Bo_4_abs);
-  const float Bo_5_abs = fabsf(Bo_5), Bo_5_error_bound = KSL_MULF(5.960465e-08f, Bo_5_abs);
-  const float Bo_6_abs = fabsf(Bo_6), Bo_6_error_bound = KSL_MULF(5.960465e-08f, Bo_6_abs);
-  const float Bo_7_abs = fabsf(Bo_7), Bo_7_error_bound = KSL_MULF(5.960465e-08f, Bo_7_abs);
-  const float Bo_8_abs = fabsf(Bo_8), Bo_8_error_bound = KSL_MULF(5.960465e-08f, Bo_8_abs);
-  const float Bo_9_abs = fabsf(Bo_9), Bo_9_error_bound = KSL_MULF(5.960465e-08f, Bo_9_abs);
+  const float Bo_0 = B1->m + B2->m, Bo_1 = B1->h.x + B2->h.x, Bo_2 = B1->h.y + B2->h.y,
+      Bo_3 = B1->h.z + B2->h.z, Bo_4 = B1->xx + B2->xx, Bo_5 = B1->yy + B2->yy,
+      Bo_6 = B1->zz + B2->zz, Bo_7 = B1->xy + B2->xy, Bo_8 = B1->xz + B2->xz,
+      Bo_9 = B1->yz + B2->yz;
+  const float Bo_0_bound = KSL_MULF(5.960465e-08f, fabsf(Bo_0)),
+      Bo_1_bound = KSL_MULF(5.960465e-08f, fabsf(Bo_1)),
+      Bo_2_bound = KSL_MULF(5.960465e-08f, fabsf(Bo_2)),
+      Bo_3_bound = KSL_MULF(5.960465e-08f, fabsf(Bo_3)),
+      Bo_4_bound = KSL_MULF(5.960465e-08f, fabsf(Bo_4)),
+      Bo_5_bound = KSL_MULF(5.960465e-08f, fabsf(Bo_5)),
+      Bo_6_bound = KSL_MULF(5.960465e-08f, fabsf(Bo_6)),
+      Bo_7_bound = KSL_MULF(5.960465e-08f, fabsf(Bo_7)),
+      Bo_8_bound = KSL_MULF(5.960465e-08f, fabsf(Bo_8)),
+      Bo_9_bound = KSL_MULF(5.960465e-08f, fabsf(Bo_9));
   Bo->m = Bo_0;
   Bo->h.x = Bo_1;
   Bo->h.y = Bo_2;
@@ -994,16 +692,16 @@ static inline void ksl_add_BBf_certified(const ksl_spatial_inertiaf_t *B1,
   Bo->xy = Bo_7;
   Bo->xz = Bo_8;
   Bo->yz = Bo_9;
-  Bo_bound->m = Bo_0_error_bound;
-  Bo_bound->h.x = Bo_1_error_bound;
-  Bo_bound->h.y = Bo_2_error_bound;
-  Bo_bound->h.z = Bo_3_error_bound;
-  Bo_bound->xx = Bo_4_error_bound;
-  Bo_bound->yy = Bo_5_error_bound;
-  Bo_bound->zz = Bo_6_error_bound;
-  Bo_bound->xy = Bo_7_error_bound;
-  Bo_bound->xz = Bo_8_error_bound;
-  Bo_bound->yz = Bo_9_error_bound;
+  Bo_bound->m = Bo_0_bound;
+  Bo_bound->h.x = Bo_1_bound;
+  Bo_bound->h.y = Bo_2_bound;
+  Bo_bound->h.z = Bo_3_bound;
+  Bo_bound->xx = Bo_4_bound;
+  Bo_bound->yy = Bo_5_bound;
+  Bo_bound->zz = Bo_6_bound;
+  Bo_bound->xy = Bo_7_bound;
+  Bo_bound->xz = Bo_8_bound;
+  Bo_bound->yz = Bo_9_bound;
 }
 
 /* Bo = B1 - B2; |error of Bo| <= Bo_bound unless inf or NaN.
@@ -1013,26 +711,20 @@ static inline void ksl_add_BBf_certified(const ksl_spatial_inertiaf_t *B1,
 static inline void ksl_subtract_BBf_certified(const ksl_spatial_inertiaf_t *B1,
     const ksl_spatial_inertiaf_t *B2, ksl_spatial_inertiaf_t *Bo,
     ksl_spatial_inertiaf_t *Bo_bound) {
-  const float Bo_0 = B1->m - B2->m;
-  const float Bo_1 = B1->h.x - B2->h.x;
-  const float Bo_2 = B1->h.y - B2->h.y;
-  const float Bo_3 = B1->h.z - B2->h.z;
-  const float Bo_4 = B1->xx - B2->xx;
-  const float Bo_5 = B1->yy - B2->yy;
-  const float Bo_6 = B1->zz - B2->zz;
-  const float Bo_7 = B1->xy - B2->xy;
-  const float Bo_8 = B1->xz - B2->xz;
-  const float Bo_9 = B1->yz - B2->yz;
-  const float Bo_0_abs = fabsf(Bo_0), Bo_0_error_bound = KSL_MULF(5.960465e-08f, Bo_0_abs);
-  const float Bo_1_abs = fabsf(Bo_1), Bo_1_error_bound = KSL_MULF(5.960465e-08f, Bo_1_abs);
-  const float Bo_2_abs = fabsf(Bo_2), Bo_2_error_bound = KSL_MULF(5.960465e-08f, Bo_2_abs);
-  const float Bo_3_abs = fabsf(Bo_3), Bo_3_error_bound = KSL_MULF(5.960465e-08f, Bo_3_abs);
-  const float Bo_4_abs = fabsf(Bo_4), Bo_4_error_bound = KSL_MULF(5.960465e-08f, Bo_4_abs);
-  const float Bo_5_abs = fabsf(Bo_5), Bo_5_error_bound = KSL_MULF(5.960465e-08f, Bo_5_abs);
-  const float Bo_6_abs = fabsf(Bo_6), Bo_6_error_bound = KSL_MULF(5.960465e-08f, Bo_6_abs);
-  const float Bo_7_abs = fabsf(Bo_7), Bo_7_error_bound = KSL_MULF(5.960465e-08f, Bo_7_abs);
-  const float Bo_8_abs = fabsf(Bo_8), Bo_8_error_bound = KSL_MULF(5.960465e-08f, Bo_8_abs);
-  const float Bo_9_abs = fabsf(Bo_9), Bo_9_error_bound = KSL_MULF(5.960465e-08f, Bo_9_abs);
+  const float Bo_0 = B1->m - B2->m, Bo_1 = B1->h.x - B2->h.x, Bo_2 = B1->h.y - B2->h.y,
+      Bo_3 = B1->h.z - B2->h.z, Bo_4 = B1->xx - B2->xx, Bo_5 = B1->yy - B2->yy,
+      Bo_6 = B1->zz - B2->zz, Bo_7 = B1->xy - B2->xy, Bo_8 = B1->xz - B2->xz,
+      Bo_9 = B1->yz - B2->yz;
+  const float Bo_0_bound = KSL_MULF(5.960465e-08f, fabsf(Bo_0)),
+      Bo_1_bound = KSL_MULF(5.960465e-08f, fabsf(Bo_1)),
+      Bo_2_bound = KSL_MULF(5.960465e-08f, fabsf(Bo_2)),
+      Bo_3_bound = KSL_MULF(5.960465e-08f, fabsf(Bo_3)),
+      Bo_4_bound = KSL_MULF(5.960465e-08f, fabsf(Bo_4)),
+      Bo_5_bound = KSL_MULF(5.960465e-08f, fabsf(Bo_5)),
+      Bo_6_bound = KSL_MULF(5.960465e-08f, fabsf(Bo_6)),
+      Bo_7_bound = KSL_MULF(5.960465e-08f, fabsf(Bo_7)),
+      Bo_8_bound = KSL_MULF(5.960465e-08f, fabsf(Bo_8)),
+      Bo_9_bound = KSL_MULF(5.960465e-08f, fabsf(Bo_9));
   Bo->m = Bo_0;
   Bo->h.x = Bo_1;
   Bo->h.y = Bo_2;
@@ -1043,16 +735,16 @@ static inline void ksl_subtract_BBf_certified(const ksl_spatial_inertiaf_t *B1,
   Bo->xy = Bo_7;
   Bo->xz = Bo_8;
   Bo->yz = Bo_9;
-  Bo_bound->m = Bo_0_error_bound;
-  Bo_bound->h.x = Bo_1_error_bound;
-  Bo_bound->h.y = Bo_2_error_bound;
-  Bo_bound->h.z = Bo_3_error_bound;
-  Bo_bound->xx = Bo_4_error_bound;
-  Bo_bound->yy = Bo_5_error_bound;
-  Bo_bound->zz = Bo_6_error_bound;
-  Bo_bound->xy = Bo_7_error_bound;
-  Bo_bound->xz = Bo_8_error_bound;
-  Bo_bound->yz = Bo_9_error_bound;
+  Bo_bound->m = Bo_0_bound;
+  Bo_bound->h.x = Bo_1_bound;
+  Bo_bound->h.y = Bo_2_bound;
+  Bo_bound->h.z = Bo_3_bound;
+  Bo_bound->xx = Bo_4_bound;
+  Bo_bound->yy = Bo_5_bound;
+  Bo_bound->zz = Bo_6_bound;
+  Bo_bound->xy = Bo_7_bound;
+  Bo_bound->xz = Bo_8_bound;
+  Bo_bound->yz = Bo_9_bound;
 }
 
 /* Bo: mass m, centre of mass com, second moments Ic about it (kg m^2; only the upper triangle is
@@ -1063,51 +755,34 @@ static inline void ksl_subtract_BBf_certified(const ksl_spatial_inertiaf_t *B1,
 static inline void ksl_spatial_inertiaf_from_com_certified(const float m, const ksl_vec3f_t *com,
     const ksl_mat3x3f_t *Ic, ksl_spatial_inertiaf_t *Bo,
     ksl_spatial_inertiaf_t *Bo_bound) {
-  const float h_0 = KSL_MULF(m, com->x);
-  const float h_1 = KSL_MULF(m, com->y);
-  const float h_2 = KSL_MULF(m, com->z);
+  const float h_0 = KSL_MULF(m, com->x), h_1 = KSL_MULF(m, com->y), h_2 = KSL_MULF(m, com->z);
   const float squares_0 = KSL_MULF(com->x, h_0);
   const float squares_1 = KSL_MULF(com->y, h_1);
   const float squares_2 = KSL_MULF(com->z, h_2);
-  const float Bo_4a = squares_1 + squares_2, Bo_4 = Ic->m00 + Bo_4a;
-  const float Bo_5a = squares_0 + squares_2, Bo_5 = Ic->m11 + Bo_5a;
-  const float Bo_6a = squares_0 + squares_1, Bo_6 = Ic->m22 + Bo_6a;
-  const float Bo_7a = KSL_MULF(com->y, h_0), Bo_7 = Ic->m01 - Bo_7a;
-  const float Bo_8a = KSL_MULF(com->z, h_0), Bo_8 = Ic->m02 - Bo_8a;
-  const float Bo_9a = KSL_MULF(com->z, h_1), Bo_9 = Ic->m12 - Bo_9a;
-  const float h_0_abs = fabsf(h_0), h_0_padded = h_0_abs + 1.9721523e-31f;
-  const float com_0_abs = fabsf(com->x), squares_0_size = KSL_MULF(com_0_abs, h_0_padded);
-  const float h_1_abs = fabsf(h_1), h_1_padded = h_1_abs + 1.9721523e-31f;
+  const float Bo_4 = Ic->m00 + (squares_1 + squares_2), Bo_5 = Ic->m11 + (squares_0 + squares_2),
+      Bo_6 = Ic->m22 + (squares_0 + squares_1), Bo_7 = Ic->m01 - KSL_MULF(com->y, h_0),
+      Bo_8 = Ic->m02 - KSL_MULF(com->z, h_0), Bo_9 = Ic->m12 - KSL_MULF(com->z, h_1);
+  const float h_0_padded = fabsf(h_0) + 1.9721523e-31f;
+  const float squares_0_size = KSL_MULF(fabsf(com->x), h_0_padded);
+  const float h_1_padded = fabsf(h_1) + 1.9721523e-31f;
   const float com_1_abs = fabsf(com->y), squares_1_size = KSL_MULF(com_1_abs, h_1_padded);
-  const float h_2_abs = fabsf(h_2), h_2_padded = h_2_abs + 1.9721523e-31f;
+  const float h_2_padded = fabsf(h_2) + 1.9721523e-31f;
   const float com_2_abs = fabsf(com->z), squares_2_size = KSL_MULF(com_2_abs, h_2_padded);
-  const float Bo_4a_size = squares_1_size + squares_2_size, Ic_00_abs = fabsf(Ic->m00),
-      Bo_4_size = Ic_00_abs + Bo_4a_size;
-  const float Bo_5a_size = squares_0_size + squares_2_size, Ic_11_abs = fabsf(Ic->m11),
-      Bo_5_size = Ic_11_abs + Bo_5a_size;
-  const float Bo_6a_size = squares_0_size + squares_1_size, Ic_22_abs = fabsf(Ic->m22),
-      Bo_6_size = Ic_22_abs + Bo_6a_size;
-  const float Bo_7a_size = KSL_MULF(com_1_abs, h_0_padded), Ic_01_abs = fabsf(Ic->m01),
-      Bo_7_size = Ic_01_abs + Bo_7a_size;
-  const float Bo_8a_size = KSL_MULF(com_2_abs, h_0_padded), Ic_02_abs = fabsf(Ic->m02),
-      Bo_8_size = Ic_02_abs + Bo_8a_size;
-  const float Bo_9a_size = KSL_MULF(com_2_abs, h_1_padded), Ic_12_abs = fabsf(Ic->m12),
-      Bo_9_size = Ic_12_abs + Bo_9a_size;
-  const float h_0_error_bound = KSL_MULF(5.960465e-08f, h_0_padded);
-  const float h_1_error_bound = KSL_MULF(5.960465e-08f, h_1_padded);
-  const float h_2_error_bound = KSL_MULF(5.960465e-08f, h_2_padded);
-  const float Bo_4_padded = Bo_4_size + 1.9721523e-31f,
-      Bo_4_error_bound = KSL_MULF(2.3841864e-07f, Bo_4_padded);
-  const float Bo_5_padded = Bo_5_size + 1.9721523e-31f,
-      Bo_5_error_bound = KSL_MULF(2.3841864e-07f, Bo_5_padded);
-  const float Bo_6_padded = Bo_6_size + 1.9721523e-31f,
-      Bo_6_error_bound = KSL_MULF(2.3841864e-07f, Bo_6_padded);
-  const float Bo_7_padded = Bo_7_size + 1.9721523e-31f,
-      Bo_7_error_bound = KSL_MULF(1.7881396e-07f, Bo_7_padded);
-  const float Bo_8_padded = Bo_8_size + 1.9721523e-31f,
-      Bo_8_error_bound = KSL_MULF(1.7881396e-07f, Bo_8_padded);
-  const float Bo_9_padded = Bo_9_size + 1.9721523e-31f,
-      Bo_9_error_bound = KSL_MULF(1.7881396e-07f, Bo_9_padded);
+  const float Bo_4_size = fabsf(Ic->m00) + (squares_1_size + squares_2_size),
+      Bo_5_size = fabsf(Ic->m11) + (squares_0_size + squares_2_size),
+      Bo_6_size = fabsf(Ic->m22) + (squares_0_size + squares_1_size),
+      Bo_7_size = fabsf(Ic->m01) + KSL_MULF(com_1_abs, h_0_padded),
+      Bo_8_size = fabsf(Ic->m02) + KSL_MULF(com_2_abs, h_0_padded),
+      Bo_9_size = fabsf(Ic->m12) + KSL_MULF(com_2_abs, h_1_padded);
+  const float h_0_bound = KSL_MULF(5.960465e-08f, h_0_padded),
+      h_1_bound = KSL_MULF(5.960465e-08f, h_1_padded),
+      h_2_bound = KSL_MULF(5.960465e-08f, h_2_padded);
+  const float Bo_4_bound = KSL_MULF(2.3841864e-07f, Bo_4_size + 1.9721523e-31f),
+      Bo_5_bound = KSL_MULF(2.3841864e-07f, Bo_5_size + 1.9721523e-31f),
+      Bo_6_bound = KSL_MULF(2.3841864e-07f, Bo_6_size + 1.9721523e-31f),
+      Bo_7_bound = KSL_MULF(1.7881396e-07f, Bo_7_size + 1.9721523e-31f),
+      Bo_8_bound = KSL_MULF(1.7881396e-07f, Bo_8_size + 1.9721523e-31f),
+      Bo_9_bound = KSL_MULF(1.7881396e-07f, Bo_9_size + 1.9721523e-31f);
   Bo->m = m;
   Bo->h.x = h_0;
   Bo->h.y = h_1;
@@ -1119,15 +794,15 @@ static inline void ksl_spatial_inertiaf_from_com_certified(const float m, const 
   Bo->xz = Bo_8;
   Bo->yz = Bo_9;
   Bo_bound->m = 0.0f;
-  Bo_bound->h.x = h_0_error_bound;
-  Bo_bound->h.y = h_1_error_bound;
-  Bo_bound->h.z = h_2_error_bound;
-  Bo_bound->xx = Bo_4_error_bound;
-  Bo_bound->yy = Bo_5_error_bound;
-  Bo_bound->zz = Bo_6_error_bound;
-  Bo_bound->xy = Bo_7_error_bound;
-  Bo_bound->xz = Bo_8_error_bound;
-  Bo_bound->yz = Bo_9_error_bound;
+  Bo_bound->h.x = h_0_bound;
+  Bo_bound->h.y = h_1_bound;
+  Bo_bound->h.z = h_2_bound;
+  Bo_bound->xx = Bo_4_bound;
+  Bo_bound->yy = Bo_5_bound;
+  Bo_bound->zz = Bo_6_bound;
+  Bo_bound->xy = Bo_7_bound;
+  Bo_bound->xz = Bo_8_bound;
+  Bo_bound->yz = Bo_9_bound;
 }
 
 /* co = B s = (m v - h × ω; h × v + I ω), the momentum of a body that moves with s; |error of co|
@@ -1138,68 +813,44 @@ static inline void ksl_spatial_inertiaf_from_com_certified(const float m, const 
 static inline void ksl_product_Bsf_certified(const ksl_spatial_inertiaf_t *B,
     const ksl_screwf_t *s, ksl_coscrewf_t *co, ksl_coscrewf_t *co_bound) {
   const float co_0a = KSL_MULF(B->m, s->m0), co_0b = KSL_MULF(B->h.z, s->m4),
-      co_0c = KSL_MULF(B->h.y, s->m5), co_0d = co_0b - co_0c, co_0 = co_0a + co_0d;
+      co_0c = KSL_MULF(B->h.y, s->m5), co_0 = co_0a + (co_0b - co_0c);
   const float co_1a = KSL_MULF(B->m, s->m1), co_1b = KSL_MULF(B->h.x, s->m5),
-      co_1c = KSL_MULF(B->h.z, s->m3), co_1d = co_1b - co_1c, co_1 = co_1a + co_1d;
+      co_1c = KSL_MULF(B->h.z, s->m3), co_1 = co_1a + (co_1b - co_1c);
   const float co_2a = KSL_MULF(B->m, s->m2), co_2b = KSL_MULF(B->h.y, s->m3),
-      co_2c = KSL_MULF(B->h.x, s->m4), co_2d = co_2b - co_2c, co_2 = co_2a + co_2d;
+      co_2c = KSL_MULF(B->h.x, s->m4), co_2 = co_2a + (co_2b - co_2c);
   const float co_3a = KSL_MULF(B->h.y, s->m2), co_3b = KSL_MULF(B->h.z, s->m1),
-      co_3c = co_3a - co_3b, co_3d = KSL_MULF(B->xx, s->m3), co_3e = KSL_MULF(B->xy, s->m4),
-      co_3f = co_3d + co_3e, co_3g = KSL_MULF(B->xz, s->m5), co_3h = co_3f + co_3g,
-      co_3 = co_3c + co_3h;
+      co_3d = KSL_MULF(B->xx, s->m3), co_3e = KSL_MULF(B->xy, s->m4),
+      co_3g = KSL_MULF(B->xz, s->m5), co_3 = co_3a - co_3b + (co_3d + co_3e + co_3g);
   const float co_4a = KSL_MULF(B->h.z, s->m0), co_4b = KSL_MULF(B->h.x, s->m2),
-      co_4c = co_4a - co_4b, co_4d = KSL_MULF(B->yy, s->m4), co_4e = KSL_MULF(B->xy, s->m3),
-      co_4f = co_4d + co_4e, co_4g = KSL_MULF(B->yz, s->m5), co_4h = co_4f + co_4g,
-      co_4 = co_4c + co_4h;
+      co_4d = KSL_MULF(B->yy, s->m4), co_4e = KSL_MULF(B->xy, s->m3),
+      co_4g = KSL_MULF(B->yz, s->m5), co_4 = co_4a - co_4b + (co_4d + co_4e + co_4g);
   const float co_5a = KSL_MULF(B->h.x, s->m1), co_5b = KSL_MULF(B->h.y, s->m0),
-      co_5c = co_5a - co_5b, co_5d = KSL_MULF(B->zz, s->m5), co_5e = KSL_MULF(B->xz, s->m3),
-      co_5f = co_5d + co_5e, co_5g = KSL_MULF(B->yz, s->m4), co_5h = co_5f + co_5g,
-      co_5 = co_5c + co_5h;
-  const float co_0b_abs = fabsf(co_0b), co_0c_abs = fabsf(co_0c),
-      co_0d_size = co_0b_abs + co_0c_abs, co_0a_abs = fabsf(co_0a),
-      co_0_size = co_0a_abs + co_0d_size;
-  const float co_1b_abs = fabsf(co_1b), co_1c_abs = fabsf(co_1c),
-      co_1d_size = co_1b_abs + co_1c_abs, co_1a_abs = fabsf(co_1a),
-      co_1_size = co_1a_abs + co_1d_size;
-  const float co_2b_abs = fabsf(co_2b), co_2c_abs = fabsf(co_2c),
-      co_2d_size = co_2b_abs + co_2c_abs, co_2a_abs = fabsf(co_2a),
-      co_2_size = co_2a_abs + co_2d_size;
-  const float co_3a_abs = fabsf(co_3a), co_3b_abs = fabsf(co_3b),
-      co_3c_size = co_3a_abs + co_3b_abs, co_3d_abs = fabsf(co_3d), co_3e_abs = fabsf(co_3e),
-      co_3f_size = co_3d_abs + co_3e_abs, co_3g_abs = fabsf(co_3g),
-      co_3h_size = co_3f_size + co_3g_abs, co_3_size = co_3c_size + co_3h_size;
-  const float co_4a_abs = fabsf(co_4a), co_4b_abs = fabsf(co_4b),
-      co_4c_size = co_4a_abs + co_4b_abs, co_4d_abs = fabsf(co_4d), co_4e_abs = fabsf(co_4e),
-      co_4f_size = co_4d_abs + co_4e_abs, co_4g_abs = fabsf(co_4g),
-      co_4h_size = co_4f_size + co_4g_abs, co_4_size = co_4c_size + co_4h_size;
-  const float co_5a_abs = fabsf(co_5a), co_5b_abs = fabsf(co_5b),
-      co_5c_size = co_5a_abs + co_5b_abs, co_5d_abs = fabsf(co_5d), co_5e_abs = fabsf(co_5e),
-      co_5f_size = co_5d_abs + co_5e_abs, co_5g_abs = fabsf(co_5g),
-      co_5h_size = co_5f_size + co_5g_abs, co_5_size = co_5c_size + co_5h_size;
-  const float co_0_padded = co_0_size + 1.9721523e-31f,
-      co_0_error_bound = KSL_MULF(1.7881396e-07f, co_0_padded);
-  const float co_1_padded = co_1_size + 1.9721523e-31f,
-      co_1_error_bound = KSL_MULF(1.7881396e-07f, co_1_padded);
-  const float co_2_padded = co_2_size + 1.9721523e-31f,
-      co_2_error_bound = KSL_MULF(1.7881396e-07f, co_2_padded);
-  const float co_3_padded = co_3_size + 1.9721523e-31f,
-      co_3_error_bound = KSL_MULF(2.3841864e-07f, co_3_padded);
-  const float co_4_padded = co_4_size + 1.9721523e-31f,
-      co_4_error_bound = KSL_MULF(2.3841864e-07f, co_4_padded);
-  const float co_5_padded = co_5_size + 1.9721523e-31f,
-      co_5_error_bound = KSL_MULF(2.3841864e-07f, co_5_padded);
+      co_5d = KSL_MULF(B->zz, s->m5), co_5e = KSL_MULF(B->xz, s->m3),
+      co_5g = KSL_MULF(B->yz, s->m4), co_5 = co_5a - co_5b + (co_5d + co_5e + co_5g);
+  const float co_0_size = fabsf(co_0a) + (fabsf(co_0b) + fabsf(co_0c)),
+      co_1_size = fabsf(co_1a) + (fabsf(co_1b) + fabsf(co_1c)),
+      co_2_size = fabsf(co_2a) + (fabsf(co_2b) + fabsf(co_2c)),
+      co_3_size = fabsf(co_3a) + fabsf(co_3b) + (fabsf(co_3d) + fabsf(co_3e) + fabsf(co_3g)),
+      co_4_size = fabsf(co_4a) + fabsf(co_4b) + (fabsf(co_4d) + fabsf(co_4e) + fabsf(co_4g)),
+      co_5_size = fabsf(co_5a) + fabsf(co_5b) + (fabsf(co_5d) + fabsf(co_5e) + fabsf(co_5g));
+  const float co_0_bound = KSL_MULF(1.7881396e-07f, co_0_size + 1.9721523e-31f),
+      co_1_bound = KSL_MULF(1.7881396e-07f, co_1_size + 1.9721523e-31f),
+      co_2_bound = KSL_MULF(1.7881396e-07f, co_2_size + 1.9721523e-31f),
+      co_3_bound = KSL_MULF(2.3841864e-07f, co_3_size + 1.9721523e-31f),
+      co_4_bound = KSL_MULF(2.3841864e-07f, co_4_size + 1.9721523e-31f),
+      co_5_bound = KSL_MULF(2.3841864e-07f, co_5_size + 1.9721523e-31f);
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;
   co->m3 = co_3;
   co->m4 = co_4;
   co->m5 = co_5;
-  co_bound->m0 = co_0_error_bound;
-  co_bound->m1 = co_1_error_bound;
-  co_bound->m2 = co_2_error_bound;
-  co_bound->m3 = co_3_error_bound;
-  co_bound->m4 = co_4_error_bound;
-  co_bound->m5 = co_5_error_bound;
+  co_bound->m0 = co_0_bound;
+  co_bound->m1 = co_1_bound;
+  co_bound->m2 = co_2_bound;
+  co_bound->m3 = co_3_bound;
+  co_bound->m4 = co_4_bound;
+  co_bound->m5 = co_5_bound;
 }
 
 /* s·B s / 2, the kinetic energy in J of a body that moves with s; |error of energy| <=
@@ -1210,66 +861,40 @@ static inline void ksl_product_Bsf_certified(const ksl_spatial_inertiaf_t *B,
 static inline float ksl_spatial_inertiaf_energy_certified(const ksl_spatial_inertiaf_t *B,
     const ksl_screwf_t *s, float *energy_bound) {
   const float square_a = KSL_MULF(s->m0, s->m0), square_b = KSL_MULF(s->m1, s->m1),
-      square_c = square_a + square_b, square_d = KSL_MULF(s->m2, s->m2),
-      square = square_c + square_d;
-  const float L_0a = KSL_MULF(B->xx, s->m3), L_0b = KSL_MULF(B->xy, s->m4), L_0c = L_0a + L_0b,
-      L_0d = KSL_MULF(B->xz, s->m5), L_0 = L_0c + L_0d;
-  const float L_1a = KSL_MULF(B->yy, s->m4), L_1b = KSL_MULF(B->xy, s->m3), L_1c = L_1a + L_1b,
-      L_1d = KSL_MULF(B->yz, s->m5), L_1 = L_1c + L_1d;
-  const float L_2a = KSL_MULF(B->zz, s->m5), L_2b = KSL_MULF(B->xz, s->m3), L_2c = L_2a + L_2b,
-      L_2d = KSL_MULF(B->yz, s->m4), L_2 = L_2c + L_2d;
-  const float twice_a = KSL_MULF(B->m, square), twice_b = KSL_MULF(s->m3, L_0),
-      twice_c = KSL_MULF(s->m4, L_1), twice_d = twice_b + twice_c, twice_e = KSL_MULF(s->m5, L_2),
-      twice_f = twice_d + twice_e, twice = twice_a + twice_f;
+      square_d = KSL_MULF(s->m2, s->m2), square = square_a + square_b + square_d;
+  const float L_0a = KSL_MULF(B->xx, s->m3), L_0b = KSL_MULF(B->xy, s->m4),
+      L_0d = KSL_MULF(B->xz, s->m5), L_0 = L_0a + L_0b + L_0d;
+  const float L_1a = KSL_MULF(B->yy, s->m4), L_1b = KSL_MULF(B->xy, s->m3),
+      L_1d = KSL_MULF(B->yz, s->m5), L_1 = L_1a + L_1b + L_1d;
+  const float L_2a = KSL_MULF(B->zz, s->m5), L_2b = KSL_MULF(B->xz, s->m3),
+      L_2d = KSL_MULF(B->yz, s->m4), L_2 = L_2a + L_2b + L_2d;
+  const float twice = KSL_MULF(B->m, square)
+          + (KSL_MULF(s->m3, L_0) + KSL_MULF(s->m4, L_1) + KSL_MULF(s->m5, L_2));
   const float across_0a = KSL_MULF(B->h.z, s->m4), across_0b = KSL_MULF(B->h.y, s->m5),
       across_0 = across_0a - across_0b;
   const float across_1a = KSL_MULF(B->h.x, s->m5), across_1b = KSL_MULF(B->h.z, s->m3),
       across_1 = across_1a - across_1b;
   const float across_2a = KSL_MULF(B->h.y, s->m3), across_2b = KSL_MULF(B->h.x, s->m4),
       across_2 = across_2a - across_2b;
-  const float energy_a = KSL_MULF(s->m0, across_0), energy_b = KSL_MULF(s->m1, across_1),
-      energy_c = energy_a + energy_b, energy_d = KSL_MULF(s->m2, across_2),
-      energy_e = energy_c + energy_d, energy_f = KSL_MULF(0.5f, twice),
-      energy = energy_e + energy_f;
-  const float square_a_abs = fabsf(square_a), square_b_abs = fabsf(square_b),
-      square_c_size = square_a_abs + square_b_abs, square_d_abs = fabsf(square_d),
-      square_size = square_c_size + square_d_abs;
-  const float L_0a_abs = fabsf(L_0a), L_0b_abs = fabsf(L_0b), L_0c_size = L_0a_abs + L_0b_abs,
-      L_0d_abs = fabsf(L_0d), L_0_size = L_0c_size + L_0d_abs;
-  const float L_1a_abs = fabsf(L_1a), L_1b_abs = fabsf(L_1b), L_1c_size = L_1a_abs + L_1b_abs,
-      L_1d_abs = fabsf(L_1d), L_1_size = L_1c_size + L_1d_abs;
-  const float L_2a_abs = fabsf(L_2a), L_2b_abs = fabsf(L_2b), L_2c_size = L_2a_abs + L_2b_abs,
-      L_2d_abs = fabsf(L_2d), L_2_size = L_2c_size + L_2d_abs;
-  const float square_padded = square_size + 1.9721523e-31f;
-  const float B_0_abs = fabsf(B->m), twice_a_size = KSL_MULF(B_0_abs, square_padded);
-  const float L_0_padded = L_0_size + 1.9721523e-31f;
-  const float s_3_abs = fabsf(s->m3), twice_b_size = KSL_MULF(s_3_abs, L_0_padded);
-  const float L_1_padded = L_1_size + 1.9721523e-31f;
-  const float s_4_abs = fabsf(s->m4), twice_c_size = KSL_MULF(s_4_abs, L_1_padded),
-      twice_d_size = twice_b_size + twice_c_size;
-  const float L_2_padded = L_2_size + 1.9721523e-31f;
-  const float s_5_abs = fabsf(s->m5), twice_e_size = KSL_MULF(s_5_abs, L_2_padded),
-      twice_f_size = twice_d_size + twice_e_size, twice_size = twice_a_size + twice_f_size;
-  const float across_0a_abs = fabsf(across_0a), across_0b_abs = fabsf(across_0b),
-      across_0_size = across_0a_abs + across_0b_abs;
-  const float across_1a_abs = fabsf(across_1a), across_1b_abs = fabsf(across_1b),
-      across_1_size = across_1a_abs + across_1b_abs;
-  const float across_2a_abs = fabsf(across_2a), across_2b_abs = fabsf(across_2b),
-      across_2_size = across_2a_abs + across_2b_abs;
-  const float across_0_padded = across_0_size + 1.9721523e-31f;
-  const float s_0_abs = fabsf(s->m0), energy_a_size = KSL_MULF(s_0_abs, across_0_padded);
-  const float across_1_padded = across_1_size + 1.9721523e-31f;
-  const float s_1_abs = fabsf(s->m1), energy_b_size = KSL_MULF(s_1_abs, across_1_padded),
-      energy_c_size = energy_a_size + energy_b_size;
-  const float across_2_padded = across_2_size + 1.9721523e-31f;
-  const float s_2_abs = fabsf(s->m2), energy_d_size = KSL_MULF(s_2_abs, across_2_padded),
-      energy_e_size = energy_c_size + energy_d_size;
-  const float twice_padded = twice_size + 1.9721523e-31f;
-  const float energy_f_size = KSL_MULF(0.5f, twice_padded),
-      energy_size = energy_e_size + energy_f_size;
-  const float energy_padded = energy_size + 1.9721523e-31f,
-      energy_error_bound = KSL_MULF(5.36442e-07f, energy_padded);
-  *energy_bound = energy_error_bound;
+  const float energy = KSL_MULF(s->m0, across_0) + KSL_MULF(s->m1, across_1)
+          + KSL_MULF(s->m2, across_2) + KSL_MULF(0.5f, twice);
+  const float square_size = fabsf(square_a) + fabsf(square_b) + fabsf(square_d);
+  const float L_0_size = fabsf(L_0a) + fabsf(L_0b) + fabsf(L_0d),
+      L_1_size = fabsf(L_1a) + fabsf(L_1b) + fabsf(L_1d),
+      L_2_size = fabsf(L_2a) + fabsf(L_2b) + fabsf(L_2d);
+  const float twice_d_size = KSL_MULF(fabsf(s->m3), L_0_size + 1.9721523e-31f)
+          + KSL_MULF(fabsf(s->m4), L_1_size + 1.9721523e-31f),
+      twice_size = KSL_MULF(fabsf(B->m), square_size + 1.9721523e-31f)
+          + (twice_d_size + KSL_MULF(fabsf(s->m5), L_2_size + 1.9721523e-31f));
+  const float across_0_size = fabsf(across_0a) + fabsf(across_0b),
+      across_1_size = fabsf(across_1a) + fabsf(across_1b),
+      across_2_size = fabsf(across_2a) + fabsf(across_2b);
+  const float energy_c_size = KSL_MULF(fabsf(s->m0), across_0_size + 1.9721523e-31f)
+          + KSL_MULF(fabsf(s->m1), across_1_size + 1.9721523e-31f),
+      energy_size = energy_c_size + KSL_MULF(fabsf(s->m2), across_2_size + 1.9721523e-31f)
+          + KSL_MULF(0.5f, twice_size + 1.9721523e-31f);
+  const float energy_bound_ = KSL_MULF(5.36442e-07f, energy_size + 1.9721523e-31f);
+  *energy_bound = energy_bound_;
   return energy;
 }
 
@@ -1282,143 +907,89 @@ static inline float ksl_spatial_inertiaf_energy_certified(const ksl_spatial_iner
 static inline void ksl_spatial_inertiaf_net_wrench_certified(const ksl_spatial_inertiaf_t *B,
     const ksl_vec3f_t *w, const ksl_screwf_t *ds, ksl_coscrewf_t *co,
     ksl_coscrewf_t *co_bound) {
-  const float ww_0 = KSL_MULF(w->x, w->x);
-  const float ww_1 = KSL_MULF(w->y, w->y);
-  const float ww_2 = KSL_MULF(w->z, w->z);
-  const float ww_3 = KSL_MULF(w->x, w->y);
-  const float ww_4 = KSL_MULF(w->x, w->z);
-  const float ww_5 = KSL_MULF(w->y, w->z);
-  const float U_0a = ww_1 + ww_2, U_0 = -U_0a;
-  const float U_1 = ww_3 - ds->m5;
-  const float U_2 = ds->m4 + ww_4;
-  const float U_3 = ds->m5 + ww_3;
-  const float U_4a = ww_0 + ww_2, U_4 = -U_4a;
-  const float U_5 = ww_5 - ds->m3;
-  const float U_6 = ww_4 - ds->m4;
-  const float U_7 = ds->m3 + ww_5;
-  const float U_8a = ww_0 + ww_1, U_8 = -U_8a;
-  const float others_0 = B->zz - B->yy;
-  const float others_1 = B->xx - B->zz;
-  const float others_2 = B->yy - B->xx;
-  const float squares_0 = ww_1 - ww_2;
-  const float squares_1 = ww_2 - ww_0;
-  const float squares_2 = ww_0 - ww_1;
-  const float own_0a = KSL_MULF(B->xx, ds->m3), own_0b = KSL_MULF(ww_5, others_0),
-      own_0 = own_0a + own_0b;
-  const float own_1a = KSL_MULF(B->yy, ds->m4), own_1b = KSL_MULF(ww_4, others_1),
-      own_1 = own_1a + own_1b;
-  const float own_2a = KSL_MULF(B->zz, ds->m5), own_2b = KSL_MULF(ww_3, others_2),
-      own_2 = own_2a + own_2b;
-  const float N_0a = KSL_MULF(B->xz, U_3), N_0b = KSL_MULF(B->xy, U_6), N_0c = N_0a - N_0b,
-      N_0d = KSL_MULF(B->yz, squares_0), N_0e = N_0c + N_0d, N_0 = N_0e + own_0;
-  const float N_1a = KSL_MULF(B->xy, U_7), N_1b = KSL_MULF(B->yz, U_1), N_1c = N_1a - N_1b,
-      N_1d = KSL_MULF(B->xz, squares_1), N_1e = N_1c + N_1d, N_1 = N_1e + own_1;
-  const float N_2a = KSL_MULF(B->xy, squares_2), N_2b = KSL_MULF(B->yz, U_2),
-      N_2c = KSL_MULF(B->xz, U_5), N_2d = N_2b - N_2c, N_2e = N_2a + N_2d, N_2 = N_2e + own_2;
-  const float co_0a = KSL_MULF(B->m, ds->m0), co_0b = KSL_MULF(B->h.x, U_0),
-      co_0c = KSL_MULF(B->h.y, U_1), co_0d = co_0b + co_0c, co_0e = KSL_MULF(B->h.z, U_2),
-      co_0f = co_0d + co_0e, co_0 = co_0a + co_0f;
-  const float co_1a = KSL_MULF(B->m, ds->m1), co_1b = KSL_MULF(B->h.x, U_3),
-      co_1c = KSL_MULF(B->h.y, U_4), co_1d = co_1b + co_1c, co_1e = KSL_MULF(B->h.z, U_5),
-      co_1f = co_1d + co_1e, co_1 = co_1a + co_1f;
-  const float co_2a = KSL_MULF(B->m, ds->m2), co_2b = KSL_MULF(B->h.x, U_6),
-      co_2c = KSL_MULF(B->h.y, U_7), co_2d = co_2b + co_2c, co_2e = KSL_MULF(B->h.z, U_8),
-      co_2f = co_2d + co_2e, co_2 = co_2a + co_2f;
+  const float ww_0 = KSL_MULF(w->x, w->x), ww_1 = KSL_MULF(w->y, w->y), ww_2 = KSL_MULF(w->z, w->z),
+      ww_3 = KSL_MULF(w->x, w->y), ww_4 = KSL_MULF(w->x, w->z), ww_5 = KSL_MULF(w->y, w->z);
+  const float U_0 = -(ww_1 + ww_2), U_1 = ww_3 - ds->m5, U_2 = ds->m4 + ww_4, U_3 = ds->m5 + ww_3,
+      U_4 = -(ww_0 + ww_2), U_5 = ww_5 - ds->m3, U_6 = ww_4 - ds->m4, U_7 = ds->m3 + ww_5,
+      U_8 = -(ww_0 + ww_1);
+  const float others_0 = B->zz - B->yy, others_1 = B->xx - B->zz, others_2 = B->yy - B->xx;
+  const float squares_0 = ww_1 - ww_2, squares_1 = ww_2 - ww_0, squares_2 = ww_0 - ww_1;
+  const float own_0a = KSL_MULF(B->xx, ds->m3), own_0 = own_0a + KSL_MULF(ww_5, others_0);
+  const float own_1a = KSL_MULF(B->yy, ds->m4), own_1 = own_1a + KSL_MULF(ww_4, others_1);
+  const float own_2a = KSL_MULF(B->zz, ds->m5), own_2 = own_2a + KSL_MULF(ww_3, others_2);
+  const float N_0 = KSL_MULF(B->xz, U_3) - KSL_MULF(B->xy, U_6) + KSL_MULF(B->yz, squares_0)
+          + own_0;
+  const float N_1 = KSL_MULF(B->xy, U_7) - KSL_MULF(B->yz, U_1) + KSL_MULF(B->xz, squares_1)
+          + own_1;
+  const float N_2 = KSL_MULF(B->xy, squares_2) + (KSL_MULF(B->yz, U_2) - KSL_MULF(B->xz, U_5))
+          + own_2;
+  const float co_0a = KSL_MULF(B->m, ds->m0),
+      co_0 = co_0a + (KSL_MULF(B->h.x, U_0) + KSL_MULF(B->h.y, U_1) + KSL_MULF(B->h.z, U_2));
+  const float co_1a = KSL_MULF(B->m, ds->m1),
+      co_1 = co_1a + (KSL_MULF(B->h.x, U_3) + KSL_MULF(B->h.y, U_4) + KSL_MULF(B->h.z, U_5));
+  const float co_2a = KSL_MULF(B->m, ds->m2),
+      co_2 = co_2a + (KSL_MULF(B->h.x, U_6) + KSL_MULF(B->h.y, U_7) + KSL_MULF(B->h.z, U_8));
   const float co_3a = KSL_MULF(B->h.y, ds->m2), co_3b = KSL_MULF(B->h.z, ds->m1),
-      co_3c = co_3a - co_3b, co_3 = co_3c + N_0;
+      co_3 = co_3a - co_3b + N_0;
   const float co_4a = KSL_MULF(B->h.z, ds->m0), co_4b = KSL_MULF(B->h.x, ds->m2),
-      co_4c = co_4a - co_4b, co_4 = co_4c + N_1;
+      co_4 = co_4a - co_4b + N_1;
   const float co_5a = KSL_MULF(B->h.x, ds->m1), co_5b = KSL_MULF(B->h.y, ds->m0),
-      co_5c = co_5a - co_5b, co_5 = co_5c + N_2;
-  const float ww_1_abs = fabsf(ww_1), ww_2_abs = fabsf(ww_2), U_0a_size = ww_1_abs + ww_2_abs;
+      co_5 = co_5a - co_5b + N_2;
+  const float ww_1_abs = fabsf(ww_1), ww_2_abs = fabsf(ww_2);
   const float ww_3_abs = fabsf(ww_3), ds_5_abs = fabsf(ds->m5), U_1_size = ww_3_abs + ds_5_abs;
   const float ds_4_abs = fabsf(ds->m4), ww_4_abs = fabsf(ww_4), U_2_size = ds_4_abs + ww_4_abs;
-  const float U_3_size = ds_5_abs + ww_3_abs;
-  const float ww_0_abs = fabsf(ww_0), U_4a_size = ww_0_abs + ww_2_abs;
+  const float U_3_size = ds_5_abs + ww_3_abs, ww_0_abs = fabsf(ww_0);
   const float ww_5_abs = fabsf(ww_5), ds_3_abs = fabsf(ds->m3), U_5_size = ww_5_abs + ds_3_abs;
-  const float U_6_size = ww_4_abs + ds_4_abs;
-  const float U_7_size = ds_3_abs + ww_5_abs;
-  const float U_8a_size = ww_0_abs + ww_1_abs;
-  const float squares_0_size = ww_1_abs + ww_2_abs;
-  const float squares_1_size = ww_2_abs + ww_0_abs;
-  const float squares_2_size = ww_0_abs + ww_1_abs;
-  const float ww_5_padded = ww_5_abs + 1.9721523e-31f;
-  const float others_0_abs = fabsf(others_0), own_0b_size = KSL_MULF(ww_5_padded, others_0_abs),
-      own_0a_abs = fabsf(own_0a), own_0_size = own_0a_abs + own_0b_size;
-  const float ww_4_padded = ww_4_abs + 1.9721523e-31f;
-  const float others_1_abs = fabsf(others_1), own_1b_size = KSL_MULF(ww_4_padded, others_1_abs),
-      own_1a_abs = fabsf(own_1a), own_1_size = own_1a_abs + own_1b_size;
-  const float ww_3_padded = ww_3_abs + 1.9721523e-31f;
-  const float others_2_abs = fabsf(others_2), own_2b_size = KSL_MULF(ww_3_padded, others_2_abs),
-      own_2a_abs = fabsf(own_2a), own_2_size = own_2a_abs + own_2b_size;
+  const float U_6_size = ww_4_abs + ds_4_abs, U_7_size = ds_3_abs + ww_5_abs;
+  const float squares_0_size = ww_1_abs + ww_2_abs, squares_1_size = ww_2_abs + ww_0_abs,
+      squares_2_size = ww_0_abs + ww_1_abs;
+  const float own_0_size = fabsf(own_0a) + KSL_MULF(ww_5_abs + 1.9721523e-31f, fabsf(others_0)),
+      own_1_size = fabsf(own_1a) + KSL_MULF(ww_4_abs + 1.9721523e-31f, fabsf(others_1)),
+      own_2_size = fabsf(own_2a) + KSL_MULF(ww_3_abs + 1.9721523e-31f, fabsf(others_2));
   const float U_3_padded = U_3_size + 1.9721523e-31f;
-  const float B_8_abs = fabsf(B->xz), N_0a_size = KSL_MULF(B_8_abs, U_3_padded);
+  const float B_8_abs = fabsf(B->xz);
   const float U_6_padded = U_6_size + 1.9721523e-31f;
-  const float B_7_abs = fabsf(B->xy), N_0b_size = KSL_MULF(B_7_abs, U_6_padded),
-      N_0c_size = N_0a_size + N_0b_size;
-  const float squares_0_padded = squares_0_size + 1.9721523e-31f;
-  const float B_9_abs = fabsf(B->yz), N_0d_size = KSL_MULF(B_9_abs, squares_0_padded),
-      N_0e_size = N_0c_size + N_0d_size, N_0_size = N_0e_size + own_0_size;
-  const float U_7_padded = U_7_size + 1.9721523e-31f;
-  const float N_1a_size = KSL_MULF(B_7_abs, U_7_padded);
-  const float U_1_padded = U_1_size + 1.9721523e-31f;
-  const float N_1b_size = KSL_MULF(B_9_abs, U_1_padded), N_1c_size = N_1a_size + N_1b_size;
-  const float squares_1_padded = squares_1_size + 1.9721523e-31f;
-  const float N_1d_size = KSL_MULF(B_8_abs, squares_1_padded), N_1e_size = N_1c_size + N_1d_size,
-      N_1_size = N_1e_size + own_1_size;
-  const float squares_2_padded = squares_2_size + 1.9721523e-31f;
-  const float N_2a_size = KSL_MULF(B_7_abs, squares_2_padded);
-  const float U_2_padded = U_2_size + 1.9721523e-31f;
-  const float N_2b_size = KSL_MULF(B_9_abs, U_2_padded);
-  const float U_5_padded = U_5_size + 1.9721523e-31f;
-  const float N_2c_size = KSL_MULF(B_8_abs, U_5_padded), N_2d_size = N_2b_size + N_2c_size,
-      N_2e_size = N_2a_size + N_2d_size, N_2_size = N_2e_size + own_2_size;
-  const float U_0a_padded = U_0a_size + 1.9721523e-31f;
-  const float B_1_abs = fabsf(B->h.x), co_0b_size = KSL_MULF(B_1_abs, U_0a_padded),
-      B_2_abs = fabsf(B->h.y), co_0c_size = KSL_MULF(B_2_abs, U_1_padded),
-      co_0d_size = co_0b_size + co_0c_size, B_3_abs = fabsf(B->h.z),
-      co_0e_size = KSL_MULF(B_3_abs, U_2_padded), co_0f_size = co_0d_size + co_0e_size,
-      co_0a_abs = fabsf(co_0a), co_0_size = co_0a_abs + co_0f_size;
-  const float co_1b_size = KSL_MULF(B_1_abs, U_3_padded);
-  const float U_4a_padded = U_4a_size + 1.9721523e-31f;
-  const float co_1c_size = KSL_MULF(B_2_abs, U_4a_padded), co_1d_size = co_1b_size + co_1c_size,
-      co_1e_size = KSL_MULF(B_3_abs, U_5_padded), co_1f_size = co_1d_size + co_1e_size,
-      co_1a_abs = fabsf(co_1a), co_1_size = co_1a_abs + co_1f_size;
-  const float co_2b_size = KSL_MULF(B_1_abs, U_6_padded),
-      co_2c_size = KSL_MULF(B_2_abs, U_7_padded), co_2d_size = co_2b_size + co_2c_size;
-  const float U_8a_padded = U_8a_size + 1.9721523e-31f;
-  const float co_2e_size = KSL_MULF(B_3_abs, U_8a_padded), co_2f_size = co_2d_size + co_2e_size,
-      co_2a_abs = fabsf(co_2a), co_2_size = co_2a_abs + co_2f_size;
-  const float co_3a_abs = fabsf(co_3a), co_3b_abs = fabsf(co_3b),
-      co_3c_size = co_3a_abs + co_3b_abs, co_3_size = co_3c_size + N_0_size;
-  const float co_4a_abs = fabsf(co_4a), co_4b_abs = fabsf(co_4b),
-      co_4c_size = co_4a_abs + co_4b_abs, co_4_size = co_4c_size + N_1_size;
-  const float co_5a_abs = fabsf(co_5a), co_5b_abs = fabsf(co_5b),
-      co_5c_size = co_5a_abs + co_5b_abs, co_5_size = co_5c_size + N_2_size;
-  const float co_0_padded = co_0_size + 1.9721523e-31f,
-      co_0_error_bound = KSL_MULF(3.5762795e-07f, co_0_padded);
-  const float co_1_padded = co_1_size + 1.9721523e-31f,
-      co_1_error_bound = KSL_MULF(3.5762795e-07f, co_1_padded);
-  const float co_2_padded = co_2_size + 1.9721523e-31f,
-      co_2_error_bound = KSL_MULF(3.5762795e-07f, co_2_padded);
-  const float co_3_padded = co_3_size + 1.9721523e-31f,
-      co_3_error_bound = KSL_MULF(4.1723263e-07f, co_3_padded);
-  const float co_4_padded = co_4_size + 1.9721523e-31f,
-      co_4_error_bound = KSL_MULF(4.1723263e-07f, co_4_padded);
-  const float co_5_padded = co_5_size + 1.9721523e-31f,
-      co_5_error_bound = KSL_MULF(4.1723263e-07f, co_5_padded);
+  const float B_7_abs = fabsf(B->xy), B_9_abs = fabsf(B->yz),
+      N_0_size = KSL_MULF(B_8_abs, U_3_padded) + KSL_MULF(B_7_abs, U_6_padded)
+          + KSL_MULF(B_9_abs, squares_0_size + 1.9721523e-31f) + own_0_size;
+  const float U_7_padded = U_7_size + 1.9721523e-31f, U_1_padded = U_1_size + 1.9721523e-31f;
+  const float N_1_size = KSL_MULF(B_7_abs, U_7_padded) + KSL_MULF(B_9_abs, U_1_padded)
+          + KSL_MULF(B_8_abs, squares_1_size + 1.9721523e-31f) + own_1_size;
+  const float U_2_padded = U_2_size + 1.9721523e-31f, U_5_padded = U_5_size + 1.9721523e-31f;
+  const float N_2_size = KSL_MULF(B_7_abs, squares_2_size + 1.9721523e-31f)
+          + (KSL_MULF(B_9_abs, U_2_padded) + KSL_MULF(B_8_abs, U_5_padded)) + own_2_size;
+  const float B_1_abs = fabsf(B->h.x), B_2_abs = fabsf(B->h.y), B_3_abs = fabsf(B->h.z),
+      co_0_size = fabsf(co_0a)
+          + (KSL_MULF(B_1_abs, ww_1_abs + ww_2_abs + 1.9721523e-31f)
+          + KSL_MULF(B_2_abs, U_1_padded) + KSL_MULF(B_3_abs, U_2_padded));
+  const float co_1_size = fabsf(co_1a)
+          + (KSL_MULF(B_1_abs, U_3_padded)
+          + KSL_MULF(B_2_abs, ww_0_abs + ww_2_abs + 1.9721523e-31f)
+          + KSL_MULF(B_3_abs, U_5_padded)),
+      co_2_size = fabsf(co_2a)
+          + (KSL_MULF(B_1_abs, U_6_padded) + KSL_MULF(B_2_abs, U_7_padded)
+          + KSL_MULF(B_3_abs, ww_0_abs + ww_1_abs + 1.9721523e-31f)),
+      co_3_size = fabsf(co_3a) + fabsf(co_3b) + N_0_size,
+      co_4_size = fabsf(co_4a) + fabsf(co_4b) + N_1_size,
+      co_5_size = fabsf(co_5a) + fabsf(co_5b) + N_2_size;
+  const float co_0_bound = KSL_MULF(3.5762795e-07f, co_0_size + 1.9721523e-31f),
+      co_1_bound = KSL_MULF(3.5762795e-07f, co_1_size + 1.9721523e-31f),
+      co_2_bound = KSL_MULF(3.5762795e-07f, co_2_size + 1.9721523e-31f),
+      co_3_bound = KSL_MULF(4.1723263e-07f, co_3_size + 1.9721523e-31f),
+      co_4_bound = KSL_MULF(4.1723263e-07f, co_4_size + 1.9721523e-31f),
+      co_5_bound = KSL_MULF(4.1723263e-07f, co_5_size + 1.9721523e-31f);
   co->m0 = co_0;
   co->m1 = co_1;
   co->m2 = co_2;
   co->m3 = co_3;
   co->m4 = co_4;
   co->m5 = co_5;
-  co_bound->m0 = co_0_error_bound;
-  co_bound->m1 = co_1_error_bound;
-  co_bound->m2 = co_2_error_bound;
-  co_bound->m3 = co_3_error_bound;
-  co_bound->m4 = co_4_error_bound;
-  co_bound->m5 = co_5_error_bound;
+  co_bound->m0 = co_0_bound;
+  co_bound->m1 = co_1_bound;
+  co_bound->m2 = co_2_bound;
+  co_bound->m3 = co_3_bound;
+  co_bound->m4 = co_4_bound;
+  co_bound->m5 = co_5_bound;
 }
 
 /* Bo = B moved by t: m, h + m t, I - t~ (h + m t)~ - h~ t~; |error of Bo| <= Bo_bound unless inf
@@ -1429,45 +1000,28 @@ static inline void ksl_spatial_inertiaf_net_wrench_certified(const ksl_spatial_i
 static inline void ksl_spatial_inertiaf_shifted_certified(const ksl_vec3f_t *t,
     const ksl_spatial_inertiaf_t *B, ksl_spatial_inertiaf_t *Bo,
     ksl_spatial_inertiaf_t *Bo_bound) {
-  const float mt_0 = KSL_MULF(t->x, B->m);
-  const float mt_1 = KSL_MULF(t->y, B->m);
-  const float mt_2 = KSL_MULF(t->z, B->m);
+  const float mt_0 = KSL_MULF(t->x, B->m), mt_1 = KSL_MULF(t->y, B->m), mt_2 = KSL_MULF(t->z, B->m);
   const float half_0 = KSL_MULF(0.5f, mt_0);
   const float half_1 = KSL_MULF(0.5f, mt_1);
   const float half_2 = KSL_MULF(0.5f, mt_2);
-  const float n_0 = B->h.x + half_0;
-  const float n_1 = B->h.y + half_1;
-  const float n_2 = B->h.z + half_2;
+  const float n_0 = B->h.x + half_0, n_1 = B->h.y + half_1, n_2 = B->h.z + half_2;
   const float tn0 = KSL_MULF(t->x, n_0);
   const float tn1 = KSL_MULF(t->y, n_1);
   const float tn2 = KSL_MULF(t->z, n_2);
-  const float own_0 = KSL_MULF(2.0f, tn0);
-  const float own_1 = KSL_MULF(2.0f, tn1);
-  const float own_2 = KSL_MULF(2.0f, tn2);
-  const float pairs_0 = own_1 + own_2;
-  const float pairs_1 = own_0 + own_2;
-  const float pairs_2 = own_0 + own_1;
-  const float pairs_3a = KSL_MULF(t->x, n_1), pairs_3b = KSL_MULF(t->y, n_0),
-      pairs_3 = pairs_3a + pairs_3b;
-  const float pairs_4a = KSL_MULF(t->x, n_2), pairs_4b = KSL_MULF(t->z, n_0),
-      pairs_4 = pairs_4a + pairs_4b;
-  const float pairs_5a = KSL_MULF(t->y, n_2), pairs_5b = KSL_MULF(t->z, n_1),
-      pairs_5 = pairs_5a + pairs_5b;
-  const float moved_0 = B->h.x + mt_0;
-  const float moved_1 = B->h.y + mt_1;
-  const float moved_2 = B->h.z + mt_2;
-  const float Bo_4 = B->xx + pairs_0;
-  const float Bo_5 = B->yy + pairs_1;
-  const float Bo_6 = B->zz + pairs_2;
-  const float Bo_7 = B->xy - pairs_3;
-  const float Bo_8 = B->xz - pairs_4;
-  const float Bo_9 = B->yz - pairs_5;
-  const float mt_0_abs = fabsf(mt_0), mt_0_padded = mt_0_abs + 1.9721523e-31f;
-  const float half_0_size = KSL_MULF(0.5f, mt_0_padded);
-  const float mt_1_abs = fabsf(mt_1), mt_1_padded = mt_1_abs + 1.9721523e-31f;
-  const float half_1_size = KSL_MULF(0.5f, mt_1_padded);
-  const float mt_2_abs = fabsf(mt_2), mt_2_padded = mt_2_abs + 1.9721523e-31f;
-  const float half_2_size = KSL_MULF(0.5f, mt_2_padded);
+  const float own_0 = KSL_MULF(2.0f, tn0), own_1 = KSL_MULF(2.0f, tn1), own_2 = KSL_MULF(2.0f, tn2);
+  const float pairs_0 = own_1 + own_2, pairs_1 = own_0 + own_2, pairs_2 = own_0 + own_1,
+      pairs_3 = KSL_MULF(t->x, n_1) + KSL_MULF(t->y, n_0),
+      pairs_4 = KSL_MULF(t->x, n_2) + KSL_MULF(t->z, n_0),
+      pairs_5 = KSL_MULF(t->y, n_2) + KSL_MULF(t->z, n_1);
+  const float moved_0 = B->h.x + mt_0, moved_1 = B->h.y + mt_1, moved_2 = B->h.z + mt_2;
+  const float Bo_4 = B->xx + pairs_0, Bo_5 = B->yy + pairs_1, Bo_6 = B->zz + pairs_2,
+      Bo_7 = B->xy - pairs_3, Bo_8 = B->xz - pairs_4, Bo_9 = B->yz - pairs_5;
+  const float mt_0_abs = fabsf(mt_0);
+  const float half_0_size = KSL_MULF(0.5f, mt_0_abs + 1.9721523e-31f);
+  const float mt_1_abs = fabsf(mt_1);
+  const float half_1_size = KSL_MULF(0.5f, mt_1_abs + 1.9721523e-31f);
+  const float mt_2_abs = fabsf(mt_2);
+  const float half_2_size = KSL_MULF(0.5f, mt_2_abs + 1.9721523e-31f);
   const float B_1_abs = fabsf(B->h.x), n_0_size = B_1_abs + half_0_size;
   const float B_2_abs = fabsf(B->h.y), n_1_size = B_2_abs + half_1_size;
   const float B_3_abs = fabsf(B->h.z), n_2_size = B_3_abs + half_2_size;
@@ -1477,48 +1031,28 @@ static inline void ksl_spatial_inertiaf_shifted_certified(const ksl_vec3f_t *t,
   const float t_1_abs = fabsf(t->y), tn1_size = KSL_MULF(t_1_abs, n_1_padded);
   const float n_2_padded = n_2_size + 1.9721523e-31f;
   const float t_2_abs = fabsf(t->z), tn2_size = KSL_MULF(t_2_abs, n_2_padded);
-  const float tn0_padded = tn0_size + 1.9721523e-31f;
-  const float own_0_size = KSL_MULF(2.0f, tn0_padded);
-  const float tn1_padded = tn1_size + 1.9721523e-31f;
-  const float own_1_size = KSL_MULF(2.0f, tn1_padded);
-  const float tn2_padded = tn2_size + 1.9721523e-31f;
-  const float own_2_size = KSL_MULF(2.0f, tn2_padded);
-  const float pairs_0_size = own_1_size + own_2_size;
-  const float pairs_1_size = own_0_size + own_2_size;
-  const float pairs_2_size = own_0_size + own_1_size;
-  const float pairs_3a_size = KSL_MULF(t_0_abs, n_1_padded),
-      pairs_3b_size = KSL_MULF(t_1_abs, n_0_padded), pairs_3_size = pairs_3a_size + pairs_3b_size;
-  const float pairs_4a_size = KSL_MULF(t_0_abs, n_2_padded),
-      pairs_4b_size = KSL_MULF(t_2_abs, n_0_padded), pairs_4_size = pairs_4a_size + pairs_4b_size;
-  const float pairs_5a_size = KSL_MULF(t_1_abs, n_2_padded),
-      pairs_5b_size = KSL_MULF(t_2_abs, n_1_padded), pairs_5_size = pairs_5a_size + pairs_5b_size;
-  const float moved_0_size = B_1_abs + mt_0_abs;
-  const float moved_1_size = B_2_abs + mt_1_abs;
-  const float moved_2_size = B_3_abs + mt_2_abs;
-  const float B_4_abs = fabsf(B->xx), Bo_4_size = B_4_abs + pairs_0_size;
-  const float B_5_abs = fabsf(B->yy), Bo_5_size = B_5_abs + pairs_1_size;
-  const float B_6_abs = fabsf(B->zz), Bo_6_size = B_6_abs + pairs_2_size;
-  const float B_7_abs = fabsf(B->xy), Bo_7_size = B_7_abs + pairs_3_size;
-  const float B_8_abs = fabsf(B->xz), Bo_8_size = B_8_abs + pairs_4_size;
-  const float B_9_abs = fabsf(B->yz), Bo_9_size = B_9_abs + pairs_5_size;
-  const float moved_0_padded = moved_0_size + 1.9721523e-31f,
-      moved_0_error_bound = KSL_MULF(1.192093e-07f, moved_0_padded);
-  const float moved_1_padded = moved_1_size + 1.9721523e-31f,
-      moved_1_error_bound = KSL_MULF(1.192093e-07f, moved_1_padded);
-  const float moved_2_padded = moved_2_size + 1.9721523e-31f,
-      moved_2_error_bound = KSL_MULF(1.192093e-07f, moved_2_padded);
-  const float Bo_4_padded = Bo_4_size + 1.9721523e-31f,
-      Bo_4_error_bound = KSL_MULF(4.1723263e-07f, Bo_4_padded);
-  const float Bo_5_padded = Bo_5_size + 1.9721523e-31f,
-      Bo_5_error_bound = KSL_MULF(4.1723263e-07f, Bo_5_padded);
-  const float Bo_6_padded = Bo_6_size + 1.9721523e-31f,
-      Bo_6_error_bound = KSL_MULF(4.1723263e-07f, Bo_6_padded);
-  const float Bo_7_padded = Bo_7_size + 1.9721523e-31f,
-      Bo_7_error_bound = KSL_MULF(3.5762795e-07f, Bo_7_padded);
-  const float Bo_8_padded = Bo_8_size + 1.9721523e-31f,
-      Bo_8_error_bound = KSL_MULF(3.5762795e-07f, Bo_8_padded);
-  const float Bo_9_padded = Bo_9_size + 1.9721523e-31f,
-      Bo_9_error_bound = KSL_MULF(3.5762795e-07f, Bo_9_padded);
+  const float own_0_size = KSL_MULF(2.0f, tn0_size + 1.9721523e-31f),
+      own_1_size = KSL_MULF(2.0f, tn1_size + 1.9721523e-31f),
+      own_2_size = KSL_MULF(2.0f, tn2_size + 1.9721523e-31f);
+  const float pairs_0_size = own_1_size + own_2_size, pairs_1_size = own_0_size + own_2_size,
+      pairs_2_size = own_0_size + own_1_size,
+      pairs_3_size = KSL_MULF(t_0_abs, n_1_padded) + KSL_MULF(t_1_abs, n_0_padded),
+      pairs_4_size = KSL_MULF(t_0_abs, n_2_padded) + KSL_MULF(t_2_abs, n_0_padded),
+      pairs_5_size = KSL_MULF(t_1_abs, n_2_padded) + KSL_MULF(t_2_abs, n_1_padded);
+  const float moved_0_size = B_1_abs + mt_0_abs, moved_1_size = B_2_abs + mt_1_abs,
+      moved_2_size = B_3_abs + mt_2_abs;
+  const float Bo_4_size = fabsf(B->xx) + pairs_0_size, Bo_5_size = fabsf(B->yy) + pairs_1_size,
+      Bo_6_size = fabsf(B->zz) + pairs_2_size, Bo_7_size = fabsf(B->xy) + pairs_3_size,
+      Bo_8_size = fabsf(B->xz) + pairs_4_size, Bo_9_size = fabsf(B->yz) + pairs_5_size;
+  const float moved_0_bound = KSL_MULF(1.192093e-07f, moved_0_size + 1.9721523e-31f),
+      moved_1_bound = KSL_MULF(1.192093e-07f, moved_1_size + 1.9721523e-31f),
+      moved_2_bound = KSL_MULF(1.192093e-07f, moved_2_size + 1.9721523e-31f);
+  const float Bo_4_bound = KSL_MULF(4.1723263e-07f, Bo_4_size + 1.9721523e-31f),
+      Bo_5_bound = KSL_MULF(4.1723263e-07f, Bo_5_size + 1.9721523e-31f),
+      Bo_6_bound = KSL_MULF(4.1723263e-07f, Bo_6_size + 1.9721523e-31f),
+      Bo_7_bound = KSL_MULF(3.5762795e-07f, Bo_7_size + 1.9721523e-31f),
+      Bo_8_bound = KSL_MULF(3.5762795e-07f, Bo_8_size + 1.9721523e-31f),
+      Bo_9_bound = KSL_MULF(3.5762795e-07f, Bo_9_size + 1.9721523e-31f);
   const float B_m = B->m;
   Bo->m = B_m;
   Bo->h.x = moved_0;
@@ -1531,15 +1065,15 @@ static inline void ksl_spatial_inertiaf_shifted_certified(const ksl_vec3f_t *t,
   Bo->xz = Bo_8;
   Bo->yz = Bo_9;
   Bo_bound->m = 0.0f;
-  Bo_bound->h.x = moved_0_error_bound;
-  Bo_bound->h.y = moved_1_error_bound;
-  Bo_bound->h.z = moved_2_error_bound;
-  Bo_bound->xx = Bo_4_error_bound;
-  Bo_bound->yy = Bo_5_error_bound;
-  Bo_bound->zz = Bo_6_error_bound;
-  Bo_bound->xy = Bo_7_error_bound;
-  Bo_bound->xz = Bo_8_error_bound;
-  Bo_bound->yz = Bo_9_error_bound;
+  Bo_bound->h.x = moved_0_bound;
+  Bo_bound->h.y = moved_1_bound;
+  Bo_bound->h.z = moved_2_bound;
+  Bo_bound->xx = Bo_4_bound;
+  Bo_bound->yy = Bo_5_bound;
+  Bo_bound->zz = Bo_6_bound;
+  Bo_bound->xy = Bo_7_bound;
+  Bo_bound->xz = Bo_8_bound;
+  Bo_bound->yz = Bo_9_bound;
 }
 
 /* Bo = [Ad]*(D) B [Ad]^-1(D): B, given in the frame at D, in the reference frame; |error of Bo|
@@ -1551,215 +1085,122 @@ static inline void ksl_spatial_inertiaf_transformed_certified(const ksl_SE3f_t *
     const ksl_spatial_inertiaf_t *B, ksl_spatial_inertiaf_t *Bo,
     ksl_spatial_inertiaf_t *Bo_bound) {
   const float RI_0a = KSL_MULF(D->m00, B->xx), RI_0b = KSL_MULF(D->m01, B->xy),
-      RI_0c = RI_0a + RI_0b, RI_0d = KSL_MULF(D->m02, B->xz), RI_0 = RI_0c + RI_0d;
+      RI_0d = KSL_MULF(D->m02, B->xz), RI_0 = RI_0a + RI_0b + RI_0d;
   const float RI_1a = KSL_MULF(D->m00, B->xy), RI_1b = KSL_MULF(D->m01, B->yy),
-      RI_1c = RI_1a + RI_1b, RI_1d = KSL_MULF(D->m02, B->yz), RI_1 = RI_1c + RI_1d;
+      RI_1d = KSL_MULF(D->m02, B->yz), RI_1 = RI_1a + RI_1b + RI_1d;
   const float RI_2a = KSL_MULF(D->m00, B->xz), RI_2b = KSL_MULF(D->m01, B->yz),
-      RI_2c = RI_2a + RI_2b, RI_2d = KSL_MULF(D->m02, B->zz), RI_2 = RI_2c + RI_2d;
+      RI_2d = KSL_MULF(D->m02, B->zz), RI_2 = RI_2a + RI_2b + RI_2d;
   const float RI_3a = KSL_MULF(D->m10, B->xx), RI_3b = KSL_MULF(D->m11, B->xy),
-      RI_3c = RI_3a + RI_3b, RI_3d = KSL_MULF(D->m12, B->xz), RI_3 = RI_3c + RI_3d;
+      RI_3d = KSL_MULF(D->m12, B->xz), RI_3 = RI_3a + RI_3b + RI_3d;
   const float RI_4a = KSL_MULF(D->m10, B->xy), RI_4b = KSL_MULF(D->m11, B->yy),
-      RI_4c = RI_4a + RI_4b, RI_4d = KSL_MULF(D->m12, B->yz), RI_4 = RI_4c + RI_4d;
+      RI_4d = KSL_MULF(D->m12, B->yz), RI_4 = RI_4a + RI_4b + RI_4d;
   const float RI_5a = KSL_MULF(D->m10, B->xz), RI_5b = KSL_MULF(D->m11, B->yz),
-      RI_5c = RI_5a + RI_5b, RI_5d = KSL_MULF(D->m12, B->zz), RI_5 = RI_5c + RI_5d;
+      RI_5d = KSL_MULF(D->m12, B->zz), RI_5 = RI_5a + RI_5b + RI_5d;
   const float RI_6a = KSL_MULF(D->m20, B->xx), RI_6b = KSL_MULF(D->m21, B->xy),
-      RI_6c = RI_6a + RI_6b, RI_6d = KSL_MULF(D->m22, B->xz), RI_6 = RI_6c + RI_6d;
+      RI_6d = KSL_MULF(D->m22, B->xz), RI_6 = RI_6a + RI_6b + RI_6d;
   const float RI_7a = KSL_MULF(D->m20, B->xy), RI_7b = KSL_MULF(D->m21, B->yy),
-      RI_7c = RI_7a + RI_7b, RI_7d = KSL_MULF(D->m22, B->yz), RI_7 = RI_7c + RI_7d;
+      RI_7d = KSL_MULF(D->m22, B->yz), RI_7 = RI_7a + RI_7b + RI_7d;
   const float RI_8a = KSL_MULF(D->m20, B->xz), RI_8b = KSL_MULF(D->m21, B->yz),
-      RI_8c = RI_8a + RI_8b, RI_8d = KSL_MULF(D->m22, B->zz), RI_8 = RI_8c + RI_8d;
+      RI_8d = KSL_MULF(D->m22, B->zz), RI_8 = RI_8a + RI_8b + RI_8d;
   const float turned_1a = KSL_MULF(D->m00, B->h.x), turned_1b = KSL_MULF(D->m01, B->h.y),
-      turned_1c = turned_1a + turned_1b, turned_1d = KSL_MULF(D->m02, B->h.z),
-      turned_1 = turned_1c + turned_1d;
+      turned_1d = KSL_MULF(D->m02, B->h.z), turned_1 = turned_1a + turned_1b + turned_1d;
   const float turned_2a = KSL_MULF(D->m10, B->h.x), turned_2b = KSL_MULF(D->m11, B->h.y),
-      turned_2c = turned_2a + turned_2b, turned_2d = KSL_MULF(D->m12, B->h.z),
-      turned_2 = turned_2c + turned_2d;
+      turned_2d = KSL_MULF(D->m12, B->h.z), turned_2 = turned_2a + turned_2b + turned_2d;
   const float turned_3a = KSL_MULF(D->m20, B->h.x), turned_3b = KSL_MULF(D->m21, B->h.y),
-      turned_3c = turned_3a + turned_3b, turned_3d = KSL_MULF(D->m22, B->h.z),
-      turned_3 = turned_3c + turned_3d;
-  const float turned_4a = KSL_MULF(D->m00, RI_0), turned_4b = KSL_MULF(D->m01, RI_1),
-      turned_4c = turned_4a + turned_4b, turned_4d = KSL_MULF(D->m02, RI_2),
-      turned_4 = turned_4c + turned_4d;
-  const float turned_5a = KSL_MULF(D->m10, RI_3), turned_5b = KSL_MULF(D->m11, RI_4),
-      turned_5c = turned_5a + turned_5b, turned_5d = KSL_MULF(D->m12, RI_5),
-      turned_5 = turned_5c + turned_5d;
-  const float turned_6a = KSL_MULF(D->m20, RI_6), turned_6b = KSL_MULF(D->m21, RI_7),
-      turned_6c = turned_6a + turned_6b, turned_6d = KSL_MULF(D->m22, RI_8),
-      turned_6 = turned_6c + turned_6d;
-  const float turned_7a = KSL_MULF(D->m10, RI_0), turned_7b = KSL_MULF(D->m11, RI_1),
-      turned_7c = turned_7a + turned_7b, turned_7d = KSL_MULF(D->m12, RI_2),
-      turned_7 = turned_7c + turned_7d;
-  const float turned_8a = KSL_MULF(D->m20, RI_0), turned_8b = KSL_MULF(D->m21, RI_1),
-      turned_8c = turned_8a + turned_8b, turned_8d = KSL_MULF(D->m22, RI_2),
-      turned_8 = turned_8c + turned_8d;
-  const float turned_9a = KSL_MULF(D->m20, RI_3), turned_9b = KSL_MULF(D->m21, RI_4),
-      turned_9c = turned_9a + turned_9b, turned_9d = KSL_MULF(D->m22, RI_5),
-      turned_9 = turned_9c + turned_9d;
-  const float mt_0 = KSL_MULF(D->m03, B->m);
-  const float mt_1 = KSL_MULF(D->m13, B->m);
-  const float mt_2 = KSL_MULF(D->m23, B->m);
+      turned_3d = KSL_MULF(D->m22, B->h.z), turned_3 = turned_3a + turned_3b + turned_3d;
+  const float turned_4 = KSL_MULF(D->m00, RI_0) + KSL_MULF(D->m01, RI_1) + KSL_MULF(D->m02, RI_2);
+  const float turned_5 = KSL_MULF(D->m10, RI_3) + KSL_MULF(D->m11, RI_4) + KSL_MULF(D->m12, RI_5);
+  const float turned_6 = KSL_MULF(D->m20, RI_6) + KSL_MULF(D->m21, RI_7) + KSL_MULF(D->m22, RI_8),
+      turned_7 = KSL_MULF(D->m10, RI_0) + KSL_MULF(D->m11, RI_1) + KSL_MULF(D->m12, RI_2),
+      turned_8 = KSL_MULF(D->m20, RI_0) + KSL_MULF(D->m21, RI_1) + KSL_MULF(D->m22, RI_2),
+      turned_9 = KSL_MULF(D->m20, RI_3) + KSL_MULF(D->m21, RI_4) + KSL_MULF(D->m22, RI_5);
+  const float mt_0 = KSL_MULF(D->m03, B->m), mt_1 = KSL_MULF(D->m13, B->m),
+      mt_2 = KSL_MULF(D->m23, B->m);
   const float half_0 = KSL_MULF(0.5f, mt_0);
   const float half_1 = KSL_MULF(0.5f, mt_1);
   const float half_2 = KSL_MULF(0.5f, mt_2);
-  const float n_0 = turned_1 + half_0;
-  const float n_1 = turned_2 + half_1;
-  const float n_2 = turned_3 + half_2;
+  const float n_0 = turned_1 + half_0, n_1 = turned_2 + half_1, n_2 = turned_3 + half_2;
   const float tn0 = KSL_MULF(D->m03, n_0);
   const float tn1 = KSL_MULF(D->m13, n_1);
   const float tn2 = KSL_MULF(D->m23, n_2);
-  const float own_0 = KSL_MULF(2.0f, tn0);
-  const float own_1 = KSL_MULF(2.0f, tn1);
-  const float own_2 = KSL_MULF(2.0f, tn2);
-  const float pairs_0 = own_1 + own_2;
-  const float pairs_1 = own_0 + own_2;
-  const float pairs_2 = own_0 + own_1;
-  const float pairs_3a = KSL_MULF(D->m03, n_1), pairs_3b = KSL_MULF(D->m13, n_0),
-      pairs_3 = pairs_3a + pairs_3b;
-  const float pairs_4a = KSL_MULF(D->m03, n_2), pairs_4b = KSL_MULF(D->m23, n_0),
-      pairs_4 = pairs_4a + pairs_4b;
-  const float pairs_5a = KSL_MULF(D->m13, n_2), pairs_5b = KSL_MULF(D->m23, n_1),
-      pairs_5 = pairs_5a + pairs_5b;
-  const float moved_0 = turned_1 + mt_0;
-  const float moved_1 = turned_2 + mt_1;
-  const float moved_2 = turned_3 + mt_2;
-  const float Bo_4 = turned_4 + pairs_0;
-  const float Bo_5 = turned_5 + pairs_1;
-  const float Bo_6 = turned_6 + pairs_2;
-  const float Bo_7 = turned_7 - pairs_3;
-  const float Bo_8 = turned_8 - pairs_4;
-  const float Bo_9 = turned_9 - pairs_5;
-  const float RI_0a_abs = fabsf(RI_0a), RI_0b_abs = fabsf(RI_0b),
-      RI_0c_size = RI_0a_abs + RI_0b_abs, RI_0d_abs = fabsf(RI_0d),
-      RI_0_size = RI_0c_size + RI_0d_abs;
-  const float RI_1a_abs = fabsf(RI_1a), RI_1b_abs = fabsf(RI_1b),
-      RI_1c_size = RI_1a_abs + RI_1b_abs, RI_1d_abs = fabsf(RI_1d),
-      RI_1_size = RI_1c_size + RI_1d_abs;
-  const float RI_2a_abs = fabsf(RI_2a), RI_2b_abs = fabsf(RI_2b),
-      RI_2c_size = RI_2a_abs + RI_2b_abs, RI_2d_abs = fabsf(RI_2d),
-      RI_2_size = RI_2c_size + RI_2d_abs;
-  const float RI_3a_abs = fabsf(RI_3a), RI_3b_abs = fabsf(RI_3b),
-      RI_3c_size = RI_3a_abs + RI_3b_abs, RI_3d_abs = fabsf(RI_3d),
-      RI_3_size = RI_3c_size + RI_3d_abs;
-  const float RI_4a_abs = fabsf(RI_4a), RI_4b_abs = fabsf(RI_4b),
-      RI_4c_size = RI_4a_abs + RI_4b_abs, RI_4d_abs = fabsf(RI_4d),
-      RI_4_size = RI_4c_size + RI_4d_abs;
-  const float RI_5a_abs = fabsf(RI_5a), RI_5b_abs = fabsf(RI_5b),
-      RI_5c_size = RI_5a_abs + RI_5b_abs, RI_5d_abs = fabsf(RI_5d),
-      RI_5_size = RI_5c_size + RI_5d_abs;
-  const float RI_6a_abs = fabsf(RI_6a), RI_6b_abs = fabsf(RI_6b),
-      RI_6c_size = RI_6a_abs + RI_6b_abs, RI_6d_abs = fabsf(RI_6d),
-      RI_6_size = RI_6c_size + RI_6d_abs;
-  const float RI_7a_abs = fabsf(RI_7a), RI_7b_abs = fabsf(RI_7b),
-      RI_7c_size = RI_7a_abs + RI_7b_abs, RI_7d_abs = fabsf(RI_7d),
-      RI_7_size = RI_7c_size + RI_7d_abs;
-  const float RI_8a_abs = fabsf(RI_8a), RI_8b_abs = fabsf(RI_8b),
-      RI_8c_size = RI_8a_abs + RI_8b_abs, RI_8d_abs = fabsf(RI_8d),
-      RI_8_size = RI_8c_size + RI_8d_abs;
-  const float turned_1a_abs = fabsf(turned_1a), turned_1b_abs = fabsf(turned_1b),
-      turned_1c_size = turned_1a_abs + turned_1b_abs, turned_1d_abs = fabsf(turned_1d),
-      turned_1_size = turned_1c_size + turned_1d_abs;
-  const float turned_2a_abs = fabsf(turned_2a), turned_2b_abs = fabsf(turned_2b),
-      turned_2c_size = turned_2a_abs + turned_2b_abs, turned_2d_abs = fabsf(turned_2d),
-      turned_2_size = turned_2c_size + turned_2d_abs;
-  const float turned_3a_abs = fabsf(turned_3a), turned_3b_abs = fabsf(turned_3b),
-      turned_3c_size = turned_3a_abs + turned_3b_abs, turned_3d_abs = fabsf(turned_3d),
-      turned_3_size = turned_3c_size + turned_3d_abs;
-  const float RI_0_padded = RI_0_size + 1.9721523e-31f;
-  const float D_00_abs = fabsf(D->m00), turned_4a_size = KSL_MULF(D_00_abs, RI_0_padded);
-  const float RI_1_padded = RI_1_size + 1.9721523e-31f;
-  const float D_01_abs = fabsf(D->m01), turned_4b_size = KSL_MULF(D_01_abs, RI_1_padded),
-      turned_4c_size = turned_4a_size + turned_4b_size;
-  const float RI_2_padded = RI_2_size + 1.9721523e-31f;
-  const float D_02_abs = fabsf(D->m02), turned_4d_size = KSL_MULF(D_02_abs, RI_2_padded),
-      turned_4_size = turned_4c_size + turned_4d_size;
+  const float own_0 = KSL_MULF(2.0f, tn0), own_1 = KSL_MULF(2.0f, tn1), own_2 = KSL_MULF(2.0f, tn2);
+  const float pairs_0 = own_1 + own_2, pairs_1 = own_0 + own_2, pairs_2 = own_0 + own_1,
+      pairs_3 = KSL_MULF(D->m03, n_1) + KSL_MULF(D->m13, n_0),
+      pairs_4 = KSL_MULF(D->m03, n_2) + KSL_MULF(D->m23, n_0),
+      pairs_5 = KSL_MULF(D->m13, n_2) + KSL_MULF(D->m23, n_1);
+  const float moved_0 = turned_1 + mt_0, moved_1 = turned_2 + mt_1, moved_2 = turned_3 + mt_2;
+  const float Bo_4 = turned_4 + pairs_0, Bo_5 = turned_5 + pairs_1, Bo_6 = turned_6 + pairs_2,
+      Bo_7 = turned_7 - pairs_3, Bo_8 = turned_8 - pairs_4, Bo_9 = turned_9 - pairs_5;
+  const float RI_0_size = fabsf(RI_0a) + fabsf(RI_0b) + fabsf(RI_0d),
+      RI_1_size = fabsf(RI_1a) + fabsf(RI_1b) + fabsf(RI_1d),
+      RI_2_size = fabsf(RI_2a) + fabsf(RI_2b) + fabsf(RI_2d),
+      RI_3_size = fabsf(RI_3a) + fabsf(RI_3b) + fabsf(RI_3d),
+      RI_4_size = fabsf(RI_4a) + fabsf(RI_4b) + fabsf(RI_4d),
+      RI_5_size = fabsf(RI_5a) + fabsf(RI_5b) + fabsf(RI_5d),
+      RI_6_size = fabsf(RI_6a) + fabsf(RI_6b) + fabsf(RI_6d),
+      RI_7_size = fabsf(RI_7a) + fabsf(RI_7b) + fabsf(RI_7d),
+      RI_8_size = fabsf(RI_8a) + fabsf(RI_8b) + fabsf(RI_8d);
+  const float turned_1_size = fabsf(turned_1a) + fabsf(turned_1b) + fabsf(turned_1d),
+      turned_2_size = fabsf(turned_2a) + fabsf(turned_2b) + fabsf(turned_2d),
+      turned_3_size = fabsf(turned_3a) + fabsf(turned_3b) + fabsf(turned_3d);
+  const float RI_0_padded = RI_0_size + 1.9721523e-31f, RI_1_padded = RI_1_size + 1.9721523e-31f,
+      RI_2_padded = RI_2_size + 1.9721523e-31f;
+  const float turned_4_size = KSL_MULF(fabsf(D->m00), RI_0_padded)
+          + KSL_MULF(fabsf(D->m01), RI_1_padded) + KSL_MULF(fabsf(D->m02), RI_2_padded);
   const float RI_3_padded = RI_3_size + 1.9721523e-31f;
-  const float D_10_abs = fabsf(D->m10), turned_5a_size = KSL_MULF(D_10_abs, RI_3_padded);
+  const float D_10_abs = fabsf(D->m10);
   const float RI_4_padded = RI_4_size + 1.9721523e-31f;
-  const float D_11_abs = fabsf(D->m11), turned_5b_size = KSL_MULF(D_11_abs, RI_4_padded),
-      turned_5c_size = turned_5a_size + turned_5b_size;
+  const float D_11_abs = fabsf(D->m11);
   const float RI_5_padded = RI_5_size + 1.9721523e-31f;
-  const float D_12_abs = fabsf(D->m12), turned_5d_size = KSL_MULF(D_12_abs, RI_5_padded),
-      turned_5_size = turned_5c_size + turned_5d_size;
-  const float RI_6_padded = RI_6_size + 1.9721523e-31f;
-  const float D_20_abs = fabsf(D->m20), turned_6a_size = KSL_MULF(D_20_abs, RI_6_padded);
-  const float RI_7_padded = RI_7_size + 1.9721523e-31f;
-  const float D_21_abs = fabsf(D->m21), turned_6b_size = KSL_MULF(D_21_abs, RI_7_padded),
-      turned_6c_size = turned_6a_size + turned_6b_size;
-  const float RI_8_padded = RI_8_size + 1.9721523e-31f;
-  const float D_22_abs = fabsf(D->m22), turned_6d_size = KSL_MULF(D_22_abs, RI_8_padded),
-      turned_6_size = turned_6c_size + turned_6d_size;
-  const float turned_7a_size = KSL_MULF(D_10_abs, RI_0_padded),
-      turned_7b_size = KSL_MULF(D_11_abs, RI_1_padded),
-      turned_7c_size = turned_7a_size + turned_7b_size,
-      turned_7d_size = KSL_MULF(D_12_abs, RI_2_padded),
-      turned_7_size = turned_7c_size + turned_7d_size;
-  const float turned_8a_size = KSL_MULF(D_20_abs, RI_0_padded),
-      turned_8b_size = KSL_MULF(D_21_abs, RI_1_padded),
-      turned_8c_size = turned_8a_size + turned_8b_size,
-      turned_8d_size = KSL_MULF(D_22_abs, RI_2_padded),
-      turned_8_size = turned_8c_size + turned_8d_size;
-  const float turned_9a_size = KSL_MULF(D_20_abs, RI_3_padded),
-      turned_9b_size = KSL_MULF(D_21_abs, RI_4_padded),
-      turned_9c_size = turned_9a_size + turned_9b_size,
-      turned_9d_size = KSL_MULF(D_22_abs, RI_5_padded),
-      turned_9_size = turned_9c_size + turned_9d_size;
-  const float mt_0_abs = fabsf(mt_0), mt_0_padded = mt_0_abs + 1.9721523e-31f;
-  const float half_0_size = KSL_MULF(0.5f, mt_0_padded);
-  const float mt_1_abs = fabsf(mt_1), mt_1_padded = mt_1_abs + 1.9721523e-31f;
-  const float half_1_size = KSL_MULF(0.5f, mt_1_padded);
-  const float mt_2_abs = fabsf(mt_2), mt_2_padded = mt_2_abs + 1.9721523e-31f;
-  const float half_2_size = KSL_MULF(0.5f, mt_2_padded);
-  const float n_0_size = turned_1_size + half_0_size;
-  const float n_1_size = turned_2_size + half_1_size;
-  const float n_2_size = turned_3_size + half_2_size;
+  const float D_12_abs = fabsf(D->m12),
+      turned_5_size = KSL_MULF(D_10_abs, RI_3_padded) + KSL_MULF(D_11_abs, RI_4_padded)
+          + KSL_MULF(D_12_abs, RI_5_padded);
+  const float D_20_abs = fabsf(D->m20), D_21_abs = fabsf(D->m21), D_22_abs = fabsf(D->m22),
+      turned_6c_size = KSL_MULF(D_20_abs, RI_6_size + 1.9721523e-31f)
+          + KSL_MULF(D_21_abs, RI_7_size + 1.9721523e-31f),
+      turned_6_size = turned_6c_size + KSL_MULF(D_22_abs, RI_8_size + 1.9721523e-31f);
+  const float turned_7_size = KSL_MULF(D_10_abs, RI_0_padded) + KSL_MULF(D_11_abs, RI_1_padded)
+          + KSL_MULF(D_12_abs, RI_2_padded),
+      turned_8_size = KSL_MULF(D_20_abs, RI_0_padded) + KSL_MULF(D_21_abs, RI_1_padded)
+          + KSL_MULF(D_22_abs, RI_2_padded),
+      turned_9_size = KSL_MULF(D_20_abs, RI_3_padded) + KSL_MULF(D_21_abs, RI_4_padded)
+          + KSL_MULF(D_22_abs, RI_5_padded);
+  const float mt_0_abs = fabsf(mt_0);
+  const float half_0_size = KSL_MULF(0.5f, mt_0_abs + 1.9721523e-31f);
+  const float mt_1_abs = fabsf(mt_1);
+  const float half_1_size = KSL_MULF(0.5f, mt_1_abs + 1.9721523e-31f);
+  const float mt_2_abs = fabsf(mt_2);
+  const float half_2_size = KSL_MULF(0.5f, mt_2_abs + 1.9721523e-31f);
+  const float n_0_size = turned_1_size + half_0_size, n_1_size = turned_2_size + half_1_size,
+      n_2_size = turned_3_size + half_2_size;
   const float n_0_padded = n_0_size + 1.9721523e-31f;
   const float D_03_abs = fabsf(D->m03), tn0_size = KSL_MULF(D_03_abs, n_0_padded);
   const float n_1_padded = n_1_size + 1.9721523e-31f;
   const float D_13_abs = fabsf(D->m13), tn1_size = KSL_MULF(D_13_abs, n_1_padded);
   const float n_2_padded = n_2_size + 1.9721523e-31f;
   const float D_23_abs = fabsf(D->m23), tn2_size = KSL_MULF(D_23_abs, n_2_padded);
-  const float tn0_padded = tn0_size + 1.9721523e-31f;
-  const float own_0_size = KSL_MULF(2.0f, tn0_padded);
-  const float tn1_padded = tn1_size + 1.9721523e-31f;
-  const float own_1_size = KSL_MULF(2.0f, tn1_padded);
-  const float tn2_padded = tn2_size + 1.9721523e-31f;
-  const float own_2_size = KSL_MULF(2.0f, tn2_padded);
-  const float pairs_0_size = own_1_size + own_2_size;
-  const float pairs_1_size = own_0_size + own_2_size;
-  const float pairs_2_size = own_0_size + own_1_size;
-  const float pairs_3a_size = KSL_MULF(D_03_abs, n_1_padded),
-      pairs_3b_size = KSL_MULF(D_13_abs, n_0_padded), pairs_3_size = pairs_3a_size + pairs_3b_size;
-  const float pairs_4a_size = KSL_MULF(D_03_abs, n_2_padded),
-      pairs_4b_size = KSL_MULF(D_23_abs, n_0_padded), pairs_4_size = pairs_4a_size + pairs_4b_size;
-  const float pairs_5a_size = KSL_MULF(D_13_abs, n_2_padded),
-      pairs_5b_size = KSL_MULF(D_23_abs, n_1_padded), pairs_5_size = pairs_5a_size + pairs_5b_size;
-  const float moved_0_size = turned_1_size + mt_0_abs;
-  const float moved_1_size = turned_2_size + mt_1_abs;
-  const float moved_2_size = turned_3_size + mt_2_abs;
-  const float Bo_4_size = turned_4_size + pairs_0_size;
-  const float Bo_5_size = turned_5_size + pairs_1_size;
-  const float Bo_6_size = turned_6_size + pairs_2_size;
-  const float Bo_7_size = turned_7_size + pairs_3_size;
-  const float Bo_8_size = turned_8_size + pairs_4_size;
-  const float Bo_9_size = turned_9_size + pairs_5_size;
-  const float moved_0_padded = moved_0_size + 1.9721523e-31f,
-      moved_0_error_bound = KSL_MULF(2.3841864e-07f, moved_0_padded);
-  const float moved_1_padded = moved_1_size + 1.9721523e-31f,
-      moved_1_error_bound = KSL_MULF(2.3841864e-07f, moved_1_padded);
-  const float moved_2_padded = moved_2_size + 1.9721523e-31f,
-      moved_2_error_bound = KSL_MULF(2.3841864e-07f, moved_2_padded);
-  const float Bo_4_padded = Bo_4_size + 1.9721523e-31f,
-      Bo_4_error_bound = KSL_MULF(4.7683733e-07f, Bo_4_padded);
-  const float Bo_5_padded = Bo_5_size + 1.9721523e-31f,
-      Bo_5_error_bound = KSL_MULF(4.7683733e-07f, Bo_5_padded);
-  const float Bo_6_padded = Bo_6_size + 1.9721523e-31f,
-      Bo_6_error_bound = KSL_MULF(4.7683733e-07f, Bo_6_padded);
-  const float Bo_7_padded = Bo_7_size + 1.9721523e-31f,
-      Bo_7_error_bound = KSL_MULF(4.1723263e-07f, Bo_7_padded);
-  const float Bo_8_padded = Bo_8_size + 1.9721523e-31f,
-      Bo_8_error_bound = KSL_MULF(4.1723263e-07f, Bo_8_padded);
-  const float Bo_9_padded = Bo_9_size + 1.9721523e-31f,
-      Bo_9_error_bound = KSL_MULF(4.1723263e-07f, Bo_9_padded);
+  const float own_0_size = KSL_MULF(2.0f, tn0_size + 1.9721523e-31f),
+      own_1_size = KSL_MULF(2.0f, tn1_size + 1.9721523e-31f),
+      own_2_size = KSL_MULF(2.0f, tn2_size + 1.9721523e-31f);
+  const float pairs_0_size = own_1_size + own_2_size, pairs_1_size = own_0_size + own_2_size,
+      pairs_2_size = own_0_size + own_1_size,
+      pairs_3_size = KSL_MULF(D_03_abs, n_1_padded) + KSL_MULF(D_13_abs, n_0_padded),
+      pairs_4_size = KSL_MULF(D_03_abs, n_2_padded) + KSL_MULF(D_23_abs, n_0_padded),
+      pairs_5_size = KSL_MULF(D_13_abs, n_2_padded) + KSL_MULF(D_23_abs, n_1_padded);
+  const float moved_0_size = turned_1_size + mt_0_abs, moved_1_size = turned_2_size + mt_1_abs,
+      moved_2_size = turned_3_size + mt_2_abs;
+  const float Bo_4_size = turned_4_size + pairs_0_size, Bo_5_size = turned_5_size + pairs_1_size,
+      Bo_6_size = turned_6_size + pairs_2_size, Bo_7_size = turned_7_size + pairs_3_size,
+      Bo_8_size = turned_8_size + pairs_4_size, Bo_9_size = turned_9_size + pairs_5_size;
+  const float moved_0_bound = KSL_MULF(2.3841864e-07f, moved_0_size + 1.9721523e-31f),
+      moved_1_bound = KSL_MULF(2.3841864e-07f, moved_1_size + 1.9721523e-31f),
+      moved_2_bound = KSL_MULF(2.3841864e-07f, moved_2_size + 1.9721523e-31f);
+  const float Bo_4_bound = KSL_MULF(4.7683733e-07f, Bo_4_size + 1.9721523e-31f),
+      Bo_5_bound = KSL_MULF(4.7683733e-07f, Bo_5_size + 1.9721523e-31f),
+      Bo_6_bound = KSL_MULF(4.7683733e-07f, Bo_6_size + 1.9721523e-31f),
+      Bo_7_bound = KSL_MULF(4.1723263e-07f, Bo_7_size + 1.9721523e-31f),
+      Bo_8_bound = KSL_MULF(4.1723263e-07f, Bo_8_size + 1.9721523e-31f),
+      Bo_9_bound = KSL_MULF(4.1723263e-07f, Bo_9_size + 1.9721523e-31f);
   const float B_m = B->m;
   Bo->m = B_m;
   Bo->h.x = moved_0;
@@ -1772,15 +1213,15 @@ static inline void ksl_spatial_inertiaf_transformed_certified(const ksl_SE3f_t *
   Bo->xz = Bo_8;
   Bo->yz = Bo_9;
   Bo_bound->m = 0.0f;
-  Bo_bound->h.x = moved_0_error_bound;
-  Bo_bound->h.y = moved_1_error_bound;
-  Bo_bound->h.z = moved_2_error_bound;
-  Bo_bound->xx = Bo_4_error_bound;
-  Bo_bound->yy = Bo_5_error_bound;
-  Bo_bound->zz = Bo_6_error_bound;
-  Bo_bound->xy = Bo_7_error_bound;
-  Bo_bound->xz = Bo_8_error_bound;
-  Bo_bound->yz = Bo_9_error_bound;
+  Bo_bound->h.x = moved_0_bound;
+  Bo_bound->h.y = moved_1_bound;
+  Bo_bound->h.z = moved_2_bound;
+  Bo_bound->xx = Bo_4_bound;
+  Bo_bound->yy = Bo_5_bound;
+  Bo_bound->zz = Bo_6_bound;
+  Bo_bound->xy = Bo_7_bound;
+  Bo_bound->xz = Bo_8_bound;
+  Bo_bound->yz = Bo_9_bound;
 }
 
 #endif

@@ -19,14 +19,11 @@
      underflow. */
 static inline double ksl_mat3x3_ldl(const ksl_mat3x3_t *A, ksl_mat3x3_t *L) {
   const double divisor0 = 0.0 < A->m00 ? A->m00 : 1.0;
-  const double l0_0 = A->m10 / divisor0;
-  const double l0_1 = A->m20 / divisor0;
-  const double u1_0a = KSL_MUL(A->m10, l0_0), u1_0 = A->m11 - u1_0a;
-  const double u1_1a = KSL_MUL(A->m20, l0_0), u1_1 = A->m21 - u1_1a;
+  const double l0_0 = A->m10 / divisor0, l0_1 = A->m20 / divisor0;
+  const double u1_0 = A->m11 - KSL_MUL(A->m10, l0_0), u1_1 = A->m21 - KSL_MUL(A->m20, l0_0);
   const double divisor1 = 0.0 < u1_0 ? u1_0 : 1.0;
   const double l1 = u1_1 / divisor1;
-  const double u2a = KSL_MUL(A->m20, l0_1), u2b = A->m22 - u2a, u2c = KSL_MUL(u1_1, l1),
-      u2 = u2b - u2c;
+  const double u2 = A->m22 - KSL_MUL(A->m20, l0_1) - KSL_MUL(u1_1, l1);
   const double part0a = A->m00 / divisor0, part0 = 0.0 < A->m00 ? part0a : A->m00;
   const double own1 = 0.0 < A->m11 ? A->m11 : 1.0;
   const double part1a = u1_0 / own1, part1 = 0.0 < A->m11 ? part1a : A->m11;
@@ -52,14 +49,13 @@ static inline double ksl_mat3x3_ldl(const ksl_mat3x3_t *A, ksl_mat3x3_t *L) {
    Backward error, of A = L D L^T: |b - A x|_i <= 4 u Σ_j sqrt(a_ii a_jj) |x_j|; measured, not
      proved; barring over- and underflow. */
 static inline void ksl_mat3x3_ldl_solve(const ksl_mat3x3_t *L, const ksl_vec3_t *b, ksl_vec3_t *x) {
-  const double y1a = KSL_MUL(L->m10, b->x), y1 = b->y - y1a;
-  const double y2a = KSL_MUL(L->m20, b->x), y2b = b->z - y2a, y2c = KSL_MUL(L->m21, y1),
-      y2 = y2b - y2c;
+  const double y1 = b->y - KSL_MUL(L->m10, b->x);
+  const double y2 = b->z - KSL_MUL(L->m20, b->x) - KSL_MUL(L->m21, y1);
   const double z0 = b->x / L->m00;
   const double z1 = y1 / L->m11;
   const double z2 = y2 / L->m22;
-  const double x1a = KSL_MUL(L->m21, z2), x1 = z1 - x1a;
-  const double x0a = KSL_MUL(L->m10, x1), x0b = z0 - x0a, x0c = KSL_MUL(L->m20, z2), x0 = x0b - x0c;
+  const double x1 = z1 - KSL_MUL(L->m21, z2);
+  const double x0 = z0 - KSL_MUL(L->m10, x1) - KSL_MUL(L->m20, z2);
   x->x = x0;
   x->y = x1;
   x->z = z2;
@@ -74,14 +70,11 @@ static inline void ksl_mat3x3_ldl_solve(const ksl_mat3x3_t *L, const ksl_vec3_t 
      barring over- and underflow. */
 static inline double ksl_mat3x3_solve(const ksl_mat3x3_t *A, const ksl_vec3_t *b, ksl_vec3_t *x) {
   const double divisor0 = 0.0 < A->m00 ? A->m00 : 1.0;
-  const double l0_0 = A->m10 / divisor0;
-  const double l0_1 = A->m20 / divisor0;
-  const double u1_0a = KSL_MUL(A->m10, l0_0), u1_0 = A->m11 - u1_0a;
-  const double u1_1a = KSL_MUL(A->m20, l0_0), u1_1 = A->m21 - u1_1a;
+  const double l0_0 = A->m10 / divisor0, l0_1 = A->m20 / divisor0;
+  const double u1_0 = A->m11 - KSL_MUL(A->m10, l0_0), u1_1 = A->m21 - KSL_MUL(A->m20, l0_0);
   const double divisor1 = 0.0 < u1_0 ? u1_0 : 1.0;
   const double l1 = u1_1 / divisor1;
-  const double u2a = KSL_MUL(A->m20, l0_1), u2b = A->m22 - u2a, u2c = KSL_MUL(u1_1, l1),
-      u2 = u2b - u2c;
+  const double u2 = A->m22 - KSL_MUL(A->m20, l0_1) - KSL_MUL(u1_1, l1);
   const double divisor2 = 0.0 < u2 ? u2 : 1.0;
   const double part0a = A->m00 / divisor0, part0 = 0.0 < A->m00 ? part0a : A->m00;
   const double own1 = 0.0 < A->m11 ? A->m11 : 1.0;
@@ -90,53 +83,39 @@ static inline double ksl_mat3x3_solve(const ksl_mat3x3_t *A, const ksl_vec3_t *b
   const double own2 = 0.0 < A->m22 ? A->m22 : 1.0;
   const double part2a = u2 / own2, part2 = 0.0 < A->m22 ? part2a : A->m22;
   const double smallest2 = smallest1 < part2 ? smallest1 : part2;
-  const double less_0 = KSL_MUL(A->m00, 0.9999999999999944);
-  const double less_1 = KSL_MUL(A->m11, 0.9999999999999944);
-  const double less_2 = KSL_MUL(A->m22, 0.9999999999999944);
+  const double less_0 = KSL_MUL(A->m00, 0.9999999999999944),
+      less_1 = KSL_MUL(A->m11, 0.9999999999999944), less_2 = KSL_MUL(A->m22, 0.9999999999999944);
   const double less_divisor0 = 0.0 < less_0 ? less_0 : 1.0;
-  const double less_l0_0 = A->m10 / less_divisor0;
-  const double less_l0_1 = A->m20 / less_divisor0;
-  const double less_u1_0a = KSL_MUL(A->m10, less_l0_0), less_u1_0 = less_1 - less_u1_0a;
-  const double less_u1_1a = KSL_MUL(A->m20, less_l0_0), less_u1_1 = A->m21 - less_u1_1a;
+  const double less_l0_0 = A->m10 / less_divisor0, less_l0_1 = A->m20 / less_divisor0;
+  const double less_u1_0 = less_1 - KSL_MUL(A->m10, less_l0_0),
+      less_u1_1 = A->m21 - KSL_MUL(A->m20, less_l0_0);
   const double less_divisor1 = 0.0 < less_u1_0 ? less_u1_0 : 1.0;
   const double less_l1 = less_u1_1 / less_divisor1;
-  const double less_u2a = KSL_MUL(A->m20, less_l0_1), less_u2b = less_2 - less_u2a,
-      less_u2c = KSL_MUL(less_u1_1, less_l1), less_u2 = less_u2b - less_u2c;
+  const double less_u2 = less_2 - KSL_MUL(A->m20, less_l0_1) - KSL_MUL(less_u1_1, less_l1);
   const double regular_b = 0.0 < less_u2 ? 1.0 : 0.0, regular_c = 0.0 < less_u1_0 ? regular_b : 0.0,
       regular = 0.0 < less_0 ? regular_c : 0.0;
   const double least = smallest2 < 0.0 ? smallest2 : 0.0;
-  const double y1a = KSL_MUL(b->x, l0_0), y1 = b->y - y1a;
-  const double y2a = KSL_MUL(b->x, l0_1), y2b = b->z - y2a, y2c = KSL_MUL(l1, y1), y2 = y2b - y2c;
+  const double y1 = b->y - KSL_MUL(b->x, l0_0);
+  const double y2 = b->z - KSL_MUL(b->x, l0_1) - KSL_MUL(l1, y1);
   const double z0 = b->x / divisor0;
   const double z1 = y1 / divisor1;
   const double z2 = y2 / divisor2;
-  const double x1a = KSL_MUL(l1, z2), x1 = z1 - x1a;
-  const double x0a = KSL_MUL(l0_0, x1), x0b = z0 - x0a, x0c = KSL_MUL(l0_1, z2), x0 = x0b - x0c;
-  const double residual_0a = KSL_MUL(A->m00, x0), residual_0b = b->x - residual_0a,
-      residual_0c = KSL_MUL(A->m10, x1), residual_0d = residual_0b - residual_0c,
-      residual_0e = KSL_MUL(A->m20, z2), residual_0 = residual_0d - residual_0e;
-  const double residual_1a = KSL_MUL(A->m10, x0), residual_1b = b->y - residual_1a,
-      residual_1c = KSL_MUL(A->m11, x1), residual_1d = residual_1b - residual_1c,
-      residual_1e = KSL_MUL(A->m21, z2), residual_1 = residual_1d - residual_1e;
-  const double residual_2a = KSL_MUL(A->m20, x0), residual_2b = b->z - residual_2a,
-      residual_2c = KSL_MUL(A->m21, x1), residual_2d = residual_2b - residual_2c,
-      residual_2e = KSL_MUL(A->m22, z2), residual_2 = residual_2d - residual_2e;
-  const double refined_y1a = KSL_MUL(l0_0, residual_0), refined_y1 = residual_1 - refined_y1a;
-  const double refined_y2a = KSL_MUL(l0_1, residual_0), refined_y2b = residual_2 - refined_y2a,
-      refined_y2c = KSL_MUL(l1, refined_y1), refined_y2 = refined_y2b - refined_y2c;
+  const double x1 = z1 - KSL_MUL(l1, z2);
+  const double x0 = z0 - KSL_MUL(l0_0, x1) - KSL_MUL(l0_1, z2);
+  const double residual_0 = b->x - KSL_MUL(A->m00, x0) - KSL_MUL(A->m10, x1) - KSL_MUL(A->m20, z2),
+      residual_1 = b->y - KSL_MUL(A->m10, x0) - KSL_MUL(A->m11, x1) - KSL_MUL(A->m21, z2),
+      residual_2 = b->z - KSL_MUL(A->m20, x0) - KSL_MUL(A->m21, x1) - KSL_MUL(A->m22, z2);
+  const double refined_y1 = residual_1 - KSL_MUL(l0_0, residual_0);
+  const double refined_y2 = residual_2 - KSL_MUL(l0_1, residual_0) - KSL_MUL(l1, refined_y1);
   const double refined_z0 = residual_0 / divisor0;
   const double refined_z1 = refined_y1 / divisor1;
   const double refined_z2 = refined_y2 / divisor2;
-  const double refined_x1a = KSL_MUL(l1, refined_z2), refined_x1 = refined_z1 - refined_x1a;
-  const double refined_x0a = KSL_MUL(l0_0, refined_x1), refined_x0b = refined_z0 - refined_x0a,
-      refined_x0c = KSL_MUL(l0_1, refined_z2), refined_x0 = refined_x0b - refined_x0c;
-  const double found_0 = x0 + refined_x0;
-  const double found_1 = x1 + refined_x1;
-  const double found_2 = z2 + refined_z2;
+  const double refined_x1 = refined_z1 - KSL_MUL(l1, refined_z2);
+  const double refined_x0 = refined_z0 - KSL_MUL(l0_0, refined_x1) - KSL_MUL(l0_1, refined_z2);
+  const double found_0 = x0 + refined_x0, found_1 = x1 + refined_x1, found_2 = z2 + refined_z2;
   const double pivot = regular == 1.0 ? smallest2 : least;
-  const double x_0 = regular == 1.0 ? found_0 : (double)NAN;
-  const double x_1 = regular == 1.0 ? found_1 : (double)NAN;
-  const double x_2 = regular == 1.0 ? found_2 : (double)NAN;
+  const double x_0 = regular == 1.0 ? found_0 : (double)NAN,
+      x_1 = regular == 1.0 ? found_1 : (double)NAN, x_2 = regular == 1.0 ? found_2 : (double)NAN;
   x->x = x_0;
   x->y = x_1;
   x->z = x_2;
@@ -152,56 +131,36 @@ static inline double ksl_mat3x3_solve(const ksl_mat3x3_t *A, const ksl_vec3_t *b
      underflow. */
 static inline double ksl_mat6x6_ldl(const ksl_mat6x6_t *A, ksl_mat6x6_t *L) {
   const double divisor0 = 0.0 < A->at[0][0] ? A->at[0][0] : 1.0;
-  const double l0_0 = A->at[0][1] / divisor0;
-  const double l0_1 = A->at[0][2] / divisor0;
-  const double l0_2 = A->at[0][3] / divisor0;
-  const double l0_3 = A->at[0][4] / divisor0;
-  const double l0_4 = A->at[0][5] / divisor0;
-  const double u1_0a = KSL_MUL(A->at[0][1], l0_0), u1_0 = A->at[1][1] - u1_0a;
-  const double u1_1a = KSL_MUL(A->at[0][2], l0_0), u1_1 = A->at[1][2] - u1_1a;
-  const double u1_2a = KSL_MUL(A->at[0][3], l0_0), u1_2 = A->at[1][3] - u1_2a;
-  const double u1_3a = KSL_MUL(A->at[0][4], l0_0), u1_3 = A->at[1][4] - u1_3a;
-  const double u1_4a = KSL_MUL(A->at[0][5], l0_0), u1_4 = A->at[1][5] - u1_4a;
+  const double l0_0 = A->at[0][1] / divisor0, l0_1 = A->at[0][2] / divisor0,
+      l0_2 = A->at[0][3] / divisor0, l0_3 = A->at[0][4] / divisor0, l0_4 = A->at[0][5] / divisor0;
+  const double u1_0 = A->at[1][1] - KSL_MUL(A->at[0][1], l0_0),
+      u1_1 = A->at[1][2] - KSL_MUL(A->at[0][2], l0_0),
+      u1_2 = A->at[1][3] - KSL_MUL(A->at[0][3], l0_0),
+      u1_3 = A->at[1][4] - KSL_MUL(A->at[0][4], l0_0),
+      u1_4 = A->at[1][5] - KSL_MUL(A->at[0][5], l0_0);
   const double divisor1 = 0.0 < u1_0 ? u1_0 : 1.0;
-  const double l1_0 = u1_1 / divisor1;
-  const double l1_1 = u1_2 / divisor1;
-  const double l1_2 = u1_3 / divisor1;
-  const double l1_3 = u1_4 / divisor1;
-  const double u2_0a = KSL_MUL(A->at[0][2], l0_1), u2_0b = A->at[2][2] - u2_0a,
-      u2_0c = KSL_MUL(u1_1, l1_0), u2_0 = u2_0b - u2_0c;
-  const double u2_1a = KSL_MUL(A->at[0][3], l0_1), u2_1b = A->at[2][3] - u2_1a,
-      u2_1c = KSL_MUL(u1_2, l1_0), u2_1 = u2_1b - u2_1c;
-  const double u2_2a = KSL_MUL(A->at[0][4], l0_1), u2_2b = A->at[2][4] - u2_2a,
-      u2_2c = KSL_MUL(u1_3, l1_0), u2_2 = u2_2b - u2_2c;
-  const double u2_3a = KSL_MUL(A->at[0][5], l0_1), u2_3b = A->at[2][5] - u2_3a,
-      u2_3c = KSL_MUL(u1_4, l1_0), u2_3 = u2_3b - u2_3c;
+  const double l1_0 = u1_1 / divisor1, l1_1 = u1_2 / divisor1, l1_2 = u1_3 / divisor1,
+      l1_3 = u1_4 / divisor1;
+  const double u2_0 = A->at[2][2] - KSL_MUL(A->at[0][2], l0_1) - KSL_MUL(u1_1, l1_0),
+      u2_1 = A->at[2][3] - KSL_MUL(A->at[0][3], l0_1) - KSL_MUL(u1_2, l1_0),
+      u2_2 = A->at[2][4] - KSL_MUL(A->at[0][4], l0_1) - KSL_MUL(u1_3, l1_0),
+      u2_3 = A->at[2][5] - KSL_MUL(A->at[0][5], l0_1) - KSL_MUL(u1_4, l1_0);
   const double divisor2 = 0.0 < u2_0 ? u2_0 : 1.0;
-  const double l2_0 = u2_1 / divisor2;
-  const double l2_1 = u2_2 / divisor2;
-  const double l2_2 = u2_3 / divisor2;
-  const double u3_0a = KSL_MUL(A->at[0][3], l0_2), u3_0b = A->at[3][3] - u3_0a,
-      u3_0c = KSL_MUL(u1_2, l1_1), u3_0d = u3_0b - u3_0c, u3_0e = KSL_MUL(u2_1, l2_0),
-      u3_0 = u3_0d - u3_0e;
-  const double u3_1a = KSL_MUL(A->at[0][4], l0_2), u3_1b = A->at[3][4] - u3_1a,
-      u3_1c = KSL_MUL(u1_3, l1_1), u3_1d = u3_1b - u3_1c, u3_1e = KSL_MUL(u2_2, l2_0),
-      u3_1 = u3_1d - u3_1e;
-  const double u3_2a = KSL_MUL(A->at[0][5], l0_2), u3_2b = A->at[3][5] - u3_2a,
-      u3_2c = KSL_MUL(u1_4, l1_1), u3_2d = u3_2b - u3_2c, u3_2e = KSL_MUL(u2_3, l2_0),
-      u3_2 = u3_2d - u3_2e;
+  const double l2_0 = u2_1 / divisor2, l2_1 = u2_2 / divisor2, l2_2 = u2_3 / divisor2;
+  const double u3_0 = A->at[3][3] - KSL_MUL(A->at[0][3], l0_2) - KSL_MUL(u1_2, l1_1)
+          - KSL_MUL(u2_1, l2_0),
+      u3_1 = A->at[3][4] - KSL_MUL(A->at[0][4], l0_2) - KSL_MUL(u1_3, l1_1) - KSL_MUL(u2_2, l2_0),
+      u3_2 = A->at[3][5] - KSL_MUL(A->at[0][5], l0_2) - KSL_MUL(u1_4, l1_1) - KSL_MUL(u2_3, l2_0);
   const double divisor3 = 0.0 < u3_0 ? u3_0 : 1.0;
-  const double l3_0 = u3_1 / divisor3;
-  const double l3_1 = u3_2 / divisor3;
-  const double u4_0a = KSL_MUL(A->at[0][4], l0_3), u4_0b = A->at[4][4] - u4_0a,
-      u4_0c = KSL_MUL(u1_3, l1_2), u4_0d = u4_0b - u4_0c, u4_0e = KSL_MUL(u2_2, l2_1),
-      u4_0f = u4_0d - u4_0e, u4_0g = KSL_MUL(u3_1, l3_0), u4_0 = u4_0f - u4_0g;
-  const double u4_1a = KSL_MUL(A->at[0][5], l0_3), u4_1b = A->at[4][5] - u4_1a,
-      u4_1c = KSL_MUL(u1_4, l1_2), u4_1d = u4_1b - u4_1c, u4_1e = KSL_MUL(u2_3, l2_1),
-      u4_1f = u4_1d - u4_1e, u4_1g = KSL_MUL(u3_2, l3_0), u4_1 = u4_1f - u4_1g;
+  const double l3_0 = u3_1 / divisor3, l3_1 = u3_2 / divisor3;
+  const double u4_0 = A->at[4][4] - KSL_MUL(A->at[0][4], l0_3) - KSL_MUL(u1_3, l1_2)
+          - KSL_MUL(u2_2, l2_1) - KSL_MUL(u3_1, l3_0),
+      u4_1 = A->at[4][5] - KSL_MUL(A->at[0][5], l0_3) - KSL_MUL(u1_4, l1_2) - KSL_MUL(u2_3, l2_1)
+          - KSL_MUL(u3_2, l3_0);
   const double divisor4 = 0.0 < u4_0 ? u4_0 : 1.0;
   const double l4 = u4_1 / divisor4;
-  const double u5a = KSL_MUL(A->at[0][5], l0_4), u5b = A->at[5][5] - u5a, u5c = KSL_MUL(u1_4, l1_3),
-      u5d = u5b - u5c, u5e = KSL_MUL(u2_3, l2_2), u5f = u5d - u5e, u5g = KSL_MUL(u3_2, l3_1),
-      u5h = u5f - u5g, u5i = KSL_MUL(u4_1, l4), u5 = u5h - u5i;
+  const double u5 = A->at[5][5] - KSL_MUL(A->at[0][5], l0_4) - KSL_MUL(u1_4, l1_3)
+          - KSL_MUL(u2_3, l2_2) - KSL_MUL(u3_2, l3_1) - KSL_MUL(u4_1, l4);
   const double part0a = A->at[0][0] / divisor0, part0 = 0.0 < A->at[0][0] ? part0a : A->at[0][0];
   const double own1 = 0.0 < A->at[1][1] ? A->at[1][1] : 1.0;
   const double part1a = u1_0 / own1, part1 = 0.0 < A->at[1][1] ? part1a : A->at[1][1];
@@ -264,36 +223,28 @@ static inline double ksl_mat6x6_ldl(const ksl_mat6x6_t *A, ksl_mat6x6_t *L) {
      proved; barring over- and underflow. */
 static inline void ksl_mat6x6_ldl_solve(const ksl_mat6x6_t *L, const ksl_coscrew_t *b,
     ksl_screw_t *x) {
-  const double y1a = KSL_MUL(L->at[0][1], b->m0), y1 = b->m1 - y1a;
-  const double y2a = KSL_MUL(L->at[0][2], b->m0), y2b = b->m2 - y2a, y2c = KSL_MUL(L->at[1][2], y1),
-      y2 = y2b - y2c;
-  const double y3a = KSL_MUL(L->at[0][3], b->m0), y3b = b->m3 - y3a, y3c = KSL_MUL(L->at[1][3], y1),
-      y3d = y3b - y3c, y3e = KSL_MUL(L->at[2][3], y2), y3 = y3d - y3e;
-  const double y4a = KSL_MUL(L->at[0][4], b->m0), y4b = b->m4 - y4a, y4c = KSL_MUL(L->at[1][4], y1),
-      y4d = y4b - y4c, y4e = KSL_MUL(L->at[2][4], y2), y4f = y4d - y4e,
-      y4g = KSL_MUL(L->at[3][4], y3), y4 = y4f - y4g;
-  const double y5a = KSL_MUL(L->at[0][5], b->m0), y5b = b->m5 - y5a, y5c = KSL_MUL(L->at[1][5], y1),
-      y5d = y5b - y5c, y5e = KSL_MUL(L->at[2][5], y2), y5f = y5d - y5e,
-      y5g = KSL_MUL(L->at[3][5], y3), y5h = y5f - y5g, y5i = KSL_MUL(L->at[4][5], y4),
-      y5 = y5h - y5i;
+  const double y1 = b->m1 - KSL_MUL(L->at[0][1], b->m0);
+  const double y2 = b->m2 - KSL_MUL(L->at[0][2], b->m0) - KSL_MUL(L->at[1][2], y1);
+  const double y3 = b->m3 - KSL_MUL(L->at[0][3], b->m0) - KSL_MUL(L->at[1][3], y1)
+          - KSL_MUL(L->at[2][3], y2);
+  const double y4 = b->m4 - KSL_MUL(L->at[0][4], b->m0) - KSL_MUL(L->at[1][4], y1)
+          - KSL_MUL(L->at[2][4], y2) - KSL_MUL(L->at[3][4], y3);
+  const double y5 = b->m5 - KSL_MUL(L->at[0][5], b->m0) - KSL_MUL(L->at[1][5], y1)
+          - KSL_MUL(L->at[2][5], y2) - KSL_MUL(L->at[3][5], y3) - KSL_MUL(L->at[4][5], y4);
   const double z0 = b->m0 / L->at[0][0];
   const double z1 = y1 / L->at[1][1];
   const double z2 = y2 / L->at[2][2];
   const double z3 = y3 / L->at[3][3];
   const double z4 = y4 / L->at[4][4];
   const double z5 = y5 / L->at[5][5];
-  const double x4a = KSL_MUL(L->at[4][5], z5), x4 = z4 - x4a;
-  const double x3a = KSL_MUL(L->at[3][4], x4), x3b = z3 - x3a, x3c = KSL_MUL(L->at[3][5], z5),
-      x3 = x3b - x3c;
-  const double x2a = KSL_MUL(L->at[2][3], x3), x2b = z2 - x2a, x2c = KSL_MUL(L->at[2][4], x4),
-      x2d = x2b - x2c, x2e = KSL_MUL(L->at[2][5], z5), x2 = x2d - x2e;
-  const double x1a = KSL_MUL(L->at[1][2], x2), x1b = z1 - x1a, x1c = KSL_MUL(L->at[1][3], x3),
-      x1d = x1b - x1c, x1e = KSL_MUL(L->at[1][4], x4), x1f = x1d - x1e,
-      x1g = KSL_MUL(L->at[1][5], z5), x1 = x1f - x1g;
-  const double x0a = KSL_MUL(L->at[0][1], x1), x0b = z0 - x0a, x0c = KSL_MUL(L->at[0][2], x2),
-      x0d = x0b - x0c, x0e = KSL_MUL(L->at[0][3], x3), x0f = x0d - x0e,
-      x0g = KSL_MUL(L->at[0][4], x4), x0h = x0f - x0g, x0i = KSL_MUL(L->at[0][5], z5),
-      x0 = x0h - x0i;
+  const double x4 = z4 - KSL_MUL(L->at[4][5], z5);
+  const double x3 = z3 - KSL_MUL(L->at[3][4], x4) - KSL_MUL(L->at[3][5], z5);
+  const double x2 = z2 - KSL_MUL(L->at[2][3], x3) - KSL_MUL(L->at[2][4], x4)
+          - KSL_MUL(L->at[2][5], z5);
+  const double x1 = z1 - KSL_MUL(L->at[1][2], x2) - KSL_MUL(L->at[1][3], x3)
+          - KSL_MUL(L->at[1][4], x4) - KSL_MUL(L->at[1][5], z5);
+  const double x0 = z0 - KSL_MUL(L->at[0][1], x1) - KSL_MUL(L->at[0][2], x2)
+          - KSL_MUL(L->at[0][3], x3) - KSL_MUL(L->at[0][4], x4) - KSL_MUL(L->at[0][5], z5);
   x->m0 = x0;
   x->m1 = x1;
   x->m2 = x2;
@@ -312,56 +263,36 @@ static inline void ksl_mat6x6_ldl_solve(const ksl_mat6x6_t *L, const ksl_coscrew
 static inline double ksl_mat6x6_solve(const ksl_mat6x6_t *A, const ksl_coscrew_t *b,
     ksl_screw_t *x) {
   const double divisor0 = 0.0 < A->at[0][0] ? A->at[0][0] : 1.0;
-  const double l0_0 = A->at[0][1] / divisor0;
-  const double l0_1 = A->at[0][2] / divisor0;
-  const double l0_2 = A->at[0][3] / divisor0;
-  const double l0_3 = A->at[0][4] / divisor0;
-  const double l0_4 = A->at[0][5] / divisor0;
-  const double u1_0a = KSL_MUL(A->at[0][1], l0_0), u1_0 = A->at[1][1] - u1_0a;
-  const double u1_1a = KSL_MUL(A->at[0][2], l0_0), u1_1 = A->at[1][2] - u1_1a;
-  const double u1_2a = KSL_MUL(A->at[0][3], l0_0), u1_2 = A->at[1][3] - u1_2a;
-  const double u1_3a = KSL_MUL(A->at[0][4], l0_0), u1_3 = A->at[1][4] - u1_3a;
-  const double u1_4a = KSL_MUL(A->at[0][5], l0_0), u1_4 = A->at[1][5] - u1_4a;
+  const double l0_0 = A->at[0][1] / divisor0, l0_1 = A->at[0][2] / divisor0,
+      l0_2 = A->at[0][3] / divisor0, l0_3 = A->at[0][4] / divisor0, l0_4 = A->at[0][5] / divisor0;
+  const double u1_0 = A->at[1][1] - KSL_MUL(A->at[0][1], l0_0),
+      u1_1 = A->at[1][2] - KSL_MUL(A->at[0][2], l0_0),
+      u1_2 = A->at[1][3] - KSL_MUL(A->at[0][3], l0_0),
+      u1_3 = A->at[1][4] - KSL_MUL(A->at[0][4], l0_0),
+      u1_4 = A->at[1][5] - KSL_MUL(A->at[0][5], l0_0);
   const double divisor1 = 0.0 < u1_0 ? u1_0 : 1.0;
-  const double l1_0 = u1_1 / divisor1;
-  const double l1_1 = u1_2 / divisor1;
-  const double l1_2 = u1_3 / divisor1;
-  const double l1_3 = u1_4 / divisor1;
-  const double u2_0a = KSL_MUL(A->at[0][2], l0_1), u2_0b = A->at[2][2] - u2_0a,
-      u2_0c = KSL_MUL(u1_1, l1_0), u2_0 = u2_0b - u2_0c;
-  const double u2_1a = KSL_MUL(A->at[0][3], l0_1), u2_1b = A->at[2][3] - u2_1a,
-      u2_1c = KSL_MUL(u1_2, l1_0), u2_1 = u2_1b - u2_1c;
-  const double u2_2a = KSL_MUL(A->at[0][4], l0_1), u2_2b = A->at[2][4] - u2_2a,
-      u2_2c = KSL_MUL(u1_3, l1_0), u2_2 = u2_2b - u2_2c;
-  const double u2_3a = KSL_MUL(A->at[0][5], l0_1), u2_3b = A->at[2][5] - u2_3a,
-      u2_3c = KSL_MUL(u1_4, l1_0), u2_3 = u2_3b - u2_3c;
+  const double l1_0 = u1_1 / divisor1, l1_1 = u1_2 / divisor1, l1_2 = u1_3 / divisor1,
+      l1_3 = u1_4 / divisor1;
+  const double u2_0 = A->at[2][2] - KSL_MUL(A->at[0][2], l0_1) - KSL_MUL(u1_1, l1_0),
+      u2_1 = A->at[2][3] - KSL_MUL(A->at[0][3], l0_1) - KSL_MUL(u1_2, l1_0),
+      u2_2 = A->at[2][4] - KSL_MUL(A->at[0][4], l0_1) - KSL_MUL(u1_3, l1_0),
+      u2_3 = A->at[2][5] - KSL_MUL(A->at[0][5], l0_1) - KSL_MUL(u1_4, l1_0);
   const double divisor2 = 0.0 < u2_0 ? u2_0 : 1.0;
-  const double l2_0 = u2_1 / divisor2;
-  const double l2_1 = u2_2 / divisor2;
-  const double l2_2 = u2_3 / divisor2;
-  const double u3_0a = KSL_MUL(A->at[0][3], l0_2), u3_0b = A->at[3][3] - u3_0a,
-      u3_0c = KSL_MUL(u1_2, l1_1), u3_0d = u3_0b - u3_0c, u3_0e = KSL_MUL(u2_1, l2_0),
-      u3_0 = u3_0d - u3_0e;
-  const double u3_1a = KSL_MUL(A->at[0][4], l0_2), u3_1b = A->at[3][4] - u3_1a,
-      u3_1c = KSL_MUL(u1_3, l1_1), u3_1d = u3_1b - u3_1c, u3_1e = KSL_MUL(u2_2, l2_0),
-      u3_1 = u3_1d - u3_1e;
-  const double u3_2a = KSL_MUL(A->at[0][5], l0_2), u3_2b = A->at[3][5] - u3_2a,
-      u3_2c = KSL_MUL(u1_4, l1_1), u3_2d = u3_2b - u3_2c, u3_2e = KSL_MUL(u2_3, l2_0),
-      u3_2 = u3_2d - u3_2e;
+  const double l2_0 = u2_1 / divisor2, l2_1 = u2_2 / divisor2, l2_2 = u2_3 / divisor2;
+  const double u3_0 = A->at[3][3] - KSL_MUL(A->at[0][3], l0_2) - KSL_MUL(u1_2, l1_1)
+          - KSL_MUL(u2_1, l2_0),
+      u3_1 = A->at[3][4] - KSL_MUL(A->at[0][4], l0_2) - KSL_MUL(u1_3, l1_1) - KSL_MUL(u2_2, l2_0),
+      u3_2 = A->at[3][5] - KSL_MUL(A->at[0][5], l0_2) - KSL_MUL(u1_4, l1_1) - KSL_MUL(u2_3, l2_0);
   const double divisor3 = 0.0 < u3_0 ? u3_0 : 1.0;
-  const double l3_0 = u3_1 / divisor3;
-  const double l3_1 = u3_2 / divisor3;
-  const double u4_0a = KSL_MUL(A->at[0][4], l0_3), u4_0b = A->at[4][4] - u4_0a,
-      u4_0c = KSL_MUL(u1_3, l1_2), u4_0d = u4_0b - u4_0c, u4_0e = KSL_MUL(u2_2, l2_1),
-      u4_0f = u4_0d - u4_0e, u4_0g = KSL_MUL(u3_1, l3_0), u4_0 = u4_0f - u4_0g;
-  const double u4_1a = KSL_MUL(A->at[0][5], l0_3), u4_1b = A->at[4][5] - u4_1a,
-      u4_1c = KSL_MUL(u1_4, l1_2), u4_1d = u4_1b - u4_1c, u4_1e = KSL_MUL(u2_3, l2_1),
-      u4_1f = u4_1d - u4_1e, u4_1g = KSL_MUL(u3_2, l3_0), u4_1 = u4_1f - u4_1g;
+  const double l3_0 = u3_1 / divisor3, l3_1 = u3_2 / divisor3;
+  const double u4_0 = A->at[4][4] - KSL_MUL(A->at[0][4], l0_3) - KSL_MUL(u1_3, l1_2)
+          - KSL_MUL(u2_2, l2_1) - KSL_MUL(u3_1, l3_0),
+      u4_1 = A->at[4][5] - KSL_MUL(A->at[0][5], l0_3) - KSL_MUL(u1_4, l1_2) - KSL_MUL(u2_3, l2_1)
+          - KSL_MUL(u3_2, l3_0);
   const double divisor4 = 0.0 < u4_0 ? u4_0 : 1.0;
   const double l4 = u4_1 / divisor4;
-  const double u5a = KSL_MUL(A->at[0][5], l0_4), u5b = A->at[5][5] - u5a, u5c = KSL_MUL(u1_4, l1_3),
-      u5d = u5b - u5c, u5e = KSL_MUL(u2_3, l2_2), u5f = u5d - u5e, u5g = KSL_MUL(u3_2, l3_1),
-      u5h = u5f - u5g, u5i = KSL_MUL(u4_1, l4), u5 = u5h - u5i;
+  const double u5 = A->at[5][5] - KSL_MUL(A->at[0][5], l0_4) - KSL_MUL(u1_4, l1_3)
+          - KSL_MUL(u2_3, l2_2) - KSL_MUL(u3_2, l3_1) - KSL_MUL(u4_1, l4);
   const double divisor5 = 0.0 < u5 ? u5 : 1.0;
   const double part0a = A->at[0][0] / divisor0, part0 = 0.0 < A->at[0][0] ? part0a : A->at[0][0];
   const double own1 = 0.0 < A->at[1][1] ? A->at[1][1] : 1.0;
@@ -379,182 +310,122 @@ static inline double ksl_mat6x6_solve(const ksl_mat6x6_t *A, const ksl_coscrew_t
   const double own5 = 0.0 < A->at[5][5] ? A->at[5][5] : 1.0;
   const double part5a = u5 / own5, part5 = 0.0 < A->at[5][5] ? part5a : A->at[5][5];
   const double smallest5 = smallest4 < part5 ? smallest4 : part5;
-  const double less_0 = KSL_MUL(A->at[0][0], 0.9999999999999944);
-  const double less_1 = KSL_MUL(A->at[1][1], 0.9999999999999944);
-  const double less_2 = KSL_MUL(A->at[2][2], 0.9999999999999944);
-  const double less_3 = KSL_MUL(A->at[3][3], 0.9999999999999944);
-  const double less_4 = KSL_MUL(A->at[4][4], 0.9999999999999944);
-  const double less_5 = KSL_MUL(A->at[5][5], 0.9999999999999944);
+  const double less_0 = KSL_MUL(A->at[0][0], 0.9999999999999944),
+      less_1 = KSL_MUL(A->at[1][1], 0.9999999999999944),
+      less_2 = KSL_MUL(A->at[2][2], 0.9999999999999944),
+      less_3 = KSL_MUL(A->at[3][3], 0.9999999999999944),
+      less_4 = KSL_MUL(A->at[4][4], 0.9999999999999944),
+      less_5 = KSL_MUL(A->at[5][5], 0.9999999999999944);
   const double less_divisor0 = 0.0 < less_0 ? less_0 : 1.0;
-  const double less_l0_0 = A->at[0][1] / less_divisor0;
-  const double less_l0_1 = A->at[0][2] / less_divisor0;
-  const double less_l0_2 = A->at[0][3] / less_divisor0;
-  const double less_l0_3 = A->at[0][4] / less_divisor0;
-  const double less_l0_4 = A->at[0][5] / less_divisor0;
-  const double less_u1_0a = KSL_MUL(A->at[0][1], less_l0_0), less_u1_0 = less_1 - less_u1_0a;
-  const double less_u1_1a = KSL_MUL(A->at[0][2], less_l0_0), less_u1_1 = A->at[1][2] - less_u1_1a;
-  const double less_u1_2a = KSL_MUL(A->at[0][3], less_l0_0), less_u1_2 = A->at[1][3] - less_u1_2a;
-  const double less_u1_3a = KSL_MUL(A->at[0][4], less_l0_0), less_u1_3 = A->at[1][4] - less_u1_3a;
-  const double less_u1_4a = KSL_MUL(A->at[0][5], less_l0_0), less_u1_4 = A->at[1][5] - less_u1_4a;
+  const double less_l0_0 = A->at[0][1] / less_divisor0, less_l0_1 = A->at[0][2] / less_divisor0,
+      less_l0_2 = A->at[0][3] / less_divisor0, less_l0_3 = A->at[0][4] / less_divisor0,
+      less_l0_4 = A->at[0][5] / less_divisor0;
+  const double less_u1_0 = less_1 - KSL_MUL(A->at[0][1], less_l0_0),
+      less_u1_1 = A->at[1][2] - KSL_MUL(A->at[0][2], less_l0_0),
+      less_u1_2 = A->at[1][3] - KSL_MUL(A->at[0][3], less_l0_0),
+      less_u1_3 = A->at[1][4] - KSL_MUL(A->at[0][4], less_l0_0),
+      less_u1_4 = A->at[1][5] - KSL_MUL(A->at[0][5], less_l0_0);
   const double less_divisor1 = 0.0 < less_u1_0 ? less_u1_0 : 1.0;
-  const double less_l1_0 = less_u1_1 / less_divisor1;
-  const double less_l1_1 = less_u1_2 / less_divisor1;
-  const double less_l1_2 = less_u1_3 / less_divisor1;
-  const double less_l1_3 = less_u1_4 / less_divisor1;
-  const double less_u2_0a = KSL_MUL(A->at[0][2], less_l0_1), less_u2_0b = less_2 - less_u2_0a,
-      less_u2_0c = KSL_MUL(less_u1_1, less_l1_0), less_u2_0 = less_u2_0b - less_u2_0c;
-  const double less_u2_1a = KSL_MUL(A->at[0][3], less_l0_1), less_u2_1b = A->at[2][3] - less_u2_1a,
-      less_u2_1c = KSL_MUL(less_u1_2, less_l1_0), less_u2_1 = less_u2_1b - less_u2_1c;
-  const double less_u2_2a = KSL_MUL(A->at[0][4], less_l0_1), less_u2_2b = A->at[2][4] - less_u2_2a,
-      less_u2_2c = KSL_MUL(less_u1_3, less_l1_0), less_u2_2 = less_u2_2b - less_u2_2c;
-  const double less_u2_3a = KSL_MUL(A->at[0][5], less_l0_1), less_u2_3b = A->at[2][5] - less_u2_3a,
-      less_u2_3c = KSL_MUL(less_u1_4, less_l1_0), less_u2_3 = less_u2_3b - less_u2_3c;
+  const double less_l1_0 = less_u1_1 / less_divisor1, less_l1_1 = less_u1_2 / less_divisor1,
+      less_l1_2 = less_u1_3 / less_divisor1, less_l1_3 = less_u1_4 / less_divisor1;
+  const double less_u2_0 = less_2 - KSL_MUL(A->at[0][2], less_l0_1) - KSL_MUL(less_u1_1, less_l1_0),
+      less_u2_1 = A->at[2][3] - KSL_MUL(A->at[0][3], less_l0_1) - KSL_MUL(less_u1_2, less_l1_0),
+      less_u2_2 = A->at[2][4] - KSL_MUL(A->at[0][4], less_l0_1) - KSL_MUL(less_u1_3, less_l1_0),
+      less_u2_3 = A->at[2][5] - KSL_MUL(A->at[0][5], less_l0_1) - KSL_MUL(less_u1_4, less_l1_0);
   const double less_divisor2 = 0.0 < less_u2_0 ? less_u2_0 : 1.0;
-  const double less_l2_0 = less_u2_1 / less_divisor2;
-  const double less_l2_1 = less_u2_2 / less_divisor2;
-  const double less_l2_2 = less_u2_3 / less_divisor2;
-  const double less_u3_0a = KSL_MUL(A->at[0][3], less_l0_2), less_u3_0b = less_3 - less_u3_0a,
-      less_u3_0c = KSL_MUL(less_u1_2, less_l1_1), less_u3_0d = less_u3_0b - less_u3_0c,
-      less_u3_0e = KSL_MUL(less_u2_1, less_l2_0), less_u3_0 = less_u3_0d - less_u3_0e;
-  const double less_u3_1a = KSL_MUL(A->at[0][4], less_l0_2), less_u3_1b = A->at[3][4] - less_u3_1a,
-      less_u3_1c = KSL_MUL(less_u1_3, less_l1_1), less_u3_1d = less_u3_1b - less_u3_1c,
-      less_u3_1e = KSL_MUL(less_u2_2, less_l2_0), less_u3_1 = less_u3_1d - less_u3_1e;
-  const double less_u3_2a = KSL_MUL(A->at[0][5], less_l0_2), less_u3_2b = A->at[3][5] - less_u3_2a,
-      less_u3_2c = KSL_MUL(less_u1_4, less_l1_1), less_u3_2d = less_u3_2b - less_u3_2c,
-      less_u3_2e = KSL_MUL(less_u2_3, less_l2_0), less_u3_2 = less_u3_2d - less_u3_2e;
+  const double less_l2_0 = less_u2_1 / less_divisor2, less_l2_1 = less_u2_2 / less_divisor2,
+      less_l2_2 = less_u2_3 / less_divisor2;
+  const double less_u3_0 = less_3 - KSL_MUL(A->at[0][3], less_l0_2) - KSL_MUL(less_u1_2, less_l1_1)
+          - KSL_MUL(less_u2_1, less_l2_0),
+      less_u3_1 = A->at[3][4] - KSL_MUL(A->at[0][4], less_l0_2) - KSL_MUL(less_u1_3, less_l1_1)
+          - KSL_MUL(less_u2_2, less_l2_0),
+      less_u3_2 = A->at[3][5] - KSL_MUL(A->at[0][5], less_l0_2) - KSL_MUL(less_u1_4, less_l1_1)
+          - KSL_MUL(less_u2_3, less_l2_0);
   const double less_divisor3 = 0.0 < less_u3_0 ? less_u3_0 : 1.0;
-  const double less_l3_0 = less_u3_1 / less_divisor3;
-  const double less_l3_1 = less_u3_2 / less_divisor3;
-  const double less_u4_0a = KSL_MUL(A->at[0][4], less_l0_3), less_u4_0b = less_4 - less_u4_0a,
-      less_u4_0c = KSL_MUL(less_u1_3, less_l1_2), less_u4_0d = less_u4_0b - less_u4_0c,
-      less_u4_0e = KSL_MUL(less_u2_2, less_l2_1), less_u4_0f = less_u4_0d - less_u4_0e,
-      less_u4_0g = KSL_MUL(less_u3_1, less_l3_0), less_u4_0 = less_u4_0f - less_u4_0g;
-  const double less_u4_1a = KSL_MUL(A->at[0][5], less_l0_3), less_u4_1b = A->at[4][5] - less_u4_1a,
-      less_u4_1c = KSL_MUL(less_u1_4, less_l1_2), less_u4_1d = less_u4_1b - less_u4_1c,
-      less_u4_1e = KSL_MUL(less_u2_3, less_l2_1), less_u4_1f = less_u4_1d - less_u4_1e,
-      less_u4_1g = KSL_MUL(less_u3_2, less_l3_0), less_u4_1 = less_u4_1f - less_u4_1g;
+  const double less_l3_0 = less_u3_1 / less_divisor3, less_l3_1 = less_u3_2 / less_divisor3;
+  const double less_u4_0 = less_4 - KSL_MUL(A->at[0][4], less_l0_3) - KSL_MUL(less_u1_3, less_l1_2)
+          - KSL_MUL(less_u2_2, less_l2_1) - KSL_MUL(less_u3_1, less_l3_0);
+  const double less_u4_1f = A->at[4][5] - KSL_MUL(A->at[0][5], less_l0_3)
+          - KSL_MUL(less_u1_4, less_l1_2) - KSL_MUL(less_u2_3, less_l2_1),
+      less_u4_1 = less_u4_1f - KSL_MUL(less_u3_2, less_l3_0);
   const double less_divisor4 = 0.0 < less_u4_0 ? less_u4_0 : 1.0;
   const double less_l4 = less_u4_1 / less_divisor4;
-  const double less_u5a = KSL_MUL(A->at[0][5], less_l0_4), less_u5b = less_5 - less_u5a,
-      less_u5c = KSL_MUL(less_u1_4, less_l1_3), less_u5d = less_u5b - less_u5c,
-      less_u5e = KSL_MUL(less_u2_3, less_l2_2), less_u5f = less_u5d - less_u5e,
-      less_u5g = KSL_MUL(less_u3_2, less_l3_1), less_u5h = less_u5f - less_u5g,
-      less_u5i = KSL_MUL(less_u4_1, less_l4), less_u5 = less_u5h - less_u5i;
+  const double less_u5h = less_5 - KSL_MUL(A->at[0][5], less_l0_4) - KSL_MUL(less_u1_4, less_l1_3)
+          - KSL_MUL(less_u2_3, less_l2_2) - KSL_MUL(less_u3_2, less_l3_1),
+      less_u5 = less_u5h - KSL_MUL(less_u4_1, less_l4);
   const double regular_b = 0.0 < less_u5 ? 1.0 : 0.0, regular_c = 0.0 < less_u4_0 ? regular_b : 0.0,
       regular_d = 0.0 < less_u3_0 ? regular_c : 0.0, regular_e = 0.0 < less_u2_0 ? regular_d : 0.0,
       regular_f = 0.0 < less_u1_0 ? regular_e : 0.0, regular = 0.0 < less_0 ? regular_f : 0.0;
   const double least = smallest5 < 0.0 ? smallest5 : 0.0;
-  const double y1a = KSL_MUL(b->m0, l0_0), y1 = b->m1 - y1a;
-  const double y2a = KSL_MUL(b->m0, l0_1), y2b = b->m2 - y2a, y2c = KSL_MUL(l1_0, y1),
-      y2 = y2b - y2c;
-  const double y3a = KSL_MUL(b->m0, l0_2), y3b = b->m3 - y3a, y3c = KSL_MUL(l1_1, y1),
-      y3d = y3b - y3c, y3e = KSL_MUL(l2_0, y2), y3 = y3d - y3e;
-  const double y4a = KSL_MUL(b->m0, l0_3), y4b = b->m4 - y4a, y4c = KSL_MUL(l1_2, y1),
-      y4d = y4b - y4c, y4e = KSL_MUL(l2_1, y2), y4f = y4d - y4e, y4g = KSL_MUL(l3_0, y3),
-      y4 = y4f - y4g;
-  const double y5a = KSL_MUL(b->m0, l0_4), y5b = b->m5 - y5a, y5c = KSL_MUL(l1_3, y1),
-      y5d = y5b - y5c, y5e = KSL_MUL(l2_2, y2), y5f = y5d - y5e, y5g = KSL_MUL(l3_1, y3),
-      y5h = y5f - y5g, y5i = KSL_MUL(l4, y4), y5 = y5h - y5i;
+  const double y1 = b->m1 - KSL_MUL(b->m0, l0_0);
+  const double y2 = b->m2 - KSL_MUL(b->m0, l0_1) - KSL_MUL(l1_0, y1);
+  const double y3 = b->m3 - KSL_MUL(b->m0, l0_2) - KSL_MUL(l1_1, y1) - KSL_MUL(l2_0, y2);
+  const double y4 = b->m4 - KSL_MUL(b->m0, l0_3) - KSL_MUL(l1_2, y1) - KSL_MUL(l2_1, y2)
+          - KSL_MUL(l3_0, y3);
+  const double y5 = b->m5 - KSL_MUL(b->m0, l0_4) - KSL_MUL(l1_3, y1) - KSL_MUL(l2_2, y2)
+          - KSL_MUL(l3_1, y3) - KSL_MUL(l4, y4);
   const double z0 = b->m0 / divisor0;
   const double z1 = y1 / divisor1;
   const double z2 = y2 / divisor2;
   const double z3 = y3 / divisor3;
   const double z4 = y4 / divisor4;
   const double z5 = y5 / divisor5;
-  const double x4a = KSL_MUL(l4, z5), x4 = z4 - x4a;
-  const double x3a = KSL_MUL(l3_0, x4), x3b = z3 - x3a, x3c = KSL_MUL(l3_1, z5), x3 = x3b - x3c;
-  const double x2a = KSL_MUL(l2_0, x3), x2b = z2 - x2a, x2c = KSL_MUL(l2_1, x4), x2d = x2b - x2c,
-      x2e = KSL_MUL(l2_2, z5), x2 = x2d - x2e;
-  const double x1a = KSL_MUL(l1_0, x2), x1b = z1 - x1a, x1c = KSL_MUL(l1_1, x3), x1d = x1b - x1c,
-      x1e = KSL_MUL(l1_2, x4), x1f = x1d - x1e, x1g = KSL_MUL(l1_3, z5), x1 = x1f - x1g;
-  const double x0a = KSL_MUL(l0_0, x1), x0b = z0 - x0a, x0c = KSL_MUL(l0_1, x2), x0d = x0b - x0c,
-      x0e = KSL_MUL(l0_2, x3), x0f = x0d - x0e, x0g = KSL_MUL(l0_3, x4), x0h = x0f - x0g,
-      x0i = KSL_MUL(l0_4, z5), x0 = x0h - x0i;
-  const double residual_0a = KSL_MUL(A->at[0][0], x0), residual_0b = b->m0 - residual_0a,
-      residual_0c = KSL_MUL(A->at[0][1], x1), residual_0d = residual_0b - residual_0c,
-      residual_0e = KSL_MUL(A->at[0][2], x2), residual_0f = residual_0d - residual_0e,
-      residual_0g = KSL_MUL(A->at[0][3], x3), residual_0h = residual_0f - residual_0g,
-      residual_0i = KSL_MUL(A->at[0][4], x4), residual_0j = residual_0h - residual_0i,
-      residual_0k = KSL_MUL(A->at[0][5], z5), residual_0 = residual_0j - residual_0k;
-  const double residual_1a = KSL_MUL(A->at[0][1], x0), residual_1b = b->m1 - residual_1a,
-      residual_1c = KSL_MUL(A->at[1][1], x1), residual_1d = residual_1b - residual_1c,
-      residual_1e = KSL_MUL(A->at[1][2], x2), residual_1f = residual_1d - residual_1e,
-      residual_1g = KSL_MUL(A->at[1][3], x3), residual_1h = residual_1f - residual_1g,
-      residual_1i = KSL_MUL(A->at[1][4], x4), residual_1j = residual_1h - residual_1i,
-      residual_1k = KSL_MUL(A->at[1][5], z5), residual_1 = residual_1j - residual_1k;
-  const double residual_2a = KSL_MUL(A->at[0][2], x0), residual_2b = b->m2 - residual_2a,
-      residual_2c = KSL_MUL(A->at[1][2], x1), residual_2d = residual_2b - residual_2c,
-      residual_2e = KSL_MUL(A->at[2][2], x2), residual_2f = residual_2d - residual_2e,
-      residual_2g = KSL_MUL(A->at[2][3], x3), residual_2h = residual_2f - residual_2g,
-      residual_2i = KSL_MUL(A->at[2][4], x4), residual_2j = residual_2h - residual_2i,
-      residual_2k = KSL_MUL(A->at[2][5], z5), residual_2 = residual_2j - residual_2k;
-  const double residual_3a = KSL_MUL(A->at[0][3], x0), residual_3b = b->m3 - residual_3a,
-      residual_3c = KSL_MUL(A->at[1][3], x1), residual_3d = residual_3b - residual_3c,
-      residual_3e = KSL_MUL(A->at[2][3], x2), residual_3f = residual_3d - residual_3e,
-      residual_3g = KSL_MUL(A->at[3][3], x3), residual_3h = residual_3f - residual_3g,
-      residual_3i = KSL_MUL(A->at[3][4], x4), residual_3j = residual_3h - residual_3i,
-      residual_3k = KSL_MUL(A->at[3][5], z5), residual_3 = residual_3j - residual_3k;
-  const double residual_4a = KSL_MUL(A->at[0][4], x0), residual_4b = b->m4 - residual_4a,
-      residual_4c = KSL_MUL(A->at[1][4], x1), residual_4d = residual_4b - residual_4c,
-      residual_4e = KSL_MUL(A->at[2][4], x2), residual_4f = residual_4d - residual_4e,
-      residual_4g = KSL_MUL(A->at[3][4], x3), residual_4h = residual_4f - residual_4g,
-      residual_4i = KSL_MUL(A->at[4][4], x4), residual_4j = residual_4h - residual_4i,
-      residual_4k = KSL_MUL(A->at[4][5], z5), residual_4 = residual_4j - residual_4k;
-  const double residual_5a = KSL_MUL(A->at[0][5], x0), residual_5b = b->m5 - residual_5a,
-      residual_5c = KSL_MUL(A->at[1][5], x1), residual_5d = residual_5b - residual_5c,
-      residual_5e = KSL_MUL(A->at[2][5], x2), residual_5f = residual_5d - residual_5e,
-      residual_5g = KSL_MUL(A->at[3][5], x3), residual_5h = residual_5f - residual_5g,
-      residual_5i = KSL_MUL(A->at[4][5], x4), residual_5j = residual_5h - residual_5i,
-      residual_5k = KSL_MUL(A->at[5][5], z5), residual_5 = residual_5j - residual_5k;
-  const double refined_y1a = KSL_MUL(l0_0, residual_0), refined_y1 = residual_1 - refined_y1a;
-  const double refined_y2a = KSL_MUL(l0_1, residual_0), refined_y2b = residual_2 - refined_y2a,
-      refined_y2c = KSL_MUL(l1_0, refined_y1), refined_y2 = refined_y2b - refined_y2c;
-  const double refined_y3a = KSL_MUL(l0_2, residual_0), refined_y3b = residual_3 - refined_y3a,
-      refined_y3c = KSL_MUL(l1_1, refined_y1), refined_y3d = refined_y3b - refined_y3c,
-      refined_y3e = KSL_MUL(l2_0, refined_y2), refined_y3 = refined_y3d - refined_y3e;
-  const double refined_y4a = KSL_MUL(l0_3, residual_0), refined_y4b = residual_4 - refined_y4a,
-      refined_y4c = KSL_MUL(l1_2, refined_y1), refined_y4d = refined_y4b - refined_y4c,
-      refined_y4e = KSL_MUL(l2_1, refined_y2), refined_y4f = refined_y4d - refined_y4e,
-      refined_y4g = KSL_MUL(l3_0, refined_y3), refined_y4 = refined_y4f - refined_y4g;
-  const double refined_y5a = KSL_MUL(l0_4, residual_0), refined_y5b = residual_5 - refined_y5a,
-      refined_y5c = KSL_MUL(l1_3, refined_y1), refined_y5d = refined_y5b - refined_y5c,
-      refined_y5e = KSL_MUL(l2_2, refined_y2), refined_y5f = refined_y5d - refined_y5e,
-      refined_y5g = KSL_MUL(l3_1, refined_y3), refined_y5h = refined_y5f - refined_y5g,
-      refined_y5i = KSL_MUL(l4, refined_y4), refined_y5 = refined_y5h - refined_y5i;
+  const double x4 = z4 - KSL_MUL(l4, z5);
+  const double x3 = z3 - KSL_MUL(l3_0, x4) - KSL_MUL(l3_1, z5);
+  const double x2 = z2 - KSL_MUL(l2_0, x3) - KSL_MUL(l2_1, x4) - KSL_MUL(l2_2, z5);
+  const double x1 = z1 - KSL_MUL(l1_0, x2) - KSL_MUL(l1_1, x3) - KSL_MUL(l1_2, x4)
+          - KSL_MUL(l1_3, z5);
+  const double x0 = z0 - KSL_MUL(l0_0, x1) - KSL_MUL(l0_1, x2) - KSL_MUL(l0_2, x3)
+          - KSL_MUL(l0_3, x4) - KSL_MUL(l0_4, z5);
+  const double residual_0h = b->m0 - KSL_MUL(A->at[0][0], x0) - KSL_MUL(A->at[0][1], x1)
+          - KSL_MUL(A->at[0][2], x2) - KSL_MUL(A->at[0][3], x3),
+      residual_0 = residual_0h - KSL_MUL(A->at[0][4], x4) - KSL_MUL(A->at[0][5], z5);
+  const double residual_1h = b->m1 - KSL_MUL(A->at[0][1], x0) - KSL_MUL(A->at[1][1], x1)
+          - KSL_MUL(A->at[1][2], x2) - KSL_MUL(A->at[1][3], x3),
+      residual_1 = residual_1h - KSL_MUL(A->at[1][4], x4) - KSL_MUL(A->at[1][5], z5);
+  const double residual_2h = b->m2 - KSL_MUL(A->at[0][2], x0) - KSL_MUL(A->at[1][2], x1)
+          - KSL_MUL(A->at[2][2], x2) - KSL_MUL(A->at[2][3], x3),
+      residual_2 = residual_2h - KSL_MUL(A->at[2][4], x4) - KSL_MUL(A->at[2][5], z5);
+  const double residual_3h = b->m3 - KSL_MUL(A->at[0][3], x0) - KSL_MUL(A->at[1][3], x1)
+          - KSL_MUL(A->at[2][3], x2) - KSL_MUL(A->at[3][3], x3),
+      residual_3 = residual_3h - KSL_MUL(A->at[3][4], x4) - KSL_MUL(A->at[3][5], z5);
+  const double residual_4h = b->m4 - KSL_MUL(A->at[0][4], x0) - KSL_MUL(A->at[1][4], x1)
+          - KSL_MUL(A->at[2][4], x2) - KSL_MUL(A->at[3][4], x3),
+      residual_4 = residual_4h - KSL_MUL(A->at[4][4], x4) - KSL_MUL(A->at[4][5], z5);
+  const double residual_5h = b->m5 - KSL_MUL(A->at[0][5], x0) - KSL_MUL(A->at[1][5], x1)
+          - KSL_MUL(A->at[2][5], x2) - KSL_MUL(A->at[3][5], x3),
+      residual_5 = residual_5h - KSL_MUL(A->at[4][5], x4) - KSL_MUL(A->at[5][5], z5);
+  const double refined_y1 = residual_1 - KSL_MUL(l0_0, residual_0);
+  const double refined_y2 = residual_2 - KSL_MUL(l0_1, residual_0) - KSL_MUL(l1_0, refined_y1);
+  const double refined_y3 = residual_3 - KSL_MUL(l0_2, residual_0) - KSL_MUL(l1_1, refined_y1)
+          - KSL_MUL(l2_0, refined_y2);
+  const double refined_y4 = residual_4 - KSL_MUL(l0_3, residual_0) - KSL_MUL(l1_2, refined_y1)
+          - KSL_MUL(l2_1, refined_y2) - KSL_MUL(l3_0, refined_y3);
+  const double refined_y5h = residual_5 - KSL_MUL(l0_4, residual_0) - KSL_MUL(l1_3, refined_y1)
+          - KSL_MUL(l2_2, refined_y2) - KSL_MUL(l3_1, refined_y3),
+      refined_y5 = refined_y5h - KSL_MUL(l4, refined_y4);
   const double refined_z0 = residual_0 / divisor0;
   const double refined_z1 = refined_y1 / divisor1;
   const double refined_z2 = refined_y2 / divisor2;
   const double refined_z3 = refined_y3 / divisor3;
   const double refined_z4 = refined_y4 / divisor4;
   const double refined_z5 = refined_y5 / divisor5;
-  const double refined_x4a = KSL_MUL(l4, refined_z5), refined_x4 = refined_z4 - refined_x4a;
-  const double refined_x3a = KSL_MUL(l3_0, refined_x4), refined_x3b = refined_z3 - refined_x3a,
-      refined_x3c = KSL_MUL(l3_1, refined_z5), refined_x3 = refined_x3b - refined_x3c;
-  const double refined_x2a = KSL_MUL(l2_0, refined_x3), refined_x2b = refined_z2 - refined_x2a,
-      refined_x2c = KSL_MUL(l2_1, refined_x4), refined_x2d = refined_x2b - refined_x2c,
-      refined_x2e = KSL_MUL(l2_2, refined_z5), refined_x2 = refined_x2d - refined_x2e;
-  const double refined_x1a = KSL_MUL(l1_0, refined_x2), refined_x1b = refined_z1 - refined_x1a,
-      refined_x1c = KSL_MUL(l1_1, refined_x3), refined_x1d = refined_x1b - refined_x1c,
-      refined_x1e = KSL_MUL(l1_2, refined_x4), refined_x1f = refined_x1d - refined_x1e,
-      refined_x1g = KSL_MUL(l1_3, refined_z5), refined_x1 = refined_x1f - refined_x1g;
-  const double refined_x0a = KSL_MUL(l0_0, refined_x1), refined_x0b = refined_z0 - refined_x0a,
-      refined_x0c = KSL_MUL(l0_1, refined_x2), refined_x0d = refined_x0b - refined_x0c,
-      refined_x0e = KSL_MUL(l0_2, refined_x3), refined_x0f = refined_x0d - refined_x0e,
-      refined_x0g = KSL_MUL(l0_3, refined_x4), refined_x0h = refined_x0f - refined_x0g,
-      refined_x0i = KSL_MUL(l0_4, refined_z5), refined_x0 = refined_x0h - refined_x0i;
-  const double found_0 = x0 + refined_x0;
-  const double found_1 = x1 + refined_x1;
-  const double found_2 = x2 + refined_x2;
-  const double found_3 = x3 + refined_x3;
-  const double found_4 = x4 + refined_x4;
-  const double found_5 = z5 + refined_z5;
+  const double refined_x4 = refined_z4 - KSL_MUL(l4, refined_z5);
+  const double refined_x3 = refined_z3 - KSL_MUL(l3_0, refined_x4) - KSL_MUL(l3_1, refined_z5);
+  const double refined_x2 = refined_z2 - KSL_MUL(l2_0, refined_x3) - KSL_MUL(l2_1, refined_x4)
+          - KSL_MUL(l2_2, refined_z5);
+  const double refined_x1 = refined_z1 - KSL_MUL(l1_0, refined_x2) - KSL_MUL(l1_1, refined_x3)
+          - KSL_MUL(l1_2, refined_x4) - KSL_MUL(l1_3, refined_z5);
+  const double refined_x0h = refined_z0 - KSL_MUL(l0_0, refined_x1) - KSL_MUL(l0_1, refined_x2)
+          - KSL_MUL(l0_2, refined_x3) - KSL_MUL(l0_3, refined_x4),
+      refined_x0 = refined_x0h - KSL_MUL(l0_4, refined_z5);
+  const double found_0 = x0 + refined_x0, found_1 = x1 + refined_x1, found_2 = x2 + refined_x2,
+      found_3 = x3 + refined_x3, found_4 = x4 + refined_x4, found_5 = z5 + refined_z5;
   const double pivot = regular == 1.0 ? smallest5 : least;
-  const double x_0 = regular == 1.0 ? found_0 : (double)NAN;
-  const double x_1 = regular == 1.0 ? found_1 : (double)NAN;
-  const double x_2 = regular == 1.0 ? found_2 : (double)NAN;
-  const double x_3 = regular == 1.0 ? found_3 : (double)NAN;
-  const double x_4 = regular == 1.0 ? found_4 : (double)NAN;
-  const double x_5 = regular == 1.0 ? found_5 : (double)NAN;
+  const double x_0 = regular == 1.0 ? found_0 : (double)NAN,
+      x_1 = regular == 1.0 ? found_1 : (double)NAN, x_2 = regular == 1.0 ? found_2 : (double)NAN,
+      x_3 = regular == 1.0 ? found_3 : (double)NAN, x_4 = regular == 1.0 ? found_4 : (double)NAN,
+      x_5 = regular == 1.0 ? found_5 : (double)NAN;
   x->m0 = x_0;
   x->m1 = x_1;
   x->m2 = x_2;
@@ -573,14 +444,11 @@ static inline double ksl_mat6x6_solve(const ksl_mat6x6_t *A, const ksl_coscrew_t
      underflow. */
 static inline float ksl_mat3x3f_ldl(const ksl_mat3x3f_t *A, ksl_mat3x3f_t *L) {
   const float divisor0 = 0.0f < A->m00 ? A->m00 : 1.0f;
-  const float l0_0 = A->m10 / divisor0;
-  const float l0_1 = A->m20 / divisor0;
-  const float u1_0a = KSL_MULF(A->m10, l0_0), u1_0 = A->m11 - u1_0a;
-  const float u1_1a = KSL_MULF(A->m20, l0_0), u1_1 = A->m21 - u1_1a;
+  const float l0_0 = A->m10 / divisor0, l0_1 = A->m20 / divisor0;
+  const float u1_0 = A->m11 - KSL_MULF(A->m10, l0_0), u1_1 = A->m21 - KSL_MULF(A->m20, l0_0);
   const float divisor1 = 0.0f < u1_0 ? u1_0 : 1.0f;
   const float l1 = u1_1 / divisor1;
-  const float u2a = KSL_MULF(A->m20, l0_1), u2b = A->m22 - u2a, u2c = KSL_MULF(u1_1, l1),
-      u2 = u2b - u2c;
+  const float u2 = A->m22 - KSL_MULF(A->m20, l0_1) - KSL_MULF(u1_1, l1);
   const float part0a = A->m00 / divisor0, part0 = 0.0f < A->m00 ? part0a : A->m00;
   const float own1 = 0.0f < A->m11 ? A->m11 : 1.0f;
   const float part1a = u1_0 / own1, part1 = 0.0f < A->m11 ? part1a : A->m11;
@@ -607,15 +475,13 @@ static inline float ksl_mat3x3f_ldl(const ksl_mat3x3f_t *A, ksl_mat3x3f_t *L) {
      proved; barring over- and underflow. */
 static inline void ksl_mat3x3f_ldl_solve(const ksl_mat3x3f_t *L, const ksl_vec3f_t *b,
     ksl_vec3f_t *x) {
-  const float y1a = KSL_MULF(L->m10, b->x), y1 = b->y - y1a;
-  const float y2a = KSL_MULF(L->m20, b->x), y2b = b->z - y2a, y2c = KSL_MULF(L->m21, y1),
-      y2 = y2b - y2c;
+  const float y1 = b->y - KSL_MULF(L->m10, b->x);
+  const float y2 = b->z - KSL_MULF(L->m20, b->x) - KSL_MULF(L->m21, y1);
   const float z0 = b->x / L->m00;
   const float z1 = y1 / L->m11;
   const float z2 = y2 / L->m22;
-  const float x1a = KSL_MULF(L->m21, z2), x1 = z1 - x1a;
-  const float x0a = KSL_MULF(L->m10, x1), x0b = z0 - x0a, x0c = KSL_MULF(L->m20, z2),
-      x0 = x0b - x0c;
+  const float x1 = z1 - KSL_MULF(L->m21, z2);
+  const float x0 = z0 - KSL_MULF(L->m10, x1) - KSL_MULF(L->m20, z2);
   x->x = x0;
   x->y = x1;
   x->z = z2;
@@ -631,14 +497,11 @@ static inline void ksl_mat3x3f_ldl_solve(const ksl_mat3x3f_t *L, const ksl_vec3f
 static inline float ksl_mat3x3f_solve(const ksl_mat3x3f_t *A, const ksl_vec3f_t *b,
     ksl_vec3f_t *x) {
   const float divisor0 = 0.0f < A->m00 ? A->m00 : 1.0f;
-  const float l0_0 = A->m10 / divisor0;
-  const float l0_1 = A->m20 / divisor0;
-  const float u1_0a = KSL_MULF(A->m10, l0_0), u1_0 = A->m11 - u1_0a;
-  const float u1_1a = KSL_MULF(A->m20, l0_0), u1_1 = A->m21 - u1_1a;
+  const float l0_0 = A->m10 / divisor0, l0_1 = A->m20 / divisor0;
+  const float u1_0 = A->m11 - KSL_MULF(A->m10, l0_0), u1_1 = A->m21 - KSL_MULF(A->m20, l0_0);
   const float divisor1 = 0.0f < u1_0 ? u1_0 : 1.0f;
   const float l1 = u1_1 / divisor1;
-  const float u2a = KSL_MULF(A->m20, l0_1), u2b = A->m22 - u2a, u2c = KSL_MULF(u1_1, l1),
-      u2 = u2b - u2c;
+  const float u2 = A->m22 - KSL_MULF(A->m20, l0_1) - KSL_MULF(u1_1, l1);
   const float divisor2 = 0.0f < u2 ? u2 : 1.0f;
   const float part0a = A->m00 / divisor0, part0 = 0.0f < A->m00 ? part0a : A->m00;
   const float own1 = 0.0f < A->m11 ? A->m11 : 1.0f;
@@ -647,53 +510,40 @@ static inline float ksl_mat3x3f_solve(const ksl_mat3x3f_t *A, const ksl_vec3f_t 
   const float own2 = 0.0f < A->m22 ? A->m22 : 1.0f;
   const float part2a = u2 / own2, part2 = 0.0f < A->m22 ? part2a : A->m22;
   const float smallest2 = smallest1 < part2 ? smallest1 : part2;
-  const float less_0 = KSL_MULF(A->m00, 0.999997f);
-  const float less_1 = KSL_MULF(A->m11, 0.999997f);
-  const float less_2 = KSL_MULF(A->m22, 0.999997f);
+  const float less_0 = KSL_MULF(A->m00, 0.999997f), less_1 = KSL_MULF(A->m11, 0.999997f),
+      less_2 = KSL_MULF(A->m22, 0.999997f);
   const float less_divisor0 = 0.0f < less_0 ? less_0 : 1.0f;
-  const float less_l0_0 = A->m10 / less_divisor0;
-  const float less_l0_1 = A->m20 / less_divisor0;
-  const float less_u1_0a = KSL_MULF(A->m10, less_l0_0), less_u1_0 = less_1 - less_u1_0a;
-  const float less_u1_1a = KSL_MULF(A->m20, less_l0_0), less_u1_1 = A->m21 - less_u1_1a;
+  const float less_l0_0 = A->m10 / less_divisor0, less_l0_1 = A->m20 / less_divisor0;
+  const float less_u1_0 = less_1 - KSL_MULF(A->m10, less_l0_0),
+      less_u1_1 = A->m21 - KSL_MULF(A->m20, less_l0_0);
   const float less_divisor1 = 0.0f < less_u1_0 ? less_u1_0 : 1.0f;
   const float less_l1 = less_u1_1 / less_divisor1;
-  const float less_u2a = KSL_MULF(A->m20, less_l0_1), less_u2b = less_2 - less_u2a,
-      less_u2c = KSL_MULF(less_u1_1, less_l1), less_u2 = less_u2b - less_u2c;
+  const float less_u2 = less_2 - KSL_MULF(A->m20, less_l0_1) - KSL_MULF(less_u1_1, less_l1);
   const float regular_b = 0.0f < less_u2 ? 1.0f : 0.0f,
       regular_c = 0.0f < less_u1_0 ? regular_b : 0.0f, regular = 0.0f < less_0 ? regular_c : 0.0f;
   const float least = smallest2 < 0.0f ? smallest2 : 0.0f;
-  const float y1a = KSL_MULF(b->x, l0_0), y1 = b->y - y1a;
-  const float y2a = KSL_MULF(b->x, l0_1), y2b = b->z - y2a, y2c = KSL_MULF(l1, y1), y2 = y2b - y2c;
+  const float y1 = b->y - KSL_MULF(b->x, l0_0);
+  const float y2 = b->z - KSL_MULF(b->x, l0_1) - KSL_MULF(l1, y1);
   const float z0 = b->x / divisor0;
   const float z1 = y1 / divisor1;
   const float z2 = y2 / divisor2;
-  const float x1a = KSL_MULF(l1, z2), x1 = z1 - x1a;
-  const float x0a = KSL_MULF(l0_0, x1), x0b = z0 - x0a, x0c = KSL_MULF(l0_1, z2), x0 = x0b - x0c;
-  const float residual_0a = KSL_MULF(A->m00, x0), residual_0b = b->x - residual_0a,
-      residual_0c = KSL_MULF(A->m10, x1), residual_0d = residual_0b - residual_0c,
-      residual_0e = KSL_MULF(A->m20, z2), residual_0 = residual_0d - residual_0e;
-  const float residual_1a = KSL_MULF(A->m10, x0), residual_1b = b->y - residual_1a,
-      residual_1c = KSL_MULF(A->m11, x1), residual_1d = residual_1b - residual_1c,
-      residual_1e = KSL_MULF(A->m21, z2), residual_1 = residual_1d - residual_1e;
-  const float residual_2a = KSL_MULF(A->m20, x0), residual_2b = b->z - residual_2a,
-      residual_2c = KSL_MULF(A->m21, x1), residual_2d = residual_2b - residual_2c,
-      residual_2e = KSL_MULF(A->m22, z2), residual_2 = residual_2d - residual_2e;
-  const float refined_y1a = KSL_MULF(l0_0, residual_0), refined_y1 = residual_1 - refined_y1a;
-  const float refined_y2a = KSL_MULF(l0_1, residual_0), refined_y2b = residual_2 - refined_y2a,
-      refined_y2c = KSL_MULF(l1, refined_y1), refined_y2 = refined_y2b - refined_y2c;
+  const float x1 = z1 - KSL_MULF(l1, z2);
+  const float x0 = z0 - KSL_MULF(l0_0, x1) - KSL_MULF(l0_1, z2);
+  const float residual_0 = b->x - KSL_MULF(A->m00, x0) - KSL_MULF(A->m10, x1)
+          - KSL_MULF(A->m20, z2),
+      residual_1 = b->y - KSL_MULF(A->m10, x0) - KSL_MULF(A->m11, x1) - KSL_MULF(A->m21, z2),
+      residual_2 = b->z - KSL_MULF(A->m20, x0) - KSL_MULF(A->m21, x1) - KSL_MULF(A->m22, z2);
+  const float refined_y1 = residual_1 - KSL_MULF(l0_0, residual_0);
+  const float refined_y2 = residual_2 - KSL_MULF(l0_1, residual_0) - KSL_MULF(l1, refined_y1);
   const float refined_z0 = residual_0 / divisor0;
   const float refined_z1 = refined_y1 / divisor1;
   const float refined_z2 = refined_y2 / divisor2;
-  const float refined_x1a = KSL_MULF(l1, refined_z2), refined_x1 = refined_z1 - refined_x1a;
-  const float refined_x0a = KSL_MULF(l0_0, refined_x1), refined_x0b = refined_z0 - refined_x0a,
-      refined_x0c = KSL_MULF(l0_1, refined_z2), refined_x0 = refined_x0b - refined_x0c;
-  const float found_0 = x0 + refined_x0;
-  const float found_1 = x1 + refined_x1;
-  const float found_2 = z2 + refined_z2;
+  const float refined_x1 = refined_z1 - KSL_MULF(l1, refined_z2);
+  const float refined_x0 = refined_z0 - KSL_MULF(l0_0, refined_x1) - KSL_MULF(l0_1, refined_z2);
+  const float found_0 = x0 + refined_x0, found_1 = x1 + refined_x1, found_2 = z2 + refined_z2;
   const float pivot = regular == 1.0f ? smallest2 : least;
-  const float x_0 = regular == 1.0f ? found_0 : (float)NAN;
-  const float x_1 = regular == 1.0f ? found_1 : (float)NAN;
-  const float x_2 = regular == 1.0f ? found_2 : (float)NAN;
+  const float x_0 = regular == 1.0f ? found_0 : (float)NAN,
+      x_1 = regular == 1.0f ? found_1 : (float)NAN, x_2 = regular == 1.0f ? found_2 : (float)NAN;
   x->x = x_0;
   x->y = x_1;
   x->z = x_2;
@@ -709,56 +559,38 @@ static inline float ksl_mat3x3f_solve(const ksl_mat3x3f_t *A, const ksl_vec3f_t 
      underflow. */
 static inline float ksl_mat6x6f_ldl(const ksl_mat6x6f_t *A, ksl_mat6x6f_t *L) {
   const float divisor0 = 0.0f < A->at[0][0] ? A->at[0][0] : 1.0f;
-  const float l0_0 = A->at[0][1] / divisor0;
-  const float l0_1 = A->at[0][2] / divisor0;
-  const float l0_2 = A->at[0][3] / divisor0;
-  const float l0_3 = A->at[0][4] / divisor0;
-  const float l0_4 = A->at[0][5] / divisor0;
-  const float u1_0a = KSL_MULF(A->at[0][1], l0_0), u1_0 = A->at[1][1] - u1_0a;
-  const float u1_1a = KSL_MULF(A->at[0][2], l0_0), u1_1 = A->at[1][2] - u1_1a;
-  const float u1_2a = KSL_MULF(A->at[0][3], l0_0), u1_2 = A->at[1][3] - u1_2a;
-  const float u1_3a = KSL_MULF(A->at[0][4], l0_0), u1_3 = A->at[1][4] - u1_3a;
-  const float u1_4a = KSL_MULF(A->at[0][5], l0_0), u1_4 = A->at[1][5] - u1_4a;
+  const float l0_0 = A->at[0][1] / divisor0, l0_1 = A->at[0][2] / divisor0,
+      l0_2 = A->at[0][3] / divisor0, l0_3 = A->at[0][4] / divisor0, l0_4 = A->at[0][5] / divisor0;
+  const float u1_0 = A->at[1][1] - KSL_MULF(A->at[0][1], l0_0),
+      u1_1 = A->at[1][2] - KSL_MULF(A->at[0][2], l0_0),
+      u1_2 = A->at[1][3] - KSL_MULF(A->at[0][3], l0_0),
+      u1_3 = A->at[1][4] - KSL_MULF(A->at[0][4], l0_0),
+      u1_4 = A->at[1][5] - KSL_MULF(A->at[0][5], l0_0);
   const float divisor1 = 0.0f < u1_0 ? u1_0 : 1.0f;
-  const float l1_0 = u1_1 / divisor1;
-  const float l1_1 = u1_2 / divisor1;
-  const float l1_2 = u1_3 / divisor1;
-  const float l1_3 = u1_4 / divisor1;
-  const float u2_0a = KSL_MULF(A->at[0][2], l0_1), u2_0b = A->at[2][2] - u2_0a,
-      u2_0c = KSL_MULF(u1_1, l1_0), u2_0 = u2_0b - u2_0c;
-  const float u2_1a = KSL_MULF(A->at[0][3], l0_1), u2_1b = A->at[2][3] - u2_1a,
-      u2_1c = KSL_MULF(u1_2, l1_0), u2_1 = u2_1b - u2_1c;
-  const float u2_2a = KSL_MULF(A->at[0][4], l0_1), u2_2b = A->at[2][4] - u2_2a,
-      u2_2c = KSL_MULF(u1_3, l1_0), u2_2 = u2_2b - u2_2c;
-  const float u2_3a = KSL_MULF(A->at[0][5], l0_1), u2_3b = A->at[2][5] - u2_3a,
-      u2_3c = KSL_MULF(u1_4, l1_0), u2_3 = u2_3b - u2_3c;
+  const float l1_0 = u1_1 / divisor1, l1_1 = u1_2 / divisor1, l1_2 = u1_3 / divisor1,
+      l1_3 = u1_4 / divisor1;
+  const float u2_0 = A->at[2][2] - KSL_MULF(A->at[0][2], l0_1) - KSL_MULF(u1_1, l1_0),
+      u2_1 = A->at[2][3] - KSL_MULF(A->at[0][3], l0_1) - KSL_MULF(u1_2, l1_0),
+      u2_2 = A->at[2][4] - KSL_MULF(A->at[0][4], l0_1) - KSL_MULF(u1_3, l1_0),
+      u2_3 = A->at[2][5] - KSL_MULF(A->at[0][5], l0_1) - KSL_MULF(u1_4, l1_0);
   const float divisor2 = 0.0f < u2_0 ? u2_0 : 1.0f;
-  const float l2_0 = u2_1 / divisor2;
-  const float l2_1 = u2_2 / divisor2;
-  const float l2_2 = u2_3 / divisor2;
-  const float u3_0a = KSL_MULF(A->at[0][3], l0_2), u3_0b = A->at[3][3] - u3_0a,
-      u3_0c = KSL_MULF(u1_2, l1_1), u3_0d = u3_0b - u3_0c, u3_0e = KSL_MULF(u2_1, l2_0),
-      u3_0 = u3_0d - u3_0e;
-  const float u3_1a = KSL_MULF(A->at[0][4], l0_2), u3_1b = A->at[3][4] - u3_1a,
-      u3_1c = KSL_MULF(u1_3, l1_1), u3_1d = u3_1b - u3_1c, u3_1e = KSL_MULF(u2_2, l2_0),
-      u3_1 = u3_1d - u3_1e;
-  const float u3_2a = KSL_MULF(A->at[0][5], l0_2), u3_2b = A->at[3][5] - u3_2a,
-      u3_2c = KSL_MULF(u1_4, l1_1), u3_2d = u3_2b - u3_2c, u3_2e = KSL_MULF(u2_3, l2_0),
-      u3_2 = u3_2d - u3_2e;
+  const float l2_0 = u2_1 / divisor2, l2_1 = u2_2 / divisor2, l2_2 = u2_3 / divisor2;
+  const float u3_0 = A->at[3][3] - KSL_MULF(A->at[0][3], l0_2) - KSL_MULF(u1_2, l1_1)
+          - KSL_MULF(u2_1, l2_0),
+      u3_1 = A->at[3][4] - KSL_MULF(A->at[0][4], l0_2) - KSL_MULF(u1_3, l1_1)
+          - KSL_MULF(u2_2, l2_0),
+      u3_2 = A->at[3][5] - KSL_MULF(A->at[0][5], l0_2) - KSL_MULF(u1_4, l1_1)
+          - KSL_MULF(u2_3, l2_0);
   const float divisor3 = 0.0f < u3_0 ? u3_0 : 1.0f;
-  const float l3_0 = u3_1 / divisor3;
-  const float l3_1 = u3_2 / divisor3;
-  const float u4_0a = KSL_MULF(A->at[0][4], l0_3), u4_0b = A->at[4][4] - u4_0a,
-      u4_0c = KSL_MULF(u1_3, l1_2), u4_0d = u4_0b - u4_0c, u4_0e = KSL_MULF(u2_2, l2_1),
-      u4_0f = u4_0d - u4_0e, u4_0g = KSL_MULF(u3_1, l3_0), u4_0 = u4_0f - u4_0g;
-  const float u4_1a = KSL_MULF(A->at[0][5], l0_3), u4_1b = A->at[4][5] - u4_1a,
-      u4_1c = KSL_MULF(u1_4, l1_2), u4_1d = u4_1b - u4_1c, u4_1e = KSL_MULF(u2_3, l2_1),
-      u4_1f = u4_1d - u4_1e, u4_1g = KSL_MULF(u3_2, l3_0), u4_1 = u4_1f - u4_1g;
+  const float l3_0 = u3_1 / divisor3, l3_1 = u3_2 / divisor3;
+  const float u4_0 = A->at[4][4] - KSL_MULF(A->at[0][4], l0_3) - KSL_MULF(u1_3, l1_2)
+          - KSL_MULF(u2_2, l2_1) - KSL_MULF(u3_1, l3_0),
+      u4_1 = A->at[4][5] - KSL_MULF(A->at[0][5], l0_3) - KSL_MULF(u1_4, l1_2)
+          - KSL_MULF(u2_3, l2_1) - KSL_MULF(u3_2, l3_0);
   const float divisor4 = 0.0f < u4_0 ? u4_0 : 1.0f;
   const float l4 = u4_1 / divisor4;
-  const float u5a = KSL_MULF(A->at[0][5], l0_4), u5b = A->at[5][5] - u5a,
-      u5c = KSL_MULF(u1_4, l1_3), u5d = u5b - u5c, u5e = KSL_MULF(u2_3, l2_2), u5f = u5d - u5e,
-      u5g = KSL_MULF(u3_2, l3_1), u5h = u5f - u5g, u5i = KSL_MULF(u4_1, l4), u5 = u5h - u5i;
+  const float u5 = A->at[5][5] - KSL_MULF(A->at[0][5], l0_4) - KSL_MULF(u1_4, l1_3)
+          - KSL_MULF(u2_3, l2_2) - KSL_MULF(u3_2, l3_1) - KSL_MULF(u4_1, l4);
   const float part0a = A->at[0][0] / divisor0, part0 = 0.0f < A->at[0][0] ? part0a : A->at[0][0];
   const float own1 = 0.0f < A->at[1][1] ? A->at[1][1] : 1.0f;
   const float part1a = u1_0 / own1, part1 = 0.0f < A->at[1][1] ? part1a : A->at[1][1];
@@ -821,37 +653,29 @@ static inline float ksl_mat6x6f_ldl(const ksl_mat6x6f_t *A, ksl_mat6x6f_t *L) {
      proved; barring over- and underflow. */
 static inline void ksl_mat6x6f_ldl_solve(const ksl_mat6x6f_t *L, const ksl_coscrewf_t *b,
     ksl_screwf_t *x) {
-  const float y1a = KSL_MULF(L->at[0][1], b->m0), y1 = b->m1 - y1a;
-  const float y2a = KSL_MULF(L->at[0][2], b->m0), y2b = b->m2 - y2a,
-      y2c = KSL_MULF(L->at[1][2], y1), y2 = y2b - y2c;
-  const float y3a = KSL_MULF(L->at[0][3], b->m0), y3b = b->m3 - y3a,
-      y3c = KSL_MULF(L->at[1][3], y1), y3d = y3b - y3c, y3e = KSL_MULF(L->at[2][3], y2),
-      y3 = y3d - y3e;
-  const float y4a = KSL_MULF(L->at[0][4], b->m0), y4b = b->m4 - y4a,
-      y4c = KSL_MULF(L->at[1][4], y1), y4d = y4b - y4c, y4e = KSL_MULF(L->at[2][4], y2),
-      y4f = y4d - y4e, y4g = KSL_MULF(L->at[3][4], y3), y4 = y4f - y4g;
-  const float y5a = KSL_MULF(L->at[0][5], b->m0), y5b = b->m5 - y5a,
-      y5c = KSL_MULF(L->at[1][5], y1), y5d = y5b - y5c, y5e = KSL_MULF(L->at[2][5], y2),
-      y5f = y5d - y5e, y5g = KSL_MULF(L->at[3][5], y3), y5h = y5f - y5g,
-      y5i = KSL_MULF(L->at[4][5], y4), y5 = y5h - y5i;
+  const float y1 = b->m1 - KSL_MULF(L->at[0][1], b->m0);
+  const float y2 = b->m2 - KSL_MULF(L->at[0][2], b->m0) - KSL_MULF(L->at[1][2], y1);
+  const float y3 = b->m3 - KSL_MULF(L->at[0][3], b->m0) - KSL_MULF(L->at[1][3], y1)
+          - KSL_MULF(L->at[2][3], y2);
+  const float y4 = b->m4 - KSL_MULF(L->at[0][4], b->m0) - KSL_MULF(L->at[1][4], y1)
+          - KSL_MULF(L->at[2][4], y2) - KSL_MULF(L->at[3][4], y3);
+  const float y5h = b->m5 - KSL_MULF(L->at[0][5], b->m0) - KSL_MULF(L->at[1][5], y1)
+          - KSL_MULF(L->at[2][5], y2) - KSL_MULF(L->at[3][5], y3),
+      y5 = y5h - KSL_MULF(L->at[4][5], y4);
   const float z0 = b->m0 / L->at[0][0];
   const float z1 = y1 / L->at[1][1];
   const float z2 = y2 / L->at[2][2];
   const float z3 = y3 / L->at[3][3];
   const float z4 = y4 / L->at[4][4];
   const float z5 = y5 / L->at[5][5];
-  const float x4a = KSL_MULF(L->at[4][5], z5), x4 = z4 - x4a;
-  const float x3a = KSL_MULF(L->at[3][4], x4), x3b = z3 - x3a, x3c = KSL_MULF(L->at[3][5], z5),
-      x3 = x3b - x3c;
-  const float x2a = KSL_MULF(L->at[2][3], x3), x2b = z2 - x2a, x2c = KSL_MULF(L->at[2][4], x4),
-      x2d = x2b - x2c, x2e = KSL_MULF(L->at[2][5], z5), x2 = x2d - x2e;
-  const float x1a = KSL_MULF(L->at[1][2], x2), x1b = z1 - x1a, x1c = KSL_MULF(L->at[1][3], x3),
-      x1d = x1b - x1c, x1e = KSL_MULF(L->at[1][4], x4), x1f = x1d - x1e,
-      x1g = KSL_MULF(L->at[1][5], z5), x1 = x1f - x1g;
-  const float x0a = KSL_MULF(L->at[0][1], x1), x0b = z0 - x0a, x0c = KSL_MULF(L->at[0][2], x2),
-      x0d = x0b - x0c, x0e = KSL_MULF(L->at[0][3], x3), x0f = x0d - x0e,
-      x0g = KSL_MULF(L->at[0][4], x4), x0h = x0f - x0g, x0i = KSL_MULF(L->at[0][5], z5),
-      x0 = x0h - x0i;
+  const float x4 = z4 - KSL_MULF(L->at[4][5], z5);
+  const float x3 = z3 - KSL_MULF(L->at[3][4], x4) - KSL_MULF(L->at[3][5], z5);
+  const float x2 = z2 - KSL_MULF(L->at[2][3], x3) - KSL_MULF(L->at[2][4], x4)
+          - KSL_MULF(L->at[2][5], z5);
+  const float x1 = z1 - KSL_MULF(L->at[1][2], x2) - KSL_MULF(L->at[1][3], x3)
+          - KSL_MULF(L->at[1][4], x4) - KSL_MULF(L->at[1][5], z5);
+  const float x0 = z0 - KSL_MULF(L->at[0][1], x1) - KSL_MULF(L->at[0][2], x2)
+          - KSL_MULF(L->at[0][3], x3) - KSL_MULF(L->at[0][4], x4) - KSL_MULF(L->at[0][5], z5);
   x->m0 = x0;
   x->m1 = x1;
   x->m2 = x2;
@@ -870,56 +694,38 @@ static inline void ksl_mat6x6f_ldl_solve(const ksl_mat6x6f_t *L, const ksl_coscr
 static inline float ksl_mat6x6f_solve(const ksl_mat6x6f_t *A, const ksl_coscrewf_t *b,
     ksl_screwf_t *x) {
   const float divisor0 = 0.0f < A->at[0][0] ? A->at[0][0] : 1.0f;
-  const float l0_0 = A->at[0][1] / divisor0;
-  const float l0_1 = A->at[0][2] / divisor0;
-  const float l0_2 = A->at[0][3] / divisor0;
-  const float l0_3 = A->at[0][4] / divisor0;
-  const float l0_4 = A->at[0][5] / divisor0;
-  const float u1_0a = KSL_MULF(A->at[0][1], l0_0), u1_0 = A->at[1][1] - u1_0a;
-  const float u1_1a = KSL_MULF(A->at[0][2], l0_0), u1_1 = A->at[1][2] - u1_1a;
-  const float u1_2a = KSL_MULF(A->at[0][3], l0_0), u1_2 = A->at[1][3] - u1_2a;
-  const float u1_3a = KSL_MULF(A->at[0][4], l0_0), u1_3 = A->at[1][4] - u1_3a;
-  const float u1_4a = KSL_MULF(A->at[0][5], l0_0), u1_4 = A->at[1][5] - u1_4a;
+  const float l0_0 = A->at[0][1] / divisor0, l0_1 = A->at[0][2] / divisor0,
+      l0_2 = A->at[0][3] / divisor0, l0_3 = A->at[0][4] / divisor0, l0_4 = A->at[0][5] / divisor0;
+  const float u1_0 = A->at[1][1] - KSL_MULF(A->at[0][1], l0_0),
+      u1_1 = A->at[1][2] - KSL_MULF(A->at[0][2], l0_0),
+      u1_2 = A->at[1][3] - KSL_MULF(A->at[0][3], l0_0),
+      u1_3 = A->at[1][4] - KSL_MULF(A->at[0][4], l0_0),
+      u1_4 = A->at[1][5] - KSL_MULF(A->at[0][5], l0_0);
   const float divisor1 = 0.0f < u1_0 ? u1_0 : 1.0f;
-  const float l1_0 = u1_1 / divisor1;
-  const float l1_1 = u1_2 / divisor1;
-  const float l1_2 = u1_3 / divisor1;
-  const float l1_3 = u1_4 / divisor1;
-  const float u2_0a = KSL_MULF(A->at[0][2], l0_1), u2_0b = A->at[2][2] - u2_0a,
-      u2_0c = KSL_MULF(u1_1, l1_0), u2_0 = u2_0b - u2_0c;
-  const float u2_1a = KSL_MULF(A->at[0][3], l0_1), u2_1b = A->at[2][3] - u2_1a,
-      u2_1c = KSL_MULF(u1_2, l1_0), u2_1 = u2_1b - u2_1c;
-  const float u2_2a = KSL_MULF(A->at[0][4], l0_1), u2_2b = A->at[2][4] - u2_2a,
-      u2_2c = KSL_MULF(u1_3, l1_0), u2_2 = u2_2b - u2_2c;
-  const float u2_3a = KSL_MULF(A->at[0][5], l0_1), u2_3b = A->at[2][5] - u2_3a,
-      u2_3c = KSL_MULF(u1_4, l1_0), u2_3 = u2_3b - u2_3c;
+  const float l1_0 = u1_1 / divisor1, l1_1 = u1_2 / divisor1, l1_2 = u1_3 / divisor1,
+      l1_3 = u1_4 / divisor1;
+  const float u2_0 = A->at[2][2] - KSL_MULF(A->at[0][2], l0_1) - KSL_MULF(u1_1, l1_0),
+      u2_1 = A->at[2][3] - KSL_MULF(A->at[0][3], l0_1) - KSL_MULF(u1_2, l1_0),
+      u2_2 = A->at[2][4] - KSL_MULF(A->at[0][4], l0_1) - KSL_MULF(u1_3, l1_0),
+      u2_3 = A->at[2][5] - KSL_MULF(A->at[0][5], l0_1) - KSL_MULF(u1_4, l1_0);
   const float divisor2 = 0.0f < u2_0 ? u2_0 : 1.0f;
-  const float l2_0 = u2_1 / divisor2;
-  const float l2_1 = u2_2 / divisor2;
-  const float l2_2 = u2_3 / divisor2;
-  const float u3_0a = KSL_MULF(A->at[0][3], l0_2), u3_0b = A->at[3][3] - u3_0a,
-      u3_0c = KSL_MULF(u1_2, l1_1), u3_0d = u3_0b - u3_0c, u3_0e = KSL_MULF(u2_1, l2_0),
-      u3_0 = u3_0d - u3_0e;
-  const float u3_1a = KSL_MULF(A->at[0][4], l0_2), u3_1b = A->at[3][4] - u3_1a,
-      u3_1c = KSL_MULF(u1_3, l1_1), u3_1d = u3_1b - u3_1c, u3_1e = KSL_MULF(u2_2, l2_0),
-      u3_1 = u3_1d - u3_1e;
-  const float u3_2a = KSL_MULF(A->at[0][5], l0_2), u3_2b = A->at[3][5] - u3_2a,
-      u3_2c = KSL_MULF(u1_4, l1_1), u3_2d = u3_2b - u3_2c, u3_2e = KSL_MULF(u2_3, l2_0),
-      u3_2 = u3_2d - u3_2e;
+  const float l2_0 = u2_1 / divisor2, l2_1 = u2_2 / divisor2, l2_2 = u2_3 / divisor2;
+  const float u3_0 = A->at[3][3] - KSL_MULF(A->at[0][3], l0_2) - KSL_MULF(u1_2, l1_1)
+          - KSL_MULF(u2_1, l2_0),
+      u3_1 = A->at[3][4] - KSL_MULF(A->at[0][4], l0_2) - KSL_MULF(u1_3, l1_1)
+          - KSL_MULF(u2_2, l2_0),
+      u3_2 = A->at[3][5] - KSL_MULF(A->at[0][5], l0_2) - KSL_MULF(u1_4, l1_1)
+          - KSL_MULF(u2_3, l2_0);
   const float divisor3 = 0.0f < u3_0 ? u3_0 : 1.0f;
-  const float l3_0 = u3_1 / divisor3;
-  const float l3_1 = u3_2 / divisor3;
-  const float u4_0a = KSL_MULF(A->at[0][4], l0_3), u4_0b = A->at[4][4] - u4_0a,
-      u4_0c = KSL_MULF(u1_3, l1_2), u4_0d = u4_0b - u4_0c, u4_0e = KSL_MULF(u2_2, l2_1),
-      u4_0f = u4_0d - u4_0e, u4_0g = KSL_MULF(u3_1, l3_0), u4_0 = u4_0f - u4_0g;
-  const float u4_1a = KSL_MULF(A->at[0][5], l0_3), u4_1b = A->at[4][5] - u4_1a,
-      u4_1c = KSL_MULF(u1_4, l1_2), u4_1d = u4_1b - u4_1c, u4_1e = KSL_MULF(u2_3, l2_1),
-      u4_1f = u4_1d - u4_1e, u4_1g = KSL_MULF(u3_2, l3_0), u4_1 = u4_1f - u4_1g;
+  const float l3_0 = u3_1 / divisor3, l3_1 = u3_2 / divisor3;
+  const float u4_0 = A->at[4][4] - KSL_MULF(A->at[0][4], l0_3) - KSL_MULF(u1_3, l1_2)
+          - KSL_MULF(u2_2, l2_1) - KSL_MULF(u3_1, l3_0),
+      u4_1 = A->at[4][5] - KSL_MULF(A->at[0][5], l0_3) - KSL_MULF(u1_4, l1_2)
+          - KSL_MULF(u2_3, l2_1) - KSL_MULF(u3_2, l3_0);
   const float divisor4 = 0.0f < u4_0 ? u4_0 : 1.0f;
   const float l4 = u4_1 / divisor4;
-  const float u5a = KSL_MULF(A->at[0][5], l0_4), u5b = A->at[5][5] - u5a,
-      u5c = KSL_MULF(u1_4, l1_3), u5d = u5b - u5c, u5e = KSL_MULF(u2_3, l2_2), u5f = u5d - u5e,
-      u5g = KSL_MULF(u3_2, l3_1), u5h = u5f - u5g, u5i = KSL_MULF(u4_1, l4), u5 = u5h - u5i;
+  const float u5 = A->at[5][5] - KSL_MULF(A->at[0][5], l0_4) - KSL_MULF(u1_4, l1_3)
+          - KSL_MULF(u2_3, l2_2) - KSL_MULF(u3_2, l3_1) - KSL_MULF(u4_1, l4);
   const float divisor5 = 0.0f < u5 ? u5 : 1.0f;
   const float part0a = A->at[0][0] / divisor0, part0 = 0.0f < A->at[0][0] ? part0a : A->at[0][0];
   const float own1 = 0.0f < A->at[1][1] ? A->at[1][1] : 1.0f;
@@ -937,184 +743,123 @@ static inline float ksl_mat6x6f_solve(const ksl_mat6x6f_t *A, const ksl_coscrewf
   const float own5 = 0.0f < A->at[5][5] ? A->at[5][5] : 1.0f;
   const float part5a = u5 / own5, part5 = 0.0f < A->at[5][5] ? part5a : A->at[5][5];
   const float smallest5 = smallest4 < part5 ? smallest4 : part5;
-  const float less_0 = KSL_MULF(A->at[0][0], 0.999997f);
-  const float less_1 = KSL_MULF(A->at[1][1], 0.999997f);
-  const float less_2 = KSL_MULF(A->at[2][2], 0.999997f);
-  const float less_3 = KSL_MULF(A->at[3][3], 0.999997f);
-  const float less_4 = KSL_MULF(A->at[4][4], 0.999997f);
-  const float less_5 = KSL_MULF(A->at[5][5], 0.999997f);
+  const float less_0 = KSL_MULF(A->at[0][0], 0.999997f), less_1 = KSL_MULF(A->at[1][1], 0.999997f),
+      less_2 = KSL_MULF(A->at[2][2], 0.999997f), less_3 = KSL_MULF(A->at[3][3], 0.999997f),
+      less_4 = KSL_MULF(A->at[4][4], 0.999997f), less_5 = KSL_MULF(A->at[5][5], 0.999997f);
   const float less_divisor0 = 0.0f < less_0 ? less_0 : 1.0f;
-  const float less_l0_0 = A->at[0][1] / less_divisor0;
-  const float less_l0_1 = A->at[0][2] / less_divisor0;
-  const float less_l0_2 = A->at[0][3] / less_divisor0;
-  const float less_l0_3 = A->at[0][4] / less_divisor0;
-  const float less_l0_4 = A->at[0][5] / less_divisor0;
-  const float less_u1_0a = KSL_MULF(A->at[0][1], less_l0_0), less_u1_0 = less_1 - less_u1_0a;
-  const float less_u1_1a = KSL_MULF(A->at[0][2], less_l0_0), less_u1_1 = A->at[1][2] - less_u1_1a;
-  const float less_u1_2a = KSL_MULF(A->at[0][3], less_l0_0), less_u1_2 = A->at[1][3] - less_u1_2a;
-  const float less_u1_3a = KSL_MULF(A->at[0][4], less_l0_0), less_u1_3 = A->at[1][4] - less_u1_3a;
-  const float less_u1_4a = KSL_MULF(A->at[0][5], less_l0_0), less_u1_4 = A->at[1][5] - less_u1_4a;
+  const float less_l0_0 = A->at[0][1] / less_divisor0, less_l0_1 = A->at[0][2] / less_divisor0,
+      less_l0_2 = A->at[0][3] / less_divisor0, less_l0_3 = A->at[0][4] / less_divisor0,
+      less_l0_4 = A->at[0][5] / less_divisor0;
+  const float less_u1_0 = less_1 - KSL_MULF(A->at[0][1], less_l0_0),
+      less_u1_1 = A->at[1][2] - KSL_MULF(A->at[0][2], less_l0_0),
+      less_u1_2 = A->at[1][3] - KSL_MULF(A->at[0][3], less_l0_0),
+      less_u1_3 = A->at[1][4] - KSL_MULF(A->at[0][4], less_l0_0),
+      less_u1_4 = A->at[1][5] - KSL_MULF(A->at[0][5], less_l0_0);
   const float less_divisor1 = 0.0f < less_u1_0 ? less_u1_0 : 1.0f;
-  const float less_l1_0 = less_u1_1 / less_divisor1;
-  const float less_l1_1 = less_u1_2 / less_divisor1;
-  const float less_l1_2 = less_u1_3 / less_divisor1;
-  const float less_l1_3 = less_u1_4 / less_divisor1;
-  const float less_u2_0a = KSL_MULF(A->at[0][2], less_l0_1), less_u2_0b = less_2 - less_u2_0a,
-      less_u2_0c = KSL_MULF(less_u1_1, less_l1_0), less_u2_0 = less_u2_0b - less_u2_0c;
-  const float less_u2_1a = KSL_MULF(A->at[0][3], less_l0_1), less_u2_1b = A->at[2][3] - less_u2_1a,
-      less_u2_1c = KSL_MULF(less_u1_2, less_l1_0), less_u2_1 = less_u2_1b - less_u2_1c;
-  const float less_u2_2a = KSL_MULF(A->at[0][4], less_l0_1), less_u2_2b = A->at[2][4] - less_u2_2a,
-      less_u2_2c = KSL_MULF(less_u1_3, less_l1_0), less_u2_2 = less_u2_2b - less_u2_2c;
-  const float less_u2_3a = KSL_MULF(A->at[0][5], less_l0_1), less_u2_3b = A->at[2][5] - less_u2_3a,
-      less_u2_3c = KSL_MULF(less_u1_4, less_l1_0), less_u2_3 = less_u2_3b - less_u2_3c;
+  const float less_l1_0 = less_u1_1 / less_divisor1, less_l1_1 = less_u1_2 / less_divisor1,
+      less_l1_2 = less_u1_3 / less_divisor1, less_l1_3 = less_u1_4 / less_divisor1;
+  const float less_u2_0 = less_2 - KSL_MULF(A->at[0][2], less_l0_1)
+          - KSL_MULF(less_u1_1, less_l1_0),
+      less_u2_1 = A->at[2][3] - KSL_MULF(A->at[0][3], less_l0_1) - KSL_MULF(less_u1_2, less_l1_0),
+      less_u2_2 = A->at[2][4] - KSL_MULF(A->at[0][4], less_l0_1) - KSL_MULF(less_u1_3, less_l1_0),
+      less_u2_3 = A->at[2][5] - KSL_MULF(A->at[0][5], less_l0_1) - KSL_MULF(less_u1_4, less_l1_0);
   const float less_divisor2 = 0.0f < less_u2_0 ? less_u2_0 : 1.0f;
-  const float less_l2_0 = less_u2_1 / less_divisor2;
-  const float less_l2_1 = less_u2_2 / less_divisor2;
-  const float less_l2_2 = less_u2_3 / less_divisor2;
-  const float less_u3_0a = KSL_MULF(A->at[0][3], less_l0_2), less_u3_0b = less_3 - less_u3_0a,
-      less_u3_0c = KSL_MULF(less_u1_2, less_l1_1), less_u3_0d = less_u3_0b - less_u3_0c,
-      less_u3_0e = KSL_MULF(less_u2_1, less_l2_0), less_u3_0 = less_u3_0d - less_u3_0e;
-  const float less_u3_1a = KSL_MULF(A->at[0][4], less_l0_2), less_u3_1b = A->at[3][4] - less_u3_1a,
-      less_u3_1c = KSL_MULF(less_u1_3, less_l1_1), less_u3_1d = less_u3_1b - less_u3_1c,
-      less_u3_1e = KSL_MULF(less_u2_2, less_l2_0), less_u3_1 = less_u3_1d - less_u3_1e;
-  const float less_u3_2a = KSL_MULF(A->at[0][5], less_l0_2), less_u3_2b = A->at[3][5] - less_u3_2a,
-      less_u3_2c = KSL_MULF(less_u1_4, less_l1_1), less_u3_2d = less_u3_2b - less_u3_2c,
-      less_u3_2e = KSL_MULF(less_u2_3, less_l2_0), less_u3_2 = less_u3_2d - less_u3_2e;
+  const float less_l2_0 = less_u2_1 / less_divisor2, less_l2_1 = less_u2_2 / less_divisor2,
+      less_l2_2 = less_u2_3 / less_divisor2;
+  const float less_u3_0 = less_3 - KSL_MULF(A->at[0][3], less_l0_2)
+          - KSL_MULF(less_u1_2, less_l1_1) - KSL_MULF(less_u2_1, less_l2_0),
+      less_u3_1 = A->at[3][4] - KSL_MULF(A->at[0][4], less_l0_2) - KSL_MULF(less_u1_3, less_l1_1)
+          - KSL_MULF(less_u2_2, less_l2_0),
+      less_u3_2 = A->at[3][5] - KSL_MULF(A->at[0][5], less_l0_2) - KSL_MULF(less_u1_4, less_l1_1)
+          - KSL_MULF(less_u2_3, less_l2_0);
   const float less_divisor3 = 0.0f < less_u3_0 ? less_u3_0 : 1.0f;
-  const float less_l3_0 = less_u3_1 / less_divisor3;
-  const float less_l3_1 = less_u3_2 / less_divisor3;
-  const float less_u4_0a = KSL_MULF(A->at[0][4], less_l0_3), less_u4_0b = less_4 - less_u4_0a,
-      less_u4_0c = KSL_MULF(less_u1_3, less_l1_2), less_u4_0d = less_u4_0b - less_u4_0c,
-      less_u4_0e = KSL_MULF(less_u2_2, less_l2_1), less_u4_0f = less_u4_0d - less_u4_0e,
-      less_u4_0g = KSL_MULF(less_u3_1, less_l3_0), less_u4_0 = less_u4_0f - less_u4_0g;
-  const float less_u4_1a = KSL_MULF(A->at[0][5], less_l0_3), less_u4_1b = A->at[4][5] - less_u4_1a,
-      less_u4_1c = KSL_MULF(less_u1_4, less_l1_2), less_u4_1d = less_u4_1b - less_u4_1c,
-      less_u4_1e = KSL_MULF(less_u2_3, less_l2_1), less_u4_1f = less_u4_1d - less_u4_1e,
-      less_u4_1g = KSL_MULF(less_u3_2, less_l3_0), less_u4_1 = less_u4_1f - less_u4_1g;
+  const float less_l3_0 = less_u3_1 / less_divisor3, less_l3_1 = less_u3_2 / less_divisor3;
+  const float less_u4_0f = less_4 - KSL_MULF(A->at[0][4], less_l0_3)
+          - KSL_MULF(less_u1_3, less_l1_2) - KSL_MULF(less_u2_2, less_l2_1),
+      less_u4_0 = less_u4_0f - KSL_MULF(less_u3_1, less_l3_0);
+  const float less_u4_1f = A->at[4][5] - KSL_MULF(A->at[0][5], less_l0_3)
+          - KSL_MULF(less_u1_4, less_l1_2) - KSL_MULF(less_u2_3, less_l2_1),
+      less_u4_1 = less_u4_1f - KSL_MULF(less_u3_2, less_l3_0);
   const float less_divisor4 = 0.0f < less_u4_0 ? less_u4_0 : 1.0f;
   const float less_l4 = less_u4_1 / less_divisor4;
-  const float less_u5a = KSL_MULF(A->at[0][5], less_l0_4), less_u5b = less_5 - less_u5a,
-      less_u5c = KSL_MULF(less_u1_4, less_l1_3), less_u5d = less_u5b - less_u5c,
-      less_u5e = KSL_MULF(less_u2_3, less_l2_2), less_u5f = less_u5d - less_u5e,
-      less_u5g = KSL_MULF(less_u3_2, less_l3_1), less_u5h = less_u5f - less_u5g,
-      less_u5i = KSL_MULF(less_u4_1, less_l4), less_u5 = less_u5h - less_u5i;
+  const float less_u5f = less_5 - KSL_MULF(A->at[0][5], less_l0_4) - KSL_MULF(less_u1_4, less_l1_3)
+          - KSL_MULF(less_u2_3, less_l2_2),
+      less_u5 = less_u5f - KSL_MULF(less_u3_2, less_l3_1) - KSL_MULF(less_u4_1, less_l4);
   const float regular_b = 0.0f < less_u5 ? 1.0f : 0.0f,
       regular_c = 0.0f < less_u4_0 ? regular_b : 0.0f,
       regular_d = 0.0f < less_u3_0 ? regular_c : 0.0f,
       regular_e = 0.0f < less_u2_0 ? regular_d : 0.0f,
       regular_f = 0.0f < less_u1_0 ? regular_e : 0.0f, regular = 0.0f < less_0 ? regular_f : 0.0f;
   const float least = smallest5 < 0.0f ? smallest5 : 0.0f;
-  const float y1a = KSL_MULF(b->m0, l0_0), y1 = b->m1 - y1a;
-  const float y2a = KSL_MULF(b->m0, l0_1), y2b = b->m2 - y2a, y2c = KSL_MULF(l1_0, y1),
-      y2 = y2b - y2c;
-  const float y3a = KSL_MULF(b->m0, l0_2), y3b = b->m3 - y3a, y3c = KSL_MULF(l1_1, y1),
-      y3d = y3b - y3c, y3e = KSL_MULF(l2_0, y2), y3 = y3d - y3e;
-  const float y4a = KSL_MULF(b->m0, l0_3), y4b = b->m4 - y4a, y4c = KSL_MULF(l1_2, y1),
-      y4d = y4b - y4c, y4e = KSL_MULF(l2_1, y2), y4f = y4d - y4e, y4g = KSL_MULF(l3_0, y3),
-      y4 = y4f - y4g;
-  const float y5a = KSL_MULF(b->m0, l0_4), y5b = b->m5 - y5a, y5c = KSL_MULF(l1_3, y1),
-      y5d = y5b - y5c, y5e = KSL_MULF(l2_2, y2), y5f = y5d - y5e, y5g = KSL_MULF(l3_1, y3),
-      y5h = y5f - y5g, y5i = KSL_MULF(l4, y4), y5 = y5h - y5i;
+  const float y1 = b->m1 - KSL_MULF(b->m0, l0_0);
+  const float y2 = b->m2 - KSL_MULF(b->m0, l0_1) - KSL_MULF(l1_0, y1);
+  const float y3 = b->m3 - KSL_MULF(b->m0, l0_2) - KSL_MULF(l1_1, y1) - KSL_MULF(l2_0, y2);
+  const float y4 = b->m4 - KSL_MULF(b->m0, l0_3) - KSL_MULF(l1_2, y1) - KSL_MULF(l2_1, y2)
+          - KSL_MULF(l3_0, y3);
+  const float y5 = b->m5 - KSL_MULF(b->m0, l0_4) - KSL_MULF(l1_3, y1) - KSL_MULF(l2_2, y2)
+          - KSL_MULF(l3_1, y3) - KSL_MULF(l4, y4);
   const float z0 = b->m0 / divisor0;
   const float z1 = y1 / divisor1;
   const float z2 = y2 / divisor2;
   const float z3 = y3 / divisor3;
   const float z4 = y4 / divisor4;
   const float z5 = y5 / divisor5;
-  const float x4a = KSL_MULF(l4, z5), x4 = z4 - x4a;
-  const float x3a = KSL_MULF(l3_0, x4), x3b = z3 - x3a, x3c = KSL_MULF(l3_1, z5), x3 = x3b - x3c;
-  const float x2a = KSL_MULF(l2_0, x3), x2b = z2 - x2a, x2c = KSL_MULF(l2_1, x4), x2d = x2b - x2c,
-      x2e = KSL_MULF(l2_2, z5), x2 = x2d - x2e;
-  const float x1a = KSL_MULF(l1_0, x2), x1b = z1 - x1a, x1c = KSL_MULF(l1_1, x3), x1d = x1b - x1c,
-      x1e = KSL_MULF(l1_2, x4), x1f = x1d - x1e, x1g = KSL_MULF(l1_3, z5), x1 = x1f - x1g;
-  const float x0a = KSL_MULF(l0_0, x1), x0b = z0 - x0a, x0c = KSL_MULF(l0_1, x2), x0d = x0b - x0c,
-      x0e = KSL_MULF(l0_2, x3), x0f = x0d - x0e, x0g = KSL_MULF(l0_3, x4), x0h = x0f - x0g,
-      x0i = KSL_MULF(l0_4, z5), x0 = x0h - x0i;
-  const float residual_0a = KSL_MULF(A->at[0][0], x0), residual_0b = b->m0 - residual_0a,
-      residual_0c = KSL_MULF(A->at[0][1], x1), residual_0d = residual_0b - residual_0c,
-      residual_0e = KSL_MULF(A->at[0][2], x2), residual_0f = residual_0d - residual_0e,
-      residual_0g = KSL_MULF(A->at[0][3], x3), residual_0h = residual_0f - residual_0g,
-      residual_0i = KSL_MULF(A->at[0][4], x4), residual_0j = residual_0h - residual_0i,
-      residual_0k = KSL_MULF(A->at[0][5], z5), residual_0 = residual_0j - residual_0k;
-  const float residual_1a = KSL_MULF(A->at[0][1], x0), residual_1b = b->m1 - residual_1a,
-      residual_1c = KSL_MULF(A->at[1][1], x1), residual_1d = residual_1b - residual_1c,
-      residual_1e = KSL_MULF(A->at[1][2], x2), residual_1f = residual_1d - residual_1e,
-      residual_1g = KSL_MULF(A->at[1][3], x3), residual_1h = residual_1f - residual_1g,
-      residual_1i = KSL_MULF(A->at[1][4], x4), residual_1j = residual_1h - residual_1i,
-      residual_1k = KSL_MULF(A->at[1][5], z5), residual_1 = residual_1j - residual_1k;
-  const float residual_2a = KSL_MULF(A->at[0][2], x0), residual_2b = b->m2 - residual_2a,
-      residual_2c = KSL_MULF(A->at[1][2], x1), residual_2d = residual_2b - residual_2c,
-      residual_2e = KSL_MULF(A->at[2][2], x2), residual_2f = residual_2d - residual_2e,
-      residual_2g = KSL_MULF(A->at[2][3], x3), residual_2h = residual_2f - residual_2g,
-      residual_2i = KSL_MULF(A->at[2][4], x4), residual_2j = residual_2h - residual_2i,
-      residual_2k = KSL_MULF(A->at[2][5], z5), residual_2 = residual_2j - residual_2k;
-  const float residual_3a = KSL_MULF(A->at[0][3], x0), residual_3b = b->m3 - residual_3a,
-      residual_3c = KSL_MULF(A->at[1][3], x1), residual_3d = residual_3b - residual_3c,
-      residual_3e = KSL_MULF(A->at[2][3], x2), residual_3f = residual_3d - residual_3e,
-      residual_3g = KSL_MULF(A->at[3][3], x3), residual_3h = residual_3f - residual_3g,
-      residual_3i = KSL_MULF(A->at[3][4], x4), residual_3j = residual_3h - residual_3i,
-      residual_3k = KSL_MULF(A->at[3][5], z5), residual_3 = residual_3j - residual_3k;
-  const float residual_4a = KSL_MULF(A->at[0][4], x0), residual_4b = b->m4 - residual_4a,
-      residual_4c = KSL_MULF(A->at[1][4], x1), residual_4d = residual_4b - residual_4c,
-      residual_4e = KSL_MULF(A->at[2][4], x2), residual_4f = residual_4d - residual_4e,
-      residual_4g = KSL_MULF(A->at[3][4], x3), residual_4h = residual_4f - residual_4g,
-      residual_4i = KSL_MULF(A->at[4][4], x4), residual_4j = residual_4h - residual_4i,
-      residual_4k = KSL_MULF(A->at[4][5], z5), residual_4 = residual_4j - residual_4k;
-  const float residual_5a = KSL_MULF(A->at[0][5], x0), residual_5b = b->m5 - residual_5a,
-      residual_5c = KSL_MULF(A->at[1][5], x1), residual_5d = residual_5b - residual_5c,
-      residual_5e = KSL_MULF(A->at[2][5], x2), residual_5f = residual_5d - residual_5e,
-      residual_5g = KSL_MULF(A->at[3][5], x3), residual_5h = residual_5f - residual_5g,
-      residual_5i = KSL_MULF(A->at[4][5], x4), residual_5j = residual_5h - residual_5i,
-      residual_5k = KSL_MULF(A->at[5][5], z5), residual_5 = residual_5j - residual_5k;
-  const float refined_y1a = KSL_MULF(l0_0, residual_0), refined_y1 = residual_1 - refined_y1a;
-  const float refined_y2a = KSL_MULF(l0_1, residual_0), refined_y2b = residual_2 - refined_y2a,
-      refined_y2c = KSL_MULF(l1_0, refined_y1), refined_y2 = refined_y2b - refined_y2c;
-  const float refined_y3a = KSL_MULF(l0_2, residual_0), refined_y3b = residual_3 - refined_y3a,
-      refined_y3c = KSL_MULF(l1_1, refined_y1), refined_y3d = refined_y3b - refined_y3c,
-      refined_y3e = KSL_MULF(l2_0, refined_y2), refined_y3 = refined_y3d - refined_y3e;
-  const float refined_y4a = KSL_MULF(l0_3, residual_0), refined_y4b = residual_4 - refined_y4a,
-      refined_y4c = KSL_MULF(l1_2, refined_y1), refined_y4d = refined_y4b - refined_y4c,
-      refined_y4e = KSL_MULF(l2_1, refined_y2), refined_y4f = refined_y4d - refined_y4e,
-      refined_y4g = KSL_MULF(l3_0, refined_y3), refined_y4 = refined_y4f - refined_y4g;
-  const float refined_y5a = KSL_MULF(l0_4, residual_0), refined_y5b = residual_5 - refined_y5a,
-      refined_y5c = KSL_MULF(l1_3, refined_y1), refined_y5d = refined_y5b - refined_y5c,
-      refined_y5e = KSL_MULF(l2_2, refined_y2), refined_y5f = refined_y5d - refined_y5e,
-      refined_y5g = KSL_MULF(l3_1, refined_y3), refined_y5h = refined_y5f - refined_y5g,
-      refined_y5i = KSL_MULF(l4, refined_y4), refined_y5 = refined_y5h - refined_y5i;
+  const float x4 = z4 - KSL_MULF(l4, z5);
+  const float x3 = z3 - KSL_MULF(l3_0, x4) - KSL_MULF(l3_1, z5);
+  const float x2 = z2 - KSL_MULF(l2_0, x3) - KSL_MULF(l2_1, x4) - KSL_MULF(l2_2, z5);
+  const float x1 = z1 - KSL_MULF(l1_0, x2) - KSL_MULF(l1_1, x3) - KSL_MULF(l1_2, x4)
+          - KSL_MULF(l1_3, z5);
+  const float x0 = z0 - KSL_MULF(l0_0, x1) - KSL_MULF(l0_1, x2) - KSL_MULF(l0_2, x3)
+          - KSL_MULF(l0_3, x4) - KSL_MULF(l0_4, z5);
+  const float residual_0h = b->m0 - KSL_MULF(A->at[0][0], x0) - KSL_MULF(A->at[0][1], x1)
+          - KSL_MULF(A->at[0][2], x2) - KSL_MULF(A->at[0][3], x3),
+      residual_0 = residual_0h - KSL_MULF(A->at[0][4], x4) - KSL_MULF(A->at[0][5], z5);
+  const float residual_1h = b->m1 - KSL_MULF(A->at[0][1], x0) - KSL_MULF(A->at[1][1], x1)
+          - KSL_MULF(A->at[1][2], x2) - KSL_MULF(A->at[1][3], x3),
+      residual_1 = residual_1h - KSL_MULF(A->at[1][4], x4) - KSL_MULF(A->at[1][5], z5);
+  const float residual_2h = b->m2 - KSL_MULF(A->at[0][2], x0) - KSL_MULF(A->at[1][2], x1)
+          - KSL_MULF(A->at[2][2], x2) - KSL_MULF(A->at[2][3], x3),
+      residual_2 = residual_2h - KSL_MULF(A->at[2][4], x4) - KSL_MULF(A->at[2][5], z5);
+  const float residual_3h = b->m3 - KSL_MULF(A->at[0][3], x0) - KSL_MULF(A->at[1][3], x1)
+          - KSL_MULF(A->at[2][3], x2) - KSL_MULF(A->at[3][3], x3),
+      residual_3 = residual_3h - KSL_MULF(A->at[3][4], x4) - KSL_MULF(A->at[3][5], z5);
+  const float residual_4h = b->m4 - KSL_MULF(A->at[0][4], x0) - KSL_MULF(A->at[1][4], x1)
+          - KSL_MULF(A->at[2][4], x2) - KSL_MULF(A->at[3][4], x3),
+      residual_4 = residual_4h - KSL_MULF(A->at[4][4], x4) - KSL_MULF(A->at[4][5], z5);
+  const float residual_5h = b->m5 - KSL_MULF(A->at[0][5], x0) - KSL_MULF(A->at[1][5], x1)
+          - KSL_MULF(A->at[2][5], x2) - KSL_MULF(A->at[3][5], x3),
+      residual_5 = residual_5h - KSL_MULF(A->at[4][5], x4) - KSL_MULF(A->at[5][5], z5);
+  const float refined_y1 = residual_1 - KSL_MULF(l0_0, residual_0);
+  const float refined_y2 = residual_2 - KSL_MULF(l0_1, residual_0) - KSL_MULF(l1_0, refined_y1);
+  const float refined_y3 = residual_3 - KSL_MULF(l0_2, residual_0) - KSL_MULF(l1_1, refined_y1)
+          - KSL_MULF(l2_0, refined_y2);
+  const float refined_y4 = residual_4 - KSL_MULF(l0_3, residual_0) - KSL_MULF(l1_2, refined_y1)
+          - KSL_MULF(l2_1, refined_y2) - KSL_MULF(l3_0, refined_y3);
+  const float refined_y5h = residual_5 - KSL_MULF(l0_4, residual_0) - KSL_MULF(l1_3, refined_y1)
+          - KSL_MULF(l2_2, refined_y2) - KSL_MULF(l3_1, refined_y3),
+      refined_y5 = refined_y5h - KSL_MULF(l4, refined_y4);
   const float refined_z0 = residual_0 / divisor0;
   const float refined_z1 = refined_y1 / divisor1;
   const float refined_z2 = refined_y2 / divisor2;
   const float refined_z3 = refined_y3 / divisor3;
   const float refined_z4 = refined_y4 / divisor4;
   const float refined_z5 = refined_y5 / divisor5;
-  const float refined_x4a = KSL_MULF(l4, refined_z5), refined_x4 = refined_z4 - refined_x4a;
-  const float refined_x3a = KSL_MULF(l3_0, refined_x4), refined_x3b = refined_z3 - refined_x3a,
-      refined_x3c = KSL_MULF(l3_1, refined_z5), refined_x3 = refined_x3b - refined_x3c;
-  const float refined_x2a = KSL_MULF(l2_0, refined_x3), refined_x2b = refined_z2 - refined_x2a,
-      refined_x2c = KSL_MULF(l2_1, refined_x4), refined_x2d = refined_x2b - refined_x2c,
-      refined_x2e = KSL_MULF(l2_2, refined_z5), refined_x2 = refined_x2d - refined_x2e;
-  const float refined_x1a = KSL_MULF(l1_0, refined_x2), refined_x1b = refined_z1 - refined_x1a,
-      refined_x1c = KSL_MULF(l1_1, refined_x3), refined_x1d = refined_x1b - refined_x1c,
-      refined_x1e = KSL_MULF(l1_2, refined_x4), refined_x1f = refined_x1d - refined_x1e,
-      refined_x1g = KSL_MULF(l1_3, refined_z5), refined_x1 = refined_x1f - refined_x1g;
-  const float refined_x0a = KSL_MULF(l0_0, refined_x1), refined_x0b = refined_z0 - refined_x0a,
-      refined_x0c = KSL_MULF(l0_1, refined_x2), refined_x0d = refined_x0b - refined_x0c,
-      refined_x0e = KSL_MULF(l0_2, refined_x3), refined_x0f = refined_x0d - refined_x0e,
-      refined_x0g = KSL_MULF(l0_3, refined_x4), refined_x0h = refined_x0f - refined_x0g,
-      refined_x0i = KSL_MULF(l0_4, refined_z5), refined_x0 = refined_x0h - refined_x0i;
-  const float found_0 = x0 + refined_x0;
-  const float found_1 = x1 + refined_x1;
-  const float found_2 = x2 + refined_x2;
-  const float found_3 = x3 + refined_x3;
-  const float found_4 = x4 + refined_x4;
-  const float found_5 = z5 + refined_z5;
+  const float refined_x4 = refined_z4 - KSL_MULF(l4, refined_z5);
+  const float refined_x3 = refined_z3 - KSL_MULF(l3_0, refined_x4) - KSL_MULF(l3_1, refined_z5);
+  const float refined_x2 = refined_z2 - KSL_MULF(l2_0, refined_x3) - KSL_MULF(l2_1, refined_x4)
+          - KSL_MULF(l2_2, refined_z5);
+  const float refined_x1 = refined_z1 - KSL_MULF(l1_0, refined_x2) - KSL_MULF(l1_1, refined_x3)
+          - KSL_MULF(l1_2, refined_x4) - KSL_MULF(l1_3, refined_z5);
+  const float refined_x0h = refined_z0 - KSL_MULF(l0_0, refined_x1) - KSL_MULF(l0_1, refined_x2)
+          - KSL_MULF(l0_2, refined_x3) - KSL_MULF(l0_3, refined_x4),
+      refined_x0 = refined_x0h - KSL_MULF(l0_4, refined_z5);
+  const float found_0 = x0 + refined_x0, found_1 = x1 + refined_x1, found_2 = x2 + refined_x2,
+      found_3 = x3 + refined_x3, found_4 = x4 + refined_x4, found_5 = z5 + refined_z5;
   const float pivot = regular == 1.0f ? smallest5 : least;
-  const float x_0 = regular == 1.0f ? found_0 : (float)NAN;
-  const float x_1 = regular == 1.0f ? found_1 : (float)NAN;
-  const float x_2 = regular == 1.0f ? found_2 : (float)NAN;
-  const float x_3 = regular == 1.0f ? found_3 : (float)NAN;
-  const float x_4 = regular == 1.0f ? found_4 : (float)NAN;
-  const float x_5 = regular == 1.0f ? found_5 : (float)NAN;
+  const float x_0 = regular == 1.0f ? found_0 : (float)NAN,
+      x_1 = regular == 1.0f ? found_1 : (float)NAN, x_2 = regular == 1.0f ? found_2 : (float)NAN,
+      x_3 = regular == 1.0f ? found_3 : (float)NAN, x_4 = regular == 1.0f ? found_4 : (float)NAN,
+      x_5 = regular == 1.0f ? found_5 : (float)NAN;
   x->m0 = x_0;
   x->m1 = x_1;
   x->m2 = x_2;

@@ -18,10 +18,10 @@ static inline void ksl_dc_accurate(const double theta, double dc[2]) {
   double dc_1; const double dc_0 = ksl_sincos(theta, &dc_1);
   double dc_1_own_error; const double dc_0_own_error = ksl_sincos_error(theta, dc_0, dc_1,
       &dc_1_own_error);
-  const double dc_0_rounded = dc_0 + dc_0_own_error,
-      dc_0_final = dc_0_rounded == dc_0_rounded ? dc_0_rounded : dc_0;
-  const double dc_1_rounded = dc_1 + dc_1_own_error,
-      dc_1_final = dc_1_rounded == dc_1_rounded ? dc_1_rounded : dc_1;
+  const double dc_0_rounded = dc_0 + dc_0_own_error;
+  const double dc_1_rounded = dc_1 + dc_1_own_error;
+  const double dc_0_final = dc_0_rounded == dc_0_rounded ? dc_0_rounded : dc_0;
+  const double dc_1_final = dc_1_rounded == dc_1_rounded ? dc_1_rounded : dc_1;
   dc[0] = dc_0_final;
   dc[1] = dc_1_final;
 }

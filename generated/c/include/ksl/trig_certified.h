@@ -17,8 +17,8 @@ static inline void ksl_dc_certified(const double theta, double dc[2], double dc_
   double dc_1; const double dc_0 = ksl_sincos(theta, &dc_1);
   double dc_own_error_2; const double dc_own_error_1 = ksl_sincos_error(theta, dc_0, dc_1,
       &dc_own_error_2);
-  const double dc_error_1 = fabs(dc_own_error_1), dc_bound_1 = 3.7470896994678994e-30 + dc_error_1,
-      dc_error_2 = fabs(dc_own_error_2), dc_bound_2 = 3.7470896994678994e-30 + dc_error_2;
+  const double dc_bound_1 = 3.7470896994678994e-30 + fabs(dc_own_error_1),
+      dc_bound_2 = 3.7470896994678994e-30 + fabs(dc_own_error_2);
   dc[0] = dc_0;
   dc[1] = dc_1;
   dc_bound[0] = dc_bound_1;
@@ -32,8 +32,8 @@ static inline void ksl_dcf_certified(const float theta, float dc[2], float dc_bo
   float dc_1; const float dc_0 = ksl_sincosf(theta, &dc_1);
   float dc_own_error_2; const float dc_own_error_1 = ksl_sincos_errorf(theta, dc_0, dc_1,
       &dc_own_error_2);
-  const float dc_error_1 = fabsf(dc_own_error_1), dc_bound_1 = 1.0800312e-12f + dc_error_1,
-      dc_error_2 = fabsf(dc_own_error_2), dc_bound_2 = 1.0800312e-12f + dc_error_2;
+  const float dc_bound_1 = 1.0800312e-12f + fabsf(dc_own_error_1),
+      dc_bound_2 = 1.0800312e-12f + fabsf(dc_own_error_2);
   dc[0] = dc_0;
   dc[1] = dc_1;
   dc_bound[0] = dc_bound_1;

@@ -37,10 +37,8 @@ static inline void ksl_vec4_copy(const ksl_vec4_t *vi, ksl_vec4_t *vo) {
    4 mul.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_vec4_scale(ksl_vec4_t *self, const double a) {
-  const double self_0_new = KSL_MUL(self->x, a);
-  const double self_1_new = KSL_MUL(self->y, a);
-  const double self_2_new = KSL_MUL(self->z, a);
-  const double self_3_new = KSL_MUL(self->w, a);
+  const double self_0_new = KSL_MUL(self->x, a), self_1_new = KSL_MUL(self->y, a),
+      self_2_new = KSL_MUL(self->z, a), self_3_new = KSL_MUL(self->w, a);
   self->x = self_0_new;
   self->y = self_1_new;
   self->z = self_2_new;
@@ -52,10 +50,7 @@ static inline void ksl_vec4_scale(ksl_vec4_t *self, const double a) {
    4 neg.
    Exact. */
 static inline void ksl_vec4_inverted(const ksl_vec4_t *vi, ksl_vec4_t *vo) {
-  const double vo_0 = -vi->x;
-  const double vo_1 = -vi->y;
-  const double vo_2 = -vi->z;
-  const double vo_3 = -vi->w;
+  const double vo_0 = -vi->x, vo_1 = -vi->y, vo_2 = -vi->z, vo_3 = -vi->w;
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -67,10 +62,8 @@ static inline void ksl_vec4_inverted(const ksl_vec4_t *vi, ksl_vec4_t *vo) {
    4 neg.
    Exact. */
 static inline void ksl_vec4_invert(ksl_vec4_t *self) {
-  const double self_0_new = -self->x;
-  const double self_1_new = -self->y;
-  const double self_2_new = -self->z;
-  const double self_3_new = -self->w;
+  const double self_0_new = -self->x, self_1_new = -self->y, self_2_new = -self->z,
+      self_3_new = -self->w;
   self->x = self_0_new;
   self->y = self_1_new;
   self->z = self_2_new;
@@ -82,10 +75,8 @@ static inline void ksl_vec4_invert(ksl_vec4_t *self) {
    4 mul.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_vec4_scaled(const ksl_vec4_t *v, const double k, ksl_vec4_t *vo) {
-  const double vo_0 = KSL_MUL(v->x, k);
-  const double vo_1 = KSL_MUL(v->y, k);
-  const double vo_2 = KSL_MUL(v->z, k);
-  const double vo_3 = KSL_MUL(v->w, k);
+  const double vo_0 = KSL_MUL(v->x, k), vo_1 = KSL_MUL(v->y, k), vo_2 = KSL_MUL(v->z, k),
+      vo_3 = KSL_MUL(v->w, k);
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -119,23 +110,18 @@ static inline void ksl_vec4_swap(ksl_vec4_t *v1, ksl_vec4_t *v2) {
    v: vector (x, y, z) and a homogeneous coordinate w.
    9 mul, 3 add, 1 sqrt, 4 abs, 9 less, 9 select. */
 static inline double ksl_vec4_l2norm(const ksl_vec4_t *v) {
-  const double s_size_0 = fabs(v->x);
-  const double s_size_1 = fabs(v->y);
-  const double s_size_2 = fabs(v->z);
-  const double s_size_3 = fabs(v->w);
+  const double s_size_0 = fabs(v->x), s_size_1 = fabs(v->y), s_size_2 = fabs(v->z),
+      s_size_3 = fabs(v->w);
   const double s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
   const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const double s_largest3 = s_largest2 < s_size_3 ? s_size_3 : s_largest2;
   const double s_b = 6.703903964971299e+153 < s_largest3 ? 3.7291703656001034e-155 : 1.0,
       s_d = s_largest3 < 256.0 ? 1.3093562431584567e+151 : s_b,
       s = s_largest3 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : s_d;
-  const double y_0 = KSL_MUL(v->x, s);
-  const double y_1 = KSL_MUL(v->y, s);
-  const double y_2 = KSL_MUL(v->z, s);
-  const double y_3 = KSL_MUL(v->w, s);
-  const double n_a = KSL_MUL(y_0, y_0), n_b = KSL_MUL(y_1, y_1), n_c = n_a + n_b,
-      n_d = KSL_MUL(y_2, y_2), n_e = n_c + n_d, n_f = KSL_MUL(y_3, y_3), n_g = n_e + n_f,
-      n = sqrt(n_g);
+  const double y_0 = KSL_MUL(v->x, s), y_1 = KSL_MUL(v->y, s), y_2 = KSL_MUL(v->z, s),
+      y_3 = KSL_MUL(v->w, s);
+  const double n = sqrt(KSL_MUL(y_0, y_0) + KSL_MUL(y_1, y_1) + KSL_MUL(y_2, y_2)
+          + KSL_MUL(y_3, y_3));
   const double r_b = s < 1.0 ? 2.6815615859885194e+154 : 1.0,
       r_d = 1.0 < s ? 7.637340908749012e-152 : r_b,
       r = 1.3093562431584567e+151 < s ? 9.332636185032189e-302 : r_d;
@@ -147,38 +133,27 @@ static inline double ksl_vec4_l2norm(const ksl_vec4_t *v) {
    self: vector (x, y, z) and a homogeneous coordinate w.
    16 mul, 3 add, 4 div, 1 sqrt, 4 abs, 8 less, 1 equal, 9 select. */
 static inline void ksl_vec4_normalize(ksl_vec4_t *self) {
-  const double s_size_0 = fabs(self->x);
-  const double s_size_1 = fabs(self->y);
-  const double s_size_2 = fabs(self->z);
-  const double s_size_3 = fabs(self->w);
+  const double s_size_0 = fabs(self->x), s_size_1 = fabs(self->y), s_size_2 = fabs(self->z),
+      s_size_3 = fabs(self->w);
   const double s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
   const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const double s_largest3 = s_largest2 < s_size_3 ? s_size_3 : s_largest2;
   const double s_b = 6.703903964971299e+153 < s_largest3 ? 3.7291703656001034e-155 : 1.0,
       s_d = s_largest3 < 256.0 ? 1.3093562431584567e+151 : s_b,
       s = s_largest3 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : s_d;
-  const double y_0 = KSL_MUL(self->x, s);
-  const double y_1 = KSL_MUL(self->y, s);
-  const double y_2 = KSL_MUL(self->z, s);
-  const double y_3 = KSL_MUL(self->w, s);
+  const double y_0 = KSL_MUL(self->x, s), y_1 = KSL_MUL(self->y, s), y_2 = KSL_MUL(self->z, s),
+      y_3 = KSL_MUL(self->w, s);
   const double up = 1.0 < s ? s : 1.0;
   const double down = s < 1.0 ? s : 1.0;
-  const double n_a = KSL_MUL(y_0, y_0), n_b = KSL_MUL(y_1, y_1), n_c = n_a + n_b,
-      n_d = KSL_MUL(y_2, y_2), n_e = n_c + n_d, n_f = KSL_MUL(y_3, y_3), n_g = n_e + n_f,
-      n = sqrt(n_g);
+  const double n = sqrt(KSL_MUL(y_0, y_0) + KSL_MUL(y_1, y_1) + KSL_MUL(y_2, y_2)
+          + KSL_MUL(y_3, y_3));
   const double divisor = n == 0.0 ? up : n;
-  const double sized_0 = KSL_MUL(self->x, up);
-  const double sized_1 = KSL_MUL(self->y, up);
-  const double sized_2 = KSL_MUL(self->z, up);
-  const double sized_3 = KSL_MUL(self->w, up);
-  const double quotient_0 = sized_0 / divisor;
-  const double quotient_1 = sized_1 / divisor;
-  const double quotient_2 = sized_2 / divisor;
-  const double quotient_3 = sized_3 / divisor;
-  const double self_0_new = KSL_MUL(quotient_0, down);
-  const double self_1_new = KSL_MUL(quotient_1, down);
-  const double self_2_new = KSL_MUL(quotient_2, down);
-  const double self_3_new = KSL_MUL(quotient_3, down);
+  const double sized_0 = KSL_MUL(self->x, up), sized_1 = KSL_MUL(self->y, up),
+      sized_2 = KSL_MUL(self->z, up), sized_3 = KSL_MUL(self->w, up);
+  const double quotient_0 = sized_0 / divisor, quotient_1 = sized_1 / divisor,
+      quotient_2 = sized_2 / divisor, quotient_3 = sized_3 / divisor;
+  const double self_0_new = KSL_MUL(quotient_0, down), self_1_new = KSL_MUL(quotient_1, down),
+      self_2_new = KSL_MUL(quotient_2, down), self_3_new = KSL_MUL(quotient_3, down);
   self->x = self_0_new;
   self->y = self_1_new;
   self->z = self_2_new;
@@ -189,38 +164,27 @@ static inline void ksl_vec4_normalize(ksl_vec4_t *self) {
    v, vo: vector (x, y, z) and a homogeneous coordinate w.
    16 mul, 3 add, 4 div, 1 sqrt, 4 abs, 8 less, 1 equal, 9 select. */
 static inline void ksl_vec4_normalized(const ksl_vec4_t *v, ksl_vec4_t *vo) {
-  const double s_size_0 = fabs(v->x);
-  const double s_size_1 = fabs(v->y);
-  const double s_size_2 = fabs(v->z);
-  const double s_size_3 = fabs(v->w);
+  const double s_size_0 = fabs(v->x), s_size_1 = fabs(v->y), s_size_2 = fabs(v->z),
+      s_size_3 = fabs(v->w);
   const double s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
   const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const double s_largest3 = s_largest2 < s_size_3 ? s_size_3 : s_largest2;
   const double s_b = 6.703903964971299e+153 < s_largest3 ? 3.7291703656001034e-155 : 1.0,
       s_d = s_largest3 < 256.0 ? 1.3093562431584567e+151 : s_b,
       s = s_largest3 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : s_d;
-  const double y_0 = KSL_MUL(v->x, s);
-  const double y_1 = KSL_MUL(v->y, s);
-  const double y_2 = KSL_MUL(v->z, s);
-  const double y_3 = KSL_MUL(v->w, s);
+  const double y_0 = KSL_MUL(v->x, s), y_1 = KSL_MUL(v->y, s), y_2 = KSL_MUL(v->z, s),
+      y_3 = KSL_MUL(v->w, s);
   const double up = 1.0 < s ? s : 1.0;
   const double down = s < 1.0 ? s : 1.0;
-  const double n_a = KSL_MUL(y_0, y_0), n_b = KSL_MUL(y_1, y_1), n_c = n_a + n_b,
-      n_d = KSL_MUL(y_2, y_2), n_e = n_c + n_d, n_f = KSL_MUL(y_3, y_3), n_g = n_e + n_f,
-      n = sqrt(n_g);
+  const double n = sqrt(KSL_MUL(y_0, y_0) + KSL_MUL(y_1, y_1) + KSL_MUL(y_2, y_2)
+          + KSL_MUL(y_3, y_3));
   const double divisor = n == 0.0 ? up : n;
-  const double sized_0 = KSL_MUL(v->x, up);
-  const double sized_1 = KSL_MUL(v->y, up);
-  const double sized_2 = KSL_MUL(v->z, up);
-  const double sized_3 = KSL_MUL(v->w, up);
-  const double quotient_0 = sized_0 / divisor;
-  const double quotient_1 = sized_1 / divisor;
-  const double quotient_2 = sized_2 / divisor;
-  const double quotient_3 = sized_3 / divisor;
-  const double vo_0 = KSL_MUL(quotient_0, down);
-  const double vo_1 = KSL_MUL(quotient_1, down);
-  const double vo_2 = KSL_MUL(quotient_2, down);
-  const double vo_3 = KSL_MUL(quotient_3, down);
+  const double sized_0 = KSL_MUL(v->x, up), sized_1 = KSL_MUL(v->y, up),
+      sized_2 = KSL_MUL(v->z, up), sized_3 = KSL_MUL(v->w, up);
+  const double quotient_0 = sized_0 / divisor, quotient_1 = sized_1 / divisor,
+      quotient_2 = sized_2 / divisor, quotient_3 = sized_3 / divisor;
+  const double vo_0 = KSL_MUL(quotient_0, down), vo_1 = KSL_MUL(quotient_1, down),
+      vo_2 = KSL_MUL(quotient_2, down), vo_3 = KSL_MUL(quotient_3, down);
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -257,10 +221,8 @@ static inline void ksl_vec4f_copy(const ksl_vec4f_t *vi, ksl_vec4f_t *vo) {
    4 mul.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_vec4f_scale(ksl_vec4f_t *self, const float a) {
-  const float self_0_new = KSL_MULF(self->x, a);
-  const float self_1_new = KSL_MULF(self->y, a);
-  const float self_2_new = KSL_MULF(self->z, a);
-  const float self_3_new = KSL_MULF(self->w, a);
+  const float self_0_new = KSL_MULF(self->x, a), self_1_new = KSL_MULF(self->y, a),
+      self_2_new = KSL_MULF(self->z, a), self_3_new = KSL_MULF(self->w, a);
   self->x = self_0_new;
   self->y = self_1_new;
   self->z = self_2_new;
@@ -272,10 +234,7 @@ static inline void ksl_vec4f_scale(ksl_vec4f_t *self, const float a) {
    4 neg.
    Exact. */
 static inline void ksl_vec4f_inverted(const ksl_vec4f_t *vi, ksl_vec4f_t *vo) {
-  const float vo_0 = -vi->x;
-  const float vo_1 = -vi->y;
-  const float vo_2 = -vi->z;
-  const float vo_3 = -vi->w;
+  const float vo_0 = -vi->x, vo_1 = -vi->y, vo_2 = -vi->z, vo_3 = -vi->w;
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -287,10 +246,8 @@ static inline void ksl_vec4f_inverted(const ksl_vec4f_t *vi, ksl_vec4f_t *vo) {
    4 neg.
    Exact. */
 static inline void ksl_vec4f_invert(ksl_vec4f_t *self) {
-  const float self_0_new = -self->x;
-  const float self_1_new = -self->y;
-  const float self_2_new = -self->z;
-  const float self_3_new = -self->w;
+  const float self_0_new = -self->x, self_1_new = -self->y, self_2_new = -self->z,
+      self_3_new = -self->w;
   self->x = self_0_new;
   self->y = self_1_new;
   self->z = self_2_new;
@@ -302,10 +259,8 @@ static inline void ksl_vec4f_invert(ksl_vec4f_t *self) {
    4 mul.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_vec4f_scaled(const ksl_vec4f_t *v, const float k, ksl_vec4f_t *vo) {
-  const float vo_0 = KSL_MULF(v->x, k);
-  const float vo_1 = KSL_MULF(v->y, k);
-  const float vo_2 = KSL_MULF(v->z, k);
-  const float vo_3 = KSL_MULF(v->w, k);
+  const float vo_0 = KSL_MULF(v->x, k), vo_1 = KSL_MULF(v->y, k), vo_2 = KSL_MULF(v->z, k),
+      vo_3 = KSL_MULF(v->w, k);
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
@@ -339,23 +294,18 @@ static inline void ksl_vec4f_swap(ksl_vec4f_t *v1, ksl_vec4f_t *v2) {
    v: vector (x, y, z) and a homogeneous coordinate w.
    9 mul, 3 add, 1 sqrt, 4 abs, 9 less, 9 select. */
 static inline float ksl_vec4f_l2norm(const ksl_vec4f_t *v) {
-  const float s_size_0 = fabsf(v->x);
-  const float s_size_1 = fabsf(v->y);
-  const float s_size_2 = fabsf(v->z);
-  const float s_size_3 = fabsf(v->w);
+  const float s_size_0 = fabsf(v->x), s_size_1 = fabsf(v->y), s_size_2 = fabsf(v->z),
+      s_size_3 = fabsf(v->w);
   const float s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
   const float s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const float s_largest3 = s_largest2 < s_size_3 ? s_size_3 : s_largest2;
   const float s_b = 4.611686e+18f < s_largest3 ? 2.7105054e-20f : 1.0f,
       s_d = s_largest3 < 256.0f ? 1.8014399e+16f : s_b,
       s = s_largest3 < 1.4210855e-14f ? 3.2451855e+32f : s_d;
-  const float y_0 = KSL_MULF(v->x, s);
-  const float y_1 = KSL_MULF(v->y, s);
-  const float y_2 = KSL_MULF(v->z, s);
-  const float y_3 = KSL_MULF(v->w, s);
-  const float n_a = KSL_MULF(y_0, y_0), n_b = KSL_MULF(y_1, y_1), n_c = n_a + n_b,
-      n_d = KSL_MULF(y_2, y_2), n_e = n_c + n_d, n_f = KSL_MULF(y_3, y_3), n_g = n_e + n_f,
-      n = sqrtf(n_g);
+  const float y_0 = KSL_MULF(v->x, s), y_1 = KSL_MULF(v->y, s), y_2 = KSL_MULF(v->z, s),
+      y_3 = KSL_MULF(v->w, s);
+  const float n = sqrtf(KSL_MULF(y_0, y_0) + KSL_MULF(y_1, y_1) + KSL_MULF(y_2, y_2)
+          + KSL_MULF(y_3, y_3));
   const float r_b = s < 1.0f ? 3.689349e+19f : 1.0f, r_d = 1.0f < s ? 5.551115e-17f : r_b,
       r = 1.8014399e+16f < s ? 3.081488e-33f : r_d;
   const float norm = KSL_MULF(n, r);
@@ -366,38 +316,27 @@ static inline float ksl_vec4f_l2norm(const ksl_vec4f_t *v) {
    self: vector (x, y, z) and a homogeneous coordinate w.
    16 mul, 3 add, 4 div, 1 sqrt, 4 abs, 8 less, 1 equal, 9 select. */
 static inline void ksl_vec4f_normalize(ksl_vec4f_t *self) {
-  const float s_size_0 = fabsf(self->x);
-  const float s_size_1 = fabsf(self->y);
-  const float s_size_2 = fabsf(self->z);
-  const float s_size_3 = fabsf(self->w);
+  const float s_size_0 = fabsf(self->x), s_size_1 = fabsf(self->y), s_size_2 = fabsf(self->z),
+      s_size_3 = fabsf(self->w);
   const float s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
   const float s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const float s_largest3 = s_largest2 < s_size_3 ? s_size_3 : s_largest2;
   const float s_b = 4.611686e+18f < s_largest3 ? 2.7105054e-20f : 1.0f,
       s_d = s_largest3 < 256.0f ? 1.8014399e+16f : s_b,
       s = s_largest3 < 1.4210855e-14f ? 3.2451855e+32f : s_d;
-  const float y_0 = KSL_MULF(self->x, s);
-  const float y_1 = KSL_MULF(self->y, s);
-  const float y_2 = KSL_MULF(self->z, s);
-  const float y_3 = KSL_MULF(self->w, s);
+  const float y_0 = KSL_MULF(self->x, s), y_1 = KSL_MULF(self->y, s), y_2 = KSL_MULF(self->z, s),
+      y_3 = KSL_MULF(self->w, s);
   const float up = 1.0f < s ? s : 1.0f;
   const float down = s < 1.0f ? s : 1.0f;
-  const float n_a = KSL_MULF(y_0, y_0), n_b = KSL_MULF(y_1, y_1), n_c = n_a + n_b,
-      n_d = KSL_MULF(y_2, y_2), n_e = n_c + n_d, n_f = KSL_MULF(y_3, y_3), n_g = n_e + n_f,
-      n = sqrtf(n_g);
+  const float n = sqrtf(KSL_MULF(y_0, y_0) + KSL_MULF(y_1, y_1) + KSL_MULF(y_2, y_2)
+          + KSL_MULF(y_3, y_3));
   const float divisor = n == 0.0f ? up : n;
-  const float sized_0 = KSL_MULF(self->x, up);
-  const float sized_1 = KSL_MULF(self->y, up);
-  const float sized_2 = KSL_MULF(self->z, up);
-  const float sized_3 = KSL_MULF(self->w, up);
-  const float quotient_0 = sized_0 / divisor;
-  const float quotient_1 = sized_1 / divisor;
-  const float quotient_2 = sized_2 / divisor;
-  const float quotient_3 = sized_3 / divisor;
-  const float self_0_new = KSL_MULF(quotient_0, down);
-  const float self_1_new = KSL_MULF(quotient_1, down);
-  const float self_2_new = KSL_MULF(quotient_2, down);
-  const float self_3_new = KSL_MULF(quotient_3, down);
+  const float sized_0 = KSL_MULF(self->x, up), sized_1 = KSL_MULF(self->y, up),
+      sized_2 = KSL_MULF(self->z, up), sized_3 = KSL_MULF(self->w, up);
+  const float quotient_0 = sized_0 / divisor, quotient_1 = sized_1 / divisor,
+      quotient_2 = sized_2 / divisor, quotient_3 = sized_3 / divisor;
+  const float self_0_new = KSL_MULF(quotient_0, down), self_1_new = KSL_MULF(quotient_1, down),
+      self_2_new = KSL_MULF(quotient_2, down), self_3_new = KSL_MULF(quotient_3, down);
   self->x = self_0_new;
   self->y = self_1_new;
   self->z = self_2_new;
@@ -408,38 +347,27 @@ static inline void ksl_vec4f_normalize(ksl_vec4f_t *self) {
    v, vo: vector (x, y, z) and a homogeneous coordinate w.
    16 mul, 3 add, 4 div, 1 sqrt, 4 abs, 8 less, 1 equal, 9 select. */
 static inline void ksl_vec4f_normalized(const ksl_vec4f_t *v, ksl_vec4f_t *vo) {
-  const float s_size_0 = fabsf(v->x);
-  const float s_size_1 = fabsf(v->y);
-  const float s_size_2 = fabsf(v->z);
-  const float s_size_3 = fabsf(v->w);
+  const float s_size_0 = fabsf(v->x), s_size_1 = fabsf(v->y), s_size_2 = fabsf(v->z),
+      s_size_3 = fabsf(v->w);
   const float s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
   const float s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const float s_largest3 = s_largest2 < s_size_3 ? s_size_3 : s_largest2;
   const float s_b = 4.611686e+18f < s_largest3 ? 2.7105054e-20f : 1.0f,
       s_d = s_largest3 < 256.0f ? 1.8014399e+16f : s_b,
       s = s_largest3 < 1.4210855e-14f ? 3.2451855e+32f : s_d;
-  const float y_0 = KSL_MULF(v->x, s);
-  const float y_1 = KSL_MULF(v->y, s);
-  const float y_2 = KSL_MULF(v->z, s);
-  const float y_3 = KSL_MULF(v->w, s);
+  const float y_0 = KSL_MULF(v->x, s), y_1 = KSL_MULF(v->y, s), y_2 = KSL_MULF(v->z, s),
+      y_3 = KSL_MULF(v->w, s);
   const float up = 1.0f < s ? s : 1.0f;
   const float down = s < 1.0f ? s : 1.0f;
-  const float n_a = KSL_MULF(y_0, y_0), n_b = KSL_MULF(y_1, y_1), n_c = n_a + n_b,
-      n_d = KSL_MULF(y_2, y_2), n_e = n_c + n_d, n_f = KSL_MULF(y_3, y_3), n_g = n_e + n_f,
-      n = sqrtf(n_g);
+  const float n = sqrtf(KSL_MULF(y_0, y_0) + KSL_MULF(y_1, y_1) + KSL_MULF(y_2, y_2)
+          + KSL_MULF(y_3, y_3));
   const float divisor = n == 0.0f ? up : n;
-  const float sized_0 = KSL_MULF(v->x, up);
-  const float sized_1 = KSL_MULF(v->y, up);
-  const float sized_2 = KSL_MULF(v->z, up);
-  const float sized_3 = KSL_MULF(v->w, up);
-  const float quotient_0 = sized_0 / divisor;
-  const float quotient_1 = sized_1 / divisor;
-  const float quotient_2 = sized_2 / divisor;
-  const float quotient_3 = sized_3 / divisor;
-  const float vo_0 = KSL_MULF(quotient_0, down);
-  const float vo_1 = KSL_MULF(quotient_1, down);
-  const float vo_2 = KSL_MULF(quotient_2, down);
-  const float vo_3 = KSL_MULF(quotient_3, down);
+  const float sized_0 = KSL_MULF(v->x, up), sized_1 = KSL_MULF(v->y, up),
+      sized_2 = KSL_MULF(v->z, up), sized_3 = KSL_MULF(v->w, up);
+  const float quotient_0 = sized_0 / divisor, quotient_1 = sized_1 / divisor,
+      quotient_2 = sized_2 / divisor, quotient_3 = sized_3 / divisor;
+  const float vo_0 = KSL_MULF(quotient_0, down), vo_1 = KSL_MULF(quotient_1, down),
+      vo_2 = KSL_MULF(quotient_2, down), vo_3 = KSL_MULF(quotient_3, down);
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;

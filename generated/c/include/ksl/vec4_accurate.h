@@ -13,18 +13,12 @@
    4 mul, 4 add, 4 product error.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_vec4_scale_accurate(ksl_vec4_t *self, const double a) {
-  const double self_0_new = KSL_MUL(self->x, a);
-  const double self_1_new = KSL_MUL(self->y, a);
-  const double self_2_new = KSL_MUL(self->z, a);
-  const double self_3_new = KSL_MUL(self->w, a);
-  const double self_0_new_lo = ksl_product_error(self->x, a, self_0_new),
-      self_0_new_rounded = self_0_new + self_0_new_lo;
-  const double self_1_new_lo = ksl_product_error(self->y, a, self_1_new),
-      self_1_new_rounded = self_1_new + self_1_new_lo;
-  const double self_2_new_lo = ksl_product_error(self->z, a, self_2_new),
-      self_2_new_rounded = self_2_new + self_2_new_lo;
-  const double self_3_new_lo = ksl_product_error(self->w, a, self_3_new),
-      self_3_new_rounded = self_3_new + self_3_new_lo;
+  const double self_0_new = KSL_MUL(self->x, a), self_1_new = KSL_MUL(self->y, a),
+      self_2_new = KSL_MUL(self->z, a), self_3_new = KSL_MUL(self->w, a);
+  const double self_0_new_rounded = self_0_new + ksl_product_error(self->x, a, self_0_new),
+      self_1_new_rounded = self_1_new + ksl_product_error(self->y, a, self_1_new),
+      self_2_new_rounded = self_2_new + ksl_product_error(self->z, a, self_2_new),
+      self_3_new_rounded = self_3_new + ksl_product_error(self->w, a, self_3_new);
   self->x = self_0_new_rounded;
   self->y = self_1_new_rounded;
   self->z = self_2_new_rounded;
@@ -36,14 +30,12 @@ static inline void ksl_vec4_scale_accurate(ksl_vec4_t *self, const double a) {
    4 mul, 4 add, 4 product error.
    Error <= u |result|, barring over- and underflow. */
 static inline void ksl_vec4_scaled_accurate(const ksl_vec4_t *v, const double k, ksl_vec4_t *vo) {
-  const double vo_0 = KSL_MUL(v->x, k);
-  const double vo_1 = KSL_MUL(v->y, k);
-  const double vo_2 = KSL_MUL(v->z, k);
-  const double vo_3 = KSL_MUL(v->w, k);
-  const double vo_0_lo = ksl_product_error(v->x, k, vo_0), vo_0_rounded = vo_0 + vo_0_lo;
-  const double vo_1_lo = ksl_product_error(v->y, k, vo_1), vo_1_rounded = vo_1 + vo_1_lo;
-  const double vo_2_lo = ksl_product_error(v->z, k, vo_2), vo_2_rounded = vo_2 + vo_2_lo;
-  const double vo_3_lo = ksl_product_error(v->w, k, vo_3), vo_3_rounded = vo_3 + vo_3_lo;
+  const double vo_0 = KSL_MUL(v->x, k), vo_1 = KSL_MUL(v->y, k), vo_2 = KSL_MUL(v->z, k),
+      vo_3 = KSL_MUL(v->w, k);
+  const double vo_0_rounded = vo_0 + ksl_product_error(v->x, k, vo_0),
+      vo_1_rounded = vo_1 + ksl_product_error(v->y, k, vo_1),
+      vo_2_rounded = vo_2 + ksl_product_error(v->z, k, vo_2),
+      vo_3_rounded = vo_3 + ksl_product_error(v->w, k, vo_3);
   vo->x = vo_0_rounded;
   vo->y = vo_1_rounded;
   vo->z = vo_2_rounded;
@@ -55,49 +47,35 @@ static inline void ksl_vec4_scaled_accurate(const ksl_vec4_t *v, const double k,
    12 mul, 35 add, 1 product error, 4 product rest, 2 div, 1 sqrt, 4 abs, 9 less, 2 equal, 11
      select. */
 static inline double ksl_vec4_l2norm_accurate(const ksl_vec4_t *v) {
-  const double s_size_0 = fabs(v->x);
-  const double s_size_1 = fabs(v->y);
-  const double s_size_2 = fabs(v->z);
-  const double s_size_3 = fabs(v->w);
+  const double s_size_0 = fabs(v->x), s_size_1 = fabs(v->y), s_size_2 = fabs(v->z),
+      s_size_3 = fabs(v->w);
   const double s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
   const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const double s_largest3 = s_largest2 < s_size_3 ? s_size_3 : s_largest2;
   const double s_b = 6.703903964971299e+153 < s_largest3 ? 3.7291703656001034e-155 : 1.0,
       s_d = s_largest3 < 256.0 ? 1.3093562431584567e+151 : s_b,
       s = s_largest3 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : s_d;
-  const double y_0 = KSL_MUL(v->x, s);
-  const double y_1 = KSL_MUL(v->y, s);
-  const double y_2 = KSL_MUL(v->z, s);
-  const double y_3 = KSL_MUL(v->w, s);
+  const double y_0 = KSL_MUL(v->x, s), y_1 = KSL_MUL(v->y, s), y_2 = KSL_MUL(v->z, s),
+      y_3 = KSL_MUL(v->w, s);
   const double n_a = KSL_MUL(y_0, y_0), n_b = KSL_MUL(y_1, y_1), n_c = n_a + n_b,
-      n_c_right = n_c - n_a, n_c_left = n_c - n_c_right,
-      n_c_left_rest = ksl_product_rest(y_0, y_0, n_a, n_c_left),
-      n_c_right_rest = ksl_product_rest(y_1, y_1, n_b, n_c_right),
-      n_c_lo = n_c_left_rest + n_c_right_rest, n_d = KSL_MUL(y_2, y_2), n_e = n_c + n_d,
-      n_e_right = n_e - n_c, n_e_left = n_e - n_e_right, n_e_left_rest = n_c - n_e_left,
-      n_e_right_rest = ksl_product_rest(y_2, y_2, n_d, n_e_right),
-      n_e_lo1 = n_e_left_rest + n_e_right_rest, n_e_lo = n_e_lo1 + n_c_lo, n_f = KSL_MUL(y_3, y_3),
-      n_g = n_e + n_f, n_g_right = n_g - n_e, n_g_left = n_g - n_g_right,
-      n_g_left_rest = n_e - n_g_left, n_g_right_rest = ksl_product_rest(y_3, y_3, n_f, n_g_right),
-      n_g_lo1 = n_g_left_rest + n_g_right_rest, n_g_lo = n_g_lo1 + n_e_lo, n_of_n_g = n_g + n_g_lo,
-      n_of_n_g_right = n_of_n_g - n_g, n_of_n_g_left = n_of_n_g - n_of_n_g_right,
-      n_of_n_g_left_rest = n_g - n_of_n_g_left, n_of_n_g_right_rest = n_g_lo - n_of_n_g_right,
-      n_of_n_g_lo = n_of_n_g_left_rest + n_of_n_g_right_rest, n = sqrt(n_of_n_g),
-      n_product = KSL_MUL(n, n), n_product_error = ksl_product_error(n, n, n_product),
-      n_rest = n_of_n_g - n_product, n_exact = n_rest - n_product_error,
-      n_residual = n_exact + n_of_n_g_lo, n_twice = n + n, n_divisor = n == 0.0 ? 1.0 : n_twice,
-      n_lo = n_residual / n_divisor;
+      n_c_right = n_c - n_a, n_d = KSL_MUL(y_2, y_2), n_e = n_c + n_d, n_e_right = n_e - n_c,
+      n_c_lo = ksl_product_rest(y_0, y_0, n_a, n_c - n_c_right)
+          + ksl_product_rest(y_1, y_1, n_b, n_c_right), n_f = KSL_MUL(y_3, y_3), n_g = n_e + n_f,
+      n_g_right = n_g - n_e,
+      n_e_lo = n_c - (n_e - n_e_right) + ksl_product_rest(y_2, y_2, n_d, n_e_right) + n_c_lo,
+      n_g_lo = n_e - (n_g - n_g_right) + ksl_product_rest(y_3, y_3, n_f, n_g_right) + n_e_lo,
+      n_g_sum = n_g + n_g_lo, n_g_sum_right = n_g_sum - n_g, n = sqrt(n_g_sum),
+      n_product = KSL_MUL(n, n), n_twice = n + n,
+      n_residual = n_g_sum - n_product - ksl_product_error(n, n, n_product)
+          + (n_g - (n_g_sum - n_g_sum_right) + (n_g_lo - n_g_sum_right)),
+      n_lo = n_residual / (n == 0.0 ? 1.0 : n_twice);
   const double r_b = s < 1.0 ? 2.6815615859885194e+154 : 1.0,
       r_d = 1.0 < s ? 7.637340908749012e-152 : r_b,
       r = 1.3093562431584567e+151 < s ? 9.332636185032189e-302 : r_d;
-  const double norm_of_n = n + n_lo, norm_of_n_right = norm_of_n - n,
-      norm_of_n_left = norm_of_n - norm_of_n_right, norm_of_n_left_rest = n - norm_of_n_left,
-      norm_of_n_right_rest = n_lo - norm_of_n_right,
-      norm_of_n_lo = norm_of_n_left_rest + norm_of_n_right_rest, norm = KSL_MUL(norm_of_n, r),
-      norm_inverse = 1.0 / r, norm_back = KSL_MUL(norm, norm_inverse),
-      norm_lost = norm_of_n - norm_back, norm_rest = norm_lost + norm_of_n_lo,
-      norm_lo = KSL_MUL(norm_rest, r);
-  const double norm_rounded = norm + norm_lo,
+  const double n_sum = n + n_lo, n_sum_right = n_sum - n, norm = KSL_MUL(n_sum, r);
+  const double norm_rounded = norm
+          + KSL_MUL(n_sum - KSL_MUL(norm, 1.0 / r)
+          + (n - (n_sum - n_sum_right) + (n_lo - n_sum_right)), r),
       norm_final = norm_rounded == norm_rounded ? norm_rounded : norm;
   return norm_final;
 }
@@ -107,149 +85,97 @@ static inline double ksl_vec4_l2norm_accurate(const ksl_vec4_t *v) {
    33 mul, 86 add, 5 product error, 4 product rest, 10 div, 1 sqrt, 4 abs, 8 less, 6 equal, 15
      select. */
 static inline void ksl_vec4_normalize_accurate(ksl_vec4_t *self) {
-  const double s_size_0 = fabs(self->x);
-  const double s_size_1 = fabs(self->y);
-  const double s_size_2 = fabs(self->z);
-  const double s_size_3 = fabs(self->w);
+  const double s_size_0 = fabs(self->x), s_size_1 = fabs(self->y), s_size_2 = fabs(self->z),
+      s_size_3 = fabs(self->w);
   const double s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
   const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const double s_largest3 = s_largest2 < s_size_3 ? s_size_3 : s_largest2;
   const double s_b = 6.703903964971299e+153 < s_largest3 ? 3.7291703656001034e-155 : 1.0,
       s_d = s_largest3 < 256.0 ? 1.3093562431584567e+151 : s_b,
       s = s_largest3 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : s_d;
-  const double y_0 = KSL_MUL(self->x, s);
-  const double y_1 = KSL_MUL(self->y, s);
-  const double y_2 = KSL_MUL(self->z, s);
-  const double y_3 = KSL_MUL(self->w, s);
+  const double y_0 = KSL_MUL(self->x, s), y_1 = KSL_MUL(self->y, s), y_2 = KSL_MUL(self->z, s),
+      y_3 = KSL_MUL(self->w, s);
   const double up = 1.0 < s ? s : 1.0;
   const double down = s < 1.0 ? s : 1.0;
   const double n_a = KSL_MUL(y_0, y_0), n_b = KSL_MUL(y_1, y_1), n_c = n_a + n_b,
-      n_c_right = n_c - n_a, n_c_left = n_c - n_c_right,
-      n_c_left_rest = ksl_product_rest(y_0, y_0, n_a, n_c_left),
-      n_c_right_rest = ksl_product_rest(y_1, y_1, n_b, n_c_right),
-      n_c_lo = n_c_left_rest + n_c_right_rest, n_d = KSL_MUL(y_2, y_2), n_e = n_c + n_d,
-      n_e_right = n_e - n_c, n_e_left = n_e - n_e_right, n_e_left_rest = n_c - n_e_left,
-      n_e_right_rest = ksl_product_rest(y_2, y_2, n_d, n_e_right),
-      n_e_lo1 = n_e_left_rest + n_e_right_rest, n_e_lo = n_e_lo1 + n_c_lo, n_f = KSL_MUL(y_3, y_3),
-      n_g = n_e + n_f, n_g_right = n_g - n_e, n_g_left = n_g - n_g_right,
-      n_g_left_rest = n_e - n_g_left, n_g_right_rest = ksl_product_rest(y_3, y_3, n_f, n_g_right),
-      n_g_lo1 = n_g_left_rest + n_g_right_rest, n_g_lo = n_g_lo1 + n_e_lo, n_of_n_g = n_g + n_g_lo,
-      n_of_n_g_right = n_of_n_g - n_g, n_of_n_g_left = n_of_n_g - n_of_n_g_right,
-      n_of_n_g_left_rest = n_g - n_of_n_g_left, n_of_n_g_right_rest = n_g_lo - n_of_n_g_right,
-      n_of_n_g_lo = n_of_n_g_left_rest + n_of_n_g_right_rest, n = sqrt(n_of_n_g),
-      n_product = KSL_MUL(n, n), n_product_error = ksl_product_error(n, n, n_product),
-      n_rest = n_of_n_g - n_product, n_exact = n_rest - n_product_error,
-      n_residual = n_exact + n_of_n_g_lo, n_twice = n + n, n_divisor = n == 0.0 ? 1.0 : n_twice,
-      n_lo = n_residual / n_divisor;
-  const double divisor_a_of_n = n + n_lo, divisor_a_of_n_right = divisor_a_of_n - n,
-      divisor_a_of_n_left = divisor_a_of_n - divisor_a_of_n_right,
-      divisor_a_of_n_left_rest = n - divisor_a_of_n_left,
-      divisor_a_of_n_right_rest = n_lo - divisor_a_of_n_right,
-      divisor_a_of_n_lo = divisor_a_of_n_left_rest + divisor_a_of_n_right_rest,
-      divisor = divisor_a_of_n == 0.0 ? up : divisor_a_of_n,
-      divisor_lo = divisor_a_of_n == 0.0 ? 0.0 : divisor_a_of_n_lo;
-  const double sized_0 = KSL_MUL(self->x, up);
-  const double sized_1 = KSL_MUL(self->y, up);
-  const double sized_2 = KSL_MUL(self->z, up);
-  const double sized_3 = KSL_MUL(self->w, up);
-  const double quotient_0_of_divisor = divisor + divisor_lo,
-      quotient_0_of_divisor_right = quotient_0_of_divisor - divisor,
-      quotient_0_of_divisor_left = quotient_0_of_divisor - quotient_0_of_divisor_right,
-      quotient_0_of_divisor_left_rest = divisor - quotient_0_of_divisor_left,
-      quotient_0_of_divisor_right_rest = divisor_lo - quotient_0_of_divisor_right,
-      quotient_0_of_divisor_lo = quotient_0_of_divisor_left_rest + quotient_0_of_divisor_right_rest,
-      quotient_0 = sized_0 / quotient_0_of_divisor,
-      quotient_0_product = KSL_MUL(quotient_0, quotient_0_of_divisor),
-      quotient_0_product_error = ksl_product_error(quotient_0, quotient_0_of_divisor,
-          quotient_0_product),
-      quotient_0_rest = sized_0 - quotient_0_product,
-      quotient_0_exact = quotient_0_rest - quotient_0_product_error,
-      quotient_0_cross = KSL_MUL(quotient_0, quotient_0_of_divisor_lo),
-      quotient_0_residual = quotient_0_exact - quotient_0_cross,
-      quotient_0_lo = quotient_0_residual / quotient_0_of_divisor;
-  const double quotient_1 = sized_1 / quotient_0_of_divisor,
-      quotient_1_product = KSL_MUL(quotient_1, quotient_0_of_divisor),
-      quotient_1_product_error = ksl_product_error(quotient_1, quotient_0_of_divisor,
-          quotient_1_product),
-      quotient_1_rest = sized_1 - quotient_1_product,
-      quotient_1_exact = quotient_1_rest - quotient_1_product_error,
-      quotient_1_cross = KSL_MUL(quotient_1, quotient_0_of_divisor_lo),
-      quotient_1_residual = quotient_1_exact - quotient_1_cross,
-      quotient_1_lo = quotient_1_residual / quotient_0_of_divisor;
-  const double quotient_2 = sized_2 / quotient_0_of_divisor,
-      quotient_2_product = KSL_MUL(quotient_2, quotient_0_of_divisor),
-      quotient_2_product_error = ksl_product_error(quotient_2, quotient_0_of_divisor,
-          quotient_2_product),
-      quotient_2_rest = sized_2 - quotient_2_product,
-      quotient_2_exact = quotient_2_rest - quotient_2_product_error,
-      quotient_2_cross = KSL_MUL(quotient_2, quotient_0_of_divisor_lo),
-      quotient_2_residual = quotient_2_exact - quotient_2_cross,
-      quotient_2_lo = quotient_2_residual / quotient_0_of_divisor;
-  const double quotient_3 = sized_3 / quotient_0_of_divisor,
-      quotient_3_product = KSL_MUL(quotient_3, quotient_0_of_divisor),
-      quotient_3_product_error = ksl_product_error(quotient_3, quotient_0_of_divisor,
-          quotient_3_product),
-      quotient_3_rest = sized_3 - quotient_3_product,
-      quotient_3_exact = quotient_3_rest - quotient_3_product_error,
-      quotient_3_cross = KSL_MUL(quotient_3, quotient_0_of_divisor_lo),
-      quotient_3_residual = quotient_3_exact - quotient_3_cross,
-      quotient_3_lo = quotient_3_residual / quotient_0_of_divisor;
-  const double self_0_new_of_quotient_0 = quotient_0 + quotient_0_lo,
-      self_0_new_of_quotient_0_right = self_0_new_of_quotient_0 - quotient_0,
-      self_0_new_of_quotient_0_left = self_0_new_of_quotient_0 - self_0_new_of_quotient_0_right,
-      self_0_new_of_quotient_0_left_rest = quotient_0 - self_0_new_of_quotient_0_left,
-      self_0_new_of_quotient_0_right_rest = quotient_0_lo - self_0_new_of_quotient_0_right,
-      self_0_new_of_quotient_0_lo = self_0_new_of_quotient_0_left_rest +
-          self_0_new_of_quotient_0_right_rest,
-      self_0_new = KSL_MUL(self_0_new_of_quotient_0, down), self_0_new_inverse = 1.0 / down,
-      self_0_new_back = KSL_MUL(self_0_new, self_0_new_inverse),
-      self_0_new_lost = self_0_new_of_quotient_0 - self_0_new_back,
-      self_0_new_rest = self_0_new_lost + self_0_new_of_quotient_0_lo,
-      self_0_new_lo = KSL_MUL(self_0_new_rest, down);
-  const double self_1_new_of_quotient_1 = quotient_1 + quotient_1_lo,
-      self_1_new_of_quotient_1_right = self_1_new_of_quotient_1 - quotient_1,
-      self_1_new_of_quotient_1_left = self_1_new_of_quotient_1 - self_1_new_of_quotient_1_right,
-      self_1_new_of_quotient_1_left_rest = quotient_1 - self_1_new_of_quotient_1_left,
-      self_1_new_of_quotient_1_right_rest = quotient_1_lo - self_1_new_of_quotient_1_right,
-      self_1_new_of_quotient_1_lo = self_1_new_of_quotient_1_left_rest +
-          self_1_new_of_quotient_1_right_rest,
-      self_1_new = KSL_MUL(self_1_new_of_quotient_1, down),
-      self_1_new_back = KSL_MUL(self_1_new, self_0_new_inverse),
-      self_1_new_lost = self_1_new_of_quotient_1 - self_1_new_back,
-      self_1_new_rest = self_1_new_lost + self_1_new_of_quotient_1_lo,
-      self_1_new_lo = KSL_MUL(self_1_new_rest, down);
-  const double self_2_new_of_quotient_2 = quotient_2 + quotient_2_lo,
-      self_2_new_of_quotient_2_right = self_2_new_of_quotient_2 - quotient_2,
-      self_2_new_of_quotient_2_left = self_2_new_of_quotient_2 - self_2_new_of_quotient_2_right,
-      self_2_new_of_quotient_2_left_rest = quotient_2 - self_2_new_of_quotient_2_left,
-      self_2_new_of_quotient_2_right_rest = quotient_2_lo - self_2_new_of_quotient_2_right,
-      self_2_new_of_quotient_2_lo = self_2_new_of_quotient_2_left_rest +
-          self_2_new_of_quotient_2_right_rest,
-      self_2_new = KSL_MUL(self_2_new_of_quotient_2, down),
-      self_2_new_back = KSL_MUL(self_2_new, self_0_new_inverse),
-      self_2_new_lost = self_2_new_of_quotient_2 - self_2_new_back,
-      self_2_new_rest = self_2_new_lost + self_2_new_of_quotient_2_lo,
-      self_2_new_lo = KSL_MUL(self_2_new_rest, down);
-  const double self_3_new_of_quotient_3 = quotient_3 + quotient_3_lo,
-      self_3_new_of_quotient_3_right = self_3_new_of_quotient_3 - quotient_3,
-      self_3_new_of_quotient_3_left = self_3_new_of_quotient_3 - self_3_new_of_quotient_3_right,
-      self_3_new_of_quotient_3_left_rest = quotient_3 - self_3_new_of_quotient_3_left,
-      self_3_new_of_quotient_3_right_rest = quotient_3_lo - self_3_new_of_quotient_3_right,
-      self_3_new_of_quotient_3_lo = self_3_new_of_quotient_3_left_rest +
-          self_3_new_of_quotient_3_right_rest,
-      self_3_new = KSL_MUL(self_3_new_of_quotient_3, down),
-      self_3_new_back = KSL_MUL(self_3_new, self_0_new_inverse),
-      self_3_new_lost = self_3_new_of_quotient_3 - self_3_new_back,
-      self_3_new_rest = self_3_new_lost + self_3_new_of_quotient_3_lo,
-      self_3_new_lo = KSL_MUL(self_3_new_rest, down);
-  const double self_0_new_rounded = self_0_new + self_0_new_lo,
-      self_0_new_final = self_0_new_rounded == self_0_new_rounded ? self_0_new_rounded : self_0_new;
-  const double self_1_new_rounded = self_1_new + self_1_new_lo,
-      self_1_new_final = self_1_new_rounded == self_1_new_rounded ? self_1_new_rounded : self_1_new;
-  const double self_2_new_rounded = self_2_new + self_2_new_lo,
-      self_2_new_final = self_2_new_rounded == self_2_new_rounded ? self_2_new_rounded : self_2_new;
-  const double self_3_new_rounded = self_3_new + self_3_new_lo,
-      self_3_new_final = self_3_new_rounded == self_3_new_rounded ? self_3_new_rounded : self_3_new;
+      n_c_right = n_c - n_a, n_d = KSL_MUL(y_2, y_2), n_e = n_c + n_d, n_e_right = n_e - n_c,
+      n_c_lo = ksl_product_rest(y_0, y_0, n_a, n_c - n_c_right)
+          + ksl_product_rest(y_1, y_1, n_b, n_c_right), n_f = KSL_MUL(y_3, y_3), n_g = n_e + n_f,
+      n_g_right = n_g - n_e,
+      n_e_lo = n_c - (n_e - n_e_right) + ksl_product_rest(y_2, y_2, n_d, n_e_right) + n_c_lo,
+      n_g_lo = n_e - (n_g - n_g_right) + ksl_product_rest(y_3, y_3, n_f, n_g_right) + n_e_lo,
+      n_g_sum = n_g + n_g_lo, n_g_sum_right = n_g_sum - n_g, n = sqrt(n_g_sum),
+      n_product = KSL_MUL(n, n), n_twice = n + n,
+      n_residual = n_g_sum - n_product - ksl_product_error(n, n, n_product)
+          + (n_g - (n_g_sum - n_g_sum_right) + (n_g_lo - n_g_sum_right)),
+      n_lo = n_residual / (n == 0.0 ? 1.0 : n_twice);
+  const double n_sum = n + n_lo, n_sum_right = n_sum - n,
+      n_sum_lo = n - (n_sum - n_sum_right) + (n_lo - n_sum_right),
+      divisor = n_sum == 0.0 ? up : n_sum, divisor_lo = n_sum == 0.0 ? 0.0 : n_sum_lo;
+  const double sized_0 = KSL_MUL(self->x, up), sized_1 = KSL_MUL(self->y, up),
+      sized_2 = KSL_MUL(self->z, up), sized_3 = KSL_MUL(self->w, up);
+  const double divisor_sum = divisor + divisor_lo, divisor_sum_right = divisor_sum - divisor,
+      divisor_sum_lo = divisor - (divisor_sum - divisor_sum_right)
+          + (divisor_lo - divisor_sum_right), quotient_0 = sized_0 / divisor_sum,
+      quotient_0_product = KSL_MUL(quotient_0, divisor_sum),
+      quotient_0_exact = sized_0 - quotient_0_product
+          - ksl_product_error(quotient_0, divisor_sum, quotient_0_product),
+      quotient_0_lo = (quotient_0_exact - KSL_MUL(quotient_0, divisor_sum_lo)) / divisor_sum;
+  const double quotient_1 = sized_1 / divisor_sum,
+      quotient_1_product = KSL_MUL(quotient_1, divisor_sum),
+      quotient_1_exact = sized_1 - quotient_1_product
+          - ksl_product_error(quotient_1, divisor_sum, quotient_1_product),
+      quotient_1_lo = (quotient_1_exact - KSL_MUL(quotient_1, divisor_sum_lo)) / divisor_sum;
+  const double quotient_2 = sized_2 / divisor_sum,
+      quotient_2_product = KSL_MUL(quotient_2, divisor_sum),
+      quotient_2_exact = sized_2 - quotient_2_product
+          - ksl_product_error(quotient_2, divisor_sum, quotient_2_product),
+      quotient_2_lo = (quotient_2_exact - KSL_MUL(quotient_2, divisor_sum_lo)) / divisor_sum;
+  const double quotient_3 = sized_3 / divisor_sum,
+      quotient_3_product = KSL_MUL(quotient_3, divisor_sum),
+      quotient_3_exact = sized_3 - quotient_3_product
+          - ksl_product_error(quotient_3, divisor_sum, quotient_3_product),
+      quotient_3_lo = (quotient_3_exact - KSL_MUL(quotient_3, divisor_sum_lo)) / divisor_sum;
+  const double quotient_0_sum = quotient_0 + quotient_0_lo,
+      quotient_0_sum_right = quotient_0_sum - quotient_0,
+      self_0_new = KSL_MUL(quotient_0_sum, down), self_0_new_inverse = 1.0 / down,
+      quotient_0_sum_lo = quotient_0 - (quotient_0_sum - quotient_0_sum_right)
+          + (quotient_0_lo - quotient_0_sum_right);
+  const double quotient_1_sum = quotient_1 + quotient_1_lo,
+      quotient_1_sum_right = quotient_1_sum - quotient_1,
+      self_1_new = KSL_MUL(quotient_1_sum, down),
+      quotient_1_sum_lo = quotient_1 - (quotient_1_sum - quotient_1_sum_right)
+          + (quotient_1_lo - quotient_1_sum_right);
+  const double quotient_2_sum = quotient_2 + quotient_2_lo,
+      quotient_2_sum_right = quotient_2_sum - quotient_2,
+      self_2_new = KSL_MUL(quotient_2_sum, down),
+      quotient_2_sum_lo = quotient_2 - (quotient_2_sum - quotient_2_sum_right)
+          + (quotient_2_lo - quotient_2_sum_right);
+  const double quotient_3_sum = quotient_3 + quotient_3_lo,
+      quotient_3_sum_right = quotient_3_sum - quotient_3,
+      self_3_new = KSL_MUL(quotient_3_sum, down),
+      quotient_3_sum_lo = quotient_3 - (quotient_3_sum - quotient_3_sum_right)
+          + (quotient_3_lo - quotient_3_sum_right);
+  const double self_0_new_rounded = self_0_new
+          + KSL_MUL(quotient_0_sum - KSL_MUL(self_0_new, self_0_new_inverse)
+          + quotient_0_sum_lo, down);
+  const double self_1_new_rounded = self_1_new
+          + KSL_MUL(quotient_1_sum - KSL_MUL(self_1_new, self_0_new_inverse)
+          + quotient_1_sum_lo, down);
+  const double self_2_new_rounded = self_2_new
+          + KSL_MUL(quotient_2_sum - KSL_MUL(self_2_new, self_0_new_inverse)
+          + quotient_2_sum_lo, down);
+  const double self_3_new_rounded = self_3_new
+          + KSL_MUL(quotient_3_sum - KSL_MUL(self_3_new, self_0_new_inverse)
+          + quotient_3_sum_lo, down);
+  const double self_0_new_final = self_0_new_rounded == self_0_new_rounded ? self_0_new_rounded
+          : self_0_new;
+  const double self_1_new_final = self_1_new_rounded == self_1_new_rounded ? self_1_new_rounded
+          : self_1_new;
+  const double self_2_new_final = self_2_new_rounded == self_2_new_rounded ? self_2_new_rounded
+          : self_2_new;
+  const double self_3_new_final = self_3_new_rounded == self_3_new_rounded ? self_3_new_rounded
+          : self_3_new;
   self->x = self_0_new_final;
   self->y = self_1_new_final;
   self->z = self_2_new_final;
@@ -261,137 +187,86 @@ static inline void ksl_vec4_normalize_accurate(ksl_vec4_t *self) {
    33 mul, 86 add, 5 product error, 4 product rest, 10 div, 1 sqrt, 4 abs, 8 less, 6 equal, 15
      select. */
 static inline void ksl_vec4_normalized_accurate(const ksl_vec4_t *v, ksl_vec4_t *vo) {
-  const double s_size_0 = fabs(v->x);
-  const double s_size_1 = fabs(v->y);
-  const double s_size_2 = fabs(v->z);
-  const double s_size_3 = fabs(v->w);
+  const double s_size_0 = fabs(v->x), s_size_1 = fabs(v->y), s_size_2 = fabs(v->z),
+      s_size_3 = fabs(v->w);
   const double s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
   const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const double s_largest3 = s_largest2 < s_size_3 ? s_size_3 : s_largest2;
   const double s_b = 6.703903964971299e+153 < s_largest3 ? 3.7291703656001034e-155 : 1.0,
       s_d = s_largest3 < 256.0 ? 1.3093562431584567e+151 : s_b,
       s = s_largest3 < 1.955159272639747e-149 ? 1.0715086071862673e+301 : s_d;
-  const double y_0 = KSL_MUL(v->x, s);
-  const double y_1 = KSL_MUL(v->y, s);
-  const double y_2 = KSL_MUL(v->z, s);
-  const double y_3 = KSL_MUL(v->w, s);
+  const double y_0 = KSL_MUL(v->x, s), y_1 = KSL_MUL(v->y, s), y_2 = KSL_MUL(v->z, s),
+      y_3 = KSL_MUL(v->w, s);
   const double up = 1.0 < s ? s : 1.0;
   const double down = s < 1.0 ? s : 1.0;
   const double n_a = KSL_MUL(y_0, y_0), n_b = KSL_MUL(y_1, y_1), n_c = n_a + n_b,
-      n_c_right = n_c - n_a, n_c_left = n_c - n_c_right,
-      n_c_left_rest = ksl_product_rest(y_0, y_0, n_a, n_c_left),
-      n_c_right_rest = ksl_product_rest(y_1, y_1, n_b, n_c_right),
-      n_c_lo = n_c_left_rest + n_c_right_rest, n_d = KSL_MUL(y_2, y_2), n_e = n_c + n_d,
-      n_e_right = n_e - n_c, n_e_left = n_e - n_e_right, n_e_left_rest = n_c - n_e_left,
-      n_e_right_rest = ksl_product_rest(y_2, y_2, n_d, n_e_right),
-      n_e_lo1 = n_e_left_rest + n_e_right_rest, n_e_lo = n_e_lo1 + n_c_lo, n_f = KSL_MUL(y_3, y_3),
-      n_g = n_e + n_f, n_g_right = n_g - n_e, n_g_left = n_g - n_g_right,
-      n_g_left_rest = n_e - n_g_left, n_g_right_rest = ksl_product_rest(y_3, y_3, n_f, n_g_right),
-      n_g_lo1 = n_g_left_rest + n_g_right_rest, n_g_lo = n_g_lo1 + n_e_lo, n_of_n_g = n_g + n_g_lo,
-      n_of_n_g_right = n_of_n_g - n_g, n_of_n_g_left = n_of_n_g - n_of_n_g_right,
-      n_of_n_g_left_rest = n_g - n_of_n_g_left, n_of_n_g_right_rest = n_g_lo - n_of_n_g_right,
-      n_of_n_g_lo = n_of_n_g_left_rest + n_of_n_g_right_rest, n = sqrt(n_of_n_g),
-      n_product = KSL_MUL(n, n), n_product_error = ksl_product_error(n, n, n_product),
-      n_rest = n_of_n_g - n_product, n_exact = n_rest - n_product_error,
-      n_residual = n_exact + n_of_n_g_lo, n_twice = n + n, n_divisor = n == 0.0 ? 1.0 : n_twice,
-      n_lo = n_residual / n_divisor;
-  const double divisor_a_of_n = n + n_lo, divisor_a_of_n_right = divisor_a_of_n - n,
-      divisor_a_of_n_left = divisor_a_of_n - divisor_a_of_n_right,
-      divisor_a_of_n_left_rest = n - divisor_a_of_n_left,
-      divisor_a_of_n_right_rest = n_lo - divisor_a_of_n_right,
-      divisor_a_of_n_lo = divisor_a_of_n_left_rest + divisor_a_of_n_right_rest,
-      divisor = divisor_a_of_n == 0.0 ? up : divisor_a_of_n,
-      divisor_lo = divisor_a_of_n == 0.0 ? 0.0 : divisor_a_of_n_lo;
-  const double sized_0 = KSL_MUL(v->x, up);
-  const double sized_1 = KSL_MUL(v->y, up);
-  const double sized_2 = KSL_MUL(v->z, up);
-  const double sized_3 = KSL_MUL(v->w, up);
-  const double quotient_0_of_divisor = divisor + divisor_lo,
-      quotient_0_of_divisor_right = quotient_0_of_divisor - divisor,
-      quotient_0_of_divisor_left = quotient_0_of_divisor - quotient_0_of_divisor_right,
-      quotient_0_of_divisor_left_rest = divisor - quotient_0_of_divisor_left,
-      quotient_0_of_divisor_right_rest = divisor_lo - quotient_0_of_divisor_right,
-      quotient_0_of_divisor_lo = quotient_0_of_divisor_left_rest + quotient_0_of_divisor_right_rest,
-      quotient_0 = sized_0 / quotient_0_of_divisor,
-      quotient_0_product = KSL_MUL(quotient_0, quotient_0_of_divisor),
-      quotient_0_product_error = ksl_product_error(quotient_0, quotient_0_of_divisor,
-          quotient_0_product),
-      quotient_0_rest = sized_0 - quotient_0_product,
-      quotient_0_exact = quotient_0_rest - quotient_0_product_error,
-      quotient_0_cross = KSL_MUL(quotient_0, quotient_0_of_divisor_lo),
-      quotient_0_residual = quotient_0_exact - quotient_0_cross,
-      quotient_0_lo = quotient_0_residual / quotient_0_of_divisor;
-  const double quotient_1 = sized_1 / quotient_0_of_divisor,
-      quotient_1_product = KSL_MUL(quotient_1, quotient_0_of_divisor),
-      quotient_1_product_error = ksl_product_error(quotient_1, quotient_0_of_divisor,
-          quotient_1_product),
-      quotient_1_rest = sized_1 - quotient_1_product,
-      quotient_1_exact = quotient_1_rest - quotient_1_product_error,
-      quotient_1_cross = KSL_MUL(quotient_1, quotient_0_of_divisor_lo),
-      quotient_1_residual = quotient_1_exact - quotient_1_cross,
-      quotient_1_lo = quotient_1_residual / quotient_0_of_divisor;
-  const double quotient_2 = sized_2 / quotient_0_of_divisor,
-      quotient_2_product = KSL_MUL(quotient_2, quotient_0_of_divisor),
-      quotient_2_product_error = ksl_product_error(quotient_2, quotient_0_of_divisor,
-          quotient_2_product),
-      quotient_2_rest = sized_2 - quotient_2_product,
-      quotient_2_exact = quotient_2_rest - quotient_2_product_error,
-      quotient_2_cross = KSL_MUL(quotient_2, quotient_0_of_divisor_lo),
-      quotient_2_residual = quotient_2_exact - quotient_2_cross,
-      quotient_2_lo = quotient_2_residual / quotient_0_of_divisor;
-  const double quotient_3 = sized_3 / quotient_0_of_divisor,
-      quotient_3_product = KSL_MUL(quotient_3, quotient_0_of_divisor),
-      quotient_3_product_error = ksl_product_error(quotient_3, quotient_0_of_divisor,
-          quotient_3_product),
-      quotient_3_rest = sized_3 - quotient_3_product,
-      quotient_3_exact = quotient_3_rest - quotient_3_product_error,
-      quotient_3_cross = KSL_MUL(quotient_3, quotient_0_of_divisor_lo),
-      quotient_3_residual = quotient_3_exact - quotient_3_cross,
-      quotient_3_lo = quotient_3_residual / quotient_0_of_divisor;
-  const double vo_0_of_quotient_0 = quotient_0 + quotient_0_lo,
-      vo_0_of_quotient_0_right = vo_0_of_quotient_0 - quotient_0,
-      vo_0_of_quotient_0_left = vo_0_of_quotient_0 - vo_0_of_quotient_0_right,
-      vo_0_of_quotient_0_left_rest = quotient_0 - vo_0_of_quotient_0_left,
-      vo_0_of_quotient_0_right_rest = quotient_0_lo - vo_0_of_quotient_0_right,
-      vo_0_of_quotient_0_lo = vo_0_of_quotient_0_left_rest + vo_0_of_quotient_0_right_rest,
-      vo_0 = KSL_MUL(vo_0_of_quotient_0, down), vo_0_inverse = 1.0 / down,
-      vo_0_back = KSL_MUL(vo_0, vo_0_inverse), vo_0_lost = vo_0_of_quotient_0 - vo_0_back,
-      vo_0_rest = vo_0_lost + vo_0_of_quotient_0_lo, vo_0_lo = KSL_MUL(vo_0_rest, down);
-  const double vo_1_of_quotient_1 = quotient_1 + quotient_1_lo,
-      vo_1_of_quotient_1_right = vo_1_of_quotient_1 - quotient_1,
-      vo_1_of_quotient_1_left = vo_1_of_quotient_1 - vo_1_of_quotient_1_right,
-      vo_1_of_quotient_1_left_rest = quotient_1 - vo_1_of_quotient_1_left,
-      vo_1_of_quotient_1_right_rest = quotient_1_lo - vo_1_of_quotient_1_right,
-      vo_1_of_quotient_1_lo = vo_1_of_quotient_1_left_rest + vo_1_of_quotient_1_right_rest,
-      vo_1 = KSL_MUL(vo_1_of_quotient_1, down), vo_1_back = KSL_MUL(vo_1, vo_0_inverse),
-      vo_1_lost = vo_1_of_quotient_1 - vo_1_back, vo_1_rest = vo_1_lost + vo_1_of_quotient_1_lo,
-      vo_1_lo = KSL_MUL(vo_1_rest, down);
-  const double vo_2_of_quotient_2 = quotient_2 + quotient_2_lo,
-      vo_2_of_quotient_2_right = vo_2_of_quotient_2 - quotient_2,
-      vo_2_of_quotient_2_left = vo_2_of_quotient_2 - vo_2_of_quotient_2_right,
-      vo_2_of_quotient_2_left_rest = quotient_2 - vo_2_of_quotient_2_left,
-      vo_2_of_quotient_2_right_rest = quotient_2_lo - vo_2_of_quotient_2_right,
-      vo_2_of_quotient_2_lo = vo_2_of_quotient_2_left_rest + vo_2_of_quotient_2_right_rest,
-      vo_2 = KSL_MUL(vo_2_of_quotient_2, down), vo_2_back = KSL_MUL(vo_2, vo_0_inverse),
-      vo_2_lost = vo_2_of_quotient_2 - vo_2_back, vo_2_rest = vo_2_lost + vo_2_of_quotient_2_lo,
-      vo_2_lo = KSL_MUL(vo_2_rest, down);
-  const double vo_3_of_quotient_3 = quotient_3 + quotient_3_lo,
-      vo_3_of_quotient_3_right = vo_3_of_quotient_3 - quotient_3,
-      vo_3_of_quotient_3_left = vo_3_of_quotient_3 - vo_3_of_quotient_3_right,
-      vo_3_of_quotient_3_left_rest = quotient_3 - vo_3_of_quotient_3_left,
-      vo_3_of_quotient_3_right_rest = quotient_3_lo - vo_3_of_quotient_3_right,
-      vo_3_of_quotient_3_lo = vo_3_of_quotient_3_left_rest + vo_3_of_quotient_3_right_rest,
-      vo_3 = KSL_MUL(vo_3_of_quotient_3, down), vo_3_back = KSL_MUL(vo_3, vo_0_inverse),
-      vo_3_lost = vo_3_of_quotient_3 - vo_3_back, vo_3_rest = vo_3_lost + vo_3_of_quotient_3_lo,
-      vo_3_lo = KSL_MUL(vo_3_rest, down);
-  const double vo_0_rounded = vo_0 + vo_0_lo,
-      vo_0_final = vo_0_rounded == vo_0_rounded ? vo_0_rounded : vo_0;
-  const double vo_1_rounded = vo_1 + vo_1_lo,
-      vo_1_final = vo_1_rounded == vo_1_rounded ? vo_1_rounded : vo_1;
-  const double vo_2_rounded = vo_2 + vo_2_lo,
-      vo_2_final = vo_2_rounded == vo_2_rounded ? vo_2_rounded : vo_2;
-  const double vo_3_rounded = vo_3 + vo_3_lo,
-      vo_3_final = vo_3_rounded == vo_3_rounded ? vo_3_rounded : vo_3;
+      n_c_right = n_c - n_a, n_d = KSL_MUL(y_2, y_2), n_e = n_c + n_d, n_e_right = n_e - n_c,
+      n_c_lo = ksl_product_rest(y_0, y_0, n_a, n_c - n_c_right)
+          + ksl_product_rest(y_1, y_1, n_b, n_c_right), n_f = KSL_MUL(y_3, y_3), n_g = n_e + n_f,
+      n_g_right = n_g - n_e,
+      n_e_lo = n_c - (n_e - n_e_right) + ksl_product_rest(y_2, y_2, n_d, n_e_right) + n_c_lo,
+      n_g_lo = n_e - (n_g - n_g_right) + ksl_product_rest(y_3, y_3, n_f, n_g_right) + n_e_lo,
+      n_g_sum = n_g + n_g_lo, n_g_sum_right = n_g_sum - n_g, n = sqrt(n_g_sum),
+      n_product = KSL_MUL(n, n), n_twice = n + n,
+      n_residual = n_g_sum - n_product - ksl_product_error(n, n, n_product)
+          + (n_g - (n_g_sum - n_g_sum_right) + (n_g_lo - n_g_sum_right)),
+      n_lo = n_residual / (n == 0.0 ? 1.0 : n_twice);
+  const double n_sum = n + n_lo, n_sum_right = n_sum - n,
+      n_sum_lo = n - (n_sum - n_sum_right) + (n_lo - n_sum_right),
+      divisor = n_sum == 0.0 ? up : n_sum, divisor_lo = n_sum == 0.0 ? 0.0 : n_sum_lo;
+  const double sized_0 = KSL_MUL(v->x, up), sized_1 = KSL_MUL(v->y, up),
+      sized_2 = KSL_MUL(v->z, up), sized_3 = KSL_MUL(v->w, up);
+  const double divisor_sum = divisor + divisor_lo, divisor_sum_right = divisor_sum - divisor,
+      divisor_sum_lo = divisor - (divisor_sum - divisor_sum_right)
+          + (divisor_lo - divisor_sum_right), quotient_0 = sized_0 / divisor_sum,
+      quotient_0_product = KSL_MUL(quotient_0, divisor_sum),
+      quotient_0_exact = sized_0 - quotient_0_product
+          - ksl_product_error(quotient_0, divisor_sum, quotient_0_product),
+      quotient_0_lo = (quotient_0_exact - KSL_MUL(quotient_0, divisor_sum_lo)) / divisor_sum;
+  const double quotient_1 = sized_1 / divisor_sum,
+      quotient_1_product = KSL_MUL(quotient_1, divisor_sum),
+      quotient_1_exact = sized_1 - quotient_1_product
+          - ksl_product_error(quotient_1, divisor_sum, quotient_1_product),
+      quotient_1_lo = (quotient_1_exact - KSL_MUL(quotient_1, divisor_sum_lo)) / divisor_sum;
+  const double quotient_2 = sized_2 / divisor_sum,
+      quotient_2_product = KSL_MUL(quotient_2, divisor_sum),
+      quotient_2_exact = sized_2 - quotient_2_product
+          - ksl_product_error(quotient_2, divisor_sum, quotient_2_product),
+      quotient_2_lo = (quotient_2_exact - KSL_MUL(quotient_2, divisor_sum_lo)) / divisor_sum;
+  const double quotient_3 = sized_3 / divisor_sum,
+      quotient_3_product = KSL_MUL(quotient_3, divisor_sum),
+      quotient_3_exact = sized_3 - quotient_3_product
+          - ksl_product_error(quotient_3, divisor_sum, quotient_3_product),
+      quotient_3_lo = (quotient_3_exact - KSL_MUL(quotient_3, divisor_sum_lo)) / divisor_sum;
+  const double quotient_0_sum = quotient_0 + quotient_0_lo,
+      quotient_0_sum_right = quotient_0_sum - quotient_0, vo_0 = KSL_MUL(quotient_0_sum, down),
+      vo_0_inverse = 1.0 / down,
+      quotient_0_sum_lo = quotient_0 - (quotient_0_sum - quotient_0_sum_right)
+          + (quotient_0_lo - quotient_0_sum_right);
+  const double quotient_1_sum = quotient_1 + quotient_1_lo,
+      quotient_1_sum_right = quotient_1_sum - quotient_1, vo_1 = KSL_MUL(quotient_1_sum, down),
+      quotient_1_sum_lo = quotient_1 - (quotient_1_sum - quotient_1_sum_right)
+          + (quotient_1_lo - quotient_1_sum_right);
+  const double quotient_2_sum = quotient_2 + quotient_2_lo,
+      quotient_2_sum_right = quotient_2_sum - quotient_2, vo_2 = KSL_MUL(quotient_2_sum, down),
+      quotient_2_sum_lo = quotient_2 - (quotient_2_sum - quotient_2_sum_right)
+          + (quotient_2_lo - quotient_2_sum_right);
+  const double quotient_3_sum = quotient_3 + quotient_3_lo,
+      quotient_3_sum_right = quotient_3_sum - quotient_3, vo_3 = KSL_MUL(quotient_3_sum, down),
+      quotient_3_sum_lo = quotient_3 - (quotient_3_sum - quotient_3_sum_right)
+          + (quotient_3_lo - quotient_3_sum_right);
+  const double vo_0_rounded = vo_0
+          + KSL_MUL(quotient_0_sum - KSL_MUL(vo_0, vo_0_inverse) + quotient_0_sum_lo, down);
+  const double vo_1_rounded = vo_1
+          + KSL_MUL(quotient_1_sum - KSL_MUL(vo_1, vo_0_inverse) + quotient_1_sum_lo, down);
+  const double vo_2_rounded = vo_2
+          + KSL_MUL(quotient_2_sum - KSL_MUL(vo_2, vo_0_inverse) + quotient_2_sum_lo, down);
+  const double vo_3_rounded = vo_3
+          + KSL_MUL(quotient_3_sum - KSL_MUL(vo_3, vo_0_inverse) + quotient_3_sum_lo, down);
+  const double vo_0_final = vo_0_rounded == vo_0_rounded ? vo_0_rounded : vo_0;
+  const double vo_1_final = vo_1_rounded == vo_1_rounded ? vo_1_rounded : vo_1;
+  const double vo_2_final = vo_2_rounded == vo_2_rounded ? vo_2_rounded : vo_2;
+  const double vo_3_final = vo_3_rounded == vo_3_rounded ? vo_3_rounded : vo_3;
   vo->x = vo_0_final;
   vo->y = vo_1_final;
   vo->z = vo_2_final;
@@ -404,10 +279,8 @@ static inline void ksl_vec4_normalized_accurate(const ksl_vec4_t *v, ksl_vec4_t 
    Error <= u |result| + 1/32 u^2 S, S the sum of the |terms| of the expanded formula; barring
      over- and underflow. */
 static inline void ksl_vec4f_scale_accurate(ksl_vec4f_t *self, const float a) {
-  const double self_0_new = (double)self->x * (double)a;
-  const double self_1_new = (double)self->y * (double)a;
-  const double self_2_new = (double)self->z * (double)a;
-  const double self_3_new = (double)self->w * (double)a;
+  const double self_0_new = (double)self->x * (double)a, self_1_new = (double)self->y * (double)a,
+      self_2_new = (double)self->z * (double)a, self_3_new = (double)self->w * (double)a;
   self->x = (float)self_0_new;
   self->y = (float)self_1_new;
   self->z = (float)self_2_new;
@@ -420,10 +293,8 @@ static inline void ksl_vec4f_scale_accurate(ksl_vec4f_t *self, const float a) {
    Error <= u |result| + 1/32 u^2 S, S the sum of the |terms| of the expanded formula; barring
      over- and underflow. */
 static inline void ksl_vec4f_scaled_accurate(const ksl_vec4f_t *v, const float k, ksl_vec4f_t *vo) {
-  const double vo_0 = (double)v->x * (double)k;
-  const double vo_1 = (double)v->y * (double)k;
-  const double vo_2 = (double)v->z * (double)k;
-  const double vo_3 = (double)v->w * (double)k;
+  const double vo_0 = (double)v->x * (double)k, vo_1 = (double)v->y * (double)k,
+      vo_2 = (double)v->z * (double)k, vo_3 = (double)v->w * (double)k;
   vo->x = (float)vo_0;
   vo->y = (float)vo_1;
   vo->z = (float)vo_2;
@@ -434,23 +305,18 @@ static inline void ksl_vec4f_scaled_accurate(const ksl_vec4f_t *v, const float k
    v: vector (x, y, z) and a homogeneous coordinate w.
    9 mul, 3 add, 1 sqrt, 4 abs, 9 less, 9 select. */
 static inline float ksl_vec4f_l2norm_accurate(const ksl_vec4f_t *v) {
-  const double s_size_0 = fabs((double)v->x);
-  const double s_size_1 = fabs((double)v->y);
-  const double s_size_2 = fabs((double)v->z);
-  const double s_size_3 = fabs((double)v->w);
+  const double s_size_0 = fabs((double)v->x), s_size_1 = fabs((double)v->y),
+      s_size_2 = fabs((double)v->z), s_size_3 = fabs((double)v->w);
   const double s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
   const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const double s_largest3 = s_largest2 < s_size_3 ? s_size_3 : s_largest2;
   const double s_b = 4.611686018427388e+18 < s_largest3 ? 2.710505431213761e-20 : 1.0,
       s_d = s_largest3 < 256.0 ? 1.8014398509481984e+16 : s_b,
       s = s_largest3 < 1.4210854715202004e-14 ? 3.2451855365842673e+32 : s_d;
-  const double y_0 = KSL_MUL((double)v->x, s);
-  const double y_1 = KSL_MUL((double)v->y, s);
-  const double y_2 = KSL_MUL((double)v->z, s);
-  const double y_3 = KSL_MUL((double)v->w, s);
-  const double n_a = KSL_MUL(y_0, y_0), n_b = KSL_MUL(y_1, y_1), n_c = n_a + n_b,
-      n_d = KSL_MUL(y_2, y_2), n_e = n_c + n_d, n_f = KSL_MUL(y_3, y_3), n_g = n_e + n_f,
-      n = sqrt(n_g);
+  const double y_0 = KSL_MUL((double)v->x, s), y_1 = KSL_MUL((double)v->y, s),
+      y_2 = KSL_MUL((double)v->z, s), y_3 = KSL_MUL((double)v->w, s);
+  const double n = sqrt(KSL_MUL(y_0, y_0) + KSL_MUL(y_1, y_1) + KSL_MUL(y_2, y_2)
+          + KSL_MUL(y_3, y_3));
   const double r_b = s < 1.0 ? 3.6893488147419103e+19 : 1.0,
       r_d = 1.0 < s ? 5.551115123125783e-17 : r_b,
       r = 1.8014398509481984e+16 < s ? 3.0814879110195774e-33 : r_d;
@@ -462,38 +328,27 @@ static inline float ksl_vec4f_l2norm_accurate(const ksl_vec4f_t *v) {
    self: vector (x, y, z) and a homogeneous coordinate w.
    16 mul, 3 add, 4 div, 1 sqrt, 4 abs, 8 less, 1 equal, 9 select. */
 static inline void ksl_vec4f_normalize_accurate(ksl_vec4f_t *self) {
-  const double s_size_0 = fabs((double)self->x);
-  const double s_size_1 = fabs((double)self->y);
-  const double s_size_2 = fabs((double)self->z);
-  const double s_size_3 = fabs((double)self->w);
+  const double s_size_0 = fabs((double)self->x), s_size_1 = fabs((double)self->y),
+      s_size_2 = fabs((double)self->z), s_size_3 = fabs((double)self->w);
   const double s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
   const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const double s_largest3 = s_largest2 < s_size_3 ? s_size_3 : s_largest2;
   const double s_b = 4.611686018427388e+18 < s_largest3 ? 2.710505431213761e-20 : 1.0,
       s_d = s_largest3 < 256.0 ? 1.8014398509481984e+16 : s_b,
       s = s_largest3 < 1.4210854715202004e-14 ? 3.2451855365842673e+32 : s_d;
-  const double y_0 = KSL_MUL((double)self->x, s);
-  const double y_1 = KSL_MUL((double)self->y, s);
-  const double y_2 = KSL_MUL((double)self->z, s);
-  const double y_3 = KSL_MUL((double)self->w, s);
+  const double y_0 = KSL_MUL((double)self->x, s), y_1 = KSL_MUL((double)self->y, s),
+      y_2 = KSL_MUL((double)self->z, s), y_3 = KSL_MUL((double)self->w, s);
   const double up = 1.0 < s ? s : 1.0;
   const double down = s < 1.0 ? s : 1.0;
-  const double n_a = KSL_MUL(y_0, y_0), n_b = KSL_MUL(y_1, y_1), n_c = n_a + n_b,
-      n_d = KSL_MUL(y_2, y_2), n_e = n_c + n_d, n_f = KSL_MUL(y_3, y_3), n_g = n_e + n_f,
-      n = sqrt(n_g);
+  const double n = sqrt(KSL_MUL(y_0, y_0) + KSL_MUL(y_1, y_1) + KSL_MUL(y_2, y_2)
+          + KSL_MUL(y_3, y_3));
   const double divisor = n == 0.0 ? up : n;
-  const double sized_0 = KSL_MUL((double)self->x, up);
-  const double sized_1 = KSL_MUL((double)self->y, up);
-  const double sized_2 = KSL_MUL((double)self->z, up);
-  const double sized_3 = KSL_MUL((double)self->w, up);
-  const double quotient_0 = sized_0 / divisor;
-  const double quotient_1 = sized_1 / divisor;
-  const double quotient_2 = sized_2 / divisor;
-  const double quotient_3 = sized_3 / divisor;
-  const double self_0_new = KSL_MUL(quotient_0, down);
-  const double self_1_new = KSL_MUL(quotient_1, down);
-  const double self_2_new = KSL_MUL(quotient_2, down);
-  const double self_3_new = KSL_MUL(quotient_3, down);
+  const double sized_0 = KSL_MUL((double)self->x, up), sized_1 = KSL_MUL((double)self->y, up),
+      sized_2 = KSL_MUL((double)self->z, up), sized_3 = KSL_MUL((double)self->w, up);
+  const double quotient_0 = sized_0 / divisor, quotient_1 = sized_1 / divisor,
+      quotient_2 = sized_2 / divisor, quotient_3 = sized_3 / divisor;
+  const double self_0_new = KSL_MUL(quotient_0, down), self_1_new = KSL_MUL(quotient_1, down),
+      self_2_new = KSL_MUL(quotient_2, down), self_3_new = KSL_MUL(quotient_3, down);
   self->x = (float)self_0_new;
   self->y = (float)self_1_new;
   self->z = (float)self_2_new;
@@ -504,38 +359,27 @@ static inline void ksl_vec4f_normalize_accurate(ksl_vec4f_t *self) {
    v, vo: vector (x, y, z) and a homogeneous coordinate w.
    16 mul, 3 add, 4 div, 1 sqrt, 4 abs, 8 less, 1 equal, 9 select. */
 static inline void ksl_vec4f_normalized_accurate(const ksl_vec4f_t *v, ksl_vec4f_t *vo) {
-  const double s_size_0 = fabs((double)v->x);
-  const double s_size_1 = fabs((double)v->y);
-  const double s_size_2 = fabs((double)v->z);
-  const double s_size_3 = fabs((double)v->w);
+  const double s_size_0 = fabs((double)v->x), s_size_1 = fabs((double)v->y),
+      s_size_2 = fabs((double)v->z), s_size_3 = fabs((double)v->w);
   const double s_largest1 = s_size_0 < s_size_1 ? s_size_1 : s_size_0;
   const double s_largest2 = s_largest1 < s_size_2 ? s_size_2 : s_largest1;
   const double s_largest3 = s_largest2 < s_size_3 ? s_size_3 : s_largest2;
   const double s_b = 4.611686018427388e+18 < s_largest3 ? 2.710505431213761e-20 : 1.0,
       s_d = s_largest3 < 256.0 ? 1.8014398509481984e+16 : s_b,
       s = s_largest3 < 1.4210854715202004e-14 ? 3.2451855365842673e+32 : s_d;
-  const double y_0 = KSL_MUL((double)v->x, s);
-  const double y_1 = KSL_MUL((double)v->y, s);
-  const double y_2 = KSL_MUL((double)v->z, s);
-  const double y_3 = KSL_MUL((double)v->w, s);
+  const double y_0 = KSL_MUL((double)v->x, s), y_1 = KSL_MUL((double)v->y, s),
+      y_2 = KSL_MUL((double)v->z, s), y_3 = KSL_MUL((double)v->w, s);
   const double up = 1.0 < s ? s : 1.0;
   const double down = s < 1.0 ? s : 1.0;
-  const double n_a = KSL_MUL(y_0, y_0), n_b = KSL_MUL(y_1, y_1), n_c = n_a + n_b,
-      n_d = KSL_MUL(y_2, y_2), n_e = n_c + n_d, n_f = KSL_MUL(y_3, y_3), n_g = n_e + n_f,
-      n = sqrt(n_g);
+  const double n = sqrt(KSL_MUL(y_0, y_0) + KSL_MUL(y_1, y_1) + KSL_MUL(y_2, y_2)
+          + KSL_MUL(y_3, y_3));
   const double divisor = n == 0.0 ? up : n;
-  const double sized_0 = KSL_MUL((double)v->x, up);
-  const double sized_1 = KSL_MUL((double)v->y, up);
-  const double sized_2 = KSL_MUL((double)v->z, up);
-  const double sized_3 = KSL_MUL((double)v->w, up);
-  const double quotient_0 = sized_0 / divisor;
-  const double quotient_1 = sized_1 / divisor;
-  const double quotient_2 = sized_2 / divisor;
-  const double quotient_3 = sized_3 / divisor;
-  const double vo_0 = KSL_MUL(quotient_0, down);
-  const double vo_1 = KSL_MUL(quotient_1, down);
-  const double vo_2 = KSL_MUL(quotient_2, down);
-  const double vo_3 = KSL_MUL(quotient_3, down);
+  const double sized_0 = KSL_MUL((double)v->x, up), sized_1 = KSL_MUL((double)v->y, up),
+      sized_2 = KSL_MUL((double)v->z, up), sized_3 = KSL_MUL((double)v->w, up);
+  const double quotient_0 = sized_0 / divisor, quotient_1 = sized_1 / divisor,
+      quotient_2 = sized_2 / divisor, quotient_3 = sized_3 / divisor;
+  const double vo_0 = KSL_MUL(quotient_0, down), vo_1 = KSL_MUL(quotient_1, down),
+      vo_2 = KSL_MUL(quotient_2, down), vo_3 = KSL_MUL(quotient_3, down);
   vo->x = (float)vo_0;
   vo->y = (float)vo_1;
   vo->z = (float)vo_2;

@@ -13,30 +13,21 @@
    8 mul, 4 add, 4 abs. */
 static inline void ksl_vec4_scale_certified(ksl_vec4_t *self, const double a,
     ksl_vec4_t *self_bound) {
-  const double self_0_new = KSL_MUL(self->x, a);
-  const double self_1_new = KSL_MUL(self->y, a);
-  const double self_2_new = KSL_MUL(self->z, a);
-  const double self_3_new = KSL_MUL(self->w, a);
-  const double self_0_new_abs = fabs(self_0_new),
-      self_0_new_padded = self_0_new_abs + 2.004168360008973e-292,
-      self_0_new_error_bound = KSL_MUL(1.1102230246251568e-16, self_0_new_padded);
-  const double self_1_new_abs = fabs(self_1_new),
-      self_1_new_padded = self_1_new_abs + 2.004168360008973e-292,
-      self_1_new_error_bound = KSL_MUL(1.1102230246251568e-16, self_1_new_padded);
-  const double self_2_new_abs = fabs(self_2_new),
-      self_2_new_padded = self_2_new_abs + 2.004168360008973e-292,
-      self_2_new_error_bound = KSL_MUL(1.1102230246251568e-16, self_2_new_padded);
-  const double self_3_new_abs = fabs(self_3_new),
-      self_3_new_padded = self_3_new_abs + 2.004168360008973e-292,
-      self_3_new_error_bound = KSL_MUL(1.1102230246251568e-16, self_3_new_padded);
+  const double self_0_new = KSL_MUL(self->x, a), self_1_new = KSL_MUL(self->y, a),
+      self_2_new = KSL_MUL(self->z, a), self_3_new = KSL_MUL(self->w, a);
+  const double self_0_new_bound = KSL_MUL(1.1102230246251568e-16, fabs(self_0_new)
+          + 2.004168360008973e-292),
+      self_1_new_bound = KSL_MUL(1.1102230246251568e-16, fabs(self_1_new) + 2.004168360008973e-292),
+      self_2_new_bound = KSL_MUL(1.1102230246251568e-16, fabs(self_2_new) + 2.004168360008973e-292),
+      self_3_new_bound = KSL_MUL(1.1102230246251568e-16, fabs(self_3_new) + 2.004168360008973e-292);
   self->x = self_0_new;
   self->y = self_1_new;
   self->z = self_2_new;
   self->w = self_3_new;
-  self_bound->x = self_0_new_error_bound;
-  self_bound->y = self_1_new_error_bound;
-  self_bound->z = self_2_new_error_bound;
-  self_bound->w = self_3_new_error_bound;
+  self_bound->x = self_0_new_bound;
+  self_bound->y = self_1_new_bound;
+  self_bound->z = self_2_new_bound;
+  self_bound->w = self_3_new_bound;
 }
 
 /* vo = k v; |error of vo| <= vo_bound unless inf or NaN.
@@ -44,26 +35,20 @@ static inline void ksl_vec4_scale_certified(ksl_vec4_t *self, const double a,
    8 mul, 4 add, 4 abs. */
 static inline void ksl_vec4_scaled_certified(const ksl_vec4_t *v, const double k, ksl_vec4_t *vo,
     ksl_vec4_t *vo_bound) {
-  const double vo_0 = KSL_MUL(v->x, k);
-  const double vo_1 = KSL_MUL(v->y, k);
-  const double vo_2 = KSL_MUL(v->z, k);
-  const double vo_3 = KSL_MUL(v->w, k);
-  const double vo_0_abs = fabs(vo_0), vo_0_padded = vo_0_abs + 2.004168360008973e-292,
-      vo_0_error_bound = KSL_MUL(1.1102230246251568e-16, vo_0_padded);
-  const double vo_1_abs = fabs(vo_1), vo_1_padded = vo_1_abs + 2.004168360008973e-292,
-      vo_1_error_bound = KSL_MUL(1.1102230246251568e-16, vo_1_padded);
-  const double vo_2_abs = fabs(vo_2), vo_2_padded = vo_2_abs + 2.004168360008973e-292,
-      vo_2_error_bound = KSL_MUL(1.1102230246251568e-16, vo_2_padded);
-  const double vo_3_abs = fabs(vo_3), vo_3_padded = vo_3_abs + 2.004168360008973e-292,
-      vo_3_error_bound = KSL_MUL(1.1102230246251568e-16, vo_3_padded);
+  const double vo_0 = KSL_MUL(v->x, k), vo_1 = KSL_MUL(v->y, k), vo_2 = KSL_MUL(v->z, k),
+      vo_3 = KSL_MUL(v->w, k);
+  const double vo_0_bound = KSL_MUL(1.1102230246251568e-16, fabs(vo_0) + 2.004168360008973e-292),
+      vo_1_bound = KSL_MUL(1.1102230246251568e-16, fabs(vo_1) + 2.004168360008973e-292),
+      vo_2_bound = KSL_MUL(1.1102230246251568e-16, fabs(vo_2) + 2.004168360008973e-292),
+      vo_3_bound = KSL_MUL(1.1102230246251568e-16, fabs(vo_3) + 2.004168360008973e-292);
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
   vo->w = vo_3;
-  vo_bound->x = vo_0_error_bound;
-  vo_bound->y = vo_1_error_bound;
-  vo_bound->z = vo_2_error_bound;
-  vo_bound->w = vo_3_error_bound;
+  vo_bound->x = vo_0_bound;
+  vo_bound->y = vo_1_bound;
+  vo_bound->z = vo_2_bound;
+  vo_bound->w = vo_3_bound;
 }
 
 /* self = a self; |error of self| <= self_bound unless inf or NaN.
@@ -71,30 +56,20 @@ static inline void ksl_vec4_scaled_certified(const ksl_vec4_t *v, const double k
    8 mul, 4 add, 4 abs. */
 static inline void ksl_vec4f_scale_certified(ksl_vec4f_t *self, const float a,
     ksl_vec4f_t *self_bound) {
-  const float self_0_new = KSL_MULF(self->x, a);
-  const float self_1_new = KSL_MULF(self->y, a);
-  const float self_2_new = KSL_MULF(self->z, a);
-  const float self_3_new = KSL_MULF(self->w, a);
-  const float self_0_new_abs = fabsf(self_0_new),
-      self_0_new_padded = self_0_new_abs + 1.9721523e-31f,
-      self_0_new_error_bound = KSL_MULF(5.960465e-08f, self_0_new_padded);
-  const float self_1_new_abs = fabsf(self_1_new),
-      self_1_new_padded = self_1_new_abs + 1.9721523e-31f,
-      self_1_new_error_bound = KSL_MULF(5.960465e-08f, self_1_new_padded);
-  const float self_2_new_abs = fabsf(self_2_new),
-      self_2_new_padded = self_2_new_abs + 1.9721523e-31f,
-      self_2_new_error_bound = KSL_MULF(5.960465e-08f, self_2_new_padded);
-  const float self_3_new_abs = fabsf(self_3_new),
-      self_3_new_padded = self_3_new_abs + 1.9721523e-31f,
-      self_3_new_error_bound = KSL_MULF(5.960465e-08f, self_3_new_padded);
+  const float self_0_new = KSL_MULF(self->x, a), self_1_new = KSL_MULF(self->y, a),
+      self_2_new = KSL_MULF(self->z, a), self_3_new = KSL_MULF(self->w, a);
+  const float self_0_new_bound = KSL_MULF(5.960465e-08f, fabsf(self_0_new) + 1.9721523e-31f),
+      self_1_new_bound = KSL_MULF(5.960465e-08f, fabsf(self_1_new) + 1.9721523e-31f),
+      self_2_new_bound = KSL_MULF(5.960465e-08f, fabsf(self_2_new) + 1.9721523e-31f),
+      self_3_new_bound = KSL_MULF(5.960465e-08f, fabsf(self_3_new) + 1.9721523e-31f);
   self->x = self_0_new;
   self->y = self_1_new;
   self->z = self_2_new;
   self->w = self_3_new;
-  self_bound->x = self_0_new_error_bound;
-  self_bound->y = self_1_new_error_bound;
-  self_bound->z = self_2_new_error_bound;
-  self_bound->w = self_3_new_error_bound;
+  self_bound->x = self_0_new_bound;
+  self_bound->y = self_1_new_bound;
+  self_bound->z = self_2_new_bound;
+  self_bound->w = self_3_new_bound;
 }
 
 /* vo = k v; |error of vo| <= vo_bound unless inf or NaN.
@@ -102,26 +77,20 @@ static inline void ksl_vec4f_scale_certified(ksl_vec4f_t *self, const float a,
    8 mul, 4 add, 4 abs. */
 static inline void ksl_vec4f_scaled_certified(const ksl_vec4f_t *v, const float k,
     ksl_vec4f_t *vo, ksl_vec4f_t *vo_bound) {
-  const float vo_0 = KSL_MULF(v->x, k);
-  const float vo_1 = KSL_MULF(v->y, k);
-  const float vo_2 = KSL_MULF(v->z, k);
-  const float vo_3 = KSL_MULF(v->w, k);
-  const float vo_0_abs = fabsf(vo_0), vo_0_padded = vo_0_abs + 1.9721523e-31f,
-      vo_0_error_bound = KSL_MULF(5.960465e-08f, vo_0_padded);
-  const float vo_1_abs = fabsf(vo_1), vo_1_padded = vo_1_abs + 1.9721523e-31f,
-      vo_1_error_bound = KSL_MULF(5.960465e-08f, vo_1_padded);
-  const float vo_2_abs = fabsf(vo_2), vo_2_padded = vo_2_abs + 1.9721523e-31f,
-      vo_2_error_bound = KSL_MULF(5.960465e-08f, vo_2_padded);
-  const float vo_3_abs = fabsf(vo_3), vo_3_padded = vo_3_abs + 1.9721523e-31f,
-      vo_3_error_bound = KSL_MULF(5.960465e-08f, vo_3_padded);
+  const float vo_0 = KSL_MULF(v->x, k), vo_1 = KSL_MULF(v->y, k), vo_2 = KSL_MULF(v->z, k),
+      vo_3 = KSL_MULF(v->w, k);
+  const float vo_0_bound = KSL_MULF(5.960465e-08f, fabsf(vo_0) + 1.9721523e-31f),
+      vo_1_bound = KSL_MULF(5.960465e-08f, fabsf(vo_1) + 1.9721523e-31f),
+      vo_2_bound = KSL_MULF(5.960465e-08f, fabsf(vo_2) + 1.9721523e-31f),
+      vo_3_bound = KSL_MULF(5.960465e-08f, fabsf(vo_3) + 1.9721523e-31f);
   vo->x = vo_0;
   vo->y = vo_1;
   vo->z = vo_2;
   vo->w = vo_3;
-  vo_bound->x = vo_0_error_bound;
-  vo_bound->y = vo_1_error_bound;
-  vo_bound->z = vo_2_error_bound;
-  vo_bound->w = vo_3_error_bound;
+  vo_bound->x = vo_0_bound;
+  vo_bound->y = vo_1_bound;
+  vo_bound->z = vo_2_bound;
+  vo_bound->w = vo_3_bound;
 }
 
 #endif

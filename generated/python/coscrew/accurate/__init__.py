@@ -14,7 +14,7 @@ import sys
 from coscrew.accurate import double, single
 from coscrew._provenance import is_compiled
 
-COMPILED: bool = is_compiled("coscrew.accurate._gufunc", "7768b02dd8c18bf5")
+COMPILED: bool = is_compiled("coscrew.accurate._gufunc", "d451cdb8ea4f2f7b")
 
 if COMPILED:
     from coscrew.accurate._gufunc import (

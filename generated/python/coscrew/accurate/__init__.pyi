@@ -4,11 +4,14 @@
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+_Array = NDArray[np.floating]
+_Out = _Array | None
+
 from coscrew.accurate import double as double, single as single
 
 COMPILED: bool
 
-def sincos(x: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
+def sincos(x: ArrayLike, out: tuple[_Out, _Out] | None = ...) -> tuple[_Array, _Array]:
     """s = sin x, c = cos x, x in rad.
 
     ()->(),().  x, s, c: number.
@@ -16,7 +19,7 @@ def sincos(x: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floa
     ulp, unless a result is subnormal; proved.
     """
 
-def sin(x: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def sin(x: ArrayLike, out: _Out = ...) -> _Array:
     """s = sin x, x in rad.
 
     ()->().  x, s: number.
@@ -24,7 +27,7 @@ def sin(x: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floa
     ulp, unless a result is subnormal; proved.
     """
 
-def cos(x: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def cos(x: ArrayLike, out: _Out = ...) -> _Array:
     """c = cos x, x in rad.
 
     ()->().  x, c: number.
@@ -32,7 +35,7 @@ def cos(x: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floa
     ulp, unless a result is subnormal; proved.
     """
 
-def exp(x: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def exp(x: ArrayLike, out: _Out = ...) -> _Array:
     """y = e^x.
 
     ()->().  x, y: number.
@@ -40,7 +43,7 @@ def exp(x: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floa
     <= 0.501 ulp, unless a result is subnormal; proved.
     """
 
-def tanh(x: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def tanh(x: ArrayLike, out: _Out = ...) -> _Array:
     """y = tanh x.
 
     ()->().  x, y: number.
@@ -48,7 +51,7 @@ def tanh(x: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.flo
     equal, 12 select.  Error <= 0.501 ulp, unless a result is subnormal; proved.
     """
 
-def atan2(y: ArrayLike, x: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def atan2(y: ArrayLike, x: ArrayLike, out: _Out = ...) -> _Array:
     """angle of the vector (x, y) to the x axis, in rad, from -π to π.
 
     (),()->().  y, x, angle: number.
@@ -56,14 +59,14 @@ def atan2(y: ArrayLike, x: ArrayLike, out: NDArray[np.floating] | None = ...) ->
     select.  Error <= 0.501 ulp, unless a result is subnormal; proved.
     """
 
-def vec3_scale(self: ArrayLike, a: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def vec3_scale(self: ArrayLike, a: ArrayLike, out: _Out = ...) -> _Array:
     """self = a self.
 
     (3),()->(3).  self: vector; a: number.
     3 mul, 3 add, 3 product error.  Error <= u |result|, barring over- and underflow.
     """
 
-def axpy_vv(a: ArrayLike, x: ArrayLike, y: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def axpy_vv(a: ArrayLike, x: ArrayLike, y: ArrayLike, out: _Out = ...) -> _Array:
     """y = a x + y.
 
     (),(3),(3)->(3).  a: number; x, y: vector.
@@ -71,49 +74,49 @@ def axpy_vv(a: ArrayLike, x: ArrayLike, y: ArrayLike, out: NDArray[np.floating] 
     the expanded formula; barring over- and underflow.
     """
 
-def xpy_vv(x: ArrayLike, y: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def xpy_vv(x: ArrayLike, y: ArrayLike, out: _Out = ...) -> _Array:
     """y = x + y.
 
     (3),(3)->(3).  x, y: vector.
     21 add.  Error <= u |result|, barring over- and underflow.
     """
 
-def nxpy_vv(x: ArrayLike, y: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def nxpy_vv(x: ArrayLike, y: ArrayLike, out: _Out = ...) -> _Array:
     """y = -x + y.
 
     (3),(3)->(3).  x, y: vector.
     21 add.  Error <= u |result|, barring over- and underflow.
     """
 
-def product_av(a: ArrayLike, vi: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def product_av(a: ArrayLike, vi: ArrayLike, out: _Out = ...) -> _Array:
     """vo = a vi.
 
     (),(3)->(3).  a: number; vi, vo: vector.
     3 mul, 3 add, 3 product error.  Error <= u |result|, barring over- and underflow.
     """
 
-def add_vv(v1: ArrayLike, v2: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def add_vv(v1: ArrayLike, v2: ArrayLike, out: _Out = ...) -> _Array:
     """vo = v1 + v2.
 
     (3),(3)->(3).  v1, v2, vo: vector.
     21 add.  Error <= u |result|, barring over- and underflow.
     """
 
-def subtract_vv(v1: ArrayLike, v2: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def subtract_vv(v1: ArrayLike, v2: ArrayLike, out: _Out = ...) -> _Array:
     """vo = v1 - v2.
 
     (3),(3)->(3).  v1, v2, vo: vector.
     21 add.  Error <= u |result|, barring over- and underflow.
     """
 
-def vec3_scaled(v: ArrayLike, k: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def vec3_scaled(v: ArrayLike, k: ArrayLike, out: _Out = ...) -> _Array:
     """vo = k v.
 
     (3),()->(3).  v, vo: vector; k: number.
     3 mul, 3 add, 3 product error.  Error <= u |result|, barring over- and underflow.
     """
 
-def vec3_l2norm(v: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def vec3_l2norm(v: ArrayLike, out: _Out = ...) -> _Array:
     """|v| = sqrt(v·v).
 
     (3)->().  v: vector; norm: number.
@@ -121,7 +124,7 @@ def vec3_l2norm(v: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray
     select.
     """
 
-def vec3_normalize(self: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def vec3_normalize(self: ArrayLike, out: _Out = ...) -> _Array:
     """self = self / |self|; the zero vector stays zero.
 
     (3)->(3).  self: vector.
@@ -129,7 +132,7 @@ def vec3_normalize(self: ArrayLike, out: NDArray[np.floating] | None = ...) -> N
     select.
     """
 
-def vec3_normalized(v: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def vec3_normalized(v: ArrayLike, out: _Out = ...) -> _Array:
     """vo = v / |v|; the zero vector stays zero.
 
     (3)->(3).  v, vo: vector.
@@ -137,7 +140,7 @@ def vec3_normalized(v: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDA
     select.
     """
 
-def angle_vv(v1: ArrayLike, v2: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def angle_vv(v1: ArrayLike, v2: ArrayLike, out: _Out = ...) -> _Array:
     """angle = atan2(|v1 × v2|, v1·v2), in [0, π].
 
     (3),(3)->().  v1, v2: vector; angle: number.
@@ -147,7 +150,7 @@ def angle_vv(v1: ArrayLike, v2: ArrayLike, out: NDArray[np.floating] | None = ..
     long as that is below 1e5; searched, not proved.
     """
 
-def dot_vv(v1: ArrayLike, v2: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def dot_vv(v1: ArrayLike, v2: ArrayLike, out: _Out = ...) -> _Array:
     """v1·v2.
 
     (3),(3)->().  v1, v2: vector; dot: number.
@@ -155,21 +158,21 @@ def dot_vv(v1: ArrayLike, v2: ArrayLike, out: NDArray[np.floating] | None = ...)
     the expanded formula; barring over- and underflow.
     """
 
-def product_avinv(k: ArrayLike, v: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def product_avinv(k: ArrayLike, v: ArrayLike, out: _Out = ...) -> _Array:
     """vo = k (-v).
 
     (),(3)->(3).  k: number; v, vo: vector.
     3 mul, 3 add, 3 product error, 6 neg.  Error <= u |result|, barring over- and underflow.
     """
 
-def product_ainvv(k: ArrayLike, v: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def product_ainvv(k: ArrayLike, v: ArrayLike, out: _Out = ...) -> _Array:
     """vo = v / k.
 
     (),(3)->(3).  k: number; v, vo: vector.
     3 mul, 9 add, 3 product error, 6 div, 3 equal, 3 select.
     """
 
-def cross_vv(v1: ArrayLike, v2: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def cross_vv(v1: ArrayLike, v2: ArrayLike, out: _Out = ...) -> _Array:
     """vo = v1 × v2.  Exactly zero for v1 = v2, unless products overflow.
 
     (3),(3)->(3).  v1, v2, vo: vector.
@@ -177,7 +180,7 @@ def cross_vv(v1: ArrayLike, v2: ArrayLike, out: NDArray[np.floating] | None = ..
     the expanded formula; barring over- and underflow.
     """
 
-def cross_vvinv(v1: ArrayLike, v2: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def cross_vvinv(v1: ArrayLike, v2: ArrayLike, out: _Out = ...) -> _Array:
     """vo = v1 × (-v2).
 
     (3),(3)->(3).  v1, v2, vo: vector.
@@ -185,63 +188,63 @@ def cross_vvinv(v1: ArrayLike, v2: ArrayLike, out: NDArray[np.floating] | None =
     the expanded formula; barring over- and underflow.
     """
 
-def add_vvx(v: ArrayLike, k: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def add_vvx(v: ArrayLike, k: ArrayLike, out: _Out = ...) -> _Array:
     """vo = v + k e_x.
 
     (3),()->(3).  v, vo: vector; k: number.
     7 add.  Error <= u |result|, barring over- and underflow.
     """
 
-def add_vvxinv(v: ArrayLike, k: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def add_vvxinv(v: ArrayLike, k: ArrayLike, out: _Out = ...) -> _Array:
     """vo = v - k e_x.
 
     (3),()->(3).  v, vo: vector; k: number.
     7 add.  Error <= u |result|, barring over- and underflow.
     """
 
-def add_vvy(v: ArrayLike, k: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def add_vvy(v: ArrayLike, k: ArrayLike, out: _Out = ...) -> _Array:
     """vo = v + k e_y.
 
     (3),()->(3).  v, vo: vector; k: number.
     7 add.  Error <= u |result|, barring over- and underflow.
     """
 
-def add_vvyinv(v: ArrayLike, k: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def add_vvyinv(v: ArrayLike, k: ArrayLike, out: _Out = ...) -> _Array:
     """vo = v - k e_y.
 
     (3),()->(3).  v, vo: vector; k: number.
     7 add.  Error <= u |result|, barring over- and underflow.
     """
 
-def add_vvz(v: ArrayLike, k: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def add_vvz(v: ArrayLike, k: ArrayLike, out: _Out = ...) -> _Array:
     """vo = v + k e_z.
 
     (3),()->(3).  v, vo: vector; k: number.
     7 add.  Error <= u |result|, barring over- and underflow.
     """
 
-def add_vvzinv(v: ArrayLike, k: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def add_vvzinv(v: ArrayLike, k: ArrayLike, out: _Out = ...) -> _Array:
     """vo = v - k e_z.
 
     (3),()->(3).  v, vo: vector; k: number.
     7 add.  Error <= u |result|, barring over- and underflow.
     """
 
-def vec4_scale(self: ArrayLike, a: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def vec4_scale(self: ArrayLike, a: ArrayLike, out: _Out = ...) -> _Array:
     """self = a self.
 
     (4),()->(4).  self: vector (x, y, z) and a homogeneous coordinate w; a: number.
     4 mul, 4 add, 4 product error.  Error <= u |result|, barring over- and underflow.
     """
 
-def vec4_scaled(v: ArrayLike, k: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def vec4_scaled(v: ArrayLike, k: ArrayLike, out: _Out = ...) -> _Array:
     """vo = k v.
 
     (4),()->(4).  v, vo: vector (x, y, z) and a homogeneous coordinate w; k: number.
     4 mul, 4 add, 4 product error.  Error <= u |result|, barring over- and underflow.
     """
 
-def vec4_l2norm(v: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def vec4_l2norm(v: ArrayLike, out: _Out = ...) -> _Array:
     """|v| = sqrt(v·v), all four components.
 
     (4)->().  v: vector (x, y, z) and a homogeneous coordinate w; norm: number.
@@ -249,7 +252,7 @@ def vec4_l2norm(v: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray
     select.
     """
 
-def vec4_normalize(self: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def vec4_normalize(self: ArrayLike, out: _Out = ...) -> _Array:
     """self = self / |self|; the zero vector stays zero.
 
     (4)->(4).  self: vector (x, y, z) and a homogeneous coordinate w.
@@ -257,7 +260,7 @@ def vec4_normalize(self: ArrayLike, out: NDArray[np.floating] | None = ...) -> N
     select.
     """
 
-def vec4_normalized(v: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def vec4_normalized(v: ArrayLike, out: _Out = ...) -> _Array:
     """vo = v / |v|; the zero vector stays zero.
 
     (4)->(4).  v, vo: vector (x, y, z) and a homogeneous coordinate w.
@@ -265,7 +268,7 @@ def vec4_normalized(v: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDA
     select.
     """
 
-def acceleration_tensor(w: ArrayLike, dw: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def acceleration_tensor(w: ArrayLike, dw: ArrayLike, out: _Out = ...) -> _Array:
     """Ro = w'~ + w~ w~ of a body with angular velocity w and angular acceleration w' = dw: the
     acceleration of its point x, less that of its origin, is Ro x.
 
@@ -274,7 +277,7 @@ def acceleration_tensor(w: ArrayLike, dw: ArrayLike, out: NDArray[np.floating] |
     |terms| of the expanded formula; barring over- and underflow.
     """
 
-def mat3x3_determinant(R: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def mat3x3_determinant(R: ArrayLike, out: _Out = ...) -> _Array:
     """det R.
 
     (3,3)->().  R: rotation or other 3×3 matrix; det: number.
@@ -282,7 +285,7 @@ def mat3x3_determinant(R: ArrayLike, out: NDArray[np.floating] | None = ...) -> 
     the expanded formula; barring over- and underflow.
     """
 
-def mat3x3_inverse(R: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
+def mat3x3_inverse(R: ArrayLike, out: tuple[_Out, _Out] | None = ...) -> tuple[_Array, _Array]:
     """Ro = R^-1 = adj R / det R; returns det R, which is 0 or infinite where it under- or
     overflows.  Returns 0, with Ro = NaN, where R may be singular: |det R| <= 8 u p + 1e-29 m^3
     (double 1e-229 m^3), p the sum of the |terms| of det R, m the largest |entry|.
@@ -294,7 +297,7 @@ def mat3x3_inverse(R: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray
     barring over- and underflow of Ro_ij itself.
     """
 
-def mat3x3_normalize(self: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def mat3x3_normalize(self: ArrayLike, out: _Out = ...) -> _Array:
     """self = orthonormal rows by Gram–Schmidt: the first keeps its direction, the second stays on
     its side of the first, the third on its side of both; NaN where the rows are linearly
     dependent to rounding.
@@ -304,7 +307,7 @@ def mat3x3_normalize(self: ArrayLike, out: NDArray[np.floating] | None = ...) ->
     18 equal, 70 select.  |R R^T - I|_ij <= 8 u for the result R; searched, not proved.
     """
 
-def mat3x3_normalized(R: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def mat3x3_normalized(R: ArrayLike, out: _Out = ...) -> _Array:
     """Ro = orthonormal rows by Gram–Schmidt: the first keeps its direction, the second stays on
     its side of the first, the third on its side of both; NaN where the rows are linearly
     dependent to rounding.
@@ -314,7 +317,7 @@ def mat3x3_normalized(R: ArrayLike, out: NDArray[np.floating] | None = ...) -> N
     18 equal, 70 select.  |R R^T - I|_ij <= 8 u for the result R; searched, not proved.
     """
 
-def mat3x3_setFromAxisDC(axis: ArrayLike, dc: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def mat3x3_setFromAxisDC(axis: ArrayLike, dc: ArrayLike, out: _Out = ...) -> _Array:
     """R = cos θ I + sin θ a~ + (1 - cos θ) a a^T, a = axis of length 1 (else R is not a rotation),
     dc = (sin θ, cos θ).
 
@@ -323,7 +326,7 @@ def mat3x3_setFromAxisDC(axis: ArrayLike, dc: ArrayLike, out: NDArray[np.floatin
     of the |terms| of the expanded formula; barring over- and underflow.
     """
 
-def mat3x3_from_euler_xyz(angles: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def mat3x3_from_euler_xyz(angles: ArrayLike, out: _Out = ...) -> _Array:
     """R = R_x(a) R_y(b) R_z(c), angles = (a, b, c).
 
     (3)->(3,3).  angles: vector; R: rotation or other 3×3 matrix.
@@ -333,7 +336,7 @@ def mat3x3_from_euler_xyz(angles: ArrayLike, out: NDArray[np.floating] | None = 
     searched, not proved.
     """
 
-def euler_xyz_from_mat3x3(R: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def euler_xyz_from_mat3x3(R: ArrayLike, out: _Out = ...) -> _Array:
     """angles of the rotation R = R_x(a) R_y(b) R_z(c), angles = (a, b, c); a, c in [-π, π], b in
     [-π/2, π/2]; c = 0 in gimbal lock.
 
@@ -344,7 +347,7 @@ def euler_xyz_from_mat3x3(R: ArrayLike, out: NDArray[np.floating] | None = ...) 
     long as that is below 1e5; searched, not proved.
     """
 
-def mat3x3_from_euler_xyx(angles: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def mat3x3_from_euler_xyx(angles: ArrayLike, out: _Out = ...) -> _Array:
     """R = R_x(a) R_y(b) R_x(c), angles = (a, b, c).
 
     (3)->(3,3).  angles: vector; R: rotation or other 3×3 matrix.
@@ -354,7 +357,7 @@ def mat3x3_from_euler_xyx(angles: ArrayLike, out: NDArray[np.floating] | None = 
     searched, not proved.
     """
 
-def euler_xyx_from_mat3x3(R: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def euler_xyx_from_mat3x3(R: ArrayLike, out: _Out = ...) -> _Array:
     """angles of the rotation R = R_x(a) R_y(b) R_x(c), angles = (a, b, c); a, c in [-π, π], b in
     [0, π]; c = 0 in gimbal lock.
 
@@ -365,7 +368,7 @@ def euler_xyx_from_mat3x3(R: ArrayLike, out: NDArray[np.floating] | None = ...) 
     long as that is below 1e5; searched, not proved.
     """
 
-def mat3x3_jacobi(A: ArrayLike, V: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
+def mat3x3_jacobi(A: ArrayLike, V: ArrayLike, out: tuple[_Out, _Out] | None = ...) -> tuple[_Array, _Array]:
     """A = J^T A J, V = V J: Jacobi's rotation J in the xy plane, by the smaller angle that makes
     A_xy zero; then y, z, x become x, y, z.  A is symmetric, only its lower triangle is read.
     Repeated from V = I, it converges to A = diag(eigenvalues); V A V^T does not change.
@@ -376,7 +379,7 @@ def mat3x3_jacobi(A: ArrayLike, V: ArrayLike, out: tuple[NDArray[np.floating] | 
     proved.
     """
 
-def mat3x3_rotation_defect(R: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def mat3x3_rotation_defect(R: ArrayLike, out: _Out = ...) -> _Array:
     """the largest of |det R - 1| and |R^T R - I|_ij: 0 for a rotation, 2 for a reflection, NaN if
     an entry is NaN.
 
@@ -385,7 +388,7 @@ def mat3x3_rotation_defect(R: ArrayLike, out: NDArray[np.floating] | None = ...)
     rotation; measured, not proved.
     """
 
-def SE3_invert(self: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def SE3_invert(self: ArrayLike, out: _Out = ...) -> _Array:
     """self = self^-1 = [R^T | -R^T t].
 
     (3,4)->(3,4).  self: displacement [R | t], R rotation, t in m.
@@ -393,7 +396,7 @@ def SE3_invert(self: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArr
     of the |terms| of the expanded formula; barring over- and underflow.
     """
 
-def SE3_inverted(D: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def SE3_inverted(D: ArrayLike, out: _Out = ...) -> _Array:
     """Do = D^-1 = [R^T | -R^T t].
 
     (3,4)->(3,4).  D, Do: displacement [R | t], R rotation, t in m.
@@ -401,7 +404,7 @@ def SE3_inverted(D: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArra
     of the |terms| of the expanded formula; barring over- and underflow.
     """
 
-def mat6x6_rotated(R: ArrayLike, M: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def mat6x6_rotated(R: ArrayLike, M: ArrayLike, out: _Out = ...) -> _Array:
     """Mo = [Ad]*(R) M [Ad]^-1(R), the articulated inertia M rotated by R; M is symmetric, only its
     lower triangle is read.
 
@@ -410,7 +413,7 @@ def mat6x6_rotated(R: ArrayLike, M: ArrayLike, out: NDArray[np.floating] | None 
     |terms| of the expanded formula; barring over- and underflow.
     """
 
-def mat6x6_shifted(t: ArrayLike, M: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def mat6x6_shifted(t: ArrayLike, M: ArrayLike, out: _Out = ...) -> _Array:
     """Mo = [Ad]*(t) M [Ad]^-1(t), the articulated inertia M shifted by t; M is symmetric, only its
     lower triangle is read.
 
@@ -419,7 +422,7 @@ def mat6x6_shifted(t: ArrayLike, M: ArrayLike, out: NDArray[np.floating] | None 
     of the expanded formula; barring over- and underflow.
     """
 
-def product_drv(R: ArrayLike, v: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def product_drv(R: ArrayLike, v: ArrayLike, out: _Out = ...) -> _Array:
     """vo = R v.
 
     (3,3),(3)->(3).  R: rotation or other 3×3 matrix; v, vo: vector.
@@ -427,7 +430,7 @@ def product_drv(R: ArrayLike, v: ArrayLike, out: NDArray[np.floating] | None = .
     the expanded formula; barring over- and underflow.
     """
 
-def product_drvinv(R: ArrayLike, v: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def product_drvinv(R: ArrayLike, v: ArrayLike, out: _Out = ...) -> _Array:
     """vo = R (-v).
 
     (3,3),(3)->(3).  R: rotation or other 3×3 matrix; v, vo: vector.
@@ -435,7 +438,7 @@ def product_drvinv(R: ArrayLike, v: ArrayLike, out: NDArray[np.floating] | None 
     |terms| of the expanded formula; barring over- and underflow.
     """
 
-def product_drinvv(R: ArrayLike, v: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def product_drinvv(R: ArrayLike, v: ArrayLike, out: _Out = ...) -> _Array:
     """vo = R^T v.
 
     (3,3),(3)->(3).  R: rotation or other 3×3 matrix; v, vo: vector.
@@ -443,7 +446,7 @@ def product_drinvv(R: ArrayLike, v: ArrayLike, out: NDArray[np.floating] | None 
     the expanded formula; barring over- and underflow.
     """
 
-def product_drinvvinv(R: ArrayLike, v: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def product_drinvvinv(R: ArrayLike, v: ArrayLike, out: _Out = ...) -> _Array:
     """vo = R^T (-v).
 
     (3,3),(3)->(3).  R: rotation or other 3×3 matrix; v, vo: vector.
@@ -451,7 +454,7 @@ def product_drinvvinv(R: ArrayLike, v: ArrayLike, out: NDArray[np.floating] | No
     |terms| of the expanded formula; barring over- and underflow.
     """
 
-def product_dv(D: ArrayLike, v: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def product_dv(D: ArrayLike, v: ArrayLike, out: _Out = ...) -> _Array:
     """vo = R v + t.
 
     (3,4),(3)->(3).  D: displacement [R | t], R rotation, t in m; v, vo: vector.
@@ -459,7 +462,7 @@ def product_dv(D: ArrayLike, v: ArrayLike, out: NDArray[np.floating] | None = ..
     the expanded formula; barring over- and underflow.
     """
 
-def product_dinvv(D: ArrayLike, v: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def product_dinvv(D: ArrayLike, v: ArrayLike, out: _Out = ...) -> _Array:
     """vo = R^T (v - t).
 
     (3,4),(3)->(3).  D: displacement [R | t], R rotation, t in m; v, vo: vector.
@@ -467,7 +470,7 @@ def product_dinvv(D: ArrayLike, v: ArrayLike, out: NDArray[np.floating] | None =
     the expanded formula; barring over- and underflow.
     """
 
-def product_drdr(R1: ArrayLike, R2: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def product_drdr(R1: ArrayLike, R2: ArrayLike, out: _Out = ...) -> _Array:
     """Ro = R1 R2.
 
     (3,3),(3,3)->(3,3).  R1, R2, Ro: rotation or other 3×3 matrix.
@@ -475,7 +478,7 @@ def product_drdr(R1: ArrayLike, R2: ArrayLike, out: NDArray[np.floating] | None 
     of the expanded formula; barring over- and underflow.
     """
 
-def product_drdrinv(R1: ArrayLike, R2: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def product_drdrinv(R1: ArrayLike, R2: ArrayLike, out: _Out = ...) -> _Array:
     """Ro = R1 R2^T.
 
     (3,3),(3,3)->(3,3).  R1, R2, Ro: rotation or other 3×3 matrix.
@@ -483,7 +486,7 @@ def product_drdrinv(R1: ArrayLike, R2: ArrayLike, out: NDArray[np.floating] | No
     of the expanded formula; barring over- and underflow.
     """
 
-def product_drinvdr(R1: ArrayLike, R2: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def product_drinvdr(R1: ArrayLike, R2: ArrayLike, out: _Out = ...) -> _Array:
     """Ro = R1^T R2.
 
     (3,3),(3,3)->(3,3).  R1, R2, Ro: rotation or other 3×3 matrix.
@@ -491,7 +494,7 @@ def product_drinvdr(R1: ArrayLike, R2: ArrayLike, out: NDArray[np.floating] | No
     of the expanded formula; barring over- and underflow.
     """
 
-def product_dd(D1: ArrayLike, D2: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def product_dd(D1: ArrayLike, D2: ArrayLike, out: _Out = ...) -> _Array:
     """Do = D1 D2 = [R1 R2 | R1 t2 + t1].
 
     (3,4),(3,4)->(3,4).  D1, D2, Do: displacement [R | t], R rotation, t in m.
@@ -499,7 +502,7 @@ def product_dd(D1: ArrayLike, D2: ArrayLike, out: NDArray[np.floating] | None = 
     the |terms| of the expanded formula; barring over- and underflow.
     """
 
-def product_ddinv(D1: ArrayLike, D2: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def product_ddinv(D1: ArrayLike, D2: ArrayLike, out: _Out = ...) -> _Array:
     """Do = D1 D2^-1 = [R | t1 - R t2], R = R1 R2^T.
 
     (3,4),(3,4)->(3,4).  D1, D2, Do: displacement [R | t], R rotation, t in m.
@@ -507,7 +510,7 @@ def product_ddinv(D1: ArrayLike, D2: ArrayLike, out: NDArray[np.floating] | None
     the |terms| of the expanded formula; barring over- and underflow.
     """
 
-def product_dinvd(D1: ArrayLike, D2: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def product_dinvd(D1: ArrayLike, D2: ArrayLike, out: _Out = ...) -> _Array:
     """Do = D1^-1 D2 = [R1^T R2 | R1^T (t2 - t1)].
 
     (3,4),(3,4)->(3,4).  D1, D2, Do: displacement [R | t], R rotation, t in m.
@@ -515,7 +518,7 @@ def product_dinvd(D1: ArrayLike, D2: ArrayLike, out: NDArray[np.floating] | None
     the |terms| of the expanded formula; barring over- and underflow.
     """
 
-def product_ddr(D: ArrayLike, R: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def product_ddr(D: ArrayLike, R: ArrayLike, out: _Out = ...) -> _Array:
     """Do = D [R | 0].
 
     (3,4),(3,3)->(3,4).  D, Do: displacement [R | t], R rotation, t in m; R: rotation or other
@@ -524,7 +527,7 @@ def product_ddr(D: ArrayLike, R: ArrayLike, out: NDArray[np.floating] | None = .
     the |terms| of the expanded formula; barring over- and underflow.
     """
 
-def product_ddrinv(D: ArrayLike, R: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def product_ddrinv(D: ArrayLike, R: ArrayLike, out: _Out = ...) -> _Array:
     """Do = D [R^T | 0].
 
     (3,4),(3,3)->(3,4).  D, Do: displacement [R | t], R rotation, t in m; R: rotation or other
@@ -533,7 +536,7 @@ def product_ddrinv(D: ArrayLike, R: ArrayLike, out: NDArray[np.floating] | None 
     the |terms| of the expanded formula; barring over- and underflow.
     """
 
-def product_ddt(D: ArrayLike, t: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def product_ddt(D: ArrayLike, t: ArrayLike, out: _Out = ...) -> _Array:
     """Do = D [I | t].
 
     (3,4),(3)->(3,4).  D, Do: displacement [R | t], R rotation, t in m; t: vector.
@@ -541,7 +544,7 @@ def product_ddt(D: ArrayLike, t: ArrayLike, out: NDArray[np.floating] | None = .
     |terms| of the expanded formula; barring over- and underflow.
     """
 
-def product_ddtinv(D: ArrayLike, t: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def product_ddtinv(D: ArrayLike, t: ArrayLike, out: _Out = ...) -> _Array:
     """Do = D [I | -t].
 
     (3,4),(3)->(3,4).  D, Do: displacement [R | t], R rotation, t in m; t: vector.
@@ -549,7 +552,7 @@ def product_ddtinv(D: ArrayLike, t: ArrayLike, out: NDArray[np.floating] | None 
     |terms| of the expanded formula; barring over- and underflow.
     """
 
-def product_dinvdt(D: ArrayLike, t: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def product_dinvdt(D: ArrayLike, t: ArrayLike, out: _Out = ...) -> _Array:
     """Do = D^-1 [I | t] = [R^T | R^T (t - t_D)].
 
     (3,4),(3)->(3,4).  D, Do: displacement [R | t], R rotation, t in m; t: vector.
@@ -557,14 +560,14 @@ def product_dinvdt(D: ArrayLike, t: ArrayLike, out: NDArray[np.floating] | None 
     |terms| of the expanded formula; barring over- and underflow.
     """
 
-def product_drvtx(R: ArrayLike, k: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def product_drvtx(R: ArrayLike, k: ArrayLike, out: _Out = ...) -> _Array:
     """vo = R (k e_x).
 
     (3,3),()->(3).  R: rotation or other 3×3 matrix; k: number; vo: vector.
     3 mul, 3 add, 3 product error.  Error <= u |result|, barring over- and underflow.
     """
 
-def product_drdrx(R: ArrayLike, dc: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def product_drdrx(R: ArrayLike, dc: ArrayLike, out: _Out = ...) -> _Array:
     """Ro = R R_x(θ), dc = (sin θ, cos θ).
 
     (3,3),(2)->(3,3).  R, Ro: rotation or other 3×3 matrix; dc: (sin θ, cos θ).
@@ -572,7 +575,7 @@ def product_drdrx(R: ArrayLike, dc: ArrayLike, out: NDArray[np.floating] | None 
     the expanded formula; barring over- and underflow.
     """
 
-def product_ddrx(D: ArrayLike, dc: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def product_ddrx(D: ArrayLike, dc: ArrayLike, out: _Out = ...) -> _Array:
     """Do = D [R_x(θ) | 0], dc = (sin θ, cos θ).
 
     (3,4),(2)->(3,4).  D, Do: displacement [R | t], R rotation, t in m; dc: (sin θ, cos θ).
@@ -580,7 +583,7 @@ def product_ddrx(D: ArrayLike, dc: ArrayLike, out: NDArray[np.floating] | None =
     |terms| of the expanded formula; barring over- and underflow.
     """
 
-def product_ddtx(D: ArrayLike, k: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def product_ddtx(D: ArrayLike, k: ArrayLike, out: _Out = ...) -> _Array:
     """Do = D [I | k e_x].
 
     (3,4),()->(3,4).  D, Do: displacement [R | t], R rotation, t in m; k: number.
@@ -588,14 +591,14 @@ def product_ddtx(D: ArrayLike, k: ArrayLike, out: NDArray[np.floating] | None = 
     |terms| of the expanded formula; barring over- and underflow.
     """
 
-def product_drvtxinv(R: ArrayLike, k: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def product_drvtxinv(R: ArrayLike, k: ArrayLike, out: _Out = ...) -> _Array:
     """vo = R (-k e_x).
 
     (3,3),()->(3).  R: rotation or other 3×3 matrix; k: number; vo: vector.
     3 mul, 3 add, 3 product error, 6 neg.  Error <= u |result|, barring over- and underflow.
     """
 
-def product_drdrxinv(R: ArrayLike, dc: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def product_drdrxinv(R: ArrayLike, dc: ArrayLike, out: _Out = ...) -> _Array:
     """Ro = R R_x(-θ), dc = (sin θ, cos θ).
 
     (3,3),(2)->(3,3).  R, Ro: rotation or other 3×3 matrix; dc: (sin θ, cos θ).
@@ -603,7 +606,7 @@ def product_drdrxinv(R: ArrayLike, dc: ArrayLike, out: NDArray[np.floating] | No
     the expanded formula; barring over- and underflow.
     """
 
-def product_ddrxinv(D: ArrayLike, dc: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def product_ddrxinv(D: ArrayLike, dc: ArrayLike, out: _Out = ...) -> _Array:
     """Do = D [R_x(-θ) | 0], dc = (sin θ, cos θ).
 
     (3,4),(2)->(3,4).  D, Do: displacement [R | t], R rotation, t in m; dc: (sin θ, cos θ).
@@ -611,7 +614,7 @@ def product_ddrxinv(D: ArrayLike, dc: ArrayLike, out: NDArray[np.floating] | Non
     |terms| of the expanded formula; barring over- and underflow.
     """
 
-def product_ddtxinv(D: ArrayLike, k: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def product_ddtxinv(D: ArrayLike, k: ArrayLike, out: _Out = ...) -> _Array:
     """Do = D [I | -k e_x].
 
     (3,4),()->(3,4).  D, Do: displacement [R | t], R rotation, t in m; k: number.
@@ -619,14 +622,14 @@ def product_ddtxinv(D: ArrayLike, k: ArrayLike, out: NDArray[np.floating] | None
     |terms| of the expanded formula; barring over- and underflow.
     """
 
-def product_drvty(R: ArrayLike, k: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def product_drvty(R: ArrayLike, k: ArrayLike, out: _Out = ...) -> _Array:
     """vo = R (k e_y).
 
     (3,3),()->(3).  R: rotation or other 3×3 matrix; k: number; vo: vector.
     3 mul, 3 add, 3 product error.  Error <= u |result|, barring over- and underflow.
     """
 
-def product_drdry(R: ArrayLike, dc: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def product_drdry(R: ArrayLike, dc: ArrayLike, out: _Out = ...) -> _Array:
     """Ro = R R_y(θ), dc = (sin θ, cos θ).
 
     (3,3),(2)->(3,3).  R, Ro: rotation or other 3×3 matrix; dc: (sin θ, cos θ).
@@ -634,7 +637,7 @@ def product_drdry(R: ArrayLike, dc: ArrayLike, out: NDArray[np.floating] | None 
     the expanded formula; barring over- and underflow.
     """
 
-def product_ddry(D: ArrayLike, dc: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def product_ddry(D: ArrayLike, dc: ArrayLike, out: _Out = ...) -> _Array:
     """Do = D [R_y(θ) | 0], dc = (sin θ, cos θ).
 
     (3,4),(2)->(3,4).  D, Do: displacement [R | t], R rotation, t in m; dc: (sin θ, cos θ).
@@ -642,7 +645,7 @@ def product_ddry(D: ArrayLike, dc: ArrayLike, out: NDArray[np.floating] | None =
     |terms| of the expanded formula; barring over- and underflow.
     """
 
-def product_ddty(D: ArrayLike, k: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def product_ddty(D: ArrayLike, k: ArrayLike, out: _Out = ...) -> _Array:
     """Do = D [I | k e_y].
 
     (3,4),()->(3,4).  D, Do: displacement [R | t], R rotation, t in m; k: number.
@@ -650,14 +653,14 @@ def product_ddty(D: ArrayLike, k: ArrayLike, out: NDArray[np.floating] | None = 
     |terms| of the expanded formula; barring over- and underflow.
     """
 
-def product_drvtyinv(R: ArrayLike, k: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def product_drvtyinv(R: ArrayLike, k: ArrayLike, out: _Out = ...) -> _Array:
     """vo = R (-k e_y).
 
     (3,3),()->(3).  R: rotation or other 3×3 matrix; k: number; vo: vector.
     3 mul, 3 add, 3 product error, 6 neg.  Error <= u |result|, barring over- and underflow.
     """
 
-def product_drdryinv(R: ArrayLike, dc: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def product_drdryinv(R: ArrayLike, dc: ArrayLike, out: _Out = ...) -> _Array:
     """Ro = R R_y(-θ), dc = (sin θ, cos θ).
 
     (3,3),(2)->(3,3).  R, Ro: rotation or other 3×3 matrix; dc: (sin θ, cos θ).
@@ -665,7 +668,7 @@ def product_drdryinv(R: ArrayLike, dc: ArrayLike, out: NDArray[np.floating] | No
     the expanded formula; barring over- and underflow.
     """
 
-def product_ddryinv(D: ArrayLike, dc: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def product_ddryinv(D: ArrayLike, dc: ArrayLike, out: _Out = ...) -> _Array:
     """Do = D [R_y(-θ) | 0], dc = (sin θ, cos θ).
 
     (3,4),(2)->(3,4).  D, Do: displacement [R | t], R rotation, t in m; dc: (sin θ, cos θ).
@@ -673,7 +676,7 @@ def product_ddryinv(D: ArrayLike, dc: ArrayLike, out: NDArray[np.floating] | Non
     |terms| of the expanded formula; barring over- and underflow.
     """
 
-def product_ddtyinv(D: ArrayLike, k: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def product_ddtyinv(D: ArrayLike, k: ArrayLike, out: _Out = ...) -> _Array:
     """Do = D [I | -k e_y].
 
     (3,4),()->(3,4).  D, Do: displacement [R | t], R rotation, t in m; k: number.
@@ -681,14 +684,14 @@ def product_ddtyinv(D: ArrayLike, k: ArrayLike, out: NDArray[np.floating] | None
     |terms| of the expanded formula; barring over- and underflow.
     """
 
-def product_drvtz(R: ArrayLike, k: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def product_drvtz(R: ArrayLike, k: ArrayLike, out: _Out = ...) -> _Array:
     """vo = R (k e_z).
 
     (3,3),()->(3).  R: rotation or other 3×3 matrix; k: number; vo: vector.
     3 mul, 3 add, 3 product error.  Error <= u |result|, barring over- and underflow.
     """
 
-def product_drdrz(R: ArrayLike, dc: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def product_drdrz(R: ArrayLike, dc: ArrayLike, out: _Out = ...) -> _Array:
     """Ro = R R_z(θ), dc = (sin θ, cos θ).
 
     (3,3),(2)->(3,3).  R, Ro: rotation or other 3×3 matrix; dc: (sin θ, cos θ).
@@ -696,7 +699,7 @@ def product_drdrz(R: ArrayLike, dc: ArrayLike, out: NDArray[np.floating] | None 
     the expanded formula; barring over- and underflow.
     """
 
-def product_ddrz(D: ArrayLike, dc: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def product_ddrz(D: ArrayLike, dc: ArrayLike, out: _Out = ...) -> _Array:
     """Do = D [R_z(θ) | 0], dc = (sin θ, cos θ).
 
     (3,4),(2)->(3,4).  D, Do: displacement [R | t], R rotation, t in m; dc: (sin θ, cos θ).
@@ -704,7 +707,7 @@ def product_ddrz(D: ArrayLike, dc: ArrayLike, out: NDArray[np.floating] | None =
     |terms| of the expanded formula; barring over- and underflow.
     """
 
-def product_ddtz(D: ArrayLike, k: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def product_ddtz(D: ArrayLike, k: ArrayLike, out: _Out = ...) -> _Array:
     """Do = D [I | k e_z].
 
     (3,4),()->(3,4).  D, Do: displacement [R | t], R rotation, t in m; k: number.
@@ -712,14 +715,14 @@ def product_ddtz(D: ArrayLike, k: ArrayLike, out: NDArray[np.floating] | None = 
     |terms| of the expanded formula; barring over- and underflow.
     """
 
-def product_drvtzinv(R: ArrayLike, k: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def product_drvtzinv(R: ArrayLike, k: ArrayLike, out: _Out = ...) -> _Array:
     """vo = R (-k e_z).
 
     (3,3),()->(3).  R: rotation or other 3×3 matrix; k: number; vo: vector.
     3 mul, 3 add, 3 product error, 6 neg.  Error <= u |result|, barring over- and underflow.
     """
 
-def product_drdrzinv(R: ArrayLike, dc: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def product_drdrzinv(R: ArrayLike, dc: ArrayLike, out: _Out = ...) -> _Array:
     """Ro = R R_z(-θ), dc = (sin θ, cos θ).
 
     (3,3),(2)->(3,3).  R, Ro: rotation or other 3×3 matrix; dc: (sin θ, cos θ).
@@ -727,7 +730,7 @@ def product_drdrzinv(R: ArrayLike, dc: ArrayLike, out: NDArray[np.floating] | No
     the expanded formula; barring over- and underflow.
     """
 
-def product_ddrzinv(D: ArrayLike, dc: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def product_ddrzinv(D: ArrayLike, dc: ArrayLike, out: _Out = ...) -> _Array:
     """Do = D [R_z(-θ) | 0], dc = (sin θ, cos θ).
 
     (3,4),(2)->(3,4).  D, Do: displacement [R | t], R rotation, t in m; dc: (sin θ, cos θ).
@@ -735,7 +738,7 @@ def product_ddrzinv(D: ArrayLike, dc: ArrayLike, out: NDArray[np.floating] | Non
     |terms| of the expanded formula; barring over- and underflow.
     """
 
-def product_ddtzinv(D: ArrayLike, k: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def product_ddtzinv(D: ArrayLike, k: ArrayLike, out: _Out = ...) -> _Array:
     """Do = D [I | -k e_z].
 
     (3,4),()->(3,4).  D, Do: displacement [R | t], R rotation, t in m; k: number.
@@ -743,7 +746,7 @@ def product_ddtzinv(D: ArrayLike, k: ArrayLike, out: NDArray[np.floating] | None
     |terms| of the expanded formula; barring over- and underflow.
     """
 
-def dc(theta: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def dc(theta: ArrayLike, out: _Out = ...) -> _Array:
     """dc = (sin θ, cos θ), θ in rad.
 
     ()->(2).  theta: number; dc: (sin θ, cos θ).
@@ -751,14 +754,14 @@ def dc(theta: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.f
     ulp, unless a result is subnormal; proved.
     """
 
-def screw_scale(self: ArrayLike, a: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def screw_scale(self: ArrayLike, a: ArrayLike, out: _Out = ...) -> _Array:
     """self = a self.
 
     (6),()->(6).  self: screw (v in m/s; ω in rad/s); a: number.
     6 mul, 6 add, 6 product error.  Error <= u |result|, barring over- and underflow.
     """
 
-def axpy_ss(a: ArrayLike, x: ArrayLike, y: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def axpy_ss(a: ArrayLike, x: ArrayLike, y: ArrayLike, out: _Out = ...) -> _Array:
     """y = a x + y.
 
     (),(6),(6)->(6).  a: number; x, y: screw (v in m/s; ω in rad/s).
@@ -766,42 +769,42 @@ def axpy_ss(a: ArrayLike, x: ArrayLike, y: ArrayLike, out: NDArray[np.floating] 
     the expanded formula; barring over- and underflow.
     """
 
-def xpy_ss(x: ArrayLike, y: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def xpy_ss(x: ArrayLike, y: ArrayLike, out: _Out = ...) -> _Array:
     """y = x + y.
 
     (6),(6)->(6).  x, y: screw (v in m/s; ω in rad/s).
     42 add.  Error <= u |result|, barring over- and underflow.
     """
 
-def nxpy_ss(x: ArrayLike, y: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def nxpy_ss(x: ArrayLike, y: ArrayLike, out: _Out = ...) -> _Array:
     """y = -x + y.
 
     (6),(6)->(6).  x, y: screw (v in m/s; ω in rad/s).
     42 add.  Error <= u |result|, barring over- and underflow.
     """
 
-def product_as(a: ArrayLike, si: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def product_as(a: ArrayLike, si: ArrayLike, out: _Out = ...) -> _Array:
     """so = a si.
 
     (),(6)->(6).  a: number; si, so: screw (v in m/s; ω in rad/s).
     6 mul, 6 add, 6 product error.  Error <= u |result|, barring over- and underflow.
     """
 
-def add_ss(s1: ArrayLike, s2: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def add_ss(s1: ArrayLike, s2: ArrayLike, out: _Out = ...) -> _Array:
     """so = s1 + s2.
 
     (6),(6)->(6).  s1, s2, so: screw (v in m/s; ω in rad/s).
     42 add.  Error <= u |result|, barring over- and underflow.
     """
 
-def subtract_ss(s1: ArrayLike, s2: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def subtract_ss(s1: ArrayLike, s2: ArrayLike, out: _Out = ...) -> _Array:
     """so = s1 - s2.
 
     (6),(6)->(6).  s1, s2, so: screw (v in m/s; ω in rad/s).
     42 add.  Error <= u |result|, barring over- and underflow.
     """
 
-def screw_norm(si: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def screw_norm(si: ArrayLike, out: _Out = ...) -> _Array:
     """|si|: |ω|, or |v| where every |ω_i| is below 1e-9 (single: 1e-6).
 
     (6)->().  si: screw (v in m/s; ω in rad/s); norm: number.
@@ -809,7 +812,7 @@ def screw_norm(si: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray
     select.
     """
 
-def screw_normalize(self: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def screw_normalize(self: ArrayLike, out: _Out = ...) -> _Array:
     """self = self / |self|, with screw_norm; the zero screw stays zero.
 
     (6)->(6).  self: screw (v in m/s; ω in rad/s).
@@ -817,7 +820,7 @@ def screw_normalize(self: ArrayLike, out: NDArray[np.floating] | None = ...) -> 
     34 select.
     """
 
-def screw_normalized(si: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def screw_normalized(si: ArrayLike, out: _Out = ...) -> _Array:
     """so = si / |si|, with screw_norm; the zero screw stays zero.
 
     (6)->(6).  si, so: screw (v in m/s; ω in rad/s).
@@ -825,14 +828,14 @@ def screw_normalized(si: ArrayLike, out: NDArray[np.floating] | None = ...) -> N
     34 select.
     """
 
-def add_sst(s1: ArrayLike, s2: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def add_sst(s1: ArrayLike, s2: ArrayLike, out: _Out = ...) -> _Array:
     """so = (s1.lin + s2.lin ; s1.ang).
 
     (6),(6)->(6).  s1, s2, so: screw (v in m/s; ω in rad/s).
     21 add.  Error <= u |result|, barring over- and underflow.
     """
 
-def product_Adts(t: ArrayLike, si: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def product_Adts(t: ArrayLike, si: ArrayLike, out: _Out = ...) -> _Array:
     """so = [Ad](t) si.
 
     (3),(6)->(6).  t: vector; si, so: screw (v in m/s; ω in rad/s).
@@ -840,7 +843,7 @@ def product_Adts(t: ArrayLike, si: ArrayLike, out: NDArray[np.floating] | None =
     the |terms| of the expanded formula; barring over- and underflow.
     """
 
-def product_Adtinvs(t: ArrayLike, si: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def product_Adtinvs(t: ArrayLike, si: ArrayLike, out: _Out = ...) -> _Array:
     """so = [Ad](t)^-1 si.
 
     (3),(6)->(6).  t: vector; si, so: screw (v in m/s; ω in rad/s).
@@ -848,7 +851,7 @@ def product_Adtinvs(t: ArrayLike, si: ArrayLike, out: NDArray[np.floating] | Non
     the |terms| of the expanded formula; barring over- and underflow.
     """
 
-def product_Adtsinv(t: ArrayLike, si: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def product_Adtsinv(t: ArrayLike, si: ArrayLike, out: _Out = ...) -> _Array:
     """so = [Ad](t) (-si).
 
     (3),(6)->(6).  t: vector; si, so: screw (v in m/s; ω in rad/s).
@@ -856,7 +859,7 @@ def product_Adtsinv(t: ArrayLike, si: ArrayLike, out: NDArray[np.floating] | Non
     sum of the |terms| of the expanded formula; barring over- and underflow.
     """
 
-def product_Adrs(R: ArrayLike, si: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def product_Adrs(R: ArrayLike, si: ArrayLike, out: _Out = ...) -> _Array:
     """so = [Ad](R) si.
 
     (3,3),(6)->(6).  R: rotation or other 3×3 matrix; si, so: screw (v in m/s; ω in rad/s).
@@ -864,7 +867,7 @@ def product_Adrs(R: ArrayLike, si: ArrayLike, out: NDArray[np.floating] | None =
     of the expanded formula; barring over- and underflow.
     """
 
-def product_Adrinvs(R: ArrayLike, si: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def product_Adrinvs(R: ArrayLike, si: ArrayLike, out: _Out = ...) -> _Array:
     """so = [Ad](R)^-1 si.
 
     (3,3),(6)->(6).  R: rotation or other 3×3 matrix; si, so: screw (v in m/s; ω in rad/s).
@@ -872,7 +875,7 @@ def product_Adrinvs(R: ArrayLike, si: ArrayLike, out: NDArray[np.floating] | Non
     of the expanded formula; barring over- and underflow.
     """
 
-def product_Adrsinv(R: ArrayLike, si: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def product_Adrsinv(R: ArrayLike, si: ArrayLike, out: _Out = ...) -> _Array:
     """so = [Ad](R) (-si).
 
     (3,3),(6)->(6).  R: rotation or other 3×3 matrix; si, so: screw (v in m/s; ω in rad/s).
@@ -880,7 +883,7 @@ def product_Adrsinv(R: ArrayLike, si: ArrayLike, out: NDArray[np.floating] | Non
     |terms| of the expanded formula; barring over- and underflow.
     """
 
-def product_Ads(D: ArrayLike, si: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def product_Ads(D: ArrayLike, si: ArrayLike, out: _Out = ...) -> _Array:
     """so = [Ad](D) si = [Ad](t) [Ad](R) si.
 
     (3,4),(6)->(6).  D: displacement [R | t], R rotation, t in m; si, so: screw (v in m/s; ω in
@@ -889,7 +892,7 @@ def product_Ads(D: ArrayLike, si: ArrayLike, out: NDArray[np.floating] | None = 
     of the |terms| of the expanded formula; barring over- and underflow.
     """
 
-def product_Adinvs(D: ArrayLike, si: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def product_Adinvs(D: ArrayLike, si: ArrayLike, out: _Out = ...) -> _Array:
     """so = [Ad](D)^-1 si = [Ad](R^T) [Ad](-t) si.
 
     (3,4),(6)->(6).  D: displacement [R | t], R rotation, t in m; si, so: screw (v in m/s; ω in
@@ -898,7 +901,7 @@ def product_Adinvs(D: ArrayLike, si: ArrayLike, out: NDArray[np.floating] | None
     of the |terms| of the expanded formula; barring over- and underflow.
     """
 
-def product_Adsinv(D: ArrayLike, si: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def product_Adsinv(D: ArrayLike, si: ArrayLike, out: _Out = ...) -> _Array:
     """so = [Ad](D) (-si).
 
     (3,4),(6)->(6).  D: displacement [R | t], R rotation, t in m; si, so: screw (v in m/s; ω in
@@ -907,7 +910,7 @@ def product_Adsinv(D: ArrayLike, si: ArrayLike, out: NDArray[np.floating] | None
     the sum of the |terms| of the expanded formula; barring over- and underflow.
     """
 
-def hsrx(D: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def hsrx(D: ArrayLike, out: _Out = ...) -> _Array:
     """so = h_rx: column 3 of [Ad](D).
 
     (3,4)->(6).  D: displacement [R | t], R rotation, t in m; so: screw (v in m/s; ω in rad/s).
@@ -915,7 +918,7 @@ def hsrx(D: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.flo
     the |terms| of the expanded formula; barring over- and underflow.
     """
 
-def hsry(D: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def hsry(D: ArrayLike, out: _Out = ...) -> _Array:
     """so = h_ry: column 4 of [Ad](D).
 
     (3,4)->(6).  D: displacement [R | t], R rotation, t in m; so: screw (v in m/s; ω in rad/s).
@@ -923,7 +926,7 @@ def hsry(D: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.flo
     the |terms| of the expanded formula; barring over- and underflow.
     """
 
-def hsrz(D: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def hsrz(D: ArrayLike, out: _Out = ...) -> _Array:
     """so = h_rz: column 5 of [Ad](D).
 
     (3,4)->(6).  D: displacement [R | t], R rotation, t in m; so: screw (v in m/s; ω in rad/s).
@@ -931,7 +934,7 @@ def hsrz(D: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.flo
     the |terms| of the expanded formula; barring over- and underflow.
     """
 
-def hsrxinv(D: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def hsrxinv(D: ArrayLike, out: _Out = ...) -> _Array:
     """so = -h_rx: -column 3 of [Ad](D).
 
     (3,4)->(6).  D: displacement [R | t], R rotation, t in m; so: screw (v in m/s; ω in rad/s).
@@ -939,7 +942,7 @@ def hsrxinv(D: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.
     sum of the |terms| of the expanded formula; barring over- and underflow.
     """
 
-def hsryinv(D: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def hsryinv(D: ArrayLike, out: _Out = ...) -> _Array:
     """so = -h_ry: -column 4 of [Ad](D).
 
     (3,4)->(6).  D: displacement [R | t], R rotation, t in m; so: screw (v in m/s; ω in rad/s).
@@ -947,7 +950,7 @@ def hsryinv(D: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.
     sum of the |terms| of the expanded formula; barring over- and underflow.
     """
 
-def hsrzinv(D: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def hsrzinv(D: ArrayLike, out: _Out = ...) -> _Array:
     """so = -h_rz: -column 5 of [Ad](D).
 
     (3,4)->(6).  D: displacement [R | t], R rotation, t in m; so: screw (v in m/s; ω in rad/s).
@@ -955,7 +958,7 @@ def hsrzinv(D: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.
     sum of the |terms| of the expanded formula; barring over- and underflow.
     """
 
-def Ad(D: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def Ad(D: ArrayLike, out: _Out = ...) -> _Array:
     """M = [Ad](D).
 
     (3,4)->(6,6).  D: displacement [R | t], R rotation, t in m; M: 6×6 operator.
@@ -963,7 +966,7 @@ def Ad(D: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.float
     the expanded formula; barring over- and underflow.
     """
 
-def dot_cs(c: ArrayLike, s: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def dot_cs(c: ArrayLike, s: ArrayLike, out: _Out = ...) -> _Array:
     """power = f·v + τ·ω, in W.
 
     (6),(6)->().  c: coscrew (f in N; τ in N m); s: screw (v in m/s; ω in rad/s); power: number.
@@ -971,7 +974,7 @@ def dot_cs(c: ArrayLike, s: ArrayLike, out: NDArray[np.floating] | None = ...) -
     the expanded formula; barring over- and underflow.
     """
 
-def cross_ss(s1: ArrayLike, s2: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def cross_ss(s1: ArrayLike, s2: ArrayLike, out: _Out = ...) -> _Array:
     """so = [ad](s1) s2 = (ω1×v2 + v1×ω2 ; ω1×ω2).  Exactly zero for s1 = s2, unless products
     overflow.
 
@@ -980,7 +983,7 @@ def cross_ss(s1: ArrayLike, s2: ArrayLike, out: NDArray[np.floating] | None = ..
     of the |terms| of the expanded formula; barring over- and underflow.
     """
 
-def cross_sst(s1: ArrayLike, s2: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def cross_sst(s1: ArrayLike, s2: ArrayLike, out: _Out = ...) -> _Array:
     """so = (ω1×v2 ; 0).
 
     (6),(6)->(6).  s1, s2, so: screw (v in m/s; ω in rad/s).
@@ -988,7 +991,7 @@ def cross_sst(s1: ArrayLike, s2: ArrayLike, out: NDArray[np.floating] | None = .
     the |terms| of the expanded formula; barring over- and underflow.
     """
 
-def hsra(D: ArrayLike, axis: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def hsra(D: ArrayLike, axis: ArrayLike, out: _Out = ...) -> _Array:
     """so = (t×R a ; R a), a = axis in the body's frame.
 
     (3,4),(3)->(6).  D: displacement [R | t], R rotation, t in m; axis: vector; so: screw (v in
@@ -997,7 +1000,7 @@ def hsra(D: ArrayLike, axis: ArrayLike, out: NDArray[np.floating] | None = ...) 
     of the |terms| of the expanded formula; barring over- and underflow.
     """
 
-def hsta(D: ArrayLike, axis: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def hsta(D: ArrayLike, axis: ArrayLike, out: _Out = ...) -> _Array:
     """so = (R a ; 0), a = axis in the body's frame.
 
     (3,4),(3)->(6).  D: displacement [R | t], R rotation, t in m; axis: vector; so: screw (v in
@@ -1006,7 +1009,7 @@ def hsta(D: ArrayLike, axis: ArrayLike, out: NDArray[np.floating] | None = ...) 
     the |terms| of the expanded formula; barring over- and underflow.
     """
 
-def hsrainv(D: ArrayLike, axis: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def hsrainv(D: ArrayLike, axis: ArrayLike, out: _Out = ...) -> _Array:
     """so = -(t×R a ; R a), a = axis in the body's frame.
 
     (3,4),(3)->(6).  D: displacement [R | t], R rotation, t in m; axis: vector; so: screw (v in
@@ -1015,7 +1018,7 @@ def hsrainv(D: ArrayLike, axis: ArrayLike, out: NDArray[np.floating] | None = ..
     the sum of the |terms| of the expanded formula; barring over- and underflow.
     """
 
-def hstainv(D: ArrayLike, axis: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def hstainv(D: ArrayLike, axis: ArrayLike, out: _Out = ...) -> _Array:
     """so = -(R a ; 0), a = axis in the body's frame.
 
     (3,4),(3)->(6).  D: displacement [R | t], R rotation, t in m; axis: vector; so: screw (v in
@@ -1024,14 +1027,14 @@ def hstainv(D: ArrayLike, axis: ArrayLike, out: NDArray[np.floating] | None = ..
     sum of the |terms| of the expanded formula; barring over- and underflow.
     """
 
-def coscrew_scale(self: ArrayLike, a: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def coscrew_scale(self: ArrayLike, a: ArrayLike, out: _Out = ...) -> _Array:
     """self = a self.
 
     (6),()->(6).  self: coscrew (f in N; τ in N m); a: number.
     6 mul, 6 add, 6 product error.  Error <= u |result|, barring over- and underflow.
     """
 
-def axpy_cc(a: ArrayLike, x: ArrayLike, y: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def axpy_cc(a: ArrayLike, x: ArrayLike, y: ArrayLike, out: _Out = ...) -> _Array:
     """y = a x + y.
 
     (),(6),(6)->(6).  a: number; x, y: coscrew (f in N; τ in N m).
@@ -1039,42 +1042,42 @@ def axpy_cc(a: ArrayLike, x: ArrayLike, y: ArrayLike, out: NDArray[np.floating] 
     the expanded formula; barring over- and underflow.
     """
 
-def xpy_cc(x: ArrayLike, y: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def xpy_cc(x: ArrayLike, y: ArrayLike, out: _Out = ...) -> _Array:
     """y = x + y.
 
     (6),(6)->(6).  x, y: coscrew (f in N; τ in N m).
     42 add.  Error <= u |result|, barring over- and underflow.
     """
 
-def nxpy_cc(x: ArrayLike, y: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def nxpy_cc(x: ArrayLike, y: ArrayLike, out: _Out = ...) -> _Array:
     """y = -x + y.
 
     (6),(6)->(6).  x, y: coscrew (f in N; τ in N m).
     42 add.  Error <= u |result|, barring over- and underflow.
     """
 
-def product_ac(a: ArrayLike, ci: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def product_ac(a: ArrayLike, ci: ArrayLike, out: _Out = ...) -> _Array:
     """co = a ci.
 
     (),(6)->(6).  a: number; ci, co: coscrew (f in N; τ in N m).
     6 mul, 6 add, 6 product error.  Error <= u |result|, barring over- and underflow.
     """
 
-def add_cc(c1: ArrayLike, c2: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def add_cc(c1: ArrayLike, c2: ArrayLike, out: _Out = ...) -> _Array:
     """co = c1 + c2.
 
     (6),(6)->(6).  c1, c2, co: coscrew (f in N; τ in N m).
     42 add.  Error <= u |result|, barring over- and underflow.
     """
 
-def subtract_cc(c1: ArrayLike, c2: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def subtract_cc(c1: ArrayLike, c2: ArrayLike, out: _Out = ...) -> _Array:
     """co = c1 - c2.
 
     (6),(6)->(6).  c1, c2, co: coscrew (f in N; τ in N m).
     42 add.  Error <= u |result|, barring over- and underflow.
     """
 
-def coscrew_norm(ci: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def coscrew_norm(ci: ArrayLike, out: _Out = ...) -> _Array:
     """|ci|: |f|, or |τ| where every |f_i| is below 1e-9 (single: 1e-6).
 
     (6)->().  ci: coscrew (f in N; τ in N m); norm: number.
@@ -1082,7 +1085,7 @@ def coscrew_norm(ci: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArr
     select.
     """
 
-def coscrew_normalize(self: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def coscrew_normalize(self: ArrayLike, out: _Out = ...) -> _Array:
     """self = self / |self|, with coscrew_norm; the zero coscrew stays zero.
 
     (6)->(6).  self: coscrew (f in N; τ in N m).
@@ -1090,7 +1093,7 @@ def coscrew_normalize(self: ArrayLike, out: NDArray[np.floating] | None = ...) -
     34 select.
     """
 
-def coscrew_normalized(ci: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def coscrew_normalized(ci: ArrayLike, out: _Out = ...) -> _Array:
     """co = ci / |ci|, with coscrew_norm; the zero coscrew stays zero.
 
     (6)->(6).  ci, co: coscrew (f in N; τ in N m).
@@ -1098,14 +1101,14 @@ def coscrew_normalized(ci: ArrayLike, out: NDArray[np.floating] | None = ...) ->
     34 select.
     """
 
-def add_cct(c1: ArrayLike, c2: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def add_cct(c1: ArrayLike, c2: ArrayLike, out: _Out = ...) -> _Array:
     """co = (c1.lin + c2.lin ; c1.ang).
 
     (6),(6)->(6).  c1, c2, co: coscrew (f in N; τ in N m).
     21 add.  Error <= u |result|, barring over- and underflow.
     """
 
-def product_CoAdtc(t: ArrayLike, ci: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def product_CoAdtc(t: ArrayLike, ci: ArrayLike, out: _Out = ...) -> _Array:
     """co = [Ad]*(t) ci.
 
     (3),(6)->(6).  t: vector; ci, co: coscrew (f in N; τ in N m).
@@ -1113,7 +1116,7 @@ def product_CoAdtc(t: ArrayLike, ci: ArrayLike, out: NDArray[np.floating] | None
     the |terms| of the expanded formula; barring over- and underflow.
     """
 
-def product_CoAdtinvc(t: ArrayLike, ci: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def product_CoAdtinvc(t: ArrayLike, ci: ArrayLike, out: _Out = ...) -> _Array:
     """co = [Ad]*(t)^-1 ci.
 
     (3),(6)->(6).  t: vector; ci, co: coscrew (f in N; τ in N m).
@@ -1121,7 +1124,7 @@ def product_CoAdtinvc(t: ArrayLike, ci: ArrayLike, out: NDArray[np.floating] | N
     the |terms| of the expanded formula; barring over- and underflow.
     """
 
-def product_CoAdtcinv(t: ArrayLike, ci: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def product_CoAdtcinv(t: ArrayLike, ci: ArrayLike, out: _Out = ...) -> _Array:
     """co = [Ad]*(t) (-ci).
 
     (3),(6)->(6).  t: vector; ci, co: coscrew (f in N; τ in N m).
@@ -1129,7 +1132,7 @@ def product_CoAdtcinv(t: ArrayLike, ci: ArrayLike, out: NDArray[np.floating] | N
     sum of the |terms| of the expanded formula; barring over- and underflow.
     """
 
-def product_CoAdrc(R: ArrayLike, ci: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def product_CoAdrc(R: ArrayLike, ci: ArrayLike, out: _Out = ...) -> _Array:
     """co = [Ad]*(R) ci.
 
     (3,3),(6)->(6).  R: rotation or other 3×3 matrix; ci, co: coscrew (f in N; τ in N m).
@@ -1137,7 +1140,7 @@ def product_CoAdrc(R: ArrayLike, ci: ArrayLike, out: NDArray[np.floating] | None
     of the expanded formula; barring over- and underflow.
     """
 
-def product_CoAdrinvc(R: ArrayLike, ci: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def product_CoAdrinvc(R: ArrayLike, ci: ArrayLike, out: _Out = ...) -> _Array:
     """co = [Ad]*(R)^-1 ci.
 
     (3,3),(6)->(6).  R: rotation or other 3×3 matrix; ci, co: coscrew (f in N; τ in N m).
@@ -1145,7 +1148,7 @@ def product_CoAdrinvc(R: ArrayLike, ci: ArrayLike, out: NDArray[np.floating] | N
     of the expanded formula; barring over- and underflow.
     """
 
-def product_CoAdrcinv(R: ArrayLike, ci: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def product_CoAdrcinv(R: ArrayLike, ci: ArrayLike, out: _Out = ...) -> _Array:
     """co = [Ad]*(R) (-ci).
 
     (3,3),(6)->(6).  R: rotation or other 3×3 matrix; ci, co: coscrew (f in N; τ in N m).
@@ -1153,7 +1156,7 @@ def product_CoAdrcinv(R: ArrayLike, ci: ArrayLike, out: NDArray[np.floating] | N
     |terms| of the expanded formula; barring over- and underflow.
     """
 
-def product_CoAdc(D: ArrayLike, ci: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def product_CoAdc(D: ArrayLike, ci: ArrayLike, out: _Out = ...) -> _Array:
     """co = [Ad]*(D) ci = [Ad]*(t) [Ad]*(R) ci.
 
     (3,4),(6)->(6).  D: displacement [R | t], R rotation, t in m; ci, co: coscrew (f in N; τ in
@@ -1162,7 +1165,7 @@ def product_CoAdc(D: ArrayLike, ci: ArrayLike, out: NDArray[np.floating] | None 
     of the |terms| of the expanded formula; barring over- and underflow.
     """
 
-def product_CoAdinvc(D: ArrayLike, ci: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def product_CoAdinvc(D: ArrayLike, ci: ArrayLike, out: _Out = ...) -> _Array:
     """co = [Ad]*(D)^-1 ci = [Ad]*(R^T) [Ad]*(-t) ci.
 
     (3,4),(6)->(6).  D: displacement [R | t], R rotation, t in m; ci, co: coscrew (f in N; τ in
@@ -1171,7 +1174,7 @@ def product_CoAdinvc(D: ArrayLike, ci: ArrayLike, out: NDArray[np.floating] | No
     of the |terms| of the expanded formula; barring over- and underflow.
     """
 
-def product_CoAdcinv(D: ArrayLike, ci: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def product_CoAdcinv(D: ArrayLike, ci: ArrayLike, out: _Out = ...) -> _Array:
     """co = [Ad]*(D) (-ci).
 
     (3,4),(6)->(6).  D: displacement [R | t], R rotation, t in m; ci, co: coscrew (f in N; τ in
@@ -1180,7 +1183,7 @@ def product_CoAdcinv(D: ArrayLike, ci: ArrayLike, out: NDArray[np.floating] | No
     the sum of the |terms| of the expanded formula; barring over- and underflow.
     """
 
-def hctx(D: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def hctx(D: ArrayLike, out: _Out = ...) -> _Array:
     """co = h_tx: column 0 of [Ad]*(D).
 
     (3,4)->(6).  D: displacement [R | t], R rotation, t in m; co: coscrew (f in N; τ in N m).
@@ -1188,7 +1191,7 @@ def hctx(D: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.flo
     the |terms| of the expanded formula; barring over- and underflow.
     """
 
-def hcty(D: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def hcty(D: ArrayLike, out: _Out = ...) -> _Array:
     """co = h_ty: column 1 of [Ad]*(D).
 
     (3,4)->(6).  D: displacement [R | t], R rotation, t in m; co: coscrew (f in N; τ in N m).
@@ -1196,7 +1199,7 @@ def hcty(D: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.flo
     the |terms| of the expanded formula; barring over- and underflow.
     """
 
-def hctz(D: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def hctz(D: ArrayLike, out: _Out = ...) -> _Array:
     """co = h_tz: column 2 of [Ad]*(D).
 
     (3,4)->(6).  D: displacement [R | t], R rotation, t in m; co: coscrew (f in N; τ in N m).
@@ -1204,7 +1207,7 @@ def hctz(D: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.flo
     the |terms| of the expanded formula; barring over- and underflow.
     """
 
-def hctxinv(D: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def hctxinv(D: ArrayLike, out: _Out = ...) -> _Array:
     """co = -h_tx: -column 0 of [Ad]*(D).
 
     (3,4)->(6).  D: displacement [R | t], R rotation, t in m; co: coscrew (f in N; τ in N m).
@@ -1212,7 +1215,7 @@ def hctxinv(D: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.
     sum of the |terms| of the expanded formula; barring over- and underflow.
     """
 
-def hctyinv(D: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def hctyinv(D: ArrayLike, out: _Out = ...) -> _Array:
     """co = -h_ty: -column 1 of [Ad]*(D).
 
     (3,4)->(6).  D: displacement [R | t], R rotation, t in m; co: coscrew (f in N; τ in N m).
@@ -1220,7 +1223,7 @@ def hctyinv(D: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.
     sum of the |terms| of the expanded formula; barring over- and underflow.
     """
 
-def hctzinv(D: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def hctzinv(D: ArrayLike, out: _Out = ...) -> _Array:
     """co = -h_tz: -column 2 of [Ad]*(D).
 
     (3,4)->(6).  D: displacement [R | t], R rotation, t in m; co: coscrew (f in N; τ in N m).
@@ -1228,7 +1231,7 @@ def hctzinv(D: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.
     sum of the |terms| of the expanded formula; barring over- and underflow.
     """
 
-def CoAd(D: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def CoAd(D: ArrayLike, out: _Out = ...) -> _Array:
     """M = [Ad]*(D).
 
     (3,4)->(6,6).  D: displacement [R | t], R rotation, t in m; M: 6×6 operator.
@@ -1236,7 +1239,7 @@ def CoAd(D: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.flo
     the expanded formula; barring over- and underflow.
     """
 
-def reciprocal_product(c: ArrayLike, x: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def reciprocal_product(c: ArrayLike, x: ArrayLike, out: _Out = ...) -> _Array:
     """power = W ⊙ $ = f·v + τ·ω, W = c = (f; τ), $ = x = (ω; v).
 
     (6),(6)->().  c: coscrew (f in N; τ in N m); x: six components with the angular part on top;
@@ -1245,7 +1248,7 @@ def reciprocal_product(c: ArrayLike, x: ArrayLike, out: NDArray[np.floating] | N
     the expanded formula; barring over- and underflow.
     """
 
-def cross_sc(s: ArrayLike, c: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def cross_sc(s: ArrayLike, c: ArrayLike, out: _Out = ...) -> _Array:
     """co = [ad]*(s) c = (ω×f ; v×f + ω×τ).
 
     (6),(6)->(6).  s: screw (v in m/s; ω in rad/s); c, co: coscrew (f in N; τ in N m).
@@ -1253,7 +1256,7 @@ def cross_sc(s: ArrayLike, c: ArrayLike, out: NDArray[np.floating] | None = ...)
     of the |terms| of the expanded formula; barring over- and underflow.
     """
 
-def cross_sca(s: ArrayLike, c: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def cross_sca(s: ArrayLike, c: ArrayLike, out: _Out = ...) -> _Array:
     """co = (0 ; ω×τ).
 
     (6),(6)->(6).  s: screw (v in m/s; ω in rad/s); c, co: coscrew (f in N; τ in N m).
@@ -1261,7 +1264,7 @@ def cross_sca(s: ArrayLike, c: ArrayLike, out: NDArray[np.floating] | None = ...
     the |terms| of the expanded formula; barring over- and underflow.
     """
 
-def constraint_ctx(D: ArrayLike, c: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def constraint_ctx(D: ArrayLike, c: ArrayLike, out: _Out = ...) -> _Array:
     """co = H̄* c = [Ad]*(D) P c; P clears component 0 of c, given in the frame of a tx joint at D.
 
     (3,4),(6)->(6).  D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N
@@ -1270,7 +1273,7 @@ def constraint_ctx(D: ArrayLike, c: ArrayLike, out: NDArray[np.floating] | None 
     of the |terms| of the expanded formula; barring over- and underflow.
     """
 
-def constraint_cty(D: ArrayLike, c: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def constraint_cty(D: ArrayLike, c: ArrayLike, out: _Out = ...) -> _Array:
     """co = H̄* c = [Ad]*(D) P c; P clears component 1 of c, given in the frame of a ty joint at D.
 
     (3,4),(6)->(6).  D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N
@@ -1279,7 +1282,7 @@ def constraint_cty(D: ArrayLike, c: ArrayLike, out: NDArray[np.floating] | None 
     of the |terms| of the expanded formula; barring over- and underflow.
     """
 
-def constraint_ctz(D: ArrayLike, c: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def constraint_ctz(D: ArrayLike, c: ArrayLike, out: _Out = ...) -> _Array:
     """co = H̄* c = [Ad]*(D) P c; P clears component 2 of c, given in the frame of a tz joint at D.
 
     (3,4),(6)->(6).  D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N
@@ -1288,7 +1291,7 @@ def constraint_ctz(D: ArrayLike, c: ArrayLike, out: NDArray[np.floating] | None 
     of the |terms| of the expanded formula; barring over- and underflow.
     """
 
-def constraint_crx(D: ArrayLike, c: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def constraint_crx(D: ArrayLike, c: ArrayLike, out: _Out = ...) -> _Array:
     """co = H̄* c = [Ad]*(D) P c; P clears component 3 of c, given in the frame of a rx joint at D.
 
     (3,4),(6)->(6).  D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N
@@ -1297,7 +1300,7 @@ def constraint_crx(D: ArrayLike, c: ArrayLike, out: NDArray[np.floating] | None 
     of the |terms| of the expanded formula; barring over- and underflow.
     """
 
-def constraint_cry(D: ArrayLike, c: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def constraint_cry(D: ArrayLike, c: ArrayLike, out: _Out = ...) -> _Array:
     """co = H̄* c = [Ad]*(D) P c; P clears component 4 of c, given in the frame of a ry joint at D.
 
     (3,4),(6)->(6).  D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N
@@ -1306,7 +1309,7 @@ def constraint_cry(D: ArrayLike, c: ArrayLike, out: NDArray[np.floating] | None 
     of the |terms| of the expanded formula; barring over- and underflow.
     """
 
-def constraint_crz(D: ArrayLike, c: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def constraint_crz(D: ArrayLike, c: ArrayLike, out: _Out = ...) -> _Array:
     """co = H̄* c = [Ad]*(D) P c; P clears component 5 of c, given in the frame of a rz joint at D.
 
     (3,4),(6)->(6).  D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N
@@ -1315,7 +1318,7 @@ def constraint_crz(D: ArrayLike, c: ArrayLike, out: NDArray[np.floating] | None 
     of the |terms| of the expanded formula; barring over- and underflow.
     """
 
-def working_ctx(D: ArrayLike, c: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def working_ctx(D: ArrayLike, c: ArrayLike, out: _Out = ...) -> _Array:
     """co = h̄* c = [Ad]*(D) P c; P keeps component 0 of c, given in the frame of a tx joint at D.
 
     (3,4),(6)->(6).  D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N
@@ -1324,7 +1327,7 @@ def working_ctx(D: ArrayLike, c: ArrayLike, out: NDArray[np.floating] | None = .
     u^2 S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
     """
 
-def working_cty(D: ArrayLike, c: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def working_cty(D: ArrayLike, c: ArrayLike, out: _Out = ...) -> _Array:
     """co = h̄* c = [Ad]*(D) P c; P keeps component 1 of c, given in the frame of a ty joint at D.
 
     (3,4),(6)->(6).  D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N
@@ -1333,7 +1336,7 @@ def working_cty(D: ArrayLike, c: ArrayLike, out: NDArray[np.floating] | None = .
     u^2 S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
     """
 
-def working_ctz(D: ArrayLike, c: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def working_ctz(D: ArrayLike, c: ArrayLike, out: _Out = ...) -> _Array:
     """co = h̄* c = [Ad]*(D) P c; P keeps component 2 of c, given in the frame of a tz joint at D.
 
     (3,4),(6)->(6).  D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N
@@ -1342,7 +1345,7 @@ def working_ctz(D: ArrayLike, c: ArrayLike, out: NDArray[np.floating] | None = .
     u^2 S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
     """
 
-def working_crx(D: ArrayLike, c: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def working_crx(D: ArrayLike, c: ArrayLike, out: _Out = ...) -> _Array:
     """co = h̄* c = [Ad]*(D) P c; P keeps component 3 of c, given in the frame of a rx joint at D.
 
     (3,4),(6)->(6).  D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N
@@ -1350,7 +1353,7 @@ def working_crx(D: ArrayLike, c: ArrayLike, out: NDArray[np.floating] | None = .
     3 mul, 3 add, 3 product error.  Error <= u |result|, barring over- and underflow.
     """
 
-def working_cry(D: ArrayLike, c: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def working_cry(D: ArrayLike, c: ArrayLike, out: _Out = ...) -> _Array:
     """co = h̄* c = [Ad]*(D) P c; P keeps component 4 of c, given in the frame of a ry joint at D.
 
     (3,4),(6)->(6).  D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N
@@ -1358,7 +1361,7 @@ def working_cry(D: ArrayLike, c: ArrayLike, out: NDArray[np.floating] | None = .
     3 mul, 3 add, 3 product error.  Error <= u |result|, barring over- and underflow.
     """
 
-def working_crz(D: ArrayLike, c: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def working_crz(D: ArrayLike, c: ArrayLike, out: _Out = ...) -> _Array:
     """co = h̄* c = [Ad]*(D) P c; P keeps component 5 of c, given in the frame of a rz joint at D.
 
     (3,4),(6)->(6).  D: displacement [R | t], R rotation, t in m; c, co: coscrew (f in N; τ in N
@@ -1366,14 +1369,14 @@ def working_crz(D: ArrayLike, c: ArrayLike, out: NDArray[np.floating] | None = .
     3 mul, 3 add, 3 product error.  Error <= u |result|, barring over- and underflow.
     """
 
-def quaternion_scale(self: ArrayLike, a: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def quaternion_scale(self: ArrayLike, a: ArrayLike, out: _Out = ...) -> _Array:
     """self = a self.
 
     (4),()->(4).  self: quaternion (x, y, z, w), the scalar last; a: number.
     4 mul, 4 add, 4 product error.  Error <= u |result|, barring over- and underflow.
     """
 
-def axpy_qq(a: ArrayLike, x: ArrayLike, y: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def axpy_qq(a: ArrayLike, x: ArrayLike, y: ArrayLike, out: _Out = ...) -> _Array:
     """y = a x + y.
 
     (),(4),(4)->(4).  a: number; x, y: quaternion (x, y, z, w), the scalar last.
@@ -1381,7 +1384,7 @@ def axpy_qq(a: ArrayLike, x: ArrayLike, y: ArrayLike, out: NDArray[np.floating] 
     the expanded formula; barring over- and underflow.
     """
 
-def quaternion_norm(q: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def quaternion_norm(q: ArrayLike, out: _Out = ...) -> _Array:
     """|q| = sqrt(v·v + w^2).
 
     (4)->().  q: quaternion (x, y, z, w), the scalar last; norm: number.
@@ -1391,7 +1394,7 @@ def quaternion_norm(q: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDA
     searched, not proved.
     """
 
-def quaternion_normalize(self: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def quaternion_normalize(self: ArrayLike, out: _Out = ...) -> _Array:
     """self = self / |self|; zero stays zero.
 
     (4)->(4).  self: quaternion (x, y, z, w), the scalar last.
@@ -1401,7 +1404,7 @@ def quaternion_normalize(self: ArrayLike, out: NDArray[np.floating] | None = ...
     searched, not proved.
     """
 
-def quaternion_normalized(q: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def quaternion_normalized(q: ArrayLike, out: _Out = ...) -> _Array:
     """qo = q / |q|; zero stays zero.
 
     (4)->(4).  q, qo: quaternion (x, y, z, w), the scalar last.
@@ -1411,7 +1414,7 @@ def quaternion_normalized(q: ArrayLike, out: NDArray[np.floating] | None = ...) 
     searched, not proved.
     """
 
-def quaternion_unit_defect(q: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def quaternion_unit_defect(q: ArrayLike, out: _Out = ...) -> _Array:
     """|q| - 1: 0 for a unit quaternion, negative for a shorter one.
 
     (4)->().  q: quaternion (x, y, z, w), the scalar last; defect: number.
@@ -1421,7 +1424,7 @@ def quaternion_unit_defect(q: ArrayLike, out: NDArray[np.floating] | None = ...)
     searched, not proved.
     """
 
-def quaternion_nearest_unit(q: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def quaternion_nearest_unit(q: ArrayLike, out: _Out = ...) -> _Array:
     """qo = q / |q|, the unit quaternion nearest to q; NaN for zero, which has none.
 
     (4)->(4).  q, qo: quaternion (x, y, z, w), the scalar last.
@@ -1431,7 +1434,7 @@ def quaternion_nearest_unit(q: ArrayLike, out: NDArray[np.floating] | None = ...
     searched, not proved.
     """
 
-def rotate_qv(q: ArrayLike, v: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def rotate_qv(q: ArrayLike, v: ArrayLike, out: _Out = ...) -> _Array:
     """vo = R(q) v, |q| = 1.
 
     (4),(3)->(3).  q: quaternion (x, y, z, w), the scalar last; v, vo: vector.
@@ -1439,7 +1442,7 @@ def rotate_qv(q: ArrayLike, v: ArrayLike, out: NDArray[np.floating] | None = ...
     of the expanded formula; barring over- and underflow.
     """
 
-def rotate_qconjv(q: ArrayLike, v: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def rotate_qconjv(q: ArrayLike, v: ArrayLike, out: _Out = ...) -> _Array:
     """vo = R(q)^T v, |q| = 1.
 
     (4),(3)->(3).  q: quaternion (x, y, z, w), the scalar last; v, vo: vector.
@@ -1447,7 +1450,7 @@ def rotate_qconjv(q: ArrayLike, v: ArrayLike, out: NDArray[np.floating] | None =
     of the expanded formula; barring over- and underflow.
     """
 
-def quaternion_product_qq(q1i: ArrayLike, q2i: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def quaternion_product_qq(q1i: ArrayLike, q2i: ArrayLike, out: _Out = ...) -> _Array:
     """qo = q1i q2i.
 
     (4),(4)->(4).  q1i, q2i, qo: quaternion (x, y, z, w), the scalar last.
@@ -1455,7 +1458,7 @@ def quaternion_product_qq(q1i: ArrayLike, q2i: ArrayLike, out: NDArray[np.floati
     of the expanded formula; barring over- and underflow.
     """
 
-def quaternion_product_qqconj(q1i: ArrayLike, q2i: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def quaternion_product_qqconj(q1i: ArrayLike, q2i: ArrayLike, out: _Out = ...) -> _Array:
     """qo = q1i q2i*.
 
     (4),(4)->(4).  q1i, q2i, qo: quaternion (x, y, z, w), the scalar last.
@@ -1463,7 +1466,7 @@ def quaternion_product_qqconj(q1i: ArrayLike, q2i: ArrayLike, out: NDArray[np.fl
     the |terms| of the expanded formula; barring over- and underflow.
     """
 
-def quaternion_product_qconjq(q1i: ArrayLike, q2i: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def quaternion_product_qconjq(q1i: ArrayLike, q2i: ArrayLike, out: _Out = ...) -> _Array:
     """qo = q1i* q2i.
 
     (4),(4)->(4).  q1i, q2i, qo: quaternion (x, y, z, w), the scalar last.
@@ -1471,7 +1474,7 @@ def quaternion_product_qconjq(q1i: ArrayLike, q2i: ArrayLike, out: NDArray[np.fl
     the |terms| of the expanded formula; barring over- and underflow.
     """
 
-def quaternion_product_qconjqconj(q1i: ArrayLike, q2i: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def quaternion_product_qconjqconj(q1i: ArrayLike, q2i: ArrayLike, out: _Out = ...) -> _Array:
     """qo = q1i* q2i*.
 
     (4),(4)->(4).  q1i, q2i, qo: quaternion (x, y, z, w), the scalar last.
@@ -1479,7 +1482,7 @@ def quaternion_product_qconjqconj(q1i: ArrayLike, q2i: ArrayLike, out: NDArray[n
     of the expanded formula; barring over- and underflow.
     """
 
-def quaternion_product_qxq(dci: ArrayLike, qi: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def quaternion_product_qxq(dci: ArrayLike, qi: ArrayLike, out: _Out = ...) -> _Array:
     """qo = (s e_x; c) qi, dci = (s, c), sine and cosine of half the angle.
 
     (2),(4)->(4).  dci: (sin θ, cos θ); qi, qo: quaternion (x, y, z, w), the scalar last.
@@ -1487,7 +1490,7 @@ def quaternion_product_qxq(dci: ArrayLike, qi: ArrayLike, out: NDArray[np.floati
     the expanded formula; barring over- and underflow.
     """
 
-def quaternion_product_qxqconj(dci: ArrayLike, qi: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def quaternion_product_qxqconj(dci: ArrayLike, qi: ArrayLike, out: _Out = ...) -> _Array:
     """qo = (s e_x; c) qi*, dci = (s, c), sine and cosine of half the angle.
 
     (2),(4)->(4).  dci: (sin θ, cos θ); qi, qo: quaternion (x, y, z, w), the scalar last.
@@ -1495,7 +1498,7 @@ def quaternion_product_qxqconj(dci: ArrayLike, qi: ArrayLike, out: NDArray[np.fl
     |terms| of the expanded formula; barring over- and underflow.
     """
 
-def quaternion_product_qxconjq(dci: ArrayLike, qi: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def quaternion_product_qxconjq(dci: ArrayLike, qi: ArrayLike, out: _Out = ...) -> _Array:
     """qo = (s e_x; c)* qi, dci = (s, c), sine and cosine of half the angle.
 
     (2),(4)->(4).  dci: (sin θ, cos θ); qi, qo: quaternion (x, y, z, w), the scalar last.
@@ -1503,7 +1506,7 @@ def quaternion_product_qxconjq(dci: ArrayLike, qi: ArrayLike, out: NDArray[np.fl
     the expanded formula; barring over- and underflow.
     """
 
-def quaternion_product_qxconjqconj(dci: ArrayLike, qi: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def quaternion_product_qxconjqconj(dci: ArrayLike, qi: ArrayLike, out: _Out = ...) -> _Array:
     """qo = (s e_x; c)* qi*, dci = (s, c), sine and cosine of half the angle.
 
     (2),(4)->(4).  dci: (sin θ, cos θ); qi, qo: quaternion (x, y, z, w), the scalar last.
@@ -1511,7 +1514,7 @@ def quaternion_product_qxconjqconj(dci: ArrayLike, qi: ArrayLike, out: NDArray[n
     |terms| of the expanded formula; barring over- and underflow.
     """
 
-def quaternion_product_qqx(qi: ArrayLike, dci: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def quaternion_product_qqx(qi: ArrayLike, dci: ArrayLike, out: _Out = ...) -> _Array:
     """qo = qi (s e_x; c), dci = (s, c), sine and cosine of half the angle.
 
     (4),(2)->(4).  qi, qo: quaternion (x, y, z, w), the scalar last; dci: (sin θ, cos θ).
@@ -1519,7 +1522,7 @@ def quaternion_product_qqx(qi: ArrayLike, dci: ArrayLike, out: NDArray[np.floati
     the expanded formula; barring over- and underflow.
     """
 
-def quaternion_product_qqxconj(qi: ArrayLike, dci: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def quaternion_product_qqxconj(qi: ArrayLike, dci: ArrayLike, out: _Out = ...) -> _Array:
     """qo = qi (s e_x; c)*, dci = (s, c), sine and cosine of half the angle.
 
     (4),(2)->(4).  qi, qo: quaternion (x, y, z, w), the scalar last; dci: (sin θ, cos θ).
@@ -1527,7 +1530,7 @@ def quaternion_product_qqxconj(qi: ArrayLike, dci: ArrayLike, out: NDArray[np.fl
     the expanded formula; barring over- and underflow.
     """
 
-def quaternion_product_qconjqx(qi: ArrayLike, dci: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def quaternion_product_qconjqx(qi: ArrayLike, dci: ArrayLike, out: _Out = ...) -> _Array:
     """qo = qi* (s e_x; c), dci = (s, c), sine and cosine of half the angle.
 
     (4),(2)->(4).  qi, qo: quaternion (x, y, z, w), the scalar last; dci: (sin θ, cos θ).
@@ -1535,7 +1538,7 @@ def quaternion_product_qconjqx(qi: ArrayLike, dci: ArrayLike, out: NDArray[np.fl
     |terms| of the expanded formula; barring over- and underflow.
     """
 
-def quaternion_product_qconjqxconj(qi: ArrayLike, dci: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def quaternion_product_qconjqxconj(qi: ArrayLike, dci: ArrayLike, out: _Out = ...) -> _Array:
     """qo = qi* (s e_x; c)*, dci = (s, c), sine and cosine of half the angle.
 
     (4),(2)->(4).  qi, qo: quaternion (x, y, z, w), the scalar last; dci: (sin θ, cos θ).
@@ -1543,7 +1546,7 @@ def quaternion_product_qconjqxconj(qi: ArrayLike, dci: ArrayLike, out: NDArray[n
     |terms| of the expanded formula; barring over- and underflow.
     """
 
-def quaternion_product_qyq(dci: ArrayLike, qi: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def quaternion_product_qyq(dci: ArrayLike, qi: ArrayLike, out: _Out = ...) -> _Array:
     """qo = (s e_y; c) qi, dci = (s, c), sine and cosine of half the angle.
 
     (2),(4)->(4).  dci: (sin θ, cos θ); qi, qo: quaternion (x, y, z, w), the scalar last.
@@ -1551,7 +1554,7 @@ def quaternion_product_qyq(dci: ArrayLike, qi: ArrayLike, out: NDArray[np.floati
     the expanded formula; barring over- and underflow.
     """
 
-def quaternion_product_qyqconj(dci: ArrayLike, qi: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def quaternion_product_qyqconj(dci: ArrayLike, qi: ArrayLike, out: _Out = ...) -> _Array:
     """qo = (s e_y; c) qi*, dci = (s, c), sine and cosine of half the angle.
 
     (2),(4)->(4).  dci: (sin θ, cos θ); qi, qo: quaternion (x, y, z, w), the scalar last.
@@ -1559,7 +1562,7 @@ def quaternion_product_qyqconj(dci: ArrayLike, qi: ArrayLike, out: NDArray[np.fl
     |terms| of the expanded formula; barring over- and underflow.
     """
 
-def quaternion_product_qyconjq(dci: ArrayLike, qi: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def quaternion_product_qyconjq(dci: ArrayLike, qi: ArrayLike, out: _Out = ...) -> _Array:
     """qo = (s e_y; c)* qi, dci = (s, c), sine and cosine of half the angle.
 
     (2),(4)->(4).  dci: (sin θ, cos θ); qi, qo: quaternion (x, y, z, w), the scalar last.
@@ -1567,7 +1570,7 @@ def quaternion_product_qyconjq(dci: ArrayLike, qi: ArrayLike, out: NDArray[np.fl
     the expanded formula; barring over- and underflow.
     """
 
-def quaternion_product_qyconjqconj(dci: ArrayLike, qi: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def quaternion_product_qyconjqconj(dci: ArrayLike, qi: ArrayLike, out: _Out = ...) -> _Array:
     """qo = (s e_y; c)* qi*, dci = (s, c), sine and cosine of half the angle.
 
     (2),(4)->(4).  dci: (sin θ, cos θ); qi, qo: quaternion (x, y, z, w), the scalar last.
@@ -1575,7 +1578,7 @@ def quaternion_product_qyconjqconj(dci: ArrayLike, qi: ArrayLike, out: NDArray[n
     |terms| of the expanded formula; barring over- and underflow.
     """
 
-def quaternion_product_qqy(qi: ArrayLike, dci: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def quaternion_product_qqy(qi: ArrayLike, dci: ArrayLike, out: _Out = ...) -> _Array:
     """qo = qi (s e_y; c), dci = (s, c), sine and cosine of half the angle.
 
     (4),(2)->(4).  qi, qo: quaternion (x, y, z, w), the scalar last; dci: (sin θ, cos θ).
@@ -1583,7 +1586,7 @@ def quaternion_product_qqy(qi: ArrayLike, dci: ArrayLike, out: NDArray[np.floati
     the expanded formula; barring over- and underflow.
     """
 
-def quaternion_product_qqyconj(qi: ArrayLike, dci: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def quaternion_product_qqyconj(qi: ArrayLike, dci: ArrayLike, out: _Out = ...) -> _Array:
     """qo = qi (s e_y; c)*, dci = (s, c), sine and cosine of half the angle.
 
     (4),(2)->(4).  qi, qo: quaternion (x, y, z, w), the scalar last; dci: (sin θ, cos θ).
@@ -1591,7 +1594,7 @@ def quaternion_product_qqyconj(qi: ArrayLike, dci: ArrayLike, out: NDArray[np.fl
     the expanded formula; barring over- and underflow.
     """
 
-def quaternion_product_qconjqy(qi: ArrayLike, dci: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def quaternion_product_qconjqy(qi: ArrayLike, dci: ArrayLike, out: _Out = ...) -> _Array:
     """qo = qi* (s e_y; c), dci = (s, c), sine and cosine of half the angle.
 
     (4),(2)->(4).  qi, qo: quaternion (x, y, z, w), the scalar last; dci: (sin θ, cos θ).
@@ -1599,7 +1602,7 @@ def quaternion_product_qconjqy(qi: ArrayLike, dci: ArrayLike, out: NDArray[np.fl
     |terms| of the expanded formula; barring over- and underflow.
     """
 
-def quaternion_product_qconjqyconj(qi: ArrayLike, dci: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def quaternion_product_qconjqyconj(qi: ArrayLike, dci: ArrayLike, out: _Out = ...) -> _Array:
     """qo = qi* (s e_y; c)*, dci = (s, c), sine and cosine of half the angle.
 
     (4),(2)->(4).  qi, qo: quaternion (x, y, z, w), the scalar last; dci: (sin θ, cos θ).
@@ -1607,7 +1610,7 @@ def quaternion_product_qconjqyconj(qi: ArrayLike, dci: ArrayLike, out: NDArray[n
     |terms| of the expanded formula; barring over- and underflow.
     """
 
-def quaternion_product_qzq(dci: ArrayLike, qi: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def quaternion_product_qzq(dci: ArrayLike, qi: ArrayLike, out: _Out = ...) -> _Array:
     """qo = (s e_z; c) qi, dci = (s, c), sine and cosine of half the angle.
 
     (2),(4)->(4).  dci: (sin θ, cos θ); qi, qo: quaternion (x, y, z, w), the scalar last.
@@ -1615,7 +1618,7 @@ def quaternion_product_qzq(dci: ArrayLike, qi: ArrayLike, out: NDArray[np.floati
     the expanded formula; barring over- and underflow.
     """
 
-def quaternion_product_qzqconj(dci: ArrayLike, qi: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def quaternion_product_qzqconj(dci: ArrayLike, qi: ArrayLike, out: _Out = ...) -> _Array:
     """qo = (s e_z; c) qi*, dci = (s, c), sine and cosine of half the angle.
 
     (2),(4)->(4).  dci: (sin θ, cos θ); qi, qo: quaternion (x, y, z, w), the scalar last.
@@ -1623,7 +1626,7 @@ def quaternion_product_qzqconj(dci: ArrayLike, qi: ArrayLike, out: NDArray[np.fl
     |terms| of the expanded formula; barring over- and underflow.
     """
 
-def quaternion_product_qzconjq(dci: ArrayLike, qi: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def quaternion_product_qzconjq(dci: ArrayLike, qi: ArrayLike, out: _Out = ...) -> _Array:
     """qo = (s e_z; c)* qi, dci = (s, c), sine and cosine of half the angle.
 
     (2),(4)->(4).  dci: (sin θ, cos θ); qi, qo: quaternion (x, y, z, w), the scalar last.
@@ -1631,7 +1634,7 @@ def quaternion_product_qzconjq(dci: ArrayLike, qi: ArrayLike, out: NDArray[np.fl
     the expanded formula; barring over- and underflow.
     """
 
-def quaternion_product_qzconjqconj(dci: ArrayLike, qi: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def quaternion_product_qzconjqconj(dci: ArrayLike, qi: ArrayLike, out: _Out = ...) -> _Array:
     """qo = (s e_z; c)* qi*, dci = (s, c), sine and cosine of half the angle.
 
     (2),(4)->(4).  dci: (sin θ, cos θ); qi, qo: quaternion (x, y, z, w), the scalar last.
@@ -1639,7 +1642,7 @@ def quaternion_product_qzconjqconj(dci: ArrayLike, qi: ArrayLike, out: NDArray[n
     |terms| of the expanded formula; barring over- and underflow.
     """
 
-def quaternion_product_qqz(qi: ArrayLike, dci: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def quaternion_product_qqz(qi: ArrayLike, dci: ArrayLike, out: _Out = ...) -> _Array:
     """qo = qi (s e_z; c), dci = (s, c), sine and cosine of half the angle.
 
     (4),(2)->(4).  qi, qo: quaternion (x, y, z, w), the scalar last; dci: (sin θ, cos θ).
@@ -1647,7 +1650,7 @@ def quaternion_product_qqz(qi: ArrayLike, dci: ArrayLike, out: NDArray[np.floati
     the expanded formula; barring over- and underflow.
     """
 
-def quaternion_product_qqzconj(qi: ArrayLike, dci: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def quaternion_product_qqzconj(qi: ArrayLike, dci: ArrayLike, out: _Out = ...) -> _Array:
     """qo = qi (s e_z; c)*, dci = (s, c), sine and cosine of half the angle.
 
     (4),(2)->(4).  qi, qo: quaternion (x, y, z, w), the scalar last; dci: (sin θ, cos θ).
@@ -1655,7 +1658,7 @@ def quaternion_product_qqzconj(qi: ArrayLike, dci: ArrayLike, out: NDArray[np.fl
     the expanded formula; barring over- and underflow.
     """
 
-def quaternion_product_qconjqz(qi: ArrayLike, dci: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def quaternion_product_qconjqz(qi: ArrayLike, dci: ArrayLike, out: _Out = ...) -> _Array:
     """qo = qi* (s e_z; c), dci = (s, c), sine and cosine of half the angle.
 
     (4),(2)->(4).  qi, qo: quaternion (x, y, z, w), the scalar last; dci: (sin θ, cos θ).
@@ -1663,7 +1666,7 @@ def quaternion_product_qconjqz(qi: ArrayLike, dci: ArrayLike, out: NDArray[np.fl
     |terms| of the expanded formula; barring over- and underflow.
     """
 
-def quaternion_product_qconjqzconj(qi: ArrayLike, dci: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def quaternion_product_qconjqzconj(qi: ArrayLike, dci: ArrayLike, out: _Out = ...) -> _Array:
     """qo = qi* (s e_z; c)*, dci = (s, c), sine and cosine of half the angle.
 
     (4),(2)->(4).  qi, qo: quaternion (x, y, z, w), the scalar last; dci: (sin θ, cos θ).
@@ -1671,7 +1674,7 @@ def quaternion_product_qconjqzconj(qi: ArrayLike, dci: ArrayLike, out: NDArray[n
     |terms| of the expanded formula; barring over- and underflow.
     """
 
-def quaternion_product_qv(qi: ArrayLike, vi: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def quaternion_product_qv(qi: ArrayLike, vi: ArrayLike, out: _Out = ...) -> _Array:
     """qo = qi (vi; 0).
 
     (4),(3)->(4).  qi, qo: quaternion (x, y, z, w), the scalar last; vi: vector.
@@ -1679,7 +1682,7 @@ def quaternion_product_qv(qi: ArrayLike, vi: ArrayLike, out: NDArray[np.floating
     |terms| of the expanded formula; barring over- and underflow.
     """
 
-def quaternion_product_qconjv(qi: ArrayLike, vi: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def quaternion_product_qconjv(qi: ArrayLike, vi: ArrayLike, out: _Out = ...) -> _Array:
     """qo = qi* (vi; 0).
 
     (4),(3)->(4).  qi, qo: quaternion (x, y, z, w), the scalar last; vi: vector.
@@ -1687,7 +1690,7 @@ def quaternion_product_qconjv(qi: ArrayLike, vi: ArrayLike, out: NDArray[np.floa
     of the expanded formula; barring over- and underflow.
     """
 
-def quaternion_product_vq(vi: ArrayLike, qi: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def quaternion_product_vq(vi: ArrayLike, qi: ArrayLike, out: _Out = ...) -> _Array:
     """qo = (vi; 0) qi.
 
     (3),(4)->(4).  vi: vector; qi, qo: quaternion (x, y, z, w), the scalar last.
@@ -1695,7 +1698,7 @@ def quaternion_product_vq(vi: ArrayLike, qi: ArrayLike, out: NDArray[np.floating
     |terms| of the expanded formula; barring over- and underflow.
     """
 
-def quaternion_product_vqconj(vi: ArrayLike, qi: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def quaternion_product_vqconj(vi: ArrayLike, qi: ArrayLike, out: _Out = ...) -> _Array:
     """qo = (vi; 0) qi*.
 
     (3),(4)->(4).  vi: vector; qi, qo: quaternion (x, y, z, w), the scalar last.
@@ -1703,7 +1706,7 @@ def quaternion_product_vqconj(vi: ArrayLike, qi: ArrayLike, out: NDArray[np.floa
     of the expanded formula; barring over- and underflow.
     """
 
-def dot_qq(q1i: ArrayLike, q2i: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def dot_qq(q1i: ArrayLike, q2i: ArrayLike, out: _Out = ...) -> _Array:
     """q1i·q2i.
 
     (4),(4)->().  q1i, q2i: quaternion (x, y, z, w), the scalar last; dot: number.
@@ -1711,7 +1714,7 @@ def dot_qq(q1i: ArrayLike, q2i: ArrayLike, out: NDArray[np.floating] | None = ..
     the expanded formula; barring over- and underflow.
     """
 
-def add_dpiToq(dpi: ArrayLike, qi: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def add_dpiToq(dpi: ArrayLike, qi: ArrayLike, out: _Out = ...) -> _Array:
     """qi = qi + qi (dpi; 0) / 2: rotated by the small rotation vector dpi in the rotated frame, to
     first order; not normalized.
 
@@ -1720,7 +1723,7 @@ def add_dpiToq(dpi: ArrayLike, qi: ArrayLike, out: NDArray[np.floating] | None =
     of the expanded formula; barring over- and underflow.
     """
 
-def subtract_dpiFromq(dpi: ArrayLike, qi: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def subtract_dpiFromq(dpi: ArrayLike, qi: ArrayLike, out: _Out = ...) -> _Array:
     """qi = qi - qi (dpi; 0) / 2, the opposite of add_dpiToq to first order.
 
     (3),(4)->(4).  dpi: vector; qi: quaternion (x, y, z, w), the scalar last.
@@ -1728,7 +1731,7 @@ def subtract_dpiFromq(dpi: ArrayLike, qi: ArrayLike, out: NDArray[np.floating] |
     of the expanded formula; barring over- and underflow.
     """
 
-def omega_to_dquaternion(w: ArrayLike, qi: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def omega_to_dquaternion(w: ArrayLike, qi: ArrayLike, out: _Out = ...) -> _Array:
     """dqo = (w; 0) qi / 2 + (1 - qi·qi) qi: the rate of qi for the angular velocity w in the
     reference frame, rad/s, and a term that draws its norm to 1.
 
@@ -1737,7 +1740,7 @@ def omega_to_dquaternion(w: ArrayLike, qi: ArrayLike, out: NDArray[np.floating] 
     the |terms| of the expanded formula; barring over- and underflow.
     """
 
-def mat3x3_from_quaternion(q: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def mat3x3_from_quaternion(q: ArrayLike, out: _Out = ...) -> _Array:
     """R = I + 2 (w v~ + v~^2) / q·q, for any nonzero q whose square neither over- nor underflows.
 
     (4)->(3,3).  q: quaternion (x, y, z, w), the scalar last; R: rotation or other 3×3 matrix.
@@ -1748,7 +1751,7 @@ def mat3x3_from_quaternion(q: ArrayLike, out: NDArray[np.floating] | None = ...)
     below 1e5; searched, not proved.
     """
 
-def quaternion_from_mat3x3(R: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def quaternion_from_mat3x3(R: ArrayLike, out: _Out = ...) -> _Array:
     """qo with R(qo) = R and w >= 0; if R is not quite a rotation, its defect carries over to qo.
 
     (3,3)->(4).  R: rotation or other 3×3 matrix; qo: quaternion (x, y, z, w), the scalar last.
@@ -1759,7 +1762,7 @@ def quaternion_from_mat3x3(R: ArrayLike, out: NDArray[np.floating] | None = ...)
     proved.
     """
 
-def quaternion_from_axis_angle(axis: ArrayLike, angle: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def quaternion_from_axis_angle(axis: ArrayLike, angle: ArrayLike, out: _Out = ...) -> _Array:
     """qo = (axis sin angle/2; cos angle/2); axis of length 1: with another |qo| is not 1, and its
     rotation is by another angle.
 
@@ -1770,7 +1773,7 @@ def quaternion_from_axis_angle(axis: ArrayLike, angle: ArrayLike, out: NDArray[n
     except near ties, as long as that is below 1e5; searched, not proved.
     """
 
-def axis_angle_from_quaternion(q: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
+def axis_angle_from_quaternion(q: ArrayLike, out: tuple[_Out, _Out] | None = ...) -> tuple[_Array, _Array]:
     """angle = 2 atan2(|v|, |w|), axis = ±v / |v|; 0 <= angle <= π; the axis is (1, 0, 0) if the
     angle is 0; any multiple of a quaternion.
 
@@ -1782,7 +1785,7 @@ def axis_angle_from_quaternion(q: ArrayLike, out: tuple[NDArray[np.floating] | N
     is below 1e5; searched, not proved.
     """
 
-def quaternion_exp(v: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def quaternion_exp(v: ArrayLike, out: _Out = ...) -> _Array:
     """qo = exp (v/2; 0) = (v/θ sin θ/2; cos θ/2), θ = |v|: turns by the rotation vector v.
 
     (3)->(4).  v: vector; qo: quaternion (x, y, z, w), the scalar last.
@@ -1793,7 +1796,7 @@ def quaternion_exp(v: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDAr
     below 1e5; searched, not proved.
     """
 
-def quaternion_log(q: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def quaternion_log(q: ArrayLike, out: _Out = ...) -> _Array:
     """vo = θ v/|v|, θ = 2 atan2(|v|, |w|) <= π: the rotation vector of q, or of any multiple of
     it.
 
@@ -1805,7 +1808,7 @@ def quaternion_log(q: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDAr
     searched, not proved.
     """
 
-def quaternion_interpolated(q1: ArrayLike, q2: ArrayLike, k: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def quaternion_interpolated(q1: ArrayLike, q2: ArrayLike, k: ArrayLike, out: _Out = ...) -> _Array:
     """qo = q1 (q1* q2)^k along the shorter arc: q1 at k = 0, ±q2 at k = 1; |q1| = |q2| = 1.
 
     (4),(4),()->(4).  q1, q2, qo: quaternion (x, y, z, w), the scalar last; k: number.
@@ -1816,7 +1819,7 @@ def quaternion_interpolated(q1: ArrayLike, q2: ArrayLike, k: ArrayLike, out: NDA
     near ties, as long as that is below 1e5; searched, not proved.
     """
 
-def SO3_exp(v: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def SO3_exp(v: ArrayLike, out: _Out = ...) -> _Array:
     """R = exp v~ = I + sin θ/θ v~ + (1 - cos θ)/θ^2 v~^2, θ = |v|.
 
     (3)->(3,3).  v: vector; R: rotation or other 3×3 matrix.
@@ -1827,7 +1830,7 @@ def SO3_exp(v: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.
     below 1e5; searched, not proved.
     """
 
-def SO3_log(R: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def SO3_log(R: ArrayLike, out: _Out = ...) -> _Array:
     """vo with exp vo~ = R, |vo| <= π; if R is not quite a rotation, its defect carries over to vo.
 
     (3,3)->(3).  R: rotation or other 3×3 matrix; vo: vector.
@@ -1838,7 +1841,7 @@ def SO3_log(R: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.
     is below 1e5; searched, not proved.
     """
 
-def SO3_leftJacobian(v: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def SO3_leftJacobian(v: ArrayLike, out: _Out = ...) -> _Array:
     """R = J_l(v) = I + (1 - cos θ)/θ^2 v~ + (θ - sin θ)/θ^3 v~^2, θ = |v|.
 
     (3)->(3,3).  v: vector; R: rotation or other 3×3 matrix.
@@ -1849,7 +1852,7 @@ def SO3_leftJacobian(v: ArrayLike, out: NDArray[np.floating] | None = ...) -> ND
     below 1e5; searched, not proved.
     """
 
-def SO3_rightJacobian(v: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def SO3_rightJacobian(v: ArrayLike, out: _Out = ...) -> _Array:
     """R = J_r(v) = I - (1 - cos θ)/θ^2 v~ + (θ - sin θ)/θ^3 v~^2, θ = |v|.
 
     (3)->(3,3).  v: vector; R: rotation or other 3×3 matrix.
@@ -1860,7 +1863,7 @@ def SO3_rightJacobian(v: ArrayLike, out: NDArray[np.floating] | None = ...) -> N
     long as that is below 1e5; searched, not proved.
     """
 
-def SO3_leftJacobianInverse(v: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def SO3_leftJacobianInverse(v: ArrayLike, out: _Out = ...) -> _Array:
     """R = J_l(v)^-1 = I - v~/2 + (1 - θ/2 cot θ/2)/θ^2 v~^2, θ = |v|; singular at multiples of 2π
     except 0.
 
@@ -1872,7 +1875,7 @@ def SO3_leftJacobianInverse(v: ArrayLike, out: NDArray[np.floating] | None = ...
     searched, not proved.
     """
 
-def SO3_rightJacobianInverse(v: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def SO3_rightJacobianInverse(v: ArrayLike, out: _Out = ...) -> _Array:
     """R = J_r(v)^-1 = I + v~/2 + (1 - θ/2 cot θ/2)/θ^2 v~^2, θ = |v|; singular at multiples of 2π
     except 0.
 
@@ -1884,7 +1887,7 @@ def SO3_rightJacobianInverse(v: ArrayLike, out: NDArray[np.floating] | None = ..
     searched, not proved.
     """
 
-def mat3x3_from_axis_angle(axis: ArrayLike, angle: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def mat3x3_from_axis_angle(axis: ArrayLike, angle: ArrayLike, out: _Out = ...) -> _Array:
     """R = I + sin(angle) axis~ + (1 - cos(angle)) axis~^2, for an axis of length 1; otherwise R is
     not a rotation.
 
@@ -1896,7 +1899,7 @@ def mat3x3_from_axis_angle(axis: ArrayLike, angle: ArrayLike, out: NDArray[np.fl
     proved.
     """
 
-def axis_angle_from_mat3x3(R: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
+def axis_angle_from_mat3x3(R: ArrayLike, out: tuple[_Out, _Out] | None = ...) -> tuple[_Array, _Array]:
     """angle and axis of the rotation R; 0 <= angle <= π; the axis is (1, 0, 0) if the angle is 0.
 
     (3,3)->(),(3).  R: rotation or other 3×3 matrix; angle: number; axis: vector.
@@ -1907,7 +1910,7 @@ def axis_angle_from_mat3x3(R: ArrayLike, out: tuple[NDArray[np.floating] | None,
     as long as that is below 1e5; searched, not proved.
     """
 
-def mat3x3_orthonormalize(self: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def mat3x3_orthonormalize(self: ArrayLike, out: _Out = ...) -> _Array:
     """self = R + R (I - R^T R)/2, closer to a rotation: a defect d of R becomes 3/4 d^2.
 
     (3,3)->(3,3).  self: rotation or other 3×3 matrix.
@@ -1915,7 +1918,7 @@ def mat3x3_orthonormalize(self: ArrayLike, out: NDArray[np.floating] | None = ..
     |terms| of the expanded formula; barring over- and underflow.
     """
 
-def mat3x3_orthonormalized(R: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def mat3x3_orthonormalized(R: ArrayLike, out: _Out = ...) -> _Array:
     """Ro = R + R (I - R^T R)/2, closer to a rotation: a defect d of R becomes 3/4 d^2.
 
     (3,3)->(3,3).  R, Ro: rotation or other 3×3 matrix.
@@ -1923,7 +1926,7 @@ def mat3x3_orthonormalized(R: ArrayLike, out: NDArray[np.floating] | None = ...)
     |terms| of the expanded formula; barring over- and underflow.
     """
 
-def SE3_exp(s: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def SE3_exp(s: ArrayLike, out: _Out = ...) -> _Array:
     """D = exp s = [exp ω~ | J_l(ω) v].
 
     (6)->(3,4).  s: screw (v in m/s; ω in rad/s); D: displacement [R | t], R rotation, t in m.
@@ -1935,7 +1938,7 @@ def SE3_exp(s: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.
     sums may overflow where |v|, or |ω| |v|, is above 2e306, in single precision 5e36.
     """
 
-def SE3_log(D: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def SE3_log(D: ArrayLike, out: _Out = ...) -> _Array:
     """so with exp so = D, |ω| <= π: (J_l(ω)^-1 t; ω), ω = log R.
 
     (3,4)->(6).  D: displacement [R | t], R rotation, t in m; so: screw (v in m/s; ω in rad/s).
@@ -1947,7 +1950,7 @@ def SE3_log(D: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.
     overflow where |t| is above 2e306, in single precision 5e36.
     """
 
-def SE3_leftJacobian(s: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def SE3_leftJacobian(s: ArrayLike, out: _Out = ...) -> _Array:
     """M = J_l(s) = Σ ([ad](s))^k / (k+1)!.
 
     (6)->(6,6).  s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
@@ -1959,7 +1962,7 @@ def SE3_leftJacobian(s: ArrayLike, out: NDArray[np.floating] | None = ...) -> ND
     precision 5e36.
     """
 
-def SE3_rightJacobian(s: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def SE3_rightJacobian(s: ArrayLike, out: _Out = ...) -> _Array:
     """M = J_r(s) = Σ (-[ad](s))^k / (k+1)!.
 
     (6)->(6,6).  s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
@@ -1971,7 +1974,7 @@ def SE3_rightJacobian(s: ArrayLike, out: NDArray[np.floating] | None = ...) -> N
     precision 5e36.
     """
 
-def SE3_leftJacobianInverse(s: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def SE3_leftJacobianInverse(s: ArrayLike, out: _Out = ...) -> _Array:
     """M = J_l(s)^-1; singular where |ω| is a multiple of 2π except 0.
 
     (6)->(6,6).  s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
@@ -1983,7 +1986,7 @@ def SE3_leftJacobianInverse(s: ArrayLike, out: NDArray[np.floating] | None = ...
     precision 5e36.
     """
 
-def SE3_rightJacobianInverse(s: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def SE3_rightJacobianInverse(s: ArrayLike, out: _Out = ...) -> _Array:
     """M = J_r(s)^-1; singular where |ω| is a multiple of 2π except 0.
 
     (6)->(6,6).  s: screw (v in m/s; ω in rad/s); M: 6×6 operator.
@@ -1995,7 +1998,7 @@ def SE3_rightJacobianInverse(s: ArrayLike, out: NDArray[np.floating] | None = ..
     precision 5e36.
     """
 
-def SE3_interpolated(D1: ArrayLike, D2: ArrayLike, k: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def SE3_interpolated(D1: ArrayLike, D2: ArrayLike, k: ArrayLike, out: _Out = ...) -> _Array:
     """Do = D1 exp(k log(D1^-1 D2)), the screw motion from D1 at k = 0 to D2 at k = 1.
 
     (3,4),(3,4),()->(3,4).  D1, D2, Do: displacement [R | t], R rotation, t in m; k: number.
@@ -2008,7 +2011,7 @@ def SE3_interpolated(D1: ArrayLike, D2: ArrayLike, k: ArrayLike, out: NDArray[np
     above 2e306, in single precision 5e36.
     """
 
-def mat3x3_ldl(A: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
+def mat3x3_ldl(A: ArrayLike, out: tuple[_Out, _Out] | None = ...) -> tuple[_Array, _Array]:
     """L, D with L D L^T = A: unit lower triangular L, with D on its diagonal; only the lower
     triangle of A is read.  Returns the smallest pivot d_i / a_ii: if it is not positive, A is
     not positive definite, and L is meaningless.
@@ -2018,7 +2021,7 @@ def mat3x3_ldl(A: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.
     L^T - A|_ij <= 4 u sqrt(a_ii a_jj) where the pivot is positive, barring over- and underflow.
     """
 
-def mat3x3_ldl_solve(L: ArrayLike, b: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def mat3x3_ldl_solve(L: ArrayLike, b: ArrayLike, out: _Out = ...) -> _Array:
     """x = A^-1 b, L of mat3x3_ldl with a positive pivot.
 
     (3,3),(3)->(3).  L: rotation or other 3×3 matrix; b, x: vector.
@@ -2027,7 +2030,7 @@ def mat3x3_ldl_solve(L: ArrayLike, b: ArrayLike, out: NDArray[np.floating] | Non
     over- and underflow.
     """
 
-def mat3x3_solve(A: ArrayLike, b: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
+def mat3x3_solve(A: ArrayLike, b: ArrayLike, out: tuple[_Out, _Out] | None = ...) -> tuple[_Array, _Array]:
     """x = A^-1 b with one step of refinement; A is symmetric, only its lower triangle is read.
     Returns the smallest pivot d_i / a_ii: it is not positive, and x is NaN, if A is singular to
     rounding or indefinite (A - 50 u diag A is not positive definite).
@@ -2038,7 +2041,7 @@ def mat3x3_solve(A: ArrayLike, b: ArrayLike, out: tuple[NDArray[np.floating] | N
     barring over- and underflow.
     """
 
-def mat6x6_ldl(A: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
+def mat6x6_ldl(A: ArrayLike, out: tuple[_Out, _Out] | None = ...) -> tuple[_Array, _Array]:
     """L, D with L D L^T = A: unit lower triangular L, with D on its diagonal; only the lower
     triangle of A is read.  Returns the smallest pivot d_i / a_ii: if it is not positive, A is
     not positive definite, and L is meaningless.
@@ -2049,7 +2052,7 @@ def mat6x6_ldl(A: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.
     underflow.
     """
 
-def mat6x6_ldl_solve(L: ArrayLike, b: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def mat6x6_ldl_solve(L: ArrayLike, b: ArrayLike, out: _Out = ...) -> _Array:
     """x = A^-1 b, L of mat6x6_ldl with a positive pivot.
 
     (6,6),(6)->(6).  L: 6×6 operator; b: coscrew (f in N; τ in N m); x: screw (v in m/s; ω in
@@ -2059,7 +2062,7 @@ def mat6x6_ldl_solve(L: ArrayLike, b: ArrayLike, out: NDArray[np.floating] | Non
     barring over- and underflow.
     """
 
-def mat6x6_solve(A: ArrayLike, b: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
+def mat6x6_solve(A: ArrayLike, b: ArrayLike, out: tuple[_Out, _Out] | None = ...) -> tuple[_Array, _Array]:
     """x = A^-1 b with one step of refinement; A is symmetric, only its lower triangle is read.
     Returns the smallest pivot d_i / a_ii: it is not positive, and x is NaN, if A is singular to
     rounding or indefinite (A - 50 u diag A is not positive definite).
@@ -2071,7 +2074,7 @@ def mat6x6_solve(A: ArrayLike, b: ArrayLike, out: tuple[NDArray[np.floating] | N
     barring over- and underflow.
     """
 
-def inertia(m: ArrayLike, t: ArrayLike, Ixx: ArrayLike, Iyy: ArrayLike, Izz: ArrayLike, Ixy: ArrayLike, Iyz: ArrayLike, Izx: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def inertia(m: ArrayLike, t: ArrayLike, Ixx: ArrayLike, Iyy: ArrayLike, Izz: ArrayLike, Ixy: ArrayLike, Iyz: ArrayLike, Izx: ArrayLike, out: _Out = ...) -> _Array:
     """J = (m; m t; Ixx, Iyy, Izz, Ixy, Iyz, Izx): mass, centre of mass t in m, entries of the
     moments' matrix about it in kg m^2, Ixy = -∫ x y dm.
 
@@ -2081,7 +2084,7 @@ def inertia(m: ArrayLike, t: ArrayLike, Ixx: ArrayLike, Iyy: ArrayLike, Izz: Arr
     3 mul, 3 add, 3 product error.  Error <= u |result|, barring over- and underflow.
     """
 
-def inertia_rotated(Ji: ArrayLike, R: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def inertia_rotated(Ji: ArrayLike, R: ArrayLike, out: _Out = ...) -> _Array:
     """Jo = Ji rotated by R: m, R mt, R I R^T.
 
     (10),(3,3)->(10).  Ji, Jo: inertia (m in kg; mt = m c in kg m; I about the centre of mass c,
@@ -2090,7 +2093,7 @@ def inertia_rotated(Ji: ArrayLike, R: ArrayLike, out: NDArray[np.floating] | Non
     sum of the |terms| of the expanded formula; barring over- and underflow.
     """
 
-def inertia_rotate(self: ArrayLike, R: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def inertia_rotate(self: ArrayLike, R: ArrayLike, out: _Out = ...) -> _Array:
     """self = self rotated by R: m, R mt, R I R^T.
 
     (10),(3,3)->(10).  self: inertia (m in kg; mt = m c in kg m; I about the centre of mass c,
@@ -2099,7 +2102,7 @@ def inertia_rotate(self: ArrayLike, R: ArrayLike, out: NDArray[np.floating] | No
     sum of the |terms| of the expanded formula; barring over- and underflow.
     """
 
-def inertia_translated(Ji: ArrayLike, t: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def inertia_translated(Ji: ArrayLike, t: ArrayLike, out: _Out = ...) -> _Array:
     """Jo = Ji translated by t: m, mt + m t, I.
 
     (10),(3)->(10).  Ji, Jo: inertia (m in kg; mt = m c in kg m; I about the centre of mass c,
@@ -2108,7 +2111,7 @@ def inertia_translated(Ji: ArrayLike, t: ArrayLike, out: NDArray[np.floating] | 
     of the |terms| of the expanded formula; barring over- and underflow.
     """
 
-def inertia_translate(self: ArrayLike, t: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def inertia_translate(self: ArrayLike, t: ArrayLike, out: _Out = ...) -> _Array:
     """self = self translated by t: m, mt + m t, I.
 
     (10),(3)->(10).  self: inertia (m in kg; mt = m c in kg m; I about the centre of mass c, xx,
@@ -2117,7 +2120,7 @@ def inertia_translate(self: ArrayLike, t: ArrayLike, out: NDArray[np.floating] |
     of the |terms| of the expanded formula; barring over- and underflow.
     """
 
-def inertia_transformed(Ji: ArrayLike, D: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def inertia_transformed(Ji: ArrayLike, D: ArrayLike, out: _Out = ...) -> _Array:
     """Jo = Ji displaced by D = [R | t]: m, R mt + m t, R I R^T.
 
     (10),(3,4)->(10).  Ji, Jo: inertia (m in kg; mt = m c in kg m; I about the centre of mass c,
@@ -2126,7 +2129,7 @@ def inertia_transformed(Ji: ArrayLike, D: ArrayLike, out: NDArray[np.floating] |
     sum of the |terms| of the expanded formula; barring over- and underflow.
     """
 
-def inertia_transform(self: ArrayLike, D: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def inertia_transform(self: ArrayLike, D: ArrayLike, out: _Out = ...) -> _Array:
     """self = self displaced by D = [R | t]: m, R mt + m t, R I R^T.
 
     (10),(3,4)->(10).  self: inertia (m in kg; mt = m c in kg m; I about the centre of mass c,
@@ -2135,7 +2138,7 @@ def inertia_transform(self: ArrayLike, D: ArrayLike, out: NDArray[np.floating] |
     sum of the |terms| of the expanded formula; barring over- and underflow.
     """
 
-def inertia_merge(Ji: ArrayLike, t_ic: ArrayLike, Jj: ArrayLike, t_jc: ArrayLike, D_ij: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def inertia_merge(Ji: ArrayLike, t_ic: ArrayLike, Jj: ArrayLike, t_jc: ArrayLike, D_ij: ArrayLike, out: _Out = ...) -> _Array:
     """Ji = the inertia of two joined bodies: Ji, and Jj displaced by D_ij = [R | t]: m_i + m_j,
     mt_i + m_j c, I_i + R I_j R^T + m_i m_j/(m_i + m_j) (d·d 1 - d d^T) with c = R t_jc + t, d =
     c - t_ic; t_ic = mt_i / m_i and t_jc = mt_j / m_j are the centres of mass, each in its own
@@ -2149,7 +2152,7 @@ def inertia_merge(Ji: ArrayLike, t_ic: ArrayLike, Jj: ArrayLike, t_jc: ArrayLike
     barring over- and underflow.
     """
 
-def spatial_inertia_scale(self: ArrayLike, a: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def spatial_inertia_scale(self: ArrayLike, a: ArrayLike, out: _Out = ...) -> _Array:
     """self = a self.
 
     (10),()->(10).  self: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy,
@@ -2157,7 +2160,7 @@ def spatial_inertia_scale(self: ArrayLike, a: ArrayLike, out: NDArray[np.floatin
     10 mul, 10 add, 10 product error.  Error <= u |result|, barring over- and underflow.
     """
 
-def add_BB(B1: ArrayLike, B2: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def add_BB(B1: ArrayLike, B2: ArrayLike, out: _Out = ...) -> _Array:
     """Bo = B1 + B2.
 
     (10),(10)->(10).  B1, B2, Bo: spatial inertia (m in kg; h = m c in kg m; I about the origin,
@@ -2165,7 +2168,7 @@ def add_BB(B1: ArrayLike, B2: ArrayLike, out: NDArray[np.floating] | None = ...)
     70 add.  Error <= u |result|, barring over- and underflow.
     """
 
-def subtract_BB(B1: ArrayLike, B2: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def subtract_BB(B1: ArrayLike, B2: ArrayLike, out: _Out = ...) -> _Array:
     """Bo = B1 - B2.
 
     (10),(10)->(10).  B1, B2, Bo: spatial inertia (m in kg; h = m c in kg m; I about the origin,
@@ -2173,7 +2176,7 @@ def subtract_BB(B1: ArrayLike, B2: ArrayLike, out: NDArray[np.floating] | None =
     70 add.  Error <= u |result|, barring over- and underflow.
     """
 
-def spatial_inertia_from_com(m: ArrayLike, com: ArrayLike, Ic: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def spatial_inertia_from_com(m: ArrayLike, com: ArrayLike, Ic: ArrayLike, out: _Out = ...) -> _Array:
     """Bo: mass m, centre of mass com, second moments Ic about it (kg m^2; only the upper triangle
     is read): h = m com, I = Ic - m com~ com~.
 
@@ -2183,7 +2186,7 @@ def spatial_inertia_from_com(m: ArrayLike, com: ArrayLike, Ic: ArrayLike, out: N
     u^2 S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
     """
 
-def spatial_inertia_from_inertia(J: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def spatial_inertia_from_inertia(J: ArrayLike, out: _Out = ...) -> _Array:
     """Bo = (m, mt, I - mt~ mt~ / m) from the inertia J, whose moments are about the centre of
     mass; NaN where m = 0.
 
@@ -2194,7 +2197,7 @@ def spatial_inertia_from_inertia(J: ArrayLike, out: NDArray[np.floating] | None 
     moment <= 4 u times the sum of its |terms|, barring over- and underflow.
     """
 
-def inertia_from_spatial_inertia(B: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def inertia_from_spatial_inertia(B: ArrayLike, out: _Out = ...) -> _Array:
     """Jo = (m, h, I + h~ h~ / m) from the spatial inertia B, with moments about the centre of
     mass; NaN where m = 0.
 
@@ -2205,7 +2208,7 @@ def inertia_from_spatial_inertia(B: ArrayLike, out: NDArray[np.floating] | None 
     moment <= 4 u times the sum of its |terms|, barring over- and underflow.
     """
 
-def spatial_inertia_com(B: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def spatial_inertia_com(B: ArrayLike, out: _Out = ...) -> _Array:
     """vo = h / m, the centre of mass in m.
 
     (10)->(3).  B: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz,
@@ -2214,7 +2217,7 @@ def spatial_inertia_com(B: ArrayLike, out: NDArray[np.floating] | None = ...) ->
     and underflow.
     """
 
-def spatial_inertia_about_com(B: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def spatial_inertia_about_com(B: ArrayLike, out: _Out = ...) -> _Array:
     """Ro = I + h~ h~ / m, the second moments about the centre of mass.
 
     (10)->(3,3).  B: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz,
@@ -2222,7 +2225,7 @@ def spatial_inertia_about_com(B: ArrayLike, out: NDArray[np.floating] | None = .
     15 mul, 69 add, 3 product error, 9 product rest, 6 div, 6 equal, 6 select.
     """
 
-def product_Bs(B: ArrayLike, s: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def product_Bs(B: ArrayLike, s: ArrayLike, out: _Out = ...) -> _Array:
     """co = B s = (m v - h × ω; h × v + I ω), the momentum of a body that moves with s.
 
     (10),(6)->(6).  B: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy,
@@ -2231,7 +2234,7 @@ def product_Bs(B: ArrayLike, s: ArrayLike, out: NDArray[np.floating] | None = ..
     of the |terms| of the expanded formula; barring over- and underflow.
     """
 
-def spatial_inertia_energy(B: ArrayLike, s: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def spatial_inertia_energy(B: ArrayLike, s: ArrayLike, out: _Out = ...) -> _Array:
     """s·B s / 2, the kinetic energy in J of a body that moves with s.
 
     (10),(6)->().  B: spatial inertia (m in kg; h = m c in kg m; I about the origin, xx, yy, zz,
@@ -2240,7 +2243,7 @@ def spatial_inertia_energy(B: ArrayLike, s: ArrayLike, out: NDArray[np.floating]
     of the expanded formula; barring over- and underflow.
     """
 
-def spatial_inertia_net_wrench(B: ArrayLike, w: ArrayLike, ds: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def spatial_inertia_net_wrench(B: ArrayLike, w: ArrayLike, ds: ArrayLike, out: _Out = ...) -> _Array:
     """co = B ds + (w × (w × h); w × I w): the net wrench, about the origin, of a body with angular
     velocity w and acceleration ds = (a; w'), where a is that of the point now at the origin; if
     a is less gravity's, so is the wrench.
@@ -2253,7 +2256,7 @@ def spatial_inertia_net_wrench(B: ArrayLike, w: ArrayLike, ds: ArrayLike, out: N
     underflow.
     """
 
-def spatial_inertia_shifted(t: ArrayLike, B: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def spatial_inertia_shifted(t: ArrayLike, B: ArrayLike, out: _Out = ...) -> _Array:
     """Bo = B moved by t: m, h + m t, I - t~ (h + m t)~ - h~ t~.
 
     (3),(10)->(10).  t: vector; B, Bo: spatial inertia (m in kg; h = m c in kg m; I about the
@@ -2262,7 +2265,7 @@ def spatial_inertia_shifted(t: ArrayLike, B: ArrayLike, out: NDArray[np.floating
     u^2 S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
     """
 
-def spatial_inertia_transformed(D: ArrayLike, B: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def spatial_inertia_transformed(D: ArrayLike, B: ArrayLike, out: _Out = ...) -> _Array:
     """Bo = [Ad]*(D) B [Ad]^-1(D): B, given in the frame at D, in the reference frame.
 
     (3,4),(10)->(10).  D: displacement [R | t], R rotation, t in m; B, Bo: spatial inertia (m in
@@ -2271,7 +2274,7 @@ def spatial_inertia_transformed(D: ArrayLike, B: ArrayLike, out: NDArray[np.floa
     35) u^2 S, S the sum of the |terms| of the expanded formula; barring over- and underflow.
     """
 
-def spatial_inertia_consistency(B: ArrayLike, out: NDArray[np.floating] | None = ...) -> NDArray[np.floating]:
+def spatial_inertia_consistency(B: ArrayLike, out: _Out = ...) -> _Array:
     """the smallest pivot of [[m, h^T], [h, tr(I)/2 1 - I]], each divided by its diagonal entry:
     positive exactly if a body of positive density has this inertia.
 

@@ -4,11 +4,14 @@
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+_Array = NDArray[np.floating]
+_Out = _Array | None
+
 from coscrew.certified import double as double, single as single
 
 COMPILED: bool
 
-def sincos(x: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None, NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating], NDArray[np.floating], NDArray[np.floating]]:
+def sincos(x: ArrayLike, out: tuple[_Out, _Out, _Out, _Out] | None = ...) -> tuple[_Array, _Array, _Array, _Array]:
     """s = sin x, c = cos x, x in rad; |error of s| <= s_bound, |error of c| <= c_bound unless inf
     or NaN.
 
@@ -16,28 +19,28 @@ def sincos(x: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floa
     83 mul, 129 add, 11 product error, 1 div, 5 abs, 1 less, 1 select.
     """
 
-def sin(x: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
+def sin(x: ArrayLike, out: tuple[_Out, _Out] | None = ...) -> tuple[_Array, _Array]:
     """s = sin x, x in rad; |error of s| <= s_bound unless inf or NaN.
 
     ()->(),().  x, s, s_bound: number.
     83 mul, 128 add, 11 product error, 1 div, 4 abs, 1 less, 1 select.
     """
 
-def cos(x: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
+def cos(x: ArrayLike, out: tuple[_Out, _Out] | None = ...) -> tuple[_Array, _Array]:
     """c = cos x, x in rad; |error of c| <= c_bound unless inf or NaN.
 
     ()->(),().  x, c, c_bound: number.
     83 mul, 128 add, 11 product error, 1 div, 4 abs, 1 less, 1 select.
     """
 
-def exp(x: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
+def exp(x: ArrayLike, out: tuple[_Out, _Out] | None = ...) -> tuple[_Array, _Array]:
     """y = e^x; |error of y| <= y_bound unless inf or NaN.
 
     ()->(),().  x, y, y_bound: number.
     82 mul, 149 add, 14 product error, 5 power of two, 2 abs, 7 less, 1 equal, 9 select.
     """
 
-def tanh(x: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
+def tanh(x: ArrayLike, out: tuple[_Out, _Out] | None = ...) -> tuple[_Array, _Array]:
     """y = tanh x; |error of y| <= y_bound unless inf or NaN.
 
     ()->(),().  x, y, y_bound: number.
@@ -45,7 +48,7 @@ def tanh(x: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floati
     select.
     """
 
-def atan2(y: ArrayLike, x: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
+def atan2(y: ArrayLike, x: ArrayLike, out: tuple[_Out, _Out] | None = ...) -> tuple[_Array, _Array]:
     """angle of the vector (x, y) to the x axis, in rad, from -π to π; |error of angle| <=
     angle_bound unless inf or NaN.
 
@@ -54,63 +57,63 @@ def atan2(y: ArrayLike, x: ArrayLike, out: tuple[NDArray[np.floating] | None, ND
     select.
     """
 
-def vec3_scale(self: ArrayLike, a: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
+def vec3_scale(self: ArrayLike, a: ArrayLike, out: tuple[_Out, _Out] | None = ...) -> tuple[_Array, _Array]:
     """self = a self; |error of self| <= self_bound unless inf or NaN.
 
     (3),()->(3),(3).  self, self_bound: vector; a: number.
     6 mul, 3 add, 3 abs.
     """
 
-def axpy_vv(a: ArrayLike, x: ArrayLike, y: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
+def axpy_vv(a: ArrayLike, x: ArrayLike, y: ArrayLike, out: tuple[_Out, _Out] | None = ...) -> tuple[_Array, _Array]:
     """y = a x + y; |error of y| <= y_bound unless inf or NaN.
 
     (),(3),(3)->(3),(3).  a: number; x, y, y_bound: vector.
     6 mul, 9 add, 6 abs.
     """
 
-def xpy_vv(x: ArrayLike, y: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
+def xpy_vv(x: ArrayLike, y: ArrayLike, out: tuple[_Out, _Out] | None = ...) -> tuple[_Array, _Array]:
     """y = x + y; |error of y| <= y_bound unless inf or NaN.
 
     (3),(3)->(3),(3).  x, y, y_bound: vector.
     3 mul, 3 add, 3 abs.
     """
 
-def nxpy_vv(x: ArrayLike, y: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
+def nxpy_vv(x: ArrayLike, y: ArrayLike, out: tuple[_Out, _Out] | None = ...) -> tuple[_Array, _Array]:
     """y = -x + y; |error of y| <= y_bound unless inf or NaN.
 
     (3),(3)->(3),(3).  x, y, y_bound: vector.
     3 mul, 3 add, 3 abs.
     """
 
-def product_av(a: ArrayLike, vi: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
+def product_av(a: ArrayLike, vi: ArrayLike, out: tuple[_Out, _Out] | None = ...) -> tuple[_Array, _Array]:
     """vo = a vi; |error of vo| <= vo_bound unless inf or NaN.
 
     (),(3)->(3),(3).  a: number; vi, vo, vo_bound: vector.
     6 mul, 3 add, 3 abs.
     """
 
-def add_vv(v1: ArrayLike, v2: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
+def add_vv(v1: ArrayLike, v2: ArrayLike, out: tuple[_Out, _Out] | None = ...) -> tuple[_Array, _Array]:
     """vo = v1 + v2; |error of vo| <= vo_bound unless inf or NaN.
 
     (3),(3)->(3),(3).  v1, v2, vo, vo_bound: vector.
     3 mul, 3 add, 3 abs.
     """
 
-def subtract_vv(v1: ArrayLike, v2: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
+def subtract_vv(v1: ArrayLike, v2: ArrayLike, out: tuple[_Out, _Out] | None = ...) -> tuple[_Array, _Array]:
     """vo = v1 - v2; |error of vo| <= vo_bound unless inf or NaN.
 
     (3),(3)->(3),(3).  v1, v2, vo, vo_bound: vector.
     3 mul, 3 add, 3 abs.
     """
 
-def vec3_scaled(v: ArrayLike, k: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
+def vec3_scaled(v: ArrayLike, k: ArrayLike, out: tuple[_Out, _Out] | None = ...) -> tuple[_Array, _Array]:
     """vo = k v; |error of vo| <= vo_bound unless inf or NaN.
 
     (3),()->(3),(3).  v, vo, vo_bound: vector; k: number.
     6 mul, 3 add, 3 abs.
     """
 
-def angle_vv(v1: ArrayLike, v2: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
+def angle_vv(v1: ArrayLike, v2: ArrayLike, out: tuple[_Out, _Out] | None = ...) -> tuple[_Array, _Array]:
     """angle = atan2(|v1 × v2|, v1·v2), in [0, π]; |error of angle| <= angle_bound unless inf or
     NaN.
 
@@ -119,21 +122,21 @@ def angle_vv(v1: ArrayLike, v2: ArrayLike, out: tuple[NDArray[np.floating] | Non
     copysign, 37 less, 5 equal, 56 select.
     """
 
-def dot_vv(v1: ArrayLike, v2: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
+def dot_vv(v1: ArrayLike, v2: ArrayLike, out: tuple[_Out, _Out] | None = ...) -> tuple[_Array, _Array]:
     """v1·v2; |error of dot| <= dot_bound unless inf or NaN.
 
     (3),(3)->(),().  v1, v2: vector; dot, dot_bound: number.
     4 mul, 5 add, 3 abs.
     """
 
-def product_avinv(k: ArrayLike, v: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
+def product_avinv(k: ArrayLike, v: ArrayLike, out: tuple[_Out, _Out] | None = ...) -> tuple[_Array, _Array]:
     """vo = k (-v); |error of vo| <= vo_bound unless inf or NaN.
 
     (),(3)->(3),(3).  k: number; v, vo, vo_bound: vector.
     6 mul, 3 add, 3 neg, 3 abs.
     """
 
-def cross_vv(v1: ArrayLike, v2: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
+def cross_vv(v1: ArrayLike, v2: ArrayLike, out: tuple[_Out, _Out] | None = ...) -> tuple[_Array, _Array]:
     """vo = v1 × v2; |error of vo| <= vo_bound unless inf or NaN.  Exactly zero for v1 = v2, unless
     products overflow.
 
@@ -141,56 +144,56 @@ def cross_vv(v1: ArrayLike, v2: ArrayLike, out: tuple[NDArray[np.floating] | Non
     9 mul, 9 add, 6 abs.
     """
 
-def cross_vvinv(v1: ArrayLike, v2: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
+def cross_vvinv(v1: ArrayLike, v2: ArrayLike, out: tuple[_Out, _Out] | None = ...) -> tuple[_Array, _Array]:
     """vo = v1 × (-v2); |error of vo| <= vo_bound unless inf or NaN.
 
     (3),(3)->(3),(3).  v1, v2, vo, vo_bound: vector.
     9 mul, 9 add, 6 abs.
     """
 
-def add_vvx(v: ArrayLike, k: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
+def add_vvx(v: ArrayLike, k: ArrayLike, out: tuple[_Out, _Out] | None = ...) -> tuple[_Array, _Array]:
     """vo = v + k e_x; |error of vo| <= vo_bound unless inf or NaN.
 
     (3),()->(3),(3).  v, vo, vo_bound: vector; k: number.
     1 mul, 1 add, 1 abs.
     """
 
-def add_vvxinv(v: ArrayLike, k: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
+def add_vvxinv(v: ArrayLike, k: ArrayLike, out: tuple[_Out, _Out] | None = ...) -> tuple[_Array, _Array]:
     """vo = v - k e_x; |error of vo| <= vo_bound unless inf or NaN.
 
     (3),()->(3),(3).  v, vo, vo_bound: vector; k: number.
     1 mul, 1 add, 1 abs.
     """
 
-def add_vvy(v: ArrayLike, k: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
+def add_vvy(v: ArrayLike, k: ArrayLike, out: tuple[_Out, _Out] | None = ...) -> tuple[_Array, _Array]:
     """vo = v + k e_y; |error of vo| <= vo_bound unless inf or NaN.
 
     (3),()->(3),(3).  v, vo, vo_bound: vector; k: number.
     1 mul, 1 add, 1 abs.
     """
 
-def add_vvyinv(v: ArrayLike, k: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
+def add_vvyinv(v: ArrayLike, k: ArrayLike, out: tuple[_Out, _Out] | None = ...) -> tuple[_Array, _Array]:
     """vo = v - k e_y; |error of vo| <= vo_bound unless inf or NaN.
 
     (3),()->(3),(3).  v, vo, vo_bound: vector; k: number.
     1 mul, 1 add, 1 abs.
     """
 
-def add_vvz(v: ArrayLike, k: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
+def add_vvz(v: ArrayLike, k: ArrayLike, out: tuple[_Out, _Out] | None = ...) -> tuple[_Array, _Array]:
     """vo = v + k e_z; |error of vo| <= vo_bound unless inf or NaN.
 
     (3),()->(3),(3).  v, vo, vo_bound: vector; k: number.
     1 mul, 1 add, 1 abs.
     """
 
-def add_vvzinv(v: ArrayLike, k: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
+def add_vvzinv(v: ArrayLike, k: ArrayLike, out: tuple[_Out, _Out] | None = ...) -> tuple[_Array, _Array]:
     """vo = v - k e_z; |error of vo| <= vo_bound unless inf or NaN.
 
     (3),()->(3),(3).  v, vo, vo_bound: vector; k: number.
     1 mul, 1 add, 1 abs.
     """
 
-def vec4_scale(self: ArrayLike, a: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
+def vec4_scale(self: ArrayLike, a: ArrayLike, out: tuple[_Out, _Out] | None = ...) -> tuple[_Array, _Array]:
     """self = a self; |error of self| <= self_bound unless inf or NaN.
 
     (4),()->(4),(4).  self, self_bound: vector (x, y, z) and a homogeneous coordinate w; a:
@@ -198,7 +201,7 @@ def vec4_scale(self: ArrayLike, a: ArrayLike, out: tuple[NDArray[np.floating] | 
     8 mul, 4 add, 4 abs.
     """
 
-def vec4_scaled(v: ArrayLike, k: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
+def vec4_scaled(v: ArrayLike, k: ArrayLike, out: tuple[_Out, _Out] | None = ...) -> tuple[_Array, _Array]:
     """vo = k v; |error of vo| <= vo_bound unless inf or NaN.
 
     (4),()->(4),(4).  v, vo, vo_bound: vector (x, y, z) and a homogeneous coordinate w; k:
@@ -206,7 +209,7 @@ def vec4_scaled(v: ArrayLike, k: ArrayLike, out: tuple[NDArray[np.floating] | No
     8 mul, 4 add, 4 abs.
     """
 
-def acceleration_tensor(w: ArrayLike, dw: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
+def acceleration_tensor(w: ArrayLike, dw: ArrayLike, out: tuple[_Out, _Out] | None = ...) -> tuple[_Array, _Array]:
     """Ro = w'~ + w~ w~ of a body with angular velocity w and angular acceleration w' = dw: the
     acceleration of its point x, less that of its origin, is Ro x; |error of Ro| <= Ro_bound
     unless inf or NaN.
@@ -215,14 +218,14 @@ def acceleration_tensor(w: ArrayLike, dw: ArrayLike, out: tuple[NDArray[np.float
     15 mul, 27 add, 3 neg, 9 abs.
     """
 
-def mat3x3_determinant(R: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
+def mat3x3_determinant(R: ArrayLike, out: tuple[_Out, _Out] | None = ...) -> tuple[_Array, _Array]:
     """det R; |error of det| <= det_bound unless inf or NaN.
 
     (3,3)->(),().  R: rotation or other 3×3 matrix; det, det_bound: number.
     13 mul, 14 add, 9 abs.
     """
 
-def mat3x3_setFromAxisDC(axis: ArrayLike, dc: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
+def mat3x3_setFromAxisDC(axis: ArrayLike, dc: ArrayLike, out: tuple[_Out, _Out] | None = ...) -> tuple[_Array, _Array]:
     """R = cos θ I + sin θ a~ + (1 - cos θ) a a^T, a = axis of length 1 (else R is not a rotation),
     dc = (sin θ, cos θ); |error of R| <= R_bound unless inf or NaN.
 
@@ -231,14 +234,14 @@ def mat3x3_setFromAxisDC(axis: ArrayLike, dc: ArrayLike, out: tuple[NDArray[np.f
     30 mul, 31 add, 8 abs.
     """
 
-def mat3x3_from_euler_xyz(angles: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
+def mat3x3_from_euler_xyz(angles: ArrayLike, out: tuple[_Out, _Out] | None = ...) -> tuple[_Array, _Array]:
     """R = R_x(a) R_y(b) R_z(c), angles = (a, b, c); |error of R| <= R_bound unless inf or NaN.
 
     (3)->(3,3),(3,3).  angles: vector; R, R_bound: rotation or other 3×3 matrix.
     291 mul, 434 add, 39 product error, 8 product rest, 3 div, 9 neg, 18 abs, 3 less, 3 select.
     """
 
-def euler_xyz_from_mat3x3(R: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
+def euler_xyz_from_mat3x3(R: ArrayLike, out: tuple[_Out, _Out] | None = ...) -> tuple[_Array, _Array]:
     """angles of the rotation R = R_x(a) R_y(b) R_z(c), angles = (a, b, c); a, c in [-π, π], b in
     [-π/2, π/2]; c = 0 in gimbal lock; |error of angles| <= angles_bound unless inf or NaN.
 
@@ -247,14 +250,14 @@ def euler_xyz_from_mat3x3(R: ArrayLike, out: tuple[NDArray[np.floating] | None, 
     copysign, 59 less, 14 equal, 108 select.
     """
 
-def mat3x3_from_euler_xyx(angles: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
+def mat3x3_from_euler_xyx(angles: ArrayLike, out: tuple[_Out, _Out] | None = ...) -> tuple[_Array, _Array]:
     """R = R_x(a) R_y(b) R_x(c), angles = (a, b, c); |error of R| <= R_bound unless inf or NaN.
 
     (3)->(3,3),(3,3).  angles: vector; R, R_bound: rotation or other 3×3 matrix.
     291 mul, 434 add, 39 product error, 8 product rest, 3 div, 5 neg, 18 abs, 3 less, 3 select.
     """
 
-def euler_xyx_from_mat3x3(R: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
+def euler_xyx_from_mat3x3(R: ArrayLike, out: tuple[_Out, _Out] | None = ...) -> tuple[_Array, _Array]:
     """angles of the rotation R = R_x(a) R_y(b) R_x(c), angles = (a, b, c); a, c in [-π, π], b in
     [0, π]; c = 0 in gimbal lock; |error of angles| <= angles_bound unless inf or NaN.
 
@@ -263,21 +266,21 @@ def euler_xyx_from_mat3x3(R: ArrayLike, out: tuple[NDArray[np.floating] | None, 
     copysign, 61 less, 14 equal, 110 select.
     """
 
-def SE3_invert(self: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
+def SE3_invert(self: ArrayLike, out: tuple[_Out, _Out] | None = ...) -> tuple[_Array, _Array]:
     """self = self^-1 = [R^T | -R^T t]; |error of self| <= self_bound unless inf or NaN.
 
     (3,4)->(3,4),(3,4).  self, self_bound: displacement [R | t], R rotation, t in m.
     12 mul, 15 add, 3 neg, 9 abs.
     """
 
-def SE3_inverted(D: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
+def SE3_inverted(D: ArrayLike, out: tuple[_Out, _Out] | None = ...) -> tuple[_Array, _Array]:
     """Do = D^-1 = [R^T | -R^T t]; |error of Do| <= Do_bound unless inf or NaN.
 
     (3,4)->(3,4),(3,4).  D, Do, Do_bound: displacement [R | t], R rotation, t in m.
     12 mul, 15 add, 3 neg, 9 abs.
     """
 
-def mat6x6_rotated(R: ArrayLike, M: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
+def mat6x6_rotated(R: ArrayLike, M: ArrayLike, out: tuple[_Out, _Out] | None = ...) -> tuple[_Array, _Array]:
     """Mo = [Ad]*(R) M [Ad]^-1(R), the articulated inertia M rotated by R; M is symmetric, only its
     lower triangle is read; |error of Mo| <= Mo_bound unless inf or NaN.
 
@@ -285,7 +288,7 @@ def mat6x6_rotated(R: ArrayLike, M: ArrayLike, out: tuple[NDArray[np.floating] |
     228 mul, 240 add, 90 abs.
     """
 
-def mat6x6_shifted(t: ArrayLike, M: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
+def mat6x6_shifted(t: ArrayLike, M: ArrayLike, out: tuple[_Out, _Out] | None = ...) -> tuple[_Array, _Array]:
     """Mo = [Ad]*(t) M [Ad]^-1(t), the articulated inertia M shifted by t; M is symmetric, only its
     lower triangle is read; |error of Mo| <= Mo_bound unless inf or NaN.
 
@@ -293,91 +296,91 @@ def mat6x6_shifted(t: ArrayLike, M: ArrayLike, out: tuple[NDArray[np.floating] |
     66 mul, 99 add, 45 abs.
     """
 
-def product_drv(R: ArrayLike, v: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
+def product_drv(R: ArrayLike, v: ArrayLike, out: tuple[_Out, _Out] | None = ...) -> tuple[_Array, _Array]:
     """vo = R v; |error of vo| <= vo_bound unless inf or NaN.
 
     (3,3),(3)->(3),(3).  R: rotation or other 3×3 matrix; v, vo, vo_bound: vector.
     12 mul, 15 add, 9 abs.
     """
 
-def product_drvinv(R: ArrayLike, v: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
+def product_drvinv(R: ArrayLike, v: ArrayLike, out: tuple[_Out, _Out] | None = ...) -> tuple[_Array, _Array]:
     """vo = R (-v); |error of vo| <= vo_bound unless inf or NaN.
 
     (3,3),(3)->(3),(3).  R: rotation or other 3×3 matrix; v, vo, vo_bound: vector.
     12 mul, 15 add, 3 neg, 9 abs.
     """
 
-def product_drinvv(R: ArrayLike, v: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
+def product_drinvv(R: ArrayLike, v: ArrayLike, out: tuple[_Out, _Out] | None = ...) -> tuple[_Array, _Array]:
     """vo = R^T v; |error of vo| <= vo_bound unless inf or NaN.
 
     (3,3),(3)->(3),(3).  R: rotation or other 3×3 matrix; v, vo, vo_bound: vector.
     12 mul, 15 add, 9 abs.
     """
 
-def product_drinvvinv(R: ArrayLike, v: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
+def product_drinvvinv(R: ArrayLike, v: ArrayLike, out: tuple[_Out, _Out] | None = ...) -> tuple[_Array, _Array]:
     """vo = R^T (-v); |error of vo| <= vo_bound unless inf or NaN.
 
     (3,3),(3)->(3),(3).  R: rotation or other 3×3 matrix; v, vo, vo_bound: vector.
     12 mul, 15 add, 3 neg, 9 abs.
     """
 
-def product_dv(D: ArrayLike, v: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
+def product_dv(D: ArrayLike, v: ArrayLike, out: tuple[_Out, _Out] | None = ...) -> tuple[_Array, _Array]:
     """vo = R v + t; |error of vo| <= vo_bound unless inf or NaN.
 
     (3,4),(3)->(3),(3).  D: displacement [R | t], R rotation, t in m; v, vo, vo_bound: vector.
     12 mul, 21 add, 12 abs.
     """
 
-def product_dinvv(D: ArrayLike, v: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
+def product_dinvv(D: ArrayLike, v: ArrayLike, out: tuple[_Out, _Out] | None = ...) -> tuple[_Array, _Array]:
     """vo = R^T (v - t); |error of vo| <= vo_bound unless inf or NaN.
 
     (3,4),(3)->(3),(3).  D: displacement [R | t], R rotation, t in m; v, vo, vo_bound: vector.
     21 mul, 18 add, 12 abs.
     """
 
-def product_drdr(R1: ArrayLike, R2: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
+def product_drdr(R1: ArrayLike, R2: ArrayLike, out: tuple[_Out, _Out] | None = ...) -> tuple[_Array, _Array]:
     """Ro = R1 R2; |error of Ro| <= Ro_bound unless inf or NaN.
 
     (3,3),(3,3)->(3,3),(3,3).  R1, R2, Ro, Ro_bound: rotation or other 3×3 matrix.
     36 mul, 45 add, 27 abs.
     """
 
-def product_drdrinv(R1: ArrayLike, R2: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
+def product_drdrinv(R1: ArrayLike, R2: ArrayLike, out: tuple[_Out, _Out] | None = ...) -> tuple[_Array, _Array]:
     """Ro = R1 R2^T; |error of Ro| <= Ro_bound unless inf or NaN.
 
     (3,3),(3,3)->(3,3),(3,3).  R1, R2, Ro, Ro_bound: rotation or other 3×3 matrix.
     36 mul, 45 add, 27 abs.
     """
 
-def product_drinvdr(R1: ArrayLike, R2: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
+def product_drinvdr(R1: ArrayLike, R2: ArrayLike, out: tuple[_Out, _Out] | None = ...) -> tuple[_Array, _Array]:
     """Ro = R1^T R2; |error of Ro| <= Ro_bound unless inf or NaN.
 
     (3,3),(3,3)->(3,3),(3,3).  R1, R2, Ro, Ro_bound: rotation or other 3×3 matrix.
     36 mul, 45 add, 27 abs.
     """
 
-def product_dd(D1: ArrayLike, D2: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
+def product_dd(D1: ArrayLike, D2: ArrayLike, out: tuple[_Out, _Out] | None = ...) -> tuple[_Array, _Array]:
     """Do = D1 D2 = [R1 R2 | R1 t2 + t1]; |error of Do| <= Do_bound unless inf or NaN.
 
     (3,4),(3,4)->(3,4),(3,4).  D1, D2, Do, Do_bound: displacement [R | t], R rotation, t in m.
     48 mul, 66 add, 39 abs.
     """
 
-def product_ddinv(D1: ArrayLike, D2: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
+def product_ddinv(D1: ArrayLike, D2: ArrayLike, out: tuple[_Out, _Out] | None = ...) -> tuple[_Array, _Array]:
     """Do = D1 D2^-1 = [R | t1 - R t2], R = R1 R2^T; |error of Do| <= Do_bound unless inf or NaN.
 
     (3,4),(3,4)->(3,4),(3,4).  D1, D2, Do, Do_bound: displacement [R | t], R rotation, t in m.
     57 mul, 66 add, 33 abs.
     """
 
-def product_dinvd(D1: ArrayLike, D2: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
+def product_dinvd(D1: ArrayLike, D2: ArrayLike, out: tuple[_Out, _Out] | None = ...) -> tuple[_Array, _Array]:
     """Do = D1^-1 D2 = [R1^T R2 | R1^T (t2 - t1)]; |error of Do| <= Do_bound unless inf or NaN.
 
     (3,4),(3,4)->(3,4),(3,4).  D1, D2, Do, Do_bound: displacement [R | t], R rotation, t in m.
     57 mul, 63 add, 39 abs.
     """
 
-def product_ddr(D: ArrayLike, R: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
+def product_ddr(D: ArrayLike, R: ArrayLike, out: tuple[_Out, _Out] | None = ...) -> tuple[_Array, _Array]:
     """Do = D [R | 0]; |error of Do| <= Do_bound unless inf or NaN.
 
     (3,4),(3,3)->(3,4),(3,4).  D, Do, Do_bound: displacement [R | t], R rotation, t in m; R:
@@ -385,7 +388,7 @@ def product_ddr(D: ArrayLike, R: ArrayLike, out: tuple[NDArray[np.floating] | No
     36 mul, 45 add, 27 abs.
     """
 
-def product_ddrinv(D: ArrayLike, R: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
+def product_ddrinv(D: ArrayLike, R: ArrayLike, out: tuple[_Out, _Out] | None = ...) -> tuple[_Array, _Array]:
     """Do = D [R^T | 0]; |error of Do| <= Do_bound unless inf or NaN.
 
     (3,4),(3,3)->(3,4),(3,4).  D, Do, Do_bound: displacement [R | t], R rotation, t in m; R:
@@ -393,7 +396,7 @@ def product_ddrinv(D: ArrayLike, R: ArrayLike, out: tuple[NDArray[np.floating] |
     36 mul, 45 add, 27 abs.
     """
 
-def product_ddt(D: ArrayLike, t: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
+def product_ddt(D: ArrayLike, t: ArrayLike, out: tuple[_Out, _Out] | None = ...) -> tuple[_Array, _Array]:
     """Do = D [I | t]; |error of Do| <= Do_bound unless inf or NaN.
 
     (3,4),(3)->(3,4),(3,4).  D, Do, Do_bound: displacement [R | t], R rotation, t in m; t:
@@ -401,7 +404,7 @@ def product_ddt(D: ArrayLike, t: ArrayLike, out: tuple[NDArray[np.floating] | No
     12 mul, 21 add, 12 abs.
     """
 
-def product_ddtinv(D: ArrayLike, t: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
+def product_ddtinv(D: ArrayLike, t: ArrayLike, out: tuple[_Out, _Out] | None = ...) -> tuple[_Array, _Array]:
     """Do = D [I | -t]; |error of Do| <= Do_bound unless inf or NaN.
 
     (3,4),(3)->(3,4),(3,4).  D, Do, Do_bound: displacement [R | t], R rotation, t in m; t:
@@ -409,7 +412,7 @@ def product_ddtinv(D: ArrayLike, t: ArrayLike, out: tuple[NDArray[np.floating] |
     12 mul, 21 add, 12 abs.
     """
 
-def product_dinvdt(D: ArrayLike, t: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
+def product_dinvdt(D: ArrayLike, t: ArrayLike, out: tuple[_Out, _Out] | None = ...) -> tuple[_Array, _Array]:
     """Do = D^-1 [I | t] = [R^T | R^T (t - t_D)]; |error of Do| <= Do_bound unless inf or NaN.
 
     (3,4),(3)->(3,4),(3,4).  D, Do, Do_bound: displacement [R | t], R rotation, t in m; t:
@@ -417,21 +420,21 @@ def product_dinvdt(D: ArrayLike, t: ArrayLike, out: tuple[NDArray[np.floating] |
     21 mul, 18 add, 12 abs.
     """
 
-def product_drvtx(R: ArrayLike, k: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
+def product_drvtx(R: ArrayLike, k: ArrayLike, out: tuple[_Out, _Out] | None = ...) -> tuple[_Array, _Array]:
     """vo = R (k e_x); |error of vo| <= vo_bound unless inf or NaN.
 
     (3,3),()->(3),(3).  R: rotation or other 3×3 matrix; k: number; vo, vo_bound: vector.
     6 mul, 3 add, 3 abs.
     """
 
-def product_drdrx(R: ArrayLike, dc: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
+def product_drdrx(R: ArrayLike, dc: ArrayLike, out: tuple[_Out, _Out] | None = ...) -> tuple[_Array, _Array]:
     """Ro = R R_x(θ), dc = (sin θ, cos θ); |error of Ro| <= Ro_bound unless inf or NaN.
 
     (3,3),(2)->(3,3),(3,3).  R, Ro, Ro_bound: rotation or other 3×3 matrix; dc: (sin θ, cos θ).
     18 mul, 18 add, 12 abs.
     """
 
-def product_ddrx(D: ArrayLike, dc: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
+def product_ddrx(D: ArrayLike, dc: ArrayLike, out: tuple[_Out, _Out] | None = ...) -> tuple[_Array, _Array]:
     """Do = D [R_x(θ) | 0], dc = (sin θ, cos θ); |error of Do| <= Do_bound unless inf or NaN.
 
     (3,4),(2)->(3,4),(3,4).  D, Do, Do_bound: displacement [R | t], R rotation, t in m; dc: (sin
@@ -439,7 +442,7 @@ def product_ddrx(D: ArrayLike, dc: ArrayLike, out: tuple[NDArray[np.floating] | 
     18 mul, 18 add, 12 abs.
     """
 
-def product_ddtx(D: ArrayLike, k: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
+def product_ddtx(D: ArrayLike, k: ArrayLike, out: tuple[_Out, _Out] | None = ...) -> tuple[_Array, _Array]:
     """Do = D [I | k e_x]; |error of Do| <= Do_bound unless inf or NaN.
 
     (3,4),()->(3,4),(3,4).  D, Do, Do_bound: displacement [R | t], R rotation, t in m; k:
@@ -447,21 +450,21 @@ def product_ddtx(D: ArrayLike, k: ArrayLike, out: tuple[NDArray[np.floating] | N
     6 mul, 9 add, 6 abs.
     """
 
-def product_drvtxinv(R: ArrayLike, k: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
+def product_drvtxinv(R: ArrayLike, k: ArrayLike, out: tuple[_Out, _Out] | None = ...) -> tuple[_Array, _Array]:
     """vo = R (-k e_x); |error of vo| <= vo_bound unless inf or NaN.
 
     (3,3),()->(3),(3).  R: rotation or other 3×3 matrix; k: number; vo, vo_bound: vector.
     6 mul, 3 add, 3 neg, 3 abs.
     """
 
-def product_drdrxinv(R: ArrayLike, dc: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
+def product_drdrxinv(R: ArrayLike, dc: ArrayLike, out: tuple[_Out, _Out] | None = ...) -> tuple[_Array, _Array]:
     """Ro = R R_x(-θ), dc = (sin θ, cos θ); |error of Ro| <= Ro_bound unless inf or NaN.
 
     (3,3),(2)->(3,3),(3,3).  R, Ro, Ro_bound: rotation or other 3×3 matrix; dc: (sin θ, cos θ).
     18 mul, 18 add, 12 abs.
     """
 
-def product_ddrxinv(D: ArrayLike, dc: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
+def product_ddrxinv(D: ArrayLike, dc: ArrayLike, out: tuple[_Out, _Out] | None = ...) -> tuple[_Array, _Array]:
     """Do = D [R_x(-θ) | 0], dc = (sin θ, cos θ); |error of Do| <= Do_bound unless inf or NaN.
 
     (3,4),(2)->(3,4),(3,4).  D, Do, Do_bound: displacement [R | t], R rotation, t in m; dc: (sin
@@ -469,7 +472,7 @@ def product_ddrxinv(D: ArrayLike, dc: ArrayLike, out: tuple[NDArray[np.floating]
     18 mul, 18 add, 12 abs.
     """
 
-def product_ddtxinv(D: ArrayLike, k: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
+def product_ddtxinv(D: ArrayLike, k: ArrayLike, out: tuple[_Out, _Out] | None = ...) -> tuple[_Array, _Array]:
     """Do = D [I | -k e_x]; |error of Do| <= Do_bound unless inf or NaN.
 
     (3,4),()->(3,4),(3,4).  D, Do, Do_bound: displacement [R | t], R rotation, t in m; k:
@@ -477,21 +480,21 @@ def product_ddtxinv(D: ArrayLike, k: ArrayLike, out: tuple[NDArray[np.floating] 
     6 mul, 9 add, 6 abs.
     """
 
-def product_drvty(R: ArrayLike, k: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
+def product_drvty(R: ArrayLike, k: ArrayLike, out: tuple[_Out, _Out] | None = ...) -> tuple[_Array, _Array]:
     """vo = R (k e_y); |error of vo| <= vo_bound unless inf or NaN.
 
     (3,3),()->(3),(3).  R: rotation or other 3×3 matrix; k: number; vo, vo_bound: vector.
     6 mul, 3 add, 3 abs.
     """
 
-def product_drdry(R: ArrayLike, dc: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
+def product_drdry(R: ArrayLike, dc: ArrayLike, out: tuple[_Out, _Out] | None = ...) -> tuple[_Array, _Array]:
     """Ro = R R_y(θ), dc = (sin θ, cos θ); |error of Ro| <= Ro_bound unless inf or NaN.
 
     (3,3),(2)->(3,3),(3,3).  R, Ro, Ro_bound: rotation or other 3×3 matrix; dc: (sin θ, cos θ).
     18 mul, 18 add, 12 abs.
     """
 
-def product_ddry(D: ArrayLike, dc: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
+def product_ddry(D: ArrayLike, dc: ArrayLike, out: tuple[_Out, _Out] | None = ...) -> tuple[_Array, _Array]:
     """Do = D [R_y(θ) | 0], dc = (sin θ, cos θ); |error of Do| <= Do_bound unless inf or NaN.
 
     (3,4),(2)->(3,4),(3,4).  D, Do, Do_bound: displacement [R | t], R rotation, t in m; dc: (sin
@@ -499,7 +502,7 @@ def product_ddry(D: ArrayLike, dc: ArrayLike, out: tuple[NDArray[np.floating] | 
     18 mul, 18 add, 12 abs.
     """
 
-def product_ddty(D: ArrayLike, k: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
+def product_ddty(D: ArrayLike, k: ArrayLike, out: tuple[_Out, _Out] | None = ...) -> tuple[_Array, _Array]:
     """Do = D [I | k e_y]; |error of Do| <= Do_bound unless inf or NaN.
 
     (3,4),()->(3,4),(3,4).  D, Do, Do_bound: displacement [R | t], R rotation, t in m; k:
@@ -507,21 +510,21 @@ def product_ddty(D: ArrayLike, k: ArrayLike, out: tuple[NDArray[np.floating] | N
     6 mul, 9 add, 6 abs.
     """
 
-def product_drvtyinv(R: ArrayLike, k: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
+def product_drvtyinv(R: ArrayLike, k: ArrayLike, out: tuple[_Out, _Out] | None = ...) -> tuple[_Array, _Array]:
     """vo = R (-k e_y); |error of vo| <= vo_bound unless inf or NaN.
 
     (3,3),()->(3),(3).  R: rotation or other 3×3 matrix; k: number; vo, vo_bound: vector.
     6 mul, 3 add, 3 neg, 3 abs.
     """
 
-def product_drdryinv(R: ArrayLike, dc: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
+def product_drdryinv(R: ArrayLike, dc: ArrayLike, out: tuple[_Out, _Out] | None = ...) -> tuple[_Array, _Array]:
     """Ro = R R_y(-θ), dc = (sin θ, cos θ); |error of Ro| <= Ro_bound unless inf or NaN.
 
     (3,3),(2)->(3,3),(3,3).  R, Ro, Ro_bound: rotation or other 3×3 matrix; dc: (sin θ, cos θ).
     18 mul, 18 add, 12 abs.
     """
 
-def product_ddryinv(D: ArrayLike, dc: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
+def product_ddryinv(D: ArrayLike, dc: ArrayLike, out: tuple[_Out, _Out] | None = ...) -> tuple[_Array, _Array]:
     """Do = D [R_y(-θ) | 0], dc = (sin θ, cos θ); |error of Do| <= Do_bound unless inf or NaN.
 
     (3,4),(2)->(3,4),(3,4).  D, Do, Do_bound: displacement [R | t], R rotation, t in m; dc: (sin
@@ -529,7 +532,7 @@ def product_ddryinv(D: ArrayLike, dc: ArrayLike, out: tuple[NDArray[np.floating]
     18 mul, 18 add, 12 abs.
     """
 
-def product_ddtyinv(D: ArrayLike, k: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
+def product_ddtyinv(D: ArrayLike, k: ArrayLike, out: tuple[_Out, _Out] | None = ...) -> tuple[_Array, _Array]:
     """Do = D [I | -k e_y]; |error of Do| <= Do_bound unless inf or NaN.
 
     (3,4),()->(3,4),(3,4).  D, Do, Do_bound: displacement [R | t], R rotation, t in m; k:
@@ -537,21 +540,21 @@ def product_ddtyinv(D: ArrayLike, k: ArrayLike, out: tuple[NDArray[np.floating] 
     6 mul, 9 add, 6 abs.
     """
 
-def product_drvtz(R: ArrayLike, k: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
+def product_drvtz(R: ArrayLike, k: ArrayLike, out: tuple[_Out, _Out] | None = ...) -> tuple[_Array, _Array]:
     """vo = R (k e_z); |error of vo| <= vo_bound unless inf or NaN.
 
     (3,3),()->(3),(3).  R: rotation or other 3×3 matrix; k: number; vo, vo_bound: vector.
     6 mul, 3 add, 3 abs.
     """
 
-def product_drdrz(R: ArrayLike, dc: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
+def product_drdrz(R: ArrayLike, dc: ArrayLike, out: tuple[_Out, _Out] | None = ...) -> tuple[_Array, _Array]:
     """Ro = R R_z(θ), dc = (sin θ, cos θ); |error of Ro| <= Ro_bound unless inf or NaN.
 
     (3,3),(2)->(3,3),(3,3).  R, Ro, Ro_bound: rotation or other 3×3 matrix; dc: (sin θ, cos θ).
     18 mul, 18 add, 12 abs.
     """
 
-def product_ddrz(D: ArrayLike, dc: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
+def product_ddrz(D: ArrayLike, dc: ArrayLike, out: tuple[_Out, _Out] | None = ...) -> tuple[_Array, _Array]:
     """Do = D [R_z(θ) | 0], dc = (sin θ, cos θ); |error of Do| <= Do_bound unless inf or NaN.
 
     (3,4),(2)->(3,4),(3,4).  D, Do, Do_bound: displacement [R | t], R rotation, t in m; dc: (sin
@@ -559,7 +562,7 @@ def product_ddrz(D: ArrayLike, dc: ArrayLike, out: tuple[NDArray[np.floating] | 
     18 mul, 18 add, 12 abs.
     """
 
-def product_ddtz(D: ArrayLike, k: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
+def product_ddtz(D: ArrayLike, k: ArrayLike, out: tuple[_Out, _Out] | None = ...) -> tuple[_Array, _Array]:
     """Do = D [I | k e_z]; |error of Do| <= Do_bound unless inf or NaN.
 
     (3,4),()->(3,4),(3,4).  D, Do, Do_bound: displacement [R | t], R rotation, t in m; k:
@@ -567,21 +570,21 @@ def product_ddtz(D: ArrayLike, k: ArrayLike, out: tuple[NDArray[np.floating] | N
     6 mul, 9 add, 6 abs.
     """
 
-def product_drvtzinv(R: ArrayLike, k: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
+def product_drvtzinv(R: ArrayLike, k: ArrayLike, out: tuple[_Out, _Out] | None = ...) -> tuple[_Array, _Array]:
     """vo = R (-k e_z); |error of vo| <= vo_bound unless inf or NaN.
 
     (3,3),()->(3),(3).  R: rotation or other 3×3 matrix; k: number; vo, vo_bound: vector.
     6 mul, 3 add, 3 neg, 3 abs.
     """
 
-def product_drdrzinv(R: ArrayLike, dc: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
+def product_drdrzinv(R: ArrayLike, dc: ArrayLike, out: tuple[_Out, _Out] | None = ...) -> tuple[_Array, _Array]:
     """Ro = R R_z(-θ), dc = (sin θ, cos θ); |error of Ro| <= Ro_bound unless inf or NaN.
 
     (3,3),(2)->(3,3),(3,3).  R, Ro, Ro_bound: rotation or other 3×3 matrix; dc: (sin θ, cos θ).
     18 mul, 18 add, 12 abs.
     """
 
-def product_ddrzinv(D: ArrayLike, dc: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
+def product_ddrzinv(D: ArrayLike, dc: ArrayLike, out: tuple[_Out, _Out] | None = ...) -> tuple[_Array, _Array]:
     """Do = D [R_z(-θ) | 0], dc = (sin θ, cos θ); |error of Do| <= Do_bound unless inf or NaN.
 
     (3,4),(2)->(3,4),(3,4).  D, Do, Do_bound: displacement [R | t], R rotation, t in m; dc: (sin
@@ -589,7 +592,7 @@ def product_ddrzinv(D: ArrayLike, dc: ArrayLike, out: tuple[NDArray[np.floating]
     18 mul, 18 add, 12 abs.
     """
 
-def product_ddtzinv(D: ArrayLike, k: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
+def product_ddtzinv(D: ArrayLike, k: ArrayLike, out: tuple[_Out, _Out] | None = ...) -> tuple[_Array, _Array]:
     """Do = D [I | -k e_z]; |error of Do| <= Do_bound unless inf or NaN.
 
     (3,4),()->(3,4),(3,4).  D, Do, Do_bound: displacement [R | t], R rotation, t in m; k:
@@ -597,91 +600,91 @@ def product_ddtzinv(D: ArrayLike, k: ArrayLike, out: tuple[NDArray[np.floating] 
     6 mul, 9 add, 6 abs.
     """
 
-def dc(theta: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
+def dc(theta: ArrayLike, out: tuple[_Out, _Out] | None = ...) -> tuple[_Array, _Array]:
     """dc = (sin θ, cos θ), θ in rad; |error of dc| <= dc_bound unless inf or NaN.
 
     ()->(2),(2).  theta: number; dc, dc_bound: (sin θ, cos θ).
     83 mul, 129 add, 11 product error, 1 div, 5 abs, 1 less, 1 select.
     """
 
-def screw_scale(self: ArrayLike, a: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
+def screw_scale(self: ArrayLike, a: ArrayLike, out: tuple[_Out, _Out] | None = ...) -> tuple[_Array, _Array]:
     """self = a self; |error of self| <= self_bound unless inf or NaN.
 
     (6),()->(6),(6).  self, self_bound: screw (v in m/s; ω in rad/s); a: number.
     12 mul, 6 add, 6 abs.
     """
 
-def axpy_ss(a: ArrayLike, x: ArrayLike, y: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
+def axpy_ss(a: ArrayLike, x: ArrayLike, y: ArrayLike, out: tuple[_Out, _Out] | None = ...) -> tuple[_Array, _Array]:
     """y = a x + y; |error of y| <= y_bound unless inf or NaN.
 
     (),(6),(6)->(6),(6).  a: number; x, y, y_bound: screw (v in m/s; ω in rad/s).
     12 mul, 18 add, 12 abs.
     """
 
-def xpy_ss(x: ArrayLike, y: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
+def xpy_ss(x: ArrayLike, y: ArrayLike, out: tuple[_Out, _Out] | None = ...) -> tuple[_Array, _Array]:
     """y = x + y; |error of y| <= y_bound unless inf or NaN.
 
     (6),(6)->(6),(6).  x, y, y_bound: screw (v in m/s; ω in rad/s).
     6 mul, 6 add, 6 abs.
     """
 
-def nxpy_ss(x: ArrayLike, y: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
+def nxpy_ss(x: ArrayLike, y: ArrayLike, out: tuple[_Out, _Out] | None = ...) -> tuple[_Array, _Array]:
     """y = -x + y; |error of y| <= y_bound unless inf or NaN.
 
     (6),(6)->(6),(6).  x, y, y_bound: screw (v in m/s; ω in rad/s).
     6 mul, 6 add, 6 abs.
     """
 
-def product_as(a: ArrayLike, si: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
+def product_as(a: ArrayLike, si: ArrayLike, out: tuple[_Out, _Out] | None = ...) -> tuple[_Array, _Array]:
     """so = a si; |error of so| <= so_bound unless inf or NaN.
 
     (),(6)->(6),(6).  a: number; si, so, so_bound: screw (v in m/s; ω in rad/s).
     12 mul, 6 add, 6 abs.
     """
 
-def add_ss(s1: ArrayLike, s2: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
+def add_ss(s1: ArrayLike, s2: ArrayLike, out: tuple[_Out, _Out] | None = ...) -> tuple[_Array, _Array]:
     """so = s1 + s2; |error of so| <= so_bound unless inf or NaN.
 
     (6),(6)->(6),(6).  s1, s2, so, so_bound: screw (v in m/s; ω in rad/s).
     6 mul, 6 add, 6 abs.
     """
 
-def subtract_ss(s1: ArrayLike, s2: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
+def subtract_ss(s1: ArrayLike, s2: ArrayLike, out: tuple[_Out, _Out] | None = ...) -> tuple[_Array, _Array]:
     """so = s1 - s2; |error of so| <= so_bound unless inf or NaN.
 
     (6),(6)->(6),(6).  s1, s2, so, so_bound: screw (v in m/s; ω in rad/s).
     6 mul, 6 add, 6 abs.
     """
 
-def add_sst(s1: ArrayLike, s2: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
+def add_sst(s1: ArrayLike, s2: ArrayLike, out: tuple[_Out, _Out] | None = ...) -> tuple[_Array, _Array]:
     """so = (s1.lin + s2.lin ; s1.ang); |error of so| <= so_bound unless inf or NaN.
 
     (6),(6)->(6),(6).  s1, s2, so, so_bound: screw (v in m/s; ω in rad/s).
     3 mul, 3 add, 3 abs.
     """
 
-def product_Adts(t: ArrayLike, si: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
+def product_Adts(t: ArrayLike, si: ArrayLike, out: tuple[_Out, _Out] | None = ...) -> tuple[_Array, _Array]:
     """so = [Ad](t) si; |error of so| <= so_bound unless inf or NaN.
 
     (3),(6)->(6),(6).  t: vector; si, so, so_bound: screw (v in m/s; ω in rad/s).
     9 mul, 15 add, 9 abs.
     """
 
-def product_Adtinvs(t: ArrayLike, si: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
+def product_Adtinvs(t: ArrayLike, si: ArrayLike, out: tuple[_Out, _Out] | None = ...) -> tuple[_Array, _Array]:
     """so = [Ad](t)^-1 si; |error of so| <= so_bound unless inf or NaN.
 
     (3),(6)->(6),(6).  t: vector; si, so, so_bound: screw (v in m/s; ω in rad/s).
     9 mul, 15 add, 9 abs.
     """
 
-def product_Adtsinv(t: ArrayLike, si: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
+def product_Adtsinv(t: ArrayLike, si: ArrayLike, out: tuple[_Out, _Out] | None = ...) -> tuple[_Array, _Array]:
     """so = [Ad](t) (-si); |error of so| <= so_bound unless inf or NaN.
 
     (3),(6)->(6),(6).  t: vector; si, so, so_bound: screw (v in m/s; ω in rad/s).
     9 mul, 15 add, 3 neg, 9 abs.
     """
 
-def product_Adrs(R: ArrayLike, si: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
+def product_Adrs(R: ArrayLike, si: ArrayLike, out: tuple[_Out, _Out] | None = ...) -> tuple[_Array, _Array]:
     """so = [Ad](R) si; |error of so| <= so_bound unless inf or NaN.
 
     (3,3),(6)->(6),(6).  R: rotation or other 3×3 matrix; si, so, so_bound: screw (v in m/s; ω
@@ -689,7 +692,7 @@ def product_Adrs(R: ArrayLike, si: ArrayLike, out: tuple[NDArray[np.floating] | 
     24 mul, 30 add, 18 abs.
     """
 
-def product_Adrinvs(R: ArrayLike, si: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
+def product_Adrinvs(R: ArrayLike, si: ArrayLike, out: tuple[_Out, _Out] | None = ...) -> tuple[_Array, _Array]:
     """so = [Ad](R)^-1 si; |error of so| <= so_bound unless inf or NaN.
 
     (3,3),(6)->(6),(6).  R: rotation or other 3×3 matrix; si, so, so_bound: screw (v in m/s; ω
@@ -697,7 +700,7 @@ def product_Adrinvs(R: ArrayLike, si: ArrayLike, out: tuple[NDArray[np.floating]
     24 mul, 30 add, 18 abs.
     """
 
-def product_Adrsinv(R: ArrayLike, si: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
+def product_Adrsinv(R: ArrayLike, si: ArrayLike, out: tuple[_Out, _Out] | None = ...) -> tuple[_Array, _Array]:
     """so = [Ad](R) (-si); |error of so| <= so_bound unless inf or NaN.
 
     (3,3),(6)->(6),(6).  R: rotation or other 3×3 matrix; si, so, so_bound: screw (v in m/s; ω
@@ -705,7 +708,7 @@ def product_Adrsinv(R: ArrayLike, si: ArrayLike, out: tuple[NDArray[np.floating]
     24 mul, 30 add, 6 neg, 18 abs.
     """
 
-def product_Ads(D: ArrayLike, si: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
+def product_Ads(D: ArrayLike, si: ArrayLike, out: tuple[_Out, _Out] | None = ...) -> tuple[_Array, _Array]:
     """so = [Ad](D) si = [Ad](t) [Ad](R) si; |error of so| <= so_bound unless inf or NaN.
 
     (3,4),(6)->(6),(6).  D: displacement [R | t], R rotation, t in m; si, so, so_bound: screw (v
@@ -713,7 +716,7 @@ def product_Ads(D: ArrayLike, si: ArrayLike, out: tuple[NDArray[np.floating] | N
     36 mul, 42 add, 21 abs.
     """
 
-def product_Adinvs(D: ArrayLike, si: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
+def product_Adinvs(D: ArrayLike, si: ArrayLike, out: tuple[_Out, _Out] | None = ...) -> tuple[_Array, _Array]:
     """so = [Ad](D)^-1 si = [Ad](R^T) [Ad](-t) si; |error of so| <= so_bound unless inf or NaN.
 
     (3,4),(6)->(6),(6).  D: displacement [R | t], R rotation, t in m; si, so, so_bound: screw (v
@@ -721,7 +724,7 @@ def product_Adinvs(D: ArrayLike, si: ArrayLike, out: tuple[NDArray[np.floating] 
     39 mul, 45 add, 27 abs.
     """
 
-def product_Adsinv(D: ArrayLike, si: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
+def product_Adsinv(D: ArrayLike, si: ArrayLike, out: tuple[_Out, _Out] | None = ...) -> tuple[_Array, _Array]:
     """so = [Ad](D) (-si); |error of so| <= so_bound unless inf or NaN.
 
     (3,4),(6)->(6),(6).  D: displacement [R | t], R rotation, t in m; si, so, so_bound: screw (v
@@ -729,7 +732,7 @@ def product_Adsinv(D: ArrayLike, si: ArrayLike, out: tuple[NDArray[np.floating] 
     36 mul, 42 add, 6 neg, 21 abs.
     """
 
-def hsrx(D: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
+def hsrx(D: ArrayLike, out: tuple[_Out, _Out] | None = ...) -> tuple[_Array, _Array]:
     """so = h_rx: column 3 of [Ad](D); |error of so| <= so_bound unless inf or NaN.
 
     (3,4)->(6),(6).  D: displacement [R | t], R rotation, t in m; so, so_bound: screw (v in m/s;
@@ -737,7 +740,7 @@ def hsrx(D: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floati
     9 mul, 9 add, 6 abs.
     """
 
-def hsry(D: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
+def hsry(D: ArrayLike, out: tuple[_Out, _Out] | None = ...) -> tuple[_Array, _Array]:
     """so = h_ry: column 4 of [Ad](D); |error of so| <= so_bound unless inf or NaN.
 
     (3,4)->(6),(6).  D: displacement [R | t], R rotation, t in m; so, so_bound: screw (v in m/s;
@@ -745,7 +748,7 @@ def hsry(D: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floati
     9 mul, 9 add, 6 abs.
     """
 
-def hsrz(D: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
+def hsrz(D: ArrayLike, out: tuple[_Out, _Out] | None = ...) -> tuple[_Array, _Array]:
     """so = h_rz: column 5 of [Ad](D); |error of so| <= so_bound unless inf or NaN.
 
     (3,4)->(6),(6).  D: displacement [R | t], R rotation, t in m; so, so_bound: screw (v in m/s;
@@ -753,7 +756,7 @@ def hsrz(D: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floati
     9 mul, 9 add, 6 abs.
     """
 
-def hsrxinv(D: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
+def hsrxinv(D: ArrayLike, out: tuple[_Out, _Out] | None = ...) -> tuple[_Array, _Array]:
     """so = -h_rx: -column 3 of [Ad](D); |error of so| <= so_bound unless inf or NaN.
 
     (3,4)->(6),(6).  D: displacement [R | t], R rotation, t in m; so, so_bound: screw (v in m/s;
@@ -761,7 +764,7 @@ def hsrxinv(D: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.flo
     9 mul, 9 add, 3 neg, 6 abs.
     """
 
-def hsryinv(D: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
+def hsryinv(D: ArrayLike, out: tuple[_Out, _Out] | None = ...) -> tuple[_Array, _Array]:
     """so = -h_ry: -column 4 of [Ad](D); |error of so| <= so_bound unless inf or NaN.
 
     (3,4)->(6),(6).  D: displacement [R | t], R rotation, t in m; so, so_bound: screw (v in m/s;
@@ -769,7 +772,7 @@ def hsryinv(D: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.flo
     9 mul, 9 add, 3 neg, 6 abs.
     """
 
-def hsrzinv(D: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
+def hsrzinv(D: ArrayLike, out: tuple[_Out, _Out] | None = ...) -> tuple[_Array, _Array]:
     """so = -h_rz: -column 5 of [Ad](D); |error of so| <= so_bound unless inf or NaN.
 
     (3,4)->(6),(6).  D: displacement [R | t], R rotation, t in m; so, so_bound: screw (v in m/s;
@@ -777,14 +780,14 @@ def hsrzinv(D: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.flo
     9 mul, 9 add, 3 neg, 6 abs.
     """
 
-def Ad(D: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
+def Ad(D: ArrayLike, out: tuple[_Out, _Out] | None = ...) -> tuple[_Array, _Array]:
     """M = [Ad](D); |error of M| <= M_bound unless inf or NaN.
 
     (3,4)->(6,6),(6,6).  D: displacement [R | t], R rotation, t in m; M, M_bound: 6×6 operator.
     27 mul, 27 add, 18 abs.
     """
 
-def dot_cs(c: ArrayLike, s: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
+def dot_cs(c: ArrayLike, s: ArrayLike, out: tuple[_Out, _Out] | None = ...) -> tuple[_Array, _Array]:
     """power = f·v + τ·ω, in W; |error of power| <= power_bound unless inf or NaN.
 
     (6),(6)->(),().  c: coscrew (f in N; τ in N m); s: screw (v in m/s; ω in rad/s); power,
@@ -792,7 +795,7 @@ def dot_cs(c: ArrayLike, s: ArrayLike, out: tuple[NDArray[np.floating] | None, N
     7 mul, 11 add, 6 abs.
     """
 
-def cross_ss(s1: ArrayLike, s2: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
+def cross_ss(s1: ArrayLike, s2: ArrayLike, out: tuple[_Out, _Out] | None = ...) -> tuple[_Array, _Array]:
     """so = [ad](s1) s2 = (ω1×v2 + v1×ω2 ; ω1×ω2); |error of so| <= so_bound unless inf or NaN.
     Exactly zero for s1 = s2, unless products overflow.
 
@@ -800,14 +803,14 @@ def cross_ss(s1: ArrayLike, s2: ArrayLike, out: tuple[NDArray[np.floating] | Non
     24 mul, 30 add, 18 abs.
     """
 
-def cross_sst(s1: ArrayLike, s2: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
+def cross_sst(s1: ArrayLike, s2: ArrayLike, out: tuple[_Out, _Out] | None = ...) -> tuple[_Array, _Array]:
     """so = (ω1×v2 ; 0); |error of so| <= so_bound unless inf or NaN.
 
     (6),(6)->(6),(6).  s1, s2, so, so_bound: screw (v in m/s; ω in rad/s).
     9 mul, 9 add, 6 abs.
     """
 
-def hsra(D: ArrayLike, axis: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
+def hsra(D: ArrayLike, axis: ArrayLike, out: tuple[_Out, _Out] | None = ...) -> tuple[_Array, _Array]:
     """so = (t×R a ; R a), a = axis in the body's frame; |error of so| <= so_bound unless inf or
     NaN.
 
@@ -816,7 +819,7 @@ def hsra(D: ArrayLike, axis: ArrayLike, out: tuple[NDArray[np.floating] | None, 
     27 mul, 24 add, 12 abs.
     """
 
-def hsta(D: ArrayLike, axis: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
+def hsta(D: ArrayLike, axis: ArrayLike, out: tuple[_Out, _Out] | None = ...) -> tuple[_Array, _Array]:
     """so = (R a ; 0), a = axis in the body's frame; |error of so| <= so_bound unless inf or NaN.
 
     (3,4),(3)->(6),(6).  D: displacement [R | t], R rotation, t in m; axis: vector; so,
@@ -824,7 +827,7 @@ def hsta(D: ArrayLike, axis: ArrayLike, out: tuple[NDArray[np.floating] | None, 
     12 mul, 15 add, 9 abs.
     """
 
-def hsrainv(D: ArrayLike, axis: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
+def hsrainv(D: ArrayLike, axis: ArrayLike, out: tuple[_Out, _Out] | None = ...) -> tuple[_Array, _Array]:
     """so = -(t×R a ; R a), a = axis in the body's frame; |error of so| <= so_bound unless inf or
     NaN.
 
@@ -833,7 +836,7 @@ def hsrainv(D: ArrayLike, axis: ArrayLike, out: tuple[NDArray[np.floating] | Non
     27 mul, 24 add, 3 neg, 12 abs.
     """
 
-def hstainv(D: ArrayLike, axis: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
+def hstainv(D: ArrayLike, axis: ArrayLike, out: tuple[_Out, _Out] | None = ...) -> tuple[_Array, _Array]:
     """so = -(R a ; 0), a = axis in the body's frame; |error of so| <= so_bound unless inf or NaN.
 
     (3,4),(3)->(6),(6).  D: displacement [R | t], R rotation, t in m; axis: vector; so,
@@ -841,84 +844,84 @@ def hstainv(D: ArrayLike, axis: ArrayLike, out: tuple[NDArray[np.floating] | Non
     12 mul, 15 add, 3 neg, 9 abs.
     """
 
-def coscrew_scale(self: ArrayLike, a: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
+def coscrew_scale(self: ArrayLike, a: ArrayLike, out: tuple[_Out, _Out] | None = ...) -> tuple[_Array, _Array]:
     """self = a self; |error of self| <= self_bound unless inf or NaN.
 
     (6),()->(6),(6).  self, self_bound: coscrew (f in N; τ in N m); a: number.
     12 mul, 6 add, 6 abs.
     """
 
-def axpy_cc(a: ArrayLike, x: ArrayLike, y: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
+def axpy_cc(a: ArrayLike, x: ArrayLike, y: ArrayLike, out: tuple[_Out, _Out] | None = ...) -> tuple[_Array, _Array]:
     """y = a x + y; |error of y| <= y_bound unless inf or NaN.
 
     (),(6),(6)->(6),(6).  a: number; x, y, y_bound: coscrew (f in N; τ in N m).
     12 mul, 18 add, 12 abs.
     """
 
-def xpy_cc(x: ArrayLike, y: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
+def xpy_cc(x: ArrayLike, y: ArrayLike, out: tuple[_Out, _Out] | None = ...) -> tuple[_Array, _Array]:
     """y = x + y; |error of y| <= y_bound unless inf or NaN.
 
     (6),(6)->(6),(6).  x, y, y_bound: coscrew (f in N; τ in N m).
     6 mul, 6 add, 6 abs.
     """
 
-def nxpy_cc(x: ArrayLike, y: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
+def nxpy_cc(x: ArrayLike, y: ArrayLike, out: tuple[_Out, _Out] | None = ...) -> tuple[_Array, _Array]:
     """y = -x + y; |error of y| <= y_bound unless inf or NaN.
 
     (6),(6)->(6),(6).  x, y, y_bound: coscrew (f in N; τ in N m).
     6 mul, 6 add, 6 abs.
     """
 
-def product_ac(a: ArrayLike, ci: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
+def product_ac(a: ArrayLike, ci: ArrayLike, out: tuple[_Out, _Out] | None = ...) -> tuple[_Array, _Array]:
     """co = a ci; |error of co| <= co_bound unless inf or NaN.
 
     (),(6)->(6),(6).  a: number; ci, co, co_bound: coscrew (f in N; τ in N m).
     12 mul, 6 add, 6 abs.
     """
 
-def add_cc(c1: ArrayLike, c2: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
+def add_cc(c1: ArrayLike, c2: ArrayLike, out: tuple[_Out, _Out] | None = ...) -> tuple[_Array, _Array]:
     """co = c1 + c2; |error of co| <= co_bound unless inf or NaN.
 
     (6),(6)->(6),(6).  c1, c2, co, co_bound: coscrew (f in N; τ in N m).
     6 mul, 6 add, 6 abs.
     """
 
-def subtract_cc(c1: ArrayLike, c2: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
+def subtract_cc(c1: ArrayLike, c2: ArrayLike, out: tuple[_Out, _Out] | None = ...) -> tuple[_Array, _Array]:
     """co = c1 - c2; |error of co| <= co_bound unless inf or NaN.
 
     (6),(6)->(6),(6).  c1, c2, co, co_bound: coscrew (f in N; τ in N m).
     6 mul, 6 add, 6 abs.
     """
 
-def add_cct(c1: ArrayLike, c2: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
+def add_cct(c1: ArrayLike, c2: ArrayLike, out: tuple[_Out, _Out] | None = ...) -> tuple[_Array, _Array]:
     """co = (c1.lin + c2.lin ; c1.ang); |error of co| <= co_bound unless inf or NaN.
 
     (6),(6)->(6),(6).  c1, c2, co, co_bound: coscrew (f in N; τ in N m).
     3 mul, 3 add, 3 abs.
     """
 
-def product_CoAdtc(t: ArrayLike, ci: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
+def product_CoAdtc(t: ArrayLike, ci: ArrayLike, out: tuple[_Out, _Out] | None = ...) -> tuple[_Array, _Array]:
     """co = [Ad]*(t) ci; |error of co| <= co_bound unless inf or NaN.
 
     (3),(6)->(6),(6).  t: vector; ci, co, co_bound: coscrew (f in N; τ in N m).
     9 mul, 15 add, 9 abs.
     """
 
-def product_CoAdtinvc(t: ArrayLike, ci: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
+def product_CoAdtinvc(t: ArrayLike, ci: ArrayLike, out: tuple[_Out, _Out] | None = ...) -> tuple[_Array, _Array]:
     """co = [Ad]*(t)^-1 ci; |error of co| <= co_bound unless inf or NaN.
 
     (3),(6)->(6),(6).  t: vector; ci, co, co_bound: coscrew (f in N; τ in N m).
     9 mul, 15 add, 9 abs.
     """
 
-def product_CoAdtcinv(t: ArrayLike, ci: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
+def product_CoAdtcinv(t: ArrayLike, ci: ArrayLike, out: tuple[_Out, _Out] | None = ...) -> tuple[_Array, _Array]:
     """co = [Ad]*(t) (-ci); |error of co| <= co_bound unless inf or NaN.
 
     (3),(6)->(6),(6).  t: vector; ci, co, co_bound: coscrew (f in N; τ in N m).
     9 mul, 15 add, 3 neg, 9 abs.
     """
 
-def product_CoAdrc(R: ArrayLike, ci: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
+def product_CoAdrc(R: ArrayLike, ci: ArrayLike, out: tuple[_Out, _Out] | None = ...) -> tuple[_Array, _Array]:
     """co = [Ad]*(R) ci; |error of co| <= co_bound unless inf or NaN.
 
     (3,3),(6)->(6),(6).  R: rotation or other 3×3 matrix; ci, co, co_bound: coscrew (f in N; τ
@@ -926,7 +929,7 @@ def product_CoAdrc(R: ArrayLike, ci: ArrayLike, out: tuple[NDArray[np.floating] 
     24 mul, 30 add, 18 abs.
     """
 
-def product_CoAdrinvc(R: ArrayLike, ci: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
+def product_CoAdrinvc(R: ArrayLike, ci: ArrayLike, out: tuple[_Out, _Out] | None = ...) -> tuple[_Array, _Array]:
     """co = [Ad]*(R)^-1 ci; |error of co| <= co_bound unless inf or NaN.
 
     (3,3),(6)->(6),(6).  R: rotation or other 3×3 matrix; ci, co, co_bound: coscrew (f in N; τ
@@ -934,7 +937,7 @@ def product_CoAdrinvc(R: ArrayLike, ci: ArrayLike, out: tuple[NDArray[np.floatin
     24 mul, 30 add, 18 abs.
     """
 
-def product_CoAdrcinv(R: ArrayLike, ci: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
+def product_CoAdrcinv(R: ArrayLike, ci: ArrayLike, out: tuple[_Out, _Out] | None = ...) -> tuple[_Array, _Array]:
     """co = [Ad]*(R) (-ci); |error of co| <= co_bound unless inf or NaN.
 
     (3,3),(6)->(6),(6).  R: rotation or other 3×3 matrix; ci, co, co_bound: coscrew (f in N; τ
@@ -942,7 +945,7 @@ def product_CoAdrcinv(R: ArrayLike, ci: ArrayLike, out: tuple[NDArray[np.floatin
     24 mul, 30 add, 6 neg, 18 abs.
     """
 
-def product_CoAdc(D: ArrayLike, ci: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
+def product_CoAdc(D: ArrayLike, ci: ArrayLike, out: tuple[_Out, _Out] | None = ...) -> tuple[_Array, _Array]:
     """co = [Ad]*(D) ci = [Ad]*(t) [Ad]*(R) ci; |error of co| <= co_bound unless inf or NaN.
 
     (3,4),(6)->(6),(6).  D: displacement [R | t], R rotation, t in m; ci, co, co_bound: coscrew
@@ -950,7 +953,7 @@ def product_CoAdc(D: ArrayLike, ci: ArrayLike, out: tuple[NDArray[np.floating] |
     36 mul, 42 add, 21 abs.
     """
 
-def product_CoAdinvc(D: ArrayLike, ci: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
+def product_CoAdinvc(D: ArrayLike, ci: ArrayLike, out: tuple[_Out, _Out] | None = ...) -> tuple[_Array, _Array]:
     """co = [Ad]*(D)^-1 ci = [Ad]*(R^T) [Ad]*(-t) ci; |error of co| <= co_bound unless inf or NaN.
 
     (3,4),(6)->(6),(6).  D: displacement [R | t], R rotation, t in m; ci, co, co_bound: coscrew
@@ -958,7 +961,7 @@ def product_CoAdinvc(D: ArrayLike, ci: ArrayLike, out: tuple[NDArray[np.floating
     39 mul, 45 add, 27 abs.
     """
 
-def product_CoAdcinv(D: ArrayLike, ci: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
+def product_CoAdcinv(D: ArrayLike, ci: ArrayLike, out: tuple[_Out, _Out] | None = ...) -> tuple[_Array, _Array]:
     """co = [Ad]*(D) (-ci); |error of co| <= co_bound unless inf or NaN.
 
     (3,4),(6)->(6),(6).  D: displacement [R | t], R rotation, t in m; ci, co, co_bound: coscrew
@@ -966,7 +969,7 @@ def product_CoAdcinv(D: ArrayLike, ci: ArrayLike, out: tuple[NDArray[np.floating
     36 mul, 42 add, 6 neg, 21 abs.
     """
 
-def hctx(D: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
+def hctx(D: ArrayLike, out: tuple[_Out, _Out] | None = ...) -> tuple[_Array, _Array]:
     """co = h_tx: column 0 of [Ad]*(D); |error of co| <= co_bound unless inf or NaN.
 
     (3,4)->(6),(6).  D: displacement [R | t], R rotation, t in m; co, co_bound: coscrew (f in N;
@@ -974,7 +977,7 @@ def hctx(D: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floati
     9 mul, 9 add, 6 abs.
     """
 
-def hcty(D: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
+def hcty(D: ArrayLike, out: tuple[_Out, _Out] | None = ...) -> tuple[_Array, _Array]:
     """co = h_ty: column 1 of [Ad]*(D); |error of co| <= co_bound unless inf or NaN.
 
     (3,4)->(6),(6).  D: displacement [R | t], R rotation, t in m; co, co_bound: coscrew (f in N;
@@ -982,7 +985,7 @@ def hcty(D: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floati
     9 mul, 9 add, 6 abs.
     """
 
-def hctz(D: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
+def hctz(D: ArrayLike, out: tuple[_Out, _Out] | None = ...) -> tuple[_Array, _Array]:
     """co = h_tz: column 2 of [Ad]*(D); |error of co| <= co_bound unless inf or NaN.
 
     (3,4)->(6),(6).  D: displacement [R | t], R rotation, t in m; co, co_bound: coscrew (f in N;
@@ -990,7 +993,7 @@ def hctz(D: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floati
     9 mul, 9 add, 6 abs.
     """
 
-def hctxinv(D: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
+def hctxinv(D: ArrayLike, out: tuple[_Out, _Out] | None = ...) -> tuple[_Array, _Array]:
     """co = -h_tx: -column 0 of [Ad]*(D); |error of co| <= co_bound unless inf or NaN.
 
     (3,4)->(6),(6).  D: displacement [R | t], R rotation, t in m; co, co_bound: coscrew (f in N;
@@ -998,7 +1001,7 @@ def hctxinv(D: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.flo
     9 mul, 9 add, 3 neg, 6 abs.
     """
 
-def hctyinv(D: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
+def hctyinv(D: ArrayLike, out: tuple[_Out, _Out] | None = ...) -> tuple[_Array, _Array]:
     """co = -h_ty: -column 1 of [Ad]*(D); |error of co| <= co_bound unless inf or NaN.
 
     (3,4)->(6),(6).  D: displacement [R | t], R rotation, t in m; co, co_bound: coscrew (f in N;
@@ -1006,7 +1009,7 @@ def hctyinv(D: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.flo
     9 mul, 9 add, 3 neg, 6 abs.
     """
 
-def hctzinv(D: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
+def hctzinv(D: ArrayLike, out: tuple[_Out, _Out] | None = ...) -> tuple[_Array, _Array]:
     """co = -h_tz: -column 2 of [Ad]*(D); |error of co| <= co_bound unless inf or NaN.
 
     (3,4)->(6),(6).  D: displacement [R | t], R rotation, t in m; co, co_bound: coscrew (f in N;
@@ -1014,14 +1017,14 @@ def hctzinv(D: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.flo
     9 mul, 9 add, 3 neg, 6 abs.
     """
 
-def CoAd(D: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
+def CoAd(D: ArrayLike, out: tuple[_Out, _Out] | None = ...) -> tuple[_Array, _Array]:
     """M = [Ad]*(D); |error of M| <= M_bound unless inf or NaN.
 
     (3,4)->(6,6),(6,6).  D: displacement [R | t], R rotation, t in m; M, M_bound: 6×6 operator.
     27 mul, 27 add, 18 abs.
     """
 
-def reciprocal_product(c: ArrayLike, x: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
+def reciprocal_product(c: ArrayLike, x: ArrayLike, out: tuple[_Out, _Out] | None = ...) -> tuple[_Array, _Array]:
     """power = W ⊙ $ = f·v + τ·ω, W = c = (f; τ), $ = x = (ω; v); |error of power| <= power_bound
     unless inf or NaN.
 
@@ -1030,7 +1033,7 @@ def reciprocal_product(c: ArrayLike, x: ArrayLike, out: tuple[NDArray[np.floatin
     7 mul, 11 add, 6 abs.
     """
 
-def cross_sc(s: ArrayLike, c: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
+def cross_sc(s: ArrayLike, c: ArrayLike, out: tuple[_Out, _Out] | None = ...) -> tuple[_Array, _Array]:
     """co = [ad]*(s) c = (ω×f ; v×f + ω×τ); |error of co| <= co_bound unless inf or NaN.
 
     (6),(6)->(6),(6).  s: screw (v in m/s; ω in rad/s); c, co, co_bound: coscrew (f in N; τ in N
@@ -1038,7 +1041,7 @@ def cross_sc(s: ArrayLike, c: ArrayLike, out: tuple[NDArray[np.floating] | None,
     24 mul, 30 add, 18 abs.
     """
 
-def cross_sca(s: ArrayLike, c: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
+def cross_sca(s: ArrayLike, c: ArrayLike, out: tuple[_Out, _Out] | None = ...) -> tuple[_Array, _Array]:
     """co = (0 ; ω×τ); |error of co| <= co_bound unless inf or NaN.
 
     (6),(6)->(6),(6).  s: screw (v in m/s; ω in rad/s); c, co, co_bound: coscrew (f in N; τ in N
@@ -1046,7 +1049,7 @@ def cross_sca(s: ArrayLike, c: ArrayLike, out: tuple[NDArray[np.floating] | None
     9 mul, 9 add, 6 abs.
     """
 
-def constraint_ctx(D: ArrayLike, c: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
+def constraint_ctx(D: ArrayLike, c: ArrayLike, out: tuple[_Out, _Out] | None = ...) -> tuple[_Array, _Array]:
     """co = H̄* c = [Ad]*(D) P c; P clears component 0 of c, given in the frame of a tx joint at D;
     |error of co| <= co_bound unless inf or NaN.
 
@@ -1055,7 +1058,7 @@ def constraint_ctx(D: ArrayLike, c: ArrayLike, out: tuple[NDArray[np.floating] |
     33 mul, 36 add, 18 abs.
     """
 
-def constraint_cty(D: ArrayLike, c: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
+def constraint_cty(D: ArrayLike, c: ArrayLike, out: tuple[_Out, _Out] | None = ...) -> tuple[_Array, _Array]:
     """co = H̄* c = [Ad]*(D) P c; P clears component 1 of c, given in the frame of a ty joint at D;
     |error of co| <= co_bound unless inf or NaN.
 
@@ -1064,7 +1067,7 @@ def constraint_cty(D: ArrayLike, c: ArrayLike, out: tuple[NDArray[np.floating] |
     33 mul, 36 add, 18 abs.
     """
 
-def constraint_ctz(D: ArrayLike, c: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
+def constraint_ctz(D: ArrayLike, c: ArrayLike, out: tuple[_Out, _Out] | None = ...) -> tuple[_Array, _Array]:
     """co = H̄* c = [Ad]*(D) P c; P clears component 2 of c, given in the frame of a tz joint at D;
     |error of co| <= co_bound unless inf or NaN.
 
@@ -1073,7 +1076,7 @@ def constraint_ctz(D: ArrayLike, c: ArrayLike, out: tuple[NDArray[np.floating] |
     33 mul, 36 add, 18 abs.
     """
 
-def constraint_crx(D: ArrayLike, c: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
+def constraint_crx(D: ArrayLike, c: ArrayLike, out: tuple[_Out, _Out] | None = ...) -> tuple[_Array, _Array]:
     """co = H̄* c = [Ad]*(D) P c; P clears component 3 of c, given in the frame of a rx joint at D;
     |error of co| <= co_bound unless inf or NaN.
 
@@ -1082,7 +1085,7 @@ def constraint_crx(D: ArrayLike, c: ArrayLike, out: tuple[NDArray[np.floating] |
     33 mul, 36 add, 18 abs.
     """
 
-def constraint_cry(D: ArrayLike, c: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
+def constraint_cry(D: ArrayLike, c: ArrayLike, out: tuple[_Out, _Out] | None = ...) -> tuple[_Array, _Array]:
     """co = H̄* c = [Ad]*(D) P c; P clears component 4 of c, given in the frame of a ry joint at D;
     |error of co| <= co_bound unless inf or NaN.
 
@@ -1091,7 +1094,7 @@ def constraint_cry(D: ArrayLike, c: ArrayLike, out: tuple[NDArray[np.floating] |
     33 mul, 36 add, 18 abs.
     """
 
-def constraint_crz(D: ArrayLike, c: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
+def constraint_crz(D: ArrayLike, c: ArrayLike, out: tuple[_Out, _Out] | None = ...) -> tuple[_Array, _Array]:
     """co = H̄* c = [Ad]*(D) P c; P clears component 5 of c, given in the frame of a rz joint at D;
     |error of co| <= co_bound unless inf or NaN.
 
@@ -1100,7 +1103,7 @@ def constraint_crz(D: ArrayLike, c: ArrayLike, out: tuple[NDArray[np.floating] |
     33 mul, 36 add, 18 abs.
     """
 
-def working_ctx(D: ArrayLike, c: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
+def working_ctx(D: ArrayLike, c: ArrayLike, out: tuple[_Out, _Out] | None = ...) -> tuple[_Array, _Array]:
     """co = h̄* c = [Ad]*(D) P c; P keeps component 0 of c, given in the frame of a tx joint at D;
     |error of co| <= co_bound unless inf or NaN.
 
@@ -1109,7 +1112,7 @@ def working_ctx(D: ArrayLike, c: ArrayLike, out: tuple[NDArray[np.floating] | No
     21 mul, 12 add, 6 abs.
     """
 
-def working_cty(D: ArrayLike, c: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
+def working_cty(D: ArrayLike, c: ArrayLike, out: tuple[_Out, _Out] | None = ...) -> tuple[_Array, _Array]:
     """co = h̄* c = [Ad]*(D) P c; P keeps component 1 of c, given in the frame of a ty joint at D;
     |error of co| <= co_bound unless inf or NaN.
 
@@ -1118,7 +1121,7 @@ def working_cty(D: ArrayLike, c: ArrayLike, out: tuple[NDArray[np.floating] | No
     21 mul, 12 add, 6 abs.
     """
 
-def working_ctz(D: ArrayLike, c: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
+def working_ctz(D: ArrayLike, c: ArrayLike, out: tuple[_Out, _Out] | None = ...) -> tuple[_Array, _Array]:
     """co = h̄* c = [Ad]*(D) P c; P keeps component 2 of c, given in the frame of a tz joint at D;
     |error of co| <= co_bound unless inf or NaN.
 
@@ -1127,7 +1130,7 @@ def working_ctz(D: ArrayLike, c: ArrayLike, out: tuple[NDArray[np.floating] | No
     21 mul, 12 add, 6 abs.
     """
 
-def working_crx(D: ArrayLike, c: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
+def working_crx(D: ArrayLike, c: ArrayLike, out: tuple[_Out, _Out] | None = ...) -> tuple[_Array, _Array]:
     """co = h̄* c = [Ad]*(D) P c; P keeps component 3 of c, given in the frame of a rx joint at D;
     |error of co| <= co_bound unless inf or NaN.
 
@@ -1136,7 +1139,7 @@ def working_crx(D: ArrayLike, c: ArrayLike, out: tuple[NDArray[np.floating] | No
     6 mul, 3 add, 3 abs.
     """
 
-def working_cry(D: ArrayLike, c: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
+def working_cry(D: ArrayLike, c: ArrayLike, out: tuple[_Out, _Out] | None = ...) -> tuple[_Array, _Array]:
     """co = h̄* c = [Ad]*(D) P c; P keeps component 4 of c, given in the frame of a ry joint at D;
     |error of co| <= co_bound unless inf or NaN.
 
@@ -1145,7 +1148,7 @@ def working_cry(D: ArrayLike, c: ArrayLike, out: tuple[NDArray[np.floating] | No
     6 mul, 3 add, 3 abs.
     """
 
-def working_crz(D: ArrayLike, c: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
+def working_crz(D: ArrayLike, c: ArrayLike, out: tuple[_Out, _Out] | None = ...) -> tuple[_Array, _Array]:
     """co = h̄* c = [Ad]*(D) P c; P keeps component 5 of c, given in the frame of a rz joint at D;
     |error of co| <= co_bound unless inf or NaN.
 
@@ -1154,63 +1157,63 @@ def working_crz(D: ArrayLike, c: ArrayLike, out: tuple[NDArray[np.floating] | No
     6 mul, 3 add, 3 abs.
     """
 
-def quaternion_scale(self: ArrayLike, a: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
+def quaternion_scale(self: ArrayLike, a: ArrayLike, out: tuple[_Out, _Out] | None = ...) -> tuple[_Array, _Array]:
     """self = a self; |error of self| <= self_bound unless inf or NaN.
 
     (4),()->(4),(4).  self, self_bound: quaternion (x, y, z, w), the scalar last; a: number.
     8 mul, 4 add, 4 abs.
     """
 
-def axpy_qq(a: ArrayLike, x: ArrayLike, y: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
+def axpy_qq(a: ArrayLike, x: ArrayLike, y: ArrayLike, out: tuple[_Out, _Out] | None = ...) -> tuple[_Array, _Array]:
     """y = a x + y; |error of y| <= y_bound unless inf or NaN.
 
     (),(4),(4)->(4),(4).  a: number; x, y, y_bound: quaternion (x, y, z, w), the scalar last.
     8 mul, 12 add, 8 abs.
     """
 
-def rotate_qv(q: ArrayLike, v: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
+def rotate_qv(q: ArrayLike, v: ArrayLike, out: tuple[_Out, _Out] | None = ...) -> tuple[_Array, _Array]:
     """vo = R(q) v, |q| = 1; |error of vo| <= vo_bound unless inf or NaN.
 
     (4),(3)->(3),(3).  q: quaternion (x, y, z, w), the scalar last; v, vo, vo_bound: vector.
     33 mul, 33 add, 13 abs.
     """
 
-def rotate_qconjv(q: ArrayLike, v: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
+def rotate_qconjv(q: ArrayLike, v: ArrayLike, out: tuple[_Out, _Out] | None = ...) -> tuple[_Array, _Array]:
     """vo = R(q)^T v, |q| = 1; |error of vo| <= vo_bound unless inf or NaN.
 
     (4),(3)->(3),(3).  q: quaternion (x, y, z, w), the scalar last; v, vo, vo_bound: vector.
     33 mul, 33 add, 13 abs.
     """
 
-def quaternion_product_qq(q1i: ArrayLike, q2i: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
+def quaternion_product_qq(q1i: ArrayLike, q2i: ArrayLike, out: tuple[_Out, _Out] | None = ...) -> tuple[_Array, _Array]:
     """qo = q1i q2i; |error of qo| <= qo_bound unless inf or NaN.
 
     (4),(4)->(4),(4).  q1i, q2i, qo, qo_bound: quaternion (x, y, z, w), the scalar last.
     20 mul, 28 add, 16 abs.
     """
 
-def quaternion_product_qqconj(q1i: ArrayLike, q2i: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
+def quaternion_product_qqconj(q1i: ArrayLike, q2i: ArrayLike, out: tuple[_Out, _Out] | None = ...) -> tuple[_Array, _Array]:
     """qo = q1i q2i*; |error of qo| <= qo_bound unless inf or NaN.
 
     (4),(4)->(4),(4).  q1i, q2i, qo, qo_bound: quaternion (x, y, z, w), the scalar last.
     20 mul, 28 add, 16 abs.
     """
 
-def quaternion_product_qconjq(q1i: ArrayLike, q2i: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
+def quaternion_product_qconjq(q1i: ArrayLike, q2i: ArrayLike, out: tuple[_Out, _Out] | None = ...) -> tuple[_Array, _Array]:
     """qo = q1i* q2i; |error of qo| <= qo_bound unless inf or NaN.
 
     (4),(4)->(4),(4).  q1i, q2i, qo, qo_bound: quaternion (x, y, z, w), the scalar last.
     20 mul, 28 add, 16 abs.
     """
 
-def quaternion_product_qconjqconj(q1i: ArrayLike, q2i: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
+def quaternion_product_qconjqconj(q1i: ArrayLike, q2i: ArrayLike, out: tuple[_Out, _Out] | None = ...) -> tuple[_Array, _Array]:
     """qo = q1i* q2i*; |error of qo| <= qo_bound unless inf or NaN.
 
     (4),(4)->(4),(4).  q1i, q2i, qo, qo_bound: quaternion (x, y, z, w), the scalar last.
     20 mul, 28 add, 16 abs.
     """
 
-def quaternion_product_qxq(dci: ArrayLike, qi: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
+def quaternion_product_qxq(dci: ArrayLike, qi: ArrayLike, out: tuple[_Out, _Out] | None = ...) -> tuple[_Array, _Array]:
     """qo = (s e_x; c) qi, dci = (s, c), sine and cosine of half the angle; |error of qo| <=
     qo_bound unless inf or NaN.
 
@@ -1219,7 +1222,7 @@ def quaternion_product_qxq(dci: ArrayLike, qi: ArrayLike, out: tuple[NDArray[np.
     12 mul, 12 add, 8 abs.
     """
 
-def quaternion_product_qxqconj(dci: ArrayLike, qi: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
+def quaternion_product_qxqconj(dci: ArrayLike, qi: ArrayLike, out: tuple[_Out, _Out] | None = ...) -> tuple[_Array, _Array]:
     """qo = (s e_x; c) qi*, dci = (s, c), sine and cosine of half the angle; |error of qo| <=
     qo_bound unless inf or NaN.
 
@@ -1228,7 +1231,7 @@ def quaternion_product_qxqconj(dci: ArrayLike, qi: ArrayLike, out: tuple[NDArray
     12 mul, 12 add, 1 neg, 8 abs.
     """
 
-def quaternion_product_qxconjq(dci: ArrayLike, qi: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
+def quaternion_product_qxconjq(dci: ArrayLike, qi: ArrayLike, out: tuple[_Out, _Out] | None = ...) -> tuple[_Array, _Array]:
     """qo = (s e_x; c)* qi, dci = (s, c), sine and cosine of half the angle; |error of qo| <=
     qo_bound unless inf or NaN.
 
@@ -1237,7 +1240,7 @@ def quaternion_product_qxconjq(dci: ArrayLike, qi: ArrayLike, out: tuple[NDArray
     12 mul, 12 add, 8 abs.
     """
 
-def quaternion_product_qxconjqconj(dci: ArrayLike, qi: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
+def quaternion_product_qxconjqconj(dci: ArrayLike, qi: ArrayLike, out: tuple[_Out, _Out] | None = ...) -> tuple[_Array, _Array]:
     """qo = (s e_x; c)* qi*, dci = (s, c), sine and cosine of half the angle; |error of qo| <=
     qo_bound unless inf or NaN.
 
@@ -1246,7 +1249,7 @@ def quaternion_product_qxconjqconj(dci: ArrayLike, qi: ArrayLike, out: tuple[NDA
     12 mul, 12 add, 2 neg, 8 abs.
     """
 
-def quaternion_product_qqx(qi: ArrayLike, dci: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
+def quaternion_product_qqx(qi: ArrayLike, dci: ArrayLike, out: tuple[_Out, _Out] | None = ...) -> tuple[_Array, _Array]:
     """qo = qi (s e_x; c), dci = (s, c), sine and cosine of half the angle; |error of qo| <=
     qo_bound unless inf or NaN.
 
@@ -1255,7 +1258,7 @@ def quaternion_product_qqx(qi: ArrayLike, dci: ArrayLike, out: tuple[NDArray[np.
     12 mul, 12 add, 8 abs.
     """
 
-def quaternion_product_qqxconj(qi: ArrayLike, dci: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
+def quaternion_product_qqxconj(qi: ArrayLike, dci: ArrayLike, out: tuple[_Out, _Out] | None = ...) -> tuple[_Array, _Array]:
     """qo = qi (s e_x; c)*, dci = (s, c), sine and cosine of half the angle; |error of qo| <=
     qo_bound unless inf or NaN.
 
@@ -1264,7 +1267,7 @@ def quaternion_product_qqxconj(qi: ArrayLike, dci: ArrayLike, out: tuple[NDArray
     12 mul, 12 add, 8 abs.
     """
 
-def quaternion_product_qconjqx(qi: ArrayLike, dci: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
+def quaternion_product_qconjqx(qi: ArrayLike, dci: ArrayLike, out: tuple[_Out, _Out] | None = ...) -> tuple[_Array, _Array]:
     """qo = qi* (s e_x; c), dci = (s, c), sine and cosine of half the angle; |error of qo| <=
     qo_bound unless inf or NaN.
 
@@ -1273,7 +1276,7 @@ def quaternion_product_qconjqx(qi: ArrayLike, dci: ArrayLike, out: tuple[NDArray
     12 mul, 12 add, 1 neg, 8 abs.
     """
 
-def quaternion_product_qconjqxconj(qi: ArrayLike, dci: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
+def quaternion_product_qconjqxconj(qi: ArrayLike, dci: ArrayLike, out: tuple[_Out, _Out] | None = ...) -> tuple[_Array, _Array]:
     """qo = qi* (s e_x; c)*, dci = (s, c), sine and cosine of half the angle; |error of qo| <=
     qo_bound unless inf or NaN.
 
@@ -1282,7 +1285,7 @@ def quaternion_product_qconjqxconj(qi: ArrayLike, dci: ArrayLike, out: tuple[NDA
     12 mul, 12 add, 2 neg, 8 abs.
     """
 
-def quaternion_product_qyq(dci: ArrayLike, qi: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
+def quaternion_product_qyq(dci: ArrayLike, qi: ArrayLike, out: tuple[_Out, _Out] | None = ...) -> tuple[_Array, _Array]:
     """qo = (s e_y; c) qi, dci = (s, c), sine and cosine of half the angle; |error of qo| <=
     qo_bound unless inf or NaN.
 
@@ -1291,7 +1294,7 @@ def quaternion_product_qyq(dci: ArrayLike, qi: ArrayLike, out: tuple[NDArray[np.
     12 mul, 12 add, 8 abs.
     """
 
-def quaternion_product_qyqconj(dci: ArrayLike, qi: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
+def quaternion_product_qyqconj(dci: ArrayLike, qi: ArrayLike, out: tuple[_Out, _Out] | None = ...) -> tuple[_Array, _Array]:
     """qo = (s e_y; c) qi*, dci = (s, c), sine and cosine of half the angle; |error of qo| <=
     qo_bound unless inf or NaN.
 
@@ -1300,7 +1303,7 @@ def quaternion_product_qyqconj(dci: ArrayLike, qi: ArrayLike, out: tuple[NDArray
     12 mul, 12 add, 1 neg, 8 abs.
     """
 
-def quaternion_product_qyconjq(dci: ArrayLike, qi: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
+def quaternion_product_qyconjq(dci: ArrayLike, qi: ArrayLike, out: tuple[_Out, _Out] | None = ...) -> tuple[_Array, _Array]:
     """qo = (s e_y; c)* qi, dci = (s, c), sine and cosine of half the angle; |error of qo| <=
     qo_bound unless inf or NaN.
 
@@ -1309,7 +1312,7 @@ def quaternion_product_qyconjq(dci: ArrayLike, qi: ArrayLike, out: tuple[NDArray
     12 mul, 12 add, 8 abs.
     """
 
-def quaternion_product_qyconjqconj(dci: ArrayLike, qi: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
+def quaternion_product_qyconjqconj(dci: ArrayLike, qi: ArrayLike, out: tuple[_Out, _Out] | None = ...) -> tuple[_Array, _Array]:
     """qo = (s e_y; c)* qi*, dci = (s, c), sine and cosine of half the angle; |error of qo| <=
     qo_bound unless inf or NaN.
 
@@ -1318,7 +1321,7 @@ def quaternion_product_qyconjqconj(dci: ArrayLike, qi: ArrayLike, out: tuple[NDA
     12 mul, 12 add, 2 neg, 8 abs.
     """
 
-def quaternion_product_qqy(qi: ArrayLike, dci: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
+def quaternion_product_qqy(qi: ArrayLike, dci: ArrayLike, out: tuple[_Out, _Out] | None = ...) -> tuple[_Array, _Array]:
     """qo = qi (s e_y; c), dci = (s, c), sine and cosine of half the angle; |error of qo| <=
     qo_bound unless inf or NaN.
 
@@ -1327,7 +1330,7 @@ def quaternion_product_qqy(qi: ArrayLike, dci: ArrayLike, out: tuple[NDArray[np.
     12 mul, 12 add, 8 abs.
     """
 
-def quaternion_product_qqyconj(qi: ArrayLike, dci: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
+def quaternion_product_qqyconj(qi: ArrayLike, dci: ArrayLike, out: tuple[_Out, _Out] | None = ...) -> tuple[_Array, _Array]:
     """qo = qi (s e_y; c)*, dci = (s, c), sine and cosine of half the angle; |error of qo| <=
     qo_bound unless inf or NaN.
 
@@ -1336,7 +1339,7 @@ def quaternion_product_qqyconj(qi: ArrayLike, dci: ArrayLike, out: tuple[NDArray
     12 mul, 12 add, 8 abs.
     """
 
-def quaternion_product_qconjqy(qi: ArrayLike, dci: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
+def quaternion_product_qconjqy(qi: ArrayLike, dci: ArrayLike, out: tuple[_Out, _Out] | None = ...) -> tuple[_Array, _Array]:
     """qo = qi* (s e_y; c), dci = (s, c), sine and cosine of half the angle; |error of qo| <=
     qo_bound unless inf or NaN.
 
@@ -1345,7 +1348,7 @@ def quaternion_product_qconjqy(qi: ArrayLike, dci: ArrayLike, out: tuple[NDArray
     12 mul, 12 add, 1 neg, 8 abs.
     """
 
-def quaternion_product_qconjqyconj(qi: ArrayLike, dci: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
+def quaternion_product_qconjqyconj(qi: ArrayLike, dci: ArrayLike, out: tuple[_Out, _Out] | None = ...) -> tuple[_Array, _Array]:
     """qo = qi* (s e_y; c)*, dci = (s, c), sine and cosine of half the angle; |error of qo| <=
     qo_bound unless inf or NaN.
 
@@ -1354,7 +1357,7 @@ def quaternion_product_qconjqyconj(qi: ArrayLike, dci: ArrayLike, out: tuple[NDA
     12 mul, 12 add, 2 neg, 8 abs.
     """
 
-def quaternion_product_qzq(dci: ArrayLike, qi: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
+def quaternion_product_qzq(dci: ArrayLike, qi: ArrayLike, out: tuple[_Out, _Out] | None = ...) -> tuple[_Array, _Array]:
     """qo = (s e_z; c) qi, dci = (s, c), sine and cosine of half the angle; |error of qo| <=
     qo_bound unless inf or NaN.
 
@@ -1363,7 +1366,7 @@ def quaternion_product_qzq(dci: ArrayLike, qi: ArrayLike, out: tuple[NDArray[np.
     12 mul, 12 add, 8 abs.
     """
 
-def quaternion_product_qzqconj(dci: ArrayLike, qi: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
+def quaternion_product_qzqconj(dci: ArrayLike, qi: ArrayLike, out: tuple[_Out, _Out] | None = ...) -> tuple[_Array, _Array]:
     """qo = (s e_z; c) qi*, dci = (s, c), sine and cosine of half the angle; |error of qo| <=
     qo_bound unless inf or NaN.
 
@@ -1372,7 +1375,7 @@ def quaternion_product_qzqconj(dci: ArrayLike, qi: ArrayLike, out: tuple[NDArray
     12 mul, 12 add, 1 neg, 8 abs.
     """
 
-def quaternion_product_qzconjq(dci: ArrayLike, qi: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
+def quaternion_product_qzconjq(dci: ArrayLike, qi: ArrayLike, out: tuple[_Out, _Out] | None = ...) -> tuple[_Array, _Array]:
     """qo = (s e_z; c)* qi, dci = (s, c), sine and cosine of half the angle; |error of qo| <=
     qo_bound unless inf or NaN.
 
@@ -1381,7 +1384,7 @@ def quaternion_product_qzconjq(dci: ArrayLike, qi: ArrayLike, out: tuple[NDArray
     12 mul, 12 add, 8 abs.
     """
 
-def quaternion_product_qzconjqconj(dci: ArrayLike, qi: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
+def quaternion_product_qzconjqconj(dci: ArrayLike, qi: ArrayLike, out: tuple[_Out, _Out] | None = ...) -> tuple[_Array, _Array]:
     """qo = (s e_z; c)* qi*, dci = (s, c), sine and cosine of half the angle; |error of qo| <=
     qo_bound unless inf or NaN.
 
@@ -1390,7 +1393,7 @@ def quaternion_product_qzconjqconj(dci: ArrayLike, qi: ArrayLike, out: tuple[NDA
     12 mul, 12 add, 2 neg, 8 abs.
     """
 
-def quaternion_product_qqz(qi: ArrayLike, dci: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
+def quaternion_product_qqz(qi: ArrayLike, dci: ArrayLike, out: tuple[_Out, _Out] | None = ...) -> tuple[_Array, _Array]:
     """qo = qi (s e_z; c), dci = (s, c), sine and cosine of half the angle; |error of qo| <=
     qo_bound unless inf or NaN.
 
@@ -1399,7 +1402,7 @@ def quaternion_product_qqz(qi: ArrayLike, dci: ArrayLike, out: tuple[NDArray[np.
     12 mul, 12 add, 8 abs.
     """
 
-def quaternion_product_qqzconj(qi: ArrayLike, dci: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
+def quaternion_product_qqzconj(qi: ArrayLike, dci: ArrayLike, out: tuple[_Out, _Out] | None = ...) -> tuple[_Array, _Array]:
     """qo = qi (s e_z; c)*, dci = (s, c), sine and cosine of half the angle; |error of qo| <=
     qo_bound unless inf or NaN.
 
@@ -1408,7 +1411,7 @@ def quaternion_product_qqzconj(qi: ArrayLike, dci: ArrayLike, out: tuple[NDArray
     12 mul, 12 add, 8 abs.
     """
 
-def quaternion_product_qconjqz(qi: ArrayLike, dci: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
+def quaternion_product_qconjqz(qi: ArrayLike, dci: ArrayLike, out: tuple[_Out, _Out] | None = ...) -> tuple[_Array, _Array]:
     """qo = qi* (s e_z; c), dci = (s, c), sine and cosine of half the angle; |error of qo| <=
     qo_bound unless inf or NaN.
 
@@ -1417,7 +1420,7 @@ def quaternion_product_qconjqz(qi: ArrayLike, dci: ArrayLike, out: tuple[NDArray
     12 mul, 12 add, 1 neg, 8 abs.
     """
 
-def quaternion_product_qconjqzconj(qi: ArrayLike, dci: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
+def quaternion_product_qconjqzconj(qi: ArrayLike, dci: ArrayLike, out: tuple[_Out, _Out] | None = ...) -> tuple[_Array, _Array]:
     """qo = qi* (s e_z; c)*, dci = (s, c), sine and cosine of half the angle; |error of qo| <=
     qo_bound unless inf or NaN.
 
@@ -1426,42 +1429,42 @@ def quaternion_product_qconjqzconj(qi: ArrayLike, dci: ArrayLike, out: tuple[NDA
     12 mul, 12 add, 2 neg, 8 abs.
     """
 
-def quaternion_product_qv(qi: ArrayLike, vi: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
+def quaternion_product_qv(qi: ArrayLike, vi: ArrayLike, out: tuple[_Out, _Out] | None = ...) -> tuple[_Array, _Array]:
     """qo = qi (vi; 0); |error of qo| <= qo_bound unless inf or NaN.
 
     (4),(3)->(4),(4).  qi, qo, qo_bound: quaternion (x, y, z, w), the scalar last; vi: vector.
     16 mul, 20 add, 1 neg, 12 abs.
     """
 
-def quaternion_product_qconjv(qi: ArrayLike, vi: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
+def quaternion_product_qconjv(qi: ArrayLike, vi: ArrayLike, out: tuple[_Out, _Out] | None = ...) -> tuple[_Array, _Array]:
     """qo = qi* (vi; 0); |error of qo| <= qo_bound unless inf or NaN.
 
     (4),(3)->(4),(4).  qi, qo, qo_bound: quaternion (x, y, z, w), the scalar last; vi: vector.
     16 mul, 20 add, 12 abs.
     """
 
-def quaternion_product_vq(vi: ArrayLike, qi: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
+def quaternion_product_vq(vi: ArrayLike, qi: ArrayLike, out: tuple[_Out, _Out] | None = ...) -> tuple[_Array, _Array]:
     """qo = (vi; 0) qi; |error of qo| <= qo_bound unless inf or NaN.
 
     (3),(4)->(4),(4).  vi: vector; qi, qo, qo_bound: quaternion (x, y, z, w), the scalar last.
     16 mul, 20 add, 1 neg, 12 abs.
     """
 
-def quaternion_product_vqconj(vi: ArrayLike, qi: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
+def quaternion_product_vqconj(vi: ArrayLike, qi: ArrayLike, out: tuple[_Out, _Out] | None = ...) -> tuple[_Array, _Array]:
     """qo = (vi; 0) qi*; |error of qo| <= qo_bound unless inf or NaN.
 
     (3),(4)->(4),(4).  vi: vector; qi, qo, qo_bound: quaternion (x, y, z, w), the scalar last.
     16 mul, 20 add, 12 abs.
     """
 
-def dot_qq(q1i: ArrayLike, q2i: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
+def dot_qq(q1i: ArrayLike, q2i: ArrayLike, out: tuple[_Out, _Out] | None = ...) -> tuple[_Array, _Array]:
     """q1i·q2i; |error of dot| <= dot_bound unless inf or NaN.
 
     (4),(4)->(),().  q1i, q2i: quaternion (x, y, z, w), the scalar last; dot, dot_bound: number.
     5 mul, 7 add, 4 abs.
     """
 
-def add_dpiToq(dpi: ArrayLike, qi: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
+def add_dpiToq(dpi: ArrayLike, qi: ArrayLike, out: tuple[_Out, _Out] | None = ...) -> tuple[_Array, _Array]:
     """qi = qi + qi (dpi; 0) / 2: rotated by the small rotation vector dpi in the rotated frame, to
     first order; not normalized; |error of qi| <= qi_bound unless inf or NaN.
 
@@ -1469,7 +1472,7 @@ def add_dpiToq(dpi: ArrayLike, qi: ArrayLike, out: tuple[NDArray[np.floating] | 
     31 mul, 31 add, 7 abs.
     """
 
-def subtract_dpiFromq(dpi: ArrayLike, qi: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
+def subtract_dpiFromq(dpi: ArrayLike, qi: ArrayLike, out: tuple[_Out, _Out] | None = ...) -> tuple[_Array, _Array]:
     """qi = qi - qi (dpi; 0) / 2, the opposite of add_dpiToq to first order; |error of qi| <=
     qi_bound unless inf or NaN.
 
@@ -1477,7 +1480,7 @@ def subtract_dpiFromq(dpi: ArrayLike, qi: ArrayLike, out: tuple[NDArray[np.float
     31 mul, 31 add, 7 abs.
     """
 
-def omega_to_dquaternion(w: ArrayLike, qi: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
+def omega_to_dquaternion(w: ArrayLike, qi: ArrayLike, out: tuple[_Out, _Out] | None = ...) -> tuple[_Array, _Array]:
     """dqo = (w; 0) qi / 2 + (1 - qi·qi) qi: the rate of qi for the angular velocity w in the
     reference frame, rad/s, and a term that draws its norm to 1; |error of dqo| <= dqo_bound
     unless inf or NaN.
@@ -1486,7 +1489,7 @@ def omega_to_dquaternion(w: ArrayLike, qi: ArrayLike, out: tuple[NDArray[np.floa
     43 mul, 40 add, 11 abs.
     """
 
-def quaternion_from_axis_angle(axis: ArrayLike, angle: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
+def quaternion_from_axis_angle(axis: ArrayLike, angle: ArrayLike, out: tuple[_Out, _Out] | None = ...) -> tuple[_Array, _Array]:
     """qo = (axis sin angle/2; cos angle/2); axis of length 1: with another |qo| is not 1, and its
     rotation is by another angle; |error of qo| <= qo_bound unless inf or NaN.
 
@@ -1495,7 +1498,7 @@ def quaternion_from_axis_angle(axis: ArrayLike, angle: ArrayLike, out: tuple[NDA
     98 mul, 139 add, 14 product error, 1 div, 11 abs, 1 less, 1 select.
     """
 
-def axis_angle_from_quaternion(q: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None, NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating], NDArray[np.floating], NDArray[np.floating]]:
+def axis_angle_from_quaternion(q: ArrayLike, out: tuple[_Out, _Out, _Out, _Out] | None = ...) -> tuple[_Array, _Array, _Array, _Array]:
     """angle = 2 atan2(|v|, |w|), axis = ±v / |v|; 0 <= angle <= π; the axis is (1, 0, 0) if the
     angle is 0; any multiple of a quaternion; |error of angle| <= angle_bound, |error of axis|
     <= axis_bound unless inf or NaN.
@@ -1506,7 +1509,7 @@ def axis_angle_from_quaternion(q: ArrayLike, out: tuple[NDArray[np.floating] | N
     copysign, 35 less, 10 equal, 69 select.
     """
 
-def quaternion_exp(v: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
+def quaternion_exp(v: ArrayLike, out: tuple[_Out, _Out] | None = ...) -> tuple[_Array, _Array]:
     """qo = exp (v/2; 0) = (v/θ sin θ/2; cos θ/2), θ = |v|: turns by the rotation vector v; |error
     of qo| <= qo_bound unless inf or NaN.
 
@@ -1515,7 +1518,7 @@ def quaternion_exp(v: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray
     equal, 24 select.
     """
 
-def quaternion_log(q: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
+def quaternion_log(q: ArrayLike, out: tuple[_Out, _Out] | None = ...) -> tuple[_Array, _Array]:
     """vo = θ v/|v|, θ = 2 atan2(|v|, |w|) <= π: the rotation vector of q, or of any multiple of
     it; |error of vo| <= vo_bound unless inf or NaN.
 
@@ -1524,7 +1527,7 @@ def quaternion_log(q: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray
     copysign, 35 less, 10 equal, 65 select.
     """
 
-def SO3_exp(v: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
+def SO3_exp(v: ArrayLike, out: tuple[_Out, _Out] | None = ...) -> tuple[_Array, _Array]:
     """R = exp v~ = I + sin θ/θ v~ + (1 - cos θ)/θ^2 v~^2, θ = |v|; |error of R| <= R_bound unless
     inf or NaN.
 
@@ -1533,7 +1536,7 @@ def SO3_exp(v: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.flo
     equal, 29 select.
     """
 
-def SO3_log(R: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
+def SO3_log(R: ArrayLike, out: tuple[_Out, _Out] | None = ...) -> tuple[_Array, _Array]:
     """vo with exp vo~ = R, |vo| <= π; if R is not quite a rotation, its defect carries over to vo;
     |error of vo| <= vo_bound unless inf or NaN.
 
@@ -1542,7 +1545,7 @@ def SO3_log(R: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.flo
     copysign, 41 less, 7 equal, 107 select.
     """
 
-def SO3_leftJacobian(v: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
+def SO3_leftJacobian(v: ArrayLike, out: tuple[_Out, _Out] | None = ...) -> tuple[_Array, _Array]:
     """R = J_l(v) = I + (1 - cos θ)/θ^2 v~ + (θ - sin θ)/θ^3 v~^2, θ = |v|; |error of R| <= R_bound
     unless inf or NaN.
 
@@ -1551,7 +1554,7 @@ def SO3_leftJacobian(v: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArr
     equal, 45 select.
     """
 
-def SO3_rightJacobian(v: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
+def SO3_rightJacobian(v: ArrayLike, out: tuple[_Out, _Out] | None = ...) -> tuple[_Array, _Array]:
     """R = J_r(v) = I - (1 - cos θ)/θ^2 v~ + (θ - sin θ)/θ^3 v~^2, θ = |v|; |error of R| <= R_bound
     unless inf or NaN.
 
@@ -1560,7 +1563,7 @@ def SO3_rightJacobian(v: ArrayLike, out: tuple[NDArray[np.floating] | None, NDAr
     less, 1 equal, 45 select.
     """
 
-def SO3_leftJacobianInverse(v: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
+def SO3_leftJacobianInverse(v: ArrayLike, out: tuple[_Out, _Out] | None = ...) -> tuple[_Array, _Array]:
     """R = J_l(v)^-1 = I - v~/2 + (1 - θ/2 cot θ/2)/θ^2 v~^2, θ = |v|; singular at multiples of 2π
     except 0; |error of R| <= R_bound unless inf or NaN.
 
@@ -1569,7 +1572,7 @@ def SO3_leftJacobianInverse(v: ArrayLike, out: tuple[NDArray[np.floating] | None
     1 equal, 47 select.
     """
 
-def SO3_rightJacobianInverse(v: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
+def SO3_rightJacobianInverse(v: ArrayLike, out: tuple[_Out, _Out] | None = ...) -> tuple[_Array, _Array]:
     """R = J_r(v)^-1 = I + v~/2 + (1 - θ/2 cot θ/2)/θ^2 v~^2, θ = |v|; singular at multiples of 2π
     except 0; |error of R| <= R_bound unless inf or NaN.
 
@@ -1578,7 +1581,7 @@ def SO3_rightJacobianInverse(v: ArrayLike, out: tuple[NDArray[np.floating] | Non
     equal, 47 select.
     """
 
-def mat3x3_from_axis_angle(axis: ArrayLike, angle: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
+def mat3x3_from_axis_angle(axis: ArrayLike, angle: ArrayLike, out: tuple[_Out, _Out] | None = ...) -> tuple[_Array, _Array]:
     """R = I + sin(angle) axis~ + (1 - cos(angle)) axis~^2, for an axis of length 1; otherwise R is
     not a rotation; |error of R| <= R_bound unless inf or NaN.
 
@@ -1586,7 +1589,7 @@ def mat3x3_from_axis_angle(axis: ArrayLike, angle: ArrayLike, out: tuple[NDArray
     216 mul, 380 add, 26 product error, 18 product rest, 2 div, 24 abs, 4 less, 6 select.
     """
 
-def axis_angle_from_mat3x3(R: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None, NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating], NDArray[np.floating], NDArray[np.floating]]:
+def axis_angle_from_mat3x3(R: ArrayLike, out: tuple[_Out, _Out, _Out, _Out] | None = ...) -> tuple[_Array, _Array, _Array, _Array]:
     """angle and axis of the rotation R; 0 <= angle <= π; the axis is (1, 0, 0) if the angle is 0;
     |error of angle| <= angle_bound, |error of axis| <= axis_bound unless inf or NaN.
 
@@ -1596,7 +1599,7 @@ def axis_angle_from_mat3x3(R: ArrayLike, out: tuple[NDArray[np.floating] | None,
     copysign, 41 less, 7 equal, 111 select.
     """
 
-def mat3x3_orthonormalize(self: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
+def mat3x3_orthonormalize(self: ArrayLike, out: tuple[_Out, _Out] | None = ...) -> tuple[_Array, _Array]:
     """self = R + R (I - R^T R)/2, closer to a rotation: a defect d of R becomes 3/4 d^2; |error of
     self| <= self_bound unless inf or NaN.
 
@@ -1604,7 +1607,7 @@ def mat3x3_orthonormalize(self: ArrayLike, out: tuple[NDArray[np.floating] | Non
     93 mul, 105 add, 3 neg, 27 abs.
     """
 
-def mat3x3_orthonormalized(R: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
+def mat3x3_orthonormalized(R: ArrayLike, out: tuple[_Out, _Out] | None = ...) -> tuple[_Array, _Array]:
     """Ro = R + R (I - R^T R)/2, closer to a rotation: a defect d of R becomes 3/4 d^2; |error of
     Ro| <= Ro_bound unless inf or NaN.
 
@@ -1612,7 +1615,7 @@ def mat3x3_orthonormalized(R: ArrayLike, out: tuple[NDArray[np.floating] | None,
     93 mul, 105 add, 3 neg, 27 abs.
     """
 
-def SE3_exp(s: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
+def SE3_exp(s: ArrayLike, out: tuple[_Out, _Out] | None = ...) -> tuple[_Array, _Array]:
     """D = exp s = [exp ω~ | J_l(ω) v]; |error of D| <= D_bound unless inf or NaN.
 
     (6)->(3,4),(3,4).  s: screw (v in m/s; ω in rad/s); D, D_bound: displacement [R | t], R
@@ -1621,7 +1624,7 @@ def SE3_exp(s: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.flo
     equal, 46 select.
     """
 
-def SE3_log(D: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
+def SE3_log(D: ArrayLike, out: tuple[_Out, _Out] | None = ...) -> tuple[_Array, _Array]:
     """so with exp so = D, |ω| <= π: (J_l(ω)^-1 t; ω), ω = log R; |error of so| <= so_bound unless
     inf or NaN.
 
@@ -1631,7 +1634,7 @@ def SE3_log(D: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.flo
     copysign, 72 less, 10 equal, 171 select.
     """
 
-def inertia(m: ArrayLike, t: ArrayLike, Ixx: ArrayLike, Iyy: ArrayLike, Izz: ArrayLike, Ixy: ArrayLike, Iyz: ArrayLike, Izx: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
+def inertia(m: ArrayLike, t: ArrayLike, Ixx: ArrayLike, Iyy: ArrayLike, Izz: ArrayLike, Ixy: ArrayLike, Iyz: ArrayLike, Izx: ArrayLike, out: tuple[_Out, _Out] | None = ...) -> tuple[_Array, _Array]:
     """J = (m; m t; Ixx, Iyy, Izz, Ixy, Iyz, Izx): mass, centre of mass t in m, entries of the
     moments' matrix about it in kg m^2, Ixy = -∫ x y dm; |error of J| <= J_bound unless inf or
     NaN.
@@ -1642,7 +1645,7 @@ def inertia(m: ArrayLike, t: ArrayLike, Ixx: ArrayLike, Iyy: ArrayLike, Izz: Arr
     6 mul, 3 add, 3 abs.
     """
 
-def inertia_rotated(Ji: ArrayLike, R: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
+def inertia_rotated(Ji: ArrayLike, R: ArrayLike, out: tuple[_Out, _Out] | None = ...) -> tuple[_Array, _Array]:
     """Jo = Ji rotated by R: m, R mt, R I R^T; |error of Jo| <= Jo_bound unless inf or NaN.
 
     (10),(3,3)->(10),(10).  Ji, Jo, Jo_bound: inertia (m in kg; mt = m c in kg m; I about the
@@ -1650,7 +1653,7 @@ def inertia_rotated(Ji: ArrayLike, R: ArrayLike, out: tuple[NDArray[np.floating]
     81 mul, 90 add, 45 abs.
     """
 
-def inertia_rotate(self: ArrayLike, R: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
+def inertia_rotate(self: ArrayLike, R: ArrayLike, out: tuple[_Out, _Out] | None = ...) -> tuple[_Array, _Array]:
     """self = self rotated by R: m, R mt, R I R^T; |error of self| <= self_bound unless inf or NaN.
 
     (10),(3,3)->(10),(10).  self, self_bound: inertia (m in kg; mt = m c in kg m; I about the
@@ -1658,7 +1661,7 @@ def inertia_rotate(self: ArrayLike, R: ArrayLike, out: tuple[NDArray[np.floating
     81 mul, 90 add, 45 abs.
     """
 
-def inertia_translated(Ji: ArrayLike, t: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
+def inertia_translated(Ji: ArrayLike, t: ArrayLike, out: tuple[_Out, _Out] | None = ...) -> tuple[_Array, _Array]:
     """Jo = Ji translated by t: m, mt + m t, I; |error of Jo| <= Jo_bound unless inf or NaN.
 
     (10),(3)->(10),(10).  Ji, Jo, Jo_bound: inertia (m in kg; mt = m c in kg m; I about the
@@ -1666,7 +1669,7 @@ def inertia_translated(Ji: ArrayLike, t: ArrayLike, out: tuple[NDArray[np.floati
     6 mul, 9 add, 6 abs.
     """
 
-def inertia_translate(self: ArrayLike, t: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
+def inertia_translate(self: ArrayLike, t: ArrayLike, out: tuple[_Out, _Out] | None = ...) -> tuple[_Array, _Array]:
     """self = self translated by t: m, mt + m t, I; |error of self| <= self_bound unless inf or
     NaN.
 
@@ -1675,7 +1678,7 @@ def inertia_translate(self: ArrayLike, t: ArrayLike, out: tuple[NDArray[np.float
     6 mul, 9 add, 6 abs.
     """
 
-def inertia_transformed(Ji: ArrayLike, D: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
+def inertia_transformed(Ji: ArrayLike, D: ArrayLike, out: tuple[_Out, _Out] | None = ...) -> tuple[_Array, _Array]:
     """Jo = Ji displaced by D = [R | t]: m, R mt + m t, R I R^T; |error of Jo| <= Jo_bound unless
     inf or NaN.
 
@@ -1685,7 +1688,7 @@ def inertia_transformed(Ji: ArrayLike, D: ArrayLike, out: tuple[NDArray[np.float
     84 mul, 96 add, 48 abs.
     """
 
-def inertia_transform(self: ArrayLike, D: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
+def inertia_transform(self: ArrayLike, D: ArrayLike, out: tuple[_Out, _Out] | None = ...) -> tuple[_Array, _Array]:
     """self = self displaced by D = [R | t]: m, R mt + m t, R I R^T; |error of self| <= self_bound
     unless inf or NaN.
 
@@ -1695,7 +1698,7 @@ def inertia_transform(self: ArrayLike, D: ArrayLike, out: tuple[NDArray[np.float
     84 mul, 96 add, 48 abs.
     """
 
-def spatial_inertia_scale(self: ArrayLike, a: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
+def spatial_inertia_scale(self: ArrayLike, a: ArrayLike, out: tuple[_Out, _Out] | None = ...) -> tuple[_Array, _Array]:
     """self = a self; |error of self| <= self_bound unless inf or NaN.
 
     (10),()->(10),(10).  self, self_bound: spatial inertia (m in kg; h = m c in kg m; I about
@@ -1703,7 +1706,7 @@ def spatial_inertia_scale(self: ArrayLike, a: ArrayLike, out: tuple[NDArray[np.f
     20 mul, 10 add, 10 abs.
     """
 
-def add_BB(B1: ArrayLike, B2: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
+def add_BB(B1: ArrayLike, B2: ArrayLike, out: tuple[_Out, _Out] | None = ...) -> tuple[_Array, _Array]:
     """Bo = B1 + B2; |error of Bo| <= Bo_bound unless inf or NaN.
 
     (10),(10)->(10),(10).  B1, B2, Bo, Bo_bound: spatial inertia (m in kg; h = m c in kg m; I
@@ -1711,7 +1714,7 @@ def add_BB(B1: ArrayLike, B2: ArrayLike, out: tuple[NDArray[np.floating] | None,
     10 mul, 10 add, 10 abs.
     """
 
-def subtract_BB(B1: ArrayLike, B2: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
+def subtract_BB(B1: ArrayLike, B2: ArrayLike, out: tuple[_Out, _Out] | None = ...) -> tuple[_Array, _Array]:
     """Bo = B1 - B2; |error of Bo| <= Bo_bound unless inf or NaN.
 
     (10),(10)->(10),(10).  B1, B2, Bo, Bo_bound: spatial inertia (m in kg; h = m c in kg m; I
@@ -1719,7 +1722,7 @@ def subtract_BB(B1: ArrayLike, B2: ArrayLike, out: tuple[NDArray[np.floating] | 
     10 mul, 10 add, 10 abs.
     """
 
-def spatial_inertia_from_com(m: ArrayLike, com: ArrayLike, Ic: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
+def spatial_inertia_from_com(m: ArrayLike, com: ArrayLike, Ic: ArrayLike, out: tuple[_Out, _Out] | None = ...) -> tuple[_Array, _Array]:
     """Bo: mass m, centre of mass com, second moments Ic about it (kg m^2; only the upper triangle
     is read): h = m com, I = Ic - m com~ com~; |error of Bo| <= Bo_bound unless inf or NaN.
 
@@ -1729,7 +1732,7 @@ def spatial_inertia_from_com(m: ArrayLike, com: ArrayLike, Ic: ArrayLike, out: t
     24 mul, 27 add, 12 abs.
     """
 
-def product_Bs(B: ArrayLike, s: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
+def product_Bs(B: ArrayLike, s: ArrayLike, out: tuple[_Out, _Out] | None = ...) -> tuple[_Array, _Array]:
     """co = B s = (m v - h × ω; h × v + I ω), the momentum of a body that moves with s; |error of
     co| <= co_bound unless inf or NaN.
 
@@ -1739,7 +1742,7 @@ def product_Bs(B: ArrayLike, s: ArrayLike, out: tuple[NDArray[np.floating] | Non
     30 mul, 42 add, 24 abs.
     """
 
-def spatial_inertia_energy(B: ArrayLike, s: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
+def spatial_inertia_energy(B: ArrayLike, s: ArrayLike, out: tuple[_Out, _Out] | None = ...) -> tuple[_Array, _Array]:
     """s·B s / 2, the kinetic energy in J of a body that moves with s; |error of energy| <=
     energy_bound unless inf or NaN.
 
@@ -1748,7 +1751,7 @@ def spatial_inertia_energy(B: ArrayLike, s: ArrayLike, out: tuple[NDArray[np.flo
     35 mul, 43 add, 25 abs.
     """
 
-def spatial_inertia_net_wrench(B: ArrayLike, w: ArrayLike, ds: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
+def spatial_inertia_net_wrench(B: ArrayLike, w: ArrayLike, ds: ArrayLike, out: tuple[_Out, _Out] | None = ...) -> tuple[_Array, _Array]:
     """co = B ds + (w × (w × h); w × I w): the net wrench, about the origin, of a body with angular
     velocity w and acceleration ds = (a; w'), where a is that of the point now at the origin; if
     a is less gravity's, so is the wrench; |error of co| <= co_bound unless inf or NaN.
@@ -1759,7 +1762,7 @@ def spatial_inertia_net_wrench(B: ArrayLike, w: ArrayLike, ds: ArrayLike, out: t
     66 mul, 102 add, 3 neg, 30 abs.
     """
 
-def spatial_inertia_shifted(t: ArrayLike, B: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
+def spatial_inertia_shifted(t: ArrayLike, B: ArrayLike, out: tuple[_Out, _Out] | None = ...) -> tuple[_Array, _Array]:
     """Bo = B moved by t: m, h + m t, I - t~ (h + m t)~ - h~ t~; |error of Bo| <= Bo_bound unless
     inf or NaN.
 
@@ -1768,7 +1771,7 @@ def spatial_inertia_shifted(t: ArrayLike, B: ArrayLike, out: tuple[NDArray[np.fl
     42 mul, 54 add, 15 abs.
     """
 
-def spatial_inertia_transformed(D: ArrayLike, B: ArrayLike, out: tuple[NDArray[np.floating] | None, NDArray[np.floating] | None] | None = ...) -> tuple[NDArray[np.floating], NDArray[np.floating]]:
+def spatial_inertia_transformed(D: ArrayLike, B: ArrayLike, out: tuple[_Out, _Out] | None = ...) -> tuple[_Array, _Array]:
     """Bo = [Ad]*(D) B [Ad]^-1(D): B, given in the frame at D, in the reference frame; |error of
     Bo| <= Bo_bound unless inf or NaN.
 

@@ -155,15 +155,16 @@ def mat3x3_inverse(R):
     R_largest6 = where(R_largest5 < R_size_6, R_size_6, R_largest5)
     R_largest7 = where(R_largest6 < R_size_7, R_size_7, R_largest6)
     R_largest8 = where(R_largest7 < R_size_8, R_size_8, R_largest7)
-    s_a = R_largest8 < 8.452712498170644e+270
     s_c = R_largest8 < 4.149515568880993e+180
-    s_b = where(s_a, float64(2.409919865102884e-181), float64(1.1830521861667747e-271))
     s_e = R_largest8 < 2.037035976334486e+90
+    s_d = (where(s_c, 4.909093465297727e-91, where(R_largest8
+        < 8.452712498170644e+270, float64(2.409919865102884e-181),
+            float64(1.1830521861667747e-271))))
     s_g = R_largest8 < 1
     s_i = R_largest8 < 4.909093465297727e-91
-    s_h = where(s_g, 2.037035976334486e+90, where(s_e, 1, where(s_c, 4.909093465297727e-91, s_b)))
     s_k = R_largest8 < 2.409919865102884e-181
-    s = where(s_k, 8.452712498170644e+270, where(s_i, 4.149515568880993e+180, s_h))
+    s = where(s_k, 8.452712498170644e+270, where(s_i, 4.149515568880993e+180, where(s_g,
+        2.037035976334486e+90, where(s_e, 1, s_d))))
     A_0 = R_00 * s
     A_1 = R_01 * s
     A_2 = R_02 * s
@@ -192,8 +193,8 @@ def mat3x3_inverse(R):
     size2_0 = absolute(A_2)
     size2_1 = absolute(A_5)
     size2_2 = absolute(A_8)
-    permanent_d = size0_0 * (size1_1 * size2_2 + size1_2 * size2_1)
-    permanent_i = permanent_d + size0_1 * (size1_0 * size2_2 + size1_2 * size2_0)
+    permanent_i = (size0_0 * (size1_1 * size2_2 + size1_2 * size2_1) + size0_1
+        * (size1_0 * size2_2 + size1_2 * size2_0))
     permanent = permanent_i + size0_2 * (size1_0 * size2_1 + size1_1 * size2_0)
     top = R_largest8 * s
     spoiled = top * 1.6489340850168661e-229
@@ -255,10 +256,11 @@ def mat3x3_normalize(self):
     q0_s_size_2 = absolute(self_02)
     q0_s_largest1 = where(q0_s_size_0 < q0_s_size_1, q0_s_size_1, q0_s_size_0)
     q0_s_largest2 = where(q0_s_largest1 < q0_s_size_2, q0_s_size_2, q0_s_largest1)
-    q0_s_a = 6.703903964971299e+153 < q0_s_largest2
-    q0_s_b = where(q0_s_a, float64(3.7291703656001034e-155), float64(1))
-    q0_s_d = where(q0_s_largest2 < 256, 1.3093562431584567e+151, q0_s_b)
-    q0_s = where(q0_s_largest2 < 1.955159272639747e-149, 1.0715086071862673e+301, q0_s_d)
+    q0_s_b = (where(6.703903964971299e+153
+        < q0_s_largest2, float64(3.7291703656001034e-155), float64(1)))
+    q0_s = (where(q0_s_largest2
+        < 1.955159272639747e-149, 1.0715086071862673e+301, where(q0_s_largest2
+        < 256, 1.3093562431584567e+151, q0_s_b)))
     q0_y_0 = self_00 * q0_s
     q0_y_1 = self_01 * q0_s
     q0_y_2 = self_02 * q0_s
@@ -280,10 +282,11 @@ def mat3x3_normalize(self):
     u1_s_size_2 = absolute(self_12)
     u1_s_largest1 = where(u1_s_size_0 < u1_s_size_1, u1_s_size_1, u1_s_size_0)
     u1_s_largest2 = where(u1_s_largest1 < u1_s_size_2, u1_s_size_2, u1_s_largest1)
-    u1_s_a = 6.703903964971299e+153 < u1_s_largest2
-    u1_s_b = where(u1_s_a, float64(3.7291703656001034e-155), float64(1))
-    u1_s_d = where(u1_s_largest2 < 256, 1.3093562431584567e+151, u1_s_b)
-    u1_s = where(u1_s_largest2 < 1.955159272639747e-149, 1.0715086071862673e+301, u1_s_d)
+    u1_s_b = (where(6.703903964971299e+153
+        < u1_s_largest2, float64(3.7291703656001034e-155), float64(1)))
+    u1_s = (where(u1_s_largest2
+        < 1.955159272639747e-149, 1.0715086071862673e+301, where(u1_s_largest2
+        < 256, 1.3093562431584567e+151, u1_s_b)))
     u1_y_0 = self_10 * u1_s
     u1_y_1 = self_11 * u1_s
     u1_y_2 = self_12 * u1_s
@@ -321,10 +324,11 @@ def mat3x3_normalize(self):
     u2_s_size_2 = absolute(self_22)
     u2_s_largest1 = where(u2_s_size_0 < u2_s_size_1, u2_s_size_1, u2_s_size_0)
     u2_s_largest2 = where(u2_s_largest1 < u2_s_size_2, u2_s_size_2, u2_s_largest1)
-    u2_s_a = 6.703903964971299e+153 < u2_s_largest2
-    u2_s_b = where(u2_s_a, float64(3.7291703656001034e-155), float64(1))
-    u2_s_d = where(u2_s_largest2 < 256, 1.3093562431584567e+151, u2_s_b)
-    u2_s = where(u2_s_largest2 < 1.955159272639747e-149, 1.0715086071862673e+301, u2_s_d)
+    u2_s_b = (where(6.703903964971299e+153
+        < u2_s_largest2, float64(3.7291703656001034e-155), float64(1)))
+    u2_s = (where(u2_s_largest2
+        < 1.955159272639747e-149, 1.0715086071862673e+301, where(u2_s_largest2
+        < 256, 1.3093562431584567e+151, u2_s_b)))
     u2_y_0 = self_20 * u2_s
     u2_y_1 = self_21 * u2_s
     u2_y_2 = self_22 * u2_s
@@ -379,10 +383,11 @@ def mat3x3_normalized(R):
     q0_s_size_2 = absolute(R_02)
     q0_s_largest1 = where(q0_s_size_0 < q0_s_size_1, q0_s_size_1, q0_s_size_0)
     q0_s_largest2 = where(q0_s_largest1 < q0_s_size_2, q0_s_size_2, q0_s_largest1)
-    q0_s_a = 6.703903964971299e+153 < q0_s_largest2
-    q0_s_b = where(q0_s_a, float64(3.7291703656001034e-155), float64(1))
-    q0_s_d = where(q0_s_largest2 < 256, 1.3093562431584567e+151, q0_s_b)
-    q0_s = where(q0_s_largest2 < 1.955159272639747e-149, 1.0715086071862673e+301, q0_s_d)
+    q0_s_b = (where(6.703903964971299e+153
+        < q0_s_largest2, float64(3.7291703656001034e-155), float64(1)))
+    q0_s = (where(q0_s_largest2
+        < 1.955159272639747e-149, 1.0715086071862673e+301, where(q0_s_largest2
+        < 256, 1.3093562431584567e+151, q0_s_b)))
     q0_y_0 = R_00 * q0_s
     q0_y_1 = R_01 * q0_s
     q0_y_2 = R_02 * q0_s
@@ -404,10 +409,11 @@ def mat3x3_normalized(R):
     u1_s_size_2 = absolute(R_12)
     u1_s_largest1 = where(u1_s_size_0 < u1_s_size_1, u1_s_size_1, u1_s_size_0)
     u1_s_largest2 = where(u1_s_largest1 < u1_s_size_2, u1_s_size_2, u1_s_largest1)
-    u1_s_a = 6.703903964971299e+153 < u1_s_largest2
-    u1_s_b = where(u1_s_a, float64(3.7291703656001034e-155), float64(1))
-    u1_s_d = where(u1_s_largest2 < 256, 1.3093562431584567e+151, u1_s_b)
-    u1_s = where(u1_s_largest2 < 1.955159272639747e-149, 1.0715086071862673e+301, u1_s_d)
+    u1_s_b = (where(6.703903964971299e+153
+        < u1_s_largest2, float64(3.7291703656001034e-155), float64(1)))
+    u1_s = (where(u1_s_largest2
+        < 1.955159272639747e-149, 1.0715086071862673e+301, where(u1_s_largest2
+        < 256, 1.3093562431584567e+151, u1_s_b)))
     u1_y_0 = R_10 * u1_s
     u1_y_1 = R_11 * u1_s
     u1_y_2 = R_12 * u1_s
@@ -445,10 +451,11 @@ def mat3x3_normalized(R):
     u2_s_size_2 = absolute(R_22)
     u2_s_largest1 = where(u2_s_size_0 < u2_s_size_1, u2_s_size_1, u2_s_size_0)
     u2_s_largest2 = where(u2_s_largest1 < u2_s_size_2, u2_s_size_2, u2_s_largest1)
-    u2_s_a = 6.703903964971299e+153 < u2_s_largest2
-    u2_s_b = where(u2_s_a, float64(3.7291703656001034e-155), float64(1))
-    u2_s_d = where(u2_s_largest2 < 256, 1.3093562431584567e+151, u2_s_b)
-    u2_s = where(u2_s_largest2 < 1.955159272639747e-149, 1.0715086071862673e+301, u2_s_d)
+    u2_s_b = (where(6.703903964971299e+153
+        < u2_s_largest2, float64(3.7291703656001034e-155), float64(1)))
+    u2_s = (where(u2_s_largest2
+        < 1.955159272639747e-149, 1.0715086071862673e+301, where(u2_s_largest2
+        < 256, 1.3093562431584567e+151, u2_s_b)))
     u2_y_0 = R_20 * u2_s
     u2_y_1 = R_21 * u2_s
     u2_y_2 = R_22 * u2_s
@@ -734,8 +741,9 @@ def mat3x3_nearest_rotation(A):
     s_largest6 = where(s_largest5 < s_size_6, s_size_6, s_largest5)
     s_largest7 = where(s_largest6 < s_size_7, s_size_7, s_largest6)
     s_largest8 = where(s_largest7 < s_size_8, s_size_8, s_largest7)
-    s_b = where(6.703903964971299e+153 < s_largest8, float64(3.7291703656001034e-155), float64(1))
-    s_d = where(s_largest8 < 256, 1.3093562431584567e+151, s_b)
+    s_d = (where(s_largest8
+        < 256, 1.3093562431584567e+151, where(6.703903964971299e+153
+        < s_largest8, float64(3.7291703656001034e-155), float64(1))))
     s = where(s_largest8 < 1.955159272639747e-149, 1.0715086071862673e+301, s_d)
     scaled_s_0 = A_00 * s
     scaled_s_1 = A_01 * s
@@ -1275,8 +1283,8 @@ def mat3x3_nearest_rotation(A):
     turn412_d_0 = turn401_d_0 * turn412_q + turn402_d_0 * turn412_p
     turn412_d_1 = turn401_d_1 * turn412_q + turn402_d_1 * turn412_p
     turn412_d_2 = turn401_d_2 * turn412_q + turn402_d_2 * turn412_p
-    longest_e = turn402_a_0 * turn402_a_0 + turn402_a_1 * turn402_a_1 + turn402_a_2 * turn402_a_2
-    longest = sqrt(longest_e)
+    longest = (sqrt(turn402_a_0 * turn402_a_0 + turn402_a_1 * turn402_a_1 + turn402_a_2
+        * turn402_a_2))
     first_divisor_a = longest == 0
     first_divisor = where(first_divisor_a, 1, longest)
     u0_0 = turn402_a_0 / first_divisor
@@ -1288,8 +1296,8 @@ def mat3x3_nearest_rotation(A):
     second_part_1 = turn412_a_1 - u0_1 * second_along
     second_part_2 = turn412_a_2 - u0_2 * second_along
     second_whole = turn412_a_0 * turn412_a_0 + turn412_a_1 * turn412_a_1 + turn412_a_2 * turn412_a_2
-    second_kept_c = second_part_0 * second_part_0 + second_part_1 * second_part_1
-    second_kept = second_kept_c + second_part_2 * second_part_2
+    second_kept = (second_part_0 * second_part_0 + second_part_1 * second_part_1 + second_part_2
+        * second_part_2)
     second_enough_a = 0.25 * second_whole
     second_enough = where(second_enough_a < least, least, second_enough_a)
     second_is_kept = where(second_enough < second_kept, float64(1), float64(0))
@@ -1314,8 +1322,8 @@ def mat3x3_nearest_rotation(A):
     second_found_0 = where(second_found_0a, second_part_0, second_other_0)
     second_found_1 = where(second_found_0a, second_part_1, second_other_1)
     second_found_2 = where(second_found_0a, second_part_2, second_other_2)
-    second_length_c = second_found_0 * second_found_0 + second_found_1 * second_found_1
-    second_length = sqrt(second_length_c + second_found_2 * second_found_2)
+    second_length = (sqrt(second_found_0 * second_found_0 + second_found_1 * second_found_1
+        + second_found_2 * second_found_2))
     second_across_0 = second_found_0 / second_length
     second_across_1 = second_found_1 / second_length
     second_across_2 = second_found_2 / second_length
@@ -1444,16 +1452,17 @@ def axis_angle_from_mat3x3(R):
     v_s_size_2 = absolute(upper_2)
     v_s_largest1 = where(v_s_size_0 < v_s_size_1, v_s_size_1, v_s_size_0)
     v_s_largest2 = where(v_s_largest1 < v_s_size_2, v_s_size_2, v_s_largest1)
-    v_s_a = 6.703903964971299e+153 < v_s_largest2
-    v_s_b = where(v_s_a, float64(3.7291703656001034e-155), float64(1))
-    v_s_d = where(v_s_largest2 < 256, 1.3093562431584567e+151, v_s_b)
+    v_s_d = (where(v_s_largest2
+        < 256, 1.3093562431584567e+151, where(6.703903964971299e+153
+        < v_s_largest2, float64(3.7291703656001034e-155), float64(1))))
     v_s = where(v_s_largest2 < 1.955159272639747e-149, 1.0715086071862673e+301, v_s_d)
     v_y_0 = upper_0 * v_s
     v_y_1 = upper_1 * v_s
     v_y_2 = upper_2 * v_s
     v_n = sqrt(v_y_0 * v_y_0 + v_y_1 * v_y_1 + v_y_2 * v_y_2)
-    v_r_b = where(v_s < 1, float64(2.6815615859885194e+154), float64(1))
-    v_r_d = where(1 < v_s, 7.637340908749012e-152, v_r_b)
+    v_r_d = (where(1
+        < v_s, 7.637340908749012e-152, where(v_s
+        < 1, float64(2.6815615859885194e+154), float64(1))))
     v_r = where(1.3093562431584567e+151 < v_s, 9.332636185032189e-302, v_r_d)
     n = v_n * v_r
     half = elementary.atan2(n, upper_3)

@@ -93,16 +93,17 @@ def quaternion_norm(q):
     s_largest1 = where(s_size_0 < s_size_1, s_size_1, s_size_0)
     s_largest2 = where(s_largest1 < s_size_2, s_size_2, s_largest1)
     s_largest3 = where(s_largest2 < s_size_3, s_size_3, s_largest2)
-    s_b = where(6.703903964971299e+153 < s_largest3, float64(3.7291703656001034e-155), float64(1))
-    s_d = where(s_largest3 < 256, 1.3093562431584567e+151, s_b)
+    s_d = (where(s_largest3
+        < 256, 1.3093562431584567e+151, where(6.703903964971299e+153
+        < s_largest3, float64(3.7291703656001034e-155), float64(1))))
     s = where(s_largest3 < 1.955159272639747e-149, 1.0715086071862673e+301, s_d)
     y_0 = q_0 * s
     y_1 = q_1 * s
     y_2 = q_2 * s
     y_3 = q_3 * s
     n = sqrt(y_0 * y_0 + y_1 * y_1 + y_2 * y_2 + y_3 * y_3)
-    r_b = where(s < 1, float64(2.6815615859885194e+154), float64(1))
-    r_d = where(1 < s, 7.637340908749012e-152, r_b)
+    r_d = (where(1
+        < s, 7.637340908749012e-152, where(s < 1, float64(2.6815615859885194e+154), float64(1))))
     r = where(1.3093562431584567e+151 < s, 9.332636185032189e-302, r_d)
     norm = n * r
     return norm
@@ -123,8 +124,9 @@ def quaternion_normalize(self):
     s_largest1 = where(s_size_0 < s_size_1, s_size_1, s_size_0)
     s_largest2 = where(s_largest1 < s_size_2, s_size_2, s_largest1)
     s_largest3 = where(s_largest2 < s_size_3, s_size_3, s_largest2)
-    s_b = where(6.703903964971299e+153 < s_largest3, float64(3.7291703656001034e-155), float64(1))
-    s_d = where(s_largest3 < 256, 1.3093562431584567e+151, s_b)
+    s_d = (where(s_largest3
+        < 256, 1.3093562431584567e+151, where(6.703903964971299e+153
+        < s_largest3, float64(3.7291703656001034e-155), float64(1))))
     s = where(s_largest3 < 1.955159272639747e-149, 1.0715086071862673e+301, s_d)
     y_0 = self_0 * s
     y_1 = self_1 * s
@@ -164,8 +166,9 @@ def quaternion_normalized(q):
     s_largest1 = where(s_size_0 < s_size_1, s_size_1, s_size_0)
     s_largest2 = where(s_largest1 < s_size_2, s_size_2, s_largest1)
     s_largest3 = where(s_largest2 < s_size_3, s_size_3, s_largest2)
-    s_b = where(6.703903964971299e+153 < s_largest3, float64(3.7291703656001034e-155), float64(1))
-    s_d = where(s_largest3 < 256, 1.3093562431584567e+151, s_b)
+    s_d = (where(s_largest3
+        < 256, 1.3093562431584567e+151, where(6.703903964971299e+153
+        < s_largest3, float64(3.7291703656001034e-155), float64(1))))
     s = where(s_largest3 < 1.955159272639747e-149, 1.0715086071862673e+301, s_d)
     y_0 = q_0 * s
     y_1 = q_1 * s
@@ -205,16 +208,17 @@ def quaternion_unit_defect(q):
     s_largest1 = where(s_size_0 < s_size_1, s_size_1, s_size_0)
     s_largest2 = where(s_largest1 < s_size_2, s_size_2, s_largest1)
     s_largest3 = where(s_largest2 < s_size_3, s_size_3, s_largest2)
-    s_b = where(6.703903964971299e+153 < s_largest3, float64(3.7291703656001034e-155), float64(1))
-    s_d = where(s_largest3 < 256, 1.3093562431584567e+151, s_b)
+    s_d = (where(s_largest3
+        < 256, 1.3093562431584567e+151, where(6.703903964971299e+153
+        < s_largest3, float64(3.7291703656001034e-155), float64(1))))
     s = where(s_largest3 < 1.955159272639747e-149, 1.0715086071862673e+301, s_d)
     y_0 = q_0 * s
     y_1 = q_1 * s
     y_2 = q_2 * s
     y_3 = q_3 * s
     n = sqrt(y_0 * y_0 + y_1 * y_1 + y_2 * y_2 + y_3 * y_3)
-    r_b = where(s < 1, float64(2.6815615859885194e+154), float64(1))
-    r_d = where(1 < s, 7.637340908749012e-152, r_b)
+    r_d = (where(1
+        < s, 7.637340908749012e-152, where(s < 1, float64(2.6815615859885194e+154), float64(1))))
     r = where(1.3093562431584567e+151 < s, 9.332636185032189e-302, r_d)
     length = n * r
     defect = length - 1
@@ -236,15 +240,16 @@ def quaternion_nearest_unit(q):
     s_largest1 = where(s_size_0 < s_size_1, s_size_1, s_size_0)
     s_largest2 = where(s_largest1 < s_size_2, s_size_2, s_largest1)
     s_largest3 = where(s_largest2 < s_size_3, s_size_3, s_largest2)
-    s_b = where(6.703903964971299e+153 < s_largest3, float64(3.7291703656001034e-155), float64(1))
-    s_d = where(s_largest3 < 256, 1.3093562431584567e+151, s_b)
+    s_d = (where(s_largest3
+        < 256, 1.3093562431584567e+151, where(6.703903964971299e+153
+        < s_largest3, float64(3.7291703656001034e-155), float64(1))))
     s = where(s_largest3 < 1.955159272639747e-149, 1.0715086071862673e+301, s_d)
     scaled_s_0 = q_0 * s
     scaled_s_1 = q_1 * s
     scaled_s_2 = q_2 * s
     scaled_s_3 = q_3 * s
-    n_e = scaled_s_0 * scaled_s_0 + scaled_s_1 * scaled_s_1 + scaled_s_2 * scaled_s_2
-    n = sqrt(n_e + scaled_s_3 * scaled_s_3)
+    n = (sqrt(scaled_s_0 * scaled_s_0 + scaled_s_1 * scaled_s_1 + scaled_s_2 * scaled_s_2
+        + scaled_s_3 * scaled_s_3))
     divisor_a = n == 0
     divisor = where(divisor_a, 1, n)
     unit_0 = scaled_s_0 / divisor
@@ -1064,8 +1069,9 @@ def axis_angle_from_quaternion(q):
     s_largest1 = where(s_size_0 < s_size_1, s_size_1, s_size_0)
     s_largest2 = where(s_largest1 < s_size_2, s_size_2, s_largest1)
     s_largest3 = where(s_largest2 < s_size_3, s_size_3, s_largest2)
-    s_b = where(6.703903964971299e+153 < s_largest3, float64(3.7291703656001034e-155), float64(1))
-    s_d = where(s_largest3 < 256, 1.3093562431584567e+151, s_b)
+    s_d = (where(s_largest3
+        < 256, 1.3093562431584567e+151, where(6.703903964971299e+153
+        < s_largest3, float64(3.7291703656001034e-155), float64(1))))
     s = where(s_largest3 < 1.955159272639747e-149, 1.0715086071862673e+301, s_d)
     scaled_s_0 = q_0 * s
     scaled_s_1 = q_1 * s
@@ -1081,14 +1087,15 @@ def axis_angle_from_quaternion(q):
     v_s_size_2 = absolute(upper_2)
     v_s_largest1 = where(v_s_size_0 < v_s_size_1, v_s_size_1, v_s_size_0)
     v_s_largest2 = where(v_s_largest1 < v_s_size_2, v_s_size_2, v_s_largest1)
-    v_s_b = where(v_s_largest2 < 256, float64(1.3093562431584567e+151), float64(1))
-    v_s = where(v_s_largest2 < 1.955159272639747e-149, 1.0715086071862673e+301, v_s_b)
+    v_s = (where(v_s_largest2
+        < 1.955159272639747e-149, 1.0715086071862673e+301, where(v_s_largest2
+        < 256, float64(1.3093562431584567e+151), float64(1))))
     v_y_0 = upper_0 * v_s
     v_y_1 = upper_1 * v_s
     v_y_2 = upper_2 * v_s
     v_n = sqrt(v_y_0 * v_y_0 + v_y_1 * v_y_1 + v_y_2 * v_y_2)
-    v_r_b = where(1 < v_s, float64(7.637340908749012e-152), float64(1))
-    v_r = where(1.3093562431584567e+151 < v_s, 9.332636185032189e-302, v_r_b)
+    v_r = (where(1.3093562431584567e+151
+        < v_s, 9.332636185032189e-302, where(1 < v_s, float64(7.637340908749012e-152), float64(1))))
     n = v_n * v_r
     half = elementary.atan2(n, upper_3)
     divisor_a = v_n == 0
@@ -1150,16 +1157,26 @@ def quaternion_exp(v):
     sine = delta * far_cosine + far_sine
     cosine = far_cosine - delta * far_sine
     far_k = sine / theta
-    k_e = x * (x * (6.446950284384474e-26 * x - 3.868170170630684e-23) + 1.9572941063391263e-20)
-    k_j = x * (x * (k_e - 8.22063524662433e-18) + 2.8114572543455206e-15) - 7.647163731819816e-13
-    k_o = x * (x * (x * k_j + 1.6059043836821613e-10) - 2.505210838544172e-08)
-    k_t = x * (x * (k_o + 2.7557319223985893e-06) - 0.0001984126984126984) + 0.008333333333333333
-    k = where(theta_b, x * (x * k_t - 0.16666666666666666) + 1, far_k)
-    g2e = x * (x * (2.4795962632247976e-27 * x - 1.6117375710961184e-24) + 8.896791392450574e-22)
-    g2j = x * (x * (g2e - 4.110317623312165e-19) + 1.5619206968586225e-16) - 4.779477332387385e-14
-    g2o = x * (x * (x * g2j + 1.1470745597729725e-11) - 2.08767569878681e-09)
-    g2t = x * (x * (g2o + 2.755731922398589e-07) - 2.48015873015873e-05) + 0.001388888888888889
-    g2 = x * (x * g2t - 0.041666666666666664) + 0.5
+    k_h = (x
+        * (x * (x * (6.446950284384474e-26 * x - 3.868170170630684e-23) + 1.9572941063391263e-20)
+        - 8.22063524662433e-18) + 2.8114572543455206e-15)
+    k_q = (x
+        * (x
+        * (x * (x * (x * k_h - 7.647163731819816e-13) + 1.6059043836821613e-10)
+        - 2.505210838544172e-08) + 2.7557319223985893e-06))
+    k = (where(theta_b, x
+        * (x * (x * (k_q - 0.0001984126984126984) + 0.008333333333333333) - 0.16666666666666666)
+        + 1, far_k))
+    g2h = (x
+        * (x * (x * (2.4795962632247976e-27 * x - 1.6117375710961184e-24) + 8.896791392450574e-22)
+        - 4.110317623312165e-19) + 1.5619206968586225e-16)
+    g2q = (x
+        * (x
+        * (x * (x * (x * g2h - 4.779477332387385e-14) + 1.1470745597729725e-11)
+        - 2.08767569878681e-09) + 2.755731922398589e-07))
+    g2 = (x
+        * (x * (x * (g2q - 2.48015873015873e-05) + 0.001388888888888889) - 0.041666666666666664)
+        + 0.5)
     near = 1 - x * g2
     qo_0 = h_0 * k
     qo_1 = h_1 * k
@@ -1185,8 +1202,9 @@ def quaternion_log(q):
     s_largest1 = where(s_size_0 < s_size_1, s_size_1, s_size_0)
     s_largest2 = where(s_largest1 < s_size_2, s_size_2, s_largest1)
     s_largest3 = where(s_largest2 < s_size_3, s_size_3, s_largest2)
-    s_b = where(6.703903964971299e+153 < s_largest3, float64(3.7291703656001034e-155), float64(1))
-    s_d = where(s_largest3 < 256, 1.3093562431584567e+151, s_b)
+    s_d = (where(s_largest3
+        < 256, 1.3093562431584567e+151, where(6.703903964971299e+153
+        < s_largest3, float64(3.7291703656001034e-155), float64(1))))
     s = where(s_largest3 < 1.955159272639747e-149, 1.0715086071862673e+301, s_d)
     scaled_s_0 = q_0 * s
     scaled_s_1 = q_1 * s
@@ -1202,14 +1220,15 @@ def quaternion_log(q):
     v_s_size_2 = absolute(upper_2)
     v_s_largest1 = where(v_s_size_0 < v_s_size_1, v_s_size_1, v_s_size_0)
     v_s_largest2 = where(v_s_largest1 < v_s_size_2, v_s_size_2, v_s_largest1)
-    v_s_b = where(v_s_largest2 < 256, float64(1.3093562431584567e+151), float64(1))
-    v_s = where(v_s_largest2 < 1.955159272639747e-149, 1.0715086071862673e+301, v_s_b)
+    v_s = (where(v_s_largest2
+        < 1.955159272639747e-149, 1.0715086071862673e+301, where(v_s_largest2
+        < 256, float64(1.3093562431584567e+151), float64(1))))
     v_y_0 = upper_0 * v_s
     v_y_1 = upper_1 * v_s
     v_y_2 = upper_2 * v_s
     v_n = sqrt(v_y_0 * v_y_0 + v_y_1 * v_y_1 + v_y_2 * v_y_2)
-    v_r_b = where(1 < v_s, float64(7.637340908749012e-152), float64(1))
-    v_r = where(1.3093562431584567e+151 < v_s, 9.332636185032189e-302, v_r_b)
+    v_r = (where(1.3093562431584567e+151
+        < v_s, 9.332636185032189e-302, where(1 < v_s, float64(7.637340908749012e-152), float64(1))))
     n = v_n * v_r
     half = elementary.atan2(n, upper_3)
     divisor = where(n == 0, 1, n)
@@ -1246,16 +1265,17 @@ def quaternion_interpolated(q1, q2, k):
     v_s_size_2 = absolute(upper_2)
     v_s_largest1 = where(v_s_size_0 < v_s_size_1, v_s_size_1, v_s_size_0)
     v_s_largest2 = where(v_s_largest1 < v_s_size_2, v_s_size_2, v_s_largest1)
-    v_s_a = 6.703903964971299e+153 < v_s_largest2
-    v_s_b = where(v_s_a, float64(3.7291703656001034e-155), float64(1))
-    v_s_d = where(v_s_largest2 < 256, 1.3093562431584567e+151, v_s_b)
+    v_s_d = (where(v_s_largest2
+        < 256, 1.3093562431584567e+151, where(6.703903964971299e+153
+        < v_s_largest2, float64(3.7291703656001034e-155), float64(1))))
     v_s = where(v_s_largest2 < 1.955159272639747e-149, 1.0715086071862673e+301, v_s_d)
     v_y_0 = upper_0 * v_s
     v_y_1 = upper_1 * v_s
     v_y_2 = upper_2 * v_s
     v_n = sqrt(v_y_0 * v_y_0 + v_y_1 * v_y_1 + v_y_2 * v_y_2)
-    v_r_b = where(v_s < 1, float64(2.6815615859885194e+154), float64(1))
-    v_r_d = where(1 < v_s, 7.637340908749012e-152, v_r_b)
+    v_r_d = (where(1
+        < v_s, 7.637340908749012e-152, where(v_s
+        < 1, float64(2.6815615859885194e+154), float64(1))))
     v_r = where(1.3093562431584567e+151 < v_s, 9.332636185032189e-302, v_r_d)
     n = v_n * v_r
     half = elementary.atan2(n, upper_3)
@@ -1304,19 +1324,28 @@ def quaternion_interpolated(q1, q2, k):
     exp_sine = exp_delta * exp_far_cosine + exp_far_sine
     exp_cosine = exp_far_cosine - exp_delta * exp_far_sine
     exp_far_k = exp_sine / exp_theta
-    exp_k_c = exp_x * (6.446950284384474e-26 * exp_x - 3.868170170630684e-23)
-    exp_k_g = exp_x * (exp_x * (exp_k_c + 1.9572941063391263e-20) - 8.22063524662433e-18)
-    exp_k_k = exp_x * (exp_x * (exp_k_g + 2.8114572543455206e-15) - 7.647163731819816e-13)
-    exp_k_o = exp_x * (exp_x * (exp_k_k + 1.6059043836821613e-10) - 2.505210838544172e-08)
-    exp_k_s = exp_x * (exp_x * (exp_k_o + 2.7557319223985893e-06) - 0.0001984126984126984)
-    exp_k_x = exp_x * (exp_x * (exp_k_s + 0.008333333333333333) - 0.16666666666666666) + 1
-    exp_k = where(exp_theta_b, exp_k_x, exp_far_k)
-    exp_g2c = exp_x * (2.4795962632247976e-27 * exp_x - 1.6117375710961184e-24)
-    exp_g2g = exp_x * (exp_x * (exp_g2c + 8.896791392450574e-22) - 4.110317623312165e-19)
-    exp_g2k = exp_x * (exp_x * (exp_g2g + 1.5619206968586225e-16) - 4.779477332387385e-14)
-    exp_g2o = exp_x * (exp_x * (exp_g2k + 1.1470745597729725e-11) - 2.08767569878681e-09)
-    exp_g2s = exp_x * (exp_x * (exp_g2o + 2.755731922398589e-07) - 2.48015873015873e-05)
-    exp_g2 = exp_x * (exp_x * (exp_g2s + 0.001388888888888889) - 0.041666666666666664) + 0.5
+    exp_k_g = (exp_x
+        * (exp_x
+        * (exp_x * (6.446950284384474e-26 * exp_x - 3.868170170630684e-23)
+        + 1.9572941063391263e-20) - 8.22063524662433e-18))
+    exp_k_n = (exp_x
+        * (exp_x * (exp_x * (exp_k_g + 2.8114572543455206e-15) - 7.647163731819816e-13)
+        + 1.6059043836821613e-10) - 2.505210838544172e-08)
+    exp_k_v = (exp_x
+        * (exp_x * (exp_x * (exp_x * exp_k_n + 2.7557319223985893e-06) - 0.0001984126984126984)
+        + 0.008333333333333333) - 0.16666666666666666)
+    exp_k = where(exp_theta_b, exp_x * exp_k_v + 1, exp_far_k)
+    exp_g2g = (exp_x
+        * (exp_x
+        * (exp_x * (2.4795962632247976e-27 * exp_x - 1.6117375710961184e-24)
+        + 8.896791392450574e-22) - 4.110317623312165e-19))
+    exp_g2n = (exp_x
+        * (exp_x * (exp_x * (exp_g2g + 1.5619206968586225e-16) - 4.779477332387385e-14)
+        + 1.1470745597729725e-11) - 2.08767569878681e-09)
+    exp_g2v = (exp_x
+        * (exp_x * (exp_x * (exp_x * exp_g2n + 2.755731922398589e-07) - 2.48015873015873e-05)
+        + 0.001388888888888889) - 0.041666666666666664)
+    exp_g2 = exp_x * exp_g2v + 0.5
     exp_near = 1 - exp_x * exp_g2
     power_0 = step_0 * exp_k
     power_1 = step_1 * exp_k

@@ -188,8 +188,9 @@ def coscrew_norm(ci):
     7 mul, 2 add, 1 sqrt, 6 abs, 11 less, 1 equal, 14 select.
     """
     ci_0, ci_1, ci_2, ci_3, ci_4, ci_5 = ci
-    small_c = where(absolute(ci_2) < 1e-06, float32(1), float32(0))
-    small = where(absolute(ci_0) < 1e-06, where(absolute(ci_1) < 1e-06, small_c, 0), 0)
+    small = (where(absolute(ci_0)
+        < 1e-06, where(absolute(ci_1)
+        < 1e-06, where(absolute(ci_2) < 1e-06, float32(1), float32(0)), 0), 0))
     p_0a = small == 1
     p_0 = where(p_0a, ci_3, ci_0)
     p_1 = where(p_0a, ci_4, ci_1)
@@ -199,15 +200,16 @@ def coscrew_norm(ci):
     s_size_2 = absolute(p_2)
     s_largest1 = where(s_size_0 < s_size_1, s_size_1, s_size_0)
     s_largest2 = where(s_largest1 < s_size_2, s_size_2, s_largest1)
-    s_b = where(4.611686018427388e+18 < s_largest2, float32(2.710505431213761e-20), float32(1))
-    s_d = where(s_largest2 < 256, 1.8014398509481984e+16, s_b)
+    s_d = (where(s_largest2
+        < 256, 1.8014398509481984e+16, where(4.611686018427388e+18
+        < s_largest2, float32(2.710505431213761e-20), float32(1))))
     s = where(s_largest2 < 1.4210854715202004e-14, 3.2451855365842673e+32, s_d)
     y_0 = p_0 * s
     y_1 = p_1 * s
     y_2 = p_2 * s
     n = sqrt(y_0 * y_0 + y_1 * y_1 + y_2 * y_2)
-    r_b = where(s < 1, float32(3.6893488147419103e+19), float32(1))
-    r_d = where(1 < s, 5.551115123125783e-17, r_b)
+    r_d = (where(1
+        < s, 5.551115123125783e-17, where(s < 1, float32(3.6893488147419103e+19), float32(1))))
     r = where(1.8014398509481984e+16 < s, 3.0814879110195774e-33, r_d)
     norm = n * r
     return norm
@@ -224,8 +226,8 @@ def coscrew_normalize(self):
     small_a = absolute(self_2)
     small_d = absolute(self_1)
     small_g = absolute(self_0)
-    small_f = where(small_d < 1e-06, where(small_a < 1e-06, float32(1), float32(0)), 0)
-    small = where(small_g < 1e-06, small_f, 0)
+    small = (where(small_g
+        < 1e-06, where(small_d < 1e-06, where(small_a < 1e-06, float32(1), float32(0)), 0), 0))
     p_0a = small == 1
     p_0 = where(p_0a, self_3, self_0)
     p_1 = where(p_0a, self_4, self_1)
@@ -235,8 +237,9 @@ def coscrew_normalize(self):
     s_size_2 = absolute(p_2)
     s_largest1 = where(s_size_0 < s_size_1, s_size_1, s_size_0)
     s_largest2 = where(s_largest1 < s_size_2, s_size_2, s_largest1)
-    s_b = where(4.611686018427388e+18 < s_largest2, float32(2.710505431213761e-20), float32(1))
-    s_d = where(s_largest2 < 256, 1.8014398509481984e+16, s_b)
+    s_d = (where(s_largest2
+        < 256, 1.8014398509481984e+16, where(4.611686018427388e+18
+        < s_largest2, float32(2.710505431213761e-20), float32(1))))
     s = where(s_largest2 < 1.4210854715202004e-14, 3.2451855365842673e+32, s_d)
     y_0 = p_0 * s
     y_1 = p_1 * s
@@ -298,8 +301,8 @@ def coscrew_normalized(ci):
     small_a = absolute(ci_2)
     small_d = absolute(ci_1)
     small_g = absolute(ci_0)
-    small_f = where(small_d < 1e-06, where(small_a < 1e-06, float32(1), float32(0)), 0)
-    small = where(small_g < 1e-06, small_f, 0)
+    small = (where(small_g
+        < 1e-06, where(small_d < 1e-06, where(small_a < 1e-06, float32(1), float32(0)), 0), 0))
     p_0a = small == 1
     p_0 = where(p_0a, ci_3, ci_0)
     p_1 = where(p_0a, ci_4, ci_1)
@@ -309,8 +312,9 @@ def coscrew_normalized(ci):
     s_size_2 = absolute(p_2)
     s_largest1 = where(s_size_0 < s_size_1, s_size_1, s_size_0)
     s_largest2 = where(s_largest1 < s_size_2, s_size_2, s_largest1)
-    s_b = where(4.611686018427388e+18 < s_largest2, float32(2.710505431213761e-20), float32(1))
-    s_d = where(s_largest2 < 256, 1.8014398509481984e+16, s_b)
+    s_d = (where(s_largest2
+        < 256, 1.8014398509481984e+16, where(4.611686018427388e+18
+        < s_largest2, float32(2.710505431213761e-20), float32(1))))
     s = where(s_largest2 < 1.4210854715202004e-14, 3.2451855365842673e+32, s_d)
     y_0 = p_0 * s
     y_1 = p_1 * s

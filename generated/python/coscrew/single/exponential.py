@@ -60,14 +60,22 @@ def SO3_exp(v):
     closed1 = sine / theta
     versine = 1 - cosine
     closed2 = versine / far_x
-    g1g = x * (x * (x * (6.4469503e-26 * x - 3.8681703e-23) + 1.9572942e-20) - 8.220635e-18)
-    g1n = x * (x * (x * (g1g + 2.8114574e-15) - 7.6471636e-13) + 1.6059044e-10) - 2.5052108e-08
-    g1w = x * (x * (x * (x * (x * g1n + 2.7557319e-06) - 0.0001984127) + 0.008333334) - 0.16666667)
-    g1 = where(theta_b, g1w + 1, closed1)
-    g2g = x * (x * (x * (2.4795963e-27 * x - 1.6117376e-24) + 8.896791e-22) - 4.1103176e-19)
-    g2n = x * (x * (x * (g2g + 1.5619207e-16) - 4.7794773e-14) + 1.1470745e-11) - 2.0876756e-09
-    g2v = x * (x * (x * (x * g2n + 2.755732e-07) - 2.4801588e-05) + 0.0013888889) - 0.041666668
-    g2 = where(theta_b, x * g2v + 0.5, closed2)
+    g1l = (x
+        * (x
+        * (x * (x * (x * (6.4469503e-26 * x - 3.8681703e-23) + 1.9572942e-20) - 8.220635e-18)
+        + 2.8114574e-15) - 7.6471636e-13) + 1.6059044e-10)
+    g1 = (where(theta_b, x
+        * (x
+        * (x * (x * (x * (x * g1l - 2.5052108e-08) + 2.7557319e-06) - 0.0001984127) + 0.008333334)
+        - 0.16666667) + 1, closed1))
+    g2l = (x
+        * (x
+        * (x * (x * (x * (2.4795963e-27 * x - 1.6117376e-24) + 8.896791e-22) - 4.1103176e-19)
+        + 1.5619207e-16) - 4.7794773e-14) + 1.1470745e-11)
+    g2 = (where(theta_b, x
+        * (x
+        * (x * (x * (x * (x * g2l - 2.0876756e-09) + 2.755732e-07) - 2.4801588e-05) + 0.0013888889)
+        - 0.041666668) + 0.5, closed2))
     g0 = where(theta_b, 1 - x * g2, cosine)
     beta_v_0 = v_0 * g2
     beta_v_1 = v_1 * g2
@@ -144,15 +152,16 @@ def SO3_log(R):
     v_s_size_2 = absolute(upper_2)
     v_s_largest1 = where(v_s_size_0 < v_s_size_1, v_s_size_1, v_s_size_0)
     v_s_largest2 = where(v_s_largest1 < v_s_size_2, v_s_size_2, v_s_largest1)
-    v_s_b = where(4.611686018427388e+18 < v_s_largest2, float32(2.710505431213761e-20), float32(1))
-    v_s_d = where(v_s_largest2 < 256, 1.8014398509481984e+16, v_s_b)
+    v_s_d = (where(v_s_largest2
+        < 256, 1.8014398509481984e+16, where(4.611686018427388e+18
+        < v_s_largest2, float32(2.710505431213761e-20), float32(1))))
     v_s = where(v_s_largest2 < 1.4210854715202004e-14, 3.2451855365842673e+32, v_s_d)
     v_y_0 = upper_0 * v_s
     v_y_1 = upper_1 * v_s
     v_y_2 = upper_2 * v_s
     v_n = sqrt(v_y_0 * v_y_0 + v_y_1 * v_y_1 + v_y_2 * v_y_2)
-    v_r_b = where(v_s < 1, float32(3.6893488147419103e+19), float32(1))
-    v_r_d = where(1 < v_s, 5.551115123125783e-17, v_r_b)
+    v_r_d = (where(1
+        < v_s, 5.551115123125783e-17, where(v_s < 1, float32(3.6893488147419103e+19), float32(1))))
     v_r = where(1.8014398509481984e+16 < v_s, 3.0814879110195774e-33, v_r_d)
     n = v_n * v_r
     half = elementary.atan2(n, upper_3)
@@ -218,18 +227,31 @@ def SO3_leftJacobian(v):
     closed2 = versine / far_x
     rest3 = 1 - closed1
     closed3 = rest3 / middle_x
-    g1g = x * (x * (x * (6.4469503e-26 * x - 3.8681703e-23) + 1.9572942e-20) - 8.220635e-18)
-    g1n = x * (x * (x * (g1g + 2.8114574e-15) - 7.6471636e-13) + 1.6059044e-10) - 2.5052108e-08
-    g1w = x * (x * (x * (x * (x * g1n + 2.7557319e-06) - 0.0001984127) + 0.008333334) - 0.16666667)
-    g1 = where(theta_b, g1w + 1, closed1)
-    g2g = x * (x * (x * (2.4795963e-27 * x - 1.6117376e-24) + 8.896791e-22) - 4.1103176e-19)
-    g2n = x * (x * (x * (g2g + 1.5619207e-16) - 4.7794773e-14) + 1.1470745e-11) - 2.0876756e-09
-    g2v = x * (x * (x * (x * g2n + 2.755732e-07) - 2.4801588e-05) + 0.0013888889) - 0.041666668
-    g2 = where(theta_b, x * g2v + 0.5, closed2)
-    g3g = x * (x * (x * (9.18369e-29 * x - 6.4469503e-26) + 3.8681703e-23) - 1.9572942e-20)
-    g3o = x * (x * (x * (x * (g3g + 8.220635e-18) - 2.8114574e-15) + 7.6471636e-13) - 1.6059044e-10)
-    g3w = x * (x * (x * (x * (g3o + 2.5052108e-08) - 2.7557319e-06) + 0.0001984127) - 0.008333334)
-    g3 = where(middle_x_a, g3w + 0.16666667, closed3)
+    g1l = (x
+        * (x
+        * (x * (x * (x * (6.4469503e-26 * x - 3.8681703e-23) + 1.9572942e-20) - 8.220635e-18)
+        + 2.8114574e-15) - 7.6471636e-13) + 1.6059044e-10)
+    g1 = (where(theta_b, x
+        * (x
+        * (x * (x * (x * (x * g1l - 2.5052108e-08) + 2.7557319e-06) - 0.0001984127) + 0.008333334)
+        - 0.16666667) + 1, closed1))
+    g2l = (x
+        * (x
+        * (x * (x * (x * (2.4795963e-27 * x - 1.6117376e-24) + 8.896791e-22) - 4.1103176e-19)
+        + 1.5619207e-16) - 4.7794773e-14) + 1.1470745e-11)
+    g2 = (where(theta_b, x
+        * (x
+        * (x * (x * (x * (x * g2l - 2.0876756e-09) + 2.755732e-07) - 2.4801588e-05) + 0.0013888889)
+        - 0.041666668) + 0.5, closed2))
+    g3l = (x
+        * (x
+        * (x * (x * (x * (9.18369e-29 * x - 6.4469503e-26) + 3.8681703e-23) - 1.9572942e-20)
+        + 8.220635e-18) - 2.8114574e-15) + 7.6471636e-13)
+    g3x = (x
+        * (x
+        * (x * (x * (x * (x * g3l - 1.6059044e-10) + 2.5052108e-08) - 2.7557319e-06)
+        + 0.0001984127) - 0.008333334) + 0.16666667)
+    g3 = where(middle_x_a, g3x, closed3)
     beta_v_0 = v_0 * g3
     beta_v_1 = v_1 * g3
     beta_v_2 = v_2 * g3
@@ -310,18 +332,31 @@ def SO3_rightJacobian(v):
     closed2 = versine / far_x
     rest3 = 1 - closed1
     closed3 = rest3 / middle_x
-    g1g = x * (x * (x * (6.4469503e-26 * x - 3.8681703e-23) + 1.9572942e-20) - 8.220635e-18)
-    g1n = x * (x * (x * (g1g + 2.8114574e-15) - 7.6471636e-13) + 1.6059044e-10) - 2.5052108e-08
-    g1w = x * (x * (x * (x * (x * g1n + 2.7557319e-06) - 0.0001984127) + 0.008333334) - 0.16666667)
-    g1 = where(theta_b, g1w + 1, closed1)
-    g2g = x * (x * (x * (2.4795963e-27 * x - 1.6117376e-24) + 8.896791e-22) - 4.1103176e-19)
-    g2n = x * (x * (x * (g2g + 1.5619207e-16) - 4.7794773e-14) + 1.1470745e-11) - 2.0876756e-09
-    g2v = x * (x * (x * (x * g2n + 2.755732e-07) - 2.4801588e-05) + 0.0013888889) - 0.041666668
-    g2 = where(theta_b, x * g2v + 0.5, closed2)
-    g3g = x * (x * (x * (9.18369e-29 * x - 6.4469503e-26) + 3.8681703e-23) - 1.9572942e-20)
-    g3o = x * (x * (x * (x * (g3g + 8.220635e-18) - 2.8114574e-15) + 7.6471636e-13) - 1.6059044e-10)
-    g3w = x * (x * (x * (x * (g3o + 2.5052108e-08) - 2.7557319e-06) + 0.0001984127) - 0.008333334)
-    g3 = where(middle_x_a, g3w + 0.16666667, closed3)
+    g1l = (x
+        * (x
+        * (x * (x * (x * (6.4469503e-26 * x - 3.8681703e-23) + 1.9572942e-20) - 8.220635e-18)
+        + 2.8114574e-15) - 7.6471636e-13) + 1.6059044e-10)
+    g1 = (where(theta_b, x
+        * (x
+        * (x * (x * (x * (x * g1l - 2.5052108e-08) + 2.7557319e-06) - 0.0001984127) + 0.008333334)
+        - 0.16666667) + 1, closed1))
+    g2l = (x
+        * (x
+        * (x * (x * (x * (2.4795963e-27 * x - 1.6117376e-24) + 8.896791e-22) - 4.1103176e-19)
+        + 1.5619207e-16) - 4.7794773e-14) + 1.1470745e-11)
+    g2 = (where(theta_b, x
+        * (x
+        * (x * (x * (x * (x * g2l - 2.0876756e-09) + 2.755732e-07) - 2.4801588e-05) + 0.0013888889)
+        - 0.041666668) + 0.5, closed2))
+    g3l = (x
+        * (x
+        * (x * (x * (x * (9.18369e-29 * x - 6.4469503e-26) + 3.8681703e-23) - 1.9572942e-20)
+        + 8.220635e-18) - 2.8114574e-15) + 7.6471636e-13)
+    g3x = (x
+        * (x
+        * (x * (x * (x * (x * g3l - 1.6059044e-10) + 2.5052108e-08) - 2.7557319e-06)
+        + 0.0001984127) - 0.008333334) + 0.16666667)
+    g3 = where(middle_x_a, g3x, closed3)
     beta_v_0 = v_0 * g3
     beta_v_1 = v_1 * g3
     beta_v_2 = v_2 * g3
@@ -404,11 +439,17 @@ def SO3_leftJacobianInverse(v):
     b_divisor_a = x < 4
     b_divisor = where(b_divisor_a, 4, x)
     closed_b = b_rest / b_divisor
-    b_g = x * (x * (x * (1.4551725e-27 * x + 5.744791e-26) + 2.2679524e-24) + 8.9535176e-23)
-    b_o = x * (x * (x * (x * (b_g + 3.534707e-21) + 1.3954465e-19) + 5.509003e-18) + 2.1748687e-16)
-    b_w = x * (x * (x * (x * (b_o + 8.586062e-15) + 3.3896803e-13) + 1.3382536e-11) + 5.2841903e-10)
-    b_ae = x * (x * (x * (x * (b_w + 2.0876756e-08) + 8.267196e-07) + 3.3068784e-05) + 0.0013888889)
-    b = where(b_divisor_a, b_ae + 0.083333336, closed_b)
+    b_l = (x
+        * (x
+        * (x * (x * (x * (1.4551725e-27 * x + 5.744791e-26) + 2.2679524e-24) + 8.9535176e-23)
+        + 3.534707e-21) + 1.3954465e-19) + 5.509003e-18)
+    b_y = (x
+        * (x
+        * (x
+        * (x * (x * (x * (x * b_l + 2.1748687e-16) + 8.586062e-15) + 3.3896803e-13)
+        + 1.3382536e-11) + 5.2841903e-10) + 2.0876756e-08))
+    b = (where(b_divisor_a, x * (x * (x * (b_y + 8.267196e-07) + 3.3068784e-05) + 0.0013888889)
+        + 0.083333336, closed_b))
     b_across = where(b_divisor_a, 1 - x * b, half_cotangent)
     beta_v_0 = v_0 * b
     beta_v_1 = v_1 * b
@@ -492,11 +533,17 @@ def SO3_rightJacobianInverse(v):
     b_divisor_a = x < 4
     b_divisor = where(b_divisor_a, 4, x)
     closed_b = b_rest / b_divisor
-    b_g = x * (x * (x * (1.4551725e-27 * x + 5.744791e-26) + 2.2679524e-24) + 8.9535176e-23)
-    b_o = x * (x * (x * (x * (b_g + 3.534707e-21) + 1.3954465e-19) + 5.509003e-18) + 2.1748687e-16)
-    b_w = x * (x * (x * (x * (b_o + 8.586062e-15) + 3.3896803e-13) + 1.3382536e-11) + 5.2841903e-10)
-    b_ae = x * (x * (x * (x * (b_w + 2.0876756e-08) + 8.267196e-07) + 3.3068784e-05) + 0.0013888889)
-    b = where(b_divisor_a, b_ae + 0.083333336, closed_b)
+    b_l = (x
+        * (x
+        * (x * (x * (x * (1.4551725e-27 * x + 5.744791e-26) + 2.2679524e-24) + 8.9535176e-23)
+        + 3.534707e-21) + 1.3954465e-19) + 5.509003e-18)
+    b_y = (x
+        * (x
+        * (x
+        * (x * (x * (x * (x * b_l + 2.1748687e-16) + 8.586062e-15) + 3.3896803e-13)
+        + 1.3382536e-11) + 5.2841903e-10) + 2.0876756e-08))
+    b = (where(b_divisor_a, x * (x * (x * (b_y + 8.267196e-07) + 3.3068784e-05) + 0.0013888889)
+        + 0.083333336, closed_b))
     b_across = where(b_divisor_a, 1 - x * b, half_cotangent)
     beta_v_0 = v_0 * b
     beta_v_1 = v_1 * b
@@ -546,16 +593,16 @@ def mat3x3_orthonormalize(self):
     correction_3 = 0.5 * defect_3
     correction_4 = 0.5 * defect_4
     correction_5 = 0.5 * defect_5
-    self_00_new_e = self_00 * correction_0 + self_01 * correction_3 + self_02 * correction_4
-    self_00_new = self_00 + self_00_new_e
+    self_00_new = (self_00
+        + (self_00 * correction_0 + self_01 * correction_3 + self_02 * correction_4))
     self_01_new = self_00 * correction_3 + self_01 * correction_1 + self_02 * correction_5 + self_01
     self_02_new = self_00 * correction_4 + self_01 * correction_5 + self_02 * correction_2 + self_02
-    self_10_new_e = self_10 * correction_0 + self_11 * correction_3 + self_12 * correction_4
-    self_10_new = self_10 + self_10_new_e
+    self_10_new = (self_10
+        + (self_10 * correction_0 + self_11 * correction_3 + self_12 * correction_4))
     self_11_new = self_10 * correction_3 + self_11 * correction_1 + self_12 * correction_5 + self_11
     self_12_new = self_10 * correction_4 + self_11 * correction_5 + self_12 * correction_2 + self_12
-    self_20_new_e = self_20 * correction_0 + self_21 * correction_3 + self_22 * correction_4
-    self_20_new = self_20 + self_20_new_e
+    self_20_new = (self_20
+        + (self_20 * correction_0 + self_21 * correction_3 + self_22 * correction_4))
     self_21_new = self_20 * correction_3 + self_21 * correction_1 + self_22 * correction_5 + self_21
     self_22_new = self_20 * correction_4 + self_21 * correction_5 + self_22 * correction_2 + self_22
     return (self_00_new, self_01_new, self_02_new, self_10_new, self_11_new, self_12_new,
@@ -650,18 +697,31 @@ def SE3_exp(s):
     closed2 = versine / far_x
     rest3 = 1 - closed1
     closed3 = rest3 / middle_x
-    g1g = x * (x * (x * (6.4469503e-26 * x - 3.8681703e-23) + 1.9572942e-20) - 8.220635e-18)
-    g1n = x * (x * (x * (g1g + 2.8114574e-15) - 7.6471636e-13) + 1.6059044e-10) - 2.5052108e-08
-    g1w = x * (x * (x * (x * (x * g1n + 2.7557319e-06) - 0.0001984127) + 0.008333334) - 0.16666667)
-    g1 = where(theta_b, g1w + 1, closed1)
-    g2g = x * (x * (x * (2.4795963e-27 * x - 1.6117376e-24) + 8.896791e-22) - 4.1103176e-19)
-    g2n = x * (x * (x * (g2g + 1.5619207e-16) - 4.7794773e-14) + 1.1470745e-11) - 2.0876756e-09
-    g2v = x * (x * (x * (x * g2n + 2.755732e-07) - 2.4801588e-05) + 0.0013888889) - 0.041666668
-    g2 = where(theta_b, x * g2v + 0.5, closed2)
-    g3g = x * (x * (x * (9.18369e-29 * x - 6.4469503e-26) + 3.8681703e-23) - 1.9572942e-20)
-    g3o = x * (x * (x * (x * (g3g + 8.220635e-18) - 2.8114574e-15) + 7.6471636e-13) - 1.6059044e-10)
-    g3w = x * (x * (x * (x * (g3o + 2.5052108e-08) - 2.7557319e-06) + 0.0001984127) - 0.008333334)
-    g3 = where(middle_x_a, g3w + 0.16666667, closed3)
+    g1l = (x
+        * (x
+        * (x * (x * (x * (6.4469503e-26 * x - 3.8681703e-23) + 1.9572942e-20) - 8.220635e-18)
+        + 2.8114574e-15) - 7.6471636e-13) + 1.6059044e-10)
+    g1 = (where(theta_b, x
+        * (x
+        * (x * (x * (x * (x * g1l - 2.5052108e-08) + 2.7557319e-06) - 0.0001984127) + 0.008333334)
+        - 0.16666667) + 1, closed1))
+    g2l = (x
+        * (x
+        * (x * (x * (x * (2.4795963e-27 * x - 1.6117376e-24) + 8.896791e-22) - 4.1103176e-19)
+        + 1.5619207e-16) - 4.7794773e-14) + 1.1470745e-11)
+    g2 = (where(theta_b, x
+        * (x
+        * (x * (x * (x * (x * g2l - 2.0876756e-09) + 2.755732e-07) - 2.4801588e-05) + 0.0013888889)
+        - 0.041666668) + 0.5, closed2))
+    g3l = (x
+        * (x
+        * (x * (x * (x * (9.18369e-29 * x - 6.4469503e-26) + 3.8681703e-23) - 1.9572942e-20)
+        + 8.220635e-18) - 2.8114574e-15) + 7.6471636e-13)
+    g3x = (x
+        * (x
+        * (x * (x * (x * (x * g3l - 1.6059044e-10) + 2.5052108e-08) - 2.7557319e-06)
+        + 0.0001984127) - 0.008333334) + 0.16666667)
+    g3 = where(middle_x_a, g3x, closed3)
     g0 = where(theta_b, 1 - x * g2, cosine)
     u_0 = s_2 * s_4 - s_1 * s_5
     u_1 = s_0 * s_5 - s_2 * s_3
@@ -756,15 +816,16 @@ def SE3_log(D):
     v_s_size_2 = absolute(upper_2)
     v_s_largest1 = where(v_s_size_0 < v_s_size_1, v_s_size_1, v_s_size_0)
     v_s_largest2 = where(v_s_largest1 < v_s_size_2, v_s_size_2, v_s_largest1)
-    v_s_b = where(4.611686018427388e+18 < v_s_largest2, float32(2.710505431213761e-20), float32(1))
-    v_s_d = where(v_s_largest2 < 256, 1.8014398509481984e+16, v_s_b)
+    v_s_d = (where(v_s_largest2
+        < 256, 1.8014398509481984e+16, where(4.611686018427388e+18
+        < v_s_largest2, float32(2.710505431213761e-20), float32(1))))
     v_s = where(v_s_largest2 < 1.4210854715202004e-14, 3.2451855365842673e+32, v_s_d)
     v_y_0 = upper_0 * v_s
     v_y_1 = upper_1 * v_s
     v_y_2 = upper_2 * v_s
     v_n = sqrt(v_y_0 * v_y_0 + v_y_1 * v_y_1 + v_y_2 * v_y_2)
-    v_r_b = where(v_s < 1, float32(3.6893488147419103e+19), float32(1))
-    v_r_d = where(1 < v_s, 5.551115123125783e-17, v_r_b)
+    v_r_d = (where(1
+        < v_s, 5.551115123125783e-17, where(v_s < 1, float32(3.6893488147419103e+19), float32(1))))
     v_r = where(1.8014398509481984e+16 < v_s, 3.0814879110195774e-33, v_r_d)
     n = v_n * v_r
     half = elementary.atan2(n, upper_3)
@@ -782,11 +843,17 @@ def SE3_log(D):
     b_divisor_a = x < 4
     b_divisor = where(b_divisor_a, 4, x)
     closed_b = b_rest / b_divisor
-    b_g = x * (x * (x * (1.4551725e-27 * x + 5.744791e-26) + 2.2679524e-24) + 8.9535176e-23)
-    b_o = x * (x * (x * (x * (b_g + 3.534707e-21) + 1.3954465e-19) + 5.509003e-18) + 2.1748687e-16)
-    b_w = x * (x * (x * (x * (b_o + 8.586062e-15) + 3.3896803e-13) + 1.3382536e-11) + 5.2841903e-10)
-    b_ae = x * (x * (x * (x * (b_w + 2.0876756e-08) + 8.267196e-07) + 3.3068784e-05) + 0.0013888889)
-    b = where(b_divisor_a, b_ae + 0.083333336, closed_b)
+    b_l = (x
+        * (x
+        * (x * (x * (x * (1.4551725e-27 * x + 5.744791e-26) + 2.2679524e-24) + 8.9535176e-23)
+        + 3.534707e-21) + 1.3954465e-19) + 5.509003e-18)
+    b_y = (x
+        * (x
+        * (x
+        * (x * (x * (x * (x * b_l + 2.1748687e-16) + 8.586062e-15) + 3.3896803e-13)
+        + 1.3382536e-11) + 5.2841903e-10) + 2.0876756e-08))
+    b = (where(b_divisor_a, x * (x * (x * (b_y + 8.267196e-07) + 3.3068784e-05) + 0.0013888889)
+        + 0.083333336, closed_b))
     b_across = where(b_divisor_a, 1 - x * b, half_cotangent)
     wt = D_03 * vector_0 + D_13 * vector_1 + D_23 * vector_2
     pitch = b * wt
@@ -862,32 +929,55 @@ def SE3_leftJacobian(s):
     closed2 = versine / far_x
     rest3 = 1 - closed1
     closed3 = rest3 / middle_x
-    g1g = x * (x * (x * (6.4469503e-26 * x - 3.8681703e-23) + 1.9572942e-20) - 8.220635e-18)
-    g1n = x * (x * (x * (g1g + 2.8114574e-15) - 7.6471636e-13) + 1.6059044e-10) - 2.5052108e-08
-    g1w = x * (x * (x * (x * (x * g1n + 2.7557319e-06) - 0.0001984127) + 0.008333334) - 0.16666667)
-    g1 = where(theta_b, g1w + 1, closed1)
-    g2g = x * (x * (x * (2.4795963e-27 * x - 1.6117376e-24) + 8.896791e-22) - 4.1103176e-19)
-    g2n = x * (x * (x * (g2g + 1.5619207e-16) - 4.7794773e-14) + 1.1470745e-11) - 2.0876756e-09
-    g2v = x * (x * (x * (x * g2n + 2.755732e-07) - 2.4801588e-05) + 0.0013888889) - 0.041666668
-    g2 = where(theta_b, x * g2v + 0.5, closed2)
-    g3g = x * (x * (x * (9.18369e-29 * x - 6.4469503e-26) + 3.8681703e-23) - 1.9572942e-20)
-    g3o = x * (x * (x * (x * (g3g + 8.220635e-18) - 2.8114574e-15) + 7.6471636e-13) - 1.6059044e-10)
-    g3w = x * (x * (x * (x * (g3o + 2.5052108e-08) - 2.7557319e-06) + 0.0001984127) - 0.008333334)
-    g3 = where(middle_x_a, g3w + 0.16666667, closed3)
+    g1l = (x
+        * (x
+        * (x * (x * (x * (6.4469503e-26 * x - 3.8681703e-23) + 1.9572942e-20) - 8.220635e-18)
+        + 2.8114574e-15) - 7.6471636e-13) + 1.6059044e-10)
+    g1 = (where(theta_b, x
+        * (x
+        * (x * (x * (x * (x * g1l - 2.5052108e-08) + 2.7557319e-06) - 0.0001984127) + 0.008333334)
+        - 0.16666667) + 1, closed1))
+    g2l = (x
+        * (x
+        * (x * (x * (x * (2.4795963e-27 * x - 1.6117376e-24) + 8.896791e-22) - 4.1103176e-19)
+        + 1.5619207e-16) - 4.7794773e-14) + 1.1470745e-11)
+    g2 = (where(theta_b, x
+        * (x
+        * (x * (x * (x * (x * g2l - 2.0876756e-09) + 2.755732e-07) - 2.4801588e-05) + 0.0013888889)
+        - 0.041666668) + 0.5, closed2))
+    g3l = (x
+        * (x
+        * (x * (x * (x * (9.18369e-29 * x - 6.4469503e-26) + 3.8681703e-23) - 1.9572942e-20)
+        + 8.220635e-18) - 2.8114574e-15) + 7.6471636e-13)
+    g3x = (x
+        * (x
+        * (x * (x * (x * (x * g3l - 1.6059044e-10) + 2.5052108e-08) - 2.7557319e-06)
+        + 0.0001984127) - 0.008333334) + 0.16666667)
+    g3 = where(middle_x_a, g3x, closed3)
     late_x_a = x < 9
     late_x = where(late_x_a, 1, x)
     rate2_rest = g1 - 2 * g2
     closed_rate2 = rate2_rest / late_x
     rate3_rest = g2 - 3 * g3
     closed_rate3 = rate3_rest / late_x
-    rate2g = x * (x * (x * (5.951031e-26 - 8.527712e-29 * x) - 3.5458228e-23) + 1.7793582e-20)
-    rate2n = x * (x * (x * (rate2g - 7.398571e-18) + 2.499073e-15) - 6.691268e-13) + 1.3764895e-10
-    rate2u = x * (x * (x * (x * rate2n - 2.0876756e-08) + 2.2045856e-06) - 0.00014880953)
-    rate2 = where(late_x_a, x * (rate2u + 0.0055555557) - 0.083333336, closed_rate2)
-    rate3g = x * (x * (x * (2.2040857e-27 - 2.9405903e-30 * x) - 1.418329e-24) + 7.7363405e-22)
-    rate3n = x * (x * (x * (rate3g - 3.5231295e-19) + 1.3153016e-16) - 3.93604e-14) + 9.176596e-12
-    rate3u = x * (x * (x * (x * rate3n - 1.6059044e-09) + 2.0041686e-07) - 1.6534392e-05)
-    rate3 = where(late_x_a, x * (rate3u + 0.0007936508) - 0.016666668, closed_rate3)
+    rate2l = (x
+        * (x
+        * (x * (x * (x * (5.951031e-26 - 8.527712e-29 * x) - 3.5458228e-23) + 1.7793582e-20)
+        - 7.398571e-18) + 2.499073e-15) - 6.691268e-13)
+    rate2x = (x
+        * (x
+        * (x * (x * (x * (x * rate2l + 1.3764895e-10) - 2.0876756e-08) + 2.2045856e-06)
+        - 0.00014880953) + 0.0055555557) - 0.083333336)
+    rate2 = where(late_x_a, rate2x, closed_rate2)
+    rate3l = (x
+        * (x
+        * (x * (x * (x * (2.2040857e-27 - 2.9405903e-30 * x) - 1.418329e-24) + 7.7363405e-22)
+        - 3.5231295e-19) + 1.3153016e-16) - 3.93604e-14)
+    rate3x = (x
+        * (x
+        * (x * (x * (x * (x * rate3l + 9.176596e-12) - 1.6059044e-09) + 2.0041686e-07)
+        - 1.6534392e-05) + 0.0007936508) - 0.016666668)
+    rate3 = where(late_x_a, rate3x, closed_rate3)
     beta_v_0 = s_3 * g3
     beta_v_1 = s_4 * g3
     beta_v_2 = s_5 * g3
@@ -1001,32 +1091,55 @@ def SE3_rightJacobian(s):
     closed2 = versine / far_x
     rest3 = 1 - closed1
     closed3 = rest3 / middle_x
-    g1g = x * (x * (x * (6.4469503e-26 * x - 3.8681703e-23) + 1.9572942e-20) - 8.220635e-18)
-    g1n = x * (x * (x * (g1g + 2.8114574e-15) - 7.6471636e-13) + 1.6059044e-10) - 2.5052108e-08
-    g1w = x * (x * (x * (x * (x * g1n + 2.7557319e-06) - 0.0001984127) + 0.008333334) - 0.16666667)
-    g1 = where(theta_b, g1w + 1, closed1)
-    g2g = x * (x * (x * (2.4795963e-27 * x - 1.6117376e-24) + 8.896791e-22) - 4.1103176e-19)
-    g2n = x * (x * (x * (g2g + 1.5619207e-16) - 4.7794773e-14) + 1.1470745e-11) - 2.0876756e-09
-    g2v = x * (x * (x * (x * g2n + 2.755732e-07) - 2.4801588e-05) + 0.0013888889) - 0.041666668
-    g2 = where(theta_b, x * g2v + 0.5, closed2)
-    g3g = x * (x * (x * (9.18369e-29 * x - 6.4469503e-26) + 3.8681703e-23) - 1.9572942e-20)
-    g3o = x * (x * (x * (x * (g3g + 8.220635e-18) - 2.8114574e-15) + 7.6471636e-13) - 1.6059044e-10)
-    g3w = x * (x * (x * (x * (g3o + 2.5052108e-08) - 2.7557319e-06) + 0.0001984127) - 0.008333334)
-    g3 = where(middle_x_a, g3w + 0.16666667, closed3)
+    g1l = (x
+        * (x
+        * (x * (x * (x * (6.4469503e-26 * x - 3.8681703e-23) + 1.9572942e-20) - 8.220635e-18)
+        + 2.8114574e-15) - 7.6471636e-13) + 1.6059044e-10)
+    g1 = (where(theta_b, x
+        * (x
+        * (x * (x * (x * (x * g1l - 2.5052108e-08) + 2.7557319e-06) - 0.0001984127) + 0.008333334)
+        - 0.16666667) + 1, closed1))
+    g2l = (x
+        * (x
+        * (x * (x * (x * (2.4795963e-27 * x - 1.6117376e-24) + 8.896791e-22) - 4.1103176e-19)
+        + 1.5619207e-16) - 4.7794773e-14) + 1.1470745e-11)
+    g2 = (where(theta_b, x
+        * (x
+        * (x * (x * (x * (x * g2l - 2.0876756e-09) + 2.755732e-07) - 2.4801588e-05) + 0.0013888889)
+        - 0.041666668) + 0.5, closed2))
+    g3l = (x
+        * (x
+        * (x * (x * (x * (9.18369e-29 * x - 6.4469503e-26) + 3.8681703e-23) - 1.9572942e-20)
+        + 8.220635e-18) - 2.8114574e-15) + 7.6471636e-13)
+    g3x = (x
+        * (x
+        * (x * (x * (x * (x * g3l - 1.6059044e-10) + 2.5052108e-08) - 2.7557319e-06)
+        + 0.0001984127) - 0.008333334) + 0.16666667)
+    g3 = where(middle_x_a, g3x, closed3)
     late_x_a = x < 9
     late_x = where(late_x_a, 1, x)
     rate2_rest = g1 - 2 * g2
     closed_rate2 = rate2_rest / late_x
     rate3_rest = g2 - 3 * g3
     closed_rate3 = rate3_rest / late_x
-    rate2g = x * (x * (x * (5.951031e-26 - 8.527712e-29 * x) - 3.5458228e-23) + 1.7793582e-20)
-    rate2n = x * (x * (x * (rate2g - 7.398571e-18) + 2.499073e-15) - 6.691268e-13) + 1.3764895e-10
-    rate2u = x * (x * (x * (x * rate2n - 2.0876756e-08) + 2.2045856e-06) - 0.00014880953)
-    rate2 = where(late_x_a, x * (rate2u + 0.0055555557) - 0.083333336, closed_rate2)
-    rate3g = x * (x * (x * (2.2040857e-27 - 2.9405903e-30 * x) - 1.418329e-24) + 7.7363405e-22)
-    rate3n = x * (x * (x * (rate3g - 3.5231295e-19) + 1.3153016e-16) - 3.93604e-14) + 9.176596e-12
-    rate3u = x * (x * (x * (x * rate3n - 1.6059044e-09) + 2.0041686e-07) - 1.6534392e-05)
-    rate3 = where(late_x_a, x * (rate3u + 0.0007936508) - 0.016666668, closed_rate3)
+    rate2l = (x
+        * (x
+        * (x * (x * (x * (5.951031e-26 - 8.527712e-29 * x) - 3.5458228e-23) + 1.7793582e-20)
+        - 7.398571e-18) + 2.499073e-15) - 6.691268e-13)
+    rate2x = (x
+        * (x
+        * (x * (x * (x * (x * rate2l + 1.3764895e-10) - 2.0876756e-08) + 2.2045856e-06)
+        - 0.00014880953) + 0.0055555557) - 0.083333336)
+    rate2 = where(late_x_a, rate2x, closed_rate2)
+    rate3l = (x
+        * (x
+        * (x * (x * (x * (2.2040857e-27 - 2.9405903e-30 * x) - 1.418329e-24) + 7.7363405e-22)
+        - 3.5231295e-19) + 1.3153016e-16) - 3.93604e-14)
+    rate3x = (x
+        * (x
+        * (x * (x * (x * (x * rate3l + 9.176596e-12) - 1.6059044e-09) + 2.0041686e-07)
+        - 1.6534392e-05) + 0.0007936508) - 0.016666668)
+    rate3 = where(late_x_a, rate3x, closed_rate3)
     beta_v_0 = s_3 * g3
     beta_v_1 = s_4 * g3
     beta_v_2 = s_5 * g3
@@ -1141,11 +1254,17 @@ def SE3_leftJacobianInverse(s):
     b_divisor_a = x < 4
     b_divisor = where(b_divisor_a, 4, x)
     closed_b = b_rest / b_divisor
-    b_g = x * (x * (x * (1.4551725e-27 * x + 5.744791e-26) + 2.2679524e-24) + 8.9535176e-23)
-    b_o = x * (x * (x * (x * (b_g + 3.534707e-21) + 1.3954465e-19) + 5.509003e-18) + 2.1748687e-16)
-    b_w = x * (x * (x * (x * (b_o + 8.586062e-15) + 3.3896803e-13) + 1.3382536e-11) + 5.2841903e-10)
-    b_ae = x * (x * (x * (x * (b_w + 2.0876756e-08) + 8.267196e-07) + 3.3068784e-05) + 0.0013888889)
-    b = where(b_divisor_a, b_ae + 0.083333336, closed_b)
+    b_l = (x
+        * (x
+        * (x * (x * (x * (1.4551725e-27 * x + 5.744791e-26) + 2.2679524e-24) + 8.9535176e-23)
+        + 3.534707e-21) + 1.3954465e-19) + 5.509003e-18)
+    b_y = (x
+        * (x
+        * (x
+        * (x * (x * (x * (x * b_l + 2.1748687e-16) + 8.586062e-15) + 3.3896803e-13)
+        + 1.3382536e-11) + 5.2841903e-10) + 2.0876756e-08))
+    b = (where(b_divisor_a, x * (x * (x * (b_y + 8.267196e-07) + 3.3068784e-05) + 0.0013888889)
+        + 0.083333336, closed_b))
     b_across = where(b_divisor_a, 1 - x * b, half_cotangent)
     beta_v_0 = s_3 * b
     beta_v_1 = s_4 * b
@@ -1175,12 +1294,20 @@ def SE3_leftJacobianInverse(s):
     b_rate_square = 0.25 + 0.25 * (cotangent * cotangent)
     b_rate_rest = b_rate_square - b_rate_across
     closed_b_rate = b_rate_rest / b_divisor
-    b_rate_g = x * (x * (x * (3.3612244e-29 * x + 1.2532382e-27) + 4.656552e-26) + 1.7234372e-24)
-    b_rate_m = x * (x * (x * (b_rate_g + 6.350267e-23) + 2.3279144e-21) + 8.483297e-20)
-    b_rate_s = x * (x * (x * (b_rate_m + 3.0699822e-18) + 1.10180054e-16) + 3.9147635e-15)
-    b_rate_y = x * (x * (x * (b_rate_s + 1.37377e-13) + 4.7455525e-12) + 1.6059044e-10)
-    b_rate_ae = x * (x * (x * (b_rate_y + 5.28419e-09) + 1.6701405e-07) + 4.9603173e-06)
-    b_rate = where(b_divisor_a, x * (b_rate_ae + 0.00013227513) + 0.0027777778, closed_b_rate)
+    b_rate_k = (x
+        * (x
+        * (x * (x * (x * (3.3612244e-29 * x + 1.2532382e-27) + 4.656552e-26) + 1.7234372e-24)
+        + 6.350267e-23) + 2.3279144e-21))
+    b_rate_w = (x
+        * (x
+        * (x
+        * (x * (x * (x * (b_rate_k + 8.483297e-20) + 3.0699822e-18) + 1.10180054e-16)
+        + 3.9147635e-15) + 1.37377e-13) + 4.7455525e-12))
+    b_rate_ah = (x
+        * (x
+        * (x * (x * (x * (b_rate_w + 1.6059044e-10) + 5.28419e-09) + 1.6701405e-07)
+        + 4.9603173e-06) + 0.00013227513) + 0.0027777778)
+    b_rate = where(b_divisor_a, b_rate_ah, closed_b_rate)
     rate_vw = s_0 * s_3 + s_1 * s_4 + s_2 * s_5
     rate_bend = -(b_rate * rate_vw)
     rate_q_0 = -(0.5 * s_0)
@@ -1270,11 +1397,17 @@ def SE3_rightJacobianInverse(s):
     b_divisor_a = x < 4
     b_divisor = where(b_divisor_a, 4, x)
     closed_b = b_rest / b_divisor
-    b_g = x * (x * (x * (1.4551725e-27 * x + 5.744791e-26) + 2.2679524e-24) + 8.9535176e-23)
-    b_o = x * (x * (x * (x * (b_g + 3.534707e-21) + 1.3954465e-19) + 5.509003e-18) + 2.1748687e-16)
-    b_w = x * (x * (x * (x * (b_o + 8.586062e-15) + 3.3896803e-13) + 1.3382536e-11) + 5.2841903e-10)
-    b_ae = x * (x * (x * (x * (b_w + 2.0876756e-08) + 8.267196e-07) + 3.3068784e-05) + 0.0013888889)
-    b = where(b_divisor_a, b_ae + 0.083333336, closed_b)
+    b_l = (x
+        * (x
+        * (x * (x * (x * (1.4551725e-27 * x + 5.744791e-26) + 2.2679524e-24) + 8.9535176e-23)
+        + 3.534707e-21) + 1.3954465e-19) + 5.509003e-18)
+    b_y = (x
+        * (x
+        * (x
+        * (x * (x * (x * (x * b_l + 2.1748687e-16) + 8.586062e-15) + 3.3896803e-13)
+        + 1.3382536e-11) + 5.2841903e-10) + 2.0876756e-08))
+    b = (where(b_divisor_a, x * (x * (x * (b_y + 8.267196e-07) + 3.3068784e-05) + 0.0013888889)
+        + 0.083333336, closed_b))
     b_across = where(b_divisor_a, 1 - x * b, half_cotangent)
     beta_v_0 = s_3 * b
     beta_v_1 = s_4 * b
@@ -1304,12 +1437,20 @@ def SE3_rightJacobianInverse(s):
     b_rate_square = 0.25 + 0.25 * (cotangent * cotangent)
     b_rate_rest = b_rate_square - b_rate_across
     closed_b_rate = b_rate_rest / b_divisor
-    b_rate_g = x * (x * (x * (3.3612244e-29 * x + 1.2532382e-27) + 4.656552e-26) + 1.7234372e-24)
-    b_rate_m = x * (x * (x * (b_rate_g + 6.350267e-23) + 2.3279144e-21) + 8.483297e-20)
-    b_rate_s = x * (x * (x * (b_rate_m + 3.0699822e-18) + 1.10180054e-16) + 3.9147635e-15)
-    b_rate_y = x * (x * (x * (b_rate_s + 1.37377e-13) + 4.7455525e-12) + 1.6059044e-10)
-    b_rate_ae = x * (x * (x * (b_rate_y + 5.28419e-09) + 1.6701405e-07) + 4.9603173e-06)
-    b_rate = where(b_divisor_a, x * (b_rate_ae + 0.00013227513) + 0.0027777778, closed_b_rate)
+    b_rate_k = (x
+        * (x
+        * (x * (x * (x * (3.3612244e-29 * x + 1.2532382e-27) + 4.656552e-26) + 1.7234372e-24)
+        + 6.350267e-23) + 2.3279144e-21))
+    b_rate_w = (x
+        * (x
+        * (x
+        * (x * (x * (x * (b_rate_k + 8.483297e-20) + 3.0699822e-18) + 1.10180054e-16)
+        + 3.9147635e-15) + 1.37377e-13) + 4.7455525e-12))
+    b_rate_ah = (x
+        * (x
+        * (x * (x * (x * (b_rate_w + 1.6059044e-10) + 5.28419e-09) + 1.6701405e-07)
+        + 4.9603173e-06) + 0.00013227513) + 0.0027777778)
+    b_rate = where(b_divisor_a, b_rate_ah, closed_b_rate)
     rate_vw = s_0 * s_3 + s_1 * s_4 + s_2 * s_5
     rate_bend = -(b_rate * rate_vw)
     rate_q_0 = 0.5 * s_0
@@ -1411,16 +1552,18 @@ def SE3_interpolated(D1, D2, k):
     log_v_s_size_2 = absolute(log_upper_2)
     log_v_s_largest1 = where(log_v_s_size_0 < log_v_s_size_1, log_v_s_size_1, log_v_s_size_0)
     log_v_s_largest2 = where(log_v_s_largest1 < log_v_s_size_2, log_v_s_size_2, log_v_s_largest1)
-    log_v_s_a = 4.611686018427388e+18 < log_v_s_largest2
-    log_v_s_b = where(log_v_s_a, float32(2.710505431213761e-20), float32(1))
-    log_v_s_d = where(log_v_s_largest2 < 256, 1.8014398509481984e+16, log_v_s_b)
-    log_v_s = where(log_v_s_largest2 < 1.4210854715202004e-14, 3.2451855365842673e+32, log_v_s_d)
+    log_v_s_b = (where(4.611686018427388e+18
+        < log_v_s_largest2, float32(2.710505431213761e-20), float32(1)))
+    log_v_s = (where(log_v_s_largest2
+        < 1.4210854715202004e-14, 3.2451855365842673e+32, where(log_v_s_largest2
+        < 256, 1.8014398509481984e+16, log_v_s_b)))
     log_v_y_0 = log_upper_0 * log_v_s
     log_v_y_1 = log_upper_1 * log_v_s
     log_v_y_2 = log_upper_2 * log_v_s
     log_v_n = sqrt(log_v_y_0 * log_v_y_0 + log_v_y_1 * log_v_y_1 + log_v_y_2 * log_v_y_2)
-    log_v_r_b = where(log_v_s < 1, float32(3.6893488147419103e+19), float32(1))
-    log_v_r_d = where(1 < log_v_s, 5.551115123125783e-17, log_v_r_b)
+    log_v_r_d = (where(1
+        < log_v_s, 5.551115123125783e-17, where(log_v_s
+        < 1, float32(3.6893488147419103e+19), float32(1))))
     log_v_r = where(1.8014398509481984e+16 < log_v_s, 3.0814879110195774e-33, log_v_r_d)
     log_n = log_v_n * log_v_r
     log_half = elementary.atan2(log_n, log_upper_3)
@@ -1438,12 +1581,19 @@ def SE3_interpolated(D1, D2, k):
     log_b_divisor_a = log_x < 4
     log_b_divisor = where(log_b_divisor_a, 4, log_x)
     log_closed_b = log_b_rest / log_b_divisor
-    log_b_e = log_x * (log_x * (1.4551725e-27 * log_x + 5.744791e-26) + 2.2679524e-24)
-    log_b_k = log_x * (log_x * (log_x * (log_b_e + 8.9535176e-23) + 3.534707e-21) + 1.3954465e-19)
-    log_b_q = log_x * (log_x * (log_x * (log_b_k + 5.509003e-18) + 2.1748687e-16) + 8.586062e-15)
-    log_b_w = log_x * (log_x * (log_x * (log_b_q + 3.3896803e-13) + 1.3382536e-11) + 5.2841903e-10)
-    log_b_ac = log_x * (log_x * (log_x * (log_b_w + 2.0876756e-08) + 8.267196e-07) + 3.3068784e-05)
-    log_b = where(log_b_divisor_a, log_x * (log_b_ac + 0.0013888889) + 0.083333336, log_closed_b)
+    log_b_j = (log_x
+        * (log_x
+        * (log_x * (log_x * (1.4551725e-27 * log_x + 5.744791e-26) + 2.2679524e-24)
+        + 8.9535176e-23) + 3.534707e-21) + 1.3954465e-19)
+    log_b_t = (log_x
+        * (log_x
+        * (log_x * (log_x * (log_x * log_b_j + 5.509003e-18) + 2.1748687e-16) + 8.586062e-15)
+        + 3.3896803e-13) + 1.3382536e-11)
+    log_b_ad = (log_x
+        * (log_x
+        * (log_x * (log_x * (log_x * log_b_t + 5.2841903e-10) + 2.0876756e-08) + 8.267196e-07)
+        + 3.3068784e-05) + 0.0013888889)
+    log_b = where(log_b_divisor_a, log_x * log_b_ad + 0.083333336, log_closed_b)
     log_b_across = where(log_b_divisor_a, 1 - log_x * log_b, log_half_cotangent)
     log_wt = between_3 * log_vector_0 + between_7 * log_vector_1 + between_11 * log_vector_2
     log_pitch = log_b * log_wt
@@ -1512,21 +1662,34 @@ def SE3_interpolated(D1, D2, k):
     exp_closed2 = exp_versine / exp_far_x
     exp_rest3 = 1 - exp_closed1
     exp_closed3 = exp_rest3 / exp_middle_x
-    exp_g1e = exp_x * (exp_x * (6.4469503e-26 * exp_x - 3.8681703e-23) + 1.9572942e-20)
-    exp_g1k = exp_x * (exp_x * (exp_x * (exp_g1e - 8.220635e-18) + 2.8114574e-15) - 7.6471636e-13)
-    exp_g1q = exp_x * (exp_x * (exp_x * (exp_g1k + 1.6059044e-10) - 2.5052108e-08) + 2.7557319e-06)
-    exp_g1x = exp_x * (exp_x * (exp_x * (exp_g1q - 0.0001984127) + 0.008333334) - 0.16666667) + 1
-    exp_g1 = where(exp_theta_b, exp_g1x, exp_closed1)
-    exp_g2e = exp_x * (exp_x * (2.4795963e-27 * exp_x - 1.6117376e-24) + 8.896791e-22)
-    exp_g2k = exp_x * (exp_x * (exp_x * (exp_g2e - 4.1103176e-19) + 1.5619207e-16) - 4.7794773e-14)
-    exp_g2q = exp_x * (exp_x * (exp_x * (exp_g2k + 1.1470745e-11) - 2.0876756e-09) + 2.755732e-07)
-    exp_g2w = exp_x * (exp_x * (exp_x * (exp_g2q - 2.4801588e-05) + 0.0013888889) - 0.041666668)
-    exp_g2 = where(exp_theta_b, exp_g2w + 0.5, exp_closed2)
-    exp_g3e = exp_x * (exp_x * (9.18369e-29 * exp_x - 6.4469503e-26) + 3.8681703e-23)
-    exp_g3k = exp_x * (exp_x * (exp_x * (exp_g3e - 1.9572942e-20) + 8.220635e-18) - 2.8114574e-15)
-    exp_g3q = exp_x * (exp_x * (exp_x * (exp_g3k + 7.6471636e-13) - 1.6059044e-10) + 2.5052108e-08)
-    exp_g3w = exp_x * (exp_x * (exp_x * (exp_g3q - 2.7557319e-06) + 0.0001984127) - 0.008333334)
-    exp_g3 = where(exp_middle_x_a, exp_g3w + 0.16666667, exp_closed3)
+    exp_g1j = (exp_x
+        * (exp_x
+        * (exp_x * (exp_x * (6.4469503e-26 * exp_x - 3.8681703e-23) + 1.9572942e-20)
+        - 8.220635e-18) + 2.8114574e-15) - 7.6471636e-13)
+    exp_g1t = (exp_x
+        * (exp_x
+        * (exp_x * (exp_x * (exp_x * exp_g1j + 1.6059044e-10) - 2.5052108e-08) + 2.7557319e-06)
+        - 0.0001984127) + 0.008333334)
+    exp_g1 = where(exp_theta_b, exp_x * (exp_x * exp_g1t - 0.16666667) + 1, exp_closed1)
+    exp_g2j = (exp_x
+        * (exp_x
+        * (exp_x * (exp_x * (2.4795963e-27 * exp_x - 1.6117376e-24) + 8.896791e-22)
+        - 4.1103176e-19) + 1.5619207e-16) - 4.7794773e-14)
+    exp_g2t = (exp_x
+        * (exp_x
+        * (exp_x * (exp_x * (exp_x * exp_g2j + 1.1470745e-11) - 2.0876756e-09) + 2.755732e-07)
+        - 2.4801588e-05) + 0.0013888889)
+    exp_g2 = where(exp_theta_b, exp_x * (exp_x * exp_g2t - 0.041666668) + 0.5, exp_closed2)
+    exp_g3j = (exp_x
+        * (exp_x
+        * (exp_x * (exp_x * (9.18369e-29 * exp_x - 6.4469503e-26) + 3.8681703e-23) - 1.9572942e-20)
+        + 8.220635e-18) - 2.8114574e-15)
+    exp_g3t = (exp_x
+        * (exp_x
+        * (exp_x * (exp_x * (exp_x * exp_g3j + 7.6471636e-13) - 1.6059044e-10) + 2.5052108e-08)
+        - 2.7557319e-06) + 0.0001984127)
+    exp_g3 = (where(exp_middle_x_a, exp_x * (exp_x * exp_g3t - 0.008333334)
+        + 0.16666667, exp_closed3))
     exp_g0 = where(exp_theta_b, 1 - exp_x * exp_g2, exp_cosine)
     exp_u_0 = screw_2 * screw_4 - screw_1 * screw_5
     exp_u_1 = screw_0 * screw_5 - screw_2 * screw_3

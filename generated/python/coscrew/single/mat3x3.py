@@ -155,15 +155,15 @@ def mat3x3_inverse(R):
     R_largest6 = where(R_largest5 < R_size_6, R_size_6, R_largest5)
     R_largest7 = where(R_largest6 < R_size_7, R_size_7, R_largest6)
     R_largest8 = where(R_largest7 < R_size_8, R_size_8, R_largest7)
-    s_a = R_largest8 < 1.329227995784916e+36
     s_c = R_largest8 < 1.2089258196146292e+24
-    s_b = where(s_a, float32(8.271806125530277e-25), float32(7.52316384526264e-37))
     s_e = R_largest8 < 1099511627776
+    s_d = (where(s_c, 9.094947017729282e-13, where(R_largest8
+        < 1.329227995784916e+36, float32(8.271806125530277e-25), float32(7.52316384526264e-37))))
     s_g = R_largest8 < 1
     s_i = R_largest8 < 9.094947017729282e-13
-    s_h = where(s_g, 1099511627776, where(s_e, 1, where(s_c, 9.094947017729282e-13, s_b)))
     s_k = R_largest8 < 8.271806125530277e-25
-    s = where(s_k, 1.329227995784916e+36, where(s_i, 1.2089258196146292e+24, s_h))
+    s = where(s_k, 1.329227995784916e+36, where(s_i, 1.2089258196146292e+24, where(s_g,
+        1099511627776, where(s_e, 1, s_d))))
     A_0 = R_00 * s
     A_1 = R_01 * s
     A_2 = R_02 * s
@@ -192,8 +192,8 @@ def mat3x3_inverse(R):
     size2_0 = absolute(A_2)
     size2_1 = absolute(A_5)
     size2_2 = absolute(A_8)
-    permanent_d = size0_0 * (size1_1 * size2_2 + size1_2 * size2_1)
-    permanent_i = permanent_d + size0_1 * (size1_0 * size2_2 + size1_2 * size2_0)
+    permanent_i = (size0_0 * (size1_1 * size2_2 + size1_2 * size2_1) + size0_1
+        * (size1_0 * size2_2 + size1_2 * size2_0))
     permanent = permanent_i + size0_2 * (size1_0 * size2_1 + size1_1 * size2_0)
     top = R_largest8 * s
     spoiled = top * 1.262177448353619e-29
@@ -255,9 +255,9 @@ def mat3x3_normalize(self):
     q0_s_size_2 = absolute(self_02)
     q0_s_largest1 = where(q0_s_size_0 < q0_s_size_1, q0_s_size_1, q0_s_size_0)
     q0_s_largest2 = where(q0_s_largest1 < q0_s_size_2, q0_s_size_2, q0_s_largest1)
-    q0_s_a = 4.611686018427388e+18 < q0_s_largest2
-    q0_s_b = where(q0_s_a, float32(2.710505431213761e-20), float32(1))
-    q0_s_d = where(q0_s_largest2 < 256, 1.8014398509481984e+16, q0_s_b)
+    q0_s_d = (where(q0_s_largest2
+        < 256, 1.8014398509481984e+16, where(4.611686018427388e+18
+        < q0_s_largest2, float32(2.710505431213761e-20), float32(1))))
     q0_s = where(q0_s_largest2 < 1.4210854715202004e-14, 3.2451855365842673e+32, q0_s_d)
     q0_y_0 = self_00 * q0_s
     q0_y_1 = self_01 * q0_s
@@ -280,9 +280,9 @@ def mat3x3_normalize(self):
     u1_s_size_2 = absolute(self_12)
     u1_s_largest1 = where(u1_s_size_0 < u1_s_size_1, u1_s_size_1, u1_s_size_0)
     u1_s_largest2 = where(u1_s_largest1 < u1_s_size_2, u1_s_size_2, u1_s_largest1)
-    u1_s_a = 4.611686018427388e+18 < u1_s_largest2
-    u1_s_b = where(u1_s_a, float32(2.710505431213761e-20), float32(1))
-    u1_s_d = where(u1_s_largest2 < 256, 1.8014398509481984e+16, u1_s_b)
+    u1_s_d = (where(u1_s_largest2
+        < 256, 1.8014398509481984e+16, where(4.611686018427388e+18
+        < u1_s_largest2, float32(2.710505431213761e-20), float32(1))))
     u1_s = where(u1_s_largest2 < 1.4210854715202004e-14, 3.2451855365842673e+32, u1_s_d)
     u1_y_0 = self_10 * u1_s
     u1_y_1 = self_11 * u1_s
@@ -321,9 +321,9 @@ def mat3x3_normalize(self):
     u2_s_size_2 = absolute(self_22)
     u2_s_largest1 = where(u2_s_size_0 < u2_s_size_1, u2_s_size_1, u2_s_size_0)
     u2_s_largest2 = where(u2_s_largest1 < u2_s_size_2, u2_s_size_2, u2_s_largest1)
-    u2_s_a = 4.611686018427388e+18 < u2_s_largest2
-    u2_s_b = where(u2_s_a, float32(2.710505431213761e-20), float32(1))
-    u2_s_d = where(u2_s_largest2 < 256, 1.8014398509481984e+16, u2_s_b)
+    u2_s_d = (where(u2_s_largest2
+        < 256, 1.8014398509481984e+16, where(4.611686018427388e+18
+        < u2_s_largest2, float32(2.710505431213761e-20), float32(1))))
     u2_s = where(u2_s_largest2 < 1.4210854715202004e-14, 3.2451855365842673e+32, u2_s_d)
     u2_y_0 = self_20 * u2_s
     u2_y_1 = self_21 * u2_s
@@ -379,9 +379,9 @@ def mat3x3_normalized(R):
     q0_s_size_2 = absolute(R_02)
     q0_s_largest1 = where(q0_s_size_0 < q0_s_size_1, q0_s_size_1, q0_s_size_0)
     q0_s_largest2 = where(q0_s_largest1 < q0_s_size_2, q0_s_size_2, q0_s_largest1)
-    q0_s_a = 4.611686018427388e+18 < q0_s_largest2
-    q0_s_b = where(q0_s_a, float32(2.710505431213761e-20), float32(1))
-    q0_s_d = where(q0_s_largest2 < 256, 1.8014398509481984e+16, q0_s_b)
+    q0_s_d = (where(q0_s_largest2
+        < 256, 1.8014398509481984e+16, where(4.611686018427388e+18
+        < q0_s_largest2, float32(2.710505431213761e-20), float32(1))))
     q0_s = where(q0_s_largest2 < 1.4210854715202004e-14, 3.2451855365842673e+32, q0_s_d)
     q0_y_0 = R_00 * q0_s
     q0_y_1 = R_01 * q0_s
@@ -404,9 +404,9 @@ def mat3x3_normalized(R):
     u1_s_size_2 = absolute(R_12)
     u1_s_largest1 = where(u1_s_size_0 < u1_s_size_1, u1_s_size_1, u1_s_size_0)
     u1_s_largest2 = where(u1_s_largest1 < u1_s_size_2, u1_s_size_2, u1_s_largest1)
-    u1_s_a = 4.611686018427388e+18 < u1_s_largest2
-    u1_s_b = where(u1_s_a, float32(2.710505431213761e-20), float32(1))
-    u1_s_d = where(u1_s_largest2 < 256, 1.8014398509481984e+16, u1_s_b)
+    u1_s_d = (where(u1_s_largest2
+        < 256, 1.8014398509481984e+16, where(4.611686018427388e+18
+        < u1_s_largest2, float32(2.710505431213761e-20), float32(1))))
     u1_s = where(u1_s_largest2 < 1.4210854715202004e-14, 3.2451855365842673e+32, u1_s_d)
     u1_y_0 = R_10 * u1_s
     u1_y_1 = R_11 * u1_s
@@ -445,9 +445,9 @@ def mat3x3_normalized(R):
     u2_s_size_2 = absolute(R_22)
     u2_s_largest1 = where(u2_s_size_0 < u2_s_size_1, u2_s_size_1, u2_s_size_0)
     u2_s_largest2 = where(u2_s_largest1 < u2_s_size_2, u2_s_size_2, u2_s_largest1)
-    u2_s_a = 4.611686018427388e+18 < u2_s_largest2
-    u2_s_b = where(u2_s_a, float32(2.710505431213761e-20), float32(1))
-    u2_s_d = where(u2_s_largest2 < 256, 1.8014398509481984e+16, u2_s_b)
+    u2_s_d = (where(u2_s_largest2
+        < 256, 1.8014398509481984e+16, where(4.611686018427388e+18
+        < u2_s_largest2, float32(2.710505431213761e-20), float32(1))))
     u2_s = where(u2_s_largest2 < 1.4210854715202004e-14, 3.2451855365842673e+32, u2_s_d)
     u2_y_0 = R_20 * u2_s
     u2_y_1 = R_21 * u2_s
@@ -734,8 +734,9 @@ def mat3x3_nearest_rotation(A):
     s_largest6 = where(s_largest5 < s_size_6, s_size_6, s_largest5)
     s_largest7 = where(s_largest6 < s_size_7, s_size_7, s_largest6)
     s_largest8 = where(s_largest7 < s_size_8, s_size_8, s_largest7)
-    s_b = where(4.611686018427388e+18 < s_largest8, float32(2.710505431213761e-20), float32(1))
-    s_d = where(s_largest8 < 256, 1.8014398509481984e+16, s_b)
+    s_d = (where(s_largest8
+        < 256, 1.8014398509481984e+16, where(4.611686018427388e+18
+        < s_largest8, float32(2.710505431213761e-20), float32(1))))
     s = where(s_largest8 < 1.4210854715202004e-14, 3.2451855365842673e+32, s_d)
     scaled_s_0 = A_00 * s
     scaled_s_1 = A_01 * s
@@ -1275,8 +1276,8 @@ def mat3x3_nearest_rotation(A):
     turn412_d_0 = turn401_d_0 * turn412_q + turn402_d_0 * turn412_p
     turn412_d_1 = turn401_d_1 * turn412_q + turn402_d_1 * turn412_p
     turn412_d_2 = turn401_d_2 * turn412_q + turn402_d_2 * turn412_p
-    longest_e = turn402_a_0 * turn402_a_0 + turn402_a_1 * turn402_a_1 + turn402_a_2 * turn402_a_2
-    longest = sqrt(longest_e)
+    longest = (sqrt(turn402_a_0 * turn402_a_0 + turn402_a_1 * turn402_a_1 + turn402_a_2
+        * turn402_a_2))
     first_divisor_a = longest == 0
     first_divisor = where(first_divisor_a, 1, longest)
     u0_0 = turn402_a_0 / first_divisor
@@ -1288,8 +1289,8 @@ def mat3x3_nearest_rotation(A):
     second_part_1 = turn412_a_1 - u0_1 * second_along
     second_part_2 = turn412_a_2 - u0_2 * second_along
     second_whole = turn412_a_0 * turn412_a_0 + turn412_a_1 * turn412_a_1 + turn412_a_2 * turn412_a_2
-    second_kept_c = second_part_0 * second_part_0 + second_part_1 * second_part_1
-    second_kept = second_kept_c + second_part_2 * second_part_2
+    second_kept = (second_part_0 * second_part_0 + second_part_1 * second_part_1 + second_part_2
+        * second_part_2)
     second_enough_a = 0.25 * second_whole
     second_enough = where(second_enough_a < least, least, second_enough_a)
     second_is_kept = where(second_enough < second_kept, float32(1), float32(0))
@@ -1314,8 +1315,8 @@ def mat3x3_nearest_rotation(A):
     second_found_0 = where(second_found_0a, second_part_0, second_other_0)
     second_found_1 = where(second_found_0a, second_part_1, second_other_1)
     second_found_2 = where(second_found_0a, second_part_2, second_other_2)
-    second_length_c = second_found_0 * second_found_0 + second_found_1 * second_found_1
-    second_length = sqrt(second_length_c + second_found_2 * second_found_2)
+    second_length = (sqrt(second_found_0 * second_found_0 + second_found_1 * second_found_1
+        + second_found_2 * second_found_2))
     second_across_0 = second_found_0 / second_length
     second_across_1 = second_found_1 / second_length
     second_across_2 = second_found_2 / second_length
@@ -1444,15 +1445,16 @@ def axis_angle_from_mat3x3(R):
     v_s_size_2 = absolute(upper_2)
     v_s_largest1 = where(v_s_size_0 < v_s_size_1, v_s_size_1, v_s_size_0)
     v_s_largest2 = where(v_s_largest1 < v_s_size_2, v_s_size_2, v_s_largest1)
-    v_s_b = where(4.611686018427388e+18 < v_s_largest2, float32(2.710505431213761e-20), float32(1))
-    v_s_d = where(v_s_largest2 < 256, 1.8014398509481984e+16, v_s_b)
+    v_s_d = (where(v_s_largest2
+        < 256, 1.8014398509481984e+16, where(4.611686018427388e+18
+        < v_s_largest2, float32(2.710505431213761e-20), float32(1))))
     v_s = where(v_s_largest2 < 1.4210854715202004e-14, 3.2451855365842673e+32, v_s_d)
     v_y_0 = upper_0 * v_s
     v_y_1 = upper_1 * v_s
     v_y_2 = upper_2 * v_s
     v_n = sqrt(v_y_0 * v_y_0 + v_y_1 * v_y_1 + v_y_2 * v_y_2)
-    v_r_b = where(v_s < 1, float32(3.6893488147419103e+19), float32(1))
-    v_r_d = where(1 < v_s, 5.551115123125783e-17, v_r_b)
+    v_r_d = (where(1
+        < v_s, 5.551115123125783e-17, where(v_s < 1, float32(3.6893488147419103e+19), float32(1))))
     v_r = where(1.8014398509481984e+16 < v_s, 3.0814879110195774e-33, v_r_d)
     n = v_n * v_r
     half = elementary.atan2(n, upper_3)

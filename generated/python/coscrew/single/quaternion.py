@@ -93,16 +93,17 @@ def quaternion_norm(q):
     s_largest1 = where(s_size_0 < s_size_1, s_size_1, s_size_0)
     s_largest2 = where(s_largest1 < s_size_2, s_size_2, s_largest1)
     s_largest3 = where(s_largest2 < s_size_3, s_size_3, s_largest2)
-    s_b = where(4.611686018427388e+18 < s_largest3, float32(2.710505431213761e-20), float32(1))
-    s_d = where(s_largest3 < 256, 1.8014398509481984e+16, s_b)
+    s_d = (where(s_largest3
+        < 256, 1.8014398509481984e+16, where(4.611686018427388e+18
+        < s_largest3, float32(2.710505431213761e-20), float32(1))))
     s = where(s_largest3 < 1.4210854715202004e-14, 3.2451855365842673e+32, s_d)
     y_0 = q_0 * s
     y_1 = q_1 * s
     y_2 = q_2 * s
     y_3 = q_3 * s
     n = sqrt(y_0 * y_0 + y_1 * y_1 + y_2 * y_2 + y_3 * y_3)
-    r_b = where(s < 1, float32(3.6893488147419103e+19), float32(1))
-    r_d = where(1 < s, 5.551115123125783e-17, r_b)
+    r_d = (where(1
+        < s, 5.551115123125783e-17, where(s < 1, float32(3.6893488147419103e+19), float32(1))))
     r = where(1.8014398509481984e+16 < s, 3.0814879110195774e-33, r_d)
     norm = n * r
     return norm
@@ -123,8 +124,9 @@ def quaternion_normalize(self):
     s_largest1 = where(s_size_0 < s_size_1, s_size_1, s_size_0)
     s_largest2 = where(s_largest1 < s_size_2, s_size_2, s_largest1)
     s_largest3 = where(s_largest2 < s_size_3, s_size_3, s_largest2)
-    s_b = where(4.611686018427388e+18 < s_largest3, float32(2.710505431213761e-20), float32(1))
-    s_d = where(s_largest3 < 256, 1.8014398509481984e+16, s_b)
+    s_d = (where(s_largest3
+        < 256, 1.8014398509481984e+16, where(4.611686018427388e+18
+        < s_largest3, float32(2.710505431213761e-20), float32(1))))
     s = where(s_largest3 < 1.4210854715202004e-14, 3.2451855365842673e+32, s_d)
     y_0 = self_0 * s
     y_1 = self_1 * s
@@ -164,8 +166,9 @@ def quaternion_normalized(q):
     s_largest1 = where(s_size_0 < s_size_1, s_size_1, s_size_0)
     s_largest2 = where(s_largest1 < s_size_2, s_size_2, s_largest1)
     s_largest3 = where(s_largest2 < s_size_3, s_size_3, s_largest2)
-    s_b = where(4.611686018427388e+18 < s_largest3, float32(2.710505431213761e-20), float32(1))
-    s_d = where(s_largest3 < 256, 1.8014398509481984e+16, s_b)
+    s_d = (where(s_largest3
+        < 256, 1.8014398509481984e+16, where(4.611686018427388e+18
+        < s_largest3, float32(2.710505431213761e-20), float32(1))))
     s = where(s_largest3 < 1.4210854715202004e-14, 3.2451855365842673e+32, s_d)
     y_0 = q_0 * s
     y_1 = q_1 * s
@@ -205,16 +208,17 @@ def quaternion_unit_defect(q):
     s_largest1 = where(s_size_0 < s_size_1, s_size_1, s_size_0)
     s_largest2 = where(s_largest1 < s_size_2, s_size_2, s_largest1)
     s_largest3 = where(s_largest2 < s_size_3, s_size_3, s_largest2)
-    s_b = where(4.611686018427388e+18 < s_largest3, float32(2.710505431213761e-20), float32(1))
-    s_d = where(s_largest3 < 256, 1.8014398509481984e+16, s_b)
+    s_d = (where(s_largest3
+        < 256, 1.8014398509481984e+16, where(4.611686018427388e+18
+        < s_largest3, float32(2.710505431213761e-20), float32(1))))
     s = where(s_largest3 < 1.4210854715202004e-14, 3.2451855365842673e+32, s_d)
     y_0 = q_0 * s
     y_1 = q_1 * s
     y_2 = q_2 * s
     y_3 = q_3 * s
     n = sqrt(y_0 * y_0 + y_1 * y_1 + y_2 * y_2 + y_3 * y_3)
-    r_b = where(s < 1, float32(3.6893488147419103e+19), float32(1))
-    r_d = where(1 < s, 5.551115123125783e-17, r_b)
+    r_d = (where(1
+        < s, 5.551115123125783e-17, where(s < 1, float32(3.6893488147419103e+19), float32(1))))
     r = where(1.8014398509481984e+16 < s, 3.0814879110195774e-33, r_d)
     length = n * r
     defect = length - 1
@@ -236,15 +240,16 @@ def quaternion_nearest_unit(q):
     s_largest1 = where(s_size_0 < s_size_1, s_size_1, s_size_0)
     s_largest2 = where(s_largest1 < s_size_2, s_size_2, s_largest1)
     s_largest3 = where(s_largest2 < s_size_3, s_size_3, s_largest2)
-    s_b = where(4.611686018427388e+18 < s_largest3, float32(2.710505431213761e-20), float32(1))
-    s_d = where(s_largest3 < 256, 1.8014398509481984e+16, s_b)
+    s_d = (where(s_largest3
+        < 256, 1.8014398509481984e+16, where(4.611686018427388e+18
+        < s_largest3, float32(2.710505431213761e-20), float32(1))))
     s = where(s_largest3 < 1.4210854715202004e-14, 3.2451855365842673e+32, s_d)
     scaled_s_0 = q_0 * s
     scaled_s_1 = q_1 * s
     scaled_s_2 = q_2 * s
     scaled_s_3 = q_3 * s
-    n_e = scaled_s_0 * scaled_s_0 + scaled_s_1 * scaled_s_1 + scaled_s_2 * scaled_s_2
-    n = sqrt(n_e + scaled_s_3 * scaled_s_3)
+    n = (sqrt(scaled_s_0 * scaled_s_0 + scaled_s_1 * scaled_s_1 + scaled_s_2 * scaled_s_2
+        + scaled_s_3 * scaled_s_3))
     divisor_a = n == 0
     divisor = where(divisor_a, 1, n)
     unit_0 = scaled_s_0 / divisor
@@ -1064,8 +1069,9 @@ def axis_angle_from_quaternion(q):
     s_largest1 = where(s_size_0 < s_size_1, s_size_1, s_size_0)
     s_largest2 = where(s_largest1 < s_size_2, s_size_2, s_largest1)
     s_largest3 = where(s_largest2 < s_size_3, s_size_3, s_largest2)
-    s_b = where(4.611686018427388e+18 < s_largest3, float32(2.710505431213761e-20), float32(1))
-    s_d = where(s_largest3 < 256, 1.8014398509481984e+16, s_b)
+    s_d = (where(s_largest3
+        < 256, 1.8014398509481984e+16, where(4.611686018427388e+18
+        < s_largest3, float32(2.710505431213761e-20), float32(1))))
     s = where(s_largest3 < 1.4210854715202004e-14, 3.2451855365842673e+32, s_d)
     scaled_s_0 = q_0 * s
     scaled_s_1 = q_1 * s
@@ -1081,14 +1087,15 @@ def axis_angle_from_quaternion(q):
     v_s_size_2 = absolute(upper_2)
     v_s_largest1 = where(v_s_size_0 < v_s_size_1, v_s_size_1, v_s_size_0)
     v_s_largest2 = where(v_s_largest1 < v_s_size_2, v_s_size_2, v_s_largest1)
-    v_s_b = where(v_s_largest2 < 256, float32(1.8014398509481984e+16), float32(1))
-    v_s = where(v_s_largest2 < 1.4210854715202004e-14, 3.2451855365842673e+32, v_s_b)
+    v_s = (where(v_s_largest2
+        < 1.4210854715202004e-14, 3.2451855365842673e+32, where(v_s_largest2
+        < 256, float32(1.8014398509481984e+16), float32(1))))
     v_y_0 = upper_0 * v_s
     v_y_1 = upper_1 * v_s
     v_y_2 = upper_2 * v_s
     v_n = sqrt(v_y_0 * v_y_0 + v_y_1 * v_y_1 + v_y_2 * v_y_2)
-    v_r_b = where(1 < v_s, float32(5.551115123125783e-17), float32(1))
-    v_r = where(1.8014398509481984e+16 < v_s, 3.0814879110195774e-33, v_r_b)
+    v_r = (where(1.8014398509481984e+16
+        < v_s, 3.0814879110195774e-33, where(1 < v_s, float32(5.551115123125783e-17), float32(1))))
     n = v_n * v_r
     half = elementary.atan2(n, upper_3)
     divisor_a = v_n == 0
@@ -1150,14 +1157,22 @@ def quaternion_exp(v):
     sine = delta * far_cosine + far_sine
     cosine = far_cosine - delta * far_sine
     far_k = sine / theta
-    k_g = x * (x * (x * (6.4469503e-26 * x - 3.8681703e-23) + 1.9572942e-20) - 8.220635e-18)
-    k_n = x * (x * (x * (k_g + 2.8114574e-15) - 7.6471636e-13) + 1.6059044e-10) - 2.5052108e-08
-    k_w = x * (x * (x * (x * (x * k_n + 2.7557319e-06) - 0.0001984127) + 0.008333334) - 0.16666667)
-    k = where(theta_b, k_w + 1, far_k)
-    g2g = x * (x * (x * (2.4795963e-27 * x - 1.6117376e-24) + 8.896791e-22) - 4.1103176e-19)
-    g2n = x * (x * (x * (g2g + 1.5619207e-16) - 4.7794773e-14) + 1.1470745e-11) - 2.0876756e-09
-    g2v = x * (x * (x * (x * g2n + 2.755732e-07) - 2.4801588e-05) + 0.0013888889) - 0.041666668
-    g2 = x * g2v + 0.5
+    k_l = (x
+        * (x
+        * (x * (x * (x * (6.4469503e-26 * x - 3.8681703e-23) + 1.9572942e-20) - 8.220635e-18)
+        + 2.8114574e-15) - 7.6471636e-13) + 1.6059044e-10)
+    k = (where(theta_b, x
+        * (x
+        * (x * (x * (x * (x * k_l - 2.5052108e-08) + 2.7557319e-06) - 0.0001984127) + 0.008333334)
+        - 0.16666667) + 1, far_k))
+    g2l = (x
+        * (x
+        * (x * (x * (x * (2.4795963e-27 * x - 1.6117376e-24) + 8.896791e-22) - 4.1103176e-19)
+        + 1.5619207e-16) - 4.7794773e-14) + 1.1470745e-11)
+    g2 = (x
+        * (x
+        * (x * (x * (x * (x * g2l - 2.0876756e-09) + 2.755732e-07) - 2.4801588e-05) + 0.0013888889)
+        - 0.041666668) + 0.5)
     near = 1 - x * g2
     qo_0 = h_0 * k
     qo_1 = h_1 * k
@@ -1183,8 +1198,9 @@ def quaternion_log(q):
     s_largest1 = where(s_size_0 < s_size_1, s_size_1, s_size_0)
     s_largest2 = where(s_largest1 < s_size_2, s_size_2, s_largest1)
     s_largest3 = where(s_largest2 < s_size_3, s_size_3, s_largest2)
-    s_b = where(4.611686018427388e+18 < s_largest3, float32(2.710505431213761e-20), float32(1))
-    s_d = where(s_largest3 < 256, 1.8014398509481984e+16, s_b)
+    s_d = (where(s_largest3
+        < 256, 1.8014398509481984e+16, where(4.611686018427388e+18
+        < s_largest3, float32(2.710505431213761e-20), float32(1))))
     s = where(s_largest3 < 1.4210854715202004e-14, 3.2451855365842673e+32, s_d)
     scaled_s_0 = q_0 * s
     scaled_s_1 = q_1 * s
@@ -1200,14 +1216,15 @@ def quaternion_log(q):
     v_s_size_2 = absolute(upper_2)
     v_s_largest1 = where(v_s_size_0 < v_s_size_1, v_s_size_1, v_s_size_0)
     v_s_largest2 = where(v_s_largest1 < v_s_size_2, v_s_size_2, v_s_largest1)
-    v_s_b = where(v_s_largest2 < 256, float32(1.8014398509481984e+16), float32(1))
-    v_s = where(v_s_largest2 < 1.4210854715202004e-14, 3.2451855365842673e+32, v_s_b)
+    v_s = (where(v_s_largest2
+        < 1.4210854715202004e-14, 3.2451855365842673e+32, where(v_s_largest2
+        < 256, float32(1.8014398509481984e+16), float32(1))))
     v_y_0 = upper_0 * v_s
     v_y_1 = upper_1 * v_s
     v_y_2 = upper_2 * v_s
     v_n = sqrt(v_y_0 * v_y_0 + v_y_1 * v_y_1 + v_y_2 * v_y_2)
-    v_r_b = where(1 < v_s, float32(5.551115123125783e-17), float32(1))
-    v_r = where(1.8014398509481984e+16 < v_s, 3.0814879110195774e-33, v_r_b)
+    v_r = (where(1.8014398509481984e+16
+        < v_s, 3.0814879110195774e-33, where(1 < v_s, float32(5.551115123125783e-17), float32(1))))
     n = v_n * v_r
     half = elementary.atan2(n, upper_3)
     divisor = where(n == 0, 1, n)
@@ -1244,15 +1261,16 @@ def quaternion_interpolated(q1, q2, k):
     v_s_size_2 = absolute(upper_2)
     v_s_largest1 = where(v_s_size_0 < v_s_size_1, v_s_size_1, v_s_size_0)
     v_s_largest2 = where(v_s_largest1 < v_s_size_2, v_s_size_2, v_s_largest1)
-    v_s_b = where(4.611686018427388e+18 < v_s_largest2, float32(2.710505431213761e-20), float32(1))
-    v_s_d = where(v_s_largest2 < 256, 1.8014398509481984e+16, v_s_b)
+    v_s_d = (where(v_s_largest2
+        < 256, 1.8014398509481984e+16, where(4.611686018427388e+18
+        < v_s_largest2, float32(2.710505431213761e-20), float32(1))))
     v_s = where(v_s_largest2 < 1.4210854715202004e-14, 3.2451855365842673e+32, v_s_d)
     v_y_0 = upper_0 * v_s
     v_y_1 = upper_1 * v_s
     v_y_2 = upper_2 * v_s
     v_n = sqrt(v_y_0 * v_y_0 + v_y_1 * v_y_1 + v_y_2 * v_y_2)
-    v_r_b = where(v_s < 1, float32(3.6893488147419103e+19), float32(1))
-    v_r_d = where(1 < v_s, 5.551115123125783e-17, v_r_b)
+    v_r_d = (where(1
+        < v_s, 5.551115123125783e-17, where(v_s < 1, float32(3.6893488147419103e+19), float32(1))))
     v_r = where(1.8014398509481984e+16 < v_s, 3.0814879110195774e-33, v_r_d)
     n = v_n * v_r
     half = elementary.atan2(n, upper_3)
@@ -1301,16 +1319,24 @@ def quaternion_interpolated(q1, q2, k):
     exp_sine = exp_delta * exp_far_cosine + exp_far_sine
     exp_cosine = exp_far_cosine - exp_delta * exp_far_sine
     exp_far_k = exp_sine / exp_theta
-    exp_k_e = exp_x * (exp_x * (6.4469503e-26 * exp_x - 3.8681703e-23) + 1.9572942e-20)
-    exp_k_k = exp_x * (exp_x * (exp_x * (exp_k_e - 8.220635e-18) + 2.8114574e-15) - 7.6471636e-13)
-    exp_k_q = exp_x * (exp_x * (exp_x * (exp_k_k + 1.6059044e-10) - 2.5052108e-08) + 2.7557319e-06)
-    exp_k_x = exp_x * (exp_x * (exp_x * (exp_k_q - 0.0001984127) + 0.008333334) - 0.16666667) + 1
-    exp_k = where(exp_theta_b, exp_k_x, exp_far_k)
-    exp_g2e = exp_x * (exp_x * (2.4795963e-27 * exp_x - 1.6117376e-24) + 8.896791e-22)
-    exp_g2k = exp_x * (exp_x * (exp_x * (exp_g2e - 4.1103176e-19) + 1.5619207e-16) - 4.7794773e-14)
-    exp_g2q = exp_x * (exp_x * (exp_x * (exp_g2k + 1.1470745e-11) - 2.0876756e-09) + 2.755732e-07)
-    exp_g2w = exp_x * (exp_x * (exp_x * (exp_g2q - 2.4801588e-05) + 0.0013888889) - 0.041666668)
-    exp_g2 = exp_g2w + 0.5
+    exp_k_j = (exp_x
+        * (exp_x
+        * (exp_x * (exp_x * (6.4469503e-26 * exp_x - 3.8681703e-23) + 1.9572942e-20)
+        - 8.220635e-18) + 2.8114574e-15) - 7.6471636e-13)
+    exp_k_t = (exp_x
+        * (exp_x
+        * (exp_x * (exp_x * (exp_x * exp_k_j + 1.6059044e-10) - 2.5052108e-08) + 2.7557319e-06)
+        - 0.0001984127) + 0.008333334)
+    exp_k = where(exp_theta_b, exp_x * (exp_x * exp_k_t - 0.16666667) + 1, exp_far_k)
+    exp_g2j = (exp_x
+        * (exp_x
+        * (exp_x * (exp_x * (2.4795963e-27 * exp_x - 1.6117376e-24) + 8.896791e-22)
+        - 4.1103176e-19) + 1.5619207e-16) - 4.7794773e-14)
+    exp_g2t = (exp_x
+        * (exp_x
+        * (exp_x * (exp_x * (exp_x * exp_g2j + 1.1470745e-11) - 2.0876756e-09) + 2.755732e-07)
+        - 2.4801588e-05) + 0.0013888889)
+    exp_g2 = exp_x * (exp_x * exp_g2t - 0.041666668) + 0.5
     exp_near = 1 - exp_x * exp_g2
     power_0 = step_0 * exp_k
     power_1 = step_1 * exp_k

@@ -106,8 +106,8 @@ def mat3x3_solve(A, b):
     less_divisor1 = where(less_divisor1a, less_u1_0, 1)
     less_l1 = less_u1_1 / less_divisor1
     less_u2 = less_2 - A_20 * less_l0_1 - less_u1_1 * less_l1
-    regular_c = where(less_divisor1a, where(0 < less_u2, float32(1), float32(0)), 0)
-    regular = where(less_divisor0a, regular_c, 0)
+    regular = (where(less_divisor0a, where(less_divisor1a, where(0
+        < less_u2, float32(1), float32(0)), 0), 0))
     least = where(smallest2 < 0, smallest2, 0)
     y1 = b_1 - b_0 * l0_0
     y2 = b_2 - b_0 * l0_1 - l1 * y1
@@ -356,17 +356,17 @@ def mat6x6_solve(A, b):
     less_divisor3 = where(less_divisor3a, less_u3_0, 1)
     less_l3_0 = less_u3_1 / less_divisor3
     less_l3_1 = less_u3_2 / less_divisor3
-    less_u4_0f = less_4 - A_40 * less_l0_3 - less_u1_3 * less_l1_2 - less_u2_2 * less_l2_1
-    less_u4_0 = less_u4_0f - less_u3_1 * less_l3_0
-    less_u4_1f = A_54 - A_50 * less_l0_3 - less_u1_4 * less_l1_2 - less_u2_3 * less_l2_1
-    less_u4_1 = less_u4_1f - less_u3_2 * less_l3_0
+    less_u4_0 = (less_4 - A_40 * less_l0_3 - less_u1_3 * less_l1_2 - less_u2_2 * less_l2_1
+        - less_u3_1 * less_l3_0)
+    less_u4_1 = (A_54 - A_50 * less_l0_3 - less_u1_4 * less_l1_2 - less_u2_3 * less_l2_1
+        - less_u3_2 * less_l3_0)
     less_divisor4a = 0 < less_u4_0
     less_divisor4 = where(less_divisor4a, less_u4_0, 1)
     less_l4 = less_u4_1 / less_divisor4
-    less_u5f = less_5 - A_50 * less_l0_4 - less_u1_4 * less_l1_3 - less_u2_3 * less_l2_2
-    less_u5 = less_u5f - less_u3_2 * less_l3_1 - less_u4_1 * less_l4
-    regular_c = where(less_divisor4a, where(0 < less_u5, float32(1), float32(0)), 0)
-    regular_e = where(less_divisor2a, where(less_divisor3a, regular_c, 0), 0)
+    less_u5 = (less_5 - A_50 * less_l0_4 - less_u1_4 * less_l1_3 - less_u2_3 * less_l2_2
+        - less_u3_2 * less_l3_1 - less_u4_1 * less_l4)
+    regular_e = (where(less_divisor2a, where(less_divisor3a, where(less_divisor4a, where(0
+        < less_u5, float32(1), float32(0)), 0), 0), 0))
     regular = where(less_divisor0a, where(less_divisor1a, regular_e, 0), 0)
     least = where(smallest5 < 0, smallest5, 0)
     y1 = b_1 - b_0 * l0_0
@@ -394,10 +394,10 @@ def mat6x6_solve(A, b):
     refined_y1 = residual_1 - l0_0 * residual_0
     refined_y2 = residual_2 - l0_1 * residual_0 - l1_0 * refined_y1
     refined_y3 = residual_3 - l0_2 * residual_0 - l1_1 * refined_y1 - l2_0 * refined_y2
-    refined_y4f = residual_4 - l0_3 * residual_0 - l1_2 * refined_y1 - l2_1 * refined_y2
-    refined_y4 = refined_y4f - l3_0 * refined_y3
-    refined_y5f = residual_5 - l0_4 * residual_0 - l1_3 * refined_y1 - l2_2 * refined_y2
-    refined_y5 = refined_y5f - l3_1 * refined_y3 - l4 * refined_y4
+    refined_y4 = (residual_4 - l0_3 * residual_0 - l1_2 * refined_y1 - l2_1 * refined_y2 - l3_0
+        * refined_y3)
+    refined_y5 = (residual_5 - l0_4 * residual_0 - l1_3 * refined_y1 - l2_2 * refined_y2 - l3_1
+        * refined_y3 - l4 * refined_y4)
     refined_z0 = residual_0 / divisor0
     refined_z1 = refined_y1 / divisor1
     refined_z2 = refined_y2 / divisor2
@@ -407,10 +407,10 @@ def mat6x6_solve(A, b):
     refined_x4 = refined_z4 - l4 * refined_z5
     refined_x3 = refined_z3 - l3_0 * refined_x4 - l3_1 * refined_z5
     refined_x2 = refined_z2 - l2_0 * refined_x3 - l2_1 * refined_x4 - l2_2 * refined_z5
-    refined_x1f = refined_z1 - l1_0 * refined_x2 - l1_1 * refined_x3 - l1_2 * refined_x4
-    refined_x1 = refined_x1f - l1_3 * refined_z5
-    refined_x0f = refined_z0 - l0_0 * refined_x1 - l0_1 * refined_x2 - l0_2 * refined_x3
-    refined_x0 = refined_x0f - l0_3 * refined_x4 - l0_4 * refined_z5
+    refined_x1 = (refined_z1 - l1_0 * refined_x2 - l1_1 * refined_x3 - l1_2 * refined_x4 - l1_3
+        * refined_z5)
+    refined_x0 = (refined_z0 - l0_0 * refined_x1 - l0_1 * refined_x2 - l0_2 * refined_x3 - l0_3
+        * refined_x4 - l0_4 * refined_z5)
     found_0 = x0 + refined_x0
     found_1 = x1 + refined_x1
     found_2 = x2 + refined_x2

@@ -108,16 +108,17 @@ def vec4_l2norm(v):
     s_largest1 = where(s_size_0 < s_size_1, s_size_1, s_size_0)
     s_largest2 = where(s_largest1 < s_size_2, s_size_2, s_largest1)
     s_largest3 = where(s_largest2 < s_size_3, s_size_3, s_largest2)
-    s_b = where(4.611686018427388e+18 < s_largest3, float32(2.710505431213761e-20), float32(1))
-    s_d = where(s_largest3 < 256, 1.8014398509481984e+16, s_b)
+    s_d = (where(s_largest3
+        < 256, 1.8014398509481984e+16, where(4.611686018427388e+18
+        < s_largest3, float32(2.710505431213761e-20), float32(1))))
     s = where(s_largest3 < 1.4210854715202004e-14, 3.2451855365842673e+32, s_d)
     y_0 = v_0 * s
     y_1 = v_1 * s
     y_2 = v_2 * s
     y_3 = v_3 * s
     n = sqrt(y_0 * y_0 + y_1 * y_1 + y_2 * y_2 + y_3 * y_3)
-    r_b = where(s < 1, float32(3.6893488147419103e+19), float32(1))
-    r_d = where(1 < s, 5.551115123125783e-17, r_b)
+    r_d = (where(1
+        < s, 5.551115123125783e-17, where(s < 1, float32(3.6893488147419103e+19), float32(1))))
     r = where(1.8014398509481984e+16 < s, 3.0814879110195774e-33, r_d)
     norm = n * r
     return norm
@@ -138,8 +139,9 @@ def vec4_normalize(self):
     s_largest1 = where(s_size_0 < s_size_1, s_size_1, s_size_0)
     s_largest2 = where(s_largest1 < s_size_2, s_size_2, s_largest1)
     s_largest3 = where(s_largest2 < s_size_3, s_size_3, s_largest2)
-    s_b = where(4.611686018427388e+18 < s_largest3, float32(2.710505431213761e-20), float32(1))
-    s_d = where(s_largest3 < 256, 1.8014398509481984e+16, s_b)
+    s_d = (where(s_largest3
+        < 256, 1.8014398509481984e+16, where(4.611686018427388e+18
+        < s_largest3, float32(2.710505431213761e-20), float32(1))))
     s = where(s_largest3 < 1.4210854715202004e-14, 3.2451855365842673e+32, s_d)
     y_0 = self_0 * s
     y_1 = self_1 * s
@@ -179,8 +181,9 @@ def vec4_normalized(v):
     s_largest1 = where(s_size_0 < s_size_1, s_size_1, s_size_0)
     s_largest2 = where(s_largest1 < s_size_2, s_size_2, s_largest1)
     s_largest3 = where(s_largest2 < s_size_3, s_size_3, s_largest2)
-    s_b = where(4.611686018427388e+18 < s_largest3, float32(2.710505431213761e-20), float32(1))
-    s_d = where(s_largest3 < 256, 1.8014398509481984e+16, s_b)
+    s_d = (where(s_largest3
+        < 256, 1.8014398509481984e+16, where(4.611686018427388e+18
+        < s_largest3, float32(2.710505431213761e-20), float32(1))))
     s = where(s_largest3 < 1.4210854715202004e-14, 3.2451855365842673e+32, s_d)
     y_0 = v_0 * s
     y_1 = v_1 * s

@@ -43,9 +43,9 @@ def _angles_of(let: Let, R: sp.Matrix, y: sp.Expr, x: sp.Expr, middle: tuple[sp.
     x = y = 0.
 
     Without its third rotation, R has the second column (0, cos a, sin a) = p cos c - q sin c, with
-    `column` = (p, q).  a is computed from c, so that the angles fit together even in gimbal lock.
-    `middle` = (numerator, denominator) of tan b; None stands for |(x, y)|.  The rest of R is
-    `unread`; where that is NaN, so is a."""
+    `column` = (p, q). a is computed from c, so that the angles fit together even in gimbal lock.
+    `middle` = (numerator, denominator) of tan b; None stands for |(x, y)|. The remaining entries of
+    R are `unread`; where one is NaN, so is a."""
     n = let("n", l2(sp.Matrix([x, y])))
     locked = sp.Eq(n, 0)
     divisor = let("divisor", nonzero(n))

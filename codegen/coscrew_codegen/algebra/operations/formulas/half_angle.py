@@ -26,7 +26,7 @@ from coscrew_codegen.algebra.operations.formulas.series import (
 from coscrew_codegen.algebra.operations.operation import LARGE, REDUCING, scaled
 
 _SMALL = sp.Rational(1, 2**26)  # two terms of sin h / h leave out less than 2^-110 up to it
-_TERMS = 14  # the first that is left out is below 2^-105 of g(4), g(5) and f
+_TERMS = 14  # the first truncated term is below 2^-105 of g(4), g(5) and f
 
 
 @dataclass(frozen=True)
@@ -71,14 +71,14 @@ class HalfAngle:
     def g(self, *orders: int) -> tuple[sp.Expr, ...]:
         """g(k, θ²) for these k from 0 to 3."""
         let, k = self.let, self.k
-        found = {1: let("g1", k * self.c), 2: let("g2", k**2 / 2)}
+        results = {1: let("g1", k * self.c), 2: let("g2", k**2 / 2)}
         if 0 in orders:
-            found[0] = let("g0", 1 - 2 * let("sine_square", self.sine**2))
+            results[0] = let("g0", 1 - 2 * let("sine_square", self.sine**2))
         if 3 in orders:
-            closed = let("closed3", let("rest3", 1 - found[1]) / self._far)
-            found[3] = let("g3", far(self.square, closed,
-                                     sp.Rational(1, 6) - self.square * self._series5))
-        return tuple(found[k] for k in orders)
+            closed = let("closed3", let("rest3", 1 - results[1]) / self._far)
+            results[3] = let("g3", far(self.square, closed,
+                                       sp.Rational(1, 6) - self.square * self._series5))
+        return tuple(results[k] for k in orders)
 
     def g_rates(self, g1: sp.Expr, g2: sp.Expr, g3: sp.Expr) -> tuple[sp.Expr, sp.Expr]:
         """2 g'(2) = 2 g(4) - g(3) and 2 g'(3) = 3 g(5) - g(4)."""
@@ -137,7 +137,8 @@ class HalfAngle:
 
 
 def _quotient(let: Let, sine: sp.Expr, h: sp.Expr, y: sp.Expr) -> sp.Expr:
-    """k = sin h / h; its series up to h = 2^-26, so that nothing is divided by what may be 0."""
+    """k = sin h / h; its series up to h = 2^-26, so that nothing is divided by a number that may be
+    0."""
     quotient = let("sinc_quotient", sine / let("sinc_divisor", _far_from_zero(h, h, _SMALL)))
     return let("sinc", _far_from_zero(h, quotient, alternating(
         lambda j: sp.Rational((-1)**j, sp.factorial(2 * j + 1)), y, 2, _SMALL**2)))

@@ -1,4 +1,4 @@
-"""The rotation nearest to a 3×3 matrix, and how far a matrix is from being a rotation."""
+"""The rotation nearest to a 3×3 matrix, and the distance of a matrix from a rotation."""
 
 import sympy as sp
 
@@ -95,9 +95,9 @@ def _across(let: Let, u: sp.Matrix, column: sp.Matrix, least: sp.Expr) -> sp.Mat
     is_kept = sp.Eq(let("is_kept", sp.Piecewise((1, enough < kept), (0, True))), 1)
     axis = _axis_across(let, u)
     other = let("other", axis - let("along_axis", u.dot(axis)) * u)
-    found = let("found", sp.Matrix([sp.Piecewise((one, is_kept), (two, True))
-                                    for one, two in zip(part, other, strict=True)]))
-    return let("across", divided(found, let("length", l2(found))))
+    result = let("found", sp.Matrix([sp.Piecewise((one, is_kept), (two, True))
+                                     for one, two in zip(part, other, strict=True)]))
+    return let("across", divided(result, let("length", l2(result))))
 
 
 def _newton(let: Let, R: sp.Matrix) -> sp.Matrix:
@@ -109,9 +109,9 @@ def _newton(let: Let, R: sp.Matrix) -> sp.Matrix:
 
 
 def _nearest(let: Let, A: sp.Matrix) -> sp.Matrix:
-    """U V^T, where A V has perpendicular columns, the longest first (one-sided Jacobi).  U has the
-    directions of the first two, and their product: so it turns, whatever the sign of det A, and
-    whatever the smallest singular value."""
+    """U V^T, where A V has perpendicular columns, the longest first (one-sided Jacobi). U has the
+    directions of the first two, and their cross product, so it is a rotation for either sign of det
+    A and any smallest singular value."""
     if let.smooth:
         return _by_root(let, A)
     scaled_A, V = moderate(let, "s", A), sp.eye(3)

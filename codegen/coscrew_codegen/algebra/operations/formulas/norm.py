@@ -31,10 +31,9 @@ from coscrew_codegen.algebra.operations.operation import (
 class Let:
     """let(name, value): the value, bound to the name.
 
-    `fine` is whether the results are computed to twice the digits, for which series need more terms
-    and other formulas are better; `smooth` whether they are differentiated, so that 0/0 must be its
-    limit, though it is multiplied by zero, and squares of intermediate results must not overflow.
-    """
+    `fine` says that results are computed to twice the digits, so series need more terms and other
+    formulas are better.  `smooth` says that they are differentiated, so 0/0 must be its limit even
+    if it is multiplied by zero, and squares of intermediate results must not overflow."""
 
     bind: Callable[[str, sp.Expr | sp.Matrix], sp.Expr | sp.Matrix]
     fine: bool = False
@@ -67,7 +66,7 @@ def _small(first: sp.Matrix) -> sp.Basic:
 
 
 def nonzero(n: sp.Expr) -> sp.Piecewise:
-    """n, or 1 where n = 0, so that dividing leaves the zero quantity as it is."""
+    """n, or 1 where n = 0, so that dividing leaves a zero quantity zero."""
     return sp.Piecewise((sp.Integer(1), sp.Eq(n, 0)), (n, True))
 
 
@@ -107,8 +106,8 @@ def stepwise_power(let: Let, name: str, largest: sp.Expr) -> sp.Expr:
 
 
 def calm(let: Let, largest: sp.Expr) -> sp.Expr:
-    """Chooses a stepwise power in the place of `largest`: where derivatives are taken, the power
-    leaves entries around 1 as they are."""
+    """Chooses a stepwise power in the place of `largest`; for derivatives, a power that leaves
+    entries around 1 unchanged."""
     return let("calm", scaled(largest, HALF_STEP)) if let.smooth else largest
 
 
@@ -160,4 +159,4 @@ def prefixed(let: Let, prefix: str) -> Let:
 
 
 unnamed = Let(lambda name, value: value)
-"""Binds nothing: it turns a derivation into a formula."""
+"""Returns values without binding them: turns a derivation into a formula."""

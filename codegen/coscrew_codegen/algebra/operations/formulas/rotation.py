@@ -11,15 +11,15 @@ from coscrew_codegen.algebra.operations.formulas.norm import Let, nonzero, prefi
 from coscrew_codegen.algebra.operations.formulas.series import Angle, alternating, far, taylor
 
 _NEAR = sp.Rational(1, 16)  # |v|²/w² up to which derivatives are those of series
-_ARCTANGENT_TERMS = 18  # what is left out, and its derivatives, are below 2^-60
+_ARCTANGENT_TERMS = 18  # truncated terms, and their derivatives, are below 2^-60
 
 
 def rodrigues(let: Let, v: sp.Matrix, alpha: sp.Expr, beta: sp.Expr,
               across: sp.Expr | None = None) -> sp.Matrix:
     """I + α v~ + β v~², with the symmetric part computed once.
 
-    `across`, if given, is 1 - β v·v; then each diagonal entry is the one of 1 - β (v_j² + v_k²) and
-    across + β v_i² that adds or subtracts less."""
+    `across`, if given, is 1 - β v·v; then each diagonal entry is 1 - β (v_j² + v_k²) or across + β
+    v_i², whichever adds or subtracts less."""
     x, y, z = let("beta_v", beta * v)
     xx, yy, zz, xy, xz, yz = let("m", sp.Matrix(
         [x * v[0], y * v[1], z * v[2], x * v[1], x * v[2], y * v[2]]))
@@ -83,8 +83,8 @@ def upper(let: Let, q: sp.Matrix) -> sp.Matrix:
     """q or -q, whichever has w >= 0.  If fine, products may be fused into sums, which therefore are
     not negated (accuracy/tiers/negation.py)."""
     w = scalar_part(q)
-    found = q.applyfunc(lambda x: sp.Piecewise((-x, w < 0), (x, True)))
-    return let("upper", quaternion(vector_part(found), sp.Abs(w)) if let.fine else found)
+    result = q.applyfunc(lambda x: sp.Piecewise((-x, w < 0), (x, True)))
+    return let("upper", quaternion(vector_part(result), sp.Abs(w)) if let.fine else result)
 
 
 def half_angle(let: Let, q: sp.Matrix, reduced: bool = False) -> tuple[sp.Expr, sp.Expr, sp.Expr]:
@@ -95,8 +95,8 @@ def half_angle(let: Let, q: sp.Matrix, reduced: bool = False) -> tuple[sp.Expr, 
 
 @dataclass(frozen=True)
 class SmoothAngle:
-    """θ/2 = atan2(|v|, w) for derivatives, which the length |v| has none of at zero: where |v| is
-    small against w, θ² and θ/2|v| are series in |v|²/w², and the other two mean nothing."""
+    """θ/2 = atan2(|v|, w) for derivatives; the length |v| has none at zero.  Where |v| is small
+    against w, θ² and θ/2|v| are series in |v|²/w², and the other two members are meaningless."""
 
     square: sp.Expr  # θ²
     rate: sp.Expr  # θ / 2|v|

@@ -78,11 +78,11 @@ class Angle:
         for k in range(3, max(orders) + 1):
             rest = let(f"rest{k}", sp.Rational(1, sp.factorial(k - 2)) - closed[k - 2])
             closed[k] = let(f"closed{k}", rest / middle_x)
-        found = {k: let(f"g{k}", (far if k <= 2 else beyond)(x, closed[k], taylor(k, x)))
-                 for k in orders if k}
+        results = {k: let(f"g{k}", (far if k <= 2 else beyond)(x, closed[k], taylor(k, x)))
+                   for k in orders if k}
         if 0 in orders:
-            found[0] = let("g0", far(x, self.cosine, 1 - x * found[2]))
-        return tuple(found[k] for k in orders)
+            results[0] = let("g0", far(x, self.cosine, 1 - x * results[2]))
+        return tuple(results[k] for k in orders)
 
     def b(self) -> tuple[sp.Expr, sp.Expr]:
         """b(θ²), and 1 - θ² b = θ/2 cot θ/2."""
@@ -152,8 +152,8 @@ def _bernoulli(x: sp.Expr) -> sp.Expr:
 
 
 def _bernoulli_sum(weight: Callable[[int], int], terms: range, x: sp.Expr) -> sp.Expr:
-    """Σ w(j) β_j x^(j - first), β_j = |B_2j| / (2j)!: since β_(j+1) < β_j / 39, those that are left
-    out are less than a geometric series with the ratio of the first two."""
+    """Σ w(j) β_j x^(j - first), β_j = |B_2j| / (2j)!: since β_(j+1) < β_j / 39, the truncated terms
+    are less than a geometric series with the ratio of the first two."""
     coefficients = [weight(j) * abs(sp.bernoulli(2 * j)) / sp.factorial(2 * j) for j in terms]
     ratio = sp.Rational(weight(terms[-1] + 1), 39 * weight(terms[-1])) * _MIDDLE
     return horner(coefficients, x, coefficients[-1] * ratio / (1 - ratio))
@@ -161,13 +161,14 @@ def _bernoulli_sum(weight: Callable[[int], int], terms: range, x: sp.Expr) -> sp
 
 def alternating(c: Callable[[int], sp.Rational], x: sp.Expr, terms: int,
                 most: sp.Rational) -> sp.Expr:
-    """Σ c(j) x^j for x from 0 to `most`, where signs alternate and sizes decrease: what is left out
-    is less than its first term."""
+    """Σ c(j) x^j for x from 0 to `most`, where signs alternate and sizes decrease: the truncation
+    error is less than the first truncated term."""
     return horner(list(map(c, range(terms))), x, abs(c(terms)) * most)
 
 
 def horner(coefficients: list[sp.Rational], x: sp.Expr, tail: sp.Rational) -> sp.Expr:
-    """c0 + x (c1 + x (c2 + …)); those that are left out move the last by at most `tail`."""
+    """c0 + x (c1 + x (c2 + …)); truncated terms amount to a change of the last coefficient by at
+    most `tail`."""
     *rest, final = coefficients
     total = sp.sign(final) * truncated(abs(final), tail)
     for coefficient in reversed(rest):

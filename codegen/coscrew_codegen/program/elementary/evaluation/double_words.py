@@ -1,8 +1,8 @@
-"""Numbers of twice the digits: pairs high + low, with bounds of what they err by.
+"""Numbers of twice the digits: pairs high + low, with bounds of their errors.
 
-Every rule below adds, in rationals, what its roundings and the terms that it leaves out amount to
-at most; a rounding errs by at most u of what is rounded, and by η.  Products and sums of the high
-parts are exact together with their errors (PRODUCT_ERROR; Knuth, Dekker)."""
+Every rule below adds, in rationals, the largest errors of its roundings and of the terms that it
+leaves out; a rounding errs by at most u of the rounded number, plus η. Products and sums of the
+high parts are exact together with their errors (PRODUCT_ERROR; Knuth, Dekker)."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
@@ -41,7 +41,8 @@ def power_of_two(x: Fraction) -> str:
 
 @dataclass(frozen=True, eq=False)
 class Pair:
-    """high + low; |high| <= size, |low| <= rest, |high + low - what it stands for| <= error."""
+    """high + low; |high| <= size, |low| <= rest, |high + low - the number it stands for| <= error.
+    """
 
     high: StepValue
     low: StepValue | None
@@ -51,7 +52,7 @@ class Pair:
 
     @property
     def most(self) -> Fraction:
-        """A bound of what it stands for."""
+        """A bound of the number that it stands for."""
         return self.size + self.rest + self.error
 
     def scaled(self, size: Fraction) -> "Pair":
@@ -76,7 +77,7 @@ class Series:
     sign: int
 
     def terms(self, precision: Precision) -> tuple[Fraction, ...]:
-        """Returns as many coefficients as matter to twice the digits."""
+        """Returns the coefficients that twice the digits need."""
         count = 1
         while self.left_out(count) > precision.u**2 / 32:
             count += 1
@@ -147,7 +148,7 @@ class Pairs:
             self._sum_of_lows(_number(b.low, b.rest), _number(a.low, a.rest)))
 
     def normal(self, name: str, x: Pair) -> Pair:
-        """high is high + low rounded, low what that misses: at most u of it."""
+        """The pair whose high is high + low rounded, and whose low is the rest: at most u of it."""
         assert x.low is not None and x.rest < x.size / 2
         high = x.high.steps.named(name, x.high + x.low)
         low = x.high.steps.named(f"{name}_low", x.low - (high - x.high))
@@ -155,14 +156,14 @@ class Pairs:
         return _bounded(high, low, size, self.rounding(x.most), x.error)
 
     def series(self, name: str, coefficients: Sequence[Fraction], z: Pair) -> Pair:
-        """c1 z + c2 z² + …, as it is added to 1."""
+        """c1 z + c2 z² + …, to be added to 1."""
         return self.product(f"{name}_sum", z, self.horner(name, coefficients, z))
 
     def horner(self, name: str, coefficients: Sequence[Fraction], z: Pair,
                negligible: Fraction = Fraction(1, 64)) -> Pair:
-        """c1 + c2 z + …, which times z is added to 1: without low parts of what is less than so
-        many u, whose roundings matter as many u² then.  The coefficients decrease so fast that
-        |c z| is less than the one before."""
+        """c1 + c2 z + …, to be multiplied by z and added to 1. Values below so many u have no low
+        parts, since their roundings then matter by as many u². The coefficients decrease so fast
+        that |c z| is less than the one before."""
         limit, last = negligible * self.precision.u, len(coefficients)
         first = next(n for n in range(1, last + 1)
                      if n == last or abs(coefficients[n - 1]) * z.size**n <= limit)
@@ -175,8 +176,8 @@ class Pairs:
         return value
 
     def _plain(self, name: str, coefficients: Sequence[Fraction], z: Pair) -> Pair:
-        """c0 + c1 z + …, every operation rounded.  c0 is added last; what the other terms are
-        multiplied and added by is rounded no more than twice a coefficient."""
+        """c0 + c1 z + …, every operation rounded.  c0 is added last; the sum of the other terms is
+        rounded at most twice per coefficient."""
         near = [nearest(c, self.precision) for c in coefficients]
         most = z.size + z.rest + z.error
         size = sum((abs(c) * most**n for n, c in enumerate(near)), _ZERO)
@@ -189,8 +190,8 @@ class Pairs:
         return _bounded(value, None, size + error, _ZERO, error)
 
     def _step(self, name: str, c: Fraction, z: Pair, value: Pair, brief: bool) -> Pair:
-        """c + z value, z value being rounded if `brief`.  The low part of value, for which all
-        waits, is used last."""
+        """c + z value, z value being rounded if `brief`. The low part of value, the slowest to
+        arrive, is used last."""
         steps, constant = z.high.steps, self.constant(z.high.steps, c)
         product = z.size * value.size
         lost = self.rounding(product)
@@ -235,5 +236,5 @@ class Pairs:
         return self.sum(name, r, self.product(f"{name}_more", r, series), ordered=True)
 
     def vanishing(self, name: str, r: Pair) -> StepValue:
-        """r's high part, or 0 if |r| is tiny: so that no product of it underflows."""
+        """r's high part, or 0 if |r| is tiny: so that no product with it underflows."""
         return r.high.steps.named(name, (abs(r.high) < self.tiny).where(0, r.high))

@@ -18,8 +18,8 @@ def integer_shift(precision: Format) -> Fraction:
 
 
 def estrin(coefficients: Sequence[Fraction], x: StepValue) -> StepValue:
-    """Σ c_i x^i, neighbours first and then pairs of pairs, so that few steps wait for others; but
-    the first, the largest, last, so that the sum is rounded once to its digits."""
+    """Σ c_i x^i, neighbours first and then pairs of pairs, so that few steps wait for others.  The
+    first term, the largest, is added last, so that the sum is rounded once to its digits."""
     first, *terms = coefficients
     values: list[StepValue | Fraction] = list(terms)
     power = x

@@ -1,6 +1,6 @@
 """x = k π/2 + r - r_excess, with k an integer and |r| up to little more than π/4.
 
-r_excess is so signed that r = x keeps the sign of zero in what is computed from both."""
+The sign of r_excess is such that for r = x results computed from both keep the sign of zero."""
 
 from dataclasses import dataclass
 from fractions import Fraction
@@ -26,8 +26,8 @@ class PiSplit:
     """π/2 in parts whose products with any |k| <= 2^k_bits are exact, and a rounded rest.
 
     k parts[0] and the differences x - k parts[0] and that minus k parts[1] are exact as well: x,
-    at least 1/2 unless k = 0, and both products are multiples of 2^-digits, the differences below
-    1.  All are positive, for the sake of signed zeros."""
+    which is at least 1/2 unless k = 0, and both products are multiples of 2^-digits, and the
+    differences are below 1. All parts are positive, so that zeros have the right sign."""
 
     k_bits: int
     last_bits: tuple[int, ...]  # of the parts: 2^-n
@@ -47,8 +47,8 @@ def to_multiple(x: Fraction, unit: Fraction) -> Fraction:
 
 @cache
 def split(precision: Precision) -> PiSplit:
-    """The split for |k| <= 2^22, in single precision 2^10: so that k times the rest is at most 1/32
-    of |x - k π/2|."""
+    """The split for |k| <= 2^22 (single precision 2^10); up to there k times the rest is at most
+    1/32 of |x - k π/2|."""
     k_bits = 22 if precision.digits == DOUBLE.digits else 10
     last_bits: list[int] = []
     parts: list[Fraction] = []
@@ -60,7 +60,7 @@ def split(precision: Precision) -> PiSplit:
 
 
 def limit(precision: Precision) -> Fraction:
-    """The largest integer of which it is proved that |k| <= 2^k_bits."""
+    """The largest integer for which |k| <= 2^k_bits is proved."""
     k = 2**split(precision).k_bits - Fraction(1, 2)
     return Fraction(int(k * HALF_PI))
 
@@ -87,10 +87,10 @@ def to_integer(steps: StepWriter, x: StepValue, precision: Precision, unit: int 
 
 
 LEVELS = {53: 7, 24: 8}
-"""By digits: how many sums of products with chunks of 2/π are taken.  The last only matter where
-the others nearly cancel."""
+"""Number of sums of products with chunks of 2/π, by digits.  The last only matter where the others
+nearly cancel."""
 EXACT_LEVELS = {53: 5, 24: 6}
-"""How many of them are added without error."""
+"""Number of these sums that are added without error."""
 
 
 @cache
@@ -103,8 +103,8 @@ def far(precision: Precision) -> Program:
 
 
 def levels(steps: StepWriter, x: StepValue, precision: Precision, count: int) -> list[StepValue]:
-    """Exact numbers, each about 2^-digits/2 of the one before, whose sum is x 2/π except whole
-    turns and what is beyond the last."""
+    """Exact numbers, each about 2^-digits/2 of the one before, whose sum is x 2/π less whole turns
+    and a tail beyond the last."""
     scaled = steps.named("scaled", x * Fraction(1, 2**chunks(precision.digits).scale))
     high, low = halves("x", scaled, precision)
     at = [steps.named(f"chunk{n}", steps.do(Op.TWO_OVER_PI, x, n, precision.digits))
@@ -116,8 +116,8 @@ def levels(steps: StepWriter, x: StepValue, precision: Precision, count: int) ->
 def reduced(t: list[StepValue], precision: Precision) -> tuple[StepValue, StepValue, StepValue]:
     """The quadrant, r and r_excess, from the levels of x 2/π.
 
-    Half of them are added without error: what rounds a sum is kept, and added to `low`, whose first
-    sum is exact, since all are multiples of a small number."""
+    Half of them are added without error: the rounding error of each sum is kept, and added to
+    `low`. The first sum of `low` is exact, since its terms are multiples of a small number."""
     steps, exact = t[0].steps, EXACT_LEVELS[precision.digits]
     k1, k2, f, low = fraction(t, precision)
     f, error = two_sum("sum3", f, t[3])
@@ -164,7 +164,7 @@ def times_half_pi(steps: StepWriter, f: StepValue, low: StepValue,
 
 
 def two_sum(name: str, a: StepValue, b: StepValue) -> tuple[StepValue, StepValue]:
-    """a + b rounded, and what that misses.  Source: Knuth."""
+    """a + b rounded, and the rounding error.  Source: Knuth."""
     steps = a.steps
     s = steps.named(name, a + b)
     c = s - a
@@ -172,7 +172,7 @@ def two_sum(name: str, a: StepValue, b: StepValue) -> tuple[StepValue, StepValue
 
 
 def ordered_sum(name: str, a: StepValue, b: StepValue) -> tuple[StepValue, StepValue]:
-    """a + b rounded, and what that misses, for |a| >= |b|.  Source: Dekker."""
+    """a + b rounded, and the rounding error, for |a| >= |b|. Source: Dekker."""
     s = a.steps.named(name, a + b)
     return s, a.steps.named(f"{name}_error", b - (s - a))
 

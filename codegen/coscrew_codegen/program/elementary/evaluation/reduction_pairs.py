@@ -1,5 +1,5 @@
-"""x = k π/2 + r + r_low to more than twice the digits, relative to r: what errors of sine and
-cosine start from."""
+"""x = k π/2 + r + r_low to more than twice the digits, relative to r: the input of the errors of
+sine and cosine."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -35,12 +35,12 @@ from coscrew_codegen.program.values.quantity import SCALAR, Argument
 REDUCED = (Argument("quadrant", SCALAR), Argument("r", SCALAR), Argument("r_low", SCALAR))
 
 LEVELS = 9
-"""How many sums of products with chunks of 2/π are taken for large angles."""
+"""Number of sums of products with chunks of 2/π for large angles."""
 
 
 @dataclass(frozen=True)
 class Spread:
-    """Bounds proved of a sum R of numbers as high + low, unless that is exact: in units of |R|, of
+    """Proved bounds of a sum R of numbers as high + low, unless that is exact: in units of |R|, of
     |high|, of |low| and of |high + low - R|."""
 
     high: Fraction
@@ -61,13 +61,13 @@ class ReductionParts:
 def parts(precision: Precision) -> ReductionParts:
     """The parts of `split` and two more, a bit shorter: sums of products have that bit to spare."""
     known = split(precision)
-    found, size = list(known.parts), 2**(precision.digits - known.k_bits - 1)
+    result, size = list(known.parts), 2**(precision.digits - known.k_bits - 1)
     for _ in range(2):
-        rest = HALF_PI - sum(found)
+        rest = HALF_PI - sum(result)
         unit = Fraction(1, 2**(int(size / rest).bit_length() - 1))
-        found.append(int(rest / unit) * unit)
-    rest = nearest(HALF_PI - sum(found), precision)
-    return ReductionParts(tuple(found), rest, abs(HALF_PI - sum(found) - rest))
+        result.append(int(rest / unit) * unit)
+    rest = nearest(HALF_PI - sum(result), precision)
+    return ReductionParts(tuple(result), rest, abs(HALF_PI - sum(result) - rest))
 
 
 @cache
@@ -111,8 +111,8 @@ def _angle(f: Pair, precision: Precision) -> Pair:
 
 
 def _collected(name: str, terms: Sequence[StepValue]) -> tuple[StepValue, StepValue]:
-    """The sum of the terms, the largest first, as high + low: every sum keeps what it is rounded
-    by, twice over.  Source: Ogita, Rump, Oishi, SumK."""
+    """The sum of the terms, the largest first, as high + low: every sum keeps its rounding error,
+    twice over.  Source: Ogita, Rump, Oishi, SumK."""
     for again in range(2):
         sums = terms[-1]
         rests: list[StepValue] = []
@@ -127,9 +127,9 @@ def _collected(name: str, terms: Sequence[StepValue]) -> tuple[StepValue, StepVa
 
 
 def collected(sizes: Sequence[Fraction], least: Fraction, precision: Precision) -> Spread:
-    """A bound of what `_collected` errs by, for terms up to these sizes and |R| >= least.
+    """A bound of the error of `_collected`, for terms up to these sizes and |R| >= least.
 
-    A bound (a, b) stands for a |R| + b.  Each sum misses at most u of itself."""
+    A bound (a, b) stands for a |R| + b.  Each sum errs by at most u of itself."""
     u, bounds = precision.u, [(Fraction(0), size) for size in sizes]
     for _ in range(2):
         rests: list[tuple[Fraction, Fraction]] = []
@@ -137,7 +137,7 @@ def collected(sizes: Sequence[Fraction], least: Fraction, precision: Precision) 
         for size in reversed(bounds[1:-1]):
             total = _plus(total, size, 1 + u)
             rests.insert(0, (total[0] * u, total[1] * u))
-        others = (Fraction(1), Fraction(0))  # the first sum is R less what is missed
+        others = (Fraction(1), Fraction(0))  # the first sum is R less the rounding errors
         for rest in rests:
             others = _plus(others, rest, Fraction(1))
         first = others[0] / (1 - u), others[1] / (1 - u)
@@ -180,8 +180,8 @@ def _late_roundings(sizes: Sequence[Fraction], least: Fraction, precision: Preci
     """Bounds, in units of |R|, the roundings of an error's differences, at most u of a sum, and of
     a product of at most this size.
 
-    All but the last are exact up to 2^digits units of the product's part, of which all are
-    multiples.  The rounding is no more than either u of the result or the product."""
+    All but the last are exact up to 2^digits units of the product's part, since all are multiples
+    of that unit.  The rounding is at most u of the result, and at most the product."""
     data, u, worst = parts(precision), precision.u, Fraction(0)
     units = [Fraction(1, part.denominator) for part in data.parts[2:]]
     assert Fraction(1, 2**precision.digits) >= units[0] >= units[1] >= units[2]
@@ -197,7 +197,7 @@ def _late_roundings(sizes: Sequence[Fraction], least: Fraction, precision: Preci
 
 @cache
 def _far_fraction(precision: Precision) -> Spread:
-    """f and f_low beyond the limit, whose sum is x 2/π except whole numbers."""
+    """f and f_low beyond the limit; their sum is x 2/π less a whole number."""
     exponents = range(exponent_of(limit(precision)), precision.bias + 1)
     wrong = max(left_out(precision, exponent, LEVELS) for exponent in exponents)
     least = min(closest(precision, exponent) for exponent in exponents) / HALF_PI - wrong
@@ -205,8 +205,8 @@ def _far_fraction(precision: Precision) -> Spread:
     grid = max(first_grid(precision, exponent) for exponent in exponents)
     sizes = [Fraction(3, 4) * 2**digits * Fraction(2)**(grid - bits * n) for n in range(LEVELS)]
     low = precision.u * (3 + sizes[2])  # of the sum of the first three levels' fractions
-    found = collected([Fraction(1, 2), sizes[3], low, *sizes[4:]], least, precision)
-    return Spread(found.high, found.low, upward(found.error + wrong / least))
+    result = collected([Fraction(1, 2), sizes[3], low, *sizes[4:]], least, precision)
+    return Spread(result.high, result.low, upward(result.error + wrong / least))
 
 
 @cache
@@ -214,12 +214,12 @@ def far_spread(precision: Precision) -> Spread:
     """The reduction beyond the limit."""
     some = _far_fraction(precision)
     x, = StepWriter(X).inputs()
-    found = _angle(Pair(x, x, some.high, some.low, some.error), precision)
-    return Spread(*(size / HALF_PI for size in (found.size, found.rest, found.error)))
+    result = _angle(Pair(x, x, some.high, some.low, some.error), precision)
+    return Spread(*(size / HALF_PI for size in (result.size, result.rest, result.error)))
 
 
 @cache
 def spread(precision: Precision) -> Spread:
-    """Both reductions."""
+    """Bounds for both reductions."""
     both = near_spread(precision), far_spread(precision)
     return Spread(*(max(getattr(x, name) for x in both) for name in ("high", "low", "error")))

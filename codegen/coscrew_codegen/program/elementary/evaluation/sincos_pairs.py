@@ -10,7 +10,7 @@ from coscrew_codegen.program.elementary.evaluation.step_writer import StepValue,
 from coscrew_codegen.program.values.formats import Precision
 
 ANGLE = Fraction(78704, 100000)
-"""More than any |r|: that of `sincos`."""
+"""A bound of |r|, from `sincos`."""
 SINES = Series(ANGLE, 3, 2, -1)  # sin r = r + r (…)
 COSINES = Series(ANGLE, 2, 2, -1)  # cos r = 1 + …
 
@@ -24,7 +24,7 @@ class Computed:
 
 
 def computed(r: StepValue, r_low: StepValue, spread: Spread, precision: Precision) -> Computed:
-    """The steps from r, of which the spread is proved, to its sine and cosine."""
+    """The steps from r, whose spread is proved, to its sine and cosine."""
     steps, pairs = r.steps, Pairs(precision)
     one = Pair(r, r_low, spread.high, spread.low, spread.error)
     angle = one.scaled(ANGLE)
@@ -39,13 +39,12 @@ def computed(r: StepValue, r_low: StepValue, spread: Spread, precision: Precisio
 
 
 def relative(spread: Spread, precision: Precision) -> tuple[Pair, Pair]:
-    """sin r and cos r in units of what they are at least: with bounds, proved, of the relative
-    errors."""
+    """sin r and cos r in units of their least sizes, with proved bounds of the relative errors."""
     _, r, r_low = StepWriter(*REDUCED).inputs()
-    found = computed(r, r_low, spread, precision)
+    result = computed(r, r_low, spread, precision)
     least = 1 - ANGLE**2 / 6, 1 - ANGLE**2 / 2
-    return (found.sine.scaled(found.sine.size / least[0]),
-            found.cosine.scaled(found.cosine.size / least[1]))
+    return (result.sine.scaled(result.sine.size / least[0]),
+            result.cosine.scaled(result.cosine.size / least[1]))
 
 
 def turn(k: StepValue, precision: Precision) -> tuple[StepValue, StepValue]:

@@ -68,7 +68,8 @@ class StepValue:
 
 
 class StepWriter:
-    """The steps of a Program.  Steps towards the value that `named` names are called after it."""
+    """The steps of a Program.  `named` names a value; the steps that lead to it get names derived
+    from it."""
 
     def __init__(self, *inputs: Argument) -> None:
         self._inputs = inputs

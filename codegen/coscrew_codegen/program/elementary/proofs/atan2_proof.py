@@ -1,4 +1,4 @@
-"""Proof of what roundings do to arctangents."""
+"""Proof of the effect of roundings on arctangents."""
 
 from collections.abc import Iterator
 from dataclasses import dataclass
@@ -19,12 +19,12 @@ from coscrew_codegen.program.values.formats import Precision
 
 
 def roundings(precision: Precision) -> Fraction:
-    """A bound, proved, of the error in ulps of a result in the normal range.
+    """A proved bound of the error in ulps of a result in the normal range.
 
-    All steps take a common power of two with them, so that b is taken from 1 to 2.  Quotients below
-    2^-30 err as those above do, their cubes being less than 2^-60 of them; where c is
-    subnormal, also by half the least subnormal number: 1/4 ulp from 2^-1021 on, in single precision
-    2^-125; less than that, q_high + c is exact."""
+    A common power of two passes through all steps, so b is assumed between 1 and 2. Quotients below
+    2^-30 err as those above do, their cubes being less than 2^-60 of them; where c is subnormal,
+    also by half the least subnormal number: 1/4 ulp from 2^-1021 on, in single precision 2^-125;
+    less than that, q_high + c is exact."""
     relative, worst = approximation(precision), Fraction(3, 4)
     for quarters, sign, above in ((0, 1, False), (2, 1, False), (2, -1, False), (4, -1, False),
                                   (1, 1, True), (1, -1, True), (3, 1, True), (3, -1, True)):
@@ -55,7 +55,7 @@ class _Piece:
     largest: Fraction
 
     def roundings(self, relative: Fraction) -> Fraction:
-        """The bound, arctan q being approximated to `relative`."""
+        """The bound, for an approximation of arctan q with this relative error."""
         analysis, data = Roundings(self.precision), DATA[self.precision]
         inputs = [analysis.within(1, 2)] * 2
         result, = analysis.results(kernel(self.precision), ["positive"], inputs, {

@@ -1,7 +1,7 @@
-"""Polynomials of least largest error whose coefficients a format has; proofs of their errors.
+"""Minimax polynomials with coefficients of a format, and proofs of their errors.  Fits are searched
+with mpmath on Chebyshev points, with enough digits that every machine finds the same;
 
-Fits are searched with mpmath on Chebyshev points, in digits enough that every machine finds the
-same; a proof is exact and knows nothing of the search."""
+a proof is exact and independent of the search."""
 
 from collections.abc import Callable, Sequence
 from fractions import Fraction
@@ -21,23 +21,23 @@ def fitted(function: Function, weight: Function, interval: tuple[Fraction, Fract
     """The polynomial for which the largest weight(x) |p(x) - function(x)| is least.
 
     Its first coefficients are given; the others are rounded to `digits` bits one after the other,
-    the constant first, those that follow fitted again."""
+    the constant first; after each the remaining ones are fitted again."""
     import mpmath
 
     with mpmath.workdps(_DIGITS):
         points = _points(interval, _POINTS * (degree + 2))
         weights = [abs(weight(x)) for x in points]
         rest = [function(x) for x in points]
-        found: list[Fraction] = []
+        results: list[Fraction] = []
         for index in range(degree + 1):
             if index < len(given):
-                found.append(given[index])
+                results.append(given[index])
             else:
                 columns = [[x**i for x in points] for i in range(degree + 1 - index)]
-                found.append(rounded(exact(_levelled(columns, rest, weights)[0]), digits))
-            rest = [(r - _number(found[-1])) / x for r, x in zip(rest, points, strict=True)]
+                results.append(rounded(exact(_levelled(columns, rest, weights)[0]), digits))
+            rest = [(r - _number(results[-1])) / x for r, x in zip(rest, points, strict=True)]
             weights = [w * abs(x) for w, x in zip(weights, points, strict=True)]
-    return tuple(found)
+    return tuple(results)
 
 
 def fitted_denominator(function: Function, weight: Function, interval: tuple[Fraction, Fraction],
@@ -56,9 +56,9 @@ def fitted_denominator(function: Function, weight: Function, interval: tuple[Fra
         denominator = [mpmath.mpf(1)] * len(points)
         for _ in range(8):
             weights = [abs(weight(x) / q) for x, q in zip(points, denominator, strict=True)]
-            found = _levelled(columns, values, weights)[above + 1:]
-            denominator = [1 + sum(c * x**i for i, c in enumerate(found, 1)) for x in points]
-        return (Fraction(1), *(rounded(exact(c), digits) for c in found))
+            result = _levelled(columns, values, weights)[above + 1:]
+            denominator = [1 + sum(c * x**i for i, c in enumerate(result, 1)) for x in points]
+        return (Fraction(1), *(rounded(exact(c), digits) for c in result))
 
 
 def exact(x: Any) -> Fraction:
@@ -79,8 +79,8 @@ def rounded(x: Fraction, digits: int) -> Fraction:
 
 def supremum(p: Coefficients, below: Coefficients, interval: tuple[Fraction, Fraction],
              pieces: int = 64) -> Fraction:
-    """A bound, proved, of |p(x)| / below(x) over the interval, below > 0: on every piece a
-    polynomial lies between its least and its largest Bernstein coefficient."""
+    """A proved bound of |p(x)| / below(x) over the interval, below > 0: on every piece a polynomial
+    lies between its least and its largest Bernstein coefficient."""
     lower, upper = interval
     step = (upper - lower) / pieces
     worst = Fraction(0)
@@ -129,7 +129,8 @@ def _number(x: Fraction) -> Any:
 
 
 def _points(interval: tuple[Fraction, Fraction], count: int) -> list[Any]:
-    """Chebyshev's points: none is an end, nor 0 in the middle if their number is even."""
+    """Chebyshev's points: none is an end and, for an even number of points, none is 0 in the
+    middle."""
     import mpmath
 
     lower, upper = map(_number, interval)
@@ -149,35 +150,35 @@ def _levelled(columns: Sequence[Sequence[Any]], target: Sequence[Any], weights: 
     for _ in range(40):
         rows = [[*(column[k] for column in columns), (-1)**n / weights[k]]
                 for n, k in enumerate(chosen)]
-        *found, level = mpmath.lu_solve(mpmath.matrix(rows),
-                                        mpmath.matrix([target[k] for k in chosen]))
-        errors = [w * (t - sum(c * column[k] for c, column in zip(found, columns, strict=True)))
+        *result, level = mpmath.lu_solve(mpmath.matrix(rows),
+                                         mpmath.matrix([target[k] for k in chosen]))
+        errors = [w * (t - sum(c * column[k] for c, column in zip(result, columns, strict=True)))
                   for k, (t, w) in enumerate(zip(target, weights, strict=True))]
         if max(map(abs, errors)) <= abs(level) * _LEVEL:
-            return list(found)
+            return list(result)
         chosen = _extrema(errors, unknowns + 1)
     raise ArithmeticError("the exchange of points does not end")
 
 
 def _extrema(errors: Sequence[Any], count: int) -> list[int]:
     """Returns `count` places where errors of alternating signs are largest."""
-    found: list[int] = []
+    results: list[int] = []
     for k, error in enumerate(errors):
-        if not found or (error < 0) != (errors[found[-1]] < 0):
-            found.append(k)
-        elif abs(error) > abs(errors[found[-1]]):
-            found[-1] = k
-    while len(found) > count:
-        sizes = [abs(errors[k]) for k in found]
-        least, last = sizes.index(min(sizes)), len(found) - 1
-        if least in (0, last) or len(found) == count + 1:
-            del found[0 if sizes[0] < sizes[-1] else last]
+        if not results or (error < 0) != (errors[results[-1]] < 0):
+            results.append(k)
+        elif abs(error) > abs(errors[results[-1]]):
+            results[-1] = k
+    while len(results) > count:
+        sizes = [abs(errors[k]) for k in results]
+        least, last = sizes.index(min(sizes)), len(results) - 1
+        if least in (0, last) or len(results) == count + 1:
+            del results[0 if sizes[0] < sizes[-1] else last]
         else:  # with its smaller neighbour, so that signs alternate
             start = least if sizes[least + 1] < sizes[least - 1] else least - 1
-            del found[start:start + 2]
-    if len(found) < count:
+            del results[start:start + 2]
+    if len(results) < count:
         raise ArithmeticError("the error has too few extrema: more digits, or a higher degree")
-    return found
+    return results
 
 
 def ln2() -> tuple[Fraction, Fraction]:

@@ -29,7 +29,7 @@ TINY = Fraction(1, 2**1200)
 
 @dataclass(frozen=True)
 class Binade:
-    """Bounds proved of the numbers of an exponent: |r - r_excess - (x - k π/2)| is at most
+    """Proved bounds for the numbers of an exponent: |r - r_excess - (x - k π/2)| is at most
     `absolute` more than the relative error; |r_excess| is at most `excess` and half an ulp of r; |x
     - k π/2| is at least `least`."""
 
@@ -40,9 +40,9 @@ class Binade:
 
 @dataclass(frozen=True)
 class Reduction:
-    """Bounds proved of a reduction, beside k = 0, where it is exact."""
+    """Proved bounds of a reduction for k ≠ 0; at k = 0 it is exact."""
 
-    relative: Fraction  # |ε| is at most this, and what binades add
+    relative: Fraction  # |ε| is at most this, plus the binades' parts
     largest: Fraction  # |r|
     binades: tuple[Binade, ...]
 
@@ -97,8 +97,8 @@ def far_is_proved(precision: Precision) -> Reduction:
     missing = max(left_out(precision, exponent, LEVELS[precision.digits]) for exponent in exponents)
     least = min(closest(precision, exponent) for exponent in exponents)
     first_grids = {first_grid(precision, exponent) for exponent in exponents}
-    found = [_sum_is_proved(precision, grid) for grid in sorted(first_grids)]
-    error, tail, largest = (max(column) for column in zip(*found, strict=True))
+    results = [_sum_is_proved(precision, grid) for grid in sorted(first_grids)]
+    error, tail, largest = (max(column) for column in zip(*results, strict=True))
     fraction = least / HALF_PI
     # times_half_pi rounds five numbers that are at most 3 u of r and the tail.
     relative = (error + missing + 6 * u * tail) / fraction + 12 * u * u
@@ -113,8 +113,8 @@ def first_grid(precision: Precision, exponent: int) -> int:
 
 
 def left_out(precision: Precision, exponent: int, count: int) -> Fraction:
-    """Proves that so many levels are exact, and what is left out before them whole turns; bounds
-    what is left out after them.
+    """Proves that so many levels are exact, and that the chunks left out before them are whole
+    turns; bounds the chunks left out after them.
 
     x = high + low, |high| <= 2^(e + 1), a multiple of 2^(e + 1 - bits); |low| <= 2^(e - bits), a
     multiple of 2^(e + 1 - digits)."""
@@ -132,7 +132,7 @@ def left_out(precision: Precision, exponent: int, count: int) -> Fraction:
 
 @cache
 def _level_is_exact(precision: Precision, n: int) -> None:
-    """Proves it where 1 <= |x| < 2, and so of all x: both sides are in proportion to 2^e."""
+    """Proves exactness for 1 <= |x| < 2, and so for all x: both sides are in proportion to 2^e."""
     values, units = _levels(precision)
     bits, digits = chunks(precision.digits).bits, precision.digits
     unit_high, unit_low = Fraction(2, 2**bits), Fraction(2, 2**digits)
@@ -146,7 +146,7 @@ def _level_is_exact(precision: Precision, n: int) -> None:
 
 @cache
 def _levels(precision: Precision) -> tuple[tuple[Fraction, ...], tuple[Fraction, ...]]:
-    """The chunks of 2/π, and the powers of 2 of which they are multiples."""
+    """The chunks of 2/π, and powers of 2 that divide them."""
     some = chunks(precision.digits)
     return (tuple(x / Fraction(2)**some.scale for x in some.values),
             tuple(Fraction(2)**(-some.bits * (n - 1)) for n in range(len(some.values))))
@@ -160,8 +160,8 @@ def _after(precision: Precision, last: int) -> Fraction:
 
 
 def _sum_is_proved(precision: Precision, first_grid: int) -> tuple[Fraction, Fraction, Fraction]:
-    """Bounds of the error of f + f_low without the last rounding of f_low, of what is added there,
-    and of |f + f_low|; levels being at most 3/4 of 2^digits times what they are multiples of."""
+    """Bounds of the error of f + f_low without the last rounding of f_low, of the last summand, and
+    of |f + f_low|; levels are at most 3/4 of 2^digits times their units."""
     digits, bits = precision.digits, chunks(precision.digits).bits
     program, last = sum_program(precision), EXACT_LEVELS[digits] - 1
     analysis = Roundings(precision)
@@ -192,7 +192,7 @@ def sum_program(precision: Precision) -> Program:
 
 
 def _two_sum(name: str) -> dict[str, Callable[[Known], Known]]:
-    """That the step `name`_error is what the sum `name` misses, exactly (Knuth)."""
+    """States that the step `name`_error is exactly the rounding error of the sum `name` (Knuth)."""
     sums: list[TrackedValue] = []
 
     def remembered(value: Known) -> Known:
@@ -213,7 +213,7 @@ def _two_sum(name: str) -> dict[str, Callable[[Known], Known]]:
 
 
 def _exact(value: Known) -> Known:
-    """That the last step did not round."""
+    """States that the last step did not round."""
     assert isinstance(value, TrackedValue)
     parts = {symbol: x for symbol, x in value.error.parts.items() if symbol != value.rounding}
     return replace(value, error=replace(value.error, parts=parts), rounding=None)

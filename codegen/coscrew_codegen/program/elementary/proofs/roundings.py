@@ -1,11 +1,12 @@
-"""Bounds, proved, of what roundings do to the results of a Program, over ranges of its arguments.
+"""Proved bounds of the effect of roundings on the results of a Program, over ranges of its
+arguments.
 
-Of every value is kept: the range of the computed one and a power of two that it is a multiple of;
-the value that exact arithmetic gives, as an affine form of what is unknown; and the difference of
-the two, as an affine form of the roundings.  So a rounding that comes in twice can cancel, and a
-difference whose digits are few enough is known to be exact.
+For every value the analysis keeps: the range of the computed value, and a power of two that it is a
+multiple of; the value in exact arithmetic, as an affine form of the unknowns; and the difference of
+the two, as an affine form of the roundings.  So a rounding that enters twice can cancel, and a
+difference with few enough digits is known to be exact.
 
-Numbers are integers in units of 2^-scale; what they miss is added to the forms' remainders."""
+Numbers are integers in units of 2^-scale; their own rounding is added to the forms' remainders."""
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
@@ -40,14 +41,14 @@ __all__ = ["Before", "ImpossibleError", "Known", "Knowledge", "Roundings", "Unde
 
 @dataclass(frozen=True)
 class Before:
-    """That a result, before it is rounded, is from low to high."""
+    """States that a result, before it is rounded, lies between low and high."""
 
     low: Fraction
     high: Fraction
 
 
 Knowledge: TypeAlias = Mapping[str, Callable[[Known], Known] | Before]
-"""From names of steps to what is made of their results, by what is known of them otherwise."""
+"""From names of steps to functions that refine their results by further knowledge."""
 
 
 class Roundings:
@@ -65,14 +66,15 @@ class Roundings:
 
     def within(self, low: Fraction | int, high: Fraction | int, grid: int
                | None = None) -> TrackedValue:
-        """An argument: any number of the format from low to high, a multiple of 2^grid."""
+        """Returns an argument: any number of the format from low to high that is a multiple of
+        2^grid."""
         bounds = self._down(Fraction(low)), -self._down(-Fraction(high))
         if grid is None:
             grid = last_bit(Fraction(low)) if low == high else self._least_grid(*bounds)
         return TrackedValue(*bounds, grid, self._between(*bounds), Form(0, {}, 0))
 
     def restricted(self, low: Fraction, high: Fraction) -> Callable[[Known], Known]:
-        """That the computed value is from low to high."""
+        """Returns the value with its computed range limited to low … high."""
         def restrict(value: Known) -> Known:
             assert isinstance(value, TrackedValue)
             a, b = self._common(value.low, value.high, self._down(low), -self._down(-high))
@@ -84,7 +86,8 @@ class Roundings:
         return restrict
 
     def chosen(self, value: Known) -> Known:
-        """That exact arithmetic may take the computed value instead of its own, whatever it is."""
+        """Returns the value whose exact arithmetic takes the computed value as its own, whatever it
+        is."""
         assert isinstance(value, TrackedValue)
         exact = Form(value.exact.mid, dict(value.exact.parts), value.exact.spread)
         if value.low == value.high:
@@ -103,11 +106,11 @@ class Roundings:
                 knowledge: Knowledge) -> list[TrackedValue]:
         """The values of some steps of a Program."""
         part = without_dead_steps(replace(program, results=tuple(map(Ref, steps))))
-        found = evaluate(part, [[x] for x in arguments], self._arithmetic(knowledge))
-        for x in found:
+        result = evaluate(part, [[x] for x in arguments], self._arithmetic(knowledge))
+        for x in result:
             if isinstance(x, Undecided):
                 raise UndecidedError(x.reason)
-        return [x for x in found if isinstance(x, TrackedValue)]
+        return [x for x in result if isinstance(x, TrackedValue)]
 
     def ulps(self, value: TrackedValue, relative: Fraction = Fraction(0),
              absolute: Fraction = Fraction(0)) -> Fraction:
@@ -189,7 +192,7 @@ class Roundings:
         return min(corners) >> self.scale, ceil_shift(max(corners), self.scale)
 
     def _times(self, a: Form, b: Form) -> Form:
-        """The product; what is of second order is a new symbol."""
+        """Returns the product; terms of second order become a new symbol."""
         linear = a.times(b.mid, b.mid, self.scale) + Form(
             0, b.parts, b.spread).times(a.mid, a.mid, self.scale)
         size = ceil_shift(Form(0, a.parts, a.spread).radius * Form(0, b.parts, b.spread).radius,
@@ -248,7 +251,7 @@ class Roundings:
         low, high = self._common(low, high, *within.range)
         if self._before:
             low, high = self._common(low, high, *self._before)
-            if high - low < exact.radius:  # else what it depends on tells more
+            if high - low < exact.radius:  # else the values that it depends on tell more
                 exact = replace(self._between(low, high), spread=error.radius)
         size = 0 if is_exact else self._rounding(low, high, grid)
         symbol = next(self._symbols) if size else None
@@ -277,8 +280,8 @@ class Roundings:
         return 1 << max(exponent, least, 0)
 
     def _nearest(self, x: int, size: int) -> int:
-        """Rounds x; returns, if that is no integer, something beyond it in the direction of the
-        size of the rounding error."""
+        """Returns the rounded x or, if that is no integer, a number beyond it, so that the rounding
+        error is not underestimated."""
         ulp = 2 * self._power_of_two(abs(x).bit_length() - 1 - self.precision.digits)
         return round(Fraction(x, ulp)) * ulp if ulp > 2 else x + size
 
@@ -306,7 +309,7 @@ class Roundings:
 
 
 def given(values: Mapping[str, Known | Before]) -> Knowledge:
-    """That these steps have these results, or are within these ranges."""
+    """States that these steps have these results, or lie within these ranges."""
     def instead(value: Known) -> Callable[[Known], Known]:
         return lambda _: value
     return {name: x if isinstance(x, Before) else instead(x) for name, x in values.items()}

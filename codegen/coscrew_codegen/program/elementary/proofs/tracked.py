@@ -14,12 +14,13 @@ class ImpossibleError(ValueError):
 
 
 class UndecidedError(ValueError):
-    """A result needs a choice that differs within the range: the range is to be cut."""
+    """A result needs a choice that is not the same over the whole range: the range must be cut."""
 
 
 @dataclass(frozen=True)
 class Undecided:
-    """A value of which nothing can be said, and why; it does no harm where it is not selected."""
+    """A value that cannot be analysed, with the reason; it does no harm where it is not selected.
+    """
 
     reason: str
 
@@ -28,8 +29,8 @@ class Undecided:
 class TrackedValue:
     """Computed: low … high, a multiple of 2^grid; exact; error = computed - exact.
 
-    If the last step rounded, `before` is the range of what it rounded, and the error's part
-    `rounding` is its own."""
+    If the last step rounded, `before` is the range of the number before rounding, and `rounding` is
+    this step's part of the error."""
 
     low: int
     high: int

@@ -1,1 +1,1 @@
-"""A scene's costs as figures, tables and a page."""
+"""Figures, tables and a page of a scene's costs."""

@@ -1,5 +1,5 @@
-"""A scene's costs as a figure: errors of functions and of runs against time; time of forward
-dynamics by effect."""
+"""Draws a scene's costs: errors of functions and of runs against time; time of forward dynamics by
+effect."""
 
 import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
@@ -30,7 +30,8 @@ _ABREAST = 4  # panels in a row
 
 @dataclass(frozen=True)
 class Drawing:
-    """A panel: what it shows, what draws it, and the texts at its artists, by their ids."""
+    """A panel: its title, the function that draws it, and the texts at its artists, by their ids.
+    """
 
     label: str
     draw: Callable[[Axes], None]
@@ -53,7 +54,7 @@ def runs(costs: Costs) -> Iterator[Drawing]:
         yield Drawing("Error at the end of runs against time", partial(_accuracy, costs=costs), {})
     if errors := costs.run_errors:
         names = [f"{x.cause}: {x.of}" for x in errors.rows]
-        yield Drawing("Errors of the run over time", partial(run_panel.panel, found=errors),
+        yield Drawing("Errors of the run over time", partial(run_panel.panel, errors=errors),
                       dict(zip(names, names, strict=True)))
 
 
@@ -122,11 +123,11 @@ def _accuracy(axes: Axes, costs: Costs) -> None:
     names = list(dict.fromkeys(x.integrator for x in costs.points))
     for i, name in enumerate(names):
         for precision in PRECISIONS:
-            found = sorted((x for x in costs.points
-                            if (x.integrator, x.precision) == (name, precision.name)
-                            and 0 < x.error < math.inf), key=lambda x: (x.time.median, x.error))
-            if found:
-                _curve(axes, found, costs, precision.dash, _MARKERS[i % len(_MARKERS)], f"C{i}")
+            results = sorted((x for x in costs.points
+                              if (x.integrator, x.precision) == (name, precision.name)
+                              and 0 < x.error < math.inf), key=lambda x: (x.time.median, x.error))
+            if results:
+                _curve(axes, results, costs, precision.dash, _MARKERS[i % len(_MARKERS)], f"C{i}")
     if not axes.lines:
         axes.text(0.5, 0.5, "no reference", transform=axes.transAxes, ha="center")
         return

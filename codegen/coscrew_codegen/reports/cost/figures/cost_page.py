@@ -1,4 +1,4 @@
-"""A scene's costs as a self-contained page: plots, what they recommend, tables."""
+"""Writes a scene's costs as a self-contained page: plots, recommendations, tables."""
 
 from pathlib import Path
 

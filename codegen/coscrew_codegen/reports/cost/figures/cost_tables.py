@@ -1,4 +1,4 @@
-"""A scene's costs as tables, for the terminal and for the page."""
+"""Writes a scene's costs as tables, for the terminal and for the page."""
 
 import math
 from collections.abc import Iterator, Sequence
@@ -22,16 +22,16 @@ from coscrew_codegen.reports.timing.intervals import Interval
 from coscrew_codegen.simulation.result_units import in_unit, written
 
 ABOUT = (f"Errors against {DIGITS} digits, the model's decimals being exact: at states of the run, "
-         "between the limits of the joints, and the worst that a search found there; of the "
-         "component with the largest error. Digits are those that are right of the largest "
-         "component, typical and worst. The certified tier returns plain's results and bounds: the "
-         "largest, and the least, median and largest ratio of bound to error.")
+         "between the limits of the joints, and at the worst of a search there; of the component "
+         "with the largest error. Digits: correct digits of the largest component, typical and "
+         "worst. The certified tier returns plain's results and bounds: the largest, and the "
+         "least, median and largest ratio of bound to error.")
 _HEADERS = ("typical error", "worst", "digits", "found in", "bound", "bound / error", "ns",
             "choice")
 _PARTS = (8, 4, 2, 1)  # errors of runs are shown after one in 8, 4, 2 and 1 of the times
-_CAUSES = ("Rounding: in this precision, all functions of the steps being in this tier. Step: "
-           "steps a quarter as long. Model: without an effect. Digits are gone from when on an "
-           "error is more than a tenth of the largest coordinate with its unit, or of half a turn.")
+_CAUSES = ("Rounding: in this precision, with all functions of the steps in this tier. Step: "
+           "steps a quarter as long. Model: without an effect. No digit is left once an error "
+           "exceeds a tenth of the largest coordinate with its unit, or of half a turn.")
 _LIMITS = ("shorter steps would be more accurate", "shorter steps would gain nothing")
 RULE = (f"Recommended is, of all choices that take at most {AFFORDABLE:g} times as long as the "
         "fastest, the most accurate; not certified, whose results are plain's. A choice is better "
@@ -41,13 +41,13 @@ FUSED = ("Times hold for this compiler with these flags. Without FMA (gcc -O2 ha
          "-march=native or -mfma gives it) accurate and certified functions in double precision "
          "take two to three times as long, certified ones in single precision 1.3 times.")
 _MARKS = ("* no run is faster, the intervals apart, and as accurate",
-          "< as accurate as the reference: it cannot tell more")
+          "< as accurate as the reference, so the error is not known better")
 
 
 def table(costs: Costs) -> str:
-    """All tables, and what the figures recommend."""
+    """All tables, and the recommendations."""
     head = (f"{costs.scene}: {costs.compiler}\nns per call in C: median (95 % interval) of rounds "
-            "in which all that is compared takes turns")
+            "in which all variants take turns")
     parts = [head, *map(wrapped, about(costs))]
     for rows in costs.accuracy:
         parts += [x.text() for x in accuracies(rows)] + ["\n".join(sentences(rows))]
@@ -55,7 +55,7 @@ def table(costs: Costs) -> str:
 
 
 def about(costs: Costs) -> Iterator[str]:
-    """What the tables of errors mean."""
+    """Explains the tables of errors."""
     if costs.accuracy:
         yield from (ABOUT, RULE, FUSED)
         left = {x.precision for x in costs.accuracy[0] if not x.emitted}
@@ -66,8 +66,8 @@ def about(costs: Costs) -> Iterator[str]:
 
 
 def accuracies(rows: Sequence[FunctionErrors]) -> Iterator[Table]:
-    """A function's errors and times in each tier and precision, unit by unit; without units in
-    which all are exact, unless there are no others."""
+    """A function's errors and times in each tier and precision, unit by unit.  Units in which all
+    results are exact are left out, unless there are no others."""
     known = units_with_errors(rows)
     exact = ", ".join(written(e.unit) for n, e in enumerate(rows[0].errors) if n not in known)
     for n in known:
@@ -86,7 +86,7 @@ def _choice(x: FunctionErrors, rows: Sequence[FunctionErrors]) -> str:
 
 
 def others(costs: Costs) -> Iterator[Table]:
-    """Operations, effects, runs, as far as they were measured."""
+    """Tables of operations, effects and runs, as far as they were measured."""
     if costs.rows:
         yield _functions(costs)
         yield from _effects(costs)
@@ -107,7 +107,7 @@ def _errors(x: ErrorStatistics) -> tuple[str, ...]:
 
 
 def _ratio(x: float) -> str:
-    """Three digits, of 1, too: 1.00."""
+    """Writes three digits, also for 1: 1.00."""
     return f"{x:.2f}" if float(f"{x:.2e}") < 10 else three_digits(x)
 
 
@@ -152,34 +152,34 @@ def _accuracy(costs: Costs) -> Table:
         for x in costs.points), head, _MARKS)
 
 
-def of_run(found: RunErrors) -> Table:
+def of_run(errors: RunErrors) -> Table:
     """A column for each of a few times."""
-    shown = sorted({max(0, len(found.times) // n - 1) for n in _PARTS})
-    headers = ("cause", *(f"t = {found.times[n]:.4g} s" for n in shown), "digits gone")
+    shown = sorted({max(0, len(errors.times) // n - 1) for n in _PARTS})
+    headers = ("cause", *(f"t = {errors.times[n]:.4g} s" for n in shown), "digits gone")
     return Table(headers, tuple(
         (f"{x.cause}: {x.of}", *(in_unit(x.errors[n], "1") for n in shown),
-         f"from {x.gone:.4g} s" if x.gone is not None else "") for x in found.rows), (
-             f"Errors of a run in m or rad, told apart: {found.integrator}, step {found.step:g} s, "
-             f"{_covered(found)}, against the same steps with {RUN_DIGITS} digits.",
-             _CAUSES), tuple(_compared(found)))
+         f"from {x.gone:.4g} s" if x.gone is not None else "") for x in errors.rows), (
+             f"Errors of a run in m or rad, by cause: {errors.integrator}, step {errors.step:g} s, "
+             f"{_covered(errors)}, against the same steps with {RUN_DIGITS} digits.",
+             _CAUSES), tuple(_compared(errors)))
 
 
-def _covered(found: RunErrors) -> str:
-    if found.whole:
-        return f"the whole {found.until:g} s"
-    return (f"the first {found.times[-1]:.4g} s of {found.until:g} s: more would take more than "
-            f"{found.most / 1e6:g} million instructions with {RUN_DIGITS} digits")
+def _covered(errors: RunErrors) -> str:
+    if errors.whole:
+        return f"the whole {errors.until:g} s"
+    return (f"the first {errors.times[-1]:.4g} s of {errors.until:g} s: more would take more than "
+            f"{errors.most / 1e6:g} million instructions with {RUN_DIGITS} digits")
 
 
-def _compared(found: RunErrors) -> Iterator[str]:
-    """What limits the run in each precision, as long as digits are left."""
-    (step,) = (x for x in found.rows if x.cause == "step")
-    for x in found.rows:
+def _compared(errors: RunErrors) -> Iterator[str]:
+    """States the largest error of the run in each precision, as long as digits are left."""
+    (step,) = (x for x in errors.rows if x.cause == "step")
+    for x in errors.rows:
         if x.cause != "rounding" or not x.of.endswith(f" {PLAIN.name}"):
             continue
         precision, gone = x.of.split()[0], [y.gone for y in (x, step) if y.gone is not None]
-        left = [n for n, t in enumerate(found.times) if t < min(gone, default=math.inf)]
-        until = f"until t = {found.times[left[-1]]:.4g} s " if gone and left else ""
+        left = [n for n, t in enumerate(errors.times) if t < min(gone, default=math.inf)]
+        until = f"until t = {errors.times[left[-1]]:.4g} s " if gone and left else ""
         rounding, of_step = (max((y.errors[n] for n in left), default=math.inf) for y in (x, step))
         if left:
             yield (f"In {precision} precision {until}rounding moves the run by at most "
@@ -199,6 +199,6 @@ def _mark(point: Point, costs: Costs) -> str:
 
 
 def best(point: Point, costs: Costs) -> bool:
-    """Whether no other run is faster, with disjoint intervals, and at least as accurate."""
+    """Returns whether no other run is faster, with disjoint intervals, and at least as accurate."""
     return math.isfinite(point.error) and not any(
         x.time.below(point.time) and x.error <= point.error for x in costs.points)

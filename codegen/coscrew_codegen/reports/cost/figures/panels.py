@@ -19,9 +19,9 @@ _RING = 11  # points across
 
 
 def panel(axes: Axes, rows: Sequence[FunctionErrors], number: int = 0) -> None:
-    """A mark for each tier and precision at the worst error, or bound if it is certified, in the
-    function's unit of this number; a line from the typical error; a ring around the choice that is
-    recommended."""
+    """Draws a mark for each tier and precision at the worst error, or bound if it is certified, in
+    the function's unit of this number; a line from the typical error; a ring around the recommended
+    choice."""
     best, unit, choice = undominated(rows), rows[0].errors[number].unit, recommended(rows)
     axes.set(xlabel="ns per call in C", title=rows[0].function,
              ylabel="error" if unit == "1" else f"error, {written(unit)}")
@@ -36,7 +36,7 @@ def panel(axes: Axes, rows: Sequence[FunctionErrors], number: int = 0) -> None:
 
 
 def titles(rows: Sequence[FunctionErrors], number: int) -> Iterator[tuple[str, str]]:
-    """The marks' names and what they show."""
+    """The marks' names and values, as titles."""
     for x in rows:
         errors = x.errors[number]
         yield f"{x.function} {x.name}", (
@@ -46,13 +46,13 @@ def titles(rows: Sequence[FunctionErrors], number: int) -> Iterator[tuple[str, s
 
 
 def shown(x: FunctionErrors, number: int = 0) -> float:
-    """What a mark shows: the worst error, or the largest bound of a certified function."""
+    """The number of a mark: the worst error, or the largest bound of a certified function."""
     errors = x.errors[number]
     return errors.bounds.worst if errors.bounds else errors.worst
 
 
 def legend(figure: FigureBase, rows: Sequence[FunctionErrors]) -> None:
-    """What these marks mean, above all panels."""
+    """Draws the legend of the marks, above all panels."""
     handles = [_handle(name, "o", _COLOURS[name]) for name in dict.fromkeys(x.tier for x in rows)]
     handles += [_handle(p.name, p.marker, QUIET) for p in PRECISIONS]
     ring = _handle("recommended", "o", QUIET)

@@ -1,4 +1,4 @@
-"""A panel of a figure: the errors of a run over time, told apart."""
+"""Panel of a figure: the errors of a run over time, by cause."""
 
 import numpy as np
 from matplotlib.axes import Axes
@@ -11,18 +11,18 @@ from coscrew_codegen.reports.cost.run_errors import RunError, RunErrors
 _COLOURS = {tier.name: tier.colours[0] for tier in OF_SCENES}
 
 
-def panel(axes: Axes, found: RunErrors) -> None:
-    """A curve for each cause; a cross where it has no digits left."""
-    for n, x in enumerate(found.rows):
-        _curve(axes, x, found.times, f"C{n}")
+def panel(axes: Axes, errors: RunErrors) -> None:
+    """Draws a curve for each cause; a cross where no digit is left."""
+    for n, x in enumerate(errors.rows):
+        _curve(axes, x, errors.times, f"C{n}")
     logarithmic(axes.yaxis)
-    axes.set(xlim=(0, found.times[-1]), xlabel="t, s", ylabel="error of a coordinate, m or rad",
-             title=f"errors of the run: {found.integrator}, step {found.step:g} s")
+    axes.set(xlim=(0, errors.times[-1]), xlabel="t, s", ylabel="error of a coordinate, m or rad",
+             title=f"errors of the run: {errors.integrator}, step {errors.step:g} s")
     legend_below(axes, "×: no digit is right from here on")
 
 
 def _curve(axes: Axes, x: RunError, times: tuple[float, ...], other: str) -> None:
-    """Effects have other colours than tiers and the step, and dots."""
+    """Draws one curve; effects have other colours than tiers and the step, and dots."""
     precision, _, tier = x.of.partition(" ") if x.cause == "rounding" else ("", "", "")
     if tier:
         colour, dash, width = _COLOURS[tier], BY_NAME[precision].dash, 1.2

@@ -1,1 +1,1 @@
-"""A report of kernels as a page, Markdown and figures."""
+"""Page, Markdown and figures of a report of kernels."""

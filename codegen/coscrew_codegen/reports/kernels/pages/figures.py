@@ -74,7 +74,7 @@ def _panel(title: str) -> tuple[Figure, Axes]:
 def _tiers(axes: Axes, lines: Sequence[list[ReportEntry]], layout: str,
            name: Callable[[ReportEntry], str]
            ) -> None:
-    """One mark per tier at (ns, worst error); those not dominated are joined, and the fastest of
+    """Draws one mark per tier at (ns, worst error); undominated ones are joined, and the fastest of
     these is named."""
     marks: list[Mark] = []
     for entries in lines:
@@ -124,7 +124,8 @@ def _finite_pairs(entry: ReportEntry) -> list[tuple[float, float]]:
 
 def _bound_line(axes: Axes, entry: ReportEntry, bound: ProvenBound,
                 conditions: list[float]) -> None:
-    """In ulp, as in u |x|: |err| <= u |x̂| + (c1 u + c2 u²) S and 1 ulp >= u |x|."""
+    """Draws the bound in ulp, as in u |x|: |err| <= u |x̂| + (c1 u + c2 u²) S and 1 ulp >= u |x|.
+    """
     precision, steps = BY_NAME[entry.precision], np.geomspace(min(conditions), max(conditions), 61)
     axes.plot(steps, bound.rounded + (bound.c1 + bound.c2 * float(precision.u)) * steps,
               precision.dash, color=_COLOURS[entry.tier], linewidth=1.2)

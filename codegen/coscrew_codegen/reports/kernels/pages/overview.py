@@ -1,4 +1,4 @@
-"""A report's summary in a few sentences, and the choice of what its figures show first."""
+"""Writes a report's summary in a few sentences, and chooses the figures shown first."""
 
 from collections.abc import Iterable, Iterator
 from decimal import ROUND_HALF_UP, Context
@@ -92,7 +92,7 @@ def _sentences(report: Report) -> Iterator[str]:
     operations = {entry.operation for entry in report.entries}
     outputs = sum(errors.outputs for entry in report.entries
                   for errors in (entry.benign, entry.hard) if errors)
-    yield (f"How far from the exact result each kernel of coscrew is, and what it costs: "
+    yield ("Errors of coscrew's kernels, compared with exact results, and their times: "
            f"{_counted(len(operations), 'operation')}, {_counted(len(report.entries), 'kernel')}, "
            f"{outputs:,} outputs compared with exact arithmetic.")
     for name in headline_operations(report)[:1]:

@@ -20,7 +20,7 @@ def times(timed: Iterable[list[Timed]], worst: Mapping[Key, float]) -> dict[Key,
 
     A variant is dominated if another tier with as many outputs is faster, with disjoint intervals,
     and its worst error on hard inputs is no larger."""
-    found: dict[Key, list[Time]] = {}
+    results: dict[Key, list[Time]] = {}
     for rivals in timed:
         its = {key(t): t.timing.time for t in rivals}
         plain = next((t.timing for t in rivals if t.variant.tier == PLAIN.name), None)
@@ -35,11 +35,11 @@ def times(timed: Iterable[list[Timed]], worst: Mapping[Key, float]) -> dict[Key,
             ratio = t.timing.ratio(plain) if plain else None
             ratios: tuple[float | None, float | None, float | None] = (
                 (ratio.median, ratio.low, ratio.high) if ratio else (None, None, None))
-            found.setdefault(key(t), []).append(Time(
+            results.setdefault(key(t), []).append(Time(
                 t.language, t.compiler, t.layout, time.median, time.low, time.high,
                 t.timing.minimum, len(t.timing.rounds),
                 *ratios, dominated))
-    return {variant: tuple(its) for variant, its in found.items()}
+    return {variant: tuple(its) for variant, its in results.items()}
 
 
 def compared(before: Report, after: Report, file: str) -> Comparison:

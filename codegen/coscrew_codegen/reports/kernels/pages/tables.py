@@ -41,7 +41,7 @@ def _worst(errors: ErrorFigures | None, measure: str) -> str:
 
 
 def drift(rows: Sequence[DriftErrors]) -> Table:
-    """What many compositions of a displacement lose."""
+    """Table of the errors of a displacement after many compositions."""
     return Table(
         ("precision", "orthonormalised", "steps", "orthonormality defect, u", "error, u",
          "ns per step"),
@@ -62,7 +62,7 @@ def changes(compare: Comparison) -> Table:
 
 
 def source(its: Provenance) -> tuple[tuple[str, str], ...]:
-    """Where the figures come from."""
+    """Sentences on the source of the figures."""
     return (("command", f"{its.command}, seed {its.seed}"),
             ("machine", f"{its.cpu}, {its.cores} cores, {its.system}"),
             ("software", f"coscrew {its.version}, Python {its.python}, NumPy {its.numpy}"),

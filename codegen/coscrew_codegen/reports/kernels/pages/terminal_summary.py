@@ -17,12 +17,12 @@ def table(report: Report, shown: Sequence[str]) -> str:
     names = {entry.operation for entry in report.entries}
     chosen = [e for e in report.entries if e.operation in shown or len(names) < len(shown)]
     about = report.provenance
-    said = f"{about.cpu}, {', '.join(c.name for c in about.compilers) or 'no C compiler'}"
+    message = f"{about.cpu}, {', '.join(c.name for c in about.compilers) or 'no C compiler'}"
     notes = ("Worst errors in ulp (u where marked), hard up to condition 0.1/u; ns per element,\n"
              "median (95 % interval): structure of arrays in C, N = 1000 in Python; ratios to\n"
              "plain are of the same round.")
     rows = tabulate(list(map(_row, chosen)), _HEADERS, floatfmt=".3g", stralign="right")
-    return f"{said}\n{rows}\n{notes}"
+    return f"{message}\n{rows}\n{notes}"
 
 
 def _row(entry: ReportEntry) -> tuple[object, ...]:

@@ -1,7 +1,6 @@
-"""Reactions of joints: what they transmit."""
+"""Reactions of joints: the wrenches that they transmit."""
 
 from coscrew_codegen.scene.identifiers import identifiers
-from coscrew_codegen.scene.mechanism.model import Kind
 from coscrew_codegen.scene.scene import Scene
 from coscrew_codegen.scene.scene_function import (
     Array,
@@ -16,7 +15,7 @@ from coscrew_codegen.scene.units import WRENCH
 
 def _moving(scene: Scene) -> dict[str, str]:
     """The joints that move."""
-    joints = [joint.name for joint in scene.model.joints if joint.kind is not Kind.FIXED]
+    joints = [joint.name for joint in scene.model.joints if joint.kind.moves]
     return dict(zip(identifiers(joints), joints, strict=True))
 
 

@@ -1,7 +1,6 @@
 """Rates of displacements along the velocities."""
 
 from coscrew_codegen.scene import units
-from coscrew_codegen.scene.mechanism.model import Kind
 from coscrew_codegen.scene.scene_function import (
     Array,
     AxisLength,
@@ -12,8 +11,8 @@ from coscrew_codegen.scene.scene_function import (
 
 
 def _lacks(its: Situation) -> str:
-    turning = any(x.kind in (Kind.SPHERICAL, Kind.FREE) for x in its.scene.model.joints)
-    return "" if turning else "no joint has a quaternion"
+    curved = any(x.kind.manifold for x in its.scene.model.joints)
+    return "" if curved else "no joint has a quaternion"
 
 
 FUNCTION = SceneFunction(

@@ -6,7 +6,7 @@ BY_DEFAULT = Default("by default, if the scene has limits", lambda scene, target
 
 
 def lacks(its: Situation) -> str:
-    """Why a scene has no contacts of limits."""
+    """Says why a scene has no contacts of limits."""
     return "" if its.closes else "no limit closes"
 
 

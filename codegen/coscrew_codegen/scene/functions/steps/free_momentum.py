@@ -9,7 +9,7 @@ _WORDS = ("c = (p; L; x) of each floating tree (BASES, and all bodies on it): li
 
 
 def lacks(its: Situation) -> str:
-    """Why a scene has no floating tree."""
+    """Says why a scene has no floating tree."""
     return "" if its.floating else "no base is floating"
 
 

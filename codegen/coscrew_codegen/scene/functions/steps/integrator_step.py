@@ -16,7 +16,8 @@ def _members(own: SceneFunction, scene: Scene) -> tuple[SceneFunction, ...]:
 
 
 def _of_run(scene: Scene, integrator: str) -> bool:
-    """Whether it is the integrator of the scene's run, or the default one if SciPy's steps."""
+    """Returns whether it is the integrator of the scene's run, or the default one if SciPy's steps.
+    """
     own = named(scene.run.integrator)
     return integrator == (own.name if own.emitted else DEFAULT)
 

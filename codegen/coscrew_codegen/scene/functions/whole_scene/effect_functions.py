@@ -1,4 +1,4 @@
-"""Functions of single effects: what each exerts, its power and its energy."""
+"""Functions of single effects: force and torque of each, its power and its energy."""
 
 from collections.abc import Mapping
 from dataclasses import replace
@@ -23,7 +23,7 @@ from coscrew_codegen.scene.scene_function import (
 
 
 def _members(own: SceneFunction, scene: Scene) -> tuple[SceneFunction, ...]:
-    """One for each effect that exerts something, where it acts."""
+    """The family's members: one for each place of each effect that exerts a force or torque."""
     return tuple(_member(own, name, applied, units_of(applied, scene))
                  for name, applied in functions_of_effects(scene).items())
 

@@ -1,4 +1,4 @@
-"""The power of what dissipates or drives."""
+"""The power of effects that dissipate or drive."""
 
 from coscrew_codegen.scene.scene_function import (
     ALWAYS,

@@ -5,7 +5,6 @@ from collections.abc import Collection, Iterator
 from coscrew_codegen.scene.function_selection import names
 from coscrew_codegen.scene.functions import functions_of
 from coscrew_codegen.scene.mechanism.mimics import followers
-from coscrew_codegen.scene.mechanism.model import Kind
 from coscrew_codegen.scene.readers.scene_error import SceneError
 from coscrew_codegen.scene.readers.toml.toml_tables import Decimals, TomlTable
 from coscrew_codegen.scene.scene import Scene, Tolerance
@@ -28,7 +27,9 @@ def read_accuracy(file: TomlTable, scene: Scene, selected: Collection[str]) -> t
 
 def limits_used(scene: Scene, accuracy: Collection[Tolerance]) -> set[tuple[str, str]]:
     """The limits of joints, as (joint, field), between which states are drawn for these."""
-    fields = {"lower", "upper"} if accuracy else set()
+    if not accuracy:
+        return set()
+    fields = {"lower", "upper"}
     of = {x.function for x in accuracy}
     for takes in (x.takes for x in functions_of(scene) if x.name in of):
         if not {*takes} <= {"q"}:
@@ -36,7 +37,7 @@ def limits_used(scene: Scene, accuracy: Collection[Tolerance]) -> set[tuple[str,
         if "tau" in takes:
             fields.add("effort")
     return {(joint.name, field) for joint in scene.model.joints for field in fields
-            if joint.kind is not Kind.FIXED and joint.name not in followers(scene)}
+            if joint.kind.moves and joint.name not in followers(scene)}
 
 
 def refuse_faults(file: TomlTable, scene: Scene, used: Collection[tuple[str, str]]) -> None:

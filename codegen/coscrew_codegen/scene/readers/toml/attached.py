@@ -3,9 +3,10 @@
 from collections.abc import Collection
 from dataclasses import replace
 
+from coscrew_codegen.scene.joints.fixed import JOINT as FIXED
 from coscrew_codegen.scene.mechanism.assembly import ModelError, parents_first
 from coscrew_codegen.scene.mechanism.inertia_checks import WARN, judged
-from coscrew_codegen.scene.mechanism.model import HERE, WORLD, Body, Joint, Kind, Model
+from coscrew_codegen.scene.mechanism.model import HERE, WORLD, Body, Joint, Model
 from coscrew_codegen.scene.mechanism.roundoff_cleanup import without_residues
 from coscrew_codegen.scene.readers.scene_error import SceneError, shown
 from coscrew_codegen.scene.readers.toml.keys import ATTACH, BODY, FRAME, PLACE
@@ -83,4 +84,4 @@ def _joint(kind: str, name: str, table: TomlTable, known: tuple[str, ...], taken
     called = f"{kind}.{name}"
     while called in taken:
         called += "_"
-    return Joint(called, Kind.FIXED, on, name, placement(at) if at.values else HERE)
+    return Joint(called, FIXED, on, name, placement(at) if at.values else HERE)

@@ -1,4 +1,4 @@
-"""One effect's table in a scene file: what the effect can act on, and its parameters' values."""
+"""Reads one effect's table in a scene file: the effect's targets, and its parameters' values."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
@@ -8,7 +8,8 @@ from typing import NoReturn, overload
 
 from coscrew_codegen.program.values.parameter import Scalar
 from coscrew_codegen.scene.effect import Effect, ParameterOf, Place
-from coscrew_codegen.scene.mechanism.model import WORLD, Body, Joint, Kind, Model, value
+from coscrew_codegen.scene.joints import ONE_COORDINATE, called
+from coscrew_codegen.scene.mechanism.model import WORLD, Body, Joint, Model, value
 from coscrew_codegen.scene.readers.toml import effect_settings
 from coscrew_codegen.scene.readers.toml.toml_tables import TomlTable
 from coscrew_codegen.scene.scene import Setting
@@ -69,16 +70,15 @@ class EffectTable:
         """Why the effect cannot act on a joint or body: "is free"; "" if it can."""
         if isinstance(on, Body):
             return "has no mass" if self.effect.massive and on.inertia is None else ""
-        able = on.kind is not Kind.FIXED if self.effect.reaction else \
-            on.kind in (Kind.REVOLUTE, Kind.PRISMATIC)
-        return "" if able else f"is {on.kind.value}"
+        able = on.kind.moves if self.effect.reaction else on.kind.one_coordinate
+        return "" if able else f"is {on.kind.name}"
 
     @property
     def needs(self) -> str:
         """Sentence on what a joint or body must be for the effect to act on it."""
         if self.effect.place is not Place.JOINT:
             return "has a mass"
-        return "moves" if self.effect.reaction else "is revolute or prismatic"
+        return "moves" if self.effect.reaction else f"is {called(ONE_COORDINATE, 'or')}"
 
     def refuse_none(self) -> NoReturn:
         """Refuse an effect that can act on no joint or body of the model."""

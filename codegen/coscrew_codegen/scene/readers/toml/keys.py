@@ -3,19 +3,20 @@
 The readers take names and choices from here; the documentation and the JSON Schema show it.
 """
 
+from collections.abc import Callable
 from dataclasses import dataclass, replace
 
 from coscrew_codegen.program.values.formats import CHOICES
 from coscrew_codegen.scene.functions import QUANTITIES
 from coscrew_codegen.scene.integrators import NAMES
+from coscrew_codegen.scene.joints import KINDS
 from coscrew_codegen.scene.mechanism.inertia_checks import ERROR, WARN
-from coscrew_codegen.scene.mechanism.model import Kind
+from coscrew_codegen.scene.mechanism.joint_kind import JointKind
 from coscrew_codegen.scene.scene import Run
 from coscrew_codegen.scene.units import UNITS
 
-BASES = {"fixed": Kind.FIXED, "free": Kind.FREE}
-TYPES = {"revolute": Kind.REVOLUTE, "continuous": Kind.REVOLUTE, "prismatic": Kind.PRISMATIC,
-         "spherical": Kind.SPHERICAL, "free": Kind.FREE, "fixed": Kind.FIXED}
+BASES = {kind.name: kind for kind in sorted(KINDS, key=lambda x: x.nv) if kind.base}
+TYPES = {word: kind for kind in KINDS for word in (kind.name, *kind.unlimited)}
 
 
 @dataclass(frozen=True)
@@ -26,13 +27,13 @@ class Key:
     words: str  # description with units
     kind: str = "text"  # text, texts, number, positive, nonnegative, vector (3 numbers), quaternion
     # (4), moments (3 or 6 numbers or a 3×3 matrix), coordinates (by joint: a number or a list),
-    # expectations (by quantity), tolerances (by function), effects; table and tables (by name)
-    # have `table`
+    # expectations (by quantity), tolerances (by function), words (texts by name), effects; table
+    # and tables (by name) have `table`
     choices: tuple[str, ...] = ()  # of a text; the first is the default unless there is another
     default: str = ""  # in TOML
     required: bool = False
     table: "TableOf | None" = None
-    one_coordinate: bool = False  # only for revolute and prismatic joints
+    joints: Callable[[JointKind], bool] | None = None  # of a joint: which kinds have it; None: all
 
 
 @dataclass(frozen=True)
@@ -110,27 +111,47 @@ MIMIC = TableOf("joints.NAME.mimic", "If the scene has [effects.mimic], the join
     Key("multiplier", "ratio of the velocities", "number", default="1"),
     Key("offset", "in rad or m", "number", default="0")))
 
+
+def _one_coordinate(kind: JointKind) -> bool:
+    return kind.one_coordinate
+
+
+AXES = ("axis", "axis2")
+"""The keys of a joint's axes."""
+
+
+def _axis(number: int) -> Key:
+    """The key of a joint's first or second axis, and what it is of each kind that has it."""
+    words = "; ".join(f"of {kind.name} joints the {kind.axes[number]}"
+                      for kind in KINDS if len(kind.axes) > number)
+    return Key(AXES[number], f"in the joint's frame, of any length: {words}", "vector",
+               joints=lambda kind: len(kind.axes) > number)
+
+
 JOINT = TableOf("joints.NAME", "A joint between two bodies.", (
-    Key("type", "how it moves; continuous is revolute without a range", choices=tuple(TYPES),
-        required=True),
+    Key("type", "how it moves, see Joints; continuous is revolute without a range",
+        choices=tuple(TYPES), required=True),
     Key("parent", "the body it is fixed to", default='"world"'),
     Key("child", "the body it moves", required=True),
     Key("origin", "its frame in the parent's", "table", table=ORIGIN),
-    Key("axis", "axis of rotation or sliding, in the joint's frame, of any length",
-        "vector", one_coordinate=True),
+    _axis(0), _axis(1),
     Key("limits", "limits of its range, torque and speed", "table", table=LIMITS,
-        one_coordinate=True),
+        joints=_one_coordinate),
     Key("damping", "in N m s/rad or N s/m; acts by [effects.viscous]", "nonnegative",
-        one_coordinate=True),
+        joints=_one_coordinate),
     Key("friction", "in N m or N; acts by [effects.coulomb] or [effects.stribeck]",
-        "nonnegative", one_coordinate=True),
-    Key("mimic", "which joint it follows", "table", table=MIMIC, one_coordinate=True)))
+        "nonnegative", joints=_one_coordinate),
+    Key("mimic", "which joint it follows", "table", table=MIMIC, joints=_one_coordinate)))
+
+def _by_kind(of: str) -> str:
+    """q or v of each kind of joint."""
+    return "; ".join(f"{kind.name} {kind.q_words if of == 'q' else kind.v_words}"
+                     for kind in KINDS if kind.moves)
+
 
 START = TableOf("start", "The state at the start of a run; by default zero, without rotation.", (
-    Key("q", "by joint: angle in rad or position in m; of a spherical joint a unit quaternion (x, "
-        "y, z, w); of a free one position and quaternion", "coordinates"),
-    Key("v", "by joint: velocity in rad/s or m/s; of a spherical joint the angular velocity, of a "
-        "free one linear and angular velocity, in the body's frame", "coordinates")))
+    Key("q", f"by joint: {_by_kind('q')}", "coordinates"),
+    Key("v", f"by joint: {_by_kind('v')}", "coordinates")))
 
 _RECORDED = ", ".join(f'"{x}"' for x in (
     *UNITS, *(quantity.written for _, quantity in QUANTITIES.values()), "EFFECT.WHERE.torque"))
@@ -162,9 +183,16 @@ ACCURACY = TableOf("accuracy", "How accurate functions are in the mixed tier.", 
         "output", "positive"),))
 
 SCENE = TableOf("", "The file itself.", (
-    Key("model", "a URDF file next to the scene; without it the tables `bodies` and `joints` are "
-        "the model"),
-    Key("base", "whether the root is fixed or moves freely", choices=tuple(BASES)),
+    Key("model", "a file next to the scene that holds the model, in one of the formats of models; "
+        "without it the tables `bodies` and `joints` are the model"),
+    Key("arguments", "of a model that is a file of xacro: values by name", "words"),
+    Key("packages", "of a model that is a file of xacro: folders by the package's name, for "
+        "`$(find PACKAGE)`, seen from the scene", "words", default="searched beside the file and "
+        "above it"),
+    Key("leave_out", "of a model that is a file of MuJoCo: groups of elements that the scene does "
+        "without; errors name them", "texts", default="[]"),
+    Key("base", "whether the root, if no joint moves it, is fixed or moves freely",
+        choices=tuple(BASES), default="as the model's file says, else fixed"),
     Key("name", "name of the files and the package, and prefix of the C functions: a C identifier",
         default="the file's name"),
     Key("precision", 'of runs, and of the files of `coscrew generate`; "both" runs both and shows '

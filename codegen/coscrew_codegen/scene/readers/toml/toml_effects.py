@@ -99,7 +99,8 @@ def _on_several(reading: EffectTable) -> list[Applied]:
 
 
 def _is_place(reading: EffectTable, key: str) -> bool:
-    """Whether a key that is a parameter's name stands for a joint or body: if its value is a table.
+    """Returns whether a key that is a parameter's name stands for a joint or body: if its value is
+    a table.
 
     Raises SceneError if that table could also hold the parameter for each joint or body."""
     given = reading.table.values[key]
@@ -232,8 +233,8 @@ def _on_pairs(reading: EffectTable) -> list[Applied]:
 
 
 def with_reactions(scene: Scene, catalogue: tuple[Effect, ...]) -> tuple[Applied, ...]:
-    """The effects of a scene, with a reaction for each joint of which it is recorded or expected.
-    """
+    """The effects of a scene, with a reaction for each joint whose reaction is recorded or
+    expected."""
     effect = next((effect for effect in catalogue if effect.reaction), None)
     wanted = {recorded(text, scene) for text in scene.record}
     wanted |= {expected(x.quantity, scene) for x in scene.expectations}

@@ -1,27 +1,25 @@
 """A model in a scene file itself: tables [bodies.NAME] and [joints.NAME]."""
 
-from dataclasses import replace
 from fractions import Fraction
+from math import acos, degrees
 
+from coscrew_codegen.scene.joints import KINDS, called
 from coscrew_codegen.scene.mechanism import rotations
-from coscrew_codegen.scene.mechanism.assembly import ModelError, assembled
-from coscrew_codegen.scene.mechanism.inertia_checks import WARN, judged
-from coscrew_codegen.scene.mechanism.mimics import without_chains
+from coscrew_codegen.scene.mechanism.joint_kind import Direction, JointKind
 from coscrew_codegen.scene.mechanism.model import (
     HERE,
     WORLD,
     Body,
     Inertia,
     Joint,
-    Kind,
     Limits,
     Mimic,
     Model,
     Placement,
 )
-from coscrew_codegen.scene.mechanism.roundoff_cleanup import without_residues
-from coscrew_codegen.scene.readers.scene_error import SceneError
+from coscrew_codegen.scene.readers.model_reader import ModelSource, Parts
 from coscrew_codegen.scene.readers.toml.keys import (
+    AXES,
     BODY,
     CYLINDER,
     JOINT,
@@ -34,23 +32,19 @@ from coscrew_codegen.scene.readers.toml.keys import (
 from coscrew_codegen.scene.readers.toml.toml_tables import TomlTable, described
 
 _ZERO = (Fraction(0),) * 3
-_OF_ONE_COORDINATE = tuple(key.name for key in JOINT.keys if key.one_coordinate)
 _INERTIA = "a list of 3 or 6 numbers: xx, yy, zz, xy, xz, yz; or a symmetric 3×3 matrix"
-_TOLERANCE = Fraction(1, 10**6)  # of a quaternion's norm: people write six digits
+_TOLERANCE = Fraction(1, 10**6)  # of a quaternion's norm, of right angles: people write six digits
 
 
-def read_model(file: TomlTable, name: str, base: Kind, implausible: str) -> Model:
+def read_model(file: TomlTable, name: str, base: JointKind | None, implausible: str) -> Model:
     """The model in the tables `bodies` and `joints`.  With `implausible` "warn", impossible and
     massless inertias are accepted and listed in the model.  Raises SceneError."""
+    source = ModelSource(file.file, base, implausible)
     massless: list[str] = []
-    bodies = tuple(body(name, table, massless if implausible == WARN else None)
+    bodies = tuple(body(name, table, massless if source.lenient else None)
                    for name, table in file.tables("bodies"))
     joints = tuple(_joint(name, table) for name, table in file.tables("joints"))
-    try:
-        model = without_residues(without_chains(assembled(name, bodies, joints, base)))
-        return judged(replace(model, implausible=tuple(massless)), implausible)
-    except ModelError as error:
-        raise SceneError(file.file, error.element, error.problem) from None
+    return Parts(name, bodies, joints, implausible=tuple(massless)).model(source)
 
 
 def body(name: str, table: TomlTable, massless: list[str] | None) -> Body:
@@ -126,15 +120,29 @@ def _joint(name: str, table: TomlTable) -> Joint:
     word = table.choice("type", tuple(TYPES))
     kind = TYPES[word]
     ends = table.text("parent", WORLD), table.text("child")
-    if kind not in (Kind.REVOLUTE, Kind.PRISMATIC):
-        for key in _OF_ONE_COORDINATE:
-            if key in table:
-                table.refuse(key, f"is for revolute and prismatic joints; {name!r} is {word}")
-        return Joint(name, kind, *ends, _placement(table))
-    return Joint(name, kind, *ends, _placement(table), _direction(table, "axis"),
-                 *_limits(table.table("limits"), word == "continuous"),
+    for key in JOINT.keys:
+        if key.joints and key.name in table and not key.joints(kind):
+            takers = called(tuple(filter(key.joints, KINDS)))
+            table.refuse(key.name, f"is for {takers} joints; {name!r} is {word}")
+    place, (axis, axis2) = _placement(table), _axes(table, kind)
+    if not kind.one_coordinate:
+        return Joint(name, kind, *ends, place, axis, axis2=axis2)
+    return Joint(name, kind, *ends, place, axis,
+                 *_limits(table.table("limits"), word in kind.unlimited),
                  damping=table.nonnegative("damping"), friction=table.nonnegative("friction"),
                  mimic=_mimic(table.table("mimic")) if "mimic" in table else None)
+
+
+def _axes(table: TomlTable, kind: JointKind) -> tuple[Direction, Direction | None]:
+    """The first and the second axis of a joint of this kind."""
+    axes = [_direction(table, key) for key in AXES[:len(kind.axes)]]
+    if len(axes) < 2:
+        return axes[0] if axes else Joint.axis, None
+    cosine = sum(x * y for x, y in zip(*axes, strict=True))
+    if kind.perpendicular and abs(cosine) > _TOLERANCE:
+        table.refuse("axis2", f"makes an angle of {degrees(acos(cosine)):.9g}° with axis; wanted "
+                     "90° within 1e-6 rad")
+    return axes[0], axes[1]
 
 
 def _limits(table: TomlTable, continuous: bool) -> Limits:

@@ -1,4 +1,4 @@
-"""Scene files: reads a TOML file, or a URDF file alone, as a Scene."""
+"""Scene files: reads a TOML file, or a model's file alone, as a Scene."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
@@ -11,10 +11,12 @@ from coscrew_codegen.scene.function_selection import FunctionsError, resolved
 from coscrew_codegen.scene.integrators import NAMES
 from coscrew_codegen.scene.mechanism.inertia_checks import ERROR, WARN
 from coscrew_codegen.scene.mechanism.mimics import followers
-from coscrew_codegen.scene.mechanism.model import Joint, Kind, Model
+from coscrew_codegen.scene.mechanism.model import Joint, Model
 from coscrew_codegen.scene.mechanism.rotations import unit
-from coscrew_codegen.scene.readers.foreign import of_suffix
+from coscrew_codegen.scene.readers.declared_effects import of_file_alone
 from coscrew_codegen.scene.readers.idle import idle
+from coscrew_codegen.scene.readers.model_formats import SCENE_SUFFIX, reader_of, stem, unknown
+from coscrew_codegen.scene.readers.model_reader import ModelSource
 from coscrew_codegen.scene.readers.reader_identifiers import identifier, refused
 from coscrew_codegen.scene.readers.scene_error import SceneError, shown
 from coscrew_codegen.scene.readers.toml.accuracy_table import (
@@ -24,16 +26,17 @@ from coscrew_codegen.scene.readers.toml.accuracy_table import (
 )
 from coscrew_codegen.scene.readers.toml.attached import with_attached
 from coscrew_codegen.scene.readers.toml.effect_table import Use
-from coscrew_codegen.scene.readers.toml.keys import BASES, EXPECT, OUTPUTS, RUN, SCENE, START
+from coscrew_codegen.scene.readers.toml.keys import EXPECT, OUTPUTS, RUN, SCENE, START
+from coscrew_codegen.scene.readers.toml.named_model import model_of
 from coscrew_codegen.scene.readers.toml.runtime import with_parameters
 from coscrew_codegen.scene.readers.toml.toml_effects import read_effects, with_reactions
-from coscrew_codegen.scene.readers.toml.toml_model import read_model, refuse_not_unit
-from coscrew_codegen.scene.readers.toml.toml_tables import TomlTable, described, read_toml
+from coscrew_codegen.scene.readers.toml.toml_model import refuse_not_unit
+from coscrew_codegen.scene.readers.toml.toml_tables import Decimals, TomlTable, described, read_toml
 from coscrew_codegen.scene.readers.unused import unused
 from coscrew_codegen.scene.recordable import quantities_of
 from coscrew_codegen.scene.recorded_quantities import QuantityError, expected
 from coscrew_codegen.scene.scene import Expectation, Run, Scene
-from coscrew_codegen.scene.tier_selection import TiersError, asked, selected
+from coscrew_codegen.scene.tier_selection import TiersError, on_request, selected
 
 
 @dataclass(frozen=True)
@@ -44,35 +47,42 @@ class SceneOverrides:
     implausible: str | None = None  # error, warn
     functions: tuple[str, ...] | None = None  # names, "default", "all"
     tiers: tuple[str, ...] | None = None  # names
+    arguments: tuple[tuple[str, str], ...] = ()  # name and value, beside the file's own
+    packages: tuple[tuple[str, str], ...] = ()  # name and folder, likewise
+    leave_out: tuple[str, ...] = ()  # groups of elements, likewise
 
     def __post_init__(self) -> None:
         for key, choices in (("precision", CHOICES), ("implausible", (ERROR, WARN))):
             if (word := getattr(self, key)) not in (None, *choices):
                 raise ValueError(f"{key} = {word!r}; wanted one of {', '.join(choices)}")
 
+    @property
+    def folders(self) -> dict[str, Path]:
+        """The packages' folders by name."""
+        return {name: Path(folder) for name, folder in self.packages}
+
 
 def read_scene(path: Path | str, catalogue: tuple[Effect, ...] | None = None,
                overrides: SceneOverrides = SceneOverrides()) -> Scene:
-    """The scene in a TOML file; for a URDF file alone, a scene without effects, even gravity.
+    """The scene in a TOML file; for a model's file alone, one with the effects that act without a
+    scene file, and those that the file declares.
 
     `catalogue` holds the known effects (None: all).  Raises SceneError, naming file and key, for
     anything unknown, missing, of the wrong type, out of range, or not used."""
     path = Path(path)
     effects = _all_effects() if catalogue is None else catalogue
-    suffix = path.suffix.lower()
-    if suffix == ".urdf":
-        implausible = overrides.implausible or ERROR
-        from coscrew_codegen.scene.readers.urdf.urdf import read_urdf
-        model = read_urdf(path, implausible=implausible)
-        _refuse_still(path, model)
-        scene = Scene(identifier(path.stem), model, notices=unused(model, set(), effects),
-                      implausible=implausible, precision=overrides.precision or "double",
-                      precisions=_emitted(overrides.precision))
-        return _selecting(replace(scene, tiers=selected(overrides.tiers or ())),
-                          overrides.functions or ())
-    if suffix != ".toml":
-        raise SceneError(path, "", f"{of_suffix(path)}; wanted a .toml or .urdf file")
-    return _scene(read_toml(path), effects, overrides)
+    if path.suffix.lower() == SCENE_SUFFIX:
+        return _scene(read_toml(path), effects, overrides)
+    if reader := reader_of(path):
+        source = ModelSource(path, None, overrides.implausible or ERROR, overrides.folders,
+                             dict(overrides.arguments), overrides.leave_out)
+        parts = reader.parts_of(source)
+        model = parts.model(source)
+        start = {name: [Decimals(repr(x)) for x in q] for name, q in parts.start.items()}
+        tables = {"name": identifier(stem(path)), "start": {"q": start},
+                  "effects": of_file_alone(model, parts.effects, effects)}
+        return _scene(TomlTable(path, "", tables), effects, overrides, model)
+    raise SceneError(path, "", unknown(path, scenes=True))
 
 
 def _all_effects() -> tuple[Effect, ...]:
@@ -92,12 +102,16 @@ def _overridden(by: str | None, file: TomlTable, key: str, choices: tuple[str, .
     return by or written
 
 
-def _scene(file: TomlTable, catalogue: tuple[Effect, ...], overrides: SceneOverrides) -> Scene:
+def _scene(file: TomlTable, catalogue: tuple[Effect, ...], overrides: SceneOverrides,
+           alone: Model | None = None) -> Scene:
+    """The scene of these tables, or of the model that is read alone."""
     file.only(*SCENE.names)
     name = _name(file)
     implausible = _overridden(overrides.implausible, file, "implausible", (ERROR, WARN)) or ERROR
     precision = _overridden(overrides.precision, file, "precision", CHOICES)
-    model = with_attached(file, _model(file, name, implausible), implausible)
+    model = alone or with_attached(file, model_of(
+        file, name, implausible, overrides.folders, dict(overrides.arguments),
+        overrides.leave_out), implausible)
     use = Use()
     effects = read_effects(file.table("effects"), model, catalogue, use)
     _refuse_still(file.file, model)
@@ -112,10 +126,12 @@ def _scene(file: TomlTable, catalogue: tuple[Effect, ...], overrides: SceneOverr
                     every=float(outputs.positive("every", Fraction(1, 100))),
                     expectations=_expectations(file, scene))
     functions = _functions(file, scene)
-    accuracy = read_accuracy(file, scene, resolved(scene, functions))
+    accuracy = read_accuracy(file, scene, resolved(scene, functions)) if "accuracy" in file else ()
     functions = overrides.functions or functions
-    accuracy = tuple(x for x in accuracy if x.function in resolved(scene, functions))
-    tiers = selected((*_tiers(file), *(asked() if accuracy else ())))
+    if accuracy:
+        selected_now = resolved(scene, functions)
+        accuracy = tuple(x for x in accuracy if x.function in selected_now)
+    tiers = selected((*_tiers(file), *(on_request() if accuracy else ())))
     drawn = limits_used(scene, accuracy)
     refuse_faults(file, scene, drawn)
     told = unused(model, use.of_model | drawn, catalogue, effects)
@@ -153,7 +169,8 @@ def _tiers(file: TomlTable) -> tuple[str, ...]:
 
 def _selecting(scene: Scene, functions: tuple[str, ...]) -> Scene:
     """The scene with these functions selected.  Raises FunctionsError for unknown functions."""
-    resolved(scene, functions)
+    if functions:
+        resolved(scene, functions)
     return replace(scene, functions=functions)
 
 
@@ -167,36 +184,15 @@ def _name(file: TomlTable) -> str:
     return name
 
 
-def _model(file: TomlTable, name: str, implausible: str) -> Model:
-    """The model of the URDF file that `model` names, or of this file's own tables."""
-    base = BASES[file.choice("base", tuple(BASES), "fixed")]
-    own = [key for key in ("bodies", "joints") if key in file]
-    if "model" not in file:
-        if not own:
-            file.missing("model", "a URDF file, or tables [bodies.NAME] and [joints.NAME]")
-        return read_model(file, name, base, implausible)
-    if own:
-        file.refuse(own[0], "the model comes from the file that `model` names; wanted one of both")
-    named = Path(file.text("model"))
-    path = file.file.parent / named
-    if named.suffix.lower() != ".urdf":
-        file.refuse("model", f"{shown(str(named))} {of_suffix(path)}; wanted a .urdf file")
-    if not path.exists():
-        file.refuse("model", f"{shown(str(named))}: there is no such file; it is looked for in the "
-                             "folder of the scene")
-    from coscrew_codegen.scene.readers.urdf.urdf import read_urdf
-    return read_urdf(path, base, implausible)
-
-
 def _refuse_still(file: Path, model: Model) -> None:
     """Refuse models in which nothing moves."""
-    if all(joint.kind is Kind.FIXED for joint in model.joints):
+    if not any(joint.kind.moves for joint in model.joints):
         raise SceneError(file, "model", 'has no joint that moves; base = "free" frees its root')
 
 
 def _moving(table: TomlTable, key: str, scene: Scene) -> Joint:
     """The joint that a key of [start] names."""
-    joints = {joint.name: joint for joint in scene.model.joints if joint.kind is not Kind.FIXED}
+    joints = {joint.name: joint for joint in scene.model.joints if joint.kind.moves}
     name = table.known(key, key, "joint that moves", joints)
     if leader := followers(scene).get(name):
         table.refuse(key, f"follows joint {leader.joint!r}; wanted the start of that one")
@@ -209,9 +205,9 @@ def _start_q(table: TomlTable, scene: Scene) -> Mapping[str, tuple[float, ...]]:
     for key in table.values:
         joint = _moving(table, key, scene)
         numbers = _start(table, key, joint.kind.nq)
-        if joint.kind in (Kind.SPHERICAL, Kind.FREE):
-            refuse_not_unit(table, key, numbers[-4:])
-            numbers = (*numbers[:-4], *unit(numbers[-4:]))
+        for places in joint.kind.quaternions:
+            refuse_not_unit(table, key, numbers[places])
+            numbers = (*numbers[:places.start], *unit(numbers[places]), *numbers[places.stop:])
         start[key] = tuple(float(x) for x in numbers)
     return start
 

@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import NoReturn, overload
 
 from coscrew_codegen.scene.names import did_you_mean, or_mean
-from coscrew_codegen.scene.readers.contents import read_bytes
+from coscrew_codegen.scene.readers.contents import read_text
 from coscrew_codegen.scene.readers.decimals import LARGEST, bounded, decimal
 from coscrew_codegen.scene.readers.scene_error import SceneError, shown
 
@@ -180,7 +180,7 @@ class TomlTable:
 def read_toml(path: Path) -> TomlTable:
     """The outermost table of a file.  Raises SceneError if it cannot be read or is not TOML."""
     try:
-        text = read_bytes(path, SIZE).decode("utf-8-sig").replace("\r\n", "\n")
+        text = read_text(path, SIZE, "a TOML file")
         if found := _DOTS.search(text):
             line = text.count("\n", 0, found.start()) + 1
             raise SceneError(path, f"line {line}", "a key of more than 30 parts; wanted fewer")
@@ -189,8 +189,6 @@ def read_toml(path: Path) -> TomlTable:
         raise
     except RecursionError:
         raise SceneError(path, "", "lists or tables are nested too deeply") from None
-    except UnicodeDecodeError as error:
-        raise SceneError(path, f"byte {error.start}", "is not UTF-8; wanted a TOML file") from None
     except ValueError as error:
         raise SceneError(path, "", f"{_whole(str(error))}; wanted a TOML file") from None
 

@@ -4,62 +4,39 @@ Elements without influence on the dynamics (visual, collision, transmission, tho
 are not read.  Lengths in m, masses in kg, angles in rad.
 """
 
-from dataclasses import replace
 from fractions import Fraction
-from pathlib import Path
 
 from coscrew_codegen.scene.mechanism import rotations
-from coscrew_codegen.scene.mechanism.assembly import ModelError, assembled
-from coscrew_codegen.scene.mechanism.inertia_checks import ERROR, WARN, judged
-from coscrew_codegen.scene.mechanism.mimics import without_chains, wrong_mimics
-from coscrew_codegen.scene.mechanism.model import Body, Fault, Inertia, Kind, Model
-from coscrew_codegen.scene.mechanism.roundoff_cleanup import without_residues
+from coscrew_codegen.scene.mechanism.inertia_checks import WARN
+from coscrew_codegen.scene.mechanism.model import Body, Inertia
+from coscrew_codegen.scene.readers.model_reader import ModelReader, ModelSource, Parts
 from coscrew_codegen.scene.readers.urdf.urdf_joints import Joints
 from coscrew_codegen.scene.readers.urdf.urdf_schema import MIRRORED, MOMENTS
 from coscrew_codegen.scene.readers.urdf.xml import Element
 
 
-def read_urdf(path: Path | str, base: Kind = Kind.FIXED, implausible: str = ERROR) -> Model:
-    """The model in a URDF file, its root joined to the world by a joint of the kind `base`.
-
-    With `implausible` "warn", inertias that are impossible, massless or incomplete are accepted and
-    listed in the model's `implausible`.  Raises SceneError, naming file, line and element, for
-    files that are not URDF, numbers that are not finite, impossible inertias, unknown names and
-    joints that do not form a tree."""
-    return _Urdf(Path(path), implausible).model(base)
-
-
-
 class _Urdf(Joints):
-    """Reads one file."""
+    """Reads one file.
 
-    def __init__(self, path: Path, implausible: str) -> None:
-        super().__init__(path)
-        self.implausible = implausible
+    Raises SceneError, naming file, line and element, for files that are not URDF, numbers that are
+    not finite, inertias without mass or moments unless these are accepted, and unknown names."""
+
+    def __init__(self, source: ModelSource, contents: bytes | None) -> None:
+        super().__init__(source.path, contents)
+        self.lenient = source.lenient
         self.lacking: list[str] = []  # incomplete inertias that were accepted
 
-    def model(self, base: Kind) -> Model:
+    def parts(self) -> Parts:
         links, joints = self.root.all("link"), self.root.all("joint")
-        lines = {f"body {e.attributes.get('name')!r}": e for e in reversed(links)}
-        lines |= {f"joint {e.attributes.get('name')!r}": e for e in reversed(joints)}
-        try:
-            model = without_residues(without_chains(self._without_wrong_mimics(assembled(
-                self.root.attributes.get("name", self.path.stem), tuple(map(self._body, links)),
-                tuple(map(self._joint, joints)), base))))
-            return judged(replace(model, implausible=tuple(self.lacking),
-                                  notices=tuple(self.notices)), self.implausible)
-        except ModelError as error:
-            self._refuse(lines.get(error.element, self.root), error.element, error.problem)
-
-    def _without_wrong_mimics(self, model: Model) -> Model:
-        """The model with faults in place of mimics that cannot be followed."""
-        wrong = wrong_mimics(model)
-        lines = {joint.attributes["name"]: mimic.line for joint in self.root.all("joint")
-                 for mimic in joint.all("mimic")[:1]}
-        return replace(model, joints=tuple(
-            replace(joint, mimic=None, faults=(*joint.faults, Fault(
-                "mimic", wrong[joint.name], f"{self.path.name}, line {lines[joint.name]}")))
-            if joint.name in wrong else joint for joint in model.joints))
+        lines = {"": self.root.line}
+        lines |= {f"body {e.attributes.get('name')!r}": e.line for e in reversed(links)}
+        lines |= {f"joint {e.attributes.get('name')!r}": e.line for e in reversed(joints)}
+        name = self.root.attributes.get("name", self.path.stem)
+        bodies, moves = tuple(map(self._body, links)), tuple(map(self._joint, joints))
+        return Parts(name, bodies, moves, {x: f"line {line}" for x, line in lines.items()},
+                     {joint.attributes["name"]: f"line {mimic.line}" for joint in joints
+                      for mimic in joint.all("mimic")[:1]},
+                     implausible=tuple(self.lacking), notices=tuple(self.notices))
 
     def _body(self, link: Element) -> Body:
         name = self._name(link)
@@ -96,9 +73,20 @@ class _Urdf(Joints):
     def _of_inertial(self, inertial: Element, tag: str, body: str, taken: str) -> Element | None:
         """The element with this tag; None if it is missing and that is accepted."""
         found = self._only(inertial, tag, body)
-        if found is None and self.implausible == ERROR:
+        if found is None and not self.lenient:
             self._refuse(inertial, body,
                          f'<inertial> lacks <{tag}>; implausible = "{WARN}" accepts it')
         if found is None:
             self.lacking.append(f"{body}: <inertial> lacks <{tag}>; {taken}")
         return found
+
+
+def urdf_parts(source: ModelSource, contents: bytes | None = None) -> Parts:
+    """The parts of a URDF: of the file, or of these contents, which the file has written."""
+    return _Urdf(source, contents).parts()
+
+
+READER = ModelReader(
+    "URDF", (".urdf",), "a robot of ROS: its links and joints, with inertias, limits, dynamics and "
+    "mimics; visual and collision shapes change no motion and are not read",
+    urdf_parts)

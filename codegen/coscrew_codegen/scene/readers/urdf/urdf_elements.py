@@ -35,10 +35,10 @@ _T = TypeVar("_T")
 class Elements:
     """The elements of one file.  Collects in `notices` what is read and not used."""
 
-    def __init__(self, path: Path) -> None:
+    def __init__(self, path: Path, contents: bytes | None = None) -> None:
         self.path = path
         self.notices: list[Notice] = []
-        self.root = read_xml(path, IGNORED)
+        self.root = read_xml(path, IGNORED, contents=contents)
         if self.root.tag != "robot":
             known = of_root(self.root.tag)
             self._refuse(self.root, "", known or f"the root is <{self.root.tag[:60]}>; wanted "
@@ -186,8 +186,8 @@ def _numbers(text: str, count: int) -> tuple[Fraction, ...]:
 
 
 def _alike(a: Element, b: Element) -> bool:
-    """Whether two elements say the same: numbers of URDF are compared by value, names and what
-    is other tools' as texts."""
+    """Returns whether two elements say the same: numbers of URDF are compared by value, names and
+    what is other tools' as texts."""
     return (a.tag == b.tag and a.attributes.keys() == b.attributes.keys()
             and all(_value(a.tag, name, text) == _value(b.tag, name, b.attributes[name])
                     for name, text in a.attributes.items())
@@ -227,7 +227,7 @@ def _number(of: str, name: str, owner: Element) -> Iterator[Notice]:
     remedy = _taking(of.partition(" ")[2], effect, owner) if effect else ""
     yield Notice(effect or "other tools' numbers", of,
                  f"{of}: {name} {shown(text)[1:-1]} of <{owner.tag}> is another tool's and is not "
-                 f"used{': ' * bool(remedy)}{remedy}", remedy)
+                 f"used{': ' * bool(remedy)}{remedy}", remedy, (effect, of.partition(" ")[2]))
 
 
 def _taking(joint: str, effect: str, owner: Element) -> str:

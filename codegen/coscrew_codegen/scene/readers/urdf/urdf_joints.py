@@ -4,8 +4,10 @@ here: a wrong one is noted as a fault of the joint, and refused where an effect 
 from collections.abc import Iterator
 from fractions import Fraction
 
+from coscrew_codegen.scene.joints import KINDS
 from coscrew_codegen.scene.mechanism import rotations
-from coscrew_codegen.scene.mechanism.model import Fault, Joint, Kind, Limits, Mimic
+from coscrew_codegen.scene.mechanism.joint_kind import JointKind
+from coscrew_codegen.scene.mechanism.model import Fault, Joint, Limits, Mimic
 from coscrew_codegen.scene.mechanism.notices import Notice
 from coscrew_codegen.scene.names import or_mean
 from coscrew_codegen.scene.readers.decimals import decimal
@@ -19,13 +21,8 @@ from coscrew_codegen.scene.readers.urdf.urdf_schema import (
 )
 from coscrew_codegen.scene.readers.urdf.xml import Element
 
-TYPES = {"revolute": Kind.REVOLUTE, "continuous": Kind.REVOLUTE, "prismatic": Kind.PRISMATIC,
-         "fixed": Kind.FIXED, "floating": Kind.FREE, "spherical": Kind.SPHERICAL}
-
-_ONE_COORDINATE = (Kind.REVOLUTE, Kind.PRISMATIC)
-_NOT_SUPPORTED = {
-    "planar": "two prismatic joints along the plane and a continuous one about its normal, with "
-              "links without <inertial> between them, move alike"}
+TYPES = {word: kind for kind in KINDS if kind.urdf for word in (kind.urdf, *kind.unlimited)}
+_NOT_SUPPORTED = {kind.name: kind.without_urdf for kind in KINDS if not kind.urdf}
 
 
 class Joints(Elements):
@@ -36,9 +33,9 @@ class Joints(Elements):
         element = f"joint {name!r}"
         self._check(joint, element)
         kind = self._kind(joint, element)
-        moves_along_axis = kind in _ONE_COORDINATE
         faults: list[Fault] = []
-        numbers = _Numbers(self, joint, element, faults) if moves_along_axis else None
+        numbers = _Numbers(self, joint, element, faults, kind) \
+            if kind.one_coordinate else None
         limits = numbers.limits() if numbers else (None,) * 4
         damping, friction = numbers.dynamics() if numbers else (None, None)
         self.notices += _unused(joint, element, kind)
@@ -47,11 +44,11 @@ class Joints(Elements):
             self._text(self._required(joint, "parent", element), "link", element),
             self._text(self._required(joint, "child", element), "link", element),
             self._placement(joint, element),
-            self._axis(joint, element) if moves_along_axis else Joint.axis, *limits,
+            self._axis(joint, element) if kind.axes else Joint.axis, *limits,
             damping=damping, friction=friction,
             mimic=numbers.mimic() if numbers else None, faults=tuple(faults))
 
-    def _kind(self, joint: Element, element: str) -> Kind:
+    def _kind(self, joint: Element, element: str) -> JointKind:
         word = self._text(joint, "type", element)
         if word not in TYPES:
             wanted = ", ".join(TYPES)
@@ -74,7 +71,9 @@ class _Numbers:
     """The numbers of a joint with one coordinate, as far as they can be used; `faults` receives
     the others."""
 
-    def __init__(self, file: Elements, joint: Element, element: str, faults: list[Fault]) -> None:
+    def __init__(self, file: Elements, joint: Element, element: str, faults: list[Fault],
+                 kind: JointKind) -> None:
+        self.kind = kind
         self.file, self.joint, self.element, self.faults = file, joint, element, faults
 
     def limits(self) -> Limits:
@@ -85,7 +84,7 @@ class _Numbers:
             return (None,) * 4
         most = self._nonnegative(limit, "effort"), self._nonnegative(limit, "velocity")
         given = {"lower", "upper"} & set(limit.attributes)
-        if self.joint.attributes["type"] == "continuous" or not given:
+        if self.joint.attributes["type"] in self.kind.unlimited or not given:
             return None, None, *most
         lower, upper = (self._end(limit, name) for name in ("lower", "upper"))
         if lower is not None and upper is not None and lower > upper:
@@ -157,22 +156,22 @@ class _Numbers:
         self.faults.append(Fault(name, problem, f"{self.file.path.name}, line {at.line}"))
 
 
-def _unused(joint: Element, element: str, kind: Kind) -> Iterator[Notice]:
+def _unused(joint: Element, element: str, kind: JointKind) -> Iterator[Notice]:
     """Notices of numbers that no effect can take."""
-    if kind is Kind.FIXED:
+    if not kind.moves:
         return
     for name in LATER_LIMITS:
         yield from _given(joint, element, "limit", (name,), name)
     yield from _given(joint, element, "safety_controller", ATTRIBUTES["safety_controller"],
                       "safety controller")
-    if kind not in _ONE_COORDINATE:
+    if not kind.one_coordinate:
         for name in ATTRIBUTES["dynamics"]:
             yield from _given(joint, element, "dynamics", (name,), name)
         yield from _given(joint, element, "limit", ("lower", "upper"), "limits")
         for name in ("effort", "velocity"):
             yield from _given(joint, element, "limit", (name,), name)
         yield from _given(joint, element, "mimic", ("joint",), "mimic")
-    elif joint.attributes["type"] == "continuous":
+    elif joint.attributes["type"] in kind.unlimited:
         yield from _given(joint, element, "limit", ("lower", "upper"), "limits")
 
 

@@ -77,7 +77,7 @@ _CLOSER = 0.85  # and from which it is one of an element that stands elsewhere
 
 
 def of_other_tools(name: str) -> bool:
-    """Whether an attribute has another tool's prefix, as "drake:acceleration"."""
+    """Returns whether an attribute has another tool's prefix, as "drake:acceleration"."""
     return ":" in name and not _is_free("", name)
 
 
@@ -173,7 +173,7 @@ def _places(tag: str) -> list[str]:
 
 
 def is_zero(text: str) -> bool:
-    """Whether a text holds nothing but numbers that are zero."""
+    """Returns whether a text holds nothing but numbers that are zero."""
     try:
         return not any(decimal(word) for word in text.split())
     except ValueError:

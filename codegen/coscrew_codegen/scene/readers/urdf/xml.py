@@ -47,11 +47,14 @@ class Text:
     line: int
 
 
-def read_xml(path: Path, ignored: frozenset[str]) -> Element:
-    """The root element of a file, without elements below it whose tags are `ignored`.
+def read_xml(path: Path, ignored: frozenset[str], wanted: str = "a URDF",
+             contents: bytes | None = None) -> Element:
+    """The root element of a file, or of `contents` in its place, without elements below it whose
+    tags are `ignored`; messages say what kind of file was `wanted`.
 
     Raises SceneError, naming the line, if the file cannot be read or is not well-formed XML."""
-    text, skipped = text_of(path, read_bytes(path, SIZE))
+    text, skipped = text_of(path, read_bytes(path, SIZE) if contents is None else contents,
+                            wanted)
     parser = make_parser()
     parser.forbid_dtd = True
 

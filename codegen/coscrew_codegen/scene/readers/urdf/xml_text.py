@@ -18,16 +18,16 @@ _ASCII = bytes(range(32, 92)) + rb"\x41 \u0041" + bytes(range(93, 127))
 _BARE = re.compile(r"&(?!(?:[A-Za-z_:][\w:.-]*|#[0-9]+|#x[0-9A-Fa-f]+);)")
 
 
-def text_of(path: Path, contents: bytes) -> tuple[str, int]:
+def text_of(path: Path, contents: bytes, wanted: str = "a URDF") -> tuple[str, int]:
     """The text from its declaration or first element on, and the number of empty lines before.
 
     Raises SceneError for bytes that are no text in their encoding, and for text before the XML."""
     text = _decoded(path, contents)
     start = len(text) - len(text.lstrip(" \t\r\n\ufeff"))
     if start == len(text):
-        raise SceneError(path, "line 1", "is empty; wanted a URDF")
+        raise SceneError(path, "line 1", f"is empty; wanted {wanted}")
     if not text[start:].startswith("<"):
-        _refuse_beginning(path, text[start:], 1 + _lines(text[:start]))
+        _refuse_beginning(path, text[start:], 1 + _lines(text[:start]), wanted)
     return text[start:], _lines(text[:start])
 
 
@@ -64,7 +64,7 @@ def _decoded(path: Path, contents: bytes) -> str:
 
 
 def _is_known(name: str) -> bool:
-    """Whether Python has an encoding of this name that contains ASCII."""
+    """Returns whether Python has an encoding of this name that contains ASCII."""
     try:
         return _ASCII.decode(name) == _ASCII.decode("ascii")
     except (LookupError, ValueError):
@@ -80,12 +80,12 @@ def _read(path: Path, contents: bytes, encoding: str, as_what: str) -> str:
                          f"{as_what}") from None
 
 
-def _refuse_beginning(path: Path, text: str, line: int) -> None:
+def _refuse_beginning(path: Path, text: str, line: int, wanted: str) -> None:
     first = text.splitlines()[0]
     if "<" not in text:
-        raise SceneError(path, f"line {line}", f"{shown(first)} is no XML; wanted a URDF")
+        raise SceneError(path, f"line {line}", f"{shown(first)} is no XML; wanted {wanted}")
     raise SceneError(path, f"line {line}", f"text stands before the XML, {shown(first)}; wanted "
-                     "<?xml or <robot first: delete what precedes it")
+                     "<?xml or the root first: delete what precedes it")
 
 
 def _lines(text: str) -> int:

@@ -1,4 +1,5 @@
-"""sweep.json: what a sweep is and where its numbers come from, with a checksum of both."""
+"""Reads and writes sweep.json: the definition of a sweep and the provenance of its numbers, with a
+checksum of both."""
 
 import json
 from collections.abc import Mapping
@@ -24,14 +25,14 @@ def read_description(folder: Path) -> Mapping[str, Json]:
     path = folder / ABOUT
     content = read_bytes(path)
     try:
-        found = dict(json.loads(content.decode()))
+        results = dict(json.loads(content.decode()))
     except (ValueError, TypeError):
         raise DamagedError(path, "cannot be read as that of a sweep") from None
-    if CHECKSUM not in found:
+    if CHECKSUM not in results:
         raise DamagedError(path, f"has no {CHECKSUM}, as those of older versions, or lost it")
-    if found.pop(CHECKSUM) != _digest(found):
+    if results.pop(CHECKSUM) != _digest(results):
         raise DamagedError(path, f"differs from its {CHECKSUM}")
-    return found
+    return results
 
 
 def _digest(about: Mapping[str, Json]) -> str:

@@ -1,5 +1,5 @@
-"""The folder of a sweep: sweep.json, what it is; members/, a Parquet file for each finished chunk;
-damaged/, what was moved aside.
+"""The folder of a sweep: sweep.json, its definition; members/, a Parquet file for each finished
+chunk; damaged/, files that were moved aside.
 
 Files appear whole: they are written under another name, which begins with a dot, and renamed."""
 
@@ -28,7 +28,7 @@ from coscrew_codegen.simulation.sweep.specification import Specification
 LOCK, MEMBERS, PAGE, ZARR = ".lock", "members", "summary.html", "sweep.zarr"
 _PART = re.compile(r"part-([0-9]{8,})\.parquet")
 _UNREAD = (".", "_")
-"""Beginnings of names of files in members/ that readers of Parquet leave out."""
+"""Prefixes of files in members/ that readers of Parquet ignore."""
 
 
 @dataclass(frozen=True)
@@ -37,14 +37,14 @@ class Folder:
 
     path: Path
     specification: Specification
-    about: Mapping[str, Json] = field(default_factory=dict)  # what else sweep.json says
+    about: Mapping[str, Json] = field(default_factory=dict)  # further content of sweep.json
 
     def of(self, number: int) -> Path:
         """The file of a chunk."""
         return part_of(self.path, number)
 
     def missing(self) -> Iterator[int]:
-        """The numbers of the chunks that are not there, in order."""
+        """The numbers of the missing chunks, in order."""
         there = set(self._there())
         return (n for n in range(self.specification.chunks) if n not in there)
 
@@ -53,8 +53,8 @@ class Folder:
         return sum(len(self.specification.members(n)) for n in self._there())
 
     def put_aside(self, finished: bool) -> None:
-        """Put aside, and tell, what is no part of the sweep and each part that is not as it was
-        written; if all have been written, tell also those that are not there."""
+        """Moves aside, and reports, files that are no part of the sweep, and damaged parts; if all
+        parts have been written, reports missing ones, too."""
         self.put_strangers_aside()
         there = sorted(self._there())
         for number in range(self.specification.chunks) if finished else there:
@@ -64,13 +64,13 @@ class Folder:
                 put_aside(self.path, error.path, error.why, "made again")
 
     def put_strangers_aside(self) -> None:
-        """Put aside, and tell, what other programs would read as parts."""
+        """Moves aside, and reports, files that other programs would read as parts."""
         for name in sorted(self._names()):
             if self._number(name) is None and not name.startswith(_UNREAD):
                 put_aside(self.path, self.path / MEMBERS / name, "is no part of this sweep")
 
     def describe(self) -> None:
-        """Write sweep.json again, and tell, if it is not as it was written."""
+        """Writes sweep.json again, and reports it, if it is damaged."""
         try:
             if read_description(self.path)[HASH] == self.specification.sha256:
                 return
@@ -80,7 +80,7 @@ class Folder:
         self.describe_again(why)
 
     def describe_again(self, why: str) -> None:
-        """Put sweep.json aside, write it again, and tell why."""
+        """Moves sweep.json aside, writes it again, and reports why."""
         put_aside(self.path, self.path / ABOUT, why, "written again")
         self.write_description()
 
@@ -102,8 +102,8 @@ class Folder:
 
     def _number(self, name: str) -> int | None:
         """The number of the chunk whose file has this name, None if none has."""
-        found = _PART.fullmatch(name)
-        number = int(found[1]) if found else self.specification.chunks
+        match = _PART.fullmatch(name)
+        number = int(match[1]) if match else self.specification.chunks
         return number if number < self.specification.chunks and self.of(number).name == name \
             else None
 
@@ -120,9 +120,10 @@ def part_of(folder: Path, number: int) -> Path:
 @contextmanager
 def opened(path: Path, specification: Specification, about: Mapping[str, Json]
            ) -> Iterator[Folder]:
-    """The folder of the sweep, made or found, while the block runs.
+    """Opens or makes the folder of the sweep for the block.
 
-    Raises SweepError for one of another sweep, of something else, or that another process holds."""
+    Raises SweepError for a folder of another sweep, with other content, or held by another process.
+    """
     path.mkdir(parents=True, exist_ok=True)
     _refuse_others(path)
     make_way(path, path / LOCK)
@@ -130,17 +131,17 @@ def opened(path: Path, specification: Specification, about: Mapping[str, Json]
         if not mine:
             raise SweepError(f"{path}: another sweep is running into this folder; wait for it, or "
                              "take another --out")
-        found = Folder(path, specification, about)
-        _know(found)
+        folder = Folder(path, specification, about)
+        _know(folder)
         make_way(path, path / MEMBERS, is_folder=True)
         (path / MEMBERS).mkdir(exist_ok=True)
         for left in (*path.glob(".*.part"), *(path / MEMBERS).glob(".*.part")):
             remove(left)  # by a process that was killed
-        yield found
+        yield folder
 
 
 def whole(path: Path, content: bytes) -> None:
-    """Write a file whole, or raise OSError, which names it, and leave nothing."""
+    """Writes a file completely, or raises an OSError that names it, and leaves nothing."""
     part = path.with_name(f".{path.name}.part")
     try:
         with part.open("wb") as file:
@@ -157,7 +158,7 @@ def whole(path: Path, content: bytes) -> None:
 
 
 def _refuse_others(path: Path) -> None:
-    """Refuse a folder with files but no sweep."""
+    """Refuses a folder with files but no sweep."""
     strange = next((x.name for x in sorted(path.iterdir()) if x.name != LOCK), None)
     if strange and not (path / ABOUT).exists() and _sweep_of_parts(path) is None:
         raise SweepError(f"{path}: holds {strange}, and no sweep; wanted a new or empty folder, or "
@@ -165,7 +166,7 @@ def _refuse_others(path: Path) -> None:
 
 
 def _know(folder: Folder) -> None:
-    """Write what the sweep is, or compare it with what the folder says."""
+    """Writes the sweep's definition, or compares it with the folder's."""
     path, its = folder.path, folder.specification
     try:
         there = read_description(path)
@@ -185,21 +186,20 @@ def _know(folder: Folder) -> None:
 def _refuse_without_about(path: Path, digest: str, error: DamagedError) -> None:
     """Refuse a folder whose sweep.json is damaged unless its parts are of this sweep, or there are
     none."""
-    found = _sweep_of_parts(path)
-    if found is None and not (path / MEMBERS).is_dir():
+    result = _sweep_of_parts(path)
+    if result is None and not (path / MEMBERS).is_dir():
         raise SweepError(f"{path / ABOUT}: {error.why}, and nothing beside it is of a sweep; "
                          "wanted a new or empty folder, or one of this sweep")
-    if found is None and any((path / MEMBERS).glob("part-*.parquet")):
-        raise SweepError(f"{path / ABOUT}: {error.why}, and no part beside it is undamaged, so "
-                         "that nobody knows whose sweep it is; take another --out, or remove "
-                         f"{path}")
-    if found not in (None, digest):
+    if result is None and any((path / MEMBERS).glob("part-*.parquet")):
+        raise SweepError(f"{path / ABOUT}: {error.why}, and no part beside it is undamaged, so the "
+                         f"sweep cannot be identified; take another --out, or remove {path}")
+    if result not in (None, digest):
         raise SweepError(f"{path / ABOUT}: {error.why}; the parts beside it are of another sweep, "
-                         f"{str(found)[:12]}; this one is {digest[:12]}; take another --out")
+                         f"{str(result)[:12]}; this one is {digest[:12]}; take another --out")
 
 
 def _sweep_of_parts(path: Path) -> str | None:
-    """The hash of the sweep of the first part that is as it was written; None if none is."""
+    """The hash of the sweep of the first undamaged part; None if all are damaged."""
     for x in sorted((path / MEMBERS).glob("part-*.parquet")):
         with suppress(DamagedError):
             return sweep_of(x)

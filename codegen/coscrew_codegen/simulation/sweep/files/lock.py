@@ -1,4 +1,4 @@
-"""Locks between processes, which end with the process that holds them, however that ends."""
+"""Locks between processes; a lock ends with the process that holds it, however that ends."""
 
 import sys
 from collections.abc import Iterator
@@ -9,8 +9,8 @@ from typing import BinaryIO
 
 @contextmanager
 def held(path: Path, wait: bool) -> Iterator[bool]:
-    """While the block runs, hold the lock of this file, which stays; yields whether it is held.
-    Without `wait` it is not if another process holds it."""
+    """Holds the lock of this file, which is not removed, during the block; yields whether it is
+    held.  Without `wait` it is not held if another process holds it."""
     with path.open("ab") as file:
         yield _locked(file, wait)
 

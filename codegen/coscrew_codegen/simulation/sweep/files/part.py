@@ -1,7 +1,7 @@
 """Parts: Parquet files of chunks, each with the SHA-256 of its bytes, which every reader checks.
 
-The digest stands in the file's key-value metadata, under SEAL; it is that of the bytes with zeros
-in its place.  So one flipped bit anywhere is found: in numbers, in statistics, in names, in the
+The digest stands in the file's key-value metadata, under SEAL; it is the digest of the bytes with
+zeros in its place.  So one flipped bit anywhere is detected: in numbers, statistics, names, or the
 digest itself."""
 
 import errno
@@ -26,11 +26,11 @@ _SEALED = re.compile(re.escape(SEAL.encode()) + rb"\x18\x40([0-9a-f]{64})")
 """Key and value in Thrift's compact protocol, in which Parquet writes metadata: 0x18 begins a
 binary field, 0x40 is its length."""
 _MEMBER, _PROVENANCE, _SWEEP = "member", b"coscrew", "sweep sha256"
-_SPOILT = (errno.EIO, errno.ELOOP, errno.ENOTDIR)  # of what the disk has lost
+_SPOILT = (errno.EIO, errno.ELOOP, errno.ENOTDIR)  # of data that the disk has lost
 
 
 class DamagedError(SweepError):
-    """A file of a sweep is not as it was written."""
+    """A file of a sweep differs from its written content."""
 
     def __init__(self, path: Path, why: str) -> None:
         super().__init__(f"{path}: {why}; the command that made the sweep makes it again")
@@ -38,7 +38,7 @@ class DamagedError(SweepError):
 
 
 class BlockedError(SweepError):
-    """A file of a sweep that a person must see to; the message says how."""
+    """A file of a sweep needs a person's help; the message says which."""
 
 
 @contextmanager
@@ -66,7 +66,7 @@ def sealed(table: pyarrow.Table) -> bytes:
 
 
 def verified(path: Path) -> bytes:
-    """The bytes of a part.  Raises DamagedError if they are not those that were written."""
+    """The bytes of a part.  Raises DamagedError if they differ from the written ones."""
     content = read_bytes(path)
     if not content:
         raise DamagedError(path, "is empty")
@@ -83,7 +83,7 @@ def verified(path: Path) -> bytes:
 
 
 def read_bytes(path: Path) -> bytes:
-    """The bytes of a file of the sweep.  Raises DamagedError if it is gone or the disk lost it,
+    """The bytes of a file of the sweep.  Raises DamagedError if it is missing or the disk lost it,
     BlockedError if reading it is not allowed."""
     with reading(path):
         try:
@@ -118,7 +118,7 @@ def check(path: Path, specification: Specification, number: int) -> None:
 
 
 def sweep_of(path: Path) -> str:
-    """The hash of the sweep that a part is of.  Raises DamagedError."""
+    """The hash of a part's sweep.  Raises DamagedError."""
     return _sweep(read(path, [_MEMBER]))
 
 
@@ -128,13 +128,13 @@ def _sweep(table: pyarrow.Table) -> str:
 
 def _place(content: bytes) -> tuple[int, int]:
     """Returns the place of the digest.  Raises ValueError if there is none, or several."""
-    (found,) = _SEALED.finditer(content)
-    return found.span(1)
+    (result,) = _SEALED.finditer(content)
+    return result.span(1)
 
 
 def _digest(content: bytes, start: int, end: int) -> bytes:
     """The digest of the content, with zeros where the digest stands."""
-    found = sha256(content[:start])
-    found.update(_BLANK)
-    found.update(content[end:])
-    return found.hexdigest().encode()
+    result = sha256(content[:start])
+    result.update(_BLANK)
+    result.update(content[end:])
+    return result.hexdigest().encode()

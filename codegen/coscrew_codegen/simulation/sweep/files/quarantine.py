@@ -1,4 +1,4 @@
-"""Files that are not as they were written, or in the way: moved into damaged/, and told."""
+"""Moves damaged files, and files in the way of others, into damaged/, and reports them."""
 
 import os
 import shutil
@@ -13,14 +13,15 @@ DAMAGED = "damaged"
 
 
 def put_aside(folder: Path, path: Path, why: str, then: str = "") -> None:
-    """Move a file of the sweep in this folder into damaged/, if it is there, and tell why, and what
-    happens then.  Raises BlockedError."""
+    """Moves a file of the sweep in this folder, if it exists, into damaged/; reports the reason and
+    the next action.  Raises BlockedError."""
     done = [f"set aside as {_moved(folder, path, why)}"] if os.path.lexists(path) else []
     print(f"coscrew: {path}: {why}; {', '.join(done + [then] * bool(then))}", file=sys.stderr)
 
 
 def make_way(folder: Path, path: Path, is_folder: bool = False) -> None:
-    """Put aside what is no file, or no folder, where one of the sweep will be written."""
+    """Moves aside a folder in the place of a file of the sweep, or a file in the place of a folder.
+    """
     if is_folder and os.path.lexists(path) and not path.is_dir():
         put_aside(folder, path, "is no folder", "made again")
     if not is_folder and path.exists() and not path.is_file():
@@ -28,7 +29,7 @@ def make_way(folder: Path, path: Path, is_folder: bool = False) -> None:
 
 
 def remove(path: Path) -> None:
-    """Remove a file, a link, or as much as possible of a folder, if it is there."""
+    """Removes a file, a link, or as much as possible of a folder, if it exists."""
     if path.is_dir() and not path.is_symlink():
         shutil.rmtree(path, ignore_errors=True)
     else:

@@ -1,10 +1,9 @@
-"""A sweep as Zarr, written from its Parquet files, and as a Dataset of xarray.
+"""Writes a sweep as Zarr from its Parquet files, and opens it as a Dataset of xarray.
 
 In Zarr the members are one dimension; xarray sees the grids as dimensions of their own:
 
     sweep = opened("folder")
-    sweep["q.elbow.final"].sel({"payload.mass": 5}).mean("sample")
-"""
+    sweep["q.elbow.final"].sel({"payload.mass": 5}).mean("sample")"""
 
 from collections.abc import Iterator, Mapping
 from pathlib import Path
@@ -92,7 +91,8 @@ def _made(group: "zarr.Group", folder: Folder, schema: pyarrow.Schema, plan: Pla
 
 
 def _kind(type_: pyarrow.DataType) -> tuple[str, tuple[int, ...]]:
-    """The type and inner shape of the array of a column: text says only whether there is any."""
+    """The type and inner shape of a column's array; a column of text becomes a flag that is true
+    where there is text."""
     if pyarrow.types.is_fixed_size_list(type_):
         return _kind(type_.value_type)[0], (type_.list_size,)
     return ("bool" if pyarrow.types.is_string(type_) else str(type_.to_pandas_dtype()().dtype)), ()
@@ -108,12 +108,12 @@ def _numbers(table: pyarrow.Table, name: str) -> np.ndarray:
 
 
 def opened(folder: Path | str) -> "xarray.Dataset":
-    """The sweep in this folder, read when it is used: its dimensions are `sample`, if ranges were
-    sampled, the grids, and t, if series were kept.  Coordinates are what varied.  Where a member
-    failed, `failed.cause` and `failed.joint` are not "".
+    """Opens the sweep in this folder; data are read on use.  Its dimensions are `sample`, if ranges
+    were sampled, the grids, and t, if series were kept.  Coordinates are the varied quantities.
+    Where a member failed, `failed.cause` and `failed.joint` are not "".
 
-    Raises SweepError if the folder has no finished sweep; DamagedError, here or when it is used,
-    naming a file that is not as it was written; BlockedError for one that cannot be read."""
+    Raises SweepError if the folder has no finished sweep; DamagedError, here or on use, for a file
+    that differs from its written content; BlockedError for one that cannot be read."""
     path = Path(folder)
     with reading(path):
         return _opened(path)
@@ -137,26 +137,26 @@ def _opened(path: Path) -> "xarray.Dataset":
     shape = {"sample": its["samples"], **{name: len(x) for name, (_, x, _) in grids.items()}}
     names = [name for name in flat.attrs["columns"] if name not in grids]
     words = _WORDS if (path / MEMBERS).is_dir() else {}
-    found = xarray.Dataset(
+    result = xarray.Dataset(
         {**{name: _folded(flat[name].variable, shape) for name in names},
          **{name: _folded(_texts(path, column, about["chunk"], flat.sizes[MEMBER]), shape)
             for name, column in words.items()}},
         {**grids, **({"t": flat["t"]} if "t" in flat else {})}, flat.attrs)
-    found = found.assign_coords({name: found[name].isel(dict.fromkeys(grids, 0), drop=True)
-                                 for name in ranged})
-    return found if ranged else found.isel(sample=0)
+    result = result.assign_coords({name: result[name].isel(dict.fromkeys(grids, 0), drop=True)
+                                   for name in ranged})
+    return result if ranged else result.isel(sample=0)
 
 
 def _texts(folder: Path, column: str, chunk: int, members: int) -> "xarray.Variable":
-    """A column of the parts, which have so many members each, read when it is used; "" where it
-    has no text."""
+    """A column of the parts, which have so many members each, read on use; "" where it has no text.
+    """
     import dask.array
     import xarray
     from dask.delayed import delayed
 
     def texts(path: Path) -> np.ndarray:
-        found = read(path, [column])[column]
-        return np.asarray(found.fill_null("").to_numpy(zero_copy_only=False), object)
+        result = read(path, [column])[column]
+        return np.asarray(result.fill_null("").to_numpy(zero_copy_only=False), object)
 
     parts = [dask.array.from_delayed(delayed(texts)(part_of(folder, n)),
                                      (min(chunk, members - n * chunk),), object)

@@ -1,7 +1,7 @@
 """Counts and sums over all members: the figures of the page and of the tables.
 
-Memory does not grow with the number of members: a first look at the files' statistics gives the
-ranges, a second reads one chunk after the other."""
+Memory does not grow with the number of members: a first pass over the files' statistics gives the
+ranges, a second pass reads one chunk after the other."""
 
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
@@ -22,7 +22,7 @@ LISTED = 100
 
 
 @dataclass
-class Tally:
+class Aggregate:
     """Aggregate of a whole sweep."""
 
     members: int
@@ -33,32 +33,33 @@ class Tally:
     listed: list[tuple[object, ...]] = field(default_factory=list)  # member, values, t, cause
 
 
-def tally(specification: Specification, units: Mapping[str, str], files: Iterable[Path]) -> Tally:
-    """The counts of the members in these Parquet files, of which there is at least one."""
+def aggregate(specification: Specification, units: Mapping[str, str], files: Iterable[Path]
+              ) -> Aggregate:
+    """The counts of the members in these Parquet files, at least one."""
     paths = tuple(files)
     varied = specification.varied
     parts = parts_for(varied.samples if varied.ranges else varied.members)
     axes = tuple(of_varied(x, parts) for x in varied.each)
     ranges = _ranges(tuple(units), paths)
-    found = Tally(0, axes, tuple(ColumnStatistics(Axis(name, unit, *ranges[name], parts), axes)
-                                 for name, unit in units.items()))
+    totals = Aggregate(0, axes, tuple(ColumnStatistics(Axis(name, unit, *ranges[name], parts), axes)
+                                      for name, unit in units.items()))
     for path in paths:
-        _add(found, read(path))
-    return found
+        _add(totals, read(path))
+    return totals
 
 
 def _ranges(names: tuple[str, ...], files: Iterable[Path]) -> dict[str, tuple[float, float]]:
     """Smallest minimum and largest maximum of each recorded column, from the files' statistics."""
-    found = dict.fromkeys(names, (np.inf, -np.inf))
+    result = dict.fromkeys(names, (np.inf, -np.inf))
     for path in files:
         meta = read_metadata(path)
         for group in range(meta.num_row_groups):
             for name, x in _statistics(meta.row_group(group)):
                 column, _, word = name.rpartition(".")
-                if column in found and word in STATISTICS:
-                    low, high = found[column]
-                    found[column] = min(low, float(x.min)), max(high, float(x.max))
-    return {name: ends if np.isfinite(ends).all() else (0.0, 0.0) for name, ends in found.items()}
+                if column in result and word in STATISTICS:
+                    low, high = result[column]
+                    result[column] = min(low, float(x.min)), max(high, float(x.max))
+    return {name: ends if np.isfinite(ends).all() else (0.0, 0.0) for name, ends in result.items()}
 
 
 def _statistics(group: pyarrow.parquet.RowGroupMetaData
@@ -69,18 +70,18 @@ def _statistics(group: pyarrow.parquet.RowGroupMetaData
             yield column.path_in_schema, column.statistics
 
 
-def _add(found: Tally, table: Table) -> None:
-    places = [x.index(table[x.name].to_numpy()) for x in found.axes]
-    for column in found.columns:
+def _add(totals: Aggregate, table: Table) -> None:
+    places = [x.index(table[x.name].to_numpy()) for x in totals.axes]
+    for column in totals.columns:
         column.add(np.array([table[f"{column.own.name}.{word}"].to_numpy().astype(float)
                              for word in STATISTICS]), places)
-    found.members += len(table)
+    totals.members += len(table)
     causes = table[FAILED].to_pylist()
     for k, cause in enumerate(causes):
         if cause is not None:
             joint = table[f"{FAILED}.joint"][k].as_py()
-            found.failed += 1
-            found.causes[joint] = found.causes.get(joint, 0) + 1
-            if len(found.listed) < LISTED:
-                names = (MEMBER, *(x.name for x in found.axes), f"{FAILED}.t", FAILED)
-                found.listed.append(tuple(table[name][k].as_py() for name in names))
+            totals.failed += 1
+            totals.causes[joint] = totals.causes.get(joint, 0) + 1
+            if len(totals.listed) < LISTED:
+                names = (MEMBER, *(x.name for x in totals.axes), f"{FAILED}.t", FAILED)
+                totals.listed.append(tuple(table[name][k].as_py() for name in names))

@@ -42,8 +42,8 @@ class Axis:
         low, high = self.low, self.high
         if self.log:
             x, low, high = np.log(x), math.log(low), math.log(high)
-        found = ((x - low) / (high - low) * self.parts).astype(int)
-        return np.asarray(np.clip(found, 0, self.parts - 1))
+        result = ((x - low) / (high - low) * self.parts).astype(int)
+        return np.asarray(np.clip(result, 0, self.parts - 1))
 
     @property
     def edges(self) -> np.ndarray:
@@ -76,7 +76,7 @@ def parts_for(members: int) -> int:
 
 
 def of_varied(x: Grid | Range, parts: int) -> Axis:
-    """The axis of what varies."""
+    """The axis of a varied quantity."""
     if isinstance(x, Range):
         return Axis(x.of.name, x.of.unit, x.low, x.high, parts, x.log)
     few = tuple(sorted({*x.values})) if len(x.values) <= _MOST else ()
@@ -85,7 +85,7 @@ def of_varied(x: Grid | Range, parts: int) -> Axis:
 
 
 def _geometric(values: tuple[float, ...]) -> bool:
-    """Whether each is the one before times the same number."""
+    """Returns whether each is the one before times the same number."""
     if len(values) < 3 or min(values) <= 0:
         return False
     steps = np.diff(np.log(values))

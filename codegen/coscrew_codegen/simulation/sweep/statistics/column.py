@@ -8,16 +8,16 @@ import numpy as np
 from coscrew_codegen.simulation.sweep.member_summary import STATISTICS
 from coscrew_codegen.simulation.sweep.statistics.axis import Axis
 
-_PAIRED = 6  # most varied quantities of which all pairs are looked at
+_PAIRED = 6  # largest number of varied quantities for maps of all pairs
 
 
 @dataclass
 class ColumnStatistics:
-    """Counts and sums of the statistics of a recorded column, over members that did not fail, and
-    counts of those that did."""
+    """Counts and sums of the statistics of a recorded column over the members that did not fail,
+    and counts of failed members."""
 
     own: Axis  # of its values, from the smallest minimum to the largest maximum
-    axes: tuple[Axis, ...]  # of what varies
+    axes: tuple[Axis, ...]  # of the varied quantities
     count: int = 0
     lowest: np.ndarray = field(init=False)  # of each statistic
     highest: np.ndarray = field(init=False)
@@ -28,7 +28,7 @@ class ColumnStatistics:
     counts: list[np.ndarray] = field(init=False)  # (bins) for each axis
     joint: list[np.ndarray] = field(init=False)  # (bins, own bins) for each axis: of final values
     lost: list[np.ndarray] = field(init=False)  # (bins) for each axis: members that failed
-    pairs: dict[tuple[int, int], np.ndarray] = field(init=False)  # counts, sums, those that failed
+    pairs: dict[tuple[int, int], np.ndarray] = field(init=False)  # counts, sums, failed members
 
     def __post_init__(self) -> None:
         n, axes = len(STATISTICS), self.axes
@@ -55,12 +55,12 @@ class ColumnStatistics:
         self.highest = np.maximum(self.highest, values.max(1))
         self.total += middle.sum(1)
         self.square += (middle**2).sum(1)
-        found = self.own.index(values)
-        self.histogram += [np.bincount(x, minlength=self.own.bins) for x in found]
+        result = self.own.index(values)
+        self.histogram += [np.bincount(x, minlength=self.own.bins) for x in result]
         for i, (axis, at) in enumerate(zip(self.axes, places, strict=True)):
             self.counts[i] += np.bincount(at, minlength=axis.bins)
             self.sums[i] += [np.bincount(at, x, axis.bins) for x in middle]
-            self.joint[i] += _both(at, found[0], axis.bins, self.own.bins)
+            self.joint[i] += _both(at, result[0], axis.bins, self.own.bins)
         for (i, j), (counts, sums, _) in self.pairs.items():
             sizes = self.axes[i].bins, self.axes[j].bins
             counts += _both(places[i], places[j], *sizes)
@@ -84,7 +84,7 @@ class ColumnStatistics:
 
     def explained(self, axis: int) -> np.ndarray:
         """The share of each statistic's variance that an axis explains alone: the variance of the
-        means in its bins, less what as many bins of noise would have."""
+        means in its bins, less that of as many bins of noise."""
         n, bins = self.count, self.counts[axis]
         filled = bins > 0
         whole = self.square - self.total**2 / max(n, 1)
@@ -104,7 +104,7 @@ class ColumnStatistics:
 
     @property
     def varies(self) -> bool:
-        """Whether its values differ."""
+        """True if its values differ."""
         return self.count > 0 and self.own.high > self.own.low
 
 

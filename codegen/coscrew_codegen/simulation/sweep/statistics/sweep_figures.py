@@ -1,4 +1,4 @@
-"""Figures of a sweep: how a recorded column is distributed, and what of what varied moves it."""
+"""Draws figures of a sweep: a column's distribution and its sensitivity to each varied input."""
 
 from collections.abc import Callable
 from functools import partial
@@ -13,15 +13,15 @@ from coscrew_codegen.simulation.sweep.member_summary import STATISTICS
 from coscrew_codegen.simulation.sweep.statistics.axis import Axis
 from coscrew_codegen.simulation.sweep.statistics.column import ColumnStatistics
 
-_MOST = 3  # heat maps of the final value against what explains most of it
+_MOST = 3  # heat maps of the final value against the inputs that explain most of it
 _MAP, _FAILED = "viridis", "#d62728"
 _SIZE = (3.3, 2.7)  # inches: four stand in a row of a wide page, one on a phone
 
 
 @plots.styled
 def figures(column: ColumnStatistics) -> list[Markup]:
-    """The figures of a column: its distribution, members against each of what explains most, and
-    its mean over two of these."""
+    """Draws the figures of a column: its distribution, members against each of the inputs that
+    explain most, and its mean over two of these."""
     order = by_share(column)
     drawn = [_alone(f"distribution of {column.own.name}", partial(_distribution, column=column))]
     drawn += [_alone(f"{column.own.name} against {column.axes[i].name}",
@@ -48,7 +48,8 @@ def _means(axes: Axes, column: ColumnStatistics, pair: tuple[int, int]) -> None:
 
 
 def by_share(column: ColumnStatistics) -> list[int]:
-    """The axes, those first that explain most of the final value's variance."""
+    """The axes, in decreasing order of the share of the final value's variance that they explain.
+    """
     shares = [np.nan_to_num(column.explained(i)[0]) for i in range(len(column.axes))]
     return sorted(range(len(shares)), key=lambda i: -shares[i])
 
@@ -72,7 +73,8 @@ def _against(axes: Axes, column: ColumnStatistics, i: int) -> None:
 
 
 def _cross(axes: Axes, x: np.ndarray, y: np.ndarray, of_axes: bool = False) -> None:
-    """Mark where members failed; with `of_axes`, y from 0, the lower end of the axis, to 1."""
+    """Marks the places of failed members; with `of_axes`, y from 0, the lower end of the axis, to
+    1."""
     if len(x):
         axes.scatter(x, y, 12, _FAILED, marker="x", linewidths=1, clip_on=False,
                      transform=axes.get_xaxis_transform() if of_axes else axes.transData)

@@ -8,40 +8,40 @@ from coscrew_codegen.backends.html.pages import Table, page
 from coscrew_codegen.simulation.sweep.member_summary import STATISTICS
 from coscrew_codegen.simulation.sweep.specification import Grid, Specification
 from coscrew_codegen.simulation.sweep.statistics import sweep_figures
-from coscrew_codegen.simulation.sweep.statistics.aggregate import LISTED, Tally
+from coscrew_codegen.simulation.sweep.statistics.aggregate import LISTED, Aggregate
 from coscrew_codegen.simulation.sweep.statistics.column import ColumnStatistics
 
 _DRAWN = 12  # most recorded columns with a figure
 _CAUSES = 5  # most joints of failed members that are named
 
 
-def text(found: Tally) -> str:
+def text(totals: Aggregate) -> str:
     """The final values, for the terminal, and which members failed."""
-    rows = tuple((row[0], *row[2:]) for row in _rows(found.columns) if row[1] == STATISTICS[0])
-    parts = [Table(("final", *_headers(found)[2:]), rows).text()] if rows else []
-    if found.failed:
-        parts.append(failures(found))
+    rows = tuple((row[0], *row[2:]) for row in _rows(totals.columns) if row[1] == STATISTICS[0])
+    parts = [Table(("final", *_headers(totals)[2:]), rows).text()] if rows else []
+    if totals.failed:
+        parts.append(failures(totals))
     return "\n\n".join(parts)
 
 
-def failures(found: Tally) -> str:
+def failures(totals: Aggregate) -> str:
     """"12 of 1000 members failed: 10 at elbow, 2 at wrist"."""
-    worst = sorted(found.causes.items(), key=lambda x: (-x[1], x[0]))
+    worst = sorted(totals.causes.items(), key=lambda x: (-x[1], x[0]))
     named = ", ".join(f"{count} at {joint or 'no joint'}" for joint, count in worst[:_CAUSES])
     more = ", …" if len(worst) > _CAUSES else ""
-    return f"{found.failed} of {found.members} members failed: {named}{more}"
+    return f"{totals.failed} of {totals.members} members failed: {named}{more}"
 
 
-def html(specification: Specification, about: Mapping[str, str], found: Tally, words: str
+def html(specification: Specification, about: Mapping[str, str], totals: Aggregate, words: str
          ) -> str:
     """The text of the page."""
-    drawn = [x for x in found.columns if x.varies][:_DRAWN]
-    left = sum(x.varies for x in found.columns) - len(drawn)
+    drawn = [x for x in totals.columns if x.varies][:_DRAWN]
+    left = sum(x.varies for x in totals.columns) - len(drawn)
     source = {"command": words, "seed": str(specification.varied.seed), **about}
-    return page("sweep/page.html", scene=specification.scene, members=found.members,
-                failed=found.failed, varied=tuple(_varied(specification)), left=left,
+    return page("sweep/page.html", scene=specification.scene, members=totals.members,
+                failed=totals.failed, varied=tuple(_varied(specification)), left=left,
                 figures=[(x.own.name, sweep_figures.figures(x)) for x in drawn],
-                tables_of=tuple(_tables(specification, found, words)), about=source.items())
+                tables_of=tuple(_tables(specification, totals, words)), about=source.items())
 
 
 def _varied(specification: Specification) -> Iterator[str]:
@@ -55,29 +55,30 @@ def _varied(specification: Specification) -> Iterator[str]:
             yield f"{x.of.name}: sampled from {x.low:g} to {x.high:g}{unit}{scale}"
 
 
-def _tables(specification: Specification, found: Tally, words: str) -> Iterator[Table]:
-    if any(x.count for x in found.columns):
-        yield Table(_headers(found), tuple(_rows(found.columns)), (
-            "Over the members that reached the end of their runs. Shares: how much of the variance "
-            "over the members what varied explains alone, by means over its grid or over parts of "
-            "its range; rough for fewer than about 1000 samples.",), title="Recorded quantities",
+def _tables(specification: Specification, totals: Aggregate, words: str) -> Iterator[Table]:
+    if any(x.count for x in totals.columns):
+        yield Table(_headers(totals), tuple(_rows(totals.columns)), (
+            "Over the members that reached the end of their runs. Shares: the part of the "
+            "variance over the members that each varied quantity explains alone, by means over "
+            "its grid or over parts of its range; rough for fewer than about 1000 "
+            "samples.",), title="Recorded quantities",
                     texts=2)
-    if found.failed:
-        varied, more = specification.varied, found.failed - len(found.listed)
-        above = f"{failures(found)}." + (
+    if totals.failed:
+        varied, more = specification.varied, totals.failed - len(totals.listed)
+        above = f"{failures(totals)}." + (
             f" The first {LISTED} are listed; column failed of the Parquet files has all."
             if more else "") + (
             f" The seed of the Sobol sequence is {varied.seed}." if varied.ranges else "")
-        yield Table(("member", *(x.label for x in found.axes), "at t, s", "cause"), tuple(
+        yield Table(("member", *(x.label for x in totals.axes), "at t, s", "cause"), tuple(
             (str(k), *map(str, values), f"{t:.9g}", str(cause))
-            for k, *values, t, cause in found.listed), (
-                f"{above} Alone, to the bit, the first is run by: {words} --member "
-                f"{found.listed[0][0]}",), title="Failed members")
+            for k, *values, t, cause in totals.listed), (
+                f"{above} The first is run alone, with the same bits, by: {words} --member "
+                f"{totals.listed[0][0]}",), title="Failed members")
 
 
-def _headers(found: Tally) -> tuple[str, ...]:
+def _headers(totals: Aggregate) -> tuple[str, ...]:
     return ("recorded", "statistic", "lowest", "mean", "highest",
-            *(f"share of {x.name}" for x in found.axes))
+            *(f"share of {x.name}" for x in totals.axes))
 
 
 def _rows(columns: tuple[ColumnStatistics, ...]) -> Iterator[tuple[str, ...]]:

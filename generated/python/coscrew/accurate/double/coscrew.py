@@ -63,18 +63,18 @@ def axpy_cc(a, x, y):
     y_5_new_a = a * x_5
     y_5_new = y_5_new_a + y_5
     y_5_new_right = y_5_new - y_5_new_a
-    y_0_new_lo = product_rest(a, x_0, y_0_new_a, y_0_new - y_0_new_right) + (y_0 - y_0_new_right)
-    y_0_new_rounded = y_0_new + y_0_new_lo
-    y_1_new_lo = product_rest(a, x_1, y_1_new_a, y_1_new - y_1_new_right) + (y_1 - y_1_new_right)
-    y_1_new_rounded = y_1_new + y_1_new_lo
-    y_2_new_lo = product_rest(a, x_2, y_2_new_a, y_2_new - y_2_new_right) + (y_2 - y_2_new_right)
-    y_2_new_rounded = y_2_new + y_2_new_lo
-    y_3_new_lo = product_rest(a, x_3, y_3_new_a, y_3_new - y_3_new_right) + (y_3 - y_3_new_right)
-    y_3_new_rounded = y_3_new + y_3_new_lo
-    y_4_new_lo = product_rest(a, x_4, y_4_new_a, y_4_new - y_4_new_right) + (y_4 - y_4_new_right)
-    y_4_new_rounded = y_4_new + y_4_new_lo
-    y_5_new_lo = product_rest(a, x_5, y_5_new_a, y_5_new - y_5_new_right) + (y_5 - y_5_new_right)
-    y_5_new_rounded = y_5_new + y_5_new_lo
+    y_0_new_rounded = (y_0_new
+        + (product_rest(a, x_0, y_0_new_a, y_0_new - y_0_new_right) + (y_0 - y_0_new_right)))
+    y_1_new_rounded = (y_1_new
+        + (product_rest(a, x_1, y_1_new_a, y_1_new - y_1_new_right) + (y_1 - y_1_new_right)))
+    y_2_new_rounded = (y_2_new
+        + (product_rest(a, x_2, y_2_new_a, y_2_new - y_2_new_right) + (y_2 - y_2_new_right)))
+    y_3_new_rounded = (y_3_new
+        + (product_rest(a, x_3, y_3_new_a, y_3_new - y_3_new_right) + (y_3 - y_3_new_right)))
+    y_4_new_rounded = (y_4_new
+        + (product_rest(a, x_4, y_4_new_a, y_4_new - y_4_new_right) + (y_4 - y_4_new_right)))
+    y_5_new_rounded = (y_5_new
+        + (product_rest(a, x_5, y_5_new_a, y_5_new - y_5_new_right) + (y_5 - y_5_new_right)))
     return (y_0_new_rounded, y_1_new_rounded, y_2_new_rounded, y_3_new_rounded, y_4_new_rounded,
         y_5_new_rounded)
 
@@ -233,8 +233,9 @@ def coscrew_norm(ci):
     select.
     """
     ci_0, ci_1, ci_2, ci_3, ci_4, ci_5 = ci
-    small_c = where(absolute(ci_2) < 1e-09, float64(1), float64(0))
-    small = where(absolute(ci_0) < 1e-09, where(absolute(ci_1) < 1e-09, small_c, 0), 0)
+    small = (where(absolute(ci_0)
+        < 1e-09, where(absolute(ci_1)
+        < 1e-09, where(absolute(ci_2) < 1e-09, float64(1), float64(0)), 0), 0))
     p_0a = small == 1
     p_0 = where(p_0a, ci_3, ci_0)
     p_1 = where(p_0a, ci_4, ci_1)
@@ -244,8 +245,9 @@ def coscrew_norm(ci):
     s_size_2 = absolute(p_2)
     s_largest1 = where(s_size_0 < s_size_1, s_size_1, s_size_0)
     s_largest2 = where(s_largest1 < s_size_2, s_size_2, s_largest1)
-    s_b = where(6.703903964971299e+153 < s_largest2, float64(3.7291703656001034e-155), float64(1))
-    s_d = where(s_largest2 < 256, 1.3093562431584567e+151, s_b)
+    s_d = (where(s_largest2
+        < 256, 1.3093562431584567e+151, where(6.703903964971299e+153
+        < s_largest2, float64(3.7291703656001034e-155), float64(1))))
     s = where(s_largest2 < 1.955159272639747e-149, 1.0715086071862673e+301, s_d)
     y_0 = p_0 * s
     y_1 = p_1 * s
@@ -259,21 +261,20 @@ def coscrew_norm(ci):
     n_e_right = n_e - n_c
     n_c_lo = product_rest(y_0, y_0, n_a, n_c - n_c_right) + product_rest(y_1, y_1, n_b, n_c_right)
     n_e_lo = n_c - (n_e - n_e_right) + product_rest(y_2, y_2, n_d, n_e_right) + n_c_lo
-    n_of_n_e = n_e + n_e_lo
-    n_of_n_e_right = n_of_n_e - n_e
-    n = sqrt(n_of_n_e)
+    n_e_sum = n_e + n_e_lo
+    n_e_sum_right = n_e_sum - n_e
+    n = sqrt(n_e_sum)
     n_product = n * n
-    n_of_n_e_lo = n_e - (n_of_n_e - n_of_n_e_right) + (n_e_lo - n_of_n_e_right)
-    n_residual = n_of_n_e - n_product - product_error(n, n, n_product) + n_of_n_e_lo
-    n_lo = n_residual / where(n == 0, 1, n + n)
-    r_b = where(s < 1, float64(2.6815615859885194e+154), float64(1))
-    r_d = where(1 < s, 7.637340908749012e-152, r_b)
+    n_lo = ((n_e_sum - n_product - product_error(n, n, n_product)
+        + (n_e - (n_e_sum - n_e_sum_right) + (n_e_lo - n_e_sum_right))) / where(n == 0, 1, n + n))
+    r_d = (where(1
+        < s, 7.637340908749012e-152, where(s < 1, float64(2.6815615859885194e+154), float64(1))))
     r = where(1.3093562431584567e+151 < s, 9.332636185032189e-302, r_d)
-    norm_of_n = n + n_lo
-    norm_of_n_right = norm_of_n - n
-    norm = norm_of_n * r
-    norm_of_n_lo = n - (norm_of_n - norm_of_n_right) + (n_lo - norm_of_n_right)
-    norm_rounded = norm + (norm_of_n - norm * (1 / r) + norm_of_n_lo) * r
+    n_sum = n + n_lo
+    n_sum_right = n_sum - n
+    norm = n_sum * r
+    norm_rounded = (norm
+        + (n_sum - norm * (1 / r) + (n - (n_sum - n_sum_right) + (n_lo - n_sum_right))) * r)
     norm_final = where(norm_rounded == norm_rounded, norm_rounded, norm)
     return norm_final
 
@@ -290,8 +291,8 @@ def coscrew_normalize(self):
     small_a = absolute(self_2)
     small_d = absolute(self_1)
     small_g = absolute(self_0)
-    small_f = where(small_d < 1e-09, where(small_a < 1e-09, float64(1), float64(0)), 0)
-    small = where(small_g < 1e-09, small_f, 0)
+    small = (where(small_g
+        < 1e-09, where(small_d < 1e-09, where(small_a < 1e-09, float64(1), float64(0)), 0), 0))
     p_0a = small == 1
     p_0 = where(p_0a, self_3, self_0)
     p_1 = where(p_0a, self_4, self_1)
@@ -301,8 +302,9 @@ def coscrew_normalize(self):
     s_size_2 = absolute(p_2)
     s_largest1 = where(s_size_0 < s_size_1, s_size_1, s_size_0)
     s_largest2 = where(s_largest1 < s_size_2, s_size_2, s_largest1)
-    s_b = where(6.703903964971299e+153 < s_largest2, float64(3.7291703656001034e-155), float64(1))
-    s_d = where(s_largest2 < 256, 1.3093562431584567e+151, s_b)
+    s_d = (where(s_largest2
+        < 256, 1.3093562431584567e+151, where(6.703903964971299e+153
+        < s_largest2, float64(3.7291703656001034e-155), float64(1))))
     s = where(s_largest2 < 1.955159272639747e-149, 1.0715086071862673e+301, s_d)
     y_0 = p_0 * s
     y_1 = p_1 * s
@@ -318,19 +320,17 @@ def coscrew_normalize(self):
     n_e_right = n_e - n_c
     n_c_lo = product_rest(y_0, y_0, n_a, n_c - n_c_right) + product_rest(y_1, y_1, n_b, n_c_right)
     n_e_lo = n_c - (n_e - n_e_right) + product_rest(y_2, y_2, n_d, n_e_right) + n_c_lo
-    n_of_n_e = n_e + n_e_lo
-    n_of_n_e_right = n_of_n_e - n_e
-    n = sqrt(n_of_n_e)
+    n_e_sum = n_e + n_e_lo
+    n_e_sum_right = n_e_sum - n_e
+    n = sqrt(n_e_sum)
     n_product = n * n
-    n_of_n_e_lo = n_e - (n_of_n_e - n_of_n_e_right) + (n_e_lo - n_of_n_e_right)
-    n_residual = n_of_n_e - n_product - product_error(n, n, n_product) + n_of_n_e_lo
-    n_lo = n_residual / where(n == 0, 1, n + n)
-    divisor_a_of_n = n + n_lo
-    divisor_a_of_n_right = divisor_a_of_n - n
-    divisor_a = divisor_a_of_n == 0
-    divisor = where(divisor_a, up, divisor_a_of_n)
-    divisor_a_of_n_lo = n - (divisor_a_of_n - divisor_a_of_n_right) + (n_lo - divisor_a_of_n_right)
-    divisor_lo = where(divisor_a, 0, divisor_a_of_n_lo)
+    n_lo = ((n_e_sum - n_product - product_error(n, n, n_product)
+        + (n_e - (n_e_sum - n_e_sum_right) + (n_e_lo - n_e_sum_right))) / where(n == 0, 1, n + n))
+    n_sum = n + n_lo
+    n_sum_right = n_sum - n
+    divisor_a = n_sum == 0
+    divisor = where(divisor_a, up, n_sum)
+    divisor_lo = where(divisor_a, 0, n - (n_sum - n_sum_right) + (n_lo - n_sum_right))
     size_3 = absolute(self_3)
     size_4 = absolute(self_4)
     size_5 = absolute(self_5)
@@ -358,114 +358,93 @@ def coscrew_normalize(self):
     sized_3 = self_3 * before_3
     sized_4 = self_4 * before_4
     sized_5 = self_5 * before_5
-    quotient_0_of_divisor = divisor + divisor_lo
-    quotient_0_of_divisor_right = quotient_0_of_divisor - divisor
-    quotient_0_of_divisor_left = quotient_0_of_divisor - quotient_0_of_divisor_right
-    quotient_0_of_divisor_right_rest = divisor_lo - quotient_0_of_divisor_right
-    quotient_0_of_divisor_left_rest = divisor - quotient_0_of_divisor_left
-    quotient_0_of_divisor_lo = quotient_0_of_divisor_left_rest + quotient_0_of_divisor_right_rest
-    quotient_0 = sized_0 / quotient_0_of_divisor
-    quotient_0_product = quotient_0 * quotient_0_of_divisor
-    quotient_0_product_error = product_error(quotient_0, quotient_0_of_divisor, quotient_0_product)
-    quotient_0_exact = sized_0 - quotient_0_product - quotient_0_product_error
-    quotient_0_residual = quotient_0_exact - quotient_0 * quotient_0_of_divisor_lo
-    quotient_0_lo = quotient_0_residual / quotient_0_of_divisor
-    quotient_1 = sized_1 / quotient_0_of_divisor
-    quotient_1_product = quotient_1 * quotient_0_of_divisor
-    quotient_1_product_error = product_error(quotient_1, quotient_0_of_divisor, quotient_1_product)
-    quotient_1_exact = sized_1 - quotient_1_product - quotient_1_product_error
-    quotient_1_residual = quotient_1_exact - quotient_1 * quotient_0_of_divisor_lo
-    quotient_1_lo = quotient_1_residual / quotient_0_of_divisor
-    quotient_2 = sized_2 / quotient_0_of_divisor
-    quotient_2_product = quotient_2 * quotient_0_of_divisor
-    quotient_2_product_error = product_error(quotient_2, quotient_0_of_divisor, quotient_2_product)
-    quotient_2_exact = sized_2 - quotient_2_product - quotient_2_product_error
-    quotient_2_residual = quotient_2_exact - quotient_2 * quotient_0_of_divisor_lo
-    quotient_2_lo = quotient_2_residual / quotient_0_of_divisor
-    quotient_3 = sized_3 / quotient_0_of_divisor
-    quotient_3_product = quotient_3 * quotient_0_of_divisor
-    quotient_3_product_error = product_error(quotient_3, quotient_0_of_divisor, quotient_3_product)
-    quotient_3_exact = sized_3 - quotient_3_product - quotient_3_product_error
-    quotient_3_residual = quotient_3_exact - quotient_3 * quotient_0_of_divisor_lo
-    quotient_3_lo = quotient_3_residual / quotient_0_of_divisor
-    quotient_4 = sized_4 / quotient_0_of_divisor
-    quotient_4_product = quotient_4 * quotient_0_of_divisor
-    quotient_4_product_error = product_error(quotient_4, quotient_0_of_divisor, quotient_4_product)
-    quotient_4_exact = sized_4 - quotient_4_product - quotient_4_product_error
-    quotient_4_residual = quotient_4_exact - quotient_4 * quotient_0_of_divisor_lo
-    quotient_4_lo = quotient_4_residual / quotient_0_of_divisor
-    quotient_5 = sized_5 / quotient_0_of_divisor
-    quotient_5_product = quotient_5 * quotient_0_of_divisor
-    quotient_5_product_error = product_error(quotient_5, quotient_0_of_divisor, quotient_5_product)
-    quotient_5_exact = sized_5 - quotient_5_product - quotient_5_product_error
-    quotient_5_residual = quotient_5_exact - quotient_5 * quotient_0_of_divisor_lo
-    quotient_5_lo = quotient_5_residual / quotient_0_of_divisor
-    self_0_new_of_quotient_0 = quotient_0 + quotient_0_lo
-    self_0_new_of_quotient_0_right = self_0_new_of_quotient_0 - quotient_0
-    self_0_new_of_quotient_0_left = self_0_new_of_quotient_0 - self_0_new_of_quotient_0_right
-    self_0_new_of_quotient_0_right_rest = quotient_0_lo - self_0_new_of_quotient_0_right
-    self_0_new_of_quotient_0_left_rest = quotient_0 - self_0_new_of_quotient_0_left
-    self_0_new = self_0_new_of_quotient_0 * after_0
-    self_0_new_of_quotient_0_lo = self_0_new_of_quotient_0_left_rest + self_0_new_of_quotient_0_right_rest
-    self_0_new_lost = self_0_new_of_quotient_0 - self_0_new * (1 / after_0)
-    self_1_new_of_quotient_1 = quotient_1 + quotient_1_lo
-    self_1_new_of_quotient_1_right = self_1_new_of_quotient_1 - quotient_1
-    self_1_new_of_quotient_1_left = self_1_new_of_quotient_1 - self_1_new_of_quotient_1_right
-    self_1_new_of_quotient_1_right_rest = quotient_1_lo - self_1_new_of_quotient_1_right
-    self_1_new_of_quotient_1_left_rest = quotient_1 - self_1_new_of_quotient_1_left
-    self_1_new = self_1_new_of_quotient_1 * after_1
-    self_1_new_of_quotient_1_lo = self_1_new_of_quotient_1_left_rest + self_1_new_of_quotient_1_right_rest
-    self_1_new_lost = self_1_new_of_quotient_1 - self_1_new * (1 / after_1)
-    self_2_new_of_quotient_2 = quotient_2 + quotient_2_lo
-    self_2_new_of_quotient_2_right = self_2_new_of_quotient_2 - quotient_2
-    self_2_new_of_quotient_2_left = self_2_new_of_quotient_2 - self_2_new_of_quotient_2_right
-    self_2_new_of_quotient_2_right_rest = quotient_2_lo - self_2_new_of_quotient_2_right
-    self_2_new_of_quotient_2_left_rest = quotient_2 - self_2_new_of_quotient_2_left
-    self_2_new = self_2_new_of_quotient_2 * after_2
-    self_2_new_of_quotient_2_lo = self_2_new_of_quotient_2_left_rest + self_2_new_of_quotient_2_right_rest
-    self_2_new_lost = self_2_new_of_quotient_2 - self_2_new * (1 / after_2)
-    self_3_new_of_quotient_3 = quotient_3 + quotient_3_lo
-    self_3_new_of_quotient_3_right = self_3_new_of_quotient_3 - quotient_3
-    self_3_new_of_quotient_3_left = self_3_new_of_quotient_3 - self_3_new_of_quotient_3_right
-    self_3_new_of_quotient_3_right_rest = quotient_3_lo - self_3_new_of_quotient_3_right
-    self_3_new_of_quotient_3_left_rest = quotient_3 - self_3_new_of_quotient_3_left
-    self_3_new = self_3_new_of_quotient_3 * after_3
-    self_3_new_of_quotient_3_lo = self_3_new_of_quotient_3_left_rest + self_3_new_of_quotient_3_right_rest
-    self_3_new_lost = self_3_new_of_quotient_3 - self_3_new * (1 / after_3)
-    self_4_new_of_quotient_4 = quotient_4 + quotient_4_lo
-    self_4_new_of_quotient_4_right = self_4_new_of_quotient_4 - quotient_4
-    self_4_new_of_quotient_4_left = self_4_new_of_quotient_4 - self_4_new_of_quotient_4_right
-    self_4_new_of_quotient_4_right_rest = quotient_4_lo - self_4_new_of_quotient_4_right
-    self_4_new_of_quotient_4_left_rest = quotient_4 - self_4_new_of_quotient_4_left
-    self_4_new = self_4_new_of_quotient_4 * after_4
-    self_4_new_of_quotient_4_lo = self_4_new_of_quotient_4_left_rest + self_4_new_of_quotient_4_right_rest
-    self_4_new_lost = self_4_new_of_quotient_4 - self_4_new * (1 / after_4)
-    self_5_new_of_quotient_5 = quotient_5 + quotient_5_lo
-    self_5_new_of_quotient_5_right = self_5_new_of_quotient_5 - quotient_5
-    self_5_new_of_quotient_5_left = self_5_new_of_quotient_5 - self_5_new_of_quotient_5_right
-    self_5_new_of_quotient_5_right_rest = quotient_5_lo - self_5_new_of_quotient_5_right
-    self_5_new_of_quotient_5_left_rest = quotient_5 - self_5_new_of_quotient_5_left
-    self_5_new = self_5_new_of_quotient_5 * after_5
-    self_5_new_of_quotient_5_lo = self_5_new_of_quotient_5_left_rest + self_5_new_of_quotient_5_right_rest
-    self_5_new_lost = self_5_new_of_quotient_5 - self_5_new * (1 / after_5)
-    self_0_new_rounded = self_0_new + (self_0_new_lost + self_0_new_of_quotient_0_lo) * after_0
-    self_0_new_rounded_number = self_0_new_rounded == self_0_new_rounded
-    self_1_new_rounded = self_1_new + (self_1_new_lost + self_1_new_of_quotient_1_lo) * after_1
-    self_1_new_rounded_number = self_1_new_rounded == self_1_new_rounded
-    self_2_new_rounded = self_2_new + (self_2_new_lost + self_2_new_of_quotient_2_lo) * after_2
-    self_2_new_rounded_number = self_2_new_rounded == self_2_new_rounded
-    self_3_new_rounded = self_3_new + (self_3_new_lost + self_3_new_of_quotient_3_lo) * after_3
-    self_3_new_rounded_number = self_3_new_rounded == self_3_new_rounded
-    self_4_new_rounded = self_4_new + (self_4_new_lost + self_4_new_of_quotient_4_lo) * after_4
-    self_4_new_rounded_number = self_4_new_rounded == self_4_new_rounded
-    self_5_new_rounded = self_5_new + (self_5_new_lost + self_5_new_of_quotient_5_lo) * after_5
-    self_5_new_rounded_number = self_5_new_rounded == self_5_new_rounded
-    self_0_new_final = where(self_0_new_rounded_number, self_0_new_rounded, self_0_new)
-    self_1_new_final = where(self_1_new_rounded_number, self_1_new_rounded, self_1_new)
-    self_2_new_final = where(self_2_new_rounded_number, self_2_new_rounded, self_2_new)
-    self_3_new_final = where(self_3_new_rounded_number, self_3_new_rounded, self_3_new)
-    self_4_new_final = where(self_4_new_rounded_number, self_4_new_rounded, self_4_new)
-    self_5_new_final = where(self_5_new_rounded_number, self_5_new_rounded, self_5_new)
+    divisor_sum = divisor + divisor_lo
+    divisor_sum_right = divisor_sum - divisor
+    divisor_sum_lo = divisor - (divisor_sum - divisor_sum_right) + (divisor_lo - divisor_sum_right)
+    quotient_0 = sized_0 / divisor_sum
+    quotient_0_product = quotient_0 * divisor_sum
+    quotient_0_residual = (sized_0 - quotient_0_product
+        - product_error(quotient_0, divisor_sum, quotient_0_product) - quotient_0 * divisor_sum_lo)
+    quotient_0_lo = quotient_0_residual / divisor_sum
+    quotient_1 = sized_1 / divisor_sum
+    quotient_1_product = quotient_1 * divisor_sum
+    quotient_1_residual = (sized_1 - quotient_1_product
+        - product_error(quotient_1, divisor_sum, quotient_1_product) - quotient_1 * divisor_sum_lo)
+    quotient_1_lo = quotient_1_residual / divisor_sum
+    quotient_2 = sized_2 / divisor_sum
+    quotient_2_product = quotient_2 * divisor_sum
+    quotient_2_residual = (sized_2 - quotient_2_product
+        - product_error(quotient_2, divisor_sum, quotient_2_product) - quotient_2 * divisor_sum_lo)
+    quotient_2_lo = quotient_2_residual / divisor_sum
+    quotient_3 = sized_3 / divisor_sum
+    quotient_3_product = quotient_3 * divisor_sum
+    quotient_3_residual = (sized_3 - quotient_3_product
+        - product_error(quotient_3, divisor_sum, quotient_3_product) - quotient_3 * divisor_sum_lo)
+    quotient_3_lo = quotient_3_residual / divisor_sum
+    quotient_4 = sized_4 / divisor_sum
+    quotient_4_product = quotient_4 * divisor_sum
+    quotient_4_residual = (sized_4 - quotient_4_product
+        - product_error(quotient_4, divisor_sum, quotient_4_product) - quotient_4 * divisor_sum_lo)
+    quotient_4_lo = quotient_4_residual / divisor_sum
+    quotient_5 = sized_5 / divisor_sum
+    quotient_5_product = quotient_5 * divisor_sum
+    quotient_5_residual = (sized_5 - quotient_5_product
+        - product_error(quotient_5, divisor_sum, quotient_5_product) - quotient_5 * divisor_sum_lo)
+    quotient_5_lo = quotient_5_residual / divisor_sum
+    quotient_0_sum = quotient_0 + quotient_0_lo
+    quotient_0_sum_right = quotient_0_sum - quotient_0
+    self_0_new = quotient_0_sum * after_0
+    quotient_0_sum_lo = (quotient_0 - (quotient_0_sum - quotient_0_sum_right)
+        + (quotient_0_lo - quotient_0_sum_right))
+    quotient_1_sum = quotient_1 + quotient_1_lo
+    quotient_1_sum_right = quotient_1_sum - quotient_1
+    self_1_new = quotient_1_sum * after_1
+    quotient_1_sum_lo = (quotient_1 - (quotient_1_sum - quotient_1_sum_right)
+        + (quotient_1_lo - quotient_1_sum_right))
+    quotient_2_sum = quotient_2 + quotient_2_lo
+    quotient_2_sum_right = quotient_2_sum - quotient_2
+    self_2_new = quotient_2_sum * after_2
+    quotient_2_sum_lo = (quotient_2 - (quotient_2_sum - quotient_2_sum_right)
+        + (quotient_2_lo - quotient_2_sum_right))
+    quotient_3_sum = quotient_3 + quotient_3_lo
+    quotient_3_sum_right = quotient_3_sum - quotient_3
+    self_3_new = quotient_3_sum * after_3
+    quotient_3_sum_lo = (quotient_3 - (quotient_3_sum - quotient_3_sum_right)
+        + (quotient_3_lo - quotient_3_sum_right))
+    quotient_4_sum = quotient_4 + quotient_4_lo
+    quotient_4_sum_right = quotient_4_sum - quotient_4
+    self_4_new = quotient_4_sum * after_4
+    quotient_4_sum_lo = (quotient_4 - (quotient_4_sum - quotient_4_sum_right)
+        + (quotient_4_lo - quotient_4_sum_right))
+    quotient_5_sum = quotient_5 + quotient_5_lo
+    quotient_5_sum_right = quotient_5_sum - quotient_5
+    self_5_new = quotient_5_sum * after_5
+    quotient_5_sum_lo = (quotient_5 - (quotient_5_sum - quotient_5_sum_right)
+        + (quotient_5_lo - quotient_5_sum_right))
+    self_0_new_rounded = (self_0_new
+        + (quotient_0_sum - self_0_new * (1 / after_0) + quotient_0_sum_lo) * after_0)
+    self_1_new_rounded = (self_1_new
+        + (quotient_1_sum - self_1_new * (1 / after_1) + quotient_1_sum_lo) * after_1)
+    self_2_new_rounded = (self_2_new
+        + (quotient_2_sum - self_2_new * (1 / after_2) + quotient_2_sum_lo) * after_2)
+    self_3_new_rounded = (self_3_new
+        + (quotient_3_sum - self_3_new * (1 / after_3) + quotient_3_sum_lo) * after_3)
+    self_4_new_rounded = (self_4_new
+        + (quotient_4_sum - self_4_new * (1 / after_4) + quotient_4_sum_lo) * after_4)
+    self_5_new_rounded = (self_5_new
+        + (quotient_5_sum - self_5_new * (1 / after_5) + quotient_5_sum_lo) * after_5)
+    self_0_new_final = where(self_0_new_rounded == self_0_new_rounded, self_0_new_rounded,
+        self_0_new)
+    self_1_new_final = where(self_1_new_rounded == self_1_new_rounded, self_1_new_rounded,
+        self_1_new)
+    self_2_new_final = where(self_2_new_rounded == self_2_new_rounded, self_2_new_rounded,
+        self_2_new)
+    self_3_new_final = where(self_3_new_rounded == self_3_new_rounded, self_3_new_rounded,
+        self_3_new)
+    self_4_new_final = where(self_4_new_rounded == self_4_new_rounded, self_4_new_rounded,
+        self_4_new)
+    self_5_new_final = where(self_5_new_rounded == self_5_new_rounded, self_5_new_rounded,
+        self_5_new)
     return (self_0_new_final, self_1_new_final, self_2_new_final, self_3_new_final,
         self_4_new_final, self_5_new_final)
 
@@ -482,8 +461,8 @@ def coscrew_normalized(ci):
     small_a = absolute(ci_2)
     small_d = absolute(ci_1)
     small_g = absolute(ci_0)
-    small_f = where(small_d < 1e-09, where(small_a < 1e-09, float64(1), float64(0)), 0)
-    small = where(small_g < 1e-09, small_f, 0)
+    small = (where(small_g
+        < 1e-09, where(small_d < 1e-09, where(small_a < 1e-09, float64(1), float64(0)), 0), 0))
     p_0a = small == 1
     p_0 = where(p_0a, ci_3, ci_0)
     p_1 = where(p_0a, ci_4, ci_1)
@@ -493,8 +472,9 @@ def coscrew_normalized(ci):
     s_size_2 = absolute(p_2)
     s_largest1 = where(s_size_0 < s_size_1, s_size_1, s_size_0)
     s_largest2 = where(s_largest1 < s_size_2, s_size_2, s_largest1)
-    s_b = where(6.703903964971299e+153 < s_largest2, float64(3.7291703656001034e-155), float64(1))
-    s_d = where(s_largest2 < 256, 1.3093562431584567e+151, s_b)
+    s_d = (where(s_largest2
+        < 256, 1.3093562431584567e+151, where(6.703903964971299e+153
+        < s_largest2, float64(3.7291703656001034e-155), float64(1))))
     s = where(s_largest2 < 1.955159272639747e-149, 1.0715086071862673e+301, s_d)
     y_0 = p_0 * s
     y_1 = p_1 * s
@@ -510,19 +490,17 @@ def coscrew_normalized(ci):
     n_e_right = n_e - n_c
     n_c_lo = product_rest(y_0, y_0, n_a, n_c - n_c_right) + product_rest(y_1, y_1, n_b, n_c_right)
     n_e_lo = n_c - (n_e - n_e_right) + product_rest(y_2, y_2, n_d, n_e_right) + n_c_lo
-    n_of_n_e = n_e + n_e_lo
-    n_of_n_e_right = n_of_n_e - n_e
-    n = sqrt(n_of_n_e)
+    n_e_sum = n_e + n_e_lo
+    n_e_sum_right = n_e_sum - n_e
+    n = sqrt(n_e_sum)
     n_product = n * n
-    n_of_n_e_lo = n_e - (n_of_n_e - n_of_n_e_right) + (n_e_lo - n_of_n_e_right)
-    n_residual = n_of_n_e - n_product - product_error(n, n, n_product) + n_of_n_e_lo
-    n_lo = n_residual / where(n == 0, 1, n + n)
-    divisor_a_of_n = n + n_lo
-    divisor_a_of_n_right = divisor_a_of_n - n
-    divisor_a = divisor_a_of_n == 0
-    divisor = where(divisor_a, up, divisor_a_of_n)
-    divisor_a_of_n_lo = n - (divisor_a_of_n - divisor_a_of_n_right) + (n_lo - divisor_a_of_n_right)
-    divisor_lo = where(divisor_a, 0, divisor_a_of_n_lo)
+    n_lo = ((n_e_sum - n_product - product_error(n, n, n_product)
+        + (n_e - (n_e_sum - n_e_sum_right) + (n_e_lo - n_e_sum_right))) / where(n == 0, 1, n + n))
+    n_sum = n + n_lo
+    n_sum_right = n_sum - n
+    divisor_a = n_sum == 0
+    divisor = where(divisor_a, up, n_sum)
+    divisor_lo = where(divisor_a, 0, n - (n_sum - n_sum_right) + (n_lo - n_sum_right))
     size_3 = absolute(ci_3)
     size_4 = absolute(ci_4)
     size_5 = absolute(ci_5)
@@ -550,96 +528,81 @@ def coscrew_normalized(ci):
     sized_3 = ci_3 * before_3
     sized_4 = ci_4 * before_4
     sized_5 = ci_5 * before_5
-    quotient_0_of_divisor = divisor + divisor_lo
-    quotient_0_of_divisor_right = quotient_0_of_divisor - divisor
-    quotient_0_of_divisor_left = quotient_0_of_divisor - quotient_0_of_divisor_right
-    quotient_0_of_divisor_right_rest = divisor_lo - quotient_0_of_divisor_right
-    quotient_0_of_divisor_left_rest = divisor - quotient_0_of_divisor_left
-    quotient_0_of_divisor_lo = quotient_0_of_divisor_left_rest + quotient_0_of_divisor_right_rest
-    quotient_0 = sized_0 / quotient_0_of_divisor
-    quotient_0_product = quotient_0 * quotient_0_of_divisor
-    quotient_0_product_error = product_error(quotient_0, quotient_0_of_divisor, quotient_0_product)
-    quotient_0_exact = sized_0 - quotient_0_product - quotient_0_product_error
-    quotient_0_residual = quotient_0_exact - quotient_0 * quotient_0_of_divisor_lo
-    quotient_0_lo = quotient_0_residual / quotient_0_of_divisor
-    quotient_1 = sized_1 / quotient_0_of_divisor
-    quotient_1_product = quotient_1 * quotient_0_of_divisor
-    quotient_1_product_error = product_error(quotient_1, quotient_0_of_divisor, quotient_1_product)
-    quotient_1_exact = sized_1 - quotient_1_product - quotient_1_product_error
-    quotient_1_residual = quotient_1_exact - quotient_1 * quotient_0_of_divisor_lo
-    quotient_1_lo = quotient_1_residual / quotient_0_of_divisor
-    quotient_2 = sized_2 / quotient_0_of_divisor
-    quotient_2_product = quotient_2 * quotient_0_of_divisor
-    quotient_2_product_error = product_error(quotient_2, quotient_0_of_divisor, quotient_2_product)
-    quotient_2_exact = sized_2 - quotient_2_product - quotient_2_product_error
-    quotient_2_residual = quotient_2_exact - quotient_2 * quotient_0_of_divisor_lo
-    quotient_2_lo = quotient_2_residual / quotient_0_of_divisor
-    quotient_3 = sized_3 / quotient_0_of_divisor
-    quotient_3_product = quotient_3 * quotient_0_of_divisor
-    quotient_3_product_error = product_error(quotient_3, quotient_0_of_divisor, quotient_3_product)
-    quotient_3_exact = sized_3 - quotient_3_product - quotient_3_product_error
-    quotient_3_residual = quotient_3_exact - quotient_3 * quotient_0_of_divisor_lo
-    quotient_3_lo = quotient_3_residual / quotient_0_of_divisor
-    quotient_4 = sized_4 / quotient_0_of_divisor
-    quotient_4_product = quotient_4 * quotient_0_of_divisor
-    quotient_4_product_error = product_error(quotient_4, quotient_0_of_divisor, quotient_4_product)
-    quotient_4_exact = sized_4 - quotient_4_product - quotient_4_product_error
-    quotient_4_residual = quotient_4_exact - quotient_4 * quotient_0_of_divisor_lo
-    quotient_4_lo = quotient_4_residual / quotient_0_of_divisor
-    quotient_5 = sized_5 / quotient_0_of_divisor
-    quotient_5_product = quotient_5 * quotient_0_of_divisor
-    quotient_5_product_error = product_error(quotient_5, quotient_0_of_divisor, quotient_5_product)
-    quotient_5_exact = sized_5 - quotient_5_product - quotient_5_product_error
-    quotient_5_residual = quotient_5_exact - quotient_5 * quotient_0_of_divisor_lo
-    quotient_5_lo = quotient_5_residual / quotient_0_of_divisor
-    co_0_of_quotient_0 = quotient_0 + quotient_0_lo
-    co_0_of_quotient_0_right = co_0_of_quotient_0 - quotient_0
-    co_0_of_quotient_0_left_rest = quotient_0 - (co_0_of_quotient_0 - co_0_of_quotient_0_right)
-    co_0_of_quotient_0_right_rest = quotient_0_lo - co_0_of_quotient_0_right
-    co_0 = co_0_of_quotient_0 * after_0
-    co_0_of_quotient_0_lo = co_0_of_quotient_0_left_rest + co_0_of_quotient_0_right_rest
-    co_1_of_quotient_1 = quotient_1 + quotient_1_lo
-    co_1_of_quotient_1_right = co_1_of_quotient_1 - quotient_1
-    co_1_of_quotient_1_left_rest = quotient_1 - (co_1_of_quotient_1 - co_1_of_quotient_1_right)
-    co_1_of_quotient_1_right_rest = quotient_1_lo - co_1_of_quotient_1_right
-    co_1 = co_1_of_quotient_1 * after_1
-    co_1_of_quotient_1_lo = co_1_of_quotient_1_left_rest + co_1_of_quotient_1_right_rest
-    co_2_of_quotient_2 = quotient_2 + quotient_2_lo
-    co_2_of_quotient_2_right = co_2_of_quotient_2 - quotient_2
-    co_2_of_quotient_2_left_rest = quotient_2 - (co_2_of_quotient_2 - co_2_of_quotient_2_right)
-    co_2_of_quotient_2_right_rest = quotient_2_lo - co_2_of_quotient_2_right
-    co_2 = co_2_of_quotient_2 * after_2
-    co_2_of_quotient_2_lo = co_2_of_quotient_2_left_rest + co_2_of_quotient_2_right_rest
-    co_3_of_quotient_3 = quotient_3 + quotient_3_lo
-    co_3_of_quotient_3_right = co_3_of_quotient_3 - quotient_3
-    co_3_of_quotient_3_left_rest = quotient_3 - (co_3_of_quotient_3 - co_3_of_quotient_3_right)
-    co_3_of_quotient_3_right_rest = quotient_3_lo - co_3_of_quotient_3_right
-    co_3 = co_3_of_quotient_3 * after_3
-    co_3_of_quotient_3_lo = co_3_of_quotient_3_left_rest + co_3_of_quotient_3_right_rest
-    co_4_of_quotient_4 = quotient_4 + quotient_4_lo
-    co_4_of_quotient_4_right = co_4_of_quotient_4 - quotient_4
-    co_4_of_quotient_4_left_rest = quotient_4 - (co_4_of_quotient_4 - co_4_of_quotient_4_right)
-    co_4_of_quotient_4_right_rest = quotient_4_lo - co_4_of_quotient_4_right
-    co_4 = co_4_of_quotient_4 * after_4
-    co_4_of_quotient_4_lo = co_4_of_quotient_4_left_rest + co_4_of_quotient_4_right_rest
-    co_5_of_quotient_5 = quotient_5 + quotient_5_lo
-    co_5_of_quotient_5_right = co_5_of_quotient_5 - quotient_5
-    co_5_of_quotient_5_left_rest = quotient_5 - (co_5_of_quotient_5 - co_5_of_quotient_5_right)
-    co_5_of_quotient_5_right_rest = quotient_5_lo - co_5_of_quotient_5_right
-    co_5 = co_5_of_quotient_5 * after_5
-    co_5_of_quotient_5_lo = co_5_of_quotient_5_left_rest + co_5_of_quotient_5_right_rest
-    co_0_lo = (co_0_of_quotient_0 - co_0 * (1 / after_0) + co_0_of_quotient_0_lo) * after_0
-    co_0_rounded = co_0 + co_0_lo
-    co_1_lo = (co_1_of_quotient_1 - co_1 * (1 / after_1) + co_1_of_quotient_1_lo) * after_1
-    co_1_rounded = co_1 + co_1_lo
-    co_2_lo = (co_2_of_quotient_2 - co_2 * (1 / after_2) + co_2_of_quotient_2_lo) * after_2
-    co_2_rounded = co_2 + co_2_lo
-    co_3_lo = (co_3_of_quotient_3 - co_3 * (1 / after_3) + co_3_of_quotient_3_lo) * after_3
-    co_3_rounded = co_3 + co_3_lo
-    co_4_lo = (co_4_of_quotient_4 - co_4 * (1 / after_4) + co_4_of_quotient_4_lo) * after_4
-    co_4_rounded = co_4 + co_4_lo
-    co_5_lo = (co_5_of_quotient_5 - co_5 * (1 / after_5) + co_5_of_quotient_5_lo) * after_5
-    co_5_rounded = co_5 + co_5_lo
+    divisor_sum = divisor + divisor_lo
+    divisor_sum_right = divisor_sum - divisor
+    divisor_sum_lo = divisor - (divisor_sum - divisor_sum_right) + (divisor_lo - divisor_sum_right)
+    quotient_0 = sized_0 / divisor_sum
+    quotient_0_product = quotient_0 * divisor_sum
+    quotient_0_residual = (sized_0 - quotient_0_product
+        - product_error(quotient_0, divisor_sum, quotient_0_product) - quotient_0 * divisor_sum_lo)
+    quotient_0_lo = quotient_0_residual / divisor_sum
+    quotient_1 = sized_1 / divisor_sum
+    quotient_1_product = quotient_1 * divisor_sum
+    quotient_1_residual = (sized_1 - quotient_1_product
+        - product_error(quotient_1, divisor_sum, quotient_1_product) - quotient_1 * divisor_sum_lo)
+    quotient_1_lo = quotient_1_residual / divisor_sum
+    quotient_2 = sized_2 / divisor_sum
+    quotient_2_product = quotient_2 * divisor_sum
+    quotient_2_residual = (sized_2 - quotient_2_product
+        - product_error(quotient_2, divisor_sum, quotient_2_product) - quotient_2 * divisor_sum_lo)
+    quotient_2_lo = quotient_2_residual / divisor_sum
+    quotient_3 = sized_3 / divisor_sum
+    quotient_3_product = quotient_3 * divisor_sum
+    quotient_3_residual = (sized_3 - quotient_3_product
+        - product_error(quotient_3, divisor_sum, quotient_3_product) - quotient_3 * divisor_sum_lo)
+    quotient_3_lo = quotient_3_residual / divisor_sum
+    quotient_4 = sized_4 / divisor_sum
+    quotient_4_product = quotient_4 * divisor_sum
+    quotient_4_residual = (sized_4 - quotient_4_product
+        - product_error(quotient_4, divisor_sum, quotient_4_product) - quotient_4 * divisor_sum_lo)
+    quotient_4_lo = quotient_4_residual / divisor_sum
+    quotient_5 = sized_5 / divisor_sum
+    quotient_5_product = quotient_5 * divisor_sum
+    quotient_5_residual = (sized_5 - quotient_5_product
+        - product_error(quotient_5, divisor_sum, quotient_5_product) - quotient_5 * divisor_sum_lo)
+    quotient_5_lo = quotient_5_residual / divisor_sum
+    quotient_0_sum = quotient_0 + quotient_0_lo
+    quotient_0_sum_right = quotient_0_sum - quotient_0
+    co_0 = quotient_0_sum * after_0
+    co_0_rest = (quotient_0_sum - co_0 * (1 / after_0)
+        + (quotient_0 - (quotient_0_sum - quotient_0_sum_right)
+        + (quotient_0_lo - quotient_0_sum_right)))
+    quotient_1_sum = quotient_1 + quotient_1_lo
+    quotient_1_sum_right = quotient_1_sum - quotient_1
+    co_1 = quotient_1_sum * after_1
+    co_1_rest = (quotient_1_sum - co_1 * (1 / after_1)
+        + (quotient_1 - (quotient_1_sum - quotient_1_sum_right)
+        + (quotient_1_lo - quotient_1_sum_right)))
+    quotient_2_sum = quotient_2 + quotient_2_lo
+    quotient_2_sum_right = quotient_2_sum - quotient_2
+    co_2 = quotient_2_sum * after_2
+    co_2_rest = (quotient_2_sum - co_2 * (1 / after_2)
+        + (quotient_2 - (quotient_2_sum - quotient_2_sum_right)
+        + (quotient_2_lo - quotient_2_sum_right)))
+    quotient_3_sum = quotient_3 + quotient_3_lo
+    quotient_3_sum_right = quotient_3_sum - quotient_3
+    co_3 = quotient_3_sum * after_3
+    co_3_rest = (quotient_3_sum - co_3 * (1 / after_3)
+        + (quotient_3 - (quotient_3_sum - quotient_3_sum_right)
+        + (quotient_3_lo - quotient_3_sum_right)))
+    quotient_4_sum = quotient_4 + quotient_4_lo
+    quotient_4_sum_right = quotient_4_sum - quotient_4
+    co_4 = quotient_4_sum * after_4
+    co_4_rest = (quotient_4_sum - co_4 * (1 / after_4)
+        + (quotient_4 - (quotient_4_sum - quotient_4_sum_right)
+        + (quotient_4_lo - quotient_4_sum_right)))
+    quotient_5_sum = quotient_5 + quotient_5_lo
+    quotient_5_sum_right = quotient_5_sum - quotient_5
+    co_5 = quotient_5_sum * after_5
+    co_5_rest = (quotient_5_sum - co_5 * (1 / after_5)
+        + (quotient_5 - (quotient_5_sum - quotient_5_sum_right)
+        + (quotient_5_lo - quotient_5_sum_right)))
+    co_0_rounded = co_0 + co_0_rest * after_0
+    co_1_rounded = co_1 + co_1_rest * after_1
+    co_2_rounded = co_2 + co_2_rest * after_2
+    co_3_rounded = co_3 + co_3_rest * after_3
+    co_4_rounded = co_4 + co_4_rest * after_4
+    co_5_rounded = co_5 + co_5_rest * after_5
     co_0_final = where(co_0_rounded == co_0_rounded, co_0_rounded, co_0)
     co_1_final = where(co_1_rounded == co_1_rounded, co_1_rounded, co_1)
     co_2_final = where(co_2_rounded == co_2_rounded, co_2_rounded, co_2)
@@ -684,26 +647,26 @@ def product_CoAdtc(t, ci):
     co_3b = t_2 * ci_1
     co_3c = co_3a - co_3b
     co_3c_right = co_3a - co_3c
-    co_3c_left_rest = product_rest(t_1, ci_2, co_3a, co_3c + co_3c_right)
     co_3 = co_3c + ci_3
     co_3_right = co_3 - co_3c
-    co_3c_lo = co_3c_left_rest - product_rest(t_2, ci_1, co_3b, co_3c_right)
+    co_3c_lo = (product_rest(t_1, ci_2, co_3a, co_3c + co_3c_right)
+        - product_rest(t_2, ci_1, co_3b, co_3c_right))
     co_4a = t_2 * ci_0
     co_4b = t_0 * ci_2
     co_4c = co_4a - co_4b
     co_4c_right = co_4a - co_4c
-    co_4c_left_rest = product_rest(t_2, ci_0, co_4a, co_4c + co_4c_right)
     co_4 = co_4c + ci_4
     co_4_right = co_4 - co_4c
-    co_4c_lo = co_4c_left_rest - product_rest(t_0, ci_2, co_4b, co_4c_right)
+    co_4c_lo = (product_rest(t_2, ci_0, co_4a, co_4c + co_4c_right)
+        - product_rest(t_0, ci_2, co_4b, co_4c_right))
     co_5a = t_0 * ci_1
     co_5b = t_1 * ci_0
     co_5c = co_5a - co_5b
     co_5c_right = co_5a - co_5c
-    co_5c_left_rest = product_rest(t_0, ci_1, co_5a, co_5c + co_5c_right)
     co_5 = co_5c + ci_5
     co_5_right = co_5 - co_5c
-    co_5c_lo = co_5c_left_rest - product_rest(t_1, ci_0, co_5b, co_5c_right)
+    co_5c_lo = (product_rest(t_0, ci_1, co_5a, co_5c + co_5c_right)
+        - product_rest(t_1, ci_0, co_5b, co_5c_right))
     co_3_rounded = co_3 + (co_3c - (co_3 - co_3_right) + (ci_3 - co_3_right) + co_3c_lo)
     co_4_rounded = co_4 + (co_4c - (co_4 - co_4_right) + (ci_4 - co_4_right) + co_4c_lo)
     co_5_rounded = co_5 + (co_5c - (co_5 - co_5_right) + (ci_5 - co_5_right) + co_5c_lo)
@@ -724,26 +687,26 @@ def product_CoAdtinvc(t, ci):
     co_3b = t_1 * ci_2
     co_3c = co_3a - co_3b
     co_3c_right = co_3a - co_3c
-    co_3c_left_rest = product_rest(t_2, ci_1, co_3a, co_3c + co_3c_right)
     co_3 = co_3c + ci_3
     co_3_right = co_3 - co_3c
-    co_3c_lo = co_3c_left_rest - product_rest(t_1, ci_2, co_3b, co_3c_right)
+    co_3c_lo = (product_rest(t_2, ci_1, co_3a, co_3c + co_3c_right)
+        - product_rest(t_1, ci_2, co_3b, co_3c_right))
     co_4a = t_0 * ci_2
     co_4b = t_2 * ci_0
     co_4c = co_4a - co_4b
     co_4c_right = co_4a - co_4c
-    co_4c_left_rest = product_rest(t_0, ci_2, co_4a, co_4c + co_4c_right)
     co_4 = co_4c + ci_4
     co_4_right = co_4 - co_4c
-    co_4c_lo = co_4c_left_rest - product_rest(t_2, ci_0, co_4b, co_4c_right)
+    co_4c_lo = (product_rest(t_0, ci_2, co_4a, co_4c + co_4c_right)
+        - product_rest(t_2, ci_0, co_4b, co_4c_right))
     co_5a = t_1 * ci_0
     co_5b = t_0 * ci_1
     co_5c = co_5a - co_5b
     co_5c_right = co_5a - co_5c
-    co_5c_left_rest = product_rest(t_1, ci_0, co_5a, co_5c + co_5c_right)
     co_5 = co_5c + ci_5
     co_5_right = co_5 - co_5c
-    co_5c_lo = co_5c_left_rest - product_rest(t_0, ci_1, co_5b, co_5c_right)
+    co_5c_lo = (product_rest(t_1, ci_0, co_5a, co_5c + co_5c_right)
+        - product_rest(t_0, ci_1, co_5b, co_5c_right))
     co_3_rounded = co_3 + (co_3c - (co_3 - co_3_right) + (ci_3 - co_3_right) + co_3c_lo)
     co_4_rounded = co_4 + (co_4c - (co_4 - co_4_right) + (ci_4 - co_4_right) + co_4c_lo)
     co_5_rounded = co_5 + (co_5c - (co_5 - co_5_right) + (ci_5 - co_5_right) + co_5c_lo)
@@ -767,26 +730,26 @@ def product_CoAdtcinv(t, ci):
     co_3b = t_1 * ci_2
     co_3c = co_3a - co_3b
     co_3c_right = co_3a - co_3c
-    co_3c_left_rest = product_rest(t_2, ci_1, co_3a, co_3c + co_3c_right)
     co_3 = co_3c - ci_3
     co_3_right = co_3c - co_3
-    co_3c_lo = co_3c_left_rest - product_rest(t_1, ci_2, co_3b, co_3c_right)
+    co_3c_lo = (product_rest(t_2, ci_1, co_3a, co_3c + co_3c_right)
+        - product_rest(t_1, ci_2, co_3b, co_3c_right))
     co_4a = t_0 * ci_2
     co_4b = t_2 * ci_0
     co_4c = co_4a - co_4b
     co_4c_right = co_4a - co_4c
-    co_4c_left_rest = product_rest(t_0, ci_2, co_4a, co_4c + co_4c_right)
     co_4 = co_4c - ci_4
     co_4_right = co_4c - co_4
-    co_4c_lo = co_4c_left_rest - product_rest(t_2, ci_0, co_4b, co_4c_right)
+    co_4c_lo = (product_rest(t_0, ci_2, co_4a, co_4c + co_4c_right)
+        - product_rest(t_2, ci_0, co_4b, co_4c_right))
     co_5a = t_1 * ci_0
     co_5b = t_0 * ci_1
     co_5c = co_5a - co_5b
     co_5c_right = co_5a - co_5c
-    co_5c_left_rest = product_rest(t_1, ci_0, co_5a, co_5c + co_5c_right)
     co_5 = co_5c - ci_5
     co_5_right = co_5c - co_5
-    co_5c_lo = co_5c_left_rest - product_rest(t_0, ci_1, co_5b, co_5c_right)
+    co_5c_lo = (product_rest(t_1, ci_0, co_5a, co_5c + co_5c_right)
+        - product_rest(t_0, ci_1, co_5b, co_5c_right))
     co_3_rounded = co_3 + (co_3c - (co_3 + co_3_right) - (ci_3 - co_3_right) + co_3c_lo)
     co_4_rounded = co_4 + (co_4c - (co_4 + co_4_right) - (ci_4 - co_4_right) + co_4c_lo)
     co_5_rounded = co_5 + (co_5c - (co_5 + co_5_right) - (ci_5 - co_5_right) + co_5c_lo)
@@ -807,68 +770,68 @@ def product_CoAdrc(R, ci):
     co_0b = R_01 * ci_1
     co_0c = co_0a + co_0b
     co_0c_right = co_0c - co_0a
-    co_0c_left_rest = product_rest(R_00, ci_0, co_0a, co_0c - co_0c_right)
     co_0d = R_02 * ci_2
     co_0 = co_0c + co_0d
     co_0_right = co_0 - co_0c
-    co_0_lo1 = co_0c - (co_0 - co_0_right) + product_rest(R_02, ci_2, co_0d, co_0_right)
+    co_0c_lo = (product_rest(R_00, ci_0, co_0a, co_0c - co_0c_right)
+        + product_rest(R_01, ci_1, co_0b, co_0c_right))
     co_1a = R_10 * ci_0
     co_1b = R_11 * ci_1
     co_1c = co_1a + co_1b
     co_1c_right = co_1c - co_1a
-    co_1c_left_rest = product_rest(R_10, ci_0, co_1a, co_1c - co_1c_right)
     co_1d = R_12 * ci_2
     co_1 = co_1c + co_1d
     co_1_right = co_1 - co_1c
-    co_1_lo1 = co_1c - (co_1 - co_1_right) + product_rest(R_12, ci_2, co_1d, co_1_right)
+    co_1c_lo = (product_rest(R_10, ci_0, co_1a, co_1c - co_1c_right)
+        + product_rest(R_11, ci_1, co_1b, co_1c_right))
     co_2a = R_20 * ci_0
     co_2b = R_21 * ci_1
     co_2c = co_2a + co_2b
     co_2c_right = co_2c - co_2a
-    co_2c_left_rest = product_rest(R_20, ci_0, co_2a, co_2c - co_2c_right)
     co_2d = R_22 * ci_2
     co_2 = co_2c + co_2d
     co_2_right = co_2 - co_2c
-    co_2_lo1 = co_2c - (co_2 - co_2_right) + product_rest(R_22, ci_2, co_2d, co_2_right)
+    co_2c_lo = (product_rest(R_20, ci_0, co_2a, co_2c - co_2c_right)
+        + product_rest(R_21, ci_1, co_2b, co_2c_right))
     co_3a = R_00 * ci_3
     co_3b = R_01 * ci_4
     co_3c = co_3a + co_3b
     co_3c_right = co_3c - co_3a
-    co_3c_left_rest = product_rest(R_00, ci_3, co_3a, co_3c - co_3c_right)
     co_3d = R_02 * ci_5
     co_3 = co_3c + co_3d
     co_3_right = co_3 - co_3c
-    co_3_lo1 = co_3c - (co_3 - co_3_right) + product_rest(R_02, ci_5, co_3d, co_3_right)
+    co_3c_lo = (product_rest(R_00, ci_3, co_3a, co_3c - co_3c_right)
+        + product_rest(R_01, ci_4, co_3b, co_3c_right))
     co_4a = R_10 * ci_3
     co_4b = R_11 * ci_4
     co_4c = co_4a + co_4b
     co_4c_right = co_4c - co_4a
-    co_4c_left_rest = product_rest(R_10, ci_3, co_4a, co_4c - co_4c_right)
     co_4d = R_12 * ci_5
     co_4 = co_4c + co_4d
     co_4_right = co_4 - co_4c
-    co_4_lo1 = co_4c - (co_4 - co_4_right) + product_rest(R_12, ci_5, co_4d, co_4_right)
+    co_4c_lo = (product_rest(R_10, ci_3, co_4a, co_4c - co_4c_right)
+        + product_rest(R_11, ci_4, co_4b, co_4c_right))
     co_5a = R_20 * ci_3
     co_5b = R_21 * ci_4
     co_5c = co_5a + co_5b
     co_5c_right = co_5c - co_5a
-    co_5c_left_rest = product_rest(R_20, ci_3, co_5a, co_5c - co_5c_right)
     co_5d = R_22 * ci_5
     co_5 = co_5c + co_5d
     co_5_right = co_5 - co_5c
-    co_5_lo1 = co_5c - (co_5 - co_5_right) + product_rest(R_22, ci_5, co_5d, co_5_right)
-    co_0_lo = co_0_lo1 + (co_0c_left_rest + product_rest(R_01, ci_1, co_0b, co_0c_right))
-    co_0_rounded = co_0 + co_0_lo
-    co_1_lo = co_1_lo1 + (co_1c_left_rest + product_rest(R_11, ci_1, co_1b, co_1c_right))
-    co_1_rounded = co_1 + co_1_lo
-    co_2_lo = co_2_lo1 + (co_2c_left_rest + product_rest(R_21, ci_1, co_2b, co_2c_right))
-    co_2_rounded = co_2 + co_2_lo
-    co_3_lo = co_3_lo1 + (co_3c_left_rest + product_rest(R_01, ci_4, co_3b, co_3c_right))
-    co_3_rounded = co_3 + co_3_lo
-    co_4_lo = co_4_lo1 + (co_4c_left_rest + product_rest(R_11, ci_4, co_4b, co_4c_right))
-    co_4_rounded = co_4 + co_4_lo
-    co_5_lo = co_5_lo1 + (co_5c_left_rest + product_rest(R_21, ci_4, co_5b, co_5c_right))
-    co_5_rounded = co_5 + co_5_lo
+    co_5c_lo = (product_rest(R_20, ci_3, co_5a, co_5c - co_5c_right)
+        + product_rest(R_21, ci_4, co_5b, co_5c_right))
+    co_0_rounded = (co_0
+        + (co_0c - (co_0 - co_0_right) + product_rest(R_02, ci_2, co_0d, co_0_right) + co_0c_lo))
+    co_1_rounded = (co_1
+        + (co_1c - (co_1 - co_1_right) + product_rest(R_12, ci_2, co_1d, co_1_right) + co_1c_lo))
+    co_2_rounded = (co_2
+        + (co_2c - (co_2 - co_2_right) + product_rest(R_22, ci_2, co_2d, co_2_right) + co_2c_lo))
+    co_3_rounded = (co_3
+        + (co_3c - (co_3 - co_3_right) + product_rest(R_02, ci_5, co_3d, co_3_right) + co_3c_lo))
+    co_4_rounded = (co_4
+        + (co_4c - (co_4 - co_4_right) + product_rest(R_12, ci_5, co_4d, co_4_right) + co_4c_lo))
+    co_5_rounded = (co_5
+        + (co_5c - (co_5 - co_5_right) + product_rest(R_22, ci_5, co_5d, co_5_right) + co_5c_lo))
     return (co_0_rounded, co_1_rounded, co_2_rounded, co_3_rounded, co_4_rounded, co_5_rounded)
 
 
@@ -886,68 +849,68 @@ def product_CoAdrinvc(R, ci):
     co_0b = R_10 * ci_1
     co_0c = co_0a + co_0b
     co_0c_right = co_0c - co_0a
-    co_0c_left_rest = product_rest(R_00, ci_0, co_0a, co_0c - co_0c_right)
     co_0d = R_20 * ci_2
     co_0 = co_0c + co_0d
     co_0_right = co_0 - co_0c
-    co_0_lo1 = co_0c - (co_0 - co_0_right) + product_rest(R_20, ci_2, co_0d, co_0_right)
+    co_0c_lo = (product_rest(R_00, ci_0, co_0a, co_0c - co_0c_right)
+        + product_rest(R_10, ci_1, co_0b, co_0c_right))
     co_1a = R_01 * ci_0
     co_1b = R_11 * ci_1
     co_1c = co_1a + co_1b
     co_1c_right = co_1c - co_1a
-    co_1c_left_rest = product_rest(R_01, ci_0, co_1a, co_1c - co_1c_right)
     co_1d = R_21 * ci_2
     co_1 = co_1c + co_1d
     co_1_right = co_1 - co_1c
-    co_1_lo1 = co_1c - (co_1 - co_1_right) + product_rest(R_21, ci_2, co_1d, co_1_right)
+    co_1c_lo = (product_rest(R_01, ci_0, co_1a, co_1c - co_1c_right)
+        + product_rest(R_11, ci_1, co_1b, co_1c_right))
     co_2a = R_02 * ci_0
     co_2b = R_12 * ci_1
     co_2c = co_2a + co_2b
     co_2c_right = co_2c - co_2a
-    co_2c_left_rest = product_rest(R_02, ci_0, co_2a, co_2c - co_2c_right)
     co_2d = R_22 * ci_2
     co_2 = co_2c + co_2d
     co_2_right = co_2 - co_2c
-    co_2_lo1 = co_2c - (co_2 - co_2_right) + product_rest(R_22, ci_2, co_2d, co_2_right)
+    co_2c_lo = (product_rest(R_02, ci_0, co_2a, co_2c - co_2c_right)
+        + product_rest(R_12, ci_1, co_2b, co_2c_right))
     co_3a = R_00 * ci_3
     co_3b = R_10 * ci_4
     co_3c = co_3a + co_3b
     co_3c_right = co_3c - co_3a
-    co_3c_left_rest = product_rest(R_00, ci_3, co_3a, co_3c - co_3c_right)
     co_3d = R_20 * ci_5
     co_3 = co_3c + co_3d
     co_3_right = co_3 - co_3c
-    co_3_lo1 = co_3c - (co_3 - co_3_right) + product_rest(R_20, ci_5, co_3d, co_3_right)
+    co_3c_lo = (product_rest(R_00, ci_3, co_3a, co_3c - co_3c_right)
+        + product_rest(R_10, ci_4, co_3b, co_3c_right))
     co_4a = R_01 * ci_3
     co_4b = R_11 * ci_4
     co_4c = co_4a + co_4b
     co_4c_right = co_4c - co_4a
-    co_4c_left_rest = product_rest(R_01, ci_3, co_4a, co_4c - co_4c_right)
     co_4d = R_21 * ci_5
     co_4 = co_4c + co_4d
     co_4_right = co_4 - co_4c
-    co_4_lo1 = co_4c - (co_4 - co_4_right) + product_rest(R_21, ci_5, co_4d, co_4_right)
+    co_4c_lo = (product_rest(R_01, ci_3, co_4a, co_4c - co_4c_right)
+        + product_rest(R_11, ci_4, co_4b, co_4c_right))
     co_5a = R_02 * ci_3
     co_5b = R_12 * ci_4
     co_5c = co_5a + co_5b
     co_5c_right = co_5c - co_5a
-    co_5c_left_rest = product_rest(R_02, ci_3, co_5a, co_5c - co_5c_right)
     co_5d = R_22 * ci_5
     co_5 = co_5c + co_5d
     co_5_right = co_5 - co_5c
-    co_5_lo1 = co_5c - (co_5 - co_5_right) + product_rest(R_22, ci_5, co_5d, co_5_right)
-    co_0_lo = co_0_lo1 + (co_0c_left_rest + product_rest(R_10, ci_1, co_0b, co_0c_right))
-    co_0_rounded = co_0 + co_0_lo
-    co_1_lo = co_1_lo1 + (co_1c_left_rest + product_rest(R_11, ci_1, co_1b, co_1c_right))
-    co_1_rounded = co_1 + co_1_lo
-    co_2_lo = co_2_lo1 + (co_2c_left_rest + product_rest(R_12, ci_1, co_2b, co_2c_right))
-    co_2_rounded = co_2 + co_2_lo
-    co_3_lo = co_3_lo1 + (co_3c_left_rest + product_rest(R_10, ci_4, co_3b, co_3c_right))
-    co_3_rounded = co_3 + co_3_lo
-    co_4_lo = co_4_lo1 + (co_4c_left_rest + product_rest(R_11, ci_4, co_4b, co_4c_right))
-    co_4_rounded = co_4 + co_4_lo
-    co_5_lo = co_5_lo1 + (co_5c_left_rest + product_rest(R_12, ci_4, co_5b, co_5c_right))
-    co_5_rounded = co_5 + co_5_lo
+    co_5c_lo = (product_rest(R_02, ci_3, co_5a, co_5c - co_5c_right)
+        + product_rest(R_12, ci_4, co_5b, co_5c_right))
+    co_0_rounded = (co_0
+        + (co_0c - (co_0 - co_0_right) + product_rest(R_20, ci_2, co_0d, co_0_right) + co_0c_lo))
+    co_1_rounded = (co_1
+        + (co_1c - (co_1 - co_1_right) + product_rest(R_21, ci_2, co_1d, co_1_right) + co_1c_lo))
+    co_2_rounded = (co_2
+        + (co_2c - (co_2 - co_2_right) + product_rest(R_22, ci_2, co_2d, co_2_right) + co_2c_lo))
+    co_3_rounded = (co_3
+        + (co_3c - (co_3 - co_3_right) + product_rest(R_20, ci_5, co_3d, co_3_right) + co_3c_lo))
+    co_4_rounded = (co_4
+        + (co_4c - (co_4 - co_4_right) + product_rest(R_21, ci_5, co_4d, co_4_right) + co_4c_lo))
+    co_5_rounded = (co_5
+        + (co_5c - (co_5 - co_5_right) + product_rest(R_22, ci_5, co_5d, co_5_right) + co_5c_lo))
     return (co_0_rounded, co_1_rounded, co_2_rounded, co_3_rounded, co_4_rounded, co_5_rounded)
 
 
@@ -965,74 +928,74 @@ def product_CoAdrcinv(R, ci):
     co_0b = R_01 * ci_1
     co_0c = co_0a + co_0b
     co_0c_right = co_0c - co_0a
-    co_0c_left_rest = product_rest(R_00, ci_0, co_0a, co_0c - co_0c_right)
     co_0d = R_02 * ci_2
     co_0e = co_0c + co_0d
     co_0e_right = co_0e - co_0c
-    co_0e_lo1 = co_0c - (co_0e - co_0e_right) + product_rest(R_02, ci_2, co_0d, co_0e_right)
+    co_0c_lo = (product_rest(R_00, ci_0, co_0a, co_0c - co_0c_right)
+        + product_rest(R_01, ci_1, co_0b, co_0c_right))
     co_0 = -co_0e
     co_1a = R_10 * ci_0
     co_1b = R_11 * ci_1
     co_1c = co_1a + co_1b
     co_1c_right = co_1c - co_1a
-    co_1c_left_rest = product_rest(R_10, ci_0, co_1a, co_1c - co_1c_right)
     co_1d = R_12 * ci_2
     co_1e = co_1c + co_1d
     co_1e_right = co_1e - co_1c
-    co_1e_lo1 = co_1c - (co_1e - co_1e_right) + product_rest(R_12, ci_2, co_1d, co_1e_right)
+    co_1c_lo = (product_rest(R_10, ci_0, co_1a, co_1c - co_1c_right)
+        + product_rest(R_11, ci_1, co_1b, co_1c_right))
     co_1 = -co_1e
     co_2a = R_20 * ci_0
     co_2b = R_21 * ci_1
     co_2c = co_2a + co_2b
     co_2c_right = co_2c - co_2a
-    co_2c_left_rest = product_rest(R_20, ci_0, co_2a, co_2c - co_2c_right)
     co_2d = R_22 * ci_2
     co_2e = co_2c + co_2d
     co_2e_right = co_2e - co_2c
-    co_2e_lo1 = co_2c - (co_2e - co_2e_right) + product_rest(R_22, ci_2, co_2d, co_2e_right)
+    co_2c_lo = (product_rest(R_20, ci_0, co_2a, co_2c - co_2c_right)
+        + product_rest(R_21, ci_1, co_2b, co_2c_right))
     co_2 = -co_2e
     co_3a = R_00 * ci_3
     co_3b = R_01 * ci_4
     co_3c = co_3a + co_3b
     co_3c_right = co_3c - co_3a
-    co_3c_left_rest = product_rest(R_00, ci_3, co_3a, co_3c - co_3c_right)
     co_3d = R_02 * ci_5
     co_3e = co_3c + co_3d
     co_3e_right = co_3e - co_3c
-    co_3e_lo1 = co_3c - (co_3e - co_3e_right) + product_rest(R_02, ci_5, co_3d, co_3e_right)
+    co_3c_lo = (product_rest(R_00, ci_3, co_3a, co_3c - co_3c_right)
+        + product_rest(R_01, ci_4, co_3b, co_3c_right))
     co_3 = -co_3e
     co_4a = R_10 * ci_3
     co_4b = R_11 * ci_4
     co_4c = co_4a + co_4b
     co_4c_right = co_4c - co_4a
-    co_4c_left_rest = product_rest(R_10, ci_3, co_4a, co_4c - co_4c_right)
     co_4d = R_12 * ci_5
     co_4e = co_4c + co_4d
     co_4e_right = co_4e - co_4c
-    co_4e_lo1 = co_4c - (co_4e - co_4e_right) + product_rest(R_12, ci_5, co_4d, co_4e_right)
+    co_4c_lo = (product_rest(R_10, ci_3, co_4a, co_4c - co_4c_right)
+        + product_rest(R_11, ci_4, co_4b, co_4c_right))
     co_4 = -co_4e
     co_5a = R_20 * ci_3
     co_5b = R_21 * ci_4
     co_5c = co_5a + co_5b
     co_5c_right = co_5c - co_5a
-    co_5c_left_rest = product_rest(R_20, ci_3, co_5a, co_5c - co_5c_right)
     co_5d = R_22 * ci_5
     co_5e = co_5c + co_5d
     co_5e_right = co_5e - co_5c
-    co_5e_lo1 = co_5c - (co_5e - co_5e_right) + product_rest(R_22, ci_5, co_5d, co_5e_right)
+    co_5c_lo = (product_rest(R_20, ci_3, co_5a, co_5c - co_5c_right)
+        + product_rest(R_21, ci_4, co_5b, co_5c_right))
     co_5 = -co_5e
-    co_0_lo = -(co_0e_lo1 + (co_0c_left_rest + product_rest(R_01, ci_1, co_0b, co_0c_right)))
-    co_0_rounded = co_0 + co_0_lo
-    co_1_lo = -(co_1e_lo1 + (co_1c_left_rest + product_rest(R_11, ci_1, co_1b, co_1c_right)))
-    co_1_rounded = co_1 + co_1_lo
-    co_2_lo = -(co_2e_lo1 + (co_2c_left_rest + product_rest(R_21, ci_1, co_2b, co_2c_right)))
-    co_2_rounded = co_2 + co_2_lo
-    co_3_lo = -(co_3e_lo1 + (co_3c_left_rest + product_rest(R_01, ci_4, co_3b, co_3c_right)))
-    co_3_rounded = co_3 + co_3_lo
-    co_4_lo = -(co_4e_lo1 + (co_4c_left_rest + product_rest(R_11, ci_4, co_4b, co_4c_right)))
-    co_4_rounded = co_4 + co_4_lo
-    co_5_lo = -(co_5e_lo1 + (co_5c_left_rest + product_rest(R_21, ci_4, co_5b, co_5c_right)))
-    co_5_rounded = co_5 + co_5_lo
+    co_0_rounded = (co_0 +
+        -(co_0c - (co_0e - co_0e_right) + product_rest(R_02, ci_2, co_0d, co_0e_right) + co_0c_lo))
+    co_1_rounded = (co_1 +
+        -(co_1c - (co_1e - co_1e_right) + product_rest(R_12, ci_2, co_1d, co_1e_right) + co_1c_lo))
+    co_2_rounded = (co_2 +
+        -(co_2c - (co_2e - co_2e_right) + product_rest(R_22, ci_2, co_2d, co_2e_right) + co_2c_lo))
+    co_3_rounded = (co_3 +
+        -(co_3c - (co_3e - co_3e_right) + product_rest(R_02, ci_5, co_3d, co_3e_right) + co_3c_lo))
+    co_4_rounded = (co_4 +
+        -(co_4c - (co_4e - co_4e_right) + product_rest(R_12, ci_5, co_4d, co_4e_right) + co_4c_lo))
+    co_5_rounded = (co_5 +
+        -(co_5c - (co_5e - co_5e_right) + product_rest(R_22, ci_5, co_5d, co_5e_right) + co_5c_lo))
     return (co_0_rounded, co_1_rounded, co_2_rounded, co_3_rounded, co_4_rounded, co_5_rounded)
 
 
@@ -1051,95 +1014,95 @@ def product_CoAdc(D, ci):
     w_0b = D_01 * ci_1
     w_0c = w_0a + w_0b
     w_0c_right = w_0c - w_0a
-    w_0c_left_rest = product_rest(D_00, ci_0, w_0a, w_0c - w_0c_right)
     w_0d = D_02 * ci_2
     w_0 = w_0c + w_0d
     w_0_right = w_0 - w_0c
-    w_0_lo1 = w_0c - (w_0 - w_0_right) + product_rest(D_02, ci_2, w_0d, w_0_right)
-    w_0_lo = w_0_lo1 + (w_0c_left_rest + product_rest(D_01, ci_1, w_0b, w_0c_right))
+    w_0c_lo = (product_rest(D_00, ci_0, w_0a, w_0c - w_0c_right)
+        + product_rest(D_01, ci_1, w_0b, w_0c_right))
+    w_0_lo = w_0c - (w_0 - w_0_right) + product_rest(D_02, ci_2, w_0d, w_0_right) + w_0c_lo
     w_1a = D_10 * ci_0
     w_1b = D_11 * ci_1
     w_1c = w_1a + w_1b
     w_1c_right = w_1c - w_1a
-    w_1c_left_rest = product_rest(D_10, ci_0, w_1a, w_1c - w_1c_right)
     w_1d = D_12 * ci_2
     w_1 = w_1c + w_1d
     w_1_right = w_1 - w_1c
-    w_1_lo1 = w_1c - (w_1 - w_1_right) + product_rest(D_12, ci_2, w_1d, w_1_right)
-    w_1_lo = w_1_lo1 + (w_1c_left_rest + product_rest(D_11, ci_1, w_1b, w_1c_right))
+    w_1c_lo = (product_rest(D_10, ci_0, w_1a, w_1c - w_1c_right)
+        + product_rest(D_11, ci_1, w_1b, w_1c_right))
+    w_1_lo = w_1c - (w_1 - w_1_right) + product_rest(D_12, ci_2, w_1d, w_1_right) + w_1c_lo
     w_2a = D_20 * ci_0
     w_2b = D_21 * ci_1
     w_2c = w_2a + w_2b
     w_2c_right = w_2c - w_2a
-    w_2c_left_rest = product_rest(D_20, ci_0, w_2a, w_2c - w_2c_right)
     w_2d = D_22 * ci_2
     w_2 = w_2c + w_2d
     w_2_right = w_2 - w_2c
-    w_2_lo1 = w_2c - (w_2 - w_2_right) + product_rest(D_22, ci_2, w_2d, w_2_right)
-    w_2_lo = w_2_lo1 + (w_2c_left_rest + product_rest(D_21, ci_1, w_2b, w_2c_right))
+    w_2c_lo = (product_rest(D_20, ci_0, w_2a, w_2c - w_2c_right)
+        + product_rest(D_21, ci_1, w_2b, w_2c_right))
+    w_2_lo = w_2c - (w_2 - w_2_right) + product_rest(D_22, ci_2, w_2d, w_2_right) + w_2c_lo
     w_3a = D_00 * ci_3
     w_3b = D_01 * ci_4
     w_3c = w_3a + w_3b
     w_3c_right = w_3c - w_3a
-    w_3c_left_rest = product_rest(D_00, ci_3, w_3a, w_3c - w_3c_right)
     w_3d = D_02 * ci_5
     w_3 = w_3c + w_3d
     w_3_right = w_3 - w_3c
-    w_3_lo1 = w_3c - (w_3 - w_3_right) + product_rest(D_02, ci_5, w_3d, w_3_right)
+    w_3c_lo = (product_rest(D_00, ci_3, w_3a, w_3c - w_3c_right)
+        + product_rest(D_01, ci_4, w_3b, w_3c_right))
     w_4a = D_10 * ci_3
     w_4b = D_11 * ci_4
     w_4c = w_4a + w_4b
     w_4c_right = w_4c - w_4a
-    w_4c_left_rest = product_rest(D_10, ci_3, w_4a, w_4c - w_4c_right)
     w_4d = D_12 * ci_5
     w_4 = w_4c + w_4d
     w_4_right = w_4 - w_4c
-    w_4_lo1 = w_4c - (w_4 - w_4_right) + product_rest(D_12, ci_5, w_4d, w_4_right)
+    w_4c_lo = (product_rest(D_10, ci_3, w_4a, w_4c - w_4c_right)
+        + product_rest(D_11, ci_4, w_4b, w_4c_right))
     w_5a = D_20 * ci_3
     w_5b = D_21 * ci_4
     w_5c = w_5a + w_5b
     w_5c_right = w_5c - w_5a
-    w_5c_left_rest = product_rest(D_20, ci_3, w_5a, w_5c - w_5c_right)
     w_5d = D_22 * ci_5
     w_5 = w_5c + w_5d
     w_5_right = w_5 - w_5c
-    w_5_lo1 = w_5c - (w_5 - w_5_right) + product_rest(D_22, ci_5, w_5d, w_5_right)
+    w_5c_lo = (product_rest(D_20, ci_3, w_5a, w_5c - w_5c_right)
+        + product_rest(D_21, ci_4, w_5b, w_5c_right))
     co_3a = D_13 * w_2
     co_3b = D_23 * w_1
     co_3c = co_3a - co_3b
     co_3c_right = co_3a - co_3c
-    co_3c_left_rest = product_rest(D_13, w_2, co_3a, co_3c + co_3c_right)
-    co_3c_lo1 = co_3c_left_rest - product_rest(D_23, w_1, co_3b, co_3c_right)
     co_3 = co_3c + w_3
     co_3_right = co_3 - co_3c
-    w_3_lo = w_3_lo1 + (w_3c_left_rest + product_rest(D_01, ci_4, w_3b, w_3c_right))
-    co_3_lo2 = co_3c - (co_3 - co_3_right) + (w_3 - co_3_right) + w_3_lo
+    co_3_lo2 = (co_3c - (co_3 - co_3_right) + (w_3 - co_3_right)
+        + (w_3c - (w_3 - w_3_right) + product_rest(D_02, ci_5, w_3d, w_3_right) + w_3c_lo))
+    co_3c_lo = (product_rest(D_13, w_2, co_3a, co_3c + co_3c_right)
+        - product_rest(D_23, w_1, co_3b, co_3c_right) + (D_13 * w_2_lo - D_23 * w_1_lo))
     co_4a = D_23 * w_0
     co_4b = D_03 * w_2
     co_4c = co_4a - co_4b
     co_4c_right = co_4a - co_4c
-    co_4c_left_rest = product_rest(D_23, w_0, co_4a, co_4c + co_4c_right)
-    co_4c_lo1 = co_4c_left_rest - product_rest(D_03, w_2, co_4b, co_4c_right)
     co_4 = co_4c + w_4
     co_4_right = co_4 - co_4c
-    w_4_lo = w_4_lo1 + (w_4c_left_rest + product_rest(D_11, ci_4, w_4b, w_4c_right))
-    co_4_lo2 = co_4c - (co_4 - co_4_right) + (w_4 - co_4_right) + w_4_lo
+    co_4_lo2 = (co_4c - (co_4 - co_4_right) + (w_4 - co_4_right)
+        + (w_4c - (w_4 - w_4_right) + product_rest(D_12, ci_5, w_4d, w_4_right) + w_4c_lo))
+    co_4c_lo = (product_rest(D_23, w_0, co_4a, co_4c + co_4c_right)
+        - product_rest(D_03, w_2, co_4b, co_4c_right) + (D_23 * w_0_lo - D_03 * w_2_lo))
     co_5a = D_03 * w_1
     co_5b = D_13 * w_0
     co_5c = co_5a - co_5b
     co_5c_right = co_5a - co_5c
-    co_5c_left_rest = product_rest(D_03, w_1, co_5a, co_5c + co_5c_right)
-    co_5c_lo1 = co_5c_left_rest - product_rest(D_13, w_0, co_5b, co_5c_right)
     co_5 = co_5c + w_5
     co_5_right = co_5 - co_5c
-    w_5_lo = w_5_lo1 + (w_5c_left_rest + product_rest(D_21, ci_4, w_5b, w_5c_right))
-    co_5_lo2 = co_5c - (co_5 - co_5_right) + (w_5 - co_5_right) + w_5_lo
+    co_5_lo2 = (co_5c - (co_5 - co_5_right) + (w_5 - co_5_right)
+        + (w_5c - (w_5 - w_5_right) + product_rest(D_22, ci_5, w_5d, w_5_right) + w_5c_lo))
+    co_5c_lo = (product_rest(D_03, w_1, co_5a, co_5c + co_5c_right)
+        - product_rest(D_13, w_0, co_5b, co_5c_right) + (D_03 * w_1_lo - D_13 * w_0_lo))
     w_0_rounded = w_0 + w_0_lo
     w_1_rounded = w_1 + w_1_lo
     w_2_rounded = w_2 + w_2_lo
-    co_3_rounded = co_3 + (co_3_lo2 + (co_3c_lo1 + (D_13 * w_2_lo - D_23 * w_1_lo)))
-    co_4_rounded = co_4 + (co_4_lo2 + (co_4c_lo1 + (D_23 * w_0_lo - D_03 * w_2_lo)))
-    co_5_rounded = co_5 + (co_5_lo2 + (co_5c_lo1 + (D_03 * w_1_lo - D_13 * w_0_lo)))
+    co_3_rounded = co_3 + (co_3_lo2 + co_3c_lo)
+    co_4_rounded = co_4 + (co_4_lo2 + co_4c_lo)
+    co_5_rounded = co_5 + (co_5_lo2 + co_5c_lo)
     return (w_0_rounded, w_1_rounded, w_2_rounded, co_3_rounded, co_4_rounded, co_5_rounded)
 
 
@@ -1158,95 +1121,98 @@ def product_CoAdinvc(D, ci):
     w_3b = D_13 * ci_2
     w_3c = w_3a - w_3b
     w_3c_right = w_3a - w_3c
-    w_3c_left_rest = product_rest(D_23, ci_1, w_3a, w_3c + w_3c_right)
     w_3 = w_3c + ci_3
     w_3_right = w_3 - w_3c
-    w_3c_lo = w_3c_left_rest - product_rest(D_13, ci_2, w_3b, w_3c_right)
+    w_3c_lo = (product_rest(D_23, ci_1, w_3a, w_3c + w_3c_right)
+        - product_rest(D_13, ci_2, w_3b, w_3c_right))
     w_3_lo = w_3c - (w_3 - w_3_right) + (ci_3 - w_3_right) + w_3c_lo
     w_4a = D_03 * ci_2
     w_4b = D_23 * ci_0
     w_4c = w_4a - w_4b
     w_4c_right = w_4a - w_4c
-    w_4c_left_rest = product_rest(D_03, ci_2, w_4a, w_4c + w_4c_right)
     w_4 = w_4c + ci_4
     w_4_right = w_4 - w_4c
-    w_4c_lo = w_4c_left_rest - product_rest(D_23, ci_0, w_4b, w_4c_right)
+    w_4c_lo = (product_rest(D_03, ci_2, w_4a, w_4c + w_4c_right)
+        - product_rest(D_23, ci_0, w_4b, w_4c_right))
     w_4_lo = w_4c - (w_4 - w_4_right) + (ci_4 - w_4_right) + w_4c_lo
     w_5a = D_13 * ci_0
     w_5b = D_03 * ci_1
     w_5c = w_5a - w_5b
     w_5c_right = w_5a - w_5c
-    w_5c_left_rest = product_rest(D_13, ci_0, w_5a, w_5c + w_5c_right)
     w_5 = w_5c + ci_5
     w_5_right = w_5 - w_5c
-    w_5c_lo = w_5c_left_rest - product_rest(D_03, ci_1, w_5b, w_5c_right)
+    w_5c_lo = (product_rest(D_13, ci_0, w_5a, w_5c + w_5c_right)
+        - product_rest(D_03, ci_1, w_5b, w_5c_right))
     w_5_lo = w_5c - (w_5 - w_5_right) + (ci_5 - w_5_right) + w_5c_lo
     co_0a = D_00 * ci_0
     co_0b = D_10 * ci_1
     co_0c = co_0a + co_0b
     co_0c_right = co_0c - co_0a
-    co_0c_left_rest = product_rest(D_00, ci_0, co_0a, co_0c - co_0c_right)
     co_0d = D_20 * ci_2
     co_0 = co_0c + co_0d
     co_0_right = co_0 - co_0c
-    co_0_lo1 = co_0c - (co_0 - co_0_right) + product_rest(D_20, ci_2, co_0d, co_0_right)
+    co_0c_lo = (product_rest(D_00, ci_0, co_0a, co_0c - co_0c_right)
+        + product_rest(D_10, ci_1, co_0b, co_0c_right))
     co_1a = D_01 * ci_0
     co_1b = D_11 * ci_1
     co_1c = co_1a + co_1b
     co_1c_right = co_1c - co_1a
-    co_1c_left_rest = product_rest(D_01, ci_0, co_1a, co_1c - co_1c_right)
     co_1d = D_21 * ci_2
     co_1 = co_1c + co_1d
     co_1_right = co_1 - co_1c
-    co_1_lo1 = co_1c - (co_1 - co_1_right) + product_rest(D_21, ci_2, co_1d, co_1_right)
+    co_1c_lo = (product_rest(D_01, ci_0, co_1a, co_1c - co_1c_right)
+        + product_rest(D_11, ci_1, co_1b, co_1c_right))
     co_2a = D_02 * ci_0
     co_2b = D_12 * ci_1
     co_2c = co_2a + co_2b
     co_2c_right = co_2c - co_2a
-    co_2c_left_rest = product_rest(D_02, ci_0, co_2a, co_2c - co_2c_right)
     co_2d = D_22 * ci_2
     co_2 = co_2c + co_2d
     co_2_right = co_2 - co_2c
-    co_2_lo1 = co_2c - (co_2 - co_2_right) + product_rest(D_22, ci_2, co_2d, co_2_right)
+    co_2c_lo = (product_rest(D_02, ci_0, co_2a, co_2c - co_2c_right)
+        + product_rest(D_12, ci_1, co_2b, co_2c_right))
     co_3a = D_00 * w_3
     co_3b = D_10 * w_4
     co_3c = co_3a + co_3b
     co_3c_right = co_3c - co_3a
-    co_3c_left_rest = product_rest(D_00, w_3, co_3a, co_3c - co_3c_right)
-    co_3c_lo1 = co_3c_left_rest + product_rest(D_10, w_4, co_3b, co_3c_right)
     co_3d = D_20 * w_5
     co_3 = co_3c + co_3d
     co_3_right = co_3 - co_3c
-    co_3_lo1 = co_3c - (co_3 - co_3_right) + product_rest(D_20, w_5, co_3d, co_3_right)
+    co_3c_lo = (product_rest(D_00, w_3, co_3a, co_3c - co_3c_right)
+        + product_rest(D_10, w_4, co_3b, co_3c_right) + (D_00 * w_3_lo + D_10 * w_4_lo))
     co_4a = D_01 * w_3
     co_4b = D_11 * w_4
     co_4c = co_4a + co_4b
     co_4c_right = co_4c - co_4a
-    co_4c_left_rest = product_rest(D_01, w_3, co_4a, co_4c - co_4c_right)
-    co_4c_lo1 = co_4c_left_rest + product_rest(D_11, w_4, co_4b, co_4c_right)
     co_4d = D_21 * w_5
     co_4 = co_4c + co_4d
     co_4_right = co_4 - co_4c
-    co_4_lo1 = co_4c - (co_4 - co_4_right) + product_rest(D_21, w_5, co_4d, co_4_right)
+    co_4c_lo = (product_rest(D_01, w_3, co_4a, co_4c - co_4c_right)
+        + product_rest(D_11, w_4, co_4b, co_4c_right) + (D_01 * w_3_lo + D_11 * w_4_lo))
     co_5a = D_02 * w_3
     co_5b = D_12 * w_4
     co_5c = co_5a + co_5b
     co_5c_right = co_5c - co_5a
-    co_5c_left_rest = product_rest(D_02, w_3, co_5a, co_5c - co_5c_right)
-    co_5c_lo1 = co_5c_left_rest + product_rest(D_12, w_4, co_5b, co_5c_right)
     co_5d = D_22 * w_5
     co_5 = co_5c + co_5d
     co_5_right = co_5 - co_5c
-    co_5_lo1 = co_5c - (co_5 - co_5_right) + product_rest(D_22, w_5, co_5d, co_5_right)
-    co_0_lo = co_0_lo1 + (co_0c_left_rest + product_rest(D_10, ci_1, co_0b, co_0c_right))
-    co_0_rounded = co_0 + co_0_lo
-    co_1_lo = co_1_lo1 + (co_1c_left_rest + product_rest(D_11, ci_1, co_1b, co_1c_right))
-    co_1_rounded = co_1 + co_1_lo
-    co_2_lo = co_2_lo1 + (co_2c_left_rest + product_rest(D_12, ci_1, co_2b, co_2c_right))
-    co_2_rounded = co_2 + co_2_lo
-    co_3_rounded = co_3 + (co_3_lo1 + D_20 * w_5_lo + (co_3c_lo1 + (D_00 * w_3_lo + D_10 * w_4_lo)))
-    co_4_rounded = co_4 + (co_4_lo1 + D_21 * w_5_lo + (co_4c_lo1 + (D_01 * w_3_lo + D_11 * w_4_lo)))
-    co_5_rounded = co_5 + (co_5_lo1 + D_22 * w_5_lo + (co_5c_lo1 + (D_02 * w_3_lo + D_12 * w_4_lo)))
+    co_5c_lo = (product_rest(D_02, w_3, co_5a, co_5c - co_5c_right)
+        + product_rest(D_12, w_4, co_5b, co_5c_right) + (D_02 * w_3_lo + D_12 * w_4_lo))
+    co_0_rounded = (co_0
+        + (co_0c - (co_0 - co_0_right) + product_rest(D_20, ci_2, co_0d, co_0_right) + co_0c_lo))
+    co_1_rounded = (co_1
+        + (co_1c - (co_1 - co_1_right) + product_rest(D_21, ci_2, co_1d, co_1_right) + co_1c_lo))
+    co_2_rounded = (co_2
+        + (co_2c - (co_2 - co_2_right) + product_rest(D_22, ci_2, co_2d, co_2_right) + co_2c_lo))
+    co_3_rounded = (co_3
+        + (co_3c - (co_3 - co_3_right) + product_rest(D_20, w_5, co_3d, co_3_right) + D_20 * w_5_lo
+        + co_3c_lo))
+    co_4_rounded = (co_4
+        + (co_4c - (co_4 - co_4_right) + product_rest(D_21, w_5, co_4d, co_4_right) + D_21 * w_5_lo
+        + co_4c_lo))
+    co_5_rounded = (co_5
+        + (co_5c - (co_5 - co_5_right) + product_rest(D_22, w_5, co_5d, co_5_right) + D_22 * w_5_lo
+        + co_5c_lo))
     return (co_0_rounded, co_1_rounded, co_2_rounded, co_3_rounded, co_4_rounded, co_5_rounded)
 
 
@@ -1265,101 +1231,101 @@ def product_CoAdcinv(D, ci):
     w_0b = D_01 * ci_1
     w_0c = w_0a + w_0b
     w_0c_right = w_0c - w_0a
-    w_0c_left_rest = product_rest(D_00, ci_0, w_0a, w_0c - w_0c_right)
     w_0d = D_02 * ci_2
     w_0e = w_0c + w_0d
     w_0e_right = w_0e - w_0c
-    w_0e_lo1 = w_0c - (w_0e - w_0e_right) + product_rest(D_02, ci_2, w_0d, w_0e_right)
+    w_0c_lo = (product_rest(D_00, ci_0, w_0a, w_0c - w_0c_right)
+        + product_rest(D_01, ci_1, w_0b, w_0c_right))
     w_0 = -w_0e
-    w_0_lo = -(w_0e_lo1 + (w_0c_left_rest + product_rest(D_01, ci_1, w_0b, w_0c_right)))
+    w_0_lo = -(w_0c - (w_0e - w_0e_right) + product_rest(D_02, ci_2, w_0d, w_0e_right) + w_0c_lo)
     w_1a = D_10 * ci_0
     w_1b = D_11 * ci_1
     w_1c = w_1a + w_1b
     w_1c_right = w_1c - w_1a
-    w_1c_left_rest = product_rest(D_10, ci_0, w_1a, w_1c - w_1c_right)
     w_1d = D_12 * ci_2
     w_1e = w_1c + w_1d
     w_1e_right = w_1e - w_1c
-    w_1e_lo1 = w_1c - (w_1e - w_1e_right) + product_rest(D_12, ci_2, w_1d, w_1e_right)
+    w_1c_lo = (product_rest(D_10, ci_0, w_1a, w_1c - w_1c_right)
+        + product_rest(D_11, ci_1, w_1b, w_1c_right))
     w_1 = -w_1e
-    w_1_lo = -(w_1e_lo1 + (w_1c_left_rest + product_rest(D_11, ci_1, w_1b, w_1c_right)))
+    w_1_lo = -(w_1c - (w_1e - w_1e_right) + product_rest(D_12, ci_2, w_1d, w_1e_right) + w_1c_lo)
     w_2a = D_20 * ci_0
     w_2b = D_21 * ci_1
     w_2c = w_2a + w_2b
     w_2c_right = w_2c - w_2a
-    w_2c_left_rest = product_rest(D_20, ci_0, w_2a, w_2c - w_2c_right)
     w_2d = D_22 * ci_2
     w_2e = w_2c + w_2d
     w_2e_right = w_2e - w_2c
-    w_2e_lo1 = w_2c - (w_2e - w_2e_right) + product_rest(D_22, ci_2, w_2d, w_2e_right)
+    w_2c_lo = (product_rest(D_20, ci_0, w_2a, w_2c - w_2c_right)
+        + product_rest(D_21, ci_1, w_2b, w_2c_right))
     w_2 = -w_2e
-    w_2_lo = -(w_2e_lo1 + (w_2c_left_rest + product_rest(D_21, ci_1, w_2b, w_2c_right)))
+    w_2_lo = -(w_2c - (w_2e - w_2e_right) + product_rest(D_22, ci_2, w_2d, w_2e_right) + w_2c_lo)
     w_3a = D_00 * ci_3
     w_3b = D_01 * ci_4
     w_3c = w_3a + w_3b
     w_3c_right = w_3c - w_3a
-    w_3c_left_rest = product_rest(D_00, ci_3, w_3a, w_3c - w_3c_right)
     w_3d = D_02 * ci_5
     w_3e = w_3c + w_3d
     w_3e_right = w_3e - w_3c
-    w_3e_lo1 = w_3c - (w_3e - w_3e_right) + product_rest(D_02, ci_5, w_3d, w_3e_right)
+    w_3c_lo = (product_rest(D_00, ci_3, w_3a, w_3c - w_3c_right)
+        + product_rest(D_01, ci_4, w_3b, w_3c_right))
     w_3 = -w_3e
     w_4a = D_10 * ci_3
     w_4b = D_11 * ci_4
     w_4c = w_4a + w_4b
     w_4c_right = w_4c - w_4a
-    w_4c_left_rest = product_rest(D_10, ci_3, w_4a, w_4c - w_4c_right)
     w_4d = D_12 * ci_5
     w_4e = w_4c + w_4d
     w_4e_right = w_4e - w_4c
-    w_4e_lo1 = w_4c - (w_4e - w_4e_right) + product_rest(D_12, ci_5, w_4d, w_4e_right)
+    w_4c_lo = (product_rest(D_10, ci_3, w_4a, w_4c - w_4c_right)
+        + product_rest(D_11, ci_4, w_4b, w_4c_right))
     w_4 = -w_4e
     w_5a = D_20 * ci_3
     w_5b = D_21 * ci_4
     w_5c = w_5a + w_5b
     w_5c_right = w_5c - w_5a
-    w_5c_left_rest = product_rest(D_20, ci_3, w_5a, w_5c - w_5c_right)
     w_5d = D_22 * ci_5
     w_5e = w_5c + w_5d
     w_5e_right = w_5e - w_5c
-    w_5e_lo1 = w_5c - (w_5e - w_5e_right) + product_rest(D_22, ci_5, w_5d, w_5e_right)
+    w_5c_lo = (product_rest(D_20, ci_3, w_5a, w_5c - w_5c_right)
+        + product_rest(D_21, ci_4, w_5b, w_5c_right))
     w_5 = -w_5e
     co_3a = D_13 * w_2
     co_3b = D_23 * w_1
     co_3c = co_3a - co_3b
     co_3c_right = co_3a - co_3c
-    co_3c_left_rest = product_rest(D_13, w_2, co_3a, co_3c + co_3c_right)
-    co_3c_lo1 = co_3c_left_rest - product_rest(D_23, w_1, co_3b, co_3c_right)
     co_3 = co_3c + w_3
     co_3_right = co_3 - co_3c
-    w_3_lo = -(w_3e_lo1 + (w_3c_left_rest + product_rest(D_01, ci_4, w_3b, w_3c_right)))
-    co_3_lo2 = co_3c - (co_3 - co_3_right) + (w_3 - co_3_right) + w_3_lo
+    co_3_lo2 = (co_3c - (co_3 - co_3_right) + (w_3 - co_3_right) +
+        -(w_3c - (w_3e - w_3e_right) + product_rest(D_02, ci_5, w_3d, w_3e_right) + w_3c_lo))
+    co_3c_lo = (product_rest(D_13, w_2, co_3a, co_3c + co_3c_right)
+        - product_rest(D_23, w_1, co_3b, co_3c_right) + (D_13 * w_2_lo - D_23 * w_1_lo))
     co_4a = D_23 * w_0
     co_4b = D_03 * w_2
     co_4c = co_4a - co_4b
     co_4c_right = co_4a - co_4c
-    co_4c_left_rest = product_rest(D_23, w_0, co_4a, co_4c + co_4c_right)
-    co_4c_lo1 = co_4c_left_rest - product_rest(D_03, w_2, co_4b, co_4c_right)
     co_4 = co_4c + w_4
     co_4_right = co_4 - co_4c
-    w_4_lo = -(w_4e_lo1 + (w_4c_left_rest + product_rest(D_11, ci_4, w_4b, w_4c_right)))
-    co_4_lo2 = co_4c - (co_4 - co_4_right) + (w_4 - co_4_right) + w_4_lo
+    co_4_lo2 = (co_4c - (co_4 - co_4_right) + (w_4 - co_4_right) +
+        -(w_4c - (w_4e - w_4e_right) + product_rest(D_12, ci_5, w_4d, w_4e_right) + w_4c_lo))
+    co_4c_lo = (product_rest(D_23, w_0, co_4a, co_4c + co_4c_right)
+        - product_rest(D_03, w_2, co_4b, co_4c_right) + (D_23 * w_0_lo - D_03 * w_2_lo))
     co_5a = D_03 * w_1
     co_5b = D_13 * w_0
     co_5c = co_5a - co_5b
     co_5c_right = co_5a - co_5c
-    co_5c_left_rest = product_rest(D_03, w_1, co_5a, co_5c + co_5c_right)
-    co_5c_lo1 = co_5c_left_rest - product_rest(D_13, w_0, co_5b, co_5c_right)
     co_5 = co_5c + w_5
     co_5_right = co_5 - co_5c
-    w_5_lo = -(w_5e_lo1 + (w_5c_left_rest + product_rest(D_21, ci_4, w_5b, w_5c_right)))
-    co_5_lo2 = co_5c - (co_5 - co_5_right) + (w_5 - co_5_right) + w_5_lo
+    co_5_lo2 = (co_5c - (co_5 - co_5_right) + (w_5 - co_5_right) +
+        -(w_5c - (w_5e - w_5e_right) + product_rest(D_22, ci_5, w_5d, w_5e_right) + w_5c_lo))
+    co_5c_lo = (product_rest(D_03, w_1, co_5a, co_5c + co_5c_right)
+        - product_rest(D_13, w_0, co_5b, co_5c_right) + (D_03 * w_1_lo - D_13 * w_0_lo))
     w_0_rounded = w_0 + w_0_lo
     w_1_rounded = w_1 + w_1_lo
     w_2_rounded = w_2 + w_2_lo
-    co_3_rounded = co_3 + (co_3_lo2 + (co_3c_lo1 + (D_13 * w_2_lo - D_23 * w_1_lo)))
-    co_4_rounded = co_4 + (co_4_lo2 + (co_4c_lo1 + (D_23 * w_0_lo - D_03 * w_2_lo)))
-    co_5_rounded = co_5 + (co_5_lo2 + (co_5c_lo1 + (D_03 * w_1_lo - D_13 * w_0_lo)))
+    co_3_rounded = co_3 + (co_3_lo2 + co_3c_lo)
+    co_4_rounded = co_4 + (co_4_lo2 + co_4c_lo)
+    co_5_rounded = co_5 + (co_5_lo2 + co_5c_lo)
     return (w_0_rounded, w_1_rounded, w_2_rounded, co_3_rounded, co_4_rounded, co_5_rounded)
 
 
@@ -1376,20 +1342,23 @@ def hctx(D):
     co_3b = D_10 * D_23
     co_3 = co_3a - co_3b
     co_3_right = co_3a - co_3
-    co_3_left_rest = product_rest(D_20, D_13, co_3a, co_3 + co_3_right)
     co_4a = D_00 * D_23
     co_4b = D_20 * D_03
     co_4 = co_4a - co_4b
     co_4_right = co_4a - co_4
-    co_4_left_rest = product_rest(D_00, D_23, co_4a, co_4 + co_4_right)
     co_5a = D_10 * D_03
     co_5b = D_00 * D_13
     co_5 = co_5a - co_5b
     co_5_right = co_5a - co_5
-    co_5_left_rest = product_rest(D_10, D_03, co_5a, co_5 + co_5_right)
-    co_3_rounded = co_3 + (co_3_left_rest - product_rest(D_10, D_23, co_3b, co_3_right))
-    co_4_rounded = co_4 + (co_4_left_rest - product_rest(D_20, D_03, co_4b, co_4_right))
-    co_5_rounded = co_5 + (co_5_left_rest - product_rest(D_00, D_13, co_5b, co_5_right))
+    co_3_rounded = (co_3
+        + (product_rest(D_20, D_13, co_3a, co_3 + co_3_right)
+        - product_rest(D_10, D_23, co_3b, co_3_right)))
+    co_4_rounded = (co_4
+        + (product_rest(D_00, D_23, co_4a, co_4 + co_4_right)
+        - product_rest(D_20, D_03, co_4b, co_4_right)))
+    co_5_rounded = (co_5
+        + (product_rest(D_10, D_03, co_5a, co_5 + co_5_right)
+        - product_rest(D_00, D_13, co_5b, co_5_right)))
     return (D_00, D_10, D_20, co_3_rounded, co_4_rounded, co_5_rounded)
 
 
@@ -1406,20 +1375,23 @@ def hcty(D):
     co_3b = D_11 * D_23
     co_3 = co_3a - co_3b
     co_3_right = co_3a - co_3
-    co_3_left_rest = product_rest(D_21, D_13, co_3a, co_3 + co_3_right)
     co_4a = D_01 * D_23
     co_4b = D_21 * D_03
     co_4 = co_4a - co_4b
     co_4_right = co_4a - co_4
-    co_4_left_rest = product_rest(D_01, D_23, co_4a, co_4 + co_4_right)
     co_5a = D_11 * D_03
     co_5b = D_01 * D_13
     co_5 = co_5a - co_5b
     co_5_right = co_5a - co_5
-    co_5_left_rest = product_rest(D_11, D_03, co_5a, co_5 + co_5_right)
-    co_3_rounded = co_3 + (co_3_left_rest - product_rest(D_11, D_23, co_3b, co_3_right))
-    co_4_rounded = co_4 + (co_4_left_rest - product_rest(D_21, D_03, co_4b, co_4_right))
-    co_5_rounded = co_5 + (co_5_left_rest - product_rest(D_01, D_13, co_5b, co_5_right))
+    co_3_rounded = (co_3
+        + (product_rest(D_21, D_13, co_3a, co_3 + co_3_right)
+        - product_rest(D_11, D_23, co_3b, co_3_right)))
+    co_4_rounded = (co_4
+        + (product_rest(D_01, D_23, co_4a, co_4 + co_4_right)
+        - product_rest(D_21, D_03, co_4b, co_4_right)))
+    co_5_rounded = (co_5
+        + (product_rest(D_11, D_03, co_5a, co_5 + co_5_right)
+        - product_rest(D_01, D_13, co_5b, co_5_right)))
     return (D_01, D_11, D_21, co_3_rounded, co_4_rounded, co_5_rounded)
 
 
@@ -1436,20 +1408,23 @@ def hctz(D):
     co_3b = D_12 * D_23
     co_3 = co_3a - co_3b
     co_3_right = co_3a - co_3
-    co_3_left_rest = product_rest(D_22, D_13, co_3a, co_3 + co_3_right)
     co_4a = D_02 * D_23
     co_4b = D_22 * D_03
     co_4 = co_4a - co_4b
     co_4_right = co_4a - co_4
-    co_4_left_rest = product_rest(D_02, D_23, co_4a, co_4 + co_4_right)
     co_5a = D_12 * D_03
     co_5b = D_02 * D_13
     co_5 = co_5a - co_5b
     co_5_right = co_5a - co_5
-    co_5_left_rest = product_rest(D_12, D_03, co_5a, co_5 + co_5_right)
-    co_3_rounded = co_3 + (co_3_left_rest - product_rest(D_12, D_23, co_3b, co_3_right))
-    co_4_rounded = co_4 + (co_4_left_rest - product_rest(D_22, D_03, co_4b, co_4_right))
-    co_5_rounded = co_5 + (co_5_left_rest - product_rest(D_02, D_13, co_5b, co_5_right))
+    co_3_rounded = (co_3
+        + (product_rest(D_22, D_13, co_3a, co_3 + co_3_right)
+        - product_rest(D_12, D_23, co_3b, co_3_right)))
+    co_4_rounded = (co_4
+        + (product_rest(D_02, D_23, co_4a, co_4 + co_4_right)
+        - product_rest(D_22, D_03, co_4b, co_4_right)))
+    co_5_rounded = (co_5
+        + (product_rest(D_12, D_03, co_5a, co_5 + co_5_right)
+        - product_rest(D_02, D_13, co_5b, co_5_right)))
     return (D_02, D_12, D_22, co_3_rounded, co_4_rounded, co_5_rounded)
 
 
@@ -1469,20 +1444,23 @@ def hctxinv(D):
     co_3b = D_20 * D_13
     co_3 = co_3a - co_3b
     co_3_right = co_3a - co_3
-    co_3_left_rest = product_rest(D_10, D_23, co_3a, co_3 + co_3_right)
     co_4a = D_20 * D_03
     co_4b = D_00 * D_23
     co_4 = co_4a - co_4b
     co_4_right = co_4a - co_4
-    co_4_left_rest = product_rest(D_20, D_03, co_4a, co_4 + co_4_right)
     co_5a = D_00 * D_13
     co_5b = D_10 * D_03
     co_5 = co_5a - co_5b
     co_5_right = co_5a - co_5
-    co_5_left_rest = product_rest(D_00, D_13, co_5a, co_5 + co_5_right)
-    co_3_rounded = co_3 + (co_3_left_rest - product_rest(D_20, D_13, co_3b, co_3_right))
-    co_4_rounded = co_4 + (co_4_left_rest - product_rest(D_00, D_23, co_4b, co_4_right))
-    co_5_rounded = co_5 + (co_5_left_rest - product_rest(D_10, D_03, co_5b, co_5_right))
+    co_3_rounded = (co_3
+        + (product_rest(D_10, D_23, co_3a, co_3 + co_3_right)
+        - product_rest(D_20, D_13, co_3b, co_3_right)))
+    co_4_rounded = (co_4
+        + (product_rest(D_20, D_03, co_4a, co_4 + co_4_right)
+        - product_rest(D_00, D_23, co_4b, co_4_right)))
+    co_5_rounded = (co_5
+        + (product_rest(D_00, D_13, co_5a, co_5 + co_5_right)
+        - product_rest(D_10, D_03, co_5b, co_5_right)))
     return (co_0, co_1, co_2, co_3_rounded, co_4_rounded, co_5_rounded)
 
 
@@ -1502,20 +1480,23 @@ def hctyinv(D):
     co_3b = D_21 * D_13
     co_3 = co_3a - co_3b
     co_3_right = co_3a - co_3
-    co_3_left_rest = product_rest(D_11, D_23, co_3a, co_3 + co_3_right)
     co_4a = D_21 * D_03
     co_4b = D_01 * D_23
     co_4 = co_4a - co_4b
     co_4_right = co_4a - co_4
-    co_4_left_rest = product_rest(D_21, D_03, co_4a, co_4 + co_4_right)
     co_5a = D_01 * D_13
     co_5b = D_11 * D_03
     co_5 = co_5a - co_5b
     co_5_right = co_5a - co_5
-    co_5_left_rest = product_rest(D_01, D_13, co_5a, co_5 + co_5_right)
-    co_3_rounded = co_3 + (co_3_left_rest - product_rest(D_21, D_13, co_3b, co_3_right))
-    co_4_rounded = co_4 + (co_4_left_rest - product_rest(D_01, D_23, co_4b, co_4_right))
-    co_5_rounded = co_5 + (co_5_left_rest - product_rest(D_11, D_03, co_5b, co_5_right))
+    co_3_rounded = (co_3
+        + (product_rest(D_11, D_23, co_3a, co_3 + co_3_right)
+        - product_rest(D_21, D_13, co_3b, co_3_right)))
+    co_4_rounded = (co_4
+        + (product_rest(D_21, D_03, co_4a, co_4 + co_4_right)
+        - product_rest(D_01, D_23, co_4b, co_4_right)))
+    co_5_rounded = (co_5
+        + (product_rest(D_01, D_13, co_5a, co_5 + co_5_right)
+        - product_rest(D_11, D_03, co_5b, co_5_right)))
     return (co_0, co_1, co_2, co_3_rounded, co_4_rounded, co_5_rounded)
 
 
@@ -1535,20 +1516,23 @@ def hctzinv(D):
     co_3b = D_22 * D_13
     co_3 = co_3a - co_3b
     co_3_right = co_3a - co_3
-    co_3_left_rest = product_rest(D_12, D_23, co_3a, co_3 + co_3_right)
     co_4a = D_22 * D_03
     co_4b = D_02 * D_23
     co_4 = co_4a - co_4b
     co_4_right = co_4a - co_4
-    co_4_left_rest = product_rest(D_22, D_03, co_4a, co_4 + co_4_right)
     co_5a = D_02 * D_13
     co_5b = D_12 * D_03
     co_5 = co_5a - co_5b
     co_5_right = co_5a - co_5
-    co_5_left_rest = product_rest(D_02, D_13, co_5a, co_5 + co_5_right)
-    co_3_rounded = co_3 + (co_3_left_rest - product_rest(D_22, D_13, co_3b, co_3_right))
-    co_4_rounded = co_4 + (co_4_left_rest - product_rest(D_02, D_23, co_4b, co_4_right))
-    co_5_rounded = co_5 + (co_5_left_rest - product_rest(D_12, D_03, co_5b, co_5_right))
+    co_3_rounded = (co_3
+        + (product_rest(D_12, D_23, co_3a, co_3 + co_3_right)
+        - product_rest(D_22, D_13, co_3b, co_3_right)))
+    co_4_rounded = (co_4
+        + (product_rest(D_22, D_03, co_4a, co_4 + co_4_right)
+        - product_rest(D_02, D_23, co_4b, co_4_right)))
+    co_5_rounded = (co_5
+        + (product_rest(D_02, D_13, co_5a, co_5 + co_5_right)
+        - product_rest(D_12, D_03, co_5b, co_5_right)))
     return (co_0, co_1, co_2, co_3_rounded, co_4_rounded, co_5_rounded)
 
 
@@ -1565,56 +1549,65 @@ def CoAd(D):
     M_30b = D_10 * D_23
     M_30 = M_30a - M_30b
     M_30_right = M_30a - M_30
-    M_30_left_rest = product_rest(D_20, D_13, M_30a, M_30 + M_30_right)
     M_31a = D_21 * D_13
     M_31b = D_11 * D_23
     M_31 = M_31a - M_31b
     M_31_right = M_31a - M_31
-    M_31_left_rest = product_rest(D_21, D_13, M_31a, M_31 + M_31_right)
     M_32a = D_22 * D_13
     M_32b = D_12 * D_23
     M_32 = M_32a - M_32b
     M_32_right = M_32a - M_32
-    M_32_left_rest = product_rest(D_22, D_13, M_32a, M_32 + M_32_right)
     M_40a = D_00 * D_23
     M_40b = D_20 * D_03
     M_40 = M_40a - M_40b
     M_40_right = M_40a - M_40
-    M_40_left_rest = product_rest(D_00, D_23, M_40a, M_40 + M_40_right)
     M_41a = D_01 * D_23
     M_41b = D_21 * D_03
     M_41 = M_41a - M_41b
     M_41_right = M_41a - M_41
-    M_41_left_rest = product_rest(D_01, D_23, M_41a, M_41 + M_41_right)
     M_42a = D_02 * D_23
     M_42b = D_22 * D_03
     M_42 = M_42a - M_42b
     M_42_right = M_42a - M_42
-    M_42_left_rest = product_rest(D_02, D_23, M_42a, M_42 + M_42_right)
     M_50a = D_10 * D_03
     M_50b = D_00 * D_13
     M_50 = M_50a - M_50b
     M_50_right = M_50a - M_50
-    M_50_left_rest = product_rest(D_10, D_03, M_50a, M_50 + M_50_right)
     M_51a = D_11 * D_03
     M_51b = D_01 * D_13
     M_51 = M_51a - M_51b
     M_51_right = M_51a - M_51
-    M_51_left_rest = product_rest(D_11, D_03, M_51a, M_51 + M_51_right)
     M_52a = D_12 * D_03
     M_52b = D_02 * D_13
     M_52 = M_52a - M_52b
     M_52_right = M_52a - M_52
-    M_52_left_rest = product_rest(D_12, D_03, M_52a, M_52 + M_52_right)
-    M_30_rounded = M_30 + (M_30_left_rest - product_rest(D_10, D_23, M_30b, M_30_right))
-    M_31_rounded = M_31 + (M_31_left_rest - product_rest(D_11, D_23, M_31b, M_31_right))
-    M_32_rounded = M_32 + (M_32_left_rest - product_rest(D_12, D_23, M_32b, M_32_right))
-    M_40_rounded = M_40 + (M_40_left_rest - product_rest(D_20, D_03, M_40b, M_40_right))
-    M_41_rounded = M_41 + (M_41_left_rest - product_rest(D_21, D_03, M_41b, M_41_right))
-    M_42_rounded = M_42 + (M_42_left_rest - product_rest(D_22, D_03, M_42b, M_42_right))
-    M_50_rounded = M_50 + (M_50_left_rest - product_rest(D_00, D_13, M_50b, M_50_right))
-    M_51_rounded = M_51 + (M_51_left_rest - product_rest(D_01, D_13, M_51b, M_51_right))
-    M_52_rounded = M_52 + (M_52_left_rest - product_rest(D_02, D_13, M_52b, M_52_right))
+    M_30_rounded = (M_30
+        + (product_rest(D_20, D_13, M_30a, M_30 + M_30_right)
+        - product_rest(D_10, D_23, M_30b, M_30_right)))
+    M_31_rounded = (M_31
+        + (product_rest(D_21, D_13, M_31a, M_31 + M_31_right)
+        - product_rest(D_11, D_23, M_31b, M_31_right)))
+    M_32_rounded = (M_32
+        + (product_rest(D_22, D_13, M_32a, M_32 + M_32_right)
+        - product_rest(D_12, D_23, M_32b, M_32_right)))
+    M_40_rounded = (M_40
+        + (product_rest(D_00, D_23, M_40a, M_40 + M_40_right)
+        - product_rest(D_20, D_03, M_40b, M_40_right)))
+    M_41_rounded = (M_41
+        + (product_rest(D_01, D_23, M_41a, M_41 + M_41_right)
+        - product_rest(D_21, D_03, M_41b, M_41_right)))
+    M_42_rounded = (M_42
+        + (product_rest(D_02, D_23, M_42a, M_42 + M_42_right)
+        - product_rest(D_22, D_03, M_42b, M_42_right)))
+    M_50_rounded = (M_50
+        + (product_rest(D_10, D_03, M_50a, M_50 + M_50_right)
+        - product_rest(D_00, D_13, M_50b, M_50_right)))
+    M_51_rounded = (M_51
+        + (product_rest(D_11, D_03, M_51a, M_51 + M_51_right)
+        - product_rest(D_01, D_13, M_51b, M_51_right)))
+    M_52_rounded = (M_52
+        + (product_rest(D_12, D_03, M_52a, M_52 + M_52_right)
+        - product_rest(D_02, D_13, M_52b, M_52_right)))
     return (D_00, D_01, D_02, 0, 0, 0, D_10, D_11, D_12, 0, 0, 0, D_20, D_21, D_22, 0, 0, 0,
         M_30_rounded, M_31_rounded, M_32_rounded, D_00, D_01, D_02, M_40_rounded, M_41_rounded,
         M_42_rounded, D_10, D_11, D_12, M_50_rounded, M_51_rounded, M_52_rounded, D_20, D_21, D_22)
@@ -1635,28 +1628,28 @@ def reciprocal_product(c, x):
     power_b = c_1 * x_4
     power_c = power_a + power_b
     power_c_right = power_c - power_a
-    power_c_left_rest = product_rest(c_0, x_3, power_a, power_c - power_c_right)
     power_d = c_2 * x_5
     power_e = power_c + power_d
     power_e_right = power_e - power_c
-    power_e_right_rest = product_rest(c_2, x_5, power_d, power_e_right)
-    power_c_lo = power_c_left_rest + product_rest(c_1, x_4, power_b, power_c_right)
+    power_c_lo = (product_rest(c_0, x_3, power_a, power_c - power_c_right)
+        + product_rest(c_1, x_4, power_b, power_c_right))
     power_f = c_3 * x_0
     power_g = c_4 * x_1
     power_h = power_f + power_g
     power_h_right = power_h - power_f
-    power_h_left_rest = product_rest(c_3, x_0, power_f, power_h - power_h_right)
     power_i = c_5 * x_2
     power_j = power_h + power_i
     power_j_right = power_j - power_h
-    power_j_right_rest = product_rest(c_5, x_2, power_i, power_j_right)
-    power_h_lo = power_h_left_rest + product_rest(c_4, x_1, power_g, power_h_right)
+    power_h_lo = (product_rest(c_3, x_0, power_f, power_h - power_h_right)
+        + product_rest(c_4, x_1, power_g, power_h_right))
     power = power_e + power_j
     power_right = power - power_e
-    power_j_lo = power_h - (power_j - power_j_right) + power_j_right_rest + power_h_lo
-    power_lo2 = power_e - (power - power_right) + (power_j - power_right) + power_j_lo
-    power_lo = power_lo2 + (power_c - (power_e - power_e_right) + power_e_right_rest + power_c_lo)
-    power_rounded = power + power_lo
+    power_j_lo = (power_h - (power_j - power_j_right)
+        + product_rest(c_5, x_2, power_i, power_j_right) + power_h_lo)
+    power_e_lo = (power_c - (power_e - power_e_right)
+        + product_rest(c_2, x_5, power_d, power_e_right) + power_c_lo)
+    power_rounded = (power
+        + (power_e - (power - power_right) + (power_j - power_right) + power_j_lo + power_e_lo))
     return power_rounded
 
 
@@ -1674,68 +1667,68 @@ def cross_sc(s, c):
     co_0b = s_5 * c_1
     co_0 = co_0a - co_0b
     co_0_right = co_0a - co_0
-    co_0_left_rest = product_rest(s_4, c_2, co_0a, co_0 + co_0_right)
     co_1a = s_5 * c_0
     co_1b = s_3 * c_2
     co_1 = co_1a - co_1b
     co_1_right = co_1a - co_1
-    co_1_left_rest = product_rest(s_5, c_0, co_1a, co_1 + co_1_right)
     co_2a = s_3 * c_1
     co_2b = s_4 * c_0
     co_2 = co_2a - co_2b
     co_2_right = co_2a - co_2
-    co_2_left_rest = product_rest(s_3, c_1, co_2a, co_2 + co_2_right)
     co_3a = s_1 * c_2
     co_3b = s_2 * c_1
     co_3c = co_3a - co_3b
     co_3c_right = co_3a - co_3c
-    co_3c_left_rest = product_rest(s_1, c_2, co_3a, co_3c + co_3c_right)
     co_3d = s_4 * c_5
     co_3e = s_5 * c_4
     co_3f = co_3d - co_3e
     co_3f_right = co_3d - co_3f
-    co_3f_left_rest = product_rest(s_4, c_5, co_3d, co_3f + co_3f_right)
     co_3 = co_3c + co_3f
     co_3_right = co_3 - co_3c
-    co_3f_lo = co_3f_left_rest - product_rest(s_5, c_4, co_3e, co_3f_right)
-    co_3_lo2 = co_3c - (co_3 - co_3_right) + (co_3f - co_3_right) + co_3f_lo
+    co_3f_lo = (product_rest(s_4, c_5, co_3d, co_3f + co_3f_right)
+        - product_rest(s_5, c_4, co_3e, co_3f_right))
+    co_3c_lo = (product_rest(s_1, c_2, co_3a, co_3c + co_3c_right)
+        - product_rest(s_2, c_1, co_3b, co_3c_right))
     co_4a = s_2 * c_0
     co_4b = s_0 * c_2
     co_4c = co_4a - co_4b
     co_4c_right = co_4a - co_4c
-    co_4c_left_rest = product_rest(s_2, c_0, co_4a, co_4c + co_4c_right)
     co_4d = s_5 * c_3
     co_4e = s_3 * c_5
     co_4f = co_4d - co_4e
     co_4f_right = co_4d - co_4f
-    co_4f_left_rest = product_rest(s_5, c_3, co_4d, co_4f + co_4f_right)
     co_4 = co_4c + co_4f
     co_4_right = co_4 - co_4c
-    co_4f_lo = co_4f_left_rest - product_rest(s_3, c_5, co_4e, co_4f_right)
-    co_4_lo2 = co_4c - (co_4 - co_4_right) + (co_4f - co_4_right) + co_4f_lo
+    co_4f_lo = (product_rest(s_5, c_3, co_4d, co_4f + co_4f_right)
+        - product_rest(s_3, c_5, co_4e, co_4f_right))
+    co_4c_lo = (product_rest(s_2, c_0, co_4a, co_4c + co_4c_right)
+        - product_rest(s_0, c_2, co_4b, co_4c_right))
     co_5a = s_0 * c_1
     co_5b = s_1 * c_0
     co_5c = co_5a - co_5b
     co_5c_right = co_5a - co_5c
-    co_5c_left_rest = product_rest(s_0, c_1, co_5a, co_5c + co_5c_right)
     co_5d = s_3 * c_4
     co_5e = s_4 * c_3
     co_5f = co_5d - co_5e
     co_5f_right = co_5d - co_5f
-    co_5f_left_rest = product_rest(s_3, c_4, co_5d, co_5f + co_5f_right)
     co_5 = co_5c + co_5f
     co_5_right = co_5 - co_5c
-    co_5f_lo = co_5f_left_rest - product_rest(s_4, c_3, co_5e, co_5f_right)
-    co_5_lo2 = co_5c - (co_5 - co_5_right) + (co_5f - co_5_right) + co_5f_lo
-    co_0_rounded = co_0 + (co_0_left_rest - product_rest(s_5, c_1, co_0b, co_0_right))
-    co_1_rounded = co_1 + (co_1_left_rest - product_rest(s_3, c_2, co_1b, co_1_right))
-    co_2_rounded = co_2 + (co_2_left_rest - product_rest(s_4, c_0, co_2b, co_2_right))
-    co_3_lo = co_3_lo2 + (co_3c_left_rest - product_rest(s_2, c_1, co_3b, co_3c_right))
-    co_3_rounded = co_3 + co_3_lo
-    co_4_lo = co_4_lo2 + (co_4c_left_rest - product_rest(s_0, c_2, co_4b, co_4c_right))
-    co_4_rounded = co_4 + co_4_lo
-    co_5_lo = co_5_lo2 + (co_5c_left_rest - product_rest(s_1, c_0, co_5b, co_5c_right))
-    co_5_rounded = co_5 + co_5_lo
+    co_5f_lo = (product_rest(s_3, c_4, co_5d, co_5f + co_5f_right)
+        - product_rest(s_4, c_3, co_5e, co_5f_right))
+    co_5c_lo = (product_rest(s_0, c_1, co_5a, co_5c + co_5c_right)
+        - product_rest(s_1, c_0, co_5b, co_5c_right))
+    co_0_rounded = (co_0
+        + (product_rest(s_4, c_2, co_0a, co_0 + co_0_right)
+        - product_rest(s_5, c_1, co_0b, co_0_right)))
+    co_1_rounded = (co_1
+        + (product_rest(s_5, c_0, co_1a, co_1 + co_1_right)
+        - product_rest(s_3, c_2, co_1b, co_1_right)))
+    co_2_rounded = (co_2
+        + (product_rest(s_3, c_1, co_2a, co_2 + co_2_right)
+        - product_rest(s_4, c_0, co_2b, co_2_right)))
+    co_3_rounded = co_3 + (co_3c - (co_3 - co_3_right) + (co_3f - co_3_right) + co_3f_lo + co_3c_lo)
+    co_4_rounded = co_4 + (co_4c - (co_4 - co_4_right) + (co_4f - co_4_right) + co_4f_lo + co_4c_lo)
+    co_5_rounded = co_5 + (co_5c - (co_5 - co_5_right) + (co_5f - co_5_right) + co_5f_lo + co_5c_lo)
     return (co_0_rounded, co_1_rounded, co_2_rounded, co_3_rounded, co_4_rounded, co_5_rounded)
 
 
@@ -1753,20 +1746,23 @@ def cross_sca(s, c):
     co_3b = s_5 * c_4
     co_3 = co_3a - co_3b
     co_3_right = co_3a - co_3
-    co_3_left_rest = product_rest(s_4, c_5, co_3a, co_3 + co_3_right)
     co_4a = s_5 * c_3
     co_4b = s_3 * c_5
     co_4 = co_4a - co_4b
     co_4_right = co_4a - co_4
-    co_4_left_rest = product_rest(s_5, c_3, co_4a, co_4 + co_4_right)
     co_5a = s_3 * c_4
     co_5b = s_4 * c_3
     co_5 = co_5a - co_5b
     co_5_right = co_5a - co_5
-    co_5_left_rest = product_rest(s_3, c_4, co_5a, co_5 + co_5_right)
-    co_3_rounded = co_3 + (co_3_left_rest - product_rest(s_5, c_4, co_3b, co_3_right))
-    co_4_rounded = co_4 + (co_4_left_rest - product_rest(s_3, c_5, co_4b, co_4_right))
-    co_5_rounded = co_5 + (co_5_left_rest - product_rest(s_4, c_3, co_5b, co_5_right))
+    co_3_rounded = (co_3
+        + (product_rest(s_4, c_5, co_3a, co_3 + co_3_right)
+        - product_rest(s_5, c_4, co_3b, co_3_right)))
+    co_4_rounded = (co_4
+        + (product_rest(s_5, c_3, co_4a, co_4 + co_4_right)
+        - product_rest(s_3, c_5, co_4b, co_4_right)))
+    co_5_rounded = (co_5
+        + (product_rest(s_3, c_4, co_5a, co_5 + co_5_right)
+        - product_rest(s_4, c_3, co_5b, co_5_right)))
     return (0, 0, 0, co_3_rounded, co_4_rounded, co_5_rounded)
 
 
@@ -1785,83 +1781,83 @@ def constraint_ctx(D, c):
     w_0b = D_02 * c_2
     w_0 = w_0a + w_0b
     w_0_right = w_0 - w_0a
-    w_0_left_rest = product_rest(D_01, c_1, w_0a, w_0 - w_0_right)
-    w_0_lo = w_0_left_rest + product_rest(D_02, c_2, w_0b, w_0_right)
+    w_0_lo = (product_rest(D_01, c_1, w_0a, w_0 - w_0_right)
+        + product_rest(D_02, c_2, w_0b, w_0_right))
     w_1a = D_11 * c_1
     w_1b = D_12 * c_2
     w_1 = w_1a + w_1b
     w_1_right = w_1 - w_1a
-    w_1_left_rest = product_rest(D_11, c_1, w_1a, w_1 - w_1_right)
-    w_1_lo = w_1_left_rest + product_rest(D_12, c_2, w_1b, w_1_right)
+    w_1_lo = (product_rest(D_11, c_1, w_1a, w_1 - w_1_right)
+        + product_rest(D_12, c_2, w_1b, w_1_right))
     w_2a = D_21 * c_1
     w_2b = D_22 * c_2
     w_2 = w_2a + w_2b
     w_2_right = w_2 - w_2a
-    w_2_left_rest = product_rest(D_21, c_1, w_2a, w_2 - w_2_right)
-    w_2_lo = w_2_left_rest + product_rest(D_22, c_2, w_2b, w_2_right)
+    w_2_lo = (product_rest(D_21, c_1, w_2a, w_2 - w_2_right)
+        + product_rest(D_22, c_2, w_2b, w_2_right))
     w_3a = D_00 * c_3
     w_3b = D_01 * c_4
     w_3c = w_3a + w_3b
     w_3c_right = w_3c - w_3a
-    w_3c_left_rest = product_rest(D_00, c_3, w_3a, w_3c - w_3c_right)
     w_3d = D_02 * c_5
     w_3 = w_3c + w_3d
     w_3_right = w_3 - w_3c
-    w_3_lo1 = w_3c - (w_3 - w_3_right) + product_rest(D_02, c_5, w_3d, w_3_right)
+    w_3c_lo = (product_rest(D_00, c_3, w_3a, w_3c - w_3c_right)
+        + product_rest(D_01, c_4, w_3b, w_3c_right))
     w_4a = D_10 * c_3
     w_4b = D_11 * c_4
     w_4c = w_4a + w_4b
     w_4c_right = w_4c - w_4a
-    w_4c_left_rest = product_rest(D_10, c_3, w_4a, w_4c - w_4c_right)
     w_4d = D_12 * c_5
     w_4 = w_4c + w_4d
     w_4_right = w_4 - w_4c
-    w_4_lo1 = w_4c - (w_4 - w_4_right) + product_rest(D_12, c_5, w_4d, w_4_right)
+    w_4c_lo = (product_rest(D_10, c_3, w_4a, w_4c - w_4c_right)
+        + product_rest(D_11, c_4, w_4b, w_4c_right))
     w_5a = D_20 * c_3
     w_5b = D_21 * c_4
     w_5c = w_5a + w_5b
     w_5c_right = w_5c - w_5a
-    w_5c_left_rest = product_rest(D_20, c_3, w_5a, w_5c - w_5c_right)
     w_5d = D_22 * c_5
     w_5 = w_5c + w_5d
     w_5_right = w_5 - w_5c
-    w_5_lo1 = w_5c - (w_5 - w_5_right) + product_rest(D_22, c_5, w_5d, w_5_right)
+    w_5c_lo = (product_rest(D_20, c_3, w_5a, w_5c - w_5c_right)
+        + product_rest(D_21, c_4, w_5b, w_5c_right))
     co_3a = D_13 * w_2
     co_3b = D_23 * w_1
     co_3c = co_3a - co_3b
     co_3c_right = co_3a - co_3c
-    co_3c_left_rest = product_rest(D_13, w_2, co_3a, co_3c + co_3c_right)
-    co_3c_lo1 = co_3c_left_rest - product_rest(D_23, w_1, co_3b, co_3c_right)
     co_3 = co_3c + w_3
     co_3_right = co_3 - co_3c
-    w_3_lo = w_3_lo1 + (w_3c_left_rest + product_rest(D_01, c_4, w_3b, w_3c_right))
-    co_3_lo2 = co_3c - (co_3 - co_3_right) + (w_3 - co_3_right) + w_3_lo
+    co_3c_lo = (product_rest(D_13, w_2, co_3a, co_3c + co_3c_right)
+        - product_rest(D_23, w_1, co_3b, co_3c_right) + (D_13 * w_2_lo - D_23 * w_1_lo))
+    co_3_lo2 = (co_3c - (co_3 - co_3_right) + (w_3 - co_3_right)
+        + (w_3c - (w_3 - w_3_right) + product_rest(D_02, c_5, w_3d, w_3_right) + w_3c_lo))
     co_4a = D_23 * w_0
     co_4b = D_03 * w_2
     co_4c = co_4a - co_4b
     co_4c_right = co_4a - co_4c
-    co_4c_left_rest = product_rest(D_23, w_0, co_4a, co_4c + co_4c_right)
-    co_4c_lo1 = co_4c_left_rest - product_rest(D_03, w_2, co_4b, co_4c_right)
     co_4 = co_4c + w_4
     co_4_right = co_4 - co_4c
-    w_4_lo = w_4_lo1 + (w_4c_left_rest + product_rest(D_11, c_4, w_4b, w_4c_right))
-    co_4_lo2 = co_4c - (co_4 - co_4_right) + (w_4 - co_4_right) + w_4_lo
+    co_4c_lo = (product_rest(D_23, w_0, co_4a, co_4c + co_4c_right)
+        - product_rest(D_03, w_2, co_4b, co_4c_right) + (D_23 * w_0_lo - D_03 * w_2_lo))
+    co_4_lo2 = (co_4c - (co_4 - co_4_right) + (w_4 - co_4_right)
+        + (w_4c - (w_4 - w_4_right) + product_rest(D_12, c_5, w_4d, w_4_right) + w_4c_lo))
     co_5a = D_03 * w_1
     co_5b = D_13 * w_0
     co_5c = co_5a - co_5b
     co_5c_right = co_5a - co_5c
-    co_5c_left_rest = product_rest(D_03, w_1, co_5a, co_5c + co_5c_right)
-    co_5c_lo1 = co_5c_left_rest - product_rest(D_13, w_0, co_5b, co_5c_right)
     co_5 = co_5c + w_5
     co_5_right = co_5 - co_5c
-    w_5_lo = w_5_lo1 + (w_5c_left_rest + product_rest(D_21, c_4, w_5b, w_5c_right))
-    co_5_lo2 = co_5c - (co_5 - co_5_right) + (w_5 - co_5_right) + w_5_lo
+    co_5c_lo = (product_rest(D_03, w_1, co_5a, co_5c + co_5c_right)
+        - product_rest(D_13, w_0, co_5b, co_5c_right) + (D_03 * w_1_lo - D_13 * w_0_lo))
+    co_5_lo2 = (co_5c - (co_5 - co_5_right) + (w_5 - co_5_right)
+        + (w_5c - (w_5 - w_5_right) + product_rest(D_22, c_5, w_5d, w_5_right) + w_5c_lo))
     w_0_rounded = w_0 + w_0_lo
     w_1_rounded = w_1 + w_1_lo
     w_2_rounded = w_2 + w_2_lo
-    co_3_rounded = co_3 + (co_3_lo2 + (co_3c_lo1 + (D_13 * w_2_lo - D_23 * w_1_lo)))
-    co_4_rounded = co_4 + (co_4_lo2 + (co_4c_lo1 + (D_23 * w_0_lo - D_03 * w_2_lo)))
-    co_5_rounded = co_5 + (co_5_lo2 + (co_5c_lo1 + (D_03 * w_1_lo - D_13 * w_0_lo)))
+    co_3_rounded = co_3 + (co_3_lo2 + co_3c_lo)
+    co_4_rounded = co_4 + (co_4_lo2 + co_4c_lo)
+    co_5_rounded = co_5 + (co_5_lo2 + co_5c_lo)
     return (w_0_rounded, w_1_rounded, w_2_rounded, co_3_rounded, co_4_rounded, co_5_rounded)
 
 
@@ -1880,83 +1876,83 @@ def constraint_cty(D, c):
     w_0b = D_02 * c_2
     w_0 = w_0a + w_0b
     w_0_right = w_0 - w_0a
-    w_0_left_rest = product_rest(D_00, c_0, w_0a, w_0 - w_0_right)
-    w_0_lo = w_0_left_rest + product_rest(D_02, c_2, w_0b, w_0_right)
+    w_0_lo = (product_rest(D_00, c_0, w_0a, w_0 - w_0_right)
+        + product_rest(D_02, c_2, w_0b, w_0_right))
     w_1a = D_10 * c_0
     w_1b = D_12 * c_2
     w_1 = w_1a + w_1b
     w_1_right = w_1 - w_1a
-    w_1_left_rest = product_rest(D_10, c_0, w_1a, w_1 - w_1_right)
-    w_1_lo = w_1_left_rest + product_rest(D_12, c_2, w_1b, w_1_right)
+    w_1_lo = (product_rest(D_10, c_0, w_1a, w_1 - w_1_right)
+        + product_rest(D_12, c_2, w_1b, w_1_right))
     w_2a = D_20 * c_0
     w_2b = D_22 * c_2
     w_2 = w_2a + w_2b
     w_2_right = w_2 - w_2a
-    w_2_left_rest = product_rest(D_20, c_0, w_2a, w_2 - w_2_right)
-    w_2_lo = w_2_left_rest + product_rest(D_22, c_2, w_2b, w_2_right)
+    w_2_lo = (product_rest(D_20, c_0, w_2a, w_2 - w_2_right)
+        + product_rest(D_22, c_2, w_2b, w_2_right))
     w_3a = D_00 * c_3
     w_3b = D_01 * c_4
     w_3c = w_3a + w_3b
     w_3c_right = w_3c - w_3a
-    w_3c_left_rest = product_rest(D_00, c_3, w_3a, w_3c - w_3c_right)
     w_3d = D_02 * c_5
     w_3 = w_3c + w_3d
     w_3_right = w_3 - w_3c
-    w_3_lo1 = w_3c - (w_3 - w_3_right) + product_rest(D_02, c_5, w_3d, w_3_right)
+    w_3c_lo = (product_rest(D_00, c_3, w_3a, w_3c - w_3c_right)
+        + product_rest(D_01, c_4, w_3b, w_3c_right))
     w_4a = D_10 * c_3
     w_4b = D_11 * c_4
     w_4c = w_4a + w_4b
     w_4c_right = w_4c - w_4a
-    w_4c_left_rest = product_rest(D_10, c_3, w_4a, w_4c - w_4c_right)
     w_4d = D_12 * c_5
     w_4 = w_4c + w_4d
     w_4_right = w_4 - w_4c
-    w_4_lo1 = w_4c - (w_4 - w_4_right) + product_rest(D_12, c_5, w_4d, w_4_right)
+    w_4c_lo = (product_rest(D_10, c_3, w_4a, w_4c - w_4c_right)
+        + product_rest(D_11, c_4, w_4b, w_4c_right))
     w_5a = D_20 * c_3
     w_5b = D_21 * c_4
     w_5c = w_5a + w_5b
     w_5c_right = w_5c - w_5a
-    w_5c_left_rest = product_rest(D_20, c_3, w_5a, w_5c - w_5c_right)
     w_5d = D_22 * c_5
     w_5 = w_5c + w_5d
     w_5_right = w_5 - w_5c
-    w_5_lo1 = w_5c - (w_5 - w_5_right) + product_rest(D_22, c_5, w_5d, w_5_right)
+    w_5c_lo = (product_rest(D_20, c_3, w_5a, w_5c - w_5c_right)
+        + product_rest(D_21, c_4, w_5b, w_5c_right))
     co_3a = D_13 * w_2
     co_3b = D_23 * w_1
     co_3c = co_3a - co_3b
     co_3c_right = co_3a - co_3c
-    co_3c_left_rest = product_rest(D_13, w_2, co_3a, co_3c + co_3c_right)
-    co_3c_lo1 = co_3c_left_rest - product_rest(D_23, w_1, co_3b, co_3c_right)
     co_3 = co_3c + w_3
     co_3_right = co_3 - co_3c
-    w_3_lo = w_3_lo1 + (w_3c_left_rest + product_rest(D_01, c_4, w_3b, w_3c_right))
-    co_3_lo2 = co_3c - (co_3 - co_3_right) + (w_3 - co_3_right) + w_3_lo
+    co_3c_lo = (product_rest(D_13, w_2, co_3a, co_3c + co_3c_right)
+        - product_rest(D_23, w_1, co_3b, co_3c_right) + (D_13 * w_2_lo - D_23 * w_1_lo))
+    co_3_lo2 = (co_3c - (co_3 - co_3_right) + (w_3 - co_3_right)
+        + (w_3c - (w_3 - w_3_right) + product_rest(D_02, c_5, w_3d, w_3_right) + w_3c_lo))
     co_4a = D_23 * w_0
     co_4b = D_03 * w_2
     co_4c = co_4a - co_4b
     co_4c_right = co_4a - co_4c
-    co_4c_left_rest = product_rest(D_23, w_0, co_4a, co_4c + co_4c_right)
-    co_4c_lo1 = co_4c_left_rest - product_rest(D_03, w_2, co_4b, co_4c_right)
     co_4 = co_4c + w_4
     co_4_right = co_4 - co_4c
-    w_4_lo = w_4_lo1 + (w_4c_left_rest + product_rest(D_11, c_4, w_4b, w_4c_right))
-    co_4_lo2 = co_4c - (co_4 - co_4_right) + (w_4 - co_4_right) + w_4_lo
+    co_4c_lo = (product_rest(D_23, w_0, co_4a, co_4c + co_4c_right)
+        - product_rest(D_03, w_2, co_4b, co_4c_right) + (D_23 * w_0_lo - D_03 * w_2_lo))
+    co_4_lo2 = (co_4c - (co_4 - co_4_right) + (w_4 - co_4_right)
+        + (w_4c - (w_4 - w_4_right) + product_rest(D_12, c_5, w_4d, w_4_right) + w_4c_lo))
     co_5a = D_03 * w_1
     co_5b = D_13 * w_0
     co_5c = co_5a - co_5b
     co_5c_right = co_5a - co_5c
-    co_5c_left_rest = product_rest(D_03, w_1, co_5a, co_5c + co_5c_right)
-    co_5c_lo1 = co_5c_left_rest - product_rest(D_13, w_0, co_5b, co_5c_right)
     co_5 = co_5c + w_5
     co_5_right = co_5 - co_5c
-    w_5_lo = w_5_lo1 + (w_5c_left_rest + product_rest(D_21, c_4, w_5b, w_5c_right))
-    co_5_lo2 = co_5c - (co_5 - co_5_right) + (w_5 - co_5_right) + w_5_lo
+    co_5c_lo = (product_rest(D_03, w_1, co_5a, co_5c + co_5c_right)
+        - product_rest(D_13, w_0, co_5b, co_5c_right) + (D_03 * w_1_lo - D_13 * w_0_lo))
+    co_5_lo2 = (co_5c - (co_5 - co_5_right) + (w_5 - co_5_right)
+        + (w_5c - (w_5 - w_5_right) + product_rest(D_22, c_5, w_5d, w_5_right) + w_5c_lo))
     w_0_rounded = w_0 + w_0_lo
     w_1_rounded = w_1 + w_1_lo
     w_2_rounded = w_2 + w_2_lo
-    co_3_rounded = co_3 + (co_3_lo2 + (co_3c_lo1 + (D_13 * w_2_lo - D_23 * w_1_lo)))
-    co_4_rounded = co_4 + (co_4_lo2 + (co_4c_lo1 + (D_23 * w_0_lo - D_03 * w_2_lo)))
-    co_5_rounded = co_5 + (co_5_lo2 + (co_5c_lo1 + (D_03 * w_1_lo - D_13 * w_0_lo)))
+    co_3_rounded = co_3 + (co_3_lo2 + co_3c_lo)
+    co_4_rounded = co_4 + (co_4_lo2 + co_4c_lo)
+    co_5_rounded = co_5 + (co_5_lo2 + co_5c_lo)
     return (w_0_rounded, w_1_rounded, w_2_rounded, co_3_rounded, co_4_rounded, co_5_rounded)
 
 
@@ -1975,83 +1971,83 @@ def constraint_ctz(D, c):
     w_0b = D_01 * c_1
     w_0 = w_0a + w_0b
     w_0_right = w_0 - w_0a
-    w_0_left_rest = product_rest(D_00, c_0, w_0a, w_0 - w_0_right)
-    w_0_lo = w_0_left_rest + product_rest(D_01, c_1, w_0b, w_0_right)
+    w_0_lo = (product_rest(D_00, c_0, w_0a, w_0 - w_0_right)
+        + product_rest(D_01, c_1, w_0b, w_0_right))
     w_1a = D_10 * c_0
     w_1b = D_11 * c_1
     w_1 = w_1a + w_1b
     w_1_right = w_1 - w_1a
-    w_1_left_rest = product_rest(D_10, c_0, w_1a, w_1 - w_1_right)
-    w_1_lo = w_1_left_rest + product_rest(D_11, c_1, w_1b, w_1_right)
+    w_1_lo = (product_rest(D_10, c_0, w_1a, w_1 - w_1_right)
+        + product_rest(D_11, c_1, w_1b, w_1_right))
     w_2a = D_20 * c_0
     w_2b = D_21 * c_1
     w_2 = w_2a + w_2b
     w_2_right = w_2 - w_2a
-    w_2_left_rest = product_rest(D_20, c_0, w_2a, w_2 - w_2_right)
-    w_2_lo = w_2_left_rest + product_rest(D_21, c_1, w_2b, w_2_right)
+    w_2_lo = (product_rest(D_20, c_0, w_2a, w_2 - w_2_right)
+        + product_rest(D_21, c_1, w_2b, w_2_right))
     w_3a = D_00 * c_3
     w_3b = D_01 * c_4
     w_3c = w_3a + w_3b
     w_3c_right = w_3c - w_3a
-    w_3c_left_rest = product_rest(D_00, c_3, w_3a, w_3c - w_3c_right)
     w_3d = D_02 * c_5
     w_3 = w_3c + w_3d
     w_3_right = w_3 - w_3c
-    w_3_lo1 = w_3c - (w_3 - w_3_right) + product_rest(D_02, c_5, w_3d, w_3_right)
+    w_3c_lo = (product_rest(D_00, c_3, w_3a, w_3c - w_3c_right)
+        + product_rest(D_01, c_4, w_3b, w_3c_right))
     w_4a = D_10 * c_3
     w_4b = D_11 * c_4
     w_4c = w_4a + w_4b
     w_4c_right = w_4c - w_4a
-    w_4c_left_rest = product_rest(D_10, c_3, w_4a, w_4c - w_4c_right)
     w_4d = D_12 * c_5
     w_4 = w_4c + w_4d
     w_4_right = w_4 - w_4c
-    w_4_lo1 = w_4c - (w_4 - w_4_right) + product_rest(D_12, c_5, w_4d, w_4_right)
+    w_4c_lo = (product_rest(D_10, c_3, w_4a, w_4c - w_4c_right)
+        + product_rest(D_11, c_4, w_4b, w_4c_right))
     w_5a = D_20 * c_3
     w_5b = D_21 * c_4
     w_5c = w_5a + w_5b
     w_5c_right = w_5c - w_5a
-    w_5c_left_rest = product_rest(D_20, c_3, w_5a, w_5c - w_5c_right)
     w_5d = D_22 * c_5
     w_5 = w_5c + w_5d
     w_5_right = w_5 - w_5c
-    w_5_lo1 = w_5c - (w_5 - w_5_right) + product_rest(D_22, c_5, w_5d, w_5_right)
+    w_5c_lo = (product_rest(D_20, c_3, w_5a, w_5c - w_5c_right)
+        + product_rest(D_21, c_4, w_5b, w_5c_right))
     co_3a = D_13 * w_2
     co_3b = D_23 * w_1
     co_3c = co_3a - co_3b
     co_3c_right = co_3a - co_3c
-    co_3c_left_rest = product_rest(D_13, w_2, co_3a, co_3c + co_3c_right)
-    co_3c_lo1 = co_3c_left_rest - product_rest(D_23, w_1, co_3b, co_3c_right)
     co_3 = co_3c + w_3
     co_3_right = co_3 - co_3c
-    w_3_lo = w_3_lo1 + (w_3c_left_rest + product_rest(D_01, c_4, w_3b, w_3c_right))
-    co_3_lo2 = co_3c - (co_3 - co_3_right) + (w_3 - co_3_right) + w_3_lo
+    co_3c_lo = (product_rest(D_13, w_2, co_3a, co_3c + co_3c_right)
+        - product_rest(D_23, w_1, co_3b, co_3c_right) + (D_13 * w_2_lo - D_23 * w_1_lo))
+    co_3_lo2 = (co_3c - (co_3 - co_3_right) + (w_3 - co_3_right)
+        + (w_3c - (w_3 - w_3_right) + product_rest(D_02, c_5, w_3d, w_3_right) + w_3c_lo))
     co_4a = D_23 * w_0
     co_4b = D_03 * w_2
     co_4c = co_4a - co_4b
     co_4c_right = co_4a - co_4c
-    co_4c_left_rest = product_rest(D_23, w_0, co_4a, co_4c + co_4c_right)
-    co_4c_lo1 = co_4c_left_rest - product_rest(D_03, w_2, co_4b, co_4c_right)
     co_4 = co_4c + w_4
     co_4_right = co_4 - co_4c
-    w_4_lo = w_4_lo1 + (w_4c_left_rest + product_rest(D_11, c_4, w_4b, w_4c_right))
-    co_4_lo2 = co_4c - (co_4 - co_4_right) + (w_4 - co_4_right) + w_4_lo
+    co_4c_lo = (product_rest(D_23, w_0, co_4a, co_4c + co_4c_right)
+        - product_rest(D_03, w_2, co_4b, co_4c_right) + (D_23 * w_0_lo - D_03 * w_2_lo))
+    co_4_lo2 = (co_4c - (co_4 - co_4_right) + (w_4 - co_4_right)
+        + (w_4c - (w_4 - w_4_right) + product_rest(D_12, c_5, w_4d, w_4_right) + w_4c_lo))
     co_5a = D_03 * w_1
     co_5b = D_13 * w_0
     co_5c = co_5a - co_5b
     co_5c_right = co_5a - co_5c
-    co_5c_left_rest = product_rest(D_03, w_1, co_5a, co_5c + co_5c_right)
-    co_5c_lo1 = co_5c_left_rest - product_rest(D_13, w_0, co_5b, co_5c_right)
     co_5 = co_5c + w_5
     co_5_right = co_5 - co_5c
-    w_5_lo = w_5_lo1 + (w_5c_left_rest + product_rest(D_21, c_4, w_5b, w_5c_right))
-    co_5_lo2 = co_5c - (co_5 - co_5_right) + (w_5 - co_5_right) + w_5_lo
+    co_5c_lo = (product_rest(D_03, w_1, co_5a, co_5c + co_5c_right)
+        - product_rest(D_13, w_0, co_5b, co_5c_right) + (D_03 * w_1_lo - D_13 * w_0_lo))
+    co_5_lo2 = (co_5c - (co_5 - co_5_right) + (w_5 - co_5_right)
+        + (w_5c - (w_5 - w_5_right) + product_rest(D_22, c_5, w_5d, w_5_right) + w_5c_lo))
     w_0_rounded = w_0 + w_0_lo
     w_1_rounded = w_1 + w_1_lo
     w_2_rounded = w_2 + w_2_lo
-    co_3_rounded = co_3 + (co_3_lo2 + (co_3c_lo1 + (D_13 * w_2_lo - D_23 * w_1_lo)))
-    co_4_rounded = co_4 + (co_4_lo2 + (co_4c_lo1 + (D_23 * w_0_lo - D_03 * w_2_lo)))
-    co_5_rounded = co_5 + (co_5_lo2 + (co_5c_lo1 + (D_03 * w_1_lo - D_13 * w_0_lo)))
+    co_3_rounded = co_3 + (co_3_lo2 + co_3c_lo)
+    co_4_rounded = co_4 + (co_4_lo2 + co_4c_lo)
+    co_5_rounded = co_5 + (co_5_lo2 + co_5c_lo)
     return (w_0_rounded, w_1_rounded, w_2_rounded, co_3_rounded, co_4_rounded, co_5_rounded)
 
 
@@ -2070,83 +2066,80 @@ def constraint_crx(D, c):
     w_0b = D_01 * c_1
     w_0c = w_0a + w_0b
     w_0c_right = w_0c - w_0a
-    w_0c_left_rest = product_rest(D_00, c_0, w_0a, w_0c - w_0c_right)
     w_0d = D_02 * c_2
     w_0 = w_0c + w_0d
     w_0_right = w_0 - w_0c
-    w_0_lo1 = w_0c - (w_0 - w_0_right) + product_rest(D_02, c_2, w_0d, w_0_right)
-    w_0_lo = w_0_lo1 + (w_0c_left_rest + product_rest(D_01, c_1, w_0b, w_0c_right))
+    w_0c_lo = (product_rest(D_00, c_0, w_0a, w_0c - w_0c_right)
+        + product_rest(D_01, c_1, w_0b, w_0c_right))
+    w_0_lo = w_0c - (w_0 - w_0_right) + product_rest(D_02, c_2, w_0d, w_0_right) + w_0c_lo
     w_1a = D_10 * c_0
     w_1b = D_11 * c_1
     w_1c = w_1a + w_1b
     w_1c_right = w_1c - w_1a
-    w_1c_left_rest = product_rest(D_10, c_0, w_1a, w_1c - w_1c_right)
     w_1d = D_12 * c_2
     w_1 = w_1c + w_1d
     w_1_right = w_1 - w_1c
-    w_1_lo1 = w_1c - (w_1 - w_1_right) + product_rest(D_12, c_2, w_1d, w_1_right)
-    w_1_lo = w_1_lo1 + (w_1c_left_rest + product_rest(D_11, c_1, w_1b, w_1c_right))
+    w_1c_lo = (product_rest(D_10, c_0, w_1a, w_1c - w_1c_right)
+        + product_rest(D_11, c_1, w_1b, w_1c_right))
+    w_1_lo = w_1c - (w_1 - w_1_right) + product_rest(D_12, c_2, w_1d, w_1_right) + w_1c_lo
     w_2a = D_20 * c_0
     w_2b = D_21 * c_1
     w_2c = w_2a + w_2b
     w_2c_right = w_2c - w_2a
-    w_2c_left_rest = product_rest(D_20, c_0, w_2a, w_2c - w_2c_right)
     w_2d = D_22 * c_2
     w_2 = w_2c + w_2d
     w_2_right = w_2 - w_2c
-    w_2_lo1 = w_2c - (w_2 - w_2_right) + product_rest(D_22, c_2, w_2d, w_2_right)
-    w_2_lo = w_2_lo1 + (w_2c_left_rest + product_rest(D_21, c_1, w_2b, w_2c_right))
+    w_2c_lo = (product_rest(D_20, c_0, w_2a, w_2c - w_2c_right)
+        + product_rest(D_21, c_1, w_2b, w_2c_right))
+    w_2_lo = w_2c - (w_2 - w_2_right) + product_rest(D_22, c_2, w_2d, w_2_right) + w_2c_lo
     w_3a = D_01 * c_4
     w_3b = D_02 * c_5
     w_3 = w_3a + w_3b
     w_3_right = w_3 - w_3a
-    w_3_left_rest = product_rest(D_01, c_4, w_3a, w_3 - w_3_right)
     w_4a = D_11 * c_4
     w_4b = D_12 * c_5
     w_4 = w_4a + w_4b
     w_4_right = w_4 - w_4a
-    w_4_left_rest = product_rest(D_11, c_4, w_4a, w_4 - w_4_right)
     w_5a = D_21 * c_4
     w_5b = D_22 * c_5
     w_5 = w_5a + w_5b
     w_5_right = w_5 - w_5a
-    w_5_left_rest = product_rest(D_21, c_4, w_5a, w_5 - w_5_right)
     co_3a = D_13 * w_2
     co_3b = D_23 * w_1
     co_3c = co_3a - co_3b
     co_3c_right = co_3a - co_3c
-    co_3c_left_rest = product_rest(D_13, w_2, co_3a, co_3c + co_3c_right)
-    co_3c_lo1 = co_3c_left_rest - product_rest(D_23, w_1, co_3b, co_3c_right)
     co_3 = co_3c + w_3
     co_3_right = co_3 - co_3c
-    w_3_lo = w_3_left_rest + product_rest(D_02, c_5, w_3b, w_3_right)
-    co_3_lo2 = co_3c - (co_3 - co_3_right) + (w_3 - co_3_right) + w_3_lo
+    w_3_lo = (product_rest(D_01, c_4, w_3a, w_3 - w_3_right)
+        + product_rest(D_02, c_5, w_3b, w_3_right))
+    co_3c_lo = (product_rest(D_13, w_2, co_3a, co_3c + co_3c_right)
+        - product_rest(D_23, w_1, co_3b, co_3c_right) + (D_13 * w_2_lo - D_23 * w_1_lo))
     co_4a = D_23 * w_0
     co_4b = D_03 * w_2
     co_4c = co_4a - co_4b
     co_4c_right = co_4a - co_4c
-    co_4c_left_rest = product_rest(D_23, w_0, co_4a, co_4c + co_4c_right)
-    co_4c_lo1 = co_4c_left_rest - product_rest(D_03, w_2, co_4b, co_4c_right)
     co_4 = co_4c + w_4
     co_4_right = co_4 - co_4c
-    w_4_lo = w_4_left_rest + product_rest(D_12, c_5, w_4b, w_4_right)
-    co_4_lo2 = co_4c - (co_4 - co_4_right) + (w_4 - co_4_right) + w_4_lo
+    w_4_lo = (product_rest(D_11, c_4, w_4a, w_4 - w_4_right)
+        + product_rest(D_12, c_5, w_4b, w_4_right))
+    co_4c_lo = (product_rest(D_23, w_0, co_4a, co_4c + co_4c_right)
+        - product_rest(D_03, w_2, co_4b, co_4c_right) + (D_23 * w_0_lo - D_03 * w_2_lo))
     co_5a = D_03 * w_1
     co_5b = D_13 * w_0
     co_5c = co_5a - co_5b
     co_5c_right = co_5a - co_5c
-    co_5c_left_rest = product_rest(D_03, w_1, co_5a, co_5c + co_5c_right)
-    co_5c_lo1 = co_5c_left_rest - product_rest(D_13, w_0, co_5b, co_5c_right)
     co_5 = co_5c + w_5
     co_5_right = co_5 - co_5c
-    w_5_lo = w_5_left_rest + product_rest(D_22, c_5, w_5b, w_5_right)
-    co_5_lo2 = co_5c - (co_5 - co_5_right) + (w_5 - co_5_right) + w_5_lo
+    w_5_lo = (product_rest(D_21, c_4, w_5a, w_5 - w_5_right)
+        + product_rest(D_22, c_5, w_5b, w_5_right))
+    co_5c_lo = (product_rest(D_03, w_1, co_5a, co_5c + co_5c_right)
+        - product_rest(D_13, w_0, co_5b, co_5c_right) + (D_03 * w_1_lo - D_13 * w_0_lo))
     w_0_rounded = w_0 + w_0_lo
     w_1_rounded = w_1 + w_1_lo
     w_2_rounded = w_2 + w_2_lo
-    co_3_rounded = co_3 + (co_3_lo2 + (co_3c_lo1 + (D_13 * w_2_lo - D_23 * w_1_lo)))
-    co_4_rounded = co_4 + (co_4_lo2 + (co_4c_lo1 + (D_23 * w_0_lo - D_03 * w_2_lo)))
-    co_5_rounded = co_5 + (co_5_lo2 + (co_5c_lo1 + (D_03 * w_1_lo - D_13 * w_0_lo)))
+    co_3_rounded = co_3 + (co_3c - (co_3 - co_3_right) + (w_3 - co_3_right) + w_3_lo + co_3c_lo)
+    co_4_rounded = co_4 + (co_4c - (co_4 - co_4_right) + (w_4 - co_4_right) + w_4_lo + co_4c_lo)
+    co_5_rounded = co_5 + (co_5c - (co_5 - co_5_right) + (w_5 - co_5_right) + w_5_lo + co_5c_lo)
     return (w_0_rounded, w_1_rounded, w_2_rounded, co_3_rounded, co_4_rounded, co_5_rounded)
 
 
@@ -2165,83 +2158,80 @@ def constraint_cry(D, c):
     w_0b = D_01 * c_1
     w_0c = w_0a + w_0b
     w_0c_right = w_0c - w_0a
-    w_0c_left_rest = product_rest(D_00, c_0, w_0a, w_0c - w_0c_right)
     w_0d = D_02 * c_2
     w_0 = w_0c + w_0d
     w_0_right = w_0 - w_0c
-    w_0_lo1 = w_0c - (w_0 - w_0_right) + product_rest(D_02, c_2, w_0d, w_0_right)
-    w_0_lo = w_0_lo1 + (w_0c_left_rest + product_rest(D_01, c_1, w_0b, w_0c_right))
+    w_0c_lo = (product_rest(D_00, c_0, w_0a, w_0c - w_0c_right)
+        + product_rest(D_01, c_1, w_0b, w_0c_right))
+    w_0_lo = w_0c - (w_0 - w_0_right) + product_rest(D_02, c_2, w_0d, w_0_right) + w_0c_lo
     w_1a = D_10 * c_0
     w_1b = D_11 * c_1
     w_1c = w_1a + w_1b
     w_1c_right = w_1c - w_1a
-    w_1c_left_rest = product_rest(D_10, c_0, w_1a, w_1c - w_1c_right)
     w_1d = D_12 * c_2
     w_1 = w_1c + w_1d
     w_1_right = w_1 - w_1c
-    w_1_lo1 = w_1c - (w_1 - w_1_right) + product_rest(D_12, c_2, w_1d, w_1_right)
-    w_1_lo = w_1_lo1 + (w_1c_left_rest + product_rest(D_11, c_1, w_1b, w_1c_right))
+    w_1c_lo = (product_rest(D_10, c_0, w_1a, w_1c - w_1c_right)
+        + product_rest(D_11, c_1, w_1b, w_1c_right))
+    w_1_lo = w_1c - (w_1 - w_1_right) + product_rest(D_12, c_2, w_1d, w_1_right) + w_1c_lo
     w_2a = D_20 * c_0
     w_2b = D_21 * c_1
     w_2c = w_2a + w_2b
     w_2c_right = w_2c - w_2a
-    w_2c_left_rest = product_rest(D_20, c_0, w_2a, w_2c - w_2c_right)
     w_2d = D_22 * c_2
     w_2 = w_2c + w_2d
     w_2_right = w_2 - w_2c
-    w_2_lo1 = w_2c - (w_2 - w_2_right) + product_rest(D_22, c_2, w_2d, w_2_right)
-    w_2_lo = w_2_lo1 + (w_2c_left_rest + product_rest(D_21, c_1, w_2b, w_2c_right))
+    w_2c_lo = (product_rest(D_20, c_0, w_2a, w_2c - w_2c_right)
+        + product_rest(D_21, c_1, w_2b, w_2c_right))
+    w_2_lo = w_2c - (w_2 - w_2_right) + product_rest(D_22, c_2, w_2d, w_2_right) + w_2c_lo
     w_3a = D_00 * c_3
     w_3b = D_02 * c_5
     w_3 = w_3a + w_3b
     w_3_right = w_3 - w_3a
-    w_3_left_rest = product_rest(D_00, c_3, w_3a, w_3 - w_3_right)
     w_4a = D_10 * c_3
     w_4b = D_12 * c_5
     w_4 = w_4a + w_4b
     w_4_right = w_4 - w_4a
-    w_4_left_rest = product_rest(D_10, c_3, w_4a, w_4 - w_4_right)
     w_5a = D_20 * c_3
     w_5b = D_22 * c_5
     w_5 = w_5a + w_5b
     w_5_right = w_5 - w_5a
-    w_5_left_rest = product_rest(D_20, c_3, w_5a, w_5 - w_5_right)
     co_3a = D_13 * w_2
     co_3b = D_23 * w_1
     co_3c = co_3a - co_3b
     co_3c_right = co_3a - co_3c
-    co_3c_left_rest = product_rest(D_13, w_2, co_3a, co_3c + co_3c_right)
-    co_3c_lo1 = co_3c_left_rest - product_rest(D_23, w_1, co_3b, co_3c_right)
     co_3 = co_3c + w_3
     co_3_right = co_3 - co_3c
-    w_3_lo = w_3_left_rest + product_rest(D_02, c_5, w_3b, w_3_right)
-    co_3_lo2 = co_3c - (co_3 - co_3_right) + (w_3 - co_3_right) + w_3_lo
+    w_3_lo = (product_rest(D_00, c_3, w_3a, w_3 - w_3_right)
+        + product_rest(D_02, c_5, w_3b, w_3_right))
+    co_3c_lo = (product_rest(D_13, w_2, co_3a, co_3c + co_3c_right)
+        - product_rest(D_23, w_1, co_3b, co_3c_right) + (D_13 * w_2_lo - D_23 * w_1_lo))
     co_4a = D_23 * w_0
     co_4b = D_03 * w_2
     co_4c = co_4a - co_4b
     co_4c_right = co_4a - co_4c
-    co_4c_left_rest = product_rest(D_23, w_0, co_4a, co_4c + co_4c_right)
-    co_4c_lo1 = co_4c_left_rest - product_rest(D_03, w_2, co_4b, co_4c_right)
     co_4 = co_4c + w_4
     co_4_right = co_4 - co_4c
-    w_4_lo = w_4_left_rest + product_rest(D_12, c_5, w_4b, w_4_right)
-    co_4_lo2 = co_4c - (co_4 - co_4_right) + (w_4 - co_4_right) + w_4_lo
+    w_4_lo = (product_rest(D_10, c_3, w_4a, w_4 - w_4_right)
+        + product_rest(D_12, c_5, w_4b, w_4_right))
+    co_4c_lo = (product_rest(D_23, w_0, co_4a, co_4c + co_4c_right)
+        - product_rest(D_03, w_2, co_4b, co_4c_right) + (D_23 * w_0_lo - D_03 * w_2_lo))
     co_5a = D_03 * w_1
     co_5b = D_13 * w_0
     co_5c = co_5a - co_5b
     co_5c_right = co_5a - co_5c
-    co_5c_left_rest = product_rest(D_03, w_1, co_5a, co_5c + co_5c_right)
-    co_5c_lo1 = co_5c_left_rest - product_rest(D_13, w_0, co_5b, co_5c_right)
     co_5 = co_5c + w_5
     co_5_right = co_5 - co_5c
-    w_5_lo = w_5_left_rest + product_rest(D_22, c_5, w_5b, w_5_right)
-    co_5_lo2 = co_5c - (co_5 - co_5_right) + (w_5 - co_5_right) + w_5_lo
+    w_5_lo = (product_rest(D_20, c_3, w_5a, w_5 - w_5_right)
+        + product_rest(D_22, c_5, w_5b, w_5_right))
+    co_5c_lo = (product_rest(D_03, w_1, co_5a, co_5c + co_5c_right)
+        - product_rest(D_13, w_0, co_5b, co_5c_right) + (D_03 * w_1_lo - D_13 * w_0_lo))
     w_0_rounded = w_0 + w_0_lo
     w_1_rounded = w_1 + w_1_lo
     w_2_rounded = w_2 + w_2_lo
-    co_3_rounded = co_3 + (co_3_lo2 + (co_3c_lo1 + (D_13 * w_2_lo - D_23 * w_1_lo)))
-    co_4_rounded = co_4 + (co_4_lo2 + (co_4c_lo1 + (D_23 * w_0_lo - D_03 * w_2_lo)))
-    co_5_rounded = co_5 + (co_5_lo2 + (co_5c_lo1 + (D_03 * w_1_lo - D_13 * w_0_lo)))
+    co_3_rounded = co_3 + (co_3c - (co_3 - co_3_right) + (w_3 - co_3_right) + w_3_lo + co_3c_lo)
+    co_4_rounded = co_4 + (co_4c - (co_4 - co_4_right) + (w_4 - co_4_right) + w_4_lo + co_4c_lo)
+    co_5_rounded = co_5 + (co_5c - (co_5 - co_5_right) + (w_5 - co_5_right) + w_5_lo + co_5c_lo)
     return (w_0_rounded, w_1_rounded, w_2_rounded, co_3_rounded, co_4_rounded, co_5_rounded)
 
 
@@ -2260,83 +2250,80 @@ def constraint_crz(D, c):
     w_0b = D_01 * c_1
     w_0c = w_0a + w_0b
     w_0c_right = w_0c - w_0a
-    w_0c_left_rest = product_rest(D_00, c_0, w_0a, w_0c - w_0c_right)
     w_0d = D_02 * c_2
     w_0 = w_0c + w_0d
     w_0_right = w_0 - w_0c
-    w_0_lo1 = w_0c - (w_0 - w_0_right) + product_rest(D_02, c_2, w_0d, w_0_right)
-    w_0_lo = w_0_lo1 + (w_0c_left_rest + product_rest(D_01, c_1, w_0b, w_0c_right))
+    w_0c_lo = (product_rest(D_00, c_0, w_0a, w_0c - w_0c_right)
+        + product_rest(D_01, c_1, w_0b, w_0c_right))
+    w_0_lo = w_0c - (w_0 - w_0_right) + product_rest(D_02, c_2, w_0d, w_0_right) + w_0c_lo
     w_1a = D_10 * c_0
     w_1b = D_11 * c_1
     w_1c = w_1a + w_1b
     w_1c_right = w_1c - w_1a
-    w_1c_left_rest = product_rest(D_10, c_0, w_1a, w_1c - w_1c_right)
     w_1d = D_12 * c_2
     w_1 = w_1c + w_1d
     w_1_right = w_1 - w_1c
-    w_1_lo1 = w_1c - (w_1 - w_1_right) + product_rest(D_12, c_2, w_1d, w_1_right)
-    w_1_lo = w_1_lo1 + (w_1c_left_rest + product_rest(D_11, c_1, w_1b, w_1c_right))
+    w_1c_lo = (product_rest(D_10, c_0, w_1a, w_1c - w_1c_right)
+        + product_rest(D_11, c_1, w_1b, w_1c_right))
+    w_1_lo = w_1c - (w_1 - w_1_right) + product_rest(D_12, c_2, w_1d, w_1_right) + w_1c_lo
     w_2a = D_20 * c_0
     w_2b = D_21 * c_1
     w_2c = w_2a + w_2b
     w_2c_right = w_2c - w_2a
-    w_2c_left_rest = product_rest(D_20, c_0, w_2a, w_2c - w_2c_right)
     w_2d = D_22 * c_2
     w_2 = w_2c + w_2d
     w_2_right = w_2 - w_2c
-    w_2_lo1 = w_2c - (w_2 - w_2_right) + product_rest(D_22, c_2, w_2d, w_2_right)
-    w_2_lo = w_2_lo1 + (w_2c_left_rest + product_rest(D_21, c_1, w_2b, w_2c_right))
+    w_2c_lo = (product_rest(D_20, c_0, w_2a, w_2c - w_2c_right)
+        + product_rest(D_21, c_1, w_2b, w_2c_right))
+    w_2_lo = w_2c - (w_2 - w_2_right) + product_rest(D_22, c_2, w_2d, w_2_right) + w_2c_lo
     w_3a = D_00 * c_3
     w_3b = D_01 * c_4
     w_3 = w_3a + w_3b
     w_3_right = w_3 - w_3a
-    w_3_left_rest = product_rest(D_00, c_3, w_3a, w_3 - w_3_right)
     w_4a = D_10 * c_3
     w_4b = D_11 * c_4
     w_4 = w_4a + w_4b
     w_4_right = w_4 - w_4a
-    w_4_left_rest = product_rest(D_10, c_3, w_4a, w_4 - w_4_right)
     w_5a = D_20 * c_3
     w_5b = D_21 * c_4
     w_5 = w_5a + w_5b
     w_5_right = w_5 - w_5a
-    w_5_left_rest = product_rest(D_20, c_3, w_5a, w_5 - w_5_right)
     co_3a = D_13 * w_2
     co_3b = D_23 * w_1
     co_3c = co_3a - co_3b
     co_3c_right = co_3a - co_3c
-    co_3c_left_rest = product_rest(D_13, w_2, co_3a, co_3c + co_3c_right)
-    co_3c_lo1 = co_3c_left_rest - product_rest(D_23, w_1, co_3b, co_3c_right)
     co_3 = co_3c + w_3
     co_3_right = co_3 - co_3c
-    w_3_lo = w_3_left_rest + product_rest(D_01, c_4, w_3b, w_3_right)
-    co_3_lo2 = co_3c - (co_3 - co_3_right) + (w_3 - co_3_right) + w_3_lo
+    w_3_lo = (product_rest(D_00, c_3, w_3a, w_3 - w_3_right)
+        + product_rest(D_01, c_4, w_3b, w_3_right))
+    co_3c_lo = (product_rest(D_13, w_2, co_3a, co_3c + co_3c_right)
+        - product_rest(D_23, w_1, co_3b, co_3c_right) + (D_13 * w_2_lo - D_23 * w_1_lo))
     co_4a = D_23 * w_0
     co_4b = D_03 * w_2
     co_4c = co_4a - co_4b
     co_4c_right = co_4a - co_4c
-    co_4c_left_rest = product_rest(D_23, w_0, co_4a, co_4c + co_4c_right)
-    co_4c_lo1 = co_4c_left_rest - product_rest(D_03, w_2, co_4b, co_4c_right)
     co_4 = co_4c + w_4
     co_4_right = co_4 - co_4c
-    w_4_lo = w_4_left_rest + product_rest(D_11, c_4, w_4b, w_4_right)
-    co_4_lo2 = co_4c - (co_4 - co_4_right) + (w_4 - co_4_right) + w_4_lo
+    w_4_lo = (product_rest(D_10, c_3, w_4a, w_4 - w_4_right)
+        + product_rest(D_11, c_4, w_4b, w_4_right))
+    co_4c_lo = (product_rest(D_23, w_0, co_4a, co_4c + co_4c_right)
+        - product_rest(D_03, w_2, co_4b, co_4c_right) + (D_23 * w_0_lo - D_03 * w_2_lo))
     co_5a = D_03 * w_1
     co_5b = D_13 * w_0
     co_5c = co_5a - co_5b
     co_5c_right = co_5a - co_5c
-    co_5c_left_rest = product_rest(D_03, w_1, co_5a, co_5c + co_5c_right)
-    co_5c_lo1 = co_5c_left_rest - product_rest(D_13, w_0, co_5b, co_5c_right)
     co_5 = co_5c + w_5
     co_5_right = co_5 - co_5c
-    w_5_lo = w_5_left_rest + product_rest(D_21, c_4, w_5b, w_5_right)
-    co_5_lo2 = co_5c - (co_5 - co_5_right) + (w_5 - co_5_right) + w_5_lo
+    w_5_lo = (product_rest(D_20, c_3, w_5a, w_5 - w_5_right)
+        + product_rest(D_21, c_4, w_5b, w_5_right))
+    co_5c_lo = (product_rest(D_03, w_1, co_5a, co_5c + co_5c_right)
+        - product_rest(D_13, w_0, co_5b, co_5c_right) + (D_03 * w_1_lo - D_13 * w_0_lo))
     w_0_rounded = w_0 + w_0_lo
     w_1_rounded = w_1 + w_1_lo
     w_2_rounded = w_2 + w_2_lo
-    co_3_rounded = co_3 + (co_3_lo2 + (co_3c_lo1 + (D_13 * w_2_lo - D_23 * w_1_lo)))
-    co_4_rounded = co_4 + (co_4_lo2 + (co_4c_lo1 + (D_23 * w_0_lo - D_03 * w_2_lo)))
-    co_5_rounded = co_5 + (co_5_lo2 + (co_5c_lo1 + (D_03 * w_1_lo - D_13 * w_0_lo)))
+    co_3_rounded = co_3 + (co_3c - (co_3 - co_3_right) + (w_3 - co_3_right) + w_3_lo + co_3c_lo)
+    co_4_rounded = co_4 + (co_4c - (co_4 - co_4_right) + (w_4 - co_4_right) + w_4_lo + co_4c_lo)
+    co_5_rounded = co_5 + (co_5c - (co_5 - co_5_right) + (w_5 - co_5_right) + w_5_lo + co_5c_lo)
     return (w_0_rounded, w_1_rounded, w_2_rounded, co_3_rounded, co_4_rounded, co_5_rounded)
 
 
@@ -2360,27 +2347,27 @@ def working_ctx(D, c):
     co_3b = D_23 * w_1
     co_3 = co_3a - co_3b
     co_3_right = co_3a - co_3
-    co_3_left_rest = product_rest(D_13, w_2, co_3a, co_3 + co_3_right)
-    co_3_lo1 = co_3_left_rest - product_rest(D_23, w_1, co_3b, co_3_right)
     w_0_lo = product_error(D_00, c_0, w_0)
     co_4a = D_23 * w_0
     co_4b = D_03 * w_2
     co_4 = co_4a - co_4b
     co_4_right = co_4a - co_4
-    co_4_left_rest = product_rest(D_23, w_0, co_4a, co_4 + co_4_right)
-    co_4_lo1 = co_4_left_rest - product_rest(D_03, w_2, co_4b, co_4_right)
     co_5a = D_03 * w_1
     co_5b = D_13 * w_0
     co_5 = co_5a - co_5b
     co_5_right = co_5a - co_5
-    co_5_left_rest = product_rest(D_03, w_1, co_5a, co_5 + co_5_right)
-    co_5_lo1 = co_5_left_rest - product_rest(D_13, w_0, co_5b, co_5_right)
     w_0_rounded = w_0 + w_0_lo
     w_1_rounded = w_1 + w_1_lo
     w_2_rounded = w_2 + w_2_lo
-    co_3_rounded = co_3 + (co_3_lo1 + (D_13 * w_2_lo - D_23 * w_1_lo))
-    co_4_rounded = co_4 + (co_4_lo1 + (D_23 * w_0_lo - D_03 * w_2_lo))
-    co_5_rounded = co_5 + (co_5_lo1 + (D_03 * w_1_lo - D_13 * w_0_lo))
+    co_3_lo = (product_rest(D_13, w_2, co_3a, co_3 + co_3_right)
+        - product_rest(D_23, w_1, co_3b, co_3_right) + (D_13 * w_2_lo - D_23 * w_1_lo))
+    co_3_rounded = co_3 + co_3_lo
+    co_4_lo = (product_rest(D_23, w_0, co_4a, co_4 + co_4_right)
+        - product_rest(D_03, w_2, co_4b, co_4_right) + (D_23 * w_0_lo - D_03 * w_2_lo))
+    co_4_rounded = co_4 + co_4_lo
+    co_5_lo = (product_rest(D_03, w_1, co_5a, co_5 + co_5_right)
+        - product_rest(D_13, w_0, co_5b, co_5_right) + (D_03 * w_1_lo - D_13 * w_0_lo))
+    co_5_rounded = co_5 + co_5_lo
     return (w_0_rounded, w_1_rounded, w_2_rounded, co_3_rounded, co_4_rounded, co_5_rounded)
 
 
@@ -2404,27 +2391,27 @@ def working_cty(D, c):
     co_3b = D_23 * w_1
     co_3 = co_3a - co_3b
     co_3_right = co_3a - co_3
-    co_3_left_rest = product_rest(D_13, w_2, co_3a, co_3 + co_3_right)
-    co_3_lo1 = co_3_left_rest - product_rest(D_23, w_1, co_3b, co_3_right)
     w_0_lo = product_error(D_01, c_1, w_0)
     co_4a = D_23 * w_0
     co_4b = D_03 * w_2
     co_4 = co_4a - co_4b
     co_4_right = co_4a - co_4
-    co_4_left_rest = product_rest(D_23, w_0, co_4a, co_4 + co_4_right)
-    co_4_lo1 = co_4_left_rest - product_rest(D_03, w_2, co_4b, co_4_right)
     co_5a = D_03 * w_1
     co_5b = D_13 * w_0
     co_5 = co_5a - co_5b
     co_5_right = co_5a - co_5
-    co_5_left_rest = product_rest(D_03, w_1, co_5a, co_5 + co_5_right)
-    co_5_lo1 = co_5_left_rest - product_rest(D_13, w_0, co_5b, co_5_right)
     w_0_rounded = w_0 + w_0_lo
     w_1_rounded = w_1 + w_1_lo
     w_2_rounded = w_2 + w_2_lo
-    co_3_rounded = co_3 + (co_3_lo1 + (D_13 * w_2_lo - D_23 * w_1_lo))
-    co_4_rounded = co_4 + (co_4_lo1 + (D_23 * w_0_lo - D_03 * w_2_lo))
-    co_5_rounded = co_5 + (co_5_lo1 + (D_03 * w_1_lo - D_13 * w_0_lo))
+    co_3_lo = (product_rest(D_13, w_2, co_3a, co_3 + co_3_right)
+        - product_rest(D_23, w_1, co_3b, co_3_right) + (D_13 * w_2_lo - D_23 * w_1_lo))
+    co_3_rounded = co_3 + co_3_lo
+    co_4_lo = (product_rest(D_23, w_0, co_4a, co_4 + co_4_right)
+        - product_rest(D_03, w_2, co_4b, co_4_right) + (D_23 * w_0_lo - D_03 * w_2_lo))
+    co_4_rounded = co_4 + co_4_lo
+    co_5_lo = (product_rest(D_03, w_1, co_5a, co_5 + co_5_right)
+        - product_rest(D_13, w_0, co_5b, co_5_right) + (D_03 * w_1_lo - D_13 * w_0_lo))
+    co_5_rounded = co_5 + co_5_lo
     return (w_0_rounded, w_1_rounded, w_2_rounded, co_3_rounded, co_4_rounded, co_5_rounded)
 
 
@@ -2448,27 +2435,27 @@ def working_ctz(D, c):
     co_3b = D_23 * w_1
     co_3 = co_3a - co_3b
     co_3_right = co_3a - co_3
-    co_3_left_rest = product_rest(D_13, w_2, co_3a, co_3 + co_3_right)
-    co_3_lo1 = co_3_left_rest - product_rest(D_23, w_1, co_3b, co_3_right)
     w_0_lo = product_error(D_02, c_2, w_0)
     co_4a = D_23 * w_0
     co_4b = D_03 * w_2
     co_4 = co_4a - co_4b
     co_4_right = co_4a - co_4
-    co_4_left_rest = product_rest(D_23, w_0, co_4a, co_4 + co_4_right)
-    co_4_lo1 = co_4_left_rest - product_rest(D_03, w_2, co_4b, co_4_right)
     co_5a = D_03 * w_1
     co_5b = D_13 * w_0
     co_5 = co_5a - co_5b
     co_5_right = co_5a - co_5
-    co_5_left_rest = product_rest(D_03, w_1, co_5a, co_5 + co_5_right)
-    co_5_lo1 = co_5_left_rest - product_rest(D_13, w_0, co_5b, co_5_right)
     w_0_rounded = w_0 + w_0_lo
     w_1_rounded = w_1 + w_1_lo
     w_2_rounded = w_2 + w_2_lo
-    co_3_rounded = co_3 + (co_3_lo1 + (D_13 * w_2_lo - D_23 * w_1_lo))
-    co_4_rounded = co_4 + (co_4_lo1 + (D_23 * w_0_lo - D_03 * w_2_lo))
-    co_5_rounded = co_5 + (co_5_lo1 + (D_03 * w_1_lo - D_13 * w_0_lo))
+    co_3_lo = (product_rest(D_13, w_2, co_3a, co_3 + co_3_right)
+        - product_rest(D_23, w_1, co_3b, co_3_right) + (D_13 * w_2_lo - D_23 * w_1_lo))
+    co_3_rounded = co_3 + co_3_lo
+    co_4_lo = (product_rest(D_23, w_0, co_4a, co_4 + co_4_right)
+        - product_rest(D_03, w_2, co_4b, co_4_right) + (D_23 * w_0_lo - D_03 * w_2_lo))
+    co_4_rounded = co_4 + co_4_lo
+    co_5_lo = (product_rest(D_03, w_1, co_5a, co_5 + co_5_right)
+        - product_rest(D_13, w_0, co_5b, co_5_right) + (D_03 * w_1_lo - D_13 * w_0_lo))
+    co_5_rounded = co_5 + co_5_lo
     return (w_0_rounded, w_1_rounded, w_2_rounded, co_3_rounded, co_4_rounded, co_5_rounded)
 
 

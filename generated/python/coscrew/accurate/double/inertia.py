@@ -46,197 +46,200 @@ def inertia_rotated(Ji, R):
     RI_0b = Ji_7 * R_01
     RI_0c = RI_0a + RI_0b
     RI_0c_right = RI_0c - RI_0a
-    RI_0c_left_rest = product_rest(Ji_4, R_00, RI_0a, RI_0c - RI_0c_right)
     RI_0d = Ji_9 * R_02
     RI_0 = RI_0c + RI_0d
     RI_0_right = RI_0 - RI_0c
-    RI_0_lo1 = RI_0c - (RI_0 - RI_0_right) + product_rest(Ji_9, R_02, RI_0d, RI_0_right)
-    RI_0_lo = RI_0_lo1 + (RI_0c_left_rest + product_rest(Ji_7, R_01, RI_0b, RI_0c_right))
+    RI_0c_lo = (product_rest(Ji_4, R_00, RI_0a, RI_0c - RI_0c_right)
+        + product_rest(Ji_7, R_01, RI_0b, RI_0c_right))
+    RI_0_lo = RI_0c - (RI_0 - RI_0_right) + product_rest(Ji_9, R_02, RI_0d, RI_0_right) + RI_0c_lo
     RI_1a = Ji_5 * R_01
     RI_1b = Ji_7 * R_00
     RI_1c = RI_1a + RI_1b
     RI_1c_right = RI_1c - RI_1a
-    RI_1c_left_rest = product_rest(Ji_5, R_01, RI_1a, RI_1c - RI_1c_right)
     RI_1d = Ji_8 * R_02
     RI_1 = RI_1c + RI_1d
     RI_1_right = RI_1 - RI_1c
-    RI_1_lo1 = RI_1c - (RI_1 - RI_1_right) + product_rest(Ji_8, R_02, RI_1d, RI_1_right)
-    RI_1_lo = RI_1_lo1 + (RI_1c_left_rest + product_rest(Ji_7, R_00, RI_1b, RI_1c_right))
+    RI_1c_lo = (product_rest(Ji_5, R_01, RI_1a, RI_1c - RI_1c_right)
+        + product_rest(Ji_7, R_00, RI_1b, RI_1c_right))
+    RI_1_lo = RI_1c - (RI_1 - RI_1_right) + product_rest(Ji_8, R_02, RI_1d, RI_1_right) + RI_1c_lo
     RI_2a = Ji_6 * R_02
     RI_2b = Ji_8 * R_01
     RI_2c = RI_2a + RI_2b
     RI_2c_right = RI_2c - RI_2a
-    RI_2c_left_rest = product_rest(Ji_6, R_02, RI_2a, RI_2c - RI_2c_right)
     RI_2d = Ji_9 * R_00
     RI_2 = RI_2c + RI_2d
     RI_2_right = RI_2 - RI_2c
-    RI_2_lo1 = RI_2c - (RI_2 - RI_2_right) + product_rest(Ji_9, R_00, RI_2d, RI_2_right)
-    RI_2_lo = RI_2_lo1 + (RI_2c_left_rest + product_rest(Ji_8, R_01, RI_2b, RI_2c_right))
+    RI_2c_lo = (product_rest(Ji_6, R_02, RI_2a, RI_2c - RI_2c_right)
+        + product_rest(Ji_8, R_01, RI_2b, RI_2c_right))
+    RI_2_lo = RI_2c - (RI_2 - RI_2_right) + product_rest(Ji_9, R_00, RI_2d, RI_2_right) + RI_2c_lo
     RI_3a = Ji_4 * R_10
     RI_3b = Ji_7 * R_11
     RI_3c = RI_3a + RI_3b
     RI_3c_right = RI_3c - RI_3a
-    RI_3c_left_rest = product_rest(Ji_4, R_10, RI_3a, RI_3c - RI_3c_right)
     RI_3d = Ji_9 * R_12
     RI_3 = RI_3c + RI_3d
     RI_3_right = RI_3 - RI_3c
-    RI_3_lo1 = RI_3c - (RI_3 - RI_3_right) + product_rest(Ji_9, R_12, RI_3d, RI_3_right)
-    RI_3_lo = RI_3_lo1 + (RI_3c_left_rest + product_rest(Ji_7, R_11, RI_3b, RI_3c_right))
+    RI_3c_lo = (product_rest(Ji_4, R_10, RI_3a, RI_3c - RI_3c_right)
+        + product_rest(Ji_7, R_11, RI_3b, RI_3c_right))
+    RI_3_lo = RI_3c - (RI_3 - RI_3_right) + product_rest(Ji_9, R_12, RI_3d, RI_3_right) + RI_3c_lo
     RI_4a = Ji_5 * R_11
     RI_4b = Ji_7 * R_10
     RI_4c = RI_4a + RI_4b
     RI_4c_right = RI_4c - RI_4a
-    RI_4c_left_rest = product_rest(Ji_5, R_11, RI_4a, RI_4c - RI_4c_right)
     RI_4d = Ji_8 * R_12
     RI_4 = RI_4c + RI_4d
     RI_4_right = RI_4 - RI_4c
-    RI_4_lo1 = RI_4c - (RI_4 - RI_4_right) + product_rest(Ji_8, R_12, RI_4d, RI_4_right)
-    RI_4_lo = RI_4_lo1 + (RI_4c_left_rest + product_rest(Ji_7, R_10, RI_4b, RI_4c_right))
+    RI_4c_lo = (product_rest(Ji_5, R_11, RI_4a, RI_4c - RI_4c_right)
+        + product_rest(Ji_7, R_10, RI_4b, RI_4c_right))
+    RI_4_lo = RI_4c - (RI_4 - RI_4_right) + product_rest(Ji_8, R_12, RI_4d, RI_4_right) + RI_4c_lo
     RI_5a = Ji_6 * R_12
     RI_5b = Ji_8 * R_11
     RI_5c = RI_5a + RI_5b
     RI_5c_right = RI_5c - RI_5a
-    RI_5c_left_rest = product_rest(Ji_6, R_12, RI_5a, RI_5c - RI_5c_right)
     RI_5d = Ji_9 * R_10
     RI_5 = RI_5c + RI_5d
     RI_5_right = RI_5 - RI_5c
-    RI_5_lo1 = RI_5c - (RI_5 - RI_5_right) + product_rest(Ji_9, R_10, RI_5d, RI_5_right)
-    RI_5_lo = RI_5_lo1 + (RI_5c_left_rest + product_rest(Ji_8, R_11, RI_5b, RI_5c_right))
+    RI_5c_lo = (product_rest(Ji_6, R_12, RI_5a, RI_5c - RI_5c_right)
+        + product_rest(Ji_8, R_11, RI_5b, RI_5c_right))
+    RI_5_lo = RI_5c - (RI_5 - RI_5_right) + product_rest(Ji_9, R_10, RI_5d, RI_5_right) + RI_5c_lo
     RI_6a = Ji_4 * R_20
     RI_6b = Ji_7 * R_21
     RI_6c = RI_6a + RI_6b
     RI_6c_right = RI_6c - RI_6a
-    RI_6c_left_rest = product_rest(Ji_4, R_20, RI_6a, RI_6c - RI_6c_right)
     RI_6d = Ji_9 * R_22
     RI_6 = RI_6c + RI_6d
     RI_6_right = RI_6 - RI_6c
-    RI_6_lo1 = RI_6c - (RI_6 - RI_6_right) + product_rest(Ji_9, R_22, RI_6d, RI_6_right)
+    RI_6c_lo = (product_rest(Ji_4, R_20, RI_6a, RI_6c - RI_6c_right)
+        + product_rest(Ji_7, R_21, RI_6b, RI_6c_right))
     RI_7a = Ji_5 * R_21
     RI_7b = Ji_7 * R_20
     RI_7c = RI_7a + RI_7b
     RI_7c_right = RI_7c - RI_7a
-    RI_7c_left_rest = product_rest(Ji_5, R_21, RI_7a, RI_7c - RI_7c_right)
     RI_7d = Ji_8 * R_22
     RI_7 = RI_7c + RI_7d
     RI_7_right = RI_7 - RI_7c
-    RI_7_lo1 = RI_7c - (RI_7 - RI_7_right) + product_rest(Ji_8, R_22, RI_7d, RI_7_right)
+    RI_7c_lo = (product_rest(Ji_5, R_21, RI_7a, RI_7c - RI_7c_right)
+        + product_rest(Ji_7, R_20, RI_7b, RI_7c_right))
     RI_8a = Ji_6 * R_22
     RI_8b = Ji_8 * R_21
     RI_8c = RI_8a + RI_8b
     RI_8c_right = RI_8c - RI_8a
-    RI_8c_left_rest = product_rest(Ji_6, R_22, RI_8a, RI_8c - RI_8c_right)
     RI_8d = Ji_9 * R_20
     RI_8 = RI_8c + RI_8d
     RI_8_right = RI_8 - RI_8c
-    RI_8_lo1 = RI_8c - (RI_8 - RI_8_right) + product_rest(Ji_9, R_20, RI_8d, RI_8_right)
+    RI_8c_lo = (product_rest(Ji_6, R_22, RI_8a, RI_8c - RI_8c_right)
+        + product_rest(Ji_8, R_21, RI_8b, RI_8c_right))
     Jo_1a = Ji_1 * R_00
     Jo_1b = Ji_2 * R_01
     Jo_1c = Jo_1a + Jo_1b
     Jo_1c_right = Jo_1c - Jo_1a
-    Jo_1c_left_rest = product_rest(Ji_1, R_00, Jo_1a, Jo_1c - Jo_1c_right)
     Jo_1d = Ji_3 * R_02
     Jo_1 = Jo_1c + Jo_1d
     Jo_1_right = Jo_1 - Jo_1c
-    Jo_1_lo1 = Jo_1c - (Jo_1 - Jo_1_right) + product_rest(Ji_3, R_02, Jo_1d, Jo_1_right)
+    Jo_1c_lo = (product_rest(Ji_1, R_00, Jo_1a, Jo_1c - Jo_1c_right)
+        + product_rest(Ji_2, R_01, Jo_1b, Jo_1c_right))
     Jo_2a = Ji_1 * R_10
     Jo_2b = Ji_2 * R_11
     Jo_2c = Jo_2a + Jo_2b
     Jo_2c_right = Jo_2c - Jo_2a
-    Jo_2c_left_rest = product_rest(Ji_1, R_10, Jo_2a, Jo_2c - Jo_2c_right)
     Jo_2d = Ji_3 * R_12
     Jo_2 = Jo_2c + Jo_2d
     Jo_2_right = Jo_2 - Jo_2c
-    Jo_2_lo1 = Jo_2c - (Jo_2 - Jo_2_right) + product_rest(Ji_3, R_12, Jo_2d, Jo_2_right)
+    Jo_2c_lo = (product_rest(Ji_1, R_10, Jo_2a, Jo_2c - Jo_2c_right)
+        + product_rest(Ji_2, R_11, Jo_2b, Jo_2c_right))
     Jo_3a = Ji_1 * R_20
     Jo_3b = Ji_2 * R_21
     Jo_3c = Jo_3a + Jo_3b
     Jo_3c_right = Jo_3c - Jo_3a
-    Jo_3c_left_rest = product_rest(Ji_1, R_20, Jo_3a, Jo_3c - Jo_3c_right)
     Jo_3d = Ji_3 * R_22
     Jo_3 = Jo_3c + Jo_3d
     Jo_3_right = Jo_3 - Jo_3c
-    Jo_3_lo1 = Jo_3c - (Jo_3 - Jo_3_right) + product_rest(Ji_3, R_22, Jo_3d, Jo_3_right)
+    Jo_3c_lo = (product_rest(Ji_1, R_20, Jo_3a, Jo_3c - Jo_3c_right)
+        + product_rest(Ji_2, R_21, Jo_3b, Jo_3c_right))
     Jo_4a = R_00 * RI_0
     Jo_4b = R_01 * RI_1
     Jo_4c = Jo_4a + Jo_4b
     Jo_4c_right = Jo_4c - Jo_4a
-    Jo_4c_left_rest = product_rest(R_00, RI_0, Jo_4a, Jo_4c - Jo_4c_right)
-    Jo_4c_lo1 = Jo_4c_left_rest + product_rest(R_01, RI_1, Jo_4b, Jo_4c_right)
     Jo_4d = R_02 * RI_2
     Jo_4 = Jo_4c + Jo_4d
     Jo_4_right = Jo_4 - Jo_4c
-    Jo_4_lo1 = Jo_4c - (Jo_4 - Jo_4_right) + product_rest(R_02, RI_2, Jo_4d, Jo_4_right)
+    Jo_4c_lo = (product_rest(R_00, RI_0, Jo_4a, Jo_4c - Jo_4c_right)
+        + product_rest(R_01, RI_1, Jo_4b, Jo_4c_right) + (R_00 * RI_0_lo + R_01 * RI_1_lo))
     Jo_5a = R_10 * RI_3
     Jo_5b = R_11 * RI_4
     Jo_5c = Jo_5a + Jo_5b
     Jo_5c_right = Jo_5c - Jo_5a
-    Jo_5c_left_rest = product_rest(R_10, RI_3, Jo_5a, Jo_5c - Jo_5c_right)
-    Jo_5c_lo1 = Jo_5c_left_rest + product_rest(R_11, RI_4, Jo_5b, Jo_5c_right)
     Jo_5d = R_12 * RI_5
     Jo_5 = Jo_5c + Jo_5d
     Jo_5_right = Jo_5 - Jo_5c
-    Jo_5_lo1 = Jo_5c - (Jo_5 - Jo_5_right) + product_rest(R_12, RI_5, Jo_5d, Jo_5_right)
+    Jo_5c_lo = (product_rest(R_10, RI_3, Jo_5a, Jo_5c - Jo_5c_right)
+        + product_rest(R_11, RI_4, Jo_5b, Jo_5c_right) + (R_10 * RI_3_lo + R_11 * RI_4_lo))
     Jo_6a = R_20 * RI_6
-    RI_6_lo = RI_6_lo1 + (RI_6c_left_rest + product_rest(Ji_7, R_21, RI_6b, RI_6c_right))
     Jo_6b = R_21 * RI_7
-    RI_7_lo = RI_7_lo1 + (RI_7c_left_rest + product_rest(Ji_7, R_20, RI_7b, RI_7c_right))
     Jo_6c = Jo_6a + Jo_6b
     Jo_6c_right = Jo_6c - Jo_6a
-    Jo_6c_left_rest = product_rest(R_20, RI_6, Jo_6a, Jo_6c - Jo_6c_right)
-    Jo_6c_lo1 = Jo_6c_left_rest + product_rest(R_21, RI_7, Jo_6b, Jo_6c_right)
+    Jo_6a_cross2 = (R_20
+        * (RI_6c - (RI_6 - RI_6_right) + product_rest(Ji_9, R_22, RI_6d, RI_6_right) + RI_6c_lo))
+    Jo_6c_cross = (Jo_6a_cross2 + R_21
+        * (RI_7c - (RI_7 - RI_7_right) + product_rest(Ji_8, R_22, RI_7d, RI_7_right) + RI_7c_lo))
     Jo_6d = R_22 * RI_8
-    RI_8_lo = RI_8_lo1 + (RI_8c_left_rest + product_rest(Ji_8, R_21, RI_8b, RI_8c_right))
     Jo_6 = Jo_6c + Jo_6d
     Jo_6_right = Jo_6 - Jo_6c
-    Jo_6_lo1 = Jo_6c - (Jo_6 - Jo_6_right) + product_rest(R_22, RI_8, Jo_6d, Jo_6_right)
+    Jo_6d_cross2 = (R_22
+        * (RI_8c - (RI_8 - RI_8_right) + product_rest(Ji_9, R_20, RI_8d, RI_8_right) + RI_8c_lo))
+    Jo_6c_lo = (product_rest(R_20, RI_6, Jo_6a, Jo_6c - Jo_6c_right)
+        + product_rest(R_21, RI_7, Jo_6b, Jo_6c_right) + Jo_6c_cross)
     Jo_7a = R_10 * RI_0
     Jo_7b = R_11 * RI_1
     Jo_7c = Jo_7a + Jo_7b
     Jo_7c_right = Jo_7c - Jo_7a
-    Jo_7c_left_rest = product_rest(R_10, RI_0, Jo_7a, Jo_7c - Jo_7c_right)
-    Jo_7c_lo1 = Jo_7c_left_rest + product_rest(R_11, RI_1, Jo_7b, Jo_7c_right)
     Jo_7d = R_12 * RI_2
     Jo_7 = Jo_7c + Jo_7d
     Jo_7_right = Jo_7 - Jo_7c
-    Jo_7_lo1 = Jo_7c - (Jo_7 - Jo_7_right) + product_rest(R_12, RI_2, Jo_7d, Jo_7_right)
+    Jo_7c_lo = (product_rest(R_10, RI_0, Jo_7a, Jo_7c - Jo_7c_right)
+        + product_rest(R_11, RI_1, Jo_7b, Jo_7c_right) + (R_10 * RI_0_lo + R_11 * RI_1_lo))
     Jo_8a = R_20 * RI_3
     Jo_8b = R_21 * RI_4
     Jo_8c = Jo_8a + Jo_8b
     Jo_8c_right = Jo_8c - Jo_8a
-    Jo_8c_left_rest = product_rest(R_20, RI_3, Jo_8a, Jo_8c - Jo_8c_right)
-    Jo_8c_lo1 = Jo_8c_left_rest + product_rest(R_21, RI_4, Jo_8b, Jo_8c_right)
     Jo_8d = R_22 * RI_5
     Jo_8 = Jo_8c + Jo_8d
     Jo_8_right = Jo_8 - Jo_8c
-    Jo_8_lo1 = Jo_8c - (Jo_8 - Jo_8_right) + product_rest(R_22, RI_5, Jo_8d, Jo_8_right)
+    Jo_8c_lo = (product_rest(R_20, RI_3, Jo_8a, Jo_8c - Jo_8c_right)
+        + product_rest(R_21, RI_4, Jo_8b, Jo_8c_right) + (R_20 * RI_3_lo + R_21 * RI_4_lo))
     Jo_9a = R_20 * RI_0
     Jo_9b = R_21 * RI_1
     Jo_9c = Jo_9a + Jo_9b
     Jo_9c_right = Jo_9c - Jo_9a
-    Jo_9c_left_rest = product_rest(R_20, RI_0, Jo_9a, Jo_9c - Jo_9c_right)
-    Jo_9c_lo1 = Jo_9c_left_rest + product_rest(R_21, RI_1, Jo_9b, Jo_9c_right)
     Jo_9d = R_22 * RI_2
     Jo_9 = Jo_9c + Jo_9d
     Jo_9_right = Jo_9 - Jo_9c
-    Jo_9_lo1 = Jo_9c - (Jo_9 - Jo_9_right) + product_rest(R_22, RI_2, Jo_9d, Jo_9_right)
-    Jo_1_lo = Jo_1_lo1 + (Jo_1c_left_rest + product_rest(Ji_2, R_01, Jo_1b, Jo_1c_right))
-    Jo_1_rounded = Jo_1 + Jo_1_lo
-    Jo_2_lo = Jo_2_lo1 + (Jo_2c_left_rest + product_rest(Ji_2, R_11, Jo_2b, Jo_2c_right))
-    Jo_2_rounded = Jo_2 + Jo_2_lo
-    Jo_3_lo = Jo_3_lo1 + (Jo_3c_left_rest + product_rest(Ji_2, R_21, Jo_3b, Jo_3c_right))
-    Jo_3_rounded = Jo_3 + Jo_3_lo
-    Jo_4_lo = Jo_4_lo1 + R_02 * RI_2_lo + (Jo_4c_lo1 + (R_00 * RI_0_lo + R_01 * RI_1_lo))
-    Jo_4_rounded = Jo_4 + Jo_4_lo
-    Jo_5_lo = Jo_5_lo1 + R_12 * RI_5_lo + (Jo_5c_lo1 + (R_10 * RI_3_lo + R_11 * RI_4_lo))
-    Jo_5_rounded = Jo_5 + Jo_5_lo
-    Jo_6_lo = Jo_6_lo1 + R_22 * RI_8_lo + (Jo_6c_lo1 + (R_20 * RI_6_lo + R_21 * RI_7_lo))
-    Jo_6_rounded = Jo_6 + Jo_6_lo
-    Jo_7_lo = Jo_7_lo1 + R_12 * RI_2_lo + (Jo_7c_lo1 + (R_10 * RI_0_lo + R_11 * RI_1_lo))
-    Jo_7_rounded = Jo_7 + Jo_7_lo
-    Jo_8_lo = Jo_8_lo1 + R_22 * RI_5_lo + (Jo_8c_lo1 + (R_20 * RI_3_lo + R_21 * RI_4_lo))
-    Jo_8_rounded = Jo_8 + Jo_8_lo
-    Jo_9_lo = Jo_9_lo1 + R_22 * RI_2_lo + (Jo_9c_lo1 + (R_20 * RI_0_lo + R_21 * RI_1_lo))
-    Jo_9_rounded = Jo_9 + Jo_9_lo
+    Jo_9c_lo = (product_rest(R_20, RI_0, Jo_9a, Jo_9c - Jo_9c_right)
+        + product_rest(R_21, RI_1, Jo_9b, Jo_9c_right) + (R_20 * RI_0_lo + R_21 * RI_1_lo))
+    Jo_1_rounded = (Jo_1
+        + (Jo_1c - (Jo_1 - Jo_1_right) + product_rest(Ji_3, R_02, Jo_1d, Jo_1_right) + Jo_1c_lo))
+    Jo_2_rounded = (Jo_2
+        + (Jo_2c - (Jo_2 - Jo_2_right) + product_rest(Ji_3, R_12, Jo_2d, Jo_2_right) + Jo_2c_lo))
+    Jo_3_rounded = (Jo_3
+        + (Jo_3c - (Jo_3 - Jo_3_right) + product_rest(Ji_3, R_22, Jo_3d, Jo_3_right) + Jo_3c_lo))
+    Jo_4_rounded = (Jo_4
+        + (Jo_4c - (Jo_4 - Jo_4_right) + product_rest(R_02, RI_2, Jo_4d, Jo_4_right) + R_02
+        * RI_2_lo + Jo_4c_lo))
+    Jo_5_rounded = (Jo_5
+        + (Jo_5c - (Jo_5 - Jo_5_right) + product_rest(R_12, RI_5, Jo_5d, Jo_5_right) + R_12
+        * RI_5_lo + Jo_5c_lo))
+    Jo_6_rounded = (Jo_6
+        + (Jo_6c - (Jo_6 - Jo_6_right) + product_rest(R_22, RI_8, Jo_6d, Jo_6_right) + Jo_6d_cross2
+        + Jo_6c_lo))
+    Jo_7_rounded = (Jo_7
+        + (Jo_7c - (Jo_7 - Jo_7_right) + product_rest(R_12, RI_2, Jo_7d, Jo_7_right) + R_12
+        * RI_2_lo + Jo_7c_lo))
+    Jo_8_rounded = (Jo_8
+        + (Jo_8c - (Jo_8 - Jo_8_right) + product_rest(R_22, RI_5, Jo_8d, Jo_8_right) + R_22
+        * RI_5_lo + Jo_8c_lo))
+    Jo_9_rounded = (Jo_9
+        + (Jo_9c - (Jo_9 - Jo_9_right) + product_rest(R_22, RI_2, Jo_9d, Jo_9_right) + R_22
+        * RI_2_lo + Jo_9c_lo))
     return (Ji_0, Jo_1_rounded, Jo_2_rounded, Jo_3_rounded, Jo_4_rounded, Jo_5_rounded,
         Jo_6_rounded, Jo_7_rounded, Jo_8_rounded, Jo_9_rounded)
 
@@ -256,224 +259,227 @@ def inertia_rotate(self, R):
     RI_0b = self_7 * R_01
     RI_0c = RI_0a + RI_0b
     RI_0c_right = RI_0c - RI_0a
-    RI_0c_left_rest = product_rest(self_4, R_00, RI_0a, RI_0c - RI_0c_right)
     RI_0d = self_9 * R_02
     RI_0 = RI_0c + RI_0d
     RI_0_right = RI_0 - RI_0c
-    RI_0_lo1 = RI_0c - (RI_0 - RI_0_right) + product_rest(self_9, R_02, RI_0d, RI_0_right)
-    RI_0_lo = RI_0_lo1 + (RI_0c_left_rest + product_rest(self_7, R_01, RI_0b, RI_0c_right))
+    RI_0c_lo = (product_rest(self_4, R_00, RI_0a, RI_0c - RI_0c_right)
+        + product_rest(self_7, R_01, RI_0b, RI_0c_right))
+    RI_0_lo = RI_0c - (RI_0 - RI_0_right) + product_rest(self_9, R_02, RI_0d, RI_0_right) + RI_0c_lo
     RI_1a = self_5 * R_01
     RI_1b = self_7 * R_00
     RI_1c = RI_1a + RI_1b
     RI_1c_right = RI_1c - RI_1a
-    RI_1c_left_rest = product_rest(self_5, R_01, RI_1a, RI_1c - RI_1c_right)
     RI_1d = self_8 * R_02
     RI_1 = RI_1c + RI_1d
     RI_1_right = RI_1 - RI_1c
-    RI_1_lo1 = RI_1c - (RI_1 - RI_1_right) + product_rest(self_8, R_02, RI_1d, RI_1_right)
-    RI_1_lo = RI_1_lo1 + (RI_1c_left_rest + product_rest(self_7, R_00, RI_1b, RI_1c_right))
+    RI_1c_lo = (product_rest(self_5, R_01, RI_1a, RI_1c - RI_1c_right)
+        + product_rest(self_7, R_00, RI_1b, RI_1c_right))
+    RI_1_lo = RI_1c - (RI_1 - RI_1_right) + product_rest(self_8, R_02, RI_1d, RI_1_right) + RI_1c_lo
     RI_2a = self_6 * R_02
     RI_2b = self_8 * R_01
     RI_2c = RI_2a + RI_2b
     RI_2c_right = RI_2c - RI_2a
-    RI_2c_left_rest = product_rest(self_6, R_02, RI_2a, RI_2c - RI_2c_right)
     RI_2d = self_9 * R_00
     RI_2 = RI_2c + RI_2d
     RI_2_right = RI_2 - RI_2c
-    RI_2_lo1 = RI_2c - (RI_2 - RI_2_right) + product_rest(self_9, R_00, RI_2d, RI_2_right)
-    RI_2_lo = RI_2_lo1 + (RI_2c_left_rest + product_rest(self_8, R_01, RI_2b, RI_2c_right))
+    RI_2c_lo = (product_rest(self_6, R_02, RI_2a, RI_2c - RI_2c_right)
+        + product_rest(self_8, R_01, RI_2b, RI_2c_right))
+    RI_2_lo = RI_2c - (RI_2 - RI_2_right) + product_rest(self_9, R_00, RI_2d, RI_2_right) + RI_2c_lo
     RI_3a = self_4 * R_10
     RI_3b = self_7 * R_11
     RI_3c = RI_3a + RI_3b
     RI_3c_right = RI_3c - RI_3a
-    RI_3c_left_rest = product_rest(self_4, R_10, RI_3a, RI_3c - RI_3c_right)
     RI_3d = self_9 * R_12
     RI_3 = RI_3c + RI_3d
     RI_3_right = RI_3 - RI_3c
-    RI_3_lo1 = RI_3c - (RI_3 - RI_3_right) + product_rest(self_9, R_12, RI_3d, RI_3_right)
-    RI_3_lo = RI_3_lo1 + (RI_3c_left_rest + product_rest(self_7, R_11, RI_3b, RI_3c_right))
+    RI_3c_lo = (product_rest(self_4, R_10, RI_3a, RI_3c - RI_3c_right)
+        + product_rest(self_7, R_11, RI_3b, RI_3c_right))
+    RI_3_lo = RI_3c - (RI_3 - RI_3_right) + product_rest(self_9, R_12, RI_3d, RI_3_right) + RI_3c_lo
     RI_4a = self_5 * R_11
     RI_4b = self_7 * R_10
     RI_4c = RI_4a + RI_4b
     RI_4c_right = RI_4c - RI_4a
-    RI_4c_left_rest = product_rest(self_5, R_11, RI_4a, RI_4c - RI_4c_right)
     RI_4d = self_8 * R_12
     RI_4 = RI_4c + RI_4d
     RI_4_right = RI_4 - RI_4c
-    RI_4_lo1 = RI_4c - (RI_4 - RI_4_right) + product_rest(self_8, R_12, RI_4d, RI_4_right)
-    RI_4_lo = RI_4_lo1 + (RI_4c_left_rest + product_rest(self_7, R_10, RI_4b, RI_4c_right))
+    RI_4c_lo = (product_rest(self_5, R_11, RI_4a, RI_4c - RI_4c_right)
+        + product_rest(self_7, R_10, RI_4b, RI_4c_right))
+    RI_4_lo = RI_4c - (RI_4 - RI_4_right) + product_rest(self_8, R_12, RI_4d, RI_4_right) + RI_4c_lo
     RI_5a = self_6 * R_12
     RI_5b = self_8 * R_11
     RI_5c = RI_5a + RI_5b
     RI_5c_right = RI_5c - RI_5a
-    RI_5c_left_rest = product_rest(self_6, R_12, RI_5a, RI_5c - RI_5c_right)
     RI_5d = self_9 * R_10
     RI_5 = RI_5c + RI_5d
     RI_5_right = RI_5 - RI_5c
-    RI_5_lo1 = RI_5c - (RI_5 - RI_5_right) + product_rest(self_9, R_10, RI_5d, RI_5_right)
-    RI_5_lo = RI_5_lo1 + (RI_5c_left_rest + product_rest(self_8, R_11, RI_5b, RI_5c_right))
+    RI_5c_lo = (product_rest(self_6, R_12, RI_5a, RI_5c - RI_5c_right)
+        + product_rest(self_8, R_11, RI_5b, RI_5c_right))
+    RI_5_lo = RI_5c - (RI_5 - RI_5_right) + product_rest(self_9, R_10, RI_5d, RI_5_right) + RI_5c_lo
     RI_6a = self_4 * R_20
     RI_6b = self_7 * R_21
     RI_6c = RI_6a + RI_6b
     RI_6c_right = RI_6c - RI_6a
-    RI_6c_left_rest = product_rest(self_4, R_20, RI_6a, RI_6c - RI_6c_right)
     RI_6d = self_9 * R_22
     RI_6 = RI_6c + RI_6d
     RI_6_right = RI_6 - RI_6c
-    RI_6_lo1 = RI_6c - (RI_6 - RI_6_right) + product_rest(self_9, R_22, RI_6d, RI_6_right)
+    RI_6c_lo = (product_rest(self_4, R_20, RI_6a, RI_6c - RI_6c_right)
+        + product_rest(self_7, R_21, RI_6b, RI_6c_right))
     RI_7a = self_5 * R_21
     RI_7b = self_7 * R_20
     RI_7c = RI_7a + RI_7b
     RI_7c_right = RI_7c - RI_7a
-    RI_7c_left_rest = product_rest(self_5, R_21, RI_7a, RI_7c - RI_7c_right)
     RI_7d = self_8 * R_22
     RI_7 = RI_7c + RI_7d
     RI_7_right = RI_7 - RI_7c
-    RI_7_lo1 = RI_7c - (RI_7 - RI_7_right) + product_rest(self_8, R_22, RI_7d, RI_7_right)
+    RI_7c_lo = (product_rest(self_5, R_21, RI_7a, RI_7c - RI_7c_right)
+        + product_rest(self_7, R_20, RI_7b, RI_7c_right))
     RI_8a = self_6 * R_22
     RI_8b = self_8 * R_21
     RI_8c = RI_8a + RI_8b
     RI_8c_right = RI_8c - RI_8a
-    RI_8c_left_rest = product_rest(self_6, R_22, RI_8a, RI_8c - RI_8c_right)
     RI_8d = self_9 * R_20
     RI_8 = RI_8c + RI_8d
     RI_8_right = RI_8 - RI_8c
-    RI_8_lo1 = RI_8c - (RI_8 - RI_8_right) + product_rest(self_9, R_20, RI_8d, RI_8_right)
+    RI_8c_lo = (product_rest(self_6, R_22, RI_8a, RI_8c - RI_8c_right)
+        + product_rest(self_8, R_21, RI_8b, RI_8c_right))
     self_1_new_a = self_1 * R_00
     self_1_new_b = self_2 * R_01
     self_1_new_c = self_1_new_a + self_1_new_b
     self_1_new_c_right = self_1_new_c - self_1_new_a
-    self_1_new_c_left = self_1_new_c - self_1_new_c_right
-    self_1_new_c_right_rest = product_rest(self_2, R_01, self_1_new_b, self_1_new_c_right)
-    self_1_new_c_left_rest = product_rest(self_1, R_00, self_1_new_a, self_1_new_c_left)
+    self_1_new_c_left_rest = (product_rest(self_1, R_00, self_1_new_a, self_1_new_c
+        - self_1_new_c_right))
     self_1_new_d = self_3 * R_02
     self_1_new = self_1_new_c + self_1_new_d
     self_1_new_right = self_1_new - self_1_new_c
-    self_1_new_right_rest = product_rest(self_3, R_02, self_1_new_d, self_1_new_right)
-    self_1_new_lo1 = self_1_new_c - (self_1_new - self_1_new_right) + self_1_new_right_rest
+    self_1_new_lo1 = (self_1_new_c - (self_1_new - self_1_new_right)
+        + product_rest(self_3, R_02, self_1_new_d, self_1_new_right))
     self_2_new_a = self_1 * R_10
     self_2_new_b = self_2 * R_11
     self_2_new_c = self_2_new_a + self_2_new_b
     self_2_new_c_right = self_2_new_c - self_2_new_a
-    self_2_new_c_left = self_2_new_c - self_2_new_c_right
-    self_2_new_c_right_rest = product_rest(self_2, R_11, self_2_new_b, self_2_new_c_right)
-    self_2_new_c_left_rest = product_rest(self_1, R_10, self_2_new_a, self_2_new_c_left)
+    self_2_new_c_left_rest = (product_rest(self_1, R_10, self_2_new_a, self_2_new_c
+        - self_2_new_c_right))
     self_2_new_d = self_3 * R_12
     self_2_new = self_2_new_c + self_2_new_d
     self_2_new_right = self_2_new - self_2_new_c
-    self_2_new_right_rest = product_rest(self_3, R_12, self_2_new_d, self_2_new_right)
-    self_2_new_lo1 = self_2_new_c - (self_2_new - self_2_new_right) + self_2_new_right_rest
+    self_2_new_lo1 = (self_2_new_c - (self_2_new - self_2_new_right)
+        + product_rest(self_3, R_12, self_2_new_d, self_2_new_right))
     self_3_new_a = self_1 * R_20
     self_3_new_b = self_2 * R_21
     self_3_new_c = self_3_new_a + self_3_new_b
     self_3_new_c_right = self_3_new_c - self_3_new_a
-    self_3_new_c_left = self_3_new_c - self_3_new_c_right
-    self_3_new_c_right_rest = product_rest(self_2, R_21, self_3_new_b, self_3_new_c_right)
-    self_3_new_c_left_rest = product_rest(self_1, R_20, self_3_new_a, self_3_new_c_left)
+    self_3_new_c_left_rest = (product_rest(self_1, R_20, self_3_new_a, self_3_new_c
+        - self_3_new_c_right))
     self_3_new_d = self_3 * R_22
     self_3_new = self_3_new_c + self_3_new_d
     self_3_new_right = self_3_new - self_3_new_c
-    self_3_new_right_rest = product_rest(self_3, R_22, self_3_new_d, self_3_new_right)
-    self_3_new_lo1 = self_3_new_c - (self_3_new - self_3_new_right) + self_3_new_right_rest
+    self_3_new_lo1 = (self_3_new_c - (self_3_new - self_3_new_right)
+        + product_rest(self_3, R_22, self_3_new_d, self_3_new_right))
     self_4_new_a = R_00 * RI_0
     self_4_new_b = R_01 * RI_1
     self_4_new_c = self_4_new_a + self_4_new_b
     self_4_new_c_right = self_4_new_c - self_4_new_a
-    self_4_new_c_left = self_4_new_c - self_4_new_c_right
-    self_4_new_c_right_rest = product_rest(R_01, RI_1, self_4_new_b, self_4_new_c_right)
-    self_4_new_c_left_rest = product_rest(R_00, RI_0, self_4_new_a, self_4_new_c_left)
-    self_4_new_c_lo1 = self_4_new_c_left_rest + self_4_new_c_right_rest
+    self_4_new_c_left_rest = (product_rest(R_00, RI_0, self_4_new_a, self_4_new_c
+        - self_4_new_c_right))
     self_4_new_d = R_02 * RI_2
     self_4_new = self_4_new_c + self_4_new_d
     self_4_new_right = self_4_new - self_4_new_c
-    self_4_new_right_rest = product_rest(R_02, RI_2, self_4_new_d, self_4_new_right)
-    self_4_new_lo1 = self_4_new_c - (self_4_new - self_4_new_right) + self_4_new_right_rest
-    self_4_new_c_lo = self_4_new_c_lo1 + (R_00 * RI_0_lo + R_01 * RI_1_lo)
+    self_4_new_lo2 = (self_4_new_c - (self_4_new - self_4_new_right)
+        + product_rest(R_02, RI_2, self_4_new_d, self_4_new_right) + R_02 * RI_2_lo)
+    self_4_new_c_lo = (self_4_new_c_left_rest
+        + product_rest(R_01, RI_1, self_4_new_b, self_4_new_c_right)
+        + (R_00 * RI_0_lo + R_01 * RI_1_lo))
     self_5_new_a = R_10 * RI_3
     self_5_new_b = R_11 * RI_4
     self_5_new_c = self_5_new_a + self_5_new_b
     self_5_new_c_right = self_5_new_c - self_5_new_a
-    self_5_new_c_left = self_5_new_c - self_5_new_c_right
-    self_5_new_c_right_rest = product_rest(R_11, RI_4, self_5_new_b, self_5_new_c_right)
-    self_5_new_c_left_rest = product_rest(R_10, RI_3, self_5_new_a, self_5_new_c_left)
-    self_5_new_c_lo1 = self_5_new_c_left_rest + self_5_new_c_right_rest
+    self_5_new_c_left_rest = (product_rest(R_10, RI_3, self_5_new_a, self_5_new_c
+        - self_5_new_c_right))
     self_5_new_d = R_12 * RI_5
     self_5_new = self_5_new_c + self_5_new_d
     self_5_new_right = self_5_new - self_5_new_c
-    self_5_new_right_rest = product_rest(R_12, RI_5, self_5_new_d, self_5_new_right)
-    self_5_new_lo1 = self_5_new_c - (self_5_new - self_5_new_right) + self_5_new_right_rest
-    self_5_new_c_lo = self_5_new_c_lo1 + (R_10 * RI_3_lo + R_11 * RI_4_lo)
+    self_5_new_lo2 = (self_5_new_c - (self_5_new - self_5_new_right)
+        + product_rest(R_12, RI_5, self_5_new_d, self_5_new_right) + R_12 * RI_5_lo)
+    self_5_new_c_lo = (self_5_new_c_left_rest
+        + product_rest(R_11, RI_4, self_5_new_b, self_5_new_c_right)
+        + (R_10 * RI_3_lo + R_11 * RI_4_lo))
     self_6_new_a = R_20 * RI_6
-    RI_6_lo = RI_6_lo1 + (RI_6c_left_rest + product_rest(self_7, R_21, RI_6b, RI_6c_right))
     self_6_new_b = R_21 * RI_7
-    RI_7_lo = RI_7_lo1 + (RI_7c_left_rest + product_rest(self_7, R_20, RI_7b, RI_7c_right))
     self_6_new_c = self_6_new_a + self_6_new_b
     self_6_new_c_right = self_6_new_c - self_6_new_a
-    self_6_new_c_left = self_6_new_c - self_6_new_c_right
-    self_6_new_c_right_rest = product_rest(R_21, RI_7, self_6_new_b, self_6_new_c_right)
-    self_6_new_c_left_rest = product_rest(R_20, RI_6, self_6_new_a, self_6_new_c_left)
-    self_6_new_c_lo1 = self_6_new_c_left_rest + self_6_new_c_right_rest
+    self_6_new_a_cross2 = (R_20
+        * (RI_6c - (RI_6 - RI_6_right) + product_rest(self_9, R_22, RI_6d, RI_6_right) + RI_6c_lo))
+    self_6_new_c_left_rest = (product_rest(R_20, RI_6, self_6_new_a, self_6_new_c
+        - self_6_new_c_right))
+    self_6_new_c_cross = (self_6_new_a_cross2 + R_21
+        * (RI_7c - (RI_7 - RI_7_right) + product_rest(self_8, R_22, RI_7d, RI_7_right) + RI_7c_lo))
     self_6_new_d = R_22 * RI_8
-    RI_8_lo = RI_8_lo1 + (RI_8c_left_rest + product_rest(self_8, R_21, RI_8b, RI_8c_right))
     self_6_new = self_6_new_c + self_6_new_d
     self_6_new_right = self_6_new - self_6_new_c
-    self_6_new_right_rest = product_rest(R_22, RI_8, self_6_new_d, self_6_new_right)
-    self_6_new_lo1 = self_6_new_c - (self_6_new - self_6_new_right) + self_6_new_right_rest
-    self_6_new_c_lo = self_6_new_c_lo1 + (R_20 * RI_6_lo + R_21 * RI_7_lo)
+    self_6_new_lo1 = (self_6_new_c - (self_6_new - self_6_new_right)
+        + product_rest(R_22, RI_8, self_6_new_d, self_6_new_right))
+    self_6_new_lo2 = (self_6_new_lo1 + R_22
+        * (RI_8c - (RI_8 - RI_8_right) + product_rest(self_9, R_20, RI_8d, RI_8_right) + RI_8c_lo))
     self_7_new_a = R_10 * RI_0
     self_7_new_b = R_11 * RI_1
     self_7_new_c = self_7_new_a + self_7_new_b
     self_7_new_c_right = self_7_new_c - self_7_new_a
-    self_7_new_c_left = self_7_new_c - self_7_new_c_right
-    self_7_new_c_right_rest = product_rest(R_11, RI_1, self_7_new_b, self_7_new_c_right)
-    self_7_new_c_left_rest = product_rest(R_10, RI_0, self_7_new_a, self_7_new_c_left)
-    self_7_new_c_lo1 = self_7_new_c_left_rest + self_7_new_c_right_rest
+    self_7_new_c_left_rest = (product_rest(R_10, RI_0, self_7_new_a, self_7_new_c
+        - self_7_new_c_right))
     self_7_new_d = R_12 * RI_2
     self_7_new = self_7_new_c + self_7_new_d
     self_7_new_right = self_7_new - self_7_new_c
-    self_7_new_right_rest = product_rest(R_12, RI_2, self_7_new_d, self_7_new_right)
-    self_7_new_lo1 = self_7_new_c - (self_7_new - self_7_new_right) + self_7_new_right_rest
-    self_7_new_c_lo = self_7_new_c_lo1 + (R_10 * RI_0_lo + R_11 * RI_1_lo)
+    self_7_new_lo2 = (self_7_new_c - (self_7_new - self_7_new_right)
+        + product_rest(R_12, RI_2, self_7_new_d, self_7_new_right) + R_12 * RI_2_lo)
+    self_7_new_c_lo = (self_7_new_c_left_rest
+        + product_rest(R_11, RI_1, self_7_new_b, self_7_new_c_right)
+        + (R_10 * RI_0_lo + R_11 * RI_1_lo))
     self_8_new_a = R_20 * RI_3
     self_8_new_b = R_21 * RI_4
     self_8_new_c = self_8_new_a + self_8_new_b
     self_8_new_c_right = self_8_new_c - self_8_new_a
-    self_8_new_c_left = self_8_new_c - self_8_new_c_right
-    self_8_new_c_right_rest = product_rest(R_21, RI_4, self_8_new_b, self_8_new_c_right)
-    self_8_new_c_left_rest = product_rest(R_20, RI_3, self_8_new_a, self_8_new_c_left)
-    self_8_new_c_lo1 = self_8_new_c_left_rest + self_8_new_c_right_rest
+    self_8_new_c_left_rest = (product_rest(R_20, RI_3, self_8_new_a, self_8_new_c
+        - self_8_new_c_right))
     self_8_new_d = R_22 * RI_5
     self_8_new = self_8_new_c + self_8_new_d
     self_8_new_right = self_8_new - self_8_new_c
-    self_8_new_right_rest = product_rest(R_22, RI_5, self_8_new_d, self_8_new_right)
-    self_8_new_lo1 = self_8_new_c - (self_8_new - self_8_new_right) + self_8_new_right_rest
-    self_8_new_c_lo = self_8_new_c_lo1 + (R_20 * RI_3_lo + R_21 * RI_4_lo)
+    self_8_new_lo2 = (self_8_new_c - (self_8_new - self_8_new_right)
+        + product_rest(R_22, RI_5, self_8_new_d, self_8_new_right) + R_22 * RI_5_lo)
+    self_8_new_c_lo = (self_8_new_c_left_rest
+        + product_rest(R_21, RI_4, self_8_new_b, self_8_new_c_right)
+        + (R_20 * RI_3_lo + R_21 * RI_4_lo))
     self_9_new_a = R_20 * RI_0
     self_9_new_b = R_21 * RI_1
     self_9_new_c = self_9_new_a + self_9_new_b
     self_9_new_c_right = self_9_new_c - self_9_new_a
-    self_9_new_c_left = self_9_new_c - self_9_new_c_right
-    self_9_new_c_right_rest = product_rest(R_21, RI_1, self_9_new_b, self_9_new_c_right)
-    self_9_new_c_left_rest = product_rest(R_20, RI_0, self_9_new_a, self_9_new_c_left)
-    self_9_new_c_lo1 = self_9_new_c_left_rest + self_9_new_c_right_rest
+    self_9_new_c_left_rest = (product_rest(R_20, RI_0, self_9_new_a, self_9_new_c
+        - self_9_new_c_right))
     self_9_new_d = R_22 * RI_2
     self_9_new = self_9_new_c + self_9_new_d
     self_9_new_right = self_9_new - self_9_new_c
-    self_9_new_right_rest = product_rest(R_22, RI_2, self_9_new_d, self_9_new_right)
-    self_9_new_lo1 = self_9_new_c - (self_9_new - self_9_new_right) + self_9_new_right_rest
-    self_9_new_c_lo = self_9_new_c_lo1 + (R_20 * RI_0_lo + R_21 * RI_1_lo)
-    self_1_new_lo = self_1_new_lo1 + (self_1_new_c_left_rest + self_1_new_c_right_rest)
-    self_1_new_rounded = self_1_new + self_1_new_lo
-    self_2_new_lo = self_2_new_lo1 + (self_2_new_c_left_rest + self_2_new_c_right_rest)
-    self_2_new_rounded = self_2_new + self_2_new_lo
-    self_3_new_lo = self_3_new_lo1 + (self_3_new_c_left_rest + self_3_new_c_right_rest)
-    self_3_new_rounded = self_3_new + self_3_new_lo
-    self_4_new_rounded = self_4_new + (self_4_new_lo1 + R_02 * RI_2_lo + self_4_new_c_lo)
-    self_5_new_rounded = self_5_new + (self_5_new_lo1 + R_12 * RI_5_lo + self_5_new_c_lo)
-    self_6_new_rounded = self_6_new + (self_6_new_lo1 + R_22 * RI_8_lo + self_6_new_c_lo)
-    self_7_new_rounded = self_7_new + (self_7_new_lo1 + R_12 * RI_2_lo + self_7_new_c_lo)
-    self_8_new_rounded = self_8_new + (self_8_new_lo1 + R_22 * RI_5_lo + self_8_new_c_lo)
-    self_9_new_rounded = self_9_new + (self_9_new_lo1 + R_22 * RI_2_lo + self_9_new_c_lo)
+    self_9_new_lo2 = (self_9_new_c - (self_9_new - self_9_new_right)
+        + product_rest(R_22, RI_2, self_9_new_d, self_9_new_right) + R_22 * RI_2_lo)
+    self_9_new_c_lo = (self_9_new_c_left_rest
+        + product_rest(R_21, RI_1, self_9_new_b, self_9_new_c_right)
+        + (R_20 * RI_0_lo + R_21 * RI_1_lo))
+    self_1_new_rounded = (self_1_new
+        + (self_1_new_lo1
+        + (self_1_new_c_left_rest + product_rest(self_2, R_01, self_1_new_b, self_1_new_c_right))))
+    self_2_new_rounded = (self_2_new
+        + (self_2_new_lo1
+        + (self_2_new_c_left_rest + product_rest(self_2, R_11, self_2_new_b, self_2_new_c_right))))
+    self_3_new_rounded = (self_3_new
+        + (self_3_new_lo1
+        + (self_3_new_c_left_rest + product_rest(self_2, R_21, self_3_new_b, self_3_new_c_right))))
+    self_4_new_rounded = self_4_new + (self_4_new_lo2 + self_4_new_c_lo)
+    self_5_new_rounded = self_5_new + (self_5_new_lo2 + self_5_new_c_lo)
+    self_6_new_lo = (self_6_new_lo2
+        + (self_6_new_c_left_rest + product_rest(R_21, RI_7, self_6_new_b, self_6_new_c_right)
+        + self_6_new_c_cross))
+    self_6_new_rounded = self_6_new + self_6_new_lo
+    self_7_new_rounded = self_7_new + (self_7_new_lo2 + self_7_new_c_lo)
+    self_8_new_rounded = self_8_new + (self_8_new_lo2 + self_8_new_c_lo)
+    self_9_new_rounded = self_9_new + (self_9_new_lo2 + self_9_new_c_lo)
     return (self_0, self_1_new_rounded, self_2_new_rounded, self_3_new_rounded, self_4_new_rounded,
         self_5_new_rounded, self_6_new_rounded, self_7_new_rounded, self_8_new_rounded,
         self_9_new_rounded)
@@ -519,18 +525,21 @@ def inertia_translate(self, t):
     self_1_new_a = self_0 * t_0
     self_1_new = self_1_new_a + self_1
     self_1_new_right = self_1_new - self_1_new_a
-    self_1_new_left_rest = product_rest(self_0, t_0, self_1_new_a, self_1_new - self_1_new_right)
     self_2_new_a = self_0 * t_1
     self_2_new = self_2_new_a + self_2
     self_2_new_right = self_2_new - self_2_new_a
-    self_2_new_left_rest = product_rest(self_0, t_1, self_2_new_a, self_2_new - self_2_new_right)
     self_3_new_a = self_0 * t_2
     self_3_new = self_3_new_a + self_3
     self_3_new_right = self_3_new - self_3_new_a
-    self_3_new_left_rest = product_rest(self_0, t_2, self_3_new_a, self_3_new - self_3_new_right)
-    self_1_new_rounded = self_1_new + (self_1_new_left_rest + (self_1 - self_1_new_right))
-    self_2_new_rounded = self_2_new + (self_2_new_left_rest + (self_2 - self_2_new_right))
-    self_3_new_rounded = self_3_new + (self_3_new_left_rest + (self_3 - self_3_new_right))
+    self_1_new_rounded = (self_1_new
+        + (product_rest(self_0, t_0, self_1_new_a, self_1_new - self_1_new_right)
+        + (self_1 - self_1_new_right)))
+    self_2_new_rounded = (self_2_new
+        + (product_rest(self_0, t_1, self_2_new_a, self_2_new - self_2_new_right)
+        + (self_2 - self_2_new_right)))
+    self_3_new_rounded = (self_3_new
+        + (product_rest(self_0, t_2, self_3_new_a, self_3_new - self_3_new_right)
+        + (self_3 - self_3_new_right)))
     return (self_0, self_1_new_rounded, self_2_new_rounded, self_3_new_rounded, self_4, self_5,
         self_6, self_7, self_8, self_9)
 
@@ -550,209 +559,215 @@ def inertia_transformed(Ji, D):
     RI_0b = Ji_7 * D_01
     RI_0c = RI_0a + RI_0b
     RI_0c_right = RI_0c - RI_0a
-    RI_0c_left_rest = product_rest(Ji_4, D_00, RI_0a, RI_0c - RI_0c_right)
     RI_0d = Ji_9 * D_02
     RI_0 = RI_0c + RI_0d
     RI_0_right = RI_0 - RI_0c
-    RI_0_lo1 = RI_0c - (RI_0 - RI_0_right) + product_rest(Ji_9, D_02, RI_0d, RI_0_right)
-    RI_0_lo = RI_0_lo1 + (RI_0c_left_rest + product_rest(Ji_7, D_01, RI_0b, RI_0c_right))
+    RI_0c_lo = (product_rest(Ji_4, D_00, RI_0a, RI_0c - RI_0c_right)
+        + product_rest(Ji_7, D_01, RI_0b, RI_0c_right))
+    RI_0_lo = RI_0c - (RI_0 - RI_0_right) + product_rest(Ji_9, D_02, RI_0d, RI_0_right) + RI_0c_lo
     RI_1a = Ji_5 * D_01
     RI_1b = Ji_7 * D_00
     RI_1c = RI_1a + RI_1b
     RI_1c_right = RI_1c - RI_1a
-    RI_1c_left_rest = product_rest(Ji_5, D_01, RI_1a, RI_1c - RI_1c_right)
     RI_1d = Ji_8 * D_02
     RI_1 = RI_1c + RI_1d
     RI_1_right = RI_1 - RI_1c
-    RI_1_lo1 = RI_1c - (RI_1 - RI_1_right) + product_rest(Ji_8, D_02, RI_1d, RI_1_right)
-    RI_1_lo = RI_1_lo1 + (RI_1c_left_rest + product_rest(Ji_7, D_00, RI_1b, RI_1c_right))
+    RI_1c_lo = (product_rest(Ji_5, D_01, RI_1a, RI_1c - RI_1c_right)
+        + product_rest(Ji_7, D_00, RI_1b, RI_1c_right))
+    RI_1_lo = RI_1c - (RI_1 - RI_1_right) + product_rest(Ji_8, D_02, RI_1d, RI_1_right) + RI_1c_lo
     RI_2a = Ji_6 * D_02
     RI_2b = Ji_8 * D_01
     RI_2c = RI_2a + RI_2b
     RI_2c_right = RI_2c - RI_2a
-    RI_2c_left_rest = product_rest(Ji_6, D_02, RI_2a, RI_2c - RI_2c_right)
     RI_2d = Ji_9 * D_00
     RI_2 = RI_2c + RI_2d
     RI_2_right = RI_2 - RI_2c
-    RI_2_lo1 = RI_2c - (RI_2 - RI_2_right) + product_rest(Ji_9, D_00, RI_2d, RI_2_right)
-    RI_2_lo = RI_2_lo1 + (RI_2c_left_rest + product_rest(Ji_8, D_01, RI_2b, RI_2c_right))
+    RI_2c_lo = (product_rest(Ji_6, D_02, RI_2a, RI_2c - RI_2c_right)
+        + product_rest(Ji_8, D_01, RI_2b, RI_2c_right))
+    RI_2_lo = RI_2c - (RI_2 - RI_2_right) + product_rest(Ji_9, D_00, RI_2d, RI_2_right) + RI_2c_lo
     RI_3a = Ji_4 * D_10
     RI_3b = Ji_7 * D_11
     RI_3c = RI_3a + RI_3b
     RI_3c_right = RI_3c - RI_3a
-    RI_3c_left_rest = product_rest(Ji_4, D_10, RI_3a, RI_3c - RI_3c_right)
     RI_3d = Ji_9 * D_12
     RI_3 = RI_3c + RI_3d
     RI_3_right = RI_3 - RI_3c
-    RI_3_lo1 = RI_3c - (RI_3 - RI_3_right) + product_rest(Ji_9, D_12, RI_3d, RI_3_right)
-    RI_3_lo = RI_3_lo1 + (RI_3c_left_rest + product_rest(Ji_7, D_11, RI_3b, RI_3c_right))
+    RI_3c_lo = (product_rest(Ji_4, D_10, RI_3a, RI_3c - RI_3c_right)
+        + product_rest(Ji_7, D_11, RI_3b, RI_3c_right))
+    RI_3_lo = RI_3c - (RI_3 - RI_3_right) + product_rest(Ji_9, D_12, RI_3d, RI_3_right) + RI_3c_lo
     RI_4a = Ji_5 * D_11
     RI_4b = Ji_7 * D_10
     RI_4c = RI_4a + RI_4b
     RI_4c_right = RI_4c - RI_4a
-    RI_4c_left_rest = product_rest(Ji_5, D_11, RI_4a, RI_4c - RI_4c_right)
     RI_4d = Ji_8 * D_12
     RI_4 = RI_4c + RI_4d
     RI_4_right = RI_4 - RI_4c
-    RI_4_lo1 = RI_4c - (RI_4 - RI_4_right) + product_rest(Ji_8, D_12, RI_4d, RI_4_right)
-    RI_4_lo = RI_4_lo1 + (RI_4c_left_rest + product_rest(Ji_7, D_10, RI_4b, RI_4c_right))
+    RI_4c_lo = (product_rest(Ji_5, D_11, RI_4a, RI_4c - RI_4c_right)
+        + product_rest(Ji_7, D_10, RI_4b, RI_4c_right))
+    RI_4_lo = RI_4c - (RI_4 - RI_4_right) + product_rest(Ji_8, D_12, RI_4d, RI_4_right) + RI_4c_lo
     RI_5a = Ji_6 * D_12
     RI_5b = Ji_8 * D_11
     RI_5c = RI_5a + RI_5b
     RI_5c_right = RI_5c - RI_5a
-    RI_5c_left_rest = product_rest(Ji_6, D_12, RI_5a, RI_5c - RI_5c_right)
     RI_5d = Ji_9 * D_10
     RI_5 = RI_5c + RI_5d
     RI_5_right = RI_5 - RI_5c
-    RI_5_lo1 = RI_5c - (RI_5 - RI_5_right) + product_rest(Ji_9, D_10, RI_5d, RI_5_right)
-    RI_5_lo = RI_5_lo1 + (RI_5c_left_rest + product_rest(Ji_8, D_11, RI_5b, RI_5c_right))
+    RI_5c_lo = (product_rest(Ji_6, D_12, RI_5a, RI_5c - RI_5c_right)
+        + product_rest(Ji_8, D_11, RI_5b, RI_5c_right))
+    RI_5_lo = RI_5c - (RI_5 - RI_5_right) + product_rest(Ji_9, D_10, RI_5d, RI_5_right) + RI_5c_lo
     RI_6a = Ji_4 * D_20
     RI_6b = Ji_7 * D_21
     RI_6c = RI_6a + RI_6b
     RI_6c_right = RI_6c - RI_6a
-    RI_6c_left_rest = product_rest(Ji_4, D_20, RI_6a, RI_6c - RI_6c_right)
     RI_6d = Ji_9 * D_22
     RI_6 = RI_6c + RI_6d
     RI_6_right = RI_6 - RI_6c
-    RI_6_lo1 = RI_6c - (RI_6 - RI_6_right) + product_rest(Ji_9, D_22, RI_6d, RI_6_right)
+    RI_6c_lo = (product_rest(Ji_4, D_20, RI_6a, RI_6c - RI_6c_right)
+        + product_rest(Ji_7, D_21, RI_6b, RI_6c_right))
     RI_7a = Ji_5 * D_21
     RI_7b = Ji_7 * D_20
     RI_7c = RI_7a + RI_7b
     RI_7c_right = RI_7c - RI_7a
-    RI_7c_left_rest = product_rest(Ji_5, D_21, RI_7a, RI_7c - RI_7c_right)
     RI_7d = Ji_8 * D_22
     RI_7 = RI_7c + RI_7d
     RI_7_right = RI_7 - RI_7c
-    RI_7_lo1 = RI_7c - (RI_7 - RI_7_right) + product_rest(Ji_8, D_22, RI_7d, RI_7_right)
+    RI_7c_lo = (product_rest(Ji_5, D_21, RI_7a, RI_7c - RI_7c_right)
+        + product_rest(Ji_7, D_20, RI_7b, RI_7c_right))
     RI_8a = Ji_6 * D_22
     RI_8b = Ji_8 * D_21
     RI_8c = RI_8a + RI_8b
     RI_8c_right = RI_8c - RI_8a
-    RI_8c_left_rest = product_rest(Ji_6, D_22, RI_8a, RI_8c - RI_8c_right)
     RI_8d = Ji_9 * D_20
     RI_8 = RI_8c + RI_8d
     RI_8_right = RI_8 - RI_8c
-    RI_8_lo1 = RI_8c - (RI_8 - RI_8_right) + product_rest(Ji_9, D_20, RI_8d, RI_8_right)
+    RI_8c_lo = (product_rest(Ji_6, D_22, RI_8a, RI_8c - RI_8c_right)
+        + product_rest(Ji_8, D_21, RI_8b, RI_8c_right))
     Jo_1a = Ji_0 * D_03
     Jo_1b = Ji_1 * D_00
     Jo_1c = Ji_2 * D_01
     Jo_1d = Jo_1b + Jo_1c
     Jo_1d_right = Jo_1d - Jo_1b
-    Jo_1d_left_rest = product_rest(Ji_1, D_00, Jo_1b, Jo_1d - Jo_1d_right)
     Jo_1e = Ji_3 * D_02
     Jo_1f = Jo_1d + Jo_1e
     Jo_1f_right = Jo_1f - Jo_1d
-    Jo_1f_lo1 = Jo_1d - (Jo_1f - Jo_1f_right) + product_rest(Ji_3, D_02, Jo_1e, Jo_1f_right)
+    Jo_1d_lo = (product_rest(Ji_1, D_00, Jo_1b, Jo_1d - Jo_1d_right)
+        + product_rest(Ji_2, D_01, Jo_1c, Jo_1d_right))
     Jo_1 = Jo_1a + Jo_1f
     Jo_1_right = Jo_1 - Jo_1a
-    Jo_1f_lo = Jo_1f_lo1 + (Jo_1d_left_rest + product_rest(Ji_2, D_01, Jo_1c, Jo_1d_right))
+    Jo_1f_lo = (Jo_1d - (Jo_1f - Jo_1f_right) + product_rest(Ji_3, D_02, Jo_1e, Jo_1f_right)
+        + Jo_1d_lo)
     Jo_2a = Ji_0 * D_13
     Jo_2b = Ji_1 * D_10
     Jo_2c = Ji_2 * D_11
     Jo_2d = Jo_2b + Jo_2c
     Jo_2d_right = Jo_2d - Jo_2b
-    Jo_2d_left_rest = product_rest(Ji_1, D_10, Jo_2b, Jo_2d - Jo_2d_right)
     Jo_2e = Ji_3 * D_12
     Jo_2f = Jo_2d + Jo_2e
     Jo_2f_right = Jo_2f - Jo_2d
-    Jo_2f_lo1 = Jo_2d - (Jo_2f - Jo_2f_right) + product_rest(Ji_3, D_12, Jo_2e, Jo_2f_right)
+    Jo_2d_lo = (product_rest(Ji_1, D_10, Jo_2b, Jo_2d - Jo_2d_right)
+        + product_rest(Ji_2, D_11, Jo_2c, Jo_2d_right))
     Jo_2 = Jo_2a + Jo_2f
     Jo_2_right = Jo_2 - Jo_2a
-    Jo_2f_lo = Jo_2f_lo1 + (Jo_2d_left_rest + product_rest(Ji_2, D_11, Jo_2c, Jo_2d_right))
+    Jo_2f_lo = (Jo_2d - (Jo_2f - Jo_2f_right) + product_rest(Ji_3, D_12, Jo_2e, Jo_2f_right)
+        + Jo_2d_lo)
     Jo_3a = Ji_0 * D_23
     Jo_3b = Ji_1 * D_20
     Jo_3c = Ji_2 * D_21
     Jo_3d = Jo_3b + Jo_3c
     Jo_3d_right = Jo_3d - Jo_3b
-    Jo_3d_left_rest = product_rest(Ji_1, D_20, Jo_3b, Jo_3d - Jo_3d_right)
     Jo_3e = Ji_3 * D_22
     Jo_3f = Jo_3d + Jo_3e
     Jo_3f_right = Jo_3f - Jo_3d
-    Jo_3f_lo1 = Jo_3d - (Jo_3f - Jo_3f_right) + product_rest(Ji_3, D_22, Jo_3e, Jo_3f_right)
+    Jo_3d_lo = (product_rest(Ji_1, D_20, Jo_3b, Jo_3d - Jo_3d_right)
+        + product_rest(Ji_2, D_21, Jo_3c, Jo_3d_right))
     Jo_3 = Jo_3a + Jo_3f
     Jo_3_right = Jo_3 - Jo_3a
-    Jo_3f_lo = Jo_3f_lo1 + (Jo_3d_left_rest + product_rest(Ji_2, D_21, Jo_3c, Jo_3d_right))
+    Jo_3f_lo = (Jo_3d - (Jo_3f - Jo_3f_right) + product_rest(Ji_3, D_22, Jo_3e, Jo_3f_right)
+        + Jo_3d_lo)
     Jo_4a = D_00 * RI_0
     Jo_4b = D_01 * RI_1
     Jo_4c = Jo_4a + Jo_4b
     Jo_4c_right = Jo_4c - Jo_4a
-    Jo_4c_left_rest = product_rest(D_00, RI_0, Jo_4a, Jo_4c - Jo_4c_right)
-    Jo_4c_lo1 = Jo_4c_left_rest + product_rest(D_01, RI_1, Jo_4b, Jo_4c_right)
     Jo_4d = D_02 * RI_2
     Jo_4 = Jo_4c + Jo_4d
     Jo_4_right = Jo_4 - Jo_4c
-    Jo_4_lo1 = Jo_4c - (Jo_4 - Jo_4_right) + product_rest(D_02, RI_2, Jo_4d, Jo_4_right)
+    Jo_4c_lo = (product_rest(D_00, RI_0, Jo_4a, Jo_4c - Jo_4c_right)
+        + product_rest(D_01, RI_1, Jo_4b, Jo_4c_right) + (D_00 * RI_0_lo + D_01 * RI_1_lo))
     Jo_5a = D_10 * RI_3
     Jo_5b = D_11 * RI_4
     Jo_5c = Jo_5a + Jo_5b
     Jo_5c_right = Jo_5c - Jo_5a
-    Jo_5c_left_rest = product_rest(D_10, RI_3, Jo_5a, Jo_5c - Jo_5c_right)
-    Jo_5c_lo1 = Jo_5c_left_rest + product_rest(D_11, RI_4, Jo_5b, Jo_5c_right)
     Jo_5d = D_12 * RI_5
     Jo_5 = Jo_5c + Jo_5d
     Jo_5_right = Jo_5 - Jo_5c
-    Jo_5_lo1 = Jo_5c - (Jo_5 - Jo_5_right) + product_rest(D_12, RI_5, Jo_5d, Jo_5_right)
+    Jo_5c_lo = (product_rest(D_10, RI_3, Jo_5a, Jo_5c - Jo_5c_right)
+        + product_rest(D_11, RI_4, Jo_5b, Jo_5c_right) + (D_10 * RI_3_lo + D_11 * RI_4_lo))
     Jo_6a = D_20 * RI_6
-    RI_6_lo = RI_6_lo1 + (RI_6c_left_rest + product_rest(Ji_7, D_21, RI_6b, RI_6c_right))
     Jo_6b = D_21 * RI_7
-    RI_7_lo = RI_7_lo1 + (RI_7c_left_rest + product_rest(Ji_7, D_20, RI_7b, RI_7c_right))
     Jo_6c = Jo_6a + Jo_6b
     Jo_6c_right = Jo_6c - Jo_6a
-    Jo_6c_left_rest = product_rest(D_20, RI_6, Jo_6a, Jo_6c - Jo_6c_right)
-    Jo_6c_lo1 = Jo_6c_left_rest + product_rest(D_21, RI_7, Jo_6b, Jo_6c_right)
+    Jo_6a_cross2 = (D_20
+        * (RI_6c - (RI_6 - RI_6_right) + product_rest(Ji_9, D_22, RI_6d, RI_6_right) + RI_6c_lo))
+    Jo_6c_cross = (Jo_6a_cross2 + D_21
+        * (RI_7c - (RI_7 - RI_7_right) + product_rest(Ji_8, D_22, RI_7d, RI_7_right) + RI_7c_lo))
     Jo_6d = D_22 * RI_8
-    RI_8_lo = RI_8_lo1 + (RI_8c_left_rest + product_rest(Ji_8, D_21, RI_8b, RI_8c_right))
     Jo_6 = Jo_6c + Jo_6d
     Jo_6_right = Jo_6 - Jo_6c
-    Jo_6_lo1 = Jo_6c - (Jo_6 - Jo_6_right) + product_rest(D_22, RI_8, Jo_6d, Jo_6_right)
+    Jo_6d_cross2 = (D_22
+        * (RI_8c - (RI_8 - RI_8_right) + product_rest(Ji_9, D_20, RI_8d, RI_8_right) + RI_8c_lo))
+    Jo_6c_lo = (product_rest(D_20, RI_6, Jo_6a, Jo_6c - Jo_6c_right)
+        + product_rest(D_21, RI_7, Jo_6b, Jo_6c_right) + Jo_6c_cross)
     Jo_7a = D_10 * RI_0
     Jo_7b = D_11 * RI_1
     Jo_7c = Jo_7a + Jo_7b
     Jo_7c_right = Jo_7c - Jo_7a
-    Jo_7c_left_rest = product_rest(D_10, RI_0, Jo_7a, Jo_7c - Jo_7c_right)
-    Jo_7c_lo1 = Jo_7c_left_rest + product_rest(D_11, RI_1, Jo_7b, Jo_7c_right)
     Jo_7d = D_12 * RI_2
     Jo_7 = Jo_7c + Jo_7d
     Jo_7_right = Jo_7 - Jo_7c
-    Jo_7_lo1 = Jo_7c - (Jo_7 - Jo_7_right) + product_rest(D_12, RI_2, Jo_7d, Jo_7_right)
+    Jo_7c_lo = (product_rest(D_10, RI_0, Jo_7a, Jo_7c - Jo_7c_right)
+        + product_rest(D_11, RI_1, Jo_7b, Jo_7c_right) + (D_10 * RI_0_lo + D_11 * RI_1_lo))
     Jo_8a = D_20 * RI_3
     Jo_8b = D_21 * RI_4
     Jo_8c = Jo_8a + Jo_8b
     Jo_8c_right = Jo_8c - Jo_8a
-    Jo_8c_left_rest = product_rest(D_20, RI_3, Jo_8a, Jo_8c - Jo_8c_right)
-    Jo_8c_lo1 = Jo_8c_left_rest + product_rest(D_21, RI_4, Jo_8b, Jo_8c_right)
     Jo_8d = D_22 * RI_5
     Jo_8 = Jo_8c + Jo_8d
     Jo_8_right = Jo_8 - Jo_8c
-    Jo_8_lo1 = Jo_8c - (Jo_8 - Jo_8_right) + product_rest(D_22, RI_5, Jo_8d, Jo_8_right)
+    Jo_8c_lo = (product_rest(D_20, RI_3, Jo_8a, Jo_8c - Jo_8c_right)
+        + product_rest(D_21, RI_4, Jo_8b, Jo_8c_right) + (D_20 * RI_3_lo + D_21 * RI_4_lo))
     Jo_9a = D_20 * RI_0
     Jo_9b = D_21 * RI_1
     Jo_9c = Jo_9a + Jo_9b
     Jo_9c_right = Jo_9c - Jo_9a
-    Jo_9c_left_rest = product_rest(D_20, RI_0, Jo_9a, Jo_9c - Jo_9c_right)
-    Jo_9c_lo1 = Jo_9c_left_rest + product_rest(D_21, RI_1, Jo_9b, Jo_9c_right)
     Jo_9d = D_22 * RI_2
     Jo_9 = Jo_9c + Jo_9d
     Jo_9_right = Jo_9 - Jo_9c
-    Jo_9_lo1 = Jo_9c - (Jo_9 - Jo_9_right) + product_rest(D_22, RI_2, Jo_9d, Jo_9_right)
-    Jo_1_lo = product_rest(Ji_0, D_03, Jo_1a, Jo_1 - Jo_1_right) + (Jo_1f - Jo_1_right) + Jo_1f_lo
-    Jo_1_rounded = Jo_1 + Jo_1_lo
-    Jo_2_lo = product_rest(Ji_0, D_13, Jo_2a, Jo_2 - Jo_2_right) + (Jo_2f - Jo_2_right) + Jo_2f_lo
-    Jo_2_rounded = Jo_2 + Jo_2_lo
-    Jo_3_lo = product_rest(Ji_0, D_23, Jo_3a, Jo_3 - Jo_3_right) + (Jo_3f - Jo_3_right) + Jo_3f_lo
-    Jo_3_rounded = Jo_3 + Jo_3_lo
-    Jo_4_lo = Jo_4_lo1 + D_02 * RI_2_lo + (Jo_4c_lo1 + (D_00 * RI_0_lo + D_01 * RI_1_lo))
-    Jo_4_rounded = Jo_4 + Jo_4_lo
-    Jo_5_lo = Jo_5_lo1 + D_12 * RI_5_lo + (Jo_5c_lo1 + (D_10 * RI_3_lo + D_11 * RI_4_lo))
-    Jo_5_rounded = Jo_5 + Jo_5_lo
-    Jo_6_lo = Jo_6_lo1 + D_22 * RI_8_lo + (Jo_6c_lo1 + (D_20 * RI_6_lo + D_21 * RI_7_lo))
-    Jo_6_rounded = Jo_6 + Jo_6_lo
-    Jo_7_lo = Jo_7_lo1 + D_12 * RI_2_lo + (Jo_7c_lo1 + (D_10 * RI_0_lo + D_11 * RI_1_lo))
-    Jo_7_rounded = Jo_7 + Jo_7_lo
-    Jo_8_lo = Jo_8_lo1 + D_22 * RI_5_lo + (Jo_8c_lo1 + (D_20 * RI_3_lo + D_21 * RI_4_lo))
-    Jo_8_rounded = Jo_8 + Jo_8_lo
-    Jo_9_lo = Jo_9_lo1 + D_22 * RI_2_lo + (Jo_9c_lo1 + (D_20 * RI_0_lo + D_21 * RI_1_lo))
-    Jo_9_rounded = Jo_9 + Jo_9_lo
+    Jo_9c_lo = (product_rest(D_20, RI_0, Jo_9a, Jo_9c - Jo_9c_right)
+        + product_rest(D_21, RI_1, Jo_9b, Jo_9c_right) + (D_20 * RI_0_lo + D_21 * RI_1_lo))
+    Jo_1_rounded = (Jo_1
+        + (product_rest(Ji_0, D_03, Jo_1a, Jo_1 - Jo_1_right) + (Jo_1f - Jo_1_right) + Jo_1f_lo))
+    Jo_2_rounded = (Jo_2
+        + (product_rest(Ji_0, D_13, Jo_2a, Jo_2 - Jo_2_right) + (Jo_2f - Jo_2_right) + Jo_2f_lo))
+    Jo_3_rounded = (Jo_3
+        + (product_rest(Ji_0, D_23, Jo_3a, Jo_3 - Jo_3_right) + (Jo_3f - Jo_3_right) + Jo_3f_lo))
+    Jo_4_rounded = (Jo_4
+        + (Jo_4c - (Jo_4 - Jo_4_right) + product_rest(D_02, RI_2, Jo_4d, Jo_4_right) + D_02
+        * RI_2_lo + Jo_4c_lo))
+    Jo_5_rounded = (Jo_5
+        + (Jo_5c - (Jo_5 - Jo_5_right) + product_rest(D_12, RI_5, Jo_5d, Jo_5_right) + D_12
+        * RI_5_lo + Jo_5c_lo))
+    Jo_6_rounded = (Jo_6
+        + (Jo_6c - (Jo_6 - Jo_6_right) + product_rest(D_22, RI_8, Jo_6d, Jo_6_right) + Jo_6d_cross2
+        + Jo_6c_lo))
+    Jo_7_rounded = (Jo_7
+        + (Jo_7c - (Jo_7 - Jo_7_right) + product_rest(D_12, RI_2, Jo_7d, Jo_7_right) + D_12
+        * RI_2_lo + Jo_7c_lo))
+    Jo_8_rounded = (Jo_8
+        + (Jo_8c - (Jo_8 - Jo_8_right) + product_rest(D_22, RI_5, Jo_8d, Jo_8_right) + D_22
+        * RI_5_lo + Jo_8c_lo))
+    Jo_9_rounded = (Jo_9
+        + (Jo_9c - (Jo_9 - Jo_9_right) + product_rest(D_22, RI_2, Jo_9d, Jo_9_right) + D_22
+        * RI_2_lo + Jo_9c_lo))
     return (Ji_0, Jo_1_rounded, Jo_2_rounded, Jo_3_rounded, Jo_4_rounded, Jo_5_rounded,
         Jo_6_rounded, Jo_7_rounded, Jo_8_rounded, Jo_9_rounded)
 
@@ -772,239 +787,245 @@ def inertia_transform(self, D):
     RI_0b = self_7 * D_01
     RI_0c = RI_0a + RI_0b
     RI_0c_right = RI_0c - RI_0a
-    RI_0c_left_rest = product_rest(self_4, D_00, RI_0a, RI_0c - RI_0c_right)
     RI_0d = self_9 * D_02
     RI_0 = RI_0c + RI_0d
     RI_0_right = RI_0 - RI_0c
-    RI_0_lo1 = RI_0c - (RI_0 - RI_0_right) + product_rest(self_9, D_02, RI_0d, RI_0_right)
-    RI_0_lo = RI_0_lo1 + (RI_0c_left_rest + product_rest(self_7, D_01, RI_0b, RI_0c_right))
+    RI_0c_lo = (product_rest(self_4, D_00, RI_0a, RI_0c - RI_0c_right)
+        + product_rest(self_7, D_01, RI_0b, RI_0c_right))
+    RI_0_lo = RI_0c - (RI_0 - RI_0_right) + product_rest(self_9, D_02, RI_0d, RI_0_right) + RI_0c_lo
     RI_1a = self_5 * D_01
     RI_1b = self_7 * D_00
     RI_1c = RI_1a + RI_1b
     RI_1c_right = RI_1c - RI_1a
-    RI_1c_left_rest = product_rest(self_5, D_01, RI_1a, RI_1c - RI_1c_right)
     RI_1d = self_8 * D_02
     RI_1 = RI_1c + RI_1d
     RI_1_right = RI_1 - RI_1c
-    RI_1_lo1 = RI_1c - (RI_1 - RI_1_right) + product_rest(self_8, D_02, RI_1d, RI_1_right)
-    RI_1_lo = RI_1_lo1 + (RI_1c_left_rest + product_rest(self_7, D_00, RI_1b, RI_1c_right))
+    RI_1c_lo = (product_rest(self_5, D_01, RI_1a, RI_1c - RI_1c_right)
+        + product_rest(self_7, D_00, RI_1b, RI_1c_right))
+    RI_1_lo = RI_1c - (RI_1 - RI_1_right) + product_rest(self_8, D_02, RI_1d, RI_1_right) + RI_1c_lo
     RI_2a = self_6 * D_02
     RI_2b = self_8 * D_01
     RI_2c = RI_2a + RI_2b
     RI_2c_right = RI_2c - RI_2a
-    RI_2c_left_rest = product_rest(self_6, D_02, RI_2a, RI_2c - RI_2c_right)
     RI_2d = self_9 * D_00
     RI_2 = RI_2c + RI_2d
     RI_2_right = RI_2 - RI_2c
-    RI_2_lo1 = RI_2c - (RI_2 - RI_2_right) + product_rest(self_9, D_00, RI_2d, RI_2_right)
-    RI_2_lo = RI_2_lo1 + (RI_2c_left_rest + product_rest(self_8, D_01, RI_2b, RI_2c_right))
+    RI_2c_lo = (product_rest(self_6, D_02, RI_2a, RI_2c - RI_2c_right)
+        + product_rest(self_8, D_01, RI_2b, RI_2c_right))
+    RI_2_lo = RI_2c - (RI_2 - RI_2_right) + product_rest(self_9, D_00, RI_2d, RI_2_right) + RI_2c_lo
     RI_3a = self_4 * D_10
     RI_3b = self_7 * D_11
     RI_3c = RI_3a + RI_3b
     RI_3c_right = RI_3c - RI_3a
-    RI_3c_left_rest = product_rest(self_4, D_10, RI_3a, RI_3c - RI_3c_right)
     RI_3d = self_9 * D_12
     RI_3 = RI_3c + RI_3d
     RI_3_right = RI_3 - RI_3c
-    RI_3_lo1 = RI_3c - (RI_3 - RI_3_right) + product_rest(self_9, D_12, RI_3d, RI_3_right)
-    RI_3_lo = RI_3_lo1 + (RI_3c_left_rest + product_rest(self_7, D_11, RI_3b, RI_3c_right))
+    RI_3c_lo = (product_rest(self_4, D_10, RI_3a, RI_3c - RI_3c_right)
+        + product_rest(self_7, D_11, RI_3b, RI_3c_right))
+    RI_3_lo = RI_3c - (RI_3 - RI_3_right) + product_rest(self_9, D_12, RI_3d, RI_3_right) + RI_3c_lo
     RI_4a = self_5 * D_11
     RI_4b = self_7 * D_10
     RI_4c = RI_4a + RI_4b
     RI_4c_right = RI_4c - RI_4a
-    RI_4c_left_rest = product_rest(self_5, D_11, RI_4a, RI_4c - RI_4c_right)
     RI_4d = self_8 * D_12
     RI_4 = RI_4c + RI_4d
     RI_4_right = RI_4 - RI_4c
-    RI_4_lo1 = RI_4c - (RI_4 - RI_4_right) + product_rest(self_8, D_12, RI_4d, RI_4_right)
-    RI_4_lo = RI_4_lo1 + (RI_4c_left_rest + product_rest(self_7, D_10, RI_4b, RI_4c_right))
+    RI_4c_lo = (product_rest(self_5, D_11, RI_4a, RI_4c - RI_4c_right)
+        + product_rest(self_7, D_10, RI_4b, RI_4c_right))
+    RI_4_lo = RI_4c - (RI_4 - RI_4_right) + product_rest(self_8, D_12, RI_4d, RI_4_right) + RI_4c_lo
     RI_5a = self_6 * D_12
     RI_5b = self_8 * D_11
     RI_5c = RI_5a + RI_5b
     RI_5c_right = RI_5c - RI_5a
-    RI_5c_left_rest = product_rest(self_6, D_12, RI_5a, RI_5c - RI_5c_right)
     RI_5d = self_9 * D_10
     RI_5 = RI_5c + RI_5d
     RI_5_right = RI_5 - RI_5c
-    RI_5_lo1 = RI_5c - (RI_5 - RI_5_right) + product_rest(self_9, D_10, RI_5d, RI_5_right)
-    RI_5_lo = RI_5_lo1 + (RI_5c_left_rest + product_rest(self_8, D_11, RI_5b, RI_5c_right))
+    RI_5c_lo = (product_rest(self_6, D_12, RI_5a, RI_5c - RI_5c_right)
+        + product_rest(self_8, D_11, RI_5b, RI_5c_right))
+    RI_5_lo = RI_5c - (RI_5 - RI_5_right) + product_rest(self_9, D_10, RI_5d, RI_5_right) + RI_5c_lo
     RI_6a = self_4 * D_20
     RI_6b = self_7 * D_21
     RI_6c = RI_6a + RI_6b
     RI_6c_right = RI_6c - RI_6a
-    RI_6c_left_rest = product_rest(self_4, D_20, RI_6a, RI_6c - RI_6c_right)
     RI_6d = self_9 * D_22
     RI_6 = RI_6c + RI_6d
     RI_6_right = RI_6 - RI_6c
-    RI_6_lo1 = RI_6c - (RI_6 - RI_6_right) + product_rest(self_9, D_22, RI_6d, RI_6_right)
+    RI_6c_lo = (product_rest(self_4, D_20, RI_6a, RI_6c - RI_6c_right)
+        + product_rest(self_7, D_21, RI_6b, RI_6c_right))
     RI_7a = self_5 * D_21
     RI_7b = self_7 * D_20
     RI_7c = RI_7a + RI_7b
     RI_7c_right = RI_7c - RI_7a
-    RI_7c_left_rest = product_rest(self_5, D_21, RI_7a, RI_7c - RI_7c_right)
     RI_7d = self_8 * D_22
     RI_7 = RI_7c + RI_7d
     RI_7_right = RI_7 - RI_7c
-    RI_7_lo1 = RI_7c - (RI_7 - RI_7_right) + product_rest(self_8, D_22, RI_7d, RI_7_right)
+    RI_7c_lo = (product_rest(self_5, D_21, RI_7a, RI_7c - RI_7c_right)
+        + product_rest(self_7, D_20, RI_7b, RI_7c_right))
     RI_8a = self_6 * D_22
     RI_8b = self_8 * D_21
     RI_8c = RI_8a + RI_8b
     RI_8c_right = RI_8c - RI_8a
-    RI_8c_left_rest = product_rest(self_6, D_22, RI_8a, RI_8c - RI_8c_right)
     RI_8d = self_9 * D_20
     RI_8 = RI_8c + RI_8d
     RI_8_right = RI_8 - RI_8c
-    RI_8_lo1 = RI_8c - (RI_8 - RI_8_right) + product_rest(self_9, D_20, RI_8d, RI_8_right)
+    RI_8c_lo = (product_rest(self_6, D_22, RI_8a, RI_8c - RI_8c_right)
+        + product_rest(self_8, D_21, RI_8b, RI_8c_right))
     self_1_new_a = self_0 * D_03
     self_1_new_b = self_1 * D_00
     self_1_new_c = self_2 * D_01
     self_1_new_d = self_1_new_b + self_1_new_c
     self_1_new_d_right = self_1_new_d - self_1_new_b
-    self_1_new_d_left = self_1_new_d - self_1_new_d_right
-    self_1_new_d_right_rest = product_rest(self_2, D_01, self_1_new_c, self_1_new_d_right)
-    self_1_new_d_left_rest = product_rest(self_1, D_00, self_1_new_b, self_1_new_d_left)
+    self_1_new_d_left_rest = (product_rest(self_1, D_00, self_1_new_b, self_1_new_d
+        - self_1_new_d_right))
     self_1_new_e = self_3 * D_02
     self_1_new_f = self_1_new_d + self_1_new_e
     self_1_new_f_right = self_1_new_f - self_1_new_d
-    self_1_new_f_right_rest = product_rest(self_3, D_02, self_1_new_e, self_1_new_f_right)
-    self_1_new_f_lo1 = self_1_new_d - (self_1_new_f - self_1_new_f_right) + self_1_new_f_right_rest
+    self_1_new_f_lo1 = (self_1_new_d - (self_1_new_f - self_1_new_f_right)
+        + product_rest(self_3, D_02, self_1_new_e, self_1_new_f_right))
     self_1_new = self_1_new_a + self_1_new_f
     self_1_new_right = self_1_new - self_1_new_a
-    self_1_new_left_rest = product_rest(self_0, D_03, self_1_new_a, self_1_new - self_1_new_right)
-    self_1_new_f_lo = self_1_new_f_lo1 + (self_1_new_d_left_rest + self_1_new_d_right_rest)
+    self_1_new_lo1 = (product_rest(self_0, D_03, self_1_new_a, self_1_new - self_1_new_right)
+        + (self_1_new_f - self_1_new_right))
     self_2_new_a = self_0 * D_13
     self_2_new_b = self_1 * D_10
     self_2_new_c = self_2 * D_11
     self_2_new_d = self_2_new_b + self_2_new_c
     self_2_new_d_right = self_2_new_d - self_2_new_b
-    self_2_new_d_left = self_2_new_d - self_2_new_d_right
-    self_2_new_d_right_rest = product_rest(self_2, D_11, self_2_new_c, self_2_new_d_right)
-    self_2_new_d_left_rest = product_rest(self_1, D_10, self_2_new_b, self_2_new_d_left)
+    self_2_new_d_left_rest = (product_rest(self_1, D_10, self_2_new_b, self_2_new_d
+        - self_2_new_d_right))
     self_2_new_e = self_3 * D_12
     self_2_new_f = self_2_new_d + self_2_new_e
     self_2_new_f_right = self_2_new_f - self_2_new_d
-    self_2_new_f_right_rest = product_rest(self_3, D_12, self_2_new_e, self_2_new_f_right)
-    self_2_new_f_lo1 = self_2_new_d - (self_2_new_f - self_2_new_f_right) + self_2_new_f_right_rest
+    self_2_new_f_lo1 = (self_2_new_d - (self_2_new_f - self_2_new_f_right)
+        + product_rest(self_3, D_12, self_2_new_e, self_2_new_f_right))
     self_2_new = self_2_new_a + self_2_new_f
     self_2_new_right = self_2_new - self_2_new_a
-    self_2_new_left_rest = product_rest(self_0, D_13, self_2_new_a, self_2_new - self_2_new_right)
-    self_2_new_f_lo = self_2_new_f_lo1 + (self_2_new_d_left_rest + self_2_new_d_right_rest)
+    self_2_new_lo1 = (product_rest(self_0, D_13, self_2_new_a, self_2_new - self_2_new_right)
+        + (self_2_new_f - self_2_new_right))
     self_3_new_a = self_0 * D_23
     self_3_new_b = self_1 * D_20
     self_3_new_c = self_2 * D_21
     self_3_new_d = self_3_new_b + self_3_new_c
     self_3_new_d_right = self_3_new_d - self_3_new_b
-    self_3_new_d_left = self_3_new_d - self_3_new_d_right
-    self_3_new_d_right_rest = product_rest(self_2, D_21, self_3_new_c, self_3_new_d_right)
-    self_3_new_d_left_rest = product_rest(self_1, D_20, self_3_new_b, self_3_new_d_left)
+    self_3_new_d_left_rest = (product_rest(self_1, D_20, self_3_new_b, self_3_new_d
+        - self_3_new_d_right))
     self_3_new_e = self_3 * D_22
     self_3_new_f = self_3_new_d + self_3_new_e
     self_3_new_f_right = self_3_new_f - self_3_new_d
-    self_3_new_f_right_rest = product_rest(self_3, D_22, self_3_new_e, self_3_new_f_right)
-    self_3_new_f_lo1 = self_3_new_d - (self_3_new_f - self_3_new_f_right) + self_3_new_f_right_rest
+    self_3_new_f_lo1 = (self_3_new_d - (self_3_new_f - self_3_new_f_right)
+        + product_rest(self_3, D_22, self_3_new_e, self_3_new_f_right))
     self_3_new = self_3_new_a + self_3_new_f
     self_3_new_right = self_3_new - self_3_new_a
-    self_3_new_left_rest = product_rest(self_0, D_23, self_3_new_a, self_3_new - self_3_new_right)
-    self_3_new_f_lo = self_3_new_f_lo1 + (self_3_new_d_left_rest + self_3_new_d_right_rest)
+    self_3_new_lo1 = (product_rest(self_0, D_23, self_3_new_a, self_3_new - self_3_new_right)
+        + (self_3_new_f - self_3_new_right))
     self_4_new_a = D_00 * RI_0
     self_4_new_b = D_01 * RI_1
     self_4_new_c = self_4_new_a + self_4_new_b
     self_4_new_c_right = self_4_new_c - self_4_new_a
-    self_4_new_c_left = self_4_new_c - self_4_new_c_right
-    self_4_new_c_right_rest = product_rest(D_01, RI_1, self_4_new_b, self_4_new_c_right)
-    self_4_new_c_left_rest = product_rest(D_00, RI_0, self_4_new_a, self_4_new_c_left)
-    self_4_new_c_lo1 = self_4_new_c_left_rest + self_4_new_c_right_rest
+    self_4_new_c_left_rest = (product_rest(D_00, RI_0, self_4_new_a, self_4_new_c
+        - self_4_new_c_right))
     self_4_new_d = D_02 * RI_2
     self_4_new = self_4_new_c + self_4_new_d
     self_4_new_right = self_4_new - self_4_new_c
-    self_4_new_right_rest = product_rest(D_02, RI_2, self_4_new_d, self_4_new_right)
-    self_4_new_lo1 = self_4_new_c - (self_4_new - self_4_new_right) + self_4_new_right_rest
-    self_4_new_c_lo = self_4_new_c_lo1 + (D_00 * RI_0_lo + D_01 * RI_1_lo)
+    self_4_new_lo2 = (self_4_new_c - (self_4_new - self_4_new_right)
+        + product_rest(D_02, RI_2, self_4_new_d, self_4_new_right) + D_02 * RI_2_lo)
+    self_4_new_c_lo = (self_4_new_c_left_rest
+        + product_rest(D_01, RI_1, self_4_new_b, self_4_new_c_right)
+        + (D_00 * RI_0_lo + D_01 * RI_1_lo))
     self_5_new_a = D_10 * RI_3
     self_5_new_b = D_11 * RI_4
     self_5_new_c = self_5_new_a + self_5_new_b
     self_5_new_c_right = self_5_new_c - self_5_new_a
-    self_5_new_c_left = self_5_new_c - self_5_new_c_right
-    self_5_new_c_right_rest = product_rest(D_11, RI_4, self_5_new_b, self_5_new_c_right)
-    self_5_new_c_left_rest = product_rest(D_10, RI_3, self_5_new_a, self_5_new_c_left)
-    self_5_new_c_lo1 = self_5_new_c_left_rest + self_5_new_c_right_rest
+    self_5_new_c_left_rest = (product_rest(D_10, RI_3, self_5_new_a, self_5_new_c
+        - self_5_new_c_right))
     self_5_new_d = D_12 * RI_5
     self_5_new = self_5_new_c + self_5_new_d
     self_5_new_right = self_5_new - self_5_new_c
-    self_5_new_right_rest = product_rest(D_12, RI_5, self_5_new_d, self_5_new_right)
-    self_5_new_lo1 = self_5_new_c - (self_5_new - self_5_new_right) + self_5_new_right_rest
-    self_5_new_c_lo = self_5_new_c_lo1 + (D_10 * RI_3_lo + D_11 * RI_4_lo)
+    self_5_new_lo2 = (self_5_new_c - (self_5_new - self_5_new_right)
+        + product_rest(D_12, RI_5, self_5_new_d, self_5_new_right) + D_12 * RI_5_lo)
+    self_5_new_c_lo = (self_5_new_c_left_rest
+        + product_rest(D_11, RI_4, self_5_new_b, self_5_new_c_right)
+        + (D_10 * RI_3_lo + D_11 * RI_4_lo))
     self_6_new_a = D_20 * RI_6
-    RI_6_lo = RI_6_lo1 + (RI_6c_left_rest + product_rest(self_7, D_21, RI_6b, RI_6c_right))
     self_6_new_b = D_21 * RI_7
-    RI_7_lo = RI_7_lo1 + (RI_7c_left_rest + product_rest(self_7, D_20, RI_7b, RI_7c_right))
     self_6_new_c = self_6_new_a + self_6_new_b
     self_6_new_c_right = self_6_new_c - self_6_new_a
-    self_6_new_c_left = self_6_new_c - self_6_new_c_right
-    self_6_new_c_right_rest = product_rest(D_21, RI_7, self_6_new_b, self_6_new_c_right)
-    self_6_new_c_left_rest = product_rest(D_20, RI_6, self_6_new_a, self_6_new_c_left)
-    self_6_new_c_lo1 = self_6_new_c_left_rest + self_6_new_c_right_rest
+    self_6_new_a_cross2 = (D_20
+        * (RI_6c - (RI_6 - RI_6_right) + product_rest(self_9, D_22, RI_6d, RI_6_right) + RI_6c_lo))
+    self_6_new_c_left_rest = (product_rest(D_20, RI_6, self_6_new_a, self_6_new_c
+        - self_6_new_c_right))
+    self_6_new_c_cross = (self_6_new_a_cross2 + D_21
+        * (RI_7c - (RI_7 - RI_7_right) + product_rest(self_8, D_22, RI_7d, RI_7_right) + RI_7c_lo))
     self_6_new_d = D_22 * RI_8
-    RI_8_lo = RI_8_lo1 + (RI_8c_left_rest + product_rest(self_8, D_21, RI_8b, RI_8c_right))
     self_6_new = self_6_new_c + self_6_new_d
     self_6_new_right = self_6_new - self_6_new_c
-    self_6_new_right_rest = product_rest(D_22, RI_8, self_6_new_d, self_6_new_right)
-    self_6_new_lo1 = self_6_new_c - (self_6_new - self_6_new_right) + self_6_new_right_rest
-    self_6_new_c_lo = self_6_new_c_lo1 + (D_20 * RI_6_lo + D_21 * RI_7_lo)
+    self_6_new_lo1 = (self_6_new_c - (self_6_new - self_6_new_right)
+        + product_rest(D_22, RI_8, self_6_new_d, self_6_new_right))
+    self_6_new_lo2 = (self_6_new_lo1 + D_22
+        * (RI_8c - (RI_8 - RI_8_right) + product_rest(self_9, D_20, RI_8d, RI_8_right) + RI_8c_lo))
     self_7_new_a = D_10 * RI_0
     self_7_new_b = D_11 * RI_1
     self_7_new_c = self_7_new_a + self_7_new_b
     self_7_new_c_right = self_7_new_c - self_7_new_a
-    self_7_new_c_left = self_7_new_c - self_7_new_c_right
-    self_7_new_c_right_rest = product_rest(D_11, RI_1, self_7_new_b, self_7_new_c_right)
-    self_7_new_c_left_rest = product_rest(D_10, RI_0, self_7_new_a, self_7_new_c_left)
-    self_7_new_c_lo1 = self_7_new_c_left_rest + self_7_new_c_right_rest
+    self_7_new_c_left_rest = (product_rest(D_10, RI_0, self_7_new_a, self_7_new_c
+        - self_7_new_c_right))
     self_7_new_d = D_12 * RI_2
     self_7_new = self_7_new_c + self_7_new_d
     self_7_new_right = self_7_new - self_7_new_c
-    self_7_new_right_rest = product_rest(D_12, RI_2, self_7_new_d, self_7_new_right)
-    self_7_new_lo1 = self_7_new_c - (self_7_new - self_7_new_right) + self_7_new_right_rest
-    self_7_new_c_lo = self_7_new_c_lo1 + (D_10 * RI_0_lo + D_11 * RI_1_lo)
+    self_7_new_lo2 = (self_7_new_c - (self_7_new - self_7_new_right)
+        + product_rest(D_12, RI_2, self_7_new_d, self_7_new_right) + D_12 * RI_2_lo)
+    self_7_new_c_lo = (self_7_new_c_left_rest
+        + product_rest(D_11, RI_1, self_7_new_b, self_7_new_c_right)
+        + (D_10 * RI_0_lo + D_11 * RI_1_lo))
     self_8_new_a = D_20 * RI_3
     self_8_new_b = D_21 * RI_4
     self_8_new_c = self_8_new_a + self_8_new_b
     self_8_new_c_right = self_8_new_c - self_8_new_a
-    self_8_new_c_left = self_8_new_c - self_8_new_c_right
-    self_8_new_c_right_rest = product_rest(D_21, RI_4, self_8_new_b, self_8_new_c_right)
-    self_8_new_c_left_rest = product_rest(D_20, RI_3, self_8_new_a, self_8_new_c_left)
-    self_8_new_c_lo1 = self_8_new_c_left_rest + self_8_new_c_right_rest
+    self_8_new_c_left_rest = (product_rest(D_20, RI_3, self_8_new_a, self_8_new_c
+        - self_8_new_c_right))
     self_8_new_d = D_22 * RI_5
     self_8_new = self_8_new_c + self_8_new_d
     self_8_new_right = self_8_new - self_8_new_c
-    self_8_new_right_rest = product_rest(D_22, RI_5, self_8_new_d, self_8_new_right)
-    self_8_new_lo1 = self_8_new_c - (self_8_new - self_8_new_right) + self_8_new_right_rest
-    self_8_new_c_lo = self_8_new_c_lo1 + (D_20 * RI_3_lo + D_21 * RI_4_lo)
+    self_8_new_lo2 = (self_8_new_c - (self_8_new - self_8_new_right)
+        + product_rest(D_22, RI_5, self_8_new_d, self_8_new_right) + D_22 * RI_5_lo)
+    self_8_new_c_lo = (self_8_new_c_left_rest
+        + product_rest(D_21, RI_4, self_8_new_b, self_8_new_c_right)
+        + (D_20 * RI_3_lo + D_21 * RI_4_lo))
     self_9_new_a = D_20 * RI_0
     self_9_new_b = D_21 * RI_1
     self_9_new_c = self_9_new_a + self_9_new_b
     self_9_new_c_right = self_9_new_c - self_9_new_a
-    self_9_new_c_left = self_9_new_c - self_9_new_c_right
-    self_9_new_c_right_rest = product_rest(D_21, RI_1, self_9_new_b, self_9_new_c_right)
-    self_9_new_c_left_rest = product_rest(D_20, RI_0, self_9_new_a, self_9_new_c_left)
-    self_9_new_c_lo1 = self_9_new_c_left_rest + self_9_new_c_right_rest
+    self_9_new_c_left_rest = (product_rest(D_20, RI_0, self_9_new_a, self_9_new_c
+        - self_9_new_c_right))
     self_9_new_d = D_22 * RI_2
     self_9_new = self_9_new_c + self_9_new_d
     self_9_new_right = self_9_new - self_9_new_c
-    self_9_new_right_rest = product_rest(D_22, RI_2, self_9_new_d, self_9_new_right)
-    self_9_new_lo1 = self_9_new_c - (self_9_new - self_9_new_right) + self_9_new_right_rest
-    self_9_new_c_lo = self_9_new_c_lo1 + (D_20 * RI_0_lo + D_21 * RI_1_lo)
-    self_1_new_lo = self_1_new_left_rest + (self_1_new_f - self_1_new_right) + self_1_new_f_lo
+    self_9_new_lo2 = (self_9_new_c - (self_9_new - self_9_new_right)
+        + product_rest(D_22, RI_2, self_9_new_d, self_9_new_right) + D_22 * RI_2_lo)
+    self_9_new_c_lo = (self_9_new_c_left_rest
+        + product_rest(D_21, RI_1, self_9_new_b, self_9_new_c_right)
+        + (D_20 * RI_0_lo + D_21 * RI_1_lo))
+    self_1_new_lo = (self_1_new_lo1
+        + (self_1_new_f_lo1
+        + (self_1_new_d_left_rest + product_rest(self_2, D_01, self_1_new_c, self_1_new_d_right))))
     self_1_new_rounded = self_1_new + self_1_new_lo
-    self_2_new_lo = self_2_new_left_rest + (self_2_new_f - self_2_new_right) + self_2_new_f_lo
+    self_2_new_lo = (self_2_new_lo1
+        + (self_2_new_f_lo1
+        + (self_2_new_d_left_rest + product_rest(self_2, D_11, self_2_new_c, self_2_new_d_right))))
     self_2_new_rounded = self_2_new + self_2_new_lo
-    self_3_new_lo = self_3_new_left_rest + (self_3_new_f - self_3_new_right) + self_3_new_f_lo
+    self_3_new_lo = (self_3_new_lo1
+        + (self_3_new_f_lo1
+        + (self_3_new_d_left_rest + product_rest(self_2, D_21, self_3_new_c, self_3_new_d_right))))
     self_3_new_rounded = self_3_new + self_3_new_lo
-    self_4_new_rounded = self_4_new + (self_4_new_lo1 + D_02 * RI_2_lo + self_4_new_c_lo)
-    self_5_new_rounded = self_5_new + (self_5_new_lo1 + D_12 * RI_5_lo + self_5_new_c_lo)
-    self_6_new_rounded = self_6_new + (self_6_new_lo1 + D_22 * RI_8_lo + self_6_new_c_lo)
-    self_7_new_rounded = self_7_new + (self_7_new_lo1 + D_12 * RI_2_lo + self_7_new_c_lo)
-    self_8_new_rounded = self_8_new + (self_8_new_lo1 + D_22 * RI_5_lo + self_8_new_c_lo)
-    self_9_new_rounded = self_9_new + (self_9_new_lo1 + D_22 * RI_2_lo + self_9_new_c_lo)
+    self_4_new_rounded = self_4_new + (self_4_new_lo2 + self_4_new_c_lo)
+    self_5_new_rounded = self_5_new + (self_5_new_lo2 + self_5_new_c_lo)
+    self_6_new_lo = (self_6_new_lo2
+        + (self_6_new_c_left_rest + product_rest(D_21, RI_7, self_6_new_b, self_6_new_c_right)
+        + self_6_new_c_cross))
+    self_6_new_rounded = self_6_new + self_6_new_lo
+    self_7_new_rounded = self_7_new + (self_7_new_lo2 + self_7_new_c_lo)
+    self_8_new_rounded = self_8_new + (self_8_new_lo2 + self_8_new_c_lo)
+    self_9_new_rounded = self_9_new + (self_9_new_lo2 + self_9_new_c_lo)
     return (self_0, self_1_new_rounded, self_2_new_rounded, self_3_new_rounded, self_4_new_rounded,
         self_5_new_rounded, self_6_new_rounded, self_7_new_rounded, self_8_new_rounded,
         self_9_new_rounded)
@@ -1037,41 +1058,41 @@ def inertia_merge(Ji, t_ic, Jj, t_jc, D_ij):
     c_0b = t_jc_1 * D_ij_01
     c_0c = c_0a + c_0b
     c_0c_right = c_0c - c_0a
-    c_0c_left_rest = product_rest(t_jc_0, D_ij_00, c_0a, c_0c - c_0c_right)
     c_0d = t_jc_2 * D_ij_02
     c_0e = c_0c + c_0d
     c_0e_right = c_0e - c_0c
-    c_0e_lo1 = c_0c - (c_0e - c_0e_right) + product_rest(t_jc_2, D_ij_02, c_0d, c_0e_right)
+    c_0c_lo = (product_rest(t_jc_0, D_ij_00, c_0a, c_0c - c_0c_right)
+        + product_rest(t_jc_1, D_ij_01, c_0b, c_0c_right))
     c_0 = c_0e + D_ij_03
     c_0_right = c_0 - c_0e
-    c_0e_lo = c_0e_lo1 + (c_0c_left_rest + product_rest(t_jc_1, D_ij_01, c_0b, c_0c_right))
-    c_0_lo = c_0e - (c_0 - c_0_right) + (D_ij_03 - c_0_right) + c_0e_lo
+    c_0_lo = (c_0e - (c_0 - c_0_right) + (D_ij_03 - c_0_right)
+        + (c_0c - (c_0e - c_0e_right) + product_rest(t_jc_2, D_ij_02, c_0d, c_0e_right) + c_0c_lo))
     c_1a = t_jc_0 * D_ij_10
     c_1b = t_jc_1 * D_ij_11
     c_1c = c_1a + c_1b
     c_1c_right = c_1c - c_1a
-    c_1c_left_rest = product_rest(t_jc_0, D_ij_10, c_1a, c_1c - c_1c_right)
     c_1d = t_jc_2 * D_ij_12
     c_1e = c_1c + c_1d
     c_1e_right = c_1e - c_1c
-    c_1e_lo1 = c_1c - (c_1e - c_1e_right) + product_rest(t_jc_2, D_ij_12, c_1d, c_1e_right)
+    c_1c_lo = (product_rest(t_jc_0, D_ij_10, c_1a, c_1c - c_1c_right)
+        + product_rest(t_jc_1, D_ij_11, c_1b, c_1c_right))
     c_1 = c_1e + D_ij_13
     c_1_right = c_1 - c_1e
-    c_1e_lo = c_1e_lo1 + (c_1c_left_rest + product_rest(t_jc_1, D_ij_11, c_1b, c_1c_right))
-    c_1_lo = c_1e - (c_1 - c_1_right) + (D_ij_13 - c_1_right) + c_1e_lo
+    c_1_lo = (c_1e - (c_1 - c_1_right) + (D_ij_13 - c_1_right)
+        + (c_1c - (c_1e - c_1e_right) + product_rest(t_jc_2, D_ij_12, c_1d, c_1e_right) + c_1c_lo))
     c_2a = t_jc_0 * D_ij_20
     c_2b = t_jc_1 * D_ij_21
     c_2c = c_2a + c_2b
     c_2c_right = c_2c - c_2a
-    c_2c_left_rest = product_rest(t_jc_0, D_ij_20, c_2a, c_2c - c_2c_right)
     c_2d = t_jc_2 * D_ij_22
     c_2e = c_2c + c_2d
     c_2e_right = c_2e - c_2c
-    c_2e_lo1 = c_2c - (c_2e - c_2e_right) + product_rest(t_jc_2, D_ij_22, c_2d, c_2e_right)
+    c_2c_lo = (product_rest(t_jc_0, D_ij_20, c_2a, c_2c - c_2c_right)
+        + product_rest(t_jc_1, D_ij_21, c_2b, c_2c_right))
     c_2 = c_2e + D_ij_23
     c_2_right = c_2 - c_2e
-    c_2e_lo = c_2e_lo1 + (c_2c_left_rest + product_rest(t_jc_1, D_ij_21, c_2b, c_2c_right))
-    c_2_lo = c_2e - (c_2 - c_2_right) + (D_ij_23 - c_2_right) + c_2e_lo
+    c_2_lo = (c_2e - (c_2 - c_2_right) + (D_ij_23 - c_2_right)
+        + (c_2c - (c_2e - c_2e_right) + product_rest(t_jc_2, D_ij_22, c_2d, c_2e_right) + c_2c_lo))
     d_0 = c_0 - t_ic_0
     d_0_right = c_0 - d_0
     d_0_lo = c_0 - (d_0 + d_0_right) - (t_ic_0 - d_0_right) + c_0_lo
@@ -1081,14 +1102,14 @@ def inertia_merge(Ji, t_ic, Jj, t_jc, D_ij):
     d_2 = c_2 - t_ic_2
     d_2_right = c_2 - d_2
     d_2_lo = c_2 - (d_2 + d_2_right) - (t_ic_2 - d_2_right) + c_2_lo
-    part_of_m = m + m_lo
-    part_of_m_right = part_of_m - m
-    part = Jj_0 / part_of_m
-    part_product = part * part_of_m
-    part_cross = part * (m - (part_of_m - part_of_m_right) + (m_lo - part_of_m_right))
-    part_residual = Jj_0 - part_product - product_error(part, part_of_m, part_product) - part_cross
+    m_sum = m + m_lo
+    m_sum_right = m_sum - m
+    part = Jj_0 / m_sum
+    part_product = part * m_sum
     reduced = Ji_0 * part
-    reduced_lo = product_error(Ji_0, part, reduced) + Ji_0 * (part_residual / part_of_m)
+    part_lo = ((Jj_0 - part_product - product_error(part, m_sum, part_product) - part
+        * (m - (m_sum - m_sum_right) + (m_lo - m_sum_right))) / m_sum)
+    reduced_lo = product_error(Ji_0, part, reduced) + Ji_0 * part_lo
     p_0 = d_0 * reduced
     p_1 = d_1 * reduced
     p_2 = d_2 * reduced
@@ -1099,264 +1120,271 @@ def inertia_merge(Ji, t_ic, Jj, t_jc, D_ij):
     squares_1 = d_1 * p_1
     squares_1_cross = d_1_lo * p_1 + d_1 * p_1_lo
     squares_2 = d_2 * p_2
-    p_2_lo = product_error(d_2, reduced, p_2) + (d_2_lo * reduced + d_2 * reduced_lo)
-    squares_2_cross = d_2_lo * p_2 + d_2 * p_2_lo
+    squares_2_cross = (d_2_lo * p_2 + d_2
+        * (product_error(d_2, reduced, p_2) + (d_2_lo * reduced + d_2 * reduced_lo)))
     RI_0a = Jj_4 * D_ij_00
     RI_0b = Jj_7 * D_ij_01
     RI_0c = RI_0a + RI_0b
     RI_0c_right = RI_0c - RI_0a
-    RI_0c_left_rest = product_rest(Jj_4, D_ij_00, RI_0a, RI_0c - RI_0c_right)
     RI_0d = Jj_9 * D_ij_02
     RI_0 = RI_0c + RI_0d
     RI_0_right = RI_0 - RI_0c
-    RI_0_lo1 = RI_0c - (RI_0 - RI_0_right) + product_rest(Jj_9, D_ij_02, RI_0d, RI_0_right)
-    RI_0_lo = RI_0_lo1 + (RI_0c_left_rest + product_rest(Jj_7, D_ij_01, RI_0b, RI_0c_right))
+    RI_0c_lo = (product_rest(Jj_4, D_ij_00, RI_0a, RI_0c - RI_0c_right)
+        + product_rest(Jj_7, D_ij_01, RI_0b, RI_0c_right))
+    RI_0_lo = (RI_0c - (RI_0 - RI_0_right) + product_rest(Jj_9, D_ij_02, RI_0d, RI_0_right)
+        + RI_0c_lo)
     RI_1a = Jj_5 * D_ij_01
     RI_1b = Jj_7 * D_ij_00
     RI_1c = RI_1a + RI_1b
     RI_1c_right = RI_1c - RI_1a
-    RI_1c_left_rest = product_rest(Jj_5, D_ij_01, RI_1a, RI_1c - RI_1c_right)
     RI_1d = Jj_8 * D_ij_02
     RI_1 = RI_1c + RI_1d
     RI_1_right = RI_1 - RI_1c
-    RI_1_lo1 = RI_1c - (RI_1 - RI_1_right) + product_rest(Jj_8, D_ij_02, RI_1d, RI_1_right)
-    RI_1_lo = RI_1_lo1 + (RI_1c_left_rest + product_rest(Jj_7, D_ij_00, RI_1b, RI_1c_right))
+    RI_1c_lo = (product_rest(Jj_5, D_ij_01, RI_1a, RI_1c - RI_1c_right)
+        + product_rest(Jj_7, D_ij_00, RI_1b, RI_1c_right))
+    RI_1_lo = (RI_1c - (RI_1 - RI_1_right) + product_rest(Jj_8, D_ij_02, RI_1d, RI_1_right)
+        + RI_1c_lo)
     RI_2a = Jj_6 * D_ij_02
     RI_2b = Jj_8 * D_ij_01
     RI_2c = RI_2a + RI_2b
     RI_2c_right = RI_2c - RI_2a
-    RI_2c_left_rest = product_rest(Jj_6, D_ij_02, RI_2a, RI_2c - RI_2c_right)
     RI_2d = Jj_9 * D_ij_00
     RI_2 = RI_2c + RI_2d
     RI_2_right = RI_2 - RI_2c
-    RI_2_lo1 = RI_2c - (RI_2 - RI_2_right) + product_rest(Jj_9, D_ij_00, RI_2d, RI_2_right)
-    RI_2_lo = RI_2_lo1 + (RI_2c_left_rest + product_rest(Jj_8, D_ij_01, RI_2b, RI_2c_right))
+    RI_2c_lo = (product_rest(Jj_6, D_ij_02, RI_2a, RI_2c - RI_2c_right)
+        + product_rest(Jj_8, D_ij_01, RI_2b, RI_2c_right))
+    RI_2_lo = (RI_2c - (RI_2 - RI_2_right) + product_rest(Jj_9, D_ij_00, RI_2d, RI_2_right)
+        + RI_2c_lo)
     RI_3a = Jj_4 * D_ij_10
     RI_3b = Jj_7 * D_ij_11
     RI_3c = RI_3a + RI_3b
     RI_3c_right = RI_3c - RI_3a
-    RI_3c_left_rest = product_rest(Jj_4, D_ij_10, RI_3a, RI_3c - RI_3c_right)
     RI_3d = Jj_9 * D_ij_12
     RI_3 = RI_3c + RI_3d
     RI_3_right = RI_3 - RI_3c
-    RI_3_lo1 = RI_3c - (RI_3 - RI_3_right) + product_rest(Jj_9, D_ij_12, RI_3d, RI_3_right)
-    RI_3_lo = RI_3_lo1 + (RI_3c_left_rest + product_rest(Jj_7, D_ij_11, RI_3b, RI_3c_right))
+    RI_3c_lo = (product_rest(Jj_4, D_ij_10, RI_3a, RI_3c - RI_3c_right)
+        + product_rest(Jj_7, D_ij_11, RI_3b, RI_3c_right))
+    RI_3_lo = (RI_3c - (RI_3 - RI_3_right) + product_rest(Jj_9, D_ij_12, RI_3d, RI_3_right)
+        + RI_3c_lo)
     RI_4a = Jj_5 * D_ij_11
     RI_4b = Jj_7 * D_ij_10
     RI_4c = RI_4a + RI_4b
     RI_4c_right = RI_4c - RI_4a
-    RI_4c_left_rest = product_rest(Jj_5, D_ij_11, RI_4a, RI_4c - RI_4c_right)
     RI_4d = Jj_8 * D_ij_12
     RI_4 = RI_4c + RI_4d
     RI_4_right = RI_4 - RI_4c
-    RI_4_lo1 = RI_4c - (RI_4 - RI_4_right) + product_rest(Jj_8, D_ij_12, RI_4d, RI_4_right)
-    RI_4_lo = RI_4_lo1 + (RI_4c_left_rest + product_rest(Jj_7, D_ij_10, RI_4b, RI_4c_right))
+    RI_4c_lo = (product_rest(Jj_5, D_ij_11, RI_4a, RI_4c - RI_4c_right)
+        + product_rest(Jj_7, D_ij_10, RI_4b, RI_4c_right))
+    RI_4_lo = (RI_4c - (RI_4 - RI_4_right) + product_rest(Jj_8, D_ij_12, RI_4d, RI_4_right)
+        + RI_4c_lo)
     RI_5a = Jj_6 * D_ij_12
     RI_5b = Jj_8 * D_ij_11
     RI_5c = RI_5a + RI_5b
     RI_5c_right = RI_5c - RI_5a
-    RI_5c_left_rest = product_rest(Jj_6, D_ij_12, RI_5a, RI_5c - RI_5c_right)
     RI_5d = Jj_9 * D_ij_10
     RI_5 = RI_5c + RI_5d
     RI_5_right = RI_5 - RI_5c
-    RI_5_lo1 = RI_5c - (RI_5 - RI_5_right) + product_rest(Jj_9, D_ij_10, RI_5d, RI_5_right)
-    RI_5_lo = RI_5_lo1 + (RI_5c_left_rest + product_rest(Jj_8, D_ij_11, RI_5b, RI_5c_right))
+    RI_5c_lo = (product_rest(Jj_6, D_ij_12, RI_5a, RI_5c - RI_5c_right)
+        + product_rest(Jj_8, D_ij_11, RI_5b, RI_5c_right))
+    RI_5_lo = (RI_5c - (RI_5 - RI_5_right) + product_rest(Jj_9, D_ij_10, RI_5d, RI_5_right)
+        + RI_5c_lo)
     RI_6a = Jj_4 * D_ij_20
     RI_6b = Jj_7 * D_ij_21
     RI_6c = RI_6a + RI_6b
     RI_6c_right = RI_6c - RI_6a
-    RI_6c_left_rest = product_rest(Jj_4, D_ij_20, RI_6a, RI_6c - RI_6c_right)
     RI_6d = Jj_9 * D_ij_22
     RI_6 = RI_6c + RI_6d
     RI_6_right = RI_6 - RI_6c
-    RI_6_lo1 = RI_6c - (RI_6 - RI_6_right) + product_rest(Jj_9, D_ij_22, RI_6d, RI_6_right)
+    RI_6c_lo = (product_rest(Jj_4, D_ij_20, RI_6a, RI_6c - RI_6c_right)
+        + product_rest(Jj_7, D_ij_21, RI_6b, RI_6c_right))
     RI_7a = Jj_5 * D_ij_21
     RI_7b = Jj_7 * D_ij_20
     RI_7c = RI_7a + RI_7b
     RI_7c_right = RI_7c - RI_7a
-    RI_7c_left_rest = product_rest(Jj_5, D_ij_21, RI_7a, RI_7c - RI_7c_right)
     RI_7d = Jj_8 * D_ij_22
     RI_7 = RI_7c + RI_7d
     RI_7_right = RI_7 - RI_7c
-    RI_7_lo1 = RI_7c - (RI_7 - RI_7_right) + product_rest(Jj_8, D_ij_22, RI_7d, RI_7_right)
+    RI_7c_lo = (product_rest(Jj_5, D_ij_21, RI_7a, RI_7c - RI_7c_right)
+        + product_rest(Jj_7, D_ij_20, RI_7b, RI_7c_right))
     RI_8a = Jj_6 * D_ij_22
     RI_8b = Jj_8 * D_ij_21
     RI_8c = RI_8a + RI_8b
     RI_8c_right = RI_8c - RI_8a
-    RI_8c_left_rest = product_rest(Jj_6, D_ij_22, RI_8a, RI_8c - RI_8c_right)
     RI_8d = Jj_9 * D_ij_20
     RI_8 = RI_8c + RI_8d
     RI_8_right = RI_8 - RI_8c
-    RI_8_lo1 = RI_8c - (RI_8 - RI_8_right) + product_rest(Jj_9, D_ij_20, RI_8d, RI_8_right)
+    RI_8c_lo = (product_rest(Jj_6, D_ij_22, RI_8a, RI_8c - RI_8c_right)
+        + product_rest(Jj_8, D_ij_21, RI_8b, RI_8c_right))
     Ji_1_new_a = Jj_0 * c_0
     Ji_1_new = Ji_1 + Ji_1_new_a
     Ji_1_new_right = Ji_1_new - Ji_1
-    Ji_1_new_right_rest = product_rest(Jj_0, c_0, Ji_1_new_a, Ji_1_new_right)
     Ji_2_new_a = Jj_0 * c_1
     Ji_2_new = Ji_2 + Ji_2_new_a
     Ji_2_new_right = Ji_2_new - Ji_2
-    Ji_2_new_right_rest = product_rest(Jj_0, c_1, Ji_2_new_a, Ji_2_new_right)
     Ji_3_new_a = Jj_0 * c_2
     Ji_3_new = Ji_3 + Ji_3_new_a
     Ji_3_new_right = Ji_3_new - Ji_3
-    Ji_3_new_right_rest = product_rest(Jj_0, c_2, Ji_3_new_a, Ji_3_new_right)
     Ji_4_new_a = D_ij_00 * RI_0
     Ji_4_new_b = D_ij_01 * RI_1
     Ji_4_new_c = Ji_4_new_a + Ji_4_new_b
     Ji_4_new_c_right = Ji_4_new_c - Ji_4_new_a
-    Ji_4_new_c_left_rest = product_rest(D_ij_00, RI_0, Ji_4_new_a, Ji_4_new_c - Ji_4_new_c_right)
-    Ji_4_new_c_right_rest = product_rest(D_ij_01, RI_1, Ji_4_new_b, Ji_4_new_c_right)
-    Ji_4_new_c_lo1 = Ji_4_new_c_left_rest + Ji_4_new_c_right_rest
+    Ji_4_new_c_lo1 = (product_rest(D_ij_00, RI_0, Ji_4_new_a, Ji_4_new_c - Ji_4_new_c_right)
+        + product_rest(D_ij_01, RI_1, Ji_4_new_b, Ji_4_new_c_right))
     Ji_4_new_d = D_ij_02 * RI_2
     Ji_4_new_e = Ji_4_new_c + Ji_4_new_d
     Ji_4_new_e_right = Ji_4_new_e - Ji_4_new_c
-    Ji_4_new_e_right_rest = product_rest(D_ij_02, RI_2, Ji_4_new_d, Ji_4_new_e_right)
-    Ji_4_new_e_lo1 = Ji_4_new_c - (Ji_4_new_e - Ji_4_new_e_right) + Ji_4_new_e_right_rest
-    Ji_4_new_c_lo = Ji_4_new_c_lo1 + (D_ij_00 * RI_0_lo + D_ij_01 * RI_1_lo)
+    Ji_4_new_e_lo2 = (Ji_4_new_c - (Ji_4_new_e - Ji_4_new_e_right)
+        + product_rest(D_ij_02, RI_2, Ji_4_new_d, Ji_4_new_e_right) + D_ij_02 * RI_2_lo)
     Ji_4_new_f = Ji_4 + Ji_4_new_e
     Ji_4_new_f_right = Ji_4_new_f - Ji_4
-    Ji_4_new_f_lo1 = Ji_4 - (Ji_4_new_f - Ji_4_new_f_right) + (Ji_4_new_e - Ji_4_new_f_right)
+    Ji_4_new_e_lo = Ji_4_new_e_lo2 + (Ji_4_new_c_lo1 + (D_ij_00 * RI_0_lo + D_ij_01 * RI_1_lo))
     Ji_4_new_g = squares_1 + squares_2
     Ji_4_new_g_right = Ji_4_new_g - squares_1
-    Ji_4_new_g_left_rest = product_rest(d_1, p_1, squares_1, Ji_4_new_g - Ji_4_new_g_right)
-    Ji_4_new_g_lo1 = Ji_4_new_g_left_rest + product_rest(d_2, p_2, squares_2, Ji_4_new_g_right)
+    Ji_4_new_g_lo1 = (product_rest(d_1, p_1, squares_1, Ji_4_new_g - Ji_4_new_g_right)
+        + product_rest(d_2, p_2, squares_2, Ji_4_new_g_right))
     Ji_4_new = Ji_4_new_f + Ji_4_new_g
     Ji_4_new_right = Ji_4_new - Ji_4_new_f
-    Ji_4_new_lo1 = Ji_4_new_f - (Ji_4_new - Ji_4_new_right) + (Ji_4_new_g - Ji_4_new_right)
-    Ji_4_new_lo2 = Ji_4_new_lo1 + (Ji_4_new_g_lo1 + (squares_1_cross + squares_2_cross))
-    Ji_4_new_f_lo = Ji_4_new_f_lo1 + (Ji_4_new_e_lo1 + D_ij_02 * RI_2_lo + Ji_4_new_c_lo)
+    Ji_4_new_lo2 = (Ji_4_new_f - (Ji_4_new - Ji_4_new_right) + (Ji_4_new_g - Ji_4_new_right)
+        + (Ji_4_new_g_lo1 + (squares_1_cross + squares_2_cross)))
     Ji_5_new_a = D_ij_10 * RI_3
     Ji_5_new_b = D_ij_11 * RI_4
     Ji_5_new_c = Ji_5_new_a + Ji_5_new_b
     Ji_5_new_c_right = Ji_5_new_c - Ji_5_new_a
-    Ji_5_new_c_left_rest = product_rest(D_ij_10, RI_3, Ji_5_new_a, Ji_5_new_c - Ji_5_new_c_right)
-    Ji_5_new_c_right_rest = product_rest(D_ij_11, RI_4, Ji_5_new_b, Ji_5_new_c_right)
-    Ji_5_new_c_lo1 = Ji_5_new_c_left_rest + Ji_5_new_c_right_rest
+    Ji_5_new_c_lo1 = (product_rest(D_ij_10, RI_3, Ji_5_new_a, Ji_5_new_c - Ji_5_new_c_right)
+        + product_rest(D_ij_11, RI_4, Ji_5_new_b, Ji_5_new_c_right))
     Ji_5_new_d = D_ij_12 * RI_5
     Ji_5_new_e = Ji_5_new_c + Ji_5_new_d
     Ji_5_new_e_right = Ji_5_new_e - Ji_5_new_c
-    Ji_5_new_e_right_rest = product_rest(D_ij_12, RI_5, Ji_5_new_d, Ji_5_new_e_right)
-    Ji_5_new_e_lo1 = Ji_5_new_c - (Ji_5_new_e - Ji_5_new_e_right) + Ji_5_new_e_right_rest
-    Ji_5_new_c_lo = Ji_5_new_c_lo1 + (D_ij_10 * RI_3_lo + D_ij_11 * RI_4_lo)
+    Ji_5_new_e_lo2 = (Ji_5_new_c - (Ji_5_new_e - Ji_5_new_e_right)
+        + product_rest(D_ij_12, RI_5, Ji_5_new_d, Ji_5_new_e_right) + D_ij_12 * RI_5_lo)
     Ji_5_new_f = Ji_5 + Ji_5_new_e
     Ji_5_new_f_right = Ji_5_new_f - Ji_5
-    Ji_5_new_f_lo1 = Ji_5 - (Ji_5_new_f - Ji_5_new_f_right) + (Ji_5_new_e - Ji_5_new_f_right)
+    Ji_5_new_e_lo = Ji_5_new_e_lo2 + (Ji_5_new_c_lo1 + (D_ij_10 * RI_3_lo + D_ij_11 * RI_4_lo))
     Ji_5_new_g = squares_0 + squares_2
     Ji_5_new_g_right = Ji_5_new_g - squares_0
-    Ji_5_new_g_left_rest = product_rest(d_0, p_0, squares_0, Ji_5_new_g - Ji_5_new_g_right)
-    Ji_5_new_g_lo1 = Ji_5_new_g_left_rest + product_rest(d_2, p_2, squares_2, Ji_5_new_g_right)
+    Ji_5_new_g_lo1 = (product_rest(d_0, p_0, squares_0, Ji_5_new_g - Ji_5_new_g_right)
+        + product_rest(d_2, p_2, squares_2, Ji_5_new_g_right))
     Ji_5_new = Ji_5_new_f + Ji_5_new_g
     Ji_5_new_right = Ji_5_new - Ji_5_new_f
-    Ji_5_new_lo1 = Ji_5_new_f - (Ji_5_new - Ji_5_new_right) + (Ji_5_new_g - Ji_5_new_right)
-    Ji_5_new_lo2 = Ji_5_new_lo1 + (Ji_5_new_g_lo1 + (squares_0_cross + squares_2_cross))
-    Ji_5_new_f_lo = Ji_5_new_f_lo1 + (Ji_5_new_e_lo1 + D_ij_12 * RI_5_lo + Ji_5_new_c_lo)
+    Ji_5_new_lo2 = (Ji_5_new_f - (Ji_5_new - Ji_5_new_right) + (Ji_5_new_g - Ji_5_new_right)
+        + (Ji_5_new_g_lo1 + (squares_0_cross + squares_2_cross)))
     Ji_6_new_a = D_ij_20 * RI_6
-    RI_6_lo = RI_6_lo1 + (RI_6c_left_rest + product_rest(Jj_7, D_ij_21, RI_6b, RI_6c_right))
     Ji_6_new_b = D_ij_21 * RI_7
-    RI_7_lo = RI_7_lo1 + (RI_7c_left_rest + product_rest(Jj_7, D_ij_20, RI_7b, RI_7c_right))
     Ji_6_new_c = Ji_6_new_a + Ji_6_new_b
     Ji_6_new_c_right = Ji_6_new_c - Ji_6_new_a
-    Ji_6_new_c_left_rest = product_rest(D_ij_20, RI_6, Ji_6_new_a, Ji_6_new_c - Ji_6_new_c_right)
-    Ji_6_new_c_right_rest = product_rest(D_ij_21, RI_7, Ji_6_new_b, Ji_6_new_c_right)
-    Ji_6_new_c_lo1 = Ji_6_new_c_left_rest + Ji_6_new_c_right_rest
+    Ji_6_new_a_cross2 = (D_ij_20
+        * (RI_6c - (RI_6 - RI_6_right) + product_rest(Jj_9, D_ij_22, RI_6d, RI_6_right) + RI_6c_lo))
+    Ji_6_new_c_lo1 = (product_rest(D_ij_20, RI_6, Ji_6_new_a, Ji_6_new_c - Ji_6_new_c_right)
+        + product_rest(D_ij_21, RI_7, Ji_6_new_b, Ji_6_new_c_right))
+    Ji_6_new_c_cross = (Ji_6_new_a_cross2 + D_ij_21
+        * (RI_7c - (RI_7 - RI_7_right) + product_rest(Jj_8, D_ij_22, RI_7d, RI_7_right) + RI_7c_lo))
     Ji_6_new_d = D_ij_22 * RI_8
-    RI_8_lo = RI_8_lo1 + (RI_8c_left_rest + product_rest(Jj_8, D_ij_21, RI_8b, RI_8c_right))
     Ji_6_new_e = Ji_6_new_c + Ji_6_new_d
     Ji_6_new_e_right = Ji_6_new_e - Ji_6_new_c
-    Ji_6_new_e_right_rest = product_rest(D_ij_22, RI_8, Ji_6_new_d, Ji_6_new_e_right)
-    Ji_6_new_e_lo1 = Ji_6_new_c - (Ji_6_new_e - Ji_6_new_e_right) + Ji_6_new_e_right_rest
-    Ji_6_new_c_lo = Ji_6_new_c_lo1 + (D_ij_20 * RI_6_lo + D_ij_21 * RI_7_lo)
+    Ji_6_new_e_lo1 = (Ji_6_new_c - (Ji_6_new_e - Ji_6_new_e_right)
+        + product_rest(D_ij_22, RI_8, Ji_6_new_d, Ji_6_new_e_right))
+    Ji_6_new_e_lo2 = (Ji_6_new_e_lo1 + D_ij_22
+        * (RI_8c - (RI_8 - RI_8_right) + product_rest(Jj_9, D_ij_20, RI_8d, RI_8_right) + RI_8c_lo))
     Ji_6_new_f = Ji_6 + Ji_6_new_e
     Ji_6_new_f_right = Ji_6_new_f - Ji_6
-    Ji_6_new_f_lo1 = Ji_6 - (Ji_6_new_f - Ji_6_new_f_right) + (Ji_6_new_e - Ji_6_new_f_right)
     Ji_6_new_g = squares_0 + squares_1
     Ji_6_new_g_right = Ji_6_new_g - squares_0
-    Ji_6_new_g_left_rest = product_rest(d_0, p_0, squares_0, Ji_6_new_g - Ji_6_new_g_right)
-    Ji_6_new_g_lo1 = Ji_6_new_g_left_rest + product_rest(d_1, p_1, squares_1, Ji_6_new_g_right)
+    Ji_6_new_g_lo1 = (product_rest(d_0, p_0, squares_0, Ji_6_new_g - Ji_6_new_g_right)
+        + product_rest(d_1, p_1, squares_1, Ji_6_new_g_right))
     Ji_6_new = Ji_6_new_f + Ji_6_new_g
     Ji_6_new_right = Ji_6_new - Ji_6_new_f
-    Ji_6_new_lo1 = Ji_6_new_f - (Ji_6_new - Ji_6_new_right) + (Ji_6_new_g - Ji_6_new_right)
-    Ji_6_new_lo2 = Ji_6_new_lo1 + (Ji_6_new_g_lo1 + (squares_0_cross + squares_1_cross))
-    Ji_6_new_f_lo = Ji_6_new_f_lo1 + (Ji_6_new_e_lo1 + D_ij_22 * RI_8_lo + Ji_6_new_c_lo)
+    Ji_6_new_lo2 = (Ji_6_new_f - (Ji_6_new - Ji_6_new_right) + (Ji_6_new_g - Ji_6_new_right)
+        + (Ji_6_new_g_lo1 + (squares_0_cross + squares_1_cross)))
+    Ji_6_new_f_lo = (Ji_6 - (Ji_6_new_f - Ji_6_new_f_right) + (Ji_6_new_e - Ji_6_new_f_right)
+        + (Ji_6_new_e_lo2 + (Ji_6_new_c_lo1 + Ji_6_new_c_cross)))
     Ji_7_new_a = D_ij_10 * RI_0
     Ji_7_new_b = D_ij_11 * RI_1
     Ji_7_new_c = Ji_7_new_a + Ji_7_new_b
     Ji_7_new_c_right = Ji_7_new_c - Ji_7_new_a
-    Ji_7_new_c_left_rest = product_rest(D_ij_10, RI_0, Ji_7_new_a, Ji_7_new_c - Ji_7_new_c_right)
-    Ji_7_new_c_right_rest = product_rest(D_ij_11, RI_1, Ji_7_new_b, Ji_7_new_c_right)
-    Ji_7_new_c_lo1 = Ji_7_new_c_left_rest + Ji_7_new_c_right_rest
+    Ji_7_new_c_lo1 = (product_rest(D_ij_10, RI_0, Ji_7_new_a, Ji_7_new_c - Ji_7_new_c_right)
+        + product_rest(D_ij_11, RI_1, Ji_7_new_b, Ji_7_new_c_right))
     Ji_7_new_d = D_ij_12 * RI_2
     Ji_7_new_e = Ji_7_new_c + Ji_7_new_d
     Ji_7_new_e_right = Ji_7_new_e - Ji_7_new_c
-    Ji_7_new_e_right_rest = product_rest(D_ij_12, RI_2, Ji_7_new_d, Ji_7_new_e_right)
-    Ji_7_new_e_lo1 = Ji_7_new_c - (Ji_7_new_e - Ji_7_new_e_right) + Ji_7_new_e_right_rest
-    Ji_7_new_c_lo = Ji_7_new_c_lo1 + (D_ij_10 * RI_0_lo + D_ij_11 * RI_1_lo)
+    Ji_7_new_e_lo2 = (Ji_7_new_c - (Ji_7_new_e - Ji_7_new_e_right)
+        + product_rest(D_ij_12, RI_2, Ji_7_new_d, Ji_7_new_e_right) + D_ij_12 * RI_2_lo)
     Ji_7_new_f = Ji_7 + Ji_7_new_e
     Ji_7_new_f_right = Ji_7_new_f - Ji_7
-    Ji_7_new_f_lo1 = Ji_7 - (Ji_7_new_f - Ji_7_new_f_right) + (Ji_7_new_e - Ji_7_new_f_right)
+    Ji_7_new_e_lo = Ji_7_new_e_lo2 + (Ji_7_new_c_lo1 + (D_ij_10 * RI_0_lo + D_ij_11 * RI_1_lo))
     Ji_7_new_g = d_1 * p_0
     Ji_7_new = Ji_7_new_f - Ji_7_new_g
     Ji_7_new_right = Ji_7_new_f - Ji_7_new
-    Ji_7_new_right_rest = product_rest(d_1, p_0, Ji_7_new_g, Ji_7_new_right)
-    Ji_7_new_lo1 = Ji_7_new_f - (Ji_7_new + Ji_7_new_right) - Ji_7_new_right_rest
-    Ji_7_new_f_lo = Ji_7_new_f_lo1 + (Ji_7_new_e_lo1 + D_ij_12 * RI_2_lo + Ji_7_new_c_lo)
+    Ji_7_new_lo2 = (Ji_7_new_f - (Ji_7_new + Ji_7_new_right)
+        - product_rest(d_1, p_0, Ji_7_new_g, Ji_7_new_right) - (d_1_lo * p_0 + d_1 * p_0_lo))
     Ji_8_new_a = D_ij_20 * RI_3
     Ji_8_new_b = D_ij_21 * RI_4
     Ji_8_new_c = Ji_8_new_a + Ji_8_new_b
     Ji_8_new_c_right = Ji_8_new_c - Ji_8_new_a
-    Ji_8_new_c_left_rest = product_rest(D_ij_20, RI_3, Ji_8_new_a, Ji_8_new_c - Ji_8_new_c_right)
-    Ji_8_new_c_right_rest = product_rest(D_ij_21, RI_4, Ji_8_new_b, Ji_8_new_c_right)
-    Ji_8_new_c_lo1 = Ji_8_new_c_left_rest + Ji_8_new_c_right_rest
+    Ji_8_new_c_lo1 = (product_rest(D_ij_20, RI_3, Ji_8_new_a, Ji_8_new_c - Ji_8_new_c_right)
+        + product_rest(D_ij_21, RI_4, Ji_8_new_b, Ji_8_new_c_right))
     Ji_8_new_d = D_ij_22 * RI_5
     Ji_8_new_e = Ji_8_new_c + Ji_8_new_d
     Ji_8_new_e_right = Ji_8_new_e - Ji_8_new_c
-    Ji_8_new_e_right_rest = product_rest(D_ij_22, RI_5, Ji_8_new_d, Ji_8_new_e_right)
-    Ji_8_new_e_lo1 = Ji_8_new_c - (Ji_8_new_e - Ji_8_new_e_right) + Ji_8_new_e_right_rest
-    Ji_8_new_c_lo = Ji_8_new_c_lo1 + (D_ij_20 * RI_3_lo + D_ij_21 * RI_4_lo)
+    Ji_8_new_e_lo2 = (Ji_8_new_c - (Ji_8_new_e - Ji_8_new_e_right)
+        + product_rest(D_ij_22, RI_5, Ji_8_new_d, Ji_8_new_e_right) + D_ij_22 * RI_5_lo)
     Ji_8_new_f = Ji_8 + Ji_8_new_e
     Ji_8_new_f_right = Ji_8_new_f - Ji_8
-    Ji_8_new_f_lo1 = Ji_8 - (Ji_8_new_f - Ji_8_new_f_right) + (Ji_8_new_e - Ji_8_new_f_right)
+    Ji_8_new_e_lo = Ji_8_new_e_lo2 + (Ji_8_new_c_lo1 + (D_ij_20 * RI_3_lo + D_ij_21 * RI_4_lo))
     Ji_8_new_g = d_2 * p_1
     Ji_8_new = Ji_8_new_f - Ji_8_new_g
     Ji_8_new_right = Ji_8_new_f - Ji_8_new
-    Ji_8_new_right_rest = product_rest(d_2, p_1, Ji_8_new_g, Ji_8_new_right)
-    Ji_8_new_lo1 = Ji_8_new_f - (Ji_8_new + Ji_8_new_right) - Ji_8_new_right_rest
-    Ji_8_new_f_lo = Ji_8_new_f_lo1 + (Ji_8_new_e_lo1 + D_ij_22 * RI_5_lo + Ji_8_new_c_lo)
+    Ji_8_new_lo2 = (Ji_8_new_f - (Ji_8_new + Ji_8_new_right)
+        - product_rest(d_2, p_1, Ji_8_new_g, Ji_8_new_right) - (d_2_lo * p_1 + d_2 * p_1_lo))
     Ji_9_new_a = D_ij_20 * RI_0
     Ji_9_new_b = D_ij_21 * RI_1
     Ji_9_new_c = Ji_9_new_a + Ji_9_new_b
     Ji_9_new_c_right = Ji_9_new_c - Ji_9_new_a
-    Ji_9_new_c_left_rest = product_rest(D_ij_20, RI_0, Ji_9_new_a, Ji_9_new_c - Ji_9_new_c_right)
-    Ji_9_new_c_right_rest = product_rest(D_ij_21, RI_1, Ji_9_new_b, Ji_9_new_c_right)
-    Ji_9_new_c_lo1 = Ji_9_new_c_left_rest + Ji_9_new_c_right_rest
+    Ji_9_new_c_lo1 = (product_rest(D_ij_20, RI_0, Ji_9_new_a, Ji_9_new_c - Ji_9_new_c_right)
+        + product_rest(D_ij_21, RI_1, Ji_9_new_b, Ji_9_new_c_right))
     Ji_9_new_d = D_ij_22 * RI_2
     Ji_9_new_e = Ji_9_new_c + Ji_9_new_d
     Ji_9_new_e_right = Ji_9_new_e - Ji_9_new_c
-    Ji_9_new_e_right_rest = product_rest(D_ij_22, RI_2, Ji_9_new_d, Ji_9_new_e_right)
-    Ji_9_new_e_lo1 = Ji_9_new_c - (Ji_9_new_e - Ji_9_new_e_right) + Ji_9_new_e_right_rest
-    Ji_9_new_c_lo = Ji_9_new_c_lo1 + (D_ij_20 * RI_0_lo + D_ij_21 * RI_1_lo)
+    Ji_9_new_e_lo2 = (Ji_9_new_c - (Ji_9_new_e - Ji_9_new_e_right)
+        + product_rest(D_ij_22, RI_2, Ji_9_new_d, Ji_9_new_e_right) + D_ij_22 * RI_2_lo)
     Ji_9_new_f = Ji_9 + Ji_9_new_e
     Ji_9_new_f_right = Ji_9_new_f - Ji_9
-    Ji_9_new_f_lo1 = Ji_9 - (Ji_9_new_f - Ji_9_new_f_right) + (Ji_9_new_e - Ji_9_new_f_right)
+    Ji_9_new_e_lo = Ji_9_new_e_lo2 + (Ji_9_new_c_lo1 + (D_ij_20 * RI_0_lo + D_ij_21 * RI_1_lo))
     Ji_9_new_g = d_2 * p_0
     Ji_9_new = Ji_9_new_f - Ji_9_new_g
     Ji_9_new_right = Ji_9_new_f - Ji_9_new
-    Ji_9_new_right_rest = product_rest(d_2, p_0, Ji_9_new_g, Ji_9_new_right)
-    Ji_9_new_lo1 = Ji_9_new_f - (Ji_9_new + Ji_9_new_right) - Ji_9_new_right_rest
-    Ji_9_new_f_lo = Ji_9_new_f_lo1 + (Ji_9_new_e_lo1 + D_ij_22 * RI_2_lo + Ji_9_new_c_lo)
+    Ji_9_new_lo2 = (Ji_9_new_f - (Ji_9_new + Ji_9_new_right)
+        - product_rest(d_2, p_0, Ji_9_new_g, Ji_9_new_right) - (d_2_lo * p_0 + d_2 * p_0_lo))
     m_rounded = m + m_lo
-    Ji_1_new_lo = Ji_1 - (Ji_1_new - Ji_1_new_right) + Ji_1_new_right_rest + Jj_0 * c_0_lo
-    Ji_1_new_rounded = Ji_1_new + Ji_1_new_lo
-    Ji_2_new_lo = Ji_2 - (Ji_2_new - Ji_2_new_right) + Ji_2_new_right_rest + Jj_0 * c_1_lo
-    Ji_2_new_rounded = Ji_2_new + Ji_2_new_lo
-    Ji_3_new_lo = Ji_3 - (Ji_3_new - Ji_3_new_right) + Ji_3_new_right_rest + Jj_0 * c_2_lo
-    Ji_3_new_rounded = Ji_3_new + Ji_3_new_lo
-    Ji_4_new_rounded = Ji_4_new + (Ji_4_new_lo2 + Ji_4_new_f_lo)
-    Ji_5_new_rounded = Ji_5_new + (Ji_5_new_lo2 + Ji_5_new_f_lo)
+    Ji_1_new_rounded = (Ji_1_new
+        + (Ji_1 - (Ji_1_new - Ji_1_new_right) + product_rest(Jj_0, c_0, Ji_1_new_a, Ji_1_new_right)
+        + Jj_0 * c_0_lo))
+    Ji_2_new_rounded = (Ji_2_new
+        + (Ji_2 - (Ji_2_new - Ji_2_new_right) + product_rest(Jj_0, c_1, Ji_2_new_a, Ji_2_new_right)
+        + Jj_0 * c_1_lo))
+    Ji_3_new_rounded = (Ji_3_new
+        + (Ji_3 - (Ji_3_new - Ji_3_new_right) + product_rest(Jj_0, c_2, Ji_3_new_a, Ji_3_new_right)
+        + Jj_0 * c_2_lo))
+    Ji_4_new_rounded = (Ji_4_new
+        + (Ji_4_new_lo2
+        + (Ji_4 - (Ji_4_new_f - Ji_4_new_f_right) + (Ji_4_new_e - Ji_4_new_f_right)
+        + Ji_4_new_e_lo)))
+    Ji_5_new_rounded = (Ji_5_new
+        + (Ji_5_new_lo2
+        + (Ji_5 - (Ji_5_new_f - Ji_5_new_f_right) + (Ji_5_new_e - Ji_5_new_f_right)
+        + Ji_5_new_e_lo)))
     Ji_6_new_rounded = Ji_6_new + (Ji_6_new_lo2 + Ji_6_new_f_lo)
-    Ji_7_new_rounded = Ji_7_new + (Ji_7_new_lo1 - (d_1_lo * p_0 + d_1 * p_0_lo) + Ji_7_new_f_lo)
-    Ji_8_new_rounded = Ji_8_new + (Ji_8_new_lo1 - (d_2_lo * p_1 + d_2 * p_1_lo) + Ji_8_new_f_lo)
-    Ji_9_new_rounded = Ji_9_new + (Ji_9_new_lo1 - (d_2_lo * p_0 + d_2 * p_0_lo) + Ji_9_new_f_lo)
+    Ji_7_new_rounded = (Ji_7_new
+        + (Ji_7_new_lo2
+        + (Ji_7 - (Ji_7_new_f - Ji_7_new_f_right) + (Ji_7_new_e - Ji_7_new_f_right)
+        + Ji_7_new_e_lo)))
+    Ji_8_new_rounded = (Ji_8_new
+        + (Ji_8_new_lo2
+        + (Ji_8 - (Ji_8_new_f - Ji_8_new_f_right) + (Ji_8_new_e - Ji_8_new_f_right)
+        + Ji_8_new_e_lo)))
+    Ji_9_new_rounded = (Ji_9_new
+        + (Ji_9_new_lo2
+        + (Ji_9 - (Ji_9_new_f - Ji_9_new_f_right) + (Ji_9_new_e - Ji_9_new_f_right)
+        + Ji_9_new_e_lo)))
     m_final = where(m_rounded == m_rounded, m_rounded, m)
     Ji_1_new_final = where(Ji_1_new_rounded == Ji_1_new_rounded, Ji_1_new_rounded, Ji_1_new)
     Ji_2_new_final = where(Ji_2_new_rounded == Ji_2_new_rounded, Ji_2_new_rounded, Ji_2_new)

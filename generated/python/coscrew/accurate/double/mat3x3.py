@@ -31,7 +31,6 @@ def acceleration_tensor(w, dw):
     ww_5 = w_1 * w_2
     Ro_00a = ww_1 + ww_2
     Ro_00a_right = Ro_00a - ww_1
-    Ro_00a_left_rest = product_rest(w_1, w_1, ww_1, Ro_00a - Ro_00a_right)
     Ro_00 = -Ro_00a
     Ro_01 = ww_3 - dw_2
     Ro_01_right = ww_3 - Ro_01
@@ -41,7 +40,6 @@ def acceleration_tensor(w, dw):
     Ro_10_right = Ro_10 - dw_2
     Ro_11a = ww_0 + ww_2
     Ro_11a_right = Ro_11a - ww_0
-    Ro_11a_left_rest = product_rest(w_0, w_0, ww_0, Ro_11a - Ro_11a_right)
     Ro_11 = -Ro_11a
     Ro_12 = ww_5 - dw_0
     Ro_12_right = ww_5 - Ro_12
@@ -51,23 +49,28 @@ def acceleration_tensor(w, dw):
     Ro_21_right = Ro_21 - dw_0
     Ro_22a = ww_0 + ww_1
     Ro_22a_right = Ro_22a - ww_0
-    Ro_22a_left_rest = product_rest(w_0, w_0, ww_0, Ro_22a - Ro_22a_right)
     Ro_22 = -Ro_22a
-    Ro_00_rounded = Ro_00 + -(Ro_00a_left_rest + product_rest(w_2, w_2, ww_2, Ro_00a_right))
-    Ro_01_lo = product_rest(w_0, w_1, ww_3, Ro_01 + Ro_01_right) - (dw_2 - Ro_01_right)
-    Ro_01_rounded = Ro_01 + Ro_01_lo
-    Ro_02_lo = dw_1 - (Ro_02 - Ro_02_right) + product_rest(w_0, w_2, ww_4, Ro_02_right)
-    Ro_02_rounded = Ro_02 + Ro_02_lo
-    Ro_10_lo = dw_2 - (Ro_10 - Ro_10_right) + product_rest(w_0, w_1, ww_3, Ro_10_right)
-    Ro_10_rounded = Ro_10 + Ro_10_lo
-    Ro_11_rounded = Ro_11 + -(Ro_11a_left_rest + product_rest(w_2, w_2, ww_2, Ro_11a_right))
-    Ro_12_lo = product_rest(w_1, w_2, ww_5, Ro_12 + Ro_12_right) - (dw_0 - Ro_12_right)
-    Ro_12_rounded = Ro_12 + Ro_12_lo
-    Ro_20_lo = product_rest(w_0, w_2, ww_4, Ro_20 + Ro_20_right) - (dw_1 - Ro_20_right)
-    Ro_20_rounded = Ro_20 + Ro_20_lo
-    Ro_21_lo = dw_0 - (Ro_21 - Ro_21_right) + product_rest(w_1, w_2, ww_5, Ro_21_right)
-    Ro_21_rounded = Ro_21 + Ro_21_lo
-    Ro_22_rounded = Ro_22 + -(Ro_22a_left_rest + product_rest(w_1, w_1, ww_1, Ro_22a_right))
+    Ro_00_rounded = (Ro_00 +
+        -(product_rest(w_1, w_1, ww_1, Ro_00a - Ro_00a_right)
+        + product_rest(w_2, w_2, ww_2, Ro_00a_right)))
+    Ro_01_rounded = (Ro_01
+        + (product_rest(w_0, w_1, ww_3, Ro_01 + Ro_01_right) - (dw_2 - Ro_01_right)))
+    Ro_02_rounded = (Ro_02
+        + (dw_1 - (Ro_02 - Ro_02_right) + product_rest(w_0, w_2, ww_4, Ro_02_right)))
+    Ro_10_rounded = (Ro_10
+        + (dw_2 - (Ro_10 - Ro_10_right) + product_rest(w_0, w_1, ww_3, Ro_10_right)))
+    Ro_11_rounded = (Ro_11 +
+        -(product_rest(w_0, w_0, ww_0, Ro_11a - Ro_11a_right)
+        + product_rest(w_2, w_2, ww_2, Ro_11a_right)))
+    Ro_12_rounded = (Ro_12
+        + (product_rest(w_1, w_2, ww_5, Ro_12 + Ro_12_right) - (dw_0 - Ro_12_right)))
+    Ro_20_rounded = (Ro_20
+        + (product_rest(w_0, w_2, ww_4, Ro_20 + Ro_20_right) - (dw_1 - Ro_20_right)))
+    Ro_21_rounded = (Ro_21
+        + (dw_0 - (Ro_21 - Ro_21_right) + product_rest(w_1, w_2, ww_5, Ro_21_right)))
+    Ro_22_rounded = (Ro_22 +
+        -(product_rest(w_0, w_0, ww_0, Ro_22a - Ro_22a_right)
+        + product_rest(w_1, w_1, ww_1, Ro_22a_right)))
     return (Ro_00_rounded, Ro_01_rounded, Ro_02_rounded, Ro_10_rounded, Ro_11_rounded,
         Ro_12_rounded, Ro_20_rounded, Ro_21_rounded, Ro_22_rounded)
 
@@ -85,31 +88,35 @@ def mat3x3_determinant(R):
     n_0b = R_12 * R_21
     n_0 = n_0a - n_0b
     n_0_right = n_0a - n_0
-    n_0_left_rest = product_rest(R_11, R_22, n_0a, n_0 + n_0_right)
     n_1a = R_02 * R_21
     n_1b = R_01 * R_22
     n_1 = n_1a - n_1b
     n_1_right = n_1a - n_1
-    n_1_left_rest = product_rest(R_02, R_21, n_1a, n_1 + n_1_right)
     n_2a = R_01 * R_12
     n_2b = R_02 * R_11
     n_2 = n_2a - n_2b
     n_2_right = n_2a - n_2
-    n_2_left_rest = product_rest(R_01, R_12, n_2a, n_2 + n_2_right)
     det_a = R_00 * n_0
     det_b = R_10 * n_1
     det_c = det_a + det_b
     det_c_right = det_c - det_a
-    det_a_cross2 = R_00 * (n_0_left_rest - product_rest(R_12, R_21, n_0b, n_0_right))
-    det_c_left_rest = product_rest(R_00, n_0, det_a, det_c - det_c_right)
-    det_c_cross = det_a_cross2 + R_10 * (n_1_left_rest - product_rest(R_01, R_22, n_1b, n_1_right))
+    det_a_cross2 = (R_00
+        * (product_rest(R_11, R_22, n_0a, n_0 + n_0_right)
+        - product_rest(R_12, R_21, n_0b, n_0_right)))
+    det_c_cross = (det_a_cross2 + R_10
+        * (product_rest(R_02, R_21, n_1a, n_1 + n_1_right)
+        - product_rest(R_01, R_22, n_1b, n_1_right)))
     det_d = R_20 * n_2
     det = det_c + det_d
     det_right = det - det_c
-    det_lo1 = det_c - (det - det_right) + product_rest(R_20, n_2, det_d, det_right)
-    det_lo2 = det_lo1 + R_20 * (n_2_left_rest - product_rest(R_02, R_11, n_2b, n_2_right))
-    det_lo = det_lo2 + (det_c_left_rest + product_rest(R_10, n_1, det_b, det_c_right) + det_c_cross)
-    det_rounded = det + det_lo
+    det_d_cross2 = (R_20
+        * (product_rest(R_01, R_12, n_2a, n_2 + n_2_right)
+        - product_rest(R_02, R_11, n_2b, n_2_right)))
+    det_c_lo = (product_rest(R_00, n_0, det_a, det_c - det_c_right)
+        + product_rest(R_10, n_1, det_b, det_c_right) + det_c_cross)
+    det_rounded = (det
+        + (det_c - (det - det_right) + product_rest(R_20, n_2, det_d, det_right) + det_d_cross2
+        + det_c_lo))
     return det_rounded
 
 
@@ -143,15 +150,16 @@ def mat3x3_inverse(R):
     R_largest6 = where(R_largest5 < R_size_6, R_size_6, R_largest5)
     R_largest7 = where(R_largest6 < R_size_7, R_size_7, R_largest6)
     R_largest8 = where(R_largest7 < R_size_8, R_size_8, R_largest7)
-    s_a = R_largest8 < 8.452712498170644e+270
     s_c = R_largest8 < 4.149515568880993e+180
-    s_b = where(s_a, float64(2.409919865102884e-181), float64(1.1830521861667747e-271))
     s_e = R_largest8 < 2.037035976334486e+90
+    s_d = (where(s_c, 4.909093465297727e-91, where(R_largest8
+        < 8.452712498170644e+270, float64(2.409919865102884e-181),
+            float64(1.1830521861667747e-271))))
     s_g = R_largest8 < 1
     s_i = R_largest8 < 4.909093465297727e-91
-    s_h = where(s_g, 2.037035976334486e+90, where(s_e, 1, where(s_c, 4.909093465297727e-91, s_b)))
     s_k = R_largest8 < 2.409919865102884e-181
-    s = where(s_k, 8.452712498170644e+270, where(s_i, 4.149515568880993e+180, s_h))
+    s = where(s_k, 8.452712498170644e+270, where(s_i, 4.149515568880993e+180, where(s_g,
+        2.037035976334486e+90, where(s_e, 1, s_d))))
     A_0 = R_00 * s
     A_1 = R_01 * s
     A_2 = R_02 * s
@@ -165,67 +173,66 @@ def mat3x3_inverse(R):
     n0_0b = A_5 * A_7
     n0_0 = n0_0a - n0_0b
     n0_0_right = n0_0a - n0_0
-    n0_0_left_rest = product_rest(A_4, A_8, n0_0a, n0_0 + n0_0_right)
-    n0_0_lo = n0_0_left_rest - product_rest(A_5, A_7, n0_0b, n0_0_right)
+    n0_0_lo = (product_rest(A_4, A_8, n0_0a, n0_0 + n0_0_right)
+        - product_rest(A_5, A_7, n0_0b, n0_0_right))
     n0_1a = A_2 * A_7
     n0_1b = A_1 * A_8
     n0_1 = n0_1a - n0_1b
     n0_1_right = n0_1a - n0_1
-    n0_1_left_rest = product_rest(A_2, A_7, n0_1a, n0_1 + n0_1_right)
-    n0_1_lo = n0_1_left_rest - product_rest(A_1, A_8, n0_1b, n0_1_right)
+    n0_1_lo = (product_rest(A_2, A_7, n0_1a, n0_1 + n0_1_right)
+        - product_rest(A_1, A_8, n0_1b, n0_1_right))
     n0_2a = A_1 * A_5
     n0_2b = A_2 * A_4
     n0_2 = n0_2a - n0_2b
     n0_2_right = n0_2a - n0_2
-    n0_2_left_rest = product_rest(A_1, A_5, n0_2a, n0_2 + n0_2_right)
-    n0_2_lo = n0_2_left_rest - product_rest(A_2, A_4, n0_2b, n0_2_right)
+    n0_2_lo = (product_rest(A_1, A_5, n0_2a, n0_2 + n0_2_right)
+        - product_rest(A_2, A_4, n0_2b, n0_2_right))
     n1_0a = A_5 * A_6
     n1_0b = A_3 * A_8
     n1_0 = n1_0a - n1_0b
     n1_0_right = n1_0a - n1_0
-    n1_0_left_rest = product_rest(A_5, A_6, n1_0a, n1_0 + n1_0_right)
-    n1_0_lo = n1_0_left_rest - product_rest(A_3, A_8, n1_0b, n1_0_right)
+    n1_0_lo = (product_rest(A_5, A_6, n1_0a, n1_0 + n1_0_right)
+        - product_rest(A_3, A_8, n1_0b, n1_0_right))
     n1_1a = A_0 * A_8
     n1_1b = A_2 * A_6
     n1_1 = n1_1a - n1_1b
     n1_1_right = n1_1a - n1_1
-    n1_1_left_rest = product_rest(A_0, A_8, n1_1a, n1_1 + n1_1_right)
-    n1_1_lo = n1_1_left_rest - product_rest(A_2, A_6, n1_1b, n1_1_right)
+    n1_1_lo = (product_rest(A_0, A_8, n1_1a, n1_1 + n1_1_right)
+        - product_rest(A_2, A_6, n1_1b, n1_1_right))
     n1_2a = A_2 * A_3
     n1_2b = A_0 * A_5
     n1_2 = n1_2a - n1_2b
     n1_2_right = n1_2a - n1_2
-    n1_2_left_rest = product_rest(A_2, A_3, n1_2a, n1_2 + n1_2_right)
-    n1_2_lo = n1_2_left_rest - product_rest(A_0, A_5, n1_2b, n1_2_right)
+    n1_2_lo = (product_rest(A_2, A_3, n1_2a, n1_2 + n1_2_right)
+        - product_rest(A_0, A_5, n1_2b, n1_2_right))
     n2_0a = A_3 * A_7
     n2_0b = A_4 * A_6
     n2_0 = n2_0a - n2_0b
     n2_0_right = n2_0a - n2_0
-    n2_0_left_rest = product_rest(A_3, A_7, n2_0a, n2_0 + n2_0_right)
-    n2_0_lo = n2_0_left_rest - product_rest(A_4, A_6, n2_0b, n2_0_right)
+    n2_0_lo = (product_rest(A_3, A_7, n2_0a, n2_0 + n2_0_right)
+        - product_rest(A_4, A_6, n2_0b, n2_0_right))
     n2_1a = A_1 * A_6
     n2_1b = A_0 * A_7
     n2_1 = n2_1a - n2_1b
     n2_1_right = n2_1a - n2_1
-    n2_1_left_rest = product_rest(A_1, A_6, n2_1a, n2_1 + n2_1_right)
-    n2_1_lo = n2_1_left_rest - product_rest(A_0, A_7, n2_1b, n2_1_right)
+    n2_1_lo = (product_rest(A_1, A_6, n2_1a, n2_1 + n2_1_right)
+        - product_rest(A_0, A_7, n2_1b, n2_1_right))
     n2_2a = A_0 * A_4
     n2_2b = A_1 * A_3
     n2_2 = n2_2a - n2_2b
     n2_2_right = n2_2a - n2_2
-    n2_2_left_rest = product_rest(A_0, A_4, n2_2a, n2_2 + n2_2_right)
-    n2_2_lo = n2_2_left_rest - product_rest(A_1, A_3, n2_2b, n2_2_right)
+    n2_2_lo = (product_rest(A_0, A_4, n2_2a, n2_2 + n2_2_right)
+        - product_rest(A_1, A_3, n2_2b, n2_2_right))
     d_a = A_0 * n0_0
     d_b = A_3 * n0_1
     d_c = d_a + d_b
     d_c_right = d_c - d_a
-    d_c_left_rest = product_rest(A_0, n0_0, d_a, d_c - d_c_right)
-    d_c_lo1 = d_c_left_rest + product_rest(A_3, n0_1, d_b, d_c_right)
     d_d = A_6 * n0_2
     d = d_c + d_d
     d_right = d - d_c
-    d_lo2 = d_c - (d - d_right) + product_rest(A_6, n0_2, d_d, d_right) + A_6 * n0_2_lo
-    d_lo = d_lo2 + (d_c_lo1 + (A_0 * n0_0_lo + A_3 * n0_1_lo))
+    d_c_lo = (product_rest(A_0, n0_0, d_a, d_c - d_c_right)
+        + product_rest(A_3, n0_1, d_b, d_c_right) + (A_0 * n0_0_lo + A_3 * n0_1_lo))
+    d_lo = d_c - (d - d_right) + product_rest(A_6, n0_2, d_d, d_right) + A_6 * n0_2_lo + d_c_lo
     size0_0 = absolute(A_0)
     size0_1 = absolute(A_3)
     size0_2 = absolute(A_6)
@@ -239,260 +246,208 @@ def mat3x3_inverse(R):
     permanent_b = size1_2 * size2_1
     permanent_c = permanent_a + permanent_b
     permanent_c_right = permanent_c - permanent_a
-    permanent_c_left = permanent_c - permanent_c_right
-    permanent_c_right_rest = product_rest(size1_2, size2_1, permanent_b, permanent_c_right)
-    permanent_c_left_rest = product_rest(size1_1, size2_2, permanent_a, permanent_c_left)
+    permanent_c_left_rest = (product_rest(size1_1, size2_2, permanent_a, permanent_c
+        - permanent_c_right))
     permanent_d = size0_0 * permanent_c
     permanent_e = size1_0 * size2_2
     permanent_f = size1_2 * size2_0
     permanent_g = permanent_e + permanent_f
     permanent_g_right = permanent_g - permanent_e
-    permanent_g_left = permanent_g - permanent_g_right
-    permanent_g_right_rest = product_rest(size1_2, size2_0, permanent_f, permanent_g_right)
-    permanent_g_left_rest = product_rest(size1_0, size2_2, permanent_e, permanent_g_left)
+    permanent_g_left_rest = (product_rest(size1_0, size2_2, permanent_e, permanent_g
+        - permanent_g_right))
     permanent_h = size0_1 * permanent_g
     permanent_i = permanent_d + permanent_h
     permanent_i_right = permanent_i - permanent_d
-    permanent_i_left = permanent_i - permanent_i_right
-    permanent_d_cross2 = size0_0 * (permanent_c_left_rest + permanent_c_right_rest)
-    permanent_h_cross2 = size0_1 * (permanent_g_left_rest + permanent_g_right_rest)
-    permanent_i_right_rest = product_rest(size0_1, permanent_g, permanent_h, permanent_i_right)
-    permanent_i_left_rest = product_rest(size0_0, permanent_c, permanent_d, permanent_i_left)
-    permanent_i_lo1 = permanent_i_left_rest + permanent_i_right_rest
+    permanent_d_cross2 = (size0_0
+        * (permanent_c_left_rest + product_rest(size1_2, size2_1, permanent_b, permanent_c_right)))
+    permanent_i_left_rest = (product_rest(size0_0, permanent_c, permanent_d, permanent_i
+        - permanent_i_right))
+    permanent_i_cross = (permanent_d_cross2 + size0_1
+        * (permanent_g_left_rest + product_rest(size1_2, size2_0, permanent_f, permanent_g_right)))
     permanent_j = size1_0 * size2_1
     permanent_k = size1_1 * size2_0
     permanent_l = permanent_j + permanent_k
     permanent_l_right = permanent_l - permanent_j
-    permanent_l_left = permanent_l - permanent_l_right
-    permanent_l_right_rest = product_rest(size1_1, size2_0, permanent_k, permanent_l_right)
-    permanent_l_left_rest = product_rest(size1_0, size2_1, permanent_j, permanent_l_left)
+    permanent_l_left_rest = (product_rest(size1_0, size2_1, permanent_j, permanent_l
+        - permanent_l_right))
     permanent_m = size0_2 * permanent_l
     permanent = permanent_i + permanent_m
     permanent_right = permanent - permanent_i
-    permanent_right_rest = product_rest(size0_2, permanent_l, permanent_m, permanent_right)
-    permanent_lo1 = permanent_i - (permanent - permanent_right) + permanent_right_rest
-    permanent_lo2 = permanent_lo1 + size0_2 * (permanent_l_left_rest + permanent_l_right_rest)
+    permanent_lo1 = (permanent_i - (permanent - permanent_right)
+        + product_rest(size0_2, permanent_l, permanent_m, permanent_right))
+    permanent_lo2 = (permanent_lo1 + size0_2
+        * (permanent_l_left_rest + product_rest(size1_1, size2_0, permanent_k, permanent_l_right)))
     top = R_largest8 * s
     spoiled = top * 1.6489340850168661e-229
     least_a = permanent * 8.881784197001252e-16
-    permanent_lo = permanent_lo2 + (permanent_i_lo1 + (permanent_d_cross2 + permanent_h_cross2))
+    permanent_lo = (permanent_lo2
+        + (permanent_i_left_rest
+        + product_rest(size0_1, permanent_g, permanent_h, permanent_i_right) + permanent_i_cross))
     least_b = top * top
     least_c = spoiled * least_b
     least = least_a + least_c
     least_right = least - least_a
-    least_left_rest = product_rest(permanent, 8.881784197001252e-16, least_a, least - least_right)
-    least_cross = permanent_lo * 8.881784197001252e-16 + spoiled * product_error(top, top, least_b)
-    regular_a_of_d = d + d_lo
-    regular_a_of_d_right = regular_a_of_d - d
-    regular_a_of_d_lo = d - (regular_a_of_d - regular_a_of_d_right) + (d_lo - regular_a_of_d_right)
-    least_lo = least_left_rest + product_rest(spoiled, least_b, least_c, least_right) + least_cross
-    regular_a_lo = where(regular_a_of_d < 0, -regular_a_of_d_lo, regular_a_of_d_lo)
-    regular_b = least + least_lo < absolute(regular_a_of_d) + regular_a_lo
-    regular = where(regular_b, float64(1), float64(0))
+    least_lo1 = (product_rest(permanent, 8.881784197001252e-16, least_a, least - least_right)
+        + product_rest(spoiled, least_b, least_c, least_right))
+    d_sum = d + d_lo
+    d_sum_right = d_sum - d
+    d_sum_lo = d - (d_sum - d_sum_right) + (d_lo - d_sum_right)
+    least_sum = (least
+        + (least_lo1
+        + (permanent_lo * 8.881784197001252e-16 + spoiled * product_error(top, top, least_b))))
+    regular = (where(least_sum < absolute(d_sum)
+        + where(d_sum < 0, -d_sum_lo, d_sum_lo), float64(1), float64(0)))
     divisor_a = regular == 1
-    divisor = where(divisor_a, regular_a_of_d, 1)
-    divisor_lo = where(divisor_a, regular_a_of_d_lo, 0)
-    quotient_0_of_n0_0 = n0_0 + n0_0_lo
-    quotient_0_of_n0_0_right = quotient_0_of_n0_0 - n0_0
-    quotient_0_of_n0_0_left_rest = n0_0 - (quotient_0_of_n0_0 - quotient_0_of_n0_0_right)
-    quotient_0_of_divisor = divisor + divisor_lo
-    quotient_0_of_divisor_right = quotient_0_of_divisor - divisor
-    quotient_0_of_divisor_left = quotient_0_of_divisor - quotient_0_of_divisor_right
-    quotient_0_of_divisor_right_rest = divisor_lo - quotient_0_of_divisor_right
-    quotient_0_of_divisor_left_rest = divisor - quotient_0_of_divisor_left
-    quotient_0_of_divisor_lo = quotient_0_of_divisor_left_rest + quotient_0_of_divisor_right_rest
-    quotient_0 = quotient_0_of_n0_0 / quotient_0_of_divisor
-    quotient_0_product = quotient_0 * quotient_0_of_divisor
-    quotient_0_product_error = product_error(quotient_0, quotient_0_of_divisor, quotient_0_product)
-    quotient_0_of_n0_0_lo = quotient_0_of_n0_0_left_rest + (n0_0_lo - quotient_0_of_n0_0_right)
-    quotient_0_exact = quotient_0_of_n0_0 - quotient_0_product - quotient_0_product_error
-    quotient_0_numerator = quotient_0_exact + quotient_0_of_n0_0_lo
-    quotient_0_residual = quotient_0_numerator - quotient_0 * quotient_0_of_divisor_lo
-    quotient_0_lo = quotient_0_residual / quotient_0_of_divisor
-    quotient_1_of_n0_1 = n0_1 + n0_1_lo
-    quotient_1_of_n0_1_right = quotient_1_of_n0_1 - n0_1
-    quotient_1_of_n0_1_left_rest = n0_1 - (quotient_1_of_n0_1 - quotient_1_of_n0_1_right)
-    quotient_1 = quotient_1_of_n0_1 / quotient_0_of_divisor
-    quotient_1_product = quotient_1 * quotient_0_of_divisor
-    quotient_1_product_error = product_error(quotient_1, quotient_0_of_divisor, quotient_1_product)
-    quotient_1_of_n0_1_lo = quotient_1_of_n0_1_left_rest + (n0_1_lo - quotient_1_of_n0_1_right)
-    quotient_1_exact = quotient_1_of_n0_1 - quotient_1_product - quotient_1_product_error
-    quotient_1_numerator = quotient_1_exact + quotient_1_of_n0_1_lo
-    quotient_1_residual = quotient_1_numerator - quotient_1 * quotient_0_of_divisor_lo
-    quotient_1_lo = quotient_1_residual / quotient_0_of_divisor
-    quotient_2_of_n0_2 = n0_2 + n0_2_lo
-    quotient_2_of_n0_2_right = quotient_2_of_n0_2 - n0_2
-    quotient_2_of_n0_2_left_rest = n0_2 - (quotient_2_of_n0_2 - quotient_2_of_n0_2_right)
-    quotient_2 = quotient_2_of_n0_2 / quotient_0_of_divisor
-    quotient_2_product = quotient_2 * quotient_0_of_divisor
-    quotient_2_product_error = product_error(quotient_2, quotient_0_of_divisor, quotient_2_product)
-    quotient_2_of_n0_2_lo = quotient_2_of_n0_2_left_rest + (n0_2_lo - quotient_2_of_n0_2_right)
-    quotient_2_exact = quotient_2_of_n0_2 - quotient_2_product - quotient_2_product_error
-    quotient_2_numerator = quotient_2_exact + quotient_2_of_n0_2_lo
-    quotient_2_residual = quotient_2_numerator - quotient_2 * quotient_0_of_divisor_lo
-    quotient_2_lo = quotient_2_residual / quotient_0_of_divisor
-    quotient_3_of_n1_0 = n1_0 + n1_0_lo
-    quotient_3_of_n1_0_right = quotient_3_of_n1_0 - n1_0
-    quotient_3_of_n1_0_left_rest = n1_0 - (quotient_3_of_n1_0 - quotient_3_of_n1_0_right)
-    quotient_3 = quotient_3_of_n1_0 / quotient_0_of_divisor
-    quotient_3_product = quotient_3 * quotient_0_of_divisor
-    quotient_3_product_error = product_error(quotient_3, quotient_0_of_divisor, quotient_3_product)
-    quotient_3_of_n1_0_lo = quotient_3_of_n1_0_left_rest + (n1_0_lo - quotient_3_of_n1_0_right)
-    quotient_3_exact = quotient_3_of_n1_0 - quotient_3_product - quotient_3_product_error
-    quotient_3_numerator = quotient_3_exact + quotient_3_of_n1_0_lo
-    quotient_3_residual = quotient_3_numerator - quotient_3 * quotient_0_of_divisor_lo
-    quotient_3_lo = quotient_3_residual / quotient_0_of_divisor
-    quotient_4_of_n1_1 = n1_1 + n1_1_lo
-    quotient_4_of_n1_1_right = quotient_4_of_n1_1 - n1_1
-    quotient_4_of_n1_1_left_rest = n1_1 - (quotient_4_of_n1_1 - quotient_4_of_n1_1_right)
-    quotient_4 = quotient_4_of_n1_1 / quotient_0_of_divisor
-    quotient_4_product = quotient_4 * quotient_0_of_divisor
-    quotient_4_product_error = product_error(quotient_4, quotient_0_of_divisor, quotient_4_product)
-    quotient_4_of_n1_1_lo = quotient_4_of_n1_1_left_rest + (n1_1_lo - quotient_4_of_n1_1_right)
-    quotient_4_exact = quotient_4_of_n1_1 - quotient_4_product - quotient_4_product_error
-    quotient_4_numerator = quotient_4_exact + quotient_4_of_n1_1_lo
-    quotient_4_residual = quotient_4_numerator - quotient_4 * quotient_0_of_divisor_lo
-    quotient_4_lo = quotient_4_residual / quotient_0_of_divisor
-    quotient_5_of_n1_2 = n1_2 + n1_2_lo
-    quotient_5_of_n1_2_right = quotient_5_of_n1_2 - n1_2
-    quotient_5_of_n1_2_left_rest = n1_2 - (quotient_5_of_n1_2 - quotient_5_of_n1_2_right)
-    quotient_5 = quotient_5_of_n1_2 / quotient_0_of_divisor
-    quotient_5_product = quotient_5 * quotient_0_of_divisor
-    quotient_5_product_error = product_error(quotient_5, quotient_0_of_divisor, quotient_5_product)
-    quotient_5_of_n1_2_lo = quotient_5_of_n1_2_left_rest + (n1_2_lo - quotient_5_of_n1_2_right)
-    quotient_5_exact = quotient_5_of_n1_2 - quotient_5_product - quotient_5_product_error
-    quotient_5_numerator = quotient_5_exact + quotient_5_of_n1_2_lo
-    quotient_5_residual = quotient_5_numerator - quotient_5 * quotient_0_of_divisor_lo
-    quotient_5_lo = quotient_5_residual / quotient_0_of_divisor
-    quotient_6_of_n2_0 = n2_0 + n2_0_lo
-    quotient_6_of_n2_0_right = quotient_6_of_n2_0 - n2_0
-    quotient_6_of_n2_0_left_rest = n2_0 - (quotient_6_of_n2_0 - quotient_6_of_n2_0_right)
-    quotient_6 = quotient_6_of_n2_0 / quotient_0_of_divisor
-    quotient_6_product = quotient_6 * quotient_0_of_divisor
-    quotient_6_product_error = product_error(quotient_6, quotient_0_of_divisor, quotient_6_product)
-    quotient_6_of_n2_0_lo = quotient_6_of_n2_0_left_rest + (n2_0_lo - quotient_6_of_n2_0_right)
-    quotient_6_exact = quotient_6_of_n2_0 - quotient_6_product - quotient_6_product_error
-    quotient_6_numerator = quotient_6_exact + quotient_6_of_n2_0_lo
-    quotient_6_residual = quotient_6_numerator - quotient_6 * quotient_0_of_divisor_lo
-    quotient_6_lo = quotient_6_residual / quotient_0_of_divisor
-    quotient_7_of_n2_1 = n2_1 + n2_1_lo
-    quotient_7_of_n2_1_right = quotient_7_of_n2_1 - n2_1
-    quotient_7_of_n2_1_left_rest = n2_1 - (quotient_7_of_n2_1 - quotient_7_of_n2_1_right)
-    quotient_7 = quotient_7_of_n2_1 / quotient_0_of_divisor
-    quotient_7_product = quotient_7 * quotient_0_of_divisor
-    quotient_7_product_error = product_error(quotient_7, quotient_0_of_divisor, quotient_7_product)
-    quotient_7_of_n2_1_lo = quotient_7_of_n2_1_left_rest + (n2_1_lo - quotient_7_of_n2_1_right)
-    quotient_7_exact = quotient_7_of_n2_1 - quotient_7_product - quotient_7_product_error
-    quotient_7_numerator = quotient_7_exact + quotient_7_of_n2_1_lo
-    quotient_7_residual = quotient_7_numerator - quotient_7 * quotient_0_of_divisor_lo
-    quotient_7_lo = quotient_7_residual / quotient_0_of_divisor
-    quotient_8_of_n2_2 = n2_2 + n2_2_lo
-    quotient_8_of_n2_2_right = quotient_8_of_n2_2 - n2_2
-    quotient_8_of_n2_2_left_rest = n2_2 - (quotient_8_of_n2_2 - quotient_8_of_n2_2_right)
-    quotient_8 = quotient_8_of_n2_2 / quotient_0_of_divisor
-    quotient_8_product = quotient_8 * quotient_0_of_divisor
-    quotient_8_product_error = product_error(quotient_8, quotient_0_of_divisor, quotient_8_product)
-    quotient_8_of_n2_2_lo = quotient_8_of_n2_2_left_rest + (n2_2_lo - quotient_8_of_n2_2_right)
-    quotient_8_exact = quotient_8_of_n2_2 - quotient_8_product - quotient_8_product_error
-    quotient_8_numerator = quotient_8_exact + quotient_8_of_n2_2_lo
-    quotient_8_residual = quotient_8_numerator - quotient_8 * quotient_0_of_divisor_lo
-    quotient_8_lo = quotient_8_residual / quotient_0_of_divisor
-    inverse_0_of_quotient_0 = quotient_0 + quotient_0_lo
-    inverse_0_of_quotient_0_right = inverse_0_of_quotient_0 - quotient_0
-    inverse_0_of_quotient_0_left = inverse_0_of_quotient_0 - inverse_0_of_quotient_0_right
-    inverse_0_of_quotient_0_right_rest = quotient_0_lo - inverse_0_of_quotient_0_right
-    inverse_0_of_quotient_0_left_rest = quotient_0 - inverse_0_of_quotient_0_left
-    inverse_0 = inverse_0_of_quotient_0 * s
+    divisor = where(divisor_a, d_sum, 1)
+    divisor_lo = where(divisor_a, d_sum_lo, 0)
+    n0_0_sum = n0_0 + n0_0_lo
+    n0_0_sum_right = n0_0_sum - n0_0
+    divisor_sum = divisor + divisor_lo
+    divisor_sum_right = divisor_sum - divisor
+    divisor_sum_lo = divisor - (divisor_sum - divisor_sum_right) + (divisor_lo - divisor_sum_right)
+    quotient_0 = n0_0_sum / divisor_sum
+    quotient_0_product = quotient_0 * divisor_sum
+    quotient_0_exact = (n0_0_sum - quotient_0_product
+        - product_error(quotient_0, divisor_sum, quotient_0_product))
+    quotient_0_lo = ((quotient_0_exact
+        + (n0_0 - (n0_0_sum - n0_0_sum_right) + (n0_0_lo - n0_0_sum_right)) - quotient_0
+        * divisor_sum_lo) / divisor_sum)
+    n0_1_sum = n0_1 + n0_1_lo
+    n0_1_sum_right = n0_1_sum - n0_1
+    quotient_1 = n0_1_sum / divisor_sum
+    quotient_1_product = quotient_1 * divisor_sum
+    quotient_1_exact = (n0_1_sum - quotient_1_product
+        - product_error(quotient_1, divisor_sum, quotient_1_product))
+    quotient_1_lo = ((quotient_1_exact
+        + (n0_1 - (n0_1_sum - n0_1_sum_right) + (n0_1_lo - n0_1_sum_right)) - quotient_1
+        * divisor_sum_lo) / divisor_sum)
+    n0_2_sum = n0_2 + n0_2_lo
+    n0_2_sum_right = n0_2_sum - n0_2
+    quotient_2 = n0_2_sum / divisor_sum
+    quotient_2_product = quotient_2 * divisor_sum
+    quotient_2_exact = (n0_2_sum - quotient_2_product
+        - product_error(quotient_2, divisor_sum, quotient_2_product))
+    quotient_2_lo = ((quotient_2_exact
+        + (n0_2 - (n0_2_sum - n0_2_sum_right) + (n0_2_lo - n0_2_sum_right)) - quotient_2
+        * divisor_sum_lo) / divisor_sum)
+    n1_0_sum = n1_0 + n1_0_lo
+    n1_0_sum_right = n1_0_sum - n1_0
+    quotient_3 = n1_0_sum / divisor_sum
+    quotient_3_product = quotient_3 * divisor_sum
+    quotient_3_exact = (n1_0_sum - quotient_3_product
+        - product_error(quotient_3, divisor_sum, quotient_3_product))
+    quotient_3_lo = ((quotient_3_exact
+        + (n1_0 - (n1_0_sum - n1_0_sum_right) + (n1_0_lo - n1_0_sum_right)) - quotient_3
+        * divisor_sum_lo) / divisor_sum)
+    n1_1_sum = n1_1 + n1_1_lo
+    n1_1_sum_right = n1_1_sum - n1_1
+    quotient_4 = n1_1_sum / divisor_sum
+    quotient_4_product = quotient_4 * divisor_sum
+    quotient_4_exact = (n1_1_sum - quotient_4_product
+        - product_error(quotient_4, divisor_sum, quotient_4_product))
+    quotient_4_lo = ((quotient_4_exact
+        + (n1_1 - (n1_1_sum - n1_1_sum_right) + (n1_1_lo - n1_1_sum_right)) - quotient_4
+        * divisor_sum_lo) / divisor_sum)
+    n1_2_sum = n1_2 + n1_2_lo
+    n1_2_sum_right = n1_2_sum - n1_2
+    quotient_5 = n1_2_sum / divisor_sum
+    quotient_5_product = quotient_5 * divisor_sum
+    quotient_5_exact = (n1_2_sum - quotient_5_product
+        - product_error(quotient_5, divisor_sum, quotient_5_product))
+    quotient_5_lo = ((quotient_5_exact
+        + (n1_2 - (n1_2_sum - n1_2_sum_right) + (n1_2_lo - n1_2_sum_right)) - quotient_5
+        * divisor_sum_lo) / divisor_sum)
+    n2_0_sum = n2_0 + n2_0_lo
+    n2_0_sum_right = n2_0_sum - n2_0
+    quotient_6 = n2_0_sum / divisor_sum
+    quotient_6_product = quotient_6 * divisor_sum
+    quotient_6_exact = (n2_0_sum - quotient_6_product
+        - product_error(quotient_6, divisor_sum, quotient_6_product))
+    quotient_6_lo = ((quotient_6_exact
+        + (n2_0 - (n2_0_sum - n2_0_sum_right) + (n2_0_lo - n2_0_sum_right)) - quotient_6
+        * divisor_sum_lo) / divisor_sum)
+    n2_1_sum = n2_1 + n2_1_lo
+    n2_1_sum_right = n2_1_sum - n2_1
+    quotient_7 = n2_1_sum / divisor_sum
+    quotient_7_product = quotient_7 * divisor_sum
+    quotient_7_exact = (n2_1_sum - quotient_7_product
+        - product_error(quotient_7, divisor_sum, quotient_7_product))
+    quotient_7_lo = ((quotient_7_exact
+        + (n2_1 - (n2_1_sum - n2_1_sum_right) + (n2_1_lo - n2_1_sum_right)) - quotient_7
+        * divisor_sum_lo) / divisor_sum)
+    n2_2_sum = n2_2 + n2_2_lo
+    n2_2_sum_right = n2_2_sum - n2_2
+    quotient_8 = n2_2_sum / divisor_sum
+    quotient_8_product = quotient_8 * divisor_sum
+    quotient_8_exact = (n2_2_sum - quotient_8_product
+        - product_error(quotient_8, divisor_sum, quotient_8_product))
+    quotient_8_lo = ((quotient_8_exact
+        + (n2_2 - (n2_2_sum - n2_2_sum_right) + (n2_2_lo - n2_2_sum_right)) - quotient_8
+        * divisor_sum_lo) / divisor_sum)
+    quotient_0_sum = quotient_0 + quotient_0_lo
+    quotient_0_sum_right = quotient_0_sum - quotient_0
+    inverse_0 = quotient_0_sum * s
     inverse_0_inverse = 1 / s
-    inverse_0_of_quotient_0_lo = inverse_0_of_quotient_0_left_rest + inverse_0_of_quotient_0_right_rest
-    inverse_0_lost = inverse_0_of_quotient_0 - inverse_0 * inverse_0_inverse
-    inverse_1_of_quotient_1 = quotient_1 + quotient_1_lo
-    inverse_1_of_quotient_1_right = inverse_1_of_quotient_1 - quotient_1
-    inverse_1_of_quotient_1_left = inverse_1_of_quotient_1 - inverse_1_of_quotient_1_right
-    inverse_1_of_quotient_1_right_rest = quotient_1_lo - inverse_1_of_quotient_1_right
-    inverse_1_of_quotient_1_left_rest = quotient_1 - inverse_1_of_quotient_1_left
-    inverse_1 = inverse_1_of_quotient_1 * s
-    inverse_1_of_quotient_1_lo = inverse_1_of_quotient_1_left_rest + inverse_1_of_quotient_1_right_rest
-    inverse_1_lost = inverse_1_of_quotient_1 - inverse_1 * inverse_0_inverse
-    inverse_2_of_quotient_2 = quotient_2 + quotient_2_lo
-    inverse_2_of_quotient_2_right = inverse_2_of_quotient_2 - quotient_2
-    inverse_2_of_quotient_2_left = inverse_2_of_quotient_2 - inverse_2_of_quotient_2_right
-    inverse_2_of_quotient_2_right_rest = quotient_2_lo - inverse_2_of_quotient_2_right
-    inverse_2_of_quotient_2_left_rest = quotient_2 - inverse_2_of_quotient_2_left
-    inverse_2 = inverse_2_of_quotient_2 * s
-    inverse_2_of_quotient_2_lo = inverse_2_of_quotient_2_left_rest + inverse_2_of_quotient_2_right_rest
-    inverse_2_lost = inverse_2_of_quotient_2 - inverse_2 * inverse_0_inverse
-    inverse_3_of_quotient_3 = quotient_3 + quotient_3_lo
-    inverse_3_of_quotient_3_right = inverse_3_of_quotient_3 - quotient_3
-    inverse_3_of_quotient_3_left = inverse_3_of_quotient_3 - inverse_3_of_quotient_3_right
-    inverse_3_of_quotient_3_right_rest = quotient_3_lo - inverse_3_of_quotient_3_right
-    inverse_3_of_quotient_3_left_rest = quotient_3 - inverse_3_of_quotient_3_left
-    inverse_3 = inverse_3_of_quotient_3 * s
-    inverse_3_of_quotient_3_lo = inverse_3_of_quotient_3_left_rest + inverse_3_of_quotient_3_right_rest
-    inverse_3_lost = inverse_3_of_quotient_3 - inverse_3 * inverse_0_inverse
-    inverse_4_of_quotient_4 = quotient_4 + quotient_4_lo
-    inverse_4_of_quotient_4_right = inverse_4_of_quotient_4 - quotient_4
-    inverse_4_of_quotient_4_left = inverse_4_of_quotient_4 - inverse_4_of_quotient_4_right
-    inverse_4_of_quotient_4_right_rest = quotient_4_lo - inverse_4_of_quotient_4_right
-    inverse_4_of_quotient_4_left_rest = quotient_4 - inverse_4_of_quotient_4_left
-    inverse_4 = inverse_4_of_quotient_4 * s
-    inverse_4_of_quotient_4_lo = inverse_4_of_quotient_4_left_rest + inverse_4_of_quotient_4_right_rest
-    inverse_4_lost = inverse_4_of_quotient_4 - inverse_4 * inverse_0_inverse
-    inverse_5_of_quotient_5 = quotient_5 + quotient_5_lo
-    inverse_5_of_quotient_5_right = inverse_5_of_quotient_5 - quotient_5
-    inverse_5_of_quotient_5_left = inverse_5_of_quotient_5 - inverse_5_of_quotient_5_right
-    inverse_5_of_quotient_5_right_rest = quotient_5_lo - inverse_5_of_quotient_5_right
-    inverse_5_of_quotient_5_left_rest = quotient_5 - inverse_5_of_quotient_5_left
-    inverse_5 = inverse_5_of_quotient_5 * s
-    inverse_5_of_quotient_5_lo = inverse_5_of_quotient_5_left_rest + inverse_5_of_quotient_5_right_rest
-    inverse_5_lost = inverse_5_of_quotient_5 - inverse_5 * inverse_0_inverse
-    inverse_6_of_quotient_6 = quotient_6 + quotient_6_lo
-    inverse_6_of_quotient_6_right = inverse_6_of_quotient_6 - quotient_6
-    inverse_6_of_quotient_6_left = inverse_6_of_quotient_6 - inverse_6_of_quotient_6_right
-    inverse_6_of_quotient_6_right_rest = quotient_6_lo - inverse_6_of_quotient_6_right
-    inverse_6_of_quotient_6_left_rest = quotient_6 - inverse_6_of_quotient_6_left
-    inverse_6 = inverse_6_of_quotient_6 * s
-    inverse_6_of_quotient_6_lo = inverse_6_of_quotient_6_left_rest + inverse_6_of_quotient_6_right_rest
-    inverse_6_lost = inverse_6_of_quotient_6 - inverse_6 * inverse_0_inverse
-    inverse_7_of_quotient_7 = quotient_7 + quotient_7_lo
-    inverse_7_of_quotient_7_right = inverse_7_of_quotient_7 - quotient_7
-    inverse_7_of_quotient_7_left = inverse_7_of_quotient_7 - inverse_7_of_quotient_7_right
-    inverse_7_of_quotient_7_right_rest = quotient_7_lo - inverse_7_of_quotient_7_right
-    inverse_7_of_quotient_7_left_rest = quotient_7 - inverse_7_of_quotient_7_left
-    inverse_7 = inverse_7_of_quotient_7 * s
-    inverse_7_of_quotient_7_lo = inverse_7_of_quotient_7_left_rest + inverse_7_of_quotient_7_right_rest
-    inverse_7_lost = inverse_7_of_quotient_7 - inverse_7 * inverse_0_inverse
-    inverse_8_of_quotient_8 = quotient_8 + quotient_8_lo
-    inverse_8_of_quotient_8_right = inverse_8_of_quotient_8 - quotient_8
-    inverse_8_of_quotient_8_left = inverse_8_of_quotient_8 - inverse_8_of_quotient_8_right
-    inverse_8_of_quotient_8_right_rest = quotient_8_lo - inverse_8_of_quotient_8_right
-    inverse_8_of_quotient_8_left_rest = quotient_8 - inverse_8_of_quotient_8_left
-    inverse_8 = inverse_8_of_quotient_8 * s
-    inverse_8_of_quotient_8_lo = inverse_8_of_quotient_8_left_rest + inverse_8_of_quotient_8_right_rest
-    inverse_8_lost = inverse_8_of_quotient_8 - inverse_8 * inverse_0_inverse
-    start_c = where(regular_a_of_d < 0, -8.452712498170644e+270, 8.452712498170644e+270)
-    start = where(s_c, regular_a_of_d, start_c)
-    start_lo = where(s_c, regular_a_of_d_lo, 0)
+    quotient_0_sum_lo = (quotient_0 - (quotient_0_sum - quotient_0_sum_right)
+        + (quotient_0_lo - quotient_0_sum_right))
+    quotient_1_sum = quotient_1 + quotient_1_lo
+    quotient_1_sum_right = quotient_1_sum - quotient_1
+    inverse_1 = quotient_1_sum * s
+    quotient_1_sum_lo = (quotient_1 - (quotient_1_sum - quotient_1_sum_right)
+        + (quotient_1_lo - quotient_1_sum_right))
+    quotient_2_sum = quotient_2 + quotient_2_lo
+    quotient_2_sum_right = quotient_2_sum - quotient_2
+    inverse_2 = quotient_2_sum * s
+    quotient_2_sum_lo = (quotient_2 - (quotient_2_sum - quotient_2_sum_right)
+        + (quotient_2_lo - quotient_2_sum_right))
+    quotient_3_sum = quotient_3 + quotient_3_lo
+    quotient_3_sum_right = quotient_3_sum - quotient_3
+    inverse_3 = quotient_3_sum * s
+    quotient_3_sum_lo = (quotient_3 - (quotient_3_sum - quotient_3_sum_right)
+        + (quotient_3_lo - quotient_3_sum_right))
+    quotient_4_sum = quotient_4 + quotient_4_lo
+    quotient_4_sum_right = quotient_4_sum - quotient_4
+    inverse_4 = quotient_4_sum * s
+    quotient_4_sum_lo = (quotient_4 - (quotient_4_sum - quotient_4_sum_right)
+        + (quotient_4_lo - quotient_4_sum_right))
+    quotient_5_sum = quotient_5 + quotient_5_lo
+    quotient_5_sum_right = quotient_5_sum - quotient_5
+    inverse_5 = quotient_5_sum * s
+    quotient_5_sum_lo = (quotient_5 - (quotient_5_sum - quotient_5_sum_right)
+        + (quotient_5_lo - quotient_5_sum_right))
+    quotient_6_sum = quotient_6 + quotient_6_lo
+    quotient_6_sum_right = quotient_6_sum - quotient_6
+    inverse_6 = quotient_6_sum * s
+    quotient_6_sum_lo = (quotient_6 - (quotient_6_sum - quotient_6_sum_right)
+        + (quotient_6_lo - quotient_6_sum_right))
+    quotient_7_sum = quotient_7 + quotient_7_lo
+    quotient_7_sum_right = quotient_7_sum - quotient_7
+    inverse_7 = quotient_7_sum * s
+    quotient_7_sum_lo = (quotient_7 - (quotient_7_sum - quotient_7_sum_right)
+        + (quotient_7_lo - quotient_7_sum_right))
+    quotient_8_sum = quotient_8 + quotient_8_lo
+    quotient_8_sum_right = quotient_8_sum - quotient_8
+    inverse_8 = quotient_8_sum * s
+    quotient_8_sum_lo = (quotient_8 - (quotient_8_sum - quotient_8_sum_right)
+        + (quotient_8_lo - quotient_8_sum_right))
+    start = where(s_c, d_sum, where(d_sum < 0, -8.452712498170644e+270, 8.452712498170644e+270))
+    start_lo = where(s_c, d_sum_lo, 0)
     r2 = where(s_i, float64(1.1830521861667747e-271), float64(1))
-    once_of_start = start + start_lo
-    once_of_start_right = once_of_start - start
-    once_of_start_left_rest = start - (once_of_start - once_of_start_right)
-    once = once_of_start * r2
-    once_of_start_lo = once_of_start_left_rest + (start_lo - once_of_start_right)
-    once_lo = (once_of_start - once * (1 / r2) + once_of_start_lo) * r2
+    start_sum = start + start_lo
+    start_sum_right = start_sum - start
+    once = start_sum * r2
+    once_lo = ((start_sum - once * (1 / r2)
+        + (start - (start_sum - start_sum_right) + (start_lo - start_sum_right))) * r2)
     r3 = where(s_k, float64(1.1830521861667747e-271), float64(1))
-    twice_of_once = once + once_lo
-    twice_of_once_right = twice_of_once - once
-    twice_of_once_left_rest = once - (twice_of_once - twice_of_once_right)
-    twice = twice_of_once * r3
-    twice_of_once_lo = twice_of_once_left_rest + (once_lo - twice_of_once_right)
-    twice_lo = (twice_of_once - twice * (1 / r3) + twice_of_once_lo) * r3
+    once_sum = once + once_lo
+    once_sum_right = once_sum - once
+    twice = once_sum * r3
+    twice_lo = ((once_sum - twice * (1 / r3)
+        + (once - (once_sum - once_sum_right) + (once_lo - once_sum_right))) * r3)
     r = where(s_g, 1.1830521861667747e-271, where(s_e, float64(1), float64(8.452712498170644e+270)))
-    det_R_of_twice = twice + twice_lo
-    det_R_of_twice_right = det_R_of_twice - twice
-    det_R_of_twice_left_rest = twice - (det_R_of_twice - det_R_of_twice_right)
-    det_R = det_R_of_twice * r
-    det_R_of_twice_lo = det_R_of_twice_left_rest + (twice_lo - det_R_of_twice_right)
+    twice_sum = twice + twice_lo
+    twice_sum_right = twice_sum - twice
+    det_R = twice_sum * r
     det = where(divisor_a, det_R, 0)
     Ro_00 = where(divisor_a, inverse_0, nan)
     Ro_01 = where(divisor_a, inverse_1, nan)
@@ -503,17 +458,36 @@ def mat3x3_inverse(R):
     Ro_20 = where(divisor_a, inverse_6, nan)
     Ro_21 = where(divisor_a, inverse_7, nan)
     Ro_22 = where(divisor_a, inverse_8, nan)
-    det_lo = where(divisor_a, (det_R_of_twice - det_R * (1 / r) + det_R_of_twice_lo) * r, 0)
-    det_rounded = det + det_lo
-    Ro_00_rounded = Ro_00 + where(divisor_a, (inverse_0_lost + inverse_0_of_quotient_0_lo) * s, 0)
-    Ro_01_rounded = Ro_01 + where(divisor_a, (inverse_1_lost + inverse_1_of_quotient_1_lo) * s, 0)
-    Ro_02_rounded = Ro_02 + where(divisor_a, (inverse_2_lost + inverse_2_of_quotient_2_lo) * s, 0)
-    Ro_10_rounded = Ro_10 + where(divisor_a, (inverse_3_lost + inverse_3_of_quotient_3_lo) * s, 0)
-    Ro_11_rounded = Ro_11 + where(divisor_a, (inverse_4_lost + inverse_4_of_quotient_4_lo) * s, 0)
-    Ro_12_rounded = Ro_12 + where(divisor_a, (inverse_5_lost + inverse_5_of_quotient_5_lo) * s, 0)
-    Ro_20_rounded = Ro_20 + where(divisor_a, (inverse_6_lost + inverse_6_of_quotient_6_lo) * s, 0)
-    Ro_21_rounded = Ro_21 + where(divisor_a, (inverse_7_lost + inverse_7_of_quotient_7_lo) * s, 0)
-    Ro_22_rounded = Ro_22 + where(divisor_a, (inverse_8_lost + inverse_8_of_quotient_8_lo) * s, 0)
+    det_rounded = (det
+        + where(divisor_a, (twice_sum - det_R * (1 / r)
+        + (twice - (twice_sum - twice_sum_right) + (twice_lo - twice_sum_right))) * r, 0))
+    Ro_00_rounded = (Ro_00
+        + where(divisor_a, (quotient_0_sum - inverse_0 * inverse_0_inverse + quotient_0_sum_lo)
+        * s, 0))
+    Ro_01_rounded = (Ro_01
+        + where(divisor_a, (quotient_1_sum - inverse_1 * inverse_0_inverse + quotient_1_sum_lo)
+        * s, 0))
+    Ro_02_rounded = (Ro_02
+        + where(divisor_a, (quotient_2_sum - inverse_2 * inverse_0_inverse + quotient_2_sum_lo)
+        * s, 0))
+    Ro_10_rounded = (Ro_10
+        + where(divisor_a, (quotient_3_sum - inverse_3 * inverse_0_inverse + quotient_3_sum_lo)
+        * s, 0))
+    Ro_11_rounded = (Ro_11
+        + where(divisor_a, (quotient_4_sum - inverse_4 * inverse_0_inverse + quotient_4_sum_lo)
+        * s, 0))
+    Ro_12_rounded = (Ro_12
+        + where(divisor_a, (quotient_5_sum - inverse_5 * inverse_0_inverse + quotient_5_sum_lo)
+        * s, 0))
+    Ro_20_rounded = (Ro_20
+        + where(divisor_a, (quotient_6_sum - inverse_6 * inverse_0_inverse + quotient_6_sum_lo)
+        * s, 0))
+    Ro_21_rounded = (Ro_21
+        + where(divisor_a, (quotient_7_sum - inverse_7 * inverse_0_inverse + quotient_7_sum_lo)
+        * s, 0))
+    Ro_22_rounded = (Ro_22
+        + where(divisor_a, (quotient_8_sum - inverse_8 * inverse_0_inverse + quotient_8_sum_lo)
+        * s, 0))
     det_final = where(det_rounded == det_rounded, det_rounded, det)
     Ro_00_final = where(Ro_00_rounded == Ro_00_rounded, Ro_00_rounded, Ro_00)
     Ro_01_final = where(Ro_01_rounded == Ro_01_rounded, Ro_01_rounded, Ro_01)
@@ -544,10 +518,11 @@ def mat3x3_normalize(self):
     q0_s_size_2 = absolute(self_02)
     q0_s_largest1 = where(q0_s_size_0 < q0_s_size_1, q0_s_size_1, q0_s_size_0)
     q0_s_largest2 = where(q0_s_largest1 < q0_s_size_2, q0_s_size_2, q0_s_largest1)
-    q0_s_a = 6.703903964971299e+153 < q0_s_largest2
-    q0_s_b = where(q0_s_a, float64(3.7291703656001034e-155), float64(1))
-    q0_s_d = where(q0_s_largest2 < 256, 1.3093562431584567e+151, q0_s_b)
-    q0_s = where(q0_s_largest2 < 1.955159272639747e-149, 1.0715086071862673e+301, q0_s_d)
+    q0_s_b = (where(6.703903964971299e+153
+        < q0_s_largest2, float64(3.7291703656001034e-155), float64(1)))
+    q0_s = (where(q0_s_largest2
+        < 1.955159272639747e-149, 1.0715086071862673e+301, where(q0_s_largest2
+        < 256, 1.3093562431584567e+151, q0_s_b)))
     q0_y_0 = self_00 * q0_s
     q0_y_1 = self_01 * q0_s
     q0_y_2 = self_02 * q0_s
@@ -557,90 +532,77 @@ def mat3x3_normalize(self):
     q0_n_b = q0_y_1 * q0_y_1
     q0_n_c = q0_n_a + q0_n_b
     q0_n_c_right = q0_n_c - q0_n_a
-    q0_n_c_left_rest = product_rest(q0_y_0, q0_y_0, q0_n_a, q0_n_c - q0_n_c_right)
     q0_n_d = q0_y_2 * q0_y_2
     q0_n_e = q0_n_c + q0_n_d
     q0_n_e_right = q0_n_e - q0_n_c
-    q0_n_e_right_rest = product_rest(q0_y_2, q0_y_2, q0_n_d, q0_n_e_right)
-    q0_n_c_lo = q0_n_c_left_rest + product_rest(q0_y_1, q0_y_1, q0_n_b, q0_n_c_right)
-    q0_n_e_lo = q0_n_c - (q0_n_e - q0_n_e_right) + q0_n_e_right_rest + q0_n_c_lo
-    q0_n_of_q0_n_e = q0_n_e + q0_n_e_lo
-    q0_n_of_q0_n_e_right = q0_n_of_q0_n_e - q0_n_e
-    q0_n_of_q0_n_e_left_rest = q0_n_e - (q0_n_of_q0_n_e - q0_n_of_q0_n_e_right)
-    q0_n = sqrt(q0_n_of_q0_n_e)
+    q0_n_c_lo = (product_rest(q0_y_0, q0_y_0, q0_n_a, q0_n_c - q0_n_c_right)
+        + product_rest(q0_y_1, q0_y_1, q0_n_b, q0_n_c_right))
+    q0_n_e_lo = (q0_n_c - (q0_n_e - q0_n_e_right)
+        + product_rest(q0_y_2, q0_y_2, q0_n_d, q0_n_e_right) + q0_n_c_lo)
+    q0_n_e_sum = q0_n_e + q0_n_e_lo
+    q0_n_e_sum_right = q0_n_e_sum - q0_n_e
+    q0_n = sqrt(q0_n_e_sum)
     q0_n_product = q0_n * q0_n
-    q0_n_exact = q0_n_of_q0_n_e - q0_n_product - product_error(q0_n, q0_n, q0_n_product)
-    q0_n_residual = q0_n_exact + (q0_n_of_q0_n_e_left_rest + (q0_n_e_lo - q0_n_of_q0_n_e_right))
-    q0_n_lo = q0_n_residual / where(q0_n == 0, 1, q0_n + q0_n)
-    q0_divisor_a_of_q0_n = q0_n + q0_n_lo
-    q0_divisor_a_of_q0_n_right = q0_divisor_a_of_q0_n - q0_n
-    q0_divisor_a_of_q0_n_left_rest = q0_n - (q0_divisor_a_of_q0_n - q0_divisor_a_of_q0_n_right)
-    q0_divisor_a_of_q0_n_right_rest = q0_n_lo - q0_divisor_a_of_q0_n_right
-    q0_divisor_a = q0_divisor_a_of_q0_n == 0
-    q0_divisor = where(q0_divisor_a, q0_up, q0_divisor_a_of_q0_n)
-    q0_divisor_a_of_q0_n_lo = q0_divisor_a_of_q0_n_left_rest + q0_divisor_a_of_q0_n_right_rest
-    q0_divisor_lo = where(q0_divisor_a, 0, q0_divisor_a_of_q0_n_lo)
+    q0_n_e_sum_lo = q0_n_e - (q0_n_e_sum - q0_n_e_sum_right) + (q0_n_e_lo - q0_n_e_sum_right)
+    q0_n_lo = ((q0_n_e_sum - q0_n_product - product_error(q0_n, q0_n, q0_n_product)
+        + q0_n_e_sum_lo) / where(q0_n == 0, 1, q0_n + q0_n))
+    q0_n_sum = q0_n + q0_n_lo
+    q0_n_sum_right = q0_n_sum - q0_n
+    q0_divisor_a = q0_n_sum == 0
+    q0_divisor = where(q0_divisor_a, q0_up, q0_n_sum)
+    q0_divisor_lo = (where(q0_divisor_a, 0, q0_n - (q0_n_sum - q0_n_sum_right)
+        + (q0_n_lo - q0_n_sum_right)))
     q0_sized_0 = self_00 * q0_up
     q0_sized_1 = self_01 * q0_up
     q0_sized_2 = self_02 * q0_up
-    q0_quotient_0_of_q0_divisor = q0_divisor + q0_divisor_lo
-    q0_quotient_0_of_q0_divisor_right = q0_quotient_0_of_q0_divisor - q0_divisor
-    q0_quotient_0_of_q0_divisor_left = q0_quotient_0_of_q0_divisor - q0_quotient_0_of_q0_divisor_right
-    q0_quotient_0_of_q0_divisor_right_rest = q0_divisor_lo - q0_quotient_0_of_q0_divisor_right
-    q0_quotient_0_of_q0_divisor_left_rest = q0_divisor - q0_quotient_0_of_q0_divisor_left
-    q0_quotient_0_of_q0_divisor_lo = q0_quotient_0_of_q0_divisor_left_rest + q0_quotient_0_of_q0_divisor_right_rest
-    q0_quotient_0 = q0_sized_0 / q0_quotient_0_of_q0_divisor
-    q0_quotient_0_product = q0_quotient_0 * q0_quotient_0_of_q0_divisor
-    q0_quotient_0_product_error = product_error(q0_quotient_0, q0_quotient_0_of_q0_divisor, q0_quotient_0_product)
-    q0_quotient_0_exact = q0_sized_0 - q0_quotient_0_product - q0_quotient_0_product_error
-    q0_quotient_0_residual = q0_quotient_0_exact - q0_quotient_0 * q0_quotient_0_of_q0_divisor_lo
-    q0_quotient_0_lo = q0_quotient_0_residual / q0_quotient_0_of_q0_divisor
-    q0_quotient_1 = q0_sized_1 / q0_quotient_0_of_q0_divisor
-    q0_quotient_1_product = q0_quotient_1 * q0_quotient_0_of_q0_divisor
-    q0_quotient_1_product_error = product_error(q0_quotient_1, q0_quotient_0_of_q0_divisor, q0_quotient_1_product)
-    q0_quotient_1_exact = q0_sized_1 - q0_quotient_1_product - q0_quotient_1_product_error
-    q0_quotient_1_residual = q0_quotient_1_exact - q0_quotient_1 * q0_quotient_0_of_q0_divisor_lo
-    q0_quotient_1_lo = q0_quotient_1_residual / q0_quotient_0_of_q0_divisor
-    q0_quotient_2 = q0_sized_2 / q0_quotient_0_of_q0_divisor
-    q0_quotient_2_product = q0_quotient_2 * q0_quotient_0_of_q0_divisor
-    q0_quotient_2_product_error = product_error(q0_quotient_2, q0_quotient_0_of_q0_divisor, q0_quotient_2_product)
-    q0_quotient_2_exact = q0_sized_2 - q0_quotient_2_product - q0_quotient_2_product_error
-    q0_quotient_2_residual = q0_quotient_2_exact - q0_quotient_2 * q0_quotient_0_of_q0_divisor_lo
-    q0_quotient_2_lo = q0_quotient_2_residual / q0_quotient_0_of_q0_divisor
-    q0_0_of_q0_quotient_0 = q0_quotient_0 + q0_quotient_0_lo
-    q0_0_of_q0_quotient_0_right = q0_0_of_q0_quotient_0 - q0_quotient_0
-    q0_0_of_q0_quotient_0_left = q0_0_of_q0_quotient_0 - q0_0_of_q0_quotient_0_right
-    q0_0_of_q0_quotient_0_right_rest = q0_quotient_0_lo - q0_0_of_q0_quotient_0_right
-    q0_0_of_q0_quotient_0_left_rest = q0_quotient_0 - q0_0_of_q0_quotient_0_left
-    q0_0 = q0_0_of_q0_quotient_0 * q0_down
+    q0_divisor_sum = q0_divisor + q0_divisor_lo
+    q0_divisor_sum_right = q0_divisor_sum - q0_divisor
+    q0_divisor_sum_lo = (q0_divisor - (q0_divisor_sum - q0_divisor_sum_right)
+        + (q0_divisor_lo - q0_divisor_sum_right))
+    q0_quotient_0 = q0_sized_0 / q0_divisor_sum
+    q0_quotient_0_product = q0_quotient_0 * q0_divisor_sum
+    q0_quotient_0_exact = (q0_sized_0 - q0_quotient_0_product
+        - product_error(q0_quotient_0, q0_divisor_sum, q0_quotient_0_product))
+    q0_quotient_0_lo = (q0_quotient_0_exact - q0_quotient_0 * q0_divisor_sum_lo) / q0_divisor_sum
+    q0_quotient_1 = q0_sized_1 / q0_divisor_sum
+    q0_quotient_1_product = q0_quotient_1 * q0_divisor_sum
+    q0_quotient_1_exact = (q0_sized_1 - q0_quotient_1_product
+        - product_error(q0_quotient_1, q0_divisor_sum, q0_quotient_1_product))
+    q0_quotient_1_lo = (q0_quotient_1_exact - q0_quotient_1 * q0_divisor_sum_lo) / q0_divisor_sum
+    q0_quotient_2 = q0_sized_2 / q0_divisor_sum
+    q0_quotient_2_product = q0_quotient_2 * q0_divisor_sum
+    q0_quotient_2_exact = (q0_sized_2 - q0_quotient_2_product
+        - product_error(q0_quotient_2, q0_divisor_sum, q0_quotient_2_product))
+    q0_quotient_2_lo = (q0_quotient_2_exact - q0_quotient_2 * q0_divisor_sum_lo) / q0_divisor_sum
+    q0_quotient_0_sum = q0_quotient_0 + q0_quotient_0_lo
+    q0_quotient_0_sum_right = q0_quotient_0_sum - q0_quotient_0
+    q0_0 = q0_quotient_0_sum * q0_down
     q0_0_inverse = 1 / q0_down
-    q0_0_of_q0_quotient_0_lo = q0_0_of_q0_quotient_0_left_rest + q0_0_of_q0_quotient_0_right_rest
-    q0_0_lo = (q0_0_of_q0_quotient_0 - q0_0 * q0_0_inverse + q0_0_of_q0_quotient_0_lo) * q0_down
-    q0_1_of_q0_quotient_1 = q0_quotient_1 + q0_quotient_1_lo
-    q0_1_of_q0_quotient_1_right = q0_1_of_q0_quotient_1 - q0_quotient_1
-    q0_1_of_q0_quotient_1_left = q0_1_of_q0_quotient_1 - q0_1_of_q0_quotient_1_right
-    q0_1_of_q0_quotient_1_right_rest = q0_quotient_1_lo - q0_1_of_q0_quotient_1_right
-    q0_1_of_q0_quotient_1_left_rest = q0_quotient_1 - q0_1_of_q0_quotient_1_left
-    q0_1 = q0_1_of_q0_quotient_1 * q0_down
-    q0_1_of_q0_quotient_1_lo = q0_1_of_q0_quotient_1_left_rest + q0_1_of_q0_quotient_1_right_rest
-    q0_1_lo = (q0_1_of_q0_quotient_1 - q0_1 * q0_0_inverse + q0_1_of_q0_quotient_1_lo) * q0_down
-    q0_2_of_q0_quotient_2 = q0_quotient_2 + q0_quotient_2_lo
-    q0_2_of_q0_quotient_2_right = q0_2_of_q0_quotient_2 - q0_quotient_2
-    q0_2_of_q0_quotient_2_left = q0_2_of_q0_quotient_2 - q0_2_of_q0_quotient_2_right
-    q0_2_of_q0_quotient_2_right_rest = q0_quotient_2_lo - q0_2_of_q0_quotient_2_right
-    q0_2_of_q0_quotient_2_left_rest = q0_quotient_2 - q0_2_of_q0_quotient_2_left
-    q0_2 = q0_2_of_q0_quotient_2 * q0_down
-    q0_2_of_q0_quotient_2_lo = q0_2_of_q0_quotient_2_left_rest + q0_2_of_q0_quotient_2_right_rest
-    q0_2_lo = (q0_2_of_q0_quotient_2 - q0_2 * q0_0_inverse + q0_2_of_q0_quotient_2_lo) * q0_down
+    q0_quotient_0_sum_lo = (q0_quotient_0 - (q0_quotient_0_sum - q0_quotient_0_sum_right)
+        + (q0_quotient_0_lo - q0_quotient_0_sum_right))
+    q0_0_lo = (q0_quotient_0_sum - q0_0 * q0_0_inverse + q0_quotient_0_sum_lo) * q0_down
+    q0_quotient_1_sum = q0_quotient_1 + q0_quotient_1_lo
+    q0_quotient_1_sum_right = q0_quotient_1_sum - q0_quotient_1
+    q0_1 = q0_quotient_1_sum * q0_down
+    q0_quotient_1_sum_lo = (q0_quotient_1 - (q0_quotient_1_sum - q0_quotient_1_sum_right)
+        + (q0_quotient_1_lo - q0_quotient_1_sum_right))
+    q0_1_lo = (q0_quotient_1_sum - q0_1 * q0_0_inverse + q0_quotient_1_sum_lo) * q0_down
+    q0_quotient_2_sum = q0_quotient_2 + q0_quotient_2_lo
+    q0_quotient_2_sum_right = q0_quotient_2_sum - q0_quotient_2
+    q0_2 = q0_quotient_2_sum * q0_down
+    q0_quotient_2_sum_lo = (q0_quotient_2 - (q0_quotient_2_sum - q0_quotient_2_sum_right)
+        + (q0_quotient_2_lo - q0_quotient_2_sum_right))
+    q0_2_lo = (q0_quotient_2_sum - q0_2 * q0_0_inverse + q0_quotient_2_sum_lo) * q0_down
     u1_s_size_0 = absolute(self_10)
     u1_s_size_1 = absolute(self_11)
     u1_s_size_2 = absolute(self_12)
     u1_s_largest1 = where(u1_s_size_0 < u1_s_size_1, u1_s_size_1, u1_s_size_0)
     u1_s_largest2 = where(u1_s_largest1 < u1_s_size_2, u1_s_size_2, u1_s_largest1)
-    u1_s_a = 6.703903964971299e+153 < u1_s_largest2
-    u1_s_b = where(u1_s_a, float64(3.7291703656001034e-155), float64(1))
-    u1_s_d = where(u1_s_largest2 < 256, 1.3093562431584567e+151, u1_s_b)
-    u1_s = where(u1_s_largest2 < 1.955159272639747e-149, 1.0715086071862673e+301, u1_s_d)
+    u1_s_b = (where(6.703903964971299e+153
+        < u1_s_largest2, float64(3.7291703656001034e-155), float64(1)))
+    u1_s = (where(u1_s_largest2
+        < 1.955159272639747e-149, 1.0715086071862673e+301, where(u1_s_largest2
+        < 256, 1.3093562431584567e+151, u1_s_b)))
     u1_y_0 = self_10 * u1_s
     u1_y_1 = self_11 * u1_s
     u1_y_2 = self_12 * u1_s
@@ -650,225 +612,212 @@ def mat3x3_normalize(self):
     u1_n_b = u1_y_1 * u1_y_1
     u1_n_c = u1_n_a + u1_n_b
     u1_n_c_right = u1_n_c - u1_n_a
-    u1_n_c_left_rest = product_rest(u1_y_0, u1_y_0, u1_n_a, u1_n_c - u1_n_c_right)
     u1_n_d = u1_y_2 * u1_y_2
     u1_n_e = u1_n_c + u1_n_d
     u1_n_e_right = u1_n_e - u1_n_c
-    u1_n_e_right_rest = product_rest(u1_y_2, u1_y_2, u1_n_d, u1_n_e_right)
-    u1_n_c_lo = u1_n_c_left_rest + product_rest(u1_y_1, u1_y_1, u1_n_b, u1_n_c_right)
-    u1_n_e_lo = u1_n_c - (u1_n_e - u1_n_e_right) + u1_n_e_right_rest + u1_n_c_lo
-    u1_n_of_u1_n_e = u1_n_e + u1_n_e_lo
-    u1_n_of_u1_n_e_right = u1_n_of_u1_n_e - u1_n_e
-    u1_n_of_u1_n_e_left_rest = u1_n_e - (u1_n_of_u1_n_e - u1_n_of_u1_n_e_right)
-    u1_n = sqrt(u1_n_of_u1_n_e)
+    u1_n_c_lo = (product_rest(u1_y_0, u1_y_0, u1_n_a, u1_n_c - u1_n_c_right)
+        + product_rest(u1_y_1, u1_y_1, u1_n_b, u1_n_c_right))
+    u1_n_e_lo = (u1_n_c - (u1_n_e - u1_n_e_right)
+        + product_rest(u1_y_2, u1_y_2, u1_n_d, u1_n_e_right) + u1_n_c_lo)
+    u1_n_e_sum = u1_n_e + u1_n_e_lo
+    u1_n_e_sum_right = u1_n_e_sum - u1_n_e
+    u1_n = sqrt(u1_n_e_sum)
     u1_n_product = u1_n * u1_n
-    u1_n_exact = u1_n_of_u1_n_e - u1_n_product - product_error(u1_n, u1_n, u1_n_product)
-    u1_n_residual = u1_n_exact + (u1_n_of_u1_n_e_left_rest + (u1_n_e_lo - u1_n_of_u1_n_e_right))
-    u1_n_lo = u1_n_residual / where(u1_n == 0, 1, u1_n + u1_n)
-    u1_divisor_a_of_u1_n = u1_n + u1_n_lo
-    u1_divisor_a_of_u1_n_right = u1_divisor_a_of_u1_n - u1_n
-    u1_divisor_a_of_u1_n_left_rest = u1_n - (u1_divisor_a_of_u1_n - u1_divisor_a_of_u1_n_right)
-    u1_divisor_a_of_u1_n_right_rest = u1_n_lo - u1_divisor_a_of_u1_n_right
-    u1_divisor_a = u1_divisor_a_of_u1_n == 0
-    u1_divisor = where(u1_divisor_a, u1_up, u1_divisor_a_of_u1_n)
-    u1_divisor_a_of_u1_n_lo = u1_divisor_a_of_u1_n_left_rest + u1_divisor_a_of_u1_n_right_rest
-    u1_divisor_lo = where(u1_divisor_a, 0, u1_divisor_a_of_u1_n_lo)
+    u1_n_e_sum_lo = u1_n_e - (u1_n_e_sum - u1_n_e_sum_right) + (u1_n_e_lo - u1_n_e_sum_right)
+    u1_n_lo = ((u1_n_e_sum - u1_n_product - product_error(u1_n, u1_n, u1_n_product)
+        + u1_n_e_sum_lo) / where(u1_n == 0, 1, u1_n + u1_n))
+    u1_n_sum = u1_n + u1_n_lo
+    u1_n_sum_right = u1_n_sum - u1_n
+    u1_divisor_a = u1_n_sum == 0
+    u1_divisor = where(u1_divisor_a, u1_up, u1_n_sum)
+    u1_divisor_lo = (where(u1_divisor_a, 0, u1_n - (u1_n_sum - u1_n_sum_right)
+        + (u1_n_lo - u1_n_sum_right)))
     u1_sized_0 = self_10 * u1_up
     u1_sized_1 = self_11 * u1_up
     u1_sized_2 = self_12 * u1_up
-    u1_quotient_0_of_u1_divisor = u1_divisor + u1_divisor_lo
-    u1_quotient_0_of_u1_divisor_right = u1_quotient_0_of_u1_divisor - u1_divisor
-    u1_quotient_0_of_u1_divisor_left = u1_quotient_0_of_u1_divisor - u1_quotient_0_of_u1_divisor_right
-    u1_quotient_0_of_u1_divisor_right_rest = u1_divisor_lo - u1_quotient_0_of_u1_divisor_right
-    u1_quotient_0_of_u1_divisor_left_rest = u1_divisor - u1_quotient_0_of_u1_divisor_left
-    u1_quotient_0_of_u1_divisor_lo = u1_quotient_0_of_u1_divisor_left_rest + u1_quotient_0_of_u1_divisor_right_rest
-    u1_quotient_0 = u1_sized_0 / u1_quotient_0_of_u1_divisor
-    u1_quotient_0_product = u1_quotient_0 * u1_quotient_0_of_u1_divisor
-    u1_quotient_0_product_error = product_error(u1_quotient_0, u1_quotient_0_of_u1_divisor, u1_quotient_0_product)
-    u1_quotient_0_exact = u1_sized_0 - u1_quotient_0_product - u1_quotient_0_product_error
-    u1_quotient_0_residual = u1_quotient_0_exact - u1_quotient_0 * u1_quotient_0_of_u1_divisor_lo
-    u1_quotient_0_lo = u1_quotient_0_residual / u1_quotient_0_of_u1_divisor
-    u1_quotient_1 = u1_sized_1 / u1_quotient_0_of_u1_divisor
-    u1_quotient_1_product = u1_quotient_1 * u1_quotient_0_of_u1_divisor
-    u1_quotient_1_product_error = product_error(u1_quotient_1, u1_quotient_0_of_u1_divisor, u1_quotient_1_product)
-    u1_quotient_1_exact = u1_sized_1 - u1_quotient_1_product - u1_quotient_1_product_error
-    u1_quotient_1_residual = u1_quotient_1_exact - u1_quotient_1 * u1_quotient_0_of_u1_divisor_lo
-    u1_quotient_1_lo = u1_quotient_1_residual / u1_quotient_0_of_u1_divisor
-    u1_quotient_2 = u1_sized_2 / u1_quotient_0_of_u1_divisor
-    u1_quotient_2_product = u1_quotient_2 * u1_quotient_0_of_u1_divisor
-    u1_quotient_2_product_error = product_error(u1_quotient_2, u1_quotient_0_of_u1_divisor, u1_quotient_2_product)
-    u1_quotient_2_exact = u1_sized_2 - u1_quotient_2_product - u1_quotient_2_product_error
-    u1_quotient_2_residual = u1_quotient_2_exact - u1_quotient_2 * u1_quotient_0_of_u1_divisor_lo
-    u1_quotient_2_lo = u1_quotient_2_residual / u1_quotient_0_of_u1_divisor
-    u1_0_of_u1_quotient_0 = u1_quotient_0 + u1_quotient_0_lo
-    u1_0_of_u1_quotient_0_right = u1_0_of_u1_quotient_0 - u1_quotient_0
-    u1_0_of_u1_quotient_0_left = u1_0_of_u1_quotient_0 - u1_0_of_u1_quotient_0_right
-    u1_0_of_u1_quotient_0_right_rest = u1_quotient_0_lo - u1_0_of_u1_quotient_0_right
-    u1_0_of_u1_quotient_0_left_rest = u1_quotient_0 - u1_0_of_u1_quotient_0_left
-    u1_0 = u1_0_of_u1_quotient_0 * u1_down
+    u1_divisor_sum = u1_divisor + u1_divisor_lo
+    u1_divisor_sum_right = u1_divisor_sum - u1_divisor
+    u1_divisor_sum_lo = (u1_divisor - (u1_divisor_sum - u1_divisor_sum_right)
+        + (u1_divisor_lo - u1_divisor_sum_right))
+    u1_quotient_0 = u1_sized_0 / u1_divisor_sum
+    u1_quotient_0_product = u1_quotient_0 * u1_divisor_sum
+    u1_quotient_0_exact = (u1_sized_0 - u1_quotient_0_product
+        - product_error(u1_quotient_0, u1_divisor_sum, u1_quotient_0_product))
+    u1_quotient_0_lo = (u1_quotient_0_exact - u1_quotient_0 * u1_divisor_sum_lo) / u1_divisor_sum
+    u1_quotient_1 = u1_sized_1 / u1_divisor_sum
+    u1_quotient_1_product = u1_quotient_1 * u1_divisor_sum
+    u1_quotient_1_exact = (u1_sized_1 - u1_quotient_1_product
+        - product_error(u1_quotient_1, u1_divisor_sum, u1_quotient_1_product))
+    u1_quotient_1_lo = (u1_quotient_1_exact - u1_quotient_1 * u1_divisor_sum_lo) / u1_divisor_sum
+    u1_quotient_2 = u1_sized_2 / u1_divisor_sum
+    u1_quotient_2_product = u1_quotient_2 * u1_divisor_sum
+    u1_quotient_2_exact = (u1_sized_2 - u1_quotient_2_product
+        - product_error(u1_quotient_2, u1_divisor_sum, u1_quotient_2_product))
+    u1_quotient_2_lo = (u1_quotient_2_exact - u1_quotient_2 * u1_divisor_sum_lo) / u1_divisor_sum
+    u1_quotient_0_sum = u1_quotient_0 + u1_quotient_0_lo
+    u1_quotient_0_sum_right = u1_quotient_0_sum - u1_quotient_0
+    u1_0 = u1_quotient_0_sum * u1_down
     u1_0_inverse = 1 / u1_down
-    u1_0_of_u1_quotient_0_lo = u1_0_of_u1_quotient_0_left_rest + u1_0_of_u1_quotient_0_right_rest
-    u1_0_lo = (u1_0_of_u1_quotient_0 - u1_0 * u1_0_inverse + u1_0_of_u1_quotient_0_lo) * u1_down
-    u1_1_of_u1_quotient_1 = u1_quotient_1 + u1_quotient_1_lo
-    u1_1_of_u1_quotient_1_right = u1_1_of_u1_quotient_1 - u1_quotient_1
-    u1_1_of_u1_quotient_1_left = u1_1_of_u1_quotient_1 - u1_1_of_u1_quotient_1_right
-    u1_1_of_u1_quotient_1_right_rest = u1_quotient_1_lo - u1_1_of_u1_quotient_1_right
-    u1_1_of_u1_quotient_1_left_rest = u1_quotient_1 - u1_1_of_u1_quotient_1_left
-    u1_1 = u1_1_of_u1_quotient_1 * u1_down
-    u1_1_of_u1_quotient_1_lo = u1_1_of_u1_quotient_1_left_rest + u1_1_of_u1_quotient_1_right_rest
-    u1_1_lo = (u1_1_of_u1_quotient_1 - u1_1 * u1_0_inverse + u1_1_of_u1_quotient_1_lo) * u1_down
-    u1_2_of_u1_quotient_2 = u1_quotient_2 + u1_quotient_2_lo
-    u1_2_of_u1_quotient_2_right = u1_2_of_u1_quotient_2 - u1_quotient_2
-    u1_2_of_u1_quotient_2_left = u1_2_of_u1_quotient_2 - u1_2_of_u1_quotient_2_right
-    u1_2_of_u1_quotient_2_right_rest = u1_quotient_2_lo - u1_2_of_u1_quotient_2_right
-    u1_2_of_u1_quotient_2_left_rest = u1_quotient_2 - u1_2_of_u1_quotient_2_left
-    u1_2 = u1_2_of_u1_quotient_2 * u1_down
-    u1_2_of_u1_quotient_2_lo = u1_2_of_u1_quotient_2_left_rest + u1_2_of_u1_quotient_2_right_rest
-    u1_2_lo = (u1_2_of_u1_quotient_2 - u1_2 * u1_0_inverse + u1_2_of_u1_quotient_2_lo) * u1_down
+    u1_quotient_0_sum_lo = (u1_quotient_0 - (u1_quotient_0_sum - u1_quotient_0_sum_right)
+        + (u1_quotient_0_lo - u1_quotient_0_sum_right))
+    u1_0_lo = (u1_quotient_0_sum - u1_0 * u1_0_inverse + u1_quotient_0_sum_lo) * u1_down
+    u1_quotient_1_sum = u1_quotient_1 + u1_quotient_1_lo
+    u1_quotient_1_sum_right = u1_quotient_1_sum - u1_quotient_1
+    u1_1 = u1_quotient_1_sum * u1_down
+    u1_quotient_1_sum_lo = (u1_quotient_1 - (u1_quotient_1_sum - u1_quotient_1_sum_right)
+        + (u1_quotient_1_lo - u1_quotient_1_sum_right))
+    u1_1_lo = (u1_quotient_1_sum - u1_1 * u1_0_inverse + u1_quotient_1_sum_lo) * u1_down
+    u1_quotient_2_sum = u1_quotient_2 + u1_quotient_2_lo
+    u1_quotient_2_sum_right = u1_quotient_2_sum - u1_quotient_2
+    u1_2 = u1_quotient_2_sum * u1_down
+    u1_quotient_2_sum_lo = (u1_quotient_2 - (u1_quotient_2_sum - u1_quotient_2_sum_right)
+        + (u1_quotient_2_lo - u1_quotient_2_sum_right))
+    u1_2_lo = (u1_quotient_2_sum - u1_2 * u1_0_inverse + u1_quotient_2_sum_lo) * u1_down
     along_a = q0_0 * u1_0
     along_b = q0_1 * u1_1
     along_c = along_a + along_b
     along_c_right = along_c - along_a
-    along_c_left_rest = product_rest(q0_0, u1_0, along_a, along_c - along_c_right)
-    along_c_lo1 = along_c_left_rest + product_rest(q0_1, u1_1, along_b, along_c_right)
+    along_c_lo1 = (product_rest(q0_0, u1_0, along_a, along_c - along_c_right)
+        + product_rest(q0_1, u1_1, along_b, along_c_right))
     along_d = q0_2 * u1_2
     along = along_c + along_d
     along_right = along - along_c
-    along_lo1 = along_c - (along - along_right) + product_rest(q0_2, u1_2, along_d, along_right)
-    along_c_lo = along_c_lo1 + (q0_0_lo * u1_0 + q0_0 * u1_0_lo + (q0_1_lo * u1_1 + q0_1 * u1_1_lo))
-    along_lo = along_lo1 + (q0_2_lo * u1_2 + q0_2 * u1_2_lo) + along_c_lo
+    along_lo2 = (along_c - (along - along_right) + product_rest(q0_2, u1_2, along_d, along_right)
+        + (q0_2_lo * u1_2 + q0_2 * u1_2_lo))
+    along_lo = (along_lo2
+        + (along_c_lo1 + (q0_0_lo * u1_0 + q0_0 * u1_0_lo + (q0_1_lo * u1_1 + q0_1 * u1_1_lo))))
     once_0a = q0_0 * along
     once_0 = u1_0 - once_0a
     once_0_right = u1_0 - once_0
-    once_0_lo1 = u1_0 - (once_0 + once_0_right) - product_rest(q0_0, along, once_0a, once_0_right)
-    once_0_lo = once_0_lo1 - (q0_0_lo * along + q0_0 * along_lo) + u1_0_lo
+    once_0_lo = (u1_0 - (once_0 + once_0_right) - product_rest(q0_0, along, once_0a, once_0_right)
+        - (q0_0_lo * along + q0_0 * along_lo) + u1_0_lo)
     once_1a = q0_1 * along
     once_1 = u1_1 - once_1a
     once_1_right = u1_1 - once_1
-    once_1_lo1 = u1_1 - (once_1 + once_1_right) - product_rest(q0_1, along, once_1a, once_1_right)
-    once_1_lo = once_1_lo1 - (q0_1_lo * along + q0_1 * along_lo) + u1_1_lo
+    once_1_lo = (u1_1 - (once_1 + once_1_right) - product_rest(q0_1, along, once_1a, once_1_right)
+        - (q0_1_lo * along + q0_1 * along_lo) + u1_1_lo)
     once_2a = q0_2 * along
     once_2 = u1_2 - once_2a
     once_2_right = u1_2 - once_2
-    once_2_lo1 = u1_2 - (once_2 + once_2_right) - product_rest(q0_2, along, once_2a, once_2_right)
-    once_2_lo = once_2_lo1 - (q0_2_lo * along + q0_2 * along_lo) + u1_2_lo
+    once_2_lo = (u1_2 - (once_2 + once_2_right) - product_rest(q0_2, along, once_2a, once_2_right)
+        - (q0_2_lo * along + q0_2 * along_lo) + u1_2_lo)
     rest_a = q0_0 * once_0
     rest_b = q0_1 * once_1
     rest_c = rest_a + rest_b
     rest_c_right = rest_c - rest_a
-    rest_c_left_rest = product_rest(q0_0, once_0, rest_a, rest_c - rest_c_right)
-    rest_c_cross = q0_0_lo * once_0 + q0_0 * once_0_lo + (q0_1_lo * once_1 + q0_1 * once_1_lo)
+    rest_c_lo1 = (product_rest(q0_0, once_0, rest_a, rest_c - rest_c_right)
+        + product_rest(q0_1, once_1, rest_b, rest_c_right))
     rest_d = q0_2 * once_2
     rest = rest_c + rest_d
     rest_right = rest - rest_c
-    rest_lo1 = rest_c - (rest - rest_right) + product_rest(q0_2, once_2, rest_d, rest_right)
-    rest_c_lo = rest_c_left_rest + product_rest(q0_1, once_1, rest_b, rest_c_right) + rest_c_cross
-    rest_lo = rest_lo1 + (q0_2_lo * once_2 + q0_2 * once_2_lo) + rest_c_lo
+    rest_lo2 = (rest_c - (rest - rest_right) + product_rest(q0_2, once_2, rest_d, rest_right)
+        + (q0_2_lo * once_2 + q0_2 * once_2_lo))
+    rest_lo = (rest_lo2
+        + (rest_c_lo1
+        + (q0_0_lo * once_0 + q0_0 * once_0_lo + (q0_1_lo * once_1 + q0_1 * once_1_lo))))
     twice_0a = q0_0 * rest
     twice_0 = once_0 - twice_0a
     twice_0_right = once_0 - twice_0
-    twice_0_right_rest = product_rest(q0_0, rest, twice_0a, twice_0_right)
-    twice_0_lo1 = once_0 - (twice_0 + twice_0_right) - twice_0_right_rest
-    twice_0_lo = twice_0_lo1 - (q0_0_lo * rest + q0_0 * rest_lo) + once_0_lo
+    twice_0_lo = (once_0 - (twice_0 + twice_0_right)
+        - product_rest(q0_0, rest, twice_0a, twice_0_right) - (q0_0_lo * rest + q0_0 * rest_lo)
+        + once_0_lo)
     twice_1a = q0_1 * rest
     twice_1 = once_1 - twice_1a
     twice_1_right = once_1 - twice_1
-    twice_1_right_rest = product_rest(q0_1, rest, twice_1a, twice_1_right)
-    twice_1_lo1 = once_1 - (twice_1 + twice_1_right) - twice_1_right_rest
-    twice_1_lo = twice_1_lo1 - (q0_1_lo * rest + q0_1 * rest_lo) + once_1_lo
+    twice_1_lo = (once_1 - (twice_1 + twice_1_right)
+        - product_rest(q0_1, rest, twice_1a, twice_1_right) - (q0_1_lo * rest + q0_1 * rest_lo)
+        + once_1_lo)
     twice_2a = q0_2 * rest
     twice_2 = once_2 - twice_2a
     twice_2_right = once_2 - twice_2
-    twice_2_right_rest = product_rest(q0_2, rest, twice_2a, twice_2_right)
-    twice_2_lo1 = once_2 - (twice_2 + twice_2_right) - twice_2_right_rest
-    twice_2_lo = twice_2_lo1 - (q0_2_lo * rest + q0_2 * rest_lo) + once_2_lo
+    twice_2_lo = (once_2 - (twice_2 + twice_2_right)
+        - product_rest(q0_2, rest, twice_2a, twice_2_right) - (q0_2_lo * rest + q0_2 * rest_lo)
+        + once_2_lo)
     n_a = twice_0 * twice_0
     n_b = twice_1 * twice_1
     n_c = n_a + n_b
     n_c_right = n_c - n_a
-    n_a_cross = twice_0_lo * twice_0 + twice_0 * twice_0_lo
-    n_c_left_rest = product_rest(twice_0, twice_0, n_a, n_c - n_c_right)
-    n_c_lo1 = n_c_left_rest + product_rest(twice_1, twice_1, n_b, n_c_right)
+    n_c_lo1 = (product_rest(twice_0, twice_0, n_a, n_c - n_c_right)
+        + product_rest(twice_1, twice_1, n_b, n_c_right))
     n_d = twice_2 * twice_2
     n_e = n_c + n_d
     n_e_right = n_e - n_c
-    n_e_lo1 = n_c - (n_e - n_e_right) + product_rest(twice_2, twice_2, n_d, n_e_right)
-    n_c_lo = n_c_lo1 + (n_a_cross + (twice_1_lo * twice_1 + twice_1 * twice_1_lo))
-    n_e_lo = n_e_lo1 + (twice_2_lo * twice_2 + twice_2 * twice_2_lo) + n_c_lo
-    n_of_n_e = n_e + n_e_lo
-    n_of_n_e_right = n_of_n_e - n_e
-    n = sqrt(n_of_n_e)
+    n_e_lo2 = (n_c - (n_e - n_e_right) + product_rest(twice_2, twice_2, n_d, n_e_right)
+        + (twice_2_lo * twice_2 + twice_2 * twice_2_lo))
+    n_e_lo = (n_e_lo2
+        + (n_c_lo1
+        + (twice_0_lo * twice_0 + twice_0 * twice_0_lo
+        + (twice_1_lo * twice_1 + twice_1 * twice_1_lo))))
+    n_e_sum = n_e + n_e_lo
+    n_e_sum_right = n_e_sum - n_e
+    n = sqrt(n_e_sum)
     n_product = n * n
-    n_of_n_e_lo = n_e - (n_of_n_e - n_of_n_e_right) + (n_e_lo - n_of_n_e_right)
-    n_residual = n_of_n_e - n_product - product_error(n, n, n_product) + n_of_n_e_lo
-    n_lo = n_residual / where(n == 0, 1, n + n)
-    divisor_a_of_n = n + n_lo
-    divisor_a_of_n_right = divisor_a_of_n - n
-    divisor_a_of_n_lo = n - (divisor_a_of_n - divisor_a_of_n_right) + (n_lo - divisor_a_of_n_right)
-    divisor_a = divisor_a_of_n == 0
-    divisor = where(divisor_a, 1, divisor_a_of_n)
-    divisor_lo = where(divisor_a, 0, divisor_a_of_n_lo)
-    q1_0_of_twice_0 = twice_0 + twice_0_lo
-    q1_0_of_twice_0_right = q1_0_of_twice_0 - twice_0
-    q1_0_of_twice_0_left_rest = twice_0 - (q1_0_of_twice_0 - q1_0_of_twice_0_right)
-    q1_0_of_divisor = divisor + divisor_lo
-    q1_0_of_divisor_right = q1_0_of_divisor - divisor
-    q1_0_of_divisor_left_rest = divisor - (q1_0_of_divisor - q1_0_of_divisor_right)
-    q1_0_of_divisor_lo = q1_0_of_divisor_left_rest + (divisor_lo - q1_0_of_divisor_right)
-    q1_0 = q1_0_of_twice_0 / q1_0_of_divisor
-    q1_0_product = q1_0 * q1_0_of_divisor
-    q1_0_exact = q1_0_of_twice_0 - q1_0_product - product_error(q1_0, q1_0_of_divisor, q1_0_product)
-    q1_0_numerator = q1_0_exact + (q1_0_of_twice_0_left_rest + (twice_0_lo - q1_0_of_twice_0_right))
-    q1_0_lo = (q1_0_numerator - q1_0 * q1_0_of_divisor_lo) / q1_0_of_divisor
-    q1_1_of_twice_1 = twice_1 + twice_1_lo
-    q1_1_of_twice_1_right = q1_1_of_twice_1 - twice_1
-    q1_1_of_twice_1_left_rest = twice_1 - (q1_1_of_twice_1 - q1_1_of_twice_1_right)
-    q1_1 = q1_1_of_twice_1 / q1_0_of_divisor
-    q1_1_product = q1_1 * q1_0_of_divisor
-    q1_1_exact = q1_1_of_twice_1 - q1_1_product - product_error(q1_1, q1_0_of_divisor, q1_1_product)
-    q1_1_numerator = q1_1_exact + (q1_1_of_twice_1_left_rest + (twice_1_lo - q1_1_of_twice_1_right))
-    q1_1_lo = (q1_1_numerator - q1_1 * q1_0_of_divisor_lo) / q1_0_of_divisor
-    q1_2_of_twice_2 = twice_2 + twice_2_lo
-    q1_2_of_twice_2_right = q1_2_of_twice_2 - twice_2
-    q1_2_of_twice_2_left_rest = twice_2 - (q1_2_of_twice_2 - q1_2_of_twice_2_right)
-    q1_2 = q1_2_of_twice_2 / q1_0_of_divisor
-    q1_2_product = q1_2 * q1_0_of_divisor
-    q1_2_exact = q1_2_of_twice_2 - q1_2_product - product_error(q1_2, q1_0_of_divisor, q1_2_product)
-    q1_2_numerator = q1_2_exact + (q1_2_of_twice_2_left_rest + (twice_2_lo - q1_2_of_twice_2_right))
-    q1_2_lo = (q1_2_numerator - q1_2 * q1_0_of_divisor_lo) / q1_0_of_divisor
+    n_lo = ((n_e_sum - n_product - product_error(n, n, n_product)
+        + (n_e - (n_e_sum - n_e_sum_right) + (n_e_lo - n_e_sum_right))) / where(n == 0, 1, n + n))
+    n_sum = n + n_lo
+    n_sum_right = n_sum - n
+    n_sum_lo = n - (n_sum - n_sum_right) + (n_lo - n_sum_right)
+    divisor_a = n_sum == 0
+    divisor = where(divisor_a, 1, n_sum)
+    divisor_lo = where(divisor_a, 0, n_sum_lo)
+    twice_0_sum = twice_0 + twice_0_lo
+    twice_0_sum_right = twice_0_sum - twice_0
+    divisor_sum = divisor + divisor_lo
+    divisor_sum_right = divisor_sum - divisor
+    divisor_sum_lo = divisor - (divisor_sum - divisor_sum_right) + (divisor_lo - divisor_sum_right)
+    q1_0 = twice_0_sum / divisor_sum
+    q1_0_product = q1_0 * divisor_sum
+    twice_0_sum_lo = twice_0 - (twice_0_sum - twice_0_sum_right) + (twice_0_lo - twice_0_sum_right)
+    q1_0_lo = ((twice_0_sum - q1_0_product - product_error(q1_0, divisor_sum, q1_0_product)
+        + twice_0_sum_lo - q1_0 * divisor_sum_lo) / divisor_sum)
+    twice_1_sum = twice_1 + twice_1_lo
+    twice_1_sum_right = twice_1_sum - twice_1
+    q1_1 = twice_1_sum / divisor_sum
+    q1_1_product = q1_1 * divisor_sum
+    twice_1_sum_lo = twice_1 - (twice_1_sum - twice_1_sum_right) + (twice_1_lo - twice_1_sum_right)
+    q1_1_lo = ((twice_1_sum - q1_1_product - product_error(q1_1, divisor_sum, q1_1_product)
+        + twice_1_sum_lo - q1_1 * divisor_sum_lo) / divisor_sum)
+    twice_2_sum = twice_2 + twice_2_lo
+    twice_2_sum_right = twice_2_sum - twice_2
+    q1_2 = twice_2_sum / divisor_sum
+    q1_2_product = q1_2 * divisor_sum
+    twice_2_sum_lo = twice_2 - (twice_2_sum - twice_2_sum_right) + (twice_2_lo - twice_2_sum_right)
+    q1_2_lo = ((twice_2_sum - q1_2_product - product_error(q1_2, divisor_sum, q1_2_product)
+        + twice_2_sum_lo - q1_2 * divisor_sum_lo) / divisor_sum)
     normal_0a = q0_1 * q1_2
     normal_0b = q0_2 * q1_1
     normal_0 = normal_0a - normal_0b
     normal_0_right = normal_0a - normal_0
-    normal_0_left_rest = product_rest(q0_1, q1_2, normal_0a, normal_0 + normal_0_right)
-    normal_0_lo1 = normal_0_left_rest - product_rest(q0_2, q1_1, normal_0b, normal_0_right)
-    normal_0_cross = q0_1_lo * q1_2 + q0_1 * q1_2_lo - (q0_2_lo * q1_1 + q0_2 * q1_1_lo)
-    normal_0_lo = normal_0_lo1 + normal_0_cross
+    normal_0_lo1 = (product_rest(q0_1, q1_2, normal_0a, normal_0 + normal_0_right)
+        - product_rest(q0_2, q1_1, normal_0b, normal_0_right))
+    normal_0_lo = (normal_0_lo1
+        + (q0_1_lo * q1_2 + q0_1 * q1_2_lo - (q0_2_lo * q1_1 + q0_2 * q1_1_lo)))
     normal_1a = q0_2 * q1_0
     normal_1b = q0_0 * q1_2
     normal_1 = normal_1a - normal_1b
     normal_1_right = normal_1a - normal_1
-    normal_1_left_rest = product_rest(q0_2, q1_0, normal_1a, normal_1 + normal_1_right)
-    normal_1_lo1 = normal_1_left_rest - product_rest(q0_0, q1_2, normal_1b, normal_1_right)
-    normal_1_cross = q0_2_lo * q1_0 + q0_2 * q1_0_lo - (q0_0_lo * q1_2 + q0_0 * q1_2_lo)
-    normal_1_lo = normal_1_lo1 + normal_1_cross
+    normal_1_lo1 = (product_rest(q0_2, q1_0, normal_1a, normal_1 + normal_1_right)
+        - product_rest(q0_0, q1_2, normal_1b, normal_1_right))
+    normal_1_lo = (normal_1_lo1
+        + (q0_2_lo * q1_0 + q0_2 * q1_0_lo - (q0_0_lo * q1_2 + q0_0 * q1_2_lo)))
     normal_2a = q0_0 * q1_1
     normal_2b = q0_1 * q1_0
     normal_2 = normal_2a - normal_2b
     normal_2_right = normal_2a - normal_2
-    normal_2_left_rest = product_rest(q0_0, q1_1, normal_2a, normal_2 + normal_2_right)
-    normal_2_lo1 = normal_2_left_rest - product_rest(q0_1, q1_0, normal_2b, normal_2_right)
-    normal_2_cross = q0_0_lo * q1_1 + q0_0 * q1_1_lo - (q0_1_lo * q1_0 + q0_1 * q1_0_lo)
-    normal_2_lo = normal_2_lo1 + normal_2_cross
+    normal_2_lo1 = (product_rest(q0_0, q1_1, normal_2a, normal_2 + normal_2_right)
+        - product_rest(q0_1, q1_0, normal_2b, normal_2_right))
+    normal_2_lo = (normal_2_lo1
+        + (q0_0_lo * q1_1 + q0_0 * q1_1_lo - (q0_1_lo * q1_0 + q0_1 * q1_0_lo)))
     u2_s_size_0 = absolute(self_20)
     u2_s_size_1 = absolute(self_21)
     u2_s_size_2 = absolute(self_22)
     u2_s_largest1 = where(u2_s_size_0 < u2_s_size_1, u2_s_size_1, u2_s_size_0)
     u2_s_largest2 = where(u2_s_largest1 < u2_s_size_2, u2_s_size_2, u2_s_largest1)
-    u2_s_a = 6.703903964971299e+153 < u2_s_largest2
-    u2_s_b = where(u2_s_a, float64(3.7291703656001034e-155), float64(1))
-    u2_s_d = where(u2_s_largest2 < 256, 1.3093562431584567e+151, u2_s_b)
-    u2_s = where(u2_s_largest2 < 1.955159272639747e-149, 1.0715086071862673e+301, u2_s_d)
+    u2_s_b = (where(6.703903964971299e+153
+        < u2_s_largest2, float64(3.7291703656001034e-155), float64(1)))
+    u2_s = (where(u2_s_largest2
+        < 1.955159272639747e-149, 1.0715086071862673e+301, where(u2_s_largest2
+        < 256, 1.3093562431584567e+151, u2_s_b)))
     u2_y_0 = self_20 * u2_s
     u2_y_1 = self_21 * u2_s
     u2_y_2 = self_22 * u2_s
@@ -878,112 +827,99 @@ def mat3x3_normalize(self):
     u2_n_b = u2_y_1 * u2_y_1
     u2_n_c = u2_n_a + u2_n_b
     u2_n_c_right = u2_n_c - u2_n_a
-    u2_n_c_left_rest = product_rest(u2_y_0, u2_y_0, u2_n_a, u2_n_c - u2_n_c_right)
     u2_n_d = u2_y_2 * u2_y_2
     u2_n_e = u2_n_c + u2_n_d
     u2_n_e_right = u2_n_e - u2_n_c
-    u2_n_e_right_rest = product_rest(u2_y_2, u2_y_2, u2_n_d, u2_n_e_right)
-    u2_n_c_lo = u2_n_c_left_rest + product_rest(u2_y_1, u2_y_1, u2_n_b, u2_n_c_right)
-    u2_n_e_lo = u2_n_c - (u2_n_e - u2_n_e_right) + u2_n_e_right_rest + u2_n_c_lo
-    u2_n_of_u2_n_e = u2_n_e + u2_n_e_lo
-    u2_n_of_u2_n_e_right = u2_n_of_u2_n_e - u2_n_e
-    u2_n_of_u2_n_e_left_rest = u2_n_e - (u2_n_of_u2_n_e - u2_n_of_u2_n_e_right)
-    u2_n = sqrt(u2_n_of_u2_n_e)
+    u2_n_c_lo = (product_rest(u2_y_0, u2_y_0, u2_n_a, u2_n_c - u2_n_c_right)
+        + product_rest(u2_y_1, u2_y_1, u2_n_b, u2_n_c_right))
+    u2_n_e_lo = (u2_n_c - (u2_n_e - u2_n_e_right)
+        + product_rest(u2_y_2, u2_y_2, u2_n_d, u2_n_e_right) + u2_n_c_lo)
+    u2_n_e_sum = u2_n_e + u2_n_e_lo
+    u2_n_e_sum_right = u2_n_e_sum - u2_n_e
+    u2_n = sqrt(u2_n_e_sum)
     u2_n_product = u2_n * u2_n
-    u2_n_exact = u2_n_of_u2_n_e - u2_n_product - product_error(u2_n, u2_n, u2_n_product)
-    u2_n_residual = u2_n_exact + (u2_n_of_u2_n_e_left_rest + (u2_n_e_lo - u2_n_of_u2_n_e_right))
-    u2_n_lo = u2_n_residual / where(u2_n == 0, 1, u2_n + u2_n)
-    u2_divisor_a_of_u2_n = u2_n + u2_n_lo
-    u2_divisor_a_of_u2_n_right = u2_divisor_a_of_u2_n - u2_n
-    u2_divisor_a_of_u2_n_left_rest = u2_n - (u2_divisor_a_of_u2_n - u2_divisor_a_of_u2_n_right)
-    u2_divisor_a_of_u2_n_right_rest = u2_n_lo - u2_divisor_a_of_u2_n_right
-    u2_divisor_a = u2_divisor_a_of_u2_n == 0
-    u2_divisor = where(u2_divisor_a, u2_up, u2_divisor_a_of_u2_n)
-    u2_divisor_a_of_u2_n_lo = u2_divisor_a_of_u2_n_left_rest + u2_divisor_a_of_u2_n_right_rest
-    u2_divisor_lo = where(u2_divisor_a, 0, u2_divisor_a_of_u2_n_lo)
+    u2_n_e_sum_lo = u2_n_e - (u2_n_e_sum - u2_n_e_sum_right) + (u2_n_e_lo - u2_n_e_sum_right)
+    u2_n_lo = ((u2_n_e_sum - u2_n_product - product_error(u2_n, u2_n, u2_n_product)
+        + u2_n_e_sum_lo) / where(u2_n == 0, 1, u2_n + u2_n))
+    u2_n_sum = u2_n + u2_n_lo
+    u2_n_sum_right = u2_n_sum - u2_n
+    u2_divisor_a = u2_n_sum == 0
+    u2_divisor = where(u2_divisor_a, u2_up, u2_n_sum)
+    u2_divisor_lo = (where(u2_divisor_a, 0, u2_n - (u2_n_sum - u2_n_sum_right)
+        + (u2_n_lo - u2_n_sum_right)))
     u2_sized_0 = self_20 * u2_up
     u2_sized_1 = self_21 * u2_up
     u2_sized_2 = self_22 * u2_up
-    u2_quotient_0_of_u2_divisor = u2_divisor + u2_divisor_lo
-    u2_quotient_0_of_u2_divisor_right = u2_quotient_0_of_u2_divisor - u2_divisor
-    u2_quotient_0_of_u2_divisor_left = u2_quotient_0_of_u2_divisor - u2_quotient_0_of_u2_divisor_right
-    u2_quotient_0_of_u2_divisor_right_rest = u2_divisor_lo - u2_quotient_0_of_u2_divisor_right
-    u2_quotient_0_of_u2_divisor_left_rest = u2_divisor - u2_quotient_0_of_u2_divisor_left
-    u2_quotient_0_of_u2_divisor_lo = u2_quotient_0_of_u2_divisor_left_rest + u2_quotient_0_of_u2_divisor_right_rest
-    u2_quotient_0 = u2_sized_0 / u2_quotient_0_of_u2_divisor
-    u2_quotient_0_product = u2_quotient_0 * u2_quotient_0_of_u2_divisor
-    u2_quotient_0_product_error = product_error(u2_quotient_0, u2_quotient_0_of_u2_divisor, u2_quotient_0_product)
-    u2_quotient_0_exact = u2_sized_0 - u2_quotient_0_product - u2_quotient_0_product_error
-    u2_quotient_0_residual = u2_quotient_0_exact - u2_quotient_0 * u2_quotient_0_of_u2_divisor_lo
-    u2_quotient_0_lo = u2_quotient_0_residual / u2_quotient_0_of_u2_divisor
-    u2_quotient_1 = u2_sized_1 / u2_quotient_0_of_u2_divisor
-    u2_quotient_1_product = u2_quotient_1 * u2_quotient_0_of_u2_divisor
-    u2_quotient_1_product_error = product_error(u2_quotient_1, u2_quotient_0_of_u2_divisor, u2_quotient_1_product)
-    u2_quotient_1_exact = u2_sized_1 - u2_quotient_1_product - u2_quotient_1_product_error
-    u2_quotient_1_residual = u2_quotient_1_exact - u2_quotient_1 * u2_quotient_0_of_u2_divisor_lo
-    u2_quotient_1_lo = u2_quotient_1_residual / u2_quotient_0_of_u2_divisor
-    u2_quotient_2 = u2_sized_2 / u2_quotient_0_of_u2_divisor
-    u2_quotient_2_product = u2_quotient_2 * u2_quotient_0_of_u2_divisor
-    u2_quotient_2_product_error = product_error(u2_quotient_2, u2_quotient_0_of_u2_divisor, u2_quotient_2_product)
-    u2_quotient_2_exact = u2_sized_2 - u2_quotient_2_product - u2_quotient_2_product_error
-    u2_quotient_2_residual = u2_quotient_2_exact - u2_quotient_2 * u2_quotient_0_of_u2_divisor_lo
-    u2_quotient_2_lo = u2_quotient_2_residual / u2_quotient_0_of_u2_divisor
-    u2_0_of_u2_quotient_0 = u2_quotient_0 + u2_quotient_0_lo
-    u2_0_of_u2_quotient_0_right = u2_0_of_u2_quotient_0 - u2_quotient_0
-    u2_0_of_u2_quotient_0_left = u2_0_of_u2_quotient_0 - u2_0_of_u2_quotient_0_right
-    u2_0_of_u2_quotient_0_right_rest = u2_quotient_0_lo - u2_0_of_u2_quotient_0_right
-    u2_0_of_u2_quotient_0_left_rest = u2_quotient_0 - u2_0_of_u2_quotient_0_left
-    u2_0 = u2_0_of_u2_quotient_0 * u2_down
+    u2_divisor_sum = u2_divisor + u2_divisor_lo
+    u2_divisor_sum_right = u2_divisor_sum - u2_divisor
+    u2_divisor_sum_lo = (u2_divisor - (u2_divisor_sum - u2_divisor_sum_right)
+        + (u2_divisor_lo - u2_divisor_sum_right))
+    u2_quotient_0 = u2_sized_0 / u2_divisor_sum
+    u2_quotient_0_product = u2_quotient_0 * u2_divisor_sum
+    u2_quotient_0_exact = (u2_sized_0 - u2_quotient_0_product
+        - product_error(u2_quotient_0, u2_divisor_sum, u2_quotient_0_product))
+    u2_quotient_0_lo = (u2_quotient_0_exact - u2_quotient_0 * u2_divisor_sum_lo) / u2_divisor_sum
+    u2_quotient_1 = u2_sized_1 / u2_divisor_sum
+    u2_quotient_1_product = u2_quotient_1 * u2_divisor_sum
+    u2_quotient_1_exact = (u2_sized_1 - u2_quotient_1_product
+        - product_error(u2_quotient_1, u2_divisor_sum, u2_quotient_1_product))
+    u2_quotient_1_lo = (u2_quotient_1_exact - u2_quotient_1 * u2_divisor_sum_lo) / u2_divisor_sum
+    u2_quotient_2 = u2_sized_2 / u2_divisor_sum
+    u2_quotient_2_product = u2_quotient_2 * u2_divisor_sum
+    u2_quotient_2_exact = (u2_sized_2 - u2_quotient_2_product
+        - product_error(u2_quotient_2, u2_divisor_sum, u2_quotient_2_product))
+    u2_quotient_2_lo = (u2_quotient_2_exact - u2_quotient_2 * u2_divisor_sum_lo) / u2_divisor_sum
+    u2_quotient_0_sum = u2_quotient_0 + u2_quotient_0_lo
+    u2_quotient_0_sum_right = u2_quotient_0_sum - u2_quotient_0
+    u2_0 = u2_quotient_0_sum * u2_down
     u2_0_inverse = 1 / u2_down
-    u2_0_of_u2_quotient_0_lo = u2_0_of_u2_quotient_0_left_rest + u2_0_of_u2_quotient_0_right_rest
-    u2_1_of_u2_quotient_1 = u2_quotient_1 + u2_quotient_1_lo
-    u2_1_of_u2_quotient_1_right = u2_1_of_u2_quotient_1 - u2_quotient_1
-    u2_1_of_u2_quotient_1_left = u2_1_of_u2_quotient_1 - u2_1_of_u2_quotient_1_right
-    u2_1_of_u2_quotient_1_right_rest = u2_quotient_1_lo - u2_1_of_u2_quotient_1_right
-    u2_1_of_u2_quotient_1_left_rest = u2_quotient_1 - u2_1_of_u2_quotient_1_left
-    u2_1 = u2_1_of_u2_quotient_1 * u2_down
-    u2_1_of_u2_quotient_1_lo = u2_1_of_u2_quotient_1_left_rest + u2_1_of_u2_quotient_1_right_rest
-    u2_2_of_u2_quotient_2 = u2_quotient_2 + u2_quotient_2_lo
-    u2_2_of_u2_quotient_2_right = u2_2_of_u2_quotient_2 - u2_quotient_2
-    u2_2_of_u2_quotient_2_left = u2_2_of_u2_quotient_2 - u2_2_of_u2_quotient_2_right
-    u2_2_of_u2_quotient_2_right_rest = u2_quotient_2_lo - u2_2_of_u2_quotient_2_right
-    u2_2_of_u2_quotient_2_left_rest = u2_quotient_2 - u2_2_of_u2_quotient_2_left
-    u2_2 = u2_2_of_u2_quotient_2 * u2_down
-    u2_2_of_u2_quotient_2_lo = u2_2_of_u2_quotient_2_left_rest + u2_2_of_u2_quotient_2_right_rest
+    u2_quotient_0_sum_lo = (u2_quotient_0 - (u2_quotient_0_sum - u2_quotient_0_sum_right)
+        + (u2_quotient_0_lo - u2_quotient_0_sum_right))
+    u2_quotient_1_sum = u2_quotient_1 + u2_quotient_1_lo
+    u2_quotient_1_sum_right = u2_quotient_1_sum - u2_quotient_1
+    u2_1 = u2_quotient_1_sum * u2_down
+    u2_quotient_1_sum_lo = (u2_quotient_1 - (u2_quotient_1_sum - u2_quotient_1_sum_right)
+        + (u2_quotient_1_lo - u2_quotient_1_sum_right))
+    u2_quotient_2_sum = u2_quotient_2 + u2_quotient_2_lo
+    u2_quotient_2_sum_right = u2_quotient_2_sum - u2_quotient_2
+    u2_2 = u2_quotient_2_sum * u2_down
+    u2_quotient_2_sum_lo = (u2_quotient_2 - (u2_quotient_2_sum - u2_quotient_2_sum_right)
+        + (u2_quotient_2_lo - u2_quotient_2_sum_right))
     side_a = normal_0 * u2_0
-    u2_0_lo = (u2_0_of_u2_quotient_0 - u2_0 * u2_0_inverse + u2_0_of_u2_quotient_0_lo) * u2_down
     side_b = normal_1 * u2_1
-    u2_1_lo = (u2_1_of_u2_quotient_1 - u2_1 * u2_0_inverse + u2_1_of_u2_quotient_1_lo) * u2_down
     side_c = side_a + side_b
     side_c_right = side_c - side_a
-    side_a_cross = normal_0_lo * u2_0 + normal_0 * u2_0_lo
-    side_c_left_rest = product_rest(normal_0, u2_0, side_a, side_c - side_c_right)
-    side_c_lo1 = side_c_left_rest + product_rest(normal_1, u2_1, side_b, side_c_right)
+    side_a_cross = (normal_0_lo * u2_0 + normal_0
+        * ((u2_quotient_0_sum - u2_0 * u2_0_inverse + u2_quotient_0_sum_lo) * u2_down))
+    side_c_cross = (side_a_cross
+        + (normal_1_lo * u2_1 + normal_1
+        * ((u2_quotient_1_sum - u2_1 * u2_0_inverse + u2_quotient_1_sum_lo) * u2_down)))
     side_d = normal_2 * u2_2
-    u2_2_lo = (u2_2_of_u2_quotient_2 - u2_2 * u2_0_inverse + u2_2_of_u2_quotient_2_lo) * u2_down
     side = side_c + side_d
     side_right = side - side_c
-    side_lo1 = side_c - (side - side_right) + product_rest(normal_2, u2_2, side_d, side_right)
-    side_c_lo = side_c_lo1 + (side_a_cross + (normal_1_lo * u2_1 + normal_1 * u2_1_lo))
-    side_lo = side_lo1 + (normal_2_lo * u2_2 + normal_2 * u2_2_lo) + side_c_lo
-    q2_0b_of_side = side + side_lo
-    q2_0b_of_side_right = q2_0b_of_side - side
-    q2_0b_of_side_left_rest = side - (q2_0b_of_side - q2_0b_of_side_right)
-    q2_0b_of_side_lo = q2_0b_of_side_left_rest + (side_lo - q2_0b_of_side_right)
-    q2_0b = q2_0b_of_side < 0
+    side_d_cross = (normal_2_lo * u2_2 + normal_2
+        * ((u2_quotient_2_sum - u2_2 * u2_0_inverse + u2_quotient_2_sum_lo) * u2_down))
+    side_c_lo = (product_rest(normal_0, u2_0, side_a, side_c - side_c_right)
+        + product_rest(normal_1, u2_1, side_b, side_c_right) + side_c_cross)
+    side_lo = (side_c - (side - side_right) + product_rest(normal_2, u2_2, side_d, side_right)
+        + side_d_cross + side_c_lo)
+    side_sum = side + side_lo
+    side_sum_right = side_sum - side
+    side_sum_lo = side - (side_sum - side_sum_right) + (side_lo - side_sum_right)
+    q2_0b = side_sum < 0
     q2_0 = where(q2_0b, -normal_0, normal_0)
     q2_1 = where(q2_0b, -normal_1, normal_1)
     q2_2 = where(q2_0b, -normal_2, normal_2)
-    size = absolute(q2_0b_of_side)
-    size_lo = where(q2_0b_of_side < 0, -q2_0b_of_side_lo, q2_0b_of_side_lo)
-    less_a_of_size = size + size_lo
-    less_a_of_size_right = less_a_of_size - size
-    less_a_of_size_left_rest = size - (less_a_of_size - less_a_of_size_right)
-    less_a = divisor_a_of_n < less_a_of_size
-    less = where(less_a, divisor_a_of_n, less_a_of_size)
-    less_a_of_size_lo = less_a_of_size_left_rest + (size_lo - less_a_of_size_right)
-    dependent_a_of_less = less + where(less_a, divisor_a_of_n_lo, less_a_of_size_lo)
-    dependent = where(dependent_a_of_less < 1.7763568394002505e-15, float64(1), float64(0))
+    size = absolute(side_sum)
+    size_lo = where(side_sum < 0, -side_sum_lo, side_sum_lo)
+    size_sum = size + size_lo
+    size_sum_right = size_sum - size
+    less_a = n_sum < size_sum
+    less = where(less_a, n_sum, size_sum)
+    dependent_a = (less
+        + where(less_a, n_sum_lo, size - (size_sum - size_sum_right) + (size_lo - size_sum_right))
+        < 1.7763568394002505e-15)
+    dependent = where(dependent_a, float64(1), float64(0))
     self_00_new_a = dependent == 1
     self_00_new = where(self_00_new_a, nan, q0_0)
     self_01_new = where(self_00_new_a, nan, q0_1)
@@ -995,35 +931,35 @@ def mat3x3_normalize(self):
     self_21_new = where(self_00_new_a, nan, q2_1)
     self_22_new = where(self_00_new_a, nan, q2_2)
     self_00_new_rounded = self_00_new + where(self_00_new_a, 0, q0_0_lo)
-    self_00_new_rounded_number = self_00_new_rounded == self_00_new_rounded
     self_01_new_rounded = self_01_new + where(self_00_new_a, 0, q0_1_lo)
-    self_01_new_rounded_number = self_01_new_rounded == self_01_new_rounded
     self_02_new_rounded = self_02_new + where(self_00_new_a, 0, q0_2_lo)
-    self_02_new_rounded_number = self_02_new_rounded == self_02_new_rounded
     self_10_new_rounded = self_10_new + where(self_00_new_a, 0, q1_0_lo)
-    self_10_new_rounded_number = self_10_new_rounded == self_10_new_rounded
     self_11_new_rounded = self_11_new + where(self_00_new_a, 0, q1_1_lo)
-    self_11_new_rounded_number = self_11_new_rounded == self_11_new_rounded
     self_12_new_rounded = self_12_new + where(self_00_new_a, 0, q1_2_lo)
-    self_12_new_rounded_number = self_12_new_rounded == self_12_new_rounded
-    self_20_new_lo = where(self_00_new_a, 0, where(q2_0b, -normal_0_lo, normal_0_lo))
-    self_20_new_rounded = self_20_new + self_20_new_lo
-    self_20_new_rounded_number = self_20_new_rounded == self_20_new_rounded
-    self_21_new_lo = where(self_00_new_a, 0, where(q2_0b, -normal_1_lo, normal_1_lo))
-    self_21_new_rounded = self_21_new + self_21_new_lo
-    self_21_new_rounded_number = self_21_new_rounded == self_21_new_rounded
-    self_22_new_lo = where(self_00_new_a, 0, where(q2_0b, -normal_2_lo, normal_2_lo))
-    self_22_new_rounded = self_22_new + self_22_new_lo
-    self_22_new_rounded_number = self_22_new_rounded == self_22_new_rounded
-    self_00_new_final = where(self_00_new_rounded_number, self_00_new_rounded, self_00_new)
-    self_01_new_final = where(self_01_new_rounded_number, self_01_new_rounded, self_01_new)
-    self_02_new_final = where(self_02_new_rounded_number, self_02_new_rounded, self_02_new)
-    self_10_new_final = where(self_10_new_rounded_number, self_10_new_rounded, self_10_new)
-    self_11_new_final = where(self_11_new_rounded_number, self_11_new_rounded, self_11_new)
-    self_12_new_final = where(self_12_new_rounded_number, self_12_new_rounded, self_12_new)
-    self_20_new_final = where(self_20_new_rounded_number, self_20_new_rounded, self_20_new)
-    self_21_new_final = where(self_21_new_rounded_number, self_21_new_rounded, self_21_new)
-    self_22_new_final = where(self_22_new_rounded_number, self_22_new_rounded, self_22_new)
+    self_20_new_rounded = (self_20_new
+        + where(self_00_new_a, 0, where(q2_0b, -normal_0_lo, normal_0_lo)))
+    self_21_new_rounded = (self_21_new
+        + where(self_00_new_a, 0, where(q2_0b, -normal_1_lo, normal_1_lo)))
+    self_22_new_rounded = (self_22_new
+        + where(self_00_new_a, 0, where(q2_0b, -normal_2_lo, normal_2_lo)))
+    self_00_new_final = where(self_00_new_rounded == self_00_new_rounded, self_00_new_rounded,
+        self_00_new)
+    self_01_new_final = where(self_01_new_rounded == self_01_new_rounded, self_01_new_rounded,
+        self_01_new)
+    self_02_new_final = where(self_02_new_rounded == self_02_new_rounded, self_02_new_rounded,
+        self_02_new)
+    self_10_new_final = where(self_10_new_rounded == self_10_new_rounded, self_10_new_rounded,
+        self_10_new)
+    self_11_new_final = where(self_11_new_rounded == self_11_new_rounded, self_11_new_rounded,
+        self_11_new)
+    self_12_new_final = where(self_12_new_rounded == self_12_new_rounded, self_12_new_rounded,
+        self_12_new)
+    self_20_new_final = where(self_20_new_rounded == self_20_new_rounded, self_20_new_rounded,
+        self_20_new)
+    self_21_new_final = where(self_21_new_rounded == self_21_new_rounded, self_21_new_rounded,
+        self_21_new)
+    self_22_new_final = where(self_22_new_rounded == self_22_new_rounded, self_22_new_rounded,
+        self_22_new)
     return (self_00_new_final, self_01_new_final, self_02_new_final, self_10_new_final,
         self_11_new_final, self_12_new_final, self_20_new_final, self_21_new_final,
         self_22_new_final)
@@ -1045,10 +981,11 @@ def mat3x3_normalized(R):
     q0_s_size_2 = absolute(R_02)
     q0_s_largest1 = where(q0_s_size_0 < q0_s_size_1, q0_s_size_1, q0_s_size_0)
     q0_s_largest2 = where(q0_s_largest1 < q0_s_size_2, q0_s_size_2, q0_s_largest1)
-    q0_s_a = 6.703903964971299e+153 < q0_s_largest2
-    q0_s_b = where(q0_s_a, float64(3.7291703656001034e-155), float64(1))
-    q0_s_d = where(q0_s_largest2 < 256, 1.3093562431584567e+151, q0_s_b)
-    q0_s = where(q0_s_largest2 < 1.955159272639747e-149, 1.0715086071862673e+301, q0_s_d)
+    q0_s_b = (where(6.703903964971299e+153
+        < q0_s_largest2, float64(3.7291703656001034e-155), float64(1)))
+    q0_s = (where(q0_s_largest2
+        < 1.955159272639747e-149, 1.0715086071862673e+301, where(q0_s_largest2
+        < 256, 1.3093562431584567e+151, q0_s_b)))
     q0_y_0 = R_00 * q0_s
     q0_y_1 = R_01 * q0_s
     q0_y_2 = R_02 * q0_s
@@ -1058,90 +995,77 @@ def mat3x3_normalized(R):
     q0_n_b = q0_y_1 * q0_y_1
     q0_n_c = q0_n_a + q0_n_b
     q0_n_c_right = q0_n_c - q0_n_a
-    q0_n_c_left_rest = product_rest(q0_y_0, q0_y_0, q0_n_a, q0_n_c - q0_n_c_right)
     q0_n_d = q0_y_2 * q0_y_2
     q0_n_e = q0_n_c + q0_n_d
     q0_n_e_right = q0_n_e - q0_n_c
-    q0_n_e_right_rest = product_rest(q0_y_2, q0_y_2, q0_n_d, q0_n_e_right)
-    q0_n_c_lo = q0_n_c_left_rest + product_rest(q0_y_1, q0_y_1, q0_n_b, q0_n_c_right)
-    q0_n_e_lo = q0_n_c - (q0_n_e - q0_n_e_right) + q0_n_e_right_rest + q0_n_c_lo
-    q0_n_of_q0_n_e = q0_n_e + q0_n_e_lo
-    q0_n_of_q0_n_e_right = q0_n_of_q0_n_e - q0_n_e
-    q0_n_of_q0_n_e_left_rest = q0_n_e - (q0_n_of_q0_n_e - q0_n_of_q0_n_e_right)
-    q0_n = sqrt(q0_n_of_q0_n_e)
+    q0_n_c_lo = (product_rest(q0_y_0, q0_y_0, q0_n_a, q0_n_c - q0_n_c_right)
+        + product_rest(q0_y_1, q0_y_1, q0_n_b, q0_n_c_right))
+    q0_n_e_lo = (q0_n_c - (q0_n_e - q0_n_e_right)
+        + product_rest(q0_y_2, q0_y_2, q0_n_d, q0_n_e_right) + q0_n_c_lo)
+    q0_n_e_sum = q0_n_e + q0_n_e_lo
+    q0_n_e_sum_right = q0_n_e_sum - q0_n_e
+    q0_n = sqrt(q0_n_e_sum)
     q0_n_product = q0_n * q0_n
-    q0_n_exact = q0_n_of_q0_n_e - q0_n_product - product_error(q0_n, q0_n, q0_n_product)
-    q0_n_residual = q0_n_exact + (q0_n_of_q0_n_e_left_rest + (q0_n_e_lo - q0_n_of_q0_n_e_right))
-    q0_n_lo = q0_n_residual / where(q0_n == 0, 1, q0_n + q0_n)
-    q0_divisor_a_of_q0_n = q0_n + q0_n_lo
-    q0_divisor_a_of_q0_n_right = q0_divisor_a_of_q0_n - q0_n
-    q0_divisor_a_of_q0_n_left_rest = q0_n - (q0_divisor_a_of_q0_n - q0_divisor_a_of_q0_n_right)
-    q0_divisor_a_of_q0_n_right_rest = q0_n_lo - q0_divisor_a_of_q0_n_right
-    q0_divisor_a = q0_divisor_a_of_q0_n == 0
-    q0_divisor = where(q0_divisor_a, q0_up, q0_divisor_a_of_q0_n)
-    q0_divisor_a_of_q0_n_lo = q0_divisor_a_of_q0_n_left_rest + q0_divisor_a_of_q0_n_right_rest
-    q0_divisor_lo = where(q0_divisor_a, 0, q0_divisor_a_of_q0_n_lo)
+    q0_n_e_sum_lo = q0_n_e - (q0_n_e_sum - q0_n_e_sum_right) + (q0_n_e_lo - q0_n_e_sum_right)
+    q0_n_lo = ((q0_n_e_sum - q0_n_product - product_error(q0_n, q0_n, q0_n_product)
+        + q0_n_e_sum_lo) / where(q0_n == 0, 1, q0_n + q0_n))
+    q0_n_sum = q0_n + q0_n_lo
+    q0_n_sum_right = q0_n_sum - q0_n
+    q0_divisor_a = q0_n_sum == 0
+    q0_divisor = where(q0_divisor_a, q0_up, q0_n_sum)
+    q0_divisor_lo = (where(q0_divisor_a, 0, q0_n - (q0_n_sum - q0_n_sum_right)
+        + (q0_n_lo - q0_n_sum_right)))
     q0_sized_0 = R_00 * q0_up
     q0_sized_1 = R_01 * q0_up
     q0_sized_2 = R_02 * q0_up
-    q0_quotient_0_of_q0_divisor = q0_divisor + q0_divisor_lo
-    q0_quotient_0_of_q0_divisor_right = q0_quotient_0_of_q0_divisor - q0_divisor
-    q0_quotient_0_of_q0_divisor_left = q0_quotient_0_of_q0_divisor - q0_quotient_0_of_q0_divisor_right
-    q0_quotient_0_of_q0_divisor_right_rest = q0_divisor_lo - q0_quotient_0_of_q0_divisor_right
-    q0_quotient_0_of_q0_divisor_left_rest = q0_divisor - q0_quotient_0_of_q0_divisor_left
-    q0_quotient_0_of_q0_divisor_lo = q0_quotient_0_of_q0_divisor_left_rest + q0_quotient_0_of_q0_divisor_right_rest
-    q0_quotient_0 = q0_sized_0 / q0_quotient_0_of_q0_divisor
-    q0_quotient_0_product = q0_quotient_0 * q0_quotient_0_of_q0_divisor
-    q0_quotient_0_product_error = product_error(q0_quotient_0, q0_quotient_0_of_q0_divisor, q0_quotient_0_product)
-    q0_quotient_0_exact = q0_sized_0 - q0_quotient_0_product - q0_quotient_0_product_error
-    q0_quotient_0_residual = q0_quotient_0_exact - q0_quotient_0 * q0_quotient_0_of_q0_divisor_lo
-    q0_quotient_0_lo = q0_quotient_0_residual / q0_quotient_0_of_q0_divisor
-    q0_quotient_1 = q0_sized_1 / q0_quotient_0_of_q0_divisor
-    q0_quotient_1_product = q0_quotient_1 * q0_quotient_0_of_q0_divisor
-    q0_quotient_1_product_error = product_error(q0_quotient_1, q0_quotient_0_of_q0_divisor, q0_quotient_1_product)
-    q0_quotient_1_exact = q0_sized_1 - q0_quotient_1_product - q0_quotient_1_product_error
-    q0_quotient_1_residual = q0_quotient_1_exact - q0_quotient_1 * q0_quotient_0_of_q0_divisor_lo
-    q0_quotient_1_lo = q0_quotient_1_residual / q0_quotient_0_of_q0_divisor
-    q0_quotient_2 = q0_sized_2 / q0_quotient_0_of_q0_divisor
-    q0_quotient_2_product = q0_quotient_2 * q0_quotient_0_of_q0_divisor
-    q0_quotient_2_product_error = product_error(q0_quotient_2, q0_quotient_0_of_q0_divisor, q0_quotient_2_product)
-    q0_quotient_2_exact = q0_sized_2 - q0_quotient_2_product - q0_quotient_2_product_error
-    q0_quotient_2_residual = q0_quotient_2_exact - q0_quotient_2 * q0_quotient_0_of_q0_divisor_lo
-    q0_quotient_2_lo = q0_quotient_2_residual / q0_quotient_0_of_q0_divisor
-    q0_0_of_q0_quotient_0 = q0_quotient_0 + q0_quotient_0_lo
-    q0_0_of_q0_quotient_0_right = q0_0_of_q0_quotient_0 - q0_quotient_0
-    q0_0_of_q0_quotient_0_left = q0_0_of_q0_quotient_0 - q0_0_of_q0_quotient_0_right
-    q0_0_of_q0_quotient_0_right_rest = q0_quotient_0_lo - q0_0_of_q0_quotient_0_right
-    q0_0_of_q0_quotient_0_left_rest = q0_quotient_0 - q0_0_of_q0_quotient_0_left
-    q0_0 = q0_0_of_q0_quotient_0 * q0_down
+    q0_divisor_sum = q0_divisor + q0_divisor_lo
+    q0_divisor_sum_right = q0_divisor_sum - q0_divisor
+    q0_divisor_sum_lo = (q0_divisor - (q0_divisor_sum - q0_divisor_sum_right)
+        + (q0_divisor_lo - q0_divisor_sum_right))
+    q0_quotient_0 = q0_sized_0 / q0_divisor_sum
+    q0_quotient_0_product = q0_quotient_0 * q0_divisor_sum
+    q0_quotient_0_exact = (q0_sized_0 - q0_quotient_0_product
+        - product_error(q0_quotient_0, q0_divisor_sum, q0_quotient_0_product))
+    q0_quotient_0_lo = (q0_quotient_0_exact - q0_quotient_0 * q0_divisor_sum_lo) / q0_divisor_sum
+    q0_quotient_1 = q0_sized_1 / q0_divisor_sum
+    q0_quotient_1_product = q0_quotient_1 * q0_divisor_sum
+    q0_quotient_1_exact = (q0_sized_1 - q0_quotient_1_product
+        - product_error(q0_quotient_1, q0_divisor_sum, q0_quotient_1_product))
+    q0_quotient_1_lo = (q0_quotient_1_exact - q0_quotient_1 * q0_divisor_sum_lo) / q0_divisor_sum
+    q0_quotient_2 = q0_sized_2 / q0_divisor_sum
+    q0_quotient_2_product = q0_quotient_2 * q0_divisor_sum
+    q0_quotient_2_exact = (q0_sized_2 - q0_quotient_2_product
+        - product_error(q0_quotient_2, q0_divisor_sum, q0_quotient_2_product))
+    q0_quotient_2_lo = (q0_quotient_2_exact - q0_quotient_2 * q0_divisor_sum_lo) / q0_divisor_sum
+    q0_quotient_0_sum = q0_quotient_0 + q0_quotient_0_lo
+    q0_quotient_0_sum_right = q0_quotient_0_sum - q0_quotient_0
+    q0_0 = q0_quotient_0_sum * q0_down
     q0_0_inverse = 1 / q0_down
-    q0_0_of_q0_quotient_0_lo = q0_0_of_q0_quotient_0_left_rest + q0_0_of_q0_quotient_0_right_rest
-    q0_0_lo = (q0_0_of_q0_quotient_0 - q0_0 * q0_0_inverse + q0_0_of_q0_quotient_0_lo) * q0_down
-    q0_1_of_q0_quotient_1 = q0_quotient_1 + q0_quotient_1_lo
-    q0_1_of_q0_quotient_1_right = q0_1_of_q0_quotient_1 - q0_quotient_1
-    q0_1_of_q0_quotient_1_left = q0_1_of_q0_quotient_1 - q0_1_of_q0_quotient_1_right
-    q0_1_of_q0_quotient_1_right_rest = q0_quotient_1_lo - q0_1_of_q0_quotient_1_right
-    q0_1_of_q0_quotient_1_left_rest = q0_quotient_1 - q0_1_of_q0_quotient_1_left
-    q0_1 = q0_1_of_q0_quotient_1 * q0_down
-    q0_1_of_q0_quotient_1_lo = q0_1_of_q0_quotient_1_left_rest + q0_1_of_q0_quotient_1_right_rest
-    q0_1_lo = (q0_1_of_q0_quotient_1 - q0_1 * q0_0_inverse + q0_1_of_q0_quotient_1_lo) * q0_down
-    q0_2_of_q0_quotient_2 = q0_quotient_2 + q0_quotient_2_lo
-    q0_2_of_q0_quotient_2_right = q0_2_of_q0_quotient_2 - q0_quotient_2
-    q0_2_of_q0_quotient_2_left = q0_2_of_q0_quotient_2 - q0_2_of_q0_quotient_2_right
-    q0_2_of_q0_quotient_2_right_rest = q0_quotient_2_lo - q0_2_of_q0_quotient_2_right
-    q0_2_of_q0_quotient_2_left_rest = q0_quotient_2 - q0_2_of_q0_quotient_2_left
-    q0_2 = q0_2_of_q0_quotient_2 * q0_down
-    q0_2_of_q0_quotient_2_lo = q0_2_of_q0_quotient_2_left_rest + q0_2_of_q0_quotient_2_right_rest
-    q0_2_lo = (q0_2_of_q0_quotient_2 - q0_2 * q0_0_inverse + q0_2_of_q0_quotient_2_lo) * q0_down
+    q0_quotient_0_sum_lo = (q0_quotient_0 - (q0_quotient_0_sum - q0_quotient_0_sum_right)
+        + (q0_quotient_0_lo - q0_quotient_0_sum_right))
+    q0_0_lo = (q0_quotient_0_sum - q0_0 * q0_0_inverse + q0_quotient_0_sum_lo) * q0_down
+    q0_quotient_1_sum = q0_quotient_1 + q0_quotient_1_lo
+    q0_quotient_1_sum_right = q0_quotient_1_sum - q0_quotient_1
+    q0_1 = q0_quotient_1_sum * q0_down
+    q0_quotient_1_sum_lo = (q0_quotient_1 - (q0_quotient_1_sum - q0_quotient_1_sum_right)
+        + (q0_quotient_1_lo - q0_quotient_1_sum_right))
+    q0_1_lo = (q0_quotient_1_sum - q0_1 * q0_0_inverse + q0_quotient_1_sum_lo) * q0_down
+    q0_quotient_2_sum = q0_quotient_2 + q0_quotient_2_lo
+    q0_quotient_2_sum_right = q0_quotient_2_sum - q0_quotient_2
+    q0_2 = q0_quotient_2_sum * q0_down
+    q0_quotient_2_sum_lo = (q0_quotient_2 - (q0_quotient_2_sum - q0_quotient_2_sum_right)
+        + (q0_quotient_2_lo - q0_quotient_2_sum_right))
+    q0_2_lo = (q0_quotient_2_sum - q0_2 * q0_0_inverse + q0_quotient_2_sum_lo) * q0_down
     u1_s_size_0 = absolute(R_10)
     u1_s_size_1 = absolute(R_11)
     u1_s_size_2 = absolute(R_12)
     u1_s_largest1 = where(u1_s_size_0 < u1_s_size_1, u1_s_size_1, u1_s_size_0)
     u1_s_largest2 = where(u1_s_largest1 < u1_s_size_2, u1_s_size_2, u1_s_largest1)
-    u1_s_a = 6.703903964971299e+153 < u1_s_largest2
-    u1_s_b = where(u1_s_a, float64(3.7291703656001034e-155), float64(1))
-    u1_s_d = where(u1_s_largest2 < 256, 1.3093562431584567e+151, u1_s_b)
-    u1_s = where(u1_s_largest2 < 1.955159272639747e-149, 1.0715086071862673e+301, u1_s_d)
+    u1_s_b = (where(6.703903964971299e+153
+        < u1_s_largest2, float64(3.7291703656001034e-155), float64(1)))
+    u1_s = (where(u1_s_largest2
+        < 1.955159272639747e-149, 1.0715086071862673e+301, where(u1_s_largest2
+        < 256, 1.3093562431584567e+151, u1_s_b)))
     u1_y_0 = R_10 * u1_s
     u1_y_1 = R_11 * u1_s
     u1_y_2 = R_12 * u1_s
@@ -1151,225 +1075,212 @@ def mat3x3_normalized(R):
     u1_n_b = u1_y_1 * u1_y_1
     u1_n_c = u1_n_a + u1_n_b
     u1_n_c_right = u1_n_c - u1_n_a
-    u1_n_c_left_rest = product_rest(u1_y_0, u1_y_0, u1_n_a, u1_n_c - u1_n_c_right)
     u1_n_d = u1_y_2 * u1_y_2
     u1_n_e = u1_n_c + u1_n_d
     u1_n_e_right = u1_n_e - u1_n_c
-    u1_n_e_right_rest = product_rest(u1_y_2, u1_y_2, u1_n_d, u1_n_e_right)
-    u1_n_c_lo = u1_n_c_left_rest + product_rest(u1_y_1, u1_y_1, u1_n_b, u1_n_c_right)
-    u1_n_e_lo = u1_n_c - (u1_n_e - u1_n_e_right) + u1_n_e_right_rest + u1_n_c_lo
-    u1_n_of_u1_n_e = u1_n_e + u1_n_e_lo
-    u1_n_of_u1_n_e_right = u1_n_of_u1_n_e - u1_n_e
-    u1_n_of_u1_n_e_left_rest = u1_n_e - (u1_n_of_u1_n_e - u1_n_of_u1_n_e_right)
-    u1_n = sqrt(u1_n_of_u1_n_e)
+    u1_n_c_lo = (product_rest(u1_y_0, u1_y_0, u1_n_a, u1_n_c - u1_n_c_right)
+        + product_rest(u1_y_1, u1_y_1, u1_n_b, u1_n_c_right))
+    u1_n_e_lo = (u1_n_c - (u1_n_e - u1_n_e_right)
+        + product_rest(u1_y_2, u1_y_2, u1_n_d, u1_n_e_right) + u1_n_c_lo)
+    u1_n_e_sum = u1_n_e + u1_n_e_lo
+    u1_n_e_sum_right = u1_n_e_sum - u1_n_e
+    u1_n = sqrt(u1_n_e_sum)
     u1_n_product = u1_n * u1_n
-    u1_n_exact = u1_n_of_u1_n_e - u1_n_product - product_error(u1_n, u1_n, u1_n_product)
-    u1_n_residual = u1_n_exact + (u1_n_of_u1_n_e_left_rest + (u1_n_e_lo - u1_n_of_u1_n_e_right))
-    u1_n_lo = u1_n_residual / where(u1_n == 0, 1, u1_n + u1_n)
-    u1_divisor_a_of_u1_n = u1_n + u1_n_lo
-    u1_divisor_a_of_u1_n_right = u1_divisor_a_of_u1_n - u1_n
-    u1_divisor_a_of_u1_n_left_rest = u1_n - (u1_divisor_a_of_u1_n - u1_divisor_a_of_u1_n_right)
-    u1_divisor_a_of_u1_n_right_rest = u1_n_lo - u1_divisor_a_of_u1_n_right
-    u1_divisor_a = u1_divisor_a_of_u1_n == 0
-    u1_divisor = where(u1_divisor_a, u1_up, u1_divisor_a_of_u1_n)
-    u1_divisor_a_of_u1_n_lo = u1_divisor_a_of_u1_n_left_rest + u1_divisor_a_of_u1_n_right_rest
-    u1_divisor_lo = where(u1_divisor_a, 0, u1_divisor_a_of_u1_n_lo)
+    u1_n_e_sum_lo = u1_n_e - (u1_n_e_sum - u1_n_e_sum_right) + (u1_n_e_lo - u1_n_e_sum_right)
+    u1_n_lo = ((u1_n_e_sum - u1_n_product - product_error(u1_n, u1_n, u1_n_product)
+        + u1_n_e_sum_lo) / where(u1_n == 0, 1, u1_n + u1_n))
+    u1_n_sum = u1_n + u1_n_lo
+    u1_n_sum_right = u1_n_sum - u1_n
+    u1_divisor_a = u1_n_sum == 0
+    u1_divisor = where(u1_divisor_a, u1_up, u1_n_sum)
+    u1_divisor_lo = (where(u1_divisor_a, 0, u1_n - (u1_n_sum - u1_n_sum_right)
+        + (u1_n_lo - u1_n_sum_right)))
     u1_sized_0 = R_10 * u1_up
     u1_sized_1 = R_11 * u1_up
     u1_sized_2 = R_12 * u1_up
-    u1_quotient_0_of_u1_divisor = u1_divisor + u1_divisor_lo
-    u1_quotient_0_of_u1_divisor_right = u1_quotient_0_of_u1_divisor - u1_divisor
-    u1_quotient_0_of_u1_divisor_left = u1_quotient_0_of_u1_divisor - u1_quotient_0_of_u1_divisor_right
-    u1_quotient_0_of_u1_divisor_right_rest = u1_divisor_lo - u1_quotient_0_of_u1_divisor_right
-    u1_quotient_0_of_u1_divisor_left_rest = u1_divisor - u1_quotient_0_of_u1_divisor_left
-    u1_quotient_0_of_u1_divisor_lo = u1_quotient_0_of_u1_divisor_left_rest + u1_quotient_0_of_u1_divisor_right_rest
-    u1_quotient_0 = u1_sized_0 / u1_quotient_0_of_u1_divisor
-    u1_quotient_0_product = u1_quotient_0 * u1_quotient_0_of_u1_divisor
-    u1_quotient_0_product_error = product_error(u1_quotient_0, u1_quotient_0_of_u1_divisor, u1_quotient_0_product)
-    u1_quotient_0_exact = u1_sized_0 - u1_quotient_0_product - u1_quotient_0_product_error
-    u1_quotient_0_residual = u1_quotient_0_exact - u1_quotient_0 * u1_quotient_0_of_u1_divisor_lo
-    u1_quotient_0_lo = u1_quotient_0_residual / u1_quotient_0_of_u1_divisor
-    u1_quotient_1 = u1_sized_1 / u1_quotient_0_of_u1_divisor
-    u1_quotient_1_product = u1_quotient_1 * u1_quotient_0_of_u1_divisor
-    u1_quotient_1_product_error = product_error(u1_quotient_1, u1_quotient_0_of_u1_divisor, u1_quotient_1_product)
-    u1_quotient_1_exact = u1_sized_1 - u1_quotient_1_product - u1_quotient_1_product_error
-    u1_quotient_1_residual = u1_quotient_1_exact - u1_quotient_1 * u1_quotient_0_of_u1_divisor_lo
-    u1_quotient_1_lo = u1_quotient_1_residual / u1_quotient_0_of_u1_divisor
-    u1_quotient_2 = u1_sized_2 / u1_quotient_0_of_u1_divisor
-    u1_quotient_2_product = u1_quotient_2 * u1_quotient_0_of_u1_divisor
-    u1_quotient_2_product_error = product_error(u1_quotient_2, u1_quotient_0_of_u1_divisor, u1_quotient_2_product)
-    u1_quotient_2_exact = u1_sized_2 - u1_quotient_2_product - u1_quotient_2_product_error
-    u1_quotient_2_residual = u1_quotient_2_exact - u1_quotient_2 * u1_quotient_0_of_u1_divisor_lo
-    u1_quotient_2_lo = u1_quotient_2_residual / u1_quotient_0_of_u1_divisor
-    u1_0_of_u1_quotient_0 = u1_quotient_0 + u1_quotient_0_lo
-    u1_0_of_u1_quotient_0_right = u1_0_of_u1_quotient_0 - u1_quotient_0
-    u1_0_of_u1_quotient_0_left = u1_0_of_u1_quotient_0 - u1_0_of_u1_quotient_0_right
-    u1_0_of_u1_quotient_0_right_rest = u1_quotient_0_lo - u1_0_of_u1_quotient_0_right
-    u1_0_of_u1_quotient_0_left_rest = u1_quotient_0 - u1_0_of_u1_quotient_0_left
-    u1_0 = u1_0_of_u1_quotient_0 * u1_down
+    u1_divisor_sum = u1_divisor + u1_divisor_lo
+    u1_divisor_sum_right = u1_divisor_sum - u1_divisor
+    u1_divisor_sum_lo = (u1_divisor - (u1_divisor_sum - u1_divisor_sum_right)
+        + (u1_divisor_lo - u1_divisor_sum_right))
+    u1_quotient_0 = u1_sized_0 / u1_divisor_sum
+    u1_quotient_0_product = u1_quotient_0 * u1_divisor_sum
+    u1_quotient_0_exact = (u1_sized_0 - u1_quotient_0_product
+        - product_error(u1_quotient_0, u1_divisor_sum, u1_quotient_0_product))
+    u1_quotient_0_lo = (u1_quotient_0_exact - u1_quotient_0 * u1_divisor_sum_lo) / u1_divisor_sum
+    u1_quotient_1 = u1_sized_1 / u1_divisor_sum
+    u1_quotient_1_product = u1_quotient_1 * u1_divisor_sum
+    u1_quotient_1_exact = (u1_sized_1 - u1_quotient_1_product
+        - product_error(u1_quotient_1, u1_divisor_sum, u1_quotient_1_product))
+    u1_quotient_1_lo = (u1_quotient_1_exact - u1_quotient_1 * u1_divisor_sum_lo) / u1_divisor_sum
+    u1_quotient_2 = u1_sized_2 / u1_divisor_sum
+    u1_quotient_2_product = u1_quotient_2 * u1_divisor_sum
+    u1_quotient_2_exact = (u1_sized_2 - u1_quotient_2_product
+        - product_error(u1_quotient_2, u1_divisor_sum, u1_quotient_2_product))
+    u1_quotient_2_lo = (u1_quotient_2_exact - u1_quotient_2 * u1_divisor_sum_lo) / u1_divisor_sum
+    u1_quotient_0_sum = u1_quotient_0 + u1_quotient_0_lo
+    u1_quotient_0_sum_right = u1_quotient_0_sum - u1_quotient_0
+    u1_0 = u1_quotient_0_sum * u1_down
     u1_0_inverse = 1 / u1_down
-    u1_0_of_u1_quotient_0_lo = u1_0_of_u1_quotient_0_left_rest + u1_0_of_u1_quotient_0_right_rest
-    u1_0_lo = (u1_0_of_u1_quotient_0 - u1_0 * u1_0_inverse + u1_0_of_u1_quotient_0_lo) * u1_down
-    u1_1_of_u1_quotient_1 = u1_quotient_1 + u1_quotient_1_lo
-    u1_1_of_u1_quotient_1_right = u1_1_of_u1_quotient_1 - u1_quotient_1
-    u1_1_of_u1_quotient_1_left = u1_1_of_u1_quotient_1 - u1_1_of_u1_quotient_1_right
-    u1_1_of_u1_quotient_1_right_rest = u1_quotient_1_lo - u1_1_of_u1_quotient_1_right
-    u1_1_of_u1_quotient_1_left_rest = u1_quotient_1 - u1_1_of_u1_quotient_1_left
-    u1_1 = u1_1_of_u1_quotient_1 * u1_down
-    u1_1_of_u1_quotient_1_lo = u1_1_of_u1_quotient_1_left_rest + u1_1_of_u1_quotient_1_right_rest
-    u1_1_lo = (u1_1_of_u1_quotient_1 - u1_1 * u1_0_inverse + u1_1_of_u1_quotient_1_lo) * u1_down
-    u1_2_of_u1_quotient_2 = u1_quotient_2 + u1_quotient_2_lo
-    u1_2_of_u1_quotient_2_right = u1_2_of_u1_quotient_2 - u1_quotient_2
-    u1_2_of_u1_quotient_2_left = u1_2_of_u1_quotient_2 - u1_2_of_u1_quotient_2_right
-    u1_2_of_u1_quotient_2_right_rest = u1_quotient_2_lo - u1_2_of_u1_quotient_2_right
-    u1_2_of_u1_quotient_2_left_rest = u1_quotient_2 - u1_2_of_u1_quotient_2_left
-    u1_2 = u1_2_of_u1_quotient_2 * u1_down
-    u1_2_of_u1_quotient_2_lo = u1_2_of_u1_quotient_2_left_rest + u1_2_of_u1_quotient_2_right_rest
-    u1_2_lo = (u1_2_of_u1_quotient_2 - u1_2 * u1_0_inverse + u1_2_of_u1_quotient_2_lo) * u1_down
+    u1_quotient_0_sum_lo = (u1_quotient_0 - (u1_quotient_0_sum - u1_quotient_0_sum_right)
+        + (u1_quotient_0_lo - u1_quotient_0_sum_right))
+    u1_0_lo = (u1_quotient_0_sum - u1_0 * u1_0_inverse + u1_quotient_0_sum_lo) * u1_down
+    u1_quotient_1_sum = u1_quotient_1 + u1_quotient_1_lo
+    u1_quotient_1_sum_right = u1_quotient_1_sum - u1_quotient_1
+    u1_1 = u1_quotient_1_sum * u1_down
+    u1_quotient_1_sum_lo = (u1_quotient_1 - (u1_quotient_1_sum - u1_quotient_1_sum_right)
+        + (u1_quotient_1_lo - u1_quotient_1_sum_right))
+    u1_1_lo = (u1_quotient_1_sum - u1_1 * u1_0_inverse + u1_quotient_1_sum_lo) * u1_down
+    u1_quotient_2_sum = u1_quotient_2 + u1_quotient_2_lo
+    u1_quotient_2_sum_right = u1_quotient_2_sum - u1_quotient_2
+    u1_2 = u1_quotient_2_sum * u1_down
+    u1_quotient_2_sum_lo = (u1_quotient_2 - (u1_quotient_2_sum - u1_quotient_2_sum_right)
+        + (u1_quotient_2_lo - u1_quotient_2_sum_right))
+    u1_2_lo = (u1_quotient_2_sum - u1_2 * u1_0_inverse + u1_quotient_2_sum_lo) * u1_down
     along_a = q0_0 * u1_0
     along_b = q0_1 * u1_1
     along_c = along_a + along_b
     along_c_right = along_c - along_a
-    along_c_left_rest = product_rest(q0_0, u1_0, along_a, along_c - along_c_right)
-    along_c_lo1 = along_c_left_rest + product_rest(q0_1, u1_1, along_b, along_c_right)
+    along_c_lo1 = (product_rest(q0_0, u1_0, along_a, along_c - along_c_right)
+        + product_rest(q0_1, u1_1, along_b, along_c_right))
     along_d = q0_2 * u1_2
     along = along_c + along_d
     along_right = along - along_c
-    along_lo1 = along_c - (along - along_right) + product_rest(q0_2, u1_2, along_d, along_right)
-    along_c_lo = along_c_lo1 + (q0_0_lo * u1_0 + q0_0 * u1_0_lo + (q0_1_lo * u1_1 + q0_1 * u1_1_lo))
-    along_lo = along_lo1 + (q0_2_lo * u1_2 + q0_2 * u1_2_lo) + along_c_lo
+    along_lo2 = (along_c - (along - along_right) + product_rest(q0_2, u1_2, along_d, along_right)
+        + (q0_2_lo * u1_2 + q0_2 * u1_2_lo))
+    along_lo = (along_lo2
+        + (along_c_lo1 + (q0_0_lo * u1_0 + q0_0 * u1_0_lo + (q0_1_lo * u1_1 + q0_1 * u1_1_lo))))
     once_0a = q0_0 * along
     once_0 = u1_0 - once_0a
     once_0_right = u1_0 - once_0
-    once_0_lo1 = u1_0 - (once_0 + once_0_right) - product_rest(q0_0, along, once_0a, once_0_right)
-    once_0_lo = once_0_lo1 - (q0_0_lo * along + q0_0 * along_lo) + u1_0_lo
+    once_0_lo = (u1_0 - (once_0 + once_0_right) - product_rest(q0_0, along, once_0a, once_0_right)
+        - (q0_0_lo * along + q0_0 * along_lo) + u1_0_lo)
     once_1a = q0_1 * along
     once_1 = u1_1 - once_1a
     once_1_right = u1_1 - once_1
-    once_1_lo1 = u1_1 - (once_1 + once_1_right) - product_rest(q0_1, along, once_1a, once_1_right)
-    once_1_lo = once_1_lo1 - (q0_1_lo * along + q0_1 * along_lo) + u1_1_lo
+    once_1_lo = (u1_1 - (once_1 + once_1_right) - product_rest(q0_1, along, once_1a, once_1_right)
+        - (q0_1_lo * along + q0_1 * along_lo) + u1_1_lo)
     once_2a = q0_2 * along
     once_2 = u1_2 - once_2a
     once_2_right = u1_2 - once_2
-    once_2_lo1 = u1_2 - (once_2 + once_2_right) - product_rest(q0_2, along, once_2a, once_2_right)
-    once_2_lo = once_2_lo1 - (q0_2_lo * along + q0_2 * along_lo) + u1_2_lo
+    once_2_lo = (u1_2 - (once_2 + once_2_right) - product_rest(q0_2, along, once_2a, once_2_right)
+        - (q0_2_lo * along + q0_2 * along_lo) + u1_2_lo)
     rest_a = q0_0 * once_0
     rest_b = q0_1 * once_1
     rest_c = rest_a + rest_b
     rest_c_right = rest_c - rest_a
-    rest_c_left_rest = product_rest(q0_0, once_0, rest_a, rest_c - rest_c_right)
-    rest_c_cross = q0_0_lo * once_0 + q0_0 * once_0_lo + (q0_1_lo * once_1 + q0_1 * once_1_lo)
+    rest_c_lo1 = (product_rest(q0_0, once_0, rest_a, rest_c - rest_c_right)
+        + product_rest(q0_1, once_1, rest_b, rest_c_right))
     rest_d = q0_2 * once_2
     rest = rest_c + rest_d
     rest_right = rest - rest_c
-    rest_lo1 = rest_c - (rest - rest_right) + product_rest(q0_2, once_2, rest_d, rest_right)
-    rest_c_lo = rest_c_left_rest + product_rest(q0_1, once_1, rest_b, rest_c_right) + rest_c_cross
-    rest_lo = rest_lo1 + (q0_2_lo * once_2 + q0_2 * once_2_lo) + rest_c_lo
+    rest_lo2 = (rest_c - (rest - rest_right) + product_rest(q0_2, once_2, rest_d, rest_right)
+        + (q0_2_lo * once_2 + q0_2 * once_2_lo))
+    rest_lo = (rest_lo2
+        + (rest_c_lo1
+        + (q0_0_lo * once_0 + q0_0 * once_0_lo + (q0_1_lo * once_1 + q0_1 * once_1_lo))))
     twice_0a = q0_0 * rest
     twice_0 = once_0 - twice_0a
     twice_0_right = once_0 - twice_0
-    twice_0_right_rest = product_rest(q0_0, rest, twice_0a, twice_0_right)
-    twice_0_lo1 = once_0 - (twice_0 + twice_0_right) - twice_0_right_rest
-    twice_0_lo = twice_0_lo1 - (q0_0_lo * rest + q0_0 * rest_lo) + once_0_lo
+    twice_0_lo = (once_0 - (twice_0 + twice_0_right)
+        - product_rest(q0_0, rest, twice_0a, twice_0_right) - (q0_0_lo * rest + q0_0 * rest_lo)
+        + once_0_lo)
     twice_1a = q0_1 * rest
     twice_1 = once_1 - twice_1a
     twice_1_right = once_1 - twice_1
-    twice_1_right_rest = product_rest(q0_1, rest, twice_1a, twice_1_right)
-    twice_1_lo1 = once_1 - (twice_1 + twice_1_right) - twice_1_right_rest
-    twice_1_lo = twice_1_lo1 - (q0_1_lo * rest + q0_1 * rest_lo) + once_1_lo
+    twice_1_lo = (once_1 - (twice_1 + twice_1_right)
+        - product_rest(q0_1, rest, twice_1a, twice_1_right) - (q0_1_lo * rest + q0_1 * rest_lo)
+        + once_1_lo)
     twice_2a = q0_2 * rest
     twice_2 = once_2 - twice_2a
     twice_2_right = once_2 - twice_2
-    twice_2_right_rest = product_rest(q0_2, rest, twice_2a, twice_2_right)
-    twice_2_lo1 = once_2 - (twice_2 + twice_2_right) - twice_2_right_rest
-    twice_2_lo = twice_2_lo1 - (q0_2_lo * rest + q0_2 * rest_lo) + once_2_lo
+    twice_2_lo = (once_2 - (twice_2 + twice_2_right)
+        - product_rest(q0_2, rest, twice_2a, twice_2_right) - (q0_2_lo * rest + q0_2 * rest_lo)
+        + once_2_lo)
     n_a = twice_0 * twice_0
     n_b = twice_1 * twice_1
     n_c = n_a + n_b
     n_c_right = n_c - n_a
-    n_a_cross = twice_0_lo * twice_0 + twice_0 * twice_0_lo
-    n_c_left_rest = product_rest(twice_0, twice_0, n_a, n_c - n_c_right)
-    n_c_lo1 = n_c_left_rest + product_rest(twice_1, twice_1, n_b, n_c_right)
+    n_c_lo1 = (product_rest(twice_0, twice_0, n_a, n_c - n_c_right)
+        + product_rest(twice_1, twice_1, n_b, n_c_right))
     n_d = twice_2 * twice_2
     n_e = n_c + n_d
     n_e_right = n_e - n_c
-    n_e_lo1 = n_c - (n_e - n_e_right) + product_rest(twice_2, twice_2, n_d, n_e_right)
-    n_c_lo = n_c_lo1 + (n_a_cross + (twice_1_lo * twice_1 + twice_1 * twice_1_lo))
-    n_e_lo = n_e_lo1 + (twice_2_lo * twice_2 + twice_2 * twice_2_lo) + n_c_lo
-    n_of_n_e = n_e + n_e_lo
-    n_of_n_e_right = n_of_n_e - n_e
-    n = sqrt(n_of_n_e)
+    n_e_lo2 = (n_c - (n_e - n_e_right) + product_rest(twice_2, twice_2, n_d, n_e_right)
+        + (twice_2_lo * twice_2 + twice_2 * twice_2_lo))
+    n_e_lo = (n_e_lo2
+        + (n_c_lo1
+        + (twice_0_lo * twice_0 + twice_0 * twice_0_lo
+        + (twice_1_lo * twice_1 + twice_1 * twice_1_lo))))
+    n_e_sum = n_e + n_e_lo
+    n_e_sum_right = n_e_sum - n_e
+    n = sqrt(n_e_sum)
     n_product = n * n
-    n_of_n_e_lo = n_e - (n_of_n_e - n_of_n_e_right) + (n_e_lo - n_of_n_e_right)
-    n_residual = n_of_n_e - n_product - product_error(n, n, n_product) + n_of_n_e_lo
-    n_lo = n_residual / where(n == 0, 1, n + n)
-    divisor_a_of_n = n + n_lo
-    divisor_a_of_n_right = divisor_a_of_n - n
-    divisor_a_of_n_lo = n - (divisor_a_of_n - divisor_a_of_n_right) + (n_lo - divisor_a_of_n_right)
-    divisor_a = divisor_a_of_n == 0
-    divisor = where(divisor_a, 1, divisor_a_of_n)
-    divisor_lo = where(divisor_a, 0, divisor_a_of_n_lo)
-    q1_0_of_twice_0 = twice_0 + twice_0_lo
-    q1_0_of_twice_0_right = q1_0_of_twice_0 - twice_0
-    q1_0_of_twice_0_left_rest = twice_0 - (q1_0_of_twice_0 - q1_0_of_twice_0_right)
-    q1_0_of_divisor = divisor + divisor_lo
-    q1_0_of_divisor_right = q1_0_of_divisor - divisor
-    q1_0_of_divisor_left_rest = divisor - (q1_0_of_divisor - q1_0_of_divisor_right)
-    q1_0_of_divisor_lo = q1_0_of_divisor_left_rest + (divisor_lo - q1_0_of_divisor_right)
-    q1_0 = q1_0_of_twice_0 / q1_0_of_divisor
-    q1_0_product = q1_0 * q1_0_of_divisor
-    q1_0_exact = q1_0_of_twice_0 - q1_0_product - product_error(q1_0, q1_0_of_divisor, q1_0_product)
-    q1_0_numerator = q1_0_exact + (q1_0_of_twice_0_left_rest + (twice_0_lo - q1_0_of_twice_0_right))
-    q1_0_lo = (q1_0_numerator - q1_0 * q1_0_of_divisor_lo) / q1_0_of_divisor
-    q1_1_of_twice_1 = twice_1 + twice_1_lo
-    q1_1_of_twice_1_right = q1_1_of_twice_1 - twice_1
-    q1_1_of_twice_1_left_rest = twice_1 - (q1_1_of_twice_1 - q1_1_of_twice_1_right)
-    q1_1 = q1_1_of_twice_1 / q1_0_of_divisor
-    q1_1_product = q1_1 * q1_0_of_divisor
-    q1_1_exact = q1_1_of_twice_1 - q1_1_product - product_error(q1_1, q1_0_of_divisor, q1_1_product)
-    q1_1_numerator = q1_1_exact + (q1_1_of_twice_1_left_rest + (twice_1_lo - q1_1_of_twice_1_right))
-    q1_1_lo = (q1_1_numerator - q1_1 * q1_0_of_divisor_lo) / q1_0_of_divisor
-    q1_2_of_twice_2 = twice_2 + twice_2_lo
-    q1_2_of_twice_2_right = q1_2_of_twice_2 - twice_2
-    q1_2_of_twice_2_left_rest = twice_2 - (q1_2_of_twice_2 - q1_2_of_twice_2_right)
-    q1_2 = q1_2_of_twice_2 / q1_0_of_divisor
-    q1_2_product = q1_2 * q1_0_of_divisor
-    q1_2_exact = q1_2_of_twice_2 - q1_2_product - product_error(q1_2, q1_0_of_divisor, q1_2_product)
-    q1_2_numerator = q1_2_exact + (q1_2_of_twice_2_left_rest + (twice_2_lo - q1_2_of_twice_2_right))
-    q1_2_lo = (q1_2_numerator - q1_2 * q1_0_of_divisor_lo) / q1_0_of_divisor
+    n_lo = ((n_e_sum - n_product - product_error(n, n, n_product)
+        + (n_e - (n_e_sum - n_e_sum_right) + (n_e_lo - n_e_sum_right))) / where(n == 0, 1, n + n))
+    n_sum = n + n_lo
+    n_sum_right = n_sum - n
+    n_sum_lo = n - (n_sum - n_sum_right) + (n_lo - n_sum_right)
+    divisor_a = n_sum == 0
+    divisor = where(divisor_a, 1, n_sum)
+    divisor_lo = where(divisor_a, 0, n_sum_lo)
+    twice_0_sum = twice_0 + twice_0_lo
+    twice_0_sum_right = twice_0_sum - twice_0
+    divisor_sum = divisor + divisor_lo
+    divisor_sum_right = divisor_sum - divisor
+    divisor_sum_lo = divisor - (divisor_sum - divisor_sum_right) + (divisor_lo - divisor_sum_right)
+    q1_0 = twice_0_sum / divisor_sum
+    q1_0_product = q1_0 * divisor_sum
+    twice_0_sum_lo = twice_0 - (twice_0_sum - twice_0_sum_right) + (twice_0_lo - twice_0_sum_right)
+    q1_0_lo = ((twice_0_sum - q1_0_product - product_error(q1_0, divisor_sum, q1_0_product)
+        + twice_0_sum_lo - q1_0 * divisor_sum_lo) / divisor_sum)
+    twice_1_sum = twice_1 + twice_1_lo
+    twice_1_sum_right = twice_1_sum - twice_1
+    q1_1 = twice_1_sum / divisor_sum
+    q1_1_product = q1_1 * divisor_sum
+    twice_1_sum_lo = twice_1 - (twice_1_sum - twice_1_sum_right) + (twice_1_lo - twice_1_sum_right)
+    q1_1_lo = ((twice_1_sum - q1_1_product - product_error(q1_1, divisor_sum, q1_1_product)
+        + twice_1_sum_lo - q1_1 * divisor_sum_lo) / divisor_sum)
+    twice_2_sum = twice_2 + twice_2_lo
+    twice_2_sum_right = twice_2_sum - twice_2
+    q1_2 = twice_2_sum / divisor_sum
+    q1_2_product = q1_2 * divisor_sum
+    twice_2_sum_lo = twice_2 - (twice_2_sum - twice_2_sum_right) + (twice_2_lo - twice_2_sum_right)
+    q1_2_lo = ((twice_2_sum - q1_2_product - product_error(q1_2, divisor_sum, q1_2_product)
+        + twice_2_sum_lo - q1_2 * divisor_sum_lo) / divisor_sum)
     normal_0a = q0_1 * q1_2
     normal_0b = q0_2 * q1_1
     normal_0 = normal_0a - normal_0b
     normal_0_right = normal_0a - normal_0
-    normal_0_left_rest = product_rest(q0_1, q1_2, normal_0a, normal_0 + normal_0_right)
-    normal_0_lo1 = normal_0_left_rest - product_rest(q0_2, q1_1, normal_0b, normal_0_right)
-    normal_0_cross = q0_1_lo * q1_2 + q0_1 * q1_2_lo - (q0_2_lo * q1_1 + q0_2 * q1_1_lo)
-    normal_0_lo = normal_0_lo1 + normal_0_cross
+    normal_0_lo1 = (product_rest(q0_1, q1_2, normal_0a, normal_0 + normal_0_right)
+        - product_rest(q0_2, q1_1, normal_0b, normal_0_right))
+    normal_0_lo = (normal_0_lo1
+        + (q0_1_lo * q1_2 + q0_1 * q1_2_lo - (q0_2_lo * q1_1 + q0_2 * q1_1_lo)))
     normal_1a = q0_2 * q1_0
     normal_1b = q0_0 * q1_2
     normal_1 = normal_1a - normal_1b
     normal_1_right = normal_1a - normal_1
-    normal_1_left_rest = product_rest(q0_2, q1_0, normal_1a, normal_1 + normal_1_right)
-    normal_1_lo1 = normal_1_left_rest - product_rest(q0_0, q1_2, normal_1b, normal_1_right)
-    normal_1_cross = q0_2_lo * q1_0 + q0_2 * q1_0_lo - (q0_0_lo * q1_2 + q0_0 * q1_2_lo)
-    normal_1_lo = normal_1_lo1 + normal_1_cross
+    normal_1_lo1 = (product_rest(q0_2, q1_0, normal_1a, normal_1 + normal_1_right)
+        - product_rest(q0_0, q1_2, normal_1b, normal_1_right))
+    normal_1_lo = (normal_1_lo1
+        + (q0_2_lo * q1_0 + q0_2 * q1_0_lo - (q0_0_lo * q1_2 + q0_0 * q1_2_lo)))
     normal_2a = q0_0 * q1_1
     normal_2b = q0_1 * q1_0
     normal_2 = normal_2a - normal_2b
     normal_2_right = normal_2a - normal_2
-    normal_2_left_rest = product_rest(q0_0, q1_1, normal_2a, normal_2 + normal_2_right)
-    normal_2_lo1 = normal_2_left_rest - product_rest(q0_1, q1_0, normal_2b, normal_2_right)
-    normal_2_cross = q0_0_lo * q1_1 + q0_0 * q1_1_lo - (q0_1_lo * q1_0 + q0_1 * q1_0_lo)
-    normal_2_lo = normal_2_lo1 + normal_2_cross
+    normal_2_lo1 = (product_rest(q0_0, q1_1, normal_2a, normal_2 + normal_2_right)
+        - product_rest(q0_1, q1_0, normal_2b, normal_2_right))
+    normal_2_lo = (normal_2_lo1
+        + (q0_0_lo * q1_1 + q0_0 * q1_1_lo - (q0_1_lo * q1_0 + q0_1 * q1_0_lo)))
     u2_s_size_0 = absolute(R_20)
     u2_s_size_1 = absolute(R_21)
     u2_s_size_2 = absolute(R_22)
     u2_s_largest1 = where(u2_s_size_0 < u2_s_size_1, u2_s_size_1, u2_s_size_0)
     u2_s_largest2 = where(u2_s_largest1 < u2_s_size_2, u2_s_size_2, u2_s_largest1)
-    u2_s_a = 6.703903964971299e+153 < u2_s_largest2
-    u2_s_b = where(u2_s_a, float64(3.7291703656001034e-155), float64(1))
-    u2_s_d = where(u2_s_largest2 < 256, 1.3093562431584567e+151, u2_s_b)
-    u2_s = where(u2_s_largest2 < 1.955159272639747e-149, 1.0715086071862673e+301, u2_s_d)
+    u2_s_b = (where(6.703903964971299e+153
+        < u2_s_largest2, float64(3.7291703656001034e-155), float64(1)))
+    u2_s = (where(u2_s_largest2
+        < 1.955159272639747e-149, 1.0715086071862673e+301, where(u2_s_largest2
+        < 256, 1.3093562431584567e+151, u2_s_b)))
     u2_y_0 = R_20 * u2_s
     u2_y_1 = R_21 * u2_s
     u2_y_2 = R_22 * u2_s
@@ -1379,112 +1290,99 @@ def mat3x3_normalized(R):
     u2_n_b = u2_y_1 * u2_y_1
     u2_n_c = u2_n_a + u2_n_b
     u2_n_c_right = u2_n_c - u2_n_a
-    u2_n_c_left_rest = product_rest(u2_y_0, u2_y_0, u2_n_a, u2_n_c - u2_n_c_right)
     u2_n_d = u2_y_2 * u2_y_2
     u2_n_e = u2_n_c + u2_n_d
     u2_n_e_right = u2_n_e - u2_n_c
-    u2_n_e_right_rest = product_rest(u2_y_2, u2_y_2, u2_n_d, u2_n_e_right)
-    u2_n_c_lo = u2_n_c_left_rest + product_rest(u2_y_1, u2_y_1, u2_n_b, u2_n_c_right)
-    u2_n_e_lo = u2_n_c - (u2_n_e - u2_n_e_right) + u2_n_e_right_rest + u2_n_c_lo
-    u2_n_of_u2_n_e = u2_n_e + u2_n_e_lo
-    u2_n_of_u2_n_e_right = u2_n_of_u2_n_e - u2_n_e
-    u2_n_of_u2_n_e_left_rest = u2_n_e - (u2_n_of_u2_n_e - u2_n_of_u2_n_e_right)
-    u2_n = sqrt(u2_n_of_u2_n_e)
+    u2_n_c_lo = (product_rest(u2_y_0, u2_y_0, u2_n_a, u2_n_c - u2_n_c_right)
+        + product_rest(u2_y_1, u2_y_1, u2_n_b, u2_n_c_right))
+    u2_n_e_lo = (u2_n_c - (u2_n_e - u2_n_e_right)
+        + product_rest(u2_y_2, u2_y_2, u2_n_d, u2_n_e_right) + u2_n_c_lo)
+    u2_n_e_sum = u2_n_e + u2_n_e_lo
+    u2_n_e_sum_right = u2_n_e_sum - u2_n_e
+    u2_n = sqrt(u2_n_e_sum)
     u2_n_product = u2_n * u2_n
-    u2_n_exact = u2_n_of_u2_n_e - u2_n_product - product_error(u2_n, u2_n, u2_n_product)
-    u2_n_residual = u2_n_exact + (u2_n_of_u2_n_e_left_rest + (u2_n_e_lo - u2_n_of_u2_n_e_right))
-    u2_n_lo = u2_n_residual / where(u2_n == 0, 1, u2_n + u2_n)
-    u2_divisor_a_of_u2_n = u2_n + u2_n_lo
-    u2_divisor_a_of_u2_n_right = u2_divisor_a_of_u2_n - u2_n
-    u2_divisor_a_of_u2_n_left_rest = u2_n - (u2_divisor_a_of_u2_n - u2_divisor_a_of_u2_n_right)
-    u2_divisor_a_of_u2_n_right_rest = u2_n_lo - u2_divisor_a_of_u2_n_right
-    u2_divisor_a = u2_divisor_a_of_u2_n == 0
-    u2_divisor = where(u2_divisor_a, u2_up, u2_divisor_a_of_u2_n)
-    u2_divisor_a_of_u2_n_lo = u2_divisor_a_of_u2_n_left_rest + u2_divisor_a_of_u2_n_right_rest
-    u2_divisor_lo = where(u2_divisor_a, 0, u2_divisor_a_of_u2_n_lo)
+    u2_n_e_sum_lo = u2_n_e - (u2_n_e_sum - u2_n_e_sum_right) + (u2_n_e_lo - u2_n_e_sum_right)
+    u2_n_lo = ((u2_n_e_sum - u2_n_product - product_error(u2_n, u2_n, u2_n_product)
+        + u2_n_e_sum_lo) / where(u2_n == 0, 1, u2_n + u2_n))
+    u2_n_sum = u2_n + u2_n_lo
+    u2_n_sum_right = u2_n_sum - u2_n
+    u2_divisor_a = u2_n_sum == 0
+    u2_divisor = where(u2_divisor_a, u2_up, u2_n_sum)
+    u2_divisor_lo = (where(u2_divisor_a, 0, u2_n - (u2_n_sum - u2_n_sum_right)
+        + (u2_n_lo - u2_n_sum_right)))
     u2_sized_0 = R_20 * u2_up
     u2_sized_1 = R_21 * u2_up
     u2_sized_2 = R_22 * u2_up
-    u2_quotient_0_of_u2_divisor = u2_divisor + u2_divisor_lo
-    u2_quotient_0_of_u2_divisor_right = u2_quotient_0_of_u2_divisor - u2_divisor
-    u2_quotient_0_of_u2_divisor_left = u2_quotient_0_of_u2_divisor - u2_quotient_0_of_u2_divisor_right
-    u2_quotient_0_of_u2_divisor_right_rest = u2_divisor_lo - u2_quotient_0_of_u2_divisor_right
-    u2_quotient_0_of_u2_divisor_left_rest = u2_divisor - u2_quotient_0_of_u2_divisor_left
-    u2_quotient_0_of_u2_divisor_lo = u2_quotient_0_of_u2_divisor_left_rest + u2_quotient_0_of_u2_divisor_right_rest
-    u2_quotient_0 = u2_sized_0 / u2_quotient_0_of_u2_divisor
-    u2_quotient_0_product = u2_quotient_0 * u2_quotient_0_of_u2_divisor
-    u2_quotient_0_product_error = product_error(u2_quotient_0, u2_quotient_0_of_u2_divisor, u2_quotient_0_product)
-    u2_quotient_0_exact = u2_sized_0 - u2_quotient_0_product - u2_quotient_0_product_error
-    u2_quotient_0_residual = u2_quotient_0_exact - u2_quotient_0 * u2_quotient_0_of_u2_divisor_lo
-    u2_quotient_0_lo = u2_quotient_0_residual / u2_quotient_0_of_u2_divisor
-    u2_quotient_1 = u2_sized_1 / u2_quotient_0_of_u2_divisor
-    u2_quotient_1_product = u2_quotient_1 * u2_quotient_0_of_u2_divisor
-    u2_quotient_1_product_error = product_error(u2_quotient_1, u2_quotient_0_of_u2_divisor, u2_quotient_1_product)
-    u2_quotient_1_exact = u2_sized_1 - u2_quotient_1_product - u2_quotient_1_product_error
-    u2_quotient_1_residual = u2_quotient_1_exact - u2_quotient_1 * u2_quotient_0_of_u2_divisor_lo
-    u2_quotient_1_lo = u2_quotient_1_residual / u2_quotient_0_of_u2_divisor
-    u2_quotient_2 = u2_sized_2 / u2_quotient_0_of_u2_divisor
-    u2_quotient_2_product = u2_quotient_2 * u2_quotient_0_of_u2_divisor
-    u2_quotient_2_product_error = product_error(u2_quotient_2, u2_quotient_0_of_u2_divisor, u2_quotient_2_product)
-    u2_quotient_2_exact = u2_sized_2 - u2_quotient_2_product - u2_quotient_2_product_error
-    u2_quotient_2_residual = u2_quotient_2_exact - u2_quotient_2 * u2_quotient_0_of_u2_divisor_lo
-    u2_quotient_2_lo = u2_quotient_2_residual / u2_quotient_0_of_u2_divisor
-    u2_0_of_u2_quotient_0 = u2_quotient_0 + u2_quotient_0_lo
-    u2_0_of_u2_quotient_0_right = u2_0_of_u2_quotient_0 - u2_quotient_0
-    u2_0_of_u2_quotient_0_left = u2_0_of_u2_quotient_0 - u2_0_of_u2_quotient_0_right
-    u2_0_of_u2_quotient_0_right_rest = u2_quotient_0_lo - u2_0_of_u2_quotient_0_right
-    u2_0_of_u2_quotient_0_left_rest = u2_quotient_0 - u2_0_of_u2_quotient_0_left
-    u2_0 = u2_0_of_u2_quotient_0 * u2_down
+    u2_divisor_sum = u2_divisor + u2_divisor_lo
+    u2_divisor_sum_right = u2_divisor_sum - u2_divisor
+    u2_divisor_sum_lo = (u2_divisor - (u2_divisor_sum - u2_divisor_sum_right)
+        + (u2_divisor_lo - u2_divisor_sum_right))
+    u2_quotient_0 = u2_sized_0 / u2_divisor_sum
+    u2_quotient_0_product = u2_quotient_0 * u2_divisor_sum
+    u2_quotient_0_exact = (u2_sized_0 - u2_quotient_0_product
+        - product_error(u2_quotient_0, u2_divisor_sum, u2_quotient_0_product))
+    u2_quotient_0_lo = (u2_quotient_0_exact - u2_quotient_0 * u2_divisor_sum_lo) / u2_divisor_sum
+    u2_quotient_1 = u2_sized_1 / u2_divisor_sum
+    u2_quotient_1_product = u2_quotient_1 * u2_divisor_sum
+    u2_quotient_1_exact = (u2_sized_1 - u2_quotient_1_product
+        - product_error(u2_quotient_1, u2_divisor_sum, u2_quotient_1_product))
+    u2_quotient_1_lo = (u2_quotient_1_exact - u2_quotient_1 * u2_divisor_sum_lo) / u2_divisor_sum
+    u2_quotient_2 = u2_sized_2 / u2_divisor_sum
+    u2_quotient_2_product = u2_quotient_2 * u2_divisor_sum
+    u2_quotient_2_exact = (u2_sized_2 - u2_quotient_2_product
+        - product_error(u2_quotient_2, u2_divisor_sum, u2_quotient_2_product))
+    u2_quotient_2_lo = (u2_quotient_2_exact - u2_quotient_2 * u2_divisor_sum_lo) / u2_divisor_sum
+    u2_quotient_0_sum = u2_quotient_0 + u2_quotient_0_lo
+    u2_quotient_0_sum_right = u2_quotient_0_sum - u2_quotient_0
+    u2_0 = u2_quotient_0_sum * u2_down
     u2_0_inverse = 1 / u2_down
-    u2_0_of_u2_quotient_0_lo = u2_0_of_u2_quotient_0_left_rest + u2_0_of_u2_quotient_0_right_rest
-    u2_1_of_u2_quotient_1 = u2_quotient_1 + u2_quotient_1_lo
-    u2_1_of_u2_quotient_1_right = u2_1_of_u2_quotient_1 - u2_quotient_1
-    u2_1_of_u2_quotient_1_left = u2_1_of_u2_quotient_1 - u2_1_of_u2_quotient_1_right
-    u2_1_of_u2_quotient_1_right_rest = u2_quotient_1_lo - u2_1_of_u2_quotient_1_right
-    u2_1_of_u2_quotient_1_left_rest = u2_quotient_1 - u2_1_of_u2_quotient_1_left
-    u2_1 = u2_1_of_u2_quotient_1 * u2_down
-    u2_1_of_u2_quotient_1_lo = u2_1_of_u2_quotient_1_left_rest + u2_1_of_u2_quotient_1_right_rest
-    u2_2_of_u2_quotient_2 = u2_quotient_2 + u2_quotient_2_lo
-    u2_2_of_u2_quotient_2_right = u2_2_of_u2_quotient_2 - u2_quotient_2
-    u2_2_of_u2_quotient_2_left = u2_2_of_u2_quotient_2 - u2_2_of_u2_quotient_2_right
-    u2_2_of_u2_quotient_2_right_rest = u2_quotient_2_lo - u2_2_of_u2_quotient_2_right
-    u2_2_of_u2_quotient_2_left_rest = u2_quotient_2 - u2_2_of_u2_quotient_2_left
-    u2_2 = u2_2_of_u2_quotient_2 * u2_down
-    u2_2_of_u2_quotient_2_lo = u2_2_of_u2_quotient_2_left_rest + u2_2_of_u2_quotient_2_right_rest
+    u2_quotient_0_sum_lo = (u2_quotient_0 - (u2_quotient_0_sum - u2_quotient_0_sum_right)
+        + (u2_quotient_0_lo - u2_quotient_0_sum_right))
+    u2_quotient_1_sum = u2_quotient_1 + u2_quotient_1_lo
+    u2_quotient_1_sum_right = u2_quotient_1_sum - u2_quotient_1
+    u2_1 = u2_quotient_1_sum * u2_down
+    u2_quotient_1_sum_lo = (u2_quotient_1 - (u2_quotient_1_sum - u2_quotient_1_sum_right)
+        + (u2_quotient_1_lo - u2_quotient_1_sum_right))
+    u2_quotient_2_sum = u2_quotient_2 + u2_quotient_2_lo
+    u2_quotient_2_sum_right = u2_quotient_2_sum - u2_quotient_2
+    u2_2 = u2_quotient_2_sum * u2_down
+    u2_quotient_2_sum_lo = (u2_quotient_2 - (u2_quotient_2_sum - u2_quotient_2_sum_right)
+        + (u2_quotient_2_lo - u2_quotient_2_sum_right))
     side_a = normal_0 * u2_0
-    u2_0_lo = (u2_0_of_u2_quotient_0 - u2_0 * u2_0_inverse + u2_0_of_u2_quotient_0_lo) * u2_down
     side_b = normal_1 * u2_1
-    u2_1_lo = (u2_1_of_u2_quotient_1 - u2_1 * u2_0_inverse + u2_1_of_u2_quotient_1_lo) * u2_down
     side_c = side_a + side_b
     side_c_right = side_c - side_a
-    side_a_cross = normal_0_lo * u2_0 + normal_0 * u2_0_lo
-    side_c_left_rest = product_rest(normal_0, u2_0, side_a, side_c - side_c_right)
-    side_c_lo1 = side_c_left_rest + product_rest(normal_1, u2_1, side_b, side_c_right)
+    side_a_cross = (normal_0_lo * u2_0 + normal_0
+        * ((u2_quotient_0_sum - u2_0 * u2_0_inverse + u2_quotient_0_sum_lo) * u2_down))
+    side_c_cross = (side_a_cross
+        + (normal_1_lo * u2_1 + normal_1
+        * ((u2_quotient_1_sum - u2_1 * u2_0_inverse + u2_quotient_1_sum_lo) * u2_down)))
     side_d = normal_2 * u2_2
-    u2_2_lo = (u2_2_of_u2_quotient_2 - u2_2 * u2_0_inverse + u2_2_of_u2_quotient_2_lo) * u2_down
     side = side_c + side_d
     side_right = side - side_c
-    side_lo1 = side_c - (side - side_right) + product_rest(normal_2, u2_2, side_d, side_right)
-    side_c_lo = side_c_lo1 + (side_a_cross + (normal_1_lo * u2_1 + normal_1 * u2_1_lo))
-    side_lo = side_lo1 + (normal_2_lo * u2_2 + normal_2 * u2_2_lo) + side_c_lo
-    q2_0b_of_side = side + side_lo
-    q2_0b_of_side_right = q2_0b_of_side - side
-    q2_0b_of_side_left_rest = side - (q2_0b_of_side - q2_0b_of_side_right)
-    q2_0b_of_side_lo = q2_0b_of_side_left_rest + (side_lo - q2_0b_of_side_right)
-    q2_0b = q2_0b_of_side < 0
+    side_d_cross = (normal_2_lo * u2_2 + normal_2
+        * ((u2_quotient_2_sum - u2_2 * u2_0_inverse + u2_quotient_2_sum_lo) * u2_down))
+    side_c_lo = (product_rest(normal_0, u2_0, side_a, side_c - side_c_right)
+        + product_rest(normal_1, u2_1, side_b, side_c_right) + side_c_cross)
+    side_lo = (side_c - (side - side_right) + product_rest(normal_2, u2_2, side_d, side_right)
+        + side_d_cross + side_c_lo)
+    side_sum = side + side_lo
+    side_sum_right = side_sum - side
+    side_sum_lo = side - (side_sum - side_sum_right) + (side_lo - side_sum_right)
+    q2_0b = side_sum < 0
     q2_0 = where(q2_0b, -normal_0, normal_0)
     q2_1 = where(q2_0b, -normal_1, normal_1)
     q2_2 = where(q2_0b, -normal_2, normal_2)
-    size = absolute(q2_0b_of_side)
-    size_lo = where(q2_0b_of_side < 0, -q2_0b_of_side_lo, q2_0b_of_side_lo)
-    less_a_of_size = size + size_lo
-    less_a_of_size_right = less_a_of_size - size
-    less_a_of_size_left_rest = size - (less_a_of_size - less_a_of_size_right)
-    less_a = divisor_a_of_n < less_a_of_size
-    less = where(less_a, divisor_a_of_n, less_a_of_size)
-    less_a_of_size_lo = less_a_of_size_left_rest + (size_lo - less_a_of_size_right)
-    dependent_a_of_less = less + where(less_a, divisor_a_of_n_lo, less_a_of_size_lo)
-    dependent = where(dependent_a_of_less < 1.7763568394002505e-15, float64(1), float64(0))
+    size = absolute(side_sum)
+    size_lo = where(side_sum < 0, -side_sum_lo, side_sum_lo)
+    size_sum = size + size_lo
+    size_sum_right = size_sum - size
+    less_a = n_sum < size_sum
+    less = where(less_a, n_sum, size_sum)
+    dependent_a = (less
+        + where(less_a, n_sum_lo, size - (size_sum - size_sum_right) + (size_lo - size_sum_right))
+        < 1.7763568394002505e-15)
+    dependent = where(dependent_a, float64(1), float64(0))
     Ro_00a = dependent == 1
     Ro_00 = where(Ro_00a, nan, q0_0)
     Ro_01 = where(Ro_00a, nan, q0_1)
@@ -1550,47 +1448,50 @@ def mat3x3_setFromAxisDC(axis, dc):
     sine_axis_2 = axis_2 * dc_0
     R_00 = dc_1 + m_0
     R_00_right = R_00 - dc_1
-    R_00_lo1 = dc_1 - (R_00 - R_00_right) + product_rest(axis_0, versine_axis_0, m_0, R_00_right)
     R_01 = m_3 - sine_axis_2
     R_01_right = m_3 - R_01
-    R_01_left_rest = product_rest(axis_1, versine_axis_0, m_3, R_01 + R_01_right)
     R_02 = m_4 + sine_axis_1
     R_02_right = R_02 - m_4
-    R_02_left_rest = product_rest(axis_2, versine_axis_0, m_4, R_02 - R_02_right)
     R_10 = m_3 + sine_axis_2
     R_10_right = R_10 - m_3
-    R_10_left_rest = product_rest(axis_1, versine_axis_0, m_3, R_10 - R_10_right)
     R_11 = dc_1 + m_1
     R_11_right = R_11 - dc_1
-    R_11_lo1 = dc_1 - (R_11 - R_11_right) + product_rest(axis_1, versine_axis_1, m_1, R_11_right)
     R_12 = m_5 - sine_axis_0
     R_12_right = m_5 - R_12
-    R_12_left_rest = product_rest(axis_2, versine_axis_1, m_5, R_12 + R_12_right)
     R_20 = m_4 - sine_axis_1
     R_20_right = m_4 - R_20
-    R_20_left_rest = product_rest(axis_2, versine_axis_0, m_4, R_20 + R_20_right)
     R_21 = m_5 + sine_axis_0
     R_21_right = R_21 - m_5
-    R_21_left_rest = product_rest(axis_2, versine_axis_1, m_5, R_21 - R_21_right)
     R_22 = dc_1 + m_2
     R_22_right = R_22 - dc_1
     R_22_lo1 = dc_1 - (R_22 - R_22_right) + product_rest(axis_2, versine_axis_2, m_2, R_22_right)
-    m_2_cross2 = axis_2 * (product_error(axis_2, versine, versine_axis_2) + axis_2 * versine_lo)
-    R_00_rounded = R_00 + (R_00_lo1 + axis_0 * versine_axis_0_lo)
-    R_01_lo = R_01_left_rest - product_rest(axis_2, dc_0, sine_axis_2, R_01_right) + m_3_cross2
+    R_00_rounded = (R_00
+        + (dc_1 - (R_00 - R_00_right) + product_rest(axis_0, versine_axis_0, m_0, R_00_right)
+        + axis_0 * versine_axis_0_lo))
+    R_01_lo = (product_rest(axis_1, versine_axis_0, m_3, R_01 + R_01_right)
+        - product_rest(axis_2, dc_0, sine_axis_2, R_01_right) + m_3_cross2)
     R_01_rounded = R_01 + R_01_lo
-    R_02_lo = R_02_left_rest + product_rest(axis_1, dc_0, sine_axis_1, R_02_right) + m_4_cross2
+    R_02_lo = (product_rest(axis_2, versine_axis_0, m_4, R_02 - R_02_right)
+        + product_rest(axis_1, dc_0, sine_axis_1, R_02_right) + m_4_cross2)
     R_02_rounded = R_02 + R_02_lo
-    R_10_lo = R_10_left_rest + product_rest(axis_2, dc_0, sine_axis_2, R_10_right) + m_3_cross2
+    R_10_lo = (product_rest(axis_1, versine_axis_0, m_3, R_10 - R_10_right)
+        + product_rest(axis_2, dc_0, sine_axis_2, R_10_right) + m_3_cross2)
     R_10_rounded = R_10 + R_10_lo
-    R_11_rounded = R_11 + (R_11_lo1 + axis_1 * versine_axis_1_lo)
-    R_12_lo = R_12_left_rest - product_rest(axis_0, dc_0, sine_axis_0, R_12_right) + m_5_cross2
+    R_11_rounded = (R_11
+        + (dc_1 - (R_11 - R_11_right) + product_rest(axis_1, versine_axis_1, m_1, R_11_right)
+        + axis_1 * versine_axis_1_lo))
+    R_12_lo = (product_rest(axis_2, versine_axis_1, m_5, R_12 + R_12_right)
+        - product_rest(axis_0, dc_0, sine_axis_0, R_12_right) + m_5_cross2)
     R_12_rounded = R_12 + R_12_lo
-    R_20_lo = R_20_left_rest - product_rest(axis_1, dc_0, sine_axis_1, R_20_right) + m_4_cross2
+    R_20_lo = (product_rest(axis_2, versine_axis_0, m_4, R_20 + R_20_right)
+        - product_rest(axis_1, dc_0, sine_axis_1, R_20_right) + m_4_cross2)
     R_20_rounded = R_20 + R_20_lo
-    R_21_lo = R_21_left_rest + product_rest(axis_0, dc_0, sine_axis_0, R_21_right) + m_5_cross2
+    R_21_lo = (product_rest(axis_2, versine_axis_1, m_5, R_21 - R_21_right)
+        + product_rest(axis_0, dc_0, sine_axis_0, R_21_right) + m_5_cross2)
     R_21_rounded = R_21 + R_21_lo
-    R_22_rounded = R_22 + (R_22_lo1 + m_2_cross2)
+    R_22_rounded = (R_22
+        + (R_22_lo1 + axis_2
+        * (product_error(axis_2, versine, versine_axis_2) + axis_2 * versine_lo)))
     return (R_00_rounded, R_01_rounded, R_02_rounded, R_10_rounded, R_11_rounded, R_12_rounded,
         R_20_rounded, R_21_rounded, R_22_rounded)
 
@@ -1621,50 +1522,54 @@ def mat3x3_from_euler_xyz(angles):
     last_3b = s_0 * first_6
     last_3 = last_3a - last_3b
     last_3_right = last_3a - last_3
-    last_3b_cross = s_0_own_error * first_6 + s_0 * first_6_lo
-    last_3_left_rest = product_rest(s_2, c_0, last_3a, last_3 + last_3_right)
-    last_3_lo1 = last_3_left_rest - product_rest(s_0, first_6, last_3b, last_3_right)
+    last_3_lo1 = (product_rest(s_2, c_0, last_3a, last_3 + last_3_right)
+        - product_rest(s_0, first_6, last_3b, last_3_right))
     last_4a = c_0 * c_2
     first_7_lo = product_error(s_1, s_2, first_7) + (s_1_own_error * s_2 + s_1 * s_2_own_error)
     last_4b = s_0 * first_7
     last_4 = last_4a - last_4b
     last_4_right = last_4a - last_4
-    last_4b_cross = s_0_own_error * first_7 + s_0 * first_7_lo
-    last_4_left_rest = product_rest(c_0, c_2, last_4a, last_4 + last_4_right)
-    last_4_lo1 = last_4_left_rest - product_rest(s_0, first_7, last_4b, last_4_right)
+    last_4_lo1 = (product_rest(c_0, c_2, last_4a, last_4 + last_4_right)
+        - product_rest(s_0, first_7, last_4b, last_4_right))
     last_5 = -(s_0 * c_1)
     last_6a = s_0 * s_2
     last_6b = c_0 * first_6
     last_6 = last_6a + last_6b
     last_6_right = last_6 - last_6a
-    last_6b_cross = c_0_own_error * first_6 + c_0 * first_6_lo
-    last_6_left_rest = product_rest(s_0, s_2, last_6a, last_6 - last_6_right)
-    last_6_lo1 = last_6_left_rest + product_rest(c_0, first_6, last_6b, last_6_right)
+    last_6_lo1 = (product_rest(s_0, s_2, last_6a, last_6 - last_6_right)
+        + product_rest(c_0, first_6, last_6b, last_6_right))
     last_7a = s_0 * c_2
     last_7b = c_0 * first_7
     last_7 = last_7a + last_7b
     last_7_right = last_7 - last_7a
-    last_7b_cross = c_0_own_error * first_7 + c_0 * first_7_lo
-    last_7_left_rest = product_rest(s_0, c_2, last_7a, last_7 - last_7_right)
-    last_7_lo1 = last_7_left_rest + product_rest(c_0, first_7, last_7b, last_7_right)
+    last_7_lo1 = (product_rest(s_0, c_2, last_7a, last_7 - last_7_right)
+        + product_rest(c_0, first_7, last_7b, last_7_right))
     last_8 = c_0 * c_1
-    first_0_lo = product_error(c_1, c_2, first_0) + (c_1_own_error * c_2 + c_1 * c_2_own_error)
-    first_0_rounded = first_0 + first_0_lo
-    first_1_lo = product_error(-s_2, c_1, first_1) + -(s_2_own_error * c_1 + s_2 * c_1_own_error)
-    first_1_rounded = first_1 + first_1_lo
+    first_0_rounded = (first_0
+        + (product_error(c_1, c_2, first_0) + (c_1_own_error * c_2 + c_1 * c_2_own_error)))
+    first_1_rounded = (first_1
+        + (product_error(-s_2, c_1, first_1) + -(s_2_own_error * c_1 + s_2 * c_1_own_error)))
     s_1_rounded = s_1 + s_1_own_error
-    last_3_lo = last_3_lo1 + (s_2_own_error * c_0 + s_2 * c_0_own_error - last_3b_cross)
-    last_3_rounded = last_3 + last_3_lo
-    last_4_lo = last_4_lo1 + (c_0_own_error * c_2 + c_0 * c_2_own_error - last_4b_cross)
-    last_4_rounded = last_4 + last_4_lo
-    last_5_lo = product_error(-s_0, c_1, last_5) + -(s_0_own_error * c_1 + s_0 * c_1_own_error)
-    last_5_rounded = last_5 + last_5_lo
-    last_6_lo = last_6_lo1 + (s_0_own_error * s_2 + s_0 * s_2_own_error + last_6b_cross)
-    last_6_rounded = last_6 + last_6_lo
-    last_7_lo = last_7_lo1 + (s_0_own_error * c_2 + s_0 * c_2_own_error + last_7b_cross)
-    last_7_rounded = last_7 + last_7_lo
-    last_8_lo = product_error(c_0, c_1, last_8) + (c_0_own_error * c_1 + c_0 * c_1_own_error)
-    last_8_rounded = last_8 + last_8_lo
+    last_3_rounded = (last_3
+        + (last_3_lo1
+        + (s_2_own_error * c_0 + s_2 * c_0_own_error
+        - (s_0_own_error * first_6 + s_0 * first_6_lo))))
+    last_4_rounded = (last_4
+        + (last_4_lo1
+        + (c_0_own_error * c_2 + c_0 * c_2_own_error
+        - (s_0_own_error * first_7 + s_0 * first_7_lo))))
+    last_5_rounded = (last_5
+        + (product_error(-s_0, c_1, last_5) + -(s_0_own_error * c_1 + s_0 * c_1_own_error)))
+    last_6_rounded = (last_6
+        + (last_6_lo1
+        + (s_0_own_error * s_2 + s_0 * s_2_own_error
+        + (c_0_own_error * first_6 + c_0 * first_6_lo))))
+    last_7_rounded = (last_7
+        + (last_7_lo1
+        + (s_0_own_error * c_2 + s_0 * c_2_own_error
+        + (c_0_own_error * first_7 + c_0 * first_7_lo))))
+    last_8_rounded = (last_8
+        + (product_error(c_0, c_1, last_8) + (c_0_own_error * c_1 + c_0 * c_1_own_error)))
     first_0_final = where(first_0_rounded == first_0_rounded, first_0_rounded, first_0)
     first_1_final = where(first_1_rounded == first_1_rounded, first_1_rounded, first_1)
     s_1_final = where(s_1_rounded == s_1_rounded, s_1_rounded, s_1)
@@ -1694,96 +1599,94 @@ def euler_xyz_from_mat3x3(R):
     n_b = R_01 * R_01
     n_c = n_a + n_b
     n_c_right = n_c - n_a
-    n_c_left_rest = product_rest(R_00, R_00, n_a, n_c - n_c_right)
-    n_c_lo = n_c_left_rest + product_rest(R_01, R_01, n_b, n_c_right)
-    n_of_n_c = n_c + n_c_lo
-    n_of_n_c_right = n_of_n_c - n_c
-    n = sqrt(n_of_n_c)
+    n_c_lo = (product_rest(R_00, R_00, n_a, n_c - n_c_right)
+        + product_rest(R_01, R_01, n_b, n_c_right))
+    n_c_sum = n_c + n_c_lo
+    n_c_sum_right = n_c_sum - n_c
+    n = sqrt(n_c_sum)
     n_product = n * n
-    n_of_n_c_lo = n_c - (n_of_n_c - n_of_n_c_right) + (n_c_lo - n_of_n_c_right)
-    n_residual = n_of_n_c - n_product - product_error(n, n, n_product) + n_of_n_c_lo
-    n_lo = n_residual / where(n == 0, 1, n + n)
-    divisor_a_of_n = n + n_lo
-    divisor_a_of_n_right = divisor_a_of_n - n
-    divisor_a_of_n_lo = n - (divisor_a_of_n - divisor_a_of_n_right) + (n_lo - divisor_a_of_n_right)
-    divisor_a = divisor_a_of_n == 0
-    divisor = where(divisor_a, 1, divisor_a_of_n)
-    divisor_lo = where(divisor_a, 0, divisor_a_of_n_lo)
-    cosine_a_of_divisor = divisor + divisor_lo
-    cosine_a_of_divisor_right = cosine_a_of_divisor - divisor
-    cosine_a_of_divisor_left_rest = divisor - (cosine_a_of_divisor - cosine_a_of_divisor_right)
-    cosine_a_of_divisor_right_rest = divisor_lo - cosine_a_of_divisor_right
-    cosine_a_of_divisor_lo = cosine_a_of_divisor_left_rest + cosine_a_of_divisor_right_rest
-    cosine_a = R_00 / cosine_a_of_divisor
-    cosine_a_product = cosine_a * cosine_a_of_divisor
-    cosine_a_product_error = product_error(cosine_a, cosine_a_of_divisor, cosine_a_product)
-    cosine_a_exact = R_00 - cosine_a_product - cosine_a_product_error
+    n_lo = ((n_c_sum - n_product - product_error(n, n, n_product)
+        + (n_c - (n_c_sum - n_c_sum_right) + (n_c_lo - n_c_sum_right))) / where(n == 0, 1, n + n))
+    n_sum = n + n_lo
+    n_sum_right = n_sum - n
+    n_sum_lo = n - (n_sum - n_sum_right) + (n_lo - n_sum_right)
+    divisor_a = n_sum == 0
+    divisor = where(divisor_a, 1, n_sum)
+    divisor_lo = where(divisor_a, 0, n_sum_lo)
+    divisor_sum = divisor + divisor_lo
+    divisor_sum_right = divisor_sum - divisor
+    divisor_sum_lo = divisor - (divisor_sum - divisor_sum_right) + (divisor_lo - divisor_sum_right)
+    cosine_a = R_00 / divisor_sum
+    cosine_a_product = cosine_a * divisor_sum
     cosine = where(divisor_a, 1, cosine_a)
-    cosine_a_lo = (cosine_a_exact - cosine_a * cosine_a_of_divisor_lo) / cosine_a_of_divisor
+    cosine_a_lo = ((R_00 - cosine_a_product
+        - product_error(cosine_a, divisor_sum, cosine_a_product) - cosine_a * divisor_sum_lo)
+        / divisor_sum)
     cosine_lo = where(divisor_a, 0, cosine_a_lo)
     sine_a = -R_01
-    sine = sine_a / cosine_a_of_divisor
-    sine_product = sine * cosine_a_of_divisor
-    sine_exact = sine_a - sine_product - product_error(sine, cosine_a_of_divisor, sine_product)
-    sine_lo = (sine_exact - sine * cosine_a_of_divisor_lo) / cosine_a_of_divisor
+    sine = sine_a / divisor_sum
+    sine_product = sine * divisor_sum
+    sine_lo = ((sine_a - sine_product - product_error(sine, divisor_sum, sine_product) - sine
+        * divisor_sum_lo) / divisor_sum)
     polar = elementary.atan2(sine_a, R_00)
     third = where(divisor_a, 0, polar)
     left_1a = R_10 * sine
     left_1b = R_11 * cosine
     left_1 = left_1a + left_1b
     left_1_right = left_1 - left_1a
-    left_1_left_rest = product_rest(R_10, sine, left_1a, left_1 - left_1_right)
-    left_1_lo1 = left_1_left_rest + product_rest(R_11, cosine, left_1b, left_1_right)
+    left_1_lo1 = (product_rest(R_10, sine, left_1a, left_1 - left_1_right)
+        + product_rest(R_11, cosine, left_1b, left_1_right))
     left_1_lo = left_1_lo1 + (R_10 * sine_lo + R_11 * cosine_lo)
     left_2a = R_20 * sine
     left_2b = R_21 * cosine
     left_2 = left_2a + left_2b
     left_2_right = left_2 - left_2a
-    left_2_left_rest = product_rest(R_20, sine, left_2a, left_2 - left_2_right)
-    left_2_lo1 = left_2_left_rest + product_rest(R_21, cosine, left_2b, left_2_right)
+    left_2_lo1 = (product_rest(R_20, sine, left_2a, left_2 - left_2_right)
+        + product_rest(R_21, cosine, left_2b, left_2_right))
     left_2_lo = left_2_lo1 + (R_20 * sine_lo + R_21 * cosine_lo)
     rest = R_12 + R_22
     rest_right = rest - R_12
     rest_lo = R_12 - (rest - rest_right) + (R_22 - rest_right)
-    first_of_left_2 = left_2 + left_2_lo
-    first_of_left_2_right = first_of_left_2 - left_2
-    first_of_left_2_left_rest = left_2 - (first_of_left_2 - first_of_left_2_right)
-    first_of_left_1 = left_1 + left_1_lo
-    first_of_left_1_right = first_of_left_1 - left_1
-    first_of_left_1_left_rest = left_1 - (first_of_left_1 - first_of_left_1_right)
-    first = elementary.atan2(first_of_left_2, first_of_left_1)
-    first_size0 = absolute(first_of_left_2)
-    first_size1 = absolute(first_of_left_1)
+    left_2_sum = left_2 + left_2_lo
+    left_2_sum_right = left_2_sum - left_2
+    left_1_sum = left_1 + left_1_lo
+    left_1_sum_right = left_1_sum - left_1
+    first = elementary.atan2(left_2_sum, left_1_sum)
+    first_size0 = absolute(left_2_sum)
+    first_size1 = absolute(left_1_sum)
     first_most = where(first_size0 < first_size1, first_size1, first_size0)
     first_zero = first_most == 0
     first_divisor = where(first_zero, 1, first_most)
-    first_part0 = first_of_left_2 / first_divisor
-    first_part1 = first_of_left_1 / first_divisor
-    first_cross1 = first_part1 * (first_of_left_2_left_rest + (left_2_lo - first_of_left_2_right))
-    first_cross2 = first_part0 * (first_of_left_1_left_rest + (left_1_lo - first_of_left_1_right))
-    first_divisor2 = first_divisor * (first_part1 * first_part1 + first_part0 * first_part0)
-    first_more = (first_cross1 - first_cross2) / where(first_zero, 1, first_divisor2)
-    angles_0a_of_rest = rest + rest_lo
-    angles_0a_of_rest_right = angles_0a_of_rest - rest
-    angles_0a_of_rest_left_rest = rest - (angles_0a_of_rest - angles_0a_of_rest_right)
-    angles_0a = angles_0a_of_rest < 1.2676506002282294e+30
-    angles_0 = where(angles_0a, first, angles_0a_of_rest)
-    first_lo = elementary.atan2_error(first_of_left_2, first_of_left_1, first) + first_more
-    angles_0a_of_rest_lo = angles_0a_of_rest_left_rest + (rest_lo - angles_0a_of_rest_right)
-    angles_1 = elementary.atan2(R_02, divisor_a_of_n)
+    first_part0 = left_2_sum / first_divisor
+    first_part1 = left_1_sum / first_divisor
+    first_cross1 = (first_part1
+        * (left_2 - (left_2_sum - left_2_sum_right) + (left_2_lo - left_2_sum_right)))
+    first_cross = (first_cross1 - first_part0
+        * (left_1 - (left_1_sum - left_1_sum_right) + (left_1_lo - left_1_sum_right)))
+    first_more = (first_cross
+        / where(first_zero, 1, first_divisor
+        * (first_part1 * first_part1 + first_part0 * first_part0)))
+    rest_sum = rest + rest_lo
+    rest_sum_right = rest_sum - rest
+    angles_0a = rest_sum < 1.2676506002282294e+30
+    angles_0 = where(angles_0a, first, rest_sum)
+    first_lo = elementary.atan2_error(left_2_sum, left_1_sum, first) + first_more
+    angles_1 = elementary.atan2(R_02, n_sum)
     angles_1_size0 = absolute(R_02)
-    angles_1_size1 = absolute(divisor_a_of_n)
+    angles_1_size1 = absolute(n_sum)
     angles_1_most = where(angles_1_size0 < angles_1_size1, angles_1_size1, angles_1_size0)
     angles_1_zero = angles_1_most == 0
     angles_1_divisor = where(angles_1_zero, 1, angles_1_most)
     angles_1_part0 = R_02 / angles_1_divisor
-    angles_1_part1 = divisor_a_of_n / angles_1_divisor
-    angles_1_square = angles_1_part1 * angles_1_part1 + angles_1_part0 * angles_1_part0
-    angles_1_safe = where(angles_1_zero, 1, angles_1_divisor * angles_1_square)
-    angles_1_more = (angles_1_part1 * 0 - angles_1_part0 * divisor_a_of_n_lo) / angles_1_safe
-    angles_0_rounded = angles_0 + where(angles_0a, first_lo, angles_0a_of_rest_lo)
-    angles_1_lo = elementary.atan2_error(R_02, divisor_a_of_n, angles_1) + angles_1_more
-    angles_1_rounded = angles_1 + angles_1_lo
+    angles_1_part1 = n_sum / angles_1_divisor
+    angles_1_safe = (where(angles_1_zero, 1, angles_1_divisor
+        * (angles_1_part1 * angles_1_part1 + angles_1_part0 * angles_1_part0)))
+    angles_0_rounded = (angles_0
+        + where(angles_0a, first_lo, rest - (rest_sum - rest_sum_right)
+        + (rest_lo - rest_sum_right)))
+    angles_1_rounded = (angles_1
+        + (elementary.atan2_error(R_02, n_sum, angles_1)
+        + (angles_1_part1 * 0 - angles_1_part0 * n_sum_lo) / angles_1_safe))
     third_rounded = third + where(divisor_a, 0, elementary.atan2_error(sine_a, R_00, polar))
     angles_0_final = where(angles_0_rounded == angles_0_rounded, angles_0_rounded, angles_0)
     angles_1_final = where(angles_1_rounded == angles_1_rounded, angles_1_rounded, angles_1)
@@ -1818,50 +1721,54 @@ def mat3x3_from_euler_xyx(angles):
     last_4b = s_0 * first_7
     last_4 = last_4a - last_4b
     last_4_right = last_4a - last_4
-    last_4b_cross = s_0_own_error * first_7 + s_0 * first_7_lo
-    last_4_left_rest = product_rest(c_0, c_2, last_4a, last_4 + last_4_right)
-    last_4_lo1 = last_4_left_rest - product_rest(s_0, first_7, last_4b, last_4_right)
+    last_4_lo1 = (product_rest(c_0, c_2, last_4a, last_4 + last_4_right)
+        - product_rest(s_0, first_7, last_4b, last_4_right))
     first_8_lo = product_error(c_1, c_2, first_8) + (c_1_own_error * c_2 + c_1 * c_2_own_error)
     last_5a = s_0 * first_8
     last_5b = s_2 * c_0
     last_5c = last_5a + last_5b
     last_5c_right = last_5c - last_5a
-    last_5a_cross = s_0_own_error * first_8 + s_0 * first_8_lo
-    last_5c_left_rest = product_rest(s_0, first_8, last_5a, last_5c - last_5c_right)
-    last_5c_lo1 = last_5c_left_rest + product_rest(s_2, c_0, last_5b, last_5c_right)
+    last_5c_lo1 = (product_rest(s_0, first_8, last_5a, last_5c - last_5c_right)
+        + product_rest(s_2, c_0, last_5b, last_5c_right))
     last_5 = -last_5c
     last_6 = -(s_1 * c_0)
     last_7a = s_0 * c_2
     last_7b = c_0 * first_7
     last_7 = last_7a + last_7b
     last_7_right = last_7 - last_7a
-    last_7b_cross = c_0_own_error * first_7 + c_0 * first_7_lo
-    last_7_left_rest = product_rest(s_0, c_2, last_7a, last_7 - last_7_right)
-    last_7_lo1 = last_7_left_rest + product_rest(c_0, first_7, last_7b, last_7_right)
+    last_7_lo1 = (product_rest(s_0, c_2, last_7a, last_7 - last_7_right)
+        + product_rest(c_0, first_7, last_7b, last_7_right))
     last_8a = c_0 * first_8
     last_8b = s_0 * s_2
     last_8 = last_8a - last_8b
     last_8_right = last_8a - last_8
-    last_8a_cross = c_0_own_error * first_8 + c_0 * first_8_lo
-    last_8_left_rest = product_rest(c_0, first_8, last_8a, last_8 + last_8_right)
-    last_8_lo1 = last_8_left_rest - product_rest(s_0, s_2, last_8b, last_8_right)
+    last_8_lo1 = (product_rest(c_0, first_8, last_8a, last_8 + last_8_right)
+        - product_rest(s_0, s_2, last_8b, last_8_right))
     c_1_rounded = c_1 + c_1_own_error
-    first_1_lo = product_error(s_1, s_2, first_1) + (s_1_own_error * s_2 + s_1 * s_2_own_error)
-    first_1_rounded = first_1 + first_1_lo
-    first_2_lo = product_error(s_1, c_2, first_2) + (s_1_own_error * c_2 + s_1 * c_2_own_error)
-    first_2_rounded = first_2 + first_2_lo
-    last_3_lo = product_error(s_0, s_1, last_3) + (s_0_own_error * s_1 + s_0 * s_1_own_error)
-    last_3_rounded = last_3 + last_3_lo
-    last_4_lo = last_4_lo1 + (c_0_own_error * c_2 + c_0 * c_2_own_error - last_4b_cross)
-    last_4_rounded = last_4 + last_4_lo
-    last_5_lo = -(last_5c_lo1 + (last_5a_cross + (s_2_own_error * c_0 + s_2 * c_0_own_error)))
-    last_5_rounded = last_5 + last_5_lo
-    last_6_lo = product_error(-s_1, c_0, last_6) + -(s_1_own_error * c_0 + s_1 * c_0_own_error)
-    last_6_rounded = last_6 + last_6_lo
-    last_7_lo = last_7_lo1 + (s_0_own_error * c_2 + s_0 * c_2_own_error + last_7b_cross)
-    last_7_rounded = last_7 + last_7_lo
-    last_8_lo = last_8_lo1 + (last_8a_cross - (s_0_own_error * s_2 + s_0 * s_2_own_error))
-    last_8_rounded = last_8 + last_8_lo
+    first_1_rounded = (first_1
+        + (product_error(s_1, s_2, first_1) + (s_1_own_error * s_2 + s_1 * s_2_own_error)))
+    first_2_rounded = (first_2
+        + (product_error(s_1, c_2, first_2) + (s_1_own_error * c_2 + s_1 * c_2_own_error)))
+    last_3_rounded = (last_3
+        + (product_error(s_0, s_1, last_3) + (s_0_own_error * s_1 + s_0 * s_1_own_error)))
+    last_4_rounded = (last_4
+        + (last_4_lo1
+        + (c_0_own_error * c_2 + c_0 * c_2_own_error
+        - (s_0_own_error * first_7 + s_0 * first_7_lo))))
+    last_5_rounded = (last_5 +
+        -(last_5c_lo1
+        + (s_0_own_error * first_8 + s_0 * first_8_lo
+        + (s_2_own_error * c_0 + s_2 * c_0_own_error))))
+    last_6_rounded = (last_6
+        + (product_error(-s_1, c_0, last_6) + -(s_1_own_error * c_0 + s_1 * c_0_own_error)))
+    last_7_rounded = (last_7
+        + (last_7_lo1
+        + (s_0_own_error * c_2 + s_0 * c_2_own_error
+        + (c_0_own_error * first_7 + c_0 * first_7_lo))))
+    last_8_rounded = (last_8
+        + (last_8_lo1
+        + (c_0_own_error * first_8 + c_0 * first_8_lo
+        - (s_0_own_error * s_2 + s_0 * s_2_own_error))))
     c_1_final = where(c_1_rounded == c_1_rounded, c_1_rounded, c_1)
     first_1_final = where(first_1_rounded == first_1_rounded, first_1_rounded, first_1)
     first_2_final = where(first_2_rounded == first_2_rounded, first_2_rounded, first_2)
@@ -1891,95 +1798,93 @@ def euler_xyx_from_mat3x3(R):
     n_b = R_02 * R_02
     n_c = n_a + n_b
     n_c_right = n_c - n_a
-    n_c_left_rest = product_rest(R_01, R_01, n_a, n_c - n_c_right)
-    n_c_lo = n_c_left_rest + product_rest(R_02, R_02, n_b, n_c_right)
-    n_of_n_c = n_c + n_c_lo
-    n_of_n_c_right = n_of_n_c - n_c
-    n = sqrt(n_of_n_c)
+    n_c_lo = (product_rest(R_01, R_01, n_a, n_c - n_c_right)
+        + product_rest(R_02, R_02, n_b, n_c_right))
+    n_c_sum = n_c + n_c_lo
+    n_c_sum_right = n_c_sum - n_c
+    n = sqrt(n_c_sum)
     n_product = n * n
-    n_of_n_c_lo = n_c - (n_of_n_c - n_of_n_c_right) + (n_c_lo - n_of_n_c_right)
-    n_residual = n_of_n_c - n_product - product_error(n, n, n_product) + n_of_n_c_lo
-    n_lo = n_residual / where(n == 0, 1, n + n)
-    divisor_a_of_n = n + n_lo
-    divisor_a_of_n_right = divisor_a_of_n - n
-    divisor_a_of_n_lo = n - (divisor_a_of_n - divisor_a_of_n_right) + (n_lo - divisor_a_of_n_right)
-    divisor_a = divisor_a_of_n == 0
-    divisor = where(divisor_a, 1, divisor_a_of_n)
-    divisor_lo = where(divisor_a, 0, divisor_a_of_n_lo)
-    cosine_a_of_divisor = divisor + divisor_lo
-    cosine_a_of_divisor_right = cosine_a_of_divisor - divisor
-    cosine_a_of_divisor_left_rest = divisor - (cosine_a_of_divisor - cosine_a_of_divisor_right)
-    cosine_a_of_divisor_right_rest = divisor_lo - cosine_a_of_divisor_right
-    cosine_a_of_divisor_lo = cosine_a_of_divisor_left_rest + cosine_a_of_divisor_right_rest
-    cosine_a = R_02 / cosine_a_of_divisor
-    cosine_a_product = cosine_a * cosine_a_of_divisor
-    cosine_a_product_error = product_error(cosine_a, cosine_a_of_divisor, cosine_a_product)
-    cosine_a_exact = R_02 - cosine_a_product - cosine_a_product_error
+    n_lo = ((n_c_sum - n_product - product_error(n, n, n_product)
+        + (n_c - (n_c_sum - n_c_sum_right) + (n_c_lo - n_c_sum_right))) / where(n == 0, 1, n + n))
+    n_sum = n + n_lo
+    n_sum_right = n_sum - n
+    n_sum_lo = n - (n_sum - n_sum_right) + (n_lo - n_sum_right)
+    divisor_a = n_sum == 0
+    divisor = where(divisor_a, 1, n_sum)
+    divisor_lo = where(divisor_a, 0, n_sum_lo)
+    divisor_sum = divisor + divisor_lo
+    divisor_sum_right = divisor_sum - divisor
+    divisor_sum_lo = divisor - (divisor_sum - divisor_sum_right) + (divisor_lo - divisor_sum_right)
+    cosine_a = R_02 / divisor_sum
+    cosine_a_product = cosine_a * divisor_sum
     cosine = where(divisor_a, 1, cosine_a)
-    cosine_a_lo = (cosine_a_exact - cosine_a * cosine_a_of_divisor_lo) / cosine_a_of_divisor
+    cosine_a_lo = ((R_02 - cosine_a_product
+        - product_error(cosine_a, divisor_sum, cosine_a_product) - cosine_a * divisor_sum_lo)
+        / divisor_sum)
     cosine_lo = where(divisor_a, 0, cosine_a_lo)
-    sine = R_01 / cosine_a_of_divisor
-    sine_product = sine * cosine_a_of_divisor
-    sine_exact = R_01 - sine_product - product_error(sine, cosine_a_of_divisor, sine_product)
-    sine_lo = (sine_exact - sine * cosine_a_of_divisor_lo) / cosine_a_of_divisor
+    sine = R_01 / divisor_sum
+    sine_product = sine * divisor_sum
+    sine_lo = ((R_01 - sine_product - product_error(sine, divisor_sum, sine_product) - sine
+        * divisor_sum_lo) / divisor_sum)
     polar = elementary.atan2(R_01, R_02)
     third = where(divisor_a, 0, polar)
     left_1a = R_11 * cosine
     left_1b = R_12 * sine
     left_1 = left_1a - left_1b
     left_1_right = left_1a - left_1
-    left_1_left_rest = product_rest(R_11, cosine, left_1a, left_1 + left_1_right)
-    left_1_lo1 = left_1_left_rest - product_rest(R_12, sine, left_1b, left_1_right)
+    left_1_lo1 = (product_rest(R_11, cosine, left_1a, left_1 + left_1_right)
+        - product_rest(R_12, sine, left_1b, left_1_right))
     left_1_lo = left_1_lo1 + (R_11 * cosine_lo - R_12 * sine_lo)
     left_2a = R_21 * cosine
     left_2b = R_22 * sine
     left_2 = left_2a - left_2b
     left_2_right = left_2a - left_2
-    left_2_left_rest = product_rest(R_21, cosine, left_2a, left_2 + left_2_right)
-    left_2_lo1 = left_2_left_rest - product_rest(R_22, sine, left_2b, left_2_right)
+    left_2_lo1 = (product_rest(R_21, cosine, left_2a, left_2 + left_2_right)
+        - product_rest(R_22, sine, left_2b, left_2_right))
     left_2_lo = left_2_lo1 + (R_21 * cosine_lo - R_22 * sine_lo)
     rest = R_10 + R_20
     rest_right = rest - R_10
     rest_lo = R_10 - (rest - rest_right) + (R_20 - rest_right)
-    first_of_left_2 = left_2 + left_2_lo
-    first_of_left_2_right = first_of_left_2 - left_2
-    first_of_left_2_left_rest = left_2 - (first_of_left_2 - first_of_left_2_right)
-    first_of_left_1 = left_1 + left_1_lo
-    first_of_left_1_right = first_of_left_1 - left_1
-    first_of_left_1_left_rest = left_1 - (first_of_left_1 - first_of_left_1_right)
-    first = elementary.atan2(first_of_left_2, first_of_left_1)
-    first_size0 = absolute(first_of_left_2)
-    first_size1 = absolute(first_of_left_1)
+    left_2_sum = left_2 + left_2_lo
+    left_2_sum_right = left_2_sum - left_2
+    left_1_sum = left_1 + left_1_lo
+    left_1_sum_right = left_1_sum - left_1
+    first = elementary.atan2(left_2_sum, left_1_sum)
+    first_size0 = absolute(left_2_sum)
+    first_size1 = absolute(left_1_sum)
     first_most = where(first_size0 < first_size1, first_size1, first_size0)
     first_zero = first_most == 0
     first_divisor = where(first_zero, 1, first_most)
-    first_part0 = first_of_left_2 / first_divisor
-    first_part1 = first_of_left_1 / first_divisor
-    first_cross1 = first_part1 * (first_of_left_2_left_rest + (left_2_lo - first_of_left_2_right))
-    first_cross2 = first_part0 * (first_of_left_1_left_rest + (left_1_lo - first_of_left_1_right))
-    first_divisor2 = first_divisor * (first_part1 * first_part1 + first_part0 * first_part0)
-    first_more = (first_cross1 - first_cross2) / where(first_zero, 1, first_divisor2)
-    angles_0a_of_rest = rest + rest_lo
-    angles_0a_of_rest_right = angles_0a_of_rest - rest
-    angles_0a_of_rest_left_rest = rest - (angles_0a_of_rest - angles_0a_of_rest_right)
-    angles_0a = angles_0a_of_rest < 1.2676506002282294e+30
-    angles_0 = where(angles_0a, first, angles_0a_of_rest)
-    first_lo = elementary.atan2_error(first_of_left_2, first_of_left_1, first) + first_more
-    angles_0a_of_rest_lo = angles_0a_of_rest_left_rest + (rest_lo - angles_0a_of_rest_right)
-    angles_1 = elementary.atan2(divisor_a_of_n, R_00)
-    angles_1_size0 = absolute(divisor_a_of_n)
+    first_part0 = left_2_sum / first_divisor
+    first_part1 = left_1_sum / first_divisor
+    first_cross1 = (first_part1
+        * (left_2 - (left_2_sum - left_2_sum_right) + (left_2_lo - left_2_sum_right)))
+    first_cross = (first_cross1 - first_part0
+        * (left_1 - (left_1_sum - left_1_sum_right) + (left_1_lo - left_1_sum_right)))
+    first_more = (first_cross
+        / where(first_zero, 1, first_divisor
+        * (first_part1 * first_part1 + first_part0 * first_part0)))
+    rest_sum = rest + rest_lo
+    rest_sum_right = rest_sum - rest
+    angles_0a = rest_sum < 1.2676506002282294e+30
+    angles_0 = where(angles_0a, first, rest_sum)
+    first_lo = elementary.atan2_error(left_2_sum, left_1_sum, first) + first_more
+    angles_1 = elementary.atan2(n_sum, R_00)
+    angles_1_size0 = absolute(n_sum)
     angles_1_size1 = absolute(R_00)
     angles_1_most = where(angles_1_size0 < angles_1_size1, angles_1_size1, angles_1_size0)
     angles_1_zero = angles_1_most == 0
     angles_1_divisor = where(angles_1_zero, 1, angles_1_most)
-    angles_1_part0 = divisor_a_of_n / angles_1_divisor
+    angles_1_part0 = n_sum / angles_1_divisor
     angles_1_part1 = R_00 / angles_1_divisor
-    angles_1_square = angles_1_part1 * angles_1_part1 + angles_1_part0 * angles_1_part0
-    angles_1_safe = where(angles_1_zero, 1, angles_1_divisor * angles_1_square)
-    angles_1_more = (angles_1_part1 * divisor_a_of_n_lo - angles_1_part0 * 0) / angles_1_safe
-    angles_0_rounded = angles_0 + where(angles_0a, first_lo, angles_0a_of_rest_lo)
-    angles_1_lo = elementary.atan2_error(divisor_a_of_n, R_00, angles_1) + angles_1_more
-    angles_1_rounded = angles_1 + angles_1_lo
+    angles_1_safe = (where(angles_1_zero, 1, angles_1_divisor
+        * (angles_1_part1 * angles_1_part1 + angles_1_part0 * angles_1_part0)))
+    angles_0_rounded = (angles_0
+        + where(angles_0a, first_lo, rest - (rest_sum - rest_sum_right)
+        + (rest_lo - rest_sum_right)))
+    angles_1_rounded = (angles_1
+        + (elementary.atan2_error(n_sum, R_00, angles_1)
+        + (angles_1_part1 * n_sum_lo - angles_1_part0 * 0) / angles_1_safe))
     third_rounded = third + where(divisor_a, 0, elementary.atan2_error(R_01, R_02, polar))
     angles_0_final = where(angles_0_rounded == angles_0_rounded, angles_0_rounded, angles_0)
     angles_1_final = where(angles_1_rounded == angles_1_rounded, angles_1_rounded, angles_1)
@@ -2006,69 +1911,66 @@ def mat3x3_jacobi(A, V):
     apart_lo = A_11 - (apart + apart_right) - (A_00 - apart_right)
     divisor_a = twice == 0
     divisor = where(divisor_a, 1, twice)
-    theta_of_apart = apart + apart_lo
-    theta_of_apart_right = theta_of_apart - apart
-    theta_of_apart_left_rest = apart - (theta_of_apart - theta_of_apart_right)
-    theta = theta_of_apart / divisor
+    apart_sum = apart + apart_lo
+    apart_sum_right = apart_sum - apart
+    theta = apart_sum / divisor
     theta_product = theta * divisor
-    theta_exact = theta_of_apart - theta_product - product_error(theta, divisor, theta_product)
-    theta_numerator = theta_exact + (theta_of_apart_left_rest + (apart_lo - theta_of_apart_right))
-    theta_lo = theta_numerator / divisor
-    magnitude_of_theta = theta + theta_lo
-    magnitude_of_theta_right = magnitude_of_theta - theta
-    magnitude_of_theta_left_rest = theta - (magnitude_of_theta - magnitude_of_theta_right)
-    magnitude_of_theta_lo = magnitude_of_theta_left_rest + (theta_lo - magnitude_of_theta_right)
-    magnitude = absolute(magnitude_of_theta)
-    size_a = magnitude_of_theta * magnitude_of_theta
-    size_a_cross1 = magnitude_of_theta_lo * magnitude_of_theta
+    theta_exact = apart_sum - theta_product - product_error(theta, divisor, theta_product)
+    theta_lo = ((theta_exact
+        + (apart - (apart_sum - apart_sum_right) + (apart_lo - apart_sum_right))) / divisor)
+    theta_sum = theta + theta_lo
+    theta_sum_right = theta_sum - theta
+    theta_sum_lo = theta - (theta_sum - theta_sum_right) + (theta_lo - theta_sum_right)
+    magnitude = absolute(theta_sum)
+    size_a = theta_sum * theta_sum
     size_b = 1 + size_a
     size_b_right = size_b - 1
-    size_b_right_rest = product_rest(magnitude_of_theta, magnitude_of_theta, size_a, size_b_right)
-    size_a_cross = size_a_cross1 + magnitude_of_theta * magnitude_of_theta_lo
-    size_b_lo = 1 - (size_b - size_b_right) + size_b_right_rest + size_a_cross
-    size_c_of_size_b = size_b + size_b_lo
-    size_c_of_size_b_right = size_c_of_size_b - size_b
-    size_c_of_size_b_left_rest = size_b - (size_c_of_size_b - size_c_of_size_b_right)
-    size_c = sqrt(size_c_of_size_b)
+    size_b_lo1 = (1 - (size_b - size_b_right)
+        + product_rest(theta_sum, theta_sum, size_a, size_b_right))
+    size_b_lo = size_b_lo1 + (theta_sum_lo * theta_sum + theta_sum * theta_sum_lo)
+    size_b_sum = size_b + size_b_lo
+    size_b_sum_right = size_b_sum - size_b
+    size_c = sqrt(size_b_sum)
     size_c_product = size_c * size_c
-    size_c_exact = size_c_of_size_b - size_c_product - product_error(size_c, size_c, size_c_product)
-    size_c_of_size_b_lo = size_c_of_size_b_left_rest + (size_b_lo - size_c_of_size_b_right)
+    size_c_exact = size_b_sum - size_c_product - product_error(size_c, size_c, size_c_product)
     size = magnitude + size_c
     size_right = size - magnitude
-    size_c_lo = (size_c_exact + size_c_of_size_b_lo) / where(size_c == 0, 1, size_c + size_c)
-    magnitude_lo = where(magnitude_of_theta < 0, -magnitude_of_theta_lo, magnitude_of_theta_lo)
-    size_lo = magnitude - (size - size_right) + (size_c - size_right) + size_c_lo + magnitude_lo
-    along_b = magnitude_of_theta < 0
+    size_c_lo = ((size_c_exact
+        + (size_b - (size_b_sum - size_b_sum_right) + (size_b_lo - size_b_sum_right)))
+        / where(size_c == 0, 1, size_c + size_c))
+    size_lo = (magnitude - (size - size_right) + (size_c - size_right) + size_c_lo
+        + where(theta_sum < 0, -theta_sum_lo, theta_sum_lo))
+    along_b = theta_sum < 0
     along = where(along_b, -size, size)
     along_lo = where(along_b, -size_lo, size_lo)
-    t_a_of_along = along + along_lo
-    t_a_of_along_right = t_a_of_along - along
-    t_a = 1 / t_a_of_along
-    t_a_product = t_a * t_a_of_along
-    t_a_of_along_lo = along - (t_a_of_along - t_a_of_along_right) + (along_lo - t_a_of_along_right)
-    t_a_exact = 1 - t_a_product - product_error(t_a, t_a_of_along, t_a_product)
+    along_sum = along + along_lo
+    along_sum_right = along_sum - along
+    t_a = 1 / along_sum
+    t_a_product = t_a * along_sum
+    t_a_cross = t_a * (along - (along_sum - along_sum_right) + (along_lo - along_sum_right))
     t = where(divisor_a, 0, t_a)
-    t_lo = where(divisor_a, 0, (t_a_exact - t_a * t_a_of_along_lo) / t_a_of_along)
+    t_lo = (where(divisor_a, 0, (1 - t_a_product - product_error(t_a, along_sum, t_a_product)
+        - t_a_cross) / along_sum))
     secant_a = t * t
     secant_b = 1 + secant_a
     secant_b_right = secant_b - 1
-    secant_b_lo1 = 1 - (secant_b - secant_b_right) + product_rest(t, t, secant_a, secant_b_right)
-    secant_b_lo = secant_b_lo1 + (t_lo * t + t * t_lo)
-    secant_of_secant_b = secant_b + secant_b_lo
-    secant_of_secant_b_right = secant_of_secant_b - secant_b
-    secant_of_secant_b_left_rest = secant_b - (secant_of_secant_b - secant_of_secant_b_right)
-    secant = sqrt(secant_of_secant_b)
+    secant_b_lo = (1 - (secant_b - secant_b_right) + product_rest(t, t, secant_a, secant_b_right)
+        + (t_lo * t + t * t_lo))
+    secant_b_sum = secant_b + secant_b_lo
+    secant_b_sum_right = secant_b_sum - secant_b
+    secant = sqrt(secant_b_sum)
     secant_product = secant * secant
-    secant_product_error = product_error(secant, secant, secant_product)
-    secant_of_secant_b_lo = secant_of_secant_b_left_rest + (secant_b_lo - secant_of_secant_b_right)
-    secant_exact = secant_of_secant_b - secant_product - secant_product_error
-    secant_lo = (secant_exact + secant_of_secant_b_lo) / where(secant == 0, 1, secant + secant)
-    c_of_secant = secant + secant_lo
-    c_of_secant_right = c_of_secant - secant
-    c = 1 / c_of_secant
-    c_product = c * c_of_secant
-    c_cross = c * (secant - (c_of_secant - c_of_secant_right) + (secant_lo - c_of_secant_right))
-    c_lo = (1 - c_product - product_error(c, c_of_secant, c_product) - c_cross) / c_of_secant
+    secant_b_sum_lo = (secant_b - (secant_b_sum - secant_b_sum_right)
+        + (secant_b_lo - secant_b_sum_right))
+    secant_lo = ((secant_b_sum - secant_product - product_error(secant, secant, secant_product)
+        + secant_b_sum_lo) / where(secant == 0, 1, secant + secant))
+    secant_sum = secant + secant_lo
+    secant_sum_right = secant_sum - secant
+    c = 1 / secant_sum
+    c_product = c * secant_sum
+    c_residual = (1 - c_product - product_error(c, secant_sum, c_product) - c
+        * (secant - (secant_sum - secant_sum_right) + (secant_lo - secant_sum_right)))
+    c_lo = c_residual / secant_sum
     s = t * c
     change = A_10 * t
     change_cross2 = A_10 * t_lo
@@ -2077,68 +1979,70 @@ def mat3x3_jacobi(A, V):
     zp_b = A_21 * s
     zp = zp_a - zp_b
     zp_right = zp_a - zp
-    zp_lo1 = product_rest(A_20, c, zp_a, zp + zp_right) - product_rest(A_21, s, zp_b, zp_right)
     zq_a = A_20 * s
     zq_b = A_21 * c
     zq = zq_a + zq_b
     zq_right = zq - zq_a
-    zq_lo1 = product_rest(A_20, s, zq_a, zq - zq_right) + product_rest(A_21, c, zq_b, zq_right)
     vp_0a = V_00 * c
     vp_0b = V_01 * s
     vp_0 = vp_0a - vp_0b
     vp_0_right = vp_0a - vp_0
-    vp_0_left_rest = product_rest(V_00, c, vp_0a, vp_0 + vp_0_right)
-    vp_0_lo1 = vp_0_left_rest - product_rest(V_01, s, vp_0b, vp_0_right)
     vp_1a = V_10 * c
     vp_1b = V_11 * s
     vp_1 = vp_1a - vp_1b
     vp_1_right = vp_1a - vp_1
-    vp_1_left_rest = product_rest(V_10, c, vp_1a, vp_1 + vp_1_right)
-    vp_1_lo1 = vp_1_left_rest - product_rest(V_11, s, vp_1b, vp_1_right)
     vp_2a = V_20 * c
     vp_2b = V_21 * s
     vp_2 = vp_2a - vp_2b
     vp_2_right = vp_2a - vp_2
-    vp_2_left_rest = product_rest(V_20, c, vp_2a, vp_2 + vp_2_right)
-    vp_2_lo1 = vp_2_left_rest - product_rest(V_21, s, vp_2b, vp_2_right)
     vq_0a = V_00 * s
     vq_0b = V_01 * c
     vq_0 = vq_0a + vq_0b
     vq_0_right = vq_0 - vq_0a
-    vq_0_left_rest = product_rest(V_00, s, vq_0a, vq_0 - vq_0_right)
-    vq_0_lo1 = vq_0_left_rest + product_rest(V_01, c, vq_0b, vq_0_right)
     vq_1a = V_10 * s
     vq_1b = V_11 * c
     vq_1 = vq_1a + vq_1b
     vq_1_right = vq_1 - vq_1a
-    vq_1_left_rest = product_rest(V_10, s, vq_1a, vq_1 - vq_1_right)
-    vq_1_lo1 = vq_1_left_rest + product_rest(V_11, c, vq_1b, vq_1_right)
     vq_2a = V_20 * s
     vq_2b = V_21 * c
     vq_2 = vq_2a + vq_2b
     vq_2_right = vq_2 - vq_2a
-    vq_2_left_rest = product_rest(V_20, s, vq_2a, vq_2 - vq_2_right)
-    vq_2_lo1 = vq_2_left_rest + product_rest(V_21, c, vq_2b, vq_2_right)
     A_00_new = A_11 + change
     A_00_new_right = A_00_new - A_11
-    A_00_new_right_rest = product_rest(A_10, t, change, A_00_new_right)
     A_22_new = A_00 - change
     A_22_new_right = A_00 - A_22_new
-    A_22_new_right_rest = product_rest(A_10, t, change, A_22_new_right)
-    A_00_new_lo = A_11 - (A_00_new - A_00_new_right) + A_00_new_right_rest + change_cross2
-    A_00_new_rounded = A_00_new + A_00_new_lo
-    zq_rounded = zq + (zq_lo1 + (A_20 * s_lo + A_21 * c_lo))
+    A_00_new_rounded = (A_00_new
+        + (A_11 - (A_00_new - A_00_new_right) + product_rest(A_10, t, change, A_00_new_right)
+        + change_cross2))
+    zq_rounded = (zq
+        + (product_rest(A_20, s, zq_a, zq - zq_right) + product_rest(A_21, c, zq_b, zq_right)
+        + (A_20 * s_lo + A_21 * c_lo)))
     zq_final = where(zq_rounded == zq_rounded, zq_rounded, zq)
-    zp_rounded = zp + (zp_lo1 + (A_20 * c_lo - A_21 * s_lo))
+    zp_rounded = (zp
+        + (product_rest(A_20, c, zp_a, zp + zp_right) - product_rest(A_21, s, zp_b, zp_right)
+        + (A_20 * c_lo - A_21 * s_lo)))
     zp_final = where(zp_rounded == zp_rounded, zp_rounded, zp)
-    A_22_new_lo = A_00 - (A_22_new + A_22_new_right) - A_22_new_right_rest - change_cross2
-    A_22_new_rounded = A_22_new + A_22_new_lo
-    vq_0_rounded = vq_0 + (vq_0_lo1 + (V_00 * s_lo + V_01 * c_lo))
-    vp_0_rounded = vp_0 + (vp_0_lo1 + (V_00 * c_lo - V_01 * s_lo))
-    vq_1_rounded = vq_1 + (vq_1_lo1 + (V_10 * s_lo + V_11 * c_lo))
-    vp_1_rounded = vp_1 + (vp_1_lo1 + (V_10 * c_lo - V_11 * s_lo))
-    vq_2_rounded = vq_2 + (vq_2_lo1 + (V_20 * s_lo + V_21 * c_lo))
-    vp_2_rounded = vp_2 + (vp_2_lo1 + (V_20 * c_lo - V_21 * s_lo))
+    A_22_new_rounded = (A_22_new
+        + (A_00 - (A_22_new + A_22_new_right) - product_rest(A_10, t, change, A_22_new_right)
+        - change_cross2))
+    vq_0_rounded = (vq_0
+        + (product_rest(V_00, s, vq_0a, vq_0 - vq_0_right)
+        + product_rest(V_01, c, vq_0b, vq_0_right) + (V_00 * s_lo + V_01 * c_lo)))
+    vp_0_rounded = (vp_0
+        + (product_rest(V_00, c, vp_0a, vp_0 + vp_0_right)
+        - product_rest(V_01, s, vp_0b, vp_0_right) + (V_00 * c_lo - V_01 * s_lo)))
+    vq_1_rounded = (vq_1
+        + (product_rest(V_10, s, vq_1a, vq_1 - vq_1_right)
+        + product_rest(V_11, c, vq_1b, vq_1_right) + (V_10 * s_lo + V_11 * c_lo)))
+    vp_1_rounded = (vp_1
+        + (product_rest(V_10, c, vp_1a, vp_1 + vp_1_right)
+        - product_rest(V_11, s, vp_1b, vp_1_right) + (V_10 * c_lo - V_11 * s_lo)))
+    vq_2_rounded = (vq_2
+        + (product_rest(V_20, s, vq_2a, vq_2 - vq_2_right)
+        + product_rest(V_21, c, vq_2b, vq_2_right) + (V_20 * s_lo + V_21 * c_lo)))
+    vp_2_rounded = (vp_2
+        + (product_rest(V_20, c, vp_2a, vp_2 + vp_2_right)
+        - product_rest(V_21, s, vp_2b, vp_2_right) + (V_20 * c_lo - V_21 * s_lo)))
     A_00_new_final = where(A_00_new_rounded == A_00_new_rounded, A_00_new_rounded, A_00_new)
     A_22_new_final = where(A_22_new_rounded == A_22_new_rounded, A_22_new_rounded, A_22_new)
     vq_0_final = where(vq_0_rounded == vq_0_rounded, vq_0_rounded, vq_0)
@@ -2165,257 +2069,208 @@ def mat3x3_rotation_defect(R):
     n_0b = R_12 * R_21
     n_0 = n_0a - n_0b
     n_0_right = n_0a - n_0
-    n_0_left_rest = product_rest(R_11, R_22, n_0a, n_0 + n_0_right)
     n_1a = R_02 * R_21
     n_1b = R_01 * R_22
     n_1 = n_1a - n_1b
     n_1_right = n_1a - n_1
-    n_1_left_rest = product_rest(R_02, R_21, n_1a, n_1 + n_1_right)
     n_2a = R_01 * R_12
     n_2b = R_02 * R_11
     n_2 = n_2a - n_2b
     n_2_right = n_2a - n_2
-    n_2_left_rest = product_rest(R_01, R_12, n_2a, n_2 + n_2_right)
     det_a = R_00 * n_0
     det_b = R_10 * n_1
     det_c = det_a + det_b
     det_c_right = det_c - det_a
-    det_a_cross2 = R_00 * (n_0_left_rest - product_rest(R_12, R_21, n_0b, n_0_right))
-    det_c_left_rest = product_rest(R_00, n_0, det_a, det_c - det_c_right)
-    det_c_cross = det_a_cross2 + R_10 * (n_1_left_rest - product_rest(R_01, R_22, n_1b, n_1_right))
+    det_a_cross2 = (R_00
+        * (product_rest(R_11, R_22, n_0a, n_0 + n_0_right)
+        - product_rest(R_12, R_21, n_0b, n_0_right)))
+    det_c_cross = (det_a_cross2 + R_10
+        * (product_rest(R_02, R_21, n_1a, n_1 + n_1_right)
+        - product_rest(R_01, R_22, n_1b, n_1_right)))
     det_d = R_20 * n_2
     det = det_c + det_d
     det_right = det - det_c
-    det_lo1 = det_c - (det - det_right) + product_rest(R_20, n_2, det_d, det_right)
-    det_lo2 = det_lo1 + R_20 * (n_2_left_rest - product_rest(R_02, R_11, n_2b, n_2_right))
+    det_d_cross2 = (R_20
+        * (product_rest(R_01, R_12, n_2a, n_2 + n_2_right)
+        - product_rest(R_02, R_11, n_2b, n_2_right)))
+    det_c_lo = (product_rest(R_00, n_0, det_a, det_c - det_c_right)
+        + product_rest(R_10, n_1, det_b, det_c_right) + det_c_cross)
     g_0a = R_00 * R_00
     g_0b = R_10 * R_10
     g_0c = g_0a + g_0b
     g_0c_right = g_0c - g_0a
-    g_0c_left_rest = product_rest(R_00, R_00, g_0a, g_0c - g_0c_right)
     g_0d = R_20 * R_20
     g_0 = g_0c + g_0d
     g_0_right = g_0 - g_0c
-    g_0_lo1 = g_0c - (g_0 - g_0_right) + product_rest(R_20, R_20, g_0d, g_0_right)
+    g_0c_lo = (product_rest(R_00, R_00, g_0a, g_0c - g_0c_right)
+        + product_rest(R_10, R_10, g_0b, g_0c_right))
     g_1a = R_00 * R_01
     g_1b = R_10 * R_11
     g_1c = g_1a + g_1b
     g_1c_right = g_1c - g_1a
-    g_1c_left_rest = product_rest(R_00, R_01, g_1a, g_1c - g_1c_right)
     g_1d = R_20 * R_21
     g_1 = g_1c + g_1d
     g_1_right = g_1 - g_1c
-    g_1_lo1 = g_1c - (g_1 - g_1_right) + product_rest(R_20, R_21, g_1d, g_1_right)
-    g_1_lo = g_1_lo1 + (g_1c_left_rest + product_rest(R_10, R_11, g_1b, g_1c_right))
+    g_1c_lo = (product_rest(R_00, R_01, g_1a, g_1c - g_1c_right)
+        + product_rest(R_10, R_11, g_1b, g_1c_right))
+    g_1_lo = g_1c - (g_1 - g_1_right) + product_rest(R_20, R_21, g_1d, g_1_right) + g_1c_lo
     g_2a = R_00 * R_02
     g_2b = R_10 * R_12
     g_2c = g_2a + g_2b
     g_2c_right = g_2c - g_2a
-    g_2c_left_rest = product_rest(R_00, R_02, g_2a, g_2c - g_2c_right)
     g_2d = R_20 * R_22
     g_2 = g_2c + g_2d
     g_2_right = g_2 - g_2c
-    g_2_lo1 = g_2c - (g_2 - g_2_right) + product_rest(R_20, R_22, g_2d, g_2_right)
-    g_2_lo = g_2_lo1 + (g_2c_left_rest + product_rest(R_10, R_12, g_2b, g_2c_right))
+    g_2c_lo = (product_rest(R_00, R_02, g_2a, g_2c - g_2c_right)
+        + product_rest(R_10, R_12, g_2b, g_2c_right))
+    g_2_lo = g_2c - (g_2 - g_2_right) + product_rest(R_20, R_22, g_2d, g_2_right) + g_2c_lo
     g_3a = R_01 * R_01
     g_3b = R_11 * R_11
     g_3c = g_3a + g_3b
     g_3c_right = g_3c - g_3a
-    g_3c_left_rest = product_rest(R_01, R_01, g_3a, g_3c - g_3c_right)
     g_3d = R_21 * R_21
     g_3 = g_3c + g_3d
     g_3_right = g_3 - g_3c
-    g_3_lo1 = g_3c - (g_3 - g_3_right) + product_rest(R_21, R_21, g_3d, g_3_right)
+    g_3c_lo = (product_rest(R_01, R_01, g_3a, g_3c - g_3c_right)
+        + product_rest(R_11, R_11, g_3b, g_3c_right))
     g_4a = R_01 * R_02
     g_4b = R_11 * R_12
     g_4c = g_4a + g_4b
     g_4c_right = g_4c - g_4a
-    g_4c_left_rest = product_rest(R_01, R_02, g_4a, g_4c - g_4c_right)
     g_4d = R_21 * R_22
     g_4 = g_4c + g_4d
     g_4_right = g_4 - g_4c
-    g_4_lo1 = g_4c - (g_4 - g_4_right) + product_rest(R_21, R_22, g_4d, g_4_right)
-    g_4_lo = g_4_lo1 + (g_4c_left_rest + product_rest(R_11, R_12, g_4b, g_4c_right))
+    g_4c_lo = (product_rest(R_01, R_02, g_4a, g_4c - g_4c_right)
+        + product_rest(R_11, R_12, g_4b, g_4c_right))
+    g_4_lo = g_4c - (g_4 - g_4_right) + product_rest(R_21, R_22, g_4d, g_4_right) + g_4c_lo
     g_5a = R_02 * R_02
     g_5b = R_12 * R_12
     g_5c = g_5a + g_5b
     g_5c_right = g_5c - g_5a
-    g_5c_left_rest = product_rest(R_02, R_02, g_5a, g_5c - g_5c_right)
     g_5d = R_22 * R_22
     g_5 = g_5c + g_5d
     g_5_right = g_5 - g_5c
-    g_5_lo1 = g_5c - (g_5 - g_5_right) + product_rest(R_22, R_22, g_5d, g_5_right)
+    g_5c_lo = (product_rest(R_02, R_02, g_5a, g_5c - g_5c_right)
+        + product_rest(R_12, R_12, g_5b, g_5c_right))
     off_0 = det - 1
     off_0_right = det - off_0
-    det_lo = det_lo2 + (det_c_left_rest + product_rest(R_10, n_1, det_b, det_c_right) + det_c_cross)
+    det_lo = (det_c - (det - det_right) + product_rest(R_20, n_2, det_d, det_right) + det_d_cross2
+        + det_c_lo)
     off_0_lo = det - (off_0 + off_0_right) - (1 - off_0_right) + det_lo
     off_1 = g_0 - 1
     off_1_right = g_0 - off_1
-    g_0_lo = g_0_lo1 + (g_0c_left_rest + product_rest(R_10, R_10, g_0b, g_0c_right))
-    off_1_lo = g_0 - (off_1 + off_1_right) - (1 - off_1_right) + g_0_lo
+    off_1_lo = (g_0 - (off_1 + off_1_right) - (1 - off_1_right)
+        + (g_0c - (g_0 - g_0_right) + product_rest(R_20, R_20, g_0d, g_0_right) + g_0c_lo))
     off_4 = g_3 - 1
     off_4_right = g_3 - off_4
-    g_3_lo = g_3_lo1 + (g_3c_left_rest + product_rest(R_11, R_11, g_3b, g_3c_right))
-    off_4_lo = g_3 - (off_4 + off_4_right) - (1 - off_4_right) + g_3_lo
+    off_4_lo = (g_3 - (off_4 + off_4_right) - (1 - off_4_right)
+        + (g_3c - (g_3 - g_3_right) + product_rest(R_21, R_21, g_3d, g_3_right) + g_3c_lo))
     off_6 = g_5 - 1
     off_6_right = g_5 - off_6
-    g_5_lo = g_5_lo1 + (g_5c_left_rest + product_rest(R_12, R_12, g_5b, g_5c_right))
-    off_6_lo = g_5 - (off_6 + off_6_right) - (1 - off_6_right) + g_5_lo
-    defect_size_0_of_off_0 = off_0 + off_0_lo
-    defect_size_0_of_off_0_right = defect_size_0_of_off_0 - off_0
-    defect_size_0_of_off_0_left = defect_size_0_of_off_0 - defect_size_0_of_off_0_right
-    defect_size_0_of_off_0_right_rest = off_0_lo - defect_size_0_of_off_0_right
-    defect_size_0_of_off_0_left_rest = off_0 - defect_size_0_of_off_0_left
-    defect_size_0_of_off_0_lo = defect_size_0_of_off_0_left_rest + defect_size_0_of_off_0_right_rest
-    defect_size_0 = absolute(defect_size_0_of_off_0)
-    defect_size_0_negative = defect_size_0_of_off_0 < 0
-    defect_size_0_opposite = -defect_size_0_of_off_0_lo
-    defect_size_0_lo = where(defect_size_0_negative, defect_size_0_opposite, defect_size_0_of_off_0_lo)
-    defect_size_1_of_off_1 = off_1 + off_1_lo
-    defect_size_1_of_off_1_right = defect_size_1_of_off_1 - off_1
-    defect_size_1_of_off_1_left = defect_size_1_of_off_1 - defect_size_1_of_off_1_right
-    defect_size_1_of_off_1_right_rest = off_1_lo - defect_size_1_of_off_1_right
-    defect_size_1_of_off_1_left_rest = off_1 - defect_size_1_of_off_1_left
-    defect_size_1_of_off_1_lo = defect_size_1_of_off_1_left_rest + defect_size_1_of_off_1_right_rest
-    defect_size_1 = absolute(defect_size_1_of_off_1)
-    defect_size_1_negative = defect_size_1_of_off_1 < 0
-    defect_size_1_opposite = -defect_size_1_of_off_1_lo
-    defect_size_1_lo = where(defect_size_1_negative, defect_size_1_opposite, defect_size_1_of_off_1_lo)
-    defect_size_2_of_g_1 = g_1 + g_1_lo
-    defect_size_2_of_g_1_right = defect_size_2_of_g_1 - g_1
-    defect_size_2_of_g_1_left_rest = g_1 - (defect_size_2_of_g_1 - defect_size_2_of_g_1_right)
-    defect_size_2_of_g_1_lo = defect_size_2_of_g_1_left_rest + (g_1_lo - defect_size_2_of_g_1_right)
-    defect_size_2 = absolute(defect_size_2_of_g_1)
-    defect_size_2_negative = defect_size_2_of_g_1 < 0
-    defect_size_2_opposite = -defect_size_2_of_g_1_lo
-    defect_size_2_lo = where(defect_size_2_negative, defect_size_2_opposite, defect_size_2_of_g_1_lo)
-    defect_size_3_of_g_2 = g_2 + g_2_lo
-    defect_size_3_of_g_2_right = defect_size_3_of_g_2 - g_2
-    defect_size_3_of_g_2_left_rest = g_2 - (defect_size_3_of_g_2 - defect_size_3_of_g_2_right)
-    defect_size_3_of_g_2_lo = defect_size_3_of_g_2_left_rest + (g_2_lo - defect_size_3_of_g_2_right)
-    defect_size_3 = absolute(defect_size_3_of_g_2)
-    defect_size_3_negative = defect_size_3_of_g_2 < 0
-    defect_size_3_opposite = -defect_size_3_of_g_2_lo
-    defect_size_3_lo = where(defect_size_3_negative, defect_size_3_opposite, defect_size_3_of_g_2_lo)
-    defect_size_4_of_off_4 = off_4 + off_4_lo
-    defect_size_4_of_off_4_right = defect_size_4_of_off_4 - off_4
-    defect_size_4_of_off_4_left = defect_size_4_of_off_4 - defect_size_4_of_off_4_right
-    defect_size_4_of_off_4_right_rest = off_4_lo - defect_size_4_of_off_4_right
-    defect_size_4_of_off_4_left_rest = off_4 - defect_size_4_of_off_4_left
-    defect_size_4_of_off_4_lo = defect_size_4_of_off_4_left_rest + defect_size_4_of_off_4_right_rest
-    defect_size_4 = absolute(defect_size_4_of_off_4)
-    defect_size_4_negative = defect_size_4_of_off_4 < 0
-    defect_size_4_opposite = -defect_size_4_of_off_4_lo
-    defect_size_4_lo = where(defect_size_4_negative, defect_size_4_opposite, defect_size_4_of_off_4_lo)
-    defect_size_5_of_g_4 = g_4 + g_4_lo
-    defect_size_5_of_g_4_right = defect_size_5_of_g_4 - g_4
-    defect_size_5_of_g_4_left_rest = g_4 - (defect_size_5_of_g_4 - defect_size_5_of_g_4_right)
-    defect_size_5_of_g_4_lo = defect_size_5_of_g_4_left_rest + (g_4_lo - defect_size_5_of_g_4_right)
-    defect_size_5 = absolute(defect_size_5_of_g_4)
-    defect_size_5_negative = defect_size_5_of_g_4 < 0
-    defect_size_5_opposite = -defect_size_5_of_g_4_lo
-    defect_size_5_lo = where(defect_size_5_negative, defect_size_5_opposite, defect_size_5_of_g_4_lo)
-    defect_size_6_of_off_6 = off_6 + off_6_lo
-    defect_size_6_of_off_6_right = defect_size_6_of_off_6 - off_6
-    defect_size_6_of_off_6_left = defect_size_6_of_off_6 - defect_size_6_of_off_6_right
-    defect_size_6_of_off_6_right_rest = off_6_lo - defect_size_6_of_off_6_right
-    defect_size_6_of_off_6_left_rest = off_6 - defect_size_6_of_off_6_left
-    defect_size_6_of_off_6_lo = defect_size_6_of_off_6_left_rest + defect_size_6_of_off_6_right_rest
-    defect_size_6 = absolute(defect_size_6_of_off_6)
-    defect_size_6_negative = defect_size_6_of_off_6 < 0
-    defect_size_6_opposite = -defect_size_6_of_off_6_lo
-    defect_size_6_lo = where(defect_size_6_negative, defect_size_6_opposite, defect_size_6_of_off_6_lo)
-    defect_largest1a_of_defect_size_0 = defect_size_0 + defect_size_0_lo
-    defect_largest1a_of_defect_size_0_right = defect_largest1a_of_defect_size_0 - defect_size_0
-    defect_largest1a_of_defect_size_0_left = defect_largest1a_of_defect_size_0 - defect_largest1a_of_defect_size_0_right
-    defect_largest1a_of_defect_size_0_right_rest = defect_size_0_lo - defect_largest1a_of_defect_size_0_right
-    defect_largest1a_of_defect_size_0_left_rest = defect_size_0 - defect_largest1a_of_defect_size_0_left
-    defect_largest1a_of_defect_size_1 = defect_size_1 + defect_size_1_lo
-    defect_largest1a_of_defect_size_1_right = defect_largest1a_of_defect_size_1 - defect_size_1
-    defect_largest1a_of_defect_size_1_left = defect_largest1a_of_defect_size_1 - defect_largest1a_of_defect_size_1_right
-    defect_largest1a_of_defect_size_1_right_rest = defect_size_1_lo - defect_largest1a_of_defect_size_1_right
-    defect_largest1a_of_defect_size_1_left_rest = defect_size_1 - defect_largest1a_of_defect_size_1_left
-    defect_largest1a = defect_largest1a_of_defect_size_0 < defect_largest1a_of_defect_size_1
-    defect_largest1 = where(defect_largest1a, defect_largest1a_of_defect_size_1, defect_largest1a_of_defect_size_0)
-    defect_largest1a_of_defect_size_1_lo = defect_largest1a_of_defect_size_1_left_rest + defect_largest1a_of_defect_size_1_right_rest
-    defect_largest1a_of_defect_size_0_lo = defect_largest1a_of_defect_size_0_left_rest + defect_largest1a_of_defect_size_0_right_rest
-    defect_largest1_lo = where(defect_largest1a, defect_largest1a_of_defect_size_1_lo, defect_largest1a_of_defect_size_0_lo)
-    defect_largest2a_of_defect_largest1 = defect_largest1 + defect_largest1_lo
-    defect_largest2a_of_defect_largest1_right = defect_largest2a_of_defect_largest1 - defect_largest1
-    defect_largest2a_of_defect_largest1_left = defect_largest2a_of_defect_largest1 - defect_largest2a_of_defect_largest1_right
-    defect_largest2a_of_defect_largest1_right_rest = defect_largest1_lo - defect_largest2a_of_defect_largest1_right
-    defect_largest2a_of_defect_largest1_left_rest = defect_largest1 - defect_largest2a_of_defect_largest1_left
-    defect_largest2a_of_defect_size_2 = defect_size_2 + defect_size_2_lo
-    defect_largest2a_of_defect_size_2_right = defect_largest2a_of_defect_size_2 - defect_size_2
-    defect_largest2a_of_defect_size_2_left = defect_largest2a_of_defect_size_2 - defect_largest2a_of_defect_size_2_right
-    defect_largest2a_of_defect_size_2_right_rest = defect_size_2_lo - defect_largest2a_of_defect_size_2_right
-    defect_largest2a_of_defect_size_2_left_rest = defect_size_2 - defect_largest2a_of_defect_size_2_left
-    defect_largest2a = defect_largest2a_of_defect_largest1 < defect_largest2a_of_defect_size_2
-    defect_largest2 = where(defect_largest2a, defect_largest2a_of_defect_size_2, defect_largest2a_of_defect_largest1)
-    defect_largest2a_of_defect_largest1_lo = defect_largest2a_of_defect_largest1_left_rest + defect_largest2a_of_defect_largest1_right_rest
-    defect_largest2a_of_defect_size_2_lo = defect_largest2a_of_defect_size_2_left_rest + defect_largest2a_of_defect_size_2_right_rest
-    defect_largest2_lo = where(defect_largest2a, defect_largest2a_of_defect_size_2_lo, defect_largest2a_of_defect_largest1_lo)
-    defect_largest3a_of_defect_largest2 = defect_largest2 + defect_largest2_lo
-    defect_largest3a_of_defect_largest2_right = defect_largest3a_of_defect_largest2 - defect_largest2
-    defect_largest3a_of_defect_largest2_left = defect_largest3a_of_defect_largest2 - defect_largest3a_of_defect_largest2_right
-    defect_largest3a_of_defect_largest2_right_rest = defect_largest2_lo - defect_largest3a_of_defect_largest2_right
-    defect_largest3a_of_defect_largest2_left_rest = defect_largest2 - defect_largest3a_of_defect_largest2_left
-    defect_largest3a_of_defect_size_3 = defect_size_3 + defect_size_3_lo
-    defect_largest3a_of_defect_size_3_right = defect_largest3a_of_defect_size_3 - defect_size_3
-    defect_largest3a_of_defect_size_3_left = defect_largest3a_of_defect_size_3 - defect_largest3a_of_defect_size_3_right
-    defect_largest3a_of_defect_size_3_right_rest = defect_size_3_lo - defect_largest3a_of_defect_size_3_right
-    defect_largest3a_of_defect_size_3_left_rest = defect_size_3 - defect_largest3a_of_defect_size_3_left
-    defect_largest3a = defect_largest3a_of_defect_largest2 < defect_largest3a_of_defect_size_3
-    defect_largest3 = where(defect_largest3a, defect_largest3a_of_defect_size_3, defect_largest3a_of_defect_largest2)
-    defect_largest3a_of_defect_largest2_lo = defect_largest3a_of_defect_largest2_left_rest + defect_largest3a_of_defect_largest2_right_rest
-    defect_largest3a_of_defect_size_3_lo = defect_largest3a_of_defect_size_3_left_rest + defect_largest3a_of_defect_size_3_right_rest
-    defect_largest3_lo = where(defect_largest3a, defect_largest3a_of_defect_size_3_lo, defect_largest3a_of_defect_largest2_lo)
-    defect_largest4a_of_defect_largest3 = defect_largest3 + defect_largest3_lo
-    defect_largest4a_of_defect_largest3_right = defect_largest4a_of_defect_largest3 - defect_largest3
-    defect_largest4a_of_defect_largest3_left = defect_largest4a_of_defect_largest3 - defect_largest4a_of_defect_largest3_right
-    defect_largest4a_of_defect_largest3_right_rest = defect_largest3_lo - defect_largest4a_of_defect_largest3_right
-    defect_largest4a_of_defect_largest3_left_rest = defect_largest3 - defect_largest4a_of_defect_largest3_left
-    defect_largest4a_of_defect_size_4 = defect_size_4 + defect_size_4_lo
-    defect_largest4a_of_defect_size_4_right = defect_largest4a_of_defect_size_4 - defect_size_4
-    defect_largest4a_of_defect_size_4_left = defect_largest4a_of_defect_size_4 - defect_largest4a_of_defect_size_4_right
-    defect_largest4a_of_defect_size_4_right_rest = defect_size_4_lo - defect_largest4a_of_defect_size_4_right
-    defect_largest4a_of_defect_size_4_left_rest = defect_size_4 - defect_largest4a_of_defect_size_4_left
-    defect_largest4a = defect_largest4a_of_defect_largest3 < defect_largest4a_of_defect_size_4
-    defect_largest4 = where(defect_largest4a, defect_largest4a_of_defect_size_4, defect_largest4a_of_defect_largest3)
-    defect_largest4a_of_defect_largest3_lo = defect_largest4a_of_defect_largest3_left_rest + defect_largest4a_of_defect_largest3_right_rest
-    defect_largest4a_of_defect_size_4_lo = defect_largest4a_of_defect_size_4_left_rest + defect_largest4a_of_defect_size_4_right_rest
-    defect_largest4_lo = where(defect_largest4a, defect_largest4a_of_defect_size_4_lo, defect_largest4a_of_defect_largest3_lo)
-    defect_largest5a_of_defect_largest4 = defect_largest4 + defect_largest4_lo
-    defect_largest5a_of_defect_largest4_right = defect_largest5a_of_defect_largest4 - defect_largest4
-    defect_largest5a_of_defect_largest4_left = defect_largest5a_of_defect_largest4 - defect_largest5a_of_defect_largest4_right
-    defect_largest5a_of_defect_largest4_right_rest = defect_largest4_lo - defect_largest5a_of_defect_largest4_right
-    defect_largest5a_of_defect_largest4_left_rest = defect_largest4 - defect_largest5a_of_defect_largest4_left
-    defect_largest5a_of_defect_size_5 = defect_size_5 + defect_size_5_lo
-    defect_largest5a_of_defect_size_5_right = defect_largest5a_of_defect_size_5 - defect_size_5
-    defect_largest5a_of_defect_size_5_left = defect_largest5a_of_defect_size_5 - defect_largest5a_of_defect_size_5_right
-    defect_largest5a_of_defect_size_5_right_rest = defect_size_5_lo - defect_largest5a_of_defect_size_5_right
-    defect_largest5a_of_defect_size_5_left_rest = defect_size_5 - defect_largest5a_of_defect_size_5_left
-    defect_largest5a = defect_largest5a_of_defect_largest4 < defect_largest5a_of_defect_size_5
-    defect_largest5 = where(defect_largest5a, defect_largest5a_of_defect_size_5, defect_largest5a_of_defect_largest4)
-    defect_largest5a_of_defect_largest4_lo = defect_largest5a_of_defect_largest4_left_rest + defect_largest5a_of_defect_largest4_right_rest
-    defect_largest5a_of_defect_size_5_lo = defect_largest5a_of_defect_size_5_left_rest + defect_largest5a_of_defect_size_5_right_rest
-    defect_largest5_lo = where(defect_largest5a, defect_largest5a_of_defect_size_5_lo, defect_largest5a_of_defect_largest4_lo)
-    defect_largest6a_of_defect_largest5 = defect_largest5 + defect_largest5_lo
-    defect_largest6a_of_defect_largest5_right = defect_largest6a_of_defect_largest5 - defect_largest5
-    defect_largest6a_of_defect_largest5_left = defect_largest6a_of_defect_largest5 - defect_largest6a_of_defect_largest5_right
-    defect_largest6a_of_defect_largest5_right_rest = defect_largest5_lo - defect_largest6a_of_defect_largest5_right
-    defect_largest6a_of_defect_largest5_left_rest = defect_largest5 - defect_largest6a_of_defect_largest5_left
-    defect_largest6a_of_defect_size_6 = defect_size_6 + defect_size_6_lo
-    defect_largest6a_of_defect_size_6_right = defect_largest6a_of_defect_size_6 - defect_size_6
-    defect_largest6a_of_defect_size_6_left = defect_largest6a_of_defect_size_6 - defect_largest6a_of_defect_size_6_right
-    defect_largest6a_of_defect_size_6_right_rest = defect_size_6_lo - defect_largest6a_of_defect_size_6_right
-    defect_largest6a_of_defect_size_6_left_rest = defect_size_6 - defect_largest6a_of_defect_size_6_left
-    defect_largest6a = defect_largest6a_of_defect_largest5 < defect_largest6a_of_defect_size_6
-    defect_largest6 = where(defect_largest6a, defect_largest6a_of_defect_size_6, defect_largest6a_of_defect_largest5)
-    defect_largest6a_of_defect_largest5_lo = defect_largest6a_of_defect_largest5_left_rest + defect_largest6a_of_defect_largest5_right_rest
-    defect_largest6a_of_defect_size_6_lo = defect_largest6a_of_defect_size_6_left_rest + defect_largest6a_of_defect_size_6_right_rest
-    defect_largest6_lo = where(defect_largest6a, defect_largest6a_of_defect_size_6_lo, defect_largest6a_of_defect_largest5_lo)
-    defect_largest6_rounded = defect_largest6 + defect_largest6_lo
+    off_6_lo = (g_5 - (off_6 + off_6_right) - (1 - off_6_right)
+        + (g_5c - (g_5 - g_5_right) + product_rest(R_22, R_22, g_5d, g_5_right) + g_5c_lo))
+    off_0_sum = off_0 + off_0_lo
+    off_0_sum_right = off_0_sum - off_0
+    off_0_sum_lo = off_0 - (off_0_sum - off_0_sum_right) + (off_0_lo - off_0_sum_right)
+    defect_size_0 = absolute(off_0_sum)
+    defect_size_0_lo = where(off_0_sum < 0, -off_0_sum_lo, off_0_sum_lo)
+    off_1_sum = off_1 + off_1_lo
+    off_1_sum_right = off_1_sum - off_1
+    off_1_sum_lo = off_1 - (off_1_sum - off_1_sum_right) + (off_1_lo - off_1_sum_right)
+    defect_size_1 = absolute(off_1_sum)
+    defect_size_1_lo = where(off_1_sum < 0, -off_1_sum_lo, off_1_sum_lo)
+    g_1_sum = g_1 + g_1_lo
+    g_1_sum_right = g_1_sum - g_1
+    g_1_sum_lo = g_1 - (g_1_sum - g_1_sum_right) + (g_1_lo - g_1_sum_right)
+    defect_size_2 = absolute(g_1_sum)
+    defect_size_2_lo = where(g_1_sum < 0, -g_1_sum_lo, g_1_sum_lo)
+    g_2_sum = g_2 + g_2_lo
+    g_2_sum_right = g_2_sum - g_2
+    g_2_sum_lo = g_2 - (g_2_sum - g_2_sum_right) + (g_2_lo - g_2_sum_right)
+    defect_size_3 = absolute(g_2_sum)
+    defect_size_3_lo = where(g_2_sum < 0, -g_2_sum_lo, g_2_sum_lo)
+    off_4_sum = off_4 + off_4_lo
+    off_4_sum_right = off_4_sum - off_4
+    off_4_sum_lo = off_4 - (off_4_sum - off_4_sum_right) + (off_4_lo - off_4_sum_right)
+    defect_size_4 = absolute(off_4_sum)
+    defect_size_4_lo = where(off_4_sum < 0, -off_4_sum_lo, off_4_sum_lo)
+    g_4_sum = g_4 + g_4_lo
+    g_4_sum_right = g_4_sum - g_4
+    g_4_sum_lo = g_4 - (g_4_sum - g_4_sum_right) + (g_4_lo - g_4_sum_right)
+    defect_size_5 = absolute(g_4_sum)
+    defect_size_5_lo = where(g_4_sum < 0, -g_4_sum_lo, g_4_sum_lo)
+    off_6_sum = off_6 + off_6_lo
+    off_6_sum_right = off_6_sum - off_6
+    off_6_sum_lo = off_6 - (off_6_sum - off_6_sum_right) + (off_6_lo - off_6_sum_right)
+    defect_size_6 = absolute(off_6_sum)
+    defect_size_6_lo = where(off_6_sum < 0, -off_6_sum_lo, off_6_sum_lo)
+    defect_size_0_sum = defect_size_0 + defect_size_0_lo
+    defect_size_0_sum_right = defect_size_0_sum - defect_size_0
+    defect_size_1_sum = defect_size_1 + defect_size_1_lo
+    defect_size_1_sum_right = defect_size_1_sum - defect_size_1
+    defect_largest1a = defect_size_0_sum < defect_size_1_sum
+    defect_largest1 = where(defect_largest1a, defect_size_1_sum, defect_size_0_sum)
+    defect_size_1_sum_lo = (defect_size_1 - (defect_size_1_sum - defect_size_1_sum_right)
+        + (defect_size_1_lo - defect_size_1_sum_right))
+    defect_size_0_sum_lo = (defect_size_0 - (defect_size_0_sum - defect_size_0_sum_right)
+        + (defect_size_0_lo - defect_size_0_sum_right))
+    defect_largest1_lo = where(defect_largest1a, defect_size_1_sum_lo, defect_size_0_sum_lo)
+    defect_largest1_sum = defect_largest1 + defect_largest1_lo
+    defect_largest1_sum_right = defect_largest1_sum - defect_largest1
+    defect_size_2_sum = defect_size_2 + defect_size_2_lo
+    defect_size_2_sum_right = defect_size_2_sum - defect_size_2
+    defect_largest2a = defect_largest1_sum < defect_size_2_sum
+    defect_largest2 = where(defect_largest2a, defect_size_2_sum, defect_largest1_sum)
+    defect_largest1_sum_lo = (defect_largest1 - (defect_largest1_sum - defect_largest1_sum_right)
+        + (defect_largest1_lo - defect_largest1_sum_right))
+    defect_size_2_sum_lo = (defect_size_2 - (defect_size_2_sum - defect_size_2_sum_right)
+        + (defect_size_2_lo - defect_size_2_sum_right))
+    defect_largest2_lo = where(defect_largest2a, defect_size_2_sum_lo, defect_largest1_sum_lo)
+    defect_largest2_sum = defect_largest2 + defect_largest2_lo
+    defect_largest2_sum_right = defect_largest2_sum - defect_largest2
+    defect_size_3_sum = defect_size_3 + defect_size_3_lo
+    defect_size_3_sum_right = defect_size_3_sum - defect_size_3
+    defect_largest3a = defect_largest2_sum < defect_size_3_sum
+    defect_largest3 = where(defect_largest3a, defect_size_3_sum, defect_largest2_sum)
+    defect_largest2_sum_lo = (defect_largest2 - (defect_largest2_sum - defect_largest2_sum_right)
+        + (defect_largest2_lo - defect_largest2_sum_right))
+    defect_size_3_sum_lo = (defect_size_3 - (defect_size_3_sum - defect_size_3_sum_right)
+        + (defect_size_3_lo - defect_size_3_sum_right))
+    defect_largest3_lo = where(defect_largest3a, defect_size_3_sum_lo, defect_largest2_sum_lo)
+    defect_largest3_sum = defect_largest3 + defect_largest3_lo
+    defect_largest3_sum_right = defect_largest3_sum - defect_largest3
+    defect_size_4_sum = defect_size_4 + defect_size_4_lo
+    defect_size_4_sum_right = defect_size_4_sum - defect_size_4
+    defect_largest4a = defect_largest3_sum < defect_size_4_sum
+    defect_largest4 = where(defect_largest4a, defect_size_4_sum, defect_largest3_sum)
+    defect_largest3_sum_lo = (defect_largest3 - (defect_largest3_sum - defect_largest3_sum_right)
+        + (defect_largest3_lo - defect_largest3_sum_right))
+    defect_size_4_sum_lo = (defect_size_4 - (defect_size_4_sum - defect_size_4_sum_right)
+        + (defect_size_4_lo - defect_size_4_sum_right))
+    defect_largest4_lo = where(defect_largest4a, defect_size_4_sum_lo, defect_largest3_sum_lo)
+    defect_largest4_sum = defect_largest4 + defect_largest4_lo
+    defect_largest4_sum_right = defect_largest4_sum - defect_largest4
+    defect_size_5_sum = defect_size_5 + defect_size_5_lo
+    defect_size_5_sum_right = defect_size_5_sum - defect_size_5
+    defect_largest5a = defect_largest4_sum < defect_size_5_sum
+    defect_largest5 = where(defect_largest5a, defect_size_5_sum, defect_largest4_sum)
+    defect_largest4_sum_lo = (defect_largest4 - (defect_largest4_sum - defect_largest4_sum_right)
+        + (defect_largest4_lo - defect_largest4_sum_right))
+    defect_size_5_sum_lo = (defect_size_5 - (defect_size_5_sum - defect_size_5_sum_right)
+        + (defect_size_5_lo - defect_size_5_sum_right))
+    defect_largest5_lo = where(defect_largest5a, defect_size_5_sum_lo, defect_largest4_sum_lo)
+    defect_largest5_sum = defect_largest5 + defect_largest5_lo
+    defect_largest5_sum_right = defect_largest5_sum - defect_largest5
+    defect_size_6_sum = defect_size_6 + defect_size_6_lo
+    defect_size_6_sum_right = defect_size_6_sum - defect_size_6
+    defect_largest6a = defect_largest5_sum < defect_size_6_sum
+    defect_largest6 = where(defect_largest6a, defect_size_6_sum, defect_largest5_sum)
+    defect_largest5_sum_lo = (defect_largest5 - (defect_largest5_sum - defect_largest5_sum_right)
+        + (defect_largest5_lo - defect_largest5_sum_right))
+    defect_size_6_sum_lo = (defect_size_6 - (defect_size_6_sum - defect_size_6_sum_right)
+        + (defect_size_6_lo - defect_size_6_sum_right))
+    defect_largest6_rounded = (defect_largest6
+        + where(defect_largest6a, defect_size_6_sum_lo, defect_largest5_sum_lo))
     return defect_largest6_rounded
 
 
@@ -2443,8 +2298,8 @@ def mat3x3_from_axis_angle(axis, angle):
     versine_d = cosine + cosine_own_error < 0
     versine = where(versine_d, versine_c, 2 * versine_a)
     versine_c_lo = 1 - (versine_c + versine_c_right) - (cosine - versine_c_right) - cosine_own_error
-    versine_b_cross2 = 2 * (product_error(h, h, versine_a) + (h_own_error * h + h * h_own_error))
-    versine_lo = where(versine_d, versine_c_lo, versine_b_cross2)
+    versine_lo = (where(versine_d, versine_c_lo, 2
+        * (product_error(h, h, versine_a) + (h_own_error * h + h * h_own_error))))
     beta_v_0 = axis_0 * versine
     beta_v_1 = axis_1 * versine
     beta_v_2 = axis_2 * versine
@@ -2464,16 +2319,16 @@ def mat3x3_from_axis_angle(axis, angle):
     m_5_cross2 = axis_2 * beta_v_1_lo
     others_0 = m_1 + m_2
     others_0_right = others_0 - m_1
-    others_0_left_rest = product_rest(axis_1, beta_v_1, m_1, others_0 - others_0_right)
-    others_0_lo1 = others_0_left_rest + product_rest(axis_2, beta_v_2, m_2, others_0_right)
+    others_0_lo1 = (product_rest(axis_1, beta_v_1, m_1, others_0 - others_0_right)
+        + product_rest(axis_2, beta_v_2, m_2, others_0_right))
     others_1 = m_0 + m_2
     others_1_right = others_1 - m_0
-    others_1_left_rest = product_rest(axis_0, beta_v_0, m_0, others_1 - others_1_right)
-    others_1_lo1 = others_1_left_rest + product_rest(axis_2, beta_v_2, m_2, others_1_right)
+    others_1_lo1 = (product_rest(axis_0, beta_v_0, m_0, others_1 - others_1_right)
+        + product_rest(axis_2, beta_v_2, m_2, others_1_right))
     others_2 = m_0 + m_1
     others_2_right = others_2 - m_0
-    others_2_left_rest = product_rest(axis_0, beta_v_0, m_0, others_2 - others_2_right)
-    others_2_lo1 = others_2_left_rest + product_rest(axis_1, beta_v_1, m_1, others_2_right)
+    others_2_lo1 = (product_rest(axis_0, beta_v_0, m_0, others_2 - others_2_right)
+        + product_rest(axis_1, beta_v_1, m_1, others_2_right))
     alpha_v_0 = axis_0 * sine
     alpha_v_0_cross2 = axis_0 * sine_own_error
     alpha_v_1 = axis_1 * sine
@@ -2482,46 +2337,49 @@ def mat3x3_from_axis_angle(axis, angle):
     alpha_v_2_cross2 = axis_2 * sine_own_error
     R_00 = 1 - others_0
     R_00_right = 1 - R_00
-    R_00_lo1 = 1 - (R_00 + R_00_right) - (others_0 - R_00_right)
     R_01 = m_3 - alpha_v_2
     R_01_right = m_3 - R_01
-    R_01_left_rest = product_rest(axis_1, beta_v_0, m_3, R_01 + R_01_right)
-    R_01_lo1 = R_01_left_rest - product_rest(axis_2, sine, alpha_v_2, R_01_right)
     R_02 = m_4 + alpha_v_1
     R_02_right = R_02 - m_4
-    R_02_left_rest = product_rest(axis_2, beta_v_0, m_4, R_02 - R_02_right)
-    R_02_lo1 = R_02_left_rest + product_rest(axis_1, sine, alpha_v_1, R_02_right)
     R_10 = m_3 + alpha_v_2
     R_10_right = R_10 - m_3
-    R_10_left_rest = product_rest(axis_1, beta_v_0, m_3, R_10 - R_10_right)
-    R_10_lo1 = R_10_left_rest + product_rest(axis_2, sine, alpha_v_2, R_10_right)
     R_11 = 1 - others_1
     R_11_right = 1 - R_11
-    R_11_lo1 = 1 - (R_11 + R_11_right) - (others_1 - R_11_right)
     R_12 = m_5 - alpha_v_0
     R_12_right = m_5 - R_12
-    R_12_left_rest = product_rest(axis_2, beta_v_1, m_5, R_12 + R_12_right)
-    R_12_lo1 = R_12_left_rest - product_rest(axis_0, sine, alpha_v_0, R_12_right)
     R_20 = m_4 - alpha_v_1
     R_20_right = m_4 - R_20
-    R_20_left_rest = product_rest(axis_2, beta_v_0, m_4, R_20 + R_20_right)
-    R_20_lo1 = R_20_left_rest - product_rest(axis_1, sine, alpha_v_1, R_20_right)
     R_21 = m_5 + alpha_v_0
     R_21_right = R_21 - m_5
-    R_21_left_rest = product_rest(axis_2, beta_v_1, m_5, R_21 - R_21_right)
-    R_21_lo1 = R_21_left_rest + product_rest(axis_0, sine, alpha_v_0, R_21_right)
     R_22 = 1 - others_2
     R_22_right = 1 - R_22
-    R_22_lo1 = 1 - (R_22 + R_22_right) - (others_2 - R_22_right)
-    R_00_rounded = R_00 + (R_00_lo1 - (others_0_lo1 + (m_1_cross2 + m_2_cross2)))
-    R_01_rounded = R_01 + (R_01_lo1 + (m_3_cross2 - alpha_v_2_cross2))
-    R_02_rounded = R_02 + (R_02_lo1 + (m_4_cross2 + alpha_v_1_cross2))
-    R_10_rounded = R_10 + (R_10_lo1 + (m_3_cross2 + alpha_v_2_cross2))
-    R_11_rounded = R_11 + (R_11_lo1 - (others_1_lo1 + (m_0_cross2 + m_2_cross2)))
-    R_12_rounded = R_12 + (R_12_lo1 + (m_5_cross2 - alpha_v_0_cross2))
-    R_20_rounded = R_20 + (R_20_lo1 + (m_4_cross2 - alpha_v_1_cross2))
-    R_21_rounded = R_21 + (R_21_lo1 + (m_5_cross2 + alpha_v_0_cross2))
-    R_22_rounded = R_22 + (R_22_lo1 - (others_2_lo1 + (m_0_cross2 + m_1_cross2)))
+    R_00_rounded = (R_00
+        + (1 - (R_00 + R_00_right) - (others_0 - R_00_right)
+        - (others_0_lo1 + (m_1_cross2 + m_2_cross2))))
+    R_01_lo = (product_rest(axis_1, beta_v_0, m_3, R_01 + R_01_right)
+        - product_rest(axis_2, sine, alpha_v_2, R_01_right) + (m_3_cross2 - alpha_v_2_cross2))
+    R_01_rounded = R_01 + R_01_lo
+    R_02_lo = (product_rest(axis_2, beta_v_0, m_4, R_02 - R_02_right)
+        + product_rest(axis_1, sine, alpha_v_1, R_02_right) + (m_4_cross2 + alpha_v_1_cross2))
+    R_02_rounded = R_02 + R_02_lo
+    R_10_lo = (product_rest(axis_1, beta_v_0, m_3, R_10 - R_10_right)
+        + product_rest(axis_2, sine, alpha_v_2, R_10_right) + (m_3_cross2 + alpha_v_2_cross2))
+    R_10_rounded = R_10 + R_10_lo
+    R_11_rounded = (R_11
+        + (1 - (R_11 + R_11_right) - (others_1 - R_11_right)
+        - (others_1_lo1 + (m_0_cross2 + m_2_cross2))))
+    R_12_lo = (product_rest(axis_2, beta_v_1, m_5, R_12 + R_12_right)
+        - product_rest(axis_0, sine, alpha_v_0, R_12_right) + (m_5_cross2 - alpha_v_0_cross2))
+    R_12_rounded = R_12 + R_12_lo
+    R_20_lo = (product_rest(axis_2, beta_v_0, m_4, R_20 + R_20_right)
+        - product_rest(axis_1, sine, alpha_v_1, R_20_right) + (m_4_cross2 - alpha_v_1_cross2))
+    R_20_rounded = R_20 + R_20_lo
+    R_21_lo = (product_rest(axis_2, beta_v_1, m_5, R_21 - R_21_right)
+        + product_rest(axis_0, sine, alpha_v_0, R_21_right) + (m_5_cross2 + alpha_v_0_cross2))
+    R_21_rounded = R_21 + R_21_lo
+    R_22_rounded = (R_22
+        + (1 - (R_22 + R_22_right) - (others_2 - R_22_right)
+        - (others_2_lo1 + (m_0_cross2 + m_1_cross2))))
     R_00_final = where(R_00_rounded == R_00_rounded, R_00_rounded, R_00)
     R_01_final = where(R_01_rounded == R_01_rounded, R_01_rounded, R_01)
     R_02_final = where(R_02_rounded == R_02_rounded, R_02_rounded, R_02)
@@ -2587,193 +2445,177 @@ def axis_angle_from_mat3x3(R):
     d_3_right = first_1 - d_3
     low_0a = R_11 < R_00
     low_0 = where(low_0a, d_1, s_2)
-    d_1_lo = first_0 - (d_1 + d_1_right) - (others_0 - d_1_right) - others_0_lo + first_0_lo
     low_1 = where(low_0a, s_2, d_2)
-    d_2_lo = first_1 - (d_2 - d_2_right) + (others_1 - d_2_right) + others_1_lo + first_1_lo
     low_2 = where(low_0a, s_1, s_0)
     low_3 = where(low_0a, p_0, p_1)
     high_0b = R_00 < -R_11
     high_0 = where(high_0b, s_1, p_0)
     high_1 = where(high_0b, s_0, p_1)
     high_2 = where(high_0b, d_3, p_2)
-    d_3_lo = first_1 - (d_3 + d_3_right) - (others_1 - d_3_right) - others_1_lo + first_1_lo
     high_3 = where(high_0b, p_2, d_0)
-    d_0_lo = first_0 - (d_0 - d_0_right) + (others_0 - d_0_right) + others_0_lo + first_0_lo
     column_0a = R_22 < 0
     column_0 = where(column_0a, low_0, high_0)
-    column_0_lo = where(column_0a, where(low_0a, d_1_lo, s_2_lo), where(high_0b, s_1_lo, p_0_lo))
+    low_0_lo = (where(low_0a, first_0 - (d_1 + d_1_right) - (others_0 - d_1_right) - others_0_lo
+        + first_0_lo, s_2_lo))
+    column_0_lo = where(column_0a, low_0_lo, where(high_0b, s_1_lo, p_0_lo))
     column_1 = where(column_0a, low_1, high_1)
-    column_1_lo = where(column_0a, where(low_0a, s_2_lo, d_2_lo), where(high_0b, s_0_lo, p_1_lo))
+    low_1_lo = (where(low_0a, s_2_lo, first_1 - (d_2 - d_2_right) + (others_1 - d_2_right)
+        + others_1_lo + first_1_lo))
+    column_1_lo = where(column_0a, low_1_lo, where(high_0b, s_0_lo, p_1_lo))
     column_2 = where(column_0a, low_2, high_2)
-    column_2_lo = where(column_0a, where(low_0a, s_1_lo, s_0_lo), where(high_0b, d_3_lo, p_2_lo))
+    high_2_lo = (where(high_0b, first_1 - (d_3 + d_3_right) - (others_1 - d_3_right) - others_1_lo
+        + first_1_lo, p_2_lo))
+    column_2_lo = where(column_0a, where(low_0a, s_1_lo, s_0_lo), high_2_lo)
     column_3 = where(column_0a, low_3, high_3)
-    column_3_lo = where(column_0a, where(low_0a, p_0_lo, p_1_lo), where(high_0b, p_2_lo, d_0_lo))
-    upper_0b_of_column_3 = column_3 + column_3_lo
-    upper_0b_of_column_3_right = upper_0b_of_column_3 - column_3
-    upper_0b_of_column_3_left_rest = column_3 - (upper_0b_of_column_3 - upper_0b_of_column_3_right)
-    upper_0b_of_column_3_right_rest = column_3_lo - upper_0b_of_column_3_right
-    upper_0b_of_column_3_lo = upper_0b_of_column_3_left_rest + upper_0b_of_column_3_right_rest
-    upper_0b = upper_0b_of_column_3 < 0
+    high_3_lo = (where(high_0b, p_2_lo, first_0 - (d_0 - d_0_right) + (others_0 - d_0_right)
+        + others_0_lo + first_0_lo))
+    column_3_lo = where(column_0a, where(low_0a, p_0_lo, p_1_lo), high_3_lo)
+    column_3_sum = column_3 + column_3_lo
+    column_3_sum_right = column_3_sum - column_3
+    column_3_sum_lo = (column_3 - (column_3_sum - column_3_sum_right)
+        + (column_3_lo - column_3_sum_right))
+    upper_0b = column_3_sum < 0
     upper_0 = where(upper_0b, -column_0, column_0)
     upper_0_lo = where(upper_0b, -column_0_lo, column_0_lo)
     upper_1 = where(upper_0b, -column_1, column_1)
     upper_1_lo = where(upper_0b, -column_1_lo, column_1_lo)
     upper_2 = where(upper_0b, -column_2, column_2)
     upper_2_lo = where(upper_0b, -column_2_lo, column_2_lo)
-    upper_3 = where(upper_0b, -upper_0b_of_column_3, upper_0b_of_column_3)
-    upper_3_lo = where(upper_0b, -upper_0b_of_column_3_lo, upper_0b_of_column_3_lo)
-    v_s_size_0_of_upper_0 = upper_0 + upper_0_lo
-    v_s_size_0_of_upper_0_right = v_s_size_0_of_upper_0 - upper_0
-    v_s_size_0_of_upper_0_left = v_s_size_0_of_upper_0 - v_s_size_0_of_upper_0_right
-    v_s_size_0_of_upper_0_right_rest = upper_0_lo - v_s_size_0_of_upper_0_right
-    v_s_size_0_of_upper_0_left_rest = upper_0 - v_s_size_0_of_upper_0_left
-    v_s_size_0_of_upper_0_lo = v_s_size_0_of_upper_0_left_rest + v_s_size_0_of_upper_0_right_rest
-    v_s_size_0 = absolute(v_s_size_0_of_upper_0)
-    v_s_size_0_negative = v_s_size_0_of_upper_0 < 0
-    v_s_size_0_lo = where(v_s_size_0_negative, -v_s_size_0_of_upper_0_lo, v_s_size_0_of_upper_0_lo)
-    v_s_size_1_of_upper_1 = upper_1 + upper_1_lo
-    v_s_size_1_of_upper_1_right = v_s_size_1_of_upper_1 - upper_1
-    v_s_size_1_of_upper_1_left = v_s_size_1_of_upper_1 - v_s_size_1_of_upper_1_right
-    v_s_size_1_of_upper_1_right_rest = upper_1_lo - v_s_size_1_of_upper_1_right
-    v_s_size_1_of_upper_1_left_rest = upper_1 - v_s_size_1_of_upper_1_left
-    v_s_size_1_of_upper_1_lo = v_s_size_1_of_upper_1_left_rest + v_s_size_1_of_upper_1_right_rest
-    v_s_size_1 = absolute(v_s_size_1_of_upper_1)
-    v_s_size_1_negative = v_s_size_1_of_upper_1 < 0
-    v_s_size_1_lo = where(v_s_size_1_negative, -v_s_size_1_of_upper_1_lo, v_s_size_1_of_upper_1_lo)
-    v_s_size_2_of_upper_2 = upper_2 + upper_2_lo
-    v_s_size_2_of_upper_2_right = v_s_size_2_of_upper_2 - upper_2
-    v_s_size_2_of_upper_2_left = v_s_size_2_of_upper_2 - v_s_size_2_of_upper_2_right
-    v_s_size_2_of_upper_2_right_rest = upper_2_lo - v_s_size_2_of_upper_2_right
-    v_s_size_2_of_upper_2_left_rest = upper_2 - v_s_size_2_of_upper_2_left
-    v_s_size_2_of_upper_2_lo = v_s_size_2_of_upper_2_left_rest + v_s_size_2_of_upper_2_right_rest
-    v_s_size_2 = absolute(v_s_size_2_of_upper_2)
-    v_s_size_2_negative = v_s_size_2_of_upper_2 < 0
-    v_s_size_2_lo = where(v_s_size_2_negative, -v_s_size_2_of_upper_2_lo, v_s_size_2_of_upper_2_lo)
-    v_s_largest1a_of_v_s_size_0 = v_s_size_0 + v_s_size_0_lo
-    v_s_largest1a_of_v_s_size_0_right = v_s_largest1a_of_v_s_size_0 - v_s_size_0
-    v_s_largest1a_of_v_s_size_0_left = v_s_largest1a_of_v_s_size_0 - v_s_largest1a_of_v_s_size_0_right
-    v_s_largest1a_of_v_s_size_0_right_rest = v_s_size_0_lo - v_s_largest1a_of_v_s_size_0_right
-    v_s_largest1a_of_v_s_size_0_left_rest = v_s_size_0 - v_s_largest1a_of_v_s_size_0_left
-    v_s_largest1a_of_v_s_size_1 = v_s_size_1 + v_s_size_1_lo
-    v_s_largest1a_of_v_s_size_1_right = v_s_largest1a_of_v_s_size_1 - v_s_size_1
-    v_s_largest1a_of_v_s_size_1_left = v_s_largest1a_of_v_s_size_1 - v_s_largest1a_of_v_s_size_1_right
-    v_s_largest1a_of_v_s_size_1_right_rest = v_s_size_1_lo - v_s_largest1a_of_v_s_size_1_right
-    v_s_largest1a_of_v_s_size_1_left_rest = v_s_size_1 - v_s_largest1a_of_v_s_size_1_left
-    v_s_largest1a = v_s_largest1a_of_v_s_size_0 < v_s_largest1a_of_v_s_size_1
-    v_s_largest1 = where(v_s_largest1a, v_s_largest1a_of_v_s_size_1, v_s_largest1a_of_v_s_size_0)
-    v_s_largest1a_of_v_s_size_1_lo = v_s_largest1a_of_v_s_size_1_left_rest + v_s_largest1a_of_v_s_size_1_right_rest
-    v_s_largest1a_of_v_s_size_0_lo = v_s_largest1a_of_v_s_size_0_left_rest + v_s_largest1a_of_v_s_size_0_right_rest
-    v_s_largest1_lo = where(v_s_largest1a, v_s_largest1a_of_v_s_size_1_lo, v_s_largest1a_of_v_s_size_0_lo)
-    v_s_largest2a_of_v_s_largest1 = v_s_largest1 + v_s_largest1_lo
-    v_s_largest2a_of_v_s_largest1_right = v_s_largest2a_of_v_s_largest1 - v_s_largest1
-    v_s_largest2a_of_v_s_largest1_left = v_s_largest2a_of_v_s_largest1 - v_s_largest2a_of_v_s_largest1_right
-    v_s_largest2a_of_v_s_largest1_right_rest = v_s_largest1_lo - v_s_largest2a_of_v_s_largest1_right
-    v_s_largest2a_of_v_s_largest1_left_rest = v_s_largest1 - v_s_largest2a_of_v_s_largest1_left
-    v_s_largest2a_of_v_s_size_2 = v_s_size_2 + v_s_size_2_lo
-    v_s_largest2a_of_v_s_size_2_right = v_s_largest2a_of_v_s_size_2 - v_s_size_2
-    v_s_largest2a_of_v_s_size_2_left = v_s_largest2a_of_v_s_size_2 - v_s_largest2a_of_v_s_size_2_right
-    v_s_largest2a_of_v_s_size_2_right_rest = v_s_size_2_lo - v_s_largest2a_of_v_s_size_2_right
-    v_s_largest2a_of_v_s_size_2_left_rest = v_s_size_2 - v_s_largest2a_of_v_s_size_2_left
-    v_s_largest2a = v_s_largest2a_of_v_s_largest1 < v_s_largest2a_of_v_s_size_2
-    v_s_largest2 = where(v_s_largest2a, v_s_largest2a_of_v_s_size_2, v_s_largest2a_of_v_s_largest1)
-    v_s_largest2a_of_v_s_largest1_lo = v_s_largest2a_of_v_s_largest1_left_rest + v_s_largest2a_of_v_s_largest1_right_rest
-    v_s_largest2a_of_v_s_size_2_lo = v_s_largest2a_of_v_s_size_2_left_rest + v_s_largest2a_of_v_s_size_2_right_rest
-    v_s_largest2_lo = where(v_s_largest2a, v_s_largest2a_of_v_s_size_2_lo, v_s_largest2a_of_v_s_largest1_lo)
-    v_s_a_of_v_s_largest2 = v_s_largest2 + v_s_largest2_lo
-    v_s_a = 6.703903964971299e+153 < v_s_a_of_v_s_largest2
-    v_s_b = where(v_s_a, float64(3.7291703656001034e-155), float64(1))
-    v_s_d = where(v_s_a_of_v_s_largest2 < 256, 1.3093562431584567e+151, v_s_b)
-    v_s = where(v_s_a_of_v_s_largest2 < 1.955159272639747e-149, 1.0715086071862673e+301, v_s_d)
-    v_y_0 = v_s_size_0_of_upper_0 * v_s
+    upper_3 = where(upper_0b, -column_3_sum, column_3_sum)
+    upper_3_lo = where(upper_0b, -column_3_sum_lo, column_3_sum_lo)
+    upper_0_sum = upper_0 + upper_0_lo
+    upper_0_sum_right = upper_0_sum - upper_0
+    upper_0_sum_lo = upper_0 - (upper_0_sum - upper_0_sum_right) + (upper_0_lo - upper_0_sum_right)
+    v_s_size_0 = absolute(upper_0_sum)
+    v_s_size_0_lo = where(upper_0_sum < 0, -upper_0_sum_lo, upper_0_sum_lo)
+    upper_1_sum = upper_1 + upper_1_lo
+    upper_1_sum_right = upper_1_sum - upper_1
+    upper_1_sum_lo = upper_1 - (upper_1_sum - upper_1_sum_right) + (upper_1_lo - upper_1_sum_right)
+    v_s_size_1 = absolute(upper_1_sum)
+    v_s_size_1_lo = where(upper_1_sum < 0, -upper_1_sum_lo, upper_1_sum_lo)
+    upper_2_sum = upper_2 + upper_2_lo
+    upper_2_sum_right = upper_2_sum - upper_2
+    upper_2_sum_lo = upper_2 - (upper_2_sum - upper_2_sum_right) + (upper_2_lo - upper_2_sum_right)
+    v_s_size_2 = absolute(upper_2_sum)
+    v_s_size_2_lo = where(upper_2_sum < 0, -upper_2_sum_lo, upper_2_sum_lo)
+    v_s_size_0_sum = v_s_size_0 + v_s_size_0_lo
+    v_s_size_0_sum_right = v_s_size_0_sum - v_s_size_0
+    v_s_size_1_sum = v_s_size_1 + v_s_size_1_lo
+    v_s_size_1_sum_right = v_s_size_1_sum - v_s_size_1
+    v_s_largest1a = v_s_size_0_sum < v_s_size_1_sum
+    v_s_largest1 = where(v_s_largest1a, v_s_size_1_sum, v_s_size_0_sum)
+    v_s_size_1_sum_lo = (v_s_size_1 - (v_s_size_1_sum - v_s_size_1_sum_right)
+        + (v_s_size_1_lo - v_s_size_1_sum_right))
+    v_s_size_0_sum_lo = (v_s_size_0 - (v_s_size_0_sum - v_s_size_0_sum_right)
+        + (v_s_size_0_lo - v_s_size_0_sum_right))
+    v_s_largest1_lo = where(v_s_largest1a, v_s_size_1_sum_lo, v_s_size_0_sum_lo)
+    v_s_largest1_sum = v_s_largest1 + v_s_largest1_lo
+    v_s_largest1_sum_right = v_s_largest1_sum - v_s_largest1
+    v_s_size_2_sum = v_s_size_2 + v_s_size_2_lo
+    v_s_size_2_sum_right = v_s_size_2_sum - v_s_size_2
+    v_s_largest2a = v_s_largest1_sum < v_s_size_2_sum
+    v_s_largest2 = where(v_s_largest2a, v_s_size_2_sum, v_s_largest1_sum)
+    v_s_largest1_sum_lo = (v_s_largest1 - (v_s_largest1_sum - v_s_largest1_sum_right)
+        + (v_s_largest1_lo - v_s_largest1_sum_right))
+    v_s_size_2_sum_lo = (v_s_size_2 - (v_s_size_2_sum - v_s_size_2_sum_right)
+        + (v_s_size_2_lo - v_s_size_2_sum_right))
+    v_s_largest2_sum = v_s_largest2 + where(v_s_largest2a, v_s_size_2_sum_lo, v_s_largest1_sum_lo)
+    v_s_b = (where(6.703903964971299e+153
+        < v_s_largest2_sum, float64(3.7291703656001034e-155), float64(1)))
+    v_s = (where(v_s_largest2_sum
+        < 1.955159272639747e-149, 1.0715086071862673e+301, where(v_s_largest2_sum
+        < 256, 1.3093562431584567e+151, v_s_b)))
+    v_y_0 = upper_0_sum * v_s
     v_y_0_inverse = 1 / v_s
-    v_y_0_lo = (v_s_size_0_of_upper_0 - v_y_0 * v_y_0_inverse + v_s_size_0_of_upper_0_lo) * v_s
-    v_y_1 = v_s_size_1_of_upper_1 * v_s
-    v_y_1_lo = (v_s_size_1_of_upper_1 - v_y_1 * v_y_0_inverse + v_s_size_1_of_upper_1_lo) * v_s
-    v_y_2 = v_s_size_2_of_upper_2 * v_s
-    v_y_2_lo = (v_s_size_2_of_upper_2 - v_y_2 * v_y_0_inverse + v_s_size_2_of_upper_2_lo) * v_s
+    v_y_0_lo = (upper_0_sum - v_y_0 * v_y_0_inverse + upper_0_sum_lo) * v_s
+    v_y_1 = upper_1_sum * v_s
+    v_y_1_lo = (upper_1_sum - v_y_1 * v_y_0_inverse + upper_1_sum_lo) * v_s
+    v_y_2 = upper_2_sum * v_s
+    v_y_2_lo = (upper_2_sum - v_y_2 * v_y_0_inverse + upper_2_sum_lo) * v_s
     v_n_a = v_y_0 * v_y_0
     v_n_b = v_y_1 * v_y_1
     v_n_c = v_n_a + v_n_b
     v_n_c_right = v_n_c - v_n_a
-    v_n_c_left_rest = product_rest(v_y_0, v_y_0, v_n_a, v_n_c - v_n_c_right)
-    v_n_c_cross = v_y_0_lo * v_y_0 + v_y_0 * v_y_0_lo + (v_y_1_lo * v_y_1 + v_y_1 * v_y_1_lo)
+    v_n_c_lo1 = (product_rest(v_y_0, v_y_0, v_n_a, v_n_c - v_n_c_right)
+        + product_rest(v_y_1, v_y_1, v_n_b, v_n_c_right))
     v_n_d = v_y_2 * v_y_2
     v_n_e = v_n_c + v_n_d
     v_n_e_right = v_n_e - v_n_c
-    v_n_e_lo1 = v_n_c - (v_n_e - v_n_e_right) + product_rest(v_y_2, v_y_2, v_n_d, v_n_e_right)
-    v_n_c_lo = v_n_c_left_rest + product_rest(v_y_1, v_y_1, v_n_b, v_n_c_right) + v_n_c_cross
-    v_n_e_lo = v_n_e_lo1 + (v_y_2_lo * v_y_2 + v_y_2 * v_y_2_lo) + v_n_c_lo
-    v_n_of_v_n_e = v_n_e + v_n_e_lo
-    v_n_of_v_n_e_right = v_n_of_v_n_e - v_n_e
-    v_n = sqrt(v_n_of_v_n_e)
+    v_n_e_lo2 = (v_n_c - (v_n_e - v_n_e_right) + product_rest(v_y_2, v_y_2, v_n_d, v_n_e_right)
+        + (v_y_2_lo * v_y_2 + v_y_2 * v_y_2_lo))
+    v_n_e_lo = (v_n_e_lo2
+        + (v_n_c_lo1
+        + (v_y_0_lo * v_y_0 + v_y_0 * v_y_0_lo + (v_y_1_lo * v_y_1 + v_y_1 * v_y_1_lo))))
+    v_n_e_sum = v_n_e + v_n_e_lo
+    v_n_e_sum_right = v_n_e_sum - v_n_e
+    v_n = sqrt(v_n_e_sum)
     v_n_product = v_n * v_n
-    v_n_of_v_n_e_lo = v_n_e - (v_n_of_v_n_e - v_n_of_v_n_e_right) + (v_n_e_lo - v_n_of_v_n_e_right)
-    v_n_exact = v_n_of_v_n_e - v_n_product - product_error(v_n, v_n, v_n_product)
-    v_n_lo = (v_n_exact + v_n_of_v_n_e_lo) / where(v_n == 0, 1, v_n + v_n)
-    v_r_b = where(v_s < 1, float64(2.6815615859885194e+154), float64(1))
-    v_r_d = where(1 < v_s, 7.637340908749012e-152, v_r_b)
+    v_n_residual = (v_n_e_sum - v_n_product - product_error(v_n, v_n, v_n_product)
+        + (v_n_e - (v_n_e_sum - v_n_e_sum_right) + (v_n_e_lo - v_n_e_sum_right)))
+    v_n_lo = v_n_residual / where(v_n == 0, 1, v_n + v_n)
+    v_r_d = (where(1
+        < v_s, 7.637340908749012e-152, where(v_s
+        < 1, float64(2.6815615859885194e+154), float64(1))))
     v_r = where(1.3093562431584567e+151 < v_s, 9.332636185032189e-302, v_r_d)
-    n_of_v_n = v_n + v_n_lo
-    n_of_v_n_right = n_of_v_n - v_n
-    n_of_v_n_lo = v_n - (n_of_v_n - n_of_v_n_right) + (v_n_lo - n_of_v_n_right)
-    n = n_of_v_n * v_r
-    n_lo = (n_of_v_n - n * (1 / v_r) + n_of_v_n_lo) * v_r
-    half_of_n = n + n_lo
-    half_of_n_right = half_of_n - n
-    half_of_upper_3 = upper_3 + upper_3_lo
-    half_of_upper_3_right = half_of_upper_3 - upper_3
-    half_of_upper_3_left_rest = upper_3 - (half_of_upper_3 - half_of_upper_3_right)
-    half = elementary.atan2(half_of_n, half_of_upper_3)
-    half_size0 = absolute(half_of_n)
-    half_size1 = absolute(half_of_upper_3)
+    v_n_sum = v_n + v_n_lo
+    v_n_sum_right = v_n_sum - v_n
+    v_n_sum_lo = v_n - (v_n_sum - v_n_sum_right) + (v_n_lo - v_n_sum_right)
+    n = v_n_sum * v_r
+    n_lo = (v_n_sum - n * (1 / v_r) + v_n_sum_lo) * v_r
+    n_sum = n + n_lo
+    n_sum_right = n_sum - n
+    upper_3_sum = upper_3 + upper_3_lo
+    upper_3_sum_right = upper_3_sum - upper_3
+    half = elementary.atan2(n_sum, upper_3_sum)
+    half_size0 = absolute(n_sum)
+    half_size1 = absolute(upper_3_sum)
     half_most = where(half_size0 < half_size1, half_size1, half_size0)
     half_zero = half_most == 0
     half_divisor = where(half_zero, 1, half_most)
-    half_part0 = half_of_n / half_divisor
-    half_part1 = half_of_upper_3 / half_divisor
-    half_cross2 = half_part0 * (half_of_upper_3_left_rest + (upper_3_lo - half_of_upper_3_right))
-    half_cross1 = half_part1 * (n - (half_of_n - half_of_n_right) + (n_lo - half_of_n_right))
-    half_divisor2 = half_divisor * (half_part1 * half_part1 + half_part0 * half_part0)
-    half_more = (half_cross1 - half_cross2) / where(half_zero, 1, half_divisor2)
-    divisor_a = n_of_v_n == 0
-    divisor = where(divisor_a, 1, n_of_v_n)
-    divisor_lo = where(divisor_a, 0, n_of_v_n_lo)
-    unit_0_of_v_y_0 = v_y_0 + v_y_0_lo
-    unit_0_of_v_y_0_right = unit_0_of_v_y_0 - v_y_0
-    unit_0_of_v_y_0_left_rest = v_y_0 - (unit_0_of_v_y_0 - unit_0_of_v_y_0_right)
-    unit_0_of_divisor = divisor + divisor_lo
-    unit_0_of_divisor_right = unit_0_of_divisor - divisor
-    unit_0_of_divisor_left_rest = divisor - (unit_0_of_divisor - unit_0_of_divisor_right)
-    unit_0_of_divisor_lo = unit_0_of_divisor_left_rest + (divisor_lo - unit_0_of_divisor_right)
-    unit_0 = unit_0_of_v_y_0 / unit_0_of_divisor
-    unit_0_product = unit_0 * unit_0_of_divisor
-    unit_0_product_error = product_error(unit_0, unit_0_of_divisor, unit_0_product)
-    unit_0_of_v_y_0_lo = unit_0_of_v_y_0_left_rest + (v_y_0_lo - unit_0_of_v_y_0_right)
-    unit_0_numerator = unit_0_of_v_y_0 - unit_0_product - unit_0_product_error + unit_0_of_v_y_0_lo
-    unit_1_of_v_y_1 = v_y_1 + v_y_1_lo
-    unit_1_of_v_y_1_right = unit_1_of_v_y_1 - v_y_1
-    unit_1_of_v_y_1_left_rest = v_y_1 - (unit_1_of_v_y_1 - unit_1_of_v_y_1_right)
-    unit_1 = unit_1_of_v_y_1 / unit_0_of_divisor
-    unit_1_product = unit_1 * unit_0_of_divisor
-    unit_1_product_error = product_error(unit_1, unit_0_of_divisor, unit_1_product)
-    unit_1_of_v_y_1_lo = unit_1_of_v_y_1_left_rest + (v_y_1_lo - unit_1_of_v_y_1_right)
-    unit_1_numerator = unit_1_of_v_y_1 - unit_1_product - unit_1_product_error + unit_1_of_v_y_1_lo
-    unit_2_of_v_y_2 = v_y_2 + v_y_2_lo
-    unit_2_of_v_y_2_right = unit_2_of_v_y_2 - v_y_2
-    unit_2_of_v_y_2_left_rest = v_y_2 - (unit_2_of_v_y_2 - unit_2_of_v_y_2_right)
-    unit_2 = unit_2_of_v_y_2 / unit_0_of_divisor
-    unit_2_product = unit_2 * unit_0_of_divisor
-    unit_2_product_error = product_error(unit_2, unit_0_of_divisor, unit_2_product)
-    unit_2_of_v_y_2_lo = unit_2_of_v_y_2_left_rest + (v_y_2_lo - unit_2_of_v_y_2_right)
-    unit_2_numerator = unit_2_of_v_y_2 - unit_2_product - unit_2_product_error + unit_2_of_v_y_2_lo
+    half_part0 = n_sum / half_divisor
+    half_part1 = upper_3_sum / half_divisor
+    half_cross2 = (half_part0
+        * (upper_3 - (upper_3_sum - upper_3_sum_right) + (upper_3_lo - upper_3_sum_right)))
+    half_safe = (where(half_zero, 1, half_divisor
+        * (half_part1 * half_part1 + half_part0 * half_part0)))
+    half_more = ((half_part1 * (n - (n_sum - n_sum_right) + (n_lo - n_sum_right)) - half_cross2)
+        / half_safe)
+    divisor_a = v_n_sum == 0
+    divisor = where(divisor_a, 1, v_n_sum)
+    divisor_lo = where(divisor_a, 0, v_n_sum_lo)
+    v_y_0_sum = v_y_0 + v_y_0_lo
+    v_y_0_sum_right = v_y_0_sum - v_y_0
+    divisor_sum = divisor + divisor_lo
+    divisor_sum_right = divisor_sum - divisor
+    divisor_sum_lo = divisor - (divisor_sum - divisor_sum_right) + (divisor_lo - divisor_sum_right)
+    unit_0 = v_y_0_sum / divisor_sum
+    unit_0_product = unit_0 * divisor_sum
+    unit_0_exact = v_y_0_sum - unit_0_product - product_error(unit_0, divisor_sum, unit_0_product)
+    v_y_1_sum = v_y_1 + v_y_1_lo
+    v_y_1_sum_right = v_y_1_sum - v_y_1
+    unit_1 = v_y_1_sum / divisor_sum
+    unit_1_product = unit_1 * divisor_sum
+    unit_1_exact = v_y_1_sum - unit_1_product - product_error(unit_1, divisor_sum, unit_1_product)
+    v_y_2_sum = v_y_2 + v_y_2_lo
+    v_y_2_sum_right = v_y_2_sum - v_y_2
+    unit_2 = v_y_2_sum / divisor_sum
+    unit_2_product = unit_2 * divisor_sum
+    unit_2_exact = v_y_2_sum - unit_2_product - product_error(unit_2, divisor_sum, unit_2_product)
     angle = 2 * half
     axis_0 = where(divisor_a, 1, unit_0)
-    unit_0_lo = (unit_0_numerator - unit_0 * unit_0_of_divisor_lo) / unit_0_of_divisor
-    angle_cross2 = 2 * (elementary.atan2_error(half_of_n, half_of_upper_3, half) + half_more)
-    angle_rounded = angle + angle_cross2
+    unit_0_lo = ((unit_0_exact
+        + (v_y_0 - (v_y_0_sum - v_y_0_sum_right) + (v_y_0_lo - v_y_0_sum_right)) - unit_0
+        * divisor_sum_lo) / divisor_sum)
+    angle_rounded = angle + 2 * (elementary.atan2_error(n_sum, upper_3_sum, half) + half_more)
     axis_0_rounded = axis_0 + where(divisor_a, 0, unit_0_lo)
-    unit_1_rounded = unit_1 + (unit_1_numerator - unit_1 * unit_0_of_divisor_lo) / unit_0_of_divisor
-    unit_2_rounded = unit_2 + (unit_2_numerator - unit_2 * unit_0_of_divisor_lo) / unit_0_of_divisor
+    unit_1_lo = ((unit_1_exact
+        + (v_y_1 - (v_y_1_sum - v_y_1_sum_right) + (v_y_1_lo - v_y_1_sum_right)) - unit_1
+        * divisor_sum_lo) / divisor_sum)
+    unit_1_rounded = unit_1 + unit_1_lo
+    unit_2_lo = ((unit_2_exact
+        + (v_y_2 - (v_y_2_sum - v_y_2_sum_right) + (v_y_2_lo - v_y_2_sum_right)) - unit_2
+        * divisor_sum_lo) / divisor_sum)
+    unit_2_rounded = unit_2 + unit_2_lo
     angle_final = where(angle_rounded == angle_rounded, angle_rounded, angle)
     axis_0_final = where(axis_0_rounded == axis_0_rounded, axis_0_rounded, axis_0)
     unit_1_final = where(unit_1_rounded == unit_1_rounded, unit_1_rounded, unit_1)

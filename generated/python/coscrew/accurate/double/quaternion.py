@@ -53,14 +53,14 @@ def axpy_qq(a, x, y):
     y_3_new_a = a * x_3
     y_3_new = y_3_new_a + y_3
     y_3_new_right = y_3_new - y_3_new_a
-    y_0_new_lo = product_rest(a, x_0, y_0_new_a, y_0_new - y_0_new_right) + (y_0 - y_0_new_right)
-    y_0_new_rounded = y_0_new + y_0_new_lo
-    y_1_new_lo = product_rest(a, x_1, y_1_new_a, y_1_new - y_1_new_right) + (y_1 - y_1_new_right)
-    y_1_new_rounded = y_1_new + y_1_new_lo
-    y_2_new_lo = product_rest(a, x_2, y_2_new_a, y_2_new - y_2_new_right) + (y_2 - y_2_new_right)
-    y_2_new_rounded = y_2_new + y_2_new_lo
-    y_3_new_lo = product_rest(a, x_3, y_3_new_a, y_3_new - y_3_new_right) + (y_3 - y_3_new_right)
-    y_3_new_rounded = y_3_new + y_3_new_lo
+    y_0_new_rounded = (y_0_new
+        + (product_rest(a, x_0, y_0_new_a, y_0_new - y_0_new_right) + (y_0 - y_0_new_right)))
+    y_1_new_rounded = (y_1_new
+        + (product_rest(a, x_1, y_1_new_a, y_1_new - y_1_new_right) + (y_1 - y_1_new_right)))
+    y_2_new_rounded = (y_2_new
+        + (product_rest(a, x_2, y_2_new_a, y_2_new - y_2_new_right) + (y_2 - y_2_new_right)))
+    y_3_new_rounded = (y_3_new
+        + (product_rest(a, x_3, y_3_new_a, y_3_new - y_3_new_right) + (y_3 - y_3_new_right)))
     return (y_0_new_rounded, y_1_new_rounded, y_2_new_rounded, y_3_new_rounded)
 
 
@@ -82,8 +82,9 @@ def quaternion_norm(q):
     s_largest1 = where(s_size_0 < s_size_1, s_size_1, s_size_0)
     s_largest2 = where(s_largest1 < s_size_2, s_size_2, s_largest1)
     s_largest3 = where(s_largest2 < s_size_3, s_size_3, s_largest2)
-    s_b = where(6.703903964971299e+153 < s_largest3, float64(3.7291703656001034e-155), float64(1))
-    s_d = where(s_largest3 < 256, 1.3093562431584567e+151, s_b)
+    s_d = (where(s_largest3
+        < 256, 1.3093562431584567e+151, where(6.703903964971299e+153
+        < s_largest3, float64(3.7291703656001034e-155), float64(1))))
     s = where(s_largest3 < 1.955159272639747e-149, 1.0715086071862673e+301, s_d)
     y_0 = q_0 * s
     y_1 = q_1 * s
@@ -102,21 +103,20 @@ def quaternion_norm(q):
     n_g_right = n_g - n_e
     n_e_lo = n_c - (n_e - n_e_right) + product_rest(y_2, y_2, n_d, n_e_right) + n_c_lo
     n_g_lo = n_e - (n_g - n_g_right) + product_rest(y_3, y_3, n_f, n_g_right) + n_e_lo
-    n_of_n_g = n_g + n_g_lo
-    n_of_n_g_right = n_of_n_g - n_g
-    n = sqrt(n_of_n_g)
+    n_g_sum = n_g + n_g_lo
+    n_g_sum_right = n_g_sum - n_g
+    n = sqrt(n_g_sum)
     n_product = n * n
-    n_of_n_g_lo = n_g - (n_of_n_g - n_of_n_g_right) + (n_g_lo - n_of_n_g_right)
-    n_residual = n_of_n_g - n_product - product_error(n, n, n_product) + n_of_n_g_lo
-    n_lo = n_residual / where(n == 0, 1, n + n)
-    r_b = where(s < 1, float64(2.6815615859885194e+154), float64(1))
-    r_d = where(1 < s, 7.637340908749012e-152, r_b)
+    n_lo = ((n_g_sum - n_product - product_error(n, n, n_product)
+        + (n_g - (n_g_sum - n_g_sum_right) + (n_g_lo - n_g_sum_right))) / where(n == 0, 1, n + n))
+    r_d = (where(1
+        < s, 7.637340908749012e-152, where(s < 1, float64(2.6815615859885194e+154), float64(1))))
     r = where(1.3093562431584567e+151 < s, 9.332636185032189e-302, r_d)
-    norm_of_n = n + n_lo
-    norm_of_n_right = norm_of_n - n
-    norm = norm_of_n * r
-    norm_of_n_lo = n - (norm_of_n - norm_of_n_right) + (n_lo - norm_of_n_right)
-    norm_rounded = norm + (norm_of_n - norm * (1 / r) + norm_of_n_lo) * r
+    n_sum = n + n_lo
+    n_sum_right = n_sum - n
+    norm = n_sum * r
+    norm_rounded = (norm
+        + (n_sum - norm * (1 / r) + (n - (n_sum - n_sum_right) + (n_lo - n_sum_right))) * r)
     norm_final = where(norm_rounded == norm_rounded, norm_rounded, norm)
     return norm_final
 
@@ -139,8 +139,9 @@ def quaternion_normalize(self):
     s_largest1 = where(s_size_0 < s_size_1, s_size_1, s_size_0)
     s_largest2 = where(s_largest1 < s_size_2, s_size_2, s_largest1)
     s_largest3 = where(s_largest2 < s_size_3, s_size_3, s_largest2)
-    s_b = where(6.703903964971299e+153 < s_largest3, float64(3.7291703656001034e-155), float64(1))
-    s_d = where(s_largest3 < 256, 1.3093562431584567e+151, s_b)
+    s_d = (where(s_largest3
+        < 256, 1.3093562431584567e+151, where(6.703903964971299e+153
+        < s_largest3, float64(3.7291703656001034e-155), float64(1))))
     s = where(s_largest3 < 1.955159272639747e-149, 1.0715086071862673e+301, s_d)
     y_0 = self_0 * s
     y_1 = self_1 * s
@@ -161,98 +162,81 @@ def quaternion_normalize(self):
     n_g_right = n_g - n_e
     n_e_lo = n_c - (n_e - n_e_right) + product_rest(y_2, y_2, n_d, n_e_right) + n_c_lo
     n_g_lo = n_e - (n_g - n_g_right) + product_rest(y_3, y_3, n_f, n_g_right) + n_e_lo
-    n_of_n_g = n_g + n_g_lo
-    n_of_n_g_right = n_of_n_g - n_g
-    n = sqrt(n_of_n_g)
+    n_g_sum = n_g + n_g_lo
+    n_g_sum_right = n_g_sum - n_g
+    n = sqrt(n_g_sum)
     n_product = n * n
-    n_of_n_g_lo = n_g - (n_of_n_g - n_of_n_g_right) + (n_g_lo - n_of_n_g_right)
-    n_residual = n_of_n_g - n_product - product_error(n, n, n_product) + n_of_n_g_lo
-    n_lo = n_residual / where(n == 0, 1, n + n)
-    divisor_a_of_n = n + n_lo
-    divisor_a_of_n_right = divisor_a_of_n - n
-    divisor_a = divisor_a_of_n == 0
-    divisor = where(divisor_a, up, divisor_a_of_n)
-    divisor_a_of_n_lo = n - (divisor_a_of_n - divisor_a_of_n_right) + (n_lo - divisor_a_of_n_right)
-    divisor_lo = where(divisor_a, 0, divisor_a_of_n_lo)
+    n_lo = ((n_g_sum - n_product - product_error(n, n, n_product)
+        + (n_g - (n_g_sum - n_g_sum_right) + (n_g_lo - n_g_sum_right))) / where(n == 0, 1, n + n))
+    n_sum = n + n_lo
+    n_sum_right = n_sum - n
+    divisor_a = n_sum == 0
+    divisor = where(divisor_a, up, n_sum)
+    divisor_lo = where(divisor_a, 0, n - (n_sum - n_sum_right) + (n_lo - n_sum_right))
     sized_0 = self_0 * up
     sized_1 = self_1 * up
     sized_2 = self_2 * up
     sized_3 = self_3 * up
-    quotient_0_of_divisor = divisor + divisor_lo
-    quotient_0_of_divisor_right = quotient_0_of_divisor - divisor
-    quotient_0_of_divisor_left = quotient_0_of_divisor - quotient_0_of_divisor_right
-    quotient_0_of_divisor_right_rest = divisor_lo - quotient_0_of_divisor_right
-    quotient_0_of_divisor_left_rest = divisor - quotient_0_of_divisor_left
-    quotient_0_of_divisor_lo = quotient_0_of_divisor_left_rest + quotient_0_of_divisor_right_rest
-    quotient_0 = sized_0 / quotient_0_of_divisor
-    quotient_0_product = quotient_0 * quotient_0_of_divisor
-    quotient_0_product_error = product_error(quotient_0, quotient_0_of_divisor, quotient_0_product)
-    quotient_0_exact = sized_0 - quotient_0_product - quotient_0_product_error
-    quotient_0_residual = quotient_0_exact - quotient_0 * quotient_0_of_divisor_lo
-    quotient_0_lo = quotient_0_residual / quotient_0_of_divisor
-    quotient_1 = sized_1 / quotient_0_of_divisor
-    quotient_1_product = quotient_1 * quotient_0_of_divisor
-    quotient_1_product_error = product_error(quotient_1, quotient_0_of_divisor, quotient_1_product)
-    quotient_1_exact = sized_1 - quotient_1_product - quotient_1_product_error
-    quotient_1_residual = quotient_1_exact - quotient_1 * quotient_0_of_divisor_lo
-    quotient_1_lo = quotient_1_residual / quotient_0_of_divisor
-    quotient_2 = sized_2 / quotient_0_of_divisor
-    quotient_2_product = quotient_2 * quotient_0_of_divisor
-    quotient_2_product_error = product_error(quotient_2, quotient_0_of_divisor, quotient_2_product)
-    quotient_2_exact = sized_2 - quotient_2_product - quotient_2_product_error
-    quotient_2_residual = quotient_2_exact - quotient_2 * quotient_0_of_divisor_lo
-    quotient_2_lo = quotient_2_residual / quotient_0_of_divisor
-    quotient_3 = sized_3 / quotient_0_of_divisor
-    quotient_3_product = quotient_3 * quotient_0_of_divisor
-    quotient_3_product_error = product_error(quotient_3, quotient_0_of_divisor, quotient_3_product)
-    quotient_3_exact = sized_3 - quotient_3_product - quotient_3_product_error
-    quotient_3_residual = quotient_3_exact - quotient_3 * quotient_0_of_divisor_lo
-    quotient_3_lo = quotient_3_residual / quotient_0_of_divisor
-    self_0_new_of_quotient_0 = quotient_0 + quotient_0_lo
-    self_0_new_of_quotient_0_right = self_0_new_of_quotient_0 - quotient_0
-    self_0_new_of_quotient_0_left = self_0_new_of_quotient_0 - self_0_new_of_quotient_0_right
-    self_0_new_of_quotient_0_right_rest = quotient_0_lo - self_0_new_of_quotient_0_right
-    self_0_new_of_quotient_0_left_rest = quotient_0 - self_0_new_of_quotient_0_left
-    self_0_new = self_0_new_of_quotient_0 * down
+    divisor_sum = divisor + divisor_lo
+    divisor_sum_right = divisor_sum - divisor
+    divisor_sum_lo = divisor - (divisor_sum - divisor_sum_right) + (divisor_lo - divisor_sum_right)
+    quotient_0 = sized_0 / divisor_sum
+    quotient_0_product = quotient_0 * divisor_sum
+    quotient_0_residual = (sized_0 - quotient_0_product
+        - product_error(quotient_0, divisor_sum, quotient_0_product) - quotient_0 * divisor_sum_lo)
+    quotient_0_lo = quotient_0_residual / divisor_sum
+    quotient_1 = sized_1 / divisor_sum
+    quotient_1_product = quotient_1 * divisor_sum
+    quotient_1_residual = (sized_1 - quotient_1_product
+        - product_error(quotient_1, divisor_sum, quotient_1_product) - quotient_1 * divisor_sum_lo)
+    quotient_1_lo = quotient_1_residual / divisor_sum
+    quotient_2 = sized_2 / divisor_sum
+    quotient_2_product = quotient_2 * divisor_sum
+    quotient_2_residual = (sized_2 - quotient_2_product
+        - product_error(quotient_2, divisor_sum, quotient_2_product) - quotient_2 * divisor_sum_lo)
+    quotient_2_lo = quotient_2_residual / divisor_sum
+    quotient_3 = sized_3 / divisor_sum
+    quotient_3_product = quotient_3 * divisor_sum
+    quotient_3_residual = (sized_3 - quotient_3_product
+        - product_error(quotient_3, divisor_sum, quotient_3_product) - quotient_3 * divisor_sum_lo)
+    quotient_3_lo = quotient_3_residual / divisor_sum
+    quotient_0_sum = quotient_0 + quotient_0_lo
+    quotient_0_sum_right = quotient_0_sum - quotient_0
+    self_0_new = quotient_0_sum * down
     self_0_new_inverse = 1 / down
-    self_0_new_of_quotient_0_lo = self_0_new_of_quotient_0_left_rest + self_0_new_of_quotient_0_right_rest
-    self_0_new_lost = self_0_new_of_quotient_0 - self_0_new * self_0_new_inverse
-    self_1_new_of_quotient_1 = quotient_1 + quotient_1_lo
-    self_1_new_of_quotient_1_right = self_1_new_of_quotient_1 - quotient_1
-    self_1_new_of_quotient_1_left = self_1_new_of_quotient_1 - self_1_new_of_quotient_1_right
-    self_1_new_of_quotient_1_right_rest = quotient_1_lo - self_1_new_of_quotient_1_right
-    self_1_new_of_quotient_1_left_rest = quotient_1 - self_1_new_of_quotient_1_left
-    self_1_new = self_1_new_of_quotient_1 * down
-    self_1_new_of_quotient_1_lo = self_1_new_of_quotient_1_left_rest + self_1_new_of_quotient_1_right_rest
-    self_1_new_lost = self_1_new_of_quotient_1 - self_1_new * self_0_new_inverse
-    self_2_new_of_quotient_2 = quotient_2 + quotient_2_lo
-    self_2_new_of_quotient_2_right = self_2_new_of_quotient_2 - quotient_2
-    self_2_new_of_quotient_2_left = self_2_new_of_quotient_2 - self_2_new_of_quotient_2_right
-    self_2_new_of_quotient_2_right_rest = quotient_2_lo - self_2_new_of_quotient_2_right
-    self_2_new_of_quotient_2_left_rest = quotient_2 - self_2_new_of_quotient_2_left
-    self_2_new = self_2_new_of_quotient_2 * down
-    self_2_new_of_quotient_2_lo = self_2_new_of_quotient_2_left_rest + self_2_new_of_quotient_2_right_rest
-    self_2_new_lost = self_2_new_of_quotient_2 - self_2_new * self_0_new_inverse
-    self_3_new_of_quotient_3 = quotient_3 + quotient_3_lo
-    self_3_new_of_quotient_3_right = self_3_new_of_quotient_3 - quotient_3
-    self_3_new_of_quotient_3_left = self_3_new_of_quotient_3 - self_3_new_of_quotient_3_right
-    self_3_new_of_quotient_3_right_rest = quotient_3_lo - self_3_new_of_quotient_3_right
-    self_3_new_of_quotient_3_left_rest = quotient_3 - self_3_new_of_quotient_3_left
-    self_3_new = self_3_new_of_quotient_3 * down
-    self_3_new_of_quotient_3_lo = self_3_new_of_quotient_3_left_rest + self_3_new_of_quotient_3_right_rest
-    self_3_new_lost = self_3_new_of_quotient_3 - self_3_new * self_0_new_inverse
-    self_0_new_rounded = self_0_new + (self_0_new_lost + self_0_new_of_quotient_0_lo) * down
-    self_0_new_rounded_number = self_0_new_rounded == self_0_new_rounded
-    self_1_new_rounded = self_1_new + (self_1_new_lost + self_1_new_of_quotient_1_lo) * down
-    self_1_new_rounded_number = self_1_new_rounded == self_1_new_rounded
-    self_2_new_rounded = self_2_new + (self_2_new_lost + self_2_new_of_quotient_2_lo) * down
-    self_2_new_rounded_number = self_2_new_rounded == self_2_new_rounded
-    self_3_new_rounded = self_3_new + (self_3_new_lost + self_3_new_of_quotient_3_lo) * down
-    self_3_new_rounded_number = self_3_new_rounded == self_3_new_rounded
-    self_0_new_final = where(self_0_new_rounded_number, self_0_new_rounded, self_0_new)
-    self_1_new_final = where(self_1_new_rounded_number, self_1_new_rounded, self_1_new)
-    self_2_new_final = where(self_2_new_rounded_number, self_2_new_rounded, self_2_new)
-    self_3_new_final = where(self_3_new_rounded_number, self_3_new_rounded, self_3_new)
+    quotient_0_sum_lo = (quotient_0 - (quotient_0_sum - quotient_0_sum_right)
+        + (quotient_0_lo - quotient_0_sum_right))
+    quotient_1_sum = quotient_1 + quotient_1_lo
+    quotient_1_sum_right = quotient_1_sum - quotient_1
+    self_1_new = quotient_1_sum * down
+    quotient_1_sum_lo = (quotient_1 - (quotient_1_sum - quotient_1_sum_right)
+        + (quotient_1_lo - quotient_1_sum_right))
+    quotient_2_sum = quotient_2 + quotient_2_lo
+    quotient_2_sum_right = quotient_2_sum - quotient_2
+    self_2_new = quotient_2_sum * down
+    quotient_2_sum_lo = (quotient_2 - (quotient_2_sum - quotient_2_sum_right)
+        + (quotient_2_lo - quotient_2_sum_right))
+    quotient_3_sum = quotient_3 + quotient_3_lo
+    quotient_3_sum_right = quotient_3_sum - quotient_3
+    self_3_new = quotient_3_sum * down
+    quotient_3_sum_lo = (quotient_3 - (quotient_3_sum - quotient_3_sum_right)
+        + (quotient_3_lo - quotient_3_sum_right))
+    self_0_new_rounded = (self_0_new
+        + (quotient_0_sum - self_0_new * self_0_new_inverse + quotient_0_sum_lo) * down)
+    self_1_new_rounded = (self_1_new
+        + (quotient_1_sum - self_1_new * self_0_new_inverse + quotient_1_sum_lo) * down)
+    self_2_new_rounded = (self_2_new
+        + (quotient_2_sum - self_2_new * self_0_new_inverse + quotient_2_sum_lo) * down)
+    self_3_new_rounded = (self_3_new
+        + (quotient_3_sum - self_3_new * self_0_new_inverse + quotient_3_sum_lo) * down)
+    self_0_new_final = where(self_0_new_rounded == self_0_new_rounded, self_0_new_rounded,
+        self_0_new)
+    self_1_new_final = where(self_1_new_rounded == self_1_new_rounded, self_1_new_rounded,
+        self_1_new)
+    self_2_new_final = where(self_2_new_rounded == self_2_new_rounded, self_2_new_rounded,
+        self_2_new)
+    self_3_new_final = where(self_3_new_rounded == self_3_new_rounded, self_3_new_rounded,
+        self_3_new)
     return (self_0_new_final, self_1_new_final, self_2_new_final, self_3_new_final)
 
 
@@ -274,8 +258,9 @@ def quaternion_normalized(q):
     s_largest1 = where(s_size_0 < s_size_1, s_size_1, s_size_0)
     s_largest2 = where(s_largest1 < s_size_2, s_size_2, s_largest1)
     s_largest3 = where(s_largest2 < s_size_3, s_size_3, s_largest2)
-    s_b = where(6.703903964971299e+153 < s_largest3, float64(3.7291703656001034e-155), float64(1))
-    s_d = where(s_largest3 < 256, 1.3093562431584567e+151, s_b)
+    s_d = (where(s_largest3
+        < 256, 1.3093562431584567e+151, where(6.703903964971299e+153
+        < s_largest3, float64(3.7291703656001034e-155), float64(1))))
     s = where(s_largest3 < 1.955159272639747e-149, 1.0715086071862673e+301, s_d)
     y_0 = q_0 * s
     y_1 = q_1 * s
@@ -296,82 +281,73 @@ def quaternion_normalized(q):
     n_g_right = n_g - n_e
     n_e_lo = n_c - (n_e - n_e_right) + product_rest(y_2, y_2, n_d, n_e_right) + n_c_lo
     n_g_lo = n_e - (n_g - n_g_right) + product_rest(y_3, y_3, n_f, n_g_right) + n_e_lo
-    n_of_n_g = n_g + n_g_lo
-    n_of_n_g_right = n_of_n_g - n_g
-    n = sqrt(n_of_n_g)
+    n_g_sum = n_g + n_g_lo
+    n_g_sum_right = n_g_sum - n_g
+    n = sqrt(n_g_sum)
     n_product = n * n
-    n_of_n_g_lo = n_g - (n_of_n_g - n_of_n_g_right) + (n_g_lo - n_of_n_g_right)
-    n_residual = n_of_n_g - n_product - product_error(n, n, n_product) + n_of_n_g_lo
-    n_lo = n_residual / where(n == 0, 1, n + n)
-    divisor_a_of_n = n + n_lo
-    divisor_a_of_n_right = divisor_a_of_n - n
-    divisor_a = divisor_a_of_n == 0
-    divisor = where(divisor_a, up, divisor_a_of_n)
-    divisor_a_of_n_lo = n - (divisor_a_of_n - divisor_a_of_n_right) + (n_lo - divisor_a_of_n_right)
-    divisor_lo = where(divisor_a, 0, divisor_a_of_n_lo)
+    n_lo = ((n_g_sum - n_product - product_error(n, n, n_product)
+        + (n_g - (n_g_sum - n_g_sum_right) + (n_g_lo - n_g_sum_right))) / where(n == 0, 1, n + n))
+    n_sum = n + n_lo
+    n_sum_right = n_sum - n
+    divisor_a = n_sum == 0
+    divisor = where(divisor_a, up, n_sum)
+    divisor_lo = where(divisor_a, 0, n - (n_sum - n_sum_right) + (n_lo - n_sum_right))
     sized_0 = q_0 * up
     sized_1 = q_1 * up
     sized_2 = q_2 * up
     sized_3 = q_3 * up
-    quotient_0_of_divisor = divisor + divisor_lo
-    quotient_0_of_divisor_right = quotient_0_of_divisor - divisor
-    quotient_0_of_divisor_left = quotient_0_of_divisor - quotient_0_of_divisor_right
-    quotient_0_of_divisor_right_rest = divisor_lo - quotient_0_of_divisor_right
-    quotient_0_of_divisor_left_rest = divisor - quotient_0_of_divisor_left
-    quotient_0_of_divisor_lo = quotient_0_of_divisor_left_rest + quotient_0_of_divisor_right_rest
-    quotient_0 = sized_0 / quotient_0_of_divisor
-    quotient_0_product = quotient_0 * quotient_0_of_divisor
-    quotient_0_product_error = product_error(quotient_0, quotient_0_of_divisor, quotient_0_product)
-    quotient_0_exact = sized_0 - quotient_0_product - quotient_0_product_error
-    quotient_0_residual = quotient_0_exact - quotient_0 * quotient_0_of_divisor_lo
-    quotient_0_lo = quotient_0_residual / quotient_0_of_divisor
-    quotient_1 = sized_1 / quotient_0_of_divisor
-    quotient_1_product = quotient_1 * quotient_0_of_divisor
-    quotient_1_product_error = product_error(quotient_1, quotient_0_of_divisor, quotient_1_product)
-    quotient_1_exact = sized_1 - quotient_1_product - quotient_1_product_error
-    quotient_1_residual = quotient_1_exact - quotient_1 * quotient_0_of_divisor_lo
-    quotient_1_lo = quotient_1_residual / quotient_0_of_divisor
-    quotient_2 = sized_2 / quotient_0_of_divisor
-    quotient_2_product = quotient_2 * quotient_0_of_divisor
-    quotient_2_product_error = product_error(quotient_2, quotient_0_of_divisor, quotient_2_product)
-    quotient_2_exact = sized_2 - quotient_2_product - quotient_2_product_error
-    quotient_2_residual = quotient_2_exact - quotient_2 * quotient_0_of_divisor_lo
-    quotient_2_lo = quotient_2_residual / quotient_0_of_divisor
-    quotient_3 = sized_3 / quotient_0_of_divisor
-    quotient_3_product = quotient_3 * quotient_0_of_divisor
-    quotient_3_product_error = product_error(quotient_3, quotient_0_of_divisor, quotient_3_product)
-    quotient_3_exact = sized_3 - quotient_3_product - quotient_3_product_error
-    quotient_3_residual = quotient_3_exact - quotient_3 * quotient_0_of_divisor_lo
-    quotient_3_lo = quotient_3_residual / quotient_0_of_divisor
-    qo_0_of_quotient_0 = quotient_0 + quotient_0_lo
-    qo_0_of_quotient_0_right = qo_0_of_quotient_0 - quotient_0
-    qo_0_of_quotient_0_left_rest = quotient_0 - (qo_0_of_quotient_0 - qo_0_of_quotient_0_right)
-    qo_0_of_quotient_0_right_rest = quotient_0_lo - qo_0_of_quotient_0_right
-    qo_0 = qo_0_of_quotient_0 * down
+    divisor_sum = divisor + divisor_lo
+    divisor_sum_right = divisor_sum - divisor
+    divisor_sum_lo = divisor - (divisor_sum - divisor_sum_right) + (divisor_lo - divisor_sum_right)
+    quotient_0 = sized_0 / divisor_sum
+    quotient_0_product = quotient_0 * divisor_sum
+    quotient_0_residual = (sized_0 - quotient_0_product
+        - product_error(quotient_0, divisor_sum, quotient_0_product) - quotient_0 * divisor_sum_lo)
+    quotient_0_lo = quotient_0_residual / divisor_sum
+    quotient_1 = sized_1 / divisor_sum
+    quotient_1_product = quotient_1 * divisor_sum
+    quotient_1_residual = (sized_1 - quotient_1_product
+        - product_error(quotient_1, divisor_sum, quotient_1_product) - quotient_1 * divisor_sum_lo)
+    quotient_1_lo = quotient_1_residual / divisor_sum
+    quotient_2 = sized_2 / divisor_sum
+    quotient_2_product = quotient_2 * divisor_sum
+    quotient_2_residual = (sized_2 - quotient_2_product
+        - product_error(quotient_2, divisor_sum, quotient_2_product) - quotient_2 * divisor_sum_lo)
+    quotient_2_lo = quotient_2_residual / divisor_sum
+    quotient_3 = sized_3 / divisor_sum
+    quotient_3_product = quotient_3 * divisor_sum
+    quotient_3_residual = (sized_3 - quotient_3_product
+        - product_error(quotient_3, divisor_sum, quotient_3_product) - quotient_3 * divisor_sum_lo)
+    quotient_3_lo = quotient_3_residual / divisor_sum
+    quotient_0_sum = quotient_0 + quotient_0_lo
+    quotient_0_sum_right = quotient_0_sum - quotient_0
+    qo_0 = quotient_0_sum * down
     qo_0_inverse = 1 / down
-    qo_0_of_quotient_0_lo = qo_0_of_quotient_0_left_rest + qo_0_of_quotient_0_right_rest
-    qo_1_of_quotient_1 = quotient_1 + quotient_1_lo
-    qo_1_of_quotient_1_right = qo_1_of_quotient_1 - quotient_1
-    qo_1_of_quotient_1_left_rest = quotient_1 - (qo_1_of_quotient_1 - qo_1_of_quotient_1_right)
-    qo_1_of_quotient_1_right_rest = quotient_1_lo - qo_1_of_quotient_1_right
-    qo_1 = qo_1_of_quotient_1 * down
-    qo_1_of_quotient_1_lo = qo_1_of_quotient_1_left_rest + qo_1_of_quotient_1_right_rest
-    qo_2_of_quotient_2 = quotient_2 + quotient_2_lo
-    qo_2_of_quotient_2_right = qo_2_of_quotient_2 - quotient_2
-    qo_2_of_quotient_2_left_rest = quotient_2 - (qo_2_of_quotient_2 - qo_2_of_quotient_2_right)
-    qo_2_of_quotient_2_right_rest = quotient_2_lo - qo_2_of_quotient_2_right
-    qo_2 = qo_2_of_quotient_2 * down
-    qo_2_of_quotient_2_lo = qo_2_of_quotient_2_left_rest + qo_2_of_quotient_2_right_rest
-    qo_3_of_quotient_3 = quotient_3 + quotient_3_lo
-    qo_3_of_quotient_3_right = qo_3_of_quotient_3 - quotient_3
-    qo_3_of_quotient_3_left_rest = quotient_3 - (qo_3_of_quotient_3 - qo_3_of_quotient_3_right)
-    qo_3_of_quotient_3_right_rest = quotient_3_lo - qo_3_of_quotient_3_right
-    qo_3 = qo_3_of_quotient_3 * down
-    qo_3_of_quotient_3_lo = qo_3_of_quotient_3_left_rest + qo_3_of_quotient_3_right_rest
-    qo_0_rounded = qo_0 + (qo_0_of_quotient_0 - qo_0 * qo_0_inverse + qo_0_of_quotient_0_lo) * down
-    qo_1_rounded = qo_1 + (qo_1_of_quotient_1 - qo_1 * qo_0_inverse + qo_1_of_quotient_1_lo) * down
-    qo_2_rounded = qo_2 + (qo_2_of_quotient_2 - qo_2 * qo_0_inverse + qo_2_of_quotient_2_lo) * down
-    qo_3_rounded = qo_3 + (qo_3_of_quotient_3 - qo_3 * qo_0_inverse + qo_3_of_quotient_3_lo) * down
+    qo_0_rest = (quotient_0_sum - qo_0 * qo_0_inverse
+        + (quotient_0 - (quotient_0_sum - quotient_0_sum_right)
+        + (quotient_0_lo - quotient_0_sum_right)))
+    quotient_1_sum = quotient_1 + quotient_1_lo
+    quotient_1_sum_right = quotient_1_sum - quotient_1
+    qo_1 = quotient_1_sum * down
+    qo_1_rest = (quotient_1_sum - qo_1 * qo_0_inverse
+        + (quotient_1 - (quotient_1_sum - quotient_1_sum_right)
+        + (quotient_1_lo - quotient_1_sum_right)))
+    quotient_2_sum = quotient_2 + quotient_2_lo
+    quotient_2_sum_right = quotient_2_sum - quotient_2
+    qo_2 = quotient_2_sum * down
+    qo_2_rest = (quotient_2_sum - qo_2 * qo_0_inverse
+        + (quotient_2 - (quotient_2_sum - quotient_2_sum_right)
+        + (quotient_2_lo - quotient_2_sum_right)))
+    quotient_3_sum = quotient_3 + quotient_3_lo
+    quotient_3_sum_right = quotient_3_sum - quotient_3
+    qo_3 = quotient_3_sum * down
+    qo_3_rest = (quotient_3_sum - qo_3 * qo_0_inverse
+        + (quotient_3 - (quotient_3_sum - quotient_3_sum_right)
+        + (quotient_3_lo - quotient_3_sum_right)))
+    qo_0_rounded = qo_0 + qo_0_rest * down
+    qo_1_rounded = qo_1 + qo_1_rest * down
+    qo_2_rounded = qo_2 + qo_2_rest * down
+    qo_3_rounded = qo_3 + qo_3_rest * down
     qo_0_final = where(qo_0_rounded == qo_0_rounded, qo_0_rounded, qo_0)
     qo_1_final = where(qo_1_rounded == qo_1_rounded, qo_1_rounded, qo_1)
     qo_2_final = where(qo_2_rounded == qo_2_rounded, qo_2_rounded, qo_2)
@@ -397,8 +373,9 @@ def quaternion_unit_defect(q):
     s_largest1 = where(s_size_0 < s_size_1, s_size_1, s_size_0)
     s_largest2 = where(s_largest1 < s_size_2, s_size_2, s_largest1)
     s_largest3 = where(s_largest2 < s_size_3, s_size_3, s_largest2)
-    s_b = where(6.703903964971299e+153 < s_largest3, float64(3.7291703656001034e-155), float64(1))
-    s_d = where(s_largest3 < 256, 1.3093562431584567e+151, s_b)
+    s_d = (where(s_largest3
+        < 256, 1.3093562431584567e+151, where(6.703903964971299e+153
+        < s_largest3, float64(3.7291703656001034e-155), float64(1))))
     s = where(s_largest3 < 1.955159272639747e-149, 1.0715086071862673e+301, s_d)
     y_0 = q_0 * s
     y_1 = q_1 * s
@@ -417,24 +394,22 @@ def quaternion_unit_defect(q):
     n_g_right = n_g - n_e
     n_e_lo = n_c - (n_e - n_e_right) + product_rest(y_2, y_2, n_d, n_e_right) + n_c_lo
     n_g_lo = n_e - (n_g - n_g_right) + product_rest(y_3, y_3, n_f, n_g_right) + n_e_lo
-    n_of_n_g = n_g + n_g_lo
-    n_of_n_g_right = n_of_n_g - n_g
-    n = sqrt(n_of_n_g)
+    n_g_sum = n_g + n_g_lo
+    n_g_sum_right = n_g_sum - n_g
+    n = sqrt(n_g_sum)
     n_product = n * n
-    n_of_n_g_lo = n_g - (n_of_n_g - n_of_n_g_right) + (n_g_lo - n_of_n_g_right)
-    n_residual = n_of_n_g - n_product - product_error(n, n, n_product) + n_of_n_g_lo
-    n_lo = n_residual / where(n == 0, 1, n + n)
-    r_b = where(s < 1, float64(2.6815615859885194e+154), float64(1))
-    r_d = where(1 < s, 7.637340908749012e-152, r_b)
+    n_lo = ((n_g_sum - n_product - product_error(n, n, n_product)
+        + (n_g - (n_g_sum - n_g_sum_right) + (n_g_lo - n_g_sum_right))) / where(n == 0, 1, n + n))
+    r_d = (where(1
+        < s, 7.637340908749012e-152, where(s < 1, float64(2.6815615859885194e+154), float64(1))))
     r = where(1.3093562431584567e+151 < s, 9.332636185032189e-302, r_d)
-    length_of_n = n + n_lo
-    length_of_n_right = length_of_n - n
-    length = length_of_n * r
-    length_of_n_lo = n - (length_of_n - length_of_n_right) + (n_lo - length_of_n_right)
+    n_sum = n + n_lo
+    n_sum_right = n_sum - n
+    length = n_sum * r
     defect = length - 1
     defect_right = length - defect
-    defect_lo1 = length - (defect + defect_right) - (1 - defect_right)
-    defect_rounded = defect + (defect_lo1 + (length_of_n - length * (1 / r) + length_of_n_lo) * r)
+    length_lo = (n_sum - length * (1 / r) + (n - (n_sum - n_sum_right) + (n_lo - n_sum_right))) * r
+    defect_rounded = defect + (length - (defect + defect_right) - (1 - defect_right) + length_lo)
     defect_final = where(defect_rounded == defect_rounded, defect_rounded, defect)
     return defect_final
 
@@ -457,8 +432,9 @@ def quaternion_nearest_unit(q):
     s_largest1 = where(s_size_0 < s_size_1, s_size_1, s_size_0)
     s_largest2 = where(s_largest1 < s_size_2, s_size_2, s_largest1)
     s_largest3 = where(s_largest2 < s_size_3, s_size_3, s_largest2)
-    s_b = where(6.703903964971299e+153 < s_largest3, float64(3.7291703656001034e-155), float64(1))
-    s_d = where(s_largest3 < 256, 1.3093562431584567e+151, s_b)
+    s_d = (where(s_largest3
+        < 256, 1.3093562431584567e+151, where(6.703903964971299e+153
+        < s_largest3, float64(3.7291703656001034e-155), float64(1))))
     s = where(s_largest3 < 1.955159272639747e-149, 1.0715086071862673e+301, s_d)
     scaled_s_0 = q_0 * s
     scaled_s_1 = q_1 * s
@@ -468,57 +444,50 @@ def quaternion_nearest_unit(q):
     n_b = scaled_s_1 * scaled_s_1
     n_c = n_a + n_b
     n_c_right = n_c - n_a
-    n_c_left_rest = product_rest(scaled_s_0, scaled_s_0, n_a, n_c - n_c_right)
     n_d = scaled_s_2 * scaled_s_2
     n_e = n_c + n_d
     n_e_right = n_e - n_c
-    n_e_lo1 = n_c - (n_e - n_e_right) + product_rest(scaled_s_2, scaled_s_2, n_d, n_e_right)
+    n_c_lo = (product_rest(scaled_s_0, scaled_s_0, n_a, n_c - n_c_right)
+        + product_rest(scaled_s_1, scaled_s_1, n_b, n_c_right))
     n_f = scaled_s_3 * scaled_s_3
     n_g = n_e + n_f
     n_g_right = n_g - n_e
-    n_e_lo = n_e_lo1 + (n_c_left_rest + product_rest(scaled_s_1, scaled_s_1, n_b, n_c_right))
+    n_e_lo = n_c - (n_e - n_e_right) + product_rest(scaled_s_2, scaled_s_2, n_d, n_e_right) + n_c_lo
     n_g_lo = n_e - (n_g - n_g_right) + product_rest(scaled_s_3, scaled_s_3, n_f, n_g_right) + n_e_lo
-    n_of_n_g = n_g + n_g_lo
-    n_of_n_g_right = n_of_n_g - n_g
-    n = sqrt(n_of_n_g)
+    n_g_sum = n_g + n_g_lo
+    n_g_sum_right = n_g_sum - n_g
+    n = sqrt(n_g_sum)
     n_product = n * n
-    n_of_n_g_lo = n_g - (n_of_n_g - n_of_n_g_right) + (n_g_lo - n_of_n_g_right)
-    n_residual = n_of_n_g - n_product - product_error(n, n, n_product) + n_of_n_g_lo
-    n_lo = n_residual / where(n == 0, 1, n + n)
-    divisor_a_of_n = n + n_lo
-    divisor_a_of_n_right = divisor_a_of_n - n
-    divisor_a = divisor_a_of_n == 0
-    divisor = where(divisor_a, 1, divisor_a_of_n)
-    divisor_a_of_n_lo = n - (divisor_a_of_n - divisor_a_of_n_right) + (n_lo - divisor_a_of_n_right)
-    divisor_lo = where(divisor_a, 0, divisor_a_of_n_lo)
-    unit_0_of_divisor = divisor + divisor_lo
-    unit_0_of_divisor_right = unit_0_of_divisor - divisor
-    unit_0_of_divisor_left_rest = divisor - (unit_0_of_divisor - unit_0_of_divisor_right)
-    unit_0_of_divisor_lo = unit_0_of_divisor_left_rest + (divisor_lo - unit_0_of_divisor_right)
-    unit_0 = scaled_s_0 / unit_0_of_divisor
-    unit_0_product = unit_0 * unit_0_of_divisor
-    unit_0_product_error = product_error(unit_0, unit_0_of_divisor, unit_0_product)
-    unit_0_exact = scaled_s_0 - unit_0_product - unit_0_product_error
-    unit_1 = scaled_s_1 / unit_0_of_divisor
-    unit_1_product = unit_1 * unit_0_of_divisor
-    unit_1_product_error = product_error(unit_1, unit_0_of_divisor, unit_1_product)
-    unit_1_exact = scaled_s_1 - unit_1_product - unit_1_product_error
-    unit_2 = scaled_s_2 / unit_0_of_divisor
-    unit_2_product = unit_2 * unit_0_of_divisor
-    unit_2_product_error = product_error(unit_2, unit_0_of_divisor, unit_2_product)
-    unit_2_exact = scaled_s_2 - unit_2_product - unit_2_product_error
-    unit_3 = scaled_s_3 / unit_0_of_divisor
-    unit_3_product = unit_3 * unit_0_of_divisor
-    unit_3_product_error = product_error(unit_3, unit_0_of_divisor, unit_3_product)
-    unit_3_exact = scaled_s_3 - unit_3_product - unit_3_product_error
+    n_lo = ((n_g_sum - n_product - product_error(n, n, n_product)
+        + (n_g - (n_g_sum - n_g_sum_right) + (n_g_lo - n_g_sum_right))) / where(n == 0, 1, n + n))
+    n_sum = n + n_lo
+    n_sum_right = n_sum - n
+    divisor_a = n_sum == 0
+    divisor = where(divisor_a, 1, n_sum)
+    divisor_lo = where(divisor_a, 0, n - (n_sum - n_sum_right) + (n_lo - n_sum_right))
+    divisor_sum = divisor + divisor_lo
+    divisor_sum_right = divisor_sum - divisor
+    divisor_sum_lo = divisor - (divisor_sum - divisor_sum_right) + (divisor_lo - divisor_sum_right)
+    unit_0 = scaled_s_0 / divisor_sum
+    unit_0_product = unit_0 * divisor_sum
+    unit_1 = scaled_s_1 / divisor_sum
+    unit_1_product = unit_1 * divisor_sum
+    unit_2 = scaled_s_2 / divisor_sum
+    unit_2_product = unit_2 * divisor_sum
+    unit_3 = scaled_s_3 / divisor_sum
+    unit_3_product = unit_3 * divisor_sum
     qo_0 = where(divisor_a, nan, unit_0)
-    unit_0_lo = (unit_0_exact - unit_0 * unit_0_of_divisor_lo) / unit_0_of_divisor
+    unit_0_lo = ((scaled_s_0 - unit_0_product - product_error(unit_0, divisor_sum, unit_0_product)
+        - unit_0 * divisor_sum_lo) / divisor_sum)
     qo_1 = where(divisor_a, nan, unit_1)
-    unit_1_lo = (unit_1_exact - unit_1 * unit_0_of_divisor_lo) / unit_0_of_divisor
+    unit_1_lo = ((scaled_s_1 - unit_1_product - product_error(unit_1, divisor_sum, unit_1_product)
+        - unit_1 * divisor_sum_lo) / divisor_sum)
     qo_2 = where(divisor_a, nan, unit_2)
-    unit_2_lo = (unit_2_exact - unit_2 * unit_0_of_divisor_lo) / unit_0_of_divisor
+    unit_2_lo = ((scaled_s_2 - unit_2_product - product_error(unit_2, divisor_sum, unit_2_product)
+        - unit_2 * divisor_sum_lo) / divisor_sum)
     qo_3 = where(divisor_a, nan, unit_3)
-    unit_3_lo = (unit_3_exact - unit_3 * unit_0_of_divisor_lo) / unit_0_of_divisor
+    unit_3_lo = ((scaled_s_3 - unit_3_product - product_error(unit_3, divisor_sum, unit_3_product)
+        - unit_3 * divisor_sum_lo) / divisor_sum)
     qo_0_rounded = qo_0 + where(divisor_a, 0, unit_0_lo)
     qo_1_rounded = qo_1 + where(divisor_a, 0, unit_1_lo)
     qo_2_rounded = qo_2 + where(divisor_a, 0, unit_2_lo)
@@ -553,59 +522,62 @@ def rotate_qv(q, v):
     c_2 = c_2a - c_2b
     c_2_right = c_2a - c_2
     t_0 = 2 * c_0
-    c_0_lo = product_rest(q_1, v_2, c_0a, c_0 + c_0_right) - product_rest(q_2, v_1, c_0b, c_0_right)
-    t_0_cross2 = 2 * c_0_lo
+    t_0_cross2 = (2
+        * (product_rest(q_1, v_2, c_0a, c_0 + c_0_right) - product_rest(q_2, v_1, c_0b, c_0_right)))
     t_1 = 2 * c_1
-    c_1_lo = product_rest(q_2, v_0, c_1a, c_1 + c_1_right) - product_rest(q_0, v_2, c_1b, c_1_right)
-    t_1_cross2 = 2 * c_1_lo
+    t_1_cross2 = (2
+        * (product_rest(q_2, v_0, c_1a, c_1 + c_1_right) - product_rest(q_0, v_2, c_1b, c_1_right)))
     t_2 = 2 * c_2
-    c_2_lo = product_rest(q_0, v_1, c_2a, c_2 + c_2_right) - product_rest(q_1, v_0, c_2b, c_2_right)
-    t_2_cross2 = 2 * c_2_lo
+    t_2_cross2 = (2
+        * (product_rest(q_0, v_1, c_2a, c_2 + c_2_right) - product_rest(q_1, v_0, c_2b, c_2_right)))
     turn_0a = q_1 * t_2
     turn_0b = q_2 * t_1
     turn_0c = turn_0a - turn_0b
     turn_0c_right = turn_0a - turn_0c
-    turn_0c_left_rest = product_rest(q_1, t_2, turn_0a, turn_0c + turn_0c_right)
-    turn_0c_lo1 = turn_0c_left_rest - product_rest(q_2, t_1, turn_0b, turn_0c_right)
+    turn_0c_lo1 = (product_rest(q_1, t_2, turn_0a, turn_0c + turn_0c_right)
+        - product_rest(q_2, t_1, turn_0b, turn_0c_right))
     turn_0d = q_3 * t_0
     turn_0 = turn_0c + turn_0d
     turn_0_right = turn_0 - turn_0c
-    turn_0_lo1 = turn_0c - (turn_0 - turn_0_right) + product_rest(q_3, t_0, turn_0d, turn_0_right)
-    turn_0c_lo = turn_0c_lo1 + (q_1 * t_2_cross2 - q_2 * t_1_cross2)
+    turn_0_lo2 = (turn_0c - (turn_0 - turn_0_right) + product_rest(q_3, t_0, turn_0d, turn_0_right)
+        + q_3 * t_0_cross2)
     turn_1a = q_2 * t_0
     turn_1b = q_0 * t_2
     turn_1c = turn_1a - turn_1b
     turn_1c_right = turn_1a - turn_1c
-    turn_1c_left_rest = product_rest(q_2, t_0, turn_1a, turn_1c + turn_1c_right)
-    turn_1c_lo1 = turn_1c_left_rest - product_rest(q_0, t_2, turn_1b, turn_1c_right)
+    turn_1c_lo1 = (product_rest(q_2, t_0, turn_1a, turn_1c + turn_1c_right)
+        - product_rest(q_0, t_2, turn_1b, turn_1c_right))
     turn_1d = q_3 * t_1
     turn_1 = turn_1c + turn_1d
     turn_1_right = turn_1 - turn_1c
-    turn_1_lo1 = turn_1c - (turn_1 - turn_1_right) + product_rest(q_3, t_1, turn_1d, turn_1_right)
-    turn_1c_lo = turn_1c_lo1 + (q_2 * t_0_cross2 - q_0 * t_2_cross2)
+    turn_1_lo2 = (turn_1c - (turn_1 - turn_1_right) + product_rest(q_3, t_1, turn_1d, turn_1_right)
+        + q_3 * t_1_cross2)
     turn_2a = q_0 * t_1
     turn_2b = q_1 * t_0
     turn_2c = turn_2a - turn_2b
     turn_2c_right = turn_2a - turn_2c
-    turn_2c_left_rest = product_rest(q_0, t_1, turn_2a, turn_2c + turn_2c_right)
-    turn_2c_lo1 = turn_2c_left_rest - product_rest(q_1, t_0, turn_2b, turn_2c_right)
+    turn_2c_lo1 = (product_rest(q_0, t_1, turn_2a, turn_2c + turn_2c_right)
+        - product_rest(q_1, t_0, turn_2b, turn_2c_right))
     turn_2d = q_3 * t_2
     turn_2 = turn_2c + turn_2d
     turn_2_right = turn_2 - turn_2c
-    turn_2_lo1 = turn_2c - (turn_2 - turn_2_right) + product_rest(q_3, t_2, turn_2d, turn_2_right)
-    turn_2c_lo = turn_2c_lo1 + (q_0 * t_1_cross2 - q_1 * t_0_cross2)
+    turn_2_lo2 = (turn_2c - (turn_2 - turn_2_right) + product_rest(q_3, t_2, turn_2d, turn_2_right)
+        + q_3 * t_2_cross2)
     vo_0 = v_0 + turn_0
     vo_0_right = vo_0 - v_0
-    vo_0_lo1 = v_0 - (vo_0 - vo_0_right) + (turn_0 - vo_0_right)
     vo_1 = v_1 + turn_1
     vo_1_right = vo_1 - v_1
-    vo_1_lo1 = v_1 - (vo_1 - vo_1_right) + (turn_1 - vo_1_right)
     vo_2 = v_2 + turn_2
     vo_2_right = vo_2 - v_2
-    vo_2_lo1 = v_2 - (vo_2 - vo_2_right) + (turn_2 - vo_2_right)
-    vo_0_rounded = vo_0 + (vo_0_lo1 + (turn_0_lo1 + q_3 * t_0_cross2 + turn_0c_lo))
-    vo_1_rounded = vo_1 + (vo_1_lo1 + (turn_1_lo1 + q_3 * t_1_cross2 + turn_1c_lo))
-    vo_2_rounded = vo_2 + (vo_2_lo1 + (turn_2_lo1 + q_3 * t_2_cross2 + turn_2c_lo))
+    vo_0_rounded = (vo_0
+        + (v_0 - (vo_0 - vo_0_right) + (turn_0 - vo_0_right)
+        + (turn_0_lo2 + (turn_0c_lo1 + (q_1 * t_2_cross2 - q_2 * t_1_cross2)))))
+    vo_1_rounded = (vo_1
+        + (v_1 - (vo_1 - vo_1_right) + (turn_1 - vo_1_right)
+        + (turn_1_lo2 + (turn_1c_lo1 + (q_2 * t_0_cross2 - q_0 * t_2_cross2)))))
+    vo_2_rounded = (vo_2
+        + (v_2 - (vo_2 - vo_2_right) + (turn_2 - vo_2_right)
+        + (turn_2_lo2 + (turn_2c_lo1 + (q_0 * t_1_cross2 - q_1 * t_0_cross2)))))
     return (vo_0_rounded, vo_1_rounded, vo_2_rounded)
 
 
@@ -632,59 +604,62 @@ def rotate_qconjv(q, v):
     c_2 = c_2a - c_2b
     c_2_right = c_2a - c_2
     t_0 = 2 * c_0
-    c_0_lo = product_rest(q_2, v_1, c_0a, c_0 + c_0_right) - product_rest(q_1, v_2, c_0b, c_0_right)
-    t_0_cross2 = 2 * c_0_lo
+    t_0_cross2 = (2
+        * (product_rest(q_2, v_1, c_0a, c_0 + c_0_right) - product_rest(q_1, v_2, c_0b, c_0_right)))
     t_1 = 2 * c_1
-    c_1_lo = product_rest(q_0, v_2, c_1a, c_1 + c_1_right) - product_rest(q_2, v_0, c_1b, c_1_right)
-    t_1_cross2 = 2 * c_1_lo
+    t_1_cross2 = (2
+        * (product_rest(q_0, v_2, c_1a, c_1 + c_1_right) - product_rest(q_2, v_0, c_1b, c_1_right)))
     t_2 = 2 * c_2
-    c_2_lo = product_rest(q_1, v_0, c_2a, c_2 + c_2_right) - product_rest(q_0, v_1, c_2b, c_2_right)
-    t_2_cross2 = 2 * c_2_lo
+    t_2_cross2 = (2
+        * (product_rest(q_1, v_0, c_2a, c_2 + c_2_right) - product_rest(q_0, v_1, c_2b, c_2_right)))
     turn_0a = q_2 * t_1
     turn_0b = q_1 * t_2
     turn_0c = turn_0a - turn_0b
     turn_0c_right = turn_0a - turn_0c
-    turn_0c_left_rest = product_rest(q_2, t_1, turn_0a, turn_0c + turn_0c_right)
-    turn_0c_lo1 = turn_0c_left_rest - product_rest(q_1, t_2, turn_0b, turn_0c_right)
+    turn_0c_lo1 = (product_rest(q_2, t_1, turn_0a, turn_0c + turn_0c_right)
+        - product_rest(q_1, t_2, turn_0b, turn_0c_right))
     turn_0d = q_3 * t_0
     turn_0 = turn_0c + turn_0d
     turn_0_right = turn_0 - turn_0c
-    turn_0_lo1 = turn_0c - (turn_0 - turn_0_right) + product_rest(q_3, t_0, turn_0d, turn_0_right)
-    turn_0c_lo = turn_0c_lo1 + (q_2 * t_1_cross2 - q_1 * t_2_cross2)
+    turn_0_lo2 = (turn_0c - (turn_0 - turn_0_right) + product_rest(q_3, t_0, turn_0d, turn_0_right)
+        + q_3 * t_0_cross2)
     turn_1a = q_0 * t_2
     turn_1b = q_2 * t_0
     turn_1c = turn_1a - turn_1b
     turn_1c_right = turn_1a - turn_1c
-    turn_1c_left_rest = product_rest(q_0, t_2, turn_1a, turn_1c + turn_1c_right)
-    turn_1c_lo1 = turn_1c_left_rest - product_rest(q_2, t_0, turn_1b, turn_1c_right)
+    turn_1c_lo1 = (product_rest(q_0, t_2, turn_1a, turn_1c + turn_1c_right)
+        - product_rest(q_2, t_0, turn_1b, turn_1c_right))
     turn_1d = q_3 * t_1
     turn_1 = turn_1c + turn_1d
     turn_1_right = turn_1 - turn_1c
-    turn_1_lo1 = turn_1c - (turn_1 - turn_1_right) + product_rest(q_3, t_1, turn_1d, turn_1_right)
-    turn_1c_lo = turn_1c_lo1 + (q_0 * t_2_cross2 - q_2 * t_0_cross2)
+    turn_1_lo2 = (turn_1c - (turn_1 - turn_1_right) + product_rest(q_3, t_1, turn_1d, turn_1_right)
+        + q_3 * t_1_cross2)
     turn_2a = q_1 * t_0
     turn_2b = q_0 * t_1
     turn_2c = turn_2a - turn_2b
     turn_2c_right = turn_2a - turn_2c
-    turn_2c_left_rest = product_rest(q_1, t_0, turn_2a, turn_2c + turn_2c_right)
-    turn_2c_lo1 = turn_2c_left_rest - product_rest(q_0, t_1, turn_2b, turn_2c_right)
+    turn_2c_lo1 = (product_rest(q_1, t_0, turn_2a, turn_2c + turn_2c_right)
+        - product_rest(q_0, t_1, turn_2b, turn_2c_right))
     turn_2d = q_3 * t_2
     turn_2 = turn_2c + turn_2d
     turn_2_right = turn_2 - turn_2c
-    turn_2_lo1 = turn_2c - (turn_2 - turn_2_right) + product_rest(q_3, t_2, turn_2d, turn_2_right)
-    turn_2c_lo = turn_2c_lo1 + (q_1 * t_0_cross2 - q_0 * t_1_cross2)
+    turn_2_lo2 = (turn_2c - (turn_2 - turn_2_right) + product_rest(q_3, t_2, turn_2d, turn_2_right)
+        + q_3 * t_2_cross2)
     vo_0 = v_0 + turn_0
     vo_0_right = vo_0 - v_0
-    vo_0_lo1 = v_0 - (vo_0 - vo_0_right) + (turn_0 - vo_0_right)
     vo_1 = v_1 + turn_1
     vo_1_right = vo_1 - v_1
-    vo_1_lo1 = v_1 - (vo_1 - vo_1_right) + (turn_1 - vo_1_right)
     vo_2 = v_2 + turn_2
     vo_2_right = vo_2 - v_2
-    vo_2_lo1 = v_2 - (vo_2 - vo_2_right) + (turn_2 - vo_2_right)
-    vo_0_rounded = vo_0 + (vo_0_lo1 + (turn_0_lo1 + q_3 * t_0_cross2 + turn_0c_lo))
-    vo_1_rounded = vo_1 + (vo_1_lo1 + (turn_1_lo1 + q_3 * t_1_cross2 + turn_1c_lo))
-    vo_2_rounded = vo_2 + (vo_2_lo1 + (turn_2_lo1 + q_3 * t_2_cross2 + turn_2c_lo))
+    vo_0_rounded = (vo_0
+        + (v_0 - (vo_0 - vo_0_right) + (turn_0 - vo_0_right)
+        + (turn_0_lo2 + (turn_0c_lo1 + (q_2 * t_1_cross2 - q_1 * t_2_cross2)))))
+    vo_1_rounded = (vo_1
+        + (v_1 - (vo_1 - vo_1_right) + (turn_1 - vo_1_right)
+        + (turn_1_lo2 + (turn_1c_lo1 + (q_0 * t_2_cross2 - q_2 * t_0_cross2)))))
+    vo_2_rounded = (vo_2
+        + (v_2 - (vo_2 - vo_2_right) + (turn_2 - vo_2_right)
+        + (turn_2_lo2 + (turn_2c_lo1 + (q_1 * t_0_cross2 - q_0 * t_1_cross2)))))
     return (vo_0_rounded, vo_1_rounded, vo_2_rounded)
 
 
@@ -703,61 +678,65 @@ def quaternion_product_qq(q1i, q2i):
     qo_0c = q1i_2 * q2i_1
     qo_0d = qo_0b - qo_0c
     qo_0d_right = qo_0b - qo_0d
-    qo_0d_left_rest = product_rest(q1i_1, q2i_2, qo_0b, qo_0d + qo_0d_right)
     qo_0e = qo_0a + qo_0d
     qo_0e_right = qo_0e - qo_0a
-    qo_0e_lo1 = product_rest(q1i_0, q2i_3, qo_0a, qo_0e - qo_0e_right) + (qo_0d - qo_0e_right)
+    qo_0d_lo = (product_rest(q1i_1, q2i_2, qo_0b, qo_0d + qo_0d_right)
+        - product_rest(q1i_2, q2i_1, qo_0c, qo_0d_right))
     qo_0f = q1i_3 * q2i_0
     qo_0 = qo_0e + qo_0f
     qo_0_right = qo_0 - qo_0e
-    qo_0e_lo = qo_0e_lo1 + (qo_0d_left_rest - product_rest(q1i_2, q2i_1, qo_0c, qo_0d_right))
+    qo_0e_lo = (product_rest(q1i_0, q2i_3, qo_0a, qo_0e - qo_0e_right) + (qo_0d - qo_0e_right)
+        + qo_0d_lo)
     qo_1a = q1i_2 * q2i_0
     qo_1b = q1i_0 * q2i_2
     qo_1c = qo_1a - qo_1b
     qo_1c_right = qo_1a - qo_1c
-    qo_1c_left_rest = product_rest(q1i_2, q2i_0, qo_1a, qo_1c + qo_1c_right)
     qo_1d = q1i_1 * q2i_3
     qo_1e = qo_1c + qo_1d
     qo_1e_right = qo_1e - qo_1c
-    qo_1e_lo1 = qo_1c - (qo_1e - qo_1e_right) + product_rest(q1i_1, q2i_3, qo_1d, qo_1e_right)
+    qo_1c_lo = (product_rest(q1i_2, q2i_0, qo_1a, qo_1c + qo_1c_right)
+        - product_rest(q1i_0, q2i_2, qo_1b, qo_1c_right))
     qo_1f = q1i_3 * q2i_1
     qo_1 = qo_1e + qo_1f
     qo_1_right = qo_1 - qo_1e
-    qo_1e_lo = qo_1e_lo1 + (qo_1c_left_rest - product_rest(q1i_0, q2i_2, qo_1b, qo_1c_right))
+    qo_1e_lo = (qo_1c - (qo_1e - qo_1e_right) + product_rest(q1i_1, q2i_3, qo_1d, qo_1e_right)
+        + qo_1c_lo)
     qo_2a = q1i_0 * q2i_1
     qo_2b = q1i_1 * q2i_0
     qo_2c = qo_2a - qo_2b
     qo_2c_right = qo_2a - qo_2c
-    qo_2c_left_rest = product_rest(q1i_0, q2i_1, qo_2a, qo_2c + qo_2c_right)
     qo_2d = q1i_2 * q2i_3
     qo_2e = qo_2c + qo_2d
     qo_2e_right = qo_2e - qo_2c
-    qo_2e_lo1 = qo_2c - (qo_2e - qo_2e_right) + product_rest(q1i_2, q2i_3, qo_2d, qo_2e_right)
+    qo_2c_lo = (product_rest(q1i_0, q2i_1, qo_2a, qo_2c + qo_2c_right)
+        - product_rest(q1i_1, q2i_0, qo_2b, qo_2c_right))
     qo_2f = q1i_3 * q2i_2
     qo_2 = qo_2e + qo_2f
     qo_2_right = qo_2 - qo_2e
-    qo_2e_lo = qo_2e_lo1 + (qo_2c_left_rest - product_rest(q1i_1, q2i_0, qo_2b, qo_2c_right))
+    qo_2e_lo = (qo_2c - (qo_2e - qo_2e_right) + product_rest(q1i_2, q2i_3, qo_2d, qo_2e_right)
+        + qo_2c_lo)
     qo_3a = q1i_3 * q2i_3
     qo_3b = q1i_0 * q2i_0
     qo_3c = q1i_1 * q2i_1
     qo_3d = qo_3b + qo_3c
     qo_3d_right = qo_3d - qo_3b
-    qo_3d_left_rest = product_rest(q1i_0, q2i_0, qo_3b, qo_3d - qo_3d_right)
     qo_3e = q1i_2 * q2i_2
     qo_3f = qo_3d + qo_3e
     qo_3f_right = qo_3f - qo_3d
-    qo_3f_lo1 = qo_3d - (qo_3f - qo_3f_right) + product_rest(q1i_2, q2i_2, qo_3e, qo_3f_right)
+    qo_3d_lo = (product_rest(q1i_0, q2i_0, qo_3b, qo_3d - qo_3d_right)
+        + product_rest(q1i_1, q2i_1, qo_3c, qo_3d_right))
     qo_3 = qo_3a - qo_3f
     qo_3_right = qo_3a - qo_3
-    qo_3f_lo = qo_3f_lo1 + (qo_3d_left_rest + product_rest(q1i_1, q2i_1, qo_3c, qo_3d_right))
-    qo_0_lo = qo_0e - (qo_0 - qo_0_right) + product_rest(q1i_3, q2i_0, qo_0f, qo_0_right) + qo_0e_lo
-    qo_0_rounded = qo_0 + qo_0_lo
-    qo_1_lo = qo_1e - (qo_1 - qo_1_right) + product_rest(q1i_3, q2i_1, qo_1f, qo_1_right) + qo_1e_lo
-    qo_1_rounded = qo_1 + qo_1_lo
-    qo_2_lo = qo_2e - (qo_2 - qo_2_right) + product_rest(q1i_3, q2i_2, qo_2f, qo_2_right) + qo_2e_lo
-    qo_2_rounded = qo_2 + qo_2_lo
-    qo_3_lo = product_rest(q1i_3, q2i_3, qo_3a, qo_3 + qo_3_right) - (qo_3f - qo_3_right) - qo_3f_lo
-    qo_3_rounded = qo_3 + qo_3_lo
+    qo_3f_lo = (qo_3d - (qo_3f - qo_3f_right) + product_rest(q1i_2, q2i_2, qo_3e, qo_3f_right)
+        + qo_3d_lo)
+    qo_0_rounded = (qo_0
+        + (qo_0e - (qo_0 - qo_0_right) + product_rest(q1i_3, q2i_0, qo_0f, qo_0_right) + qo_0e_lo))
+    qo_1_rounded = (qo_1
+        + (qo_1e - (qo_1 - qo_1_right) + product_rest(q1i_3, q2i_1, qo_1f, qo_1_right) + qo_1e_lo))
+    qo_2_rounded = (qo_2
+        + (qo_2e - (qo_2 - qo_2_right) + product_rest(q1i_3, q2i_2, qo_2f, qo_2_right) + qo_2e_lo))
+    qo_3_rounded = (qo_3
+        + (product_rest(q1i_3, q2i_3, qo_3a, qo_3 + qo_3_right) - (qo_3f - qo_3_right) - qo_3f_lo))
     return (qo_0_rounded, qo_1_rounded, qo_2_rounded, qo_3_rounded)
 
 
@@ -775,62 +754,63 @@ def quaternion_product_qqconj(q1i, q2i):
     qo_0b = q1i_3 * q2i_0
     qo_0c = qo_0a - qo_0b
     qo_0c_right = qo_0a - qo_0c
-    qo_0c_left_rest = product_rest(q1i_0, q2i_3, qo_0a, qo_0c + qo_0c_right)
     qo_0d = q1i_2 * q2i_1
     qo_0e = q1i_1 * q2i_2
     qo_0f = qo_0d - qo_0e
     qo_0f_right = qo_0d - qo_0f
-    qo_0f_left_rest = product_rest(q1i_2, q2i_1, qo_0d, qo_0f + qo_0f_right)
     qo_0 = qo_0c + qo_0f
     qo_0_right = qo_0 - qo_0c
-    qo_0f_lo = qo_0f_left_rest - product_rest(q1i_1, q2i_2, qo_0e, qo_0f_right)
-    qo_0c_lo = qo_0c_left_rest - product_rest(q1i_3, q2i_0, qo_0b, qo_0c_right)
+    qo_0f_lo = (product_rest(q1i_2, q2i_1, qo_0d, qo_0f + qo_0f_right)
+        - product_rest(q1i_1, q2i_2, qo_0e, qo_0f_right))
+    qo_0c_lo = (product_rest(q1i_0, q2i_3, qo_0a, qo_0c + qo_0c_right)
+        - product_rest(q1i_3, q2i_0, qo_0b, qo_0c_right))
     qo_1a = q1i_0 * q2i_2
     qo_1b = q1i_2 * q2i_0
     qo_1c = qo_1a - qo_1b
     qo_1c_right = qo_1a - qo_1c
-    qo_1c_left_rest = product_rest(q1i_0, q2i_2, qo_1a, qo_1c + qo_1c_right)
     qo_1d = q1i_1 * q2i_3
     qo_1e = q1i_3 * q2i_1
     qo_1f = qo_1d - qo_1e
     qo_1f_right = qo_1d - qo_1f
-    qo_1f_left_rest = product_rest(q1i_1, q2i_3, qo_1d, qo_1f + qo_1f_right)
     qo_1 = qo_1c + qo_1f
     qo_1_right = qo_1 - qo_1c
-    qo_1f_lo = qo_1f_left_rest - product_rest(q1i_3, q2i_1, qo_1e, qo_1f_right)
-    qo_1c_lo = qo_1c_left_rest - product_rest(q1i_2, q2i_0, qo_1b, qo_1c_right)
+    qo_1f_lo = (product_rest(q1i_1, q2i_3, qo_1d, qo_1f + qo_1f_right)
+        - product_rest(q1i_3, q2i_1, qo_1e, qo_1f_right))
+    qo_1c_lo = (product_rest(q1i_0, q2i_2, qo_1a, qo_1c + qo_1c_right)
+        - product_rest(q1i_2, q2i_0, qo_1b, qo_1c_right))
     qo_2a = q1i_1 * q2i_0
     qo_2b = q1i_0 * q2i_1
     qo_2c = qo_2a - qo_2b
     qo_2c_right = qo_2a - qo_2c
-    qo_2c_left_rest = product_rest(q1i_1, q2i_0, qo_2a, qo_2c + qo_2c_right)
     qo_2d = q1i_2 * q2i_3
     qo_2e = q1i_3 * q2i_2
     qo_2f = qo_2d - qo_2e
     qo_2f_right = qo_2d - qo_2f
-    qo_2f_left_rest = product_rest(q1i_2, q2i_3, qo_2d, qo_2f + qo_2f_right)
     qo_2 = qo_2c + qo_2f
     qo_2_right = qo_2 - qo_2c
-    qo_2f_lo = qo_2f_left_rest - product_rest(q1i_3, q2i_2, qo_2e, qo_2f_right)
-    qo_2c_lo = qo_2c_left_rest - product_rest(q1i_0, q2i_1, qo_2b, qo_2c_right)
+    qo_2f_lo = (product_rest(q1i_2, q2i_3, qo_2d, qo_2f + qo_2f_right)
+        - product_rest(q1i_3, q2i_2, qo_2e, qo_2f_right))
+    qo_2c_lo = (product_rest(q1i_1, q2i_0, qo_2a, qo_2c + qo_2c_right)
+        - product_rest(q1i_0, q2i_1, qo_2b, qo_2c_right))
     qo_3a = q1i_0 * q2i_0
     qo_3b = q1i_1 * q2i_1
     qo_3c = qo_3a + qo_3b
     qo_3c_right = qo_3c - qo_3a
-    qo_3c_left_rest = product_rest(q1i_0, q2i_0, qo_3a, qo_3c - qo_3c_right)
     qo_3d = q1i_2 * q2i_2
     qo_3e = qo_3c + qo_3d
     qo_3e_right = qo_3e - qo_3c
-    qo_3e_lo1 = qo_3c - (qo_3e - qo_3e_right) + product_rest(q1i_2, q2i_2, qo_3d, qo_3e_right)
+    qo_3c_lo = (product_rest(q1i_0, q2i_0, qo_3a, qo_3c - qo_3c_right)
+        + product_rest(q1i_1, q2i_1, qo_3b, qo_3c_right))
     qo_3f = q1i_3 * q2i_3
     qo_3 = qo_3e + qo_3f
     qo_3_right = qo_3 - qo_3e
-    qo_3e_lo = qo_3e_lo1 + (qo_3c_left_rest + product_rest(q1i_1, q2i_1, qo_3b, qo_3c_right))
+    qo_3e_lo = (qo_3c - (qo_3e - qo_3e_right) + product_rest(q1i_2, q2i_2, qo_3d, qo_3e_right)
+        + qo_3c_lo)
     qo_0_rounded = qo_0 + (qo_0c - (qo_0 - qo_0_right) + (qo_0f - qo_0_right) + qo_0f_lo + qo_0c_lo)
     qo_1_rounded = qo_1 + (qo_1c - (qo_1 - qo_1_right) + (qo_1f - qo_1_right) + qo_1f_lo + qo_1c_lo)
     qo_2_rounded = qo_2 + (qo_2c - (qo_2 - qo_2_right) + (qo_2f - qo_2_right) + qo_2f_lo + qo_2c_lo)
-    qo_3_lo = qo_3e - (qo_3 - qo_3_right) + product_rest(q1i_3, q2i_3, qo_3f, qo_3_right) + qo_3e_lo
-    qo_3_rounded = qo_3 + qo_3_lo
+    qo_3_rounded = (qo_3
+        + (qo_3e - (qo_3 - qo_3_right) + product_rest(q1i_3, q2i_3, qo_3f, qo_3_right) + qo_3e_lo))
     return (qo_0_rounded, qo_1_rounded, qo_2_rounded, qo_3_rounded)
 
 
@@ -848,62 +828,63 @@ def quaternion_product_qconjq(q1i, q2i):
     qo_0b = q1i_0 * q2i_3
     qo_0c = qo_0a - qo_0b
     qo_0c_right = qo_0a - qo_0c
-    qo_0c_left_rest = product_rest(q1i_3, q2i_0, qo_0a, qo_0c + qo_0c_right)
     qo_0d = q1i_2 * q2i_1
     qo_0e = q1i_1 * q2i_2
     qo_0f = qo_0d - qo_0e
     qo_0f_right = qo_0d - qo_0f
-    qo_0f_left_rest = product_rest(q1i_2, q2i_1, qo_0d, qo_0f + qo_0f_right)
     qo_0 = qo_0c + qo_0f
     qo_0_right = qo_0 - qo_0c
-    qo_0f_lo = qo_0f_left_rest - product_rest(q1i_1, q2i_2, qo_0e, qo_0f_right)
-    qo_0c_lo = qo_0c_left_rest - product_rest(q1i_0, q2i_3, qo_0b, qo_0c_right)
+    qo_0f_lo = (product_rest(q1i_2, q2i_1, qo_0d, qo_0f + qo_0f_right)
+        - product_rest(q1i_1, q2i_2, qo_0e, qo_0f_right))
+    qo_0c_lo = (product_rest(q1i_3, q2i_0, qo_0a, qo_0c + qo_0c_right)
+        - product_rest(q1i_0, q2i_3, qo_0b, qo_0c_right))
     qo_1a = q1i_0 * q2i_2
     qo_1b = q1i_2 * q2i_0
     qo_1c = qo_1a - qo_1b
     qo_1c_right = qo_1a - qo_1c
-    qo_1c_left_rest = product_rest(q1i_0, q2i_2, qo_1a, qo_1c + qo_1c_right)
     qo_1d = q1i_3 * q2i_1
     qo_1e = q1i_1 * q2i_3
     qo_1f = qo_1d - qo_1e
     qo_1f_right = qo_1d - qo_1f
-    qo_1f_left_rest = product_rest(q1i_3, q2i_1, qo_1d, qo_1f + qo_1f_right)
     qo_1 = qo_1c + qo_1f
     qo_1_right = qo_1 - qo_1c
-    qo_1f_lo = qo_1f_left_rest - product_rest(q1i_1, q2i_3, qo_1e, qo_1f_right)
-    qo_1c_lo = qo_1c_left_rest - product_rest(q1i_2, q2i_0, qo_1b, qo_1c_right)
+    qo_1f_lo = (product_rest(q1i_3, q2i_1, qo_1d, qo_1f + qo_1f_right)
+        - product_rest(q1i_1, q2i_3, qo_1e, qo_1f_right))
+    qo_1c_lo = (product_rest(q1i_0, q2i_2, qo_1a, qo_1c + qo_1c_right)
+        - product_rest(q1i_2, q2i_0, qo_1b, qo_1c_right))
     qo_2a = q1i_1 * q2i_0
     qo_2b = q1i_0 * q2i_1
     qo_2c = qo_2a - qo_2b
     qo_2c_right = qo_2a - qo_2c
-    qo_2c_left_rest = product_rest(q1i_1, q2i_0, qo_2a, qo_2c + qo_2c_right)
     qo_2d = q1i_3 * q2i_2
     qo_2e = q1i_2 * q2i_3
     qo_2f = qo_2d - qo_2e
     qo_2f_right = qo_2d - qo_2f
-    qo_2f_left_rest = product_rest(q1i_3, q2i_2, qo_2d, qo_2f + qo_2f_right)
     qo_2 = qo_2c + qo_2f
     qo_2_right = qo_2 - qo_2c
-    qo_2f_lo = qo_2f_left_rest - product_rest(q1i_2, q2i_3, qo_2e, qo_2f_right)
-    qo_2c_lo = qo_2c_left_rest - product_rest(q1i_0, q2i_1, qo_2b, qo_2c_right)
+    qo_2f_lo = (product_rest(q1i_3, q2i_2, qo_2d, qo_2f + qo_2f_right)
+        - product_rest(q1i_2, q2i_3, qo_2e, qo_2f_right))
+    qo_2c_lo = (product_rest(q1i_1, q2i_0, qo_2a, qo_2c + qo_2c_right)
+        - product_rest(q1i_0, q2i_1, qo_2b, qo_2c_right))
     qo_3a = q1i_0 * q2i_0
     qo_3b = q1i_1 * q2i_1
     qo_3c = qo_3a + qo_3b
     qo_3c_right = qo_3c - qo_3a
-    qo_3c_left_rest = product_rest(q1i_0, q2i_0, qo_3a, qo_3c - qo_3c_right)
     qo_3d = q1i_2 * q2i_2
     qo_3e = qo_3c + qo_3d
     qo_3e_right = qo_3e - qo_3c
-    qo_3e_lo1 = qo_3c - (qo_3e - qo_3e_right) + product_rest(q1i_2, q2i_2, qo_3d, qo_3e_right)
+    qo_3c_lo = (product_rest(q1i_0, q2i_0, qo_3a, qo_3c - qo_3c_right)
+        + product_rest(q1i_1, q2i_1, qo_3b, qo_3c_right))
     qo_3f = q1i_3 * q2i_3
     qo_3 = qo_3e + qo_3f
     qo_3_right = qo_3 - qo_3e
-    qo_3e_lo = qo_3e_lo1 + (qo_3c_left_rest + product_rest(q1i_1, q2i_1, qo_3b, qo_3c_right))
+    qo_3e_lo = (qo_3c - (qo_3e - qo_3e_right) + product_rest(q1i_2, q2i_2, qo_3d, qo_3e_right)
+        + qo_3c_lo)
     qo_0_rounded = qo_0 + (qo_0c - (qo_0 - qo_0_right) + (qo_0f - qo_0_right) + qo_0f_lo + qo_0c_lo)
     qo_1_rounded = qo_1 + (qo_1c - (qo_1 - qo_1_right) + (qo_1f - qo_1_right) + qo_1f_lo + qo_1c_lo)
     qo_2_rounded = qo_2 + (qo_2c - (qo_2 - qo_2_right) + (qo_2f - qo_2_right) + qo_2f_lo + qo_2c_lo)
-    qo_3_lo = qo_3e - (qo_3 - qo_3_right) + product_rest(q1i_3, q2i_3, qo_3f, qo_3_right) + qo_3e_lo
-    qo_3_rounded = qo_3 + qo_3_lo
+    qo_3_rounded = (qo_3
+        + (qo_3e - (qo_3 - qo_3_right) + product_rest(q1i_3, q2i_3, qo_3f, qo_3_right) + qo_3e_lo))
     return (qo_0_rounded, qo_1_rounded, qo_2_rounded, qo_3_rounded)
 
 
@@ -921,62 +902,66 @@ def quaternion_product_qconjqconj(q1i, q2i):
     qo_0b = q1i_2 * q2i_1
     qo_0c = qo_0a - qo_0b
     qo_0c_right = qo_0a - qo_0c
-    qo_0c_left_rest = product_rest(q1i_1, q2i_2, qo_0a, qo_0c + qo_0c_right)
     qo_0d = q1i_0 * q2i_3
     qo_0e = qo_0c - qo_0d
     qo_0e_right = qo_0c - qo_0e
-    qo_0e_lo1 = qo_0c - (qo_0e + qo_0e_right) - product_rest(q1i_0, q2i_3, qo_0d, qo_0e_right)
+    qo_0c_lo = (product_rest(q1i_1, q2i_2, qo_0a, qo_0c + qo_0c_right)
+        - product_rest(q1i_2, q2i_1, qo_0b, qo_0c_right))
     qo_0f = q1i_3 * q2i_0
     qo_0 = qo_0e - qo_0f
     qo_0_right = qo_0e - qo_0
-    qo_0e_lo = qo_0e_lo1 + (qo_0c_left_rest - product_rest(q1i_2, q2i_1, qo_0b, qo_0c_right))
+    qo_0e_lo = (qo_0c - (qo_0e + qo_0e_right) - product_rest(q1i_0, q2i_3, qo_0d, qo_0e_right)
+        + qo_0c_lo)
     qo_1a = q1i_2 * q2i_0
     qo_1b = q1i_0 * q2i_2
     qo_1c = qo_1a - qo_1b
     qo_1c_right = qo_1a - qo_1c
-    qo_1c_left_rest = product_rest(q1i_2, q2i_0, qo_1a, qo_1c + qo_1c_right)
     qo_1d = q1i_1 * q2i_3
     qo_1e = qo_1c - qo_1d
     qo_1e_right = qo_1c - qo_1e
-    qo_1e_lo1 = qo_1c - (qo_1e + qo_1e_right) - product_rest(q1i_1, q2i_3, qo_1d, qo_1e_right)
+    qo_1c_lo = (product_rest(q1i_2, q2i_0, qo_1a, qo_1c + qo_1c_right)
+        - product_rest(q1i_0, q2i_2, qo_1b, qo_1c_right))
     qo_1f = q1i_3 * q2i_1
     qo_1 = qo_1e - qo_1f
     qo_1_right = qo_1e - qo_1
-    qo_1e_lo = qo_1e_lo1 + (qo_1c_left_rest - product_rest(q1i_0, q2i_2, qo_1b, qo_1c_right))
+    qo_1e_lo = (qo_1c - (qo_1e + qo_1e_right) - product_rest(q1i_1, q2i_3, qo_1d, qo_1e_right)
+        + qo_1c_lo)
     qo_2a = q1i_0 * q2i_1
     qo_2b = q1i_1 * q2i_0
     qo_2c = qo_2a - qo_2b
     qo_2c_right = qo_2a - qo_2c
-    qo_2c_left_rest = product_rest(q1i_0, q2i_1, qo_2a, qo_2c + qo_2c_right)
     qo_2d = q1i_2 * q2i_3
     qo_2e = qo_2c - qo_2d
     qo_2e_right = qo_2c - qo_2e
-    qo_2e_lo1 = qo_2c - (qo_2e + qo_2e_right) - product_rest(q1i_2, q2i_3, qo_2d, qo_2e_right)
+    qo_2c_lo = (product_rest(q1i_0, q2i_1, qo_2a, qo_2c + qo_2c_right)
+        - product_rest(q1i_1, q2i_0, qo_2b, qo_2c_right))
     qo_2f = q1i_3 * q2i_2
     qo_2 = qo_2e - qo_2f
     qo_2_right = qo_2e - qo_2
-    qo_2e_lo = qo_2e_lo1 + (qo_2c_left_rest - product_rest(q1i_1, q2i_0, qo_2b, qo_2c_right))
+    qo_2e_lo = (qo_2c - (qo_2e + qo_2e_right) - product_rest(q1i_2, q2i_3, qo_2d, qo_2e_right)
+        + qo_2c_lo)
     qo_3a = q1i_3 * q2i_3
     qo_3b = q1i_0 * q2i_0
     qo_3c = q1i_1 * q2i_1
     qo_3d = qo_3b + qo_3c
     qo_3d_right = qo_3d - qo_3b
-    qo_3d_left_rest = product_rest(q1i_0, q2i_0, qo_3b, qo_3d - qo_3d_right)
     qo_3e = q1i_2 * q2i_2
     qo_3f = qo_3d + qo_3e
     qo_3f_right = qo_3f - qo_3d
-    qo_3f_lo1 = qo_3d - (qo_3f - qo_3f_right) + product_rest(q1i_2, q2i_2, qo_3e, qo_3f_right)
+    qo_3d_lo = (product_rest(q1i_0, q2i_0, qo_3b, qo_3d - qo_3d_right)
+        + product_rest(q1i_1, q2i_1, qo_3c, qo_3d_right))
     qo_3 = qo_3a - qo_3f
     qo_3_right = qo_3a - qo_3
-    qo_3f_lo = qo_3f_lo1 + (qo_3d_left_rest + product_rest(q1i_1, q2i_1, qo_3c, qo_3d_right))
-    qo_0_lo = qo_0e - (qo_0 + qo_0_right) - product_rest(q1i_3, q2i_0, qo_0f, qo_0_right) + qo_0e_lo
-    qo_0_rounded = qo_0 + qo_0_lo
-    qo_1_lo = qo_1e - (qo_1 + qo_1_right) - product_rest(q1i_3, q2i_1, qo_1f, qo_1_right) + qo_1e_lo
-    qo_1_rounded = qo_1 + qo_1_lo
-    qo_2_lo = qo_2e - (qo_2 + qo_2_right) - product_rest(q1i_3, q2i_2, qo_2f, qo_2_right) + qo_2e_lo
-    qo_2_rounded = qo_2 + qo_2_lo
-    qo_3_lo = product_rest(q1i_3, q2i_3, qo_3a, qo_3 + qo_3_right) - (qo_3f - qo_3_right) - qo_3f_lo
-    qo_3_rounded = qo_3 + qo_3_lo
+    qo_3f_lo = (qo_3d - (qo_3f - qo_3f_right) + product_rest(q1i_2, q2i_2, qo_3e, qo_3f_right)
+        + qo_3d_lo)
+    qo_0_rounded = (qo_0
+        + (qo_0e - (qo_0 + qo_0_right) - product_rest(q1i_3, q2i_0, qo_0f, qo_0_right) + qo_0e_lo))
+    qo_1_rounded = (qo_1
+        + (qo_1e - (qo_1 + qo_1_right) - product_rest(q1i_3, q2i_1, qo_1f, qo_1_right) + qo_1e_lo))
+    qo_2_rounded = (qo_2
+        + (qo_2e - (qo_2 + qo_2_right) - product_rest(q1i_3, q2i_2, qo_2f, qo_2_right) + qo_2e_lo))
+    qo_3_rounded = (qo_3
+        + (product_rest(q1i_3, q2i_3, qo_3a, qo_3 + qo_3_right) - (qo_3f - qo_3_right) - qo_3f_lo))
     return (qo_0_rounded, qo_1_rounded, qo_2_rounded, qo_3_rounded)
 
 
@@ -994,26 +979,30 @@ def quaternion_product_qxq(dci, qi):
     qo_0b = dci_1 * qi_0
     qo_0 = qo_0a + qo_0b
     qo_0_right = qo_0 - qo_0a
-    qo_0_left_rest = product_rest(dci_0, qi_3, qo_0a, qo_0 - qo_0_right)
     qo_1a = dci_1 * qi_1
     qo_1b = dci_0 * qi_2
     qo_1 = qo_1a - qo_1b
     qo_1_right = qo_1a - qo_1
-    qo_1_left_rest = product_rest(dci_1, qi_1, qo_1a, qo_1 + qo_1_right)
     qo_2a = dci_0 * qi_1
     qo_2b = dci_1 * qi_2
     qo_2 = qo_2a + qo_2b
     qo_2_right = qo_2 - qo_2a
-    qo_2_left_rest = product_rest(dci_0, qi_1, qo_2a, qo_2 - qo_2_right)
     qo_3a = dci_1 * qi_3
     qo_3b = dci_0 * qi_0
     qo_3 = qo_3a - qo_3b
     qo_3_right = qo_3a - qo_3
-    qo_3_left_rest = product_rest(dci_1, qi_3, qo_3a, qo_3 + qo_3_right)
-    qo_0_rounded = qo_0 + (qo_0_left_rest + product_rest(dci_1, qi_0, qo_0b, qo_0_right))
-    qo_1_rounded = qo_1 + (qo_1_left_rest - product_rest(dci_0, qi_2, qo_1b, qo_1_right))
-    qo_2_rounded = qo_2 + (qo_2_left_rest + product_rest(dci_1, qi_2, qo_2b, qo_2_right))
-    qo_3_rounded = qo_3 + (qo_3_left_rest - product_rest(dci_0, qi_0, qo_3b, qo_3_right))
+    qo_0_rounded = (qo_0
+        + (product_rest(dci_0, qi_3, qo_0a, qo_0 - qo_0_right)
+        + product_rest(dci_1, qi_0, qo_0b, qo_0_right)))
+    qo_1_rounded = (qo_1
+        + (product_rest(dci_1, qi_1, qo_1a, qo_1 + qo_1_right)
+        - product_rest(dci_0, qi_2, qo_1b, qo_1_right)))
+    qo_2_rounded = (qo_2
+        + (product_rest(dci_0, qi_1, qo_2a, qo_2 - qo_2_right)
+        + product_rest(dci_1, qi_2, qo_2b, qo_2_right)))
+    qo_3_rounded = (qo_3
+        + (product_rest(dci_1, qi_3, qo_3a, qo_3 + qo_3_right)
+        - product_rest(dci_0, qi_0, qo_3b, qo_3_right)))
     return (qo_0_rounded, qo_1_rounded, qo_2_rounded, qo_3_rounded)
 
 
@@ -1031,27 +1020,31 @@ def quaternion_product_qxqconj(dci, qi):
     qo_0b = dci_1 * qi_0
     qo_0 = qo_0a - qo_0b
     qo_0_right = qo_0a - qo_0
-    qo_0_left_rest = product_rest(dci_0, qi_3, qo_0a, qo_0 + qo_0_right)
     qo_1a = dci_0 * qi_2
     qo_1b = dci_1 * qi_1
     qo_1 = qo_1a - qo_1b
     qo_1_right = qo_1a - qo_1
-    qo_1_left_rest = product_rest(dci_0, qi_2, qo_1a, qo_1 + qo_1_right)
     qo_2a = dci_0 * qi_1
     qo_2b = dci_1 * qi_2
     qo_2c = qo_2a + qo_2b
     qo_2c_right = qo_2c - qo_2a
-    qo_2c_left_rest = product_rest(dci_0, qi_1, qo_2a, qo_2c - qo_2c_right)
     qo_2 = -qo_2c
     qo_3a = dci_0 * qi_0
     qo_3b = dci_1 * qi_3
     qo_3 = qo_3a + qo_3b
     qo_3_right = qo_3 - qo_3a
-    qo_3_left_rest = product_rest(dci_0, qi_0, qo_3a, qo_3 - qo_3_right)
-    qo_0_rounded = qo_0 + (qo_0_left_rest - product_rest(dci_1, qi_0, qo_0b, qo_0_right))
-    qo_1_rounded = qo_1 + (qo_1_left_rest - product_rest(dci_1, qi_1, qo_1b, qo_1_right))
-    qo_2_rounded = qo_2 + -(qo_2c_left_rest + product_rest(dci_1, qi_2, qo_2b, qo_2c_right))
-    qo_3_rounded = qo_3 + (qo_3_left_rest + product_rest(dci_1, qi_3, qo_3b, qo_3_right))
+    qo_0_rounded = (qo_0
+        + (product_rest(dci_0, qi_3, qo_0a, qo_0 + qo_0_right)
+        - product_rest(dci_1, qi_0, qo_0b, qo_0_right)))
+    qo_1_rounded = (qo_1
+        + (product_rest(dci_0, qi_2, qo_1a, qo_1 + qo_1_right)
+        - product_rest(dci_1, qi_1, qo_1b, qo_1_right)))
+    qo_2_rounded = (qo_2 +
+        -(product_rest(dci_0, qi_1, qo_2a, qo_2c - qo_2c_right)
+        + product_rest(dci_1, qi_2, qo_2b, qo_2c_right)))
+    qo_3_rounded = (qo_3
+        + (product_rest(dci_0, qi_0, qo_3a, qo_3 - qo_3_right)
+        + product_rest(dci_1, qi_3, qo_3b, qo_3_right)))
     return (qo_0_rounded, qo_1_rounded, qo_2_rounded, qo_3_rounded)
 
 
@@ -1069,26 +1062,30 @@ def quaternion_product_qxconjq(dci, qi):
     qo_0b = dci_0 * qi_3
     qo_0 = qo_0a - qo_0b
     qo_0_right = qo_0a - qo_0
-    qo_0_left_rest = product_rest(dci_1, qi_0, qo_0a, qo_0 + qo_0_right)
     qo_1a = dci_0 * qi_2
     qo_1b = dci_1 * qi_1
     qo_1 = qo_1a + qo_1b
     qo_1_right = qo_1 - qo_1a
-    qo_1_left_rest = product_rest(dci_0, qi_2, qo_1a, qo_1 - qo_1_right)
     qo_2a = dci_1 * qi_2
     qo_2b = dci_0 * qi_1
     qo_2 = qo_2a - qo_2b
     qo_2_right = qo_2a - qo_2
-    qo_2_left_rest = product_rest(dci_1, qi_2, qo_2a, qo_2 + qo_2_right)
     qo_3a = dci_0 * qi_0
     qo_3b = dci_1 * qi_3
     qo_3 = qo_3a + qo_3b
     qo_3_right = qo_3 - qo_3a
-    qo_3_left_rest = product_rest(dci_0, qi_0, qo_3a, qo_3 - qo_3_right)
-    qo_0_rounded = qo_0 + (qo_0_left_rest - product_rest(dci_0, qi_3, qo_0b, qo_0_right))
-    qo_1_rounded = qo_1 + (qo_1_left_rest + product_rest(dci_1, qi_1, qo_1b, qo_1_right))
-    qo_2_rounded = qo_2 + (qo_2_left_rest - product_rest(dci_0, qi_1, qo_2b, qo_2_right))
-    qo_3_rounded = qo_3 + (qo_3_left_rest + product_rest(dci_1, qi_3, qo_3b, qo_3_right))
+    qo_0_rounded = (qo_0
+        + (product_rest(dci_1, qi_0, qo_0a, qo_0 + qo_0_right)
+        - product_rest(dci_0, qi_3, qo_0b, qo_0_right)))
+    qo_1_rounded = (qo_1
+        + (product_rest(dci_0, qi_2, qo_1a, qo_1 - qo_1_right)
+        + product_rest(dci_1, qi_1, qo_1b, qo_1_right)))
+    qo_2_rounded = (qo_2
+        + (product_rest(dci_1, qi_2, qo_2a, qo_2 + qo_2_right)
+        - product_rest(dci_0, qi_1, qo_2b, qo_2_right)))
+    qo_3_rounded = (qo_3
+        + (product_rest(dci_0, qi_0, qo_3a, qo_3 - qo_3_right)
+        + product_rest(dci_1, qi_3, qo_3b, qo_3_right)))
     return (qo_0_rounded, qo_1_rounded, qo_2_rounded, qo_3_rounded)
 
 
@@ -1106,28 +1103,32 @@ def quaternion_product_qxconjqconj(dci, qi):
     qo_0b = dci_1 * qi_0
     qo_0c = qo_0a + qo_0b
     qo_0c_right = qo_0c - qo_0a
-    qo_0c_left_rest = product_rest(dci_0, qi_3, qo_0a, qo_0c - qo_0c_right)
     qo_0 = -qo_0c
     qo_1a = dci_0 * qi_2
     qo_1b = dci_1 * qi_1
     qo_1c = qo_1a + qo_1b
     qo_1c_right = qo_1c - qo_1a
-    qo_1c_left_rest = product_rest(dci_0, qi_2, qo_1a, qo_1c - qo_1c_right)
     qo_1 = -qo_1c
     qo_2a = dci_0 * qi_1
     qo_2b = dci_1 * qi_2
     qo_2 = qo_2a - qo_2b
     qo_2_right = qo_2a - qo_2
-    qo_2_left_rest = product_rest(dci_0, qi_1, qo_2a, qo_2 + qo_2_right)
     qo_3a = dci_1 * qi_3
     qo_3b = dci_0 * qi_0
     qo_3 = qo_3a - qo_3b
     qo_3_right = qo_3a - qo_3
-    qo_3_left_rest = product_rest(dci_1, qi_3, qo_3a, qo_3 + qo_3_right)
-    qo_0_rounded = qo_0 + -(qo_0c_left_rest + product_rest(dci_1, qi_0, qo_0b, qo_0c_right))
-    qo_1_rounded = qo_1 + -(qo_1c_left_rest + product_rest(dci_1, qi_1, qo_1b, qo_1c_right))
-    qo_2_rounded = qo_2 + (qo_2_left_rest - product_rest(dci_1, qi_2, qo_2b, qo_2_right))
-    qo_3_rounded = qo_3 + (qo_3_left_rest - product_rest(dci_0, qi_0, qo_3b, qo_3_right))
+    qo_0_rounded = (qo_0 +
+        -(product_rest(dci_0, qi_3, qo_0a, qo_0c - qo_0c_right)
+        + product_rest(dci_1, qi_0, qo_0b, qo_0c_right)))
+    qo_1_rounded = (qo_1 +
+        -(product_rest(dci_0, qi_2, qo_1a, qo_1c - qo_1c_right)
+        + product_rest(dci_1, qi_1, qo_1b, qo_1c_right)))
+    qo_2_rounded = (qo_2
+        + (product_rest(dci_0, qi_1, qo_2a, qo_2 + qo_2_right)
+        - product_rest(dci_1, qi_2, qo_2b, qo_2_right)))
+    qo_3_rounded = (qo_3
+        + (product_rest(dci_1, qi_3, qo_3a, qo_3 + qo_3_right)
+        - product_rest(dci_0, qi_0, qo_3b, qo_3_right)))
     return (qo_0_rounded, qo_1_rounded, qo_2_rounded, qo_3_rounded)
 
 
@@ -1145,26 +1146,30 @@ def quaternion_product_qqx(qi, dci):
     qo_0b = qi_3 * dci_0
     qo_0 = qo_0a + qo_0b
     qo_0_right = qo_0 - qo_0a
-    qo_0_left_rest = product_rest(qi_0, dci_1, qo_0a, qo_0 - qo_0_right)
     qo_1a = qi_1 * dci_1
     qo_1b = qi_2 * dci_0
     qo_1 = qo_1a + qo_1b
     qo_1_right = qo_1 - qo_1a
-    qo_1_left_rest = product_rest(qi_1, dci_1, qo_1a, qo_1 - qo_1_right)
     qo_2a = qi_2 * dci_1
     qo_2b = qi_1 * dci_0
     qo_2 = qo_2a - qo_2b
     qo_2_right = qo_2a - qo_2
-    qo_2_left_rest = product_rest(qi_2, dci_1, qo_2a, qo_2 + qo_2_right)
     qo_3a = qi_3 * dci_1
     qo_3b = qi_0 * dci_0
     qo_3 = qo_3a - qo_3b
     qo_3_right = qo_3a - qo_3
-    qo_3_left_rest = product_rest(qi_3, dci_1, qo_3a, qo_3 + qo_3_right)
-    qo_0_rounded = qo_0 + (qo_0_left_rest + product_rest(qi_3, dci_0, qo_0b, qo_0_right))
-    qo_1_rounded = qo_1 + (qo_1_left_rest + product_rest(qi_2, dci_0, qo_1b, qo_1_right))
-    qo_2_rounded = qo_2 + (qo_2_left_rest - product_rest(qi_1, dci_0, qo_2b, qo_2_right))
-    qo_3_rounded = qo_3 + (qo_3_left_rest - product_rest(qi_0, dci_0, qo_3b, qo_3_right))
+    qo_0_rounded = (qo_0
+        + (product_rest(qi_0, dci_1, qo_0a, qo_0 - qo_0_right)
+        + product_rest(qi_3, dci_0, qo_0b, qo_0_right)))
+    qo_1_rounded = (qo_1
+        + (product_rest(qi_1, dci_1, qo_1a, qo_1 - qo_1_right)
+        + product_rest(qi_2, dci_0, qo_1b, qo_1_right)))
+    qo_2_rounded = (qo_2
+        + (product_rest(qi_2, dci_1, qo_2a, qo_2 + qo_2_right)
+        - product_rest(qi_1, dci_0, qo_2b, qo_2_right)))
+    qo_3_rounded = (qo_3
+        + (product_rest(qi_3, dci_1, qo_3a, qo_3 + qo_3_right)
+        - product_rest(qi_0, dci_0, qo_3b, qo_3_right)))
     return (qo_0_rounded, qo_1_rounded, qo_2_rounded, qo_3_rounded)
 
 
@@ -1182,26 +1187,30 @@ def quaternion_product_qqxconj(qi, dci):
     qo_0b = qi_3 * dci_0
     qo_0 = qo_0a - qo_0b
     qo_0_right = qo_0a - qo_0
-    qo_0_left_rest = product_rest(qi_0, dci_1, qo_0a, qo_0 + qo_0_right)
     qo_1a = qi_1 * dci_1
     qo_1b = qi_2 * dci_0
     qo_1 = qo_1a - qo_1b
     qo_1_right = qo_1a - qo_1
-    qo_1_left_rest = product_rest(qi_1, dci_1, qo_1a, qo_1 + qo_1_right)
     qo_2a = qi_1 * dci_0
     qo_2b = qi_2 * dci_1
     qo_2 = qo_2a + qo_2b
     qo_2_right = qo_2 - qo_2a
-    qo_2_left_rest = product_rest(qi_1, dci_0, qo_2a, qo_2 - qo_2_right)
     qo_3a = qi_0 * dci_0
     qo_3b = qi_3 * dci_1
     qo_3 = qo_3a + qo_3b
     qo_3_right = qo_3 - qo_3a
-    qo_3_left_rest = product_rest(qi_0, dci_0, qo_3a, qo_3 - qo_3_right)
-    qo_0_rounded = qo_0 + (qo_0_left_rest - product_rest(qi_3, dci_0, qo_0b, qo_0_right))
-    qo_1_rounded = qo_1 + (qo_1_left_rest - product_rest(qi_2, dci_0, qo_1b, qo_1_right))
-    qo_2_rounded = qo_2 + (qo_2_left_rest + product_rest(qi_2, dci_1, qo_2b, qo_2_right))
-    qo_3_rounded = qo_3 + (qo_3_left_rest + product_rest(qi_3, dci_1, qo_3b, qo_3_right))
+    qo_0_rounded = (qo_0
+        + (product_rest(qi_0, dci_1, qo_0a, qo_0 + qo_0_right)
+        - product_rest(qi_3, dci_0, qo_0b, qo_0_right)))
+    qo_1_rounded = (qo_1
+        + (product_rest(qi_1, dci_1, qo_1a, qo_1 + qo_1_right)
+        - product_rest(qi_2, dci_0, qo_1b, qo_1_right)))
+    qo_2_rounded = (qo_2
+        + (product_rest(qi_1, dci_0, qo_2a, qo_2 - qo_2_right)
+        + product_rest(qi_2, dci_1, qo_2b, qo_2_right)))
+    qo_3_rounded = (qo_3
+        + (product_rest(qi_0, dci_0, qo_3a, qo_3 - qo_3_right)
+        + product_rest(qi_3, dci_1, qo_3b, qo_3_right)))
     return (qo_0_rounded, qo_1_rounded, qo_2_rounded, qo_3_rounded)
 
 
@@ -1219,27 +1228,31 @@ def quaternion_product_qconjqx(qi, dci):
     qo_0b = qi_0 * dci_1
     qo_0 = qo_0a - qo_0b
     qo_0_right = qo_0a - qo_0
-    qo_0_left_rest = product_rest(qi_3, dci_0, qo_0a, qo_0 + qo_0_right)
     qo_1a = qi_1 * dci_1
     qo_1b = qi_2 * dci_0
     qo_1c = qo_1a + qo_1b
     qo_1c_right = qo_1c - qo_1a
-    qo_1c_left_rest = product_rest(qi_1, dci_1, qo_1a, qo_1c - qo_1c_right)
     qo_1 = -qo_1c
     qo_2a = qi_1 * dci_0
     qo_2b = qi_2 * dci_1
     qo_2 = qo_2a - qo_2b
     qo_2_right = qo_2a - qo_2
-    qo_2_left_rest = product_rest(qi_1, dci_0, qo_2a, qo_2 + qo_2_right)
     qo_3a = qi_0 * dci_0
     qo_3b = qi_3 * dci_1
     qo_3 = qo_3a + qo_3b
     qo_3_right = qo_3 - qo_3a
-    qo_3_left_rest = product_rest(qi_0, dci_0, qo_3a, qo_3 - qo_3_right)
-    qo_0_rounded = qo_0 + (qo_0_left_rest - product_rest(qi_0, dci_1, qo_0b, qo_0_right))
-    qo_1_rounded = qo_1 + -(qo_1c_left_rest + product_rest(qi_2, dci_0, qo_1b, qo_1c_right))
-    qo_2_rounded = qo_2 + (qo_2_left_rest - product_rest(qi_2, dci_1, qo_2b, qo_2_right))
-    qo_3_rounded = qo_3 + (qo_3_left_rest + product_rest(qi_3, dci_1, qo_3b, qo_3_right))
+    qo_0_rounded = (qo_0
+        + (product_rest(qi_3, dci_0, qo_0a, qo_0 + qo_0_right)
+        - product_rest(qi_0, dci_1, qo_0b, qo_0_right)))
+    qo_1_rounded = (qo_1 +
+        -(product_rest(qi_1, dci_1, qo_1a, qo_1c - qo_1c_right)
+        + product_rest(qi_2, dci_0, qo_1b, qo_1c_right)))
+    qo_2_rounded = (qo_2
+        + (product_rest(qi_1, dci_0, qo_2a, qo_2 + qo_2_right)
+        - product_rest(qi_2, dci_1, qo_2b, qo_2_right)))
+    qo_3_rounded = (qo_3
+        + (product_rest(qi_0, dci_0, qo_3a, qo_3 - qo_3_right)
+        + product_rest(qi_3, dci_1, qo_3b, qo_3_right)))
     return (qo_0_rounded, qo_1_rounded, qo_2_rounded, qo_3_rounded)
 
 
@@ -1257,28 +1270,32 @@ def quaternion_product_qconjqxconj(qi, dci):
     qo_0b = qi_3 * dci_0
     qo_0c = qo_0a + qo_0b
     qo_0c_right = qo_0c - qo_0a
-    qo_0c_left_rest = product_rest(qi_0, dci_1, qo_0a, qo_0c - qo_0c_right)
     qo_0 = -qo_0c
     qo_1a = qi_2 * dci_0
     qo_1b = qi_1 * dci_1
     qo_1 = qo_1a - qo_1b
     qo_1_right = qo_1a - qo_1
-    qo_1_left_rest = product_rest(qi_2, dci_0, qo_1a, qo_1 + qo_1_right)
     qo_2a = qi_1 * dci_0
     qo_2b = qi_2 * dci_1
     qo_2c = qo_2a + qo_2b
     qo_2c_right = qo_2c - qo_2a
-    qo_2c_left_rest = product_rest(qi_1, dci_0, qo_2a, qo_2c - qo_2c_right)
     qo_2 = -qo_2c
     qo_3a = qi_3 * dci_1
     qo_3b = qi_0 * dci_0
     qo_3 = qo_3a - qo_3b
     qo_3_right = qo_3a - qo_3
-    qo_3_left_rest = product_rest(qi_3, dci_1, qo_3a, qo_3 + qo_3_right)
-    qo_0_rounded = qo_0 + -(qo_0c_left_rest + product_rest(qi_3, dci_0, qo_0b, qo_0c_right))
-    qo_1_rounded = qo_1 + (qo_1_left_rest - product_rest(qi_1, dci_1, qo_1b, qo_1_right))
-    qo_2_rounded = qo_2 + -(qo_2c_left_rest + product_rest(qi_2, dci_1, qo_2b, qo_2c_right))
-    qo_3_rounded = qo_3 + (qo_3_left_rest - product_rest(qi_0, dci_0, qo_3b, qo_3_right))
+    qo_0_rounded = (qo_0 +
+        -(product_rest(qi_0, dci_1, qo_0a, qo_0c - qo_0c_right)
+        + product_rest(qi_3, dci_0, qo_0b, qo_0c_right)))
+    qo_1_rounded = (qo_1
+        + (product_rest(qi_2, dci_0, qo_1a, qo_1 + qo_1_right)
+        - product_rest(qi_1, dci_1, qo_1b, qo_1_right)))
+    qo_2_rounded = (qo_2 +
+        -(product_rest(qi_1, dci_0, qo_2a, qo_2c - qo_2c_right)
+        + product_rest(qi_2, dci_1, qo_2b, qo_2c_right)))
+    qo_3_rounded = (qo_3
+        + (product_rest(qi_3, dci_1, qo_3a, qo_3 + qo_3_right)
+        - product_rest(qi_0, dci_0, qo_3b, qo_3_right)))
     return (qo_0_rounded, qo_1_rounded, qo_2_rounded, qo_3_rounded)
 
 
@@ -1296,26 +1313,30 @@ def quaternion_product_qyq(dci, qi):
     qo_0b = dci_1 * qi_0
     qo_0 = qo_0a + qo_0b
     qo_0_right = qo_0 - qo_0a
-    qo_0_left_rest = product_rest(dci_0, qi_2, qo_0a, qo_0 - qo_0_right)
     qo_1a = dci_0 * qi_3
     qo_1b = dci_1 * qi_1
     qo_1 = qo_1a + qo_1b
     qo_1_right = qo_1 - qo_1a
-    qo_1_left_rest = product_rest(dci_0, qi_3, qo_1a, qo_1 - qo_1_right)
     qo_2a = dci_1 * qi_2
     qo_2b = dci_0 * qi_0
     qo_2 = qo_2a - qo_2b
     qo_2_right = qo_2a - qo_2
-    qo_2_left_rest = product_rest(dci_1, qi_2, qo_2a, qo_2 + qo_2_right)
     qo_3a = dci_1 * qi_3
     qo_3b = dci_0 * qi_1
     qo_3 = qo_3a - qo_3b
     qo_3_right = qo_3a - qo_3
-    qo_3_left_rest = product_rest(dci_1, qi_3, qo_3a, qo_3 + qo_3_right)
-    qo_0_rounded = qo_0 + (qo_0_left_rest + product_rest(dci_1, qi_0, qo_0b, qo_0_right))
-    qo_1_rounded = qo_1 + (qo_1_left_rest + product_rest(dci_1, qi_1, qo_1b, qo_1_right))
-    qo_2_rounded = qo_2 + (qo_2_left_rest - product_rest(dci_0, qi_0, qo_2b, qo_2_right))
-    qo_3_rounded = qo_3 + (qo_3_left_rest - product_rest(dci_0, qi_1, qo_3b, qo_3_right))
+    qo_0_rounded = (qo_0
+        + (product_rest(dci_0, qi_2, qo_0a, qo_0 - qo_0_right)
+        + product_rest(dci_1, qi_0, qo_0b, qo_0_right)))
+    qo_1_rounded = (qo_1
+        + (product_rest(dci_0, qi_3, qo_1a, qo_1 - qo_1_right)
+        + product_rest(dci_1, qi_1, qo_1b, qo_1_right)))
+    qo_2_rounded = (qo_2
+        + (product_rest(dci_1, qi_2, qo_2a, qo_2 + qo_2_right)
+        - product_rest(dci_0, qi_0, qo_2b, qo_2_right)))
+    qo_3_rounded = (qo_3
+        + (product_rest(dci_1, qi_3, qo_3a, qo_3 + qo_3_right)
+        - product_rest(dci_0, qi_1, qo_3b, qo_3_right)))
     return (qo_0_rounded, qo_1_rounded, qo_2_rounded, qo_3_rounded)
 
 
@@ -1333,27 +1354,31 @@ def quaternion_product_qyqconj(dci, qi):
     qo_0b = dci_1 * qi_0
     qo_0c = qo_0a + qo_0b
     qo_0c_right = qo_0c - qo_0a
-    qo_0c_left_rest = product_rest(dci_0, qi_2, qo_0a, qo_0c - qo_0c_right)
     qo_0 = -qo_0c
     qo_1a = dci_0 * qi_3
     qo_1b = dci_1 * qi_1
     qo_1 = qo_1a - qo_1b
     qo_1_right = qo_1a - qo_1
-    qo_1_left_rest = product_rest(dci_0, qi_3, qo_1a, qo_1 + qo_1_right)
     qo_2a = dci_0 * qi_0
     qo_2b = dci_1 * qi_2
     qo_2 = qo_2a - qo_2b
     qo_2_right = qo_2a - qo_2
-    qo_2_left_rest = product_rest(dci_0, qi_0, qo_2a, qo_2 + qo_2_right)
     qo_3a = dci_0 * qi_1
     qo_3b = dci_1 * qi_3
     qo_3 = qo_3a + qo_3b
     qo_3_right = qo_3 - qo_3a
-    qo_3_left_rest = product_rest(dci_0, qi_1, qo_3a, qo_3 - qo_3_right)
-    qo_0_rounded = qo_0 + -(qo_0c_left_rest + product_rest(dci_1, qi_0, qo_0b, qo_0c_right))
-    qo_1_rounded = qo_1 + (qo_1_left_rest - product_rest(dci_1, qi_1, qo_1b, qo_1_right))
-    qo_2_rounded = qo_2 + (qo_2_left_rest - product_rest(dci_1, qi_2, qo_2b, qo_2_right))
-    qo_3_rounded = qo_3 + (qo_3_left_rest + product_rest(dci_1, qi_3, qo_3b, qo_3_right))
+    qo_0_rounded = (qo_0 +
+        -(product_rest(dci_0, qi_2, qo_0a, qo_0c - qo_0c_right)
+        + product_rest(dci_1, qi_0, qo_0b, qo_0c_right)))
+    qo_1_rounded = (qo_1
+        + (product_rest(dci_0, qi_3, qo_1a, qo_1 + qo_1_right)
+        - product_rest(dci_1, qi_1, qo_1b, qo_1_right)))
+    qo_2_rounded = (qo_2
+        + (product_rest(dci_0, qi_0, qo_2a, qo_2 + qo_2_right)
+        - product_rest(dci_1, qi_2, qo_2b, qo_2_right)))
+    qo_3_rounded = (qo_3
+        + (product_rest(dci_0, qi_1, qo_3a, qo_3 - qo_3_right)
+        + product_rest(dci_1, qi_3, qo_3b, qo_3_right)))
     return (qo_0_rounded, qo_1_rounded, qo_2_rounded, qo_3_rounded)
 
 
@@ -1371,26 +1396,30 @@ def quaternion_product_qyconjq(dci, qi):
     qo_0b = dci_0 * qi_2
     qo_0 = qo_0a - qo_0b
     qo_0_right = qo_0a - qo_0
-    qo_0_left_rest = product_rest(dci_1, qi_0, qo_0a, qo_0 + qo_0_right)
     qo_1a = dci_1 * qi_1
     qo_1b = dci_0 * qi_3
     qo_1 = qo_1a - qo_1b
     qo_1_right = qo_1a - qo_1
-    qo_1_left_rest = product_rest(dci_1, qi_1, qo_1a, qo_1 + qo_1_right)
     qo_2a = dci_0 * qi_0
     qo_2b = dci_1 * qi_2
     qo_2 = qo_2a + qo_2b
     qo_2_right = qo_2 - qo_2a
-    qo_2_left_rest = product_rest(dci_0, qi_0, qo_2a, qo_2 - qo_2_right)
     qo_3a = dci_0 * qi_1
     qo_3b = dci_1 * qi_3
     qo_3 = qo_3a + qo_3b
     qo_3_right = qo_3 - qo_3a
-    qo_3_left_rest = product_rest(dci_0, qi_1, qo_3a, qo_3 - qo_3_right)
-    qo_0_rounded = qo_0 + (qo_0_left_rest - product_rest(dci_0, qi_2, qo_0b, qo_0_right))
-    qo_1_rounded = qo_1 + (qo_1_left_rest - product_rest(dci_0, qi_3, qo_1b, qo_1_right))
-    qo_2_rounded = qo_2 + (qo_2_left_rest + product_rest(dci_1, qi_2, qo_2b, qo_2_right))
-    qo_3_rounded = qo_3 + (qo_3_left_rest + product_rest(dci_1, qi_3, qo_3b, qo_3_right))
+    qo_0_rounded = (qo_0
+        + (product_rest(dci_1, qi_0, qo_0a, qo_0 + qo_0_right)
+        - product_rest(dci_0, qi_2, qo_0b, qo_0_right)))
+    qo_1_rounded = (qo_1
+        + (product_rest(dci_1, qi_1, qo_1a, qo_1 + qo_1_right)
+        - product_rest(dci_0, qi_3, qo_1b, qo_1_right)))
+    qo_2_rounded = (qo_2
+        + (product_rest(dci_0, qi_0, qo_2a, qo_2 - qo_2_right)
+        + product_rest(dci_1, qi_2, qo_2b, qo_2_right)))
+    qo_3_rounded = (qo_3
+        + (product_rest(dci_0, qi_1, qo_3a, qo_3 - qo_3_right)
+        + product_rest(dci_1, qi_3, qo_3b, qo_3_right)))
     return (qo_0_rounded, qo_1_rounded, qo_2_rounded, qo_3_rounded)
 
 
@@ -1408,28 +1437,32 @@ def quaternion_product_qyconjqconj(dci, qi):
     qo_0b = dci_1 * qi_0
     qo_0 = qo_0a - qo_0b
     qo_0_right = qo_0a - qo_0
-    qo_0_left_rest = product_rest(dci_0, qi_2, qo_0a, qo_0 + qo_0_right)
     qo_1a = dci_0 * qi_3
     qo_1b = dci_1 * qi_1
     qo_1c = qo_1a + qo_1b
     qo_1c_right = qo_1c - qo_1a
-    qo_1c_left_rest = product_rest(dci_0, qi_3, qo_1a, qo_1c - qo_1c_right)
     qo_1 = -qo_1c
     qo_2a = dci_0 * qi_0
     qo_2b = dci_1 * qi_2
     qo_2c = qo_2a + qo_2b
     qo_2c_right = qo_2c - qo_2a
-    qo_2c_left_rest = product_rest(dci_0, qi_0, qo_2a, qo_2c - qo_2c_right)
     qo_2 = -qo_2c
     qo_3a = dci_1 * qi_3
     qo_3b = dci_0 * qi_1
     qo_3 = qo_3a - qo_3b
     qo_3_right = qo_3a - qo_3
-    qo_3_left_rest = product_rest(dci_1, qi_3, qo_3a, qo_3 + qo_3_right)
-    qo_0_rounded = qo_0 + (qo_0_left_rest - product_rest(dci_1, qi_0, qo_0b, qo_0_right))
-    qo_1_rounded = qo_1 + -(qo_1c_left_rest + product_rest(dci_1, qi_1, qo_1b, qo_1c_right))
-    qo_2_rounded = qo_2 + -(qo_2c_left_rest + product_rest(dci_1, qi_2, qo_2b, qo_2c_right))
-    qo_3_rounded = qo_3 + (qo_3_left_rest - product_rest(dci_0, qi_1, qo_3b, qo_3_right))
+    qo_0_rounded = (qo_0
+        + (product_rest(dci_0, qi_2, qo_0a, qo_0 + qo_0_right)
+        - product_rest(dci_1, qi_0, qo_0b, qo_0_right)))
+    qo_1_rounded = (qo_1 +
+        -(product_rest(dci_0, qi_3, qo_1a, qo_1c - qo_1c_right)
+        + product_rest(dci_1, qi_1, qo_1b, qo_1c_right)))
+    qo_2_rounded = (qo_2 +
+        -(product_rest(dci_0, qi_0, qo_2a, qo_2c - qo_2c_right)
+        + product_rest(dci_1, qi_2, qo_2b, qo_2c_right)))
+    qo_3_rounded = (qo_3
+        + (product_rest(dci_1, qi_3, qo_3a, qo_3 + qo_3_right)
+        - product_rest(dci_0, qi_1, qo_3b, qo_3_right)))
     return (qo_0_rounded, qo_1_rounded, qo_2_rounded, qo_3_rounded)
 
 
@@ -1447,26 +1480,30 @@ def quaternion_product_qqy(qi, dci):
     qo_0b = qi_2 * dci_0
     qo_0 = qo_0a - qo_0b
     qo_0_right = qo_0a - qo_0
-    qo_0_left_rest = product_rest(qi_0, dci_1, qo_0a, qo_0 + qo_0_right)
     qo_1a = qi_1 * dci_1
     qo_1b = qi_3 * dci_0
     qo_1 = qo_1a + qo_1b
     qo_1_right = qo_1 - qo_1a
-    qo_1_left_rest = product_rest(qi_1, dci_1, qo_1a, qo_1 - qo_1_right)
     qo_2a = qi_0 * dci_0
     qo_2b = qi_2 * dci_1
     qo_2 = qo_2a + qo_2b
     qo_2_right = qo_2 - qo_2a
-    qo_2_left_rest = product_rest(qi_0, dci_0, qo_2a, qo_2 - qo_2_right)
     qo_3a = qi_3 * dci_1
     qo_3b = qi_1 * dci_0
     qo_3 = qo_3a - qo_3b
     qo_3_right = qo_3a - qo_3
-    qo_3_left_rest = product_rest(qi_3, dci_1, qo_3a, qo_3 + qo_3_right)
-    qo_0_rounded = qo_0 + (qo_0_left_rest - product_rest(qi_2, dci_0, qo_0b, qo_0_right))
-    qo_1_rounded = qo_1 + (qo_1_left_rest + product_rest(qi_3, dci_0, qo_1b, qo_1_right))
-    qo_2_rounded = qo_2 + (qo_2_left_rest + product_rest(qi_2, dci_1, qo_2b, qo_2_right))
-    qo_3_rounded = qo_3 + (qo_3_left_rest - product_rest(qi_1, dci_0, qo_3b, qo_3_right))
+    qo_0_rounded = (qo_0
+        + (product_rest(qi_0, dci_1, qo_0a, qo_0 + qo_0_right)
+        - product_rest(qi_2, dci_0, qo_0b, qo_0_right)))
+    qo_1_rounded = (qo_1
+        + (product_rest(qi_1, dci_1, qo_1a, qo_1 - qo_1_right)
+        + product_rest(qi_3, dci_0, qo_1b, qo_1_right)))
+    qo_2_rounded = (qo_2
+        + (product_rest(qi_0, dci_0, qo_2a, qo_2 - qo_2_right)
+        + product_rest(qi_2, dci_1, qo_2b, qo_2_right)))
+    qo_3_rounded = (qo_3
+        + (product_rest(qi_3, dci_1, qo_3a, qo_3 + qo_3_right)
+        - product_rest(qi_1, dci_0, qo_3b, qo_3_right)))
     return (qo_0_rounded, qo_1_rounded, qo_2_rounded, qo_3_rounded)
 
 
@@ -1484,26 +1521,30 @@ def quaternion_product_qqyconj(qi, dci):
     qo_0b = qi_2 * dci_0
     qo_0 = qo_0a + qo_0b
     qo_0_right = qo_0 - qo_0a
-    qo_0_left_rest = product_rest(qi_0, dci_1, qo_0a, qo_0 - qo_0_right)
     qo_1a = qi_1 * dci_1
     qo_1b = qi_3 * dci_0
     qo_1 = qo_1a - qo_1b
     qo_1_right = qo_1a - qo_1
-    qo_1_left_rest = product_rest(qi_1, dci_1, qo_1a, qo_1 + qo_1_right)
     qo_2a = qi_2 * dci_1
     qo_2b = qi_0 * dci_0
     qo_2 = qo_2a - qo_2b
     qo_2_right = qo_2a - qo_2
-    qo_2_left_rest = product_rest(qi_2, dci_1, qo_2a, qo_2 + qo_2_right)
     qo_3a = qi_1 * dci_0
     qo_3b = qi_3 * dci_1
     qo_3 = qo_3a + qo_3b
     qo_3_right = qo_3 - qo_3a
-    qo_3_left_rest = product_rest(qi_1, dci_0, qo_3a, qo_3 - qo_3_right)
-    qo_0_rounded = qo_0 + (qo_0_left_rest + product_rest(qi_2, dci_0, qo_0b, qo_0_right))
-    qo_1_rounded = qo_1 + (qo_1_left_rest - product_rest(qi_3, dci_0, qo_1b, qo_1_right))
-    qo_2_rounded = qo_2 + (qo_2_left_rest - product_rest(qi_0, dci_0, qo_2b, qo_2_right))
-    qo_3_rounded = qo_3 + (qo_3_left_rest + product_rest(qi_3, dci_1, qo_3b, qo_3_right))
+    qo_0_rounded = (qo_0
+        + (product_rest(qi_0, dci_1, qo_0a, qo_0 - qo_0_right)
+        + product_rest(qi_2, dci_0, qo_0b, qo_0_right)))
+    qo_1_rounded = (qo_1
+        + (product_rest(qi_1, dci_1, qo_1a, qo_1 + qo_1_right)
+        - product_rest(qi_3, dci_0, qo_1b, qo_1_right)))
+    qo_2_rounded = (qo_2
+        + (product_rest(qi_2, dci_1, qo_2a, qo_2 + qo_2_right)
+        - product_rest(qi_0, dci_0, qo_2b, qo_2_right)))
+    qo_3_rounded = (qo_3
+        + (product_rest(qi_1, dci_0, qo_3a, qo_3 - qo_3_right)
+        + product_rest(qi_3, dci_1, qo_3b, qo_3_right)))
     return (qo_0_rounded, qo_1_rounded, qo_2_rounded, qo_3_rounded)
 
 
@@ -1521,27 +1562,31 @@ def quaternion_product_qconjqy(qi, dci):
     qo_0b = qi_0 * dci_1
     qo_0 = qo_0a - qo_0b
     qo_0_right = qo_0a - qo_0
-    qo_0_left_rest = product_rest(qi_2, dci_0, qo_0a, qo_0 + qo_0_right)
     qo_1a = qi_3 * dci_0
     qo_1b = qi_1 * dci_1
     qo_1 = qo_1a - qo_1b
     qo_1_right = qo_1a - qo_1
-    qo_1_left_rest = product_rest(qi_3, dci_0, qo_1a, qo_1 + qo_1_right)
     qo_2a = qi_0 * dci_0
     qo_2b = qi_2 * dci_1
     qo_2c = qo_2a + qo_2b
     qo_2c_right = qo_2c - qo_2a
-    qo_2c_left_rest = product_rest(qi_0, dci_0, qo_2a, qo_2c - qo_2c_right)
     qo_2 = -qo_2c
     qo_3a = qi_1 * dci_0
     qo_3b = qi_3 * dci_1
     qo_3 = qo_3a + qo_3b
     qo_3_right = qo_3 - qo_3a
-    qo_3_left_rest = product_rest(qi_1, dci_0, qo_3a, qo_3 - qo_3_right)
-    qo_0_rounded = qo_0 + (qo_0_left_rest - product_rest(qi_0, dci_1, qo_0b, qo_0_right))
-    qo_1_rounded = qo_1 + (qo_1_left_rest - product_rest(qi_1, dci_1, qo_1b, qo_1_right))
-    qo_2_rounded = qo_2 + -(qo_2c_left_rest + product_rest(qi_2, dci_1, qo_2b, qo_2c_right))
-    qo_3_rounded = qo_3 + (qo_3_left_rest + product_rest(qi_3, dci_1, qo_3b, qo_3_right))
+    qo_0_rounded = (qo_0
+        + (product_rest(qi_2, dci_0, qo_0a, qo_0 + qo_0_right)
+        - product_rest(qi_0, dci_1, qo_0b, qo_0_right)))
+    qo_1_rounded = (qo_1
+        + (product_rest(qi_3, dci_0, qo_1a, qo_1 + qo_1_right)
+        - product_rest(qi_1, dci_1, qo_1b, qo_1_right)))
+    qo_2_rounded = (qo_2 +
+        -(product_rest(qi_0, dci_0, qo_2a, qo_2c - qo_2c_right)
+        + product_rest(qi_2, dci_1, qo_2b, qo_2c_right)))
+    qo_3_rounded = (qo_3
+        + (product_rest(qi_1, dci_0, qo_3a, qo_3 - qo_3_right)
+        + product_rest(qi_3, dci_1, qo_3b, qo_3_right)))
     return (qo_0_rounded, qo_1_rounded, qo_2_rounded, qo_3_rounded)
 
 
@@ -1559,28 +1604,32 @@ def quaternion_product_qconjqyconj(qi, dci):
     qo_0b = qi_2 * dci_0
     qo_0c = qo_0a + qo_0b
     qo_0c_right = qo_0c - qo_0a
-    qo_0c_left_rest = product_rest(qi_0, dci_1, qo_0a, qo_0c - qo_0c_right)
     qo_0 = -qo_0c
     qo_1a = qi_1 * dci_1
     qo_1b = qi_3 * dci_0
     qo_1c = qo_1a + qo_1b
     qo_1c_right = qo_1c - qo_1a
-    qo_1c_left_rest = product_rest(qi_1, dci_1, qo_1a, qo_1c - qo_1c_right)
     qo_1 = -qo_1c
     qo_2a = qi_0 * dci_0
     qo_2b = qi_2 * dci_1
     qo_2 = qo_2a - qo_2b
     qo_2_right = qo_2a - qo_2
-    qo_2_left_rest = product_rest(qi_0, dci_0, qo_2a, qo_2 + qo_2_right)
     qo_3a = qi_3 * dci_1
     qo_3b = qi_1 * dci_0
     qo_3 = qo_3a - qo_3b
     qo_3_right = qo_3a - qo_3
-    qo_3_left_rest = product_rest(qi_3, dci_1, qo_3a, qo_3 + qo_3_right)
-    qo_0_rounded = qo_0 + -(qo_0c_left_rest + product_rest(qi_2, dci_0, qo_0b, qo_0c_right))
-    qo_1_rounded = qo_1 + -(qo_1c_left_rest + product_rest(qi_3, dci_0, qo_1b, qo_1c_right))
-    qo_2_rounded = qo_2 + (qo_2_left_rest - product_rest(qi_2, dci_1, qo_2b, qo_2_right))
-    qo_3_rounded = qo_3 + (qo_3_left_rest - product_rest(qi_1, dci_0, qo_3b, qo_3_right))
+    qo_0_rounded = (qo_0 +
+        -(product_rest(qi_0, dci_1, qo_0a, qo_0c - qo_0c_right)
+        + product_rest(qi_2, dci_0, qo_0b, qo_0c_right)))
+    qo_1_rounded = (qo_1 +
+        -(product_rest(qi_1, dci_1, qo_1a, qo_1c - qo_1c_right)
+        + product_rest(qi_3, dci_0, qo_1b, qo_1c_right)))
+    qo_2_rounded = (qo_2
+        + (product_rest(qi_0, dci_0, qo_2a, qo_2 + qo_2_right)
+        - product_rest(qi_2, dci_1, qo_2b, qo_2_right)))
+    qo_3_rounded = (qo_3
+        + (product_rest(qi_3, dci_1, qo_3a, qo_3 + qo_3_right)
+        - product_rest(qi_1, dci_0, qo_3b, qo_3_right)))
     return (qo_0_rounded, qo_1_rounded, qo_2_rounded, qo_3_rounded)
 
 
@@ -1598,26 +1647,30 @@ def quaternion_product_qzq(dci, qi):
     qo_0b = dci_0 * qi_1
     qo_0 = qo_0a - qo_0b
     qo_0_right = qo_0a - qo_0
-    qo_0_left_rest = product_rest(dci_1, qi_0, qo_0a, qo_0 + qo_0_right)
     qo_1a = dci_0 * qi_0
     qo_1b = dci_1 * qi_1
     qo_1 = qo_1a + qo_1b
     qo_1_right = qo_1 - qo_1a
-    qo_1_left_rest = product_rest(dci_0, qi_0, qo_1a, qo_1 - qo_1_right)
     qo_2a = dci_0 * qi_3
     qo_2b = dci_1 * qi_2
     qo_2 = qo_2a + qo_2b
     qo_2_right = qo_2 - qo_2a
-    qo_2_left_rest = product_rest(dci_0, qi_3, qo_2a, qo_2 - qo_2_right)
     qo_3a = dci_1 * qi_3
     qo_3b = dci_0 * qi_2
     qo_3 = qo_3a - qo_3b
     qo_3_right = qo_3a - qo_3
-    qo_3_left_rest = product_rest(dci_1, qi_3, qo_3a, qo_3 + qo_3_right)
-    qo_0_rounded = qo_0 + (qo_0_left_rest - product_rest(dci_0, qi_1, qo_0b, qo_0_right))
-    qo_1_rounded = qo_1 + (qo_1_left_rest + product_rest(dci_1, qi_1, qo_1b, qo_1_right))
-    qo_2_rounded = qo_2 + (qo_2_left_rest + product_rest(dci_1, qi_2, qo_2b, qo_2_right))
-    qo_3_rounded = qo_3 + (qo_3_left_rest - product_rest(dci_0, qi_2, qo_3b, qo_3_right))
+    qo_0_rounded = (qo_0
+        + (product_rest(dci_1, qi_0, qo_0a, qo_0 + qo_0_right)
+        - product_rest(dci_0, qi_1, qo_0b, qo_0_right)))
+    qo_1_rounded = (qo_1
+        + (product_rest(dci_0, qi_0, qo_1a, qo_1 - qo_1_right)
+        + product_rest(dci_1, qi_1, qo_1b, qo_1_right)))
+    qo_2_rounded = (qo_2
+        + (product_rest(dci_0, qi_3, qo_2a, qo_2 - qo_2_right)
+        + product_rest(dci_1, qi_2, qo_2b, qo_2_right)))
+    qo_3_rounded = (qo_3
+        + (product_rest(dci_1, qi_3, qo_3a, qo_3 + qo_3_right)
+        - product_rest(dci_0, qi_2, qo_3b, qo_3_right)))
     return (qo_0_rounded, qo_1_rounded, qo_2_rounded, qo_3_rounded)
 
 
@@ -1635,27 +1688,31 @@ def quaternion_product_qzqconj(dci, qi):
     qo_0b = dci_1 * qi_0
     qo_0 = qo_0a - qo_0b
     qo_0_right = qo_0a - qo_0
-    qo_0_left_rest = product_rest(dci_0, qi_1, qo_0a, qo_0 + qo_0_right)
     qo_1a = dci_0 * qi_0
     qo_1b = dci_1 * qi_1
     qo_1c = qo_1a + qo_1b
     qo_1c_right = qo_1c - qo_1a
-    qo_1c_left_rest = product_rest(dci_0, qi_0, qo_1a, qo_1c - qo_1c_right)
     qo_1 = -qo_1c
     qo_2a = dci_0 * qi_3
     qo_2b = dci_1 * qi_2
     qo_2 = qo_2a - qo_2b
     qo_2_right = qo_2a - qo_2
-    qo_2_left_rest = product_rest(dci_0, qi_3, qo_2a, qo_2 + qo_2_right)
     qo_3a = dci_0 * qi_2
     qo_3b = dci_1 * qi_3
     qo_3 = qo_3a + qo_3b
     qo_3_right = qo_3 - qo_3a
-    qo_3_left_rest = product_rest(dci_0, qi_2, qo_3a, qo_3 - qo_3_right)
-    qo_0_rounded = qo_0 + (qo_0_left_rest - product_rest(dci_1, qi_0, qo_0b, qo_0_right))
-    qo_1_rounded = qo_1 + -(qo_1c_left_rest + product_rest(dci_1, qi_1, qo_1b, qo_1c_right))
-    qo_2_rounded = qo_2 + (qo_2_left_rest - product_rest(dci_1, qi_2, qo_2b, qo_2_right))
-    qo_3_rounded = qo_3 + (qo_3_left_rest + product_rest(dci_1, qi_3, qo_3b, qo_3_right))
+    qo_0_rounded = (qo_0
+        + (product_rest(dci_0, qi_1, qo_0a, qo_0 + qo_0_right)
+        - product_rest(dci_1, qi_0, qo_0b, qo_0_right)))
+    qo_1_rounded = (qo_1 +
+        -(product_rest(dci_0, qi_0, qo_1a, qo_1c - qo_1c_right)
+        + product_rest(dci_1, qi_1, qo_1b, qo_1c_right)))
+    qo_2_rounded = (qo_2
+        + (product_rest(dci_0, qi_3, qo_2a, qo_2 + qo_2_right)
+        - product_rest(dci_1, qi_2, qo_2b, qo_2_right)))
+    qo_3_rounded = (qo_3
+        + (product_rest(dci_0, qi_2, qo_3a, qo_3 - qo_3_right)
+        + product_rest(dci_1, qi_3, qo_3b, qo_3_right)))
     return (qo_0_rounded, qo_1_rounded, qo_2_rounded, qo_3_rounded)
 
 
@@ -1673,26 +1730,30 @@ def quaternion_product_qzconjq(dci, qi):
     qo_0b = dci_1 * qi_0
     qo_0 = qo_0a + qo_0b
     qo_0_right = qo_0 - qo_0a
-    qo_0_left_rest = product_rest(dci_0, qi_1, qo_0a, qo_0 - qo_0_right)
     qo_1a = dci_1 * qi_1
     qo_1b = dci_0 * qi_0
     qo_1 = qo_1a - qo_1b
     qo_1_right = qo_1a - qo_1
-    qo_1_left_rest = product_rest(dci_1, qi_1, qo_1a, qo_1 + qo_1_right)
     qo_2a = dci_1 * qi_2
     qo_2b = dci_0 * qi_3
     qo_2 = qo_2a - qo_2b
     qo_2_right = qo_2a - qo_2
-    qo_2_left_rest = product_rest(dci_1, qi_2, qo_2a, qo_2 + qo_2_right)
     qo_3a = dci_0 * qi_2
     qo_3b = dci_1 * qi_3
     qo_3 = qo_3a + qo_3b
     qo_3_right = qo_3 - qo_3a
-    qo_3_left_rest = product_rest(dci_0, qi_2, qo_3a, qo_3 - qo_3_right)
-    qo_0_rounded = qo_0 + (qo_0_left_rest + product_rest(dci_1, qi_0, qo_0b, qo_0_right))
-    qo_1_rounded = qo_1 + (qo_1_left_rest - product_rest(dci_0, qi_0, qo_1b, qo_1_right))
-    qo_2_rounded = qo_2 + (qo_2_left_rest - product_rest(dci_0, qi_3, qo_2b, qo_2_right))
-    qo_3_rounded = qo_3 + (qo_3_left_rest + product_rest(dci_1, qi_3, qo_3b, qo_3_right))
+    qo_0_rounded = (qo_0
+        + (product_rest(dci_0, qi_1, qo_0a, qo_0 - qo_0_right)
+        + product_rest(dci_1, qi_0, qo_0b, qo_0_right)))
+    qo_1_rounded = (qo_1
+        + (product_rest(dci_1, qi_1, qo_1a, qo_1 + qo_1_right)
+        - product_rest(dci_0, qi_0, qo_1b, qo_1_right)))
+    qo_2_rounded = (qo_2
+        + (product_rest(dci_1, qi_2, qo_2a, qo_2 + qo_2_right)
+        - product_rest(dci_0, qi_3, qo_2b, qo_2_right)))
+    qo_3_rounded = (qo_3
+        + (product_rest(dci_0, qi_2, qo_3a, qo_3 - qo_3_right)
+        + product_rest(dci_1, qi_3, qo_3b, qo_3_right)))
     return (qo_0_rounded, qo_1_rounded, qo_2_rounded, qo_3_rounded)
 
 
@@ -1710,28 +1771,32 @@ def quaternion_product_qzconjqconj(dci, qi):
     qo_0b = dci_1 * qi_0
     qo_0c = qo_0a + qo_0b
     qo_0c_right = qo_0c - qo_0a
-    qo_0c_left_rest = product_rest(dci_0, qi_1, qo_0a, qo_0c - qo_0c_right)
     qo_0 = -qo_0c
     qo_1a = dci_0 * qi_0
     qo_1b = dci_1 * qi_1
     qo_1 = qo_1a - qo_1b
     qo_1_right = qo_1a - qo_1
-    qo_1_left_rest = product_rest(dci_0, qi_0, qo_1a, qo_1 + qo_1_right)
     qo_2a = dci_0 * qi_3
     qo_2b = dci_1 * qi_2
     qo_2c = qo_2a + qo_2b
     qo_2c_right = qo_2c - qo_2a
-    qo_2c_left_rest = product_rest(dci_0, qi_3, qo_2a, qo_2c - qo_2c_right)
     qo_2 = -qo_2c
     qo_3a = dci_1 * qi_3
     qo_3b = dci_0 * qi_2
     qo_3 = qo_3a - qo_3b
     qo_3_right = qo_3a - qo_3
-    qo_3_left_rest = product_rest(dci_1, qi_3, qo_3a, qo_3 + qo_3_right)
-    qo_0_rounded = qo_0 + -(qo_0c_left_rest + product_rest(dci_1, qi_0, qo_0b, qo_0c_right))
-    qo_1_rounded = qo_1 + (qo_1_left_rest - product_rest(dci_1, qi_1, qo_1b, qo_1_right))
-    qo_2_rounded = qo_2 + -(qo_2c_left_rest + product_rest(dci_1, qi_2, qo_2b, qo_2c_right))
-    qo_3_rounded = qo_3 + (qo_3_left_rest - product_rest(dci_0, qi_2, qo_3b, qo_3_right))
+    qo_0_rounded = (qo_0 +
+        -(product_rest(dci_0, qi_1, qo_0a, qo_0c - qo_0c_right)
+        + product_rest(dci_1, qi_0, qo_0b, qo_0c_right)))
+    qo_1_rounded = (qo_1
+        + (product_rest(dci_0, qi_0, qo_1a, qo_1 + qo_1_right)
+        - product_rest(dci_1, qi_1, qo_1b, qo_1_right)))
+    qo_2_rounded = (qo_2 +
+        -(product_rest(dci_0, qi_3, qo_2a, qo_2c - qo_2c_right)
+        + product_rest(dci_1, qi_2, qo_2b, qo_2c_right)))
+    qo_3_rounded = (qo_3
+        + (product_rest(dci_1, qi_3, qo_3a, qo_3 + qo_3_right)
+        - product_rest(dci_0, qi_2, qo_3b, qo_3_right)))
     return (qo_0_rounded, qo_1_rounded, qo_2_rounded, qo_3_rounded)
 
 
@@ -1749,26 +1814,30 @@ def quaternion_product_qqz(qi, dci):
     qo_0b = qi_1 * dci_0
     qo_0 = qo_0a + qo_0b
     qo_0_right = qo_0 - qo_0a
-    qo_0_left_rest = product_rest(qi_0, dci_1, qo_0a, qo_0 - qo_0_right)
     qo_1a = qi_1 * dci_1
     qo_1b = qi_0 * dci_0
     qo_1 = qo_1a - qo_1b
     qo_1_right = qo_1a - qo_1
-    qo_1_left_rest = product_rest(qi_1, dci_1, qo_1a, qo_1 + qo_1_right)
     qo_2a = qi_2 * dci_1
     qo_2b = qi_3 * dci_0
     qo_2 = qo_2a + qo_2b
     qo_2_right = qo_2 - qo_2a
-    qo_2_left_rest = product_rest(qi_2, dci_1, qo_2a, qo_2 - qo_2_right)
     qo_3a = qi_3 * dci_1
     qo_3b = qi_2 * dci_0
     qo_3 = qo_3a - qo_3b
     qo_3_right = qo_3a - qo_3
-    qo_3_left_rest = product_rest(qi_3, dci_1, qo_3a, qo_3 + qo_3_right)
-    qo_0_rounded = qo_0 + (qo_0_left_rest + product_rest(qi_1, dci_0, qo_0b, qo_0_right))
-    qo_1_rounded = qo_1 + (qo_1_left_rest - product_rest(qi_0, dci_0, qo_1b, qo_1_right))
-    qo_2_rounded = qo_2 + (qo_2_left_rest + product_rest(qi_3, dci_0, qo_2b, qo_2_right))
-    qo_3_rounded = qo_3 + (qo_3_left_rest - product_rest(qi_2, dci_0, qo_3b, qo_3_right))
+    qo_0_rounded = (qo_0
+        + (product_rest(qi_0, dci_1, qo_0a, qo_0 - qo_0_right)
+        + product_rest(qi_1, dci_0, qo_0b, qo_0_right)))
+    qo_1_rounded = (qo_1
+        + (product_rest(qi_1, dci_1, qo_1a, qo_1 + qo_1_right)
+        - product_rest(qi_0, dci_0, qo_1b, qo_1_right)))
+    qo_2_rounded = (qo_2
+        + (product_rest(qi_2, dci_1, qo_2a, qo_2 - qo_2_right)
+        + product_rest(qi_3, dci_0, qo_2b, qo_2_right)))
+    qo_3_rounded = (qo_3
+        + (product_rest(qi_3, dci_1, qo_3a, qo_3 + qo_3_right)
+        - product_rest(qi_2, dci_0, qo_3b, qo_3_right)))
     return (qo_0_rounded, qo_1_rounded, qo_2_rounded, qo_3_rounded)
 
 
@@ -1786,26 +1855,30 @@ def quaternion_product_qqzconj(qi, dci):
     qo_0b = qi_1 * dci_0
     qo_0 = qo_0a - qo_0b
     qo_0_right = qo_0a - qo_0
-    qo_0_left_rest = product_rest(qi_0, dci_1, qo_0a, qo_0 + qo_0_right)
     qo_1a = qi_0 * dci_0
     qo_1b = qi_1 * dci_1
     qo_1 = qo_1a + qo_1b
     qo_1_right = qo_1 - qo_1a
-    qo_1_left_rest = product_rest(qi_0, dci_0, qo_1a, qo_1 - qo_1_right)
     qo_2a = qi_2 * dci_1
     qo_2b = qi_3 * dci_0
     qo_2 = qo_2a - qo_2b
     qo_2_right = qo_2a - qo_2
-    qo_2_left_rest = product_rest(qi_2, dci_1, qo_2a, qo_2 + qo_2_right)
     qo_3a = qi_2 * dci_0
     qo_3b = qi_3 * dci_1
     qo_3 = qo_3a + qo_3b
     qo_3_right = qo_3 - qo_3a
-    qo_3_left_rest = product_rest(qi_2, dci_0, qo_3a, qo_3 - qo_3_right)
-    qo_0_rounded = qo_0 + (qo_0_left_rest - product_rest(qi_1, dci_0, qo_0b, qo_0_right))
-    qo_1_rounded = qo_1 + (qo_1_left_rest + product_rest(qi_1, dci_1, qo_1b, qo_1_right))
-    qo_2_rounded = qo_2 + (qo_2_left_rest - product_rest(qi_3, dci_0, qo_2b, qo_2_right))
-    qo_3_rounded = qo_3 + (qo_3_left_rest + product_rest(qi_3, dci_1, qo_3b, qo_3_right))
+    qo_0_rounded = (qo_0
+        + (product_rest(qi_0, dci_1, qo_0a, qo_0 + qo_0_right)
+        - product_rest(qi_1, dci_0, qo_0b, qo_0_right)))
+    qo_1_rounded = (qo_1
+        + (product_rest(qi_0, dci_0, qo_1a, qo_1 - qo_1_right)
+        + product_rest(qi_1, dci_1, qo_1b, qo_1_right)))
+    qo_2_rounded = (qo_2
+        + (product_rest(qi_2, dci_1, qo_2a, qo_2 + qo_2_right)
+        - product_rest(qi_3, dci_0, qo_2b, qo_2_right)))
+    qo_3_rounded = (qo_3
+        + (product_rest(qi_2, dci_0, qo_3a, qo_3 - qo_3_right)
+        + product_rest(qi_3, dci_1, qo_3b, qo_3_right)))
     return (qo_0_rounded, qo_1_rounded, qo_2_rounded, qo_3_rounded)
 
 
@@ -1823,27 +1896,31 @@ def quaternion_product_qconjqz(qi, dci):
     qo_0b = qi_1 * dci_0
     qo_0c = qo_0a + qo_0b
     qo_0c_right = qo_0c - qo_0a
-    qo_0c_left_rest = product_rest(qi_0, dci_1, qo_0a, qo_0c - qo_0c_right)
     qo_0 = -qo_0c
     qo_1a = qi_0 * dci_0
     qo_1b = qi_1 * dci_1
     qo_1 = qo_1a - qo_1b
     qo_1_right = qo_1a - qo_1
-    qo_1_left_rest = product_rest(qi_0, dci_0, qo_1a, qo_1 + qo_1_right)
     qo_2a = qi_3 * dci_0
     qo_2b = qi_2 * dci_1
     qo_2 = qo_2a - qo_2b
     qo_2_right = qo_2a - qo_2
-    qo_2_left_rest = product_rest(qi_3, dci_0, qo_2a, qo_2 + qo_2_right)
     qo_3a = qi_2 * dci_0
     qo_3b = qi_3 * dci_1
     qo_3 = qo_3a + qo_3b
     qo_3_right = qo_3 - qo_3a
-    qo_3_left_rest = product_rest(qi_2, dci_0, qo_3a, qo_3 - qo_3_right)
-    qo_0_rounded = qo_0 + -(qo_0c_left_rest + product_rest(qi_1, dci_0, qo_0b, qo_0c_right))
-    qo_1_rounded = qo_1 + (qo_1_left_rest - product_rest(qi_1, dci_1, qo_1b, qo_1_right))
-    qo_2_rounded = qo_2 + (qo_2_left_rest - product_rest(qi_2, dci_1, qo_2b, qo_2_right))
-    qo_3_rounded = qo_3 + (qo_3_left_rest + product_rest(qi_3, dci_1, qo_3b, qo_3_right))
+    qo_0_rounded = (qo_0 +
+        -(product_rest(qi_0, dci_1, qo_0a, qo_0c - qo_0c_right)
+        + product_rest(qi_1, dci_0, qo_0b, qo_0c_right)))
+    qo_1_rounded = (qo_1
+        + (product_rest(qi_0, dci_0, qo_1a, qo_1 + qo_1_right)
+        - product_rest(qi_1, dci_1, qo_1b, qo_1_right)))
+    qo_2_rounded = (qo_2
+        + (product_rest(qi_3, dci_0, qo_2a, qo_2 + qo_2_right)
+        - product_rest(qi_2, dci_1, qo_2b, qo_2_right)))
+    qo_3_rounded = (qo_3
+        + (product_rest(qi_2, dci_0, qo_3a, qo_3 - qo_3_right)
+        + product_rest(qi_3, dci_1, qo_3b, qo_3_right)))
     return (qo_0_rounded, qo_1_rounded, qo_2_rounded, qo_3_rounded)
 
 
@@ -1861,28 +1938,32 @@ def quaternion_product_qconjqzconj(qi, dci):
     qo_0b = qi_0 * dci_1
     qo_0 = qo_0a - qo_0b
     qo_0_right = qo_0a - qo_0
-    qo_0_left_rest = product_rest(qi_1, dci_0, qo_0a, qo_0 + qo_0_right)
     qo_1a = qi_0 * dci_0
     qo_1b = qi_1 * dci_1
     qo_1c = qo_1a + qo_1b
     qo_1c_right = qo_1c - qo_1a
-    qo_1c_left_rest = product_rest(qi_0, dci_0, qo_1a, qo_1c - qo_1c_right)
     qo_1 = -qo_1c
     qo_2a = qi_2 * dci_1
     qo_2b = qi_3 * dci_0
     qo_2c = qo_2a + qo_2b
     qo_2c_right = qo_2c - qo_2a
-    qo_2c_left_rest = product_rest(qi_2, dci_1, qo_2a, qo_2c - qo_2c_right)
     qo_2 = -qo_2c
     qo_3a = qi_3 * dci_1
     qo_3b = qi_2 * dci_0
     qo_3 = qo_3a - qo_3b
     qo_3_right = qo_3a - qo_3
-    qo_3_left_rest = product_rest(qi_3, dci_1, qo_3a, qo_3 + qo_3_right)
-    qo_0_rounded = qo_0 + (qo_0_left_rest - product_rest(qi_0, dci_1, qo_0b, qo_0_right))
-    qo_1_rounded = qo_1 + -(qo_1c_left_rest + product_rest(qi_1, dci_1, qo_1b, qo_1c_right))
-    qo_2_rounded = qo_2 + -(qo_2c_left_rest + product_rest(qi_3, dci_0, qo_2b, qo_2c_right))
-    qo_3_rounded = qo_3 + (qo_3_left_rest - product_rest(qi_2, dci_0, qo_3b, qo_3_right))
+    qo_0_rounded = (qo_0
+        + (product_rest(qi_1, dci_0, qo_0a, qo_0 + qo_0_right)
+        - product_rest(qi_0, dci_1, qo_0b, qo_0_right)))
+    qo_1_rounded = (qo_1 +
+        -(product_rest(qi_0, dci_0, qo_1a, qo_1c - qo_1c_right)
+        + product_rest(qi_1, dci_1, qo_1b, qo_1c_right)))
+    qo_2_rounded = (qo_2 +
+        -(product_rest(qi_2, dci_1, qo_2a, qo_2c - qo_2c_right)
+        + product_rest(qi_3, dci_0, qo_2b, qo_2c_right)))
+    qo_3_rounded = (qo_3
+        + (product_rest(qi_3, dci_1, qo_3a, qo_3 + qo_3_right)
+        - product_rest(qi_2, dci_0, qo_3b, qo_3_right)))
     return (qo_0_rounded, qo_1_rounded, qo_2_rounded, qo_3_rounded)
 
 
@@ -1900,47 +1981,47 @@ def quaternion_product_qv(qi, vi):
     qo_0b = qi_2 * vi_1
     qo_0c = qo_0a - qo_0b
     qo_0c_right = qo_0a - qo_0c
-    qo_0c_left_rest = product_rest(qi_1, vi_2, qo_0a, qo_0c + qo_0c_right)
     qo_0d = qi_3 * vi_0
     qo_0 = qo_0c + qo_0d
     qo_0_right = qo_0 - qo_0c
-    qo_0_lo1 = qo_0c - (qo_0 - qo_0_right) + product_rest(qi_3, vi_0, qo_0d, qo_0_right)
+    qo_0c_lo = (product_rest(qi_1, vi_2, qo_0a, qo_0c + qo_0c_right)
+        - product_rest(qi_2, vi_1, qo_0b, qo_0c_right))
     qo_1a = qi_2 * vi_0
     qo_1b = qi_0 * vi_2
     qo_1c = qo_1a - qo_1b
     qo_1c_right = qo_1a - qo_1c
-    qo_1c_left_rest = product_rest(qi_2, vi_0, qo_1a, qo_1c + qo_1c_right)
     qo_1d = qi_3 * vi_1
     qo_1 = qo_1c + qo_1d
     qo_1_right = qo_1 - qo_1c
-    qo_1_lo1 = qo_1c - (qo_1 - qo_1_right) + product_rest(qi_3, vi_1, qo_1d, qo_1_right)
+    qo_1c_lo = (product_rest(qi_2, vi_0, qo_1a, qo_1c + qo_1c_right)
+        - product_rest(qi_0, vi_2, qo_1b, qo_1c_right))
     qo_2a = qi_0 * vi_1
     qo_2b = qi_1 * vi_0
     qo_2c = qo_2a - qo_2b
     qo_2c_right = qo_2a - qo_2c
-    qo_2c_left_rest = product_rest(qi_0, vi_1, qo_2a, qo_2c + qo_2c_right)
     qo_2d = qi_3 * vi_2
     qo_2 = qo_2c + qo_2d
     qo_2_right = qo_2 - qo_2c
-    qo_2_lo1 = qo_2c - (qo_2 - qo_2_right) + product_rest(qi_3, vi_2, qo_2d, qo_2_right)
+    qo_2c_lo = (product_rest(qi_0, vi_1, qo_2a, qo_2c + qo_2c_right)
+        - product_rest(qi_1, vi_0, qo_2b, qo_2c_right))
     qo_3a = qi_0 * vi_0
     qo_3b = qi_1 * vi_1
     qo_3c = qo_3a + qo_3b
     qo_3c_right = qo_3c - qo_3a
-    qo_3c_left_rest = product_rest(qi_0, vi_0, qo_3a, qo_3c - qo_3c_right)
     qo_3d = qi_2 * vi_2
     qo_3e = qo_3c + qo_3d
     qo_3e_right = qo_3e - qo_3c
-    qo_3e_lo1 = qo_3c - (qo_3e - qo_3e_right) + product_rest(qi_2, vi_2, qo_3d, qo_3e_right)
+    qo_3c_lo = (product_rest(qi_0, vi_0, qo_3a, qo_3c - qo_3c_right)
+        + product_rest(qi_1, vi_1, qo_3b, qo_3c_right))
     qo_3 = -qo_3e
-    qo_0_lo = qo_0_lo1 + (qo_0c_left_rest - product_rest(qi_2, vi_1, qo_0b, qo_0c_right))
-    qo_0_rounded = qo_0 + qo_0_lo
-    qo_1_lo = qo_1_lo1 + (qo_1c_left_rest - product_rest(qi_0, vi_2, qo_1b, qo_1c_right))
-    qo_1_rounded = qo_1 + qo_1_lo
-    qo_2_lo = qo_2_lo1 + (qo_2c_left_rest - product_rest(qi_1, vi_0, qo_2b, qo_2c_right))
-    qo_2_rounded = qo_2 + qo_2_lo
-    qo_3_lo = -(qo_3e_lo1 + (qo_3c_left_rest + product_rest(qi_1, vi_1, qo_3b, qo_3c_right)))
-    qo_3_rounded = qo_3 + qo_3_lo
+    qo_0_rounded = (qo_0
+        + (qo_0c - (qo_0 - qo_0_right) + product_rest(qi_3, vi_0, qo_0d, qo_0_right) + qo_0c_lo))
+    qo_1_rounded = (qo_1
+        + (qo_1c - (qo_1 - qo_1_right) + product_rest(qi_3, vi_1, qo_1d, qo_1_right) + qo_1c_lo))
+    qo_2_rounded = (qo_2
+        + (qo_2c - (qo_2 - qo_2_right) + product_rest(qi_3, vi_2, qo_2d, qo_2_right) + qo_2c_lo))
+    qo_3_rounded = (qo_3 +
+        -(qo_3c - (qo_3e - qo_3e_right) + product_rest(qi_2, vi_2, qo_3d, qo_3e_right) + qo_3c_lo))
     return (qo_0_rounded, qo_1_rounded, qo_2_rounded, qo_3_rounded)
 
 
@@ -1958,46 +2039,46 @@ def quaternion_product_qconjv(qi, vi):
     qo_0b = qi_1 * vi_2
     qo_0c = qo_0a - qo_0b
     qo_0c_right = qo_0a - qo_0c
-    qo_0c_left_rest = product_rest(qi_2, vi_1, qo_0a, qo_0c + qo_0c_right)
     qo_0d = qi_3 * vi_0
     qo_0 = qo_0c + qo_0d
     qo_0_right = qo_0 - qo_0c
-    qo_0_lo1 = qo_0c - (qo_0 - qo_0_right) + product_rest(qi_3, vi_0, qo_0d, qo_0_right)
+    qo_0c_lo = (product_rest(qi_2, vi_1, qo_0a, qo_0c + qo_0c_right)
+        - product_rest(qi_1, vi_2, qo_0b, qo_0c_right))
     qo_1a = qi_0 * vi_2
     qo_1b = qi_2 * vi_0
     qo_1c = qo_1a - qo_1b
     qo_1c_right = qo_1a - qo_1c
-    qo_1c_left_rest = product_rest(qi_0, vi_2, qo_1a, qo_1c + qo_1c_right)
     qo_1d = qi_3 * vi_1
     qo_1 = qo_1c + qo_1d
     qo_1_right = qo_1 - qo_1c
-    qo_1_lo1 = qo_1c - (qo_1 - qo_1_right) + product_rest(qi_3, vi_1, qo_1d, qo_1_right)
+    qo_1c_lo = (product_rest(qi_0, vi_2, qo_1a, qo_1c + qo_1c_right)
+        - product_rest(qi_2, vi_0, qo_1b, qo_1c_right))
     qo_2a = qi_1 * vi_0
     qo_2b = qi_0 * vi_1
     qo_2c = qo_2a - qo_2b
     qo_2c_right = qo_2a - qo_2c
-    qo_2c_left_rest = product_rest(qi_1, vi_0, qo_2a, qo_2c + qo_2c_right)
     qo_2d = qi_3 * vi_2
     qo_2 = qo_2c + qo_2d
     qo_2_right = qo_2 - qo_2c
-    qo_2_lo1 = qo_2c - (qo_2 - qo_2_right) + product_rest(qi_3, vi_2, qo_2d, qo_2_right)
+    qo_2c_lo = (product_rest(qi_1, vi_0, qo_2a, qo_2c + qo_2c_right)
+        - product_rest(qi_0, vi_1, qo_2b, qo_2c_right))
     qo_3a = qi_0 * vi_0
     qo_3b = qi_1 * vi_1
     qo_3c = qo_3a + qo_3b
     qo_3c_right = qo_3c - qo_3a
-    qo_3c_left_rest = product_rest(qi_0, vi_0, qo_3a, qo_3c - qo_3c_right)
     qo_3d = qi_2 * vi_2
     qo_3 = qo_3c + qo_3d
     qo_3_right = qo_3 - qo_3c
-    qo_3_lo1 = qo_3c - (qo_3 - qo_3_right) + product_rest(qi_2, vi_2, qo_3d, qo_3_right)
-    qo_0_lo = qo_0_lo1 + (qo_0c_left_rest - product_rest(qi_1, vi_2, qo_0b, qo_0c_right))
-    qo_0_rounded = qo_0 + qo_0_lo
-    qo_1_lo = qo_1_lo1 + (qo_1c_left_rest - product_rest(qi_2, vi_0, qo_1b, qo_1c_right))
-    qo_1_rounded = qo_1 + qo_1_lo
-    qo_2_lo = qo_2_lo1 + (qo_2c_left_rest - product_rest(qi_0, vi_1, qo_2b, qo_2c_right))
-    qo_2_rounded = qo_2 + qo_2_lo
-    qo_3_lo = qo_3_lo1 + (qo_3c_left_rest + product_rest(qi_1, vi_1, qo_3b, qo_3c_right))
-    qo_3_rounded = qo_3 + qo_3_lo
+    qo_3c_lo = (product_rest(qi_0, vi_0, qo_3a, qo_3c - qo_3c_right)
+        + product_rest(qi_1, vi_1, qo_3b, qo_3c_right))
+    qo_0_rounded = (qo_0
+        + (qo_0c - (qo_0 - qo_0_right) + product_rest(qi_3, vi_0, qo_0d, qo_0_right) + qo_0c_lo))
+    qo_1_rounded = (qo_1
+        + (qo_1c - (qo_1 - qo_1_right) + product_rest(qi_3, vi_1, qo_1d, qo_1_right) + qo_1c_lo))
+    qo_2_rounded = (qo_2
+        + (qo_2c - (qo_2 - qo_2_right) + product_rest(qi_3, vi_2, qo_2d, qo_2_right) + qo_2c_lo))
+    qo_3_rounded = (qo_3
+        + (qo_3c - (qo_3 - qo_3_right) + product_rest(qi_2, vi_2, qo_3d, qo_3_right) + qo_3c_lo))
     return (qo_0_rounded, qo_1_rounded, qo_2_rounded, qo_3_rounded)
 
 
@@ -2016,46 +2097,46 @@ def quaternion_product_vq(vi, qi):
     qo_0c = vi_2 * qi_1
     qo_0d = qo_0b - qo_0c
     qo_0d_right = qo_0b - qo_0d
-    qo_0d_left_rest = product_rest(vi_1, qi_2, qo_0b, qo_0d + qo_0d_right)
     qo_0 = qo_0a + qo_0d
     qo_0_right = qo_0 - qo_0a
-    qo_0_lo1 = product_rest(vi_0, qi_3, qo_0a, qo_0 - qo_0_right) + (qo_0d - qo_0_right)
+    qo_0d_lo = (product_rest(vi_1, qi_2, qo_0b, qo_0d + qo_0d_right)
+        - product_rest(vi_2, qi_1, qo_0c, qo_0d_right))
     qo_1a = vi_2 * qi_0
     qo_1b = vi_0 * qi_2
     qo_1c = qo_1a - qo_1b
     qo_1c_right = qo_1a - qo_1c
-    qo_1c_left_rest = product_rest(vi_2, qi_0, qo_1a, qo_1c + qo_1c_right)
     qo_1d = vi_1 * qi_3
     qo_1 = qo_1c + qo_1d
     qo_1_right = qo_1 - qo_1c
-    qo_1_lo1 = qo_1c - (qo_1 - qo_1_right) + product_rest(vi_1, qi_3, qo_1d, qo_1_right)
+    qo_1c_lo = (product_rest(vi_2, qi_0, qo_1a, qo_1c + qo_1c_right)
+        - product_rest(vi_0, qi_2, qo_1b, qo_1c_right))
     qo_2a = vi_0 * qi_1
     qo_2b = vi_1 * qi_0
     qo_2c = qo_2a - qo_2b
     qo_2c_right = qo_2a - qo_2c
-    qo_2c_left_rest = product_rest(vi_0, qi_1, qo_2a, qo_2c + qo_2c_right)
     qo_2d = vi_2 * qi_3
     qo_2 = qo_2c + qo_2d
     qo_2_right = qo_2 - qo_2c
-    qo_2_lo1 = qo_2c - (qo_2 - qo_2_right) + product_rest(vi_2, qi_3, qo_2d, qo_2_right)
+    qo_2c_lo = (product_rest(vi_0, qi_1, qo_2a, qo_2c + qo_2c_right)
+        - product_rest(vi_1, qi_0, qo_2b, qo_2c_right))
     qo_3a = vi_0 * qi_0
     qo_3b = vi_1 * qi_1
     qo_3c = qo_3a + qo_3b
     qo_3c_right = qo_3c - qo_3a
-    qo_3c_left_rest = product_rest(vi_0, qi_0, qo_3a, qo_3c - qo_3c_right)
     qo_3d = vi_2 * qi_2
     qo_3e = qo_3c + qo_3d
     qo_3e_right = qo_3e - qo_3c
-    qo_3e_lo1 = qo_3c - (qo_3e - qo_3e_right) + product_rest(vi_2, qi_2, qo_3d, qo_3e_right)
+    qo_3c_lo = (product_rest(vi_0, qi_0, qo_3a, qo_3c - qo_3c_right)
+        + product_rest(vi_1, qi_1, qo_3b, qo_3c_right))
     qo_3 = -qo_3e
-    qo_0_lo = qo_0_lo1 + (qo_0d_left_rest - product_rest(vi_2, qi_1, qo_0c, qo_0d_right))
-    qo_0_rounded = qo_0 + qo_0_lo
-    qo_1_lo = qo_1_lo1 + (qo_1c_left_rest - product_rest(vi_0, qi_2, qo_1b, qo_1c_right))
-    qo_1_rounded = qo_1 + qo_1_lo
-    qo_2_lo = qo_2_lo1 + (qo_2c_left_rest - product_rest(vi_1, qi_0, qo_2b, qo_2c_right))
-    qo_2_rounded = qo_2 + qo_2_lo
-    qo_3_lo = -(qo_3e_lo1 + (qo_3c_left_rest + product_rest(vi_1, qi_1, qo_3b, qo_3c_right)))
-    qo_3_rounded = qo_3 + qo_3_lo
+    qo_0_rounded = (qo_0
+        + (product_rest(vi_0, qi_3, qo_0a, qo_0 - qo_0_right) + (qo_0d - qo_0_right) + qo_0d_lo))
+    qo_1_rounded = (qo_1
+        + (qo_1c - (qo_1 - qo_1_right) + product_rest(vi_1, qi_3, qo_1d, qo_1_right) + qo_1c_lo))
+    qo_2_rounded = (qo_2
+        + (qo_2c - (qo_2 - qo_2_right) + product_rest(vi_2, qi_3, qo_2d, qo_2_right) + qo_2c_lo))
+    qo_3_rounded = (qo_3 +
+        -(qo_3c - (qo_3e - qo_3e_right) + product_rest(vi_2, qi_2, qo_3d, qo_3e_right) + qo_3c_lo))
     return (qo_0_rounded, qo_1_rounded, qo_2_rounded, qo_3_rounded)
 
 
@@ -2074,45 +2155,45 @@ def quaternion_product_vqconj(vi, qi):
     qo_0c = vi_1 * qi_2
     qo_0d = qo_0b - qo_0c
     qo_0d_right = qo_0b - qo_0d
-    qo_0d_left_rest = product_rest(vi_2, qi_1, qo_0b, qo_0d + qo_0d_right)
     qo_0 = qo_0a + qo_0d
     qo_0_right = qo_0 - qo_0a
-    qo_0_lo1 = product_rest(vi_0, qi_3, qo_0a, qo_0 - qo_0_right) + (qo_0d - qo_0_right)
+    qo_0d_lo = (product_rest(vi_2, qi_1, qo_0b, qo_0d + qo_0d_right)
+        - product_rest(vi_1, qi_2, qo_0c, qo_0d_right))
     qo_1a = vi_0 * qi_2
     qo_1b = vi_2 * qi_0
     qo_1c = qo_1a - qo_1b
     qo_1c_right = qo_1a - qo_1c
-    qo_1c_left_rest = product_rest(vi_0, qi_2, qo_1a, qo_1c + qo_1c_right)
     qo_1d = vi_1 * qi_3
     qo_1 = qo_1c + qo_1d
     qo_1_right = qo_1 - qo_1c
-    qo_1_lo1 = qo_1c - (qo_1 - qo_1_right) + product_rest(vi_1, qi_3, qo_1d, qo_1_right)
+    qo_1c_lo = (product_rest(vi_0, qi_2, qo_1a, qo_1c + qo_1c_right)
+        - product_rest(vi_2, qi_0, qo_1b, qo_1c_right))
     qo_2a = vi_1 * qi_0
     qo_2b = vi_0 * qi_1
     qo_2c = qo_2a - qo_2b
     qo_2c_right = qo_2a - qo_2c
-    qo_2c_left_rest = product_rest(vi_1, qi_0, qo_2a, qo_2c + qo_2c_right)
     qo_2d = vi_2 * qi_3
     qo_2 = qo_2c + qo_2d
     qo_2_right = qo_2 - qo_2c
-    qo_2_lo1 = qo_2c - (qo_2 - qo_2_right) + product_rest(vi_2, qi_3, qo_2d, qo_2_right)
+    qo_2c_lo = (product_rest(vi_1, qi_0, qo_2a, qo_2c + qo_2c_right)
+        - product_rest(vi_0, qi_1, qo_2b, qo_2c_right))
     qo_3a = vi_0 * qi_0
     qo_3b = vi_1 * qi_1
     qo_3c = qo_3a + qo_3b
     qo_3c_right = qo_3c - qo_3a
-    qo_3c_left_rest = product_rest(vi_0, qi_0, qo_3a, qo_3c - qo_3c_right)
     qo_3d = vi_2 * qi_2
     qo_3 = qo_3c + qo_3d
     qo_3_right = qo_3 - qo_3c
-    qo_3_lo1 = qo_3c - (qo_3 - qo_3_right) + product_rest(vi_2, qi_2, qo_3d, qo_3_right)
-    qo_0_lo = qo_0_lo1 + (qo_0d_left_rest - product_rest(vi_1, qi_2, qo_0c, qo_0d_right))
-    qo_0_rounded = qo_0 + qo_0_lo
-    qo_1_lo = qo_1_lo1 + (qo_1c_left_rest - product_rest(vi_2, qi_0, qo_1b, qo_1c_right))
-    qo_1_rounded = qo_1 + qo_1_lo
-    qo_2_lo = qo_2_lo1 + (qo_2c_left_rest - product_rest(vi_0, qi_1, qo_2b, qo_2c_right))
-    qo_2_rounded = qo_2 + qo_2_lo
-    qo_3_lo = qo_3_lo1 + (qo_3c_left_rest + product_rest(vi_1, qi_1, qo_3b, qo_3c_right))
-    qo_3_rounded = qo_3 + qo_3_lo
+    qo_3c_lo = (product_rest(vi_0, qi_0, qo_3a, qo_3c - qo_3c_right)
+        + product_rest(vi_1, qi_1, qo_3b, qo_3c_right))
+    qo_0_rounded = (qo_0
+        + (product_rest(vi_0, qi_3, qo_0a, qo_0 - qo_0_right) + (qo_0d - qo_0_right) + qo_0d_lo))
+    qo_1_rounded = (qo_1
+        + (qo_1c - (qo_1 - qo_1_right) + product_rest(vi_1, qi_3, qo_1d, qo_1_right) + qo_1c_lo))
+    qo_2_rounded = (qo_2
+        + (qo_2c - (qo_2 - qo_2_right) + product_rest(vi_2, qi_3, qo_2d, qo_2_right) + qo_2c_lo))
+    qo_3_rounded = (qo_3
+        + (qo_3c - (qo_3 - qo_3_right) + product_rest(vi_2, qi_2, qo_3d, qo_3_right) + qo_3c_lo))
     return (qo_0_rounded, qo_1_rounded, qo_2_rounded, qo_3_rounded)
 
 
@@ -2130,17 +2211,18 @@ def dot_qq(q1i, q2i):
     dot_b = q1i_1 * q2i_1
     dot_c = dot_a + dot_b
     dot_c_right = dot_c - dot_a
-    dot_c_left_rest = product_rest(q1i_0, q2i_0, dot_a, dot_c - dot_c_right)
     dot_d = q1i_2 * q2i_2
     dot_e = dot_c + dot_d
     dot_e_right = dot_e - dot_c
-    dot_e_lo1 = dot_c - (dot_e - dot_e_right) + product_rest(q1i_2, q2i_2, dot_d, dot_e_right)
+    dot_c_lo = (product_rest(q1i_0, q2i_0, dot_a, dot_c - dot_c_right)
+        + product_rest(q1i_1, q2i_1, dot_b, dot_c_right))
     dot_f = q1i_3 * q2i_3
     dot = dot_e + dot_f
     dot_right = dot - dot_e
-    dot_e_lo = dot_e_lo1 + (dot_c_left_rest + product_rest(q1i_1, q2i_1, dot_b, dot_c_right))
-    dot_lo = dot_e - (dot - dot_right) + product_rest(q1i_3, q2i_3, dot_f, dot_right) + dot_e_lo
-    dot_rounded = dot + dot_lo
+    dot_e_lo = (dot_c - (dot_e - dot_e_right) + product_rest(q1i_2, q2i_2, dot_d, dot_e_right)
+        + dot_c_lo)
+    dot_rounded = (dot
+        + (dot_e - (dot - dot_right) + product_rest(q1i_3, q2i_3, dot_f, dot_right) + dot_e_lo))
     return dot_rounded
 
 
@@ -2164,64 +2246,64 @@ def add_dpiToq(dpi, qi):
     qi_0_new_g = qi_0_new_d - qi_0_new_f
     qi_0_new_g_right = qi_0_new_d - qi_0_new_g
     qi_0_new_g_left_rest = product_rest(qi_0_new_c, qi_1, qi_0_new_d, qi_0_new_g + qi_0_new_g_right)
-    qi_0_new_g_right_rest = product_rest(qi_0_new_e, qi_2, qi_0_new_f, qi_0_new_g_right)
     qi_0_new_h = qi_0_new_b + qi_0_new_g
     qi_0_new_h_right = qi_0_new_h - qi_0_new_b
-    qi_0_new_h_left_rest = product_rest(qi_0_new_a, qi_3, qi_0_new_b, qi_0_new_h - qi_0_new_h_right)
-    qi_0_new_h_lo1 = qi_0_new_h_left_rest + (qi_0_new_g - qi_0_new_h_right)
+    qi_0_new_h_lo1 = (product_rest(qi_0_new_a, qi_3, qi_0_new_b, qi_0_new_h - qi_0_new_h_right)
+        + (qi_0_new_g - qi_0_new_h_right))
     qi_0_new = qi_0_new_h + qi_0
     qi_0_new_right = qi_0_new - qi_0_new_h
-    qi_0_new_lo1 = qi_0_new_h - (qi_0_new - qi_0_new_right) + (qi_0 - qi_0_new_right)
+    qi_0_new_h_lo = (qi_0_new_h_lo1
+        + (qi_0_new_g_left_rest - product_rest(qi_0_new_e, qi_2, qi_0_new_f, qi_0_new_g_right)))
     qi_1_new_a = qi_0_new_a * qi_2
     qi_1_new_b = qi_0_new_c * qi_0
     qi_1_new_c = qi_1_new_a - qi_1_new_b
     qi_1_new_c_right = qi_1_new_a - qi_1_new_c
     qi_1_new_c_left_rest = product_rest(qi_0_new_a, qi_2, qi_1_new_a, qi_1_new_c + qi_1_new_c_right)
-    qi_1_new_c_right_rest = product_rest(qi_0_new_c, qi_0, qi_1_new_b, qi_1_new_c_right)
     qi_1_new_d = qi_0_new_e * qi_3
     qi_1_new_e = qi_1_new_c + qi_1_new_d
     qi_1_new_e_right = qi_1_new_e - qi_1_new_c
-    qi_1_new_e_right_rest = product_rest(qi_0_new_e, qi_3, qi_1_new_d, qi_1_new_e_right)
-    qi_1_new_e_lo1 = qi_1_new_c - (qi_1_new_e - qi_1_new_e_right) + qi_1_new_e_right_rest
+    qi_1_new_e_lo1 = (qi_1_new_c - (qi_1_new_e - qi_1_new_e_right)
+        + product_rest(qi_0_new_e, qi_3, qi_1_new_d, qi_1_new_e_right))
     qi_1_new = qi_1_new_e + qi_1
     qi_1_new_right = qi_1_new - qi_1_new_e
-    qi_1_new_lo1 = qi_1_new_e - (qi_1_new - qi_1_new_right) + (qi_1 - qi_1_new_right)
+    qi_1_new_e_lo = (qi_1_new_e_lo1
+        + (qi_1_new_c_left_rest - product_rest(qi_0_new_c, qi_0, qi_1_new_b, qi_1_new_c_right)))
     qi_2_new_a = qi_0_new_e * qi_0
     qi_2_new_b = qi_0_new_a * qi_1
     qi_2_new_c = qi_2_new_a - qi_2_new_b
     qi_2_new_c_right = qi_2_new_a - qi_2_new_c
     qi_2_new_c_left_rest = product_rest(qi_0_new_e, qi_0, qi_2_new_a, qi_2_new_c + qi_2_new_c_right)
-    qi_2_new_c_right_rest = product_rest(qi_0_new_a, qi_1, qi_2_new_b, qi_2_new_c_right)
     qi_2_new_d = qi_0_new_c * qi_3
     qi_2_new_e = qi_2_new_c + qi_2_new_d
     qi_2_new_e_right = qi_2_new_e - qi_2_new_c
-    qi_2_new_e_right_rest = product_rest(qi_0_new_c, qi_3, qi_2_new_d, qi_2_new_e_right)
-    qi_2_new_e_lo1 = qi_2_new_c - (qi_2_new_e - qi_2_new_e_right) + qi_2_new_e_right_rest
+    qi_2_new_e_lo1 = (qi_2_new_c - (qi_2_new_e - qi_2_new_e_right)
+        + product_rest(qi_0_new_c, qi_3, qi_2_new_d, qi_2_new_e_right))
     qi_2_new = qi_2_new_e + qi_2
     qi_2_new_right = qi_2_new - qi_2_new_e
-    qi_2_new_lo1 = qi_2_new_e - (qi_2_new - qi_2_new_right) + (qi_2 - qi_2_new_right)
+    qi_2_new_e_lo = (qi_2_new_e_lo1
+        + (qi_2_new_c_left_rest - product_rest(qi_0_new_a, qi_1, qi_2_new_b, qi_2_new_c_right)))
     qi_3_new_a = qi_0_new_a * qi_0
     qi_3_new_b = qi_0_new_e * qi_1
     qi_3_new_c = qi_3_new_a + qi_3_new_b
     qi_3_new_c_right = qi_3_new_c - qi_3_new_a
     qi_3_new_c_left_rest = product_rest(qi_0_new_a, qi_0, qi_3_new_a, qi_3_new_c - qi_3_new_c_right)
-    qi_3_new_c_right_rest = product_rest(qi_0_new_e, qi_1, qi_3_new_b, qi_3_new_c_right)
     qi_3_new_d = qi_0_new_c * qi_2
     qi_3_new_e = qi_3_new_c + qi_3_new_d
     qi_3_new_e_right = qi_3_new_e - qi_3_new_c
-    qi_3_new_e_right_rest = product_rest(qi_0_new_c, qi_2, qi_3_new_d, qi_3_new_e_right)
-    qi_3_new_e_lo1 = qi_3_new_c - (qi_3_new_e - qi_3_new_e_right) + qi_3_new_e_right_rest
+    qi_3_new_e_lo1 = (qi_3_new_c - (qi_3_new_e - qi_3_new_e_right)
+        + product_rest(qi_0_new_c, qi_2, qi_3_new_d, qi_3_new_e_right))
     qi_3_new = qi_3 - qi_3_new_e
     qi_3_new_right = qi_3 - qi_3_new
-    qi_3_new_lo1 = qi_3 - (qi_3_new + qi_3_new_right) - (qi_3_new_e - qi_3_new_right)
-    qi_0_new_lo = qi_0_new_lo1 + (qi_0_new_h_lo1 + (qi_0_new_g_left_rest - qi_0_new_g_right_rest))
-    qi_0_new_rounded = qi_0_new + qi_0_new_lo
-    qi_1_new_lo = qi_1_new_lo1 + (qi_1_new_e_lo1 + (qi_1_new_c_left_rest - qi_1_new_c_right_rest))
-    qi_1_new_rounded = qi_1_new + qi_1_new_lo
-    qi_2_new_lo = qi_2_new_lo1 + (qi_2_new_e_lo1 + (qi_2_new_c_left_rest - qi_2_new_c_right_rest))
-    qi_2_new_rounded = qi_2_new + qi_2_new_lo
-    qi_3_new_lo = qi_3_new_lo1 - (qi_3_new_e_lo1 + (qi_3_new_c_left_rest + qi_3_new_c_right_rest))
-    qi_3_new_rounded = qi_3_new + qi_3_new_lo
+    qi_3_new_e_lo = (qi_3_new_e_lo1
+        + (qi_3_new_c_left_rest + product_rest(qi_0_new_e, qi_1, qi_3_new_b, qi_3_new_c_right)))
+    qi_0_new_rounded = (qi_0_new
+        + (qi_0_new_h - (qi_0_new - qi_0_new_right) + (qi_0 - qi_0_new_right) + qi_0_new_h_lo))
+    qi_1_new_rounded = (qi_1_new
+        + (qi_1_new_e - (qi_1_new - qi_1_new_right) + (qi_1 - qi_1_new_right) + qi_1_new_e_lo))
+    qi_2_new_rounded = (qi_2_new
+        + (qi_2_new_e - (qi_2_new - qi_2_new_right) + (qi_2 - qi_2_new_right) + qi_2_new_e_lo))
+    qi_3_new_rounded = (qi_3_new
+        + (qi_3 - (qi_3_new + qi_3_new_right) - (qi_3_new_e - qi_3_new_right) - qi_3_new_e_lo))
     return (qi_0_new_rounded, qi_1_new_rounded, qi_2_new_rounded, qi_3_new_rounded)
 
 
@@ -2242,66 +2324,66 @@ def subtract_dpiFromq(dpi, qi):
     qi_0_new_e = qi_0_new_b - qi_0_new_d
     qi_0_new_e_right = qi_0_new_b - qi_0_new_e
     qi_0_new_e_left_rest = product_rest(qi_0_new_a, qi_2, qi_0_new_b, qi_0_new_e + qi_0_new_e_right)
-    qi_0_new_e_right_rest = product_rest(qi_0_new_c, qi_1, qi_0_new_d, qi_0_new_e_right)
     qi_0_new_f = 0.5 * dpi_0
     qi_0_new_g = qi_0_new_f * qi_3
     qi_0_new_h = qi_0_new_e - qi_0_new_g
     qi_0_new_h_right = qi_0_new_e - qi_0_new_h
-    qi_0_new_h_right_rest = product_rest(qi_0_new_f, qi_3, qi_0_new_g, qi_0_new_h_right)
-    qi_0_new_h_lo1 = qi_0_new_e - (qi_0_new_h + qi_0_new_h_right) - qi_0_new_h_right_rest
+    qi_0_new_h_lo1 = (qi_0_new_e - (qi_0_new_h + qi_0_new_h_right)
+        - product_rest(qi_0_new_f, qi_3, qi_0_new_g, qi_0_new_h_right))
     qi_0_new = qi_0_new_h + qi_0
     qi_0_new_right = qi_0_new - qi_0_new_h
-    qi_0_new_lo1 = qi_0_new_h - (qi_0_new - qi_0_new_right) + (qi_0 - qi_0_new_right)
+    qi_0_new_h_lo = (qi_0_new_h_lo1
+        + (qi_0_new_e_left_rest - product_rest(qi_0_new_c, qi_1, qi_0_new_d, qi_0_new_e_right)))
     qi_1_new_a = qi_0_new_c * qi_0
     qi_1_new_b = qi_0_new_f * qi_2
     qi_1_new_c = qi_1_new_a - qi_1_new_b
     qi_1_new_c_right = qi_1_new_a - qi_1_new_c
     qi_1_new_c_left_rest = product_rest(qi_0_new_c, qi_0, qi_1_new_a, qi_1_new_c + qi_1_new_c_right)
-    qi_1_new_c_right_rest = product_rest(qi_0_new_f, qi_2, qi_1_new_b, qi_1_new_c_right)
     qi_1_new_d = qi_0_new_a * qi_3
     qi_1_new_e = qi_1_new_c - qi_1_new_d
     qi_1_new_e_right = qi_1_new_c - qi_1_new_e
-    qi_1_new_e_right_rest = product_rest(qi_0_new_a, qi_3, qi_1_new_d, qi_1_new_e_right)
-    qi_1_new_e_lo1 = qi_1_new_c - (qi_1_new_e + qi_1_new_e_right) - qi_1_new_e_right_rest
+    qi_1_new_e_lo1 = (qi_1_new_c - (qi_1_new_e + qi_1_new_e_right)
+        - product_rest(qi_0_new_a, qi_3, qi_1_new_d, qi_1_new_e_right))
     qi_1_new = qi_1_new_e + qi_1
     qi_1_new_right = qi_1_new - qi_1_new_e
-    qi_1_new_lo1 = qi_1_new_e - (qi_1_new - qi_1_new_right) + (qi_1 - qi_1_new_right)
+    qi_1_new_e_lo = (qi_1_new_e_lo1
+        + (qi_1_new_c_left_rest - product_rest(qi_0_new_f, qi_2, qi_1_new_b, qi_1_new_c_right)))
     qi_2_new_a = qi_0_new_f * qi_1
     qi_2_new_b = qi_0_new_a * qi_0
     qi_2_new_c = qi_2_new_a - qi_2_new_b
     qi_2_new_c_right = qi_2_new_a - qi_2_new_c
     qi_2_new_c_left_rest = product_rest(qi_0_new_f, qi_1, qi_2_new_a, qi_2_new_c + qi_2_new_c_right)
-    qi_2_new_c_right_rest = product_rest(qi_0_new_a, qi_0, qi_2_new_b, qi_2_new_c_right)
     qi_2_new_d = qi_0_new_c * qi_3
     qi_2_new_e = qi_2_new_c - qi_2_new_d
     qi_2_new_e_right = qi_2_new_c - qi_2_new_e
-    qi_2_new_e_right_rest = product_rest(qi_0_new_c, qi_3, qi_2_new_d, qi_2_new_e_right)
-    qi_2_new_e_lo1 = qi_2_new_c - (qi_2_new_e + qi_2_new_e_right) - qi_2_new_e_right_rest
+    qi_2_new_e_lo1 = (qi_2_new_c - (qi_2_new_e + qi_2_new_e_right)
+        - product_rest(qi_0_new_c, qi_3, qi_2_new_d, qi_2_new_e_right))
     qi_2_new = qi_2_new_e + qi_2
     qi_2_new_right = qi_2_new - qi_2_new_e
-    qi_2_new_lo1 = qi_2_new_e - (qi_2_new - qi_2_new_right) + (qi_2 - qi_2_new_right)
+    qi_2_new_e_lo = (qi_2_new_e_lo1
+        + (qi_2_new_c_left_rest - product_rest(qi_0_new_a, qi_0, qi_2_new_b, qi_2_new_c_right)))
     qi_3_new_a = qi_0_new_f * qi_0
     qi_3_new_b = qi_0_new_a * qi_1
     qi_3_new_c = qi_3_new_a + qi_3_new_b
     qi_3_new_c_right = qi_3_new_c - qi_3_new_a
     qi_3_new_c_left_rest = product_rest(qi_0_new_f, qi_0, qi_3_new_a, qi_3_new_c - qi_3_new_c_right)
-    qi_3_new_c_right_rest = product_rest(qi_0_new_a, qi_1, qi_3_new_b, qi_3_new_c_right)
     qi_3_new_d = qi_0_new_c * qi_2
     qi_3_new_e = qi_3_new_c + qi_3_new_d
     qi_3_new_e_right = qi_3_new_e - qi_3_new_c
-    qi_3_new_e_right_rest = product_rest(qi_0_new_c, qi_2, qi_3_new_d, qi_3_new_e_right)
-    qi_3_new_e_lo1 = qi_3_new_c - (qi_3_new_e - qi_3_new_e_right) + qi_3_new_e_right_rest
+    qi_3_new_e_lo1 = (qi_3_new_c - (qi_3_new_e - qi_3_new_e_right)
+        + product_rest(qi_0_new_c, qi_2, qi_3_new_d, qi_3_new_e_right))
     qi_3_new = qi_3_new_e + qi_3
     qi_3_new_right = qi_3_new - qi_3_new_e
-    qi_3_new_lo1 = qi_3_new_e - (qi_3_new - qi_3_new_right) + (qi_3 - qi_3_new_right)
-    qi_0_new_lo = qi_0_new_lo1 + (qi_0_new_h_lo1 + (qi_0_new_e_left_rest - qi_0_new_e_right_rest))
-    qi_0_new_rounded = qi_0_new + qi_0_new_lo
-    qi_1_new_lo = qi_1_new_lo1 + (qi_1_new_e_lo1 + (qi_1_new_c_left_rest - qi_1_new_c_right_rest))
-    qi_1_new_rounded = qi_1_new + qi_1_new_lo
-    qi_2_new_lo = qi_2_new_lo1 + (qi_2_new_e_lo1 + (qi_2_new_c_left_rest - qi_2_new_c_right_rest))
-    qi_2_new_rounded = qi_2_new + qi_2_new_lo
-    qi_3_new_lo = qi_3_new_lo1 + (qi_3_new_e_lo1 + (qi_3_new_c_left_rest + qi_3_new_c_right_rest))
-    qi_3_new_rounded = qi_3_new + qi_3_new_lo
+    qi_3_new_e_lo = (qi_3_new_e_lo1
+        + (qi_3_new_c_left_rest + product_rest(qi_0_new_a, qi_1, qi_3_new_b, qi_3_new_c_right)))
+    qi_0_new_rounded = (qi_0_new
+        + (qi_0_new_h - (qi_0_new - qi_0_new_right) + (qi_0 - qi_0_new_right) + qi_0_new_h_lo))
+    qi_1_new_rounded = (qi_1_new
+        + (qi_1_new_e - (qi_1_new - qi_1_new_right) + (qi_1 - qi_1_new_right) + qi_1_new_e_lo))
+    qi_2_new_rounded = (qi_2_new
+        + (qi_2_new_e - (qi_2_new - qi_2_new_right) + (qi_2 - qi_2_new_right) + qi_2_new_e_lo))
+    qi_3_new_rounded = (qi_3_new
+        + (qi_3_new_e - (qi_3_new - qi_3_new_right) + (qi_3 - qi_3_new_right) + qi_3_new_e_lo))
     return (qi_0_new_rounded, qi_1_new_rounded, qi_2_new_rounded, qi_3_new_rounded)
 
 
@@ -2324,10 +2406,10 @@ def omega_to_dquaternion(w, qi):
     dqo_0f = dqo_0e * qi_1
     dqo_0g = dqo_0d - dqo_0f
     dqo_0g_right = dqo_0d - dqo_0g
-    dqo_0g_left_rest = product_rest(dqo_0c, qi_2, dqo_0d, dqo_0g + dqo_0g_right)
     dqo_0h = dqo_0b + dqo_0g
     dqo_0h_right = dqo_0h - dqo_0b
-    dqo_0h_lo1 = product_rest(dqo_0a, qi_3, dqo_0b, dqo_0h - dqo_0h_right) + (dqo_0g - dqo_0h_right)
+    dqo_0g_lo = (product_rest(dqo_0c, qi_2, dqo_0d, dqo_0g + dqo_0g_right)
+        - product_rest(dqo_0e, qi_1, dqo_0f, dqo_0g_right))
     dqo_0i = qi_0 * qi_0
     dqo_0j = 1 - dqo_0i
     dqo_0j_right = 1 - dqo_0j
@@ -2335,75 +2417,83 @@ def omega_to_dquaternion(w, qi):
     dqo_0l = dqo_0j - dqo_0k
     dqo_0l_right = dqo_0j - dqo_0l
     dqo_0l_lo1 = dqo_0j - (dqo_0l + dqo_0l_right) - product_rest(qi_1, qi_1, dqo_0k, dqo_0l_right)
-    dqo_0j_lo = 1 - (dqo_0j + dqo_0j_right) - product_rest(qi_0, qi_0, dqo_0i, dqo_0j_right)
     dqo_0m = qi_2 * qi_2
     dqo_0n = dqo_0l - dqo_0m
     dqo_0n_right = dqo_0l - dqo_0n
-    dqo_0n_lo1 = dqo_0l - (dqo_0n + dqo_0n_right) - product_rest(qi_2, qi_2, dqo_0m, dqo_0n_right)
+    dqo_0l_lo = (dqo_0l_lo1
+        + (1 - (dqo_0j + dqo_0j_right) - product_rest(qi_0, qi_0, dqo_0i, dqo_0j_right)))
     dqo_0o = qi_3 * qi_3
     dqo_0p = dqo_0n - dqo_0o
     dqo_0p_right = dqo_0n - dqo_0p
-    dqo_0p_lo1 = dqo_0n - (dqo_0p + dqo_0p_right) - product_rest(qi_3, qi_3, dqo_0o, dqo_0p_right)
-    dqo_0p_lo = dqo_0p_lo1 + (dqo_0n_lo1 + (dqo_0l_lo1 + dqo_0j_lo))
-    dqo_0q_of_dqo_0p = dqo_0p + dqo_0p_lo
-    dqo_0q_of_dqo_0p_right = dqo_0q_of_dqo_0p - dqo_0p
-    dqo_0q_of_dqo_0p_left_rest = dqo_0p - (dqo_0q_of_dqo_0p - dqo_0q_of_dqo_0p_right)
-    dqo_0q_of_dqo_0p_lo = dqo_0q_of_dqo_0p_left_rest + (dqo_0p_lo - dqo_0q_of_dqo_0p_right)
-    dqo_0q = qi_0 * dqo_0q_of_dqo_0p
+    dqo_0n_lo = (dqo_0l - (dqo_0n + dqo_0n_right) - product_rest(qi_2, qi_2, dqo_0m, dqo_0n_right)
+        + dqo_0l_lo)
+    dqo_0p_lo = (dqo_0n - (dqo_0p + dqo_0p_right) - product_rest(qi_3, qi_3, dqo_0o, dqo_0p_right)
+        + dqo_0n_lo)
+    dqo_0p_sum = dqo_0p + dqo_0p_lo
+    dqo_0p_sum_right = dqo_0p_sum - dqo_0p
+    dqo_0p_sum_lo = dqo_0p - (dqo_0p_sum - dqo_0p_sum_right) + (dqo_0p_lo - dqo_0p_sum_right)
+    dqo_0q = qi_0 * dqo_0p_sum
     dqo_0 = dqo_0h + dqo_0q
     dqo_0_right = dqo_0 - dqo_0h
-    dqo_0_right_rest = product_rest(qi_0, dqo_0q_of_dqo_0p, dqo_0q, dqo_0_right)
-    dqo_0h_lo = dqo_0h_lo1 + (dqo_0g_left_rest - product_rest(dqo_0e, qi_1, dqo_0f, dqo_0g_right))
-    dqo_0_lo2 = dqo_0h - (dqo_0 - dqo_0_right) + dqo_0_right_rest + qi_0 * dqo_0q_of_dqo_0p_lo
+    dqo_0_lo2 = (dqo_0h - (dqo_0 - dqo_0_right)
+        + product_rest(qi_0, dqo_0p_sum, dqo_0q, dqo_0_right) + qi_0 * dqo_0p_sum_lo)
     dqo_1a = dqo_0e * qi_0
     dqo_1b = dqo_0a * qi_2
     dqo_1c = dqo_1a - dqo_1b
     dqo_1c_right = dqo_1a - dqo_1c
-    dqo_1c_left_rest = product_rest(dqo_0e, qi_0, dqo_1a, dqo_1c + dqo_1c_right)
     dqo_1d = dqo_0c * qi_3
     dqo_1e = dqo_1c + dqo_1d
     dqo_1e_right = dqo_1e - dqo_1c
-    dqo_1e_lo1 = dqo_1c - (dqo_1e - dqo_1e_right) + product_rest(dqo_0c, qi_3, dqo_1d, dqo_1e_right)
-    dqo_1f = qi_1 * dqo_0q_of_dqo_0p
+    dqo_1c_lo = (product_rest(dqo_0e, qi_0, dqo_1a, dqo_1c + dqo_1c_right)
+        - product_rest(dqo_0a, qi_2, dqo_1b, dqo_1c_right))
+    dqo_1f = qi_1 * dqo_0p_sum
     dqo_1 = dqo_1e + dqo_1f
     dqo_1_right = dqo_1 - dqo_1e
-    dqo_1_right_rest = product_rest(qi_1, dqo_0q_of_dqo_0p, dqo_1f, dqo_1_right)
-    dqo_1e_lo = dqo_1e_lo1 + (dqo_1c_left_rest - product_rest(dqo_0a, qi_2, dqo_1b, dqo_1c_right))
-    dqo_1_lo2 = dqo_1e - (dqo_1 - dqo_1_right) + dqo_1_right_rest + qi_1 * dqo_0q_of_dqo_0p_lo
+    dqo_1_lo2 = (dqo_1e - (dqo_1 - dqo_1_right)
+        + product_rest(qi_1, dqo_0p_sum, dqo_1f, dqo_1_right) + qi_1 * dqo_0p_sum_lo)
     dqo_2a = dqo_0a * qi_1
     dqo_2b = dqo_0c * qi_0
     dqo_2c = dqo_2a - dqo_2b
     dqo_2c_right = dqo_2a - dqo_2c
-    dqo_2c_left_rest = product_rest(dqo_0a, qi_1, dqo_2a, dqo_2c + dqo_2c_right)
     dqo_2d = dqo_0e * qi_3
     dqo_2e = dqo_2c + dqo_2d
     dqo_2e_right = dqo_2e - dqo_2c
-    dqo_2e_lo1 = dqo_2c - (dqo_2e - dqo_2e_right) + product_rest(dqo_0e, qi_3, dqo_2d, dqo_2e_right)
-    dqo_2f = qi_2 * dqo_0q_of_dqo_0p
+    dqo_2c_lo = (product_rest(dqo_0a, qi_1, dqo_2a, dqo_2c + dqo_2c_right)
+        - product_rest(dqo_0c, qi_0, dqo_2b, dqo_2c_right))
+    dqo_2f = qi_2 * dqo_0p_sum
     dqo_2 = dqo_2e + dqo_2f
     dqo_2_right = dqo_2 - dqo_2e
-    dqo_2_right_rest = product_rest(qi_2, dqo_0q_of_dqo_0p, dqo_2f, dqo_2_right)
-    dqo_2e_lo = dqo_2e_lo1 + (dqo_2c_left_rest - product_rest(dqo_0c, qi_0, dqo_2b, dqo_2c_right))
-    dqo_2_lo2 = dqo_2e - (dqo_2 - dqo_2_right) + dqo_2_right_rest + qi_2 * dqo_0q_of_dqo_0p_lo
-    dqo_3a = qi_3 * dqo_0q_of_dqo_0p
+    dqo_2_lo2 = (dqo_2e - (dqo_2 - dqo_2_right)
+        + product_rest(qi_2, dqo_0p_sum, dqo_2f, dqo_2_right) + qi_2 * dqo_0p_sum_lo)
+    dqo_3a = qi_3 * dqo_0p_sum
     dqo_3b = dqo_0a * qi_0
     dqo_3c = dqo_0c * qi_1
     dqo_3d = dqo_3b + dqo_3c
     dqo_3d_right = dqo_3d - dqo_3b
-    dqo_3d_left_rest = product_rest(dqo_0a, qi_0, dqo_3b, dqo_3d - dqo_3d_right)
     dqo_3e = dqo_0e * qi_2
     dqo_3f = dqo_3d + dqo_3e
     dqo_3f_right = dqo_3f - dqo_3d
-    dqo_3f_lo1 = dqo_3d - (dqo_3f - dqo_3f_right) + product_rest(dqo_0e, qi_2, dqo_3e, dqo_3f_right)
+    dqo_3d_lo = (product_rest(dqo_0a, qi_0, dqo_3b, dqo_3d - dqo_3d_right)
+        + product_rest(dqo_0c, qi_1, dqo_3c, dqo_3d_right))
     dqo_3 = dqo_3a - dqo_3f
     dqo_3_right = dqo_3a - dqo_3
-    dqo_3_left_rest = product_rest(qi_3, dqo_0q_of_dqo_0p, dqo_3a, dqo_3 + dqo_3_right)
-    dqo_3f_lo = dqo_3f_lo1 + (dqo_3d_left_rest + product_rest(dqo_0c, qi_1, dqo_3c, dqo_3d_right))
-    dqo_0_rounded = dqo_0 + (dqo_0_lo2 + dqo_0h_lo)
-    dqo_1_rounded = dqo_1 + (dqo_1_lo2 + dqo_1e_lo)
-    dqo_2_rounded = dqo_2 + (dqo_2_lo2 + dqo_2e_lo)
-    dqo_3_lo = dqo_3_left_rest - (dqo_3f - dqo_3_right) - dqo_3f_lo + qi_3 * dqo_0q_of_dqo_0p_lo
-    dqo_3_rounded = dqo_3 + dqo_3_lo
+    dqo_3f_lo = (dqo_3d - (dqo_3f - dqo_3f_right)
+        + product_rest(dqo_0e, qi_2, dqo_3e, dqo_3f_right) + dqo_3d_lo)
+    dqo_0_rounded = (dqo_0
+        + (dqo_0_lo2
+        + (product_rest(dqo_0a, qi_3, dqo_0b, dqo_0h - dqo_0h_right) + (dqo_0g - dqo_0h_right)
+        + dqo_0g_lo)))
+    dqo_1_rounded = (dqo_1
+        + (dqo_1_lo2
+        + (dqo_1c - (dqo_1e - dqo_1e_right) + product_rest(dqo_0c, qi_3, dqo_1d, dqo_1e_right)
+        + dqo_1c_lo)))
+    dqo_2_rounded = (dqo_2
+        + (dqo_2_lo2
+        + (dqo_2c - (dqo_2e - dqo_2e_right) + product_rest(dqo_0e, qi_3, dqo_2d, dqo_2e_right)
+        + dqo_2c_lo)))
+    dqo_3_rounded = (dqo_3
+        + (product_rest(qi_3, dqo_0p_sum, dqo_3a, dqo_3 + dqo_3_right) - (dqo_3f - dqo_3_right)
+        - dqo_3f_lo + qi_3 * dqo_0p_sum_lo))
     return (dqo_0_rounded, dqo_1_rounded, dqo_2_rounded, dqo_3_rounded)
 
 
@@ -2425,46 +2515,46 @@ def mat3x3_from_quaternion(q):
     squares_3 = q_2 * q_2
     pairs_0 = squares_0 + squares_1
     pairs_0_right = pairs_0 - squares_0
-    pairs_0_left_rest = product_rest(q_3, q_3, squares_0, pairs_0 - pairs_0_right)
-    pairs_0_lo = pairs_0_left_rest + product_rest(q_0, q_0, squares_1, pairs_0_right)
+    pairs_0_lo = (product_rest(q_3, q_3, squares_0, pairs_0 - pairs_0_right)
+        + product_rest(q_0, q_0, squares_1, pairs_0_right))
     pairs_1 = squares_2 + squares_3
     pairs_1_right = pairs_1 - squares_2
-    pairs_1_left_rest = product_rest(q_1, q_1, squares_2, pairs_1 - pairs_1_right)
-    pairs_1_lo = pairs_1_left_rest + product_rest(q_2, q_2, squares_3, pairs_1_right)
+    pairs_1_lo = (product_rest(q_1, q_1, squares_2, pairs_1 - pairs_1_right)
+        + product_rest(q_2, q_2, squares_3, pairs_1_right))
     pairs_2 = squares_0 + squares_2
     pairs_2_right = pairs_2 - squares_0
-    pairs_2_left_rest = product_rest(q_3, q_3, squares_0, pairs_2 - pairs_2_right)
     pairs_3 = squares_1 + squares_3
     pairs_3_right = pairs_3 - squares_1
-    pairs_3_left_rest = product_rest(q_0, q_0, squares_1, pairs_3 - pairs_3_right)
     pairs_4 = squares_0 + squares_3
     pairs_4_right = pairs_4 - squares_0
-    pairs_4_left_rest = product_rest(q_3, q_3, squares_0, pairs_4 - pairs_4_right)
     pairs_5 = squares_1 + squares_2
     pairs_5_right = pairs_5 - squares_1
-    pairs_5_left_rest = product_rest(q_0, q_0, squares_1, pairs_5 - pairs_5_right)
     square = pairs_0 + pairs_1
     square_right = square - pairs_0
-    square_lo2 = pairs_0 - (square - square_right) + (pairs_1 - square_right) + pairs_1_lo
-    square_lo = square_lo2 + pairs_0_lo
-    factor_of_square = square + square_lo
-    factor_of_square_right = factor_of_square - square
-    factor_of_square_left_rest = square - (factor_of_square - factor_of_square_right)
-    factor = 1 / factor_of_square
-    factor_product = factor * factor_of_square
-    factor_exact = 1 - factor_product - product_error(factor, factor_of_square, factor_product)
-    factor_cross = factor * (factor_of_square_left_rest + (square_lo - factor_of_square_right))
-    factor_lo = (factor_exact - factor_cross) / factor_of_square
+    square_lo = (pairs_0 - (square - square_right) + (pairs_1 - square_right) + pairs_1_lo
+        + pairs_0_lo)
+    square_sum = square + square_lo
+    square_sum_right = square_sum - square
+    factor = 1 / square_sum
+    factor_product = factor * square_sum
+    factor_cross = (factor
+        * (square - (square_sum - square_sum_right) + (square_lo - square_sum_right)))
+    factor_lo = ((1 - factor_product - product_error(factor, square_sum, factor_product)
+        - factor_cross) / square_sum)
     d0 = pairs_0 - pairs_1
     d0_right = pairs_0 - d0
     d1 = pairs_2 - pairs_3
     d1_right = pairs_2 - d1
-    pairs_3_lo = pairs_3_left_rest + product_rest(q_2, q_2, squares_3, pairs_3_right)
-    pairs_2_lo = pairs_2_left_rest + product_rest(q_1, q_1, squares_2, pairs_2_right)
+    pairs_3_lo = (product_rest(q_0, q_0, squares_1, pairs_3 - pairs_3_right)
+        + product_rest(q_2, q_2, squares_3, pairs_3_right))
+    pairs_2_lo = (product_rest(q_3, q_3, squares_0, pairs_2 - pairs_2_right)
+        + product_rest(q_1, q_1, squares_2, pairs_2_right))
     d2 = pairs_4 - pairs_5
     d2_right = pairs_4 - d2
-    pairs_5_lo = pairs_5_left_rest + product_rest(q_1, q_1, squares_2, pairs_5_right)
-    pairs_4_lo = pairs_4_left_rest + product_rest(q_2, q_2, squares_3, pairs_4_right)
+    pairs_5_lo = (product_rest(q_0, q_0, squares_1, pairs_5 - pairs_5_right)
+        + product_rest(q_1, q_1, squares_2, pairs_5_right))
+    pairs_4_lo = (product_rest(q_3, q_3, squares_0, pairs_4 - pairs_4_right)
+        + product_rest(q_2, q_2, squares_3, pairs_4_right))
     twice = 2 * factor
     twice_cross2 = 2 * factor_lo
     m_0a = q_0 * q_1
@@ -2486,32 +2576,44 @@ def mat3x3_from_quaternion(q):
     m_5 = m_2b + m_2a
     m_5_right = m_5 - m_2b
     R_00 = factor * d0
-    d0_lo = pairs_0 - (d0 + d0_right) - (pairs_1 - d0_right) - pairs_1_lo + pairs_0_lo
     R_01 = twice * m_0
-    m_0_lo = product_rest(q_0, q_1, m_0a, m_0 + m_0_right) - product_rest(q_2, q_3, m_0b, m_0_right)
     R_02 = twice * m_1
-    m_1_lo = product_rest(q_0, q_2, m_1a, m_1 - m_1_right) + product_rest(q_1, q_3, m_1b, m_1_right)
     R_10 = twice * m_3
-    m_3_lo = product_rest(q_0, q_1, m_0a, m_3 - m_3_right) + product_rest(q_2, q_3, m_0b, m_3_right)
     R_11 = factor * d1
-    d1_lo = pairs_2 - (d1 + d1_right) - (pairs_3 - d1_right) - pairs_3_lo + pairs_2_lo
     R_12 = twice * m_2
-    m_2_lo = product_rest(q_1, q_2, m_2a, m_2 + m_2_right) - product_rest(q_0, q_3, m_2b, m_2_right)
     R_20 = twice * m_4
-    m_4_lo = product_rest(q_0, q_2, m_1a, m_4 + m_4_right) - product_rest(q_1, q_3, m_1b, m_4_right)
     R_21 = twice * m_5
-    m_5_lo = product_rest(q_0, q_3, m_2b, m_5 - m_5_right) + product_rest(q_1, q_2, m_2a, m_5_right)
     R_22 = factor * d2
-    d2_lo = pairs_4 - (d2 + d2_right) - (pairs_5 - d2_right) - pairs_5_lo + pairs_4_lo
-    R_00_rounded = R_00 + (product_error(factor, d0, R_00) + (factor_lo * d0 + factor * d0_lo))
-    R_01_rounded = R_01 + (product_error(twice, m_0, R_01) + (twice_cross2 * m_0 + twice * m_0_lo))
-    R_02_rounded = R_02 + (product_error(twice, m_1, R_02) + (twice_cross2 * m_1 + twice * m_1_lo))
-    R_10_rounded = R_10 + (product_error(twice, m_3, R_10) + (twice_cross2 * m_3 + twice * m_3_lo))
-    R_11_rounded = R_11 + (product_error(factor, d1, R_11) + (factor_lo * d1 + factor * d1_lo))
-    R_12_rounded = R_12 + (product_error(twice, m_2, R_12) + (twice_cross2 * m_2 + twice * m_2_lo))
-    R_20_rounded = R_20 + (product_error(twice, m_4, R_20) + (twice_cross2 * m_4 + twice * m_4_lo))
-    R_21_rounded = R_21 + (product_error(twice, m_5, R_21) + (twice_cross2 * m_5 + twice * m_5_lo))
-    R_22_rounded = R_22 + (product_error(factor, d2, R_22) + (factor_lo * d2 + factor * d2_lo))
+    R_00_lo = (product_error(factor, d0, R_00)
+        + (factor_lo * d0 + factor
+        * (pairs_0 - (d0 + d0_right) - (pairs_1 - d0_right) - pairs_1_lo + pairs_0_lo)))
+    R_00_rounded = R_00 + R_00_lo
+    R_01_cross = (twice_cross2 * m_0 + twice
+        * (product_rest(q_0, q_1, m_0a, m_0 + m_0_right) - product_rest(q_2, q_3, m_0b, m_0_right)))
+    R_01_rounded = R_01 + (product_error(twice, m_0, R_01) + R_01_cross)
+    R_02_cross = (twice_cross2 * m_1 + twice
+        * (product_rest(q_0, q_2, m_1a, m_1 - m_1_right) + product_rest(q_1, q_3, m_1b, m_1_right)))
+    R_02_rounded = R_02 + (product_error(twice, m_1, R_02) + R_02_cross)
+    R_10_cross = (twice_cross2 * m_3 + twice
+        * (product_rest(q_0, q_1, m_0a, m_3 - m_3_right) + product_rest(q_2, q_3, m_0b, m_3_right)))
+    R_10_rounded = R_10 + (product_error(twice, m_3, R_10) + R_10_cross)
+    R_11_lo = (product_error(factor, d1, R_11)
+        + (factor_lo * d1 + factor
+        * (pairs_2 - (d1 + d1_right) - (pairs_3 - d1_right) - pairs_3_lo + pairs_2_lo)))
+    R_11_rounded = R_11 + R_11_lo
+    R_12_cross = (twice_cross2 * m_2 + twice
+        * (product_rest(q_1, q_2, m_2a, m_2 + m_2_right) - product_rest(q_0, q_3, m_2b, m_2_right)))
+    R_12_rounded = R_12 + (product_error(twice, m_2, R_12) + R_12_cross)
+    R_20_cross = (twice_cross2 * m_4 + twice
+        * (product_rest(q_0, q_2, m_1a, m_4 + m_4_right) - product_rest(q_1, q_3, m_1b, m_4_right)))
+    R_20_rounded = R_20 + (product_error(twice, m_4, R_20) + R_20_cross)
+    R_21_cross = (twice_cross2 * m_5 + twice
+        * (product_rest(q_0, q_3, m_2b, m_5 - m_5_right) + product_rest(q_1, q_2, m_2a, m_5_right)))
+    R_21_rounded = R_21 + (product_error(twice, m_5, R_21) + R_21_cross)
+    R_22_lo = (product_error(factor, d2, R_22)
+        + (factor_lo * d2 + factor
+        * (pairs_4 - (d2 + d2_right) - (pairs_5 - d2_right) - pairs_5_lo + pairs_4_lo)))
+    R_22_rounded = R_22 + R_22_lo
     R_00_final = where(R_00_rounded == R_00_rounded, R_00_rounded, R_00)
     R_01_final = where(R_01_rounded == R_01_rounded, R_01_rounded, R_01)
     R_02_final = where(R_02_rounded == R_02_rounded, R_02_rounded, R_02)
@@ -2577,106 +2679,108 @@ def quaternion_from_mat3x3(R):
     d_3_right = first_1 - d_3
     low_0a = R_11 < R_00
     low_0 = where(low_0a, d_1, s_2)
-    d_1_lo = first_0 - (d_1 + d_1_right) - (others_0 - d_1_right) - others_0_lo + first_0_lo
     low_1 = where(low_0a, s_2, d_2)
-    d_2_lo = first_1 - (d_2 - d_2_right) + (others_1 - d_2_right) + others_1_lo + first_1_lo
     low_2 = where(low_0a, s_1, s_0)
     low_3 = where(low_0a, p_0, p_1)
     high_0b = R_00 < -R_11
     high_0 = where(high_0b, s_1, p_0)
     high_1 = where(high_0b, s_0, p_1)
     high_2 = where(high_0b, d_3, p_2)
-    d_3_lo = first_1 - (d_3 + d_3_right) - (others_1 - d_3_right) - others_1_lo + first_1_lo
     high_3 = where(high_0b, p_2, d_0)
-    d_0_lo = first_0 - (d_0 - d_0_right) + (others_0 - d_0_right) + others_0_lo + first_0_lo
     column_0a = R_22 < 0
     column_0 = where(column_0a, low_0, high_0)
-    column_0_lo = where(column_0a, where(low_0a, d_1_lo, s_2_lo), where(high_0b, s_1_lo, p_0_lo))
+    low_0_lo = (where(low_0a, first_0 - (d_1 + d_1_right) - (others_0 - d_1_right) - others_0_lo
+        + first_0_lo, s_2_lo))
+    column_0_lo = where(column_0a, low_0_lo, where(high_0b, s_1_lo, p_0_lo))
     column_1 = where(column_0a, low_1, high_1)
-    column_1_lo = where(column_0a, where(low_0a, s_2_lo, d_2_lo), where(high_0b, s_0_lo, p_1_lo))
+    low_1_lo = (where(low_0a, s_2_lo, first_1 - (d_2 - d_2_right) + (others_1 - d_2_right)
+        + others_1_lo + first_1_lo))
+    column_1_lo = where(column_0a, low_1_lo, where(high_0b, s_0_lo, p_1_lo))
     column_2 = where(column_0a, low_2, high_2)
-    column_2_lo = where(column_0a, where(low_0a, s_1_lo, s_0_lo), where(high_0b, d_3_lo, p_2_lo))
+    high_2_lo = (where(high_0b, first_1 - (d_3 + d_3_right) - (others_1 - d_3_right) - others_1_lo
+        + first_1_lo, p_2_lo))
+    column_2_lo = where(column_0a, where(low_0a, s_1_lo, s_0_lo), high_2_lo)
     column_3 = where(column_0a, low_3, high_3)
-    column_3_lo = where(column_0a, where(low_0a, p_0_lo, p_1_lo), where(high_0b, p_2_lo, d_0_lo))
-    upper_0b_of_column_3 = column_3 + column_3_lo
-    upper_0b_of_column_3_right = upper_0b_of_column_3 - column_3
-    upper_0b_of_column_3_left_rest = column_3 - (upper_0b_of_column_3 - upper_0b_of_column_3_right)
-    upper_0b_of_column_3_right_rest = column_3_lo - upper_0b_of_column_3_right
-    upper_0b_of_column_3_lo = upper_0b_of_column_3_left_rest + upper_0b_of_column_3_right_rest
-    upper_0b = upper_0b_of_column_3 < 0
+    high_3_lo = (where(high_0b, p_2_lo, first_0 - (d_0 - d_0_right) + (others_0 - d_0_right)
+        + others_0_lo + first_0_lo))
+    column_3_lo = where(column_0a, where(low_0a, p_0_lo, p_1_lo), high_3_lo)
+    column_3_sum = column_3 + column_3_lo
+    column_3_sum_right = column_3_sum - column_3
+    column_3_sum_lo = (column_3 - (column_3_sum - column_3_sum_right)
+        + (column_3_lo - column_3_sum_right))
+    upper_0b = column_3_sum < 0
     upper_0 = where(upper_0b, -column_0, column_0)
     upper_0_lo = where(upper_0b, -column_0_lo, column_0_lo)
     upper_1 = where(upper_0b, -column_1, column_1)
     upper_1_lo = where(upper_0b, -column_1_lo, column_1_lo)
     upper_2 = where(upper_0b, -column_2, column_2)
     upper_2_lo = where(upper_0b, -column_2_lo, column_2_lo)
-    upper_3 = where(upper_0b, -upper_0b_of_column_3, upper_0b_of_column_3)
-    upper_3_lo = where(upper_0b, -upper_0b_of_column_3_lo, upper_0b_of_column_3_lo)
+    upper_3 = where(upper_0b, -column_3_sum, column_3_sum)
+    upper_3_lo = where(upper_0b, -column_3_sum_lo, column_3_sum_lo)
     length_a = upper_0 * upper_0
     length_b = upper_1 * upper_1
     length_c = length_a + length_b
     length_c_right = length_c - length_a
-    length_a_cross = upper_0_lo * upper_0 + upper_0 * upper_0_lo
-    length_c_left_rest = product_rest(upper_0, upper_0, length_a, length_c - length_c_right)
-    length_c_lo1 = length_c_left_rest + product_rest(upper_1, upper_1, length_b, length_c_right)
+    length_c_lo1 = (product_rest(upper_0, upper_0, length_a, length_c - length_c_right)
+        + product_rest(upper_1, upper_1, length_b, length_c_right))
     length_d = upper_2 * upper_2
     length_e = length_c + length_d
     length_e_right = length_e - length_c
-    length_e_right_rest = product_rest(upper_2, upper_2, length_d, length_e_right)
-    length_e_lo1 = length_c - (length_e - length_e_right) + length_e_right_rest
-    length_c_lo = length_c_lo1 + (length_a_cross + (upper_1_lo * upper_1 + upper_1 * upper_1_lo))
+    length_e_lo1 = (length_c - (length_e - length_e_right)
+        + product_rest(upper_2, upper_2, length_d, length_e_right))
+    length_c_lo = (length_c_lo1
+        + (upper_0_lo * upper_0 + upper_0 * upper_0_lo
+        + (upper_1_lo * upper_1 + upper_1 * upper_1_lo)))
     length_f = upper_3 * upper_3
     length_g = length_e + length_f
     length_g_right = length_g - length_e
-    length_g_right_rest = product_rest(upper_3, upper_3, length_f, length_g_right)
-    length_g_lo1 = length_e - (length_g - length_g_right) + length_g_right_rest
+    length_g_lo1 = (length_e - (length_g - length_g_right)
+        + product_rest(upper_3, upper_3, length_f, length_g_right))
     length_e_lo = length_e_lo1 + (upper_2_lo * upper_2 + upper_2 * upper_2_lo) + length_c_lo
     length_g_lo = length_g_lo1 + (upper_3_lo * upper_3 + upper_3 * upper_3_lo) + length_e_lo
-    length_of_length_g = length_g + length_g_lo
-    length_of_length_g_right = length_of_length_g - length_g
-    length_of_length_g_left_rest = length_g - (length_of_length_g - length_of_length_g_right)
-    length = sqrt(length_of_length_g)
+    length_g_sum = length_g + length_g_lo
+    length_g_sum_right = length_g_sum - length_g
+    length = sqrt(length_g_sum)
     length_product = length * length
-    length_product_error = product_error(length, length, length_product)
-    length_of_length_g_lo = length_of_length_g_left_rest + (length_g_lo - length_of_length_g_right)
-    length_exact = length_of_length_g - length_product - length_product_error
-    length_lo = (length_exact + length_of_length_g_lo) / where(length == 0, 1, length + length)
-    qo_0_of_upper_0 = upper_0 + upper_0_lo
-    qo_0_of_upper_0_right = qo_0_of_upper_0 - upper_0
-    qo_0_of_upper_0_left_rest = upper_0 - (qo_0_of_upper_0 - qo_0_of_upper_0_right)
-    qo_0_of_length = length + length_lo
-    qo_0_of_length_right = qo_0_of_length - length
-    qo_0_of_length_left_rest = length - (qo_0_of_length - qo_0_of_length_right)
-    qo_0_of_length_lo = qo_0_of_length_left_rest + (length_lo - qo_0_of_length_right)
-    qo_0 = qo_0_of_upper_0 / qo_0_of_length
-    qo_0_product = qo_0 * qo_0_of_length
-    qo_0_exact = qo_0_of_upper_0 - qo_0_product - product_error(qo_0, qo_0_of_length, qo_0_product)
-    qo_0_numerator = qo_0_exact + (qo_0_of_upper_0_left_rest + (upper_0_lo - qo_0_of_upper_0_right))
-    qo_1_of_upper_1 = upper_1 + upper_1_lo
-    qo_1_of_upper_1_right = qo_1_of_upper_1 - upper_1
-    qo_1_of_upper_1_left_rest = upper_1 - (qo_1_of_upper_1 - qo_1_of_upper_1_right)
-    qo_1 = qo_1_of_upper_1 / qo_0_of_length
-    qo_1_product = qo_1 * qo_0_of_length
-    qo_1_exact = qo_1_of_upper_1 - qo_1_product - product_error(qo_1, qo_0_of_length, qo_1_product)
-    qo_1_numerator = qo_1_exact + (qo_1_of_upper_1_left_rest + (upper_1_lo - qo_1_of_upper_1_right))
-    qo_2_of_upper_2 = upper_2 + upper_2_lo
-    qo_2_of_upper_2_right = qo_2_of_upper_2 - upper_2
-    qo_2_of_upper_2_left_rest = upper_2 - (qo_2_of_upper_2 - qo_2_of_upper_2_right)
-    qo_2 = qo_2_of_upper_2 / qo_0_of_length
-    qo_2_product = qo_2 * qo_0_of_length
-    qo_2_exact = qo_2_of_upper_2 - qo_2_product - product_error(qo_2, qo_0_of_length, qo_2_product)
-    qo_2_numerator = qo_2_exact + (qo_2_of_upper_2_left_rest + (upper_2_lo - qo_2_of_upper_2_right))
-    qo_3_of_upper_3 = upper_3 + upper_3_lo
-    qo_3_of_upper_3_right = qo_3_of_upper_3 - upper_3
-    qo_3_of_upper_3_left_rest = upper_3 - (qo_3_of_upper_3 - qo_3_of_upper_3_right)
-    qo_3 = qo_3_of_upper_3 / qo_0_of_length
-    qo_3_product = qo_3 * qo_0_of_length
-    qo_3_exact = qo_3_of_upper_3 - qo_3_product - product_error(qo_3, qo_0_of_length, qo_3_product)
-    qo_3_numerator = qo_3_exact + (qo_3_of_upper_3_left_rest + (upper_3_lo - qo_3_of_upper_3_right))
-    qo_0_rounded = qo_0 + (qo_0_numerator - qo_0 * qo_0_of_length_lo) / qo_0_of_length
-    qo_1_rounded = qo_1 + (qo_1_numerator - qo_1 * qo_0_of_length_lo) / qo_0_of_length
-    qo_2_rounded = qo_2 + (qo_2_numerator - qo_2 * qo_0_of_length_lo) / qo_0_of_length
-    qo_3_rounded = qo_3 + (qo_3_numerator - qo_3 * qo_0_of_length_lo) / qo_0_of_length
+    length_g_sum_lo = (length_g - (length_g_sum - length_g_sum_right)
+        + (length_g_lo - length_g_sum_right))
+    length_lo = ((length_g_sum - length_product - product_error(length, length, length_product)
+        + length_g_sum_lo) / where(length == 0, 1, length + length))
+    upper_0_sum = upper_0 + upper_0_lo
+    upper_0_sum_right = upper_0_sum - upper_0
+    length_sum = length + length_lo
+    length_sum_right = length_sum - length
+    length_sum_lo = length - (length_sum - length_sum_right) + (length_lo - length_sum_right)
+    qo_0 = upper_0_sum / length_sum
+    qo_0_product = qo_0 * length_sum
+    upper_0_sum_lo = upper_0 - (upper_0_sum - upper_0_sum_right) + (upper_0_lo - upper_0_sum_right)
+    upper_1_sum = upper_1 + upper_1_lo
+    upper_1_sum_right = upper_1_sum - upper_1
+    qo_1 = upper_1_sum / length_sum
+    qo_1_product = qo_1 * length_sum
+    upper_1_sum_lo = upper_1 - (upper_1_sum - upper_1_sum_right) + (upper_1_lo - upper_1_sum_right)
+    upper_2_sum = upper_2 + upper_2_lo
+    upper_2_sum_right = upper_2_sum - upper_2
+    qo_2 = upper_2_sum / length_sum
+    qo_2_product = qo_2 * length_sum
+    upper_2_sum_lo = upper_2 - (upper_2_sum - upper_2_sum_right) + (upper_2_lo - upper_2_sum_right)
+    upper_3_sum = upper_3 + upper_3_lo
+    upper_3_sum_right = upper_3_sum - upper_3
+    qo_3 = upper_3_sum / length_sum
+    qo_3_product = qo_3 * length_sum
+    upper_3_sum_lo = upper_3 - (upper_3_sum - upper_3_sum_right) + (upper_3_lo - upper_3_sum_right)
+    qo_0_lo = ((upper_0_sum - qo_0_product - product_error(qo_0, length_sum, qo_0_product)
+        + upper_0_sum_lo - qo_0 * length_sum_lo) / length_sum)
+    qo_0_rounded = qo_0 + qo_0_lo
+    qo_1_lo = ((upper_1_sum - qo_1_product - product_error(qo_1, length_sum, qo_1_product)
+        + upper_1_sum_lo - qo_1 * length_sum_lo) / length_sum)
+    qo_1_rounded = qo_1 + qo_1_lo
+    qo_2_lo = ((upper_2_sum - qo_2_product - product_error(qo_2, length_sum, qo_2_product)
+        + upper_2_sum_lo - qo_2 * length_sum_lo) / length_sum)
+    qo_2_rounded = qo_2 + qo_2_lo
+    qo_3_lo = ((upper_3_sum - qo_3_product - product_error(qo_3, length_sum, qo_3_product)
+        + upper_3_sum_lo - qo_3 * length_sum_lo) / length_sum)
+    qo_3_rounded = qo_3 + qo_3_lo
     qo_0_final = where(qo_0_rounded == qo_0_rounded, qo_0_rounded, qo_0)
     qo_1_final = where(qo_1_rounded == qo_1_rounded, qo_1_rounded, qo_1)
     qo_2_final = where(qo_2_rounded == qo_2_rounded, qo_2_rounded, qo_2)
@@ -2733,8 +2837,9 @@ def axis_angle_from_quaternion(q):
     s_largest1 = where(s_size_0 < s_size_1, s_size_1, s_size_0)
     s_largest2 = where(s_largest1 < s_size_2, s_size_2, s_largest1)
     s_largest3 = where(s_largest2 < s_size_3, s_size_3, s_largest2)
-    s_b = where(6.703903964971299e+153 < s_largest3, float64(3.7291703656001034e-155), float64(1))
-    s_d = where(s_largest3 < 256, 1.3093562431584567e+151, s_b)
+    s_d = (where(s_largest3
+        < 256, 1.3093562431584567e+151, where(6.703903964971299e+153
+        < s_largest3, float64(3.7291703656001034e-155), float64(1))))
     s = where(s_largest3 < 1.955159272639747e-149, 1.0715086071862673e+301, s_d)
     scaled_s_0 = q_0 * s
     scaled_s_1 = q_1 * s
@@ -2750,8 +2855,9 @@ def axis_angle_from_quaternion(q):
     v_s_size_2 = absolute(upper_2)
     v_s_largest1 = where(v_s_size_0 < v_s_size_1, v_s_size_1, v_s_size_0)
     v_s_largest2 = where(v_s_largest1 < v_s_size_2, v_s_size_2, v_s_largest1)
-    v_s_b = where(v_s_largest2 < 256, float64(1.3093562431584567e+151), float64(1))
-    v_s = where(v_s_largest2 < 1.955159272639747e-149, 1.0715086071862673e+301, v_s_b)
+    v_s = (where(v_s_largest2
+        < 1.955159272639747e-149, 1.0715086071862673e+301, where(v_s_largest2
+        < 256, float64(1.3093562431584567e+151), float64(1))))
     v_y_0 = upper_0 * v_s
     v_y_1 = upper_1 * v_s
     v_y_2 = upper_2 * v_s
@@ -2759,62 +2865,66 @@ def axis_angle_from_quaternion(q):
     v_n_b = v_y_1 * v_y_1
     v_n_c = v_n_a + v_n_b
     v_n_c_right = v_n_c - v_n_a
-    v_n_c_left_rest = product_rest(v_y_0, v_y_0, v_n_a, v_n_c - v_n_c_right)
     v_n_d = v_y_2 * v_y_2
     v_n_e = v_n_c + v_n_d
     v_n_e_right = v_n_e - v_n_c
-    v_n_e_lo1 = v_n_c - (v_n_e - v_n_e_right) + product_rest(v_y_2, v_y_2, v_n_d, v_n_e_right)
-    v_n_e_lo = v_n_e_lo1 + (v_n_c_left_rest + product_rest(v_y_1, v_y_1, v_n_b, v_n_c_right))
-    v_n_of_v_n_e = v_n_e + v_n_e_lo
-    v_n_of_v_n_e_right = v_n_of_v_n_e - v_n_e
-    v_n = sqrt(v_n_of_v_n_e)
+    v_n_c_lo = (product_rest(v_y_0, v_y_0, v_n_a, v_n_c - v_n_c_right)
+        + product_rest(v_y_1, v_y_1, v_n_b, v_n_c_right))
+    v_n_e_lo = (v_n_c - (v_n_e - v_n_e_right) + product_rest(v_y_2, v_y_2, v_n_d, v_n_e_right)
+        + v_n_c_lo)
+    v_n_e_sum = v_n_e + v_n_e_lo
+    v_n_e_sum_right = v_n_e_sum - v_n_e
+    v_n = sqrt(v_n_e_sum)
     v_n_product = v_n * v_n
-    v_n_of_v_n_e_lo = v_n_e - (v_n_of_v_n_e - v_n_of_v_n_e_right) + (v_n_e_lo - v_n_of_v_n_e_right)
-    v_n_exact = v_n_of_v_n_e - v_n_product - product_error(v_n, v_n, v_n_product)
-    v_n_lo = (v_n_exact + v_n_of_v_n_e_lo) / where(v_n == 0, 1, v_n + v_n)
-    v_r_b = where(1 < v_s, float64(7.637340908749012e-152), float64(1))
-    v_r = where(1.3093562431584567e+151 < v_s, 9.332636185032189e-302, v_r_b)
-    n_of_v_n = v_n + v_n_lo
-    n_of_v_n_right = n_of_v_n - v_n
-    n_of_v_n_lo = v_n - (n_of_v_n - n_of_v_n_right) + (v_n_lo - n_of_v_n_right)
-    n = n_of_v_n * v_r
-    n_lo = (n_of_v_n - n * (1 / v_r) + n_of_v_n_lo) * v_r
-    half_of_n = n + n_lo
-    half_of_n_right = half_of_n - n
-    half = elementary.atan2(half_of_n, upper_3)
-    half_size0 = absolute(half_of_n)
+    v_n_residual = (v_n_e_sum - v_n_product - product_error(v_n, v_n, v_n_product)
+        + (v_n_e - (v_n_e_sum - v_n_e_sum_right) + (v_n_e_lo - v_n_e_sum_right)))
+    v_n_lo = v_n_residual / where(v_n == 0, 1, v_n + v_n)
+    v_r = (where(1.3093562431584567e+151
+        < v_s, 9.332636185032189e-302, where(1 < v_s, float64(7.637340908749012e-152), float64(1))))
+    v_n_sum = v_n + v_n_lo
+    v_n_sum_right = v_n_sum - v_n
+    v_n_sum_lo = v_n - (v_n_sum - v_n_sum_right) + (v_n_lo - v_n_sum_right)
+    n = v_n_sum * v_r
+    n_lo = (v_n_sum - n * (1 / v_r) + v_n_sum_lo) * v_r
+    n_sum = n + n_lo
+    n_sum_right = n_sum - n
+    half = elementary.atan2(n_sum, upper_3)
+    half_size0 = absolute(n_sum)
     half_size1 = absolute(upper_3)
     half_most = where(half_size0 < half_size1, half_size1, half_size0)
     half_zero = half_most == 0
     half_divisor = where(half_zero, 1, half_most)
-    half_part0 = half_of_n / half_divisor
+    half_part0 = n_sum / half_divisor
     half_part1 = upper_3 / half_divisor
-    half_cross1 = half_part1 * (n - (half_of_n - half_of_n_right) + (n_lo - half_of_n_right))
-    half_divisor2 = half_divisor * (half_part1 * half_part1 + half_part0 * half_part0)
-    half_more = (half_cross1 - half_part0 * 0) / where(half_zero, 1, half_divisor2)
-    divisor_a = n_of_v_n == 0
-    divisor = where(divisor_a, 1, n_of_v_n)
-    divisor_lo = where(divisor_a, 0, n_of_v_n_lo)
-    unit_0_of_divisor = divisor + divisor_lo
-    unit_0_of_divisor_right = unit_0_of_divisor - divisor
-    unit_0_of_divisor_left_rest = divisor - (unit_0_of_divisor - unit_0_of_divisor_right)
-    unit_0_of_divisor_lo = unit_0_of_divisor_left_rest + (divisor_lo - unit_0_of_divisor_right)
-    unit_0 = v_y_0 / unit_0_of_divisor
-    unit_0_product = unit_0 * unit_0_of_divisor
-    unit_0_exact = v_y_0 - unit_0_product - product_error(unit_0, unit_0_of_divisor, unit_0_product)
-    unit_1 = v_y_1 / unit_0_of_divisor
-    unit_1_product = unit_1 * unit_0_of_divisor
-    unit_1_exact = v_y_1 - unit_1_product - product_error(unit_1, unit_0_of_divisor, unit_1_product)
-    unit_2 = v_y_2 / unit_0_of_divisor
-    unit_2_product = unit_2 * unit_0_of_divisor
-    unit_2_exact = v_y_2 - unit_2_product - product_error(unit_2, unit_0_of_divisor, unit_2_product)
+    half_safe = (where(half_zero, 1, half_divisor
+        * (half_part1 * half_part1 + half_part0 * half_part0)))
+    half_more = ((half_part1 * (n - (n_sum - n_sum_right) + (n_lo - n_sum_right)) - half_part0 * 0)
+        / half_safe)
+    divisor_a = v_n_sum == 0
+    divisor = where(divisor_a, 1, v_n_sum)
+    divisor_lo = where(divisor_a, 0, v_n_sum_lo)
+    divisor_sum = divisor + divisor_lo
+    divisor_sum_right = divisor_sum - divisor
+    divisor_sum_lo = divisor - (divisor_sum - divisor_sum_right) + (divisor_lo - divisor_sum_right)
+    unit_0 = v_y_0 / divisor_sum
+    unit_0_product = unit_0 * divisor_sum
+    unit_1 = v_y_1 / divisor_sum
+    unit_1_product = unit_1 * divisor_sum
+    unit_2 = v_y_2 / divisor_sum
+    unit_2_product = unit_2 * divisor_sum
     angle = 2 * half
     axis_0 = where(divisor_a, 1, unit_0)
-    unit_0_lo = (unit_0_exact - unit_0 * unit_0_of_divisor_lo) / unit_0_of_divisor
-    angle_rounded = angle + 2 * (elementary.atan2_error(half_of_n, upper_3, half) + half_more)
-    axis_0_rounded = axis_0 + where(divisor_a, 0, unit_0_lo)
-    unit_1_rounded = unit_1 + (unit_1_exact - unit_1 * unit_0_of_divisor_lo) / unit_0_of_divisor
-    unit_2_rounded = unit_2 + (unit_2_exact - unit_2 * unit_0_of_divisor_lo) / unit_0_of_divisor
+    angle_rounded = angle + 2 * (elementary.atan2_error(n_sum, upper_3, half) + half_more)
+    axis_0_lo = (where(divisor_a, 0, (v_y_0 - unit_0_product
+        - product_error(unit_0, divisor_sum, unit_0_product) - unit_0 * divisor_sum_lo)
+        / divisor_sum))
+    axis_0_rounded = axis_0 + axis_0_lo
+    unit_1_rounded = (unit_1
+        + (v_y_1 - unit_1_product - product_error(unit_1, divisor_sum, unit_1_product) - unit_1
+        * divisor_sum_lo) / divisor_sum)
+    unit_2_rounded = (unit_2
+        + (v_y_2 - unit_2_product - product_error(unit_2, divisor_sum, unit_2_product) - unit_2
+        * divisor_sum_lo) / divisor_sum)
     angle_final = where(angle_rounded == angle_rounded, angle_rounded, angle)
     axis_0_final = where(axis_0_rounded == axis_0_rounded, axis_0_rounded, axis_0)
     unit_1_final = where(unit_1_rounded == unit_1_rounded, unit_1_rounded, unit_1)
@@ -2851,83 +2961,72 @@ def quaternion_exp(v):
     reduced_length_b = reduced_1 * reduced_1
     reduced_length_c = reduced_length_a + reduced_length_b
     reduced_length_c_right = reduced_length_c - reduced_length_a
-    reduced_length_c_left = reduced_length_c - reduced_length_c_right
-    reduced_length_c_right_rest = product_rest(reduced_1, reduced_1, reduced_length_b, reduced_length_c_right)
-    reduced_length_c_left_rest = product_rest(reduced_0, reduced_0, reduced_length_a, reduced_length_c_left)
+    reduced_length_c_left_rest = product_rest(reduced_0, reduced_0, reduced_length_a,
+        reduced_length_c - reduced_length_c_right)
     reduced_length_d = reduced_2 * reduced_2
     reduced_length_e = reduced_length_c + reduced_length_d
     reduced_length_e_right = reduced_length_e - reduced_length_c
-    reduced_length_e_right_rest = product_rest(reduced_2, reduced_2, reduced_length_d, reduced_length_e_right)
-    reduced_length_e_left_rest = reduced_length_c - (reduced_length_e - reduced_length_e_right)
-    reduced_length_e_lo1 = reduced_length_e_left_rest + reduced_length_e_right_rest
-    reduced_length_c_lo = reduced_length_c_left_rest + reduced_length_c_right_rest
-    reduced_length_e_lo = reduced_length_e_lo1 + reduced_length_c_lo
-    reduced_length_of_reduced_length_e = reduced_length_e + reduced_length_e_lo
-    reduced_length_of_reduced_length_e_right = reduced_length_of_reduced_length_e - reduced_length_e
-    reduced_length_of_reduced_length_e_left = reduced_length_of_reduced_length_e - reduced_length_of_reduced_length_e_right
-    reduced_length_of_reduced_length_e_right_rest = reduced_length_e_lo - reduced_length_of_reduced_length_e_right
-    reduced_length_of_reduced_length_e_left_rest = reduced_length_e - reduced_length_of_reduced_length_e_left
-    reduced_length = sqrt(reduced_length_of_reduced_length_e)
+    reduced_length_e_right_rest = product_rest(reduced_2, reduced_2, reduced_length_d,
+        reduced_length_e_right)
+    reduced_length_c_lo = (reduced_length_c_left_rest
+        + product_rest(reduced_1, reduced_1, reduced_length_b, reduced_length_c_right))
+    reduced_length_e_lo = (reduced_length_c - (reduced_length_e - reduced_length_e_right)
+        + reduced_length_e_right_rest + reduced_length_c_lo)
+    reduced_length_e_sum = reduced_length_e + reduced_length_e_lo
+    reduced_length_e_sum_right = reduced_length_e_sum - reduced_length_e
+    reduced_length = sqrt(reduced_length_e_sum)
     reduced_length_product = reduced_length * reduced_length
-    reduced_length_product_error = product_error(reduced_length, reduced_length, reduced_length_product)
-    reduced_length_rest = reduced_length_of_reduced_length_e - reduced_length_product
-    reduced_length_of_reduced_length_e_lo = reduced_length_of_reduced_length_e_left_rest + reduced_length_of_reduced_length_e_right_rest
-    reduced_length_exact = reduced_length_rest - reduced_length_product_error
-    reduced_length_divisor = where(reduced_length == 0, 1, reduced_length + reduced_length)
-    reduced_length_residual = reduced_length_exact + reduced_length_of_reduced_length_e_lo
-    reduced_length_lo = reduced_length_residual / reduced_length_divisor
-    half_angle_of_reduced_length = reduced_length + reduced_length_lo
-    half_angle_of_reduced_length_right = half_angle_of_reduced_length - reduced_length
-    half_angle_of_reduced_length_left = half_angle_of_reduced_length - half_angle_of_reduced_length_right
-    half_angle_of_reduced_length_right_rest = reduced_length_lo - half_angle_of_reduced_length_right
-    half_angle_of_reduced_length_left_rest = reduced_length - half_angle_of_reduced_length_left
-    half_angle = half_angle_of_reduced_length * up
-    half_angle_of_reduced_length_lo = half_angle_of_reduced_length_left_rest + half_angle_of_reduced_length_right_rest
-    half_angle_lost = half_angle_of_reduced_length - half_angle * (1 / up)
-    half_angle_lo = (half_angle_lost + half_angle_of_reduced_length_lo) * up
+    reduced_length_e_sum_lo = (reduced_length_e
+        - (reduced_length_e_sum - reduced_length_e_sum_right)
+        + (reduced_length_e_lo - reduced_length_e_sum_right))
+    reduced_length_exact = (reduced_length_e_sum - reduced_length_product
+        - product_error(reduced_length, reduced_length, reduced_length_product))
+    reduced_length_lo = ((reduced_length_exact + reduced_length_e_sum_lo)
+        / where(reduced_length == 0, 1, reduced_length + reduced_length))
+    reduced_length_sum = reduced_length + reduced_length_lo
+    reduced_length_sum_right = reduced_length_sum - reduced_length
+    half_angle = reduced_length_sum * up
+    reduced_length_sum_lo = (reduced_length - (reduced_length_sum - reduced_length_sum_right)
+        + (reduced_length_lo - reduced_length_sum_right))
+    half_angle_lo = (reduced_length_sum - half_angle * (1 / up) + reduced_length_sum_lo) * up
     y = half_angle * half_angle
-    sine_of_half_angle = half_angle + half_angle_lo
-    sine_of_half_angle_right = sine_of_half_angle - half_angle
-    sine_of_half_angle_left_rest = half_angle - (sine_of_half_angle - sine_of_half_angle_right)
-    sine_of_half_angle_right_rest = half_angle_lo - sine_of_half_angle_right
-    sine_of_half_angle_lo = sine_of_half_angle_left_rest + sine_of_half_angle_right_rest
-    sine, c = elementary.sincos(sine_of_half_angle)
-    sine_own_error, c_own_error = elementary.sincos_error(sine_of_half_angle, sine, c)
-    sine_half = sine_of_half_angle_lo * 0.5
+    half_angle_sum = half_angle + half_angle_lo
+    half_angle_sum_right = half_angle_sum - half_angle
+    half_angle_sum_lo = (half_angle - (half_angle_sum - half_angle_sum_right)
+        + (half_angle_lo - half_angle_sum_right))
+    sine, c = elementary.sincos(half_angle_sum)
+    sine_own_error, c_own_error = elementary.sincos_error(half_angle_sum, sine, c)
+    sine_half = half_angle_sum_lo * 0.5
     sine_half_sin, sine_half_cos = elementary.sincos(sine_half)
     sine_twice = sine_half_sin + sine_half_sin
     sine_lo = sine_own_error + (sine_half_cos * c - sine_half_sin * sine) * sine_twice
-    sinc_divisor_a = sine_of_half_angle < 1.4901161193847656e-08
-    sinc_divisor = where(sinc_divisor_a, 1.4901161193847656e-08, sine_of_half_angle)
-    sinc_divisor_lo = where(sinc_divisor_a, 0, sine_of_half_angle_lo)
-    sinc_quotient_of_sine = sine + sine_lo
-    sinc_quotient_of_sine_right = sinc_quotient_of_sine - sine
-    sinc_quotient_of_sine_left_rest = sine - (sinc_quotient_of_sine - sinc_quotient_of_sine_right)
-    sinc_quotient_of_sine_right_rest = sine_lo - sinc_quotient_of_sine_right
-    sinc_quotient_of_sinc_divisor = sinc_divisor + sinc_divisor_lo
-    sinc_quotient_of_sinc_divisor_right = sinc_quotient_of_sinc_divisor - sinc_divisor
-    sinc_quotient_of_sinc_divisor_left = sinc_quotient_of_sinc_divisor - sinc_quotient_of_sinc_divisor_right
-    sinc_quotient_of_sinc_divisor_right_rest = sinc_divisor_lo - sinc_quotient_of_sinc_divisor_right
-    sinc_quotient_of_sinc_divisor_left_rest = sinc_divisor - sinc_quotient_of_sinc_divisor_left
-    sinc_quotient = sinc_quotient_of_sine / sinc_quotient_of_sinc_divisor
-    sinc_quotient_product = sinc_quotient * sinc_quotient_of_sinc_divisor
-    sinc_quotient_product_error = product_error(sinc_quotient, sinc_quotient_of_sinc_divisor, sinc_quotient_product)
-    sinc_quotient_rest = sinc_quotient_of_sine - sinc_quotient_product
-    sinc_quotient_of_sine_lo = sinc_quotient_of_sine_left_rest + sinc_quotient_of_sine_right_rest
-    sinc_quotient_exact = sinc_quotient_rest - sinc_quotient_product_error
-    sinc_quotient_of_sinc_divisor_lo = sinc_quotient_of_sinc_divisor_left_rest + sinc_quotient_of_sinc_divisor_right_rest
-    sinc_quotient_cross = sinc_quotient * sinc_quotient_of_sinc_divisor_lo
-    sinc_quotient_residual = sinc_quotient_exact + sinc_quotient_of_sine_lo - sinc_quotient_cross
-    y_cross = half_angle_lo * half_angle + half_angle * half_angle_lo
+    sinc_divisor_a = half_angle_sum < 1.4901161193847656e-08
+    sinc_divisor = where(sinc_divisor_a, 1.4901161193847656e-08, half_angle_sum)
+    sinc_divisor_lo = where(sinc_divisor_a, 0, half_angle_sum_lo)
+    sine_sum = sine + sine_lo
+    sine_sum_right = sine_sum - sine
+    sinc_divisor_sum = sinc_divisor + sinc_divisor_lo
+    sinc_divisor_sum_right = sinc_divisor_sum - sinc_divisor
+    sinc_quotient = sine_sum / sinc_divisor_sum
+    sinc_quotient_product = sinc_quotient * sinc_divisor_sum
+    sinc_quotient_exact = (sine_sum - sinc_quotient_product
+        - product_error(sinc_quotient, sinc_divisor_sum, sinc_quotient_product))
+    sinc_quotient_cross = (sinc_quotient
+        * (sinc_divisor - (sinc_divisor_sum - sinc_divisor_sum_right)
+        + (sinc_divisor_lo - sinc_divisor_sum_right)))
     sinc_a = 0.16666666666666666 * y
-    sinc_a_cross2 = 0.16666666666666666 * (product_error(half_angle, half_angle, y) + y_cross)
+    sinc_a_cross2 = (0.16666666666666666
+        * (product_error(half_angle, half_angle, y)
+        + (half_angle_lo * half_angle + half_angle * half_angle_lo)))
     sinc_b = 1 - sinc_a
     sinc_b_right = 1 - sinc_b
-    sinc_b_right_rest = product_rest(0.16666666666666666, y, sinc_a, sinc_b_right)
-    sinc_b_lo1 = 1 - (sinc_b + sinc_b_right) - sinc_b_right_rest
     sinc = where(sinc_divisor_a, sinc_b, sinc_quotient)
-    sinc_b_lo = sinc_b_lo1 - (9.25185853854297e-18 * y + sinc_a_cross2)
-    sinc_quotient_lo = sinc_quotient_residual / sinc_quotient_of_sinc_divisor
+    sinc_b_lo = (1 - (sinc_b + sinc_b_right)
+        - product_rest(0.16666666666666666, y, sinc_a, sinc_b_right)
+        - (9.25185853854297e-18 * y + sinc_a_cross2))
+    sinc_quotient_lo = ((sinc_quotient_exact
+        + (sine - (sine_sum - sine_sum_right) + (sine_lo - sine_sum_right)) - sinc_quotient_cross)
+        / sinc_divisor_sum)
     sinc_lo = where(sinc_divisor_a, sinc_b_lo, sinc_quotient_lo)
     qo_0 = h_0 * sinc
     qo_1 = h_1 * sinc
@@ -2963,8 +3062,9 @@ def quaternion_log(q):
     s_largest1 = where(s_size_0 < s_size_1, s_size_1, s_size_0)
     s_largest2 = where(s_largest1 < s_size_2, s_size_2, s_largest1)
     s_largest3 = where(s_largest2 < s_size_3, s_size_3, s_largest2)
-    s_b = where(6.703903964971299e+153 < s_largest3, float64(3.7291703656001034e-155), float64(1))
-    s_d = where(s_largest3 < 256, 1.3093562431584567e+151, s_b)
+    s_d = (where(s_largest3
+        < 256, 1.3093562431584567e+151, where(6.703903964971299e+153
+        < s_largest3, float64(3.7291703656001034e-155), float64(1))))
     s = where(s_largest3 < 1.955159272639747e-149, 1.0715086071862673e+301, s_d)
     scaled_s_0 = q_0 * s
     scaled_s_1 = q_1 * s
@@ -2980,8 +3080,9 @@ def quaternion_log(q):
     v_s_size_2 = absolute(upper_2)
     v_s_largest1 = where(v_s_size_0 < v_s_size_1, v_s_size_1, v_s_size_0)
     v_s_largest2 = where(v_s_largest1 < v_s_size_2, v_s_size_2, v_s_largest1)
-    v_s_b = where(v_s_largest2 < 256, float64(1.3093562431584567e+151), float64(1))
-    v_s = where(v_s_largest2 < 1.955159272639747e-149, 1.0715086071862673e+301, v_s_b)
+    v_s = (where(v_s_largest2
+        < 1.955159272639747e-149, 1.0715086071862673e+301, where(v_s_largest2
+        < 256, float64(1.3093562431584567e+151), float64(1))))
     v_y_0 = upper_0 * v_s
     v_y_1 = upper_1 * v_s
     v_y_2 = upper_2 * v_s
@@ -2989,55 +3090,55 @@ def quaternion_log(q):
     v_n_b = v_y_1 * v_y_1
     v_n_c = v_n_a + v_n_b
     v_n_c_right = v_n_c - v_n_a
-    v_n_c_left_rest = product_rest(v_y_0, v_y_0, v_n_a, v_n_c - v_n_c_right)
     v_n_d = v_y_2 * v_y_2
     v_n_e = v_n_c + v_n_d
     v_n_e_right = v_n_e - v_n_c
-    v_n_e_lo1 = v_n_c - (v_n_e - v_n_e_right) + product_rest(v_y_2, v_y_2, v_n_d, v_n_e_right)
-    v_n_e_lo = v_n_e_lo1 + (v_n_c_left_rest + product_rest(v_y_1, v_y_1, v_n_b, v_n_c_right))
-    v_n_of_v_n_e = v_n_e + v_n_e_lo
-    v_n_of_v_n_e_right = v_n_of_v_n_e - v_n_e
-    v_n = sqrt(v_n_of_v_n_e)
+    v_n_c_lo = (product_rest(v_y_0, v_y_0, v_n_a, v_n_c - v_n_c_right)
+        + product_rest(v_y_1, v_y_1, v_n_b, v_n_c_right))
+    v_n_e_lo = (v_n_c - (v_n_e - v_n_e_right) + product_rest(v_y_2, v_y_2, v_n_d, v_n_e_right)
+        + v_n_c_lo)
+    v_n_e_sum = v_n_e + v_n_e_lo
+    v_n_e_sum_right = v_n_e_sum - v_n_e
+    v_n = sqrt(v_n_e_sum)
     v_n_product = v_n * v_n
-    v_n_of_v_n_e_lo = v_n_e - (v_n_of_v_n_e - v_n_of_v_n_e_right) + (v_n_e_lo - v_n_of_v_n_e_right)
-    v_n_exact = v_n_of_v_n_e - v_n_product - product_error(v_n, v_n, v_n_product)
-    v_n_lo = (v_n_exact + v_n_of_v_n_e_lo) / where(v_n == 0, 1, v_n + v_n)
-    v_r_b = where(1 < v_s, float64(7.637340908749012e-152), float64(1))
-    v_r = where(1.3093562431584567e+151 < v_s, 9.332636185032189e-302, v_r_b)
-    n_of_v_n = v_n + v_n_lo
-    n_of_v_n_right = n_of_v_n - v_n
-    n = n_of_v_n * v_r
-    n_of_v_n_lo = v_n - (n_of_v_n - n_of_v_n_right) + (v_n_lo - n_of_v_n_right)
-    n_lo = (n_of_v_n - n * (1 / v_r) + n_of_v_n_lo) * v_r
-    half_of_n = n + n_lo
-    half_of_n_right = half_of_n - n
-    half_of_n_lo = n - (half_of_n - half_of_n_right) + (n_lo - half_of_n_right)
-    half = elementary.atan2(half_of_n, upper_3)
-    half_size0 = absolute(half_of_n)
+    v_n_residual = (v_n_e_sum - v_n_product - product_error(v_n, v_n, v_n_product)
+        + (v_n_e - (v_n_e_sum - v_n_e_sum_right) + (v_n_e_lo - v_n_e_sum_right)))
+    v_n_lo = v_n_residual / where(v_n == 0, 1, v_n + v_n)
+    v_r = (where(1.3093562431584567e+151
+        < v_s, 9.332636185032189e-302, where(1 < v_s, float64(7.637340908749012e-152), float64(1))))
+    v_n_sum = v_n + v_n_lo
+    v_n_sum_right = v_n_sum - v_n
+    n = v_n_sum * v_r
+    n_lo = ((v_n_sum - n * (1 / v_r)
+        + (v_n - (v_n_sum - v_n_sum_right) + (v_n_lo - v_n_sum_right))) * v_r)
+    n_sum = n + n_lo
+    n_sum_right = n_sum - n
+    n_sum_lo = n - (n_sum - n_sum_right) + (n_lo - n_sum_right)
+    half = elementary.atan2(n_sum, upper_3)
+    half_size0 = absolute(n_sum)
     half_size1 = absolute(upper_3)
     half_most = where(half_size0 < half_size1, half_size1, half_size0)
     half_zero = half_most == 0
     half_divisor = where(half_zero, 1, half_most)
-    half_part0 = half_of_n / half_divisor
+    half_part0 = n_sum / half_divisor
     half_part1 = upper_3 / half_divisor
-    half_divisor2 = half_divisor * (half_part1 * half_part1 + half_part0 * half_part0)
-    half_more = (half_part1 * half_of_n_lo - half_part0 * 0) / where(half_zero, 1, half_divisor2)
-    divisor_a = half_of_n == 0
-    divisor = where(divisor_a, 1, half_of_n)
-    divisor_lo = where(divisor_a, 0, half_of_n_lo)
+    half_more = ((half_part1 * n_sum_lo - half_part0 * 0)
+        / where(half_zero, 1, half_divisor * (half_part1 * half_part1 + half_part0 * half_part0)))
+    divisor_a = n_sum == 0
+    divisor = where(divisor_a, 1, n_sum)
+    divisor_lo = where(divisor_a, 0, n_sum_lo)
     theta = 2 * half
-    theta_cross2 = 2 * (elementary.atan2_error(half_of_n, upper_3, half) + half_more)
-    k_of_theta = theta + theta_cross2
-    k_of_theta_right = k_of_theta - theta
-    k_of_divisor = divisor + divisor_lo
-    k_of_divisor_right = k_of_divisor - divisor
-    k_of_divisor_left_rest = divisor - (k_of_divisor - k_of_divisor_right)
-    k = k_of_theta / k_of_divisor
-    k_product = k * k_of_divisor
-    k_of_theta_lo = theta - (k_of_theta - k_of_theta_right) + (theta_cross2 - k_of_theta_right)
-    k_numerator = k_of_theta - k_product - product_error(k, k_of_divisor, k_product) + k_of_theta_lo
-    k_residual = k_numerator - k * (k_of_divisor_left_rest + (divisor_lo - k_of_divisor_right))
-    k_lo = k_residual / k_of_divisor
+    theta_cross2 = 2 * (elementary.atan2_error(n_sum, upper_3, half) + half_more)
+    theta_sum = theta + theta_cross2
+    theta_sum_right = theta_sum - theta
+    divisor_sum = divisor + divisor_lo
+    divisor_sum_right = divisor_sum - divisor
+    k = theta_sum / divisor_sum
+    k_product = k * divisor_sum
+    theta_sum_lo = theta - (theta_sum - theta_sum_right) + (theta_cross2 - theta_sum_right)
+    k_cross = k * (divisor - (divisor_sum - divisor_sum_right) + (divisor_lo - divisor_sum_right))
+    k_lo = ((theta_sum - k_product - product_error(k, divisor_sum, k_product) + theta_sum_lo
+        - k_cross) / divisor_sum)
     vector_0 = upper_0 * k
     vector_1 = upper_1 * k
     vector_2 = upper_2 * k
@@ -3067,465 +3168,418 @@ def quaternion_interpolated(q1, q2, k):
     between_0b = q1_0 * q2_3
     between_0c = between_0a - between_0b
     between_0c_right = between_0a - between_0c
-    between_0c_left_rest = product_rest(q1_3, q2_0, between_0a, between_0c + between_0c_right)
     between_0d = q1_2 * q2_1
     between_0e = q1_1 * q2_2
     between_0f = between_0d - between_0e
     between_0f_right = between_0d - between_0f
-    between_0f_left_rest = product_rest(q1_2, q2_1, between_0d, between_0f + between_0f_right)
     between_0 = between_0c + between_0f
     between_0_right = between_0 - between_0c
-    between_0f_lo = between_0f_left_rest - product_rest(q1_1, q2_2, between_0e, between_0f_right)
-    between_0_lo1 = between_0c - (between_0 - between_0_right) + (between_0f - between_0_right)
-    between_0c_lo = between_0c_left_rest - product_rest(q1_0, q2_3, between_0b, between_0c_right)
-    between_0_lo = between_0_lo1 + between_0f_lo + between_0c_lo
+    between_0f_lo = (product_rest(q1_2, q2_1, between_0d, between_0f + between_0f_right)
+        - product_rest(q1_1, q2_2, between_0e, between_0f_right))
+    between_0c_lo = (product_rest(q1_3, q2_0, between_0a, between_0c + between_0c_right)
+        - product_rest(q1_0, q2_3, between_0b, between_0c_right))
+    between_0_lo = (between_0c - (between_0 - between_0_right) + (between_0f - between_0_right)
+        + between_0f_lo + between_0c_lo)
     between_1a = q1_0 * q2_2
     between_1b = q1_2 * q2_0
     between_1c = between_1a - between_1b
     between_1c_right = between_1a - between_1c
-    between_1c_left_rest = product_rest(q1_0, q2_2, between_1a, between_1c + between_1c_right)
     between_1d = q1_3 * q2_1
     between_1e = q1_1 * q2_3
     between_1f = between_1d - between_1e
     between_1f_right = between_1d - between_1f
-    between_1f_left_rest = product_rest(q1_3, q2_1, between_1d, between_1f + between_1f_right)
     between_1 = between_1c + between_1f
     between_1_right = between_1 - between_1c
-    between_1f_lo = between_1f_left_rest - product_rest(q1_1, q2_3, between_1e, between_1f_right)
-    between_1_lo1 = between_1c - (between_1 - between_1_right) + (between_1f - between_1_right)
-    between_1c_lo = between_1c_left_rest - product_rest(q1_2, q2_0, between_1b, between_1c_right)
-    between_1_lo = between_1_lo1 + between_1f_lo + between_1c_lo
+    between_1f_lo = (product_rest(q1_3, q2_1, between_1d, between_1f + between_1f_right)
+        - product_rest(q1_1, q2_3, between_1e, between_1f_right))
+    between_1c_lo = (product_rest(q1_0, q2_2, between_1a, between_1c + between_1c_right)
+        - product_rest(q1_2, q2_0, between_1b, between_1c_right))
+    between_1_lo = (between_1c - (between_1 - between_1_right) + (between_1f - between_1_right)
+        + between_1f_lo + between_1c_lo)
     between_2a = q1_1 * q2_0
     between_2b = q1_0 * q2_1
     between_2c = between_2a - between_2b
     between_2c_right = between_2a - between_2c
-    between_2c_left_rest = product_rest(q1_1, q2_0, between_2a, between_2c + between_2c_right)
     between_2d = q1_3 * q2_2
     between_2e = q1_2 * q2_3
     between_2f = between_2d - between_2e
     between_2f_right = between_2d - between_2f
-    between_2f_left_rest = product_rest(q1_3, q2_2, between_2d, between_2f + between_2f_right)
     between_2 = between_2c + between_2f
     between_2_right = between_2 - between_2c
-    between_2f_lo = between_2f_left_rest - product_rest(q1_2, q2_3, between_2e, between_2f_right)
-    between_2_lo1 = between_2c - (between_2 - between_2_right) + (between_2f - between_2_right)
-    between_2c_lo = between_2c_left_rest - product_rest(q1_0, q2_1, between_2b, between_2c_right)
-    between_2_lo = between_2_lo1 + between_2f_lo + between_2c_lo
+    between_2f_lo = (product_rest(q1_3, q2_2, between_2d, between_2f + between_2f_right)
+        - product_rest(q1_2, q2_3, between_2e, between_2f_right))
+    between_2c_lo = (product_rest(q1_1, q2_0, between_2a, between_2c + between_2c_right)
+        - product_rest(q1_0, q2_1, between_2b, between_2c_right))
+    between_2_lo = (between_2c - (between_2 - between_2_right) + (between_2f - between_2_right)
+        + between_2f_lo + between_2c_lo)
     between_3a = q1_0 * q2_0
     between_3b = q1_1 * q2_1
     between_3c = between_3a + between_3b
     between_3c_right = between_3c - between_3a
-    between_3c_left_rest = product_rest(q1_0, q2_0, between_3a, between_3c - between_3c_right)
     between_3d = q1_2 * q2_2
     between_3e = between_3c + between_3d
     between_3e_right = between_3e - between_3c
-    between_3e_right_rest = product_rest(q1_2, q2_2, between_3d, between_3e_right)
-    between_3c_lo = between_3c_left_rest + product_rest(q1_1, q2_1, between_3b, between_3c_right)
-    between_3e_lo1 = between_3c - (between_3e - between_3e_right) + between_3e_right_rest
+    between_3c_lo = (product_rest(q1_0, q2_0, between_3a, between_3c - between_3c_right)
+        + product_rest(q1_1, q2_1, between_3b, between_3c_right))
     between_3f = q1_3 * q2_3
     between_3 = between_3e + between_3f
     between_3_right = between_3 - between_3e
-    between_3_right_rest = product_rest(q1_3, q2_3, between_3f, between_3_right)
-    between_3_lo1 = between_3e - (between_3 - between_3_right) + between_3_right_rest
-    between_3_lo = between_3_lo1 + (between_3e_lo1 + between_3c_lo)
-    upper_0b_of_between_3 = between_3 + between_3_lo
-    upper_0b_of_between_3_right = upper_0b_of_between_3 - between_3
-    upper_0b_of_between_3_left = upper_0b_of_between_3 - upper_0b_of_between_3_right
-    upper_0b_of_between_3_right_rest = between_3_lo - upper_0b_of_between_3_right
-    upper_0b_of_between_3_left_rest = between_3 - upper_0b_of_between_3_left
-    upper_0b_of_between_3_lo = upper_0b_of_between_3_left_rest + upper_0b_of_between_3_right_rest
-    upper_0b = upper_0b_of_between_3 < 0
+    between_3e_lo = (between_3c - (between_3e - between_3e_right)
+        + product_rest(q1_2, q2_2, between_3d, between_3e_right) + between_3c_lo)
+    between_3_lo = (between_3e - (between_3 - between_3_right)
+        + product_rest(q1_3, q2_3, between_3f, between_3_right) + between_3e_lo)
+    between_3_sum = between_3 + between_3_lo
+    between_3_sum_right = between_3_sum - between_3
+    between_3_sum_lo = (between_3 - (between_3_sum - between_3_sum_right)
+        + (between_3_lo - between_3_sum_right))
+    upper_0b = between_3_sum < 0
     upper_0 = where(upper_0b, -between_0, between_0)
     upper_0_lo = where(upper_0b, -between_0_lo, between_0_lo)
     upper_1 = where(upper_0b, -between_1, between_1)
     upper_1_lo = where(upper_0b, -between_1_lo, between_1_lo)
     upper_2 = where(upper_0b, -between_2, between_2)
     upper_2_lo = where(upper_0b, -between_2_lo, between_2_lo)
-    upper_3 = absolute(upper_0b_of_between_3)
-    upper_3_negative = upper_0b_of_between_3 < 0
-    upper_3_lo = where(upper_3_negative, -upper_0b_of_between_3_lo, upper_0b_of_between_3_lo)
-    v_s_size_0_of_upper_0 = upper_0 + upper_0_lo
-    v_s_size_0_of_upper_0_right = v_s_size_0_of_upper_0 - upper_0
-    v_s_size_0_of_upper_0_left = v_s_size_0_of_upper_0 - v_s_size_0_of_upper_0_right
-    v_s_size_0_of_upper_0_right_rest = upper_0_lo - v_s_size_0_of_upper_0_right
-    v_s_size_0_of_upper_0_left_rest = upper_0 - v_s_size_0_of_upper_0_left
-    v_s_size_0_of_upper_0_lo = v_s_size_0_of_upper_0_left_rest + v_s_size_0_of_upper_0_right_rest
-    v_s_size_0 = absolute(v_s_size_0_of_upper_0)
-    v_s_size_0_negative = v_s_size_0_of_upper_0 < 0
-    v_s_size_0_lo = where(v_s_size_0_negative, -v_s_size_0_of_upper_0_lo, v_s_size_0_of_upper_0_lo)
-    v_s_size_1_of_upper_1 = upper_1 + upper_1_lo
-    v_s_size_1_of_upper_1_right = v_s_size_1_of_upper_1 - upper_1
-    v_s_size_1_of_upper_1_left = v_s_size_1_of_upper_1 - v_s_size_1_of_upper_1_right
-    v_s_size_1_of_upper_1_right_rest = upper_1_lo - v_s_size_1_of_upper_1_right
-    v_s_size_1_of_upper_1_left_rest = upper_1 - v_s_size_1_of_upper_1_left
-    v_s_size_1_of_upper_1_lo = v_s_size_1_of_upper_1_left_rest + v_s_size_1_of_upper_1_right_rest
-    v_s_size_1 = absolute(v_s_size_1_of_upper_1)
-    v_s_size_1_negative = v_s_size_1_of_upper_1 < 0
-    v_s_size_1_lo = where(v_s_size_1_negative, -v_s_size_1_of_upper_1_lo, v_s_size_1_of_upper_1_lo)
-    v_s_size_2_of_upper_2 = upper_2 + upper_2_lo
-    v_s_size_2_of_upper_2_right = v_s_size_2_of_upper_2 - upper_2
-    v_s_size_2_of_upper_2_left = v_s_size_2_of_upper_2 - v_s_size_2_of_upper_2_right
-    v_s_size_2_of_upper_2_right_rest = upper_2_lo - v_s_size_2_of_upper_2_right
-    v_s_size_2_of_upper_2_left_rest = upper_2 - v_s_size_2_of_upper_2_left
-    v_s_size_2_of_upper_2_lo = v_s_size_2_of_upper_2_left_rest + v_s_size_2_of_upper_2_right_rest
-    v_s_size_2 = absolute(v_s_size_2_of_upper_2)
-    v_s_size_2_negative = v_s_size_2_of_upper_2 < 0
-    v_s_size_2_lo = where(v_s_size_2_negative, -v_s_size_2_of_upper_2_lo, v_s_size_2_of_upper_2_lo)
-    v_s_largest1a_of_v_s_size_0 = v_s_size_0 + v_s_size_0_lo
-    v_s_largest1a_of_v_s_size_0_right = v_s_largest1a_of_v_s_size_0 - v_s_size_0
-    v_s_largest1a_of_v_s_size_0_left = v_s_largest1a_of_v_s_size_0 - v_s_largest1a_of_v_s_size_0_right
-    v_s_largest1a_of_v_s_size_0_right_rest = v_s_size_0_lo - v_s_largest1a_of_v_s_size_0_right
-    v_s_largest1a_of_v_s_size_0_left_rest = v_s_size_0 - v_s_largest1a_of_v_s_size_0_left
-    v_s_largest1a_of_v_s_size_1 = v_s_size_1 + v_s_size_1_lo
-    v_s_largest1a_of_v_s_size_1_right = v_s_largest1a_of_v_s_size_1 - v_s_size_1
-    v_s_largest1a_of_v_s_size_1_left = v_s_largest1a_of_v_s_size_1 - v_s_largest1a_of_v_s_size_1_right
-    v_s_largest1a_of_v_s_size_1_right_rest = v_s_size_1_lo - v_s_largest1a_of_v_s_size_1_right
-    v_s_largest1a_of_v_s_size_1_left_rest = v_s_size_1 - v_s_largest1a_of_v_s_size_1_left
-    v_s_largest1a = v_s_largest1a_of_v_s_size_0 < v_s_largest1a_of_v_s_size_1
-    v_s_largest1 = where(v_s_largest1a, v_s_largest1a_of_v_s_size_1, v_s_largest1a_of_v_s_size_0)
-    v_s_largest1a_of_v_s_size_1_lo = v_s_largest1a_of_v_s_size_1_left_rest + v_s_largest1a_of_v_s_size_1_right_rest
-    v_s_largest1a_of_v_s_size_0_lo = v_s_largest1a_of_v_s_size_0_left_rest + v_s_largest1a_of_v_s_size_0_right_rest
-    v_s_largest1_lo = where(v_s_largest1a, v_s_largest1a_of_v_s_size_1_lo, v_s_largest1a_of_v_s_size_0_lo)
-    v_s_largest2a_of_v_s_largest1 = v_s_largest1 + v_s_largest1_lo
-    v_s_largest2a_of_v_s_largest1_right = v_s_largest2a_of_v_s_largest1 - v_s_largest1
-    v_s_largest2a_of_v_s_largest1_left = v_s_largest2a_of_v_s_largest1 - v_s_largest2a_of_v_s_largest1_right
-    v_s_largest2a_of_v_s_largest1_right_rest = v_s_largest1_lo - v_s_largest2a_of_v_s_largest1_right
-    v_s_largest2a_of_v_s_largest1_left_rest = v_s_largest1 - v_s_largest2a_of_v_s_largest1_left
-    v_s_largest2a_of_v_s_size_2 = v_s_size_2 + v_s_size_2_lo
-    v_s_largest2a_of_v_s_size_2_right = v_s_largest2a_of_v_s_size_2 - v_s_size_2
-    v_s_largest2a_of_v_s_size_2_left = v_s_largest2a_of_v_s_size_2 - v_s_largest2a_of_v_s_size_2_right
-    v_s_largest2a_of_v_s_size_2_right_rest = v_s_size_2_lo - v_s_largest2a_of_v_s_size_2_right
-    v_s_largest2a_of_v_s_size_2_left_rest = v_s_size_2 - v_s_largest2a_of_v_s_size_2_left
-    v_s_largest2a = v_s_largest2a_of_v_s_largest1 < v_s_largest2a_of_v_s_size_2
-    v_s_largest2 = where(v_s_largest2a, v_s_largest2a_of_v_s_size_2, v_s_largest2a_of_v_s_largest1)
-    v_s_largest2a_of_v_s_largest1_lo = v_s_largest2a_of_v_s_largest1_left_rest + v_s_largest2a_of_v_s_largest1_right_rest
-    v_s_largest2a_of_v_s_size_2_lo = v_s_largest2a_of_v_s_size_2_left_rest + v_s_largest2a_of_v_s_size_2_right_rest
-    v_s_largest2_lo = where(v_s_largest2a, v_s_largest2a_of_v_s_size_2_lo, v_s_largest2a_of_v_s_largest1_lo)
-    v_s_a_of_v_s_largest2 = v_s_largest2 + v_s_largest2_lo
-    v_s_a = 6.703903964971299e+153 < v_s_a_of_v_s_largest2
-    v_s_b = where(v_s_a, float64(3.7291703656001034e-155), float64(1))
-    v_s_d = where(v_s_a_of_v_s_largest2 < 256, 1.3093562431584567e+151, v_s_b)
-    v_s = where(v_s_a_of_v_s_largest2 < 1.955159272639747e-149, 1.0715086071862673e+301, v_s_d)
-    v_y_0 = v_s_size_0_of_upper_0 * v_s
+    upper_3 = absolute(between_3_sum)
+    upper_3_lo = where(between_3_sum < 0, -between_3_sum_lo, between_3_sum_lo)
+    upper_0_sum = upper_0 + upper_0_lo
+    upper_0_sum_right = upper_0_sum - upper_0
+    upper_0_sum_lo = upper_0 - (upper_0_sum - upper_0_sum_right) + (upper_0_lo - upper_0_sum_right)
+    v_s_size_0 = absolute(upper_0_sum)
+    v_s_size_0_lo = where(upper_0_sum < 0, -upper_0_sum_lo, upper_0_sum_lo)
+    upper_1_sum = upper_1 + upper_1_lo
+    upper_1_sum_right = upper_1_sum - upper_1
+    upper_1_sum_lo = upper_1 - (upper_1_sum - upper_1_sum_right) + (upper_1_lo - upper_1_sum_right)
+    v_s_size_1 = absolute(upper_1_sum)
+    v_s_size_1_lo = where(upper_1_sum < 0, -upper_1_sum_lo, upper_1_sum_lo)
+    upper_2_sum = upper_2 + upper_2_lo
+    upper_2_sum_right = upper_2_sum - upper_2
+    upper_2_sum_lo = upper_2 - (upper_2_sum - upper_2_sum_right) + (upper_2_lo - upper_2_sum_right)
+    v_s_size_2 = absolute(upper_2_sum)
+    v_s_size_2_lo = where(upper_2_sum < 0, -upper_2_sum_lo, upper_2_sum_lo)
+    v_s_size_0_sum = v_s_size_0 + v_s_size_0_lo
+    v_s_size_0_sum_right = v_s_size_0_sum - v_s_size_0
+    v_s_size_1_sum = v_s_size_1 + v_s_size_1_lo
+    v_s_size_1_sum_right = v_s_size_1_sum - v_s_size_1
+    v_s_largest1a = v_s_size_0_sum < v_s_size_1_sum
+    v_s_largest1 = where(v_s_largest1a, v_s_size_1_sum, v_s_size_0_sum)
+    v_s_size_1_sum_lo = (v_s_size_1 - (v_s_size_1_sum - v_s_size_1_sum_right)
+        + (v_s_size_1_lo - v_s_size_1_sum_right))
+    v_s_size_0_sum_lo = (v_s_size_0 - (v_s_size_0_sum - v_s_size_0_sum_right)
+        + (v_s_size_0_lo - v_s_size_0_sum_right))
+    v_s_largest1_lo = where(v_s_largest1a, v_s_size_1_sum_lo, v_s_size_0_sum_lo)
+    v_s_largest1_sum = v_s_largest1 + v_s_largest1_lo
+    v_s_largest1_sum_right = v_s_largest1_sum - v_s_largest1
+    v_s_size_2_sum = v_s_size_2 + v_s_size_2_lo
+    v_s_size_2_sum_right = v_s_size_2_sum - v_s_size_2
+    v_s_largest2a = v_s_largest1_sum < v_s_size_2_sum
+    v_s_largest2 = where(v_s_largest2a, v_s_size_2_sum, v_s_largest1_sum)
+    v_s_largest1_sum_lo = (v_s_largest1 - (v_s_largest1_sum - v_s_largest1_sum_right)
+        + (v_s_largest1_lo - v_s_largest1_sum_right))
+    v_s_size_2_sum_lo = (v_s_size_2 - (v_s_size_2_sum - v_s_size_2_sum_right)
+        + (v_s_size_2_lo - v_s_size_2_sum_right))
+    v_s_largest2_sum = v_s_largest2 + where(v_s_largest2a, v_s_size_2_sum_lo, v_s_largest1_sum_lo)
+    v_s_b = (where(6.703903964971299e+153
+        < v_s_largest2_sum, float64(3.7291703656001034e-155), float64(1)))
+    v_s = (where(v_s_largest2_sum
+        < 1.955159272639747e-149, 1.0715086071862673e+301, where(v_s_largest2_sum
+        < 256, 1.3093562431584567e+151, v_s_b)))
+    v_y_0 = upper_0_sum * v_s
     v_y_0_inverse = 1 / v_s
-    v_y_0_lo = (v_s_size_0_of_upper_0 - v_y_0 * v_y_0_inverse + v_s_size_0_of_upper_0_lo) * v_s
-    v_y_1 = v_s_size_1_of_upper_1 * v_s
-    v_y_1_lo = (v_s_size_1_of_upper_1 - v_y_1 * v_y_0_inverse + v_s_size_1_of_upper_1_lo) * v_s
-    v_y_2 = v_s_size_2_of_upper_2 * v_s
-    v_y_2_lo = (v_s_size_2_of_upper_2 - v_y_2 * v_y_0_inverse + v_s_size_2_of_upper_2_lo) * v_s
+    v_y_0_lo = (upper_0_sum - v_y_0 * v_y_0_inverse + upper_0_sum_lo) * v_s
+    v_y_1 = upper_1_sum * v_s
+    v_y_1_lo = (upper_1_sum - v_y_1 * v_y_0_inverse + upper_1_sum_lo) * v_s
+    v_y_2 = upper_2_sum * v_s
+    v_y_2_lo = (upper_2_sum - v_y_2 * v_y_0_inverse + upper_2_sum_lo) * v_s
     v_n_a = v_y_0 * v_y_0
     v_n_b = v_y_1 * v_y_1
     v_n_c = v_n_a + v_n_b
     v_n_c_right = v_n_c - v_n_a
-    v_n_c_left_rest = product_rest(v_y_0, v_y_0, v_n_a, v_n_c - v_n_c_right)
-    v_n_c_cross = v_y_0_lo * v_y_0 + v_y_0 * v_y_0_lo + (v_y_1_lo * v_y_1 + v_y_1 * v_y_1_lo)
+    v_n_c_lo1 = (product_rest(v_y_0, v_y_0, v_n_a, v_n_c - v_n_c_right)
+        + product_rest(v_y_1, v_y_1, v_n_b, v_n_c_right))
     v_n_d = v_y_2 * v_y_2
     v_n_e = v_n_c + v_n_d
     v_n_e_right = v_n_e - v_n_c
-    v_n_e_lo1 = v_n_c - (v_n_e - v_n_e_right) + product_rest(v_y_2, v_y_2, v_n_d, v_n_e_right)
-    v_n_c_lo = v_n_c_left_rest + product_rest(v_y_1, v_y_1, v_n_b, v_n_c_right) + v_n_c_cross
-    v_n_e_lo = v_n_e_lo1 + (v_y_2_lo * v_y_2 + v_y_2 * v_y_2_lo) + v_n_c_lo
-    v_n_of_v_n_e = v_n_e + v_n_e_lo
-    v_n_of_v_n_e_right = v_n_of_v_n_e - v_n_e
-    v_n = sqrt(v_n_of_v_n_e)
+    v_n_e_lo2 = (v_n_c - (v_n_e - v_n_e_right) + product_rest(v_y_2, v_y_2, v_n_d, v_n_e_right)
+        + (v_y_2_lo * v_y_2 + v_y_2 * v_y_2_lo))
+    v_n_e_lo = (v_n_e_lo2
+        + (v_n_c_lo1
+        + (v_y_0_lo * v_y_0 + v_y_0 * v_y_0_lo + (v_y_1_lo * v_y_1 + v_y_1 * v_y_1_lo))))
+    v_n_e_sum = v_n_e + v_n_e_lo
+    v_n_e_sum_right = v_n_e_sum - v_n_e
+    v_n = sqrt(v_n_e_sum)
     v_n_product = v_n * v_n
-    v_n_of_v_n_e_lo = v_n_e - (v_n_of_v_n_e - v_n_of_v_n_e_right) + (v_n_e_lo - v_n_of_v_n_e_right)
-    v_n_exact = v_n_of_v_n_e - v_n_product - product_error(v_n, v_n, v_n_product)
-    v_n_lo = (v_n_exact + v_n_of_v_n_e_lo) / where(v_n == 0, 1, v_n + v_n)
-    v_r_b = where(v_s < 1, float64(2.6815615859885194e+154), float64(1))
-    v_r_d = where(1 < v_s, 7.637340908749012e-152, v_r_b)
+    v_n_residual = (v_n_e_sum - v_n_product - product_error(v_n, v_n, v_n_product)
+        + (v_n_e - (v_n_e_sum - v_n_e_sum_right) + (v_n_e_lo - v_n_e_sum_right)))
+    v_n_lo = v_n_residual / where(v_n == 0, 1, v_n + v_n)
+    v_r_d = (where(1
+        < v_s, 7.637340908749012e-152, where(v_s
+        < 1, float64(2.6815615859885194e+154), float64(1))))
     v_r = where(1.3093562431584567e+151 < v_s, 9.332636185032189e-302, v_r_d)
-    n_of_v_n = v_n + v_n_lo
-    n_of_v_n_right = n_of_v_n - v_n
-    n = n_of_v_n * v_r
-    n_of_v_n_lo = v_n - (n_of_v_n - n_of_v_n_right) + (v_n_lo - n_of_v_n_right)
-    n_lo = (n_of_v_n - n * (1 / v_r) + n_of_v_n_lo) * v_r
-    half_of_n = n + n_lo
-    half_of_n_right = half_of_n - n
-    half_of_n_lo = n - (half_of_n - half_of_n_right) + (n_lo - half_of_n_right)
-    half_of_upper_3 = upper_3 + upper_3_lo
-    half_of_upper_3_right = half_of_upper_3 - upper_3
-    half_of_upper_3_left_rest = upper_3 - (half_of_upper_3 - half_of_upper_3_right)
-    half = elementary.atan2(half_of_n, half_of_upper_3)
-    half_size0 = absolute(half_of_n)
-    half_size1 = absolute(half_of_upper_3)
+    v_n_sum = v_n + v_n_lo
+    v_n_sum_right = v_n_sum - v_n
+    n = v_n_sum * v_r
+    n_lo = ((v_n_sum - n * (1 / v_r)
+        + (v_n - (v_n_sum - v_n_sum_right) + (v_n_lo - v_n_sum_right))) * v_r)
+    n_sum = n + n_lo
+    n_sum_right = n_sum - n
+    n_sum_lo = n - (n_sum - n_sum_right) + (n_lo - n_sum_right)
+    upper_3_sum = upper_3 + upper_3_lo
+    upper_3_sum_right = upper_3_sum - upper_3
+    half = elementary.atan2(n_sum, upper_3_sum)
+    half_size0 = absolute(n_sum)
+    half_size1 = absolute(upper_3_sum)
     half_most = where(half_size0 < half_size1, half_size1, half_size0)
     half_zero = half_most == 0
     half_divisor = where(half_zero, 1, half_most)
-    half_part0 = half_of_n / half_divisor
-    half_part1 = half_of_upper_3 / half_divisor
-    half_cross2 = half_part0 * (half_of_upper_3_left_rest + (upper_3_lo - half_of_upper_3_right))
-    half_divisor2 = half_divisor * (half_part1 * half_part1 + half_part0 * half_part0)
-    half_more = (half_part1 * half_of_n_lo - half_cross2) / where(half_zero, 1, half_divisor2)
-    half_lo = elementary.atan2_error(half_of_n, half_of_upper_3, half) + half_more
-    divisor_a = half_of_n == 0
-    divisor = where(divisor_a, 1, half_of_n)
-    divisor_lo = where(divisor_a, 0, half_of_n_lo)
-    rate_of_half = half + half_lo
-    rate_of_half_right = rate_of_half - half
-    rate_of_divisor = divisor + divisor_lo
-    rate_of_divisor_right = rate_of_divisor - divisor
-    rate_of_divisor_left_rest = divisor - (rate_of_divisor - rate_of_divisor_right)
-    rate = rate_of_half / rate_of_divisor
-    rate_product = rate * rate_of_divisor
-    rate_exact = rate_of_half - rate_product - product_error(rate, rate_of_divisor, rate_product)
-    rate_of_half_lo = half - (rate_of_half - rate_of_half_right) + (half_lo - rate_of_half_right)
-    rate_cross = rate * (rate_of_divisor_left_rest + (divisor_lo - rate_of_divisor_right))
-    rate_lo = (rate_exact + rate_of_half_lo - rate_cross) / rate_of_divisor
-    kv_0 = k * v_s_size_0_of_upper_0
-    kv_1 = k * v_s_size_1_of_upper_1
-    kv_2 = k * v_s_size_2_of_upper_2
+    half_part0 = n_sum / half_divisor
+    half_part1 = upper_3_sum / half_divisor
+    half_cross = (half_part1 * n_sum_lo - half_part0
+        * (upper_3 - (upper_3_sum - upper_3_sum_right) + (upper_3_lo - upper_3_sum_right)))
+    half_more = (half_cross
+        / where(half_zero, 1, half_divisor * (half_part1 * half_part1 + half_part0 * half_part0)))
+    half_lo = elementary.atan2_error(n_sum, upper_3_sum, half) + half_more
+    divisor_a = n_sum == 0
+    divisor = where(divisor_a, 1, n_sum)
+    divisor_lo = where(divisor_a, 0, n_sum_lo)
+    half_sum = half + half_lo
+    half_sum_right = half_sum - half
+    divisor_sum = divisor + divisor_lo
+    divisor_sum_right = divisor_sum - divisor
+    rate = half_sum / divisor_sum
+    rate_product = rate * divisor_sum
+    rate_exact = half_sum - rate_product - product_error(rate, divisor_sum, rate_product)
+    rate_cross = (rate
+        * (divisor - (divisor_sum - divisor_sum_right) + (divisor_lo - divisor_sum_right)))
+    rate_lo = ((rate_exact + (half - (half_sum - half_sum_right) + (half_lo - half_sum_right))
+        - rate_cross) / divisor_sum)
+    kv_0 = k * upper_0_sum
+    kv_1 = k * upper_1_sum
+    kv_2 = k * upper_2_sum
     step_0 = rate * kv_0
-    kv_0_lo = product_error(k, v_s_size_0_of_upper_0, kv_0) + k * v_s_size_0_of_upper_0_lo
     step_1 = rate * kv_1
-    kv_1_lo = product_error(k, v_s_size_1_of_upper_1, kv_1) + k * v_s_size_1_of_upper_1_lo
     step_2 = rate * kv_2
-    kv_2_lo = product_error(k, v_s_size_2_of_upper_2, kv_2) + k * v_s_size_2_of_upper_2_lo
-    step_0_lo = product_error(rate, kv_0, step_0) + (rate_lo * kv_0 + rate * kv_0_lo)
-    exp_h_size_0_of_step_0 = step_0 + step_0_lo
-    exp_h_size_0_of_step_0_right = exp_h_size_0_of_step_0 - step_0
-    exp_h_size_0_of_step_0_left = exp_h_size_0_of_step_0 - exp_h_size_0_of_step_0_right
-    exp_h_size_0_of_step_0_right_rest = step_0_lo - exp_h_size_0_of_step_0_right
-    exp_h_size_0_of_step_0_left_rest = step_0 - exp_h_size_0_of_step_0_left
-    exp_h_size_0_of_step_0_lo = exp_h_size_0_of_step_0_left_rest + exp_h_size_0_of_step_0_right_rest
-    exp_h_size_0 = absolute(exp_h_size_0_of_step_0)
-    exp_h_size_0_negative = exp_h_size_0_of_step_0 < 0
-    exp_h_size_0_opposite = -exp_h_size_0_of_step_0_lo
-    exp_h_size_0_lo = where(exp_h_size_0_negative, exp_h_size_0_opposite, exp_h_size_0_of_step_0_lo)
-    step_1_lo = product_error(rate, kv_1, step_1) + (rate_lo * kv_1 + rate * kv_1_lo)
-    exp_h_size_1_of_step_1 = step_1 + step_1_lo
-    exp_h_size_1_of_step_1_right = exp_h_size_1_of_step_1 - step_1
-    exp_h_size_1_of_step_1_left = exp_h_size_1_of_step_1 - exp_h_size_1_of_step_1_right
-    exp_h_size_1_of_step_1_right_rest = step_1_lo - exp_h_size_1_of_step_1_right
-    exp_h_size_1_of_step_1_left_rest = step_1 - exp_h_size_1_of_step_1_left
-    exp_h_size_1_of_step_1_lo = exp_h_size_1_of_step_1_left_rest + exp_h_size_1_of_step_1_right_rest
-    exp_h_size_1 = absolute(exp_h_size_1_of_step_1)
-    exp_h_size_1_negative = exp_h_size_1_of_step_1 < 0
-    exp_h_size_1_opposite = -exp_h_size_1_of_step_1_lo
-    exp_h_size_1_lo = where(exp_h_size_1_negative, exp_h_size_1_opposite, exp_h_size_1_of_step_1_lo)
-    step_2_lo = product_error(rate, kv_2, step_2) + (rate_lo * kv_2 + rate * kv_2_lo)
-    exp_h_size_2_of_step_2 = step_2 + step_2_lo
-    exp_h_size_2_of_step_2_right = exp_h_size_2_of_step_2 - step_2
-    exp_h_size_2_of_step_2_left = exp_h_size_2_of_step_2 - exp_h_size_2_of_step_2_right
-    exp_h_size_2_of_step_2_right_rest = step_2_lo - exp_h_size_2_of_step_2_right
-    exp_h_size_2_of_step_2_left_rest = step_2 - exp_h_size_2_of_step_2_left
-    exp_h_size_2_of_step_2_lo = exp_h_size_2_of_step_2_left_rest + exp_h_size_2_of_step_2_right_rest
-    exp_h_size_2 = absolute(exp_h_size_2_of_step_2)
-    exp_h_size_2_negative = exp_h_size_2_of_step_2 < 0
-    exp_h_size_2_opposite = -exp_h_size_2_of_step_2_lo
-    exp_h_size_2_lo = where(exp_h_size_2_negative, exp_h_size_2_opposite, exp_h_size_2_of_step_2_lo)
-    exp_h_largest1a_of_exp_h_size_0 = exp_h_size_0 + exp_h_size_0_lo
-    exp_h_largest1a_of_exp_h_size_0_right = exp_h_largest1a_of_exp_h_size_0 - exp_h_size_0
-    exp_h_largest1a_of_exp_h_size_0_left = exp_h_largest1a_of_exp_h_size_0 - exp_h_largest1a_of_exp_h_size_0_right
-    exp_h_largest1a_of_exp_h_size_0_right_rest = exp_h_size_0_lo - exp_h_largest1a_of_exp_h_size_0_right
-    exp_h_largest1a_of_exp_h_size_0_left_rest = exp_h_size_0 - exp_h_largest1a_of_exp_h_size_0_left
-    exp_h_largest1a_of_exp_h_size_1 = exp_h_size_1 + exp_h_size_1_lo
-    exp_h_largest1a_of_exp_h_size_1_right = exp_h_largest1a_of_exp_h_size_1 - exp_h_size_1
-    exp_h_largest1a_of_exp_h_size_1_left = exp_h_largest1a_of_exp_h_size_1 - exp_h_largest1a_of_exp_h_size_1_right
-    exp_h_largest1a_of_exp_h_size_1_right_rest = exp_h_size_1_lo - exp_h_largest1a_of_exp_h_size_1_right
-    exp_h_largest1a_of_exp_h_size_1_left_rest = exp_h_size_1 - exp_h_largest1a_of_exp_h_size_1_left
-    exp_h_largest1a = exp_h_largest1a_of_exp_h_size_0 < exp_h_largest1a_of_exp_h_size_1
-    exp_h_largest1 = where(exp_h_largest1a, exp_h_largest1a_of_exp_h_size_1, exp_h_largest1a_of_exp_h_size_0)
-    exp_h_largest1a_of_exp_h_size_1_lo = exp_h_largest1a_of_exp_h_size_1_left_rest + exp_h_largest1a_of_exp_h_size_1_right_rest
-    exp_h_largest1a_of_exp_h_size_0_lo = exp_h_largest1a_of_exp_h_size_0_left_rest + exp_h_largest1a_of_exp_h_size_0_right_rest
-    exp_h_largest1_lo = where(exp_h_largest1a, exp_h_largest1a_of_exp_h_size_1_lo, exp_h_largest1a_of_exp_h_size_0_lo)
-    exp_h_largest2a_of_exp_h_largest1 = exp_h_largest1 + exp_h_largest1_lo
-    exp_h_largest2a_of_exp_h_largest1_right = exp_h_largest2a_of_exp_h_largest1 - exp_h_largest1
-    exp_h_largest2a_of_exp_h_largest1_left = exp_h_largest2a_of_exp_h_largest1 - exp_h_largest2a_of_exp_h_largest1_right
-    exp_h_largest2a_of_exp_h_largest1_right_rest = exp_h_largest1_lo - exp_h_largest2a_of_exp_h_largest1_right
-    exp_h_largest2a_of_exp_h_largest1_left_rest = exp_h_largest1 - exp_h_largest2a_of_exp_h_largest1_left
-    exp_h_largest2a_of_exp_h_size_2 = exp_h_size_2 + exp_h_size_2_lo
-    exp_h_largest2a_of_exp_h_size_2_right = exp_h_largest2a_of_exp_h_size_2 - exp_h_size_2
-    exp_h_largest2a_of_exp_h_size_2_left = exp_h_largest2a_of_exp_h_size_2 - exp_h_largest2a_of_exp_h_size_2_right
-    exp_h_largest2a_of_exp_h_size_2_right_rest = exp_h_size_2_lo - exp_h_largest2a_of_exp_h_size_2_right
-    exp_h_largest2a_of_exp_h_size_2_left_rest = exp_h_size_2 - exp_h_largest2a_of_exp_h_size_2_left
-    exp_h_largest2a = exp_h_largest2a_of_exp_h_largest1 < exp_h_largest2a_of_exp_h_size_2
-    exp_h_largest2 = where(exp_h_largest2a, exp_h_largest2a_of_exp_h_size_2, exp_h_largest2a_of_exp_h_largest1)
-    exp_h_largest2a_of_exp_h_largest1_lo = exp_h_largest2a_of_exp_h_largest1_left_rest + exp_h_largest2a_of_exp_h_largest1_right_rest
-    exp_h_largest2a_of_exp_h_size_2_lo = exp_h_largest2a_of_exp_h_size_2_left_rest + exp_h_largest2a_of_exp_h_size_2_right_rest
-    exp_h_largest2_lo = where(exp_h_largest2a, exp_h_largest2a_of_exp_h_size_2_lo, exp_h_largest2a_of_exp_h_largest1_lo)
-    exp_s_a = 6.703903964971299e+153 < exp_h_largest2 + exp_h_largest2_lo
+    step_0_lo = (product_error(rate, kv_0, step_0)
+        + (rate_lo * kv_0 + rate * (product_error(k, upper_0_sum, kv_0) + k * upper_0_sum_lo)))
+    step_0_sum = step_0 + step_0_lo
+    step_0_sum_right = step_0_sum - step_0
+    step_0_sum_lo = step_0 - (step_0_sum - step_0_sum_right) + (step_0_lo - step_0_sum_right)
+    exp_h_size_0 = absolute(step_0_sum)
+    exp_h_size_0_lo = where(step_0_sum < 0, -step_0_sum_lo, step_0_sum_lo)
+    step_1_lo = (product_error(rate, kv_1, step_1)
+        + (rate_lo * kv_1 + rate * (product_error(k, upper_1_sum, kv_1) + k * upper_1_sum_lo)))
+    step_1_sum = step_1 + step_1_lo
+    step_1_sum_right = step_1_sum - step_1
+    step_1_sum_lo = step_1 - (step_1_sum - step_1_sum_right) + (step_1_lo - step_1_sum_right)
+    exp_h_size_1 = absolute(step_1_sum)
+    exp_h_size_1_lo = where(step_1_sum < 0, -step_1_sum_lo, step_1_sum_lo)
+    step_2_lo = (product_error(rate, kv_2, step_2)
+        + (rate_lo * kv_2 + rate * (product_error(k, upper_2_sum, kv_2) + k * upper_2_sum_lo)))
+    step_2_sum = step_2 + step_2_lo
+    step_2_sum_right = step_2_sum - step_2
+    step_2_sum_lo = step_2 - (step_2_sum - step_2_sum_right) + (step_2_lo - step_2_sum_right)
+    exp_h_size_2 = absolute(step_2_sum)
+    exp_h_size_2_lo = where(step_2_sum < 0, -step_2_sum_lo, step_2_sum_lo)
+    exp_h_size_0_sum = exp_h_size_0 + exp_h_size_0_lo
+    exp_h_size_0_sum_right = exp_h_size_0_sum - exp_h_size_0
+    exp_h_size_1_sum = exp_h_size_1 + exp_h_size_1_lo
+    exp_h_size_1_sum_right = exp_h_size_1_sum - exp_h_size_1
+    exp_h_largest1a = exp_h_size_0_sum < exp_h_size_1_sum
+    exp_h_largest1 = where(exp_h_largest1a, exp_h_size_1_sum, exp_h_size_0_sum)
+    exp_h_size_1_sum_lo = (exp_h_size_1 - (exp_h_size_1_sum - exp_h_size_1_sum_right)
+        + (exp_h_size_1_lo - exp_h_size_1_sum_right))
+    exp_h_size_0_sum_lo = (exp_h_size_0 - (exp_h_size_0_sum - exp_h_size_0_sum_right)
+        + (exp_h_size_0_lo - exp_h_size_0_sum_right))
+    exp_h_largest1_lo = where(exp_h_largest1a, exp_h_size_1_sum_lo, exp_h_size_0_sum_lo)
+    exp_h_largest1_sum = exp_h_largest1 + exp_h_largest1_lo
+    exp_h_largest1_sum_right = exp_h_largest1_sum - exp_h_largest1
+    exp_h_size_2_sum = exp_h_size_2 + exp_h_size_2_lo
+    exp_h_size_2_sum_right = exp_h_size_2_sum - exp_h_size_2
+    exp_h_largest2a = exp_h_largest1_sum < exp_h_size_2_sum
+    exp_h_largest2 = where(exp_h_largest2a, exp_h_size_2_sum, exp_h_largest1_sum)
+    exp_h_largest1_sum_lo = (exp_h_largest1 - (exp_h_largest1_sum - exp_h_largest1_sum_right)
+        + (exp_h_largest1_lo - exp_h_largest1_sum_right))
+    exp_h_size_2_sum_lo = (exp_h_size_2 - (exp_h_size_2_sum - exp_h_size_2_sum_right)
+        + (exp_h_size_2_lo - exp_h_size_2_sum_right))
+    exp_s_a = (6.703903964971299e+153 < exp_h_largest2
+        + where(exp_h_largest2a, exp_h_size_2_sum_lo, exp_h_largest1_sum_lo))
     exp_s = where(exp_s_a, float64(3.7291703656001034e-155), float64(1))
-    exp_reduced_0 = exp_h_size_0_of_step_0 * exp_s
+    exp_reduced_0 = step_0_sum * exp_s
     exp_reduced_0_inverse = 1 / exp_s
-    exp_reduced_0_lost = exp_h_size_0_of_step_0 - exp_reduced_0 * exp_reduced_0_inverse
-    exp_reduced_0_lo = (exp_reduced_0_lost + exp_h_size_0_of_step_0_lo) * exp_s
-    exp_reduced_1 = exp_h_size_1_of_step_1 * exp_s
-    exp_reduced_1_lost = exp_h_size_1_of_step_1 - exp_reduced_1 * exp_reduced_0_inverse
-    exp_reduced_1_lo = (exp_reduced_1_lost + exp_h_size_1_of_step_1_lo) * exp_s
-    exp_reduced_2 = exp_h_size_2_of_step_2 * exp_s
-    exp_reduced_2_lost = exp_h_size_2_of_step_2 - exp_reduced_2 * exp_reduced_0_inverse
-    exp_reduced_2_lo = (exp_reduced_2_lost + exp_h_size_2_of_step_2_lo) * exp_s
+    exp_reduced_0_lo = (step_0_sum - exp_reduced_0 * exp_reduced_0_inverse + step_0_sum_lo) * exp_s
+    exp_reduced_1 = step_1_sum * exp_s
+    exp_reduced_1_lo = (step_1_sum - exp_reduced_1 * exp_reduced_0_inverse + step_1_sum_lo) * exp_s
+    exp_reduced_2 = step_2_sum * exp_s
+    exp_reduced_2_lo = (step_2_sum - exp_reduced_2 * exp_reduced_0_inverse + step_2_sum_lo) * exp_s
     exp_up = where(exp_s < 1, float64(2.6815615859885194e+154), float64(1))
     exp_reduced_length_a = exp_reduced_0 * exp_reduced_0
     exp_reduced_length_b = exp_reduced_1 * exp_reduced_1
     exp_reduced_length_c = exp_reduced_length_a + exp_reduced_length_b
     exp_reduced_length_c_right = exp_reduced_length_c - exp_reduced_length_a
-    exp_reduced_length_c_left = exp_reduced_length_c - exp_reduced_length_c_right
     exp_reduced_length_a_cross = exp_reduced_0_lo * exp_reduced_0 + exp_reduced_0 * exp_reduced_0_lo
-    exp_reduced_length_b_cross = exp_reduced_1_lo * exp_reduced_1 + exp_reduced_1 * exp_reduced_1_lo
-    exp_reduced_length_c_right_rest = product_rest(exp_reduced_1, exp_reduced_1, exp_reduced_length_b, exp_reduced_length_c_right)
-    exp_reduced_length_c_left_rest = product_rest(exp_reduced_0, exp_reduced_0, exp_reduced_length_a, exp_reduced_length_c_left)
-    exp_reduced_length_c_lo1 = exp_reduced_length_c_left_rest + exp_reduced_length_c_right_rest
-    exp_reduced_length_c_cross = exp_reduced_length_a_cross + exp_reduced_length_b_cross
+    exp_reduced_length_c_left_rest = product_rest(exp_reduced_0, exp_reduced_0,
+        exp_reduced_length_a, exp_reduced_length_c - exp_reduced_length_c_right)
+    exp_reduced_length_c_right_rest = product_rest(exp_reduced_1, exp_reduced_1,
+        exp_reduced_length_b, exp_reduced_length_c_right)
+    exp_reduced_length_c_cross = (exp_reduced_length_a_cross
+        + (exp_reduced_1_lo * exp_reduced_1 + exp_reduced_1 * exp_reduced_1_lo))
     exp_reduced_length_d = exp_reduced_2 * exp_reduced_2
     exp_reduced_length_e = exp_reduced_length_c + exp_reduced_length_d
     exp_reduced_length_e_right = exp_reduced_length_e - exp_reduced_length_c
-    exp_reduced_length_e_left = exp_reduced_length_e - exp_reduced_length_e_right
-    exp_reduced_length_e_right_rest = product_rest(exp_reduced_2, exp_reduced_2, exp_reduced_length_d, exp_reduced_length_e_right)
-    exp_reduced_length_e_left_rest = exp_reduced_length_c - exp_reduced_length_e_left
-    exp_reduced_length_d_cross = exp_reduced_2_lo * exp_reduced_2 + exp_reduced_2 * exp_reduced_2_lo
-    exp_reduced_length_e_lo1 = exp_reduced_length_e_left_rest + exp_reduced_length_e_right_rest
-    exp_reduced_length_e_lo2 = exp_reduced_length_e_lo1 + exp_reduced_length_d_cross
-    exp_reduced_length_c_lo = exp_reduced_length_c_lo1 + exp_reduced_length_c_cross
-    exp_reduced_length_e_lo = exp_reduced_length_e_lo2 + exp_reduced_length_c_lo
-    exp_reduced_length_of_exp_reduced_length_e = exp_reduced_length_e + exp_reduced_length_e_lo
-    exp_reduced_length_of_exp_reduced_length_e_right = exp_reduced_length_of_exp_reduced_length_e - exp_reduced_length_e
-    exp_reduced_length_of_exp_reduced_length_e_left = exp_reduced_length_of_exp_reduced_length_e - exp_reduced_length_of_exp_reduced_length_e_right
-    exp_reduced_length_of_exp_reduced_length_e_right_rest = exp_reduced_length_e_lo - exp_reduced_length_of_exp_reduced_length_e_right
-    exp_reduced_length_of_exp_reduced_length_e_left_rest = exp_reduced_length_e - exp_reduced_length_of_exp_reduced_length_e_left
-    exp_reduced_length = sqrt(exp_reduced_length_of_exp_reduced_length_e)
+    exp_reduced_length_e_right_rest = product_rest(exp_reduced_2, exp_reduced_2,
+        exp_reduced_length_d, exp_reduced_length_e_right)
+    exp_reduced_length_e_lo1 = (exp_reduced_length_c
+        - (exp_reduced_length_e - exp_reduced_length_e_right) + exp_reduced_length_e_right_rest)
+    exp_reduced_length_e_lo2 = (exp_reduced_length_e_lo1
+        + (exp_reduced_2_lo * exp_reduced_2 + exp_reduced_2 * exp_reduced_2_lo))
+    exp_reduced_length_e_lo = (exp_reduced_length_e_lo2
+        + (exp_reduced_length_c_left_rest + exp_reduced_length_c_right_rest
+        + exp_reduced_length_c_cross))
+    exp_reduced_length_e_sum = exp_reduced_length_e + exp_reduced_length_e_lo
+    exp_reduced_length_e_sum_right = exp_reduced_length_e_sum - exp_reduced_length_e
+    exp_reduced_length_e_sum_left_rest = (exp_reduced_length_e
+        - (exp_reduced_length_e_sum - exp_reduced_length_e_sum_right))
+    exp_reduced_length = sqrt(exp_reduced_length_e_sum)
     exp_reduced_length_product = exp_reduced_length * exp_reduced_length
-    exp_reduced_length_product_error = product_error(exp_reduced_length, exp_reduced_length, exp_reduced_length_product)
-    exp_reduced_length_rest = exp_reduced_length_of_exp_reduced_length_e - exp_reduced_length_product
-    exp_reduced_length_of_exp_reduced_length_e_lo = exp_reduced_length_of_exp_reduced_length_e_left_rest + exp_reduced_length_of_exp_reduced_length_e_right_rest
-    exp_reduced_length_exact = exp_reduced_length_rest - exp_reduced_length_product_error
-    exp_reduced_length_twice = exp_reduced_length + exp_reduced_length
-    exp_reduced_length_residual = exp_reduced_length_exact + exp_reduced_length_of_exp_reduced_length_e_lo
-    exp_reduced_length_divisor = where(exp_reduced_length == 0, 1, exp_reduced_length_twice)
-    exp_reduced_length_lo = exp_reduced_length_residual / exp_reduced_length_divisor
-    exp_half_angle_of_exp_reduced_length = exp_reduced_length + exp_reduced_length_lo
-    exp_half_angle_of_exp_reduced_length_right = exp_half_angle_of_exp_reduced_length - exp_reduced_length
-    exp_half_angle_of_exp_reduced_length_left = exp_half_angle_of_exp_reduced_length - exp_half_angle_of_exp_reduced_length_right
-    exp_half_angle_of_exp_reduced_length_right_rest = exp_reduced_length_lo - exp_half_angle_of_exp_reduced_length_right
-    exp_half_angle_of_exp_reduced_length_left_rest = exp_reduced_length - exp_half_angle_of_exp_reduced_length_left
-    exp_half_angle = exp_half_angle_of_exp_reduced_length * exp_up
-    exp_half_angle_of_exp_reduced_length_lo = exp_half_angle_of_exp_reduced_length_left_rest + exp_half_angle_of_exp_reduced_length_right_rest
-    exp_half_angle_lost = exp_half_angle_of_exp_reduced_length - exp_half_angle * (1 / exp_up)
-    exp_half_angle_lo = (exp_half_angle_lost + exp_half_angle_of_exp_reduced_length_lo) * exp_up
+    exp_reduced_length_product_error = product_error(exp_reduced_length, exp_reduced_length,
+        exp_reduced_length_product)
+    exp_reduced_length_e_sum_lo = (exp_reduced_length_e_sum_left_rest
+        + (exp_reduced_length_e_lo - exp_reduced_length_e_sum_right))
+    exp_reduced_length_residual = (exp_reduced_length_e_sum - exp_reduced_length_product
+        - exp_reduced_length_product_error + exp_reduced_length_e_sum_lo)
+    exp_reduced_length_lo = (exp_reduced_length_residual
+        / where(exp_reduced_length == 0, 1, exp_reduced_length + exp_reduced_length))
+    exp_reduced_length_sum = exp_reduced_length + exp_reduced_length_lo
+    exp_reduced_length_sum_right = exp_reduced_length_sum - exp_reduced_length
+    exp_reduced_length_sum_left_rest = (exp_reduced_length
+        - (exp_reduced_length_sum - exp_reduced_length_sum_right))
+    exp_half_angle = exp_reduced_length_sum * exp_up
+    exp_reduced_length_sum_lo = (exp_reduced_length_sum_left_rest
+        + (exp_reduced_length_lo - exp_reduced_length_sum_right))
+    exp_half_angle_lo = ((exp_reduced_length_sum - exp_half_angle * (1 / exp_up)
+        + exp_reduced_length_sum_lo) * exp_up)
     exp_y = exp_half_angle * exp_half_angle
-    exp_sine_of_exp_half_angle = exp_half_angle + exp_half_angle_lo
-    exp_sine_of_exp_half_angle_right = exp_sine_of_exp_half_angle - exp_half_angle
-    exp_sine_of_exp_half_angle_left = exp_sine_of_exp_half_angle - exp_sine_of_exp_half_angle_right
-    exp_sine_of_exp_half_angle_right_rest = exp_half_angle_lo - exp_sine_of_exp_half_angle_right
-    exp_sine_of_exp_half_angle_left_rest = exp_half_angle - exp_sine_of_exp_half_angle_left
-    exp_sine_of_exp_half_angle_lo = exp_sine_of_exp_half_angle_left_rest + exp_sine_of_exp_half_angle_right_rest
-    exp_sine, exp_c = elementary.sincos(exp_sine_of_exp_half_angle)
-    exp_sine_own_error, exp_c_own_error = elementary.sincos_error(exp_sine_of_exp_half_angle, exp_sine, exp_c)
-    exp_sine_half = exp_sine_of_exp_half_angle_lo * 0.5
+    exp_half_angle_sum = exp_half_angle + exp_half_angle_lo
+    exp_half_angle_sum_right = exp_half_angle_sum - exp_half_angle
+    exp_half_angle_sum_lo = (exp_half_angle - (exp_half_angle_sum - exp_half_angle_sum_right)
+        + (exp_half_angle_lo - exp_half_angle_sum_right))
+    exp_sine, exp_c = elementary.sincos(exp_half_angle_sum)
+    exp_sine_own_error, exp_c_own_error = elementary.sincos_error(exp_half_angle_sum, exp_sine,
+        exp_c)
+    exp_sine_half = exp_half_angle_sum_lo * 0.5
     exp_sine_half_sin, exp_sine_half_cos = elementary.sincos(exp_sine_half)
     exp_sine_twice = exp_sine_half_sin + exp_sine_half_sin
-    exp_sine_more = (exp_sine_half_cos * exp_c - exp_sine_half_sin * exp_sine) * exp_sine_twice
-    exp_sine_lo = exp_sine_own_error + exp_sine_more
-    exp_c_more = (exp_sine_half_cos * exp_sine + exp_sine_half_sin * exp_c) * exp_sine_twice
-    exp_c_lo = exp_c_own_error - exp_c_more
-    exp_sinc_divisor_a = exp_sine_of_exp_half_angle < 1.4901161193847656e-08
-    exp_sinc_divisor = where(exp_sinc_divisor_a, 1.4901161193847656e-08, exp_sine_of_exp_half_angle)
-    exp_sinc_divisor_lo = where(exp_sinc_divisor_a, 0, exp_sine_of_exp_half_angle_lo)
-    exp_sinc_quotient_of_exp_sine = exp_sine + exp_sine_lo
-    exp_sinc_quotient_of_exp_sine_right = exp_sinc_quotient_of_exp_sine - exp_sine
-    exp_sinc_quotient_of_exp_sine_left = exp_sinc_quotient_of_exp_sine - exp_sinc_quotient_of_exp_sine_right
-    exp_sinc_quotient_of_exp_sine_right_rest = exp_sine_lo - exp_sinc_quotient_of_exp_sine_right
-    exp_sinc_quotient_of_exp_sine_left_rest = exp_sine - exp_sinc_quotient_of_exp_sine_left
-    exp_sinc_quotient_of_exp_sinc_divisor = exp_sinc_divisor + exp_sinc_divisor_lo
-    exp_sinc_quotient_of_exp_sinc_divisor_right = exp_sinc_quotient_of_exp_sinc_divisor - exp_sinc_divisor
-    exp_sinc_quotient_of_exp_sinc_divisor_left = exp_sinc_quotient_of_exp_sinc_divisor - exp_sinc_quotient_of_exp_sinc_divisor_right
-    exp_sinc_quotient_of_exp_sinc_divisor_right_rest = exp_sinc_divisor_lo - exp_sinc_quotient_of_exp_sinc_divisor_right
-    exp_sinc_quotient_of_exp_sinc_divisor_left_rest = exp_sinc_divisor - exp_sinc_quotient_of_exp_sinc_divisor_left
-    exp_sinc_quotient = exp_sinc_quotient_of_exp_sine / exp_sinc_quotient_of_exp_sinc_divisor
-    exp_sinc_quotient_product = exp_sinc_quotient * exp_sinc_quotient_of_exp_sinc_divisor
-    exp_sinc_quotient_product_error = product_error(exp_sinc_quotient, exp_sinc_quotient_of_exp_sinc_divisor, exp_sinc_quotient_product)
-    exp_sinc_quotient_rest = exp_sinc_quotient_of_exp_sine - exp_sinc_quotient_product
-    exp_sinc_quotient_of_exp_sine_lo = exp_sinc_quotient_of_exp_sine_left_rest + exp_sinc_quotient_of_exp_sine_right_rest
-    exp_sinc_quotient_exact = exp_sinc_quotient_rest - exp_sinc_quotient_product_error
-    exp_sinc_quotient_of_exp_sinc_divisor_lo = exp_sinc_quotient_of_exp_sinc_divisor_left_rest + exp_sinc_quotient_of_exp_sinc_divisor_right_rest
-    exp_sinc_quotient_cross = exp_sinc_quotient * exp_sinc_quotient_of_exp_sinc_divisor_lo
-    exp_sinc_quotient_numerator = exp_sinc_quotient_exact + exp_sinc_quotient_of_exp_sine_lo
-    exp_sinc_quotient_residual = exp_sinc_quotient_numerator - exp_sinc_quotient_cross
-    exp_y_cross = exp_half_angle_lo * exp_half_angle + exp_half_angle * exp_half_angle_lo
+    exp_sine_lo = (exp_sine_own_error + (exp_sine_half_cos * exp_c - exp_sine_half_sin * exp_sine)
+        * exp_sine_twice)
+    exp_c_lo = (exp_c_own_error - (exp_sine_half_cos * exp_sine + exp_sine_half_sin * exp_c)
+        * exp_sine_twice)
+    exp_sinc_divisor_a = exp_half_angle_sum < 1.4901161193847656e-08
+    exp_sinc_divisor = where(exp_sinc_divisor_a, 1.4901161193847656e-08, exp_half_angle_sum)
+    exp_sinc_divisor_lo = where(exp_sinc_divisor_a, 0, exp_half_angle_sum_lo)
+    exp_sine_sum = exp_sine + exp_sine_lo
+    exp_sine_sum_right = exp_sine_sum - exp_sine
+    exp_sinc_divisor_sum = exp_sinc_divisor + exp_sinc_divisor_lo
+    exp_sinc_divisor_sum_right = exp_sinc_divisor_sum - exp_sinc_divisor
+    exp_sinc_quotient = exp_sine_sum / exp_sinc_divisor_sum
+    exp_sinc_quotient_product = exp_sinc_quotient * exp_sinc_divisor_sum
+    exp_sinc_quotient_exact = (exp_sine_sum - exp_sinc_quotient_product
+        - product_error(exp_sinc_quotient, exp_sinc_divisor_sum, exp_sinc_quotient_product))
+    exp_sinc_divisor_sum_lo = (exp_sinc_divisor
+        - (exp_sinc_divisor_sum - exp_sinc_divisor_sum_right)
+        + (exp_sinc_divisor_lo - exp_sinc_divisor_sum_right))
+    exp_sinc_quotient_numerator = (exp_sinc_quotient_exact
+        + (exp_sine - (exp_sine_sum - exp_sine_sum_right) + (exp_sine_lo - exp_sine_sum_right)))
     exp_sinc_a = 0.16666666666666666 * exp_y
-    exp_y_lo = product_error(exp_half_angle, exp_half_angle, exp_y) + exp_y_cross
+    exp_y_lo = (product_error(exp_half_angle, exp_half_angle, exp_y)
+        + (exp_half_angle_lo * exp_half_angle + exp_half_angle * exp_half_angle_lo))
     exp_sinc_b = 1 - exp_sinc_a
     exp_sinc_b_right = 1 - exp_sinc_b
-    exp_sinc_b_right_rest = product_rest(0.16666666666666666, exp_y, exp_sinc_a, exp_sinc_b_right)
-    exp_sinc_a_cross = 9.25185853854297e-18 * exp_y + 0.16666666666666666 * exp_y_lo
+    exp_sinc_b_lo1 = (1 - (exp_sinc_b + exp_sinc_b_right)
+        - product_rest(0.16666666666666666, exp_y, exp_sinc_a, exp_sinc_b_right))
     exp_sinc = where(exp_sinc_divisor_a, exp_sinc_b, exp_sinc_quotient)
-    exp_sinc_b_lo = 1 - (exp_sinc_b + exp_sinc_b_right) - exp_sinc_b_right_rest - exp_sinc_a_cross
-    exp_sinc_quotient_lo = exp_sinc_quotient_residual / exp_sinc_quotient_of_exp_sinc_divisor
-    exp_sinc_lo = where(exp_sinc_divisor_a, exp_sinc_b_lo, exp_sinc_quotient_lo)
-    power_0 = exp_h_size_0_of_step_0 * exp_sinc
-    power_1 = exp_h_size_1_of_step_1 * exp_sinc
-    power_2 = exp_h_size_2_of_step_2 * exp_sinc
+    exp_sinc_quotient_lo = ((exp_sinc_quotient_numerator - exp_sinc_quotient
+        * exp_sinc_divisor_sum_lo) / exp_sinc_divisor_sum)
+    exp_sinc_lo = (where(exp_sinc_divisor_a, exp_sinc_b_lo1
+        - (9.25185853854297e-18 * exp_y + 0.16666666666666666 * exp_y_lo), exp_sinc_quotient_lo))
+    power_0 = step_0_sum * exp_sinc
+    power_1 = step_1_sum * exp_sinc
+    power_2 = step_2_sum * exp_sinc
     qo_0a = q1_0 * exp_c
-    power_2_cross = exp_h_size_2_of_step_2_lo * exp_sinc + exp_h_size_2_of_step_2 * exp_sinc_lo
-    power_2_lo = product_error(exp_h_size_2_of_step_2, exp_sinc, power_2) + power_2_cross
+    power_2_lo = (product_error(step_2_sum, exp_sinc, power_2)
+        + (step_2_sum_lo * exp_sinc + step_2_sum * exp_sinc_lo))
     qo_0b = q1_1 * power_2
-    power_1_cross = exp_h_size_1_of_step_1_lo * exp_sinc + exp_h_size_1_of_step_1 * exp_sinc_lo
-    power_1_lo = product_error(exp_h_size_1_of_step_1, exp_sinc, power_1) + power_1_cross
+    power_1_lo = (product_error(step_1_sum, exp_sinc, power_1)
+        + (step_1_sum_lo * exp_sinc + step_1_sum * exp_sinc_lo))
     qo_0c = q1_2 * power_1
     qo_0d = qo_0b - qo_0c
     qo_0d_right = qo_0b - qo_0d
-    qo_0d_left_rest = product_rest(q1_1, power_2, qo_0b, qo_0d + qo_0d_right)
-    qo_0d_lo1 = qo_0d_left_rest - product_rest(q1_2, power_1, qo_0c, qo_0d_right)
+    qo_0d_lo1 = (product_rest(q1_1, power_2, qo_0b, qo_0d + qo_0d_right)
+        - product_rest(q1_2, power_1, qo_0c, qo_0d_right))
     qo_0e = qo_0a + qo_0d
     qo_0e_right = qo_0e - qo_0a
-    qo_0e_lo1 = product_rest(q1_0, exp_c, qo_0a, qo_0e - qo_0e_right) + (qo_0d - qo_0e_right)
-    power_0_cross = exp_h_size_0_of_step_0_lo * exp_sinc + exp_h_size_0_of_step_0 * exp_sinc_lo
-    power_0_lo = product_error(exp_h_size_0_of_step_0, exp_sinc, power_0) + power_0_cross
+    qo_0e_lo2 = (product_rest(q1_0, exp_c, qo_0a, qo_0e - qo_0e_right) + (qo_0d - qo_0e_right)
+        + (qo_0d_lo1 + (q1_1 * power_2_lo - q1_2 * power_1_lo)))
+    power_0_lo = (product_error(step_0_sum, exp_sinc, power_0)
+        + (step_0_sum_lo * exp_sinc + step_0_sum * exp_sinc_lo))
     qo_0f = q1_3 * power_0
     qo_0 = qo_0e + qo_0f
     qo_0_right = qo_0 - qo_0e
-    qo_0_lo1 = qo_0e - (qo_0 - qo_0_right) + product_rest(q1_3, power_0, qo_0f, qo_0_right)
-    qo_0e_lo = qo_0e_lo1 + (qo_0d_lo1 + (q1_1 * power_2_lo - q1_2 * power_1_lo)) + q1_0 * exp_c_lo
     qo_1a = q1_2 * power_0
     qo_1b = q1_0 * power_2
     qo_1c = qo_1a - qo_1b
     qo_1c_right = qo_1a - qo_1c
-    qo_1c_left_rest = product_rest(q1_2, power_0, qo_1a, qo_1c + qo_1c_right)
-    qo_1c_lo1 = qo_1c_left_rest - product_rest(q1_0, power_2, qo_1b, qo_1c_right)
+    qo_1c_lo1 = (product_rest(q1_2, power_0, qo_1a, qo_1c + qo_1c_right)
+        - product_rest(q1_0, power_2, qo_1b, qo_1c_right))
     qo_1d = q1_1 * exp_c
     qo_1e = qo_1c + qo_1d
     qo_1e_right = qo_1e - qo_1c
-    qo_1e_lo1 = qo_1c - (qo_1e - qo_1e_right) + product_rest(q1_1, exp_c, qo_1d, qo_1e_right)
+    qo_1e_lo2 = (qo_1c - (qo_1e - qo_1e_right) + product_rest(q1_1, exp_c, qo_1d, qo_1e_right)
+        + q1_1 * exp_c_lo)
     qo_1f = q1_3 * power_1
     qo_1 = qo_1e + qo_1f
     qo_1_right = qo_1 - qo_1e
-    qo_1_lo1 = qo_1e - (qo_1 - qo_1_right) + product_rest(q1_3, power_1, qo_1f, qo_1_right)
-    qo_1e_lo = qo_1e_lo1 + q1_1 * exp_c_lo + (qo_1c_lo1 + (q1_2 * power_0_lo - q1_0 * power_2_lo))
+    qo_1_lo2 = (qo_1e - (qo_1 - qo_1_right) + product_rest(q1_3, power_1, qo_1f, qo_1_right) + q1_3
+        * power_1_lo)
     qo_2a = q1_0 * power_1
     qo_2b = q1_1 * power_0
     qo_2c = qo_2a - qo_2b
     qo_2c_right = qo_2a - qo_2c
-    qo_2c_left_rest = product_rest(q1_0, power_1, qo_2a, qo_2c + qo_2c_right)
-    qo_2c_lo1 = qo_2c_left_rest - product_rest(q1_1, power_0, qo_2b, qo_2c_right)
+    qo_2c_lo1 = (product_rest(q1_0, power_1, qo_2a, qo_2c + qo_2c_right)
+        - product_rest(q1_1, power_0, qo_2b, qo_2c_right))
     qo_2d = q1_2 * exp_c
     qo_2e = qo_2c + qo_2d
     qo_2e_right = qo_2e - qo_2c
-    qo_2e_lo1 = qo_2c - (qo_2e - qo_2e_right) + product_rest(q1_2, exp_c, qo_2d, qo_2e_right)
+    qo_2e_lo2 = (qo_2c - (qo_2e - qo_2e_right) + product_rest(q1_2, exp_c, qo_2d, qo_2e_right)
+        + q1_2 * exp_c_lo)
     qo_2f = q1_3 * power_2
     qo_2 = qo_2e + qo_2f
     qo_2_right = qo_2 - qo_2e
-    qo_2_lo1 = qo_2e - (qo_2 - qo_2_right) + product_rest(q1_3, power_2, qo_2f, qo_2_right)
-    qo_2e_lo = qo_2e_lo1 + q1_2 * exp_c_lo + (qo_2c_lo1 + (q1_0 * power_1_lo - q1_1 * power_0_lo))
+    qo_2_lo2 = (qo_2e - (qo_2 - qo_2_right) + product_rest(q1_3, power_2, qo_2f, qo_2_right) + q1_3
+        * power_2_lo)
     qo_3a = q1_3 * exp_c
     qo_3b = q1_0 * power_0
     qo_3c = q1_1 * power_1
     qo_3d = qo_3b + qo_3c
     qo_3d_right = qo_3d - qo_3b
-    qo_3d_left_rest = product_rest(q1_0, power_0, qo_3b, qo_3d - qo_3d_right)
-    qo_3d_lo1 = qo_3d_left_rest + product_rest(q1_1, power_1, qo_3c, qo_3d_right)
+    qo_3d_lo1 = (product_rest(q1_0, power_0, qo_3b, qo_3d - qo_3d_right)
+        + product_rest(q1_1, power_1, qo_3c, qo_3d_right))
     qo_3e = q1_2 * power_2
     qo_3f = qo_3d + qo_3e
     qo_3f_right = qo_3f - qo_3d
-    qo_3f_lo1 = qo_3d - (qo_3f - qo_3f_right) + product_rest(q1_2, power_2, qo_3e, qo_3f_right)
+    qo_3f_lo2 = (qo_3d - (qo_3f - qo_3f_right) + product_rest(q1_2, power_2, qo_3e, qo_3f_right)
+        + q1_2 * power_2_lo)
     qo_3 = qo_3a - qo_3f
     qo_3_right = qo_3a - qo_3
-    qo_3f_lo = qo_3f_lo1 + q1_2 * power_2_lo + (qo_3d_lo1 + (q1_0 * power_0_lo + q1_1 * power_1_lo))
-    qo_3_lo2 = product_rest(q1_3, exp_c, qo_3a, qo_3 + qo_3_right) - (qo_3f - qo_3_right) - qo_3f_lo
-    qo_0_rounded = qo_0 + (qo_0_lo1 + q1_3 * power_0_lo + qo_0e_lo)
-    qo_1_rounded = qo_1 + (qo_1_lo1 + q1_3 * power_1_lo + qo_1e_lo)
-    qo_2_rounded = qo_2 + (qo_2_lo1 + q1_3 * power_2_lo + qo_2e_lo)
-    qo_3_rounded = qo_3 + (qo_3_lo2 + q1_3 * exp_c_lo)
+    qo_3_lo1 = product_rest(q1_3, exp_c, qo_3a, qo_3 + qo_3_right) - (qo_3f - qo_3_right)
+    qo_0_lo = (qo_0e - (qo_0 - qo_0_right) + product_rest(q1_3, power_0, qo_0f, qo_0_right) + q1_3
+        * power_0_lo + (qo_0e_lo2 + q1_0 * exp_c_lo))
+    qo_0_rounded = qo_0 + qo_0_lo
+    qo_1_rounded = (qo_1
+        + (qo_1_lo2 + (qo_1e_lo2 + (qo_1c_lo1 + (q1_2 * power_0_lo - q1_0 * power_2_lo)))))
+    qo_2_rounded = (qo_2
+        + (qo_2_lo2 + (qo_2e_lo2 + (qo_2c_lo1 + (q1_0 * power_1_lo - q1_1 * power_0_lo)))))
+    qo_3_rounded = (qo_3
+        + (qo_3_lo1 - (qo_3f_lo2 + (qo_3d_lo1 + (q1_0 * power_0_lo + q1_1 * power_1_lo))) + q1_3
+        * exp_c_lo))
     qo_0_final = where(qo_0_rounded == qo_0_rounded, qo_0_rounded, qo_0)
     qo_1_final = where(qo_1_rounded == qo_1_rounded, qo_1_rounded, qo_1)
     qo_2_final = where(qo_2_rounded == qo_2_rounded, qo_2_rounded, qo_2)

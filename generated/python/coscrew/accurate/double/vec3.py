@@ -48,12 +48,12 @@ def axpy_vv(a, x, y):
     y_2_new_a = a * x_2
     y_2_new = y_2_new_a + y_2
     y_2_new_right = y_2_new - y_2_new_a
-    y_0_new_lo = product_rest(a, x_0, y_0_new_a, y_0_new - y_0_new_right) + (y_0 - y_0_new_right)
-    y_0_new_rounded = y_0_new + y_0_new_lo
-    y_1_new_lo = product_rest(a, x_1, y_1_new_a, y_1_new - y_1_new_right) + (y_1 - y_1_new_right)
-    y_1_new_rounded = y_1_new + y_1_new_lo
-    y_2_new_lo = product_rest(a, x_2, y_2_new_a, y_2_new - y_2_new_right) + (y_2 - y_2_new_right)
-    y_2_new_rounded = y_2_new + y_2_new_lo
+    y_0_new_rounded = (y_0_new
+        + (product_rest(a, x_0, y_0_new_a, y_0_new - y_0_new_right) + (y_0 - y_0_new_right)))
+    y_1_new_rounded = (y_1_new
+        + (product_rest(a, x_1, y_1_new_a, y_1_new - y_1_new_right) + (y_1 - y_1_new_right)))
+    y_2_new_rounded = (y_2_new
+        + (product_rest(a, x_2, y_2_new_a, y_2_new - y_2_new_right) + (y_2 - y_2_new_right)))
     return (y_0_new_rounded, y_1_new_rounded, y_2_new_rounded)
 
 
@@ -189,8 +189,9 @@ def vec3_l2norm(v):
     s_size_2 = absolute(v_2)
     s_largest1 = where(s_size_0 < s_size_1, s_size_1, s_size_0)
     s_largest2 = where(s_largest1 < s_size_2, s_size_2, s_largest1)
-    s_b = where(6.703903964971299e+153 < s_largest2, float64(3.7291703656001034e-155), float64(1))
-    s_d = where(s_largest2 < 256, 1.3093562431584567e+151, s_b)
+    s_d = (where(s_largest2
+        < 256, 1.3093562431584567e+151, where(6.703903964971299e+153
+        < s_largest2, float64(3.7291703656001034e-155), float64(1))))
     s = where(s_largest2 < 1.955159272639747e-149, 1.0715086071862673e+301, s_d)
     y_0 = v_0 * s
     y_1 = v_1 * s
@@ -204,21 +205,20 @@ def vec3_l2norm(v):
     n_e_right = n_e - n_c
     n_c_lo = product_rest(y_0, y_0, n_a, n_c - n_c_right) + product_rest(y_1, y_1, n_b, n_c_right)
     n_e_lo = n_c - (n_e - n_e_right) + product_rest(y_2, y_2, n_d, n_e_right) + n_c_lo
-    n_of_n_e = n_e + n_e_lo
-    n_of_n_e_right = n_of_n_e - n_e
-    n = sqrt(n_of_n_e)
+    n_e_sum = n_e + n_e_lo
+    n_e_sum_right = n_e_sum - n_e
+    n = sqrt(n_e_sum)
     n_product = n * n
-    n_of_n_e_lo = n_e - (n_of_n_e - n_of_n_e_right) + (n_e_lo - n_of_n_e_right)
-    n_residual = n_of_n_e - n_product - product_error(n, n, n_product) + n_of_n_e_lo
-    n_lo = n_residual / where(n == 0, 1, n + n)
-    r_b = where(s < 1, float64(2.6815615859885194e+154), float64(1))
-    r_d = where(1 < s, 7.637340908749012e-152, r_b)
+    n_lo = ((n_e_sum - n_product - product_error(n, n, n_product)
+        + (n_e - (n_e_sum - n_e_sum_right) + (n_e_lo - n_e_sum_right))) / where(n == 0, 1, n + n))
+    r_d = (where(1
+        < s, 7.637340908749012e-152, where(s < 1, float64(2.6815615859885194e+154), float64(1))))
     r = where(1.3093562431584567e+151 < s, 9.332636185032189e-302, r_d)
-    norm_of_n = n + n_lo
-    norm_of_n_right = norm_of_n - n
-    norm = norm_of_n * r
-    norm_of_n_lo = n - (norm_of_n - norm_of_n_right) + (n_lo - norm_of_n_right)
-    norm_rounded = norm + (norm_of_n - norm * (1 / r) + norm_of_n_lo) * r
+    n_sum = n + n_lo
+    n_sum_right = n_sum - n
+    norm = n_sum * r
+    norm_rounded = (norm
+        + (n_sum - norm * (1 / r) + (n - (n_sum - n_sum_right) + (n_lo - n_sum_right))) * r)
     norm_final = where(norm_rounded == norm_rounded, norm_rounded, norm)
     return norm_final
 
@@ -237,8 +237,9 @@ def vec3_normalize(self):
     s_size_2 = absolute(self_2)
     s_largest1 = where(s_size_0 < s_size_1, s_size_1, s_size_0)
     s_largest2 = where(s_largest1 < s_size_2, s_size_2, s_largest1)
-    s_b = where(6.703903964971299e+153 < s_largest2, float64(3.7291703656001034e-155), float64(1))
-    s_d = where(s_largest2 < 256, 1.3093562431584567e+151, s_b)
+    s_d = (where(s_largest2
+        < 256, 1.3093562431584567e+151, where(6.703903964971299e+153
+        < s_largest2, float64(3.7291703656001034e-155), float64(1))))
     s = where(s_largest2 < 1.955159272639747e-149, 1.0715086071862673e+301, s_d)
     y_0 = self_0 * s
     y_1 = self_1 * s
@@ -254,80 +255,66 @@ def vec3_normalize(self):
     n_e_right = n_e - n_c
     n_c_lo = product_rest(y_0, y_0, n_a, n_c - n_c_right) + product_rest(y_1, y_1, n_b, n_c_right)
     n_e_lo = n_c - (n_e - n_e_right) + product_rest(y_2, y_2, n_d, n_e_right) + n_c_lo
-    n_of_n_e = n_e + n_e_lo
-    n_of_n_e_right = n_of_n_e - n_e
-    n = sqrt(n_of_n_e)
+    n_e_sum = n_e + n_e_lo
+    n_e_sum_right = n_e_sum - n_e
+    n = sqrt(n_e_sum)
     n_product = n * n
-    n_of_n_e_lo = n_e - (n_of_n_e - n_of_n_e_right) + (n_e_lo - n_of_n_e_right)
-    n_residual = n_of_n_e - n_product - product_error(n, n, n_product) + n_of_n_e_lo
-    n_lo = n_residual / where(n == 0, 1, n + n)
-    divisor_a_of_n = n + n_lo
-    divisor_a_of_n_right = divisor_a_of_n - n
-    divisor_a = divisor_a_of_n == 0
-    divisor = where(divisor_a, up, divisor_a_of_n)
-    divisor_a_of_n_lo = n - (divisor_a_of_n - divisor_a_of_n_right) + (n_lo - divisor_a_of_n_right)
-    divisor_lo = where(divisor_a, 0, divisor_a_of_n_lo)
+    n_lo = ((n_e_sum - n_product - product_error(n, n, n_product)
+        + (n_e - (n_e_sum - n_e_sum_right) + (n_e_lo - n_e_sum_right))) / where(n == 0, 1, n + n))
+    n_sum = n + n_lo
+    n_sum_right = n_sum - n
+    divisor_a = n_sum == 0
+    divisor = where(divisor_a, up, n_sum)
+    divisor_lo = where(divisor_a, 0, n - (n_sum - n_sum_right) + (n_lo - n_sum_right))
     sized_0 = self_0 * up
     sized_1 = self_1 * up
     sized_2 = self_2 * up
-    quotient_0_of_divisor = divisor + divisor_lo
-    quotient_0_of_divisor_right = quotient_0_of_divisor - divisor
-    quotient_0_of_divisor_left = quotient_0_of_divisor - quotient_0_of_divisor_right
-    quotient_0_of_divisor_right_rest = divisor_lo - quotient_0_of_divisor_right
-    quotient_0_of_divisor_left_rest = divisor - quotient_0_of_divisor_left
-    quotient_0_of_divisor_lo = quotient_0_of_divisor_left_rest + quotient_0_of_divisor_right_rest
-    quotient_0 = sized_0 / quotient_0_of_divisor
-    quotient_0_product = quotient_0 * quotient_0_of_divisor
-    quotient_0_product_error = product_error(quotient_0, quotient_0_of_divisor, quotient_0_product)
-    quotient_0_exact = sized_0 - quotient_0_product - quotient_0_product_error
-    quotient_0_residual = quotient_0_exact - quotient_0 * quotient_0_of_divisor_lo
-    quotient_0_lo = quotient_0_residual / quotient_0_of_divisor
-    quotient_1 = sized_1 / quotient_0_of_divisor
-    quotient_1_product = quotient_1 * quotient_0_of_divisor
-    quotient_1_product_error = product_error(quotient_1, quotient_0_of_divisor, quotient_1_product)
-    quotient_1_exact = sized_1 - quotient_1_product - quotient_1_product_error
-    quotient_1_residual = quotient_1_exact - quotient_1 * quotient_0_of_divisor_lo
-    quotient_1_lo = quotient_1_residual / quotient_0_of_divisor
-    quotient_2 = sized_2 / quotient_0_of_divisor
-    quotient_2_product = quotient_2 * quotient_0_of_divisor
-    quotient_2_product_error = product_error(quotient_2, quotient_0_of_divisor, quotient_2_product)
-    quotient_2_exact = sized_2 - quotient_2_product - quotient_2_product_error
-    quotient_2_residual = quotient_2_exact - quotient_2 * quotient_0_of_divisor_lo
-    quotient_2_lo = quotient_2_residual / quotient_0_of_divisor
-    self_0_new_of_quotient_0 = quotient_0 + quotient_0_lo
-    self_0_new_of_quotient_0_right = self_0_new_of_quotient_0 - quotient_0
-    self_0_new_of_quotient_0_left = self_0_new_of_quotient_0 - self_0_new_of_quotient_0_right
-    self_0_new_of_quotient_0_right_rest = quotient_0_lo - self_0_new_of_quotient_0_right
-    self_0_new_of_quotient_0_left_rest = quotient_0 - self_0_new_of_quotient_0_left
-    self_0_new = self_0_new_of_quotient_0 * down
+    divisor_sum = divisor + divisor_lo
+    divisor_sum_right = divisor_sum - divisor
+    divisor_sum_lo = divisor - (divisor_sum - divisor_sum_right) + (divisor_lo - divisor_sum_right)
+    quotient_0 = sized_0 / divisor_sum
+    quotient_0_product = quotient_0 * divisor_sum
+    quotient_0_residual = (sized_0 - quotient_0_product
+        - product_error(quotient_0, divisor_sum, quotient_0_product) - quotient_0 * divisor_sum_lo)
+    quotient_0_lo = quotient_0_residual / divisor_sum
+    quotient_1 = sized_1 / divisor_sum
+    quotient_1_product = quotient_1 * divisor_sum
+    quotient_1_residual = (sized_1 - quotient_1_product
+        - product_error(quotient_1, divisor_sum, quotient_1_product) - quotient_1 * divisor_sum_lo)
+    quotient_1_lo = quotient_1_residual / divisor_sum
+    quotient_2 = sized_2 / divisor_sum
+    quotient_2_product = quotient_2 * divisor_sum
+    quotient_2_residual = (sized_2 - quotient_2_product
+        - product_error(quotient_2, divisor_sum, quotient_2_product) - quotient_2 * divisor_sum_lo)
+    quotient_2_lo = quotient_2_residual / divisor_sum
+    quotient_0_sum = quotient_0 + quotient_0_lo
+    quotient_0_sum_right = quotient_0_sum - quotient_0
+    self_0_new = quotient_0_sum * down
     self_0_new_inverse = 1 / down
-    self_0_new_of_quotient_0_lo = self_0_new_of_quotient_0_left_rest + self_0_new_of_quotient_0_right_rest
-    self_0_new_lost = self_0_new_of_quotient_0 - self_0_new * self_0_new_inverse
-    self_1_new_of_quotient_1 = quotient_1 + quotient_1_lo
-    self_1_new_of_quotient_1_right = self_1_new_of_quotient_1 - quotient_1
-    self_1_new_of_quotient_1_left = self_1_new_of_quotient_1 - self_1_new_of_quotient_1_right
-    self_1_new_of_quotient_1_right_rest = quotient_1_lo - self_1_new_of_quotient_1_right
-    self_1_new_of_quotient_1_left_rest = quotient_1 - self_1_new_of_quotient_1_left
-    self_1_new = self_1_new_of_quotient_1 * down
-    self_1_new_of_quotient_1_lo = self_1_new_of_quotient_1_left_rest + self_1_new_of_quotient_1_right_rest
-    self_1_new_lost = self_1_new_of_quotient_1 - self_1_new * self_0_new_inverse
-    self_2_new_of_quotient_2 = quotient_2 + quotient_2_lo
-    self_2_new_of_quotient_2_right = self_2_new_of_quotient_2 - quotient_2
-    self_2_new_of_quotient_2_left = self_2_new_of_quotient_2 - self_2_new_of_quotient_2_right
-    self_2_new_of_quotient_2_right_rest = quotient_2_lo - self_2_new_of_quotient_2_right
-    self_2_new_of_quotient_2_left_rest = quotient_2 - self_2_new_of_quotient_2_left
-    self_2_new = self_2_new_of_quotient_2 * down
-    self_2_new_of_quotient_2_lo = self_2_new_of_quotient_2_left_rest + self_2_new_of_quotient_2_right_rest
-    self_2_new_lost = self_2_new_of_quotient_2 - self_2_new * self_0_new_inverse
-    self_0_new_rounded = self_0_new + (self_0_new_lost + self_0_new_of_quotient_0_lo) * down
-    self_0_new_rounded_number = self_0_new_rounded == self_0_new_rounded
-    self_1_new_rounded = self_1_new + (self_1_new_lost + self_1_new_of_quotient_1_lo) * down
-    self_1_new_rounded_number = self_1_new_rounded == self_1_new_rounded
-    self_2_new_rounded = self_2_new + (self_2_new_lost + self_2_new_of_quotient_2_lo) * down
-    self_2_new_rounded_number = self_2_new_rounded == self_2_new_rounded
-    self_0_new_final = where(self_0_new_rounded_number, self_0_new_rounded, self_0_new)
-    self_1_new_final = where(self_1_new_rounded_number, self_1_new_rounded, self_1_new)
-    self_2_new_final = where(self_2_new_rounded_number, self_2_new_rounded, self_2_new)
+    quotient_0_sum_lo = (quotient_0 - (quotient_0_sum - quotient_0_sum_right)
+        + (quotient_0_lo - quotient_0_sum_right))
+    quotient_1_sum = quotient_1 + quotient_1_lo
+    quotient_1_sum_right = quotient_1_sum - quotient_1
+    self_1_new = quotient_1_sum * down
+    quotient_1_sum_lo = (quotient_1 - (quotient_1_sum - quotient_1_sum_right)
+        + (quotient_1_lo - quotient_1_sum_right))
+    quotient_2_sum = quotient_2 + quotient_2_lo
+    quotient_2_sum_right = quotient_2_sum - quotient_2
+    self_2_new = quotient_2_sum * down
+    quotient_2_sum_lo = (quotient_2 - (quotient_2_sum - quotient_2_sum_right)
+        + (quotient_2_lo - quotient_2_sum_right))
+    self_0_new_rounded = (self_0_new
+        + (quotient_0_sum - self_0_new * self_0_new_inverse + quotient_0_sum_lo) * down)
+    self_1_new_rounded = (self_1_new
+        + (quotient_1_sum - self_1_new * self_0_new_inverse + quotient_1_sum_lo) * down)
+    self_2_new_rounded = (self_2_new
+        + (quotient_2_sum - self_2_new * self_0_new_inverse + quotient_2_sum_lo) * down)
+    self_0_new_final = where(self_0_new_rounded == self_0_new_rounded, self_0_new_rounded,
+        self_0_new)
+    self_1_new_final = where(self_1_new_rounded == self_1_new_rounded, self_1_new_rounded,
+        self_1_new)
+    self_2_new_final = where(self_2_new_rounded == self_2_new_rounded, self_2_new_rounded,
+        self_2_new)
     return (self_0_new_final, self_1_new_final, self_2_new_final)
 
 
@@ -345,8 +332,9 @@ def vec3_normalized(v):
     s_size_2 = absolute(v_2)
     s_largest1 = where(s_size_0 < s_size_1, s_size_1, s_size_0)
     s_largest2 = where(s_largest1 < s_size_2, s_size_2, s_largest1)
-    s_b = where(6.703903964971299e+153 < s_largest2, float64(3.7291703656001034e-155), float64(1))
-    s_d = where(s_largest2 < 256, 1.3093562431584567e+151, s_b)
+    s_d = (where(s_largest2
+        < 256, 1.3093562431584567e+151, where(6.703903964971299e+153
+        < s_largest2, float64(3.7291703656001034e-155), float64(1))))
     s = where(s_largest2 < 1.955159272639747e-149, 1.0715086071862673e+301, s_d)
     y_0 = v_0 * s
     y_1 = v_1 * s
@@ -362,68 +350,60 @@ def vec3_normalized(v):
     n_e_right = n_e - n_c
     n_c_lo = product_rest(y_0, y_0, n_a, n_c - n_c_right) + product_rest(y_1, y_1, n_b, n_c_right)
     n_e_lo = n_c - (n_e - n_e_right) + product_rest(y_2, y_2, n_d, n_e_right) + n_c_lo
-    n_of_n_e = n_e + n_e_lo
-    n_of_n_e_right = n_of_n_e - n_e
-    n = sqrt(n_of_n_e)
+    n_e_sum = n_e + n_e_lo
+    n_e_sum_right = n_e_sum - n_e
+    n = sqrt(n_e_sum)
     n_product = n * n
-    n_of_n_e_lo = n_e - (n_of_n_e - n_of_n_e_right) + (n_e_lo - n_of_n_e_right)
-    n_residual = n_of_n_e - n_product - product_error(n, n, n_product) + n_of_n_e_lo
-    n_lo = n_residual / where(n == 0, 1, n + n)
-    divisor_a_of_n = n + n_lo
-    divisor_a_of_n_right = divisor_a_of_n - n
-    divisor_a = divisor_a_of_n == 0
-    divisor = where(divisor_a, up, divisor_a_of_n)
-    divisor_a_of_n_lo = n - (divisor_a_of_n - divisor_a_of_n_right) + (n_lo - divisor_a_of_n_right)
-    divisor_lo = where(divisor_a, 0, divisor_a_of_n_lo)
+    n_lo = ((n_e_sum - n_product - product_error(n, n, n_product)
+        + (n_e - (n_e_sum - n_e_sum_right) + (n_e_lo - n_e_sum_right))) / where(n == 0, 1, n + n))
+    n_sum = n + n_lo
+    n_sum_right = n_sum - n
+    divisor_a = n_sum == 0
+    divisor = where(divisor_a, up, n_sum)
+    divisor_lo = where(divisor_a, 0, n - (n_sum - n_sum_right) + (n_lo - n_sum_right))
     sized_0 = v_0 * up
     sized_1 = v_1 * up
     sized_2 = v_2 * up
-    quotient_0_of_divisor = divisor + divisor_lo
-    quotient_0_of_divisor_right = quotient_0_of_divisor - divisor
-    quotient_0_of_divisor_left = quotient_0_of_divisor - quotient_0_of_divisor_right
-    quotient_0_of_divisor_right_rest = divisor_lo - quotient_0_of_divisor_right
-    quotient_0_of_divisor_left_rest = divisor - quotient_0_of_divisor_left
-    quotient_0_of_divisor_lo = quotient_0_of_divisor_left_rest + quotient_0_of_divisor_right_rest
-    quotient_0 = sized_0 / quotient_0_of_divisor
-    quotient_0_product = quotient_0 * quotient_0_of_divisor
-    quotient_0_product_error = product_error(quotient_0, quotient_0_of_divisor, quotient_0_product)
-    quotient_0_exact = sized_0 - quotient_0_product - quotient_0_product_error
-    quotient_0_residual = quotient_0_exact - quotient_0 * quotient_0_of_divisor_lo
-    quotient_0_lo = quotient_0_residual / quotient_0_of_divisor
-    quotient_1 = sized_1 / quotient_0_of_divisor
-    quotient_1_product = quotient_1 * quotient_0_of_divisor
-    quotient_1_product_error = product_error(quotient_1, quotient_0_of_divisor, quotient_1_product)
-    quotient_1_exact = sized_1 - quotient_1_product - quotient_1_product_error
-    quotient_1_residual = quotient_1_exact - quotient_1 * quotient_0_of_divisor_lo
-    quotient_1_lo = quotient_1_residual / quotient_0_of_divisor
-    quotient_2 = sized_2 / quotient_0_of_divisor
-    quotient_2_product = quotient_2 * quotient_0_of_divisor
-    quotient_2_product_error = product_error(quotient_2, quotient_0_of_divisor, quotient_2_product)
-    quotient_2_exact = sized_2 - quotient_2_product - quotient_2_product_error
-    quotient_2_residual = quotient_2_exact - quotient_2 * quotient_0_of_divisor_lo
-    quotient_2_lo = quotient_2_residual / quotient_0_of_divisor
-    vo_0_of_quotient_0 = quotient_0 + quotient_0_lo
-    vo_0_of_quotient_0_right = vo_0_of_quotient_0 - quotient_0
-    vo_0_of_quotient_0_left_rest = quotient_0 - (vo_0_of_quotient_0 - vo_0_of_quotient_0_right)
-    vo_0_of_quotient_0_right_rest = quotient_0_lo - vo_0_of_quotient_0_right
-    vo_0 = vo_0_of_quotient_0 * down
+    divisor_sum = divisor + divisor_lo
+    divisor_sum_right = divisor_sum - divisor
+    divisor_sum_lo = divisor - (divisor_sum - divisor_sum_right) + (divisor_lo - divisor_sum_right)
+    quotient_0 = sized_0 / divisor_sum
+    quotient_0_product = quotient_0 * divisor_sum
+    quotient_0_residual = (sized_0 - quotient_0_product
+        - product_error(quotient_0, divisor_sum, quotient_0_product) - quotient_0 * divisor_sum_lo)
+    quotient_0_lo = quotient_0_residual / divisor_sum
+    quotient_1 = sized_1 / divisor_sum
+    quotient_1_product = quotient_1 * divisor_sum
+    quotient_1_residual = (sized_1 - quotient_1_product
+        - product_error(quotient_1, divisor_sum, quotient_1_product) - quotient_1 * divisor_sum_lo)
+    quotient_1_lo = quotient_1_residual / divisor_sum
+    quotient_2 = sized_2 / divisor_sum
+    quotient_2_product = quotient_2 * divisor_sum
+    quotient_2_residual = (sized_2 - quotient_2_product
+        - product_error(quotient_2, divisor_sum, quotient_2_product) - quotient_2 * divisor_sum_lo)
+    quotient_2_lo = quotient_2_residual / divisor_sum
+    quotient_0_sum = quotient_0 + quotient_0_lo
+    quotient_0_sum_right = quotient_0_sum - quotient_0
+    vo_0 = quotient_0_sum * down
     vo_0_inverse = 1 / down
-    vo_0_of_quotient_0_lo = vo_0_of_quotient_0_left_rest + vo_0_of_quotient_0_right_rest
-    vo_1_of_quotient_1 = quotient_1 + quotient_1_lo
-    vo_1_of_quotient_1_right = vo_1_of_quotient_1 - quotient_1
-    vo_1_of_quotient_1_left_rest = quotient_1 - (vo_1_of_quotient_1 - vo_1_of_quotient_1_right)
-    vo_1_of_quotient_1_right_rest = quotient_1_lo - vo_1_of_quotient_1_right
-    vo_1 = vo_1_of_quotient_1 * down
-    vo_1_of_quotient_1_lo = vo_1_of_quotient_1_left_rest + vo_1_of_quotient_1_right_rest
-    vo_2_of_quotient_2 = quotient_2 + quotient_2_lo
-    vo_2_of_quotient_2_right = vo_2_of_quotient_2 - quotient_2
-    vo_2_of_quotient_2_left_rest = quotient_2 - (vo_2_of_quotient_2 - vo_2_of_quotient_2_right)
-    vo_2_of_quotient_2_right_rest = quotient_2_lo - vo_2_of_quotient_2_right
-    vo_2 = vo_2_of_quotient_2 * down
-    vo_2_of_quotient_2_lo = vo_2_of_quotient_2_left_rest + vo_2_of_quotient_2_right_rest
-    vo_0_rounded = vo_0 + (vo_0_of_quotient_0 - vo_0 * vo_0_inverse + vo_0_of_quotient_0_lo) * down
-    vo_1_rounded = vo_1 + (vo_1_of_quotient_1 - vo_1 * vo_0_inverse + vo_1_of_quotient_1_lo) * down
-    vo_2_rounded = vo_2 + (vo_2_of_quotient_2 - vo_2 * vo_0_inverse + vo_2_of_quotient_2_lo) * down
+    vo_0_rest = (quotient_0_sum - vo_0 * vo_0_inverse
+        + (quotient_0 - (quotient_0_sum - quotient_0_sum_right)
+        + (quotient_0_lo - quotient_0_sum_right)))
+    quotient_1_sum = quotient_1 + quotient_1_lo
+    quotient_1_sum_right = quotient_1_sum - quotient_1
+    vo_1 = quotient_1_sum * down
+    vo_1_rest = (quotient_1_sum - vo_1 * vo_0_inverse
+        + (quotient_1 - (quotient_1_sum - quotient_1_sum_right)
+        + (quotient_1_lo - quotient_1_sum_right)))
+    quotient_2_sum = quotient_2 + quotient_2_lo
+    quotient_2_sum_right = quotient_2_sum - quotient_2
+    vo_2 = quotient_2_sum * down
+    vo_2_rest = (quotient_2_sum - vo_2 * vo_0_inverse
+        + (quotient_2 - (quotient_2_sum - quotient_2_sum_right)
+        + (quotient_2_lo - quotient_2_sum_right)))
+    vo_0_rounded = vo_0 + vo_0_rest * down
+    vo_1_rounded = vo_1 + vo_1_rest * down
+    vo_2_rounded = vo_2 + vo_2_rest * down
     vo_0_final = where(vo_0_rounded == vo_0_rounded, vo_0_rounded, vo_0)
     vo_1_final = where(vo_1_rounded == vo_1_rounded, vo_1_rounded, vo_1)
     vo_2_final = where(vo_2_rounded == vo_2_rounded, vo_2_rounded, vo_2)
@@ -447,8 +427,9 @@ def angle_vv(v1, v2):
     s1_size_2 = absolute(v1_2)
     s1_largest1 = where(s1_size_0 < s1_size_1, s1_size_1, s1_size_0)
     s1_largest2 = where(s1_largest1 < s1_size_2, s1_size_2, s1_largest1)
-    s1b = where(6.703903964971299e+153 < s1_largest2, float64(3.7291703656001034e-155), float64(1))
-    s1d = where(s1_largest2 < 256, 1.3093562431584567e+151, s1b)
+    s1d = (where(s1_largest2
+        < 256, 1.3093562431584567e+151, where(6.703903964971299e+153
+        < s1_largest2, float64(3.7291703656001034e-155), float64(1))))
     s1 = where(s1_largest2 < 1.955159272639747e-149, 1.0715086071862673e+301, s1d)
     scaled_s1_0 = v1_0 * s1
     scaled_s1_1 = v1_1 * s1
@@ -458,8 +439,9 @@ def angle_vv(v1, v2):
     s2_size_2 = absolute(v2_2)
     s2_largest1 = where(s2_size_0 < s2_size_1, s2_size_1, s2_size_0)
     s2_largest2 = where(s2_largest1 < s2_size_2, s2_size_2, s2_largest1)
-    s2b = where(6.703903964971299e+153 < s2_largest2, float64(3.7291703656001034e-155), float64(1))
-    s2d = where(s2_largest2 < 256, 1.3093562431584567e+151, s2b)
+    s2d = (where(s2_largest2
+        < 256, 1.3093562431584567e+151, where(6.703903964971299e+153
+        < s2_largest2, float64(3.7291703656001034e-155), float64(1))))
     s2 = where(s2_largest2 < 1.955159272639747e-149, 1.0715086071862673e+301, s2d)
     scaled_s2_0 = v2_0 * s2
     scaled_s2_1 = v2_1 * s2
@@ -468,80 +450,68 @@ def angle_vv(v1, v2):
     c_0b = scaled_s1_2 * scaled_s2_1
     c_0 = c_0a - c_0b
     c_0_right = c_0a - c_0
-    c_0_left_rest = product_rest(scaled_s1_1, scaled_s2_2, c_0a, c_0 + c_0_right)
-    c_0_lo = c_0_left_rest - product_rest(scaled_s1_2, scaled_s2_1, c_0b, c_0_right)
+    c_0_lo = (product_rest(scaled_s1_1, scaled_s2_2, c_0a, c_0 + c_0_right)
+        - product_rest(scaled_s1_2, scaled_s2_1, c_0b, c_0_right))
     c_1a = scaled_s1_2 * scaled_s2_0
     c_1b = scaled_s1_0 * scaled_s2_2
     c_1 = c_1a - c_1b
     c_1_right = c_1a - c_1
-    c_1_left_rest = product_rest(scaled_s1_2, scaled_s2_0, c_1a, c_1 + c_1_right)
-    c_1_lo = c_1_left_rest - product_rest(scaled_s1_0, scaled_s2_2, c_1b, c_1_right)
+    c_1_lo = (product_rest(scaled_s1_2, scaled_s2_0, c_1a, c_1 + c_1_right)
+        - product_rest(scaled_s1_0, scaled_s2_2, c_1b, c_1_right))
     c_2a = scaled_s1_0 * scaled_s2_1
     c_2b = scaled_s1_1 * scaled_s2_0
     c_2 = c_2a - c_2b
     c_2_right = c_2a - c_2
-    c_2_left_rest = product_rest(scaled_s1_0, scaled_s2_1, c_2a, c_2 + c_2_right)
-    c_2_lo = c_2_left_rest - product_rest(scaled_s1_1, scaled_s2_0, c_2b, c_2_right)
-    s_size_0_of_c_0 = c_0 + c_0_lo
-    s_size_0_of_c_0_right = s_size_0_of_c_0 - c_0
-    s_size_0_of_c_0_left_rest = c_0 - (s_size_0_of_c_0 - s_size_0_of_c_0_right)
-    s_size_0_of_c_0_lo = s_size_0_of_c_0_left_rest + (c_0_lo - s_size_0_of_c_0_right)
-    s_size_0 = absolute(s_size_0_of_c_0)
-    s_size_0_lo = where(s_size_0_of_c_0 < 0, -s_size_0_of_c_0_lo, s_size_0_of_c_0_lo)
-    s_size_1_of_c_1 = c_1 + c_1_lo
-    s_size_1_of_c_1_right = s_size_1_of_c_1 - c_1
-    s_size_1_of_c_1_left_rest = c_1 - (s_size_1_of_c_1 - s_size_1_of_c_1_right)
-    s_size_1_of_c_1_lo = s_size_1_of_c_1_left_rest + (c_1_lo - s_size_1_of_c_1_right)
-    s_size_1 = absolute(s_size_1_of_c_1)
-    s_size_1_lo = where(s_size_1_of_c_1 < 0, -s_size_1_of_c_1_lo, s_size_1_of_c_1_lo)
-    s_size_2_of_c_2 = c_2 + c_2_lo
-    s_size_2_of_c_2_right = s_size_2_of_c_2 - c_2
-    s_size_2_of_c_2_left_rest = c_2 - (s_size_2_of_c_2 - s_size_2_of_c_2_right)
-    s_size_2_of_c_2_lo = s_size_2_of_c_2_left_rest + (c_2_lo - s_size_2_of_c_2_right)
-    s_size_2 = absolute(s_size_2_of_c_2)
-    s_size_2_lo = where(s_size_2_of_c_2 < 0, -s_size_2_of_c_2_lo, s_size_2_of_c_2_lo)
-    s_largest1a_of_s_size_0 = s_size_0 + s_size_0_lo
-    s_largest1a_of_s_size_0_right = s_largest1a_of_s_size_0 - s_size_0
-    s_largest1a_of_s_size_0_left = s_largest1a_of_s_size_0 - s_largest1a_of_s_size_0_right
-    s_largest1a_of_s_size_0_right_rest = s_size_0_lo - s_largest1a_of_s_size_0_right
-    s_largest1a_of_s_size_0_left_rest = s_size_0 - s_largest1a_of_s_size_0_left
-    s_largest1a_of_s_size_1 = s_size_1 + s_size_1_lo
-    s_largest1a_of_s_size_1_right = s_largest1a_of_s_size_1 - s_size_1
-    s_largest1a_of_s_size_1_left = s_largest1a_of_s_size_1 - s_largest1a_of_s_size_1_right
-    s_largest1a_of_s_size_1_right_rest = s_size_1_lo - s_largest1a_of_s_size_1_right
-    s_largest1a_of_s_size_1_left_rest = s_size_1 - s_largest1a_of_s_size_1_left
-    s_largest1a = s_largest1a_of_s_size_0 < s_largest1a_of_s_size_1
-    s_largest1 = where(s_largest1a, s_largest1a_of_s_size_1, s_largest1a_of_s_size_0)
-    s_largest1a_of_s_size_1_lo = s_largest1a_of_s_size_1_left_rest + s_largest1a_of_s_size_1_right_rest
-    s_largest1a_of_s_size_0_lo = s_largest1a_of_s_size_0_left_rest + s_largest1a_of_s_size_0_right_rest
-    s_largest1_lo = where(s_largest1a, s_largest1a_of_s_size_1_lo, s_largest1a_of_s_size_0_lo)
-    s_largest2a_of_s_largest1 = s_largest1 + s_largest1_lo
-    s_largest2a_of_s_largest1_right = s_largest2a_of_s_largest1 - s_largest1
-    s_largest2a_of_s_largest1_left = s_largest2a_of_s_largest1 - s_largest2a_of_s_largest1_right
-    s_largest2a_of_s_largest1_right_rest = s_largest1_lo - s_largest2a_of_s_largest1_right
-    s_largest2a_of_s_largest1_left_rest = s_largest1 - s_largest2a_of_s_largest1_left
-    s_largest2a_of_s_size_2 = s_size_2 + s_size_2_lo
-    s_largest2a_of_s_size_2_right = s_largest2a_of_s_size_2 - s_size_2
-    s_largest2a_of_s_size_2_left = s_largest2a_of_s_size_2 - s_largest2a_of_s_size_2_right
-    s_largest2a_of_s_size_2_right_rest = s_size_2_lo - s_largest2a_of_s_size_2_right
-    s_largest2a_of_s_size_2_left_rest = s_size_2 - s_largest2a_of_s_size_2_left
-    s_largest2a = s_largest2a_of_s_largest1 < s_largest2a_of_s_size_2
-    s_largest2 = where(s_largest2a, s_largest2a_of_s_size_2, s_largest2a_of_s_largest1)
-    s_largest2a_of_s_largest1_lo = s_largest2a_of_s_largest1_left_rest + s_largest2a_of_s_largest1_right_rest
-    s_largest2a_of_s_size_2_lo = s_largest2a_of_s_size_2_left_rest + s_largest2a_of_s_size_2_right_rest
-    s_largest2_lo = where(s_largest2a, s_largest2a_of_s_size_2_lo, s_largest2a_of_s_largest1_lo)
-    s_a_of_s_largest2 = s_largest2 + s_largest2_lo
-    s_a = 6.703903964971299e+153 < s_a_of_s_largest2
-    s_b = where(s_a, float64(3.7291703656001034e-155), float64(1))
-    s_d = where(s_a_of_s_largest2 < 256, 1.3093562431584567e+151, s_b)
-    s = where(s_a_of_s_largest2 < 1.955159272639747e-149, 1.0715086071862673e+301, s_d)
-    y_0 = s_size_0_of_c_0 * s
+    c_2_lo = (product_rest(scaled_s1_0, scaled_s2_1, c_2a, c_2 + c_2_right)
+        - product_rest(scaled_s1_1, scaled_s2_0, c_2b, c_2_right))
+    c_0_sum = c_0 + c_0_lo
+    c_0_sum_right = c_0_sum - c_0
+    c_0_sum_lo = c_0 - (c_0_sum - c_0_sum_right) + (c_0_lo - c_0_sum_right)
+    s_size_0 = absolute(c_0_sum)
+    s_size_0_lo = where(c_0_sum < 0, -c_0_sum_lo, c_0_sum_lo)
+    c_1_sum = c_1 + c_1_lo
+    c_1_sum_right = c_1_sum - c_1
+    c_1_sum_lo = c_1 - (c_1_sum - c_1_sum_right) + (c_1_lo - c_1_sum_right)
+    s_size_1 = absolute(c_1_sum)
+    s_size_1_lo = where(c_1_sum < 0, -c_1_sum_lo, c_1_sum_lo)
+    c_2_sum = c_2 + c_2_lo
+    c_2_sum_right = c_2_sum - c_2
+    c_2_sum_lo = c_2 - (c_2_sum - c_2_sum_right) + (c_2_lo - c_2_sum_right)
+    s_size_2 = absolute(c_2_sum)
+    s_size_2_lo = where(c_2_sum < 0, -c_2_sum_lo, c_2_sum_lo)
+    s_size_0_sum = s_size_0 + s_size_0_lo
+    s_size_0_sum_right = s_size_0_sum - s_size_0
+    s_size_1_sum = s_size_1 + s_size_1_lo
+    s_size_1_sum_right = s_size_1_sum - s_size_1
+    s_largest1a = s_size_0_sum < s_size_1_sum
+    s_largest1 = where(s_largest1a, s_size_1_sum, s_size_0_sum)
+    s_size_1_sum_lo = (s_size_1 - (s_size_1_sum - s_size_1_sum_right)
+        + (s_size_1_lo - s_size_1_sum_right))
+    s_largest1_lo = (where(s_largest1a, s_size_1_sum_lo, s_size_0
+        - (s_size_0_sum - s_size_0_sum_right) + (s_size_0_lo - s_size_0_sum_right)))
+    s_largest1_sum = s_largest1 + s_largest1_lo
+    s_largest1_sum_right = s_largest1_sum - s_largest1
+    s_size_2_sum = s_size_2 + s_size_2_lo
+    s_size_2_sum_right = s_size_2_sum - s_size_2
+    s_largest2a = s_largest1_sum < s_size_2_sum
+    s_largest2 = where(s_largest2a, s_size_2_sum, s_largest1_sum)
+    s_largest1_sum_lo = (s_largest1 - (s_largest1_sum - s_largest1_sum_right)
+        + (s_largest1_lo - s_largest1_sum_right))
+    s_largest2_lo = (where(s_largest2a, s_size_2 - (s_size_2_sum - s_size_2_sum_right)
+        + (s_size_2_lo - s_size_2_sum_right), s_largest1_sum_lo))
+    s_largest2_sum = s_largest2 + s_largest2_lo
+    s_b = (where(6.703903964971299e+153
+        < s_largest2_sum, float64(3.7291703656001034e-155), float64(1)))
+    s = (where(s_largest2_sum
+        < 1.955159272639747e-149, 1.0715086071862673e+301, where(s_largest2_sum
+        < 256, 1.3093562431584567e+151, s_b)))
+    y_0 = c_0_sum * s
     y_0_inverse = 1 / s
-    y_0_lo = (s_size_0_of_c_0 - y_0 * y_0_inverse + s_size_0_of_c_0_lo) * s
-    y_1 = s_size_1_of_c_1 * s
-    y_1_lo = (s_size_1_of_c_1 - y_1 * y_0_inverse + s_size_1_of_c_1_lo) * s
-    y_2 = s_size_2_of_c_2 * s
-    y_2_lo = (s_size_2_of_c_2 - y_2 * y_0_inverse + s_size_2_of_c_2_lo) * s
+    y_0_lo = (c_0_sum - y_0 * y_0_inverse + c_0_sum_lo) * s
+    y_1 = c_1_sum * s
+    y_1_lo = (c_1_sum - y_1 * y_0_inverse + c_1_sum_lo) * s
+    y_2 = c_2_sum * s
+    y_2_lo = (c_2_sum - y_2 * y_0_inverse + c_2_sum_lo) * s
     n_a = y_0 * y_0
     n_b = y_1 * y_1
     n_c = n_a + n_b
@@ -550,55 +520,53 @@ def angle_vv(v1, v2):
     n_d = y_2 * y_2
     n_e = n_c + n_d
     n_e_right = n_e - n_c
-    n_e_lo1 = n_c - (n_e - n_e_right) + product_rest(y_2, y_2, n_d, n_e_right)
-    n_c_lo = n_c_lo1 + (y_0_lo * y_0 + y_0 * y_0_lo + (y_1_lo * y_1 + y_1 * y_1_lo))
-    n_e_lo = n_e_lo1 + (y_2_lo * y_2 + y_2 * y_2_lo) + n_c_lo
-    n_of_n_e = n_e + n_e_lo
-    n_of_n_e_right = n_of_n_e - n_e
-    n = sqrt(n_of_n_e)
+    n_e_lo2 = (n_c - (n_e - n_e_right) + product_rest(y_2, y_2, n_d, n_e_right)
+        + (y_2_lo * y_2 + y_2 * y_2_lo))
+    n_e_lo = n_e_lo2 + (n_c_lo1 + (y_0_lo * y_0 + y_0 * y_0_lo + (y_1_lo * y_1 + y_1 * y_1_lo)))
+    n_e_sum = n_e + n_e_lo
+    n_e_sum_right = n_e_sum - n_e
+    n = sqrt(n_e_sum)
     n_product = n * n
-    n_of_n_e_lo = n_e - (n_of_n_e - n_of_n_e_right) + (n_e_lo - n_of_n_e_right)
-    n_residual = n_of_n_e - n_product - product_error(n, n, n_product) + n_of_n_e_lo
-    n_lo = n_residual / where(n == 0, 1, n + n)
-    r_b = where(s < 1, float64(2.6815615859885194e+154), float64(1))
-    r_d = where(1 < s, 7.637340908749012e-152, r_b)
+    n_lo = ((n_e_sum - n_product - product_error(n, n, n_product)
+        + (n_e - (n_e_sum - n_e_sum_right) + (n_e_lo - n_e_sum_right))) / where(n == 0, 1, n + n))
+    r_d = (where(1
+        < s, 7.637340908749012e-152, where(s < 1, float64(2.6815615859885194e+154), float64(1))))
     r = where(1.3093562431584567e+151 < s, 9.332636185032189e-302, r_d)
-    cross_of_n = n + n_lo
-    cross_of_n_right = cross_of_n - n
-    cross = cross_of_n * r
-    cross_of_n_lo = n - (cross_of_n - cross_of_n_right) + (n_lo - cross_of_n_right)
-    cross_lo = (cross_of_n - cross * (1 / r) + cross_of_n_lo) * r
+    n_sum = n + n_lo
+    n_sum_right = n_sum - n
+    cross = n_sum * r
+    cross_lo = (n_sum - cross * (1 / r) + (n - (n_sum - n_sum_right) + (n_lo - n_sum_right))) * r
     dot__a = scaled_s1_0 * scaled_s2_0
     dot__b = scaled_s1_1 * scaled_s2_1
     dot__c = dot__a + dot__b
     dot__c_right = dot__c - dot__a
-    dot__c_left_rest = product_rest(scaled_s1_0, scaled_s2_0, dot__a, dot__c - dot__c_right)
     dot__d = scaled_s1_2 * scaled_s2_2
     dot_ = dot__c + dot__d
     dot__right = dot_ - dot__c
-    dot__right_rest = product_rest(scaled_s1_2, scaled_s2_2, dot__d, dot__right)
-    dot__c_lo = dot__c_left_rest + product_rest(scaled_s1_1, scaled_s2_1, dot__b, dot__c_right)
-    dot__lo = dot__c - (dot_ - dot__right) + dot__right_rest + dot__c_lo
-    angle_of_cross = cross + cross_lo
-    angle_of_cross_right = angle_of_cross - cross
-    angle_of_cross_left_rest = cross - (angle_of_cross - angle_of_cross_right)
-    angle_of_dot_ = dot_ + dot__lo
-    angle_of_dot__right = angle_of_dot_ - dot_
-    angle_of_dot__left_rest = dot_ - (angle_of_dot_ - angle_of_dot__right)
-    angle = elementary.atan2(angle_of_cross, angle_of_dot_)
-    angle_size0 = absolute(angle_of_cross)
-    angle_size1 = absolute(angle_of_dot_)
+    dot__c_lo = (product_rest(scaled_s1_0, scaled_s2_0, dot__a, dot__c - dot__c_right)
+        + product_rest(scaled_s1_1, scaled_s2_1, dot__b, dot__c_right))
+    dot__lo = (dot__c - (dot_ - dot__right)
+        + product_rest(scaled_s1_2, scaled_s2_2, dot__d, dot__right) + dot__c_lo)
+    cross_sum = cross + cross_lo
+    cross_sum_right = cross_sum - cross
+    dot__sum = dot_ + dot__lo
+    dot__sum_right = dot__sum - dot_
+    angle = elementary.atan2(cross_sum, dot__sum)
+    angle_size0 = absolute(cross_sum)
+    angle_size1 = absolute(dot__sum)
     angle_most = where(angle_size0 < angle_size1, angle_size1, angle_size0)
     angle_zero = angle_most == 0
     angle_divisor = where(angle_zero, 1, angle_most)
-    angle_part0 = angle_of_cross / angle_divisor
-    angle_part1 = angle_of_dot_ / angle_divisor
-    angle_cross1 = angle_part1 * (angle_of_cross_left_rest + (cross_lo - angle_of_cross_right))
-    angle_cross2 = angle_part0 * (angle_of_dot__left_rest + (dot__lo - angle_of_dot__right))
-    angle_divisor2 = angle_divisor * (angle_part1 * angle_part1 + angle_part0 * angle_part0)
-    angle_more = (angle_cross1 - angle_cross2) / where(angle_zero, 1, angle_divisor2)
-    angle_lo = elementary.atan2_error(angle_of_cross, angle_of_dot_, angle) + angle_more
-    angle_rounded = angle + angle_lo
+    angle_part0 = cross_sum / angle_divisor
+    angle_part1 = dot__sum / angle_divisor
+    angle_cross1 = (angle_part1
+        * (cross - (cross_sum - cross_sum_right) + (cross_lo - cross_sum_right)))
+    angle_cross = (angle_cross1 - angle_part0
+        * (dot_ - (dot__sum - dot__sum_right) + (dot__lo - dot__sum_right)))
+    angle_more = (angle_cross
+        / where(angle_zero, 1, angle_divisor
+        * (angle_part1 * angle_part1 + angle_part0 * angle_part0)))
+    angle_rounded = angle + (elementary.atan2_error(cross_sum, dot__sum, angle) + angle_more)
     angle_final = where(angle_rounded == angle_rounded, angle_rounded, angle)
     return angle_final
 
@@ -617,12 +585,13 @@ def dot_vv(v1, v2):
     dot_b = v1_1 * v2_1
     dot_c = dot_a + dot_b
     dot_c_right = dot_c - dot_a
-    dot_c_left_rest = product_rest(v1_0, v2_0, dot_a, dot_c - dot_c_right)
     dot_d = v1_2 * v2_2
     dot = dot_c + dot_d
     dot_right = dot - dot_c
-    dot_lo1 = dot_c - (dot - dot_right) + product_rest(v1_2, v2_2, dot_d, dot_right)
-    dot_rounded = dot + (dot_lo1 + (dot_c_left_rest + product_rest(v1_1, v2_1, dot_b, dot_c_right)))
+    dot_c_lo = (product_rest(v1_0, v2_0, dot_a, dot_c - dot_c_right)
+        + product_rest(v1_1, v2_1, dot_b, dot_c_right))
+    dot_rounded = (dot
+        + (dot_c - (dot - dot_right) + product_rest(v1_2, v2_2, dot_d, dot_right) + dot_c_lo))
     return dot_rounded
 
 
@@ -680,20 +649,23 @@ def cross_vv(v1, v2):
     vo_0b = v1_2 * v2_1
     vo_0 = vo_0a - vo_0b
     vo_0_right = vo_0a - vo_0
-    vo_0_left_rest = product_rest(v1_1, v2_2, vo_0a, vo_0 + vo_0_right)
     vo_1a = v1_2 * v2_0
     vo_1b = v1_0 * v2_2
     vo_1 = vo_1a - vo_1b
     vo_1_right = vo_1a - vo_1
-    vo_1_left_rest = product_rest(v1_2, v2_0, vo_1a, vo_1 + vo_1_right)
     vo_2a = v1_0 * v2_1
     vo_2b = v1_1 * v2_0
     vo_2 = vo_2a - vo_2b
     vo_2_right = vo_2a - vo_2
-    vo_2_left_rest = product_rest(v1_0, v2_1, vo_2a, vo_2 + vo_2_right)
-    vo_0_rounded = vo_0 + (vo_0_left_rest - product_rest(v1_2, v2_1, vo_0b, vo_0_right))
-    vo_1_rounded = vo_1 + (vo_1_left_rest - product_rest(v1_0, v2_2, vo_1b, vo_1_right))
-    vo_2_rounded = vo_2 + (vo_2_left_rest - product_rest(v1_1, v2_0, vo_2b, vo_2_right))
+    vo_0_rounded = (vo_0
+        + (product_rest(v1_1, v2_2, vo_0a, vo_0 + vo_0_right)
+        - product_rest(v1_2, v2_1, vo_0b, vo_0_right)))
+    vo_1_rounded = (vo_1
+        + (product_rest(v1_2, v2_0, vo_1a, vo_1 + vo_1_right)
+        - product_rest(v1_0, v2_2, vo_1b, vo_1_right)))
+    vo_2_rounded = (vo_2
+        + (product_rest(v1_0, v2_1, vo_2a, vo_2 + vo_2_right)
+        - product_rest(v1_1, v2_0, vo_2b, vo_2_right)))
     return (vo_0_rounded, vo_1_rounded, vo_2_rounded)
 
 
@@ -711,20 +683,23 @@ def cross_vvinv(v1, v2):
     vo_0b = v1_1 * v2_2
     vo_0 = vo_0a - vo_0b
     vo_0_right = vo_0a - vo_0
-    vo_0_left_rest = product_rest(v1_2, v2_1, vo_0a, vo_0 + vo_0_right)
     vo_1a = v1_0 * v2_2
     vo_1b = v1_2 * v2_0
     vo_1 = vo_1a - vo_1b
     vo_1_right = vo_1a - vo_1
-    vo_1_left_rest = product_rest(v1_0, v2_2, vo_1a, vo_1 + vo_1_right)
     vo_2a = v1_1 * v2_0
     vo_2b = v1_0 * v2_1
     vo_2 = vo_2a - vo_2b
     vo_2_right = vo_2a - vo_2
-    vo_2_left_rest = product_rest(v1_1, v2_0, vo_2a, vo_2 + vo_2_right)
-    vo_0_rounded = vo_0 + (vo_0_left_rest - product_rest(v1_1, v2_2, vo_0b, vo_0_right))
-    vo_1_rounded = vo_1 + (vo_1_left_rest - product_rest(v1_2, v2_0, vo_1b, vo_1_right))
-    vo_2_rounded = vo_2 + (vo_2_left_rest - product_rest(v1_0, v2_1, vo_2b, vo_2_right))
+    vo_0_rounded = (vo_0
+        + (product_rest(v1_2, v2_1, vo_0a, vo_0 + vo_0_right)
+        - product_rest(v1_1, v2_2, vo_0b, vo_0_right)))
+    vo_1_rounded = (vo_1
+        + (product_rest(v1_0, v2_2, vo_1a, vo_1 + vo_1_right)
+        - product_rest(v1_2, v2_0, vo_1b, vo_1_right)))
+    vo_2_rounded = (vo_2
+        + (product_rest(v1_1, v2_0, vo_2a, vo_2 + vo_2_right)
+        - product_rest(v1_0, v2_1, vo_2b, vo_2_right)))
     return (vo_0_rounded, vo_1_rounded, vo_2_rounded)
 
 

@@ -65,8 +65,9 @@ def vec4_l2norm(v):
     s_largest1 = where(s_size_0 < s_size_1, s_size_1, s_size_0)
     s_largest2 = where(s_largest1 < s_size_2, s_size_2, s_largest1)
     s_largest3 = where(s_largest2 < s_size_3, s_size_3, s_largest2)
-    s_b = where(6.703903964971299e+153 < s_largest3, float64(3.7291703656001034e-155), float64(1))
-    s_d = where(s_largest3 < 256, 1.3093562431584567e+151, s_b)
+    s_d = (where(s_largest3
+        < 256, 1.3093562431584567e+151, where(6.703903964971299e+153
+        < s_largest3, float64(3.7291703656001034e-155), float64(1))))
     s = where(s_largest3 < 1.955159272639747e-149, 1.0715086071862673e+301, s_d)
     y_0 = v_0 * s
     y_1 = v_1 * s
@@ -85,21 +86,20 @@ def vec4_l2norm(v):
     n_g_right = n_g - n_e
     n_e_lo = n_c - (n_e - n_e_right) + product_rest(y_2, y_2, n_d, n_e_right) + n_c_lo
     n_g_lo = n_e - (n_g - n_g_right) + product_rest(y_3, y_3, n_f, n_g_right) + n_e_lo
-    n_of_n_g = n_g + n_g_lo
-    n_of_n_g_right = n_of_n_g - n_g
-    n = sqrt(n_of_n_g)
+    n_g_sum = n_g + n_g_lo
+    n_g_sum_right = n_g_sum - n_g
+    n = sqrt(n_g_sum)
     n_product = n * n
-    n_of_n_g_lo = n_g - (n_of_n_g - n_of_n_g_right) + (n_g_lo - n_of_n_g_right)
-    n_residual = n_of_n_g - n_product - product_error(n, n, n_product) + n_of_n_g_lo
-    n_lo = n_residual / where(n == 0, 1, n + n)
-    r_b = where(s < 1, float64(2.6815615859885194e+154), float64(1))
-    r_d = where(1 < s, 7.637340908749012e-152, r_b)
+    n_lo = ((n_g_sum - n_product - product_error(n, n, n_product)
+        + (n_g - (n_g_sum - n_g_sum_right) + (n_g_lo - n_g_sum_right))) / where(n == 0, 1, n + n))
+    r_d = (where(1
+        < s, 7.637340908749012e-152, where(s < 1, float64(2.6815615859885194e+154), float64(1))))
     r = where(1.3093562431584567e+151 < s, 9.332636185032189e-302, r_d)
-    norm_of_n = n + n_lo
-    norm_of_n_right = norm_of_n - n
-    norm = norm_of_n * r
-    norm_of_n_lo = n - (norm_of_n - norm_of_n_right) + (n_lo - norm_of_n_right)
-    norm_rounded = norm + (norm_of_n - norm * (1 / r) + norm_of_n_lo) * r
+    n_sum = n + n_lo
+    n_sum_right = n_sum - n
+    norm = n_sum * r
+    norm_rounded = (norm
+        + (n_sum - norm * (1 / r) + (n - (n_sum - n_sum_right) + (n_lo - n_sum_right))) * r)
     norm_final = where(norm_rounded == norm_rounded, norm_rounded, norm)
     return norm_final
 
@@ -120,8 +120,9 @@ def vec4_normalize(self):
     s_largest1 = where(s_size_0 < s_size_1, s_size_1, s_size_0)
     s_largest2 = where(s_largest1 < s_size_2, s_size_2, s_largest1)
     s_largest3 = where(s_largest2 < s_size_3, s_size_3, s_largest2)
-    s_b = where(6.703903964971299e+153 < s_largest3, float64(3.7291703656001034e-155), float64(1))
-    s_d = where(s_largest3 < 256, 1.3093562431584567e+151, s_b)
+    s_d = (where(s_largest3
+        < 256, 1.3093562431584567e+151, where(6.703903964971299e+153
+        < s_largest3, float64(3.7291703656001034e-155), float64(1))))
     s = where(s_largest3 < 1.955159272639747e-149, 1.0715086071862673e+301, s_d)
     y_0 = self_0 * s
     y_1 = self_1 * s
@@ -142,98 +143,81 @@ def vec4_normalize(self):
     n_g_right = n_g - n_e
     n_e_lo = n_c - (n_e - n_e_right) + product_rest(y_2, y_2, n_d, n_e_right) + n_c_lo
     n_g_lo = n_e - (n_g - n_g_right) + product_rest(y_3, y_3, n_f, n_g_right) + n_e_lo
-    n_of_n_g = n_g + n_g_lo
-    n_of_n_g_right = n_of_n_g - n_g
-    n = sqrt(n_of_n_g)
+    n_g_sum = n_g + n_g_lo
+    n_g_sum_right = n_g_sum - n_g
+    n = sqrt(n_g_sum)
     n_product = n * n
-    n_of_n_g_lo = n_g - (n_of_n_g - n_of_n_g_right) + (n_g_lo - n_of_n_g_right)
-    n_residual = n_of_n_g - n_product - product_error(n, n, n_product) + n_of_n_g_lo
-    n_lo = n_residual / where(n == 0, 1, n + n)
-    divisor_a_of_n = n + n_lo
-    divisor_a_of_n_right = divisor_a_of_n - n
-    divisor_a = divisor_a_of_n == 0
-    divisor = where(divisor_a, up, divisor_a_of_n)
-    divisor_a_of_n_lo = n - (divisor_a_of_n - divisor_a_of_n_right) + (n_lo - divisor_a_of_n_right)
-    divisor_lo = where(divisor_a, 0, divisor_a_of_n_lo)
+    n_lo = ((n_g_sum - n_product - product_error(n, n, n_product)
+        + (n_g - (n_g_sum - n_g_sum_right) + (n_g_lo - n_g_sum_right))) / where(n == 0, 1, n + n))
+    n_sum = n + n_lo
+    n_sum_right = n_sum - n
+    divisor_a = n_sum == 0
+    divisor = where(divisor_a, up, n_sum)
+    divisor_lo = where(divisor_a, 0, n - (n_sum - n_sum_right) + (n_lo - n_sum_right))
     sized_0 = self_0 * up
     sized_1 = self_1 * up
     sized_2 = self_2 * up
     sized_3 = self_3 * up
-    quotient_0_of_divisor = divisor + divisor_lo
-    quotient_0_of_divisor_right = quotient_0_of_divisor - divisor
-    quotient_0_of_divisor_left = quotient_0_of_divisor - quotient_0_of_divisor_right
-    quotient_0_of_divisor_right_rest = divisor_lo - quotient_0_of_divisor_right
-    quotient_0_of_divisor_left_rest = divisor - quotient_0_of_divisor_left
-    quotient_0_of_divisor_lo = quotient_0_of_divisor_left_rest + quotient_0_of_divisor_right_rest
-    quotient_0 = sized_0 / quotient_0_of_divisor
-    quotient_0_product = quotient_0 * quotient_0_of_divisor
-    quotient_0_product_error = product_error(quotient_0, quotient_0_of_divisor, quotient_0_product)
-    quotient_0_exact = sized_0 - quotient_0_product - quotient_0_product_error
-    quotient_0_residual = quotient_0_exact - quotient_0 * quotient_0_of_divisor_lo
-    quotient_0_lo = quotient_0_residual / quotient_0_of_divisor
-    quotient_1 = sized_1 / quotient_0_of_divisor
-    quotient_1_product = quotient_1 * quotient_0_of_divisor
-    quotient_1_product_error = product_error(quotient_1, quotient_0_of_divisor, quotient_1_product)
-    quotient_1_exact = sized_1 - quotient_1_product - quotient_1_product_error
-    quotient_1_residual = quotient_1_exact - quotient_1 * quotient_0_of_divisor_lo
-    quotient_1_lo = quotient_1_residual / quotient_0_of_divisor
-    quotient_2 = sized_2 / quotient_0_of_divisor
-    quotient_2_product = quotient_2 * quotient_0_of_divisor
-    quotient_2_product_error = product_error(quotient_2, quotient_0_of_divisor, quotient_2_product)
-    quotient_2_exact = sized_2 - quotient_2_product - quotient_2_product_error
-    quotient_2_residual = quotient_2_exact - quotient_2 * quotient_0_of_divisor_lo
-    quotient_2_lo = quotient_2_residual / quotient_0_of_divisor
-    quotient_3 = sized_3 / quotient_0_of_divisor
-    quotient_3_product = quotient_3 * quotient_0_of_divisor
-    quotient_3_product_error = product_error(quotient_3, quotient_0_of_divisor, quotient_3_product)
-    quotient_3_exact = sized_3 - quotient_3_product - quotient_3_product_error
-    quotient_3_residual = quotient_3_exact - quotient_3 * quotient_0_of_divisor_lo
-    quotient_3_lo = quotient_3_residual / quotient_0_of_divisor
-    self_0_new_of_quotient_0 = quotient_0 + quotient_0_lo
-    self_0_new_of_quotient_0_right = self_0_new_of_quotient_0 - quotient_0
-    self_0_new_of_quotient_0_left = self_0_new_of_quotient_0 - self_0_new_of_quotient_0_right
-    self_0_new_of_quotient_0_right_rest = quotient_0_lo - self_0_new_of_quotient_0_right
-    self_0_new_of_quotient_0_left_rest = quotient_0 - self_0_new_of_quotient_0_left
-    self_0_new = self_0_new_of_quotient_0 * down
+    divisor_sum = divisor + divisor_lo
+    divisor_sum_right = divisor_sum - divisor
+    divisor_sum_lo = divisor - (divisor_sum - divisor_sum_right) + (divisor_lo - divisor_sum_right)
+    quotient_0 = sized_0 / divisor_sum
+    quotient_0_product = quotient_0 * divisor_sum
+    quotient_0_residual = (sized_0 - quotient_0_product
+        - product_error(quotient_0, divisor_sum, quotient_0_product) - quotient_0 * divisor_sum_lo)
+    quotient_0_lo = quotient_0_residual / divisor_sum
+    quotient_1 = sized_1 / divisor_sum
+    quotient_1_product = quotient_1 * divisor_sum
+    quotient_1_residual = (sized_1 - quotient_1_product
+        - product_error(quotient_1, divisor_sum, quotient_1_product) - quotient_1 * divisor_sum_lo)
+    quotient_1_lo = quotient_1_residual / divisor_sum
+    quotient_2 = sized_2 / divisor_sum
+    quotient_2_product = quotient_2 * divisor_sum
+    quotient_2_residual = (sized_2 - quotient_2_product
+        - product_error(quotient_2, divisor_sum, quotient_2_product) - quotient_2 * divisor_sum_lo)
+    quotient_2_lo = quotient_2_residual / divisor_sum
+    quotient_3 = sized_3 / divisor_sum
+    quotient_3_product = quotient_3 * divisor_sum
+    quotient_3_residual = (sized_3 - quotient_3_product
+        - product_error(quotient_3, divisor_sum, quotient_3_product) - quotient_3 * divisor_sum_lo)
+    quotient_3_lo = quotient_3_residual / divisor_sum
+    quotient_0_sum = quotient_0 + quotient_0_lo
+    quotient_0_sum_right = quotient_0_sum - quotient_0
+    self_0_new = quotient_0_sum * down
     self_0_new_inverse = 1 / down
-    self_0_new_of_quotient_0_lo = self_0_new_of_quotient_0_left_rest + self_0_new_of_quotient_0_right_rest
-    self_0_new_lost = self_0_new_of_quotient_0 - self_0_new * self_0_new_inverse
-    self_1_new_of_quotient_1 = quotient_1 + quotient_1_lo
-    self_1_new_of_quotient_1_right = self_1_new_of_quotient_1 - quotient_1
-    self_1_new_of_quotient_1_left = self_1_new_of_quotient_1 - self_1_new_of_quotient_1_right
-    self_1_new_of_quotient_1_right_rest = quotient_1_lo - self_1_new_of_quotient_1_right
-    self_1_new_of_quotient_1_left_rest = quotient_1 - self_1_new_of_quotient_1_left
-    self_1_new = self_1_new_of_quotient_1 * down
-    self_1_new_of_quotient_1_lo = self_1_new_of_quotient_1_left_rest + self_1_new_of_quotient_1_right_rest
-    self_1_new_lost = self_1_new_of_quotient_1 - self_1_new * self_0_new_inverse
-    self_2_new_of_quotient_2 = quotient_2 + quotient_2_lo
-    self_2_new_of_quotient_2_right = self_2_new_of_quotient_2 - quotient_2
-    self_2_new_of_quotient_2_left = self_2_new_of_quotient_2 - self_2_new_of_quotient_2_right
-    self_2_new_of_quotient_2_right_rest = quotient_2_lo - self_2_new_of_quotient_2_right
-    self_2_new_of_quotient_2_left_rest = quotient_2 - self_2_new_of_quotient_2_left
-    self_2_new = self_2_new_of_quotient_2 * down
-    self_2_new_of_quotient_2_lo = self_2_new_of_quotient_2_left_rest + self_2_new_of_quotient_2_right_rest
-    self_2_new_lost = self_2_new_of_quotient_2 - self_2_new * self_0_new_inverse
-    self_3_new_of_quotient_3 = quotient_3 + quotient_3_lo
-    self_3_new_of_quotient_3_right = self_3_new_of_quotient_3 - quotient_3
-    self_3_new_of_quotient_3_left = self_3_new_of_quotient_3 - self_3_new_of_quotient_3_right
-    self_3_new_of_quotient_3_right_rest = quotient_3_lo - self_3_new_of_quotient_3_right
-    self_3_new_of_quotient_3_left_rest = quotient_3 - self_3_new_of_quotient_3_left
-    self_3_new = self_3_new_of_quotient_3 * down
-    self_3_new_of_quotient_3_lo = self_3_new_of_quotient_3_left_rest + self_3_new_of_quotient_3_right_rest
-    self_3_new_lost = self_3_new_of_quotient_3 - self_3_new * self_0_new_inverse
-    self_0_new_rounded = self_0_new + (self_0_new_lost + self_0_new_of_quotient_0_lo) * down
-    self_0_new_rounded_number = self_0_new_rounded == self_0_new_rounded
-    self_1_new_rounded = self_1_new + (self_1_new_lost + self_1_new_of_quotient_1_lo) * down
-    self_1_new_rounded_number = self_1_new_rounded == self_1_new_rounded
-    self_2_new_rounded = self_2_new + (self_2_new_lost + self_2_new_of_quotient_2_lo) * down
-    self_2_new_rounded_number = self_2_new_rounded == self_2_new_rounded
-    self_3_new_rounded = self_3_new + (self_3_new_lost + self_3_new_of_quotient_3_lo) * down
-    self_3_new_rounded_number = self_3_new_rounded == self_3_new_rounded
-    self_0_new_final = where(self_0_new_rounded_number, self_0_new_rounded, self_0_new)
-    self_1_new_final = where(self_1_new_rounded_number, self_1_new_rounded, self_1_new)
-    self_2_new_final = where(self_2_new_rounded_number, self_2_new_rounded, self_2_new)
-    self_3_new_final = where(self_3_new_rounded_number, self_3_new_rounded, self_3_new)
+    quotient_0_sum_lo = (quotient_0 - (quotient_0_sum - quotient_0_sum_right)
+        + (quotient_0_lo - quotient_0_sum_right))
+    quotient_1_sum = quotient_1 + quotient_1_lo
+    quotient_1_sum_right = quotient_1_sum - quotient_1
+    self_1_new = quotient_1_sum * down
+    quotient_1_sum_lo = (quotient_1 - (quotient_1_sum - quotient_1_sum_right)
+        + (quotient_1_lo - quotient_1_sum_right))
+    quotient_2_sum = quotient_2 + quotient_2_lo
+    quotient_2_sum_right = quotient_2_sum - quotient_2
+    self_2_new = quotient_2_sum * down
+    quotient_2_sum_lo = (quotient_2 - (quotient_2_sum - quotient_2_sum_right)
+        + (quotient_2_lo - quotient_2_sum_right))
+    quotient_3_sum = quotient_3 + quotient_3_lo
+    quotient_3_sum_right = quotient_3_sum - quotient_3
+    self_3_new = quotient_3_sum * down
+    quotient_3_sum_lo = (quotient_3 - (quotient_3_sum - quotient_3_sum_right)
+        + (quotient_3_lo - quotient_3_sum_right))
+    self_0_new_rounded = (self_0_new
+        + (quotient_0_sum - self_0_new * self_0_new_inverse + quotient_0_sum_lo) * down)
+    self_1_new_rounded = (self_1_new
+        + (quotient_1_sum - self_1_new * self_0_new_inverse + quotient_1_sum_lo) * down)
+    self_2_new_rounded = (self_2_new
+        + (quotient_2_sum - self_2_new * self_0_new_inverse + quotient_2_sum_lo) * down)
+    self_3_new_rounded = (self_3_new
+        + (quotient_3_sum - self_3_new * self_0_new_inverse + quotient_3_sum_lo) * down)
+    self_0_new_final = where(self_0_new_rounded == self_0_new_rounded, self_0_new_rounded,
+        self_0_new)
+    self_1_new_final = where(self_1_new_rounded == self_1_new_rounded, self_1_new_rounded,
+        self_1_new)
+    self_2_new_final = where(self_2_new_rounded == self_2_new_rounded, self_2_new_rounded,
+        self_2_new)
+    self_3_new_final = where(self_3_new_rounded == self_3_new_rounded, self_3_new_rounded,
+        self_3_new)
     return (self_0_new_final, self_1_new_final, self_2_new_final, self_3_new_final)
 
 
@@ -253,8 +237,9 @@ def vec4_normalized(v):
     s_largest1 = where(s_size_0 < s_size_1, s_size_1, s_size_0)
     s_largest2 = where(s_largest1 < s_size_2, s_size_2, s_largest1)
     s_largest3 = where(s_largest2 < s_size_3, s_size_3, s_largest2)
-    s_b = where(6.703903964971299e+153 < s_largest3, float64(3.7291703656001034e-155), float64(1))
-    s_d = where(s_largest3 < 256, 1.3093562431584567e+151, s_b)
+    s_d = (where(s_largest3
+        < 256, 1.3093562431584567e+151, where(6.703903964971299e+153
+        < s_largest3, float64(3.7291703656001034e-155), float64(1))))
     s = where(s_largest3 < 1.955159272639747e-149, 1.0715086071862673e+301, s_d)
     y_0 = v_0 * s
     y_1 = v_1 * s
@@ -275,82 +260,73 @@ def vec4_normalized(v):
     n_g_right = n_g - n_e
     n_e_lo = n_c - (n_e - n_e_right) + product_rest(y_2, y_2, n_d, n_e_right) + n_c_lo
     n_g_lo = n_e - (n_g - n_g_right) + product_rest(y_3, y_3, n_f, n_g_right) + n_e_lo
-    n_of_n_g = n_g + n_g_lo
-    n_of_n_g_right = n_of_n_g - n_g
-    n = sqrt(n_of_n_g)
+    n_g_sum = n_g + n_g_lo
+    n_g_sum_right = n_g_sum - n_g
+    n = sqrt(n_g_sum)
     n_product = n * n
-    n_of_n_g_lo = n_g - (n_of_n_g - n_of_n_g_right) + (n_g_lo - n_of_n_g_right)
-    n_residual = n_of_n_g - n_product - product_error(n, n, n_product) + n_of_n_g_lo
-    n_lo = n_residual / where(n == 0, 1, n + n)
-    divisor_a_of_n = n + n_lo
-    divisor_a_of_n_right = divisor_a_of_n - n
-    divisor_a = divisor_a_of_n == 0
-    divisor = where(divisor_a, up, divisor_a_of_n)
-    divisor_a_of_n_lo = n - (divisor_a_of_n - divisor_a_of_n_right) + (n_lo - divisor_a_of_n_right)
-    divisor_lo = where(divisor_a, 0, divisor_a_of_n_lo)
+    n_lo = ((n_g_sum - n_product - product_error(n, n, n_product)
+        + (n_g - (n_g_sum - n_g_sum_right) + (n_g_lo - n_g_sum_right))) / where(n == 0, 1, n + n))
+    n_sum = n + n_lo
+    n_sum_right = n_sum - n
+    divisor_a = n_sum == 0
+    divisor = where(divisor_a, up, n_sum)
+    divisor_lo = where(divisor_a, 0, n - (n_sum - n_sum_right) + (n_lo - n_sum_right))
     sized_0 = v_0 * up
     sized_1 = v_1 * up
     sized_2 = v_2 * up
     sized_3 = v_3 * up
-    quotient_0_of_divisor = divisor + divisor_lo
-    quotient_0_of_divisor_right = quotient_0_of_divisor - divisor
-    quotient_0_of_divisor_left = quotient_0_of_divisor - quotient_0_of_divisor_right
-    quotient_0_of_divisor_right_rest = divisor_lo - quotient_0_of_divisor_right
-    quotient_0_of_divisor_left_rest = divisor - quotient_0_of_divisor_left
-    quotient_0_of_divisor_lo = quotient_0_of_divisor_left_rest + quotient_0_of_divisor_right_rest
-    quotient_0 = sized_0 / quotient_0_of_divisor
-    quotient_0_product = quotient_0 * quotient_0_of_divisor
-    quotient_0_product_error = product_error(quotient_0, quotient_0_of_divisor, quotient_0_product)
-    quotient_0_exact = sized_0 - quotient_0_product - quotient_0_product_error
-    quotient_0_residual = quotient_0_exact - quotient_0 * quotient_0_of_divisor_lo
-    quotient_0_lo = quotient_0_residual / quotient_0_of_divisor
-    quotient_1 = sized_1 / quotient_0_of_divisor
-    quotient_1_product = quotient_1 * quotient_0_of_divisor
-    quotient_1_product_error = product_error(quotient_1, quotient_0_of_divisor, quotient_1_product)
-    quotient_1_exact = sized_1 - quotient_1_product - quotient_1_product_error
-    quotient_1_residual = quotient_1_exact - quotient_1 * quotient_0_of_divisor_lo
-    quotient_1_lo = quotient_1_residual / quotient_0_of_divisor
-    quotient_2 = sized_2 / quotient_0_of_divisor
-    quotient_2_product = quotient_2 * quotient_0_of_divisor
-    quotient_2_product_error = product_error(quotient_2, quotient_0_of_divisor, quotient_2_product)
-    quotient_2_exact = sized_2 - quotient_2_product - quotient_2_product_error
-    quotient_2_residual = quotient_2_exact - quotient_2 * quotient_0_of_divisor_lo
-    quotient_2_lo = quotient_2_residual / quotient_0_of_divisor
-    quotient_3 = sized_3 / quotient_0_of_divisor
-    quotient_3_product = quotient_3 * quotient_0_of_divisor
-    quotient_3_product_error = product_error(quotient_3, quotient_0_of_divisor, quotient_3_product)
-    quotient_3_exact = sized_3 - quotient_3_product - quotient_3_product_error
-    quotient_3_residual = quotient_3_exact - quotient_3 * quotient_0_of_divisor_lo
-    quotient_3_lo = quotient_3_residual / quotient_0_of_divisor
-    vo_0_of_quotient_0 = quotient_0 + quotient_0_lo
-    vo_0_of_quotient_0_right = vo_0_of_quotient_0 - quotient_0
-    vo_0_of_quotient_0_left_rest = quotient_0 - (vo_0_of_quotient_0 - vo_0_of_quotient_0_right)
-    vo_0_of_quotient_0_right_rest = quotient_0_lo - vo_0_of_quotient_0_right
-    vo_0 = vo_0_of_quotient_0 * down
+    divisor_sum = divisor + divisor_lo
+    divisor_sum_right = divisor_sum - divisor
+    divisor_sum_lo = divisor - (divisor_sum - divisor_sum_right) + (divisor_lo - divisor_sum_right)
+    quotient_0 = sized_0 / divisor_sum
+    quotient_0_product = quotient_0 * divisor_sum
+    quotient_0_residual = (sized_0 - quotient_0_product
+        - product_error(quotient_0, divisor_sum, quotient_0_product) - quotient_0 * divisor_sum_lo)
+    quotient_0_lo = quotient_0_residual / divisor_sum
+    quotient_1 = sized_1 / divisor_sum
+    quotient_1_product = quotient_1 * divisor_sum
+    quotient_1_residual = (sized_1 - quotient_1_product
+        - product_error(quotient_1, divisor_sum, quotient_1_product) - quotient_1 * divisor_sum_lo)
+    quotient_1_lo = quotient_1_residual / divisor_sum
+    quotient_2 = sized_2 / divisor_sum
+    quotient_2_product = quotient_2 * divisor_sum
+    quotient_2_residual = (sized_2 - quotient_2_product
+        - product_error(quotient_2, divisor_sum, quotient_2_product) - quotient_2 * divisor_sum_lo)
+    quotient_2_lo = quotient_2_residual / divisor_sum
+    quotient_3 = sized_3 / divisor_sum
+    quotient_3_product = quotient_3 * divisor_sum
+    quotient_3_residual = (sized_3 - quotient_3_product
+        - product_error(quotient_3, divisor_sum, quotient_3_product) - quotient_3 * divisor_sum_lo)
+    quotient_3_lo = quotient_3_residual / divisor_sum
+    quotient_0_sum = quotient_0 + quotient_0_lo
+    quotient_0_sum_right = quotient_0_sum - quotient_0
+    vo_0 = quotient_0_sum * down
     vo_0_inverse = 1 / down
-    vo_0_of_quotient_0_lo = vo_0_of_quotient_0_left_rest + vo_0_of_quotient_0_right_rest
-    vo_1_of_quotient_1 = quotient_1 + quotient_1_lo
-    vo_1_of_quotient_1_right = vo_1_of_quotient_1 - quotient_1
-    vo_1_of_quotient_1_left_rest = quotient_1 - (vo_1_of_quotient_1 - vo_1_of_quotient_1_right)
-    vo_1_of_quotient_1_right_rest = quotient_1_lo - vo_1_of_quotient_1_right
-    vo_1 = vo_1_of_quotient_1 * down
-    vo_1_of_quotient_1_lo = vo_1_of_quotient_1_left_rest + vo_1_of_quotient_1_right_rest
-    vo_2_of_quotient_2 = quotient_2 + quotient_2_lo
-    vo_2_of_quotient_2_right = vo_2_of_quotient_2 - quotient_2
-    vo_2_of_quotient_2_left_rest = quotient_2 - (vo_2_of_quotient_2 - vo_2_of_quotient_2_right)
-    vo_2_of_quotient_2_right_rest = quotient_2_lo - vo_2_of_quotient_2_right
-    vo_2 = vo_2_of_quotient_2 * down
-    vo_2_of_quotient_2_lo = vo_2_of_quotient_2_left_rest + vo_2_of_quotient_2_right_rest
-    vo_3_of_quotient_3 = quotient_3 + quotient_3_lo
-    vo_3_of_quotient_3_right = vo_3_of_quotient_3 - quotient_3
-    vo_3_of_quotient_3_left_rest = quotient_3 - (vo_3_of_quotient_3 - vo_3_of_quotient_3_right)
-    vo_3_of_quotient_3_right_rest = quotient_3_lo - vo_3_of_quotient_3_right
-    vo_3 = vo_3_of_quotient_3 * down
-    vo_3_of_quotient_3_lo = vo_3_of_quotient_3_left_rest + vo_3_of_quotient_3_right_rest
-    vo_0_rounded = vo_0 + (vo_0_of_quotient_0 - vo_0 * vo_0_inverse + vo_0_of_quotient_0_lo) * down
-    vo_1_rounded = vo_1 + (vo_1_of_quotient_1 - vo_1 * vo_0_inverse + vo_1_of_quotient_1_lo) * down
-    vo_2_rounded = vo_2 + (vo_2_of_quotient_2 - vo_2 * vo_0_inverse + vo_2_of_quotient_2_lo) * down
-    vo_3_rounded = vo_3 + (vo_3_of_quotient_3 - vo_3 * vo_0_inverse + vo_3_of_quotient_3_lo) * down
+    vo_0_rest = (quotient_0_sum - vo_0 * vo_0_inverse
+        + (quotient_0 - (quotient_0_sum - quotient_0_sum_right)
+        + (quotient_0_lo - quotient_0_sum_right)))
+    quotient_1_sum = quotient_1 + quotient_1_lo
+    quotient_1_sum_right = quotient_1_sum - quotient_1
+    vo_1 = quotient_1_sum * down
+    vo_1_rest = (quotient_1_sum - vo_1 * vo_0_inverse
+        + (quotient_1 - (quotient_1_sum - quotient_1_sum_right)
+        + (quotient_1_lo - quotient_1_sum_right)))
+    quotient_2_sum = quotient_2 + quotient_2_lo
+    quotient_2_sum_right = quotient_2_sum - quotient_2
+    vo_2 = quotient_2_sum * down
+    vo_2_rest = (quotient_2_sum - vo_2 * vo_0_inverse
+        + (quotient_2 - (quotient_2_sum - quotient_2_sum_right)
+        + (quotient_2_lo - quotient_2_sum_right)))
+    quotient_3_sum = quotient_3 + quotient_3_lo
+    quotient_3_sum_right = quotient_3_sum - quotient_3
+    vo_3 = quotient_3_sum * down
+    vo_3_rest = (quotient_3_sum - vo_3 * vo_0_inverse
+        + (quotient_3 - (quotient_3_sum - quotient_3_sum_right)
+        + (quotient_3_lo - quotient_3_sum_right)))
+    vo_0_rounded = vo_0 + vo_0_rest * down
+    vo_1_rounded = vo_1 + vo_1_rest * down
+    vo_2_rounded = vo_2 + vo_2_rest * down
+    vo_3_rounded = vo_3 + vo_3_rest * down
     vo_0_final = where(vo_0_rounded == vo_0_rounded, vo_0_rounded, vo_0)
     vo_1_final = where(vo_1_rounded == vo_1_rounded, vo_1_rounded, vo_1)
     vo_2_final = where(vo_2_rounded == vo_2_rounded, vo_2_rounded, vo_2)

@@ -123,15 +123,16 @@ def SO3_log(R):
     v_s_size_2 = absolute(upper_2)
     v_s_largest1 = where(v_s_size_0 < v_s_size_1, v_s_size_1, v_s_size_0)
     v_s_largest2 = where(v_s_largest1 < v_s_size_2, v_s_size_2, v_s_largest1)
-    v_s_b = where(4.611686018427388e+18 < v_s_largest2, float64(2.710505431213761e-20), float64(1))
-    v_s_d = where(v_s_largest2 < 256, 1.8014398509481984e+16, v_s_b)
+    v_s_d = (where(v_s_largest2
+        < 256, 1.8014398509481984e+16, where(4.611686018427388e+18
+        < v_s_largest2, float64(2.710505431213761e-20), float64(1))))
     v_s = where(v_s_largest2 < 1.4210854715202004e-14, 3.2451855365842673e+32, v_s_d)
     v_y_0 = upper_0 * v_s
     v_y_1 = upper_1 * v_s
     v_y_2 = upper_2 * v_s
     v_n = sqrt(v_y_0 * v_y_0 + v_y_1 * v_y_1 + v_y_2 * v_y_2)
-    v_r_b = where(v_s < 1, float64(3.6893488147419103e+19), float64(1))
-    v_r_d = where(1 < v_s, 5.551115123125783e-17, v_r_b)
+    v_r_d = (where(1
+        < v_s, 5.551115123125783e-17, where(v_s < 1, float64(3.6893488147419103e+19), float64(1))))
     v_r = where(1.8014398509481984e+16 < v_s, 3.0814879110195774e-33, v_r_d)
     n = v_n * v_r
     half = elementary.atan2(n, upper_3)
@@ -172,13 +173,18 @@ def SO3_leftJacobian(v):
     far_x_a = x < 1
     far_x = where(far_x_a, 1, x)
     closed3 = rest3 / far_x
-    series5d = x * (1.1309962886447716e-31 - 1.216125041553518e-34 * x) - 9.183689863795546e-29
-    series5i = x * (x * (x * series5d + 6.446950284384474e-26) - 3.868170170630684e-23)
-    series5m = x * (x * (series5i + 1.9572941063391263e-20) - 8.22063524662433e-18)
-    series5q = x * (x * (series5m + 2.8114572543455206e-15) - 7.647163731819816e-13)
-    series5u = x * (x * (series5q + 1.6059043836821613e-10) - 2.505210838544172e-08)
-    series5y = x * (x * (series5u + 2.7557319223985893e-06) - 0.0001984126984126984)
-    series5 = series5y + 0.008333333333333333
+    series5g = (x
+        * (x * (x * (1.1309962886447716e-31 - 1.216125041553518e-34 * x) - 9.183689863795546e-29)
+        + 6.446950284384474e-26))
+    series5o = (x
+        * (x
+        * (x * (x * (series5g - 3.868170170630684e-23) + 1.9572941063391263e-20)
+        - 8.22063524662433e-18) + 2.8114572543455206e-15))
+    series5w = (x
+        * (x
+        * (x * (x * (series5o - 7.647163731819816e-13) + 1.6059043836821613e-10)
+        - 2.505210838544172e-08) + 2.7557319223985893e-06))
+    series5 = x * (series5w - 0.0001984126984126984) + 0.008333333333333333
     g3 = where(far_x_a, 0.16666666666666666 - x * series5, closed3)
     beta_v_0 = v_0 * g3
     beta_v_1 = v_1 * g3
@@ -235,13 +241,18 @@ def SO3_rightJacobian(v):
     far_x_a = x < 1
     far_x = where(far_x_a, 1, x)
     closed3 = rest3 / far_x
-    series5d = x * (1.1309962886447716e-31 - 1.216125041553518e-34 * x) - 9.183689863795546e-29
-    series5i = x * (x * (x * series5d + 6.446950284384474e-26) - 3.868170170630684e-23)
-    series5m = x * (x * (series5i + 1.9572941063391263e-20) - 8.22063524662433e-18)
-    series5q = x * (x * (series5m + 2.8114572543455206e-15) - 7.647163731819816e-13)
-    series5u = x * (x * (series5q + 1.6059043836821613e-10) - 2.505210838544172e-08)
-    series5y = x * (x * (series5u + 2.7557319223985893e-06) - 0.0001984126984126984)
-    series5 = series5y + 0.008333333333333333
+    series5g = (x
+        * (x * (x * (1.1309962886447716e-31 - 1.216125041553518e-34 * x) - 9.183689863795546e-29)
+        + 6.446950284384474e-26))
+    series5o = (x
+        * (x
+        * (x * (x * (series5g - 3.868170170630684e-23) + 1.9572941063391263e-20)
+        - 8.22063524662433e-18) + 2.8114572543455206e-15))
+    series5w = (x
+        * (x
+        * (x * (x * (series5o - 7.647163731819816e-13) + 1.6059043836821613e-10)
+        - 2.505210838544172e-08) + 2.7557319223985893e-06))
+    series5 = x * (series5w - 0.0001984126984126984) + 0.008333333333333333
     g3 = where(far_x_a, 0.16666666666666666 - x * series5, closed3)
     beta_v_0 = v_0 * g3
     beta_v_1 = v_1 * g3
@@ -292,13 +303,18 @@ def SO3_leftJacobianInverse(v):
     sinc_divisor = where(sinc_divisor_a, 1.4901161193847656e-08, half_angle)
     sinc_quotient = sine / sinc_divisor
     sinc = where(sinc_divisor_a, 1 - 0.16666666666666666 * y, sinc_quotient)
-    series_phi_d = y * (4.116826490666969e-29 - 5.107725174524775e-32 * y) - 2.86531123750421e-26
-    series_phi_i = y * (y * (y * series_phi_d + 1.701994875077501e-23) - 8.509974375387505e-21)
-    series_phi_m = y * (y * (series_phi_i + 3.523129391410427e-18) - 1.1837714755139035e-15)
-    series_phi_q = y * (y * (series_phi_m + 3.148832124866983e-13) - 6.423617534728645e-11)
-    series_phi_u = y * (y * (series_phi_q + 9.635426302092969e-09) - 1.0020843354176687e-06)
-    series_phi_y = y * (y * (series_phi_u + 6.613756613756614e-05) - 0.002380952380952381)
-    series_phi = series_phi_y + 0.03333333333333333
+    series_phi_g = (y
+        * (y * (y * (4.116826490666969e-29 - 5.107725174524775e-32 * y) - 2.86531123750421e-26)
+        + 1.701994875077501e-23))
+    series_phi_o = (y
+        * (y
+        * (y * (y * (series_phi_g - 8.509974375387505e-21) + 3.523129391410427e-18)
+        - 1.1837714755139035e-15) + 3.148832124866983e-13))
+    series_phi_w = (y
+        * (y
+        * (y * (y * (series_phi_o - 6.423617534728645e-11) + 9.635426302092969e-09)
+        - 1.0020843354176687e-06) + 6.613756613756614e-05))
+    series_phi = y * (series_phi_w - 0.002380952380952381) + 0.03333333333333333
     f_more = 2 * y * series_phi
     near_f = 0.3333333333333333 * sinc + 0.3333333333333333 * f_more
     f_rest = sinc - c
@@ -359,13 +375,18 @@ def SO3_rightJacobianInverse(v):
     sinc_divisor = where(sinc_divisor_a, 1.4901161193847656e-08, half_angle)
     sinc_quotient = sine / sinc_divisor
     sinc = where(sinc_divisor_a, 1 - 0.16666666666666666 * y, sinc_quotient)
-    series_phi_d = y * (4.116826490666969e-29 - 5.107725174524775e-32 * y) - 2.86531123750421e-26
-    series_phi_i = y * (y * (y * series_phi_d + 1.701994875077501e-23) - 8.509974375387505e-21)
-    series_phi_m = y * (y * (series_phi_i + 3.523129391410427e-18) - 1.1837714755139035e-15)
-    series_phi_q = y * (y * (series_phi_m + 3.148832124866983e-13) - 6.423617534728645e-11)
-    series_phi_u = y * (y * (series_phi_q + 9.635426302092969e-09) - 1.0020843354176687e-06)
-    series_phi_y = y * (y * (series_phi_u + 6.613756613756614e-05) - 0.002380952380952381)
-    series_phi = series_phi_y + 0.03333333333333333
+    series_phi_g = (y
+        * (y * (y * (4.116826490666969e-29 - 5.107725174524775e-32 * y) - 2.86531123750421e-26)
+        + 1.701994875077501e-23))
+    series_phi_o = (y
+        * (y
+        * (y * (y * (series_phi_g - 8.509974375387505e-21) + 3.523129391410427e-18)
+        - 1.1837714755139035e-15) + 3.148832124866983e-13))
+    series_phi_w = (y
+        * (y
+        * (y * (y * (series_phi_o - 6.423617534728645e-11) + 9.635426302092969e-09)
+        - 1.0020843354176687e-06) + 6.613756613756614e-05))
+    series_phi = y * (series_phi_w - 0.002380952380952381) + 0.03333333333333333
     f_more = 2 * y * series_phi
     near_f = 0.3333333333333333 * sinc + 0.3333333333333333 * f_more
     f_rest = sinc - c
@@ -422,16 +443,16 @@ def mat3x3_orthonormalize(self):
     correction_3 = 0.5 * defect_3
     correction_4 = 0.5 * defect_4
     correction_5 = 0.5 * defect_5
-    self_00_new_e = self_00 * correction_0 + self_01 * correction_3 + self_02 * correction_4
-    self_00_new = self_00 + self_00_new_e
+    self_00_new = (self_00
+        + (self_00 * correction_0 + self_01 * correction_3 + self_02 * correction_4))
     self_01_new = self_00 * correction_3 + self_01 * correction_1 + self_02 * correction_5 + self_01
     self_02_new = self_00 * correction_4 + self_01 * correction_5 + self_02 * correction_2 + self_02
-    self_10_new_e = self_10 * correction_0 + self_11 * correction_3 + self_12 * correction_4
-    self_10_new = self_10 + self_10_new_e
+    self_10_new = (self_10
+        + (self_10 * correction_0 + self_11 * correction_3 + self_12 * correction_4))
     self_11_new = self_10 * correction_3 + self_11 * correction_1 + self_12 * correction_5 + self_11
     self_12_new = self_10 * correction_4 + self_11 * correction_5 + self_12 * correction_2 + self_12
-    self_20_new_e = self_20 * correction_0 + self_21 * correction_3 + self_22 * correction_4
-    self_20_new = self_20 + self_20_new_e
+    self_20_new = (self_20
+        + (self_20 * correction_0 + self_21 * correction_3 + self_22 * correction_4))
     self_21_new = self_20 * correction_3 + self_21 * correction_1 + self_22 * correction_5 + self_21
     self_22_new = self_20 * correction_4 + self_21 * correction_5 + self_22 * correction_2 + self_22
     return (self_00_new, self_01_new, self_02_new, self_10_new, self_11_new, self_12_new,
@@ -503,13 +524,18 @@ def SE3_exp(s):
     far_x_a = x < 1
     far_x = where(far_x_a, 1, x)
     closed3 = rest3 / far_x
-    series5d = x * (1.1309962886447716e-31 - 1.216125041553518e-34 * x) - 9.183689863795546e-29
-    series5i = x * (x * (x * series5d + 6.446950284384474e-26) - 3.868170170630684e-23)
-    series5m = x * (x * (series5i + 1.9572941063391263e-20) - 8.22063524662433e-18)
-    series5q = x * (x * (series5m + 2.8114572543455206e-15) - 7.647163731819816e-13)
-    series5u = x * (x * (series5q + 1.6059043836821613e-10) - 2.505210838544172e-08)
-    series5y = x * (x * (series5u + 2.7557319223985893e-06) - 0.0001984126984126984)
-    series5 = series5y + 0.008333333333333333
+    series5g = (x
+        * (x * (x * (1.1309962886447716e-31 - 1.216125041553518e-34 * x) - 9.183689863795546e-29)
+        + 6.446950284384474e-26))
+    series5o = (x
+        * (x
+        * (x * (x * (series5g - 3.868170170630684e-23) + 1.9572941063391263e-20)
+        - 8.22063524662433e-18) + 2.8114572543455206e-15))
+    series5w = (x
+        * (x
+        * (x * (x * (series5o - 7.647163731819816e-13) + 1.6059043836821613e-10)
+        - 2.505210838544172e-08) + 2.7557319223985893e-06))
+    series5 = x * (series5w - 0.0001984126984126984) + 0.008333333333333333
     g3 = where(far_x_a, 0.16666666666666666 - x * series5, closed3)
     u_0 = s_2 * s_4 - s_1 * s_5
     u_1 = s_0 * s_5 - s_2 * s_3
@@ -606,15 +632,16 @@ def SE3_log(D):
     v_s_size_2 = absolute(upper_2)
     v_s_largest1 = where(v_s_size_0 < v_s_size_1, v_s_size_1, v_s_size_0)
     v_s_largest2 = where(v_s_largest1 < v_s_size_2, v_s_size_2, v_s_largest1)
-    v_s_b = where(4.611686018427388e+18 < v_s_largest2, float64(2.710505431213761e-20), float64(1))
-    v_s_d = where(v_s_largest2 < 256, 1.8014398509481984e+16, v_s_b)
+    v_s_d = (where(v_s_largest2
+        < 256, 1.8014398509481984e+16, where(4.611686018427388e+18
+        < v_s_largest2, float64(2.710505431213761e-20), float64(1))))
     v_s = where(v_s_largest2 < 1.4210854715202004e-14, 3.2451855365842673e+32, v_s_d)
     v_y_0 = upper_0 * v_s
     v_y_1 = upper_1 * v_s
     v_y_2 = upper_2 * v_s
     v_n = sqrt(v_y_0 * v_y_0 + v_y_1 * v_y_1 + v_y_2 * v_y_2)
-    v_r_b = where(v_s < 1, float64(3.6893488147419103e+19), float64(1))
-    v_r_d = where(1 < v_s, 5.551115123125783e-17, v_r_b)
+    v_r_d = (where(1
+        < v_s, 5.551115123125783e-17, where(v_s < 1, float64(3.6893488147419103e+19), float64(1))))
     v_r = where(1.8014398509481984e+16 < v_s, 3.0814879110195774e-33, v_r_d)
     n = v_n * v_r
     half = elementary.atan2(n, upper_3)
@@ -633,13 +660,18 @@ def SE3_log(D):
     sinc_divisor = where(sinc_divisor_a, 1.4901161193847656e-08, half_angle)
     sinc_quotient = sine / sinc_divisor
     sinc = where(sinc_divisor_a, 1 - 0.16666666666666666 * y, sinc_quotient)
-    series_phi_d = y * (4.116826490666969e-29 - 5.107725174524775e-32 * y) - 2.86531123750421e-26
-    series_phi_i = y * (y * (y * series_phi_d + 1.701994875077501e-23) - 8.509974375387505e-21)
-    series_phi_m = y * (y * (series_phi_i + 3.523129391410427e-18) - 1.1837714755139035e-15)
-    series_phi_q = y * (y * (series_phi_m + 3.148832124866983e-13) - 6.423617534728645e-11)
-    series_phi_u = y * (y * (series_phi_q + 9.635426302092969e-09) - 1.0020843354176687e-06)
-    series_phi_y = y * (y * (series_phi_u + 6.613756613756614e-05) - 0.002380952380952381)
-    series_phi = series_phi_y + 0.03333333333333333
+    series_phi_g = (y
+        * (y * (y * (4.116826490666969e-29 - 5.107725174524775e-32 * y) - 2.86531123750421e-26)
+        + 1.701994875077501e-23))
+    series_phi_o = (y
+        * (y
+        * (y * (y * (series_phi_g - 8.509974375387505e-21) + 3.523129391410427e-18)
+        - 1.1837714755139035e-15) + 3.148832124866983e-13))
+    series_phi_w = (y
+        * (y
+        * (y * (y * (series_phi_o - 6.423617534728645e-11) + 9.635426302092969e-09)
+        - 1.0020843354176687e-06) + 6.613756613756614e-05))
+    series_phi = y * (series_phi_w - 0.002380952380952381) + 0.03333333333333333
     f_more = 2 * y * series_phi
     near_f = 0.3333333333333333 * sinc + 0.3333333333333333 * f_more
     f_rest = sinc - c
@@ -700,25 +732,35 @@ def SE3_leftJacobian(s):
     far_x_a = x < 1
     far_x = where(far_x_a, 1, x)
     closed3 = rest3 / far_x
-    series5d = x * (1.1309962886447716e-31 - 1.216125041553518e-34 * x) - 9.183689863795546e-29
-    series5i = x * (x * (x * series5d + 6.446950284384474e-26) - 3.868170170630684e-23)
-    series5m = x * (x * (series5i + 1.9572941063391263e-20) - 8.22063524662433e-18)
-    series5q = x * (x * (series5m + 2.8114572543455206e-15) - 7.647163731819816e-13)
-    series5u = x * (x * (series5q + 1.6059043836821613e-10) - 2.505210838544172e-08)
-    series5y = x * (x * (series5u + 2.7557319223985893e-06) - 0.0001984126984126984)
-    series5 = series5y + 0.008333333333333333
+    series5g = (x
+        * (x * (x * (1.1309962886447716e-31 - 1.216125041553518e-34 * x) - 9.183689863795546e-29)
+        + 6.446950284384474e-26))
+    series5o = (x
+        * (x
+        * (x * (x * (series5g - 3.868170170630684e-23) + 1.9572941063391263e-20)
+        - 8.22063524662433e-18) + 2.8114572543455206e-15))
+    series5w = (x
+        * (x
+        * (x * (x * (series5o - 7.647163731819816e-13) + 1.6059043836821613e-10)
+        - 2.505210838544172e-08) + 2.7557319223985893e-06))
+    series5 = x * (series5w - 0.0001984126984126984) + 0.008333333333333333
     g3 = where(far_x_a, 0.16666666666666666 - x * series5, closed3)
     rest4 = 0.5 - g2
     closed4 = rest4 / far_x
     rest5 = 0.16666666666666666 - g3
     closed5 = rest5 / far_x
-    series4d = x * (3.279889237069838e-30 - 3.7699876288159054e-33 * x) - 2.4795962632247976e-27
-    series4i = x * (x * (x * series4d + 1.6117375710961184e-24) - 8.896791392450574e-22)
-    series4m = x * (x * (series4i + 4.110317623312165e-19) - 1.5619206968586225e-16)
-    series4q = x * (x * (series4m + 4.779477332387385e-14) - 1.1470745597729725e-11)
-    series4u = x * (x * (series4q + 2.08767569878681e-09) - 2.755731922398589e-07)
-    series4y = x * (x * (series4u + 2.48015873015873e-05) - 0.001388888888888889)
-    series4 = series4y + 0.041666666666666664
+    series4g = (x
+        * (x * (x * (3.279889237069838e-30 - 3.7699876288159054e-33 * x) - 2.4795962632247976e-27)
+        + 1.6117375710961184e-24))
+    series4o = (x
+        * (x
+        * (x * (x * (series4g - 8.896791392450574e-22) + 4.110317623312165e-19)
+        - 1.5619206968586225e-16) + 4.779477332387385e-14))
+    series4w = (x
+        * (x
+        * (x * (x * (series4o - 1.1470745597729725e-11) + 2.08767569878681e-09)
+        - 2.755731922398589e-07) + 2.48015873015873e-05))
+    series4 = x * (series4w - 0.001388888888888889) + 0.041666666666666664
     g4 = where(far_x_a, series4, closed4)
     g5 = where(far_x_a, series5, closed5)
     rate2 = 2 * g4 - g3
@@ -811,25 +853,35 @@ def SE3_rightJacobian(s):
     far_x_a = x < 1
     far_x = where(far_x_a, 1, x)
     closed3 = rest3 / far_x
-    series5d = x * (1.1309962886447716e-31 - 1.216125041553518e-34 * x) - 9.183689863795546e-29
-    series5i = x * (x * (x * series5d + 6.446950284384474e-26) - 3.868170170630684e-23)
-    series5m = x * (x * (series5i + 1.9572941063391263e-20) - 8.22063524662433e-18)
-    series5q = x * (x * (series5m + 2.8114572543455206e-15) - 7.647163731819816e-13)
-    series5u = x * (x * (series5q + 1.6059043836821613e-10) - 2.505210838544172e-08)
-    series5y = x * (x * (series5u + 2.7557319223985893e-06) - 0.0001984126984126984)
-    series5 = series5y + 0.008333333333333333
+    series5g = (x
+        * (x * (x * (1.1309962886447716e-31 - 1.216125041553518e-34 * x) - 9.183689863795546e-29)
+        + 6.446950284384474e-26))
+    series5o = (x
+        * (x
+        * (x * (x * (series5g - 3.868170170630684e-23) + 1.9572941063391263e-20)
+        - 8.22063524662433e-18) + 2.8114572543455206e-15))
+    series5w = (x
+        * (x
+        * (x * (x * (series5o - 7.647163731819816e-13) + 1.6059043836821613e-10)
+        - 2.505210838544172e-08) + 2.7557319223985893e-06))
+    series5 = x * (series5w - 0.0001984126984126984) + 0.008333333333333333
     g3 = where(far_x_a, 0.16666666666666666 - x * series5, closed3)
     rest4 = 0.5 - g2
     closed4 = rest4 / far_x
     rest5 = 0.16666666666666666 - g3
     closed5 = rest5 / far_x
-    series4d = x * (3.279889237069838e-30 - 3.7699876288159054e-33 * x) - 2.4795962632247976e-27
-    series4i = x * (x * (x * series4d + 1.6117375710961184e-24) - 8.896791392450574e-22)
-    series4m = x * (x * (series4i + 4.110317623312165e-19) - 1.5619206968586225e-16)
-    series4q = x * (x * (series4m + 4.779477332387385e-14) - 1.1470745597729725e-11)
-    series4u = x * (x * (series4q + 2.08767569878681e-09) - 2.755731922398589e-07)
-    series4y = x * (x * (series4u + 2.48015873015873e-05) - 0.001388888888888889)
-    series4 = series4y + 0.041666666666666664
+    series4g = (x
+        * (x * (x * (3.279889237069838e-30 - 3.7699876288159054e-33 * x) - 2.4795962632247976e-27)
+        + 1.6117375710961184e-24))
+    series4o = (x
+        * (x
+        * (x * (x * (series4g - 8.896791392450574e-22) + 4.110317623312165e-19)
+        - 1.5619206968586225e-16) + 4.779477332387385e-14))
+    series4w = (x
+        * (x
+        * (x * (x * (series4o - 1.1470745597729725e-11) + 2.08767569878681e-09)
+        - 2.755731922398589e-07) + 2.48015873015873e-05))
+    series4 = x * (series4w - 0.001388888888888889) + 0.041666666666666664
     g4 = where(far_x_a, series4, closed4)
     g5 = where(far_x_a, series5, closed5)
     rate2 = 2 * g4 - g3
@@ -915,13 +967,18 @@ def SE3_leftJacobianInverse(s):
     sinc_divisor = where(sinc_divisor_a, 1.4901161193847656e-08, half_angle)
     sinc_quotient = sine / sinc_divisor
     sinc = where(sinc_divisor_a, 1 - 0.16666666666666666 * y, sinc_quotient)
-    series_phi_d = y * (4.116826490666969e-29 - 5.107725174524775e-32 * y) - 2.86531123750421e-26
-    series_phi_i = y * (y * (y * series_phi_d + 1.701994875077501e-23) - 8.509974375387505e-21)
-    series_phi_m = y * (y * (series_phi_i + 3.523129391410427e-18) - 1.1837714755139035e-15)
-    series_phi_q = y * (y * (series_phi_m + 3.148832124866983e-13) - 6.423617534728645e-11)
-    series_phi_u = y * (y * (series_phi_q + 9.635426302092969e-09) - 1.0020843354176687e-06)
-    series_phi_y = y * (y * (series_phi_u + 6.613756613756614e-05) - 0.002380952380952381)
-    series_phi = series_phi_y + 0.03333333333333333
+    series_phi_g = (y
+        * (y * (y * (4.116826490666969e-29 - 5.107725174524775e-32 * y) - 2.86531123750421e-26)
+        + 1.701994875077501e-23))
+    series_phi_o = (y
+        * (y
+        * (y * (y * (series_phi_g - 8.509974375387505e-21) + 3.523129391410427e-18)
+        - 1.1837714755139035e-15) + 3.148832124866983e-13))
+    series_phi_w = (y
+        * (y
+        * (y * (y * (series_phi_o - 6.423617534728645e-11) + 9.635426302092969e-09)
+        - 1.0020843354176687e-06) + 6.613756613756614e-05))
+    series_phi = y * (series_phi_w - 0.002380952380952381) + 0.03333333333333333
     f_more = 2 * y * series_phi
     near_f = 0.3333333333333333 * sinc + 0.3333333333333333 * f_more
     f_rest = sinc - c
@@ -1020,13 +1077,18 @@ def SE3_rightJacobianInverse(s):
     sinc_divisor = where(sinc_divisor_a, 1.4901161193847656e-08, half_angle)
     sinc_quotient = sine / sinc_divisor
     sinc = where(sinc_divisor_a, 1 - 0.16666666666666666 * y, sinc_quotient)
-    series_phi_d = y * (4.116826490666969e-29 - 5.107725174524775e-32 * y) - 2.86531123750421e-26
-    series_phi_i = y * (y * (y * series_phi_d + 1.701994875077501e-23) - 8.509974375387505e-21)
-    series_phi_m = y * (y * (series_phi_i + 3.523129391410427e-18) - 1.1837714755139035e-15)
-    series_phi_q = y * (y * (series_phi_m + 3.148832124866983e-13) - 6.423617534728645e-11)
-    series_phi_u = y * (y * (series_phi_q + 9.635426302092969e-09) - 1.0020843354176687e-06)
-    series_phi_y = y * (y * (series_phi_u + 6.613756613756614e-05) - 0.002380952380952381)
-    series_phi = series_phi_y + 0.03333333333333333
+    series_phi_g = (y
+        * (y * (y * (4.116826490666969e-29 - 5.107725174524775e-32 * y) - 2.86531123750421e-26)
+        + 1.701994875077501e-23))
+    series_phi_o = (y
+        * (y
+        * (y * (y * (series_phi_g - 8.509974375387505e-21) + 3.523129391410427e-18)
+        - 1.1837714755139035e-15) + 3.148832124866983e-13))
+    series_phi_w = (y
+        * (y
+        * (y * (y * (series_phi_o - 6.423617534728645e-11) + 9.635426302092969e-09)
+        - 1.0020843354176687e-06) + 6.613756613756614e-05))
+    series_phi = y * (series_phi_w - 0.002380952380952381) + 0.03333333333333333
     f_more = 2 * y * series_phi
     near_f = 0.3333333333333333 * sinc + 0.3333333333333333 * f_more
     f_rest = sinc - c
@@ -1169,16 +1231,18 @@ def SE3_interpolated(D1, D2, k):
     log_v_s_size_2 = absolute(log_upper_2)
     log_v_s_largest1 = where(log_v_s_size_0 < log_v_s_size_1, log_v_s_size_1, log_v_s_size_0)
     log_v_s_largest2 = where(log_v_s_largest1 < log_v_s_size_2, log_v_s_size_2, log_v_s_largest1)
-    log_v_s_a = 4.611686018427388e+18 < log_v_s_largest2
-    log_v_s_b = where(log_v_s_a, float64(2.710505431213761e-20), float64(1))
-    log_v_s_d = where(log_v_s_largest2 < 256, 1.8014398509481984e+16, log_v_s_b)
-    log_v_s = where(log_v_s_largest2 < 1.4210854715202004e-14, 3.2451855365842673e+32, log_v_s_d)
+    log_v_s_b = (where(4.611686018427388e+18
+        < log_v_s_largest2, float64(2.710505431213761e-20), float64(1)))
+    log_v_s = (where(log_v_s_largest2
+        < 1.4210854715202004e-14, 3.2451855365842673e+32, where(log_v_s_largest2
+        < 256, 1.8014398509481984e+16, log_v_s_b)))
     log_v_y_0 = log_upper_0 * log_v_s
     log_v_y_1 = log_upper_1 * log_v_s
     log_v_y_2 = log_upper_2 * log_v_s
     log_v_n = sqrt(log_v_y_0 * log_v_y_0 + log_v_y_1 * log_v_y_1 + log_v_y_2 * log_v_y_2)
-    log_v_r_b = where(log_v_s < 1, float64(3.6893488147419103e+19), float64(1))
-    log_v_r_d = where(1 < log_v_s, 5.551115123125783e-17, log_v_r_b)
+    log_v_r_d = (where(1
+        < log_v_s, 5.551115123125783e-17, where(log_v_s
+        < 1, float64(3.6893488147419103e+19), float64(1))))
     log_v_r = where(1.8014398509481984e+16 < log_v_s, 3.0814879110195774e-33, log_v_r_d)
     log_n = log_v_n * log_v_r
     log_half = elementary.atan2(log_n, log_upper_3)
@@ -1197,15 +1261,20 @@ def SE3_interpolated(D1, D2, k):
     log_sinc_divisor = where(log_sinc_divisor_a, 1.4901161193847656e-08, log_half_angle)
     log_sinc_quotient = log_sine / log_sinc_divisor
     log_sinc = where(log_sinc_divisor_a, 1 - 0.16666666666666666 * log_y, log_sinc_quotient)
-    log_series_phi_c = log_y * (4.116826490666969e-29 - 5.107725174524775e-32 * log_y)
-    log_series_phi_f = log_y * (log_series_phi_c - 2.86531123750421e-26) + 1.701994875077501e-23
-    log_series_phi_i = log_y * (log_y * log_series_phi_f - 8.509974375387505e-21)
-    log_series_phi_l = log_y * (log_series_phi_i + 3.523129391410427e-18) - 1.1837714755139035e-15
-    log_series_phi_o = log_y * (log_y * log_series_phi_l + 3.148832124866983e-13)
-    log_series_phi_r = log_y * (log_series_phi_o - 6.423617534728645e-11) + 9.635426302092969e-09
-    log_series_phi_u = log_y * (log_y * log_series_phi_r - 1.0020843354176687e-06)
-    log_series_phi_x = log_y * (log_series_phi_u + 6.613756613756614e-05) - 0.002380952380952381
-    log_series_phi = log_y * log_series_phi_x + 0.03333333333333333
+    log_series_phi_g = (log_y
+        * (log_y
+        * (log_y * (4.116826490666969e-29 - 5.107725174524775e-32 * log_y) - 2.86531123750421e-26)
+        + 1.701994875077501e-23))
+    log_series_phi_m = (log_y
+        * (log_y * (log_y * (log_series_phi_g - 8.509974375387505e-21) + 3.523129391410427e-18)
+        - 1.1837714755139035e-15))
+    log_series_phi_s = (log_y
+        * (log_y * (log_y * (log_series_phi_m + 3.148832124866983e-13) - 6.423617534728645e-11)
+        + 9.635426302092969e-09))
+    log_series_phi_y = (log_y
+        * (log_y * (log_y * (log_series_phi_s - 1.0020843354176687e-06) + 6.613756613756614e-05)
+        - 0.002380952380952381))
+    log_series_phi = log_series_phi_y + 0.03333333333333333
     log_f_more = 2 * log_y * log_series_phi
     log_near_f = 0.3333333333333333 * log_sinc + 0.3333333333333333 * log_f_more
     log_f_rest = log_sinc - log_c
@@ -1259,13 +1328,20 @@ def SE3_interpolated(D1, D2, k):
     exp_far_x_a = exp_x < 1
     exp_far_x = where(exp_far_x_a, 1, exp_x)
     exp_closed3 = exp_rest3 / exp_far_x
-    exp_series5c = exp_x * (1.1309962886447716e-31 - 1.216125041553518e-34 * exp_x)
-    exp_series5g = exp_x * (exp_x * (exp_series5c - 9.183689863795546e-29) + 6.446950284384474e-26)
-    exp_series5k = exp_x * (exp_x * (exp_series5g - 3.868170170630684e-23) + 1.9572941063391263e-20)
-    exp_series5o = exp_x * (exp_x * (exp_series5k - 8.22063524662433e-18) + 2.8114572543455206e-15)
-    exp_series5s = exp_x * (exp_x * (exp_series5o - 7.647163731819816e-13) + 1.6059043836821613e-10)
-    exp_series5w = exp_x * (exp_x * (exp_series5s - 2.505210838544172e-08) + 2.7557319223985893e-06)
-    exp_series5 = exp_x * (exp_series5w - 0.0001984126984126984) + 0.008333333333333333
+    exp_series5g = (exp_x
+        * (exp_x
+        * (exp_x * (1.1309962886447716e-31 - 1.216125041553518e-34 * exp_x)
+        - 9.183689863795546e-29) + 6.446950284384474e-26))
+    exp_series5m = (exp_x
+        * (exp_x * (exp_x * (exp_series5g - 3.868170170630684e-23) + 1.9572941063391263e-20)
+        - 8.22063524662433e-18))
+    exp_series5s = (exp_x
+        * (exp_x * (exp_x * (exp_series5m + 2.8114572543455206e-15) - 7.647163731819816e-13)
+        + 1.6059043836821613e-10))
+    exp_series5y = (exp_x
+        * (exp_x * (exp_x * (exp_series5s - 2.505210838544172e-08) + 2.7557319223985893e-06)
+        - 0.0001984126984126984))
+    exp_series5 = exp_series5y + 0.008333333333333333
     exp_g3 = where(exp_far_x_a, 0.16666666666666666 - exp_x * exp_series5, exp_closed3)
     exp_u_0 = screw_2 * screw_4 - screw_1 * screw_5
     exp_u_1 = screw_0 * screw_5 - screw_2 * screw_3

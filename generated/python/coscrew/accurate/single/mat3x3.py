@@ -85,15 +85,15 @@ def mat3x3_inverse(R):
     R_largest6 = where(R_largest5 < R_size_6, R_size_6, R_largest5)
     R_largest7 = where(R_largest6 < R_size_7, R_size_7, R_largest6)
     R_largest8 = where(R_largest7 < R_size_8, R_size_8, R_largest7)
-    s_a = R_largest8 < 1.329227995784916e+36
     s_c = R_largest8 < 1.2089258196146292e+24
-    s_b = where(s_a, float64(8.271806125530277e-25), float64(7.52316384526264e-37))
     s_e = R_largest8 < 1099511627776
+    s_d = (where(s_c, 9.094947017729282e-13, where(R_largest8
+        < 1.329227995784916e+36, float64(8.271806125530277e-25), float64(7.52316384526264e-37))))
     s_g = R_largest8 < 1
     s_i = R_largest8 < 9.094947017729282e-13
-    s_h = where(s_g, 1099511627776, where(s_e, 1, where(s_c, 9.094947017729282e-13, s_b)))
     s_k = R_largest8 < 8.271806125530277e-25
-    s = where(s_k, 1.329227995784916e+36, where(s_i, 1.2089258196146292e+24, s_h))
+    s = where(s_k, 1.329227995784916e+36, where(s_i, 1.2089258196146292e+24, where(s_g,
+        1099511627776, where(s_e, 1, s_d))))
     A_0 = R_00 * s
     A_1 = R_01 * s
     A_2 = R_02 * s
@@ -122,8 +122,8 @@ def mat3x3_inverse(R):
     size2_0 = absolute(A_2)
     size2_1 = absolute(A_5)
     size2_2 = absolute(A_8)
-    permanent_d = size0_0 * (size1_1 * size2_2 + size1_2 * size2_1)
-    permanent_i = permanent_d + size0_1 * (size1_0 * size2_2 + size1_2 * size2_0)
+    permanent_i = (size0_0 * (size1_1 * size2_2 + size1_2 * size2_1) + size0_1
+        * (size1_0 * size2_2 + size1_2 * size2_0))
     permanent = permanent_i + size0_2 * (size1_0 * size2_1 + size1_1 * size2_0)
     top = R_largest8 * s
     spoiled = top * 1.262177448353619e-29
@@ -185,9 +185,9 @@ def mat3x3_normalize(self):
     q0_s_size_2 = absolute(self_02)
     q0_s_largest1 = where(q0_s_size_0 < q0_s_size_1, q0_s_size_1, q0_s_size_0)
     q0_s_largest2 = where(q0_s_largest1 < q0_s_size_2, q0_s_size_2, q0_s_largest1)
-    q0_s_a = 4.611686018427388e+18 < q0_s_largest2
-    q0_s_b = where(q0_s_a, float64(2.710505431213761e-20), float64(1))
-    q0_s_d = where(q0_s_largest2 < 256, 1.8014398509481984e+16, q0_s_b)
+    q0_s_d = (where(q0_s_largest2
+        < 256, 1.8014398509481984e+16, where(4.611686018427388e+18
+        < q0_s_largest2, float64(2.710505431213761e-20), float64(1))))
     q0_s = where(q0_s_largest2 < 1.4210854715202004e-14, 3.2451855365842673e+32, q0_s_d)
     q0_y_0 = self_00 * q0_s
     q0_y_1 = self_01 * q0_s
@@ -210,9 +210,9 @@ def mat3x3_normalize(self):
     u1_s_size_2 = absolute(self_12)
     u1_s_largest1 = where(u1_s_size_0 < u1_s_size_1, u1_s_size_1, u1_s_size_0)
     u1_s_largest2 = where(u1_s_largest1 < u1_s_size_2, u1_s_size_2, u1_s_largest1)
-    u1_s_a = 4.611686018427388e+18 < u1_s_largest2
-    u1_s_b = where(u1_s_a, float64(2.710505431213761e-20), float64(1))
-    u1_s_d = where(u1_s_largest2 < 256, 1.8014398509481984e+16, u1_s_b)
+    u1_s_d = (where(u1_s_largest2
+        < 256, 1.8014398509481984e+16, where(4.611686018427388e+18
+        < u1_s_largest2, float64(2.710505431213761e-20), float64(1))))
     u1_s = where(u1_s_largest2 < 1.4210854715202004e-14, 3.2451855365842673e+32, u1_s_d)
     u1_y_0 = self_10 * u1_s
     u1_y_1 = self_11 * u1_s
@@ -251,9 +251,9 @@ def mat3x3_normalize(self):
     u2_s_size_2 = absolute(self_22)
     u2_s_largest1 = where(u2_s_size_0 < u2_s_size_1, u2_s_size_1, u2_s_size_0)
     u2_s_largest2 = where(u2_s_largest1 < u2_s_size_2, u2_s_size_2, u2_s_largest1)
-    u2_s_a = 4.611686018427388e+18 < u2_s_largest2
-    u2_s_b = where(u2_s_a, float64(2.710505431213761e-20), float64(1))
-    u2_s_d = where(u2_s_largest2 < 256, 1.8014398509481984e+16, u2_s_b)
+    u2_s_d = (where(u2_s_largest2
+        < 256, 1.8014398509481984e+16, where(4.611686018427388e+18
+        < u2_s_largest2, float64(2.710505431213761e-20), float64(1))))
     u2_s = where(u2_s_largest2 < 1.4210854715202004e-14, 3.2451855365842673e+32, u2_s_d)
     u2_y_0 = self_20 * u2_s
     u2_y_1 = self_21 * u2_s
@@ -309,9 +309,9 @@ def mat3x3_normalized(R):
     q0_s_size_2 = absolute(R_02)
     q0_s_largest1 = where(q0_s_size_0 < q0_s_size_1, q0_s_size_1, q0_s_size_0)
     q0_s_largest2 = where(q0_s_largest1 < q0_s_size_2, q0_s_size_2, q0_s_largest1)
-    q0_s_a = 4.611686018427388e+18 < q0_s_largest2
-    q0_s_b = where(q0_s_a, float64(2.710505431213761e-20), float64(1))
-    q0_s_d = where(q0_s_largest2 < 256, 1.8014398509481984e+16, q0_s_b)
+    q0_s_d = (where(q0_s_largest2
+        < 256, 1.8014398509481984e+16, where(4.611686018427388e+18
+        < q0_s_largest2, float64(2.710505431213761e-20), float64(1))))
     q0_s = where(q0_s_largest2 < 1.4210854715202004e-14, 3.2451855365842673e+32, q0_s_d)
     q0_y_0 = R_00 * q0_s
     q0_y_1 = R_01 * q0_s
@@ -334,9 +334,9 @@ def mat3x3_normalized(R):
     u1_s_size_2 = absolute(R_12)
     u1_s_largest1 = where(u1_s_size_0 < u1_s_size_1, u1_s_size_1, u1_s_size_0)
     u1_s_largest2 = where(u1_s_largest1 < u1_s_size_2, u1_s_size_2, u1_s_largest1)
-    u1_s_a = 4.611686018427388e+18 < u1_s_largest2
-    u1_s_b = where(u1_s_a, float64(2.710505431213761e-20), float64(1))
-    u1_s_d = where(u1_s_largest2 < 256, 1.8014398509481984e+16, u1_s_b)
+    u1_s_d = (where(u1_s_largest2
+        < 256, 1.8014398509481984e+16, where(4.611686018427388e+18
+        < u1_s_largest2, float64(2.710505431213761e-20), float64(1))))
     u1_s = where(u1_s_largest2 < 1.4210854715202004e-14, 3.2451855365842673e+32, u1_s_d)
     u1_y_0 = R_10 * u1_s
     u1_y_1 = R_11 * u1_s
@@ -375,9 +375,9 @@ def mat3x3_normalized(R):
     u2_s_size_2 = absolute(R_22)
     u2_s_largest1 = where(u2_s_size_0 < u2_s_size_1, u2_s_size_1, u2_s_size_0)
     u2_s_largest2 = where(u2_s_largest1 < u2_s_size_2, u2_s_size_2, u2_s_largest1)
-    u2_s_a = 4.611686018427388e+18 < u2_s_largest2
-    u2_s_b = where(u2_s_a, float64(2.710505431213761e-20), float64(1))
-    u2_s_d = where(u2_s_largest2 < 256, 1.8014398509481984e+16, u2_s_b)
+    u2_s_d = (where(u2_s_largest2
+        < 256, 1.8014398509481984e+16, where(4.611686018427388e+18
+        < u2_s_largest2, float64(2.710505431213761e-20), float64(1))))
     u2_s = where(u2_s_largest2 < 1.4210854715202004e-14, 3.2451855365842673e+32, u2_s_d)
     u2_y_0 = R_20 * u2_s
     u2_y_1 = R_21 * u2_s
@@ -732,15 +732,16 @@ def axis_angle_from_mat3x3(R):
     v_s_size_2 = absolute(upper_2)
     v_s_largest1 = where(v_s_size_0 < v_s_size_1, v_s_size_1, v_s_size_0)
     v_s_largest2 = where(v_s_largest1 < v_s_size_2, v_s_size_2, v_s_largest1)
-    v_s_b = where(4.611686018427388e+18 < v_s_largest2, float64(2.710505431213761e-20), float64(1))
-    v_s_d = where(v_s_largest2 < 256, 1.8014398509481984e+16, v_s_b)
+    v_s_d = (where(v_s_largest2
+        < 256, 1.8014398509481984e+16, where(4.611686018427388e+18
+        < v_s_largest2, float64(2.710505431213761e-20), float64(1))))
     v_s = where(v_s_largest2 < 1.4210854715202004e-14, 3.2451855365842673e+32, v_s_d)
     v_y_0 = upper_0 * v_s
     v_y_1 = upper_1 * v_s
     v_y_2 = upper_2 * v_s
     v_n = sqrt(v_y_0 * v_y_0 + v_y_1 * v_y_1 + v_y_2 * v_y_2)
-    v_r_b = where(v_s < 1, float64(3.6893488147419103e+19), float64(1))
-    v_r_d = where(1 < v_s, 5.551115123125783e-17, v_r_b)
+    v_r_d = (where(1
+        < v_s, 5.551115123125783e-17, where(v_s < 1, float64(3.6893488147419103e+19), float64(1))))
     v_r = where(1.8014398509481984e+16 < v_s, 3.0814879110195774e-33, v_r_d)
     n = v_n * v_r
     half = elementary.atan2(n, upper_3)

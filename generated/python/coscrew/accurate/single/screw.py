@@ -149,8 +149,9 @@ def screw_norm(si):
     7 mul, 2 add, 1 sqrt, 6 abs, 11 less, 1 equal, 14 select.
     """
     si_0, si_1, si_2, si_3, si_4, si_5 = si
-    small_c = where(absolute(si_5) < 9.999999974752427e-07, float64(1), float64(0))
-    small_f = where(absolute(si_4) < 9.999999974752427e-07, small_c, 0)
+    small_f = (where(absolute(si_4)
+        < 9.999999974752427e-07, where(absolute(si_5)
+        < 9.999999974752427e-07, float64(1), float64(0)), 0))
     small = where(absolute(si_3) < 9.999999974752427e-07, small_f, 0)
     p_0a = small == 1
     p_0 = where(p_0a, si_0, si_3)
@@ -161,15 +162,16 @@ def screw_norm(si):
     s_size_2 = absolute(p_2)
     s_largest1 = where(s_size_0 < s_size_1, s_size_1, s_size_0)
     s_largest2 = where(s_largest1 < s_size_2, s_size_2, s_largest1)
-    s_b = where(4.611686018427388e+18 < s_largest2, float64(2.710505431213761e-20), float64(1))
-    s_d = where(s_largest2 < 256, 1.8014398509481984e+16, s_b)
+    s_d = (where(s_largest2
+        < 256, 1.8014398509481984e+16, where(4.611686018427388e+18
+        < s_largest2, float64(2.710505431213761e-20), float64(1))))
     s = where(s_largest2 < 1.4210854715202004e-14, 3.2451855365842673e+32, s_d)
     y_0 = p_0 * s
     y_1 = p_1 * s
     y_2 = p_2 * s
     n = sqrt(y_0 * y_0 + y_1 * y_1 + y_2 * y_2)
-    r_b = where(s < 1, float64(3.6893488147419103e+19), float64(1))
-    r_d = where(1 < s, 5.551115123125783e-17, r_b)
+    r_d = (where(1
+        < s, 5.551115123125783e-17, where(s < 1, float64(3.6893488147419103e+19), float64(1))))
     r = where(1.8014398509481984e+16 < s, 3.0814879110195774e-33, r_d)
     norm = n * r
     return norm
@@ -185,9 +187,9 @@ def screw_normalize(self):
     self_0, self_1, self_2, self_3, self_4, self_5 = self
     small_a = absolute(self_5)
     small_d = absolute(self_4)
-    small_c = where(small_a < 9.999999974752427e-07, float64(1), float64(0))
     small_g = absolute(self_3)
-    small_f = where(small_d < 9.999999974752427e-07, small_c, 0)
+    small_f = (where(small_d
+        < 9.999999974752427e-07, where(small_a < 9.999999974752427e-07, float64(1), float64(0)), 0))
     small = where(small_g < 9.999999974752427e-07, small_f, 0)
     p_0a = small == 1
     p_0 = where(p_0a, self_0, self_3)
@@ -198,8 +200,9 @@ def screw_normalize(self):
     s_size_2 = absolute(p_2)
     s_largest1 = where(s_size_0 < s_size_1, s_size_1, s_size_0)
     s_largest2 = where(s_largest1 < s_size_2, s_size_2, s_largest1)
-    s_b = where(4.611686018427388e+18 < s_largest2, float64(2.710505431213761e-20), float64(1))
-    s_d = where(s_largest2 < 256, 1.8014398509481984e+16, s_b)
+    s_d = (where(s_largest2
+        < 256, 1.8014398509481984e+16, where(4.611686018427388e+18
+        < s_largest2, float64(2.710505431213761e-20), float64(1))))
     s = where(s_largest2 < 1.4210854715202004e-14, 3.2451855365842673e+32, s_d)
     y_0 = p_0 * s
     y_1 = p_1 * s
@@ -260,9 +263,9 @@ def screw_normalized(si):
     si_0, si_1, si_2, si_3, si_4, si_5 = si
     small_a = absolute(si_5)
     small_d = absolute(si_4)
-    small_c = where(small_a < 9.999999974752427e-07, float64(1), float64(0))
     small_g = absolute(si_3)
-    small_f = where(small_d < 9.999999974752427e-07, small_c, 0)
+    small_f = (where(small_d
+        < 9.999999974752427e-07, where(small_a < 9.999999974752427e-07, float64(1), float64(0)), 0))
     small = where(small_g < 9.999999974752427e-07, small_f, 0)
     p_0a = small == 1
     p_0 = where(p_0a, si_0, si_3)
@@ -273,8 +276,9 @@ def screw_normalized(si):
     s_size_2 = absolute(p_2)
     s_largest1 = where(s_size_0 < s_size_1, s_size_1, s_size_0)
     s_largest2 = where(s_largest1 < s_size_2, s_size_2, s_largest1)
-    s_b = where(4.611686018427388e+18 < s_largest2, float64(2.710505431213761e-20), float64(1))
-    s_d = where(s_largest2 < 256, 1.8014398509481984e+16, s_b)
+    s_d = (where(s_largest2
+        < 256, 1.8014398509481984e+16, where(4.611686018427388e+18
+        < s_largest2, float64(2.710505431213761e-20), float64(1))))
     s = where(s_largest2 < 1.4210854715202004e-14, 3.2451855365842673e+32, s_d)
     y_0 = p_0 * s
     y_1 = p_1 * s

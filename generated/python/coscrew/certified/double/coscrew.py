@@ -26,21 +26,15 @@ def coscrew_scale(self, a):
     self_3_new = self_3 * a
     self_4_new = self_4 * a
     self_5_new = self_5 * a
-    self_0_new_padded = absolute(self_0_new) + 2.004168360008973e-292
-    self_0_new_error_bound = 1.1102230246251568e-16 * self_0_new_padded
-    self_1_new_padded = absolute(self_1_new) + 2.004168360008973e-292
-    self_1_new_error_bound = 1.1102230246251568e-16 * self_1_new_padded
-    self_2_new_padded = absolute(self_2_new) + 2.004168360008973e-292
-    self_2_new_error_bound = 1.1102230246251568e-16 * self_2_new_padded
-    self_3_new_padded = absolute(self_3_new) + 2.004168360008973e-292
-    self_3_new_error_bound = 1.1102230246251568e-16 * self_3_new_padded
-    self_4_new_padded = absolute(self_4_new) + 2.004168360008973e-292
-    self_4_new_error_bound = 1.1102230246251568e-16 * self_4_new_padded
-    self_5_new_padded = absolute(self_5_new) + 2.004168360008973e-292
-    self_5_new_error_bound = 1.1102230246251568e-16 * self_5_new_padded
+    self_0_new_bound = 1.1102230246251568e-16 * (absolute(self_0_new) + 2.004168360008973e-292)
+    self_1_new_bound = 1.1102230246251568e-16 * (absolute(self_1_new) + 2.004168360008973e-292)
+    self_2_new_bound = 1.1102230246251568e-16 * (absolute(self_2_new) + 2.004168360008973e-292)
+    self_3_new_bound = 1.1102230246251568e-16 * (absolute(self_3_new) + 2.004168360008973e-292)
+    self_4_new_bound = 1.1102230246251568e-16 * (absolute(self_4_new) + 2.004168360008973e-292)
+    self_5_new_bound = 1.1102230246251568e-16 * (absolute(self_5_new) + 2.004168360008973e-292)
     return (self_0_new, self_1_new, self_2_new, self_3_new, self_4_new, self_5_new,
-        self_0_new_error_bound, self_1_new_error_bound, self_2_new_error_bound,
-        self_3_new_error_bound, self_4_new_error_bound, self_5_new_error_bound)
+        self_0_new_bound, self_1_new_bound, self_2_new_bound, self_3_new_bound, self_4_new_bound,
+        self_5_new_bound)
 
 
 @kernel("(),(6),(6)->(6),(6)")
@@ -71,15 +65,14 @@ def axpy_cc(a, x, y):
     y_3_new_size = absolute(y_3_new_a) + absolute(y_3)
     y_4_new_size = absolute(y_4_new_a) + absolute(y_4)
     y_5_new_size = absolute(y_5_new_a) + absolute(y_5)
-    y_0_new_error_bound = 2.2204460492503136e-16 * (y_0_new_size + 2.004168360008973e-292)
-    y_1_new_error_bound = 2.2204460492503136e-16 * (y_1_new_size + 2.004168360008973e-292)
-    y_2_new_error_bound = 2.2204460492503136e-16 * (y_2_new_size + 2.004168360008973e-292)
-    y_3_new_error_bound = 2.2204460492503136e-16 * (y_3_new_size + 2.004168360008973e-292)
-    y_4_new_error_bound = 2.2204460492503136e-16 * (y_4_new_size + 2.004168360008973e-292)
-    y_5_new_error_bound = 2.2204460492503136e-16 * (y_5_new_size + 2.004168360008973e-292)
-    return (y_0_new, y_1_new, y_2_new, y_3_new, y_4_new, y_5_new, y_0_new_error_bound,
-        y_1_new_error_bound, y_2_new_error_bound, y_3_new_error_bound, y_4_new_error_bound,
-        y_5_new_error_bound)
+    y_0_new_bound = 2.2204460492503136e-16 * (y_0_new_size + 2.004168360008973e-292)
+    y_1_new_bound = 2.2204460492503136e-16 * (y_1_new_size + 2.004168360008973e-292)
+    y_2_new_bound = 2.2204460492503136e-16 * (y_2_new_size + 2.004168360008973e-292)
+    y_3_new_bound = 2.2204460492503136e-16 * (y_3_new_size + 2.004168360008973e-292)
+    y_4_new_bound = 2.2204460492503136e-16 * (y_4_new_size + 2.004168360008973e-292)
+    y_5_new_bound = 2.2204460492503136e-16 * (y_5_new_size + 2.004168360008973e-292)
+    return (y_0_new, y_1_new, y_2_new, y_3_new, y_4_new, y_5_new, y_0_new_bound, y_1_new_bound,
+        y_2_new_bound, y_3_new_bound, y_4_new_bound, y_5_new_bound)
 
 
 @kernel("(6),(6)->(6),(6)")
@@ -98,15 +91,14 @@ def xpy_cc(x, y):
     y_3_new = x_3 + y_3
     y_4_new = x_4 + y_4
     y_5_new = x_5 + y_5
-    y_0_new_error_bound = 1.1102230246251568e-16 * absolute(y_0_new)
-    y_1_new_error_bound = 1.1102230246251568e-16 * absolute(y_1_new)
-    y_2_new_error_bound = 1.1102230246251568e-16 * absolute(y_2_new)
-    y_3_new_error_bound = 1.1102230246251568e-16 * absolute(y_3_new)
-    y_4_new_error_bound = 1.1102230246251568e-16 * absolute(y_4_new)
-    y_5_new_error_bound = 1.1102230246251568e-16 * absolute(y_5_new)
-    return (y_0_new, y_1_new, y_2_new, y_3_new, y_4_new, y_5_new, y_0_new_error_bound,
-        y_1_new_error_bound, y_2_new_error_bound, y_3_new_error_bound, y_4_new_error_bound,
-        y_5_new_error_bound)
+    y_0_new_bound = 1.1102230246251568e-16 * absolute(y_0_new)
+    y_1_new_bound = 1.1102230246251568e-16 * absolute(y_1_new)
+    y_2_new_bound = 1.1102230246251568e-16 * absolute(y_2_new)
+    y_3_new_bound = 1.1102230246251568e-16 * absolute(y_3_new)
+    y_4_new_bound = 1.1102230246251568e-16 * absolute(y_4_new)
+    y_5_new_bound = 1.1102230246251568e-16 * absolute(y_5_new)
+    return (y_0_new, y_1_new, y_2_new, y_3_new, y_4_new, y_5_new, y_0_new_bound, y_1_new_bound,
+        y_2_new_bound, y_3_new_bound, y_4_new_bound, y_5_new_bound)
 
 
 @kernel("(6),(6)->(6),(6)")
@@ -125,15 +117,14 @@ def nxpy_cc(x, y):
     y_3_new = y_3 - x_3
     y_4_new = y_4 - x_4
     y_5_new = y_5 - x_5
-    y_0_new_error_bound = 1.1102230246251568e-16 * absolute(y_0_new)
-    y_1_new_error_bound = 1.1102230246251568e-16 * absolute(y_1_new)
-    y_2_new_error_bound = 1.1102230246251568e-16 * absolute(y_2_new)
-    y_3_new_error_bound = 1.1102230246251568e-16 * absolute(y_3_new)
-    y_4_new_error_bound = 1.1102230246251568e-16 * absolute(y_4_new)
-    y_5_new_error_bound = 1.1102230246251568e-16 * absolute(y_5_new)
-    return (y_0_new, y_1_new, y_2_new, y_3_new, y_4_new, y_5_new, y_0_new_error_bound,
-        y_1_new_error_bound, y_2_new_error_bound, y_3_new_error_bound, y_4_new_error_bound,
-        y_5_new_error_bound)
+    y_0_new_bound = 1.1102230246251568e-16 * absolute(y_0_new)
+    y_1_new_bound = 1.1102230246251568e-16 * absolute(y_1_new)
+    y_2_new_bound = 1.1102230246251568e-16 * absolute(y_2_new)
+    y_3_new_bound = 1.1102230246251568e-16 * absolute(y_3_new)
+    y_4_new_bound = 1.1102230246251568e-16 * absolute(y_4_new)
+    y_5_new_bound = 1.1102230246251568e-16 * absolute(y_5_new)
+    return (y_0_new, y_1_new, y_2_new, y_3_new, y_4_new, y_5_new, y_0_new_bound, y_1_new_bound,
+        y_2_new_bound, y_3_new_bound, y_4_new_bound, y_5_new_bound)
 
 
 @kernel("(),(6)->(6),(6)")
@@ -151,14 +142,14 @@ def product_ac(a, ci):
     co_3 = a * ci_3
     co_4 = a * ci_4
     co_5 = a * ci_5
-    co_0_error_bound = 1.1102230246251568e-16 * (absolute(co_0) + 2.004168360008973e-292)
-    co_1_error_bound = 1.1102230246251568e-16 * (absolute(co_1) + 2.004168360008973e-292)
-    co_2_error_bound = 1.1102230246251568e-16 * (absolute(co_2) + 2.004168360008973e-292)
-    co_3_error_bound = 1.1102230246251568e-16 * (absolute(co_3) + 2.004168360008973e-292)
-    co_4_error_bound = 1.1102230246251568e-16 * (absolute(co_4) + 2.004168360008973e-292)
-    co_5_error_bound = 1.1102230246251568e-16 * (absolute(co_5) + 2.004168360008973e-292)
-    return (co_0, co_1, co_2, co_3, co_4, co_5, co_0_error_bound, co_1_error_bound,
-        co_2_error_bound, co_3_error_bound, co_4_error_bound, co_5_error_bound)
+    co_0_bound = 1.1102230246251568e-16 * (absolute(co_0) + 2.004168360008973e-292)
+    co_1_bound = 1.1102230246251568e-16 * (absolute(co_1) + 2.004168360008973e-292)
+    co_2_bound = 1.1102230246251568e-16 * (absolute(co_2) + 2.004168360008973e-292)
+    co_3_bound = 1.1102230246251568e-16 * (absolute(co_3) + 2.004168360008973e-292)
+    co_4_bound = 1.1102230246251568e-16 * (absolute(co_4) + 2.004168360008973e-292)
+    co_5_bound = 1.1102230246251568e-16 * (absolute(co_5) + 2.004168360008973e-292)
+    return (co_0, co_1, co_2, co_3, co_4, co_5, co_0_bound, co_1_bound, co_2_bound, co_3_bound,
+        co_4_bound, co_5_bound)
 
 
 @kernel("(6),(6)->(6),(6)")
@@ -177,14 +168,14 @@ def add_cc(c1, c2):
     co_3 = c1_3 + c2_3
     co_4 = c1_4 + c2_4
     co_5 = c1_5 + c2_5
-    co_0_error_bound = 1.1102230246251568e-16 * absolute(co_0)
-    co_1_error_bound = 1.1102230246251568e-16 * absolute(co_1)
-    co_2_error_bound = 1.1102230246251568e-16 * absolute(co_2)
-    co_3_error_bound = 1.1102230246251568e-16 * absolute(co_3)
-    co_4_error_bound = 1.1102230246251568e-16 * absolute(co_4)
-    co_5_error_bound = 1.1102230246251568e-16 * absolute(co_5)
-    return (co_0, co_1, co_2, co_3, co_4, co_5, co_0_error_bound, co_1_error_bound,
-        co_2_error_bound, co_3_error_bound, co_4_error_bound, co_5_error_bound)
+    co_0_bound = 1.1102230246251568e-16 * absolute(co_0)
+    co_1_bound = 1.1102230246251568e-16 * absolute(co_1)
+    co_2_bound = 1.1102230246251568e-16 * absolute(co_2)
+    co_3_bound = 1.1102230246251568e-16 * absolute(co_3)
+    co_4_bound = 1.1102230246251568e-16 * absolute(co_4)
+    co_5_bound = 1.1102230246251568e-16 * absolute(co_5)
+    return (co_0, co_1, co_2, co_3, co_4, co_5, co_0_bound, co_1_bound, co_2_bound, co_3_bound,
+        co_4_bound, co_5_bound)
 
 
 @kernel("(6),(6)->(6),(6)")
@@ -203,14 +194,14 @@ def subtract_cc(c1, c2):
     co_3 = c1_3 - c2_3
     co_4 = c1_4 - c2_4
     co_5 = c1_5 - c2_5
-    co_0_error_bound = 1.1102230246251568e-16 * absolute(co_0)
-    co_1_error_bound = 1.1102230246251568e-16 * absolute(co_1)
-    co_2_error_bound = 1.1102230246251568e-16 * absolute(co_2)
-    co_3_error_bound = 1.1102230246251568e-16 * absolute(co_3)
-    co_4_error_bound = 1.1102230246251568e-16 * absolute(co_4)
-    co_5_error_bound = 1.1102230246251568e-16 * absolute(co_5)
-    return (co_0, co_1, co_2, co_3, co_4, co_5, co_0_error_bound, co_1_error_bound,
-        co_2_error_bound, co_3_error_bound, co_4_error_bound, co_5_error_bound)
+    co_0_bound = 1.1102230246251568e-16 * absolute(co_0)
+    co_1_bound = 1.1102230246251568e-16 * absolute(co_1)
+    co_2_bound = 1.1102230246251568e-16 * absolute(co_2)
+    co_3_bound = 1.1102230246251568e-16 * absolute(co_3)
+    co_4_bound = 1.1102230246251568e-16 * absolute(co_4)
+    co_5_bound = 1.1102230246251568e-16 * absolute(co_5)
+    return (co_0, co_1, co_2, co_3, co_4, co_5, co_0_bound, co_1_bound, co_2_bound, co_3_bound,
+        co_4_bound, co_5_bound)
 
 
 @kernel("(6),(6)->(6),(6)")
@@ -226,11 +217,10 @@ def add_cct(c1, c2):
     co_0 = c1_0 + c2_0
     co_1 = c1_1 + c2_1
     co_2 = c1_2 + c2_2
-    co_0_error_bound = 1.1102230246251568e-16 * absolute(co_0)
-    co_1_error_bound = 1.1102230246251568e-16 * absolute(co_1)
-    co_2_error_bound = 1.1102230246251568e-16 * absolute(co_2)
-    return (co_0, co_1, co_2, c1_3, c1_4, c1_5, co_0_error_bound, co_1_error_bound,
-        co_2_error_bound, 0, 0, 0)
+    co_0_bound = 1.1102230246251568e-16 * absolute(co_0)
+    co_1_bound = 1.1102230246251568e-16 * absolute(co_1)
+    co_2_bound = 1.1102230246251568e-16 * absolute(co_2)
+    return (co_0, co_1, co_2, c1_3, c1_4, c1_5, co_0_bound, co_1_bound, co_2_bound, 0, 0, 0)
 
 
 @kernel("(3),(6)->(6),(6)")
@@ -255,11 +245,10 @@ def product_CoAdtc(t, ci):
     co_3_size = absolute(co_3a) + absolute(co_3b) + absolute(ci_3)
     co_4_size = absolute(co_4a) + absolute(co_4b) + absolute(ci_4)
     co_5_size = absolute(co_5a) + absolute(co_5b) + absolute(ci_5)
-    co_3_error_bound = 3.3306690738754706e-16 * (co_3_size + 2.004168360008973e-292)
-    co_4_error_bound = 3.3306690738754706e-16 * (co_4_size + 2.004168360008973e-292)
-    co_5_error_bound = 3.3306690738754706e-16 * (co_5_size + 2.004168360008973e-292)
-    return (ci_0, ci_1, ci_2, co_3, co_4, co_5, 0, 0, 0, co_3_error_bound, co_4_error_bound,
-        co_5_error_bound)
+    co_3_bound = 3.3306690738754706e-16 * (co_3_size + 2.004168360008973e-292)
+    co_4_bound = 3.3306690738754706e-16 * (co_4_size + 2.004168360008973e-292)
+    co_5_bound = 3.3306690738754706e-16 * (co_5_size + 2.004168360008973e-292)
+    return (ci_0, ci_1, ci_2, co_3, co_4, co_5, 0, 0, 0, co_3_bound, co_4_bound, co_5_bound)
 
 
 @kernel("(3),(6)->(6),(6)")
@@ -284,11 +273,10 @@ def product_CoAdtinvc(t, ci):
     co_3_size = absolute(co_3a) + absolute(co_3b) + absolute(ci_3)
     co_4_size = absolute(co_4a) + absolute(co_4b) + absolute(ci_4)
     co_5_size = absolute(co_5a) + absolute(co_5b) + absolute(ci_5)
-    co_3_error_bound = 3.3306690738754706e-16 * (co_3_size + 2.004168360008973e-292)
-    co_4_error_bound = 3.3306690738754706e-16 * (co_4_size + 2.004168360008973e-292)
-    co_5_error_bound = 3.3306690738754706e-16 * (co_5_size + 2.004168360008973e-292)
-    return (ci_0, ci_1, ci_2, co_3, co_4, co_5, 0, 0, 0, co_3_error_bound, co_4_error_bound,
-        co_5_error_bound)
+    co_3_bound = 3.3306690738754706e-16 * (co_3_size + 2.004168360008973e-292)
+    co_4_bound = 3.3306690738754706e-16 * (co_4_size + 2.004168360008973e-292)
+    co_5_bound = 3.3306690738754706e-16 * (co_5_size + 2.004168360008973e-292)
+    return (ci_0, ci_1, ci_2, co_3, co_4, co_5, 0, 0, 0, co_3_bound, co_4_bound, co_5_bound)
 
 
 @kernel("(3),(6)->(6),(6)")
@@ -316,11 +304,10 @@ def product_CoAdtcinv(t, ci):
     co_3_size = absolute(co_3a) + absolute(co_3b) + absolute(ci_3)
     co_4_size = absolute(co_4a) + absolute(co_4b) + absolute(ci_4)
     co_5_size = absolute(co_5a) + absolute(co_5b) + absolute(ci_5)
-    co_3_error_bound = 3.3306690738754706e-16 * (co_3_size + 2.004168360008973e-292)
-    co_4_error_bound = 3.3306690738754706e-16 * (co_4_size + 2.004168360008973e-292)
-    co_5_error_bound = 3.3306690738754706e-16 * (co_5_size + 2.004168360008973e-292)
-    return (co_0, co_1, co_2, co_3, co_4, co_5, 0, 0, 0, co_3_error_bound, co_4_error_bound,
-        co_5_error_bound)
+    co_3_bound = 3.3306690738754706e-16 * (co_3_size + 2.004168360008973e-292)
+    co_4_bound = 3.3306690738754706e-16 * (co_4_size + 2.004168360008973e-292)
+    co_5_bound = 3.3306690738754706e-16 * (co_5_size + 2.004168360008973e-292)
+    return (co_0, co_1, co_2, co_3, co_4, co_5, 0, 0, 0, co_3_bound, co_4_bound, co_5_bound)
 
 
 @kernel("(3,3),(6)->(6),(6)")
@@ -364,14 +351,14 @@ def product_CoAdrc(R, ci):
     co_3_size = absolute(co_3a) + absolute(co_3b) + absolute(co_3d)
     co_4_size = absolute(co_4a) + absolute(co_4b) + absolute(co_4d)
     co_5_size = absolute(co_5a) + absolute(co_5b) + absolute(co_5d)
-    co_0_error_bound = 3.3306690738754706e-16 * (co_0_size + 2.004168360008973e-292)
-    co_1_error_bound = 3.3306690738754706e-16 * (co_1_size + 2.004168360008973e-292)
-    co_2_error_bound = 3.3306690738754706e-16 * (co_2_size + 2.004168360008973e-292)
-    co_3_error_bound = 3.3306690738754706e-16 * (co_3_size + 2.004168360008973e-292)
-    co_4_error_bound = 3.3306690738754706e-16 * (co_4_size + 2.004168360008973e-292)
-    co_5_error_bound = 3.3306690738754706e-16 * (co_5_size + 2.004168360008973e-292)
-    return (co_0, co_1, co_2, co_3, co_4, co_5, co_0_error_bound, co_1_error_bound,
-        co_2_error_bound, co_3_error_bound, co_4_error_bound, co_5_error_bound)
+    co_0_bound = 3.3306690738754706e-16 * (co_0_size + 2.004168360008973e-292)
+    co_1_bound = 3.3306690738754706e-16 * (co_1_size + 2.004168360008973e-292)
+    co_2_bound = 3.3306690738754706e-16 * (co_2_size + 2.004168360008973e-292)
+    co_3_bound = 3.3306690738754706e-16 * (co_3_size + 2.004168360008973e-292)
+    co_4_bound = 3.3306690738754706e-16 * (co_4_size + 2.004168360008973e-292)
+    co_5_bound = 3.3306690738754706e-16 * (co_5_size + 2.004168360008973e-292)
+    return (co_0, co_1, co_2, co_3, co_4, co_5, co_0_bound, co_1_bound, co_2_bound, co_3_bound,
+        co_4_bound, co_5_bound)
 
 
 @kernel("(3,3),(6)->(6),(6)")
@@ -415,14 +402,14 @@ def product_CoAdrinvc(R, ci):
     co_3_size = absolute(co_3a) + absolute(co_3b) + absolute(co_3d)
     co_4_size = absolute(co_4a) + absolute(co_4b) + absolute(co_4d)
     co_5_size = absolute(co_5a) + absolute(co_5b) + absolute(co_5d)
-    co_0_error_bound = 3.3306690738754706e-16 * (co_0_size + 2.004168360008973e-292)
-    co_1_error_bound = 3.3306690738754706e-16 * (co_1_size + 2.004168360008973e-292)
-    co_2_error_bound = 3.3306690738754706e-16 * (co_2_size + 2.004168360008973e-292)
-    co_3_error_bound = 3.3306690738754706e-16 * (co_3_size + 2.004168360008973e-292)
-    co_4_error_bound = 3.3306690738754706e-16 * (co_4_size + 2.004168360008973e-292)
-    co_5_error_bound = 3.3306690738754706e-16 * (co_5_size + 2.004168360008973e-292)
-    return (co_0, co_1, co_2, co_3, co_4, co_5, co_0_error_bound, co_1_error_bound,
-        co_2_error_bound, co_3_error_bound, co_4_error_bound, co_5_error_bound)
+    co_0_bound = 3.3306690738754706e-16 * (co_0_size + 2.004168360008973e-292)
+    co_1_bound = 3.3306690738754706e-16 * (co_1_size + 2.004168360008973e-292)
+    co_2_bound = 3.3306690738754706e-16 * (co_2_size + 2.004168360008973e-292)
+    co_3_bound = 3.3306690738754706e-16 * (co_3_size + 2.004168360008973e-292)
+    co_4_bound = 3.3306690738754706e-16 * (co_4_size + 2.004168360008973e-292)
+    co_5_bound = 3.3306690738754706e-16 * (co_5_size + 2.004168360008973e-292)
+    return (co_0, co_1, co_2, co_3, co_4, co_5, co_0_bound, co_1_bound, co_2_bound, co_3_bound,
+        co_4_bound, co_5_bound)
 
 
 @kernel("(3,3),(6)->(6),(6)")
@@ -460,20 +447,20 @@ def product_CoAdrcinv(R, ci):
     co_5b = R_21 * ci_4
     co_5d = R_22 * ci_5
     co_5 = -(co_5a + co_5b + co_5d)
-    co_0e_padded = absolute(co_0a) + absolute(co_0b) + absolute(co_0d) + 2.004168360008973e-292
-    co_0e_error_bound = 3.3306690738754706e-16 * co_0e_padded
-    co_1e_padded = absolute(co_1a) + absolute(co_1b) + absolute(co_1d) + 2.004168360008973e-292
-    co_1e_error_bound = 3.3306690738754706e-16 * co_1e_padded
-    co_2e_padded = absolute(co_2a) + absolute(co_2b) + absolute(co_2d) + 2.004168360008973e-292
-    co_2e_error_bound = 3.3306690738754706e-16 * co_2e_padded
-    co_3e_padded = absolute(co_3a) + absolute(co_3b) + absolute(co_3d) + 2.004168360008973e-292
-    co_3e_error_bound = 3.3306690738754706e-16 * co_3e_padded
-    co_4e_padded = absolute(co_4a) + absolute(co_4b) + absolute(co_4d) + 2.004168360008973e-292
-    co_4e_error_bound = 3.3306690738754706e-16 * co_4e_padded
-    co_5e_padded = absolute(co_5a) + absolute(co_5b) + absolute(co_5d) + 2.004168360008973e-292
-    co_5e_error_bound = 3.3306690738754706e-16 * co_5e_padded
-    return (co_0, co_1, co_2, co_3, co_4, co_5, co_0e_error_bound, co_1e_error_bound,
-        co_2e_error_bound, co_3e_error_bound, co_4e_error_bound, co_5e_error_bound)
+    co_0e_bound = (3.3306690738754706e-16
+        * (absolute(co_0a) + absolute(co_0b) + absolute(co_0d) + 2.004168360008973e-292))
+    co_1e_bound = (3.3306690738754706e-16
+        * (absolute(co_1a) + absolute(co_1b) + absolute(co_1d) + 2.004168360008973e-292))
+    co_2e_bound = (3.3306690738754706e-16
+        * (absolute(co_2a) + absolute(co_2b) + absolute(co_2d) + 2.004168360008973e-292))
+    co_3e_bound = (3.3306690738754706e-16
+        * (absolute(co_3a) + absolute(co_3b) + absolute(co_3d) + 2.004168360008973e-292))
+    co_4e_bound = (3.3306690738754706e-16
+        * (absolute(co_4a) + absolute(co_4b) + absolute(co_4d) + 2.004168360008973e-292))
+    co_5e_bound = (3.3306690738754706e-16
+        * (absolute(co_5a) + absolute(co_5b) + absolute(co_5d) + 2.004168360008973e-292))
+    return (co_0, co_1, co_2, co_3, co_4, co_5, co_0e_bound, co_1e_bound, co_2e_bound, co_3e_bound,
+        co_4e_bound, co_5e_bound)
 
 
 @kernel("(3,4),(6)->(6),(6)")
@@ -529,14 +516,14 @@ def product_CoAdc(D, ci):
     D_03_abs = absolute(D_03)
     co_4_size = D_23_abs * w_0_padded + D_03_abs * w_2_padded + w_4_size
     co_5_size = D_03_abs * w_1_padded + D_13_abs * w_0_padded + w_5_size
-    w_0_error_bound = 3.3306690738754706e-16 * w_0_padded
-    w_1_error_bound = 3.3306690738754706e-16 * w_1_padded
-    w_2_error_bound = 3.3306690738754706e-16 * w_2_padded
-    co_3_error_bound = 6.661338147750942e-16 * (co_3_size + 2.004168360008973e-292)
-    co_4_error_bound = 6.661338147750942e-16 * (co_4_size + 2.004168360008973e-292)
-    co_5_error_bound = 6.661338147750942e-16 * (co_5_size + 2.004168360008973e-292)
-    return (w_0, w_1, w_2, co_3, co_4, co_5, w_0_error_bound, w_1_error_bound, w_2_error_bound,
-        co_3_error_bound, co_4_error_bound, co_5_error_bound)
+    w_0_bound = 3.3306690738754706e-16 * w_0_padded
+    w_1_bound = 3.3306690738754706e-16 * w_1_padded
+    w_2_bound = 3.3306690738754706e-16 * w_2_padded
+    co_3_bound = 6.661338147750942e-16 * (co_3_size + 2.004168360008973e-292)
+    co_4_bound = 6.661338147750942e-16 * (co_4_size + 2.004168360008973e-292)
+    co_5_bound = 6.661338147750942e-16 * (co_5_size + 2.004168360008973e-292)
+    return (w_0, w_1, w_2, co_3, co_4, co_5, w_0_bound, w_1_bound, w_2_bound, co_3_bound,
+        co_4_bound, co_5_bound)
 
 
 @kernel("(3,4),(6)->(6),(6)")
@@ -583,20 +570,20 @@ def product_CoAdinvc(D, ci):
     w_3_padded = w_3_size + 2.004168360008973e-292
     w_4_padded = w_4_size + 2.004168360008973e-292
     w_5_padded = w_5_size + 2.004168360008973e-292
-    co_3c_size = absolute(D_00) * w_3_padded + absolute(D_10) * w_4_padded
-    co_3_size = co_3c_size + absolute(D_20) * w_5_padded
-    co_4c_size = absolute(D_01) * w_3_padded + absolute(D_11) * w_4_padded
-    co_4_size = co_4c_size + absolute(D_21) * w_5_padded
-    co_5c_size = absolute(D_02) * w_3_padded + absolute(D_12) * w_4_padded
-    co_5_size = co_5c_size + absolute(D_22) * w_5_padded
-    co_0_error_bound = 3.3306690738754706e-16 * (co_0_size + 2.004168360008973e-292)
-    co_1_error_bound = 3.3306690738754706e-16 * (co_1_size + 2.004168360008973e-292)
-    co_2_error_bound = 3.3306690738754706e-16 * (co_2_size + 2.004168360008973e-292)
-    co_3_error_bound = 6.661338147750942e-16 * (co_3_size + 2.004168360008973e-292)
-    co_4_error_bound = 6.661338147750942e-16 * (co_4_size + 2.004168360008973e-292)
-    co_5_error_bound = 6.661338147750942e-16 * (co_5_size + 2.004168360008973e-292)
-    return (co_0, co_1, co_2, co_3, co_4, co_5, co_0_error_bound, co_1_error_bound,
-        co_2_error_bound, co_3_error_bound, co_4_error_bound, co_5_error_bound)
+    co_3_size = (absolute(D_00) * w_3_padded + absolute(D_10) * w_4_padded + absolute(D_20)
+        * w_5_padded)
+    co_4_size = (absolute(D_01) * w_3_padded + absolute(D_11) * w_4_padded + absolute(D_21)
+        * w_5_padded)
+    co_5_size = (absolute(D_02) * w_3_padded + absolute(D_12) * w_4_padded + absolute(D_22)
+        * w_5_padded)
+    co_0_bound = 3.3306690738754706e-16 * (co_0_size + 2.004168360008973e-292)
+    co_1_bound = 3.3306690738754706e-16 * (co_1_size + 2.004168360008973e-292)
+    co_2_bound = 3.3306690738754706e-16 * (co_2_size + 2.004168360008973e-292)
+    co_3_bound = 6.661338147750942e-16 * (co_3_size + 2.004168360008973e-292)
+    co_4_bound = 6.661338147750942e-16 * (co_4_size + 2.004168360008973e-292)
+    co_5_bound = 6.661338147750942e-16 * (co_5_size + 2.004168360008973e-292)
+    return (co_0, co_1, co_2, co_3, co_4, co_5, co_0_bound, co_1_bound, co_2_bound, co_3_bound,
+        co_4_bound, co_5_bound)
 
 
 @kernel("(3,4),(6)->(6),(6)")
@@ -641,22 +628,22 @@ def product_CoAdcinv(D, ci):
     D_13_abs = absolute(D_13)
     w_1e_padded = absolute(w_1a) + absolute(w_1b) + absolute(w_1d) + 2.004168360008973e-292
     D_23_abs = absolute(D_23)
-    w_3e_size = absolute(w_3a) + absolute(w_3b) + absolute(w_3d)
-    co_3_size = D_13_abs * w_2e_padded + D_23_abs * w_1e_padded + w_3e_size
+    co_3_size = (D_13_abs * w_2e_padded + D_23_abs * w_1e_padded
+        + (absolute(w_3a) + absolute(w_3b) + absolute(w_3d)))
     w_0e_padded = absolute(w_0a) + absolute(w_0b) + absolute(w_0d) + 2.004168360008973e-292
     D_03_abs = absolute(D_03)
-    w_4e_size = absolute(w_4a) + absolute(w_4b) + absolute(w_4d)
-    co_4_size = D_23_abs * w_0e_padded + D_03_abs * w_2e_padded + w_4e_size
-    w_5e_size = absolute(w_5a) + absolute(w_5b) + absolute(w_5d)
-    co_5_size = D_03_abs * w_1e_padded + D_13_abs * w_0e_padded + w_5e_size
-    w_0e_error_bound = 3.3306690738754706e-16 * w_0e_padded
-    w_1e_error_bound = 3.3306690738754706e-16 * w_1e_padded
-    w_2e_error_bound = 3.3306690738754706e-16 * w_2e_padded
-    co_3_error_bound = 6.661338147750942e-16 * (co_3_size + 2.004168360008973e-292)
-    co_4_error_bound = 6.661338147750942e-16 * (co_4_size + 2.004168360008973e-292)
-    co_5_error_bound = 6.661338147750942e-16 * (co_5_size + 2.004168360008973e-292)
-    return (w_0, w_1, w_2, co_3, co_4, co_5, w_0e_error_bound, w_1e_error_bound, w_2e_error_bound,
-        co_3_error_bound, co_4_error_bound, co_5_error_bound)
+    co_4_size = (D_23_abs * w_0e_padded + D_03_abs * w_2e_padded
+        + (absolute(w_4a) + absolute(w_4b) + absolute(w_4d)))
+    co_5_size = (D_03_abs * w_1e_padded + D_13_abs * w_0e_padded
+        + (absolute(w_5a) + absolute(w_5b) + absolute(w_5d)))
+    w_0e_bound = 3.3306690738754706e-16 * w_0e_padded
+    w_1e_bound = 3.3306690738754706e-16 * w_1e_padded
+    w_2e_bound = 3.3306690738754706e-16 * w_2e_padded
+    co_3_bound = 6.661338147750942e-16 * (co_3_size + 2.004168360008973e-292)
+    co_4_bound = 6.661338147750942e-16 * (co_4_size + 2.004168360008973e-292)
+    co_5_bound = 6.661338147750942e-16 * (co_5_size + 2.004168360008973e-292)
+    return (w_0, w_1, w_2, co_3, co_4, co_5, w_0e_bound, w_1e_bound, w_2e_bound, co_3_bound,
+        co_4_bound, co_5_bound)
 
 
 @kernel("(3,4)->(6),(6)")
@@ -681,11 +668,10 @@ def hctx(D):
     co_3_size = absolute(co_3a) + absolute(co_3b)
     co_4_size = absolute(co_4a) + absolute(co_4b)
     co_5_size = absolute(co_5a) + absolute(co_5b)
-    co_3_error_bound = 2.2204460492503136e-16 * (co_3_size + 2.004168360008973e-292)
-    co_4_error_bound = 2.2204460492503136e-16 * (co_4_size + 2.004168360008973e-292)
-    co_5_error_bound = 2.2204460492503136e-16 * (co_5_size + 2.004168360008973e-292)
-    return (D_00, D_10, D_20, co_3, co_4, co_5, 0, 0, 0, co_3_error_bound, co_4_error_bound,
-        co_5_error_bound)
+    co_3_bound = 2.2204460492503136e-16 * (co_3_size + 2.004168360008973e-292)
+    co_4_bound = 2.2204460492503136e-16 * (co_4_size + 2.004168360008973e-292)
+    co_5_bound = 2.2204460492503136e-16 * (co_5_size + 2.004168360008973e-292)
+    return (D_00, D_10, D_20, co_3, co_4, co_5, 0, 0, 0, co_3_bound, co_4_bound, co_5_bound)
 
 
 @kernel("(3,4)->(6),(6)")
@@ -710,11 +696,10 @@ def hcty(D):
     co_3_size = absolute(co_3a) + absolute(co_3b)
     co_4_size = absolute(co_4a) + absolute(co_4b)
     co_5_size = absolute(co_5a) + absolute(co_5b)
-    co_3_error_bound = 2.2204460492503136e-16 * (co_3_size + 2.004168360008973e-292)
-    co_4_error_bound = 2.2204460492503136e-16 * (co_4_size + 2.004168360008973e-292)
-    co_5_error_bound = 2.2204460492503136e-16 * (co_5_size + 2.004168360008973e-292)
-    return (D_01, D_11, D_21, co_3, co_4, co_5, 0, 0, 0, co_3_error_bound, co_4_error_bound,
-        co_5_error_bound)
+    co_3_bound = 2.2204460492503136e-16 * (co_3_size + 2.004168360008973e-292)
+    co_4_bound = 2.2204460492503136e-16 * (co_4_size + 2.004168360008973e-292)
+    co_5_bound = 2.2204460492503136e-16 * (co_5_size + 2.004168360008973e-292)
+    return (D_01, D_11, D_21, co_3, co_4, co_5, 0, 0, 0, co_3_bound, co_4_bound, co_5_bound)
 
 
 @kernel("(3,4)->(6),(6)")
@@ -739,11 +724,10 @@ def hctz(D):
     co_3_size = absolute(co_3a) + absolute(co_3b)
     co_4_size = absolute(co_4a) + absolute(co_4b)
     co_5_size = absolute(co_5a) + absolute(co_5b)
-    co_3_error_bound = 2.2204460492503136e-16 * (co_3_size + 2.004168360008973e-292)
-    co_4_error_bound = 2.2204460492503136e-16 * (co_4_size + 2.004168360008973e-292)
-    co_5_error_bound = 2.2204460492503136e-16 * (co_5_size + 2.004168360008973e-292)
-    return (D_02, D_12, D_22, co_3, co_4, co_5, 0, 0, 0, co_3_error_bound, co_4_error_bound,
-        co_5_error_bound)
+    co_3_bound = 2.2204460492503136e-16 * (co_3_size + 2.004168360008973e-292)
+    co_4_bound = 2.2204460492503136e-16 * (co_4_size + 2.004168360008973e-292)
+    co_5_bound = 2.2204460492503136e-16 * (co_5_size + 2.004168360008973e-292)
+    return (D_02, D_12, D_22, co_3, co_4, co_5, 0, 0, 0, co_3_bound, co_4_bound, co_5_bound)
 
 
 @kernel("(3,4)->(6),(6)")
@@ -771,11 +755,10 @@ def hctxinv(D):
     co_3_size = absolute(co_3a) + absolute(co_3b)
     co_4_size = absolute(co_4a) + absolute(co_4b)
     co_5_size = absolute(co_5a) + absolute(co_5b)
-    co_3_error_bound = 2.2204460492503136e-16 * (co_3_size + 2.004168360008973e-292)
-    co_4_error_bound = 2.2204460492503136e-16 * (co_4_size + 2.004168360008973e-292)
-    co_5_error_bound = 2.2204460492503136e-16 * (co_5_size + 2.004168360008973e-292)
-    return (co_0, co_1, co_2, co_3, co_4, co_5, 0, 0, 0, co_3_error_bound, co_4_error_bound,
-        co_5_error_bound)
+    co_3_bound = 2.2204460492503136e-16 * (co_3_size + 2.004168360008973e-292)
+    co_4_bound = 2.2204460492503136e-16 * (co_4_size + 2.004168360008973e-292)
+    co_5_bound = 2.2204460492503136e-16 * (co_5_size + 2.004168360008973e-292)
+    return (co_0, co_1, co_2, co_3, co_4, co_5, 0, 0, 0, co_3_bound, co_4_bound, co_5_bound)
 
 
 @kernel("(3,4)->(6),(6)")
@@ -803,11 +786,10 @@ def hctyinv(D):
     co_3_size = absolute(co_3a) + absolute(co_3b)
     co_4_size = absolute(co_4a) + absolute(co_4b)
     co_5_size = absolute(co_5a) + absolute(co_5b)
-    co_3_error_bound = 2.2204460492503136e-16 * (co_3_size + 2.004168360008973e-292)
-    co_4_error_bound = 2.2204460492503136e-16 * (co_4_size + 2.004168360008973e-292)
-    co_5_error_bound = 2.2204460492503136e-16 * (co_5_size + 2.004168360008973e-292)
-    return (co_0, co_1, co_2, co_3, co_4, co_5, 0, 0, 0, co_3_error_bound, co_4_error_bound,
-        co_5_error_bound)
+    co_3_bound = 2.2204460492503136e-16 * (co_3_size + 2.004168360008973e-292)
+    co_4_bound = 2.2204460492503136e-16 * (co_4_size + 2.004168360008973e-292)
+    co_5_bound = 2.2204460492503136e-16 * (co_5_size + 2.004168360008973e-292)
+    return (co_0, co_1, co_2, co_3, co_4, co_5, 0, 0, 0, co_3_bound, co_4_bound, co_5_bound)
 
 
 @kernel("(3,4)->(6),(6)")
@@ -835,11 +817,10 @@ def hctzinv(D):
     co_3_size = absolute(co_3a) + absolute(co_3b)
     co_4_size = absolute(co_4a) + absolute(co_4b)
     co_5_size = absolute(co_5a) + absolute(co_5b)
-    co_3_error_bound = 2.2204460492503136e-16 * (co_3_size + 2.004168360008973e-292)
-    co_4_error_bound = 2.2204460492503136e-16 * (co_4_size + 2.004168360008973e-292)
-    co_5_error_bound = 2.2204460492503136e-16 * (co_5_size + 2.004168360008973e-292)
-    return (co_0, co_1, co_2, co_3, co_4, co_5, 0, 0, 0, co_3_error_bound, co_4_error_bound,
-        co_5_error_bound)
+    co_3_bound = 2.2204460492503136e-16 * (co_3_size + 2.004168360008973e-292)
+    co_4_bound = 2.2204460492503136e-16 * (co_4_size + 2.004168360008973e-292)
+    co_5_bound = 2.2204460492503136e-16 * (co_5_size + 2.004168360008973e-292)
+    return (co_0, co_1, co_2, co_3, co_4, co_5, 0, 0, 0, co_3_bound, co_4_bound, co_5_bound)
 
 
 @kernel("(3,4)->(6,6),(6,6)")
@@ -887,20 +868,20 @@ def CoAd(D):
     M_50_size = absolute(M_50a) + absolute(M_50b)
     M_51_size = absolute(M_51a) + absolute(M_51b)
     M_52_size = absolute(M_52a) + absolute(M_52b)
-    M_30_error_bound = 2.2204460492503136e-16 * (M_30_size + 2.004168360008973e-292)
-    M_31_error_bound = 2.2204460492503136e-16 * (M_31_size + 2.004168360008973e-292)
-    M_32_error_bound = 2.2204460492503136e-16 * (M_32_size + 2.004168360008973e-292)
-    M_40_error_bound = 2.2204460492503136e-16 * (M_40_size + 2.004168360008973e-292)
-    M_41_error_bound = 2.2204460492503136e-16 * (M_41_size + 2.004168360008973e-292)
-    M_42_error_bound = 2.2204460492503136e-16 * (M_42_size + 2.004168360008973e-292)
-    M_50_error_bound = 2.2204460492503136e-16 * (M_50_size + 2.004168360008973e-292)
-    M_51_error_bound = 2.2204460492503136e-16 * (M_51_size + 2.004168360008973e-292)
-    M_52_error_bound = 2.2204460492503136e-16 * (M_52_size + 2.004168360008973e-292)
+    M_30_bound = 2.2204460492503136e-16 * (M_30_size + 2.004168360008973e-292)
+    M_31_bound = 2.2204460492503136e-16 * (M_31_size + 2.004168360008973e-292)
+    M_32_bound = 2.2204460492503136e-16 * (M_32_size + 2.004168360008973e-292)
+    M_40_bound = 2.2204460492503136e-16 * (M_40_size + 2.004168360008973e-292)
+    M_41_bound = 2.2204460492503136e-16 * (M_41_size + 2.004168360008973e-292)
+    M_42_bound = 2.2204460492503136e-16 * (M_42_size + 2.004168360008973e-292)
+    M_50_bound = 2.2204460492503136e-16 * (M_50_size + 2.004168360008973e-292)
+    M_51_bound = 2.2204460492503136e-16 * (M_51_size + 2.004168360008973e-292)
+    M_52_bound = 2.2204460492503136e-16 * (M_52_size + 2.004168360008973e-292)
     return (D_00, D_01, D_02, 0, 0, 0, D_10, D_11, D_12, 0, 0, 0, D_20, D_21, D_22, 0, 0, 0, M_30,
         M_31, M_32, D_00, D_01, D_02, M_40, M_41, M_42, D_10, D_11, D_12, M_50, M_51, M_52, D_20,
-        D_21, D_22, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, M_30_error_bound,
-        M_31_error_bound, M_32_error_bound, 0, 0, 0, M_40_error_bound, M_41_error_bound,
-        M_42_error_bound, 0, 0, 0, M_50_error_bound, M_51_error_bound, M_52_error_bound, 0, 0, 0)
+        D_21, D_22, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, M_30_bound, M_31_bound,
+        M_32_bound, 0, 0, 0, M_40_bound, M_41_bound, M_42_bound, 0, 0, 0, M_50_bound, M_51_bound,
+        M_52_bound, 0, 0, 0)
 
 
 @kernel("(6),(6)->(),()")
@@ -922,10 +903,10 @@ def reciprocal_product(c, x):
     power_g = c_4 * x_1
     power_i = c_5 * x_2
     power = power_a + power_b + power_d + (power_f + power_g + power_i)
-    power_e_size = absolute(power_a) + absolute(power_b) + absolute(power_d)
-    power_size = power_e_size + (absolute(power_f) + absolute(power_g) + absolute(power_i))
-    power_error_bound = 4.440892098500628e-16 * (power_size + 2.004168360008973e-292)
-    return (power, power_error_bound)
+    power_size = (absolute(power_a) + absolute(power_b) + absolute(power_d)
+        + (absolute(power_f) + absolute(power_g) + absolute(power_i)))
+    power_bound = 4.440892098500628e-16 * (power_size + 2.004168360008973e-292)
+    return (power, power_bound)
 
 
 @kernel("(6),(6)->(6),(6)")
@@ -969,14 +950,14 @@ def cross_sc(s, c):
     co_3_size = absolute(co_3a) + absolute(co_3b) + (absolute(co_3d) + absolute(co_3e))
     co_4_size = absolute(co_4a) + absolute(co_4b) + (absolute(co_4d) + absolute(co_4e))
     co_5_size = absolute(co_5a) + absolute(co_5b) + (absolute(co_5d) + absolute(co_5e))
-    co_0_error_bound = 2.2204460492503136e-16 * (co_0_size + 2.004168360008973e-292)
-    co_1_error_bound = 2.2204460492503136e-16 * (co_1_size + 2.004168360008973e-292)
-    co_2_error_bound = 2.2204460492503136e-16 * (co_2_size + 2.004168360008973e-292)
-    co_3_error_bound = 3.3306690738754706e-16 * (co_3_size + 2.004168360008973e-292)
-    co_4_error_bound = 3.3306690738754706e-16 * (co_4_size + 2.004168360008973e-292)
-    co_5_error_bound = 3.3306690738754706e-16 * (co_5_size + 2.004168360008973e-292)
-    return (co_0, co_1, co_2, co_3, co_4, co_5, co_0_error_bound, co_1_error_bound,
-        co_2_error_bound, co_3_error_bound, co_4_error_bound, co_5_error_bound)
+    co_0_bound = 2.2204460492503136e-16 * (co_0_size + 2.004168360008973e-292)
+    co_1_bound = 2.2204460492503136e-16 * (co_1_size + 2.004168360008973e-292)
+    co_2_bound = 2.2204460492503136e-16 * (co_2_size + 2.004168360008973e-292)
+    co_3_bound = 3.3306690738754706e-16 * (co_3_size + 2.004168360008973e-292)
+    co_4_bound = 3.3306690738754706e-16 * (co_4_size + 2.004168360008973e-292)
+    co_5_bound = 3.3306690738754706e-16 * (co_5_size + 2.004168360008973e-292)
+    return (co_0, co_1, co_2, co_3, co_4, co_5, co_0_bound, co_1_bound, co_2_bound, co_3_bound,
+        co_4_bound, co_5_bound)
 
 
 @kernel("(6),(6)->(6),(6)")
@@ -1002,11 +983,10 @@ def cross_sca(s, c):
     co_3_size = absolute(co_3a) + absolute(co_3b)
     co_4_size = absolute(co_4a) + absolute(co_4b)
     co_5_size = absolute(co_5a) + absolute(co_5b)
-    co_3_error_bound = 2.2204460492503136e-16 * (co_3_size + 2.004168360008973e-292)
-    co_4_error_bound = 2.2204460492503136e-16 * (co_4_size + 2.004168360008973e-292)
-    co_5_error_bound = 2.2204460492503136e-16 * (co_5_size + 2.004168360008973e-292)
-    return (0, 0, 0, co_3, co_4, co_5, 0, 0, 0, co_3_error_bound, co_4_error_bound,
-        co_5_error_bound)
+    co_3_bound = 2.2204460492503136e-16 * (co_3_size + 2.004168360008973e-292)
+    co_4_bound = 2.2204460492503136e-16 * (co_4_size + 2.004168360008973e-292)
+    co_5_bound = 2.2204460492503136e-16 * (co_5_size + 2.004168360008973e-292)
+    return (0, 0, 0, co_3, co_4, co_5, 0, 0, 0, co_3_bound, co_4_bound, co_5_bound)
 
 
 @kernel("(3,4),(6)->(6),(6)")
@@ -1060,14 +1040,14 @@ def constraint_ctx(D, c):
     D_03_abs = absolute(D_03)
     co_4_size = D_23_abs * w_0_padded + D_03_abs * w_2_padded + w_4_size
     co_5_size = D_03_abs * w_1_padded + D_13_abs * w_0_padded + w_5_size
-    w_0_error_bound = 2.2204460492503136e-16 * w_0_padded
-    w_1_error_bound = 2.2204460492503136e-16 * w_1_padded
-    w_2_error_bound = 2.2204460492503136e-16 * w_2_padded
-    co_3_error_bound = 5.551115123125785e-16 * (co_3_size + 2.004168360008973e-292)
-    co_4_error_bound = 5.551115123125785e-16 * (co_4_size + 2.004168360008973e-292)
-    co_5_error_bound = 5.551115123125785e-16 * (co_5_size + 2.004168360008973e-292)
-    return (w_0, w_1, w_2, co_3, co_4, co_5, w_0_error_bound, w_1_error_bound, w_2_error_bound,
-        co_3_error_bound, co_4_error_bound, co_5_error_bound)
+    w_0_bound = 2.2204460492503136e-16 * w_0_padded
+    w_1_bound = 2.2204460492503136e-16 * w_1_padded
+    w_2_bound = 2.2204460492503136e-16 * w_2_padded
+    co_3_bound = 5.551115123125785e-16 * (co_3_size + 2.004168360008973e-292)
+    co_4_bound = 5.551115123125785e-16 * (co_4_size + 2.004168360008973e-292)
+    co_5_bound = 5.551115123125785e-16 * (co_5_size + 2.004168360008973e-292)
+    return (w_0, w_1, w_2, co_3, co_4, co_5, w_0_bound, w_1_bound, w_2_bound, co_3_bound,
+        co_4_bound, co_5_bound)
 
 
 @kernel("(3,4),(6)->(6),(6)")
@@ -1121,14 +1101,14 @@ def constraint_cty(D, c):
     D_03_abs = absolute(D_03)
     co_4_size = D_23_abs * w_0_padded + D_03_abs * w_2_padded + w_4_size
     co_5_size = D_03_abs * w_1_padded + D_13_abs * w_0_padded + w_5_size
-    w_0_error_bound = 2.2204460492503136e-16 * w_0_padded
-    w_1_error_bound = 2.2204460492503136e-16 * w_1_padded
-    w_2_error_bound = 2.2204460492503136e-16 * w_2_padded
-    co_3_error_bound = 5.551115123125785e-16 * (co_3_size + 2.004168360008973e-292)
-    co_4_error_bound = 5.551115123125785e-16 * (co_4_size + 2.004168360008973e-292)
-    co_5_error_bound = 5.551115123125785e-16 * (co_5_size + 2.004168360008973e-292)
-    return (w_0, w_1, w_2, co_3, co_4, co_5, w_0_error_bound, w_1_error_bound, w_2_error_bound,
-        co_3_error_bound, co_4_error_bound, co_5_error_bound)
+    w_0_bound = 2.2204460492503136e-16 * w_0_padded
+    w_1_bound = 2.2204460492503136e-16 * w_1_padded
+    w_2_bound = 2.2204460492503136e-16 * w_2_padded
+    co_3_bound = 5.551115123125785e-16 * (co_3_size + 2.004168360008973e-292)
+    co_4_bound = 5.551115123125785e-16 * (co_4_size + 2.004168360008973e-292)
+    co_5_bound = 5.551115123125785e-16 * (co_5_size + 2.004168360008973e-292)
+    return (w_0, w_1, w_2, co_3, co_4, co_5, w_0_bound, w_1_bound, w_2_bound, co_3_bound,
+        co_4_bound, co_5_bound)
 
 
 @kernel("(3,4),(6)->(6),(6)")
@@ -1182,14 +1162,14 @@ def constraint_ctz(D, c):
     D_03_abs = absolute(D_03)
     co_4_size = D_23_abs * w_0_padded + D_03_abs * w_2_padded + w_4_size
     co_5_size = D_03_abs * w_1_padded + D_13_abs * w_0_padded + w_5_size
-    w_0_error_bound = 2.2204460492503136e-16 * w_0_padded
-    w_1_error_bound = 2.2204460492503136e-16 * w_1_padded
-    w_2_error_bound = 2.2204460492503136e-16 * w_2_padded
-    co_3_error_bound = 5.551115123125785e-16 * (co_3_size + 2.004168360008973e-292)
-    co_4_error_bound = 5.551115123125785e-16 * (co_4_size + 2.004168360008973e-292)
-    co_5_error_bound = 5.551115123125785e-16 * (co_5_size + 2.004168360008973e-292)
-    return (w_0, w_1, w_2, co_3, co_4, co_5, w_0_error_bound, w_1_error_bound, w_2_error_bound,
-        co_3_error_bound, co_4_error_bound, co_5_error_bound)
+    w_0_bound = 2.2204460492503136e-16 * w_0_padded
+    w_1_bound = 2.2204460492503136e-16 * w_1_padded
+    w_2_bound = 2.2204460492503136e-16 * w_2_padded
+    co_3_bound = 5.551115123125785e-16 * (co_3_size + 2.004168360008973e-292)
+    co_4_bound = 5.551115123125785e-16 * (co_4_size + 2.004168360008973e-292)
+    co_5_bound = 5.551115123125785e-16 * (co_5_size + 2.004168360008973e-292)
+    return (w_0, w_1, w_2, co_3, co_4, co_5, w_0_bound, w_1_bound, w_2_bound, co_3_bound,
+        co_4_bound, co_5_bound)
 
 
 @kernel("(3,4),(6)->(6),(6)")
@@ -1243,14 +1223,14 @@ def constraint_crx(D, c):
     D_03_abs = absolute(D_03)
     co_4_size = D_23_abs * w_0_padded + D_03_abs * w_2_padded + w_4_size
     co_5_size = D_03_abs * w_1_padded + D_13_abs * w_0_padded + w_5_size
-    w_0_error_bound = 3.3306690738754706e-16 * w_0_padded
-    w_1_error_bound = 3.3306690738754706e-16 * w_1_padded
-    w_2_error_bound = 3.3306690738754706e-16 * w_2_padded
-    co_3_error_bound = 6.661338147750942e-16 * (co_3_size + 2.004168360008973e-292)
-    co_4_error_bound = 6.661338147750942e-16 * (co_4_size + 2.004168360008973e-292)
-    co_5_error_bound = 6.661338147750942e-16 * (co_5_size + 2.004168360008973e-292)
-    return (w_0, w_1, w_2, co_3, co_4, co_5, w_0_error_bound, w_1_error_bound, w_2_error_bound,
-        co_3_error_bound, co_4_error_bound, co_5_error_bound)
+    w_0_bound = 3.3306690738754706e-16 * w_0_padded
+    w_1_bound = 3.3306690738754706e-16 * w_1_padded
+    w_2_bound = 3.3306690738754706e-16 * w_2_padded
+    co_3_bound = 6.661338147750942e-16 * (co_3_size + 2.004168360008973e-292)
+    co_4_bound = 6.661338147750942e-16 * (co_4_size + 2.004168360008973e-292)
+    co_5_bound = 6.661338147750942e-16 * (co_5_size + 2.004168360008973e-292)
+    return (w_0, w_1, w_2, co_3, co_4, co_5, w_0_bound, w_1_bound, w_2_bound, co_3_bound,
+        co_4_bound, co_5_bound)
 
 
 @kernel("(3,4),(6)->(6),(6)")
@@ -1304,14 +1284,14 @@ def constraint_cry(D, c):
     D_03_abs = absolute(D_03)
     co_4_size = D_23_abs * w_0_padded + D_03_abs * w_2_padded + w_4_size
     co_5_size = D_03_abs * w_1_padded + D_13_abs * w_0_padded + w_5_size
-    w_0_error_bound = 3.3306690738754706e-16 * w_0_padded
-    w_1_error_bound = 3.3306690738754706e-16 * w_1_padded
-    w_2_error_bound = 3.3306690738754706e-16 * w_2_padded
-    co_3_error_bound = 6.661338147750942e-16 * (co_3_size + 2.004168360008973e-292)
-    co_4_error_bound = 6.661338147750942e-16 * (co_4_size + 2.004168360008973e-292)
-    co_5_error_bound = 6.661338147750942e-16 * (co_5_size + 2.004168360008973e-292)
-    return (w_0, w_1, w_2, co_3, co_4, co_5, w_0_error_bound, w_1_error_bound, w_2_error_bound,
-        co_3_error_bound, co_4_error_bound, co_5_error_bound)
+    w_0_bound = 3.3306690738754706e-16 * w_0_padded
+    w_1_bound = 3.3306690738754706e-16 * w_1_padded
+    w_2_bound = 3.3306690738754706e-16 * w_2_padded
+    co_3_bound = 6.661338147750942e-16 * (co_3_size + 2.004168360008973e-292)
+    co_4_bound = 6.661338147750942e-16 * (co_4_size + 2.004168360008973e-292)
+    co_5_bound = 6.661338147750942e-16 * (co_5_size + 2.004168360008973e-292)
+    return (w_0, w_1, w_2, co_3, co_4, co_5, w_0_bound, w_1_bound, w_2_bound, co_3_bound,
+        co_4_bound, co_5_bound)
 
 
 @kernel("(3,4),(6)->(6),(6)")
@@ -1365,14 +1345,14 @@ def constraint_crz(D, c):
     D_03_abs = absolute(D_03)
     co_4_size = D_23_abs * w_0_padded + D_03_abs * w_2_padded + w_4_size
     co_5_size = D_03_abs * w_1_padded + D_13_abs * w_0_padded + w_5_size
-    w_0_error_bound = 3.3306690738754706e-16 * w_0_padded
-    w_1_error_bound = 3.3306690738754706e-16 * w_1_padded
-    w_2_error_bound = 3.3306690738754706e-16 * w_2_padded
-    co_3_error_bound = 6.661338147750942e-16 * (co_3_size + 2.004168360008973e-292)
-    co_4_error_bound = 6.661338147750942e-16 * (co_4_size + 2.004168360008973e-292)
-    co_5_error_bound = 6.661338147750942e-16 * (co_5_size + 2.004168360008973e-292)
-    return (w_0, w_1, w_2, co_3, co_4, co_5, w_0_error_bound, w_1_error_bound, w_2_error_bound,
-        co_3_error_bound, co_4_error_bound, co_5_error_bound)
+    w_0_bound = 3.3306690738754706e-16 * w_0_padded
+    w_1_bound = 3.3306690738754706e-16 * w_1_padded
+    w_2_bound = 3.3306690738754706e-16 * w_2_padded
+    co_3_bound = 6.661338147750942e-16 * (co_3_size + 2.004168360008973e-292)
+    co_4_bound = 6.661338147750942e-16 * (co_4_size + 2.004168360008973e-292)
+    co_5_bound = 6.661338147750942e-16 * (co_5_size + 2.004168360008973e-292)
+    return (w_0, w_1, w_2, co_3, co_4, co_5, w_0_bound, w_1_bound, w_2_bound, co_3_bound,
+        co_4_bound, co_5_bound)
 
 
 @kernel("(3,4),(6)->(6),(6)")
@@ -1402,14 +1382,14 @@ def working_ctx(D, c):
     D_03_abs = absolute(D_03)
     co_4_size = D_23_abs * w_0_padded + D_03_abs * w_2_padded
     co_5_size = D_03_abs * w_1_padded + D_13_abs * w_0_padded
-    w_0_error_bound = 1.1102230246251568e-16 * w_0_padded
-    w_1_error_bound = 1.1102230246251568e-16 * w_1_padded
-    w_2_error_bound = 1.1102230246251568e-16 * w_2_padded
-    co_3_error_bound = 3.3306690738754706e-16 * (co_3_size + 2.004168360008973e-292)
-    co_4_error_bound = 3.3306690738754706e-16 * (co_4_size + 2.004168360008973e-292)
-    co_5_error_bound = 3.3306690738754706e-16 * (co_5_size + 2.004168360008973e-292)
-    return (w_0, w_1, w_2, co_3, co_4, co_5, w_0_error_bound, w_1_error_bound, w_2_error_bound,
-        co_3_error_bound, co_4_error_bound, co_5_error_bound)
+    w_0_bound = 1.1102230246251568e-16 * w_0_padded
+    w_1_bound = 1.1102230246251568e-16 * w_1_padded
+    w_2_bound = 1.1102230246251568e-16 * w_2_padded
+    co_3_bound = 3.3306690738754706e-16 * (co_3_size + 2.004168360008973e-292)
+    co_4_bound = 3.3306690738754706e-16 * (co_4_size + 2.004168360008973e-292)
+    co_5_bound = 3.3306690738754706e-16 * (co_5_size + 2.004168360008973e-292)
+    return (w_0, w_1, w_2, co_3, co_4, co_5, w_0_bound, w_1_bound, w_2_bound, co_3_bound,
+        co_4_bound, co_5_bound)
 
 
 @kernel("(3,4),(6)->(6),(6)")
@@ -1439,14 +1419,14 @@ def working_cty(D, c):
     D_03_abs = absolute(D_03)
     co_4_size = D_23_abs * w_0_padded + D_03_abs * w_2_padded
     co_5_size = D_03_abs * w_1_padded + D_13_abs * w_0_padded
-    w_0_error_bound = 1.1102230246251568e-16 * w_0_padded
-    w_1_error_bound = 1.1102230246251568e-16 * w_1_padded
-    w_2_error_bound = 1.1102230246251568e-16 * w_2_padded
-    co_3_error_bound = 3.3306690738754706e-16 * (co_3_size + 2.004168360008973e-292)
-    co_4_error_bound = 3.3306690738754706e-16 * (co_4_size + 2.004168360008973e-292)
-    co_5_error_bound = 3.3306690738754706e-16 * (co_5_size + 2.004168360008973e-292)
-    return (w_0, w_1, w_2, co_3, co_4, co_5, w_0_error_bound, w_1_error_bound, w_2_error_bound,
-        co_3_error_bound, co_4_error_bound, co_5_error_bound)
+    w_0_bound = 1.1102230246251568e-16 * w_0_padded
+    w_1_bound = 1.1102230246251568e-16 * w_1_padded
+    w_2_bound = 1.1102230246251568e-16 * w_2_padded
+    co_3_bound = 3.3306690738754706e-16 * (co_3_size + 2.004168360008973e-292)
+    co_4_bound = 3.3306690738754706e-16 * (co_4_size + 2.004168360008973e-292)
+    co_5_bound = 3.3306690738754706e-16 * (co_5_size + 2.004168360008973e-292)
+    return (w_0, w_1, w_2, co_3, co_4, co_5, w_0_bound, w_1_bound, w_2_bound, co_3_bound,
+        co_4_bound, co_5_bound)
 
 
 @kernel("(3,4),(6)->(6),(6)")
@@ -1476,14 +1456,14 @@ def working_ctz(D, c):
     D_03_abs = absolute(D_03)
     co_4_size = D_23_abs * w_0_padded + D_03_abs * w_2_padded
     co_5_size = D_03_abs * w_1_padded + D_13_abs * w_0_padded
-    w_0_error_bound = 1.1102230246251568e-16 * w_0_padded
-    w_1_error_bound = 1.1102230246251568e-16 * w_1_padded
-    w_2_error_bound = 1.1102230246251568e-16 * w_2_padded
-    co_3_error_bound = 3.3306690738754706e-16 * (co_3_size + 2.004168360008973e-292)
-    co_4_error_bound = 3.3306690738754706e-16 * (co_4_size + 2.004168360008973e-292)
-    co_5_error_bound = 3.3306690738754706e-16 * (co_5_size + 2.004168360008973e-292)
-    return (w_0, w_1, w_2, co_3, co_4, co_5, w_0_error_bound, w_1_error_bound, w_2_error_bound,
-        co_3_error_bound, co_4_error_bound, co_5_error_bound)
+    w_0_bound = 1.1102230246251568e-16 * w_0_padded
+    w_1_bound = 1.1102230246251568e-16 * w_1_padded
+    w_2_bound = 1.1102230246251568e-16 * w_2_padded
+    co_3_bound = 3.3306690738754706e-16 * (co_3_size + 2.004168360008973e-292)
+    co_4_bound = 3.3306690738754706e-16 * (co_4_size + 2.004168360008973e-292)
+    co_5_bound = 3.3306690738754706e-16 * (co_5_size + 2.004168360008973e-292)
+    return (w_0, w_1, w_2, co_3, co_4, co_5, w_0_bound, w_1_bound, w_2_bound, co_3_bound,
+        co_4_bound, co_5_bound)
 
 
 @kernel("(3,4),(6)->(6),(6)")
@@ -1501,10 +1481,10 @@ def working_crx(D, c):
     w_3 = D_00 * c_3
     w_4 = D_10 * c_3
     w_5 = D_20 * c_3
-    w_3_error_bound = 1.1102230246251568e-16 * (absolute(w_3) + 2.004168360008973e-292)
-    w_4_error_bound = 1.1102230246251568e-16 * (absolute(w_4) + 2.004168360008973e-292)
-    w_5_error_bound = 1.1102230246251568e-16 * (absolute(w_5) + 2.004168360008973e-292)
-    return (0, 0, 0, w_3, w_4, w_5, 0, 0, 0, w_3_error_bound, w_4_error_bound, w_5_error_bound)
+    w_3_bound = 1.1102230246251568e-16 * (absolute(w_3) + 2.004168360008973e-292)
+    w_4_bound = 1.1102230246251568e-16 * (absolute(w_4) + 2.004168360008973e-292)
+    w_5_bound = 1.1102230246251568e-16 * (absolute(w_5) + 2.004168360008973e-292)
+    return (0, 0, 0, w_3, w_4, w_5, 0, 0, 0, w_3_bound, w_4_bound, w_5_bound)
 
 
 @kernel("(3,4),(6)->(6),(6)")
@@ -1522,10 +1502,10 @@ def working_cry(D, c):
     w_3 = D_01 * c_4
     w_4 = D_11 * c_4
     w_5 = D_21 * c_4
-    w_3_error_bound = 1.1102230246251568e-16 * (absolute(w_3) + 2.004168360008973e-292)
-    w_4_error_bound = 1.1102230246251568e-16 * (absolute(w_4) + 2.004168360008973e-292)
-    w_5_error_bound = 1.1102230246251568e-16 * (absolute(w_5) + 2.004168360008973e-292)
-    return (0, 0, 0, w_3, w_4, w_5, 0, 0, 0, w_3_error_bound, w_4_error_bound, w_5_error_bound)
+    w_3_bound = 1.1102230246251568e-16 * (absolute(w_3) + 2.004168360008973e-292)
+    w_4_bound = 1.1102230246251568e-16 * (absolute(w_4) + 2.004168360008973e-292)
+    w_5_bound = 1.1102230246251568e-16 * (absolute(w_5) + 2.004168360008973e-292)
+    return (0, 0, 0, w_3, w_4, w_5, 0, 0, 0, w_3_bound, w_4_bound, w_5_bound)
 
 
 @kernel("(3,4),(6)->(6),(6)")
@@ -1543,7 +1523,7 @@ def working_crz(D, c):
     w_3 = D_02 * c_5
     w_4 = D_12 * c_5
     w_5 = D_22 * c_5
-    w_3_error_bound = 1.1102230246251568e-16 * (absolute(w_3) + 2.004168360008973e-292)
-    w_4_error_bound = 1.1102230246251568e-16 * (absolute(w_4) + 2.004168360008973e-292)
-    w_5_error_bound = 1.1102230246251568e-16 * (absolute(w_5) + 2.004168360008973e-292)
-    return (0, 0, 0, w_3, w_4, w_5, 0, 0, 0, w_3_error_bound, w_4_error_bound, w_5_error_bound)
+    w_3_bound = 1.1102230246251568e-16 * (absolute(w_3) + 2.004168360008973e-292)
+    w_4_bound = 1.1102230246251568e-16 * (absolute(w_4) + 2.004168360008973e-292)
+    w_5_bound = 1.1102230246251568e-16 * (absolute(w_5) + 2.004168360008973e-292)
+    return (0, 0, 0, w_3, w_4, w_5, 0, 0, 0, w_3_bound, w_4_bound, w_5_bound)

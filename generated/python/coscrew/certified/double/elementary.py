@@ -63,8 +63,8 @@ def exp(x):
     82 mul, 149 add, 14 product error, 5 power of two, 2 abs, 7 less, 1 equal, 9 select.
     """
     y = elementary.exp(x)
-    y_rest_1 = 3.7470896994679e-30 * (1.8051943758648296e-276 + y)
-    y_bound_1 = absolute(elementary.exp_error(x, y)) + y_rest_1
+    y_bound_1 = (absolute(elementary.exp_error(x, y)) + 3.7470896994679e-30
+        * (1.8051943758648296e-276 + y))
     return (y, y_bound_1)
 
 
@@ -78,8 +78,8 @@ def tanh(x):
     select.
     """
     y = elementary.tanh(x)
-    y_rest_1 = 3.7470896994679e-30 * (1.8051943758648296e-276 + absolute(y))
-    y_bound_1 = absolute(elementary.tanh_error(x, y)) + y_rest_1
+    y_bound_1 = (absolute(elementary.tanh_error(x, y)) + 3.7470896994679e-30
+        * (1.8051943758648296e-276 + absolute(y)))
     return (y, y_bound_1)
 
 
@@ -94,6 +94,6 @@ def atan2(y, x):
     select.
     """
     angle = elementary.atan2(y, x)
-    angle_rest_1 = 3.7470896994679e-30 * (1.8051943758648296e-276 + absolute(angle))
-    angle_bound_1 = absolute(elementary.atan2_error(y, x, angle)) + angle_rest_1
+    angle_bound_1 = (absolute(elementary.atan2_error(y, x, angle)) + 3.7470896994679e-30
+        * (1.8051943758648296e-276 + absolute(angle)))
     return (angle, angle_bound_1)

@@ -55,18 +55,18 @@ def acceleration_tensor(w, dw):
     Ro_12_size = ww_5_abs + dw_0_abs
     Ro_20_size = ww_4_abs + dw_1_abs
     Ro_21_size = dw_0_abs + ww_5_abs
-    Ro_00a_error_bound = 2.2204460492503136e-16 * (ww_1_abs + ww_2_abs + 2.004168360008973e-292)
-    Ro_01_error_bound = 2.2204460492503136e-16 * (Ro_01_size + 2.004168360008973e-292)
-    Ro_02_error_bound = 2.2204460492503136e-16 * (Ro_02_size + 2.004168360008973e-292)
-    Ro_10_error_bound = 2.2204460492503136e-16 * (Ro_10_size + 2.004168360008973e-292)
-    Ro_11a_error_bound = 2.2204460492503136e-16 * (ww_0_abs + ww_2_abs + 2.004168360008973e-292)
-    Ro_12_error_bound = 2.2204460492503136e-16 * (Ro_12_size + 2.004168360008973e-292)
-    Ro_20_error_bound = 2.2204460492503136e-16 * (Ro_20_size + 2.004168360008973e-292)
-    Ro_21_error_bound = 2.2204460492503136e-16 * (Ro_21_size + 2.004168360008973e-292)
-    Ro_22a_error_bound = 2.2204460492503136e-16 * (ww_0_abs + ww_1_abs + 2.004168360008973e-292)
-    return (Ro_00, Ro_01, Ro_02, Ro_10, Ro_11, Ro_12, Ro_20, Ro_21, Ro_22, Ro_00a_error_bound,
-        Ro_01_error_bound, Ro_02_error_bound, Ro_10_error_bound, Ro_11a_error_bound,
-        Ro_12_error_bound, Ro_20_error_bound, Ro_21_error_bound, Ro_22a_error_bound)
+    Ro_00a_bound = 2.2204460492503136e-16 * (ww_1_abs + ww_2_abs + 2.004168360008973e-292)
+    Ro_01_bound = 2.2204460492503136e-16 * (Ro_01_size + 2.004168360008973e-292)
+    Ro_02_bound = 2.2204460492503136e-16 * (Ro_02_size + 2.004168360008973e-292)
+    Ro_10_bound = 2.2204460492503136e-16 * (Ro_10_size + 2.004168360008973e-292)
+    Ro_11a_bound = 2.2204460492503136e-16 * (ww_0_abs + ww_2_abs + 2.004168360008973e-292)
+    Ro_12_bound = 2.2204460492503136e-16 * (Ro_12_size + 2.004168360008973e-292)
+    Ro_20_bound = 2.2204460492503136e-16 * (Ro_20_size + 2.004168360008973e-292)
+    Ro_21_bound = 2.2204460492503136e-16 * (Ro_21_size + 2.004168360008973e-292)
+    Ro_22a_bound = 2.2204460492503136e-16 * (ww_0_abs + ww_1_abs + 2.004168360008973e-292)
+    return (Ro_00, Ro_01, Ro_02, Ro_10, Ro_11, Ro_12, Ro_20, Ro_21, Ro_22, Ro_00a_bound,
+        Ro_01_bound, Ro_02_bound, Ro_10_bound, Ro_11a_bound, Ro_12_bound, Ro_20_bound, Ro_21_bound,
+        Ro_22a_bound)
 
 
 @kernel("(3,3)->(),()")
@@ -91,11 +91,11 @@ def mat3x3_determinant(R):
     n_0_size = absolute(n_0a) + absolute(n_0b)
     n_1_size = absolute(n_1a) + absolute(n_1b)
     n_2_size = absolute(n_2a) + absolute(n_2b)
-    det_a_size = absolute(R_00) * (n_0_size + 2.004168360008973e-292)
-    det_c_size = det_a_size + absolute(R_10) * (n_1_size + 2.004168360008973e-292)
+    det_c_size = (absolute(R_00) * (n_0_size + 2.004168360008973e-292) + absolute(R_10)
+        * (n_1_size + 2.004168360008973e-292))
     det_size = det_c_size + absolute(R_20) * (n_2_size + 2.004168360008973e-292)
-    det_error_bound = 5.551115123125785e-16 * (det_size + 2.004168360008973e-292)
-    return (det, det_error_bound)
+    det_bound = 5.551115123125785e-16 * (det_size + 2.004168360008973e-292)
+    return (det, det_bound)
 
 
 @kernel("(3),(2)->(3,3),(3,3)")
@@ -160,18 +160,17 @@ def mat3x3_setFromAxisDC(axis, dc):
     R_20_size = m_4_size + sine_axis_1_abs
     R_21_size = m_5_size + sine_axis_0_abs
     R_22_size = dc_1_abs + m_2_size
-    R_00_error_bound = 4.440892098500628e-16 * (R_00_size + 2.004168360008973e-292)
-    R_01_error_bound = 4.440892098500628e-16 * (R_01_size + 2.004168360008973e-292)
-    R_02_error_bound = 4.440892098500628e-16 * (R_02_size + 2.004168360008973e-292)
-    R_10_error_bound = 4.440892098500628e-16 * (R_10_size + 2.004168360008973e-292)
-    R_11_error_bound = 4.440892098500628e-16 * (R_11_size + 2.004168360008973e-292)
-    R_12_error_bound = 4.440892098500628e-16 * (R_12_size + 2.004168360008973e-292)
-    R_20_error_bound = 4.440892098500628e-16 * (R_20_size + 2.004168360008973e-292)
-    R_21_error_bound = 4.440892098500628e-16 * (R_21_size + 2.004168360008973e-292)
-    R_22_error_bound = 4.440892098500628e-16 * (R_22_size + 2.004168360008973e-292)
-    return (R_00, R_01, R_02, R_10, R_11, R_12, R_20, R_21, R_22, R_00_error_bound,
-        R_01_error_bound, R_02_error_bound, R_10_error_bound, R_11_error_bound, R_12_error_bound,
-        R_20_error_bound, R_21_error_bound, R_22_error_bound)
+    R_00_bound = 4.440892098500628e-16 * (R_00_size + 2.004168360008973e-292)
+    R_01_bound = 4.440892098500628e-16 * (R_01_size + 2.004168360008973e-292)
+    R_02_bound = 4.440892098500628e-16 * (R_02_size + 2.004168360008973e-292)
+    R_10_bound = 4.440892098500628e-16 * (R_10_size + 2.004168360008973e-292)
+    R_11_bound = 4.440892098500628e-16 * (R_11_size + 2.004168360008973e-292)
+    R_12_bound = 4.440892098500628e-16 * (R_12_size + 2.004168360008973e-292)
+    R_20_bound = 4.440892098500628e-16 * (R_20_size + 2.004168360008973e-292)
+    R_21_bound = 4.440892098500628e-16 * (R_21_size + 2.004168360008973e-292)
+    R_22_bound = 4.440892098500628e-16 * (R_22_size + 2.004168360008973e-292)
+    return (R_00, R_01, R_02, R_10, R_11, R_12, R_20, R_21, R_22, R_00_bound, R_01_bound,
+        R_02_bound, R_10_bound, R_11_bound, R_12_bound, R_20_bound, R_21_bound, R_22_bound)
 
 
 @kernel("(3)->(3,3),(3,3)")
@@ -198,50 +197,55 @@ def mat3x3_from_euler_xyz(angles):
     last_3b = s_0 * first_6
     last_3 = last_3a - last_3b
     last_right_1 = last_3a - last_3
-    last_3b_cross_1 = s_own_error_1 * first_6 + s_0 * first_lo_1
-    last_left_rest_1 = product_rest(s_2, c_0, last_3a, last_3 + last_right_1)
-    last_lo1_1 = last_left_rest_1 - product_rest(s_0, first_6, last_3b, last_right_1)
+    last_lo1_1 = (product_rest(s_2, c_0, last_3a, last_3 + last_right_1)
+        - product_rest(s_0, first_6, last_3b, last_right_1))
     last_4a = c_0 * c_2
     first_lo_2 = product_error(s_1, s_2, first_7) + (s_own_error_2 * s_2 + s_1 * s_own_error_3)
     last_4b = s_0 * first_7
     last_4 = last_4a - last_4b
     last_right_2 = last_4a - last_4
-    last_4b_cross_1 = s_own_error_1 * first_7 + s_0 * first_lo_2
-    last_left_rest_2 = product_rest(c_0, c_2, last_4a, last_4 + last_right_2)
-    last_lo1_2 = last_left_rest_2 - product_rest(s_0, first_7, last_4b, last_right_2)
+    last_lo1_2 = (product_rest(c_0, c_2, last_4a, last_4 + last_right_2)
+        - product_rest(s_0, first_7, last_4b, last_right_2))
     last_5 = -(s_0 * c_1)
     last_6a = s_0 * s_2
     last_6b = c_0 * first_6
     last_6 = last_6a + last_6b
     last_right_3 = last_6 - last_6a
-    last_6b_cross_1 = c_own_error_1 * first_6 + c_0 * first_lo_1
-    last_left_rest_3 = product_rest(s_0, s_2, last_6a, last_6 - last_right_3)
-    last_lo1_3 = last_left_rest_3 + product_rest(c_0, first_6, last_6b, last_right_3)
+    last_lo1_3 = (product_rest(s_0, s_2, last_6a, last_6 - last_right_3)
+        + product_rest(c_0, first_6, last_6b, last_right_3))
     last_7a = s_0 * c_2
     last_7b = c_0 * first_7
     last_7 = last_7a + last_7b
     last_right_4 = last_7 - last_7a
-    last_7b_cross_1 = c_own_error_1 * first_7 + c_0 * first_lo_2
-    last_left_rest_4 = product_rest(s_0, c_2, last_7a, last_7 - last_right_4)
-    last_lo1_4 = last_left_rest_4 + product_rest(c_0, first_7, last_7b, last_right_4)
+    last_lo1_4 = (product_rest(s_0, c_2, last_7a, last_7 - last_right_4)
+        + product_rest(c_0, first_7, last_7b, last_right_4))
     last_8 = c_0 * c_1
-    first_lo_3 = product_error(c_1, c_2, first_0) + (c_own_error_2 * c_2 + c_1 * c_own_error_3)
-    first_lo_4 = product_error(-s_2, c_1, first_1) + -(s_own_error_3 * c_1 + s_2 * c_own_error_2)
-    last_lo_1 = last_lo1_1 + (s_own_error_3 * c_0 + s_2 * c_own_error_1 - last_3b_cross_1)
-    last_lo_2 = last_lo1_2 + (c_own_error_1 * c_2 + c_0 * c_own_error_3 - last_4b_cross_1)
-    last_lo_5 = product_error(-s_0, c_1, last_5) + -(s_own_error_1 * c_1 + s_0 * c_own_error_2)
-    last_lo_3 = last_lo1_3 + (s_own_error_1 * s_2 + s_0 * s_own_error_3 + last_6b_cross_1)
-    last_lo_4 = last_lo1_4 + (s_own_error_1 * c_2 + s_0 * c_own_error_3 + last_7b_cross_1)
-    last_lo_6 = product_error(c_0, c_1, last_8) + (c_own_error_1 * c_1 + c_0 * c_own_error_2)
-    first_bound_1 = 7.814654941017999e-30 + absolute(first_lo_3)
-    first_bound_2 = 7.814654941017999e-30 + absolute(first_lo_4)
+    last_error_1 = (absolute(last_lo1_1
+        + (s_own_error_3 * c_0 + s_2 * c_own_error_1
+        - (s_own_error_1 * first_6 + s_0 * first_lo_1))))
+    last_error_2 = (absolute(last_lo1_2
+        + (c_own_error_1 * c_2 + c_0 * c_own_error_3
+        - (s_own_error_1 * first_7 + s_0 * first_lo_2))))
+    last_error_5 = (absolute(last_lo1_3
+        + (s_own_error_1 * s_2 + s_0 * s_own_error_3
+        + (c_own_error_1 * first_6 + c_0 * first_lo_1))))
+    last_error_6 = (absolute(last_lo1_4
+        + (s_own_error_1 * c_2 + s_0 * c_own_error_3
+        + (c_own_error_1 * first_7 + c_0 * first_lo_2))))
+    first_bound_1 = (7.814654941017999e-30
+        + absolute(product_error(c_1, c_2, first_0) + (c_own_error_2 * c_2 + c_1 * c_own_error_3)))
+    first_bound_2 = (7.814654941017999e-30
+        + absolute(product_error(-s_2, c_1, first_1) +
+        -(s_own_error_3 * c_1 + s_2 * c_own_error_2)))
     s_bound_1 = 3.7470896994678994e-30 + absolute(s_own_error_2)
-    last_bound_1 = 2.684592926357104e-29 + absolute(last_lo_1)
-    last_bound_2 = 2.684592926357104e-29 + absolute(last_lo_2)
-    last_bound_3 = 7.814654941017999e-30 + absolute(last_lo_5)
-    last_bound_4 = 2.684592926357104e-29 + absolute(last_lo_3)
-    last_bound_5 = 2.684592926357104e-29 + absolute(last_lo_4)
-    last_bound_6 = 7.814654941017999e-30 + absolute(last_lo_6)
+    last_bound_1 = 2.684592926357104e-29 + last_error_1
+    last_bound_2 = 2.684592926357104e-29 + last_error_2
+    last_bound_3 = (7.814654941017999e-30
+        + absolute(product_error(-s_0, c_1, last_5) + -(s_own_error_1 * c_1 + s_0 * c_own_error_2)))
+    last_bound_4 = 2.684592926357104e-29 + last_error_5
+    last_bound_5 = 2.684592926357104e-29 + last_error_6
+    last_bound_6 = (7.814654941017999e-30
+        + absolute(product_error(c_0, c_1, last_8) + (c_own_error_1 * c_1 + c_0 * c_own_error_2)))
     return (first_0, first_1, s_1, last_3, last_4, last_5, last_6, last_7, last_8, first_bound_1,
         first_bound_2, s_bound_1, last_bound_1, last_bound_2, last_bound_3, last_bound_4,
         last_bound_5, last_bound_6)
@@ -264,8 +268,8 @@ def euler_xyz_from_mat3x3(R):
     n_b_size_1 = absolute(R_01)
     n_c = n_a + n_b
     n_c_right_1 = n_c - n_a
-    n_c_left_rest_1 = product_rest(R_00, R_00, n_a, n_c - n_c_right_1)
-    n_c_lo = n_c_left_rest_1 + product_rest(R_01, R_01, n_b, n_c_right_1)
+    n_c_lo = (product_rest(R_00, R_00, n_a, n_c - n_c_right_1)
+        + product_rest(R_01, R_01, n_b, n_c_right_1))
     n = sqrt(n_c)
     n_product_1 = n * n
     n_lo = (n_c - n_product_1 - product_error(n, n, n_product_1) + n_c_lo) / where(n == 0, 1, n + n)
@@ -273,66 +277,67 @@ def euler_xyz_from_mat3x3(R):
     n_bound_1 = absolute(n_c_lo) + 9.614242987677729e-31 * n_padded_1
     n_size_6 = absolute(n_lo)
     n_size_4 = (absolute(n_c) + 140737488355328 * n_bound_1) * (n_padded_1 / n / n_c)
-    n_size_8 = 4.916947487854274e+29 * (sqrt(n_bound_1) + n_size_6)
-    n_size_12 = n + where(4 * n_bound_1 < n_c, n_size_4, n_size_8)
+    n_size_12 = (n
+        + where(4 * n_bound_1 < n_c, n_size_4, 4.916947487854274e+29
+        * (sqrt(n_bound_1) + n_size_6)))
     divisor_a = n == 0
     divisor = where(divisor_a, 1, n)
     divisor_lo = where(divisor_a, 0, n_lo)
     divisor_padded_1 = 1.8051943758648296e-276 + n_size_12
     divisor_bound_1 = 2.230997459167166e-30 * divisor_padded_1 + n_size_6
     divisor_size_4 = divisor_bound_1 < absolute(n - 0)
-    divisor_size_8 = where(divisor_size_4, 0, divisor_bound_1 + absolute(1 - n))
     cosine_a = R_00 / divisor
     cosine_a_product_1 = cosine_a * divisor
-    cosine_a_product_error_1 = product_error(cosine_a, divisor, cosine_a_product_1)
-    cosine_a_exact_1 = R_00 - cosine_a_product_1 - cosine_a_product_error_1
-    cosine_a_lo = (cosine_a_exact_1 - cosine_a * divisor_lo) / divisor
-    divisor_size_10 = where(divisor_a, 1, n_size_12) + 1.5845630613906556e+29 * divisor_size_8
+    cosine_a_lo = ((R_00 - cosine_a_product_1
+        - product_error(cosine_a, divisor, cosine_a_product_1) - cosine_a * divisor_lo) / divisor)
+    divisor_size_10 = (where(divisor_a, 1, n_size_12) + 1.5845630613906556e+29
+        * where(divisor_size_4, 0, divisor_bound_1 + absolute(1 - n)))
     cosine_a_padded_2 = 1.8051943758648296e-276 + divisor_size_10
     cosine_a_size_1 = absolute(cosine_a)
     cosine_a_size_2 = absolute(divisor)
     cosine_a_bound_1 = absolute(divisor_lo) + 6.508104019725916e-30 * cosine_a_padded_2
     cosine_a_size_7 = where(4 * cosine_a_bound_1 < cosine_a_size_2, cosine_a_size_2, 0)
-    cosine_a_size_4 = 1.8051943758648296e-276 + n_a_size_1 + cosine_a_padded_2 * cosine_a_size_1
     cosine_a_reach_1 = cosine_a_size_2 + 140737488355328 * cosine_a_bound_1
-    cosine_a_size_10 = cosine_a_reach_1 * (cosine_a_size_4 / cosine_a_size_7) / cosine_a_size_2
-    cosine_a_size_11 = cosine_a_size_1 + cosine_a_size_10
+    cosine_a_size_9 = (cosine_a_reach_1
+        * ((1.8051943758648296e-276 + n_a_size_1 + cosine_a_padded_2 * cosine_a_size_1)
+        / cosine_a_size_7))
+    cosine_a_size_11 = cosine_a_size_1 + cosine_a_size_9 / cosine_a_size_2
     cosine = where(divisor_a, 1, cosine_a)
     cosine_lo = where(divisor_a, 0, cosine_a_lo)
-    cosine_rest_1 = 9.910067449317813e-30 * (1.8051943758648296e-276 + cosine_a_size_11)
-    cosine_size_4 = absolute(cosine_a_lo) + cosine_rest_1 + absolute(1 - cosine_a)
-    cosine_size_6 = 1.0401233252484625e+29 * where(divisor_size_4, 0, cosine_size_4)
+    cosine_size_4 = (absolute(cosine_a_lo) + 9.910067449317813e-30
+        * (1.8051943758648296e-276 + cosine_a_size_11) + absolute(1 - cosine_a))
     sine_a = -R_01
     sine = sine_a / divisor
     sine_product_1 = sine * divisor
-    sine_exact_1 = sine_a - sine_product_1 - product_error(sine, divisor, sine_product_1)
-    sine_lo = (sine_exact_1 - sine * divisor_lo) / divisor
+    sine_lo = ((sine_a - sine_product_1 - product_error(sine, divisor, sine_product_1) - sine
+        * divisor_lo) / divisor)
     sine_size_1 = absolute(sine)
-    sine_size_3 = 1.8051943758648296e-276 + n_b_size_1 + cosine_a_padded_2 * sine_size_1
+    sine_size_6 = (cosine_a_reach_1
+        * ((1.8051943758648296e-276 + n_b_size_1 + cosine_a_padded_2 * sine_size_1)
+        / cosine_a_size_7) / cosine_a_size_2)
     polar = elementary.atan2(sine_a, R_00)
     polar_own_error_1 = elementary.atan2_error(sine_a, R_00, polar)
     polar_size_1 = absolute(polar)
     third = where(divisor_a, 0, polar)
-    third_rest_1 = 3.7470896994679e-30 * (1.8051943758648296e-276 + polar_size_1)
-    third_size_4 = absolute(polar_own_error_1) + third_rest_1 + absolute(0 - polar)
-    third_size_6 = 1.5845630613906556e+29 * where(divisor_size_4, 0, third_size_4)
+    third_size_4 = (absolute(polar_own_error_1) + 3.7470896994679e-30
+        * (1.8051943758648296e-276 + polar_size_1) + absolute(0 - polar))
     left_1a = R_10 * sine
-    sine_size_7 = sine_size_1 + cosine_a_reach_1 * (sine_size_3 / cosine_a_size_7) / cosine_a_size_2
-    left_1a_padded_1 = 1.8051943758648296e-276 + sine_size_7
+    left_1a_padded_1 = 1.8051943758648296e-276 + (sine_size_1 + sine_size_6)
     left_1b = R_11 * cosine
-    cosine_size_7 = where(divisor_a, 1, cosine_a_size_11) + cosine_size_6
+    cosine_size_7 = (where(divisor_a, 1, cosine_a_size_11) + 1.0401233252484625e+29
+        * where(divisor_size_4, 0, cosine_size_4))
     left_1b_padded_1 = 1.8051943758648296e-276 + cosine_size_7
     left_1 = left_1a + left_1b
     left_right_1 = left_1 - left_1a
-    left_left_rest_1 = product_rest(R_10, sine, left_1a, left_1 - left_right_1)
-    left_lo1_1 = left_left_rest_1 + product_rest(R_11, cosine, left_1b, left_right_1)
+    left_lo1_1 = (product_rest(R_10, sine, left_1a, left_1 - left_right_1)
+        + product_rest(R_11, cosine, left_1b, left_right_1))
     left_lo_1 = left_lo1_1 + (R_10 * sine_lo + R_11 * cosine_lo)
     left_2a = R_20 * sine
     left_2b = R_21 * cosine
     left_2 = left_2a + left_2b
     left_right_2 = left_2 - left_2a
-    left_left_rest_2 = product_rest(R_20, sine, left_2a, left_2 - left_right_2)
-    left_lo1_2 = left_left_rest_2 + product_rest(R_21, cosine, left_2b, left_right_2)
+    left_lo1_2 = (product_rest(R_20, sine, left_2a, left_2 - left_right_2)
+        + product_rest(R_21, cosine, left_2b, left_right_2))
     left_lo_2 = left_lo1_2 + (R_20 * sine_lo + R_21 * cosine_lo)
     rest = R_12 + R_22
     rest_right_1 = rest - R_12
@@ -346,14 +351,14 @@ def euler_xyz_from_mat3x3(R):
     first_divisor_1 = where(first_zero_1, 1, first_most_1)
     first_part0_1 = left_2 / first_divisor_1
     first_part1_1 = left_1 / first_divisor_1
-    first_square_1 = first_part1_1 * first_part1_1 + first_part0_1 * first_part0_1
-    first_safe_1 = where(first_zero_1, 1, first_divisor_1 * first_square_1)
-    first_more_1 = (first_part1_1 * left_lo_2 - first_part0_1 * left_lo_1) / first_safe_1
-    first_lo = elementary.atan2_error(left_2, left_1, first) + first_more_1
-    left_size_2 = left_1a_padded_1 * absolute(R_20) + left_1b_padded_1 * absolute(R_21)
-    first_padded_1 = 1.8051943758648296e-276 + left_size_2
-    left_size_1 = left_1a_padded_1 * absolute(R_10) + left_1b_padded_1 * absolute(R_11)
-    first_padded_2 = 1.8051943758648296e-276 + left_size_1
+    first_safe_1 = (where(first_zero_1, 1, first_divisor_1
+        * (first_part1_1 * first_part1_1 + first_part0_1 * first_part0_1)))
+    first_lo = (elementary.atan2_error(left_2, left_1, first)
+        + (first_part1_1 * left_lo_2 - first_part0_1 * left_lo_1) / first_safe_1)
+    first_padded_1 = (1.8051943758648296e-276
+        + (left_1a_padded_1 * absolute(R_20) + left_1b_padded_1 * absolute(R_21)))
+    first_padded_2 = (1.8051943758648296e-276
+        + (left_1a_padded_1 * absolute(R_10) + left_1b_padded_1 * absolute(R_11)))
     first_size_2 = absolute(left_2)
     first_size_3 = absolute(left_1)
     first_size_5 = where(first_size_2 < first_size_3, first_size_3, first_size_2)
@@ -363,19 +368,21 @@ def euler_xyz_from_mat3x3(R):
     first_size_13 = first_size_11 * first_size_11
     first_size_14 = absolute(first_lo)
     first_size_15 = 7 + first_size_14
-    first_size_18 = where(first_bound_2 < left_1, first_size_13, first_size_15)
-    first_size_19 = where(first_bound_1 < first_size_2, first_size_13, first_size_18)
-    first_size_20 = where(first_size_11 < 0.25, first_size_19, first_size_15)
-    first_size_10 = absolute(first) + (first_padded_1 + first_padded_2) / first_size_5
-    first_size_22 = first_size_10 + 4.527322338646221e+28 * first_size_20
+    first_size_19 = (where(first_bound_1
+        < first_size_2, first_size_13, where(first_bound_2 < left_1, first_size_13, first_size_15)))
+    first_size_21 = (4.527322338646221e+28
+        * where(first_size_11 < 0.25, first_size_19, first_size_15))
+    first_size_22 = (absolute(first) + (first_padded_1 + first_padded_2) / first_size_5
+        + first_size_21)
     angles_0a = rest < 1.2676506002282294e+30
     angles_0 = where(angles_0a, first, rest)
-    angles_rest_1 = 7.642090607075756e-31 * (1.8051943758648296e-276 + rest_size_3)
-    angles_bound_1 = absolute(rest_lo) + angles_rest_1
-    angles_rest_2 = 2.2778366396519518e-29 * (1.8051943758648296e-276 + first_size_22)
-    angles_size_8 = angles_bound_1 + (angles_rest_2 + first_size_14 + absolute(first - rest))
-    angles_size_4 = angles_bound_1 < absolute(rest - 1.2676506002282294e+30)
-    angles_size_10 = 4.527322030246999e+28 * where(angles_size_4, 0, angles_size_8)
+    angles_bound_1 = (absolute(rest_lo) + 7.642090607075756e-31
+        * (1.8051943758648296e-276 + rest_size_3))
+    angles_size_8 = (angles_bound_1
+        + (2.2778366396519518e-29 * (1.8051943758648296e-276 + first_size_22) + first_size_14
+        + absolute(first - rest)))
+    angles_size_10 = (4.527322030246999e+28
+        * where(angles_bound_1 < absolute(rest - 1.2676506002282294e+30), 0, angles_size_8))
     angles_1 = elementary.atan2(R_02, n)
     angles_size0_1 = absolute(R_02)
     angles_size1_1 = absolute(n)
@@ -384,23 +391,25 @@ def euler_xyz_from_mat3x3(R):
     angles_divisor_1 = where(angles_zero_1, 1, angles_most_1)
     angles_part0_1 = R_02 / angles_divisor_1
     angles_part1_1 = n / angles_divisor_1
-    angles_square_1 = angles_part1_1 * angles_part1_1 + angles_part0_1 * angles_part0_1
-    angles_safe_1 = where(angles_zero_1, 1, angles_divisor_1 * angles_square_1)
-    angles_more_1 = (angles_part1_1 * 0 - angles_part0_1 * n_lo) / angles_safe_1
+    angles_safe_1 = (where(angles_zero_1, 1, angles_divisor_1
+        * (angles_part1_1 * angles_part1_1 + angles_part0_1 * angles_part0_1)))
     angles_size_13 = absolute(R_02)
     angles_size_14 = absolute(n)
     angles_size_16 = where(angles_size_13 < angles_size_14, angles_size_14, angles_size_13)
-    angles_size_19 = (1.8051943758648296e-276 + angles_size_13 + divisor_padded_1) / angles_size_16
     angles_size_21 = (1.8051943758648296e-276 + divisor_bound_1) / angles_size_16
-    angles_size_24 = absolute(elementary.atan2_error(R_02, n, angles_1) + angles_more_1)
-    angles_size_23 = angles_size_21 * angles_size_21
-    angles_size_26 = where(angles_size_21 < 0.25, angles_size_23, 7 + angles_size_24)
-    angles_size_11 = where(angles_0a, first_size_22, rest_size_3) + angles_size_10
-    angles_rest_3 = 2.277836794817206e-29 * (1.8051943758648296e-276 + angles_size_11)
-    angles_size_28 = absolute(angles_1) + angles_size_19 + 7.9228157791897855e+28 * angles_size_26
-    angles_rest_4 = 1.3016206487799288e-29 * (1.8051943758648296e-276 + angles_size_28)
-    third_padded_2 = 1.8051943758648296e-276 + (where(divisor_a, 0, polar_size_1) + third_size_6)
-    third_error_2 = absolute(where(divisor_a, 0, polar_own_error_1))
+    angles_size_24 = (absolute(elementary.atan2_error(R_02, n, angles_1)
+        + (angles_part1_1 * 0 - angles_part0_1 * n_lo) / angles_safe_1))
+    angles_size_27 = (7.9228157791897855e+28
+        * where(angles_size_21 < 0.25, angles_size_21 * angles_size_21, 7 + angles_size_24))
+    angles_rest_3 = (2.277836794817206e-29
+        * (1.8051943758648296e-276
+        + (where(angles_0a, first_size_22, rest_size_3) + angles_size_10)))
+    angles_size_28 = (absolute(angles_1)
+        + (1.8051943758648296e-276 + angles_size_13 + divisor_padded_1) / angles_size_16
+        + angles_size_27)
+    third_padded_2 = (1.8051943758648296e-276
+        + (where(divisor_a, 0, polar_size_1) + 1.5845630613906556e+29
+        * where(divisor_size_4, 0, third_size_4)))
     R_n_0 = R_11 * R_22 - R_12 * R_21
     R_n_1 = R_02 * R_21 - R_01 * R_22
     R_n_2 = R_01 * R_12 - R_02 * R_11
@@ -423,24 +432,26 @@ def euler_xyz_from_mat3x3(R):
     R_defect_size_5 = absolute(R_g_4)
     R_defect_size_6 = absolute(R_off_6)
     R_defect_largest1 = where(R_defect_size_0 < R_defect_size_1, R_defect_size_1, R_defect_size_0)
-    R_defect_largest2a = R_defect_largest1 < R_defect_size_2
-    R_defect_largest2 = where(R_defect_largest2a, R_defect_size_2, R_defect_largest1)
-    R_defect_largest3a = R_defect_largest2 < R_defect_size_3
-    R_defect_largest3 = where(R_defect_largest3a, R_defect_size_3, R_defect_largest2)
-    R_defect_largest4a = R_defect_largest3 < R_defect_size_4
-    R_defect_largest4 = where(R_defect_largest4a, R_defect_size_4, R_defect_largest3)
-    R_defect_largest5a = R_defect_largest4 < R_defect_size_5
-    R_defect_largest5 = where(R_defect_largest5a, R_defect_size_5, R_defect_largest4)
-    R_defect_largest6a = R_defect_largest5 < R_defect_size_6
-    R_defect_largest6 = where(R_defect_largest6a, R_defect_size_6, R_defect_largest5)
+    R_defect_largest2 = (where(R_defect_largest1
+        < R_defect_size_2, R_defect_size_2, R_defect_largest1))
+    R_defect_largest3 = (where(R_defect_largest2
+        < R_defect_size_3, R_defect_size_3, R_defect_largest2))
+    R_defect_largest4 = (where(R_defect_largest3
+        < R_defect_size_4, R_defect_size_4, R_defect_largest3))
+    R_defect_largest5 = (where(R_defect_largest4
+        < R_defect_size_5, R_defect_size_5, R_defect_largest4))
+    R_defect_largest6 = (where(R_defect_largest5
+        < R_defect_size_6, R_defect_size_6, R_defect_largest5))
     R_is_less = R_defect_largest6 < 0.001
     R_is_equal = R_defect_largest6 == 0.001
     R_unless_equal = where(R_is_equal, float64(0), float64(1.0715086071862673e+301))
     R_unless_rotation = where(R_is_less, 0, R_unless_equal)
     R_excess = R_unless_rotation * 1.0715086071862673e+301
     R_excess_0 = absolute(where(angles_0a, first_lo, rest_lo)) + angles_rest_3 + R_excess
-    R_excess_1 = angles_rest_4 + angles_size_24 + R_excess
-    R_excess_2 = third_error_2 + 6.508104019725916e-30 * third_padded_2 + R_excess
+    R_excess_1 = (1.3016206487799288e-29 * (1.8051943758648296e-276 + angles_size_28)
+        + angles_size_24 + R_excess)
+    R_excess_2 = (absolute(where(divisor_a, 0, polar_own_error_1)) + 6.508104019725916e-30
+        * third_padded_2 + R_excess)
     return (angles_0, angles_1, third, R_excess_0, R_excess_1, R_excess_2)
 
 
@@ -469,50 +480,54 @@ def mat3x3_from_euler_xyx(angles):
     last_4b = s_0 * first_7
     last_4 = last_4a - last_4b
     last_right_1 = last_4a - last_4
-    last_4b_cross_1 = s_own_error_1 * first_7 + s_0 * first_lo_1
-    last_left_rest_1 = product_rest(c_0, c_2, last_4a, last_4 + last_right_1)
-    last_lo1_1 = last_left_rest_1 - product_rest(s_0, first_7, last_4b, last_right_1)
+    last_lo1_1 = (product_rest(c_0, c_2, last_4a, last_4 + last_right_1)
+        - product_rest(s_0, first_7, last_4b, last_right_1))
     first_lo_2 = product_error(c_1, c_2, first_8) + (c_own_error_2 * c_2 + c_1 * c_own_error_3)
     last_5a = s_0 * first_8
     last_5b = s_2 * c_0
     last_5c = last_5a + last_5b
     last_5c_right_1 = last_5c - last_5a
-    last_5a_cross_1 = s_own_error_1 * first_8 + s_0 * first_lo_2
-    last_5c_left_rest_1 = product_rest(s_0, first_8, last_5a, last_5c - last_5c_right_1)
-    last_5c_lo1_1 = last_5c_left_rest_1 + product_rest(s_2, c_0, last_5b, last_5c_right_1)
+    last_5c_lo1_1 = (product_rest(s_0, first_8, last_5a, last_5c - last_5c_right_1)
+        + product_rest(s_2, c_0, last_5b, last_5c_right_1))
     last_5 = -last_5c
     last_6 = -(s_1 * c_0)
     last_7a = s_0 * c_2
     last_7b = c_0 * first_7
     last_7 = last_7a + last_7b
     last_right_2 = last_7 - last_7a
-    last_7b_cross_1 = c_own_error_1 * first_7 + c_0 * first_lo_1
-    last_left_rest_2 = product_rest(s_0, c_2, last_7a, last_7 - last_right_2)
-    last_lo1_2 = last_left_rest_2 + product_rest(c_0, first_7, last_7b, last_right_2)
+    last_lo1_2 = (product_rest(s_0, c_2, last_7a, last_7 - last_right_2)
+        + product_rest(c_0, first_7, last_7b, last_right_2))
     last_8a = c_0 * first_8
     last_8b = s_0 * s_2
     last_8 = last_8a - last_8b
     last_right_3 = last_8a - last_8
-    last_8a_cross_1 = c_own_error_1 * first_8 + c_0 * first_lo_2
-    last_left_rest_3 = product_rest(c_0, first_8, last_8a, last_8 + last_right_3)
-    last_lo1_3 = last_left_rest_3 - product_rest(s_0, s_2, last_8b, last_right_3)
-    first_lo_3 = product_error(s_1, s_2, first_1) + (s_own_error_2 * s_2 + s_1 * s_own_error_3)
-    first_lo_4 = product_error(s_1, c_2, first_2) + (s_own_error_2 * c_2 + s_1 * c_own_error_3)
-    last_lo_5 = product_error(s_0, s_1, last_3) + (s_own_error_1 * s_1 + s_0 * s_own_error_2)
-    last_lo_1 = last_lo1_1 + (c_own_error_1 * c_2 + c_0 * c_own_error_3 - last_4b_cross_1)
-    last_lo_2 = -(last_5c_lo1_1 + (last_5a_cross_1 + (s_own_error_3 * c_0 + s_2 * c_own_error_1)))
-    last_lo_6 = product_error(-s_1, c_0, last_6) + -(s_own_error_2 * c_0 + s_1 * c_own_error_1)
-    last_lo_3 = last_lo1_2 + (s_own_error_1 * c_2 + s_0 * c_own_error_3 + last_7b_cross_1)
-    last_lo_4 = last_lo1_3 + (last_8a_cross_1 - (s_own_error_1 * s_2 + s_0 * s_own_error_3))
+    last_lo1_3 = (product_rest(c_0, first_8, last_8a, last_8 + last_right_3)
+        - product_rest(s_0, s_2, last_8b, last_right_3))
+    last_error_3 = (absolute(last_lo1_1
+        + (c_own_error_1 * c_2 + c_0 * c_own_error_3
+        - (s_own_error_1 * first_7 + s_0 * first_lo_1))))
+    last_error_4 = (absolute(-(last_5c_lo1_1
+        + (s_own_error_1 * first_8 + s_0 * first_lo_2
+        + (s_own_error_3 * c_0 + s_2 * c_own_error_1)))))
+    last_error_7 = (absolute(last_lo1_2
+        + (s_own_error_1 * c_2 + s_0 * c_own_error_3
+        + (c_own_error_1 * first_7 + c_0 * first_lo_1))))
+    last_error_8 = (absolute(last_lo1_3
+        + (c_own_error_1 * first_8 + c_0 * first_lo_2
+        - (s_own_error_1 * s_2 + s_0 * s_own_error_3))))
     c_bound_1 = 3.7470896994678994e-30 + absolute(c_own_error_2)
-    first_bound_1 = 7.814654941017999e-30 + absolute(first_lo_3)
-    first_bound_2 = 7.814654941017999e-30 + absolute(first_lo_4)
-    last_bound_1 = 7.814654941017999e-30 + absolute(last_lo_5)
-    last_bound_2 = 2.684592926357104e-29 + absolute(last_lo_1)
-    last_bound_3 = 2.684592926357104e-29 + absolute(last_lo_2)
-    last_bound_4 = 7.814654941017999e-30 + absolute(last_lo_6)
-    last_bound_5 = 2.684592926357104e-29 + absolute(last_lo_3)
-    last_bound_6 = 2.684592926357104e-29 + absolute(last_lo_4)
+    first_bound_1 = (7.814654941017999e-30
+        + absolute(product_error(s_1, s_2, first_1) + (s_own_error_2 * s_2 + s_1 * s_own_error_3)))
+    first_bound_2 = (7.814654941017999e-30
+        + absolute(product_error(s_1, c_2, first_2) + (s_own_error_2 * c_2 + s_1 * c_own_error_3)))
+    last_bound_1 = (7.814654941017999e-30
+        + absolute(product_error(s_0, s_1, last_3) + (s_own_error_1 * s_1 + s_0 * s_own_error_2)))
+    last_bound_2 = 2.684592926357104e-29 + last_error_3
+    last_bound_3 = 2.684592926357104e-29 + last_error_4
+    last_bound_4 = (7.814654941017999e-30
+        + absolute(product_error(-s_1, c_0, last_6) + -(s_own_error_2 * c_0 + s_1 * c_own_error_1)))
+    last_bound_5 = 2.684592926357104e-29 + last_error_7
+    last_bound_6 = 2.684592926357104e-29 + last_error_8
     return (c_1, first_1, first_2, last_3, last_4, last_5, last_6, last_7, last_8, c_bound_1,
         first_bound_1, first_bound_2, last_bound_1, last_bound_2, last_bound_3, last_bound_4,
         last_bound_5, last_bound_6)
@@ -535,8 +550,8 @@ def euler_xyx_from_mat3x3(R):
     n_b_size_1 = absolute(R_02)
     n_c = n_a + n_b
     n_c_right_1 = n_c - n_a
-    n_c_left_rest_1 = product_rest(R_01, R_01, n_a, n_c - n_c_right_1)
-    n_c_lo = n_c_left_rest_1 + product_rest(R_02, R_02, n_b, n_c_right_1)
+    n_c_lo = (product_rest(R_01, R_01, n_a, n_c - n_c_right_1)
+        + product_rest(R_02, R_02, n_b, n_c_right_1))
     n = sqrt(n_c)
     n_product_1 = n * n
     n_lo = (n_c - n_product_1 - product_error(n, n, n_product_1) + n_c_lo) / where(n == 0, 1, n + n)
@@ -544,65 +559,66 @@ def euler_xyx_from_mat3x3(R):
     n_bound_1 = absolute(n_c_lo) + 9.614242987677729e-31 * n_padded_1
     n_size_6 = absolute(n_lo)
     n_size_4 = (absolute(n_c) + 140737488355328 * n_bound_1) * (n_padded_1 / n / n_c)
-    n_size_8 = 4.916947487854274e+29 * (sqrt(n_bound_1) + n_size_6)
-    n_size_12 = n + where(4 * n_bound_1 < n_c, n_size_4, n_size_8)
+    n_size_12 = (n
+        + where(4 * n_bound_1 < n_c, n_size_4, 4.916947487854274e+29
+        * (sqrt(n_bound_1) + n_size_6)))
     divisor_a = n == 0
     divisor = where(divisor_a, 1, n)
     divisor_lo = where(divisor_a, 0, n_lo)
     divisor_padded_1 = 1.8051943758648296e-276 + n_size_12
     divisor_bound_1 = 2.230997459167166e-30 * divisor_padded_1 + n_size_6
     divisor_size_4 = divisor_bound_1 < absolute(n - 0)
-    divisor_size_8 = where(divisor_size_4, 0, divisor_bound_1 + absolute(1 - n))
     cosine_a = R_02 / divisor
     cosine_a_product_1 = cosine_a * divisor
-    cosine_a_product_error_1 = product_error(cosine_a, divisor, cosine_a_product_1)
-    cosine_a_exact_1 = R_02 - cosine_a_product_1 - cosine_a_product_error_1
-    cosine_a_lo = (cosine_a_exact_1 - cosine_a * divisor_lo) / divisor
-    divisor_size_10 = where(divisor_a, 1, n_size_12) + 1.5845630613906556e+29 * divisor_size_8
+    cosine_a_lo = ((R_02 - cosine_a_product_1
+        - product_error(cosine_a, divisor, cosine_a_product_1) - cosine_a * divisor_lo) / divisor)
+    divisor_size_10 = (where(divisor_a, 1, n_size_12) + 1.5845630613906556e+29
+        * where(divisor_size_4, 0, divisor_bound_1 + absolute(1 - n)))
     cosine_a_padded_2 = 1.8051943758648296e-276 + divisor_size_10
     cosine_a_size_1 = absolute(cosine_a)
     cosine_a_size_2 = absolute(divisor)
     cosine_a_bound_1 = absolute(divisor_lo) + 6.508104019725916e-30 * cosine_a_padded_2
     cosine_a_size_7 = where(4 * cosine_a_bound_1 < cosine_a_size_2, cosine_a_size_2, 0)
-    cosine_a_size_4 = 1.8051943758648296e-276 + n_b_size_1 + cosine_a_padded_2 * cosine_a_size_1
     cosine_a_reach_1 = cosine_a_size_2 + 140737488355328 * cosine_a_bound_1
-    cosine_a_size_10 = cosine_a_reach_1 * (cosine_a_size_4 / cosine_a_size_7) / cosine_a_size_2
-    cosine_a_size_11 = cosine_a_size_1 + cosine_a_size_10
+    cosine_a_size_9 = (cosine_a_reach_1
+        * ((1.8051943758648296e-276 + n_b_size_1 + cosine_a_padded_2 * cosine_a_size_1)
+        / cosine_a_size_7))
+    cosine_a_size_11 = cosine_a_size_1 + cosine_a_size_9 / cosine_a_size_2
     cosine = where(divisor_a, 1, cosine_a)
     cosine_lo = where(divisor_a, 0, cosine_a_lo)
-    cosine_rest_1 = 9.910067449317813e-30 * (1.8051943758648296e-276 + cosine_a_size_11)
-    cosine_size_4 = absolute(cosine_a_lo) + cosine_rest_1 + absolute(1 - cosine_a)
-    cosine_size_6 = 1.0401233252484625e+29 * where(divisor_size_4, 0, cosine_size_4)
+    cosine_size_4 = (absolute(cosine_a_lo) + 9.910067449317813e-30
+        * (1.8051943758648296e-276 + cosine_a_size_11) + absolute(1 - cosine_a))
     sine = R_01 / divisor
     sine_product_1 = sine * divisor
-    sine_exact_1 = R_01 - sine_product_1 - product_error(sine, divisor, sine_product_1)
-    sine_lo = (sine_exact_1 - sine * divisor_lo) / divisor
+    sine_lo = ((R_01 - sine_product_1 - product_error(sine, divisor, sine_product_1) - sine
+        * divisor_lo) / divisor)
     sine_size_1 = absolute(sine)
-    sine_size_3 = 1.8051943758648296e-276 + n_a_size_1 + cosine_a_padded_2 * sine_size_1
+    sine_size_6 = (cosine_a_reach_1
+        * ((1.8051943758648296e-276 + n_a_size_1 + cosine_a_padded_2 * sine_size_1)
+        / cosine_a_size_7) / cosine_a_size_2)
     polar = elementary.atan2(R_01, R_02)
     polar_own_error_1 = elementary.atan2_error(R_01, R_02, polar)
     polar_size_1 = absolute(polar)
     third = where(divisor_a, 0, polar)
-    third_rest_1 = 3.7470896994679e-30 * (1.8051943758648296e-276 + polar_size_1)
-    third_size_4 = absolute(polar_own_error_1) + third_rest_1 + absolute(0 - polar)
-    third_size_6 = 1.5845630613906556e+29 * where(divisor_size_4, 0, third_size_4)
+    third_size_4 = (absolute(polar_own_error_1) + 3.7470896994679e-30
+        * (1.8051943758648296e-276 + polar_size_1) + absolute(0 - polar))
     left_1a = R_11 * cosine
-    cosine_size_7 = where(divisor_a, 1, cosine_a_size_11) + cosine_size_6
+    cosine_size_7 = (where(divisor_a, 1, cosine_a_size_11) + 1.0401233252484625e+29
+        * where(divisor_size_4, 0, cosine_size_4))
     left_1a_padded_1 = 1.8051943758648296e-276 + cosine_size_7
     left_1b = R_12 * sine
-    sine_size_7 = sine_size_1 + cosine_a_reach_1 * (sine_size_3 / cosine_a_size_7) / cosine_a_size_2
-    left_1b_padded_1 = 1.8051943758648296e-276 + sine_size_7
+    left_1b_padded_1 = 1.8051943758648296e-276 + (sine_size_1 + sine_size_6)
     left_1 = left_1a - left_1b
     left_right_1 = left_1a - left_1
-    left_left_rest_1 = product_rest(R_11, cosine, left_1a, left_1 + left_right_1)
-    left_lo1_1 = left_left_rest_1 - product_rest(R_12, sine, left_1b, left_right_1)
+    left_lo1_1 = (product_rest(R_11, cosine, left_1a, left_1 + left_right_1)
+        - product_rest(R_12, sine, left_1b, left_right_1))
     left_lo_1 = left_lo1_1 + (R_11 * cosine_lo - R_12 * sine_lo)
     left_2a = R_21 * cosine
     left_2b = R_22 * sine
     left_2 = left_2a - left_2b
     left_right_2 = left_2a - left_2
-    left_left_rest_2 = product_rest(R_21, cosine, left_2a, left_2 + left_right_2)
-    left_lo1_2 = left_left_rest_2 - product_rest(R_22, sine, left_2b, left_right_2)
+    left_lo1_2 = (product_rest(R_21, cosine, left_2a, left_2 + left_right_2)
+        - product_rest(R_22, sine, left_2b, left_right_2))
     left_lo_2 = left_lo1_2 + (R_21 * cosine_lo - R_22 * sine_lo)
     rest = R_10 + R_20
     rest_right_1 = rest - R_10
@@ -616,14 +632,14 @@ def euler_xyx_from_mat3x3(R):
     first_divisor_1 = where(first_zero_1, 1, first_most_1)
     first_part0_1 = left_2 / first_divisor_1
     first_part1_1 = left_1 / first_divisor_1
-    first_square_1 = first_part1_1 * first_part1_1 + first_part0_1 * first_part0_1
-    first_safe_1 = where(first_zero_1, 1, first_divisor_1 * first_square_1)
-    first_more_1 = (first_part1_1 * left_lo_2 - first_part0_1 * left_lo_1) / first_safe_1
-    first_lo = elementary.atan2_error(left_2, left_1, first) + first_more_1
-    left_size_2 = left_1a_padded_1 * absolute(R_21) + left_1b_padded_1 * absolute(R_22)
-    first_padded_1 = 1.8051943758648296e-276 + left_size_2
-    left_size_1 = left_1a_padded_1 * absolute(R_11) + left_1b_padded_1 * absolute(R_12)
-    first_padded_2 = 1.8051943758648296e-276 + left_size_1
+    first_safe_1 = (where(first_zero_1, 1, first_divisor_1
+        * (first_part1_1 * first_part1_1 + first_part0_1 * first_part0_1)))
+    first_lo = (elementary.atan2_error(left_2, left_1, first)
+        + (first_part1_1 * left_lo_2 - first_part0_1 * left_lo_1) / first_safe_1)
+    first_padded_1 = (1.8051943758648296e-276
+        + (left_1a_padded_1 * absolute(R_21) + left_1b_padded_1 * absolute(R_22)))
+    first_padded_2 = (1.8051943758648296e-276
+        + (left_1a_padded_1 * absolute(R_11) + left_1b_padded_1 * absolute(R_12)))
     first_size_2 = absolute(left_2)
     first_size_3 = absolute(left_1)
     first_size_5 = where(first_size_2 < first_size_3, first_size_3, first_size_2)
@@ -633,19 +649,21 @@ def euler_xyx_from_mat3x3(R):
     first_size_13 = first_size_11 * first_size_11
     first_size_14 = absolute(first_lo)
     first_size_15 = 7 + first_size_14
-    first_size_18 = where(first_bound_2 < left_1, first_size_13, first_size_15)
-    first_size_19 = where(first_bound_1 < first_size_2, first_size_13, first_size_18)
-    first_size_20 = where(first_size_11 < 0.25, first_size_19, first_size_15)
-    first_size_10 = absolute(first) + (first_padded_1 + first_padded_2) / first_size_5
-    first_size_22 = first_size_10 + 4.527322338646221e+28 * first_size_20
+    first_size_19 = (where(first_bound_1
+        < first_size_2, first_size_13, where(first_bound_2 < left_1, first_size_13, first_size_15)))
+    first_size_21 = (4.527322338646221e+28
+        * where(first_size_11 < 0.25, first_size_19, first_size_15))
+    first_size_22 = (absolute(first) + (first_padded_1 + first_padded_2) / first_size_5
+        + first_size_21)
     angles_0a = rest < 1.2676506002282294e+30
     angles_0 = where(angles_0a, first, rest)
-    angles_rest_1 = 7.642090607075756e-31 * (1.8051943758648296e-276 + rest_size_3)
-    angles_bound_1 = absolute(rest_lo) + angles_rest_1
-    angles_rest_2 = 2.2778366396519518e-29 * (1.8051943758648296e-276 + first_size_22)
-    angles_size_8 = angles_bound_1 + (angles_rest_2 + first_size_14 + absolute(first - rest))
-    angles_size_4 = angles_bound_1 < absolute(rest - 1.2676506002282294e+30)
-    angles_size_10 = 4.527322030246999e+28 * where(angles_size_4, 0, angles_size_8)
+    angles_bound_1 = (absolute(rest_lo) + 7.642090607075756e-31
+        * (1.8051943758648296e-276 + rest_size_3))
+    angles_size_8 = (angles_bound_1
+        + (2.2778366396519518e-29 * (1.8051943758648296e-276 + first_size_22) + first_size_14
+        + absolute(first - rest)))
+    angles_size_10 = (4.527322030246999e+28
+        * where(angles_bound_1 < absolute(rest - 1.2676506002282294e+30), 0, angles_size_8))
     angles_1 = elementary.atan2(n, R_00)
     angles_size0_1 = absolute(n)
     angles_size1_1 = absolute(R_00)
@@ -654,26 +672,29 @@ def euler_xyx_from_mat3x3(R):
     angles_divisor_1 = where(angles_zero_1, 1, angles_most_1)
     angles_part0_1 = n / angles_divisor_1
     angles_part1_1 = R_00 / angles_divisor_1
-    angles_square_1 = angles_part1_1 * angles_part1_1 + angles_part0_1 * angles_part0_1
-    angles_safe_1 = where(angles_zero_1, 1, angles_divisor_1 * angles_square_1)
-    angles_more_1 = (angles_part1_1 * n_lo - angles_part0_1 * 0) / angles_safe_1
+    angles_safe_1 = (where(angles_zero_1, 1, angles_divisor_1
+        * (angles_part1_1 * angles_part1_1 + angles_part0_1 * angles_part0_1)))
     angles_size_13 = absolute(R_00)
     angles_size_14 = absolute(n)
     angles_size_16 = where(angles_size_14 < angles_size_13, angles_size_13, angles_size_14)
-    angles_size_19 = (1.8051943758648296e-276 + angles_size_13 + divisor_padded_1) / angles_size_16
     angles_size_21 = (1.8051943758648296e-276 + divisor_bound_1) / angles_size_16
     angles_size_23 = angles_size_21 * angles_size_21
-    angles_size_24 = absolute(elementary.atan2_error(n, R_00, angles_1) + angles_more_1)
+    angles_size_24 = (absolute(elementary.atan2_error(n, R_00, angles_1)
+        + (angles_part1_1 * n_lo - angles_part0_1 * 0) / angles_safe_1))
     angles_size_25 = 7 + angles_size_24
-    angles_size_28 = where(0 < R_00, angles_size_23, angles_size_25)
-    angles_size_29 = where(divisor_bound_1 < angles_size_14, angles_size_23, angles_size_28)
-    angles_size_30 = where(angles_size_21 < 0.25, angles_size_29, angles_size_25)
-    angles_size_11 = where(angles_0a, first_size_22, rest_size_3) + angles_size_10
-    angles_rest_3 = 2.277836794817206e-29 * (1.8051943758648296e-276 + angles_size_11)
-    angles_size_32 = absolute(angles_1) + angles_size_19 + 7.9228157791897855e+28 * angles_size_30
-    angles_rest_4 = 1.3016206487799288e-29 * (1.8051943758648296e-276 + angles_size_32)
-    third_padded_2 = 1.8051943758648296e-276 + (where(divisor_a, 0, polar_size_1) + third_size_6)
-    third_error_2 = absolute(where(divisor_a, 0, polar_own_error_1))
+    angles_size_29 = (where(divisor_bound_1
+        < angles_size_14, angles_size_23, where(0 < R_00, angles_size_23, angles_size_25)))
+    angles_size_20 = (absolute(angles_1)
+        + (1.8051943758648296e-276 + angles_size_13 + divisor_padded_1) / angles_size_16)
+    angles_rest_3 = (2.277836794817206e-29
+        * (1.8051943758648296e-276
+        + (where(angles_0a, first_size_22, rest_size_3) + angles_size_10)))
+    angles_padded_5 = (1.8051943758648296e-276
+        + (angles_size_20 + 7.9228157791897855e+28
+        * where(angles_size_21 < 0.25, angles_size_29, angles_size_25)))
+    third_padded_2 = (1.8051943758648296e-276
+        + (where(divisor_a, 0, polar_size_1) + 1.5845630613906556e+29
+        * where(divisor_size_4, 0, third_size_4)))
     R_n_0 = R_11 * R_22 - R_12 * R_21
     R_n_1 = R_02 * R_21 - R_01 * R_22
     R_n_2 = R_01 * R_12 - R_02 * R_11
@@ -696,24 +717,25 @@ def euler_xyx_from_mat3x3(R):
     R_defect_size_5 = absolute(R_g_4)
     R_defect_size_6 = absolute(R_off_6)
     R_defect_largest1 = where(R_defect_size_0 < R_defect_size_1, R_defect_size_1, R_defect_size_0)
-    R_defect_largest2a = R_defect_largest1 < R_defect_size_2
-    R_defect_largest2 = where(R_defect_largest2a, R_defect_size_2, R_defect_largest1)
-    R_defect_largest3a = R_defect_largest2 < R_defect_size_3
-    R_defect_largest3 = where(R_defect_largest3a, R_defect_size_3, R_defect_largest2)
-    R_defect_largest4a = R_defect_largest3 < R_defect_size_4
-    R_defect_largest4 = where(R_defect_largest4a, R_defect_size_4, R_defect_largest3)
-    R_defect_largest5a = R_defect_largest4 < R_defect_size_5
-    R_defect_largest5 = where(R_defect_largest5a, R_defect_size_5, R_defect_largest4)
-    R_defect_largest6a = R_defect_largest5 < R_defect_size_6
-    R_defect_largest6 = where(R_defect_largest6a, R_defect_size_6, R_defect_largest5)
+    R_defect_largest2 = (where(R_defect_largest1
+        < R_defect_size_2, R_defect_size_2, R_defect_largest1))
+    R_defect_largest3 = (where(R_defect_largest2
+        < R_defect_size_3, R_defect_size_3, R_defect_largest2))
+    R_defect_largest4 = (where(R_defect_largest3
+        < R_defect_size_4, R_defect_size_4, R_defect_largest3))
+    R_defect_largest5 = (where(R_defect_largest4
+        < R_defect_size_5, R_defect_size_5, R_defect_largest4))
+    R_defect_largest6 = (where(R_defect_largest5
+        < R_defect_size_6, R_defect_size_6, R_defect_largest5))
     R_is_less = R_defect_largest6 < 0.001
     R_is_equal = R_defect_largest6 == 0.001
     R_unless_equal = where(R_is_equal, float64(0), float64(1.0715086071862673e+301))
     R_unless_rotation = where(R_is_less, 0, R_unless_equal)
     R_excess = R_unless_rotation * 1.0715086071862673e+301
     R_excess_0 = absolute(where(angles_0a, first_lo, rest_lo)) + angles_rest_3 + R_excess
-    R_excess_1 = angles_rest_4 + angles_size_24 + R_excess
-    R_excess_2 = third_error_2 + 6.508104019725916e-30 * third_padded_2 + R_excess
+    R_excess_1 = 1.3016206487799288e-29 * angles_padded_5 + angles_size_24 + R_excess
+    R_excess_2 = (absolute(where(divisor_a, 0, polar_own_error_1)) + 6.508104019725916e-30
+        * third_padded_2 + R_excess)
     return (angles_0, angles_1, third, R_excess_0, R_excess_1, R_excess_2)
 
 
@@ -735,26 +757,27 @@ def mat3x3_from_axis_angle(axis, angle):
     sine_own_error_1, cosine_own_error_1 = elementary.sincos_error(angle, sine, cosine)
     versine_a = h * h
     versine_b = 2 * versine_a
-    versine_a_lo = product_error(h, h, versine_a) + (h_own_error_1 * h + h * h_own_error_1)
-    versine_b_cross2_1 = 2 * versine_a_lo
+    versine_b_cross2_1 = (2
+        * (product_error(h, h, versine_a) + (h_own_error_1 * h + h * h_own_error_1)))
     versine_b_size_1 = 2 * (h_size_1 * h_size_1)
     versine_c = 1 - cosine
     versine_c_right_1 = 1 - versine_c
-    versine_c_lo1_1 = 1 - (versine_c + versine_c_right_1) - (cosine - versine_c_right_1)
-    versine_c_lo = versine_c_lo1_1 - cosine_own_error_1
+    versine_c_lo = (1 - (versine_c + versine_c_right_1) - (cosine - versine_c_right_1)
+        - cosine_own_error_1)
     versine_d = cosine < 0
     versine = where(versine_d, versine_c, versine_b)
     versine_lo = where(versine_d, versine_c_lo, versine_b_cross2_1)
-    versine_rest_1 = 8.973295241917294e-30 * (1.8051943758648296e-276 + versine_b_size_1)
-    versine_bound_2 = 9.318421041595558e-30 + absolute(versine_c_lo)
-    versine_size_7 = versine_bound_2 + absolute(versine_c - versine_b)
-    versine_size_4 = 3.7470896994678994e-30 + absolute(cosine_own_error_1) < absolute(cosine - 0)
-    versine_size_8 = absolute(versine_b_cross2_1) + versine_rest_1 + versine_size_7
-    versine_size_10 = 3.9614071812401596e+28 * where(versine_size_4, 0, versine_size_8)
+    versine_bound_3 = (absolute(versine_b_cross2_1) + 8.973295241917294e-30
+        * (1.8051943758648296e-276 + versine_b_size_1))
+    versine_size_8 = (versine_bound_3
+        + (9.318421041595558e-30 + absolute(versine_c_lo) + absolute(versine_c - versine_b)))
+    versine_size_10 = (3.9614071812401596e+28
+        * where(3.7470896994678994e-30 + absolute(cosine_own_error_1)
+        < absolute(cosine - 0), 0, versine_size_8))
     beta_v_0 = axis_0 * versine
     beta_v_size_1 = absolute(axis_0)
-    versine_size_11 = where(versine_d, 2, versine_b_size_1) + versine_size_10
-    beta_v_padded_1 = 1.8051943758648296e-276 + versine_size_11
+    beta_v_padded_1 = (1.8051943758648296e-276
+        + (where(versine_d, 2, versine_b_size_1) + versine_size_10))
     beta_v_1 = axis_1 * versine
     beta_v_size_3 = absolute(axis_1)
     beta_v_2 = axis_2 * versine
@@ -780,16 +803,16 @@ def mat3x3_from_axis_angle(axis, angle):
     m_cross2_6 = axis_2 * beta_v_lo_2
     others_0 = m_1 + m_2
     others_right_1 = others_0 - m_1
-    others_left_rest_1 = product_rest(axis_1, beta_v_1, m_1, others_0 - others_right_1)
-    others_lo1_1 = others_left_rest_1 + product_rest(axis_2, beta_v_2, m_2, others_right_1)
+    others_lo1_1 = (product_rest(axis_1, beta_v_1, m_1, others_0 - others_right_1)
+        + product_rest(axis_2, beta_v_2, m_2, others_right_1))
     others_1 = m_0 + m_2
     others_right_2 = others_1 - m_0
-    others_left_rest_2 = product_rest(axis_0, beta_v_0, m_0, others_1 - others_right_2)
-    others_lo1_2 = others_left_rest_2 + product_rest(axis_2, beta_v_2, m_2, others_right_2)
+    others_lo1_2 = (product_rest(axis_0, beta_v_0, m_0, others_1 - others_right_2)
+        + product_rest(axis_2, beta_v_2, m_2, others_right_2))
     others_2 = m_0 + m_1
     others_right_3 = others_2 - m_0
-    others_left_rest_3 = product_rest(axis_0, beta_v_0, m_0, others_2 - others_right_3)
-    others_lo1_3 = others_left_rest_3 + product_rest(axis_1, beta_v_1, m_1, others_right_3)
+    others_lo1_3 = (product_rest(axis_0, beta_v_0, m_0, others_2 - others_right_3)
+        + product_rest(axis_1, beta_v_1, m_1, others_right_3))
     alpha_v_0 = axis_0 * sine
     alpha_v_cross2_1 = axis_0 * sine_own_error_1
     alpha_v_1 = axis_1 * sine
@@ -798,55 +821,58 @@ def mat3x3_from_axis_angle(axis, angle):
     alpha_v_cross2_3 = axis_2 * sine_own_error_1
     R_00 = 1 - others_0
     R_right_1 = 1 - R_00
-    R_lo1_1 = 1 - (R_00 + R_right_1) - (others_0 - R_right_1)
     R_01 = m_3 - alpha_v_2
     R_right_2 = m_3 - R_01
-    R_left_rest_2 = product_rest(axis_1, beta_v_0, m_3, R_01 + R_right_2)
-    R_lo1_2 = R_left_rest_2 - product_rest(axis_2, sine, alpha_v_2, R_right_2)
     R_02 = m_4 + alpha_v_1
     R_right_3 = R_02 - m_4
-    R_left_rest_3 = product_rest(axis_2, beta_v_0, m_4, R_02 - R_right_3)
-    R_lo1_3 = R_left_rest_3 + product_rest(axis_1, sine, alpha_v_1, R_right_3)
     R_10 = m_3 + alpha_v_2
     R_right_4 = R_10 - m_3
-    R_left_rest_4 = product_rest(axis_1, beta_v_0, m_3, R_10 - R_right_4)
-    R_lo1_4 = R_left_rest_4 + product_rest(axis_2, sine, alpha_v_2, R_right_4)
     R_11 = 1 - others_1
     R_right_5 = 1 - R_11
-    R_lo1_5 = 1 - (R_11 + R_right_5) - (others_1 - R_right_5)
     R_12 = m_5 - alpha_v_0
     R_right_6 = m_5 - R_12
-    R_left_rest_6 = product_rest(axis_2, beta_v_1, m_5, R_12 + R_right_6)
-    R_lo1_6 = R_left_rest_6 - product_rest(axis_0, sine, alpha_v_0, R_right_6)
     R_20 = m_4 - alpha_v_1
     R_right_7 = m_4 - R_20
-    R_left_rest_7 = product_rest(axis_2, beta_v_0, m_4, R_20 + R_right_7)
-    R_lo1_7 = R_left_rest_7 - product_rest(axis_1, sine, alpha_v_1, R_right_7)
     R_21 = m_5 + alpha_v_0
     R_right_8 = R_21 - m_5
-    R_left_rest_8 = product_rest(axis_2, beta_v_1, m_5, R_21 - R_right_8)
-    R_lo1_8 = R_left_rest_8 + product_rest(axis_0, sine, alpha_v_0, R_right_8)
     R_22 = 1 - others_2
     R_right_9 = 1 - R_22
-    R_lo1_9 = 1 - (R_22 + R_right_9) - (others_2 - R_right_9)
-    R_rest_1 = 2.998906207317825e-29 * (1.8051943758648296e-276 + (1 + (m_size_2 + m_size_3)))
-    R_padded_2 = 1.8051943758648296e-276 + (beta_v_size_5 + beta_v_size_3 * m_padded_1)
-    R_rest_2 = 2.841133715943113e-29 * R_padded_2
-    R_padded_3 = 1.8051943758648296e-276 + (beta_v_size_3 + beta_v_size_5 * m_padded_1)
-    R_rest_3 = 2.841133715943113e-29 * R_padded_3
-    R_rest_4 = 2.998906207317825e-29 * (1.8051943758648296e-276 + (1 + (m_size_1 + m_size_3)))
-    R_padded_5 = 1.8051943758648296e-276 + (beta_v_size_1 + beta_v_size_5 * m_padded_2)
-    R_rest_5 = 2.841133715943113e-29 * R_padded_5
-    R_rest_6 = 2.998906207317825e-29 * (1.8051943758648296e-276 + (1 + (m_size_1 + m_size_2)))
-    R_bound_1 = absolute(R_lo1_1 - (others_lo1_1 + (m_cross2_2 + m_cross2_3))) + R_rest_1
-    R_bound_2 = absolute(R_lo1_2 + (m_cross2_4 - alpha_v_cross2_3)) + R_rest_2
-    R_bound_3 = absolute(R_lo1_3 + (m_cross2_5 + alpha_v_cross2_2)) + R_rest_3
-    R_bound_4 = absolute(R_lo1_4 + (m_cross2_4 + alpha_v_cross2_3)) + R_rest_2
-    R_bound_5 = absolute(R_lo1_5 - (others_lo1_2 + (m_cross2_1 + m_cross2_3))) + R_rest_4
-    R_bound_6 = absolute(R_lo1_6 + (m_cross2_6 - alpha_v_cross2_1)) + R_rest_5
-    R_bound_7 = absolute(R_lo1_7 + (m_cross2_5 - alpha_v_cross2_2)) + R_rest_3
-    R_bound_8 = absolute(R_lo1_8 + (m_cross2_6 + alpha_v_cross2_1)) + R_rest_5
-    R_bound_9 = absolute(R_lo1_9 - (others_lo1_3 + (m_cross2_1 + m_cross2_2))) + R_rest_6
+    R_error_1 = (absolute(1 - (R_00 + R_right_1) - (others_0 - R_right_1)
+        - (others_lo1_1 + (m_cross2_2 + m_cross2_3))))
+    R_lo_2 = (product_rest(axis_1, beta_v_0, m_3, R_01 + R_right_2)
+        - product_rest(axis_2, sine, alpha_v_2, R_right_2) + (m_cross2_4 - alpha_v_cross2_3))
+    R_rest_2 = (2.841133715943113e-29
+        * (1.8051943758648296e-276 + (beta_v_size_5 + beta_v_size_3 * m_padded_1)))
+    R_lo_3 = (product_rest(axis_2, beta_v_0, m_4, R_02 - R_right_3)
+        + product_rest(axis_1, sine, alpha_v_1, R_right_3) + (m_cross2_5 + alpha_v_cross2_2))
+    R_rest_3 = (2.841133715943113e-29
+        * (1.8051943758648296e-276 + (beta_v_size_3 + beta_v_size_5 * m_padded_1)))
+    R_lo_4 = (product_rest(axis_1, beta_v_0, m_3, R_10 - R_right_4)
+        + product_rest(axis_2, sine, alpha_v_2, R_right_4) + (m_cross2_4 + alpha_v_cross2_3))
+    R_error_5 = (absolute(1 - (R_11 + R_right_5) - (others_1 - R_right_5)
+        - (others_lo1_2 + (m_cross2_1 + m_cross2_3))))
+    R_lo_6 = (product_rest(axis_2, beta_v_1, m_5, R_12 + R_right_6)
+        - product_rest(axis_0, sine, alpha_v_0, R_right_6) + (m_cross2_6 - alpha_v_cross2_1))
+    R_rest_5 = (2.841133715943113e-29
+        * (1.8051943758648296e-276 + (beta_v_size_1 + beta_v_size_5 * m_padded_2)))
+    R_lo_7 = (product_rest(axis_2, beta_v_0, m_4, R_20 + R_right_7)
+        - product_rest(axis_1, sine, alpha_v_1, R_right_7) + (m_cross2_5 - alpha_v_cross2_2))
+    R_lo_8 = (product_rest(axis_2, beta_v_1, m_5, R_21 - R_right_8)
+        + product_rest(axis_0, sine, alpha_v_0, R_right_8) + (m_cross2_6 + alpha_v_cross2_1))
+    R_error_9 = (absolute(1 - (R_22 + R_right_9) - (others_2 - R_right_9)
+        - (others_lo1_3 + (m_cross2_1 + m_cross2_2))))
+    R_bound_1 = (R_error_1 + 2.998906207317825e-29
+        * (1.8051943758648296e-276 + (1 + (m_size_2 + m_size_3))))
+    R_bound_2 = absolute(R_lo_2) + R_rest_2
+    R_bound_3 = absolute(R_lo_3) + R_rest_3
+    R_bound_4 = absolute(R_lo_4) + R_rest_2
+    R_bound_5 = (R_error_5 + 2.998906207317825e-29
+        * (1.8051943758648296e-276 + (1 + (m_size_1 + m_size_3))))
+    R_bound_6 = absolute(R_lo_6) + R_rest_5
+    R_bound_7 = absolute(R_lo_7) + R_rest_3
+    R_bound_8 = absolute(R_lo_8) + R_rest_5
+    R_bound_9 = (R_error_9 + 2.998906207317825e-29
+        * (1.8051943758648296e-276 + (1 + (m_size_1 + m_size_2))))
     return (R_00, R_01, R_02, R_10, R_11, R_12, R_20, R_21, R_22, R_bound_1, R_bound_2, R_bound_3,
         R_bound_4, R_bound_5, R_bound_6, R_bound_7, R_bound_8, R_bound_9)
 
@@ -907,35 +933,39 @@ def axis_angle_from_mat3x3(R):
     d_right_4 = first_1 - d_3
     low_0a = R_11 < R_00
     low_0 = where(low_0a, d_1, s_2)
-    d_lo_2 = first_0 - (d_1 + d_right_2) - (others_0 - d_right_2) - others_lo_1 + first_lo_1
     low_1 = where(low_0a, s_2, d_2)
-    d_lo_3 = first_1 - (d_2 - d_right_3) + (others_1 - d_right_3) + others_lo_2 + first_lo_2
     low_2 = where(low_0a, s_1, s_0)
     low_3 = where(low_0a, p_0, p_1)
     high_0b = R_00 < -R_11
     high_0 = where(high_0b, s_1, p_0)
     high_1 = where(high_0b, s_0, p_1)
     high_2 = where(high_0b, d_3, p_2)
-    d_lo_4 = first_1 - (d_3 + d_right_4) - (others_1 - d_right_4) - others_lo_2 + first_lo_2
     high_3 = where(high_0b, p_2, d_0)
-    d_lo_1 = first_0 - (d_0 - d_right_1) + (others_0 - d_right_1) + others_lo_1 + first_lo_1
     column_0a = R_22 < 0
     column_0 = where(column_0a, low_0, high_0)
-    column_lo_1 = where(column_0a, where(low_0a, d_lo_2, s_lo_3), where(high_0b, s_lo_2, p_lo_1))
-    high_size_1 = where(high_0b, p_size_6, p_size_3)
-    column_size_1 = where(column_0a, where(low_0a, d_size_1, p_size_9), high_size_1)
+    low_lo_1 = (where(low_0a, first_0 - (d_1 + d_right_2) - (others_0 - d_right_2) - others_lo_1
+        + first_lo_1, s_lo_3))
+    column_lo_1 = where(column_0a, low_lo_1, where(high_0b, s_lo_2, p_lo_1))
+    column_size_1 = where(column_0a, where(low_0a, d_size_1, p_size_9), where(high_0b, p_size_6,
+        p_size_3))
     column_1 = where(column_0a, low_1, high_1)
-    column_lo_2 = where(column_0a, where(low_0a, s_lo_3, d_lo_3), where(high_0b, s_lo_1, p_lo_2))
-    high_size_2 = where(high_0b, p_size_3, p_size_6)
-    column_size_2 = where(column_0a, where(low_0a, p_size_9, d_size_1), high_size_2)
+    low_lo_2 = (where(low_0a, s_lo_3, first_1 - (d_2 - d_right_3) + (others_1 - d_right_3)
+        + others_lo_2 + first_lo_2))
+    column_lo_2 = where(column_0a, low_lo_2, where(high_0b, s_lo_1, p_lo_2))
+    column_size_2 = where(column_0a, where(low_0a, p_size_9, d_size_1), where(high_0b, p_size_3,
+        p_size_6))
     column_2 = where(column_0a, low_2, high_2)
-    column_lo_3 = where(column_0a, where(low_0a, s_lo_2, s_lo_1), where(high_0b, d_lo_4, p_lo_3))
-    high_size_3 = where(high_0b, d_size_1, p_size_9)
-    column_size_3 = where(column_0a, where(low_0a, p_size_6, p_size_3), high_size_3)
+    high_lo_3 = (where(high_0b, first_1 - (d_3 + d_right_4) - (others_1 - d_right_4) - others_lo_2
+        + first_lo_2, p_lo_3))
+    column_lo_3 = where(column_0a, where(low_0a, s_lo_2, s_lo_1), high_lo_3)
+    column_size_3 = where(column_0a, where(low_0a, p_size_6, p_size_3), where(high_0b, d_size_1,
+        p_size_9))
     column_3 = where(column_0a, low_3, high_3)
-    column_lo_4 = where(column_0a, where(low_0a, p_lo_1, p_lo_2), where(high_0b, p_lo_3, d_lo_1))
-    high_size_4 = where(high_0b, p_size_9, d_size_1)
-    column_size_4 = where(column_0a, where(low_0a, p_size_3, p_size_6), high_size_4)
+    high_lo_4 = (where(high_0b, p_lo_3, first_0 - (d_0 - d_right_1) + (others_0 - d_right_1)
+        + others_lo_1 + first_lo_1))
+    column_lo_4 = where(column_0a, where(low_0a, p_lo_1, p_lo_2), high_lo_4)
+    column_size_4 = where(column_0a, where(low_0a, p_size_3, p_size_6), where(high_0b, p_size_9,
+        d_size_1))
     upper_0a = -column_0
     upper_0a_lo = -column_lo_1
     upper_0b = column_3 < 0
@@ -944,42 +974,38 @@ def axis_angle_from_mat3x3(R):
     upper_bound_1 = absolute(column_lo_4) + upper_rest_1
     upper_size_3 = upper_bound_1 < absolute(column_3 - 0)
     upper_rest_2 = 1.6023738312796216e-30 * (1.8051943758648296e-276 + column_size_1)
-    upper_size_6 = absolute(upper_0a_lo) + upper_rest_2 + absolute(upper_0a - column_0)
-    upper_size_8 = where(upper_size_3, 0, absolute(column_lo_1) + upper_rest_2 + upper_size_6)
+    upper_size_8 = (where(upper_size_3, 0, absolute(column_lo_1) + upper_rest_2
+        + (absolute(upper_0a_lo) + upper_rest_2 + absolute(upper_0a - column_0))))
     upper_1a = -column_1
     upper_1a_lo = -column_lo_2
     upper_1 = where(upper_0b, upper_1a, column_1)
     upper_rest_3 = 1.6023738312796216e-30 * (1.8051943758648296e-276 + column_size_2)
-    upper_size_13 = absolute(upper_1a_lo) + upper_rest_3 + absolute(upper_1a - column_1)
-    upper_size_15 = where(upper_size_3, 0, absolute(column_lo_2) + upper_rest_3 + upper_size_13)
+    upper_size_15 = (where(upper_size_3, 0, absolute(column_lo_2) + upper_rest_3
+        + (absolute(upper_1a_lo) + upper_rest_3 + absolute(upper_1a - column_1))))
     upper_2a = -column_2
     upper_2a_lo = -column_lo_3
     upper_2 = where(upper_0b, upper_2a, column_2)
     upper_rest_4 = 1.6023738312796216e-30 * (1.8051943758648296e-276 + column_size_3)
-    upper_size_20 = absolute(upper_2a_lo) + upper_rest_4 + absolute(upper_2a - column_2)
-    upper_size_22 = where(upper_size_3, 0, absolute(column_lo_3) + upper_rest_4 + upper_size_20)
+    upper_size_22 = (where(upper_size_3, 0, absolute(column_lo_3) + upper_rest_4
+        + (absolute(upper_2a_lo) + upper_rest_4 + absolute(upper_2a - column_2))))
     upper_3a = -column_3
     upper_3a_lo = -column_lo_4
     upper_3 = where(upper_0b, upper_3a, column_3)
     upper_lo_4 = where(upper_0b, upper_3a_lo, column_lo_4)
-    upper_size_27 = absolute(upper_3a_lo) + upper_rest_1 + absolute(upper_3a - column_3)
-    upper_size_30 = 1.5845630613906556e+29 * where(upper_size_3, 0, upper_bound_1 + upper_size_27)
+    upper_size_29 = (where(upper_size_3, 0, upper_bound_1
+        + (absolute(upper_3a_lo) + upper_rest_1 + absolute(upper_3a - column_3))))
     v_s_size_0 = absolute(upper_0)
-    upper_size_10 = column_size_1 + 1.5845630613906556e+29 * upper_size_8
     v_s_size_1 = absolute(upper_1)
-    upper_size_17 = column_size_2 + 1.5845630613906556e+29 * upper_size_15
     v_s_size_2 = absolute(upper_2)
-    upper_size_24 = column_size_3 + 1.5845630613906556e+29 * upper_size_22
     v_s_largest1 = where(v_s_size_0 < v_s_size_1, v_s_size_1, v_s_size_0)
     v_s_largest2 = where(v_s_largest1 < v_s_size_2, v_s_size_2, v_s_largest1)
     v_s_a = 6.703903964971299e+153 < v_s_largest2
     v_s_c = v_s_largest2 < 256
-    v_s_b = where(v_s_a, float64(3.7291703656001034e-155), float64(1))
-    v_s_b_size_1 = where(v_s_a, float64(3.7291703656001034e-155), float64(1))
     v_s_e = v_s_largest2 < 1.955159272639747e-149
-    v_s = where(v_s_e, 1.0715086071862673e+301, where(v_s_c, 1.3093562431584567e+151, v_s_b))
-    v_s_d_size_1 = where(v_s_c, 1.3093562431584567e+151, v_s_b_size_1)
-    v_s_size_3 = where(v_s_e, 1.0715086071862673e+301, v_s_d_size_1)
+    v_s = where(v_s_e, 1.0715086071862673e+301, where(v_s_c, 1.3093562431584567e+151, where(v_s_a,
+        float64(3.7291703656001034e-155), float64(1))))
+    v_s_size_3 = where(v_s_e, 1.0715086071862673e+301, where(v_s_c, 1.3093562431584567e+151,
+        where(v_s_a, float64(3.7291703656001034e-155), float64(1))))
     v_y_0 = upper_0 * v_s
     v_y_inverse_1 = 1 / v_s
     v_y_lo_1 = (upper_0 - v_y_0 * v_y_inverse_1 + where(upper_0b, upper_0a_lo, column_lo_1)) * v_s
@@ -988,50 +1014,57 @@ def axis_angle_from_mat3x3(R):
     v_y_2 = upper_2 * v_s
     v_y_lo_3 = (upper_2 - v_y_2 * v_y_inverse_1 + where(upper_0b, upper_2a_lo, column_lo_3)) * v_s
     v_n_a = v_y_0 * v_y_0
-    v_y_size_1 = v_s_size_3 * (1.8051943758648296e-276 + upper_size_10)
-    v_n_a_padded_1 = 1.8051943758648296e-276 + v_y_size_1
-    v_n_a_units_1 = 140737488355328 * (absolute(v_y_lo_1) + 6.705320021857442e-30 * v_n_a_padded_1)
-    v_n_a_size_2 = v_n_a_padded_1 * (absolute(v_y_0) + v_n_a_units_1)
+    v_n_a_padded_1 = (1.8051943758648296e-276 + v_s_size_3
+        * (1.8051943758648296e-276 + (column_size_1 + 1.5845630613906556e+29 * upper_size_8)))
+    v_n_a_size_2 = (v_n_a_padded_1
+        * (absolute(v_y_0) + 140737488355328
+        * (absolute(v_y_lo_1) + 6.705320021857442e-30 * v_n_a_padded_1)))
     v_n_b = v_y_1 * v_y_1
-    v_y_size_2 = v_s_size_3 * (1.8051943758648296e-276 + upper_size_17)
-    v_n_b_padded_1 = 1.8051943758648296e-276 + v_y_size_2
-    v_n_b_units_1 = 140737488355328 * (absolute(v_y_lo_2) + 6.705320021857442e-30 * v_n_b_padded_1)
-    v_n_b_size_2 = v_n_b_padded_1 * (absolute(v_y_1) + v_n_b_units_1)
+    v_n_b_padded_1 = (1.8051943758648296e-276 + v_s_size_3
+        * (1.8051943758648296e-276 + (column_size_2 + 1.5845630613906556e+29 * upper_size_15)))
+    v_n_b_size_2 = (v_n_b_padded_1
+        * (absolute(v_y_1) + 140737488355328
+        * (absolute(v_y_lo_2) + 6.705320021857442e-30 * v_n_b_padded_1)))
     v_n_c = v_n_a + v_n_b
     v_n_c_right_1 = v_n_c - v_n_a
-    v_n_c_left_rest_1 = product_rest(v_y_0, v_y_0, v_n_a, v_n_c - v_n_c_right_1)
-    v_n_c_cross_1 = v_y_lo_1 * v_y_0 + v_y_0 * v_y_lo_1 + (v_y_lo_2 * v_y_1 + v_y_1 * v_y_lo_2)
+    v_n_c_lo1_1 = (product_rest(v_y_0, v_y_0, v_n_a, v_n_c - v_n_c_right_1)
+        + product_rest(v_y_1, v_y_1, v_n_b, v_n_c_right_1))
     v_n_d = v_y_2 * v_y_2
-    v_y_size_3 = v_s_size_3 * (1.8051943758648296e-276 + upper_size_24)
-    v_n_d_padded_1 = 1.8051943758648296e-276 + v_y_size_3
-    v_n_d_units_1 = 140737488355328 * (absolute(v_y_lo_3) + 6.705320021857442e-30 * v_n_d_padded_1)
-    v_n_d_size_2 = v_n_d_padded_1 * (absolute(v_y_2) + v_n_d_units_1)
+    v_n_d_padded_1 = (1.8051943758648296e-276 + v_s_size_3
+        * (1.8051943758648296e-276 + (column_size_3 + 1.5845630613906556e+29 * upper_size_22)))
+    v_n_d_size_2 = (v_n_d_padded_1
+        * (absolute(v_y_2) + 140737488355328
+        * (absolute(v_y_lo_3) + 6.705320021857442e-30 * v_n_d_padded_1)))
     v_n_e = v_n_c + v_n_d
     v_n_e_right_1 = v_n_e - v_n_c
-    v_n_e_lo1_1 = v_n_c - (v_n_e - v_n_e_right_1) + product_rest(v_y_2, v_y_2, v_n_d, v_n_e_right_1)
-    v_n_c_lo = v_n_c_left_rest_1 + product_rest(v_y_1, v_y_1, v_n_b, v_n_c_right_1) + v_n_c_cross_1
-    v_n_e_lo = v_n_e_lo1_1 + (v_y_lo_3 * v_y_2 + v_y_2 * v_y_lo_3) + v_n_c_lo
-    v_n_c_size_1 = v_n_a_size_2 + v_n_a_size_2 + (v_n_b_size_2 + v_n_b_size_2)
+    v_n_e_lo2_1 = (v_n_c - (v_n_e - v_n_e_right_1)
+        + product_rest(v_y_2, v_y_2, v_n_d, v_n_e_right_1) + (v_y_lo_3 * v_y_2 + v_y_2 * v_y_lo_3))
+    v_n_e_lo = (v_n_e_lo2_1
+        + (v_n_c_lo1_1
+        + (v_y_lo_1 * v_y_0 + v_y_0 * v_y_lo_1 + (v_y_lo_2 * v_y_1 + v_y_1 * v_y_lo_2))))
     v_n = sqrt(v_n_e)
     v_n_product_1 = v_n * v_n
-    v_n_residual_1 = v_n_e - v_n_product_1 - product_error(v_n, v_n, v_n_product_1) + v_n_e_lo
-    v_n_lo = v_n_residual_1 / where(v_n == 0, 1, v_n + v_n)
-    v_n_padded_1 = 1.8051943758648296e-276 + (v_n_c_size_1 + (v_n_d_size_2 + v_n_d_size_2))
+    v_n_lo = ((v_n_e - v_n_product_1 - product_error(v_n, v_n, v_n_product_1) + v_n_e_lo)
+        / where(v_n == 0, 1, v_n + v_n))
+    v_n_padded_1 = (1.8051943758648296e-276
+        + (v_n_a_size_2 + v_n_a_size_2 + (v_n_b_size_2 + v_n_b_size_2)
+        + (v_n_d_size_2 + v_n_d_size_2)))
     v_n_bound_1 = absolute(v_n_e_lo) + 1.150011758590251e-29 * v_n_padded_1
     v_n_size_6 = absolute(v_n_lo)
     v_n_size_4 = (absolute(v_n_e) + 140737488355328 * v_n_bound_1) * (v_n_padded_1 / v_n / v_n_e)
-    v_n_size_8 = 1.1418664350501995e+29 * (sqrt(v_n_bound_1) + v_n_size_6)
-    v_n_size_12 = v_n + where(4 * v_n_bound_1 < v_n_e, v_n_size_4, v_n_size_8)
+    v_n_size_12 = (v_n
+        + where(4 * v_n_bound_1 < v_n_e, v_n_size_4, 1.1418664350501995e+29
+        * (sqrt(v_n_bound_1) + v_n_size_6)))
     v_r_a = v_s < 1
     v_r_c = 1 < v_s
-    v_r_b = where(v_r_a, float64(2.6815615859885194e+154), float64(1))
-    v_r_b_size_1 = where(v_r_a, float64(2.6815615859885194e+154), float64(1))
     v_r_e = 1.3093562431584567e+151 < v_s
-    v_r = where(v_r_e, 9.332636185032189e-302, where(v_r_c, 7.637340908749012e-152, v_r_b))
-    v_r_d_size_1 = where(v_r_c, 7.637340908749012e-152, v_r_b_size_1)
+    v_r = where(v_r_e, 9.332636185032189e-302, where(v_r_c, 7.637340908749012e-152, where(v_r_a,
+        float64(2.6815615859885194e+154), float64(1))))
     n = v_n * v_r
     n_lo = (v_n - n * (1 / v_r) + v_n_lo) * v_r
     n_padded_1 = 1.8051943758648296e-276 + v_n_size_12
+    v_r_size_1 = where(v_r_e, 9.332636185032189e-302, where(v_r_c, 7.637340908749012e-152,
+        where(v_r_a, float64(2.6815615859885194e+154), float64(1))))
     half = elementary.atan2(n, upper_3)
     half_size0_1 = absolute(n)
     half_size1_1 = absolute(upper_3)
@@ -1040,13 +1073,13 @@ def axis_angle_from_mat3x3(R):
     half_divisor_1 = where(half_zero_1, 1, half_most_1)
     half_part0_1 = n / half_divisor_1
     half_part1_1 = upper_3 / half_divisor_1
-    half_divisor2_1 = half_divisor_1 * (half_part1_1 * half_part1_1 + half_part0_1 * half_part0_1)
-    half_cross_1 = half_part1_1 * n_lo - half_part0_1 * upper_lo_4
-    half_more_1 = half_cross_1 / where(half_zero_1, 1, half_divisor2_1)
-    half_lo = elementary.atan2_error(n, upper_3, half) + half_more_1
-    n_size_1 = n_padded_1 * where(v_r_e, 9.332636185032189e-302, v_r_d_size_1)
-    half_padded_1 = 1.8051943758648296e-276 + n_size_1
-    half_padded_2 = 1.8051943758648296e-276 + (column_size_4 + upper_size_30)
+    half_safe_1 = (where(half_zero_1, 1, half_divisor_1
+        * (half_part1_1 * half_part1_1 + half_part0_1 * half_part0_1)))
+    half_lo = (elementary.atan2_error(n, upper_3, half)
+        + (half_part1_1 * n_lo - half_part0_1 * upper_lo_4) / half_safe_1)
+    half_padded_1 = 1.8051943758648296e-276 + n_padded_1 * v_r_size_1
+    half_padded_2 = (1.8051943758648296e-276
+        + (column_size_4 + 1.5845630613906556e+29 * upper_size_29))
     half_size_2 = absolute(n)
     half_size_3 = absolute(upper_3)
     half_size_5 = where(half_size_2 < half_size_3, half_size_3, half_size_2)
@@ -1055,50 +1088,53 @@ def axis_angle_from_mat3x3(R):
     half_size_11 = (half_bound_2 + (1.8051943758648296e-276 + half_bound_1)) / half_size_5
     half_size_13 = half_size_11 * half_size_11
     half_size_15 = 7 + absolute(half_lo)
-    half_size_18 = where(half_bound_2 < upper_3, half_size_13, half_size_15)
-    half_size_19 = where(half_bound_1 < half_size_2, half_size_13, half_size_18)
+    half_size_19 = (where(half_bound_1
+        < half_size_2, half_size_13, where(half_bound_2 < upper_3, half_size_13, half_size_15)))
     half_size_21 = 4.527322338646221e+28 * where(half_size_11 < 0.25, half_size_19, half_size_15)
     divisor_a = v_n == 0
     divisor = where(divisor_a, 1, v_n)
     divisor_lo = where(divisor_a, 0, v_n_lo)
     divisor_bound_1 = 9.152022998369425e-30 * n_padded_1 + v_n_size_6
     divisor_size_4 = divisor_bound_1 < absolute(v_n - 0)
-    divisor_size_8 = where(divisor_size_4, 0, divisor_bound_1 + absolute(1 - v_n))
     unit_0 = v_y_0 / divisor
     unit_product_1 = unit_0 * divisor
-    unit_exact_1 = v_y_0 - unit_product_1 - product_error(unit_0, divisor, unit_product_1)
-    unit_lo_1 = (unit_exact_1 + v_y_lo_1 - unit_0 * divisor_lo) / divisor
-    divisor_size_10 = where(divisor_a, 1, v_n_size_12) + 7.9228134180075855e+28 * divisor_size_8
+    unit_lo_1 = ((v_y_0 - unit_product_1 - product_error(unit_0, divisor, unit_product_1)
+        + v_y_lo_1 - unit_0 * divisor_lo) / divisor)
+    divisor_size_10 = (where(divisor_a, 1, v_n_size_12) + 7.9228134180075855e+28
+        * where(divisor_size_4, 0, divisor_bound_1 + absolute(1 - v_n)))
     unit_padded_1 = 1.8051943758648296e-276 + divisor_size_10
     unit_size_1 = absolute(unit_0)
     unit_size_2 = absolute(divisor)
     unit_bound_1 = absolute(divisor_lo) + 1.3016211142756918e-29 * unit_padded_1
     unit_size_7 = where(4 * unit_bound_1 < unit_size_2, unit_size_2, 0)
     unit_reach_1 = unit_size_2 + 140737488355328 * unit_bound_1
-    unit_size_9 = unit_reach_1 * ((unit_padded_1 * unit_size_1 + v_n_a_padded_1) / unit_size_7)
-    unit_size_11 = unit_size_1 + unit_size_9 / unit_size_2
+    unit_size_11 = (unit_size_1 + unit_reach_1
+        * ((unit_padded_1 * unit_size_1 + v_n_a_padded_1) / unit_size_7) / unit_size_2)
     unit_1 = v_y_1 / divisor
     unit_product_2 = unit_1 * divisor
-    unit_exact_2 = v_y_1 - unit_product_2 - product_error(unit_1, divisor, unit_product_2)
     unit_size_12 = absolute(unit_1)
-    unit_size_16 = unit_reach_1 * ((unit_padded_1 * unit_size_12 + v_n_b_padded_1) / unit_size_7)
     unit_2 = v_y_2 / divisor
     unit_product_3 = unit_2 * divisor
-    unit_exact_3 = v_y_2 - unit_product_3 - product_error(unit_2, divisor, unit_product_3)
     unit_size_19 = absolute(unit_2)
-    unit_size_23 = unit_reach_1 * ((unit_padded_1 * unit_size_19 + v_n_d_padded_1) / unit_size_7)
     angle = 2 * half
-    half_size_22 = absolute(half) + (half_padded_1 + half_padded_2) / half_size_5 + half_size_21
     axis_0 = where(divisor_a, 1, unit_0)
-    axis_rest_1 = 1.86204130450056e-29 * (1.8051943758648296e-276 + unit_size_11)
-    axis_size_5 = where(divisor_size_4, 0, absolute(unit_lo_1) + axis_rest_1 + absolute(1 - unit_0))
-    angle_rest_1 = 2.3160472449138492e-29 * (1.8051943758648296e-276 + 2 * half_size_22)
-    axis_size_7 = where(divisor_a, 1, unit_size_11) + 5.516518603020976e+28 * axis_size_5
-    axis_rest_2 = 1.8620414596658144e-29 * (1.8051943758648296e-276 + axis_size_7)
-    unit_padded_2 = 1.8051943758648296e-276 + (unit_size_12 + unit_size_16 / unit_size_2)
-    unit_error_2 = absolute((unit_exact_2 + v_y_lo_2 - unit_1 * divisor_lo) / divisor)
-    unit_padded_3 = 1.8051943758648296e-276 + (unit_size_19 + unit_size_23 / unit_size_2)
-    unit_error_3 = absolute((unit_exact_3 + v_y_lo_3 - unit_2 * divisor_lo) / divisor)
+    axis_size_5 = (where(divisor_size_4, 0, absolute(unit_lo_1) + 1.86204130450056e-29
+        * (1.8051943758648296e-276 + unit_size_11) + absolute(1 - unit_0)))
+    angle_padded_1 = (1.8051943758648296e-276 + 2
+        * (absolute(half) + (half_padded_1 + half_padded_2) / half_size_5 + half_size_21))
+    axis_rest_2 = (1.8620414596658144e-29
+        * (1.8051943758648296e-276
+        + (where(divisor_a, 1, unit_size_11) + 5.516518603020976e+28 * axis_size_5)))
+    unit_size_18 = (unit_size_12 + unit_reach_1
+        * ((unit_padded_1 * unit_size_12 + v_n_b_padded_1) / unit_size_7) / unit_size_2)
+    unit_error_2 = (absolute((v_y_1 - unit_product_2
+        - product_error(unit_1, divisor, unit_product_2) + v_y_lo_2 - unit_1 * divisor_lo)
+        / divisor))
+    unit_size_25 = (unit_size_19 + unit_reach_1
+        * ((unit_padded_1 * unit_size_19 + v_n_d_padded_1) / unit_size_7) / unit_size_2)
+    unit_error_3 = (absolute((v_y_2 - unit_product_3
+        - product_error(unit_2, divisor, unit_product_3) + v_y_lo_3 - unit_2 * divisor_lo)
+        / divisor))
     R_n_0 = R_11 * R_22 - R_12 * R_21
     R_n_1 = R_02 * R_21 - R_01 * R_22
     R_n_2 = R_01 * R_12 - R_02 * R_11
@@ -1121,23 +1157,25 @@ def axis_angle_from_mat3x3(R):
     R_defect_size_5 = absolute(R_g_4)
     R_defect_size_6 = absolute(R_off_6)
     R_defect_largest1 = where(R_defect_size_0 < R_defect_size_1, R_defect_size_1, R_defect_size_0)
-    R_defect_largest2a = R_defect_largest1 < R_defect_size_2
-    R_defect_largest2 = where(R_defect_largest2a, R_defect_size_2, R_defect_largest1)
-    R_defect_largest3a = R_defect_largest2 < R_defect_size_3
-    R_defect_largest3 = where(R_defect_largest3a, R_defect_size_3, R_defect_largest2)
-    R_defect_largest4a = R_defect_largest3 < R_defect_size_4
-    R_defect_largest4 = where(R_defect_largest4a, R_defect_size_4, R_defect_largest3)
-    R_defect_largest5a = R_defect_largest4 < R_defect_size_5
-    R_defect_largest5 = where(R_defect_largest5a, R_defect_size_5, R_defect_largest4)
-    R_defect_largest6a = R_defect_largest5 < R_defect_size_6
-    R_defect_largest6 = where(R_defect_largest6a, R_defect_size_6, R_defect_largest5)
+    R_defect_largest2 = (where(R_defect_largest1
+        < R_defect_size_2, R_defect_size_2, R_defect_largest1))
+    R_defect_largest3 = (where(R_defect_largest2
+        < R_defect_size_3, R_defect_size_3, R_defect_largest2))
+    R_defect_largest4 = (where(R_defect_largest3
+        < R_defect_size_4, R_defect_size_4, R_defect_largest3))
+    R_defect_largest5 = (where(R_defect_largest4
+        < R_defect_size_5, R_defect_size_5, R_defect_largest4))
+    R_defect_largest6 = (where(R_defect_largest5
+        < R_defect_size_6, R_defect_size_6, R_defect_largest5))
     R_is_less = R_defect_largest6 < 0.001
     R_is_equal = R_defect_largest6 == 0.001
     R_unless_equal = where(R_is_equal, float64(0), float64(1.0715086071862673e+301))
     R_unless_rotation = where(R_is_less, 0, R_unless_equal)
     R_excess = R_unless_rotation * 1.0715086071862673e+301
-    R_excess_0 = absolute(2 * half_lo) + angle_rest_1 + R_excess
+    R_excess_0 = absolute(2 * half_lo) + 2.3160472449138492e-29 * angle_padded_1 + R_excess
     R_excess_1 = absolute(where(divisor_a, 0, unit_lo_1)) + axis_rest_2 + R_excess
-    R_excess_2 = unit_error_2 + 1.86204130450056e-29 * unit_padded_2 + R_excess
-    R_excess_3 = unit_error_3 + 1.86204130450056e-29 * unit_padded_3 + R_excess
+    R_excess_2 = (unit_error_2 + 1.86204130450056e-29 * (1.8051943758648296e-276 + unit_size_18)
+        + R_excess)
+    R_excess_3 = (unit_error_3 + 1.86204130450056e-29 * (1.8051943758648296e-276 + unit_size_25)
+        + R_excess)
     return (angle, axis_0, unit_1, unit_2, R_excess_0, R_excess_1, R_excess_2, R_excess_3)

@@ -164,9 +164,9 @@ def mat6x6_rotated(R, M):
     RM_8_size = absolute(RM_8a) + absolute(RM_8b) + absolute(RM_8d)
     R_00_abs = absolute(R_00)
     R_01_abs = absolute(R_01)
-    linear_0a_size = R_00_abs * (RM_0_size + 2.004168360008973e-292)
     R_02_abs = absolute(R_02)
-    linear_0c_size = linear_0a_size + R_01_abs * (RM_1_size + 2.004168360008973e-292)
+    linear_0c_size = (R_00_abs * (RM_0_size + 2.004168360008973e-292) + R_01_abs
+        * (RM_1_size + 2.004168360008973e-292))
     linear_0_size = linear_0c_size + R_02_abs * (RM_2_size + 2.004168360008973e-292)
     RM_3_padded = RM_3_size + 2.004168360008973e-292
     RM_4_padded = RM_4_size + 2.004168360008973e-292
@@ -221,8 +221,8 @@ def mat6x6_rotated(R, M):
     RI_6_size = absolute(RI_6a) + absolute(RI_6b) + absolute(RI_6d)
     RI_7_size = absolute(RI_7a) + absolute(RI_7b) + absolute(RI_7d)
     RI_8_size = absolute(RI_8a) + absolute(RI_8b) + absolute(RI_8d)
-    angular_0a_size = R_00_abs * (RI_0_size + 2.004168360008973e-292)
-    angular_0c_size = angular_0a_size + R_01_abs * (RI_1_size + 2.004168360008973e-292)
+    angular_0c_size = (R_00_abs * (RI_0_size + 2.004168360008973e-292) + R_01_abs
+        * (RI_1_size + 2.004168360008973e-292))
     angular_0_size = angular_0c_size + R_02_abs * (RI_2_size + 2.004168360008973e-292)
     RI_3_padded = RI_3_size + 2.004168360008973e-292
     RI_4_padded = RI_4_size + 2.004168360008973e-292
@@ -235,43 +235,39 @@ def mat6x6_rotated(R, M):
     angular_3_size = R_00_abs * RI_6_padded + R_01_abs * RI_7_padded + R_02_abs * RI_8_padded
     angular_4_size = R_10_abs * RI_6_padded + R_11_abs * RI_7_padded + R_12_abs * RI_8_padded
     angular_5_size = R_20_abs * RI_6_padded + R_21_abs * RI_7_padded + R_22_abs * RI_8_padded
-    linear_0_error_bound = 6.661338147750942e-16 * (linear_0_size + 2.004168360008973e-292)
-    linear_1_error_bound = 6.661338147750942e-16 * (linear_1_size + 2.004168360008973e-292)
-    linear_3_error_bound = 6.661338147750942e-16 * (linear_3_size + 2.004168360008973e-292)
-    coupling_0_error_bound = 6.661338147750942e-16 * (coupling_0_size + 2.004168360008973e-292)
-    coupling_3_error_bound = 6.661338147750942e-16 * (coupling_3_size + 2.004168360008973e-292)
-    coupling_6_error_bound = 6.661338147750942e-16 * (coupling_6_size + 2.004168360008973e-292)
-    linear_2_error_bound = 6.661338147750942e-16 * (linear_2_size + 2.004168360008973e-292)
-    linear_4_error_bound = 6.661338147750942e-16 * (linear_4_size + 2.004168360008973e-292)
-    coupling_1_error_bound = 6.661338147750942e-16 * (coupling_1_size + 2.004168360008973e-292)
-    coupling_4_error_bound = 6.661338147750942e-16 * (coupling_4_size + 2.004168360008973e-292)
-    coupling_7_error_bound = 6.661338147750942e-16 * (coupling_7_size + 2.004168360008973e-292)
-    linear_5_error_bound = 6.661338147750942e-16 * (linear_5_size + 2.004168360008973e-292)
-    coupling_2_error_bound = 6.661338147750942e-16 * (coupling_2_size + 2.004168360008973e-292)
-    coupling_5_error_bound = 6.661338147750942e-16 * (coupling_5_size + 2.004168360008973e-292)
-    coupling_8_error_bound = 6.661338147750942e-16 * (coupling_8_size + 2.004168360008973e-292)
-    angular_0_error_bound = 6.661338147750942e-16 * (angular_0_size + 2.004168360008973e-292)
-    angular_1_error_bound = 6.661338147750942e-16 * (angular_1_size + 2.004168360008973e-292)
-    angular_3_error_bound = 6.661338147750942e-16 * (angular_3_size + 2.004168360008973e-292)
-    angular_2_error_bound = 6.661338147750942e-16 * (angular_2_size + 2.004168360008973e-292)
-    angular_4_error_bound = 6.661338147750942e-16 * (angular_4_size + 2.004168360008973e-292)
-    angular_5_error_bound = 6.661338147750942e-16 * (angular_5_size + 2.004168360008973e-292)
+    linear_0_bound = 6.661338147750942e-16 * (linear_0_size + 2.004168360008973e-292)
+    linear_1_bound = 6.661338147750942e-16 * (linear_1_size + 2.004168360008973e-292)
+    linear_3_bound = 6.661338147750942e-16 * (linear_3_size + 2.004168360008973e-292)
+    coupling_0_bound = 6.661338147750942e-16 * (coupling_0_size + 2.004168360008973e-292)
+    coupling_3_bound = 6.661338147750942e-16 * (coupling_3_size + 2.004168360008973e-292)
+    coupling_6_bound = 6.661338147750942e-16 * (coupling_6_size + 2.004168360008973e-292)
+    linear_2_bound = 6.661338147750942e-16 * (linear_2_size + 2.004168360008973e-292)
+    linear_4_bound = 6.661338147750942e-16 * (linear_4_size + 2.004168360008973e-292)
+    coupling_1_bound = 6.661338147750942e-16 * (coupling_1_size + 2.004168360008973e-292)
+    coupling_4_bound = 6.661338147750942e-16 * (coupling_4_size + 2.004168360008973e-292)
+    coupling_7_bound = 6.661338147750942e-16 * (coupling_7_size + 2.004168360008973e-292)
+    linear_5_bound = 6.661338147750942e-16 * (linear_5_size + 2.004168360008973e-292)
+    coupling_2_bound = 6.661338147750942e-16 * (coupling_2_size + 2.004168360008973e-292)
+    coupling_5_bound = 6.661338147750942e-16 * (coupling_5_size + 2.004168360008973e-292)
+    coupling_8_bound = 6.661338147750942e-16 * (coupling_8_size + 2.004168360008973e-292)
+    angular_0_bound = 6.661338147750942e-16 * (angular_0_size + 2.004168360008973e-292)
+    angular_1_bound = 6.661338147750942e-16 * (angular_1_size + 2.004168360008973e-292)
+    angular_3_bound = 6.661338147750942e-16 * (angular_3_size + 2.004168360008973e-292)
+    angular_2_bound = 6.661338147750942e-16 * (angular_2_size + 2.004168360008973e-292)
+    angular_4_bound = 6.661338147750942e-16 * (angular_4_size + 2.004168360008973e-292)
+    angular_5_bound = 6.661338147750942e-16 * (angular_5_size + 2.004168360008973e-292)
     return (linear_0, linear_1, linear_3, coupling_0, coupling_3, coupling_6, linear_1, linear_2,
         linear_4, coupling_1, coupling_4, coupling_7, linear_3, linear_4, linear_5, coupling_2,
         coupling_5, coupling_8, coupling_0, coupling_1, coupling_2, angular_0, angular_1, angular_3,
         coupling_3, coupling_4, coupling_5, angular_1, angular_2, angular_4, coupling_6, coupling_7,
-        coupling_8, angular_3, angular_4, angular_5, linear_0_error_bound, linear_1_error_bound,
-        linear_3_error_bound, coupling_0_error_bound, coupling_3_error_bound,
-        coupling_6_error_bound, linear_1_error_bound, linear_2_error_bound, linear_4_error_bound,
-        coupling_1_error_bound, coupling_4_error_bound, coupling_7_error_bound,
-        linear_3_error_bound, linear_4_error_bound, linear_5_error_bound, coupling_2_error_bound,
-        coupling_5_error_bound, coupling_8_error_bound, coupling_0_error_bound,
-        coupling_1_error_bound, coupling_2_error_bound, angular_0_error_bound,
-        angular_1_error_bound, angular_3_error_bound, coupling_3_error_bound,
-        coupling_4_error_bound, coupling_5_error_bound, angular_1_error_bound,
-        angular_2_error_bound, angular_4_error_bound, coupling_6_error_bound,
-        coupling_7_error_bound, coupling_8_error_bound, angular_3_error_bound,
-        angular_4_error_bound, angular_5_error_bound)
+        coupling_8, angular_3, angular_4, angular_5, linear_0_bound, linear_1_bound, linear_3_bound,
+        coupling_0_bound, coupling_3_bound, coupling_6_bound, linear_1_bound, linear_2_bound,
+        linear_4_bound, coupling_1_bound, coupling_4_bound, coupling_7_bound, linear_3_bound,
+        linear_4_bound, linear_5_bound, coupling_2_bound, coupling_5_bound, coupling_8_bound,
+        coupling_0_bound, coupling_1_bound, coupling_2_bound, angular_0_bound, angular_1_bound,
+        angular_3_bound, coupling_3_bound, coupling_4_bound, coupling_5_bound, angular_1_bound,
+        angular_2_bound, angular_4_bound, coupling_6_bound, coupling_7_bound, coupling_8_bound,
+        angular_3_bound, angular_4_bound, angular_5_bound)
 
 
 @kernel("(3),(6,6)->(6,6),(6,6)")
@@ -345,46 +341,44 @@ def mat6x6_shifted(t, M):
     t_1_abs = absolute(t_1)
     G_1_padded = G_1_size + 2.004168360008973e-292
     t_2_abs = absolute(t_2)
-    moved_0f_size = t_1_abs * G_2_padded + t_2_abs * G_1_padded
-    moved_0_size = absolute(moved_0a) + absolute(moved_0b) + moved_0f_size + absolute(M_33)
+    moved_0_size = (absolute(moved_0a) + absolute(moved_0b)
+        + (t_1_abs * G_2_padded + t_2_abs * G_1_padded) + absolute(M_33))
     G_5_padded = G_5_size + 2.004168360008973e-292
     G_4_padded = G_4_size + 2.004168360008973e-292
-    moved_1f_size = t_1_abs * G_5_padded + t_2_abs * G_4_padded
-    moved_1_size = absolute(moved_1a) + absolute(moved_1b) + moved_1f_size + absolute(M_43)
+    moved_1_size = (absolute(moved_1a) + absolute(moved_1b)
+        + (t_1_abs * G_5_padded + t_2_abs * G_4_padded) + absolute(M_43))
     G_3_padded = G_3_size + 2.004168360008973e-292
     t_0_abs = absolute(t_0)
-    moved_2f_size = t_2_abs * G_3_padded + t_0_abs * G_5_padded
-    moved_2_size = absolute(moved_2a) + absolute(moved_2b) + moved_2f_size + absolute(M_44)
+    moved_2_size = (absolute(moved_2a) + absolute(moved_2b)
+        + (t_2_abs * G_3_padded + t_0_abs * G_5_padded) + absolute(M_44))
     G_8_padded = G_8_size + 2.004168360008973e-292
     G_7_padded = G_7_size + 2.004168360008973e-292
-    moved_3f_size = t_1_abs * G_8_padded + t_2_abs * G_7_padded
-    moved_3_size = absolute(moved_3a) + absolute(moved_3b) + moved_3f_size + absolute(M_53)
+    moved_3_size = (absolute(moved_3a) + absolute(moved_3b)
+        + (t_1_abs * G_8_padded + t_2_abs * G_7_padded) + absolute(M_53))
     G_6_padded = G_6_size + 2.004168360008973e-292
-    moved_4f_size = t_2_abs * G_6_padded + t_0_abs * G_8_padded
-    moved_4_size = absolute(moved_4a) + absolute(moved_4b) + moved_4f_size + absolute(M_54)
-    moved_5f_size = t_0_abs * G_7_padded + t_1_abs * G_6_padded
-    moved_5_size = absolute(moved_5a) + absolute(moved_5b) + moved_5f_size + absolute(M_55)
-    G_0_error_bound = 3.3306690738754706e-16 * (G_0_size + 2.004168360008973e-292)
-    G_3_error_bound = 3.3306690738754706e-16 * G_3_padded
-    G_6_error_bound = 3.3306690738754706e-16 * G_6_padded
-    G_1_error_bound = 3.3306690738754706e-16 * G_1_padded
-    G_4_error_bound = 3.3306690738754706e-16 * G_4_padded
-    G_7_error_bound = 3.3306690738754706e-16 * G_7_padded
-    G_2_error_bound = 3.3306690738754706e-16 * G_2_padded
-    G_5_error_bound = 3.3306690738754706e-16 * G_5_padded
-    G_8_error_bound = 3.3306690738754706e-16 * G_8_padded
-    moved_0_error_bound = 7.7715611723761e-16 * (moved_0_size + 2.004168360008973e-292)
-    moved_1_error_bound = 7.7715611723761e-16 * (moved_1_size + 2.004168360008973e-292)
-    moved_3_error_bound = 7.7715611723761e-16 * (moved_3_size + 2.004168360008973e-292)
-    moved_2_error_bound = 7.7715611723761e-16 * (moved_2_size + 2.004168360008973e-292)
-    moved_4_error_bound = 7.7715611723761e-16 * (moved_4_size + 2.004168360008973e-292)
-    moved_5_error_bound = 7.7715611723761e-16 * (moved_5_size + 2.004168360008973e-292)
+    moved_4_size = (absolute(moved_4a) + absolute(moved_4b)
+        + (t_2_abs * G_6_padded + t_0_abs * G_8_padded) + absolute(M_54))
+    moved_5_size = (absolute(moved_5a) + absolute(moved_5b)
+        + (t_0_abs * G_7_padded + t_1_abs * G_6_padded) + absolute(M_55))
+    G_0_bound = 3.3306690738754706e-16 * (G_0_size + 2.004168360008973e-292)
+    G_3_bound = 3.3306690738754706e-16 * G_3_padded
+    G_6_bound = 3.3306690738754706e-16 * G_6_padded
+    G_1_bound = 3.3306690738754706e-16 * G_1_padded
+    G_4_bound = 3.3306690738754706e-16 * G_4_padded
+    G_7_bound = 3.3306690738754706e-16 * G_7_padded
+    G_2_bound = 3.3306690738754706e-16 * G_2_padded
+    G_5_bound = 3.3306690738754706e-16 * G_5_padded
+    G_8_bound = 3.3306690738754706e-16 * G_8_padded
+    moved_0_bound = 7.7715611723761e-16 * (moved_0_size + 2.004168360008973e-292)
+    moved_1_bound = 7.7715611723761e-16 * (moved_1_size + 2.004168360008973e-292)
+    moved_3_bound = 7.7715611723761e-16 * (moved_3_size + 2.004168360008973e-292)
+    moved_2_bound = 7.7715611723761e-16 * (moved_2_size + 2.004168360008973e-292)
+    moved_4_bound = 7.7715611723761e-16 * (moved_4_size + 2.004168360008973e-292)
+    moved_5_bound = 7.7715611723761e-16 * (moved_5_size + 2.004168360008973e-292)
     return (M_00, M_10, M_20, G_0, G_3, G_6, M_10, M_11, M_21, G_1, G_4, G_7, M_20, M_21, M_22, G_2,
         G_5, G_8, G_0, G_1, G_2, moved_0, moved_1, moved_3, G_3, G_4, G_5, moved_1, moved_2,
-        moved_4, G_6, G_7, G_8, moved_3, moved_4, moved_5, 0, 0, 0, G_0_error_bound,
-        G_3_error_bound, G_6_error_bound, 0, 0, 0, G_1_error_bound, G_4_error_bound,
-        G_7_error_bound, 0, 0, 0, G_2_error_bound, G_5_error_bound, G_8_error_bound,
-        G_0_error_bound, G_1_error_bound, G_2_error_bound, moved_0_error_bound, moved_1_error_bound,
-        moved_3_error_bound, G_3_error_bound, G_4_error_bound, G_5_error_bound, moved_1_error_bound,
-        moved_2_error_bound, moved_4_error_bound, G_6_error_bound, G_7_error_bound, G_8_error_bound,
-        moved_3_error_bound, moved_4_error_bound, moved_5_error_bound)
+        moved_4, G_6, G_7, G_8, moved_3, moved_4, moved_5, 0, 0, 0, G_0_bound, G_3_bound, G_6_bound,
+        0, 0, 0, G_1_bound, G_4_bound, G_7_bound, 0, 0, 0, G_2_bound, G_5_bound, G_8_bound,
+        G_0_bound, G_1_bound, G_2_bound, moved_0_bound, moved_1_bound, moved_3_bound, G_3_bound,
+        G_4_bound, G_5_bound, moved_1_bound, moved_2_bound, moved_4_bound, G_6_bound, G_7_bound,
+        G_8_bound, moved_3_bound, moved_4_bound, moved_5_bound)

@@ -36,10 +36,10 @@ def product_drv(R, v):
     vo_0_size = absolute(vo_0a) + absolute(vo_0b) + absolute(vo_0d)
     vo_1_size = absolute(vo_1a) + absolute(vo_1b) + absolute(vo_1d)
     vo_2_size = absolute(vo_2a) + absolute(vo_2b) + absolute(vo_2d)
-    vo_0_error_bound = 3.3306690738754706e-16 * (vo_0_size + 2.004168360008973e-292)
-    vo_1_error_bound = 3.3306690738754706e-16 * (vo_1_size + 2.004168360008973e-292)
-    vo_2_error_bound = 3.3306690738754706e-16 * (vo_2_size + 2.004168360008973e-292)
-    return (vo_0, vo_1, vo_2, vo_0_error_bound, vo_1_error_bound, vo_2_error_bound)
+    vo_0_bound = 3.3306690738754706e-16 * (vo_0_size + 2.004168360008973e-292)
+    vo_1_bound = 3.3306690738754706e-16 * (vo_1_size + 2.004168360008973e-292)
+    vo_2_bound = 3.3306690738754706e-16 * (vo_2_size + 2.004168360008973e-292)
+    return (vo_0, vo_1, vo_2, vo_0_bound, vo_1_bound, vo_2_bound)
 
 
 @kernel("(3,3),(3)->(3),(3)")
@@ -64,13 +64,13 @@ def product_drvinv(R, v):
     vo_2b = R_21 * v_1
     vo_2d = R_22 * v_2
     vo_2 = -(vo_2a + vo_2b + vo_2d)
-    vo_0e_padded = absolute(vo_0a) + absolute(vo_0b) + absolute(vo_0d) + 2.004168360008973e-292
-    vo_0e_error_bound = 3.3306690738754706e-16 * vo_0e_padded
-    vo_1e_padded = absolute(vo_1a) + absolute(vo_1b) + absolute(vo_1d) + 2.004168360008973e-292
-    vo_1e_error_bound = 3.3306690738754706e-16 * vo_1e_padded
-    vo_2e_padded = absolute(vo_2a) + absolute(vo_2b) + absolute(vo_2d) + 2.004168360008973e-292
-    vo_2e_error_bound = 3.3306690738754706e-16 * vo_2e_padded
-    return (vo_0, vo_1, vo_2, vo_0e_error_bound, vo_1e_error_bound, vo_2e_error_bound)
+    vo_0e_bound = (3.3306690738754706e-16
+        * (absolute(vo_0a) + absolute(vo_0b) + absolute(vo_0d) + 2.004168360008973e-292))
+    vo_1e_bound = (3.3306690738754706e-16
+        * (absolute(vo_1a) + absolute(vo_1b) + absolute(vo_1d) + 2.004168360008973e-292))
+    vo_2e_bound = (3.3306690738754706e-16
+        * (absolute(vo_2a) + absolute(vo_2b) + absolute(vo_2d) + 2.004168360008973e-292))
+    return (vo_0, vo_1, vo_2, vo_0e_bound, vo_1e_bound, vo_2e_bound)
 
 
 @kernel("(3,3),(3)->(3),(3)")
@@ -98,10 +98,10 @@ def product_drinvv(R, v):
     vo_0_size = absolute(vo_0a) + absolute(vo_0b) + absolute(vo_0d)
     vo_1_size = absolute(vo_1a) + absolute(vo_1b) + absolute(vo_1d)
     vo_2_size = absolute(vo_2a) + absolute(vo_2b) + absolute(vo_2d)
-    vo_0_error_bound = 3.3306690738754706e-16 * (vo_0_size + 2.004168360008973e-292)
-    vo_1_error_bound = 3.3306690738754706e-16 * (vo_1_size + 2.004168360008973e-292)
-    vo_2_error_bound = 3.3306690738754706e-16 * (vo_2_size + 2.004168360008973e-292)
-    return (vo_0, vo_1, vo_2, vo_0_error_bound, vo_1_error_bound, vo_2_error_bound)
+    vo_0_bound = 3.3306690738754706e-16 * (vo_0_size + 2.004168360008973e-292)
+    vo_1_bound = 3.3306690738754706e-16 * (vo_1_size + 2.004168360008973e-292)
+    vo_2_bound = 3.3306690738754706e-16 * (vo_2_size + 2.004168360008973e-292)
+    return (vo_0, vo_1, vo_2, vo_0_bound, vo_1_bound, vo_2_bound)
 
 
 @kernel("(3,3),(3)->(3),(3)")
@@ -126,13 +126,13 @@ def product_drinvvinv(R, v):
     vo_2b = R_12 * v_1
     vo_2d = R_22 * v_2
     vo_2 = -(vo_2a + vo_2b + vo_2d)
-    vo_0e_padded = absolute(vo_0a) + absolute(vo_0b) + absolute(vo_0d) + 2.004168360008973e-292
-    vo_0e_error_bound = 3.3306690738754706e-16 * vo_0e_padded
-    vo_1e_padded = absolute(vo_1a) + absolute(vo_1b) + absolute(vo_1d) + 2.004168360008973e-292
-    vo_1e_error_bound = 3.3306690738754706e-16 * vo_1e_padded
-    vo_2e_padded = absolute(vo_2a) + absolute(vo_2b) + absolute(vo_2d) + 2.004168360008973e-292
-    vo_2e_error_bound = 3.3306690738754706e-16 * vo_2e_padded
-    return (vo_0, vo_1, vo_2, vo_0e_error_bound, vo_1e_error_bound, vo_2e_error_bound)
+    vo_0e_bound = (3.3306690738754706e-16
+        * (absolute(vo_0a) + absolute(vo_0b) + absolute(vo_0d) + 2.004168360008973e-292))
+    vo_1e_bound = (3.3306690738754706e-16
+        * (absolute(vo_1a) + absolute(vo_1b) + absolute(vo_1d) + 2.004168360008973e-292))
+    vo_2e_bound = (3.3306690738754706e-16
+        * (absolute(vo_2a) + absolute(vo_2b) + absolute(vo_2d) + 2.004168360008973e-292))
+    return (vo_0, vo_1, vo_2, vo_0e_bound, vo_1e_bound, vo_2e_bound)
 
 
 @kernel("(3,4),(3)->(3),(3)")
@@ -160,10 +160,10 @@ def product_dv(D, v):
     vo_0_size = absolute(vo_0a) + absolute(vo_0b) + absolute(vo_0d) + absolute(D_03)
     vo_1_size = absolute(vo_1a) + absolute(vo_1b) + absolute(vo_1d) + absolute(D_13)
     vo_2_size = absolute(vo_2a) + absolute(vo_2b) + absolute(vo_2d) + absolute(D_23)
-    vo_0_error_bound = 4.440892098500628e-16 * (vo_0_size + 2.004168360008973e-292)
-    vo_1_error_bound = 4.440892098500628e-16 * (vo_1_size + 2.004168360008973e-292)
-    vo_2_error_bound = 4.440892098500628e-16 * (vo_2_size + 2.004168360008973e-292)
-    return (vo_0, vo_1, vo_2, vo_0_error_bound, vo_1_error_bound, vo_2_error_bound)
+    vo_0_bound = 4.440892098500628e-16 * (vo_0_size + 2.004168360008973e-292)
+    vo_1_bound = 4.440892098500628e-16 * (vo_1_size + 2.004168360008973e-292)
+    vo_2_bound = 4.440892098500628e-16 * (vo_2_size + 2.004168360008973e-292)
+    return (vo_0, vo_1, vo_2, vo_0_bound, vo_1_bound, vo_2_bound)
 
 
 @kernel("(3,4),(3)->(3),(3)")
@@ -188,10 +188,10 @@ def product_dinvv(D, v):
     vo_0_size = absolute(D_00) * p_0_abs + absolute(D_10) * p_1_abs + absolute(D_20) * p_2_abs
     vo_1_size = absolute(D_01) * p_0_abs + absolute(D_11) * p_1_abs + absolute(D_21) * p_2_abs
     vo_2_size = absolute(D_02) * p_0_abs + absolute(D_12) * p_1_abs + absolute(D_22) * p_2_abs
-    vo_0_error_bound = 4.440892098500628e-16 * (vo_0_size + 2.004168360008973e-292)
-    vo_1_error_bound = 4.440892098500628e-16 * (vo_1_size + 2.004168360008973e-292)
-    vo_2_error_bound = 4.440892098500628e-16 * (vo_2_size + 2.004168360008973e-292)
-    return (vo_0, vo_1, vo_2, vo_0_error_bound, vo_1_error_bound, vo_2_error_bound)
+    vo_0_bound = 4.440892098500628e-16 * (vo_0_size + 2.004168360008973e-292)
+    vo_1_bound = 4.440892098500628e-16 * (vo_1_size + 2.004168360008973e-292)
+    vo_2_bound = 4.440892098500628e-16 * (vo_2_size + 2.004168360008973e-292)
+    return (vo_0, vo_1, vo_2, vo_0_bound, vo_1_bound, vo_2_bound)
 
 
 @kernel("(3,3),(3,3)->(3,3),(3,3)")
@@ -249,18 +249,17 @@ def product_drdr(R1, R2):
     Ro_20_size = absolute(Ro_20a) + absolute(Ro_20b) + absolute(Ro_20d)
     Ro_21_size = absolute(Ro_21a) + absolute(Ro_21b) + absolute(Ro_21d)
     Ro_22_size = absolute(Ro_22a) + absolute(Ro_22b) + absolute(Ro_22d)
-    Ro_00_error_bound = 3.3306690738754706e-16 * (Ro_00_size + 2.004168360008973e-292)
-    Ro_01_error_bound = 3.3306690738754706e-16 * (Ro_01_size + 2.004168360008973e-292)
-    Ro_02_error_bound = 3.3306690738754706e-16 * (Ro_02_size + 2.004168360008973e-292)
-    Ro_10_error_bound = 3.3306690738754706e-16 * (Ro_10_size + 2.004168360008973e-292)
-    Ro_11_error_bound = 3.3306690738754706e-16 * (Ro_11_size + 2.004168360008973e-292)
-    Ro_12_error_bound = 3.3306690738754706e-16 * (Ro_12_size + 2.004168360008973e-292)
-    Ro_20_error_bound = 3.3306690738754706e-16 * (Ro_20_size + 2.004168360008973e-292)
-    Ro_21_error_bound = 3.3306690738754706e-16 * (Ro_21_size + 2.004168360008973e-292)
-    Ro_22_error_bound = 3.3306690738754706e-16 * (Ro_22_size + 2.004168360008973e-292)
-    return (Ro_00, Ro_01, Ro_02, Ro_10, Ro_11, Ro_12, Ro_20, Ro_21, Ro_22, Ro_00_error_bound,
-        Ro_01_error_bound, Ro_02_error_bound, Ro_10_error_bound, Ro_11_error_bound,
-        Ro_12_error_bound, Ro_20_error_bound, Ro_21_error_bound, Ro_22_error_bound)
+    Ro_00_bound = 3.3306690738754706e-16 * (Ro_00_size + 2.004168360008973e-292)
+    Ro_01_bound = 3.3306690738754706e-16 * (Ro_01_size + 2.004168360008973e-292)
+    Ro_02_bound = 3.3306690738754706e-16 * (Ro_02_size + 2.004168360008973e-292)
+    Ro_10_bound = 3.3306690738754706e-16 * (Ro_10_size + 2.004168360008973e-292)
+    Ro_11_bound = 3.3306690738754706e-16 * (Ro_11_size + 2.004168360008973e-292)
+    Ro_12_bound = 3.3306690738754706e-16 * (Ro_12_size + 2.004168360008973e-292)
+    Ro_20_bound = 3.3306690738754706e-16 * (Ro_20_size + 2.004168360008973e-292)
+    Ro_21_bound = 3.3306690738754706e-16 * (Ro_21_size + 2.004168360008973e-292)
+    Ro_22_bound = 3.3306690738754706e-16 * (Ro_22_size + 2.004168360008973e-292)
+    return (Ro_00, Ro_01, Ro_02, Ro_10, Ro_11, Ro_12, Ro_20, Ro_21, Ro_22, Ro_00_bound, Ro_01_bound,
+        Ro_02_bound, Ro_10_bound, Ro_11_bound, Ro_12_bound, Ro_20_bound, Ro_21_bound, Ro_22_bound)
 
 
 @kernel("(3,3),(3,3)->(3,3),(3,3)")
@@ -318,18 +317,17 @@ def product_drdrinv(R1, R2):
     Ro_20_size = absolute(Ro_20a) + absolute(Ro_20b) + absolute(Ro_20d)
     Ro_21_size = absolute(Ro_21a) + absolute(Ro_21b) + absolute(Ro_21d)
     Ro_22_size = absolute(Ro_22a) + absolute(Ro_22b) + absolute(Ro_22d)
-    Ro_00_error_bound = 3.3306690738754706e-16 * (Ro_00_size + 2.004168360008973e-292)
-    Ro_01_error_bound = 3.3306690738754706e-16 * (Ro_01_size + 2.004168360008973e-292)
-    Ro_02_error_bound = 3.3306690738754706e-16 * (Ro_02_size + 2.004168360008973e-292)
-    Ro_10_error_bound = 3.3306690738754706e-16 * (Ro_10_size + 2.004168360008973e-292)
-    Ro_11_error_bound = 3.3306690738754706e-16 * (Ro_11_size + 2.004168360008973e-292)
-    Ro_12_error_bound = 3.3306690738754706e-16 * (Ro_12_size + 2.004168360008973e-292)
-    Ro_20_error_bound = 3.3306690738754706e-16 * (Ro_20_size + 2.004168360008973e-292)
-    Ro_21_error_bound = 3.3306690738754706e-16 * (Ro_21_size + 2.004168360008973e-292)
-    Ro_22_error_bound = 3.3306690738754706e-16 * (Ro_22_size + 2.004168360008973e-292)
-    return (Ro_00, Ro_01, Ro_02, Ro_10, Ro_11, Ro_12, Ro_20, Ro_21, Ro_22, Ro_00_error_bound,
-        Ro_01_error_bound, Ro_02_error_bound, Ro_10_error_bound, Ro_11_error_bound,
-        Ro_12_error_bound, Ro_20_error_bound, Ro_21_error_bound, Ro_22_error_bound)
+    Ro_00_bound = 3.3306690738754706e-16 * (Ro_00_size + 2.004168360008973e-292)
+    Ro_01_bound = 3.3306690738754706e-16 * (Ro_01_size + 2.004168360008973e-292)
+    Ro_02_bound = 3.3306690738754706e-16 * (Ro_02_size + 2.004168360008973e-292)
+    Ro_10_bound = 3.3306690738754706e-16 * (Ro_10_size + 2.004168360008973e-292)
+    Ro_11_bound = 3.3306690738754706e-16 * (Ro_11_size + 2.004168360008973e-292)
+    Ro_12_bound = 3.3306690738754706e-16 * (Ro_12_size + 2.004168360008973e-292)
+    Ro_20_bound = 3.3306690738754706e-16 * (Ro_20_size + 2.004168360008973e-292)
+    Ro_21_bound = 3.3306690738754706e-16 * (Ro_21_size + 2.004168360008973e-292)
+    Ro_22_bound = 3.3306690738754706e-16 * (Ro_22_size + 2.004168360008973e-292)
+    return (Ro_00, Ro_01, Ro_02, Ro_10, Ro_11, Ro_12, Ro_20, Ro_21, Ro_22, Ro_00_bound, Ro_01_bound,
+        Ro_02_bound, Ro_10_bound, Ro_11_bound, Ro_12_bound, Ro_20_bound, Ro_21_bound, Ro_22_bound)
 
 
 @kernel("(3,3),(3,3)->(3,3),(3,3)")
@@ -387,18 +385,17 @@ def product_drinvdr(R1, R2):
     Ro_20_size = absolute(Ro_20a) + absolute(Ro_20b) + absolute(Ro_20d)
     Ro_21_size = absolute(Ro_21a) + absolute(Ro_21b) + absolute(Ro_21d)
     Ro_22_size = absolute(Ro_22a) + absolute(Ro_22b) + absolute(Ro_22d)
-    Ro_00_error_bound = 3.3306690738754706e-16 * (Ro_00_size + 2.004168360008973e-292)
-    Ro_01_error_bound = 3.3306690738754706e-16 * (Ro_01_size + 2.004168360008973e-292)
-    Ro_02_error_bound = 3.3306690738754706e-16 * (Ro_02_size + 2.004168360008973e-292)
-    Ro_10_error_bound = 3.3306690738754706e-16 * (Ro_10_size + 2.004168360008973e-292)
-    Ro_11_error_bound = 3.3306690738754706e-16 * (Ro_11_size + 2.004168360008973e-292)
-    Ro_12_error_bound = 3.3306690738754706e-16 * (Ro_12_size + 2.004168360008973e-292)
-    Ro_20_error_bound = 3.3306690738754706e-16 * (Ro_20_size + 2.004168360008973e-292)
-    Ro_21_error_bound = 3.3306690738754706e-16 * (Ro_21_size + 2.004168360008973e-292)
-    Ro_22_error_bound = 3.3306690738754706e-16 * (Ro_22_size + 2.004168360008973e-292)
-    return (Ro_00, Ro_01, Ro_02, Ro_10, Ro_11, Ro_12, Ro_20, Ro_21, Ro_22, Ro_00_error_bound,
-        Ro_01_error_bound, Ro_02_error_bound, Ro_10_error_bound, Ro_11_error_bound,
-        Ro_12_error_bound, Ro_20_error_bound, Ro_21_error_bound, Ro_22_error_bound)
+    Ro_00_bound = 3.3306690738754706e-16 * (Ro_00_size + 2.004168360008973e-292)
+    Ro_01_bound = 3.3306690738754706e-16 * (Ro_01_size + 2.004168360008973e-292)
+    Ro_02_bound = 3.3306690738754706e-16 * (Ro_02_size + 2.004168360008973e-292)
+    Ro_10_bound = 3.3306690738754706e-16 * (Ro_10_size + 2.004168360008973e-292)
+    Ro_11_bound = 3.3306690738754706e-16 * (Ro_11_size + 2.004168360008973e-292)
+    Ro_12_bound = 3.3306690738754706e-16 * (Ro_12_size + 2.004168360008973e-292)
+    Ro_20_bound = 3.3306690738754706e-16 * (Ro_20_size + 2.004168360008973e-292)
+    Ro_21_bound = 3.3306690738754706e-16 * (Ro_21_size + 2.004168360008973e-292)
+    Ro_22_bound = 3.3306690738754706e-16 * (Ro_22_size + 2.004168360008973e-292)
+    return (Ro_00, Ro_01, Ro_02, Ro_10, Ro_11, Ro_12, Ro_20, Ro_21, Ro_22, Ro_00_bound, Ro_01_bound,
+        Ro_02_bound, Ro_10_bound, Ro_11_bound, Ro_12_bound, Ro_20_bound, Ro_21_bound, Ro_22_bound)
 
 
 @kernel("(3,4),(3,4)->(3,4),(3,4)")
@@ -471,22 +468,21 @@ def product_dd(D1, D2):
     Do_21_size = absolute(Do_21a) + absolute(Do_21b) + absolute(Do_21d)
     Do_22_size = absolute(Do_22a) + absolute(Do_22b) + absolute(Do_22d)
     Do_23_size = absolute(Do_23a) + absolute(Do_23b) + absolute(Do_23d) + absolute(D1_23)
-    Do_00_error_bound = 3.3306690738754706e-16 * (Do_00_size + 2.004168360008973e-292)
-    Do_01_error_bound = 3.3306690738754706e-16 * (Do_01_size + 2.004168360008973e-292)
-    Do_02_error_bound = 3.3306690738754706e-16 * (Do_02_size + 2.004168360008973e-292)
-    Do_03_error_bound = 4.440892098500628e-16 * (Do_03_size + 2.004168360008973e-292)
-    Do_10_error_bound = 3.3306690738754706e-16 * (Do_10_size + 2.004168360008973e-292)
-    Do_11_error_bound = 3.3306690738754706e-16 * (Do_11_size + 2.004168360008973e-292)
-    Do_12_error_bound = 3.3306690738754706e-16 * (Do_12_size + 2.004168360008973e-292)
-    Do_13_error_bound = 4.440892098500628e-16 * (Do_13_size + 2.004168360008973e-292)
-    Do_20_error_bound = 3.3306690738754706e-16 * (Do_20_size + 2.004168360008973e-292)
-    Do_21_error_bound = 3.3306690738754706e-16 * (Do_21_size + 2.004168360008973e-292)
-    Do_22_error_bound = 3.3306690738754706e-16 * (Do_22_size + 2.004168360008973e-292)
-    Do_23_error_bound = 4.440892098500628e-16 * (Do_23_size + 2.004168360008973e-292)
+    Do_00_bound = 3.3306690738754706e-16 * (Do_00_size + 2.004168360008973e-292)
+    Do_01_bound = 3.3306690738754706e-16 * (Do_01_size + 2.004168360008973e-292)
+    Do_02_bound = 3.3306690738754706e-16 * (Do_02_size + 2.004168360008973e-292)
+    Do_03_bound = 4.440892098500628e-16 * (Do_03_size + 2.004168360008973e-292)
+    Do_10_bound = 3.3306690738754706e-16 * (Do_10_size + 2.004168360008973e-292)
+    Do_11_bound = 3.3306690738754706e-16 * (Do_11_size + 2.004168360008973e-292)
+    Do_12_bound = 3.3306690738754706e-16 * (Do_12_size + 2.004168360008973e-292)
+    Do_13_bound = 4.440892098500628e-16 * (Do_13_size + 2.004168360008973e-292)
+    Do_20_bound = 3.3306690738754706e-16 * (Do_20_size + 2.004168360008973e-292)
+    Do_21_bound = 3.3306690738754706e-16 * (Do_21_size + 2.004168360008973e-292)
+    Do_22_bound = 3.3306690738754706e-16 * (Do_22_size + 2.004168360008973e-292)
+    Do_23_bound = 4.440892098500628e-16 * (Do_23_size + 2.004168360008973e-292)
     return (Do_00, Do_01, Do_02, Do_03, Do_10, Do_11, Do_12, Do_13, Do_20, Do_21, Do_22, Do_23,
-        Do_00_error_bound, Do_01_error_bound, Do_02_error_bound, Do_03_error_bound,
-        Do_10_error_bound, Do_11_error_bound, Do_12_error_bound, Do_13_error_bound,
-        Do_20_error_bound, Do_21_error_bound, Do_22_error_bound, Do_23_error_bound)
+        Do_00_bound, Do_01_bound, Do_02_bound, Do_03_bound, Do_10_bound, Do_11_bound, Do_12_bound,
+        Do_13_bound, Do_20_bound, Do_21_bound, Do_22_bound, Do_23_bound)
 
 
 @kernel("(3,4),(3,4)->(3,4),(3,4)")
@@ -553,34 +549,33 @@ def product_ddinv(D1, D2):
     D2_13_abs = absolute(D2_13)
     R_2_padded = R_2_size + 2.004168360008973e-292
     D2_23_abs = absolute(D2_23)
-    Do_03e_size = D2_03_abs * R_0_padded + D2_13_abs * R_1_padded + D2_23_abs * R_2_padded
-    Do_03_size = absolute(D1_03) + Do_03e_size
+    Do_03_size = (absolute(D1_03)
+        + (D2_03_abs * R_0_padded + D2_13_abs * R_1_padded + D2_23_abs * R_2_padded))
     R_3_padded = R_3_size + 2.004168360008973e-292
     R_4_padded = R_4_size + 2.004168360008973e-292
     R_5_padded = R_5_size + 2.004168360008973e-292
-    Do_13e_size = D2_03_abs * R_3_padded + D2_13_abs * R_4_padded + D2_23_abs * R_5_padded
-    Do_13_size = absolute(D1_13) + Do_13e_size
+    Do_13_size = (absolute(D1_13)
+        + (D2_03_abs * R_3_padded + D2_13_abs * R_4_padded + D2_23_abs * R_5_padded))
     R_6_padded = R_6_size + 2.004168360008973e-292
     R_7_padded = R_7_size + 2.004168360008973e-292
     R_8_padded = R_8_size + 2.004168360008973e-292
-    Do_23e_size = D2_03_abs * R_6_padded + D2_13_abs * R_7_padded + D2_23_abs * R_8_padded
-    Do_23_size = absolute(D1_23) + Do_23e_size
-    R_0_error_bound = 3.3306690738754706e-16 * R_0_padded
-    R_1_error_bound = 3.3306690738754706e-16 * R_1_padded
-    R_2_error_bound = 3.3306690738754706e-16 * R_2_padded
-    Do_03_error_bound = 7.7715611723761e-16 * (Do_03_size + 2.004168360008973e-292)
-    R_3_error_bound = 3.3306690738754706e-16 * R_3_padded
-    R_4_error_bound = 3.3306690738754706e-16 * R_4_padded
-    R_5_error_bound = 3.3306690738754706e-16 * R_5_padded
-    Do_13_error_bound = 7.7715611723761e-16 * (Do_13_size + 2.004168360008973e-292)
-    R_6_error_bound = 3.3306690738754706e-16 * R_6_padded
-    R_7_error_bound = 3.3306690738754706e-16 * R_7_padded
-    R_8_error_bound = 3.3306690738754706e-16 * R_8_padded
-    Do_23_error_bound = 7.7715611723761e-16 * (Do_23_size + 2.004168360008973e-292)
-    return (R_0, R_1, R_2, Do_03, R_3, R_4, R_5, Do_13, R_6, R_7, R_8, Do_23, R_0_error_bound,
-        R_1_error_bound, R_2_error_bound, Do_03_error_bound, R_3_error_bound, R_4_error_bound,
-        R_5_error_bound, Do_13_error_bound, R_6_error_bound, R_7_error_bound, R_8_error_bound,
-        Do_23_error_bound)
+    Do_23_size = (absolute(D1_23)
+        + (D2_03_abs * R_6_padded + D2_13_abs * R_7_padded + D2_23_abs * R_8_padded))
+    R_0_bound = 3.3306690738754706e-16 * R_0_padded
+    R_1_bound = 3.3306690738754706e-16 * R_1_padded
+    R_2_bound = 3.3306690738754706e-16 * R_2_padded
+    Do_03_bound = 7.7715611723761e-16 * (Do_03_size + 2.004168360008973e-292)
+    R_3_bound = 3.3306690738754706e-16 * R_3_padded
+    R_4_bound = 3.3306690738754706e-16 * R_4_padded
+    R_5_bound = 3.3306690738754706e-16 * R_5_padded
+    Do_13_bound = 7.7715611723761e-16 * (Do_13_size + 2.004168360008973e-292)
+    R_6_bound = 3.3306690738754706e-16 * R_6_padded
+    R_7_bound = 3.3306690738754706e-16 * R_7_padded
+    R_8_bound = 3.3306690738754706e-16 * R_8_padded
+    Do_23_bound = 7.7715611723761e-16 * (Do_23_size + 2.004168360008973e-292)
+    return (R_0, R_1, R_2, Do_03, R_3, R_4, R_5, Do_13, R_6, R_7, R_8, Do_23, R_0_bound, R_1_bound,
+        R_2_bound, Do_03_bound, R_3_bound, R_4_bound, R_5_bound, Do_13_bound, R_6_bound, R_7_bound,
+        R_8_bound, Do_23_bound)
 
 
 @kernel("(3,4),(3,4)->(3,4),(3,4)")
@@ -650,22 +645,21 @@ def product_dinvd(D1, D2):
     Do_21_size = absolute(Do_21a) + absolute(Do_21b) + absolute(Do_21d)
     Do_22_size = absolute(Do_22a) + absolute(Do_22b) + absolute(Do_22d)
     Do_23_size = absolute(D1_02) * p_0_abs + absolute(D1_12) * p_1_abs + absolute(D1_22) * p_2_abs
-    Do_00_error_bound = 3.3306690738754706e-16 * (Do_00_size + 2.004168360008973e-292)
-    Do_01_error_bound = 3.3306690738754706e-16 * (Do_01_size + 2.004168360008973e-292)
-    Do_02_error_bound = 3.3306690738754706e-16 * (Do_02_size + 2.004168360008973e-292)
-    Do_03_error_bound = 4.440892098500628e-16 * (Do_03_size + 2.004168360008973e-292)
-    Do_10_error_bound = 3.3306690738754706e-16 * (Do_10_size + 2.004168360008973e-292)
-    Do_11_error_bound = 3.3306690738754706e-16 * (Do_11_size + 2.004168360008973e-292)
-    Do_12_error_bound = 3.3306690738754706e-16 * (Do_12_size + 2.004168360008973e-292)
-    Do_13_error_bound = 4.440892098500628e-16 * (Do_13_size + 2.004168360008973e-292)
-    Do_20_error_bound = 3.3306690738754706e-16 * (Do_20_size + 2.004168360008973e-292)
-    Do_21_error_bound = 3.3306690738754706e-16 * (Do_21_size + 2.004168360008973e-292)
-    Do_22_error_bound = 3.3306690738754706e-16 * (Do_22_size + 2.004168360008973e-292)
-    Do_23_error_bound = 4.440892098500628e-16 * (Do_23_size + 2.004168360008973e-292)
+    Do_00_bound = 3.3306690738754706e-16 * (Do_00_size + 2.004168360008973e-292)
+    Do_01_bound = 3.3306690738754706e-16 * (Do_01_size + 2.004168360008973e-292)
+    Do_02_bound = 3.3306690738754706e-16 * (Do_02_size + 2.004168360008973e-292)
+    Do_03_bound = 4.440892098500628e-16 * (Do_03_size + 2.004168360008973e-292)
+    Do_10_bound = 3.3306690738754706e-16 * (Do_10_size + 2.004168360008973e-292)
+    Do_11_bound = 3.3306690738754706e-16 * (Do_11_size + 2.004168360008973e-292)
+    Do_12_bound = 3.3306690738754706e-16 * (Do_12_size + 2.004168360008973e-292)
+    Do_13_bound = 4.440892098500628e-16 * (Do_13_size + 2.004168360008973e-292)
+    Do_20_bound = 3.3306690738754706e-16 * (Do_20_size + 2.004168360008973e-292)
+    Do_21_bound = 3.3306690738754706e-16 * (Do_21_size + 2.004168360008973e-292)
+    Do_22_bound = 3.3306690738754706e-16 * (Do_22_size + 2.004168360008973e-292)
+    Do_23_bound = 4.440892098500628e-16 * (Do_23_size + 2.004168360008973e-292)
     return (Do_00, Do_01, Do_02, Do_03, Do_10, Do_11, Do_12, Do_13, Do_20, Do_21, Do_22, Do_23,
-        Do_00_error_bound, Do_01_error_bound, Do_02_error_bound, Do_03_error_bound,
-        Do_10_error_bound, Do_11_error_bound, Do_12_error_bound, Do_13_error_bound,
-        Do_20_error_bound, Do_21_error_bound, Do_22_error_bound, Do_23_error_bound)
+        Do_00_bound, Do_01_bound, Do_02_bound, Do_03_bound, Do_10_bound, Do_11_bound, Do_12_bound,
+        Do_13_bound, Do_20_bound, Do_21_bound, Do_22_bound, Do_23_bound)
 
 
 @kernel("(3,4),(3,3)->(3,4),(3,4)")
@@ -724,19 +718,18 @@ def product_ddr(D, R):
     Do_20_size = absolute(Do_20a) + absolute(Do_20b) + absolute(Do_20d)
     Do_21_size = absolute(Do_21a) + absolute(Do_21b) + absolute(Do_21d)
     Do_22_size = absolute(Do_22a) + absolute(Do_22b) + absolute(Do_22d)
-    Do_00_error_bound = 3.3306690738754706e-16 * (Do_00_size + 2.004168360008973e-292)
-    Do_01_error_bound = 3.3306690738754706e-16 * (Do_01_size + 2.004168360008973e-292)
-    Do_02_error_bound = 3.3306690738754706e-16 * (Do_02_size + 2.004168360008973e-292)
-    Do_10_error_bound = 3.3306690738754706e-16 * (Do_10_size + 2.004168360008973e-292)
-    Do_11_error_bound = 3.3306690738754706e-16 * (Do_11_size + 2.004168360008973e-292)
-    Do_12_error_bound = 3.3306690738754706e-16 * (Do_12_size + 2.004168360008973e-292)
-    Do_20_error_bound = 3.3306690738754706e-16 * (Do_20_size + 2.004168360008973e-292)
-    Do_21_error_bound = 3.3306690738754706e-16 * (Do_21_size + 2.004168360008973e-292)
-    Do_22_error_bound = 3.3306690738754706e-16 * (Do_22_size + 2.004168360008973e-292)
+    Do_00_bound = 3.3306690738754706e-16 * (Do_00_size + 2.004168360008973e-292)
+    Do_01_bound = 3.3306690738754706e-16 * (Do_01_size + 2.004168360008973e-292)
+    Do_02_bound = 3.3306690738754706e-16 * (Do_02_size + 2.004168360008973e-292)
+    Do_10_bound = 3.3306690738754706e-16 * (Do_10_size + 2.004168360008973e-292)
+    Do_11_bound = 3.3306690738754706e-16 * (Do_11_size + 2.004168360008973e-292)
+    Do_12_bound = 3.3306690738754706e-16 * (Do_12_size + 2.004168360008973e-292)
+    Do_20_bound = 3.3306690738754706e-16 * (Do_20_size + 2.004168360008973e-292)
+    Do_21_bound = 3.3306690738754706e-16 * (Do_21_size + 2.004168360008973e-292)
+    Do_22_bound = 3.3306690738754706e-16 * (Do_22_size + 2.004168360008973e-292)
     return (Do_00, Do_01, Do_02, D_03, Do_10, Do_11, Do_12, D_13, Do_20, Do_21, Do_22, D_23,
-        Do_00_error_bound, Do_01_error_bound, Do_02_error_bound, 0, Do_10_error_bound,
-        Do_11_error_bound, Do_12_error_bound, 0, Do_20_error_bound, Do_21_error_bound,
-        Do_22_error_bound, 0)
+        Do_00_bound, Do_01_bound, Do_02_bound, 0, Do_10_bound, Do_11_bound, Do_12_bound, 0,
+        Do_20_bound, Do_21_bound, Do_22_bound, 0)
 
 
 @kernel("(3,4),(3,3)->(3,4),(3,4)")
@@ -795,19 +788,18 @@ def product_ddrinv(D, R):
     Do_20_size = absolute(Do_20a) + absolute(Do_20b) + absolute(Do_20d)
     Do_21_size = absolute(Do_21a) + absolute(Do_21b) + absolute(Do_21d)
     Do_22_size = absolute(Do_22a) + absolute(Do_22b) + absolute(Do_22d)
-    Do_00_error_bound = 3.3306690738754706e-16 * (Do_00_size + 2.004168360008973e-292)
-    Do_01_error_bound = 3.3306690738754706e-16 * (Do_01_size + 2.004168360008973e-292)
-    Do_02_error_bound = 3.3306690738754706e-16 * (Do_02_size + 2.004168360008973e-292)
-    Do_10_error_bound = 3.3306690738754706e-16 * (Do_10_size + 2.004168360008973e-292)
-    Do_11_error_bound = 3.3306690738754706e-16 * (Do_11_size + 2.004168360008973e-292)
-    Do_12_error_bound = 3.3306690738754706e-16 * (Do_12_size + 2.004168360008973e-292)
-    Do_20_error_bound = 3.3306690738754706e-16 * (Do_20_size + 2.004168360008973e-292)
-    Do_21_error_bound = 3.3306690738754706e-16 * (Do_21_size + 2.004168360008973e-292)
-    Do_22_error_bound = 3.3306690738754706e-16 * (Do_22_size + 2.004168360008973e-292)
+    Do_00_bound = 3.3306690738754706e-16 * (Do_00_size + 2.004168360008973e-292)
+    Do_01_bound = 3.3306690738754706e-16 * (Do_01_size + 2.004168360008973e-292)
+    Do_02_bound = 3.3306690738754706e-16 * (Do_02_size + 2.004168360008973e-292)
+    Do_10_bound = 3.3306690738754706e-16 * (Do_10_size + 2.004168360008973e-292)
+    Do_11_bound = 3.3306690738754706e-16 * (Do_11_size + 2.004168360008973e-292)
+    Do_12_bound = 3.3306690738754706e-16 * (Do_12_size + 2.004168360008973e-292)
+    Do_20_bound = 3.3306690738754706e-16 * (Do_20_size + 2.004168360008973e-292)
+    Do_21_bound = 3.3306690738754706e-16 * (Do_21_size + 2.004168360008973e-292)
+    Do_22_bound = 3.3306690738754706e-16 * (Do_22_size + 2.004168360008973e-292)
     return (Do_00, Do_01, Do_02, D_03, Do_10, Do_11, Do_12, D_13, Do_20, Do_21, Do_22, D_23,
-        Do_00_error_bound, Do_01_error_bound, Do_02_error_bound, 0, Do_10_error_bound,
-        Do_11_error_bound, Do_12_error_bound, 0, Do_20_error_bound, Do_21_error_bound,
-        Do_22_error_bound, 0)
+        Do_00_bound, Do_01_bound, Do_02_bound, 0, Do_10_bound, Do_11_bound, Do_12_bound, 0,
+        Do_20_bound, Do_21_bound, Do_22_bound, 0)
 
 
 @kernel("(3,4),(3)->(3,4),(3,4)")
@@ -836,11 +828,11 @@ def product_ddt(D, t):
     Do_03_size = absolute(Do_03a) + absolute(Do_03b) + absolute(Do_03d) + absolute(D_03)
     Do_13_size = absolute(Do_13a) + absolute(Do_13b) + absolute(Do_13d) + absolute(D_13)
     Do_23_size = absolute(Do_23a) + absolute(Do_23b) + absolute(Do_23d) + absolute(D_23)
-    Do_03_error_bound = 4.440892098500628e-16 * (Do_03_size + 2.004168360008973e-292)
-    Do_13_error_bound = 4.440892098500628e-16 * (Do_13_size + 2.004168360008973e-292)
-    Do_23_error_bound = 4.440892098500628e-16 * (Do_23_size + 2.004168360008973e-292)
+    Do_03_bound = 4.440892098500628e-16 * (Do_03_size + 2.004168360008973e-292)
+    Do_13_bound = 4.440892098500628e-16 * (Do_13_size + 2.004168360008973e-292)
+    Do_23_bound = 4.440892098500628e-16 * (Do_23_size + 2.004168360008973e-292)
     return (D_00, D_01, D_02, Do_03, D_10, D_11, D_12, Do_13, D_20, D_21, D_22, Do_23, 0, 0, 0,
-        Do_03_error_bound, 0, 0, 0, Do_13_error_bound, 0, 0, 0, Do_23_error_bound)
+        Do_03_bound, 0, 0, 0, Do_13_bound, 0, 0, 0, Do_23_bound)
 
 
 @kernel("(3,4),(3)->(3,4),(3,4)")
@@ -869,11 +861,11 @@ def product_ddtinv(D, t):
     Do_03_size = absolute(D_03) + (absolute(Do_03a) + absolute(Do_03b) + absolute(Do_03d))
     Do_13_size = absolute(D_13) + (absolute(Do_13a) + absolute(Do_13b) + absolute(Do_13d))
     Do_23_size = absolute(D_23) + (absolute(Do_23a) + absolute(Do_23b) + absolute(Do_23d))
-    Do_03_error_bound = 4.440892098500628e-16 * (Do_03_size + 2.004168360008973e-292)
-    Do_13_error_bound = 4.440892098500628e-16 * (Do_13_size + 2.004168360008973e-292)
-    Do_23_error_bound = 4.440892098500628e-16 * (Do_23_size + 2.004168360008973e-292)
+    Do_03_bound = 4.440892098500628e-16 * (Do_03_size + 2.004168360008973e-292)
+    Do_13_bound = 4.440892098500628e-16 * (Do_13_size + 2.004168360008973e-292)
+    Do_23_bound = 4.440892098500628e-16 * (Do_23_size + 2.004168360008973e-292)
     return (D_00, D_01, D_02, Do_03, D_10, D_11, D_12, Do_13, D_20, D_21, D_22, Do_23, 0, 0, 0,
-        Do_03_error_bound, 0, 0, 0, Do_13_error_bound, 0, 0, 0, Do_23_error_bound)
+        Do_03_bound, 0, 0, 0, Do_13_bound, 0, 0, 0, Do_23_bound)
 
 
 @kernel("(3,4),(3)->(3,4),(3,4)")
@@ -899,11 +891,11 @@ def product_dinvdt(D, t):
     Do_03_size = absolute(D_00) * p_0_abs + absolute(D_10) * p_1_abs + absolute(D_20) * p_2_abs
     Do_13_size = absolute(D_01) * p_0_abs + absolute(D_11) * p_1_abs + absolute(D_21) * p_2_abs
     Do_23_size = absolute(D_02) * p_0_abs + absolute(D_12) * p_1_abs + absolute(D_22) * p_2_abs
-    Do_03_error_bound = 4.440892098500628e-16 * (Do_03_size + 2.004168360008973e-292)
-    Do_13_error_bound = 4.440892098500628e-16 * (Do_13_size + 2.004168360008973e-292)
-    Do_23_error_bound = 4.440892098500628e-16 * (Do_23_size + 2.004168360008973e-292)
+    Do_03_bound = 4.440892098500628e-16 * (Do_03_size + 2.004168360008973e-292)
+    Do_13_bound = 4.440892098500628e-16 * (Do_13_size + 2.004168360008973e-292)
+    Do_23_bound = 4.440892098500628e-16 * (Do_23_size + 2.004168360008973e-292)
     return (D_00, D_10, D_20, Do_03, D_01, D_11, D_21, Do_13, D_02, D_12, D_22, Do_23, 0, 0, 0,
-        Do_03_error_bound, 0, 0, 0, Do_13_error_bound, 0, 0, 0, Do_23_error_bound)
+        Do_03_bound, 0, 0, 0, Do_13_bound, 0, 0, 0, Do_23_bound)
 
 
 @kernel("(3,3),()->(3),(3)")
@@ -918,10 +910,10 @@ def product_drvtx(R, k):
     vo_0 = R_00 * k
     vo_1 = R_10 * k
     vo_2 = R_20 * k
-    vo_0_error_bound = 1.1102230246251568e-16 * (absolute(vo_0) + 2.004168360008973e-292)
-    vo_1_error_bound = 1.1102230246251568e-16 * (absolute(vo_1) + 2.004168360008973e-292)
-    vo_2_error_bound = 1.1102230246251568e-16 * (absolute(vo_2) + 2.004168360008973e-292)
-    return (vo_0, vo_1, vo_2, vo_0_error_bound, vo_1_error_bound, vo_2_error_bound)
+    vo_0_bound = 1.1102230246251568e-16 * (absolute(vo_0) + 2.004168360008973e-292)
+    vo_1_bound = 1.1102230246251568e-16 * (absolute(vo_1) + 2.004168360008973e-292)
+    vo_2_bound = 1.1102230246251568e-16 * (absolute(vo_2) + 2.004168360008973e-292)
+    return (vo_0, vo_1, vo_2, vo_0_bound, vo_1_bound, vo_2_bound)
 
 
 @kernel("(3,3),(2)->(3,3),(3,3)")
@@ -958,15 +950,14 @@ def product_drdrx(R, dc):
     Ro_12_size = absolute(Ro_12a) + absolute(Ro_12b)
     Ro_21_size = absolute(Ro_21a) + absolute(Ro_21b)
     Ro_22_size = absolute(Ro_22a) + absolute(Ro_22b)
-    Ro_01_error_bound = 2.2204460492503136e-16 * (Ro_01_size + 2.004168360008973e-292)
-    Ro_02_error_bound = 2.2204460492503136e-16 * (Ro_02_size + 2.004168360008973e-292)
-    Ro_11_error_bound = 2.2204460492503136e-16 * (Ro_11_size + 2.004168360008973e-292)
-    Ro_12_error_bound = 2.2204460492503136e-16 * (Ro_12_size + 2.004168360008973e-292)
-    Ro_21_error_bound = 2.2204460492503136e-16 * (Ro_21_size + 2.004168360008973e-292)
-    Ro_22_error_bound = 2.2204460492503136e-16 * (Ro_22_size + 2.004168360008973e-292)
-    return (R_00, Ro_01, Ro_02, R_10, Ro_11, Ro_12, R_20, Ro_21, Ro_22, 0, Ro_01_error_bound,
-        Ro_02_error_bound, 0, Ro_11_error_bound, Ro_12_error_bound, 0, Ro_21_error_bound,
-        Ro_22_error_bound)
+    Ro_01_bound = 2.2204460492503136e-16 * (Ro_01_size + 2.004168360008973e-292)
+    Ro_02_bound = 2.2204460492503136e-16 * (Ro_02_size + 2.004168360008973e-292)
+    Ro_11_bound = 2.2204460492503136e-16 * (Ro_11_size + 2.004168360008973e-292)
+    Ro_12_bound = 2.2204460492503136e-16 * (Ro_12_size + 2.004168360008973e-292)
+    Ro_21_bound = 2.2204460492503136e-16 * (Ro_21_size + 2.004168360008973e-292)
+    Ro_22_bound = 2.2204460492503136e-16 * (Ro_22_size + 2.004168360008973e-292)
+    return (R_00, Ro_01, Ro_02, R_10, Ro_11, Ro_12, R_20, Ro_21, Ro_22, 0, Ro_01_bound, Ro_02_bound,
+        0, Ro_11_bound, Ro_12_bound, 0, Ro_21_bound, Ro_22_bound)
 
 
 @kernel("(3,4),(2)->(3,4),(3,4)")
@@ -1004,15 +995,14 @@ def product_ddrx(D, dc):
     Do_12_size = absolute(Do_12a) + absolute(Do_12b)
     Do_21_size = absolute(Do_21a) + absolute(Do_21b)
     Do_22_size = absolute(Do_22a) + absolute(Do_22b)
-    Do_01_error_bound = 2.2204460492503136e-16 * (Do_01_size + 2.004168360008973e-292)
-    Do_02_error_bound = 2.2204460492503136e-16 * (Do_02_size + 2.004168360008973e-292)
-    Do_11_error_bound = 2.2204460492503136e-16 * (Do_11_size + 2.004168360008973e-292)
-    Do_12_error_bound = 2.2204460492503136e-16 * (Do_12_size + 2.004168360008973e-292)
-    Do_21_error_bound = 2.2204460492503136e-16 * (Do_21_size + 2.004168360008973e-292)
-    Do_22_error_bound = 2.2204460492503136e-16 * (Do_22_size + 2.004168360008973e-292)
+    Do_01_bound = 2.2204460492503136e-16 * (Do_01_size + 2.004168360008973e-292)
+    Do_02_bound = 2.2204460492503136e-16 * (Do_02_size + 2.004168360008973e-292)
+    Do_11_bound = 2.2204460492503136e-16 * (Do_11_size + 2.004168360008973e-292)
+    Do_12_bound = 2.2204460492503136e-16 * (Do_12_size + 2.004168360008973e-292)
+    Do_21_bound = 2.2204460492503136e-16 * (Do_21_size + 2.004168360008973e-292)
+    Do_22_bound = 2.2204460492503136e-16 * (Do_22_size + 2.004168360008973e-292)
     return (D_00, Do_01, Do_02, D_03, D_10, Do_11, Do_12, D_13, D_20, Do_21, Do_22, D_23, 0,
-        Do_01_error_bound, Do_02_error_bound, 0, 0, Do_11_error_bound, Do_12_error_bound, 0, 0,
-        Do_21_error_bound, Do_22_error_bound, 0)
+        Do_01_bound, Do_02_bound, 0, 0, Do_11_bound, Do_12_bound, 0, 0, Do_21_bound, Do_22_bound, 0)
 
 
 @kernel("(3,4),()->(3,4),(3,4)")
@@ -1034,11 +1024,11 @@ def product_ddtx(D, k):
     Do_03_size = absolute(Do_03a) + absolute(D_03)
     Do_13_size = absolute(Do_13a) + absolute(D_13)
     Do_23_size = absolute(Do_23a) + absolute(D_23)
-    Do_03_error_bound = 2.2204460492503136e-16 * (Do_03_size + 2.004168360008973e-292)
-    Do_13_error_bound = 2.2204460492503136e-16 * (Do_13_size + 2.004168360008973e-292)
-    Do_23_error_bound = 2.2204460492503136e-16 * (Do_23_size + 2.004168360008973e-292)
+    Do_03_bound = 2.2204460492503136e-16 * (Do_03_size + 2.004168360008973e-292)
+    Do_13_bound = 2.2204460492503136e-16 * (Do_13_size + 2.004168360008973e-292)
+    Do_23_bound = 2.2204460492503136e-16 * (Do_23_size + 2.004168360008973e-292)
     return (D_00, D_01, D_02, Do_03, D_10, D_11, D_12, Do_13, D_20, D_21, D_22, Do_23, 0, 0, 0,
-        Do_03_error_bound, 0, 0, 0, Do_13_error_bound, 0, 0, 0, Do_23_error_bound)
+        Do_03_bound, 0, 0, 0, Do_13_bound, 0, 0, 0, Do_23_bound)
 
 
 @kernel("(3,3),()->(3),(3)")
@@ -1056,10 +1046,10 @@ def product_drvtxinv(R, k):
     vo_1 = -vo_1a
     vo_2a = R_20 * k
     vo_2 = -vo_2a
-    vo_0a_error_bound = 1.1102230246251568e-16 * (absolute(vo_0a) + 2.004168360008973e-292)
-    vo_1a_error_bound = 1.1102230246251568e-16 * (absolute(vo_1a) + 2.004168360008973e-292)
-    vo_2a_error_bound = 1.1102230246251568e-16 * (absolute(vo_2a) + 2.004168360008973e-292)
-    return (vo_0, vo_1, vo_2, vo_0a_error_bound, vo_1a_error_bound, vo_2a_error_bound)
+    vo_0a_bound = 1.1102230246251568e-16 * (absolute(vo_0a) + 2.004168360008973e-292)
+    vo_1a_bound = 1.1102230246251568e-16 * (absolute(vo_1a) + 2.004168360008973e-292)
+    vo_2a_bound = 1.1102230246251568e-16 * (absolute(vo_2a) + 2.004168360008973e-292)
+    return (vo_0, vo_1, vo_2, vo_0a_bound, vo_1a_bound, vo_2a_bound)
 
 
 @kernel("(3,3),(2)->(3,3),(3,3)")
@@ -1096,15 +1086,14 @@ def product_drdrxinv(R, dc):
     Ro_12_size = absolute(Ro_12a) + absolute(Ro_12b)
     Ro_21_size = absolute(Ro_21a) + absolute(Ro_21b)
     Ro_22_size = absolute(Ro_22a) + absolute(Ro_22b)
-    Ro_01_error_bound = 2.2204460492503136e-16 * (Ro_01_size + 2.004168360008973e-292)
-    Ro_02_error_bound = 2.2204460492503136e-16 * (Ro_02_size + 2.004168360008973e-292)
-    Ro_11_error_bound = 2.2204460492503136e-16 * (Ro_11_size + 2.004168360008973e-292)
-    Ro_12_error_bound = 2.2204460492503136e-16 * (Ro_12_size + 2.004168360008973e-292)
-    Ro_21_error_bound = 2.2204460492503136e-16 * (Ro_21_size + 2.004168360008973e-292)
-    Ro_22_error_bound = 2.2204460492503136e-16 * (Ro_22_size + 2.004168360008973e-292)
-    return (R_00, Ro_01, Ro_02, R_10, Ro_11, Ro_12, R_20, Ro_21, Ro_22, 0, Ro_01_error_bound,
-        Ro_02_error_bound, 0, Ro_11_error_bound, Ro_12_error_bound, 0, Ro_21_error_bound,
-        Ro_22_error_bound)
+    Ro_01_bound = 2.2204460492503136e-16 * (Ro_01_size + 2.004168360008973e-292)
+    Ro_02_bound = 2.2204460492503136e-16 * (Ro_02_size + 2.004168360008973e-292)
+    Ro_11_bound = 2.2204460492503136e-16 * (Ro_11_size + 2.004168360008973e-292)
+    Ro_12_bound = 2.2204460492503136e-16 * (Ro_12_size + 2.004168360008973e-292)
+    Ro_21_bound = 2.2204460492503136e-16 * (Ro_21_size + 2.004168360008973e-292)
+    Ro_22_bound = 2.2204460492503136e-16 * (Ro_22_size + 2.004168360008973e-292)
+    return (R_00, Ro_01, Ro_02, R_10, Ro_11, Ro_12, R_20, Ro_21, Ro_22, 0, Ro_01_bound, Ro_02_bound,
+        0, Ro_11_bound, Ro_12_bound, 0, Ro_21_bound, Ro_22_bound)
 
 
 @kernel("(3,4),(2)->(3,4),(3,4)")
@@ -1142,15 +1131,14 @@ def product_ddrxinv(D, dc):
     Do_12_size = absolute(Do_12a) + absolute(Do_12b)
     Do_21_size = absolute(Do_21a) + absolute(Do_21b)
     Do_22_size = absolute(Do_22a) + absolute(Do_22b)
-    Do_01_error_bound = 2.2204460492503136e-16 * (Do_01_size + 2.004168360008973e-292)
-    Do_02_error_bound = 2.2204460492503136e-16 * (Do_02_size + 2.004168360008973e-292)
-    Do_11_error_bound = 2.2204460492503136e-16 * (Do_11_size + 2.004168360008973e-292)
-    Do_12_error_bound = 2.2204460492503136e-16 * (Do_12_size + 2.004168360008973e-292)
-    Do_21_error_bound = 2.2204460492503136e-16 * (Do_21_size + 2.004168360008973e-292)
-    Do_22_error_bound = 2.2204460492503136e-16 * (Do_22_size + 2.004168360008973e-292)
+    Do_01_bound = 2.2204460492503136e-16 * (Do_01_size + 2.004168360008973e-292)
+    Do_02_bound = 2.2204460492503136e-16 * (Do_02_size + 2.004168360008973e-292)
+    Do_11_bound = 2.2204460492503136e-16 * (Do_11_size + 2.004168360008973e-292)
+    Do_12_bound = 2.2204460492503136e-16 * (Do_12_size + 2.004168360008973e-292)
+    Do_21_bound = 2.2204460492503136e-16 * (Do_21_size + 2.004168360008973e-292)
+    Do_22_bound = 2.2204460492503136e-16 * (Do_22_size + 2.004168360008973e-292)
     return (D_00, Do_01, Do_02, D_03, D_10, Do_11, Do_12, D_13, D_20, Do_21, Do_22, D_23, 0,
-        Do_01_error_bound, Do_02_error_bound, 0, 0, Do_11_error_bound, Do_12_error_bound, 0, 0,
-        Do_21_error_bound, Do_22_error_bound, 0)
+        Do_01_bound, Do_02_bound, 0, 0, Do_11_bound, Do_12_bound, 0, 0, Do_21_bound, Do_22_bound, 0)
 
 
 @kernel("(3,4),()->(3,4),(3,4)")
@@ -1172,11 +1160,11 @@ def product_ddtxinv(D, k):
     Do_03_size = absolute(D_03) + absolute(Do_03a)
     Do_13_size = absolute(D_13) + absolute(Do_13a)
     Do_23_size = absolute(D_23) + absolute(Do_23a)
-    Do_03_error_bound = 2.2204460492503136e-16 * (Do_03_size + 2.004168360008973e-292)
-    Do_13_error_bound = 2.2204460492503136e-16 * (Do_13_size + 2.004168360008973e-292)
-    Do_23_error_bound = 2.2204460492503136e-16 * (Do_23_size + 2.004168360008973e-292)
+    Do_03_bound = 2.2204460492503136e-16 * (Do_03_size + 2.004168360008973e-292)
+    Do_13_bound = 2.2204460492503136e-16 * (Do_13_size + 2.004168360008973e-292)
+    Do_23_bound = 2.2204460492503136e-16 * (Do_23_size + 2.004168360008973e-292)
     return (D_00, D_01, D_02, Do_03, D_10, D_11, D_12, Do_13, D_20, D_21, D_22, Do_23, 0, 0, 0,
-        Do_03_error_bound, 0, 0, 0, Do_13_error_bound, 0, 0, 0, Do_23_error_bound)
+        Do_03_bound, 0, 0, 0, Do_13_bound, 0, 0, 0, Do_23_bound)
 
 
 @kernel("(3,3),()->(3),(3)")
@@ -1191,10 +1179,10 @@ def product_drvty(R, k):
     vo_0 = R_01 * k
     vo_1 = R_11 * k
     vo_2 = R_21 * k
-    vo_0_error_bound = 1.1102230246251568e-16 * (absolute(vo_0) + 2.004168360008973e-292)
-    vo_1_error_bound = 1.1102230246251568e-16 * (absolute(vo_1) + 2.004168360008973e-292)
-    vo_2_error_bound = 1.1102230246251568e-16 * (absolute(vo_2) + 2.004168360008973e-292)
-    return (vo_0, vo_1, vo_2, vo_0_error_bound, vo_1_error_bound, vo_2_error_bound)
+    vo_0_bound = 1.1102230246251568e-16 * (absolute(vo_0) + 2.004168360008973e-292)
+    vo_1_bound = 1.1102230246251568e-16 * (absolute(vo_1) + 2.004168360008973e-292)
+    vo_2_bound = 1.1102230246251568e-16 * (absolute(vo_2) + 2.004168360008973e-292)
+    return (vo_0, vo_1, vo_2, vo_0_bound, vo_1_bound, vo_2_bound)
 
 
 @kernel("(3,3),(2)->(3,3),(3,3)")
@@ -1231,15 +1219,14 @@ def product_drdry(R, dc):
     Ro_12_size = absolute(Ro_12a) + absolute(Ro_12b)
     Ro_20_size = absolute(Ro_20a) + absolute(Ro_20b)
     Ro_22_size = absolute(Ro_22a) + absolute(Ro_22b)
-    Ro_00_error_bound = 2.2204460492503136e-16 * (Ro_00_size + 2.004168360008973e-292)
-    Ro_02_error_bound = 2.2204460492503136e-16 * (Ro_02_size + 2.004168360008973e-292)
-    Ro_10_error_bound = 2.2204460492503136e-16 * (Ro_10_size + 2.004168360008973e-292)
-    Ro_12_error_bound = 2.2204460492503136e-16 * (Ro_12_size + 2.004168360008973e-292)
-    Ro_20_error_bound = 2.2204460492503136e-16 * (Ro_20_size + 2.004168360008973e-292)
-    Ro_22_error_bound = 2.2204460492503136e-16 * (Ro_22_size + 2.004168360008973e-292)
-    return (Ro_00, R_01, Ro_02, Ro_10, R_11, Ro_12, Ro_20, R_21, Ro_22, Ro_00_error_bound, 0,
-        Ro_02_error_bound, Ro_10_error_bound, 0, Ro_12_error_bound, Ro_20_error_bound, 0,
-        Ro_22_error_bound)
+    Ro_00_bound = 2.2204460492503136e-16 * (Ro_00_size + 2.004168360008973e-292)
+    Ro_02_bound = 2.2204460492503136e-16 * (Ro_02_size + 2.004168360008973e-292)
+    Ro_10_bound = 2.2204460492503136e-16 * (Ro_10_size + 2.004168360008973e-292)
+    Ro_12_bound = 2.2204460492503136e-16 * (Ro_12_size + 2.004168360008973e-292)
+    Ro_20_bound = 2.2204460492503136e-16 * (Ro_20_size + 2.004168360008973e-292)
+    Ro_22_bound = 2.2204460492503136e-16 * (Ro_22_size + 2.004168360008973e-292)
+    return (Ro_00, R_01, Ro_02, Ro_10, R_11, Ro_12, Ro_20, R_21, Ro_22, Ro_00_bound, 0, Ro_02_bound,
+        Ro_10_bound, 0, Ro_12_bound, Ro_20_bound, 0, Ro_22_bound)
 
 
 @kernel("(3,4),(2)->(3,4),(3,4)")
@@ -1277,15 +1264,15 @@ def product_ddry(D, dc):
     Do_12_size = absolute(Do_12a) + absolute(Do_12b)
     Do_20_size = absolute(Do_20a) + absolute(Do_20b)
     Do_22_size = absolute(Do_22a) + absolute(Do_22b)
-    Do_00_error_bound = 2.2204460492503136e-16 * (Do_00_size + 2.004168360008973e-292)
-    Do_02_error_bound = 2.2204460492503136e-16 * (Do_02_size + 2.004168360008973e-292)
-    Do_10_error_bound = 2.2204460492503136e-16 * (Do_10_size + 2.004168360008973e-292)
-    Do_12_error_bound = 2.2204460492503136e-16 * (Do_12_size + 2.004168360008973e-292)
-    Do_20_error_bound = 2.2204460492503136e-16 * (Do_20_size + 2.004168360008973e-292)
-    Do_22_error_bound = 2.2204460492503136e-16 * (Do_22_size + 2.004168360008973e-292)
+    Do_00_bound = 2.2204460492503136e-16 * (Do_00_size + 2.004168360008973e-292)
+    Do_02_bound = 2.2204460492503136e-16 * (Do_02_size + 2.004168360008973e-292)
+    Do_10_bound = 2.2204460492503136e-16 * (Do_10_size + 2.004168360008973e-292)
+    Do_12_bound = 2.2204460492503136e-16 * (Do_12_size + 2.004168360008973e-292)
+    Do_20_bound = 2.2204460492503136e-16 * (Do_20_size + 2.004168360008973e-292)
+    Do_22_bound = 2.2204460492503136e-16 * (Do_22_size + 2.004168360008973e-292)
     return (Do_00, D_01, Do_02, D_03, Do_10, D_11, Do_12, D_13, Do_20, D_21, Do_22, D_23,
-        Do_00_error_bound, 0, Do_02_error_bound, 0, Do_10_error_bound, 0, Do_12_error_bound, 0,
-        Do_20_error_bound, 0, Do_22_error_bound, 0)
+        Do_00_bound, 0, Do_02_bound, 0, Do_10_bound, 0, Do_12_bound, 0, Do_20_bound, 0, Do_22_bound,
+        0)
 
 
 @kernel("(3,4),()->(3,4),(3,4)")
@@ -1307,11 +1294,11 @@ def product_ddty(D, k):
     Do_03_size = absolute(Do_03a) + absolute(D_03)
     Do_13_size = absolute(Do_13a) + absolute(D_13)
     Do_23_size = absolute(Do_23a) + absolute(D_23)
-    Do_03_error_bound = 2.2204460492503136e-16 * (Do_03_size + 2.004168360008973e-292)
-    Do_13_error_bound = 2.2204460492503136e-16 * (Do_13_size + 2.004168360008973e-292)
-    Do_23_error_bound = 2.2204460492503136e-16 * (Do_23_size + 2.004168360008973e-292)
+    Do_03_bound = 2.2204460492503136e-16 * (Do_03_size + 2.004168360008973e-292)
+    Do_13_bound = 2.2204460492503136e-16 * (Do_13_size + 2.004168360008973e-292)
+    Do_23_bound = 2.2204460492503136e-16 * (Do_23_size + 2.004168360008973e-292)
     return (D_00, D_01, D_02, Do_03, D_10, D_11, D_12, Do_13, D_20, D_21, D_22, Do_23, 0, 0, 0,
-        Do_03_error_bound, 0, 0, 0, Do_13_error_bound, 0, 0, 0, Do_23_error_bound)
+        Do_03_bound, 0, 0, 0, Do_13_bound, 0, 0, 0, Do_23_bound)
 
 
 @kernel("(3,3),()->(3),(3)")
@@ -1329,10 +1316,10 @@ def product_drvtyinv(R, k):
     vo_1 = -vo_1a
     vo_2a = R_21 * k
     vo_2 = -vo_2a
-    vo_0a_error_bound = 1.1102230246251568e-16 * (absolute(vo_0a) + 2.004168360008973e-292)
-    vo_1a_error_bound = 1.1102230246251568e-16 * (absolute(vo_1a) + 2.004168360008973e-292)
-    vo_2a_error_bound = 1.1102230246251568e-16 * (absolute(vo_2a) + 2.004168360008973e-292)
-    return (vo_0, vo_1, vo_2, vo_0a_error_bound, vo_1a_error_bound, vo_2a_error_bound)
+    vo_0a_bound = 1.1102230246251568e-16 * (absolute(vo_0a) + 2.004168360008973e-292)
+    vo_1a_bound = 1.1102230246251568e-16 * (absolute(vo_1a) + 2.004168360008973e-292)
+    vo_2a_bound = 1.1102230246251568e-16 * (absolute(vo_2a) + 2.004168360008973e-292)
+    return (vo_0, vo_1, vo_2, vo_0a_bound, vo_1a_bound, vo_2a_bound)
 
 
 @kernel("(3,3),(2)->(3,3),(3,3)")
@@ -1369,15 +1356,14 @@ def product_drdryinv(R, dc):
     Ro_12_size = absolute(Ro_12a) + absolute(Ro_12b)
     Ro_20_size = absolute(Ro_20a) + absolute(Ro_20b)
     Ro_22_size = absolute(Ro_22a) + absolute(Ro_22b)
-    Ro_00_error_bound = 2.2204460492503136e-16 * (Ro_00_size + 2.004168360008973e-292)
-    Ro_02_error_bound = 2.2204460492503136e-16 * (Ro_02_size + 2.004168360008973e-292)
-    Ro_10_error_bound = 2.2204460492503136e-16 * (Ro_10_size + 2.004168360008973e-292)
-    Ro_12_error_bound = 2.2204460492503136e-16 * (Ro_12_size + 2.004168360008973e-292)
-    Ro_20_error_bound = 2.2204460492503136e-16 * (Ro_20_size + 2.004168360008973e-292)
-    Ro_22_error_bound = 2.2204460492503136e-16 * (Ro_22_size + 2.004168360008973e-292)
-    return (Ro_00, R_01, Ro_02, Ro_10, R_11, Ro_12, Ro_20, R_21, Ro_22, Ro_00_error_bound, 0,
-        Ro_02_error_bound, Ro_10_error_bound, 0, Ro_12_error_bound, Ro_20_error_bound, 0,
-        Ro_22_error_bound)
+    Ro_00_bound = 2.2204460492503136e-16 * (Ro_00_size + 2.004168360008973e-292)
+    Ro_02_bound = 2.2204460492503136e-16 * (Ro_02_size + 2.004168360008973e-292)
+    Ro_10_bound = 2.2204460492503136e-16 * (Ro_10_size + 2.004168360008973e-292)
+    Ro_12_bound = 2.2204460492503136e-16 * (Ro_12_size + 2.004168360008973e-292)
+    Ro_20_bound = 2.2204460492503136e-16 * (Ro_20_size + 2.004168360008973e-292)
+    Ro_22_bound = 2.2204460492503136e-16 * (Ro_22_size + 2.004168360008973e-292)
+    return (Ro_00, R_01, Ro_02, Ro_10, R_11, Ro_12, Ro_20, R_21, Ro_22, Ro_00_bound, 0, Ro_02_bound,
+        Ro_10_bound, 0, Ro_12_bound, Ro_20_bound, 0, Ro_22_bound)
 
 
 @kernel("(3,4),(2)->(3,4),(3,4)")
@@ -1415,15 +1401,15 @@ def product_ddryinv(D, dc):
     Do_12_size = absolute(Do_12a) + absolute(Do_12b)
     Do_20_size = absolute(Do_20a) + absolute(Do_20b)
     Do_22_size = absolute(Do_22a) + absolute(Do_22b)
-    Do_00_error_bound = 2.2204460492503136e-16 * (Do_00_size + 2.004168360008973e-292)
-    Do_02_error_bound = 2.2204460492503136e-16 * (Do_02_size + 2.004168360008973e-292)
-    Do_10_error_bound = 2.2204460492503136e-16 * (Do_10_size + 2.004168360008973e-292)
-    Do_12_error_bound = 2.2204460492503136e-16 * (Do_12_size + 2.004168360008973e-292)
-    Do_20_error_bound = 2.2204460492503136e-16 * (Do_20_size + 2.004168360008973e-292)
-    Do_22_error_bound = 2.2204460492503136e-16 * (Do_22_size + 2.004168360008973e-292)
+    Do_00_bound = 2.2204460492503136e-16 * (Do_00_size + 2.004168360008973e-292)
+    Do_02_bound = 2.2204460492503136e-16 * (Do_02_size + 2.004168360008973e-292)
+    Do_10_bound = 2.2204460492503136e-16 * (Do_10_size + 2.004168360008973e-292)
+    Do_12_bound = 2.2204460492503136e-16 * (Do_12_size + 2.004168360008973e-292)
+    Do_20_bound = 2.2204460492503136e-16 * (Do_20_size + 2.004168360008973e-292)
+    Do_22_bound = 2.2204460492503136e-16 * (Do_22_size + 2.004168360008973e-292)
     return (Do_00, D_01, Do_02, D_03, Do_10, D_11, Do_12, D_13, Do_20, D_21, Do_22, D_23,
-        Do_00_error_bound, 0, Do_02_error_bound, 0, Do_10_error_bound, 0, Do_12_error_bound, 0,
-        Do_20_error_bound, 0, Do_22_error_bound, 0)
+        Do_00_bound, 0, Do_02_bound, 0, Do_10_bound, 0, Do_12_bound, 0, Do_20_bound, 0, Do_22_bound,
+        0)
 
 
 @kernel("(3,4),()->(3,4),(3,4)")
@@ -1445,11 +1431,11 @@ def product_ddtyinv(D, k):
     Do_03_size = absolute(D_03) + absolute(Do_03a)
     Do_13_size = absolute(D_13) + absolute(Do_13a)
     Do_23_size = absolute(D_23) + absolute(Do_23a)
-    Do_03_error_bound = 2.2204460492503136e-16 * (Do_03_size + 2.004168360008973e-292)
-    Do_13_error_bound = 2.2204460492503136e-16 * (Do_13_size + 2.004168360008973e-292)
-    Do_23_error_bound = 2.2204460492503136e-16 * (Do_23_size + 2.004168360008973e-292)
+    Do_03_bound = 2.2204460492503136e-16 * (Do_03_size + 2.004168360008973e-292)
+    Do_13_bound = 2.2204460492503136e-16 * (Do_13_size + 2.004168360008973e-292)
+    Do_23_bound = 2.2204460492503136e-16 * (Do_23_size + 2.004168360008973e-292)
     return (D_00, D_01, D_02, Do_03, D_10, D_11, D_12, Do_13, D_20, D_21, D_22, Do_23, 0, 0, 0,
-        Do_03_error_bound, 0, 0, 0, Do_13_error_bound, 0, 0, 0, Do_23_error_bound)
+        Do_03_bound, 0, 0, 0, Do_13_bound, 0, 0, 0, Do_23_bound)
 
 
 @kernel("(3,3),()->(3),(3)")
@@ -1464,10 +1450,10 @@ def product_drvtz(R, k):
     vo_0 = R_02 * k
     vo_1 = R_12 * k
     vo_2 = R_22 * k
-    vo_0_error_bound = 1.1102230246251568e-16 * (absolute(vo_0) + 2.004168360008973e-292)
-    vo_1_error_bound = 1.1102230246251568e-16 * (absolute(vo_1) + 2.004168360008973e-292)
-    vo_2_error_bound = 1.1102230246251568e-16 * (absolute(vo_2) + 2.004168360008973e-292)
-    return (vo_0, vo_1, vo_2, vo_0_error_bound, vo_1_error_bound, vo_2_error_bound)
+    vo_0_bound = 1.1102230246251568e-16 * (absolute(vo_0) + 2.004168360008973e-292)
+    vo_1_bound = 1.1102230246251568e-16 * (absolute(vo_1) + 2.004168360008973e-292)
+    vo_2_bound = 1.1102230246251568e-16 * (absolute(vo_2) + 2.004168360008973e-292)
+    return (vo_0, vo_1, vo_2, vo_0_bound, vo_1_bound, vo_2_bound)
 
 
 @kernel("(3,3),(2)->(3,3),(3,3)")
@@ -1504,15 +1490,14 @@ def product_drdrz(R, dc):
     Ro_11_size = absolute(Ro_11a) + absolute(Ro_11b)
     Ro_20_size = absolute(Ro_20a) + absolute(Ro_20b)
     Ro_21_size = absolute(Ro_21a) + absolute(Ro_21b)
-    Ro_00_error_bound = 2.2204460492503136e-16 * (Ro_00_size + 2.004168360008973e-292)
-    Ro_01_error_bound = 2.2204460492503136e-16 * (Ro_01_size + 2.004168360008973e-292)
-    Ro_10_error_bound = 2.2204460492503136e-16 * (Ro_10_size + 2.004168360008973e-292)
-    Ro_11_error_bound = 2.2204460492503136e-16 * (Ro_11_size + 2.004168360008973e-292)
-    Ro_20_error_bound = 2.2204460492503136e-16 * (Ro_20_size + 2.004168360008973e-292)
-    Ro_21_error_bound = 2.2204460492503136e-16 * (Ro_21_size + 2.004168360008973e-292)
-    return (Ro_00, Ro_01, R_02, Ro_10, Ro_11, R_12, Ro_20, Ro_21, R_22, Ro_00_error_bound,
-        Ro_01_error_bound, 0, Ro_10_error_bound, Ro_11_error_bound, 0, Ro_20_error_bound,
-        Ro_21_error_bound, 0)
+    Ro_00_bound = 2.2204460492503136e-16 * (Ro_00_size + 2.004168360008973e-292)
+    Ro_01_bound = 2.2204460492503136e-16 * (Ro_01_size + 2.004168360008973e-292)
+    Ro_10_bound = 2.2204460492503136e-16 * (Ro_10_size + 2.004168360008973e-292)
+    Ro_11_bound = 2.2204460492503136e-16 * (Ro_11_size + 2.004168360008973e-292)
+    Ro_20_bound = 2.2204460492503136e-16 * (Ro_20_size + 2.004168360008973e-292)
+    Ro_21_bound = 2.2204460492503136e-16 * (Ro_21_size + 2.004168360008973e-292)
+    return (Ro_00, Ro_01, R_02, Ro_10, Ro_11, R_12, Ro_20, Ro_21, R_22, Ro_00_bound, Ro_01_bound, 0,
+        Ro_10_bound, Ro_11_bound, 0, Ro_20_bound, Ro_21_bound, 0)
 
 
 @kernel("(3,4),(2)->(3,4),(3,4)")
@@ -1550,15 +1535,15 @@ def product_ddrz(D, dc):
     Do_11_size = absolute(Do_11a) + absolute(Do_11b)
     Do_20_size = absolute(Do_20a) + absolute(Do_20b)
     Do_21_size = absolute(Do_21a) + absolute(Do_21b)
-    Do_00_error_bound = 2.2204460492503136e-16 * (Do_00_size + 2.004168360008973e-292)
-    Do_01_error_bound = 2.2204460492503136e-16 * (Do_01_size + 2.004168360008973e-292)
-    Do_10_error_bound = 2.2204460492503136e-16 * (Do_10_size + 2.004168360008973e-292)
-    Do_11_error_bound = 2.2204460492503136e-16 * (Do_11_size + 2.004168360008973e-292)
-    Do_20_error_bound = 2.2204460492503136e-16 * (Do_20_size + 2.004168360008973e-292)
-    Do_21_error_bound = 2.2204460492503136e-16 * (Do_21_size + 2.004168360008973e-292)
+    Do_00_bound = 2.2204460492503136e-16 * (Do_00_size + 2.004168360008973e-292)
+    Do_01_bound = 2.2204460492503136e-16 * (Do_01_size + 2.004168360008973e-292)
+    Do_10_bound = 2.2204460492503136e-16 * (Do_10_size + 2.004168360008973e-292)
+    Do_11_bound = 2.2204460492503136e-16 * (Do_11_size + 2.004168360008973e-292)
+    Do_20_bound = 2.2204460492503136e-16 * (Do_20_size + 2.004168360008973e-292)
+    Do_21_bound = 2.2204460492503136e-16 * (Do_21_size + 2.004168360008973e-292)
     return (Do_00, Do_01, D_02, D_03, Do_10, Do_11, D_12, D_13, Do_20, Do_21, D_22, D_23,
-        Do_00_error_bound, Do_01_error_bound, 0, 0, Do_10_error_bound, Do_11_error_bound, 0, 0,
-        Do_20_error_bound, Do_21_error_bound, 0, 0)
+        Do_00_bound, Do_01_bound, 0, 0, Do_10_bound, Do_11_bound, 0, 0, Do_20_bound, Do_21_bound, 0,
+        0)
 
 
 @kernel("(3,4),()->(3,4),(3,4)")
@@ -1580,11 +1565,11 @@ def product_ddtz(D, k):
     Do_03_size = absolute(Do_03a) + absolute(D_03)
     Do_13_size = absolute(Do_13a) + absolute(D_13)
     Do_23_size = absolute(Do_23a) + absolute(D_23)
-    Do_03_error_bound = 2.2204460492503136e-16 * (Do_03_size + 2.004168360008973e-292)
-    Do_13_error_bound = 2.2204460492503136e-16 * (Do_13_size + 2.004168360008973e-292)
-    Do_23_error_bound = 2.2204460492503136e-16 * (Do_23_size + 2.004168360008973e-292)
+    Do_03_bound = 2.2204460492503136e-16 * (Do_03_size + 2.004168360008973e-292)
+    Do_13_bound = 2.2204460492503136e-16 * (Do_13_size + 2.004168360008973e-292)
+    Do_23_bound = 2.2204460492503136e-16 * (Do_23_size + 2.004168360008973e-292)
     return (D_00, D_01, D_02, Do_03, D_10, D_11, D_12, Do_13, D_20, D_21, D_22, Do_23, 0, 0, 0,
-        Do_03_error_bound, 0, 0, 0, Do_13_error_bound, 0, 0, 0, Do_23_error_bound)
+        Do_03_bound, 0, 0, 0, Do_13_bound, 0, 0, 0, Do_23_bound)
 
 
 @kernel("(3,3),()->(3),(3)")
@@ -1602,10 +1587,10 @@ def product_drvtzinv(R, k):
     vo_1 = -vo_1a
     vo_2a = R_22 * k
     vo_2 = -vo_2a
-    vo_0a_error_bound = 1.1102230246251568e-16 * (absolute(vo_0a) + 2.004168360008973e-292)
-    vo_1a_error_bound = 1.1102230246251568e-16 * (absolute(vo_1a) + 2.004168360008973e-292)
-    vo_2a_error_bound = 1.1102230246251568e-16 * (absolute(vo_2a) + 2.004168360008973e-292)
-    return (vo_0, vo_1, vo_2, vo_0a_error_bound, vo_1a_error_bound, vo_2a_error_bound)
+    vo_0a_bound = 1.1102230246251568e-16 * (absolute(vo_0a) + 2.004168360008973e-292)
+    vo_1a_bound = 1.1102230246251568e-16 * (absolute(vo_1a) + 2.004168360008973e-292)
+    vo_2a_bound = 1.1102230246251568e-16 * (absolute(vo_2a) + 2.004168360008973e-292)
+    return (vo_0, vo_1, vo_2, vo_0a_bound, vo_1a_bound, vo_2a_bound)
 
 
 @kernel("(3,3),(2)->(3,3),(3,3)")
@@ -1642,15 +1627,14 @@ def product_drdrzinv(R, dc):
     Ro_11_size = absolute(Ro_11a) + absolute(Ro_11b)
     Ro_20_size = absolute(Ro_20a) + absolute(Ro_20b)
     Ro_21_size = absolute(Ro_21a) + absolute(Ro_21b)
-    Ro_00_error_bound = 2.2204460492503136e-16 * (Ro_00_size + 2.004168360008973e-292)
-    Ro_01_error_bound = 2.2204460492503136e-16 * (Ro_01_size + 2.004168360008973e-292)
-    Ro_10_error_bound = 2.2204460492503136e-16 * (Ro_10_size + 2.004168360008973e-292)
-    Ro_11_error_bound = 2.2204460492503136e-16 * (Ro_11_size + 2.004168360008973e-292)
-    Ro_20_error_bound = 2.2204460492503136e-16 * (Ro_20_size + 2.004168360008973e-292)
-    Ro_21_error_bound = 2.2204460492503136e-16 * (Ro_21_size + 2.004168360008973e-292)
-    return (Ro_00, Ro_01, R_02, Ro_10, Ro_11, R_12, Ro_20, Ro_21, R_22, Ro_00_error_bound,
-        Ro_01_error_bound, 0, Ro_10_error_bound, Ro_11_error_bound, 0, Ro_20_error_bound,
-        Ro_21_error_bound, 0)
+    Ro_00_bound = 2.2204460492503136e-16 * (Ro_00_size + 2.004168360008973e-292)
+    Ro_01_bound = 2.2204460492503136e-16 * (Ro_01_size + 2.004168360008973e-292)
+    Ro_10_bound = 2.2204460492503136e-16 * (Ro_10_size + 2.004168360008973e-292)
+    Ro_11_bound = 2.2204460492503136e-16 * (Ro_11_size + 2.004168360008973e-292)
+    Ro_20_bound = 2.2204460492503136e-16 * (Ro_20_size + 2.004168360008973e-292)
+    Ro_21_bound = 2.2204460492503136e-16 * (Ro_21_size + 2.004168360008973e-292)
+    return (Ro_00, Ro_01, R_02, Ro_10, Ro_11, R_12, Ro_20, Ro_21, R_22, Ro_00_bound, Ro_01_bound, 0,
+        Ro_10_bound, Ro_11_bound, 0, Ro_20_bound, Ro_21_bound, 0)
 
 
 @kernel("(3,4),(2)->(3,4),(3,4)")
@@ -1688,15 +1672,15 @@ def product_ddrzinv(D, dc):
     Do_11_size = absolute(Do_11a) + absolute(Do_11b)
     Do_20_size = absolute(Do_20a) + absolute(Do_20b)
     Do_21_size = absolute(Do_21a) + absolute(Do_21b)
-    Do_00_error_bound = 2.2204460492503136e-16 * (Do_00_size + 2.004168360008973e-292)
-    Do_01_error_bound = 2.2204460492503136e-16 * (Do_01_size + 2.004168360008973e-292)
-    Do_10_error_bound = 2.2204460492503136e-16 * (Do_10_size + 2.004168360008973e-292)
-    Do_11_error_bound = 2.2204460492503136e-16 * (Do_11_size + 2.004168360008973e-292)
-    Do_20_error_bound = 2.2204460492503136e-16 * (Do_20_size + 2.004168360008973e-292)
-    Do_21_error_bound = 2.2204460492503136e-16 * (Do_21_size + 2.004168360008973e-292)
+    Do_00_bound = 2.2204460492503136e-16 * (Do_00_size + 2.004168360008973e-292)
+    Do_01_bound = 2.2204460492503136e-16 * (Do_01_size + 2.004168360008973e-292)
+    Do_10_bound = 2.2204460492503136e-16 * (Do_10_size + 2.004168360008973e-292)
+    Do_11_bound = 2.2204460492503136e-16 * (Do_11_size + 2.004168360008973e-292)
+    Do_20_bound = 2.2204460492503136e-16 * (Do_20_size + 2.004168360008973e-292)
+    Do_21_bound = 2.2204460492503136e-16 * (Do_21_size + 2.004168360008973e-292)
     return (Do_00, Do_01, D_02, D_03, Do_10, Do_11, D_12, D_13, Do_20, Do_21, D_22, D_23,
-        Do_00_error_bound, Do_01_error_bound, 0, 0, Do_10_error_bound, Do_11_error_bound, 0, 0,
-        Do_20_error_bound, Do_21_error_bound, 0, 0)
+        Do_00_bound, Do_01_bound, 0, 0, Do_10_bound, Do_11_bound, 0, 0, Do_20_bound, Do_21_bound, 0,
+        0)
 
 
 @kernel("(3,4),()->(3,4),(3,4)")
@@ -1718,8 +1702,8 @@ def product_ddtzinv(D, k):
     Do_03_size = absolute(D_03) + absolute(Do_03a)
     Do_13_size = absolute(D_13) + absolute(Do_13a)
     Do_23_size = absolute(D_23) + absolute(Do_23a)
-    Do_03_error_bound = 2.2204460492503136e-16 * (Do_03_size + 2.004168360008973e-292)
-    Do_13_error_bound = 2.2204460492503136e-16 * (Do_13_size + 2.004168360008973e-292)
-    Do_23_error_bound = 2.2204460492503136e-16 * (Do_23_size + 2.004168360008973e-292)
+    Do_03_bound = 2.2204460492503136e-16 * (Do_03_size + 2.004168360008973e-292)
+    Do_13_bound = 2.2204460492503136e-16 * (Do_13_size + 2.004168360008973e-292)
+    Do_23_bound = 2.2204460492503136e-16 * (Do_23_size + 2.004168360008973e-292)
     return (D_00, D_01, D_02, Do_03, D_10, D_11, D_12, Do_13, D_20, D_21, D_22, Do_23, 0, 0, 0,
-        Do_03_error_bound, 0, 0, 0, Do_13_error_bound, 0, 0, 0, Do_23_error_bound)
+        Do_03_bound, 0, 0, 0, Do_13_bound, 0, 0, 0, Do_23_bound)

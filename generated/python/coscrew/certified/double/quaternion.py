@@ -26,16 +26,12 @@ def quaternion_scale(self, a):
     self_1_new = self_1 * a
     self_2_new = self_2 * a
     self_3_new = self_3 * a
-    self_0_new_padded = absolute(self_0_new) + 2.004168360008973e-292
-    self_0_new_error_bound = 1.1102230246251568e-16 * self_0_new_padded
-    self_1_new_padded = absolute(self_1_new) + 2.004168360008973e-292
-    self_1_new_error_bound = 1.1102230246251568e-16 * self_1_new_padded
-    self_2_new_padded = absolute(self_2_new) + 2.004168360008973e-292
-    self_2_new_error_bound = 1.1102230246251568e-16 * self_2_new_padded
-    self_3_new_padded = absolute(self_3_new) + 2.004168360008973e-292
-    self_3_new_error_bound = 1.1102230246251568e-16 * self_3_new_padded
-    return (self_0_new, self_1_new, self_2_new, self_3_new, self_0_new_error_bound,
-        self_1_new_error_bound, self_2_new_error_bound, self_3_new_error_bound)
+    self_0_new_bound = 1.1102230246251568e-16 * (absolute(self_0_new) + 2.004168360008973e-292)
+    self_1_new_bound = 1.1102230246251568e-16 * (absolute(self_1_new) + 2.004168360008973e-292)
+    self_2_new_bound = 1.1102230246251568e-16 * (absolute(self_2_new) + 2.004168360008973e-292)
+    self_3_new_bound = 1.1102230246251568e-16 * (absolute(self_3_new) + 2.004168360008973e-292)
+    return (self_0_new, self_1_new, self_2_new, self_3_new, self_0_new_bound, self_1_new_bound,
+        self_2_new_bound, self_3_new_bound)
 
 
 @kernel("(),(4),(4)->(4),(4)")
@@ -60,12 +56,12 @@ def axpy_qq(a, x, y):
     y_1_new_size = absolute(y_1_new_a) + absolute(y_1)
     y_2_new_size = absolute(y_2_new_a) + absolute(y_2)
     y_3_new_size = absolute(y_3_new_a) + absolute(y_3)
-    y_0_new_error_bound = 2.2204460492503136e-16 * (y_0_new_size + 2.004168360008973e-292)
-    y_1_new_error_bound = 2.2204460492503136e-16 * (y_1_new_size + 2.004168360008973e-292)
-    y_2_new_error_bound = 2.2204460492503136e-16 * (y_2_new_size + 2.004168360008973e-292)
-    y_3_new_error_bound = 2.2204460492503136e-16 * (y_3_new_size + 2.004168360008973e-292)
-    return (y_0_new, y_1_new, y_2_new, y_3_new, y_0_new_error_bound, y_1_new_error_bound,
-        y_2_new_error_bound, y_3_new_error_bound)
+    y_0_new_bound = 2.2204460492503136e-16 * (y_0_new_size + 2.004168360008973e-292)
+    y_1_new_bound = 2.2204460492503136e-16 * (y_1_new_size + 2.004168360008973e-292)
+    y_2_new_bound = 2.2204460492503136e-16 * (y_2_new_size + 2.004168360008973e-292)
+    y_3_new_bound = 2.2204460492503136e-16 * (y_3_new_size + 2.004168360008973e-292)
+    return (y_0_new, y_1_new, y_2_new, y_3_new, y_0_new_bound, y_1_new_bound, y_2_new_bound,
+        y_3_new_bound)
 
 
 @kernel("(4),(3)->(3),(3)")
@@ -115,10 +111,10 @@ def rotate_qv(q, v):
     vo_0_size = absolute(v_0) + turn_0_size
     vo_1_size = absolute(v_1) + turn_1_size
     vo_2_size = absolute(v_2) + turn_2_size
-    vo_0_error_bound = 7.7715611723761e-16 * (vo_0_size + 2.004168360008973e-292)
-    vo_1_error_bound = 7.7715611723761e-16 * (vo_1_size + 2.004168360008973e-292)
-    vo_2_error_bound = 7.7715611723761e-16 * (vo_2_size + 2.004168360008973e-292)
-    return (vo_0, vo_1, vo_2, vo_0_error_bound, vo_1_error_bound, vo_2_error_bound)
+    vo_0_bound = 7.7715611723761e-16 * (vo_0_size + 2.004168360008973e-292)
+    vo_1_bound = 7.7715611723761e-16 * (vo_1_size + 2.004168360008973e-292)
+    vo_2_bound = 7.7715611723761e-16 * (vo_2_size + 2.004168360008973e-292)
+    return (vo_0, vo_1, vo_2, vo_0_bound, vo_1_bound, vo_2_bound)
 
 
 @kernel("(4),(3)->(3),(3)")
@@ -168,10 +164,10 @@ def rotate_qconjv(q, v):
     vo_0_size = absolute(v_0) + turn_0_size
     vo_1_size = absolute(v_1) + turn_1_size
     vo_2_size = absolute(v_2) + turn_2_size
-    vo_0_error_bound = 7.7715611723761e-16 * (vo_0_size + 2.004168360008973e-292)
-    vo_1_error_bound = 7.7715611723761e-16 * (vo_1_size + 2.004168360008973e-292)
-    vo_2_error_bound = 7.7715611723761e-16 * (vo_2_size + 2.004168360008973e-292)
-    return (vo_0, vo_1, vo_2, vo_0_error_bound, vo_1_error_bound, vo_2_error_bound)
+    vo_0_bound = 7.7715611723761e-16 * (vo_0_size + 2.004168360008973e-292)
+    vo_1_bound = 7.7715611723761e-16 * (vo_1_size + 2.004168360008973e-292)
+    vo_2_bound = 7.7715611723761e-16 * (vo_2_size + 2.004168360008973e-292)
+    return (vo_0, vo_1, vo_2, vo_0_bound, vo_1_bound, vo_2_bound)
 
 
 @kernel("(4),(4)->(4),(4)")
@@ -208,12 +204,11 @@ def quaternion_product_qq(q1i, q2i):
     qo_1_size = absolute(qo_1a) + absolute(qo_1b) + absolute(qo_1d) + absolute(qo_1f)
     qo_2_size = absolute(qo_2a) + absolute(qo_2b) + absolute(qo_2d) + absolute(qo_2f)
     qo_3_size = absolute(qo_3a) + (absolute(qo_3b) + absolute(qo_3c) + absolute(qo_3e))
-    qo_0_error_bound = 4.440892098500628e-16 * (qo_0_size + 2.004168360008973e-292)
-    qo_1_error_bound = 4.440892098500628e-16 * (qo_1_size + 2.004168360008973e-292)
-    qo_2_error_bound = 4.440892098500628e-16 * (qo_2_size + 2.004168360008973e-292)
-    qo_3_error_bound = 4.440892098500628e-16 * (qo_3_size + 2.004168360008973e-292)
-    return (qo_0, qo_1, qo_2, qo_3, qo_0_error_bound, qo_1_error_bound, qo_2_error_bound,
-        qo_3_error_bound)
+    qo_0_bound = 4.440892098500628e-16 * (qo_0_size + 2.004168360008973e-292)
+    qo_1_bound = 4.440892098500628e-16 * (qo_1_size + 2.004168360008973e-292)
+    qo_2_bound = 4.440892098500628e-16 * (qo_2_size + 2.004168360008973e-292)
+    qo_3_bound = 4.440892098500628e-16 * (qo_3_size + 2.004168360008973e-292)
+    return (qo_0, qo_1, qo_2, qo_3, qo_0_bound, qo_1_bound, qo_2_bound, qo_3_bound)
 
 
 @kernel("(4),(4)->(4),(4)")
@@ -250,12 +245,11 @@ def quaternion_product_qqconj(q1i, q2i):
     qo_1_size = absolute(qo_1a) + absolute(qo_1b) + (absolute(qo_1d) + absolute(qo_1e))
     qo_2_size = absolute(qo_2a) + absolute(qo_2b) + (absolute(qo_2d) + absolute(qo_2e))
     qo_3_size = absolute(qo_3a) + absolute(qo_3b) + absolute(qo_3d) + absolute(qo_3f)
-    qo_0_error_bound = 3.3306690738754706e-16 * (qo_0_size + 2.004168360008973e-292)
-    qo_1_error_bound = 3.3306690738754706e-16 * (qo_1_size + 2.004168360008973e-292)
-    qo_2_error_bound = 3.3306690738754706e-16 * (qo_2_size + 2.004168360008973e-292)
-    qo_3_error_bound = 4.440892098500628e-16 * (qo_3_size + 2.004168360008973e-292)
-    return (qo_0, qo_1, qo_2, qo_3, qo_0_error_bound, qo_1_error_bound, qo_2_error_bound,
-        qo_3_error_bound)
+    qo_0_bound = 3.3306690738754706e-16 * (qo_0_size + 2.004168360008973e-292)
+    qo_1_bound = 3.3306690738754706e-16 * (qo_1_size + 2.004168360008973e-292)
+    qo_2_bound = 3.3306690738754706e-16 * (qo_2_size + 2.004168360008973e-292)
+    qo_3_bound = 4.440892098500628e-16 * (qo_3_size + 2.004168360008973e-292)
+    return (qo_0, qo_1, qo_2, qo_3, qo_0_bound, qo_1_bound, qo_2_bound, qo_3_bound)
 
 
 @kernel("(4),(4)->(4),(4)")
@@ -292,12 +286,11 @@ def quaternion_product_qconjq(q1i, q2i):
     qo_1_size = absolute(qo_1a) + absolute(qo_1b) + (absolute(qo_1d) + absolute(qo_1e))
     qo_2_size = absolute(qo_2a) + absolute(qo_2b) + (absolute(qo_2d) + absolute(qo_2e))
     qo_3_size = absolute(qo_3a) + absolute(qo_3b) + absolute(qo_3d) + absolute(qo_3f)
-    qo_0_error_bound = 3.3306690738754706e-16 * (qo_0_size + 2.004168360008973e-292)
-    qo_1_error_bound = 3.3306690738754706e-16 * (qo_1_size + 2.004168360008973e-292)
-    qo_2_error_bound = 3.3306690738754706e-16 * (qo_2_size + 2.004168360008973e-292)
-    qo_3_error_bound = 4.440892098500628e-16 * (qo_3_size + 2.004168360008973e-292)
-    return (qo_0, qo_1, qo_2, qo_3, qo_0_error_bound, qo_1_error_bound, qo_2_error_bound,
-        qo_3_error_bound)
+    qo_0_bound = 3.3306690738754706e-16 * (qo_0_size + 2.004168360008973e-292)
+    qo_1_bound = 3.3306690738754706e-16 * (qo_1_size + 2.004168360008973e-292)
+    qo_2_bound = 3.3306690738754706e-16 * (qo_2_size + 2.004168360008973e-292)
+    qo_3_bound = 4.440892098500628e-16 * (qo_3_size + 2.004168360008973e-292)
+    return (qo_0, qo_1, qo_2, qo_3, qo_0_bound, qo_1_bound, qo_2_bound, qo_3_bound)
 
 
 @kernel("(4),(4)->(4),(4)")
@@ -334,12 +327,11 @@ def quaternion_product_qconjqconj(q1i, q2i):
     qo_1_size = absolute(qo_1a) + absolute(qo_1b) + absolute(qo_1d) + absolute(qo_1f)
     qo_2_size = absolute(qo_2a) + absolute(qo_2b) + absolute(qo_2d) + absolute(qo_2f)
     qo_3_size = absolute(qo_3a) + (absolute(qo_3b) + absolute(qo_3c) + absolute(qo_3e))
-    qo_0_error_bound = 4.440892098500628e-16 * (qo_0_size + 2.004168360008973e-292)
-    qo_1_error_bound = 4.440892098500628e-16 * (qo_1_size + 2.004168360008973e-292)
-    qo_2_error_bound = 4.440892098500628e-16 * (qo_2_size + 2.004168360008973e-292)
-    qo_3_error_bound = 4.440892098500628e-16 * (qo_3_size + 2.004168360008973e-292)
-    return (qo_0, qo_1, qo_2, qo_3, qo_0_error_bound, qo_1_error_bound, qo_2_error_bound,
-        qo_3_error_bound)
+    qo_0_bound = 4.440892098500628e-16 * (qo_0_size + 2.004168360008973e-292)
+    qo_1_bound = 4.440892098500628e-16 * (qo_1_size + 2.004168360008973e-292)
+    qo_2_bound = 4.440892098500628e-16 * (qo_2_size + 2.004168360008973e-292)
+    qo_3_bound = 4.440892098500628e-16 * (qo_3_size + 2.004168360008973e-292)
+    return (qo_0, qo_1, qo_2, qo_3, qo_0_bound, qo_1_bound, qo_2_bound, qo_3_bound)
 
 
 @kernel("(2),(4)->(4),(4)")
@@ -370,12 +362,11 @@ def quaternion_product_qxq(dci, qi):
     qo_1_size = absolute(qo_1a) + absolute(qo_1b)
     qo_2_size = absolute(qo_2a) + absolute(qo_2b)
     qo_3_size = absolute(qo_3a) + absolute(qo_3b)
-    qo_0_error_bound = 2.2204460492503136e-16 * (qo_0_size + 2.004168360008973e-292)
-    qo_1_error_bound = 2.2204460492503136e-16 * (qo_1_size + 2.004168360008973e-292)
-    qo_2_error_bound = 2.2204460492503136e-16 * (qo_2_size + 2.004168360008973e-292)
-    qo_3_error_bound = 2.2204460492503136e-16 * (qo_3_size + 2.004168360008973e-292)
-    return (qo_0, qo_1, qo_2, qo_3, qo_0_error_bound, qo_1_error_bound, qo_2_error_bound,
-        qo_3_error_bound)
+    qo_0_bound = 2.2204460492503136e-16 * (qo_0_size + 2.004168360008973e-292)
+    qo_1_bound = 2.2204460492503136e-16 * (qo_1_size + 2.004168360008973e-292)
+    qo_2_bound = 2.2204460492503136e-16 * (qo_2_size + 2.004168360008973e-292)
+    qo_3_bound = 2.2204460492503136e-16 * (qo_3_size + 2.004168360008973e-292)
+    return (qo_0, qo_1, qo_2, qo_3, qo_0_bound, qo_1_bound, qo_2_bound, qo_3_bound)
 
 
 @kernel("(2),(4)->(4),(4)")
@@ -405,13 +396,12 @@ def quaternion_product_qxqconj(dci, qi):
     qo_0_size = absolute(qo_0a) + absolute(qo_0b)
     qo_1_size = absolute(qo_1a) + absolute(qo_1b)
     qo_3_size = absolute(qo_3a) + absolute(qo_3b)
-    qo_0_error_bound = 2.2204460492503136e-16 * (qo_0_size + 2.004168360008973e-292)
-    qo_1_error_bound = 2.2204460492503136e-16 * (qo_1_size + 2.004168360008973e-292)
-    qo_2c_padded = absolute(qo_2a) + absolute(qo_2b) + 2.004168360008973e-292
-    qo_2c_error_bound = 2.2204460492503136e-16 * qo_2c_padded
-    qo_3_error_bound = 2.2204460492503136e-16 * (qo_3_size + 2.004168360008973e-292)
-    return (qo_0, qo_1, qo_2, qo_3, qo_0_error_bound, qo_1_error_bound, qo_2c_error_bound,
-        qo_3_error_bound)
+    qo_0_bound = 2.2204460492503136e-16 * (qo_0_size + 2.004168360008973e-292)
+    qo_1_bound = 2.2204460492503136e-16 * (qo_1_size + 2.004168360008973e-292)
+    qo_2c_bound = (2.2204460492503136e-16
+        * (absolute(qo_2a) + absolute(qo_2b) + 2.004168360008973e-292))
+    qo_3_bound = 2.2204460492503136e-16 * (qo_3_size + 2.004168360008973e-292)
+    return (qo_0, qo_1, qo_2, qo_3, qo_0_bound, qo_1_bound, qo_2c_bound, qo_3_bound)
 
 
 @kernel("(2),(4)->(4),(4)")
@@ -442,12 +432,11 @@ def quaternion_product_qxconjq(dci, qi):
     qo_1_size = absolute(qo_1a) + absolute(qo_1b)
     qo_2_size = absolute(qo_2a) + absolute(qo_2b)
     qo_3_size = absolute(qo_3a) + absolute(qo_3b)
-    qo_0_error_bound = 2.2204460492503136e-16 * (qo_0_size + 2.004168360008973e-292)
-    qo_1_error_bound = 2.2204460492503136e-16 * (qo_1_size + 2.004168360008973e-292)
-    qo_2_error_bound = 2.2204460492503136e-16 * (qo_2_size + 2.004168360008973e-292)
-    qo_3_error_bound = 2.2204460492503136e-16 * (qo_3_size + 2.004168360008973e-292)
-    return (qo_0, qo_1, qo_2, qo_3, qo_0_error_bound, qo_1_error_bound, qo_2_error_bound,
-        qo_3_error_bound)
+    qo_0_bound = 2.2204460492503136e-16 * (qo_0_size + 2.004168360008973e-292)
+    qo_1_bound = 2.2204460492503136e-16 * (qo_1_size + 2.004168360008973e-292)
+    qo_2_bound = 2.2204460492503136e-16 * (qo_2_size + 2.004168360008973e-292)
+    qo_3_bound = 2.2204460492503136e-16 * (qo_3_size + 2.004168360008973e-292)
+    return (qo_0, qo_1, qo_2, qo_3, qo_0_bound, qo_1_bound, qo_2_bound, qo_3_bound)
 
 
 @kernel("(2),(4)->(4),(4)")
@@ -476,14 +465,13 @@ def quaternion_product_qxconjqconj(dci, qi):
     qo_3 = qo_3a - qo_3b
     qo_2_size = absolute(qo_2a) + absolute(qo_2b)
     qo_3_size = absolute(qo_3a) + absolute(qo_3b)
-    qo_0c_padded = absolute(qo_0a) + absolute(qo_0b) + 2.004168360008973e-292
-    qo_0c_error_bound = 2.2204460492503136e-16 * qo_0c_padded
-    qo_1c_padded = absolute(qo_1a) + absolute(qo_1b) + 2.004168360008973e-292
-    qo_1c_error_bound = 2.2204460492503136e-16 * qo_1c_padded
-    qo_2_error_bound = 2.2204460492503136e-16 * (qo_2_size + 2.004168360008973e-292)
-    qo_3_error_bound = 2.2204460492503136e-16 * (qo_3_size + 2.004168360008973e-292)
-    return (qo_0, qo_1, qo_2, qo_3, qo_0c_error_bound, qo_1c_error_bound, qo_2_error_bound,
-        qo_3_error_bound)
+    qo_0c_bound = (2.2204460492503136e-16
+        * (absolute(qo_0a) + absolute(qo_0b) + 2.004168360008973e-292))
+    qo_1c_bound = (2.2204460492503136e-16
+        * (absolute(qo_1a) + absolute(qo_1b) + 2.004168360008973e-292))
+    qo_2_bound = 2.2204460492503136e-16 * (qo_2_size + 2.004168360008973e-292)
+    qo_3_bound = 2.2204460492503136e-16 * (qo_3_size + 2.004168360008973e-292)
+    return (qo_0, qo_1, qo_2, qo_3, qo_0c_bound, qo_1c_bound, qo_2_bound, qo_3_bound)
 
 
 @kernel("(4),(2)->(4),(4)")
@@ -514,12 +502,11 @@ def quaternion_product_qqx(qi, dci):
     qo_1_size = absolute(qo_1a) + absolute(qo_1b)
     qo_2_size = absolute(qo_2a) + absolute(qo_2b)
     qo_3_size = absolute(qo_3a) + absolute(qo_3b)
-    qo_0_error_bound = 2.2204460492503136e-16 * (qo_0_size + 2.004168360008973e-292)
-    qo_1_error_bound = 2.2204460492503136e-16 * (qo_1_size + 2.004168360008973e-292)
-    qo_2_error_bound = 2.2204460492503136e-16 * (qo_2_size + 2.004168360008973e-292)
-    qo_3_error_bound = 2.2204460492503136e-16 * (qo_3_size + 2.004168360008973e-292)
-    return (qo_0, qo_1, qo_2, qo_3, qo_0_error_bound, qo_1_error_bound, qo_2_error_bound,
-        qo_3_error_bound)
+    qo_0_bound = 2.2204460492503136e-16 * (qo_0_size + 2.004168360008973e-292)
+    qo_1_bound = 2.2204460492503136e-16 * (qo_1_size + 2.004168360008973e-292)
+    qo_2_bound = 2.2204460492503136e-16 * (qo_2_size + 2.004168360008973e-292)
+    qo_3_bound = 2.2204460492503136e-16 * (qo_3_size + 2.004168360008973e-292)
+    return (qo_0, qo_1, qo_2, qo_3, qo_0_bound, qo_1_bound, qo_2_bound, qo_3_bound)
 
 
 @kernel("(4),(2)->(4),(4)")
@@ -550,12 +537,11 @@ def quaternion_product_qqxconj(qi, dci):
     qo_1_size = absolute(qo_1a) + absolute(qo_1b)
     qo_2_size = absolute(qo_2a) + absolute(qo_2b)
     qo_3_size = absolute(qo_3a) + absolute(qo_3b)
-    qo_0_error_bound = 2.2204460492503136e-16 * (qo_0_size + 2.004168360008973e-292)
-    qo_1_error_bound = 2.2204460492503136e-16 * (qo_1_size + 2.004168360008973e-292)
-    qo_2_error_bound = 2.2204460492503136e-16 * (qo_2_size + 2.004168360008973e-292)
-    qo_3_error_bound = 2.2204460492503136e-16 * (qo_3_size + 2.004168360008973e-292)
-    return (qo_0, qo_1, qo_2, qo_3, qo_0_error_bound, qo_1_error_bound, qo_2_error_bound,
-        qo_3_error_bound)
+    qo_0_bound = 2.2204460492503136e-16 * (qo_0_size + 2.004168360008973e-292)
+    qo_1_bound = 2.2204460492503136e-16 * (qo_1_size + 2.004168360008973e-292)
+    qo_2_bound = 2.2204460492503136e-16 * (qo_2_size + 2.004168360008973e-292)
+    qo_3_bound = 2.2204460492503136e-16 * (qo_3_size + 2.004168360008973e-292)
+    return (qo_0, qo_1, qo_2, qo_3, qo_0_bound, qo_1_bound, qo_2_bound, qo_3_bound)
 
 
 @kernel("(4),(2)->(4),(4)")
@@ -585,13 +571,12 @@ def quaternion_product_qconjqx(qi, dci):
     qo_0_size = absolute(qo_0a) + absolute(qo_0b)
     qo_2_size = absolute(qo_2a) + absolute(qo_2b)
     qo_3_size = absolute(qo_3a) + absolute(qo_3b)
-    qo_0_error_bound = 2.2204460492503136e-16 * (qo_0_size + 2.004168360008973e-292)
-    qo_1c_padded = absolute(qo_1a) + absolute(qo_1b) + 2.004168360008973e-292
-    qo_1c_error_bound = 2.2204460492503136e-16 * qo_1c_padded
-    qo_2_error_bound = 2.2204460492503136e-16 * (qo_2_size + 2.004168360008973e-292)
-    qo_3_error_bound = 2.2204460492503136e-16 * (qo_3_size + 2.004168360008973e-292)
-    return (qo_0, qo_1, qo_2, qo_3, qo_0_error_bound, qo_1c_error_bound, qo_2_error_bound,
-        qo_3_error_bound)
+    qo_0_bound = 2.2204460492503136e-16 * (qo_0_size + 2.004168360008973e-292)
+    qo_1c_bound = (2.2204460492503136e-16
+        * (absolute(qo_1a) + absolute(qo_1b) + 2.004168360008973e-292))
+    qo_2_bound = 2.2204460492503136e-16 * (qo_2_size + 2.004168360008973e-292)
+    qo_3_bound = 2.2204460492503136e-16 * (qo_3_size + 2.004168360008973e-292)
+    return (qo_0, qo_1, qo_2, qo_3, qo_0_bound, qo_1c_bound, qo_2_bound, qo_3_bound)
 
 
 @kernel("(4),(2)->(4),(4)")
@@ -620,14 +605,13 @@ def quaternion_product_qconjqxconj(qi, dci):
     qo_3 = qo_3a - qo_3b
     qo_1_size = absolute(qo_1a) + absolute(qo_1b)
     qo_3_size = absolute(qo_3a) + absolute(qo_3b)
-    qo_0c_padded = absolute(qo_0a) + absolute(qo_0b) + 2.004168360008973e-292
-    qo_0c_error_bound = 2.2204460492503136e-16 * qo_0c_padded
-    qo_1_error_bound = 2.2204460492503136e-16 * (qo_1_size + 2.004168360008973e-292)
-    qo_2c_padded = absolute(qo_2a) + absolute(qo_2b) + 2.004168360008973e-292
-    qo_2c_error_bound = 2.2204460492503136e-16 * qo_2c_padded
-    qo_3_error_bound = 2.2204460492503136e-16 * (qo_3_size + 2.004168360008973e-292)
-    return (qo_0, qo_1, qo_2, qo_3, qo_0c_error_bound, qo_1_error_bound, qo_2c_error_bound,
-        qo_3_error_bound)
+    qo_0c_bound = (2.2204460492503136e-16
+        * (absolute(qo_0a) + absolute(qo_0b) + 2.004168360008973e-292))
+    qo_1_bound = 2.2204460492503136e-16 * (qo_1_size + 2.004168360008973e-292)
+    qo_2c_bound = (2.2204460492503136e-16
+        * (absolute(qo_2a) + absolute(qo_2b) + 2.004168360008973e-292))
+    qo_3_bound = 2.2204460492503136e-16 * (qo_3_size + 2.004168360008973e-292)
+    return (qo_0, qo_1, qo_2, qo_3, qo_0c_bound, qo_1_bound, qo_2c_bound, qo_3_bound)
 
 
 @kernel("(2),(4)->(4),(4)")
@@ -658,12 +642,11 @@ def quaternion_product_qyq(dci, qi):
     qo_1_size = absolute(qo_1a) + absolute(qo_1b)
     qo_2_size = absolute(qo_2a) + absolute(qo_2b)
     qo_3_size = absolute(qo_3a) + absolute(qo_3b)
-    qo_0_error_bound = 2.2204460492503136e-16 * (qo_0_size + 2.004168360008973e-292)
-    qo_1_error_bound = 2.2204460492503136e-16 * (qo_1_size + 2.004168360008973e-292)
-    qo_2_error_bound = 2.2204460492503136e-16 * (qo_2_size + 2.004168360008973e-292)
-    qo_3_error_bound = 2.2204460492503136e-16 * (qo_3_size + 2.004168360008973e-292)
-    return (qo_0, qo_1, qo_2, qo_3, qo_0_error_bound, qo_1_error_bound, qo_2_error_bound,
-        qo_3_error_bound)
+    qo_0_bound = 2.2204460492503136e-16 * (qo_0_size + 2.004168360008973e-292)
+    qo_1_bound = 2.2204460492503136e-16 * (qo_1_size + 2.004168360008973e-292)
+    qo_2_bound = 2.2204460492503136e-16 * (qo_2_size + 2.004168360008973e-292)
+    qo_3_bound = 2.2204460492503136e-16 * (qo_3_size + 2.004168360008973e-292)
+    return (qo_0, qo_1, qo_2, qo_3, qo_0_bound, qo_1_bound, qo_2_bound, qo_3_bound)
 
 
 @kernel("(2),(4)->(4),(4)")
@@ -693,13 +676,12 @@ def quaternion_product_qyqconj(dci, qi):
     qo_1_size = absolute(qo_1a) + absolute(qo_1b)
     qo_2_size = absolute(qo_2a) + absolute(qo_2b)
     qo_3_size = absolute(qo_3a) + absolute(qo_3b)
-    qo_0c_padded = absolute(qo_0a) + absolute(qo_0b) + 2.004168360008973e-292
-    qo_0c_error_bound = 2.2204460492503136e-16 * qo_0c_padded
-    qo_1_error_bound = 2.2204460492503136e-16 * (qo_1_size + 2.004168360008973e-292)
-    qo_2_error_bound = 2.2204460492503136e-16 * (qo_2_size + 2.004168360008973e-292)
-    qo_3_error_bound = 2.2204460492503136e-16 * (qo_3_size + 2.004168360008973e-292)
-    return (qo_0, qo_1, qo_2, qo_3, qo_0c_error_bound, qo_1_error_bound, qo_2_error_bound,
-        qo_3_error_bound)
+    qo_0c_bound = (2.2204460492503136e-16
+        * (absolute(qo_0a) + absolute(qo_0b) + 2.004168360008973e-292))
+    qo_1_bound = 2.2204460492503136e-16 * (qo_1_size + 2.004168360008973e-292)
+    qo_2_bound = 2.2204460492503136e-16 * (qo_2_size + 2.004168360008973e-292)
+    qo_3_bound = 2.2204460492503136e-16 * (qo_3_size + 2.004168360008973e-292)
+    return (qo_0, qo_1, qo_2, qo_3, qo_0c_bound, qo_1_bound, qo_2_bound, qo_3_bound)
 
 
 @kernel("(2),(4)->(4),(4)")
@@ -730,12 +712,11 @@ def quaternion_product_qyconjq(dci, qi):
     qo_1_size = absolute(qo_1a) + absolute(qo_1b)
     qo_2_size = absolute(qo_2a) + absolute(qo_2b)
     qo_3_size = absolute(qo_3a) + absolute(qo_3b)
-    qo_0_error_bound = 2.2204460492503136e-16 * (qo_0_size + 2.004168360008973e-292)
-    qo_1_error_bound = 2.2204460492503136e-16 * (qo_1_size + 2.004168360008973e-292)
-    qo_2_error_bound = 2.2204460492503136e-16 * (qo_2_size + 2.004168360008973e-292)
-    qo_3_error_bound = 2.2204460492503136e-16 * (qo_3_size + 2.004168360008973e-292)
-    return (qo_0, qo_1, qo_2, qo_3, qo_0_error_bound, qo_1_error_bound, qo_2_error_bound,
-        qo_3_error_bound)
+    qo_0_bound = 2.2204460492503136e-16 * (qo_0_size + 2.004168360008973e-292)
+    qo_1_bound = 2.2204460492503136e-16 * (qo_1_size + 2.004168360008973e-292)
+    qo_2_bound = 2.2204460492503136e-16 * (qo_2_size + 2.004168360008973e-292)
+    qo_3_bound = 2.2204460492503136e-16 * (qo_3_size + 2.004168360008973e-292)
+    return (qo_0, qo_1, qo_2, qo_3, qo_0_bound, qo_1_bound, qo_2_bound, qo_3_bound)
 
 
 @kernel("(2),(4)->(4),(4)")
@@ -764,14 +745,13 @@ def quaternion_product_qyconjqconj(dci, qi):
     qo_3 = qo_3a - qo_3b
     qo_0_size = absolute(qo_0a) + absolute(qo_0b)
     qo_3_size = absolute(qo_3a) + absolute(qo_3b)
-    qo_0_error_bound = 2.2204460492503136e-16 * (qo_0_size + 2.004168360008973e-292)
-    qo_1c_padded = absolute(qo_1a) + absolute(qo_1b) + 2.004168360008973e-292
-    qo_1c_error_bound = 2.2204460492503136e-16 * qo_1c_padded
-    qo_2c_padded = absolute(qo_2a) + absolute(qo_2b) + 2.004168360008973e-292
-    qo_2c_error_bound = 2.2204460492503136e-16 * qo_2c_padded
-    qo_3_error_bound = 2.2204460492503136e-16 * (qo_3_size + 2.004168360008973e-292)
-    return (qo_0, qo_1, qo_2, qo_3, qo_0_error_bound, qo_1c_error_bound, qo_2c_error_bound,
-        qo_3_error_bound)
+    qo_0_bound = 2.2204460492503136e-16 * (qo_0_size + 2.004168360008973e-292)
+    qo_1c_bound = (2.2204460492503136e-16
+        * (absolute(qo_1a) + absolute(qo_1b) + 2.004168360008973e-292))
+    qo_2c_bound = (2.2204460492503136e-16
+        * (absolute(qo_2a) + absolute(qo_2b) + 2.004168360008973e-292))
+    qo_3_bound = 2.2204460492503136e-16 * (qo_3_size + 2.004168360008973e-292)
+    return (qo_0, qo_1, qo_2, qo_3, qo_0_bound, qo_1c_bound, qo_2c_bound, qo_3_bound)
 
 
 @kernel("(4),(2)->(4),(4)")
@@ -802,12 +782,11 @@ def quaternion_product_qqy(qi, dci):
     qo_1_size = absolute(qo_1a) + absolute(qo_1b)
     qo_2_size = absolute(qo_2a) + absolute(qo_2b)
     qo_3_size = absolute(qo_3a) + absolute(qo_3b)
-    qo_0_error_bound = 2.2204460492503136e-16 * (qo_0_size + 2.004168360008973e-292)
-    qo_1_error_bound = 2.2204460492503136e-16 * (qo_1_size + 2.004168360008973e-292)
-    qo_2_error_bound = 2.2204460492503136e-16 * (qo_2_size + 2.004168360008973e-292)
-    qo_3_error_bound = 2.2204460492503136e-16 * (qo_3_size + 2.004168360008973e-292)
-    return (qo_0, qo_1, qo_2, qo_3, qo_0_error_bound, qo_1_error_bound, qo_2_error_bound,
-        qo_3_error_bound)
+    qo_0_bound = 2.2204460492503136e-16 * (qo_0_size + 2.004168360008973e-292)
+    qo_1_bound = 2.2204460492503136e-16 * (qo_1_size + 2.004168360008973e-292)
+    qo_2_bound = 2.2204460492503136e-16 * (qo_2_size + 2.004168360008973e-292)
+    qo_3_bound = 2.2204460492503136e-16 * (qo_3_size + 2.004168360008973e-292)
+    return (qo_0, qo_1, qo_2, qo_3, qo_0_bound, qo_1_bound, qo_2_bound, qo_3_bound)
 
 
 @kernel("(4),(2)->(4),(4)")
@@ -838,12 +817,11 @@ def quaternion_product_qqyconj(qi, dci):
     qo_1_size = absolute(qo_1a) + absolute(qo_1b)
     qo_2_size = absolute(qo_2a) + absolute(qo_2b)
     qo_3_size = absolute(qo_3a) + absolute(qo_3b)
-    qo_0_error_bound = 2.2204460492503136e-16 * (qo_0_size + 2.004168360008973e-292)
-    qo_1_error_bound = 2.2204460492503136e-16 * (qo_1_size + 2.004168360008973e-292)
-    qo_2_error_bound = 2.2204460492503136e-16 * (qo_2_size + 2.004168360008973e-292)
-    qo_3_error_bound = 2.2204460492503136e-16 * (qo_3_size + 2.004168360008973e-292)
-    return (qo_0, qo_1, qo_2, qo_3, qo_0_error_bound, qo_1_error_bound, qo_2_error_bound,
-        qo_3_error_bound)
+    qo_0_bound = 2.2204460492503136e-16 * (qo_0_size + 2.004168360008973e-292)
+    qo_1_bound = 2.2204460492503136e-16 * (qo_1_size + 2.004168360008973e-292)
+    qo_2_bound = 2.2204460492503136e-16 * (qo_2_size + 2.004168360008973e-292)
+    qo_3_bound = 2.2204460492503136e-16 * (qo_3_size + 2.004168360008973e-292)
+    return (qo_0, qo_1, qo_2, qo_3, qo_0_bound, qo_1_bound, qo_2_bound, qo_3_bound)
 
 
 @kernel("(4),(2)->(4),(4)")
@@ -873,13 +851,12 @@ def quaternion_product_qconjqy(qi, dci):
     qo_0_size = absolute(qo_0a) + absolute(qo_0b)
     qo_1_size = absolute(qo_1a) + absolute(qo_1b)
     qo_3_size = absolute(qo_3a) + absolute(qo_3b)
-    qo_0_error_bound = 2.2204460492503136e-16 * (qo_0_size + 2.004168360008973e-292)
-    qo_1_error_bound = 2.2204460492503136e-16 * (qo_1_size + 2.004168360008973e-292)
-    qo_2c_padded = absolute(qo_2a) + absolute(qo_2b) + 2.004168360008973e-292
-    qo_2c_error_bound = 2.2204460492503136e-16 * qo_2c_padded
-    qo_3_error_bound = 2.2204460492503136e-16 * (qo_3_size + 2.004168360008973e-292)
-    return (qo_0, qo_1, qo_2, qo_3, qo_0_error_bound, qo_1_error_bound, qo_2c_error_bound,
-        qo_3_error_bound)
+    qo_0_bound = 2.2204460492503136e-16 * (qo_0_size + 2.004168360008973e-292)
+    qo_1_bound = 2.2204460492503136e-16 * (qo_1_size + 2.004168360008973e-292)
+    qo_2c_bound = (2.2204460492503136e-16
+        * (absolute(qo_2a) + absolute(qo_2b) + 2.004168360008973e-292))
+    qo_3_bound = 2.2204460492503136e-16 * (qo_3_size + 2.004168360008973e-292)
+    return (qo_0, qo_1, qo_2, qo_3, qo_0_bound, qo_1_bound, qo_2c_bound, qo_3_bound)
 
 
 @kernel("(4),(2)->(4),(4)")
@@ -908,14 +885,13 @@ def quaternion_product_qconjqyconj(qi, dci):
     qo_3 = qo_3a - qo_3b
     qo_2_size = absolute(qo_2a) + absolute(qo_2b)
     qo_3_size = absolute(qo_3a) + absolute(qo_3b)
-    qo_0c_padded = absolute(qo_0a) + absolute(qo_0b) + 2.004168360008973e-292
-    qo_0c_error_bound = 2.2204460492503136e-16 * qo_0c_padded
-    qo_1c_padded = absolute(qo_1a) + absolute(qo_1b) + 2.004168360008973e-292
-    qo_1c_error_bound = 2.2204460492503136e-16 * qo_1c_padded
-    qo_2_error_bound = 2.2204460492503136e-16 * (qo_2_size + 2.004168360008973e-292)
-    qo_3_error_bound = 2.2204460492503136e-16 * (qo_3_size + 2.004168360008973e-292)
-    return (qo_0, qo_1, qo_2, qo_3, qo_0c_error_bound, qo_1c_error_bound, qo_2_error_bound,
-        qo_3_error_bound)
+    qo_0c_bound = (2.2204460492503136e-16
+        * (absolute(qo_0a) + absolute(qo_0b) + 2.004168360008973e-292))
+    qo_1c_bound = (2.2204460492503136e-16
+        * (absolute(qo_1a) + absolute(qo_1b) + 2.004168360008973e-292))
+    qo_2_bound = 2.2204460492503136e-16 * (qo_2_size + 2.004168360008973e-292)
+    qo_3_bound = 2.2204460492503136e-16 * (qo_3_size + 2.004168360008973e-292)
+    return (qo_0, qo_1, qo_2, qo_3, qo_0c_bound, qo_1c_bound, qo_2_bound, qo_3_bound)
 
 
 @kernel("(2),(4)->(4),(4)")
@@ -946,12 +922,11 @@ def quaternion_product_qzq(dci, qi):
     qo_1_size = absolute(qo_1a) + absolute(qo_1b)
     qo_2_size = absolute(qo_2a) + absolute(qo_2b)
     qo_3_size = absolute(qo_3a) + absolute(qo_3b)
-    qo_0_error_bound = 2.2204460492503136e-16 * (qo_0_size + 2.004168360008973e-292)
-    qo_1_error_bound = 2.2204460492503136e-16 * (qo_1_size + 2.004168360008973e-292)
-    qo_2_error_bound = 2.2204460492503136e-16 * (qo_2_size + 2.004168360008973e-292)
-    qo_3_error_bound = 2.2204460492503136e-16 * (qo_3_size + 2.004168360008973e-292)
-    return (qo_0, qo_1, qo_2, qo_3, qo_0_error_bound, qo_1_error_bound, qo_2_error_bound,
-        qo_3_error_bound)
+    qo_0_bound = 2.2204460492503136e-16 * (qo_0_size + 2.004168360008973e-292)
+    qo_1_bound = 2.2204460492503136e-16 * (qo_1_size + 2.004168360008973e-292)
+    qo_2_bound = 2.2204460492503136e-16 * (qo_2_size + 2.004168360008973e-292)
+    qo_3_bound = 2.2204460492503136e-16 * (qo_3_size + 2.004168360008973e-292)
+    return (qo_0, qo_1, qo_2, qo_3, qo_0_bound, qo_1_bound, qo_2_bound, qo_3_bound)
 
 
 @kernel("(2),(4)->(4),(4)")
@@ -981,13 +956,12 @@ def quaternion_product_qzqconj(dci, qi):
     qo_0_size = absolute(qo_0a) + absolute(qo_0b)
     qo_2_size = absolute(qo_2a) + absolute(qo_2b)
     qo_3_size = absolute(qo_3a) + absolute(qo_3b)
-    qo_0_error_bound = 2.2204460492503136e-16 * (qo_0_size + 2.004168360008973e-292)
-    qo_1c_padded = absolute(qo_1a) + absolute(qo_1b) + 2.004168360008973e-292
-    qo_1c_error_bound = 2.2204460492503136e-16 * qo_1c_padded
-    qo_2_error_bound = 2.2204460492503136e-16 * (qo_2_size + 2.004168360008973e-292)
-    qo_3_error_bound = 2.2204460492503136e-16 * (qo_3_size + 2.004168360008973e-292)
-    return (qo_0, qo_1, qo_2, qo_3, qo_0_error_bound, qo_1c_error_bound, qo_2_error_bound,
-        qo_3_error_bound)
+    qo_0_bound = 2.2204460492503136e-16 * (qo_0_size + 2.004168360008973e-292)
+    qo_1c_bound = (2.2204460492503136e-16
+        * (absolute(qo_1a) + absolute(qo_1b) + 2.004168360008973e-292))
+    qo_2_bound = 2.2204460492503136e-16 * (qo_2_size + 2.004168360008973e-292)
+    qo_3_bound = 2.2204460492503136e-16 * (qo_3_size + 2.004168360008973e-292)
+    return (qo_0, qo_1, qo_2, qo_3, qo_0_bound, qo_1c_bound, qo_2_bound, qo_3_bound)
 
 
 @kernel("(2),(4)->(4),(4)")
@@ -1018,12 +992,11 @@ def quaternion_product_qzconjq(dci, qi):
     qo_1_size = absolute(qo_1a) + absolute(qo_1b)
     qo_2_size = absolute(qo_2a) + absolute(qo_2b)
     qo_3_size = absolute(qo_3a) + absolute(qo_3b)
-    qo_0_error_bound = 2.2204460492503136e-16 * (qo_0_size + 2.004168360008973e-292)
-    qo_1_error_bound = 2.2204460492503136e-16 * (qo_1_size + 2.004168360008973e-292)
-    qo_2_error_bound = 2.2204460492503136e-16 * (qo_2_size + 2.004168360008973e-292)
-    qo_3_error_bound = 2.2204460492503136e-16 * (qo_3_size + 2.004168360008973e-292)
-    return (qo_0, qo_1, qo_2, qo_3, qo_0_error_bound, qo_1_error_bound, qo_2_error_bound,
-        qo_3_error_bound)
+    qo_0_bound = 2.2204460492503136e-16 * (qo_0_size + 2.004168360008973e-292)
+    qo_1_bound = 2.2204460492503136e-16 * (qo_1_size + 2.004168360008973e-292)
+    qo_2_bound = 2.2204460492503136e-16 * (qo_2_size + 2.004168360008973e-292)
+    qo_3_bound = 2.2204460492503136e-16 * (qo_3_size + 2.004168360008973e-292)
+    return (qo_0, qo_1, qo_2, qo_3, qo_0_bound, qo_1_bound, qo_2_bound, qo_3_bound)
 
 
 @kernel("(2),(4)->(4),(4)")
@@ -1052,14 +1025,13 @@ def quaternion_product_qzconjqconj(dci, qi):
     qo_3 = qo_3a - qo_3b
     qo_1_size = absolute(qo_1a) + absolute(qo_1b)
     qo_3_size = absolute(qo_3a) + absolute(qo_3b)
-    qo_0c_padded = absolute(qo_0a) + absolute(qo_0b) + 2.004168360008973e-292
-    qo_0c_error_bound = 2.2204460492503136e-16 * qo_0c_padded
-    qo_1_error_bound = 2.2204460492503136e-16 * (qo_1_size + 2.004168360008973e-292)
-    qo_2c_padded = absolute(qo_2a) + absolute(qo_2b) + 2.004168360008973e-292
-    qo_2c_error_bound = 2.2204460492503136e-16 * qo_2c_padded
-    qo_3_error_bound = 2.2204460492503136e-16 * (qo_3_size + 2.004168360008973e-292)
-    return (qo_0, qo_1, qo_2, qo_3, qo_0c_error_bound, qo_1_error_bound, qo_2c_error_bound,
-        qo_3_error_bound)
+    qo_0c_bound = (2.2204460492503136e-16
+        * (absolute(qo_0a) + absolute(qo_0b) + 2.004168360008973e-292))
+    qo_1_bound = 2.2204460492503136e-16 * (qo_1_size + 2.004168360008973e-292)
+    qo_2c_bound = (2.2204460492503136e-16
+        * (absolute(qo_2a) + absolute(qo_2b) + 2.004168360008973e-292))
+    qo_3_bound = 2.2204460492503136e-16 * (qo_3_size + 2.004168360008973e-292)
+    return (qo_0, qo_1, qo_2, qo_3, qo_0c_bound, qo_1_bound, qo_2c_bound, qo_3_bound)
 
 
 @kernel("(4),(2)->(4),(4)")
@@ -1090,12 +1062,11 @@ def quaternion_product_qqz(qi, dci):
     qo_1_size = absolute(qo_1a) + absolute(qo_1b)
     qo_2_size = absolute(qo_2a) + absolute(qo_2b)
     qo_3_size = absolute(qo_3a) + absolute(qo_3b)
-    qo_0_error_bound = 2.2204460492503136e-16 * (qo_0_size + 2.004168360008973e-292)
-    qo_1_error_bound = 2.2204460492503136e-16 * (qo_1_size + 2.004168360008973e-292)
-    qo_2_error_bound = 2.2204460492503136e-16 * (qo_2_size + 2.004168360008973e-292)
-    qo_3_error_bound = 2.2204460492503136e-16 * (qo_3_size + 2.004168360008973e-292)
-    return (qo_0, qo_1, qo_2, qo_3, qo_0_error_bound, qo_1_error_bound, qo_2_error_bound,
-        qo_3_error_bound)
+    qo_0_bound = 2.2204460492503136e-16 * (qo_0_size + 2.004168360008973e-292)
+    qo_1_bound = 2.2204460492503136e-16 * (qo_1_size + 2.004168360008973e-292)
+    qo_2_bound = 2.2204460492503136e-16 * (qo_2_size + 2.004168360008973e-292)
+    qo_3_bound = 2.2204460492503136e-16 * (qo_3_size + 2.004168360008973e-292)
+    return (qo_0, qo_1, qo_2, qo_3, qo_0_bound, qo_1_bound, qo_2_bound, qo_3_bound)
 
 
 @kernel("(4),(2)->(4),(4)")
@@ -1126,12 +1097,11 @@ def quaternion_product_qqzconj(qi, dci):
     qo_1_size = absolute(qo_1a) + absolute(qo_1b)
     qo_2_size = absolute(qo_2a) + absolute(qo_2b)
     qo_3_size = absolute(qo_3a) + absolute(qo_3b)
-    qo_0_error_bound = 2.2204460492503136e-16 * (qo_0_size + 2.004168360008973e-292)
-    qo_1_error_bound = 2.2204460492503136e-16 * (qo_1_size + 2.004168360008973e-292)
-    qo_2_error_bound = 2.2204460492503136e-16 * (qo_2_size + 2.004168360008973e-292)
-    qo_3_error_bound = 2.2204460492503136e-16 * (qo_3_size + 2.004168360008973e-292)
-    return (qo_0, qo_1, qo_2, qo_3, qo_0_error_bound, qo_1_error_bound, qo_2_error_bound,
-        qo_3_error_bound)
+    qo_0_bound = 2.2204460492503136e-16 * (qo_0_size + 2.004168360008973e-292)
+    qo_1_bound = 2.2204460492503136e-16 * (qo_1_size + 2.004168360008973e-292)
+    qo_2_bound = 2.2204460492503136e-16 * (qo_2_size + 2.004168360008973e-292)
+    qo_3_bound = 2.2204460492503136e-16 * (qo_3_size + 2.004168360008973e-292)
+    return (qo_0, qo_1, qo_2, qo_3, qo_0_bound, qo_1_bound, qo_2_bound, qo_3_bound)
 
 
 @kernel("(4),(2)->(4),(4)")
@@ -1161,13 +1131,12 @@ def quaternion_product_qconjqz(qi, dci):
     qo_1_size = absolute(qo_1a) + absolute(qo_1b)
     qo_2_size = absolute(qo_2a) + absolute(qo_2b)
     qo_3_size = absolute(qo_3a) + absolute(qo_3b)
-    qo_0c_padded = absolute(qo_0a) + absolute(qo_0b) + 2.004168360008973e-292
-    qo_0c_error_bound = 2.2204460492503136e-16 * qo_0c_padded
-    qo_1_error_bound = 2.2204460492503136e-16 * (qo_1_size + 2.004168360008973e-292)
-    qo_2_error_bound = 2.2204460492503136e-16 * (qo_2_size + 2.004168360008973e-292)
-    qo_3_error_bound = 2.2204460492503136e-16 * (qo_3_size + 2.004168360008973e-292)
-    return (qo_0, qo_1, qo_2, qo_3, qo_0c_error_bound, qo_1_error_bound, qo_2_error_bound,
-        qo_3_error_bound)
+    qo_0c_bound = (2.2204460492503136e-16
+        * (absolute(qo_0a) + absolute(qo_0b) + 2.004168360008973e-292))
+    qo_1_bound = 2.2204460492503136e-16 * (qo_1_size + 2.004168360008973e-292)
+    qo_2_bound = 2.2204460492503136e-16 * (qo_2_size + 2.004168360008973e-292)
+    qo_3_bound = 2.2204460492503136e-16 * (qo_3_size + 2.004168360008973e-292)
+    return (qo_0, qo_1, qo_2, qo_3, qo_0c_bound, qo_1_bound, qo_2_bound, qo_3_bound)
 
 
 @kernel("(4),(2)->(4),(4)")
@@ -1196,14 +1165,13 @@ def quaternion_product_qconjqzconj(qi, dci):
     qo_3 = qo_3a - qo_3b
     qo_0_size = absolute(qo_0a) + absolute(qo_0b)
     qo_3_size = absolute(qo_3a) + absolute(qo_3b)
-    qo_0_error_bound = 2.2204460492503136e-16 * (qo_0_size + 2.004168360008973e-292)
-    qo_1c_padded = absolute(qo_1a) + absolute(qo_1b) + 2.004168360008973e-292
-    qo_1c_error_bound = 2.2204460492503136e-16 * qo_1c_padded
-    qo_2c_padded = absolute(qo_2a) + absolute(qo_2b) + 2.004168360008973e-292
-    qo_2c_error_bound = 2.2204460492503136e-16 * qo_2c_padded
-    qo_3_error_bound = 2.2204460492503136e-16 * (qo_3_size + 2.004168360008973e-292)
-    return (qo_0, qo_1, qo_2, qo_3, qo_0_error_bound, qo_1c_error_bound, qo_2c_error_bound,
-        qo_3_error_bound)
+    qo_0_bound = 2.2204460492503136e-16 * (qo_0_size + 2.004168360008973e-292)
+    qo_1c_bound = (2.2204460492503136e-16
+        * (absolute(qo_1a) + absolute(qo_1b) + 2.004168360008973e-292))
+    qo_2c_bound = (2.2204460492503136e-16
+        * (absolute(qo_2a) + absolute(qo_2b) + 2.004168360008973e-292))
+    qo_3_bound = 2.2204460492503136e-16 * (qo_3_size + 2.004168360008973e-292)
+    return (qo_0, qo_1, qo_2, qo_3, qo_0_bound, qo_1c_bound, qo_2c_bound, qo_3_bound)
 
 
 @kernel("(4),(3)->(4),(4)")
@@ -1235,13 +1203,12 @@ def quaternion_product_qv(qi, vi):
     qo_0_size = absolute(qo_0a) + absolute(qo_0b) + absolute(qo_0d)
     qo_1_size = absolute(qo_1a) + absolute(qo_1b) + absolute(qo_1d)
     qo_2_size = absolute(qo_2a) + absolute(qo_2b) + absolute(qo_2d)
-    qo_0_error_bound = 3.3306690738754706e-16 * (qo_0_size + 2.004168360008973e-292)
-    qo_1_error_bound = 3.3306690738754706e-16 * (qo_1_size + 2.004168360008973e-292)
-    qo_2_error_bound = 3.3306690738754706e-16 * (qo_2_size + 2.004168360008973e-292)
-    qo_3e_padded = absolute(qo_3a) + absolute(qo_3b) + absolute(qo_3d) + 2.004168360008973e-292
-    qo_3e_error_bound = 3.3306690738754706e-16 * qo_3e_padded
-    return (qo_0, qo_1, qo_2, qo_3, qo_0_error_bound, qo_1_error_bound, qo_2_error_bound,
-        qo_3e_error_bound)
+    qo_0_bound = 3.3306690738754706e-16 * (qo_0_size + 2.004168360008973e-292)
+    qo_1_bound = 3.3306690738754706e-16 * (qo_1_size + 2.004168360008973e-292)
+    qo_2_bound = 3.3306690738754706e-16 * (qo_2_size + 2.004168360008973e-292)
+    qo_3e_bound = (3.3306690738754706e-16
+        * (absolute(qo_3a) + absolute(qo_3b) + absolute(qo_3d) + 2.004168360008973e-292))
+    return (qo_0, qo_1, qo_2, qo_3, qo_0_bound, qo_1_bound, qo_2_bound, qo_3e_bound)
 
 
 @kernel("(4),(3)->(4),(4)")
@@ -1274,12 +1241,11 @@ def quaternion_product_qconjv(qi, vi):
     qo_1_size = absolute(qo_1a) + absolute(qo_1b) + absolute(qo_1d)
     qo_2_size = absolute(qo_2a) + absolute(qo_2b) + absolute(qo_2d)
     qo_3_size = absolute(qo_3a) + absolute(qo_3b) + absolute(qo_3d)
-    qo_0_error_bound = 3.3306690738754706e-16 * (qo_0_size + 2.004168360008973e-292)
-    qo_1_error_bound = 3.3306690738754706e-16 * (qo_1_size + 2.004168360008973e-292)
-    qo_2_error_bound = 3.3306690738754706e-16 * (qo_2_size + 2.004168360008973e-292)
-    qo_3_error_bound = 3.3306690738754706e-16 * (qo_3_size + 2.004168360008973e-292)
-    return (qo_0, qo_1, qo_2, qo_3, qo_0_error_bound, qo_1_error_bound, qo_2_error_bound,
-        qo_3_error_bound)
+    qo_0_bound = 3.3306690738754706e-16 * (qo_0_size + 2.004168360008973e-292)
+    qo_1_bound = 3.3306690738754706e-16 * (qo_1_size + 2.004168360008973e-292)
+    qo_2_bound = 3.3306690738754706e-16 * (qo_2_size + 2.004168360008973e-292)
+    qo_3_bound = 3.3306690738754706e-16 * (qo_3_size + 2.004168360008973e-292)
+    return (qo_0, qo_1, qo_2, qo_3, qo_0_bound, qo_1_bound, qo_2_bound, qo_3_bound)
 
 
 @kernel("(3),(4)->(4),(4)")
@@ -1311,13 +1277,12 @@ def quaternion_product_vq(vi, qi):
     qo_0_size = absolute(qo_0a) + (absolute(qo_0b) + absolute(qo_0c))
     qo_1_size = absolute(qo_1a) + absolute(qo_1b) + absolute(qo_1d)
     qo_2_size = absolute(qo_2a) + absolute(qo_2b) + absolute(qo_2d)
-    qo_0_error_bound = 3.3306690738754706e-16 * (qo_0_size + 2.004168360008973e-292)
-    qo_1_error_bound = 3.3306690738754706e-16 * (qo_1_size + 2.004168360008973e-292)
-    qo_2_error_bound = 3.3306690738754706e-16 * (qo_2_size + 2.004168360008973e-292)
-    qo_3e_padded = absolute(qo_3a) + absolute(qo_3b) + absolute(qo_3d) + 2.004168360008973e-292
-    qo_3e_error_bound = 3.3306690738754706e-16 * qo_3e_padded
-    return (qo_0, qo_1, qo_2, qo_3, qo_0_error_bound, qo_1_error_bound, qo_2_error_bound,
-        qo_3e_error_bound)
+    qo_0_bound = 3.3306690738754706e-16 * (qo_0_size + 2.004168360008973e-292)
+    qo_1_bound = 3.3306690738754706e-16 * (qo_1_size + 2.004168360008973e-292)
+    qo_2_bound = 3.3306690738754706e-16 * (qo_2_size + 2.004168360008973e-292)
+    qo_3e_bound = (3.3306690738754706e-16
+        * (absolute(qo_3a) + absolute(qo_3b) + absolute(qo_3d) + 2.004168360008973e-292))
+    return (qo_0, qo_1, qo_2, qo_3, qo_0_bound, qo_1_bound, qo_2_bound, qo_3e_bound)
 
 
 @kernel("(3),(4)->(4),(4)")
@@ -1350,12 +1315,11 @@ def quaternion_product_vqconj(vi, qi):
     qo_1_size = absolute(qo_1a) + absolute(qo_1b) + absolute(qo_1d)
     qo_2_size = absolute(qo_2a) + absolute(qo_2b) + absolute(qo_2d)
     qo_3_size = absolute(qo_3a) + absolute(qo_3b) + absolute(qo_3d)
-    qo_0_error_bound = 3.3306690738754706e-16 * (qo_0_size + 2.004168360008973e-292)
-    qo_1_error_bound = 3.3306690738754706e-16 * (qo_1_size + 2.004168360008973e-292)
-    qo_2_error_bound = 3.3306690738754706e-16 * (qo_2_size + 2.004168360008973e-292)
-    qo_3_error_bound = 3.3306690738754706e-16 * (qo_3_size + 2.004168360008973e-292)
-    return (qo_0, qo_1, qo_2, qo_3, qo_0_error_bound, qo_1_error_bound, qo_2_error_bound,
-        qo_3_error_bound)
+    qo_0_bound = 3.3306690738754706e-16 * (qo_0_size + 2.004168360008973e-292)
+    qo_1_bound = 3.3306690738754706e-16 * (qo_1_size + 2.004168360008973e-292)
+    qo_2_bound = 3.3306690738754706e-16 * (qo_2_size + 2.004168360008973e-292)
+    qo_3_bound = 3.3306690738754706e-16 * (qo_3_size + 2.004168360008973e-292)
+    return (qo_0, qo_1, qo_2, qo_3, qo_0_bound, qo_1_bound, qo_2_bound, qo_3_bound)
 
 
 @kernel("(4),(4)->(),()")
@@ -1374,8 +1338,8 @@ def dot_qq(q1i, q2i):
     dot_f = q1i_3 * q2i_3
     dot = dot_a + dot_b + dot_d + dot_f
     dot_size = absolute(dot_a) + absolute(dot_b) + absolute(dot_d) + absolute(dot_f)
-    dot_error_bound = 4.440892098500628e-16 * (dot_size + 2.004168360008973e-292)
-    return (dot, dot_error_bound)
+    dot_bound = 4.440892098500628e-16 * (dot_size + 2.004168360008973e-292)
+    return (dot, dot_bound)
 
 
 @kernel("(3),(4)->(4),(4)")
@@ -1402,21 +1366,22 @@ def add_dpiToq(dpi, qi):
     qi_1_abs = absolute(qi_1)
     qi_0_new_e_padded = absolute(qi_0_new_e) + 2.004168360008973e-292
     qi_2_abs = absolute(qi_2)
-    qi_0_new_g_size = qi_0_new_c_padded * qi_1_abs + qi_0_new_e_padded * qi_2_abs
     qi_0_abs = absolute(qi_0)
-    qi_0_new_size = qi_0_new_a_padded * qi_3_abs + qi_0_new_g_size + qi_0_abs
-    qi_1_new_c_size = qi_0_new_a_padded * qi_2_abs + qi_0_new_c_padded * qi_0_abs
-    qi_1_new_size = qi_1_new_c_size + qi_0_new_e_padded * qi_3_abs + qi_1_abs
-    qi_2_new_c_size = qi_0_new_e_padded * qi_0_abs + qi_0_new_a_padded * qi_1_abs
-    qi_2_new_size = qi_2_new_c_size + qi_0_new_c_padded * qi_3_abs + qi_2_abs
-    qi_3_new_c_size = qi_0_new_a_padded * qi_0_abs + qi_0_new_e_padded * qi_1_abs
-    qi_3_new_size = qi_3_abs + (qi_3_new_c_size + qi_0_new_c_padded * qi_2_abs)
-    qi_0_new_error_bound = 5.551115123125785e-16 * (qi_0_new_size + 2.004168360008973e-292)
-    qi_1_new_error_bound = 5.551115123125785e-16 * (qi_1_new_size + 2.004168360008973e-292)
-    qi_2_new_error_bound = 5.551115123125785e-16 * (qi_2_new_size + 2.004168360008973e-292)
-    qi_3_new_error_bound = 5.551115123125785e-16 * (qi_3_new_size + 2.004168360008973e-292)
-    return (qi_0_new, qi_1_new, qi_2_new, qi_3_new, qi_0_new_error_bound, qi_1_new_error_bound,
-        qi_2_new_error_bound, qi_3_new_error_bound)
+    qi_0_new_size = (qi_0_new_a_padded * qi_3_abs
+        + (qi_0_new_c_padded * qi_1_abs + qi_0_new_e_padded * qi_2_abs) + qi_0_abs)
+    qi_1_new_size = (qi_0_new_a_padded * qi_2_abs + qi_0_new_c_padded * qi_0_abs
+        + qi_0_new_e_padded * qi_3_abs + qi_1_abs)
+    qi_2_new_size = (qi_0_new_e_padded * qi_0_abs + qi_0_new_a_padded * qi_1_abs
+        + qi_0_new_c_padded * qi_3_abs + qi_2_abs)
+    qi_3_new_size = (qi_3_abs
+        + (qi_0_new_a_padded * qi_0_abs + qi_0_new_e_padded * qi_1_abs + qi_0_new_c_padded
+        * qi_2_abs))
+    qi_0_new_bound = 5.551115123125785e-16 * (qi_0_new_size + 2.004168360008973e-292)
+    qi_1_new_bound = 5.551115123125785e-16 * (qi_1_new_size + 2.004168360008973e-292)
+    qi_2_new_bound = 5.551115123125785e-16 * (qi_2_new_size + 2.004168360008973e-292)
+    qi_3_new_bound = 5.551115123125785e-16 * (qi_3_new_size + 2.004168360008973e-292)
+    return (qi_0_new, qi_1_new, qi_2_new, qi_3_new, qi_0_new_bound, qi_1_new_bound, qi_2_new_bound,
+        qi_3_new_bound)
 
 
 @kernel("(3),(4)->(4),(4)")
@@ -1443,21 +1408,21 @@ def subtract_dpiFromq(dpi, qi):
     qi_1_abs = absolute(qi_1)
     qi_0_new_f_padded = absolute(qi_0_new_f) + 2.004168360008973e-292
     qi_3_abs = absolute(qi_3)
-    qi_0_new_e_size = qi_0_new_a_padded * qi_2_abs + qi_0_new_c_padded * qi_1_abs
     qi_0_abs = absolute(qi_0)
-    qi_0_new_size = qi_0_new_e_size + qi_0_new_f_padded * qi_3_abs + qi_0_abs
-    qi_1_new_c_size = qi_0_new_c_padded * qi_0_abs + qi_0_new_f_padded * qi_2_abs
-    qi_1_new_size = qi_1_new_c_size + qi_0_new_a_padded * qi_3_abs + qi_1_abs
-    qi_2_new_c_size = qi_0_new_f_padded * qi_1_abs + qi_0_new_a_padded * qi_0_abs
-    qi_2_new_size = qi_2_new_c_size + qi_0_new_c_padded * qi_3_abs + qi_2_abs
-    qi_3_new_c_size = qi_0_new_f_padded * qi_0_abs + qi_0_new_a_padded * qi_1_abs
-    qi_3_new_size = qi_3_new_c_size + qi_0_new_c_padded * qi_2_abs + qi_3_abs
-    qi_0_new_error_bound = 5.551115123125785e-16 * (qi_0_new_size + 2.004168360008973e-292)
-    qi_1_new_error_bound = 5.551115123125785e-16 * (qi_1_new_size + 2.004168360008973e-292)
-    qi_2_new_error_bound = 5.551115123125785e-16 * (qi_2_new_size + 2.004168360008973e-292)
-    qi_3_new_error_bound = 5.551115123125785e-16 * (qi_3_new_size + 2.004168360008973e-292)
-    return (qi_0_new, qi_1_new, qi_2_new, qi_3_new, qi_0_new_error_bound, qi_1_new_error_bound,
-        qi_2_new_error_bound, qi_3_new_error_bound)
+    qi_0_new_size = (qi_0_new_a_padded * qi_2_abs + qi_0_new_c_padded * qi_1_abs
+        + qi_0_new_f_padded * qi_3_abs + qi_0_abs)
+    qi_1_new_size = (qi_0_new_c_padded * qi_0_abs + qi_0_new_f_padded * qi_2_abs
+        + qi_0_new_a_padded * qi_3_abs + qi_1_abs)
+    qi_2_new_size = (qi_0_new_f_padded * qi_1_abs + qi_0_new_a_padded * qi_0_abs
+        + qi_0_new_c_padded * qi_3_abs + qi_2_abs)
+    qi_3_new_size = (qi_0_new_f_padded * qi_0_abs + qi_0_new_a_padded * qi_1_abs
+        + qi_0_new_c_padded * qi_2_abs + qi_3_abs)
+    qi_0_new_bound = 5.551115123125785e-16 * (qi_0_new_size + 2.004168360008973e-292)
+    qi_1_new_bound = 5.551115123125785e-16 * (qi_1_new_size + 2.004168360008973e-292)
+    qi_2_new_bound = 5.551115123125785e-16 * (qi_2_new_size + 2.004168360008973e-292)
+    qi_3_new_bound = 5.551115123125785e-16 * (qi_3_new_size + 2.004168360008973e-292)
+    return (qi_0_new, qi_1_new, qi_2_new, qi_3_new, qi_0_new_bound, qi_1_new_bound, qi_2_new_bound,
+        qi_3_new_bound)
 
 
 @kernel("(3),(4)->(4),(4)")
@@ -1490,23 +1455,22 @@ def omega_to_dquaternion(w, qi):
     qi_2_abs = absolute(qi_2)
     dqo_0e_padded = absolute(dqo_0e) + 2.004168360008973e-292
     qi_1_abs = absolute(qi_1)
-    dqo_0p_size = 1 + absolute(dqo_0i) + absolute(dqo_0k) + absolute(dqo_0m) + absolute(dqo_0o)
-    dqo_0p_padded = dqo_0p_size + 2.004168360008973e-292
+    dqo_0p_padded = (1 + absolute(dqo_0i) + absolute(dqo_0k) + absolute(dqo_0m) + absolute(dqo_0o)
+        + 2.004168360008973e-292)
     qi_0_abs = absolute(qi_0)
-    dqo_0h_size = dqo_0a_padded * qi_3_abs + (dqo_0c_padded * qi_2_abs + dqo_0e_padded * qi_1_abs)
-    dqo_0_size = dqo_0h_size + qi_0_abs * dqo_0p_padded
-    dqo_1e_size = dqo_0e_padded * qi_0_abs + dqo_0a_padded * qi_2_abs + dqo_0c_padded * qi_3_abs
-    dqo_1_size = dqo_1e_size + qi_1_abs * dqo_0p_padded
-    dqo_2e_size = dqo_0a_padded * qi_1_abs + dqo_0c_padded * qi_0_abs + dqo_0e_padded * qi_3_abs
-    dqo_2_size = dqo_2e_size + qi_2_abs * dqo_0p_padded
-    dqo_3f_size = dqo_0a_padded * qi_0_abs + dqo_0c_padded * qi_1_abs + dqo_0e_padded * qi_2_abs
-    dqo_3_size = qi_3_abs * dqo_0p_padded + dqo_3f_size
-    dqo_0_error_bound = 7.7715611723761e-16 * (dqo_0_size + 2.004168360008973e-292)
-    dqo_1_error_bound = 7.7715611723761e-16 * (dqo_1_size + 2.004168360008973e-292)
-    dqo_2_error_bound = 7.7715611723761e-16 * (dqo_2_size + 2.004168360008973e-292)
-    dqo_3_error_bound = 7.7715611723761e-16 * (dqo_3_size + 2.004168360008973e-292)
-    return (dqo_0, dqo_1, dqo_2, dqo_3, dqo_0_error_bound, dqo_1_error_bound, dqo_2_error_bound,
-        dqo_3_error_bound)
+    dqo_0_size = (dqo_0a_padded * qi_3_abs + (dqo_0c_padded * qi_2_abs + dqo_0e_padded * qi_1_abs)
+        + qi_0_abs * dqo_0p_padded)
+    dqo_1_size = (dqo_0e_padded * qi_0_abs + dqo_0a_padded * qi_2_abs + dqo_0c_padded * qi_3_abs
+        + qi_1_abs * dqo_0p_padded)
+    dqo_2_size = (dqo_0a_padded * qi_1_abs + dqo_0c_padded * qi_0_abs + dqo_0e_padded * qi_3_abs
+        + qi_2_abs * dqo_0p_padded)
+    dqo_3_size = (qi_3_abs * dqo_0p_padded
+        + (dqo_0a_padded * qi_0_abs + dqo_0c_padded * qi_1_abs + dqo_0e_padded * qi_2_abs))
+    dqo_0_bound = 7.7715611723761e-16 * (dqo_0_size + 2.004168360008973e-292)
+    dqo_1_bound = 7.7715611723761e-16 * (dqo_1_size + 2.004168360008973e-292)
+    dqo_2_bound = 7.7715611723761e-16 * (dqo_2_size + 2.004168360008973e-292)
+    dqo_3_bound = 7.7715611723761e-16 * (dqo_3_size + 2.004168360008973e-292)
+    return (dqo_0, dqo_1, dqo_2, dqo_3, dqo_0_bound, dqo_1_bound, dqo_2_bound, dqo_3_bound)
 
 
 @kernel("(3),()->(4),(4)")
@@ -1557,8 +1521,9 @@ def axis_angle_from_quaternion(q):
     s_largest1 = where(s_size_0 < s_size_1, s_size_1, s_size_0)
     s_largest2 = where(s_largest1 < s_size_2, s_size_2, s_largest1)
     s_largest3 = where(s_largest2 < s_size_3, s_size_3, s_largest2)
-    s_b = where(6.703903964971299e+153 < s_largest3, float64(3.7291703656001034e-155), float64(1))
-    s_d = where(s_largest3 < 256, 1.3093562431584567e+151, s_b)
+    s_d = (where(s_largest3
+        < 256, 1.3093562431584567e+151, where(6.703903964971299e+153
+        < s_largest3, float64(3.7291703656001034e-155), float64(1))))
     s = where(s_largest3 < 1.955159272639747e-149, 1.0715086071862673e+301, s_d)
     scaled_s_0 = q_0 * s
     scaled_s_inverse_1 = 1 / s
@@ -1574,78 +1539,81 @@ def axis_angle_from_quaternion(q):
     upper_0b = scaled_s_3 < 0
     upper_0 = where(upper_0b, upper_0a, scaled_s_0)
     upper_size_4 = scaled_s_size_15 < 5e-324 + absolute(scaled_s_3 - 0)
-    upper_rest_1 = 1.1093356479670522e-31 * (1.8051943758648296e-276 + scaled_s_size_4)
-    scaled_s_size_3 = where(q_0 == scaled_s_0 * scaled_s_inverse_1, float64(0), float64(5e-324))
-    upper_size_8 = scaled_s_size_3 + (upper_rest_1 + absolute(upper_0a - scaled_s_0))
+    upper_size_7 = (1.1093356479670522e-31 * (1.8051943758648296e-276 + scaled_s_size_4)
+        + absolute(upper_0a - scaled_s_0))
+    upper_size_9 = (where(upper_size_4, 0, where(q_0 == scaled_s_0
+        * scaled_s_inverse_1, float64(0), float64(5e-324)) + upper_size_7))
     upper_1a = -scaled_s_1
     upper_1 = where(upper_0b, upper_1a, scaled_s_1)
-    upper_rest_2 = 1.1093356479670522e-31 * (1.8051943758648296e-276 + scaled_s_size_8)
-    scaled_s_size_7 = where(q_1 == scaled_s_1 * scaled_s_inverse_1, float64(0), float64(5e-324))
-    upper_size_15 = scaled_s_size_7 + (upper_rest_2 + absolute(upper_1a - scaled_s_1))
+    upper_size_14 = (1.1093356479670522e-31 * (1.8051943758648296e-276 + scaled_s_size_8)
+        + absolute(upper_1a - scaled_s_1))
+    upper_size_16 = (where(upper_size_4, 0, where(q_1 == scaled_s_1
+        * scaled_s_inverse_1, float64(0), float64(5e-324)) + upper_size_14))
     upper_2a = -scaled_s_2
     upper_2 = where(upper_0b, upper_2a, scaled_s_2)
-    upper_rest_3 = 1.1093356479670522e-31 * (1.8051943758648296e-276 + scaled_s_size_12)
-    scaled_s_size_11 = where(q_2 == scaled_s_2 * scaled_s_inverse_1, float64(0), float64(5e-324))
-    upper_size_22 = scaled_s_size_11 + (upper_rest_3 + absolute(upper_2a - scaled_s_2))
+    upper_size_21 = (1.1093356479670522e-31 * (1.8051943758648296e-276 + scaled_s_size_12)
+        + absolute(upper_2a - scaled_s_2))
+    upper_size_23 = (where(upper_size_4, 0, where(q_2 == scaled_s_2
+        * scaled_s_inverse_1, float64(0), float64(5e-324)) + upper_size_21))
     upper_3a = -scaled_s_3
     upper_3 = where(upper_0b, upper_3a, scaled_s_3)
-    upper_rest_4 = 1.1093356479670522e-31 * (1.8051943758648296e-276 + scaled_s_size_16)
-    upper_size_29 = scaled_s_size_15 + (upper_rest_4 + absolute(upper_3a - scaled_s_3))
+    upper_size_29 = (scaled_s_size_15
+        + (1.1093356479670522e-31 * (1.8051943758648296e-276 + scaled_s_size_16)
+        + absolute(upper_3a - scaled_s_3)))
     v_s_size_0 = absolute(upper_0)
-    upper_size_11 = scaled_s_size_4 + 3.169126500570585e+29 * where(upper_size_4, 0, upper_size_8)
     v_s_size_1 = absolute(upper_1)
-    upper_size_18 = scaled_s_size_8 + 3.169126500570585e+29 * where(upper_size_4, 0, upper_size_15)
     v_s_size_2 = absolute(upper_2)
-    upper_size_25 = scaled_s_size_12 + 3.169126500570585e+29 * where(upper_size_4, 0, upper_size_22)
     v_s_largest1 = where(v_s_size_0 < v_s_size_1, v_s_size_1, v_s_size_0)
     v_s_largest2 = where(v_s_largest1 < v_s_size_2, v_s_size_2, v_s_largest1)
     v_s_a = v_s_largest2 < 256
     v_s_c = v_s_largest2 < 1.955159272639747e-149
-    v_s_b = where(v_s_a, float64(1.3093562431584567e+151), float64(1))
-    v_s = where(v_s_c, 1.0715086071862673e+301, v_s_b)
-    v_s_b_size_1 = where(v_s_a, float64(1.3093562431584567e+151), float64(1))
-    v_s_size_3 = where(v_s_c, 1.0715086071862673e+301, v_s_b_size_1)
+    v_s = where(v_s_c, 1.0715086071862673e+301, where(v_s_a, float64(1.3093562431584567e+151),
+        float64(1)))
+    v_s_size_3 = where(v_s_c, 1.0715086071862673e+301, where(v_s_a,
+        float64(1.3093562431584567e+151), float64(1)))
     v_y_0 = upper_0 * v_s
     v_y_1 = upper_1 * v_s
     v_y_2 = upper_2 * v_s
     v_n_a = v_y_0 * v_y_0
-    v_y_size_1 = v_s_size_3 * (1.8051943758648296e-276 + upper_size_11)
-    v_n_a_padded_1 = 1.8051943758648296e-276 + v_y_size_1
-    v_n_a_reach_1 = absolute(v_y_0) + 140737488355328 * (3.4142893812359766e-30 * v_n_a_padded_1)
-    v_n_a_size_2 = v_n_a_padded_1 * v_n_a_reach_1
+    v_n_a_padded_1 = (1.8051943758648296e-276 + v_s_size_3
+        * (1.8051943758648296e-276 + (scaled_s_size_4 + 3.169126500570585e+29 * upper_size_9)))
+    v_n_a_size_2 = (v_n_a_padded_1
+        * (absolute(v_y_0) + 140737488355328 * (3.4142893812359766e-30 * v_n_a_padded_1)))
     v_n_b = v_y_1 * v_y_1
-    v_y_size_2 = v_s_size_3 * (1.8051943758648296e-276 + upper_size_18)
-    v_n_b_padded_1 = 1.8051943758648296e-276 + v_y_size_2
-    v_n_b_reach_1 = absolute(v_y_1) + 140737488355328 * (3.4142893812359766e-30 * v_n_b_padded_1)
-    v_n_b_size_2 = v_n_b_padded_1 * v_n_b_reach_1
+    v_n_b_padded_1 = (1.8051943758648296e-276 + v_s_size_3
+        * (1.8051943758648296e-276 + (scaled_s_size_8 + 3.169126500570585e+29 * upper_size_16)))
+    v_n_b_size_2 = (v_n_b_padded_1
+        * (absolute(v_y_1) + 140737488355328 * (3.4142893812359766e-30 * v_n_b_padded_1)))
     v_n_c = v_n_a + v_n_b
     v_n_c_right_1 = v_n_c - v_n_a
-    v_n_c_left_rest_1 = product_rest(v_y_0, v_y_0, v_n_a, v_n_c - v_n_c_right_1)
     v_n_d = v_y_2 * v_y_2
-    v_y_size_3 = v_s_size_3 * (1.8051943758648296e-276 + upper_size_25)
-    v_n_d_padded_1 = 1.8051943758648296e-276 + v_y_size_3
-    v_n_d_reach_1 = absolute(v_y_2) + 140737488355328 * (3.4142893812359766e-30 * v_n_d_padded_1)
-    v_n_d_size_2 = v_n_d_padded_1 * v_n_d_reach_1
+    v_n_d_padded_1 = (1.8051943758648296e-276 + v_s_size_3
+        * (1.8051943758648296e-276 + (scaled_s_size_12 + 3.169126500570585e+29 * upper_size_23)))
+    v_n_d_size_2 = (v_n_d_padded_1
+        * (absolute(v_y_2) + 140737488355328 * (3.4142893812359766e-30 * v_n_d_padded_1)))
     v_n_e = v_n_c + v_n_d
     v_n_e_right_1 = v_n_e - v_n_c
-    v_n_e_lo1_1 = v_n_c - (v_n_e - v_n_e_right_1) + product_rest(v_y_2, v_y_2, v_n_d, v_n_e_right_1)
-    v_n_e_lo = v_n_e_lo1_1 + (v_n_c_left_rest_1 + product_rest(v_y_1, v_y_1, v_n_b, v_n_c_right_1))
-    v_n_c_size_1 = v_n_a_size_2 + v_n_a_size_2 + (v_n_b_size_2 + v_n_b_size_2)
+    v_n_c_lo = (product_rest(v_y_0, v_y_0, v_n_a, v_n_c - v_n_c_right_1)
+        + product_rest(v_y_1, v_y_1, v_n_b, v_n_c_right_1))
+    v_n_e_lo = (v_n_c - (v_n_e - v_n_e_right_1) + product_rest(v_y_2, v_y_2, v_n_d, v_n_e_right_1)
+        + v_n_c_lo)
     v_n = sqrt(v_n_e)
     v_n_product_1 = v_n * v_n
-    v_n_residual_1 = v_n_e - v_n_product_1 - product_error(v_n, v_n, v_n_product_1) + v_n_e_lo
-    v_n_lo = v_n_residual_1 / where(v_n == 0, 1, v_n + v_n)
-    v_n_padded_1 = 1.8051943758648296e-276 + (v_n_c_size_1 + (v_n_d_size_2 + v_n_d_size_2))
+    v_n_lo = ((v_n_e - v_n_product_1 - product_error(v_n, v_n, v_n_product_1) + v_n_e_lo)
+        / where(v_n == 0, 1, v_n + v_n))
+    v_n_padded_1 = (1.8051943758648296e-276
+        + (v_n_a_size_2 + v_n_a_size_2 + (v_n_b_size_2 + v_n_b_size_2)
+        + (v_n_d_size_2 + v_n_d_size_2)))
     v_n_bound_1 = absolute(v_n_e_lo) + 7.235336013082471e-30 * v_n_padded_1
     v_n_size_6 = absolute(v_n_lo)
     v_n_size_4 = (absolute(v_n_e) + 140737488355328 * v_n_bound_1) * (v_n_padded_1 / v_n / v_n_e)
-    v_n_size_8 = 1.5970396877936164e+29 * (sqrt(v_n_bound_1) + v_n_size_6)
-    v_n_size_12 = v_n + where(4 * v_n_bound_1 < v_n_e, v_n_size_4, v_n_size_8)
+    v_n_size_12 = (v_n
+        + where(4 * v_n_bound_1 < v_n_e, v_n_size_4, 1.5970396877936164e+29
+        * (sqrt(v_n_bound_1) + v_n_size_6)))
     v_r_a = 1 < v_s
     v_r_c = 1.3093562431584567e+151 < v_s
-    v_r_b = where(v_r_a, float64(7.637340908749012e-152), float64(1))
-    v_r = where(v_r_c, 9.332636185032189e-302, v_r_b)
-    v_r_b_size_1 = where(v_r_a, float64(7.637340908749012e-152), float64(1))
+    v_r = where(v_r_c, 9.332636185032189e-302, where(v_r_a, float64(7.637340908749012e-152),
+        float64(1)))
     n = v_n * v_r
     n_lo = (v_n - n * (1 / v_r) + v_n_lo) * v_r
     n_padded_1 = 1.8051943758648296e-276 + v_n_size_12
@@ -1657,13 +1625,15 @@ def axis_angle_from_quaternion(q):
     half_divisor_1 = where(half_zero_1, 1, half_most_1)
     half_part0_1 = n / half_divisor_1
     half_part1_1 = upper_3 / half_divisor_1
-    half_divisor2_1 = half_divisor_1 * (half_part1_1 * half_part1_1 + half_part0_1 * half_part0_1)
-    half_more_1 = (half_part1_1 * n_lo - half_part0_1 * 0) / where(half_zero_1, 1, half_divisor2_1)
-    half_lo = elementary.atan2_error(n, upper_3, half) + half_more_1
-    n_size_1 = n_padded_1 * where(v_r_c, 9.332636185032189e-302, v_r_b_size_1)
-    half_padded_1 = 1.8051943758648296e-276 + n_size_1
-    upper_size_32 = scaled_s_size_16 + 3.169126500570585e+29 * where(upper_size_4, 0, upper_size_29)
-    half_padded_2 = 1.8051943758648296e-276 + upper_size_32
+    half_safe_1 = (where(half_zero_1, 1, half_divisor_1
+        * (half_part1_1 * half_part1_1 + half_part0_1 * half_part0_1)))
+    half_lo = (elementary.atan2_error(n, upper_3, half) + (half_part1_1 * n_lo - half_part0_1 * 0)
+        / half_safe_1)
+    half_padded_1 = (1.8051943758648296e-276 + n_padded_1
+        * where(v_r_c, 9.332636185032189e-302, where(v_r_a, float64(7.637340908749012e-152),
+            float64(1))))
+    half_padded_2 = (1.8051943758648296e-276
+        + (scaled_s_size_16 + 3.169126500570585e+29 * where(upper_size_4, 0, upper_size_29)))
     half_size_2 = absolute(n)
     half_size_3 = absolute(upper_3)
     half_size_5 = where(half_size_2 < half_size_3, half_size_3, half_size_2)
@@ -1672,54 +1642,55 @@ def axis_angle_from_quaternion(q):
     half_size_11 = (half_rest_2 + (1.8051943758648296e-276 + half_bound_1)) / half_size_5
     half_size_13 = half_size_11 * half_size_11
     half_size_15 = 7 + absolute(half_lo)
-    half_size_18 = where(half_rest_2 < upper_3, half_size_13, half_size_15)
-    half_size_19 = where(half_bound_1 < half_size_2, half_size_13, half_size_18)
+    half_size_19 = (where(half_bound_1
+        < half_size_2, half_size_13, where(half_rest_2 < upper_3, half_size_13, half_size_15)))
     half_size_21 = 4.875578158636172e+28 * where(half_size_11 < 0.25, half_size_19, half_size_15)
     divisor_a = v_n == 0
     divisor = where(divisor_a, 1, v_n)
     divisor_lo = where(divisor_a, 0, v_n_lo)
     divisor_bound_1 = 6.606712056056508e-30 * n_padded_1 + v_n_size_6
     divisor_size_4 = divisor_bound_1 < absolute(v_n - 0)
-    divisor_size_8 = where(divisor_size_4, 0, divisor_bound_1 + absolute(1 - v_n))
     unit_0 = v_y_0 / divisor
     unit_product_1 = unit_0 * divisor
-    unit_exact_1 = v_y_0 - unit_product_1 - product_error(unit_0, divisor, unit_product_1)
-    unit_lo_1 = (unit_exact_1 - unit_0 * divisor_lo) / divisor
-    divisor_size_10 = where(divisor_a, 1, v_n_size_12) + 9.054644677292507e+28 * divisor_size_8
+    unit_lo_1 = ((v_y_0 - unit_product_1 - product_error(unit_0, divisor, unit_product_1) - unit_0
+        * divisor_lo) / divisor)
+    divisor_size_10 = (where(divisor_a, 1, v_n_size_12) + 9.054644677292507e+28
+        * where(divisor_size_4, 0, divisor_bound_1 + absolute(1 - v_n)))
     unit_padded_1 = 1.8051943758648296e-276 + divisor_size_10
     unit_size_1 = absolute(unit_0)
     unit_size_2 = absolute(divisor)
     unit_bound_1 = absolute(divisor_lo) + 1.1389183198259759e-29 * unit_padded_1
     unit_size_7 = where(4 * unit_bound_1 < unit_size_2, unit_size_2, 0)
     unit_reach_1 = unit_size_2 + 140737488355328 * unit_bound_1
-    unit_size_9 = unit_reach_1 * ((unit_padded_1 * unit_size_1 + v_n_a_padded_1) / unit_size_7)
-    unit_size_11 = unit_size_1 + unit_size_9 / unit_size_2
+    unit_size_11 = (unit_size_1 + unit_reach_1
+        * ((unit_padded_1 * unit_size_1 + v_n_a_padded_1) / unit_size_7) / unit_size_2)
     unit_1 = v_y_1 / divisor
     unit_product_2 = unit_1 * divisor
-    unit_exact_2 = v_y_1 - unit_product_2 - product_error(unit_1, divisor, unit_product_2)
     unit_size_12 = absolute(unit_1)
-    unit_size_16 = unit_reach_1 * ((unit_padded_1 * unit_size_12 + v_n_b_padded_1) / unit_size_7)
     unit_2 = v_y_2 / divisor
     unit_product_3 = unit_2 * divisor
-    unit_exact_3 = v_y_2 - unit_product_3 - product_error(unit_2, divisor, unit_product_3)
     unit_size_19 = absolute(unit_2)
-    unit_size_23 = unit_reach_1 * ((unit_padded_1 * unit_size_19 + v_n_d_padded_1) / unit_size_7)
     angle = 2 * half
-    half_size_22 = absolute(half) + (half_padded_1 + half_padded_2) / half_size_5 + half_size_21
     axis_0 = where(divisor_a, 1, unit_0)
-    axis_rest_1 = 1.6442825652790928e-29 * (1.8051943758648296e-276 + unit_size_11)
-    axis_size_5 = where(divisor_size_4, 0, absolute(unit_lo_1) + axis_rest_1 + absolute(1 - unit_0))
-    angle_rest_1 = 2.1514956353001486e-29 * (1.8051943758648296e-276 + 2 * half_size_22)
-    axis_size_7 = where(divisor_a, 1, unit_size_11) + 6.250354999637554e+28 * axis_size_5
-    axis_rest_2 = 1.644282720444347e-29 * (1.8051943758648296e-276 + axis_size_7)
-    unit_padded_2 = 1.8051943758648296e-276 + (unit_size_12 + unit_size_16 / unit_size_2)
-    unit_error_2 = absolute((unit_exact_2 - unit_1 * divisor_lo) / divisor)
-    unit_padded_3 = 1.8051943758648296e-276 + (unit_size_19 + unit_size_23 / unit_size_2)
-    unit_error_3 = absolute((unit_exact_3 - unit_2 * divisor_lo) / divisor)
-    angle_bound_1 = absolute(2 * half_lo) + angle_rest_1
+    axis_size_5 = (where(divisor_size_4, 0, absolute(unit_lo_1) + 1.6442825652790928e-29
+        * (1.8051943758648296e-276 + unit_size_11) + absolute(1 - unit_0)))
+    angle_padded_1 = (1.8051943758648296e-276 + 2
+        * (absolute(half) + (half_padded_1 + half_padded_2) / half_size_5 + half_size_21))
+    axis_rest_2 = (1.644282720444347e-29
+        * (1.8051943758648296e-276
+        + (where(divisor_a, 1, unit_size_11) + 6.250354999637554e+28 * axis_size_5)))
+    unit_size_18 = (unit_size_12 + unit_reach_1
+        * ((unit_padded_1 * unit_size_12 + v_n_b_padded_1) / unit_size_7) / unit_size_2)
+    unit_error_2 = (absolute((v_y_1 - unit_product_2
+        - product_error(unit_1, divisor, unit_product_2) - unit_1 * divisor_lo) / divisor))
+    unit_size_25 = (unit_size_19 + unit_reach_1
+        * ((unit_padded_1 * unit_size_19 + v_n_d_padded_1) / unit_size_7) / unit_size_2)
+    unit_error_3 = (absolute((v_y_2 - unit_product_3
+        - product_error(unit_2, divisor, unit_product_3) - unit_2 * divisor_lo) / divisor))
+    angle_bound_1 = absolute(2 * half_lo) + 2.1514956353001486e-29 * angle_padded_1
     axis_bound_2 = absolute(where(divisor_a, 0, unit_lo_1)) + axis_rest_2
-    unit_bound_2 = unit_error_2 + 1.6442825652790928e-29 * unit_padded_2
-    unit_bound_3 = unit_error_3 + 1.6442825652790928e-29 * unit_padded_3
+    unit_bound_2 = unit_error_2 + 1.6442825652790928e-29 * (1.8051943758648296e-276 + unit_size_18)
+    unit_bound_3 = unit_error_3 + 1.6442825652790928e-29 * (1.8051943758648296e-276 + unit_size_25)
     return (angle, axis_0, unit_1, unit_2, angle_bound_1, axis_bound_2, unit_bound_2, unit_bound_3)
 
 
@@ -1774,16 +1745,26 @@ def quaternion_exp(v):
     sine = delta * far_cosine + far_sine
     cosine = far_cosine - delta * far_sine
     far_k = sine / theta
-    k_e = x * (x * (6.446950284384474e-26 * x - 3.868170170630684e-23) + 1.9572941063391263e-20)
-    k_j = x * (x * (k_e - 8.22063524662433e-18) + 2.8114572543455206e-15) - 7.647163731819816e-13
-    k_o = x * (x * (x * k_j + 1.6059043836821613e-10) - 2.505210838544172e-08)
-    k_t = x * (x * (k_o + 2.7557319223985893e-06) - 0.0001984126984126984) + 0.008333333333333333
-    k = where(theta_b, x * (x * k_t - 0.16666666666666666) + 1, far_k)
-    g2e = x * (x * (2.4795962632247976e-27 * x - 1.6117375710961184e-24) + 8.896791392450574e-22)
-    g2j = x * (x * (g2e - 4.110317623312165e-19) + 1.5619206968586225e-16) - 4.779477332387385e-14
-    g2o = x * (x * (x * g2j + 1.1470745597729725e-11) - 2.08767569878681e-09)
-    g2t = x * (x * (g2o + 2.755731922398589e-07) - 2.48015873015873e-05) + 0.001388888888888889
-    g2 = x * (x * g2t - 0.041666666666666664) + 0.5
+    k_h = (x
+        * (x * (x * (6.446950284384474e-26 * x - 3.868170170630684e-23) + 1.9572941063391263e-20)
+        - 8.22063524662433e-18) + 2.8114572543455206e-15)
+    k_q = (x
+        * (x
+        * (x * (x * (x * k_h - 7.647163731819816e-13) + 1.6059043836821613e-10)
+        - 2.505210838544172e-08) + 2.7557319223985893e-06))
+    k = (where(theta_b, x
+        * (x * (x * (k_q - 0.0001984126984126984) + 0.008333333333333333) - 0.16666666666666666)
+        + 1, far_k))
+    g2h = (x
+        * (x * (x * (2.4795962632247976e-27 * x - 1.6117375710961184e-24) + 8.896791392450574e-22)
+        - 4.110317623312165e-19) + 1.5619206968586225e-16)
+    g2q = (x
+        * (x
+        * (x * (x * (x * g2h - 4.779477332387385e-14) + 1.1470745597729725e-11)
+        - 2.08767569878681e-09) + 2.755731922398589e-07))
+    g2 = (x
+        * (x * (x * (g2q - 2.48015873015873e-05) + 0.001388888888888889) - 0.041666666666666664)
+        + 0.5)
     near = 1 - x * g2
     qo_0 = h_0 * k
     qo_1 = h_1 * k
@@ -1792,169 +1773,150 @@ def quaternion_exp(v):
     fine_h_0 = 0.5 * v_0
     fine_h_1 = 0.5 * v_1
     fine_h_2 = 0.5 * v_2
-    fine_h_size_0 = absolute(fine_h_0)
-    fine_h_size_padded_1 = 1.8051943758648296e-276 + 0.5 * absolute(v_0)
-    fine_h_size_1 = absolute(fine_h_1)
-    fine_h_size_padded_2 = 1.8051943758648296e-276 + 0.5 * absolute(v_1)
-    fine_h_size_2 = absolute(fine_h_2)
-    fine_h_size_padded_3 = 1.8051943758648296e-276 + 0.5 * absolute(v_2)
-    fine_h_largest1 = where(fine_h_size_0 < fine_h_size_1, fine_h_size_1, fine_h_size_0)
-    fine_h_largest2 = where(fine_h_largest1 < fine_h_size_2, fine_h_size_2, fine_h_largest1)
-    fine_s_a = 6.703903964971299e+153 < fine_h_largest2
-    fine_s = where(fine_s_a, float64(3.7291703656001034e-155), float64(1))
-    fine_s_size_1 = where(fine_s_a, float64(3.7291703656001034e-155), float64(1))
-    fine_reduced_0 = fine_h_0 * fine_s
-    fine_reduced_1 = fine_h_1 * fine_s
-    fine_reduced_2 = fine_h_2 * fine_s
-    fine_up_a = fine_s < 1
-    fine_up = where(fine_up_a, float64(2.6815615859885194e+154), float64(1))
-    fine_reduced_length_a = fine_reduced_0 * fine_reduced_0
-    fine_reduced_length_a_padded_1 = 1.8051943758648296e-276 + fine_h_size_padded_1 * fine_s_size_1
-    fine_reduced_length_b = fine_reduced_1 * fine_reduced_1
-    fine_reduced_length_b_padded_1 = 1.8051943758648296e-276 + fine_h_size_padded_2 * fine_s_size_1
-    fine_reduced_length_c = fine_reduced_length_a + fine_reduced_length_b
-    fine_reduced_length_c_right_1 = fine_reduced_length_c - fine_reduced_length_a
-    fine_reduced_length_c_left_1 = fine_reduced_length_c - fine_reduced_length_c_right_1
-    fine_reduced_length_c_right_rest_1 = product_rest(fine_reduced_1, fine_reduced_1, fine_reduced_length_b, fine_reduced_length_c_right_1)
-    fine_reduced_length_c_left_rest_1 = product_rest(fine_reduced_0, fine_reduced_0, fine_reduced_length_a, fine_reduced_length_c_left_1)
-    fine_reduced_length_a_size_1 = fine_reduced_length_a_padded_1 * fine_reduced_length_a_padded_1
-    fine_reduced_length_b_size_1 = fine_reduced_length_b_padded_1 * fine_reduced_length_b_padded_1
-    fine_reduced_length_d = fine_reduced_2 * fine_reduced_2
-    fine_reduced_length_d_padded_1 = 1.8051943758648296e-276 + fine_h_size_padded_3 * fine_s_size_1
-    fine_reduced_length_e = fine_reduced_length_c + fine_reduced_length_d
-    fine_reduced_length_e_right_1 = fine_reduced_length_e - fine_reduced_length_c
-    fine_reduced_length_e_left_1 = fine_reduced_length_e - fine_reduced_length_e_right_1
-    fine_reduced_length_e_right_rest_1 = product_rest(fine_reduced_2, fine_reduced_2, fine_reduced_length_d, fine_reduced_length_e_right_1)
-    fine_reduced_length_e_left_rest_1 = fine_reduced_length_c - fine_reduced_length_e_left_1
-    fine_reduced_length_e_lo1_1 = fine_reduced_length_e_left_rest_1 + fine_reduced_length_e_right_rest_1
-    fine_reduced_length_c_lo = fine_reduced_length_c_left_rest_1 + fine_reduced_length_c_right_rest_1
-    fine_reduced_length_e_lo = fine_reduced_length_e_lo1_1 + fine_reduced_length_c_lo
-    fine_reduced_length_d_size_1 = fine_reduced_length_d_padded_1 * fine_reduced_length_d_padded_1
-    fine_reduced_length_c_size_1 = fine_reduced_length_a_size_1 + fine_reduced_length_b_size_1
-    fine_reduced_length = sqrt(fine_reduced_length_e)
-    fine_reduced_length_product_1 = fine_reduced_length * fine_reduced_length
-    fine_reduced_length_product_error_1 = product_error(fine_reduced_length, fine_reduced_length, fine_reduced_length_product_1)
-    fine_reduced_length_rest_1 = fine_reduced_length_e - fine_reduced_length_product_1
-    fine_reduced_length_exact_1 = fine_reduced_length_rest_1 - fine_reduced_length_product_error_1
-    fine_reduced_length_twice_1 = fine_reduced_length + fine_reduced_length
-    fine_reduced_length_divisor_1 = where(fine_reduced_length == 0, 1, fine_reduced_length_twice_1)
-    fine_reduced_length_residual_1 = fine_reduced_length_exact_1 + fine_reduced_length_e_lo
-    fine_reduced_length_lo = fine_reduced_length_residual_1 / fine_reduced_length_divisor_1
-    fine_reduced_length_e_size_1 = fine_reduced_length_c_size_1 + fine_reduced_length_d_size_1
-    fine_reduced_length_padded_1 = 1.8051943758648296e-276 + fine_reduced_length_e_size_1
-    fine_reduced_length_size_1 = fine_reduced_length_padded_1 / fine_reduced_length
-    fine_reduced_length_rest_2 = 3.229399894985818e-30 * fine_reduced_length_padded_1
-    fine_reduced_length_bound_1 = absolute(fine_reduced_length_e_lo) + fine_reduced_length_rest_2
-    fine_reduced_length_units_1 = 140737488355328 * fine_reduced_length_bound_1
-    fine_reduced_length_reach_1 = absolute(fine_reduced_length_e) + fine_reduced_length_units_1
-    fine_reduced_length_size_2 = fine_reduced_length_size_1 / fine_reduced_length_e
-    fine_reduced_length_size_5 = sqrt(fine_reduced_length_bound_1)
-    fine_reduced_length_size_7 = fine_reduced_length_size_5 + absolute(fine_reduced_length_lo)
-    fine_reduced_length_size_4 = fine_reduced_length_reach_1 * fine_reduced_length_size_2
-    fine_reduced_length_size_10 = 4 * fine_reduced_length_bound_1 < fine_reduced_length_e
-    fine_reduced_length_size_8 = 2.0056767005853705e+29 * fine_reduced_length_size_7
-    fine_reduced_length_size_11 = where(fine_reduced_length_size_10, fine_reduced_length_size_4, fine_reduced_length_size_8)
-    fine_half_angle = fine_reduced_length * fine_up
-    fine_half_angle_lost_1 = fine_reduced_length - fine_half_angle * (1 / fine_up)
-    fine_half_angle_lo = (fine_half_angle_lost_1 + fine_reduced_length_lo) * fine_up
-    fine_reduced_length_size_12 = fine_reduced_length + fine_reduced_length_size_11
-    fine_up_size_1 = where(fine_up_a, float64(2.6815615859885194e+154), float64(1))
-    fine_half_angle_padded_1 = 1.8051943758648296e-276 + fine_reduced_length_size_12
-    fine_half_angle_size_1 = fine_half_angle_padded_1 * fine_up_size_1
-    fine_y = fine_half_angle * fine_half_angle
-    fine_y_padded_1 = 1.8051943758648296e-276 + fine_half_angle_size_1
-    fine_y_bound_1 = absolute(fine_half_angle_lo) + 5.7192432555642225e-30 * fine_y_padded_1
-    fine_y_size_2 = fine_y_padded_1 * (absolute(fine_half_angle) + 140737488355328 * fine_y_bound_1)
-    fine_sine, fine_c = elementary.sincos(fine_half_angle)
-    fine_sine_own_error_1, fine_c_own_error_1 = elementary.sincos_error(fine_half_angle, fine_sine, fine_c)
-    fine_sine_half_1 = fine_half_angle_lo * 0.5
+    h_size_0 = absolute(fine_h_0)
+    h_size_padded_1 = 1.8051943758648296e-276 + 0.5 * absolute(v_0)
+    h_size_1 = absolute(fine_h_1)
+    h_size_padded_2 = 1.8051943758648296e-276 + 0.5 * absolute(v_1)
+    h_size_2 = absolute(fine_h_2)
+    h_size_padded_3 = 1.8051943758648296e-276 + 0.5 * absolute(v_2)
+    h_largest1 = where(h_size_0 < h_size_1, h_size_1, h_size_0)
+    h_largest2 = where(h_largest1 < h_size_2, h_size_2, h_largest1)
+    s_a = 6.703903964971299e+153 < h_largest2
+    s = where(s_a, float64(3.7291703656001034e-155), float64(1))
+    s_size_1 = where(s_a, float64(3.7291703656001034e-155), float64(1))
+    reduced_0 = fine_h_0 * s
+    reduced_1 = fine_h_1 * s
+    reduced_2 = fine_h_2 * s
+    up_a = s < 1
+    up = where(up_a, float64(2.6815615859885194e+154), float64(1))
+    reduced_length_a = reduced_0 * reduced_0
+    reduced_length_a_padded_1 = 1.8051943758648296e-276 + h_size_padded_1 * s_size_1
+    reduced_length_b = reduced_1 * reduced_1
+    reduced_length_b_padded_1 = 1.8051943758648296e-276 + h_size_padded_2 * s_size_1
+    reduced_length_c = reduced_length_a + reduced_length_b
+    reduced_length_c_right_1 = reduced_length_c - reduced_length_a
+    reduced_length_c_left_rest_1 = product_rest(reduced_0, reduced_0, reduced_length_a,
+        reduced_length_c - reduced_length_c_right_1)
+    reduced_length_d = reduced_2 * reduced_2
+    reduced_length_d_padded_1 = 1.8051943758648296e-276 + h_size_padded_3 * s_size_1
+    reduced_length_e = reduced_length_c + reduced_length_d
+    reduced_length_e_right_1 = reduced_length_e - reduced_length_c
+    reduced_length_e_right_rest_1 = product_rest(reduced_2, reduced_2, reduced_length_d,
+        reduced_length_e_right_1)
+    reduced_length_c_lo = (reduced_length_c_left_rest_1
+        + product_rest(reduced_1, reduced_1, reduced_length_b, reduced_length_c_right_1))
+    reduced_length_e_lo = (reduced_length_c - (reduced_length_e - reduced_length_e_right_1)
+        + reduced_length_e_right_rest_1 + reduced_length_c_lo)
+    reduced_length_c_size_1 = (reduced_length_a_padded_1 * reduced_length_a_padded_1
+        + reduced_length_b_padded_1 * reduced_length_b_padded_1)
+    reduced_length = sqrt(reduced_length_e)
+    reduced_length_product_1 = reduced_length * reduced_length
+    reduced_length_exact_1 = (reduced_length_e - reduced_length_product_1
+        - product_error(reduced_length, reduced_length, reduced_length_product_1))
+    reduced_length_lo = ((reduced_length_exact_1 + reduced_length_e_lo)
+        / where(reduced_length == 0, 1, reduced_length + reduced_length))
+    reduced_length_padded_1 = (1.8051943758648296e-276
+        + (reduced_length_c_size_1 + reduced_length_d_padded_1 * reduced_length_d_padded_1))
+    reduced_length_bound_1 = (absolute(reduced_length_e_lo) + 3.229399894985818e-30
+        * reduced_length_padded_1)
+    reduced_length_reach_1 = absolute(reduced_length_e) + 140737488355328 * reduced_length_bound_1
+    reduced_length_size_4 = (reduced_length_reach_1
+        * (reduced_length_padded_1 / reduced_length / reduced_length_e))
+    reduced_length_size_8 = (2.0056767005853705e+29
+        * (sqrt(reduced_length_bound_1) + absolute(reduced_length_lo)))
+    half_angle = reduced_length * up
+    half_angle_lo = (reduced_length - half_angle * (1 / up) + reduced_length_lo) * up
+    reduced_length_size_12 = (reduced_length
+        + where(4 * reduced_length_bound_1
+        < reduced_length_e, reduced_length_size_4, reduced_length_size_8))
+    half_angle_size_1 = ((1.8051943758648296e-276 + reduced_length_size_12)
+        * where(up_a, float64(2.6815615859885194e+154), float64(1)))
+    y = half_angle * half_angle
+    y_padded_1 = 1.8051943758648296e-276 + half_angle_size_1
+    y_bound_1 = absolute(half_angle_lo) + 5.7192432555642225e-30 * y_padded_1
+    y_size_2 = y_padded_1 * (absolute(half_angle) + 140737488355328 * y_bound_1)
+    fine_sine, c = elementary.sincos(half_angle)
+    fine_sine_own_error_1, c_own_error_1 = elementary.sincos_error(half_angle, fine_sine, c)
+    fine_sine_half_1 = half_angle_lo * 0.5
     fine_sine_half_sin_1, fine_sine_half_cos_1 = elementary.sincos(fine_sine_half_1)
     fine_sine_twice_1 = fine_sine_half_sin_1 + fine_sine_half_sin_1
-    fine_sine_slope_1 = fine_sine_half_cos_1 * fine_c - fine_sine_half_sin_1 * fine_sine
-    fine_c_slope_1 = fine_sine_half_cos_1 * fine_sine + fine_sine_half_sin_1 * fine_c
-    fine_sinc_divisor_a = fine_half_angle < 1.4901161193847656e-08
-    fine_sinc_divisor = where(fine_sinc_divisor_a, 1.4901161193847656e-08, fine_half_angle)
-    fine_sinc_divisor_lo = where(fine_sinc_divisor_a, 0, fine_half_angle_lo)
-    fine_sinc_divisor_size_4 = 5e-324 + absolute(fine_half_angle - 1.4901161193847656e-08)
-    fine_sinc_divisor_size_5 = fine_y_bound_1 < fine_sinc_divisor_size_4
-    fine_sinc_divisor_size_8 = absolute(1.4901161193847656e-08 - fine_half_angle) + fine_y_bound_1
-    fine_sinc_divisor_size_9 = where(fine_sinc_divisor_size_5, 0, fine_sinc_divisor_size_8)
-    fine_sinc_divisor_size_1 = where(fine_sinc_divisor_a, 1.4901161193847656e-08, fine_half_angle_size_1)
-    fine_sinc_divisor_size_10 = 5.762046184631807e+28 * fine_sinc_divisor_size_9
-    fine_sinc_quotient = fine_sine / fine_sinc_divisor
-    fine_sinc_quotient_product_1 = fine_sinc_quotient * fine_sinc_divisor
-    fine_sinc_quotient_product_error_1 = product_error(fine_sinc_quotient, fine_sinc_divisor, fine_sinc_quotient_product_1)
-    fine_sinc_quotient_rest_1 = fine_sine - fine_sinc_quotient_product_1
-    fine_sinc_quotient_exact_1 = fine_sinc_quotient_rest_1 - fine_sinc_quotient_product_error_1
-    fine_sine_lo = fine_sine_own_error_1 + fine_sine_slope_1 * fine_sine_twice_1
-    fine_sinc_quotient_numerator_1 = fine_sinc_quotient_exact_1 + fine_sine_lo
-    fine_sinc_quotient_cross_1 = fine_sinc_quotient * fine_sinc_divisor_lo
-    fine_sinc_quotient_residual_1 = fine_sinc_quotient_numerator_1 - fine_sinc_quotient_cross_1
-    fine_sinc_quotient_lo = fine_sinc_quotient_residual_1 / fine_sinc_divisor
-    fine_sinc_quotient_padded_1 = 1.8051943758648296e-276 + (1 + fine_y_padded_1)
-    fine_sinc_divisor_size_11 = fine_sinc_divisor_size_1 + fine_sinc_divisor_size_10
-    fine_sinc_quotient_padded_2 = 1.8051943758648296e-276 + fine_sinc_divisor_size_11
-    fine_sinc_quotient_size_1 = absolute(fine_sinc_quotient)
-    fine_sinc_quotient_size_2 = absolute(fine_sinc_divisor)
-    fine_sinc_quotient_size_3 = fine_sinc_quotient_padded_2 * fine_sinc_quotient_size_1
-    fine_sinc_quotient_rest_2 = 1.789728954546449e-29 * fine_sinc_quotient_padded_2
-    fine_sinc_quotient_bound_1 = absolute(fine_sinc_divisor_lo) + fine_sinc_quotient_rest_2
-    fine_sinc_quotient_size_6 = 4 * fine_sinc_quotient_bound_1 < fine_sinc_quotient_size_2
-    fine_sinc_quotient_size_7 = where(fine_sinc_quotient_size_6, fine_sinc_quotient_size_2, 0)
-    fine_sinc_quotient_size_4 = fine_sinc_quotient_padded_1 + fine_sinc_quotient_size_3
-    fine_sinc_quotient_units_1 = 140737488355328 * fine_sinc_quotient_bound_1
-    fine_sinc_quotient_reach_1 = fine_sinc_quotient_size_2 + fine_sinc_quotient_units_1
-    fine_sinc_quotient_size_8 = fine_sinc_quotient_size_4 / fine_sinc_quotient_size_7
-    fine_sinc_quotient_size_9 = fine_sinc_quotient_reach_1 * fine_sinc_quotient_size_8
-    fine_sinc_quotient_size_10 = fine_sinc_quotient_size_9 / fine_sinc_quotient_size_2
-    fine_sinc_quotient_size_11 = fine_sinc_quotient_size_1 + fine_sinc_quotient_size_10
-    fine_y_cross_1 = fine_half_angle_lo * fine_half_angle + fine_half_angle * fine_half_angle_lo
-    fine_sinc_a = 0.16666666666666666 * fine_y
-    fine_y_lo = product_error(fine_half_angle, fine_half_angle, fine_y) + fine_y_cross_1
-    fine_sinc_b = 1 - fine_sinc_a
-    fine_sinc_b_right_1 = 1 - fine_sinc_b
-    fine_sinc_b_right_rest_1 = product_rest(0.16666666666666666, fine_y, fine_sinc_a, fine_sinc_b_right_1)
-    fine_sinc_b_lo1_1 = 1 - (fine_sinc_b + fine_sinc_b_right_1) - fine_sinc_b_right_rest_1
-    fine_sinc_a_cross_1 = 9.25185853854297e-18 * fine_y + 0.16666666666666666 * fine_y_lo
-    fine_sinc_b_lo = fine_sinc_b_lo1_1 - fine_sinc_a_cross_1
-    fine_sinc_b_size_1 = 1 + 2290649224.7000003 * (fine_y_size_2 + fine_y_size_2)
-    fine_sinc = where(fine_sinc_divisor_a, fine_sinc_b, fine_sinc_quotient)
-    fine_sinc_lo = where(fine_sinc_divisor_a, fine_sinc_b_lo, fine_sinc_quotient_lo)
-    fine_sinc_rest_1 = 8.201505264386605e-28 * (1.8051943758648296e-276 + fine_sinc_b_size_1)
-    fine_sinc_padded_2 = 1.8051943758648296e-276 + fine_sinc_quotient_size_11
-    fine_sinc_bound_1 = absolute(fine_sinc_b_lo) + fine_sinc_rest_1
-    fine_sinc_bound_2 = absolute(fine_sinc_quotient_lo) + 2.755262189115544e-29 * fine_sinc_padded_2
-    fine_sinc_size_4 = fine_sinc_bound_1 + absolute(fine_sinc_b - fine_sinc_quotient)
-    fine_sinc_size_6 = where(fine_sinc_divisor_size_5, 0, fine_sinc_bound_2 + fine_sinc_size_4)
-    fine_sinc_size_1 = where(fine_sinc_divisor_a, fine_sinc_b_size_1, fine_sinc_quotient_size_11)
-    fine_qo_0 = fine_h_0 * fine_sinc
-    fine_sinc_size_8 = fine_sinc_size_1 + 1.2206826306780646e+27 * fine_sinc_size_6
-    fine_qo_padded_1 = 1.8051943758648296e-276 + fine_sinc_size_8
-    fine_qo_units_1 = 140737488355328 * (1.2325953113446296e-31 * fine_h_size_padded_1)
-    fine_qo_bound_1 = absolute(fine_sinc_lo) + 8.201506228291972e-28 * fine_qo_padded_1
-    fine_qo_reach_2 = absolute(fine_sinc) + 140737488355328 * fine_qo_bound_1
-    fine_qo_size_2 = fine_qo_padded_1 * (absolute(fine_h_0) + fine_qo_units_1)
-    fine_qo_1 = fine_h_1 * fine_sinc
-    fine_qo_units_3 = 140737488355328 * (1.2325953113446296e-31 * fine_h_size_padded_2)
-    fine_qo_size_7 = fine_qo_padded_1 * (absolute(fine_h_1) + fine_qo_units_3)
-    fine_qo_2 = fine_h_2 * fine_sinc
-    fine_qo_units_4 = 140737488355328 * (1.2325953113446296e-31 * fine_h_size_padded_3)
-    fine_qo_size_11 = fine_qo_padded_1 * (absolute(fine_h_2) + fine_qo_units_4)
-    fine_qo_lo_1 = product_error(fine_h_0, fine_sinc, fine_qo_0) + fine_h_0 * fine_sinc_lo
-    fine_qo_size_5 = fine_qo_size_2 + fine_h_size_padded_1 * fine_qo_reach_2
-    qo_rest_1 = 8.21414129263252e-28 * (1.8051943758648296e-276 + fine_qo_size_5)
-    fine_qo_lo_2 = product_error(fine_h_1, fine_sinc, fine_qo_1) + fine_h_1 * fine_sinc_lo
-    fine_qo_size_9 = fine_qo_size_7 + fine_h_size_padded_2 * fine_qo_reach_2
-    qo_rest_2 = 8.21414129263252e-28 * (1.8051943758648296e-276 + fine_qo_size_9)
-    fine_qo_lo_3 = product_error(fine_h_2, fine_sinc, fine_qo_2) + fine_h_2 * fine_sinc_lo
-    fine_qo_size_13 = fine_qo_size_11 + fine_h_size_padded_3 * fine_qo_reach_2
-    qo_rest_3 = 8.21414129263252e-28 * (1.8051943758648296e-276 + fine_qo_size_13)
-    qo_error_7 = absolute(fine_c_own_error_1 - fine_c_slope_1 * fine_sine_twice_1 + (fine_c - qo_3))
-    qo_rest_4 = 1.0551017099379097e-29 * fine_sinc_quotient_padded_1
-    qo_bound_1 = 1.0000000000000009 * absolute(fine_qo_lo_1 + (fine_qo_0 - qo_0)) + qo_rest_1
-    qo_bound_2 = 1.0000000000000009 * absolute(fine_qo_lo_2 + (fine_qo_1 - qo_1)) + qo_rest_2
-    qo_bound_3 = 1.0000000000000009 * absolute(fine_qo_lo_3 + (fine_qo_2 - qo_2)) + qo_rest_3
-    qo_bound_4 = 1.0000000000000009 * qo_error_7 + qo_rest_4
+    sinc_divisor_a = half_angle < 1.4901161193847656e-08
+    sinc_divisor = where(sinc_divisor_a, 1.4901161193847656e-08, half_angle)
+    sinc_divisor_lo = where(sinc_divisor_a, 0, half_angle_lo)
+    sinc_divisor_size_5 = y_bound_1 < 5e-324 + absolute(half_angle - 1.4901161193847656e-08)
+    sinc_divisor_size_10 = (5.762046184631807e+28
+        * where(sinc_divisor_size_5, 0, absolute(1.4901161193847656e-08 - half_angle) + y_bound_1))
+    sinc_quotient = fine_sine / sinc_divisor
+    sinc_quotient_product_1 = sinc_quotient * sinc_divisor
+    sinc_quotient_exact_1 = (fine_sine - sinc_quotient_product_1
+        - product_error(sinc_quotient, sinc_divisor, sinc_quotient_product_1))
+    fine_sine_lo = (fine_sine_own_error_1
+        + (fine_sine_half_cos_1 * c - fine_sine_half_sin_1 * fine_sine) * fine_sine_twice_1)
+    sinc_quotient_lo = ((sinc_quotient_exact_1 + fine_sine_lo - sinc_quotient * sinc_divisor_lo)
+        / sinc_divisor)
+    sinc_quotient_padded_1 = 1.8051943758648296e-276 + (1 + y_padded_1)
+    sinc_quotient_padded_2 = (1.8051943758648296e-276
+        + (where(sinc_divisor_a, 1.4901161193847656e-08, half_angle_size_1) + sinc_divisor_size_10))
+    sinc_quotient_size_1 = absolute(sinc_quotient)
+    sinc_quotient_size_2 = absolute(sinc_divisor)
+    sinc_quotient_bound_1 = (absolute(sinc_divisor_lo) + 1.789728954546449e-29
+        * sinc_quotient_padded_2)
+    sinc_quotient_size_7 = (where(4 * sinc_quotient_bound_1
+        < sinc_quotient_size_2, sinc_quotient_size_2, 0))
+    sinc_quotient_size_8 = ((sinc_quotient_padded_1 + sinc_quotient_padded_2
+        * sinc_quotient_size_1) / sinc_quotient_size_7)
+    sinc_quotient_size_10 = ((sinc_quotient_size_2 + 140737488355328 * sinc_quotient_bound_1)
+        * sinc_quotient_size_8 / sinc_quotient_size_2)
+    sinc_quotient_size_11 = sinc_quotient_size_1 + sinc_quotient_size_10
+    sinc_a = 0.16666666666666666 * y
+    sinc_a_cross2_1 = (0.16666666666666666
+        * (product_error(half_angle, half_angle, y)
+        + (half_angle_lo * half_angle + half_angle * half_angle_lo)))
+    sinc_b = 1 - sinc_a
+    sinc_b_right_1 = 1 - sinc_b
+    sinc_b_lo1_1 = (1 - (sinc_b + sinc_b_right_1)
+        - product_rest(0.16666666666666666, y, sinc_a, sinc_b_right_1))
+    sinc_b_lo = sinc_b_lo1_1 - (9.25185853854297e-18 * y + sinc_a_cross2_1)
+    sinc_b_size_1 = 1 + 2290649224.7000003 * (y_size_2 + y_size_2)
+    sinc = where(sinc_divisor_a, sinc_b, sinc_quotient)
+    sinc_lo = where(sinc_divisor_a, sinc_b_lo, sinc_quotient_lo)
+    sinc_size_4 = (absolute(sinc_b_lo) + 8.201505264386605e-28
+        * (1.8051943758648296e-276 + sinc_b_size_1) + absolute(sinc_b - sinc_quotient))
+    sinc_size_5 = (absolute(sinc_quotient_lo) + 2.755262189115544e-29
+        * (1.8051943758648296e-276 + sinc_quotient_size_11) + sinc_size_4)
+    fine_qo_0 = fine_h_0 * sinc
+    sinc_size_8 = (where(sinc_divisor_a, sinc_b_size_1, sinc_quotient_size_11)
+        + 1.2206826306780646e+27 * where(sinc_divisor_size_5, 0, sinc_size_5))
+    fine_qo_padded_1 = 1.8051943758648296e-276 + sinc_size_8
+    fine_qo_reach_2 = (absolute(sinc) + 140737488355328
+        * (absolute(sinc_lo) + 8.201506228291972e-28 * fine_qo_padded_1))
+    fine_qo_size_2 = (fine_qo_padded_1
+        * (absolute(fine_h_0) + 140737488355328 * (1.2325953113446296e-31 * h_size_padded_1)))
+    fine_qo_1 = fine_h_1 * sinc
+    fine_qo_size_7 = (fine_qo_padded_1
+        * (absolute(fine_h_1) + 140737488355328 * (1.2325953113446296e-31 * h_size_padded_2)))
+    fine_qo_2 = fine_h_2 * sinc
+    fine_qo_size_11 = (fine_qo_padded_1
+        * (absolute(fine_h_2) + 140737488355328 * (1.2325953113446296e-31 * h_size_padded_3)))
+    qo_error_2 = (1.0000000000000009
+        * absolute(product_error(fine_h_0, sinc, fine_qo_0) + fine_h_0 * sinc_lo
+        + (fine_qo_0 - qo_0)))
+    qo_error_4 = (1.0000000000000009
+        * absolute(product_error(fine_h_1, sinc, fine_qo_1) + fine_h_1 * sinc_lo
+        + (fine_qo_1 - qo_1)))
+    qo_error_6 = (1.0000000000000009
+        * absolute(product_error(fine_h_2, sinc, fine_qo_2) + fine_h_2 * sinc_lo
+        + (fine_qo_2 - qo_2)))
+    qo_error_7 = (absolute(c_own_error_1
+        - (fine_sine_half_cos_1 * fine_sine + fine_sine_half_sin_1 * c) * fine_sine_twice_1
+        + (c - qo_3)))
+    qo_bound_1 = (qo_error_2 + 8.21414129263252e-28
+        * (1.8051943758648296e-276 + (fine_qo_size_2 + fine_qo_reach_2 * h_size_padded_1)))
+    qo_bound_2 = (qo_error_4 + 8.21414129263252e-28
+        * (1.8051943758648296e-276 + (fine_qo_size_7 + fine_qo_reach_2 * h_size_padded_2)))
+    qo_bound_3 = (qo_error_6 + 8.21414129263252e-28
+        * (1.8051943758648296e-276 + (fine_qo_size_11 + fine_qo_reach_2 * h_size_padded_3)))
+    qo_bound_4 = 1.0000000000000009 * qo_error_7 + 1.0551017099379097e-29 * sinc_quotient_padded_1
     return (qo_0, qo_1, qo_2, qo_3, qo_bound_1, qo_bound_2, qo_bound_3, qo_bound_4)
 
 
@@ -1976,8 +1938,9 @@ def quaternion_log(q):
     s_largest1 = where(s_size_0 < s_size_1, s_size_1, s_size_0)
     s_largest2 = where(s_largest1 < s_size_2, s_size_2, s_largest1)
     s_largest3 = where(s_largest2 < s_size_3, s_size_3, s_largest2)
-    s_b = where(6.703903964971299e+153 < s_largest3, float64(3.7291703656001034e-155), float64(1))
-    s_d = where(s_largest3 < 256, 1.3093562431584567e+151, s_b)
+    s_d = (where(s_largest3
+        < 256, 1.3093562431584567e+151, where(6.703903964971299e+153
+        < s_largest3, float64(3.7291703656001034e-155), float64(1))))
     s = where(s_largest3 < 1.955159272639747e-149, 1.0715086071862673e+301, s_d)
     scaled_s_0 = q_0 * s
     scaled_s_inverse_1 = 1 / s
@@ -1993,81 +1956,88 @@ def quaternion_log(q):
     upper_0b = scaled_s_3 < 0
     upper_0 = where(upper_0b, upper_0a, scaled_s_0)
     upper_size_4 = scaled_s_size_15 < 5e-324 + absolute(scaled_s_3 - 0)
-    upper_rest_1 = 1.1093356479670522e-31 * (1.8051943758648296e-276 + scaled_s_size_4)
-    scaled_s_size_3 = where(q_0 == scaled_s_0 * scaled_s_inverse_1, float64(0), float64(5e-324))
-    upper_size_8 = scaled_s_size_3 + (upper_rest_1 + absolute(upper_0a - scaled_s_0))
+    upper_size_7 = (1.1093356479670522e-31 * (1.8051943758648296e-276 + scaled_s_size_4)
+        + absolute(upper_0a - scaled_s_0))
+    upper_size_9 = (where(upper_size_4, 0, where(q_0 == scaled_s_0
+        * scaled_s_inverse_1, float64(0), float64(5e-324)) + upper_size_7))
     upper_1a = -scaled_s_1
     upper_1 = where(upper_0b, upper_1a, scaled_s_1)
-    upper_rest_2 = 1.1093356479670522e-31 * (1.8051943758648296e-276 + scaled_s_size_8)
-    scaled_s_size_7 = where(q_1 == scaled_s_1 * scaled_s_inverse_1, float64(0), float64(5e-324))
-    upper_size_15 = scaled_s_size_7 + (upper_rest_2 + absolute(upper_1a - scaled_s_1))
+    upper_size_14 = (1.1093356479670522e-31 * (1.8051943758648296e-276 + scaled_s_size_8)
+        + absolute(upper_1a - scaled_s_1))
+    upper_size_16 = (where(upper_size_4, 0, where(q_1 == scaled_s_1
+        * scaled_s_inverse_1, float64(0), float64(5e-324)) + upper_size_14))
     upper_2a = -scaled_s_2
     upper_2 = where(upper_0b, upper_2a, scaled_s_2)
-    upper_rest_3 = 1.1093356479670522e-31 * (1.8051943758648296e-276 + scaled_s_size_12)
-    scaled_s_size_11 = where(q_2 == scaled_s_2 * scaled_s_inverse_1, float64(0), float64(5e-324))
-    upper_size_22 = scaled_s_size_11 + (upper_rest_3 + absolute(upper_2a - scaled_s_2))
+    upper_size_21 = (1.1093356479670522e-31 * (1.8051943758648296e-276 + scaled_s_size_12)
+        + absolute(upper_2a - scaled_s_2))
+    upper_size_23 = (where(upper_size_4, 0, where(q_2 == scaled_s_2
+        * scaled_s_inverse_1, float64(0), float64(5e-324)) + upper_size_21))
     upper_3a = -scaled_s_3
     upper_3 = where(upper_0b, upper_3a, scaled_s_3)
-    upper_rest_4 = 1.1093356479670522e-31 * (1.8051943758648296e-276 + scaled_s_size_16)
-    upper_size_29 = scaled_s_size_15 + (upper_rest_4 + absolute(upper_3a - scaled_s_3))
+    upper_size_29 = (scaled_s_size_15
+        + (1.1093356479670522e-31 * (1.8051943758648296e-276 + scaled_s_size_16)
+        + absolute(upper_3a - scaled_s_3)))
     v_s_size_0 = absolute(upper_0)
-    upper_size_11 = scaled_s_size_4 + 3.169126500570585e+29 * where(upper_size_4, 0, upper_size_8)
-    v_s_size_padded_1 = 1.8051943758648296e-276 + upper_size_11
+    v_s_size_padded_1 = (1.8051943758648296e-276
+        + (scaled_s_size_4 + 3.169126500570585e+29 * upper_size_9))
     v_s_size_1 = absolute(upper_1)
-    upper_size_18 = scaled_s_size_8 + 3.169126500570585e+29 * where(upper_size_4, 0, upper_size_15)
-    v_s_size_padded_2 = 1.8051943758648296e-276 + upper_size_18
+    v_s_size_padded_2 = (1.8051943758648296e-276
+        + (scaled_s_size_8 + 3.169126500570585e+29 * upper_size_16))
     v_s_size_2 = absolute(upper_2)
-    upper_size_25 = scaled_s_size_12 + 3.169126500570585e+29 * where(upper_size_4, 0, upper_size_22)
-    v_s_size_padded_3 = 1.8051943758648296e-276 + upper_size_25
+    v_s_size_padded_3 = (1.8051943758648296e-276
+        + (scaled_s_size_12 + 3.169126500570585e+29 * upper_size_23))
     v_s_largest1 = where(v_s_size_0 < v_s_size_1, v_s_size_1, v_s_size_0)
     v_s_largest2 = where(v_s_largest1 < v_s_size_2, v_s_size_2, v_s_largest1)
     v_s_a = v_s_largest2 < 256
     v_s_c = v_s_largest2 < 1.955159272639747e-149
-    v_s_b = where(v_s_a, float64(1.3093562431584567e+151), float64(1))
-    v_s = where(v_s_c, 1.0715086071862673e+301, v_s_b)
-    v_s_b_size_1 = where(v_s_a, float64(1.3093562431584567e+151), float64(1))
-    v_s_size_3 = where(v_s_c, 1.0715086071862673e+301, v_s_b_size_1)
+    v_s = where(v_s_c, 1.0715086071862673e+301, where(v_s_a, float64(1.3093562431584567e+151),
+        float64(1)))
+    v_s_size_3 = where(v_s_c, 1.0715086071862673e+301, where(v_s_a,
+        float64(1.3093562431584567e+151), float64(1)))
     v_y_0 = upper_0 * v_s
     v_y_1 = upper_1 * v_s
     v_y_2 = upper_2 * v_s
     v_n_a = v_y_0 * v_y_0
     v_n_a_padded_1 = 1.8051943758648296e-276 + v_s_size_3 * v_s_size_padded_1
-    v_n_a_reach_1 = absolute(v_y_0) + 140737488355328 * (3.4142893812359766e-30 * v_n_a_padded_1)
-    v_n_a_size_2 = v_n_a_padded_1 * v_n_a_reach_1
+    v_n_a_size_2 = (v_n_a_padded_1
+        * (absolute(v_y_0) + 140737488355328 * (3.4142893812359766e-30 * v_n_a_padded_1)))
     v_n_b = v_y_1 * v_y_1
     v_n_b_padded_1 = 1.8051943758648296e-276 + v_s_size_3 * v_s_size_padded_2
-    v_n_b_reach_1 = absolute(v_y_1) + 140737488355328 * (3.4142893812359766e-30 * v_n_b_padded_1)
-    v_n_b_size_2 = v_n_b_padded_1 * v_n_b_reach_1
+    v_n_b_size_2 = (v_n_b_padded_1
+        * (absolute(v_y_1) + 140737488355328 * (3.4142893812359766e-30 * v_n_b_padded_1)))
     v_n_c = v_n_a + v_n_b
     v_n_c_right_1 = v_n_c - v_n_a
-    v_n_c_left_rest_1 = product_rest(v_y_0, v_y_0, v_n_a, v_n_c - v_n_c_right_1)
     v_n_d = v_y_2 * v_y_2
     v_n_d_padded_1 = 1.8051943758648296e-276 + v_s_size_3 * v_s_size_padded_3
-    v_n_d_reach_1 = absolute(v_y_2) + 140737488355328 * (3.4142893812359766e-30 * v_n_d_padded_1)
-    v_n_d_size_2 = v_n_d_padded_1 * v_n_d_reach_1
+    v_n_d_size_2 = (v_n_d_padded_1
+        * (absolute(v_y_2) + 140737488355328 * (3.4142893812359766e-30 * v_n_d_padded_1)))
     v_n_e = v_n_c + v_n_d
     v_n_e_right_1 = v_n_e - v_n_c
-    v_n_e_lo1_1 = v_n_c - (v_n_e - v_n_e_right_1) + product_rest(v_y_2, v_y_2, v_n_d, v_n_e_right_1)
-    v_n_e_lo = v_n_e_lo1_1 + (v_n_c_left_rest_1 + product_rest(v_y_1, v_y_1, v_n_b, v_n_c_right_1))
-    v_n_c_size_1 = v_n_a_size_2 + v_n_a_size_2 + (v_n_b_size_2 + v_n_b_size_2)
+    v_n_c_lo = (product_rest(v_y_0, v_y_0, v_n_a, v_n_c - v_n_c_right_1)
+        + product_rest(v_y_1, v_y_1, v_n_b, v_n_c_right_1))
+    v_n_e_lo = (v_n_c - (v_n_e - v_n_e_right_1) + product_rest(v_y_2, v_y_2, v_n_d, v_n_e_right_1)
+        + v_n_c_lo)
     v_n = sqrt(v_n_e)
     v_n_product_1 = v_n * v_n
-    v_n_residual_1 = v_n_e - v_n_product_1 - product_error(v_n, v_n, v_n_product_1) + v_n_e_lo
-    v_n_lo = v_n_residual_1 / where(v_n == 0, 1, v_n + v_n)
-    v_n_padded_1 = 1.8051943758648296e-276 + (v_n_c_size_1 + (v_n_d_size_2 + v_n_d_size_2))
+    v_n_lo = ((v_n_e - v_n_product_1 - product_error(v_n, v_n, v_n_product_1) + v_n_e_lo)
+        / where(v_n == 0, 1, v_n + v_n))
+    v_n_padded_1 = (1.8051943758648296e-276
+        + (v_n_a_size_2 + v_n_a_size_2 + (v_n_b_size_2 + v_n_b_size_2)
+        + (v_n_d_size_2 + v_n_d_size_2)))
     v_n_bound_1 = absolute(v_n_e_lo) + 7.235336013082471e-30 * v_n_padded_1
     v_n_size_4 = (absolute(v_n_e) + 140737488355328 * v_n_bound_1) * (v_n_padded_1 / v_n / v_n_e)
-    v_n_size_8 = 1.5970396877936164e+29 * (sqrt(v_n_bound_1) + absolute(v_n_lo))
     v_r_a = 1 < v_s
     v_r_c = 1.3093562431584567e+151 < v_s
-    v_r_b = where(v_r_a, float64(7.637340908749012e-152), float64(1))
-    v_r = where(v_r_c, 9.332636185032189e-302, v_r_b)
-    v_r_b_size_1 = where(v_r_a, float64(7.637340908749012e-152), float64(1))
+    v_r = where(v_r_c, 9.332636185032189e-302, where(v_r_a, float64(7.637340908749012e-152),
+        float64(1)))
     n = v_n * v_r
     n_lo = (v_n - n * (1 / v_r) + v_n_lo) * v_r
-    v_n_size_12 = v_n + where(4 * v_n_bound_1 < v_n_e, v_n_size_4, v_n_size_8)
-    v_r_size_1 = where(v_r_c, 9.332636185032189e-302, v_r_b_size_1)
-    n_size_1 = (1.8051943758648296e-276 + v_n_size_12) * v_r_size_1
+    v_n_size_12 = (v_n
+        + where(4 * v_n_bound_1 < v_n_e, v_n_size_4, 1.5970396877936164e+29
+        * (sqrt(v_n_bound_1) + absolute(v_n_lo))))
+    n_size_1 = ((1.8051943758648296e-276 + v_n_size_12)
+        * where(v_r_c, 9.332636185032189e-302, where(v_r_a, float64(7.637340908749012e-152),
+            float64(1))))
     half = elementary.atan2(n, upper_3)
     half_size0_1 = absolute(n)
     half_size1_1 = absolute(upper_3)
@@ -2076,12 +2046,13 @@ def quaternion_log(q):
     half_divisor_1 = where(half_zero_1, 1, half_most_1)
     half_part0_1 = n / half_divisor_1
     half_part1_1 = upper_3 / half_divisor_1
-    half_divisor2_1 = half_divisor_1 * (half_part1_1 * half_part1_1 + half_part0_1 * half_part0_1)
-    half_more_1 = (half_part1_1 * n_lo - half_part0_1 * 0) / where(half_zero_1, 1, half_divisor2_1)
-    half_lo = elementary.atan2_error(n, upper_3, half) + half_more_1
+    half_safe_1 = (where(half_zero_1, 1, half_divisor_1
+        * (half_part1_1 * half_part1_1 + half_part0_1 * half_part0_1)))
+    half_lo = (elementary.atan2_error(n, upper_3, half) + (half_part1_1 * n_lo - half_part0_1 * 0)
+        / half_safe_1)
     half_padded_1 = 1.8051943758648296e-276 + n_size_1
-    upper_size_32 = scaled_s_size_16 + 3.169126500570585e+29 * where(upper_size_4, 0, upper_size_29)
-    half_padded_2 = 1.8051943758648296e-276 + upper_size_32
+    half_padded_2 = (1.8051943758648296e-276
+        + (scaled_s_size_16 + 3.169126500570585e+29 * where(upper_size_4, 0, upper_size_29)))
     half_size_2 = absolute(n)
     half_size_3 = absolute(upper_3)
     half_size_5 = where(half_size_2 < half_size_3, half_size_3, half_size_2)
@@ -2090,47 +2061,47 @@ def quaternion_log(q):
     half_size_11 = (half_rest_2 + (1.8051943758648296e-276 + half_bound_1)) / half_size_5
     half_size_13 = half_size_11 * half_size_11
     half_size_15 = 7 + absolute(half_lo)
-    half_size_18 = where(half_rest_2 < upper_3, half_size_13, half_size_15)
-    half_size_19 = where(half_bound_1 < half_size_2, half_size_13, half_size_18)
+    half_size_19 = (where(half_bound_1
+        < half_size_2, half_size_13, where(half_rest_2 < upper_3, half_size_13, half_size_15)))
     half_size_21 = 4.875578158636172e+28 * where(half_size_11 < 0.25, half_size_19, half_size_15)
     divisor_a = n == 0
     divisor = where(divisor_a, 1, n)
     divisor_lo = where(divisor_a, 0, n_lo)
-    divisor_size_5 = half_bound_1 < 5e-324 + absolute(n - 0)
-    divisor_size_9 = where(divisor_size_5, 0, absolute(1 - n) + half_bound_1)
+    divisor_size_10 = (7.042501095850493e+28
+        * where(half_bound_1 < 5e-324 + absolute(n - 0), 0, absolute(1 - n) + half_bound_1))
     theta = 2 * half
-    half_size_22 = absolute(half) + (half_padded_1 + half_padded_2) / half_size_5 + half_size_21
     k = theta / divisor
     k_product_1 = k * divisor
-    k_numerator_1 = theta - k_product_1 - product_error(k, divisor, k_product_1) + 2 * half_lo
-    k_lo = (k_numerator_1 - k * divisor_lo) / divisor
-    divisor_size_11 = where(divisor_a, 1, n_size_1) + 7.042501095850493e+28 * divisor_size_9
-    k_padded_2 = 1.8051943758648296e-276 + divisor_size_11
+    k_lo = ((theta - k_product_1 - product_error(k, divisor, k_product_1) + 2 * half_lo - k
+        * divisor_lo) / divisor)
+    k_padded_2 = 1.8051943758648296e-276 + (where(divisor_a, 1, n_size_1) + divisor_size_10)
     k_size_1 = absolute(k)
     k_size_2 = absolute(divisor)
     k_bound_1 = absolute(divisor_lo) + 1.464323675977526e-29 * k_padded_2
-    k_size_4 = 1.8051943758648296e-276 + 2 * half_size_22 + k_padded_2 * k_size_1
-    k_size_8 = k_size_4 / where(4 * k_bound_1 < k_size_2, k_size_2, 0)
+    k_size_4 = (1.8051943758648296e-276 + 2
+        * (absolute(half) + (half_padded_1 + half_padded_2) / half_size_5 + half_size_21)
+        + k_padded_2 * k_size_1)
     vector_0 = upper_0 * k
-    k_size_11 = k_size_1 + (k_size_2 + 140737488355328 * k_bound_1) * k_size_8 / k_size_2
+    k_size_11 = (k_size_1 + (k_size_2 + 140737488355328 * k_bound_1)
+        * (k_size_4 / where(4 * k_bound_1 < k_size_2, k_size_2, 0)) / k_size_2)
     vector_padded_1 = 1.8051943758648296e-276 + k_size_11
-    vector_units_1 = 140737488355328 * (3.254051621949822e-30 * v_s_size_padded_1)
-    vector_units_2 = 140737488355328 * (absolute(k_lo) + 3.097307347238718e-29 * vector_padded_1)
-    vector_reach_2 = k_size_1 + vector_units_2
-    vector_size_2 = vector_padded_1 * (absolute(upper_0) + vector_units_1)
+    vector_reach_2 = (k_size_1 + 140737488355328
+        * (absolute(k_lo) + 3.097307347238718e-29 * vector_padded_1))
+    vector_size_2 = (vector_padded_1
+        * (absolute(upper_0) + 140737488355328 * (3.254051621949822e-30 * v_s_size_padded_1)))
     vector_1 = upper_1 * k
-    vector_units_3 = 140737488355328 * (3.254051621949822e-30 * v_s_size_padded_2)
-    vector_size_6 = vector_padded_1 * (absolute(upper_1) + vector_units_3)
+    vector_size_6 = (vector_padded_1
+        * (absolute(upper_1) + 140737488355328 * (3.254051621949822e-30 * v_s_size_padded_2)))
     vector_2 = upper_2 * k
-    vector_units_4 = 140737488355328 * (3.254051621949822e-30 * v_s_size_padded_3)
-    vector_size_10 = vector_padded_1 * (absolute(upper_2) + vector_units_4)
-    vector_padded_2 = 1.8051943758648296e-276 + (vector_size_2 + v_s_size_padded_1 * vector_reach_2)
-    vector_error_3 = absolute(product_error(upper_0, k, vector_0) + upper_0 * k_lo)
-    vector_padded_3 = 1.8051943758648296e-276 + (vector_size_6 + v_s_size_padded_2 * vector_reach_2)
-    vector_error_5 = absolute(product_error(upper_1, k, vector_1) + upper_1 * k_lo)
-    vector_size_12 = vector_size_10 + v_s_size_padded_3 * vector_reach_2
-    vector_rest_4 = 3.2199508764278064e-29 * (1.8051943758648296e-276 + vector_size_12)
-    vector_bound_2 = vector_error_3 + 3.2199508764278064e-29 * vector_padded_2
-    vector_bound_3 = vector_error_5 + 3.2199508764278064e-29 * vector_padded_3
+    vector_size_10 = (vector_padded_1
+        * (absolute(upper_2) + 140737488355328 * (3.254051621949822e-30 * v_s_size_padded_3)))
+    vector_rest_2 = (3.2199508764278064e-29
+        * (1.8051943758648296e-276 + (vector_size_2 + v_s_size_padded_1 * vector_reach_2)))
+    vector_rest_3 = (3.2199508764278064e-29
+        * (1.8051943758648296e-276 + (vector_size_6 + v_s_size_padded_2 * vector_reach_2)))
+    vector_rest_4 = (3.2199508764278064e-29
+        * (1.8051943758648296e-276 + (vector_size_10 + v_s_size_padded_3 * vector_reach_2)))
+    vector_bound_2 = absolute(product_error(upper_0, k, vector_0) + upper_0 * k_lo) + vector_rest_2
+    vector_bound_3 = absolute(product_error(upper_1, k, vector_1) + upper_1 * k_lo) + vector_rest_3
     vector_bound_4 = absolute(product_error(upper_2, k, vector_2) + upper_2 * k_lo) + vector_rest_4
     return (vector_0, vector_1, vector_2, vector_bound_2, vector_bound_3, vector_bound_4)

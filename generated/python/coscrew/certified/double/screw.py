@@ -26,21 +26,15 @@ def screw_scale(self, a):
     self_3_new = self_3 * a
     self_4_new = self_4 * a
     self_5_new = self_5 * a
-    self_0_new_padded = absolute(self_0_new) + 2.004168360008973e-292
-    self_0_new_error_bound = 1.1102230246251568e-16 * self_0_new_padded
-    self_1_new_padded = absolute(self_1_new) + 2.004168360008973e-292
-    self_1_new_error_bound = 1.1102230246251568e-16 * self_1_new_padded
-    self_2_new_padded = absolute(self_2_new) + 2.004168360008973e-292
-    self_2_new_error_bound = 1.1102230246251568e-16 * self_2_new_padded
-    self_3_new_padded = absolute(self_3_new) + 2.004168360008973e-292
-    self_3_new_error_bound = 1.1102230246251568e-16 * self_3_new_padded
-    self_4_new_padded = absolute(self_4_new) + 2.004168360008973e-292
-    self_4_new_error_bound = 1.1102230246251568e-16 * self_4_new_padded
-    self_5_new_padded = absolute(self_5_new) + 2.004168360008973e-292
-    self_5_new_error_bound = 1.1102230246251568e-16 * self_5_new_padded
+    self_0_new_bound = 1.1102230246251568e-16 * (absolute(self_0_new) + 2.004168360008973e-292)
+    self_1_new_bound = 1.1102230246251568e-16 * (absolute(self_1_new) + 2.004168360008973e-292)
+    self_2_new_bound = 1.1102230246251568e-16 * (absolute(self_2_new) + 2.004168360008973e-292)
+    self_3_new_bound = 1.1102230246251568e-16 * (absolute(self_3_new) + 2.004168360008973e-292)
+    self_4_new_bound = 1.1102230246251568e-16 * (absolute(self_4_new) + 2.004168360008973e-292)
+    self_5_new_bound = 1.1102230246251568e-16 * (absolute(self_5_new) + 2.004168360008973e-292)
     return (self_0_new, self_1_new, self_2_new, self_3_new, self_4_new, self_5_new,
-        self_0_new_error_bound, self_1_new_error_bound, self_2_new_error_bound,
-        self_3_new_error_bound, self_4_new_error_bound, self_5_new_error_bound)
+        self_0_new_bound, self_1_new_bound, self_2_new_bound, self_3_new_bound, self_4_new_bound,
+        self_5_new_bound)
 
 
 @kernel("(),(6),(6)->(6),(6)")
@@ -71,15 +65,14 @@ def axpy_ss(a, x, y):
     y_3_new_size = absolute(y_3_new_a) + absolute(y_3)
     y_4_new_size = absolute(y_4_new_a) + absolute(y_4)
     y_5_new_size = absolute(y_5_new_a) + absolute(y_5)
-    y_0_new_error_bound = 2.2204460492503136e-16 * (y_0_new_size + 2.004168360008973e-292)
-    y_1_new_error_bound = 2.2204460492503136e-16 * (y_1_new_size + 2.004168360008973e-292)
-    y_2_new_error_bound = 2.2204460492503136e-16 * (y_2_new_size + 2.004168360008973e-292)
-    y_3_new_error_bound = 2.2204460492503136e-16 * (y_3_new_size + 2.004168360008973e-292)
-    y_4_new_error_bound = 2.2204460492503136e-16 * (y_4_new_size + 2.004168360008973e-292)
-    y_5_new_error_bound = 2.2204460492503136e-16 * (y_5_new_size + 2.004168360008973e-292)
-    return (y_0_new, y_1_new, y_2_new, y_3_new, y_4_new, y_5_new, y_0_new_error_bound,
-        y_1_new_error_bound, y_2_new_error_bound, y_3_new_error_bound, y_4_new_error_bound,
-        y_5_new_error_bound)
+    y_0_new_bound = 2.2204460492503136e-16 * (y_0_new_size + 2.004168360008973e-292)
+    y_1_new_bound = 2.2204460492503136e-16 * (y_1_new_size + 2.004168360008973e-292)
+    y_2_new_bound = 2.2204460492503136e-16 * (y_2_new_size + 2.004168360008973e-292)
+    y_3_new_bound = 2.2204460492503136e-16 * (y_3_new_size + 2.004168360008973e-292)
+    y_4_new_bound = 2.2204460492503136e-16 * (y_4_new_size + 2.004168360008973e-292)
+    y_5_new_bound = 2.2204460492503136e-16 * (y_5_new_size + 2.004168360008973e-292)
+    return (y_0_new, y_1_new, y_2_new, y_3_new, y_4_new, y_5_new, y_0_new_bound, y_1_new_bound,
+        y_2_new_bound, y_3_new_bound, y_4_new_bound, y_5_new_bound)
 
 
 @kernel("(6),(6)->(6),(6)")
@@ -98,15 +91,14 @@ def xpy_ss(x, y):
     y_3_new = x_3 + y_3
     y_4_new = x_4 + y_4
     y_5_new = x_5 + y_5
-    y_0_new_error_bound = 1.1102230246251568e-16 * absolute(y_0_new)
-    y_1_new_error_bound = 1.1102230246251568e-16 * absolute(y_1_new)
-    y_2_new_error_bound = 1.1102230246251568e-16 * absolute(y_2_new)
-    y_3_new_error_bound = 1.1102230246251568e-16 * absolute(y_3_new)
-    y_4_new_error_bound = 1.1102230246251568e-16 * absolute(y_4_new)
-    y_5_new_error_bound = 1.1102230246251568e-16 * absolute(y_5_new)
-    return (y_0_new, y_1_new, y_2_new, y_3_new, y_4_new, y_5_new, y_0_new_error_bound,
-        y_1_new_error_bound, y_2_new_error_bound, y_3_new_error_bound, y_4_new_error_bound,
-        y_5_new_error_bound)
+    y_0_new_bound = 1.1102230246251568e-16 * absolute(y_0_new)
+    y_1_new_bound = 1.1102230246251568e-16 * absolute(y_1_new)
+    y_2_new_bound = 1.1102230246251568e-16 * absolute(y_2_new)
+    y_3_new_bound = 1.1102230246251568e-16 * absolute(y_3_new)
+    y_4_new_bound = 1.1102230246251568e-16 * absolute(y_4_new)
+    y_5_new_bound = 1.1102230246251568e-16 * absolute(y_5_new)
+    return (y_0_new, y_1_new, y_2_new, y_3_new, y_4_new, y_5_new, y_0_new_bound, y_1_new_bound,
+        y_2_new_bound, y_3_new_bound, y_4_new_bound, y_5_new_bound)
 
 
 @kernel("(6),(6)->(6),(6)")
@@ -125,15 +117,14 @@ def nxpy_ss(x, y):
     y_3_new = y_3 - x_3
     y_4_new = y_4 - x_4
     y_5_new = y_5 - x_5
-    y_0_new_error_bound = 1.1102230246251568e-16 * absolute(y_0_new)
-    y_1_new_error_bound = 1.1102230246251568e-16 * absolute(y_1_new)
-    y_2_new_error_bound = 1.1102230246251568e-16 * absolute(y_2_new)
-    y_3_new_error_bound = 1.1102230246251568e-16 * absolute(y_3_new)
-    y_4_new_error_bound = 1.1102230246251568e-16 * absolute(y_4_new)
-    y_5_new_error_bound = 1.1102230246251568e-16 * absolute(y_5_new)
-    return (y_0_new, y_1_new, y_2_new, y_3_new, y_4_new, y_5_new, y_0_new_error_bound,
-        y_1_new_error_bound, y_2_new_error_bound, y_3_new_error_bound, y_4_new_error_bound,
-        y_5_new_error_bound)
+    y_0_new_bound = 1.1102230246251568e-16 * absolute(y_0_new)
+    y_1_new_bound = 1.1102230246251568e-16 * absolute(y_1_new)
+    y_2_new_bound = 1.1102230246251568e-16 * absolute(y_2_new)
+    y_3_new_bound = 1.1102230246251568e-16 * absolute(y_3_new)
+    y_4_new_bound = 1.1102230246251568e-16 * absolute(y_4_new)
+    y_5_new_bound = 1.1102230246251568e-16 * absolute(y_5_new)
+    return (y_0_new, y_1_new, y_2_new, y_3_new, y_4_new, y_5_new, y_0_new_bound, y_1_new_bound,
+        y_2_new_bound, y_3_new_bound, y_4_new_bound, y_5_new_bound)
 
 
 @kernel("(),(6)->(6),(6)")
@@ -151,14 +142,14 @@ def product_as(a, si):
     so_3 = a * si_3
     so_4 = a * si_4
     so_5 = a * si_5
-    so_0_error_bound = 1.1102230246251568e-16 * (absolute(so_0) + 2.004168360008973e-292)
-    so_1_error_bound = 1.1102230246251568e-16 * (absolute(so_1) + 2.004168360008973e-292)
-    so_2_error_bound = 1.1102230246251568e-16 * (absolute(so_2) + 2.004168360008973e-292)
-    so_3_error_bound = 1.1102230246251568e-16 * (absolute(so_3) + 2.004168360008973e-292)
-    so_4_error_bound = 1.1102230246251568e-16 * (absolute(so_4) + 2.004168360008973e-292)
-    so_5_error_bound = 1.1102230246251568e-16 * (absolute(so_5) + 2.004168360008973e-292)
-    return (so_0, so_1, so_2, so_3, so_4, so_5, so_0_error_bound, so_1_error_bound,
-        so_2_error_bound, so_3_error_bound, so_4_error_bound, so_5_error_bound)
+    so_0_bound = 1.1102230246251568e-16 * (absolute(so_0) + 2.004168360008973e-292)
+    so_1_bound = 1.1102230246251568e-16 * (absolute(so_1) + 2.004168360008973e-292)
+    so_2_bound = 1.1102230246251568e-16 * (absolute(so_2) + 2.004168360008973e-292)
+    so_3_bound = 1.1102230246251568e-16 * (absolute(so_3) + 2.004168360008973e-292)
+    so_4_bound = 1.1102230246251568e-16 * (absolute(so_4) + 2.004168360008973e-292)
+    so_5_bound = 1.1102230246251568e-16 * (absolute(so_5) + 2.004168360008973e-292)
+    return (so_0, so_1, so_2, so_3, so_4, so_5, so_0_bound, so_1_bound, so_2_bound, so_3_bound,
+        so_4_bound, so_5_bound)
 
 
 @kernel("(6),(6)->(6),(6)")
@@ -177,14 +168,14 @@ def add_ss(s1, s2):
     so_3 = s1_3 + s2_3
     so_4 = s1_4 + s2_4
     so_5 = s1_5 + s2_5
-    so_0_error_bound = 1.1102230246251568e-16 * absolute(so_0)
-    so_1_error_bound = 1.1102230246251568e-16 * absolute(so_1)
-    so_2_error_bound = 1.1102230246251568e-16 * absolute(so_2)
-    so_3_error_bound = 1.1102230246251568e-16 * absolute(so_3)
-    so_4_error_bound = 1.1102230246251568e-16 * absolute(so_4)
-    so_5_error_bound = 1.1102230246251568e-16 * absolute(so_5)
-    return (so_0, so_1, so_2, so_3, so_4, so_5, so_0_error_bound, so_1_error_bound,
-        so_2_error_bound, so_3_error_bound, so_4_error_bound, so_5_error_bound)
+    so_0_bound = 1.1102230246251568e-16 * absolute(so_0)
+    so_1_bound = 1.1102230246251568e-16 * absolute(so_1)
+    so_2_bound = 1.1102230246251568e-16 * absolute(so_2)
+    so_3_bound = 1.1102230246251568e-16 * absolute(so_3)
+    so_4_bound = 1.1102230246251568e-16 * absolute(so_4)
+    so_5_bound = 1.1102230246251568e-16 * absolute(so_5)
+    return (so_0, so_1, so_2, so_3, so_4, so_5, so_0_bound, so_1_bound, so_2_bound, so_3_bound,
+        so_4_bound, so_5_bound)
 
 
 @kernel("(6),(6)->(6),(6)")
@@ -203,14 +194,14 @@ def subtract_ss(s1, s2):
     so_3 = s1_3 - s2_3
     so_4 = s1_4 - s2_4
     so_5 = s1_5 - s2_5
-    so_0_error_bound = 1.1102230246251568e-16 * absolute(so_0)
-    so_1_error_bound = 1.1102230246251568e-16 * absolute(so_1)
-    so_2_error_bound = 1.1102230246251568e-16 * absolute(so_2)
-    so_3_error_bound = 1.1102230246251568e-16 * absolute(so_3)
-    so_4_error_bound = 1.1102230246251568e-16 * absolute(so_4)
-    so_5_error_bound = 1.1102230246251568e-16 * absolute(so_5)
-    return (so_0, so_1, so_2, so_3, so_4, so_5, so_0_error_bound, so_1_error_bound,
-        so_2_error_bound, so_3_error_bound, so_4_error_bound, so_5_error_bound)
+    so_0_bound = 1.1102230246251568e-16 * absolute(so_0)
+    so_1_bound = 1.1102230246251568e-16 * absolute(so_1)
+    so_2_bound = 1.1102230246251568e-16 * absolute(so_2)
+    so_3_bound = 1.1102230246251568e-16 * absolute(so_3)
+    so_4_bound = 1.1102230246251568e-16 * absolute(so_4)
+    so_5_bound = 1.1102230246251568e-16 * absolute(so_5)
+    return (so_0, so_1, so_2, so_3, so_4, so_5, so_0_bound, so_1_bound, so_2_bound, so_3_bound,
+        so_4_bound, so_5_bound)
 
 
 @kernel("(6),(6)->(6),(6)")
@@ -226,11 +217,10 @@ def add_sst(s1, s2):
     so_0 = s1_0 + s2_0
     so_1 = s1_1 + s2_1
     so_2 = s1_2 + s2_2
-    so_0_error_bound = 1.1102230246251568e-16 * absolute(so_0)
-    so_1_error_bound = 1.1102230246251568e-16 * absolute(so_1)
-    so_2_error_bound = 1.1102230246251568e-16 * absolute(so_2)
-    return (so_0, so_1, so_2, s1_3, s1_4, s1_5, so_0_error_bound, so_1_error_bound,
-        so_2_error_bound, 0, 0, 0)
+    so_0_bound = 1.1102230246251568e-16 * absolute(so_0)
+    so_1_bound = 1.1102230246251568e-16 * absolute(so_1)
+    so_2_bound = 1.1102230246251568e-16 * absolute(so_2)
+    return (so_0, so_1, so_2, s1_3, s1_4, s1_5, so_0_bound, so_1_bound, so_2_bound, 0, 0, 0)
 
 
 @kernel("(3),(6)->(6),(6)")
@@ -255,11 +245,10 @@ def product_Adts(t, si):
     so_0_size = absolute(so_0a) + absolute(so_0b) + absolute(si_0)
     so_1_size = absolute(so_1a) + absolute(so_1b) + absolute(si_1)
     so_2_size = absolute(so_2a) + absolute(so_2b) + absolute(si_2)
-    so_0_error_bound = 3.3306690738754706e-16 * (so_0_size + 2.004168360008973e-292)
-    so_1_error_bound = 3.3306690738754706e-16 * (so_1_size + 2.004168360008973e-292)
-    so_2_error_bound = 3.3306690738754706e-16 * (so_2_size + 2.004168360008973e-292)
-    return (so_0, so_1, so_2, si_3, si_4, si_5, so_0_error_bound, so_1_error_bound,
-        so_2_error_bound, 0, 0, 0)
+    so_0_bound = 3.3306690738754706e-16 * (so_0_size + 2.004168360008973e-292)
+    so_1_bound = 3.3306690738754706e-16 * (so_1_size + 2.004168360008973e-292)
+    so_2_bound = 3.3306690738754706e-16 * (so_2_size + 2.004168360008973e-292)
+    return (so_0, so_1, so_2, si_3, si_4, si_5, so_0_bound, so_1_bound, so_2_bound, 0, 0, 0)
 
 
 @kernel("(3),(6)->(6),(6)")
@@ -284,11 +273,10 @@ def product_Adtinvs(t, si):
     so_0_size = absolute(so_0a) + absolute(so_0b) + absolute(si_0)
     so_1_size = absolute(so_1a) + absolute(so_1b) + absolute(si_1)
     so_2_size = absolute(so_2a) + absolute(so_2b) + absolute(si_2)
-    so_0_error_bound = 3.3306690738754706e-16 * (so_0_size + 2.004168360008973e-292)
-    so_1_error_bound = 3.3306690738754706e-16 * (so_1_size + 2.004168360008973e-292)
-    so_2_error_bound = 3.3306690738754706e-16 * (so_2_size + 2.004168360008973e-292)
-    return (so_0, so_1, so_2, si_3, si_4, si_5, so_0_error_bound, so_1_error_bound,
-        so_2_error_bound, 0, 0, 0)
+    so_0_bound = 3.3306690738754706e-16 * (so_0_size + 2.004168360008973e-292)
+    so_1_bound = 3.3306690738754706e-16 * (so_1_size + 2.004168360008973e-292)
+    so_2_bound = 3.3306690738754706e-16 * (so_2_size + 2.004168360008973e-292)
+    return (so_0, so_1, so_2, si_3, si_4, si_5, so_0_bound, so_1_bound, so_2_bound, 0, 0, 0)
 
 
 @kernel("(3),(6)->(6),(6)")
@@ -316,11 +304,10 @@ def product_Adtsinv(t, si):
     so_0_size = absolute(so_0a) + absolute(so_0b) + absolute(si_0)
     so_1_size = absolute(so_1a) + absolute(so_1b) + absolute(si_1)
     so_2_size = absolute(so_2a) + absolute(so_2b) + absolute(si_2)
-    so_0_error_bound = 3.3306690738754706e-16 * (so_0_size + 2.004168360008973e-292)
-    so_1_error_bound = 3.3306690738754706e-16 * (so_1_size + 2.004168360008973e-292)
-    so_2_error_bound = 3.3306690738754706e-16 * (so_2_size + 2.004168360008973e-292)
-    return (so_0, so_1, so_2, so_3, so_4, so_5, so_0_error_bound, so_1_error_bound,
-        so_2_error_bound, 0, 0, 0)
+    so_0_bound = 3.3306690738754706e-16 * (so_0_size + 2.004168360008973e-292)
+    so_1_bound = 3.3306690738754706e-16 * (so_1_size + 2.004168360008973e-292)
+    so_2_bound = 3.3306690738754706e-16 * (so_2_size + 2.004168360008973e-292)
+    return (so_0, so_1, so_2, so_3, so_4, so_5, so_0_bound, so_1_bound, so_2_bound, 0, 0, 0)
 
 
 @kernel("(3,3),(6)->(6),(6)")
@@ -364,14 +351,14 @@ def product_Adrs(R, si):
     so_3_size = absolute(so_3a) + absolute(so_3b) + absolute(so_3d)
     so_4_size = absolute(so_4a) + absolute(so_4b) + absolute(so_4d)
     so_5_size = absolute(so_5a) + absolute(so_5b) + absolute(so_5d)
-    so_0_error_bound = 3.3306690738754706e-16 * (so_0_size + 2.004168360008973e-292)
-    so_1_error_bound = 3.3306690738754706e-16 * (so_1_size + 2.004168360008973e-292)
-    so_2_error_bound = 3.3306690738754706e-16 * (so_2_size + 2.004168360008973e-292)
-    so_3_error_bound = 3.3306690738754706e-16 * (so_3_size + 2.004168360008973e-292)
-    so_4_error_bound = 3.3306690738754706e-16 * (so_4_size + 2.004168360008973e-292)
-    so_5_error_bound = 3.3306690738754706e-16 * (so_5_size + 2.004168360008973e-292)
-    return (so_0, so_1, so_2, so_3, so_4, so_5, so_0_error_bound, so_1_error_bound,
-        so_2_error_bound, so_3_error_bound, so_4_error_bound, so_5_error_bound)
+    so_0_bound = 3.3306690738754706e-16 * (so_0_size + 2.004168360008973e-292)
+    so_1_bound = 3.3306690738754706e-16 * (so_1_size + 2.004168360008973e-292)
+    so_2_bound = 3.3306690738754706e-16 * (so_2_size + 2.004168360008973e-292)
+    so_3_bound = 3.3306690738754706e-16 * (so_3_size + 2.004168360008973e-292)
+    so_4_bound = 3.3306690738754706e-16 * (so_4_size + 2.004168360008973e-292)
+    so_5_bound = 3.3306690738754706e-16 * (so_5_size + 2.004168360008973e-292)
+    return (so_0, so_1, so_2, so_3, so_4, so_5, so_0_bound, so_1_bound, so_2_bound, so_3_bound,
+        so_4_bound, so_5_bound)
 
 
 @kernel("(3,3),(6)->(6),(6)")
@@ -415,14 +402,14 @@ def product_Adrinvs(R, si):
     so_3_size = absolute(so_3a) + absolute(so_3b) + absolute(so_3d)
     so_4_size = absolute(so_4a) + absolute(so_4b) + absolute(so_4d)
     so_5_size = absolute(so_5a) + absolute(so_5b) + absolute(so_5d)
-    so_0_error_bound = 3.3306690738754706e-16 * (so_0_size + 2.004168360008973e-292)
-    so_1_error_bound = 3.3306690738754706e-16 * (so_1_size + 2.004168360008973e-292)
-    so_2_error_bound = 3.3306690738754706e-16 * (so_2_size + 2.004168360008973e-292)
-    so_3_error_bound = 3.3306690738754706e-16 * (so_3_size + 2.004168360008973e-292)
-    so_4_error_bound = 3.3306690738754706e-16 * (so_4_size + 2.004168360008973e-292)
-    so_5_error_bound = 3.3306690738754706e-16 * (so_5_size + 2.004168360008973e-292)
-    return (so_0, so_1, so_2, so_3, so_4, so_5, so_0_error_bound, so_1_error_bound,
-        so_2_error_bound, so_3_error_bound, so_4_error_bound, so_5_error_bound)
+    so_0_bound = 3.3306690738754706e-16 * (so_0_size + 2.004168360008973e-292)
+    so_1_bound = 3.3306690738754706e-16 * (so_1_size + 2.004168360008973e-292)
+    so_2_bound = 3.3306690738754706e-16 * (so_2_size + 2.004168360008973e-292)
+    so_3_bound = 3.3306690738754706e-16 * (so_3_size + 2.004168360008973e-292)
+    so_4_bound = 3.3306690738754706e-16 * (so_4_size + 2.004168360008973e-292)
+    so_5_bound = 3.3306690738754706e-16 * (so_5_size + 2.004168360008973e-292)
+    return (so_0, so_1, so_2, so_3, so_4, so_5, so_0_bound, so_1_bound, so_2_bound, so_3_bound,
+        so_4_bound, so_5_bound)
 
 
 @kernel("(3,3),(6)->(6),(6)")
@@ -460,20 +447,20 @@ def product_Adrsinv(R, si):
     so_5b = R_21 * si_4
     so_5d = R_22 * si_5
     so_5 = -(so_5a + so_5b + so_5d)
-    so_0e_padded = absolute(so_0a) + absolute(so_0b) + absolute(so_0d) + 2.004168360008973e-292
-    so_0e_error_bound = 3.3306690738754706e-16 * so_0e_padded
-    so_1e_padded = absolute(so_1a) + absolute(so_1b) + absolute(so_1d) + 2.004168360008973e-292
-    so_1e_error_bound = 3.3306690738754706e-16 * so_1e_padded
-    so_2e_padded = absolute(so_2a) + absolute(so_2b) + absolute(so_2d) + 2.004168360008973e-292
-    so_2e_error_bound = 3.3306690738754706e-16 * so_2e_padded
-    so_3e_padded = absolute(so_3a) + absolute(so_3b) + absolute(so_3d) + 2.004168360008973e-292
-    so_3e_error_bound = 3.3306690738754706e-16 * so_3e_padded
-    so_4e_padded = absolute(so_4a) + absolute(so_4b) + absolute(so_4d) + 2.004168360008973e-292
-    so_4e_error_bound = 3.3306690738754706e-16 * so_4e_padded
-    so_5e_padded = absolute(so_5a) + absolute(so_5b) + absolute(so_5d) + 2.004168360008973e-292
-    so_5e_error_bound = 3.3306690738754706e-16 * so_5e_padded
-    return (so_0, so_1, so_2, so_3, so_4, so_5, so_0e_error_bound, so_1e_error_bound,
-        so_2e_error_bound, so_3e_error_bound, so_4e_error_bound, so_5e_error_bound)
+    so_0e_bound = (3.3306690738754706e-16
+        * (absolute(so_0a) + absolute(so_0b) + absolute(so_0d) + 2.004168360008973e-292))
+    so_1e_bound = (3.3306690738754706e-16
+        * (absolute(so_1a) + absolute(so_1b) + absolute(so_1d) + 2.004168360008973e-292))
+    so_2e_bound = (3.3306690738754706e-16
+        * (absolute(so_2a) + absolute(so_2b) + absolute(so_2d) + 2.004168360008973e-292))
+    so_3e_bound = (3.3306690738754706e-16
+        * (absolute(so_3a) + absolute(so_3b) + absolute(so_3d) + 2.004168360008973e-292))
+    so_4e_bound = (3.3306690738754706e-16
+        * (absolute(so_4a) + absolute(so_4b) + absolute(so_4d) + 2.004168360008973e-292))
+    so_5e_bound = (3.3306690738754706e-16
+        * (absolute(so_5a) + absolute(so_5b) + absolute(so_5d) + 2.004168360008973e-292))
+    return (so_0, so_1, so_2, so_3, so_4, so_5, so_0e_bound, so_1e_bound, so_2e_bound, so_3e_bound,
+        so_4e_bound, so_5e_bound)
 
 
 @kernel("(3,4),(6)->(6),(6)")
@@ -529,14 +516,14 @@ def product_Ads(D, si):
     D_03_abs = absolute(D_03)
     so_1_size = D_23_abs * w_3_padded + D_03_abs * w_5_padded + w_1_size
     so_2_size = D_03_abs * w_4_padded + D_13_abs * w_3_padded + w_2_size
-    so_0_error_bound = 6.661338147750942e-16 * (so_0_size + 2.004168360008973e-292)
-    so_1_error_bound = 6.661338147750942e-16 * (so_1_size + 2.004168360008973e-292)
-    so_2_error_bound = 6.661338147750942e-16 * (so_2_size + 2.004168360008973e-292)
-    w_3_error_bound = 3.3306690738754706e-16 * w_3_padded
-    w_4_error_bound = 3.3306690738754706e-16 * w_4_padded
-    w_5_error_bound = 3.3306690738754706e-16 * w_5_padded
-    return (so_0, so_1, so_2, w_3, w_4, w_5, so_0_error_bound, so_1_error_bound, so_2_error_bound,
-        w_3_error_bound, w_4_error_bound, w_5_error_bound)
+    so_0_bound = 6.661338147750942e-16 * (so_0_size + 2.004168360008973e-292)
+    so_1_bound = 6.661338147750942e-16 * (so_1_size + 2.004168360008973e-292)
+    so_2_bound = 6.661338147750942e-16 * (so_2_size + 2.004168360008973e-292)
+    w_3_bound = 3.3306690738754706e-16 * w_3_padded
+    w_4_bound = 3.3306690738754706e-16 * w_4_padded
+    w_5_bound = 3.3306690738754706e-16 * w_5_padded
+    return (so_0, so_1, so_2, w_3, w_4, w_5, so_0_bound, so_1_bound, so_2_bound, w_3_bound,
+        w_4_bound, w_5_bound)
 
 
 @kernel("(3,4),(6)->(6),(6)")
@@ -580,23 +567,23 @@ def product_Adinvs(D, si):
     w_0_padded = w_0_size + 2.004168360008973e-292
     w_1_padded = w_1_size + 2.004168360008973e-292
     w_2_padded = w_2_size + 2.004168360008973e-292
-    so_0c_size = absolute(D_00) * w_0_padded + absolute(D_10) * w_1_padded
-    so_0_size = so_0c_size + absolute(D_20) * w_2_padded
-    so_1c_size = absolute(D_01) * w_0_padded + absolute(D_11) * w_1_padded
-    so_1_size = so_1c_size + absolute(D_21) * w_2_padded
-    so_2c_size = absolute(D_02) * w_0_padded + absolute(D_12) * w_1_padded
-    so_2_size = so_2c_size + absolute(D_22) * w_2_padded
+    so_0_size = (absolute(D_00) * w_0_padded + absolute(D_10) * w_1_padded + absolute(D_20)
+        * w_2_padded)
+    so_1_size = (absolute(D_01) * w_0_padded + absolute(D_11) * w_1_padded + absolute(D_21)
+        * w_2_padded)
+    so_2_size = (absolute(D_02) * w_0_padded + absolute(D_12) * w_1_padded + absolute(D_22)
+        * w_2_padded)
     so_3_size = absolute(so_3a) + absolute(so_3b) + absolute(so_3d)
     so_4_size = absolute(so_4a) + absolute(so_4b) + absolute(so_4d)
     so_5_size = absolute(so_5a) + absolute(so_5b) + absolute(so_5d)
-    so_0_error_bound = 6.661338147750942e-16 * (so_0_size + 2.004168360008973e-292)
-    so_1_error_bound = 6.661338147750942e-16 * (so_1_size + 2.004168360008973e-292)
-    so_2_error_bound = 6.661338147750942e-16 * (so_2_size + 2.004168360008973e-292)
-    so_3_error_bound = 3.3306690738754706e-16 * (so_3_size + 2.004168360008973e-292)
-    so_4_error_bound = 3.3306690738754706e-16 * (so_4_size + 2.004168360008973e-292)
-    so_5_error_bound = 3.3306690738754706e-16 * (so_5_size + 2.004168360008973e-292)
-    return (so_0, so_1, so_2, so_3, so_4, so_5, so_0_error_bound, so_1_error_bound,
-        so_2_error_bound, so_3_error_bound, so_4_error_bound, so_5_error_bound)
+    so_0_bound = 6.661338147750942e-16 * (so_0_size + 2.004168360008973e-292)
+    so_1_bound = 6.661338147750942e-16 * (so_1_size + 2.004168360008973e-292)
+    so_2_bound = 6.661338147750942e-16 * (so_2_size + 2.004168360008973e-292)
+    so_3_bound = 3.3306690738754706e-16 * (so_3_size + 2.004168360008973e-292)
+    so_4_bound = 3.3306690738754706e-16 * (so_4_size + 2.004168360008973e-292)
+    so_5_bound = 3.3306690738754706e-16 * (so_5_size + 2.004168360008973e-292)
+    return (so_0, so_1, so_2, so_3, so_4, so_5, so_0_bound, so_1_bound, so_2_bound, so_3_bound,
+        so_4_bound, so_5_bound)
 
 
 @kernel("(3,4),(6)->(6),(6)")
@@ -641,22 +628,22 @@ def product_Adsinv(D, si):
     D_13_abs = absolute(D_13)
     w_4e_padded = absolute(w_4a) + absolute(w_4b) + absolute(w_4d) + 2.004168360008973e-292
     D_23_abs = absolute(D_23)
-    w_0e_size = absolute(w_0a) + absolute(w_0b) + absolute(w_0d)
-    so_0_size = D_13_abs * w_5e_padded + D_23_abs * w_4e_padded + w_0e_size
+    so_0_size = (D_13_abs * w_5e_padded + D_23_abs * w_4e_padded
+        + (absolute(w_0a) + absolute(w_0b) + absolute(w_0d)))
     w_3e_padded = absolute(w_3a) + absolute(w_3b) + absolute(w_3d) + 2.004168360008973e-292
     D_03_abs = absolute(D_03)
-    w_1e_size = absolute(w_1a) + absolute(w_1b) + absolute(w_1d)
-    so_1_size = D_23_abs * w_3e_padded + D_03_abs * w_5e_padded + w_1e_size
-    w_2e_size = absolute(w_2a) + absolute(w_2b) + absolute(w_2d)
-    so_2_size = D_03_abs * w_4e_padded + D_13_abs * w_3e_padded + w_2e_size
-    so_0_error_bound = 6.661338147750942e-16 * (so_0_size + 2.004168360008973e-292)
-    so_1_error_bound = 6.661338147750942e-16 * (so_1_size + 2.004168360008973e-292)
-    so_2_error_bound = 6.661338147750942e-16 * (so_2_size + 2.004168360008973e-292)
-    w_3e_error_bound = 3.3306690738754706e-16 * w_3e_padded
-    w_4e_error_bound = 3.3306690738754706e-16 * w_4e_padded
-    w_5e_error_bound = 3.3306690738754706e-16 * w_5e_padded
-    return (so_0, so_1, so_2, w_3, w_4, w_5, so_0_error_bound, so_1_error_bound, so_2_error_bound,
-        w_3e_error_bound, w_4e_error_bound, w_5e_error_bound)
+    so_1_size = (D_23_abs * w_3e_padded + D_03_abs * w_5e_padded
+        + (absolute(w_1a) + absolute(w_1b) + absolute(w_1d)))
+    so_2_size = (D_03_abs * w_4e_padded + D_13_abs * w_3e_padded
+        + (absolute(w_2a) + absolute(w_2b) + absolute(w_2d)))
+    so_0_bound = 6.661338147750942e-16 * (so_0_size + 2.004168360008973e-292)
+    so_1_bound = 6.661338147750942e-16 * (so_1_size + 2.004168360008973e-292)
+    so_2_bound = 6.661338147750942e-16 * (so_2_size + 2.004168360008973e-292)
+    w_3e_bound = 3.3306690738754706e-16 * w_3e_padded
+    w_4e_bound = 3.3306690738754706e-16 * w_4e_padded
+    w_5e_bound = 3.3306690738754706e-16 * w_5e_padded
+    return (so_0, so_1, so_2, w_3, w_4, w_5, so_0_bound, so_1_bound, so_2_bound, w_3e_bound,
+        w_4e_bound, w_5e_bound)
 
 
 @kernel("(3,4)->(6),(6)")
@@ -681,11 +668,10 @@ def hsrx(D):
     so_0_size = absolute(so_0a) + absolute(so_0b)
     so_1_size = absolute(so_1a) + absolute(so_1b)
     so_2_size = absolute(so_2a) + absolute(so_2b)
-    so_0_error_bound = 2.2204460492503136e-16 * (so_0_size + 2.004168360008973e-292)
-    so_1_error_bound = 2.2204460492503136e-16 * (so_1_size + 2.004168360008973e-292)
-    so_2_error_bound = 2.2204460492503136e-16 * (so_2_size + 2.004168360008973e-292)
-    return (so_0, so_1, so_2, D_00, D_10, D_20, so_0_error_bound, so_1_error_bound,
-        so_2_error_bound, 0, 0, 0)
+    so_0_bound = 2.2204460492503136e-16 * (so_0_size + 2.004168360008973e-292)
+    so_1_bound = 2.2204460492503136e-16 * (so_1_size + 2.004168360008973e-292)
+    so_2_bound = 2.2204460492503136e-16 * (so_2_size + 2.004168360008973e-292)
+    return (so_0, so_1, so_2, D_00, D_10, D_20, so_0_bound, so_1_bound, so_2_bound, 0, 0, 0)
 
 
 @kernel("(3,4)->(6),(6)")
@@ -710,11 +696,10 @@ def hsry(D):
     so_0_size = absolute(so_0a) + absolute(so_0b)
     so_1_size = absolute(so_1a) + absolute(so_1b)
     so_2_size = absolute(so_2a) + absolute(so_2b)
-    so_0_error_bound = 2.2204460492503136e-16 * (so_0_size + 2.004168360008973e-292)
-    so_1_error_bound = 2.2204460492503136e-16 * (so_1_size + 2.004168360008973e-292)
-    so_2_error_bound = 2.2204460492503136e-16 * (so_2_size + 2.004168360008973e-292)
-    return (so_0, so_1, so_2, D_01, D_11, D_21, so_0_error_bound, so_1_error_bound,
-        so_2_error_bound, 0, 0, 0)
+    so_0_bound = 2.2204460492503136e-16 * (so_0_size + 2.004168360008973e-292)
+    so_1_bound = 2.2204460492503136e-16 * (so_1_size + 2.004168360008973e-292)
+    so_2_bound = 2.2204460492503136e-16 * (so_2_size + 2.004168360008973e-292)
+    return (so_0, so_1, so_2, D_01, D_11, D_21, so_0_bound, so_1_bound, so_2_bound, 0, 0, 0)
 
 
 @kernel("(3,4)->(6),(6)")
@@ -739,11 +724,10 @@ def hsrz(D):
     so_0_size = absolute(so_0a) + absolute(so_0b)
     so_1_size = absolute(so_1a) + absolute(so_1b)
     so_2_size = absolute(so_2a) + absolute(so_2b)
-    so_0_error_bound = 2.2204460492503136e-16 * (so_0_size + 2.004168360008973e-292)
-    so_1_error_bound = 2.2204460492503136e-16 * (so_1_size + 2.004168360008973e-292)
-    so_2_error_bound = 2.2204460492503136e-16 * (so_2_size + 2.004168360008973e-292)
-    return (so_0, so_1, so_2, D_02, D_12, D_22, so_0_error_bound, so_1_error_bound,
-        so_2_error_bound, 0, 0, 0)
+    so_0_bound = 2.2204460492503136e-16 * (so_0_size + 2.004168360008973e-292)
+    so_1_bound = 2.2204460492503136e-16 * (so_1_size + 2.004168360008973e-292)
+    so_2_bound = 2.2204460492503136e-16 * (so_2_size + 2.004168360008973e-292)
+    return (so_0, so_1, so_2, D_02, D_12, D_22, so_0_bound, so_1_bound, so_2_bound, 0, 0, 0)
 
 
 @kernel("(3,4)->(6),(6)")
@@ -771,11 +755,10 @@ def hsrxinv(D):
     so_0_size = absolute(so_0a) + absolute(so_0b)
     so_1_size = absolute(so_1a) + absolute(so_1b)
     so_2_size = absolute(so_2a) + absolute(so_2b)
-    so_0_error_bound = 2.2204460492503136e-16 * (so_0_size + 2.004168360008973e-292)
-    so_1_error_bound = 2.2204460492503136e-16 * (so_1_size + 2.004168360008973e-292)
-    so_2_error_bound = 2.2204460492503136e-16 * (so_2_size + 2.004168360008973e-292)
-    return (so_0, so_1, so_2, so_3, so_4, so_5, so_0_error_bound, so_1_error_bound,
-        so_2_error_bound, 0, 0, 0)
+    so_0_bound = 2.2204460492503136e-16 * (so_0_size + 2.004168360008973e-292)
+    so_1_bound = 2.2204460492503136e-16 * (so_1_size + 2.004168360008973e-292)
+    so_2_bound = 2.2204460492503136e-16 * (so_2_size + 2.004168360008973e-292)
+    return (so_0, so_1, so_2, so_3, so_4, so_5, so_0_bound, so_1_bound, so_2_bound, 0, 0, 0)
 
 
 @kernel("(3,4)->(6),(6)")
@@ -803,11 +786,10 @@ def hsryinv(D):
     so_0_size = absolute(so_0a) + absolute(so_0b)
     so_1_size = absolute(so_1a) + absolute(so_1b)
     so_2_size = absolute(so_2a) + absolute(so_2b)
-    so_0_error_bound = 2.2204460492503136e-16 * (so_0_size + 2.004168360008973e-292)
-    so_1_error_bound = 2.2204460492503136e-16 * (so_1_size + 2.004168360008973e-292)
-    so_2_error_bound = 2.2204460492503136e-16 * (so_2_size + 2.004168360008973e-292)
-    return (so_0, so_1, so_2, so_3, so_4, so_5, so_0_error_bound, so_1_error_bound,
-        so_2_error_bound, 0, 0, 0)
+    so_0_bound = 2.2204460492503136e-16 * (so_0_size + 2.004168360008973e-292)
+    so_1_bound = 2.2204460492503136e-16 * (so_1_size + 2.004168360008973e-292)
+    so_2_bound = 2.2204460492503136e-16 * (so_2_size + 2.004168360008973e-292)
+    return (so_0, so_1, so_2, so_3, so_4, so_5, so_0_bound, so_1_bound, so_2_bound, 0, 0, 0)
 
 
 @kernel("(3,4)->(6),(6)")
@@ -835,11 +817,10 @@ def hsrzinv(D):
     so_0_size = absolute(so_0a) + absolute(so_0b)
     so_1_size = absolute(so_1a) + absolute(so_1b)
     so_2_size = absolute(so_2a) + absolute(so_2b)
-    so_0_error_bound = 2.2204460492503136e-16 * (so_0_size + 2.004168360008973e-292)
-    so_1_error_bound = 2.2204460492503136e-16 * (so_1_size + 2.004168360008973e-292)
-    so_2_error_bound = 2.2204460492503136e-16 * (so_2_size + 2.004168360008973e-292)
-    return (so_0, so_1, so_2, so_3, so_4, so_5, so_0_error_bound, so_1_error_bound,
-        so_2_error_bound, 0, 0, 0)
+    so_0_bound = 2.2204460492503136e-16 * (so_0_size + 2.004168360008973e-292)
+    so_1_bound = 2.2204460492503136e-16 * (so_1_size + 2.004168360008973e-292)
+    so_2_bound = 2.2204460492503136e-16 * (so_2_size + 2.004168360008973e-292)
+    return (so_0, so_1, so_2, so_3, so_4, so_5, so_0_bound, so_1_bound, so_2_bound, 0, 0, 0)
 
 
 @kernel("(3,4)->(6,6),(6,6)")
@@ -887,20 +868,20 @@ def Ad(D):
     M_23_size = absolute(M_23a) + absolute(M_23b)
     M_24_size = absolute(M_24a) + absolute(M_24b)
     M_25_size = absolute(M_25a) + absolute(M_25b)
-    M_03_error_bound = 2.2204460492503136e-16 * (M_03_size + 2.004168360008973e-292)
-    M_04_error_bound = 2.2204460492503136e-16 * (M_04_size + 2.004168360008973e-292)
-    M_05_error_bound = 2.2204460492503136e-16 * (M_05_size + 2.004168360008973e-292)
-    M_13_error_bound = 2.2204460492503136e-16 * (M_13_size + 2.004168360008973e-292)
-    M_14_error_bound = 2.2204460492503136e-16 * (M_14_size + 2.004168360008973e-292)
-    M_15_error_bound = 2.2204460492503136e-16 * (M_15_size + 2.004168360008973e-292)
-    M_23_error_bound = 2.2204460492503136e-16 * (M_23_size + 2.004168360008973e-292)
-    M_24_error_bound = 2.2204460492503136e-16 * (M_24_size + 2.004168360008973e-292)
-    M_25_error_bound = 2.2204460492503136e-16 * (M_25_size + 2.004168360008973e-292)
+    M_03_bound = 2.2204460492503136e-16 * (M_03_size + 2.004168360008973e-292)
+    M_04_bound = 2.2204460492503136e-16 * (M_04_size + 2.004168360008973e-292)
+    M_05_bound = 2.2204460492503136e-16 * (M_05_size + 2.004168360008973e-292)
+    M_13_bound = 2.2204460492503136e-16 * (M_13_size + 2.004168360008973e-292)
+    M_14_bound = 2.2204460492503136e-16 * (M_14_size + 2.004168360008973e-292)
+    M_15_bound = 2.2204460492503136e-16 * (M_15_size + 2.004168360008973e-292)
+    M_23_bound = 2.2204460492503136e-16 * (M_23_size + 2.004168360008973e-292)
+    M_24_bound = 2.2204460492503136e-16 * (M_24_size + 2.004168360008973e-292)
+    M_25_bound = 2.2204460492503136e-16 * (M_25_size + 2.004168360008973e-292)
     return (D_00, D_01, D_02, M_03, M_04, M_05, D_10, D_11, D_12, M_13, M_14, M_15, D_20, D_21,
         D_22, M_23, M_24, M_25, 0, 0, 0, D_00, D_01, D_02, 0, 0, 0, D_10, D_11, D_12, 0, 0, 0, D_20,
-        D_21, D_22, 0, 0, 0, M_03_error_bound, M_04_error_bound, M_05_error_bound, 0, 0, 0,
-        M_13_error_bound, M_14_error_bound, M_15_error_bound, 0, 0, 0, M_23_error_bound,
-        M_24_error_bound, M_25_error_bound, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0)
+        D_21, D_22, 0, 0, 0, M_03_bound, M_04_bound, M_05_bound, 0, 0, 0, M_13_bound, M_14_bound,
+        M_15_bound, 0, 0, 0, M_23_bound, M_24_bound, M_25_bound, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,
+        0, 0, 0, 0, 0, 0)
 
 
 @kernel("(6),(6)->(),()")
@@ -921,10 +902,10 @@ def dot_cs(c, s):
     power_g = c_4 * s_4
     power_i = c_5 * s_5
     power = power_a + power_b + power_d + (power_f + power_g + power_i)
-    power_e_size = absolute(power_a) + absolute(power_b) + absolute(power_d)
-    power_size = power_e_size + (absolute(power_f) + absolute(power_g) + absolute(power_i))
-    power_error_bound = 4.440892098500628e-16 * (power_size + 2.004168360008973e-292)
-    return (power, power_error_bound)
+    power_size = (absolute(power_a) + absolute(power_b) + absolute(power_d)
+        + (absolute(power_f) + absolute(power_g) + absolute(power_i)))
+    power_bound = 4.440892098500628e-16 * (power_size + 2.004168360008973e-292)
+    return (power, power_bound)
 
 
 @kernel("(6),(6)->(6),(6)")
@@ -968,14 +949,14 @@ def cross_ss(s1, s2):
     so_3_size = absolute(so_3a) + absolute(so_3b)
     so_4_size = absolute(so_4a) + absolute(so_4b)
     so_5_size = absolute(so_5a) + absolute(so_5b)
-    so_0_error_bound = 3.3306690738754706e-16 * (so_0_size + 2.004168360008973e-292)
-    so_1_error_bound = 3.3306690738754706e-16 * (so_1_size + 2.004168360008973e-292)
-    so_2_error_bound = 3.3306690738754706e-16 * (so_2_size + 2.004168360008973e-292)
-    so_3_error_bound = 2.2204460492503136e-16 * (so_3_size + 2.004168360008973e-292)
-    so_4_error_bound = 2.2204460492503136e-16 * (so_4_size + 2.004168360008973e-292)
-    so_5_error_bound = 2.2204460492503136e-16 * (so_5_size + 2.004168360008973e-292)
-    return (so_0, so_1, so_2, so_3, so_4, so_5, so_0_error_bound, so_1_error_bound,
-        so_2_error_bound, so_3_error_bound, so_4_error_bound, so_5_error_bound)
+    so_0_bound = 3.3306690738754706e-16 * (so_0_size + 2.004168360008973e-292)
+    so_1_bound = 3.3306690738754706e-16 * (so_1_size + 2.004168360008973e-292)
+    so_2_bound = 3.3306690738754706e-16 * (so_2_size + 2.004168360008973e-292)
+    so_3_bound = 2.2204460492503136e-16 * (so_3_size + 2.004168360008973e-292)
+    so_4_bound = 2.2204460492503136e-16 * (so_4_size + 2.004168360008973e-292)
+    so_5_bound = 2.2204460492503136e-16 * (so_5_size + 2.004168360008973e-292)
+    return (so_0, so_1, so_2, so_3, so_4, so_5, so_0_bound, so_1_bound, so_2_bound, so_3_bound,
+        so_4_bound, so_5_bound)
 
 
 @kernel("(6),(6)->(6),(6)")
@@ -1000,11 +981,10 @@ def cross_sst(s1, s2):
     so_0_size = absolute(so_0a) + absolute(so_0b)
     so_1_size = absolute(so_1a) + absolute(so_1b)
     so_2_size = absolute(so_2a) + absolute(so_2b)
-    so_0_error_bound = 2.2204460492503136e-16 * (so_0_size + 2.004168360008973e-292)
-    so_1_error_bound = 2.2204460492503136e-16 * (so_1_size + 2.004168360008973e-292)
-    so_2_error_bound = 2.2204460492503136e-16 * (so_2_size + 2.004168360008973e-292)
-    return (so_0, so_1, so_2, 0, 0, 0, so_0_error_bound, so_1_error_bound, so_2_error_bound, 0, 0,
-        0)
+    so_0_bound = 2.2204460492503136e-16 * (so_0_size + 2.004168360008973e-292)
+    so_1_bound = 2.2204460492503136e-16 * (so_1_size + 2.004168360008973e-292)
+    so_2_bound = 2.2204460492503136e-16 * (so_2_size + 2.004168360008973e-292)
+    return (so_0, so_1, so_2, 0, 0, 0, so_0_bound, so_1_bound, so_2_bound, 0, 0, 0)
 
 
 @kernel("(3,4),(3)->(6),(6)")
@@ -1046,14 +1026,14 @@ def hsra(D, axis):
     D_03_abs = absolute(D_03)
     so_1_size = D_23_abs * a_0_padded + D_03_abs * a_2_padded
     so_2_size = D_03_abs * a_1_padded + D_13_abs * a_0_padded
-    so_0_error_bound = 5.551115123125785e-16 * (so_0_size + 2.004168360008973e-292)
-    so_1_error_bound = 5.551115123125785e-16 * (so_1_size + 2.004168360008973e-292)
-    so_2_error_bound = 5.551115123125785e-16 * (so_2_size + 2.004168360008973e-292)
-    a_0_error_bound = 3.3306690738754706e-16 * a_0_padded
-    a_1_error_bound = 3.3306690738754706e-16 * a_1_padded
-    a_2_error_bound = 3.3306690738754706e-16 * a_2_padded
-    return (so_0, so_1, so_2, a_0, a_1, a_2, so_0_error_bound, so_1_error_bound, so_2_error_bound,
-        a_0_error_bound, a_1_error_bound, a_2_error_bound)
+    so_0_bound = 5.551115123125785e-16 * (so_0_size + 2.004168360008973e-292)
+    so_1_bound = 5.551115123125785e-16 * (so_1_size + 2.004168360008973e-292)
+    so_2_bound = 5.551115123125785e-16 * (so_2_size + 2.004168360008973e-292)
+    a_0_bound = 3.3306690738754706e-16 * a_0_padded
+    a_1_bound = 3.3306690738754706e-16 * a_1_padded
+    a_2_bound = 3.3306690738754706e-16 * a_2_padded
+    return (so_0, so_1, so_2, a_0, a_1, a_2, so_0_bound, so_1_bound, so_2_bound, a_0_bound,
+        a_1_bound, a_2_bound)
 
 
 @kernel("(3,4),(3)->(6),(6)")
@@ -1082,11 +1062,10 @@ def hsta(D, axis):
     so_0_size = absolute(so_0a) + absolute(so_0b) + absolute(so_0d)
     so_1_size = absolute(so_1a) + absolute(so_1b) + absolute(so_1d)
     so_2_size = absolute(so_2a) + absolute(so_2b) + absolute(so_2d)
-    so_0_error_bound = 3.3306690738754706e-16 * (so_0_size + 2.004168360008973e-292)
-    so_1_error_bound = 3.3306690738754706e-16 * (so_1_size + 2.004168360008973e-292)
-    so_2_error_bound = 3.3306690738754706e-16 * (so_2_size + 2.004168360008973e-292)
-    return (so_0, so_1, so_2, 0, 0, 0, so_0_error_bound, so_1_error_bound, so_2_error_bound, 0, 0,
-        0)
+    so_0_bound = 3.3306690738754706e-16 * (so_0_size + 2.004168360008973e-292)
+    so_1_bound = 3.3306690738754706e-16 * (so_1_size + 2.004168360008973e-292)
+    so_2_bound = 3.3306690738754706e-16 * (so_2_size + 2.004168360008973e-292)
+    return (so_0, so_1, so_2, 0, 0, 0, so_0_bound, so_1_bound, so_2_bound, 0, 0, 0)
 
 
 @kernel("(3,4),(3)->(6),(6)")
@@ -1125,14 +1104,14 @@ def hsrainv(D, axis):
     D_03_abs = absolute(D_03)
     so_1_size = D_23_abs * a_0e_padded + D_03_abs * a_2e_padded
     so_2_size = D_03_abs * a_1e_padded + D_13_abs * a_0e_padded
-    so_0_error_bound = 5.551115123125785e-16 * (so_0_size + 2.004168360008973e-292)
-    so_1_error_bound = 5.551115123125785e-16 * (so_1_size + 2.004168360008973e-292)
-    so_2_error_bound = 5.551115123125785e-16 * (so_2_size + 2.004168360008973e-292)
-    a_0e_error_bound = 3.3306690738754706e-16 * a_0e_padded
-    a_1e_error_bound = 3.3306690738754706e-16 * a_1e_padded
-    a_2e_error_bound = 3.3306690738754706e-16 * a_2e_padded
-    return (so_0, so_1, so_2, a_0, a_1, a_2, so_0_error_bound, so_1_error_bound, so_2_error_bound,
-        a_0e_error_bound, a_1e_error_bound, a_2e_error_bound)
+    so_0_bound = 5.551115123125785e-16 * (so_0_size + 2.004168360008973e-292)
+    so_1_bound = 5.551115123125785e-16 * (so_1_size + 2.004168360008973e-292)
+    so_2_bound = 5.551115123125785e-16 * (so_2_size + 2.004168360008973e-292)
+    a_0e_bound = 3.3306690738754706e-16 * a_0e_padded
+    a_1e_bound = 3.3306690738754706e-16 * a_1e_padded
+    a_2e_bound = 3.3306690738754706e-16 * a_2e_padded
+    return (so_0, so_1, so_2, a_0, a_1, a_2, so_0_bound, so_1_bound, so_2_bound, a_0e_bound,
+        a_1e_bound, a_2e_bound)
 
 
 @kernel("(3,4),(3)->(6),(6)")
@@ -1158,11 +1137,10 @@ def hstainv(D, axis):
     so_2b = D_21 * axis_1
     so_2d = D_22 * axis_2
     so_2 = -(so_2a + so_2b + so_2d)
-    so_0e_padded = absolute(so_0a) + absolute(so_0b) + absolute(so_0d) + 2.004168360008973e-292
-    so_0e_error_bound = 3.3306690738754706e-16 * so_0e_padded
-    so_1e_padded = absolute(so_1a) + absolute(so_1b) + absolute(so_1d) + 2.004168360008973e-292
-    so_1e_error_bound = 3.3306690738754706e-16 * so_1e_padded
-    so_2e_padded = absolute(so_2a) + absolute(so_2b) + absolute(so_2d) + 2.004168360008973e-292
-    so_2e_error_bound = 3.3306690738754706e-16 * so_2e_padded
-    return (so_0, so_1, so_2, 0, 0, 0, so_0e_error_bound, so_1e_error_bound, so_2e_error_bound, 0,
-        0, 0)
+    so_0e_bound = (3.3306690738754706e-16
+        * (absolute(so_0a) + absolute(so_0b) + absolute(so_0d) + 2.004168360008973e-292))
+    so_1e_bound = (3.3306690738754706e-16
+        * (absolute(so_1a) + absolute(so_1b) + absolute(so_1d) + 2.004168360008973e-292))
+    so_2e_bound = (3.3306690738754706e-16
+        * (absolute(so_2a) + absolute(so_2b) + absolute(so_2d) + 2.004168360008973e-292))
+    return (so_0, so_1, so_2, 0, 0, 0, so_0e_bound, so_1e_bound, so_2e_bound, 0, 0, 0)

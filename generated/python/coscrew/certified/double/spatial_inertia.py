@@ -31,31 +31,20 @@ def spatial_inertia_scale(self, a):
     self_7_new = self_7 * a
     self_8_new = self_8 * a
     self_9_new = self_9 * a
-    self_0_new_padded = absolute(self_0_new) + 2.004168360008973e-292
-    self_0_new_error_bound = 1.1102230246251568e-16 * self_0_new_padded
-    self_1_new_padded = absolute(self_1_new) + 2.004168360008973e-292
-    self_1_new_error_bound = 1.1102230246251568e-16 * self_1_new_padded
-    self_2_new_padded = absolute(self_2_new) + 2.004168360008973e-292
-    self_2_new_error_bound = 1.1102230246251568e-16 * self_2_new_padded
-    self_3_new_padded = absolute(self_3_new) + 2.004168360008973e-292
-    self_3_new_error_bound = 1.1102230246251568e-16 * self_3_new_padded
-    self_4_new_padded = absolute(self_4_new) + 2.004168360008973e-292
-    self_4_new_error_bound = 1.1102230246251568e-16 * self_4_new_padded
-    self_5_new_padded = absolute(self_5_new) + 2.004168360008973e-292
-    self_5_new_error_bound = 1.1102230246251568e-16 * self_5_new_padded
-    self_6_new_padded = absolute(self_6_new) + 2.004168360008973e-292
-    self_6_new_error_bound = 1.1102230246251568e-16 * self_6_new_padded
-    self_7_new_padded = absolute(self_7_new) + 2.004168360008973e-292
-    self_7_new_error_bound = 1.1102230246251568e-16 * self_7_new_padded
-    self_8_new_padded = absolute(self_8_new) + 2.004168360008973e-292
-    self_8_new_error_bound = 1.1102230246251568e-16 * self_8_new_padded
-    self_9_new_padded = absolute(self_9_new) + 2.004168360008973e-292
-    self_9_new_error_bound = 1.1102230246251568e-16 * self_9_new_padded
+    self_0_new_bound = 1.1102230246251568e-16 * (absolute(self_0_new) + 2.004168360008973e-292)
+    self_1_new_bound = 1.1102230246251568e-16 * (absolute(self_1_new) + 2.004168360008973e-292)
+    self_2_new_bound = 1.1102230246251568e-16 * (absolute(self_2_new) + 2.004168360008973e-292)
+    self_3_new_bound = 1.1102230246251568e-16 * (absolute(self_3_new) + 2.004168360008973e-292)
+    self_4_new_bound = 1.1102230246251568e-16 * (absolute(self_4_new) + 2.004168360008973e-292)
+    self_5_new_bound = 1.1102230246251568e-16 * (absolute(self_5_new) + 2.004168360008973e-292)
+    self_6_new_bound = 1.1102230246251568e-16 * (absolute(self_6_new) + 2.004168360008973e-292)
+    self_7_new_bound = 1.1102230246251568e-16 * (absolute(self_7_new) + 2.004168360008973e-292)
+    self_8_new_bound = 1.1102230246251568e-16 * (absolute(self_8_new) + 2.004168360008973e-292)
+    self_9_new_bound = 1.1102230246251568e-16 * (absolute(self_9_new) + 2.004168360008973e-292)
     return (self_0_new, self_1_new, self_2_new, self_3_new, self_4_new, self_5_new, self_6_new,
-        self_7_new, self_8_new, self_9_new, self_0_new_error_bound, self_1_new_error_bound,
-        self_2_new_error_bound, self_3_new_error_bound, self_4_new_error_bound,
-        self_5_new_error_bound, self_6_new_error_bound, self_7_new_error_bound,
-        self_8_new_error_bound, self_9_new_error_bound)
+        self_7_new, self_8_new, self_9_new, self_0_new_bound, self_1_new_bound, self_2_new_bound,
+        self_3_new_bound, self_4_new_bound, self_5_new_bound, self_6_new_bound, self_7_new_bound,
+        self_8_new_bound, self_9_new_bound)
 
 
 @kernel("(10),(10)->(10),(10)")
@@ -79,19 +68,19 @@ def add_BB(B1, B2):
     Bo_7 = B1_7 + B2_7
     Bo_8 = B1_8 + B2_8
     Bo_9 = B1_9 + B2_9
-    Bo_0_error_bound = 1.1102230246251568e-16 * absolute(Bo_0)
-    Bo_1_error_bound = 1.1102230246251568e-16 * absolute(Bo_1)
-    Bo_2_error_bound = 1.1102230246251568e-16 * absolute(Bo_2)
-    Bo_3_error_bound = 1.1102230246251568e-16 * absolute(Bo_3)
-    Bo_4_error_bound = 1.1102230246251568e-16 * absolute(Bo_4)
-    Bo_5_error_bound = 1.1102230246251568e-16 * absolute(Bo_5)
-    Bo_6_error_bound = 1.1102230246251568e-16 * absolute(Bo_6)
-    Bo_7_error_bound = 1.1102230246251568e-16 * absolute(Bo_7)
-    Bo_8_error_bound = 1.1102230246251568e-16 * absolute(Bo_8)
-    Bo_9_error_bound = 1.1102230246251568e-16 * absolute(Bo_9)
-    return (Bo_0, Bo_1, Bo_2, Bo_3, Bo_4, Bo_5, Bo_6, Bo_7, Bo_8, Bo_9, Bo_0_error_bound,
-        Bo_1_error_bound, Bo_2_error_bound, Bo_3_error_bound, Bo_4_error_bound, Bo_5_error_bound,
-        Bo_6_error_bound, Bo_7_error_bound, Bo_8_error_bound, Bo_9_error_bound)
+    Bo_0_bound = 1.1102230246251568e-16 * absolute(Bo_0)
+    Bo_1_bound = 1.1102230246251568e-16 * absolute(Bo_1)
+    Bo_2_bound = 1.1102230246251568e-16 * absolute(Bo_2)
+    Bo_3_bound = 1.1102230246251568e-16 * absolute(Bo_3)
+    Bo_4_bound = 1.1102230246251568e-16 * absolute(Bo_4)
+    Bo_5_bound = 1.1102230246251568e-16 * absolute(Bo_5)
+    Bo_6_bound = 1.1102230246251568e-16 * absolute(Bo_6)
+    Bo_7_bound = 1.1102230246251568e-16 * absolute(Bo_7)
+    Bo_8_bound = 1.1102230246251568e-16 * absolute(Bo_8)
+    Bo_9_bound = 1.1102230246251568e-16 * absolute(Bo_9)
+    return (Bo_0, Bo_1, Bo_2, Bo_3, Bo_4, Bo_5, Bo_6, Bo_7, Bo_8, Bo_9, Bo_0_bound, Bo_1_bound,
+        Bo_2_bound, Bo_3_bound, Bo_4_bound, Bo_5_bound, Bo_6_bound, Bo_7_bound, Bo_8_bound,
+        Bo_9_bound)
 
 
 @kernel("(10),(10)->(10),(10)")
@@ -115,19 +104,19 @@ def subtract_BB(B1, B2):
     Bo_7 = B1_7 - B2_7
     Bo_8 = B1_8 - B2_8
     Bo_9 = B1_9 - B2_9
-    Bo_0_error_bound = 1.1102230246251568e-16 * absolute(Bo_0)
-    Bo_1_error_bound = 1.1102230246251568e-16 * absolute(Bo_1)
-    Bo_2_error_bound = 1.1102230246251568e-16 * absolute(Bo_2)
-    Bo_3_error_bound = 1.1102230246251568e-16 * absolute(Bo_3)
-    Bo_4_error_bound = 1.1102230246251568e-16 * absolute(Bo_4)
-    Bo_5_error_bound = 1.1102230246251568e-16 * absolute(Bo_5)
-    Bo_6_error_bound = 1.1102230246251568e-16 * absolute(Bo_6)
-    Bo_7_error_bound = 1.1102230246251568e-16 * absolute(Bo_7)
-    Bo_8_error_bound = 1.1102230246251568e-16 * absolute(Bo_8)
-    Bo_9_error_bound = 1.1102230246251568e-16 * absolute(Bo_9)
-    return (Bo_0, Bo_1, Bo_2, Bo_3, Bo_4, Bo_5, Bo_6, Bo_7, Bo_8, Bo_9, Bo_0_error_bound,
-        Bo_1_error_bound, Bo_2_error_bound, Bo_3_error_bound, Bo_4_error_bound, Bo_5_error_bound,
-        Bo_6_error_bound, Bo_7_error_bound, Bo_8_error_bound, Bo_9_error_bound)
+    Bo_0_bound = 1.1102230246251568e-16 * absolute(Bo_0)
+    Bo_1_bound = 1.1102230246251568e-16 * absolute(Bo_1)
+    Bo_2_bound = 1.1102230246251568e-16 * absolute(Bo_2)
+    Bo_3_bound = 1.1102230246251568e-16 * absolute(Bo_3)
+    Bo_4_bound = 1.1102230246251568e-16 * absolute(Bo_4)
+    Bo_5_bound = 1.1102230246251568e-16 * absolute(Bo_5)
+    Bo_6_bound = 1.1102230246251568e-16 * absolute(Bo_6)
+    Bo_7_bound = 1.1102230246251568e-16 * absolute(Bo_7)
+    Bo_8_bound = 1.1102230246251568e-16 * absolute(Bo_8)
+    Bo_9_bound = 1.1102230246251568e-16 * absolute(Bo_9)
+    return (Bo_0, Bo_1, Bo_2, Bo_3, Bo_4, Bo_5, Bo_6, Bo_7, Bo_8, Bo_9, Bo_0_bound, Bo_1_bound,
+        Bo_2_bound, Bo_3_bound, Bo_4_bound, Bo_5_bound, Bo_6_bound, Bo_7_bound, Bo_8_bound,
+        Bo_9_bound)
 
 
 @kernel("(),(3),(3,3)->(10),(10)")
@@ -169,18 +158,17 @@ def spatial_inertia_from_com(m, com, Ic):
     Bo_7_size = absolute(Ic_01) + com_1_abs * h_0_padded
     Bo_8_size = absolute(Ic_02) + com_2_abs * h_0_padded
     Bo_9_size = absolute(Ic_12) + com_2_abs * h_1_padded
-    h_0_error_bound = 1.1102230246251568e-16 * h_0_padded
-    h_1_error_bound = 1.1102230246251568e-16 * h_1_padded
-    h_2_error_bound = 1.1102230246251568e-16 * h_2_padded
-    Bo_4_error_bound = 4.440892098500628e-16 * (Bo_4_size + 2.004168360008973e-292)
-    Bo_5_error_bound = 4.440892098500628e-16 * (Bo_5_size + 2.004168360008973e-292)
-    Bo_6_error_bound = 4.440892098500628e-16 * (Bo_6_size + 2.004168360008973e-292)
-    Bo_7_error_bound = 3.3306690738754706e-16 * (Bo_7_size + 2.004168360008973e-292)
-    Bo_8_error_bound = 3.3306690738754706e-16 * (Bo_8_size + 2.004168360008973e-292)
-    Bo_9_error_bound = 3.3306690738754706e-16 * (Bo_9_size + 2.004168360008973e-292)
-    return (m, h_0, h_1, h_2, Bo_4, Bo_5, Bo_6, Bo_7, Bo_8, Bo_9, 0, h_0_error_bound,
-        h_1_error_bound, h_2_error_bound, Bo_4_error_bound, Bo_5_error_bound, Bo_6_error_bound,
-        Bo_7_error_bound, Bo_8_error_bound, Bo_9_error_bound)
+    h_0_bound = 1.1102230246251568e-16 * h_0_padded
+    h_1_bound = 1.1102230246251568e-16 * h_1_padded
+    h_2_bound = 1.1102230246251568e-16 * h_2_padded
+    Bo_4_bound = 4.440892098500628e-16 * (Bo_4_size + 2.004168360008973e-292)
+    Bo_5_bound = 4.440892098500628e-16 * (Bo_5_size + 2.004168360008973e-292)
+    Bo_6_bound = 4.440892098500628e-16 * (Bo_6_size + 2.004168360008973e-292)
+    Bo_7_bound = 3.3306690738754706e-16 * (Bo_7_size + 2.004168360008973e-292)
+    Bo_8_bound = 3.3306690738754706e-16 * (Bo_8_size + 2.004168360008973e-292)
+    Bo_9_bound = 3.3306690738754706e-16 * (Bo_9_size + 2.004168360008973e-292)
+    return (m, h_0, h_1, h_2, Bo_4, Bo_5, Bo_6, Bo_7, Bo_8, Bo_9, 0, h_0_bound, h_1_bound,
+        h_2_bound, Bo_4_bound, Bo_5_bound, Bo_6_bound, Bo_7_bound, Bo_8_bound, Bo_9_bound)
 
 
 @kernel("(10),(6)->(6),(6)")
@@ -229,20 +217,20 @@ def product_Bs(B, s):
     co_0_size = absolute(co_0a) + (absolute(co_0b) + absolute(co_0c))
     co_1_size = absolute(co_1a) + (absolute(co_1b) + absolute(co_1c))
     co_2_size = absolute(co_2a) + (absolute(co_2b) + absolute(co_2c))
-    co_3h_size = absolute(co_3d) + absolute(co_3e) + absolute(co_3g)
-    co_3_size = absolute(co_3a) + absolute(co_3b) + co_3h_size
-    co_4h_size = absolute(co_4d) + absolute(co_4e) + absolute(co_4g)
-    co_4_size = absolute(co_4a) + absolute(co_4b) + co_4h_size
-    co_5h_size = absolute(co_5d) + absolute(co_5e) + absolute(co_5g)
-    co_5_size = absolute(co_5a) + absolute(co_5b) + co_5h_size
-    co_0_error_bound = 3.3306690738754706e-16 * (co_0_size + 2.004168360008973e-292)
-    co_1_error_bound = 3.3306690738754706e-16 * (co_1_size + 2.004168360008973e-292)
-    co_2_error_bound = 3.3306690738754706e-16 * (co_2_size + 2.004168360008973e-292)
-    co_3_error_bound = 4.440892098500628e-16 * (co_3_size + 2.004168360008973e-292)
-    co_4_error_bound = 4.440892098500628e-16 * (co_4_size + 2.004168360008973e-292)
-    co_5_error_bound = 4.440892098500628e-16 * (co_5_size + 2.004168360008973e-292)
-    return (co_0, co_1, co_2, co_3, co_4, co_5, co_0_error_bound, co_1_error_bound,
-        co_2_error_bound, co_3_error_bound, co_4_error_bound, co_5_error_bound)
+    co_3_size = (absolute(co_3a) + absolute(co_3b)
+        + (absolute(co_3d) + absolute(co_3e) + absolute(co_3g)))
+    co_4_size = (absolute(co_4a) + absolute(co_4b)
+        + (absolute(co_4d) + absolute(co_4e) + absolute(co_4g)))
+    co_5_size = (absolute(co_5a) + absolute(co_5b)
+        + (absolute(co_5d) + absolute(co_5e) + absolute(co_5g)))
+    co_0_bound = 3.3306690738754706e-16 * (co_0_size + 2.004168360008973e-292)
+    co_1_bound = 3.3306690738754706e-16 * (co_1_size + 2.004168360008973e-292)
+    co_2_bound = 3.3306690738754706e-16 * (co_2_size + 2.004168360008973e-292)
+    co_3_bound = 4.440892098500628e-16 * (co_3_size + 2.004168360008973e-292)
+    co_4_bound = 4.440892098500628e-16 * (co_4_size + 2.004168360008973e-292)
+    co_5_bound = 4.440892098500628e-16 * (co_5_size + 2.004168360008973e-292)
+    return (co_0, co_1, co_2, co_3, co_4, co_5, co_0_bound, co_1_bound, co_2_bound, co_3_bound,
+        co_4_bound, co_5_bound)
 
 
 @kernel("(10),(6)->(),()")
@@ -288,19 +276,19 @@ def spatial_inertia_energy(B, s):
     L_0_size = absolute(L_0a) + absolute(L_0b) + absolute(L_0d)
     L_1_size = absolute(L_1a) + absolute(L_1b) + absolute(L_1d)
     L_2_size = absolute(L_2a) + absolute(L_2b) + absolute(L_2d)
-    twice_b_size = absolute(s_3) * (L_0_size + 2.004168360008973e-292)
-    twice_d_size = twice_b_size + absolute(s_4) * (L_1_size + 2.004168360008973e-292)
-    twice_f_size = twice_d_size + absolute(s_5) * (L_2_size + 2.004168360008973e-292)
-    twice_size = absolute(B_0) * (square_size + 2.004168360008973e-292) + twice_f_size
+    twice_d_size = (absolute(s_3) * (L_0_size + 2.004168360008973e-292) + absolute(s_4)
+        * (L_1_size + 2.004168360008973e-292))
+    twice_size = (absolute(B_0) * (square_size + 2.004168360008973e-292)
+        + (twice_d_size + absolute(s_5) * (L_2_size + 2.004168360008973e-292)))
     across_0_size = absolute(across_0a) + absolute(across_0b)
     across_1_size = absolute(across_1a) + absolute(across_1b)
     across_2_size = absolute(across_2a) + absolute(across_2b)
-    energy_a_size = absolute(s_0) * (across_0_size + 2.004168360008973e-292)
-    energy_c_size = energy_a_size + absolute(s_1) * (across_1_size + 2.004168360008973e-292)
-    energy_e_size = energy_c_size + absolute(s_2) * (across_2_size + 2.004168360008973e-292)
-    energy_size = energy_e_size + 0.5 * (twice_size + 2.004168360008973e-292)
-    energy_error_bound = 9.992007221626415e-16 * (energy_size + 2.004168360008973e-292)
-    return (energy, energy_error_bound)
+    energy_c_size = (absolute(s_0) * (across_0_size + 2.004168360008973e-292) + absolute(s_1)
+        * (across_1_size + 2.004168360008973e-292))
+    energy_size = (energy_c_size + absolute(s_2) * (across_2_size + 2.004168360008973e-292) + 0.5
+        * (twice_size + 2.004168360008973e-292))
+    energy_bound = 9.992007221626415e-16 * (energy_size + 2.004168360008973e-292)
+    return (energy, energy_bound)
 
 
 @kernel("(10),(3),(6)->(6),(6)")
@@ -389,36 +377,39 @@ def spatial_inertia_net_wrench(B, w, ds):
     U_6_padded = U_6_size + 2.004168360008973e-292
     B_7_abs = absolute(B_7)
     B_9_abs = absolute(B_9)
-    N_0d_size = B_9_abs * (squares_0_size + 2.004168360008973e-292)
-    N_0_size = B_8_abs * U_3_padded + B_7_abs * U_6_padded + N_0d_size + own_0_size
+    N_0_size = (B_8_abs * U_3_padded + B_7_abs * U_6_padded + B_9_abs
+        * (squares_0_size + 2.004168360008973e-292) + own_0_size)
     U_7_padded = U_7_size + 2.004168360008973e-292
     U_1_padded = U_1_size + 2.004168360008973e-292
-    N_1d_size = B_8_abs * (squares_1_size + 2.004168360008973e-292)
-    N_1_size = B_7_abs * U_7_padded + B_9_abs * U_1_padded + N_1d_size + own_1_size
+    N_1_size = (B_7_abs * U_7_padded + B_9_abs * U_1_padded + B_8_abs
+        * (squares_1_size + 2.004168360008973e-292) + own_1_size)
     U_2_padded = U_2_size + 2.004168360008973e-292
     U_5_padded = U_5_size + 2.004168360008973e-292
-    N_2a_size = B_7_abs * (squares_2_size + 2.004168360008973e-292)
-    N_2_size = N_2a_size + (B_9_abs * U_2_padded + B_8_abs * U_5_padded) + own_2_size
+    N_2_size = (B_7_abs * (squares_2_size + 2.004168360008973e-292)
+        + (B_9_abs * U_2_padded + B_8_abs * U_5_padded) + own_2_size)
     B_1_abs = absolute(B_1)
     B_2_abs = absolute(B_2)
     B_3_abs = absolute(B_3)
-    co_0d_size = B_1_abs * (ww_1_abs + ww_2_abs + 2.004168360008973e-292) + B_2_abs * U_1_padded
-    co_0_size = absolute(co_0a) + (co_0d_size + B_3_abs * U_2_padded)
-    co_1d_size = B_1_abs * U_3_padded + B_2_abs * (ww_0_abs + ww_2_abs + 2.004168360008973e-292)
-    co_1_size = absolute(co_1a) + (co_1d_size + B_3_abs * U_5_padded)
-    co_2e_size = B_3_abs * (ww_0_abs + ww_1_abs + 2.004168360008973e-292)
-    co_2_size = absolute(co_2a) + (B_1_abs * U_6_padded + B_2_abs * U_7_padded + co_2e_size)
+    co_0_size = (absolute(co_0a)
+        + (B_1_abs * (ww_1_abs + ww_2_abs + 2.004168360008973e-292) + B_2_abs * U_1_padded
+        + B_3_abs * U_2_padded))
+    co_1_size = (absolute(co_1a)
+        + (B_1_abs * U_3_padded + B_2_abs * (ww_0_abs + ww_2_abs + 2.004168360008973e-292)
+        + B_3_abs * U_5_padded))
+    co_2_size = (absolute(co_2a)
+        + (B_1_abs * U_6_padded + B_2_abs * U_7_padded + B_3_abs
+        * (ww_0_abs + ww_1_abs + 2.004168360008973e-292)))
     co_3_size = absolute(co_3a) + absolute(co_3b) + N_0_size
     co_4_size = absolute(co_4a) + absolute(co_4b) + N_1_size
     co_5_size = absolute(co_5a) + absolute(co_5b) + N_2_size
-    co_0_error_bound = 6.661338147750942e-16 * (co_0_size + 2.004168360008973e-292)
-    co_1_error_bound = 6.661338147750942e-16 * (co_1_size + 2.004168360008973e-292)
-    co_2_error_bound = 6.661338147750942e-16 * (co_2_size + 2.004168360008973e-292)
-    co_3_error_bound = 7.7715611723761e-16 * (co_3_size + 2.004168360008973e-292)
-    co_4_error_bound = 7.7715611723761e-16 * (co_4_size + 2.004168360008973e-292)
-    co_5_error_bound = 7.7715611723761e-16 * (co_5_size + 2.004168360008973e-292)
-    return (co_0, co_1, co_2, co_3, co_4, co_5, co_0_error_bound, co_1_error_bound,
-        co_2_error_bound, co_3_error_bound, co_4_error_bound, co_5_error_bound)
+    co_0_bound = 6.661338147750942e-16 * (co_0_size + 2.004168360008973e-292)
+    co_1_bound = 6.661338147750942e-16 * (co_1_size + 2.004168360008973e-292)
+    co_2_bound = 6.661338147750942e-16 * (co_2_size + 2.004168360008973e-292)
+    co_3_bound = 7.7715611723761e-16 * (co_3_size + 2.004168360008973e-292)
+    co_4_bound = 7.7715611723761e-16 * (co_4_size + 2.004168360008973e-292)
+    co_5_bound = 7.7715611723761e-16 * (co_5_size + 2.004168360008973e-292)
+    return (co_0, co_1, co_2, co_3, co_4, co_5, co_0_bound, co_1_bound, co_2_bound, co_3_bound,
+        co_4_bound, co_5_bound)
 
 
 @kernel("(3),(10)->(10),(10)")
@@ -502,18 +493,18 @@ def spatial_inertia_shifted(t, B):
     Bo_7_size = absolute(B_7) + pairs_3_size
     Bo_8_size = absolute(B_8) + pairs_4_size
     Bo_9_size = absolute(B_9) + pairs_5_size
-    moved_0_error_bound = 2.2204460492503136e-16 * (moved_0_size + 2.004168360008973e-292)
-    moved_1_error_bound = 2.2204460492503136e-16 * (moved_1_size + 2.004168360008973e-292)
-    moved_2_error_bound = 2.2204460492503136e-16 * (moved_2_size + 2.004168360008973e-292)
-    Bo_4_error_bound = 7.7715611723761e-16 * (Bo_4_size + 2.004168360008973e-292)
-    Bo_5_error_bound = 7.7715611723761e-16 * (Bo_5_size + 2.004168360008973e-292)
-    Bo_6_error_bound = 7.7715611723761e-16 * (Bo_6_size + 2.004168360008973e-292)
-    Bo_7_error_bound = 6.661338147750942e-16 * (Bo_7_size + 2.004168360008973e-292)
-    Bo_8_error_bound = 6.661338147750942e-16 * (Bo_8_size + 2.004168360008973e-292)
-    Bo_9_error_bound = 6.661338147750942e-16 * (Bo_9_size + 2.004168360008973e-292)
-    return (B_0, moved_0, moved_1, moved_2, Bo_4, Bo_5, Bo_6, Bo_7, Bo_8, Bo_9, 0,
-        moved_0_error_bound, moved_1_error_bound, moved_2_error_bound, Bo_4_error_bound,
-        Bo_5_error_bound, Bo_6_error_bound, Bo_7_error_bound, Bo_8_error_bound, Bo_9_error_bound)
+    moved_0_bound = 2.2204460492503136e-16 * (moved_0_size + 2.004168360008973e-292)
+    moved_1_bound = 2.2204460492503136e-16 * (moved_1_size + 2.004168360008973e-292)
+    moved_2_bound = 2.2204460492503136e-16 * (moved_2_size + 2.004168360008973e-292)
+    Bo_4_bound = 7.7715611723761e-16 * (Bo_4_size + 2.004168360008973e-292)
+    Bo_5_bound = 7.7715611723761e-16 * (Bo_5_size + 2.004168360008973e-292)
+    Bo_6_bound = 7.7715611723761e-16 * (Bo_6_size + 2.004168360008973e-292)
+    Bo_7_bound = 6.661338147750942e-16 * (Bo_7_size + 2.004168360008973e-292)
+    Bo_8_bound = 6.661338147750942e-16 * (Bo_8_size + 2.004168360008973e-292)
+    Bo_9_bound = 6.661338147750942e-16 * (Bo_9_size + 2.004168360008973e-292)
+    return (B_0, moved_0, moved_1, moved_2, Bo_4, Bo_5, Bo_6, Bo_7, Bo_8, Bo_9, 0, moved_0_bound,
+        moved_1_bound, moved_2_bound, Bo_4_bound, Bo_5_bound, Bo_6_bound, Bo_7_bound, Bo_8_bound,
+        Bo_9_bound)
 
 
 @kernel("(3,4),(10)->(10),(10)")
@@ -628,8 +619,8 @@ def spatial_inertia_transformed(D, B):
     RI_0_padded = RI_0_size + 2.004168360008973e-292
     RI_1_padded = RI_1_size + 2.004168360008973e-292
     RI_2_padded = RI_2_size + 2.004168360008973e-292
-    turned_4c_size = absolute(D_00) * RI_0_padded + absolute(D_01) * RI_1_padded
-    turned_4_size = turned_4c_size + absolute(D_02) * RI_2_padded
+    turned_4_size = (absolute(D_00) * RI_0_padded + absolute(D_01) * RI_1_padded + absolute(D_02)
+        * RI_2_padded)
     RI_3_padded = RI_3_size + 2.004168360008973e-292
     D_10_abs = absolute(D_10)
     RI_4_padded = RI_4_size + 2.004168360008973e-292
@@ -639,9 +630,9 @@ def spatial_inertia_transformed(D, B):
     turned_5_size = D_10_abs * RI_3_padded + D_11_abs * RI_4_padded + D_12_abs * RI_5_padded
     D_20_abs = absolute(D_20)
     D_21_abs = absolute(D_21)
-    turned_6a_size = D_20_abs * (RI_6_size + 2.004168360008973e-292)
     D_22_abs = absolute(D_22)
-    turned_6c_size = turned_6a_size + D_21_abs * (RI_7_size + 2.004168360008973e-292)
+    turned_6c_size = (D_20_abs * (RI_6_size + 2.004168360008973e-292) + D_21_abs
+        * (RI_7_size + 2.004168360008973e-292))
     turned_6_size = turned_6c_size + D_22_abs * (RI_8_size + 2.004168360008973e-292)
     turned_7_size = D_10_abs * RI_0_padded + D_11_abs * RI_1_padded + D_12_abs * RI_2_padded
     turned_8_size = D_20_abs * RI_0_padded + D_21_abs * RI_1_padded + D_22_abs * RI_2_padded
@@ -682,15 +673,15 @@ def spatial_inertia_transformed(D, B):
     Bo_7_size = turned_7_size + pairs_3_size
     Bo_8_size = turned_8_size + pairs_4_size
     Bo_9_size = turned_9_size + pairs_5_size
-    moved_0_error_bound = 4.440892098500628e-16 * (moved_0_size + 2.004168360008973e-292)
-    moved_1_error_bound = 4.440892098500628e-16 * (moved_1_size + 2.004168360008973e-292)
-    moved_2_error_bound = 4.440892098500628e-16 * (moved_2_size + 2.004168360008973e-292)
-    Bo_4_error_bound = 8.881784197001258e-16 * (Bo_4_size + 2.004168360008973e-292)
-    Bo_5_error_bound = 8.881784197001258e-16 * (Bo_5_size + 2.004168360008973e-292)
-    Bo_6_error_bound = 8.881784197001258e-16 * (Bo_6_size + 2.004168360008973e-292)
-    Bo_7_error_bound = 7.7715611723761e-16 * (Bo_7_size + 2.004168360008973e-292)
-    Bo_8_error_bound = 7.7715611723761e-16 * (Bo_8_size + 2.004168360008973e-292)
-    Bo_9_error_bound = 7.7715611723761e-16 * (Bo_9_size + 2.004168360008973e-292)
-    return (B_0, moved_0, moved_1, moved_2, Bo_4, Bo_5, Bo_6, Bo_7, Bo_8, Bo_9, 0,
-        moved_0_error_bound, moved_1_error_bound, moved_2_error_bound, Bo_4_error_bound,
-        Bo_5_error_bound, Bo_6_error_bound, Bo_7_error_bound, Bo_8_error_bound, Bo_9_error_bound)
+    moved_0_bound = 4.440892098500628e-16 * (moved_0_size + 2.004168360008973e-292)
+    moved_1_bound = 4.440892098500628e-16 * (moved_1_size + 2.004168360008973e-292)
+    moved_2_bound = 4.440892098500628e-16 * (moved_2_size + 2.004168360008973e-292)
+    Bo_4_bound = 8.881784197001258e-16 * (Bo_4_size + 2.004168360008973e-292)
+    Bo_5_bound = 8.881784197001258e-16 * (Bo_5_size + 2.004168360008973e-292)
+    Bo_6_bound = 8.881784197001258e-16 * (Bo_6_size + 2.004168360008973e-292)
+    Bo_7_bound = 7.7715611723761e-16 * (Bo_7_size + 2.004168360008973e-292)
+    Bo_8_bound = 7.7715611723761e-16 * (Bo_8_size + 2.004168360008973e-292)
+    Bo_9_bound = 7.7715611723761e-16 * (Bo_9_size + 2.004168360008973e-292)
+    return (B_0, moved_0, moved_1, moved_2, Bo_4, Bo_5, Bo_6, Bo_7, Bo_8, Bo_9, 0, moved_0_bound,
+        moved_1_bound, moved_2_bound, Bo_4_bound, Bo_5_bound, Bo_6_bound, Bo_7_bound, Bo_8_bound,
+        Bo_9_bound)

@@ -25,14 +25,11 @@ def vec3_scale(self, a):
     self_0_new = self_0 * a
     self_1_new = self_1 * a
     self_2_new = self_2 * a
-    self_0_new_padded = absolute(self_0_new) + 2.004168360008973e-292
-    self_0_new_error_bound = 1.1102230246251568e-16 * self_0_new_padded
-    self_1_new_padded = absolute(self_1_new) + 2.004168360008973e-292
-    self_1_new_error_bound = 1.1102230246251568e-16 * self_1_new_padded
-    self_2_new_padded = absolute(self_2_new) + 2.004168360008973e-292
-    self_2_new_error_bound = 1.1102230246251568e-16 * self_2_new_padded
-    return (self_0_new, self_1_new, self_2_new, self_0_new_error_bound, self_1_new_error_bound,
-        self_2_new_error_bound)
+    self_0_new_bound = 1.1102230246251568e-16 * (absolute(self_0_new) + 2.004168360008973e-292)
+    self_1_new_bound = 1.1102230246251568e-16 * (absolute(self_1_new) + 2.004168360008973e-292)
+    self_2_new_bound = 1.1102230246251568e-16 * (absolute(self_2_new) + 2.004168360008973e-292)
+    return (self_0_new, self_1_new, self_2_new, self_0_new_bound, self_1_new_bound,
+        self_2_new_bound)
 
 
 @kernel("(),(3),(3)->(3),(3)")
@@ -54,11 +51,10 @@ def axpy_vv(a, x, y):
     y_0_new_size = absolute(y_0_new_a) + absolute(y_0)
     y_1_new_size = absolute(y_1_new_a) + absolute(y_1)
     y_2_new_size = absolute(y_2_new_a) + absolute(y_2)
-    y_0_new_error_bound = 2.2204460492503136e-16 * (y_0_new_size + 2.004168360008973e-292)
-    y_1_new_error_bound = 2.2204460492503136e-16 * (y_1_new_size + 2.004168360008973e-292)
-    y_2_new_error_bound = 2.2204460492503136e-16 * (y_2_new_size + 2.004168360008973e-292)
-    return (y_0_new, y_1_new, y_2_new, y_0_new_error_bound, y_1_new_error_bound,
-        y_2_new_error_bound)
+    y_0_new_bound = 2.2204460492503136e-16 * (y_0_new_size + 2.004168360008973e-292)
+    y_1_new_bound = 2.2204460492503136e-16 * (y_1_new_size + 2.004168360008973e-292)
+    y_2_new_bound = 2.2204460492503136e-16 * (y_2_new_size + 2.004168360008973e-292)
+    return (y_0_new, y_1_new, y_2_new, y_0_new_bound, y_1_new_bound, y_2_new_bound)
 
 
 @kernel("(3),(3)->(3),(3)")
@@ -74,11 +70,10 @@ def xpy_vv(x, y):
     y_0_new = x_0 + y_0
     y_1_new = x_1 + y_1
     y_2_new = x_2 + y_2
-    y_0_new_error_bound = 1.1102230246251568e-16 * absolute(y_0_new)
-    y_1_new_error_bound = 1.1102230246251568e-16 * absolute(y_1_new)
-    y_2_new_error_bound = 1.1102230246251568e-16 * absolute(y_2_new)
-    return (y_0_new, y_1_new, y_2_new, y_0_new_error_bound, y_1_new_error_bound,
-        y_2_new_error_bound)
+    y_0_new_bound = 1.1102230246251568e-16 * absolute(y_0_new)
+    y_1_new_bound = 1.1102230246251568e-16 * absolute(y_1_new)
+    y_2_new_bound = 1.1102230246251568e-16 * absolute(y_2_new)
+    return (y_0_new, y_1_new, y_2_new, y_0_new_bound, y_1_new_bound, y_2_new_bound)
 
 
 @kernel("(3),(3)->(3),(3)")
@@ -94,11 +89,10 @@ def nxpy_vv(x, y):
     y_0_new = y_0 - x_0
     y_1_new = y_1 - x_1
     y_2_new = y_2 - x_2
-    y_0_new_error_bound = 1.1102230246251568e-16 * absolute(y_0_new)
-    y_1_new_error_bound = 1.1102230246251568e-16 * absolute(y_1_new)
-    y_2_new_error_bound = 1.1102230246251568e-16 * absolute(y_2_new)
-    return (y_0_new, y_1_new, y_2_new, y_0_new_error_bound, y_1_new_error_bound,
-        y_2_new_error_bound)
+    y_0_new_bound = 1.1102230246251568e-16 * absolute(y_0_new)
+    y_1_new_bound = 1.1102230246251568e-16 * absolute(y_1_new)
+    y_2_new_bound = 1.1102230246251568e-16 * absolute(y_2_new)
+    return (y_0_new, y_1_new, y_2_new, y_0_new_bound, y_1_new_bound, y_2_new_bound)
 
 
 @kernel("(),(3)->(3),(3)")
@@ -113,10 +107,10 @@ def product_av(a, vi):
     vo_0 = a * vi_0
     vo_1 = a * vi_1
     vo_2 = a * vi_2
-    vo_0_error_bound = 1.1102230246251568e-16 * (absolute(vo_0) + 2.004168360008973e-292)
-    vo_1_error_bound = 1.1102230246251568e-16 * (absolute(vo_1) + 2.004168360008973e-292)
-    vo_2_error_bound = 1.1102230246251568e-16 * (absolute(vo_2) + 2.004168360008973e-292)
-    return (vo_0, vo_1, vo_2, vo_0_error_bound, vo_1_error_bound, vo_2_error_bound)
+    vo_0_bound = 1.1102230246251568e-16 * (absolute(vo_0) + 2.004168360008973e-292)
+    vo_1_bound = 1.1102230246251568e-16 * (absolute(vo_1) + 2.004168360008973e-292)
+    vo_2_bound = 1.1102230246251568e-16 * (absolute(vo_2) + 2.004168360008973e-292)
+    return (vo_0, vo_1, vo_2, vo_0_bound, vo_1_bound, vo_2_bound)
 
 
 @kernel("(3),(3)->(3),(3)")
@@ -132,10 +126,10 @@ def add_vv(v1, v2):
     vo_0 = v1_0 + v2_0
     vo_1 = v1_1 + v2_1
     vo_2 = v1_2 + v2_2
-    vo_0_error_bound = 1.1102230246251568e-16 * absolute(vo_0)
-    vo_1_error_bound = 1.1102230246251568e-16 * absolute(vo_1)
-    vo_2_error_bound = 1.1102230246251568e-16 * absolute(vo_2)
-    return (vo_0, vo_1, vo_2, vo_0_error_bound, vo_1_error_bound, vo_2_error_bound)
+    vo_0_bound = 1.1102230246251568e-16 * absolute(vo_0)
+    vo_1_bound = 1.1102230246251568e-16 * absolute(vo_1)
+    vo_2_bound = 1.1102230246251568e-16 * absolute(vo_2)
+    return (vo_0, vo_1, vo_2, vo_0_bound, vo_1_bound, vo_2_bound)
 
 
 @kernel("(3),(3)->(3),(3)")
@@ -151,10 +145,10 @@ def subtract_vv(v1, v2):
     vo_0 = v1_0 - v2_0
     vo_1 = v1_1 - v2_1
     vo_2 = v1_2 - v2_2
-    vo_0_error_bound = 1.1102230246251568e-16 * absolute(vo_0)
-    vo_1_error_bound = 1.1102230246251568e-16 * absolute(vo_1)
-    vo_2_error_bound = 1.1102230246251568e-16 * absolute(vo_2)
-    return (vo_0, vo_1, vo_2, vo_0_error_bound, vo_1_error_bound, vo_2_error_bound)
+    vo_0_bound = 1.1102230246251568e-16 * absolute(vo_0)
+    vo_1_bound = 1.1102230246251568e-16 * absolute(vo_1)
+    vo_2_bound = 1.1102230246251568e-16 * absolute(vo_2)
+    return (vo_0, vo_1, vo_2, vo_0_bound, vo_1_bound, vo_2_bound)
 
 
 @kernel("(3),()->(3),(3)")
@@ -169,10 +163,10 @@ def vec3_scaled(v, k):
     vo_0 = v_0 * k
     vo_1 = v_1 * k
     vo_2 = v_2 * k
-    vo_0_error_bound = 1.1102230246251568e-16 * (absolute(vo_0) + 2.004168360008973e-292)
-    vo_1_error_bound = 1.1102230246251568e-16 * (absolute(vo_1) + 2.004168360008973e-292)
-    vo_2_error_bound = 1.1102230246251568e-16 * (absolute(vo_2) + 2.004168360008973e-292)
-    return (vo_0, vo_1, vo_2, vo_0_error_bound, vo_1_error_bound, vo_2_error_bound)
+    vo_0_bound = 1.1102230246251568e-16 * (absolute(vo_0) + 2.004168360008973e-292)
+    vo_1_bound = 1.1102230246251568e-16 * (absolute(vo_1) + 2.004168360008973e-292)
+    vo_2_bound = 1.1102230246251568e-16 * (absolute(vo_2) + 2.004168360008973e-292)
+    return (vo_0, vo_1, vo_2, vo_0_bound, vo_1_bound, vo_2_bound)
 
 
 @kernel("(3),(3)->(),()")
@@ -192,8 +186,9 @@ def angle_vv(v1, v2):
     s1_size_2 = absolute(v1_2)
     s1_largest1 = where(s1_size_0 < s1_size_1, s1_size_1, s1_size_0)
     s1_largest2 = where(s1_largest1 < s1_size_2, s1_size_2, s1_largest1)
-    s1b = where(6.703903964971299e+153 < s1_largest2, float64(3.7291703656001034e-155), float64(1))
-    s1d = where(s1_largest2 < 256, 1.3093562431584567e+151, s1b)
+    s1d = (where(s1_largest2
+        < 256, 1.3093562431584567e+151, where(6.703903964971299e+153
+        < s1_largest2, float64(3.7291703656001034e-155), float64(1))))
     s1 = where(s1_largest2 < 1.955159272639747e-149, 1.0715086071862673e+301, s1d)
     scaled_s1_0 = v1_0 * s1
     scaled_s1_1 = v1_1 * s1
@@ -203,8 +198,9 @@ def angle_vv(v1, v2):
     s2_size_2 = absolute(v2_2)
     s2_largest1 = where(s2_size_0 < s2_size_1, s2_size_1, s2_size_0)
     s2_largest2 = where(s2_largest1 < s2_size_2, s2_size_2, s2_largest1)
-    s2b = where(6.703903964971299e+153 < s2_largest2, float64(3.7291703656001034e-155), float64(1))
-    s2d = where(s2_largest2 < 256, 1.3093562431584567e+151, s2b)
+    s2d = (where(s2_largest2
+        < 256, 1.3093562431584567e+151, where(6.703903964971299e+153
+        < s2_largest2, float64(3.7291703656001034e-155), float64(1))))
     s2 = where(s2_largest2 < 1.955159272639747e-149, 1.0715086071862673e+301, s2d)
     scaled_s2_0 = v2_0 * s2
     scaled_s2_1 = v2_1 * s2
@@ -217,95 +213,102 @@ def angle_vv(v1, v2):
     c_0b_padded_2 = 1.8051943758648296e-276 + absolute(scaled_s2_1)
     c_0 = c_0a - c_0b
     c_right_1 = c_0a - c_0
-    c_left_rest_1 = product_rest(scaled_s1_1, scaled_s2_2, c_0a, c_0 + c_right_1)
     c_1a = scaled_s1_2 * scaled_s2_0
     c_1a_padded_1 = 1.8051943758648296e-276 + absolute(scaled_s2_0)
     c_1b = scaled_s1_0 * scaled_s2_2
     c_1b_padded_1 = 1.8051943758648296e-276 + absolute(scaled_s1_0)
     c_1 = c_1a - c_1b
     c_right_2 = c_1a - c_1
-    c_left_rest_2 = product_rest(scaled_s1_2, scaled_s2_0, c_1a, c_1 + c_right_2)
     c_2a = scaled_s1_0 * scaled_s2_1
     c_2b = scaled_s1_1 * scaled_s2_0
     c_2 = c_2a - c_2b
     c_right_3 = c_2a - c_2
-    c_left_rest_3 = product_rest(scaled_s1_0, scaled_s2_1, c_2a, c_2 + c_right_3)
     s_size_0 = absolute(c_0)
-    c_size_1 = c_0a_padded_1 * c_0a_padded_2 + c_0b_padded_1 * c_0b_padded_2
     s_size_1 = absolute(c_1)
-    c_size_2 = c_0b_padded_1 * c_1a_padded_1 + c_0a_padded_2 * c_1b_padded_1
     s_size_2 = absolute(c_2)
-    c_size_3 = c_0b_padded_2 * c_1b_padded_1 + c_0a_padded_1 * c_1a_padded_1
     s_largest1 = where(s_size_0 < s_size_1, s_size_1, s_size_0)
     s_largest2 = where(s_largest1 < s_size_2, s_size_2, s_largest1)
     s_a = 6.703903964971299e+153 < s_largest2
     s_c = s_largest2 < 256
-    s_b = where(s_a, float64(3.7291703656001034e-155), float64(1))
-    s_b_size_1 = where(s_a, float64(3.7291703656001034e-155), float64(1))
     s_e = s_largest2 < 1.955159272639747e-149
-    s = where(s_e, 1.0715086071862673e+301, where(s_c, 1.3093562431584567e+151, s_b))
-    s_size_3 = where(s_e, 1.0715086071862673e+301, where(s_c, 1.3093562431584567e+151, s_b_size_1))
+    s = where(s_e, 1.0715086071862673e+301, where(s_c, 1.3093562431584567e+151, where(s_a,
+        float64(3.7291703656001034e-155), float64(1))))
+    s_size_3 = where(s_e, 1.0715086071862673e+301, where(s_c, 1.3093562431584567e+151, where(s_a,
+        float64(3.7291703656001034e-155), float64(1))))
     y_0 = c_0 * s
     y_inverse_1 = 1 / s
-    c_lo_1 = c_left_rest_1 - product_rest(scaled_s1_2, scaled_s2_1, c_0b, c_right_1)
+    c_lo_1 = (product_rest(scaled_s1_1, scaled_s2_2, c_0a, c_0 + c_right_1)
+        - product_rest(scaled_s1_2, scaled_s2_1, c_0b, c_right_1))
     y_lo_1 = (c_0 - y_0 * y_inverse_1 + c_lo_1) * s
     y_1 = c_1 * s
-    c_lo_2 = c_left_rest_2 - product_rest(scaled_s1_0, scaled_s2_2, c_1b, c_right_2)
+    c_lo_2 = (product_rest(scaled_s1_2, scaled_s2_0, c_1a, c_1 + c_right_2)
+        - product_rest(scaled_s1_0, scaled_s2_2, c_1b, c_right_2))
     y_lo_2 = (c_1 - y_1 * y_inverse_1 + c_lo_2) * s
     y_2 = c_2 * s
-    c_lo_3 = c_left_rest_3 - product_rest(scaled_s1_1, scaled_s2_0, c_2b, c_right_3)
+    c_lo_3 = (product_rest(scaled_s1_0, scaled_s2_1, c_2a, c_2 + c_right_3)
+        - product_rest(scaled_s1_1, scaled_s2_0, c_2b, c_right_3))
     y_lo_3 = (c_2 - y_2 * y_inverse_1 + c_lo_3) * s
     n_a = y_0 * y_0
-    n_a_padded_1 = 1.8051943758648296e-276 + s_size_3 * (1.8051943758648296e-276 + c_size_1)
-    n_a_units_1 = 140737488355328 * (absolute(y_lo_1) + 1.6886556573573792e-30 * n_a_padded_1)
-    n_a_size_2 = n_a_padded_1 * (absolute(y_0) + n_a_units_1)
+    n_a_padded_1 = (1.8051943758648296e-276 + s_size_3
+        * (1.8051943758648296e-276
+        + (c_0a_padded_1 * c_0a_padded_2 + c_0b_padded_1 * c_0b_padded_2)))
+    n_a_size_2 = (n_a_padded_1
+        * (absolute(y_0) + 140737488355328
+        * (absolute(y_lo_1) + 1.6886556573573792e-30 * n_a_padded_1)))
     n_b = y_1 * y_1
-    n_b_padded_1 = 1.8051943758648296e-276 + s_size_3 * (1.8051943758648296e-276 + c_size_2)
-    n_b_units_1 = 140737488355328 * (absolute(y_lo_2) + 1.6886556573573792e-30 * n_b_padded_1)
-    n_b_size_2 = n_b_padded_1 * (absolute(y_1) + n_b_units_1)
+    n_b_padded_1 = (1.8051943758648296e-276 + s_size_3
+        * (1.8051943758648296e-276
+        + (c_0b_padded_1 * c_1a_padded_1 + c_0a_padded_2 * c_1b_padded_1)))
+    n_b_size_2 = (n_b_padded_1
+        * (absolute(y_1) + 140737488355328
+        * (absolute(y_lo_2) + 1.6886556573573792e-30 * n_b_padded_1)))
     n_c = n_a + n_b
     n_c_right_1 = n_c - n_a
-    n_c_left_rest_1 = product_rest(y_0, y_0, n_a, n_c - n_c_right_1)
-    n_c_cross_1 = y_lo_1 * y_0 + y_0 * y_lo_1 + (y_lo_2 * y_1 + y_1 * y_lo_2)
+    n_c_lo1_1 = (product_rest(y_0, y_0, n_a, n_c - n_c_right_1)
+        + product_rest(y_1, y_1, n_b, n_c_right_1))
     n_d = y_2 * y_2
-    n_d_padded_1 = 1.8051943758648296e-276 + s_size_3 * (1.8051943758648296e-276 + c_size_3)
-    n_d_units_1 = 140737488355328 * (absolute(y_lo_3) + 1.6886556573573792e-30 * n_d_padded_1)
-    n_d_size_2 = n_d_padded_1 * (absolute(y_2) + n_d_units_1)
+    n_d_padded_1 = (1.8051943758648296e-276 + s_size_3
+        * (1.8051943758648296e-276
+        + (c_0b_padded_2 * c_1b_padded_1 + c_0a_padded_1 * c_1a_padded_1)))
+    n_d_size_2 = (n_d_padded_1
+        * (absolute(y_2) + 140737488355328
+        * (absolute(y_lo_3) + 1.6886556573573792e-30 * n_d_padded_1)))
     n_e = n_c + n_d
     n_e_right_1 = n_e - n_c
-    n_e_lo1_1 = n_c - (n_e - n_e_right_1) + product_rest(y_2, y_2, n_d, n_e_right_1)
-    n_c_lo = n_c_left_rest_1 + product_rest(y_1, y_1, n_b, n_c_right_1) + n_c_cross_1
-    n_e_lo = n_e_lo1_1 + (y_lo_3 * y_2 + y_2 * y_lo_3) + n_c_lo
+    n_e_lo2_1 = (n_c - (n_e - n_e_right_1) + product_rest(y_2, y_2, n_d, n_e_right_1)
+        + (y_lo_3 * y_2 + y_2 * y_lo_3))
+    n_e_lo = n_e_lo2_1 + (n_c_lo1_1 + (y_lo_1 * y_0 + y_0 * y_lo_1 + (y_lo_2 * y_1 + y_1 * y_lo_2)))
     n = sqrt(n_e)
     n_product_1 = n * n
     n_lo = (n_e - n_product_1 - product_error(n, n, n_product_1) + n_e_lo) / where(n == 0, 1, n + n)
-    n_e_size_1 = n_a_size_2 + n_a_size_2 + (n_b_size_2 + n_b_size_2) + (n_d_size_2 + n_d_size_2)
-    n_padded_1 = 1.8051943758648296e-276 + n_e_size_1
+    n_padded_1 = (1.8051943758648296e-276
+        + (n_a_size_2 + n_a_size_2 + (n_b_size_2 + n_b_size_2) + (n_d_size_2 + n_d_size_2)))
     n_bound_1 = absolute(n_e_lo) + 8.430953463617394e-30 * n_padded_1
     n_size_4 = (absolute(n_e) + 140737488355328 * n_bound_1) * (n_padded_1 / n / n_e)
-    n_size_8 = 1.2578234859437304e+29 * (sqrt(n_bound_1) + absolute(n_lo))
     r_a = s < 1
     r_c = 1 < s
-    r_b = where(r_a, float64(2.6815615859885194e+154), float64(1))
-    r_b_size_1 = where(r_a, float64(2.6815615859885194e+154), float64(1))
     r_e = 1.3093562431584567e+151 < s
-    r = where(r_e, 9.332636185032189e-302, where(r_c, 7.637340908749012e-152, r_b))
+    r = where(r_e, 9.332636185032189e-302, where(r_c, 7.637340908749012e-152, where(r_a,
+        float64(2.6815615859885194e+154), float64(1))))
     cross = n * r
     cross_lo = (n - cross * (1 / r) + n_lo) * r
-    r_size_1 = where(r_e, 9.332636185032189e-302, where(r_c, 7.637340908749012e-152, r_b_size_1))
-    cross_padded_1 = 1.8051943758648296e-276 + (n + where(4 * n_bound_1 < n_e, n_size_4, n_size_8))
+    cross_padded_1 = (1.8051943758648296e-276
+        + (n
+        + where(4 * n_bound_1 < n_e, n_size_4, 1.2578234859437304e+29
+        * (sqrt(n_bound_1) + absolute(n_lo)))))
+    r_size_1 = where(r_e, 9.332636185032189e-302, where(r_c, 7.637340908749012e-152, where(r_a,
+        float64(2.6815615859885194e+154), float64(1))))
     dot__a = scaled_s1_0 * scaled_s2_0
     dot__b = scaled_s1_1 * scaled_s2_1
     dot__c = dot__a + dot__b
     dot__c_right_1 = dot__c - dot__a
-    dot__c_left_rest_1 = product_rest(scaled_s1_0, scaled_s2_0, dot__a, dot__c - dot__c_right_1)
     dot__d = scaled_s1_2 * scaled_s2_2
     dot_ = dot__c + dot__d
     dot__right_1 = dot_ - dot__c
-    dot__right_rest_1 = product_rest(scaled_s1_2, scaled_s2_2, dot__d, dot__right_1)
-    dot__c_lo = dot__c_left_rest_1 + product_rest(scaled_s1_1, scaled_s2_1, dot__b, dot__c_right_1)
-    dot__lo = dot__c - (dot_ - dot__right_1) + dot__right_rest_1 + dot__c_lo
-    dot__c_size_1 = c_1a_padded_1 * c_1b_padded_1 + c_0a_padded_1 * c_0b_padded_2
+    dot__c_lo = (product_rest(scaled_s1_0, scaled_s2_0, dot__a, dot__c - dot__c_right_1)
+        + product_rest(scaled_s1_1, scaled_s2_1, dot__b, dot__c_right_1))
+    dot__lo = (dot__c - (dot_ - dot__right_1)
+        + product_rest(scaled_s1_2, scaled_s2_2, dot__d, dot__right_1) + dot__c_lo)
     angle = elementary.atan2(cross, dot_)
     angle_size0_1 = absolute(cross)
     angle_size1_1 = absolute(dot_)
@@ -314,11 +317,12 @@ def angle_vv(v1, v2):
     angle_divisor_1 = where(angle_zero_1, 1, angle_most_1)
     angle_part0_1 = cross / angle_divisor_1
     angle_part1_1 = dot_ / angle_divisor_1
-    angle_square_1 = angle_part1_1 * angle_part1_1 + angle_part0_1 * angle_part0_1
-    angle_safe_1 = where(angle_zero_1, 1, angle_divisor_1 * angle_square_1)
-    angle_more_1 = (angle_part1_1 * cross_lo - angle_part0_1 * dot__lo) / angle_safe_1
+    angle_safe_1 = (where(angle_zero_1, 1, angle_divisor_1
+        * (angle_part1_1 * angle_part1_1 + angle_part0_1 * angle_part0_1)))
     angle_padded_1 = 1.8051943758648296e-276 + cross_padded_1 * r_size_1
-    angle_padded_2 = 1.8051943758648296e-276 + (dot__c_size_1 + c_0a_padded_2 * c_0b_padded_1)
+    angle_padded_2 = (1.8051943758648296e-276
+        + (c_1a_padded_1 * c_1b_padded_1 + c_0a_padded_1 * c_0b_padded_2 + c_0a_padded_2
+        * c_0b_padded_1))
     angle_size_2 = absolute(cross)
     angle_size_3 = absolute(dot_)
     angle_size_5 = where(angle_size_2 < angle_size_3, angle_size_3, angle_size_2)
@@ -326,15 +330,16 @@ def angle_vv(v1, v2):
     angle_bound_2 = absolute(dot__lo) + 2.477516562578394e-30 * angle_padded_2
     angle_size_11 = (angle_bound_2 + (1.8051943758648296e-276 + angle_bound_1)) / angle_size_5
     angle_size_13 = angle_size_11 * angle_size_11
-    angle_size_14 = absolute(elementary.atan2_error(cross, dot_, angle) + angle_more_1)
+    angle_size_14 = (absolute(elementary.atan2_error(cross, dot_, angle)
+        + (angle_part1_1 * cross_lo - angle_part0_1 * dot__lo) / angle_safe_1))
     angle_size_15 = 7 + angle_size_14
-    angle_size_18 = where(angle_bound_2 < dot_, angle_size_13, angle_size_15)
-    angle_size_19 = where(angle_bound_1 < angle_size_2, angle_size_13, angle_size_18)
-    angle_size_20 = where(angle_size_11 < 0.25, angle_size_19, angle_size_15)
-    angle_size_10 = absolute(angle) + (angle_padded_1 + angle_padded_2) / angle_size_5
-    angle_size_22 = angle_size_10 + 3.9614069451219335e+28 * angle_size_20
-    angle_rest_3 = 2.603241918220875e-29 * (1.8051943758648296e-276 + angle_size_22)
-    angle_bound_3 = angle_rest_3 + angle_size_14
+    angle_size_19 = (where(angle_bound_1
+        < angle_size_2, angle_size_13, where(angle_bound_2 < dot_, angle_size_13, angle_size_15)))
+    angle_size_21 = (3.9614069451219335e+28
+        * where(angle_size_11 < 0.25, angle_size_19, angle_size_15))
+    angle_padded_3 = (1.8051943758648296e-276
+        + (absolute(angle) + (angle_padded_1 + angle_padded_2) / angle_size_5 + angle_size_21))
+    angle_bound_3 = 2.603241918220875e-29 * angle_padded_3 + angle_size_14
     return (angle, angle_bound_3)
 
 
@@ -353,8 +358,8 @@ def dot_vv(v1, v2):
     dot_d = v1_2 * v2_2
     dot = dot_a + dot_b + dot_d
     dot_size = absolute(dot_a) + absolute(dot_b) + absolute(dot_d)
-    dot_error_bound = 3.3306690738754706e-16 * (dot_size + 2.004168360008973e-292)
-    return (dot, dot_error_bound)
+    dot_bound = 3.3306690738754706e-16 * (dot_size + 2.004168360008973e-292)
+    return (dot, dot_bound)
 
 
 @kernel("(),(3)->(3),(3)")
@@ -372,10 +377,10 @@ def product_avinv(k, v):
     vo_1 = -vo_1a
     vo_2a = k * v_2
     vo_2 = -vo_2a
-    vo_0a_error_bound = 1.1102230246251568e-16 * (absolute(vo_0a) + 2.004168360008973e-292)
-    vo_1a_error_bound = 1.1102230246251568e-16 * (absolute(vo_1a) + 2.004168360008973e-292)
-    vo_2a_error_bound = 1.1102230246251568e-16 * (absolute(vo_2a) + 2.004168360008973e-292)
-    return (vo_0, vo_1, vo_2, vo_0a_error_bound, vo_1a_error_bound, vo_2a_error_bound)
+    vo_0a_bound = 1.1102230246251568e-16 * (absolute(vo_0a) + 2.004168360008973e-292)
+    vo_1a_bound = 1.1102230246251568e-16 * (absolute(vo_1a) + 2.004168360008973e-292)
+    vo_2a_bound = 1.1102230246251568e-16 * (absolute(vo_2a) + 2.004168360008973e-292)
+    return (vo_0, vo_1, vo_2, vo_0a_bound, vo_1a_bound, vo_2a_bound)
 
 
 @kernel("(3),(3)->(3),(3)")
@@ -401,10 +406,10 @@ def cross_vv(v1, v2):
     vo_0_size = absolute(vo_0a) + absolute(vo_0b)
     vo_1_size = absolute(vo_1a) + absolute(vo_1b)
     vo_2_size = absolute(vo_2a) + absolute(vo_2b)
-    vo_0_error_bound = 2.2204460492503136e-16 * (vo_0_size + 2.004168360008973e-292)
-    vo_1_error_bound = 2.2204460492503136e-16 * (vo_1_size + 2.004168360008973e-292)
-    vo_2_error_bound = 2.2204460492503136e-16 * (vo_2_size + 2.004168360008973e-292)
-    return (vo_0, vo_1, vo_2, vo_0_error_bound, vo_1_error_bound, vo_2_error_bound)
+    vo_0_bound = 2.2204460492503136e-16 * (vo_0_size + 2.004168360008973e-292)
+    vo_1_bound = 2.2204460492503136e-16 * (vo_1_size + 2.004168360008973e-292)
+    vo_2_bound = 2.2204460492503136e-16 * (vo_2_size + 2.004168360008973e-292)
+    return (vo_0, vo_1, vo_2, vo_0_bound, vo_1_bound, vo_2_bound)
 
 
 @kernel("(3),(3)->(3),(3)")
@@ -429,10 +434,10 @@ def cross_vvinv(v1, v2):
     vo_0_size = absolute(vo_0a) + absolute(vo_0b)
     vo_1_size = absolute(vo_1a) + absolute(vo_1b)
     vo_2_size = absolute(vo_2a) + absolute(vo_2b)
-    vo_0_error_bound = 2.2204460492503136e-16 * (vo_0_size + 2.004168360008973e-292)
-    vo_1_error_bound = 2.2204460492503136e-16 * (vo_1_size + 2.004168360008973e-292)
-    vo_2_error_bound = 2.2204460492503136e-16 * (vo_2_size + 2.004168360008973e-292)
-    return (vo_0, vo_1, vo_2, vo_0_error_bound, vo_1_error_bound, vo_2_error_bound)
+    vo_0_bound = 2.2204460492503136e-16 * (vo_0_size + 2.004168360008973e-292)
+    vo_1_bound = 2.2204460492503136e-16 * (vo_1_size + 2.004168360008973e-292)
+    vo_2_bound = 2.2204460492503136e-16 * (vo_2_size + 2.004168360008973e-292)
+    return (vo_0, vo_1, vo_2, vo_0_bound, vo_1_bound, vo_2_bound)
 
 
 @kernel("(3),()->(3),(3)")
@@ -445,8 +450,8 @@ def add_vvx(v, k):
     """
     v_0, v_1, v_2 = v
     vo_0 = v_0 + k
-    vo_0_error_bound = 1.1102230246251568e-16 * absolute(vo_0)
-    return (vo_0, v_1, v_2, vo_0_error_bound, 0, 0)
+    vo_0_bound = 1.1102230246251568e-16 * absolute(vo_0)
+    return (vo_0, v_1, v_2, vo_0_bound, 0, 0)
 
 
 @kernel("(3),()->(3),(3)")
@@ -459,8 +464,8 @@ def add_vvxinv(v, k):
     """
     v_0, v_1, v_2 = v
     vo_0 = v_0 - k
-    vo_0_error_bound = 1.1102230246251568e-16 * absolute(vo_0)
-    return (vo_0, v_1, v_2, vo_0_error_bound, 0, 0)
+    vo_0_bound = 1.1102230246251568e-16 * absolute(vo_0)
+    return (vo_0, v_1, v_2, vo_0_bound, 0, 0)
 
 
 @kernel("(3),()->(3),(3)")
@@ -473,8 +478,8 @@ def add_vvy(v, k):
     """
     v_0, v_1, v_2 = v
     vo_1 = v_1 + k
-    vo_1_error_bound = 1.1102230246251568e-16 * absolute(vo_1)
-    return (v_0, vo_1, v_2, 0, vo_1_error_bound, 0)
+    vo_1_bound = 1.1102230246251568e-16 * absolute(vo_1)
+    return (v_0, vo_1, v_2, 0, vo_1_bound, 0)
 
 
 @kernel("(3),()->(3),(3)")
@@ -487,8 +492,8 @@ def add_vvyinv(v, k):
     """
     v_0, v_1, v_2 = v
     vo_1 = v_1 - k
-    vo_1_error_bound = 1.1102230246251568e-16 * absolute(vo_1)
-    return (v_0, vo_1, v_2, 0, vo_1_error_bound, 0)
+    vo_1_bound = 1.1102230246251568e-16 * absolute(vo_1)
+    return (v_0, vo_1, v_2, 0, vo_1_bound, 0)
 
 
 @kernel("(3),()->(3),(3)")
@@ -501,8 +506,8 @@ def add_vvz(v, k):
     """
     v_0, v_1, v_2 = v
     vo_2 = v_2 + k
-    vo_2_error_bound = 1.1102230246251568e-16 * absolute(vo_2)
-    return (v_0, v_1, vo_2, 0, 0, vo_2_error_bound)
+    vo_2_bound = 1.1102230246251568e-16 * absolute(vo_2)
+    return (v_0, v_1, vo_2, 0, 0, vo_2_bound)
 
 
 @kernel("(3),()->(3),(3)")
@@ -515,5 +520,5 @@ def add_vvzinv(v, k):
     """
     v_0, v_1, v_2 = v
     vo_2 = v_2 - k
-    vo_2_error_bound = 1.1102230246251568e-16 * absolute(vo_2)
-    return (v_0, v_1, vo_2, 0, 0, vo_2_error_bound)
+    vo_2_bound = 1.1102230246251568e-16 * absolute(vo_2)
+    return (v_0, v_1, vo_2, 0, 0, vo_2_bound)

@@ -25,16 +25,12 @@ def vec4_scale(self, a):
     self_1_new = self_1 * a
     self_2_new = self_2 * a
     self_3_new = self_3 * a
-    self_0_new_padded = absolute(self_0_new) + 2.004168360008973e-292
-    self_0_new_error_bound = 1.1102230246251568e-16 * self_0_new_padded
-    self_1_new_padded = absolute(self_1_new) + 2.004168360008973e-292
-    self_1_new_error_bound = 1.1102230246251568e-16 * self_1_new_padded
-    self_2_new_padded = absolute(self_2_new) + 2.004168360008973e-292
-    self_2_new_error_bound = 1.1102230246251568e-16 * self_2_new_padded
-    self_3_new_padded = absolute(self_3_new) + 2.004168360008973e-292
-    self_3_new_error_bound = 1.1102230246251568e-16 * self_3_new_padded
-    return (self_0_new, self_1_new, self_2_new, self_3_new, self_0_new_error_bound,
-        self_1_new_error_bound, self_2_new_error_bound, self_3_new_error_bound)
+    self_0_new_bound = 1.1102230246251568e-16 * (absolute(self_0_new) + 2.004168360008973e-292)
+    self_1_new_bound = 1.1102230246251568e-16 * (absolute(self_1_new) + 2.004168360008973e-292)
+    self_2_new_bound = 1.1102230246251568e-16 * (absolute(self_2_new) + 2.004168360008973e-292)
+    self_3_new_bound = 1.1102230246251568e-16 * (absolute(self_3_new) + 2.004168360008973e-292)
+    return (self_0_new, self_1_new, self_2_new, self_3_new, self_0_new_bound, self_1_new_bound,
+        self_2_new_bound, self_3_new_bound)
 
 
 @kernel("(4),()->(4),(4)")
@@ -51,9 +47,8 @@ def vec4_scaled(v, k):
     vo_1 = v_1 * k
     vo_2 = v_2 * k
     vo_3 = v_3 * k
-    vo_0_error_bound = 1.1102230246251568e-16 * (absolute(vo_0) + 2.004168360008973e-292)
-    vo_1_error_bound = 1.1102230246251568e-16 * (absolute(vo_1) + 2.004168360008973e-292)
-    vo_2_error_bound = 1.1102230246251568e-16 * (absolute(vo_2) + 2.004168360008973e-292)
-    vo_3_error_bound = 1.1102230246251568e-16 * (absolute(vo_3) + 2.004168360008973e-292)
-    return (vo_0, vo_1, vo_2, vo_3, vo_0_error_bound, vo_1_error_bound, vo_2_error_bound,
-        vo_3_error_bound)
+    vo_0_bound = 1.1102230246251568e-16 * (absolute(vo_0) + 2.004168360008973e-292)
+    vo_1_bound = 1.1102230246251568e-16 * (absolute(vo_1) + 2.004168360008973e-292)
+    vo_2_bound = 1.1102230246251568e-16 * (absolute(vo_2) + 2.004168360008973e-292)
+    vo_3_bound = 1.1102230246251568e-16 * (absolute(vo_3) + 2.004168360008973e-292)
+    return (vo_0, vo_1, vo_2, vo_3, vo_0_bound, vo_1_bound, vo_2_bound, vo_3_bound)

@@ -33,15 +33,18 @@ def SE3_invert(self):
     self_23_new_b = self_12 * self_13
     self_23_new_d = self_22 * self_23
     self_23_new = -(self_23_new_a + self_23_new_b + self_23_new_d)
-    self_03_new_e_size = absolute(self_03_new_a) + absolute(self_03_new_b) + absolute(self_03_new_d)
-    self_03_new_e_error_bound = 1.7881396e-07 * (self_03_new_e_size + 1.9721522630525295e-31)
-    self_13_new_e_size = absolute(self_13_new_a) + absolute(self_13_new_b) + absolute(self_13_new_d)
-    self_13_new_e_error_bound = 1.7881396e-07 * (self_13_new_e_size + 1.9721522630525295e-31)
-    self_23_new_e_size = absolute(self_23_new_a) + absolute(self_23_new_b) + absolute(self_23_new_d)
-    self_23_new_e_error_bound = 1.7881396e-07 * (self_23_new_e_size + 1.9721522630525295e-31)
+    self_03_new_e_bound = (1.7881396e-07
+        * (absolute(self_03_new_a) + absolute(self_03_new_b) + absolute(self_03_new_d)
+        + 1.9721522630525295e-31))
+    self_13_new_e_bound = (1.7881396e-07
+        * (absolute(self_13_new_a) + absolute(self_13_new_b) + absolute(self_13_new_d)
+        + 1.9721522630525295e-31))
+    self_23_new_e_bound = (1.7881396e-07
+        * (absolute(self_23_new_a) + absolute(self_23_new_b) + absolute(self_23_new_d)
+        + 1.9721522630525295e-31))
     return (self_00, self_10, self_20, self_03_new, self_01, self_11, self_21, self_13_new, self_02,
-        self_12, self_22, self_23_new, 0, 0, 0, self_03_new_e_error_bound, 0, 0, 0,
-        self_13_new_e_error_bound, 0, 0, 0, self_23_new_e_error_bound)
+        self_12, self_22, self_23_new, 0, 0, 0, self_03_new_e_bound, 0, 0, 0, self_13_new_e_bound,
+        0, 0, 0, self_23_new_e_bound)
 
 
 @kernel("(3,4)->(3,4),(3,4)")
@@ -65,11 +68,11 @@ def SE3_inverted(D):
     Do_23b = D_12 * D_13
     Do_23d = D_22 * D_23
     Do_23 = -(Do_23a + Do_23b + Do_23d)
-    Do_03e_padded = absolute(Do_03a) + absolute(Do_03b) + absolute(Do_03d) + 1.9721522630525295e-31
-    Do_03e_error_bound = 1.7881396e-07 * Do_03e_padded
-    Do_13e_padded = absolute(Do_13a) + absolute(Do_13b) + absolute(Do_13d) + 1.9721522630525295e-31
-    Do_13e_error_bound = 1.7881396e-07 * Do_13e_padded
-    Do_23e_padded = absolute(Do_23a) + absolute(Do_23b) + absolute(Do_23d) + 1.9721522630525295e-31
-    Do_23e_error_bound = 1.7881396e-07 * Do_23e_padded
+    Do_03e_bound = (1.7881396e-07
+        * (absolute(Do_03a) + absolute(Do_03b) + absolute(Do_03d) + 1.9721522630525295e-31))
+    Do_13e_bound = (1.7881396e-07
+        * (absolute(Do_13a) + absolute(Do_13b) + absolute(Do_13d) + 1.9721522630525295e-31))
+    Do_23e_bound = (1.7881396e-07
+        * (absolute(Do_23a) + absolute(Do_23b) + absolute(Do_23d) + 1.9721522630525295e-31))
     return (D_00, D_10, D_20, Do_03, D_01, D_11, D_21, Do_13, D_02, D_12, D_22, Do_23, 0, 0, 0,
-        Do_03e_error_bound, 0, 0, 0, Do_13e_error_bound, 0, 0, 0, Do_23e_error_bound)
+        Do_03e_bound, 0, 0, 0, Do_13e_bound, 0, 0, 0, Do_23e_bound)

@@ -77,8 +77,8 @@ def tanh(x):
     select.
     """
     y = elementary.tanh(x)
-    y_rest_1 = 1.0800314e-12 * (3.308722450212111e-24 + absolute(y))
-    y_bound_1 = absolute(elementary.tanh_error(x, y)) + y_rest_1
+    y_bound_1 = (absolute(elementary.tanh_error(x, y)) + 1.0800314e-12
+        * (3.308722450212111e-24 + absolute(y)))
     return (y, y_bound_1)
 
 
@@ -93,6 +93,6 @@ def atan2(y, x):
     select.
     """
     angle = elementary.atan2(y, x)
-    angle_rest_1 = 1.0800314e-12 * (3.308722450212111e-24 + absolute(angle))
-    angle_bound_1 = absolute(elementary.atan2_error(y, x, angle)) + angle_rest_1
+    angle_bound_1 = (absolute(elementary.atan2_error(y, x, angle)) + 1.0800314e-12
+        * (3.308722450212111e-24 + absolute(angle)))
     return (angle, angle_bound_1)

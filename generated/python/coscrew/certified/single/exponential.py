@@ -64,14 +64,22 @@ def SO3_exp(v):
     closed1 = sine / theta
     versine = 1 - cosine
     closed2 = versine / far_x
-    g1g = x * (x * (x * (6.4469503e-26 * x - 3.8681703e-23) + 1.9572942e-20) - 8.220635e-18)
-    g1n = x * (x * (x * (g1g + 2.8114574e-15) - 7.6471636e-13) + 1.6059044e-10) - 2.5052108e-08
-    g1w = x * (x * (x * (x * (x * g1n + 2.7557319e-06) - 0.0001984127) + 0.008333334) - 0.16666667)
-    g1 = where(theta_b, g1w + 1, closed1)
-    g2g = x * (x * (x * (2.4795963e-27 * x - 1.6117376e-24) + 8.896791e-22) - 4.1103176e-19)
-    g2n = x * (x * (x * (g2g + 1.5619207e-16) - 4.7794773e-14) + 1.1470745e-11) - 2.0876756e-09
-    g2v = x * (x * (x * (x * g2n + 2.755732e-07) - 2.4801588e-05) + 0.0013888889) - 0.041666668
-    g2 = where(theta_b, x * g2v + 0.5, closed2)
+    g1l = (x
+        * (x
+        * (x * (x * (x * (6.4469503e-26 * x - 3.8681703e-23) + 1.9572942e-20) - 8.220635e-18)
+        + 2.8114574e-15) - 7.6471636e-13) + 1.6059044e-10)
+    g1 = (where(theta_b, x
+        * (x
+        * (x * (x * (x * (x * g1l - 2.5052108e-08) + 2.7557319e-06) - 0.0001984127) + 0.008333334)
+        - 0.16666667) + 1, closed1))
+    g2l = (x
+        * (x
+        * (x * (x * (x * (2.4795963e-27 * x - 1.6117376e-24) + 8.896791e-22) - 4.1103176e-19)
+        + 1.5619207e-16) - 4.7794773e-14) + 1.1470745e-11)
+    g2 = (where(theta_b, x
+        * (x
+        * (x * (x * (x * (x * g2l - 2.0876756e-09) + 2.755732e-07) - 2.4801588e-05) + 0.0013888889)
+        - 0.041666668) + 0.5, closed2))
     g0 = where(theta_b, 1 - x * g2, cosine)
     beta_v_0 = v_0 * g2
     beta_v_1 = v_1 * g2
@@ -97,292 +105,282 @@ def SO3_exp(v):
     R_12 = m_5 - alpha_v_0
     R_20 = m_4 - alpha_v_1
     R_21 = m_5 + alpha_v_0
-    fine_halved_0 = 0.5 * v_0
-    fine_halved_size_1 = absolute(v_0)
-    fine_halved_1 = 0.5 * v_1
-    fine_halved_size_3 = absolute(v_1)
-    fine_halved_2 = 0.5 * v_2
-    fine_halved_size_5 = absolute(v_2)
-    fine_h_size_0 = absolute(fine_halved_0)
-    fine_h_size_1 = absolute(fine_halved_1)
-    fine_h_size_2 = absolute(fine_halved_2)
-    fine_h_largest1 = where(fine_h_size_0 < fine_h_size_1, fine_h_size_1, fine_h_size_0)
-    fine_h_largest2 = where(fine_h_largest1 < fine_h_size_2, fine_h_size_2, fine_h_largest1)
-    fine_s_a = 4.611686018427388e+18 < fine_h_largest2
-    fine_s = where(fine_s_a, float32(2.710505431213761e-20), float32(1))
-    fine_s_size_1 = where(fine_s_a, float32(2.710505431213761e-20), float32(1))
-    fine_reduced_0 = fine_halved_0 * fine_s
-    fine_reduced_1 = fine_halved_1 * fine_s
-    fine_reduced_2 = fine_halved_2 * fine_s
-    fine_up_a = fine_s < 1
-    fine_up = where(fine_up_a, float32(3.6893488147419103e+19), float32(1))
-    fine_reduced_length_a = fine_reduced_0 * fine_reduced_0
-    fine_reduced_size_1 = (3.308722450212111e-24 + 0.5 * fine_halved_size_1) * fine_s_size_1
-    fine_reduced_length_a_padded_1 = 3.308722450212111e-24 + fine_reduced_size_1
-    fine_reduced_length_b = fine_reduced_1 * fine_reduced_1
-    fine_reduced_size_2 = (3.308722450212111e-24 + 0.5 * fine_halved_size_3) * fine_s_size_1
-    fine_reduced_length_b_padded_1 = 3.308722450212111e-24 + fine_reduced_size_2
-    fine_reduced_length_c = fine_reduced_length_a + fine_reduced_length_b
-    fine_reduced_length_c_right_1 = fine_reduced_length_c - fine_reduced_length_a
-    fine_reduced_length_c_left_1 = fine_reduced_length_c - fine_reduced_length_c_right_1
-    fine_reduced_length_c_right_rest_1 = product_rest(fine_reduced_1, fine_reduced_1, fine_reduced_length_b, fine_reduced_length_c_right_1)
-    fine_reduced_length_c_left_rest_1 = product_rest(fine_reduced_0, fine_reduced_0, fine_reduced_length_a, fine_reduced_length_c_left_1)
-    fine_reduced_length_a_size_1 = fine_reduced_length_a_padded_1 * fine_reduced_length_a_padded_1
-    fine_reduced_length_b_size_1 = fine_reduced_length_b_padded_1 * fine_reduced_length_b_padded_1
-    fine_reduced_length_d = fine_reduced_2 * fine_reduced_2
-    fine_reduced_size_3 = (3.308722450212111e-24 + 0.5 * fine_halved_size_5) * fine_s_size_1
-    fine_reduced_length_d_padded_1 = 3.308722450212111e-24 + fine_reduced_size_3
-    fine_reduced_length_e = fine_reduced_length_c + fine_reduced_length_d
-    fine_reduced_length_e_right_1 = fine_reduced_length_e - fine_reduced_length_c
-    fine_reduced_length_e_left_1 = fine_reduced_length_e - fine_reduced_length_e_right_1
-    fine_reduced_length_e_right_rest_1 = product_rest(fine_reduced_2, fine_reduced_2, fine_reduced_length_d, fine_reduced_length_e_right_1)
-    fine_reduced_length_e_left_rest_1 = fine_reduced_length_c - fine_reduced_length_e_left_1
-    fine_reduced_length_e_lo1_1 = fine_reduced_length_e_left_rest_1 + fine_reduced_length_e_right_rest_1
-    fine_reduced_length_c_lo = fine_reduced_length_c_left_rest_1 + fine_reduced_length_c_right_rest_1
-    fine_reduced_length_e_lo = fine_reduced_length_e_lo1_1 + fine_reduced_length_c_lo
-    fine_reduced_length_d_size_1 = fine_reduced_length_d_padded_1 * fine_reduced_length_d_padded_1
-    fine_reduced_length_c_size_1 = fine_reduced_length_a_size_1 + fine_reduced_length_b_size_1
-    fine_reduced_length = sqrt(fine_reduced_length_e)
-    fine_reduced_length_product_1 = fine_reduced_length * fine_reduced_length
-    fine_reduced_length_product_error_1 = product_error(fine_reduced_length, fine_reduced_length, fine_reduced_length_product_1)
-    fine_reduced_length_rest_1 = fine_reduced_length_e - fine_reduced_length_product_1
-    fine_reduced_length_exact_1 = fine_reduced_length_rest_1 - fine_reduced_length_product_error_1
-    fine_reduced_length_twice_1 = fine_reduced_length + fine_reduced_length
-    fine_reduced_length_divisor_1 = where(fine_reduced_length == 0, 1, fine_reduced_length_twice_1)
-    fine_reduced_length_residual_1 = fine_reduced_length_exact_1 + fine_reduced_length_e_lo
-    fine_reduced_length_lo = fine_reduced_length_residual_1 / fine_reduced_length_divisor_1
-    fine_reduced_length_e_size_1 = fine_reduced_length_c_size_1 + fine_reduced_length_d_size_1
-    fine_reduced_length_padded_1 = 3.308722450212111e-24 + fine_reduced_length_e_size_1
-    fine_reduced_length_size_1 = fine_reduced_length_padded_1 / fine_reduced_length
-    fine_reduced_length_rest_2 = 9.308236e-13 * fine_reduced_length_padded_1
-    fine_reduced_length_bound_1 = absolute(fine_reduced_length_e_lo) + fine_reduced_length_rest_2
-    fine_reduced_length_units_1 = 262144 * fine_reduced_length_bound_1
-    fine_reduced_length_reach_1 = absolute(fine_reduced_length_e) + fine_reduced_length_units_1
-    fine_reduced_length_size_2 = fine_reduced_length_size_1 / fine_reduced_length_e
-    fine_reduced_length_size_5 = sqrt(fine_reduced_length_bound_1)
-    fine_reduced_length_size_7 = fine_reduced_length_size_5 + absolute(fine_reduced_length_lo)
-    fine_reduced_length_size_4 = fine_reduced_length_reach_1 * fine_reduced_length_size_2
-    fine_reduced_length_size_10 = 4 * fine_reduced_length_bound_1 < fine_reduced_length_e
-    fine_reduced_length_size_8 = 695847616512 * fine_reduced_length_size_7
-    fine_reduced_length_size_11 = where(fine_reduced_length_size_10, fine_reduced_length_size_4, fine_reduced_length_size_8)
-    fine_half_angle = fine_reduced_length * fine_up
-    fine_half_angle_lost_1 = fine_reduced_length - fine_half_angle * (1 / fine_up)
-    fine_half_angle_lo = (fine_half_angle_lost_1 + fine_reduced_length_lo) * fine_up
-    fine_reduced_length_size_12 = fine_reduced_length + fine_reduced_length_size_11
-    fine_up_size_1 = where(fine_up_a, float32(3.6893488147419103e+19), float32(1))
-    fine_half_angle_size_1 = (3.308722450212111e-24 + fine_reduced_length_size_12) * fine_up_size_1
-    fine_y = fine_half_angle * fine_half_angle
-    fine_y_padded_1 = 3.308722450212111e-24 + fine_half_angle_size_1
-    fine_y_bound_1 = absolute(fine_half_angle_lo) + 1.6484983e-12 * fine_y_padded_1
-    fine_y_size_2 = fine_y_padded_1 * (absolute(fine_half_angle) + 262144 * fine_y_bound_1)
-    fine_sine, fine_c = elementary.sincos(fine_half_angle)
-    fine_sine_own_error_1, fine_c_own_error_1 = elementary.sincos_error(fine_half_angle, fine_sine, fine_c)
-    fine_sine_half_1 = fine_half_angle_lo * 0.5
+    halved_0 = 0.5 * v_0
+    halved_size_1 = absolute(v_0)
+    halved_1 = 0.5 * v_1
+    halved_size_3 = absolute(v_1)
+    halved_2 = 0.5 * v_2
+    halved_size_5 = absolute(v_2)
+    h_size_0 = absolute(halved_0)
+    h_size_1 = absolute(halved_1)
+    h_size_2 = absolute(halved_2)
+    h_largest1 = where(h_size_0 < h_size_1, h_size_1, h_size_0)
+    h_largest2 = where(h_largest1 < h_size_2, h_size_2, h_largest1)
+    s_a = 4.611686018427388e+18 < h_largest2
+    s = where(s_a, float32(2.710505431213761e-20), float32(1))
+    s_size_1 = where(s_a, float32(2.710505431213761e-20), float32(1))
+    reduced_0 = halved_0 * s
+    reduced_1 = halved_1 * s
+    reduced_2 = halved_2 * s
+    up_a = s < 1
+    up = where(up_a, float32(3.6893488147419103e+19), float32(1))
+    reduced_length_a = reduced_0 * reduced_0
+    reduced_length_a_padded_1 = (3.308722450212111e-24
+        + (3.308722450212111e-24 + 0.5 * halved_size_1) * s_size_1)
+    reduced_length_b = reduced_1 * reduced_1
+    reduced_length_b_padded_1 = (3.308722450212111e-24
+        + (3.308722450212111e-24 + 0.5 * halved_size_3) * s_size_1)
+    reduced_length_c = reduced_length_a + reduced_length_b
+    reduced_length_c_right_1 = reduced_length_c - reduced_length_a
+    reduced_length_c_left_rest_1 = product_rest(reduced_0, reduced_0, reduced_length_a,
+        reduced_length_c - reduced_length_c_right_1)
+    reduced_length_d = reduced_2 * reduced_2
+    reduced_length_d_padded_1 = (3.308722450212111e-24
+        + (3.308722450212111e-24 + 0.5 * halved_size_5) * s_size_1)
+    reduced_length_e = reduced_length_c + reduced_length_d
+    reduced_length_e_right_1 = reduced_length_e - reduced_length_c
+    reduced_length_e_right_rest_1 = product_rest(reduced_2, reduced_2, reduced_length_d,
+        reduced_length_e_right_1)
+    reduced_length_c_lo = (reduced_length_c_left_rest_1
+        + product_rest(reduced_1, reduced_1, reduced_length_b, reduced_length_c_right_1))
+    reduced_length_e_lo = (reduced_length_c - (reduced_length_e - reduced_length_e_right_1)
+        + reduced_length_e_right_rest_1 + reduced_length_c_lo)
+    reduced_length_c_size_1 = (reduced_length_a_padded_1 * reduced_length_a_padded_1
+        + reduced_length_b_padded_1 * reduced_length_b_padded_1)
+    reduced_length = sqrt(reduced_length_e)
+    reduced_length_product_1 = reduced_length * reduced_length
+    reduced_length_exact_1 = (reduced_length_e - reduced_length_product_1
+        - product_error(reduced_length, reduced_length, reduced_length_product_1))
+    reduced_length_lo = ((reduced_length_exact_1 + reduced_length_e_lo)
+        / where(reduced_length == 0, 1, reduced_length + reduced_length))
+    reduced_length_padded_1 = (3.308722450212111e-24
+        + (reduced_length_c_size_1 + reduced_length_d_padded_1 * reduced_length_d_padded_1))
+    reduced_length_bound_1 = absolute(reduced_length_e_lo) + 9.308236e-13 * reduced_length_padded_1
+    reduced_length_size_4 = ((absolute(reduced_length_e) + 262144 * reduced_length_bound_1)
+        * (reduced_length_padded_1 / reduced_length / reduced_length_e))
+    reduced_length_size_8 = (695847616512
+        * (sqrt(reduced_length_bound_1) + absolute(reduced_length_lo)))
+    half_angle = reduced_length * up
+    half_angle_lo = (reduced_length - half_angle * (1 / up) + reduced_length_lo) * up
+    reduced_length_size_12 = (reduced_length
+        + where(4 * reduced_length_bound_1
+        < reduced_length_e, reduced_length_size_4, reduced_length_size_8))
+    half_angle_size_1 = ((3.308722450212111e-24 + reduced_length_size_12)
+        * where(up_a, float32(3.6893488147419103e+19), float32(1)))
+    y = half_angle * half_angle
+    y_padded_1 = 3.308722450212111e-24 + half_angle_size_1
+    y_bound_1 = absolute(half_angle_lo) + 1.6484983e-12 * y_padded_1
+    y_size_2 = y_padded_1 * (absolute(half_angle) + 262144 * y_bound_1)
+    fine_sine, c = elementary.sincos(half_angle)
+    fine_sine_own_error_1, c_own_error_1 = elementary.sincos_error(half_angle, fine_sine, c)
+    fine_sine_half_1 = half_angle_lo * 0.5
     fine_sine_half_sin_1, fine_sine_half_cos_1 = elementary.sincos(fine_sine_half_1)
     fine_sine_twice_1 = fine_sine_half_sin_1 + fine_sine_half_sin_1
-    fine_sine_slope_1 = fine_sine_half_cos_1 * fine_c - fine_sine_half_sin_1 * fine_sine
-    fine_sine_size_1 = 1 + fine_y_padded_1
-    fine_c_slope_1 = fine_sine_half_cos_1 * fine_sine + fine_sine_half_sin_1 * fine_c
-    fine_c_lo = fine_c_own_error_1 - fine_c_slope_1 * fine_sine_twice_1
-    fine_sinc_divisor_a = fine_half_angle < 1.4901161193847656e-08
-    fine_sinc_divisor = where(fine_sinc_divisor_a, 1.4901161193847656e-08, fine_half_angle)
-    fine_sinc_divisor_lo = where(fine_sinc_divisor_a, 0, fine_half_angle_lo)
-    fine_sinc_divisor_size_3 = absolute(fine_half_angle - 1.4901161193847656e-08)
-    fine_sinc_divisor_size_5 = fine_y_bound_1 < 1.401298464324817e-45 + fine_sinc_divisor_size_3
-    fine_sinc_divisor_size_8 = absolute(1.4901161193847656e-08 - fine_half_angle) + fine_y_bound_1
-    fine_sinc_divisor_size_9 = where(fine_sinc_divisor_size_5, 0, fine_sinc_divisor_size_8)
-    fine_sinc_divisor_size_1 = where(fine_sinc_divisor_a, 1.4901161193847656e-08, fine_half_angle_size_1)
-    fine_sinc_quotient = fine_sine / fine_sinc_divisor
-    fine_sinc_quotient_product_1 = fine_sinc_quotient * fine_sinc_divisor
-    fine_sinc_quotient_product_error_1 = product_error(fine_sinc_quotient, fine_sinc_divisor, fine_sinc_quotient_product_1)
-    fine_sinc_quotient_rest_1 = fine_sine - fine_sinc_quotient_product_1
-    fine_sinc_quotient_exact_1 = fine_sinc_quotient_rest_1 - fine_sinc_quotient_product_error_1
-    fine_sine_lo = fine_sine_own_error_1 + fine_sine_slope_1 * fine_sine_twice_1
-    fine_sinc_quotient_numerator_1 = fine_sinc_quotient_exact_1 + fine_sine_lo
-    fine_sinc_quotient_cross_1 = fine_sinc_quotient * fine_sinc_divisor_lo
-    fine_sinc_quotient_residual_1 = fine_sinc_quotient_numerator_1 - fine_sinc_quotient_cross_1
-    fine_sinc_quotient_lo = fine_sinc_quotient_residual_1 / fine_sinc_divisor
-    fine_sinc_divisor_size_11 = fine_sinc_divisor_size_1 + 199908212736 * fine_sinc_divisor_size_9
-    fine_sinc_quotient_padded_2 = 3.308722450212111e-24 + fine_sinc_divisor_size_11
-    fine_sinc_quotient_size_1 = absolute(fine_sinc_quotient)
-    fine_sinc_quotient_size_2 = absolute(fine_sinc_divisor)
-    fine_sinc_quotient_size_3 = fine_sinc_quotient_padded_2 * fine_sinc_quotient_size_1
-    fine_sinc_quotient_rest_2 = 5.1586396e-12 * fine_sinc_quotient_padded_2
-    fine_sinc_quotient_bound_1 = absolute(fine_sinc_divisor_lo) + fine_sinc_quotient_rest_2
-    fine_sinc_quotient_size_6 = 4 * fine_sinc_quotient_bound_1 < fine_sinc_quotient_size_2
-    fine_sinc_quotient_size_4 = 3.308722450212111e-24 + fine_sine_size_1 + fine_sinc_quotient_size_3
-    fine_sinc_quotient_size_7 = where(fine_sinc_quotient_size_6, fine_sinc_quotient_size_2, 0)
-    fine_sinc_quotient_reach_1 = fine_sinc_quotient_size_2 + 262144 * fine_sinc_quotient_bound_1
-    fine_sinc_quotient_size_8 = fine_sinc_quotient_size_4 / fine_sinc_quotient_size_7
-    fine_sinc_quotient_size_9 = fine_sinc_quotient_reach_1 * fine_sinc_quotient_size_8
-    fine_sinc_quotient_size_10 = fine_sinc_quotient_size_9 / fine_sinc_quotient_size_2
-    fine_sinc_quotient_size_11 = fine_sinc_quotient_size_1 + fine_sinc_quotient_size_10
-    fine_y_cross_1 = fine_half_angle_lo * fine_half_angle + fine_half_angle * fine_half_angle_lo
-    fine_sinc_a = 0.16666667 * fine_y
-    fine_y_lo = product_error(fine_half_angle, fine_half_angle, fine_y) + fine_y_cross_1
-    fine_sinc_b = 1 - fine_sinc_a
-    fine_sinc_b_right_1 = 1 - fine_sinc_b
-    fine_sinc_b_right_rest_1 = product_rest(0.16666667, fine_y, fine_sinc_a, fine_sinc_b_right_1)
-    fine_sinc_b_lo1_1 = 1 - (fine_sinc_b + fine_sinc_b_right_1) - fine_sinc_b_right_rest_1
-    fine_sinc_b_lo = fine_sinc_b_lo1_1 - (-4.967054e-09 * fine_y + 0.16666667 * fine_y_lo)
-    fine_sinc_b_size_1 = 1 + 0.16666669 * (fine_y_size_2 + fine_y_size_2)
-    fine_sinc = where(fine_sinc_divisor_a, fine_sinc_b, fine_sinc_quotient)
-    fine_sinc_lo = where(fine_sinc_divisor_a, fine_sinc_b_lo, fine_sinc_quotient_lo)
-    fine_sinc_rest_1 = 2.3639474e-10 * (3.308722450212111e-24 + fine_sinc_b_size_1)
-    fine_sinc_rest_2 = 7.941701e-12 * (3.308722450212111e-24 + fine_sinc_quotient_size_11)
-    fine_sinc_bound_1 = absolute(fine_sinc_b_lo) + fine_sinc_rest_1
-    fine_sinc_size_4 = fine_sinc_bound_1 + absolute(fine_sinc_b - fine_sinc_quotient)
-    fine_sinc_size_5 = absolute(fine_sinc_quotient_lo) + fine_sinc_rest_2 + fine_sinc_size_4
-    fine_sinc_size_1 = where(fine_sinc_divisor_a, fine_sinc_b_size_1, fine_sinc_quotient_size_11)
-    fine_sinc_size_7 = 4235066880 * where(fine_sinc_divisor_size_5, 0, fine_sinc_size_5)
-    fine_turning_0 = v_0 * fine_sinc
-    fine_turning_padded_1 = 3.308722450212111e-24 + (fine_sinc_size_1 + fine_sinc_size_7)
-    fine_turning_size_1 = fine_halved_size_1 * fine_turning_padded_1
-    fine_turning_1 = v_1 * fine_sinc
-    fine_turning_size_2 = fine_halved_size_3 * fine_turning_padded_1
-    fine_turning_2 = v_2 * fine_sinc
-    fine_turning_size_3 = fine_halved_size_5 * fine_turning_padded_1
-    fine_turning_lo_1 = product_error(v_0, fine_sinc, fine_turning_0) + v_0 * fine_sinc_lo
-    fine_beta_v_0 = 0.5 * fine_turning_0
-    fine_beta_v_cross2_1 = 0.5 * fine_turning_lo_1
-    fine_turning_lo_2 = product_error(v_1, fine_sinc, fine_turning_1) + v_1 * fine_sinc_lo
-    fine_beta_v_1 = 0.5 * fine_turning_1
-    fine_beta_v_cross2_2 = 0.5 * fine_turning_lo_2
-    fine_turning_lo_3 = product_error(v_2, fine_sinc, fine_turning_2) + v_2 * fine_sinc_lo
-    fine_beta_v_2 = 0.5 * fine_turning_2
-    fine_beta_v_cross2_3 = 0.5 * fine_turning_lo_3
-    fine_m_0 = fine_turning_0 * fine_beta_v_0
-    fine_m_cross_1 = fine_turning_lo_1 * fine_beta_v_0 + fine_turning_0 * fine_beta_v_cross2_1
-    fine_m_padded_1 = 3.308722450212111e-24 + fine_turning_size_1
-    fine_m_padded_2 = 3.308722450212111e-24 + 0.5 * fine_turning_size_1
-    fine_m_units_1 = 262144 * (absolute(fine_turning_lo_1) + 2.3653254e-10 * fine_m_padded_1)
-    fine_m_reach_1 = absolute(fine_turning_0) + fine_m_units_1
-    fine_m_units_2 = 262144 * (absolute(fine_beta_v_cross2_1) + 2.366809e-10 * fine_m_padded_2)
-    fine_m_reach_2 = absolute(fine_beta_v_0) + fine_m_units_2
+    fine_sine_size_1 = 1 + y_padded_1
+    c_lo = (c_own_error_1 - (fine_sine_half_cos_1 * fine_sine + fine_sine_half_sin_1 * c)
+        * fine_sine_twice_1)
+    sinc_divisor_a = half_angle < 1.4901161193847656e-08
+    sinc_divisor = where(sinc_divisor_a, 1.4901161193847656e-08, half_angle)
+    sinc_divisor_lo = where(sinc_divisor_a, 0, half_angle_lo)
+    sinc_divisor_size_5 = (y_bound_1 < 1.401298464324817e-45
+        + absolute(half_angle - 1.4901161193847656e-08))
+    sinc_divisor_size_10 = (199908212736
+        * where(sinc_divisor_size_5, 0, absolute(1.4901161193847656e-08 - half_angle) + y_bound_1))
+    sinc_quotient = fine_sine / sinc_divisor
+    sinc_quotient_product_1 = sinc_quotient * sinc_divisor
+    sinc_quotient_exact_1 = (fine_sine - sinc_quotient_product_1
+        - product_error(sinc_quotient, sinc_divisor, sinc_quotient_product_1))
+    fine_sine_lo = (fine_sine_own_error_1
+        + (fine_sine_half_cos_1 * c - fine_sine_half_sin_1 * fine_sine) * fine_sine_twice_1)
+    sinc_quotient_lo = ((sinc_quotient_exact_1 + fine_sine_lo - sinc_quotient * sinc_divisor_lo)
+        / sinc_divisor)
+    sinc_quotient_padded_2 = (3.308722450212111e-24
+        + (where(sinc_divisor_a, 1.4901161193847656e-08, half_angle_size_1) + sinc_divisor_size_10))
+    sinc_quotient_size_1 = absolute(sinc_quotient)
+    sinc_quotient_size_2 = absolute(sinc_divisor)
+    sinc_quotient_bound_1 = absolute(sinc_divisor_lo) + 5.1586396e-12 * sinc_quotient_padded_2
+    sinc_quotient_size_4 = (3.308722450212111e-24 + fine_sine_size_1 + sinc_quotient_padded_2
+        * sinc_quotient_size_1)
+    sinc_quotient_size_8 = (sinc_quotient_size_4
+        / where(4 * sinc_quotient_bound_1 < sinc_quotient_size_2, sinc_quotient_size_2, 0))
+    sinc_quotient_size_11 = (sinc_quotient_size_1
+        + (sinc_quotient_size_2 + 262144 * sinc_quotient_bound_1) * sinc_quotient_size_8
+        / sinc_quotient_size_2)
+    sinc_a = 0.16666667 * y
+    sinc_a_cross2_1 = (0.16666667
+        * (product_error(half_angle, half_angle, y)
+        + (half_angle_lo * half_angle + half_angle * half_angle_lo)))
+    sinc_b = 1 - sinc_a
+    sinc_b_right_1 = 1 - sinc_b
+    sinc_b_lo = (1 - (sinc_b + sinc_b_right_1)
+        - product_rest(0.16666667, y, sinc_a, sinc_b_right_1)
+        - (-4.967054e-09 * y + sinc_a_cross2_1))
+    sinc_b_size_1 = 1 + 0.16666669 * (y_size_2 + y_size_2)
+    sinc = where(sinc_divisor_a, sinc_b, sinc_quotient)
+    sinc_lo = where(sinc_divisor_a, sinc_b_lo, sinc_quotient_lo)
+    sinc_size_4 = (absolute(sinc_b_lo) + 2.3639474e-10 * (3.308722450212111e-24 + sinc_b_size_1)
+        + absolute(sinc_b - sinc_quotient))
+    sinc_size_6 = (where(sinc_divisor_size_5, 0, absolute(sinc_quotient_lo) + 7.941701e-12
+        * (3.308722450212111e-24 + sinc_quotient_size_11) + sinc_size_4))
+    turning_0 = v_0 * sinc
+    turning_padded_1 = (3.308722450212111e-24
+        + (where(sinc_divisor_a, sinc_b_size_1, sinc_quotient_size_11) + 4235066880 * sinc_size_6))
+    turning_size_1 = halved_size_1 * turning_padded_1
+    turning_1 = v_1 * sinc
+    turning_size_2 = halved_size_3 * turning_padded_1
+    turning_2 = v_2 * sinc
+    turning_size_3 = halved_size_5 * turning_padded_1
+    turning_lo_1 = product_error(v_0, sinc, turning_0) + v_0 * sinc_lo
+    fine_beta_v_0 = 0.5 * turning_0
+    fine_beta_v_cross2_1 = 0.5 * turning_lo_1
+    turning_lo_2 = product_error(v_1, sinc, turning_1) + v_1 * sinc_lo
+    fine_beta_v_1 = 0.5 * turning_1
+    fine_beta_v_cross2_2 = 0.5 * turning_lo_2
+    turning_lo_3 = product_error(v_2, sinc, turning_2) + v_2 * sinc_lo
+    fine_beta_v_2 = 0.5 * turning_2
+    fine_beta_v_cross2_3 = 0.5 * turning_lo_3
+    fine_m_0 = turning_0 * fine_beta_v_0
+    fine_m_cross_1 = turning_lo_1 * fine_beta_v_0 + turning_0 * fine_beta_v_cross2_1
+    fine_m_padded_1 = 3.308722450212111e-24 + turning_size_1
+    fine_m_padded_2 = 3.308722450212111e-24 + 0.5 * turning_size_1
+    fine_m_reach_1 = (absolute(turning_0) + 262144
+        * (absolute(turning_lo_1) + 2.3653254e-10 * fine_m_padded_1))
+    fine_m_reach_2 = (absolute(fine_beta_v_0) + 262144
+        * (absolute(fine_beta_v_cross2_1) + 2.366809e-10 * fine_m_padded_2))
     fine_m_size_5 = fine_m_padded_2 * fine_m_reach_1 + fine_m_padded_1 * fine_m_reach_2
-    fine_m_1 = fine_turning_1 * fine_beta_v_1
-    fine_m_cross_2 = fine_turning_lo_2 * fine_beta_v_1 + fine_turning_1 * fine_beta_v_cross2_2
-    fine_m_padded_3 = 3.308722450212111e-24 + fine_turning_size_2
-    fine_m_padded_4 = 3.308722450212111e-24 + 0.5 * fine_turning_size_2
-    fine_m_units_3 = 262144 * (absolute(fine_turning_lo_2) + 2.3653254e-10 * fine_m_padded_3)
-    fine_m_reach_3 = absolute(fine_turning_1) + fine_m_units_3
-    fine_m_units_4 = 262144 * (absolute(fine_beta_v_cross2_2) + 2.366809e-10 * fine_m_padded_4)
-    fine_m_reach_4 = absolute(fine_beta_v_1) + fine_m_units_4
+    fine_m_1 = turning_1 * fine_beta_v_1
+    fine_m_cross_2 = turning_lo_2 * fine_beta_v_1 + turning_1 * fine_beta_v_cross2_2
+    fine_m_padded_3 = 3.308722450212111e-24 + turning_size_2
+    fine_m_padded_4 = 3.308722450212111e-24 + 0.5 * turning_size_2
+    fine_m_reach_3 = (absolute(turning_1) + 262144
+        * (absolute(turning_lo_2) + 2.3653254e-10 * fine_m_padded_3))
+    fine_m_reach_4 = (absolute(fine_beta_v_1) + 262144
+        * (absolute(fine_beta_v_cross2_2) + 2.366809e-10 * fine_m_padded_4))
     fine_m_size_10 = fine_m_padded_4 * fine_m_reach_3 + fine_m_padded_3 * fine_m_reach_4
-    fine_m_2 = fine_turning_2 * fine_beta_v_2
-    fine_m_cross_3 = fine_turning_lo_3 * fine_beta_v_2 + fine_turning_2 * fine_beta_v_cross2_3
-    fine_m_padded_5 = 3.308722450212111e-24 + fine_turning_size_3
-    fine_m_padded_6 = 3.308722450212111e-24 + 0.5 * fine_turning_size_3
-    fine_m_units_5 = 262144 * (absolute(fine_turning_lo_3) + 2.3653254e-10 * fine_m_padded_5)
-    fine_m_reach_5 = absolute(fine_turning_2) + fine_m_units_5
-    fine_m_units_6 = 262144 * (absolute(fine_beta_v_cross2_3) + 2.366809e-10 * fine_m_padded_6)
-    fine_m_size_14 = fine_m_padded_5 * (absolute(fine_beta_v_2) + fine_m_units_6)
+    fine_m_2 = turning_2 * fine_beta_v_2
+    fine_m_cross_3 = turning_lo_3 * fine_beta_v_2 + turning_2 * fine_beta_v_cross2_3
+    fine_m_padded_5 = 3.308722450212111e-24 + turning_size_3
+    fine_m_padded_6 = 3.308722450212111e-24 + 0.5 * turning_size_3
+    fine_m_reach_5 = (absolute(turning_2) + 262144
+        * (absolute(turning_lo_3) + 2.3653254e-10 * fine_m_padded_5))
+    fine_m_size_14 = (fine_m_padded_5
+        * (absolute(fine_beta_v_2) + 262144
+        * (absolute(fine_beta_v_cross2_3) + 2.366809e-10 * fine_m_padded_6)))
     fine_m_size_15 = fine_m_padded_6 * fine_m_reach_5 + fine_m_size_14
-    fine_m_3 = fine_turning_1 * fine_beta_v_0
-    fine_m_cross_4 = fine_turning_lo_2 * fine_beta_v_0 + fine_turning_1 * fine_beta_v_cross2_1
-    fine_m_4 = fine_turning_2 * fine_beta_v_0
-    fine_m_cross_5 = fine_turning_lo_3 * fine_beta_v_0 + fine_turning_2 * fine_beta_v_cross2_1
-    fine_m_5 = fine_turning_2 * fine_beta_v_1
-    fine_m_cross_6 = fine_turning_lo_3 * fine_beta_v_1 + fine_turning_2 * fine_beta_v_cross2_2
+    fine_m_3 = turning_1 * fine_beta_v_0
+    fine_m_cross_4 = turning_lo_2 * fine_beta_v_0 + turning_1 * fine_beta_v_cross2_1
+    fine_m_4 = turning_2 * fine_beta_v_0
+    fine_m_cross_5 = turning_lo_3 * fine_beta_v_0 + turning_2 * fine_beta_v_cross2_1
+    fine_m_5 = turning_2 * fine_beta_v_1
+    fine_m_cross_6 = turning_lo_3 * fine_beta_v_1 + turning_2 * fine_beta_v_cross2_2
     fine_others_0 = fine_m_1 + fine_m_2
     fine_others_right_1 = fine_others_0 - fine_m_1
-    fine_others_left_1 = fine_others_0 - fine_others_right_1
-    fine_others_right_rest_1 = product_rest(fine_turning_2, fine_beta_v_2, fine_m_2, fine_others_right_1)
-    fine_others_left_rest_1 = product_rest(fine_turning_1, fine_beta_v_1, fine_m_1, fine_others_left_1)
-    fine_others_lo1_1 = fine_others_left_rest_1 + fine_others_right_rest_1
+    fine_others_left_rest_1 = (product_rest(turning_1, fine_beta_v_1, fine_m_1, fine_others_0
+        - fine_others_right_1))
     fine_others_1 = fine_m_0 + fine_m_2
     fine_others_right_2 = fine_others_1 - fine_m_0
-    fine_others_left_2 = fine_others_1 - fine_others_right_2
-    fine_others_right_rest_2 = product_rest(fine_turning_2, fine_beta_v_2, fine_m_2, fine_others_right_2)
-    fine_others_left_rest_2 = product_rest(fine_turning_0, fine_beta_v_0, fine_m_0, fine_others_left_2)
-    fine_others_lo1_2 = fine_others_left_rest_2 + fine_others_right_rest_2
+    fine_others_left_rest_2 = (product_rest(turning_0, fine_beta_v_0, fine_m_0, fine_others_1
+        - fine_others_right_2))
     fine_others_2 = fine_m_0 + fine_m_1
     fine_others_right_3 = fine_others_2 - fine_m_0
-    fine_others_left_3 = fine_others_2 - fine_others_right_3
-    fine_others_right_rest_3 = product_rest(fine_turning_1, fine_beta_v_1, fine_m_1, fine_others_right_3)
-    fine_others_left_rest_3 = product_rest(fine_turning_0, fine_beta_v_0, fine_m_0, fine_others_left_3)
-    fine_others_lo1_3 = fine_others_left_rest_3 + fine_others_right_rest_3
-    fine_alpha_v_0 = fine_c * fine_turning_0
-    fine_alpha_v_cross_1 = fine_c_lo * fine_turning_0 + fine_c * fine_turning_lo_1
-    fine_alpha_v_units_1 = 262144 * (absolute(fine_c_lo) + 3.0411817e-12 * fine_sine_size_1)
-    fine_alpha_v_reach_1 = absolute(fine_c) + fine_alpha_v_units_1
-    fine_alpha_v_1 = fine_c * fine_turning_1
-    fine_alpha_v_cross_2 = fine_c_lo * fine_turning_1 + fine_c * fine_turning_lo_2
-    fine_alpha_v_2 = fine_c * fine_turning_2
-    fine_alpha_v_cross_3 = fine_c_lo * fine_turning_2 + fine_c * fine_turning_lo_3
-    fine_alpha_v_size_8 = fine_alpha_v_reach_1 * fine_m_padded_5
-    fine_R_00 = 1 - fine_others_0
-    fine_R_right_1 = 1 - fine_R_00
-    fine_R_lo1_1 = 1 - (fine_R_00 + fine_R_right_1) - (fine_others_0 - fine_R_right_1)
+    fine_others_left_rest_3 = (product_rest(turning_0, fine_beta_v_0, fine_m_0, fine_others_2
+        - fine_others_right_3))
+    fine_alpha_v_0 = c * turning_0
+    fine_alpha_v_cross_1 = c_lo * turning_0 + c * turning_lo_1
+    fine_alpha_v_reach_1 = (absolute(c) + 262144
+        * (absolute(c_lo) + 3.0411817e-12 * fine_sine_size_1))
+    fine_alpha_v_1 = c * turning_1
+    fine_alpha_v_cross_2 = c_lo * turning_1 + c * turning_lo_2
+    fine_alpha_v_2 = c * turning_2
+    fine_alpha_v_cross_3 = c_lo * turning_2 + c * turning_lo_3
+    R_00 = 1 - fine_others_0
+    R_right_1 = 1 - R_00
+    fine_others_lo_1 = (fine_others_left_rest_1
+        + product_rest(turning_2, fine_beta_v_2, fine_m_2, fine_others_right_1)
+        + (fine_m_cross_2 + fine_m_cross_3))
     fine_R_01 = fine_m_3 - fine_alpha_v_2
-    fine_R_right_2 = fine_m_3 - fine_R_01
-    fine_R_left_2 = fine_R_01 + fine_R_right_2
-    fine_R_left_rest_2 = product_rest(fine_turning_1, fine_beta_v_0, fine_m_3, fine_R_left_2)
-    fine_R_right_rest_2 = product_rest(fine_c, fine_turning_2, fine_alpha_v_2, fine_R_right_2)
-    fine_m_size_18 = fine_m_padded_2 * fine_m_reach_3 + fine_m_padded_3 * fine_m_reach_2
+    fine_R_right_1 = fine_m_3 - fine_R_01
+    fine_R_left_rest_1 = (product_rest(turning_1, fine_beta_v_0, fine_m_3, fine_R_01
+        + fine_R_right_1))
+    fine_alpha_v_size_10 = (fine_alpha_v_reach_1 * fine_m_padded_5 + fine_m_reach_5
+        * fine_sine_size_1)
     fine_R_02 = fine_m_4 + fine_alpha_v_1
-    fine_R_right_3 = fine_R_02 - fine_m_4
-    fine_R_left_3 = fine_R_02 - fine_R_right_3
-    fine_R_left_rest_3 = product_rest(fine_turning_2, fine_beta_v_0, fine_m_4, fine_R_left_3)
-    fine_R_right_rest_3 = product_rest(fine_c, fine_turning_1, fine_alpha_v_1, fine_R_right_3)
+    fine_R_right_2 = fine_R_02 - fine_m_4
+    fine_R_left_rest_2 = (product_rest(turning_2, fine_beta_v_0, fine_m_4, fine_R_02
+        - fine_R_right_2))
     fine_alpha_v_size_7 = fine_alpha_v_reach_1 * fine_m_padded_3 + fine_m_reach_3 * fine_sine_size_1
-    fine_m_size_21 = fine_m_padded_2 * fine_m_reach_5 + fine_m_padded_5 * fine_m_reach_2
     fine_R_10 = fine_m_3 + fine_alpha_v_2
-    fine_R_right_4 = fine_R_10 - fine_m_3
-    fine_R_left_4 = fine_R_10 - fine_R_right_4
-    fine_R_left_rest_4 = product_rest(fine_turning_1, fine_beta_v_0, fine_m_3, fine_R_left_4)
-    fine_R_right_rest_4 = product_rest(fine_c, fine_turning_2, fine_alpha_v_2, fine_R_right_4)
-    fine_R_11 = 1 - fine_others_1
-    fine_R_right_5 = 1 - fine_R_11
-    fine_R_lo1_5 = 1 - (fine_R_11 + fine_R_right_5) - (fine_others_1 - fine_R_right_5)
+    fine_R_right_3 = fine_R_10 - fine_m_3
+    fine_R_left_rest_3 = (product_rest(turning_1, fine_beta_v_0, fine_m_3, fine_R_10
+        - fine_R_right_3))
+    R_11 = 1 - fine_others_1
+    R_right_2 = 1 - R_11
+    fine_others_lo_2 = (fine_others_left_rest_2
+        + product_rest(turning_2, fine_beta_v_2, fine_m_2, fine_others_right_2)
+        + (fine_m_cross_1 + fine_m_cross_3))
     fine_R_12 = fine_m_5 - fine_alpha_v_0
-    fine_R_right_6 = fine_m_5 - fine_R_12
-    fine_R_left_6 = fine_R_12 + fine_R_right_6
-    fine_R_left_rest_6 = product_rest(fine_turning_2, fine_beta_v_1, fine_m_5, fine_R_left_6)
-    fine_R_right_rest_6 = product_rest(fine_c, fine_turning_0, fine_alpha_v_0, fine_R_right_6)
+    fine_R_right_4 = fine_m_5 - fine_R_12
+    fine_R_left_rest_4 = (product_rest(turning_2, fine_beta_v_1, fine_m_5, fine_R_12
+        + fine_R_right_4))
     fine_alpha_v_size_4 = fine_alpha_v_reach_1 * fine_m_padded_1 + fine_m_reach_1 * fine_sine_size_1
-    fine_m_size_24 = fine_m_padded_4 * fine_m_reach_5 + fine_m_padded_5 * fine_m_reach_4
     fine_R_20 = fine_m_4 - fine_alpha_v_1
-    fine_R_right_7 = fine_m_4 - fine_R_20
-    fine_R_left_7 = fine_R_20 + fine_R_right_7
-    fine_R_left_rest_7 = product_rest(fine_turning_2, fine_beta_v_0, fine_m_4, fine_R_left_7)
-    fine_R_right_rest_7 = product_rest(fine_c, fine_turning_1, fine_alpha_v_1, fine_R_right_7)
+    fine_R_right_5 = fine_m_4 - fine_R_20
+    fine_R_left_rest_5 = (product_rest(turning_2, fine_beta_v_0, fine_m_4, fine_R_20
+        + fine_R_right_5))
     fine_R_21 = fine_m_5 + fine_alpha_v_0
-    fine_R_right_8 = fine_R_21 - fine_m_5
-    fine_R_left_8 = fine_R_21 - fine_R_right_8
-    fine_R_left_rest_8 = product_rest(fine_turning_2, fine_beta_v_1, fine_m_5, fine_R_left_8)
-    fine_R_right_rest_8 = product_rest(fine_c, fine_turning_0, fine_alpha_v_0, fine_R_right_8)
-    fine_R_22 = 1 - fine_others_2
-    fine_R_right_9 = 1 - fine_R_22
-    fine_R_lo1_9 = 1 - (fine_R_22 + fine_R_right_9) - (fine_others_2 - fine_R_right_9)
-    fine_R_lo_1 = fine_R_lo1_1 - (fine_others_lo1_1 + (fine_m_cross_2 + fine_m_cross_3))
-    diagonal0_padded_1 = 3.308722450212111e-24 + (1 + (fine_m_size_10 + fine_m_size_15))
-    diagonal0_error_2 = 1.0000005 * absolute(fine_R_00 - diagonal0 + fine_R_lo_1)
-    fine_R_lo_2 = fine_R_left_rest_2 - fine_R_right_rest_2 + (fine_m_cross_4 - fine_alpha_v_cross_3)
-    fine_R_size_2 = fine_alpha_v_size_8 + fine_m_reach_5 * fine_sine_size_1 + fine_m_size_18
-    R_rest_1 = 2.3971689e-10 * (3.308722450212111e-24 + fine_R_size_2)
-    fine_R_lo_3 = fine_R_left_rest_3 + fine_R_right_rest_3 + (fine_m_cross_5 + fine_alpha_v_cross_2)
-    R_rest_2 = 2.3971689e-10 * (3.308722450212111e-24 + (fine_alpha_v_size_7 + fine_m_size_21))
-    fine_R_lo_4 = fine_R_left_rest_4 + fine_R_right_rest_4 + (fine_m_cross_4 + fine_alpha_v_cross_3)
-    fine_R_lo_5 = fine_R_lo1_5 - (fine_others_lo1_2 + (fine_m_cross_1 + fine_m_cross_3))
-    diagonal1_padded_1 = 3.308722450212111e-24 + (1 + (fine_m_size_15 + fine_m_size_5))
-    diagonal1_error_2 = 1.0000005 * absolute(fine_R_11 - diagonal1 + fine_R_lo_5)
-    fine_R_lo_6 = fine_R_left_rest_6 - fine_R_right_rest_6 + (fine_m_cross_6 - fine_alpha_v_cross_1)
-    R_rest_3 = 2.3971689e-10 * (3.308722450212111e-24 + (fine_alpha_v_size_4 + fine_m_size_24))
-    fine_R_lo_7 = fine_R_left_rest_7 - fine_R_right_rest_7 + (fine_m_cross_5 - fine_alpha_v_cross_2)
-    fine_R_lo_8 = fine_R_left_rest_8 + fine_R_right_rest_8 + (fine_m_cross_6 + fine_alpha_v_cross_1)
-    fine_R_lo_9 = fine_R_lo1_9 - (fine_others_lo1_3 + (fine_m_cross_1 + fine_m_cross_2))
-    diagonal2_padded_1 = 3.308722450212111e-24 + (1 + (fine_m_size_10 + fine_m_size_5))
-    diagonal2_error_2 = 1.0000005 * absolute(fine_R_22 - diagonal2 + fine_R_lo_9)
-    diagonal0_bound_1 = diagonal0_error_2 + 2.4022587e-10 * diagonal0_padded_1
-    R_bound_1 = 1.0000005 * absolute(fine_R_01 - R_01 + fine_R_lo_2) + R_rest_1
-    R_bound_2 = 1.0000005 * absolute(fine_R_02 - R_02 + fine_R_lo_3) + R_rest_2
-    R_bound_3 = 1.0000005 * absolute(fine_R_10 - R_10 + fine_R_lo_4) + R_rest_1
-    diagonal1_bound_1 = diagonal1_error_2 + 2.4022587e-10 * diagonal1_padded_1
-    R_bound_4 = 1.0000005 * absolute(fine_R_12 - R_12 + fine_R_lo_6) + R_rest_3
-    R_bound_5 = 1.0000005 * absolute(fine_R_20 - R_20 + fine_R_lo_7) + R_rest_2
-    R_bound_6 = 1.0000005 * absolute(fine_R_21 - R_21 + fine_R_lo_8) + R_rest_3
-    diagonal2_bound_1 = diagonal2_error_2 + 2.4022587e-10 * diagonal2_padded_1
+    fine_R_right_6 = fine_R_21 - fine_m_5
+    fine_R_left_rest_6 = (product_rest(turning_2, fine_beta_v_1, fine_m_5, fine_R_21
+        - fine_R_right_6))
+    R_22 = 1 - fine_others_2
+    R_right_3 = 1 - R_22
+    fine_others_lo_3 = (fine_others_left_rest_3
+        + product_rest(turning_1, fine_beta_v_1, fine_m_1, fine_others_right_3)
+        + (fine_m_cross_1 + fine_m_cross_2))
+    diagonal0_error_2 = (1.0000005
+        * absolute(1 - (R_00 + R_right_1) - (fine_others_0 - R_right_1) - fine_others_lo_1
+        + (R_00 - diagonal0)))
+    fine_R_lo_1 = (fine_R_left_rest_1 - product_rest(c, turning_2, fine_alpha_v_2, fine_R_right_1)
+        + (fine_m_cross_4 - fine_alpha_v_cross_3))
+    R_rest_1 = (2.3971689e-10
+        * (3.308722450212111e-24
+        + (fine_alpha_v_size_10
+        + (fine_m_padded_2 * fine_m_reach_3 + fine_m_padded_3 * fine_m_reach_2))))
+    fine_R_lo_2 = (fine_R_left_rest_2 + product_rest(c, turning_1, fine_alpha_v_1, fine_R_right_2)
+        + (fine_m_cross_5 + fine_alpha_v_cross_2))
+    R_rest_2 = (2.3971689e-10
+        * (3.308722450212111e-24
+        + (fine_alpha_v_size_7
+        + (fine_m_padded_2 * fine_m_reach_5 + fine_m_padded_5 * fine_m_reach_2))))
+    fine_R_lo_3 = (fine_R_left_rest_3 + product_rest(c, turning_2, fine_alpha_v_2, fine_R_right_3)
+        + (fine_m_cross_4 + fine_alpha_v_cross_3))
+    diagonal1_error_2 = (1.0000005
+        * absolute(1 - (R_11 + R_right_2) - (fine_others_1 - R_right_2) - fine_others_lo_2
+        + (R_11 - diagonal1)))
+    fine_R_lo_4 = (fine_R_left_rest_4 - product_rest(c, turning_0, fine_alpha_v_0, fine_R_right_4)
+        + (fine_m_cross_6 - fine_alpha_v_cross_1))
+    R_rest_3 = (2.3971689e-10
+        * (3.308722450212111e-24
+        + (fine_alpha_v_size_4
+        + (fine_m_padded_4 * fine_m_reach_5 + fine_m_padded_5 * fine_m_reach_4))))
+    fine_R_lo_5 = (fine_R_left_rest_5 - product_rest(c, turning_1, fine_alpha_v_1, fine_R_right_5)
+        + (fine_m_cross_5 - fine_alpha_v_cross_2))
+    fine_R_lo_6 = (fine_R_left_rest_6 + product_rest(c, turning_0, fine_alpha_v_0, fine_R_right_6)
+        + (fine_m_cross_6 + fine_alpha_v_cross_1))
+    diagonal2_error_2 = (1.0000005
+        * absolute(1 - (R_22 + R_right_3) - (fine_others_2 - R_right_3) - fine_others_lo_3
+        + (R_22 - diagonal2)))
+    diagonal0_bound_1 = (diagonal0_error_2 + 2.4022587e-10
+        * (3.308722450212111e-24 + (1 + (fine_m_size_10 + fine_m_size_15))))
+    R_bound_1 = 1.0000005 * absolute(fine_R_01 - R_01 + fine_R_lo_1) + R_rest_1
+    R_bound_2 = 1.0000005 * absolute(fine_R_02 - R_02 + fine_R_lo_2) + R_rest_2
+    R_bound_3 = 1.0000005 * absolute(fine_R_10 - R_10 + fine_R_lo_3) + R_rest_1
+    diagonal1_bound_1 = (diagonal1_error_2 + 2.4022587e-10
+        * (3.308722450212111e-24 + (1 + (fine_m_size_15 + fine_m_size_5))))
+    R_bound_4 = 1.0000005 * absolute(fine_R_12 - R_12 + fine_R_lo_4) + R_rest_3
+    R_bound_5 = 1.0000005 * absolute(fine_R_20 - R_20 + fine_R_lo_5) + R_rest_2
+    R_bound_6 = 1.0000005 * absolute(fine_R_21 - R_21 + fine_R_lo_6) + R_rest_3
+    diagonal2_bound_1 = (diagonal2_error_2 + 2.4022587e-10
+        * (3.308722450212111e-24 + (1 + (fine_m_size_10 + fine_m_size_5))))
     return (diagonal0, R_01, R_02, R_10, diagonal1, R_12, R_20, R_21, diagonal2, diagonal0_bound_1,
         R_bound_1, R_bound_2, R_bound_3, diagonal1_bound_1, R_bound_4, R_bound_5, R_bound_6,
         diagonal2_bound_1)
@@ -443,35 +441,39 @@ def SO3_log(R):
     d_right_4 = first_1 - d_3
     low_0a = R_11 < R_00
     low_0 = where(low_0a, d_1, s_2)
-    d_lo_2 = first_0 - (d_1 + d_right_2) - (others_0 - d_right_2) - others_lo_1 + first_lo_1
     low_1 = where(low_0a, s_2, d_2)
-    d_lo_3 = first_1 - (d_2 - d_right_3) + (others_1 - d_right_3) + others_lo_2 + first_lo_2
     low_2 = where(low_0a, s_1, s_0)
     low_3 = where(low_0a, p_0, p_1)
     high_0b = R_00 < -R_11
     high_0 = where(high_0b, s_1, p_0)
     high_1 = where(high_0b, s_0, p_1)
     high_2 = where(high_0b, d_3, p_2)
-    d_lo_4 = first_1 - (d_3 + d_right_4) - (others_1 - d_right_4) - others_lo_2 + first_lo_2
     high_3 = where(high_0b, p_2, d_0)
-    d_lo_1 = first_0 - (d_0 - d_right_1) + (others_0 - d_right_1) + others_lo_1 + first_lo_1
     column_0a = R_22 < 0
     column_0 = where(column_0a, low_0, high_0)
-    column_lo_1 = where(column_0a, where(low_0a, d_lo_2, s_lo_3), where(high_0b, s_lo_2, p_lo_1))
-    high_size_1 = where(high_0b, p_size_6, p_size_3)
-    column_size_1 = where(column_0a, where(low_0a, d_size_1, p_size_9), high_size_1)
+    low_lo_1 = (where(low_0a, first_0 - (d_1 + d_right_2) - (others_0 - d_right_2) - others_lo_1
+        + first_lo_1, s_lo_3))
+    column_lo_1 = where(column_0a, low_lo_1, where(high_0b, s_lo_2, p_lo_1))
+    column_size_1 = where(column_0a, where(low_0a, d_size_1, p_size_9), where(high_0b, p_size_6,
+        p_size_3))
     column_1 = where(column_0a, low_1, high_1)
-    column_lo_2 = where(column_0a, where(low_0a, s_lo_3, d_lo_3), where(high_0b, s_lo_1, p_lo_2))
-    high_size_2 = where(high_0b, p_size_3, p_size_6)
-    column_size_2 = where(column_0a, where(low_0a, p_size_9, d_size_1), high_size_2)
+    low_lo_2 = (where(low_0a, s_lo_3, first_1 - (d_2 - d_right_3) + (others_1 - d_right_3)
+        + others_lo_2 + first_lo_2))
+    column_lo_2 = where(column_0a, low_lo_2, where(high_0b, s_lo_1, p_lo_2))
+    column_size_2 = where(column_0a, where(low_0a, p_size_9, d_size_1), where(high_0b, p_size_3,
+        p_size_6))
     column_2 = where(column_0a, low_2, high_2)
-    column_lo_3 = where(column_0a, where(low_0a, s_lo_2, s_lo_1), where(high_0b, d_lo_4, p_lo_3))
-    high_size_3 = where(high_0b, d_size_1, p_size_9)
-    column_size_3 = where(column_0a, where(low_0a, p_size_6, p_size_3), high_size_3)
+    high_lo_3 = (where(high_0b, first_1 - (d_3 + d_right_4) - (others_1 - d_right_4) - others_lo_2
+        + first_lo_2, p_lo_3))
+    column_lo_3 = where(column_0a, where(low_0a, s_lo_2, s_lo_1), high_lo_3)
+    column_size_3 = where(column_0a, where(low_0a, p_size_6, p_size_3), where(high_0b, d_size_1,
+        p_size_9))
     column_3 = where(column_0a, low_3, high_3)
-    column_lo_4 = where(column_0a, where(low_0a, p_lo_1, p_lo_2), where(high_0b, p_lo_3, d_lo_1))
-    high_size_4 = where(high_0b, p_size_9, d_size_1)
-    column_size_4 = where(column_0a, where(low_0a, p_size_3, p_size_6), high_size_4)
+    high_lo_4 = (where(high_0b, p_lo_3, first_0 - (d_0 - d_right_1) + (others_0 - d_right_1)
+        + others_lo_1 + first_lo_1))
+    column_lo_4 = where(column_0a, where(low_0a, p_lo_1, p_lo_2), high_lo_4)
+    column_size_4 = where(column_0a, where(low_0a, p_size_3, p_size_6), where(high_0b, p_size_9,
+        d_size_1))
     upper_0a = -column_0
     upper_0a_lo = -column_lo_1
     upper_0b = column_3 < 0
@@ -481,28 +483,29 @@ def SO3_log(R):
     upper_bound_1 = absolute(column_lo_4) + upper_rest_1
     upper_size_3 = upper_bound_1 < absolute(column_3 - 0)
     upper_rest_2 = 4.6185646e-13 * (3.308722450212111e-24 + column_size_1)
-    upper_size_6 = absolute(upper_0a_lo) + upper_rest_2 + absolute(upper_0a - column_0)
-    upper_size_8 = where(upper_size_3, 0, absolute(column_lo_1) + upper_rest_2 + upper_size_6)
+    upper_size_8 = (where(upper_size_3, 0, absolute(column_lo_1) + upper_rest_2
+        + (absolute(upper_0a_lo) + upper_rest_2 + absolute(upper_0a - column_0))))
     upper_1a = -column_1
     upper_1a_lo = -column_lo_2
     upper_1 = where(upper_0b, upper_1a, column_1)
     upper_lo_2 = where(upper_0b, upper_1a_lo, column_lo_2)
     upper_rest_3 = 4.6185646e-13 * (3.308722450212111e-24 + column_size_2)
-    upper_size_13 = absolute(upper_1a_lo) + upper_rest_3 + absolute(upper_1a - column_1)
-    upper_size_15 = where(upper_size_3, 0, absolute(column_lo_2) + upper_rest_3 + upper_size_13)
+    upper_size_15 = (where(upper_size_3, 0, absolute(column_lo_2) + upper_rest_3
+        + (absolute(upper_1a_lo) + upper_rest_3 + absolute(upper_1a - column_1))))
     upper_2a = -column_2
     upper_2a_lo = -column_lo_3
     upper_2 = where(upper_0b, upper_2a, column_2)
     upper_lo_3 = where(upper_0b, upper_2a_lo, column_lo_3)
     upper_rest_4 = 4.6185646e-13 * (3.308722450212111e-24 + column_size_3)
-    upper_size_20 = absolute(upper_2a_lo) + upper_rest_4 + absolute(upper_2a - column_2)
-    upper_size_22 = where(upper_size_3, 0, absolute(column_lo_3) + upper_rest_4 + upper_size_20)
+    upper_size_22 = (where(upper_size_3, 0, absolute(column_lo_3) + upper_rest_4
+        + (absolute(upper_2a_lo) + upper_rest_4 + absolute(upper_2a - column_2))))
     upper_3a = -column_3
     upper_3a_lo = -column_lo_4
     upper_3 = where(upper_0b, upper_3a, column_3)
     upper_lo_4 = where(upper_0b, upper_3a_lo, column_lo_4)
-    upper_size_27 = absolute(upper_3a_lo) + upper_rest_1 + absolute(upper_3a - column_3)
-    upper_size_30 = 549753683968 * where(upper_size_3, 0, upper_bound_1 + upper_size_27)
+    upper_size_30 = (549753683968
+        * where(upper_size_3, 0, upper_bound_1
+        + (absolute(upper_3a_lo) + upper_rest_1 + absolute(upper_3a - column_3))))
     v_s_size_0 = absolute(upper_0)
     v_s_size_padded_1 = 3.308722450212111e-24 + (column_size_1 + 549753683968 * upper_size_8)
     v_s_size_1 = absolute(upper_1)
@@ -513,12 +516,11 @@ def SO3_log(R):
     v_s_largest2 = where(v_s_largest1 < v_s_size_2, v_s_size_2, v_s_largest1)
     v_s_a = 4.611686018427388e+18 < v_s_largest2
     v_s_c = v_s_largest2 < 256
-    v_s_b = where(v_s_a, float32(2.710505431213761e-20), float32(1))
-    v_s_b_size_1 = where(v_s_a, float32(2.710505431213761e-20), float32(1))
     v_s_e = v_s_largest2 < 1.4210854715202004e-14
-    v_s = where(v_s_e, 3.2451855365842673e+32, where(v_s_c, 1.8014398509481984e+16, v_s_b))
-    v_s_d_size_1 = where(v_s_c, 1.8014398509481984e+16, v_s_b_size_1)
-    v_s_size_3 = where(v_s_e, 3.2451855365842673e+32, v_s_d_size_1)
+    v_s = where(v_s_e, 3.2451855365842673e+32, where(v_s_c, 1.8014398509481984e+16, where(v_s_a,
+        float32(2.710505431213761e-20), float32(1))))
+    v_s_size_3 = where(v_s_e, 3.2451855365842673e+32, where(v_s_c, 1.8014398509481984e+16,
+        where(v_s_a, float32(2.710505431213761e-20), float32(1))))
     v_y_0 = upper_0 * v_s
     v_y_inverse_1 = 1 / v_s
     v_y_lo_1 = (upper_0 - v_y_0 * v_y_inverse_1 + upper_lo_1) * v_s
@@ -528,46 +530,50 @@ def SO3_log(R):
     v_y_lo_3 = (upper_2 - v_y_2 * v_y_inverse_1 + upper_lo_3) * v_s
     v_n_a = v_y_0 * v_y_0
     v_n_a_padded_1 = 3.308722450212111e-24 + v_s_size_3 * v_s_size_padded_1
-    v_n_a_reach_1 = absolute(v_y_0) + 262144 * (absolute(v_y_lo_1) + 1.9326999e-12 * v_n_a_padded_1)
-    v_n_a_size_2 = v_n_a_padded_1 * v_n_a_reach_1
+    v_n_a_size_2 = (v_n_a_padded_1
+        * (absolute(v_y_0) + 262144 * (absolute(v_y_lo_1) + 1.9326999e-12 * v_n_a_padded_1)))
     v_n_b = v_y_1 * v_y_1
     v_n_b_padded_1 = 3.308722450212111e-24 + v_s_size_3 * v_s_size_padded_2
-    v_n_b_reach_1 = absolute(v_y_1) + 262144 * (absolute(v_y_lo_2) + 1.9326999e-12 * v_n_b_padded_1)
-    v_n_b_size_2 = v_n_b_padded_1 * v_n_b_reach_1
+    v_n_b_size_2 = (v_n_b_padded_1
+        * (absolute(v_y_1) + 262144 * (absolute(v_y_lo_2) + 1.9326999e-12 * v_n_b_padded_1)))
     v_n_c = v_n_a + v_n_b
     v_n_c_right_1 = v_n_c - v_n_a
-    v_n_c_left_rest_1 = product_rest(v_y_0, v_y_0, v_n_a, v_n_c - v_n_c_right_1)
-    v_n_c_cross_1 = v_y_lo_1 * v_y_0 + v_y_0 * v_y_lo_1 + (v_y_lo_2 * v_y_1 + v_y_1 * v_y_lo_2)
+    v_n_c_lo1_1 = (product_rest(v_y_0, v_y_0, v_n_a, v_n_c - v_n_c_right_1)
+        + product_rest(v_y_1, v_y_1, v_n_b, v_n_c_right_1))
     v_n_d = v_y_2 * v_y_2
     v_n_d_padded_1 = 3.308722450212111e-24 + v_s_size_3 * v_s_size_padded_3
-    v_n_d_reach_1 = absolute(v_y_2) + 262144 * (absolute(v_y_lo_3) + 1.9326999e-12 * v_n_d_padded_1)
-    v_n_d_size_2 = v_n_d_padded_1 * v_n_d_reach_1
+    v_n_d_size_2 = (v_n_d_padded_1
+        * (absolute(v_y_2) + 262144 * (absolute(v_y_lo_3) + 1.9326999e-12 * v_n_d_padded_1)))
     v_n_e = v_n_c + v_n_d
     v_n_e_right_1 = v_n_e - v_n_c
-    v_n_e_lo1_1 = v_n_c - (v_n_e - v_n_e_right_1) + product_rest(v_y_2, v_y_2, v_n_d, v_n_e_right_1)
-    v_n_c_lo = v_n_c_left_rest_1 + product_rest(v_y_1, v_y_1, v_n_b, v_n_c_right_1) + v_n_c_cross_1
-    v_n_e_lo = v_n_e_lo1_1 + (v_y_lo_3 * v_y_2 + v_y_2 * v_y_lo_3) + v_n_c_lo
-    v_n_c_size_1 = v_n_a_size_2 + v_n_a_size_2 + (v_n_b_size_2 + v_n_b_size_2)
+    v_n_e_lo2_1 = (v_n_c - (v_n_e - v_n_e_right_1)
+        + product_rest(v_y_2, v_y_2, v_n_d, v_n_e_right_1) + (v_y_lo_3 * v_y_2 + v_y_2 * v_y_lo_3))
+    v_n_e_lo = (v_n_e_lo2_1
+        + (v_n_c_lo1_1
+        + (v_y_lo_1 * v_y_0 + v_y_0 * v_y_lo_1 + (v_y_lo_2 * v_y_1 + v_y_1 * v_y_lo_2))))
     v_n = sqrt(v_n_e)
     v_n_product_1 = v_n * v_n
-    v_n_residual_1 = v_n_e - v_n_product_1 - product_error(v_n, v_n, v_n_product_1) + v_n_e_lo
-    v_n_lo = v_n_residual_1 / where(v_n == 0, 1, v_n + v_n)
-    v_n_padded_1 = 3.308722450212111e-24 + (v_n_c_size_1 + (v_n_d_size_2 + v_n_d_size_2))
+    v_n_lo = ((v_n_e - v_n_product_1 - product_error(v_n, v_n, v_n_product_1) + v_n_e_lo)
+        / where(v_n == 0, 1, v_n + v_n))
+    v_n_padded_1 = (3.308722450212111e-24
+        + (v_n_a_size_2 + v_n_a_size_2 + (v_n_b_size_2 + v_n_b_size_2)
+        + (v_n_d_size_2 + v_n_d_size_2)))
     v_n_bound_1 = absolute(v_n_e_lo) + 3.3147653e-12 * v_n_padded_1
     v_n_size_4 = (absolute(v_n_e) + 262144 * v_n_bound_1) * (v_n_padded_1 / v_n / v_n_e)
-    v_n_size_8 = 396154929152 * (sqrt(v_n_bound_1) + absolute(v_n_lo))
     v_r_a = v_s < 1
     v_r_c = 1 < v_s
-    v_r_b = where(v_r_a, float32(3.6893488147419103e+19), float32(1))
-    v_r_b_size_1 = where(v_r_a, float32(3.6893488147419103e+19), float32(1))
     v_r_e = 1.8014398509481984e+16 < v_s
-    v_r = where(v_r_e, 3.0814879110195774e-33, where(v_r_c, 5.551115123125783e-17, v_r_b))
-    v_r_d_size_1 = where(v_r_c, 5.551115123125783e-17, v_r_b_size_1)
+    v_r = where(v_r_e, 3.0814879110195774e-33, where(v_r_c, 5.551115123125783e-17, where(v_r_a,
+        float32(3.6893488147419103e+19), float32(1))))
     n = v_n * v_r
     n_lo = (v_n - n * (1 / v_r) + v_n_lo) * v_r
-    v_n_size_12 = v_n + where(4 * v_n_bound_1 < v_n_e, v_n_size_4, v_n_size_8)
-    v_r_size_1 = where(v_r_e, 3.0814879110195774e-33, v_r_d_size_1)
-    n_size_1 = (3.308722450212111e-24 + v_n_size_12) * v_r_size_1
+    v_r_size_1 = where(v_r_e, 3.0814879110195774e-33, where(v_r_c, 5.551115123125783e-17,
+        where(v_r_a, float32(3.6893488147419103e+19), float32(1))))
+    n_padded_1 = (3.308722450212111e-24
+        + (v_n
+        + where(4 * v_n_bound_1 < v_n_e, v_n_size_4, 396154929152
+        * (sqrt(v_n_bound_1) + absolute(v_n_lo)))))
+    n_size_1 = n_padded_1 * v_r_size_1
     half = elementary.atan2(n, upper_3)
     half_size0_1 = absolute(n)
     half_size1_1 = absolute(upper_3)
@@ -576,10 +582,10 @@ def SO3_log(R):
     half_divisor_1 = where(half_zero_1, 1, half_most_1)
     half_part0_1 = n / half_divisor_1
     half_part1_1 = upper_3 / half_divisor_1
-    half_divisor2_1 = half_divisor_1 * (half_part1_1 * half_part1_1 + half_part0_1 * half_part0_1)
-    half_cross_1 = half_part1_1 * n_lo - half_part0_1 * upper_lo_4
-    half_more_1 = half_cross_1 / where(half_zero_1, 1, half_divisor2_1)
-    half_lo = elementary.atan2_error(n, upper_3, half) + half_more_1
+    half_safe_1 = (where(half_zero_1, 1, half_divisor_1
+        * (half_part1_1 * half_part1_1 + half_part0_1 * half_part0_1)))
+    half_lo = (elementary.atan2_error(n, upper_3, half)
+        + (half_part1_1 * n_lo - half_part0_1 * upper_lo_4) / half_safe_1)
     half_padded_1 = 3.308722450212111e-24 + n_size_1
     half_padded_2 = 3.308722450212111e-24 + (column_size_4 + upper_size_30)
     half_size_2 = absolute(n)
@@ -590,44 +596,45 @@ def SO3_log(R):
     half_size_11 = (half_bound_2 + (3.308722450212111e-24 + half_bound_1)) / half_size_5
     half_size_13 = half_size_11 * half_size_11
     half_size_15 = 7 + absolute(half_lo)
-    half_size_18 = where(half_bound_2 < upper_3, half_size_13, half_size_15)
-    half_size_19 = where(half_bound_1 < half_size_2, half_size_13, half_size_18)
-    half_size_21 = 157070458880 * where(half_size_11 < 0.25, half_size_19, half_size_15)
+    half_size_19 = (where(half_bound_1
+        < half_size_2, half_size_13, where(half_bound_2 < upper_3, half_size_13, half_size_15)))
     divisor_a = n == 0
     divisor = where(divisor_a, 1, n)
     divisor_lo = where(divisor_a, 0, n_lo)
-    divisor_size_5 = half_bound_1 < 1.401298464324817e-45 + absolute(n - 0)
-    divisor_size_10 = 219898183680 * where(divisor_size_5, 0, absolute(1 - n) + half_bound_1)
+    divisor_size_10 = (219898183680
+        * where(half_bound_1 < 1.401298464324817e-45 + absolute(n - 0), 0, absolute(1 - n)
+        + half_bound_1))
     theta = 2 * half
-    half_size_22 = absolute(half) + (half_padded_1 + half_padded_2) / half_size_5 + half_size_21
+    half_size_22 = (absolute(half) + (half_padded_1 + half_padded_2) / half_size_5 + 157070458880
+        * where(half_size_11 < 0.25, half_size_19, half_size_15))
     k = theta / divisor
     k_product_1 = k * divisor
-    k_numerator_1 = theta - k_product_1 - product_error(k, divisor, k_product_1) + 2 * half_lo
-    k_lo = (k_numerator_1 - k * divisor_lo) / divisor
+    k_lo = ((theta - k_product_1 - product_error(k, divisor, k_product_1) + 2 * half_lo - k
+        * divisor_lo) / divisor)
     k_padded_2 = 3.308722450212111e-24 + (where(divisor_a, 1, n_size_1) + divisor_size_10)
     k_size_1 = absolute(k)
     k_size_2 = absolute(divisor)
     k_bound_1 = absolute(divisor_lo) + 4.6896905e-12 * k_padded_2
-    k_size_4 = 3.308722450212111e-24 + 2 * half_size_22 + k_padded_2 * k_size_1
-    k_size_8 = k_size_4 / where(4 * k_bound_1 < k_size_2, k_size_2, 0)
+    k_size_8 = ((3.308722450212111e-24 + 2 * half_size_22 + k_padded_2 * k_size_1)
+        / where(4 * k_bound_1 < k_size_2, k_size_2, 0))
     vector_0 = upper_0 * k
-    k_size_11 = k_size_1 + (k_size_2 + 262144 * k_bound_1) * k_size_8 / k_size_2
-    vector_padded_1 = 3.308722450212111e-24 + k_size_11
-    vector_units_1 = 262144 * (absolute(upper_lo_1) + 1.8758484e-12 * v_s_size_padded_1)
+    vector_padded_1 = (3.308722450212111e-24
+        + (k_size_1 + (k_size_2 + 262144 * k_bound_1) * k_size_8 / k_size_2))
     vector_reach_2 = k_size_1 + 262144 * (absolute(k_lo) + 9.5606465e-12 * vector_padded_1)
-    vector_size_2 = vector_padded_1 * (absolute(upper_0) + vector_units_1)
+    vector_size_2 = (vector_padded_1
+        * (absolute(upper_0) + 262144 * (absolute(upper_lo_1) + 1.8758484e-12 * v_s_size_padded_1)))
     vector_1 = upper_1 * k
-    vector_units_3 = 262144 * (absolute(upper_lo_2) + 1.8758484e-12 * v_s_size_padded_2)
-    vector_size_6 = vector_padded_1 * (absolute(upper_1) + vector_units_3)
+    vector_size_6 = (vector_padded_1
+        * (absolute(upper_1) + 262144 * (absolute(upper_lo_2) + 1.8758484e-12 * v_s_size_padded_2)))
     vector_2 = upper_2 * k
-    vector_units_4 = 262144 * (absolute(upper_lo_3) + 1.8758484e-12 * v_s_size_padded_3)
-    vector_size_10 = vector_padded_1 * (absolute(upper_2) + vector_units_4)
-    vector_lo_1 = product_error(upper_0, k, vector_0) + (upper_lo_1 * k + upper_0 * k_lo)
-    vector_padded_2 = 3.308722450212111e-24 + (vector_size_2 + v_s_size_padded_1 * vector_reach_2)
-    vector_lo_2 = product_error(upper_1, k, vector_1) + (upper_lo_2 * k + upper_1 * k_lo)
-    vector_padded_3 = 3.308722450212111e-24 + (vector_size_6 + v_s_size_padded_2 * vector_reach_2)
-    vector_lo_3 = product_error(upper_2, k, vector_2) + (upper_lo_3 * k + upper_2 * k_lo)
-    vector_padded_4 = 3.308722450212111e-24 + (vector_size_10 + v_s_size_padded_3 * vector_reach_2)
+    vector_size_10 = (vector_padded_1
+        * (absolute(upper_2) + 262144 * (absolute(upper_lo_3) + 1.8758484e-12 * v_s_size_padded_3)))
+    vector_rest_2 = (1.0146962e-11
+        * (3.308722450212111e-24 + (vector_size_2 + v_s_size_padded_1 * vector_reach_2)))
+    vector_rest_3 = (1.0146962e-11
+        * (3.308722450212111e-24 + (vector_size_6 + v_s_size_padded_2 * vector_reach_2)))
+    vector_rest_4 = (1.0146962e-11
+        * (3.308722450212111e-24 + (vector_size_10 + v_s_size_padded_3 * vector_reach_2)))
     R_n_0 = R_11 * R_22 - R_12 * R_21
     R_n_1 = R_02 * R_21 - R_01 * R_22
     R_n_2 = R_01 * R_12 - R_02 * R_11
@@ -650,24 +657,27 @@ def SO3_log(R):
     R_defect_size_5 = absolute(R_g_4)
     R_defect_size_6 = absolute(R_off_6)
     R_defect_largest1 = where(R_defect_size_0 < R_defect_size_1, R_defect_size_1, R_defect_size_0)
-    R_defect_largest2a = R_defect_largest1 < R_defect_size_2
-    R_defect_largest2 = where(R_defect_largest2a, R_defect_size_2, R_defect_largest1)
-    R_defect_largest3a = R_defect_largest2 < R_defect_size_3
-    R_defect_largest3 = where(R_defect_largest3a, R_defect_size_3, R_defect_largest2)
-    R_defect_largest4a = R_defect_largest3 < R_defect_size_4
-    R_defect_largest4 = where(R_defect_largest4a, R_defect_size_4, R_defect_largest3)
-    R_defect_largest5a = R_defect_largest4 < R_defect_size_5
-    R_defect_largest5 = where(R_defect_largest5a, R_defect_size_5, R_defect_largest4)
-    R_defect_largest6a = R_defect_largest5 < R_defect_size_6
-    R_defect_largest6 = where(R_defect_largest6a, R_defect_size_6, R_defect_largest5)
+    R_defect_largest2 = (where(R_defect_largest1
+        < R_defect_size_2, R_defect_size_2, R_defect_largest1))
+    R_defect_largest3 = (where(R_defect_largest2
+        < R_defect_size_3, R_defect_size_3, R_defect_largest2))
+    R_defect_largest4 = (where(R_defect_largest3
+        < R_defect_size_4, R_defect_size_4, R_defect_largest3))
+    R_defect_largest5 = (where(R_defect_largest4
+        < R_defect_size_5, R_defect_size_5, R_defect_largest4))
+    R_defect_largest6 = (where(R_defect_largest5
+        < R_defect_size_6, R_defect_size_6, R_defect_largest5))
     R_is_less = R_defect_largest6 < 0.001
     R_is_equal = R_defect_largest6 == 0.001
     R_unless_equal = where(R_is_equal, float32(0), float32(1.2676506002282294e+30))
     R_unless_rotation = where(R_is_less, 0, R_unless_equal)
     R_excess = R_unless_rotation * 1.2676506002282294e+30
-    R_excess_0 = absolute(vector_lo_1) + 1.0146962e-11 * vector_padded_2 + R_excess
-    R_excess_1 = absolute(vector_lo_2) + 1.0146962e-11 * vector_padded_3 + R_excess
-    R_excess_2 = absolute(vector_lo_3) + 1.0146962e-11 * vector_padded_4 + R_excess
+    R_excess_0 = (absolute(product_error(upper_0, k, vector_0) + (upper_lo_1 * k + upper_0 * k_lo))
+        + vector_rest_2 + R_excess)
+    R_excess_1 = (absolute(product_error(upper_1, k, vector_1) + (upper_lo_2 * k + upper_1 * k_lo))
+        + vector_rest_3 + R_excess)
+    R_excess_2 = (absolute(product_error(upper_2, k, vector_2) + (upper_lo_3 * k + upper_2 * k_lo))
+        + vector_rest_4 + R_excess)
     return (vector_0, vector_1, vector_2, R_excess_0, R_excess_1, R_excess_2)
 
 
@@ -726,18 +736,31 @@ def SO3_leftJacobian(v):
     closed2 = versine / far_x
     rest3 = 1 - closed1
     closed3 = rest3 / middle_x
-    g1g = x * (x * (x * (6.4469503e-26 * x - 3.8681703e-23) + 1.9572942e-20) - 8.220635e-18)
-    g1n = x * (x * (x * (g1g + 2.8114574e-15) - 7.6471636e-13) + 1.6059044e-10) - 2.5052108e-08
-    g1w = x * (x * (x * (x * (x * g1n + 2.7557319e-06) - 0.0001984127) + 0.008333334) - 0.16666667)
-    g1 = where(theta_b, g1w + 1, closed1)
-    g2g = x * (x * (x * (2.4795963e-27 * x - 1.6117376e-24) + 8.896791e-22) - 4.1103176e-19)
-    g2n = x * (x * (x * (g2g + 1.5619207e-16) - 4.7794773e-14) + 1.1470745e-11) - 2.0876756e-09
-    g2v = x * (x * (x * (x * g2n + 2.755732e-07) - 2.4801588e-05) + 0.0013888889) - 0.041666668
-    g2 = where(theta_b, x * g2v + 0.5, closed2)
-    g3g = x * (x * (x * (9.18369e-29 * x - 6.4469503e-26) + 3.8681703e-23) - 1.9572942e-20)
-    g3o = x * (x * (x * (x * (g3g + 8.220635e-18) - 2.8114574e-15) + 7.6471636e-13) - 1.6059044e-10)
-    g3w = x * (x * (x * (x * (g3o + 2.5052108e-08) - 2.7557319e-06) + 0.0001984127) - 0.008333334)
-    g3 = where(middle_x_a, g3w + 0.16666667, closed3)
+    g1l = (x
+        * (x
+        * (x * (x * (x * (6.4469503e-26 * x - 3.8681703e-23) + 1.9572942e-20) - 8.220635e-18)
+        + 2.8114574e-15) - 7.6471636e-13) + 1.6059044e-10)
+    g1 = (where(theta_b, x
+        * (x
+        * (x * (x * (x * (x * g1l - 2.5052108e-08) + 2.7557319e-06) - 0.0001984127) + 0.008333334)
+        - 0.16666667) + 1, closed1))
+    g2l = (x
+        * (x
+        * (x * (x * (x * (2.4795963e-27 * x - 1.6117376e-24) + 8.896791e-22) - 4.1103176e-19)
+        + 1.5619207e-16) - 4.7794773e-14) + 1.1470745e-11)
+    g2 = (where(theta_b, x
+        * (x
+        * (x * (x * (x * (x * g2l - 2.0876756e-09) + 2.755732e-07) - 2.4801588e-05) + 0.0013888889)
+        - 0.041666668) + 0.5, closed2))
+    g3l = (x
+        * (x
+        * (x * (x * (x * (9.18369e-29 * x - 6.4469503e-26) + 3.8681703e-23) - 1.9572942e-20)
+        + 8.220635e-18) - 2.8114574e-15) + 7.6471636e-13)
+    g3x = (x
+        * (x
+        * (x * (x * (x * (x * g3l - 1.6059044e-10) + 2.5052108e-08) - 2.7557319e-06)
+        + 0.0001984127) - 0.008333334) + 0.16666667)
+    g3 = where(middle_x_a, g3x, closed3)
     beta_v_0 = v_0 * g3
     beta_v_1 = v_1 * g3
     beta_v_2 = v_2 * g3
@@ -762,354 +785,310 @@ def SO3_leftJacobian(v):
     R_12 = m_5 - alpha_v_0
     R_20 = m_4 - alpha_v_1
     R_21 = m_5 + alpha_v_0
-    fine_halved_0 = 0.5 * v_0
-    fine_halved_size_1 = absolute(v_0)
-    fine_halved_1 = 0.5 * v_1
-    fine_halved_size_3 = absolute(v_1)
-    fine_halved_2 = 0.5 * v_2
-    fine_halved_size_5 = absolute(v_2)
-    fine_y_a = fine_halved_0 * fine_halved_0
-    fine_y_a_padded_1 = 3.308722450212111e-24 + 0.5 * fine_halved_size_1
-    fine_y_b = fine_halved_1 * fine_halved_1
-    fine_y_b_padded_1 = 3.308722450212111e-24 + 0.5 * fine_halved_size_3
-    fine_y_c = fine_y_a + fine_y_b
-    fine_y_c_right_1 = fine_y_c - fine_y_a
-    fine_y_c_left_1 = fine_y_c - fine_y_c_right_1
-    fine_y_c_right_rest_1 = product_rest(fine_halved_1, fine_halved_1, fine_y_b, fine_y_c_right_1)
-    fine_y_c_left_rest_1 = product_rest(fine_halved_0, fine_halved_0, fine_y_a, fine_y_c_left_1)
-    fine_y_d = fine_halved_2 * fine_halved_2
-    fine_y_d_padded_1 = 3.308722450212111e-24 + 0.5 * fine_halved_size_5
-    fine_y = fine_y_c + fine_y_d
-    fine_y_right_1 = fine_y - fine_y_c
-    fine_y_right_rest_1 = product_rest(fine_halved_2, fine_halved_2, fine_y_d, fine_y_right_1)
-    fine_y_lo1_1 = fine_y_c - (fine_y - fine_y_right_1) + fine_y_right_rest_1
-    fine_y_lo = fine_y_lo1_1 + (fine_y_c_left_rest_1 + fine_y_c_right_rest_1)
-    fine_y_c_size_1 = fine_y_a_padded_1 * fine_y_a_padded_1 + fine_y_b_padded_1 * fine_y_b_padded_1
-    fine_y_size_1 = fine_y_c_size_1 + fine_y_d_padded_1 * fine_y_d_padded_1
-    fine_half_angle = sqrt(fine_y)
-    fine_half_angle_product_1 = fine_half_angle * fine_half_angle
-    fine_half_angle_product_error_1 = product_error(fine_half_angle, fine_half_angle, fine_half_angle_product_1)
-    fine_half_angle_exact_1 = fine_y - fine_half_angle_product_1 - fine_half_angle_product_error_1
-    fine_half_angle_divisor_1 = where(fine_half_angle == 0, 1, fine_half_angle + fine_half_angle)
-    fine_half_angle_lo = (fine_half_angle_exact_1 + fine_y_lo) / fine_half_angle_divisor_1
-    fine_half_angle_padded_1 = 3.308722450212111e-24 + fine_y_size_1
-    fine_half_angle_bound_1 = absolute(fine_y_lo) + 7.2120885e-13 * fine_half_angle_padded_1
-    fine_half_angle_reach_1 = absolute(fine_y) + 262144 * fine_half_angle_bound_1
-    fine_half_angle_size_2 = fine_half_angle_padded_1 / fine_half_angle / fine_y
-    fine_half_angle_size_6 = absolute(fine_half_angle_lo)
-    fine_half_angle_size_8 = 890731298816 * (sqrt(fine_half_angle_bound_1) + fine_half_angle_size_6)
-    fine_half_angle_size_4 = fine_half_angle_reach_1 * fine_half_angle_size_2
-    fine_half_angle_size_10 = 4 * fine_half_angle_bound_1 < fine_y
-    fine_half_angle_size_11 = where(fine_half_angle_size_10, fine_half_angle_size_4, fine_half_angle_size_8)
-    fine_half_angle_size_12 = fine_half_angle + fine_half_angle_size_11
-    fine_sine, fine_c = elementary.sincos(fine_half_angle)
-    fine_sine_own_error_1, fine_c_own_error_1 = elementary.sincos_error(fine_half_angle, fine_sine, fine_c)
-    fine_sine_half_1 = fine_half_angle_lo * 0.5
+    halved_0 = 0.5 * v_0
+    halved_size_1 = absolute(v_0)
+    halved_1 = 0.5 * v_1
+    halved_size_3 = absolute(v_1)
+    halved_2 = 0.5 * v_2
+    halved_size_5 = absolute(v_2)
+    y_a = halved_0 * halved_0
+    y_a_padded_1 = 3.308722450212111e-24 + 0.5 * halved_size_1
+    y_b = halved_1 * halved_1
+    y_b_padded_1 = 3.308722450212111e-24 + 0.5 * halved_size_3
+    y_c = y_a + y_b
+    y_c_right_1 = y_c - y_a
+    y_d = halved_2 * halved_2
+    y_d_padded_1 = 3.308722450212111e-24 + 0.5 * halved_size_5
+    y = y_c + y_d
+    y_right_1 = y - y_c
+    y_c_lo = (product_rest(halved_0, halved_0, y_a, y_c - y_c_right_1)
+        + product_rest(halved_1, halved_1, y_b, y_c_right_1))
+    y_lo = y_c - (y - y_right_1) + product_rest(halved_2, halved_2, y_d, y_right_1) + y_c_lo
+    y_size_1 = (y_a_padded_1 * y_a_padded_1 + y_b_padded_1 * y_b_padded_1 + y_d_padded_1
+        * y_d_padded_1)
+    half_angle = sqrt(y)
+    half_angle_product_1 = half_angle * half_angle
+    half_angle_residual_1 = (y - half_angle_product_1
+        - product_error(half_angle, half_angle, half_angle_product_1) + y_lo)
+    half_angle_lo = half_angle_residual_1 / where(half_angle == 0, 1, half_angle + half_angle)
+    half_angle_padded_1 = 3.308722450212111e-24 + y_size_1
+    half_angle_bound_1 = absolute(y_lo) + 7.2120885e-13 * half_angle_padded_1
+    half_angle_size_6 = absolute(half_angle_lo)
+    half_angle_size_4 = ((absolute(y) + 262144 * half_angle_bound_1)
+        * (half_angle_padded_1 / half_angle / y))
+    half_angle_size_12 = (half_angle
+        + where(4 * half_angle_bound_1 < y, half_angle_size_4, 890731298816
+        * (sqrt(half_angle_bound_1) + half_angle_size_6)))
+    fine_sine, c = elementary.sincos(half_angle)
+    fine_sine_own_error_1, c_own_error_1 = elementary.sincos_error(half_angle, fine_sine, c)
+    fine_sine_half_1 = half_angle_lo * 0.5
     fine_sine_half_sin_1, fine_sine_half_cos_1 = elementary.sincos(fine_sine_half_1)
     fine_sine_twice_1 = fine_sine_half_sin_1 + fine_sine_half_sin_1
-    fine_sine_slope_1 = fine_sine_half_cos_1 * fine_c - fine_sine_half_sin_1 * fine_sine
-    fine_sine_padded_1 = 3.308722450212111e-24 + fine_half_angle_size_12
+    fine_sine_padded_1 = 3.308722450212111e-24 + half_angle_size_12
     fine_sine_size_1 = 1 + fine_sine_padded_1
-    fine_c_slope_1 = fine_sine_half_cos_1 * fine_sine + fine_sine_half_sin_1 * fine_c
-    fine_c_lo = fine_c_own_error_1 - fine_c_slope_1 * fine_sine_twice_1
-    fine_sinc_divisor_a = fine_half_angle < 1.4901161193847656e-08
-    fine_sinc_divisor = where(fine_sinc_divisor_a, 1.4901161193847656e-08, fine_half_angle)
-    fine_sinc_divisor_lo = where(fine_sinc_divisor_a, 0, fine_half_angle_lo)
-    fine_sinc_divisor_bound_1 = fine_half_angle_size_6 + 1.2221551e-12 * fine_sine_padded_1
-    fine_sinc_divisor_size_3 = absolute(fine_half_angle - 1.4901161193847656e-08)
-    fine_sinc_divisor_size_4 = fine_sinc_divisor_bound_1 < fine_sinc_divisor_size_3
-    fine_sinc_divisor_size_6 = absolute(1.4901161193847656e-08 - fine_half_angle)
-    fine_sinc_divisor_size_7 = fine_sinc_divisor_bound_1 + fine_sinc_divisor_size_6
-    fine_sinc_divisor_size_8 = where(fine_sinc_divisor_size_4, 0, fine_sinc_divisor_size_7)
-    fine_sinc_divisor_size_1 = where(fine_sinc_divisor_a, 1.4901161193847656e-08, fine_half_angle_size_12)
-    fine_sinc_quotient = fine_sine / fine_sinc_divisor
-    fine_sinc_quotient_product_1 = fine_sinc_quotient * fine_sinc_divisor
-    fine_sinc_quotient_product_error_1 = product_error(fine_sinc_quotient, fine_sinc_divisor, fine_sinc_quotient_product_1)
-    fine_sinc_quotient_rest_1 = fine_sine - fine_sinc_quotient_product_1
-    fine_sinc_quotient_exact_1 = fine_sinc_quotient_rest_1 - fine_sinc_quotient_product_error_1
-    fine_sine_lo = fine_sine_own_error_1 + fine_sine_slope_1 * fine_sine_twice_1
-    fine_sinc_quotient_numerator_1 = fine_sinc_quotient_exact_1 + fine_sine_lo
-    fine_sinc_quotient_cross_1 = fine_sinc_quotient * fine_sinc_divisor_lo
-    fine_sinc_quotient_residual_1 = fine_sinc_quotient_numerator_1 - fine_sinc_quotient_cross_1
-    fine_sinc_quotient_lo = fine_sinc_quotient_residual_1 / fine_sinc_divisor
-    fine_sinc_divisor_size_10 = fine_sinc_divisor_size_1 + 314142654464 * fine_sinc_divisor_size_8
-    fine_sinc_quotient_padded_2 = 3.308722450212111e-24 + fine_sinc_divisor_size_10
-    fine_sinc_quotient_size_1 = absolute(fine_sinc_quotient)
-    fine_sinc_quotient_size_2 = absolute(fine_sinc_divisor)
-    fine_sinc_quotient_size_3 = fine_sinc_quotient_padded_2 * fine_sinc_quotient_size_1
-    fine_sinc_quotient_rest_2 = 3.2827582e-12 * fine_sinc_quotient_padded_2
-    fine_sinc_quotient_bound_1 = absolute(fine_sinc_divisor_lo) + fine_sinc_quotient_rest_2
-    fine_sinc_quotient_size_6 = 4 * fine_sinc_quotient_bound_1 < fine_sinc_quotient_size_2
-    fine_sinc_quotient_size_4 = 3.308722450212111e-24 + fine_sine_size_1 + fine_sinc_quotient_size_3
-    fine_sinc_quotient_size_7 = where(fine_sinc_quotient_size_6, fine_sinc_quotient_size_2, 0)
-    fine_sinc_quotient_reach_1 = fine_sinc_quotient_size_2 + 262144 * fine_sinc_quotient_bound_1
-    fine_sinc_quotient_size_8 = fine_sinc_quotient_size_4 / fine_sinc_quotient_size_7
-    fine_sinc_quotient_size_9 = fine_sinc_quotient_reach_1 * fine_sinc_quotient_size_8
-    fine_sinc_quotient_size_10 = fine_sinc_quotient_size_9 / fine_sinc_quotient_size_2
-    fine_sinc_quotient_size_11 = fine_sinc_quotient_size_1 + fine_sinc_quotient_size_10
-    fine_sinc_a = 0.16666667 * fine_y
-    fine_sinc_b = 1 - fine_sinc_a
-    fine_sinc_b_right_1 = 1 - fine_sinc_b
-    fine_sinc_b_right_rest_1 = product_rest(0.16666667, fine_y, fine_sinc_a, fine_sinc_b_right_1)
-    fine_sinc_b_lo1_1 = 1 - (fine_sinc_b + fine_sinc_b_right_1) - fine_sinc_b_right_rest_1
-    fine_sinc_b_lo = fine_sinc_b_lo1_1 - (-4.967054e-09 * fine_y + 0.16666667 * fine_y_lo)
-    fine_sinc_b_size_1 = 1 + 0.16666669 * fine_y_size_1
-    fine_sinc = where(fine_sinc_divisor_a, fine_sinc_b, fine_sinc_quotient)
-    fine_sinc_lo = where(fine_sinc_divisor_a, fine_sinc_b_lo, fine_sinc_quotient_lo)
-    fine_sinc_rest_1 = 2.3406937e-10 * (3.308722450212111e-24 + fine_sinc_b_size_1)
-    fine_sinc_rest_2 = 5.43103e-12 * (3.308722450212111e-24 + fine_sinc_quotient_size_11)
-    fine_sinc_bound_1 = absolute(fine_sinc_b_lo) + fine_sinc_rest_1
-    fine_sinc_size_4 = fine_sinc_bound_1 + absolute(fine_sinc_b - fine_sinc_quotient)
-    fine_sinc_size_5 = absolute(fine_sinc_quotient_lo) + fine_sinc_rest_2 + fine_sinc_size_4
-    fine_sinc_size_1 = where(fine_sinc_divisor_a, fine_sinc_b_size_1, fine_sinc_quotient_size_11)
-    fine_sinc_size_7 = 4276409088 * where(fine_sinc_divisor_size_4, 0, fine_sinc_size_5)
-    fine_g1 = fine_c * fine_sinc
-    fine_g1_cross_1 = fine_c_lo * fine_sinc + fine_c * fine_sinc_lo
-    fine_g1_padded_1 = 3.308722450212111e-24 + (fine_sinc_size_1 + fine_sinc_size_7)
-    fine_g1_units_1 = 262144 * (absolute(fine_c_lo) + 2.5011469e-12 * fine_sine_size_1)
-    fine_g1_units_2 = 262144 * (absolute(fine_sinc_lo) + 2.3406946e-10 * fine_g1_padded_1)
-    fine_g1_reach_2 = absolute(fine_sinc) + fine_g1_units_2
-    fine_g1_size_2 = fine_g1_padded_1 * (absolute(fine_c) + fine_g1_units_1)
-    fine_g1_size_5 = fine_g1_size_2 + fine_g1_reach_2 * fine_sine_size_1
-    fine_g2a = fine_sinc * fine_sinc
+    c_lo = (c_own_error_1 - (fine_sine_half_cos_1 * fine_sine + fine_sine_half_sin_1 * c)
+        * fine_sine_twice_1)
+    sinc_divisor_a = half_angle < 1.4901161193847656e-08
+    sinc_divisor = where(sinc_divisor_a, 1.4901161193847656e-08, half_angle)
+    sinc_divisor_lo = where(sinc_divisor_a, 0, half_angle_lo)
+    sinc_divisor_bound_1 = half_angle_size_6 + 1.2221551e-12 * fine_sine_padded_1
+    sinc_divisor_size_4 = sinc_divisor_bound_1 < absolute(half_angle - 1.4901161193847656e-08)
+    sinc_divisor_size_9 = (314142654464
+        * where(sinc_divisor_size_4, 0, sinc_divisor_bound_1
+        + absolute(1.4901161193847656e-08 - half_angle)))
+    sinc_quotient = fine_sine / sinc_divisor
+    sinc_quotient_product_1 = sinc_quotient * sinc_divisor
+    sinc_quotient_exact_1 = (fine_sine - sinc_quotient_product_1
+        - product_error(sinc_quotient, sinc_divisor, sinc_quotient_product_1))
+    fine_sine_lo = (fine_sine_own_error_1
+        + (fine_sine_half_cos_1 * c - fine_sine_half_sin_1 * fine_sine) * fine_sine_twice_1)
+    sinc_quotient_lo = ((sinc_quotient_exact_1 + fine_sine_lo - sinc_quotient * sinc_divisor_lo)
+        / sinc_divisor)
+    sinc_quotient_padded_2 = (3.308722450212111e-24
+        + (where(sinc_divisor_a, 1.4901161193847656e-08, half_angle_size_12) + sinc_divisor_size_9))
+    sinc_quotient_size_1 = absolute(sinc_quotient)
+    sinc_quotient_size_2 = absolute(sinc_divisor)
+    sinc_quotient_bound_1 = absolute(sinc_divisor_lo) + 3.2827582e-12 * sinc_quotient_padded_2
+    sinc_quotient_size_4 = (3.308722450212111e-24 + fine_sine_size_1 + sinc_quotient_padded_2
+        * sinc_quotient_size_1)
+    sinc_quotient_size_8 = (sinc_quotient_size_4
+        / where(4 * sinc_quotient_bound_1 < sinc_quotient_size_2, sinc_quotient_size_2, 0))
+    sinc_quotient_size_11 = (sinc_quotient_size_1
+        + (sinc_quotient_size_2 + 262144 * sinc_quotient_bound_1) * sinc_quotient_size_8
+        / sinc_quotient_size_2)
+    sinc_a = 0.16666667 * y
+    sinc_b = 1 - sinc_a
+    sinc_b_right_1 = 1 - sinc_b
+    sinc_b_lo = (1 - (sinc_b + sinc_b_right_1)
+        - product_rest(0.16666667, y, sinc_a, sinc_b_right_1)
+        - (-4.967054e-09 * y + 0.16666667 * y_lo))
+    sinc_b_size_1 = 1 + 0.16666669 * y_size_1
+    sinc = where(sinc_divisor_a, sinc_b, sinc_quotient)
+    sinc_lo = where(sinc_divisor_a, sinc_b_lo, sinc_quotient_lo)
+    sinc_size_4 = (absolute(sinc_b_lo) + 2.3406937e-10 * (3.308722450212111e-24 + sinc_b_size_1)
+        + absolute(sinc_b - sinc_quotient))
+    sinc_size_6 = (where(sinc_divisor_size_4, 0, absolute(sinc_quotient_lo) + 5.43103e-12
+        * (3.308722450212111e-24 + sinc_quotient_size_11) + sinc_size_4))
+    fine_g1 = c * sinc
+    fine_g1_cross_1 = c_lo * sinc + c * sinc_lo
+    fine_g1_padded_1 = (3.308722450212111e-24
+        + (where(sinc_divisor_a, sinc_b_size_1, sinc_quotient_size_11) + 4276409088 * sinc_size_6))
+    fine_g1_reach_2 = (absolute(sinc) + 262144
+        * (absolute(sinc_lo) + 2.3406946e-10 * fine_g1_padded_1))
+    fine_g1_size_5 = (fine_g1_padded_1
+        * (absolute(c) + 262144 * (absolute(c_lo) + 2.5011469e-12 * fine_sine_size_1))
+        + fine_g1_reach_2 * fine_sine_size_1)
+    fine_g2a = sinc * sinc
     fine_g2a_size_1 = fine_g1_padded_1 * fine_g1_reach_2
-    fine_g2a_cross_1 = fine_sinc_lo * fine_sinc + fine_sinc * fine_sinc_lo
     fine_g2 = 0.5 * fine_g2a
-    fine_g2_cross2_1 = 0.5 * (product_error(fine_sinc, fine_sinc, fine_g2a) + fine_g2a_cross_1)
+    fine_g2_cross2_1 = (0.5
+        * (product_error(sinc, sinc, fine_g2a) + (sinc_lo * sinc + sinc * sinc_lo)))
     fine_rest3 = 1 - fine_g1
     fine_rest3_right_1 = 1 - fine_rest3
-    fine_rest3_right_rest_1 = product_rest(fine_c, fine_sinc, fine_g1, fine_rest3_right_1)
-    fine_rest3_lo1_1 = 1 - (fine_rest3 + fine_rest3_right_1) - fine_rest3_right_rest_1
-    fine_x = 4 * fine_y
-    fine_x_cross2_1 = 4 * fine_y_lo
-    fine_x_size_1 = 4 * fine_y_size_1
-    fine_far_x_a = fine_x < 1
-    fine_far_x = where(fine_far_x_a, 1, fine_x)
-    fine_far_x_lo = where(fine_far_x_a, 0, fine_x_cross2_1)
+    fine_x = 4 * y
+    fine_x_cross2_1 = 4 * y_lo
+    fine_x_size_1 = 4 * y_size_1
+    far_x_a = fine_x < 1
+    fine_far_x = where(far_x_a, 1, fine_x)
+    fine_far_x_lo = where(far_x_a, 0, fine_x_cross2_1)
     fine_far_x_padded_1 = 3.308722450212111e-24 + fine_x_size_1
     fine_far_x_bound_1 = absolute(fine_x_cross2_1) + 8.100306e-13 * fine_far_x_padded_1
     fine_far_x_size_4 = fine_far_x_bound_1 < absolute(fine_x - 1)
-    fine_far_x_size_8 = where(fine_far_x_size_4, 0, fine_far_x_bound_1 + absolute(1 - fine_x))
     fine_closed3 = fine_rest3 / fine_far_x
     fine_closed3_product_1 = fine_closed3 * fine_far_x
-    fine_closed3_product_error_1 = product_error(fine_closed3, fine_far_x, fine_closed3_product_1)
-    fine_closed3_exact_1 = fine_rest3 - fine_closed3_product_1 - fine_closed3_product_error_1
-    fine_closed3_numerator_1 = fine_closed3_exact_1 + (fine_rest3_lo1_1 - fine_g1_cross_1)
+    fine_rest3_lo = (1 - (fine_rest3 + fine_rest3_right_1)
+        - product_rest(c, sinc, fine_g1, fine_rest3_right_1) - fine_g1_cross_1)
+    fine_closed3_numerator_1 = (fine_rest3 - fine_closed3_product_1
+        - product_error(fine_closed3, fine_far_x, fine_closed3_product_1) + fine_rest3_lo)
     fine_closed3_lo = (fine_closed3_numerator_1 - fine_closed3 * fine_far_x_lo) / fine_far_x
-    fine_far_x_size_10 = where(fine_far_x_a, 1, fine_x_size_1) + 183249911808 * fine_far_x_size_8
+    fine_far_x_size_10 = (where(far_x_a, 1, fine_x_size_1) + 183249911808
+        * where(fine_far_x_size_4, 0, fine_far_x_bound_1 + absolute(1 - fine_x)))
     fine_closed3_padded_2 = 3.308722450212111e-24 + fine_far_x_size_10
     fine_closed3_size_1 = absolute(fine_closed3)
     fine_closed3_size_2 = absolute(fine_far_x)
-    fine_closed3_padded_1 = 3.308722450212111e-24 + (1 + fine_g1_size_5)
     fine_closed3_bound_1 = absolute(fine_far_x_lo) + 5.627585e-12 * fine_closed3_padded_2
-    fine_closed3_size_6 = 4 * fine_closed3_bound_1 < fine_closed3_size_2
-    fine_closed3_size_4 = fine_closed3_padded_1 + fine_closed3_padded_2 * fine_closed3_size_1
-    fine_closed3_size_8 = fine_closed3_size_4 / where(fine_closed3_size_6, fine_closed3_size_2, 0)
-    fine_closed3_reach_1 = fine_closed3_size_2 + 262144 * fine_closed3_bound_1
-    fine_closed3_size_10 = fine_closed3_reach_1 * fine_closed3_size_8 / fine_closed3_size_2
-    fine_closed3_size_11 = fine_closed3_size_1 + fine_closed3_size_10
-    fine_series5a = 1.216125e-34 * fine_x
-    fine_series5b = 1.1309962e-31 - fine_series5a
-    fine_series5b_right_1 = 1.1309962e-31 - fine_series5b
-    fine_series5b_right_rest_1 = product_rest(1.216125e-34, fine_x, fine_series5a, fine_series5b_right_1)
-    fine_series5b_left_rest_1 = 1.1309962e-31 - (fine_series5b + fine_series5b_right_1)
-    fine_series5b_lo1_1 = fine_series5b_left_rest_1 - fine_series5b_right_rest_1
-    fine_series5a_cross_1 = 2.696e-42 * fine_x + 1.216125e-34 * fine_x_cross2_1
-    fine_series5b_lo = fine_series5b_lo1_1 - fine_series5a_cross_1 + 4.1374e-39
-    fine_series5c = fine_x * fine_series5b
-    fine_series5c_padded_1 = 3.308722450212111e-24 + (1.1309962e-31 + 1.9784917e-27 * fine_x_size_1)
-    fine_series5c_reach_1 = absolute(fine_x) + 262144 * fine_far_x_bound_1
-    fine_series5c_bound_1 = absolute(fine_series5b_lo) + 2.3419375e-10 * fine_series5c_padded_1
-    fine_series5c_reach_2 = absolute(fine_series5b) + 262144 * fine_series5c_bound_1
-    fine_series5c_size_2 = fine_series5c_padded_1 * fine_series5c_reach_1
-    fine_series5d = fine_series5c - 9.18369e-29
-    fine_series5d_right_1 = fine_series5c - fine_series5d
-    fine_series5d_left_1 = fine_series5d + fine_series5d_right_1
-    fine_series5d_left_rest_1 = product_rest(fine_x, fine_series5b, fine_series5c, fine_series5d_left_1)
-    fine_series5d_lo1_1 = fine_series5d_left_rest_1 - (9.18369e-29 - fine_series5d_right_1)
-    fine_series5c_cross_1 = fine_x_cross2_1 * fine_series5b + fine_x * fine_series5b_lo
-    fine_series5d_lo = fine_series5d_lo1_1 - 5.383817e-37 + fine_series5c_cross_1
-    fine_series5c_size_5 = fine_series5c_size_2 + fine_far_x_padded_1 * fine_series5c_reach_2
-    fine_series5e = fine_x * fine_series5d
-    fine_series5e_padded_1 = 3.308722450212111e-24 + (9.18369e-29 + fine_series5c_size_5)
-    fine_series5e_bound_1 = absolute(fine_series5d_lo) + 2.3612653e-10 * fine_series5e_padded_1
-    fine_series5e_reach_1 = absolute(fine_series5d) + 262144 * fine_series5e_bound_1
-    fine_series5e_size_1 = fine_series5c_reach_1 * fine_series5e_padded_1
-    fine_series5f = fine_series5e + 6.4469503e-26
-    fine_series5f_right_1 = fine_series5f - fine_series5e
-    fine_series5f_left_1 = fine_series5f - fine_series5f_right_1
-    fine_series5f_left_rest_1 = product_rest(fine_x, fine_series5d, fine_series5e, fine_series5f_left_1)
-    fine_series5f_lo1_1 = fine_series5f_left_rest_1 + (6.4469503e-26 - fine_series5f_right_1)
-    fine_series5e_cross_1 = fine_x_cross2_1 * fine_series5d + fine_x * fine_series5d_lo
-    fine_series5f_lo = fine_series5f_lo1_1 + -5.609469e-34 + fine_series5e_cross_1
-    fine_series5e_size_4 = fine_series5e_size_1 + fine_far_x_padded_1 * fine_series5e_reach_1
-    fine_series5g = fine_x * fine_series5f
-    fine_series5g_padded_1 = 3.308722450212111e-24 + (6.4469503e-26 + fine_series5e_size_4)
-    fine_series5g_bound_1 = absolute(fine_series5f_lo) + 2.381233e-10 * fine_series5g_padded_1
-    fine_series5g_reach_1 = absolute(fine_series5f) + 262144 * fine_series5g_bound_1
-    fine_series5g_size_1 = fine_series5c_reach_1 * fine_series5g_padded_1
-    fine_series5h = fine_series5g - 3.8681703e-23
-    fine_series5h_right_1 = fine_series5g - fine_series5h
-    fine_series5h_left_1 = fine_series5h + fine_series5h_right_1
-    fine_series5h_left_rest_1 = product_rest(fine_x, fine_series5f, fine_series5g, fine_series5h_left_1)
-    fine_series5h_lo1_1 = fine_series5h_left_rest_1 - (3.8681703e-23 - fine_series5h_right_1)
-    fine_series5g_cross_1 = fine_x_cross2_1 * fine_series5f + fine_x * fine_series5f_lo
-    fine_series5h_lo = fine_series5h_lo1_1 - -1.2733404e-30 + fine_series5g_cross_1
-    fine_series5g_size_4 = fine_series5g_size_1 + fine_far_x_padded_1 * fine_series5g_reach_1
-    fine_series5i = fine_x * fine_series5h
-    fine_series5i_padded_1 = 3.308722450212111e-24 + (3.8681703e-23 + fine_series5g_size_4)
-    fine_series5i_bound_1 = absolute(fine_series5h_lo) + 2.4018407e-10 * fine_series5i_padded_1
-    fine_series5i_reach_1 = absolute(fine_series5h) + 262144 * fine_series5i_bound_1
-    fine_series5i_size_1 = fine_series5c_reach_1 * fine_series5i_padded_1
-    fine_series5j = fine_series5i + 1.9572942e-20
-    fine_series5j_right_1 = fine_series5j - fine_series5i
-    fine_series5j_left_1 = fine_series5j - fine_series5j_right_1
-    fine_series5j_left_rest_1 = product_rest(fine_x, fine_series5h, fine_series5i, fine_series5j_left_1)
-    fine_series5j_lo1_1 = fine_series5j_left_rest_1 + (1.9572942e-20 - fine_series5j_right_1)
-    fine_series5i_cross_1 = fine_x_cross2_1 * fine_series5h + fine_x * fine_series5h_lo
-    fine_series5j_lo = fine_series5j_lo1_1 + -4.6129455e-28 + fine_series5i_cross_1
-    fine_series5i_size_4 = fine_series5i_size_1 + fine_far_x_padded_1 * fine_series5i_reach_1
-    fine_series5k = fine_x * fine_series5j
-    fine_series5k_padded_1 = 3.308722450212111e-24 + (1.9572942e-20 + fine_series5i_size_4)
-    fine_series5k_bound_1 = absolute(fine_series5j_lo) + 2.423088e-10 * fine_series5k_padded_1
-    fine_series5k_reach_1 = absolute(fine_series5j) + 262144 * fine_series5k_bound_1
-    fine_series5k_size_1 = fine_series5c_reach_1 * fine_series5k_padded_1
-    fine_series5l = fine_series5k - 8.220635e-18
-    fine_series5l_right_1 = fine_series5k - fine_series5l
-    fine_series5l_left_1 = fine_series5l + fine_series5l_right_1
-    fine_series5l_left_rest_1 = product_rest(fine_x, fine_series5j, fine_series5k, fine_series5l_left_1)
-    fine_series5l_lo1_1 = fine_series5l_left_rest_1 - (8.220635e-18 - fine_series5l_right_1)
-    fine_series5k_cross_1 = fine_x_cross2_1 * fine_series5j + fine_x * fine_series5j_lo
-    fine_series5l_lo = fine_series5l_lo1_1 - 1.6814781e-25 + fine_series5k_cross_1
-    fine_series5k_size_4 = fine_series5k_size_1 + fine_far_x_padded_1 * fine_series5k_reach_1
-    fine_series5m = fine_x * fine_series5l
-    fine_series5m_padded_1 = 3.308722450212111e-24 + (8.220635e-18 + fine_series5k_size_4)
-    fine_series5m_bound_1 = absolute(fine_series5l_lo) + 2.4449753e-10 * fine_series5m_padded_1
-    fine_series5m_reach_1 = absolute(fine_series5l) + 262144 * fine_series5m_bound_1
-    fine_series5m_size_1 = fine_series5c_reach_1 * fine_series5m_padded_1
-    fine_series5n = fine_series5m + 2.8114574e-15
-    fine_series5n_right_1 = fine_series5n - fine_series5m
-    fine_series5n_left_1 = fine_series5n - fine_series5n_right_1
-    fine_series5n_left_rest_1 = product_rest(fine_x, fine_series5l, fine_series5m, fine_series5n_left_1)
-    fine_series5n_lo1_1 = fine_series5n_left_rest_1 + (2.8114574e-15 - fine_series5n_right_1)
-    fine_series5m_cross_1 = fine_x_cross2_1 * fine_series5l + fine_x * fine_series5l_lo
-    fine_series5n_lo = fine_series5n_lo1_1 + -1.0462085e-22 + fine_series5m_cross_1
-    fine_series5m_size_4 = fine_series5m_size_1 + fine_far_x_padded_1 * fine_series5m_reach_1
-    fine_series5o = fine_x * fine_series5n
-    fine_series5o_padded_1 = 3.308722450212111e-24 + (2.8114574e-15 + fine_series5m_size_4)
-    fine_series5o_bound_1 = absolute(fine_series5n_lo) + 2.4675023e-10 * fine_series5o_padded_1
-    fine_series5o_reach_1 = absolute(fine_series5n) + 262144 * fine_series5o_bound_1
-    fine_series5o_size_1 = fine_series5c_reach_1 * fine_series5o_padded_1
-    fine_series5p = fine_series5o - 7.6471636e-13
-    fine_series5p_right_1 = fine_series5o - fine_series5p
-    fine_series5p_left_1 = fine_series5p + fine_series5p_right_1
-    fine_series5p_left_rest_1 = product_rest(fine_x, fine_series5n, fine_series5o, fine_series5p_left_1)
-    fine_series5p_lo1_1 = fine_series5p_left_rest_1 - (7.6471636e-13 - fine_series5p_right_1)
-    fine_series5o_cross_1 = fine_x_cross2_1 * fine_series5n + fine_x * fine_series5n_lo
-    fine_series5p_lo = fine_series5p_lo1_1 - 1.22007105e-20 + fine_series5o_cross_1
-    fine_series5o_size_4 = fine_series5o_size_1 + fine_far_x_padded_1 * fine_series5o_reach_1
-    fine_series5q = fine_x * fine_series5p
-    fine_series5q_padded_1 = 3.308722450212111e-24 + (7.6471636e-13 + fine_series5o_size_4)
-    fine_series5q_bound_1 = absolute(fine_series5p_lo) + 2.4906693e-10 * fine_series5q_padded_1
-    fine_series5q_reach_1 = absolute(fine_series5p) + 262144 * fine_series5q_bound_1
-    fine_series5q_size_1 = fine_series5c_reach_1 * fine_series5q_padded_1
-    fine_series5r = fine_series5q + 1.6059044e-10
-    fine_series5r_right_1 = fine_series5r - fine_series5q
-    fine_series5r_left_1 = fine_series5r - fine_series5r_right_1
-    fine_series5r_left_rest_1 = product_rest(fine_x, fine_series5p, fine_series5q, fine_series5r_left_1)
-    fine_series5r_lo1_1 = fine_series5r_left_rest_1 + (1.6059044e-10 - fine_series5r_right_1)
-    fine_series5q_cross_1 = fine_x_cross2_1 * fine_series5p + fine_x * fine_series5p_lo
-    fine_series5r_lo = fine_series5r_lo1_1 + -5.3525265e-18 + fine_series5q_cross_1
-    fine_series5q_size_4 = fine_series5q_size_1 + fine_far_x_padded_1 * fine_series5q_reach_1
-    fine_series5s = fine_x * fine_series5r
-    fine_series5s_padded_1 = 3.308722450212111e-24 + (1.6059044e-10 + fine_series5q_size_4)
-    fine_series5s_bound_1 = absolute(fine_series5r_lo) + 2.514476e-10 * fine_series5s_padded_1
-    fine_series5s_reach_1 = absolute(fine_series5r) + 262144 * fine_series5s_bound_1
-    fine_series5s_size_1 = fine_series5c_reach_1 * fine_series5s_padded_1
-    fine_series5t = fine_series5s - 2.5052108e-08
-    fine_series5t_right_1 = fine_series5s - fine_series5t
-    fine_series5t_left_1 = fine_series5t + fine_series5t_right_1
-    fine_series5t_left_rest_1 = product_rest(fine_x, fine_series5r, fine_series5s, fine_series5t_left_1)
-    fine_series5t_lo1_1 = fine_series5t_left_rest_1 - (2.5052108e-08 - fine_series5t_right_1)
-    fine_series5s_cross_1 = fine_x_cross2_1 * fine_series5r + fine_x * fine_series5r_lo
-    fine_series5t_lo = fine_series5t_lo1_1 - 4.417623e-16 + fine_series5s_cross_1
-    fine_series5s_size_4 = fine_series5s_size_1 + fine_far_x_padded_1 * fine_series5s_reach_1
-    fine_series5u = fine_x * fine_series5t
-    fine_series5u_padded_1 = 3.308722450212111e-24 + (2.5052108e-08 + fine_series5s_size_4)
-    fine_series5u_bound_1 = absolute(fine_series5t_lo) + 2.538923e-10 * fine_series5u_padded_1
-    fine_series5u_reach_1 = absolute(fine_series5t) + 262144 * fine_series5u_bound_1
-    fine_series5u_size_1 = fine_series5c_reach_1 * fine_series5u_padded_1
-    fine_series5v = fine_series5u + 2.7557319e-06
-    fine_series5v_right_1 = fine_series5v - fine_series5u
-    fine_series5v_left_1 = fine_series5v - fine_series5v_right_1
-    fine_series5v_left_rest_1 = product_rest(fine_x, fine_series5t, fine_series5u, fine_series5v_left_1)
-    fine_series5v_lo1_1 = fine_series5v_left_rest_1 + (2.7557319e-06 - fine_series5v_right_1)
-    fine_series5u_cross_1 = fine_x_cross2_1 * fine_series5t + fine_x * fine_series5t_lo
-    fine_series5v_lo = fine_series5v_lo1_1 + 3.7935712e-14 + fine_series5u_cross_1
-    fine_series5u_size_4 = fine_series5u_size_1 + fine_far_x_padded_1 * fine_series5u_reach_1
-    fine_series5w = fine_x * fine_series5v
-    fine_series5w_padded_1 = 3.308722450212111e-24 + (2.7557319e-06 + fine_series5u_size_4)
-    fine_series5w_bound_1 = absolute(fine_series5v_lo) + 2.5640096e-10 * fine_series5w_padded_1
-    fine_series5w_reach_1 = absolute(fine_series5v) + 262144 * fine_series5w_bound_1
-    fine_series5w_size_1 = fine_series5c_reach_1 * fine_series5w_padded_1
-    fine_series5x = fine_series5w - 0.0001984127
-    fine_series5x_right_1 = fine_series5w - fine_series5x
-    fine_series5x_left_1 = fine_series5x + fine_series5x_right_1
-    fine_series5x_left_rest_1 = product_rest(fine_x, fine_series5v, fine_series5w, fine_series5x_left_1)
-    fine_series5x_lo1_1 = fine_series5x_left_rest_1 - (0.0001984127 - fine_series5x_right_1)
-    fine_series5w_cross_1 = fine_x_cross2_1 * fine_series5v + fine_x * fine_series5v_lo
-    fine_series5x_lo = fine_series5x_lo1_1 - -2.7255969e-12 + fine_series5w_cross_1
-    fine_series5w_size_4 = fine_series5w_size_1 + fine_far_x_padded_1 * fine_series5w_reach_1
-    fine_series5y = fine_x * fine_series5x
-    fine_series5y_padded_1 = 3.308722450212111e-24 + (0.0001984127 + fine_series5w_size_4)
-    fine_series5y_bound_1 = absolute(fine_series5x_lo) + 2.5897362e-10 * fine_series5y_padded_1
-    fine_series5y_reach_1 = absolute(fine_series5x) + 262144 * fine_series5y_bound_1
-    fine_series5y_size_1 = fine_series5c_reach_1 * fine_series5y_padded_1
-    fine_series5 = fine_series5y + 0.008333334
-    fine_series5_right_1 = fine_series5 - fine_series5y
-    fine_series5_left_1 = fine_series5 - fine_series5_right_1
-    fine_series5_left_rest_1 = product_rest(fine_x, fine_series5x, fine_series5y, fine_series5_left_1)
-    fine_series5_lo1_1 = fine_series5_left_rest_1 + (0.008333334 - fine_series5_right_1)
-    fine_series5y_cross_1 = fine_x_cross2_1 * fine_series5x + fine_x * fine_series5x_lo
-    fine_series5_lo = fine_series5_lo1_1 + -4.346172e-10 + fine_series5y_cross_1
-    fine_series5y_size_4 = fine_series5y_size_1 + fine_far_x_padded_1 * fine_series5y_reach_1
-    fine_g3a = fine_x * fine_series5
-    fine_g3a_padded_1 = 3.308722450212111e-24 + (0.008333334 + fine_series5y_size_4)
-    fine_g3a_units_1 = 262144 * (absolute(fine_series5_lo) + 2.6161032e-10 * fine_g3a_padded_1)
-    fine_g3a_size_3 = fine_far_x_padded_1 * (absolute(fine_series5) + fine_g3a_units_1)
+    fine_closed3_size_4 = (3.308722450212111e-24 + (1 + fine_g1_size_5) + fine_closed3_padded_2
+        * fine_closed3_size_1)
+    fine_closed3_size_8 = (fine_closed3_size_4
+        / where(4 * fine_closed3_bound_1 < fine_closed3_size_2, fine_closed3_size_2, 0))
+    fine_closed3_size_11 = (fine_closed3_size_1
+        + (fine_closed3_size_2 + 262144 * fine_closed3_bound_1) * fine_closed3_size_8
+        / fine_closed3_size_2)
+    series5a = 1.216125e-34 * fine_x
+    series5b = 1.1309962e-31 - series5a
+    series5b_right_1 = 1.1309962e-31 - series5b
+    series5b_lo1_1 = (1.1309962e-31 - (series5b + series5b_right_1)
+        - product_rest(1.216125e-34, fine_x, series5a, series5b_right_1))
+    series5b_lo = (series5b_lo1_1 - (2.696e-42 * fine_x + 1.216125e-34 * fine_x_cross2_1)
+        + 4.1374e-39)
+    series5c = fine_x * series5b
+    series5c_padded_1 = 3.308722450212111e-24 + (1.1309962e-31 + 1.9784917e-27 * fine_x_size_1)
+    series5c_reach_1 = absolute(fine_x) + 262144 * fine_far_x_bound_1
+    series5c_size_4 = (fine_far_x_padded_1
+        * (absolute(series5b) + 262144
+        * (absolute(series5b_lo) + 2.3419375e-10 * series5c_padded_1)))
+    series5d = series5c - 9.18369e-29
+    series5d_right_1 = series5c - series5d
+    series5d_lo2_1 = (product_rest(fine_x, series5b, series5c, series5d + series5d_right_1)
+        - (9.18369e-29 - series5d_right_1) - 5.383817e-37)
+    series5d_lo = series5d_lo2_1 + (fine_x_cross2_1 * series5b + fine_x * series5b_lo)
+    series5e = fine_x * series5d
+    series5e_padded_1 = (3.308722450212111e-24
+        + (9.18369e-29 + (series5c_padded_1 * series5c_reach_1 + series5c_size_4)))
+    series5e_size_3 = (fine_far_x_padded_1
+        * (absolute(series5d) + 262144
+        * (absolute(series5d_lo) + 2.3612653e-10 * series5e_padded_1)))
+    series5f = series5e + 6.4469503e-26
+    series5f_right_1 = series5f - series5e
+    series5f_lo2_1 = (product_rest(fine_x, series5d, series5e, series5f - series5f_right_1)
+        + (6.4469503e-26 - series5f_right_1) + -5.609469e-34)
+    series5f_lo = series5f_lo2_1 + (fine_x_cross2_1 * series5d + fine_x * series5d_lo)
+    series5g = fine_x * series5f
+    series5g_padded_1 = (3.308722450212111e-24
+        + (6.4469503e-26 + (series5c_reach_1 * series5e_padded_1 + series5e_size_3)))
+    series5g_size_3 = (fine_far_x_padded_1
+        * (absolute(series5f) + 262144
+        * (absolute(series5f_lo) + 2.381233e-10 * series5g_padded_1)))
+    series5h = series5g - 3.8681703e-23
+    series5h_right_1 = series5g - series5h
+    series5h_lo2_1 = (product_rest(fine_x, series5f, series5g, series5h + series5h_right_1)
+        - (3.8681703e-23 - series5h_right_1) - -1.2733404e-30)
+    series5h_lo = series5h_lo2_1 + (fine_x_cross2_1 * series5f + fine_x * series5f_lo)
+    series5i = fine_x * series5h
+    series5i_padded_1 = (3.308722450212111e-24
+        + (3.8681703e-23 + (series5c_reach_1 * series5g_padded_1 + series5g_size_3)))
+    series5i_size_3 = (fine_far_x_padded_1
+        * (absolute(series5h) + 262144
+        * (absolute(series5h_lo) + 2.4018407e-10 * series5i_padded_1)))
+    series5j = series5i + 1.9572942e-20
+    series5j_right_1 = series5j - series5i
+    series5j_lo2_1 = (product_rest(fine_x, series5h, series5i, series5j - series5j_right_1)
+        + (1.9572942e-20 - series5j_right_1) + -4.6129455e-28)
+    series5j_lo = series5j_lo2_1 + (fine_x_cross2_1 * series5h + fine_x * series5h_lo)
+    series5k = fine_x * series5j
+    series5k_padded_1 = (3.308722450212111e-24
+        + (1.9572942e-20 + (series5c_reach_1 * series5i_padded_1 + series5i_size_3)))
+    series5k_size_3 = (fine_far_x_padded_1
+        * (absolute(series5j) + 262144
+        * (absolute(series5j_lo) + 2.423088e-10 * series5k_padded_1)))
+    series5l = series5k - 8.220635e-18
+    series5l_right_1 = series5k - series5l
+    series5l_lo2_1 = (product_rest(fine_x, series5j, series5k, series5l + series5l_right_1)
+        - (8.220635e-18 - series5l_right_1) - 1.6814781e-25)
+    series5l_lo = series5l_lo2_1 + (fine_x_cross2_1 * series5j + fine_x * series5j_lo)
+    series5m = fine_x * series5l
+    series5m_padded_1 = (3.308722450212111e-24
+        + (8.220635e-18 + (series5c_reach_1 * series5k_padded_1 + series5k_size_3)))
+    series5m_size_3 = (fine_far_x_padded_1
+        * (absolute(series5l) + 262144
+        * (absolute(series5l_lo) + 2.4449753e-10 * series5m_padded_1)))
+    series5n = series5m + 2.8114574e-15
+    series5n_right_1 = series5n - series5m
+    series5n_lo2_1 = (product_rest(fine_x, series5l, series5m, series5n - series5n_right_1)
+        + (2.8114574e-15 - series5n_right_1) + -1.0462085e-22)
+    series5n_lo = series5n_lo2_1 + (fine_x_cross2_1 * series5l + fine_x * series5l_lo)
+    series5o = fine_x * series5n
+    series5o_padded_1 = (3.308722450212111e-24
+        + (2.8114574e-15 + (series5c_reach_1 * series5m_padded_1 + series5m_size_3)))
+    series5o_size_3 = (fine_far_x_padded_1
+        * (absolute(series5n) + 262144
+        * (absolute(series5n_lo) + 2.4675023e-10 * series5o_padded_1)))
+    series5p = series5o - 7.6471636e-13
+    series5p_right_1 = series5o - series5p
+    series5p_lo2_1 = (product_rest(fine_x, series5n, series5o, series5p + series5p_right_1)
+        - (7.6471636e-13 - series5p_right_1) - 1.22007105e-20)
+    series5p_lo = series5p_lo2_1 + (fine_x_cross2_1 * series5n + fine_x * series5n_lo)
+    series5q = fine_x * series5p
+    series5q_padded_1 = (3.308722450212111e-24
+        + (7.6471636e-13 + (series5c_reach_1 * series5o_padded_1 + series5o_size_3)))
+    series5q_size_3 = (fine_far_x_padded_1
+        * (absolute(series5p) + 262144
+        * (absolute(series5p_lo) + 2.4906693e-10 * series5q_padded_1)))
+    series5r = series5q + 1.6059044e-10
+    series5r_right_1 = series5r - series5q
+    series5r_lo2_1 = (product_rest(fine_x, series5p, series5q, series5r - series5r_right_1)
+        + (1.6059044e-10 - series5r_right_1) + -5.3525265e-18)
+    series5r_lo = series5r_lo2_1 + (fine_x_cross2_1 * series5p + fine_x * series5p_lo)
+    series5s = fine_x * series5r
+    series5s_padded_1 = (3.308722450212111e-24
+        + (1.6059044e-10 + (series5c_reach_1 * series5q_padded_1 + series5q_size_3)))
+    series5s_size_3 = (fine_far_x_padded_1
+        * (absolute(series5r) + 262144
+        * (absolute(series5r_lo) + 2.514476e-10 * series5s_padded_1)))
+    series5t = series5s - 2.5052108e-08
+    series5t_right_1 = series5s - series5t
+    series5t_lo2_1 = (product_rest(fine_x, series5r, series5s, series5t + series5t_right_1)
+        - (2.5052108e-08 - series5t_right_1) - 4.417623e-16)
+    series5t_lo = series5t_lo2_1 + (fine_x_cross2_1 * series5r + fine_x * series5r_lo)
+    series5u = fine_x * series5t
+    series5u_padded_1 = (3.308722450212111e-24
+        + (2.5052108e-08 + (series5c_reach_1 * series5s_padded_1 + series5s_size_3)))
+    series5u_size_3 = (fine_far_x_padded_1
+        * (absolute(series5t) + 262144
+        * (absolute(series5t_lo) + 2.538923e-10 * series5u_padded_1)))
+    series5v = series5u + 2.7557319e-06
+    series5v_right_1 = series5v - series5u
+    series5v_lo2_1 = (product_rest(fine_x, series5t, series5u, series5v - series5v_right_1)
+        + (2.7557319e-06 - series5v_right_1) + 3.7935712e-14)
+    series5v_lo = series5v_lo2_1 + (fine_x_cross2_1 * series5t + fine_x * series5t_lo)
+    series5w = fine_x * series5v
+    series5w_padded_1 = (3.308722450212111e-24
+        + (2.7557319e-06 + (series5c_reach_1 * series5u_padded_1 + series5u_size_3)))
+    series5w_size_3 = (fine_far_x_padded_1
+        * (absolute(series5v) + 262144
+        * (absolute(series5v_lo) + 2.5640096e-10 * series5w_padded_1)))
+    series5x = series5w - 0.0001984127
+    series5x_right_1 = series5w - series5x
+    series5x_lo2_1 = (product_rest(fine_x, series5v, series5w, series5x + series5x_right_1)
+        - (0.0001984127 - series5x_right_1) - -2.7255969e-12)
+    series5x_lo = series5x_lo2_1 + (fine_x_cross2_1 * series5v + fine_x * series5v_lo)
+    series5y = fine_x * series5x
+    series5y_padded_1 = (3.308722450212111e-24
+        + (0.0001984127 + (series5c_reach_1 * series5w_padded_1 + series5w_size_3)))
+    series5y_size_3 = (fine_far_x_padded_1
+        * (absolute(series5x) + 262144
+        * (absolute(series5x_lo) + 2.5897362e-10 * series5y_padded_1)))
+    series5 = series5y + 0.008333334
+    series5_right_1 = series5 - series5y
+    series5_lo2_1 = (product_rest(fine_x, series5x, series5y, series5 - series5_right_1)
+        + (0.008333334 - series5_right_1) + -4.346172e-10)
+    series5_lo = series5_lo2_1 + (fine_x_cross2_1 * series5x + fine_x * series5x_lo)
+    fine_g3a = fine_x * series5
+    fine_g3a_padded_1 = (3.308722450212111e-24
+        + (0.008333334 + (series5c_reach_1 * series5y_padded_1 + series5y_size_3)))
+    fine_g3a_size_3 = (fine_far_x_padded_1
+        * (absolute(series5) + 262144 * (absolute(series5_lo) + 2.6161032e-10 * fine_g3a_padded_1)))
     fine_g3b = 0.16666667 - fine_g3a
     fine_g3b_right_1 = 0.16666667 - fine_g3b
-    fine_g3b_right_rest_1 = product_rest(fine_x, fine_series5, fine_g3a, fine_g3b_right_1)
-    fine_g3b_lo1_1 = 0.16666667 - (fine_g3b + fine_g3b_right_1) - fine_g3b_right_rest_1
-    fine_g3b_lo2_1 = fine_g3b_lo1_1 - (fine_x_cross2_1 * fine_series5 + fine_x * fine_series5_lo)
-    fine_g3b_lo = fine_g3b_lo2_1 + -4.967054e-09
-    fine_g3b_size_1 = 0.16666667 + (fine_g3a_padded_1 * fine_series5c_reach_1 + fine_g3a_size_3)
-    fine_g3 = where(fine_far_x_a, fine_g3b, fine_closed3)
-    fine_g3_lo = where(fine_far_x_a, fine_g3b_lo, fine_closed3_lo)
-    fine_g3_rest_1 = 2.6431096e-10 * (3.308722450212111e-24 + fine_g3b_size_1)
-    fine_g3_rest_2 = 2.3937835e-10 * (3.308722450212111e-24 + fine_closed3_size_11)
-    fine_g3_size_4 = absolute(fine_g3b_lo) + fine_g3_rest_1 + absolute(fine_g3b - fine_closed3)
-    fine_g3_size_5 = absolute(fine_closed3_lo) + fine_g3_rest_2 + fine_g3_size_4
-    fine_g3_size_1 = where(fine_far_x_a, fine_g3b_size_1, fine_closed3_size_11)
+    fine_g3b_lo1_1 = (0.16666667 - (fine_g3b + fine_g3b_right_1)
+        - product_rest(fine_x, series5, fine_g3a, fine_g3b_right_1))
+    fine_g3b_lo = fine_g3b_lo1_1 - (fine_x_cross2_1 * series5 + fine_x * series5_lo) + -4.967054e-09
+    fine_g3b_size_1 = 0.16666667 + (fine_g3a_padded_1 * series5c_reach_1 + fine_g3a_size_3)
+    fine_g3 = where(far_x_a, fine_g3b, fine_closed3)
+    fine_g3_lo = where(far_x_a, fine_g3b_lo, fine_closed3_lo)
+    fine_g3_size_4 = (absolute(fine_g3b_lo) + 2.6431096e-10
+        * (3.308722450212111e-24 + fine_g3b_size_1) + absolute(fine_g3b - fine_closed3))
+    fine_g3_size_5 = (absolute(fine_closed3_lo) + 2.3937835e-10
+        * (3.308722450212111e-24 + fine_closed3_size_11) + fine_g3_size_4)
     fine_beta_v_0 = v_0 * fine_g3
-    fine_g3_size_8 = fine_g3_size_1 + 3797731584 * where(fine_far_x_size_4, 0, fine_g3_size_5)
+    fine_g3_size_8 = (where(far_x_a, fine_g3b_size_1, fine_closed3_size_11) + 3797731584
+        * where(fine_far_x_size_4, 0, fine_g3_size_5))
     fine_beta_v_padded_1 = 3.308722450212111e-24 + fine_g3_size_8
     fine_beta_v_1 = v_1 * fine_g3
     fine_beta_v_2 = v_2 * fine_g3
     fine_beta_v_lo_1 = product_error(v_0, fine_g3, fine_beta_v_0) + v_0 * fine_g3_lo
     fine_m_0 = v_0 * fine_beta_v_0
     fine_m_cross2_1 = v_0 * fine_beta_v_lo_1
-    fine_m_padded_1 = 3.308722450212111e-24 + fine_beta_v_padded_1 * fine_halved_size_1
-    fine_m_size_1 = fine_halved_size_1 * fine_m_padded_1
+    fine_m_padded_1 = 3.308722450212111e-24 + fine_beta_v_padded_1 * halved_size_1
+    fine_m_size_1 = fine_m_padded_1 * halved_size_1
     fine_beta_v_lo_2 = product_error(v_1, fine_g3, fine_beta_v_1) + v_1 * fine_g3_lo
     fine_m_1 = v_1 * fine_beta_v_1
     fine_m_cross2_2 = v_1 * fine_beta_v_lo_2
-    fine_m_padded_2 = 3.308722450212111e-24 + fine_beta_v_padded_1 * fine_halved_size_3
-    fine_m_size_2 = fine_halved_size_3 * fine_m_padded_2
+    fine_m_padded_2 = 3.308722450212111e-24 + fine_beta_v_padded_1 * halved_size_3
+    fine_m_size_2 = fine_m_padded_2 * halved_size_3
     fine_m_2 = v_2 * fine_beta_v_2
     fine_m_cross2_3 = v_2 * (product_error(v_2, fine_g3, fine_beta_v_2) + v_2 * fine_g3_lo)
-    fine_m_padded_3 = 3.308722450212111e-24 + fine_beta_v_padded_1 * fine_halved_size_5
-    fine_m_size_3 = fine_halved_size_5 * fine_m_padded_3
+    fine_m_size_3 = (3.308722450212111e-24 + fine_beta_v_padded_1 * halved_size_5) * halved_size_5
     fine_m_3 = v_1 * fine_beta_v_0
     fine_m_cross2_4 = v_1 * fine_beta_v_lo_1
     fine_m_4 = v_2 * fine_beta_v_0
@@ -1118,115 +1097,112 @@ def SO3_leftJacobian(v):
     fine_m_cross2_6 = v_2 * fine_beta_v_lo_2
     fine_others_0 = fine_m_1 + fine_m_2
     fine_others_right_1 = fine_others_0 - fine_m_1
-    fine_others_left_1 = fine_others_0 - fine_others_right_1
-    fine_others_right_rest_1 = product_rest(v_2, fine_beta_v_2, fine_m_2, fine_others_right_1)
-    fine_others_left_rest_1 = product_rest(v_1, fine_beta_v_1, fine_m_1, fine_others_left_1)
-    fine_others_lo1_1 = fine_others_left_rest_1 + fine_others_right_rest_1
-    fine_others_lo_1 = fine_others_lo1_1 + (fine_m_cross2_2 + fine_m_cross2_3)
+    fine_others_left_rest_1 = (product_rest(v_1, fine_beta_v_1, fine_m_1, fine_others_0
+        - fine_others_right_1))
+    fine_others_lo_1 = (fine_others_left_rest_1
+        + product_rest(v_2, fine_beta_v_2, fine_m_2, fine_others_right_1)
+        + (fine_m_cross2_2 + fine_m_cross2_3))
     fine_others_size_1 = fine_m_size_2 + fine_m_size_3
     fine_others_1 = fine_m_0 + fine_m_2
     fine_others_right_2 = fine_others_1 - fine_m_0
-    fine_others_left_2 = fine_others_1 - fine_others_right_2
-    fine_others_right_rest_2 = product_rest(v_2, fine_beta_v_2, fine_m_2, fine_others_right_2)
-    fine_others_left_rest_2 = product_rest(v_0, fine_beta_v_0, fine_m_0, fine_others_left_2)
-    fine_others_lo1_2 = fine_others_left_rest_2 + fine_others_right_rest_2
-    fine_others_lo_2 = fine_others_lo1_2 + (fine_m_cross2_1 + fine_m_cross2_3)
+    fine_others_left_rest_2 = (product_rest(v_0, fine_beta_v_0, fine_m_0, fine_others_1
+        - fine_others_right_2))
+    fine_others_lo_2 = (fine_others_left_rest_2
+        + product_rest(v_2, fine_beta_v_2, fine_m_2, fine_others_right_2)
+        + (fine_m_cross2_1 + fine_m_cross2_3))
     fine_others_size_2 = fine_m_size_1 + fine_m_size_3
     fine_others_2 = fine_m_0 + fine_m_1
     fine_others_right_3 = fine_others_2 - fine_m_0
-    fine_others_left_3 = fine_others_2 - fine_others_right_3
-    fine_others_right_rest_3 = product_rest(v_1, fine_beta_v_1, fine_m_1, fine_others_right_3)
-    fine_others_left_rest_3 = product_rest(v_0, fine_beta_v_0, fine_m_0, fine_others_left_3)
-    fine_others_lo1_3 = fine_others_left_rest_3 + fine_others_right_rest_3
-    fine_others_lo_3 = fine_others_lo1_3 + (fine_m_cross2_1 + fine_m_cross2_2)
+    fine_others_left_rest_3 = (product_rest(v_0, fine_beta_v_0, fine_m_0, fine_others_2
+        - fine_others_right_3))
+    fine_others_lo_3 = (fine_others_left_rest_3
+        + product_rest(v_1, fine_beta_v_1, fine_m_1, fine_others_right_3)
+        + (fine_m_cross2_1 + fine_m_cross2_2))
     fine_others_size_3 = fine_m_size_1 + fine_m_size_2
     fine_diagonal0a = 1 - fine_others_0
     fine_diagonal0a_right_1 = 1 - fine_diagonal0a
-    fine_diagonal0a_left_rest_1 = 1 - (fine_diagonal0a + fine_diagonal0a_right_1)
-    fine_diagonal0a_lo1_1 = fine_diagonal0a_left_rest_1 - (fine_others_0 - fine_diagonal0a_right_1)
-    fine_diagonal0a_lo = fine_diagonal0a_lo1_1 - fine_others_lo_1
+    fine_diagonal0a_lo = (1 - (fine_diagonal0a + fine_diagonal0a_right_1)
+        - (fine_others_0 - fine_diagonal0a_right_1) - fine_others_lo_1)
     fine_diagonal0a_size_1 = 1 + fine_others_size_1
     fine_diagonal0b = fine_g1 + fine_m_0
     fine_diagonal0b_right_1 = fine_diagonal0b - fine_g1
-    fine_diagonal0b_left_1 = fine_diagonal0b - fine_diagonal0b_right_1
-    fine_diagonal0b_right_rest_1 = product_rest(v_0, fine_beta_v_0, fine_m_0, fine_diagonal0b_right_1)
-    fine_diagonal0b_left_rest_1 = product_rest(fine_c, fine_sinc, fine_g1, fine_diagonal0b_left_1)
-    fine_diagonal0b_lo1_1 = fine_diagonal0b_left_rest_1 + fine_diagonal0b_right_rest_1
+    fine_diagonal0b_left_rest_1 = (product_rest(c, sinc, fine_g1, fine_diagonal0b
+        - fine_diagonal0b_right_1))
+    fine_diagonal0b_lo1_1 = (fine_diagonal0b_left_rest_1
+        + product_rest(v_0, fine_beta_v_0, fine_m_0, fine_diagonal0b_right_1))
     fine_diagonal0b_lo = fine_diagonal0b_lo1_1 + (fine_g1_cross_1 + fine_m_cross2_1)
     fine_diagonal0b_size_1 = fine_g1_size_5 + fine_m_size_1
     fine_diagonal0c = fine_m_0 < fine_others_0
     fine_diagonal0_error_1 = absolute(product_error(v_0, fine_beta_v_0, fine_m_0) + fine_m_cross2_1)
-    fine_diagonal0_rest_1 = 2.6514102e-10 * (3.308722450212111e-24 + fine_m_size_1)
-    fine_diagonal0_rest_2 = 2.6615107e-10 * (3.308722450212111e-24 + fine_others_size_1)
-    fine_diagonal0_bound_2 = absolute(fine_others_lo_1) + fine_diagonal0_rest_2
-    fine_diagonal0_size_2 = fine_diagonal0_error_1 + fine_diagonal0_rest_1 + fine_diagonal0_bound_2
-    fine_diagonal0_rest_3 = 2.6615107e-10 * (3.308722450212111e-24 + fine_diagonal0b_size_1)
-    fine_diagonal0_rest_4 = 2.6718244e-10 * (3.308722450212111e-24 + fine_diagonal0a_size_1)
-    fine_diagonal0_bound_3 = absolute(fine_diagonal0b_lo) + fine_diagonal0_rest_3
-    fine_diagonal0_size_8 = fine_diagonal0_bound_3 + absolute(fine_diagonal0b - fine_diagonal0a)
-    fine_diagonal0_bound_4 = absolute(fine_diagonal0a_lo) + fine_diagonal0_rest_4
-    fine_diagonal0_size_5 = fine_diagonal0_size_2 < absolute(fine_m_0 - fine_others_0)
-    fine_diagonal0_size_9 = fine_diagonal0_bound_4 + fine_diagonal0_size_8
-    fine_diagonal0_size_1 = where(fine_diagonal0c, fine_diagonal0b_size_1, fine_diagonal0a_size_1)
-    fine_diagonal0_size_11 = 3758369280 * where(fine_diagonal0_size_5, 0, fine_diagonal0_size_9)
+    fine_diagonal0_bound_2 = (absolute(fine_others_lo_1) + 2.6615107e-10
+        * (3.308722450212111e-24 + fine_others_size_1))
+    fine_diagonal0_size_2 = (fine_diagonal0_error_1 + 2.6514102e-10
+        * (3.308722450212111e-24 + fine_m_size_1) + fine_diagonal0_bound_2)
+    fine_diagonal0_bound_3 = (absolute(fine_diagonal0b_lo) + 2.6615107e-10
+        * (3.308722450212111e-24 + fine_diagonal0b_size_1))
+    fine_diagonal0_bound_4 = (absolute(fine_diagonal0a_lo) + 2.6718244e-10
+        * (3.308722450212111e-24 + fine_diagonal0a_size_1))
+    fine_diagonal0_size_9 = (fine_diagonal0_bound_4
+        + (fine_diagonal0_bound_3 + absolute(fine_diagonal0b - fine_diagonal0a)))
+    fine_diagonal0_size_11 = (3758369280
+        * where(fine_diagonal0_size_2
+        < absolute(fine_m_0 - fine_others_0), 0, fine_diagonal0_size_9))
     fine_diagonal1a = 1 - fine_others_1
     fine_diagonal1a_right_1 = 1 - fine_diagonal1a
-    fine_diagonal1a_left_rest_1 = 1 - (fine_diagonal1a + fine_diagonal1a_right_1)
-    fine_diagonal1a_lo1_1 = fine_diagonal1a_left_rest_1 - (fine_others_1 - fine_diagonal1a_right_1)
-    fine_diagonal1a_lo = fine_diagonal1a_lo1_1 - fine_others_lo_2
+    fine_diagonal1a_lo = (1 - (fine_diagonal1a + fine_diagonal1a_right_1)
+        - (fine_others_1 - fine_diagonal1a_right_1) - fine_others_lo_2)
     fine_diagonal1a_size_1 = 1 + fine_others_size_2
     fine_diagonal1b = fine_g1 + fine_m_1
     fine_diagonal1b_right_1 = fine_diagonal1b - fine_g1
-    fine_diagonal1b_left_1 = fine_diagonal1b - fine_diagonal1b_right_1
-    fine_diagonal1b_right_rest_1 = product_rest(v_1, fine_beta_v_1, fine_m_1, fine_diagonal1b_right_1)
-    fine_diagonal1b_left_rest_1 = product_rest(fine_c, fine_sinc, fine_g1, fine_diagonal1b_left_1)
-    fine_diagonal1b_lo1_1 = fine_diagonal1b_left_rest_1 + fine_diagonal1b_right_rest_1
+    fine_diagonal1b_left_rest_1 = (product_rest(c, sinc, fine_g1, fine_diagonal1b
+        - fine_diagonal1b_right_1))
+    fine_diagonal1b_lo1_1 = (fine_diagonal1b_left_rest_1
+        + product_rest(v_1, fine_beta_v_1, fine_m_1, fine_diagonal1b_right_1))
     fine_diagonal1b_lo = fine_diagonal1b_lo1_1 + (fine_g1_cross_1 + fine_m_cross2_2)
     fine_diagonal1b_size_1 = fine_g1_size_5 + fine_m_size_2
     fine_diagonal1c = fine_m_1 < fine_others_1
     fine_diagonal1_error_1 = absolute(product_error(v_1, fine_beta_v_1, fine_m_1) + fine_m_cross2_2)
-    fine_diagonal1_rest_1 = 2.6514102e-10 * (3.308722450212111e-24 + fine_m_size_2)
-    fine_diagonal1_rest_2 = 2.6615107e-10 * (3.308722450212111e-24 + fine_others_size_2)
-    fine_diagonal1_bound_2 = absolute(fine_others_lo_2) + fine_diagonal1_rest_2
-    fine_diagonal1_size_2 = fine_diagonal1_error_1 + fine_diagonal1_rest_1 + fine_diagonal1_bound_2
-    fine_diagonal1_rest_3 = 2.6615107e-10 * (3.308722450212111e-24 + fine_diagonal1b_size_1)
-    fine_diagonal1_rest_4 = 2.6718244e-10 * (3.308722450212111e-24 + fine_diagonal1a_size_1)
-    fine_diagonal1_bound_3 = absolute(fine_diagonal1b_lo) + fine_diagonal1_rest_3
-    fine_diagonal1_size_8 = fine_diagonal1_bound_3 + absolute(fine_diagonal1b - fine_diagonal1a)
-    fine_diagonal1_bound_4 = absolute(fine_diagonal1a_lo) + fine_diagonal1_rest_4
-    fine_diagonal1_size_5 = fine_diagonal1_size_2 < absolute(fine_m_1 - fine_others_1)
-    fine_diagonal1_size_9 = fine_diagonal1_bound_4 + fine_diagonal1_size_8
-    fine_diagonal1_size_1 = where(fine_diagonal1c, fine_diagonal1b_size_1, fine_diagonal1a_size_1)
-    fine_diagonal1_size_11 = 3758369280 * where(fine_diagonal1_size_5, 0, fine_diagonal1_size_9)
+    fine_diagonal1_bound_2 = (absolute(fine_others_lo_2) + 2.6615107e-10
+        * (3.308722450212111e-24 + fine_others_size_2))
+    fine_diagonal1_size_2 = (fine_diagonal1_error_1 + 2.6514102e-10
+        * (3.308722450212111e-24 + fine_m_size_2) + fine_diagonal1_bound_2)
+    fine_diagonal1_bound_3 = (absolute(fine_diagonal1b_lo) + 2.6615107e-10
+        * (3.308722450212111e-24 + fine_diagonal1b_size_1))
+    fine_diagonal1_bound_4 = (absolute(fine_diagonal1a_lo) + 2.6718244e-10
+        * (3.308722450212111e-24 + fine_diagonal1a_size_1))
+    fine_diagonal1_size_9 = (fine_diagonal1_bound_4
+        + (fine_diagonal1_bound_3 + absolute(fine_diagonal1b - fine_diagonal1a)))
+    fine_diagonal1_size_11 = (3758369280
+        * where(fine_diagonal1_size_2
+        < absolute(fine_m_1 - fine_others_1), 0, fine_diagonal1_size_9))
     fine_diagonal2a = 1 - fine_others_2
     fine_diagonal2a_right_1 = 1 - fine_diagonal2a
-    fine_diagonal2a_left_rest_1 = 1 - (fine_diagonal2a + fine_diagonal2a_right_1)
-    fine_diagonal2a_lo1_1 = fine_diagonal2a_left_rest_1 - (fine_others_2 - fine_diagonal2a_right_1)
-    fine_diagonal2a_lo = fine_diagonal2a_lo1_1 - fine_others_lo_3
+    fine_diagonal2a_lo = (1 - (fine_diagonal2a + fine_diagonal2a_right_1)
+        - (fine_others_2 - fine_diagonal2a_right_1) - fine_others_lo_3)
     fine_diagonal2a_size_1 = 1 + fine_others_size_3
     fine_diagonal2b = fine_g1 + fine_m_2
     fine_diagonal2b_right_1 = fine_diagonal2b - fine_g1
-    fine_diagonal2b_left_1 = fine_diagonal2b - fine_diagonal2b_right_1
-    fine_diagonal2b_right_rest_1 = product_rest(v_2, fine_beta_v_2, fine_m_2, fine_diagonal2b_right_1)
-    fine_diagonal2b_left_rest_1 = product_rest(fine_c, fine_sinc, fine_g1, fine_diagonal2b_left_1)
-    fine_diagonal2b_lo1_1 = fine_diagonal2b_left_rest_1 + fine_diagonal2b_right_rest_1
+    fine_diagonal2b_left_rest_1 = (product_rest(c, sinc, fine_g1, fine_diagonal2b
+        - fine_diagonal2b_right_1))
+    fine_diagonal2b_lo1_1 = (fine_diagonal2b_left_rest_1
+        + product_rest(v_2, fine_beta_v_2, fine_m_2, fine_diagonal2b_right_1))
     fine_diagonal2b_lo = fine_diagonal2b_lo1_1 + (fine_g1_cross_1 + fine_m_cross2_3)
     fine_diagonal2b_size_1 = fine_g1_size_5 + fine_m_size_3
     fine_diagonal2c = fine_m_2 < fine_others_2
     fine_diagonal2_error_1 = absolute(product_error(v_2, fine_beta_v_2, fine_m_2) + fine_m_cross2_3)
-    fine_diagonal2_rest_1 = 2.6514102e-10 * (3.308722450212111e-24 + fine_m_size_3)
-    fine_diagonal2_rest_2 = 2.6615107e-10 * (3.308722450212111e-24 + fine_others_size_3)
-    fine_diagonal2_bound_2 = absolute(fine_others_lo_3) + fine_diagonal2_rest_2
-    fine_diagonal2_size_2 = fine_diagonal2_error_1 + fine_diagonal2_rest_1 + fine_diagonal2_bound_2
-    fine_diagonal2_rest_3 = 2.6615107e-10 * (3.308722450212111e-24 + fine_diagonal2b_size_1)
-    fine_diagonal2_rest_4 = 2.6718244e-10 * (3.308722450212111e-24 + fine_diagonal2a_size_1)
-    fine_diagonal2_bound_3 = absolute(fine_diagonal2b_lo) + fine_diagonal2_rest_3
-    fine_diagonal2_size_8 = fine_diagonal2_bound_3 + absolute(fine_diagonal2b - fine_diagonal2a)
-    fine_diagonal2_bound_4 = absolute(fine_diagonal2a_lo) + fine_diagonal2_rest_4
-    fine_diagonal2_size_5 = fine_diagonal2_size_2 < absolute(fine_m_2 - fine_others_2)
-    fine_diagonal2_size_9 = fine_diagonal2_bound_4 + fine_diagonal2_size_8
-    fine_diagonal2_size_1 = where(fine_diagonal2c, fine_diagonal2b_size_1, fine_diagonal2a_size_1)
-    fine_diagonal2_size_11 = 3758369280 * where(fine_diagonal2_size_5, 0, fine_diagonal2_size_9)
+    fine_diagonal2_bound_2 = (absolute(fine_others_lo_3) + 2.6615107e-10
+        * (3.308722450212111e-24 + fine_others_size_3))
+    fine_diagonal2_size_2 = (fine_diagonal2_error_1 + 2.6514102e-10
+        * (3.308722450212111e-24 + fine_m_size_3) + fine_diagonal2_bound_2)
+    fine_diagonal2_bound_3 = (absolute(fine_diagonal2b_lo) + 2.6615107e-10
+        * (3.308722450212111e-24 + fine_diagonal2b_size_1))
+    fine_diagonal2_bound_4 = (absolute(fine_diagonal2a_lo) + 2.6718244e-10
+        * (3.308722450212111e-24 + fine_diagonal2a_size_1))
+    fine_diagonal2_size_9 = (fine_diagonal2_bound_4
+        + (fine_diagonal2_bound_3 + absolute(fine_diagonal2b - fine_diagonal2a)))
+    fine_diagonal2_size_11 = (3758369280
+        * where(fine_diagonal2_size_2
+        < absolute(fine_m_2 - fine_others_2), 0, fine_diagonal2_size_9))
     fine_alpha_v_0 = v_0 * fine_g2
     fine_alpha_v_cross2_1 = v_0 * fine_g2_cross2_1
     fine_alpha_v_padded_1 = 3.308722450212111e-24 + 0.5 * (fine_g2a_size_1 + fine_g2a_size_1)
@@ -1236,63 +1212,78 @@ def SO3_leftJacobian(v):
     fine_alpha_v_cross2_3 = v_2 * fine_g2_cross2_1
     fine_R_01 = fine_m_3 - fine_alpha_v_2
     fine_R_right_1 = fine_m_3 - fine_R_01
-    fine_R_left_rest_1 = product_rest(v_1, fine_beta_v_0, fine_m_3, fine_R_01 + fine_R_right_1)
-    fine_R_lo1_1 = fine_R_left_rest_1 - product_rest(v_2, fine_g2, fine_alpha_v_2, fine_R_right_1)
-    fine_alpha_v_size_3 = fine_alpha_v_padded_1 * fine_halved_size_5
+    fine_R_lo1_1 = (product_rest(v_1, fine_beta_v_0, fine_m_3, fine_R_01 + fine_R_right_1)
+        - product_rest(v_2, fine_g2, fine_alpha_v_2, fine_R_right_1))
     fine_R_02 = fine_m_4 + fine_alpha_v_1
     fine_R_right_2 = fine_R_02 - fine_m_4
-    fine_R_left_rest_2 = product_rest(v_2, fine_beta_v_0, fine_m_4, fine_R_02 - fine_R_right_2)
-    fine_R_lo1_2 = fine_R_left_rest_2 + product_rest(v_1, fine_g2, fine_alpha_v_1, fine_R_right_2)
-    fine_alpha_v_size_2 = fine_alpha_v_padded_1 * fine_halved_size_3
+    fine_R_lo1_2 = (product_rest(v_2, fine_beta_v_0, fine_m_4, fine_R_02 - fine_R_right_2)
+        + product_rest(v_1, fine_g2, fine_alpha_v_1, fine_R_right_2))
     fine_R_10 = fine_m_3 + fine_alpha_v_2
     fine_R_right_3 = fine_R_10 - fine_m_3
-    fine_R_left_rest_3 = product_rest(v_1, fine_beta_v_0, fine_m_3, fine_R_10 - fine_R_right_3)
-    fine_R_lo1_3 = fine_R_left_rest_3 + product_rest(v_2, fine_g2, fine_alpha_v_2, fine_R_right_3)
+    fine_R_lo1_3 = (product_rest(v_1, fine_beta_v_0, fine_m_3, fine_R_10 - fine_R_right_3)
+        + product_rest(v_2, fine_g2, fine_alpha_v_2, fine_R_right_3))
     fine_R_12 = fine_m_5 - fine_alpha_v_0
     fine_R_right_4 = fine_m_5 - fine_R_12
-    fine_R_left_rest_4 = product_rest(v_2, fine_beta_v_1, fine_m_5, fine_R_12 + fine_R_right_4)
-    fine_R_lo1_4 = fine_R_left_rest_4 - product_rest(v_0, fine_g2, fine_alpha_v_0, fine_R_right_4)
-    fine_alpha_v_size_1 = fine_alpha_v_padded_1 * fine_halved_size_1
+    fine_R_lo1_4 = (product_rest(v_2, fine_beta_v_1, fine_m_5, fine_R_12 + fine_R_right_4)
+        - product_rest(v_0, fine_g2, fine_alpha_v_0, fine_R_right_4))
     fine_R_20 = fine_m_4 - fine_alpha_v_1
     fine_R_right_5 = fine_m_4 - fine_R_20
-    fine_R_left_rest_5 = product_rest(v_2, fine_beta_v_0, fine_m_4, fine_R_20 + fine_R_right_5)
-    fine_R_lo1_5 = fine_R_left_rest_5 - product_rest(v_1, fine_g2, fine_alpha_v_1, fine_R_right_5)
+    fine_R_lo1_5 = (product_rest(v_2, fine_beta_v_0, fine_m_4, fine_R_20 + fine_R_right_5)
+        - product_rest(v_1, fine_g2, fine_alpha_v_1, fine_R_right_5))
     fine_R_21 = fine_m_5 + fine_alpha_v_0
     fine_R_right_6 = fine_R_21 - fine_m_5
-    fine_R_left_rest_6 = product_rest(v_2, fine_beta_v_1, fine_m_5, fine_R_21 - fine_R_right_6)
-    fine_R_lo1_6 = fine_R_left_rest_6 + product_rest(v_0, fine_g2, fine_alpha_v_0, fine_R_right_6)
+    fine_R_lo1_6 = (product_rest(v_2, fine_beta_v_1, fine_m_5, fine_R_21 - fine_R_right_6)
+        + product_rest(v_0, fine_g2, fine_alpha_v_0, fine_R_right_6))
     diagonal0_apart_1 = where(fine_diagonal0c, fine_diagonal0b, fine_diagonal0a) - diagonal0
-    fine_diagonal0_lo = where(fine_diagonal0c, fine_diagonal0b_lo, fine_diagonal0a_lo)
-    diagonal0_padded_1 = 3.308722450212111e-24 + (fine_diagonal0_size_1 + fine_diagonal0_size_11)
-    diagonal0_error_2 = 1.0000005 * absolute(diagonal0_apart_1 + fine_diagonal0_lo)
-    R_apart_2 = fine_R_01 - R_01 + (fine_R_lo1_1 + (fine_m_cross2_4 - fine_alpha_v_cross2_3))
-    fine_R_size_1 = fine_alpha_v_size_3 + fine_halved_size_3 * fine_m_padded_1
-    R_rest_1 = 2.6615107e-10 * (3.308722450212111e-24 + fine_R_size_1)
-    R_apart_4 = fine_R_02 - R_02 + (fine_R_lo1_2 + (fine_m_cross2_5 + fine_alpha_v_cross2_2))
-    fine_R_size_2 = fine_alpha_v_size_2 + fine_halved_size_5 * fine_m_padded_1
-    R_rest_2 = 2.6615107e-10 * (3.308722450212111e-24 + fine_R_size_2)
-    R_apart_6 = fine_R_10 - R_10 + (fine_R_lo1_3 + (fine_m_cross2_4 + fine_alpha_v_cross2_3))
+    diagonal0_padded_1 = (3.308722450212111e-24
+        + (where(fine_diagonal0c, fine_diagonal0b_size_1, fine_diagonal0a_size_1)
+        + fine_diagonal0_size_11))
+    diagonal0_error_2 = (1.0000005
+        * absolute(diagonal0_apart_1
+        + where(fine_diagonal0c, fine_diagonal0b_lo, fine_diagonal0a_lo)))
+    R_rest_1 = (2.6615107e-10
+        * (3.308722450212111e-24
+        + (fine_alpha_v_padded_1 * halved_size_5 + fine_m_padded_1 * halved_size_3)))
+    R_rest_2 = (2.6615107e-10
+        * (3.308722450212111e-24
+        + (fine_alpha_v_padded_1 * halved_size_3 + fine_m_padded_1 * halved_size_5)))
     diagonal1_apart_1 = where(fine_diagonal1c, fine_diagonal1b, fine_diagonal1a) - diagonal1
-    fine_diagonal1_lo = where(fine_diagonal1c, fine_diagonal1b_lo, fine_diagonal1a_lo)
-    diagonal1_padded_1 = 3.308722450212111e-24 + (fine_diagonal1_size_1 + fine_diagonal1_size_11)
-    diagonal1_error_2 = 1.0000005 * absolute(diagonal1_apart_1 + fine_diagonal1_lo)
-    R_apart_8 = fine_R_12 - R_12 + (fine_R_lo1_4 + (fine_m_cross2_6 - fine_alpha_v_cross2_1))
-    fine_R_size_3 = fine_alpha_v_size_1 + fine_halved_size_5 * fine_m_padded_2
-    R_rest_3 = 2.6615107e-10 * (3.308722450212111e-24 + fine_R_size_3)
-    R_apart_10 = fine_R_20 - R_20 + (fine_R_lo1_5 + (fine_m_cross2_5 - fine_alpha_v_cross2_2))
-    R_apart_12 = fine_R_21 - R_21 + (fine_R_lo1_6 + (fine_m_cross2_6 + fine_alpha_v_cross2_1))
+    diagonal1_padded_1 = (3.308722450212111e-24
+        + (where(fine_diagonal1c, fine_diagonal1b_size_1, fine_diagonal1a_size_1)
+        + fine_diagonal1_size_11))
+    diagonal1_error_2 = (1.0000005
+        * absolute(diagonal1_apart_1
+        + where(fine_diagonal1c, fine_diagonal1b_lo, fine_diagonal1a_lo)))
+    R_rest_3 = (2.6615107e-10
+        * (3.308722450212111e-24
+        + (fine_alpha_v_padded_1 * halved_size_1 + fine_m_padded_2 * halved_size_5)))
     diagonal2_apart_1 = where(fine_diagonal2c, fine_diagonal2b, fine_diagonal2a) - diagonal2
-    fine_diagonal2_lo = where(fine_diagonal2c, fine_diagonal2b_lo, fine_diagonal2a_lo)
-    diagonal2_padded_1 = 3.308722450212111e-24 + (fine_diagonal2_size_1 + fine_diagonal2_size_11)
-    diagonal2_error_2 = 1.0000005 * absolute(diagonal2_apart_1 + fine_diagonal2_lo)
+    diagonal2_padded_1 = (3.308722450212111e-24
+        + (where(fine_diagonal2c, fine_diagonal2b_size_1, fine_diagonal2a_size_1)
+        + fine_diagonal2_size_11))
+    diagonal2_error_2 = (1.0000005
+        * absolute(diagonal2_apart_1
+        + where(fine_diagonal2c, fine_diagonal2b_lo, fine_diagonal2a_lo)))
     diagonal0_bound_1 = diagonal0_error_2 + 2.6718253e-10 * diagonal0_padded_1
-    R_bound_1 = 1.0000005 * absolute(R_apart_2) + R_rest_1
-    R_bound_2 = 1.0000005 * absolute(R_apart_4) + R_rest_2
-    R_bound_3 = 1.0000005 * absolute(R_apart_6) + R_rest_1
+    R_bound_1 = (1.0000005
+        * absolute(fine_R_01 - R_01 + (fine_R_lo1_1 + (fine_m_cross2_4 - fine_alpha_v_cross2_3)))
+        + R_rest_1)
+    R_bound_2 = (1.0000005
+        * absolute(fine_R_02 - R_02 + (fine_R_lo1_2 + (fine_m_cross2_5 + fine_alpha_v_cross2_2)))
+        + R_rest_2)
+    R_bound_3 = (1.0000005
+        * absolute(fine_R_10 - R_10 + (fine_R_lo1_3 + (fine_m_cross2_4 + fine_alpha_v_cross2_3)))
+        + R_rest_1)
     diagonal1_bound_1 = diagonal1_error_2 + 2.6718253e-10 * diagonal1_padded_1
-    R_bound_4 = 1.0000005 * absolute(R_apart_8) + R_rest_3
-    R_bound_5 = 1.0000005 * absolute(R_apart_10) + R_rest_2
-    R_bound_6 = 1.0000005 * absolute(R_apart_12) + R_rest_3
+    R_bound_4 = (1.0000005
+        * absolute(fine_R_12 - R_12 + (fine_R_lo1_4 + (fine_m_cross2_6 - fine_alpha_v_cross2_1)))
+        + R_rest_3)
+    R_bound_5 = (1.0000005
+        * absolute(fine_R_20 - R_20 + (fine_R_lo1_5 + (fine_m_cross2_5 - fine_alpha_v_cross2_2)))
+        + R_rest_2)
+    R_bound_6 = (1.0000005
+        * absolute(fine_R_21 - R_21 + (fine_R_lo1_6 + (fine_m_cross2_6 + fine_alpha_v_cross2_1)))
+        + R_rest_3)
     diagonal2_bound_1 = diagonal2_error_2 + 2.6718253e-10 * diagonal2_padded_1
     return (diagonal0, R_01, R_02, R_10, diagonal1, R_12, R_20, R_21, diagonal2, diagonal0_bound_1,
         R_bound_1, R_bound_2, R_bound_3, diagonal1_bound_1, R_bound_4, R_bound_5, R_bound_6,
@@ -1354,18 +1345,31 @@ def SO3_rightJacobian(v):
     closed2 = versine / far_x
     rest3 = 1 - closed1
     closed3 = rest3 / middle_x
-    g1g = x * (x * (x * (6.4469503e-26 * x - 3.8681703e-23) + 1.9572942e-20) - 8.220635e-18)
-    g1n = x * (x * (x * (g1g + 2.8114574e-15) - 7.6471636e-13) + 1.6059044e-10) - 2.5052108e-08
-    g1w = x * (x * (x * (x * (x * g1n + 2.7557319e-06) - 0.0001984127) + 0.008333334) - 0.16666667)
-    g1 = where(theta_b, g1w + 1, closed1)
-    g2g = x * (x * (x * (2.4795963e-27 * x - 1.6117376e-24) + 8.896791e-22) - 4.1103176e-19)
-    g2n = x * (x * (x * (g2g + 1.5619207e-16) - 4.7794773e-14) + 1.1470745e-11) - 2.0876756e-09
-    g2v = x * (x * (x * (x * g2n + 2.755732e-07) - 2.4801588e-05) + 0.0013888889) - 0.041666668
-    g2 = where(theta_b, x * g2v + 0.5, closed2)
-    g3g = x * (x * (x * (9.18369e-29 * x - 6.4469503e-26) + 3.8681703e-23) - 1.9572942e-20)
-    g3o = x * (x * (x * (x * (g3g + 8.220635e-18) - 2.8114574e-15) + 7.6471636e-13) - 1.6059044e-10)
-    g3w = x * (x * (x * (x * (g3o + 2.5052108e-08) - 2.7557319e-06) + 0.0001984127) - 0.008333334)
-    g3 = where(middle_x_a, g3w + 0.16666667, closed3)
+    g1l = (x
+        * (x
+        * (x * (x * (x * (6.4469503e-26 * x - 3.8681703e-23) + 1.9572942e-20) - 8.220635e-18)
+        + 2.8114574e-15) - 7.6471636e-13) + 1.6059044e-10)
+    g1 = (where(theta_b, x
+        * (x
+        * (x * (x * (x * (x * g1l - 2.5052108e-08) + 2.7557319e-06) - 0.0001984127) + 0.008333334)
+        - 0.16666667) + 1, closed1))
+    g2l = (x
+        * (x
+        * (x * (x * (x * (2.4795963e-27 * x - 1.6117376e-24) + 8.896791e-22) - 4.1103176e-19)
+        + 1.5619207e-16) - 4.7794773e-14) + 1.1470745e-11)
+    g2 = (where(theta_b, x
+        * (x
+        * (x * (x * (x * (x * g2l - 2.0876756e-09) + 2.755732e-07) - 2.4801588e-05) + 0.0013888889)
+        - 0.041666668) + 0.5, closed2))
+    g3l = (x
+        * (x
+        * (x * (x * (x * (9.18369e-29 * x - 6.4469503e-26) + 3.8681703e-23) - 1.9572942e-20)
+        + 8.220635e-18) - 2.8114574e-15) + 7.6471636e-13)
+    g3x = (x
+        * (x
+        * (x * (x * (x * (x * g3l - 1.6059044e-10) + 2.5052108e-08) - 2.7557319e-06)
+        + 0.0001984127) - 0.008333334) + 0.16666667)
+    g3 = where(middle_x_a, g3x, closed3)
     beta_v_0 = v_0 * g3
     beta_v_1 = v_1 * g3
     beta_v_2 = v_2 * g3
@@ -1390,354 +1394,310 @@ def SO3_rightJacobian(v):
     R_12 = m_5 - alpha_v_0
     R_20 = m_4 - alpha_v_1
     R_21 = m_5 + alpha_v_0
-    fine_halved_0 = 0.5 * v_0
-    fine_halved_size_1 = absolute(v_0)
-    fine_halved_1 = 0.5 * v_1
-    fine_halved_size_3 = absolute(v_1)
-    fine_halved_2 = 0.5 * v_2
-    fine_halved_size_5 = absolute(v_2)
-    fine_y_a = fine_halved_0 * fine_halved_0
-    fine_y_a_padded_1 = 3.308722450212111e-24 + 0.5 * fine_halved_size_1
-    fine_y_b = fine_halved_1 * fine_halved_1
-    fine_y_b_padded_1 = 3.308722450212111e-24 + 0.5 * fine_halved_size_3
-    fine_y_c = fine_y_a + fine_y_b
-    fine_y_c_right_1 = fine_y_c - fine_y_a
-    fine_y_c_left_1 = fine_y_c - fine_y_c_right_1
-    fine_y_c_right_rest_1 = product_rest(fine_halved_1, fine_halved_1, fine_y_b, fine_y_c_right_1)
-    fine_y_c_left_rest_1 = product_rest(fine_halved_0, fine_halved_0, fine_y_a, fine_y_c_left_1)
-    fine_y_d = fine_halved_2 * fine_halved_2
-    fine_y_d_padded_1 = 3.308722450212111e-24 + 0.5 * fine_halved_size_5
-    fine_y = fine_y_c + fine_y_d
-    fine_y_right_1 = fine_y - fine_y_c
-    fine_y_right_rest_1 = product_rest(fine_halved_2, fine_halved_2, fine_y_d, fine_y_right_1)
-    fine_y_lo1_1 = fine_y_c - (fine_y - fine_y_right_1) + fine_y_right_rest_1
-    fine_y_lo = fine_y_lo1_1 + (fine_y_c_left_rest_1 + fine_y_c_right_rest_1)
-    fine_y_c_size_1 = fine_y_a_padded_1 * fine_y_a_padded_1 + fine_y_b_padded_1 * fine_y_b_padded_1
-    fine_y_size_1 = fine_y_c_size_1 + fine_y_d_padded_1 * fine_y_d_padded_1
-    fine_half_angle = sqrt(fine_y)
-    fine_half_angle_product_1 = fine_half_angle * fine_half_angle
-    fine_half_angle_product_error_1 = product_error(fine_half_angle, fine_half_angle, fine_half_angle_product_1)
-    fine_half_angle_exact_1 = fine_y - fine_half_angle_product_1 - fine_half_angle_product_error_1
-    fine_half_angle_divisor_1 = where(fine_half_angle == 0, 1, fine_half_angle + fine_half_angle)
-    fine_half_angle_lo = (fine_half_angle_exact_1 + fine_y_lo) / fine_half_angle_divisor_1
-    fine_half_angle_padded_1 = 3.308722450212111e-24 + fine_y_size_1
-    fine_half_angle_bound_1 = absolute(fine_y_lo) + 7.2120885e-13 * fine_half_angle_padded_1
-    fine_half_angle_reach_1 = absolute(fine_y) + 262144 * fine_half_angle_bound_1
-    fine_half_angle_size_2 = fine_half_angle_padded_1 / fine_half_angle / fine_y
-    fine_half_angle_size_6 = absolute(fine_half_angle_lo)
-    fine_half_angle_size_8 = 890731298816 * (sqrt(fine_half_angle_bound_1) + fine_half_angle_size_6)
-    fine_half_angle_size_4 = fine_half_angle_reach_1 * fine_half_angle_size_2
-    fine_half_angle_size_10 = 4 * fine_half_angle_bound_1 < fine_y
-    fine_half_angle_size_11 = where(fine_half_angle_size_10, fine_half_angle_size_4, fine_half_angle_size_8)
-    fine_half_angle_size_12 = fine_half_angle + fine_half_angle_size_11
-    fine_sine, fine_c = elementary.sincos(fine_half_angle)
-    fine_sine_own_error_1, fine_c_own_error_1 = elementary.sincos_error(fine_half_angle, fine_sine, fine_c)
-    fine_sine_half_1 = fine_half_angle_lo * 0.5
+    halved_0 = 0.5 * v_0
+    halved_size_1 = absolute(v_0)
+    halved_1 = 0.5 * v_1
+    halved_size_3 = absolute(v_1)
+    halved_2 = 0.5 * v_2
+    halved_size_5 = absolute(v_2)
+    y_a = halved_0 * halved_0
+    y_a_padded_1 = 3.308722450212111e-24 + 0.5 * halved_size_1
+    y_b = halved_1 * halved_1
+    y_b_padded_1 = 3.308722450212111e-24 + 0.5 * halved_size_3
+    y_c = y_a + y_b
+    y_c_right_1 = y_c - y_a
+    y_d = halved_2 * halved_2
+    y_d_padded_1 = 3.308722450212111e-24 + 0.5 * halved_size_5
+    y = y_c + y_d
+    y_right_1 = y - y_c
+    y_c_lo = (product_rest(halved_0, halved_0, y_a, y_c - y_c_right_1)
+        + product_rest(halved_1, halved_1, y_b, y_c_right_1))
+    y_lo = y_c - (y - y_right_1) + product_rest(halved_2, halved_2, y_d, y_right_1) + y_c_lo
+    y_size_1 = (y_a_padded_1 * y_a_padded_1 + y_b_padded_1 * y_b_padded_1 + y_d_padded_1
+        * y_d_padded_1)
+    half_angle = sqrt(y)
+    half_angle_product_1 = half_angle * half_angle
+    half_angle_residual_1 = (y - half_angle_product_1
+        - product_error(half_angle, half_angle, half_angle_product_1) + y_lo)
+    half_angle_lo = half_angle_residual_1 / where(half_angle == 0, 1, half_angle + half_angle)
+    half_angle_padded_1 = 3.308722450212111e-24 + y_size_1
+    half_angle_bound_1 = absolute(y_lo) + 7.2120885e-13 * half_angle_padded_1
+    half_angle_size_6 = absolute(half_angle_lo)
+    half_angle_size_4 = ((absolute(y) + 262144 * half_angle_bound_1)
+        * (half_angle_padded_1 / half_angle / y))
+    half_angle_size_12 = (half_angle
+        + where(4 * half_angle_bound_1 < y, half_angle_size_4, 890731298816
+        * (sqrt(half_angle_bound_1) + half_angle_size_6)))
+    fine_sine, c = elementary.sincos(half_angle)
+    fine_sine_own_error_1, c_own_error_1 = elementary.sincos_error(half_angle, fine_sine, c)
+    fine_sine_half_1 = half_angle_lo * 0.5
     fine_sine_half_sin_1, fine_sine_half_cos_1 = elementary.sincos(fine_sine_half_1)
     fine_sine_twice_1 = fine_sine_half_sin_1 + fine_sine_half_sin_1
-    fine_sine_slope_1 = fine_sine_half_cos_1 * fine_c - fine_sine_half_sin_1 * fine_sine
-    fine_sine_padded_1 = 3.308722450212111e-24 + fine_half_angle_size_12
+    fine_sine_padded_1 = 3.308722450212111e-24 + half_angle_size_12
     fine_sine_size_1 = 1 + fine_sine_padded_1
-    fine_c_slope_1 = fine_sine_half_cos_1 * fine_sine + fine_sine_half_sin_1 * fine_c
-    fine_c_lo = fine_c_own_error_1 - fine_c_slope_1 * fine_sine_twice_1
-    fine_sinc_divisor_a = fine_half_angle < 1.4901161193847656e-08
-    fine_sinc_divisor = where(fine_sinc_divisor_a, 1.4901161193847656e-08, fine_half_angle)
-    fine_sinc_divisor_lo = where(fine_sinc_divisor_a, 0, fine_half_angle_lo)
-    fine_sinc_divisor_bound_1 = fine_half_angle_size_6 + 1.2221551e-12 * fine_sine_padded_1
-    fine_sinc_divisor_size_3 = absolute(fine_half_angle - 1.4901161193847656e-08)
-    fine_sinc_divisor_size_4 = fine_sinc_divisor_bound_1 < fine_sinc_divisor_size_3
-    fine_sinc_divisor_size_6 = absolute(1.4901161193847656e-08 - fine_half_angle)
-    fine_sinc_divisor_size_7 = fine_sinc_divisor_bound_1 + fine_sinc_divisor_size_6
-    fine_sinc_divisor_size_8 = where(fine_sinc_divisor_size_4, 0, fine_sinc_divisor_size_7)
-    fine_sinc_divisor_size_1 = where(fine_sinc_divisor_a, 1.4901161193847656e-08, fine_half_angle_size_12)
-    fine_sinc_quotient = fine_sine / fine_sinc_divisor
-    fine_sinc_quotient_product_1 = fine_sinc_quotient * fine_sinc_divisor
-    fine_sinc_quotient_product_error_1 = product_error(fine_sinc_quotient, fine_sinc_divisor, fine_sinc_quotient_product_1)
-    fine_sinc_quotient_rest_1 = fine_sine - fine_sinc_quotient_product_1
-    fine_sinc_quotient_exact_1 = fine_sinc_quotient_rest_1 - fine_sinc_quotient_product_error_1
-    fine_sine_lo = fine_sine_own_error_1 + fine_sine_slope_1 * fine_sine_twice_1
-    fine_sinc_quotient_numerator_1 = fine_sinc_quotient_exact_1 + fine_sine_lo
-    fine_sinc_quotient_cross_1 = fine_sinc_quotient * fine_sinc_divisor_lo
-    fine_sinc_quotient_residual_1 = fine_sinc_quotient_numerator_1 - fine_sinc_quotient_cross_1
-    fine_sinc_quotient_lo = fine_sinc_quotient_residual_1 / fine_sinc_divisor
-    fine_sinc_divisor_size_10 = fine_sinc_divisor_size_1 + 314142654464 * fine_sinc_divisor_size_8
-    fine_sinc_quotient_padded_2 = 3.308722450212111e-24 + fine_sinc_divisor_size_10
-    fine_sinc_quotient_size_1 = absolute(fine_sinc_quotient)
-    fine_sinc_quotient_size_2 = absolute(fine_sinc_divisor)
-    fine_sinc_quotient_size_3 = fine_sinc_quotient_padded_2 * fine_sinc_quotient_size_1
-    fine_sinc_quotient_rest_2 = 3.2827582e-12 * fine_sinc_quotient_padded_2
-    fine_sinc_quotient_bound_1 = absolute(fine_sinc_divisor_lo) + fine_sinc_quotient_rest_2
-    fine_sinc_quotient_size_6 = 4 * fine_sinc_quotient_bound_1 < fine_sinc_quotient_size_2
-    fine_sinc_quotient_size_4 = 3.308722450212111e-24 + fine_sine_size_1 + fine_sinc_quotient_size_3
-    fine_sinc_quotient_size_7 = where(fine_sinc_quotient_size_6, fine_sinc_quotient_size_2, 0)
-    fine_sinc_quotient_reach_1 = fine_sinc_quotient_size_2 + 262144 * fine_sinc_quotient_bound_1
-    fine_sinc_quotient_size_8 = fine_sinc_quotient_size_4 / fine_sinc_quotient_size_7
-    fine_sinc_quotient_size_9 = fine_sinc_quotient_reach_1 * fine_sinc_quotient_size_8
-    fine_sinc_quotient_size_10 = fine_sinc_quotient_size_9 / fine_sinc_quotient_size_2
-    fine_sinc_quotient_size_11 = fine_sinc_quotient_size_1 + fine_sinc_quotient_size_10
-    fine_sinc_a = 0.16666667 * fine_y
-    fine_sinc_b = 1 - fine_sinc_a
-    fine_sinc_b_right_1 = 1 - fine_sinc_b
-    fine_sinc_b_right_rest_1 = product_rest(0.16666667, fine_y, fine_sinc_a, fine_sinc_b_right_1)
-    fine_sinc_b_lo1_1 = 1 - (fine_sinc_b + fine_sinc_b_right_1) - fine_sinc_b_right_rest_1
-    fine_sinc_b_lo = fine_sinc_b_lo1_1 - (-4.967054e-09 * fine_y + 0.16666667 * fine_y_lo)
-    fine_sinc_b_size_1 = 1 + 0.16666669 * fine_y_size_1
-    fine_sinc = where(fine_sinc_divisor_a, fine_sinc_b, fine_sinc_quotient)
-    fine_sinc_lo = where(fine_sinc_divisor_a, fine_sinc_b_lo, fine_sinc_quotient_lo)
-    fine_sinc_rest_1 = 2.3406937e-10 * (3.308722450212111e-24 + fine_sinc_b_size_1)
-    fine_sinc_rest_2 = 5.43103e-12 * (3.308722450212111e-24 + fine_sinc_quotient_size_11)
-    fine_sinc_bound_1 = absolute(fine_sinc_b_lo) + fine_sinc_rest_1
-    fine_sinc_size_4 = fine_sinc_bound_1 + absolute(fine_sinc_b - fine_sinc_quotient)
-    fine_sinc_size_5 = absolute(fine_sinc_quotient_lo) + fine_sinc_rest_2 + fine_sinc_size_4
-    fine_sinc_size_1 = where(fine_sinc_divisor_a, fine_sinc_b_size_1, fine_sinc_quotient_size_11)
-    fine_sinc_size_7 = 4276409088 * where(fine_sinc_divisor_size_4, 0, fine_sinc_size_5)
-    fine_g1 = fine_c * fine_sinc
-    fine_g1_cross_1 = fine_c_lo * fine_sinc + fine_c * fine_sinc_lo
-    fine_g1_padded_1 = 3.308722450212111e-24 + (fine_sinc_size_1 + fine_sinc_size_7)
-    fine_g1_units_1 = 262144 * (absolute(fine_c_lo) + 2.5011469e-12 * fine_sine_size_1)
-    fine_g1_units_2 = 262144 * (absolute(fine_sinc_lo) + 2.3406946e-10 * fine_g1_padded_1)
-    fine_g1_reach_2 = absolute(fine_sinc) + fine_g1_units_2
-    fine_g1_size_2 = fine_g1_padded_1 * (absolute(fine_c) + fine_g1_units_1)
-    fine_g1_size_5 = fine_g1_size_2 + fine_g1_reach_2 * fine_sine_size_1
-    fine_g2a = fine_sinc * fine_sinc
+    c_lo = (c_own_error_1 - (fine_sine_half_cos_1 * fine_sine + fine_sine_half_sin_1 * c)
+        * fine_sine_twice_1)
+    sinc_divisor_a = half_angle < 1.4901161193847656e-08
+    sinc_divisor = where(sinc_divisor_a, 1.4901161193847656e-08, half_angle)
+    sinc_divisor_lo = where(sinc_divisor_a, 0, half_angle_lo)
+    sinc_divisor_bound_1 = half_angle_size_6 + 1.2221551e-12 * fine_sine_padded_1
+    sinc_divisor_size_4 = sinc_divisor_bound_1 < absolute(half_angle - 1.4901161193847656e-08)
+    sinc_divisor_size_9 = (314142654464
+        * where(sinc_divisor_size_4, 0, sinc_divisor_bound_1
+        + absolute(1.4901161193847656e-08 - half_angle)))
+    sinc_quotient = fine_sine / sinc_divisor
+    sinc_quotient_product_1 = sinc_quotient * sinc_divisor
+    sinc_quotient_exact_1 = (fine_sine - sinc_quotient_product_1
+        - product_error(sinc_quotient, sinc_divisor, sinc_quotient_product_1))
+    fine_sine_lo = (fine_sine_own_error_1
+        + (fine_sine_half_cos_1 * c - fine_sine_half_sin_1 * fine_sine) * fine_sine_twice_1)
+    sinc_quotient_lo = ((sinc_quotient_exact_1 + fine_sine_lo - sinc_quotient * sinc_divisor_lo)
+        / sinc_divisor)
+    sinc_quotient_padded_2 = (3.308722450212111e-24
+        + (where(sinc_divisor_a, 1.4901161193847656e-08, half_angle_size_12) + sinc_divisor_size_9))
+    sinc_quotient_size_1 = absolute(sinc_quotient)
+    sinc_quotient_size_2 = absolute(sinc_divisor)
+    sinc_quotient_bound_1 = absolute(sinc_divisor_lo) + 3.2827582e-12 * sinc_quotient_padded_2
+    sinc_quotient_size_4 = (3.308722450212111e-24 + fine_sine_size_1 + sinc_quotient_padded_2
+        * sinc_quotient_size_1)
+    sinc_quotient_size_8 = (sinc_quotient_size_4
+        / where(4 * sinc_quotient_bound_1 < sinc_quotient_size_2, sinc_quotient_size_2, 0))
+    sinc_quotient_size_11 = (sinc_quotient_size_1
+        + (sinc_quotient_size_2 + 262144 * sinc_quotient_bound_1) * sinc_quotient_size_8
+        / sinc_quotient_size_2)
+    sinc_a = 0.16666667 * y
+    sinc_b = 1 - sinc_a
+    sinc_b_right_1 = 1 - sinc_b
+    sinc_b_lo = (1 - (sinc_b + sinc_b_right_1)
+        - product_rest(0.16666667, y, sinc_a, sinc_b_right_1)
+        - (-4.967054e-09 * y + 0.16666667 * y_lo))
+    sinc_b_size_1 = 1 + 0.16666669 * y_size_1
+    sinc = where(sinc_divisor_a, sinc_b, sinc_quotient)
+    sinc_lo = where(sinc_divisor_a, sinc_b_lo, sinc_quotient_lo)
+    sinc_size_4 = (absolute(sinc_b_lo) + 2.3406937e-10 * (3.308722450212111e-24 + sinc_b_size_1)
+        + absolute(sinc_b - sinc_quotient))
+    sinc_size_6 = (where(sinc_divisor_size_4, 0, absolute(sinc_quotient_lo) + 5.43103e-12
+        * (3.308722450212111e-24 + sinc_quotient_size_11) + sinc_size_4))
+    fine_g1 = c * sinc
+    fine_g1_cross_1 = c_lo * sinc + c * sinc_lo
+    fine_g1_padded_1 = (3.308722450212111e-24
+        + (where(sinc_divisor_a, sinc_b_size_1, sinc_quotient_size_11) + 4276409088 * sinc_size_6))
+    fine_g1_reach_2 = (absolute(sinc) + 262144
+        * (absolute(sinc_lo) + 2.3406946e-10 * fine_g1_padded_1))
+    fine_g1_size_5 = (fine_g1_padded_1
+        * (absolute(c) + 262144 * (absolute(c_lo) + 2.5011469e-12 * fine_sine_size_1))
+        + fine_g1_reach_2 * fine_sine_size_1)
+    fine_g2a = sinc * sinc
     fine_g2a_size_1 = fine_g1_padded_1 * fine_g1_reach_2
-    fine_g2a_cross_1 = fine_sinc_lo * fine_sinc + fine_sinc * fine_sinc_lo
     fine_g2 = 0.5 * fine_g2a
-    fine_g2_cross2_1 = 0.5 * (product_error(fine_sinc, fine_sinc, fine_g2a) + fine_g2a_cross_1)
+    fine_g2_cross2_1 = (0.5
+        * (product_error(sinc, sinc, fine_g2a) + (sinc_lo * sinc + sinc * sinc_lo)))
     fine_rest3 = 1 - fine_g1
     fine_rest3_right_1 = 1 - fine_rest3
-    fine_rest3_right_rest_1 = product_rest(fine_c, fine_sinc, fine_g1, fine_rest3_right_1)
-    fine_rest3_lo1_1 = 1 - (fine_rest3 + fine_rest3_right_1) - fine_rest3_right_rest_1
-    fine_x = 4 * fine_y
-    fine_x_cross2_1 = 4 * fine_y_lo
-    fine_x_size_1 = 4 * fine_y_size_1
-    fine_far_x_a = fine_x < 1
-    fine_far_x = where(fine_far_x_a, 1, fine_x)
-    fine_far_x_lo = where(fine_far_x_a, 0, fine_x_cross2_1)
+    fine_x = 4 * y
+    fine_x_cross2_1 = 4 * y_lo
+    fine_x_size_1 = 4 * y_size_1
+    far_x_a = fine_x < 1
+    fine_far_x = where(far_x_a, 1, fine_x)
+    fine_far_x_lo = where(far_x_a, 0, fine_x_cross2_1)
     fine_far_x_padded_1 = 3.308722450212111e-24 + fine_x_size_1
     fine_far_x_bound_1 = absolute(fine_x_cross2_1) + 8.100306e-13 * fine_far_x_padded_1
     fine_far_x_size_4 = fine_far_x_bound_1 < absolute(fine_x - 1)
-    fine_far_x_size_8 = where(fine_far_x_size_4, 0, fine_far_x_bound_1 + absolute(1 - fine_x))
     fine_closed3 = fine_rest3 / fine_far_x
     fine_closed3_product_1 = fine_closed3 * fine_far_x
-    fine_closed3_product_error_1 = product_error(fine_closed3, fine_far_x, fine_closed3_product_1)
-    fine_closed3_exact_1 = fine_rest3 - fine_closed3_product_1 - fine_closed3_product_error_1
-    fine_closed3_numerator_1 = fine_closed3_exact_1 + (fine_rest3_lo1_1 - fine_g1_cross_1)
+    fine_rest3_lo = (1 - (fine_rest3 + fine_rest3_right_1)
+        - product_rest(c, sinc, fine_g1, fine_rest3_right_1) - fine_g1_cross_1)
+    fine_closed3_numerator_1 = (fine_rest3 - fine_closed3_product_1
+        - product_error(fine_closed3, fine_far_x, fine_closed3_product_1) + fine_rest3_lo)
     fine_closed3_lo = (fine_closed3_numerator_1 - fine_closed3 * fine_far_x_lo) / fine_far_x
-    fine_far_x_size_10 = where(fine_far_x_a, 1, fine_x_size_1) + 183249911808 * fine_far_x_size_8
+    fine_far_x_size_10 = (where(far_x_a, 1, fine_x_size_1) + 183249911808
+        * where(fine_far_x_size_4, 0, fine_far_x_bound_1 + absolute(1 - fine_x)))
     fine_closed3_padded_2 = 3.308722450212111e-24 + fine_far_x_size_10
     fine_closed3_size_1 = absolute(fine_closed3)
     fine_closed3_size_2 = absolute(fine_far_x)
-    fine_closed3_padded_1 = 3.308722450212111e-24 + (1 + fine_g1_size_5)
     fine_closed3_bound_1 = absolute(fine_far_x_lo) + 5.627585e-12 * fine_closed3_padded_2
-    fine_closed3_size_6 = 4 * fine_closed3_bound_1 < fine_closed3_size_2
-    fine_closed3_size_4 = fine_closed3_padded_1 + fine_closed3_padded_2 * fine_closed3_size_1
-    fine_closed3_size_8 = fine_closed3_size_4 / where(fine_closed3_size_6, fine_closed3_size_2, 0)
-    fine_closed3_reach_1 = fine_closed3_size_2 + 262144 * fine_closed3_bound_1
-    fine_closed3_size_10 = fine_closed3_reach_1 * fine_closed3_size_8 / fine_closed3_size_2
-    fine_closed3_size_11 = fine_closed3_size_1 + fine_closed3_size_10
-    fine_series5a = 1.216125e-34 * fine_x
-    fine_series5b = 1.1309962e-31 - fine_series5a
-    fine_series5b_right_1 = 1.1309962e-31 - fine_series5b
-    fine_series5b_right_rest_1 = product_rest(1.216125e-34, fine_x, fine_series5a, fine_series5b_right_1)
-    fine_series5b_left_rest_1 = 1.1309962e-31 - (fine_series5b + fine_series5b_right_1)
-    fine_series5b_lo1_1 = fine_series5b_left_rest_1 - fine_series5b_right_rest_1
-    fine_series5a_cross_1 = 2.696e-42 * fine_x + 1.216125e-34 * fine_x_cross2_1
-    fine_series5b_lo = fine_series5b_lo1_1 - fine_series5a_cross_1 + 4.1374e-39
-    fine_series5c = fine_x * fine_series5b
-    fine_series5c_padded_1 = 3.308722450212111e-24 + (1.1309962e-31 + 1.9784917e-27 * fine_x_size_1)
-    fine_series5c_reach_1 = absolute(fine_x) + 262144 * fine_far_x_bound_1
-    fine_series5c_bound_1 = absolute(fine_series5b_lo) + 2.3419375e-10 * fine_series5c_padded_1
-    fine_series5c_reach_2 = absolute(fine_series5b) + 262144 * fine_series5c_bound_1
-    fine_series5c_size_2 = fine_series5c_padded_1 * fine_series5c_reach_1
-    fine_series5d = fine_series5c - 9.18369e-29
-    fine_series5d_right_1 = fine_series5c - fine_series5d
-    fine_series5d_left_1 = fine_series5d + fine_series5d_right_1
-    fine_series5d_left_rest_1 = product_rest(fine_x, fine_series5b, fine_series5c, fine_series5d_left_1)
-    fine_series5d_lo1_1 = fine_series5d_left_rest_1 - (9.18369e-29 - fine_series5d_right_1)
-    fine_series5c_cross_1 = fine_x_cross2_1 * fine_series5b + fine_x * fine_series5b_lo
-    fine_series5d_lo = fine_series5d_lo1_1 - 5.383817e-37 + fine_series5c_cross_1
-    fine_series5c_size_5 = fine_series5c_size_2 + fine_far_x_padded_1 * fine_series5c_reach_2
-    fine_series5e = fine_x * fine_series5d
-    fine_series5e_padded_1 = 3.308722450212111e-24 + (9.18369e-29 + fine_series5c_size_5)
-    fine_series5e_bound_1 = absolute(fine_series5d_lo) + 2.3612653e-10 * fine_series5e_padded_1
-    fine_series5e_reach_1 = absolute(fine_series5d) + 262144 * fine_series5e_bound_1
-    fine_series5e_size_1 = fine_series5c_reach_1 * fine_series5e_padded_1
-    fine_series5f = fine_series5e + 6.4469503e-26
-    fine_series5f_right_1 = fine_series5f - fine_series5e
-    fine_series5f_left_1 = fine_series5f - fine_series5f_right_1
-    fine_series5f_left_rest_1 = product_rest(fine_x, fine_series5d, fine_series5e, fine_series5f_left_1)
-    fine_series5f_lo1_1 = fine_series5f_left_rest_1 + (6.4469503e-26 - fine_series5f_right_1)
-    fine_series5e_cross_1 = fine_x_cross2_1 * fine_series5d + fine_x * fine_series5d_lo
-    fine_series5f_lo = fine_series5f_lo1_1 + -5.609469e-34 + fine_series5e_cross_1
-    fine_series5e_size_4 = fine_series5e_size_1 + fine_far_x_padded_1 * fine_series5e_reach_1
-    fine_series5g = fine_x * fine_series5f
-    fine_series5g_padded_1 = 3.308722450212111e-24 + (6.4469503e-26 + fine_series5e_size_4)
-    fine_series5g_bound_1 = absolute(fine_series5f_lo) + 2.381233e-10 * fine_series5g_padded_1
-    fine_series5g_reach_1 = absolute(fine_series5f) + 262144 * fine_series5g_bound_1
-    fine_series5g_size_1 = fine_series5c_reach_1 * fine_series5g_padded_1
-    fine_series5h = fine_series5g - 3.8681703e-23
-    fine_series5h_right_1 = fine_series5g - fine_series5h
-    fine_series5h_left_1 = fine_series5h + fine_series5h_right_1
-    fine_series5h_left_rest_1 = product_rest(fine_x, fine_series5f, fine_series5g, fine_series5h_left_1)
-    fine_series5h_lo1_1 = fine_series5h_left_rest_1 - (3.8681703e-23 - fine_series5h_right_1)
-    fine_series5g_cross_1 = fine_x_cross2_1 * fine_series5f + fine_x * fine_series5f_lo
-    fine_series5h_lo = fine_series5h_lo1_1 - -1.2733404e-30 + fine_series5g_cross_1
-    fine_series5g_size_4 = fine_series5g_size_1 + fine_far_x_padded_1 * fine_series5g_reach_1
-    fine_series5i = fine_x * fine_series5h
-    fine_series5i_padded_1 = 3.308722450212111e-24 + (3.8681703e-23 + fine_series5g_size_4)
-    fine_series5i_bound_1 = absolute(fine_series5h_lo) + 2.4018407e-10 * fine_series5i_padded_1
-    fine_series5i_reach_1 = absolute(fine_series5h) + 262144 * fine_series5i_bound_1
-    fine_series5i_size_1 = fine_series5c_reach_1 * fine_series5i_padded_1
-    fine_series5j = fine_series5i + 1.9572942e-20
-    fine_series5j_right_1 = fine_series5j - fine_series5i
-    fine_series5j_left_1 = fine_series5j - fine_series5j_right_1
-    fine_series5j_left_rest_1 = product_rest(fine_x, fine_series5h, fine_series5i, fine_series5j_left_1)
-    fine_series5j_lo1_1 = fine_series5j_left_rest_1 + (1.9572942e-20 - fine_series5j_right_1)
-    fine_series5i_cross_1 = fine_x_cross2_1 * fine_series5h + fine_x * fine_series5h_lo
-    fine_series5j_lo = fine_series5j_lo1_1 + -4.6129455e-28 + fine_series5i_cross_1
-    fine_series5i_size_4 = fine_series5i_size_1 + fine_far_x_padded_1 * fine_series5i_reach_1
-    fine_series5k = fine_x * fine_series5j
-    fine_series5k_padded_1 = 3.308722450212111e-24 + (1.9572942e-20 + fine_series5i_size_4)
-    fine_series5k_bound_1 = absolute(fine_series5j_lo) + 2.423088e-10 * fine_series5k_padded_1
-    fine_series5k_reach_1 = absolute(fine_series5j) + 262144 * fine_series5k_bound_1
-    fine_series5k_size_1 = fine_series5c_reach_1 * fine_series5k_padded_1
-    fine_series5l = fine_series5k - 8.220635e-18
-    fine_series5l_right_1 = fine_series5k - fine_series5l
-    fine_series5l_left_1 = fine_series5l + fine_series5l_right_1
-    fine_series5l_left_rest_1 = product_rest(fine_x, fine_series5j, fine_series5k, fine_series5l_left_1)
-    fine_series5l_lo1_1 = fine_series5l_left_rest_1 - (8.220635e-18 - fine_series5l_right_1)
-    fine_series5k_cross_1 = fine_x_cross2_1 * fine_series5j + fine_x * fine_series5j_lo
-    fine_series5l_lo = fine_series5l_lo1_1 - 1.6814781e-25 + fine_series5k_cross_1
-    fine_series5k_size_4 = fine_series5k_size_1 + fine_far_x_padded_1 * fine_series5k_reach_1
-    fine_series5m = fine_x * fine_series5l
-    fine_series5m_padded_1 = 3.308722450212111e-24 + (8.220635e-18 + fine_series5k_size_4)
-    fine_series5m_bound_1 = absolute(fine_series5l_lo) + 2.4449753e-10 * fine_series5m_padded_1
-    fine_series5m_reach_1 = absolute(fine_series5l) + 262144 * fine_series5m_bound_1
-    fine_series5m_size_1 = fine_series5c_reach_1 * fine_series5m_padded_1
-    fine_series5n = fine_series5m + 2.8114574e-15
-    fine_series5n_right_1 = fine_series5n - fine_series5m
-    fine_series5n_left_1 = fine_series5n - fine_series5n_right_1
-    fine_series5n_left_rest_1 = product_rest(fine_x, fine_series5l, fine_series5m, fine_series5n_left_1)
-    fine_series5n_lo1_1 = fine_series5n_left_rest_1 + (2.8114574e-15 - fine_series5n_right_1)
-    fine_series5m_cross_1 = fine_x_cross2_1 * fine_series5l + fine_x * fine_series5l_lo
-    fine_series5n_lo = fine_series5n_lo1_1 + -1.0462085e-22 + fine_series5m_cross_1
-    fine_series5m_size_4 = fine_series5m_size_1 + fine_far_x_padded_1 * fine_series5m_reach_1
-    fine_series5o = fine_x * fine_series5n
-    fine_series5o_padded_1 = 3.308722450212111e-24 + (2.8114574e-15 + fine_series5m_size_4)
-    fine_series5o_bound_1 = absolute(fine_series5n_lo) + 2.4675023e-10 * fine_series5o_padded_1
-    fine_series5o_reach_1 = absolute(fine_series5n) + 262144 * fine_series5o_bound_1
-    fine_series5o_size_1 = fine_series5c_reach_1 * fine_series5o_padded_1
-    fine_series5p = fine_series5o - 7.6471636e-13
-    fine_series5p_right_1 = fine_series5o - fine_series5p
-    fine_series5p_left_1 = fine_series5p + fine_series5p_right_1
-    fine_series5p_left_rest_1 = product_rest(fine_x, fine_series5n, fine_series5o, fine_series5p_left_1)
-    fine_series5p_lo1_1 = fine_series5p_left_rest_1 - (7.6471636e-13 - fine_series5p_right_1)
-    fine_series5o_cross_1 = fine_x_cross2_1 * fine_series5n + fine_x * fine_series5n_lo
-    fine_series5p_lo = fine_series5p_lo1_1 - 1.22007105e-20 + fine_series5o_cross_1
-    fine_series5o_size_4 = fine_series5o_size_1 + fine_far_x_padded_1 * fine_series5o_reach_1
-    fine_series5q = fine_x * fine_series5p
-    fine_series5q_padded_1 = 3.308722450212111e-24 + (7.6471636e-13 + fine_series5o_size_4)
-    fine_series5q_bound_1 = absolute(fine_series5p_lo) + 2.4906693e-10 * fine_series5q_padded_1
-    fine_series5q_reach_1 = absolute(fine_series5p) + 262144 * fine_series5q_bound_1
-    fine_series5q_size_1 = fine_series5c_reach_1 * fine_series5q_padded_1
-    fine_series5r = fine_series5q + 1.6059044e-10
-    fine_series5r_right_1 = fine_series5r - fine_series5q
-    fine_series5r_left_1 = fine_series5r - fine_series5r_right_1
-    fine_series5r_left_rest_1 = product_rest(fine_x, fine_series5p, fine_series5q, fine_series5r_left_1)
-    fine_series5r_lo1_1 = fine_series5r_left_rest_1 + (1.6059044e-10 - fine_series5r_right_1)
-    fine_series5q_cross_1 = fine_x_cross2_1 * fine_series5p + fine_x * fine_series5p_lo
-    fine_series5r_lo = fine_series5r_lo1_1 + -5.3525265e-18 + fine_series5q_cross_1
-    fine_series5q_size_4 = fine_series5q_size_1 + fine_far_x_padded_1 * fine_series5q_reach_1
-    fine_series5s = fine_x * fine_series5r
-    fine_series5s_padded_1 = 3.308722450212111e-24 + (1.6059044e-10 + fine_series5q_size_4)
-    fine_series5s_bound_1 = absolute(fine_series5r_lo) + 2.514476e-10 * fine_series5s_padded_1
-    fine_series5s_reach_1 = absolute(fine_series5r) + 262144 * fine_series5s_bound_1
-    fine_series5s_size_1 = fine_series5c_reach_1 * fine_series5s_padded_1
-    fine_series5t = fine_series5s - 2.5052108e-08
-    fine_series5t_right_1 = fine_series5s - fine_series5t
-    fine_series5t_left_1 = fine_series5t + fine_series5t_right_1
-    fine_series5t_left_rest_1 = product_rest(fine_x, fine_series5r, fine_series5s, fine_series5t_left_1)
-    fine_series5t_lo1_1 = fine_series5t_left_rest_1 - (2.5052108e-08 - fine_series5t_right_1)
-    fine_series5s_cross_1 = fine_x_cross2_1 * fine_series5r + fine_x * fine_series5r_lo
-    fine_series5t_lo = fine_series5t_lo1_1 - 4.417623e-16 + fine_series5s_cross_1
-    fine_series5s_size_4 = fine_series5s_size_1 + fine_far_x_padded_1 * fine_series5s_reach_1
-    fine_series5u = fine_x * fine_series5t
-    fine_series5u_padded_1 = 3.308722450212111e-24 + (2.5052108e-08 + fine_series5s_size_4)
-    fine_series5u_bound_1 = absolute(fine_series5t_lo) + 2.538923e-10 * fine_series5u_padded_1
-    fine_series5u_reach_1 = absolute(fine_series5t) + 262144 * fine_series5u_bound_1
-    fine_series5u_size_1 = fine_series5c_reach_1 * fine_series5u_padded_1
-    fine_series5v = fine_series5u + 2.7557319e-06
-    fine_series5v_right_1 = fine_series5v - fine_series5u
-    fine_series5v_left_1 = fine_series5v - fine_series5v_right_1
-    fine_series5v_left_rest_1 = product_rest(fine_x, fine_series5t, fine_series5u, fine_series5v_left_1)
-    fine_series5v_lo1_1 = fine_series5v_left_rest_1 + (2.7557319e-06 - fine_series5v_right_1)
-    fine_series5u_cross_1 = fine_x_cross2_1 * fine_series5t + fine_x * fine_series5t_lo
-    fine_series5v_lo = fine_series5v_lo1_1 + 3.7935712e-14 + fine_series5u_cross_1
-    fine_series5u_size_4 = fine_series5u_size_1 + fine_far_x_padded_1 * fine_series5u_reach_1
-    fine_series5w = fine_x * fine_series5v
-    fine_series5w_padded_1 = 3.308722450212111e-24 + (2.7557319e-06 + fine_series5u_size_4)
-    fine_series5w_bound_1 = absolute(fine_series5v_lo) + 2.5640096e-10 * fine_series5w_padded_1
-    fine_series5w_reach_1 = absolute(fine_series5v) + 262144 * fine_series5w_bound_1
-    fine_series5w_size_1 = fine_series5c_reach_1 * fine_series5w_padded_1
-    fine_series5x = fine_series5w - 0.0001984127
-    fine_series5x_right_1 = fine_series5w - fine_series5x
-    fine_series5x_left_1 = fine_series5x + fine_series5x_right_1
-    fine_series5x_left_rest_1 = product_rest(fine_x, fine_series5v, fine_series5w, fine_series5x_left_1)
-    fine_series5x_lo1_1 = fine_series5x_left_rest_1 - (0.0001984127 - fine_series5x_right_1)
-    fine_series5w_cross_1 = fine_x_cross2_1 * fine_series5v + fine_x * fine_series5v_lo
-    fine_series5x_lo = fine_series5x_lo1_1 - -2.7255969e-12 + fine_series5w_cross_1
-    fine_series5w_size_4 = fine_series5w_size_1 + fine_far_x_padded_1 * fine_series5w_reach_1
-    fine_series5y = fine_x * fine_series5x
-    fine_series5y_padded_1 = 3.308722450212111e-24 + (0.0001984127 + fine_series5w_size_4)
-    fine_series5y_bound_1 = absolute(fine_series5x_lo) + 2.5897362e-10 * fine_series5y_padded_1
-    fine_series5y_reach_1 = absolute(fine_series5x) + 262144 * fine_series5y_bound_1
-    fine_series5y_size_1 = fine_series5c_reach_1 * fine_series5y_padded_1
-    fine_series5 = fine_series5y + 0.008333334
-    fine_series5_right_1 = fine_series5 - fine_series5y
-    fine_series5_left_1 = fine_series5 - fine_series5_right_1
-    fine_series5_left_rest_1 = product_rest(fine_x, fine_series5x, fine_series5y, fine_series5_left_1)
-    fine_series5_lo1_1 = fine_series5_left_rest_1 + (0.008333334 - fine_series5_right_1)
-    fine_series5y_cross_1 = fine_x_cross2_1 * fine_series5x + fine_x * fine_series5x_lo
-    fine_series5_lo = fine_series5_lo1_1 + -4.346172e-10 + fine_series5y_cross_1
-    fine_series5y_size_4 = fine_series5y_size_1 + fine_far_x_padded_1 * fine_series5y_reach_1
-    fine_g3a = fine_x * fine_series5
-    fine_g3a_padded_1 = 3.308722450212111e-24 + (0.008333334 + fine_series5y_size_4)
-    fine_g3a_units_1 = 262144 * (absolute(fine_series5_lo) + 2.6161032e-10 * fine_g3a_padded_1)
-    fine_g3a_size_3 = fine_far_x_padded_1 * (absolute(fine_series5) + fine_g3a_units_1)
+    fine_closed3_size_4 = (3.308722450212111e-24 + (1 + fine_g1_size_5) + fine_closed3_padded_2
+        * fine_closed3_size_1)
+    fine_closed3_size_8 = (fine_closed3_size_4
+        / where(4 * fine_closed3_bound_1 < fine_closed3_size_2, fine_closed3_size_2, 0))
+    fine_closed3_size_11 = (fine_closed3_size_1
+        + (fine_closed3_size_2 + 262144 * fine_closed3_bound_1) * fine_closed3_size_8
+        / fine_closed3_size_2)
+    series5a = 1.216125e-34 * fine_x
+    series5b = 1.1309962e-31 - series5a
+    series5b_right_1 = 1.1309962e-31 - series5b
+    series5b_lo1_1 = (1.1309962e-31 - (series5b + series5b_right_1)
+        - product_rest(1.216125e-34, fine_x, series5a, series5b_right_1))
+    series5b_lo = (series5b_lo1_1 - (2.696e-42 * fine_x + 1.216125e-34 * fine_x_cross2_1)
+        + 4.1374e-39)
+    series5c = fine_x * series5b
+    series5c_padded_1 = 3.308722450212111e-24 + (1.1309962e-31 + 1.9784917e-27 * fine_x_size_1)
+    series5c_reach_1 = absolute(fine_x) + 262144 * fine_far_x_bound_1
+    series5c_size_4 = (fine_far_x_padded_1
+        * (absolute(series5b) + 262144
+        * (absolute(series5b_lo) + 2.3419375e-10 * series5c_padded_1)))
+    series5d = series5c - 9.18369e-29
+    series5d_right_1 = series5c - series5d
+    series5d_lo2_1 = (product_rest(fine_x, series5b, series5c, series5d + series5d_right_1)
+        - (9.18369e-29 - series5d_right_1) - 5.383817e-37)
+    series5d_lo = series5d_lo2_1 + (fine_x_cross2_1 * series5b + fine_x * series5b_lo)
+    series5e = fine_x * series5d
+    series5e_padded_1 = (3.308722450212111e-24
+        + (9.18369e-29 + (series5c_padded_1 * series5c_reach_1 + series5c_size_4)))
+    series5e_size_3 = (fine_far_x_padded_1
+        * (absolute(series5d) + 262144
+        * (absolute(series5d_lo) + 2.3612653e-10 * series5e_padded_1)))
+    series5f = series5e + 6.4469503e-26
+    series5f_right_1 = series5f - series5e
+    series5f_lo2_1 = (product_rest(fine_x, series5d, series5e, series5f - series5f_right_1)
+        + (6.4469503e-26 - series5f_right_1) + -5.609469e-34)
+    series5f_lo = series5f_lo2_1 + (fine_x_cross2_1 * series5d + fine_x * series5d_lo)
+    series5g = fine_x * series5f
+    series5g_padded_1 = (3.308722450212111e-24
+        + (6.4469503e-26 + (series5c_reach_1 * series5e_padded_1 + series5e_size_3)))
+    series5g_size_3 = (fine_far_x_padded_1
+        * (absolute(series5f) + 262144
+        * (absolute(series5f_lo) + 2.381233e-10 * series5g_padded_1)))
+    series5h = series5g - 3.8681703e-23
+    series5h_right_1 = series5g - series5h
+    series5h_lo2_1 = (product_rest(fine_x, series5f, series5g, series5h + series5h_right_1)
+        - (3.8681703e-23 - series5h_right_1) - -1.2733404e-30)
+    series5h_lo = series5h_lo2_1 + (fine_x_cross2_1 * series5f + fine_x * series5f_lo)
+    series5i = fine_x * series5h
+    series5i_padded_1 = (3.308722450212111e-24
+        + (3.8681703e-23 + (series5c_reach_1 * series5g_padded_1 + series5g_size_3)))
+    series5i_size_3 = (fine_far_x_padded_1
+        * (absolute(series5h) + 262144
+        * (absolute(series5h_lo) + 2.4018407e-10 * series5i_padded_1)))
+    series5j = series5i + 1.9572942e-20
+    series5j_right_1 = series5j - series5i
+    series5j_lo2_1 = (product_rest(fine_x, series5h, series5i, series5j - series5j_right_1)
+        + (1.9572942e-20 - series5j_right_1) + -4.6129455e-28)
+    series5j_lo = series5j_lo2_1 + (fine_x_cross2_1 * series5h + fine_x * series5h_lo)
+    series5k = fine_x * series5j
+    series5k_padded_1 = (3.308722450212111e-24
+        + (1.9572942e-20 + (series5c_reach_1 * series5i_padded_1 + series5i_size_3)))
+    series5k_size_3 = (fine_far_x_padded_1
+        * (absolute(series5j) + 262144
+        * (absolute(series5j_lo) + 2.423088e-10 * series5k_padded_1)))
+    series5l = series5k - 8.220635e-18
+    series5l_right_1 = series5k - series5l
+    series5l_lo2_1 = (product_rest(fine_x, series5j, series5k, series5l + series5l_right_1)
+        - (8.220635e-18 - series5l_right_1) - 1.6814781e-25)
+    series5l_lo = series5l_lo2_1 + (fine_x_cross2_1 * series5j + fine_x * series5j_lo)
+    series5m = fine_x * series5l
+    series5m_padded_1 = (3.308722450212111e-24
+        + (8.220635e-18 + (series5c_reach_1 * series5k_padded_1 + series5k_size_3)))
+    series5m_size_3 = (fine_far_x_padded_1
+        * (absolute(series5l) + 262144
+        * (absolute(series5l_lo) + 2.4449753e-10 * series5m_padded_1)))
+    series5n = series5m + 2.8114574e-15
+    series5n_right_1 = series5n - series5m
+    series5n_lo2_1 = (product_rest(fine_x, series5l, series5m, series5n - series5n_right_1)
+        + (2.8114574e-15 - series5n_right_1) + -1.0462085e-22)
+    series5n_lo = series5n_lo2_1 + (fine_x_cross2_1 * series5l + fine_x * series5l_lo)
+    series5o = fine_x * series5n
+    series5o_padded_1 = (3.308722450212111e-24
+        + (2.8114574e-15 + (series5c_reach_1 * series5m_padded_1 + series5m_size_3)))
+    series5o_size_3 = (fine_far_x_padded_1
+        * (absolute(series5n) + 262144
+        * (absolute(series5n_lo) + 2.4675023e-10 * series5o_padded_1)))
+    series5p = series5o - 7.6471636e-13
+    series5p_right_1 = series5o - series5p
+    series5p_lo2_1 = (product_rest(fine_x, series5n, series5o, series5p + series5p_right_1)
+        - (7.6471636e-13 - series5p_right_1) - 1.22007105e-20)
+    series5p_lo = series5p_lo2_1 + (fine_x_cross2_1 * series5n + fine_x * series5n_lo)
+    series5q = fine_x * series5p
+    series5q_padded_1 = (3.308722450212111e-24
+        + (7.6471636e-13 + (series5c_reach_1 * series5o_padded_1 + series5o_size_3)))
+    series5q_size_3 = (fine_far_x_padded_1
+        * (absolute(series5p) + 262144
+        * (absolute(series5p_lo) + 2.4906693e-10 * series5q_padded_1)))
+    series5r = series5q + 1.6059044e-10
+    series5r_right_1 = series5r - series5q
+    series5r_lo2_1 = (product_rest(fine_x, series5p, series5q, series5r - series5r_right_1)
+        + (1.6059044e-10 - series5r_right_1) + -5.3525265e-18)
+    series5r_lo = series5r_lo2_1 + (fine_x_cross2_1 * series5p + fine_x * series5p_lo)
+    series5s = fine_x * series5r
+    series5s_padded_1 = (3.308722450212111e-24
+        + (1.6059044e-10 + (series5c_reach_1 * series5q_padded_1 + series5q_size_3)))
+    series5s_size_3 = (fine_far_x_padded_1
+        * (absolute(series5r) + 262144
+        * (absolute(series5r_lo) + 2.514476e-10 * series5s_padded_1)))
+    series5t = series5s - 2.5052108e-08
+    series5t_right_1 = series5s - series5t
+    series5t_lo2_1 = (product_rest(fine_x, series5r, series5s, series5t + series5t_right_1)
+        - (2.5052108e-08 - series5t_right_1) - 4.417623e-16)
+    series5t_lo = series5t_lo2_1 + (fine_x_cross2_1 * series5r + fine_x * series5r_lo)
+    series5u = fine_x * series5t
+    series5u_padded_1 = (3.308722450212111e-24
+        + (2.5052108e-08 + (series5c_reach_1 * series5s_padded_1 + series5s_size_3)))
+    series5u_size_3 = (fine_far_x_padded_1
+        * (absolute(series5t) + 262144
+        * (absolute(series5t_lo) + 2.538923e-10 * series5u_padded_1)))
+    series5v = series5u + 2.7557319e-06
+    series5v_right_1 = series5v - series5u
+    series5v_lo2_1 = (product_rest(fine_x, series5t, series5u, series5v - series5v_right_1)
+        + (2.7557319e-06 - series5v_right_1) + 3.7935712e-14)
+    series5v_lo = series5v_lo2_1 + (fine_x_cross2_1 * series5t + fine_x * series5t_lo)
+    series5w = fine_x * series5v
+    series5w_padded_1 = (3.308722450212111e-24
+        + (2.7557319e-06 + (series5c_reach_1 * series5u_padded_1 + series5u_size_3)))
+    series5w_size_3 = (fine_far_x_padded_1
+        * (absolute(series5v) + 262144
+        * (absolute(series5v_lo) + 2.5640096e-10 * series5w_padded_1)))
+    series5x = series5w - 0.0001984127
+    series5x_right_1 = series5w - series5x
+    series5x_lo2_1 = (product_rest(fine_x, series5v, series5w, series5x + series5x_right_1)
+        - (0.0001984127 - series5x_right_1) - -2.7255969e-12)
+    series5x_lo = series5x_lo2_1 + (fine_x_cross2_1 * series5v + fine_x * series5v_lo)
+    series5y = fine_x * series5x
+    series5y_padded_1 = (3.308722450212111e-24
+        + (0.0001984127 + (series5c_reach_1 * series5w_padded_1 + series5w_size_3)))
+    series5y_size_3 = (fine_far_x_padded_1
+        * (absolute(series5x) + 262144
+        * (absolute(series5x_lo) + 2.5897362e-10 * series5y_padded_1)))
+    series5 = series5y + 0.008333334
+    series5_right_1 = series5 - series5y
+    series5_lo2_1 = (product_rest(fine_x, series5x, series5y, series5 - series5_right_1)
+        + (0.008333334 - series5_right_1) + -4.346172e-10)
+    series5_lo = series5_lo2_1 + (fine_x_cross2_1 * series5x + fine_x * series5x_lo)
+    fine_g3a = fine_x * series5
+    fine_g3a_padded_1 = (3.308722450212111e-24
+        + (0.008333334 + (series5c_reach_1 * series5y_padded_1 + series5y_size_3)))
+    fine_g3a_size_3 = (fine_far_x_padded_1
+        * (absolute(series5) + 262144 * (absolute(series5_lo) + 2.6161032e-10 * fine_g3a_padded_1)))
     fine_g3b = 0.16666667 - fine_g3a
     fine_g3b_right_1 = 0.16666667 - fine_g3b
-    fine_g3b_right_rest_1 = product_rest(fine_x, fine_series5, fine_g3a, fine_g3b_right_1)
-    fine_g3b_lo1_1 = 0.16666667 - (fine_g3b + fine_g3b_right_1) - fine_g3b_right_rest_1
-    fine_g3b_lo2_1 = fine_g3b_lo1_1 - (fine_x_cross2_1 * fine_series5 + fine_x * fine_series5_lo)
-    fine_g3b_lo = fine_g3b_lo2_1 + -4.967054e-09
-    fine_g3b_size_1 = 0.16666667 + (fine_g3a_padded_1 * fine_series5c_reach_1 + fine_g3a_size_3)
-    fine_g3 = where(fine_far_x_a, fine_g3b, fine_closed3)
-    fine_g3_lo = where(fine_far_x_a, fine_g3b_lo, fine_closed3_lo)
-    fine_g3_rest_1 = 2.6431096e-10 * (3.308722450212111e-24 + fine_g3b_size_1)
-    fine_g3_rest_2 = 2.3937835e-10 * (3.308722450212111e-24 + fine_closed3_size_11)
-    fine_g3_size_4 = absolute(fine_g3b_lo) + fine_g3_rest_1 + absolute(fine_g3b - fine_closed3)
-    fine_g3_size_5 = absolute(fine_closed3_lo) + fine_g3_rest_2 + fine_g3_size_4
-    fine_g3_size_1 = where(fine_far_x_a, fine_g3b_size_1, fine_closed3_size_11)
+    fine_g3b_lo1_1 = (0.16666667 - (fine_g3b + fine_g3b_right_1)
+        - product_rest(fine_x, series5, fine_g3a, fine_g3b_right_1))
+    fine_g3b_lo = fine_g3b_lo1_1 - (fine_x_cross2_1 * series5 + fine_x * series5_lo) + -4.967054e-09
+    fine_g3b_size_1 = 0.16666667 + (fine_g3a_padded_1 * series5c_reach_1 + fine_g3a_size_3)
+    fine_g3 = where(far_x_a, fine_g3b, fine_closed3)
+    fine_g3_lo = where(far_x_a, fine_g3b_lo, fine_closed3_lo)
+    fine_g3_size_4 = (absolute(fine_g3b_lo) + 2.6431096e-10
+        * (3.308722450212111e-24 + fine_g3b_size_1) + absolute(fine_g3b - fine_closed3))
+    fine_g3_size_5 = (absolute(fine_closed3_lo) + 2.3937835e-10
+        * (3.308722450212111e-24 + fine_closed3_size_11) + fine_g3_size_4)
     fine_beta_v_0 = v_0 * fine_g3
-    fine_g3_size_8 = fine_g3_size_1 + 3797731584 * where(fine_far_x_size_4, 0, fine_g3_size_5)
+    fine_g3_size_8 = (where(far_x_a, fine_g3b_size_1, fine_closed3_size_11) + 3797731584
+        * where(fine_far_x_size_4, 0, fine_g3_size_5))
     fine_beta_v_padded_1 = 3.308722450212111e-24 + fine_g3_size_8
     fine_beta_v_1 = v_1 * fine_g3
     fine_beta_v_2 = v_2 * fine_g3
     fine_beta_v_lo_1 = product_error(v_0, fine_g3, fine_beta_v_0) + v_0 * fine_g3_lo
     fine_m_0 = v_0 * fine_beta_v_0
     fine_m_cross2_1 = v_0 * fine_beta_v_lo_1
-    fine_m_padded_1 = 3.308722450212111e-24 + fine_beta_v_padded_1 * fine_halved_size_1
-    fine_m_size_1 = fine_halved_size_1 * fine_m_padded_1
+    fine_m_padded_1 = 3.308722450212111e-24 + fine_beta_v_padded_1 * halved_size_1
+    fine_m_size_1 = fine_m_padded_1 * halved_size_1
     fine_beta_v_lo_2 = product_error(v_1, fine_g3, fine_beta_v_1) + v_1 * fine_g3_lo
     fine_m_1 = v_1 * fine_beta_v_1
     fine_m_cross2_2 = v_1 * fine_beta_v_lo_2
-    fine_m_padded_2 = 3.308722450212111e-24 + fine_beta_v_padded_1 * fine_halved_size_3
-    fine_m_size_2 = fine_halved_size_3 * fine_m_padded_2
+    fine_m_padded_2 = 3.308722450212111e-24 + fine_beta_v_padded_1 * halved_size_3
+    fine_m_size_2 = fine_m_padded_2 * halved_size_3
     fine_m_2 = v_2 * fine_beta_v_2
     fine_m_cross2_3 = v_2 * (product_error(v_2, fine_g3, fine_beta_v_2) + v_2 * fine_g3_lo)
-    fine_m_padded_3 = 3.308722450212111e-24 + fine_beta_v_padded_1 * fine_halved_size_5
-    fine_m_size_3 = fine_halved_size_5 * fine_m_padded_3
+    fine_m_size_3 = (3.308722450212111e-24 + fine_beta_v_padded_1 * halved_size_5) * halved_size_5
     fine_m_3 = v_1 * fine_beta_v_0
     fine_m_cross2_4 = v_1 * fine_beta_v_lo_1
     fine_m_4 = v_2 * fine_beta_v_0
@@ -1746,115 +1706,112 @@ def SO3_rightJacobian(v):
     fine_m_cross2_6 = v_2 * fine_beta_v_lo_2
     fine_others_0 = fine_m_1 + fine_m_2
     fine_others_right_1 = fine_others_0 - fine_m_1
-    fine_others_left_1 = fine_others_0 - fine_others_right_1
-    fine_others_right_rest_1 = product_rest(v_2, fine_beta_v_2, fine_m_2, fine_others_right_1)
-    fine_others_left_rest_1 = product_rest(v_1, fine_beta_v_1, fine_m_1, fine_others_left_1)
-    fine_others_lo1_1 = fine_others_left_rest_1 + fine_others_right_rest_1
-    fine_others_lo_1 = fine_others_lo1_1 + (fine_m_cross2_2 + fine_m_cross2_3)
+    fine_others_left_rest_1 = (product_rest(v_1, fine_beta_v_1, fine_m_1, fine_others_0
+        - fine_others_right_1))
+    fine_others_lo_1 = (fine_others_left_rest_1
+        + product_rest(v_2, fine_beta_v_2, fine_m_2, fine_others_right_1)
+        + (fine_m_cross2_2 + fine_m_cross2_3))
     fine_others_size_1 = fine_m_size_2 + fine_m_size_3
     fine_others_1 = fine_m_0 + fine_m_2
     fine_others_right_2 = fine_others_1 - fine_m_0
-    fine_others_left_2 = fine_others_1 - fine_others_right_2
-    fine_others_right_rest_2 = product_rest(v_2, fine_beta_v_2, fine_m_2, fine_others_right_2)
-    fine_others_left_rest_2 = product_rest(v_0, fine_beta_v_0, fine_m_0, fine_others_left_2)
-    fine_others_lo1_2 = fine_others_left_rest_2 + fine_others_right_rest_2
-    fine_others_lo_2 = fine_others_lo1_2 + (fine_m_cross2_1 + fine_m_cross2_3)
+    fine_others_left_rest_2 = (product_rest(v_0, fine_beta_v_0, fine_m_0, fine_others_1
+        - fine_others_right_2))
+    fine_others_lo_2 = (fine_others_left_rest_2
+        + product_rest(v_2, fine_beta_v_2, fine_m_2, fine_others_right_2)
+        + (fine_m_cross2_1 + fine_m_cross2_3))
     fine_others_size_2 = fine_m_size_1 + fine_m_size_3
     fine_others_2 = fine_m_0 + fine_m_1
     fine_others_right_3 = fine_others_2 - fine_m_0
-    fine_others_left_3 = fine_others_2 - fine_others_right_3
-    fine_others_right_rest_3 = product_rest(v_1, fine_beta_v_1, fine_m_1, fine_others_right_3)
-    fine_others_left_rest_3 = product_rest(v_0, fine_beta_v_0, fine_m_0, fine_others_left_3)
-    fine_others_lo1_3 = fine_others_left_rest_3 + fine_others_right_rest_3
-    fine_others_lo_3 = fine_others_lo1_3 + (fine_m_cross2_1 + fine_m_cross2_2)
+    fine_others_left_rest_3 = (product_rest(v_0, fine_beta_v_0, fine_m_0, fine_others_2
+        - fine_others_right_3))
+    fine_others_lo_3 = (fine_others_left_rest_3
+        + product_rest(v_1, fine_beta_v_1, fine_m_1, fine_others_right_3)
+        + (fine_m_cross2_1 + fine_m_cross2_2))
     fine_others_size_3 = fine_m_size_1 + fine_m_size_2
     fine_diagonal0a = 1 - fine_others_0
     fine_diagonal0a_right_1 = 1 - fine_diagonal0a
-    fine_diagonal0a_left_rest_1 = 1 - (fine_diagonal0a + fine_diagonal0a_right_1)
-    fine_diagonal0a_lo1_1 = fine_diagonal0a_left_rest_1 - (fine_others_0 - fine_diagonal0a_right_1)
-    fine_diagonal0a_lo = fine_diagonal0a_lo1_1 - fine_others_lo_1
+    fine_diagonal0a_lo = (1 - (fine_diagonal0a + fine_diagonal0a_right_1)
+        - (fine_others_0 - fine_diagonal0a_right_1) - fine_others_lo_1)
     fine_diagonal0a_size_1 = 1 + fine_others_size_1
     fine_diagonal0b = fine_g1 + fine_m_0
     fine_diagonal0b_right_1 = fine_diagonal0b - fine_g1
-    fine_diagonal0b_left_1 = fine_diagonal0b - fine_diagonal0b_right_1
-    fine_diagonal0b_right_rest_1 = product_rest(v_0, fine_beta_v_0, fine_m_0, fine_diagonal0b_right_1)
-    fine_diagonal0b_left_rest_1 = product_rest(fine_c, fine_sinc, fine_g1, fine_diagonal0b_left_1)
-    fine_diagonal0b_lo1_1 = fine_diagonal0b_left_rest_1 + fine_diagonal0b_right_rest_1
+    fine_diagonal0b_left_rest_1 = (product_rest(c, sinc, fine_g1, fine_diagonal0b
+        - fine_diagonal0b_right_1))
+    fine_diagonal0b_lo1_1 = (fine_diagonal0b_left_rest_1
+        + product_rest(v_0, fine_beta_v_0, fine_m_0, fine_diagonal0b_right_1))
     fine_diagonal0b_lo = fine_diagonal0b_lo1_1 + (fine_g1_cross_1 + fine_m_cross2_1)
     fine_diagonal0b_size_1 = fine_g1_size_5 + fine_m_size_1
     fine_diagonal0c = fine_m_0 < fine_others_0
     fine_diagonal0_error_1 = absolute(product_error(v_0, fine_beta_v_0, fine_m_0) + fine_m_cross2_1)
-    fine_diagonal0_rest_1 = 2.6514102e-10 * (3.308722450212111e-24 + fine_m_size_1)
-    fine_diagonal0_rest_2 = 2.6615107e-10 * (3.308722450212111e-24 + fine_others_size_1)
-    fine_diagonal0_bound_2 = absolute(fine_others_lo_1) + fine_diagonal0_rest_2
-    fine_diagonal0_size_2 = fine_diagonal0_error_1 + fine_diagonal0_rest_1 + fine_diagonal0_bound_2
-    fine_diagonal0_rest_3 = 2.6615107e-10 * (3.308722450212111e-24 + fine_diagonal0b_size_1)
-    fine_diagonal0_rest_4 = 2.6718244e-10 * (3.308722450212111e-24 + fine_diagonal0a_size_1)
-    fine_diagonal0_bound_3 = absolute(fine_diagonal0b_lo) + fine_diagonal0_rest_3
-    fine_diagonal0_size_8 = fine_diagonal0_bound_3 + absolute(fine_diagonal0b - fine_diagonal0a)
-    fine_diagonal0_bound_4 = absolute(fine_diagonal0a_lo) + fine_diagonal0_rest_4
-    fine_diagonal0_size_5 = fine_diagonal0_size_2 < absolute(fine_m_0 - fine_others_0)
-    fine_diagonal0_size_9 = fine_diagonal0_bound_4 + fine_diagonal0_size_8
-    fine_diagonal0_size_1 = where(fine_diagonal0c, fine_diagonal0b_size_1, fine_diagonal0a_size_1)
-    fine_diagonal0_size_11 = 3758369280 * where(fine_diagonal0_size_5, 0, fine_diagonal0_size_9)
+    fine_diagonal0_bound_2 = (absolute(fine_others_lo_1) + 2.6615107e-10
+        * (3.308722450212111e-24 + fine_others_size_1))
+    fine_diagonal0_size_2 = (fine_diagonal0_error_1 + 2.6514102e-10
+        * (3.308722450212111e-24 + fine_m_size_1) + fine_diagonal0_bound_2)
+    fine_diagonal0_bound_3 = (absolute(fine_diagonal0b_lo) + 2.6615107e-10
+        * (3.308722450212111e-24 + fine_diagonal0b_size_1))
+    fine_diagonal0_bound_4 = (absolute(fine_diagonal0a_lo) + 2.6718244e-10
+        * (3.308722450212111e-24 + fine_diagonal0a_size_1))
+    fine_diagonal0_size_9 = (fine_diagonal0_bound_4
+        + (fine_diagonal0_bound_3 + absolute(fine_diagonal0b - fine_diagonal0a)))
+    fine_diagonal0_size_11 = (3758369280
+        * where(fine_diagonal0_size_2
+        < absolute(fine_m_0 - fine_others_0), 0, fine_diagonal0_size_9))
     fine_diagonal1a = 1 - fine_others_1
     fine_diagonal1a_right_1 = 1 - fine_diagonal1a
-    fine_diagonal1a_left_rest_1 = 1 - (fine_diagonal1a + fine_diagonal1a_right_1)
-    fine_diagonal1a_lo1_1 = fine_diagonal1a_left_rest_1 - (fine_others_1 - fine_diagonal1a_right_1)
-    fine_diagonal1a_lo = fine_diagonal1a_lo1_1 - fine_others_lo_2
+    fine_diagonal1a_lo = (1 - (fine_diagonal1a + fine_diagonal1a_right_1)
+        - (fine_others_1 - fine_diagonal1a_right_1) - fine_others_lo_2)
     fine_diagonal1a_size_1 = 1 + fine_others_size_2
     fine_diagonal1b = fine_g1 + fine_m_1
     fine_diagonal1b_right_1 = fine_diagonal1b - fine_g1
-    fine_diagonal1b_left_1 = fine_diagonal1b - fine_diagonal1b_right_1
-    fine_diagonal1b_right_rest_1 = product_rest(v_1, fine_beta_v_1, fine_m_1, fine_diagonal1b_right_1)
-    fine_diagonal1b_left_rest_1 = product_rest(fine_c, fine_sinc, fine_g1, fine_diagonal1b_left_1)
-    fine_diagonal1b_lo1_1 = fine_diagonal1b_left_rest_1 + fine_diagonal1b_right_rest_1
+    fine_diagonal1b_left_rest_1 = (product_rest(c, sinc, fine_g1, fine_diagonal1b
+        - fine_diagonal1b_right_1))
+    fine_diagonal1b_lo1_1 = (fine_diagonal1b_left_rest_1
+        + product_rest(v_1, fine_beta_v_1, fine_m_1, fine_diagonal1b_right_1))
     fine_diagonal1b_lo = fine_diagonal1b_lo1_1 + (fine_g1_cross_1 + fine_m_cross2_2)
     fine_diagonal1b_size_1 = fine_g1_size_5 + fine_m_size_2
     fine_diagonal1c = fine_m_1 < fine_others_1
     fine_diagonal1_error_1 = absolute(product_error(v_1, fine_beta_v_1, fine_m_1) + fine_m_cross2_2)
-    fine_diagonal1_rest_1 = 2.6514102e-10 * (3.308722450212111e-24 + fine_m_size_2)
-    fine_diagonal1_rest_2 = 2.6615107e-10 * (3.308722450212111e-24 + fine_others_size_2)
-    fine_diagonal1_bound_2 = absolute(fine_others_lo_2) + fine_diagonal1_rest_2
-    fine_diagonal1_size_2 = fine_diagonal1_error_1 + fine_diagonal1_rest_1 + fine_diagonal1_bound_2
-    fine_diagonal1_rest_3 = 2.6615107e-10 * (3.308722450212111e-24 + fine_diagonal1b_size_1)
-    fine_diagonal1_rest_4 = 2.6718244e-10 * (3.308722450212111e-24 + fine_diagonal1a_size_1)
-    fine_diagonal1_bound_3 = absolute(fine_diagonal1b_lo) + fine_diagonal1_rest_3
-    fine_diagonal1_size_8 = fine_diagonal1_bound_3 + absolute(fine_diagonal1b - fine_diagonal1a)
-    fine_diagonal1_bound_4 = absolute(fine_diagonal1a_lo) + fine_diagonal1_rest_4
-    fine_diagonal1_size_5 = fine_diagonal1_size_2 < absolute(fine_m_1 - fine_others_1)
-    fine_diagonal1_size_9 = fine_diagonal1_bound_4 + fine_diagonal1_size_8
-    fine_diagonal1_size_1 = where(fine_diagonal1c, fine_diagonal1b_size_1, fine_diagonal1a_size_1)
-    fine_diagonal1_size_11 = 3758369280 * where(fine_diagonal1_size_5, 0, fine_diagonal1_size_9)
+    fine_diagonal1_bound_2 = (absolute(fine_others_lo_2) + 2.6615107e-10
+        * (3.308722450212111e-24 + fine_others_size_2))
+    fine_diagonal1_size_2 = (fine_diagonal1_error_1 + 2.6514102e-10
+        * (3.308722450212111e-24 + fine_m_size_2) + fine_diagonal1_bound_2)
+    fine_diagonal1_bound_3 = (absolute(fine_diagonal1b_lo) + 2.6615107e-10
+        * (3.308722450212111e-24 + fine_diagonal1b_size_1))
+    fine_diagonal1_bound_4 = (absolute(fine_diagonal1a_lo) + 2.6718244e-10
+        * (3.308722450212111e-24 + fine_diagonal1a_size_1))
+    fine_diagonal1_size_9 = (fine_diagonal1_bound_4
+        + (fine_diagonal1_bound_3 + absolute(fine_diagonal1b - fine_diagonal1a)))
+    fine_diagonal1_size_11 = (3758369280
+        * where(fine_diagonal1_size_2
+        < absolute(fine_m_1 - fine_others_1), 0, fine_diagonal1_size_9))
     fine_diagonal2a = 1 - fine_others_2
     fine_diagonal2a_right_1 = 1 - fine_diagonal2a
-    fine_diagonal2a_left_rest_1 = 1 - (fine_diagonal2a + fine_diagonal2a_right_1)
-    fine_diagonal2a_lo1_1 = fine_diagonal2a_left_rest_1 - (fine_others_2 - fine_diagonal2a_right_1)
-    fine_diagonal2a_lo = fine_diagonal2a_lo1_1 - fine_others_lo_3
+    fine_diagonal2a_lo = (1 - (fine_diagonal2a + fine_diagonal2a_right_1)
+        - (fine_others_2 - fine_diagonal2a_right_1) - fine_others_lo_3)
     fine_diagonal2a_size_1 = 1 + fine_others_size_3
     fine_diagonal2b = fine_g1 + fine_m_2
     fine_diagonal2b_right_1 = fine_diagonal2b - fine_g1
-    fine_diagonal2b_left_1 = fine_diagonal2b - fine_diagonal2b_right_1
-    fine_diagonal2b_right_rest_1 = product_rest(v_2, fine_beta_v_2, fine_m_2, fine_diagonal2b_right_1)
-    fine_diagonal2b_left_rest_1 = product_rest(fine_c, fine_sinc, fine_g1, fine_diagonal2b_left_1)
-    fine_diagonal2b_lo1_1 = fine_diagonal2b_left_rest_1 + fine_diagonal2b_right_rest_1
+    fine_diagonal2b_left_rest_1 = (product_rest(c, sinc, fine_g1, fine_diagonal2b
+        - fine_diagonal2b_right_1))
+    fine_diagonal2b_lo1_1 = (fine_diagonal2b_left_rest_1
+        + product_rest(v_2, fine_beta_v_2, fine_m_2, fine_diagonal2b_right_1))
     fine_diagonal2b_lo = fine_diagonal2b_lo1_1 + (fine_g1_cross_1 + fine_m_cross2_3)
     fine_diagonal2b_size_1 = fine_g1_size_5 + fine_m_size_3
     fine_diagonal2c = fine_m_2 < fine_others_2
     fine_diagonal2_error_1 = absolute(product_error(v_2, fine_beta_v_2, fine_m_2) + fine_m_cross2_3)
-    fine_diagonal2_rest_1 = 2.6514102e-10 * (3.308722450212111e-24 + fine_m_size_3)
-    fine_diagonal2_rest_2 = 2.6615107e-10 * (3.308722450212111e-24 + fine_others_size_3)
-    fine_diagonal2_bound_2 = absolute(fine_others_lo_3) + fine_diagonal2_rest_2
-    fine_diagonal2_size_2 = fine_diagonal2_error_1 + fine_diagonal2_rest_1 + fine_diagonal2_bound_2
-    fine_diagonal2_rest_3 = 2.6615107e-10 * (3.308722450212111e-24 + fine_diagonal2b_size_1)
-    fine_diagonal2_rest_4 = 2.6718244e-10 * (3.308722450212111e-24 + fine_diagonal2a_size_1)
-    fine_diagonal2_bound_3 = absolute(fine_diagonal2b_lo) + fine_diagonal2_rest_3
-    fine_diagonal2_size_8 = fine_diagonal2_bound_3 + absolute(fine_diagonal2b - fine_diagonal2a)
-    fine_diagonal2_bound_4 = absolute(fine_diagonal2a_lo) + fine_diagonal2_rest_4
-    fine_diagonal2_size_5 = fine_diagonal2_size_2 < absolute(fine_m_2 - fine_others_2)
-    fine_diagonal2_size_9 = fine_diagonal2_bound_4 + fine_diagonal2_size_8
-    fine_diagonal2_size_1 = where(fine_diagonal2c, fine_diagonal2b_size_1, fine_diagonal2a_size_1)
-    fine_diagonal2_size_11 = 3758369280 * where(fine_diagonal2_size_5, 0, fine_diagonal2_size_9)
+    fine_diagonal2_bound_2 = (absolute(fine_others_lo_3) + 2.6615107e-10
+        * (3.308722450212111e-24 + fine_others_size_3))
+    fine_diagonal2_size_2 = (fine_diagonal2_error_1 + 2.6514102e-10
+        * (3.308722450212111e-24 + fine_m_size_3) + fine_diagonal2_bound_2)
+    fine_diagonal2_bound_3 = (absolute(fine_diagonal2b_lo) + 2.6615107e-10
+        * (3.308722450212111e-24 + fine_diagonal2b_size_1))
+    fine_diagonal2_bound_4 = (absolute(fine_diagonal2a_lo) + 2.6718244e-10
+        * (3.308722450212111e-24 + fine_diagonal2a_size_1))
+    fine_diagonal2_size_9 = (fine_diagonal2_bound_4
+        + (fine_diagonal2_bound_3 + absolute(fine_diagonal2b - fine_diagonal2a)))
+    fine_diagonal2_size_11 = (3758369280
+        * where(fine_diagonal2_size_2
+        < absolute(fine_m_2 - fine_others_2), 0, fine_diagonal2_size_9))
     fine_alpha_v_0a_padded_1 = 3.308722450212111e-24 + 0.5 * (fine_g2a_size_1 + fine_g2a_size_1)
     fine_alpha_v_0 = -(v_0 * fine_g2)
     fine_alpha_v_cross_1 = -(v_0 * fine_g2_cross2_1)
@@ -1867,69 +1824,78 @@ def SO3_rightJacobian(v):
     fine_alpha_v_factor_3 = -v_2
     fine_R_01 = fine_m_3 - fine_alpha_v_2
     fine_R_right_1 = fine_m_3 - fine_R_01
-    fine_R_right_rest_1 = product_rest(fine_alpha_v_factor_3, fine_g2, fine_alpha_v_2, fine_R_right_1)
-    fine_R_left_rest_1 = product_rest(v_1, fine_beta_v_0, fine_m_3, fine_R_01 + fine_R_right_1)
-    fine_R_lo1_1 = fine_R_left_rest_1 - fine_R_right_rest_1
-    fine_alpha_v_2a_size_1 = fine_alpha_v_0a_padded_1 * fine_halved_size_5
+    fine_R_right_rest_1 = product_rest(fine_alpha_v_factor_3, fine_g2, fine_alpha_v_2,
+        fine_R_right_1)
     fine_R_02 = fine_m_4 + fine_alpha_v_1
     fine_R_right_2 = fine_R_02 - fine_m_4
-    fine_R_right_rest_2 = product_rest(fine_alpha_v_factor_2, fine_g2, fine_alpha_v_1, fine_R_right_2)
-    fine_R_left_rest_2 = product_rest(v_2, fine_beta_v_0, fine_m_4, fine_R_02 - fine_R_right_2)
-    fine_R_lo1_2 = fine_R_left_rest_2 + fine_R_right_rest_2
-    fine_alpha_v_1a_size_1 = fine_alpha_v_0a_padded_1 * fine_halved_size_3
+    fine_R_right_rest_2 = product_rest(fine_alpha_v_factor_2, fine_g2, fine_alpha_v_1,
+        fine_R_right_2)
     fine_R_10 = fine_m_3 + fine_alpha_v_2
     fine_R_right_3 = fine_R_10 - fine_m_3
-    fine_R_right_rest_3 = product_rest(fine_alpha_v_factor_3, fine_g2, fine_alpha_v_2, fine_R_right_3)
-    fine_R_left_rest_3 = product_rest(v_1, fine_beta_v_0, fine_m_3, fine_R_10 - fine_R_right_3)
-    fine_R_lo1_3 = fine_R_left_rest_3 + fine_R_right_rest_3
+    fine_R_right_rest_3 = product_rest(fine_alpha_v_factor_3, fine_g2, fine_alpha_v_2,
+        fine_R_right_3)
     fine_R_12 = fine_m_5 - fine_alpha_v_0
     fine_R_right_4 = fine_m_5 - fine_R_12
-    fine_R_right_rest_4 = product_rest(fine_alpha_v_factor_1, fine_g2, fine_alpha_v_0, fine_R_right_4)
-    fine_R_left_rest_4 = product_rest(v_2, fine_beta_v_1, fine_m_5, fine_R_12 + fine_R_right_4)
-    fine_R_lo1_4 = fine_R_left_rest_4 - fine_R_right_rest_4
-    fine_alpha_v_0a_size_1 = fine_alpha_v_0a_padded_1 * fine_halved_size_1
+    fine_R_right_rest_4 = product_rest(fine_alpha_v_factor_1, fine_g2, fine_alpha_v_0,
+        fine_R_right_4)
     fine_R_20 = fine_m_4 - fine_alpha_v_1
     fine_R_right_5 = fine_m_4 - fine_R_20
-    fine_R_right_rest_5 = product_rest(fine_alpha_v_factor_2, fine_g2, fine_alpha_v_1, fine_R_right_5)
-    fine_R_left_rest_5 = product_rest(v_2, fine_beta_v_0, fine_m_4, fine_R_20 + fine_R_right_5)
-    fine_R_lo1_5 = fine_R_left_rest_5 - fine_R_right_rest_5
+    fine_R_right_rest_5 = product_rest(fine_alpha_v_factor_2, fine_g2, fine_alpha_v_1,
+        fine_R_right_5)
     fine_R_21 = fine_m_5 + fine_alpha_v_0
     fine_R_right_6 = fine_R_21 - fine_m_5
-    fine_R_right_rest_6 = product_rest(fine_alpha_v_factor_1, fine_g2, fine_alpha_v_0, fine_R_right_6)
-    fine_R_left_rest_6 = product_rest(v_2, fine_beta_v_1, fine_m_5, fine_R_21 - fine_R_right_6)
-    fine_R_lo1_6 = fine_R_left_rest_6 + fine_R_right_rest_6
+    fine_R_right_rest_6 = product_rest(fine_alpha_v_factor_1, fine_g2, fine_alpha_v_0,
+        fine_R_right_6)
     diagonal0_apart_1 = where(fine_diagonal0c, fine_diagonal0b, fine_diagonal0a) - diagonal0
-    fine_diagonal0_lo = where(fine_diagonal0c, fine_diagonal0b_lo, fine_diagonal0a_lo)
-    diagonal0_padded_1 = 3.308722450212111e-24 + (fine_diagonal0_size_1 + fine_diagonal0_size_11)
-    diagonal0_error_2 = 1.0000005 * absolute(diagonal0_apart_1 + fine_diagonal0_lo)
-    R_apart_2 = fine_R_01 - R_01 + (fine_R_lo1_1 + (fine_m_cross2_4 - fine_alpha_v_cross_3))
-    fine_R_size_1 = fine_alpha_v_2a_size_1 + fine_halved_size_3 * fine_m_padded_1
-    R_rest_1 = 2.6615107e-10 * (3.308722450212111e-24 + fine_R_size_1)
-    R_apart_4 = fine_R_02 - R_02 + (fine_R_lo1_2 + (fine_m_cross2_5 + fine_alpha_v_cross_2))
-    fine_R_size_2 = fine_alpha_v_1a_size_1 + fine_halved_size_5 * fine_m_padded_1
-    R_rest_2 = 2.6615107e-10 * (3.308722450212111e-24 + fine_R_size_2)
-    R_apart_6 = fine_R_10 - R_10 + (fine_R_lo1_3 + (fine_m_cross2_4 + fine_alpha_v_cross_3))
+    diagonal0_padded_1 = (3.308722450212111e-24
+        + (where(fine_diagonal0c, fine_diagonal0b_size_1, fine_diagonal0a_size_1)
+        + fine_diagonal0_size_11))
+    diagonal0_error_2 = (1.0000005
+        * absolute(diagonal0_apart_1
+        + where(fine_diagonal0c, fine_diagonal0b_lo, fine_diagonal0a_lo)))
+    fine_R_lo_1 = (product_rest(v_1, fine_beta_v_0, fine_m_3, fine_R_01 + fine_R_right_1)
+        - fine_R_right_rest_1 + (fine_m_cross2_4 - fine_alpha_v_cross_3))
+    R_rest_1 = (2.6615107e-10
+        * (3.308722450212111e-24
+        + (fine_alpha_v_0a_padded_1 * halved_size_5 + fine_m_padded_1 * halved_size_3)))
+    fine_R_lo_2 = (product_rest(v_2, fine_beta_v_0, fine_m_4, fine_R_02 - fine_R_right_2)
+        + fine_R_right_rest_2 + (fine_m_cross2_5 + fine_alpha_v_cross_2))
+    R_rest_2 = (2.6615107e-10
+        * (3.308722450212111e-24
+        + (fine_alpha_v_0a_padded_1 * halved_size_3 + fine_m_padded_1 * halved_size_5)))
+    fine_R_lo_3 = (product_rest(v_1, fine_beta_v_0, fine_m_3, fine_R_10 - fine_R_right_3)
+        + fine_R_right_rest_3 + (fine_m_cross2_4 + fine_alpha_v_cross_3))
     diagonal1_apart_1 = where(fine_diagonal1c, fine_diagonal1b, fine_diagonal1a) - diagonal1
-    fine_diagonal1_lo = where(fine_diagonal1c, fine_diagonal1b_lo, fine_diagonal1a_lo)
-    diagonal1_padded_1 = 3.308722450212111e-24 + (fine_diagonal1_size_1 + fine_diagonal1_size_11)
-    diagonal1_error_2 = 1.0000005 * absolute(diagonal1_apart_1 + fine_diagonal1_lo)
-    R_apart_8 = fine_R_12 - R_12 + (fine_R_lo1_4 + (fine_m_cross2_6 - fine_alpha_v_cross_1))
-    fine_R_size_3 = fine_alpha_v_0a_size_1 + fine_halved_size_5 * fine_m_padded_2
-    R_rest_3 = 2.6615107e-10 * (3.308722450212111e-24 + fine_R_size_3)
-    R_apart_10 = fine_R_20 - R_20 + (fine_R_lo1_5 + (fine_m_cross2_5 - fine_alpha_v_cross_2))
-    R_apart_12 = fine_R_21 - R_21 + (fine_R_lo1_6 + (fine_m_cross2_6 + fine_alpha_v_cross_1))
+    diagonal1_padded_1 = (3.308722450212111e-24
+        + (where(fine_diagonal1c, fine_diagonal1b_size_1, fine_diagonal1a_size_1)
+        + fine_diagonal1_size_11))
+    diagonal1_error_2 = (1.0000005
+        * absolute(diagonal1_apart_1
+        + where(fine_diagonal1c, fine_diagonal1b_lo, fine_diagonal1a_lo)))
+    fine_R_lo_4 = (product_rest(v_2, fine_beta_v_1, fine_m_5, fine_R_12 + fine_R_right_4)
+        - fine_R_right_rest_4 + (fine_m_cross2_6 - fine_alpha_v_cross_1))
+    R_rest_3 = (2.6615107e-10
+        * (3.308722450212111e-24
+        + (fine_alpha_v_0a_padded_1 * halved_size_1 + fine_m_padded_2 * halved_size_5)))
+    fine_R_lo_5 = (product_rest(v_2, fine_beta_v_0, fine_m_4, fine_R_20 + fine_R_right_5)
+        - fine_R_right_rest_5 + (fine_m_cross2_5 - fine_alpha_v_cross_2))
+    fine_R_lo_6 = (product_rest(v_2, fine_beta_v_1, fine_m_5, fine_R_21 - fine_R_right_6)
+        + fine_R_right_rest_6 + (fine_m_cross2_6 + fine_alpha_v_cross_1))
     diagonal2_apart_1 = where(fine_diagonal2c, fine_diagonal2b, fine_diagonal2a) - diagonal2
-    fine_diagonal2_lo = where(fine_diagonal2c, fine_diagonal2b_lo, fine_diagonal2a_lo)
-    diagonal2_padded_1 = 3.308722450212111e-24 + (fine_diagonal2_size_1 + fine_diagonal2_size_11)
-    diagonal2_error_2 = 1.0000005 * absolute(diagonal2_apart_1 + fine_diagonal2_lo)
+    diagonal2_padded_1 = (3.308722450212111e-24
+        + (where(fine_diagonal2c, fine_diagonal2b_size_1, fine_diagonal2a_size_1)
+        + fine_diagonal2_size_11))
+    diagonal2_error_2 = (1.0000005
+        * absolute(diagonal2_apart_1
+        + where(fine_diagonal2c, fine_diagonal2b_lo, fine_diagonal2a_lo)))
     diagonal0_bound_1 = diagonal0_error_2 + 2.6718253e-10 * diagonal0_padded_1
-    R_bound_1 = 1.0000005 * absolute(R_apart_2) + R_rest_1
-    R_bound_2 = 1.0000005 * absolute(R_apart_4) + R_rest_2
-    R_bound_3 = 1.0000005 * absolute(R_apart_6) + R_rest_1
+    R_bound_1 = 1.0000005 * absolute(fine_R_01 - R_01 + fine_R_lo_1) + R_rest_1
+    R_bound_2 = 1.0000005 * absolute(fine_R_02 - R_02 + fine_R_lo_2) + R_rest_2
+    R_bound_3 = 1.0000005 * absolute(fine_R_10 - R_10 + fine_R_lo_3) + R_rest_1
     diagonal1_bound_1 = diagonal1_error_2 + 2.6718253e-10 * diagonal1_padded_1
-    R_bound_4 = 1.0000005 * absolute(R_apart_8) + R_rest_3
-    R_bound_5 = 1.0000005 * absolute(R_apart_10) + R_rest_2
-    R_bound_6 = 1.0000005 * absolute(R_apart_12) + R_rest_3
+    R_bound_4 = 1.0000005 * absolute(fine_R_12 - R_12 + fine_R_lo_4) + R_rest_3
+    R_bound_5 = 1.0000005 * absolute(fine_R_20 - R_20 + fine_R_lo_5) + R_rest_2
+    R_bound_6 = 1.0000005 * absolute(fine_R_21 - R_21 + fine_R_lo_6) + R_rest_3
     diagonal2_bound_1 = diagonal2_error_2 + 2.6718253e-10 * diagonal2_padded_1
     return (diagonal0, R_01, R_02, R_10, diagonal1, R_12, R_20, R_21, diagonal2, diagonal0_bound_1,
         R_bound_1, R_bound_2, R_bound_3, diagonal1_bound_1, R_bound_4, R_bound_5, R_bound_6,
@@ -1992,11 +1958,17 @@ def SO3_leftJacobianInverse(v):
     b_divisor_a = x < 4
     b_divisor = where(b_divisor_a, 4, x)
     closed_b = b_rest / b_divisor
-    b_g = x * (x * (x * (1.4551725e-27 * x + 5.744791e-26) + 2.2679524e-24) + 8.9535176e-23)
-    b_o = x * (x * (x * (x * (b_g + 3.534707e-21) + 1.3954465e-19) + 5.509003e-18) + 2.1748687e-16)
-    b_w = x * (x * (x * (x * (b_o + 8.586062e-15) + 3.3896803e-13) + 1.3382536e-11) + 5.2841903e-10)
-    b_ae = x * (x * (x * (x * (b_w + 2.0876756e-08) + 8.267196e-07) + 3.3068784e-05) + 0.0013888889)
-    b = where(b_divisor_a, b_ae + 0.083333336, closed_b)
+    b_l = (x
+        * (x
+        * (x * (x * (x * (1.4551725e-27 * x + 5.744791e-26) + 2.2679524e-24) + 8.9535176e-23)
+        + 3.534707e-21) + 1.3954465e-19) + 5.509003e-18)
+    b_y = (x
+        * (x
+        * (x
+        * (x * (x * (x * (x * b_l + 2.1748687e-16) + 8.586062e-15) + 3.3896803e-13)
+        + 1.3382536e-11) + 5.2841903e-10) + 2.0876756e-08))
+    b = (where(b_divisor_a, x * (x * (x * (b_y + 8.267196e-07) + 3.3068784e-05) + 0.0013888889)
+        + 0.083333336, closed_b))
     b_across = where(b_divisor_a, 1 - x * b, half_cotangent)
     beta_v_0 = v_0 * b
     beta_v_1 = v_1 * b
@@ -2022,425 +1994,351 @@ def SO3_leftJacobianInverse(v):
     R_12 = m_5 - alpha_v_0
     R_20 = m_4 - alpha_v_1
     R_21 = m_5 + alpha_v_0
-    fine_halved_0 = 0.5 * v_0
-    fine_halved_size_1 = absolute(v_0)
-    fine_halved_size_2 = 0.5 * fine_halved_size_1
-    fine_halved_1 = 0.5 * v_1
-    fine_halved_size_3 = absolute(v_1)
-    fine_halved_size_4 = 0.5 * fine_halved_size_3
-    fine_halved_2 = 0.5 * v_2
-    fine_halved_size_5 = absolute(v_2)
-    fine_halved_size_6 = 0.5 * fine_halved_size_5
-    fine_y_a = fine_halved_0 * fine_halved_0
-    fine_y_a_padded_1 = 3.308722450212111e-24 + fine_halved_size_2
-    fine_y_b = fine_halved_1 * fine_halved_1
-    fine_y_b_padded_1 = 3.308722450212111e-24 + fine_halved_size_4
-    fine_y_c = fine_y_a + fine_y_b
-    fine_y_c_right_1 = fine_y_c - fine_y_a
-    fine_y_c_left_1 = fine_y_c - fine_y_c_right_1
-    fine_y_c_right_rest_1 = product_rest(fine_halved_1, fine_halved_1, fine_y_b, fine_y_c_right_1)
-    fine_y_c_left_rest_1 = product_rest(fine_halved_0, fine_halved_0, fine_y_a, fine_y_c_left_1)
-    fine_y_d = fine_halved_2 * fine_halved_2
-    fine_y_d_padded_1 = 3.308722450212111e-24 + fine_halved_size_6
-    fine_y = fine_y_c + fine_y_d
-    fine_y_right_1 = fine_y - fine_y_c
-    fine_y_right_rest_1 = product_rest(fine_halved_2, fine_halved_2, fine_y_d, fine_y_right_1)
-    fine_y_lo1_1 = fine_y_c - (fine_y - fine_y_right_1) + fine_y_right_rest_1
-    fine_y_lo = fine_y_lo1_1 + (fine_y_c_left_rest_1 + fine_y_c_right_rest_1)
-    fine_y_c_size_1 = fine_y_a_padded_1 * fine_y_a_padded_1 + fine_y_b_padded_1 * fine_y_b_padded_1
-    fine_y_size_1 = fine_y_c_size_1 + fine_y_d_padded_1 * fine_y_d_padded_1
-    fine_half_angle = sqrt(fine_y)
-    fine_half_angle_product_1 = fine_half_angle * fine_half_angle
-    fine_half_angle_product_error_1 = product_error(fine_half_angle, fine_half_angle, fine_half_angle_product_1)
-    fine_half_angle_exact_1 = fine_y - fine_half_angle_product_1 - fine_half_angle_product_error_1
-    fine_half_angle_divisor_1 = where(fine_half_angle == 0, 1, fine_half_angle + fine_half_angle)
-    fine_half_angle_lo = (fine_half_angle_exact_1 + fine_y_lo) / fine_half_angle_divisor_1
-    fine_half_angle_padded_1 = 3.308722450212111e-24 + fine_y_size_1
-    fine_half_angle_bound_1 = absolute(fine_y_lo) + 7.2120885e-13 * fine_half_angle_padded_1
-    fine_half_angle_reach_1 = absolute(fine_y) + 262144 * fine_half_angle_bound_1
-    fine_half_angle_size_2 = fine_half_angle_padded_1 / fine_half_angle / fine_y
-    fine_half_angle_size_6 = absolute(fine_half_angle_lo)
-    fine_half_angle_size_8 = 890731298816 * (sqrt(fine_half_angle_bound_1) + fine_half_angle_size_6)
-    fine_half_angle_size_4 = fine_half_angle_reach_1 * fine_half_angle_size_2
-    fine_half_angle_size_10 = 4 * fine_half_angle_bound_1 < fine_y
-    fine_half_angle_size_11 = where(fine_half_angle_size_10, fine_half_angle_size_4, fine_half_angle_size_8)
-    fine_half_angle_size_12 = fine_half_angle + fine_half_angle_size_11
-    fine_sine, fine_c = elementary.sincos(fine_half_angle)
-    fine_sine_own_error_1, fine_c_own_error_1 = elementary.sincos_error(fine_half_angle, fine_sine, fine_c)
-    fine_sine_half_1 = fine_half_angle_lo * 0.5
+    halved_0 = 0.5 * v_0
+    halved_size_1 = absolute(v_0)
+    halved_size_2 = 0.5 * halved_size_1
+    halved_1 = 0.5 * v_1
+    halved_size_3 = absolute(v_1)
+    halved_size_4 = 0.5 * halved_size_3
+    halved_2 = 0.5 * v_2
+    halved_size_5 = absolute(v_2)
+    halved_size_6 = 0.5 * halved_size_5
+    y_a = halved_0 * halved_0
+    y_a_padded_1 = 3.308722450212111e-24 + halved_size_2
+    y_b = halved_1 * halved_1
+    y_b_padded_1 = 3.308722450212111e-24 + halved_size_4
+    y_c = y_a + y_b
+    y_c_right_1 = y_c - y_a
+    y_d = halved_2 * halved_2
+    y_d_padded_1 = 3.308722450212111e-24 + halved_size_6
+    y = y_c + y_d
+    y_right_1 = y - y_c
+    y_c_lo = (product_rest(halved_0, halved_0, y_a, y_c - y_c_right_1)
+        + product_rest(halved_1, halved_1, y_b, y_c_right_1))
+    y_lo = y_c - (y - y_right_1) + product_rest(halved_2, halved_2, y_d, y_right_1) + y_c_lo
+    y_size_1 = (y_a_padded_1 * y_a_padded_1 + y_b_padded_1 * y_b_padded_1 + y_d_padded_1
+        * y_d_padded_1)
+    half_angle = sqrt(y)
+    half_angle_product_1 = half_angle * half_angle
+    half_angle_residual_1 = (y - half_angle_product_1
+        - product_error(half_angle, half_angle, half_angle_product_1) + y_lo)
+    half_angle_lo = half_angle_residual_1 / where(half_angle == 0, 1, half_angle + half_angle)
+    half_angle_padded_1 = 3.308722450212111e-24 + y_size_1
+    half_angle_bound_1 = absolute(y_lo) + 7.2120885e-13 * half_angle_padded_1
+    half_angle_reach_1 = absolute(y) + 262144 * half_angle_bound_1
+    half_angle_size_6 = absolute(half_angle_lo)
+    half_angle_size_8 = 890731298816 * (sqrt(half_angle_bound_1) + half_angle_size_6)
+    half_angle_size_12 = (half_angle
+        + where(4 * half_angle_bound_1 < y, half_angle_reach_1
+        * (half_angle_padded_1 / half_angle / y), half_angle_size_8))
+    fine_sine, c = elementary.sincos(half_angle)
+    fine_sine_own_error_1, c_own_error_1 = elementary.sincos_error(half_angle, fine_sine, c)
+    fine_sine_half_1 = half_angle_lo * 0.5
     fine_sine_half_sin_1, fine_sine_half_cos_1 = elementary.sincos(fine_sine_half_1)
     fine_sine_twice_1 = fine_sine_half_sin_1 + fine_sine_half_sin_1
-    fine_sine_slope_1 = fine_sine_half_cos_1 * fine_c - fine_sine_half_sin_1 * fine_sine
-    fine_sine_padded_1 = 3.308722450212111e-24 + fine_half_angle_size_12
+    fine_sine_padded_1 = 3.308722450212111e-24 + half_angle_size_12
     fine_sine_size_1 = 1 + fine_sine_padded_1
-    fine_c_slope_1 = fine_sine_half_cos_1 * fine_sine + fine_sine_half_sin_1 * fine_c
-    fine_c_lo = fine_c_own_error_1 - fine_c_slope_1 * fine_sine_twice_1
-    fine_sinc_divisor_a = fine_half_angle < 1.4901161193847656e-08
-    fine_sinc_divisor = where(fine_sinc_divisor_a, 1.4901161193847656e-08, fine_half_angle)
-    fine_sinc_divisor_lo = where(fine_sinc_divisor_a, 0, fine_half_angle_lo)
-    fine_sinc_divisor_bound_1 = fine_half_angle_size_6 + 1.2221551e-12 * fine_sine_padded_1
-    fine_sinc_divisor_size_3 = absolute(fine_half_angle - 1.4901161193847656e-08)
-    fine_sinc_divisor_size_4 = fine_sinc_divisor_bound_1 < fine_sinc_divisor_size_3
-    fine_sinc_divisor_size_6 = absolute(1.4901161193847656e-08 - fine_half_angle)
-    fine_sinc_divisor_size_7 = fine_sinc_divisor_bound_1 + fine_sinc_divisor_size_6
-    fine_sinc_divisor_size_8 = where(fine_sinc_divisor_size_4, 0, fine_sinc_divisor_size_7)
-    fine_sinc_divisor_size_1 = where(fine_sinc_divisor_a, 1.4901161193847656e-08, fine_half_angle_size_12)
-    fine_sinc_quotient = fine_sine / fine_sinc_divisor
-    fine_sinc_quotient_product_1 = fine_sinc_quotient * fine_sinc_divisor
-    fine_sinc_quotient_product_error_1 = product_error(fine_sinc_quotient, fine_sinc_divisor, fine_sinc_quotient_product_1)
-    fine_sinc_quotient_rest_1 = fine_sine - fine_sinc_quotient_product_1
-    fine_sinc_quotient_exact_1 = fine_sinc_quotient_rest_1 - fine_sinc_quotient_product_error_1
-    fine_sine_lo = fine_sine_own_error_1 + fine_sine_slope_1 * fine_sine_twice_1
-    fine_sinc_quotient_numerator_1 = fine_sinc_quotient_exact_1 + fine_sine_lo
-    fine_sinc_quotient_cross_1 = fine_sinc_quotient * fine_sinc_divisor_lo
-    fine_sinc_quotient_residual_1 = fine_sinc_quotient_numerator_1 - fine_sinc_quotient_cross_1
-    fine_sinc_quotient_lo = fine_sinc_quotient_residual_1 / fine_sinc_divisor
-    fine_sinc_quotient_padded_1 = 3.308722450212111e-24 + fine_sine_size_1
-    fine_sinc_divisor_size_10 = fine_sinc_divisor_size_1 + 314142654464 * fine_sinc_divisor_size_8
-    fine_sinc_quotient_padded_2 = 3.308722450212111e-24 + fine_sinc_divisor_size_10
-    fine_sinc_quotient_size_1 = absolute(fine_sinc_quotient)
-    fine_sinc_quotient_size_2 = absolute(fine_sinc_divisor)
-    fine_sinc_quotient_size_3 = fine_sinc_quotient_padded_2 * fine_sinc_quotient_size_1
-    fine_sinc_quotient_rest_2 = 3.2827582e-12 * fine_sinc_quotient_padded_2
-    fine_sinc_quotient_bound_1 = absolute(fine_sinc_divisor_lo) + fine_sinc_quotient_rest_2
-    fine_sinc_quotient_size_6 = 4 * fine_sinc_quotient_bound_1 < fine_sinc_quotient_size_2
-    fine_sinc_quotient_size_7 = where(fine_sinc_quotient_size_6, fine_sinc_quotient_size_2, 0)
-    fine_sinc_quotient_size_4 = fine_sinc_quotient_padded_1 + fine_sinc_quotient_size_3
-    fine_sinc_quotient_reach_1 = fine_sinc_quotient_size_2 + 262144 * fine_sinc_quotient_bound_1
-    fine_sinc_quotient_size_8 = fine_sinc_quotient_size_4 / fine_sinc_quotient_size_7
-    fine_sinc_quotient_size_9 = fine_sinc_quotient_reach_1 * fine_sinc_quotient_size_8
-    fine_sinc_quotient_size_10 = fine_sinc_quotient_size_9 / fine_sinc_quotient_size_2
-    fine_sinc_quotient_size_11 = fine_sinc_quotient_size_1 + fine_sinc_quotient_size_10
-    fine_sinc_a = 0.16666667 * fine_y
-    fine_sinc_b = 1 - fine_sinc_a
-    fine_sinc_b_right_1 = 1 - fine_sinc_b
-    fine_sinc_b_right_rest_1 = product_rest(0.16666667, fine_y, fine_sinc_a, fine_sinc_b_right_1)
-    fine_sinc_b_lo1_1 = 1 - (fine_sinc_b + fine_sinc_b_right_1) - fine_sinc_b_right_rest_1
-    fine_sinc_b_lo = fine_sinc_b_lo1_1 - (-4.967054e-09 * fine_y + 0.16666667 * fine_y_lo)
-    fine_sinc_b_size_1 = 1 + 0.16666669 * fine_y_size_1
-    fine_sinc = where(fine_sinc_divisor_a, fine_sinc_b, fine_sinc_quotient)
-    fine_sinc_lo = where(fine_sinc_divisor_a, fine_sinc_b_lo, fine_sinc_quotient_lo)
-    fine_sinc_rest_1 = 2.3406937e-10 * (3.308722450212111e-24 + fine_sinc_b_size_1)
-    fine_sinc_rest_2 = 5.43103e-12 * (3.308722450212111e-24 + fine_sinc_quotient_size_11)
-    fine_sinc_bound_1 = absolute(fine_sinc_b_lo) + fine_sinc_rest_1
-    fine_sinc_size_4 = fine_sinc_bound_1 + absolute(fine_sinc_b - fine_sinc_quotient)
-    fine_sinc_size_5 = absolute(fine_sinc_quotient_lo) + fine_sinc_rest_2 + fine_sinc_size_4
-    fine_sinc_size_1 = where(fine_sinc_divisor_a, fine_sinc_b_size_1, fine_sinc_quotient_size_11)
-    fine_sinc_size_7 = 4276409088 * where(fine_sinc_divisor_size_4, 0, fine_sinc_size_5)
-    fine_sinc_size_8 = fine_sinc_size_1 + fine_sinc_size_7
-    fine_series_phi_a = 5.107725e-32 * fine_y
-    fine_series_phi_b = 4.1168266e-29 - fine_series_phi_a
-    fine_series_phi_b_right_1 = 4.1168266e-29 - fine_series_phi_b
-    fine_series_phi_b_right_rest_1 = product_rest(5.107725e-32, fine_y, fine_series_phi_a, fine_series_phi_b_right_1)
-    fine_series_phi_b_left_rest_1 = 4.1168266e-29 - (fine_series_phi_b + fine_series_phi_b_right_1)
-    fine_series_phi_b_lo1_1 = fine_series_phi_b_left_rest_1 - fine_series_phi_b_right_rest_1
-    fine_series_phi_a_cross_1 = 3.51736e-40 * fine_y + 5.107725e-32 * fine_y_lo
-    fine_series_phi_b_lo = fine_series_phi_b_lo1_1 - fine_series_phi_a_cross_1 + -1.3151732e-36
-    fine_series_phi_c = fine_y * fine_series_phi_b
-    fine_series_phi_b_size_1 = 4.1168266e-29 + 2.3741903e-25 * fine_y_size_1
-    fine_series_phi_c_padded_1 = 3.308722450212111e-24 + fine_series_phi_b_size_1
-    fine_series_phi_c_rest_1 = 2.3406937e-10 * fine_series_phi_c_padded_1
-    fine_series_phi_c_units_1 = 262144 * (absolute(fine_series_phi_b_lo) + fine_series_phi_c_rest_1)
-    fine_series_phi_c_reach_1 = absolute(fine_series_phi_b) + fine_series_phi_c_units_1
-    fine_series_phi_c_size_1 = fine_half_angle_reach_1 * fine_series_phi_c_padded_1
-    fine_series_phi_c_size_3 = fine_half_angle_padded_1 * fine_series_phi_c_reach_1
-    fine_series_phi_d = fine_series_phi_c - 2.8653114e-26
-    fine_series_phi_d_right_1 = fine_series_phi_c - fine_series_phi_d
-    fine_series_phi_d_left_1 = fine_series_phi_d + fine_series_phi_d_right_1
-    fine_series_phi_d_left_rest_1 = product_rest(fine_y, fine_series_phi_b, fine_series_phi_c, fine_series_phi_d_left_1)
-    fine_series_phi_d_right_rest_1 = 2.8653114e-26 - fine_series_phi_d_right_1
-    fine_series_phi_d_lo1_1 = fine_series_phi_d_left_rest_1 - fine_series_phi_d_right_rest_1
-    fine_series_phi_c_cross_1 = fine_y_lo * fine_series_phi_b + fine_y * fine_series_phi_b_lo
-    fine_series_phi_d_lo = fine_series_phi_d_lo1_1 - -1.27647235e-33 + fine_series_phi_c_cross_1
-    fine_series_phi_e = fine_y * fine_series_phi_d
-    fine_series_phi_d_size_1 = 2.8653114e-26 + (fine_series_phi_c_size_1 + fine_series_phi_c_size_3)
-    fine_series_phi_e_padded_1 = 3.308722450212111e-24 + fine_series_phi_d_size_1
-    fine_series_phi_e_rest_1 = 2.3574281e-10 * fine_series_phi_e_padded_1
-    fine_series_phi_e_units_1 = 262144 * (absolute(fine_series_phi_d_lo) + fine_series_phi_e_rest_1)
-    fine_series_phi_e_reach_1 = absolute(fine_series_phi_d) + fine_series_phi_e_units_1
-    fine_series_phi_e_size_1 = fine_half_angle_reach_1 * fine_series_phi_e_padded_1
-    fine_series_phi_e_size_3 = fine_half_angle_padded_1 * fine_series_phi_e_reach_1
-    fine_series_phi_f = fine_series_phi_e + 1.7019949e-23
-    fine_series_phi_f_right_1 = fine_series_phi_f - fine_series_phi_e
-    fine_series_phi_f_left_1 = fine_series_phi_f - fine_series_phi_f_right_1
-    fine_series_phi_f_left_rest_1 = product_rest(fine_y, fine_series_phi_d, fine_series_phi_e, fine_series_phi_f_left_1)
-    fine_series_phi_f_right_rest_1 = 1.7019949e-23 - fine_series_phi_f_right_1
-    fine_series_phi_f_lo1_1 = fine_series_phi_f_left_rest_1 + fine_series_phi_f_right_rest_1
-    fine_series_phi_e_cross_1 = fine_y_lo * fine_series_phi_d + fine_y * fine_series_phi_d_lo
-    fine_series_phi_f_lo = fine_series_phi_f_lo1_1 + 1.9703667e-31 + fine_series_phi_e_cross_1
-    fine_series_phi_g = fine_y * fine_series_phi_f
-    fine_series_phi_f_size_1 = 1.7019949e-23 + (fine_series_phi_e_size_1 + fine_series_phi_e_size_3)
-    fine_series_phi_g_padded_1 = 3.308722450212111e-24 + fine_series_phi_f_size_1
-    fine_series_phi_g_rest_1 = 2.374802e-10 * fine_series_phi_g_padded_1
-    fine_series_phi_g_units_1 = 262144 * (absolute(fine_series_phi_f_lo) + fine_series_phi_g_rest_1)
-    fine_series_phi_g_reach_1 = absolute(fine_series_phi_f) + fine_series_phi_g_units_1
-    fine_series_phi_g_size_1 = fine_half_angle_reach_1 * fine_series_phi_g_padded_1
-    fine_series_phi_g_size_3 = fine_half_angle_padded_1 * fine_series_phi_g_reach_1
-    fine_series_phi_h = fine_series_phi_g - 8.509974e-21
-    fine_series_phi_h_right_1 = fine_series_phi_g - fine_series_phi_h
-    fine_series_phi_h_left_1 = fine_series_phi_h + fine_series_phi_h_right_1
-    fine_series_phi_h_left_rest_1 = product_rest(fine_y, fine_series_phi_f, fine_series_phi_g, fine_series_phi_h_left_1)
-    fine_series_phi_h_right_rest_1 = 8.509974e-21 - fine_series_phi_h_right_1
-    fine_series_phi_h_lo1_1 = fine_series_phi_h_left_rest_1 - fine_series_phi_h_right_rest_1
-    fine_series_phi_g_cross_1 = fine_y_lo * fine_series_phi_f + fine_y * fine_series_phi_f_lo
-    fine_series_phi_h_lo = fine_series_phi_h_lo1_1 - 1.016591e-29 + fine_series_phi_g_cross_1
-    fine_series_phi_i = fine_y * fine_series_phi_h
-    fine_series_phi_h_size_1 = 8.509974e-21 + (fine_series_phi_g_size_1 + fine_series_phi_g_size_3)
-    fine_series_phi_i_padded_1 = 3.308722450212111e-24 + fine_series_phi_h_size_1
-    fine_series_phi_i_rest_1 = 2.392816e-10 * fine_series_phi_i_padded_1
-    fine_series_phi_i_units_1 = 262144 * (absolute(fine_series_phi_h_lo) + fine_series_phi_i_rest_1)
-    fine_series_phi_i_reach_1 = absolute(fine_series_phi_h) + fine_series_phi_i_units_1
-    fine_series_phi_i_size_1 = fine_half_angle_reach_1 * fine_series_phi_i_padded_1
-    fine_series_phi_i_size_3 = fine_half_angle_padded_1 * fine_series_phi_i_reach_1
-    fine_series_phi_j = fine_series_phi_i + 3.5231293e-18
-    fine_series_phi_j_right_1 = fine_series_phi_j - fine_series_phi_i
-    fine_series_phi_j_left_1 = fine_series_phi_j - fine_series_phi_j_right_1
-    fine_series_phi_j_left_rest_1 = product_rest(fine_y, fine_series_phi_h, fine_series_phi_i, fine_series_phi_j_left_1)
-    fine_series_phi_j_right_rest_1 = 3.5231293e-18 - fine_series_phi_j_right_1
-    fine_series_phi_j_lo1_1 = fine_series_phi_j_left_rest_1 + fine_series_phi_j_right_rest_1
-    fine_series_phi_i_cross_1 = fine_y_lo * fine_series_phi_h + fine_y * fine_series_phi_h_lo
-    fine_series_phi_j_lo = fine_series_phi_j_lo1_1 + 7.2063343e-26 + fine_series_phi_i_cross_1
-    fine_series_phi_k = fine_y * fine_series_phi_j
-    fine_series_phi_j_size_1 = 3.5231293e-18 + (fine_series_phi_i_size_1 + fine_series_phi_i_size_3)
-    fine_series_phi_k_padded_1 = 3.308722450212111e-24 + fine_series_phi_j_size_1
-    fine_series_phi_k_rest_1 = 2.41147e-10 * fine_series_phi_k_padded_1
-    fine_series_phi_k_units_1 = 262144 * (absolute(fine_series_phi_j_lo) + fine_series_phi_k_rest_1)
-    fine_series_phi_k_reach_1 = absolute(fine_series_phi_j) + fine_series_phi_k_units_1
-    fine_series_phi_k_size_1 = fine_half_angle_reach_1 * fine_series_phi_k_padded_1
-    fine_series_phi_k_size_3 = fine_half_angle_padded_1 * fine_series_phi_k_reach_1
-    fine_series_phi_l = fine_series_phi_k - 1.1837714e-15
-    fine_series_phi_l_right_1 = fine_series_phi_k - fine_series_phi_l
-    fine_series_phi_l_left_1 = fine_series_phi_l + fine_series_phi_l_right_1
-    fine_series_phi_l_left_rest_1 = product_rest(fine_y, fine_series_phi_j, fine_series_phi_k, fine_series_phi_l_left_1)
-    fine_series_phi_l_right_rest_1 = 1.1837714e-15 - fine_series_phi_l_right_1
-    fine_series_phi_l_lo1_1 = fine_series_phi_l_left_rest_1 - fine_series_phi_l_right_rest_1
-    fine_series_phi_k_cross_1 = fine_y_lo * fine_series_phi_j + fine_y * fine_series_phi_j_lo
-    fine_series_phi_l_lo = fine_series_phi_l_lo1_1 - 5.0683064e-23 + fine_series_phi_k_cross_1
-    fine_series_phi_m = fine_y * fine_series_phi_l
-    fine_series_phi_l_size_1 = 1.1837714e-15 + (fine_series_phi_k_size_1 + fine_series_phi_k_size_3)
-    fine_series_phi_m_padded_1 = 3.308722450212111e-24 + fine_series_phi_l_size_1
-    fine_series_phi_m_rest_1 = 2.4307634e-10 * fine_series_phi_m_padded_1
-    fine_series_phi_m_units_1 = 262144 * (absolute(fine_series_phi_l_lo) + fine_series_phi_m_rest_1)
-    fine_series_phi_m_reach_1 = absolute(fine_series_phi_l) + fine_series_phi_m_units_1
-    fine_series_phi_m_size_1 = fine_half_angle_reach_1 * fine_series_phi_m_padded_1
-    fine_series_phi_m_size_3 = fine_half_angle_padded_1 * fine_series_phi_m_reach_1
-    fine_series_phi_n = fine_series_phi_m + 3.148832e-13
-    fine_series_phi_n_right_1 = fine_series_phi_n - fine_series_phi_m
-    fine_series_phi_n_left_1 = fine_series_phi_n - fine_series_phi_n_right_1
-    fine_series_phi_n_left_rest_1 = product_rest(fine_y, fine_series_phi_l, fine_series_phi_m, fine_series_phi_n_left_1)
-    fine_series_phi_n_right_rest_1 = 3.148832e-13 - fine_series_phi_n_right_1
-    fine_series_phi_n_lo1_1 = fine_series_phi_n_left_rest_1 + fine_series_phi_n_right_rest_1
-    fine_series_phi_m_cross_1 = fine_y_lo * fine_series_phi_l + fine_y * fine_series_phi_l_lo
-    fine_series_phi_n_lo = fine_series_phi_n_lo1_1 + 1.834992e-21 + fine_series_phi_m_cross_1
-    fine_series_phi_o = fine_y * fine_series_phi_n
-    fine_series_phi_n_size_1 = 3.148832e-13 + (fine_series_phi_m_size_1 + fine_series_phi_m_size_3)
-    fine_series_phi_o_padded_1 = 3.308722450212111e-24 + fine_series_phi_n_size_1
-    fine_series_phi_o_rest_1 = 2.4506966e-10 * fine_series_phi_o_padded_1
-    fine_series_phi_o_units_1 = 262144 * (absolute(fine_series_phi_n_lo) + fine_series_phi_o_rest_1)
-    fine_series_phi_o_reach_1 = absolute(fine_series_phi_n) + fine_series_phi_o_units_1
-    fine_series_phi_o_size_1 = fine_half_angle_reach_1 * fine_series_phi_o_padded_1
-    fine_series_phi_o_size_3 = fine_half_angle_padded_1 * fine_series_phi_o_reach_1
-    fine_series_phi_p = fine_series_phi_o - 6.423617e-11
-    fine_series_phi_p_right_1 = fine_series_phi_o - fine_series_phi_p
-    fine_series_phi_p_left_1 = fine_series_phi_p + fine_series_phi_p_right_1
-    fine_series_phi_p_left_rest_1 = product_rest(fine_y, fine_series_phi_n, fine_series_phi_o, fine_series_phi_p_left_1)
-    fine_series_phi_p_right_rest_1 = 6.423617e-11 - fine_series_phi_p_right_1
-    fine_series_phi_p_lo1_1 = fine_series_phi_p_left_rest_1 - fine_series_phi_p_right_rest_1
-    fine_series_phi_o_cross_1 = fine_y_lo * fine_series_phi_n + fine_y * fine_series_phi_n_lo
-    fine_series_phi_p_lo = fine_series_phi_p_lo1_1 - 3.4101044e-18 + fine_series_phi_o_cross_1
-    fine_series_phi_q = fine_y * fine_series_phi_p
-    fine_series_phi_p_size_1 = 6.423617e-11 + (fine_series_phi_o_size_1 + fine_series_phi_o_size_3)
-    fine_series_phi_q_padded_1 = 3.308722450212111e-24 + fine_series_phi_p_size_1
-    fine_series_phi_q_rest_1 = 2.4712699e-10 * fine_series_phi_q_padded_1
-    fine_series_phi_q_units_1 = 262144 * (absolute(fine_series_phi_p_lo) + fine_series_phi_q_rest_1)
-    fine_series_phi_q_reach_1 = absolute(fine_series_phi_p) + fine_series_phi_q_units_1
-    fine_series_phi_q_size_1 = fine_half_angle_reach_1 * fine_series_phi_q_padded_1
-    fine_series_phi_q_size_3 = fine_half_angle_padded_1 * fine_series_phi_q_reach_1
-    fine_series_phi_r = fine_series_phi_q + 9.635427e-09
-    fine_series_phi_r_right_1 = fine_series_phi_r - fine_series_phi_q
-    fine_series_phi_r_left_1 = fine_series_phi_r - fine_series_phi_r_right_1
-    fine_series_phi_r_left_rest_1 = product_rest(fine_y, fine_series_phi_p, fine_series_phi_q, fine_series_phi_r_left_1)
-    fine_series_phi_r_right_rest_1 = 9.635427e-09 - fine_series_phi_r_right_1
-    fine_series_phi_r_lo1_1 = fine_series_phi_r_left_rest_1 + fine_series_phi_r_right_rest_1
-    fine_series_phi_q_cross_1 = fine_y_lo * fine_series_phi_p + fine_y * fine_series_phi_p_lo
-    fine_series_phi_r_lo = fine_series_phi_r_lo1_1 + -3.7666274e-16 + fine_series_phi_q_cross_1
-    fine_series_phi_s = fine_y * fine_series_phi_r
-    fine_series_phi_r_size_1 = 9.635427e-09 + (fine_series_phi_q_size_1 + fine_series_phi_q_size_3)
-    fine_series_phi_s_padded_1 = 3.308722450212111e-24 + fine_series_phi_r_size_1
-    fine_series_phi_s_rest_1 = 2.4924826e-10 * fine_series_phi_s_padded_1
-    fine_series_phi_s_units_1 = 262144 * (absolute(fine_series_phi_r_lo) + fine_series_phi_s_rest_1)
-    fine_series_phi_s_reach_1 = absolute(fine_series_phi_r) + fine_series_phi_s_units_1
-    fine_series_phi_s_size_1 = fine_half_angle_reach_1 * fine_series_phi_s_padded_1
-    fine_series_phi_s_size_3 = fine_half_angle_padded_1 * fine_series_phi_s_reach_1
-    fine_series_phi_t = fine_series_phi_s - 1.0020843e-06
-    fine_series_phi_t_right_1 = fine_series_phi_s - fine_series_phi_t
-    fine_series_phi_t_left_1 = fine_series_phi_t + fine_series_phi_t_right_1
-    fine_series_phi_t_left_rest_1 = product_rest(fine_y, fine_series_phi_r, fine_series_phi_s, fine_series_phi_t_left_1)
-    fine_series_phi_t_right_rest_1 = 1.0020843e-06 - fine_series_phi_t_right_1
-    fine_series_phi_t_lo1_1 = fine_series_phi_t_left_rest_1 - fine_series_phi_t_right_rest_1
-    fine_series_phi_s_cross_1 = fine_y_lo * fine_series_phi_r + fine_y * fine_series_phi_r_lo
-    fine_series_phi_t_lo = fine_series_phi_t_lo1_1 - 3.4596379e-15 + fine_series_phi_s_cross_1
-    fine_series_phi_u = fine_y * fine_series_phi_t
-    fine_series_phi_t_size_1 = 1.0020843e-06 + (fine_series_phi_s_size_1 + fine_series_phi_s_size_3)
-    fine_series_phi_u_padded_1 = 3.308722450212111e-24 + fine_series_phi_t_size_1
-    fine_series_phi_u_rest_1 = 2.5143354e-10 * fine_series_phi_u_padded_1
-    fine_series_phi_u_units_1 = 262144 * (absolute(fine_series_phi_t_lo) + fine_series_phi_u_rest_1)
-    fine_series_phi_u_reach_1 = absolute(fine_series_phi_t) + fine_series_phi_u_units_1
-    fine_series_phi_u_size_1 = fine_half_angle_reach_1 * fine_series_phi_u_padded_1
-    fine_series_phi_u_size_3 = fine_half_angle_padded_1 * fine_series_phi_u_reach_1
-    fine_series_phi_v = fine_series_phi_u + 6.613757e-05
-    fine_series_phi_v_right_1 = fine_series_phi_v - fine_series_phi_u
-    fine_series_phi_v_left_1 = fine_series_phi_v - fine_series_phi_v_right_1
-    fine_series_phi_v_left_rest_1 = product_rest(fine_y, fine_series_phi_t, fine_series_phi_u, fine_series_phi_v_left_1)
-    fine_series_phi_v_right_rest_1 = 6.613757e-05 - fine_series_phi_v_right_1
-    fine_series_phi_v_lo1_1 = fine_series_phi_v_left_rest_1 + fine_series_phi_v_right_rest_1
-    fine_series_phi_u_cross_1 = fine_y_lo * fine_series_phi_t + fine_y * fine_series_phi_t_lo
-    fine_series_phi_v_lo = fine_series_phi_v_lo1_1 + -9.0853226e-13 + fine_series_phi_u_cross_1
-    fine_series_phi_w = fine_y * fine_series_phi_v
-    fine_series_phi_v_size_1 = 6.613757e-05 + (fine_series_phi_u_size_1 + fine_series_phi_u_size_3)
-    fine_series_phi_w_padded_1 = 3.308722450212111e-24 + fine_series_phi_v_size_1
-    fine_series_phi_w_rest_1 = 2.5368282e-10 * fine_series_phi_w_padded_1
-    fine_series_phi_w_units_1 = 262144 * (absolute(fine_series_phi_v_lo) + fine_series_phi_w_rest_1)
-    fine_series_phi_w_reach_1 = absolute(fine_series_phi_v) + fine_series_phi_w_units_1
-    fine_series_phi_w_size_1 = fine_half_angle_reach_1 * fine_series_phi_w_padded_1
-    fine_series_phi_w_size_3 = fine_half_angle_padded_1 * fine_series_phi_w_reach_1
-    fine_series_phi_x = fine_series_phi_w - 0.0023809525
-    fine_series_phi_x_right_1 = fine_series_phi_w - fine_series_phi_x
-    fine_series_phi_x_left_1 = fine_series_phi_x + fine_series_phi_x_right_1
-    fine_series_phi_x_left_rest_1 = product_rest(fine_y, fine_series_phi_v, fine_series_phi_w, fine_series_phi_x_left_1)
-    fine_series_phi_x_right_rest_1 = 0.0023809525 - fine_series_phi_x_right_1
-    fine_series_phi_x_lo1_1 = fine_series_phi_x_left_rest_1 - fine_series_phi_x_right_rest_1
-    fine_series_phi_w_cross_1 = fine_y_lo * fine_series_phi_v + fine_y * fine_series_phi_v_lo
-    fine_series_phi_x_lo = fine_series_phi_x_lo1_1 - -9.0914824e-11 + fine_series_phi_w_cross_1
-    fine_series_phi_y = fine_y * fine_series_phi_x
-    fine_series_phi_x_size_1 = 0.0023809525 + (fine_series_phi_w_size_1 + fine_series_phi_w_size_3)
-    fine_series_phi_y_padded_1 = 3.308722450212111e-24 + fine_series_phi_x_size_1
-    fine_series_phi_y_rest_1 = 2.5599609e-10 * fine_series_phi_y_padded_1
-    fine_series_phi_y_units_1 = 262144 * (absolute(fine_series_phi_x_lo) + fine_series_phi_y_rest_1)
-    fine_series_phi_y_reach_1 = absolute(fine_series_phi_x) + fine_series_phi_y_units_1
-    fine_series_phi_y_size_1 = fine_half_angle_reach_1 * fine_series_phi_y_padded_1
-    fine_series_phi_y_size_3 = fine_half_angle_padded_1 * fine_series_phi_y_reach_1
-    fine_series_phi = fine_series_phi_y + 0.033333335
-    fine_series_phi_right_1 = fine_series_phi - fine_series_phi_y
-    fine_series_phi_left_1 = fine_series_phi - fine_series_phi_right_1
-    fine_series_phi_left_rest_1 = product_rest(fine_y, fine_series_phi_x, fine_series_phi_y, fine_series_phi_left_1)
-    fine_series_phi_lo1_1 = fine_series_phi_left_rest_1 + (0.033333335 - fine_series_phi_right_1)
-    fine_series_phi_y_cross_1 = fine_y_lo * fine_series_phi_x + fine_y * fine_series_phi_x_lo
-    fine_series_phi_lo = fine_series_phi_lo1_1 + -1.7384688e-09 + fine_series_phi_y_cross_1
-    fine_f_more_a = 2 * fine_y
-    fine_f_more_a_cross2_1 = 2 * fine_y_lo
-    fine_f_more = fine_f_more_a * fine_series_phi
-    fine_f_more_cross1_1 = fine_f_more_a_cross2_1 * fine_series_phi
-    fine_f_more_padded_1 = 3.308722450212111e-24 + 2 * fine_y_size_1
-    fine_series_phi_size_1 = 0.033333335 + (fine_series_phi_y_size_1 + fine_series_phi_y_size_3)
-    fine_f_more_padded_2 = 3.308722450212111e-24 + fine_series_phi_size_1
-    fine_f_more_bound_1 = absolute(fine_f_more_a_cross2_1) + 8.100306e-13 * fine_f_more_padded_1
-    fine_f_more_reach_1 = absolute(fine_f_more_a) + 262144 * fine_f_more_bound_1
-    fine_f_more_bound_2 = absolute(fine_series_phi_lo) + 2.5837332e-10 * fine_f_more_padded_2
-    fine_f_more_reach_2 = absolute(fine_series_phi) + 262144 * fine_f_more_bound_2
-    fine_f_more_size_2 = fine_f_more_padded_2 * fine_f_more_reach_1
-    fine_near_f_a = 0.33333334 * fine_sinc
-    fine_f_more_error_3 = product_error(fine_f_more_a, fine_series_phi, fine_f_more)
-    fine_f_more_cross_1 = fine_f_more_cross1_1 + fine_f_more_a * fine_series_phi_lo
-    fine_near_f_b = 0.33333334 * fine_f_more
-    fine_near_f_b_cross2_1 = 0.33333334 * (fine_f_more_error_3 + fine_f_more_cross_1)
-    fine_f_more_size_5 = fine_f_more_size_2 + fine_f_more_padded_1 * fine_f_more_reach_2
-    fine_near_f = fine_near_f_a + fine_near_f_b
-    fine_near_f_right_1 = fine_near_f - fine_near_f_a
-    fine_near_f_left_1 = fine_near_f - fine_near_f_right_1
-    fine_near_f_a_cross_1 = -9.934108e-09 * fine_sinc + 0.33333334 * fine_sinc_lo
-    fine_near_f_b_cross_1 = -9.934108e-09 * fine_f_more + fine_near_f_b_cross2_1
-    fine_near_f_right_rest_1 = product_rest(0.33333334, fine_f_more, fine_near_f_b, fine_near_f_right_1)
-    fine_near_f_left_rest_1 = product_rest(0.33333334, fine_sinc, fine_near_f_a, fine_near_f_left_1)
-    fine_near_f_lo1_1 = fine_near_f_left_rest_1 + fine_near_f_right_rest_1
-    fine_near_f_lo = fine_near_f_lo1_1 + (fine_near_f_a_cross_1 + fine_near_f_b_cross_1)
-    fine_near_f_size_1 = 0.33333334 * fine_sinc_size_8 + 0.33333334 * fine_f_more_size_5
-    fine_f_rest = fine_sinc - fine_c
-    fine_f_rest_right_1 = fine_sinc - fine_f_rest
-    fine_f_rest_left_rest_1 = fine_sinc - (fine_f_rest + fine_f_rest_right_1)
-    fine_f_rest_lo2_1 = fine_f_rest_left_rest_1 - (fine_c - fine_f_rest_right_1) - fine_c_lo
-    fine_x = 4 * fine_y
-    fine_far_y_a = fine_x < 4
-    fine_far_y = where(fine_far_y_a, 1, fine_y)
-    fine_far_y_lo = where(fine_far_y_a, 0, fine_y_lo)
-    fine_far_y_rest_1 = 8.100306e-13 * (3.308722450212111e-24 + 4 * fine_y_size_1)
-    fine_far_y_size_4 = absolute(4 * fine_y_lo) + fine_far_y_rest_1 < absolute(fine_x - 4)
-    fine_far_y_size_8 = where(fine_far_y_size_4, 0, absolute(1 - fine_y) + fine_half_angle_bound_1)
-    fine_closed_f = fine_f_rest / fine_far_y
-    fine_closed_f_product_1 = fine_closed_f * fine_far_y
-    fine_closed_f_product_error_1 = product_error(fine_closed_f, fine_far_y, fine_closed_f_product_1)
-    fine_closed_f_exact_1 = fine_f_rest - fine_closed_f_product_1 - fine_closed_f_product_error_1
-    fine_closed_f_numerator_1 = fine_closed_f_exact_1 + (fine_f_rest_lo2_1 + fine_sinc_lo)
-    fine_closed_f_lo = (fine_closed_f_numerator_1 - fine_closed_f * fine_far_y_lo) / fine_far_y
-    fine_far_y_size_10 = where(fine_far_y_a, 1, fine_y_size_1) + 219900346368 * fine_far_y_size_8
-    fine_closed_f_padded_2 = 3.308722450212111e-24 + fine_far_y_size_10
-    fine_closed_f_size_1 = absolute(fine_closed_f)
-    fine_closed_f_size_2 = absolute(fine_far_y)
-    fine_closed_f_padded_1 = 3.308722450212111e-24 + (fine_sinc_size_8 + fine_sine_size_1)
-    fine_closed_f_bound_1 = absolute(fine_far_y_lo) + 4.6896445e-12 * fine_closed_f_padded_2
-    fine_closed_f_size_6 = 4 * fine_closed_f_bound_1 < fine_closed_f_size_2
-    fine_closed_f_size_4 = fine_closed_f_padded_1 + fine_closed_f_padded_2 * fine_closed_f_size_1
-    fine_closed_f_size_7 = where(fine_closed_f_size_6, fine_closed_f_size_2, 0)
-    fine_closed_f_reach_1 = fine_closed_f_size_2 + 262144 * fine_closed_f_bound_1
-    fine_closed_f_size_9 = fine_closed_f_reach_1 * (fine_closed_f_size_4 / fine_closed_f_size_7)
-    fine_closed_f_size_11 = fine_closed_f_size_1 + fine_closed_f_size_9 / fine_closed_f_size_2
-    fine_f = where(fine_far_y_a, fine_near_f, fine_closed_f)
-    fine_f_rest_1 = 2.6163277e-10 * (3.308722450212111e-24 + fine_near_f_size_1)
-    fine_f_rest_2 = 2.3766553e-10 * (3.308722450212111e-24 + fine_closed_f_size_11)
-    fine_f_size_4 = absolute(fine_near_f_lo) + fine_f_rest_1 + absolute(fine_near_f - fine_closed_f)
-    fine_f_size_5 = absolute(fine_closed_f_lo) + fine_f_rest_2 + fine_f_size_4
-    fine_f_size_1 = where(fine_far_y_a, fine_near_f_size_1, fine_closed_f_size_11)
-    fine_four_k = 4 * fine_sinc
-    fine_four_k_cross2_1 = 4 * fine_sinc_lo
-    fine_b = fine_f / fine_four_k
-    fine_b_product_1 = fine_b * fine_four_k
-    fine_b_product_error_1 = product_error(fine_b, fine_four_k, fine_b_product_1)
-    fine_f_lo = where(fine_far_y_a, fine_near_f_lo, fine_closed_f_lo)
-    fine_b_numerator_1 = fine_f - fine_b_product_1 - fine_b_product_error_1 + fine_f_lo
-    fine_b_lo = (fine_b_numerator_1 - fine_b * fine_four_k_cross2_1) / fine_four_k
-    fine_f_size_8 = fine_f_size_1 + 3837173760 * where(fine_far_y_size_4, 0, fine_f_size_5)
-    fine_b_padded_2 = 3.308722450212111e-24 + 4 * fine_sinc_size_8
+    c_lo = (c_own_error_1 - (fine_sine_half_cos_1 * fine_sine + fine_sine_half_sin_1 * c)
+        * fine_sine_twice_1)
+    sinc_divisor_a = half_angle < 1.4901161193847656e-08
+    sinc_divisor = where(sinc_divisor_a, 1.4901161193847656e-08, half_angle)
+    sinc_divisor_lo = where(sinc_divisor_a, 0, half_angle_lo)
+    sinc_divisor_bound_1 = half_angle_size_6 + 1.2221551e-12 * fine_sine_padded_1
+    sinc_divisor_size_4 = sinc_divisor_bound_1 < absolute(half_angle - 1.4901161193847656e-08)
+    sinc_divisor_size_9 = (314142654464
+        * where(sinc_divisor_size_4, 0, sinc_divisor_bound_1
+        + absolute(1.4901161193847656e-08 - half_angle)))
+    sinc_quotient = fine_sine / sinc_divisor
+    sinc_quotient_product_1 = sinc_quotient * sinc_divisor
+    sinc_quotient_exact_1 = (fine_sine - sinc_quotient_product_1
+        - product_error(sinc_quotient, sinc_divisor, sinc_quotient_product_1))
+    fine_sine_lo = (fine_sine_own_error_1
+        + (fine_sine_half_cos_1 * c - fine_sine_half_sin_1 * fine_sine) * fine_sine_twice_1)
+    sinc_quotient_lo = ((sinc_quotient_exact_1 + fine_sine_lo - sinc_quotient * sinc_divisor_lo)
+        / sinc_divisor)
+    sinc_quotient_padded_1 = 3.308722450212111e-24 + fine_sine_size_1
+    sinc_quotient_padded_2 = (3.308722450212111e-24
+        + (where(sinc_divisor_a, 1.4901161193847656e-08, half_angle_size_12) + sinc_divisor_size_9))
+    sinc_quotient_size_1 = absolute(sinc_quotient)
+    sinc_quotient_size_2 = absolute(sinc_divisor)
+    sinc_quotient_bound_1 = absolute(sinc_divisor_lo) + 3.2827582e-12 * sinc_quotient_padded_2
+    sinc_quotient_size_7 = (where(4 * sinc_quotient_bound_1
+        < sinc_quotient_size_2, sinc_quotient_size_2, 0))
+    sinc_quotient_size_8 = ((sinc_quotient_padded_1 + sinc_quotient_padded_2
+        * sinc_quotient_size_1) / sinc_quotient_size_7)
+    sinc_quotient_size_11 = (sinc_quotient_size_1
+        + (sinc_quotient_size_2 + 262144 * sinc_quotient_bound_1) * sinc_quotient_size_8
+        / sinc_quotient_size_2)
+    sinc_a = 0.16666667 * y
+    sinc_b = 1 - sinc_a
+    sinc_b_right_1 = 1 - sinc_b
+    sinc_b_lo = (1 - (sinc_b + sinc_b_right_1)
+        - product_rest(0.16666667, y, sinc_a, sinc_b_right_1)
+        - (-4.967054e-09 * y + 0.16666667 * y_lo))
+    sinc_b_size_1 = 1 + 0.16666669 * y_size_1
+    sinc = where(sinc_divisor_a, sinc_b, sinc_quotient)
+    sinc_lo = where(sinc_divisor_a, sinc_b_lo, sinc_quotient_lo)
+    sinc_size_4 = (absolute(sinc_b_lo) + 2.3406937e-10 * (3.308722450212111e-24 + sinc_b_size_1)
+        + absolute(sinc_b - sinc_quotient))
+    sinc_size_6 = (where(sinc_divisor_size_4, 0, absolute(sinc_quotient_lo) + 5.43103e-12
+        * (3.308722450212111e-24 + sinc_quotient_size_11) + sinc_size_4))
+    sinc_size_8 = (where(sinc_divisor_a, sinc_b_size_1, sinc_quotient_size_11) + 4276409088
+        * sinc_size_6)
+    series_phi_a = 5.107725e-32 * y
+    series_phi_b = 4.1168266e-29 - series_phi_a
+    series_phi_b_right_1 = 4.1168266e-29 - series_phi_b
+    series_phi_b_lo1_1 = (4.1168266e-29 - (series_phi_b + series_phi_b_right_1)
+        - product_rest(5.107725e-32, y, series_phi_a, series_phi_b_right_1))
+    series_phi_b_lo = series_phi_b_lo1_1 - (3.51736e-40 * y + 5.107725e-32 * y_lo) + -1.3151732e-36
+    series_phi_c = y * series_phi_b
+    series_phi_c_padded_1 = 3.308722450212111e-24 + (4.1168266e-29 + 2.3741903e-25 * y_size_1)
+    series_phi_c_size_3 = (half_angle_padded_1
+        * (absolute(series_phi_b) + 262144
+        * (absolute(series_phi_b_lo) + 2.3406937e-10 * series_phi_c_padded_1)))
+    series_phi_d = series_phi_c - 2.8653114e-26
+    series_phi_d_right_1 = series_phi_c - series_phi_d
+    series_phi_d_lo1_1 = (product_rest(y, series_phi_b, series_phi_c, series_phi_d
+        + series_phi_d_right_1) - (2.8653114e-26 - series_phi_d_right_1))
+    series_phi_d_lo = (series_phi_d_lo1_1 - -1.27647235e-33
+        + (y_lo * series_phi_b + y * series_phi_b_lo))
+    series_phi_e = y * series_phi_d
+    series_phi_e_padded_1 = (3.308722450212111e-24
+        + (2.8653114e-26 + (half_angle_reach_1 * series_phi_c_padded_1 + series_phi_c_size_3)))
+    series_phi_e_size_3 = (half_angle_padded_1
+        * (absolute(series_phi_d) + 262144
+        * (absolute(series_phi_d_lo) + 2.3574281e-10 * series_phi_e_padded_1)))
+    series_phi_f = series_phi_e + 1.7019949e-23
+    series_phi_f_right_1 = series_phi_f - series_phi_e
+    series_phi_f_lo1_1 = (product_rest(y, series_phi_d, series_phi_e, series_phi_f
+        - series_phi_f_right_1) + (1.7019949e-23 - series_phi_f_right_1))
+    series_phi_f_lo = (series_phi_f_lo1_1 + 1.9703667e-31
+        + (y_lo * series_phi_d + y * series_phi_d_lo))
+    series_phi_g = y * series_phi_f
+    series_phi_g_padded_1 = (3.308722450212111e-24
+        + (1.7019949e-23 + (half_angle_reach_1 * series_phi_e_padded_1 + series_phi_e_size_3)))
+    series_phi_g_size_3 = (half_angle_padded_1
+        * (absolute(series_phi_f) + 262144
+        * (absolute(series_phi_f_lo) + 2.374802e-10 * series_phi_g_padded_1)))
+    series_phi_h = series_phi_g - 8.509974e-21
+    series_phi_h_right_1 = series_phi_g - series_phi_h
+    series_phi_h_lo1_1 = (product_rest(y, series_phi_f, series_phi_g, series_phi_h
+        + series_phi_h_right_1) - (8.509974e-21 - series_phi_h_right_1))
+    series_phi_h_lo = (series_phi_h_lo1_1 - 1.016591e-29
+        + (y_lo * series_phi_f + y * series_phi_f_lo))
+    series_phi_i = y * series_phi_h
+    series_phi_i_padded_1 = (3.308722450212111e-24
+        + (8.509974e-21 + (half_angle_reach_1 * series_phi_g_padded_1 + series_phi_g_size_3)))
+    series_phi_i_size_3 = (half_angle_padded_1
+        * (absolute(series_phi_h) + 262144
+        * (absolute(series_phi_h_lo) + 2.392816e-10 * series_phi_i_padded_1)))
+    series_phi_j = series_phi_i + 3.5231293e-18
+    series_phi_j_right_1 = series_phi_j - series_phi_i
+    series_phi_j_lo1_1 = (product_rest(y, series_phi_h, series_phi_i, series_phi_j
+        - series_phi_j_right_1) + (3.5231293e-18 - series_phi_j_right_1))
+    series_phi_j_lo = (series_phi_j_lo1_1 + 7.2063343e-26
+        + (y_lo * series_phi_h + y * series_phi_h_lo))
+    series_phi_k = y * series_phi_j
+    series_phi_k_padded_1 = (3.308722450212111e-24
+        + (3.5231293e-18 + (half_angle_reach_1 * series_phi_i_padded_1 + series_phi_i_size_3)))
+    series_phi_k_size_3 = (half_angle_padded_1
+        * (absolute(series_phi_j) + 262144
+        * (absolute(series_phi_j_lo) + 2.41147e-10 * series_phi_k_padded_1)))
+    series_phi_l = series_phi_k - 1.1837714e-15
+    series_phi_l_right_1 = series_phi_k - series_phi_l
+    series_phi_l_lo1_1 = (product_rest(y, series_phi_j, series_phi_k, series_phi_l
+        + series_phi_l_right_1) - (1.1837714e-15 - series_phi_l_right_1))
+    series_phi_l_lo = (series_phi_l_lo1_1 - 5.0683064e-23
+        + (y_lo * series_phi_j + y * series_phi_j_lo))
+    series_phi_m = y * series_phi_l
+    series_phi_m_padded_1 = (3.308722450212111e-24
+        + (1.1837714e-15 + (half_angle_reach_1 * series_phi_k_padded_1 + series_phi_k_size_3)))
+    series_phi_m_size_3 = (half_angle_padded_1
+        * (absolute(series_phi_l) + 262144
+        * (absolute(series_phi_l_lo) + 2.4307634e-10 * series_phi_m_padded_1)))
+    series_phi_n = series_phi_m + 3.148832e-13
+    series_phi_n_right_1 = series_phi_n - series_phi_m
+    series_phi_n_lo1_1 = (product_rest(y, series_phi_l, series_phi_m, series_phi_n
+        - series_phi_n_right_1) + (3.148832e-13 - series_phi_n_right_1))
+    series_phi_n_lo = (series_phi_n_lo1_1 + 1.834992e-21
+        + (y_lo * series_phi_l + y * series_phi_l_lo))
+    series_phi_o = y * series_phi_n
+    series_phi_o_padded_1 = (3.308722450212111e-24
+        + (3.148832e-13 + (half_angle_reach_1 * series_phi_m_padded_1 + series_phi_m_size_3)))
+    series_phi_o_size_3 = (half_angle_padded_1
+        * (absolute(series_phi_n) + 262144
+        * (absolute(series_phi_n_lo) + 2.4506966e-10 * series_phi_o_padded_1)))
+    series_phi_p = series_phi_o - 6.423617e-11
+    series_phi_p_right_1 = series_phi_o - series_phi_p
+    series_phi_p_lo1_1 = (product_rest(y, series_phi_n, series_phi_o, series_phi_p
+        + series_phi_p_right_1) - (6.423617e-11 - series_phi_p_right_1))
+    series_phi_p_lo = (series_phi_p_lo1_1 - 3.4101044e-18
+        + (y_lo * series_phi_n + y * series_phi_n_lo))
+    series_phi_q = y * series_phi_p
+    series_phi_q_padded_1 = (3.308722450212111e-24
+        + (6.423617e-11 + (half_angle_reach_1 * series_phi_o_padded_1 + series_phi_o_size_3)))
+    series_phi_q_size_3 = (half_angle_padded_1
+        * (absolute(series_phi_p) + 262144
+        * (absolute(series_phi_p_lo) + 2.4712699e-10 * series_phi_q_padded_1)))
+    series_phi_r = series_phi_q + 9.635427e-09
+    series_phi_r_right_1 = series_phi_r - series_phi_q
+    series_phi_r_lo1_1 = (product_rest(y, series_phi_p, series_phi_q, series_phi_r
+        - series_phi_r_right_1) + (9.635427e-09 - series_phi_r_right_1))
+    series_phi_r_lo = (series_phi_r_lo1_1 + -3.7666274e-16
+        + (y_lo * series_phi_p + y * series_phi_p_lo))
+    series_phi_s = y * series_phi_r
+    series_phi_s_padded_1 = (3.308722450212111e-24
+        + (9.635427e-09 + (half_angle_reach_1 * series_phi_q_padded_1 + series_phi_q_size_3)))
+    series_phi_s_size_3 = (half_angle_padded_1
+        * (absolute(series_phi_r) + 262144
+        * (absolute(series_phi_r_lo) + 2.4924826e-10 * series_phi_s_padded_1)))
+    series_phi_t = series_phi_s - 1.0020843e-06
+    series_phi_t_right_1 = series_phi_s - series_phi_t
+    series_phi_t_lo1_1 = (product_rest(y, series_phi_r, series_phi_s, series_phi_t
+        + series_phi_t_right_1) - (1.0020843e-06 - series_phi_t_right_1))
+    series_phi_t_lo = (series_phi_t_lo1_1 - 3.4596379e-15
+        + (y_lo * series_phi_r + y * series_phi_r_lo))
+    series_phi_u = y * series_phi_t
+    series_phi_u_padded_1 = (3.308722450212111e-24
+        + (1.0020843e-06 + (half_angle_reach_1 * series_phi_s_padded_1 + series_phi_s_size_3)))
+    series_phi_u_size_3 = (half_angle_padded_1
+        * (absolute(series_phi_t) + 262144
+        * (absolute(series_phi_t_lo) + 2.5143354e-10 * series_phi_u_padded_1)))
+    series_phi_v = series_phi_u + 6.613757e-05
+    series_phi_v_right_1 = series_phi_v - series_phi_u
+    series_phi_v_lo1_1 = (product_rest(y, series_phi_t, series_phi_u, series_phi_v
+        - series_phi_v_right_1) + (6.613757e-05 - series_phi_v_right_1))
+    series_phi_v_lo = (series_phi_v_lo1_1 + -9.0853226e-13
+        + (y_lo * series_phi_t + y * series_phi_t_lo))
+    series_phi_w = y * series_phi_v
+    series_phi_w_padded_1 = (3.308722450212111e-24
+        + (6.613757e-05 + (half_angle_reach_1 * series_phi_u_padded_1 + series_phi_u_size_3)))
+    series_phi_w_size_3 = (half_angle_padded_1
+        * (absolute(series_phi_v) + 262144
+        * (absolute(series_phi_v_lo) + 2.5368282e-10 * series_phi_w_padded_1)))
+    series_phi_x = series_phi_w - 0.0023809525
+    series_phi_x_right_1 = series_phi_w - series_phi_x
+    series_phi_x_lo1_1 = (product_rest(y, series_phi_v, series_phi_w, series_phi_x
+        + series_phi_x_right_1) - (0.0023809525 - series_phi_x_right_1))
+    series_phi_x_lo = (series_phi_x_lo1_1 - -9.0914824e-11
+        + (y_lo * series_phi_v + y * series_phi_v_lo))
+    series_phi_y = y * series_phi_x
+    series_phi_y_padded_1 = (3.308722450212111e-24
+        + (0.0023809525 + (half_angle_reach_1 * series_phi_w_padded_1 + series_phi_w_size_3)))
+    series_phi_y_size_3 = (half_angle_padded_1
+        * (absolute(series_phi_x) + 262144
+        * (absolute(series_phi_x_lo) + 2.5599609e-10 * series_phi_y_padded_1)))
+    series_phi = series_phi_y + 0.033333335
+    series_phi_right_1 = series_phi - series_phi_y
+    series_phi_lo2_1 = (product_rest(y, series_phi_x, series_phi_y, series_phi
+        - series_phi_right_1) + (0.033333335 - series_phi_right_1) + -1.7384688e-09)
+    series_phi_lo = series_phi_lo2_1 + (y_lo * series_phi_x + y * series_phi_x_lo)
+    f_more_a = 2 * y
+    f_more_a_cross2_1 = 2 * y_lo
+    f_more = f_more_a * series_phi
+    f_more_padded_1 = 3.308722450212111e-24 + 2 * y_size_1
+    f_more_padded_2 = (3.308722450212111e-24
+        + (0.033333335 + (half_angle_reach_1 * series_phi_y_padded_1 + series_phi_y_size_3)))
+    f_more_size_2 = (f_more_padded_2
+        * (absolute(f_more_a) + 262144
+        * (absolute(f_more_a_cross2_1) + 8.100306e-13 * f_more_padded_1)))
+    near_f_a = 0.33333334 * sinc
+    near_f_b = 0.33333334 * f_more
+    near_f_b_cross2_1 = (0.33333334
+        * (product_error(f_more_a, series_phi, f_more)
+        + (f_more_a_cross2_1 * series_phi + f_more_a * series_phi_lo)))
+    f_more_size_5 = (f_more_size_2 + f_more_padded_1
+        * (absolute(series_phi) + 262144
+        * (absolute(series_phi_lo) + 2.5837332e-10 * f_more_padded_2)))
+    near_f = near_f_a + near_f_b
+    near_f_right_1 = near_f - near_f_a
+    near_f_lo1_1 = (product_rest(0.33333334, sinc, near_f_a, near_f - near_f_right_1)
+        + product_rest(0.33333334, f_more, near_f_b, near_f_right_1))
+    near_f_lo = (near_f_lo1_1
+        + (-9.934108e-09 * sinc + 0.33333334 * sinc_lo
+        + (-9.934108e-09 * f_more + near_f_b_cross2_1)))
+    near_f_size_1 = 0.33333334 * sinc_size_8 + 0.33333334 * f_more_size_5
+    f_rest = sinc - c
+    f_rest_right_1 = sinc - f_rest
+    fine_x = 4 * y
+    far_y_a = fine_x < 4
+    far_y = where(far_y_a, 1, y)
+    far_y_lo = where(far_y_a, 0, y_lo)
+    far_y_size_4 = (absolute(4 * y_lo) + 8.100306e-13 * (3.308722450212111e-24 + 4 * y_size_1)
+        < absolute(fine_x - 4))
+    closed_f = f_rest / far_y
+    closed_f_product_1 = closed_f * far_y
+    closed_f_exact_1 = (f_rest - closed_f_product_1
+        - product_error(closed_f, far_y, closed_f_product_1))
+    closed_f_lo = ((closed_f_exact_1
+        + (sinc - (f_rest + f_rest_right_1) - (c - f_rest_right_1) - c_lo + sinc_lo) - closed_f
+        * far_y_lo) / far_y)
+    far_y_size_10 = (where(far_y_a, 1, y_size_1) + 219900346368
+        * where(far_y_size_4, 0, absolute(1 - y) + half_angle_bound_1))
+    closed_f_padded_2 = 3.308722450212111e-24 + far_y_size_10
+    closed_f_size_1 = absolute(closed_f)
+    closed_f_size_2 = absolute(far_y)
+    closed_f_bound_1 = absolute(far_y_lo) + 4.6896445e-12 * closed_f_padded_2
+    closed_f_size_4 = (3.308722450212111e-24 + (fine_sine_size_1 + sinc_size_8) + closed_f_padded_2
+        * closed_f_size_1)
+    closed_f_size_8 = (closed_f_size_4
+        / where(4 * closed_f_bound_1 < closed_f_size_2, closed_f_size_2, 0))
+    closed_f_size_11 = (closed_f_size_1 + (closed_f_size_2 + 262144 * closed_f_bound_1)
+        * closed_f_size_8 / closed_f_size_2)
+    f = where(far_y_a, near_f, closed_f)
+    f_size_4 = (absolute(near_f_lo) + 2.6163277e-10 * (3.308722450212111e-24 + near_f_size_1)
+        + absolute(near_f - closed_f))
+    f_size_7 = (3837173760
+        * where(far_y_size_4, 0, absolute(closed_f_lo) + 2.3766553e-10
+        * (3.308722450212111e-24 + closed_f_size_11) + f_size_4))
+    four_k = 4 * sinc
+    four_k_cross2_1 = 4 * sinc_lo
+    fine_b = f / four_k
+    fine_b_product_1 = fine_b * four_k
+    fine_b_numerator_1 = (f - fine_b_product_1 - product_error(fine_b, four_k, fine_b_product_1)
+        + where(far_y_a, near_f_lo, closed_f_lo))
+    fine_b_lo = (fine_b_numerator_1 - fine_b * four_k_cross2_1) / four_k
+    fine_b_padded_2 = 3.308722450212111e-24 + 4 * sinc_size_8
     fine_b_size_1 = absolute(fine_b)
-    fine_b_size_2 = absolute(fine_four_k)
-    fine_b_bound_1 = absolute(fine_four_k_cross2_1) + 2.3419117e-10 * fine_b_padded_2
-    fine_b_size_4 = 3.308722450212111e-24 + fine_f_size_8 + fine_b_padded_2 * fine_b_size_1
-    fine_b_size_8 = fine_b_size_4 / where(4 * fine_b_bound_1 < fine_b_size_2, fine_b_size_2, 0)
-    fine_b_size_10 = (fine_b_size_2 + 262144 * fine_b_bound_1) * fine_b_size_8 / fine_b_size_2
-    fine_b_across = fine_c / fine_sinc
-    fine_b_across_product_1 = fine_b_across * fine_sinc
-    fine_b_across_product_error_1 = product_error(fine_b_across, fine_sinc, fine_b_across_product_1)
-    fine_b_across_exact_1 = fine_c - fine_b_across_product_1 - fine_b_across_product_error_1
-    fine_b_across_residual_1 = fine_b_across_exact_1 + fine_c_lo - fine_b_across * fine_sinc_lo
-    fine_b_across_lo = fine_b_across_residual_1 / fine_sinc
-    fine_b_across_padded_1 = 3.308722450212111e-24 + fine_sinc_size_8
+    fine_b_size_2 = absolute(four_k)
+    fine_b_bound_1 = absolute(four_k_cross2_1) + 2.3419117e-10 * fine_b_padded_2
+    fine_b_size_4 = (3.308722450212111e-24
+        + (where(far_y_a, near_f_size_1, closed_f_size_11) + f_size_7) + fine_b_padded_2
+        * fine_b_size_1)
+    fine_b_size_9 = ((fine_b_size_2 + 262144 * fine_b_bound_1)
+        * (fine_b_size_4 / where(4 * fine_b_bound_1 < fine_b_size_2, fine_b_size_2, 0)))
+    fine_b_across = c / sinc
+    fine_b_across_product_1 = fine_b_across * sinc
+    fine_b_across_lo = ((c - fine_b_across_product_1
+        - product_error(fine_b_across, sinc, fine_b_across_product_1) + c_lo - fine_b_across
+        * sinc_lo) / sinc)
+    fine_b_across_padded_1 = 3.308722450212111e-24 + sinc_size_8
     fine_b_across_size_1 = absolute(fine_b_across)
-    fine_b_across_size_2 = absolute(fine_sinc)
-    fine_b_across_size_3 = fine_b_across_padded_1 * fine_b_across_size_1
-    fine_b_across_bound_1 = absolute(fine_sinc_lo) + 2.3406946e-10 * fine_b_across_padded_1
-    fine_b_across_size_6 = 4 * fine_b_across_bound_1 < fine_b_across_size_2
-    fine_b_across_size_7 = where(fine_b_across_size_6, fine_b_across_size_2, 0)
-    fine_b_across_size_4 = fine_b_across_size_3 + fine_sinc_quotient_padded_1
-    fine_b_across_reach_1 = fine_b_across_size_2 + 262144 * fine_b_across_bound_1
-    fine_b_across_size_9 = fine_b_across_reach_1 * (fine_b_across_size_4 / fine_b_across_size_7)
-    fine_b_across_size_11 = fine_b_across_size_1 + fine_b_across_size_9 / fine_b_across_size_2
+    fine_b_across_size_2 = absolute(sinc)
+    fine_b_across_bound_1 = absolute(sinc_lo) + 2.3406946e-10 * fine_b_across_padded_1
+    fine_b_across_size_7 = (where(4 * fine_b_across_bound_1
+        < fine_b_across_size_2, fine_b_across_size_2, 0))
+    fine_b_across_size_8 = ((fine_b_across_padded_1 * fine_b_across_size_1
+        + sinc_quotient_padded_1) / fine_b_across_size_7)
+    fine_b_across_size_11 = (fine_b_across_size_1
+        + (fine_b_across_size_2 + 262144 * fine_b_across_bound_1) * fine_b_across_size_8
+        / fine_b_across_size_2)
     fine_beta_v_0 = v_0 * fine_b
-    fine_beta_v_padded_1 = 3.308722450212111e-24 + (fine_b_size_1 + fine_b_size_10)
+    fine_beta_v_padded_1 = 3.308722450212111e-24 + (fine_b_size_1 + fine_b_size_9 / fine_b_size_2)
     fine_beta_v_1 = v_1 * fine_b
     fine_beta_v_2 = v_2 * fine_b
     fine_beta_v_lo_1 = product_error(v_0, fine_b, fine_beta_v_0) + v_0 * fine_b_lo
     fine_m_0 = v_0 * fine_beta_v_0
     fine_m_cross2_1 = v_0 * fine_beta_v_lo_1
-    fine_m_padded_1 = 3.308722450212111e-24 + fine_beta_v_padded_1 * fine_halved_size_1
-    fine_m_size_1 = fine_halved_size_1 * fine_m_padded_1
+    fine_m_padded_1 = 3.308722450212111e-24 + fine_beta_v_padded_1 * halved_size_1
+    fine_m_size_1 = fine_m_padded_1 * halved_size_1
     fine_beta_v_lo_2 = product_error(v_1, fine_b, fine_beta_v_1) + v_1 * fine_b_lo
     fine_m_1 = v_1 * fine_beta_v_1
     fine_m_cross2_2 = v_1 * fine_beta_v_lo_2
-    fine_m_padded_2 = 3.308722450212111e-24 + fine_beta_v_padded_1 * fine_halved_size_3
-    fine_m_size_2 = fine_halved_size_3 * fine_m_padded_2
+    fine_m_padded_2 = 3.308722450212111e-24 + fine_beta_v_padded_1 * halved_size_3
+    fine_m_size_2 = fine_m_padded_2 * halved_size_3
     fine_m_2 = v_2 * fine_beta_v_2
     fine_m_cross2_3 = v_2 * (product_error(v_2, fine_b, fine_beta_v_2) + v_2 * fine_b_lo)
-    fine_m_padded_3 = 3.308722450212111e-24 + fine_beta_v_padded_1 * fine_halved_size_5
-    fine_m_size_3 = fine_halved_size_5 * fine_m_padded_3
+    fine_m_size_3 = (3.308722450212111e-24 + fine_beta_v_padded_1 * halved_size_5) * halved_size_5
     fine_m_3 = v_1 * fine_beta_v_0
     fine_m_cross2_4 = v_1 * fine_beta_v_lo_1
     fine_m_4 = v_2 * fine_beta_v_0
@@ -2449,157 +2347,163 @@ def SO3_leftJacobianInverse(v):
     fine_m_cross2_6 = v_2 * fine_beta_v_lo_2
     fine_others_0 = fine_m_1 + fine_m_2
     fine_others_right_1 = fine_others_0 - fine_m_1
-    fine_others_left_1 = fine_others_0 - fine_others_right_1
-    fine_others_right_rest_1 = product_rest(v_2, fine_beta_v_2, fine_m_2, fine_others_right_1)
-    fine_others_left_rest_1 = product_rest(v_1, fine_beta_v_1, fine_m_1, fine_others_left_1)
-    fine_others_lo1_1 = fine_others_left_rest_1 + fine_others_right_rest_1
-    fine_others_lo_1 = fine_others_lo1_1 + (fine_m_cross2_2 + fine_m_cross2_3)
+    fine_others_left_rest_1 = (product_rest(v_1, fine_beta_v_1, fine_m_1, fine_others_0
+        - fine_others_right_1))
+    fine_others_lo_1 = (fine_others_left_rest_1
+        + product_rest(v_2, fine_beta_v_2, fine_m_2, fine_others_right_1)
+        + (fine_m_cross2_2 + fine_m_cross2_3))
     fine_others_size_1 = fine_m_size_2 + fine_m_size_3
     fine_others_1 = fine_m_0 + fine_m_2
     fine_others_right_2 = fine_others_1 - fine_m_0
-    fine_others_left_2 = fine_others_1 - fine_others_right_2
-    fine_others_right_rest_2 = product_rest(v_2, fine_beta_v_2, fine_m_2, fine_others_right_2)
-    fine_others_left_rest_2 = product_rest(v_0, fine_beta_v_0, fine_m_0, fine_others_left_2)
-    fine_others_lo1_2 = fine_others_left_rest_2 + fine_others_right_rest_2
-    fine_others_lo_2 = fine_others_lo1_2 + (fine_m_cross2_1 + fine_m_cross2_3)
+    fine_others_left_rest_2 = (product_rest(v_0, fine_beta_v_0, fine_m_0, fine_others_1
+        - fine_others_right_2))
+    fine_others_lo_2 = (fine_others_left_rest_2
+        + product_rest(v_2, fine_beta_v_2, fine_m_2, fine_others_right_2)
+        + (fine_m_cross2_1 + fine_m_cross2_3))
     fine_others_size_2 = fine_m_size_1 + fine_m_size_3
     fine_others_2 = fine_m_0 + fine_m_1
     fine_others_right_3 = fine_others_2 - fine_m_0
-    fine_others_left_3 = fine_others_2 - fine_others_right_3
-    fine_others_right_rest_3 = product_rest(v_1, fine_beta_v_1, fine_m_1, fine_others_right_3)
-    fine_others_left_rest_3 = product_rest(v_0, fine_beta_v_0, fine_m_0, fine_others_left_3)
-    fine_others_lo1_3 = fine_others_left_rest_3 + fine_others_right_rest_3
-    fine_others_lo_3 = fine_others_lo1_3 + (fine_m_cross2_1 + fine_m_cross2_2)
+    fine_others_left_rest_3 = (product_rest(v_0, fine_beta_v_0, fine_m_0, fine_others_2
+        - fine_others_right_3))
+    fine_others_lo_3 = (fine_others_left_rest_3
+        + product_rest(v_1, fine_beta_v_1, fine_m_1, fine_others_right_3)
+        + (fine_m_cross2_1 + fine_m_cross2_2))
     fine_others_size_3 = fine_m_size_1 + fine_m_size_2
     fine_diagonal0a = 1 - fine_others_0
     fine_diagonal0a_right_1 = 1 - fine_diagonal0a
-    fine_diagonal0a_left_rest_1 = 1 - (fine_diagonal0a + fine_diagonal0a_right_1)
-    fine_diagonal0a_lo1_1 = fine_diagonal0a_left_rest_1 - (fine_others_0 - fine_diagonal0a_right_1)
-    fine_diagonal0a_lo = fine_diagonal0a_lo1_1 - fine_others_lo_1
+    fine_diagonal0a_lo = (1 - (fine_diagonal0a + fine_diagonal0a_right_1)
+        - (fine_others_0 - fine_diagonal0a_right_1) - fine_others_lo_1)
     fine_diagonal0a_size_1 = 1 + fine_others_size_1
     fine_diagonal0b = fine_b_across + fine_m_0
     fine_diagonal0b_right_1 = fine_diagonal0b - fine_b_across
-    fine_diagonal0b_right_rest_1 = product_rest(v_0, fine_beta_v_0, fine_m_0, fine_diagonal0b_right_1)
-    fine_diagonal0b_left_rest_1 = fine_b_across - (fine_diagonal0b - fine_diagonal0b_right_1)
-    fine_diagonal0b_lo1_1 = fine_diagonal0b_left_rest_1 + fine_diagonal0b_right_rest_1
-    fine_diagonal0b_lo = fine_diagonal0b_lo1_1 + fine_m_cross2_1 + fine_b_across_lo
+    fine_diagonal0b_right_rest_1 = product_rest(v_0, fine_beta_v_0, fine_m_0,
+        fine_diagonal0b_right_1)
+    fine_diagonal0b_lo = (fine_b_across - (fine_diagonal0b - fine_diagonal0b_right_1)
+        + fine_diagonal0b_right_rest_1 + fine_m_cross2_1 + fine_b_across_lo)
     fine_diagonal0b_size_1 = fine_b_across_size_11 + fine_m_size_1
     fine_diagonal0c = fine_m_0 < fine_others_0
     fine_diagonal0_error_1 = absolute(product_error(v_0, fine_beta_v_0, fine_m_0) + fine_m_cross2_1)
-    fine_diagonal0_rest_1 = 2.7428007e-10 * (3.308722450212111e-24 + fine_m_size_1)
-    fine_diagonal0_rest_2 = 2.7533278e-10 * (3.308722450212111e-24 + fine_others_size_1)
-    fine_diagonal0_bound_2 = absolute(fine_others_lo_1) + fine_diagonal0_rest_2
-    fine_diagonal0_size_2 = fine_diagonal0_error_1 + fine_diagonal0_rest_1 + fine_diagonal0_bound_2
-    fine_diagonal0_rest_3 = 2.7533278e-10 * (3.308722450212111e-24 + fine_diagonal0b_size_1)
-    fine_diagonal0_rest_4 = 2.7640684e-10 * (3.308722450212111e-24 + fine_diagonal0a_size_1)
-    fine_diagonal0_bound_3 = absolute(fine_diagonal0b_lo) + fine_diagonal0_rest_3
-    fine_diagonal0_size_8 = fine_diagonal0_bound_3 + absolute(fine_diagonal0b - fine_diagonal0a)
-    fine_diagonal0_bound_4 = absolute(fine_diagonal0a_lo) + fine_diagonal0_rest_4
-    fine_diagonal0_size_5 = fine_diagonal0_size_2 < absolute(fine_m_0 - fine_others_0)
-    fine_diagonal0_size_9 = fine_diagonal0_bound_4 + fine_diagonal0_size_8
-    fine_diagonal0_size_1 = where(fine_diagonal0c, fine_diagonal0b_size_1, fine_diagonal0a_size_1)
-    fine_diagonal0_size_11 = 3633188096 * where(fine_diagonal0_size_5, 0, fine_diagonal0_size_9)
+    fine_diagonal0_bound_2 = (absolute(fine_others_lo_1) + 2.7533278e-10
+        * (3.308722450212111e-24 + fine_others_size_1))
+    fine_diagonal0_size_2 = (fine_diagonal0_error_1 + 2.7428007e-10
+        * (3.308722450212111e-24 + fine_m_size_1) + fine_diagonal0_bound_2)
+    fine_diagonal0_bound_3 = (absolute(fine_diagonal0b_lo) + 2.7533278e-10
+        * (3.308722450212111e-24 + fine_diagonal0b_size_1))
+    fine_diagonal0_bound_4 = (absolute(fine_diagonal0a_lo) + 2.7640684e-10
+        * (3.308722450212111e-24 + fine_diagonal0a_size_1))
+    fine_diagonal0_size_9 = (fine_diagonal0_bound_4
+        + (fine_diagonal0_bound_3 + absolute(fine_diagonal0b - fine_diagonal0a)))
+    fine_diagonal0_size_11 = (3633188096
+        * where(fine_diagonal0_size_2
+        < absolute(fine_m_0 - fine_others_0), 0, fine_diagonal0_size_9))
     fine_diagonal1a = 1 - fine_others_1
     fine_diagonal1a_right_1 = 1 - fine_diagonal1a
-    fine_diagonal1a_left_rest_1 = 1 - (fine_diagonal1a + fine_diagonal1a_right_1)
-    fine_diagonal1a_lo1_1 = fine_diagonal1a_left_rest_1 - (fine_others_1 - fine_diagonal1a_right_1)
-    fine_diagonal1a_lo = fine_diagonal1a_lo1_1 - fine_others_lo_2
+    fine_diagonal1a_lo = (1 - (fine_diagonal1a + fine_diagonal1a_right_1)
+        - (fine_others_1 - fine_diagonal1a_right_1) - fine_others_lo_2)
     fine_diagonal1a_size_1 = 1 + fine_others_size_2
     fine_diagonal1b = fine_b_across + fine_m_1
     fine_diagonal1b_right_1 = fine_diagonal1b - fine_b_across
-    fine_diagonal1b_right_rest_1 = product_rest(v_1, fine_beta_v_1, fine_m_1, fine_diagonal1b_right_1)
-    fine_diagonal1b_left_rest_1 = fine_b_across - (fine_diagonal1b - fine_diagonal1b_right_1)
-    fine_diagonal1b_lo1_1 = fine_diagonal1b_left_rest_1 + fine_diagonal1b_right_rest_1
-    fine_diagonal1b_lo = fine_diagonal1b_lo1_1 + fine_m_cross2_2 + fine_b_across_lo
+    fine_diagonal1b_right_rest_1 = product_rest(v_1, fine_beta_v_1, fine_m_1,
+        fine_diagonal1b_right_1)
+    fine_diagonal1b_lo = (fine_b_across - (fine_diagonal1b - fine_diagonal1b_right_1)
+        + fine_diagonal1b_right_rest_1 + fine_m_cross2_2 + fine_b_across_lo)
     fine_diagonal1b_size_1 = fine_b_across_size_11 + fine_m_size_2
     fine_diagonal1c = fine_m_1 < fine_others_1
     fine_diagonal1_error_1 = absolute(product_error(v_1, fine_beta_v_1, fine_m_1) + fine_m_cross2_2)
-    fine_diagonal1_rest_1 = 2.7428007e-10 * (3.308722450212111e-24 + fine_m_size_2)
-    fine_diagonal1_rest_2 = 2.7533278e-10 * (3.308722450212111e-24 + fine_others_size_2)
-    fine_diagonal1_bound_2 = absolute(fine_others_lo_2) + fine_diagonal1_rest_2
-    fine_diagonal1_size_2 = fine_diagonal1_error_1 + fine_diagonal1_rest_1 + fine_diagonal1_bound_2
-    fine_diagonal1_rest_3 = 2.7533278e-10 * (3.308722450212111e-24 + fine_diagonal1b_size_1)
-    fine_diagonal1_rest_4 = 2.7640684e-10 * (3.308722450212111e-24 + fine_diagonal1a_size_1)
-    fine_diagonal1_bound_3 = absolute(fine_diagonal1b_lo) + fine_diagonal1_rest_3
-    fine_diagonal1_size_8 = fine_diagonal1_bound_3 + absolute(fine_diagonal1b - fine_diagonal1a)
-    fine_diagonal1_bound_4 = absolute(fine_diagonal1a_lo) + fine_diagonal1_rest_4
-    fine_diagonal1_size_5 = fine_diagonal1_size_2 < absolute(fine_m_1 - fine_others_1)
-    fine_diagonal1_size_9 = fine_diagonal1_bound_4 + fine_diagonal1_size_8
-    fine_diagonal1_size_1 = where(fine_diagonal1c, fine_diagonal1b_size_1, fine_diagonal1a_size_1)
-    fine_diagonal1_size_11 = 3633188096 * where(fine_diagonal1_size_5, 0, fine_diagonal1_size_9)
+    fine_diagonal1_bound_2 = (absolute(fine_others_lo_2) + 2.7533278e-10
+        * (3.308722450212111e-24 + fine_others_size_2))
+    fine_diagonal1_size_2 = (fine_diagonal1_error_1 + 2.7428007e-10
+        * (3.308722450212111e-24 + fine_m_size_2) + fine_diagonal1_bound_2)
+    fine_diagonal1_bound_3 = (absolute(fine_diagonal1b_lo) + 2.7533278e-10
+        * (3.308722450212111e-24 + fine_diagonal1b_size_1))
+    fine_diagonal1_bound_4 = (absolute(fine_diagonal1a_lo) + 2.7640684e-10
+        * (3.308722450212111e-24 + fine_diagonal1a_size_1))
+    fine_diagonal1_size_9 = (fine_diagonal1_bound_4
+        + (fine_diagonal1_bound_3 + absolute(fine_diagonal1b - fine_diagonal1a)))
+    fine_diagonal1_size_11 = (3633188096
+        * where(fine_diagonal1_size_2
+        < absolute(fine_m_1 - fine_others_1), 0, fine_diagonal1_size_9))
     fine_diagonal2a = 1 - fine_others_2
     fine_diagonal2a_right_1 = 1 - fine_diagonal2a
-    fine_diagonal2a_left_rest_1 = 1 - (fine_diagonal2a + fine_diagonal2a_right_1)
-    fine_diagonal2a_lo1_1 = fine_diagonal2a_left_rest_1 - (fine_others_2 - fine_diagonal2a_right_1)
-    fine_diagonal2a_lo = fine_diagonal2a_lo1_1 - fine_others_lo_3
+    fine_diagonal2a_lo = (1 - (fine_diagonal2a + fine_diagonal2a_right_1)
+        - (fine_others_2 - fine_diagonal2a_right_1) - fine_others_lo_3)
     fine_diagonal2a_size_1 = 1 + fine_others_size_3
     fine_diagonal2b = fine_b_across + fine_m_2
     fine_diagonal2b_right_1 = fine_diagonal2b - fine_b_across
-    fine_diagonal2b_right_rest_1 = product_rest(v_2, fine_beta_v_2, fine_m_2, fine_diagonal2b_right_1)
-    fine_diagonal2b_left_rest_1 = fine_b_across - (fine_diagonal2b - fine_diagonal2b_right_1)
-    fine_diagonal2b_lo1_1 = fine_diagonal2b_left_rest_1 + fine_diagonal2b_right_rest_1
-    fine_diagonal2b_lo = fine_diagonal2b_lo1_1 + fine_m_cross2_3 + fine_b_across_lo
+    fine_diagonal2b_right_rest_1 = product_rest(v_2, fine_beta_v_2, fine_m_2,
+        fine_diagonal2b_right_1)
+    fine_diagonal2b_lo = (fine_b_across - (fine_diagonal2b - fine_diagonal2b_right_1)
+        + fine_diagonal2b_right_rest_1 + fine_m_cross2_3 + fine_b_across_lo)
     fine_diagonal2b_size_1 = fine_b_across_size_11 + fine_m_size_3
     fine_diagonal2c = fine_m_2 < fine_others_2
     fine_diagonal2_error_1 = absolute(product_error(v_2, fine_beta_v_2, fine_m_2) + fine_m_cross2_3)
-    fine_diagonal2_rest_1 = 2.7428007e-10 * (3.308722450212111e-24 + fine_m_size_3)
-    fine_diagonal2_rest_2 = 2.7533278e-10 * (3.308722450212111e-24 + fine_others_size_3)
-    fine_diagonal2_bound_2 = absolute(fine_others_lo_3) + fine_diagonal2_rest_2
-    fine_diagonal2_size_2 = fine_diagonal2_error_1 + fine_diagonal2_rest_1 + fine_diagonal2_bound_2
-    fine_diagonal2_rest_3 = 2.7533278e-10 * (3.308722450212111e-24 + fine_diagonal2b_size_1)
-    fine_diagonal2_rest_4 = 2.7640684e-10 * (3.308722450212111e-24 + fine_diagonal2a_size_1)
-    fine_diagonal2_bound_3 = absolute(fine_diagonal2b_lo) + fine_diagonal2_rest_3
-    fine_diagonal2_size_8 = fine_diagonal2_bound_3 + absolute(fine_diagonal2b - fine_diagonal2a)
-    fine_diagonal2_bound_4 = absolute(fine_diagonal2a_lo) + fine_diagonal2_rest_4
-    fine_diagonal2_size_5 = fine_diagonal2_size_2 < absolute(fine_m_2 - fine_others_2)
-    fine_diagonal2_size_9 = fine_diagonal2_bound_4 + fine_diagonal2_size_8
-    fine_diagonal2_size_1 = where(fine_diagonal2c, fine_diagonal2b_size_1, fine_diagonal2a_size_1)
-    fine_diagonal2_size_11 = 3633188096 * where(fine_diagonal2_size_5, 0, fine_diagonal2_size_9)
-    fine_alpha_v_0 = -fine_halved_0
-    fine_alpha_v_1 = -fine_halved_1
-    fine_alpha_v_2 = -fine_halved_2
+    fine_diagonal2_bound_2 = (absolute(fine_others_lo_3) + 2.7533278e-10
+        * (3.308722450212111e-24 + fine_others_size_3))
+    fine_diagonal2_size_2 = (fine_diagonal2_error_1 + 2.7428007e-10
+        * (3.308722450212111e-24 + fine_m_size_3) + fine_diagonal2_bound_2)
+    fine_diagonal2_bound_3 = (absolute(fine_diagonal2b_lo) + 2.7533278e-10
+        * (3.308722450212111e-24 + fine_diagonal2b_size_1))
+    fine_diagonal2_bound_4 = (absolute(fine_diagonal2a_lo) + 2.7640684e-10
+        * (3.308722450212111e-24 + fine_diagonal2a_size_1))
+    fine_diagonal2_size_9 = (fine_diagonal2_bound_4
+        + (fine_diagonal2_bound_3 + absolute(fine_diagonal2b - fine_diagonal2a)))
+    fine_diagonal2_size_11 = (3633188096
+        * where(fine_diagonal2_size_2
+        < absolute(fine_m_2 - fine_others_2), 0, fine_diagonal2_size_9))
+    fine_alpha_v_0 = -halved_0
+    fine_alpha_v_1 = -halved_1
+    fine_alpha_v_2 = -halved_2
     fine_R_01 = fine_m_3 - fine_alpha_v_2
     fine_R_right_1 = fine_m_3 - fine_R_01
-    fine_R_left_rest_1 = product_rest(v_1, fine_beta_v_0, fine_m_3, fine_R_01 + fine_R_right_1)
     fine_R_02 = fine_m_4 + fine_alpha_v_1
     fine_R_right_2 = fine_R_02 - fine_m_4
-    fine_R_left_rest_2 = product_rest(v_2, fine_beta_v_0, fine_m_4, fine_R_02 - fine_R_right_2)
     fine_R_10 = fine_m_3 + fine_alpha_v_2
     fine_R_right_3 = fine_R_10 - fine_m_3
-    fine_R_left_rest_3 = product_rest(v_1, fine_beta_v_0, fine_m_3, fine_R_10 - fine_R_right_3)
     fine_R_12 = fine_m_5 - fine_alpha_v_0
     fine_R_right_4 = fine_m_5 - fine_R_12
-    fine_R_left_rest_4 = product_rest(v_2, fine_beta_v_1, fine_m_5, fine_R_12 + fine_R_right_4)
     fine_R_20 = fine_m_4 - fine_alpha_v_1
     fine_R_right_5 = fine_m_4 - fine_R_20
-    fine_R_left_rest_5 = product_rest(v_2, fine_beta_v_0, fine_m_4, fine_R_20 + fine_R_right_5)
     fine_R_21 = fine_m_5 + fine_alpha_v_0
     fine_R_right_6 = fine_R_21 - fine_m_5
-    fine_R_left_rest_6 = product_rest(v_2, fine_beta_v_1, fine_m_5, fine_R_21 - fine_R_right_6)
     diagonal0_apart_1 = where(fine_diagonal0c, fine_diagonal0b, fine_diagonal0a) - diagonal0
-    fine_diagonal0_lo = where(fine_diagonal0c, fine_diagonal0b_lo, fine_diagonal0a_lo)
-    diagonal0_padded_1 = 3.308722450212111e-24 + (fine_diagonal0_size_1 + fine_diagonal0_size_11)
-    diagonal0_error_2 = 1.0000005 * absolute(diagonal0_apart_1 + fine_diagonal0_lo)
-    fine_R_lo_1 = fine_R_left_rest_1 - (fine_alpha_v_2 - fine_R_right_1) + fine_m_cross2_4
-    R_padded_1 = 3.308722450212111e-24 + (fine_halved_size_6 + fine_halved_size_3 * fine_m_padded_1)
-    R_rest_1 = 2.7533278e-10 * R_padded_1
-    fine_R_lo_2 = fine_R_left_rest_2 + (fine_alpha_v_1 - fine_R_right_2) + fine_m_cross2_5
-    R_padded_2 = 3.308722450212111e-24 + (fine_halved_size_4 + fine_halved_size_5 * fine_m_padded_1)
-    R_rest_2 = 2.7533278e-10 * R_padded_2
-    fine_R_lo_3 = fine_R_left_rest_3 + (fine_alpha_v_2 - fine_R_right_3) + fine_m_cross2_4
+    diagonal0_padded_1 = (3.308722450212111e-24
+        + (where(fine_diagonal0c, fine_diagonal0b_size_1, fine_diagonal0a_size_1)
+        + fine_diagonal0_size_11))
+    diagonal0_error_2 = (1.0000005
+        * absolute(diagonal0_apart_1
+        + where(fine_diagonal0c, fine_diagonal0b_lo, fine_diagonal0a_lo)))
+    fine_R_lo_1 = (product_rest(v_1, fine_beta_v_0, fine_m_3, fine_R_01 + fine_R_right_1)
+        - (fine_alpha_v_2 - fine_R_right_1) + fine_m_cross2_4)
+    R_rest_1 = (2.7533278e-10
+        * (3.308722450212111e-24 + (fine_m_padded_1 * halved_size_3 + halved_size_6)))
+    fine_R_lo_2 = (product_rest(v_2, fine_beta_v_0, fine_m_4, fine_R_02 - fine_R_right_2)
+        + (fine_alpha_v_1 - fine_R_right_2) + fine_m_cross2_5)
+    R_rest_2 = (2.7533278e-10
+        * (3.308722450212111e-24 + (fine_m_padded_1 * halved_size_5 + halved_size_4)))
+    fine_R_lo_3 = (product_rest(v_1, fine_beta_v_0, fine_m_3, fine_R_10 - fine_R_right_3)
+        + (fine_alpha_v_2 - fine_R_right_3) + fine_m_cross2_4)
     diagonal1_apart_1 = where(fine_diagonal1c, fine_diagonal1b, fine_diagonal1a) - diagonal1
-    fine_diagonal1_lo = where(fine_diagonal1c, fine_diagonal1b_lo, fine_diagonal1a_lo)
-    diagonal1_padded_1 = 3.308722450212111e-24 + (fine_diagonal1_size_1 + fine_diagonal1_size_11)
-    diagonal1_error_2 = 1.0000005 * absolute(diagonal1_apart_1 + fine_diagonal1_lo)
-    fine_R_lo_4 = fine_R_left_rest_4 - (fine_alpha_v_0 - fine_R_right_4) + fine_m_cross2_6
-    R_padded_3 = 3.308722450212111e-24 + (fine_halved_size_2 + fine_halved_size_5 * fine_m_padded_2)
-    R_rest_3 = 2.7533278e-10 * R_padded_3
-    fine_R_lo_5 = fine_R_left_rest_5 - (fine_alpha_v_1 - fine_R_right_5) + fine_m_cross2_5
-    fine_R_lo_6 = fine_R_left_rest_6 + (fine_alpha_v_0 - fine_R_right_6) + fine_m_cross2_6
+    diagonal1_padded_1 = (3.308722450212111e-24
+        + (where(fine_diagonal1c, fine_diagonal1b_size_1, fine_diagonal1a_size_1)
+        + fine_diagonal1_size_11))
+    diagonal1_error_2 = (1.0000005
+        * absolute(diagonal1_apart_1
+        + where(fine_diagonal1c, fine_diagonal1b_lo, fine_diagonal1a_lo)))
+    fine_R_lo_4 = (product_rest(v_2, fine_beta_v_1, fine_m_5, fine_R_12 + fine_R_right_4)
+        - (fine_alpha_v_0 - fine_R_right_4) + fine_m_cross2_6)
+    R_rest_3 = (2.7533278e-10
+        * (3.308722450212111e-24 + (fine_m_padded_2 * halved_size_5 + halved_size_2)))
+    fine_R_lo_5 = (product_rest(v_2, fine_beta_v_0, fine_m_4, fine_R_20 + fine_R_right_5)
+        - (fine_alpha_v_1 - fine_R_right_5) + fine_m_cross2_5)
+    fine_R_lo_6 = (product_rest(v_2, fine_beta_v_1, fine_m_5, fine_R_21 - fine_R_right_6)
+        + (fine_alpha_v_0 - fine_R_right_6) + fine_m_cross2_6)
     diagonal2_apart_1 = where(fine_diagonal2c, fine_diagonal2b, fine_diagonal2a) - diagonal2
-    fine_diagonal2_lo = where(fine_diagonal2c, fine_diagonal2b_lo, fine_diagonal2a_lo)
-    diagonal2_padded_1 = 3.308722450212111e-24 + (fine_diagonal2_size_1 + fine_diagonal2_size_11)
-    diagonal2_error_2 = 1.0000005 * absolute(diagonal2_apart_1 + fine_diagonal2_lo)
+    diagonal2_padded_1 = (3.308722450212111e-24
+        + (where(fine_diagonal2c, fine_diagonal2b_size_1, fine_diagonal2a_size_1)
+        + fine_diagonal2_size_11))
+    diagonal2_error_2 = (1.0000005
+        * absolute(diagonal2_apart_1
+        + where(fine_diagonal2c, fine_diagonal2b_lo, fine_diagonal2a_lo)))
     diagonal0_bound_1 = diagonal0_error_2 + 2.7640693e-10 * diagonal0_padded_1
     R_bound_1 = 1.0000005 * absolute(fine_R_01 - R_01 + fine_R_lo_1) + R_rest_1
     R_bound_2 = 1.0000005 * absolute(fine_R_02 - R_02 + fine_R_lo_2) + R_rest_2
@@ -2670,11 +2574,17 @@ def SO3_rightJacobianInverse(v):
     b_divisor_a = x < 4
     b_divisor = where(b_divisor_a, 4, x)
     closed_b = b_rest / b_divisor
-    b_g = x * (x * (x * (1.4551725e-27 * x + 5.744791e-26) + 2.2679524e-24) + 8.9535176e-23)
-    b_o = x * (x * (x * (x * (b_g + 3.534707e-21) + 1.3954465e-19) + 5.509003e-18) + 2.1748687e-16)
-    b_w = x * (x * (x * (x * (b_o + 8.586062e-15) + 3.3896803e-13) + 1.3382536e-11) + 5.2841903e-10)
-    b_ae = x * (x * (x * (x * (b_w + 2.0876756e-08) + 8.267196e-07) + 3.3068784e-05) + 0.0013888889)
-    b = where(b_divisor_a, b_ae + 0.083333336, closed_b)
+    b_l = (x
+        * (x
+        * (x * (x * (x * (1.4551725e-27 * x + 5.744791e-26) + 2.2679524e-24) + 8.9535176e-23)
+        + 3.534707e-21) + 1.3954465e-19) + 5.509003e-18)
+    b_y = (x
+        * (x
+        * (x
+        * (x * (x * (x * (x * b_l + 2.1748687e-16) + 8.586062e-15) + 3.3896803e-13)
+        + 1.3382536e-11) + 5.2841903e-10) + 2.0876756e-08))
+    b = (where(b_divisor_a, x * (x * (x * (b_y + 8.267196e-07) + 3.3068784e-05) + 0.0013888889)
+        + 0.083333336, closed_b))
     b_across = where(b_divisor_a, 1 - x * b, half_cotangent)
     beta_v_0 = v_0 * b
     beta_v_1 = v_1 * b
@@ -2700,425 +2610,351 @@ def SO3_rightJacobianInverse(v):
     R_12 = m_5 - alpha_v_0
     R_20 = m_4 - alpha_v_1
     R_21 = m_5 + alpha_v_0
-    fine_halved_0 = 0.5 * v_0
-    fine_halved_size_1 = absolute(v_0)
-    fine_halved_size_2 = 0.5 * fine_halved_size_1
-    fine_halved_1 = 0.5 * v_1
-    fine_halved_size_3 = absolute(v_1)
-    fine_halved_size_4 = 0.5 * fine_halved_size_3
-    fine_halved_2 = 0.5 * v_2
-    fine_halved_size_5 = absolute(v_2)
-    fine_halved_size_6 = 0.5 * fine_halved_size_5
-    fine_y_a = fine_halved_0 * fine_halved_0
-    fine_y_a_padded_1 = 3.308722450212111e-24 + fine_halved_size_2
-    fine_y_b = fine_halved_1 * fine_halved_1
-    fine_y_b_padded_1 = 3.308722450212111e-24 + fine_halved_size_4
-    fine_y_c = fine_y_a + fine_y_b
-    fine_y_c_right_1 = fine_y_c - fine_y_a
-    fine_y_c_left_1 = fine_y_c - fine_y_c_right_1
-    fine_y_c_right_rest_1 = product_rest(fine_halved_1, fine_halved_1, fine_y_b, fine_y_c_right_1)
-    fine_y_c_left_rest_1 = product_rest(fine_halved_0, fine_halved_0, fine_y_a, fine_y_c_left_1)
-    fine_y_d = fine_halved_2 * fine_halved_2
-    fine_y_d_padded_1 = 3.308722450212111e-24 + fine_halved_size_6
-    fine_y = fine_y_c + fine_y_d
-    fine_y_right_1 = fine_y - fine_y_c
-    fine_y_right_rest_1 = product_rest(fine_halved_2, fine_halved_2, fine_y_d, fine_y_right_1)
-    fine_y_lo1_1 = fine_y_c - (fine_y - fine_y_right_1) + fine_y_right_rest_1
-    fine_y_lo = fine_y_lo1_1 + (fine_y_c_left_rest_1 + fine_y_c_right_rest_1)
-    fine_y_c_size_1 = fine_y_a_padded_1 * fine_y_a_padded_1 + fine_y_b_padded_1 * fine_y_b_padded_1
-    fine_y_size_1 = fine_y_c_size_1 + fine_y_d_padded_1 * fine_y_d_padded_1
-    fine_half_angle = sqrt(fine_y)
-    fine_half_angle_product_1 = fine_half_angle * fine_half_angle
-    fine_half_angle_product_error_1 = product_error(fine_half_angle, fine_half_angle, fine_half_angle_product_1)
-    fine_half_angle_exact_1 = fine_y - fine_half_angle_product_1 - fine_half_angle_product_error_1
-    fine_half_angle_divisor_1 = where(fine_half_angle == 0, 1, fine_half_angle + fine_half_angle)
-    fine_half_angle_lo = (fine_half_angle_exact_1 + fine_y_lo) / fine_half_angle_divisor_1
-    fine_half_angle_padded_1 = 3.308722450212111e-24 + fine_y_size_1
-    fine_half_angle_bound_1 = absolute(fine_y_lo) + 7.2120885e-13 * fine_half_angle_padded_1
-    fine_half_angle_reach_1 = absolute(fine_y) + 262144 * fine_half_angle_bound_1
-    fine_half_angle_size_2 = fine_half_angle_padded_1 / fine_half_angle / fine_y
-    fine_half_angle_size_6 = absolute(fine_half_angle_lo)
-    fine_half_angle_size_8 = 890731298816 * (sqrt(fine_half_angle_bound_1) + fine_half_angle_size_6)
-    fine_half_angle_size_4 = fine_half_angle_reach_1 * fine_half_angle_size_2
-    fine_half_angle_size_10 = 4 * fine_half_angle_bound_1 < fine_y
-    fine_half_angle_size_11 = where(fine_half_angle_size_10, fine_half_angle_size_4, fine_half_angle_size_8)
-    fine_half_angle_size_12 = fine_half_angle + fine_half_angle_size_11
-    fine_sine, fine_c = elementary.sincos(fine_half_angle)
-    fine_sine_own_error_1, fine_c_own_error_1 = elementary.sincos_error(fine_half_angle, fine_sine, fine_c)
-    fine_sine_half_1 = fine_half_angle_lo * 0.5
+    halved_0 = 0.5 * v_0
+    halved_size_1 = absolute(v_0)
+    halved_size_2 = 0.5 * halved_size_1
+    halved_1 = 0.5 * v_1
+    halved_size_3 = absolute(v_1)
+    halved_size_4 = 0.5 * halved_size_3
+    halved_2 = 0.5 * v_2
+    halved_size_5 = absolute(v_2)
+    halved_size_6 = 0.5 * halved_size_5
+    y_a = halved_0 * halved_0
+    y_a_padded_1 = 3.308722450212111e-24 + halved_size_2
+    y_b = halved_1 * halved_1
+    y_b_padded_1 = 3.308722450212111e-24 + halved_size_4
+    y_c = y_a + y_b
+    y_c_right_1 = y_c - y_a
+    y_d = halved_2 * halved_2
+    y_d_padded_1 = 3.308722450212111e-24 + halved_size_6
+    y = y_c + y_d
+    y_right_1 = y - y_c
+    y_c_lo = (product_rest(halved_0, halved_0, y_a, y_c - y_c_right_1)
+        + product_rest(halved_1, halved_1, y_b, y_c_right_1))
+    y_lo = y_c - (y - y_right_1) + product_rest(halved_2, halved_2, y_d, y_right_1) + y_c_lo
+    y_size_1 = (y_a_padded_1 * y_a_padded_1 + y_b_padded_1 * y_b_padded_1 + y_d_padded_1
+        * y_d_padded_1)
+    half_angle = sqrt(y)
+    half_angle_product_1 = half_angle * half_angle
+    half_angle_residual_1 = (y - half_angle_product_1
+        - product_error(half_angle, half_angle, half_angle_product_1) + y_lo)
+    half_angle_lo = half_angle_residual_1 / where(half_angle == 0, 1, half_angle + half_angle)
+    half_angle_padded_1 = 3.308722450212111e-24 + y_size_1
+    half_angle_bound_1 = absolute(y_lo) + 7.2120885e-13 * half_angle_padded_1
+    half_angle_reach_1 = absolute(y) + 262144 * half_angle_bound_1
+    half_angle_size_6 = absolute(half_angle_lo)
+    half_angle_size_8 = 890731298816 * (sqrt(half_angle_bound_1) + half_angle_size_6)
+    half_angle_size_12 = (half_angle
+        + where(4 * half_angle_bound_1 < y, half_angle_reach_1
+        * (half_angle_padded_1 / half_angle / y), half_angle_size_8))
+    fine_sine, c = elementary.sincos(half_angle)
+    fine_sine_own_error_1, c_own_error_1 = elementary.sincos_error(half_angle, fine_sine, c)
+    fine_sine_half_1 = half_angle_lo * 0.5
     fine_sine_half_sin_1, fine_sine_half_cos_1 = elementary.sincos(fine_sine_half_1)
     fine_sine_twice_1 = fine_sine_half_sin_1 + fine_sine_half_sin_1
-    fine_sine_slope_1 = fine_sine_half_cos_1 * fine_c - fine_sine_half_sin_1 * fine_sine
-    fine_sine_padded_1 = 3.308722450212111e-24 + fine_half_angle_size_12
+    fine_sine_padded_1 = 3.308722450212111e-24 + half_angle_size_12
     fine_sine_size_1 = 1 + fine_sine_padded_1
-    fine_c_slope_1 = fine_sine_half_cos_1 * fine_sine + fine_sine_half_sin_1 * fine_c
-    fine_c_lo = fine_c_own_error_1 - fine_c_slope_1 * fine_sine_twice_1
-    fine_sinc_divisor_a = fine_half_angle < 1.4901161193847656e-08
-    fine_sinc_divisor = where(fine_sinc_divisor_a, 1.4901161193847656e-08, fine_half_angle)
-    fine_sinc_divisor_lo = where(fine_sinc_divisor_a, 0, fine_half_angle_lo)
-    fine_sinc_divisor_bound_1 = fine_half_angle_size_6 + 1.2221551e-12 * fine_sine_padded_1
-    fine_sinc_divisor_size_3 = absolute(fine_half_angle - 1.4901161193847656e-08)
-    fine_sinc_divisor_size_4 = fine_sinc_divisor_bound_1 < fine_sinc_divisor_size_3
-    fine_sinc_divisor_size_6 = absolute(1.4901161193847656e-08 - fine_half_angle)
-    fine_sinc_divisor_size_7 = fine_sinc_divisor_bound_1 + fine_sinc_divisor_size_6
-    fine_sinc_divisor_size_8 = where(fine_sinc_divisor_size_4, 0, fine_sinc_divisor_size_7)
-    fine_sinc_divisor_size_1 = where(fine_sinc_divisor_a, 1.4901161193847656e-08, fine_half_angle_size_12)
-    fine_sinc_quotient = fine_sine / fine_sinc_divisor
-    fine_sinc_quotient_product_1 = fine_sinc_quotient * fine_sinc_divisor
-    fine_sinc_quotient_product_error_1 = product_error(fine_sinc_quotient, fine_sinc_divisor, fine_sinc_quotient_product_1)
-    fine_sinc_quotient_rest_1 = fine_sine - fine_sinc_quotient_product_1
-    fine_sinc_quotient_exact_1 = fine_sinc_quotient_rest_1 - fine_sinc_quotient_product_error_1
-    fine_sine_lo = fine_sine_own_error_1 + fine_sine_slope_1 * fine_sine_twice_1
-    fine_sinc_quotient_numerator_1 = fine_sinc_quotient_exact_1 + fine_sine_lo
-    fine_sinc_quotient_cross_1 = fine_sinc_quotient * fine_sinc_divisor_lo
-    fine_sinc_quotient_residual_1 = fine_sinc_quotient_numerator_1 - fine_sinc_quotient_cross_1
-    fine_sinc_quotient_lo = fine_sinc_quotient_residual_1 / fine_sinc_divisor
-    fine_sinc_quotient_padded_1 = 3.308722450212111e-24 + fine_sine_size_1
-    fine_sinc_divisor_size_10 = fine_sinc_divisor_size_1 + 314142654464 * fine_sinc_divisor_size_8
-    fine_sinc_quotient_padded_2 = 3.308722450212111e-24 + fine_sinc_divisor_size_10
-    fine_sinc_quotient_size_1 = absolute(fine_sinc_quotient)
-    fine_sinc_quotient_size_2 = absolute(fine_sinc_divisor)
-    fine_sinc_quotient_size_3 = fine_sinc_quotient_padded_2 * fine_sinc_quotient_size_1
-    fine_sinc_quotient_rest_2 = 3.2827582e-12 * fine_sinc_quotient_padded_2
-    fine_sinc_quotient_bound_1 = absolute(fine_sinc_divisor_lo) + fine_sinc_quotient_rest_2
-    fine_sinc_quotient_size_6 = 4 * fine_sinc_quotient_bound_1 < fine_sinc_quotient_size_2
-    fine_sinc_quotient_size_7 = where(fine_sinc_quotient_size_6, fine_sinc_quotient_size_2, 0)
-    fine_sinc_quotient_size_4 = fine_sinc_quotient_padded_1 + fine_sinc_quotient_size_3
-    fine_sinc_quotient_reach_1 = fine_sinc_quotient_size_2 + 262144 * fine_sinc_quotient_bound_1
-    fine_sinc_quotient_size_8 = fine_sinc_quotient_size_4 / fine_sinc_quotient_size_7
-    fine_sinc_quotient_size_9 = fine_sinc_quotient_reach_1 * fine_sinc_quotient_size_8
-    fine_sinc_quotient_size_10 = fine_sinc_quotient_size_9 / fine_sinc_quotient_size_2
-    fine_sinc_quotient_size_11 = fine_sinc_quotient_size_1 + fine_sinc_quotient_size_10
-    fine_sinc_a = 0.16666667 * fine_y
-    fine_sinc_b = 1 - fine_sinc_a
-    fine_sinc_b_right_1 = 1 - fine_sinc_b
-    fine_sinc_b_right_rest_1 = product_rest(0.16666667, fine_y, fine_sinc_a, fine_sinc_b_right_1)
-    fine_sinc_b_lo1_1 = 1 - (fine_sinc_b + fine_sinc_b_right_1) - fine_sinc_b_right_rest_1
-    fine_sinc_b_lo = fine_sinc_b_lo1_1 - (-4.967054e-09 * fine_y + 0.16666667 * fine_y_lo)
-    fine_sinc_b_size_1 = 1 + 0.16666669 * fine_y_size_1
-    fine_sinc = where(fine_sinc_divisor_a, fine_sinc_b, fine_sinc_quotient)
-    fine_sinc_lo = where(fine_sinc_divisor_a, fine_sinc_b_lo, fine_sinc_quotient_lo)
-    fine_sinc_rest_1 = 2.3406937e-10 * (3.308722450212111e-24 + fine_sinc_b_size_1)
-    fine_sinc_rest_2 = 5.43103e-12 * (3.308722450212111e-24 + fine_sinc_quotient_size_11)
-    fine_sinc_bound_1 = absolute(fine_sinc_b_lo) + fine_sinc_rest_1
-    fine_sinc_size_4 = fine_sinc_bound_1 + absolute(fine_sinc_b - fine_sinc_quotient)
-    fine_sinc_size_5 = absolute(fine_sinc_quotient_lo) + fine_sinc_rest_2 + fine_sinc_size_4
-    fine_sinc_size_1 = where(fine_sinc_divisor_a, fine_sinc_b_size_1, fine_sinc_quotient_size_11)
-    fine_sinc_size_7 = 4276409088 * where(fine_sinc_divisor_size_4, 0, fine_sinc_size_5)
-    fine_sinc_size_8 = fine_sinc_size_1 + fine_sinc_size_7
-    fine_series_phi_a = 5.107725e-32 * fine_y
-    fine_series_phi_b = 4.1168266e-29 - fine_series_phi_a
-    fine_series_phi_b_right_1 = 4.1168266e-29 - fine_series_phi_b
-    fine_series_phi_b_right_rest_1 = product_rest(5.107725e-32, fine_y, fine_series_phi_a, fine_series_phi_b_right_1)
-    fine_series_phi_b_left_rest_1 = 4.1168266e-29 - (fine_series_phi_b + fine_series_phi_b_right_1)
-    fine_series_phi_b_lo1_1 = fine_series_phi_b_left_rest_1 - fine_series_phi_b_right_rest_1
-    fine_series_phi_a_cross_1 = 3.51736e-40 * fine_y + 5.107725e-32 * fine_y_lo
-    fine_series_phi_b_lo = fine_series_phi_b_lo1_1 - fine_series_phi_a_cross_1 + -1.3151732e-36
-    fine_series_phi_c = fine_y * fine_series_phi_b
-    fine_series_phi_b_size_1 = 4.1168266e-29 + 2.3741903e-25 * fine_y_size_1
-    fine_series_phi_c_padded_1 = 3.308722450212111e-24 + fine_series_phi_b_size_1
-    fine_series_phi_c_rest_1 = 2.3406937e-10 * fine_series_phi_c_padded_1
-    fine_series_phi_c_units_1 = 262144 * (absolute(fine_series_phi_b_lo) + fine_series_phi_c_rest_1)
-    fine_series_phi_c_reach_1 = absolute(fine_series_phi_b) + fine_series_phi_c_units_1
-    fine_series_phi_c_size_1 = fine_half_angle_reach_1 * fine_series_phi_c_padded_1
-    fine_series_phi_c_size_3 = fine_half_angle_padded_1 * fine_series_phi_c_reach_1
-    fine_series_phi_d = fine_series_phi_c - 2.8653114e-26
-    fine_series_phi_d_right_1 = fine_series_phi_c - fine_series_phi_d
-    fine_series_phi_d_left_1 = fine_series_phi_d + fine_series_phi_d_right_1
-    fine_series_phi_d_left_rest_1 = product_rest(fine_y, fine_series_phi_b, fine_series_phi_c, fine_series_phi_d_left_1)
-    fine_series_phi_d_right_rest_1 = 2.8653114e-26 - fine_series_phi_d_right_1
-    fine_series_phi_d_lo1_1 = fine_series_phi_d_left_rest_1 - fine_series_phi_d_right_rest_1
-    fine_series_phi_c_cross_1 = fine_y_lo * fine_series_phi_b + fine_y * fine_series_phi_b_lo
-    fine_series_phi_d_lo = fine_series_phi_d_lo1_1 - -1.27647235e-33 + fine_series_phi_c_cross_1
-    fine_series_phi_e = fine_y * fine_series_phi_d
-    fine_series_phi_d_size_1 = 2.8653114e-26 + (fine_series_phi_c_size_1 + fine_series_phi_c_size_3)
-    fine_series_phi_e_padded_1 = 3.308722450212111e-24 + fine_series_phi_d_size_1
-    fine_series_phi_e_rest_1 = 2.3574281e-10 * fine_series_phi_e_padded_1
-    fine_series_phi_e_units_1 = 262144 * (absolute(fine_series_phi_d_lo) + fine_series_phi_e_rest_1)
-    fine_series_phi_e_reach_1 = absolute(fine_series_phi_d) + fine_series_phi_e_units_1
-    fine_series_phi_e_size_1 = fine_half_angle_reach_1 * fine_series_phi_e_padded_1
-    fine_series_phi_e_size_3 = fine_half_angle_padded_1 * fine_series_phi_e_reach_1
-    fine_series_phi_f = fine_series_phi_e + 1.7019949e-23
-    fine_series_phi_f_right_1 = fine_series_phi_f - fine_series_phi_e
-    fine_series_phi_f_left_1 = fine_series_phi_f - fine_series_phi_f_right_1
-    fine_series_phi_f_left_rest_1 = product_rest(fine_y, fine_series_phi_d, fine_series_phi_e, fine_series_phi_f_left_1)
-    fine_series_phi_f_right_rest_1 = 1.7019949e-23 - fine_series_phi_f_right_1
-    fine_series_phi_f_lo1_1 = fine_series_phi_f_left_rest_1 + fine_series_phi_f_right_rest_1
-    fine_series_phi_e_cross_1 = fine_y_lo * fine_series_phi_d + fine_y * fine_series_phi_d_lo
-    fine_series_phi_f_lo = fine_series_phi_f_lo1_1 + 1.9703667e-31 + fine_series_phi_e_cross_1
-    fine_series_phi_g = fine_y * fine_series_phi_f
-    fine_series_phi_f_size_1 = 1.7019949e-23 + (fine_series_phi_e_size_1 + fine_series_phi_e_size_3)
-    fine_series_phi_g_padded_1 = 3.308722450212111e-24 + fine_series_phi_f_size_1
-    fine_series_phi_g_rest_1 = 2.374802e-10 * fine_series_phi_g_padded_1
-    fine_series_phi_g_units_1 = 262144 * (absolute(fine_series_phi_f_lo) + fine_series_phi_g_rest_1)
-    fine_series_phi_g_reach_1 = absolute(fine_series_phi_f) + fine_series_phi_g_units_1
-    fine_series_phi_g_size_1 = fine_half_angle_reach_1 * fine_series_phi_g_padded_1
-    fine_series_phi_g_size_3 = fine_half_angle_padded_1 * fine_series_phi_g_reach_1
-    fine_series_phi_h = fine_series_phi_g - 8.509974e-21
-    fine_series_phi_h_right_1 = fine_series_phi_g - fine_series_phi_h
-    fine_series_phi_h_left_1 = fine_series_phi_h + fine_series_phi_h_right_1
-    fine_series_phi_h_left_rest_1 = product_rest(fine_y, fine_series_phi_f, fine_series_phi_g, fine_series_phi_h_left_1)
-    fine_series_phi_h_right_rest_1 = 8.509974e-21 - fine_series_phi_h_right_1
-    fine_series_phi_h_lo1_1 = fine_series_phi_h_left_rest_1 - fine_series_phi_h_right_rest_1
-    fine_series_phi_g_cross_1 = fine_y_lo * fine_series_phi_f + fine_y * fine_series_phi_f_lo
-    fine_series_phi_h_lo = fine_series_phi_h_lo1_1 - 1.016591e-29 + fine_series_phi_g_cross_1
-    fine_series_phi_i = fine_y * fine_series_phi_h
-    fine_series_phi_h_size_1 = 8.509974e-21 + (fine_series_phi_g_size_1 + fine_series_phi_g_size_3)
-    fine_series_phi_i_padded_1 = 3.308722450212111e-24 + fine_series_phi_h_size_1
-    fine_series_phi_i_rest_1 = 2.392816e-10 * fine_series_phi_i_padded_1
-    fine_series_phi_i_units_1 = 262144 * (absolute(fine_series_phi_h_lo) + fine_series_phi_i_rest_1)
-    fine_series_phi_i_reach_1 = absolute(fine_series_phi_h) + fine_series_phi_i_units_1
-    fine_series_phi_i_size_1 = fine_half_angle_reach_1 * fine_series_phi_i_padded_1
-    fine_series_phi_i_size_3 = fine_half_angle_padded_1 * fine_series_phi_i_reach_1
-    fine_series_phi_j = fine_series_phi_i + 3.5231293e-18
-    fine_series_phi_j_right_1 = fine_series_phi_j - fine_series_phi_i
-    fine_series_phi_j_left_1 = fine_series_phi_j - fine_series_phi_j_right_1
-    fine_series_phi_j_left_rest_1 = product_rest(fine_y, fine_series_phi_h, fine_series_phi_i, fine_series_phi_j_left_1)
-    fine_series_phi_j_right_rest_1 = 3.5231293e-18 - fine_series_phi_j_right_1
-    fine_series_phi_j_lo1_1 = fine_series_phi_j_left_rest_1 + fine_series_phi_j_right_rest_1
-    fine_series_phi_i_cross_1 = fine_y_lo * fine_series_phi_h + fine_y * fine_series_phi_h_lo
-    fine_series_phi_j_lo = fine_series_phi_j_lo1_1 + 7.2063343e-26 + fine_series_phi_i_cross_1
-    fine_series_phi_k = fine_y * fine_series_phi_j
-    fine_series_phi_j_size_1 = 3.5231293e-18 + (fine_series_phi_i_size_1 + fine_series_phi_i_size_3)
-    fine_series_phi_k_padded_1 = 3.308722450212111e-24 + fine_series_phi_j_size_1
-    fine_series_phi_k_rest_1 = 2.41147e-10 * fine_series_phi_k_padded_1
-    fine_series_phi_k_units_1 = 262144 * (absolute(fine_series_phi_j_lo) + fine_series_phi_k_rest_1)
-    fine_series_phi_k_reach_1 = absolute(fine_series_phi_j) + fine_series_phi_k_units_1
-    fine_series_phi_k_size_1 = fine_half_angle_reach_1 * fine_series_phi_k_padded_1
-    fine_series_phi_k_size_3 = fine_half_angle_padded_1 * fine_series_phi_k_reach_1
-    fine_series_phi_l = fine_series_phi_k - 1.1837714e-15
-    fine_series_phi_l_right_1 = fine_series_phi_k - fine_series_phi_l
-    fine_series_phi_l_left_1 = fine_series_phi_l + fine_series_phi_l_right_1
-    fine_series_phi_l_left_rest_1 = product_rest(fine_y, fine_series_phi_j, fine_series_phi_k, fine_series_phi_l_left_1)
-    fine_series_phi_l_right_rest_1 = 1.1837714e-15 - fine_series_phi_l_right_1
-    fine_series_phi_l_lo1_1 = fine_series_phi_l_left_rest_1 - fine_series_phi_l_right_rest_1
-    fine_series_phi_k_cross_1 = fine_y_lo * fine_series_phi_j + fine_y * fine_series_phi_j_lo
-    fine_series_phi_l_lo = fine_series_phi_l_lo1_1 - 5.0683064e-23 + fine_series_phi_k_cross_1
-    fine_series_phi_m = fine_y * fine_series_phi_l
-    fine_series_phi_l_size_1 = 1.1837714e-15 + (fine_series_phi_k_size_1 + fine_series_phi_k_size_3)
-    fine_series_phi_m_padded_1 = 3.308722450212111e-24 + fine_series_phi_l_size_1
-    fine_series_phi_m_rest_1 = 2.4307634e-10 * fine_series_phi_m_padded_1
-    fine_series_phi_m_units_1 = 262144 * (absolute(fine_series_phi_l_lo) + fine_series_phi_m_rest_1)
-    fine_series_phi_m_reach_1 = absolute(fine_series_phi_l) + fine_series_phi_m_units_1
-    fine_series_phi_m_size_1 = fine_half_angle_reach_1 * fine_series_phi_m_padded_1
-    fine_series_phi_m_size_3 = fine_half_angle_padded_1 * fine_series_phi_m_reach_1
-    fine_series_phi_n = fine_series_phi_m + 3.148832e-13
-    fine_series_phi_n_right_1 = fine_series_phi_n - fine_series_phi_m
-    fine_series_phi_n_left_1 = fine_series_phi_n - fine_series_phi_n_right_1
-    fine_series_phi_n_left_rest_1 = product_rest(fine_y, fine_series_phi_l, fine_series_phi_m, fine_series_phi_n_left_1)
-    fine_series_phi_n_right_rest_1 = 3.148832e-13 - fine_series_phi_n_right_1
-    fine_series_phi_n_lo1_1 = fine_series_phi_n_left_rest_1 + fine_series_phi_n_right_rest_1
-    fine_series_phi_m_cross_1 = fine_y_lo * fine_series_phi_l + fine_y * fine_series_phi_l_lo
-    fine_series_phi_n_lo = fine_series_phi_n_lo1_1 + 1.834992e-21 + fine_series_phi_m_cross_1
-    fine_series_phi_o = fine_y * fine_series_phi_n
-    fine_series_phi_n_size_1 = 3.148832e-13 + (fine_series_phi_m_size_1 + fine_series_phi_m_size_3)
-    fine_series_phi_o_padded_1 = 3.308722450212111e-24 + fine_series_phi_n_size_1
-    fine_series_phi_o_rest_1 = 2.4506966e-10 * fine_series_phi_o_padded_1
-    fine_series_phi_o_units_1 = 262144 * (absolute(fine_series_phi_n_lo) + fine_series_phi_o_rest_1)
-    fine_series_phi_o_reach_1 = absolute(fine_series_phi_n) + fine_series_phi_o_units_1
-    fine_series_phi_o_size_1 = fine_half_angle_reach_1 * fine_series_phi_o_padded_1
-    fine_series_phi_o_size_3 = fine_half_angle_padded_1 * fine_series_phi_o_reach_1
-    fine_series_phi_p = fine_series_phi_o - 6.423617e-11
-    fine_series_phi_p_right_1 = fine_series_phi_o - fine_series_phi_p
-    fine_series_phi_p_left_1 = fine_series_phi_p + fine_series_phi_p_right_1
-    fine_series_phi_p_left_rest_1 = product_rest(fine_y, fine_series_phi_n, fine_series_phi_o, fine_series_phi_p_left_1)
-    fine_series_phi_p_right_rest_1 = 6.423617e-11 - fine_series_phi_p_right_1
-    fine_series_phi_p_lo1_1 = fine_series_phi_p_left_rest_1 - fine_series_phi_p_right_rest_1
-    fine_series_phi_o_cross_1 = fine_y_lo * fine_series_phi_n + fine_y * fine_series_phi_n_lo
-    fine_series_phi_p_lo = fine_series_phi_p_lo1_1 - 3.4101044e-18 + fine_series_phi_o_cross_1
-    fine_series_phi_q = fine_y * fine_series_phi_p
-    fine_series_phi_p_size_1 = 6.423617e-11 + (fine_series_phi_o_size_1 + fine_series_phi_o_size_3)
-    fine_series_phi_q_padded_1 = 3.308722450212111e-24 + fine_series_phi_p_size_1
-    fine_series_phi_q_rest_1 = 2.4712699e-10 * fine_series_phi_q_padded_1
-    fine_series_phi_q_units_1 = 262144 * (absolute(fine_series_phi_p_lo) + fine_series_phi_q_rest_1)
-    fine_series_phi_q_reach_1 = absolute(fine_series_phi_p) + fine_series_phi_q_units_1
-    fine_series_phi_q_size_1 = fine_half_angle_reach_1 * fine_series_phi_q_padded_1
-    fine_series_phi_q_size_3 = fine_half_angle_padded_1 * fine_series_phi_q_reach_1
-    fine_series_phi_r = fine_series_phi_q + 9.635427e-09
-    fine_series_phi_r_right_1 = fine_series_phi_r - fine_series_phi_q
-    fine_series_phi_r_left_1 = fine_series_phi_r - fine_series_phi_r_right_1
-    fine_series_phi_r_left_rest_1 = product_rest(fine_y, fine_series_phi_p, fine_series_phi_q, fine_series_phi_r_left_1)
-    fine_series_phi_r_right_rest_1 = 9.635427e-09 - fine_series_phi_r_right_1
-    fine_series_phi_r_lo1_1 = fine_series_phi_r_left_rest_1 + fine_series_phi_r_right_rest_1
-    fine_series_phi_q_cross_1 = fine_y_lo * fine_series_phi_p + fine_y * fine_series_phi_p_lo
-    fine_series_phi_r_lo = fine_series_phi_r_lo1_1 + -3.7666274e-16 + fine_series_phi_q_cross_1
-    fine_series_phi_s = fine_y * fine_series_phi_r
-    fine_series_phi_r_size_1 = 9.635427e-09 + (fine_series_phi_q_size_1 + fine_series_phi_q_size_3)
-    fine_series_phi_s_padded_1 = 3.308722450212111e-24 + fine_series_phi_r_size_1
-    fine_series_phi_s_rest_1 = 2.4924826e-10 * fine_series_phi_s_padded_1
-    fine_series_phi_s_units_1 = 262144 * (absolute(fine_series_phi_r_lo) + fine_series_phi_s_rest_1)
-    fine_series_phi_s_reach_1 = absolute(fine_series_phi_r) + fine_series_phi_s_units_1
-    fine_series_phi_s_size_1 = fine_half_angle_reach_1 * fine_series_phi_s_padded_1
-    fine_series_phi_s_size_3 = fine_half_angle_padded_1 * fine_series_phi_s_reach_1
-    fine_series_phi_t = fine_series_phi_s - 1.0020843e-06
-    fine_series_phi_t_right_1 = fine_series_phi_s - fine_series_phi_t
-    fine_series_phi_t_left_1 = fine_series_phi_t + fine_series_phi_t_right_1
-    fine_series_phi_t_left_rest_1 = product_rest(fine_y, fine_series_phi_r, fine_series_phi_s, fine_series_phi_t_left_1)
-    fine_series_phi_t_right_rest_1 = 1.0020843e-06 - fine_series_phi_t_right_1
-    fine_series_phi_t_lo1_1 = fine_series_phi_t_left_rest_1 - fine_series_phi_t_right_rest_1
-    fine_series_phi_s_cross_1 = fine_y_lo * fine_series_phi_r + fine_y * fine_series_phi_r_lo
-    fine_series_phi_t_lo = fine_series_phi_t_lo1_1 - 3.4596379e-15 + fine_series_phi_s_cross_1
-    fine_series_phi_u = fine_y * fine_series_phi_t
-    fine_series_phi_t_size_1 = 1.0020843e-06 + (fine_series_phi_s_size_1 + fine_series_phi_s_size_3)
-    fine_series_phi_u_padded_1 = 3.308722450212111e-24 + fine_series_phi_t_size_1
-    fine_series_phi_u_rest_1 = 2.5143354e-10 * fine_series_phi_u_padded_1
-    fine_series_phi_u_units_1 = 262144 * (absolute(fine_series_phi_t_lo) + fine_series_phi_u_rest_1)
-    fine_series_phi_u_reach_1 = absolute(fine_series_phi_t) + fine_series_phi_u_units_1
-    fine_series_phi_u_size_1 = fine_half_angle_reach_1 * fine_series_phi_u_padded_1
-    fine_series_phi_u_size_3 = fine_half_angle_padded_1 * fine_series_phi_u_reach_1
-    fine_series_phi_v = fine_series_phi_u + 6.613757e-05
-    fine_series_phi_v_right_1 = fine_series_phi_v - fine_series_phi_u
-    fine_series_phi_v_left_1 = fine_series_phi_v - fine_series_phi_v_right_1
-    fine_series_phi_v_left_rest_1 = product_rest(fine_y, fine_series_phi_t, fine_series_phi_u, fine_series_phi_v_left_1)
-    fine_series_phi_v_right_rest_1 = 6.613757e-05 - fine_series_phi_v_right_1
-    fine_series_phi_v_lo1_1 = fine_series_phi_v_left_rest_1 + fine_series_phi_v_right_rest_1
-    fine_series_phi_u_cross_1 = fine_y_lo * fine_series_phi_t + fine_y * fine_series_phi_t_lo
-    fine_series_phi_v_lo = fine_series_phi_v_lo1_1 + -9.0853226e-13 + fine_series_phi_u_cross_1
-    fine_series_phi_w = fine_y * fine_series_phi_v
-    fine_series_phi_v_size_1 = 6.613757e-05 + (fine_series_phi_u_size_1 + fine_series_phi_u_size_3)
-    fine_series_phi_w_padded_1 = 3.308722450212111e-24 + fine_series_phi_v_size_1
-    fine_series_phi_w_rest_1 = 2.5368282e-10 * fine_series_phi_w_padded_1
-    fine_series_phi_w_units_1 = 262144 * (absolute(fine_series_phi_v_lo) + fine_series_phi_w_rest_1)
-    fine_series_phi_w_reach_1 = absolute(fine_series_phi_v) + fine_series_phi_w_units_1
-    fine_series_phi_w_size_1 = fine_half_angle_reach_1 * fine_series_phi_w_padded_1
-    fine_series_phi_w_size_3 = fine_half_angle_padded_1 * fine_series_phi_w_reach_1
-    fine_series_phi_x = fine_series_phi_w - 0.0023809525
-    fine_series_phi_x_right_1 = fine_series_phi_w - fine_series_phi_x
-    fine_series_phi_x_left_1 = fine_series_phi_x + fine_series_phi_x_right_1
-    fine_series_phi_x_left_rest_1 = product_rest(fine_y, fine_series_phi_v, fine_series_phi_w, fine_series_phi_x_left_1)
-    fine_series_phi_x_right_rest_1 = 0.0023809525 - fine_series_phi_x_right_1
-    fine_series_phi_x_lo1_1 = fine_series_phi_x_left_rest_1 - fine_series_phi_x_right_rest_1
-    fine_series_phi_w_cross_1 = fine_y_lo * fine_series_phi_v + fine_y * fine_series_phi_v_lo
-    fine_series_phi_x_lo = fine_series_phi_x_lo1_1 - -9.0914824e-11 + fine_series_phi_w_cross_1
-    fine_series_phi_y = fine_y * fine_series_phi_x
-    fine_series_phi_x_size_1 = 0.0023809525 + (fine_series_phi_w_size_1 + fine_series_phi_w_size_3)
-    fine_series_phi_y_padded_1 = 3.308722450212111e-24 + fine_series_phi_x_size_1
-    fine_series_phi_y_rest_1 = 2.5599609e-10 * fine_series_phi_y_padded_1
-    fine_series_phi_y_units_1 = 262144 * (absolute(fine_series_phi_x_lo) + fine_series_phi_y_rest_1)
-    fine_series_phi_y_reach_1 = absolute(fine_series_phi_x) + fine_series_phi_y_units_1
-    fine_series_phi_y_size_1 = fine_half_angle_reach_1 * fine_series_phi_y_padded_1
-    fine_series_phi_y_size_3 = fine_half_angle_padded_1 * fine_series_phi_y_reach_1
-    fine_series_phi = fine_series_phi_y + 0.033333335
-    fine_series_phi_right_1 = fine_series_phi - fine_series_phi_y
-    fine_series_phi_left_1 = fine_series_phi - fine_series_phi_right_1
-    fine_series_phi_left_rest_1 = product_rest(fine_y, fine_series_phi_x, fine_series_phi_y, fine_series_phi_left_1)
-    fine_series_phi_lo1_1 = fine_series_phi_left_rest_1 + (0.033333335 - fine_series_phi_right_1)
-    fine_series_phi_y_cross_1 = fine_y_lo * fine_series_phi_x + fine_y * fine_series_phi_x_lo
-    fine_series_phi_lo = fine_series_phi_lo1_1 + -1.7384688e-09 + fine_series_phi_y_cross_1
-    fine_f_more_a = 2 * fine_y
-    fine_f_more_a_cross2_1 = 2 * fine_y_lo
-    fine_f_more = fine_f_more_a * fine_series_phi
-    fine_f_more_cross1_1 = fine_f_more_a_cross2_1 * fine_series_phi
-    fine_f_more_padded_1 = 3.308722450212111e-24 + 2 * fine_y_size_1
-    fine_series_phi_size_1 = 0.033333335 + (fine_series_phi_y_size_1 + fine_series_phi_y_size_3)
-    fine_f_more_padded_2 = 3.308722450212111e-24 + fine_series_phi_size_1
-    fine_f_more_bound_1 = absolute(fine_f_more_a_cross2_1) + 8.100306e-13 * fine_f_more_padded_1
-    fine_f_more_reach_1 = absolute(fine_f_more_a) + 262144 * fine_f_more_bound_1
-    fine_f_more_bound_2 = absolute(fine_series_phi_lo) + 2.5837332e-10 * fine_f_more_padded_2
-    fine_f_more_reach_2 = absolute(fine_series_phi) + 262144 * fine_f_more_bound_2
-    fine_f_more_size_2 = fine_f_more_padded_2 * fine_f_more_reach_1
-    fine_near_f_a = 0.33333334 * fine_sinc
-    fine_f_more_error_3 = product_error(fine_f_more_a, fine_series_phi, fine_f_more)
-    fine_f_more_cross_1 = fine_f_more_cross1_1 + fine_f_more_a * fine_series_phi_lo
-    fine_near_f_b = 0.33333334 * fine_f_more
-    fine_near_f_b_cross2_1 = 0.33333334 * (fine_f_more_error_3 + fine_f_more_cross_1)
-    fine_f_more_size_5 = fine_f_more_size_2 + fine_f_more_padded_1 * fine_f_more_reach_2
-    fine_near_f = fine_near_f_a + fine_near_f_b
-    fine_near_f_right_1 = fine_near_f - fine_near_f_a
-    fine_near_f_left_1 = fine_near_f - fine_near_f_right_1
-    fine_near_f_a_cross_1 = -9.934108e-09 * fine_sinc + 0.33333334 * fine_sinc_lo
-    fine_near_f_b_cross_1 = -9.934108e-09 * fine_f_more + fine_near_f_b_cross2_1
-    fine_near_f_right_rest_1 = product_rest(0.33333334, fine_f_more, fine_near_f_b, fine_near_f_right_1)
-    fine_near_f_left_rest_1 = product_rest(0.33333334, fine_sinc, fine_near_f_a, fine_near_f_left_1)
-    fine_near_f_lo1_1 = fine_near_f_left_rest_1 + fine_near_f_right_rest_1
-    fine_near_f_lo = fine_near_f_lo1_1 + (fine_near_f_a_cross_1 + fine_near_f_b_cross_1)
-    fine_near_f_size_1 = 0.33333334 * fine_sinc_size_8 + 0.33333334 * fine_f_more_size_5
-    fine_f_rest = fine_sinc - fine_c
-    fine_f_rest_right_1 = fine_sinc - fine_f_rest
-    fine_f_rest_left_rest_1 = fine_sinc - (fine_f_rest + fine_f_rest_right_1)
-    fine_f_rest_lo2_1 = fine_f_rest_left_rest_1 - (fine_c - fine_f_rest_right_1) - fine_c_lo
-    fine_x = 4 * fine_y
-    fine_far_y_a = fine_x < 4
-    fine_far_y = where(fine_far_y_a, 1, fine_y)
-    fine_far_y_lo = where(fine_far_y_a, 0, fine_y_lo)
-    fine_far_y_rest_1 = 8.100306e-13 * (3.308722450212111e-24 + 4 * fine_y_size_1)
-    fine_far_y_size_4 = absolute(4 * fine_y_lo) + fine_far_y_rest_1 < absolute(fine_x - 4)
-    fine_far_y_size_8 = where(fine_far_y_size_4, 0, absolute(1 - fine_y) + fine_half_angle_bound_1)
-    fine_closed_f = fine_f_rest / fine_far_y
-    fine_closed_f_product_1 = fine_closed_f * fine_far_y
-    fine_closed_f_product_error_1 = product_error(fine_closed_f, fine_far_y, fine_closed_f_product_1)
-    fine_closed_f_exact_1 = fine_f_rest - fine_closed_f_product_1 - fine_closed_f_product_error_1
-    fine_closed_f_numerator_1 = fine_closed_f_exact_1 + (fine_f_rest_lo2_1 + fine_sinc_lo)
-    fine_closed_f_lo = (fine_closed_f_numerator_1 - fine_closed_f * fine_far_y_lo) / fine_far_y
-    fine_far_y_size_10 = where(fine_far_y_a, 1, fine_y_size_1) + 219900346368 * fine_far_y_size_8
-    fine_closed_f_padded_2 = 3.308722450212111e-24 + fine_far_y_size_10
-    fine_closed_f_size_1 = absolute(fine_closed_f)
-    fine_closed_f_size_2 = absolute(fine_far_y)
-    fine_closed_f_padded_1 = 3.308722450212111e-24 + (fine_sinc_size_8 + fine_sine_size_1)
-    fine_closed_f_bound_1 = absolute(fine_far_y_lo) + 4.6896445e-12 * fine_closed_f_padded_2
-    fine_closed_f_size_6 = 4 * fine_closed_f_bound_1 < fine_closed_f_size_2
-    fine_closed_f_size_4 = fine_closed_f_padded_1 + fine_closed_f_padded_2 * fine_closed_f_size_1
-    fine_closed_f_size_7 = where(fine_closed_f_size_6, fine_closed_f_size_2, 0)
-    fine_closed_f_reach_1 = fine_closed_f_size_2 + 262144 * fine_closed_f_bound_1
-    fine_closed_f_size_9 = fine_closed_f_reach_1 * (fine_closed_f_size_4 / fine_closed_f_size_7)
-    fine_closed_f_size_11 = fine_closed_f_size_1 + fine_closed_f_size_9 / fine_closed_f_size_2
-    fine_f = where(fine_far_y_a, fine_near_f, fine_closed_f)
-    fine_f_rest_1 = 2.6163277e-10 * (3.308722450212111e-24 + fine_near_f_size_1)
-    fine_f_rest_2 = 2.3766553e-10 * (3.308722450212111e-24 + fine_closed_f_size_11)
-    fine_f_size_4 = absolute(fine_near_f_lo) + fine_f_rest_1 + absolute(fine_near_f - fine_closed_f)
-    fine_f_size_5 = absolute(fine_closed_f_lo) + fine_f_rest_2 + fine_f_size_4
-    fine_f_size_1 = where(fine_far_y_a, fine_near_f_size_1, fine_closed_f_size_11)
-    fine_four_k = 4 * fine_sinc
-    fine_four_k_cross2_1 = 4 * fine_sinc_lo
-    fine_b = fine_f / fine_four_k
-    fine_b_product_1 = fine_b * fine_four_k
-    fine_b_product_error_1 = product_error(fine_b, fine_four_k, fine_b_product_1)
-    fine_f_lo = where(fine_far_y_a, fine_near_f_lo, fine_closed_f_lo)
-    fine_b_numerator_1 = fine_f - fine_b_product_1 - fine_b_product_error_1 + fine_f_lo
-    fine_b_lo = (fine_b_numerator_1 - fine_b * fine_four_k_cross2_1) / fine_four_k
-    fine_f_size_8 = fine_f_size_1 + 3837173760 * where(fine_far_y_size_4, 0, fine_f_size_5)
-    fine_b_padded_2 = 3.308722450212111e-24 + 4 * fine_sinc_size_8
+    c_lo = (c_own_error_1 - (fine_sine_half_cos_1 * fine_sine + fine_sine_half_sin_1 * c)
+        * fine_sine_twice_1)
+    sinc_divisor_a = half_angle < 1.4901161193847656e-08
+    sinc_divisor = where(sinc_divisor_a, 1.4901161193847656e-08, half_angle)
+    sinc_divisor_lo = where(sinc_divisor_a, 0, half_angle_lo)
+    sinc_divisor_bound_1 = half_angle_size_6 + 1.2221551e-12 * fine_sine_padded_1
+    sinc_divisor_size_4 = sinc_divisor_bound_1 < absolute(half_angle - 1.4901161193847656e-08)
+    sinc_divisor_size_9 = (314142654464
+        * where(sinc_divisor_size_4, 0, sinc_divisor_bound_1
+        + absolute(1.4901161193847656e-08 - half_angle)))
+    sinc_quotient = fine_sine / sinc_divisor
+    sinc_quotient_product_1 = sinc_quotient * sinc_divisor
+    sinc_quotient_exact_1 = (fine_sine - sinc_quotient_product_1
+        - product_error(sinc_quotient, sinc_divisor, sinc_quotient_product_1))
+    fine_sine_lo = (fine_sine_own_error_1
+        + (fine_sine_half_cos_1 * c - fine_sine_half_sin_1 * fine_sine) * fine_sine_twice_1)
+    sinc_quotient_lo = ((sinc_quotient_exact_1 + fine_sine_lo - sinc_quotient * sinc_divisor_lo)
+        / sinc_divisor)
+    sinc_quotient_padded_1 = 3.308722450212111e-24 + fine_sine_size_1
+    sinc_quotient_padded_2 = (3.308722450212111e-24
+        + (where(sinc_divisor_a, 1.4901161193847656e-08, half_angle_size_12) + sinc_divisor_size_9))
+    sinc_quotient_size_1 = absolute(sinc_quotient)
+    sinc_quotient_size_2 = absolute(sinc_divisor)
+    sinc_quotient_bound_1 = absolute(sinc_divisor_lo) + 3.2827582e-12 * sinc_quotient_padded_2
+    sinc_quotient_size_7 = (where(4 * sinc_quotient_bound_1
+        < sinc_quotient_size_2, sinc_quotient_size_2, 0))
+    sinc_quotient_size_8 = ((sinc_quotient_padded_1 + sinc_quotient_padded_2
+        * sinc_quotient_size_1) / sinc_quotient_size_7)
+    sinc_quotient_size_11 = (sinc_quotient_size_1
+        + (sinc_quotient_size_2 + 262144 * sinc_quotient_bound_1) * sinc_quotient_size_8
+        / sinc_quotient_size_2)
+    sinc_a = 0.16666667 * y
+    sinc_b = 1 - sinc_a
+    sinc_b_right_1 = 1 - sinc_b
+    sinc_b_lo = (1 - (sinc_b + sinc_b_right_1)
+        - product_rest(0.16666667, y, sinc_a, sinc_b_right_1)
+        - (-4.967054e-09 * y + 0.16666667 * y_lo))
+    sinc_b_size_1 = 1 + 0.16666669 * y_size_1
+    sinc = where(sinc_divisor_a, sinc_b, sinc_quotient)
+    sinc_lo = where(sinc_divisor_a, sinc_b_lo, sinc_quotient_lo)
+    sinc_size_4 = (absolute(sinc_b_lo) + 2.3406937e-10 * (3.308722450212111e-24 + sinc_b_size_1)
+        + absolute(sinc_b - sinc_quotient))
+    sinc_size_6 = (where(sinc_divisor_size_4, 0, absolute(sinc_quotient_lo) + 5.43103e-12
+        * (3.308722450212111e-24 + sinc_quotient_size_11) + sinc_size_4))
+    sinc_size_8 = (where(sinc_divisor_a, sinc_b_size_1, sinc_quotient_size_11) + 4276409088
+        * sinc_size_6)
+    series_phi_a = 5.107725e-32 * y
+    series_phi_b = 4.1168266e-29 - series_phi_a
+    series_phi_b_right_1 = 4.1168266e-29 - series_phi_b
+    series_phi_b_lo1_1 = (4.1168266e-29 - (series_phi_b + series_phi_b_right_1)
+        - product_rest(5.107725e-32, y, series_phi_a, series_phi_b_right_1))
+    series_phi_b_lo = series_phi_b_lo1_1 - (3.51736e-40 * y + 5.107725e-32 * y_lo) + -1.3151732e-36
+    series_phi_c = y * series_phi_b
+    series_phi_c_padded_1 = 3.308722450212111e-24 + (4.1168266e-29 + 2.3741903e-25 * y_size_1)
+    series_phi_c_size_3 = (half_angle_padded_1
+        * (absolute(series_phi_b) + 262144
+        * (absolute(series_phi_b_lo) + 2.3406937e-10 * series_phi_c_padded_1)))
+    series_phi_d = series_phi_c - 2.8653114e-26
+    series_phi_d_right_1 = series_phi_c - series_phi_d
+    series_phi_d_lo1_1 = (product_rest(y, series_phi_b, series_phi_c, series_phi_d
+        + series_phi_d_right_1) - (2.8653114e-26 - series_phi_d_right_1))
+    series_phi_d_lo = (series_phi_d_lo1_1 - -1.27647235e-33
+        + (y_lo * series_phi_b + y * series_phi_b_lo))
+    series_phi_e = y * series_phi_d
+    series_phi_e_padded_1 = (3.308722450212111e-24
+        + (2.8653114e-26 + (half_angle_reach_1 * series_phi_c_padded_1 + series_phi_c_size_3)))
+    series_phi_e_size_3 = (half_angle_padded_1
+        * (absolute(series_phi_d) + 262144
+        * (absolute(series_phi_d_lo) + 2.3574281e-10 * series_phi_e_padded_1)))
+    series_phi_f = series_phi_e + 1.7019949e-23
+    series_phi_f_right_1 = series_phi_f - series_phi_e
+    series_phi_f_lo1_1 = (product_rest(y, series_phi_d, series_phi_e, series_phi_f
+        - series_phi_f_right_1) + (1.7019949e-23 - series_phi_f_right_1))
+    series_phi_f_lo = (series_phi_f_lo1_1 + 1.9703667e-31
+        + (y_lo * series_phi_d + y * series_phi_d_lo))
+    series_phi_g = y * series_phi_f
+    series_phi_g_padded_1 = (3.308722450212111e-24
+        + (1.7019949e-23 + (half_angle_reach_1 * series_phi_e_padded_1 + series_phi_e_size_3)))
+    series_phi_g_size_3 = (half_angle_padded_1
+        * (absolute(series_phi_f) + 262144
+        * (absolute(series_phi_f_lo) + 2.374802e-10 * series_phi_g_padded_1)))
+    series_phi_h = series_phi_g - 8.509974e-21
+    series_phi_h_right_1 = series_phi_g - series_phi_h
+    series_phi_h_lo1_1 = (product_rest(y, series_phi_f, series_phi_g, series_phi_h
+        + series_phi_h_right_1) - (8.509974e-21 - series_phi_h_right_1))
+    series_phi_h_lo = (series_phi_h_lo1_1 - 1.016591e-29
+        + (y_lo * series_phi_f + y * series_phi_f_lo))
+    series_phi_i = y * series_phi_h
+    series_phi_i_padded_1 = (3.308722450212111e-24
+        + (8.509974e-21 + (half_angle_reach_1 * series_phi_g_padded_1 + series_phi_g_size_3)))
+    series_phi_i_size_3 = (half_angle_padded_1
+        * (absolute(series_phi_h) + 262144
+        * (absolute(series_phi_h_lo) + 2.392816e-10 * series_phi_i_padded_1)))
+    series_phi_j = series_phi_i + 3.5231293e-18
+    series_phi_j_right_1 = series_phi_j - series_phi_i
+    series_phi_j_lo1_1 = (product_rest(y, series_phi_h, series_phi_i, series_phi_j
+        - series_phi_j_right_1) + (3.5231293e-18 - series_phi_j_right_1))
+    series_phi_j_lo = (series_phi_j_lo1_1 + 7.2063343e-26
+        + (y_lo * series_phi_h + y * series_phi_h_lo))
+    series_phi_k = y * series_phi_j
+    series_phi_k_padded_1 = (3.308722450212111e-24
+        + (3.5231293e-18 + (half_angle_reach_1 * series_phi_i_padded_1 + series_phi_i_size_3)))
+    series_phi_k_size_3 = (half_angle_padded_1
+        * (absolute(series_phi_j) + 262144
+        * (absolute(series_phi_j_lo) + 2.41147e-10 * series_phi_k_padded_1)))
+    series_phi_l = series_phi_k - 1.1837714e-15
+    series_phi_l_right_1 = series_phi_k - series_phi_l
+    series_phi_l_lo1_1 = (product_rest(y, series_phi_j, series_phi_k, series_phi_l
+        + series_phi_l_right_1) - (1.1837714e-15 - series_phi_l_right_1))
+    series_phi_l_lo = (series_phi_l_lo1_1 - 5.0683064e-23
+        + (y_lo * series_phi_j + y * series_phi_j_lo))
+    series_phi_m = y * series_phi_l
+    series_phi_m_padded_1 = (3.308722450212111e-24
+        + (1.1837714e-15 + (half_angle_reach_1 * series_phi_k_padded_1 + series_phi_k_size_3)))
+    series_phi_m_size_3 = (half_angle_padded_1
+        * (absolute(series_phi_l) + 262144
+        * (absolute(series_phi_l_lo) + 2.4307634e-10 * series_phi_m_padded_1)))
+    series_phi_n = series_phi_m + 3.148832e-13
+    series_phi_n_right_1 = series_phi_n - series_phi_m
+    series_phi_n_lo1_1 = (product_rest(y, series_phi_l, series_phi_m, series_phi_n
+        - series_phi_n_right_1) + (3.148832e-13 - series_phi_n_right_1))
+    series_phi_n_lo = (series_phi_n_lo1_1 + 1.834992e-21
+        + (y_lo * series_phi_l + y * series_phi_l_lo))
+    series_phi_o = y * series_phi_n
+    series_phi_o_padded_1 = (3.308722450212111e-24
+        + (3.148832e-13 + (half_angle_reach_1 * series_phi_m_padded_1 + series_phi_m_size_3)))
+    series_phi_o_size_3 = (half_angle_padded_1
+        * (absolute(series_phi_n) + 262144
+        * (absolute(series_phi_n_lo) + 2.4506966e-10 * series_phi_o_padded_1)))
+    series_phi_p = series_phi_o - 6.423617e-11
+    series_phi_p_right_1 = series_phi_o - series_phi_p
+    series_phi_p_lo1_1 = (product_rest(y, series_phi_n, series_phi_o, series_phi_p
+        + series_phi_p_right_1) - (6.423617e-11 - series_phi_p_right_1))
+    series_phi_p_lo = (series_phi_p_lo1_1 - 3.4101044e-18
+        + (y_lo * series_phi_n + y * series_phi_n_lo))
+    series_phi_q = y * series_phi_p
+    series_phi_q_padded_1 = (3.308722450212111e-24
+        + (6.423617e-11 + (half_angle_reach_1 * series_phi_o_padded_1 + series_phi_o_size_3)))
+    series_phi_q_size_3 = (half_angle_padded_1
+        * (absolute(series_phi_p) + 262144
+        * (absolute(series_phi_p_lo) + 2.4712699e-10 * series_phi_q_padded_1)))
+    series_phi_r = series_phi_q + 9.635427e-09
+    series_phi_r_right_1 = series_phi_r - series_phi_q
+    series_phi_r_lo1_1 = (product_rest(y, series_phi_p, series_phi_q, series_phi_r
+        - series_phi_r_right_1) + (9.635427e-09 - series_phi_r_right_1))
+    series_phi_r_lo = (series_phi_r_lo1_1 + -3.7666274e-16
+        + (y_lo * series_phi_p + y * series_phi_p_lo))
+    series_phi_s = y * series_phi_r
+    series_phi_s_padded_1 = (3.308722450212111e-24
+        + (9.635427e-09 + (half_angle_reach_1 * series_phi_q_padded_1 + series_phi_q_size_3)))
+    series_phi_s_size_3 = (half_angle_padded_1
+        * (absolute(series_phi_r) + 262144
+        * (absolute(series_phi_r_lo) + 2.4924826e-10 * series_phi_s_padded_1)))
+    series_phi_t = series_phi_s - 1.0020843e-06
+    series_phi_t_right_1 = series_phi_s - series_phi_t
+    series_phi_t_lo1_1 = (product_rest(y, series_phi_r, series_phi_s, series_phi_t
+        + series_phi_t_right_1) - (1.0020843e-06 - series_phi_t_right_1))
+    series_phi_t_lo = (series_phi_t_lo1_1 - 3.4596379e-15
+        + (y_lo * series_phi_r + y * series_phi_r_lo))
+    series_phi_u = y * series_phi_t
+    series_phi_u_padded_1 = (3.308722450212111e-24
+        + (1.0020843e-06 + (half_angle_reach_1 * series_phi_s_padded_1 + series_phi_s_size_3)))
+    series_phi_u_size_3 = (half_angle_padded_1
+        * (absolute(series_phi_t) + 262144
+        * (absolute(series_phi_t_lo) + 2.5143354e-10 * series_phi_u_padded_1)))
+    series_phi_v = series_phi_u + 6.613757e-05
+    series_phi_v_right_1 = series_phi_v - series_phi_u
+    series_phi_v_lo1_1 = (product_rest(y, series_phi_t, series_phi_u, series_phi_v
+        - series_phi_v_right_1) + (6.613757e-05 - series_phi_v_right_1))
+    series_phi_v_lo = (series_phi_v_lo1_1 + -9.0853226e-13
+        + (y_lo * series_phi_t + y * series_phi_t_lo))
+    series_phi_w = y * series_phi_v
+    series_phi_w_padded_1 = (3.308722450212111e-24
+        + (6.613757e-05 + (half_angle_reach_1 * series_phi_u_padded_1 + series_phi_u_size_3)))
+    series_phi_w_size_3 = (half_angle_padded_1
+        * (absolute(series_phi_v) + 262144
+        * (absolute(series_phi_v_lo) + 2.5368282e-10 * series_phi_w_padded_1)))
+    series_phi_x = series_phi_w - 0.0023809525
+    series_phi_x_right_1 = series_phi_w - series_phi_x
+    series_phi_x_lo1_1 = (product_rest(y, series_phi_v, series_phi_w, series_phi_x
+        + series_phi_x_right_1) - (0.0023809525 - series_phi_x_right_1))
+    series_phi_x_lo = (series_phi_x_lo1_1 - -9.0914824e-11
+        + (y_lo * series_phi_v + y * series_phi_v_lo))
+    series_phi_y = y * series_phi_x
+    series_phi_y_padded_1 = (3.308722450212111e-24
+        + (0.0023809525 + (half_angle_reach_1 * series_phi_w_padded_1 + series_phi_w_size_3)))
+    series_phi_y_size_3 = (half_angle_padded_1
+        * (absolute(series_phi_x) + 262144
+        * (absolute(series_phi_x_lo) + 2.5599609e-10 * series_phi_y_padded_1)))
+    series_phi = series_phi_y + 0.033333335
+    series_phi_right_1 = series_phi - series_phi_y
+    series_phi_lo2_1 = (product_rest(y, series_phi_x, series_phi_y, series_phi
+        - series_phi_right_1) + (0.033333335 - series_phi_right_1) + -1.7384688e-09)
+    series_phi_lo = series_phi_lo2_1 + (y_lo * series_phi_x + y * series_phi_x_lo)
+    f_more_a = 2 * y
+    f_more_a_cross2_1 = 2 * y_lo
+    f_more = f_more_a * series_phi
+    f_more_padded_1 = 3.308722450212111e-24 + 2 * y_size_1
+    f_more_padded_2 = (3.308722450212111e-24
+        + (0.033333335 + (half_angle_reach_1 * series_phi_y_padded_1 + series_phi_y_size_3)))
+    f_more_size_2 = (f_more_padded_2
+        * (absolute(f_more_a) + 262144
+        * (absolute(f_more_a_cross2_1) + 8.100306e-13 * f_more_padded_1)))
+    near_f_a = 0.33333334 * sinc
+    near_f_b = 0.33333334 * f_more
+    near_f_b_cross2_1 = (0.33333334
+        * (product_error(f_more_a, series_phi, f_more)
+        + (f_more_a_cross2_1 * series_phi + f_more_a * series_phi_lo)))
+    f_more_size_5 = (f_more_size_2 + f_more_padded_1
+        * (absolute(series_phi) + 262144
+        * (absolute(series_phi_lo) + 2.5837332e-10 * f_more_padded_2)))
+    near_f = near_f_a + near_f_b
+    near_f_right_1 = near_f - near_f_a
+    near_f_lo1_1 = (product_rest(0.33333334, sinc, near_f_a, near_f - near_f_right_1)
+        + product_rest(0.33333334, f_more, near_f_b, near_f_right_1))
+    near_f_lo = (near_f_lo1_1
+        + (-9.934108e-09 * sinc + 0.33333334 * sinc_lo
+        + (-9.934108e-09 * f_more + near_f_b_cross2_1)))
+    near_f_size_1 = 0.33333334 * sinc_size_8 + 0.33333334 * f_more_size_5
+    f_rest = sinc - c
+    f_rest_right_1 = sinc - f_rest
+    fine_x = 4 * y
+    far_y_a = fine_x < 4
+    far_y = where(far_y_a, 1, y)
+    far_y_lo = where(far_y_a, 0, y_lo)
+    far_y_size_4 = (absolute(4 * y_lo) + 8.100306e-13 * (3.308722450212111e-24 + 4 * y_size_1)
+        < absolute(fine_x - 4))
+    closed_f = f_rest / far_y
+    closed_f_product_1 = closed_f * far_y
+    closed_f_exact_1 = (f_rest - closed_f_product_1
+        - product_error(closed_f, far_y, closed_f_product_1))
+    closed_f_lo = ((closed_f_exact_1
+        + (sinc - (f_rest + f_rest_right_1) - (c - f_rest_right_1) - c_lo + sinc_lo) - closed_f
+        * far_y_lo) / far_y)
+    far_y_size_10 = (where(far_y_a, 1, y_size_1) + 219900346368
+        * where(far_y_size_4, 0, absolute(1 - y) + half_angle_bound_1))
+    closed_f_padded_2 = 3.308722450212111e-24 + far_y_size_10
+    closed_f_size_1 = absolute(closed_f)
+    closed_f_size_2 = absolute(far_y)
+    closed_f_bound_1 = absolute(far_y_lo) + 4.6896445e-12 * closed_f_padded_2
+    closed_f_size_4 = (3.308722450212111e-24 + (fine_sine_size_1 + sinc_size_8) + closed_f_padded_2
+        * closed_f_size_1)
+    closed_f_size_8 = (closed_f_size_4
+        / where(4 * closed_f_bound_1 < closed_f_size_2, closed_f_size_2, 0))
+    closed_f_size_11 = (closed_f_size_1 + (closed_f_size_2 + 262144 * closed_f_bound_1)
+        * closed_f_size_8 / closed_f_size_2)
+    f = where(far_y_a, near_f, closed_f)
+    f_size_4 = (absolute(near_f_lo) + 2.6163277e-10 * (3.308722450212111e-24 + near_f_size_1)
+        + absolute(near_f - closed_f))
+    f_size_7 = (3837173760
+        * where(far_y_size_4, 0, absolute(closed_f_lo) + 2.3766553e-10
+        * (3.308722450212111e-24 + closed_f_size_11) + f_size_4))
+    four_k = 4 * sinc
+    four_k_cross2_1 = 4 * sinc_lo
+    fine_b = f / four_k
+    fine_b_product_1 = fine_b * four_k
+    fine_b_numerator_1 = (f - fine_b_product_1 - product_error(fine_b, four_k, fine_b_product_1)
+        + where(far_y_a, near_f_lo, closed_f_lo))
+    fine_b_lo = (fine_b_numerator_1 - fine_b * four_k_cross2_1) / four_k
+    fine_b_padded_2 = 3.308722450212111e-24 + 4 * sinc_size_8
     fine_b_size_1 = absolute(fine_b)
-    fine_b_size_2 = absolute(fine_four_k)
-    fine_b_bound_1 = absolute(fine_four_k_cross2_1) + 2.3419117e-10 * fine_b_padded_2
-    fine_b_size_4 = 3.308722450212111e-24 + fine_f_size_8 + fine_b_padded_2 * fine_b_size_1
-    fine_b_size_8 = fine_b_size_4 / where(4 * fine_b_bound_1 < fine_b_size_2, fine_b_size_2, 0)
-    fine_b_size_10 = (fine_b_size_2 + 262144 * fine_b_bound_1) * fine_b_size_8 / fine_b_size_2
-    fine_b_across = fine_c / fine_sinc
-    fine_b_across_product_1 = fine_b_across * fine_sinc
-    fine_b_across_product_error_1 = product_error(fine_b_across, fine_sinc, fine_b_across_product_1)
-    fine_b_across_exact_1 = fine_c - fine_b_across_product_1 - fine_b_across_product_error_1
-    fine_b_across_residual_1 = fine_b_across_exact_1 + fine_c_lo - fine_b_across * fine_sinc_lo
-    fine_b_across_lo = fine_b_across_residual_1 / fine_sinc
-    fine_b_across_padded_1 = 3.308722450212111e-24 + fine_sinc_size_8
+    fine_b_size_2 = absolute(four_k)
+    fine_b_bound_1 = absolute(four_k_cross2_1) + 2.3419117e-10 * fine_b_padded_2
+    fine_b_size_4 = (3.308722450212111e-24
+        + (where(far_y_a, near_f_size_1, closed_f_size_11) + f_size_7) + fine_b_padded_2
+        * fine_b_size_1)
+    fine_b_size_9 = ((fine_b_size_2 + 262144 * fine_b_bound_1)
+        * (fine_b_size_4 / where(4 * fine_b_bound_1 < fine_b_size_2, fine_b_size_2, 0)))
+    fine_b_across = c / sinc
+    fine_b_across_product_1 = fine_b_across * sinc
+    fine_b_across_lo = ((c - fine_b_across_product_1
+        - product_error(fine_b_across, sinc, fine_b_across_product_1) + c_lo - fine_b_across
+        * sinc_lo) / sinc)
+    fine_b_across_padded_1 = 3.308722450212111e-24 + sinc_size_8
     fine_b_across_size_1 = absolute(fine_b_across)
-    fine_b_across_size_2 = absolute(fine_sinc)
-    fine_b_across_size_3 = fine_b_across_padded_1 * fine_b_across_size_1
-    fine_b_across_bound_1 = absolute(fine_sinc_lo) + 2.3406946e-10 * fine_b_across_padded_1
-    fine_b_across_size_6 = 4 * fine_b_across_bound_1 < fine_b_across_size_2
-    fine_b_across_size_7 = where(fine_b_across_size_6, fine_b_across_size_2, 0)
-    fine_b_across_size_4 = fine_b_across_size_3 + fine_sinc_quotient_padded_1
-    fine_b_across_reach_1 = fine_b_across_size_2 + 262144 * fine_b_across_bound_1
-    fine_b_across_size_9 = fine_b_across_reach_1 * (fine_b_across_size_4 / fine_b_across_size_7)
-    fine_b_across_size_11 = fine_b_across_size_1 + fine_b_across_size_9 / fine_b_across_size_2
+    fine_b_across_size_2 = absolute(sinc)
+    fine_b_across_bound_1 = absolute(sinc_lo) + 2.3406946e-10 * fine_b_across_padded_1
+    fine_b_across_size_7 = (where(4 * fine_b_across_bound_1
+        < fine_b_across_size_2, fine_b_across_size_2, 0))
+    fine_b_across_size_8 = ((fine_b_across_padded_1 * fine_b_across_size_1
+        + sinc_quotient_padded_1) / fine_b_across_size_7)
+    fine_b_across_size_11 = (fine_b_across_size_1
+        + (fine_b_across_size_2 + 262144 * fine_b_across_bound_1) * fine_b_across_size_8
+        / fine_b_across_size_2)
     fine_beta_v_0 = v_0 * fine_b
-    fine_beta_v_padded_1 = 3.308722450212111e-24 + (fine_b_size_1 + fine_b_size_10)
+    fine_beta_v_padded_1 = 3.308722450212111e-24 + (fine_b_size_1 + fine_b_size_9 / fine_b_size_2)
     fine_beta_v_1 = v_1 * fine_b
     fine_beta_v_2 = v_2 * fine_b
     fine_beta_v_lo_1 = product_error(v_0, fine_b, fine_beta_v_0) + v_0 * fine_b_lo
     fine_m_0 = v_0 * fine_beta_v_0
     fine_m_cross2_1 = v_0 * fine_beta_v_lo_1
-    fine_m_padded_1 = 3.308722450212111e-24 + fine_beta_v_padded_1 * fine_halved_size_1
-    fine_m_size_1 = fine_halved_size_1 * fine_m_padded_1
+    fine_m_padded_1 = 3.308722450212111e-24 + fine_beta_v_padded_1 * halved_size_1
+    fine_m_size_1 = fine_m_padded_1 * halved_size_1
     fine_beta_v_lo_2 = product_error(v_1, fine_b, fine_beta_v_1) + v_1 * fine_b_lo
     fine_m_1 = v_1 * fine_beta_v_1
     fine_m_cross2_2 = v_1 * fine_beta_v_lo_2
-    fine_m_padded_2 = 3.308722450212111e-24 + fine_beta_v_padded_1 * fine_halved_size_3
-    fine_m_size_2 = fine_halved_size_3 * fine_m_padded_2
+    fine_m_padded_2 = 3.308722450212111e-24 + fine_beta_v_padded_1 * halved_size_3
+    fine_m_size_2 = fine_m_padded_2 * halved_size_3
     fine_m_2 = v_2 * fine_beta_v_2
     fine_m_cross2_3 = v_2 * (product_error(v_2, fine_b, fine_beta_v_2) + v_2 * fine_b_lo)
-    fine_m_padded_3 = 3.308722450212111e-24 + fine_beta_v_padded_1 * fine_halved_size_5
-    fine_m_size_3 = fine_halved_size_5 * fine_m_padded_3
+    fine_m_size_3 = (3.308722450212111e-24 + fine_beta_v_padded_1 * halved_size_5) * halved_size_5
     fine_m_3 = v_1 * fine_beta_v_0
     fine_m_cross2_4 = v_1 * fine_beta_v_lo_1
     fine_m_4 = v_2 * fine_beta_v_0
@@ -3127,162 +2963,168 @@ def SO3_rightJacobianInverse(v):
     fine_m_cross2_6 = v_2 * fine_beta_v_lo_2
     fine_others_0 = fine_m_1 + fine_m_2
     fine_others_right_1 = fine_others_0 - fine_m_1
-    fine_others_left_1 = fine_others_0 - fine_others_right_1
-    fine_others_right_rest_1 = product_rest(v_2, fine_beta_v_2, fine_m_2, fine_others_right_1)
-    fine_others_left_rest_1 = product_rest(v_1, fine_beta_v_1, fine_m_1, fine_others_left_1)
-    fine_others_lo1_1 = fine_others_left_rest_1 + fine_others_right_rest_1
-    fine_others_lo_1 = fine_others_lo1_1 + (fine_m_cross2_2 + fine_m_cross2_3)
+    fine_others_left_rest_1 = (product_rest(v_1, fine_beta_v_1, fine_m_1, fine_others_0
+        - fine_others_right_1))
+    fine_others_lo_1 = (fine_others_left_rest_1
+        + product_rest(v_2, fine_beta_v_2, fine_m_2, fine_others_right_1)
+        + (fine_m_cross2_2 + fine_m_cross2_3))
     fine_others_size_1 = fine_m_size_2 + fine_m_size_3
     fine_others_1 = fine_m_0 + fine_m_2
     fine_others_right_2 = fine_others_1 - fine_m_0
-    fine_others_left_2 = fine_others_1 - fine_others_right_2
-    fine_others_right_rest_2 = product_rest(v_2, fine_beta_v_2, fine_m_2, fine_others_right_2)
-    fine_others_left_rest_2 = product_rest(v_0, fine_beta_v_0, fine_m_0, fine_others_left_2)
-    fine_others_lo1_2 = fine_others_left_rest_2 + fine_others_right_rest_2
-    fine_others_lo_2 = fine_others_lo1_2 + (fine_m_cross2_1 + fine_m_cross2_3)
+    fine_others_left_rest_2 = (product_rest(v_0, fine_beta_v_0, fine_m_0, fine_others_1
+        - fine_others_right_2))
+    fine_others_lo_2 = (fine_others_left_rest_2
+        + product_rest(v_2, fine_beta_v_2, fine_m_2, fine_others_right_2)
+        + (fine_m_cross2_1 + fine_m_cross2_3))
     fine_others_size_2 = fine_m_size_1 + fine_m_size_3
     fine_others_2 = fine_m_0 + fine_m_1
     fine_others_right_3 = fine_others_2 - fine_m_0
-    fine_others_left_3 = fine_others_2 - fine_others_right_3
-    fine_others_right_rest_3 = product_rest(v_1, fine_beta_v_1, fine_m_1, fine_others_right_3)
-    fine_others_left_rest_3 = product_rest(v_0, fine_beta_v_0, fine_m_0, fine_others_left_3)
-    fine_others_lo1_3 = fine_others_left_rest_3 + fine_others_right_rest_3
-    fine_others_lo_3 = fine_others_lo1_3 + (fine_m_cross2_1 + fine_m_cross2_2)
+    fine_others_left_rest_3 = (product_rest(v_0, fine_beta_v_0, fine_m_0, fine_others_2
+        - fine_others_right_3))
+    fine_others_lo_3 = (fine_others_left_rest_3
+        + product_rest(v_1, fine_beta_v_1, fine_m_1, fine_others_right_3)
+        + (fine_m_cross2_1 + fine_m_cross2_2))
     fine_others_size_3 = fine_m_size_1 + fine_m_size_2
     fine_diagonal0a = 1 - fine_others_0
     fine_diagonal0a_right_1 = 1 - fine_diagonal0a
-    fine_diagonal0a_left_rest_1 = 1 - (fine_diagonal0a + fine_diagonal0a_right_1)
-    fine_diagonal0a_lo1_1 = fine_diagonal0a_left_rest_1 - (fine_others_0 - fine_diagonal0a_right_1)
-    fine_diagonal0a_lo = fine_diagonal0a_lo1_1 - fine_others_lo_1
+    fine_diagonal0a_lo = (1 - (fine_diagonal0a + fine_diagonal0a_right_1)
+        - (fine_others_0 - fine_diagonal0a_right_1) - fine_others_lo_1)
     fine_diagonal0a_size_1 = 1 + fine_others_size_1
     fine_diagonal0b = fine_b_across + fine_m_0
     fine_diagonal0b_right_1 = fine_diagonal0b - fine_b_across
-    fine_diagonal0b_right_rest_1 = product_rest(v_0, fine_beta_v_0, fine_m_0, fine_diagonal0b_right_1)
-    fine_diagonal0b_left_rest_1 = fine_b_across - (fine_diagonal0b - fine_diagonal0b_right_1)
-    fine_diagonal0b_lo1_1 = fine_diagonal0b_left_rest_1 + fine_diagonal0b_right_rest_1
-    fine_diagonal0b_lo = fine_diagonal0b_lo1_1 + fine_m_cross2_1 + fine_b_across_lo
+    fine_diagonal0b_right_rest_1 = product_rest(v_0, fine_beta_v_0, fine_m_0,
+        fine_diagonal0b_right_1)
+    fine_diagonal0b_lo = (fine_b_across - (fine_diagonal0b - fine_diagonal0b_right_1)
+        + fine_diagonal0b_right_rest_1 + fine_m_cross2_1 + fine_b_across_lo)
     fine_diagonal0b_size_1 = fine_b_across_size_11 + fine_m_size_1
     fine_diagonal0c = fine_m_0 < fine_others_0
     fine_diagonal0_error_1 = absolute(product_error(v_0, fine_beta_v_0, fine_m_0) + fine_m_cross2_1)
-    fine_diagonal0_rest_1 = 2.7428007e-10 * (3.308722450212111e-24 + fine_m_size_1)
-    fine_diagonal0_rest_2 = 2.7533278e-10 * (3.308722450212111e-24 + fine_others_size_1)
-    fine_diagonal0_bound_2 = absolute(fine_others_lo_1) + fine_diagonal0_rest_2
-    fine_diagonal0_size_2 = fine_diagonal0_error_1 + fine_diagonal0_rest_1 + fine_diagonal0_bound_2
-    fine_diagonal0_rest_3 = 2.7533278e-10 * (3.308722450212111e-24 + fine_diagonal0b_size_1)
-    fine_diagonal0_rest_4 = 2.7640684e-10 * (3.308722450212111e-24 + fine_diagonal0a_size_1)
-    fine_diagonal0_bound_3 = absolute(fine_diagonal0b_lo) + fine_diagonal0_rest_3
-    fine_diagonal0_size_8 = fine_diagonal0_bound_3 + absolute(fine_diagonal0b - fine_diagonal0a)
-    fine_diagonal0_bound_4 = absolute(fine_diagonal0a_lo) + fine_diagonal0_rest_4
-    fine_diagonal0_size_5 = fine_diagonal0_size_2 < absolute(fine_m_0 - fine_others_0)
-    fine_diagonal0_size_9 = fine_diagonal0_bound_4 + fine_diagonal0_size_8
-    fine_diagonal0_size_1 = where(fine_diagonal0c, fine_diagonal0b_size_1, fine_diagonal0a_size_1)
-    fine_diagonal0_size_11 = 3633188096 * where(fine_diagonal0_size_5, 0, fine_diagonal0_size_9)
+    fine_diagonal0_bound_2 = (absolute(fine_others_lo_1) + 2.7533278e-10
+        * (3.308722450212111e-24 + fine_others_size_1))
+    fine_diagonal0_size_2 = (fine_diagonal0_error_1 + 2.7428007e-10
+        * (3.308722450212111e-24 + fine_m_size_1) + fine_diagonal0_bound_2)
+    fine_diagonal0_bound_3 = (absolute(fine_diagonal0b_lo) + 2.7533278e-10
+        * (3.308722450212111e-24 + fine_diagonal0b_size_1))
+    fine_diagonal0_bound_4 = (absolute(fine_diagonal0a_lo) + 2.7640684e-10
+        * (3.308722450212111e-24 + fine_diagonal0a_size_1))
+    fine_diagonal0_size_9 = (fine_diagonal0_bound_4
+        + (fine_diagonal0_bound_3 + absolute(fine_diagonal0b - fine_diagonal0a)))
+    fine_diagonal0_size_11 = (3633188096
+        * where(fine_diagonal0_size_2
+        < absolute(fine_m_0 - fine_others_0), 0, fine_diagonal0_size_9))
     fine_diagonal1a = 1 - fine_others_1
     fine_diagonal1a_right_1 = 1 - fine_diagonal1a
-    fine_diagonal1a_left_rest_1 = 1 - (fine_diagonal1a + fine_diagonal1a_right_1)
-    fine_diagonal1a_lo1_1 = fine_diagonal1a_left_rest_1 - (fine_others_1 - fine_diagonal1a_right_1)
-    fine_diagonal1a_lo = fine_diagonal1a_lo1_1 - fine_others_lo_2
+    fine_diagonal1a_lo = (1 - (fine_diagonal1a + fine_diagonal1a_right_1)
+        - (fine_others_1 - fine_diagonal1a_right_1) - fine_others_lo_2)
     fine_diagonal1a_size_1 = 1 + fine_others_size_2
     fine_diagonal1b = fine_b_across + fine_m_1
     fine_diagonal1b_right_1 = fine_diagonal1b - fine_b_across
-    fine_diagonal1b_right_rest_1 = product_rest(v_1, fine_beta_v_1, fine_m_1, fine_diagonal1b_right_1)
-    fine_diagonal1b_left_rest_1 = fine_b_across - (fine_diagonal1b - fine_diagonal1b_right_1)
-    fine_diagonal1b_lo1_1 = fine_diagonal1b_left_rest_1 + fine_diagonal1b_right_rest_1
-    fine_diagonal1b_lo = fine_diagonal1b_lo1_1 + fine_m_cross2_2 + fine_b_across_lo
+    fine_diagonal1b_right_rest_1 = product_rest(v_1, fine_beta_v_1, fine_m_1,
+        fine_diagonal1b_right_1)
+    fine_diagonal1b_lo = (fine_b_across - (fine_diagonal1b - fine_diagonal1b_right_1)
+        + fine_diagonal1b_right_rest_1 + fine_m_cross2_2 + fine_b_across_lo)
     fine_diagonal1b_size_1 = fine_b_across_size_11 + fine_m_size_2
     fine_diagonal1c = fine_m_1 < fine_others_1
     fine_diagonal1_error_1 = absolute(product_error(v_1, fine_beta_v_1, fine_m_1) + fine_m_cross2_2)
-    fine_diagonal1_rest_1 = 2.7428007e-10 * (3.308722450212111e-24 + fine_m_size_2)
-    fine_diagonal1_rest_2 = 2.7533278e-10 * (3.308722450212111e-24 + fine_others_size_2)
-    fine_diagonal1_bound_2 = absolute(fine_others_lo_2) + fine_diagonal1_rest_2
-    fine_diagonal1_size_2 = fine_diagonal1_error_1 + fine_diagonal1_rest_1 + fine_diagonal1_bound_2
-    fine_diagonal1_rest_3 = 2.7533278e-10 * (3.308722450212111e-24 + fine_diagonal1b_size_1)
-    fine_diagonal1_rest_4 = 2.7640684e-10 * (3.308722450212111e-24 + fine_diagonal1a_size_1)
-    fine_diagonal1_bound_3 = absolute(fine_diagonal1b_lo) + fine_diagonal1_rest_3
-    fine_diagonal1_size_8 = fine_diagonal1_bound_3 + absolute(fine_diagonal1b - fine_diagonal1a)
-    fine_diagonal1_bound_4 = absolute(fine_diagonal1a_lo) + fine_diagonal1_rest_4
-    fine_diagonal1_size_5 = fine_diagonal1_size_2 < absolute(fine_m_1 - fine_others_1)
-    fine_diagonal1_size_9 = fine_diagonal1_bound_4 + fine_diagonal1_size_8
-    fine_diagonal1_size_1 = where(fine_diagonal1c, fine_diagonal1b_size_1, fine_diagonal1a_size_1)
-    fine_diagonal1_size_11 = 3633188096 * where(fine_diagonal1_size_5, 0, fine_diagonal1_size_9)
+    fine_diagonal1_bound_2 = (absolute(fine_others_lo_2) + 2.7533278e-10
+        * (3.308722450212111e-24 + fine_others_size_2))
+    fine_diagonal1_size_2 = (fine_diagonal1_error_1 + 2.7428007e-10
+        * (3.308722450212111e-24 + fine_m_size_2) + fine_diagonal1_bound_2)
+    fine_diagonal1_bound_3 = (absolute(fine_diagonal1b_lo) + 2.7533278e-10
+        * (3.308722450212111e-24 + fine_diagonal1b_size_1))
+    fine_diagonal1_bound_4 = (absolute(fine_diagonal1a_lo) + 2.7640684e-10
+        * (3.308722450212111e-24 + fine_diagonal1a_size_1))
+    fine_diagonal1_size_9 = (fine_diagonal1_bound_4
+        + (fine_diagonal1_bound_3 + absolute(fine_diagonal1b - fine_diagonal1a)))
+    fine_diagonal1_size_11 = (3633188096
+        * where(fine_diagonal1_size_2
+        < absolute(fine_m_1 - fine_others_1), 0, fine_diagonal1_size_9))
     fine_diagonal2a = 1 - fine_others_2
     fine_diagonal2a_right_1 = 1 - fine_diagonal2a
-    fine_diagonal2a_left_rest_1 = 1 - (fine_diagonal2a + fine_diagonal2a_right_1)
-    fine_diagonal2a_lo1_1 = fine_diagonal2a_left_rest_1 - (fine_others_2 - fine_diagonal2a_right_1)
-    fine_diagonal2a_lo = fine_diagonal2a_lo1_1 - fine_others_lo_3
+    fine_diagonal2a_lo = (1 - (fine_diagonal2a + fine_diagonal2a_right_1)
+        - (fine_others_2 - fine_diagonal2a_right_1) - fine_others_lo_3)
     fine_diagonal2a_size_1 = 1 + fine_others_size_3
     fine_diagonal2b = fine_b_across + fine_m_2
     fine_diagonal2b_right_1 = fine_diagonal2b - fine_b_across
-    fine_diagonal2b_right_rest_1 = product_rest(v_2, fine_beta_v_2, fine_m_2, fine_diagonal2b_right_1)
-    fine_diagonal2b_left_rest_1 = fine_b_across - (fine_diagonal2b - fine_diagonal2b_right_1)
-    fine_diagonal2b_lo1_1 = fine_diagonal2b_left_rest_1 + fine_diagonal2b_right_rest_1
-    fine_diagonal2b_lo = fine_diagonal2b_lo1_1 + fine_m_cross2_3 + fine_b_across_lo
+    fine_diagonal2b_right_rest_1 = product_rest(v_2, fine_beta_v_2, fine_m_2,
+        fine_diagonal2b_right_1)
+    fine_diagonal2b_lo = (fine_b_across - (fine_diagonal2b - fine_diagonal2b_right_1)
+        + fine_diagonal2b_right_rest_1 + fine_m_cross2_3 + fine_b_across_lo)
     fine_diagonal2b_size_1 = fine_b_across_size_11 + fine_m_size_3
     fine_diagonal2c = fine_m_2 < fine_others_2
     fine_diagonal2_error_1 = absolute(product_error(v_2, fine_beta_v_2, fine_m_2) + fine_m_cross2_3)
-    fine_diagonal2_rest_1 = 2.7428007e-10 * (3.308722450212111e-24 + fine_m_size_3)
-    fine_diagonal2_rest_2 = 2.7533278e-10 * (3.308722450212111e-24 + fine_others_size_3)
-    fine_diagonal2_bound_2 = absolute(fine_others_lo_3) + fine_diagonal2_rest_2
-    fine_diagonal2_size_2 = fine_diagonal2_error_1 + fine_diagonal2_rest_1 + fine_diagonal2_bound_2
-    fine_diagonal2_rest_3 = 2.7533278e-10 * (3.308722450212111e-24 + fine_diagonal2b_size_1)
-    fine_diagonal2_rest_4 = 2.7640684e-10 * (3.308722450212111e-24 + fine_diagonal2a_size_1)
-    fine_diagonal2_bound_3 = absolute(fine_diagonal2b_lo) + fine_diagonal2_rest_3
-    fine_diagonal2_size_8 = fine_diagonal2_bound_3 + absolute(fine_diagonal2b - fine_diagonal2a)
-    fine_diagonal2_bound_4 = absolute(fine_diagonal2a_lo) + fine_diagonal2_rest_4
-    fine_diagonal2_size_5 = fine_diagonal2_size_2 < absolute(fine_m_2 - fine_others_2)
-    fine_diagonal2_size_9 = fine_diagonal2_bound_4 + fine_diagonal2_size_8
-    fine_diagonal2_size_1 = where(fine_diagonal2c, fine_diagonal2b_size_1, fine_diagonal2a_size_1)
-    fine_diagonal2_size_11 = 3633188096 * where(fine_diagonal2_size_5, 0, fine_diagonal2_size_9)
-    fine_R_01 = fine_m_3 - fine_halved_2
+    fine_diagonal2_bound_2 = (absolute(fine_others_lo_3) + 2.7533278e-10
+        * (3.308722450212111e-24 + fine_others_size_3))
+    fine_diagonal2_size_2 = (fine_diagonal2_error_1 + 2.7428007e-10
+        * (3.308722450212111e-24 + fine_m_size_3) + fine_diagonal2_bound_2)
+    fine_diagonal2_bound_3 = (absolute(fine_diagonal2b_lo) + 2.7533278e-10
+        * (3.308722450212111e-24 + fine_diagonal2b_size_1))
+    fine_diagonal2_bound_4 = (absolute(fine_diagonal2a_lo) + 2.7640684e-10
+        * (3.308722450212111e-24 + fine_diagonal2a_size_1))
+    fine_diagonal2_size_9 = (fine_diagonal2_bound_4
+        + (fine_diagonal2_bound_3 + absolute(fine_diagonal2b - fine_diagonal2a)))
+    fine_diagonal2_size_11 = (3633188096
+        * where(fine_diagonal2_size_2
+        < absolute(fine_m_2 - fine_others_2), 0, fine_diagonal2_size_9))
+    fine_R_01 = fine_m_3 - halved_2
     fine_R_right_1 = fine_m_3 - fine_R_01
-    fine_R_left_rest_1 = product_rest(v_1, fine_beta_v_0, fine_m_3, fine_R_01 + fine_R_right_1)
-    fine_R_02 = fine_halved_1 + fine_m_4
-    fine_R_right_2 = fine_R_02 - fine_halved_1
-    fine_R_right_rest_2 = product_rest(v_2, fine_beta_v_0, fine_m_4, fine_R_right_2)
-    fine_R_lo1_2 = fine_halved_1 - (fine_R_02 - fine_R_right_2) + fine_R_right_rest_2
-    fine_R_10 = fine_halved_2 + fine_m_3
-    fine_R_right_3 = fine_R_10 - fine_halved_2
-    fine_R_right_rest_3 = product_rest(v_1, fine_beta_v_0, fine_m_3, fine_R_right_3)
-    fine_R_lo1_3 = fine_halved_2 - (fine_R_10 - fine_R_right_3) + fine_R_right_rest_3
-    fine_R_12 = fine_m_5 - fine_halved_0
+    fine_R_02 = halved_1 + fine_m_4
+    fine_R_right_2 = fine_R_02 - halved_1
+    fine_R_10 = halved_2 + fine_m_3
+    fine_R_right_3 = fine_R_10 - halved_2
+    fine_R_12 = fine_m_5 - halved_0
     fine_R_right_4 = fine_m_5 - fine_R_12
-    fine_R_left_rest_4 = product_rest(v_2, fine_beta_v_1, fine_m_5, fine_R_12 + fine_R_right_4)
-    fine_R_20 = fine_m_4 - fine_halved_1
+    fine_R_20 = fine_m_4 - halved_1
     fine_R_right_5 = fine_m_4 - fine_R_20
-    fine_R_left_rest_5 = product_rest(v_2, fine_beta_v_0, fine_m_4, fine_R_20 + fine_R_right_5)
-    fine_R_21 = fine_halved_0 + fine_m_5
-    fine_R_right_6 = fine_R_21 - fine_halved_0
-    fine_R_right_rest_6 = product_rest(v_2, fine_beta_v_1, fine_m_5, fine_R_right_6)
-    fine_R_lo1_6 = fine_halved_0 - (fine_R_21 - fine_R_right_6) + fine_R_right_rest_6
+    fine_R_21 = halved_0 + fine_m_5
+    fine_R_right_6 = fine_R_21 - halved_0
     diagonal0_apart_1 = where(fine_diagonal0c, fine_diagonal0b, fine_diagonal0a) - diagonal0
-    fine_diagonal0_lo = where(fine_diagonal0c, fine_diagonal0b_lo, fine_diagonal0a_lo)
-    diagonal0_padded_1 = 3.308722450212111e-24 + (fine_diagonal0_size_1 + fine_diagonal0_size_11)
-    diagonal0_error_2 = 1.0000005 * absolute(diagonal0_apart_1 + fine_diagonal0_lo)
-    fine_R_lo_1 = fine_R_left_rest_1 - (fine_halved_2 - fine_R_right_1) + fine_m_cross2_4
-    R_padded_1 = 3.308722450212111e-24 + (fine_halved_size_6 + fine_halved_size_3 * fine_m_padded_1)
-    R_rest_1 = 2.7533278e-10 * R_padded_1
-    R_padded_2 = 3.308722450212111e-24 + (fine_halved_size_4 + fine_halved_size_5 * fine_m_padded_1)
-    R_rest_2 = 2.7533278e-10 * R_padded_2
+    diagonal0_padded_1 = (3.308722450212111e-24
+        + (where(fine_diagonal0c, fine_diagonal0b_size_1, fine_diagonal0a_size_1)
+        + fine_diagonal0_size_11))
+    diagonal0_error_2 = (1.0000005
+        * absolute(diagonal0_apart_1
+        + where(fine_diagonal0c, fine_diagonal0b_lo, fine_diagonal0a_lo)))
+    fine_R_lo_1 = (product_rest(v_1, fine_beta_v_0, fine_m_3, fine_R_01 + fine_R_right_1)
+        - (halved_2 - fine_R_right_1) + fine_m_cross2_4)
+    R_rest_1 = (2.7533278e-10
+        * (3.308722450212111e-24 + (fine_m_padded_1 * halved_size_3 + halved_size_6)))
+    fine_R_lo_2 = (halved_1 - (fine_R_02 - fine_R_right_2)
+        + product_rest(v_2, fine_beta_v_0, fine_m_4, fine_R_right_2) + fine_m_cross2_5)
+    R_rest_2 = (2.7533278e-10
+        * (3.308722450212111e-24 + (fine_m_padded_1 * halved_size_5 + halved_size_4)))
+    fine_R_lo_3 = (halved_2 - (fine_R_10 - fine_R_right_3)
+        + product_rest(v_1, fine_beta_v_0, fine_m_3, fine_R_right_3) + fine_m_cross2_4)
     diagonal1_apart_1 = where(fine_diagonal1c, fine_diagonal1b, fine_diagonal1a) - diagonal1
-    fine_diagonal1_lo = where(fine_diagonal1c, fine_diagonal1b_lo, fine_diagonal1a_lo)
-    diagonal1_padded_1 = 3.308722450212111e-24 + (fine_diagonal1_size_1 + fine_diagonal1_size_11)
-    diagonal1_error_2 = 1.0000005 * absolute(diagonal1_apart_1 + fine_diagonal1_lo)
-    fine_R_lo_4 = fine_R_left_rest_4 - (fine_halved_0 - fine_R_right_4) + fine_m_cross2_6
-    R_padded_3 = 3.308722450212111e-24 + (fine_halved_size_2 + fine_halved_size_5 * fine_m_padded_2)
-    R_rest_3 = 2.7533278e-10 * R_padded_3
-    fine_R_lo_5 = fine_R_left_rest_5 - (fine_halved_1 - fine_R_right_5) + fine_m_cross2_5
+    diagonal1_padded_1 = (3.308722450212111e-24
+        + (where(fine_diagonal1c, fine_diagonal1b_size_1, fine_diagonal1a_size_1)
+        + fine_diagonal1_size_11))
+    diagonal1_error_2 = (1.0000005
+        * absolute(diagonal1_apart_1
+        + where(fine_diagonal1c, fine_diagonal1b_lo, fine_diagonal1a_lo)))
+    fine_R_lo_4 = (product_rest(v_2, fine_beta_v_1, fine_m_5, fine_R_12 + fine_R_right_4)
+        - (halved_0 - fine_R_right_4) + fine_m_cross2_6)
+    R_rest_3 = (2.7533278e-10
+        * (3.308722450212111e-24 + (fine_m_padded_2 * halved_size_5 + halved_size_2)))
+    fine_R_lo_5 = (product_rest(v_2, fine_beta_v_0, fine_m_4, fine_R_20 + fine_R_right_5)
+        - (halved_1 - fine_R_right_5) + fine_m_cross2_5)
+    fine_R_lo_6 = (halved_0 - (fine_R_21 - fine_R_right_6)
+        + product_rest(v_2, fine_beta_v_1, fine_m_5, fine_R_right_6) + fine_m_cross2_6)
     diagonal2_apart_1 = where(fine_diagonal2c, fine_diagonal2b, fine_diagonal2a) - diagonal2
-    fine_diagonal2_lo = where(fine_diagonal2c, fine_diagonal2b_lo, fine_diagonal2a_lo)
-    diagonal2_padded_1 = 3.308722450212111e-24 + (fine_diagonal2_size_1 + fine_diagonal2_size_11)
-    diagonal2_error_2 = 1.0000005 * absolute(diagonal2_apart_1 + fine_diagonal2_lo)
+    diagonal2_padded_1 = (3.308722450212111e-24
+        + (where(fine_diagonal2c, fine_diagonal2b_size_1, fine_diagonal2a_size_1)
+        + fine_diagonal2_size_11))
+    diagonal2_error_2 = (1.0000005
+        * absolute(diagonal2_apart_1
+        + where(fine_diagonal2c, fine_diagonal2b_lo, fine_diagonal2a_lo)))
     diagonal0_bound_1 = diagonal0_error_2 + 2.7640693e-10 * diagonal0_padded_1
     R_bound_1 = 1.0000005 * absolute(fine_R_01 - R_01 + fine_R_lo_1) + R_rest_1
-    R_bound_2 = 1.0000005 * absolute(fine_R_02 - R_02 + (fine_R_lo1_2 + fine_m_cross2_5)) + R_rest_2
-    R_bound_3 = 1.0000005 * absolute(fine_R_10 - R_10 + (fine_R_lo1_3 + fine_m_cross2_4)) + R_rest_1
+    R_bound_2 = 1.0000005 * absolute(fine_R_02 - R_02 + fine_R_lo_2) + R_rest_2
+    R_bound_3 = 1.0000005 * absolute(fine_R_10 - R_10 + fine_R_lo_3) + R_rest_1
     diagonal1_bound_1 = diagonal1_error_2 + 2.7640693e-10 * diagonal1_padded_1
     R_bound_4 = 1.0000005 * absolute(fine_R_12 - R_12 + fine_R_lo_4) + R_rest_3
     R_bound_5 = 1.0000005 * absolute(fine_R_20 - R_20 + fine_R_lo_5) + R_rest_2
-    R_bound_6 = 1.0000005 * absolute(fine_R_21 - R_21 + (fine_R_lo1_6 + fine_m_cross2_6)) + R_rest_3
+    R_bound_6 = 1.0000005 * absolute(fine_R_21 - R_21 + fine_R_lo_6) + R_rest_3
     diagonal2_bound_1 = diagonal2_error_2 + 2.7640693e-10 * diagonal2_padded_1
     return (diagonal0, R_01, R_02, R_10, diagonal1, R_12, R_20, R_21, diagonal2, diagonal0_bound_1,
         R_bound_1, R_bound_2, R_bound_3, diagonal1_bound_1, R_bound_4, R_bound_5, R_bound_6,
@@ -3329,16 +3171,16 @@ def mat3x3_orthonormalize(self):
     correction_3 = 0.5 * defect_3
     correction_4 = 0.5 * defect_4
     correction_5 = 0.5 * defect_5
-    self_00_new_e = self_00 * correction_0 + self_01 * correction_3 + self_02 * correction_4
-    self_00_new = self_00 + self_00_new_e
+    self_00_new = (self_00
+        + (self_00 * correction_0 + self_01 * correction_3 + self_02 * correction_4))
     self_01_new = self_00 * correction_3 + self_01 * correction_1 + self_02 * correction_5 + self_01
     self_02_new = self_00 * correction_4 + self_01 * correction_5 + self_02 * correction_2 + self_02
-    self_10_new_e = self_10 * correction_0 + self_11 * correction_3 + self_12 * correction_4
-    self_10_new = self_10 + self_10_new_e
+    self_10_new = (self_10
+        + (self_10 * correction_0 + self_11 * correction_3 + self_12 * correction_4))
     self_11_new = self_10 * correction_3 + self_11 * correction_1 + self_12 * correction_5 + self_11
     self_12_new = self_10 * correction_4 + self_11 * correction_5 + self_12 * correction_2 + self_12
-    self_20_new_e = self_20 * correction_0 + self_21 * correction_3 + self_22 * correction_4
-    self_20_new = self_20 + self_20_new_e
+    self_20_new = (self_20
+        + (self_20 * correction_0 + self_21 * correction_3 + self_22 * correction_4))
     self_21_new = self_20 * correction_3 + self_21 * correction_1 + self_22 * correction_5 + self_21
     self_22_new = self_20 * correction_4 + self_21 * correction_5 + self_22 * correction_2 + self_22
     defect_0_size = 1 + absolute(defect_0a) + absolute(defect_0c) + absolute(defect_0e)
@@ -3347,59 +3189,64 @@ def mat3x3_orthonormalize(self):
     correction_0_size = 0.5 * (defect_0_size + 1.9721522630525295e-31)
     correction_1_size = 0.5 * (defect_1_size + 1.9721522630525295e-31)
     correction_2_size = 0.5 * (defect_2_size + 1.9721522630525295e-31)
-    defect_3e_size = absolute(defect_3a) + absolute(defect_3b) + absolute(defect_3d)
-    correction_3_size = 0.5 * (defect_3e_size + 1.9721522630525295e-31)
-    defect_4e_size = absolute(defect_4a) + absolute(defect_4b) + absolute(defect_4d)
-    correction_4_size = 0.5 * (defect_4e_size + 1.9721522630525295e-31)
-    defect_5e_size = absolute(defect_5a) + absolute(defect_5b) + absolute(defect_5d)
-    correction_5_size = 0.5 * (defect_5e_size + 1.9721522630525295e-31)
+    correction_3_size = (0.5
+        * (absolute(defect_3a) + absolute(defect_3b) + absolute(defect_3d)
+        + 1.9721522630525295e-31))
+    correction_4_size = (0.5
+        * (absolute(defect_4a) + absolute(defect_4b) + absolute(defect_4d)
+        + 1.9721522630525295e-31))
+    correction_5_size = (0.5
+        * (absolute(defect_5a) + absolute(defect_5b) + absolute(defect_5d)
+        + 1.9721522630525295e-31))
     correction_0_padded = correction_0_size + 1.9721522630525295e-31
     self_00_abs = absolute(self_00)
     correction_3_padded = correction_3_size + 1.9721522630525295e-31
     self_01_abs = absolute(self_01)
     correction_4_padded = correction_4_size + 1.9721522630525295e-31
     self_02_abs = absolute(self_02)
-    self_00_new_c_size = self_00_abs * correction_0_padded + self_01_abs * correction_3_padded
-    self_00_new_size = self_00_abs + (self_00_new_c_size + self_02_abs * correction_4_padded)
+    self_00_new_size = (self_00_abs
+        + (self_00_abs * correction_0_padded + self_01_abs * correction_3_padded + self_02_abs
+        * correction_4_padded))
     correction_1_padded = correction_1_size + 1.9721522630525295e-31
     correction_5_padded = correction_5_size + 1.9721522630525295e-31
-    self_01_new_c_size = self_00_abs * correction_3_padded + self_01_abs * correction_1_padded
-    self_01_new_size = self_01_new_c_size + self_02_abs * correction_5_padded + self_01_abs
+    self_01_new_size = (self_00_abs * correction_3_padded + self_01_abs * correction_1_padded
+        + self_02_abs * correction_5_padded + self_01_abs)
     correction_2_padded = correction_2_size + 1.9721522630525295e-31
-    self_02_new_c_size = self_00_abs * correction_4_padded + self_01_abs * correction_5_padded
-    self_02_new_size = self_02_new_c_size + self_02_abs * correction_2_padded + self_02_abs
+    self_02_new_size = (self_00_abs * correction_4_padded + self_01_abs * correction_5_padded
+        + self_02_abs * correction_2_padded + self_02_abs)
     self_10_abs = absolute(self_10)
     self_11_abs = absolute(self_11)
     self_12_abs = absolute(self_12)
-    self_10_new_c_size = self_10_abs * correction_0_padded + self_11_abs * correction_3_padded
-    self_10_new_size = self_10_abs + (self_10_new_c_size + self_12_abs * correction_4_padded)
-    self_11_new_c_size = self_10_abs * correction_3_padded + self_11_abs * correction_1_padded
-    self_11_new_size = self_11_new_c_size + self_12_abs * correction_5_padded + self_11_abs
-    self_12_new_c_size = self_10_abs * correction_4_padded + self_11_abs * correction_5_padded
-    self_12_new_size = self_12_new_c_size + self_12_abs * correction_2_padded + self_12_abs
+    self_10_new_size = (self_10_abs
+        + (self_10_abs * correction_0_padded + self_11_abs * correction_3_padded + self_12_abs
+        * correction_4_padded))
+    self_11_new_size = (self_10_abs * correction_3_padded + self_11_abs * correction_1_padded
+        + self_12_abs * correction_5_padded + self_11_abs)
+    self_12_new_size = (self_10_abs * correction_4_padded + self_11_abs * correction_5_padded
+        + self_12_abs * correction_2_padded + self_12_abs)
     self_20_abs = absolute(self_20)
     self_21_abs = absolute(self_21)
     self_22_abs = absolute(self_22)
-    self_20_new_c_size = self_20_abs * correction_0_padded + self_21_abs * correction_3_padded
-    self_20_new_size = self_20_abs + (self_20_new_c_size + self_22_abs * correction_4_padded)
-    self_21_new_c_size = self_20_abs * correction_3_padded + self_21_abs * correction_1_padded
-    self_21_new_size = self_21_new_c_size + self_22_abs * correction_5_padded + self_21_abs
-    self_22_new_c_size = self_20_abs * correction_4_padded + self_21_abs * correction_5_padded
-    self_22_new_size = self_22_new_c_size + self_22_abs * correction_2_padded + self_22_abs
-    self_00_new_error_bound = 5.36442e-07 * (self_00_new_size + 1.9721522630525295e-31)
-    self_01_new_error_bound = 5.36442e-07 * (self_01_new_size + 1.9721522630525295e-31)
-    self_02_new_error_bound = 4.7683733e-07 * (self_02_new_size + 1.9721522630525295e-31)
-    self_10_new_error_bound = 5.36442e-07 * (self_10_new_size + 1.9721522630525295e-31)
-    self_11_new_error_bound = 5.36442e-07 * (self_11_new_size + 1.9721522630525295e-31)
-    self_12_new_error_bound = 4.7683733e-07 * (self_12_new_size + 1.9721522630525295e-31)
-    self_20_new_error_bound = 5.36442e-07 * (self_20_new_size + 1.9721522630525295e-31)
-    self_21_new_error_bound = 5.36442e-07 * (self_21_new_size + 1.9721522630525295e-31)
-    self_22_new_error_bound = 4.7683733e-07 * (self_22_new_size + 1.9721522630525295e-31)
+    self_20_new_size = (self_20_abs
+        + (self_20_abs * correction_0_padded + self_21_abs * correction_3_padded + self_22_abs
+        * correction_4_padded))
+    self_21_new_size = (self_20_abs * correction_3_padded + self_21_abs * correction_1_padded
+        + self_22_abs * correction_5_padded + self_21_abs)
+    self_22_new_size = (self_20_abs * correction_4_padded + self_21_abs * correction_5_padded
+        + self_22_abs * correction_2_padded + self_22_abs)
+    self_00_new_bound = 5.36442e-07 * (self_00_new_size + 1.9721522630525295e-31)
+    self_01_new_bound = 5.36442e-07 * (self_01_new_size + 1.9721522630525295e-31)
+    self_02_new_bound = 4.7683733e-07 * (self_02_new_size + 1.9721522630525295e-31)
+    self_10_new_bound = 5.36442e-07 * (self_10_new_size + 1.9721522630525295e-31)
+    self_11_new_bound = 5.36442e-07 * (self_11_new_size + 1.9721522630525295e-31)
+    self_12_new_bound = 4.7683733e-07 * (self_12_new_size + 1.9721522630525295e-31)
+    self_20_new_bound = 5.36442e-07 * (self_20_new_size + 1.9721522630525295e-31)
+    self_21_new_bound = 5.36442e-07 * (self_21_new_size + 1.9721522630525295e-31)
+    self_22_new_bound = 4.7683733e-07 * (self_22_new_size + 1.9721522630525295e-31)
     return (self_00_new, self_01_new, self_02_new, self_10_new, self_11_new, self_12_new,
-        self_20_new, self_21_new, self_22_new, self_00_new_error_bound, self_01_new_error_bound,
-        self_02_new_error_bound, self_10_new_error_bound, self_11_new_error_bound,
-        self_12_new_error_bound, self_20_new_error_bound, self_21_new_error_bound,
-        self_22_new_error_bound)
+        self_20_new, self_21_new, self_22_new, self_00_new_bound, self_01_new_bound,
+        self_02_new_bound, self_10_new_bound, self_11_new_bound, self_12_new_bound,
+        self_20_new_bound, self_21_new_bound, self_22_new_bound)
 
 
 @kernel("(3,3)->(3,3),(3,3)")
@@ -3457,57 +3304,62 @@ def mat3x3_orthonormalized(R):
     correction_0_size = 0.5 * (defect_0_size + 1.9721522630525295e-31)
     correction_1_size = 0.5 * (defect_1_size + 1.9721522630525295e-31)
     correction_2_size = 0.5 * (defect_2_size + 1.9721522630525295e-31)
-    defect_3e_size = absolute(defect_3a) + absolute(defect_3b) + absolute(defect_3d)
-    correction_3_size = 0.5 * (defect_3e_size + 1.9721522630525295e-31)
-    defect_4e_size = absolute(defect_4a) + absolute(defect_4b) + absolute(defect_4d)
-    correction_4_size = 0.5 * (defect_4e_size + 1.9721522630525295e-31)
-    defect_5e_size = absolute(defect_5a) + absolute(defect_5b) + absolute(defect_5d)
-    correction_5_size = 0.5 * (defect_5e_size + 1.9721522630525295e-31)
+    correction_3_size = (0.5
+        * (absolute(defect_3a) + absolute(defect_3b) + absolute(defect_3d)
+        + 1.9721522630525295e-31))
+    correction_4_size = (0.5
+        * (absolute(defect_4a) + absolute(defect_4b) + absolute(defect_4d)
+        + 1.9721522630525295e-31))
+    correction_5_size = (0.5
+        * (absolute(defect_5a) + absolute(defect_5b) + absolute(defect_5d)
+        + 1.9721522630525295e-31))
     correction_0_padded = correction_0_size + 1.9721522630525295e-31
     R_00_abs = absolute(R_00)
     correction_3_padded = correction_3_size + 1.9721522630525295e-31
     R_01_abs = absolute(R_01)
     correction_4_padded = correction_4_size + 1.9721522630525295e-31
     R_02_abs = absolute(R_02)
-    Ro_00c_size = R_00_abs * correction_0_padded + R_01_abs * correction_3_padded
-    Ro_00_size = R_00_abs + (Ro_00c_size + R_02_abs * correction_4_padded)
+    Ro_00_size = (R_00_abs
+        + (R_00_abs * correction_0_padded + R_01_abs * correction_3_padded + R_02_abs
+        * correction_4_padded))
     correction_1_padded = correction_1_size + 1.9721522630525295e-31
     correction_5_padded = correction_5_size + 1.9721522630525295e-31
-    Ro_01c_size = R_00_abs * correction_3_padded + R_01_abs * correction_1_padded
-    Ro_01_size = Ro_01c_size + R_02_abs * correction_5_padded + R_01_abs
+    Ro_01_size = (R_00_abs * correction_3_padded + R_01_abs * correction_1_padded + R_02_abs
+        * correction_5_padded + R_01_abs)
     correction_2_padded = correction_2_size + 1.9721522630525295e-31
-    Ro_02c_size = R_00_abs * correction_4_padded + R_01_abs * correction_5_padded
-    Ro_02_size = Ro_02c_size + R_02_abs * correction_2_padded + R_02_abs
+    Ro_02_size = (R_00_abs * correction_4_padded + R_01_abs * correction_5_padded + R_02_abs
+        * correction_2_padded + R_02_abs)
     R_10_abs = absolute(R_10)
     R_11_abs = absolute(R_11)
     R_12_abs = absolute(R_12)
-    Ro_10c_size = R_10_abs * correction_0_padded + R_11_abs * correction_3_padded
-    Ro_10_size = R_10_abs + (Ro_10c_size + R_12_abs * correction_4_padded)
-    Ro_11c_size = R_10_abs * correction_3_padded + R_11_abs * correction_1_padded
-    Ro_11_size = Ro_11c_size + R_12_abs * correction_5_padded + R_11_abs
-    Ro_12c_size = R_10_abs * correction_4_padded + R_11_abs * correction_5_padded
-    Ro_12_size = Ro_12c_size + R_12_abs * correction_2_padded + R_12_abs
+    Ro_10_size = (R_10_abs
+        + (R_10_abs * correction_0_padded + R_11_abs * correction_3_padded + R_12_abs
+        * correction_4_padded))
+    Ro_11_size = (R_10_abs * correction_3_padded + R_11_abs * correction_1_padded + R_12_abs
+        * correction_5_padded + R_11_abs)
+    Ro_12_size = (R_10_abs * correction_4_padded + R_11_abs * correction_5_padded + R_12_abs
+        * correction_2_padded + R_12_abs)
     R_20_abs = absolute(R_20)
     R_21_abs = absolute(R_21)
     R_22_abs = absolute(R_22)
-    Ro_20c_size = R_20_abs * correction_0_padded + R_21_abs * correction_3_padded
-    Ro_20_size = R_20_abs + (Ro_20c_size + R_22_abs * correction_4_padded)
-    Ro_21c_size = R_20_abs * correction_3_padded + R_21_abs * correction_1_padded
-    Ro_21_size = Ro_21c_size + R_22_abs * correction_5_padded + R_21_abs
-    Ro_22c_size = R_20_abs * correction_4_padded + R_21_abs * correction_5_padded
-    Ro_22_size = Ro_22c_size + R_22_abs * correction_2_padded + R_22_abs
-    Ro_00_error_bound = 5.36442e-07 * (Ro_00_size + 1.9721522630525295e-31)
-    Ro_01_error_bound = 5.36442e-07 * (Ro_01_size + 1.9721522630525295e-31)
-    Ro_02_error_bound = 4.7683733e-07 * (Ro_02_size + 1.9721522630525295e-31)
-    Ro_10_error_bound = 5.36442e-07 * (Ro_10_size + 1.9721522630525295e-31)
-    Ro_11_error_bound = 5.36442e-07 * (Ro_11_size + 1.9721522630525295e-31)
-    Ro_12_error_bound = 4.7683733e-07 * (Ro_12_size + 1.9721522630525295e-31)
-    Ro_20_error_bound = 5.36442e-07 * (Ro_20_size + 1.9721522630525295e-31)
-    Ro_21_error_bound = 5.36442e-07 * (Ro_21_size + 1.9721522630525295e-31)
-    Ro_22_error_bound = 4.7683733e-07 * (Ro_22_size + 1.9721522630525295e-31)
-    return (Ro_00, Ro_01, Ro_02, Ro_10, Ro_11, Ro_12, Ro_20, Ro_21, Ro_22, Ro_00_error_bound,
-        Ro_01_error_bound, Ro_02_error_bound, Ro_10_error_bound, Ro_11_error_bound,
-        Ro_12_error_bound, Ro_20_error_bound, Ro_21_error_bound, Ro_22_error_bound)
+    Ro_20_size = (R_20_abs
+        + (R_20_abs * correction_0_padded + R_21_abs * correction_3_padded + R_22_abs
+        * correction_4_padded))
+    Ro_21_size = (R_20_abs * correction_3_padded + R_21_abs * correction_1_padded + R_22_abs
+        * correction_5_padded + R_21_abs)
+    Ro_22_size = (R_20_abs * correction_4_padded + R_21_abs * correction_5_padded + R_22_abs
+        * correction_2_padded + R_22_abs)
+    Ro_00_bound = 5.36442e-07 * (Ro_00_size + 1.9721522630525295e-31)
+    Ro_01_bound = 5.36442e-07 * (Ro_01_size + 1.9721522630525295e-31)
+    Ro_02_bound = 4.7683733e-07 * (Ro_02_size + 1.9721522630525295e-31)
+    Ro_10_bound = 5.36442e-07 * (Ro_10_size + 1.9721522630525295e-31)
+    Ro_11_bound = 5.36442e-07 * (Ro_11_size + 1.9721522630525295e-31)
+    Ro_12_bound = 4.7683733e-07 * (Ro_12_size + 1.9721522630525295e-31)
+    Ro_20_bound = 5.36442e-07 * (Ro_20_size + 1.9721522630525295e-31)
+    Ro_21_bound = 5.36442e-07 * (Ro_21_size + 1.9721522630525295e-31)
+    Ro_22_bound = 4.7683733e-07 * (Ro_22_size + 1.9721522630525295e-31)
+    return (Ro_00, Ro_01, Ro_02, Ro_10, Ro_11, Ro_12, Ro_20, Ro_21, Ro_22, Ro_00_bound, Ro_01_bound,
+        Ro_02_bound, Ro_10_bound, Ro_11_bound, Ro_12_bound, Ro_20_bound, Ro_21_bound, Ro_22_bound)
 
 
 @kernel("(6)->(3,4),(3,4)")
@@ -3565,18 +3417,31 @@ def SE3_exp(s):
     closed2 = versine / far_x
     rest3 = 1 - closed1
     closed3 = rest3 / middle_x
-    g1g = x * (x * (x * (6.4469503e-26 * x - 3.8681703e-23) + 1.9572942e-20) - 8.220635e-18)
-    g1n = x * (x * (x * (g1g + 2.8114574e-15) - 7.6471636e-13) + 1.6059044e-10) - 2.5052108e-08
-    g1w = x * (x * (x * (x * (x * g1n + 2.7557319e-06) - 0.0001984127) + 0.008333334) - 0.16666667)
-    g1 = where(theta_b, g1w + 1, closed1)
-    g2g = x * (x * (x * (2.4795963e-27 * x - 1.6117376e-24) + 8.896791e-22) - 4.1103176e-19)
-    g2n = x * (x * (x * (g2g + 1.5619207e-16) - 4.7794773e-14) + 1.1470745e-11) - 2.0876756e-09
-    g2v = x * (x * (x * (x * g2n + 2.755732e-07) - 2.4801588e-05) + 0.0013888889) - 0.041666668
-    g2 = where(theta_b, x * g2v + 0.5, closed2)
-    g3g = x * (x * (x * (9.18369e-29 * x - 6.4469503e-26) + 3.8681703e-23) - 1.9572942e-20)
-    g3o = x * (x * (x * (x * (g3g + 8.220635e-18) - 2.8114574e-15) + 7.6471636e-13) - 1.6059044e-10)
-    g3w = x * (x * (x * (x * (g3o + 2.5052108e-08) - 2.7557319e-06) + 0.0001984127) - 0.008333334)
-    g3 = where(middle_x_a, g3w + 0.16666667, closed3)
+    g1l = (x
+        * (x
+        * (x * (x * (x * (6.4469503e-26 * x - 3.8681703e-23) + 1.9572942e-20) - 8.220635e-18)
+        + 2.8114574e-15) - 7.6471636e-13) + 1.6059044e-10)
+    g1 = (where(theta_b, x
+        * (x
+        * (x * (x * (x * (x * g1l - 2.5052108e-08) + 2.7557319e-06) - 0.0001984127) + 0.008333334)
+        - 0.16666667) + 1, closed1))
+    g2l = (x
+        * (x
+        * (x * (x * (x * (2.4795963e-27 * x - 1.6117376e-24) + 8.896791e-22) - 4.1103176e-19)
+        + 1.5619207e-16) - 4.7794773e-14) + 1.1470745e-11)
+    g2 = (where(theta_b, x
+        * (x
+        * (x * (x * (x * (x * g2l - 2.0876756e-09) + 2.755732e-07) - 2.4801588e-05) + 0.0013888889)
+        - 0.041666668) + 0.5, closed2))
+    g3l = (x
+        * (x
+        * (x * (x * (x * (9.18369e-29 * x - 6.4469503e-26) + 3.8681703e-23) - 1.9572942e-20)
+        + 8.220635e-18) - 2.8114574e-15) + 7.6471636e-13)
+    g3x = (x
+        * (x
+        * (x * (x * (x * (x * g3l - 1.6059044e-10) + 2.5052108e-08) - 2.7557319e-06)
+        + 0.0001984127) - 0.008333334) + 0.16666667)
+    g3 = where(middle_x_a, g3x, closed3)
     g0 = where(theta_b, 1 - x * g2, cosine)
     u_0 = s_2 * s_4 - s_1 * s_5
     u_1 = s_0 * s_5 - s_2 * s_3
@@ -3619,397 +3484,355 @@ def SE3_exp(s):
     D_20 = m_4 - alpha_v_1
     D_21 = m_5 + alpha_v_0
     D_23 = s_2 * g1 + across_axis_2
-    fine_halved_0 = 0.5 * s_3
-    fine_halved_size_1 = absolute(s_3)
-    fine_halved_1 = 0.5 * s_4
-    fine_halved_size_3 = absolute(s_4)
-    fine_halved_2 = 0.5 * s_5
-    fine_halved_size_5 = absolute(s_5)
-    fine_y_a = fine_halved_0 * fine_halved_0
-    fine_y_a_padded_1 = 3.308722450212111e-24 + 0.5 * fine_halved_size_1
-    fine_y_b = fine_halved_1 * fine_halved_1
-    fine_y_b_padded_1 = 3.308722450212111e-24 + 0.5 * fine_halved_size_3
-    fine_y_c = fine_y_a + fine_y_b
-    fine_y_c_right_1 = fine_y_c - fine_y_a
-    fine_y_c_left_1 = fine_y_c - fine_y_c_right_1
-    fine_y_c_right_rest_1 = product_rest(fine_halved_1, fine_halved_1, fine_y_b, fine_y_c_right_1)
-    fine_y_c_left_rest_1 = product_rest(fine_halved_0, fine_halved_0, fine_y_a, fine_y_c_left_1)
-    fine_y_d = fine_halved_2 * fine_halved_2
-    fine_y_d_padded_1 = 3.308722450212111e-24 + 0.5 * fine_halved_size_5
-    fine_y = fine_y_c + fine_y_d
-    fine_y_right_1 = fine_y - fine_y_c
-    fine_y_right_rest_1 = product_rest(fine_halved_2, fine_halved_2, fine_y_d, fine_y_right_1)
-    fine_y_lo1_1 = fine_y_c - (fine_y - fine_y_right_1) + fine_y_right_rest_1
-    fine_y_lo = fine_y_lo1_1 + (fine_y_c_left_rest_1 + fine_y_c_right_rest_1)
-    fine_y_c_size_1 = fine_y_a_padded_1 * fine_y_a_padded_1 + fine_y_b_padded_1 * fine_y_b_padded_1
-    fine_y_size_1 = fine_y_c_size_1 + fine_y_d_padded_1 * fine_y_d_padded_1
-    fine_half_angle = sqrt(fine_y)
-    fine_half_angle_product_1 = fine_half_angle * fine_half_angle
-    fine_half_angle_product_error_1 = product_error(fine_half_angle, fine_half_angle, fine_half_angle_product_1)
-    fine_half_angle_exact_1 = fine_y - fine_half_angle_product_1 - fine_half_angle_product_error_1
-    fine_half_angle_divisor_1 = where(fine_half_angle == 0, 1, fine_half_angle + fine_half_angle)
-    fine_half_angle_lo = (fine_half_angle_exact_1 + fine_y_lo) / fine_half_angle_divisor_1
-    fine_half_angle_padded_1 = 3.308722450212111e-24 + fine_y_size_1
-    fine_half_angle_bound_1 = absolute(fine_y_lo) + 7.2120885e-13 * fine_half_angle_padded_1
-    fine_half_angle_reach_1 = absolute(fine_y) + 262144 * fine_half_angle_bound_1
-    fine_half_angle_size_2 = fine_half_angle_padded_1 / fine_half_angle / fine_y
-    fine_half_angle_size_6 = absolute(fine_half_angle_lo)
-    fine_half_angle_size_8 = 890731298816 * (sqrt(fine_half_angle_bound_1) + fine_half_angle_size_6)
-    fine_half_angle_size_4 = fine_half_angle_reach_1 * fine_half_angle_size_2
-    fine_half_angle_size_10 = 4 * fine_half_angle_bound_1 < fine_y
-    fine_half_angle_size_11 = where(fine_half_angle_size_10, fine_half_angle_size_4, fine_half_angle_size_8)
-    fine_half_angle_size_12 = fine_half_angle + fine_half_angle_size_11
-    fine_sine, fine_c = elementary.sincos(fine_half_angle)
-    fine_sine_own_error_1, fine_c_own_error_1 = elementary.sincos_error(fine_half_angle, fine_sine, fine_c)
-    fine_sine_half_1 = fine_half_angle_lo * 0.5
+    halved_0 = 0.5 * s_3
+    halved_size_1 = absolute(s_3)
+    halved_1 = 0.5 * s_4
+    halved_size_3 = absolute(s_4)
+    halved_2 = 0.5 * s_5
+    halved_size_5 = absolute(s_5)
+    y_a = halved_0 * halved_0
+    y_a_padded_1 = 3.308722450212111e-24 + 0.5 * halved_size_1
+    y_b = halved_1 * halved_1
+    y_b_padded_1 = 3.308722450212111e-24 + 0.5 * halved_size_3
+    y_c = y_a + y_b
+    y_c_right_1 = y_c - y_a
+    y_d = halved_2 * halved_2
+    y_d_padded_1 = 3.308722450212111e-24 + 0.5 * halved_size_5
+    y = y_c + y_d
+    y_right_1 = y - y_c
+    y_c_lo = (product_rest(halved_0, halved_0, y_a, y_c - y_c_right_1)
+        + product_rest(halved_1, halved_1, y_b, y_c_right_1))
+    y_lo = y_c - (y - y_right_1) + product_rest(halved_2, halved_2, y_d, y_right_1) + y_c_lo
+    y_size_1 = (y_a_padded_1 * y_a_padded_1 + y_b_padded_1 * y_b_padded_1 + y_d_padded_1
+        * y_d_padded_1)
+    half_angle = sqrt(y)
+    half_angle_product_1 = half_angle * half_angle
+    half_angle_residual_1 = (y - half_angle_product_1
+        - product_error(half_angle, half_angle, half_angle_product_1) + y_lo)
+    half_angle_lo = half_angle_residual_1 / where(half_angle == 0, 1, half_angle + half_angle)
+    half_angle_padded_1 = 3.308722450212111e-24 + y_size_1
+    half_angle_bound_1 = absolute(y_lo) + 7.2120885e-13 * half_angle_padded_1
+    half_angle_size_6 = absolute(half_angle_lo)
+    half_angle_size_4 = ((absolute(y) + 262144 * half_angle_bound_1)
+        * (half_angle_padded_1 / half_angle / y))
+    half_angle_size_12 = (half_angle
+        + where(4 * half_angle_bound_1 < y, half_angle_size_4, 890731298816
+        * (sqrt(half_angle_bound_1) + half_angle_size_6)))
+    fine_sine, c = elementary.sincos(half_angle)
+    fine_sine_own_error_1, c_own_error_1 = elementary.sincos_error(half_angle, fine_sine, c)
+    fine_sine_half_1 = half_angle_lo * 0.5
     fine_sine_half_sin_1, fine_sine_half_cos_1 = elementary.sincos(fine_sine_half_1)
     fine_sine_twice_1 = fine_sine_half_sin_1 + fine_sine_half_sin_1
-    fine_sine_slope_1 = fine_sine_half_cos_1 * fine_c - fine_sine_half_sin_1 * fine_sine
-    fine_sine_lo = fine_sine_own_error_1 + fine_sine_slope_1 * fine_sine_twice_1
-    fine_sine_padded_1 = 3.308722450212111e-24 + fine_half_angle_size_12
+    fine_sine_lo = (fine_sine_own_error_1
+        + (fine_sine_half_cos_1 * c - fine_sine_half_sin_1 * fine_sine) * fine_sine_twice_1)
+    fine_sine_padded_1 = 3.308722450212111e-24 + half_angle_size_12
     fine_sine_size_1 = 1 + fine_sine_padded_1
-    fine_c_slope_1 = fine_sine_half_cos_1 * fine_sine + fine_sine_half_sin_1 * fine_c
-    fine_c_lo = fine_c_own_error_1 - fine_c_slope_1 * fine_sine_twice_1
-    fine_sinc_divisor_a = fine_half_angle < 1.4901161193847656e-08
-    fine_sinc_divisor = where(fine_sinc_divisor_a, 1.4901161193847656e-08, fine_half_angle)
-    fine_sinc_divisor_lo = where(fine_sinc_divisor_a, 0, fine_half_angle_lo)
-    fine_sinc_divisor_bound_1 = fine_half_angle_size_6 + 1.2221551e-12 * fine_sine_padded_1
-    fine_sinc_divisor_size_3 = absolute(fine_half_angle - 1.4901161193847656e-08)
-    fine_sinc_divisor_size_4 = fine_sinc_divisor_bound_1 < fine_sinc_divisor_size_3
-    fine_sinc_divisor_size_6 = absolute(1.4901161193847656e-08 - fine_half_angle)
-    fine_sinc_divisor_size_7 = fine_sinc_divisor_bound_1 + fine_sinc_divisor_size_6
-    fine_sinc_divisor_size_8 = where(fine_sinc_divisor_size_4, 0, fine_sinc_divisor_size_7)
-    fine_sinc_divisor_size_1 = where(fine_sinc_divisor_a, 1.4901161193847656e-08, fine_half_angle_size_12)
-    fine_sinc_quotient = fine_sine / fine_sinc_divisor
-    fine_sinc_quotient_product_1 = fine_sinc_quotient * fine_sinc_divisor
-    fine_sinc_quotient_product_error_1 = product_error(fine_sinc_quotient, fine_sinc_divisor, fine_sinc_quotient_product_1)
-    fine_sinc_quotient_rest_1 = fine_sine - fine_sinc_quotient_product_1
-    fine_sinc_quotient_exact_1 = fine_sinc_quotient_rest_1 - fine_sinc_quotient_product_error_1
-    fine_sinc_quotient_numerator_1 = fine_sinc_quotient_exact_1 + fine_sine_lo
-    fine_sinc_quotient_cross_1 = fine_sinc_quotient * fine_sinc_divisor_lo
-    fine_sinc_quotient_residual_1 = fine_sinc_quotient_numerator_1 - fine_sinc_quotient_cross_1
-    fine_sinc_quotient_lo = fine_sinc_quotient_residual_1 / fine_sinc_divisor
-    fine_sinc_divisor_size_10 = fine_sinc_divisor_size_1 + 314142654464 * fine_sinc_divisor_size_8
-    fine_sinc_quotient_padded_2 = 3.308722450212111e-24 + fine_sinc_divisor_size_10
-    fine_sinc_quotient_size_1 = absolute(fine_sinc_quotient)
-    fine_sinc_quotient_size_2 = absolute(fine_sinc_divisor)
-    fine_sinc_quotient_size_3 = fine_sinc_quotient_padded_2 * fine_sinc_quotient_size_1
-    fine_sinc_quotient_rest_2 = 3.2827582e-12 * fine_sinc_quotient_padded_2
-    fine_sinc_quotient_bound_1 = absolute(fine_sinc_divisor_lo) + fine_sinc_quotient_rest_2
-    fine_sinc_quotient_size_6 = 4 * fine_sinc_quotient_bound_1 < fine_sinc_quotient_size_2
-    fine_sinc_quotient_size_4 = 3.308722450212111e-24 + fine_sine_size_1 + fine_sinc_quotient_size_3
-    fine_sinc_quotient_size_7 = where(fine_sinc_quotient_size_6, fine_sinc_quotient_size_2, 0)
-    fine_sinc_quotient_reach_1 = fine_sinc_quotient_size_2 + 262144 * fine_sinc_quotient_bound_1
-    fine_sinc_quotient_size_8 = fine_sinc_quotient_size_4 / fine_sinc_quotient_size_7
-    fine_sinc_quotient_size_9 = fine_sinc_quotient_reach_1 * fine_sinc_quotient_size_8
-    fine_sinc_quotient_size_10 = fine_sinc_quotient_size_9 / fine_sinc_quotient_size_2
-    fine_sinc_quotient_size_11 = fine_sinc_quotient_size_1 + fine_sinc_quotient_size_10
-    fine_sinc_a = 0.16666667 * fine_y
-    fine_sinc_b = 1 - fine_sinc_a
-    fine_sinc_b_right_1 = 1 - fine_sinc_b
-    fine_sinc_b_right_rest_1 = product_rest(0.16666667, fine_y, fine_sinc_a, fine_sinc_b_right_1)
-    fine_sinc_b_lo1_1 = 1 - (fine_sinc_b + fine_sinc_b_right_1) - fine_sinc_b_right_rest_1
-    fine_sinc_b_lo = fine_sinc_b_lo1_1 - (-4.967054e-09 * fine_y + 0.16666667 * fine_y_lo)
-    fine_sinc_b_size_1 = 1 + 0.16666669 * fine_y_size_1
-    fine_sinc = where(fine_sinc_divisor_a, fine_sinc_b, fine_sinc_quotient)
-    fine_sinc_lo = where(fine_sinc_divisor_a, fine_sinc_b_lo, fine_sinc_quotient_lo)
-    fine_sinc_rest_1 = 2.3406937e-10 * (3.308722450212111e-24 + fine_sinc_b_size_1)
-    fine_sinc_rest_2 = 5.43103e-12 * (3.308722450212111e-24 + fine_sinc_quotient_size_11)
-    fine_sinc_bound_1 = absolute(fine_sinc_b_lo) + fine_sinc_rest_1
-    fine_sinc_size_4 = fine_sinc_bound_1 + absolute(fine_sinc_b - fine_sinc_quotient)
-    fine_sinc_size_5 = absolute(fine_sinc_quotient_lo) + fine_sinc_rest_2 + fine_sinc_size_4
-    fine_sinc_size_1 = where(fine_sinc_divisor_a, fine_sinc_b_size_1, fine_sinc_quotient_size_11)
-    fine_sinc_size_7 = 4276409088 * where(fine_sinc_divisor_size_4, 0, fine_sinc_size_5)
-    fine_g1 = fine_c * fine_sinc
-    fine_g1_cross_1 = fine_c_lo * fine_sinc + fine_c * fine_sinc_lo
-    fine_g1_padded_1 = 3.308722450212111e-24 + (fine_sinc_size_1 + fine_sinc_size_7)
+    c_lo = (c_own_error_1 - (fine_sine_half_cos_1 * fine_sine + fine_sine_half_sin_1 * c)
+        * fine_sine_twice_1)
+    sinc_divisor_a = half_angle < 1.4901161193847656e-08
+    sinc_divisor = where(sinc_divisor_a, 1.4901161193847656e-08, half_angle)
+    sinc_divisor_lo = where(sinc_divisor_a, 0, half_angle_lo)
+    sinc_divisor_bound_1 = half_angle_size_6 + 1.2221551e-12 * fine_sine_padded_1
+    sinc_divisor_size_4 = sinc_divisor_bound_1 < absolute(half_angle - 1.4901161193847656e-08)
+    sinc_divisor_size_9 = (314142654464
+        * where(sinc_divisor_size_4, 0, sinc_divisor_bound_1
+        + absolute(1.4901161193847656e-08 - half_angle)))
+    sinc_quotient = fine_sine / sinc_divisor
+    sinc_quotient_product_1 = sinc_quotient * sinc_divisor
+    sinc_quotient_numerator_1 = (fine_sine - sinc_quotient_product_1
+        - product_error(sinc_quotient, sinc_divisor, sinc_quotient_product_1) + fine_sine_lo)
+    sinc_quotient_lo = (sinc_quotient_numerator_1 - sinc_quotient * sinc_divisor_lo) / sinc_divisor
+    sinc_quotient_padded_2 = (3.308722450212111e-24
+        + (where(sinc_divisor_a, 1.4901161193847656e-08, half_angle_size_12) + sinc_divisor_size_9))
+    sinc_quotient_size_1 = absolute(sinc_quotient)
+    sinc_quotient_size_2 = absolute(sinc_divisor)
+    sinc_quotient_bound_1 = absolute(sinc_divisor_lo) + 3.2827582e-12 * sinc_quotient_padded_2
+    sinc_quotient_size_4 = (3.308722450212111e-24 + fine_sine_size_1 + sinc_quotient_padded_2
+        * sinc_quotient_size_1)
+    sinc_quotient_size_8 = (sinc_quotient_size_4
+        / where(4 * sinc_quotient_bound_1 < sinc_quotient_size_2, sinc_quotient_size_2, 0))
+    sinc_quotient_size_11 = (sinc_quotient_size_1
+        + (sinc_quotient_size_2 + 262144 * sinc_quotient_bound_1) * sinc_quotient_size_8
+        / sinc_quotient_size_2)
+    sinc_a = 0.16666667 * y
+    sinc_b = 1 - sinc_a
+    sinc_b_right_1 = 1 - sinc_b
+    sinc_b_lo = (1 - (sinc_b + sinc_b_right_1)
+        - product_rest(0.16666667, y, sinc_a, sinc_b_right_1)
+        - (-4.967054e-09 * y + 0.16666667 * y_lo))
+    sinc_b_size_1 = 1 + 0.16666669 * y_size_1
+    sinc = where(sinc_divisor_a, sinc_b, sinc_quotient)
+    sinc_lo = where(sinc_divisor_a, sinc_b_lo, sinc_quotient_lo)
+    sinc_size_4 = (absolute(sinc_b_lo) + 2.3406937e-10 * (3.308722450212111e-24 + sinc_b_size_1)
+        + absolute(sinc_b - sinc_quotient))
+    sinc_size_6 = (where(sinc_divisor_size_4, 0, absolute(sinc_quotient_lo) + 5.43103e-12
+        * (3.308722450212111e-24 + sinc_quotient_size_11) + sinc_size_4))
+    fine_g1 = c * sinc
+    fine_g1_cross_1 = c_lo * sinc + c * sinc_lo
+    fine_g1_padded_1 = (3.308722450212111e-24
+        + (where(sinc_divisor_a, sinc_b_size_1, sinc_quotient_size_11) + 4276409088 * sinc_size_6))
     fine_g1_rest_1 = 2.5011469e-12 * fine_sine_size_1
-    fine_g1_reach_1 = absolute(fine_c) + 262144 * (absolute(fine_c_lo) + fine_g1_rest_1)
-    fine_g1_units_2 = 262144 * (absolute(fine_sinc_lo) + 2.3406946e-10 * fine_g1_padded_1)
-    fine_g1_reach_2 = absolute(fine_sinc) + fine_g1_units_2
-    fine_g1_size_5 = fine_g1_padded_1 * fine_g1_reach_1 + fine_g1_reach_2 * fine_sine_size_1
-    fine_g2a = fine_sinc * fine_sinc
+    fine_g1_reach_2 = (absolute(sinc) + 262144
+        * (absolute(sinc_lo) + 2.3406946e-10 * fine_g1_padded_1))
+    fine_g1_size_5 = (fine_g1_padded_1 * (absolute(c) + 262144 * (absolute(c_lo) + fine_g1_rest_1))
+        + fine_g1_reach_2 * fine_sine_size_1)
+    fine_g2a = sinc * sinc
     fine_g2a_size_1 = fine_g1_padded_1 * fine_g1_reach_2
-    fine_g2a_cross_1 = fine_sinc_lo * fine_sinc + fine_sinc * fine_sinc_lo
     fine_g2 = 0.5 * fine_g2a
-    fine_g2_cross2_1 = 0.5 * (product_error(fine_sinc, fine_sinc, fine_g2a) + fine_g2a_cross_1)
-    fine_sine_square = fine_sine * fine_sine
-    fine_sine_square_units_1 = 262144 * (fine_g1_rest_1 + absolute(fine_sine_lo))
-    fine_sine_square_size_2 = fine_sine_size_1 * (absolute(fine_sine) + fine_sine_square_units_1)
-    fine_sine_square_error_2 = product_error(fine_sine, fine_sine, fine_sine_square)
-    fine_sine_square_cross_1 = fine_sine_lo * fine_sine + fine_sine * fine_sine_lo
-    fine_g0a = 2 * fine_sine_square
+    fine_g2_cross2_1 = (0.5
+        * (product_error(sinc, sinc, fine_g2a) + (sinc_lo * sinc + sinc * sinc_lo)))
+    sine_square = fine_sine * fine_sine
+    sine_square_size_2 = (fine_sine_size_1
+        * (absolute(fine_sine) + 262144 * (fine_g1_rest_1 + absolute(fine_sine_lo))))
+    fine_g0a = 2 * sine_square
     fine_g0 = 1 - fine_g0a
     fine_g0_right_1 = 1 - fine_g0
-    fine_g0_lo1_1 = 1 - (fine_g0 + fine_g0_right_1) - (fine_g0a - fine_g0_right_1)
-    fine_g0_lo = fine_g0_lo1_1 - 2 * (fine_sine_square_error_2 + fine_sine_square_cross_1)
-    fine_g0_size_1 = 1 + 2 * (fine_sine_square_size_2 + fine_sine_square_size_2)
+    fine_g0a_cross2_1 = (2
+        * (product_error(fine_sine, fine_sine, sine_square)
+        + (fine_sine_lo * fine_sine + fine_sine * fine_sine_lo)))
+    fine_g0_lo = 1 - (fine_g0 + fine_g0_right_1) - (fine_g0a - fine_g0_right_1) - fine_g0a_cross2_1
+    fine_g0_size_1 = 1 + 2 * (sine_square_size_2 + sine_square_size_2)
     fine_rest3 = 1 - fine_g1
     fine_rest3_right_1 = 1 - fine_rest3
-    fine_rest3_right_rest_1 = product_rest(fine_c, fine_sinc, fine_g1, fine_rest3_right_1)
-    fine_rest3_lo1_1 = 1 - (fine_rest3 + fine_rest3_right_1) - fine_rest3_right_rest_1
-    fine_x = 4 * fine_y
-    fine_x_cross2_1 = 4 * fine_y_lo
-    fine_x_size_1 = 4 * fine_y_size_1
-    fine_far_x_a = fine_x < 1
-    fine_far_x = where(fine_far_x_a, 1, fine_x)
-    fine_far_x_lo = where(fine_far_x_a, 0, fine_x_cross2_1)
+    fine_x = 4 * y
+    fine_x_cross2_1 = 4 * y_lo
+    fine_x_size_1 = 4 * y_size_1
+    far_x_a = fine_x < 1
+    fine_far_x = where(far_x_a, 1, fine_x)
+    fine_far_x_lo = where(far_x_a, 0, fine_x_cross2_1)
     fine_far_x_padded_1 = 3.308722450212111e-24 + fine_x_size_1
     fine_far_x_bound_1 = absolute(fine_x_cross2_1) + 8.100306e-13 * fine_far_x_padded_1
     fine_far_x_size_4 = fine_far_x_bound_1 < absolute(fine_x - 1)
-    fine_far_x_size_8 = where(fine_far_x_size_4, 0, fine_far_x_bound_1 + absolute(1 - fine_x))
     fine_closed3 = fine_rest3 / fine_far_x
     fine_closed3_product_1 = fine_closed3 * fine_far_x
-    fine_closed3_product_error_1 = product_error(fine_closed3, fine_far_x, fine_closed3_product_1)
-    fine_closed3_exact_1 = fine_rest3 - fine_closed3_product_1 - fine_closed3_product_error_1
-    fine_closed3_numerator_1 = fine_closed3_exact_1 + (fine_rest3_lo1_1 - fine_g1_cross_1)
+    fine_rest3_lo = (1 - (fine_rest3 + fine_rest3_right_1)
+        - product_rest(c, sinc, fine_g1, fine_rest3_right_1) - fine_g1_cross_1)
+    fine_closed3_numerator_1 = (fine_rest3 - fine_closed3_product_1
+        - product_error(fine_closed3, fine_far_x, fine_closed3_product_1) + fine_rest3_lo)
     fine_closed3_lo = (fine_closed3_numerator_1 - fine_closed3 * fine_far_x_lo) / fine_far_x
-    fine_far_x_size_10 = where(fine_far_x_a, 1, fine_x_size_1) + 183249911808 * fine_far_x_size_8
+    fine_far_x_size_10 = (where(far_x_a, 1, fine_x_size_1) + 183249911808
+        * where(fine_far_x_size_4, 0, fine_far_x_bound_1 + absolute(1 - fine_x)))
     fine_closed3_padded_2 = 3.308722450212111e-24 + fine_far_x_size_10
     fine_closed3_size_1 = absolute(fine_closed3)
     fine_closed3_size_2 = absolute(fine_far_x)
-    fine_closed3_padded_1 = 3.308722450212111e-24 + (1 + fine_g1_size_5)
     fine_closed3_bound_1 = absolute(fine_far_x_lo) + 5.627585e-12 * fine_closed3_padded_2
-    fine_closed3_size_6 = 4 * fine_closed3_bound_1 < fine_closed3_size_2
-    fine_closed3_size_4 = fine_closed3_padded_1 + fine_closed3_padded_2 * fine_closed3_size_1
-    fine_closed3_size_8 = fine_closed3_size_4 / where(fine_closed3_size_6, fine_closed3_size_2, 0)
-    fine_closed3_reach_1 = fine_closed3_size_2 + 262144 * fine_closed3_bound_1
-    fine_closed3_size_10 = fine_closed3_reach_1 * fine_closed3_size_8 / fine_closed3_size_2
-    fine_closed3_size_11 = fine_closed3_size_1 + fine_closed3_size_10
-    fine_series5a = 1.216125e-34 * fine_x
-    fine_series5b = 1.1309962e-31 - fine_series5a
-    fine_series5b_right_1 = 1.1309962e-31 - fine_series5b
-    fine_series5b_right_rest_1 = product_rest(1.216125e-34, fine_x, fine_series5a, fine_series5b_right_1)
-    fine_series5b_left_rest_1 = 1.1309962e-31 - (fine_series5b + fine_series5b_right_1)
-    fine_series5b_lo1_1 = fine_series5b_left_rest_1 - fine_series5b_right_rest_1
-    fine_series5a_cross_1 = 2.696e-42 * fine_x + 1.216125e-34 * fine_x_cross2_1
-    fine_series5b_lo = fine_series5b_lo1_1 - fine_series5a_cross_1 + 4.1374e-39
-    fine_series5c = fine_x * fine_series5b
-    fine_series5c_padded_1 = 3.308722450212111e-24 + (1.1309962e-31 + 1.9784917e-27 * fine_x_size_1)
-    fine_series5c_reach_1 = absolute(fine_x) + 262144 * fine_far_x_bound_1
-    fine_series5c_bound_1 = absolute(fine_series5b_lo) + 2.3419375e-10 * fine_series5c_padded_1
-    fine_series5c_reach_2 = absolute(fine_series5b) + 262144 * fine_series5c_bound_1
-    fine_series5c_size_2 = fine_series5c_padded_1 * fine_series5c_reach_1
-    fine_series5d = fine_series5c - 9.18369e-29
-    fine_series5d_right_1 = fine_series5c - fine_series5d
-    fine_series5d_left_1 = fine_series5d + fine_series5d_right_1
-    fine_series5d_left_rest_1 = product_rest(fine_x, fine_series5b, fine_series5c, fine_series5d_left_1)
-    fine_series5d_lo1_1 = fine_series5d_left_rest_1 - (9.18369e-29 - fine_series5d_right_1)
-    fine_series5c_cross_1 = fine_x_cross2_1 * fine_series5b + fine_x * fine_series5b_lo
-    fine_series5d_lo = fine_series5d_lo1_1 - 5.383817e-37 + fine_series5c_cross_1
-    fine_series5c_size_5 = fine_series5c_size_2 + fine_far_x_padded_1 * fine_series5c_reach_2
-    fine_series5e = fine_x * fine_series5d
-    fine_series5e_padded_1 = 3.308722450212111e-24 + (9.18369e-29 + fine_series5c_size_5)
-    fine_series5e_bound_1 = absolute(fine_series5d_lo) + 2.3612653e-10 * fine_series5e_padded_1
-    fine_series5e_reach_1 = absolute(fine_series5d) + 262144 * fine_series5e_bound_1
-    fine_series5e_size_1 = fine_series5c_reach_1 * fine_series5e_padded_1
-    fine_series5f = fine_series5e + 6.4469503e-26
-    fine_series5f_right_1 = fine_series5f - fine_series5e
-    fine_series5f_left_1 = fine_series5f - fine_series5f_right_1
-    fine_series5f_left_rest_1 = product_rest(fine_x, fine_series5d, fine_series5e, fine_series5f_left_1)
-    fine_series5f_lo1_1 = fine_series5f_left_rest_1 + (6.4469503e-26 - fine_series5f_right_1)
-    fine_series5e_cross_1 = fine_x_cross2_1 * fine_series5d + fine_x * fine_series5d_lo
-    fine_series5f_lo = fine_series5f_lo1_1 + -5.609469e-34 + fine_series5e_cross_1
-    fine_series5e_size_4 = fine_series5e_size_1 + fine_far_x_padded_1 * fine_series5e_reach_1
-    fine_series5g = fine_x * fine_series5f
-    fine_series5g_padded_1 = 3.308722450212111e-24 + (6.4469503e-26 + fine_series5e_size_4)
-    fine_series5g_bound_1 = absolute(fine_series5f_lo) + 2.381233e-10 * fine_series5g_padded_1
-    fine_series5g_reach_1 = absolute(fine_series5f) + 262144 * fine_series5g_bound_1
-    fine_series5g_size_1 = fine_series5c_reach_1 * fine_series5g_padded_1
-    fine_series5h = fine_series5g - 3.8681703e-23
-    fine_series5h_right_1 = fine_series5g - fine_series5h
-    fine_series5h_left_1 = fine_series5h + fine_series5h_right_1
-    fine_series5h_left_rest_1 = product_rest(fine_x, fine_series5f, fine_series5g, fine_series5h_left_1)
-    fine_series5h_lo1_1 = fine_series5h_left_rest_1 - (3.8681703e-23 - fine_series5h_right_1)
-    fine_series5g_cross_1 = fine_x_cross2_1 * fine_series5f + fine_x * fine_series5f_lo
-    fine_series5h_lo = fine_series5h_lo1_1 - -1.2733404e-30 + fine_series5g_cross_1
-    fine_series5g_size_4 = fine_series5g_size_1 + fine_far_x_padded_1 * fine_series5g_reach_1
-    fine_series5i = fine_x * fine_series5h
-    fine_series5i_padded_1 = 3.308722450212111e-24 + (3.8681703e-23 + fine_series5g_size_4)
-    fine_series5i_bound_1 = absolute(fine_series5h_lo) + 2.4018407e-10 * fine_series5i_padded_1
-    fine_series5i_reach_1 = absolute(fine_series5h) + 262144 * fine_series5i_bound_1
-    fine_series5i_size_1 = fine_series5c_reach_1 * fine_series5i_padded_1
-    fine_series5j = fine_series5i + 1.9572942e-20
-    fine_series5j_right_1 = fine_series5j - fine_series5i
-    fine_series5j_left_1 = fine_series5j - fine_series5j_right_1
-    fine_series5j_left_rest_1 = product_rest(fine_x, fine_series5h, fine_series5i, fine_series5j_left_1)
-    fine_series5j_lo1_1 = fine_series5j_left_rest_1 + (1.9572942e-20 - fine_series5j_right_1)
-    fine_series5i_cross_1 = fine_x_cross2_1 * fine_series5h + fine_x * fine_series5h_lo
-    fine_series5j_lo = fine_series5j_lo1_1 + -4.6129455e-28 + fine_series5i_cross_1
-    fine_series5i_size_4 = fine_series5i_size_1 + fine_far_x_padded_1 * fine_series5i_reach_1
-    fine_series5k = fine_x * fine_series5j
-    fine_series5k_padded_1 = 3.308722450212111e-24 + (1.9572942e-20 + fine_series5i_size_4)
-    fine_series5k_bound_1 = absolute(fine_series5j_lo) + 2.423088e-10 * fine_series5k_padded_1
-    fine_series5k_reach_1 = absolute(fine_series5j) + 262144 * fine_series5k_bound_1
-    fine_series5k_size_1 = fine_series5c_reach_1 * fine_series5k_padded_1
-    fine_series5l = fine_series5k - 8.220635e-18
-    fine_series5l_right_1 = fine_series5k - fine_series5l
-    fine_series5l_left_1 = fine_series5l + fine_series5l_right_1
-    fine_series5l_left_rest_1 = product_rest(fine_x, fine_series5j, fine_series5k, fine_series5l_left_1)
-    fine_series5l_lo1_1 = fine_series5l_left_rest_1 - (8.220635e-18 - fine_series5l_right_1)
-    fine_series5k_cross_1 = fine_x_cross2_1 * fine_series5j + fine_x * fine_series5j_lo
-    fine_series5l_lo = fine_series5l_lo1_1 - 1.6814781e-25 + fine_series5k_cross_1
-    fine_series5k_size_4 = fine_series5k_size_1 + fine_far_x_padded_1 * fine_series5k_reach_1
-    fine_series5m = fine_x * fine_series5l
-    fine_series5m_padded_1 = 3.308722450212111e-24 + (8.220635e-18 + fine_series5k_size_4)
-    fine_series5m_bound_1 = absolute(fine_series5l_lo) + 2.4449753e-10 * fine_series5m_padded_1
-    fine_series5m_reach_1 = absolute(fine_series5l) + 262144 * fine_series5m_bound_1
-    fine_series5m_size_1 = fine_series5c_reach_1 * fine_series5m_padded_1
-    fine_series5n = fine_series5m + 2.8114574e-15
-    fine_series5n_right_1 = fine_series5n - fine_series5m
-    fine_series5n_left_1 = fine_series5n - fine_series5n_right_1
-    fine_series5n_left_rest_1 = product_rest(fine_x, fine_series5l, fine_series5m, fine_series5n_left_1)
-    fine_series5n_lo1_1 = fine_series5n_left_rest_1 + (2.8114574e-15 - fine_series5n_right_1)
-    fine_series5m_cross_1 = fine_x_cross2_1 * fine_series5l + fine_x * fine_series5l_lo
-    fine_series5n_lo = fine_series5n_lo1_1 + -1.0462085e-22 + fine_series5m_cross_1
-    fine_series5m_size_4 = fine_series5m_size_1 + fine_far_x_padded_1 * fine_series5m_reach_1
-    fine_series5o = fine_x * fine_series5n
-    fine_series5o_padded_1 = 3.308722450212111e-24 + (2.8114574e-15 + fine_series5m_size_4)
-    fine_series5o_bound_1 = absolute(fine_series5n_lo) + 2.4675023e-10 * fine_series5o_padded_1
-    fine_series5o_reach_1 = absolute(fine_series5n) + 262144 * fine_series5o_bound_1
-    fine_series5o_size_1 = fine_series5c_reach_1 * fine_series5o_padded_1
-    fine_series5p = fine_series5o - 7.6471636e-13
-    fine_series5p_right_1 = fine_series5o - fine_series5p
-    fine_series5p_left_1 = fine_series5p + fine_series5p_right_1
-    fine_series5p_left_rest_1 = product_rest(fine_x, fine_series5n, fine_series5o, fine_series5p_left_1)
-    fine_series5p_lo1_1 = fine_series5p_left_rest_1 - (7.6471636e-13 - fine_series5p_right_1)
-    fine_series5o_cross_1 = fine_x_cross2_1 * fine_series5n + fine_x * fine_series5n_lo
-    fine_series5p_lo = fine_series5p_lo1_1 - 1.22007105e-20 + fine_series5o_cross_1
-    fine_series5o_size_4 = fine_series5o_size_1 + fine_far_x_padded_1 * fine_series5o_reach_1
-    fine_series5q = fine_x * fine_series5p
-    fine_series5q_padded_1 = 3.308722450212111e-24 + (7.6471636e-13 + fine_series5o_size_4)
-    fine_series5q_bound_1 = absolute(fine_series5p_lo) + 2.4906693e-10 * fine_series5q_padded_1
-    fine_series5q_reach_1 = absolute(fine_series5p) + 262144 * fine_series5q_bound_1
-    fine_series5q_size_1 = fine_series5c_reach_1 * fine_series5q_padded_1
-    fine_series5r = fine_series5q + 1.6059044e-10
-    fine_series5r_right_1 = fine_series5r - fine_series5q
-    fine_series5r_left_1 = fine_series5r - fine_series5r_right_1
-    fine_series5r_left_rest_1 = product_rest(fine_x, fine_series5p, fine_series5q, fine_series5r_left_1)
-    fine_series5r_lo1_1 = fine_series5r_left_rest_1 + (1.6059044e-10 - fine_series5r_right_1)
-    fine_series5q_cross_1 = fine_x_cross2_1 * fine_series5p + fine_x * fine_series5p_lo
-    fine_series5r_lo = fine_series5r_lo1_1 + -5.3525265e-18 + fine_series5q_cross_1
-    fine_series5q_size_4 = fine_series5q_size_1 + fine_far_x_padded_1 * fine_series5q_reach_1
-    fine_series5s = fine_x * fine_series5r
-    fine_series5s_padded_1 = 3.308722450212111e-24 + (1.6059044e-10 + fine_series5q_size_4)
-    fine_series5s_bound_1 = absolute(fine_series5r_lo) + 2.514476e-10 * fine_series5s_padded_1
-    fine_series5s_reach_1 = absolute(fine_series5r) + 262144 * fine_series5s_bound_1
-    fine_series5s_size_1 = fine_series5c_reach_1 * fine_series5s_padded_1
-    fine_series5t = fine_series5s - 2.5052108e-08
-    fine_series5t_right_1 = fine_series5s - fine_series5t
-    fine_series5t_left_1 = fine_series5t + fine_series5t_right_1
-    fine_series5t_left_rest_1 = product_rest(fine_x, fine_series5r, fine_series5s, fine_series5t_left_1)
-    fine_series5t_lo1_1 = fine_series5t_left_rest_1 - (2.5052108e-08 - fine_series5t_right_1)
-    fine_series5s_cross_1 = fine_x_cross2_1 * fine_series5r + fine_x * fine_series5r_lo
-    fine_series5t_lo = fine_series5t_lo1_1 - 4.417623e-16 + fine_series5s_cross_1
-    fine_series5s_size_4 = fine_series5s_size_1 + fine_far_x_padded_1 * fine_series5s_reach_1
-    fine_series5u = fine_x * fine_series5t
-    fine_series5u_padded_1 = 3.308722450212111e-24 + (2.5052108e-08 + fine_series5s_size_4)
-    fine_series5u_bound_1 = absolute(fine_series5t_lo) + 2.538923e-10 * fine_series5u_padded_1
-    fine_series5u_reach_1 = absolute(fine_series5t) + 262144 * fine_series5u_bound_1
-    fine_series5u_size_1 = fine_series5c_reach_1 * fine_series5u_padded_1
-    fine_series5v = fine_series5u + 2.7557319e-06
-    fine_series5v_right_1 = fine_series5v - fine_series5u
-    fine_series5v_left_1 = fine_series5v - fine_series5v_right_1
-    fine_series5v_left_rest_1 = product_rest(fine_x, fine_series5t, fine_series5u, fine_series5v_left_1)
-    fine_series5v_lo1_1 = fine_series5v_left_rest_1 + (2.7557319e-06 - fine_series5v_right_1)
-    fine_series5u_cross_1 = fine_x_cross2_1 * fine_series5t + fine_x * fine_series5t_lo
-    fine_series5v_lo = fine_series5v_lo1_1 + 3.7935712e-14 + fine_series5u_cross_1
-    fine_series5u_size_4 = fine_series5u_size_1 + fine_far_x_padded_1 * fine_series5u_reach_1
-    fine_series5w = fine_x * fine_series5v
-    fine_series5w_padded_1 = 3.308722450212111e-24 + (2.7557319e-06 + fine_series5u_size_4)
-    fine_series5w_bound_1 = absolute(fine_series5v_lo) + 2.5640096e-10 * fine_series5w_padded_1
-    fine_series5w_reach_1 = absolute(fine_series5v) + 262144 * fine_series5w_bound_1
-    fine_series5w_size_1 = fine_series5c_reach_1 * fine_series5w_padded_1
-    fine_series5x = fine_series5w - 0.0001984127
-    fine_series5x_right_1 = fine_series5w - fine_series5x
-    fine_series5x_left_1 = fine_series5x + fine_series5x_right_1
-    fine_series5x_left_rest_1 = product_rest(fine_x, fine_series5v, fine_series5w, fine_series5x_left_1)
-    fine_series5x_lo1_1 = fine_series5x_left_rest_1 - (0.0001984127 - fine_series5x_right_1)
-    fine_series5w_cross_1 = fine_x_cross2_1 * fine_series5v + fine_x * fine_series5v_lo
-    fine_series5x_lo = fine_series5x_lo1_1 - -2.7255969e-12 + fine_series5w_cross_1
-    fine_series5w_size_4 = fine_series5w_size_1 + fine_far_x_padded_1 * fine_series5w_reach_1
-    fine_series5y = fine_x * fine_series5x
-    fine_series5y_padded_1 = 3.308722450212111e-24 + (0.0001984127 + fine_series5w_size_4)
-    fine_series5y_bound_1 = absolute(fine_series5x_lo) + 2.5897362e-10 * fine_series5y_padded_1
-    fine_series5y_reach_1 = absolute(fine_series5x) + 262144 * fine_series5y_bound_1
-    fine_series5y_size_1 = fine_series5c_reach_1 * fine_series5y_padded_1
-    fine_series5 = fine_series5y + 0.008333334
-    fine_series5_right_1 = fine_series5 - fine_series5y
-    fine_series5_left_1 = fine_series5 - fine_series5_right_1
-    fine_series5_left_rest_1 = product_rest(fine_x, fine_series5x, fine_series5y, fine_series5_left_1)
-    fine_series5_lo1_1 = fine_series5_left_rest_1 + (0.008333334 - fine_series5_right_1)
-    fine_series5y_cross_1 = fine_x_cross2_1 * fine_series5x + fine_x * fine_series5x_lo
-    fine_series5_lo = fine_series5_lo1_1 + -4.346172e-10 + fine_series5y_cross_1
-    fine_series5y_size_4 = fine_series5y_size_1 + fine_far_x_padded_1 * fine_series5y_reach_1
-    fine_g3a = fine_x * fine_series5
-    fine_g3a_padded_1 = 3.308722450212111e-24 + (0.008333334 + fine_series5y_size_4)
-    fine_g3a_units_1 = 262144 * (absolute(fine_series5_lo) + 2.6161032e-10 * fine_g3a_padded_1)
-    fine_g3a_size_3 = fine_far_x_padded_1 * (absolute(fine_series5) + fine_g3a_units_1)
+    fine_closed3_size_4 = (3.308722450212111e-24 + (1 + fine_g1_size_5) + fine_closed3_padded_2
+        * fine_closed3_size_1)
+    fine_closed3_size_8 = (fine_closed3_size_4
+        / where(4 * fine_closed3_bound_1 < fine_closed3_size_2, fine_closed3_size_2, 0))
+    fine_closed3_size_11 = (fine_closed3_size_1
+        + (fine_closed3_size_2 + 262144 * fine_closed3_bound_1) * fine_closed3_size_8
+        / fine_closed3_size_2)
+    series5a = 1.216125e-34 * fine_x
+    series5b = 1.1309962e-31 - series5a
+    series5b_right_1 = 1.1309962e-31 - series5b
+    series5b_lo1_1 = (1.1309962e-31 - (series5b + series5b_right_1)
+        - product_rest(1.216125e-34, fine_x, series5a, series5b_right_1))
+    series5b_lo = (series5b_lo1_1 - (2.696e-42 * fine_x + 1.216125e-34 * fine_x_cross2_1)
+        + 4.1374e-39)
+    series5c = fine_x * series5b
+    series5c_padded_1 = 3.308722450212111e-24 + (1.1309962e-31 + 1.9784917e-27 * fine_x_size_1)
+    series5c_reach_1 = absolute(fine_x) + 262144 * fine_far_x_bound_1
+    series5c_size_4 = (fine_far_x_padded_1
+        * (absolute(series5b) + 262144
+        * (absolute(series5b_lo) + 2.3419375e-10 * series5c_padded_1)))
+    series5d = series5c - 9.18369e-29
+    series5d_right_1 = series5c - series5d
+    series5d_lo2_1 = (product_rest(fine_x, series5b, series5c, series5d + series5d_right_1)
+        - (9.18369e-29 - series5d_right_1) - 5.383817e-37)
+    series5d_lo = series5d_lo2_1 + (fine_x_cross2_1 * series5b + fine_x * series5b_lo)
+    series5e = fine_x * series5d
+    series5e_padded_1 = (3.308722450212111e-24
+        + (9.18369e-29 + (series5c_padded_1 * series5c_reach_1 + series5c_size_4)))
+    series5e_size_3 = (fine_far_x_padded_1
+        * (absolute(series5d) + 262144
+        * (absolute(series5d_lo) + 2.3612653e-10 * series5e_padded_1)))
+    series5f = series5e + 6.4469503e-26
+    series5f_right_1 = series5f - series5e
+    series5f_lo2_1 = (product_rest(fine_x, series5d, series5e, series5f - series5f_right_1)
+        + (6.4469503e-26 - series5f_right_1) + -5.609469e-34)
+    series5f_lo = series5f_lo2_1 + (fine_x_cross2_1 * series5d + fine_x * series5d_lo)
+    series5g = fine_x * series5f
+    series5g_padded_1 = (3.308722450212111e-24
+        + (6.4469503e-26 + (series5c_reach_1 * series5e_padded_1 + series5e_size_3)))
+    series5g_size_3 = (fine_far_x_padded_1
+        * (absolute(series5f) + 262144
+        * (absolute(series5f_lo) + 2.381233e-10 * series5g_padded_1)))
+    series5h = series5g - 3.8681703e-23
+    series5h_right_1 = series5g - series5h
+    series5h_lo2_1 = (product_rest(fine_x, series5f, series5g, series5h + series5h_right_1)
+        - (3.8681703e-23 - series5h_right_1) - -1.2733404e-30)
+    series5h_lo = series5h_lo2_1 + (fine_x_cross2_1 * series5f + fine_x * series5f_lo)
+    series5i = fine_x * series5h
+    series5i_padded_1 = (3.308722450212111e-24
+        + (3.8681703e-23 + (series5c_reach_1 * series5g_padded_1 + series5g_size_3)))
+    series5i_size_3 = (fine_far_x_padded_1
+        * (absolute(series5h) + 262144
+        * (absolute(series5h_lo) + 2.4018407e-10 * series5i_padded_1)))
+    series5j = series5i + 1.9572942e-20
+    series5j_right_1 = series5j - series5i
+    series5j_lo2_1 = (product_rest(fine_x, series5h, series5i, series5j - series5j_right_1)
+        + (1.9572942e-20 - series5j_right_1) + -4.6129455e-28)
+    series5j_lo = series5j_lo2_1 + (fine_x_cross2_1 * series5h + fine_x * series5h_lo)
+    series5k = fine_x * series5j
+    series5k_padded_1 = (3.308722450212111e-24
+        + (1.9572942e-20 + (series5c_reach_1 * series5i_padded_1 + series5i_size_3)))
+    series5k_size_3 = (fine_far_x_padded_1
+        * (absolute(series5j) + 262144
+        * (absolute(series5j_lo) + 2.423088e-10 * series5k_padded_1)))
+    series5l = series5k - 8.220635e-18
+    series5l_right_1 = series5k - series5l
+    series5l_lo2_1 = (product_rest(fine_x, series5j, series5k, series5l + series5l_right_1)
+        - (8.220635e-18 - series5l_right_1) - 1.6814781e-25)
+    series5l_lo = series5l_lo2_1 + (fine_x_cross2_1 * series5j + fine_x * series5j_lo)
+    series5m = fine_x * series5l
+    series5m_padded_1 = (3.308722450212111e-24
+        + (8.220635e-18 + (series5c_reach_1 * series5k_padded_1 + series5k_size_3)))
+    series5m_size_3 = (fine_far_x_padded_1
+        * (absolute(series5l) + 262144
+        * (absolute(series5l_lo) + 2.4449753e-10 * series5m_padded_1)))
+    series5n = series5m + 2.8114574e-15
+    series5n_right_1 = series5n - series5m
+    series5n_lo2_1 = (product_rest(fine_x, series5l, series5m, series5n - series5n_right_1)
+        + (2.8114574e-15 - series5n_right_1) + -1.0462085e-22)
+    series5n_lo = series5n_lo2_1 + (fine_x_cross2_1 * series5l + fine_x * series5l_lo)
+    series5o = fine_x * series5n
+    series5o_padded_1 = (3.308722450212111e-24
+        + (2.8114574e-15 + (series5c_reach_1 * series5m_padded_1 + series5m_size_3)))
+    series5o_size_3 = (fine_far_x_padded_1
+        * (absolute(series5n) + 262144
+        * (absolute(series5n_lo) + 2.4675023e-10 * series5o_padded_1)))
+    series5p = series5o - 7.6471636e-13
+    series5p_right_1 = series5o - series5p
+    series5p_lo2_1 = (product_rest(fine_x, series5n, series5o, series5p + series5p_right_1)
+        - (7.6471636e-13 - series5p_right_1) - 1.22007105e-20)
+    series5p_lo = series5p_lo2_1 + (fine_x_cross2_1 * series5n + fine_x * series5n_lo)
+    series5q = fine_x * series5p
+    series5q_padded_1 = (3.308722450212111e-24
+        + (7.6471636e-13 + (series5c_reach_1 * series5o_padded_1 + series5o_size_3)))
+    series5q_size_3 = (fine_far_x_padded_1
+        * (absolute(series5p) + 262144
+        * (absolute(series5p_lo) + 2.4906693e-10 * series5q_padded_1)))
+    series5r = series5q + 1.6059044e-10
+    series5r_right_1 = series5r - series5q
+    series5r_lo2_1 = (product_rest(fine_x, series5p, series5q, series5r - series5r_right_1)
+        + (1.6059044e-10 - series5r_right_1) + -5.3525265e-18)
+    series5r_lo = series5r_lo2_1 + (fine_x_cross2_1 * series5p + fine_x * series5p_lo)
+    series5s = fine_x * series5r
+    series5s_padded_1 = (3.308722450212111e-24
+        + (1.6059044e-10 + (series5c_reach_1 * series5q_padded_1 + series5q_size_3)))
+    series5s_size_3 = (fine_far_x_padded_1
+        * (absolute(series5r) + 262144
+        * (absolute(series5r_lo) + 2.514476e-10 * series5s_padded_1)))
+    series5t = series5s - 2.5052108e-08
+    series5t_right_1 = series5s - series5t
+    series5t_lo2_1 = (product_rest(fine_x, series5r, series5s, series5t + series5t_right_1)
+        - (2.5052108e-08 - series5t_right_1) - 4.417623e-16)
+    series5t_lo = series5t_lo2_1 + (fine_x_cross2_1 * series5r + fine_x * series5r_lo)
+    series5u = fine_x * series5t
+    series5u_padded_1 = (3.308722450212111e-24
+        + (2.5052108e-08 + (series5c_reach_1 * series5s_padded_1 + series5s_size_3)))
+    series5u_size_3 = (fine_far_x_padded_1
+        * (absolute(series5t) + 262144
+        * (absolute(series5t_lo) + 2.538923e-10 * series5u_padded_1)))
+    series5v = series5u + 2.7557319e-06
+    series5v_right_1 = series5v - series5u
+    series5v_lo2_1 = (product_rest(fine_x, series5t, series5u, series5v - series5v_right_1)
+        + (2.7557319e-06 - series5v_right_1) + 3.7935712e-14)
+    series5v_lo = series5v_lo2_1 + (fine_x_cross2_1 * series5t + fine_x * series5t_lo)
+    series5w = fine_x * series5v
+    series5w_padded_1 = (3.308722450212111e-24
+        + (2.7557319e-06 + (series5c_reach_1 * series5u_padded_1 + series5u_size_3)))
+    series5w_size_3 = (fine_far_x_padded_1
+        * (absolute(series5v) + 262144
+        * (absolute(series5v_lo) + 2.5640096e-10 * series5w_padded_1)))
+    series5x = series5w - 0.0001984127
+    series5x_right_1 = series5w - series5x
+    series5x_lo2_1 = (product_rest(fine_x, series5v, series5w, series5x + series5x_right_1)
+        - (0.0001984127 - series5x_right_1) - -2.7255969e-12)
+    series5x_lo = series5x_lo2_1 + (fine_x_cross2_1 * series5v + fine_x * series5v_lo)
+    series5y = fine_x * series5x
+    series5y_padded_1 = (3.308722450212111e-24
+        + (0.0001984127 + (series5c_reach_1 * series5w_padded_1 + series5w_size_3)))
+    series5y_size_3 = (fine_far_x_padded_1
+        * (absolute(series5x) + 262144
+        * (absolute(series5x_lo) + 2.5897362e-10 * series5y_padded_1)))
+    series5 = series5y + 0.008333334
+    series5_right_1 = series5 - series5y
+    series5_lo2_1 = (product_rest(fine_x, series5x, series5y, series5 - series5_right_1)
+        + (0.008333334 - series5_right_1) + -4.346172e-10)
+    series5_lo = series5_lo2_1 + (fine_x_cross2_1 * series5x + fine_x * series5x_lo)
+    fine_g3a = fine_x * series5
+    fine_g3a_padded_1 = (3.308722450212111e-24
+        + (0.008333334 + (series5c_reach_1 * series5y_padded_1 + series5y_size_3)))
+    fine_g3a_size_3 = (fine_far_x_padded_1
+        * (absolute(series5) + 262144 * (absolute(series5_lo) + 2.6161032e-10 * fine_g3a_padded_1)))
     fine_g3b = 0.16666667 - fine_g3a
     fine_g3b_right_1 = 0.16666667 - fine_g3b
-    fine_g3b_right_rest_1 = product_rest(fine_x, fine_series5, fine_g3a, fine_g3b_right_1)
-    fine_g3b_lo1_1 = 0.16666667 - (fine_g3b + fine_g3b_right_1) - fine_g3b_right_rest_1
-    fine_g3b_lo2_1 = fine_g3b_lo1_1 - (fine_x_cross2_1 * fine_series5 + fine_x * fine_series5_lo)
-    fine_g3b_lo = fine_g3b_lo2_1 + -4.967054e-09
-    fine_g3b_size_1 = 0.16666667 + (fine_g3a_padded_1 * fine_series5c_reach_1 + fine_g3a_size_3)
-    fine_g3 = where(fine_far_x_a, fine_g3b, fine_closed3)
-    fine_g3_lo = where(fine_far_x_a, fine_g3b_lo, fine_closed3_lo)
-    fine_g3_rest_1 = 2.6431096e-10 * (3.308722450212111e-24 + fine_g3b_size_1)
-    fine_g3_rest_2 = 2.3937835e-10 * (3.308722450212111e-24 + fine_closed3_size_11)
-    fine_g3_size_4 = absolute(fine_g3b_lo) + fine_g3_rest_1 + absolute(fine_g3b - fine_closed3)
-    fine_g3_size_5 = absolute(fine_closed3_lo) + fine_g3_rest_2 + fine_g3_size_4
-    fine_g3_size_1 = where(fine_far_x_a, fine_g3b_size_1, fine_closed3_size_11)
+    fine_g3b_lo1_1 = (0.16666667 - (fine_g3b + fine_g3b_right_1)
+        - product_rest(fine_x, series5, fine_g3a, fine_g3b_right_1))
+    fine_g3b_lo = fine_g3b_lo1_1 - (fine_x_cross2_1 * series5 + fine_x * series5_lo) + -4.967054e-09
+    fine_g3b_size_1 = 0.16666667 + (fine_g3a_padded_1 * series5c_reach_1 + fine_g3a_size_3)
+    fine_g3 = where(far_x_a, fine_g3b, fine_closed3)
+    fine_g3_lo = where(far_x_a, fine_g3b_lo, fine_closed3_lo)
+    fine_g3_size_4 = (absolute(fine_g3b_lo) + 2.6431096e-10
+        * (3.308722450212111e-24 + fine_g3b_size_1) + absolute(fine_g3b - fine_closed3))
+    fine_g3_size_5 = (absolute(fine_closed3_lo) + 2.3937835e-10
+        * (3.308722450212111e-24 + fine_closed3_size_11) + fine_g3_size_4)
     fine_u_0a = s_2 * s_4
     fine_u_0a_size_1 = absolute(s_2)
     fine_u_0b = s_1 * s_5
     fine_u_0b_size_1 = absolute(s_1)
     fine_u_0 = fine_u_0a - fine_u_0b
     fine_u_right_1 = fine_u_0a - fine_u_0
-    fine_u_left_rest_1 = product_rest(s_2, s_4, fine_u_0a, fine_u_0 + fine_u_right_1)
     fine_u_1a = s_0 * s_5
     fine_u_1a_size_1 = absolute(s_0)
     fine_u_1b = s_2 * s_3
     fine_u_1 = fine_u_1a - fine_u_1b
     fine_u_right_2 = fine_u_1a - fine_u_1
-    fine_u_left_rest_2 = product_rest(s_0, s_5, fine_u_1a, fine_u_1 + fine_u_right_2)
     fine_u_2a = s_1 * s_3
     fine_u_2b = s_0 * s_4
     fine_u_2 = fine_u_2a - fine_u_2b
     fine_u_right_3 = fine_u_2a - fine_u_2
-    fine_u_left_rest_3 = product_rest(s_1, s_3, fine_u_2a, fine_u_2 + fine_u_right_3)
     fine_turned_0 = fine_g2 * fine_u_0
-    fine_u_lo_1 = fine_u_left_rest_1 - product_rest(s_1, s_5, fine_u_0b, fine_u_right_1)
+    fine_turned_cross2_1 = (fine_g2
+        * (product_rest(s_2, s_4, fine_u_0a, fine_u_0 + fine_u_right_1)
+        - product_rest(s_1, s_5, fine_u_0b, fine_u_right_1)))
     fine_turned_padded_1 = 3.308722450212111e-24 + 0.5 * (fine_g2a_size_1 + fine_g2a_size_1)
-    fine_u_size_1 = fine_halved_size_3 * fine_u_0a_size_1 + fine_halved_size_5 * fine_u_0b_size_1
     fine_turned_1 = fine_g2 * fine_u_1
-    fine_u_lo_2 = fine_u_left_rest_2 - product_rest(s_2, s_3, fine_u_1b, fine_u_right_2)
-    fine_u_size_2 = fine_halved_size_5 * fine_u_1a_size_1 + fine_halved_size_1 * fine_u_0a_size_1
+    fine_turned_cross2_2 = (fine_g2
+        * (product_rest(s_0, s_5, fine_u_1a, fine_u_1 + fine_u_right_2)
+        - product_rest(s_2, s_3, fine_u_1b, fine_u_right_2)))
     fine_turned_2 = fine_g2 * fine_u_2
-    fine_u_lo_3 = fine_u_left_rest_3 - product_rest(s_0, s_4, fine_u_2b, fine_u_right_3)
-    fine_u_size_3 = fine_halved_size_1 * fine_u_0b_size_1 + fine_halved_size_3 * fine_u_1a_size_1
+    fine_turned_cross2_3 = (fine_g2
+        * (product_rest(s_1, s_3, fine_u_2a, fine_u_2 + fine_u_right_3)
+        - product_rest(s_0, s_4, fine_u_2b, fine_u_right_3)))
     fine_wv_a = s_0 * s_3
     fine_wv_b = s_1 * s_4
     fine_wv_c = fine_wv_a + fine_wv_b
     fine_wv_c_right_1 = fine_wv_c - fine_wv_a
-    fine_wv_c_left_rest_1 = product_rest(s_0, s_3, fine_wv_a, fine_wv_c - fine_wv_c_right_1)
     fine_wv_d = s_2 * s_5
     fine_wv = fine_wv_c + fine_wv_d
     fine_wv_right_1 = fine_wv - fine_wv_c
-    fine_wv_right_rest_1 = product_rest(s_2, s_5, fine_wv_d, fine_wv_right_1)
-    fine_wv_c_lo = fine_wv_c_left_rest_1 + product_rest(s_1, s_4, fine_wv_b, fine_wv_c_right_1)
-    fine_wv_lo = fine_wv_c - (fine_wv - fine_wv_right_1) + fine_wv_right_rest_1 + fine_wv_c_lo
-    fine_wv_c_size_1 = fine_halved_size_1 * fine_u_1a_size_1 + fine_halved_size_3 * fine_u_0b_size_1
+    fine_wv_c_lo = (product_rest(s_0, s_3, fine_wv_a, fine_wv_c - fine_wv_c_right_1)
+        + product_rest(s_1, s_4, fine_wv_b, fine_wv_c_right_1))
+    fine_wv_lo = (fine_wv_c - (fine_wv - fine_wv_right_1)
+        + product_rest(s_2, s_5, fine_wv_d, fine_wv_right_1) + fine_wv_c_lo)
     fine_pitch = fine_g3 * fine_wv
-    fine_g3_size_8 = fine_g3_size_1 + 3797731584 * where(fine_far_x_size_4, 0, fine_g3_size_5)
+    fine_g3_size_8 = (where(far_x_a, fine_g3b_size_1, fine_closed3_size_11) + 3797731584
+        * where(fine_far_x_size_4, 0, fine_g3_size_5))
     fine_pitch_padded_1 = 3.308722450212111e-24 + fine_g3_size_8
-    fine_wv_size_1 = fine_wv_c_size_1 + fine_halved_size_5 * fine_u_0a_size_1
-    fine_pitch_padded_2 = 3.308722450212111e-24 + fine_wv_size_1
-    fine_pitch_units_1 = 262144 * (absolute(fine_g3_lo) + 2.6431105e-10 * fine_pitch_padded_1)
-    fine_pitch_units_2 = 262144 * (absolute(fine_wv_lo) + 5.4001725e-13 * fine_pitch_padded_2)
-    fine_pitch_size_2 = fine_pitch_padded_2 * (absolute(fine_g3) + fine_pitch_units_1)
-    fine_pitch_size_4 = fine_pitch_padded_1 * (absolute(fine_wv) + fine_pitch_units_2)
-    fine_pitch_error_3 = product_error(fine_g3, fine_wv, fine_pitch)
-    fine_pitch_lo = fine_pitch_error_3 + (fine_g3_lo * fine_wv + fine_g3 * fine_wv_lo)
+    fine_pitch_padded_2 = (3.308722450212111e-24
+        + (fine_u_1a_size_1 * halved_size_1 + fine_u_0b_size_1 * halved_size_3 + fine_u_0a_size_1
+        * halved_size_5))
+    fine_pitch_size_2 = (fine_pitch_padded_2
+        * (absolute(fine_g3) + 262144
+        * (absolute(fine_g3_lo) + 2.6431105e-10 * fine_pitch_padded_1)))
+    fine_pitch_size_4 = (fine_pitch_padded_1
+        * (absolute(fine_wv) + 262144
+        * (absolute(fine_wv_lo) + 5.4001725e-13 * fine_pitch_padded_2)))
+    fine_pitch_lo = (product_error(fine_g3, fine_wv, fine_pitch)
+        + (fine_g3_lo * fine_wv + fine_g3 * fine_wv_lo))
     fine_along_0 = s_3 * fine_pitch
     fine_along_padded_1 = 3.308722450212111e-24 + (fine_pitch_size_2 + fine_pitch_size_4)
     fine_along_1 = s_4 * fine_pitch
@@ -4020,17 +3843,16 @@ def SE3_exp(s):
     fine_beta_v_lo_1 = product_error(s_3, fine_g2, fine_beta_v_0) + s_3 * fine_g2_cross2_1
     fine_m_0 = s_3 * fine_beta_v_0
     fine_m_cross2_1 = s_3 * fine_beta_v_lo_1
-    fine_m_padded_1 = 3.308722450212111e-24 + fine_halved_size_1 * fine_turned_padded_1
-    fine_m_size_1 = fine_halved_size_1 * fine_m_padded_1
+    fine_m_padded_1 = 3.308722450212111e-24 + fine_turned_padded_1 * halved_size_1
+    fine_m_size_1 = fine_m_padded_1 * halved_size_1
     fine_beta_v_lo_2 = product_error(s_4, fine_g2, fine_beta_v_1) + s_4 * fine_g2_cross2_1
     fine_m_1 = s_4 * fine_beta_v_1
     fine_m_cross2_2 = s_4 * fine_beta_v_lo_2
-    fine_m_padded_2 = 3.308722450212111e-24 + fine_halved_size_3 * fine_turned_padded_1
-    fine_m_size_2 = fine_halved_size_3 * fine_m_padded_2
+    fine_m_padded_2 = 3.308722450212111e-24 + fine_turned_padded_1 * halved_size_3
+    fine_m_size_2 = fine_m_padded_2 * halved_size_3
     fine_m_2 = s_5 * fine_beta_v_2
     fine_m_cross2_3 = s_5 * (product_error(s_5, fine_g2, fine_beta_v_2) + s_5 * fine_g2_cross2_1)
-    fine_m_padded_3 = 3.308722450212111e-24 + fine_halved_size_5 * fine_turned_padded_1
-    fine_m_size_3 = fine_halved_size_5 * fine_m_padded_3
+    fine_m_size_3 = (3.308722450212111e-24 + fine_turned_padded_1 * halved_size_5) * halved_size_5
     fine_m_3 = s_4 * fine_beta_v_0
     fine_m_cross2_4 = s_4 * fine_beta_v_lo_1
     fine_m_4 = s_5 * fine_beta_v_0
@@ -4039,113 +3861,107 @@ def SE3_exp(s):
     fine_m_cross2_6 = s_5 * fine_beta_v_lo_2
     fine_others_0 = fine_m_1 + fine_m_2
     fine_others_right_1 = fine_others_0 - fine_m_1
-    fine_others_left_1 = fine_others_0 - fine_others_right_1
-    fine_others_right_rest_1 = product_rest(s_5, fine_beta_v_2, fine_m_2, fine_others_right_1)
-    fine_others_left_rest_1 = product_rest(s_4, fine_beta_v_1, fine_m_1, fine_others_left_1)
-    fine_others_lo1_1 = fine_others_left_rest_1 + fine_others_right_rest_1
-    fine_others_lo_1 = fine_others_lo1_1 + (fine_m_cross2_2 + fine_m_cross2_3)
+    fine_others_left_rest_1 = (product_rest(s_4, fine_beta_v_1, fine_m_1, fine_others_0
+        - fine_others_right_1))
+    fine_others_lo_1 = (fine_others_left_rest_1
+        + product_rest(s_5, fine_beta_v_2, fine_m_2, fine_others_right_1)
+        + (fine_m_cross2_2 + fine_m_cross2_3))
     fine_others_size_1 = fine_m_size_2 + fine_m_size_3
     fine_others_1 = fine_m_0 + fine_m_2
     fine_others_right_2 = fine_others_1 - fine_m_0
-    fine_others_left_2 = fine_others_1 - fine_others_right_2
-    fine_others_right_rest_2 = product_rest(s_5, fine_beta_v_2, fine_m_2, fine_others_right_2)
-    fine_others_left_rest_2 = product_rest(s_3, fine_beta_v_0, fine_m_0, fine_others_left_2)
-    fine_others_lo1_2 = fine_others_left_rest_2 + fine_others_right_rest_2
-    fine_others_lo_2 = fine_others_lo1_2 + (fine_m_cross2_1 + fine_m_cross2_3)
+    fine_others_left_rest_2 = (product_rest(s_3, fine_beta_v_0, fine_m_0, fine_others_1
+        - fine_others_right_2))
+    fine_others_lo_2 = (fine_others_left_rest_2
+        + product_rest(s_5, fine_beta_v_2, fine_m_2, fine_others_right_2)
+        + (fine_m_cross2_1 + fine_m_cross2_3))
     fine_others_size_2 = fine_m_size_1 + fine_m_size_3
     fine_others_2 = fine_m_0 + fine_m_1
     fine_others_right_3 = fine_others_2 - fine_m_0
-    fine_others_left_3 = fine_others_2 - fine_others_right_3
-    fine_others_right_rest_3 = product_rest(s_4, fine_beta_v_1, fine_m_1, fine_others_right_3)
-    fine_others_left_rest_3 = product_rest(s_3, fine_beta_v_0, fine_m_0, fine_others_left_3)
-    fine_others_lo1_3 = fine_others_left_rest_3 + fine_others_right_rest_3
-    fine_others_lo_3 = fine_others_lo1_3 + (fine_m_cross2_1 + fine_m_cross2_2)
+    fine_others_left_rest_3 = (product_rest(s_3, fine_beta_v_0, fine_m_0, fine_others_2
+        - fine_others_right_3))
+    fine_others_lo_3 = (fine_others_left_rest_3
+        + product_rest(s_4, fine_beta_v_1, fine_m_1, fine_others_right_3)
+        + (fine_m_cross2_1 + fine_m_cross2_2))
     fine_others_size_3 = fine_m_size_1 + fine_m_size_2
     fine_diagonal0a = 1 - fine_others_0
     fine_diagonal0a_right_1 = 1 - fine_diagonal0a
-    fine_diagonal0a_left_rest_1 = 1 - (fine_diagonal0a + fine_diagonal0a_right_1)
-    fine_diagonal0a_lo1_1 = fine_diagonal0a_left_rest_1 - (fine_others_0 - fine_diagonal0a_right_1)
-    fine_diagonal0a_lo = fine_diagonal0a_lo1_1 - fine_others_lo_1
+    fine_diagonal0a_lo = (1 - (fine_diagonal0a + fine_diagonal0a_right_1)
+        - (fine_others_0 - fine_diagonal0a_right_1) - fine_others_lo_1)
     fine_diagonal0a_size_1 = 1 + fine_others_size_1
     fine_diagonal0b = fine_g0 + fine_m_0
     fine_diagonal0b_right_1 = fine_diagonal0b - fine_g0
-    fine_diagonal0b_right_rest_1 = product_rest(s_3, fine_beta_v_0, fine_m_0, fine_diagonal0b_right_1)
-    fine_diagonal0b_left_rest_1 = fine_g0 - (fine_diagonal0b - fine_diagonal0b_right_1)
-    fine_diagonal0b_lo1_1 = fine_diagonal0b_left_rest_1 + fine_diagonal0b_right_rest_1
+    fine_diagonal0b_lo1_1 = (fine_g0 - (fine_diagonal0b - fine_diagonal0b_right_1)
+        + product_rest(s_3, fine_beta_v_0, fine_m_0, fine_diagonal0b_right_1))
     fine_diagonal0b_lo = fine_diagonal0b_lo1_1 + fine_m_cross2_1 + fine_g0_lo
     fine_diagonal0b_size_1 = fine_g0_size_1 + fine_m_size_1
     fine_diagonal0c = fine_m_0 < fine_others_0
     fine_diagonal0_error_1 = absolute(product_error(s_3, fine_beta_v_0, fine_m_0) + fine_m_cross2_1)
-    fine_diagonal0_rest_1 = 2.3644112e-10 * (3.308722450212111e-24 + fine_m_size_1)
-    fine_diagonal0_rest_2 = 2.369181e-10 * (3.308722450212111e-24 + fine_others_size_1)
-    fine_diagonal0_bound_2 = absolute(fine_others_lo_1) + fine_diagonal0_rest_2
-    fine_diagonal0_size_2 = fine_diagonal0_error_1 + fine_diagonal0_rest_1 + fine_diagonal0_bound_2
-    fine_diagonal0_rest_3 = 2.369181e-10 * (3.308722450212111e-24 + fine_diagonal0b_size_1)
-    fine_diagonal0_rest_4 = 2.374164e-10 * (3.308722450212111e-24 + fine_diagonal0a_size_1)
-    fine_diagonal0_bound_3 = absolute(fine_diagonal0b_lo) + fine_diagonal0_rest_3
-    fine_diagonal0_size_8 = fine_diagonal0_bound_3 + absolute(fine_diagonal0b - fine_diagonal0a)
-    fine_diagonal0_bound_4 = absolute(fine_diagonal0a_lo) + fine_diagonal0_rest_4
-    fine_diagonal0_size_5 = fine_diagonal0_size_2 < absolute(fine_m_0 - fine_others_0)
-    fine_diagonal0_size_9 = fine_diagonal0_bound_4 + fine_diagonal0_size_8
-    fine_diagonal0_size_1 = where(fine_diagonal0c, fine_diagonal0b_size_1, fine_diagonal0a_size_1)
-    fine_diagonal0_size_11 = 4219097344 * where(fine_diagonal0_size_5, 0, fine_diagonal0_size_9)
+    fine_diagonal0_bound_2 = (absolute(fine_others_lo_1) + 2.369181e-10
+        * (3.308722450212111e-24 + fine_others_size_1))
+    fine_diagonal0_size_2 = (fine_diagonal0_error_1 + 2.3644112e-10
+        * (3.308722450212111e-24 + fine_m_size_1) + fine_diagonal0_bound_2)
+    fine_diagonal0_bound_3 = (absolute(fine_diagonal0b_lo) + 2.369181e-10
+        * (3.308722450212111e-24 + fine_diagonal0b_size_1))
+    fine_diagonal0_bound_4 = (absolute(fine_diagonal0a_lo) + 2.374164e-10
+        * (3.308722450212111e-24 + fine_diagonal0a_size_1))
+    fine_diagonal0_size_9 = (fine_diagonal0_bound_4
+        + (fine_diagonal0_bound_3 + absolute(fine_diagonal0b - fine_diagonal0a)))
+    fine_diagonal0_size_11 = (4219097344
+        * where(fine_diagonal0_size_2
+        < absolute(fine_m_0 - fine_others_0), 0, fine_diagonal0_size_9))
     fine_diagonal1a = 1 - fine_others_1
     fine_diagonal1a_right_1 = 1 - fine_diagonal1a
-    fine_diagonal1a_left_rest_1 = 1 - (fine_diagonal1a + fine_diagonal1a_right_1)
-    fine_diagonal1a_lo1_1 = fine_diagonal1a_left_rest_1 - (fine_others_1 - fine_diagonal1a_right_1)
-    fine_diagonal1a_lo = fine_diagonal1a_lo1_1 - fine_others_lo_2
+    fine_diagonal1a_lo = (1 - (fine_diagonal1a + fine_diagonal1a_right_1)
+        - (fine_others_1 - fine_diagonal1a_right_1) - fine_others_lo_2)
     fine_diagonal1a_size_1 = 1 + fine_others_size_2
     fine_diagonal1b = fine_g0 + fine_m_1
     fine_diagonal1b_right_1 = fine_diagonal1b - fine_g0
-    fine_diagonal1b_right_rest_1 = product_rest(s_4, fine_beta_v_1, fine_m_1, fine_diagonal1b_right_1)
-    fine_diagonal1b_left_rest_1 = fine_g0 - (fine_diagonal1b - fine_diagonal1b_right_1)
-    fine_diagonal1b_lo1_1 = fine_diagonal1b_left_rest_1 + fine_diagonal1b_right_rest_1
+    fine_diagonal1b_lo1_1 = (fine_g0 - (fine_diagonal1b - fine_diagonal1b_right_1)
+        + product_rest(s_4, fine_beta_v_1, fine_m_1, fine_diagonal1b_right_1))
     fine_diagonal1b_lo = fine_diagonal1b_lo1_1 + fine_m_cross2_2 + fine_g0_lo
     fine_diagonal1b_size_1 = fine_g0_size_1 + fine_m_size_2
     fine_diagonal1c = fine_m_1 < fine_others_1
     fine_diagonal1_error_1 = absolute(product_error(s_4, fine_beta_v_1, fine_m_1) + fine_m_cross2_2)
-    fine_diagonal1_rest_1 = 2.3644112e-10 * (3.308722450212111e-24 + fine_m_size_2)
-    fine_diagonal1_rest_2 = 2.369181e-10 * (3.308722450212111e-24 + fine_others_size_2)
-    fine_diagonal1_bound_2 = absolute(fine_others_lo_2) + fine_diagonal1_rest_2
-    fine_diagonal1_size_2 = fine_diagonal1_error_1 + fine_diagonal1_rest_1 + fine_diagonal1_bound_2
-    fine_diagonal1_rest_3 = 2.369181e-10 * (3.308722450212111e-24 + fine_diagonal1b_size_1)
-    fine_diagonal1_rest_4 = 2.374164e-10 * (3.308722450212111e-24 + fine_diagonal1a_size_1)
-    fine_diagonal1_bound_3 = absolute(fine_diagonal1b_lo) + fine_diagonal1_rest_3
-    fine_diagonal1_size_8 = fine_diagonal1_bound_3 + absolute(fine_diagonal1b - fine_diagonal1a)
-    fine_diagonal1_bound_4 = absolute(fine_diagonal1a_lo) + fine_diagonal1_rest_4
-    fine_diagonal1_size_5 = fine_diagonal1_size_2 < absolute(fine_m_1 - fine_others_1)
-    fine_diagonal1_size_9 = fine_diagonal1_bound_4 + fine_diagonal1_size_8
-    fine_diagonal1_size_1 = where(fine_diagonal1c, fine_diagonal1b_size_1, fine_diagonal1a_size_1)
-    fine_diagonal1_size_11 = 4219097344 * where(fine_diagonal1_size_5, 0, fine_diagonal1_size_9)
+    fine_diagonal1_bound_2 = (absolute(fine_others_lo_2) + 2.369181e-10
+        * (3.308722450212111e-24 + fine_others_size_2))
+    fine_diagonal1_size_2 = (fine_diagonal1_error_1 + 2.3644112e-10
+        * (3.308722450212111e-24 + fine_m_size_2) + fine_diagonal1_bound_2)
+    fine_diagonal1_bound_3 = (absolute(fine_diagonal1b_lo) + 2.369181e-10
+        * (3.308722450212111e-24 + fine_diagonal1b_size_1))
+    fine_diagonal1_bound_4 = (absolute(fine_diagonal1a_lo) + 2.374164e-10
+        * (3.308722450212111e-24 + fine_diagonal1a_size_1))
+    fine_diagonal1_size_9 = (fine_diagonal1_bound_4
+        + (fine_diagonal1_bound_3 + absolute(fine_diagonal1b - fine_diagonal1a)))
+    fine_diagonal1_size_11 = (4219097344
+        * where(fine_diagonal1_size_2
+        < absolute(fine_m_1 - fine_others_1), 0, fine_diagonal1_size_9))
     fine_diagonal2a = 1 - fine_others_2
     fine_diagonal2a_right_1 = 1 - fine_diagonal2a
-    fine_diagonal2a_left_rest_1 = 1 - (fine_diagonal2a + fine_diagonal2a_right_1)
-    fine_diagonal2a_lo1_1 = fine_diagonal2a_left_rest_1 - (fine_others_2 - fine_diagonal2a_right_1)
-    fine_diagonal2a_lo = fine_diagonal2a_lo1_1 - fine_others_lo_3
+    fine_diagonal2a_lo = (1 - (fine_diagonal2a + fine_diagonal2a_right_1)
+        - (fine_others_2 - fine_diagonal2a_right_1) - fine_others_lo_3)
     fine_diagonal2a_size_1 = 1 + fine_others_size_3
     fine_diagonal2b = fine_g0 + fine_m_2
     fine_diagonal2b_right_1 = fine_diagonal2b - fine_g0
-    fine_diagonal2b_right_rest_1 = product_rest(s_5, fine_beta_v_2, fine_m_2, fine_diagonal2b_right_1)
-    fine_diagonal2b_left_rest_1 = fine_g0 - (fine_diagonal2b - fine_diagonal2b_right_1)
-    fine_diagonal2b_lo1_1 = fine_diagonal2b_left_rest_1 + fine_diagonal2b_right_rest_1
+    fine_diagonal2b_lo1_1 = (fine_g0 - (fine_diagonal2b - fine_diagonal2b_right_1)
+        + product_rest(s_5, fine_beta_v_2, fine_m_2, fine_diagonal2b_right_1))
     fine_diagonal2b_lo = fine_diagonal2b_lo1_1 + fine_m_cross2_3 + fine_g0_lo
     fine_diagonal2b_size_1 = fine_g0_size_1 + fine_m_size_3
     fine_diagonal2c = fine_m_2 < fine_others_2
     fine_diagonal2_error_1 = absolute(product_error(s_5, fine_beta_v_2, fine_m_2) + fine_m_cross2_3)
-    fine_diagonal2_rest_1 = 2.3644112e-10 * (3.308722450212111e-24 + fine_m_size_3)
-    fine_diagonal2_rest_2 = 2.369181e-10 * (3.308722450212111e-24 + fine_others_size_3)
-    fine_diagonal2_bound_2 = absolute(fine_others_lo_3) + fine_diagonal2_rest_2
-    fine_diagonal2_size_2 = fine_diagonal2_error_1 + fine_diagonal2_rest_1 + fine_diagonal2_bound_2
-    fine_diagonal2_rest_3 = 2.369181e-10 * (3.308722450212111e-24 + fine_diagonal2b_size_1)
-    fine_diagonal2_rest_4 = 2.374164e-10 * (3.308722450212111e-24 + fine_diagonal2a_size_1)
-    fine_diagonal2_bound_3 = absolute(fine_diagonal2b_lo) + fine_diagonal2_rest_3
-    fine_diagonal2_size_8 = fine_diagonal2_bound_3 + absolute(fine_diagonal2b - fine_diagonal2a)
-    fine_diagonal2_bound_4 = absolute(fine_diagonal2a_lo) + fine_diagonal2_rest_4
-    fine_diagonal2_size_5 = fine_diagonal2_size_2 < absolute(fine_m_2 - fine_others_2)
-    fine_diagonal2_size_9 = fine_diagonal2_bound_4 + fine_diagonal2_size_8
-    fine_diagonal2_size_1 = where(fine_diagonal2c, fine_diagonal2b_size_1, fine_diagonal2a_size_1)
-    fine_diagonal2_size_11 = 4219097344 * where(fine_diagonal2_size_5, 0, fine_diagonal2_size_9)
-    fine_g1_lo = product_error(fine_c, fine_sinc, fine_g1) + fine_g1_cross_1
+    fine_diagonal2_bound_2 = (absolute(fine_others_lo_3) + 2.369181e-10
+        * (3.308722450212111e-24 + fine_others_size_3))
+    fine_diagonal2_size_2 = (fine_diagonal2_error_1 + 2.3644112e-10
+        * (3.308722450212111e-24 + fine_m_size_3) + fine_diagonal2_bound_2)
+    fine_diagonal2_bound_3 = (absolute(fine_diagonal2b_lo) + 2.369181e-10
+        * (3.308722450212111e-24 + fine_diagonal2b_size_1))
+    fine_diagonal2_bound_4 = (absolute(fine_diagonal2a_lo) + 2.374164e-10
+        * (3.308722450212111e-24 + fine_diagonal2a_size_1))
+    fine_diagonal2_size_9 = (fine_diagonal2_bound_4
+        + (fine_diagonal2_bound_3 + absolute(fine_diagonal2b - fine_diagonal2a)))
+    fine_diagonal2_size_11 = (4219097344
+        * where(fine_diagonal2_size_2
+        < absolute(fine_m_2 - fine_others_2), 0, fine_diagonal2_size_9))
+    fine_g1_lo = product_error(c, sinc, fine_g1) + fine_g1_cross_1
     fine_alpha_v_0 = s_3 * fine_g1
     fine_alpha_v_cross2_1 = s_3 * fine_g1_lo
     fine_alpha_v_padded_1 = 3.308722450212111e-24 + fine_g1_size_5
@@ -4155,121 +3971,145 @@ def SE3_exp(s):
     fine_alpha_v_cross2_3 = s_5 * fine_g1_lo
     fine_across_axis_0 = fine_turned_0 + fine_along_0
     fine_across_axis_right_1 = fine_across_axis_0 - fine_turned_0
-    fine_across_axis_left_1 = fine_across_axis_0 - fine_across_axis_right_1
-    fine_turned_cross_1 = fine_g2_cross2_1 * fine_u_0 + fine_g2 * fine_u_lo_1
-    fine_across_axis_left_rest_1 = product_rest(fine_g2, fine_u_0, fine_turned_0, fine_across_axis_left_1)
-    fine_across_axis_right_rest_1 = product_rest(s_3, fine_pitch, fine_along_0, fine_across_axis_right_1)
-    fine_across_axis_lo1_1 = fine_across_axis_left_rest_1 + fine_across_axis_right_rest_1
-    fine_turned_size_1 = fine_turned_padded_1 * (3.308722450212111e-24 + fine_u_size_1)
+    fine_across_axis_left_rest_1 = product_rest(fine_g2, fine_u_0, fine_turned_0, fine_across_axis_0
+        - fine_across_axis_right_1)
+    fine_across_axis_lo1_1 = (fine_across_axis_left_rest_1
+        + product_rest(s_3, fine_pitch, fine_along_0, fine_across_axis_right_1))
+    fine_turned_size_1 = (fine_turned_padded_1
+        * (3.308722450212111e-24
+        + (fine_u_0a_size_1 * halved_size_3 + fine_u_0b_size_1 * halved_size_5)))
     fine_across_axis_1 = fine_turned_1 + fine_along_1
     fine_across_axis_right_2 = fine_across_axis_1 - fine_turned_1
-    fine_across_axis_left_2 = fine_across_axis_1 - fine_across_axis_right_2
-    fine_turned_cross_2 = fine_g2_cross2_1 * fine_u_1 + fine_g2 * fine_u_lo_2
-    fine_across_axis_left_rest_2 = product_rest(fine_g2, fine_u_1, fine_turned_1, fine_across_axis_left_2)
-    fine_across_axis_right_rest_2 = product_rest(s_4, fine_pitch, fine_along_1, fine_across_axis_right_2)
-    fine_across_axis_lo1_2 = fine_across_axis_left_rest_2 + fine_across_axis_right_rest_2
-    fine_turned_size_2 = fine_turned_padded_1 * (3.308722450212111e-24 + fine_u_size_2)
+    fine_across_axis_left_rest_2 = product_rest(fine_g2, fine_u_1, fine_turned_1, fine_across_axis_1
+        - fine_across_axis_right_2)
+    fine_across_axis_lo1_2 = (fine_across_axis_left_rest_2
+        + product_rest(s_4, fine_pitch, fine_along_1, fine_across_axis_right_2))
+    fine_turned_size_2 = (fine_turned_padded_1
+        * (3.308722450212111e-24
+        + (fine_u_1a_size_1 * halved_size_5 + fine_u_0a_size_1 * halved_size_1)))
     fine_across_axis_2 = fine_turned_2 + fine_along_2
     fine_across_axis_right_3 = fine_across_axis_2 - fine_turned_2
-    fine_across_axis_left_3 = fine_across_axis_2 - fine_across_axis_right_3
-    fine_turned_cross_3 = fine_g2_cross2_1 * fine_u_2 + fine_g2 * fine_u_lo_3
-    fine_across_axis_left_rest_3 = product_rest(fine_g2, fine_u_2, fine_turned_2, fine_across_axis_left_3)
-    fine_across_axis_right_rest_3 = product_rest(s_5, fine_pitch, fine_along_2, fine_across_axis_right_3)
-    fine_across_axis_lo1_3 = fine_across_axis_left_rest_3 + fine_across_axis_right_rest_3
-    fine_turned_size_3 = fine_turned_padded_1 * (3.308722450212111e-24 + fine_u_size_3)
+    fine_across_axis_left_rest_3 = product_rest(fine_g2, fine_u_2, fine_turned_2, fine_across_axis_2
+        - fine_across_axis_right_3)
+    fine_across_axis_lo1_3 = (fine_across_axis_left_rest_3
+        + product_rest(s_5, fine_pitch, fine_along_2, fine_across_axis_right_3))
+    fine_turned_size_3 = (fine_turned_padded_1
+        * (3.308722450212111e-24
+        + (fine_u_0b_size_1 * halved_size_1 + fine_u_1a_size_1 * halved_size_3)))
     fine_D_01 = fine_m_3 - fine_alpha_v_2
     fine_D_right_1 = fine_m_3 - fine_D_01
-    fine_D_left_rest_1 = product_rest(s_4, fine_beta_v_0, fine_m_3, fine_D_01 + fine_D_right_1)
-    fine_D_lo1_1 = fine_D_left_rest_1 - product_rest(s_5, fine_g1, fine_alpha_v_2, fine_D_right_1)
-    fine_alpha_v_size_3 = fine_alpha_v_padded_1 * fine_halved_size_5
+    fine_D_lo1_1 = (product_rest(s_4, fine_beta_v_0, fine_m_3, fine_D_01 + fine_D_right_1)
+        - product_rest(s_5, fine_g1, fine_alpha_v_2, fine_D_right_1))
     fine_D_02 = fine_m_4 + fine_alpha_v_1
     fine_D_right_2 = fine_D_02 - fine_m_4
-    fine_D_left_rest_2 = product_rest(s_5, fine_beta_v_0, fine_m_4, fine_D_02 - fine_D_right_2)
-    fine_D_lo1_2 = fine_D_left_rest_2 + product_rest(s_4, fine_g1, fine_alpha_v_1, fine_D_right_2)
-    fine_alpha_v_size_2 = fine_alpha_v_padded_1 * fine_halved_size_3
+    fine_D_lo1_2 = (product_rest(s_5, fine_beta_v_0, fine_m_4, fine_D_02 - fine_D_right_2)
+        + product_rest(s_4, fine_g1, fine_alpha_v_1, fine_D_right_2))
     fine_D_03a = s_0 * fine_g1
     fine_D_03 = fine_D_03a + fine_across_axis_0
     fine_D_right_3 = fine_D_03 - fine_D_03a
-    fine_D_left_rest_3 = product_rest(s_0, fine_g1, fine_D_03a, fine_D_03 - fine_D_right_3)
-    fine_across_axis_lo_1 = fine_across_axis_lo1_1 + (fine_turned_cross_1 + s_3 * fine_pitch_lo)
-    fine_D_lo1_3 = fine_D_left_rest_3 + (fine_across_axis_0 - fine_D_right_3)
-    fine_across_axis_size_1 = fine_along_padded_1 * fine_halved_size_1 + fine_turned_size_1
+    fine_D_lo1_3 = (product_rest(s_0, fine_g1, fine_D_03a, fine_D_03 - fine_D_right_3)
+        + (fine_across_axis_0 - fine_D_right_3))
     fine_D_10 = fine_m_3 + fine_alpha_v_2
     fine_D_right_4 = fine_D_10 - fine_m_3
-    fine_D_left_rest_4 = product_rest(s_4, fine_beta_v_0, fine_m_3, fine_D_10 - fine_D_right_4)
-    fine_D_lo1_4 = fine_D_left_rest_4 + product_rest(s_5, fine_g1, fine_alpha_v_2, fine_D_right_4)
+    fine_D_lo1_4 = (product_rest(s_4, fine_beta_v_0, fine_m_3, fine_D_10 - fine_D_right_4)
+        + product_rest(s_5, fine_g1, fine_alpha_v_2, fine_D_right_4))
     fine_D_12 = fine_m_5 - fine_alpha_v_0
     fine_D_right_5 = fine_m_5 - fine_D_12
-    fine_D_left_rest_5 = product_rest(s_5, fine_beta_v_1, fine_m_5, fine_D_12 + fine_D_right_5)
-    fine_D_lo1_5 = fine_D_left_rest_5 - product_rest(s_3, fine_g1, fine_alpha_v_0, fine_D_right_5)
-    fine_alpha_v_size_1 = fine_alpha_v_padded_1 * fine_halved_size_1
+    fine_D_lo1_5 = (product_rest(s_5, fine_beta_v_1, fine_m_5, fine_D_12 + fine_D_right_5)
+        - product_rest(s_3, fine_g1, fine_alpha_v_0, fine_D_right_5))
     fine_D_13a = s_1 * fine_g1
     fine_D_13 = fine_D_13a + fine_across_axis_1
     fine_D_right_6 = fine_D_13 - fine_D_13a
-    fine_D_left_rest_6 = product_rest(s_1, fine_g1, fine_D_13a, fine_D_13 - fine_D_right_6)
-    fine_across_axis_lo_2 = fine_across_axis_lo1_2 + (fine_turned_cross_2 + s_4 * fine_pitch_lo)
-    fine_D_lo1_6 = fine_D_left_rest_6 + (fine_across_axis_1 - fine_D_right_6)
-    fine_across_axis_size_2 = fine_along_padded_1 * fine_halved_size_3 + fine_turned_size_2
+    fine_D_lo1_6 = (product_rest(s_1, fine_g1, fine_D_13a, fine_D_13 - fine_D_right_6)
+        + (fine_across_axis_1 - fine_D_right_6))
     fine_D_20 = fine_m_4 - fine_alpha_v_1
     fine_D_right_7 = fine_m_4 - fine_D_20
-    fine_D_left_rest_7 = product_rest(s_5, fine_beta_v_0, fine_m_4, fine_D_20 + fine_D_right_7)
-    fine_D_lo1_7 = fine_D_left_rest_7 - product_rest(s_4, fine_g1, fine_alpha_v_1, fine_D_right_7)
+    fine_D_lo1_7 = (product_rest(s_5, fine_beta_v_0, fine_m_4, fine_D_20 + fine_D_right_7)
+        - product_rest(s_4, fine_g1, fine_alpha_v_1, fine_D_right_7))
     fine_D_21 = fine_m_5 + fine_alpha_v_0
     fine_D_right_8 = fine_D_21 - fine_m_5
-    fine_D_left_rest_8 = product_rest(s_5, fine_beta_v_1, fine_m_5, fine_D_21 - fine_D_right_8)
-    fine_D_lo1_8 = fine_D_left_rest_8 + product_rest(s_3, fine_g1, fine_alpha_v_0, fine_D_right_8)
+    fine_D_lo1_8 = (product_rest(s_5, fine_beta_v_1, fine_m_5, fine_D_21 - fine_D_right_8)
+        + product_rest(s_3, fine_g1, fine_alpha_v_0, fine_D_right_8))
     fine_D_23a = s_2 * fine_g1
     fine_D_23 = fine_D_23a + fine_across_axis_2
     fine_D_right_9 = fine_D_23 - fine_D_23a
-    fine_D_left_rest_9 = product_rest(s_2, fine_g1, fine_D_23a, fine_D_23 - fine_D_right_9)
-    fine_across_axis_lo_3 = fine_across_axis_lo1_3 + (fine_turned_cross_3 + s_5 * fine_pitch_lo)
-    fine_D_lo1_9 = fine_D_left_rest_9 + (fine_across_axis_2 - fine_D_right_9)
-    fine_across_axis_size_3 = fine_along_padded_1 * fine_halved_size_5 + fine_turned_size_3
+    fine_D_lo1_9 = (product_rest(s_2, fine_g1, fine_D_23a, fine_D_23 - fine_D_right_9)
+        + (fine_across_axis_2 - fine_D_right_9))
     diagonal0_apart_1 = where(fine_diagonal0c, fine_diagonal0b, fine_diagonal0a) - diagonal0
-    fine_diagonal0_lo = where(fine_diagonal0c, fine_diagonal0b_lo, fine_diagonal0a_lo)
-    diagonal0_padded_1 = 3.308722450212111e-24 + (fine_diagonal0_size_1 + fine_diagonal0_size_11)
-    diagonal0_error_2 = 1.0000005 * absolute(diagonal0_apart_1 + fine_diagonal0_lo)
-    D_apart_2 = fine_D_01 - D_01 + (fine_D_lo1_1 + (fine_m_cross2_4 - fine_alpha_v_cross2_3))
-    fine_D_size_1 = fine_alpha_v_size_3 + fine_halved_size_3 * fine_m_padded_1
-    D_rest_1 = 2.369181e-10 * (3.308722450212111e-24 + fine_D_size_1)
-    D_apart_4 = fine_D_02 - D_02 + (fine_D_lo1_2 + (fine_m_cross2_5 + fine_alpha_v_cross2_2))
-    fine_D_size_2 = fine_alpha_v_size_2 + fine_halved_size_5 * fine_m_padded_1
-    D_rest_2 = 2.369181e-10 * (3.308722450212111e-24 + fine_D_size_2)
-    D_apart_6 = fine_D_03 - D_03 + (fine_D_lo1_3 + fine_across_axis_lo_1 + s_0 * fine_g1_lo)
-    fine_D_size_3 = fine_alpha_v_padded_1 * fine_u_1a_size_1 + fine_across_axis_size_1
-    D_rest_3 = 2.6786656e-10 * (3.308722450212111e-24 + fine_D_size_3)
-    D_apart_8 = fine_D_10 - D_10 + (fine_D_lo1_4 + (fine_m_cross2_4 + fine_alpha_v_cross2_3))
+    diagonal0_padded_1 = (3.308722450212111e-24
+        + (where(fine_diagonal0c, fine_diagonal0b_size_1, fine_diagonal0a_size_1)
+        + fine_diagonal0_size_11))
+    diagonal0_error_2 = (1.0000005
+        * absolute(diagonal0_apart_1
+        + where(fine_diagonal0c, fine_diagonal0b_lo, fine_diagonal0a_lo)))
+    D_rest_1 = (2.369181e-10
+        * (3.308722450212111e-24
+        + (fine_alpha_v_padded_1 * halved_size_5 + fine_m_padded_1 * halved_size_3)))
+    D_rest_2 = (2.369181e-10
+        * (3.308722450212111e-24
+        + (fine_alpha_v_padded_1 * halved_size_3 + fine_m_padded_1 * halved_size_5)))
+    fine_D_lo_3 = (fine_D_lo1_3
+        + (fine_across_axis_lo1_1
+        + (fine_g2_cross2_1 * fine_u_0 + fine_turned_cross2_1 + s_3 * fine_pitch_lo)) + s_0
+        * fine_g1_lo)
+    D_padded_3 = (3.308722450212111e-24
+        + (fine_alpha_v_padded_1 * fine_u_1a_size_1
+        + (fine_along_padded_1 * halved_size_1 + fine_turned_size_1)))
     diagonal1_apart_1 = where(fine_diagonal1c, fine_diagonal1b, fine_diagonal1a) - diagonal1
-    fine_diagonal1_lo = where(fine_diagonal1c, fine_diagonal1b_lo, fine_diagonal1a_lo)
-    diagonal1_padded_1 = 3.308722450212111e-24 + (fine_diagonal1_size_1 + fine_diagonal1_size_11)
-    diagonal1_error_2 = 1.0000005 * absolute(diagonal1_apart_1 + fine_diagonal1_lo)
-    D_apart_10 = fine_D_12 - D_12 + (fine_D_lo1_5 + (fine_m_cross2_6 - fine_alpha_v_cross2_1))
-    fine_D_size_4 = fine_alpha_v_size_1 + fine_halved_size_5 * fine_m_padded_2
-    D_rest_4 = 2.369181e-10 * (3.308722450212111e-24 + fine_D_size_4)
-    D_apart_12 = fine_D_13 - D_13 + (fine_D_lo1_6 + fine_across_axis_lo_2 + s_1 * fine_g1_lo)
-    fine_D_size_5 = fine_alpha_v_padded_1 * fine_u_0b_size_1 + fine_across_axis_size_2
-    D_rest_5 = 2.6786656e-10 * (3.308722450212111e-24 + fine_D_size_5)
-    D_apart_14 = fine_D_20 - D_20 + (fine_D_lo1_7 + (fine_m_cross2_5 - fine_alpha_v_cross2_2))
-    D_apart_16 = fine_D_21 - D_21 + (fine_D_lo1_8 + (fine_m_cross2_6 + fine_alpha_v_cross2_1))
+    diagonal1_padded_1 = (3.308722450212111e-24
+        + (where(fine_diagonal1c, fine_diagonal1b_size_1, fine_diagonal1a_size_1)
+        + fine_diagonal1_size_11))
+    diagonal1_error_2 = (1.0000005
+        * absolute(diagonal1_apart_1
+        + where(fine_diagonal1c, fine_diagonal1b_lo, fine_diagonal1a_lo)))
+    D_rest_4 = (2.369181e-10
+        * (3.308722450212111e-24
+        + (fine_alpha_v_padded_1 * halved_size_1 + fine_m_padded_2 * halved_size_5)))
+    fine_D_lo_6 = (fine_D_lo1_6
+        + (fine_across_axis_lo1_2
+        + (fine_g2_cross2_1 * fine_u_1 + fine_turned_cross2_2 + s_4 * fine_pitch_lo)) + s_1
+        * fine_g1_lo)
+    D_padded_5 = (3.308722450212111e-24
+        + (fine_alpha_v_padded_1 * fine_u_0b_size_1
+        + (fine_along_padded_1 * halved_size_3 + fine_turned_size_2)))
     diagonal2_apart_1 = where(fine_diagonal2c, fine_diagonal2b, fine_diagonal2a) - diagonal2
-    fine_diagonal2_lo = where(fine_diagonal2c, fine_diagonal2b_lo, fine_diagonal2a_lo)
-    diagonal2_padded_1 = 3.308722450212111e-24 + (fine_diagonal2_size_1 + fine_diagonal2_size_11)
-    diagonal2_error_2 = 1.0000005 * absolute(diagonal2_apart_1 + fine_diagonal2_lo)
-    D_apart_18 = fine_D_23 - D_23 + (fine_D_lo1_9 + fine_across_axis_lo_3 + s_2 * fine_g1_lo)
-    fine_D_size_6 = fine_alpha_v_padded_1 * fine_u_0a_size_1 + fine_across_axis_size_3
-    D_rest_6 = 2.6786656e-10 * (3.308722450212111e-24 + fine_D_size_6)
+    diagonal2_padded_1 = (3.308722450212111e-24
+        + (where(fine_diagonal2c, fine_diagonal2b_size_1, fine_diagonal2a_size_1)
+        + fine_diagonal2_size_11))
+    diagonal2_error_2 = (1.0000005
+        * absolute(diagonal2_apart_1
+        + where(fine_diagonal2c, fine_diagonal2b_lo, fine_diagonal2a_lo)))
+    fine_D_lo_9 = (fine_D_lo1_9
+        + (fine_across_axis_lo1_3
+        + (fine_g2_cross2_1 * fine_u_2 + fine_turned_cross2_3 + s_5 * fine_pitch_lo)) + s_2
+        * fine_g1_lo)
+    D_padded_6 = (3.308722450212111e-24
+        + (fine_alpha_v_padded_1 * fine_u_0a_size_1
+        + (fine_along_padded_1 * halved_size_5 + fine_turned_size_3)))
     diagonal0_bound_1 = diagonal0_error_2 + 2.3741648e-10 * diagonal0_padded_1
-    D_bound_1 = 1.0000005 * absolute(D_apart_2) + D_rest_1
-    D_bound_2 = 1.0000005 * absolute(D_apart_4) + D_rest_2
-    D_bound_3 = 1.0000005 * absolute(D_apart_6) + D_rest_3
-    D_bound_4 = 1.0000005 * absolute(D_apart_8) + D_rest_1
+    D_bound_1 = (1.0000005
+        * absolute(fine_D_01 - D_01 + (fine_D_lo1_1 + (fine_m_cross2_4 - fine_alpha_v_cross2_3)))
+        + D_rest_1)
+    D_bound_2 = (1.0000005
+        * absolute(fine_D_02 - D_02 + (fine_D_lo1_2 + (fine_m_cross2_5 + fine_alpha_v_cross2_2)))
+        + D_rest_2)
+    D_bound_3 = 1.0000005 * absolute(fine_D_03 - D_03 + fine_D_lo_3) + 2.6786656e-10 * D_padded_3
+    D_bound_4 = (1.0000005
+        * absolute(fine_D_10 - D_10 + (fine_D_lo1_4 + (fine_m_cross2_4 + fine_alpha_v_cross2_3)))
+        + D_rest_1)
     diagonal1_bound_1 = diagonal1_error_2 + 2.3741648e-10 * diagonal1_padded_1
-    D_bound_5 = 1.0000005 * absolute(D_apart_10) + D_rest_4
-    D_bound_6 = 1.0000005 * absolute(D_apart_12) + D_rest_5
-    D_bound_7 = 1.0000005 * absolute(D_apart_14) + D_rest_2
-    D_bound_8 = 1.0000005 * absolute(D_apart_16) + D_rest_4
+    D_bound_5 = (1.0000005
+        * absolute(fine_D_12 - D_12 + (fine_D_lo1_5 + (fine_m_cross2_6 - fine_alpha_v_cross2_1)))
+        + D_rest_4)
+    D_bound_6 = 1.0000005 * absolute(fine_D_13 - D_13 + fine_D_lo_6) + 2.6786656e-10 * D_padded_5
+    D_bound_7 = (1.0000005
+        * absolute(fine_D_20 - D_20 + (fine_D_lo1_7 + (fine_m_cross2_5 - fine_alpha_v_cross2_2)))
+        + D_rest_2)
+    D_bound_8 = (1.0000005
+        * absolute(fine_D_21 - D_21 + (fine_D_lo1_8 + (fine_m_cross2_6 + fine_alpha_v_cross2_1)))
+        + D_rest_4)
     diagonal2_bound_1 = diagonal2_error_2 + 2.3741648e-10 * diagonal2_padded_1
-    D_bound_9 = 1.0000005 * absolute(D_apart_18) + D_rest_6
+    D_bound_9 = 1.0000005 * absolute(fine_D_23 - D_23 + fine_D_lo_9) + 2.6786656e-10 * D_padded_6
     return (diagonal0, D_01, D_02, D_03, D_10, diagonal1, D_12, D_13, D_20, D_21, diagonal2, D_23,
         diagonal0_bound_1, D_bound_1, D_bound_2, D_bound_3, D_bound_4, diagonal1_bound_1, D_bound_5,
         D_bound_6, D_bound_7, D_bound_8, diagonal2_bound_1, D_bound_9)
@@ -4326,15 +4166,16 @@ def SE3_log(D):
     v_s_size_2 = absolute(upper_2)
     v_s_largest1 = where(v_s_size_0 < v_s_size_1, v_s_size_1, v_s_size_0)
     v_s_largest2 = where(v_s_largest1 < v_s_size_2, v_s_size_2, v_s_largest1)
-    v_s_b = where(4.611686018427388e+18 < v_s_largest2, float32(2.710505431213761e-20), float32(1))
-    v_s_d = where(v_s_largest2 < 256, 1.8014398509481984e+16, v_s_b)
+    v_s_d = (where(v_s_largest2
+        < 256, 1.8014398509481984e+16, where(4.611686018427388e+18
+        < v_s_largest2, float32(2.710505431213761e-20), float32(1))))
     v_s = where(v_s_largest2 < 1.4210854715202004e-14, 3.2451855365842673e+32, v_s_d)
     v_y_0 = upper_0 * v_s
     v_y_1 = upper_1 * v_s
     v_y_2 = upper_2 * v_s
     v_n = sqrt(v_y_0 * v_y_0 + v_y_1 * v_y_1 + v_y_2 * v_y_2)
-    v_r_b = where(v_s < 1, float32(3.6893488147419103e+19), float32(1))
-    v_r_d = where(1 < v_s, 5.551115123125783e-17, v_r_b)
+    v_r_d = (where(1
+        < v_s, 5.551115123125783e-17, where(v_s < 1, float32(3.6893488147419103e+19), float32(1))))
     v_r = where(1.8014398509481984e+16 < v_s, 3.0814879110195774e-33, v_r_d)
     n = v_n * v_r
     half = elementary.atan2(n, upper_3)
@@ -4352,11 +4193,17 @@ def SE3_log(D):
     b_divisor_a = x < 4
     b_divisor = where(b_divisor_a, 4, x)
     closed_b = b_rest / b_divisor
-    b_g = x * (x * (x * (1.4551725e-27 * x + 5.744791e-26) + 2.2679524e-24) + 8.9535176e-23)
-    b_o = x * (x * (x * (x * (b_g + 3.534707e-21) + 1.3954465e-19) + 5.509003e-18) + 2.1748687e-16)
-    b_w = x * (x * (x * (x * (b_o + 8.586062e-15) + 3.3896803e-13) + 1.3382536e-11) + 5.2841903e-10)
-    b_ae = x * (x * (x * (x * (b_w + 2.0876756e-08) + 8.267196e-07) + 3.3068784e-05) + 0.0013888889)
-    b = where(b_divisor_a, b_ae + 0.083333336, closed_b)
+    b_l = (x
+        * (x
+        * (x * (x * (x * (1.4551725e-27 * x + 5.744791e-26) + 2.2679524e-24) + 8.9535176e-23)
+        + 3.534707e-21) + 1.3954465e-19) + 5.509003e-18)
+    b_y = (x
+        * (x
+        * (x
+        * (x * (x * (x * (x * b_l + 2.1748687e-16) + 8.586062e-15) + 3.3896803e-13)
+        + 1.3382536e-11) + 5.2841903e-10) + 2.0876756e-08))
+    b = (where(b_divisor_a, x * (x * (x * (b_y + 8.267196e-07) + 3.3068784e-05) + 0.0013888889)
+        + 0.083333336, closed_b))
     b_across = where(b_divisor_a, 1 - x * b, half_cotangent)
     wt = D_03 * vector_0 + D_13 * vector_1 + D_23 * vector_2
     pitch = b * wt
@@ -4410,91 +4257,85 @@ def SE3_log(D):
     fine_others_lo_2 = D_11 - (fine_others_1 + fine_others_right_2) - (D_22 - fine_others_right_2)
     fine_d_0 = fine_first_0 + fine_others_0
     fine_d_right_1 = fine_d_0 - fine_first_0
-    fine_d_lo1_1 = fine_first_0 - (fine_d_0 - fine_d_right_1) + (fine_others_0 - fine_d_right_1)
     fine_d_size_1 = 1 + absolute(D_00) + (absolute(D_11) + absolute(D_22))
     fine_d_1 = fine_first_0 - fine_others_0
     fine_d_right_2 = fine_first_0 - fine_d_1
-    fine_d_lo1_2 = fine_first_0 - (fine_d_1 + fine_d_right_2) - (fine_others_0 - fine_d_right_2)
     fine_d_2 = fine_first_1 + fine_others_1
     fine_d_right_3 = fine_d_2 - fine_first_1
-    fine_d_lo1_3 = fine_first_1 - (fine_d_2 - fine_d_right_3) + (fine_others_1 - fine_d_right_3)
     fine_d_3 = fine_first_1 - fine_others_1
     fine_d_right_4 = fine_first_1 - fine_d_3
-    fine_d_lo1_4 = fine_first_1 - (fine_d_3 + fine_d_right_4) - (fine_others_1 - fine_d_right_4)
     fine_low_0a = D_11 < D_00
-    fine_d_lo_2 = fine_d_lo1_2 - fine_others_lo_1 + fine_first_lo_1
-    fine_d_lo_3 = fine_d_lo1_3 + fine_others_lo_2 + fine_first_lo_2
+    fine_d_lo_2 = (fine_first_0 - (fine_d_1 + fine_d_right_2) - (fine_others_0 - fine_d_right_2)
+        - fine_others_lo_1 + fine_first_lo_1)
+    fine_d_lo_3 = (fine_first_1 - (fine_d_2 - fine_d_right_3) + (fine_others_1 - fine_d_right_3)
+        + fine_others_lo_2 + fine_first_lo_2)
     fine_high_0b = D_00 < -D_11
-    fine_d_lo_4 = fine_d_lo1_4 - fine_others_lo_2 + fine_first_lo_2
-    fine_d_lo_1 = fine_d_lo1_1 + fine_others_lo_1 + fine_first_lo_1
+    fine_d_lo_4 = (fine_first_1 - (fine_d_3 + fine_d_right_4) - (fine_others_1 - fine_d_right_4)
+        - fine_others_lo_2 + fine_first_lo_2)
+    fine_d_lo_1 = (fine_first_0 - (fine_d_0 - fine_d_right_1) + (fine_others_0 - fine_d_right_1)
+        + fine_others_lo_1 + fine_first_lo_1)
     fine_column_0a = D_22 < 0
-    fine_high_0 = where(fine_high_0b, fine_s_1, fine_p_0)
-    fine_column_0 = where(fine_column_0a, where(fine_low_0a, fine_d_1, fine_s_2), fine_high_0)
-    fine_high_lo_1 = where(fine_high_0b, fine_s_lo_2, fine_p_lo_1)
-    fine_low_lo_1 = where(fine_low_0a, fine_d_lo_2, fine_s_lo_3)
-    fine_column_lo_1 = where(fine_column_0a, fine_low_lo_1, fine_high_lo_1)
-    fine_high_size_1 = where(fine_high_0b, fine_p_size_6, fine_p_size_3)
-    fine_low_size_1 = where(fine_low_0a, fine_d_size_1, fine_p_size_9)
-    fine_column_size_1 = where(fine_column_0a, fine_low_size_1, fine_high_size_1)
-    fine_high_1 = where(fine_high_0b, fine_s_0, fine_p_1)
-    fine_column_1 = where(fine_column_0a, where(fine_low_0a, fine_s_2, fine_d_2), fine_high_1)
-    fine_high_lo_2 = where(fine_high_0b, fine_s_lo_1, fine_p_lo_2)
-    fine_low_lo_2 = where(fine_low_0a, fine_s_lo_3, fine_d_lo_3)
-    fine_column_lo_2 = where(fine_column_0a, fine_low_lo_2, fine_high_lo_2)
-    fine_high_size_2 = where(fine_high_0b, fine_p_size_3, fine_p_size_6)
-    fine_low_size_2 = where(fine_low_0a, fine_p_size_9, fine_d_size_1)
-    fine_column_size_2 = where(fine_column_0a, fine_low_size_2, fine_high_size_2)
-    fine_high_2 = where(fine_high_0b, fine_d_3, fine_p_2)
-    fine_column_2 = where(fine_column_0a, where(fine_low_0a, fine_s_1, fine_s_0), fine_high_2)
-    fine_high_lo_3 = where(fine_high_0b, fine_d_lo_4, fine_p_lo_3)
-    fine_low_lo_3 = where(fine_low_0a, fine_s_lo_2, fine_s_lo_1)
-    fine_column_lo_3 = where(fine_column_0a, fine_low_lo_3, fine_high_lo_3)
-    fine_high_size_3 = where(fine_high_0b, fine_d_size_1, fine_p_size_9)
-    fine_low_size_3 = where(fine_low_0a, fine_p_size_6, fine_p_size_3)
-    fine_column_size_3 = where(fine_column_0a, fine_low_size_3, fine_high_size_3)
-    fine_high_3 = where(fine_high_0b, fine_p_2, fine_d_0)
-    fine_column_3 = where(fine_column_0a, where(fine_low_0a, fine_p_0, fine_p_1), fine_high_3)
-    fine_high_lo_4 = where(fine_high_0b, fine_p_lo_3, fine_d_lo_1)
-    fine_low_lo_4 = where(fine_low_0a, fine_p_lo_1, fine_p_lo_2)
-    fine_column_lo_4 = where(fine_column_0a, fine_low_lo_4, fine_high_lo_4)
-    fine_high_size_4 = where(fine_high_0b, fine_p_size_9, fine_d_size_1)
-    fine_low_size_4 = where(fine_low_0a, fine_p_size_3, fine_p_size_6)
-    fine_column_size_4 = where(fine_column_0a, fine_low_size_4, fine_high_size_4)
+    fine_column_0 = where(fine_column_0a, where(fine_low_0a, fine_d_1, fine_s_2),
+        where(fine_high_0b, fine_s_1, fine_p_0))
+    fine_column_lo_1 = where(fine_column_0a, where(fine_low_0a, fine_d_lo_2, fine_s_lo_3),
+        where(fine_high_0b, fine_s_lo_2, fine_p_lo_1))
+    fine_column_size_1 = where(fine_column_0a, where(fine_low_0a, fine_d_size_1, fine_p_size_9),
+        where(fine_high_0b, fine_p_size_6, fine_p_size_3))
+    fine_column_1 = where(fine_column_0a, where(fine_low_0a, fine_s_2, fine_d_2),
+        where(fine_high_0b, fine_s_0, fine_p_1))
+    fine_column_lo_2 = where(fine_column_0a, where(fine_low_0a, fine_s_lo_3, fine_d_lo_3),
+        where(fine_high_0b, fine_s_lo_1, fine_p_lo_2))
+    fine_column_size_2 = where(fine_column_0a, where(fine_low_0a, fine_p_size_9, fine_d_size_1),
+        where(fine_high_0b, fine_p_size_3, fine_p_size_6))
+    fine_column_2 = where(fine_column_0a, where(fine_low_0a, fine_s_1, fine_s_0),
+        where(fine_high_0b, fine_d_3, fine_p_2))
+    fine_column_lo_3 = where(fine_column_0a, where(fine_low_0a, fine_s_lo_2, fine_s_lo_1),
+        where(fine_high_0b, fine_d_lo_4, fine_p_lo_3))
+    fine_column_size_3 = where(fine_column_0a, where(fine_low_0a, fine_p_size_6, fine_p_size_3),
+        where(fine_high_0b, fine_d_size_1, fine_p_size_9))
+    fine_column_3 = where(fine_column_0a, where(fine_low_0a, fine_p_0, fine_p_1),
+        where(fine_high_0b, fine_p_2, fine_d_0))
+    fine_column_lo_4 = where(fine_column_0a, where(fine_low_0a, fine_p_lo_1, fine_p_lo_2),
+        where(fine_high_0b, fine_p_lo_3, fine_d_lo_1))
+    fine_column_size_4 = where(fine_column_0a, where(fine_low_0a, fine_p_size_3, fine_p_size_6),
+        where(fine_high_0b, fine_p_size_9, fine_d_size_1))
     fine_upper_0a = -fine_column_0
     fine_upper_0a_lo = -fine_column_lo_1
     fine_upper_0b = fine_column_3 < 0
     fine_upper_0 = where(fine_upper_0b, fine_upper_0a, fine_column_0)
     fine_upper_lo_1 = where(fine_upper_0b, fine_upper_0a_lo, fine_column_lo_1)
-    fine_upper_rest_1 = 4.6185646e-13 * (3.308722450212111e-24 + fine_column_size_4)
-    fine_upper_bound_1 = absolute(fine_column_lo_4) + fine_upper_rest_1
+    fine_upper_bound_1 = (absolute(fine_column_lo_4) + 4.6185646e-13
+        * (3.308722450212111e-24 + fine_column_size_4))
     fine_upper_size_3 = fine_upper_bound_1 < absolute(fine_column_3 - 0)
     fine_upper_rest_2 = 4.6185646e-13 * (3.308722450212111e-24 + fine_column_size_1)
-    fine_upper_bound_2 = absolute(fine_upper_0a_lo) + fine_upper_rest_2
-    fine_upper_size_6 = fine_upper_bound_2 + absolute(fine_upper_0a - fine_column_0)
-    fine_upper_size_7 = absolute(fine_column_lo_1) + fine_upper_rest_2 + fine_upper_size_6
-    fine_upper_size_9 = 549753683968 * where(fine_upper_size_3, 0, fine_upper_size_7)
+    fine_upper_size_6 = (absolute(fine_upper_0a_lo) + fine_upper_rest_2
+        + absolute(fine_upper_0a - fine_column_0))
+    fine_upper_size_9 = (549753683968
+        * where(fine_upper_size_3, 0, absolute(fine_column_lo_1) + fine_upper_rest_2
+        + fine_upper_size_6))
     fine_upper_1a = -fine_column_1
     fine_upper_1a_lo = -fine_column_lo_2
     fine_upper_1 = where(fine_upper_0b, fine_upper_1a, fine_column_1)
     fine_upper_lo_2 = where(fine_upper_0b, fine_upper_1a_lo, fine_column_lo_2)
     fine_upper_rest_3 = 4.6185646e-13 * (3.308722450212111e-24 + fine_column_size_2)
-    fine_upper_bound_4 = absolute(fine_upper_1a_lo) + fine_upper_rest_3
-    fine_upper_size_13 = fine_upper_bound_4 + absolute(fine_upper_1a - fine_column_1)
-    fine_upper_size_14 = absolute(fine_column_lo_2) + fine_upper_rest_3 + fine_upper_size_13
-    fine_upper_size_16 = 549753683968 * where(fine_upper_size_3, 0, fine_upper_size_14)
+    fine_upper_size_13 = (absolute(fine_upper_1a_lo) + fine_upper_rest_3
+        + absolute(fine_upper_1a - fine_column_1))
+    fine_upper_size_16 = (549753683968
+        * where(fine_upper_size_3, 0, absolute(fine_column_lo_2) + fine_upper_rest_3
+        + fine_upper_size_13))
     fine_upper_2a = -fine_column_2
     fine_upper_2a_lo = -fine_column_lo_3
     fine_upper_2 = where(fine_upper_0b, fine_upper_2a, fine_column_2)
     fine_upper_lo_3 = where(fine_upper_0b, fine_upper_2a_lo, fine_column_lo_3)
     fine_upper_rest_4 = 4.6185646e-13 * (3.308722450212111e-24 + fine_column_size_3)
-    fine_upper_bound_6 = absolute(fine_upper_2a_lo) + fine_upper_rest_4
-    fine_upper_size_20 = fine_upper_bound_6 + absolute(fine_upper_2a - fine_column_2)
-    fine_upper_size_21 = absolute(fine_column_lo_3) + fine_upper_rest_4 + fine_upper_size_20
-    fine_upper_size_23 = 549753683968 * where(fine_upper_size_3, 0, fine_upper_size_21)
+    fine_upper_size_20 = (absolute(fine_upper_2a_lo) + fine_upper_rest_4
+        + absolute(fine_upper_2a - fine_column_2))
+    fine_upper_size_23 = (549753683968
+        * where(fine_upper_size_3, 0, absolute(fine_column_lo_3) + fine_upper_rest_4
+        + fine_upper_size_20))
     fine_upper_3 = absolute(fine_column_3)
     fine_upper_lo_4 = where(fine_column_3 < 0, -fine_column_lo_4, fine_column_lo_4)
     fine_upper_size_25 = fine_upper_3 - fine_upper_bound_1
-    fine_upper_size_28 = 549753683968 * (absolute(fine_upper_size_25) - fine_upper_size_25)
     fine_v_s_size_0 = absolute(fine_upper_0)
     fine_v_s_size_padded_1 = 3.308722450212111e-24 + (fine_column_size_1 + fine_upper_size_9)
     fine_v_s_size_1 = absolute(fine_upper_1)
@@ -4502,16 +4343,16 @@ def SE3_log(D):
     fine_v_s_size_2 = absolute(fine_upper_2)
     fine_v_s_size_padded_3 = 3.308722450212111e-24 + (fine_column_size_3 + fine_upper_size_23)
     fine_v_s_largest1 = where(fine_v_s_size_0 < fine_v_s_size_1, fine_v_s_size_1, fine_v_s_size_0)
-    fine_v_s_largest2a = fine_v_s_largest1 < fine_v_s_size_2
-    fine_v_s_largest2 = where(fine_v_s_largest2a, fine_v_s_size_2, fine_v_s_largest1)
+    fine_v_s_largest2 = (where(fine_v_s_largest1
+        < fine_v_s_size_2, fine_v_s_size_2, fine_v_s_largest1))
     fine_v_s_a = 4.611686018427388e+18 < fine_v_s_largest2
     fine_v_s_c = fine_v_s_largest2 < 256
-    fine_v_s_b = where(fine_v_s_a, float32(2.710505431213761e-20), float32(1))
-    fine_v_s_b_size_1 = where(fine_v_s_a, float32(2.710505431213761e-20), float32(1))
     fine_v_s_e = fine_v_s_largest2 < 1.4210854715202004e-14
-    fine_v_s_d = where(fine_v_s_c, 1.8014398509481984e+16, fine_v_s_b)
+    fine_v_s_d = where(fine_v_s_c, 1.8014398509481984e+16, where(fine_v_s_a,
+        float32(2.710505431213761e-20), float32(1)))
     fine_v_s = where(fine_v_s_e, 3.2451855365842673e+32, fine_v_s_d)
-    fine_v_s_d_size_1 = where(fine_v_s_c, 1.8014398509481984e+16, fine_v_s_b_size_1)
+    fine_v_s_d_size_1 = where(fine_v_s_c, 1.8014398509481984e+16, where(fine_v_s_a,
+        float32(2.710505431213761e-20), float32(1)))
     fine_v_s_size_3 = where(fine_v_s_e, 3.2451855365842673e+32, fine_v_s_d_size_1)
     fine_v_y_0 = fine_upper_0 * fine_v_s
     fine_v_y_inverse_1 = 1 / fine_v_s
@@ -4522,678 +4363,604 @@ def SE3_log(D):
     fine_v_y_lo_3 = (fine_upper_2 - fine_v_y_2 * fine_v_y_inverse_1 + fine_upper_lo_3) * fine_v_s
     fine_v_n_a = fine_v_y_0 * fine_v_y_0
     fine_v_n_a_padded_1 = 3.308722450212111e-24 + fine_v_s_size_3 * fine_v_s_size_padded_1
-    fine_v_n_a_units_1 = 262144 * (absolute(fine_v_y_lo_1) + 1.9326999e-12 * fine_v_n_a_padded_1)
-    fine_v_n_a_size_2 = fine_v_n_a_padded_1 * (absolute(fine_v_y_0) + fine_v_n_a_units_1)
+    fine_v_n_a_size_2 = (fine_v_n_a_padded_1
+        * (absolute(fine_v_y_0) + 262144
+        * (absolute(fine_v_y_lo_1) + 1.9326999e-12 * fine_v_n_a_padded_1)))
     fine_v_n_b = fine_v_y_1 * fine_v_y_1
     fine_v_n_b_padded_1 = 3.308722450212111e-24 + fine_v_s_size_3 * fine_v_s_size_padded_2
-    fine_v_n_b_units_1 = 262144 * (absolute(fine_v_y_lo_2) + 1.9326999e-12 * fine_v_n_b_padded_1)
-    fine_v_n_b_size_2 = fine_v_n_b_padded_1 * (absolute(fine_v_y_1) + fine_v_n_b_units_1)
+    fine_v_n_b_size_2 = (fine_v_n_b_padded_1
+        * (absolute(fine_v_y_1) + 262144
+        * (absolute(fine_v_y_lo_2) + 1.9326999e-12 * fine_v_n_b_padded_1)))
     fine_v_n_c = fine_v_n_a + fine_v_n_b
     fine_v_n_c_right_1 = fine_v_n_c - fine_v_n_a
-    fine_v_n_c_left_1 = fine_v_n_c - fine_v_n_c_right_1
-    fine_v_n_a_cross_1 = fine_v_y_lo_1 * fine_v_y_0 + fine_v_y_0 * fine_v_y_lo_1
-    fine_v_n_b_cross_1 = fine_v_y_lo_2 * fine_v_y_1 + fine_v_y_1 * fine_v_y_lo_2
-    fine_v_n_c_right_rest_1 = product_rest(fine_v_y_1, fine_v_y_1, fine_v_n_b, fine_v_n_c_right_1)
-    fine_v_n_c_left_rest_1 = product_rest(fine_v_y_0, fine_v_y_0, fine_v_n_a, fine_v_n_c_left_1)
-    fine_v_n_c_lo1_1 = fine_v_n_c_left_rest_1 + fine_v_n_c_right_rest_1
-    fine_v_n_a_size_3 = fine_v_n_a_size_2 + fine_v_n_a_size_2
+    fine_v_n_c_left_rest_1 = (product_rest(fine_v_y_0, fine_v_y_0, fine_v_n_a, fine_v_n_c
+        - fine_v_n_c_right_1))
+    fine_v_n_c_cross_1 = (fine_v_y_lo_1 * fine_v_y_0 + fine_v_y_0 * fine_v_y_lo_1
+        + (fine_v_y_lo_2 * fine_v_y_1 + fine_v_y_1 * fine_v_y_lo_2))
     fine_v_n_d = fine_v_y_2 * fine_v_y_2
     fine_v_n_d_padded_1 = 3.308722450212111e-24 + fine_v_s_size_3 * fine_v_s_size_padded_3
-    fine_v_n_d_units_1 = 262144 * (absolute(fine_v_y_lo_3) + 1.9326999e-12 * fine_v_n_d_padded_1)
-    fine_v_n_d_size_2 = fine_v_n_d_padded_1 * (absolute(fine_v_y_2) + fine_v_n_d_units_1)
+    fine_v_n_d_size_2 = (fine_v_n_d_padded_1
+        * (absolute(fine_v_y_2) + 262144
+        * (absolute(fine_v_y_lo_3) + 1.9326999e-12 * fine_v_n_d_padded_1)))
     fine_v_n_e = fine_v_n_c + fine_v_n_d
     fine_v_n_e_right_1 = fine_v_n_e - fine_v_n_c
-    fine_v_n_e_right_rest_1 = product_rest(fine_v_y_2, fine_v_y_2, fine_v_n_d, fine_v_n_e_right_1)
-    fine_v_n_e_lo1_1 = fine_v_n_c - (fine_v_n_e - fine_v_n_e_right_1) + fine_v_n_e_right_rest_1
-    fine_v_n_e_lo2_1 = fine_v_n_e_lo1_1 + (fine_v_y_lo_3 * fine_v_y_2 + fine_v_y_2 * fine_v_y_lo_3)
-    fine_v_n_c_lo = fine_v_n_c_lo1_1 + (fine_v_n_a_cross_1 + fine_v_n_b_cross_1)
-    fine_v_n_e_lo = fine_v_n_e_lo2_1 + fine_v_n_c_lo
-    fine_v_n_c_size_1 = fine_v_n_a_size_3 + (fine_v_n_b_size_2 + fine_v_n_b_size_2)
+    fine_v_n_e_lo1_1 = (fine_v_n_c - (fine_v_n_e - fine_v_n_e_right_1)
+        + product_rest(fine_v_y_2, fine_v_y_2, fine_v_n_d, fine_v_n_e_right_1))
+    fine_v_n_c_lo = (fine_v_n_c_left_rest_1
+        + product_rest(fine_v_y_1, fine_v_y_1, fine_v_n_b, fine_v_n_c_right_1) + fine_v_n_c_cross_1)
+    fine_v_n_e_lo = (fine_v_n_e_lo1_1 + (fine_v_y_lo_3 * fine_v_y_2 + fine_v_y_2 * fine_v_y_lo_3)
+        + fine_v_n_c_lo)
     fine_v_n = sqrt(fine_v_n_e)
     fine_v_n_product_1 = fine_v_n * fine_v_n
-    fine_v_n_product_error_1 = product_error(fine_v_n, fine_v_n, fine_v_n_product_1)
-    fine_v_n_residual_1 = fine_v_n_e - fine_v_n_product_1 - fine_v_n_product_error_1 + fine_v_n_e_lo
+    fine_v_n_residual_1 = (fine_v_n_e - fine_v_n_product_1
+        - product_error(fine_v_n, fine_v_n, fine_v_n_product_1) + fine_v_n_e_lo)
     fine_v_n_lo = fine_v_n_residual_1 / where(fine_v_n == 0, 1, fine_v_n + fine_v_n)
-    fine_v_n_e_size_1 = fine_v_n_c_size_1 + (fine_v_n_d_size_2 + fine_v_n_d_size_2)
+    fine_v_n_e_size_1 = (fine_v_n_a_size_2 + fine_v_n_a_size_2
+        + (fine_v_n_b_size_2 + fine_v_n_b_size_2) + (fine_v_n_d_size_2 + fine_v_n_d_size_2))
     fine_v_n_padded_1 = 3.308722450212111e-24 + fine_v_n_e_size_1
     fine_v_n_bound_1 = absolute(fine_v_n_e_lo) + 3.3147653e-12 * fine_v_n_padded_1
-    fine_v_n_reach_1 = absolute(fine_v_n_e) + 262144 * fine_v_n_bound_1
-    fine_v_n_size_8 = 396154929152 * (sqrt(fine_v_n_bound_1) + absolute(fine_v_n_lo))
-    fine_v_n_size_4 = fine_v_n_reach_1 * (fine_v_n_padded_1 / fine_v_n / fine_v_n_e)
-    fine_v_n_size_11 = where(4 * fine_v_n_bound_1 < fine_v_n_e, fine_v_n_size_4, fine_v_n_size_8)
+    fine_v_n_size_4 = ((absolute(fine_v_n_e) + 262144 * fine_v_n_bound_1)
+        * (fine_v_n_padded_1 / fine_v_n / fine_v_n_e))
+    fine_v_n_size_11 = (where(4 * fine_v_n_bound_1 < fine_v_n_e, fine_v_n_size_4, 396154929152
+        * (sqrt(fine_v_n_bound_1) + absolute(fine_v_n_lo))))
     fine_v_r_a = fine_v_s < 1
     fine_v_r_c = 1 < fine_v_s
-    fine_v_r_b = where(fine_v_r_a, float32(3.6893488147419103e+19), float32(1))
-    fine_v_r_b_size_1 = where(fine_v_r_a, float32(3.6893488147419103e+19), float32(1))
     fine_v_r_e = 1.8014398509481984e+16 < fine_v_s
-    fine_v_r_d = where(fine_v_r_c, 5.551115123125783e-17, fine_v_r_b)
+    fine_v_r_d = where(fine_v_r_c, 5.551115123125783e-17, where(fine_v_r_a,
+        float32(3.6893488147419103e+19), float32(1)))
     fine_v_r = where(fine_v_r_e, 3.0814879110195774e-33, fine_v_r_d)
-    fine_v_r_d_size_1 = where(fine_v_r_c, 5.551115123125783e-17, fine_v_r_b_size_1)
+    fine_v_r_d_size_1 = where(fine_v_r_c, 5.551115123125783e-17, where(fine_v_r_a,
+        float32(3.6893488147419103e+19), float32(1)))
     fine_n = fine_v_n * fine_v_r
     fine_n_lo = (fine_v_n - fine_n * (1 / fine_v_r) + fine_v_n_lo) * fine_v_r
-    fine_v_r_size_1 = where(fine_v_r_e, 3.0814879110195774e-33, fine_v_r_d_size_1)
-    fine_n_size_1 = (3.308722450212111e-24 + (fine_v_n + fine_v_n_size_11)) * fine_v_r_size_1
+    fine_n_size_1 = ((3.308722450212111e-24 + (fine_v_n + fine_v_n_size_11))
+        * where(fine_v_r_e, 3.0814879110195774e-33, fine_v_r_d_size_1))
     fine_half = elementary.atan2(fine_n, fine_upper_3)
     fine_half_size0_1 = absolute(fine_n)
     fine_half_size1_1 = absolute(fine_upper_3)
-    fine_half_larger_1 = fine_half_size0_1 < fine_half_size1_1
-    fine_half_most_1 = where(fine_half_larger_1, fine_half_size1_1, fine_half_size0_1)
+    fine_half_most_1 = (where(fine_half_size0_1
+        < fine_half_size1_1, fine_half_size1_1, fine_half_size0_1))
     fine_half_zero_1 = fine_half_most_1 == 0
     fine_half_divisor_1 = where(fine_half_zero_1, 1, fine_half_most_1)
     fine_half_part0_1 = fine_n / fine_half_divisor_1
     fine_half_part1_1 = fine_upper_3 / fine_half_divisor_1
-    fine_half_square1_1 = fine_half_part1_1 * fine_half_part1_1
-    fine_half_square_1 = fine_half_square1_1 + fine_half_part0_1 * fine_half_part0_1
-    fine_half_safe_1 = where(fine_half_zero_1, 1, fine_half_divisor_1 * fine_half_square_1)
-    fine_half_cross_1 = fine_half_part1_1 * fine_n_lo - fine_half_part0_1 * fine_upper_lo_4
-    fine_half_own_error_1 = elementary.atan2_error(fine_n, fine_upper_3, fine_half)
-    fine_half_lo = fine_half_own_error_1 + fine_half_cross_1 / fine_half_safe_1
+    fine_half_safe_1 = (where(fine_half_zero_1, 1, fine_half_divisor_1
+        * (fine_half_part1_1 * fine_half_part1_1 + fine_half_part0_1 * fine_half_part0_1)))
+    fine_half_more_1 = ((fine_half_part1_1 * fine_n_lo - fine_half_part0_1 * fine_upper_lo_4)
+        / fine_half_safe_1)
+    fine_half_lo = elementary.atan2_error(fine_n, fine_upper_3, fine_half) + fine_half_more_1
     fine_half_padded_1 = 3.308722450212111e-24 + fine_n_size_1
-    fine_half_padded_2 = 3.308722450212111e-24 + (fine_column_size_4 + fine_upper_size_28)
+    fine_half_padded_2 = (3.308722450212111e-24
+        + (fine_column_size_4 + 549753683968 * (absolute(fine_upper_size_25) - fine_upper_size_25)))
     fine_half_size_2 = absolute(fine_n)
     fine_half_size_3 = absolute(fine_upper_3)
-    fine_half_size_4 = fine_half_size_2 < fine_half_size_3
-    fine_half_size_5 = where(fine_half_size_4, fine_half_size_3, fine_half_size_2)
+    fine_half_size_5 = (where(fine_half_size_2
+        < fine_half_size_3, fine_half_size_3, fine_half_size_2))
     fine_half_bound_1 = absolute(fine_n_lo) + 2.7161363e-12 * fine_half_padded_1
     fine_half_bound_2 = absolute(fine_upper_lo_4) + 1.8758484e-12 * fine_half_padded_2
-    fine_half_size_9 = (fine_half_padded_1 + fine_half_padded_2) / fine_half_size_5
-    fine_half_size_7 = fine_half_bound_2 + (3.308722450212111e-24 + fine_half_bound_1)
-    fine_half_size_11 = fine_half_size_7 / fine_half_size_5
+    fine_half_size_11 = ((fine_half_bound_2 + (3.308722450212111e-24 + fine_half_bound_1))
+        / fine_half_size_5)
     fine_half_size_13 = fine_half_size_11 * fine_half_size_11
     fine_half_size_15 = 7 + absolute(fine_half_lo)
-    fine_half_size_16 = fine_half_bound_2 < fine_upper_3
-    fine_half_size_18 = where(fine_half_size_16, fine_half_size_13, fine_half_size_15)
-    fine_half_size_17 = fine_half_bound_1 < fine_half_size_2
-    fine_half_size_19 = where(fine_half_size_17, fine_half_size_13, fine_half_size_18)
-    fine_half_size_20 = where(fine_half_size_11 < 0.25, fine_half_size_19, fine_half_size_15)
+    fine_half_size_18 = (where(fine_half_bound_2
+        < fine_upper_3, fine_half_size_13, fine_half_size_15))
+    fine_half_size_19 = (where(fine_half_bound_1
+        < fine_half_size_2, fine_half_size_13, fine_half_size_18))
+    fine_half_size_21 = (157070458880
+        * where(fine_half_size_11 < 0.25, fine_half_size_19, fine_half_size_15))
     fine_divisor_a = fine_n == 0
     fine_divisor = where(fine_divisor_a, 1, fine_n)
     fine_divisor_lo = where(fine_divisor_a, 0, fine_n_lo)
-    fine_divisor_size_5 = fine_half_bound_1 < 1.401298464324817e-45 + absolute(fine_n - 0)
-    fine_divisor_size_9 = where(fine_divisor_size_5, 0, absolute(1 - fine_n) + fine_half_bound_1)
-    fine_divisor_size_1 = where(fine_divisor_a, 1, fine_n_size_1)
+    fine_divisor_size_9 = (where(fine_half_bound_1 < 1.401298464324817e-45
+        + absolute(fine_n - 0), 0, absolute(1 - fine_n) + fine_half_bound_1))
     fine_theta = 2 * fine_half
     fine_theta_cross2_1 = 2 * fine_half_lo
-    fine_half_size_22 = absolute(fine_half) + fine_half_size_9 + 157070458880 * fine_half_size_20
-    fine_theta_size_1 = 2 * fine_half_size_22
+    fine_theta_size_1 = (2
+        * (absolute(fine_half) + (fine_half_padded_1 + fine_half_padded_2) / fine_half_size_5
+        + fine_half_size_21))
     fine_k = fine_theta / fine_divisor
     fine_k_product_1 = fine_k * fine_divisor
-    fine_k_product_error_1 = product_error(fine_k, fine_divisor, fine_k_product_1)
-    fine_k_exact_1 = fine_theta - fine_k_product_1 - fine_k_product_error_1
-    fine_k_lo = (fine_k_exact_1 + fine_theta_cross2_1 - fine_k * fine_divisor_lo) / fine_divisor
-    fine_divisor_size_11 = fine_divisor_size_1 + 219898183680 * fine_divisor_size_9
-    fine_k_padded_2 = 3.308722450212111e-24 + fine_divisor_size_11
+    fine_k_numerator_1 = (fine_theta - fine_k_product_1
+        - product_error(fine_k, fine_divisor, fine_k_product_1) + fine_theta_cross2_1)
+    fine_k_lo = (fine_k_numerator_1 - fine_k * fine_divisor_lo) / fine_divisor
+    fine_k_padded_2 = (3.308722450212111e-24
+        + (where(fine_divisor_a, 1, fine_n_size_1) + 219898183680 * fine_divisor_size_9))
     fine_k_size_1 = absolute(fine_k)
     fine_k_size_2 = absolute(fine_divisor)
     fine_k_bound_1 = absolute(fine_divisor_lo) + 4.6896905e-12 * fine_k_padded_2
     fine_k_size_4 = 3.308722450212111e-24 + fine_theta_size_1 + fine_k_padded_2 * fine_k_size_1
-    fine_k_size_8 = fine_k_size_4 / where(4 * fine_k_bound_1 < fine_k_size_2, fine_k_size_2, 0)
-    fine_k_size_10 = (fine_k_size_2 + 262144 * fine_k_bound_1) * fine_k_size_8 / fine_k_size_2
+    fine_k_size_9 = ((fine_k_size_2 + 262144 * fine_k_bound_1)
+        * (fine_k_size_4 / where(4 * fine_k_bound_1 < fine_k_size_2, fine_k_size_2, 0)))
     fine_vector_0 = fine_upper_0 * fine_k
-    fine_vector_padded_1 = 3.308722450212111e-24 + (fine_k_size_1 + fine_k_size_10)
-    fine_v_s_size_bound_1 = absolute(fine_upper_lo_1) + 1.8758484e-12 * fine_v_s_size_padded_1
-    fine_vector_reach_1 = absolute(fine_upper_0) + 262144 * fine_v_s_size_bound_1
-    fine_vector_units_2 = 262144 * (absolute(fine_k_lo) + 9.5606465e-12 * fine_vector_padded_1)
-    fine_vector_reach_2 = fine_k_size_1 + fine_vector_units_2
-    fine_vector_size_3 = fine_v_s_size_padded_1 * fine_vector_reach_2
+    fine_vector_padded_1 = 3.308722450212111e-24 + (fine_k_size_1 + fine_k_size_9 / fine_k_size_2)
+    fine_vector_reach_2 = (fine_k_size_1 + 262144
+        * (absolute(fine_k_lo) + 9.5606465e-12 * fine_vector_padded_1))
+    fine_vector_size_2 = (fine_vector_padded_1
+        * (absolute(fine_upper_0) + 262144
+        * (absolute(fine_upper_lo_1) + 1.8758484e-12 * fine_v_s_size_padded_1)))
     fine_vector_1 = fine_upper_1 * fine_k
-    fine_v_s_size_bound_2 = absolute(fine_upper_lo_2) + 1.8758484e-12 * fine_v_s_size_padded_2
-    fine_vector_reach_3 = absolute(fine_upper_1) + 262144 * fine_v_s_size_bound_2
-    fine_vector_size_7 = fine_v_s_size_padded_2 * fine_vector_reach_2
+    fine_vector_size_6 = (fine_vector_padded_1
+        * (absolute(fine_upper_1) + 262144
+        * (absolute(fine_upper_lo_2) + 1.8758484e-12 * fine_v_s_size_padded_2)))
     fine_vector_2 = fine_upper_2 * fine_k
-    fine_v_s_size_bound_3 = absolute(fine_upper_lo_3) + 1.8758484e-12 * fine_v_s_size_padded_3
-    fine_vector_reach_4 = absolute(fine_upper_2) + 262144 * fine_v_s_size_bound_3
-    fine_vector_size_11 = fine_v_s_size_padded_3 * fine_vector_reach_2
-    fine_half_angle = 0.5 * fine_theta
-    fine_half_angle_cross2_1 = 0.5 * fine_theta_cross2_1
-    fine_half_angle_size_1 = 0.5 * fine_theta_size_1
-    fine_length_a = fine_n * fine_n
-    fine_length_a_size_1 = fine_half_padded_1 * (fine_half_size_2 + 262144 * fine_half_bound_1)
-    fine_length_b = fine_upper_3 * fine_upper_3
-    fine_length_b_size_1 = fine_half_padded_2 * (fine_half_size_3 + 262144 * fine_half_bound_2)
-    fine_length_c = fine_length_a + fine_length_b
-    fine_length_c_right_1 = fine_length_c - fine_length_a
-    fine_length_c_left_1 = fine_length_c - fine_length_c_right_1
-    fine_length_b_cross_1 = fine_upper_lo_4 * fine_upper_3 + fine_upper_3 * fine_upper_lo_4
-    fine_length_c_right_rest_1 = product_rest(fine_upper_3, fine_upper_3, fine_length_b, fine_length_c_right_1)
-    fine_length_c_left_rest_1 = product_rest(fine_n, fine_n, fine_length_a, fine_length_c_left_1)
-    fine_length_c_cross_1 = fine_n_lo * fine_n + fine_n * fine_n_lo + fine_length_b_cross_1
-    fine_length_c_lo1_1 = fine_length_c_left_rest_1 + fine_length_c_right_rest_1
-    fine_length_c_lo = fine_length_c_lo1_1 + fine_length_c_cross_1
-    fine_length_a_size_2 = fine_length_a_size_1 + fine_length_a_size_1
-    fine_length = sqrt(fine_length_c)
-    fine_length_product_1 = fine_length * fine_length
-    fine_length_product_error_1 = product_error(fine_length, fine_length, fine_length_product_1)
-    fine_length_exact_1 = fine_length_c - fine_length_product_1 - fine_length_product_error_1
-    fine_length_divisor_1 = where(fine_length == 0, 1, fine_length + fine_length)
-    fine_length_lo = (fine_length_exact_1 + fine_length_c_lo) / fine_length_divisor_1
-    fine_length_c_size_1 = fine_length_a_size_2 + (fine_length_b_size_1 + fine_length_b_size_1)
-    fine_length_padded_1 = 3.308722450212111e-24 + fine_length_c_size_1
-    fine_length_bound_1 = absolute(fine_length_c_lo) + 4.2900713e-12 * fine_length_padded_1
-    fine_length_reach_1 = absolute(fine_length_c) + 262144 * fine_length_bound_1
-    fine_length_size_6 = absolute(fine_length_lo)
-    fine_length_size_4 = fine_length_reach_1 * (fine_length_padded_1 / fine_length / fine_length_c)
-    fine_length_size_8 = 320848789504 * (sqrt(fine_length_bound_1) + fine_length_size_6)
-    fine_length_size_10 = 4 * fine_length_bound_1 < fine_length_c
-    fine_length_size_11 = where(fine_length_size_10, fine_length_size_4, fine_length_size_8)
-    fine_sine = fine_n / fine_length
-    fine_sine_product_1 = fine_sine * fine_length
-    fine_sine_product_error_1 = product_error(fine_sine, fine_length, fine_sine_product_1)
-    fine_sine_numerator_1 = fine_n - fine_sine_product_1 - fine_sine_product_error_1 + fine_n_lo
-    fine_sine_padded_1 = 3.308722450212111e-24 + (fine_length + fine_length_size_11)
-    fine_sine_size_1 = absolute(fine_sine)
-    fine_sine_size_2 = absolute(fine_length)
-    fine_sine_bound_1 = fine_length_size_6 + 3.2446472e-12 * fine_sine_padded_1
-    fine_sine_size_7 = where(4 * fine_sine_bound_1 < fine_sine_size_2, fine_sine_size_2, 0)
-    fine_sine_size_4 = fine_half_padded_1 + fine_sine_padded_1 * fine_sine_size_1
-    fine_sine_reach_1 = fine_sine_size_2 + 262144 * fine_sine_bound_1
-    fine_sine_size_10 = fine_sine_reach_1 * (fine_sine_size_4 / fine_sine_size_7) / fine_sine_size_2
-    fine_c = fine_upper_3 / fine_length
-    fine_c_product_1 = fine_c * fine_length
-    fine_c_product_error_1 = product_error(fine_c, fine_length, fine_c_product_1)
-    fine_c_numerator_1 = fine_upper_3 - fine_c_product_1 - fine_c_product_error_1 + fine_upper_lo_4
-    fine_c_lo = (fine_c_numerator_1 - fine_c * fine_length_lo) / fine_length
-    fine_c_size_1 = absolute(fine_c)
-    fine_c_size_4 = (fine_c_size_1 * fine_sine_padded_1 + fine_half_padded_2) / fine_sine_size_7
-    fine_c_size_7 = fine_c_size_1 + fine_c_size_4 * fine_sine_reach_1 / fine_sine_size_2
-    fine_y = fine_half_angle * fine_half_angle
-    fine_y_cross1_1 = fine_half_angle_cross2_1 * fine_half_angle
-    fine_y_padded_1 = 3.308722450212111e-24 + fine_half_angle_size_1
-    fine_y_bound_1 = absolute(fine_half_angle_cross2_1) + 6.7965347e-12 * fine_y_padded_1
-    fine_y_size_2 = fine_y_padded_1 * (absolute(fine_half_angle) + 262144 * fine_y_bound_1)
-    fine_y_size_3 = fine_y_size_2 + fine_y_size_2
-    fine_sinc_divisor_a = fine_half_angle < 1.4901161193847656e-08
-    fine_sinc_divisor = where(fine_sinc_divisor_a, 1.4901161193847656e-08, fine_half_angle)
-    fine_sinc_divisor_lo = where(fine_sinc_divisor_a, 0, fine_half_angle_cross2_1)
-    fine_sinc_divisor_size_4 = fine_y_bound_1 < absolute(fine_half_angle - 1.4901161193847656e-08)
-    fine_sinc_divisor_size_7 = absolute(1.4901161193847656e-08 - fine_half_angle) + fine_y_bound_1
-    fine_sinc_divisor_size_8 = where(fine_sinc_divisor_size_4, 0, fine_sinc_divisor_size_7)
-    fine_sinc_divisor_size_1 = where(fine_sinc_divisor_a, 1.4901161193847656e-08, fine_half_angle_size_1)
-    fine_sinc_quotient = fine_sine / fine_sinc_divisor
-    fine_sinc_quotient_product_1 = fine_sinc_quotient * fine_sinc_divisor
-    fine_sinc_quotient_product_error_1 = product_error(fine_sinc_quotient, fine_sinc_divisor, fine_sinc_quotient_product_1)
-    fine_sinc_quotient_rest_1 = fine_sine - fine_sinc_quotient_product_1
-    fine_sine_lo = (fine_sine_numerator_1 - fine_sine * fine_length_lo) / fine_length
-    fine_sinc_quotient_exact_1 = fine_sinc_quotient_rest_1 - fine_sinc_quotient_product_error_1
-    fine_sinc_quotient_numerator_1 = fine_sinc_quotient_exact_1 + fine_sine_lo
-    fine_sinc_quotient_cross_1 = fine_sinc_quotient * fine_sinc_divisor_lo
-    fine_sinc_quotient_residual_1 = fine_sinc_quotient_numerator_1 - fine_sinc_quotient_cross_1
-    fine_sinc_quotient_lo = fine_sinc_quotient_residual_1 / fine_sinc_divisor
-    fine_sinc_divisor_size_10 = fine_sinc_divisor_size_1 + 122165493760 * fine_sinc_divisor_size_8
-    fine_sinc_quotient_padded_2 = 3.308722450212111e-24 + fine_sinc_divisor_size_10
-    fine_sinc_quotient_size_1 = absolute(fine_sinc_quotient)
-    fine_sinc_quotient_size_2 = absolute(fine_sinc_divisor)
-    fine_sinc_quotient_padded_1 = 3.308722450212111e-24 + (fine_sine_size_1 + fine_sine_size_10)
-    fine_sinc_quotient_size_3 = fine_sinc_quotient_padded_2 * fine_sinc_quotient_size_1
-    fine_sinc_quotient_rest_2 = 8.441455e-12 * fine_sinc_quotient_padded_2
-    fine_sinc_quotient_bound_1 = absolute(fine_sinc_divisor_lo) + fine_sinc_quotient_rest_2
-    fine_sinc_quotient_size_6 = 4 * fine_sinc_quotient_bound_1 < fine_sinc_quotient_size_2
-    fine_sinc_quotient_size_7 = where(fine_sinc_quotient_size_6, fine_sinc_quotient_size_2, 0)
-    fine_sinc_quotient_size_4 = fine_sinc_quotient_padded_1 + fine_sinc_quotient_size_3
-    fine_sinc_quotient_reach_1 = fine_sinc_quotient_size_2 + 262144 * fine_sinc_quotient_bound_1
-    fine_sinc_quotient_size_8 = fine_sinc_quotient_size_4 / fine_sinc_quotient_size_7
-    fine_sinc_quotient_size_9 = fine_sinc_quotient_reach_1 * fine_sinc_quotient_size_8
-    fine_sinc_quotient_size_10 = fine_sinc_quotient_size_9 / fine_sinc_quotient_size_2
-    fine_sinc_quotient_size_11 = fine_sinc_quotient_size_1 + fine_sinc_quotient_size_10
-    fine_y_cross_1 = fine_y_cross1_1 + fine_half_angle * fine_half_angle_cross2_1
-    fine_y_lo = product_error(fine_half_angle, fine_half_angle, fine_y) + fine_y_cross_1
-    fine_sinc_a = 0.16666667 * fine_y
-    fine_sinc_b = 1 - fine_sinc_a
-    fine_sinc_b_right_1 = 1 - fine_sinc_b
-    fine_sinc_b_right_rest_1 = product_rest(0.16666667, fine_y, fine_sinc_a, fine_sinc_b_right_1)
-    fine_sinc_b_lo1_1 = 1 - (fine_sinc_b + fine_sinc_b_right_1) - fine_sinc_b_right_rest_1
-    fine_sinc_b_lo = fine_sinc_b_lo1_1 - (-4.967054e-09 * fine_y + 0.16666667 * fine_y_lo)
-    fine_sinc_b_size_1 = 1 + 0.16666669 * fine_y_size_3
-    fine_sinc = where(fine_sinc_divisor_a, fine_sinc_b, fine_sinc_quotient)
-    fine_sinc_lo = where(fine_sinc_divisor_a, fine_sinc_b_lo, fine_sinc_quotient_lo)
-    fine_sinc_rest_1 = 2.4250044e-10 * (3.308722450212111e-24 + fine_sinc_b_size_1)
-    fine_sinc_rest_2 = 1.1643793e-11 * (3.308722450212111e-24 + fine_sinc_quotient_size_11)
-    fine_sinc_bound_1 = absolute(fine_sinc_b_lo) + fine_sinc_rest_1
-    fine_sinc_size_4 = fine_sinc_bound_1 + absolute(fine_sinc_b - fine_sinc_quotient)
-    fine_sinc_size_5 = absolute(fine_sinc_quotient_lo) + fine_sinc_rest_2 + fine_sinc_size_4
-    fine_sinc_size_1 = where(fine_sinc_divisor_a, fine_sinc_b_size_1, fine_sinc_quotient_size_11)
-    fine_sinc_size_7 = 4130013440 * where(fine_sinc_divisor_size_4, 0, fine_sinc_size_5)
-    fine_sinc_size_8 = fine_sinc_size_1 + fine_sinc_size_7
-    fine_series_phi_a = 5.107725e-32 * fine_y
-    fine_series_phi_b = 4.1168266e-29 - fine_series_phi_a
-    fine_series_phi_b_right_1 = 4.1168266e-29 - fine_series_phi_b
-    fine_series_phi_b_right_rest_1 = product_rest(5.107725e-32, fine_y, fine_series_phi_a, fine_series_phi_b_right_1)
-    fine_series_phi_b_left_rest_1 = 4.1168266e-29 - (fine_series_phi_b + fine_series_phi_b_right_1)
-    fine_series_phi_b_lo1_1 = fine_series_phi_b_left_rest_1 - fine_series_phi_b_right_rest_1
-    fine_series_phi_a_cross_1 = 3.51736e-40 * fine_y + 5.107725e-32 * fine_y_lo
-    fine_series_phi_b_lo = fine_series_phi_b_lo1_1 - fine_series_phi_a_cross_1 + -1.3151732e-36
-    fine_series_phi_c = fine_y * fine_series_phi_b
-    fine_series_phi_c_padded_1 = 3.308722450212111e-24 + fine_y_size_3
-    fine_series_phi_b_size_1 = 4.1168266e-29 + 2.3741903e-25 * fine_y_size_3
-    fine_series_phi_c_padded_2 = 3.308722450212111e-24 + fine_series_phi_b_size_1
-    fine_series_phi_c_bound_1 = absolute(fine_y_lo) + 8.974486e-12 * fine_series_phi_c_padded_1
-    fine_series_phi_c_reach_1 = absolute(fine_y) + 262144 * fine_series_phi_c_bound_1
-    fine_series_phi_c_rest_2 = 2.4250044e-10 * fine_series_phi_c_padded_2
-    fine_series_phi_c_units_2 = 262144 * (absolute(fine_series_phi_b_lo) + fine_series_phi_c_rest_2)
-    fine_series_phi_c_reach_2 = absolute(fine_series_phi_b) + fine_series_phi_c_units_2
-    fine_series_phi_c_size_2 = fine_series_phi_c_padded_2 * fine_series_phi_c_reach_1
-    fine_series_phi_c_size_4 = fine_series_phi_c_padded_1 * fine_series_phi_c_reach_2
-    fine_series_phi_d = fine_series_phi_c - 2.8653114e-26
-    fine_series_phi_d_right_1 = fine_series_phi_c - fine_series_phi_d
-    fine_series_phi_d_left_1 = fine_series_phi_d + fine_series_phi_d_right_1
-    fine_series_phi_d_left_rest_1 = product_rest(fine_y, fine_series_phi_b, fine_series_phi_c, fine_series_phi_d_left_1)
-    fine_series_phi_d_right_rest_1 = 2.8653114e-26 - fine_series_phi_d_right_1
-    fine_series_phi_d_lo1_1 = fine_series_phi_d_left_rest_1 - fine_series_phi_d_right_rest_1
-    fine_series_phi_c_cross_1 = fine_y_lo * fine_series_phi_b + fine_y * fine_series_phi_b_lo
-    fine_series_phi_d_lo = fine_series_phi_d_lo1_1 - -1.27647235e-33 + fine_series_phi_c_cross_1
-    fine_series_phi_e = fine_y * fine_series_phi_d
-    fine_series_phi_d_size_1 = 2.8653114e-26 + (fine_series_phi_c_size_2 + fine_series_phi_c_size_4)
-    fine_series_phi_e_padded_1 = 3.308722450212111e-24 + fine_series_phi_d_size_1
-    fine_series_phi_e_rest_1 = 2.4547078e-10 * fine_series_phi_e_padded_1
-    fine_series_phi_e_units_1 = 262144 * (absolute(fine_series_phi_d_lo) + fine_series_phi_e_rest_1)
-    fine_series_phi_e_reach_1 = absolute(fine_series_phi_d) + fine_series_phi_e_units_1
-    fine_series_phi_e_size_1 = fine_series_phi_c_reach_1 * fine_series_phi_e_padded_1
-    fine_series_phi_e_size_3 = fine_series_phi_c_padded_1 * fine_series_phi_e_reach_1
-    fine_series_phi_f = fine_series_phi_e + 1.7019949e-23
-    fine_series_phi_f_right_1 = fine_series_phi_f - fine_series_phi_e
-    fine_series_phi_f_left_1 = fine_series_phi_f - fine_series_phi_f_right_1
-    fine_series_phi_f_left_rest_1 = product_rest(fine_y, fine_series_phi_d, fine_series_phi_e, fine_series_phi_f_left_1)
-    fine_series_phi_f_right_rest_1 = 1.7019949e-23 - fine_series_phi_f_right_1
-    fine_series_phi_f_lo1_1 = fine_series_phi_f_left_rest_1 + fine_series_phi_f_right_rest_1
-    fine_series_phi_e_cross_1 = fine_y_lo * fine_series_phi_d + fine_y * fine_series_phi_d_lo
-    fine_series_phi_f_lo = fine_series_phi_f_lo1_1 + 1.9703667e-31 + fine_series_phi_e_cross_1
-    fine_series_phi_g = fine_y * fine_series_phi_f
-    fine_series_phi_f_size_1 = 1.7019949e-23 + (fine_series_phi_e_size_1 + fine_series_phi_e_size_3)
-    fine_series_phi_g_padded_1 = 3.308722450212111e-24 + fine_series_phi_f_size_1
-    fine_series_phi_g_rest_1 = 2.4850513e-10 * fine_series_phi_g_padded_1
-    fine_series_phi_g_units_1 = 262144 * (absolute(fine_series_phi_f_lo) + fine_series_phi_g_rest_1)
-    fine_series_phi_g_reach_1 = absolute(fine_series_phi_f) + fine_series_phi_g_units_1
-    fine_series_phi_g_size_1 = fine_series_phi_c_reach_1 * fine_series_phi_g_padded_1
-    fine_series_phi_g_size_3 = fine_series_phi_c_padded_1 * fine_series_phi_g_reach_1
-    fine_series_phi_h = fine_series_phi_g - 8.509974e-21
-    fine_series_phi_h_right_1 = fine_series_phi_g - fine_series_phi_h
-    fine_series_phi_h_left_1 = fine_series_phi_h + fine_series_phi_h_right_1
-    fine_series_phi_h_left_rest_1 = product_rest(fine_y, fine_series_phi_f, fine_series_phi_g, fine_series_phi_h_left_1)
-    fine_series_phi_h_right_rest_1 = 8.509974e-21 - fine_series_phi_h_right_1
-    fine_series_phi_h_lo1_1 = fine_series_phi_h_left_rest_1 - fine_series_phi_h_right_rest_1
-    fine_series_phi_g_cross_1 = fine_y_lo * fine_series_phi_f + fine_y * fine_series_phi_f_lo
-    fine_series_phi_h_lo = fine_series_phi_h_lo1_1 - 1.016591e-29 + fine_series_phi_g_cross_1
-    fine_series_phi_i = fine_y * fine_series_phi_h
-    fine_series_phi_h_size_1 = 8.509974e-21 + (fine_series_phi_g_size_1 + fine_series_phi_g_size_3)
-    fine_series_phi_i_padded_1 = 3.308722450212111e-24 + fine_series_phi_h_size_1
-    fine_series_phi_i_rest_1 = 2.5160352e-10 * fine_series_phi_i_padded_1
-    fine_series_phi_i_units_1 = 262144 * (absolute(fine_series_phi_h_lo) + fine_series_phi_i_rest_1)
-    fine_series_phi_i_reach_1 = absolute(fine_series_phi_h) + fine_series_phi_i_units_1
-    fine_series_phi_i_size_1 = fine_series_phi_c_reach_1 * fine_series_phi_i_padded_1
-    fine_series_phi_i_size_3 = fine_series_phi_c_padded_1 * fine_series_phi_i_reach_1
-    fine_series_phi_j = fine_series_phi_i + 3.5231293e-18
-    fine_series_phi_j_right_1 = fine_series_phi_j - fine_series_phi_i
-    fine_series_phi_j_left_1 = fine_series_phi_j - fine_series_phi_j_right_1
-    fine_series_phi_j_left_rest_1 = product_rest(fine_y, fine_series_phi_h, fine_series_phi_i, fine_series_phi_j_left_1)
-    fine_series_phi_j_right_rest_1 = 3.5231293e-18 - fine_series_phi_j_right_1
-    fine_series_phi_j_lo1_1 = fine_series_phi_j_left_rest_1 + fine_series_phi_j_right_rest_1
-    fine_series_phi_i_cross_1 = fine_y_lo * fine_series_phi_h + fine_y * fine_series_phi_h_lo
-    fine_series_phi_j_lo = fine_series_phi_j_lo1_1 + 7.2063343e-26 + fine_series_phi_i_cross_1
-    fine_series_phi_k = fine_y * fine_series_phi_j
-    fine_series_phi_j_size_1 = 3.5231293e-18 + (fine_series_phi_i_size_1 + fine_series_phi_i_size_3)
-    fine_series_phi_k_padded_1 = 3.308722450212111e-24 + fine_series_phi_j_size_1
-    fine_series_phi_k_rest_1 = 2.5476588e-10 * fine_series_phi_k_padded_1
-    fine_series_phi_k_units_1 = 262144 * (absolute(fine_series_phi_j_lo) + fine_series_phi_k_rest_1)
-    fine_series_phi_k_reach_1 = absolute(fine_series_phi_j) + fine_series_phi_k_units_1
-    fine_series_phi_k_size_1 = fine_series_phi_c_reach_1 * fine_series_phi_k_padded_1
-    fine_series_phi_k_size_3 = fine_series_phi_c_padded_1 * fine_series_phi_k_reach_1
-    fine_series_phi_l = fine_series_phi_k - 1.1837714e-15
-    fine_series_phi_l_right_1 = fine_series_phi_k - fine_series_phi_l
-    fine_series_phi_l_left_1 = fine_series_phi_l + fine_series_phi_l_right_1
-    fine_series_phi_l_left_rest_1 = product_rest(fine_y, fine_series_phi_j, fine_series_phi_k, fine_series_phi_l_left_1)
-    fine_series_phi_l_right_rest_1 = 1.1837714e-15 - fine_series_phi_l_right_1
-    fine_series_phi_l_lo1_1 = fine_series_phi_l_left_rest_1 - fine_series_phi_l_right_rest_1
-    fine_series_phi_k_cross_1 = fine_y_lo * fine_series_phi_j + fine_y * fine_series_phi_j_lo
-    fine_series_phi_l_lo = fine_series_phi_l_lo1_1 - 5.0683064e-23 + fine_series_phi_k_cross_1
-    fine_series_phi_m = fine_y * fine_series_phi_l
-    fine_series_phi_l_size_1 = 1.1837714e-15 + (fine_series_phi_k_size_1 + fine_series_phi_k_size_3)
-    fine_series_phi_m_padded_1 = 3.308722450212111e-24 + fine_series_phi_l_size_1
-    fine_series_phi_m_rest_1 = 2.5799224e-10 * fine_series_phi_m_padded_1
-    fine_series_phi_m_units_1 = 262144 * (absolute(fine_series_phi_l_lo) + fine_series_phi_m_rest_1)
-    fine_series_phi_m_reach_1 = absolute(fine_series_phi_l) + fine_series_phi_m_units_1
-    fine_series_phi_m_size_1 = fine_series_phi_c_reach_1 * fine_series_phi_m_padded_1
-    fine_series_phi_m_size_3 = fine_series_phi_c_padded_1 * fine_series_phi_m_reach_1
-    fine_series_phi_n = fine_series_phi_m + 3.148832e-13
-    fine_series_phi_n_right_1 = fine_series_phi_n - fine_series_phi_m
-    fine_series_phi_n_left_1 = fine_series_phi_n - fine_series_phi_n_right_1
-    fine_series_phi_n_left_rest_1 = product_rest(fine_y, fine_series_phi_l, fine_series_phi_m, fine_series_phi_n_left_1)
-    fine_series_phi_n_right_rest_1 = 3.148832e-13 - fine_series_phi_n_right_1
-    fine_series_phi_n_lo1_1 = fine_series_phi_n_left_rest_1 + fine_series_phi_n_right_rest_1
-    fine_series_phi_m_cross_1 = fine_y_lo * fine_series_phi_l + fine_y * fine_series_phi_l_lo
-    fine_series_phi_n_lo = fine_series_phi_n_lo1_1 + 1.834992e-21 + fine_series_phi_m_cross_1
-    fine_series_phi_o = fine_y * fine_series_phi_n
-    fine_series_phi_n_size_1 = 3.148832e-13 + (fine_series_phi_m_size_1 + fine_series_phi_m_size_3)
-    fine_series_phi_o_padded_1 = 3.308722450212111e-24 + fine_series_phi_n_size_1
-    fine_series_phi_o_rest_1 = 2.612826e-10 * fine_series_phi_o_padded_1
-    fine_series_phi_o_units_1 = 262144 * (absolute(fine_series_phi_n_lo) + fine_series_phi_o_rest_1)
-    fine_series_phi_o_reach_1 = absolute(fine_series_phi_n) + fine_series_phi_o_units_1
-    fine_series_phi_o_size_1 = fine_series_phi_c_reach_1 * fine_series_phi_o_padded_1
-    fine_series_phi_o_size_3 = fine_series_phi_c_padded_1 * fine_series_phi_o_reach_1
-    fine_series_phi_p = fine_series_phi_o - 6.423617e-11
-    fine_series_phi_p_right_1 = fine_series_phi_o - fine_series_phi_p
-    fine_series_phi_p_left_1 = fine_series_phi_p + fine_series_phi_p_right_1
-    fine_series_phi_p_left_rest_1 = product_rest(fine_y, fine_series_phi_n, fine_series_phi_o, fine_series_phi_p_left_1)
-    fine_series_phi_p_right_rest_1 = 6.423617e-11 - fine_series_phi_p_right_1
-    fine_series_phi_p_lo1_1 = fine_series_phi_p_left_rest_1 - fine_series_phi_p_right_rest_1
-    fine_series_phi_o_cross_1 = fine_y_lo * fine_series_phi_n + fine_y * fine_series_phi_n_lo
-    fine_series_phi_p_lo = fine_series_phi_p_lo1_1 - 3.4101044e-18 + fine_series_phi_o_cross_1
-    fine_series_phi_q = fine_y * fine_series_phi_p
-    fine_series_phi_p_size_1 = 6.423617e-11 + (fine_series_phi_o_size_1 + fine_series_phi_o_size_3)
-    fine_series_phi_q_padded_1 = 3.308722450212111e-24 + fine_series_phi_p_size_1
-    fine_series_phi_q_rest_1 = 2.6463698e-10 * fine_series_phi_q_padded_1
-    fine_series_phi_q_units_1 = 262144 * (absolute(fine_series_phi_p_lo) + fine_series_phi_q_rest_1)
-    fine_series_phi_q_reach_1 = absolute(fine_series_phi_p) + fine_series_phi_q_units_1
-    fine_series_phi_q_size_1 = fine_series_phi_c_reach_1 * fine_series_phi_q_padded_1
-    fine_series_phi_q_size_3 = fine_series_phi_c_padded_1 * fine_series_phi_q_reach_1
-    fine_series_phi_r = fine_series_phi_q + 9.635427e-09
-    fine_series_phi_r_right_1 = fine_series_phi_r - fine_series_phi_q
-    fine_series_phi_r_left_1 = fine_series_phi_r - fine_series_phi_r_right_1
-    fine_series_phi_r_left_rest_1 = product_rest(fine_y, fine_series_phi_p, fine_series_phi_q, fine_series_phi_r_left_1)
-    fine_series_phi_r_right_rest_1 = 9.635427e-09 - fine_series_phi_r_right_1
-    fine_series_phi_r_lo1_1 = fine_series_phi_r_left_rest_1 + fine_series_phi_r_right_rest_1
-    fine_series_phi_q_cross_1 = fine_y_lo * fine_series_phi_p + fine_y * fine_series_phi_p_lo
-    fine_series_phi_r_lo = fine_series_phi_r_lo1_1 + -3.7666274e-16 + fine_series_phi_q_cross_1
-    fine_series_phi_s = fine_y * fine_series_phi_r
-    fine_series_phi_r_size_1 = 9.635427e-09 + (fine_series_phi_q_size_1 + fine_series_phi_q_size_3)
-    fine_series_phi_s_padded_1 = 3.308722450212111e-24 + fine_series_phi_r_size_1
-    fine_series_phi_s_rest_1 = 2.6805536e-10 * fine_series_phi_s_padded_1
-    fine_series_phi_s_units_1 = 262144 * (absolute(fine_series_phi_r_lo) + fine_series_phi_s_rest_1)
-    fine_series_phi_s_reach_1 = absolute(fine_series_phi_r) + fine_series_phi_s_units_1
-    fine_series_phi_s_size_1 = fine_series_phi_c_reach_1 * fine_series_phi_s_padded_1
-    fine_series_phi_s_size_3 = fine_series_phi_c_padded_1 * fine_series_phi_s_reach_1
-    fine_series_phi_t = fine_series_phi_s - 1.0020843e-06
-    fine_series_phi_t_right_1 = fine_series_phi_s - fine_series_phi_t
-    fine_series_phi_t_left_1 = fine_series_phi_t + fine_series_phi_t_right_1
-    fine_series_phi_t_left_rest_1 = product_rest(fine_y, fine_series_phi_r, fine_series_phi_s, fine_series_phi_t_left_1)
-    fine_series_phi_t_right_rest_1 = 1.0020843e-06 - fine_series_phi_t_right_1
-    fine_series_phi_t_lo1_1 = fine_series_phi_t_left_rest_1 - fine_series_phi_t_right_rest_1
-    fine_series_phi_s_cross_1 = fine_y_lo * fine_series_phi_r + fine_y * fine_series_phi_r_lo
-    fine_series_phi_t_lo = fine_series_phi_t_lo1_1 - 3.4596379e-15 + fine_series_phi_s_cross_1
-    fine_series_phi_u = fine_y * fine_series_phi_t
-    fine_series_phi_t_size_1 = 1.0020843e-06 + (fine_series_phi_s_size_1 + fine_series_phi_s_size_3)
-    fine_series_phi_u_padded_1 = 3.308722450212111e-24 + fine_series_phi_t_size_1
-    fine_series_phi_u_rest_1 = 2.7153774e-10 * fine_series_phi_u_padded_1
-    fine_series_phi_u_units_1 = 262144 * (absolute(fine_series_phi_t_lo) + fine_series_phi_u_rest_1)
-    fine_series_phi_u_reach_1 = absolute(fine_series_phi_t) + fine_series_phi_u_units_1
-    fine_series_phi_u_size_1 = fine_series_phi_c_reach_1 * fine_series_phi_u_padded_1
-    fine_series_phi_u_size_3 = fine_series_phi_c_padded_1 * fine_series_phi_u_reach_1
-    fine_series_phi_v = fine_series_phi_u + 6.613757e-05
-    fine_series_phi_v_right_1 = fine_series_phi_v - fine_series_phi_u
-    fine_series_phi_v_left_1 = fine_series_phi_v - fine_series_phi_v_right_1
-    fine_series_phi_v_left_rest_1 = product_rest(fine_y, fine_series_phi_t, fine_series_phi_u, fine_series_phi_v_left_1)
-    fine_series_phi_v_right_rest_1 = 6.613757e-05 - fine_series_phi_v_right_1
-    fine_series_phi_v_lo1_1 = fine_series_phi_v_left_rest_1 + fine_series_phi_v_right_rest_1
-    fine_series_phi_u_cross_1 = fine_y_lo * fine_series_phi_t + fine_y * fine_series_phi_t_lo
-    fine_series_phi_v_lo = fine_series_phi_v_lo1_1 + -9.0853226e-13 + fine_series_phi_u_cross_1
-    fine_series_phi_w = fine_y * fine_series_phi_v
-    fine_series_phi_v_size_1 = 6.613757e-05 + (fine_series_phi_u_size_1 + fine_series_phi_u_size_3)
-    fine_series_phi_w_padded_1 = 3.308722450212111e-24 + fine_series_phi_v_size_1
-    fine_series_phi_w_rest_1 = 2.7508415e-10 * fine_series_phi_w_padded_1
-    fine_series_phi_w_units_1 = 262144 * (absolute(fine_series_phi_v_lo) + fine_series_phi_w_rest_1)
-    fine_series_phi_w_reach_1 = absolute(fine_series_phi_v) + fine_series_phi_w_units_1
-    fine_series_phi_w_size_1 = fine_series_phi_c_reach_1 * fine_series_phi_w_padded_1
-    fine_series_phi_w_size_3 = fine_series_phi_c_padded_1 * fine_series_phi_w_reach_1
-    fine_series_phi_x = fine_series_phi_w - 0.0023809525
-    fine_series_phi_x_right_1 = fine_series_phi_w - fine_series_phi_x
-    fine_series_phi_x_left_1 = fine_series_phi_x + fine_series_phi_x_right_1
-    fine_series_phi_x_left_rest_1 = product_rest(fine_y, fine_series_phi_v, fine_series_phi_w, fine_series_phi_x_left_1)
-    fine_series_phi_x_right_rest_1 = 0.0023809525 - fine_series_phi_x_right_1
-    fine_series_phi_x_lo1_1 = fine_series_phi_x_left_rest_1 - fine_series_phi_x_right_rest_1
-    fine_series_phi_w_cross_1 = fine_y_lo * fine_series_phi_v + fine_y * fine_series_phi_v_lo
-    fine_series_phi_x_lo = fine_series_phi_x_lo1_1 - -9.0914824e-11 + fine_series_phi_w_cross_1
-    fine_series_phi_y = fine_y * fine_series_phi_x
-    fine_series_phi_x_size_1 = 0.0023809525 + (fine_series_phi_w_size_1 + fine_series_phi_w_size_3)
-    fine_series_phi_y_padded_1 = 3.308722450212111e-24 + fine_series_phi_x_size_1
-    fine_series_phi_y_rest_1 = 2.7869454e-10 * fine_series_phi_y_padded_1
-    fine_series_phi_y_units_1 = 262144 * (absolute(fine_series_phi_x_lo) + fine_series_phi_y_rest_1)
-    fine_series_phi_y_reach_1 = absolute(fine_series_phi_x) + fine_series_phi_y_units_1
-    fine_series_phi_y_size_1 = fine_series_phi_c_reach_1 * fine_series_phi_y_padded_1
-    fine_series_phi_y_size_3 = fine_series_phi_c_padded_1 * fine_series_phi_y_reach_1
-    fine_series_phi = fine_series_phi_y + 0.033333335
-    fine_series_phi_right_1 = fine_series_phi - fine_series_phi_y
-    fine_series_phi_left_1 = fine_series_phi - fine_series_phi_right_1
-    fine_series_phi_left_rest_1 = product_rest(fine_y, fine_series_phi_x, fine_series_phi_y, fine_series_phi_left_1)
-    fine_series_phi_lo1_1 = fine_series_phi_left_rest_1 + (0.033333335 - fine_series_phi_right_1)
-    fine_series_phi_y_cross_1 = fine_y_lo * fine_series_phi_x + fine_y * fine_series_phi_x_lo
-    fine_series_phi_lo = fine_series_phi_lo1_1 + -1.7384688e-09 + fine_series_phi_y_cross_1
-    fine_f_more_a = 2 * fine_y
-    fine_f_more_a_cross2_1 = 2 * fine_y_lo
-    fine_f_more = fine_f_more_a * fine_series_phi
-    fine_f_more_cross1_1 = fine_f_more_a_cross2_1 * fine_series_phi
-    fine_f_more_padded_1 = 3.308722450212111e-24 + 2 * fine_y_size_3
-    fine_series_phi_size_1 = 0.033333335 + (fine_series_phi_y_size_1 + fine_series_phi_y_size_3)
-    fine_f_more_padded_2 = 3.308722450212111e-24 + fine_series_phi_size_1
-    fine_f_more_bound_1 = absolute(fine_f_more_a_cross2_1) + 9.116633e-12 * fine_f_more_padded_1
-    fine_f_more_reach_1 = absolute(fine_f_more_a) + 262144 * fine_f_more_bound_1
-    fine_f_more_bound_2 = absolute(fine_series_phi_lo) + 2.8236896e-10 * fine_f_more_padded_2
-    fine_f_more_reach_2 = absolute(fine_series_phi) + 262144 * fine_f_more_bound_2
-    fine_f_more_size_2 = fine_f_more_padded_2 * fine_f_more_reach_1
-    fine_near_f_a = 0.33333334 * fine_sinc
-    fine_f_more_error_3 = product_error(fine_f_more_a, fine_series_phi, fine_f_more)
-    fine_f_more_cross_1 = fine_f_more_cross1_1 + fine_f_more_a * fine_series_phi_lo
-    fine_near_f_b = 0.33333334 * fine_f_more
-    fine_near_f_b_cross2_1 = 0.33333334 * (fine_f_more_error_3 + fine_f_more_cross_1)
-    fine_f_more_size_5 = fine_f_more_size_2 + fine_f_more_padded_1 * fine_f_more_reach_2
-    fine_near_f = fine_near_f_a + fine_near_f_b
-    fine_near_f_right_1 = fine_near_f - fine_near_f_a
-    fine_near_f_left_1 = fine_near_f - fine_near_f_right_1
-    fine_near_f_a_cross_1 = -9.934108e-09 * fine_sinc + 0.33333334 * fine_sinc_lo
-    fine_near_f_b_cross_1 = -9.934108e-09 * fine_f_more + fine_near_f_b_cross2_1
-    fine_near_f_right_rest_1 = product_rest(0.33333334, fine_f_more, fine_near_f_b, fine_near_f_right_1)
-    fine_near_f_left_rest_1 = product_rest(0.33333334, fine_sinc, fine_near_f_a, fine_near_f_left_1)
-    fine_near_f_lo1_1 = fine_near_f_left_rest_1 + fine_near_f_right_rest_1
-    fine_near_f_lo = fine_near_f_lo1_1 + (fine_near_f_a_cross_1 + fine_near_f_b_cross_1)
-    fine_near_f_size_1 = 0.33333334 * fine_sinc_size_8 + 0.33333334 * fine_f_more_size_5
-    fine_f_rest = fine_sinc - fine_c
-    fine_f_rest_right_1 = fine_sinc - fine_f_rest
-    fine_f_rest_left_rest_1 = fine_sinc - (fine_f_rest + fine_f_rest_right_1)
-    fine_f_rest_lo2_1 = fine_f_rest_left_rest_1 - (fine_c - fine_f_rest_right_1) - fine_c_lo
-    fine_x = 4 * fine_y
-    fine_far_y_a = fine_x < 4
-    fine_far_y = where(fine_far_y_a, 1, fine_y)
-    fine_far_y_lo = where(fine_far_y_a, 0, fine_y_lo)
-    fine_far_y_rest_1 = 9.116633e-12 * (3.308722450212111e-24 + 4 * fine_y_size_3)
-    fine_far_y_size_4 = absolute(4 * fine_y_lo) + fine_far_y_rest_1 < absolute(fine_x - 4)
-    fine_far_y_size_7 = absolute(1 - fine_y) + fine_series_phi_c_bound_1
-    fine_far_y_size_9 = 109948747776 * where(fine_far_y_size_4, 0, fine_far_y_size_7)
-    fine_closed_f = fine_f_rest / fine_far_y
-    fine_closed_f_product_1 = fine_closed_f * fine_far_y
-    fine_closed_f_product_error_1 = product_error(fine_closed_f, fine_far_y, fine_closed_f_product_1)
-    fine_closed_f_exact_1 = fine_f_rest - fine_closed_f_product_1 - fine_closed_f_product_error_1
-    fine_closed_f_numerator_1 = fine_closed_f_exact_1 + (fine_f_rest_lo2_1 + fine_sinc_lo)
-    fine_closed_f_lo = (fine_closed_f_numerator_1 - fine_closed_f * fine_far_y_lo) / fine_far_y
-    fine_far_y_size_10 = where(fine_far_y_a, 1, fine_y_size_3) + fine_far_y_size_9
-    fine_closed_f_padded_2 = 3.308722450212111e-24 + fine_far_y_size_10
-    fine_closed_f_size_1 = absolute(fine_closed_f)
-    fine_closed_f_size_2 = absolute(fine_far_y)
-    fine_closed_f_padded_1 = 3.308722450212111e-24 + (fine_c_size_7 + fine_sinc_size_8)
-    fine_closed_f_bound_1 = absolute(fine_far_y_lo) + 9.3794104e-12 * fine_closed_f_padded_2
-    fine_closed_f_size_6 = 4 * fine_closed_f_bound_1 < fine_closed_f_size_2
-    fine_closed_f_size_4 = fine_closed_f_padded_1 + fine_closed_f_padded_2 * fine_closed_f_size_1
-    fine_closed_f_size_7 = where(fine_closed_f_size_6, fine_closed_f_size_2, 0)
-    fine_closed_f_reach_1 = fine_closed_f_size_2 + 262144 * fine_closed_f_bound_1
-    fine_closed_f_size_9 = fine_closed_f_reach_1 * (fine_closed_f_size_4 / fine_closed_f_size_7)
-    fine_closed_f_size_11 = fine_closed_f_size_1 + fine_closed_f_size_9 / fine_closed_f_size_2
-    fine_f = where(fine_far_y_a, fine_near_f, fine_closed_f)
-    fine_f_rest_1 = 2.8699676e-10 * (3.308722450212111e-24 + fine_near_f_size_1)
-    fine_f_rest_2 = 2.4779026e-10 * (3.308722450212111e-24 + fine_closed_f_size_11)
-    fine_f_size_4 = absolute(fine_near_f_lo) + fine_f_rest_1 + absolute(fine_near_f - fine_closed_f)
-    fine_f_size_5 = absolute(fine_closed_f_lo) + fine_f_rest_2 + fine_f_size_4
-    fine_f_size_1 = where(fine_far_y_a, fine_near_f_size_1, fine_closed_f_size_11)
-    fine_four_k = 4 * fine_sinc
-    fine_four_k_cross2_1 = 4 * fine_sinc_lo
-    fine_b = fine_f / fine_four_k
-    fine_b_product_1 = fine_b * fine_four_k
-    fine_b_product_error_1 = product_error(fine_b, fine_four_k, fine_b_product_1)
-    fine_f_lo = where(fine_far_y_a, fine_near_f_lo, fine_closed_f_lo)
-    fine_b_numerator_1 = fine_f - fine_b_product_1 - fine_b_product_error_1 + fine_f_lo
-    fine_b_lo = (fine_b_numerator_1 - fine_b * fine_four_k_cross2_1) / fine_four_k
-    fine_f_size_8 = fine_f_size_1 + 3498580480 * where(fine_far_y_size_4, 0, fine_f_size_5)
-    fine_b_padded_2 = 3.308722450212111e-24 + 4 * fine_sinc_size_8
+    fine_vector_size_10 = (fine_vector_padded_1
+        * (absolute(fine_upper_2) + 262144
+        * (absolute(fine_upper_lo_3) + 1.8758484e-12 * fine_v_s_size_padded_3)))
+    half_angle = 0.5 * fine_theta
+    half_angle_cross2_1 = 0.5 * fine_theta_cross2_1
+    half_angle_size_1 = 0.5 * fine_theta_size_1
+    length_a = fine_n * fine_n
+    length_a_size_1 = fine_half_padded_1 * (fine_half_size_2 + 262144 * fine_half_bound_1)
+    length_b = fine_upper_3 * fine_upper_3
+    length_b_size_1 = fine_half_padded_2 * (fine_half_size_3 + 262144 * fine_half_bound_2)
+    length_c = length_a + length_b
+    length_c_right_1 = length_c - length_a
+    length_c_right_rest_1 = product_rest(fine_upper_3, fine_upper_3, length_b, length_c_right_1)
+    length_c_cross_1 = (fine_n_lo * fine_n + fine_n * fine_n_lo
+        + (fine_upper_lo_4 * fine_upper_3 + fine_upper_3 * fine_upper_lo_4))
+    length_c_lo = (product_rest(fine_n, fine_n, length_a, length_c - length_c_right_1)
+        + length_c_right_rest_1 + length_c_cross_1)
+    length = sqrt(length_c)
+    length_product_1 = length * length
+    length_lo = ((length_c - length_product_1 - product_error(length, length, length_product_1)
+        + length_c_lo) / where(length == 0, 1, length + length))
+    length_padded_1 = (3.308722450212111e-24
+        + (length_a_size_1 + length_a_size_1 + (length_b_size_1 + length_b_size_1)))
+    length_bound_1 = absolute(length_c_lo) + 4.2900713e-12 * length_padded_1
+    length_size_6 = absolute(length_lo)
+    length_size_4 = ((absolute(length_c) + 262144 * length_bound_1)
+        * (length_padded_1 / length / length_c))
+    sine = fine_n / length
+    sine_product_1 = sine * length
+    length_size_12 = (length
+        + where(4 * length_bound_1 < length_c, length_size_4, 320848789504
+        * (sqrt(length_bound_1) + length_size_6)))
+    sine_padded_1 = 3.308722450212111e-24 + length_size_12
+    sine_size_1 = absolute(sine)
+    sine_size_2 = absolute(length)
+    sine_bound_1 = length_size_6 + 3.2446472e-12 * sine_padded_1
+    sine_size_7 = where(4 * sine_bound_1 < sine_size_2, sine_size_2, 0)
+    sine_reach_1 = sine_size_2 + 262144 * sine_bound_1
+    c = fine_upper_3 / length
+    c_product_1 = c * length
+    c_lo = ((fine_upper_3 - c_product_1 - product_error(c, length, c_product_1) + fine_upper_lo_4
+        - c * length_lo) / length)
+    c_size_1 = absolute(c)
+    c_size_7 = (c_size_1 + (c_size_1 * sine_padded_1 + fine_half_padded_2) / sine_size_7
+        * sine_reach_1 / sine_size_2)
+    y = half_angle * half_angle
+    y_padded_1 = 3.308722450212111e-24 + half_angle_size_1
+    y_bound_1 = absolute(half_angle_cross2_1) + 6.7965347e-12 * y_padded_1
+    y_size_2 = y_padded_1 * (absolute(half_angle) + 262144 * y_bound_1)
+    y_size_3 = y_size_2 + y_size_2
+    sinc_divisor_a = half_angle < 1.4901161193847656e-08
+    sinc_divisor = where(sinc_divisor_a, 1.4901161193847656e-08, half_angle)
+    sinc_divisor_lo = where(sinc_divisor_a, 0, half_angle_cross2_1)
+    sinc_divisor_size_4 = y_bound_1 < absolute(half_angle - 1.4901161193847656e-08)
+    sinc_divisor_size_9 = (122165493760
+        * where(sinc_divisor_size_4, 0, absolute(1.4901161193847656e-08 - half_angle) + y_bound_1))
+    sinc_quotient = sine / sinc_divisor
+    sinc_quotient_product_1 = sinc_quotient * sinc_divisor
+    sine_lo = ((fine_n - sine_product_1 - product_error(sine, length, sine_product_1) + fine_n_lo
+        - sine * length_lo) / length)
+    sinc_quotient_numerator_1 = (sine - sinc_quotient_product_1
+        - product_error(sinc_quotient, sinc_divisor, sinc_quotient_product_1) + sine_lo)
+    sinc_quotient_lo = (sinc_quotient_numerator_1 - sinc_quotient * sinc_divisor_lo) / sinc_divisor
+    sine_size_11 = (sine_size_1 + sine_reach_1
+        * ((fine_half_padded_1 + sine_padded_1 * sine_size_1) / sine_size_7) / sine_size_2)
+    sinc_quotient_padded_2 = (3.308722450212111e-24
+        + (where(sinc_divisor_a, 1.4901161193847656e-08, half_angle_size_1) + sinc_divisor_size_9))
+    sinc_quotient_size_1 = absolute(sinc_quotient)
+    sinc_quotient_size_2 = absolute(sinc_divisor)
+    sinc_quotient_bound_1 = absolute(sinc_divisor_lo) + 8.441455e-12 * sinc_quotient_padded_2
+    sinc_quotient_size_4 = (3.308722450212111e-24 + sine_size_11 + sinc_quotient_padded_2
+        * sinc_quotient_size_1)
+    sinc_quotient_size_8 = (sinc_quotient_size_4
+        / where(4 * sinc_quotient_bound_1 < sinc_quotient_size_2, sinc_quotient_size_2, 0))
+    sinc_quotient_size_11 = (sinc_quotient_size_1
+        + (sinc_quotient_size_2 + 262144 * sinc_quotient_bound_1) * sinc_quotient_size_8
+        / sinc_quotient_size_2)
+    y_lo = (product_error(half_angle, half_angle, y)
+        + (half_angle_cross2_1 * half_angle + half_angle * half_angle_cross2_1))
+    sinc_a = 0.16666667 * y
+    sinc_b = 1 - sinc_a
+    sinc_b_right_1 = 1 - sinc_b
+    sinc_b_lo = (1 - (sinc_b + sinc_b_right_1)
+        - product_rest(0.16666667, y, sinc_a, sinc_b_right_1)
+        - (-4.967054e-09 * y + 0.16666667 * y_lo))
+    sinc_b_size_1 = 1 + 0.16666669 * y_size_3
+    sinc = where(sinc_divisor_a, sinc_b, sinc_quotient)
+    sinc_lo = where(sinc_divisor_a, sinc_b_lo, sinc_quotient_lo)
+    sinc_size_4 = (absolute(sinc_b_lo) + 2.4250044e-10 * (3.308722450212111e-24 + sinc_b_size_1)
+        + absolute(sinc_b - sinc_quotient))
+    sinc_size_5 = (absolute(sinc_quotient_lo) + 1.1643793e-11
+        * (3.308722450212111e-24 + sinc_quotient_size_11) + sinc_size_4)
+    sinc_size_8 = (where(sinc_divisor_a, sinc_b_size_1, sinc_quotient_size_11) + 4130013440
+        * where(sinc_divisor_size_4, 0, sinc_size_5))
+    series_phi_a = 5.107725e-32 * y
+    series_phi_b = 4.1168266e-29 - series_phi_a
+    series_phi_b_right_1 = 4.1168266e-29 - series_phi_b
+    series_phi_b_lo1_1 = (4.1168266e-29 - (series_phi_b + series_phi_b_right_1)
+        - product_rest(5.107725e-32, y, series_phi_a, series_phi_b_right_1))
+    series_phi_b_lo = series_phi_b_lo1_1 - (3.51736e-40 * y + 5.107725e-32 * y_lo) + -1.3151732e-36
+    series_phi_c = y * series_phi_b
+    series_phi_c_padded_1 = 3.308722450212111e-24 + y_size_3
+    series_phi_c_padded_2 = 3.308722450212111e-24 + (4.1168266e-29 + 2.3741903e-25 * y_size_3)
+    series_phi_c_bound_1 = absolute(y_lo) + 8.974486e-12 * series_phi_c_padded_1
+    series_phi_c_reach_1 = absolute(y) + 262144 * series_phi_c_bound_1
+    series_phi_c_size_4 = (series_phi_c_padded_1
+        * (absolute(series_phi_b) + 262144
+        * (absolute(series_phi_b_lo) + 2.4250044e-10 * series_phi_c_padded_2)))
+    series_phi_d = series_phi_c - 2.8653114e-26
+    series_phi_d_right_1 = series_phi_c - series_phi_d
+    series_phi_d_lo1_1 = (product_rest(y, series_phi_b, series_phi_c, series_phi_d
+        + series_phi_d_right_1) - (2.8653114e-26 - series_phi_d_right_1))
+    series_phi_d_lo = (series_phi_d_lo1_1 - -1.27647235e-33
+        + (y_lo * series_phi_b + y * series_phi_b_lo))
+    series_phi_e = y * series_phi_d
+    series_phi_e_padded_1 = (3.308722450212111e-24
+        + (2.8653114e-26 + (series_phi_c_padded_2 * series_phi_c_reach_1 + series_phi_c_size_4)))
+    series_phi_e_size_3 = (series_phi_c_padded_1
+        * (absolute(series_phi_d) + 262144
+        * (absolute(series_phi_d_lo) + 2.4547078e-10 * series_phi_e_padded_1)))
+    series_phi_f = series_phi_e + 1.7019949e-23
+    series_phi_f_right_1 = series_phi_f - series_phi_e
+    series_phi_f_lo1_1 = (product_rest(y, series_phi_d, series_phi_e, series_phi_f
+        - series_phi_f_right_1) + (1.7019949e-23 - series_phi_f_right_1))
+    series_phi_f_lo = (series_phi_f_lo1_1 + 1.9703667e-31
+        + (y_lo * series_phi_d + y * series_phi_d_lo))
+    series_phi_g = y * series_phi_f
+    series_phi_g_padded_1 = (3.308722450212111e-24
+        + (1.7019949e-23 + (series_phi_c_reach_1 * series_phi_e_padded_1 + series_phi_e_size_3)))
+    series_phi_g_size_3 = (series_phi_c_padded_1
+        * (absolute(series_phi_f) + 262144
+        * (absolute(series_phi_f_lo) + 2.4850513e-10 * series_phi_g_padded_1)))
+    series_phi_h = series_phi_g - 8.509974e-21
+    series_phi_h_right_1 = series_phi_g - series_phi_h
+    series_phi_h_lo1_1 = (product_rest(y, series_phi_f, series_phi_g, series_phi_h
+        + series_phi_h_right_1) - (8.509974e-21 - series_phi_h_right_1))
+    series_phi_h_lo = (series_phi_h_lo1_1 - 1.016591e-29
+        + (y_lo * series_phi_f + y * series_phi_f_lo))
+    series_phi_i = y * series_phi_h
+    series_phi_i_padded_1 = (3.308722450212111e-24
+        + (8.509974e-21 + (series_phi_c_reach_1 * series_phi_g_padded_1 + series_phi_g_size_3)))
+    series_phi_i_size_3 = (series_phi_c_padded_1
+        * (absolute(series_phi_h) + 262144
+        * (absolute(series_phi_h_lo) + 2.5160352e-10 * series_phi_i_padded_1)))
+    series_phi_j = series_phi_i + 3.5231293e-18
+    series_phi_j_right_1 = series_phi_j - series_phi_i
+    series_phi_j_lo1_1 = (product_rest(y, series_phi_h, series_phi_i, series_phi_j
+        - series_phi_j_right_1) + (3.5231293e-18 - series_phi_j_right_1))
+    series_phi_j_lo = (series_phi_j_lo1_1 + 7.2063343e-26
+        + (y_lo * series_phi_h + y * series_phi_h_lo))
+    series_phi_k = y * series_phi_j
+    series_phi_k_padded_1 = (3.308722450212111e-24
+        + (3.5231293e-18 + (series_phi_c_reach_1 * series_phi_i_padded_1 + series_phi_i_size_3)))
+    series_phi_k_size_3 = (series_phi_c_padded_1
+        * (absolute(series_phi_j) + 262144
+        * (absolute(series_phi_j_lo) + 2.5476588e-10 * series_phi_k_padded_1)))
+    series_phi_l = series_phi_k - 1.1837714e-15
+    series_phi_l_right_1 = series_phi_k - series_phi_l
+    series_phi_l_lo1_1 = (product_rest(y, series_phi_j, series_phi_k, series_phi_l
+        + series_phi_l_right_1) - (1.1837714e-15 - series_phi_l_right_1))
+    series_phi_l_lo = (series_phi_l_lo1_1 - 5.0683064e-23
+        + (y_lo * series_phi_j + y * series_phi_j_lo))
+    series_phi_m = y * series_phi_l
+    series_phi_m_padded_1 = (3.308722450212111e-24
+        + (1.1837714e-15 + (series_phi_c_reach_1 * series_phi_k_padded_1 + series_phi_k_size_3)))
+    series_phi_m_size_3 = (series_phi_c_padded_1
+        * (absolute(series_phi_l) + 262144
+        * (absolute(series_phi_l_lo) + 2.5799224e-10 * series_phi_m_padded_1)))
+    series_phi_n = series_phi_m + 3.148832e-13
+    series_phi_n_right_1 = series_phi_n - series_phi_m
+    series_phi_n_lo1_1 = (product_rest(y, series_phi_l, series_phi_m, series_phi_n
+        - series_phi_n_right_1) + (3.148832e-13 - series_phi_n_right_1))
+    series_phi_n_lo = (series_phi_n_lo1_1 + 1.834992e-21
+        + (y_lo * series_phi_l + y * series_phi_l_lo))
+    series_phi_o = y * series_phi_n
+    series_phi_o_padded_1 = (3.308722450212111e-24
+        + (3.148832e-13 + (series_phi_c_reach_1 * series_phi_m_padded_1 + series_phi_m_size_3)))
+    series_phi_o_size_3 = (series_phi_c_padded_1
+        * (absolute(series_phi_n) + 262144
+        * (absolute(series_phi_n_lo) + 2.612826e-10 * series_phi_o_padded_1)))
+    series_phi_p = series_phi_o - 6.423617e-11
+    series_phi_p_right_1 = series_phi_o - series_phi_p
+    series_phi_p_lo1_1 = (product_rest(y, series_phi_n, series_phi_o, series_phi_p
+        + series_phi_p_right_1) - (6.423617e-11 - series_phi_p_right_1))
+    series_phi_p_lo = (series_phi_p_lo1_1 - 3.4101044e-18
+        + (y_lo * series_phi_n + y * series_phi_n_lo))
+    series_phi_q = y * series_phi_p
+    series_phi_q_padded_1 = (3.308722450212111e-24
+        + (6.423617e-11 + (series_phi_c_reach_1 * series_phi_o_padded_1 + series_phi_o_size_3)))
+    series_phi_q_size_3 = (series_phi_c_padded_1
+        * (absolute(series_phi_p) + 262144
+        * (absolute(series_phi_p_lo) + 2.6463698e-10 * series_phi_q_padded_1)))
+    series_phi_r = series_phi_q + 9.635427e-09
+    series_phi_r_right_1 = series_phi_r - series_phi_q
+    series_phi_r_lo1_1 = (product_rest(y, series_phi_p, series_phi_q, series_phi_r
+        - series_phi_r_right_1) + (9.635427e-09 - series_phi_r_right_1))
+    series_phi_r_lo = (series_phi_r_lo1_1 + -3.7666274e-16
+        + (y_lo * series_phi_p + y * series_phi_p_lo))
+    series_phi_s = y * series_phi_r
+    series_phi_s_padded_1 = (3.308722450212111e-24
+        + (9.635427e-09 + (series_phi_c_reach_1 * series_phi_q_padded_1 + series_phi_q_size_3)))
+    series_phi_s_size_3 = (series_phi_c_padded_1
+        * (absolute(series_phi_r) + 262144
+        * (absolute(series_phi_r_lo) + 2.6805536e-10 * series_phi_s_padded_1)))
+    series_phi_t = series_phi_s - 1.0020843e-06
+    series_phi_t_right_1 = series_phi_s - series_phi_t
+    series_phi_t_lo1_1 = (product_rest(y, series_phi_r, series_phi_s, series_phi_t
+        + series_phi_t_right_1) - (1.0020843e-06 - series_phi_t_right_1))
+    series_phi_t_lo = (series_phi_t_lo1_1 - 3.4596379e-15
+        + (y_lo * series_phi_r + y * series_phi_r_lo))
+    series_phi_u = y * series_phi_t
+    series_phi_u_padded_1 = (3.308722450212111e-24
+        + (1.0020843e-06 + (series_phi_c_reach_1 * series_phi_s_padded_1 + series_phi_s_size_3)))
+    series_phi_u_size_3 = (series_phi_c_padded_1
+        * (absolute(series_phi_t) + 262144
+        * (absolute(series_phi_t_lo) + 2.7153774e-10 * series_phi_u_padded_1)))
+    series_phi_v = series_phi_u + 6.613757e-05
+    series_phi_v_right_1 = series_phi_v - series_phi_u
+    series_phi_v_lo1_1 = (product_rest(y, series_phi_t, series_phi_u, series_phi_v
+        - series_phi_v_right_1) + (6.613757e-05 - series_phi_v_right_1))
+    series_phi_v_lo = (series_phi_v_lo1_1 + -9.0853226e-13
+        + (y_lo * series_phi_t + y * series_phi_t_lo))
+    series_phi_w = y * series_phi_v
+    series_phi_w_padded_1 = (3.308722450212111e-24
+        + (6.613757e-05 + (series_phi_c_reach_1 * series_phi_u_padded_1 + series_phi_u_size_3)))
+    series_phi_w_size_3 = (series_phi_c_padded_1
+        * (absolute(series_phi_v) + 262144
+        * (absolute(series_phi_v_lo) + 2.7508415e-10 * series_phi_w_padded_1)))
+    series_phi_x = series_phi_w - 0.0023809525
+    series_phi_x_right_1 = series_phi_w - series_phi_x
+    series_phi_x_lo1_1 = (product_rest(y, series_phi_v, series_phi_w, series_phi_x
+        + series_phi_x_right_1) - (0.0023809525 - series_phi_x_right_1))
+    series_phi_x_lo = (series_phi_x_lo1_1 - -9.0914824e-11
+        + (y_lo * series_phi_v + y * series_phi_v_lo))
+    series_phi_y = y * series_phi_x
+    series_phi_y_padded_1 = (3.308722450212111e-24
+        + (0.0023809525 + (series_phi_c_reach_1 * series_phi_w_padded_1 + series_phi_w_size_3)))
+    series_phi_y_size_3 = (series_phi_c_padded_1
+        * (absolute(series_phi_x) + 262144
+        * (absolute(series_phi_x_lo) + 2.7869454e-10 * series_phi_y_padded_1)))
+    series_phi = series_phi_y + 0.033333335
+    series_phi_right_1 = series_phi - series_phi_y
+    series_phi_lo2_1 = (product_rest(y, series_phi_x, series_phi_y, series_phi
+        - series_phi_right_1) + (0.033333335 - series_phi_right_1) + -1.7384688e-09)
+    series_phi_lo = series_phi_lo2_1 + (y_lo * series_phi_x + y * series_phi_x_lo)
+    f_more_a = 2 * y
+    f_more_a_cross2_1 = 2 * y_lo
+    f_more = f_more_a * series_phi
+    f_more_padded_1 = 3.308722450212111e-24 + 2 * y_size_3
+    f_more_padded_2 = (3.308722450212111e-24
+        + (0.033333335 + (series_phi_c_reach_1 * series_phi_y_padded_1 + series_phi_y_size_3)))
+    f_more_size_2 = (f_more_padded_2
+        * (absolute(f_more_a) + 262144
+        * (absolute(f_more_a_cross2_1) + 9.116633e-12 * f_more_padded_1)))
+    near_f_a = 0.33333334 * sinc
+    near_f_b = 0.33333334 * f_more
+    near_f_b_cross2_1 = (0.33333334
+        * (product_error(f_more_a, series_phi, f_more)
+        + (f_more_a_cross2_1 * series_phi + f_more_a * series_phi_lo)))
+    f_more_size_5 = (f_more_size_2 + f_more_padded_1
+        * (absolute(series_phi) + 262144
+        * (absolute(series_phi_lo) + 2.8236896e-10 * f_more_padded_2)))
+    near_f = near_f_a + near_f_b
+    near_f_right_1 = near_f - near_f_a
+    near_f_lo1_1 = (product_rest(0.33333334, sinc, near_f_a, near_f - near_f_right_1)
+        + product_rest(0.33333334, f_more, near_f_b, near_f_right_1))
+    near_f_lo = (near_f_lo1_1
+        + (-9.934108e-09 * sinc + 0.33333334 * sinc_lo
+        + (-9.934108e-09 * f_more + near_f_b_cross2_1)))
+    near_f_size_1 = 0.33333334 * sinc_size_8 + 0.33333334 * f_more_size_5
+    f_rest = sinc - c
+    f_rest_right_1 = sinc - f_rest
+    fine_x = 4 * y
+    far_y_a = fine_x < 4
+    far_y = where(far_y_a, 1, y)
+    far_y_lo = where(far_y_a, 0, y_lo)
+    far_y_size_4 = (absolute(4 * y_lo) + 9.116633e-12 * (3.308722450212111e-24 + 4 * y_size_3)
+        < absolute(fine_x - 4))
+    closed_f = f_rest / far_y
+    closed_f_product_1 = closed_f * far_y
+    closed_f_exact_1 = (f_rest - closed_f_product_1
+        - product_error(closed_f, far_y, closed_f_product_1))
+    closed_f_lo = ((closed_f_exact_1
+        + (sinc - (f_rest + f_rest_right_1) - (c - f_rest_right_1) - c_lo + sinc_lo) - closed_f
+        * far_y_lo) / far_y)
+    far_y_size_10 = (where(far_y_a, 1, y_size_3) + 109948747776
+        * where(far_y_size_4, 0, absolute(1 - y) + series_phi_c_bound_1))
+    closed_f_padded_2 = 3.308722450212111e-24 + far_y_size_10
+    closed_f_size_1 = absolute(closed_f)
+    closed_f_size_2 = absolute(far_y)
+    closed_f_bound_1 = absolute(far_y_lo) + 9.3794104e-12 * closed_f_padded_2
+    closed_f_size_4 = (3.308722450212111e-24 + (c_size_7 + sinc_size_8) + closed_f_padded_2
+        * closed_f_size_1)
+    closed_f_size_8 = (closed_f_size_4
+        / where(4 * closed_f_bound_1 < closed_f_size_2, closed_f_size_2, 0))
+    closed_f_size_11 = (closed_f_size_1 + (closed_f_size_2 + 262144 * closed_f_bound_1)
+        * closed_f_size_8 / closed_f_size_2)
+    f = where(far_y_a, near_f, closed_f)
+    f_size_4 = (absolute(near_f_lo) + 2.8699676e-10 * (3.308722450212111e-24 + near_f_size_1)
+        + absolute(near_f - closed_f))
+    f_size_7 = (3498580480
+        * where(far_y_size_4, 0, absolute(closed_f_lo) + 2.4779026e-10
+        * (3.308722450212111e-24 + closed_f_size_11) + f_size_4))
+    four_k = 4 * sinc
+    four_k_cross2_1 = 4 * sinc_lo
+    fine_b = f / four_k
+    fine_b_product_1 = fine_b * four_k
+    fine_b_numerator_1 = (f - fine_b_product_1 - product_error(fine_b, four_k, fine_b_product_1)
+        + where(far_y_a, near_f_lo, closed_f_lo))
+    fine_b_lo = (fine_b_numerator_1 - fine_b * four_k_cross2_1) / four_k
+    fine_b_padded_2 = 3.308722450212111e-24 + 4 * sinc_size_8
     fine_b_size_1 = absolute(fine_b)
-    fine_b_size_2 = absolute(fine_four_k)
-    fine_b_bound_1 = absolute(fine_four_k_cross2_1) + 2.4267555e-10 * fine_b_padded_2
-    fine_b_size_4 = 3.308722450212111e-24 + fine_f_size_8 + fine_b_padded_2 * fine_b_size_1
-    fine_b_size_8 = fine_b_size_4 / where(4 * fine_b_bound_1 < fine_b_size_2, fine_b_size_2, 0)
-    fine_b_size_10 = (fine_b_size_2 + 262144 * fine_b_bound_1) * fine_b_size_8 / fine_b_size_2
-    fine_b_across = fine_c / fine_sinc
-    fine_b_across_product_1 = fine_b_across * fine_sinc
-    fine_b_across_product_error_1 = product_error(fine_b_across, fine_sinc, fine_b_across_product_1)
-    fine_b_across_exact_1 = fine_c - fine_b_across_product_1 - fine_b_across_product_error_1
-    fine_b_across_residual_1 = fine_b_across_exact_1 + fine_c_lo - fine_b_across * fine_sinc_lo
-    fine_b_across_lo = fine_b_across_residual_1 / fine_sinc
-    fine_b_across_padded_2 = 3.308722450212111e-24 + fine_sinc_size_8
+    fine_b_size_2 = absolute(four_k)
+    fine_b_bound_1 = absolute(four_k_cross2_1) + 2.4267555e-10 * fine_b_padded_2
+    fine_b_size_4 = (3.308722450212111e-24
+        + (where(far_y_a, near_f_size_1, closed_f_size_11) + f_size_7) + fine_b_padded_2
+        * fine_b_size_1)
+    fine_b_size_9 = ((fine_b_size_2 + 262144 * fine_b_bound_1)
+        * (fine_b_size_4 / where(4 * fine_b_bound_1 < fine_b_size_2, fine_b_size_2, 0)))
+    fine_b_across = c / sinc
+    fine_b_across_product_1 = fine_b_across * sinc
+    fine_b_across_lo = ((c - fine_b_across_product_1
+        - product_error(fine_b_across, sinc, fine_b_across_product_1) + c_lo - fine_b_across
+        * sinc_lo) / sinc)
+    fine_b_across_padded_2 = 3.308722450212111e-24 + sinc_size_8
     fine_b_across_size_1 = absolute(fine_b_across)
-    fine_b_across_size_2 = absolute(fine_sinc)
-    fine_b_across_size_3 = fine_b_across_padded_2 * fine_b_across_size_1
-    fine_b_across_bound_1 = absolute(fine_sinc_lo) + 2.4250052e-10 * fine_b_across_padded_2
-    fine_b_across_size_6 = 4 * fine_b_across_bound_1 < fine_b_across_size_2
-    fine_b_across_size_4 = 3.308722450212111e-24 + fine_c_size_7 + fine_b_across_size_3
-    fine_b_across_size_7 = where(fine_b_across_size_6, fine_b_across_size_2, 0)
-    fine_b_across_reach_1 = fine_b_across_size_2 + 262144 * fine_b_across_bound_1
-    fine_b_across_size_9 = fine_b_across_reach_1 * (fine_b_across_size_4 / fine_b_across_size_7)
-    fine_vector_cross_1 = fine_upper_lo_1 * fine_k + fine_upper_0 * fine_k_lo
-    fine_vector_lo_1 = product_error(fine_upper_0, fine_k, fine_vector_0) + fine_vector_cross_1
+    fine_b_across_size_2 = absolute(sinc)
+    fine_b_across_bound_1 = absolute(sinc_lo) + 2.4250052e-10 * fine_b_across_padded_2
+    fine_b_across_size_4 = (3.308722450212111e-24 + c_size_7 + fine_b_across_padded_2
+        * fine_b_across_size_1)
+    fine_b_across_size_8 = (fine_b_across_size_4
+        / where(4 * fine_b_across_bound_1 < fine_b_across_size_2, fine_b_across_size_2, 0))
+    fine_vector_lo_1 = (product_error(fine_upper_0, fine_k, fine_vector_0)
+        + (fine_upper_lo_1 * fine_k + fine_upper_0 * fine_k_lo))
     fine_wt_a = D_03 * fine_vector_0
     fine_wt_a_size_1 = absolute(D_03)
-    fine_vector_size_4 = fine_vector_padded_1 * fine_vector_reach_1 + fine_vector_size_3
-    fine_wt_a_padded_1 = 3.308722450212111e-24 + fine_vector_size_4
-    fine_vector_cross_2 = fine_upper_lo_2 * fine_k + fine_upper_1 * fine_k_lo
-    fine_vector_lo_2 = product_error(fine_upper_1, fine_k, fine_vector_1) + fine_vector_cross_2
+    fine_wt_a_padded_1 = (3.308722450212111e-24
+        + (fine_vector_size_2 + fine_v_s_size_padded_1 * fine_vector_reach_2))
+    fine_vector_lo_2 = (product_error(fine_upper_1, fine_k, fine_vector_1)
+        + (fine_upper_lo_2 * fine_k + fine_upper_1 * fine_k_lo))
     fine_wt_b = D_13 * fine_vector_1
     fine_wt_b_size_1 = absolute(D_13)
-    fine_vector_size_8 = fine_vector_padded_1 * fine_vector_reach_3 + fine_vector_size_7
-    fine_wt_b_padded_1 = 3.308722450212111e-24 + fine_vector_size_8
+    fine_wt_b_padded_1 = (3.308722450212111e-24
+        + (fine_vector_size_6 + fine_v_s_size_padded_2 * fine_vector_reach_2))
     fine_wt_c = fine_wt_a + fine_wt_b
     fine_wt_c_right_1 = fine_wt_c - fine_wt_a
-    fine_wt_c_left_1 = fine_wt_c - fine_wt_c_right_1
-    fine_wt_c_right_rest_1 = product_rest(D_13, fine_vector_1, fine_wt_b, fine_wt_c_right_1)
-    fine_wt_c_left_rest_1 = product_rest(D_03, fine_vector_0, fine_wt_a, fine_wt_c_left_1)
-    fine_wt_c_cross_1 = D_03 * fine_vector_lo_1 + D_13 * fine_vector_lo_2
-    fine_vector_cross_3 = fine_upper_lo_3 * fine_k + fine_upper_2 * fine_k_lo
-    fine_vector_lo_3 = product_error(fine_upper_2, fine_k, fine_vector_2) + fine_vector_cross_3
+    fine_wt_c_left_rest_1 = (product_rest(D_03, fine_vector_0, fine_wt_a, fine_wt_c
+        - fine_wt_c_right_1))
+    fine_wt_c_lo1_1 = (fine_wt_c_left_rest_1
+        + product_rest(D_13, fine_vector_1, fine_wt_b, fine_wt_c_right_1))
+    fine_vector_lo_3 = (product_error(fine_upper_2, fine_k, fine_vector_2)
+        + (fine_upper_lo_3 * fine_k + fine_upper_2 * fine_k_lo))
     fine_wt_d = D_23 * fine_vector_2
     fine_wt_d_size_1 = absolute(D_23)
-    fine_vector_size_12 = fine_vector_padded_1 * fine_vector_reach_4 + fine_vector_size_11
-    fine_wt_d_padded_1 = 3.308722450212111e-24 + fine_vector_size_12
+    fine_wt_d_padded_1 = (3.308722450212111e-24
+        + (fine_vector_size_10 + fine_v_s_size_padded_3 * fine_vector_reach_2))
     fine_wt = fine_wt_c + fine_wt_d
     fine_wt_right_1 = fine_wt - fine_wt_c
-    fine_wt_right_rest_1 = product_rest(D_23, fine_vector_2, fine_wt_d, fine_wt_right_1)
-    fine_wt_lo1_1 = fine_wt_c - (fine_wt - fine_wt_right_1) + fine_wt_right_rest_1
-    fine_wt_c_lo = fine_wt_c_left_rest_1 + fine_wt_c_right_rest_1 + fine_wt_c_cross_1
-    fine_wt_lo = fine_wt_lo1_1 + D_23 * fine_vector_lo_3 + fine_wt_c_lo
-    fine_wt_c_size_1 = fine_wt_a_padded_1 * fine_wt_a_size_1 + fine_wt_b_padded_1 * fine_wt_b_size_1
+    fine_wt_lo2_1 = (fine_wt_c - (fine_wt - fine_wt_right_1)
+        + product_rest(D_23, fine_vector_2, fine_wt_d, fine_wt_right_1) + D_23 * fine_vector_lo_3)
+    fine_wt_lo = (fine_wt_lo2_1
+        + (fine_wt_c_lo1_1 + (D_03 * fine_vector_lo_1 + D_13 * fine_vector_lo_2)))
     fine_pitch = fine_b * fine_wt
-    fine_pitch_padded_1 = 3.308722450212111e-24 + (fine_b_size_1 + fine_b_size_10)
-    fine_wt_size_1 = fine_wt_c_size_1 + fine_wt_d_padded_1 * fine_wt_d_size_1
+    fine_pitch_padded_1 = 3.308722450212111e-24 + (fine_b_size_1 + fine_b_size_9 / fine_b_size_2)
+    fine_wt_size_1 = (fine_wt_a_padded_1 * fine_wt_a_size_1 + fine_wt_b_padded_1 * fine_wt_b_size_1
+        + fine_wt_d_padded_1 * fine_wt_d_size_1)
     fine_pitch_padded_2 = 3.308722450212111e-24 + fine_wt_size_1
-    fine_pitch_units_1 = 262144 * (absolute(fine_b_lo) + 3.0035874e-10 * fine_pitch_padded_1)
-    fine_pitch_units_2 = 262144 * (absolute(fine_wt_lo) + 1.1220025e-11 * fine_pitch_padded_2)
-    fine_pitch_size_3 = fine_pitch_padded_1 * (absolute(fine_wt) + fine_pitch_units_2)
-    fine_pitch_size_1 = fine_pitch_padded_2 * (fine_b_size_1 + fine_pitch_units_1)
-    fine_pitch_error_3 = product_error(fine_b, fine_wt, fine_pitch)
-    fine_pitch_lo = fine_pitch_error_3 + (fine_b_lo * fine_wt + fine_b * fine_wt_lo)
+    fine_pitch_size_3 = (fine_pitch_padded_1
+        * (absolute(fine_wt) + 262144
+        * (absolute(fine_wt_lo) + 1.1220025e-11 * fine_pitch_padded_2)))
+    fine_pitch_lo = (product_error(fine_b, fine_wt, fine_pitch)
+        + (fine_b_lo * fine_wt + fine_b * fine_wt_lo))
     fine_along_0 = fine_vector_0 * fine_pitch
-    fine_along_padded_1 = 3.308722450212111e-24 + (fine_pitch_size_1 + fine_pitch_size_3)
+    fine_pitch_size_4 = (fine_pitch_padded_2
+        * (fine_b_size_1 + 262144 * (absolute(fine_b_lo) + 3.0035874e-10 * fine_pitch_padded_1))
+        + fine_pitch_size_3)
+    fine_along_padded_1 = 3.308722450212111e-24 + fine_pitch_size_4
     fine_along_rest_1 = 1.0146962e-11 * fine_wt_a_padded_1
-    fine_along_units_1 = 262144 * (absolute(fine_vector_lo_1) + fine_along_rest_1)
-    fine_along_units_2 = 262144 * (absolute(fine_pitch_lo) + 3.0380137e-10 * fine_along_padded_1)
-    fine_along_reach_2 = absolute(fine_pitch) + fine_along_units_2
-    fine_along_size_2 = fine_along_padded_1 * (absolute(fine_vector_0) + fine_along_units_1)
+    fine_along_reach_2 = (absolute(fine_pitch) + 262144
+        * (absolute(fine_pitch_lo) + 3.0380137e-10 * fine_along_padded_1))
+    fine_along_size_2 = (fine_along_padded_1
+        * (absolute(fine_vector_0) + 262144 * (absolute(fine_vector_lo_1) + fine_along_rest_1)))
     fine_along_1 = fine_vector_1 * fine_pitch
     fine_along_rest_3 = 1.0146962e-11 * fine_wt_b_padded_1
-    fine_along_units_3 = 262144 * (absolute(fine_vector_lo_2) + fine_along_rest_3)
-    fine_along_size_7 = fine_along_padded_1 * (absolute(fine_vector_1) + fine_along_units_3)
+    fine_along_size_7 = (fine_along_padded_1
+        * (absolute(fine_vector_1) + 262144 * (absolute(fine_vector_lo_2) + fine_along_rest_3)))
     fine_along_2 = fine_vector_2 * fine_pitch
     fine_along_rest_4 = 1.0146962e-11 * fine_wt_d_padded_1
-    fine_along_units_4 = 262144 * (absolute(fine_vector_lo_3) + fine_along_rest_4)
-    fine_along_size_11 = fine_along_padded_1 * (absolute(fine_vector_2) + fine_along_units_4)
+    fine_along_size_11 = (fine_along_padded_1
+        * (absolute(fine_vector_2) + 262144 * (absolute(fine_vector_lo_3) + fine_along_rest_4)))
     fine_u_0a = D_23 * fine_vector_1
     fine_u_0b = D_13 * fine_vector_2
     fine_u_0 = fine_u_0a - fine_u_0b
     fine_u_right_1 = fine_u_0a - fine_u_0
-    fine_u_left_rest_1 = product_rest(D_23, fine_vector_1, fine_u_0a, fine_u_0 + fine_u_right_1)
-    fine_u_lo1_1 = fine_u_left_rest_1 - product_rest(D_13, fine_vector_2, fine_u_0b, fine_u_right_1)
+    fine_u_lo1_1 = (product_rest(D_23, fine_vector_1, fine_u_0a, fine_u_0 + fine_u_right_1)
+        - product_rest(D_13, fine_vector_2, fine_u_0b, fine_u_right_1))
     fine_u_1a = D_03 * fine_vector_2
     fine_u_1b = D_23 * fine_vector_0
     fine_u_1 = fine_u_1a - fine_u_1b
     fine_u_right_2 = fine_u_1a - fine_u_1
-    fine_u_left_rest_2 = product_rest(D_03, fine_vector_2, fine_u_1a, fine_u_1 + fine_u_right_2)
-    fine_u_lo1_2 = fine_u_left_rest_2 - product_rest(D_23, fine_vector_0, fine_u_1b, fine_u_right_2)
+    fine_u_lo1_2 = (product_rest(D_03, fine_vector_2, fine_u_1a, fine_u_1 + fine_u_right_2)
+        - product_rest(D_23, fine_vector_0, fine_u_1b, fine_u_right_2))
     fine_u_2a = D_13 * fine_vector_0
     fine_u_2b = D_03 * fine_vector_1
     fine_u_2 = fine_u_2a - fine_u_2b
     fine_u_right_3 = fine_u_2a - fine_u_2
-    fine_u_left_rest_3 = product_rest(D_13, fine_vector_0, fine_u_2a, fine_u_2 + fine_u_right_3)
-    fine_u_lo1_3 = fine_u_left_rest_3 - product_rest(D_03, fine_vector_1, fine_u_2b, fine_u_right_3)
+    fine_u_lo1_3 = (product_rest(D_13, fine_vector_0, fine_u_2a, fine_u_2 + fine_u_right_3)
+        - product_rest(D_03, fine_vector_1, fine_u_2b, fine_u_right_3))
     fine_turned_0 = 0.5 * fine_u_0
-    fine_u_lo_1 = fine_u_lo1_1 + (D_23 * fine_vector_lo_2 - D_13 * fine_vector_lo_3)
-    fine_u_size_1 = fine_wt_b_padded_1 * fine_wt_d_size_1 + fine_wt_b_size_1 * fine_wt_d_padded_1
     fine_turned_1 = 0.5 * fine_u_1
-    fine_u_lo_2 = fine_u_lo1_2 + (D_03 * fine_vector_lo_3 - D_23 * fine_vector_lo_1)
-    fine_u_size_2 = fine_wt_a_size_1 * fine_wt_d_padded_1 + fine_wt_a_padded_1 * fine_wt_d_size_1
     fine_turned_2 = 0.5 * fine_u_2
-    fine_u_lo_3 = fine_u_lo1_3 + (D_13 * fine_vector_lo_1 - D_03 * fine_vector_lo_2)
-    fine_u_size_3 = fine_wt_a_padded_1 * fine_wt_b_size_1 + fine_wt_a_size_1 * fine_wt_b_padded_1
     fine_across_axis_0 = fine_along_0 - fine_turned_0
     fine_across_axis_right_1 = fine_along_0 - fine_across_axis_0
-    fine_across_axis_left_1 = fine_across_axis_0 + fine_across_axis_right_1
-    fine_across_axis_left_rest_1 = product_rest(fine_vector_0, fine_pitch, fine_along_0, fine_across_axis_left_1)
-    fine_across_axis_right_rest_1 = fine_turned_0 - fine_across_axis_right_1
-    fine_across_axis_lo1_1 = fine_across_axis_left_rest_1 - fine_across_axis_right_rest_1
-    fine_along_cross_1 = fine_vector_lo_1 * fine_pitch + fine_vector_0 * fine_pitch_lo
-    fine_along_size_5 = fine_along_size_2 + fine_along_reach_2 * fine_wt_a_padded_1
+    fine_across_axis_left_rest_1 = product_rest(fine_vector_0, fine_pitch, fine_along_0,
+        fine_across_axis_0 + fine_across_axis_right_1)
+    fine_turned_cross2_1 = (0.5
+        * (fine_u_lo1_1 + (D_23 * fine_vector_lo_2 - D_13 * fine_vector_lo_3)))
+    fine_across_axis_lo2_1 = (fine_across_axis_left_rest_1
+        - (fine_turned_0 - fine_across_axis_right_1) - fine_turned_cross2_1)
+    fine_turned_size_1 = (0.5
+        * (fine_wt_b_padded_1 * fine_wt_d_size_1 + fine_wt_b_size_1 * fine_wt_d_padded_1))
     fine_across_axis_1 = fine_along_1 - fine_turned_1
     fine_across_axis_right_2 = fine_along_1 - fine_across_axis_1
-    fine_across_axis_left_2 = fine_across_axis_1 + fine_across_axis_right_2
-    fine_across_axis_left_rest_2 = product_rest(fine_vector_1, fine_pitch, fine_along_1, fine_across_axis_left_2)
-    fine_across_axis_right_rest_2 = fine_turned_1 - fine_across_axis_right_2
-    fine_across_axis_lo1_2 = fine_across_axis_left_rest_2 - fine_across_axis_right_rest_2
-    fine_along_cross_2 = fine_vector_lo_2 * fine_pitch + fine_vector_1 * fine_pitch_lo
-    fine_along_size_9 = fine_along_size_7 + fine_along_reach_2 * fine_wt_b_padded_1
+    fine_across_axis_left_rest_2 = product_rest(fine_vector_1, fine_pitch, fine_along_1,
+        fine_across_axis_1 + fine_across_axis_right_2)
+    fine_turned_cross2_2 = (0.5
+        * (fine_u_lo1_2 + (D_03 * fine_vector_lo_3 - D_23 * fine_vector_lo_1)))
+    fine_across_axis_lo2_2 = (fine_across_axis_left_rest_2
+        - (fine_turned_1 - fine_across_axis_right_2) - fine_turned_cross2_2)
+    fine_turned_size_2 = (0.5
+        * (fine_wt_a_size_1 * fine_wt_d_padded_1 + fine_wt_a_padded_1 * fine_wt_d_size_1))
     fine_across_axis_2 = fine_along_2 - fine_turned_2
     fine_across_axis_right_3 = fine_along_2 - fine_across_axis_2
-    fine_across_axis_left_3 = fine_across_axis_2 + fine_across_axis_right_3
-    fine_across_axis_left_rest_3 = product_rest(fine_vector_2, fine_pitch, fine_along_2, fine_across_axis_left_3)
-    fine_across_axis_right_rest_3 = fine_turned_2 - fine_across_axis_right_3
-    fine_across_axis_lo1_3 = fine_across_axis_left_rest_3 - fine_across_axis_right_rest_3
-    fine_along_cross_3 = fine_vector_lo_3 * fine_pitch + fine_vector_2 * fine_pitch_lo
-    fine_along_size_13 = fine_along_size_11 + fine_along_reach_2 * fine_wt_d_padded_1
+    fine_across_axis_left_rest_3 = product_rest(fine_vector_2, fine_pitch, fine_along_2,
+        fine_across_axis_2 + fine_across_axis_right_3)
+    fine_turned_cross2_3 = (0.5
+        * (fine_u_lo1_3 + (D_13 * fine_vector_lo_1 - D_03 * fine_vector_lo_2)))
+    fine_across_axis_lo2_3 = (fine_across_axis_left_rest_3
+        - (fine_turned_2 - fine_across_axis_right_3) - fine_turned_cross2_3)
+    fine_turned_size_3 = (0.5
+        * (fine_wt_a_padded_1 * fine_wt_b_size_1 + fine_wt_a_size_1 * fine_wt_b_padded_1))
     fine_so_0a = D_03 * fine_b_across
-    fine_b_across_size_11 = fine_b_across_size_1 + fine_b_across_size_9 / fine_b_across_size_2
+    fine_b_across_size_11 = (fine_b_across_size_1
+        + (fine_b_across_size_2 + 262144 * fine_b_across_bound_1) * fine_b_across_size_8
+        / fine_b_across_size_2)
     fine_so_0a_padded_1 = 3.308722450212111e-24 + fine_b_across_size_11
     fine_so_0 = fine_so_0a + fine_across_axis_0
     fine_so_right_1 = fine_so_0 - fine_so_0a
-    fine_so_left_rest_1 = product_rest(D_03, fine_b_across, fine_so_0a, fine_so_0 - fine_so_right_1)
-    fine_across_axis_lo_1 = fine_across_axis_lo1_1 - 0.5 * fine_u_lo_1 + fine_along_cross_1
-    fine_so_lo1_1 = fine_so_left_rest_1 + (fine_across_axis_0 - fine_so_right_1)
-    fine_across_axis_size_1 = fine_along_size_5 + 0.5 * fine_u_size_1
+    fine_so_lo1_1 = (product_rest(D_03, fine_b_across, fine_so_0a, fine_so_0 - fine_so_right_1)
+        + (fine_across_axis_0 - fine_so_right_1))
     fine_so_1a = D_13 * fine_b_across
     fine_so_1 = fine_so_1a + fine_across_axis_1
     fine_so_right_2 = fine_so_1 - fine_so_1a
-    fine_so_left_rest_2 = product_rest(D_13, fine_b_across, fine_so_1a, fine_so_1 - fine_so_right_2)
-    fine_across_axis_lo_2 = fine_across_axis_lo1_2 - 0.5 * fine_u_lo_2 + fine_along_cross_2
-    fine_so_lo1_2 = fine_so_left_rest_2 + (fine_across_axis_1 - fine_so_right_2)
-    fine_across_axis_size_2 = fine_along_size_9 + 0.5 * fine_u_size_2
+    fine_so_lo1_2 = (product_rest(D_13, fine_b_across, fine_so_1a, fine_so_1 - fine_so_right_2)
+        + (fine_across_axis_1 - fine_so_right_2))
     fine_so_2a = D_23 * fine_b_across
     fine_so_2 = fine_so_2a + fine_across_axis_2
     fine_so_right_3 = fine_so_2 - fine_so_2a
-    fine_so_left_rest_3 = product_rest(D_23, fine_b_across, fine_so_2a, fine_so_2 - fine_so_right_3)
-    fine_across_axis_lo_3 = fine_across_axis_lo1_3 - 0.5 * fine_u_lo_3 + fine_along_cross_3
-    fine_so_lo1_3 = fine_so_left_rest_3 + (fine_across_axis_2 - fine_so_right_3)
-    fine_across_axis_size_3 = fine_along_size_13 + 0.5 * fine_u_size_3
-    fine_so_lo_1 = fine_so_lo1_1 + fine_across_axis_lo_1 + D_03 * fine_b_across_lo
-    fine_so_size_1 = fine_across_axis_size_1 + fine_so_0a_padded_1 * fine_wt_a_size_1
-    so_rest_1 = 3.0891278e-10 * (3.308722450212111e-24 + fine_so_size_1)
-    fine_so_lo_2 = fine_so_lo1_2 + fine_across_axis_lo_2 + D_13 * fine_b_across_lo
-    fine_so_size_2 = fine_across_axis_size_2 + fine_so_0a_padded_1 * fine_wt_b_size_1
-    so_rest_2 = 3.0891278e-10 * (3.308722450212111e-24 + fine_so_size_2)
-    fine_so_lo_3 = fine_so_lo1_3 + fine_across_axis_lo_3 + D_23 * fine_b_across_lo
-    fine_so_size_3 = fine_across_axis_size_3 + fine_so_0a_padded_1 * fine_wt_d_size_1
-    so_rest_3 = 3.0891278e-10 * (3.308722450212111e-24 + fine_so_size_3)
-    vector_error_2 = 1.0000005 * absolute(fine_vector_lo_1 + (fine_vector_0 - vector_0))
-    vector_error_4 = 1.0000005 * absolute(fine_vector_lo_2 + (fine_vector_1 - vector_1))
-    vector_error_6 = 1.0000005 * absolute(fine_vector_lo_3 + (fine_vector_2 - vector_2))
+    fine_so_lo1_3 = (product_rest(D_23, fine_b_across, fine_so_2a, fine_so_2 - fine_so_right_3)
+        + (fine_across_axis_2 - fine_so_right_3))
+    fine_so_lo_1 = (fine_so_lo1_1
+        + (fine_across_axis_lo2_1
+        + (fine_vector_lo_1 * fine_pitch + fine_vector_0 * fine_pitch_lo)) + D_03
+        * fine_b_across_lo)
+    fine_so_size_1 = (fine_along_size_2 + fine_along_reach_2 * fine_wt_a_padded_1
+        + fine_turned_size_1 + fine_so_0a_padded_1 * fine_wt_a_size_1)
+    fine_so_lo_2 = (fine_so_lo1_2
+        + (fine_across_axis_lo2_2
+        + (fine_vector_lo_2 * fine_pitch + fine_vector_1 * fine_pitch_lo)) + D_13
+        * fine_b_across_lo)
+    fine_so_size_2 = (fine_along_size_7 + fine_along_reach_2 * fine_wt_b_padded_1
+        + fine_turned_size_2 + fine_so_0a_padded_1 * fine_wt_b_size_1)
+    fine_so_lo_3 = (fine_so_lo1_3
+        + (fine_across_axis_lo2_3
+        + (fine_vector_lo_3 * fine_pitch + fine_vector_2 * fine_pitch_lo)) + D_23
+        * fine_b_across_lo)
+    fine_so_size_3 = (fine_along_size_11 + fine_along_reach_2 * fine_wt_d_padded_1
+        + fine_turned_size_3 + fine_so_0a_padded_1 * fine_wt_d_size_1)
     D_n_0 = D_11 * D_22 - D_12 * D_21
     D_n_1 = D_02 * D_21 - D_01 * D_22
     D_n_2 = D_01 * D_12 - D_02 * D_11
@@ -5216,26 +4983,32 @@ def SE3_log(D):
     D_defect_size_5 = absolute(D_g_4)
     D_defect_size_6 = absolute(D_off_6)
     D_defect_largest1 = where(D_defect_size_0 < D_defect_size_1, D_defect_size_1, D_defect_size_0)
-    D_defect_largest2a = D_defect_largest1 < D_defect_size_2
-    D_defect_largest2 = where(D_defect_largest2a, D_defect_size_2, D_defect_largest1)
-    D_defect_largest3a = D_defect_largest2 < D_defect_size_3
-    D_defect_largest3 = where(D_defect_largest3a, D_defect_size_3, D_defect_largest2)
-    D_defect_largest4a = D_defect_largest3 < D_defect_size_4
-    D_defect_largest4 = where(D_defect_largest4a, D_defect_size_4, D_defect_largest3)
-    D_defect_largest5a = D_defect_largest4 < D_defect_size_5
-    D_defect_largest5 = where(D_defect_largest5a, D_defect_size_5, D_defect_largest4)
-    D_defect_largest6a = D_defect_largest5 < D_defect_size_6
-    D_defect_largest6 = where(D_defect_largest6a, D_defect_size_6, D_defect_largest5)
+    D_defect_largest2 = (where(D_defect_largest1
+        < D_defect_size_2, D_defect_size_2, D_defect_largest1))
+    D_defect_largest3 = (where(D_defect_largest2
+        < D_defect_size_3, D_defect_size_3, D_defect_largest2))
+    D_defect_largest4 = (where(D_defect_largest3
+        < D_defect_size_4, D_defect_size_4, D_defect_largest3))
+    D_defect_largest5 = (where(D_defect_largest4
+        < D_defect_size_5, D_defect_size_5, D_defect_largest4))
+    D_defect_largest6 = (where(D_defect_largest5
+        < D_defect_size_6, D_defect_size_6, D_defect_largest5))
     D_is_less = D_defect_largest6 < 0.001
     D_is_equal = D_defect_largest6 == 0.001
     D_unless_equal = where(D_is_equal, float32(0), float32(1.2676506002282294e+30))
     D_unless_rotation = where(D_is_less, 0, D_unless_equal)
     D_excess = D_unless_rotation * 1.2676506002282294e+30
-    D_excess_0 = 1.0000005 * absolute(fine_so_lo_1 + (fine_so_0 - so_0)) + so_rest_1 + D_excess
-    D_excess_1 = 1.0000005 * absolute(fine_so_lo_2 + (fine_so_1 - so_1)) + so_rest_2 + D_excess
-    D_excess_2 = 1.0000005 * absolute(fine_so_lo_3 + (fine_so_2 - so_2)) + so_rest_3 + D_excess
-    D_excess_3 = fine_along_rest_1 + vector_error_2 + D_excess
-    D_excess_4 = fine_along_rest_3 + vector_error_4 + D_excess
-    D_excess_5 = fine_along_rest_4 + vector_error_6 + D_excess
+    D_excess_0 = (1.0000005 * absolute(fine_so_lo_1 + (fine_so_0 - so_0)) + 3.0891278e-10
+        * (3.308722450212111e-24 + fine_so_size_1) + D_excess)
+    D_excess_1 = (1.0000005 * absolute(fine_so_lo_2 + (fine_so_1 - so_1)) + 3.0891278e-10
+        * (3.308722450212111e-24 + fine_so_size_2) + D_excess)
+    D_excess_2 = (1.0000005 * absolute(fine_so_lo_3 + (fine_so_2 - so_2)) + 3.0891278e-10
+        * (3.308722450212111e-24 + fine_so_size_3) + D_excess)
+    D_excess_3 = (fine_along_rest_1 + 1.0000005
+        * absolute(fine_vector_lo_1 + (fine_vector_0 - vector_0)) + D_excess)
+    D_excess_4 = (fine_along_rest_3 + 1.0000005
+        * absolute(fine_vector_lo_2 + (fine_vector_1 - vector_1)) + D_excess)
+    D_excess_5 = (fine_along_rest_4 + 1.0000005
+        * absolute(fine_vector_lo_3 + (fine_vector_2 - vector_2)) + D_excess)
     return (so_0, so_1, so_2, vector_0, vector_1, vector_2, D_excess_0, D_excess_1, D_excess_2,
         D_excess_3, D_excess_4, D_excess_5)

@@ -27,11 +27,11 @@ def inertia(m, t, Ixx, Iyy, Izz, Ixy, Iyz, Izx):
     J_1 = m * t_0
     J_2 = m * t_1
     J_3 = m * t_2
-    J_1_error_bound = 5.960465e-08 * (absolute(J_1) + 1.9721522630525295e-31)
-    J_2_error_bound = 5.960465e-08 * (absolute(J_2) + 1.9721522630525295e-31)
-    J_3_error_bound = 5.960465e-08 * (absolute(J_3) + 1.9721522630525295e-31)
-    return (m, J_1, J_2, J_3, Ixx, Iyy, Izz, Ixy, Iyz, Izx, 0, J_1_error_bound, J_2_error_bound,
-        J_3_error_bound, 0, 0, 0, 0, 0, 0)
+    J_1_bound = 5.960465e-08 * (absolute(J_1) + 1.9721522630525295e-31)
+    J_2_bound = 5.960465e-08 * (absolute(J_2) + 1.9721522630525295e-31)
+    J_3_bound = 5.960465e-08 * (absolute(J_3) + 1.9721522630525295e-31)
+    return (m, J_1, J_2, J_3, Ixx, Iyy, Izz, Ixy, Iyz, Izx, 0, J_1_bound, J_2_bound, J_3_bound, 0,
+        0, 0, 0, 0, 0)
 
 
 @kernel("(10),(3,3)->(10),(10)")
@@ -114,8 +114,8 @@ def inertia_rotated(Ji, R):
     RI_0_padded = RI_0_size + 1.9721522630525295e-31
     RI_1_padded = RI_1_size + 1.9721522630525295e-31
     RI_2_padded = RI_2_size + 1.9721522630525295e-31
-    Jo_4c_size = absolute(R_00) * RI_0_padded + absolute(R_01) * RI_1_padded
-    Jo_4_size = Jo_4c_size + absolute(R_02) * RI_2_padded
+    Jo_4_size = (absolute(R_00) * RI_0_padded + absolute(R_01) * RI_1_padded + absolute(R_02)
+        * RI_2_padded)
     RI_3_padded = RI_3_size + 1.9721522630525295e-31
     R_10_abs = absolute(R_10)
     RI_4_padded = RI_4_size + 1.9721522630525295e-31
@@ -125,25 +125,24 @@ def inertia_rotated(Ji, R):
     Jo_5_size = R_10_abs * RI_3_padded + R_11_abs * RI_4_padded + R_12_abs * RI_5_padded
     R_20_abs = absolute(R_20)
     R_21_abs = absolute(R_21)
-    Jo_6a_size = R_20_abs * (RI_6_size + 1.9721522630525295e-31)
     R_22_abs = absolute(R_22)
-    Jo_6c_size = Jo_6a_size + R_21_abs * (RI_7_size + 1.9721522630525295e-31)
+    Jo_6c_size = (R_20_abs * (RI_6_size + 1.9721522630525295e-31) + R_21_abs
+        * (RI_7_size + 1.9721522630525295e-31))
     Jo_6_size = Jo_6c_size + R_22_abs * (RI_8_size + 1.9721522630525295e-31)
     Jo_7_size = R_10_abs * RI_0_padded + R_11_abs * RI_1_padded + R_12_abs * RI_2_padded
     Jo_8_size = R_20_abs * RI_3_padded + R_21_abs * RI_4_padded + R_22_abs * RI_5_padded
     Jo_9_size = R_20_abs * RI_0_padded + R_21_abs * RI_1_padded + R_22_abs * RI_2_padded
-    Jo_1_error_bound = 1.7881396e-07 * (Jo_1_size + 1.9721522630525295e-31)
-    Jo_2_error_bound = 1.7881396e-07 * (Jo_2_size + 1.9721522630525295e-31)
-    Jo_3_error_bound = 1.7881396e-07 * (Jo_3_size + 1.9721522630525295e-31)
-    Jo_4_error_bound = 3.5762795e-07 * (Jo_4_size + 1.9721522630525295e-31)
-    Jo_5_error_bound = 3.5762795e-07 * (Jo_5_size + 1.9721522630525295e-31)
-    Jo_6_error_bound = 3.5762795e-07 * (Jo_6_size + 1.9721522630525295e-31)
-    Jo_7_error_bound = 3.5762795e-07 * (Jo_7_size + 1.9721522630525295e-31)
-    Jo_8_error_bound = 3.5762795e-07 * (Jo_8_size + 1.9721522630525295e-31)
-    Jo_9_error_bound = 3.5762795e-07 * (Jo_9_size + 1.9721522630525295e-31)
-    return (Ji_0, Jo_1, Jo_2, Jo_3, Jo_4, Jo_5, Jo_6, Jo_7, Jo_8, Jo_9, 0, Jo_1_error_bound,
-        Jo_2_error_bound, Jo_3_error_bound, Jo_4_error_bound, Jo_5_error_bound, Jo_6_error_bound,
-        Jo_7_error_bound, Jo_8_error_bound, Jo_9_error_bound)
+    Jo_1_bound = 1.7881396e-07 * (Jo_1_size + 1.9721522630525295e-31)
+    Jo_2_bound = 1.7881396e-07 * (Jo_2_size + 1.9721522630525295e-31)
+    Jo_3_bound = 1.7881396e-07 * (Jo_3_size + 1.9721522630525295e-31)
+    Jo_4_bound = 3.5762795e-07 * (Jo_4_size + 1.9721522630525295e-31)
+    Jo_5_bound = 3.5762795e-07 * (Jo_5_size + 1.9721522630525295e-31)
+    Jo_6_bound = 3.5762795e-07 * (Jo_6_size + 1.9721522630525295e-31)
+    Jo_7_bound = 3.5762795e-07 * (Jo_7_size + 1.9721522630525295e-31)
+    Jo_8_bound = 3.5762795e-07 * (Jo_8_size + 1.9721522630525295e-31)
+    Jo_9_bound = 3.5762795e-07 * (Jo_9_size + 1.9721522630525295e-31)
+    return (Ji_0, Jo_1, Jo_2, Jo_3, Jo_4, Jo_5, Jo_6, Jo_7, Jo_8, Jo_9, 0, Jo_1_bound, Jo_2_bound,
+        Jo_3_bound, Jo_4_bound, Jo_5_bound, Jo_6_bound, Jo_7_bound, Jo_8_bound, Jo_9_bound)
 
 
 @kernel("(10),(3,3)->(10),(10)")
@@ -226,8 +225,8 @@ def inertia_rotate(self, R):
     RI_0_padded = RI_0_size + 1.9721522630525295e-31
     RI_1_padded = RI_1_size + 1.9721522630525295e-31
     RI_2_padded = RI_2_size + 1.9721522630525295e-31
-    self_4_new_c_size = absolute(R_00) * RI_0_padded + absolute(R_01) * RI_1_padded
-    self_4_new_size = self_4_new_c_size + absolute(R_02) * RI_2_padded
+    self_4_new_size = (absolute(R_00) * RI_0_padded + absolute(R_01) * RI_1_padded + absolute(R_02)
+        * RI_2_padded)
     RI_3_padded = RI_3_size + 1.9721522630525295e-31
     R_10_abs = absolute(R_10)
     RI_4_padded = RI_4_size + 1.9721522630525295e-31
@@ -237,27 +236,26 @@ def inertia_rotate(self, R):
     self_5_new_size = R_10_abs * RI_3_padded + R_11_abs * RI_4_padded + R_12_abs * RI_5_padded
     R_20_abs = absolute(R_20)
     R_21_abs = absolute(R_21)
-    self_6_new_a_size = R_20_abs * (RI_6_size + 1.9721522630525295e-31)
     R_22_abs = absolute(R_22)
-    self_6_new_c_size = self_6_new_a_size + R_21_abs * (RI_7_size + 1.9721522630525295e-31)
+    self_6_new_c_size = (R_20_abs * (RI_6_size + 1.9721522630525295e-31) + R_21_abs
+        * (RI_7_size + 1.9721522630525295e-31))
     self_6_new_size = self_6_new_c_size + R_22_abs * (RI_8_size + 1.9721522630525295e-31)
     self_7_new_size = R_10_abs * RI_0_padded + R_11_abs * RI_1_padded + R_12_abs * RI_2_padded
     self_8_new_size = R_20_abs * RI_3_padded + R_21_abs * RI_4_padded + R_22_abs * RI_5_padded
     self_9_new_size = R_20_abs * RI_0_padded + R_21_abs * RI_1_padded + R_22_abs * RI_2_padded
-    self_1_new_error_bound = 1.7881396e-07 * (self_1_new_size + 1.9721522630525295e-31)
-    self_2_new_error_bound = 1.7881396e-07 * (self_2_new_size + 1.9721522630525295e-31)
-    self_3_new_error_bound = 1.7881396e-07 * (self_3_new_size + 1.9721522630525295e-31)
-    self_4_new_error_bound = 3.5762795e-07 * (self_4_new_size + 1.9721522630525295e-31)
-    self_5_new_error_bound = 3.5762795e-07 * (self_5_new_size + 1.9721522630525295e-31)
-    self_6_new_error_bound = 3.5762795e-07 * (self_6_new_size + 1.9721522630525295e-31)
-    self_7_new_error_bound = 3.5762795e-07 * (self_7_new_size + 1.9721522630525295e-31)
-    self_8_new_error_bound = 3.5762795e-07 * (self_8_new_size + 1.9721522630525295e-31)
-    self_9_new_error_bound = 3.5762795e-07 * (self_9_new_size + 1.9721522630525295e-31)
+    self_1_new_bound = 1.7881396e-07 * (self_1_new_size + 1.9721522630525295e-31)
+    self_2_new_bound = 1.7881396e-07 * (self_2_new_size + 1.9721522630525295e-31)
+    self_3_new_bound = 1.7881396e-07 * (self_3_new_size + 1.9721522630525295e-31)
+    self_4_new_bound = 3.5762795e-07 * (self_4_new_size + 1.9721522630525295e-31)
+    self_5_new_bound = 3.5762795e-07 * (self_5_new_size + 1.9721522630525295e-31)
+    self_6_new_bound = 3.5762795e-07 * (self_6_new_size + 1.9721522630525295e-31)
+    self_7_new_bound = 3.5762795e-07 * (self_7_new_size + 1.9721522630525295e-31)
+    self_8_new_bound = 3.5762795e-07 * (self_8_new_size + 1.9721522630525295e-31)
+    self_9_new_bound = 3.5762795e-07 * (self_9_new_size + 1.9721522630525295e-31)
     return (self_0, self_1_new, self_2_new, self_3_new, self_4_new, self_5_new, self_6_new,
-        self_7_new, self_8_new, self_9_new, 0, self_1_new_error_bound, self_2_new_error_bound,
-        self_3_new_error_bound, self_4_new_error_bound, self_5_new_error_bound,
-        self_6_new_error_bound, self_7_new_error_bound, self_8_new_error_bound,
-        self_9_new_error_bound)
+        self_7_new, self_8_new, self_9_new, 0, self_1_new_bound, self_2_new_bound, self_3_new_bound,
+        self_4_new_bound, self_5_new_bound, self_6_new_bound, self_7_new_bound, self_8_new_bound,
+        self_9_new_bound)
 
 
 @kernel("(10),(3)->(10),(10)")
@@ -280,11 +278,11 @@ def inertia_translated(Ji, t):
     Jo_1_size = absolute(Jo_1a) + absolute(Ji_1)
     Jo_2_size = absolute(Jo_2a) + absolute(Ji_2)
     Jo_3_size = absolute(Jo_3a) + absolute(Ji_3)
-    Jo_1_error_bound = 1.192093e-07 * (Jo_1_size + 1.9721522630525295e-31)
-    Jo_2_error_bound = 1.192093e-07 * (Jo_2_size + 1.9721522630525295e-31)
-    Jo_3_error_bound = 1.192093e-07 * (Jo_3_size + 1.9721522630525295e-31)
-    return (Ji_0, Jo_1, Jo_2, Jo_3, Ji_4, Ji_5, Ji_6, Ji_7, Ji_8, Ji_9, 0, Jo_1_error_bound,
-        Jo_2_error_bound, Jo_3_error_bound, 0, 0, 0, 0, 0, 0)
+    Jo_1_bound = 1.192093e-07 * (Jo_1_size + 1.9721522630525295e-31)
+    Jo_2_bound = 1.192093e-07 * (Jo_2_size + 1.9721522630525295e-31)
+    Jo_3_bound = 1.192093e-07 * (Jo_3_size + 1.9721522630525295e-31)
+    return (Ji_0, Jo_1, Jo_2, Jo_3, Ji_4, Ji_5, Ji_6, Ji_7, Ji_8, Ji_9, 0, Jo_1_bound, Jo_2_bound,
+        Jo_3_bound, 0, 0, 0, 0, 0, 0)
 
 
 @kernel("(10),(3)->(10),(10)")
@@ -308,12 +306,11 @@ def inertia_translate(self, t):
     self_1_new_size = absolute(self_1_new_a) + absolute(self_1)
     self_2_new_size = absolute(self_2_new_a) + absolute(self_2)
     self_3_new_size = absolute(self_3_new_a) + absolute(self_3)
-    self_1_new_error_bound = 1.192093e-07 * (self_1_new_size + 1.9721522630525295e-31)
-    self_2_new_error_bound = 1.192093e-07 * (self_2_new_size + 1.9721522630525295e-31)
-    self_3_new_error_bound = 1.192093e-07 * (self_3_new_size + 1.9721522630525295e-31)
+    self_1_new_bound = 1.192093e-07 * (self_1_new_size + 1.9721522630525295e-31)
+    self_2_new_bound = 1.192093e-07 * (self_2_new_size + 1.9721522630525295e-31)
+    self_3_new_bound = 1.192093e-07 * (self_3_new_size + 1.9721522630525295e-31)
     return (self_0, self_1_new, self_2_new, self_3_new, self_4, self_5, self_6, self_7, self_8,
-        self_9, 0, self_1_new_error_bound, self_2_new_error_bound, self_3_new_error_bound, 0, 0, 0,
-        0, 0, 0)
+        self_9, 0, self_1_new_bound, self_2_new_bound, self_3_new_bound, 0, 0, 0, 0, 0, 0)
 
 
 @kernel("(10),(3,4)->(10),(10)")
@@ -401,8 +398,8 @@ def inertia_transformed(Ji, D):
     RI_0_padded = RI_0_size + 1.9721522630525295e-31
     RI_1_padded = RI_1_size + 1.9721522630525295e-31
     RI_2_padded = RI_2_size + 1.9721522630525295e-31
-    Jo_4c_size = absolute(D_00) * RI_0_padded + absolute(D_01) * RI_1_padded
-    Jo_4_size = Jo_4c_size + absolute(D_02) * RI_2_padded
+    Jo_4_size = (absolute(D_00) * RI_0_padded + absolute(D_01) * RI_1_padded + absolute(D_02)
+        * RI_2_padded)
     RI_3_padded = RI_3_size + 1.9721522630525295e-31
     D_10_abs = absolute(D_10)
     RI_4_padded = RI_4_size + 1.9721522630525295e-31
@@ -412,25 +409,24 @@ def inertia_transformed(Ji, D):
     Jo_5_size = D_10_abs * RI_3_padded + D_11_abs * RI_4_padded + D_12_abs * RI_5_padded
     D_20_abs = absolute(D_20)
     D_21_abs = absolute(D_21)
-    Jo_6a_size = D_20_abs * (RI_6_size + 1.9721522630525295e-31)
     D_22_abs = absolute(D_22)
-    Jo_6c_size = Jo_6a_size + D_21_abs * (RI_7_size + 1.9721522630525295e-31)
+    Jo_6c_size = (D_20_abs * (RI_6_size + 1.9721522630525295e-31) + D_21_abs
+        * (RI_7_size + 1.9721522630525295e-31))
     Jo_6_size = Jo_6c_size + D_22_abs * (RI_8_size + 1.9721522630525295e-31)
     Jo_7_size = D_10_abs * RI_0_padded + D_11_abs * RI_1_padded + D_12_abs * RI_2_padded
     Jo_8_size = D_20_abs * RI_3_padded + D_21_abs * RI_4_padded + D_22_abs * RI_5_padded
     Jo_9_size = D_20_abs * RI_0_padded + D_21_abs * RI_1_padded + D_22_abs * RI_2_padded
-    Jo_1_error_bound = 2.3841864e-07 * (Jo_1_size + 1.9721522630525295e-31)
-    Jo_2_error_bound = 2.3841864e-07 * (Jo_2_size + 1.9721522630525295e-31)
-    Jo_3_error_bound = 2.3841864e-07 * (Jo_3_size + 1.9721522630525295e-31)
-    Jo_4_error_bound = 3.5762795e-07 * (Jo_4_size + 1.9721522630525295e-31)
-    Jo_5_error_bound = 3.5762795e-07 * (Jo_5_size + 1.9721522630525295e-31)
-    Jo_6_error_bound = 3.5762795e-07 * (Jo_6_size + 1.9721522630525295e-31)
-    Jo_7_error_bound = 3.5762795e-07 * (Jo_7_size + 1.9721522630525295e-31)
-    Jo_8_error_bound = 3.5762795e-07 * (Jo_8_size + 1.9721522630525295e-31)
-    Jo_9_error_bound = 3.5762795e-07 * (Jo_9_size + 1.9721522630525295e-31)
-    return (Ji_0, Jo_1, Jo_2, Jo_3, Jo_4, Jo_5, Jo_6, Jo_7, Jo_8, Jo_9, 0, Jo_1_error_bound,
-        Jo_2_error_bound, Jo_3_error_bound, Jo_4_error_bound, Jo_5_error_bound, Jo_6_error_bound,
-        Jo_7_error_bound, Jo_8_error_bound, Jo_9_error_bound)
+    Jo_1_bound = 2.3841864e-07 * (Jo_1_size + 1.9721522630525295e-31)
+    Jo_2_bound = 2.3841864e-07 * (Jo_2_size + 1.9721522630525295e-31)
+    Jo_3_bound = 2.3841864e-07 * (Jo_3_size + 1.9721522630525295e-31)
+    Jo_4_bound = 3.5762795e-07 * (Jo_4_size + 1.9721522630525295e-31)
+    Jo_5_bound = 3.5762795e-07 * (Jo_5_size + 1.9721522630525295e-31)
+    Jo_6_bound = 3.5762795e-07 * (Jo_6_size + 1.9721522630525295e-31)
+    Jo_7_bound = 3.5762795e-07 * (Jo_7_size + 1.9721522630525295e-31)
+    Jo_8_bound = 3.5762795e-07 * (Jo_8_size + 1.9721522630525295e-31)
+    Jo_9_bound = 3.5762795e-07 * (Jo_9_size + 1.9721522630525295e-31)
+    return (Ji_0, Jo_1, Jo_2, Jo_3, Jo_4, Jo_5, Jo_6, Jo_7, Jo_8, Jo_9, 0, Jo_1_bound, Jo_2_bound,
+        Jo_3_bound, Jo_4_bound, Jo_5_bound, Jo_6_bound, Jo_7_bound, Jo_8_bound, Jo_9_bound)
 
 
 @kernel("(10),(3,4)->(10),(10)")
@@ -512,17 +508,17 @@ def inertia_transform(self, D):
     RI_6_size = absolute(RI_6a) + absolute(RI_6b) + absolute(RI_6d)
     RI_7_size = absolute(RI_7a) + absolute(RI_7b) + absolute(RI_7d)
     RI_8_size = absolute(RI_8a) + absolute(RI_8b) + absolute(RI_8d)
-    self_1_new_f_size = absolute(self_1_new_b) + absolute(self_1_new_c) + absolute(self_1_new_e)
-    self_1_new_size = absolute(self_1_new_a) + self_1_new_f_size
-    self_2_new_f_size = absolute(self_2_new_b) + absolute(self_2_new_c) + absolute(self_2_new_e)
-    self_2_new_size = absolute(self_2_new_a) + self_2_new_f_size
-    self_3_new_f_size = absolute(self_3_new_b) + absolute(self_3_new_c) + absolute(self_3_new_e)
-    self_3_new_size = absolute(self_3_new_a) + self_3_new_f_size
+    self_1_new_size = (absolute(self_1_new_a)
+        + (absolute(self_1_new_b) + absolute(self_1_new_c) + absolute(self_1_new_e)))
+    self_2_new_size = (absolute(self_2_new_a)
+        + (absolute(self_2_new_b) + absolute(self_2_new_c) + absolute(self_2_new_e)))
+    self_3_new_size = (absolute(self_3_new_a)
+        + (absolute(self_3_new_b) + absolute(self_3_new_c) + absolute(self_3_new_e)))
     RI_0_padded = RI_0_size + 1.9721522630525295e-31
     RI_1_padded = RI_1_size + 1.9721522630525295e-31
     RI_2_padded = RI_2_size + 1.9721522630525295e-31
-    self_4_new_c_size = absolute(D_00) * RI_0_padded + absolute(D_01) * RI_1_padded
-    self_4_new_size = self_4_new_c_size + absolute(D_02) * RI_2_padded
+    self_4_new_size = (absolute(D_00) * RI_0_padded + absolute(D_01) * RI_1_padded + absolute(D_02)
+        * RI_2_padded)
     RI_3_padded = RI_3_size + 1.9721522630525295e-31
     D_10_abs = absolute(D_10)
     RI_4_padded = RI_4_size + 1.9721522630525295e-31
@@ -532,24 +528,23 @@ def inertia_transform(self, D):
     self_5_new_size = D_10_abs * RI_3_padded + D_11_abs * RI_4_padded + D_12_abs * RI_5_padded
     D_20_abs = absolute(D_20)
     D_21_abs = absolute(D_21)
-    self_6_new_a_size = D_20_abs * (RI_6_size + 1.9721522630525295e-31)
     D_22_abs = absolute(D_22)
-    self_6_new_c_size = self_6_new_a_size + D_21_abs * (RI_7_size + 1.9721522630525295e-31)
+    self_6_new_c_size = (D_20_abs * (RI_6_size + 1.9721522630525295e-31) + D_21_abs
+        * (RI_7_size + 1.9721522630525295e-31))
     self_6_new_size = self_6_new_c_size + D_22_abs * (RI_8_size + 1.9721522630525295e-31)
     self_7_new_size = D_10_abs * RI_0_padded + D_11_abs * RI_1_padded + D_12_abs * RI_2_padded
     self_8_new_size = D_20_abs * RI_3_padded + D_21_abs * RI_4_padded + D_22_abs * RI_5_padded
     self_9_new_size = D_20_abs * RI_0_padded + D_21_abs * RI_1_padded + D_22_abs * RI_2_padded
-    self_1_new_error_bound = 2.3841864e-07 * (self_1_new_size + 1.9721522630525295e-31)
-    self_2_new_error_bound = 2.3841864e-07 * (self_2_new_size + 1.9721522630525295e-31)
-    self_3_new_error_bound = 2.3841864e-07 * (self_3_new_size + 1.9721522630525295e-31)
-    self_4_new_error_bound = 3.5762795e-07 * (self_4_new_size + 1.9721522630525295e-31)
-    self_5_new_error_bound = 3.5762795e-07 * (self_5_new_size + 1.9721522630525295e-31)
-    self_6_new_error_bound = 3.5762795e-07 * (self_6_new_size + 1.9721522630525295e-31)
-    self_7_new_error_bound = 3.5762795e-07 * (self_7_new_size + 1.9721522630525295e-31)
-    self_8_new_error_bound = 3.5762795e-07 * (self_8_new_size + 1.9721522630525295e-31)
-    self_9_new_error_bound = 3.5762795e-07 * (self_9_new_size + 1.9721522630525295e-31)
+    self_1_new_bound = 2.3841864e-07 * (self_1_new_size + 1.9721522630525295e-31)
+    self_2_new_bound = 2.3841864e-07 * (self_2_new_size + 1.9721522630525295e-31)
+    self_3_new_bound = 2.3841864e-07 * (self_3_new_size + 1.9721522630525295e-31)
+    self_4_new_bound = 3.5762795e-07 * (self_4_new_size + 1.9721522630525295e-31)
+    self_5_new_bound = 3.5762795e-07 * (self_5_new_size + 1.9721522630525295e-31)
+    self_6_new_bound = 3.5762795e-07 * (self_6_new_size + 1.9721522630525295e-31)
+    self_7_new_bound = 3.5762795e-07 * (self_7_new_size + 1.9721522630525295e-31)
+    self_8_new_bound = 3.5762795e-07 * (self_8_new_size + 1.9721522630525295e-31)
+    self_9_new_bound = 3.5762795e-07 * (self_9_new_size + 1.9721522630525295e-31)
     return (self_0, self_1_new, self_2_new, self_3_new, self_4_new, self_5_new, self_6_new,
-        self_7_new, self_8_new, self_9_new, 0, self_1_new_error_bound, self_2_new_error_bound,
-        self_3_new_error_bound, self_4_new_error_bound, self_5_new_error_bound,
-        self_6_new_error_bound, self_7_new_error_bound, self_8_new_error_bound,
-        self_9_new_error_bound)
+        self_7_new, self_8_new, self_9_new, 0, self_1_new_bound, self_2_new_bound, self_3_new_bound,
+        self_4_new_bound, self_5_new_bound, self_6_new_bound, self_7_new_bound, self_8_new_bound,
+        self_9_new_bound)

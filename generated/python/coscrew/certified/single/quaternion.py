@@ -26,12 +26,12 @@ def quaternion_scale(self, a):
     self_1_new = self_1 * a
     self_2_new = self_2 * a
     self_3_new = self_3 * a
-    self_0_new_error_bound = 5.960465e-08 * (absolute(self_0_new) + 1.9721522630525295e-31)
-    self_1_new_error_bound = 5.960465e-08 * (absolute(self_1_new) + 1.9721522630525295e-31)
-    self_2_new_error_bound = 5.960465e-08 * (absolute(self_2_new) + 1.9721522630525295e-31)
-    self_3_new_error_bound = 5.960465e-08 * (absolute(self_3_new) + 1.9721522630525295e-31)
-    return (self_0_new, self_1_new, self_2_new, self_3_new, self_0_new_error_bound,
-        self_1_new_error_bound, self_2_new_error_bound, self_3_new_error_bound)
+    self_0_new_bound = 5.960465e-08 * (absolute(self_0_new) + 1.9721522630525295e-31)
+    self_1_new_bound = 5.960465e-08 * (absolute(self_1_new) + 1.9721522630525295e-31)
+    self_2_new_bound = 5.960465e-08 * (absolute(self_2_new) + 1.9721522630525295e-31)
+    self_3_new_bound = 5.960465e-08 * (absolute(self_3_new) + 1.9721522630525295e-31)
+    return (self_0_new, self_1_new, self_2_new, self_3_new, self_0_new_bound, self_1_new_bound,
+        self_2_new_bound, self_3_new_bound)
 
 
 @kernel("(),(4),(4)->(4),(4)")
@@ -56,12 +56,12 @@ def axpy_qq(a, x, y):
     y_1_new_size = absolute(y_1_new_a) + absolute(y_1)
     y_2_new_size = absolute(y_2_new_a) + absolute(y_2)
     y_3_new_size = absolute(y_3_new_a) + absolute(y_3)
-    y_0_new_error_bound = 1.192093e-07 * (y_0_new_size + 1.9721522630525295e-31)
-    y_1_new_error_bound = 1.192093e-07 * (y_1_new_size + 1.9721522630525295e-31)
-    y_2_new_error_bound = 1.192093e-07 * (y_2_new_size + 1.9721522630525295e-31)
-    y_3_new_error_bound = 1.192093e-07 * (y_3_new_size + 1.9721522630525295e-31)
-    return (y_0_new, y_1_new, y_2_new, y_3_new, y_0_new_error_bound, y_1_new_error_bound,
-        y_2_new_error_bound, y_3_new_error_bound)
+    y_0_new_bound = 1.192093e-07 * (y_0_new_size + 1.9721522630525295e-31)
+    y_1_new_bound = 1.192093e-07 * (y_1_new_size + 1.9721522630525295e-31)
+    y_2_new_bound = 1.192093e-07 * (y_2_new_size + 1.9721522630525295e-31)
+    y_3_new_bound = 1.192093e-07 * (y_3_new_size + 1.9721522630525295e-31)
+    return (y_0_new, y_1_new, y_2_new, y_3_new, y_0_new_bound, y_1_new_bound, y_2_new_bound,
+        y_3_new_bound)
 
 
 @kernel("(4),(3)->(3),(3)")
@@ -111,10 +111,10 @@ def rotate_qv(q, v):
     vo_0_size = absolute(v_0) + turn_0_size
     vo_1_size = absolute(v_1) + turn_1_size
     vo_2_size = absolute(v_2) + turn_2_size
-    vo_0_error_bound = 4.1723263e-07 * (vo_0_size + 1.9721522630525295e-31)
-    vo_1_error_bound = 4.1723263e-07 * (vo_1_size + 1.9721522630525295e-31)
-    vo_2_error_bound = 4.1723263e-07 * (vo_2_size + 1.9721522630525295e-31)
-    return (vo_0, vo_1, vo_2, vo_0_error_bound, vo_1_error_bound, vo_2_error_bound)
+    vo_0_bound = 4.1723263e-07 * (vo_0_size + 1.9721522630525295e-31)
+    vo_1_bound = 4.1723263e-07 * (vo_1_size + 1.9721522630525295e-31)
+    vo_2_bound = 4.1723263e-07 * (vo_2_size + 1.9721522630525295e-31)
+    return (vo_0, vo_1, vo_2, vo_0_bound, vo_1_bound, vo_2_bound)
 
 
 @kernel("(4),(3)->(3),(3)")
@@ -164,10 +164,10 @@ def rotate_qconjv(q, v):
     vo_0_size = absolute(v_0) + turn_0_size
     vo_1_size = absolute(v_1) + turn_1_size
     vo_2_size = absolute(v_2) + turn_2_size
-    vo_0_error_bound = 4.1723263e-07 * (vo_0_size + 1.9721522630525295e-31)
-    vo_1_error_bound = 4.1723263e-07 * (vo_1_size + 1.9721522630525295e-31)
-    vo_2_error_bound = 4.1723263e-07 * (vo_2_size + 1.9721522630525295e-31)
-    return (vo_0, vo_1, vo_2, vo_0_error_bound, vo_1_error_bound, vo_2_error_bound)
+    vo_0_bound = 4.1723263e-07 * (vo_0_size + 1.9721522630525295e-31)
+    vo_1_bound = 4.1723263e-07 * (vo_1_size + 1.9721522630525295e-31)
+    vo_2_bound = 4.1723263e-07 * (vo_2_size + 1.9721522630525295e-31)
+    return (vo_0, vo_1, vo_2, vo_0_bound, vo_1_bound, vo_2_bound)
 
 
 @kernel("(4),(4)->(4),(4)")
@@ -204,12 +204,11 @@ def quaternion_product_qq(q1i, q2i):
     qo_1_size = absolute(qo_1a) + absolute(qo_1b) + absolute(qo_1d) + absolute(qo_1f)
     qo_2_size = absolute(qo_2a) + absolute(qo_2b) + absolute(qo_2d) + absolute(qo_2f)
     qo_3_size = absolute(qo_3a) + (absolute(qo_3b) + absolute(qo_3c) + absolute(qo_3e))
-    qo_0_error_bound = 2.3841864e-07 * (qo_0_size + 1.9721522630525295e-31)
-    qo_1_error_bound = 2.3841864e-07 * (qo_1_size + 1.9721522630525295e-31)
-    qo_2_error_bound = 2.3841864e-07 * (qo_2_size + 1.9721522630525295e-31)
-    qo_3_error_bound = 2.3841864e-07 * (qo_3_size + 1.9721522630525295e-31)
-    return (qo_0, qo_1, qo_2, qo_3, qo_0_error_bound, qo_1_error_bound, qo_2_error_bound,
-        qo_3_error_bound)
+    qo_0_bound = 2.3841864e-07 * (qo_0_size + 1.9721522630525295e-31)
+    qo_1_bound = 2.3841864e-07 * (qo_1_size + 1.9721522630525295e-31)
+    qo_2_bound = 2.3841864e-07 * (qo_2_size + 1.9721522630525295e-31)
+    qo_3_bound = 2.3841864e-07 * (qo_3_size + 1.9721522630525295e-31)
+    return (qo_0, qo_1, qo_2, qo_3, qo_0_bound, qo_1_bound, qo_2_bound, qo_3_bound)
 
 
 @kernel("(4),(4)->(4),(4)")
@@ -246,12 +245,11 @@ def quaternion_product_qqconj(q1i, q2i):
     qo_1_size = absolute(qo_1a) + absolute(qo_1b) + (absolute(qo_1d) + absolute(qo_1e))
     qo_2_size = absolute(qo_2a) + absolute(qo_2b) + (absolute(qo_2d) + absolute(qo_2e))
     qo_3_size = absolute(qo_3a) + absolute(qo_3b) + absolute(qo_3d) + absolute(qo_3f)
-    qo_0_error_bound = 1.7881396e-07 * (qo_0_size + 1.9721522630525295e-31)
-    qo_1_error_bound = 1.7881396e-07 * (qo_1_size + 1.9721522630525295e-31)
-    qo_2_error_bound = 1.7881396e-07 * (qo_2_size + 1.9721522630525295e-31)
-    qo_3_error_bound = 2.3841864e-07 * (qo_3_size + 1.9721522630525295e-31)
-    return (qo_0, qo_1, qo_2, qo_3, qo_0_error_bound, qo_1_error_bound, qo_2_error_bound,
-        qo_3_error_bound)
+    qo_0_bound = 1.7881396e-07 * (qo_0_size + 1.9721522630525295e-31)
+    qo_1_bound = 1.7881396e-07 * (qo_1_size + 1.9721522630525295e-31)
+    qo_2_bound = 1.7881396e-07 * (qo_2_size + 1.9721522630525295e-31)
+    qo_3_bound = 2.3841864e-07 * (qo_3_size + 1.9721522630525295e-31)
+    return (qo_0, qo_1, qo_2, qo_3, qo_0_bound, qo_1_bound, qo_2_bound, qo_3_bound)
 
 
 @kernel("(4),(4)->(4),(4)")
@@ -288,12 +286,11 @@ def quaternion_product_qconjq(q1i, q2i):
     qo_1_size = absolute(qo_1a) + absolute(qo_1b) + (absolute(qo_1d) + absolute(qo_1e))
     qo_2_size = absolute(qo_2a) + absolute(qo_2b) + (absolute(qo_2d) + absolute(qo_2e))
     qo_3_size = absolute(qo_3a) + absolute(qo_3b) + absolute(qo_3d) + absolute(qo_3f)
-    qo_0_error_bound = 1.7881396e-07 * (qo_0_size + 1.9721522630525295e-31)
-    qo_1_error_bound = 1.7881396e-07 * (qo_1_size + 1.9721522630525295e-31)
-    qo_2_error_bound = 1.7881396e-07 * (qo_2_size + 1.9721522630525295e-31)
-    qo_3_error_bound = 2.3841864e-07 * (qo_3_size + 1.9721522630525295e-31)
-    return (qo_0, qo_1, qo_2, qo_3, qo_0_error_bound, qo_1_error_bound, qo_2_error_bound,
-        qo_3_error_bound)
+    qo_0_bound = 1.7881396e-07 * (qo_0_size + 1.9721522630525295e-31)
+    qo_1_bound = 1.7881396e-07 * (qo_1_size + 1.9721522630525295e-31)
+    qo_2_bound = 1.7881396e-07 * (qo_2_size + 1.9721522630525295e-31)
+    qo_3_bound = 2.3841864e-07 * (qo_3_size + 1.9721522630525295e-31)
+    return (qo_0, qo_1, qo_2, qo_3, qo_0_bound, qo_1_bound, qo_2_bound, qo_3_bound)
 
 
 @kernel("(4),(4)->(4),(4)")
@@ -330,12 +327,11 @@ def quaternion_product_qconjqconj(q1i, q2i):
     qo_1_size = absolute(qo_1a) + absolute(qo_1b) + absolute(qo_1d) + absolute(qo_1f)
     qo_2_size = absolute(qo_2a) + absolute(qo_2b) + absolute(qo_2d) + absolute(qo_2f)
     qo_3_size = absolute(qo_3a) + (absolute(qo_3b) + absolute(qo_3c) + absolute(qo_3e))
-    qo_0_error_bound = 2.3841864e-07 * (qo_0_size + 1.9721522630525295e-31)
-    qo_1_error_bound = 2.3841864e-07 * (qo_1_size + 1.9721522630525295e-31)
-    qo_2_error_bound = 2.3841864e-07 * (qo_2_size + 1.9721522630525295e-31)
-    qo_3_error_bound = 2.3841864e-07 * (qo_3_size + 1.9721522630525295e-31)
-    return (qo_0, qo_1, qo_2, qo_3, qo_0_error_bound, qo_1_error_bound, qo_2_error_bound,
-        qo_3_error_bound)
+    qo_0_bound = 2.3841864e-07 * (qo_0_size + 1.9721522630525295e-31)
+    qo_1_bound = 2.3841864e-07 * (qo_1_size + 1.9721522630525295e-31)
+    qo_2_bound = 2.3841864e-07 * (qo_2_size + 1.9721522630525295e-31)
+    qo_3_bound = 2.3841864e-07 * (qo_3_size + 1.9721522630525295e-31)
+    return (qo_0, qo_1, qo_2, qo_3, qo_0_bound, qo_1_bound, qo_2_bound, qo_3_bound)
 
 
 @kernel("(2),(4)->(4),(4)")
@@ -366,12 +362,11 @@ def quaternion_product_qxq(dci, qi):
     qo_1_size = absolute(qo_1a) + absolute(qo_1b)
     qo_2_size = absolute(qo_2a) + absolute(qo_2b)
     qo_3_size = absolute(qo_3a) + absolute(qo_3b)
-    qo_0_error_bound = 1.192093e-07 * (qo_0_size + 1.9721522630525295e-31)
-    qo_1_error_bound = 1.192093e-07 * (qo_1_size + 1.9721522630525295e-31)
-    qo_2_error_bound = 1.192093e-07 * (qo_2_size + 1.9721522630525295e-31)
-    qo_3_error_bound = 1.192093e-07 * (qo_3_size + 1.9721522630525295e-31)
-    return (qo_0, qo_1, qo_2, qo_3, qo_0_error_bound, qo_1_error_bound, qo_2_error_bound,
-        qo_3_error_bound)
+    qo_0_bound = 1.192093e-07 * (qo_0_size + 1.9721522630525295e-31)
+    qo_1_bound = 1.192093e-07 * (qo_1_size + 1.9721522630525295e-31)
+    qo_2_bound = 1.192093e-07 * (qo_2_size + 1.9721522630525295e-31)
+    qo_3_bound = 1.192093e-07 * (qo_3_size + 1.9721522630525295e-31)
+    return (qo_0, qo_1, qo_2, qo_3, qo_0_bound, qo_1_bound, qo_2_bound, qo_3_bound)
 
 
 @kernel("(2),(4)->(4),(4)")
@@ -401,12 +396,11 @@ def quaternion_product_qxqconj(dci, qi):
     qo_0_size = absolute(qo_0a) + absolute(qo_0b)
     qo_1_size = absolute(qo_1a) + absolute(qo_1b)
     qo_3_size = absolute(qo_3a) + absolute(qo_3b)
-    qo_0_error_bound = 1.192093e-07 * (qo_0_size + 1.9721522630525295e-31)
-    qo_1_error_bound = 1.192093e-07 * (qo_1_size + 1.9721522630525295e-31)
-    qo_2c_error_bound = 1.192093e-07 * (absolute(qo_2a) + absolute(qo_2b) + 1.9721522630525295e-31)
-    qo_3_error_bound = 1.192093e-07 * (qo_3_size + 1.9721522630525295e-31)
-    return (qo_0, qo_1, qo_2, qo_3, qo_0_error_bound, qo_1_error_bound, qo_2c_error_bound,
-        qo_3_error_bound)
+    qo_0_bound = 1.192093e-07 * (qo_0_size + 1.9721522630525295e-31)
+    qo_1_bound = 1.192093e-07 * (qo_1_size + 1.9721522630525295e-31)
+    qo_2c_bound = 1.192093e-07 * (absolute(qo_2a) + absolute(qo_2b) + 1.9721522630525295e-31)
+    qo_3_bound = 1.192093e-07 * (qo_3_size + 1.9721522630525295e-31)
+    return (qo_0, qo_1, qo_2, qo_3, qo_0_bound, qo_1_bound, qo_2c_bound, qo_3_bound)
 
 
 @kernel("(2),(4)->(4),(4)")
@@ -437,12 +431,11 @@ def quaternion_product_qxconjq(dci, qi):
     qo_1_size = absolute(qo_1a) + absolute(qo_1b)
     qo_2_size = absolute(qo_2a) + absolute(qo_2b)
     qo_3_size = absolute(qo_3a) + absolute(qo_3b)
-    qo_0_error_bound = 1.192093e-07 * (qo_0_size + 1.9721522630525295e-31)
-    qo_1_error_bound = 1.192093e-07 * (qo_1_size + 1.9721522630525295e-31)
-    qo_2_error_bound = 1.192093e-07 * (qo_2_size + 1.9721522630525295e-31)
-    qo_3_error_bound = 1.192093e-07 * (qo_3_size + 1.9721522630525295e-31)
-    return (qo_0, qo_1, qo_2, qo_3, qo_0_error_bound, qo_1_error_bound, qo_2_error_bound,
-        qo_3_error_bound)
+    qo_0_bound = 1.192093e-07 * (qo_0_size + 1.9721522630525295e-31)
+    qo_1_bound = 1.192093e-07 * (qo_1_size + 1.9721522630525295e-31)
+    qo_2_bound = 1.192093e-07 * (qo_2_size + 1.9721522630525295e-31)
+    qo_3_bound = 1.192093e-07 * (qo_3_size + 1.9721522630525295e-31)
+    return (qo_0, qo_1, qo_2, qo_3, qo_0_bound, qo_1_bound, qo_2_bound, qo_3_bound)
 
 
 @kernel("(2),(4)->(4),(4)")
@@ -471,12 +464,11 @@ def quaternion_product_qxconjqconj(dci, qi):
     qo_3 = qo_3a - qo_3b
     qo_2_size = absolute(qo_2a) + absolute(qo_2b)
     qo_3_size = absolute(qo_3a) + absolute(qo_3b)
-    qo_0c_error_bound = 1.192093e-07 * (absolute(qo_0a) + absolute(qo_0b) + 1.9721522630525295e-31)
-    qo_1c_error_bound = 1.192093e-07 * (absolute(qo_1a) + absolute(qo_1b) + 1.9721522630525295e-31)
-    qo_2_error_bound = 1.192093e-07 * (qo_2_size + 1.9721522630525295e-31)
-    qo_3_error_bound = 1.192093e-07 * (qo_3_size + 1.9721522630525295e-31)
-    return (qo_0, qo_1, qo_2, qo_3, qo_0c_error_bound, qo_1c_error_bound, qo_2_error_bound,
-        qo_3_error_bound)
+    qo_0c_bound = 1.192093e-07 * (absolute(qo_0a) + absolute(qo_0b) + 1.9721522630525295e-31)
+    qo_1c_bound = 1.192093e-07 * (absolute(qo_1a) + absolute(qo_1b) + 1.9721522630525295e-31)
+    qo_2_bound = 1.192093e-07 * (qo_2_size + 1.9721522630525295e-31)
+    qo_3_bound = 1.192093e-07 * (qo_3_size + 1.9721522630525295e-31)
+    return (qo_0, qo_1, qo_2, qo_3, qo_0c_bound, qo_1c_bound, qo_2_bound, qo_3_bound)
 
 
 @kernel("(4),(2)->(4),(4)")
@@ -507,12 +499,11 @@ def quaternion_product_qqx(qi, dci):
     qo_1_size = absolute(qo_1a) + absolute(qo_1b)
     qo_2_size = absolute(qo_2a) + absolute(qo_2b)
     qo_3_size = absolute(qo_3a) + absolute(qo_3b)
-    qo_0_error_bound = 1.192093e-07 * (qo_0_size + 1.9721522630525295e-31)
-    qo_1_error_bound = 1.192093e-07 * (qo_1_size + 1.9721522630525295e-31)
-    qo_2_error_bound = 1.192093e-07 * (qo_2_size + 1.9721522630525295e-31)
-    qo_3_error_bound = 1.192093e-07 * (qo_3_size + 1.9721522630525295e-31)
-    return (qo_0, qo_1, qo_2, qo_3, qo_0_error_bound, qo_1_error_bound, qo_2_error_bound,
-        qo_3_error_bound)
+    qo_0_bound = 1.192093e-07 * (qo_0_size + 1.9721522630525295e-31)
+    qo_1_bound = 1.192093e-07 * (qo_1_size + 1.9721522630525295e-31)
+    qo_2_bound = 1.192093e-07 * (qo_2_size + 1.9721522630525295e-31)
+    qo_3_bound = 1.192093e-07 * (qo_3_size + 1.9721522630525295e-31)
+    return (qo_0, qo_1, qo_2, qo_3, qo_0_bound, qo_1_bound, qo_2_bound, qo_3_bound)
 
 
 @kernel("(4),(2)->(4),(4)")
@@ -543,12 +534,11 @@ def quaternion_product_qqxconj(qi, dci):
     qo_1_size = absolute(qo_1a) + absolute(qo_1b)
     qo_2_size = absolute(qo_2a) + absolute(qo_2b)
     qo_3_size = absolute(qo_3a) + absolute(qo_3b)
-    qo_0_error_bound = 1.192093e-07 * (qo_0_size + 1.9721522630525295e-31)
-    qo_1_error_bound = 1.192093e-07 * (qo_1_size + 1.9721522630525295e-31)
-    qo_2_error_bound = 1.192093e-07 * (qo_2_size + 1.9721522630525295e-31)
-    qo_3_error_bound = 1.192093e-07 * (qo_3_size + 1.9721522630525295e-31)
-    return (qo_0, qo_1, qo_2, qo_3, qo_0_error_bound, qo_1_error_bound, qo_2_error_bound,
-        qo_3_error_bound)
+    qo_0_bound = 1.192093e-07 * (qo_0_size + 1.9721522630525295e-31)
+    qo_1_bound = 1.192093e-07 * (qo_1_size + 1.9721522630525295e-31)
+    qo_2_bound = 1.192093e-07 * (qo_2_size + 1.9721522630525295e-31)
+    qo_3_bound = 1.192093e-07 * (qo_3_size + 1.9721522630525295e-31)
+    return (qo_0, qo_1, qo_2, qo_3, qo_0_bound, qo_1_bound, qo_2_bound, qo_3_bound)
 
 
 @kernel("(4),(2)->(4),(4)")
@@ -578,12 +568,11 @@ def quaternion_product_qconjqx(qi, dci):
     qo_0_size = absolute(qo_0a) + absolute(qo_0b)
     qo_2_size = absolute(qo_2a) + absolute(qo_2b)
     qo_3_size = absolute(qo_3a) + absolute(qo_3b)
-    qo_0_error_bound = 1.192093e-07 * (qo_0_size + 1.9721522630525295e-31)
-    qo_1c_error_bound = 1.192093e-07 * (absolute(qo_1a) + absolute(qo_1b) + 1.9721522630525295e-31)
-    qo_2_error_bound = 1.192093e-07 * (qo_2_size + 1.9721522630525295e-31)
-    qo_3_error_bound = 1.192093e-07 * (qo_3_size + 1.9721522630525295e-31)
-    return (qo_0, qo_1, qo_2, qo_3, qo_0_error_bound, qo_1c_error_bound, qo_2_error_bound,
-        qo_3_error_bound)
+    qo_0_bound = 1.192093e-07 * (qo_0_size + 1.9721522630525295e-31)
+    qo_1c_bound = 1.192093e-07 * (absolute(qo_1a) + absolute(qo_1b) + 1.9721522630525295e-31)
+    qo_2_bound = 1.192093e-07 * (qo_2_size + 1.9721522630525295e-31)
+    qo_3_bound = 1.192093e-07 * (qo_3_size + 1.9721522630525295e-31)
+    return (qo_0, qo_1, qo_2, qo_3, qo_0_bound, qo_1c_bound, qo_2_bound, qo_3_bound)
 
 
 @kernel("(4),(2)->(4),(4)")
@@ -612,12 +601,11 @@ def quaternion_product_qconjqxconj(qi, dci):
     qo_3 = qo_3a - qo_3b
     qo_1_size = absolute(qo_1a) + absolute(qo_1b)
     qo_3_size = absolute(qo_3a) + absolute(qo_3b)
-    qo_0c_error_bound = 1.192093e-07 * (absolute(qo_0a) + absolute(qo_0b) + 1.9721522630525295e-31)
-    qo_1_error_bound = 1.192093e-07 * (qo_1_size + 1.9721522630525295e-31)
-    qo_2c_error_bound = 1.192093e-07 * (absolute(qo_2a) + absolute(qo_2b) + 1.9721522630525295e-31)
-    qo_3_error_bound = 1.192093e-07 * (qo_3_size + 1.9721522630525295e-31)
-    return (qo_0, qo_1, qo_2, qo_3, qo_0c_error_bound, qo_1_error_bound, qo_2c_error_bound,
-        qo_3_error_bound)
+    qo_0c_bound = 1.192093e-07 * (absolute(qo_0a) + absolute(qo_0b) + 1.9721522630525295e-31)
+    qo_1_bound = 1.192093e-07 * (qo_1_size + 1.9721522630525295e-31)
+    qo_2c_bound = 1.192093e-07 * (absolute(qo_2a) + absolute(qo_2b) + 1.9721522630525295e-31)
+    qo_3_bound = 1.192093e-07 * (qo_3_size + 1.9721522630525295e-31)
+    return (qo_0, qo_1, qo_2, qo_3, qo_0c_bound, qo_1_bound, qo_2c_bound, qo_3_bound)
 
 
 @kernel("(2),(4)->(4),(4)")
@@ -648,12 +636,11 @@ def quaternion_product_qyq(dci, qi):
     qo_1_size = absolute(qo_1a) + absolute(qo_1b)
     qo_2_size = absolute(qo_2a) + absolute(qo_2b)
     qo_3_size = absolute(qo_3a) + absolute(qo_3b)
-    qo_0_error_bound = 1.192093e-07 * (qo_0_size + 1.9721522630525295e-31)
-    qo_1_error_bound = 1.192093e-07 * (qo_1_size + 1.9721522630525295e-31)
-    qo_2_error_bound = 1.192093e-07 * (qo_2_size + 1.9721522630525295e-31)
-    qo_3_error_bound = 1.192093e-07 * (qo_3_size + 1.9721522630525295e-31)
-    return (qo_0, qo_1, qo_2, qo_3, qo_0_error_bound, qo_1_error_bound, qo_2_error_bound,
-        qo_3_error_bound)
+    qo_0_bound = 1.192093e-07 * (qo_0_size + 1.9721522630525295e-31)
+    qo_1_bound = 1.192093e-07 * (qo_1_size + 1.9721522630525295e-31)
+    qo_2_bound = 1.192093e-07 * (qo_2_size + 1.9721522630525295e-31)
+    qo_3_bound = 1.192093e-07 * (qo_3_size + 1.9721522630525295e-31)
+    return (qo_0, qo_1, qo_2, qo_3, qo_0_bound, qo_1_bound, qo_2_bound, qo_3_bound)
 
 
 @kernel("(2),(4)->(4),(4)")
@@ -683,12 +670,11 @@ def quaternion_product_qyqconj(dci, qi):
     qo_1_size = absolute(qo_1a) + absolute(qo_1b)
     qo_2_size = absolute(qo_2a) + absolute(qo_2b)
     qo_3_size = absolute(qo_3a) + absolute(qo_3b)
-    qo_0c_error_bound = 1.192093e-07 * (absolute(qo_0a) + absolute(qo_0b) + 1.9721522630525295e-31)
-    qo_1_error_bound = 1.192093e-07 * (qo_1_size + 1.9721522630525295e-31)
-    qo_2_error_bound = 1.192093e-07 * (qo_2_size + 1.9721522630525295e-31)
-    qo_3_error_bound = 1.192093e-07 * (qo_3_size + 1.9721522630525295e-31)
-    return (qo_0, qo_1, qo_2, qo_3, qo_0c_error_bound, qo_1_error_bound, qo_2_error_bound,
-        qo_3_error_bound)
+    qo_0c_bound = 1.192093e-07 * (absolute(qo_0a) + absolute(qo_0b) + 1.9721522630525295e-31)
+    qo_1_bound = 1.192093e-07 * (qo_1_size + 1.9721522630525295e-31)
+    qo_2_bound = 1.192093e-07 * (qo_2_size + 1.9721522630525295e-31)
+    qo_3_bound = 1.192093e-07 * (qo_3_size + 1.9721522630525295e-31)
+    return (qo_0, qo_1, qo_2, qo_3, qo_0c_bound, qo_1_bound, qo_2_bound, qo_3_bound)
 
 
 @kernel("(2),(4)->(4),(4)")
@@ -719,12 +705,11 @@ def quaternion_product_qyconjq(dci, qi):
     qo_1_size = absolute(qo_1a) + absolute(qo_1b)
     qo_2_size = absolute(qo_2a) + absolute(qo_2b)
     qo_3_size = absolute(qo_3a) + absolute(qo_3b)
-    qo_0_error_bound = 1.192093e-07 * (qo_0_size + 1.9721522630525295e-31)
-    qo_1_error_bound = 1.192093e-07 * (qo_1_size + 1.9721522630525295e-31)
-    qo_2_error_bound = 1.192093e-07 * (qo_2_size + 1.9721522630525295e-31)
-    qo_3_error_bound = 1.192093e-07 * (qo_3_size + 1.9721522630525295e-31)
-    return (qo_0, qo_1, qo_2, qo_3, qo_0_error_bound, qo_1_error_bound, qo_2_error_bound,
-        qo_3_error_bound)
+    qo_0_bound = 1.192093e-07 * (qo_0_size + 1.9721522630525295e-31)
+    qo_1_bound = 1.192093e-07 * (qo_1_size + 1.9721522630525295e-31)
+    qo_2_bound = 1.192093e-07 * (qo_2_size + 1.9721522630525295e-31)
+    qo_3_bound = 1.192093e-07 * (qo_3_size + 1.9721522630525295e-31)
+    return (qo_0, qo_1, qo_2, qo_3, qo_0_bound, qo_1_bound, qo_2_bound, qo_3_bound)
 
 
 @kernel("(2),(4)->(4),(4)")
@@ -753,12 +738,11 @@ def quaternion_product_qyconjqconj(dci, qi):
     qo_3 = qo_3a - qo_3b
     qo_0_size = absolute(qo_0a) + absolute(qo_0b)
     qo_3_size = absolute(qo_3a) + absolute(qo_3b)
-    qo_0_error_bound = 1.192093e-07 * (qo_0_size + 1.9721522630525295e-31)
-    qo_1c_error_bound = 1.192093e-07 * (absolute(qo_1a) + absolute(qo_1b) + 1.9721522630525295e-31)
-    qo_2c_error_bound = 1.192093e-07 * (absolute(qo_2a) + absolute(qo_2b) + 1.9721522630525295e-31)
-    qo_3_error_bound = 1.192093e-07 * (qo_3_size + 1.9721522630525295e-31)
-    return (qo_0, qo_1, qo_2, qo_3, qo_0_error_bound, qo_1c_error_bound, qo_2c_error_bound,
-        qo_3_error_bound)
+    qo_0_bound = 1.192093e-07 * (qo_0_size + 1.9721522630525295e-31)
+    qo_1c_bound = 1.192093e-07 * (absolute(qo_1a) + absolute(qo_1b) + 1.9721522630525295e-31)
+    qo_2c_bound = 1.192093e-07 * (absolute(qo_2a) + absolute(qo_2b) + 1.9721522630525295e-31)
+    qo_3_bound = 1.192093e-07 * (qo_3_size + 1.9721522630525295e-31)
+    return (qo_0, qo_1, qo_2, qo_3, qo_0_bound, qo_1c_bound, qo_2c_bound, qo_3_bound)
 
 
 @kernel("(4),(2)->(4),(4)")
@@ -789,12 +773,11 @@ def quaternion_product_qqy(qi, dci):
     qo_1_size = absolute(qo_1a) + absolute(qo_1b)
     qo_2_size = absolute(qo_2a) + absolute(qo_2b)
     qo_3_size = absolute(qo_3a) + absolute(qo_3b)
-    qo_0_error_bound = 1.192093e-07 * (qo_0_size + 1.9721522630525295e-31)
-    qo_1_error_bound = 1.192093e-07 * (qo_1_size + 1.9721522630525295e-31)
-    qo_2_error_bound = 1.192093e-07 * (qo_2_size + 1.9721522630525295e-31)
-    qo_3_error_bound = 1.192093e-07 * (qo_3_size + 1.9721522630525295e-31)
-    return (qo_0, qo_1, qo_2, qo_3, qo_0_error_bound, qo_1_error_bound, qo_2_error_bound,
-        qo_3_error_bound)
+    qo_0_bound = 1.192093e-07 * (qo_0_size + 1.9721522630525295e-31)
+    qo_1_bound = 1.192093e-07 * (qo_1_size + 1.9721522630525295e-31)
+    qo_2_bound = 1.192093e-07 * (qo_2_size + 1.9721522630525295e-31)
+    qo_3_bound = 1.192093e-07 * (qo_3_size + 1.9721522630525295e-31)
+    return (qo_0, qo_1, qo_2, qo_3, qo_0_bound, qo_1_bound, qo_2_bound, qo_3_bound)
 
 
 @kernel("(4),(2)->(4),(4)")
@@ -825,12 +808,11 @@ def quaternion_product_qqyconj(qi, dci):
     qo_1_size = absolute(qo_1a) + absolute(qo_1b)
     qo_2_size = absolute(qo_2a) + absolute(qo_2b)
     qo_3_size = absolute(qo_3a) + absolute(qo_3b)
-    qo_0_error_bound = 1.192093e-07 * (qo_0_size + 1.9721522630525295e-31)
-    qo_1_error_bound = 1.192093e-07 * (qo_1_size + 1.9721522630525295e-31)
-    qo_2_error_bound = 1.192093e-07 * (qo_2_size + 1.9721522630525295e-31)
-    qo_3_error_bound = 1.192093e-07 * (qo_3_size + 1.9721522630525295e-31)
-    return (qo_0, qo_1, qo_2, qo_3, qo_0_error_bound, qo_1_error_bound, qo_2_error_bound,
-        qo_3_error_bound)
+    qo_0_bound = 1.192093e-07 * (qo_0_size + 1.9721522630525295e-31)
+    qo_1_bound = 1.192093e-07 * (qo_1_size + 1.9721522630525295e-31)
+    qo_2_bound = 1.192093e-07 * (qo_2_size + 1.9721522630525295e-31)
+    qo_3_bound = 1.192093e-07 * (qo_3_size + 1.9721522630525295e-31)
+    return (qo_0, qo_1, qo_2, qo_3, qo_0_bound, qo_1_bound, qo_2_bound, qo_3_bound)
 
 
 @kernel("(4),(2)->(4),(4)")
@@ -860,12 +842,11 @@ def quaternion_product_qconjqy(qi, dci):
     qo_0_size = absolute(qo_0a) + absolute(qo_0b)
     qo_1_size = absolute(qo_1a) + absolute(qo_1b)
     qo_3_size = absolute(qo_3a) + absolute(qo_3b)
-    qo_0_error_bound = 1.192093e-07 * (qo_0_size + 1.9721522630525295e-31)
-    qo_1_error_bound = 1.192093e-07 * (qo_1_size + 1.9721522630525295e-31)
-    qo_2c_error_bound = 1.192093e-07 * (absolute(qo_2a) + absolute(qo_2b) + 1.9721522630525295e-31)
-    qo_3_error_bound = 1.192093e-07 * (qo_3_size + 1.9721522630525295e-31)
-    return (qo_0, qo_1, qo_2, qo_3, qo_0_error_bound, qo_1_error_bound, qo_2c_error_bound,
-        qo_3_error_bound)
+    qo_0_bound = 1.192093e-07 * (qo_0_size + 1.9721522630525295e-31)
+    qo_1_bound = 1.192093e-07 * (qo_1_size + 1.9721522630525295e-31)
+    qo_2c_bound = 1.192093e-07 * (absolute(qo_2a) + absolute(qo_2b) + 1.9721522630525295e-31)
+    qo_3_bound = 1.192093e-07 * (qo_3_size + 1.9721522630525295e-31)
+    return (qo_0, qo_1, qo_2, qo_3, qo_0_bound, qo_1_bound, qo_2c_bound, qo_3_bound)
 
 
 @kernel("(4),(2)->(4),(4)")
@@ -894,12 +875,11 @@ def quaternion_product_qconjqyconj(qi, dci):
     qo_3 = qo_3a - qo_3b
     qo_2_size = absolute(qo_2a) + absolute(qo_2b)
     qo_3_size = absolute(qo_3a) + absolute(qo_3b)
-    qo_0c_error_bound = 1.192093e-07 * (absolute(qo_0a) + absolute(qo_0b) + 1.9721522630525295e-31)
-    qo_1c_error_bound = 1.192093e-07 * (absolute(qo_1a) + absolute(qo_1b) + 1.9721522630525295e-31)
-    qo_2_error_bound = 1.192093e-07 * (qo_2_size + 1.9721522630525295e-31)
-    qo_3_error_bound = 1.192093e-07 * (qo_3_size + 1.9721522630525295e-31)
-    return (qo_0, qo_1, qo_2, qo_3, qo_0c_error_bound, qo_1c_error_bound, qo_2_error_bound,
-        qo_3_error_bound)
+    qo_0c_bound = 1.192093e-07 * (absolute(qo_0a) + absolute(qo_0b) + 1.9721522630525295e-31)
+    qo_1c_bound = 1.192093e-07 * (absolute(qo_1a) + absolute(qo_1b) + 1.9721522630525295e-31)
+    qo_2_bound = 1.192093e-07 * (qo_2_size + 1.9721522630525295e-31)
+    qo_3_bound = 1.192093e-07 * (qo_3_size + 1.9721522630525295e-31)
+    return (qo_0, qo_1, qo_2, qo_3, qo_0c_bound, qo_1c_bound, qo_2_bound, qo_3_bound)
 
 
 @kernel("(2),(4)->(4),(4)")
@@ -930,12 +910,11 @@ def quaternion_product_qzq(dci, qi):
     qo_1_size = absolute(qo_1a) + absolute(qo_1b)
     qo_2_size = absolute(qo_2a) + absolute(qo_2b)
     qo_3_size = absolute(qo_3a) + absolute(qo_3b)
-    qo_0_error_bound = 1.192093e-07 * (qo_0_size + 1.9721522630525295e-31)
-    qo_1_error_bound = 1.192093e-07 * (qo_1_size + 1.9721522630525295e-31)
-    qo_2_error_bound = 1.192093e-07 * (qo_2_size + 1.9721522630525295e-31)
-    qo_3_error_bound = 1.192093e-07 * (qo_3_size + 1.9721522630525295e-31)
-    return (qo_0, qo_1, qo_2, qo_3, qo_0_error_bound, qo_1_error_bound, qo_2_error_bound,
-        qo_3_error_bound)
+    qo_0_bound = 1.192093e-07 * (qo_0_size + 1.9721522630525295e-31)
+    qo_1_bound = 1.192093e-07 * (qo_1_size + 1.9721522630525295e-31)
+    qo_2_bound = 1.192093e-07 * (qo_2_size + 1.9721522630525295e-31)
+    qo_3_bound = 1.192093e-07 * (qo_3_size + 1.9721522630525295e-31)
+    return (qo_0, qo_1, qo_2, qo_3, qo_0_bound, qo_1_bound, qo_2_bound, qo_3_bound)
 
 
 @kernel("(2),(4)->(4),(4)")
@@ -965,12 +944,11 @@ def quaternion_product_qzqconj(dci, qi):
     qo_0_size = absolute(qo_0a) + absolute(qo_0b)
     qo_2_size = absolute(qo_2a) + absolute(qo_2b)
     qo_3_size = absolute(qo_3a) + absolute(qo_3b)
-    qo_0_error_bound = 1.192093e-07 * (qo_0_size + 1.9721522630525295e-31)
-    qo_1c_error_bound = 1.192093e-07 * (absolute(qo_1a) + absolute(qo_1b) + 1.9721522630525295e-31)
-    qo_2_error_bound = 1.192093e-07 * (qo_2_size + 1.9721522630525295e-31)
-    qo_3_error_bound = 1.192093e-07 * (qo_3_size + 1.9721522630525295e-31)
-    return (qo_0, qo_1, qo_2, qo_3, qo_0_error_bound, qo_1c_error_bound, qo_2_error_bound,
-        qo_3_error_bound)
+    qo_0_bound = 1.192093e-07 * (qo_0_size + 1.9721522630525295e-31)
+    qo_1c_bound = 1.192093e-07 * (absolute(qo_1a) + absolute(qo_1b) + 1.9721522630525295e-31)
+    qo_2_bound = 1.192093e-07 * (qo_2_size + 1.9721522630525295e-31)
+    qo_3_bound = 1.192093e-07 * (qo_3_size + 1.9721522630525295e-31)
+    return (qo_0, qo_1, qo_2, qo_3, qo_0_bound, qo_1c_bound, qo_2_bound, qo_3_bound)
 
 
 @kernel("(2),(4)->(4),(4)")
@@ -1001,12 +979,11 @@ def quaternion_product_qzconjq(dci, qi):
     qo_1_size = absolute(qo_1a) + absolute(qo_1b)
     qo_2_size = absolute(qo_2a) + absolute(qo_2b)
     qo_3_size = absolute(qo_3a) + absolute(qo_3b)
-    qo_0_error_bound = 1.192093e-07 * (qo_0_size + 1.9721522630525295e-31)
-    qo_1_error_bound = 1.192093e-07 * (qo_1_size + 1.9721522630525295e-31)
-    qo_2_error_bound = 1.192093e-07 * (qo_2_size + 1.9721522630525295e-31)
-    qo_3_error_bound = 1.192093e-07 * (qo_3_size + 1.9721522630525295e-31)
-    return (qo_0, qo_1, qo_2, qo_3, qo_0_error_bound, qo_1_error_bound, qo_2_error_bound,
-        qo_3_error_bound)
+    qo_0_bound = 1.192093e-07 * (qo_0_size + 1.9721522630525295e-31)
+    qo_1_bound = 1.192093e-07 * (qo_1_size + 1.9721522630525295e-31)
+    qo_2_bound = 1.192093e-07 * (qo_2_size + 1.9721522630525295e-31)
+    qo_3_bound = 1.192093e-07 * (qo_3_size + 1.9721522630525295e-31)
+    return (qo_0, qo_1, qo_2, qo_3, qo_0_bound, qo_1_bound, qo_2_bound, qo_3_bound)
 
 
 @kernel("(2),(4)->(4),(4)")
@@ -1035,12 +1012,11 @@ def quaternion_product_qzconjqconj(dci, qi):
     qo_3 = qo_3a - qo_3b
     qo_1_size = absolute(qo_1a) + absolute(qo_1b)
     qo_3_size = absolute(qo_3a) + absolute(qo_3b)
-    qo_0c_error_bound = 1.192093e-07 * (absolute(qo_0a) + absolute(qo_0b) + 1.9721522630525295e-31)
-    qo_1_error_bound = 1.192093e-07 * (qo_1_size + 1.9721522630525295e-31)
-    qo_2c_error_bound = 1.192093e-07 * (absolute(qo_2a) + absolute(qo_2b) + 1.9721522630525295e-31)
-    qo_3_error_bound = 1.192093e-07 * (qo_3_size + 1.9721522630525295e-31)
-    return (qo_0, qo_1, qo_2, qo_3, qo_0c_error_bound, qo_1_error_bound, qo_2c_error_bound,
-        qo_3_error_bound)
+    qo_0c_bound = 1.192093e-07 * (absolute(qo_0a) + absolute(qo_0b) + 1.9721522630525295e-31)
+    qo_1_bound = 1.192093e-07 * (qo_1_size + 1.9721522630525295e-31)
+    qo_2c_bound = 1.192093e-07 * (absolute(qo_2a) + absolute(qo_2b) + 1.9721522630525295e-31)
+    qo_3_bound = 1.192093e-07 * (qo_3_size + 1.9721522630525295e-31)
+    return (qo_0, qo_1, qo_2, qo_3, qo_0c_bound, qo_1_bound, qo_2c_bound, qo_3_bound)
 
 
 @kernel("(4),(2)->(4),(4)")
@@ -1071,12 +1047,11 @@ def quaternion_product_qqz(qi, dci):
     qo_1_size = absolute(qo_1a) + absolute(qo_1b)
     qo_2_size = absolute(qo_2a) + absolute(qo_2b)
     qo_3_size = absolute(qo_3a) + absolute(qo_3b)
-    qo_0_error_bound = 1.192093e-07 * (qo_0_size + 1.9721522630525295e-31)
-    qo_1_error_bound = 1.192093e-07 * (qo_1_size + 1.9721522630525295e-31)
-    qo_2_error_bound = 1.192093e-07 * (qo_2_size + 1.9721522630525295e-31)
-    qo_3_error_bound = 1.192093e-07 * (qo_3_size + 1.9721522630525295e-31)
-    return (qo_0, qo_1, qo_2, qo_3, qo_0_error_bound, qo_1_error_bound, qo_2_error_bound,
-        qo_3_error_bound)
+    qo_0_bound = 1.192093e-07 * (qo_0_size + 1.9721522630525295e-31)
+    qo_1_bound = 1.192093e-07 * (qo_1_size + 1.9721522630525295e-31)
+    qo_2_bound = 1.192093e-07 * (qo_2_size + 1.9721522630525295e-31)
+    qo_3_bound = 1.192093e-07 * (qo_3_size + 1.9721522630525295e-31)
+    return (qo_0, qo_1, qo_2, qo_3, qo_0_bound, qo_1_bound, qo_2_bound, qo_3_bound)
 
 
 @kernel("(4),(2)->(4),(4)")
@@ -1107,12 +1082,11 @@ def quaternion_product_qqzconj(qi, dci):
     qo_1_size = absolute(qo_1a) + absolute(qo_1b)
     qo_2_size = absolute(qo_2a) + absolute(qo_2b)
     qo_3_size = absolute(qo_3a) + absolute(qo_3b)
-    qo_0_error_bound = 1.192093e-07 * (qo_0_size + 1.9721522630525295e-31)
-    qo_1_error_bound = 1.192093e-07 * (qo_1_size + 1.9721522630525295e-31)
-    qo_2_error_bound = 1.192093e-07 * (qo_2_size + 1.9721522630525295e-31)
-    qo_3_error_bound = 1.192093e-07 * (qo_3_size + 1.9721522630525295e-31)
-    return (qo_0, qo_1, qo_2, qo_3, qo_0_error_bound, qo_1_error_bound, qo_2_error_bound,
-        qo_3_error_bound)
+    qo_0_bound = 1.192093e-07 * (qo_0_size + 1.9721522630525295e-31)
+    qo_1_bound = 1.192093e-07 * (qo_1_size + 1.9721522630525295e-31)
+    qo_2_bound = 1.192093e-07 * (qo_2_size + 1.9721522630525295e-31)
+    qo_3_bound = 1.192093e-07 * (qo_3_size + 1.9721522630525295e-31)
+    return (qo_0, qo_1, qo_2, qo_3, qo_0_bound, qo_1_bound, qo_2_bound, qo_3_bound)
 
 
 @kernel("(4),(2)->(4),(4)")
@@ -1142,12 +1116,11 @@ def quaternion_product_qconjqz(qi, dci):
     qo_1_size = absolute(qo_1a) + absolute(qo_1b)
     qo_2_size = absolute(qo_2a) + absolute(qo_2b)
     qo_3_size = absolute(qo_3a) + absolute(qo_3b)
-    qo_0c_error_bound = 1.192093e-07 * (absolute(qo_0a) + absolute(qo_0b) + 1.9721522630525295e-31)
-    qo_1_error_bound = 1.192093e-07 * (qo_1_size + 1.9721522630525295e-31)
-    qo_2_error_bound = 1.192093e-07 * (qo_2_size + 1.9721522630525295e-31)
-    qo_3_error_bound = 1.192093e-07 * (qo_3_size + 1.9721522630525295e-31)
-    return (qo_0, qo_1, qo_2, qo_3, qo_0c_error_bound, qo_1_error_bound, qo_2_error_bound,
-        qo_3_error_bound)
+    qo_0c_bound = 1.192093e-07 * (absolute(qo_0a) + absolute(qo_0b) + 1.9721522630525295e-31)
+    qo_1_bound = 1.192093e-07 * (qo_1_size + 1.9721522630525295e-31)
+    qo_2_bound = 1.192093e-07 * (qo_2_size + 1.9721522630525295e-31)
+    qo_3_bound = 1.192093e-07 * (qo_3_size + 1.9721522630525295e-31)
+    return (qo_0, qo_1, qo_2, qo_3, qo_0c_bound, qo_1_bound, qo_2_bound, qo_3_bound)
 
 
 @kernel("(4),(2)->(4),(4)")
@@ -1176,12 +1149,11 @@ def quaternion_product_qconjqzconj(qi, dci):
     qo_3 = qo_3a - qo_3b
     qo_0_size = absolute(qo_0a) + absolute(qo_0b)
     qo_3_size = absolute(qo_3a) + absolute(qo_3b)
-    qo_0_error_bound = 1.192093e-07 * (qo_0_size + 1.9721522630525295e-31)
-    qo_1c_error_bound = 1.192093e-07 * (absolute(qo_1a) + absolute(qo_1b) + 1.9721522630525295e-31)
-    qo_2c_error_bound = 1.192093e-07 * (absolute(qo_2a) + absolute(qo_2b) + 1.9721522630525295e-31)
-    qo_3_error_bound = 1.192093e-07 * (qo_3_size + 1.9721522630525295e-31)
-    return (qo_0, qo_1, qo_2, qo_3, qo_0_error_bound, qo_1c_error_bound, qo_2c_error_bound,
-        qo_3_error_bound)
+    qo_0_bound = 1.192093e-07 * (qo_0_size + 1.9721522630525295e-31)
+    qo_1c_bound = 1.192093e-07 * (absolute(qo_1a) + absolute(qo_1b) + 1.9721522630525295e-31)
+    qo_2c_bound = 1.192093e-07 * (absolute(qo_2a) + absolute(qo_2b) + 1.9721522630525295e-31)
+    qo_3_bound = 1.192093e-07 * (qo_3_size + 1.9721522630525295e-31)
+    return (qo_0, qo_1, qo_2, qo_3, qo_0_bound, qo_1c_bound, qo_2c_bound, qo_3_bound)
 
 
 @kernel("(4),(3)->(4),(4)")
@@ -1213,13 +1185,12 @@ def quaternion_product_qv(qi, vi):
     qo_0_size = absolute(qo_0a) + absolute(qo_0b) + absolute(qo_0d)
     qo_1_size = absolute(qo_1a) + absolute(qo_1b) + absolute(qo_1d)
     qo_2_size = absolute(qo_2a) + absolute(qo_2b) + absolute(qo_2d)
-    qo_0_error_bound = 1.7881396e-07 * (qo_0_size + 1.9721522630525295e-31)
-    qo_1_error_bound = 1.7881396e-07 * (qo_1_size + 1.9721522630525295e-31)
-    qo_2_error_bound = 1.7881396e-07 * (qo_2_size + 1.9721522630525295e-31)
-    qo_3e_padded = absolute(qo_3a) + absolute(qo_3b) + absolute(qo_3d) + 1.9721522630525295e-31
-    qo_3e_error_bound = 1.7881396e-07 * qo_3e_padded
-    return (qo_0, qo_1, qo_2, qo_3, qo_0_error_bound, qo_1_error_bound, qo_2_error_bound,
-        qo_3e_error_bound)
+    qo_0_bound = 1.7881396e-07 * (qo_0_size + 1.9721522630525295e-31)
+    qo_1_bound = 1.7881396e-07 * (qo_1_size + 1.9721522630525295e-31)
+    qo_2_bound = 1.7881396e-07 * (qo_2_size + 1.9721522630525295e-31)
+    qo_3e_bound = (1.7881396e-07
+        * (absolute(qo_3a) + absolute(qo_3b) + absolute(qo_3d) + 1.9721522630525295e-31))
+    return (qo_0, qo_1, qo_2, qo_3, qo_0_bound, qo_1_bound, qo_2_bound, qo_3e_bound)
 
 
 @kernel("(4),(3)->(4),(4)")
@@ -1252,12 +1223,11 @@ def quaternion_product_qconjv(qi, vi):
     qo_1_size = absolute(qo_1a) + absolute(qo_1b) + absolute(qo_1d)
     qo_2_size = absolute(qo_2a) + absolute(qo_2b) + absolute(qo_2d)
     qo_3_size = absolute(qo_3a) + absolute(qo_3b) + absolute(qo_3d)
-    qo_0_error_bound = 1.7881396e-07 * (qo_0_size + 1.9721522630525295e-31)
-    qo_1_error_bound = 1.7881396e-07 * (qo_1_size + 1.9721522630525295e-31)
-    qo_2_error_bound = 1.7881396e-07 * (qo_2_size + 1.9721522630525295e-31)
-    qo_3_error_bound = 1.7881396e-07 * (qo_3_size + 1.9721522630525295e-31)
-    return (qo_0, qo_1, qo_2, qo_3, qo_0_error_bound, qo_1_error_bound, qo_2_error_bound,
-        qo_3_error_bound)
+    qo_0_bound = 1.7881396e-07 * (qo_0_size + 1.9721522630525295e-31)
+    qo_1_bound = 1.7881396e-07 * (qo_1_size + 1.9721522630525295e-31)
+    qo_2_bound = 1.7881396e-07 * (qo_2_size + 1.9721522630525295e-31)
+    qo_3_bound = 1.7881396e-07 * (qo_3_size + 1.9721522630525295e-31)
+    return (qo_0, qo_1, qo_2, qo_3, qo_0_bound, qo_1_bound, qo_2_bound, qo_3_bound)
 
 
 @kernel("(3),(4)->(4),(4)")
@@ -1289,13 +1259,12 @@ def quaternion_product_vq(vi, qi):
     qo_0_size = absolute(qo_0a) + (absolute(qo_0b) + absolute(qo_0c))
     qo_1_size = absolute(qo_1a) + absolute(qo_1b) + absolute(qo_1d)
     qo_2_size = absolute(qo_2a) + absolute(qo_2b) + absolute(qo_2d)
-    qo_0_error_bound = 1.7881396e-07 * (qo_0_size + 1.9721522630525295e-31)
-    qo_1_error_bound = 1.7881396e-07 * (qo_1_size + 1.9721522630525295e-31)
-    qo_2_error_bound = 1.7881396e-07 * (qo_2_size + 1.9721522630525295e-31)
-    qo_3e_padded = absolute(qo_3a) + absolute(qo_3b) + absolute(qo_3d) + 1.9721522630525295e-31
-    qo_3e_error_bound = 1.7881396e-07 * qo_3e_padded
-    return (qo_0, qo_1, qo_2, qo_3, qo_0_error_bound, qo_1_error_bound, qo_2_error_bound,
-        qo_3e_error_bound)
+    qo_0_bound = 1.7881396e-07 * (qo_0_size + 1.9721522630525295e-31)
+    qo_1_bound = 1.7881396e-07 * (qo_1_size + 1.9721522630525295e-31)
+    qo_2_bound = 1.7881396e-07 * (qo_2_size + 1.9721522630525295e-31)
+    qo_3e_bound = (1.7881396e-07
+        * (absolute(qo_3a) + absolute(qo_3b) + absolute(qo_3d) + 1.9721522630525295e-31))
+    return (qo_0, qo_1, qo_2, qo_3, qo_0_bound, qo_1_bound, qo_2_bound, qo_3e_bound)
 
 
 @kernel("(3),(4)->(4),(4)")
@@ -1328,12 +1297,11 @@ def quaternion_product_vqconj(vi, qi):
     qo_1_size = absolute(qo_1a) + absolute(qo_1b) + absolute(qo_1d)
     qo_2_size = absolute(qo_2a) + absolute(qo_2b) + absolute(qo_2d)
     qo_3_size = absolute(qo_3a) + absolute(qo_3b) + absolute(qo_3d)
-    qo_0_error_bound = 1.7881396e-07 * (qo_0_size + 1.9721522630525295e-31)
-    qo_1_error_bound = 1.7881396e-07 * (qo_1_size + 1.9721522630525295e-31)
-    qo_2_error_bound = 1.7881396e-07 * (qo_2_size + 1.9721522630525295e-31)
-    qo_3_error_bound = 1.7881396e-07 * (qo_3_size + 1.9721522630525295e-31)
-    return (qo_0, qo_1, qo_2, qo_3, qo_0_error_bound, qo_1_error_bound, qo_2_error_bound,
-        qo_3_error_bound)
+    qo_0_bound = 1.7881396e-07 * (qo_0_size + 1.9721522630525295e-31)
+    qo_1_bound = 1.7881396e-07 * (qo_1_size + 1.9721522630525295e-31)
+    qo_2_bound = 1.7881396e-07 * (qo_2_size + 1.9721522630525295e-31)
+    qo_3_bound = 1.7881396e-07 * (qo_3_size + 1.9721522630525295e-31)
+    return (qo_0, qo_1, qo_2, qo_3, qo_0_bound, qo_1_bound, qo_2_bound, qo_3_bound)
 
 
 @kernel("(4),(4)->(),()")
@@ -1352,8 +1320,8 @@ def dot_qq(q1i, q2i):
     dot_f = q1i_3 * q2i_3
     dot = dot_a + dot_b + dot_d + dot_f
     dot_size = absolute(dot_a) + absolute(dot_b) + absolute(dot_d) + absolute(dot_f)
-    dot_error_bound = 2.3841864e-07 * (dot_size + 1.9721522630525295e-31)
-    return (dot, dot_error_bound)
+    dot_bound = 2.3841864e-07 * (dot_size + 1.9721522630525295e-31)
+    return (dot, dot_bound)
 
 
 @kernel("(3),(4)->(4),(4)")
@@ -1380,21 +1348,22 @@ def add_dpiToq(dpi, qi):
     qi_1_abs = absolute(qi_1)
     qi_0_new_e_padded = absolute(qi_0_new_e) + 1.9721522630525295e-31
     qi_2_abs = absolute(qi_2)
-    qi_0_new_g_size = qi_0_new_c_padded * qi_1_abs + qi_0_new_e_padded * qi_2_abs
     qi_0_abs = absolute(qi_0)
-    qi_0_new_size = qi_0_new_a_padded * qi_3_abs + qi_0_new_g_size + qi_0_abs
-    qi_1_new_c_size = qi_0_new_a_padded * qi_2_abs + qi_0_new_c_padded * qi_0_abs
-    qi_1_new_size = qi_1_new_c_size + qi_0_new_e_padded * qi_3_abs + qi_1_abs
-    qi_2_new_c_size = qi_0_new_e_padded * qi_0_abs + qi_0_new_a_padded * qi_1_abs
-    qi_2_new_size = qi_2_new_c_size + qi_0_new_c_padded * qi_3_abs + qi_2_abs
-    qi_3_new_c_size = qi_0_new_a_padded * qi_0_abs + qi_0_new_e_padded * qi_1_abs
-    qi_3_new_size = qi_3_abs + (qi_3_new_c_size + qi_0_new_c_padded * qi_2_abs)
-    qi_0_new_error_bound = 2.9802328e-07 * (qi_0_new_size + 1.9721522630525295e-31)
-    qi_1_new_error_bound = 2.9802328e-07 * (qi_1_new_size + 1.9721522630525295e-31)
-    qi_2_new_error_bound = 2.9802328e-07 * (qi_2_new_size + 1.9721522630525295e-31)
-    qi_3_new_error_bound = 2.9802328e-07 * (qi_3_new_size + 1.9721522630525295e-31)
-    return (qi_0_new, qi_1_new, qi_2_new, qi_3_new, qi_0_new_error_bound, qi_1_new_error_bound,
-        qi_2_new_error_bound, qi_3_new_error_bound)
+    qi_0_new_size = (qi_0_new_a_padded * qi_3_abs
+        + (qi_0_new_c_padded * qi_1_abs + qi_0_new_e_padded * qi_2_abs) + qi_0_abs)
+    qi_1_new_size = (qi_0_new_a_padded * qi_2_abs + qi_0_new_c_padded * qi_0_abs
+        + qi_0_new_e_padded * qi_3_abs + qi_1_abs)
+    qi_2_new_size = (qi_0_new_e_padded * qi_0_abs + qi_0_new_a_padded * qi_1_abs
+        + qi_0_new_c_padded * qi_3_abs + qi_2_abs)
+    qi_3_new_size = (qi_3_abs
+        + (qi_0_new_a_padded * qi_0_abs + qi_0_new_e_padded * qi_1_abs + qi_0_new_c_padded
+        * qi_2_abs))
+    qi_0_new_bound = 2.9802328e-07 * (qi_0_new_size + 1.9721522630525295e-31)
+    qi_1_new_bound = 2.9802328e-07 * (qi_1_new_size + 1.9721522630525295e-31)
+    qi_2_new_bound = 2.9802328e-07 * (qi_2_new_size + 1.9721522630525295e-31)
+    qi_3_new_bound = 2.9802328e-07 * (qi_3_new_size + 1.9721522630525295e-31)
+    return (qi_0_new, qi_1_new, qi_2_new, qi_3_new, qi_0_new_bound, qi_1_new_bound, qi_2_new_bound,
+        qi_3_new_bound)
 
 
 @kernel("(3),(4)->(4),(4)")
@@ -1421,21 +1390,21 @@ def subtract_dpiFromq(dpi, qi):
     qi_1_abs = absolute(qi_1)
     qi_0_new_f_padded = absolute(qi_0_new_f) + 1.9721522630525295e-31
     qi_3_abs = absolute(qi_3)
-    qi_0_new_e_size = qi_0_new_a_padded * qi_2_abs + qi_0_new_c_padded * qi_1_abs
     qi_0_abs = absolute(qi_0)
-    qi_0_new_size = qi_0_new_e_size + qi_0_new_f_padded * qi_3_abs + qi_0_abs
-    qi_1_new_c_size = qi_0_new_c_padded * qi_0_abs + qi_0_new_f_padded * qi_2_abs
-    qi_1_new_size = qi_1_new_c_size + qi_0_new_a_padded * qi_3_abs + qi_1_abs
-    qi_2_new_c_size = qi_0_new_f_padded * qi_1_abs + qi_0_new_a_padded * qi_0_abs
-    qi_2_new_size = qi_2_new_c_size + qi_0_new_c_padded * qi_3_abs + qi_2_abs
-    qi_3_new_c_size = qi_0_new_f_padded * qi_0_abs + qi_0_new_a_padded * qi_1_abs
-    qi_3_new_size = qi_3_new_c_size + qi_0_new_c_padded * qi_2_abs + qi_3_abs
-    qi_0_new_error_bound = 2.9802328e-07 * (qi_0_new_size + 1.9721522630525295e-31)
-    qi_1_new_error_bound = 2.9802328e-07 * (qi_1_new_size + 1.9721522630525295e-31)
-    qi_2_new_error_bound = 2.9802328e-07 * (qi_2_new_size + 1.9721522630525295e-31)
-    qi_3_new_error_bound = 2.9802328e-07 * (qi_3_new_size + 1.9721522630525295e-31)
-    return (qi_0_new, qi_1_new, qi_2_new, qi_3_new, qi_0_new_error_bound, qi_1_new_error_bound,
-        qi_2_new_error_bound, qi_3_new_error_bound)
+    qi_0_new_size = (qi_0_new_a_padded * qi_2_abs + qi_0_new_c_padded * qi_1_abs
+        + qi_0_new_f_padded * qi_3_abs + qi_0_abs)
+    qi_1_new_size = (qi_0_new_c_padded * qi_0_abs + qi_0_new_f_padded * qi_2_abs
+        + qi_0_new_a_padded * qi_3_abs + qi_1_abs)
+    qi_2_new_size = (qi_0_new_f_padded * qi_1_abs + qi_0_new_a_padded * qi_0_abs
+        + qi_0_new_c_padded * qi_3_abs + qi_2_abs)
+    qi_3_new_size = (qi_0_new_f_padded * qi_0_abs + qi_0_new_a_padded * qi_1_abs
+        + qi_0_new_c_padded * qi_2_abs + qi_3_abs)
+    qi_0_new_bound = 2.9802328e-07 * (qi_0_new_size + 1.9721522630525295e-31)
+    qi_1_new_bound = 2.9802328e-07 * (qi_1_new_size + 1.9721522630525295e-31)
+    qi_2_new_bound = 2.9802328e-07 * (qi_2_new_size + 1.9721522630525295e-31)
+    qi_3_new_bound = 2.9802328e-07 * (qi_3_new_size + 1.9721522630525295e-31)
+    return (qi_0_new, qi_1_new, qi_2_new, qi_3_new, qi_0_new_bound, qi_1_new_bound, qi_2_new_bound,
+        qi_3_new_bound)
 
 
 @kernel("(3),(4)->(4),(4)")
@@ -1468,23 +1437,22 @@ def omega_to_dquaternion(w, qi):
     qi_2_abs = absolute(qi_2)
     dqo_0e_padded = absolute(dqo_0e) + 1.9721522630525295e-31
     qi_1_abs = absolute(qi_1)
-    dqo_0p_size = 1 + absolute(dqo_0i) + absolute(dqo_0k) + absolute(dqo_0m) + absolute(dqo_0o)
-    dqo_0p_padded = dqo_0p_size + 1.9721522630525295e-31
+    dqo_0p_padded = (1 + absolute(dqo_0i) + absolute(dqo_0k) + absolute(dqo_0m) + absolute(dqo_0o)
+        + 1.9721522630525295e-31)
     qi_0_abs = absolute(qi_0)
-    dqo_0h_size = dqo_0a_padded * qi_3_abs + (dqo_0c_padded * qi_2_abs + dqo_0e_padded * qi_1_abs)
-    dqo_0_size = dqo_0h_size + qi_0_abs * dqo_0p_padded
-    dqo_1e_size = dqo_0e_padded * qi_0_abs + dqo_0a_padded * qi_2_abs + dqo_0c_padded * qi_3_abs
-    dqo_1_size = dqo_1e_size + qi_1_abs * dqo_0p_padded
-    dqo_2e_size = dqo_0a_padded * qi_1_abs + dqo_0c_padded * qi_0_abs + dqo_0e_padded * qi_3_abs
-    dqo_2_size = dqo_2e_size + qi_2_abs * dqo_0p_padded
-    dqo_3f_size = dqo_0a_padded * qi_0_abs + dqo_0c_padded * qi_1_abs + dqo_0e_padded * qi_2_abs
-    dqo_3_size = qi_3_abs * dqo_0p_padded + dqo_3f_size
-    dqo_0_error_bound = 4.1723263e-07 * (dqo_0_size + 1.9721522630525295e-31)
-    dqo_1_error_bound = 4.1723263e-07 * (dqo_1_size + 1.9721522630525295e-31)
-    dqo_2_error_bound = 4.1723263e-07 * (dqo_2_size + 1.9721522630525295e-31)
-    dqo_3_error_bound = 4.1723263e-07 * (dqo_3_size + 1.9721522630525295e-31)
-    return (dqo_0, dqo_1, dqo_2, dqo_3, dqo_0_error_bound, dqo_1_error_bound, dqo_2_error_bound,
-        dqo_3_error_bound)
+    dqo_0_size = (dqo_0a_padded * qi_3_abs + (dqo_0c_padded * qi_2_abs + dqo_0e_padded * qi_1_abs)
+        + qi_0_abs * dqo_0p_padded)
+    dqo_1_size = (dqo_0e_padded * qi_0_abs + dqo_0a_padded * qi_2_abs + dqo_0c_padded * qi_3_abs
+        + qi_1_abs * dqo_0p_padded)
+    dqo_2_size = (dqo_0a_padded * qi_1_abs + dqo_0c_padded * qi_0_abs + dqo_0e_padded * qi_3_abs
+        + qi_2_abs * dqo_0p_padded)
+    dqo_3_size = (qi_3_abs * dqo_0p_padded
+        + (dqo_0a_padded * qi_0_abs + dqo_0c_padded * qi_1_abs + dqo_0e_padded * qi_2_abs))
+    dqo_0_bound = 4.1723263e-07 * (dqo_0_size + 1.9721522630525295e-31)
+    dqo_1_bound = 4.1723263e-07 * (dqo_1_size + 1.9721522630525295e-31)
+    dqo_2_bound = 4.1723263e-07 * (dqo_2_size + 1.9721522630525295e-31)
+    dqo_3_bound = 4.1723263e-07 * (dqo_3_size + 1.9721522630525295e-31)
+    return (dqo_0, dqo_1, dqo_2, dqo_3, dqo_0_bound, dqo_1_bound, dqo_2_bound, dqo_3_bound)
 
 
 @kernel("(3),()->(4),(4)")
@@ -1535,93 +1503,97 @@ def axis_angle_from_quaternion(q):
     s_largest1 = where(s_size_0 < s_size_1, s_size_1, s_size_0)
     s_largest2 = where(s_largest1 < s_size_2, s_size_2, s_largest1)
     s_largest3 = where(s_largest2 < s_size_3, s_size_3, s_largest2)
-    s_b = where(4.611686018427388e+18 < s_largest3, float32(2.710505431213761e-20), float32(1))
-    s_d = where(s_largest3 < 256, 1.8014398509481984e+16, s_b)
+    s_d = (where(s_largest3
+        < 256, 1.8014398509481984e+16, where(4.611686018427388e+18
+        < s_largest3, float32(2.710505431213761e-20), float32(1))))
     s = where(s_largest3 < 1.4210854715202004e-14, 3.2451855365842673e+32, s_d)
     scaled_s_0 = q_0 * s
     scaled_s_inverse_1 = 1 / s
-    scaled_s_size_2 = q_0 == scaled_s_0 * scaled_s_inverse_1
     scaled_s_size_4 = absolute(scaled_s_0)
     scaled_s_1 = q_1 * s
-    scaled_s_size_6 = q_1 == scaled_s_1 * scaled_s_inverse_1
     scaled_s_size_8 = absolute(scaled_s_1)
     scaled_s_2 = q_2 * s
-    scaled_s_size_10 = q_2 == scaled_s_2 * scaled_s_inverse_1
     scaled_s_size_12 = absolute(scaled_s_2)
     scaled_s_3 = q_3 * s
-    scaled_s_size_14 = q_3 == scaled_s_3 * scaled_s_inverse_1
-    scaled_s_size_15 = where(scaled_s_size_14, float32(0), float32(1.401298464324817e-45))
+    scaled_s_size_15 = (where(q_3 == scaled_s_3
+        * scaled_s_inverse_1, float32(0), float32(1.401298464324817e-45)))
     scaled_s_size_16 = absolute(scaled_s_3)
     upper_0a = -scaled_s_0
     upper_0b = scaled_s_3 < 0
     upper_0 = where(upper_0b, upper_0a, scaled_s_0)
     upper_size_4 = scaled_s_size_15 < 1.401298464324817e-45 + absolute(scaled_s_3 - 0)
-    upper_rest_1 = 3.197449e-14 * (3.308722450212111e-24 + scaled_s_size_4)
-    scaled_s_size_3 = where(scaled_s_size_2, float32(0), float32(1.401298464324817e-45))
-    upper_size_8 = scaled_s_size_3 + (upper_rest_1 + absolute(upper_0a - scaled_s_0))
+    upper_size_7 = (3.197449e-14 * (3.308722450212111e-24 + scaled_s_size_4)
+        + absolute(upper_0a - scaled_s_0))
+    upper_size_9 = (where(upper_size_4, 0, where(q_0 == scaled_s_0
+        * scaled_s_inverse_1, float32(0), float32(1.401298464324817e-45)) + upper_size_7))
     upper_1a = -scaled_s_1
     upper_1 = where(upper_0b, upper_1a, scaled_s_1)
-    upper_rest_2 = 3.197449e-14 * (3.308722450212111e-24 + scaled_s_size_8)
-    scaled_s_size_7 = where(scaled_s_size_6, float32(0), float32(1.401298464324817e-45))
-    upper_size_15 = scaled_s_size_7 + (upper_rest_2 + absolute(upper_1a - scaled_s_1))
+    upper_size_14 = (3.197449e-14 * (3.308722450212111e-24 + scaled_s_size_8)
+        + absolute(upper_1a - scaled_s_1))
+    upper_size_16 = (where(upper_size_4, 0, where(q_1 == scaled_s_1
+        * scaled_s_inverse_1, float32(0), float32(1.401298464324817e-45)) + upper_size_14))
     upper_2a = -scaled_s_2
     upper_2 = where(upper_0b, upper_2a, scaled_s_2)
-    upper_rest_3 = 3.197449e-14 * (3.308722450212111e-24 + scaled_s_size_12)
-    scaled_s_size_11 = where(scaled_s_size_10, float32(0), float32(1.401298464324817e-45))
-    upper_size_22 = scaled_s_size_11 + (upper_rest_3 + absolute(upper_2a - scaled_s_2))
+    upper_size_21 = (3.197449e-14 * (3.308722450212111e-24 + scaled_s_size_12)
+        + absolute(upper_2a - scaled_s_2))
+    upper_size_23 = (where(upper_size_4, 0, where(q_2 == scaled_s_2
+        * scaled_s_inverse_1, float32(0), float32(1.401298464324817e-45)) + upper_size_21))
     upper_3a = -scaled_s_3
     upper_3 = where(upper_0b, upper_3a, scaled_s_3)
-    upper_rest_4 = 3.197449e-14 * (3.308722450212111e-24 + scaled_s_size_16)
-    upper_size_29 = scaled_s_size_15 + (upper_rest_4 + absolute(upper_3a - scaled_s_3))
+    upper_size_29 = (scaled_s_size_15
+        + (3.197449e-14 * (3.308722450212111e-24 + scaled_s_size_16)
+        + absolute(upper_3a - scaled_s_3)))
     v_s_size_0 = absolute(upper_0)
-    upper_size_11 = scaled_s_size_4 + 1099513724928 * where(upper_size_4, 0, upper_size_8)
     v_s_size_1 = absolute(upper_1)
-    upper_size_18 = scaled_s_size_8 + 1099513724928 * where(upper_size_4, 0, upper_size_15)
     v_s_size_2 = absolute(upper_2)
-    upper_size_25 = scaled_s_size_12 + 1099513724928 * where(upper_size_4, 0, upper_size_22)
     v_s_largest1 = where(v_s_size_0 < v_s_size_1, v_s_size_1, v_s_size_0)
     v_s_largest2 = where(v_s_largest1 < v_s_size_2, v_s_size_2, v_s_largest1)
     v_s_a = v_s_largest2 < 256
     v_s_c = v_s_largest2 < 1.4210854715202004e-14
-    v_s_b = where(v_s_a, float32(1.8014398509481984e+16), float32(1))
-    v_s = where(v_s_c, 3.2451855365842673e+32, v_s_b)
-    v_s_b_size_1 = where(v_s_a, float32(1.8014398509481984e+16), float32(1))
-    v_s_size_3 = where(v_s_c, 3.2451855365842673e+32, v_s_b_size_1)
+    v_s = where(v_s_c, 3.2451855365842673e+32, where(v_s_a, float32(1.8014398509481984e+16),
+        float32(1)))
+    v_s_size_3 = where(v_s_c, 3.2451855365842673e+32, where(v_s_a, float32(1.8014398509481984e+16),
+        float32(1)))
     v_y_0 = upper_0 * v_s
     v_y_1 = upper_1 * v_s
     v_y_2 = upper_2 * v_s
     v_n_a = v_y_0 * v_y_0
-    v_n_a_padded_1 = 3.308722450212111e-24 + v_s_size_3 * (3.308722450212111e-24 + upper_size_11)
+    v_n_a_padded_1 = (3.308722450212111e-24 + v_s_size_3
+        * (3.308722450212111e-24 + (scaled_s_size_4 + 1099513724928 * upper_size_9)))
     v_n_a_size_2 = v_n_a_padded_1 * (absolute(v_y_0) + 262144 * (9.841079e-13 * v_n_a_padded_1))
     v_n_b = v_y_1 * v_y_1
-    v_n_b_padded_1 = 3.308722450212111e-24 + v_s_size_3 * (3.308722450212111e-24 + upper_size_18)
+    v_n_b_padded_1 = (3.308722450212111e-24 + v_s_size_3
+        * (3.308722450212111e-24 + (scaled_s_size_8 + 1099513724928 * upper_size_16)))
     v_n_b_size_2 = v_n_b_padded_1 * (absolute(v_y_1) + 262144 * (9.841079e-13 * v_n_b_padded_1))
     v_n_c = v_n_a + v_n_b
     v_n_c_right_1 = v_n_c - v_n_a
-    v_n_c_left_rest_1 = product_rest(v_y_0, v_y_0, v_n_a, v_n_c - v_n_c_right_1)
     v_n_d = v_y_2 * v_y_2
-    v_n_d_padded_1 = 3.308722450212111e-24 + v_s_size_3 * (3.308722450212111e-24 + upper_size_25)
+    v_n_d_padded_1 = (3.308722450212111e-24 + v_s_size_3
+        * (3.308722450212111e-24 + (scaled_s_size_12 + 1099513724928 * upper_size_23)))
     v_n_d_size_2 = v_n_d_padded_1 * (absolute(v_y_2) + 262144 * (9.841079e-13 * v_n_d_padded_1))
     v_n_e = v_n_c + v_n_d
     v_n_e_right_1 = v_n_e - v_n_c
-    v_n_e_lo1_1 = v_n_c - (v_n_e - v_n_e_right_1) + product_rest(v_y_2, v_y_2, v_n_d, v_n_e_right_1)
-    v_n_e_lo = v_n_e_lo1_1 + (v_n_c_left_rest_1 + product_rest(v_y_1, v_y_1, v_n_b, v_n_c_right_1))
-    v_n_c_size_1 = v_n_a_size_2 + v_n_a_size_2 + (v_n_b_size_2 + v_n_b_size_2)
+    v_n_c_lo = (product_rest(v_y_0, v_y_0, v_n_a, v_n_c - v_n_c_right_1)
+        + product_rest(v_y_1, v_y_1, v_n_b, v_n_c_right_1))
+    v_n_e_lo = (v_n_c - (v_n_e - v_n_e_right_1) + product_rest(v_y_2, v_y_2, v_n_d, v_n_e_right_1)
+        + v_n_c_lo)
     v_n = sqrt(v_n_e)
     v_n_product_1 = v_n * v_n
-    v_n_residual_1 = v_n_e - v_n_product_1 - product_error(v_n, v_n, v_n_product_1) + v_n_e_lo
-    v_n_lo = v_n_residual_1 / where(v_n == 0, 1, v_n + v_n)
-    v_n_padded_1 = 3.308722450212111e-24 + (v_n_c_size_1 + (v_n_d_size_2 + v_n_d_size_2))
+    v_n_lo = ((v_n_e - v_n_product_1 - product_error(v_n, v_n, v_n_product_1) + v_n_e_lo)
+        / where(v_n == 0, 1, v_n + v_n))
+    v_n_padded_1 = (3.308722450212111e-24
+        + (v_n_a_size_2 + v_n_a_size_2 + (v_n_b_size_2 + v_n_b_size_2)
+        + (v_n_d_size_2 + v_n_d_size_2)))
     v_n_bound_1 = absolute(v_n_e_lo) + 2.0854824e-12 * v_n_padded_1
     v_n_size_6 = absolute(v_n_lo)
     v_n_size_4 = (absolute(v_n_e) + 262144 * v_n_bound_1) * (v_n_padded_1 / v_n / v_n_e)
-    v_n_size_8 = 554074177536 * (sqrt(v_n_bound_1) + v_n_size_6)
-    v_n_size_12 = v_n + where(4 * v_n_bound_1 < v_n_e, v_n_size_4, v_n_size_8)
+    v_n_size_12 = (v_n
+        + where(4 * v_n_bound_1 < v_n_e, v_n_size_4, 554074177536
+        * (sqrt(v_n_bound_1) + v_n_size_6)))
     v_r_a = 1 < v_s
     v_r_c = 1.8014398509481984e+16 < v_s
-    v_r_b = where(v_r_a, float32(5.551115123125783e-17), float32(1))
-    v_r = where(v_r_c, 3.0814879110195774e-33, v_r_b)
-    v_r_b_size_1 = where(v_r_a, float32(5.551115123125783e-17), float32(1))
+    v_r = where(v_r_c, 3.0814879110195774e-33, where(v_r_a, float32(5.551115123125783e-17),
+        float32(1)))
     n = v_n * v_r
     n_lo = (v_n - n * (1 / v_r) + v_n_lo) * v_r
     n_padded_1 = 3.308722450212111e-24 + v_n_size_12
@@ -1633,13 +1605,15 @@ def axis_angle_from_quaternion(q):
     half_divisor_1 = where(half_zero_1, 1, half_most_1)
     half_part0_1 = n / half_divisor_1
     half_part1_1 = upper_3 / half_divisor_1
-    half_divisor2_1 = half_divisor_1 * (half_part1_1 * half_part1_1 + half_part0_1 * half_part0_1)
-    half_more_1 = (half_part1_1 * n_lo - half_part0_1 * 0) / where(half_zero_1, 1, half_divisor2_1)
-    half_lo = elementary.atan2_error(n, upper_3, half) + half_more_1
-    n_size_1 = n_padded_1 * where(v_r_c, 3.0814879110195774e-33, v_r_b_size_1)
-    half_padded_1 = 3.308722450212111e-24 + n_size_1
-    upper_size_32 = scaled_s_size_16 + 1099513724928 * where(upper_size_4, 0, upper_size_29)
-    half_padded_2 = 3.308722450212111e-24 + upper_size_32
+    half_safe_1 = (where(half_zero_1, 1, half_divisor_1
+        * (half_part1_1 * half_part1_1 + half_part0_1 * half_part0_1)))
+    half_lo = (elementary.atan2_error(n, upper_3, half) + (half_part1_1 * n_lo - half_part0_1 * 0)
+        / half_safe_1)
+    half_padded_1 = (3.308722450212111e-24 + n_padded_1
+        * where(v_r_c, 3.0814879110195774e-33, where(v_r_a, float32(5.551115123125783e-17),
+            float32(1))))
+    half_padded_2 = (3.308722450212111e-24
+        + (scaled_s_size_16 + 1099513724928 * where(upper_size_4, 0, upper_size_29)))
     half_size_2 = absolute(n)
     half_size_3 = absolute(upper_3)
     half_size_5 = where(half_size_2 < half_size_3, half_size_3, half_size_2)
@@ -1648,50 +1622,55 @@ def axis_angle_from_quaternion(q):
     half_size_11 = (half_rest_2 + (3.308722450212111e-24 + half_bound_1)) / half_size_5
     half_size_13 = half_size_11 * half_size_11
     half_size_15 = 7 + absolute(half_lo)
-    half_size_18 = where(half_rest_2 < upper_3, half_size_13, half_size_15)
-    half_size_19 = where(half_bound_1 < half_size_2, half_size_13, half_size_18)
-    half_size_21 = 169153347584 * where(half_size_11 < 0.25, half_size_19, half_size_15)
+    half_size_19 = (where(half_bound_1
+        < half_size_2, half_size_13, where(half_rest_2 < upper_3, half_size_13, half_size_15)))
     divisor_a = v_n == 0
     divisor = where(divisor_a, 1, v_n)
     divisor_lo = where(divisor_a, 0, v_n_lo)
     divisor_bound_1 = 1.9042977e-12 * n_padded_1 + v_n_size_6
     divisor_size_4 = divisor_bound_1 < absolute(v_n - 0)
-    divisor_size_9 = 314141605888 * where(divisor_size_4, 0, divisor_bound_1 + absolute(1 - v_n))
     unit_0 = v_y_0 / divisor
     unit_product_1 = unit_0 * divisor
-    unit_exact_1 = v_y_0 - unit_product_1 - product_error(unit_0, divisor, unit_product_1)
-    unit_lo_1 = (unit_exact_1 - unit_0 * divisor_lo) / divisor
-    unit_padded_1 = 3.308722450212111e-24 + (where(divisor_a, 1, v_n_size_12) + divisor_size_9)
+    unit_lo_1 = ((v_y_0 - unit_product_1 - product_error(unit_0, divisor, unit_product_1) - unit_0
+        * divisor_lo) / divisor)
+    divisor_size_10 = (where(divisor_a, 1, v_n_size_12) + 314141605888
+        * where(divisor_size_4, 0, divisor_bound_1 + absolute(1 - v_n)))
+    unit_padded_1 = 3.308722450212111e-24 + divisor_size_10
     unit_size_1 = absolute(unit_0)
     unit_size_2 = absolute(divisor)
     unit_bound_1 = absolute(divisor_lo) + 3.2827692e-12 * unit_padded_1
     unit_size_7 = where(4 * unit_bound_1 < unit_size_2, unit_size_2, 0)
     unit_reach_1 = unit_size_2 + 262144 * unit_bound_1
-    unit_size_9 = unit_reach_1 * ((unit_padded_1 * unit_size_1 + v_n_a_padded_1) / unit_size_7)
-    unit_size_11 = unit_size_1 + unit_size_9 / unit_size_2
+    unit_size_11 = (unit_size_1 + unit_reach_1
+        * ((unit_padded_1 * unit_size_1 + v_n_a_padded_1) / unit_size_7) / unit_size_2)
     unit_1 = v_y_1 / divisor
     unit_product_2 = unit_1 * divisor
-    unit_exact_2 = v_y_1 - unit_product_2 - product_error(unit_1, divisor, unit_product_2)
     unit_size_12 = absolute(unit_1)
-    unit_size_16 = unit_reach_1 * ((unit_padded_1 * unit_size_12 + v_n_b_padded_1) / unit_size_7)
     unit_2 = v_y_2 / divisor
     unit_product_3 = unit_2 * divisor
-    unit_exact_3 = v_y_2 - unit_product_3 - product_error(unit_2, divisor, unit_product_3)
     unit_size_19 = absolute(unit_2)
-    unit_size_23 = unit_reach_1 * ((unit_padded_1 * unit_size_19 + v_n_d_padded_1) / unit_size_7)
     angle = 2 * half
-    half_size_22 = absolute(half) + (half_padded_1 + half_padded_2) / half_size_5 + half_size_21
+    half_size_22 = (absolute(half) + (half_padded_1 + half_padded_2) / half_size_5 + 169153347584
+        * where(half_size_11 < 0.25, half_size_19, half_size_15))
     axis_0 = where(divisor_a, 1, unit_0)
-    axis_bound_1 = absolute(unit_lo_1) + 4.7394384e-12 * (3.308722450212111e-24 + unit_size_11)
-    axis_size_6 = 216848252928 * where(divisor_size_4, 0, axis_bound_1 + absolute(1 - unit_0))
-    angle_rest_1 = 6.2013957e-12 * (3.308722450212111e-24 + 2 * half_size_22)
-    axis_padded_2 = 3.308722450212111e-24 + (where(divisor_a, 1, unit_size_11) + axis_size_6)
-    unit_padded_2 = 3.308722450212111e-24 + (unit_size_12 + unit_size_16 / unit_size_2)
-    unit_error_2 = absolute((unit_exact_2 - unit_1 * divisor_lo) / divisor)
-    unit_padded_3 = 3.308722450212111e-24 + (unit_size_19 + unit_size_23 / unit_size_2)
-    unit_error_3 = absolute((unit_exact_3 - unit_2 * divisor_lo) / divisor)
-    angle_bound_1 = absolute(2 * half_lo) + angle_rest_1
-    axis_bound_2 = absolute(where(divisor_a, 0, unit_lo_1)) + 4.7394397e-12 * axis_padded_2
+    axis_size_5 = (where(divisor_size_4, 0, absolute(unit_lo_1) + 4.7394384e-12
+        * (3.308722450212111e-24 + unit_size_11) + absolute(1 - unit_0)))
+    axis_rest_2 = (4.7394397e-12
+        * (3.308722450212111e-24
+        + (where(divisor_a, 1, unit_size_11) + 216848252928 * axis_size_5)))
+    unit_padded_2 = (3.308722450212111e-24
+        + (unit_size_12 + unit_reach_1
+        * ((unit_padded_1 * unit_size_12 + v_n_b_padded_1) / unit_size_7) / unit_size_2))
+    unit_error_2 = (absolute((v_y_1 - unit_product_2
+        - product_error(unit_1, divisor, unit_product_2) - unit_1 * divisor_lo) / divisor))
+    unit_padded_3 = (3.308722450212111e-24
+        + (unit_size_19 + unit_reach_1
+        * ((unit_padded_1 * unit_size_19 + v_n_d_padded_1) / unit_size_7) / unit_size_2))
+    unit_error_3 = (absolute((v_y_2 - unit_product_3
+        - product_error(unit_2, divisor, unit_product_3) - unit_2 * divisor_lo) / divisor))
+    angle_bound_1 = (absolute(2 * half_lo) + 6.2013957e-12
+        * (3.308722450212111e-24 + 2 * half_size_22))
+    axis_bound_2 = absolute(where(divisor_a, 0, unit_lo_1)) + axis_rest_2
     unit_bound_2 = unit_error_2 + 4.7394384e-12 * unit_padded_2
     unit_bound_3 = unit_error_3 + 4.7394384e-12 * unit_padded_3
     return (angle, axis_0, unit_1, unit_2, angle_bound_1, axis_bound_2, unit_bound_2, unit_bound_3)
@@ -1748,14 +1727,22 @@ def quaternion_exp(v):
     sine = delta * far_cosine + far_sine
     cosine = far_cosine - delta * far_sine
     far_k = sine / theta
-    k_g = x * (x * (x * (6.4469503e-26 * x - 3.8681703e-23) + 1.9572942e-20) - 8.220635e-18)
-    k_n = x * (x * (x * (k_g + 2.8114574e-15) - 7.6471636e-13) + 1.6059044e-10) - 2.5052108e-08
-    k_w = x * (x * (x * (x * (x * k_n + 2.7557319e-06) - 0.0001984127) + 0.008333334) - 0.16666667)
-    k = where(theta_b, k_w + 1, far_k)
-    g2g = x * (x * (x * (2.4795963e-27 * x - 1.6117376e-24) + 8.896791e-22) - 4.1103176e-19)
-    g2n = x * (x * (x * (g2g + 1.5619207e-16) - 4.7794773e-14) + 1.1470745e-11) - 2.0876756e-09
-    g2v = x * (x * (x * (x * g2n + 2.755732e-07) - 2.4801588e-05) + 0.0013888889) - 0.041666668
-    g2 = x * g2v + 0.5
+    k_l = (x
+        * (x
+        * (x * (x * (x * (6.4469503e-26 * x - 3.8681703e-23) + 1.9572942e-20) - 8.220635e-18)
+        + 2.8114574e-15) - 7.6471636e-13) + 1.6059044e-10)
+    k = (where(theta_b, x
+        * (x
+        * (x * (x * (x * (x * k_l - 2.5052108e-08) + 2.7557319e-06) - 0.0001984127) + 0.008333334)
+        - 0.16666667) + 1, far_k))
+    g2l = (x
+        * (x
+        * (x * (x * (x * (2.4795963e-27 * x - 1.6117376e-24) + 8.896791e-22) - 4.1103176e-19)
+        + 1.5619207e-16) - 4.7794773e-14) + 1.1470745e-11)
+    g2 = (x
+        * (x
+        * (x * (x * (x * (x * g2l - 2.0876756e-09) + 2.755732e-07) - 2.4801588e-05) + 0.0013888889)
+        - 0.041666668) + 0.5)
     near = 1 - x * g2
     qo_0 = h_0 * k
     qo_1 = h_1 * k
@@ -1764,160 +1751,147 @@ def quaternion_exp(v):
     fine_h_0 = 0.5 * v_0
     fine_h_1 = 0.5 * v_1
     fine_h_2 = 0.5 * v_2
-    fine_h_size_0 = absolute(fine_h_0)
-    fine_h_size_padded_1 = 3.308722450212111e-24 + 0.5 * absolute(v_0)
-    fine_h_size_1 = absolute(fine_h_1)
-    fine_h_size_padded_2 = 3.308722450212111e-24 + 0.5 * absolute(v_1)
-    fine_h_size_2 = absolute(fine_h_2)
-    fine_h_size_padded_3 = 3.308722450212111e-24 + 0.5 * absolute(v_2)
-    fine_h_largest1 = where(fine_h_size_0 < fine_h_size_1, fine_h_size_1, fine_h_size_0)
-    fine_h_largest2 = where(fine_h_largest1 < fine_h_size_2, fine_h_size_2, fine_h_largest1)
-    fine_s_a = 4.611686018427388e+18 < fine_h_largest2
-    fine_s = where(fine_s_a, float32(2.710505431213761e-20), float32(1))
-    fine_s_size_1 = where(fine_s_a, float32(2.710505431213761e-20), float32(1))
-    fine_reduced_0 = fine_h_0 * fine_s
-    fine_reduced_1 = fine_h_1 * fine_s
-    fine_reduced_2 = fine_h_2 * fine_s
-    fine_up_a = fine_s < 1
-    fine_up = where(fine_up_a, float32(3.6893488147419103e+19), float32(1))
-    fine_reduced_length_a = fine_reduced_0 * fine_reduced_0
-    fine_reduced_length_a_padded_1 = 3.308722450212111e-24 + fine_h_size_padded_1 * fine_s_size_1
-    fine_reduced_length_b = fine_reduced_1 * fine_reduced_1
-    fine_reduced_length_b_padded_1 = 3.308722450212111e-24 + fine_h_size_padded_2 * fine_s_size_1
-    fine_reduced_length_c = fine_reduced_length_a + fine_reduced_length_b
-    fine_reduced_length_c_right_1 = fine_reduced_length_c - fine_reduced_length_a
-    fine_reduced_length_c_left_1 = fine_reduced_length_c - fine_reduced_length_c_right_1
-    fine_reduced_length_c_right_rest_1 = product_rest(fine_reduced_1, fine_reduced_1, fine_reduced_length_b, fine_reduced_length_c_right_1)
-    fine_reduced_length_c_left_rest_1 = product_rest(fine_reduced_0, fine_reduced_0, fine_reduced_length_a, fine_reduced_length_c_left_1)
-    fine_reduced_length_a_size_1 = fine_reduced_length_a_padded_1 * fine_reduced_length_a_padded_1
-    fine_reduced_length_b_size_1 = fine_reduced_length_b_padded_1 * fine_reduced_length_b_padded_1
-    fine_reduced_length_d = fine_reduced_2 * fine_reduced_2
-    fine_reduced_length_d_padded_1 = 3.308722450212111e-24 + fine_h_size_padded_3 * fine_s_size_1
-    fine_reduced_length_e = fine_reduced_length_c + fine_reduced_length_d
-    fine_reduced_length_e_right_1 = fine_reduced_length_e - fine_reduced_length_c
-    fine_reduced_length_e_left_1 = fine_reduced_length_e - fine_reduced_length_e_right_1
-    fine_reduced_length_e_right_rest_1 = product_rest(fine_reduced_2, fine_reduced_2, fine_reduced_length_d, fine_reduced_length_e_right_1)
-    fine_reduced_length_e_left_rest_1 = fine_reduced_length_c - fine_reduced_length_e_left_1
-    fine_reduced_length_e_lo1_1 = fine_reduced_length_e_left_rest_1 + fine_reduced_length_e_right_rest_1
-    fine_reduced_length_c_lo = fine_reduced_length_c_left_rest_1 + fine_reduced_length_c_right_rest_1
-    fine_reduced_length_e_lo = fine_reduced_length_e_lo1_1 + fine_reduced_length_c_lo
-    fine_reduced_length_d_size_1 = fine_reduced_length_d_padded_1 * fine_reduced_length_d_padded_1
-    fine_reduced_length_c_size_1 = fine_reduced_length_a_size_1 + fine_reduced_length_b_size_1
-    fine_reduced_length = sqrt(fine_reduced_length_e)
-    fine_reduced_length_product_1 = fine_reduced_length * fine_reduced_length
-    fine_reduced_length_product_error_1 = product_error(fine_reduced_length, fine_reduced_length, fine_reduced_length_product_1)
-    fine_reduced_length_rest_1 = fine_reduced_length_e - fine_reduced_length_product_1
-    fine_reduced_length_exact_1 = fine_reduced_length_rest_1 - fine_reduced_length_product_error_1
-    fine_reduced_length_twice_1 = fine_reduced_length + fine_reduced_length
-    fine_reduced_length_divisor_1 = where(fine_reduced_length == 0, 1, fine_reduced_length_twice_1)
-    fine_reduced_length_residual_1 = fine_reduced_length_exact_1 + fine_reduced_length_e_lo
-    fine_reduced_length_lo = fine_reduced_length_residual_1 / fine_reduced_length_divisor_1
-    fine_reduced_length_e_size_1 = fine_reduced_length_c_size_1 + fine_reduced_length_d_size_1
-    fine_reduced_length_padded_1 = 3.308722450212111e-24 + fine_reduced_length_e_size_1
-    fine_reduced_length_size_1 = fine_reduced_length_padded_1 / fine_reduced_length
-    fine_reduced_length_rest_2 = 9.308236e-13 * fine_reduced_length_padded_1
-    fine_reduced_length_bound_1 = absolute(fine_reduced_length_e_lo) + fine_reduced_length_rest_2
-    fine_reduced_length_units_1 = 262144 * fine_reduced_length_bound_1
-    fine_reduced_length_reach_1 = absolute(fine_reduced_length_e) + fine_reduced_length_units_1
-    fine_reduced_length_size_2 = fine_reduced_length_size_1 / fine_reduced_length_e
-    fine_reduced_length_size_5 = sqrt(fine_reduced_length_bound_1)
-    fine_reduced_length_size_7 = fine_reduced_length_size_5 + absolute(fine_reduced_length_lo)
-    fine_reduced_length_size_4 = fine_reduced_length_reach_1 * fine_reduced_length_size_2
-    fine_reduced_length_size_10 = 4 * fine_reduced_length_bound_1 < fine_reduced_length_e
-    fine_reduced_length_size_8 = 695847616512 * fine_reduced_length_size_7
-    fine_reduced_length_size_11 = where(fine_reduced_length_size_10, fine_reduced_length_size_4, fine_reduced_length_size_8)
-    fine_half_angle = fine_reduced_length * fine_up
-    fine_half_angle_lost_1 = fine_reduced_length - fine_half_angle * (1 / fine_up)
-    fine_half_angle_lo = (fine_half_angle_lost_1 + fine_reduced_length_lo) * fine_up
-    fine_reduced_length_size_12 = fine_reduced_length + fine_reduced_length_size_11
-    fine_up_size_1 = where(fine_up_a, float32(3.6893488147419103e+19), float32(1))
-    fine_half_angle_size_1 = (3.308722450212111e-24 + fine_reduced_length_size_12) * fine_up_size_1
-    fine_y = fine_half_angle * fine_half_angle
-    fine_y_padded_1 = 3.308722450212111e-24 + fine_half_angle_size_1
-    fine_y_bound_1 = absolute(fine_half_angle_lo) + 1.6484983e-12 * fine_y_padded_1
-    fine_y_size_2 = fine_y_padded_1 * (absolute(fine_half_angle) + 262144 * fine_y_bound_1)
-    fine_sine, fine_c = elementary.sincos(fine_half_angle)
-    fine_sine_own_error_1, fine_c_own_error_1 = elementary.sincos_error(fine_half_angle, fine_sine, fine_c)
-    fine_sine_half_1 = fine_half_angle_lo * 0.5
+    h_size_0 = absolute(fine_h_0)
+    h_size_padded_1 = 3.308722450212111e-24 + 0.5 * absolute(v_0)
+    h_size_1 = absolute(fine_h_1)
+    h_size_padded_2 = 3.308722450212111e-24 + 0.5 * absolute(v_1)
+    h_size_2 = absolute(fine_h_2)
+    h_size_padded_3 = 3.308722450212111e-24 + 0.5 * absolute(v_2)
+    h_largest1 = where(h_size_0 < h_size_1, h_size_1, h_size_0)
+    h_largest2 = where(h_largest1 < h_size_2, h_size_2, h_largest1)
+    s_a = 4.611686018427388e+18 < h_largest2
+    s = where(s_a, float32(2.710505431213761e-20), float32(1))
+    s_size_1 = where(s_a, float32(2.710505431213761e-20), float32(1))
+    reduced_0 = fine_h_0 * s
+    reduced_1 = fine_h_1 * s
+    reduced_2 = fine_h_2 * s
+    up_a = s < 1
+    up = where(up_a, float32(3.6893488147419103e+19), float32(1))
+    reduced_length_a = reduced_0 * reduced_0
+    reduced_length_a_padded_1 = 3.308722450212111e-24 + h_size_padded_1 * s_size_1
+    reduced_length_b = reduced_1 * reduced_1
+    reduced_length_b_padded_1 = 3.308722450212111e-24 + h_size_padded_2 * s_size_1
+    reduced_length_c = reduced_length_a + reduced_length_b
+    reduced_length_c_right_1 = reduced_length_c - reduced_length_a
+    reduced_length_c_left_rest_1 = product_rest(reduced_0, reduced_0, reduced_length_a,
+        reduced_length_c - reduced_length_c_right_1)
+    reduced_length_d = reduced_2 * reduced_2
+    reduced_length_d_padded_1 = 3.308722450212111e-24 + h_size_padded_3 * s_size_1
+    reduced_length_e = reduced_length_c + reduced_length_d
+    reduced_length_e_right_1 = reduced_length_e - reduced_length_c
+    reduced_length_e_right_rest_1 = product_rest(reduced_2, reduced_2, reduced_length_d,
+        reduced_length_e_right_1)
+    reduced_length_c_lo = (reduced_length_c_left_rest_1
+        + product_rest(reduced_1, reduced_1, reduced_length_b, reduced_length_c_right_1))
+    reduced_length_e_lo = (reduced_length_c - (reduced_length_e - reduced_length_e_right_1)
+        + reduced_length_e_right_rest_1 + reduced_length_c_lo)
+    reduced_length_c_size_1 = (reduced_length_a_padded_1 * reduced_length_a_padded_1
+        + reduced_length_b_padded_1 * reduced_length_b_padded_1)
+    reduced_length = sqrt(reduced_length_e)
+    reduced_length_product_1 = reduced_length * reduced_length
+    reduced_length_exact_1 = (reduced_length_e - reduced_length_product_1
+        - product_error(reduced_length, reduced_length, reduced_length_product_1))
+    reduced_length_lo = ((reduced_length_exact_1 + reduced_length_e_lo)
+        / where(reduced_length == 0, 1, reduced_length + reduced_length))
+    reduced_length_padded_1 = (3.308722450212111e-24
+        + (reduced_length_c_size_1 + reduced_length_d_padded_1 * reduced_length_d_padded_1))
+    reduced_length_bound_1 = absolute(reduced_length_e_lo) + 9.308236e-13 * reduced_length_padded_1
+    reduced_length_size_4 = ((absolute(reduced_length_e) + 262144 * reduced_length_bound_1)
+        * (reduced_length_padded_1 / reduced_length / reduced_length_e))
+    reduced_length_size_8 = (695847616512
+        * (sqrt(reduced_length_bound_1) + absolute(reduced_length_lo)))
+    half_angle = reduced_length * up
+    half_angle_lo = (reduced_length - half_angle * (1 / up) + reduced_length_lo) * up
+    reduced_length_size_12 = (reduced_length
+        + where(4 * reduced_length_bound_1
+        < reduced_length_e, reduced_length_size_4, reduced_length_size_8))
+    half_angle_size_1 = ((3.308722450212111e-24 + reduced_length_size_12)
+        * where(up_a, float32(3.6893488147419103e+19), float32(1)))
+    y = half_angle * half_angle
+    y_padded_1 = 3.308722450212111e-24 + half_angle_size_1
+    y_bound_1 = absolute(half_angle_lo) + 1.6484983e-12 * y_padded_1
+    y_size_2 = y_padded_1 * (absolute(half_angle) + 262144 * y_bound_1)
+    fine_sine, c = elementary.sincos(half_angle)
+    fine_sine_own_error_1, c_own_error_1 = elementary.sincos_error(half_angle, fine_sine, c)
+    fine_sine_half_1 = half_angle_lo * 0.5
     fine_sine_half_sin_1, fine_sine_half_cos_1 = elementary.sincos(fine_sine_half_1)
     fine_sine_twice_1 = fine_sine_half_sin_1 + fine_sine_half_sin_1
-    fine_sine_slope_1 = fine_sine_half_cos_1 * fine_c - fine_sine_half_sin_1 * fine_sine
-    fine_c_slope_1 = fine_sine_half_cos_1 * fine_sine + fine_sine_half_sin_1 * fine_c
-    fine_sinc_divisor_a = fine_half_angle < 1.4901161193847656e-08
-    fine_sinc_divisor = where(fine_sinc_divisor_a, 1.4901161193847656e-08, fine_half_angle)
-    fine_sinc_divisor_lo = where(fine_sinc_divisor_a, 0, fine_half_angle_lo)
-    fine_sinc_divisor_size_3 = absolute(fine_half_angle - 1.4901161193847656e-08)
-    fine_sinc_divisor_size_5 = fine_y_bound_1 < 1.401298464324817e-45 + fine_sinc_divisor_size_3
-    fine_sinc_divisor_size_8 = absolute(1.4901161193847656e-08 - fine_half_angle) + fine_y_bound_1
-    fine_sinc_divisor_size_9 = where(fine_sinc_divisor_size_5, 0, fine_sinc_divisor_size_8)
-    fine_sinc_divisor_size_1 = where(fine_sinc_divisor_a, 1.4901161193847656e-08, fine_half_angle_size_1)
-    fine_sinc_quotient = fine_sine / fine_sinc_divisor
-    fine_sinc_quotient_product_1 = fine_sinc_quotient * fine_sinc_divisor
-    fine_sinc_quotient_product_error_1 = product_error(fine_sinc_quotient, fine_sinc_divisor, fine_sinc_quotient_product_1)
-    fine_sinc_quotient_rest_1 = fine_sine - fine_sinc_quotient_product_1
-    fine_sinc_quotient_exact_1 = fine_sinc_quotient_rest_1 - fine_sinc_quotient_product_error_1
-    fine_sine_lo = fine_sine_own_error_1 + fine_sine_slope_1 * fine_sine_twice_1
-    fine_sinc_quotient_numerator_1 = fine_sinc_quotient_exact_1 + fine_sine_lo
-    fine_sinc_quotient_cross_1 = fine_sinc_quotient * fine_sinc_divisor_lo
-    fine_sinc_quotient_residual_1 = fine_sinc_quotient_numerator_1 - fine_sinc_quotient_cross_1
-    fine_sinc_quotient_lo = fine_sinc_quotient_residual_1 / fine_sinc_divisor
-    fine_sinc_quotient_padded_1 = 3.308722450212111e-24 + (1 + fine_y_padded_1)
-    fine_sinc_divisor_size_11 = fine_sinc_divisor_size_1 + 199908212736 * fine_sinc_divisor_size_9
-    fine_sinc_quotient_padded_2 = 3.308722450212111e-24 + fine_sinc_divisor_size_11
-    fine_sinc_quotient_size_1 = absolute(fine_sinc_quotient)
-    fine_sinc_quotient_size_2 = absolute(fine_sinc_divisor)
-    fine_sinc_quotient_size_3 = fine_sinc_quotient_padded_2 * fine_sinc_quotient_size_1
-    fine_sinc_quotient_rest_2 = 5.1586396e-12 * fine_sinc_quotient_padded_2
-    fine_sinc_quotient_bound_1 = absolute(fine_sinc_divisor_lo) + fine_sinc_quotient_rest_2
-    fine_sinc_quotient_size_6 = 4 * fine_sinc_quotient_bound_1 < fine_sinc_quotient_size_2
-    fine_sinc_quotient_size_7 = where(fine_sinc_quotient_size_6, fine_sinc_quotient_size_2, 0)
-    fine_sinc_quotient_size_4 = fine_sinc_quotient_padded_1 + fine_sinc_quotient_size_3
-    fine_sinc_quotient_reach_1 = fine_sinc_quotient_size_2 + 262144 * fine_sinc_quotient_bound_1
-    fine_sinc_quotient_size_8 = fine_sinc_quotient_size_4 / fine_sinc_quotient_size_7
-    fine_sinc_quotient_size_9 = fine_sinc_quotient_reach_1 * fine_sinc_quotient_size_8
-    fine_sinc_quotient_size_10 = fine_sinc_quotient_size_9 / fine_sinc_quotient_size_2
-    fine_sinc_quotient_size_11 = fine_sinc_quotient_size_1 + fine_sinc_quotient_size_10
-    fine_y_cross_1 = fine_half_angle_lo * fine_half_angle + fine_half_angle * fine_half_angle_lo
-    fine_sinc_a = 0.16666667 * fine_y
-    fine_y_lo = product_error(fine_half_angle, fine_half_angle, fine_y) + fine_y_cross_1
-    fine_sinc_b = 1 - fine_sinc_a
-    fine_sinc_b_right_1 = 1 - fine_sinc_b
-    fine_sinc_b_right_rest_1 = product_rest(0.16666667, fine_y, fine_sinc_a, fine_sinc_b_right_1)
-    fine_sinc_b_lo1_1 = 1 - (fine_sinc_b + fine_sinc_b_right_1) - fine_sinc_b_right_rest_1
-    fine_sinc_b_lo = fine_sinc_b_lo1_1 - (-4.967054e-09 * fine_y + 0.16666667 * fine_y_lo)
-    fine_sinc_b_size_1 = 1 + 0.16666669 * (fine_y_size_2 + fine_y_size_2)
-    fine_sinc = where(fine_sinc_divisor_a, fine_sinc_b, fine_sinc_quotient)
-    fine_sinc_lo = where(fine_sinc_divisor_a, fine_sinc_b_lo, fine_sinc_quotient_lo)
-    fine_sinc_rest_1 = 2.3639474e-10 * (3.308722450212111e-24 + fine_sinc_b_size_1)
-    fine_sinc_rest_2 = 7.941701e-12 * (3.308722450212111e-24 + fine_sinc_quotient_size_11)
-    fine_sinc_bound_1 = absolute(fine_sinc_b_lo) + fine_sinc_rest_1
-    fine_sinc_size_4 = fine_sinc_bound_1 + absolute(fine_sinc_b - fine_sinc_quotient)
-    fine_sinc_size_5 = absolute(fine_sinc_quotient_lo) + fine_sinc_rest_2 + fine_sinc_size_4
-    fine_sinc_size_1 = where(fine_sinc_divisor_a, fine_sinc_b_size_1, fine_sinc_quotient_size_11)
-    fine_sinc_size_7 = 4235066880 * where(fine_sinc_divisor_size_5, 0, fine_sinc_size_5)
-    fine_qo_0 = fine_h_0 * fine_sinc
-    fine_qo_padded_1 = 3.308722450212111e-24 + (fine_sinc_size_1 + fine_sinc_size_7)
-    fine_qo_reach_1 = absolute(fine_h_0) + 262144 * (3.5527347e-14 * fine_h_size_padded_1)
-    fine_qo_units_2 = 262144 * (absolute(fine_sinc_lo) + 2.3639482e-10 * fine_qo_padded_1)
-    fine_qo_reach_2 = absolute(fine_sinc) + fine_qo_units_2
-    fine_qo_1 = fine_h_1 * fine_sinc
-    fine_qo_reach_3 = absolute(fine_h_1) + 262144 * (3.5527347e-14 * fine_h_size_padded_2)
-    fine_qo_2 = fine_h_2 * fine_sinc
-    fine_qo_reach_4 = absolute(fine_h_2) + 262144 * (3.5527347e-14 * fine_h_size_padded_3)
-    fine_qo_lo_1 = product_error(fine_h_0, fine_sinc, fine_qo_0) + fine_h_0 * fine_sinc_lo
-    fine_qo_size_5 = fine_qo_padded_1 * fine_qo_reach_1 + fine_h_size_padded_1 * fine_qo_reach_2
-    qo_rest_1 = 2.3676172e-10 * (3.308722450212111e-24 + fine_qo_size_5)
-    fine_qo_lo_2 = product_error(fine_h_1, fine_sinc, fine_qo_1) + fine_h_1 * fine_sinc_lo
-    fine_qo_size_9 = fine_qo_padded_1 * fine_qo_reach_3 + fine_h_size_padded_2 * fine_qo_reach_2
-    qo_rest_2 = 2.3676172e-10 * (3.308722450212111e-24 + fine_qo_size_9)
-    fine_qo_lo_3 = product_error(fine_h_2, fine_sinc, fine_qo_2) + fine_h_2 * fine_sinc_lo
-    fine_qo_size_13 = fine_qo_padded_1 * fine_qo_reach_4 + fine_h_size_padded_3 * fine_qo_reach_2
-    qo_rest_3 = 2.3676172e-10 * (3.308722450212111e-24 + fine_qo_size_13)
-    qo_error_7 = absolute(fine_c_own_error_1 - fine_c_slope_1 * fine_sine_twice_1 + (fine_c - qo_3))
-    qo_bound_1 = 1.0000005 * absolute(fine_qo_lo_1 + (fine_qo_0 - qo_0)) + qo_rest_1
-    qo_bound_2 = 1.0000005 * absolute(fine_qo_lo_2 + (fine_qo_1 - qo_1)) + qo_rest_2
-    qo_bound_3 = 1.0000005 * absolute(fine_qo_lo_3 + (fine_qo_2 - qo_2)) + qo_rest_3
-    qo_bound_4 = 1.0000005 * qo_error_7 + 3.041182e-12 * fine_sinc_quotient_padded_1
+    sinc_divisor_a = half_angle < 1.4901161193847656e-08
+    sinc_divisor = where(sinc_divisor_a, 1.4901161193847656e-08, half_angle)
+    sinc_divisor_lo = where(sinc_divisor_a, 0, half_angle_lo)
+    sinc_divisor_size_5 = (y_bound_1 < 1.401298464324817e-45
+        + absolute(half_angle - 1.4901161193847656e-08))
+    sinc_divisor_size_10 = (199908212736
+        * where(sinc_divisor_size_5, 0, absolute(1.4901161193847656e-08 - half_angle) + y_bound_1))
+    sinc_quotient = fine_sine / sinc_divisor
+    sinc_quotient_product_1 = sinc_quotient * sinc_divisor
+    sinc_quotient_exact_1 = (fine_sine - sinc_quotient_product_1
+        - product_error(sinc_quotient, sinc_divisor, sinc_quotient_product_1))
+    fine_sine_lo = (fine_sine_own_error_1
+        + (fine_sine_half_cos_1 * c - fine_sine_half_sin_1 * fine_sine) * fine_sine_twice_1)
+    sinc_quotient_lo = ((sinc_quotient_exact_1 + fine_sine_lo - sinc_quotient * sinc_divisor_lo)
+        / sinc_divisor)
+    sinc_quotient_padded_1 = 3.308722450212111e-24 + (1 + y_padded_1)
+    sinc_quotient_padded_2 = (3.308722450212111e-24
+        + (where(sinc_divisor_a, 1.4901161193847656e-08, half_angle_size_1) + sinc_divisor_size_10))
+    sinc_quotient_size_1 = absolute(sinc_quotient)
+    sinc_quotient_size_2 = absolute(sinc_divisor)
+    sinc_quotient_bound_1 = absolute(sinc_divisor_lo) + 5.1586396e-12 * sinc_quotient_padded_2
+    sinc_quotient_size_7 = (where(4 * sinc_quotient_bound_1
+        < sinc_quotient_size_2, sinc_quotient_size_2, 0))
+    sinc_quotient_size_8 = ((sinc_quotient_padded_1 + sinc_quotient_padded_2
+        * sinc_quotient_size_1) / sinc_quotient_size_7)
+    sinc_quotient_size_11 = (sinc_quotient_size_1
+        + (sinc_quotient_size_2 + 262144 * sinc_quotient_bound_1) * sinc_quotient_size_8
+        / sinc_quotient_size_2)
+    sinc_a = 0.16666667 * y
+    sinc_a_cross2_1 = (0.16666667
+        * (product_error(half_angle, half_angle, y)
+        + (half_angle_lo * half_angle + half_angle * half_angle_lo)))
+    sinc_b = 1 - sinc_a
+    sinc_b_right_1 = 1 - sinc_b
+    sinc_b_lo = (1 - (sinc_b + sinc_b_right_1)
+        - product_rest(0.16666667, y, sinc_a, sinc_b_right_1)
+        - (-4.967054e-09 * y + sinc_a_cross2_1))
+    sinc_b_size_1 = 1 + 0.16666669 * (y_size_2 + y_size_2)
+    sinc = where(sinc_divisor_a, sinc_b, sinc_quotient)
+    sinc_lo = where(sinc_divisor_a, sinc_b_lo, sinc_quotient_lo)
+    sinc_size_4 = (absolute(sinc_b_lo) + 2.3639474e-10 * (3.308722450212111e-24 + sinc_b_size_1)
+        + absolute(sinc_b - sinc_quotient))
+    sinc_size_6 = (where(sinc_divisor_size_5, 0, absolute(sinc_quotient_lo) + 7.941701e-12
+        * (3.308722450212111e-24 + sinc_quotient_size_11) + sinc_size_4))
+    fine_qo_0 = fine_h_0 * sinc
+    fine_qo_padded_1 = (3.308722450212111e-24
+        + (where(sinc_divisor_a, sinc_b_size_1, sinc_quotient_size_11) + 4235066880 * sinc_size_6))
+    fine_qo_reach_2 = (absolute(sinc) + 262144
+        * (absolute(sinc_lo) + 2.3639482e-10 * fine_qo_padded_1))
+    fine_qo_1 = fine_h_1 * sinc
+    fine_qo_2 = fine_h_2 * sinc
+    fine_qo_size_5 = (fine_qo_padded_1
+        * (absolute(fine_h_0) + 262144 * (3.5527347e-14 * h_size_padded_1)) + fine_qo_reach_2
+        * h_size_padded_1)
+    qo_error_2 = (1.0000005
+        * absolute(product_error(fine_h_0, sinc, fine_qo_0) + fine_h_0 * sinc_lo
+        + (fine_qo_0 - qo_0)))
+    fine_qo_size_9 = (fine_qo_padded_1
+        * (absolute(fine_h_1) + 262144 * (3.5527347e-14 * h_size_padded_2)) + fine_qo_reach_2
+        * h_size_padded_2)
+    qo_error_4 = (1.0000005
+        * absolute(product_error(fine_h_1, sinc, fine_qo_1) + fine_h_1 * sinc_lo
+        + (fine_qo_1 - qo_1)))
+    fine_qo_size_13 = (fine_qo_padded_1
+        * (absolute(fine_h_2) + 262144 * (3.5527347e-14 * h_size_padded_3)) + fine_qo_reach_2
+        * h_size_padded_3)
+    qo_error_6 = (1.0000005
+        * absolute(product_error(fine_h_2, sinc, fine_qo_2) + fine_h_2 * sinc_lo
+        + (fine_qo_2 - qo_2)))
+    qo_error_8 = (1.0000005
+        * absolute(c_own_error_1 - (fine_sine_half_cos_1 * fine_sine + fine_sine_half_sin_1 * c)
+        * fine_sine_twice_1 + (c - qo_3)))
+    qo_bound_1 = qo_error_2 + 2.3676172e-10 * (3.308722450212111e-24 + fine_qo_size_5)
+    qo_bound_2 = qo_error_4 + 2.3676172e-10 * (3.308722450212111e-24 + fine_qo_size_9)
+    qo_bound_3 = qo_error_6 + 2.3676172e-10 * (3.308722450212111e-24 + fine_qo_size_13)
+    qo_bound_4 = qo_error_8 + 3.041182e-12 * sinc_quotient_padded_1
     return (qo_0, qo_1, qo_2, qo_3, qo_bound_1, qo_bound_2, qo_bound_3, qo_bound_4)
 
 
@@ -1939,61 +1913,60 @@ def quaternion_log(q):
     s_largest1 = where(s_size_0 < s_size_1, s_size_1, s_size_0)
     s_largest2 = where(s_largest1 < s_size_2, s_size_2, s_largest1)
     s_largest3 = where(s_largest2 < s_size_3, s_size_3, s_largest2)
-    s_b = where(4.611686018427388e+18 < s_largest3, float32(2.710505431213761e-20), float32(1))
-    s_d = where(s_largest3 < 256, 1.8014398509481984e+16, s_b)
+    s_d = (where(s_largest3
+        < 256, 1.8014398509481984e+16, where(4.611686018427388e+18
+        < s_largest3, float32(2.710505431213761e-20), float32(1))))
     s = where(s_largest3 < 1.4210854715202004e-14, 3.2451855365842673e+32, s_d)
     scaled_s_0 = q_0 * s
     scaled_s_inverse_1 = 1 / s
-    scaled_s_size_2 = q_0 == scaled_s_0 * scaled_s_inverse_1
     scaled_s_size_4 = absolute(scaled_s_0)
     scaled_s_1 = q_1 * s
-    scaled_s_size_6 = q_1 == scaled_s_1 * scaled_s_inverse_1
     scaled_s_size_8 = absolute(scaled_s_1)
     scaled_s_2 = q_2 * s
-    scaled_s_size_10 = q_2 == scaled_s_2 * scaled_s_inverse_1
     scaled_s_size_12 = absolute(scaled_s_2)
     scaled_s_3 = q_3 * s
-    scaled_s_size_14 = q_3 == scaled_s_3 * scaled_s_inverse_1
-    scaled_s_size_15 = where(scaled_s_size_14, float32(0), float32(1.401298464324817e-45))
+    scaled_s_size_15 = (where(q_3 == scaled_s_3
+        * scaled_s_inverse_1, float32(0), float32(1.401298464324817e-45)))
     scaled_s_size_16 = absolute(scaled_s_3)
     upper_0a = -scaled_s_0
     upper_0b = scaled_s_3 < 0
     upper_0 = where(upper_0b, upper_0a, scaled_s_0)
     upper_size_4 = scaled_s_size_15 < 1.401298464324817e-45 + absolute(scaled_s_3 - 0)
-    upper_rest_1 = 3.197449e-14 * (3.308722450212111e-24 + scaled_s_size_4)
-    scaled_s_size_3 = where(scaled_s_size_2, float32(0), float32(1.401298464324817e-45))
-    upper_size_8 = scaled_s_size_3 + (upper_rest_1 + absolute(upper_0a - scaled_s_0))
+    upper_size_7 = (3.197449e-14 * (3.308722450212111e-24 + scaled_s_size_4)
+        + absolute(upper_0a - scaled_s_0))
+    upper_size_9 = (where(upper_size_4, 0, where(q_0 == scaled_s_0
+        * scaled_s_inverse_1, float32(0), float32(1.401298464324817e-45)) + upper_size_7))
     upper_1a = -scaled_s_1
     upper_1 = where(upper_0b, upper_1a, scaled_s_1)
-    upper_rest_2 = 3.197449e-14 * (3.308722450212111e-24 + scaled_s_size_8)
-    scaled_s_size_7 = where(scaled_s_size_6, float32(0), float32(1.401298464324817e-45))
-    upper_size_15 = scaled_s_size_7 + (upper_rest_2 + absolute(upper_1a - scaled_s_1))
+    upper_size_14 = (3.197449e-14 * (3.308722450212111e-24 + scaled_s_size_8)
+        + absolute(upper_1a - scaled_s_1))
+    upper_size_16 = (where(upper_size_4, 0, where(q_1 == scaled_s_1
+        * scaled_s_inverse_1, float32(0), float32(1.401298464324817e-45)) + upper_size_14))
     upper_2a = -scaled_s_2
     upper_2 = where(upper_0b, upper_2a, scaled_s_2)
-    upper_rest_3 = 3.197449e-14 * (3.308722450212111e-24 + scaled_s_size_12)
-    scaled_s_size_11 = where(scaled_s_size_10, float32(0), float32(1.401298464324817e-45))
-    upper_size_22 = scaled_s_size_11 + (upper_rest_3 + absolute(upper_2a - scaled_s_2))
+    upper_size_21 = (3.197449e-14 * (3.308722450212111e-24 + scaled_s_size_12)
+        + absolute(upper_2a - scaled_s_2))
+    upper_size_23 = (where(upper_size_4, 0, where(q_2 == scaled_s_2
+        * scaled_s_inverse_1, float32(0), float32(1.401298464324817e-45)) + upper_size_21))
     upper_3a = -scaled_s_3
     upper_3 = where(upper_0b, upper_3a, scaled_s_3)
-    upper_rest_4 = 3.197449e-14 * (3.308722450212111e-24 + scaled_s_size_16)
-    upper_size_29 = scaled_s_size_15 + (upper_rest_4 + absolute(upper_3a - scaled_s_3))
+    upper_size_29 = (scaled_s_size_15
+        + (3.197449e-14 * (3.308722450212111e-24 + scaled_s_size_16)
+        + absolute(upper_3a - scaled_s_3)))
     v_s_size_0 = absolute(upper_0)
-    upper_size_11 = scaled_s_size_4 + 1099513724928 * where(upper_size_4, 0, upper_size_8)
-    v_s_size_padded_1 = 3.308722450212111e-24 + upper_size_11
+    v_s_size_padded_1 = 3.308722450212111e-24 + (scaled_s_size_4 + 1099513724928 * upper_size_9)
     v_s_size_1 = absolute(upper_1)
-    upper_size_18 = scaled_s_size_8 + 1099513724928 * where(upper_size_4, 0, upper_size_15)
-    v_s_size_padded_2 = 3.308722450212111e-24 + upper_size_18
+    v_s_size_padded_2 = 3.308722450212111e-24 + (scaled_s_size_8 + 1099513724928 * upper_size_16)
     v_s_size_2 = absolute(upper_2)
-    upper_size_25 = scaled_s_size_12 + 1099513724928 * where(upper_size_4, 0, upper_size_22)
-    v_s_size_padded_3 = 3.308722450212111e-24 + upper_size_25
+    v_s_size_padded_3 = 3.308722450212111e-24 + (scaled_s_size_12 + 1099513724928 * upper_size_23)
     v_s_largest1 = where(v_s_size_0 < v_s_size_1, v_s_size_1, v_s_size_0)
     v_s_largest2 = where(v_s_largest1 < v_s_size_2, v_s_size_2, v_s_largest1)
     v_s_a = v_s_largest2 < 256
     v_s_c = v_s_largest2 < 1.4210854715202004e-14
-    v_s_b = where(v_s_a, float32(1.8014398509481984e+16), float32(1))
-    v_s = where(v_s_c, 3.2451855365842673e+32, v_s_b)
-    v_s_b_size_1 = where(v_s_a, float32(1.8014398509481984e+16), float32(1))
-    v_s_size_3 = where(v_s_c, 3.2451855365842673e+32, v_s_b_size_1)
+    v_s = where(v_s_c, 3.2451855365842673e+32, where(v_s_a, float32(1.8014398509481984e+16),
+        float32(1)))
+    v_s_size_3 = where(v_s_c, 3.2451855365842673e+32, where(v_s_a, float32(1.8014398509481984e+16),
+        float32(1)))
     v_y_0 = upper_0 * v_s
     v_y_1 = upper_1 * v_s
     v_y_2 = upper_2 * v_s
@@ -2005,33 +1978,37 @@ def quaternion_log(q):
     v_n_b_size_2 = v_n_b_padded_1 * (absolute(v_y_1) + 262144 * (9.841079e-13 * v_n_b_padded_1))
     v_n_c = v_n_a + v_n_b
     v_n_c_right_1 = v_n_c - v_n_a
-    v_n_c_left_rest_1 = product_rest(v_y_0, v_y_0, v_n_a, v_n_c - v_n_c_right_1)
     v_n_d = v_y_2 * v_y_2
     v_n_d_padded_1 = 3.308722450212111e-24 + v_s_size_3 * v_s_size_padded_3
     v_n_d_size_2 = v_n_d_padded_1 * (absolute(v_y_2) + 262144 * (9.841079e-13 * v_n_d_padded_1))
     v_n_e = v_n_c + v_n_d
     v_n_e_right_1 = v_n_e - v_n_c
-    v_n_e_lo1_1 = v_n_c - (v_n_e - v_n_e_right_1) + product_rest(v_y_2, v_y_2, v_n_d, v_n_e_right_1)
-    v_n_e_lo = v_n_e_lo1_1 + (v_n_c_left_rest_1 + product_rest(v_y_1, v_y_1, v_n_b, v_n_c_right_1))
-    v_n_c_size_1 = v_n_a_size_2 + v_n_a_size_2 + (v_n_b_size_2 + v_n_b_size_2)
+    v_n_c_lo = (product_rest(v_y_0, v_y_0, v_n_a, v_n_c - v_n_c_right_1)
+        + product_rest(v_y_1, v_y_1, v_n_b, v_n_c_right_1))
+    v_n_e_lo = (v_n_c - (v_n_e - v_n_e_right_1) + product_rest(v_y_2, v_y_2, v_n_d, v_n_e_right_1)
+        + v_n_c_lo)
     v_n = sqrt(v_n_e)
     v_n_product_1 = v_n * v_n
-    v_n_residual_1 = v_n_e - v_n_product_1 - product_error(v_n, v_n, v_n_product_1) + v_n_e_lo
-    v_n_lo = v_n_residual_1 / where(v_n == 0, 1, v_n + v_n)
-    v_n_padded_1 = 3.308722450212111e-24 + (v_n_c_size_1 + (v_n_d_size_2 + v_n_d_size_2))
+    v_n_lo = ((v_n_e - v_n_product_1 - product_error(v_n, v_n, v_n_product_1) + v_n_e_lo)
+        / where(v_n == 0, 1, v_n + v_n))
+    v_n_padded_1 = (3.308722450212111e-24
+        + (v_n_a_size_2 + v_n_a_size_2 + (v_n_b_size_2 + v_n_b_size_2)
+        + (v_n_d_size_2 + v_n_d_size_2)))
     v_n_bound_1 = absolute(v_n_e_lo) + 2.0854824e-12 * v_n_padded_1
     v_n_size_4 = (absolute(v_n_e) + 262144 * v_n_bound_1) * (v_n_padded_1 / v_n / v_n_e)
-    v_n_size_8 = 554074177536 * (sqrt(v_n_bound_1) + absolute(v_n_lo))
     v_r_a = 1 < v_s
     v_r_c = 1.8014398509481984e+16 < v_s
-    v_r_b = where(v_r_a, float32(5.551115123125783e-17), float32(1))
-    v_r = where(v_r_c, 3.0814879110195774e-33, v_r_b)
-    v_r_b_size_1 = where(v_r_a, float32(5.551115123125783e-17), float32(1))
+    v_r = where(v_r_c, 3.0814879110195774e-33, where(v_r_a, float32(5.551115123125783e-17),
+        float32(1)))
     n = v_n * v_r
     n_lo = (v_n - n * (1 / v_r) + v_n_lo) * v_r
-    v_n_size_12 = v_n + where(4 * v_n_bound_1 < v_n_e, v_n_size_4, v_n_size_8)
-    v_r_size_1 = where(v_r_c, 3.0814879110195774e-33, v_r_b_size_1)
-    n_size_1 = (3.308722450212111e-24 + v_n_size_12) * v_r_size_1
+    n_padded_1 = (3.308722450212111e-24
+        + (v_n
+        + where(4 * v_n_bound_1 < v_n_e, v_n_size_4, 554074177536
+        * (sqrt(v_n_bound_1) + absolute(v_n_lo)))))
+    n_size_1 = (n_padded_1
+        * where(v_r_c, 3.0814879110195774e-33, where(v_r_a, float32(5.551115123125783e-17),
+            float32(1))))
     half = elementary.atan2(n, upper_3)
     half_size0_1 = absolute(n)
     half_size1_1 = absolute(upper_3)
@@ -2040,12 +2017,13 @@ def quaternion_log(q):
     half_divisor_1 = where(half_zero_1, 1, half_most_1)
     half_part0_1 = n / half_divisor_1
     half_part1_1 = upper_3 / half_divisor_1
-    half_divisor2_1 = half_divisor_1 * (half_part1_1 * half_part1_1 + half_part0_1 * half_part0_1)
-    half_more_1 = (half_part1_1 * n_lo - half_part0_1 * 0) / where(half_zero_1, 1, half_divisor2_1)
-    half_lo = elementary.atan2_error(n, upper_3, half) + half_more_1
+    half_safe_1 = (where(half_zero_1, 1, half_divisor_1
+        * (half_part1_1 * half_part1_1 + half_part0_1 * half_part0_1)))
+    half_lo = (elementary.atan2_error(n, upper_3, half) + (half_part1_1 * n_lo - half_part0_1 * 0)
+        / half_safe_1)
     half_padded_1 = 3.308722450212111e-24 + n_size_1
-    upper_size_32 = scaled_s_size_16 + 1099513724928 * where(upper_size_4, 0, upper_size_29)
-    half_padded_2 = 3.308722450212111e-24 + upper_size_32
+    half_padded_2 = (3.308722450212111e-24
+        + (scaled_s_size_16 + 1099513724928 * where(upper_size_4, 0, upper_size_29)))
     half_size_2 = absolute(n)
     half_size_3 = absolute(upper_3)
     half_size_5 = where(half_size_2 < half_size_3, half_size_3, half_size_2)
@@ -2054,42 +2032,46 @@ def quaternion_log(q):
     half_size_11 = (half_rest_2 + (3.308722450212111e-24 + half_bound_1)) / half_size_5
     half_size_13 = half_size_11 * half_size_11
     half_size_15 = 7 + absolute(half_lo)
-    half_size_18 = where(half_rest_2 < upper_3, half_size_13, half_size_15)
-    half_size_19 = where(half_bound_1 < half_size_2, half_size_13, half_size_18)
-    half_size_21 = 169153347584 * where(half_size_11 < 0.25, half_size_19, half_size_15)
+    half_size_19 = (where(half_bound_1
+        < half_size_2, half_size_13, where(half_rest_2 < upper_3, half_size_13, half_size_15)))
     divisor_a = n == 0
     divisor = where(divisor_a, 1, n)
     divisor_lo = where(divisor_a, 0, n_lo)
-    divisor_size_5 = half_bound_1 < 1.401298464324817e-45 + absolute(n - 0)
-    divisor_size_10 = 244332298240 * where(divisor_size_5, 0, absolute(1 - n) + half_bound_1)
+    divisor_size_10 = (244332298240
+        * where(half_bound_1 < 1.401298464324817e-45 + absolute(n - 0), 0, absolute(1 - n)
+        + half_bound_1))
     theta = 2 * half
-    half_size_22 = absolute(half) + (half_padded_1 + half_padded_2) / half_size_5 + half_size_21
+    half_size_22 = (absolute(half) + (half_padded_1 + half_padded_2) / half_size_5 + 169153347584
+        * where(half_size_11 < 0.25, half_size_19, half_size_15))
     k = theta / divisor
     k_product_1 = k * divisor
-    k_numerator_1 = theta - k_product_1 - product_error(k, divisor, k_product_1) + 2 * half_lo
-    k_lo = (k_numerator_1 - k * divisor_lo) / divisor
+    k_lo = ((theta - k_product_1 - product_error(k, divisor, k_product_1) + 2 * half_lo - k
+        * divisor_lo) / divisor)
     k_padded_2 = 3.308722450212111e-24 + (where(divisor_a, 1, n_size_1) + divisor_size_10)
     k_size_1 = absolute(k)
     k_size_2 = absolute(divisor)
     k_bound_1 = absolute(divisor_lo) + 4.2207045e-12 * k_padded_2
-    k_size_4 = 3.308722450212111e-24 + 2 * half_size_22 + k_padded_2 * k_size_1
-    k_size_8 = k_size_4 / where(4 * k_bound_1 < k_size_2, k_size_2, 0)
+    k_size_8 = ((3.308722450212111e-24 + 2 * half_size_22 + k_padded_2 * k_size_1)
+        / where(4 * k_bound_1 < k_size_2, k_size_2, 0))
     vector_0 = upper_0 * k
-    k_size_11 = k_size_1 + (k_size_2 + 262144 * k_bound_1) * k_size_8 / k_size_2
-    vector_padded_1 = 3.308722450212111e-24 + k_size_11
-    vector_reach_1 = absolute(upper_0) + 262144 * (9.379186e-13 * v_s_size_padded_1)
+    vector_padded_1 = (3.308722450212111e-24
+        + (k_size_1 + (k_size_2 + 262144 * k_bound_1) * k_size_8 / k_size_2))
     vector_reach_2 = k_size_1 + 262144 * (absolute(k_lo) + 8.927625e-12 * vector_padded_1)
     vector_1 = upper_1 * k
-    vector_reach_3 = absolute(upper_1) + 262144 * (9.379186e-13 * v_s_size_padded_2)
     vector_2 = upper_2 * k
-    vector_reach_4 = absolute(upper_2) + 262144 * (9.379186e-13 * v_s_size_padded_3)
-    vector_size_4 = vector_padded_1 * vector_reach_1 + v_s_size_padded_1 * vector_reach_2
-    vector_error_3 = absolute(product_error(upper_0, k, vector_0) + upper_0 * k_lo)
-    vector_size_8 = vector_padded_1 * vector_reach_3 + v_s_size_padded_2 * vector_reach_2
-    vector_error_5 = absolute(product_error(upper_1, k, vector_1) + upper_1 * k_lo)
-    vector_size_12 = vector_padded_1 * vector_reach_4 + v_s_size_padded_3 * vector_reach_2
-    vector_error_7 = absolute(product_error(upper_2, k, vector_2) + upper_2 * k_lo)
-    vector_bound_2 = vector_error_3 + 9.281226e-12 * (3.308722450212111e-24 + vector_size_4)
-    vector_bound_3 = vector_error_5 + 9.281226e-12 * (3.308722450212111e-24 + vector_size_8)
-    vector_bound_4 = vector_error_7 + 9.281226e-12 * (3.308722450212111e-24 + vector_size_12)
+    vector_size_4 = (vector_padded_1
+        * (absolute(upper_0) + 262144 * (9.379186e-13 * v_s_size_padded_1)) + v_s_size_padded_1
+        * vector_reach_2)
+    vector_size_8 = (vector_padded_1
+        * (absolute(upper_1) + 262144 * (9.379186e-13 * v_s_size_padded_2)) + v_s_size_padded_2
+        * vector_reach_2)
+    vector_size_12 = (vector_padded_1
+        * (absolute(upper_2) + 262144 * (9.379186e-13 * v_s_size_padded_3)) + v_s_size_padded_3
+        * vector_reach_2)
+    vector_bound_2 = (absolute(product_error(upper_0, k, vector_0) + upper_0 * k_lo) + 9.281226e-12
+        * (3.308722450212111e-24 + vector_size_4))
+    vector_bound_3 = (absolute(product_error(upper_1, k, vector_1) + upper_1 * k_lo) + 9.281226e-12
+        * (3.308722450212111e-24 + vector_size_8))
+    vector_bound_4 = (absolute(product_error(upper_2, k, vector_2) + upper_2 * k_lo) + 9.281226e-12
+        * (3.308722450212111e-24 + vector_size_12))
     return (vector_0, vector_1, vector_2, vector_bound_2, vector_bound_3, vector_bound_4)

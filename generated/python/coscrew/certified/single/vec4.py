@@ -25,12 +25,12 @@ def vec4_scale(self, a):
     self_1_new = self_1 * a
     self_2_new = self_2 * a
     self_3_new = self_3 * a
-    self_0_new_error_bound = 5.960465e-08 * (absolute(self_0_new) + 1.9721522630525295e-31)
-    self_1_new_error_bound = 5.960465e-08 * (absolute(self_1_new) + 1.9721522630525295e-31)
-    self_2_new_error_bound = 5.960465e-08 * (absolute(self_2_new) + 1.9721522630525295e-31)
-    self_3_new_error_bound = 5.960465e-08 * (absolute(self_3_new) + 1.9721522630525295e-31)
-    return (self_0_new, self_1_new, self_2_new, self_3_new, self_0_new_error_bound,
-        self_1_new_error_bound, self_2_new_error_bound, self_3_new_error_bound)
+    self_0_new_bound = 5.960465e-08 * (absolute(self_0_new) + 1.9721522630525295e-31)
+    self_1_new_bound = 5.960465e-08 * (absolute(self_1_new) + 1.9721522630525295e-31)
+    self_2_new_bound = 5.960465e-08 * (absolute(self_2_new) + 1.9721522630525295e-31)
+    self_3_new_bound = 5.960465e-08 * (absolute(self_3_new) + 1.9721522630525295e-31)
+    return (self_0_new, self_1_new, self_2_new, self_3_new, self_0_new_bound, self_1_new_bound,
+        self_2_new_bound, self_3_new_bound)
 
 
 @kernel("(4),()->(4),(4)")
@@ -47,9 +47,8 @@ def vec4_scaled(v, k):
     vo_1 = v_1 * k
     vo_2 = v_2 * k
     vo_3 = v_3 * k
-    vo_0_error_bound = 5.960465e-08 * (absolute(vo_0) + 1.9721522630525295e-31)
-    vo_1_error_bound = 5.960465e-08 * (absolute(vo_1) + 1.9721522630525295e-31)
-    vo_2_error_bound = 5.960465e-08 * (absolute(vo_2) + 1.9721522630525295e-31)
-    vo_3_error_bound = 5.960465e-08 * (absolute(vo_3) + 1.9721522630525295e-31)
-    return (vo_0, vo_1, vo_2, vo_3, vo_0_error_bound, vo_1_error_bound, vo_2_error_bound,
-        vo_3_error_bound)
+    vo_0_bound = 5.960465e-08 * (absolute(vo_0) + 1.9721522630525295e-31)
+    vo_1_bound = 5.960465e-08 * (absolute(vo_1) + 1.9721522630525295e-31)
+    vo_2_bound = 5.960465e-08 * (absolute(vo_2) + 1.9721522630525295e-31)
+    vo_3_bound = 5.960465e-08 * (absolute(vo_3) + 1.9721522630525295e-31)
+    return (vo_0, vo_1, vo_2, vo_3, vo_0_bound, vo_1_bound, vo_2_bound, vo_3_bound)

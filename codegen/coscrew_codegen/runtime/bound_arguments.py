@@ -53,7 +53,7 @@ def _missing(inputs: Sequence[tuple[str, Shape]], given: Sequence[object],
 
 
 def _fits(x: object, shape: Shape) -> bool:
-    """Whether the last axes have these lengths; a number has no axes."""
+    """Returns whether the last axes have these lengths; a number has no axes."""
     try:
         found: Shape = tuple(np.shape(cast("ArrayLike", x)))
     except ValueError:  # nested lists of several lengths

@@ -1,0 +1,59 @@
+"""Effects that a model's file declares, as springs of joints: they act in the file alone, and are
+told where a scene that names the file lacks them."""
+
+from collections.abc import Iterable, Iterator, Mapping
+
+from coscrew_codegen.scene.effect import Effect
+from coscrew_codegen.scene.mechanism.model import Joint, Model
+from coscrew_codegen.scene.mechanism.notices import Notice
+from coscrew_codegen.scene.names import toml_key
+from coscrew_codegen.scene.readers.toml.toml_text import joined, toml_pairs
+
+Effects = Mapping[str, Mapping[str, object]]
+"""Tables as [effects] of a scene holds them: by effect, then by joint, body or label, or the values
+of an effect on the whole scene."""
+
+
+def of_file_alone(model: Model, declared: Effects, catalogue: tuple[Effect, ...]
+                  ) -> dict[str, object]:
+    """The table [effects] of a model's file that is taken alone: what it declares, and effects that
+    are `alone` with the model's numbers, on the joints for which it has numbers other than 0."""
+    tables: dict[str, object] = {}
+    for effect in catalogue:
+        if effect.name in declared:
+            tables[effect.name] = declared[effect.name]
+        elif effect.alone and (table := _from_model(effect, model)) is not None:
+            tables[effect.name] = table
+    return tables
+
+
+def _from_model(effect: Effect, model: Model) -> dict[str, object] | None:
+    """The table with the model's numbers; None if the model has none that the effect can take."""
+    if effect.mimic:
+        follow = any(x.mimic for x in model.joints)
+        return {} if follow and not any(x.fault("mimic") for x in model.joints) else None
+    fields = {x.name: x.model for x in effect.parameters if x.model}
+    if not fields:
+        return {}
+    joints = [x.name for x in model.joints if _has(x, fields.values())]
+    return {"joints": joints, **dict.fromkeys(fields, "model")} if joints else None
+
+
+def _has(joint: Joint, fields: Iterable[str]) -> bool:
+    return any(getattr(joint, x) and not joint.fault(x) for x in fields)
+
+
+def notices(declared: Effects, model: Model) -> Iterator[Notice]:
+    """A notice of each effect on a joint, on a body or on the scene that the file declares, which a
+    scene with such an effect leaves out."""
+    joints = {x.name for x in model.joints}
+    for name, table in declared.items():
+        places = table if all(isinstance(x, Mapping) for x in table.values()) else {"": table}
+        for on, values in places.items():
+            assert isinstance(values, Mapping)
+            key = f"{name}.{toml_key(on)}" if on else name
+            pairs = toml_pairs(values)
+            of = f"joint {on}" if on in joints else f"effect {on or name}"
+            remedy = f"add [effects.{key}]" + (f" with {joined(pairs)}" if pairs else "")
+            yield Notice(name, of, f"{of}: {name} of the model's file is not used: {remedy}",
+                         remedy, (name, on))

@@ -1,0 +1,71 @@
+"""Effects that an MJCF declares: armature, springs, gravity and its compensation, followers."""
+
+from collections.abc import Iterable
+from typing import TYPE_CHECKING
+
+from coscrew_codegen.scene.mechanism.model import Mimic
+from coscrew_codegen.scene.readers.declared_effects import Effects
+from coscrew_codegen.scene.readers.mjcf.mjcf_names import MjcfNames, exact
+from coscrew_codegen.scene.readers.toml.toml_tables import Decimals
+
+if TYPE_CHECKING:
+    import mujoco
+
+
+def effects(model: "mujoco.MjModel", names: MjcfNames) -> Effects:
+    """The tables of the effects, those without entries left out."""
+    import mujoco
+
+    weightless = model.opt.disableflags & int(mujoco.mjtDisableBit.mjDSBL_GRAVITY)
+    g = [0.0 if weightless else float(x) for x in model.opt.gravity]
+    tables: dict[str, dict[str, object]] = {
+        "armature": {}, "gravity": {"g": decimals(g)}, "spring": {}, "wrench": {}}
+    for j in one_coordinate(model):
+        name, dof, at = names.joint(j), int(model.jnt_dofadr[j]), int(model.jnt_qposadr[j])
+        if model.dof_armature[dof]:
+            tables["armature"][name] = {"inertia": decimals([model.dof_armature[dof]])[0]}
+        if model.jnt_stiffness[j]:
+            k, q0 = decimals([model.jnt_stiffness[j], model.qpos_spring[at]])
+            tables["spring"][name] = {"k": k, "q0": q0}
+    for b in range(1, model.nbody):
+        if model.body_gravcomp[b] and model.body_weldid[b] and any(g):
+            lift = -model.body_gravcomp[b] * model.body_mass[b]
+            tables["wrench"][f"gravcomp of {names.body(b)}"] = {
+                "body": names.body(b), "point": decimals(model.body_ipos[b]),
+                "force": decimals(lift * x for x in g), "frame": "world"}
+    return {name: table for name, table in tables.items() if table}
+
+
+def followers(model: "mujoco.MjModel", names: MjcfNames) -> dict[str, Mimic]:
+    """The joints that an equality, linear and active, makes follow another, by name:
+    q_y - y0 = c0 + c1 (q_x - x0).  Of two for one follower the first counts."""
+    found: dict[str, Mimic] = {}
+    for e in range(model.neq):
+        y, x = (int(z) for z in (model.eq_obj1id[e], model.eq_obj2id[e]))
+        if follows(model, e):
+            c0, c1 = exact(model.eq_data[e][:2])
+            y0, x0 = exact(model.qpos0[model.jnt_qposadr[[y, x]]])
+            found.setdefault(names.joint(y), Mimic(names.joint(x), c1, y0 + c0 - c1 * x0))
+    return found
+
+
+def follows(model: "mujoco.MjModel", e: int) -> bool:
+    """Whether an equality is one of two joints with one coordinate, active and linear."""
+    import mujoco
+
+    y, x = int(model.eq_obj1id[e]), int(model.eq_obj2id[e])
+    return bool(model.eq_active0[e]) and model.eq_type[e] == int(mujoco.mjtEq.mjEQ_JOINT) and (
+        x >= 0 and {y, x} <= set(one_coordinate(model)) and not any(model.eq_data[e][2:5]))
+
+
+def one_coordinate(model: "mujoco.MjModel") -> list[int]:
+    """The joints that turn about an axis or slide."""
+    import mujoco
+
+    kinds = (int(mujoco.mjtJoint.mjJNT_SLIDE), int(mujoco.mjtJoint.mjJNT_HINGE))
+    return [j for j in range(model.njnt) if int(model.jnt_type[j]) in kinds]
+
+
+def decimals(numbers: Iterable[float]) -> list[Decimals]:
+    """The numbers as a file of TOML holds them."""
+    return [Decimals(repr(float(x))) for x in numbers]

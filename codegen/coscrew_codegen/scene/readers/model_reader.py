@@ -1,0 +1,115 @@
+"""A reader of models: a format of files, from its text to bodies and joints.
+
+    text ──▶ tables with places ──▶ Parts ──▶ Model
+
+The reader takes the first two steps, in its own module; the last is the same for all: the parts are
+joined into a tree and checked, and an error in it is told with the place in the file.
+"""
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field, replace
+from importlib.util import find_spec
+from pathlib import Path
+
+from coscrew_codegen.scene.joints.fixed import JOINT as FIXED
+from coscrew_codegen.scene.mechanism.assembly import ModelError, assembled
+from coscrew_codegen.scene.mechanism.inertia_checks import ERROR, WARN, judged
+from coscrew_codegen.scene.mechanism.joint_kind import JointKind
+from coscrew_codegen.scene.mechanism.mimics import with_faults, without_chains
+from coscrew_codegen.scene.mechanism.model import WORLD, Body, Joint, Model, Placement
+from coscrew_codegen.scene.mechanism.notices import Notice
+from coscrew_codegen.scene.mechanism.roundoff_cleanup import without_residues
+from coscrew_codegen.scene.names import did_you_mean
+from coscrew_codegen.scene.readers.declared_effects import Effects, notices
+from coscrew_codegen.scene.readers.scene_error import SceneError
+
+
+@dataclass(frozen=True)
+class ModelSource:
+    """The file of a model, and how a scene wants it read."""
+
+    path: Path
+    base: JointKind | None = None  # of the joint between the world and a root that no joint
+    # moves; None: as the file says
+    implausible: str = ERROR  # or WARN: accept inertias that no body has
+    packages: Mapping[str, Path] = field(default_factory=dict)  # folders of packages of ROS
+    arguments: Mapping[str, str] = field(default_factory=dict)  # of a file that is a program
+    leave_out: tuple[str, ...] = ()  # what the scene does without, of what no scene can have
+
+    @property
+    def lenient(self) -> bool:
+        """Whether inertias that are impossible, massless or incomplete are accepted."""
+        return self.implausible == WARN
+
+
+@dataclass(frozen=True)
+class Parts:
+    """The bodies and joints of a file, in its order."""
+
+    name: str
+    bodies: tuple[Body, ...]
+    joints: tuple[Joint, ...]
+    places: Mapping[str, str] = field(default_factory=dict)
+    # where elements stand: "joint 'elbow'": "line 7"; "" for all that have no entry
+    mimic_places: Mapping[str, str] = field(default_factory=dict)
+    # where followers do, by joint: a wrong one is then refused only where it is used
+    base: JointKind = FIXED  # of that joint, by the file
+    roots: Mapping[str, Placement] = field(default_factory=dict)  # where it stands, by body
+    start: Mapping[str, tuple[float, ...]] = field(default_factory=dict)  # of the file alone: q
+    effects: Effects = field(default_factory=dict)  # what acts by the file, as springs of joints
+    implausible: tuple[str, ...] = ()  # inertias that the reader has accepted, a line each
+    notices: tuple[Notice, ...] = ()  # what was read and is not used
+
+    def model(self, source: ModelSource) -> Model:
+        """The tree of these parts.  Raises SceneError for anything but one tree of bodies that can
+        exist."""
+        try:
+            held = any(x.parent == WORLD for x in self.joints)
+            base = source.base or (FIXED if held else self.base)
+            tree = assembled(self.name, self.bodies, self.joints, base, self.roots)
+            clean = without_residues(without_chains(with_faults(tree, {
+                name: f"{source.path.name}, {at}" for name, at in self.mimic_places.items()})))
+            told = (*notices(self.effects, clean), *self.notices)
+            return judged(replace(clean, implausible=self.implausible, notices=told),
+                          source.implausible)
+        except ModelError as error:
+            place = self.places.get(error.element, self.places.get("", ""))
+            where = f"{place}, {error.element}" if place else error.element
+            raise SceneError(source.path, where, error.problem) from None
+
+
+@dataclass(frozen=True)
+class ModelReader:
+    """A format in which files hold models.
+
+    `parts` reads one file: everything in it is understood, told in `notices`, or refused by a
+    SceneError that names the place, what came and what was wanted."""
+
+    name: str  # "URDF"
+    suffixes: tuple[str, ...]  # ".urdf"; of two that fit a file, the longer one counts
+    words: str  # what such a file is, and what is read: "a robot of ROS: its links and joints, …"
+    parts: Callable[[ModelSource], Parts]
+    modules: tuple[str, ...] = ()  # that it imports, besides the generator's own
+    extra: str = ""  # of the project, which installs them
+    takes_arguments: bool = False  # and packages: its files are programs
+    leaves_out: tuple[str, ...] = ()  # what `leave_out` may name
+
+    def read(self, source: ModelSource) -> Model:
+        """The model in a file.  Raises SceneError."""
+        return self.parts_of(source).model(source)
+
+    def parts_of(self, source: ModelSource) -> Parts:
+        """The parts in a file.  Raises SceneError, also where a package is missing."""
+        if missing := [x for x in self.modules if find_spec(x) is None]:
+            raise SceneError(source.path, "", f"is {self.name}, which needs {', '.join(missing)}; "
+                             f'run `pip install "coscrew[{self.extra}]"`')
+        if not self.takes_arguments and (source.packages or source.arguments):
+            what = "packages" if source.packages else "arguments"
+            raise SceneError(source.path, "", f"is {self.name}, which takes no {what}; "
+                             "wanted none, or a file of xacro")
+        for name in source.leave_out:
+            if name not in self.leaves_out:
+                wanted = did_you_mean(name, self.leaves_out) if self.leaves_out else \
+                    f"{self.name} has nothing to leave out"
+                raise SceneError(source.path, "leave_out", f"{name!r}; {wanted}")
+        return self.parts(source)

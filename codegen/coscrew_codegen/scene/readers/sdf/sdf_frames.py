@@ -1,0 +1,141 @@
+"""Frames of an SDF model: poses relative to one another, and the links to which they are fixed."""
+
+from collections.abc import Sequence
+from fractions import Fraction
+from pathlib import Path
+
+from coscrew_codegen.scene.constants import constant
+from coscrew_codegen.scene.mechanism import rotations
+from coscrew_codegen.scene.mechanism.model import HERE, WORLD, Placement
+from coscrew_codegen.scene.mechanism.roundoff_cleanup import without_residue
+from coscrew_codegen.scene.mechanism.tree import composed
+from coscrew_codegen.scene.names import did_you_mean
+from coscrew_codegen.scene.readers.scene_error import shown
+from coscrew_codegen.scene.readers.sdf.sdf_elements import SdfElements
+from coscrew_codegen.scene.readers.urdf.xml import Element
+
+MODEL = "__model__"
+_ZERO = (Fraction(0),) * 3
+
+
+class SdfFrames(SdfElements):
+    """The frames of one file by full name, arm::hand::palm: links, frames, joints and models."""
+
+    def __init__(self, path: Path) -> None:
+        super().__init__(path)
+        self.frames: dict[str, tuple[Element, str]] = {}  # element, scope: "arm::hand::"
+        self._above: dict[str, tuple[str, ...]] = {}  # (): it is being looked up
+
+    def collect(self, model: Element, scope: str) -> None:
+        """Add the frames of a model and of the models in it."""
+        for include in model.all("include"):
+            self.refuse_include(include)
+        self.frames[f"{scope}{MODEL}"] = model, scope
+        for element in (*model.all("link"), *model.all("frame"), *model.all("joint")):
+            self.frames.setdefault(f"{scope}{self.name(element)}", (element, scope))
+        for inner in model.all("model"):
+            self.collect(inner, f"{scope}{self.name(inner)}::")
+
+    def resolved(self, at: Element, scope: str, name: str) -> str:
+        """The full name of a frame that an element in this scope names."""
+        found = [x for x in (f"{scope}{name}", f"{scope}{name}::{MODEL}") if x in self.frames]
+        if not found:
+            known = [x.removeprefix(scope) for x in self.frames if x.startswith(scope)]
+            self.refuse(at, f"no frame {shown(name)}; {did_you_mean(name, known)}")
+        return found[0]
+
+    def above(self, full: str) -> tuple[str, ...]:
+        """The frame, the frame in which its pose is given, and so on to WORLD."""
+        if full == WORLD:
+            return (WORLD,)
+        if full not in self._above:
+            self._above[full] = ()
+            self._above[full] = (full, *self.above(self._below(*self.frames[full])))
+        found = self._above[full]
+        if not found:
+            circle = ", ".join(x for x, y in self._above.items() if not y)
+            self.refuse(self.frames[full][0], f"the poses of {circle} are relative to one another; "
+                                              "wanted one that is not")
+        return found
+
+    def _below(self, element: Element, scope: str) -> str:
+        """The full name of the frame in which a frame's pose is given, or WORLD."""
+        pose = self.only(element, "pose")
+        outer = scope
+        if element.tag == "model":
+            head, colons, _ = scope[:-2].rpartition("::")
+            outer = f"{head}{colons}"
+        name = pose.attributes.get("relative_to", "") if pose else ""
+        if element.tag == "model" and not scope:
+            if name not in ("", WORLD):
+                self.refuse(element, f"the model's pose is relative to {shown(name)}; wanted the "
+                                     "world")
+            return WORLD
+        own = {"frame": element.attributes.get("attached_to", ""),
+               "joint": self.text(element, "child", MODEL)}.get(element.tag, "")
+        return self.resolved(element, outer, name or own or MODEL)
+
+    def within(self, outer: str, inner: str) -> Placement:
+        """The frame `inner` in the frame `outer`, or in WORLD: exact where both are relative to a
+        third."""
+        common = next(x for x in self.above(inner) if x in self.above(outer))
+        return without_residue(composed(inverse(self._down(common, outer)),
+                                        self._down(common, inner)))
+
+    def _down(self, common: str, full: str) -> Placement:
+        """The frame in one above it."""
+        found = HERE
+        for name in self.above(full):
+            if name == common:
+                break
+            found = composed(self.pose(self.frames[name][0]), found)
+        return found
+
+    def link_of(self, full: str, seen: tuple[str, ...] = ()) -> str:
+        """The link to which a frame is fixed."""
+        element, scope = self.frames[full]
+        if full in seen:
+            self.refuse(element, f"{', '.join(seen)} are attached to one another; wanted a link")
+        if element.tag == "link":
+            return full
+        if element.tag == "model":
+            links = [x.attributes.get("name", "") for x in (*element.all("link"),
+                                                            *element.all("model"))]
+            if not links:
+                self.refuse(element, "has no link")
+            name = element.attributes.get("canonical_link", "") or links[0]
+        elif element.tag == "joint":
+            name = self.text(element, "child")
+        else:
+            name = element.attributes.get("attached_to", "") or MODEL
+        return self.link_of(self.resolved(element, scope, name), (*seen, full))
+
+    def pose(self, owner: Element) -> Placement:
+        """The numbers of an element's <pose>: x y z and roll pitch yaw, or a quaternion."""
+        pose = self.only(owner, "pose")
+        if pose is None or not pose.texts:
+            return HERE
+        form = pose.attributes.get("rotation_format", "euler_rpy")
+        if form not in ("euler_rpy", "quat_xyzw"):
+            self.refuse(pose, f"rotation_format {shown(form)}; wanted euler_rpy or quat_xyzw")
+        in_degrees = self.as_flag(pose, "degrees", pose.attributes.get("degrees", "false"))
+        if form == "quat_xyzw":
+            x, y, z, *quaternion = self.numbers(owner, "pose", 7)
+            if in_degrees or not any(quaternion):
+                self.refuse(pose, "holds a quaternion that is zero, or in degrees; wanted x, y, z, "
+                                  "w of a unit quaternion")
+            return Placement(rotations.from_quaternion(quaternion), (x, y, z))
+        x, y, z, *angles = self.numbers(owner, "pose", 6)
+        unit = constant("pi/180") if in_degrees else Fraction(1)
+        return Placement(rotations.from_rpy(*(unit * angle for angle in angles)), (x, y, z))
+
+
+def inverse(frame: Placement) -> Placement:
+    """D^-1 = (R^T, -R^T t)."""
+    back = Placement(tuple(frame.R[3 * j + i] for i in range(3) for j in range(3)), _ZERO)
+    return Placement(back.R, tuple(-x for x in turned(back, frame.t)))
+
+
+def turned(frame: Placement, vector: Sequence[Fraction]) -> tuple[Fraction, ...]:
+    """R v."""
+    return composed(Placement(frame.R, _ZERO), Placement(HERE.R, tuple(vector))).t

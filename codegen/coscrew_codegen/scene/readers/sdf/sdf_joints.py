@@ -1,0 +1,158 @@
+"""Joints of SDF files.  A universal joint is two revolute ones in series, NAME and NAME/2.
+
+A link keeps the frame that its file gives it.  Where the joint's frame stands elsewhere, a link
+without mass, NAME/link, turns there, and the file's link is fixed to it.
+"""
+
+from collections.abc import Iterator
+from dataclasses import replace
+from fractions import Fraction
+from pathlib import Path
+
+from coscrew_codegen.scene.joints.fixed import JOINT as FIXED
+from coscrew_codegen.scene.joints.prismatic import JOINT as PRISMATIC
+from coscrew_codegen.scene.joints.revolute import JOINT as REVOLUTE
+from coscrew_codegen.scene.joints.spherical import JOINT as SPHERICAL
+from coscrew_codegen.scene.mechanism import rotations
+from coscrew_codegen.scene.mechanism.model import (
+    HERE,
+    WORLD,
+    Body,
+    Joint,
+    Limits,
+    Mimic,
+    Placement,
+)
+from coscrew_codegen.scene.mechanism.tree import composed
+from coscrew_codegen.scene.names import or_mean
+from coscrew_codegen.scene.readers.scene_error import shown
+from coscrew_codegen.scene.readers.sdf.sdf_frames import MODEL, SdfFrames, inverse, turned
+from coscrew_codegen.scene.readers.toml.toml_tables import Decimals
+from coscrew_codegen.scene.readers.urdf.xml import Element
+
+TYPES = {"revolute": (REVOLUTE, 1), "continuous": (REVOLUTE, 1),
+         "prismatic": (PRISMATIC, 1), "universal": (REVOLUTE, 2),
+         "revolute2": (REVOLUTE, 2), "ball": (SPHERICAL, 0), "fixed": (FIXED, 0)}
+"""The kind and the number of axes of each type."""
+
+_UNLIMITED = Fraction(10)**16  # numbers from here on stand for none
+_AXES = ("axis", "axis2")
+
+
+class SdfJoints(SdfFrames):
+    """Reads the joints of one file; `springs` collects those that they declare."""
+
+    def __init__(self, path: Path) -> None:
+        super().__init__(path)
+        self.springs: dict[str, dict[str, object]] = {}
+
+    def joint(self, joint: Element, full: str, scope: str) -> Iterator[Joint | Body]:
+        """The joint, or the chain of joints, and the links without mass in it."""
+        word = joint.attributes.get("type", "")
+        if word not in TYPES:
+            self.refuse(joint, f"type {shown(word)}; wanted one of {', '.join(TYPES)}"
+                               f"{or_mean(word, TYPES)}")
+        kind, count = TYPES[word]
+        parent, child = self._ends(joint, scope)
+        for tag in _AXES[count:] if kind is not FIXED else ():
+            if axis := self.only(joint, tag):
+                self.refuse(axis, f"<{tag}> of a {word} joint; wanted none")
+        self.notices += self.unused(joint, f"joint {full}")
+        if kind is FIXED:
+            yield Joint(full, kind, parent, child, self.within(parent, child))
+            return
+        at, back = self.within(parent, full), self.within(full, child)
+        name, tag = full, "".join(_AXES[:count][-1:])
+        if count == 2:
+            first, name = Joint(full, kind, parent, f"{full}/between", at), f"{full}/2"
+            yield from (Body(first.child), self._moving(joint, _AXES[0], first, scope))
+            parent, at = first.child, HERE
+        last = self._moving(joint, tag, Joint(name, kind, parent, child, at), scope)
+        if _same_motion(last, back):
+            own = turned(inverse(back), last.axis) if tag else last.axis
+            yield replace(last, placement=composed(at, back), axis=own)
+            return
+        yield from (Body(f"{name}/link"), replace(last, child=f"{name}/link"),
+                    Joint(f"{full}/body", FIXED, f"{name}/link", child, back))
+
+    def _ends(self, joint: Element, scope: str) -> tuple[str, str]:
+        """The links that the joint connects."""
+        near, far = self.text(joint, "parent"), self.text(joint, "child")
+        parent = WORLD if near == WORLD else self.link_of(self.resolved(joint, scope, near))
+        return parent, self.link_of(self.resolved(joint, scope, far))
+
+    def _moving(self, owner: Element, tag: str, joint: Joint, scope: str) -> Joint:
+        """The joint with the numbers of its axis."""
+        axis = self.only(owner, tag) if tag else None
+        if axis is None:
+            return joint if not tag else self.refuse(owner, f"lacks <{tag}>")
+        lower, upper, effort, velocity = self._limits(axis, owner.attributes["type"])
+        dynamics = self.only(axis, "dynamics")
+        damping, friction = (self.number(dynamics, x, "0", True) if dynamics else None
+                             for x in ("damping", "friction"))
+        if dynamics and self.number(dynamics, "spring_stiffness", "0", True):
+            self.springs[joint.name] = {
+                "k": Decimals(self.text(dynamics, "spring_stiffness")),
+                "q0": Decimals(self.text(dynamics, "spring_reference", "0"))}
+        return replace(joint, axis=self._direction(owner, axis, scope), lower=lower, upper=upper,
+                       effort=effort, velocity=velocity, damping=damping, friction=friction,
+                       mimic=self._mimic(axis, scope))
+
+    def _direction(self, joint: Element, axis: Element, scope: str) -> tuple[Fraction, ...]:
+        """The axis in the joint's frame, of norm 1."""
+        xyz = self.only(axis, "xyz")
+        given = self.numbers(axis, "xyz", 3, "0 0 1")
+        if not any(given):
+            self.refuse(axis, "the axis is zero; wanted a direction")
+        of = xyz.attributes.get("expressed_in", "") if xyz else ""
+        if not of and self.flag(axis, "use_parent_model_frame", str(self.version < 5).lower()):
+            of = MODEL
+        if of:
+            own = self.resolved(joint, scope, self.name(joint))
+            given = turned(self.within(own, self.resolved(axis, scope, of)), given)
+        return rotations.unit(given)
+
+    def _limits(self, axis: Element, word: str) -> Limits:
+        limit = self.only(axis, "limit")
+        if limit is None:
+            return (None,) * 4
+        lower, upper, effort, velocity = (self._end(limit, tag) for tag in (
+            "lower", "upper", "effort", "velocity"))
+        if lower is not None and upper is not None and lower > upper:
+            self.refuse(limit, f"lower, {float(lower):g}, is above upper, {float(upper):g}")
+        if word == "continuous":
+            lower = upper = None
+        effort, velocity = (None if x is None or x < 0 else x for x in (effort, velocity))
+        return lower, upper, effort, velocity
+
+    def _end(self, limit: Element, tag: str) -> Fraction | None:
+        """A limit; None if it is not given, or infinite."""
+        text = self.text(limit, tag, "inf")
+        if text.lstrip("+-").lower() in ("inf", "infinity"):
+            return None
+        number, = self.as_numbers(limit, tag, text, 1)
+        return None if abs(number) >= _UNLIMITED else number
+
+    def _mimic(self, axis: Element, scope: str) -> Mimic | None:
+        """q = multiplier (q of the leader - reference) + offset."""
+        mimic = self.only(axis, "mimic")
+        if mimic is None:
+            return None
+        leader = self.resolved(mimic, scope, mimic.attributes.get("joint", ""))
+        of = mimic.attributes.get("axis", _AXES[0])
+        if of not in _AXES:
+            self.refuse(mimic, f"axis {shown(of)}; wanted one of {', '.join(_AXES)}")
+        multiplier, offset, reference = (self.number(mimic, x, "0") for x in (
+            "multiplier", "offset", "reference"))
+        return Mimic(leader if of == _AXES[0] else f"{leader}/2", multiplier,
+                     offset - multiplier * reference)
+
+
+def _same_motion(joint: Joint, child: Placement) -> bool:
+    """Whether the joint moves a frame at `child` as it moves its own: what slides, what turns about
+    an axis through that frame's origin, and what turns about the same point and axes."""
+    if joint.kind is SPHERICAL:
+        return child == HERE
+    x, y, z = child.t
+    a, b, c = joint.axis
+    return joint.kind is PRISMATIC or not any((y * c - z * b, z * a - x * c, x * b - y * a))

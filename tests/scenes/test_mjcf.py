@@ -1,0 +1,190 @@
+"""MJCF files: the model and the effects that they declare move as MuJoCo's; what no scene can have
+is refused by name, or left out."""
+
+import mujoco
+import numpy as np
+import pytest
+
+from coscrew_codegen.__main__ import main
+from coscrew_codegen.scene.readers.scene_error import SceneError
+from coscrew_codegen.scene.readers.toml.toml_scene import SceneOverrides, read_scene
+from tests.support.scenes.kinds import Kind
+from tests.support.scenes.mujoco_pairs import compared
+
+ROBOT = """<mujoco><compiler angle="radian"/><option gravity="0.3 0 -9.5"/>
+<default><joint damping="0.2" armature="0.03"/><geom density="800"/></default><worldbody>
+<body name="trunk" pos="0 0 0.7" quat="0.9 0.1 0.2 0.3"><FREE/>
+  <geom type="box" size="0.1 0.2 0.05" pos="0.02 0 0.01" euler="0.1 0.2 0.3"/>
+<body name="hip" pos="0.1 0.2 0"><geom type="capsule" size="0.03" fromto="0 0 0 0.1 0 -0.2"/>
+  <joint name="roll" axis="1 0 0" pos="0 0.01 0.02"/>
+  <joint name="pitch" axis="0 1 0.5" ref="0.4" stiffness="5" springref="0.1" range="-1 2"
+    frictionloss="0.3" limited="true" pos="0.02 0 0"/>
+  <joint name="reach" type="slide" axis="0 0.6 -0.8" ref="-0.2" armature="0.5"/>
+<body name="foot" pos="0 0 -0.3" euler="0.3 0.2 0.1" gravcomp="0.5">
+  <geom type="sphere" size="0.05" pos="0.01 0.02 0.03"/>
+  <joint name="ankle" type="ball" pos="0.01 0 0.02" damping="0" armature="0"/>
+<body name="toe" pos="0.1 0 0"><geom type="ellipsoid" size="0.03 0.02 0.01"/>
+  <joint name="bend" axis="0 1 0" pos="0 0 0.01"/></body></body></body>
+<body name="tail" pos="-0.2 0 0"><geom type="cylinder" size="0.02 0.1"/>
+  <joint name="swing" axis="0 0 1" ref="0.3"/>
+<body name="tip" pos="-0.2 0 0"><geom type="sphere" size="0.02"/><joint name="wag" axis="0 0 1"
+  ref="0.1"/></body></body>
+</body></worldbody>MORE</mujoco>"""
+FREE = ROBOT.replace("<FREE/>", '<freejoint name="root"/>')
+FOLLOWS = '<equality><joint joint1="wag" joint2="swing" polycoef="0.2 -1.5 0 0 0"/></equality>'
+
+
+@pytest.fixture
+def read(tmp_path):
+    def read(text=FREE, more="", name="robot.xml", scene="", **overrides):
+        path = tmp_path / name
+        path.write_text(text.replace("MORE", more))
+        if scene:
+            path = tmp_path / "scene.toml"
+            path.write_text(f'model = "{name}"\n{scene}')
+        return read_scene(path, overrides=SceneOverrides(**overrides))
+
+    return read
+
+
+@pytest.mark.parametrize("text", (FREE, ROBOT.replace("<FREE/>", "")), ids=("free", "fixed"))
+@pytest.mark.parametrize("more", ("", FOLLOWS), ids=("", "follower"))
+def test_it_moves_as_mujocos(read, tmp_path, text, more):
+    """Free, ball, hinges and a slide on one body, anchors, ref, springs, armature, gravcomp; q is
+    qpos.  Ten states; the bound is some hundred roundings of both programs."""
+    scene = read(text, more)
+    theirs = mujoco.MjModel.from_xml_path(str(tmp_path / "robot.xml"))
+    worst = compared(scene, theirs)
+    assert max(worst.mass_matrix, worst.bias, worst.torques) < 2e-13, worst
+    assert bool(more) == ("mimic" in {x.effect.name for x in scene.effects})
+
+
+def test_what_the_file_says_is_in_the_model(read):
+    scene = read()
+    joints = {x.name: x for x in scene.model.joints}
+    assert [x.kind for x in scene.model.joints if x.kind is not Kind.FIXED] == [
+        Kind.FREE, Kind.REVOLUTE, Kind.REVOLUTE, Kind.PRISMATIC, Kind.SPHERICAL, Kind.REVOLUTE,
+        Kind.REVOLUTE, Kind.REVOLUTE]
+    pitch = joints["pitch"]
+    assert [float(x) for x in (pitch.lower, pitch.upper, pitch.friction, pitch.damping)] == [
+        -1, 2, 0.3, 0.2]
+    assert {"gravity", "viscous.roll", "armature.reach", "spring.pitch",
+            "wrench.gravcomp of foot"} <= {x.name for x in scene.effects}
+    assert any(x.startswith("joint pitch: friction 0.3 N m is not used") for x in scene.unused)
+    assert any(x.endswith("geoms may touch others in MuJoCo: contact is not used")
+               for x in scene.unused)
+
+
+def test_it_starts_where_mujoco_does(read, tmp_path):
+    scene = read()
+    theirs = mujoco.MjModel.from_xml_path(str(tmp_path / "robot.xml"))
+    q0 = theirs.qpos0
+    assert np.abs(np.array(scene.start_q["root"]) - [*q0[:3], *q0[4:7], q0[3]]).max() < 1e-15
+    assert (scene.start_q["pitch"], scene.start_q["swing"]) == ((0.4,), (0.3,))
+
+
+def test_a_scene_chooses_its_effects(read):
+    """What the file declares is told with what to write, and silent once it is written."""
+    told = read(scene="[effects.gravity]\n").unused
+    assert "joint pitch: spring of the model's file is not used: add [effects.spring.pitch] with " \
+           "k = 5.0 and q0 = 0.1" in told
+    written = read(scene="[effects.gravity]\n[effects.spring.pitch]\nk = 2\n").unused
+    assert not any("spring of the model's file" in x for x in written)
+
+
+def test_flags_of_the_file_are_obeyed(read):
+    more = '<option><flag gravity="disable" spring="disable" damper="disable"/></option>'
+    names = {x.name for x in read(more=more).effects}
+    assert not any(x.startswith(("spring", "viscous", "wrench")) for x in names)
+    gravity = next(x for x in read(more=more).effects if x.name == "gravity")
+    assert not any(gravity.values["g"])
+
+
+UNKEPT = {
+    "loops": ('<equality><weld body1="toe" body2="tip"/></equality>', "equality weld 0"),
+    "equalities": ('<equality><joint name="e" joint1="wag" joint2="swing" polycoef="0 1 1 0 0"/>'
+                   "</equality>", "equality joint 'e'"),
+    "equalities ": (FOLLOWS.replace("</equality>", '<joint name="f" joint1="wag" joint2="bend"/>'
+                                    "</equality>"), "equality joint 'f'"),
+    "tendons": ('<tendon><fixed name="t" stiffness="3"><joint joint="wag" coef="1"/></fixed>'
+                "</tendon>", "tendon 't'"),
+    "actuators": ('<actuator><motor name="m" joint="wag" armature="2"/></actuator>',
+                  "actuator 'm'"),
+    "fluid": ('<option density="1.2"/>', "option density, viscosity or wind")}
+IN_JOINTS = {
+    "ball_joints": ("", 'damping="0" armature="0"', 'damping="1" armature="0"',
+                    "damping of joint 'ankle'"),
+    "polynomials": ("", 'name="wag"', 'name="wag" damping="1 2"',
+                    "damping or stiffness of joint 'wag'")}
+
+
+@pytest.mark.parametrize(("group", "more", "old", "new", "element"), (
+    *((x.strip(), y[0], "a", "a", y[1]) for x, y in UNKEPT.items()),
+    *((x, *y) for x, y in IN_JOINTS.items())))
+def test_what_no_scene_has_is_refused_or_left_out(read, group, more, old, new, element):
+    text = FREE.replace(old, new)
+    with pytest.raises(SceneError) as caught:
+        read(text, more)
+    assert f"robot.xml: {element}: " in str(caught.value)
+    assert str(caught.value).endswith(f'leave_out = ["{group}"] in the scene, or --leave-out '
+                                      f"{group}, leaves it out")
+    told = read(text, more, leave_out=(group,)).unused
+    assert f"{element}: left out ({group})" in told
+    scene = read(text, more, scene=f'leave_out = ["{group}"]\n[effects.gravity]\n')
+    assert f"{element}: left out ({group})" in scene.unused
+
+
+ACTUATORS = """<actuator>
+<motor name="m" joint="roll" gear="50" forcerange="-2 2" forcelimited="true"/>
+<position name="p" joint="wag" kp="7" kv="0.5" gear="2"/><velocity name="w" joint="swing" kv="3"/>
+<general name="x" joint="bend" dyntype="filter" dynprm="0.1"/></actuator>"""
+
+
+def test_actuators_are_told_with_what_to_write(read):
+    told = [x for x in read(more=ACTUATORS).unused if "actuator" in x and "effort" not in x]
+    assert told[0] == ("joint roll: actuator m is not used: add [effects.actuator.roll] with kind "
+                       '= "torque", torque = 0 and limit = 100.0')
+    assert told[1].endswith('[effects.actuator.wag] with kind = "pd", kp = 28.0, kd = 2.0 and '
+                            "target = 0")
+    assert told[2].endswith('kind = "pd", kp = 0.0, kd = 3.0 and target = 0')
+    assert told[3] == "actuator x: is not used, and no effect does the same"
+
+
+def test_a_position_actuator_is_the_pd_that_is_told(read, tmp_path):
+    """MuJoCo's force at ctrl = 0."""
+    scene = read(more=ACTUATORS)
+    theirs = mujoco.MjModel.from_xml_path(str(tmp_path / "robot.xml"))
+    data = mujoco.MjData(theirs)
+    place = theirs.joint("wag").qposadr[0], theirs.joint("wag").dofadr[0]
+    data.qpos[place[0]], data.qvel[place[1]] = 0.25, -0.5
+    mujoco.mj_forward(theirs, data)
+    assert "kp = 28.0, kd = 2.0" in " ".join(scene.unused)
+    assert abs(data.qfrc_actuator[place[1]] - (-28 * 0.25 + 2 * 0.5)) < 1e-14
+
+
+@pytest.mark.parametrize(("text", "words"), (
+    ("<mujoco><worldbody><body/></worldbody></mujoco>", "has no joint that moves"),
+    ("<mujoco><worldbody><bod/></worldbody></mujoco>", "robot.xml: MuJoCo says: XML Error: Sch"),
+    ("<mujoco", "robot.xml: MuJoCo says: "), ("<robot/>", "is a URDF with another suffix; rename "
+                                                          "it to robot.urdf"),
+    ("<sdf/>", "is SDF, the format of Gazebo; wanted a name that ends in .sdf"),
+    ("<part/>", "the root is <part>; wanted <mujoco>, or another suffix"),
+    ("text", "the root is <>; wanted <mujoco>")))
+def test_errors_are_told_on_one_line(read, text, words):
+    with pytest.raises(SceneError, match="robot.xml: ") as caught:
+        read(text)
+    assert words in str(caught.value) and "\n" not in str(caught.value)
+
+
+def test_leave_out_is_for_what_it_names(read, tmp_path, capsys):
+    with pytest.raises(SceneError, match="leave_out: 'tendon'; did you mean 'tendons'?"):
+        read(leave_out=("tendon",))
+    (tmp_path / "a.urdf").write_text("<robot/>")
+    with pytest.raises(SceneError, match="leave_out: 'tendons'; URDF has nothing to leave out"):
+        read_scene(tmp_path / "a.urdf", overrides=SceneOverrides(leave_out=("tendons",)))
+    read(more=UNKEPT["tendons"][0], leave_out=("tendons",))
+    words = ["generate", str(tmp_path / "robot.xml"), "--functions", "energy", "--leave-out",
+             "tendons", "-o", str(tmp_path / "out")]
+    assert main(words) == 0, capsys.readouterr().err
+    assert main([*words[:4], *words[-2:]]) == 2
+    assert "--leave-out tendons, leaves it out" in capsys.readouterr().err
