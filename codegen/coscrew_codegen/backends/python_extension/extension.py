@@ -13,7 +13,7 @@ from coscrew_codegen.backends.c.c_function import CFunction
 from coscrew_codegen.backends.c.c_operations import c_name
 from coscrew_codegen.backends.c.c_statements import listed
 from coscrew_codegen.backends.library import Library
-from coscrew_codegen.backends.numpy import numpy_operations
+from coscrew_codegen.backends.numpy import numpy_twins
 from coscrew_codegen.backends.python_extension import gufunc
 from coscrew_codegen.backends.render import render
 from coscrew_codegen.backends.requirements import defects_of, requirements
@@ -71,7 +71,7 @@ def _loops(library: Library, tier: Tier) -> Files:
     """The sources except the one that holds their provenance."""
     families, on_vectors = _families(library, tier), _on_vectors(library, tier)
     required = library.made(requirements)
-    docstrings = numpy_operations.docstrings(library, tier, library.precisions[0])
+    docstrings = numpy_twins.docstrings(library, tier, library.precisions[0])
     best = _best(library, tier)
     headers = f"{'../../' if tier.mark else '../'}c/include/ksl"
     sources = {"_gufunc.h": render("gufunc/_gufunc.h", banner=library.banner,
