@@ -19,7 +19,10 @@ def _kernel(signature: str, dtype, working=None) -> Callable[[Callable], Callabl
         return array if working is None or array.dtype == object else array.astype(working)
 
     def decorate(function: Callable) -> Callable:
-        name, arguments = function.__name__, tuple(inspect.signature(function).parameters)
+        name = function.__name__
+        parameters = [x for x in inspect.signature(function).parameters.values()
+                      if x.kind is not inspect.Parameter.KEYWORD_ONLY]  # others are constants
+        arguments = tuple(x.name for x in parameters)
 
         def checked(values, objects=True):
             """(broadcast leading axes, the arguments as arrays)."""
@@ -56,7 +59,8 @@ def _kernel(signature: str, dtype, working=None) -> Callable[[Callable], Callabl
             delivered = tuple(_arrays.deliver(r, o, name) for r, o in zip(results, wanted))
             return delivered[0] if len(delivered) == 1 else delivered
 
-        on_arrays.checked = checked
+        on_arrays.checked, on_arrays.signature = checked, signature
+        on_arrays.__signature__ = inspect.Signature(parameters)
         return on_arrays
 
     return decorate

@@ -378,9 +378,9 @@ class Exact:
 
     def __getattr__(self, name: str) -> Callable[..., Result]:
         operation, kernel = TABLE[name], getattr(self._kernels, name).__wrapped__
-        constants = tuple(Fraction(x) if isinstance(x, float) else x
-                          for x in kernel.__code__.co_consts)
+        constants = tuple(map(_exactly, kernel.__code__.co_consts))
         exact = FunctionType(kernel.__code__.replace(co_consts=constants), kernel.__globals__)
+        exact.__kwdefaults__ = {k: _exactly(x) for k, x in (kernel.__kwdefaults__ or {}).items()}
 
         def on_arrays(*values: Matrix | Fraction) -> Result:
             result = exact(*(tuple(x.ravel()) if isinstance(x, np.ndarray) and x.ndim else x
@@ -391,3 +391,7 @@ class Exact:
             return results if len(results) > 1 else results[0]
 
         return on_arrays
+
+
+def _exactly(x: object) -> object:
+    return Fraction(x) if isinstance(x, float) else x

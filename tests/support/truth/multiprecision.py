@@ -203,11 +203,17 @@ def python_function(function: FunctionType, rules: Rules) -> FunctionType:
         sincos=lambda x: (_FUNCTIONS["sin"](x), _FUNCTIONS["cos"](x)))
     names = {"absolute": _FUNCTIONS["abs"], "sqrt": Number.sqrt, "elementary": elementary,
              "where": lambda test, x, y: rules.number(x if test else y),
-             "float64": rules.number, "float32": rules.number, "nan": rules.number(NAN)}
-    constants = tuple(rules.literal(repr(x)) if isinstance(x, float) else x
-                      for x in function.__code__.co_consts)
-    return FunctionType(function.__code__.replace(co_consts=constants),
+             **dict.fromkeys(("float64", "float32", "real"), rules.number),
+             "nan": rules.number(NAN)}
+
+    def constant(x: object) -> object:
+        return rules.literal(repr(x)) if isinstance(x, float) else x
+
+    constants = tuple(map(constant, function.__code__.co_consts))
+    made = FunctionType(function.__code__.replace(co_consts=constants),
                         function.__globals__ | names, function.__name__)
+    made.__kwdefaults__ = {k: constant(x) for k, x in (function.__kwdefaults__ or {}).items()}
+    return made
 
 
 class Evaluator:

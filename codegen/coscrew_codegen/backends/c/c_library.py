@@ -41,7 +41,7 @@ def nested(program: Program, working: Precision, access: Callable[[Input], str])
     def constant(x: Constant) -> str:
         return working.literal(x) + working.suffix
 
-    return Nesting(_Rewriting(program, sums).program(),
+    return Nesting(_PrintedProgram(program, sums).program(),
                    Language(spelling, constant, f"({working.c_type})NAN", "", "{arguments}"),
                    access, 150,
                    named=lambda step: step.name == step.component or step.name in chosen,
@@ -82,7 +82,7 @@ def sums_of_products(program: Program, exact: Collection[str]) -> dict[str, Inst
 
 
 @dataclass(frozen=True)
-class _Rewriting:
+class _PrintedProgram:
     """A program in which sums have the factors of their products as operands, and each use of a
     comparison its own instruction."""
 

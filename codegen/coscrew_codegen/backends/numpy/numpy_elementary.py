@@ -55,7 +55,7 @@ def _function(function: Elementary, precision: Precision) -> dict[str, Any]:
 
 
 def _body(program: Program, precision: Precision) -> str:
-    text = Nesting(program, numpy_operations.language(precision, precision.literal),
+    text = Nesting(program, numpy_operations.language(precision.numpy_type, precision.literal),
                    lambda x: program.inputs[x.argument].name, WIDTH - 4,
                    named=lambda step: step.name == step.component)
     lines = [*text.lines, f"return {', '.join(text.results)}"]

@@ -6,13 +6,11 @@ NumPy rounds every operation once and never contracts, so that expressions can b
 import textwrap
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
-from typing import Any
+from functools import partial
 
 from coscrew_codegen.accuracy import bounds
-from coscrew_codegen.accuracy.tiers import TIERS, Tier
 from coscrew_codegen.algebra.operations import Operation
 from coscrew_codegen.backends.c.c_statements import WIDTH, broken, listed
-from coscrew_codegen.backends.library import FamilyKernels, Kernels, Library
 from coscrew_codegen.backends.nesting import (
     CALL,
     COMPARISON,
@@ -24,7 +22,8 @@ from coscrew_codegen.backends.nesting import (
     Nesting,
     wrapped,
 )
-from coscrew_codegen.program import Constant, Input, Instruction, NotANumber, Op, Program
+from coscrew_codegen.backends.numpy.shared_twins import SharedProgram
+from coscrew_codegen.program import Constant, Input, Instruction, Op, Program
 from coscrew_codegen.program.values.formats import DOUBLE, Precision
 from coscrew_codegen.program.values.quantity import Argument, in_words
 from coscrew_codegen.program.whole_cost import whole_cost
@@ -59,42 +58,22 @@ ELEMENTARY = {Op.SIN: ("sin", "({})"), Op.COS: ("cos", "({})"), Op.ATAN2: ("atan
 
 @dataclass(frozen=True)
 class PythonFunction:
-    """The text of one kernel: name, signature, arguments, lines of docstring and body."""
+    """The text of one kernel: name, signature, head, lines of docstring and body; or the statement
+    that makes it from that of double precision."""
 
     name: str
     signature: str
-    arguments: str
+    head: str
     docstring: str
     body: str
+    shared: str = ""
 
 
-def function(operation: Operation, program: Program, precision: Precision) -> PythonFunction:
-    """The operation as a NumPy kernel on tuples of components."""
-    return _Writer(operation, program, precision).function()
-
-
-@dataclass(frozen=True)
-class Twins:
-    """A family's kernels in a tier and a precision; docstrings by their names."""
-
-    functions: tuple[PythonFunction, ...]
-    docstrings: Mapping[str, str]
-    imports: tuple[tuple[str, str], ...]  # module, names
-    wide: bool
-
-
-def twins(kernels: FamilyKernels) -> Mapping[tuple[str, str], Twins]:
-    """A family's kernels, by tier and precision."""
-    return {(tier.name, precision.name): twins_of(kernels.of(tier, precision), precision)
-            for tier in TIERS for precision in kernels.precisions}
-
-
-def twins_of(kernels: Kernels, precision: Precision) -> Twins:
-    """Returns the twins of these kernels in a precision."""
-    return Twins(tuple(function(op, program, precision) for op, program in kernels.items()),
-                 {op.name: docstring_of(op, program, precision) for op, program in kernels.items()},
-                 imports(tuple(kernels.values()), precision),
-                 any(program.wide for program in kernels.values()))
+def function(operation: Operation, program: Program, precision: Precision,
+             both: SharedProgram | None = None) -> PythonFunction:
+    """The operation as a NumPy kernel on tuples of components; of the program of `both` precisions,
+    if there is one."""
+    return _Writer(operation, program, precision, both).function()
 
 
 @dataclass(frozen=True)
@@ -130,37 +109,9 @@ def docstring_of(operation: Operation, program: Program, precision: Precision) -
                      for row in textwrap.wrap(paragraph, WIDTH - 8) or [""])
 
 
-def imports(programs: tuple[Program, ...], precision: Precision) -> tuple[tuple[str, str], ...]:
-    """(module, names) of the functions these programs call."""
-    called: set[Op | str] = {op for program in programs for op in program.counts}
-    called |= {kind for program in programs for kind in _types(program, precision)}
-    working = DOUBLE if any(program.wide for program in programs) else precision
-    module = f"_elementary_{working.name} as elementary"
-    found: list[tuple[str, Mapping[Any, str]]] = [
-        ("coscrew", dict.fromkeys(ELEMENTARY, module)),
-        ("numpy", NUMPY_NAMES | {kind: kind for kind in ("float32", "float64", "nan")}),
-        ("coscrew._exact", exactly_in(working))]
-    return tuple((place, ", ".join(sorted({names[op] for op in called & set(names)})))
-                 for place, names in found if called & set(names))
-
-
 def exactly_in(precision: Precision) -> Mapping[Op | str, str]:
     """Returns the functions that compute errors of products in this precision."""
     return EXACT if precision == DOUBLE else IN_SINGLE
-
-
-def _types(program: Program, precision: Precision) -> set[str]:
-    """The NumPy names that choices need: nan, and the type of constants to choose between."""
-    working = DOUBLE if program.wide else precision
-    choices = [step for step in program.instructions if step.op is Op.SELECT]
-    return ({working.numpy_type for step in choices if _is_choice_of_constants(step)}
-            | {"nan" for step in choices if NotANumber() in step.operands})
-
-
-def docstrings(library: Library, tier: Tier, precision: Precision) -> Mapping[str, str]:
-    """The docstrings of a tier's kernels, by name."""
-    return {name: text for made in library.made(twins).values()
-            for name, text in made[tier.name, precision.name].docstrings.items()}
 
 
 def _indented(docstring: str) -> str:
@@ -168,14 +119,12 @@ def _indented(docstring: str) -> str:
     return "\n".join([first, *(f"    {line}" if line else "" for line in rest)])
 
 
-def language(precision: Precision, constant: Callable[[Constant], str], module: str = ""
-             ) -> Language:
-    """Python with NumPy in a precision; elementary functions are in a module.  A `where` of two
-    constants needs a type: NumPy takes it from the operands, and Python's numbers have none."""
-    kind = precision.numpy_type
+def language(kind: str, constant: Callable[[Constant], str], module: str = "") -> Language:
+    """Python with NumPy; elementary functions are in a module.  A `where` of two constants needs a
+    type, of this name: NumPy takes it from the operands, and Python's numbers have none."""
 
     def spelling(step: Instruction) -> tuple[str, int]:
-        if _is_choice_of_constants(step):
+        if is_choice_of_constants(step):
             return f"where({{}}, {kind}({{}}), {kind}({{}}))", CALL
         if step.op in ELEMENTARY:
             return module + "".join(ELEMENTARY[step.op]), CALL
@@ -185,38 +134,57 @@ def language(precision: Precision, constant: Callable[[Constant], str], module: 
 
 
 def statement(x: Assignment | str) -> str:
-    """An assignment, in parentheses if it takes several lines; or a comment."""
+    """An assignment, in parentheses if it takes several lines, calls broken after commas; or a
+    comment."""
     if isinstance(x, str):
         return f"# {x}"
     names = ", ".join(x.names)
-    plain = f"{names} = {x.expression}"
-    if len(plain) <= WIDTH - 4:
+    plain, width = f"{names} = {x.expression}", WIDTH - 4
+    if len(plain) <= width:
         return plain
-    rows = list(wrapped(f"{names} = ({x.expression})", WIDTH - 4, 4))
-    return broken("\n    ".join(rows) if len(rows) > 1 else plain, WIDTH - 4)
+    if _is_call(x.expression):
+        return broken(listed("", plain.split(", "), "", width), width)
+    return broken("\n    ".join(wrapped(f"{names} = ({x.expression})", width, 4)), width)
 
 
-def _is_choice_of_constants(step: Instruction) -> bool:
+def _is_call(expression: str) -> bool:
+    """Returns whether no blank stands outside parentheses."""
+    depth = 0
+    for letter in expression:
+        depth += (letter == "(") - (letter == ")")
+        if letter == " " and not depth:
+            return False
+    return True
+
+
+def is_choice_of_constants(step: Instruction) -> bool:
     """Returns whether this chooses between numbers that have no type of their own."""
     return step.op is Op.SELECT and all(isinstance(x, Constant) for x in step.operands[1:])
 
 
 class _Writer:
-    def __init__(self, operation: Operation, program: Program, precision: Precision):
-        self.operation, self.program, self.precision = operation, program, precision
+    def __init__(self, operation: Operation, program: Program, precision: Precision,
+                 both: SharedProgram | None = None):
+        self.operation, self.plain, self.precision = operation, program, precision
+        self.both = both
+        self.program = both.program if both else program
         self.working = DOUBLE if program.wide else precision
 
     def function(self) -> PythonFunction:
+        constants = (self.both.parameters(partial(literal, precision=self.working))
+                     if self.both else [])
+        items = [*(a.name for a in self.operation.inputs), *["*"][:len(constants)], *constants]
         return PythonFunction(self.operation.name, self.operation.signature,
-                              ", ".join(a.name for a in self.operation.inputs),
-                              _indented(docstring_of(self.operation, self.program, self.precision)),
+                              listed(f"def {self.operation.name}(", items, "):").replace(
+                                  "\n", "\n    "),
+                              _indented(docstring_of(self.operation, self.plain, self.precision)),
                               "\n".join(f"    {line}" for line in self._body()))
 
     def _body(self) -> list[str]:
         used = {x.argument for x in self.program.used_inputs()}
         lines = [self._unpacked(a) for n, a in enumerate(self.program.inputs)
                  if n in used and a.quantity.shape]
-        text = Nesting(self.program, language(self.working, self._constant, "elementary."),
+        text = Nesting(self.program, language("real", self._constant, "elementary."),
                        self._component,
                        150, named=lambda step: step.name == step.component)
         lines += map(statement, text.assigned)
@@ -235,9 +203,14 @@ class _Writer:
         return str(self.program.inputs[operand.argument].symbols[operand.index].name)
 
     def _constant(self, constant: Constant) -> str:
-        """A constant; integers and powers of two exactly, so that arrays of objects stay exact."""
-        value = self.working.value(constant)
-        if value.denominator == 1 and abs(value) < 2**DOUBLE.digits:
-            return str(value)
-        is_power = all(n & (n - 1) == 0 for n in map(abs, value.as_integer_ratio()))
-        return repr(float(value)) if is_power else self.working.literal(constant)
+        names = self.both.names if self.both else {}
+        return names.get(constant) or literal(constant, self.working)
+
+
+def literal(constant: Constant, precision: Precision) -> str:
+    """A constant; integers and powers of two exactly, so that arrays of objects stay exact."""
+    value = precision.value(constant)
+    if value.denominator == 1 and abs(value) < 2**DOUBLE.digits:
+        return str(value)
+    is_power = all(n & (n - 1) == 0 for n in map(abs, value.as_integer_ratio()))
+    return repr(float(value)) if is_power else precision.literal(constant)

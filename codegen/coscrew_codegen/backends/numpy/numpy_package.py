@@ -6,8 +6,9 @@ from collections.abc import Iterable
 from coscrew_codegen.accuracy.tiers import PLAIN, TIERS, Tier
 from coscrew_codegen.algebra.lowering.programs import library_program
 from coscrew_codegen.algebra.operations import family_named
+from coscrew_codegen.backends.c.c_statements import listed
 from coscrew_codegen.backends.library import Library
-from coscrew_codegen.backends.numpy import numpy_elementary, numpy_operations
+from coscrew_codegen.backends.numpy import numpy_elementary, numpy_operations, numpy_twins
 from coscrew_codegen.backends.python_extension.extension import provenance
 from coscrew_codegen.backends.render import render
 from coscrew_codegen.backends.requirements import defects_of, requirements
@@ -21,8 +22,8 @@ from coscrew_codegen.program.values.quantity import TOLERANCE
 _ALIASES = (("SE3", "SE3_fromRt"), ("screw", "screw_from_lin_ang"),
             ("coscrew", "coscrew_from_lin_ang"))
 
-_PLAIN = ("__init__.py", "_dispatch.py", "_arrays.py", "_kernel.py", "_checked.py", "_exact.py",
-          "_provenance.py")
+_PLAIN = ("__init__.py", "_dispatch.py", "_arrays.py", "_kernel.py", "_twins.py", "_checked.py",
+          "_exact.py", "_provenance.py")
 """The modules of `coscrew` itself, by their templates."""
 
 
@@ -83,7 +84,7 @@ def _predicates(library: Library, tier: Tier) -> dict[str, str]:
 def _stubs(library: Library, tier: Tier, precision: Precision, shared: dict[str, object],
            scalar: str, top: bool = False) -> str:
     """A module's stub file; the docstrings of twins are in their sources."""
-    docstrings = numpy_operations.docstrings(library, tier, precision)
+    docstrings = numpy_twins.docstrings(library, tier, precision)
     stubs = [numpy_operations.stub(op, docstrings[op.name]) for op in library.having(tier)]
     return render("python/operations.pyi", stubs=stubs, top=top, scalar=scalar, **shared)
 
@@ -94,7 +95,7 @@ def _twin_modules(library: Library, tier: Tier) -> Files:
     modules: Files = {}
     names = [op.name for op in library.having(tier)]
     for precision in library.precisions:
-        families = {family: found for family, made in library.made(numpy_operations.twins).items()
+        families = {family: found for family, made in library.made(numpy_twins.twins).items()
                     if (found := made[tier.name, precision.name]).functions}
         modules[f"{precision.name}/__init__.py"] = render(
             "python/precision.py", banner=library.banner, precision=precision,
@@ -108,10 +109,14 @@ def _twin_modules(library: Library, tier: Tier) -> Files:
 
 
 def _family_module(library: Library, tier: Tier, precision: Precision, family: str,
-                   twins: numpy_operations.Twins) -> str:
+                   twins: numpy_twins.Twins) -> str:
     return render("python/family.py", banner=library.banner, title=family_named(family).title,
                   precision=precision, imports=twins.imports, tier=tier.name,
-                  functions=twins.functions, quiet=tier.bounds,
+                  functions=twins.functions, quiet=tier.bounds, package=tier.package,
+                  own=not all(x.shared for x in twins.functions), twin=listed(
+                      "twin = single_twins(", ["__name__", *(
+                          f"{x}={x}" for x in twins.others), *["quiet=True"] * tier.bounds], ")")
+                  if any(x.shared for x in twins.functions) else "",
                   kernel="wide_kernel" if twins.wide else f"{precision.name}_kernel")
 
 
@@ -120,7 +125,7 @@ def _modules_of_checks(library: Library) -> Files:
     needed = defects_of(_required(library).values()).values()
     return {f"{precision.name}/{op.family}.py": _family_module(
         library, PLAIN, precision, op.family,
-        numpy_operations.twins_of({op: library_program(op.name)}, precision))
+        numpy_twins.twins_of({op: library_program(op.name)}, precision))
         for op in needed if op.family not in library.families for precision in library.precisions}
 
 

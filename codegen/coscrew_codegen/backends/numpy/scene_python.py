@@ -165,8 +165,8 @@ def _function(scene: SceneFunctions, function: FunctionProgram, plan: NestingPla
     program, outputs = plan.program, scene_text.outputs(function)
     headings = {number: scene_text.printable(words) for number, words in function.headings}
     working = scene_text.working([program], precision)
-    expressions = plan.printed(language(working, working.literal), scene_text.access(program),
-                               headings)
+    expressions = plan.printed(language(working.numpy_type, working.literal),
+                               scene_text.access(program), headings)
     given, taken = [a.name for a in function.inputs], [a.name for a in program.inputs]
     lines = [*_plain_results(function),
              _unpacking("components", [(a.name, _shape(a)) for a in program.inputs],

@@ -12,7 +12,7 @@ from coscrew_codegen.backends.c.c_function import CFunction
 from coscrew_codegen.backends.c.c_operations import c_name
 from coscrew_codegen.backends.c.c_statements import listed
 from coscrew_codegen.backends.library import Library
-from coscrew_codegen.backends.numpy import numpy_operations
+from coscrew_codegen.backends.numpy import numpy_twins
 from coscrew_codegen.backends.python_extension import gufunc
 from coscrew_codegen.backends.render import render, runtime
 from coscrew_codegen.backends.requirements import defects_of, requirements
@@ -58,7 +58,7 @@ def _loops(library: Library, tier: Tier) -> Files:
     """The sources except the one that holds their provenance."""
     families, on_vectors = _families(library, tier), _on_vectors(library, tier)
     required = library.made(requirements)
-    docstrings = numpy_operations.docstrings(library, tier, library.precisions[0])
+    docstrings = numpy_twins.docstrings(library, tier, library.precisions[0])
     headers = f"{'../' * bool(tier.mark)}../c/include/ksl"
     shared = {"banner": library.banner, "runtime": _runtime_folder(tier),
               "precisions": library.precisions}

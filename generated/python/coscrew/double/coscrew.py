@@ -6,7 +6,7 @@
 In double precision, plain tier.
 """
 
-from numpy import absolute, float64, sqrt, where
+from numpy import absolute, float64 as real, sqrt, where
 from coscrew._kernel import double_kernel as kernel
 
 
@@ -188,9 +188,8 @@ def coscrew_norm(ci):
     7 mul, 2 add, 1 sqrt, 6 abs, 11 less, 1 equal, 14 select.
     """
     ci_0, ci_1, ci_2, ci_3, ci_4, ci_5 = ci
-    small = (where(absolute(ci_0)
-        < 1e-09, where(absolute(ci_1)
-        < 1e-09, where(absolute(ci_2) < 1e-09, float64(1), float64(0)), 0), 0))
+    small = where(absolute(ci_0) < 1e-09, where(absolute(ci_1) < 1e-09,
+        where(absolute(ci_2) < 1e-09, real(1), real(0)), 0), 0)
     p_0a = small == 1
     p_0 = where(p_0a, ci_3, ci_0)
     p_1 = where(p_0a, ci_4, ci_1)
@@ -200,16 +199,14 @@ def coscrew_norm(ci):
     s_size_2 = absolute(p_2)
     s_largest1 = where(s_size_0 < s_size_1, s_size_1, s_size_0)
     s_largest2 = where(s_largest1 < s_size_2, s_size_2, s_largest1)
-    s_d = (where(s_largest2
-        < 256, 1.3093562431584567e+151, where(6.703903964971299e+153
-        < s_largest2, float64(3.7291703656001034e-155), float64(1))))
+    s_d = where(s_largest2 < 256, 1.3093562431584567e+151,
+        where(6.703903964971299e+153 < s_largest2, real(3.7291703656001034e-155), real(1)))
     s = where(s_largest2 < 1.955159272639747e-149, 1.0715086071862673e+301, s_d)
     y_0 = p_0 * s
     y_1 = p_1 * s
     y_2 = p_2 * s
     n = sqrt(y_0 * y_0 + y_1 * y_1 + y_2 * y_2)
-    r_d = (where(1
-        < s, 7.637340908749012e-152, where(s < 1, float64(2.6815615859885194e+154), float64(1))))
+    r_d = where(1 < s, 7.637340908749012e-152, where(s < 1, real(2.6815615859885194e+154), real(1)))
     r = where(1.3093562431584567e+151 < s, 9.332636185032189e-302, r_d)
     norm = n * r
     return norm
@@ -226,8 +223,8 @@ def coscrew_normalize(self):
     small_a = absolute(self_2)
     small_d = absolute(self_1)
     small_g = absolute(self_0)
-    small = (where(small_g
-        < 1e-09, where(small_d < 1e-09, where(small_a < 1e-09, float64(1), float64(0)), 0), 0))
+    small = where(small_g < 1e-09, where(small_d < 1e-09, where(small_a < 1e-09, real(1), real(0)),
+        0), 0)
     p_0a = small == 1
     p_0 = where(p_0a, self_3, self_0)
     p_1 = where(p_0a, self_4, self_1)
@@ -237,9 +234,8 @@ def coscrew_normalize(self):
     s_size_2 = absolute(p_2)
     s_largest1 = where(s_size_0 < s_size_1, s_size_1, s_size_0)
     s_largest2 = where(s_largest1 < s_size_2, s_size_2, s_largest1)
-    s_d = (where(s_largest2
-        < 256, 1.3093562431584567e+151, where(6.703903964971299e+153
-        < s_largest2, float64(3.7291703656001034e-155), float64(1))))
+    s_d = where(s_largest2 < 256, 1.3093562431584567e+151,
+        where(6.703903964971299e+153 < s_largest2, real(3.7291703656001034e-155), real(1)))
     s = where(s_largest2 < 1.955159272639747e-149, 1.0715086071862673e+301, s_d)
     y_0 = p_0 * s
     y_1 = p_1 * s
@@ -301,8 +297,8 @@ def coscrew_normalized(ci):
     small_a = absolute(ci_2)
     small_d = absolute(ci_1)
     small_g = absolute(ci_0)
-    small = (where(small_g
-        < 1e-09, where(small_d < 1e-09, where(small_a < 1e-09, float64(1), float64(0)), 0), 0))
+    small = where(small_g < 1e-09, where(small_d < 1e-09, where(small_a < 1e-09, real(1), real(0)),
+        0), 0)
     p_0a = small == 1
     p_0 = where(p_0a, ci_3, ci_0)
     p_1 = where(p_0a, ci_4, ci_1)
@@ -312,9 +308,8 @@ def coscrew_normalized(ci):
     s_size_2 = absolute(p_2)
     s_largest1 = where(s_size_0 < s_size_1, s_size_1, s_size_0)
     s_largest2 = where(s_largest1 < s_size_2, s_size_2, s_largest1)
-    s_d = (where(s_largest2
-        < 256, 1.3093562431584567e+151, where(6.703903964971299e+153
-        < s_largest2, float64(3.7291703656001034e-155), float64(1))))
+    s_d = where(s_largest2 < 256, 1.3093562431584567e+151,
+        where(6.703903964971299e+153 < s_largest2, real(3.7291703656001034e-155), real(1)))
     s = where(s_largest2 < 1.955159272639747e-149, 1.0715086071862673e+301, s_d)
     y_0 = p_0 * s
     y_1 = p_1 * s

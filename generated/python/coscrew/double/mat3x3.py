@@ -7,7 +7,7 @@ In double precision, plain tier.
 """
 
 from coscrew import _elementary_double as elementary
-from numpy import absolute, float64, nan, sqrt, where
+from numpy import absolute, float64 as real, nan, sqrt, where
 from coscrew._kernel import double_kernel as kernel
 
 
@@ -157,9 +157,8 @@ def mat3x3_inverse(R):
     R_largest8 = where(R_largest7 < R_size_8, R_size_8, R_largest7)
     s_c = R_largest8 < 4.149515568880993e+180
     s_e = R_largest8 < 2.037035976334486e+90
-    s_d = (where(s_c, 4.909093465297727e-91, where(R_largest8
-        < 8.452712498170644e+270, float64(2.409919865102884e-181),
-            float64(1.1830521861667747e-271))))
+    s_d = where(s_c, 4.909093465297727e-91, where(R_largest8 < 8.452712498170644e+270,
+        real(2.409919865102884e-181), real(1.1830521861667747e-271)))
     s_g = R_largest8 < 1
     s_i = R_largest8 < 4.909093465297727e-91
     s_k = R_largest8 < 2.409919865102884e-181
@@ -199,7 +198,7 @@ def mat3x3_inverse(R):
     top = R_largest8 * s
     spoiled = top * 1.6489340850168661e-229
     least = permanent * 8.881784197001252e-16 + spoiled * (top * top)
-    regular = where(least < absolute(d), float64(1), float64(0))
+    regular = where(least < absolute(d), real(1), real(0))
     divisor_a = regular == 1
     divisor = where(divisor_a, d, 1)
     quotient_0 = n0_0 / divisor
@@ -221,11 +220,11 @@ def mat3x3_inverse(R):
     inverse_7 = quotient_7 * s
     inverse_8 = quotient_8 * s
     start = where(s_c, d, where(d < 0, -8.452712498170644e+270, 8.452712498170644e+270))
-    r2 = where(s_i, float64(1.1830521861667747e-271), float64(1))
+    r2 = where(s_i, real(1.1830521861667747e-271), real(1))
     once = start * r2
-    r3 = where(s_k, float64(1.1830521861667747e-271), float64(1))
+    r3 = where(s_k, real(1.1830521861667747e-271), real(1))
     twice = once * r3
-    r = where(s_g, 1.1830521861667747e-271, where(s_e, float64(1), float64(8.452712498170644e+270)))
+    r = where(s_g, 1.1830521861667747e-271, where(s_e, real(1), real(8.452712498170644e+270)))
     det_R = twice * r
     det = where(divisor_a, det_R, 0)
     Ro_00 = where(divisor_a, inverse_0, nan)
@@ -256,11 +255,9 @@ def mat3x3_normalize(self):
     q0_s_size_2 = absolute(self_02)
     q0_s_largest1 = where(q0_s_size_0 < q0_s_size_1, q0_s_size_1, q0_s_size_0)
     q0_s_largest2 = where(q0_s_largest1 < q0_s_size_2, q0_s_size_2, q0_s_largest1)
-    q0_s_b = (where(6.703903964971299e+153
-        < q0_s_largest2, float64(3.7291703656001034e-155), float64(1)))
-    q0_s = (where(q0_s_largest2
-        < 1.955159272639747e-149, 1.0715086071862673e+301, where(q0_s_largest2
-        < 256, 1.3093562431584567e+151, q0_s_b)))
+    q0_s_d = where(q0_s_largest2 < 256, 1.3093562431584567e+151,
+        where(6.703903964971299e+153 < q0_s_largest2, real(3.7291703656001034e-155), real(1)))
+    q0_s = where(q0_s_largest2 < 1.955159272639747e-149, 1.0715086071862673e+301, q0_s_d)
     q0_y_0 = self_00 * q0_s
     q0_y_1 = self_01 * q0_s
     q0_y_2 = self_02 * q0_s
@@ -282,11 +279,9 @@ def mat3x3_normalize(self):
     u1_s_size_2 = absolute(self_12)
     u1_s_largest1 = where(u1_s_size_0 < u1_s_size_1, u1_s_size_1, u1_s_size_0)
     u1_s_largest2 = where(u1_s_largest1 < u1_s_size_2, u1_s_size_2, u1_s_largest1)
-    u1_s_b = (where(6.703903964971299e+153
-        < u1_s_largest2, float64(3.7291703656001034e-155), float64(1)))
-    u1_s = (where(u1_s_largest2
-        < 1.955159272639747e-149, 1.0715086071862673e+301, where(u1_s_largest2
-        < 256, 1.3093562431584567e+151, u1_s_b)))
+    u1_s_d = where(u1_s_largest2 < 256, 1.3093562431584567e+151,
+        where(6.703903964971299e+153 < u1_s_largest2, real(3.7291703656001034e-155), real(1)))
+    u1_s = where(u1_s_largest2 < 1.955159272639747e-149, 1.0715086071862673e+301, u1_s_d)
     u1_y_0 = self_10 * u1_s
     u1_y_1 = self_11 * u1_s
     u1_y_2 = self_12 * u1_s
@@ -324,11 +319,9 @@ def mat3x3_normalize(self):
     u2_s_size_2 = absolute(self_22)
     u2_s_largest1 = where(u2_s_size_0 < u2_s_size_1, u2_s_size_1, u2_s_size_0)
     u2_s_largest2 = where(u2_s_largest1 < u2_s_size_2, u2_s_size_2, u2_s_largest1)
-    u2_s_b = (where(6.703903964971299e+153
-        < u2_s_largest2, float64(3.7291703656001034e-155), float64(1)))
-    u2_s = (where(u2_s_largest2
-        < 1.955159272639747e-149, 1.0715086071862673e+301, where(u2_s_largest2
-        < 256, 1.3093562431584567e+151, u2_s_b)))
+    u2_s_d = where(u2_s_largest2 < 256, 1.3093562431584567e+151,
+        where(6.703903964971299e+153 < u2_s_largest2, real(3.7291703656001034e-155), real(1)))
+    u2_s = where(u2_s_largest2 < 1.955159272639747e-149, 1.0715086071862673e+301, u2_s_d)
     u2_y_0 = self_20 * u2_s
     u2_y_1 = self_21 * u2_s
     u2_y_2 = self_22 * u2_s
@@ -352,7 +345,7 @@ def mat3x3_normalize(self):
     q2_2 = where(q2_0b, -normal_2, normal_2)
     size = absolute(side)
     less = where(n < size, n, size)
-    dependent = where(less < 1.7763568394002505e-15, float64(1), float64(0))
+    dependent = where(less < 1.7763568394002505e-15, real(1), real(0))
     self_00_new_a = dependent == 1
     self_00_new = where(self_00_new_a, nan, q0_0)
     self_01_new = where(self_00_new_a, nan, q0_1)
@@ -383,11 +376,9 @@ def mat3x3_normalized(R):
     q0_s_size_2 = absolute(R_02)
     q0_s_largest1 = where(q0_s_size_0 < q0_s_size_1, q0_s_size_1, q0_s_size_0)
     q0_s_largest2 = where(q0_s_largest1 < q0_s_size_2, q0_s_size_2, q0_s_largest1)
-    q0_s_b = (where(6.703903964971299e+153
-        < q0_s_largest2, float64(3.7291703656001034e-155), float64(1)))
-    q0_s = (where(q0_s_largest2
-        < 1.955159272639747e-149, 1.0715086071862673e+301, where(q0_s_largest2
-        < 256, 1.3093562431584567e+151, q0_s_b)))
+    q0_s_d = where(q0_s_largest2 < 256, 1.3093562431584567e+151,
+        where(6.703903964971299e+153 < q0_s_largest2, real(3.7291703656001034e-155), real(1)))
+    q0_s = where(q0_s_largest2 < 1.955159272639747e-149, 1.0715086071862673e+301, q0_s_d)
     q0_y_0 = R_00 * q0_s
     q0_y_1 = R_01 * q0_s
     q0_y_2 = R_02 * q0_s
@@ -409,11 +400,9 @@ def mat3x3_normalized(R):
     u1_s_size_2 = absolute(R_12)
     u1_s_largest1 = where(u1_s_size_0 < u1_s_size_1, u1_s_size_1, u1_s_size_0)
     u1_s_largest2 = where(u1_s_largest1 < u1_s_size_2, u1_s_size_2, u1_s_largest1)
-    u1_s_b = (where(6.703903964971299e+153
-        < u1_s_largest2, float64(3.7291703656001034e-155), float64(1)))
-    u1_s = (where(u1_s_largest2
-        < 1.955159272639747e-149, 1.0715086071862673e+301, where(u1_s_largest2
-        < 256, 1.3093562431584567e+151, u1_s_b)))
+    u1_s_d = where(u1_s_largest2 < 256, 1.3093562431584567e+151,
+        where(6.703903964971299e+153 < u1_s_largest2, real(3.7291703656001034e-155), real(1)))
+    u1_s = where(u1_s_largest2 < 1.955159272639747e-149, 1.0715086071862673e+301, u1_s_d)
     u1_y_0 = R_10 * u1_s
     u1_y_1 = R_11 * u1_s
     u1_y_2 = R_12 * u1_s
@@ -451,11 +440,9 @@ def mat3x3_normalized(R):
     u2_s_size_2 = absolute(R_22)
     u2_s_largest1 = where(u2_s_size_0 < u2_s_size_1, u2_s_size_1, u2_s_size_0)
     u2_s_largest2 = where(u2_s_largest1 < u2_s_size_2, u2_s_size_2, u2_s_largest1)
-    u2_s_b = (where(6.703903964971299e+153
-        < u2_s_largest2, float64(3.7291703656001034e-155), float64(1)))
-    u2_s = (where(u2_s_largest2
-        < 1.955159272639747e-149, 1.0715086071862673e+301, where(u2_s_largest2
-        < 256, 1.3093562431584567e+151, u2_s_b)))
+    u2_s_d = where(u2_s_largest2 < 256, 1.3093562431584567e+151,
+        where(6.703903964971299e+153 < u2_s_largest2, real(3.7291703656001034e-155), real(1)))
+    u2_s = where(u2_s_largest2 < 1.955159272639747e-149, 1.0715086071862673e+301, u2_s_d)
     u2_y_0 = R_20 * u2_s
     u2_y_1 = R_21 * u2_s
     u2_y_2 = R_22 * u2_s
@@ -479,7 +466,7 @@ def mat3x3_normalized(R):
     q2_2 = where(q2_0b, -normal_2, normal_2)
     size = absolute(side)
     less = where(n < size, n, size)
-    dependent = where(less < 1.7763568394002505e-15, float64(1), float64(0))
+    dependent = where(less < 1.7763568394002505e-15, real(1), real(0))
     Ro_00a = dependent == 1
     Ro_00 = where(Ro_00a, nan, q0_0)
     Ro_01 = where(Ro_00a, nan, q0_1)
@@ -741,9 +728,8 @@ def mat3x3_nearest_rotation(A):
     s_largest6 = where(s_largest5 < s_size_6, s_size_6, s_largest5)
     s_largest7 = where(s_largest6 < s_size_7, s_size_7, s_largest6)
     s_largest8 = where(s_largest7 < s_size_8, s_size_8, s_largest7)
-    s_d = (where(s_largest8
-        < 256, 1.3093562431584567e+151, where(6.703903964971299e+153
-        < s_largest8, float64(3.7291703656001034e-155), float64(1))))
+    s_d = where(s_largest8 < 256, 1.3093562431584567e+151,
+        where(6.703903964971299e+153 < s_largest8, real(3.7291703656001034e-155), real(1)))
     s = where(s_largest8 < 1.955159272639747e-149, 1.0715086071862673e+301, s_d)
     scaled_s_0 = A_00 * s
     scaled_s_1 = A_01 * s
@@ -1283,8 +1269,8 @@ def mat3x3_nearest_rotation(A):
     turn412_d_0 = turn401_d_0 * turn412_q + turn402_d_0 * turn412_p
     turn412_d_1 = turn401_d_1 * turn412_q + turn402_d_1 * turn412_p
     turn412_d_2 = turn401_d_2 * turn412_q + turn402_d_2 * turn412_p
-    longest = (sqrt(turn402_a_0 * turn402_a_0 + turn402_a_1 * turn402_a_1 + turn402_a_2
-        * turn402_a_2))
+    longest = sqrt(turn402_a_0 * turn402_a_0 + turn402_a_1 * turn402_a_1 + turn402_a_2 *
+        turn402_a_2)
     first_divisor_a = longest == 0
     first_divisor = where(first_divisor_a, 1, longest)
     u0_0 = turn402_a_0 / first_divisor
@@ -1300,20 +1286,20 @@ def mat3x3_nearest_rotation(A):
         * second_part_2)
     second_enough_a = 0.25 * second_whole
     second_enough = where(second_enough_a < least, least, second_enough_a)
-    second_is_kept = where(second_enough < second_kept, float64(1), float64(0))
+    second_is_kept = where(second_enough < second_kept, real(1), real(0))
     second_size_0 = absolute(u0_0)
     second_size_1 = absolute(u0_1)
     second_size_2 = absolute(u0_2)
-    second_is_y = where(second_size_1 < second_size_0, float64(1), float64(0))
+    second_is_y = where(second_size_1 < second_size_0, real(1), real(0))
     second_less_a = second_is_y == 0
     second_less = where(second_less_a, second_size_0, second_size_1)
-    second_is_z = where(second_size_2 < second_less, float64(1), float64(0))
-    second_xy_0 = where(second_less_a, float64(1), float64(0))
-    second_xy_1 = where(second_less_a, float64(0), float64(1))
+    second_is_z = where(second_size_2 < second_less, real(1), real(0))
+    second_xy_0 = where(second_less_a, real(1), real(0))
+    second_xy_1 = where(second_less_a, real(0), real(1))
     second_axis_0a = second_is_z == 1
     second_axis_0 = where(second_axis_0a, 0, second_xy_0)
     second_axis_1 = where(second_axis_0a, 0, second_xy_1)
-    second_axis_2 = where(second_axis_0a, float64(1), float64(0))
+    second_axis_2 = where(second_axis_0a, real(1), real(0))
     second_along_axis = u0_0 * second_axis_0 + u0_1 * second_axis_1 + u0_2 * second_axis_2
     second_other_0 = second_axis_0 - u0_0 * second_along_axis
     second_other_1 = second_axis_1 - u0_1 * second_along_axis
@@ -1322,8 +1308,8 @@ def mat3x3_nearest_rotation(A):
     second_found_0 = where(second_found_0a, second_part_0, second_other_0)
     second_found_1 = where(second_found_0a, second_part_1, second_other_1)
     second_found_2 = where(second_found_0a, second_part_2, second_other_2)
-    second_length = (sqrt(second_found_0 * second_found_0 + second_found_1 * second_found_1
-        + second_found_2 * second_found_2))
+    second_length = sqrt(second_found_0 * second_found_0 + second_found_1 * second_found_1 +
+        second_found_2 * second_found_2)
     second_across_0 = second_found_0 / second_length
     second_across_1 = second_found_1 / second_length
     second_across_2 = second_found_2 / second_length
@@ -1452,17 +1438,15 @@ def axis_angle_from_mat3x3(R):
     v_s_size_2 = absolute(upper_2)
     v_s_largest1 = where(v_s_size_0 < v_s_size_1, v_s_size_1, v_s_size_0)
     v_s_largest2 = where(v_s_largest1 < v_s_size_2, v_s_size_2, v_s_largest1)
-    v_s_d = (where(v_s_largest2
-        < 256, 1.3093562431584567e+151, where(6.703903964971299e+153
-        < v_s_largest2, float64(3.7291703656001034e-155), float64(1))))
+    v_s_d = where(v_s_largest2 < 256, 1.3093562431584567e+151,
+        where(6.703903964971299e+153 < v_s_largest2, real(3.7291703656001034e-155), real(1)))
     v_s = where(v_s_largest2 < 1.955159272639747e-149, 1.0715086071862673e+301, v_s_d)
     v_y_0 = upper_0 * v_s
     v_y_1 = upper_1 * v_s
     v_y_2 = upper_2 * v_s
     v_n = sqrt(v_y_0 * v_y_0 + v_y_1 * v_y_1 + v_y_2 * v_y_2)
-    v_r_d = (where(1
-        < v_s, 7.637340908749012e-152, where(v_s
-        < 1, float64(2.6815615859885194e+154), float64(1))))
+    v_r_d = where(1 < v_s, 7.637340908749012e-152, where(v_s < 1, real(2.6815615859885194e+154),
+        real(1)))
     v_r = where(1.3093562431584567e+151 < v_s, 9.332636185032189e-302, v_r_d)
     n = v_n * v_r
     half = elementary.atan2(n, upper_3)

@@ -7,7 +7,7 @@ In double precision, plain tier.
 """
 
 from coscrew import _elementary_double as elementary
-from numpy import absolute, float64, nan, sqrt, where
+from numpy import absolute, float64 as real, nan, sqrt, where
 from coscrew._kernel import double_kernel as kernel
 
 
@@ -93,17 +93,15 @@ def quaternion_norm(q):
     s_largest1 = where(s_size_0 < s_size_1, s_size_1, s_size_0)
     s_largest2 = where(s_largest1 < s_size_2, s_size_2, s_largest1)
     s_largest3 = where(s_largest2 < s_size_3, s_size_3, s_largest2)
-    s_d = (where(s_largest3
-        < 256, 1.3093562431584567e+151, where(6.703903964971299e+153
-        < s_largest3, float64(3.7291703656001034e-155), float64(1))))
+    s_d = where(s_largest3 < 256, 1.3093562431584567e+151,
+        where(6.703903964971299e+153 < s_largest3, real(3.7291703656001034e-155), real(1)))
     s = where(s_largest3 < 1.955159272639747e-149, 1.0715086071862673e+301, s_d)
     y_0 = q_0 * s
     y_1 = q_1 * s
     y_2 = q_2 * s
     y_3 = q_3 * s
     n = sqrt(y_0 * y_0 + y_1 * y_1 + y_2 * y_2 + y_3 * y_3)
-    r_d = (where(1
-        < s, 7.637340908749012e-152, where(s < 1, float64(2.6815615859885194e+154), float64(1))))
+    r_d = where(1 < s, 7.637340908749012e-152, where(s < 1, real(2.6815615859885194e+154), real(1)))
     r = where(1.3093562431584567e+151 < s, 9.332636185032189e-302, r_d)
     norm = n * r
     return norm
@@ -124,9 +122,8 @@ def quaternion_normalize(self):
     s_largest1 = where(s_size_0 < s_size_1, s_size_1, s_size_0)
     s_largest2 = where(s_largest1 < s_size_2, s_size_2, s_largest1)
     s_largest3 = where(s_largest2 < s_size_3, s_size_3, s_largest2)
-    s_d = (where(s_largest3
-        < 256, 1.3093562431584567e+151, where(6.703903964971299e+153
-        < s_largest3, float64(3.7291703656001034e-155), float64(1))))
+    s_d = where(s_largest3 < 256, 1.3093562431584567e+151,
+        where(6.703903964971299e+153 < s_largest3, real(3.7291703656001034e-155), real(1)))
     s = where(s_largest3 < 1.955159272639747e-149, 1.0715086071862673e+301, s_d)
     y_0 = self_0 * s
     y_1 = self_1 * s
@@ -166,9 +163,8 @@ def quaternion_normalized(q):
     s_largest1 = where(s_size_0 < s_size_1, s_size_1, s_size_0)
     s_largest2 = where(s_largest1 < s_size_2, s_size_2, s_largest1)
     s_largest3 = where(s_largest2 < s_size_3, s_size_3, s_largest2)
-    s_d = (where(s_largest3
-        < 256, 1.3093562431584567e+151, where(6.703903964971299e+153
-        < s_largest3, float64(3.7291703656001034e-155), float64(1))))
+    s_d = where(s_largest3 < 256, 1.3093562431584567e+151,
+        where(6.703903964971299e+153 < s_largest3, real(3.7291703656001034e-155), real(1)))
     s = where(s_largest3 < 1.955159272639747e-149, 1.0715086071862673e+301, s_d)
     y_0 = q_0 * s
     y_1 = q_1 * s
@@ -208,17 +204,15 @@ def quaternion_unit_defect(q):
     s_largest1 = where(s_size_0 < s_size_1, s_size_1, s_size_0)
     s_largest2 = where(s_largest1 < s_size_2, s_size_2, s_largest1)
     s_largest3 = where(s_largest2 < s_size_3, s_size_3, s_largest2)
-    s_d = (where(s_largest3
-        < 256, 1.3093562431584567e+151, where(6.703903964971299e+153
-        < s_largest3, float64(3.7291703656001034e-155), float64(1))))
+    s_d = where(s_largest3 < 256, 1.3093562431584567e+151,
+        where(6.703903964971299e+153 < s_largest3, real(3.7291703656001034e-155), real(1)))
     s = where(s_largest3 < 1.955159272639747e-149, 1.0715086071862673e+301, s_d)
     y_0 = q_0 * s
     y_1 = q_1 * s
     y_2 = q_2 * s
     y_3 = q_3 * s
     n = sqrt(y_0 * y_0 + y_1 * y_1 + y_2 * y_2 + y_3 * y_3)
-    r_d = (where(1
-        < s, 7.637340908749012e-152, where(s < 1, float64(2.6815615859885194e+154), float64(1))))
+    r_d = where(1 < s, 7.637340908749012e-152, where(s < 1, real(2.6815615859885194e+154), real(1)))
     r = where(1.3093562431584567e+151 < s, 9.332636185032189e-302, r_d)
     length = n * r
     defect = length - 1
@@ -240,16 +234,15 @@ def quaternion_nearest_unit(q):
     s_largest1 = where(s_size_0 < s_size_1, s_size_1, s_size_0)
     s_largest2 = where(s_largest1 < s_size_2, s_size_2, s_largest1)
     s_largest3 = where(s_largest2 < s_size_3, s_size_3, s_largest2)
-    s_d = (where(s_largest3
-        < 256, 1.3093562431584567e+151, where(6.703903964971299e+153
-        < s_largest3, float64(3.7291703656001034e-155), float64(1))))
+    s_d = where(s_largest3 < 256, 1.3093562431584567e+151,
+        where(6.703903964971299e+153 < s_largest3, real(3.7291703656001034e-155), real(1)))
     s = where(s_largest3 < 1.955159272639747e-149, 1.0715086071862673e+301, s_d)
     scaled_s_0 = q_0 * s
     scaled_s_1 = q_1 * s
     scaled_s_2 = q_2 * s
     scaled_s_3 = q_3 * s
-    n = (sqrt(scaled_s_0 * scaled_s_0 + scaled_s_1 * scaled_s_1 + scaled_s_2 * scaled_s_2
-        + scaled_s_3 * scaled_s_3))
+    n = sqrt(scaled_s_0 * scaled_s_0 + scaled_s_1 * scaled_s_1 + scaled_s_2 * scaled_s_2 +
+        scaled_s_3 * scaled_s_3)
     divisor_a = n == 0
     divisor = where(divisor_a, 1, n)
     unit_0 = scaled_s_0 / divisor
@@ -1069,9 +1062,8 @@ def axis_angle_from_quaternion(q):
     s_largest1 = where(s_size_0 < s_size_1, s_size_1, s_size_0)
     s_largest2 = where(s_largest1 < s_size_2, s_size_2, s_largest1)
     s_largest3 = where(s_largest2 < s_size_3, s_size_3, s_largest2)
-    s_d = (where(s_largest3
-        < 256, 1.3093562431584567e+151, where(6.703903964971299e+153
-        < s_largest3, float64(3.7291703656001034e-155), float64(1))))
+    s_d = where(s_largest3 < 256, 1.3093562431584567e+151,
+        where(6.703903964971299e+153 < s_largest3, real(3.7291703656001034e-155), real(1)))
     s = where(s_largest3 < 1.955159272639747e-149, 1.0715086071862673e+301, s_d)
     scaled_s_0 = q_0 * s
     scaled_s_1 = q_1 * s
@@ -1087,15 +1079,14 @@ def axis_angle_from_quaternion(q):
     v_s_size_2 = absolute(upper_2)
     v_s_largest1 = where(v_s_size_0 < v_s_size_1, v_s_size_1, v_s_size_0)
     v_s_largest2 = where(v_s_largest1 < v_s_size_2, v_s_size_2, v_s_largest1)
-    v_s = (where(v_s_largest2
-        < 1.955159272639747e-149, 1.0715086071862673e+301, where(v_s_largest2
-        < 256, float64(1.3093562431584567e+151), float64(1))))
+    v_s = where(v_s_largest2 < 1.955159272639747e-149, 1.0715086071862673e+301,
+        where(v_s_largest2 < 256, real(1.3093562431584567e+151), real(1)))
     v_y_0 = upper_0 * v_s
     v_y_1 = upper_1 * v_s
     v_y_2 = upper_2 * v_s
     v_n = sqrt(v_y_0 * v_y_0 + v_y_1 * v_y_1 + v_y_2 * v_y_2)
-    v_r = (where(1.3093562431584567e+151
-        < v_s, 9.332636185032189e-302, where(1 < v_s, float64(7.637340908749012e-152), float64(1))))
+    v_r = where(1.3093562431584567e+151 < v_s, 9.332636185032189e-302, where(1 < v_s,
+        real(7.637340908749012e-152), real(1)))
     n = v_n * v_r
     half = elementary.atan2(n, upper_3)
     divisor_a = v_n == 0
@@ -1164,9 +1155,10 @@ def quaternion_exp(v):
         * (x
         * (x * (x * (x * k_h - 7.647163731819816e-13) + 1.6059043836821613e-10)
         - 2.505210838544172e-08) + 2.7557319223985893e-06))
-    k = (where(theta_b, x
-        * (x * (x * (k_q - 0.0001984126984126984) + 0.008333333333333333) - 0.16666666666666666)
-        + 1, far_k))
+    k = where(theta_b,
+        x * (x * (x * (k_q - 0.0001984126984126984) + 0.008333333333333333) - 0.16666666666666666) +
+            1,
+        far_k)
     g2h = (x
         * (x * (x * (2.4795962632247976e-27 * x - 1.6117375710961184e-24) + 8.896791392450574e-22)
         - 4.110317623312165e-19) + 1.5619206968586225e-16)
@@ -1202,9 +1194,8 @@ def quaternion_log(q):
     s_largest1 = where(s_size_0 < s_size_1, s_size_1, s_size_0)
     s_largest2 = where(s_largest1 < s_size_2, s_size_2, s_largest1)
     s_largest3 = where(s_largest2 < s_size_3, s_size_3, s_largest2)
-    s_d = (where(s_largest3
-        < 256, 1.3093562431584567e+151, where(6.703903964971299e+153
-        < s_largest3, float64(3.7291703656001034e-155), float64(1))))
+    s_d = where(s_largest3 < 256, 1.3093562431584567e+151,
+        where(6.703903964971299e+153 < s_largest3, real(3.7291703656001034e-155), real(1)))
     s = where(s_largest3 < 1.955159272639747e-149, 1.0715086071862673e+301, s_d)
     scaled_s_0 = q_0 * s
     scaled_s_1 = q_1 * s
@@ -1220,15 +1211,14 @@ def quaternion_log(q):
     v_s_size_2 = absolute(upper_2)
     v_s_largest1 = where(v_s_size_0 < v_s_size_1, v_s_size_1, v_s_size_0)
     v_s_largest2 = where(v_s_largest1 < v_s_size_2, v_s_size_2, v_s_largest1)
-    v_s = (where(v_s_largest2
-        < 1.955159272639747e-149, 1.0715086071862673e+301, where(v_s_largest2
-        < 256, float64(1.3093562431584567e+151), float64(1))))
+    v_s = where(v_s_largest2 < 1.955159272639747e-149, 1.0715086071862673e+301,
+        where(v_s_largest2 < 256, real(1.3093562431584567e+151), real(1)))
     v_y_0 = upper_0 * v_s
     v_y_1 = upper_1 * v_s
     v_y_2 = upper_2 * v_s
     v_n = sqrt(v_y_0 * v_y_0 + v_y_1 * v_y_1 + v_y_2 * v_y_2)
-    v_r = (where(1.3093562431584567e+151
-        < v_s, 9.332636185032189e-302, where(1 < v_s, float64(7.637340908749012e-152), float64(1))))
+    v_r = where(1.3093562431584567e+151 < v_s, 9.332636185032189e-302, where(1 < v_s,
+        real(7.637340908749012e-152), real(1)))
     n = v_n * v_r
     half = elementary.atan2(n, upper_3)
     divisor = where(n == 0, 1, n)
@@ -1265,17 +1255,15 @@ def quaternion_interpolated(q1, q2, k):
     v_s_size_2 = absolute(upper_2)
     v_s_largest1 = where(v_s_size_0 < v_s_size_1, v_s_size_1, v_s_size_0)
     v_s_largest2 = where(v_s_largest1 < v_s_size_2, v_s_size_2, v_s_largest1)
-    v_s_d = (where(v_s_largest2
-        < 256, 1.3093562431584567e+151, where(6.703903964971299e+153
-        < v_s_largest2, float64(3.7291703656001034e-155), float64(1))))
+    v_s_d = where(v_s_largest2 < 256, 1.3093562431584567e+151,
+        where(6.703903964971299e+153 < v_s_largest2, real(3.7291703656001034e-155), real(1)))
     v_s = where(v_s_largest2 < 1.955159272639747e-149, 1.0715086071862673e+301, v_s_d)
     v_y_0 = upper_0 * v_s
     v_y_1 = upper_1 * v_s
     v_y_2 = upper_2 * v_s
     v_n = sqrt(v_y_0 * v_y_0 + v_y_1 * v_y_1 + v_y_2 * v_y_2)
-    v_r_d = (where(1
-        < v_s, 7.637340908749012e-152, where(v_s
-        < 1, float64(2.6815615859885194e+154), float64(1))))
+    v_r_d = where(1 < v_s, 7.637340908749012e-152, where(v_s < 1, real(2.6815615859885194e+154),
+        real(1)))
     v_r = where(1.3093562431584567e+151 < v_s, 9.332636185032189e-302, v_r_d)
     n = v_n * v_r
     half = elementary.atan2(n, upper_3)

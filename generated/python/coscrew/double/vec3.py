@@ -7,7 +7,7 @@ In double precision, plain tier.
 """
 
 from coscrew import _elementary_double as elementary
-from numpy import absolute, float64, sqrt, where
+from numpy import absolute, float64 as real, sqrt, where
 from coscrew._kernel import double_kernel as kernel
 
 
@@ -193,16 +193,14 @@ def vec3_l2norm(v):
     s_size_2 = absolute(v_2)
     s_largest1 = where(s_size_0 < s_size_1, s_size_1, s_size_0)
     s_largest2 = where(s_largest1 < s_size_2, s_size_2, s_largest1)
-    s_d = (where(s_largest2
-        < 256, 1.3093562431584567e+151, where(6.703903964971299e+153
-        < s_largest2, float64(3.7291703656001034e-155), float64(1))))
+    s_d = where(s_largest2 < 256, 1.3093562431584567e+151,
+        where(6.703903964971299e+153 < s_largest2, real(3.7291703656001034e-155), real(1)))
     s = where(s_largest2 < 1.955159272639747e-149, 1.0715086071862673e+301, s_d)
     y_0 = v_0 * s
     y_1 = v_1 * s
     y_2 = v_2 * s
     n = sqrt(y_0 * y_0 + y_1 * y_1 + y_2 * y_2)
-    r_d = (where(1
-        < s, 7.637340908749012e-152, where(s < 1, float64(2.6815615859885194e+154), float64(1))))
+    r_d = where(1 < s, 7.637340908749012e-152, where(s < 1, real(2.6815615859885194e+154), real(1)))
     r = where(1.3093562431584567e+151 < s, 9.332636185032189e-302, r_d)
     norm = n * r
     return norm
@@ -221,9 +219,8 @@ def vec3_normalize(self):
     s_size_2 = absolute(self_2)
     s_largest1 = where(s_size_0 < s_size_1, s_size_1, s_size_0)
     s_largest2 = where(s_largest1 < s_size_2, s_size_2, s_largest1)
-    s_d = (where(s_largest2
-        < 256, 1.3093562431584567e+151, where(6.703903964971299e+153
-        < s_largest2, float64(3.7291703656001034e-155), float64(1))))
+    s_d = where(s_largest2 < 256, 1.3093562431584567e+151,
+        where(6.703903964971299e+153 < s_largest2, real(3.7291703656001034e-155), real(1)))
     s = where(s_largest2 < 1.955159272639747e-149, 1.0715086071862673e+301, s_d)
     y_0 = self_0 * s
     y_1 = self_1 * s
@@ -257,9 +254,8 @@ def vec3_normalized(v):
     s_size_2 = absolute(v_2)
     s_largest1 = where(s_size_0 < s_size_1, s_size_1, s_size_0)
     s_largest2 = where(s_largest1 < s_size_2, s_size_2, s_largest1)
-    s_d = (where(s_largest2
-        < 256, 1.3093562431584567e+151, where(6.703903964971299e+153
-        < s_largest2, float64(3.7291703656001034e-155), float64(1))))
+    s_d = where(s_largest2 < 256, 1.3093562431584567e+151,
+        where(6.703903964971299e+153 < s_largest2, real(3.7291703656001034e-155), real(1)))
     s = where(s_largest2 < 1.955159272639747e-149, 1.0715086071862673e+301, s_d)
     y_0 = v_0 * s
     y_1 = v_1 * s
@@ -294,9 +290,8 @@ def angle_vv(v1, v2):
     s1_size_2 = absolute(v1_2)
     s1_largest1 = where(s1_size_0 < s1_size_1, s1_size_1, s1_size_0)
     s1_largest2 = where(s1_largest1 < s1_size_2, s1_size_2, s1_largest1)
-    s1d = (where(s1_largest2
-        < 256, 1.3093562431584567e+151, where(6.703903964971299e+153
-        < s1_largest2, float64(3.7291703656001034e-155), float64(1))))
+    s1d = where(s1_largest2 < 256, 1.3093562431584567e+151,
+        where(6.703903964971299e+153 < s1_largest2, real(3.7291703656001034e-155), real(1)))
     s1 = where(s1_largest2 < 1.955159272639747e-149, 1.0715086071862673e+301, s1d)
     scaled_s1_0 = v1_0 * s1
     scaled_s1_1 = v1_1 * s1
@@ -306,9 +301,8 @@ def angle_vv(v1, v2):
     s2_size_2 = absolute(v2_2)
     s2_largest1 = where(s2_size_0 < s2_size_1, s2_size_1, s2_size_0)
     s2_largest2 = where(s2_largest1 < s2_size_2, s2_size_2, s2_largest1)
-    s2d = (where(s2_largest2
-        < 256, 1.3093562431584567e+151, where(6.703903964971299e+153
-        < s2_largest2, float64(3.7291703656001034e-155), float64(1))))
+    s2d = where(s2_largest2 < 256, 1.3093562431584567e+151,
+        where(6.703903964971299e+153 < s2_largest2, real(3.7291703656001034e-155), real(1)))
     s2 = where(s2_largest2 < 1.955159272639747e-149, 1.0715086071862673e+301, s2d)
     scaled_s2_0 = v2_0 * s2
     scaled_s2_1 = v2_1 * s2
@@ -321,16 +315,14 @@ def angle_vv(v1, v2):
     s_size_2 = absolute(c_2)
     s_largest1 = where(s_size_0 < s_size_1, s_size_1, s_size_0)
     s_largest2 = where(s_largest1 < s_size_2, s_size_2, s_largest1)
-    s_d = (where(s_largest2
-        < 256, 1.3093562431584567e+151, where(6.703903964971299e+153
-        < s_largest2, float64(3.7291703656001034e-155), float64(1))))
+    s_d = where(s_largest2 < 256, 1.3093562431584567e+151,
+        where(6.703903964971299e+153 < s_largest2, real(3.7291703656001034e-155), real(1)))
     s = where(s_largest2 < 1.955159272639747e-149, 1.0715086071862673e+301, s_d)
     y_0 = c_0 * s
     y_1 = c_1 * s
     y_2 = c_2 * s
     n = sqrt(y_0 * y_0 + y_1 * y_1 + y_2 * y_2)
-    r_d = (where(1
-        < s, 7.637340908749012e-152, where(s < 1, float64(2.6815615859885194e+154), float64(1))))
+    r_d = where(1 < s, 7.637340908749012e-152, where(s < 1, real(2.6815615859885194e+154), real(1)))
     r = where(1.3093562431584567e+151 < s, 9.332636185032189e-302, r_d)
     cross = n * r
     dot_ = scaled_s1_0 * scaled_s2_0 + scaled_s1_1 * scaled_s2_1 + scaled_s1_2 * scaled_s2_2

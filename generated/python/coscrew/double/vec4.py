@@ -6,7 +6,7 @@
 In double precision, plain tier.
 """
 
-from numpy import absolute, float64, sqrt, where
+from numpy import absolute, float64 as real, sqrt, where
 from coscrew._kernel import double_kernel as kernel
 
 
@@ -108,17 +108,15 @@ def vec4_l2norm(v):
     s_largest1 = where(s_size_0 < s_size_1, s_size_1, s_size_0)
     s_largest2 = where(s_largest1 < s_size_2, s_size_2, s_largest1)
     s_largest3 = where(s_largest2 < s_size_3, s_size_3, s_largest2)
-    s_d = (where(s_largest3
-        < 256, 1.3093562431584567e+151, where(6.703903964971299e+153
-        < s_largest3, float64(3.7291703656001034e-155), float64(1))))
+    s_d = where(s_largest3 < 256, 1.3093562431584567e+151,
+        where(6.703903964971299e+153 < s_largest3, real(3.7291703656001034e-155), real(1)))
     s = where(s_largest3 < 1.955159272639747e-149, 1.0715086071862673e+301, s_d)
     y_0 = v_0 * s
     y_1 = v_1 * s
     y_2 = v_2 * s
     y_3 = v_3 * s
     n = sqrt(y_0 * y_0 + y_1 * y_1 + y_2 * y_2 + y_3 * y_3)
-    r_d = (where(1
-        < s, 7.637340908749012e-152, where(s < 1, float64(2.6815615859885194e+154), float64(1))))
+    r_d = where(1 < s, 7.637340908749012e-152, where(s < 1, real(2.6815615859885194e+154), real(1)))
     r = where(1.3093562431584567e+151 < s, 9.332636185032189e-302, r_d)
     norm = n * r
     return norm
@@ -139,9 +137,8 @@ def vec4_normalize(self):
     s_largest1 = where(s_size_0 < s_size_1, s_size_1, s_size_0)
     s_largest2 = where(s_largest1 < s_size_2, s_size_2, s_largest1)
     s_largest3 = where(s_largest2 < s_size_3, s_size_3, s_largest2)
-    s_d = (where(s_largest3
-        < 256, 1.3093562431584567e+151, where(6.703903964971299e+153
-        < s_largest3, float64(3.7291703656001034e-155), float64(1))))
+    s_d = where(s_largest3 < 256, 1.3093562431584567e+151,
+        where(6.703903964971299e+153 < s_largest3, real(3.7291703656001034e-155), real(1)))
     s = where(s_largest3 < 1.955159272639747e-149, 1.0715086071862673e+301, s_d)
     y_0 = self_0 * s
     y_1 = self_1 * s
@@ -181,9 +178,8 @@ def vec4_normalized(v):
     s_largest1 = where(s_size_0 < s_size_1, s_size_1, s_size_0)
     s_largest2 = where(s_largest1 < s_size_2, s_size_2, s_largest1)
     s_largest3 = where(s_largest2 < s_size_3, s_size_3, s_largest2)
-    s_d = (where(s_largest3
-        < 256, 1.3093562431584567e+151, where(6.703903964971299e+153
-        < s_largest3, float64(3.7291703656001034e-155), float64(1))))
+    s_d = where(s_largest3 < 256, 1.3093562431584567e+151,
+        where(6.703903964971299e+153 < s_largest3, real(3.7291703656001034e-155), real(1)))
     s = where(s_largest3 < 1.955159272639747e-149, 1.0715086071862673e+301, s_d)
     y_0 = v_0 * s
     y_1 = v_1 * s

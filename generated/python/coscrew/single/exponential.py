@@ -3,12 +3,16 @@
 # coscrew 0.2.0.  Copyright (c) 2026 The coscrew authors.
 """Exponentials and logarithms of rotations and displacements, their Jacobians, interpolation.
 
-In single precision, plain tier.
+In single precision, plain tier.  A twin(f, …) is f of double precision with these constants.
 """
 
 from coscrew import _elementary_single as elementary
-from numpy import absolute, float32, sqrt, where
+from numpy import absolute, float32 as real, sqrt, where
 from coscrew._kernel import single_kernel as kernel
+from coscrew._twins import single_twins
+from coscrew import double
+
+twin = single_twins(__name__)
 
 
 @kernel("(3)->(3,3)")
@@ -64,18 +68,18 @@ def SO3_exp(v):
         * (x
         * (x * (x * (x * (6.4469503e-26 * x - 3.8681703e-23) + 1.9572942e-20) - 8.220635e-18)
         + 2.8114574e-15) - 7.6471636e-13) + 1.6059044e-10)
-    g1 = (where(theta_b, x
-        * (x
-        * (x * (x * (x * (x * g1l - 2.5052108e-08) + 2.7557319e-06) - 0.0001984127) + 0.008333334)
-        - 0.16666667) + 1, closed1))
+    g1 = where(theta_b,
+        x * (x * (x * (x * (x * (x * g1l - 2.5052108e-08) + 2.7557319e-06) - 0.0001984127) +
+            0.008333334) - 0.16666667) + 1,
+        closed1)
     g2l = (x
         * (x
         * (x * (x * (x * (2.4795963e-27 * x - 1.6117376e-24) + 8.896791e-22) - 4.1103176e-19)
         + 1.5619207e-16) - 4.7794773e-14) + 1.1470745e-11)
-    g2 = (where(theta_b, x
-        * (x
-        * (x * (x * (x * (x * g2l - 2.0876756e-09) + 2.755732e-07) - 2.4801588e-05) + 0.0013888889)
-        - 0.041666668) + 0.5, closed2))
+    g2 = where(theta_b,
+        x * (x * (x * (x * (x * (x * g2l - 2.0876756e-09) + 2.755732e-07) - 2.4801588e-05) +
+            0.0013888889) - 0.041666668) + 0.5,
+        closed2)
     g0 = where(theta_b, 1 - x * g2, cosine)
     beta_v_0 = v_0 * g2
     beta_v_1 = v_1 * g2
@@ -152,16 +156,15 @@ def SO3_log(R):
     v_s_size_2 = absolute(upper_2)
     v_s_largest1 = where(v_s_size_0 < v_s_size_1, v_s_size_1, v_s_size_0)
     v_s_largest2 = where(v_s_largest1 < v_s_size_2, v_s_size_2, v_s_largest1)
-    v_s_d = (where(v_s_largest2
-        < 256, 1.8014398509481984e+16, where(4.611686018427388e+18
-        < v_s_largest2, float32(2.710505431213761e-20), float32(1))))
+    v_s_d = where(v_s_largest2 < 256, 1.8014398509481984e+16,
+        where(4.611686018427388e+18 < v_s_largest2, real(2.710505431213761e-20), real(1)))
     v_s = where(v_s_largest2 < 1.4210854715202004e-14, 3.2451855365842673e+32, v_s_d)
     v_y_0 = upper_0 * v_s
     v_y_1 = upper_1 * v_s
     v_y_2 = upper_2 * v_s
     v_n = sqrt(v_y_0 * v_y_0 + v_y_1 * v_y_1 + v_y_2 * v_y_2)
-    v_r_d = (where(1
-        < v_s, 5.551115123125783e-17, where(v_s < 1, float32(3.6893488147419103e+19), float32(1))))
+    v_r_d = where(1 < v_s, 5.551115123125783e-17, where(v_s < 1, real(3.6893488147419103e+19),
+        real(1)))
     v_r = where(1.8014398509481984e+16 < v_s, 3.0814879110195774e-33, v_r_d)
     n = v_n * v_r
     half = elementary.atan2(n, upper_3)
@@ -231,18 +234,18 @@ def SO3_leftJacobian(v):
         * (x
         * (x * (x * (x * (6.4469503e-26 * x - 3.8681703e-23) + 1.9572942e-20) - 8.220635e-18)
         + 2.8114574e-15) - 7.6471636e-13) + 1.6059044e-10)
-    g1 = (where(theta_b, x
-        * (x
-        * (x * (x * (x * (x * g1l - 2.5052108e-08) + 2.7557319e-06) - 0.0001984127) + 0.008333334)
-        - 0.16666667) + 1, closed1))
+    g1 = where(theta_b,
+        x * (x * (x * (x * (x * (x * g1l - 2.5052108e-08) + 2.7557319e-06) - 0.0001984127) +
+            0.008333334) - 0.16666667) + 1,
+        closed1)
     g2l = (x
         * (x
         * (x * (x * (x * (2.4795963e-27 * x - 1.6117376e-24) + 8.896791e-22) - 4.1103176e-19)
         + 1.5619207e-16) - 4.7794773e-14) + 1.1470745e-11)
-    g2 = (where(theta_b, x
-        * (x
-        * (x * (x * (x * (x * g2l - 2.0876756e-09) + 2.755732e-07) - 2.4801588e-05) + 0.0013888889)
-        - 0.041666668) + 0.5, closed2))
+    g2 = where(theta_b,
+        x * (x * (x * (x * (x * (x * g2l - 2.0876756e-09) + 2.755732e-07) - 2.4801588e-05) +
+            0.0013888889) - 0.041666668) + 0.5,
+        closed2)
     g3l = (x
         * (x
         * (x * (x * (x * (9.18369e-29 * x - 6.4469503e-26) + 3.8681703e-23) - 1.9572942e-20)
@@ -336,18 +339,18 @@ def SO3_rightJacobian(v):
         * (x
         * (x * (x * (x * (6.4469503e-26 * x - 3.8681703e-23) + 1.9572942e-20) - 8.220635e-18)
         + 2.8114574e-15) - 7.6471636e-13) + 1.6059044e-10)
-    g1 = (where(theta_b, x
-        * (x
-        * (x * (x * (x * (x * g1l - 2.5052108e-08) + 2.7557319e-06) - 0.0001984127) + 0.008333334)
-        - 0.16666667) + 1, closed1))
+    g1 = where(theta_b,
+        x * (x * (x * (x * (x * (x * g1l - 2.5052108e-08) + 2.7557319e-06) - 0.0001984127) +
+            0.008333334) - 0.16666667) + 1,
+        closed1)
     g2l = (x
         * (x
         * (x * (x * (x * (2.4795963e-27 * x - 1.6117376e-24) + 8.896791e-22) - 4.1103176e-19)
         + 1.5619207e-16) - 4.7794773e-14) + 1.1470745e-11)
-    g2 = (where(theta_b, x
-        * (x
-        * (x * (x * (x * (x * g2l - 2.0876756e-09) + 2.755732e-07) - 2.4801588e-05) + 0.0013888889)
-        - 0.041666668) + 0.5, closed2))
+    g2 = where(theta_b,
+        x * (x * (x * (x * (x * (x * g2l - 2.0876756e-09) + 2.755732e-07) - 2.4801588e-05) +
+            0.0013888889) - 0.041666668) + 0.5,
+        closed2)
     g3l = (x
         * (x
         * (x * (x * (x * (9.18369e-29 * x - 6.4469503e-26) + 3.8681703e-23) - 1.9572942e-20)
@@ -448,8 +451,8 @@ def SO3_leftJacobianInverse(v):
         * (x
         * (x * (x * (x * (x * b_l + 2.1748687e-16) + 8.586062e-15) + 3.3896803e-13)
         + 1.3382536e-11) + 5.2841903e-10) + 2.0876756e-08))
-    b = (where(b_divisor_a, x * (x * (x * (b_y + 8.267196e-07) + 3.3068784e-05) + 0.0013888889)
-        + 0.083333336, closed_b))
+    b = where(b_divisor_a,
+        x * (x * (x * (b_y + 8.267196e-07) + 3.3068784e-05) + 0.0013888889) + 0.083333336, closed_b)
     b_across = where(b_divisor_a, 1 - x * b, half_cotangent)
     beta_v_0 = v_0 * b
     beta_v_1 = v_1 * b
@@ -542,8 +545,8 @@ def SO3_rightJacobianInverse(v):
         * (x
         * (x * (x * (x * (x * b_l + 2.1748687e-16) + 8.586062e-15) + 3.3896803e-13)
         + 1.3382536e-11) + 5.2841903e-10) + 2.0876756e-08))
-    b = (where(b_divisor_a, x * (x * (x * (b_y + 8.267196e-07) + 3.3068784e-05) + 0.0013888889)
-        + 0.083333336, closed_b))
+    b = where(b_divisor_a,
+        x * (x * (x * (b_y + 8.267196e-07) + 3.3068784e-05) + 0.0013888889) + 0.083333336, closed_b)
     b_across = where(b_divisor_a, 1 - x * b, half_cotangent)
     beta_v_0 = v_0 * b
     beta_v_1 = v_1 * b
@@ -571,75 +574,8 @@ def SO3_rightJacobianInverse(v):
     R_21 = m_5 + alpha_v_0
     return (diagonal0, R_01, R_02, R_10, diagonal1, R_12, R_20, R_21, diagonal2)
 
-
-@kernel("(3,3)->(3,3)")
-def mat3x3_orthonormalize(self):
-    """self = R + R (I - R^T R)/2, closer to a rotation: a defect d of R becomes 3/4 d^2.
-
-    (3,3)->(3,3).  self: rotation or other 3×3 matrix.
-    51 mul, 42 add, 3 neg.  Error <= u |result| + 7 u S, S the sum of the |terms| of the
-    expanded formula; barring over- and underflow.
-    """
-    self_00, self_01, self_02, self_10, self_11, self_12, self_20, self_21, self_22 = self
-    defect_0 = 1 - self_00 * self_00 - self_10 * self_10 - self_20 * self_20
-    defect_1 = 1 - self_01 * self_01 - self_11 * self_11 - self_21 * self_21
-    defect_2 = 1 - self_02 * self_02 - self_12 * self_12 - self_22 * self_22
-    defect_3 = -(self_00 * self_01 + self_10 * self_11 + self_20 * self_21)
-    defect_4 = -(self_00 * self_02 + self_10 * self_12 + self_20 * self_22)
-    defect_5 = -(self_01 * self_02 + self_11 * self_12 + self_21 * self_22)
-    correction_0 = 0.5 * defect_0
-    correction_1 = 0.5 * defect_1
-    correction_2 = 0.5 * defect_2
-    correction_3 = 0.5 * defect_3
-    correction_4 = 0.5 * defect_4
-    correction_5 = 0.5 * defect_5
-    self_00_new = (self_00
-        + (self_00 * correction_0 + self_01 * correction_3 + self_02 * correction_4))
-    self_01_new = self_00 * correction_3 + self_01 * correction_1 + self_02 * correction_5 + self_01
-    self_02_new = self_00 * correction_4 + self_01 * correction_5 + self_02 * correction_2 + self_02
-    self_10_new = (self_10
-        + (self_10 * correction_0 + self_11 * correction_3 + self_12 * correction_4))
-    self_11_new = self_10 * correction_3 + self_11 * correction_1 + self_12 * correction_5 + self_11
-    self_12_new = self_10 * correction_4 + self_11 * correction_5 + self_12 * correction_2 + self_12
-    self_20_new = (self_20
-        + (self_20 * correction_0 + self_21 * correction_3 + self_22 * correction_4))
-    self_21_new = self_20 * correction_3 + self_21 * correction_1 + self_22 * correction_5 + self_21
-    self_22_new = self_20 * correction_4 + self_21 * correction_5 + self_22 * correction_2 + self_22
-    return (self_00_new, self_01_new, self_02_new, self_10_new, self_11_new, self_12_new,
-        self_20_new, self_21_new, self_22_new)
-
-
-@kernel("(3,3)->(3,3)")
-def mat3x3_orthonormalized(R):
-    """Ro = R + R (I - R^T R)/2, closer to a rotation: a defect d of R becomes 3/4 d^2.
-
-    (3,3)->(3,3).  R, Ro: rotation or other 3×3 matrix.
-    51 mul, 42 add, 3 neg.  Error <= u |result| + 7 u S, S the sum of the |terms| of the
-    expanded formula; barring over- and underflow.
-    """
-    R_00, R_01, R_02, R_10, R_11, R_12, R_20, R_21, R_22 = R
-    defect_0 = 1 - R_00 * R_00 - R_10 * R_10 - R_20 * R_20
-    defect_1 = 1 - R_01 * R_01 - R_11 * R_11 - R_21 * R_21
-    defect_2 = 1 - R_02 * R_02 - R_12 * R_12 - R_22 * R_22
-    defect_3 = -(R_00 * R_01 + R_10 * R_11 + R_20 * R_21)
-    defect_4 = -(R_00 * R_02 + R_10 * R_12 + R_20 * R_22)
-    defect_5 = -(R_01 * R_02 + R_11 * R_12 + R_21 * R_22)
-    correction_0 = 0.5 * defect_0
-    correction_1 = 0.5 * defect_1
-    correction_2 = 0.5 * defect_2
-    correction_3 = 0.5 * defect_3
-    correction_4 = 0.5 * defect_4
-    correction_5 = 0.5 * defect_5
-    Ro_00 = R_00 + (R_00 * correction_0 + R_01 * correction_3 + R_02 * correction_4)
-    Ro_01 = R_00 * correction_3 + R_01 * correction_1 + R_02 * correction_5 + R_01
-    Ro_02 = R_00 * correction_4 + R_01 * correction_5 + R_02 * correction_2 + R_02
-    Ro_10 = R_10 + (R_10 * correction_0 + R_11 * correction_3 + R_12 * correction_4)
-    Ro_11 = R_10 * correction_3 + R_11 * correction_1 + R_12 * correction_5 + R_11
-    Ro_12 = R_10 * correction_4 + R_11 * correction_5 + R_12 * correction_2 + R_12
-    Ro_20 = R_20 + (R_20 * correction_0 + R_21 * correction_3 + R_22 * correction_4)
-    Ro_21 = R_20 * correction_3 + R_21 * correction_1 + R_22 * correction_5 + R_21
-    Ro_22 = R_20 * correction_4 + R_21 * correction_5 + R_22 * correction_2 + R_22
-    return (Ro_00, Ro_01, Ro_02, Ro_10, Ro_11, Ro_12, Ro_20, Ro_21, Ro_22)
+mat3x3_orthonormalize = twin(double.mat3x3_orthonormalize)
+mat3x3_orthonormalized = twin(double.mat3x3_orthonormalized)
 
 
 @kernel("(6)->(3,4)")
@@ -701,18 +637,18 @@ def SE3_exp(s):
         * (x
         * (x * (x * (x * (6.4469503e-26 * x - 3.8681703e-23) + 1.9572942e-20) - 8.220635e-18)
         + 2.8114574e-15) - 7.6471636e-13) + 1.6059044e-10)
-    g1 = (where(theta_b, x
-        * (x
-        * (x * (x * (x * (x * g1l - 2.5052108e-08) + 2.7557319e-06) - 0.0001984127) + 0.008333334)
-        - 0.16666667) + 1, closed1))
+    g1 = where(theta_b,
+        x * (x * (x * (x * (x * (x * g1l - 2.5052108e-08) + 2.7557319e-06) - 0.0001984127) +
+            0.008333334) - 0.16666667) + 1,
+        closed1)
     g2l = (x
         * (x
         * (x * (x * (x * (2.4795963e-27 * x - 1.6117376e-24) + 8.896791e-22) - 4.1103176e-19)
         + 1.5619207e-16) - 4.7794773e-14) + 1.1470745e-11)
-    g2 = (where(theta_b, x
-        * (x
-        * (x * (x * (x * (x * g2l - 2.0876756e-09) + 2.755732e-07) - 2.4801588e-05) + 0.0013888889)
-        - 0.041666668) + 0.5, closed2))
+    g2 = where(theta_b,
+        x * (x * (x * (x * (x * (x * g2l - 2.0876756e-09) + 2.755732e-07) - 2.4801588e-05) +
+            0.0013888889) - 0.041666668) + 0.5,
+        closed2)
     g3l = (x
         * (x
         * (x * (x * (x * (9.18369e-29 * x - 6.4469503e-26) + 3.8681703e-23) - 1.9572942e-20)
@@ -816,16 +752,15 @@ def SE3_log(D):
     v_s_size_2 = absolute(upper_2)
     v_s_largest1 = where(v_s_size_0 < v_s_size_1, v_s_size_1, v_s_size_0)
     v_s_largest2 = where(v_s_largest1 < v_s_size_2, v_s_size_2, v_s_largest1)
-    v_s_d = (where(v_s_largest2
-        < 256, 1.8014398509481984e+16, where(4.611686018427388e+18
-        < v_s_largest2, float32(2.710505431213761e-20), float32(1))))
+    v_s_d = where(v_s_largest2 < 256, 1.8014398509481984e+16,
+        where(4.611686018427388e+18 < v_s_largest2, real(2.710505431213761e-20), real(1)))
     v_s = where(v_s_largest2 < 1.4210854715202004e-14, 3.2451855365842673e+32, v_s_d)
     v_y_0 = upper_0 * v_s
     v_y_1 = upper_1 * v_s
     v_y_2 = upper_2 * v_s
     v_n = sqrt(v_y_0 * v_y_0 + v_y_1 * v_y_1 + v_y_2 * v_y_2)
-    v_r_d = (where(1
-        < v_s, 5.551115123125783e-17, where(v_s < 1, float32(3.6893488147419103e+19), float32(1))))
+    v_r_d = where(1 < v_s, 5.551115123125783e-17, where(v_s < 1, real(3.6893488147419103e+19),
+        real(1)))
     v_r = where(1.8014398509481984e+16 < v_s, 3.0814879110195774e-33, v_r_d)
     n = v_n * v_r
     half = elementary.atan2(n, upper_3)
@@ -852,8 +787,8 @@ def SE3_log(D):
         * (x
         * (x * (x * (x * (x * b_l + 2.1748687e-16) + 8.586062e-15) + 3.3896803e-13)
         + 1.3382536e-11) + 5.2841903e-10) + 2.0876756e-08))
-    b = (where(b_divisor_a, x * (x * (x * (b_y + 8.267196e-07) + 3.3068784e-05) + 0.0013888889)
-        + 0.083333336, closed_b))
+    b = where(b_divisor_a,
+        x * (x * (x * (b_y + 8.267196e-07) + 3.3068784e-05) + 0.0013888889) + 0.083333336, closed_b)
     b_across = where(b_divisor_a, 1 - x * b, half_cotangent)
     wt = D_03 * vector_0 + D_13 * vector_1 + D_23 * vector_2
     pitch = b * wt
@@ -933,18 +868,18 @@ def SE3_leftJacobian(s):
         * (x
         * (x * (x * (x * (6.4469503e-26 * x - 3.8681703e-23) + 1.9572942e-20) - 8.220635e-18)
         + 2.8114574e-15) - 7.6471636e-13) + 1.6059044e-10)
-    g1 = (where(theta_b, x
-        * (x
-        * (x * (x * (x * (x * g1l - 2.5052108e-08) + 2.7557319e-06) - 0.0001984127) + 0.008333334)
-        - 0.16666667) + 1, closed1))
+    g1 = where(theta_b,
+        x * (x * (x * (x * (x * (x * g1l - 2.5052108e-08) + 2.7557319e-06) - 0.0001984127) +
+            0.008333334) - 0.16666667) + 1,
+        closed1)
     g2l = (x
         * (x
         * (x * (x * (x * (2.4795963e-27 * x - 1.6117376e-24) + 8.896791e-22) - 4.1103176e-19)
         + 1.5619207e-16) - 4.7794773e-14) + 1.1470745e-11)
-    g2 = (where(theta_b, x
-        * (x
-        * (x * (x * (x * (x * g2l - 2.0876756e-09) + 2.755732e-07) - 2.4801588e-05) + 0.0013888889)
-        - 0.041666668) + 0.5, closed2))
+    g2 = where(theta_b,
+        x * (x * (x * (x * (x * (x * g2l - 2.0876756e-09) + 2.755732e-07) - 2.4801588e-05) +
+            0.0013888889) - 0.041666668) + 0.5,
+        closed2)
     g3l = (x
         * (x
         * (x * (x * (x * (9.18369e-29 * x - 6.4469503e-26) + 3.8681703e-23) - 1.9572942e-20)
@@ -1095,18 +1030,18 @@ def SE3_rightJacobian(s):
         * (x
         * (x * (x * (x * (6.4469503e-26 * x - 3.8681703e-23) + 1.9572942e-20) - 8.220635e-18)
         + 2.8114574e-15) - 7.6471636e-13) + 1.6059044e-10)
-    g1 = (where(theta_b, x
-        * (x
-        * (x * (x * (x * (x * g1l - 2.5052108e-08) + 2.7557319e-06) - 0.0001984127) + 0.008333334)
-        - 0.16666667) + 1, closed1))
+    g1 = where(theta_b,
+        x * (x * (x * (x * (x * (x * g1l - 2.5052108e-08) + 2.7557319e-06) - 0.0001984127) +
+            0.008333334) - 0.16666667) + 1,
+        closed1)
     g2l = (x
         * (x
         * (x * (x * (x * (2.4795963e-27 * x - 1.6117376e-24) + 8.896791e-22) - 4.1103176e-19)
         + 1.5619207e-16) - 4.7794773e-14) + 1.1470745e-11)
-    g2 = (where(theta_b, x
-        * (x
-        * (x * (x * (x * (x * g2l - 2.0876756e-09) + 2.755732e-07) - 2.4801588e-05) + 0.0013888889)
-        - 0.041666668) + 0.5, closed2))
+    g2 = where(theta_b,
+        x * (x * (x * (x * (x * (x * g2l - 2.0876756e-09) + 2.755732e-07) - 2.4801588e-05) +
+            0.0013888889) - 0.041666668) + 0.5,
+        closed2)
     g3l = (x
         * (x
         * (x * (x * (x * (9.18369e-29 * x - 6.4469503e-26) + 3.8681703e-23) - 1.9572942e-20)
@@ -1263,8 +1198,8 @@ def SE3_leftJacobianInverse(s):
         * (x
         * (x * (x * (x * (x * b_l + 2.1748687e-16) + 8.586062e-15) + 3.3896803e-13)
         + 1.3382536e-11) + 5.2841903e-10) + 2.0876756e-08))
-    b = (where(b_divisor_a, x * (x * (x * (b_y + 8.267196e-07) + 3.3068784e-05) + 0.0013888889)
-        + 0.083333336, closed_b))
+    b = where(b_divisor_a,
+        x * (x * (x * (b_y + 8.267196e-07) + 3.3068784e-05) + 0.0013888889) + 0.083333336, closed_b)
     b_across = where(b_divisor_a, 1 - x * b, half_cotangent)
     beta_v_0 = s_3 * b
     beta_v_1 = s_4 * b
@@ -1406,8 +1341,8 @@ def SE3_rightJacobianInverse(s):
         * (x
         * (x * (x * (x * (x * b_l + 2.1748687e-16) + 8.586062e-15) + 3.3896803e-13)
         + 1.3382536e-11) + 5.2841903e-10) + 2.0876756e-08))
-    b = (where(b_divisor_a, x * (x * (x * (b_y + 8.267196e-07) + 3.3068784e-05) + 0.0013888889)
-        + 0.083333336, closed_b))
+    b = where(b_divisor_a,
+        x * (x * (x * (b_y + 8.267196e-07) + 3.3068784e-05) + 0.0013888889) + 0.083333336, closed_b)
     b_across = where(b_divisor_a, 1 - x * b, half_cotangent)
     beta_v_0 = s_3 * b
     beta_v_1 = s_4 * b
@@ -1552,18 +1487,16 @@ def SE3_interpolated(D1, D2, k):
     log_v_s_size_2 = absolute(log_upper_2)
     log_v_s_largest1 = where(log_v_s_size_0 < log_v_s_size_1, log_v_s_size_1, log_v_s_size_0)
     log_v_s_largest2 = where(log_v_s_largest1 < log_v_s_size_2, log_v_s_size_2, log_v_s_largest1)
-    log_v_s_b = (where(4.611686018427388e+18
-        < log_v_s_largest2, float32(2.710505431213761e-20), float32(1)))
-    log_v_s = (where(log_v_s_largest2
-        < 1.4210854715202004e-14, 3.2451855365842673e+32, where(log_v_s_largest2
-        < 256, 1.8014398509481984e+16, log_v_s_b)))
+    log_v_s_b = where(4.611686018427388e+18 < log_v_s_largest2, real(2.710505431213761e-20),
+        real(1))
+    log_v_s = where(log_v_s_largest2 < 1.4210854715202004e-14, 3.2451855365842673e+32,
+        where(log_v_s_largest2 < 256, 1.8014398509481984e+16, log_v_s_b))
     log_v_y_0 = log_upper_0 * log_v_s
     log_v_y_1 = log_upper_1 * log_v_s
     log_v_y_2 = log_upper_2 * log_v_s
     log_v_n = sqrt(log_v_y_0 * log_v_y_0 + log_v_y_1 * log_v_y_1 + log_v_y_2 * log_v_y_2)
-    log_v_r_d = (where(1
-        < log_v_s, 5.551115123125783e-17, where(log_v_s
-        < 1, float32(3.6893488147419103e+19), float32(1))))
+    log_v_r_d = where(1 < log_v_s, 5.551115123125783e-17, where(log_v_s < 1,
+        real(3.6893488147419103e+19), real(1)))
     log_v_r = where(1.8014398509481984e+16 < log_v_s, 3.0814879110195774e-33, log_v_r_d)
     log_n = log_v_n * log_v_r
     log_half = elementary.atan2(log_n, log_upper_3)
@@ -1688,8 +1621,8 @@ def SE3_interpolated(D1, D2, k):
         * (exp_x
         * (exp_x * (exp_x * (exp_x * exp_g3j + 7.6471636e-13) - 1.6059044e-10) + 2.5052108e-08)
         - 2.7557319e-06) + 0.0001984127)
-    exp_g3 = (where(exp_middle_x_a, exp_x * (exp_x * exp_g3t - 0.008333334)
-        + 0.16666667, exp_closed3))
+    exp_g3 = where(exp_middle_x_a, exp_x * (exp_x * exp_g3t - 0.008333334) + 0.16666667,
+        exp_closed3)
     exp_g0 = where(exp_theta_b, 1 - exp_x * exp_g2, exp_cosine)
     exp_u_0 = screw_2 * screw_4 - screw_1 * screw_5
     exp_u_1 = screw_0 * screw_5 - screw_2 * screw_3

@@ -3,127 +3,25 @@
 # coscrew 0.2.0.  Copyright (c) 2026 The coscrew authors.
 """3×3 matrices: rotations, and matrices in general.
 
-In single precision, plain tier.
+In single precision, plain tier.  A twin(f, …) is f of double precision with these constants.
 """
 
 from coscrew import _elementary_single as elementary
-from numpy import absolute, float32, nan, sqrt, where
+from numpy import absolute, float32 as real, nan, sqrt, where
 from coscrew._kernel import single_kernel as kernel
+from coscrew._twins import single_twins
+from coscrew import double
 
+twin = single_twins(__name__, elementary=elementary)
 
-@kernel("(3,3)->(3,3)")
-def mat3x3_copy(R):
-    """Ro = R.
-
-    (3,3)->(3,3).  R, Ro: rotation or other 3×3 matrix.
-    No arithmetic.  Exact.
-    """
-    R_00, R_01, R_02, R_10, R_11, R_12, R_20, R_21, R_22 = R
-    return (R_00, R_01, R_02, R_10, R_11, R_12, R_20, R_21, R_22)
-
-
-@kernel("(3,3)->(3,3)")
-def mat3x3_setIdentity(self):
-    """self = I.
-
-    (3,3)->(3,3).  self: rotation or other 3×3 matrix.
-    No arithmetic.  Exact.
-    """
-    return (1, 0, 0, 0, 1, 0, 0, 0, 1)
-
-
-@kernel("(3),(3),(3)->(3,3)")
-def mat3x3_setFromVectors(x, y, z):
-    """R = [x y z], the columns.
-
-    (3),(3),(3)->(3,3).  x, y, z: vector; R: rotation or other 3×3 matrix.
-    No arithmetic.  Exact.
-    """
-    x_0, x_1, x_2 = x
-    y_0, y_1, y_2 = y
-    z_0, z_1, z_2 = z
-    return (x_0, y_0, z_0, x_1, y_1, z_1, x_2, y_2, z_2)
-
-
-@kernel("(3)->(3,3)")
-def skew(v):
-    """Ro = v~, the matrix with v~ y = v × y.
-
-    (3)->(3,3).  v: vector; Ro: rotation or other 3×3 matrix.
-    3 neg.  Exact.
-    """
-    v_0, v_1, v_2 = v
-    Ro_01 = -v_2
-    Ro_12 = -v_0
-    Ro_20 = -v_1
-    return (0, Ro_01, v_1, v_2, 0, Ro_12, Ro_20, v_0, 0)
-
-
-@kernel("(3),(3)->(3,3)")
-def acceleration_tensor(w, dw):
-    """Ro = w'~ + w~ w~ of a body with angular velocity w and angular acceleration w' = dw: the
-    acceleration of its point x, less that of its origin, is Ro x.
-
-    (3),(3)->(3,3).  w, dw: vector; Ro: rotation or other 3×3 matrix.
-    6 mul, 9 add, 3 neg.  Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded
-    formula; barring over- and underflow.
-    """
-    w_0, w_1, w_2 = w
-    dw_0, dw_1, dw_2 = dw
-    ww_0 = w_0 * w_0
-    ww_1 = w_1 * w_1
-    ww_2 = w_2 * w_2
-    ww_3 = w_0 * w_1
-    ww_4 = w_0 * w_2
-    ww_5 = w_1 * w_2
-    Ro_00 = -(ww_1 + ww_2)
-    Ro_01 = ww_3 - dw_2
-    Ro_02 = dw_1 + ww_4
-    Ro_10 = dw_2 + ww_3
-    Ro_11 = -(ww_0 + ww_2)
-    Ro_12 = ww_5 - dw_0
-    Ro_20 = ww_4 - dw_1
-    Ro_21 = dw_0 + ww_5
-    Ro_22 = -(ww_0 + ww_1)
-    return (Ro_00, Ro_01, Ro_02, Ro_10, Ro_11, Ro_12, Ro_20, Ro_21, Ro_22)
-
-
-@kernel("(3,3)->(3,3)")
-def mat3x3_transpose(self):
-    """self = self^T, the inverse of a rotation.
-
-    (3,3)->(3,3).  self: rotation or other 3×3 matrix.
-    No arithmetic.  Exact.
-    """
-    self_00, self_01, self_02, self_10, self_11, self_12, self_20, self_21, self_22 = self
-    return (self_00, self_10, self_20, self_01, self_11, self_21, self_02, self_12, self_22)
-
-
-@kernel("(3,3)->(3,3)")
-def mat3x3_transposed(R):
-    """Ro = R^T, the inverse of a rotation.
-
-    (3,3)->(3,3).  R, Ro: rotation or other 3×3 matrix.
-    No arithmetic.  Exact.
-    """
-    R_00, R_01, R_02, R_10, R_11, R_12, R_20, R_21, R_22 = R
-    return (R_00, R_10, R_20, R_01, R_11, R_21, R_02, R_12, R_22)
-
-
-@kernel("(3,3)->()")
-def mat3x3_determinant(R):
-    """det R.
-
-    (3,3)->().  R: rotation or other 3×3 matrix; det: number.
-    9 mul, 5 add.  Error <= u |result| + 4 u S, S the sum of the |terms| of the expanded
-    formula; barring over- and underflow.
-    """
-    R_00, R_01, R_02, R_10, R_11, R_12, R_20, R_21, R_22 = R
-    n_0 = R_11 * R_22 - R_12 * R_21
-    n_1 = R_02 * R_21 - R_01 * R_22
-    n_2 = R_01 * R_12 - R_02 * R_11
-    det = R_00 * n_0 + R_10 * n_1 + R_20 * n_2
-    return det
+mat3x3_copy = twin(double.mat3x3_copy)
+mat3x3_setIdentity = twin(double.mat3x3_setIdentity)
+mat3x3_setFromVectors = twin(double.mat3x3_setFromVectors)
+skew = twin(double.skew)
+acceleration_tensor = twin(double.acceleration_tensor)
+mat3x3_transpose = twin(double.mat3x3_transpose)
+mat3x3_transposed = twin(double.mat3x3_transposed)
+mat3x3_determinant = twin(double.mat3x3_determinant)
 
 
 @kernel("(3,3)->(),(3,3)")
@@ -157,8 +55,8 @@ def mat3x3_inverse(R):
     R_largest8 = where(R_largest7 < R_size_8, R_size_8, R_largest7)
     s_c = R_largest8 < 1.2089258196146292e+24
     s_e = R_largest8 < 1099511627776
-    s_d = (where(s_c, 9.094947017729282e-13, where(R_largest8
-        < 1.329227995784916e+36, float32(8.271806125530277e-25), float32(7.52316384526264e-37))))
+    s_d = where(s_c, 9.094947017729282e-13, where(R_largest8 < 1.329227995784916e+36,
+        real(8.271806125530277e-25), real(7.52316384526264e-37)))
     s_g = R_largest8 < 1
     s_i = R_largest8 < 9.094947017729282e-13
     s_k = R_largest8 < 8.271806125530277e-25
@@ -198,7 +96,7 @@ def mat3x3_inverse(R):
     top = R_largest8 * s
     spoiled = top * 1.262177448353619e-29
     least = permanent * 4.76837158203125e-07 + spoiled * (top * top)
-    regular = where(least < absolute(d), float32(1), float32(0))
+    regular = where(least < absolute(d), real(1), real(0))
     divisor_a = regular == 1
     divisor = where(divisor_a, d, 1)
     quotient_0 = n0_0 / divisor
@@ -220,11 +118,11 @@ def mat3x3_inverse(R):
     inverse_7 = quotient_7 * s
     inverse_8 = quotient_8 * s
     start = where(s_c, d, where(d < 0, -1.329227995784916e+36, 1.329227995784916e+36))
-    r2 = where(s_i, float32(7.52316384526264e-37), float32(1))
+    r2 = where(s_i, real(7.52316384526264e-37), real(1))
     once = start * r2
-    r3 = where(s_k, float32(7.52316384526264e-37), float32(1))
+    r3 = where(s_k, real(7.52316384526264e-37), real(1))
     twice = once * r3
-    r = where(s_g, 7.52316384526264e-37, where(s_e, float32(1), float32(1.329227995784916e+36)))
+    r = where(s_g, 7.52316384526264e-37, where(s_e, real(1), real(1.329227995784916e+36)))
     det_R = twice * r
     det = where(divisor_a, det_R, 0)
     Ro_00 = where(divisor_a, inverse_0, nan)
@@ -255,9 +153,8 @@ def mat3x3_normalize(self):
     q0_s_size_2 = absolute(self_02)
     q0_s_largest1 = where(q0_s_size_0 < q0_s_size_1, q0_s_size_1, q0_s_size_0)
     q0_s_largest2 = where(q0_s_largest1 < q0_s_size_2, q0_s_size_2, q0_s_largest1)
-    q0_s_d = (where(q0_s_largest2
-        < 256, 1.8014398509481984e+16, where(4.611686018427388e+18
-        < q0_s_largest2, float32(2.710505431213761e-20), float32(1))))
+    q0_s_d = where(q0_s_largest2 < 256, 1.8014398509481984e+16,
+        where(4.611686018427388e+18 < q0_s_largest2, real(2.710505431213761e-20), real(1)))
     q0_s = where(q0_s_largest2 < 1.4210854715202004e-14, 3.2451855365842673e+32, q0_s_d)
     q0_y_0 = self_00 * q0_s
     q0_y_1 = self_01 * q0_s
@@ -280,9 +177,8 @@ def mat3x3_normalize(self):
     u1_s_size_2 = absolute(self_12)
     u1_s_largest1 = where(u1_s_size_0 < u1_s_size_1, u1_s_size_1, u1_s_size_0)
     u1_s_largest2 = where(u1_s_largest1 < u1_s_size_2, u1_s_size_2, u1_s_largest1)
-    u1_s_d = (where(u1_s_largest2
-        < 256, 1.8014398509481984e+16, where(4.611686018427388e+18
-        < u1_s_largest2, float32(2.710505431213761e-20), float32(1))))
+    u1_s_d = where(u1_s_largest2 < 256, 1.8014398509481984e+16,
+        where(4.611686018427388e+18 < u1_s_largest2, real(2.710505431213761e-20), real(1)))
     u1_s = where(u1_s_largest2 < 1.4210854715202004e-14, 3.2451855365842673e+32, u1_s_d)
     u1_y_0 = self_10 * u1_s
     u1_y_1 = self_11 * u1_s
@@ -321,9 +217,8 @@ def mat3x3_normalize(self):
     u2_s_size_2 = absolute(self_22)
     u2_s_largest1 = where(u2_s_size_0 < u2_s_size_1, u2_s_size_1, u2_s_size_0)
     u2_s_largest2 = where(u2_s_largest1 < u2_s_size_2, u2_s_size_2, u2_s_largest1)
-    u2_s_d = (where(u2_s_largest2
-        < 256, 1.8014398509481984e+16, where(4.611686018427388e+18
-        < u2_s_largest2, float32(2.710505431213761e-20), float32(1))))
+    u2_s_d = where(u2_s_largest2 < 256, 1.8014398509481984e+16,
+        where(4.611686018427388e+18 < u2_s_largest2, real(2.710505431213761e-20), real(1)))
     u2_s = where(u2_s_largest2 < 1.4210854715202004e-14, 3.2451855365842673e+32, u2_s_d)
     u2_y_0 = self_20 * u2_s
     u2_y_1 = self_21 * u2_s
@@ -348,7 +243,7 @@ def mat3x3_normalize(self):
     q2_2 = where(q2_0b, -normal_2, normal_2)
     size = absolute(side)
     less = where(n < size, n, size)
-    dependent = where(less < 9.5367431640625e-07, float32(1), float32(0))
+    dependent = where(less < 9.5367431640625e-07, real(1), real(0))
     self_00_new_a = dependent == 1
     self_00_new = where(self_00_new_a, nan, q0_0)
     self_01_new = where(self_00_new_a, nan, q0_1)
@@ -379,9 +274,8 @@ def mat3x3_normalized(R):
     q0_s_size_2 = absolute(R_02)
     q0_s_largest1 = where(q0_s_size_0 < q0_s_size_1, q0_s_size_1, q0_s_size_0)
     q0_s_largest2 = where(q0_s_largest1 < q0_s_size_2, q0_s_size_2, q0_s_largest1)
-    q0_s_d = (where(q0_s_largest2
-        < 256, 1.8014398509481984e+16, where(4.611686018427388e+18
-        < q0_s_largest2, float32(2.710505431213761e-20), float32(1))))
+    q0_s_d = where(q0_s_largest2 < 256, 1.8014398509481984e+16,
+        where(4.611686018427388e+18 < q0_s_largest2, real(2.710505431213761e-20), real(1)))
     q0_s = where(q0_s_largest2 < 1.4210854715202004e-14, 3.2451855365842673e+32, q0_s_d)
     q0_y_0 = R_00 * q0_s
     q0_y_1 = R_01 * q0_s
@@ -404,9 +298,8 @@ def mat3x3_normalized(R):
     u1_s_size_2 = absolute(R_12)
     u1_s_largest1 = where(u1_s_size_0 < u1_s_size_1, u1_s_size_1, u1_s_size_0)
     u1_s_largest2 = where(u1_s_largest1 < u1_s_size_2, u1_s_size_2, u1_s_largest1)
-    u1_s_d = (where(u1_s_largest2
-        < 256, 1.8014398509481984e+16, where(4.611686018427388e+18
-        < u1_s_largest2, float32(2.710505431213761e-20), float32(1))))
+    u1_s_d = where(u1_s_largest2 < 256, 1.8014398509481984e+16,
+        where(4.611686018427388e+18 < u1_s_largest2, real(2.710505431213761e-20), real(1)))
     u1_s = where(u1_s_largest2 < 1.4210854715202004e-14, 3.2451855365842673e+32, u1_s_d)
     u1_y_0 = R_10 * u1_s
     u1_y_1 = R_11 * u1_s
@@ -445,9 +338,8 @@ def mat3x3_normalized(R):
     u2_s_size_2 = absolute(R_22)
     u2_s_largest1 = where(u2_s_size_0 < u2_s_size_1, u2_s_size_1, u2_s_size_0)
     u2_s_largest2 = where(u2_s_largest1 < u2_s_size_2, u2_s_size_2, u2_s_largest1)
-    u2_s_d = (where(u2_s_largest2
-        < 256, 1.8014398509481984e+16, where(4.611686018427388e+18
-        < u2_s_largest2, float32(2.710505431213761e-20), float32(1))))
+    u2_s_d = where(u2_s_largest2 < 256, 1.8014398509481984e+16,
+        where(4.611686018427388e+18 < u2_s_largest2, real(2.710505431213761e-20), real(1)))
     u2_s = where(u2_s_largest2 < 1.4210854715202004e-14, 3.2451855365842673e+32, u2_s_d)
     u2_y_0 = R_20 * u2_s
     u2_y_1 = R_21 * u2_s
@@ -472,7 +364,7 @@ def mat3x3_normalized(R):
     q2_2 = where(q2_0b, -normal_2, normal_2)
     size = absolute(side)
     less = where(n < size, n, size)
-    dependent = where(less < 9.5367431640625e-07, float32(1), float32(0))
+    dependent = where(less < 9.5367431640625e-07, real(1), real(0))
     Ro_00a = dependent == 1
     Ro_00 = where(Ro_00a, nan, q0_0)
     Ro_01 = where(Ro_00a, nan, q0_1)
@@ -485,223 +377,39 @@ def mat3x3_normalized(R):
     Ro_22 = where(Ro_00a, nan, q2_2)
     return (Ro_00, Ro_01, Ro_02, Ro_10, Ro_11, Ro_12, Ro_20, Ro_21, Ro_22)
 
+mat3x3_setFromAxisDC = twin(double.mat3x3_setFromAxisDC)
+mat3x3_from_euler_xyz = twin(double.mat3x3_from_euler_xyz,
+    doc="""R = R_x(a) R_y(b) R_z(c), angles = (a, b, c).
 
-@kernel("(3),(2)->(3,3)")
-def mat3x3_setFromAxisDC(axis, dc):
-    """R = cos θ I + sin θ a~ + (1 - cos θ) a a^T, a = axis of length 1 (else R is not a rotation),
-    dc = (sin θ, cos θ).
+(3)->(3,3).  angles: vector; R: rotation or other 3×3 matrix.
+80 mul, 85 add, 3 neg, 3 abs.
+""")
+euler_xyz_from_mat3x3 = twin(double.euler_xyz_from_mat3x3,
+    doc="""angles of the rotation R = R_x(a) R_y(b) R_z(c), angles = (a, b, c); a, c in [-π, π], b in
+[-π/2, π/2]; c = 0 in gimbal lock.
 
-    (3),(2)->(3,3).  axis: vector; dc: (sin θ, cos θ); R: rotation or other 3×3 matrix.
-    12 mul, 10 add.  Error <= u |result| + 3 u S, S the sum of the |terms| of the expanded
-    formula; barring over- and underflow.
-    """
-    axis_0, axis_1, axis_2 = axis
-    dc_0, dc_1 = dc
-    versine = 1 - dc_1
-    versine_axis_0 = axis_0 * versine
-    versine_axis_1 = axis_1 * versine
-    versine_axis_2 = axis_2 * versine
-    m_0 = axis_0 * versine_axis_0
-    m_1 = axis_1 * versine_axis_1
-    m_2 = axis_2 * versine_axis_2
-    m_3 = axis_1 * versine_axis_0
-    m_4 = axis_2 * versine_axis_0
-    m_5 = axis_2 * versine_axis_1
-    sine_axis_0 = axis_0 * dc_0
-    sine_axis_1 = axis_1 * dc_0
-    sine_axis_2 = axis_2 * dc_0
-    R_00 = dc_1 + m_0
-    R_01 = m_3 - sine_axis_2
-    R_02 = m_4 + sine_axis_1
-    R_10 = m_3 + sine_axis_2
-    R_11 = dc_1 + m_1
-    R_12 = m_5 - sine_axis_0
-    R_20 = m_4 - sine_axis_1
-    R_21 = m_5 + sine_axis_0
-    R_22 = dc_1 + m_2
-    return (R_00, R_01, R_02, R_10, R_11, R_12, R_20, R_21, R_22)
+(3,3)->(3).  R: rotation or other 3×3 matrix; angles: vector.
+72 mul, 91 add, 5 div, 1 sqrt, 4 neg, 6 abs, 6 copysign, 19 less, 4 equal, 46 select.  The
+rotation by these angles differs from R by at most 12 u in each entry, near gimbal lock too;
+searched, not proved.
+""")
+mat3x3_from_euler_xyx = twin(double.mat3x3_from_euler_xyx,
+    doc="""R = R_x(a) R_y(b) R_x(c), angles = (a, b, c).
 
+(3)->(3,3).  angles: vector; R: rotation or other 3×3 matrix.
+80 mul, 85 add, 2 neg, 3 abs.
+""")
+euler_xyx_from_mat3x3 = twin(double.euler_xyx_from_mat3x3,
+    doc="""angles of the rotation R = R_x(a) R_y(b) R_x(c), angles = (a, b, c); a, c in [-π, π], b in
+[0, π]; c = 0 in gimbal lock.
 
-@kernel("(3)->(3,3)")
-def mat3x3_from_euler_xyz(angles):
-    """R = R_x(a) R_y(b) R_z(c), angles = (a, b, c).
-
-    (3)->(3,3).  angles: vector; R: rotation or other 3×3 matrix.
-    80 mul, 85 add, 3 neg, 3 abs.
-    """
-    angles_0, angles_1, angles_2 = angles
-    s_0, c_0 = elementary.sincos(angles_0)
-    s_1, c_1 = elementary.sincos(angles_1)
-    s_2, c_2 = elementary.sincos(angles_2)
-    first_0 = c_1 * c_2
-    first_1 = -(s_2 * c_1)
-    first_6 = -(s_1 * c_2)
-    first_7 = s_1 * s_2
-    last_3 = s_2 * c_0 - s_0 * first_6
-    last_4 = c_0 * c_2 - s_0 * first_7
-    last_5 = -(s_0 * c_1)
-    last_6 = s_0 * s_2 + c_0 * first_6
-    last_7 = s_0 * c_2 + c_0 * first_7
-    last_8 = c_0 * c_1
-    return (first_0, first_1, s_1, last_3, last_4, last_5, last_6, last_7, last_8)
-
-
-@kernel("(3,3)->(3)")
-def euler_xyz_from_mat3x3(R):
-    """angles of the rotation R = R_x(a) R_y(b) R_z(c), angles = (a, b, c); a, c in [-π, π], b in
-    [-π/2, π/2]; c = 0 in gimbal lock.
-
-    (3,3)->(3).  R: rotation or other 3×3 matrix; angles: vector.
-    72 mul, 91 add, 5 div, 1 sqrt, 4 neg, 6 abs, 6 copysign, 19 less, 4 equal, 46 select.  The
-    rotation by these angles differs from R by at most 12 u in each entry, near gimbal lock too;
-    searched, not proved.
-    """
-    R_00, R_01, R_02, R_10, R_11, R_12, R_20, R_21, R_22 = R
-    n = sqrt(R_00 * R_00 + R_01 * R_01)
-    divisor_a = n == 0
-    divisor = where(divisor_a, 1, n)
-    cosine = where(divisor_a, 1, R_00 / divisor)
-    sine_a = -R_01
-    sine = sine_a / divisor
-    polar = elementary.atan2(sine_a, R_00)
-    third = where(divisor_a, 0, polar)
-    left_1 = R_10 * sine + R_11 * cosine
-    left_2 = R_20 * sine + R_21 * cosine
-    rest = R_12 + R_22
-    first = elementary.atan2(left_2, left_1)
-    angles_0 = where(rest < 1.2676506002282294e+30, first, rest)
-    angles_1 = elementary.atan2(R_02, n)
-    return (angles_0, angles_1, third)
-
-
-@kernel("(3)->(3,3)")
-def mat3x3_from_euler_xyx(angles):
-    """R = R_x(a) R_y(b) R_x(c), angles = (a, b, c).
-
-    (3)->(3,3).  angles: vector; R: rotation or other 3×3 matrix.
-    80 mul, 85 add, 2 neg, 3 abs.
-    """
-    angles_0, angles_1, angles_2 = angles
-    s_0, c_0 = elementary.sincos(angles_0)
-    s_1, c_1 = elementary.sincos(angles_1)
-    s_2, c_2 = elementary.sincos(angles_2)
-    first_1 = s_1 * s_2
-    first_2 = s_1 * c_2
-    first_7 = s_2 * c_1
-    first_8 = c_1 * c_2
-    last_3 = s_0 * s_1
-    last_4 = c_0 * c_2 - s_0 * first_7
-    last_5 = -(s_0 * first_8 + s_2 * c_0)
-    last_6 = -(s_1 * c_0)
-    last_7 = s_0 * c_2 + c_0 * first_7
-    last_8 = c_0 * first_8 - s_0 * s_2
-    return (c_1, first_1, first_2, last_3, last_4, last_5, last_6, last_7, last_8)
-
-
-@kernel("(3,3)->(3)")
-def euler_xyx_from_mat3x3(R):
-    """angles of the rotation R = R_x(a) R_y(b) R_x(c), angles = (a, b, c); a, c in [-π, π], b in
-    [0, π]; c = 0 in gimbal lock.
-
-    (3,3)->(3).  R: rotation or other 3×3 matrix; angles: vector.
-    72 mul, 91 add, 5 div, 1 sqrt, 3 neg, 6 abs, 6 copysign, 19 less, 4 equal, 46 select.  The
-    rotation by these angles differs from R by at most 12 u in each entry, near gimbal lock too;
-    searched, not proved.
-    """
-    R_00, R_01, R_02, R_10, R_11, R_12, R_20, R_21, R_22 = R
-    n = sqrt(R_01 * R_01 + R_02 * R_02)
-    divisor_a = n == 0
-    divisor = where(divisor_a, 1, n)
-    cosine = where(divisor_a, 1, R_02 / divisor)
-    sine = R_01 / divisor
-    polar = elementary.atan2(R_01, R_02)
-    third = where(divisor_a, 0, polar)
-    left_1 = R_11 * cosine - R_12 * sine
-    left_2 = R_21 * cosine - R_22 * sine
-    rest = R_10 + R_20
-    first = elementary.atan2(left_2, left_1)
-    angles_0 = where(rest < 1.2676506002282294e+30, first, rest)
-    angles_1 = elementary.atan2(n, R_00)
-    return (angles_0, angles_1, third)
-
-
-@kernel("(3,3),(3,3)->(3,3),(3,3)")
-def mat3x3_jacobi(A, V):
-    """A = J^T A J, V = V J: Jacobi's rotation J in the xy plane, by the smaller angle that makes
-    A_xy zero; then y, z, x become x, y, z.  A is symmetric, only its lower triangle is read.
-    Repeated from V = I, it converges to A = diag(eigenvalues); V A V^T does not change.
-
-    (3,3),(3,3)->(3,3),(3,3).  A, V: rotation or other 3×3 matrix.
-    21 mul, 14 add, 3 div, 2 sqrt, 1 neg, 1 abs, 1 less, 1 equal, 3 select.  V A V^T changes by
-    at most 28 u max |A| for orthonormal V; searched, not proved.
-    """
-    A_00, A_01, A_02, A_10, A_11, A_12, A_20, A_21, A_22 = A
-    V_00, V_01, V_02, V_10, V_11, V_12, V_20, V_21, V_22 = V
-    twice = 2 * A_10
-    apart = A_11 - A_00
-    divisor_a = twice == 0
-    divisor = where(divisor_a, 1, twice)
-    theta = apart / divisor
-    magnitude = absolute(theta)
-    size = magnitude + sqrt(1 + theta * theta)
-    along = where(theta < 0, -size, size)
-    t = where(divisor_a, 0, 1 / along)
-    secant = sqrt(1 + t * t)
-    c = 1 / secant
-    s = t * c
-    change = A_10 * t
-    zp = A_20 * c - A_21 * s
-    zq = A_20 * s + A_21 * c
-    vp_0 = V_00 * c - V_01 * s
-    vp_1 = V_10 * c - V_11 * s
-    vp_2 = V_20 * c - V_21 * s
-    vq_0 = V_00 * s + V_01 * c
-    vq_1 = V_10 * s + V_11 * c
-    vq_2 = V_20 * s + V_21 * c
-    A_00_new = A_11 + change
-    A_22_new = A_00 - change
-    return (A_00_new, zq, 0, zq, A_22, zp, 0, zp, A_22_new, vq_0, V_02, vp_0, vq_1, V_12, vp_1,
-        vq_2, V_22, vp_2)
-
-
-@kernel("(3,3)->()")
-def mat3x3_rotation_defect(R):
-    """the largest of |det R - 1| and |R^T R - I|_ij: 0 for a rotation, 2 for a reflection, NaN if
-    an entry is NaN.
-
-    (3,3)->().  R: rotation or other 3×3 matrix; defect: number.
-    27 mul, 21 add, 7 abs, 6 less, 6 select.  Error <= 6 u near a rotation; measured, not
-    proved.
-    """
-    R_00, R_01, R_02, R_10, R_11, R_12, R_20, R_21, R_22 = R
-    n_0 = R_11 * R_22 - R_12 * R_21
-    n_1 = R_02 * R_21 - R_01 * R_22
-    n_2 = R_01 * R_12 - R_02 * R_11
-    det = R_00 * n_0 + R_10 * n_1 + R_20 * n_2
-    g_0 = R_00 * R_00 + R_10 * R_10 + R_20 * R_20
-    g_1 = R_00 * R_01 + R_10 * R_11 + R_20 * R_21
-    g_2 = R_00 * R_02 + R_10 * R_12 + R_20 * R_22
-    g_3 = R_01 * R_01 + R_11 * R_11 + R_21 * R_21
-    g_4 = R_01 * R_02 + R_11 * R_12 + R_21 * R_22
-    g_5 = R_02 * R_02 + R_12 * R_12 + R_22 * R_22
-    off_0 = det - 1
-    off_1 = g_0 - 1
-    off_4 = g_3 - 1
-    off_6 = g_5 - 1
-    defect_size_0 = absolute(off_0)
-    defect_size_1 = absolute(off_1)
-    defect_size_2 = absolute(g_1)
-    defect_size_3 = absolute(g_2)
-    defect_size_4 = absolute(off_4)
-    defect_size_5 = absolute(g_4)
-    defect_size_6 = absolute(off_6)
-    defect_largest1 = where(defect_size_0 < defect_size_1, defect_size_1, defect_size_0)
-    defect_largest2 = where(defect_largest1 < defect_size_2, defect_size_2, defect_largest1)
-    defect_largest3 = where(defect_largest2 < defect_size_3, defect_size_3, defect_largest2)
-    defect_largest4 = where(defect_largest3 < defect_size_4, defect_size_4, defect_largest3)
-    defect_largest5 = where(defect_largest4 < defect_size_5, defect_size_5, defect_largest4)
-    defect_largest6 = where(defect_largest5 < defect_size_6, defect_size_6, defect_largest5)
-    return defect_largest6
+(3,3)->(3).  R: rotation or other 3×3 matrix; angles: vector.
+72 mul, 91 add, 5 div, 1 sqrt, 3 neg, 6 abs, 6 copysign, 19 less, 4 equal, 46 select.  The
+rotation by these angles differs from R by at most 12 u in each entry, near gimbal lock too;
+searched, not proved.
+""")
+mat3x3_jacobi = twin(double.mat3x3_jacobi)
+mat3x3_rotation_defect = twin(double.mat3x3_rotation_defect)
 
 
 @kernel("(3,3)->(3,3)")
@@ -734,9 +442,8 @@ def mat3x3_nearest_rotation(A):
     s_largest6 = where(s_largest5 < s_size_6, s_size_6, s_largest5)
     s_largest7 = where(s_largest6 < s_size_7, s_size_7, s_largest6)
     s_largest8 = where(s_largest7 < s_size_8, s_size_8, s_largest7)
-    s_d = (where(s_largest8
-        < 256, 1.8014398509481984e+16, where(4.611686018427388e+18
-        < s_largest8, float32(2.710505431213761e-20), float32(1))))
+    s_d = where(s_largest8 < 256, 1.8014398509481984e+16, where(4.611686018427388e+18 < s_largest8,
+        real(2.710505431213761e-20), real(1)))
     s = where(s_largest8 < 1.4210854715202004e-14, 3.2451855365842673e+32, s_d)
     scaled_s_0 = A_00 * s
     scaled_s_1 = A_01 * s
@@ -1276,8 +983,8 @@ def mat3x3_nearest_rotation(A):
     turn412_d_0 = turn401_d_0 * turn412_q + turn402_d_0 * turn412_p
     turn412_d_1 = turn401_d_1 * turn412_q + turn402_d_1 * turn412_p
     turn412_d_2 = turn401_d_2 * turn412_q + turn402_d_2 * turn412_p
-    longest = (sqrt(turn402_a_0 * turn402_a_0 + turn402_a_1 * turn402_a_1 + turn402_a_2
-        * turn402_a_2))
+    longest = sqrt(turn402_a_0 * turn402_a_0 + turn402_a_1 * turn402_a_1 + turn402_a_2 *
+        turn402_a_2)
     first_divisor_a = longest == 0
     first_divisor = where(first_divisor_a, 1, longest)
     u0_0 = turn402_a_0 / first_divisor
@@ -1293,20 +1000,20 @@ def mat3x3_nearest_rotation(A):
         * second_part_2)
     second_enough_a = 0.25 * second_whole
     second_enough = where(second_enough_a < least, least, second_enough_a)
-    second_is_kept = where(second_enough < second_kept, float32(1), float32(0))
+    second_is_kept = where(second_enough < second_kept, real(1), real(0))
     second_size_0 = absolute(u0_0)
     second_size_1 = absolute(u0_1)
     second_size_2 = absolute(u0_2)
-    second_is_y = where(second_size_1 < second_size_0, float32(1), float32(0))
+    second_is_y = where(second_size_1 < second_size_0, real(1), real(0))
     second_less_a = second_is_y == 0
     second_less = where(second_less_a, second_size_0, second_size_1)
-    second_is_z = where(second_size_2 < second_less, float32(1), float32(0))
-    second_xy_0 = where(second_less_a, float32(1), float32(0))
-    second_xy_1 = where(second_less_a, float32(0), float32(1))
+    second_is_z = where(second_size_2 < second_less, real(1), real(0))
+    second_xy_0 = where(second_less_a, real(1), real(0))
+    second_xy_1 = where(second_less_a, real(0), real(1))
     second_axis_0a = second_is_z == 1
     second_axis_0 = where(second_axis_0a, 0, second_xy_0)
     second_axis_1 = where(second_axis_0a, 0, second_xy_1)
-    second_axis_2 = where(second_axis_0a, float32(1), float32(0))
+    second_axis_2 = where(second_axis_0a, real(1), real(0))
     second_along_axis = u0_0 * second_axis_0 + u0_1 * second_axis_1 + u0_2 * second_axis_2
     second_other_0 = second_axis_0 - u0_0 * second_along_axis
     second_other_1 = second_axis_1 - u0_1 * second_along_axis
@@ -1315,8 +1022,8 @@ def mat3x3_nearest_rotation(A):
     second_found_0 = where(second_found_0a, second_part_0, second_other_0)
     second_found_1 = where(second_found_0a, second_part_1, second_other_1)
     second_found_2 = where(second_found_0a, second_part_2, second_other_2)
-    second_length = (sqrt(second_found_0 * second_found_0 + second_found_1 * second_found_1
-        + second_found_2 * second_found_2))
+    second_length = sqrt(second_found_0 * second_found_0 + second_found_1 * second_found_1 +
+        second_found_2 * second_found_2)
     second_across_0 = second_found_0 / second_length
     second_across_1 = second_found_1 / second_length
     second_across_2 = second_found_2 / second_length
@@ -1355,46 +1062,14 @@ def mat3x3_nearest_rotation(A):
     Ro_22 = where(first_divisor_a, nan, turned_6 * half_2 + turned_7 * half_5 + turned_8 * half_8)
     return (Ro_00, Ro_01, Ro_02, Ro_10, Ro_11, Ro_12, Ro_20, Ro_21, Ro_22)
 
+mat3x3_from_axis_angle = twin(double.mat3x3_from_axis_angle,
+    doc="""R = I + sin(angle) axis~ + (1 - cos(angle)) axis~^2, for an axis of length 1; otherwise R is
+not a rotation.
 
-@kernel("(3),()->(3,3)")
-def mat3x3_from_axis_angle(axis, angle):
-    """R = I + sin(angle) axis~ + (1 - cos(angle)) axis~^2, for an axis of length 1; otherwise R is
-    not a rotation.
-
-    (3),()->(3,3).  axis: vector; angle: number; R: rotation or other 3×3 matrix.
-    59 mul, 67 add, 2 abs, 1 less, 1 select.  Error <= R: 9 u of its largest component for
-    |axis| = 1; searched, not proved.
-    """
-    axis_0, axis_1, axis_2 = axis
-    half = 0.5 * angle
-    h = elementary.sin(half)
-    sine, cosine = elementary.sincos(angle)
-    versine = where(cosine < 0, 1 - cosine, 2 * (h * h))
-    beta_v_0 = axis_0 * versine
-    beta_v_1 = axis_1 * versine
-    beta_v_2 = axis_2 * versine
-    m_0 = axis_0 * beta_v_0
-    m_1 = axis_1 * beta_v_1
-    m_2 = axis_2 * beta_v_2
-    m_3 = axis_1 * beta_v_0
-    m_4 = axis_2 * beta_v_0
-    m_5 = axis_2 * beta_v_1
-    others_0 = m_1 + m_2
-    others_1 = m_0 + m_2
-    others_2 = m_0 + m_1
-    alpha_v_0 = axis_0 * sine
-    alpha_v_1 = axis_1 * sine
-    alpha_v_2 = axis_2 * sine
-    R_00 = 1 - others_0
-    R_01 = m_3 - alpha_v_2
-    R_02 = m_4 + alpha_v_1
-    R_10 = m_3 + alpha_v_2
-    R_11 = 1 - others_1
-    R_12 = m_5 - alpha_v_0
-    R_20 = m_4 - alpha_v_1
-    R_21 = m_5 + alpha_v_0
-    R_22 = 1 - others_2
-    return (R_00, R_01, R_02, R_10, R_11, R_12, R_20, R_21, R_22)
+(3),()->(3,3).  axis: vector; angle: number; R: rotation or other 3×3 matrix.
+59 mul, 67 add, 2 abs, 1 less, 1 select.  Error <= R: 9 u of its largest component for
+|axis| = 1; searched, not proved.
+""")
 
 
 @kernel("(3,3)->(),(3)")
@@ -1445,16 +1120,15 @@ def axis_angle_from_mat3x3(R):
     v_s_size_2 = absolute(upper_2)
     v_s_largest1 = where(v_s_size_0 < v_s_size_1, v_s_size_1, v_s_size_0)
     v_s_largest2 = where(v_s_largest1 < v_s_size_2, v_s_size_2, v_s_largest1)
-    v_s_d = (where(v_s_largest2
-        < 256, 1.8014398509481984e+16, where(4.611686018427388e+18
-        < v_s_largest2, float32(2.710505431213761e-20), float32(1))))
+    v_s_d = where(v_s_largest2 < 256, 1.8014398509481984e+16,
+        where(4.611686018427388e+18 < v_s_largest2, real(2.710505431213761e-20), real(1)))
     v_s = where(v_s_largest2 < 1.4210854715202004e-14, 3.2451855365842673e+32, v_s_d)
     v_y_0 = upper_0 * v_s
     v_y_1 = upper_1 * v_s
     v_y_2 = upper_2 * v_s
     v_n = sqrt(v_y_0 * v_y_0 + v_y_1 * v_y_1 + v_y_2 * v_y_2)
-    v_r_d = (where(1
-        < v_s, 5.551115123125783e-17, where(v_s < 1, float32(3.6893488147419103e+19), float32(1))))
+    v_r_d = where(1 < v_s, 5.551115123125783e-17, where(v_s < 1, real(3.6893488147419103e+19),
+        real(1)))
     v_r = where(1.8014398509481984e+16 < v_s, 3.0814879110195774e-33, v_r_d)
     n = v_n * v_r
     half = elementary.atan2(n, upper_3)

@@ -3,79 +3,22 @@
 # coscrew 0.2.0.  Copyright (c) 2026 The coscrew authors.
 """Quaternions q = (v; w), the scalar last: products, rotations, conversions, interpolation.
 
-In single precision, plain tier.
+In single precision, plain tier.  A twin(f, …) is f of double precision with these constants.
 """
 
 from coscrew import _elementary_single as elementary
-from numpy import absolute, float32, nan, sqrt, where
+from numpy import absolute, float32 as real, nan, sqrt, where
 from coscrew._kernel import single_kernel as kernel
+from coscrew._twins import single_twins
+from coscrew import double
 
+twin = single_twins(__name__, elementary=elementary)
 
-@kernel("(4)->(4)")
-def quaternion_copy(qi):
-    """qo = qi.
-
-    (4)->(4).  qi, qo: quaternion (x, y, z, w), the scalar last.
-    No arithmetic.  Exact.
-    """
-    qi_0, qi_1, qi_2, qi_3 = qi
-    return (qi_0, qi_1, qi_2, qi_3)
-
-
-@kernel("(4),()->(4)")
-def quaternion_scale(self, a):
-    """self = a self.
-
-    (4),()->(4).  self: quaternion (x, y, z, w), the scalar last; a: number.
-    4 mul.  Error <= u |result|, barring over- and underflow.
-    """
-    self_0, self_1, self_2, self_3 = self
-    self_0_new = self_0 * a
-    self_1_new = self_1 * a
-    self_2_new = self_2 * a
-    self_3_new = self_3 * a
-    return (self_0_new, self_1_new, self_2_new, self_3_new)
-
-
-@kernel("(),(4),(4)->(4)")
-def axpy_qq(a, x, y):
-    """y = a x + y.
-
-    (),(4),(4)->(4).  a: number; x, y: quaternion (x, y, z, w), the scalar last.
-    4 mul, 4 add.  Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded
-    formula; barring over- and underflow.
-    """
-    x_0, x_1, x_2, x_3 = x
-    y_0, y_1, y_2, y_3 = y
-    y_0_new = a * x_0 + y_0
-    y_1_new = a * x_1 + y_1
-    y_2_new = a * x_2 + y_2
-    y_3_new = a * x_3 + y_3
-    return (y_0_new, y_1_new, y_2_new, y_3_new)
-
-
-@kernel("(4)->(4)")
-def quaternion_setIdentity(self):
-    """self = (0; 1).
-
-    (4)->(4).  self: quaternion (x, y, z, w), the scalar last.
-    No arithmetic.  Exact.
-    """
-    return (0, 0, 0, 1)
-
-
-@kernel("(4)->(4)")
-def quaternion_conjugated(q):
-    """qo = (-v; w), the inverse of q if |q| = 1.
-
-    (4)->(4).  q, qo: quaternion (x, y, z, w), the scalar last.
-    3 neg.  Exact.
-    """
-    q_0, q_1, q_2, q_3 = q
-    qo_0 = -q_0
-    qo_1 = -q_1
-    qo_2 = -q_2
-    return (qo_0, qo_1, qo_2, q_3)
+quaternion_copy = twin(double.quaternion_copy)
+quaternion_scale = twin(double.quaternion_scale)
+axpy_qq = twin(double.axpy_qq)
+quaternion_setIdentity = twin(double.quaternion_setIdentity)
+quaternion_conjugated = twin(double.quaternion_conjugated)
 
 
 @kernel("(4)->()")
@@ -93,17 +36,15 @@ def quaternion_norm(q):
     s_largest1 = where(s_size_0 < s_size_1, s_size_1, s_size_0)
     s_largest2 = where(s_largest1 < s_size_2, s_size_2, s_largest1)
     s_largest3 = where(s_largest2 < s_size_3, s_size_3, s_largest2)
-    s_d = (where(s_largest3
-        < 256, 1.8014398509481984e+16, where(4.611686018427388e+18
-        < s_largest3, float32(2.710505431213761e-20), float32(1))))
+    s_d = where(s_largest3 < 256, 1.8014398509481984e+16, where(4.611686018427388e+18 < s_largest3,
+        real(2.710505431213761e-20), real(1)))
     s = where(s_largest3 < 1.4210854715202004e-14, 3.2451855365842673e+32, s_d)
     y_0 = q_0 * s
     y_1 = q_1 * s
     y_2 = q_2 * s
     y_3 = q_3 * s
     n = sqrt(y_0 * y_0 + y_1 * y_1 + y_2 * y_2 + y_3 * y_3)
-    r_d = (where(1
-        < s, 5.551115123125783e-17, where(s < 1, float32(3.6893488147419103e+19), float32(1))))
+    r_d = where(1 < s, 5.551115123125783e-17, where(s < 1, real(3.6893488147419103e+19), real(1)))
     r = where(1.8014398509481984e+16 < s, 3.0814879110195774e-33, r_d)
     norm = n * r
     return norm
@@ -124,9 +65,8 @@ def quaternion_normalize(self):
     s_largest1 = where(s_size_0 < s_size_1, s_size_1, s_size_0)
     s_largest2 = where(s_largest1 < s_size_2, s_size_2, s_largest1)
     s_largest3 = where(s_largest2 < s_size_3, s_size_3, s_largest2)
-    s_d = (where(s_largest3
-        < 256, 1.8014398509481984e+16, where(4.611686018427388e+18
-        < s_largest3, float32(2.710505431213761e-20), float32(1))))
+    s_d = where(s_largest3 < 256, 1.8014398509481984e+16, where(4.611686018427388e+18 < s_largest3,
+        real(2.710505431213761e-20), real(1)))
     s = where(s_largest3 < 1.4210854715202004e-14, 3.2451855365842673e+32, s_d)
     y_0 = self_0 * s
     y_1 = self_1 * s
@@ -166,9 +106,8 @@ def quaternion_normalized(q):
     s_largest1 = where(s_size_0 < s_size_1, s_size_1, s_size_0)
     s_largest2 = where(s_largest1 < s_size_2, s_size_2, s_largest1)
     s_largest3 = where(s_largest2 < s_size_3, s_size_3, s_largest2)
-    s_d = (where(s_largest3
-        < 256, 1.8014398509481984e+16, where(4.611686018427388e+18
-        < s_largest3, float32(2.710505431213761e-20), float32(1))))
+    s_d = where(s_largest3 < 256, 1.8014398509481984e+16, where(4.611686018427388e+18 < s_largest3,
+        real(2.710505431213761e-20), real(1)))
     s = where(s_largest3 < 1.4210854715202004e-14, 3.2451855365842673e+32, s_d)
     y_0 = q_0 * s
     y_1 = q_1 * s
@@ -208,17 +147,15 @@ def quaternion_unit_defect(q):
     s_largest1 = where(s_size_0 < s_size_1, s_size_1, s_size_0)
     s_largest2 = where(s_largest1 < s_size_2, s_size_2, s_largest1)
     s_largest3 = where(s_largest2 < s_size_3, s_size_3, s_largest2)
-    s_d = (where(s_largest3
-        < 256, 1.8014398509481984e+16, where(4.611686018427388e+18
-        < s_largest3, float32(2.710505431213761e-20), float32(1))))
+    s_d = where(s_largest3 < 256, 1.8014398509481984e+16, where(4.611686018427388e+18 < s_largest3,
+        real(2.710505431213761e-20), real(1)))
     s = where(s_largest3 < 1.4210854715202004e-14, 3.2451855365842673e+32, s_d)
     y_0 = q_0 * s
     y_1 = q_1 * s
     y_2 = q_2 * s
     y_3 = q_3 * s
     n = sqrt(y_0 * y_0 + y_1 * y_1 + y_2 * y_2 + y_3 * y_3)
-    r_d = (where(1
-        < s, 5.551115123125783e-17, where(s < 1, float32(3.6893488147419103e+19), float32(1))))
+    r_d = where(1 < s, 5.551115123125783e-17, where(s < 1, real(3.6893488147419103e+19), real(1)))
     r = where(1.8014398509481984e+16 < s, 3.0814879110195774e-33, r_d)
     length = n * r
     defect = length - 1
@@ -240,16 +177,15 @@ def quaternion_nearest_unit(q):
     s_largest1 = where(s_size_0 < s_size_1, s_size_1, s_size_0)
     s_largest2 = where(s_largest1 < s_size_2, s_size_2, s_largest1)
     s_largest3 = where(s_largest2 < s_size_3, s_size_3, s_largest2)
-    s_d = (where(s_largest3
-        < 256, 1.8014398509481984e+16, where(4.611686018427388e+18
-        < s_largest3, float32(2.710505431213761e-20), float32(1))))
+    s_d = where(s_largest3 < 256, 1.8014398509481984e+16, where(4.611686018427388e+18 < s_largest3,
+        real(2.710505431213761e-20), real(1)))
     s = where(s_largest3 < 1.4210854715202004e-14, 3.2451855365842673e+32, s_d)
     scaled_s_0 = q_0 * s
     scaled_s_1 = q_1 * s
     scaled_s_2 = q_2 * s
     scaled_s_3 = q_3 * s
-    n = (sqrt(scaled_s_0 * scaled_s_0 + scaled_s_1 * scaled_s_1 + scaled_s_2 * scaled_s_2
-        + scaled_s_3 * scaled_s_3))
+    n = sqrt(scaled_s_0 * scaled_s_0 + scaled_s_1 * scaled_s_1 + scaled_s_2 * scaled_s_2 +
+        scaled_s_3 * scaled_s_3)
     divisor_a = n == 0
     divisor = where(divisor_a, 1, n)
     unit_0 = scaled_s_0 / divisor
@@ -262,794 +198,54 @@ def quaternion_nearest_unit(q):
     qo_3 = where(divisor_a, nan, unit_3)
     return (qo_0, qo_1, qo_2, qo_3)
 
-
-@kernel("(4),(3)->(3)")
-def rotate_qv(q, v):
-    """vo = R(q) v, |q| = 1.
-
-    (4),(3)->(3).  q: quaternion (x, y, z, w), the scalar last; v, vo: vector.
-    18 mul, 12 add.  Error <= u |result| + 5 u S, S the sum of the |terms| of the expanded
-    formula; barring over- and underflow.
-    """
-    q_0, q_1, q_2, q_3 = q
-    v_0, v_1, v_2 = v
-    c_0 = q_1 * v_2 - q_2 * v_1
-    c_1 = q_2 * v_0 - q_0 * v_2
-    c_2 = q_0 * v_1 - q_1 * v_0
-    t_0 = 2 * c_0
-    t_1 = 2 * c_1
-    t_2 = 2 * c_2
-    turn_0 = q_1 * t_2 - q_2 * t_1 + q_3 * t_0
-    turn_1 = q_2 * t_0 - q_0 * t_2 + q_3 * t_1
-    turn_2 = q_0 * t_1 - q_1 * t_0 + q_3 * t_2
-    vo_0 = v_0 + turn_0
-    vo_1 = v_1 + turn_1
-    vo_2 = v_2 + turn_2
-    return (vo_0, vo_1, vo_2)
-
-
-@kernel("(4),(3)->(3)")
-def rotate_qconjv(q, v):
-    """vo = R(q)^T v, |q| = 1.
-
-    (4),(3)->(3).  q: quaternion (x, y, z, w), the scalar last; v, vo: vector.
-    18 mul, 12 add.  Error <= u |result| + 5 u S, S the sum of the |terms| of the expanded
-    formula; barring over- and underflow.
-    """
-    q_0, q_1, q_2, q_3 = q
-    v_0, v_1, v_2 = v
-    c_0 = q_2 * v_1 - q_1 * v_2
-    c_1 = q_0 * v_2 - q_2 * v_0
-    c_2 = q_1 * v_0 - q_0 * v_1
-    t_0 = 2 * c_0
-    t_1 = 2 * c_1
-    t_2 = 2 * c_2
-    turn_0 = q_2 * t_1 - q_1 * t_2 + q_3 * t_0
-    turn_1 = q_0 * t_2 - q_2 * t_0 + q_3 * t_1
-    turn_2 = q_1 * t_0 - q_0 * t_1 + q_3 * t_2
-    vo_0 = v_0 + turn_0
-    vo_1 = v_1 + turn_1
-    vo_2 = v_2 + turn_2
-    return (vo_0, vo_1, vo_2)
-
-
-@kernel("(4),(4)->(4)")
-def quaternion_product_qq(q1i, q2i):
-    """qo = q1i q2i.
-
-    (4),(4)->(4).  q1i, q2i, qo: quaternion (x, y, z, w), the scalar last.
-    16 mul, 12 add.  Error <= u |result| + 3 u S, S the sum of the |terms| of the expanded
-    formula; barring over- and underflow.
-    """
-    q1i_0, q1i_1, q1i_2, q1i_3 = q1i
-    q2i_0, q2i_1, q2i_2, q2i_3 = q2i
-    qo_0 = q1i_0 * q2i_3 + (q1i_1 * q2i_2 - q1i_2 * q2i_1) + q1i_3 * q2i_0
-    qo_1 = q1i_2 * q2i_0 - q1i_0 * q2i_2 + q1i_1 * q2i_3 + q1i_3 * q2i_1
-    qo_2 = q1i_0 * q2i_1 - q1i_1 * q2i_0 + q1i_2 * q2i_3 + q1i_3 * q2i_2
-    qo_3 = q1i_3 * q2i_3 - (q1i_0 * q2i_0 + q1i_1 * q2i_1 + q1i_2 * q2i_2)
-    return (qo_0, qo_1, qo_2, qo_3)
-
-
-@kernel("(4),(4)->(4)")
-def quaternion_product_qqconj(q1i, q2i):
-    """qo = q1i q2i*.
-
-    (4),(4)->(4).  q1i, q2i, qo: quaternion (x, y, z, w), the scalar last.
-    16 mul, 12 add.  Error <= u |result| + (v: 2, w: 3) u S, S the sum of the |terms| of the
-    expanded formula; barring over- and underflow.
-    """
-    q1i_0, q1i_1, q1i_2, q1i_3 = q1i
-    q2i_0, q2i_1, q2i_2, q2i_3 = q2i
-    qo_0 = q1i_0 * q2i_3 - q1i_3 * q2i_0 + (q1i_2 * q2i_1 - q1i_1 * q2i_2)
-    qo_1 = q1i_0 * q2i_2 - q1i_2 * q2i_0 + (q1i_1 * q2i_3 - q1i_3 * q2i_1)
-    qo_2 = q1i_1 * q2i_0 - q1i_0 * q2i_1 + (q1i_2 * q2i_3 - q1i_3 * q2i_2)
-    qo_3 = q1i_0 * q2i_0 + q1i_1 * q2i_1 + q1i_2 * q2i_2 + q1i_3 * q2i_3
-    return (qo_0, qo_1, qo_2, qo_3)
-
-
-@kernel("(4),(4)->(4)")
-def quaternion_product_qconjq(q1i, q2i):
-    """qo = q1i* q2i.
-
-    (4),(4)->(4).  q1i, q2i, qo: quaternion (x, y, z, w), the scalar last.
-    16 mul, 12 add.  Error <= u |result| + (v: 2, w: 3) u S, S the sum of the |terms| of the
-    expanded formula; barring over- and underflow.
-    """
-    q1i_0, q1i_1, q1i_2, q1i_3 = q1i
-    q2i_0, q2i_1, q2i_2, q2i_3 = q2i
-    qo_0 = q1i_3 * q2i_0 - q1i_0 * q2i_3 + (q1i_2 * q2i_1 - q1i_1 * q2i_2)
-    qo_1 = q1i_0 * q2i_2 - q1i_2 * q2i_0 + (q1i_3 * q2i_1 - q1i_1 * q2i_3)
-    qo_2 = q1i_1 * q2i_0 - q1i_0 * q2i_1 + (q1i_3 * q2i_2 - q1i_2 * q2i_3)
-    qo_3 = q1i_0 * q2i_0 + q1i_1 * q2i_1 + q1i_2 * q2i_2 + q1i_3 * q2i_3
-    return (qo_0, qo_1, qo_2, qo_3)
-
-
-@kernel("(4),(4)->(4)")
-def quaternion_product_qconjqconj(q1i, q2i):
-    """qo = q1i* q2i*.
-
-    (4),(4)->(4).  q1i, q2i, qo: quaternion (x, y, z, w), the scalar last.
-    16 mul, 12 add.  Error <= u |result| + 3 u S, S the sum of the |terms| of the expanded
-    formula; barring over- and underflow.
-    """
-    q1i_0, q1i_1, q1i_2, q1i_3 = q1i
-    q2i_0, q2i_1, q2i_2, q2i_3 = q2i
-    qo_0 = q1i_1 * q2i_2 - q1i_2 * q2i_1 - q1i_0 * q2i_3 - q1i_3 * q2i_0
-    qo_1 = q1i_2 * q2i_0 - q1i_0 * q2i_2 - q1i_1 * q2i_3 - q1i_3 * q2i_1
-    qo_2 = q1i_0 * q2i_1 - q1i_1 * q2i_0 - q1i_2 * q2i_3 - q1i_3 * q2i_2
-    qo_3 = q1i_3 * q2i_3 - (q1i_0 * q2i_0 + q1i_1 * q2i_1 + q1i_2 * q2i_2)
-    return (qo_0, qo_1, qo_2, qo_3)
-
-
-@kernel("(2),(4)->(4)")
-def quaternion_product_qxq(dci, qi):
-    """qo = (s e_x; c) qi, dci = (s, c), sine and cosine of half the angle.
-
-    (2),(4)->(4).  dci: (sin θ, cos θ); qi, qo: quaternion (x, y, z, w), the scalar last.
-    8 mul, 4 add.  Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded
-    formula; barring over- and underflow.
-    """
-    dci_0, dci_1 = dci
-    qi_0, qi_1, qi_2, qi_3 = qi
-    qo_0 = dci_0 * qi_3 + dci_1 * qi_0
-    qo_1 = dci_1 * qi_1 - dci_0 * qi_2
-    qo_2 = dci_0 * qi_1 + dci_1 * qi_2
-    qo_3 = dci_1 * qi_3 - dci_0 * qi_0
-    return (qo_0, qo_1, qo_2, qo_3)
-
-
-@kernel("(2),(4)->(4)")
-def quaternion_product_qxqconj(dci, qi):
-    """qo = (s e_x; c) qi*, dci = (s, c), sine and cosine of half the angle.
-
-    (2),(4)->(4).  dci: (sin θ, cos θ); qi, qo: quaternion (x, y, z, w), the scalar last.
-    8 mul, 4 add, 1 neg.  Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded
-    formula; barring over- and underflow.
-    """
-    dci_0, dci_1 = dci
-    qi_0, qi_1, qi_2, qi_3 = qi
-    qo_0 = dci_0 * qi_3 - dci_1 * qi_0
-    qo_1 = dci_0 * qi_2 - dci_1 * qi_1
-    qo_2 = -(dci_0 * qi_1 + dci_1 * qi_2)
-    qo_3 = dci_0 * qi_0 + dci_1 * qi_3
-    return (qo_0, qo_1, qo_2, qo_3)
-
-
-@kernel("(2),(4)->(4)")
-def quaternion_product_qxconjq(dci, qi):
-    """qo = (s e_x; c)* qi, dci = (s, c), sine and cosine of half the angle.
-
-    (2),(4)->(4).  dci: (sin θ, cos θ); qi, qo: quaternion (x, y, z, w), the scalar last.
-    8 mul, 4 add.  Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded
-    formula; barring over- and underflow.
-    """
-    dci_0, dci_1 = dci
-    qi_0, qi_1, qi_2, qi_3 = qi
-    qo_0 = dci_1 * qi_0 - dci_0 * qi_3
-    qo_1 = dci_0 * qi_2 + dci_1 * qi_1
-    qo_2 = dci_1 * qi_2 - dci_0 * qi_1
-    qo_3 = dci_0 * qi_0 + dci_1 * qi_3
-    return (qo_0, qo_1, qo_2, qo_3)
-
-
-@kernel("(2),(4)->(4)")
-def quaternion_product_qxconjqconj(dci, qi):
-    """qo = (s e_x; c)* qi*, dci = (s, c), sine and cosine of half the angle.
-
-    (2),(4)->(4).  dci: (sin θ, cos θ); qi, qo: quaternion (x, y, z, w), the scalar last.
-    8 mul, 4 add, 2 neg.  Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded
-    formula; barring over- and underflow.
-    """
-    dci_0, dci_1 = dci
-    qi_0, qi_1, qi_2, qi_3 = qi
-    qo_0 = -(dci_0 * qi_3 + dci_1 * qi_0)
-    qo_1 = -(dci_0 * qi_2 + dci_1 * qi_1)
-    qo_2 = dci_0 * qi_1 - dci_1 * qi_2
-    qo_3 = dci_1 * qi_3 - dci_0 * qi_0
-    return (qo_0, qo_1, qo_2, qo_3)
-
-
-@kernel("(4),(2)->(4)")
-def quaternion_product_qqx(qi, dci):
-    """qo = qi (s e_x; c), dci = (s, c), sine and cosine of half the angle.
-
-    (4),(2)->(4).  qi, qo: quaternion (x, y, z, w), the scalar last; dci: (sin θ, cos θ).
-    8 mul, 4 add.  Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded
-    formula; barring over- and underflow.
-    """
-    qi_0, qi_1, qi_2, qi_3 = qi
-    dci_0, dci_1 = dci
-    qo_0 = qi_0 * dci_1 + qi_3 * dci_0
-    qo_1 = qi_1 * dci_1 + qi_2 * dci_0
-    qo_2 = qi_2 * dci_1 - qi_1 * dci_0
-    qo_3 = qi_3 * dci_1 - qi_0 * dci_0
-    return (qo_0, qo_1, qo_2, qo_3)
-
-
-@kernel("(4),(2)->(4)")
-def quaternion_product_qqxconj(qi, dci):
-    """qo = qi (s e_x; c)*, dci = (s, c), sine and cosine of half the angle.
-
-    (4),(2)->(4).  qi, qo: quaternion (x, y, z, w), the scalar last; dci: (sin θ, cos θ).
-    8 mul, 4 add.  Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded
-    formula; barring over- and underflow.
-    """
-    qi_0, qi_1, qi_2, qi_3 = qi
-    dci_0, dci_1 = dci
-    qo_0 = qi_0 * dci_1 - qi_3 * dci_0
-    qo_1 = qi_1 * dci_1 - qi_2 * dci_0
-    qo_2 = qi_1 * dci_0 + qi_2 * dci_1
-    qo_3 = qi_0 * dci_0 + qi_3 * dci_1
-    return (qo_0, qo_1, qo_2, qo_3)
-
-
-@kernel("(4),(2)->(4)")
-def quaternion_product_qconjqx(qi, dci):
-    """qo = qi* (s e_x; c), dci = (s, c), sine and cosine of half the angle.
-
-    (4),(2)->(4).  qi, qo: quaternion (x, y, z, w), the scalar last; dci: (sin θ, cos θ).
-    8 mul, 4 add, 1 neg.  Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded
-    formula; barring over- and underflow.
-    """
-    qi_0, qi_1, qi_2, qi_3 = qi
-    dci_0, dci_1 = dci
-    qo_0 = qi_3 * dci_0 - qi_0 * dci_1
-    qo_1 = -(qi_1 * dci_1 + qi_2 * dci_0)
-    qo_2 = qi_1 * dci_0 - qi_2 * dci_1
-    qo_3 = qi_0 * dci_0 + qi_3 * dci_1
-    return (qo_0, qo_1, qo_2, qo_3)
-
-
-@kernel("(4),(2)->(4)")
-def quaternion_product_qconjqxconj(qi, dci):
-    """qo = qi* (s e_x; c)*, dci = (s, c), sine and cosine of half the angle.
-
-    (4),(2)->(4).  qi, qo: quaternion (x, y, z, w), the scalar last; dci: (sin θ, cos θ).
-    8 mul, 4 add, 2 neg.  Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded
-    formula; barring over- and underflow.
-    """
-    qi_0, qi_1, qi_2, qi_3 = qi
-    dci_0, dci_1 = dci
-    qo_0 = -(qi_0 * dci_1 + qi_3 * dci_0)
-    qo_1 = qi_2 * dci_0 - qi_1 * dci_1
-    qo_2 = -(qi_1 * dci_0 + qi_2 * dci_1)
-    qo_3 = qi_3 * dci_1 - qi_0 * dci_0
-    return (qo_0, qo_1, qo_2, qo_3)
-
-
-@kernel("(2),(4)->(4)")
-def quaternion_product_qyq(dci, qi):
-    """qo = (s e_y; c) qi, dci = (s, c), sine and cosine of half the angle.
-
-    (2),(4)->(4).  dci: (sin θ, cos θ); qi, qo: quaternion (x, y, z, w), the scalar last.
-    8 mul, 4 add.  Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded
-    formula; barring over- and underflow.
-    """
-    dci_0, dci_1 = dci
-    qi_0, qi_1, qi_2, qi_3 = qi
-    qo_0 = dci_0 * qi_2 + dci_1 * qi_0
-    qo_1 = dci_0 * qi_3 + dci_1 * qi_1
-    qo_2 = dci_1 * qi_2 - dci_0 * qi_0
-    qo_3 = dci_1 * qi_3 - dci_0 * qi_1
-    return (qo_0, qo_1, qo_2, qo_3)
-
-
-@kernel("(2),(4)->(4)")
-def quaternion_product_qyqconj(dci, qi):
-    """qo = (s e_y; c) qi*, dci = (s, c), sine and cosine of half the angle.
-
-    (2),(4)->(4).  dci: (sin θ, cos θ); qi, qo: quaternion (x, y, z, w), the scalar last.
-    8 mul, 4 add, 1 neg.  Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded
-    formula; barring over- and underflow.
-    """
-    dci_0, dci_1 = dci
-    qi_0, qi_1, qi_2, qi_3 = qi
-    qo_0 = -(dci_0 * qi_2 + dci_1 * qi_0)
-    qo_1 = dci_0 * qi_3 - dci_1 * qi_1
-    qo_2 = dci_0 * qi_0 - dci_1 * qi_2
-    qo_3 = dci_0 * qi_1 + dci_1 * qi_3
-    return (qo_0, qo_1, qo_2, qo_3)
-
-
-@kernel("(2),(4)->(4)")
-def quaternion_product_qyconjq(dci, qi):
-    """qo = (s e_y; c)* qi, dci = (s, c), sine and cosine of half the angle.
-
-    (2),(4)->(4).  dci: (sin θ, cos θ); qi, qo: quaternion (x, y, z, w), the scalar last.
-    8 mul, 4 add.  Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded
-    formula; barring over- and underflow.
-    """
-    dci_0, dci_1 = dci
-    qi_0, qi_1, qi_2, qi_3 = qi
-    qo_0 = dci_1 * qi_0 - dci_0 * qi_2
-    qo_1 = dci_1 * qi_1 - dci_0 * qi_3
-    qo_2 = dci_0 * qi_0 + dci_1 * qi_2
-    qo_3 = dci_0 * qi_1 + dci_1 * qi_3
-    return (qo_0, qo_1, qo_2, qo_3)
-
-
-@kernel("(2),(4)->(4)")
-def quaternion_product_qyconjqconj(dci, qi):
-    """qo = (s e_y; c)* qi*, dci = (s, c), sine and cosine of half the angle.
-
-    (2),(4)->(4).  dci: (sin θ, cos θ); qi, qo: quaternion (x, y, z, w), the scalar last.
-    8 mul, 4 add, 2 neg.  Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded
-    formula; barring over- and underflow.
-    """
-    dci_0, dci_1 = dci
-    qi_0, qi_1, qi_2, qi_3 = qi
-    qo_0 = dci_0 * qi_2 - dci_1 * qi_0
-    qo_1 = -(dci_0 * qi_3 + dci_1 * qi_1)
-    qo_2 = -(dci_0 * qi_0 + dci_1 * qi_2)
-    qo_3 = dci_1 * qi_3 - dci_0 * qi_1
-    return (qo_0, qo_1, qo_2, qo_3)
-
-
-@kernel("(4),(2)->(4)")
-def quaternion_product_qqy(qi, dci):
-    """qo = qi (s e_y; c), dci = (s, c), sine and cosine of half the angle.
-
-    (4),(2)->(4).  qi, qo: quaternion (x, y, z, w), the scalar last; dci: (sin θ, cos θ).
-    8 mul, 4 add.  Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded
-    formula; barring over- and underflow.
-    """
-    qi_0, qi_1, qi_2, qi_3 = qi
-    dci_0, dci_1 = dci
-    qo_0 = qi_0 * dci_1 - qi_2 * dci_0
-    qo_1 = qi_1 * dci_1 + qi_3 * dci_0
-    qo_2 = qi_0 * dci_0 + qi_2 * dci_1
-    qo_3 = qi_3 * dci_1 - qi_1 * dci_0
-    return (qo_0, qo_1, qo_2, qo_3)
-
-
-@kernel("(4),(2)->(4)")
-def quaternion_product_qqyconj(qi, dci):
-    """qo = qi (s e_y; c)*, dci = (s, c), sine and cosine of half the angle.
-
-    (4),(2)->(4).  qi, qo: quaternion (x, y, z, w), the scalar last; dci: (sin θ, cos θ).
-    8 mul, 4 add.  Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded
-    formula; barring over- and underflow.
-    """
-    qi_0, qi_1, qi_2, qi_3 = qi
-    dci_0, dci_1 = dci
-    qo_0 = qi_0 * dci_1 + qi_2 * dci_0
-    qo_1 = qi_1 * dci_1 - qi_3 * dci_0
-    qo_2 = qi_2 * dci_1 - qi_0 * dci_0
-    qo_3 = qi_1 * dci_0 + qi_3 * dci_1
-    return (qo_0, qo_1, qo_2, qo_3)
-
-
-@kernel("(4),(2)->(4)")
-def quaternion_product_qconjqy(qi, dci):
-    """qo = qi* (s e_y; c), dci = (s, c), sine and cosine of half the angle.
-
-    (4),(2)->(4).  qi, qo: quaternion (x, y, z, w), the scalar last; dci: (sin θ, cos θ).
-    8 mul, 4 add, 1 neg.  Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded
-    formula; barring over- and underflow.
-    """
-    qi_0, qi_1, qi_2, qi_3 = qi
-    dci_0, dci_1 = dci
-    qo_0 = qi_2 * dci_0 - qi_0 * dci_1
-    qo_1 = qi_3 * dci_0 - qi_1 * dci_1
-    qo_2 = -(qi_0 * dci_0 + qi_2 * dci_1)
-    qo_3 = qi_1 * dci_0 + qi_3 * dci_1
-    return (qo_0, qo_1, qo_2, qo_3)
-
-
-@kernel("(4),(2)->(4)")
-def quaternion_product_qconjqyconj(qi, dci):
-    """qo = qi* (s e_y; c)*, dci = (s, c), sine and cosine of half the angle.
-
-    (4),(2)->(4).  qi, qo: quaternion (x, y, z, w), the scalar last; dci: (sin θ, cos θ).
-    8 mul, 4 add, 2 neg.  Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded
-    formula; barring over- and underflow.
-    """
-    qi_0, qi_1, qi_2, qi_3 = qi
-    dci_0, dci_1 = dci
-    qo_0 = -(qi_0 * dci_1 + qi_2 * dci_0)
-    qo_1 = -(qi_1 * dci_1 + qi_3 * dci_0)
-    qo_2 = qi_0 * dci_0 - qi_2 * dci_1
-    qo_3 = qi_3 * dci_1 - qi_1 * dci_0
-    return (qo_0, qo_1, qo_2, qo_3)
-
-
-@kernel("(2),(4)->(4)")
-def quaternion_product_qzq(dci, qi):
-    """qo = (s e_z; c) qi, dci = (s, c), sine and cosine of half the angle.
-
-    (2),(4)->(4).  dci: (sin θ, cos θ); qi, qo: quaternion (x, y, z, w), the scalar last.
-    8 mul, 4 add.  Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded
-    formula; barring over- and underflow.
-    """
-    dci_0, dci_1 = dci
-    qi_0, qi_1, qi_2, qi_3 = qi
-    qo_0 = dci_1 * qi_0 - dci_0 * qi_1
-    qo_1 = dci_0 * qi_0 + dci_1 * qi_1
-    qo_2 = dci_0 * qi_3 + dci_1 * qi_2
-    qo_3 = dci_1 * qi_3 - dci_0 * qi_2
-    return (qo_0, qo_1, qo_2, qo_3)
-
-
-@kernel("(2),(4)->(4)")
-def quaternion_product_qzqconj(dci, qi):
-    """qo = (s e_z; c) qi*, dci = (s, c), sine and cosine of half the angle.
-
-    (2),(4)->(4).  dci: (sin θ, cos θ); qi, qo: quaternion (x, y, z, w), the scalar last.
-    8 mul, 4 add, 1 neg.  Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded
-    formula; barring over- and underflow.
-    """
-    dci_0, dci_1 = dci
-    qi_0, qi_1, qi_2, qi_3 = qi
-    qo_0 = dci_0 * qi_1 - dci_1 * qi_0
-    qo_1 = -(dci_0 * qi_0 + dci_1 * qi_1)
-    qo_2 = dci_0 * qi_3 - dci_1 * qi_2
-    qo_3 = dci_0 * qi_2 + dci_1 * qi_3
-    return (qo_0, qo_1, qo_2, qo_3)
-
-
-@kernel("(2),(4)->(4)")
-def quaternion_product_qzconjq(dci, qi):
-    """qo = (s e_z; c)* qi, dci = (s, c), sine and cosine of half the angle.
-
-    (2),(4)->(4).  dci: (sin θ, cos θ); qi, qo: quaternion (x, y, z, w), the scalar last.
-    8 mul, 4 add.  Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded
-    formula; barring over- and underflow.
-    """
-    dci_0, dci_1 = dci
-    qi_0, qi_1, qi_2, qi_3 = qi
-    qo_0 = dci_0 * qi_1 + dci_1 * qi_0
-    qo_1 = dci_1 * qi_1 - dci_0 * qi_0
-    qo_2 = dci_1 * qi_2 - dci_0 * qi_3
-    qo_3 = dci_0 * qi_2 + dci_1 * qi_3
-    return (qo_0, qo_1, qo_2, qo_3)
-
-
-@kernel("(2),(4)->(4)")
-def quaternion_product_qzconjqconj(dci, qi):
-    """qo = (s e_z; c)* qi*, dci = (s, c), sine and cosine of half the angle.
-
-    (2),(4)->(4).  dci: (sin θ, cos θ); qi, qo: quaternion (x, y, z, w), the scalar last.
-    8 mul, 4 add, 2 neg.  Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded
-    formula; barring over- and underflow.
-    """
-    dci_0, dci_1 = dci
-    qi_0, qi_1, qi_2, qi_3 = qi
-    qo_0 = -(dci_0 * qi_1 + dci_1 * qi_0)
-    qo_1 = dci_0 * qi_0 - dci_1 * qi_1
-    qo_2 = -(dci_0 * qi_3 + dci_1 * qi_2)
-    qo_3 = dci_1 * qi_3 - dci_0 * qi_2
-    return (qo_0, qo_1, qo_2, qo_3)
-
-
-@kernel("(4),(2)->(4)")
-def quaternion_product_qqz(qi, dci):
-    """qo = qi (s e_z; c), dci = (s, c), sine and cosine of half the angle.
-
-    (4),(2)->(4).  qi, qo: quaternion (x, y, z, w), the scalar last; dci: (sin θ, cos θ).
-    8 mul, 4 add.  Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded
-    formula; barring over- and underflow.
-    """
-    qi_0, qi_1, qi_2, qi_3 = qi
-    dci_0, dci_1 = dci
-    qo_0 = qi_0 * dci_1 + qi_1 * dci_0
-    qo_1 = qi_1 * dci_1 - qi_0 * dci_0
-    qo_2 = qi_2 * dci_1 + qi_3 * dci_0
-    qo_3 = qi_3 * dci_1 - qi_2 * dci_0
-    return (qo_0, qo_1, qo_2, qo_3)
-
-
-@kernel("(4),(2)->(4)")
-def quaternion_product_qqzconj(qi, dci):
-    """qo = qi (s e_z; c)*, dci = (s, c), sine and cosine of half the angle.
-
-    (4),(2)->(4).  qi, qo: quaternion (x, y, z, w), the scalar last; dci: (sin θ, cos θ).
-    8 mul, 4 add.  Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded
-    formula; barring over- and underflow.
-    """
-    qi_0, qi_1, qi_2, qi_3 = qi
-    dci_0, dci_1 = dci
-    qo_0 = qi_0 * dci_1 - qi_1 * dci_0
-    qo_1 = qi_0 * dci_0 + qi_1 * dci_1
-    qo_2 = qi_2 * dci_1 - qi_3 * dci_0
-    qo_3 = qi_2 * dci_0 + qi_3 * dci_1
-    return (qo_0, qo_1, qo_2, qo_3)
-
-
-@kernel("(4),(2)->(4)")
-def quaternion_product_qconjqz(qi, dci):
-    """qo = qi* (s e_z; c), dci = (s, c), sine and cosine of half the angle.
-
-    (4),(2)->(4).  qi, qo: quaternion (x, y, z, w), the scalar last; dci: (sin θ, cos θ).
-    8 mul, 4 add, 1 neg.  Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded
-    formula; barring over- and underflow.
-    """
-    qi_0, qi_1, qi_2, qi_3 = qi
-    dci_0, dci_1 = dci
-    qo_0 = -(qi_0 * dci_1 + qi_1 * dci_0)
-    qo_1 = qi_0 * dci_0 - qi_1 * dci_1
-    qo_2 = qi_3 * dci_0 - qi_2 * dci_1
-    qo_3 = qi_2 * dci_0 + qi_3 * dci_1
-    return (qo_0, qo_1, qo_2, qo_3)
-
-
-@kernel("(4),(2)->(4)")
-def quaternion_product_qconjqzconj(qi, dci):
-    """qo = qi* (s e_z; c)*, dci = (s, c), sine and cosine of half the angle.
-
-    (4),(2)->(4).  qi, qo: quaternion (x, y, z, w), the scalar last; dci: (sin θ, cos θ).
-    8 mul, 4 add, 2 neg.  Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded
-    formula; barring over- and underflow.
-    """
-    qi_0, qi_1, qi_2, qi_3 = qi
-    dci_0, dci_1 = dci
-    qo_0 = qi_1 * dci_0 - qi_0 * dci_1
-    qo_1 = -(qi_0 * dci_0 + qi_1 * dci_1)
-    qo_2 = -(qi_2 * dci_1 + qi_3 * dci_0)
-    qo_3 = qi_3 * dci_1 - qi_2 * dci_0
-    return (qo_0, qo_1, qo_2, qo_3)
-
-
-@kernel("(4),(3)->(4)")
-def quaternion_product_qv(qi, vi):
-    """qo = qi (vi; 0).
-
-    (4),(3)->(4).  qi, qo: quaternion (x, y, z, w), the scalar last; vi: vector.
-    12 mul, 8 add, 1 neg.  Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded
-    formula; barring over- and underflow.
-    """
-    qi_0, qi_1, qi_2, qi_3 = qi
-    vi_0, vi_1, vi_2 = vi
-    qo_0 = qi_1 * vi_2 - qi_2 * vi_1 + qi_3 * vi_0
-    qo_1 = qi_2 * vi_0 - qi_0 * vi_2 + qi_3 * vi_1
-    qo_2 = qi_0 * vi_1 - qi_1 * vi_0 + qi_3 * vi_2
-    qo_3 = -(qi_0 * vi_0 + qi_1 * vi_1 + qi_2 * vi_2)
-    return (qo_0, qo_1, qo_2, qo_3)
-
-
-@kernel("(4),(3)->(4)")
-def quaternion_product_qconjv(qi, vi):
-    """qo = qi* (vi; 0).
-
-    (4),(3)->(4).  qi, qo: quaternion (x, y, z, w), the scalar last; vi: vector.
-    12 mul, 8 add.  Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded
-    formula; barring over- and underflow.
-    """
-    qi_0, qi_1, qi_2, qi_3 = qi
-    vi_0, vi_1, vi_2 = vi
-    qo_0 = qi_2 * vi_1 - qi_1 * vi_2 + qi_3 * vi_0
-    qo_1 = qi_0 * vi_2 - qi_2 * vi_0 + qi_3 * vi_1
-    qo_2 = qi_1 * vi_0 - qi_0 * vi_1 + qi_3 * vi_2
-    qo_3 = qi_0 * vi_0 + qi_1 * vi_1 + qi_2 * vi_2
-    return (qo_0, qo_1, qo_2, qo_3)
-
-
-@kernel("(3),(4)->(4)")
-def quaternion_product_vq(vi, qi):
-    """qo = (vi; 0) qi.
-
-    (3),(4)->(4).  vi: vector; qi, qo: quaternion (x, y, z, w), the scalar last.
-    12 mul, 8 add, 1 neg.  Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded
-    formula; barring over- and underflow.
-    """
-    vi_0, vi_1, vi_2 = vi
-    qi_0, qi_1, qi_2, qi_3 = qi
-    qo_0 = vi_0 * qi_3 + (vi_1 * qi_2 - vi_2 * qi_1)
-    qo_1 = vi_2 * qi_0 - vi_0 * qi_2 + vi_1 * qi_3
-    qo_2 = vi_0 * qi_1 - vi_1 * qi_0 + vi_2 * qi_3
-    qo_3 = -(vi_0 * qi_0 + vi_1 * qi_1 + vi_2 * qi_2)
-    return (qo_0, qo_1, qo_2, qo_3)
-
-
-@kernel("(3),(4)->(4)")
-def quaternion_product_vqconj(vi, qi):
-    """qo = (vi; 0) qi*.
-
-    (3),(4)->(4).  vi: vector; qi, qo: quaternion (x, y, z, w), the scalar last.
-    12 mul, 8 add.  Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded
-    formula; barring over- and underflow.
-    """
-    vi_0, vi_1, vi_2 = vi
-    qi_0, qi_1, qi_2, qi_3 = qi
-    qo_0 = vi_0 * qi_3 + (vi_2 * qi_1 - vi_1 * qi_2)
-    qo_1 = vi_0 * qi_2 - vi_2 * qi_0 + vi_1 * qi_3
-    qo_2 = vi_1 * qi_0 - vi_0 * qi_1 + vi_2 * qi_3
-    qo_3 = vi_0 * qi_0 + vi_1 * qi_1 + vi_2 * qi_2
-    return (qo_0, qo_1, qo_2, qo_3)
-
-
-@kernel("(4),(4)->()")
-def dot_qq(q1i, q2i):
-    """q1i·q2i.
-
-    (4),(4)->().  q1i, q2i: quaternion (x, y, z, w), the scalar last; dot: number.
-    4 mul, 3 add.  Error <= u |result| + 3 u S, S the sum of the |terms| of the expanded
-    formula; barring over- and underflow.
-    """
-    q1i_0, q1i_1, q1i_2, q1i_3 = q1i
-    q2i_0, q2i_1, q2i_2, q2i_3 = q2i
-    dot = q1i_0 * q2i_0 + q1i_1 * q2i_1 + q1i_2 * q2i_2 + q1i_3 * q2i_3
-    return dot
-
-
-@kernel("(3),(4)->(4)")
-def add_dpiToq(dpi, qi):
-    """qi = qi + qi (dpi; 0) / 2: rotated by the small rotation vector dpi in the rotated frame, to
-    first order; not normalized.
-
-    (3),(4)->(4).  dpi: vector; qi: quaternion (x, y, z, w), the scalar last.
-    15 mul, 12 add.  Error <= u |result| + 3 u S, S the sum of the |terms| of the expanded
-    formula; barring over- and underflow.
-    """
-    dpi_0, dpi_1, dpi_2 = dpi
-    qi_0, qi_1, qi_2, qi_3 = qi
-    qi_0_new_a = 0.5 * dpi_0
-    qi_0_new_c = 0.5 * dpi_2
-    qi_0_new_e = 0.5 * dpi_1
-    qi_0_new = qi_0_new_a * qi_3 + (qi_0_new_c * qi_1 - qi_0_new_e * qi_2) + qi_0
-    qi_1_new = qi_0_new_a * qi_2 - qi_0_new_c * qi_0 + qi_0_new_e * qi_3 + qi_1
-    qi_2_new = qi_0_new_e * qi_0 - qi_0_new_a * qi_1 + qi_0_new_c * qi_3 + qi_2
-    qi_3_new = qi_3 - (qi_0_new_a * qi_0 + qi_0_new_e * qi_1 + qi_0_new_c * qi_2)
-    return (qi_0_new, qi_1_new, qi_2_new, qi_3_new)
-
-
-@kernel("(3),(4)->(4)")
-def subtract_dpiFromq(dpi, qi):
-    """qi = qi - qi (dpi; 0) / 2, the opposite of add_dpiToq to first order.
-
-    (3),(4)->(4).  dpi: vector; qi: quaternion (x, y, z, w), the scalar last.
-    15 mul, 12 add.  Error <= u |result| + 3 u S, S the sum of the |terms| of the expanded
-    formula; barring over- and underflow.
-    """
-    dpi_0, dpi_1, dpi_2 = dpi
-    qi_0, qi_1, qi_2, qi_3 = qi
-    qi_0_new_a = 0.5 * dpi_1
-    qi_0_new_c = 0.5 * dpi_2
-    qi_0_new_f = 0.5 * dpi_0
-    qi_0_new = qi_0_new_a * qi_2 - qi_0_new_c * qi_1 - qi_0_new_f * qi_3 + qi_0
-    qi_1_new = qi_0_new_c * qi_0 - qi_0_new_f * qi_2 - qi_0_new_a * qi_3 + qi_1
-    qi_2_new = qi_0_new_f * qi_1 - qi_0_new_a * qi_0 - qi_0_new_c * qi_3 + qi_2
-    qi_3_new = qi_0_new_f * qi_0 + qi_0_new_a * qi_1 + qi_0_new_c * qi_2 + qi_3
-    return (qi_0_new, qi_1_new, qi_2_new, qi_3_new)
-
-
-@kernel("(3),(4)->(4)")
-def omega_to_dquaternion(w, qi):
-    """dqo = (w; 0) qi / 2 + (1 - qi·qi) qi: the rate of qi for the angular velocity w in the
-    reference frame, rad/s, and a term that draws its norm to 1.
-
-    (3),(4)->(4).  w: vector; qi, dqo: quaternion (x, y, z, w), the scalar last.
-    23 mul, 16 add.  Error <= u |result| + 6 u S, S the sum of the |terms| of the expanded
-    formula; barring over- and underflow.
-    """
-    w_0, w_1, w_2 = w
-    qi_0, qi_1, qi_2, qi_3 = qi
-    dqo_0a = 0.5 * w_0
-    dqo_0c = 0.5 * w_1
-    dqo_0e = 0.5 * w_2
-    dqo_0p = 1 - qi_0 * qi_0 - qi_1 * qi_1 - qi_2 * qi_2 - qi_3 * qi_3
-    dqo_0 = dqo_0a * qi_3 + (dqo_0c * qi_2 - dqo_0e * qi_1) + qi_0 * dqo_0p
-    dqo_1 = dqo_0e * qi_0 - dqo_0a * qi_2 + dqo_0c * qi_3 + qi_1 * dqo_0p
-    dqo_2 = dqo_0a * qi_1 - dqo_0c * qi_0 + dqo_0e * qi_3 + qi_2 * dqo_0p
-    dqo_3 = qi_3 * dqo_0p - (dqo_0a * qi_0 + dqo_0c * qi_1 + dqo_0e * qi_2)
-    return (dqo_0, dqo_1, dqo_2, dqo_3)
-
-
-@kernel("(4)->(3,3)")
-def mat3x3_from_quaternion(q):
-    """R = I + 2 (w v~ + v~^2) / q·q, for any nonzero q whose square neither over- nor underflows.
-
-    (4)->(3,3).  q: quaternion (x, y, z, w), the scalar last; R: rotation or other 3×3 matrix.
-    20 mul, 16 add, 1 div.  Error <= R: 8 u of its largest component for 2^-450 < |q| < 2^511,
-    in single precision 2^-45 < |q| < 2^63; searched, not proved.
-    """
-    q_0, q_1, q_2, q_3 = q
-    squares_0 = q_3 * q_3
-    squares_1 = q_0 * q_0
-    squares_2 = q_1 * q_1
-    squares_3 = q_2 * q_2
-    pairs_0 = squares_0 + squares_1
-    pairs_1 = squares_2 + squares_3
-    pairs_2 = squares_0 + squares_2
-    pairs_3 = squares_1 + squares_3
-    pairs_4 = squares_0 + squares_3
-    pairs_5 = squares_1 + squares_2
-    square = pairs_0 + pairs_1
-    factor = 1 / square
-    d0 = pairs_0 - pairs_1
-    d1 = pairs_2 - pairs_3
-    d2 = pairs_4 - pairs_5
-    twice = 2 * factor
-    m_0a = q_0 * q_1
-    m_0b = q_2 * q_3
-    m_0 = m_0a - m_0b
-    m_1a = q_0 * q_2
-    m_1b = q_1 * q_3
-    m_1 = m_1a + m_1b
-    m_2a = q_1 * q_2
-    m_2b = q_0 * q_3
-    m_2 = m_2a - m_2b
-    m_3 = m_0a + m_0b
-    m_4 = m_1a - m_1b
-    m_5 = m_2b + m_2a
-    R_00 = factor * d0
-    R_01 = twice * m_0
-    R_02 = twice * m_1
-    R_10 = twice * m_3
-    R_11 = factor * d1
-    R_12 = twice * m_2
-    R_20 = twice * m_4
-    R_21 = twice * m_5
-    R_22 = factor * d2
-    return (R_00, R_01, R_02, R_10, R_11, R_12, R_20, R_21, R_22)
-
-
-@kernel("(3,3)->(4)")
-def quaternion_from_mat3x3(R):
-    """qo with R(qo) = R and w >= 0; if R is not quite a rotation, its defect carries over to qo.
-
-    (3,3)->(4).  R: rotation or other 3×3 matrix; qo: quaternion (x, y, z, w), the scalar last.
-    4 mul, 17 add, 4 div, 1 sqrt, 5 neg, 4 less, 16 select.  Error <= qo: 6 u of its largest
-    component for R a rotation; searched, not proved.
-    """
-    R_00, R_01, R_02, R_10, R_11, R_12, R_20, R_21, R_22 = R
-    p_0 = R_21 - R_12
-    p_1 = R_02 - R_20
-    p_2 = R_10 - R_01
-    s_0 = R_12 + R_21
-    s_1 = R_02 + R_20
-    s_2 = R_01 + R_10
-    first_0 = R_00 + 1
-    first_1 = 1 - R_00
-    others_0 = R_11 + R_22
-    others_1 = R_11 - R_22
-    d_0 = first_0 + others_0
-    d_1 = first_0 - others_0
-    d_2 = first_1 + others_1
-    d_3 = first_1 - others_1
-    low_0a = R_11 < R_00
-    low_0 = where(low_0a, d_1, s_2)
-    low_1 = where(low_0a, s_2, d_2)
-    low_2 = where(low_0a, s_1, s_0)
-    low_3 = where(low_0a, p_0, p_1)
-    high_0b = R_00 < -R_11
-    high_0 = where(high_0b, s_1, p_0)
-    high_1 = where(high_0b, s_0, p_1)
-    high_2 = where(high_0b, d_3, p_2)
-    high_3 = where(high_0b, p_2, d_0)
-    column_0a = R_22 < 0
-    column_0 = where(column_0a, low_0, high_0)
-    column_1 = where(column_0a, low_1, high_1)
-    column_2 = where(column_0a, low_2, high_2)
-    column_3 = where(column_0a, low_3, high_3)
-    upper_0b = column_3 < 0
-    upper_0 = where(upper_0b, -column_0, column_0)
-    upper_1 = where(upper_0b, -column_1, column_1)
-    upper_2 = where(upper_0b, -column_2, column_2)
-    upper_3 = where(upper_0b, -column_3, column_3)
-    length = sqrt(upper_0 * upper_0 + upper_1 * upper_1 + upper_2 * upper_2 + upper_3 * upper_3)
-    qo_0 = upper_0 / length
-    qo_1 = upper_1 / length
-    qo_2 = upper_2 / length
-    qo_3 = upper_3 / length
-    return (qo_0, qo_1, qo_2, qo_3)
-
-
-@kernel("(3),()->(4)")
-def quaternion_from_axis_angle(axis, angle):
-    """qo = (axis sin angle/2; cos angle/2); axis of length 1: with another |qo| is not 1, and its
-    rotation is by another angle.
-
-    (3),()->(4).  axis: vector; angle: number; qo: quaternion (x, y, z, w), the scalar last.
-    26 mul, 27 add, 1 abs.  Error <= qo: 3 u of its largest component for |axis| = 1; searched,
-    not proved.
-    """
-    axis_0, axis_1, axis_2 = axis
-    half = 0.5 * angle
-    sine, qo_3 = elementary.sincos(half)
-    qo_0 = axis_0 * sine
-    qo_1 = axis_1 * sine
-    qo_2 = axis_2 * sine
-    return (qo_0, qo_1, qo_2, qo_3)
+rotate_qv = twin(double.rotate_qv)
+rotate_qconjv = twin(double.rotate_qconjv)
+quaternion_product_qq = twin(double.quaternion_product_qq)
+quaternion_product_qqconj = twin(double.quaternion_product_qqconj)
+quaternion_product_qconjq = twin(double.quaternion_product_qconjq)
+quaternion_product_qconjqconj = twin(double.quaternion_product_qconjqconj)
+quaternion_product_qxq = twin(double.quaternion_product_qxq)
+quaternion_product_qxqconj = twin(double.quaternion_product_qxqconj)
+quaternion_product_qxconjq = twin(double.quaternion_product_qxconjq)
+quaternion_product_qxconjqconj = twin(double.quaternion_product_qxconjqconj)
+quaternion_product_qqx = twin(double.quaternion_product_qqx)
+quaternion_product_qqxconj = twin(double.quaternion_product_qqxconj)
+quaternion_product_qconjqx = twin(double.quaternion_product_qconjqx)
+quaternion_product_qconjqxconj = twin(double.quaternion_product_qconjqxconj)
+quaternion_product_qyq = twin(double.quaternion_product_qyq)
+quaternion_product_qyqconj = twin(double.quaternion_product_qyqconj)
+quaternion_product_qyconjq = twin(double.quaternion_product_qyconjq)
+quaternion_product_qyconjqconj = twin(double.quaternion_product_qyconjqconj)
+quaternion_product_qqy = twin(double.quaternion_product_qqy)
+quaternion_product_qqyconj = twin(double.quaternion_product_qqyconj)
+quaternion_product_qconjqy = twin(double.quaternion_product_qconjqy)
+quaternion_product_qconjqyconj = twin(double.quaternion_product_qconjqyconj)
+quaternion_product_qzq = twin(double.quaternion_product_qzq)
+quaternion_product_qzqconj = twin(double.quaternion_product_qzqconj)
+quaternion_product_qzconjq = twin(double.quaternion_product_qzconjq)
+quaternion_product_qzconjqconj = twin(double.quaternion_product_qzconjqconj)
+quaternion_product_qqz = twin(double.quaternion_product_qqz)
+quaternion_product_qqzconj = twin(double.quaternion_product_qqzconj)
+quaternion_product_qconjqz = twin(double.quaternion_product_qconjqz)
+quaternion_product_qconjqzconj = twin(double.quaternion_product_qconjqzconj)
+quaternion_product_qv = twin(double.quaternion_product_qv)
+quaternion_product_qconjv = twin(double.quaternion_product_qconjv)
+quaternion_product_vq = twin(double.quaternion_product_vq)
+quaternion_product_vqconj = twin(double.quaternion_product_vqconj)
+dot_qq = twin(double.dot_qq)
+add_dpiToq = twin(double.add_dpiToq)
+subtract_dpiFromq = twin(double.subtract_dpiFromq)
+omega_to_dquaternion = twin(double.omega_to_dquaternion)
+mat3x3_from_quaternion = twin(double.mat3x3_from_quaternion)
+quaternion_from_mat3x3 = twin(double.quaternion_from_mat3x3)
+quaternion_from_axis_angle = twin(double.quaternion_from_axis_angle,
+    doc="""qo = (axis sin angle/2; cos angle/2); axis of length 1: with another |qo| is not 1, and its
+rotation is by another angle.
+
+(3),()->(4).  axis: vector; angle: number; qo: quaternion (x, y, z, w), the scalar last.
+26 mul, 27 add, 1 abs.  Error <= qo: 3 u of its largest component for |axis| = 1; searched,
+not proved.
+""")
 
 
 @kernel("(4)->(),(3)")
@@ -1069,9 +265,8 @@ def axis_angle_from_quaternion(q):
     s_largest1 = where(s_size_0 < s_size_1, s_size_1, s_size_0)
     s_largest2 = where(s_largest1 < s_size_2, s_size_2, s_largest1)
     s_largest3 = where(s_largest2 < s_size_3, s_size_3, s_largest2)
-    s_d = (where(s_largest3
-        < 256, 1.8014398509481984e+16, where(4.611686018427388e+18
-        < s_largest3, float32(2.710505431213761e-20), float32(1))))
+    s_d = where(s_largest3 < 256, 1.8014398509481984e+16, where(4.611686018427388e+18 < s_largest3,
+        real(2.710505431213761e-20), real(1)))
     s = where(s_largest3 < 1.4210854715202004e-14, 3.2451855365842673e+32, s_d)
     scaled_s_0 = q_0 * s
     scaled_s_1 = q_1 * s
@@ -1087,15 +282,14 @@ def axis_angle_from_quaternion(q):
     v_s_size_2 = absolute(upper_2)
     v_s_largest1 = where(v_s_size_0 < v_s_size_1, v_s_size_1, v_s_size_0)
     v_s_largest2 = where(v_s_largest1 < v_s_size_2, v_s_size_2, v_s_largest1)
-    v_s = (where(v_s_largest2
-        < 1.4210854715202004e-14, 3.2451855365842673e+32, where(v_s_largest2
-        < 256, float32(1.8014398509481984e+16), float32(1))))
+    v_s = where(v_s_largest2 < 1.4210854715202004e-14, 3.2451855365842673e+32,
+        where(v_s_largest2 < 256, real(1.8014398509481984e+16), real(1)))
     v_y_0 = upper_0 * v_s
     v_y_1 = upper_1 * v_s
     v_y_2 = upper_2 * v_s
     v_n = sqrt(v_y_0 * v_y_0 + v_y_1 * v_y_1 + v_y_2 * v_y_2)
-    v_r = (where(1.8014398509481984e+16
-        < v_s, 3.0814879110195774e-33, where(1 < v_s, float32(5.551115123125783e-17), float32(1))))
+    v_r = where(1.8014398509481984e+16 < v_s, 3.0814879110195774e-33, where(1 < v_s,
+        real(5.551115123125783e-17), real(1)))
     n = v_n * v_r
     half = elementary.atan2(n, upper_3)
     divisor_a = v_n == 0
@@ -1161,10 +355,10 @@ def quaternion_exp(v):
         * (x
         * (x * (x * (x * (6.4469503e-26 * x - 3.8681703e-23) + 1.9572942e-20) - 8.220635e-18)
         + 2.8114574e-15) - 7.6471636e-13) + 1.6059044e-10)
-    k = (where(theta_b, x
-        * (x
-        * (x * (x * (x * (x * k_l - 2.5052108e-08) + 2.7557319e-06) - 0.0001984127) + 0.008333334)
-        - 0.16666667) + 1, far_k))
+    k = where(theta_b,
+        x * (x * (x * (x * (x * (x * k_l - 2.5052108e-08) + 2.7557319e-06) - 0.0001984127) +
+            0.008333334) - 0.16666667) + 1,
+        far_k)
     g2l = (x
         * (x
         * (x * (x * (x * (2.4795963e-27 * x - 1.6117376e-24) + 8.896791e-22) - 4.1103176e-19)
@@ -1198,9 +392,8 @@ def quaternion_log(q):
     s_largest1 = where(s_size_0 < s_size_1, s_size_1, s_size_0)
     s_largest2 = where(s_largest1 < s_size_2, s_size_2, s_largest1)
     s_largest3 = where(s_largest2 < s_size_3, s_size_3, s_largest2)
-    s_d = (where(s_largest3
-        < 256, 1.8014398509481984e+16, where(4.611686018427388e+18
-        < s_largest3, float32(2.710505431213761e-20), float32(1))))
+    s_d = where(s_largest3 < 256, 1.8014398509481984e+16, where(4.611686018427388e+18 < s_largest3,
+        real(2.710505431213761e-20), real(1)))
     s = where(s_largest3 < 1.4210854715202004e-14, 3.2451855365842673e+32, s_d)
     scaled_s_0 = q_0 * s
     scaled_s_1 = q_1 * s
@@ -1216,15 +409,14 @@ def quaternion_log(q):
     v_s_size_2 = absolute(upper_2)
     v_s_largest1 = where(v_s_size_0 < v_s_size_1, v_s_size_1, v_s_size_0)
     v_s_largest2 = where(v_s_largest1 < v_s_size_2, v_s_size_2, v_s_largest1)
-    v_s = (where(v_s_largest2
-        < 1.4210854715202004e-14, 3.2451855365842673e+32, where(v_s_largest2
-        < 256, float32(1.8014398509481984e+16), float32(1))))
+    v_s = where(v_s_largest2 < 1.4210854715202004e-14, 3.2451855365842673e+32,
+        where(v_s_largest2 < 256, real(1.8014398509481984e+16), real(1)))
     v_y_0 = upper_0 * v_s
     v_y_1 = upper_1 * v_s
     v_y_2 = upper_2 * v_s
     v_n = sqrt(v_y_0 * v_y_0 + v_y_1 * v_y_1 + v_y_2 * v_y_2)
-    v_r = (where(1.8014398509481984e+16
-        < v_s, 3.0814879110195774e-33, where(1 < v_s, float32(5.551115123125783e-17), float32(1))))
+    v_r = where(1.8014398509481984e+16 < v_s, 3.0814879110195774e-33, where(1 < v_s,
+        real(5.551115123125783e-17), real(1)))
     n = v_n * v_r
     half = elementary.atan2(n, upper_3)
     divisor = where(n == 0, 1, n)
@@ -1261,16 +453,15 @@ def quaternion_interpolated(q1, q2, k):
     v_s_size_2 = absolute(upper_2)
     v_s_largest1 = where(v_s_size_0 < v_s_size_1, v_s_size_1, v_s_size_0)
     v_s_largest2 = where(v_s_largest1 < v_s_size_2, v_s_size_2, v_s_largest1)
-    v_s_d = (where(v_s_largest2
-        < 256, 1.8014398509481984e+16, where(4.611686018427388e+18
-        < v_s_largest2, float32(2.710505431213761e-20), float32(1))))
+    v_s_d = where(v_s_largest2 < 256, 1.8014398509481984e+16,
+        where(4.611686018427388e+18 < v_s_largest2, real(2.710505431213761e-20), real(1)))
     v_s = where(v_s_largest2 < 1.4210854715202004e-14, 3.2451855365842673e+32, v_s_d)
     v_y_0 = upper_0 * v_s
     v_y_1 = upper_1 * v_s
     v_y_2 = upper_2 * v_s
     v_n = sqrt(v_y_0 * v_y_0 + v_y_1 * v_y_1 + v_y_2 * v_y_2)
-    v_r_d = (where(1
-        < v_s, 5.551115123125783e-17, where(v_s < 1, float32(3.6893488147419103e+19), float32(1))))
+    v_r_d = where(1 < v_s, 5.551115123125783e-17, where(v_s < 1, real(3.6893488147419103e+19),
+        real(1)))
     v_r = where(1.8014398509481984e+16 < v_s, 3.0814879110195774e-33, v_r_d)
     n = v_n * v_r
     half = elementary.atan2(n, upper_3)

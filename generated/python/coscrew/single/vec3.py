@@ -3,181 +3,29 @@
 # coscrew 0.2.0.  Copyright (c) 2026 The coscrew authors.
 """Vectors of three components.
 
-In single precision, plain tier.
+In single precision, plain tier.  A twin(f, …) is f of double precision with these constants.
 """
 
 from coscrew import _elementary_single as elementary
-from numpy import absolute, float32, sqrt, where
+from numpy import absolute, float32 as real, sqrt, where
 from coscrew._kernel import single_kernel as kernel
+from coscrew._twins import single_twins
+from coscrew import double
 
+twin = single_twins(__name__)
 
-@kernel("(3)->(3)")
-def vec3_copy(vi):
-    """vo = vi.
-
-    (3)->(3).  vi, vo: vector.
-    No arithmetic.  Exact.
-    """
-    vi_0, vi_1, vi_2 = vi
-    return (vi_0, vi_1, vi_2)
-
-
-@kernel("(3),()->(3)")
-def vec3_scale(self, a):
-    """self = a self.
-
-    (3),()->(3).  self: vector; a: number.
-    3 mul.  Error <= u |result|, barring over- and underflow.
-    """
-    self_0, self_1, self_2 = self
-    self_0_new = self_0 * a
-    self_1_new = self_1 * a
-    self_2_new = self_2 * a
-    return (self_0_new, self_1_new, self_2_new)
-
-
-@kernel("(3)->(3)")
-def vec3_inverted(vi):
-    """vo = -vi.
-
-    (3)->(3).  vi, vo: vector.
-    3 neg.  Exact.
-    """
-    vi_0, vi_1, vi_2 = vi
-    vo_0 = -vi_0
-    vo_1 = -vi_1
-    vo_2 = -vi_2
-    return (vo_0, vo_1, vo_2)
-
-
-@kernel("(3)->(3)")
-def vec3_invert(self):
-    """self = -self.
-
-    (3)->(3).  self: vector.
-    3 neg.  Exact.
-    """
-    self_0, self_1, self_2 = self
-    self_0_new = -self_0
-    self_1_new = -self_1
-    self_2_new = -self_2
-    return (self_0_new, self_1_new, self_2_new)
-
-
-@kernel("(),(3),(3)->(3)")
-def axpy_vv(a, x, y):
-    """y = a x + y.
-
-    (),(3),(3)->(3).  a: number; x, y: vector.
-    3 mul, 3 add.  Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded
-    formula; barring over- and underflow.
-    """
-    x_0, x_1, x_2 = x
-    y_0, y_1, y_2 = y
-    y_0_new = a * x_0 + y_0
-    y_1_new = a * x_1 + y_1
-    y_2_new = a * x_2 + y_2
-    return (y_0_new, y_1_new, y_2_new)
-
-
-@kernel("(3),(3)->(3)")
-def xpy_vv(x, y):
-    """y = x + y.
-
-    (3),(3)->(3).  x, y: vector.
-    3 add.  Error <= u |result|, barring over- and underflow.
-    """
-    x_0, x_1, x_2 = x
-    y_0, y_1, y_2 = y
-    y_0_new = x_0 + y_0
-    y_1_new = x_1 + y_1
-    y_2_new = x_2 + y_2
-    return (y_0_new, y_1_new, y_2_new)
-
-
-@kernel("(3),(3)->(3)")
-def nxpy_vv(x, y):
-    """y = -x + y.
-
-    (3),(3)->(3).  x, y: vector.
-    3 add.  Error <= u |result|, barring over- and underflow.
-    """
-    x_0, x_1, x_2 = x
-    y_0, y_1, y_2 = y
-    y_0_new = y_0 - x_0
-    y_1_new = y_1 - x_1
-    y_2_new = y_2 - x_2
-    return (y_0_new, y_1_new, y_2_new)
-
-
-@kernel("(),(3)->(3)")
-def product_av(a, vi):
-    """vo = a vi.
-
-    (),(3)->(3).  a: number; vi, vo: vector.
-    3 mul.  Error <= u |result|, barring over- and underflow.
-    """
-    vi_0, vi_1, vi_2 = vi
-    vo_0 = a * vi_0
-    vo_1 = a * vi_1
-    vo_2 = a * vi_2
-    return (vo_0, vo_1, vo_2)
-
-
-@kernel("(3),(3)->(3)")
-def add_vv(v1, v2):
-    """vo = v1 + v2.
-
-    (3),(3)->(3).  v1, v2, vo: vector.
-    3 add.  Error <= u |result|, barring over- and underflow.
-    """
-    v1_0, v1_1, v1_2 = v1
-    v2_0, v2_1, v2_2 = v2
-    vo_0 = v1_0 + v2_0
-    vo_1 = v1_1 + v2_1
-    vo_2 = v1_2 + v2_2
-    return (vo_0, vo_1, vo_2)
-
-
-@kernel("(3),(3)->(3)")
-def subtract_vv(v1, v2):
-    """vo = v1 - v2.
-
-    (3),(3)->(3).  v1, v2, vo: vector.
-    3 add.  Error <= u |result|, barring over- and underflow.
-    """
-    v1_0, v1_1, v1_2 = v1
-    v2_0, v2_1, v2_2 = v2
-    vo_0 = v1_0 - v2_0
-    vo_1 = v1_1 - v2_1
-    vo_2 = v1_2 - v2_2
-    return (vo_0, vo_1, vo_2)
-
-
-@kernel("(3),()->(3)")
-def vec3_scaled(v, k):
-    """vo = k v.
-
-    (3),()->(3).  v, vo: vector; k: number.
-    3 mul.  Error <= u |result|, barring over- and underflow.
-    """
-    v_0, v_1, v_2 = v
-    vo_0 = v_0 * k
-    vo_1 = v_1 * k
-    vo_2 = v_2 * k
-    return (vo_0, vo_1, vo_2)
-
-
-@kernel("(3),(3)->(3),(3)")
-def vec3_swap(v1, v2):
-    """v1, v2 = v2, v1.
-
-    (3),(3)->(3),(3).  v1, v2: vector.
-    No arithmetic.  Exact.
-    """
-    v1_0, v1_1, v1_2 = v1
-    v2_0, v2_1, v2_2 = v2
-    return (v2_0, v2_1, v2_2, v1_0, v1_1, v1_2)
+vec3_copy = twin(double.vec3_copy)
+vec3_scale = twin(double.vec3_scale)
+vec3_inverted = twin(double.vec3_inverted)
+vec3_invert = twin(double.vec3_invert)
+axpy_vv = twin(double.axpy_vv)
+xpy_vv = twin(double.xpy_vv)
+nxpy_vv = twin(double.nxpy_vv)
+product_av = twin(double.product_av)
+add_vv = twin(double.add_vv)
+subtract_vv = twin(double.subtract_vv)
+vec3_scaled = twin(double.vec3_scaled)
+vec3_swap = twin(double.vec3_swap)
 
 
 @kernel("(3)->()")
@@ -193,16 +41,14 @@ def vec3_l2norm(v):
     s_size_2 = absolute(v_2)
     s_largest1 = where(s_size_0 < s_size_1, s_size_1, s_size_0)
     s_largest2 = where(s_largest1 < s_size_2, s_size_2, s_largest1)
-    s_d = (where(s_largest2
-        < 256, 1.8014398509481984e+16, where(4.611686018427388e+18
-        < s_largest2, float32(2.710505431213761e-20), float32(1))))
+    s_d = where(s_largest2 < 256, 1.8014398509481984e+16, where(4.611686018427388e+18 < s_largest2,
+        real(2.710505431213761e-20), real(1)))
     s = where(s_largest2 < 1.4210854715202004e-14, 3.2451855365842673e+32, s_d)
     y_0 = v_0 * s
     y_1 = v_1 * s
     y_2 = v_2 * s
     n = sqrt(y_0 * y_0 + y_1 * y_1 + y_2 * y_2)
-    r_d = (where(1
-        < s, 5.551115123125783e-17, where(s < 1, float32(3.6893488147419103e+19), float32(1))))
+    r_d = where(1 < s, 5.551115123125783e-17, where(s < 1, real(3.6893488147419103e+19), real(1)))
     r = where(1.8014398509481984e+16 < s, 3.0814879110195774e-33, r_d)
     norm = n * r
     return norm
@@ -221,9 +67,8 @@ def vec3_normalize(self):
     s_size_2 = absolute(self_2)
     s_largest1 = where(s_size_0 < s_size_1, s_size_1, s_size_0)
     s_largest2 = where(s_largest1 < s_size_2, s_size_2, s_largest1)
-    s_d = (where(s_largest2
-        < 256, 1.8014398509481984e+16, where(4.611686018427388e+18
-        < s_largest2, float32(2.710505431213761e-20), float32(1))))
+    s_d = where(s_largest2 < 256, 1.8014398509481984e+16, where(4.611686018427388e+18 < s_largest2,
+        real(2.710505431213761e-20), real(1)))
     s = where(s_largest2 < 1.4210854715202004e-14, 3.2451855365842673e+32, s_d)
     y_0 = self_0 * s
     y_1 = self_1 * s
@@ -257,9 +102,8 @@ def vec3_normalized(v):
     s_size_2 = absolute(v_2)
     s_largest1 = where(s_size_0 < s_size_1, s_size_1, s_size_0)
     s_largest2 = where(s_largest1 < s_size_2, s_size_2, s_largest1)
-    s_d = (where(s_largest2
-        < 256, 1.8014398509481984e+16, where(4.611686018427388e+18
-        < s_largest2, float32(2.710505431213761e-20), float32(1))))
+    s_d = where(s_largest2 < 256, 1.8014398509481984e+16, where(4.611686018427388e+18 < s_largest2,
+        real(2.710505431213761e-20), real(1)))
     s = where(s_largest2 < 1.4210854715202004e-14, 3.2451855365842673e+32, s_d)
     y_0 = v_0 * s
     y_1 = v_1 * s
@@ -294,9 +138,8 @@ def angle_vv(v1, v2):
     s1_size_2 = absolute(v1_2)
     s1_largest1 = where(s1_size_0 < s1_size_1, s1_size_1, s1_size_0)
     s1_largest2 = where(s1_largest1 < s1_size_2, s1_size_2, s1_largest1)
-    s1d = (where(s1_largest2
-        < 256, 1.8014398509481984e+16, where(4.611686018427388e+18
-        < s1_largest2, float32(2.710505431213761e-20), float32(1))))
+    s1d = where(s1_largest2 < 256, 1.8014398509481984e+16,
+        where(4.611686018427388e+18 < s1_largest2, real(2.710505431213761e-20), real(1)))
     s1 = where(s1_largest2 < 1.4210854715202004e-14, 3.2451855365842673e+32, s1d)
     scaled_s1_0 = v1_0 * s1
     scaled_s1_1 = v1_1 * s1
@@ -306,9 +149,8 @@ def angle_vv(v1, v2):
     s2_size_2 = absolute(v2_2)
     s2_largest1 = where(s2_size_0 < s2_size_1, s2_size_1, s2_size_0)
     s2_largest2 = where(s2_largest1 < s2_size_2, s2_size_2, s2_largest1)
-    s2d = (where(s2_largest2
-        < 256, 1.8014398509481984e+16, where(4.611686018427388e+18
-        < s2_largest2, float32(2.710505431213761e-20), float32(1))))
+    s2d = where(s2_largest2 < 256, 1.8014398509481984e+16,
+        where(4.611686018427388e+18 < s2_largest2, real(2.710505431213761e-20), real(1)))
     s2 = where(s2_largest2 < 1.4210854715202004e-14, 3.2451855365842673e+32, s2d)
     scaled_s2_0 = v2_0 * s2
     scaled_s2_1 = v2_1 * s2
@@ -321,164 +163,28 @@ def angle_vv(v1, v2):
     s_size_2 = absolute(c_2)
     s_largest1 = where(s_size_0 < s_size_1, s_size_1, s_size_0)
     s_largest2 = where(s_largest1 < s_size_2, s_size_2, s_largest1)
-    s_d = (where(s_largest2
-        < 256, 1.8014398509481984e+16, where(4.611686018427388e+18
-        < s_largest2, float32(2.710505431213761e-20), float32(1))))
+    s_d = where(s_largest2 < 256, 1.8014398509481984e+16, where(4.611686018427388e+18 < s_largest2,
+        real(2.710505431213761e-20), real(1)))
     s = where(s_largest2 < 1.4210854715202004e-14, 3.2451855365842673e+32, s_d)
     y_0 = c_0 * s
     y_1 = c_1 * s
     y_2 = c_2 * s
     n = sqrt(y_0 * y_0 + y_1 * y_1 + y_2 * y_2)
-    r_d = (where(1
-        < s, 5.551115123125783e-17, where(s < 1, float32(3.6893488147419103e+19), float32(1))))
+    r_d = where(1 < s, 5.551115123125783e-17, where(s < 1, real(3.6893488147419103e+19), real(1)))
     r = where(1.8014398509481984e+16 < s, 3.0814879110195774e-33, r_d)
     cross = n * r
     dot_ = scaled_s1_0 * scaled_s2_0 + scaled_s1_1 * scaled_s2_1 + scaled_s1_2 * scaled_s2_2
     angle = elementary.atan2(cross, dot_)
     return angle
 
-
-@kernel("(3),(3)->()")
-def dot_vv(v1, v2):
-    """v1·v2.
-
-    (3),(3)->().  v1, v2: vector; dot: number.
-    3 mul, 2 add.  Error <= u |result| + 2 u S, S the sum of the |terms| of the expanded
-    formula; barring over- and underflow.
-    """
-    v1_0, v1_1, v1_2 = v1
-    v2_0, v2_1, v2_2 = v2
-    dot = v1_0 * v2_0 + v1_1 * v2_1 + v1_2 * v2_2
-    return dot
-
-
-@kernel("(),(3)->(3)")
-def product_avinv(k, v):
-    """vo = k (-v).
-
-    (),(3)->(3).  k: number; v, vo: vector.
-    3 mul, 3 neg.  Error <= u |result|, barring over- and underflow.
-    """
-    v_0, v_1, v_2 = v
-    vo_0 = -(k * v_0)
-    vo_1 = -(k * v_1)
-    vo_2 = -(k * v_2)
-    return (vo_0, vo_1, vo_2)
-
-
-@kernel("(),(3)->(3)")
-def product_ainvv(k, v):
-    """vo = v / k.
-
-    (),(3)->(3).  k: number; v, vo: vector.
-    3 div.
-    """
-    v_0, v_1, v_2 = v
-    vo_0 = v_0 / k
-    vo_1 = v_1 / k
-    vo_2 = v_2 / k
-    return (vo_0, vo_1, vo_2)
-
-
-@kernel("(3),(3)->(3)")
-def cross_vv(v1, v2):
-    """vo = v1 × v2.  Exactly zero for v1 = v2, unless products overflow.
-
-    (3),(3)->(3).  v1, v2, vo: vector.
-    6 mul, 3 add.  Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded
-    formula; barring over- and underflow.
-    """
-    v1_0, v1_1, v1_2 = v1
-    v2_0, v2_1, v2_2 = v2
-    vo_0 = v1_1 * v2_2 - v1_2 * v2_1
-    vo_1 = v1_2 * v2_0 - v1_0 * v2_2
-    vo_2 = v1_0 * v2_1 - v1_1 * v2_0
-    return (vo_0, vo_1, vo_2)
-
-
-@kernel("(3),(3)->(3)")
-def cross_vvinv(v1, v2):
-    """vo = v1 × (-v2).
-
-    (3),(3)->(3).  v1, v2, vo: vector.
-    6 mul, 3 add.  Error <= u |result| + 1 u S, S the sum of the |terms| of the expanded
-    formula; barring over- and underflow.
-    """
-    v1_0, v1_1, v1_2 = v1
-    v2_0, v2_1, v2_2 = v2
-    vo_0 = v1_2 * v2_1 - v1_1 * v2_2
-    vo_1 = v1_0 * v2_2 - v1_2 * v2_0
-    vo_2 = v1_1 * v2_0 - v1_0 * v2_1
-    return (vo_0, vo_1, vo_2)
-
-
-@kernel("(3),()->(3)")
-def add_vvx(v, k):
-    """vo = v + k e_x.
-
-    (3),()->(3).  v, vo: vector; k: number.
-    1 add.  Error <= u |result|, barring over- and underflow.
-    """
-    v_0, v_1, v_2 = v
-    vo_0 = v_0 + k
-    return (vo_0, v_1, v_2)
-
-
-@kernel("(3),()->(3)")
-def add_vvxinv(v, k):
-    """vo = v - k e_x.
-
-    (3),()->(3).  v, vo: vector; k: number.
-    1 add.  Error <= u |result|, barring over- and underflow.
-    """
-    v_0, v_1, v_2 = v
-    vo_0 = v_0 - k
-    return (vo_0, v_1, v_2)
-
-
-@kernel("(3),()->(3)")
-def add_vvy(v, k):
-    """vo = v + k e_y.
-
-    (3),()->(3).  v, vo: vector; k: number.
-    1 add.  Error <= u |result|, barring over- and underflow.
-    """
-    v_0, v_1, v_2 = v
-    vo_1 = v_1 + k
-    return (v_0, vo_1, v_2)
-
-
-@kernel("(3),()->(3)")
-def add_vvyinv(v, k):
-    """vo = v - k e_y.
-
-    (3),()->(3).  v, vo: vector; k: number.
-    1 add.  Error <= u |result|, barring over- and underflow.
-    """
-    v_0, v_1, v_2 = v
-    vo_1 = v_1 - k
-    return (v_0, vo_1, v_2)
-
-
-@kernel("(3),()->(3)")
-def add_vvz(v, k):
-    """vo = v + k e_z.
-
-    (3),()->(3).  v, vo: vector; k: number.
-    1 add.  Error <= u |result|, barring over- and underflow.
-    """
-    v_0, v_1, v_2 = v
-    vo_2 = v_2 + k
-    return (v_0, v_1, vo_2)
-
-
-@kernel("(3),()->(3)")
-def add_vvzinv(v, k):
-    """vo = v - k e_z.
-
-    (3),()->(3).  v, vo: vector; k: number.
-    1 add.  Error <= u |result|, barring over- and underflow.
-    """
-    v_0, v_1, v_2 = v
-    vo_2 = v_2 - k
-    return (v_0, v_1, vo_2)
+dot_vv = twin(double.dot_vv)
+product_avinv = twin(double.product_avinv)
+product_ainvv = twin(double.product_ainvv)
+cross_vv = twin(double.cross_vv)
+cross_vvinv = twin(double.cross_vvinv)
+add_vvx = twin(double.add_vvx)
+add_vvxinv = twin(double.add_vvxinv)
+add_vvy = twin(double.add_vvy)
+add_vvyinv = twin(double.add_vvyinv)
+add_vvz = twin(double.add_vvz)
+add_vvzinv = twin(double.add_vvzinv)

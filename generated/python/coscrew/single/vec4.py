@@ -3,94 +3,22 @@
 # coscrew 0.2.0.  Copyright (c) 2026 The coscrew authors.
 """Vectors of four components: three dimensions and a homogeneous coordinate.
 
-In single precision, plain tier.
+In single precision, plain tier.  A twin(f, …) is f of double precision with these constants.
 """
 
-from numpy import absolute, float32, sqrt, where
+from numpy import absolute, float32 as real, sqrt, where
 from coscrew._kernel import single_kernel as kernel
+from coscrew._twins import single_twins
+from coscrew import double
 
+twin = single_twins(__name__)
 
-@kernel("(4)->(4)")
-def vec4_copy(vi):
-    """vo = vi.
-
-    (4)->(4).  vi, vo: vector (x, y, z) and a homogeneous coordinate w.
-    No arithmetic.  Exact.
-    """
-    vi_0, vi_1, vi_2, vi_3 = vi
-    return (vi_0, vi_1, vi_2, vi_3)
-
-
-@kernel("(4),()->(4)")
-def vec4_scale(self, a):
-    """self = a self.
-
-    (4),()->(4).  self: vector (x, y, z) and a homogeneous coordinate w; a: number.
-    4 mul.  Error <= u |result|, barring over- and underflow.
-    """
-    self_0, self_1, self_2, self_3 = self
-    self_0_new = self_0 * a
-    self_1_new = self_1 * a
-    self_2_new = self_2 * a
-    self_3_new = self_3 * a
-    return (self_0_new, self_1_new, self_2_new, self_3_new)
-
-
-@kernel("(4)->(4)")
-def vec4_inverted(vi):
-    """vo = -vi.
-
-    (4)->(4).  vi, vo: vector (x, y, z) and a homogeneous coordinate w.
-    4 neg.  Exact.
-    """
-    vi_0, vi_1, vi_2, vi_3 = vi
-    vo_0 = -vi_0
-    vo_1 = -vi_1
-    vo_2 = -vi_2
-    vo_3 = -vi_3
-    return (vo_0, vo_1, vo_2, vo_3)
-
-
-@kernel("(4)->(4)")
-def vec4_invert(self):
-    """self = -self.
-
-    (4)->(4).  self: vector (x, y, z) and a homogeneous coordinate w.
-    4 neg.  Exact.
-    """
-    self_0, self_1, self_2, self_3 = self
-    self_0_new = -self_0
-    self_1_new = -self_1
-    self_2_new = -self_2
-    self_3_new = -self_3
-    return (self_0_new, self_1_new, self_2_new, self_3_new)
-
-
-@kernel("(4),()->(4)")
-def vec4_scaled(v, k):
-    """vo = k v.
-
-    (4),()->(4).  v, vo: vector (x, y, z) and a homogeneous coordinate w; k: number.
-    4 mul.  Error <= u |result|, barring over- and underflow.
-    """
-    v_0, v_1, v_2, v_3 = v
-    vo_0 = v_0 * k
-    vo_1 = v_1 * k
-    vo_2 = v_2 * k
-    vo_3 = v_3 * k
-    return (vo_0, vo_1, vo_2, vo_3)
-
-
-@kernel("(4),(4)->(4),(4)")
-def vec4_swap(v1, v2):
-    """v1, v2 = v2, v1.
-
-    (4),(4)->(4),(4).  v1, v2: vector (x, y, z) and a homogeneous coordinate w.
-    No arithmetic.  Exact.
-    """
-    v1_0, v1_1, v1_2, v1_3 = v1
-    v2_0, v2_1, v2_2, v2_3 = v2
-    return (v2_0, v2_1, v2_2, v2_3, v1_0, v1_1, v1_2, v1_3)
+vec4_copy = twin(double.vec4_copy)
+vec4_scale = twin(double.vec4_scale)
+vec4_inverted = twin(double.vec4_inverted)
+vec4_invert = twin(double.vec4_invert)
+vec4_scaled = twin(double.vec4_scaled)
+vec4_swap = twin(double.vec4_swap)
 
 
 @kernel("(4)->()")
@@ -108,17 +36,15 @@ def vec4_l2norm(v):
     s_largest1 = where(s_size_0 < s_size_1, s_size_1, s_size_0)
     s_largest2 = where(s_largest1 < s_size_2, s_size_2, s_largest1)
     s_largest3 = where(s_largest2 < s_size_3, s_size_3, s_largest2)
-    s_d = (where(s_largest3
-        < 256, 1.8014398509481984e+16, where(4.611686018427388e+18
-        < s_largest3, float32(2.710505431213761e-20), float32(1))))
+    s_d = where(s_largest3 < 256, 1.8014398509481984e+16, where(4.611686018427388e+18 < s_largest3,
+        real(2.710505431213761e-20), real(1)))
     s = where(s_largest3 < 1.4210854715202004e-14, 3.2451855365842673e+32, s_d)
     y_0 = v_0 * s
     y_1 = v_1 * s
     y_2 = v_2 * s
     y_3 = v_3 * s
     n = sqrt(y_0 * y_0 + y_1 * y_1 + y_2 * y_2 + y_3 * y_3)
-    r_d = (where(1
-        < s, 5.551115123125783e-17, where(s < 1, float32(3.6893488147419103e+19), float32(1))))
+    r_d = where(1 < s, 5.551115123125783e-17, where(s < 1, real(3.6893488147419103e+19), real(1)))
     r = where(1.8014398509481984e+16 < s, 3.0814879110195774e-33, r_d)
     norm = n * r
     return norm
@@ -139,9 +65,8 @@ def vec4_normalize(self):
     s_largest1 = where(s_size_0 < s_size_1, s_size_1, s_size_0)
     s_largest2 = where(s_largest1 < s_size_2, s_size_2, s_largest1)
     s_largest3 = where(s_largest2 < s_size_3, s_size_3, s_largest2)
-    s_d = (where(s_largest3
-        < 256, 1.8014398509481984e+16, where(4.611686018427388e+18
-        < s_largest3, float32(2.710505431213761e-20), float32(1))))
+    s_d = where(s_largest3 < 256, 1.8014398509481984e+16, where(4.611686018427388e+18 < s_largest3,
+        real(2.710505431213761e-20), real(1)))
     s = where(s_largest3 < 1.4210854715202004e-14, 3.2451855365842673e+32, s_d)
     y_0 = self_0 * s
     y_1 = self_1 * s
@@ -181,9 +106,8 @@ def vec4_normalized(v):
     s_largest1 = where(s_size_0 < s_size_1, s_size_1, s_size_0)
     s_largest2 = where(s_largest1 < s_size_2, s_size_2, s_largest1)
     s_largest3 = where(s_largest2 < s_size_3, s_size_3, s_largest2)
-    s_d = (where(s_largest3
-        < 256, 1.8014398509481984e+16, where(4.611686018427388e+18
-        < s_largest3, float32(2.710505431213761e-20), float32(1))))
+    s_d = where(s_largest3 < 256, 1.8014398509481984e+16, where(4.611686018427388e+18 < s_largest3,
+        real(2.710505431213761e-20), real(1)))
     s = where(s_largest3 < 1.4210854715202004e-14, 3.2451855365842673e+32, s_d)
     y_0 = v_0 * s
     y_1 = v_1 * s

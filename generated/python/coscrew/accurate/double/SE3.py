@@ -24,8 +24,8 @@ def SE3_invert(self):
     self_03_new_b = self_10 * self_13
     self_03_new_c = self_03_new_a + self_03_new_b
     self_03_new_c_right = self_03_new_c - self_03_new_a
-    self_03_new_c_left_rest = (product_rest(self_00, self_03, self_03_new_a, self_03_new_c
-        - self_03_new_c_right))
+    self_03_new_c_left_rest = product_rest(self_00, self_03, self_03_new_a,
+        self_03_new_c - self_03_new_c_right)
     self_03_new_d = self_20 * self_23
     self_03_new_e = self_03_new_c + self_03_new_d
     self_03_new_e_right = self_03_new_e - self_03_new_c
@@ -36,8 +36,8 @@ def SE3_invert(self):
     self_13_new_b = self_11 * self_13
     self_13_new_c = self_13_new_a + self_13_new_b
     self_13_new_c_right = self_13_new_c - self_13_new_a
-    self_13_new_c_left_rest = (product_rest(self_01, self_03, self_13_new_a, self_13_new_c
-        - self_13_new_c_right))
+    self_13_new_c_left_rest = product_rest(self_01, self_03, self_13_new_a,
+        self_13_new_c - self_13_new_c_right)
     self_13_new_d = self_21 * self_23
     self_13_new_e = self_13_new_c + self_13_new_d
     self_13_new_e_right = self_13_new_e - self_13_new_c
@@ -48,25 +48,22 @@ def SE3_invert(self):
     self_23_new_b = self_12 * self_13
     self_23_new_c = self_23_new_a + self_23_new_b
     self_23_new_c_right = self_23_new_c - self_23_new_a
-    self_23_new_c_left_rest = (product_rest(self_02, self_03, self_23_new_a, self_23_new_c
-        - self_23_new_c_right))
+    self_23_new_c_left_rest = product_rest(self_02, self_03, self_23_new_a,
+        self_23_new_c - self_23_new_c_right)
     self_23_new_d = self_22 * self_23
     self_23_new_e = self_23_new_c + self_23_new_d
     self_23_new_e_right = self_23_new_e - self_23_new_c
     self_23_new_e_lo1 = (self_23_new_c - (self_23_new_e - self_23_new_e_right)
         + product_rest(self_22, self_23, self_23_new_d, self_23_new_e_right))
     self_23_new = -self_23_new_e
-    self_03_new_lo = (-(self_03_new_e_lo1
-        + (self_03_new_c_left_rest
-        + product_rest(self_10, self_13, self_03_new_b, self_03_new_c_right))))
+    self_03_new_lo = -(self_03_new_e_lo1 + (self_03_new_c_left_rest + product_rest(self_10, self_13,
+        self_03_new_b, self_03_new_c_right)))
     self_03_new_rounded = self_03_new + self_03_new_lo
-    self_13_new_lo = (-(self_13_new_e_lo1
-        + (self_13_new_c_left_rest
-        + product_rest(self_11, self_13, self_13_new_b, self_13_new_c_right))))
+    self_13_new_lo = -(self_13_new_e_lo1 + (self_13_new_c_left_rest + product_rest(self_11, self_13,
+        self_13_new_b, self_13_new_c_right)))
     self_13_new_rounded = self_13_new + self_13_new_lo
-    self_23_new_lo = (-(self_23_new_e_lo1
-        + (self_23_new_c_left_rest
-        + product_rest(self_12, self_13, self_23_new_b, self_23_new_c_right))))
+    self_23_new_lo = -(self_23_new_e_lo1 + (self_23_new_c_left_rest + product_rest(self_12, self_13,
+        self_23_new_b, self_23_new_c_right)))
     self_23_new_rounded = self_23_new + self_23_new_lo
     return (self_00, self_10, self_20, self_03_new_rounded, self_01, self_11, self_21,
         self_13_new_rounded, self_02, self_12, self_22, self_23_new_rounded)

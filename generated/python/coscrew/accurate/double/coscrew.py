@@ -6,7 +6,7 @@
 In double precision, accurate tier.
 """
 
-from numpy import absolute, float64, sqrt, where
+from numpy import absolute, float64 as real, sqrt, where
 from coscrew._exact import product_error, product_rest
 from coscrew._kernel import double_kernel as kernel
 
@@ -233,9 +233,8 @@ def coscrew_norm(ci):
     select.
     """
     ci_0, ci_1, ci_2, ci_3, ci_4, ci_5 = ci
-    small = (where(absolute(ci_0)
-        < 1e-09, where(absolute(ci_1)
-        < 1e-09, where(absolute(ci_2) < 1e-09, float64(1), float64(0)), 0), 0))
+    small = where(absolute(ci_0) < 1e-09, where(absolute(ci_1) < 1e-09,
+        where(absolute(ci_2) < 1e-09, real(1), real(0)), 0), 0)
     p_0a = small == 1
     p_0 = where(p_0a, ci_3, ci_0)
     p_1 = where(p_0a, ci_4, ci_1)
@@ -245,9 +244,8 @@ def coscrew_norm(ci):
     s_size_2 = absolute(p_2)
     s_largest1 = where(s_size_0 < s_size_1, s_size_1, s_size_0)
     s_largest2 = where(s_largest1 < s_size_2, s_size_2, s_largest1)
-    s_d = (where(s_largest2
-        < 256, 1.3093562431584567e+151, where(6.703903964971299e+153
-        < s_largest2, float64(3.7291703656001034e-155), float64(1))))
+    s_d = where(s_largest2 < 256, 1.3093562431584567e+151,
+        where(6.703903964971299e+153 < s_largest2, real(3.7291703656001034e-155), real(1)))
     s = where(s_largest2 < 1.955159272639747e-149, 1.0715086071862673e+301, s_d)
     y_0 = p_0 * s
     y_1 = p_1 * s
@@ -267,8 +265,7 @@ def coscrew_norm(ci):
     n_product = n * n
     n_lo = ((n_e_sum - n_product - product_error(n, n, n_product)
         + (n_e - (n_e_sum - n_e_sum_right) + (n_e_lo - n_e_sum_right))) / where(n == 0, 1, n + n))
-    r_d = (where(1
-        < s, 7.637340908749012e-152, where(s < 1, float64(2.6815615859885194e+154), float64(1))))
+    r_d = where(1 < s, 7.637340908749012e-152, where(s < 1, real(2.6815615859885194e+154), real(1)))
     r = where(1.3093562431584567e+151 < s, 9.332636185032189e-302, r_d)
     n_sum = n + n_lo
     n_sum_right = n_sum - n
@@ -291,8 +288,8 @@ def coscrew_normalize(self):
     small_a = absolute(self_2)
     small_d = absolute(self_1)
     small_g = absolute(self_0)
-    small = (where(small_g
-        < 1e-09, where(small_d < 1e-09, where(small_a < 1e-09, float64(1), float64(0)), 0), 0))
+    small = where(small_g < 1e-09, where(small_d < 1e-09, where(small_a < 1e-09, real(1), real(0)),
+        0), 0)
     p_0a = small == 1
     p_0 = where(p_0a, self_3, self_0)
     p_1 = where(p_0a, self_4, self_1)
@@ -302,9 +299,8 @@ def coscrew_normalize(self):
     s_size_2 = absolute(p_2)
     s_largest1 = where(s_size_0 < s_size_1, s_size_1, s_size_0)
     s_largest2 = where(s_largest1 < s_size_2, s_size_2, s_largest1)
-    s_d = (where(s_largest2
-        < 256, 1.3093562431584567e+151, where(6.703903964971299e+153
-        < s_largest2, float64(3.7291703656001034e-155), float64(1))))
+    s_d = where(s_largest2 < 256, 1.3093562431584567e+151,
+        where(6.703903964971299e+153 < s_largest2, real(3.7291703656001034e-155), real(1)))
     s = where(s_largest2 < 1.955159272639747e-149, 1.0715086071862673e+301, s_d)
     y_0 = p_0 * s
     y_1 = p_1 * s
@@ -461,8 +457,8 @@ def coscrew_normalized(ci):
     small_a = absolute(ci_2)
     small_d = absolute(ci_1)
     small_g = absolute(ci_0)
-    small = (where(small_g
-        < 1e-09, where(small_d < 1e-09, where(small_a < 1e-09, float64(1), float64(0)), 0), 0))
+    small = where(small_g < 1e-09, where(small_d < 1e-09, where(small_a < 1e-09, real(1), real(0)),
+        0), 0)
     p_0a = small == 1
     p_0 = where(p_0a, ci_3, ci_0)
     p_1 = where(p_0a, ci_4, ci_1)
@@ -472,9 +468,8 @@ def coscrew_normalized(ci):
     s_size_2 = absolute(p_2)
     s_largest1 = where(s_size_0 < s_size_1, s_size_1, s_size_0)
     s_largest2 = where(s_largest1 < s_size_2, s_size_2, s_largest1)
-    s_d = (where(s_largest2
-        < 256, 1.3093562431584567e+151, where(6.703903964971299e+153
-        < s_largest2, float64(3.7291703656001034e-155), float64(1))))
+    s_d = where(s_largest2 < 256, 1.3093562431584567e+151,
+        where(6.703903964971299e+153 < s_largest2, real(3.7291703656001034e-155), real(1)))
     s = where(s_largest2 < 1.955159272639747e-149, 1.0715086071862673e+301, s_d)
     y_0 = p_0 * s
     y_1 = p_1 * s

@@ -7,7 +7,7 @@ In double precision, accurate tier.
 """
 
 from coscrew import _elementary_double as elementary
-from numpy import absolute, float64, sqrt, where
+from numpy import absolute, float64 as real, sqrt, where
 from coscrew._exact import product_error, product_rest
 from coscrew._kernel import double_kernel as kernel
 
@@ -32,11 +32,11 @@ def SO3_exp(v):
     h_size_2 = absolute(halved_2)
     h_largest1 = where(h_size_0 < h_size_1, h_size_1, h_size_0)
     h_largest2 = where(h_largest1 < h_size_2, h_size_2, h_largest1)
-    s = where(6.703903964971299e+153 < h_largest2, float64(3.7291703656001034e-155), float64(1))
+    s = where(6.703903964971299e+153 < h_largest2, real(3.7291703656001034e-155), real(1))
     reduced_0 = halved_0 * s
     reduced_1 = halved_1 * s
     reduced_2 = halved_2 * s
-    up = where(s < 1, float64(2.6815615859885194e+154), float64(1))
+    up = where(s < 1, real(2.6815615859885194e+154), real(1))
     reduced_length_a = reduced_0 * reduced_0
     reduced_length_b = reduced_1 * reduced_1
     reduced_length_c = reduced_length_a + reduced_length_b
@@ -270,20 +270,20 @@ def SO3_log(R):
     high_3 = where(high_0b, p_2, d_0)
     column_0a = R_22 < 0
     column_0 = where(column_0a, low_0, high_0)
-    low_0_lo = (where(low_0a, first_0 - (d_1 + d_1_right) - (others_0 - d_1_right) - others_0_lo
-        + first_0_lo, s_2_lo))
+    low_0_lo = where(low_0a,
+        first_0 - (d_1 + d_1_right) - (others_0 - d_1_right) - others_0_lo + first_0_lo, s_2_lo)
     column_0_lo = where(column_0a, low_0_lo, where(high_0b, s_1_lo, p_0_lo))
     column_1 = where(column_0a, low_1, high_1)
-    low_1_lo = (where(low_0a, s_2_lo, first_1 - (d_2 - d_2_right) + (others_1 - d_2_right)
-        + others_1_lo + first_1_lo))
+    low_1_lo = where(low_0a, s_2_lo,
+        first_1 - (d_2 - d_2_right) + (others_1 - d_2_right) + others_1_lo + first_1_lo)
     column_1_lo = where(column_0a, low_1_lo, where(high_0b, s_0_lo, p_1_lo))
     column_2 = where(column_0a, low_2, high_2)
-    high_2_lo = (where(high_0b, first_1 - (d_3 + d_3_right) - (others_1 - d_3_right) - others_1_lo
-        + first_1_lo, p_2_lo))
+    high_2_lo = where(high_0b,
+        first_1 - (d_3 + d_3_right) - (others_1 - d_3_right) - others_1_lo + first_1_lo, p_2_lo)
     column_2_lo = where(column_0a, where(low_0a, s_1_lo, s_0_lo), high_2_lo)
     column_3 = where(column_0a, low_3, high_3)
-    high_3_lo = (where(high_0b, p_2_lo, first_0 - (d_0 - d_0_right) + (others_0 - d_0_right)
-        + others_0_lo + first_0_lo))
+    high_3_lo = where(high_0b, p_2_lo,
+        first_0 - (d_0 - d_0_right) + (others_0 - d_0_right) + others_0_lo + first_0_lo)
     column_3_lo = where(column_0a, where(low_0a, p_0_lo, p_1_lo), high_3_lo)
     column_3_sum = column_3 + column_3_lo
     column_3_sum_right = column_3_sum - column_3
@@ -335,11 +335,9 @@ def SO3_log(R):
     v_s_size_2_sum_lo = (v_s_size_2 - (v_s_size_2_sum - v_s_size_2_sum_right)
         + (v_s_size_2_lo - v_s_size_2_sum_right))
     v_s_largest2_sum = v_s_largest2 + where(v_s_largest2a, v_s_size_2_sum_lo, v_s_largest1_sum_lo)
-    v_s_b = (where(6.703903964971299e+153
-        < v_s_largest2_sum, float64(3.7291703656001034e-155), float64(1)))
-    v_s = (where(v_s_largest2_sum
-        < 1.955159272639747e-149, 1.0715086071862673e+301, where(v_s_largest2_sum
-        < 256, 1.3093562431584567e+151, v_s_b)))
+    v_s_b = where(6.703903964971299e+153 < v_s_largest2_sum, real(3.7291703656001034e-155), real(1))
+    v_s = where(v_s_largest2_sum < 1.955159272639747e-149, 1.0715086071862673e+301,
+        where(v_s_largest2_sum < 256, 1.3093562431584567e+151, v_s_b))
     v_y_0 = upper_0_sum * v_s
     v_y_0_inverse = 1 / v_s
     v_y_0_lo = (upper_0_sum - v_y_0 * v_y_0_inverse + upper_0_sum_lo) * v_s
@@ -368,9 +366,8 @@ def SO3_log(R):
     v_n_residual = (v_n_e_sum - v_n_product - product_error(v_n, v_n, v_n_product)
         + (v_n_e - (v_n_e_sum - v_n_e_sum_right) + (v_n_e_lo - v_n_e_sum_right)))
     v_n_lo = v_n_residual / where(v_n == 0, 1, v_n + v_n)
-    v_r_d = (where(1
-        < v_s, 7.637340908749012e-152, where(v_s
-        < 1, float64(2.6815615859885194e+154), float64(1))))
+    v_r_d = where(1 < v_s, 7.637340908749012e-152, where(v_s < 1, real(2.6815615859885194e+154),
+        real(1)))
     v_r = where(1.3093562431584567e+151 < v_s, 9.332636185032189e-302, v_r_d)
     v_n_sum = v_n + v_n_lo
     v_n_sum_right = v_n_sum - v_n
@@ -490,8 +487,9 @@ def SO3_leftJacobian(v):
     sinc_quotient_lo = ((sinc_quotient_exact
         + (sine - (sine_sum - sine_sum_right) + (sine_lo - sine_sum_right)) - sinc_quotient_cross)
         / sinc_divisor_sum)
-    sinc_lo = (where(sinc_divisor_a, sinc_b_lo1
-        - (9.25185853854297e-18 * y_sum + 0.16666666666666666 * y_sum_lo), sinc_quotient_lo))
+    sinc_lo = where(sinc_divisor_a,
+        sinc_b_lo1 - (9.25185853854297e-18 * y_sum + 0.16666666666666666 * y_sum_lo),
+        sinc_quotient_lo)
     g1 = c * sinc
     g1_cross = ((c_own_error - (sine_half_cos * sine + sine_half_sin * c) * sine_twice) * sinc + c
         * sinc_lo)
@@ -610,8 +608,9 @@ def SO3_leftJacobian(v):
     g3 = where(far_x_a, g3b, closed3)
     g3b_lo = (0.16666666666666666 - (g3b + g3b_right)
         - product_rest(x_sum, series5, g3a, g3b_right) - g3a_cross + 9.25185853854297e-18)
-    g3_lo = (where(far_x_a, g3b_lo, (closed3_numerator - closed3
-        * (far_x - (far_x_sum - far_x_sum_right) + (far_x_lo - far_x_sum_right))) / far_x_sum))
+    g3_lo = where(far_x_a, g3b_lo,
+        (closed3_numerator - closed3 * (far_x - (far_x_sum - far_x_sum_right) + (far_x_lo -
+            far_x_sum_right))) / far_x_sum)
     beta_v_0 = v_0 * g3
     beta_v_1 = v_1 * g3
     beta_v_2 = v_2 * g3
@@ -795,8 +794,9 @@ def SO3_rightJacobian(v):
     sinc_quotient_lo = ((sinc_quotient_exact
         + (sine - (sine_sum - sine_sum_right) + (sine_lo - sine_sum_right)) - sinc_quotient_cross)
         / sinc_divisor_sum)
-    sinc_lo = (where(sinc_divisor_a, sinc_b_lo1
-        - (9.25185853854297e-18 * y_sum + 0.16666666666666666 * y_sum_lo), sinc_quotient_lo))
+    sinc_lo = where(sinc_divisor_a,
+        sinc_b_lo1 - (9.25185853854297e-18 * y_sum + 0.16666666666666666 * y_sum_lo),
+        sinc_quotient_lo)
     g1 = c * sinc
     g1_cross = ((c_own_error - (sine_half_cos * sine + sine_half_sin * c) * sine_twice) * sinc + c
         * sinc_lo)
@@ -915,8 +915,9 @@ def SO3_rightJacobian(v):
     g3 = where(far_x_a, g3b, closed3)
     g3b_lo = (0.16666666666666666 - (g3b + g3b_right)
         - product_rest(x_sum, series5, g3a, g3b_right) - g3a_cross + 9.25185853854297e-18)
-    g3_lo = (where(far_x_a, g3b_lo, (closed3_numerator - closed3
-        * (far_x - (far_x_sum - far_x_sum_right) + (far_x_lo - far_x_sum_right))) / far_x_sum))
+    g3_lo = where(far_x_a, g3b_lo,
+        (closed3_numerator - closed3 * (far_x - (far_x_sum - far_x_sum_right) + (far_x_lo -
+            far_x_sum_right))) / far_x_sum)
     beta_v_0 = v_0 * g3
     beta_v_1 = v_1 * g3
     beta_v_2 = v_2 * g3
@@ -1105,8 +1106,9 @@ def SO3_leftJacobianInverse(v):
     sinc_quotient_lo = ((sinc_quotient_exact
         + (sine - (sine_sum - sine_sum_right) + (sine_lo - sine_sum_right)) - sinc_quotient_cross)
         / sinc_divisor_sum)
-    sinc_lo = (where(sinc_divisor_a, sinc_b_lo1
-        - (9.25185853854297e-18 * y_sum + 0.16666666666666666 * y_sum_lo), sinc_quotient_lo))
+    sinc_lo = where(sinc_divisor_a,
+        sinc_b_lo1 - (9.25185853854297e-18 * y_sum + 0.16666666666666666 * y_sum_lo),
+        sinc_quotient_lo)
     series_phi_a = 5.107725174524775e-32 * y_sum
     series_phi_b = 4.116826490666969e-29 - series_phi_a
     series_phi_b_right = 4.116826490666969e-29 - series_phi_b
@@ -1232,9 +1234,9 @@ def SO3_leftJacobianInverse(v):
     f = where(far_y_a, near_f, closed_f)
     closed_f_lo = ((closed_f_numerator - closed_f
         * (far_y - (far_y_sum - far_y_sum_right) + (far_y_lo - far_y_sum_right))) / far_y_sum)
-    f_lo = (where(far_y_a, near_f_lo1
-        + (1.850371707708594e-17 * sinc + 0.3333333333333333 * sinc_lo
-        + near_f_b_cross), closed_f_lo))
+    f_lo = where(far_y_a,
+        near_f_lo1 + (1.850371707708594e-17 * sinc + 0.3333333333333333 * sinc_lo + near_f_b_cross),
+        closed_f_lo)
     four_k = 4 * sinc
     four_k_cross2 = 4 * sinc_lo
     f_sum = f + f_lo
@@ -1437,8 +1439,9 @@ def SO3_rightJacobianInverse(v):
     sinc_quotient_lo = ((sinc_quotient_exact
         + (sine - (sine_sum - sine_sum_right) + (sine_lo - sine_sum_right)) - sinc_quotient_cross)
         / sinc_divisor_sum)
-    sinc_lo = (where(sinc_divisor_a, sinc_b_lo1
-        - (9.25185853854297e-18 * y_sum + 0.16666666666666666 * y_sum_lo), sinc_quotient_lo))
+    sinc_lo = where(sinc_divisor_a,
+        sinc_b_lo1 - (9.25185853854297e-18 * y_sum + 0.16666666666666666 * y_sum_lo),
+        sinc_quotient_lo)
     series_phi_a = 5.107725174524775e-32 * y_sum
     series_phi_b = 4.116826490666969e-29 - series_phi_a
     series_phi_b_right = 4.116826490666969e-29 - series_phi_b
@@ -1564,9 +1567,9 @@ def SO3_rightJacobianInverse(v):
     f = where(far_y_a, near_f, closed_f)
     closed_f_lo = ((closed_f_numerator - closed_f
         * (far_y - (far_y_sum - far_y_sum_right) + (far_y_lo - far_y_sum_right))) / far_y_sum)
-    f_lo = (where(far_y_a, near_f_lo1
-        + (1.850371707708594e-17 * sinc + 0.3333333333333333 * sinc_lo
-        + near_f_b_cross), closed_f_lo))
+    f_lo = where(far_y_a,
+        near_f_lo1 + (1.850371707708594e-17 * sinc + 0.3333333333333333 * sinc_lo + near_f_b_cross),
+        closed_f_lo)
     four_k = 4 * sinc
     four_k_cross2 = 4 * sinc_lo
     f_sum = f + f_lo
@@ -1816,8 +1819,8 @@ def mat3x3_orthonormalize(self):
     self_00_new_b = self_01 * correction_3
     self_00_new_c = self_00_new_a + self_00_new_b
     self_00_new_c_right = self_00_new_c - self_00_new_a
-    self_00_new_c_left_rest = (product_rest(self_00, correction_0, self_00_new_a, self_00_new_c
-        - self_00_new_c_right))
+    self_00_new_c_left_rest = product_rest(self_00, correction_0, self_00_new_a,
+        self_00_new_c - self_00_new_c_right)
     self_00_new_c_lo1 = (self_00_new_c_left_rest
         + product_rest(self_01, correction_3, self_00_new_b, self_00_new_c_right))
     self_00_new_d = self_02 * correction_4
@@ -1835,8 +1838,8 @@ def mat3x3_orthonormalize(self):
     self_01_new_b = self_01 * correction_1
     self_01_new_c = self_01_new_a + self_01_new_b
     self_01_new_c_right = self_01_new_c - self_01_new_a
-    self_01_new_c_left_rest = (product_rest(self_00, correction_3, self_01_new_a, self_01_new_c
-        - self_01_new_c_right))
+    self_01_new_c_left_rest = product_rest(self_00, correction_3, self_01_new_a,
+        self_01_new_c - self_01_new_c_right)
     self_01_new_c_lo1 = (self_01_new_c_left_rest
         + product_rest(self_01, correction_1, self_01_new_b, self_01_new_c_right))
     self_01_new_d = self_02 * correction_5
@@ -1854,8 +1857,8 @@ def mat3x3_orthonormalize(self):
     self_02_new_b = self_01 * correction_5
     self_02_new_c = self_02_new_a + self_02_new_b
     self_02_new_c_right = self_02_new_c - self_02_new_a
-    self_02_new_c_left_rest = (product_rest(self_00, correction_4, self_02_new_a, self_02_new_c
-        - self_02_new_c_right))
+    self_02_new_c_left_rest = product_rest(self_00, correction_4, self_02_new_a,
+        self_02_new_c - self_02_new_c_right)
     self_02_new_c_lo1 = (self_02_new_c_left_rest
         + product_rest(self_01, correction_5, self_02_new_b, self_02_new_c_right))
     self_02_new_d = self_02 * correction_2
@@ -1873,8 +1876,8 @@ def mat3x3_orthonormalize(self):
     self_10_new_b = self_11 * correction_3
     self_10_new_c = self_10_new_a + self_10_new_b
     self_10_new_c_right = self_10_new_c - self_10_new_a
-    self_10_new_c_left_rest = (product_rest(self_10, correction_0, self_10_new_a, self_10_new_c
-        - self_10_new_c_right))
+    self_10_new_c_left_rest = product_rest(self_10, correction_0, self_10_new_a,
+        self_10_new_c - self_10_new_c_right)
     self_10_new_c_lo1 = (self_10_new_c_left_rest
         + product_rest(self_11, correction_3, self_10_new_b, self_10_new_c_right))
     self_10_new_d = self_12 * correction_4
@@ -1892,8 +1895,8 @@ def mat3x3_orthonormalize(self):
     self_11_new_b = self_11 * correction_1
     self_11_new_c = self_11_new_a + self_11_new_b
     self_11_new_c_right = self_11_new_c - self_11_new_a
-    self_11_new_c_left_rest = (product_rest(self_10, correction_3, self_11_new_a, self_11_new_c
-        - self_11_new_c_right))
+    self_11_new_c_left_rest = product_rest(self_10, correction_3, self_11_new_a,
+        self_11_new_c - self_11_new_c_right)
     self_11_new_c_lo1 = (self_11_new_c_left_rest
         + product_rest(self_11, correction_1, self_11_new_b, self_11_new_c_right))
     self_11_new_d = self_12 * correction_5
@@ -1911,8 +1914,8 @@ def mat3x3_orthonormalize(self):
     self_12_new_b = self_11 * correction_5
     self_12_new_c = self_12_new_a + self_12_new_b
     self_12_new_c_right = self_12_new_c - self_12_new_a
-    self_12_new_c_left_rest = (product_rest(self_10, correction_4, self_12_new_a, self_12_new_c
-        - self_12_new_c_right))
+    self_12_new_c_left_rest = product_rest(self_10, correction_4, self_12_new_a,
+        self_12_new_c - self_12_new_c_right)
     self_12_new_c_lo1 = (self_12_new_c_left_rest
         + product_rest(self_11, correction_5, self_12_new_b, self_12_new_c_right))
     self_12_new_d = self_12 * correction_2
@@ -1930,8 +1933,8 @@ def mat3x3_orthonormalize(self):
     self_20_new_b = self_21 * correction_3
     self_20_new_c = self_20_new_a + self_20_new_b
     self_20_new_c_right = self_20_new_c - self_20_new_a
-    self_20_new_c_left_rest = (product_rest(self_20, correction_0, self_20_new_a, self_20_new_c
-        - self_20_new_c_right))
+    self_20_new_c_left_rest = product_rest(self_20, correction_0, self_20_new_a,
+        self_20_new_c - self_20_new_c_right)
     self_20_new_c_lo1 = (self_20_new_c_left_rest
         + product_rest(self_21, correction_3, self_20_new_b, self_20_new_c_right))
     self_20_new_d = self_22 * correction_4
@@ -1949,8 +1952,8 @@ def mat3x3_orthonormalize(self):
     self_21_new_b = self_21 * correction_1
     self_21_new_c = self_21_new_a + self_21_new_b
     self_21_new_c_right = self_21_new_c - self_21_new_a
-    self_21_new_c_left_rest = (product_rest(self_20, correction_3, self_21_new_a, self_21_new_c
-        - self_21_new_c_right))
+    self_21_new_c_left_rest = product_rest(self_20, correction_3, self_21_new_a,
+        self_21_new_c - self_21_new_c_right)
     self_21_new_c_lo1 = (self_21_new_c_left_rest
         + product_rest(self_21, correction_1, self_21_new_b, self_21_new_c_right))
     self_21_new_d = self_22 * correction_5
@@ -1968,8 +1971,8 @@ def mat3x3_orthonormalize(self):
     self_22_new_b = self_21 * correction_5
     self_22_new_c = self_22_new_a + self_22_new_b
     self_22_new_c_right = self_22_new_c - self_22_new_a
-    self_22_new_c_left_rest = (product_rest(self_20, correction_4, self_22_new_a, self_22_new_c
-        - self_22_new_c_right))
+    self_22_new_c_left_rest = product_rest(self_20, correction_4, self_22_new_a,
+        self_22_new_c - self_22_new_c_right)
     self_22_new_c_lo1 = (self_22_new_c_left_rest
         + product_rest(self_21, correction_5, self_22_new_b, self_22_new_c_right))
     self_22_new_d = self_22 * correction_2
@@ -2343,8 +2346,8 @@ def SE3_exp(s):
         - product_rest(0.16666666666666666, y_sum, sinc_a, sinc_b_right))
     sinc = where(sinc_divisor_a, sinc_b, sinc_quotient)
     sinc_b_lo = sinc_b_lo1 - (9.25185853854297e-18 * y_sum + 0.16666666666666666 * y_sum_lo)
-    sinc_lo = (where(sinc_divisor_a, sinc_b_lo, (sinc_quotient_numerator - sinc_quotient_cross)
-        / sinc_divisor_sum))
+    sinc_lo = where(sinc_divisor_a, sinc_b_lo,
+        (sinc_quotient_numerator - sinc_quotient_cross) / sinc_divisor_sum)
     g1 = c * sinc
     g1_cross = ((c_own_error - (sine_half_cos * sine + sine_half_sin * c) * sine_twice) * sinc + c
         * sinc_lo)
@@ -2496,8 +2499,9 @@ def SE3_exp(s):
     wv_c_lo = (product_rest(s_0, s_3, wv_a, wv_c - wv_c_right)
         + product_rest(s_1, s_4, wv_b, wv_c_right))
     pitch = g3 * wv
-    g3_lo = (where(far_x_a, g3b_lo, (closed3_numerator - closed3
-        * (far_x - (far_x_sum - far_x_sum_right) + (far_x_lo - far_x_sum_right))) / far_x_sum))
+    g3_lo = where(far_x_a, g3b_lo,
+        (closed3_numerator - closed3 * (far_x - (far_x_sum - far_x_sum_right) + (far_x_lo -
+            far_x_sum_right))) / far_x_sum)
     pitch_lo = (product_error(g3, wv, pitch)
         + (g3_lo * wv + g3
         * (wv_c - (wv - wv_right) + product_rest(s_2, s_5, wv_d, wv_right) + wv_c_lo)))
@@ -2721,20 +2725,20 @@ def SE3_log(D):
     high_3 = where(high_0b, p_2, d_0)
     column_0a = D_22 < 0
     column_0 = where(column_0a, low_0, high_0)
-    low_0_lo = (where(low_0a, first_0 - (d_1 + d_1_right) - (others_0 - d_1_right) - others_0_lo
-        + first_0_lo, s_2_lo))
+    low_0_lo = where(low_0a,
+        first_0 - (d_1 + d_1_right) - (others_0 - d_1_right) - others_0_lo + first_0_lo, s_2_lo)
     column_0_lo = where(column_0a, low_0_lo, where(high_0b, s_1_lo, p_0_lo))
     column_1 = where(column_0a, low_1, high_1)
-    low_1_lo = (where(low_0a, s_2_lo, first_1 - (d_2 - d_2_right) + (others_1 - d_2_right)
-        + others_1_lo + first_1_lo))
+    low_1_lo = where(low_0a, s_2_lo,
+        first_1 - (d_2 - d_2_right) + (others_1 - d_2_right) + others_1_lo + first_1_lo)
     column_1_lo = where(column_0a, low_1_lo, where(high_0b, s_0_lo, p_1_lo))
     column_2 = where(column_0a, low_2, high_2)
-    high_2_lo = (where(high_0b, first_1 - (d_3 + d_3_right) - (others_1 - d_3_right) - others_1_lo
-        + first_1_lo, p_2_lo))
+    high_2_lo = where(high_0b,
+        first_1 - (d_3 + d_3_right) - (others_1 - d_3_right) - others_1_lo + first_1_lo, p_2_lo)
     column_2_lo = where(column_0a, where(low_0a, s_1_lo, s_0_lo), high_2_lo)
     column_3 = where(column_0a, low_3, high_3)
-    high_3_lo = (where(high_0b, p_2_lo, first_0 - (d_0 - d_0_right) + (others_0 - d_0_right)
-        + others_0_lo + first_0_lo))
+    high_3_lo = where(high_0b, p_2_lo,
+        first_0 - (d_0 - d_0_right) + (others_0 - d_0_right) + others_0_lo + first_0_lo)
     column_3_lo = where(column_0a, where(low_0a, p_0_lo, p_1_lo), high_3_lo)
     column_3_sum = column_3 + column_3_lo
     column_3_sum_right = column_3_sum - column_3
@@ -2786,11 +2790,9 @@ def SE3_log(D):
     v_s_size_2_sum_lo = (v_s_size_2 - (v_s_size_2_sum - v_s_size_2_sum_right)
         + (v_s_size_2_lo - v_s_size_2_sum_right))
     v_s_largest2_sum = v_s_largest2 + where(v_s_largest2a, v_s_size_2_sum_lo, v_s_largest1_sum_lo)
-    v_s_b = (where(6.703903964971299e+153
-        < v_s_largest2_sum, float64(3.7291703656001034e-155), float64(1)))
-    v_s = (where(v_s_largest2_sum
-        < 1.955159272639747e-149, 1.0715086071862673e+301, where(v_s_largest2_sum
-        < 256, 1.3093562431584567e+151, v_s_b)))
+    v_s_b = where(6.703903964971299e+153 < v_s_largest2_sum, real(3.7291703656001034e-155), real(1))
+    v_s = where(v_s_largest2_sum < 1.955159272639747e-149, 1.0715086071862673e+301,
+        where(v_s_largest2_sum < 256, 1.3093562431584567e+151, v_s_b))
     v_y_0 = upper_0_sum * v_s
     v_y_0_inverse = 1 / v_s
     v_y_0_lo = (upper_0_sum - v_y_0 * v_y_0_inverse + upper_0_sum_lo) * v_s
@@ -2819,9 +2821,8 @@ def SE3_log(D):
     v_n_residual = (v_n_e_sum - v_n_product - product_error(v_n, v_n, v_n_product)
         + (v_n_e - (v_n_e_sum - v_n_e_sum_right) + (v_n_e_lo - v_n_e_sum_right)))
     v_n_lo = v_n_residual / where(v_n == 0, 1, v_n + v_n)
-    v_r_d = (where(1
-        < v_s, 7.637340908749012e-152, where(v_s
-        < 1, float64(2.6815615859885194e+154), float64(1))))
+    v_r_d = where(1 < v_s, 7.637340908749012e-152, where(v_s < 1, real(2.6815615859885194e+154),
+        real(1)))
     v_r = where(1.3093562431584567e+151 < v_s, 9.332636185032189e-302, v_r_d)
     v_n_sum = v_n + v_n_lo
     v_n_sum_right = v_n_sum - v_n
@@ -2842,8 +2843,8 @@ def SE3_log(D):
     half_divisor = where(half_zero, 1, half_most)
     half_part0 = n_sum / half_divisor
     half_part1 = upper_3_sum / half_divisor
-    half_safe = (where(half_zero, 1, half_divisor
-        * (half_part1 * half_part1 + half_part0 * half_part0)))
+    half_safe = where(half_zero, 1,
+        half_divisor * (half_part1 * half_part1 + half_part0 * half_part0))
     divisor_a = n_sum == 0
     divisor = where(divisor_a, 1, n_sum)
     divisor_lo = where(divisor_a, 0, n_sum_lo)
@@ -2899,8 +2900,9 @@ def SE3_log(D):
     half_angle_sum_right = half_angle_sum - half_angle
     sinc_divisor_a = half_angle_sum < 1.4901161193847656e-08
     sinc_divisor = where(sinc_divisor_a, 1.4901161193847656e-08, half_angle_sum)
-    sinc_divisor_lo = (where(sinc_divisor_a, 0, half_angle
-        - (half_angle_sum - half_angle_sum_right) + (half_angle_cross2 - half_angle_sum_right)))
+    sinc_divisor_lo = where(sinc_divisor_a, 0,
+        half_angle - (half_angle_sum - half_angle_sum_right) + (half_angle_cross2 -
+            half_angle_sum_right))
     sine_sum = sine + sine_lo
     sine_sum_right = sine_sum - sine
     sinc_divisor_sum = sinc_divisor + sinc_divisor_lo
@@ -2923,8 +2925,8 @@ def SE3_log(D):
     sinc_quotient_lo = ((sinc_quotient_exact
         + (sine - (sine_sum - sine_sum_right) + (sine_lo - sine_sum_right)) - sinc_quotient_cross)
         / sinc_divisor_sum)
-    sinc_lo = (where(sinc_divisor_a, sinc_b_lo1
-        - (9.25185853854297e-18 * y + 0.16666666666666666 * y_lo), sinc_quotient_lo))
+    sinc_lo = where(sinc_divisor_a,
+        sinc_b_lo1 - (9.25185853854297e-18 * y + 0.16666666666666666 * y_lo), sinc_quotient_lo)
     series_phi_a = 5.107725174524775e-32 * y
     series_phi_b = 4.116826490666969e-29 - series_phi_a
     series_phi_b_right = 4.116826490666969e-29 - series_phi_b
@@ -3050,9 +3052,8 @@ def SE3_log(D):
     f = where(far_y_a, near_f, closed_f)
     closed_f_lo = ((closed_f_numerator - closed_f
         * (far_y - (far_y_sum - far_y_sum_right) + (far_y_lo - far_y_sum_right))) / far_y_sum)
-    f_lo = (where(far_y_a, near_f_left_rest
-        + product_rest(0.3333333333333333, f_more, near_f_b, near_f_right)
-        + near_f_cross, closed_f_lo))
+    f_lo = where(far_y_a, near_f_left_rest + product_rest(0.3333333333333333, f_more, near_f_b,
+        near_f_right) + near_f_cross, closed_f_lo)
     four_k = 4 * sinc
     four_k_cross2 = 4 * sinc_lo
     f_sum = f + f_lo
@@ -3238,8 +3239,9 @@ def SE3_leftJacobian(s):
     sinc_quotient_lo = ((sinc_quotient_exact
         + (sine - (sine_sum - sine_sum_right) + (sine_lo - sine_sum_right)) - sinc_quotient_cross)
         / sinc_divisor_sum)
-    sinc_lo = (where(sinc_divisor_a, sinc_b_lo1
-        - (9.25185853854297e-18 * y_sum + 0.16666666666666666 * y_sum_lo), sinc_quotient_lo))
+    sinc_lo = where(sinc_divisor_a,
+        sinc_b_lo1 - (9.25185853854297e-18 * y_sum + 0.16666666666666666 * y_sum_lo),
+        sinc_quotient_lo)
     g1 = c * sinc
     g1_cross = ((c_own_error - (sine_half_cos * sine + sine_half_sin * c) * sine_twice) * sinc + c
         * sinc_lo)
@@ -3668,8 +3670,8 @@ def SE3_leftJacobian(s):
         * (product_error(s_5, rate_bend, rate_bend_w_2) + s_5 * rate_bend_lo))
     rate_diagonal_0c = rate_diagonal_0a + rate_diagonal_0b
     rate_diagonal_0c_right = rate_diagonal_0c - rate_diagonal_0a
-    rate_diagonal_0c_left_rest = product_rest(s_4, rate_bend_w_1, rate_diagonal_0a, rate_diagonal_0c
-        - rate_diagonal_0c_right)
+    rate_diagonal_0c_left_rest = product_rest(s_4, rate_bend_w_1, rate_diagonal_0a,
+        rate_diagonal_0c - rate_diagonal_0c_right)
     rate_diagonal_0c_lo1 = (rate_diagonal_0c_left_rest
         + product_rest(s_5, rate_bend_w_2, rate_diagonal_0b, rate_diagonal_0c_right))
     rate_diagonal_0d = 2 * s_4
@@ -3694,8 +3696,8 @@ def SE3_leftJacobian(s):
     rate_diagonal_1a_cross2 = s_3 * rate_bend_w_0_lo
     rate_diagonal_1b = rate_diagonal_1a + rate_diagonal_0b
     rate_diagonal_1b_right = rate_diagonal_1b - rate_diagonal_1a
-    rate_diagonal_1b_left_rest = product_rest(s_3, rate_bend_w_0, rate_diagonal_1a, rate_diagonal_1b
-        - rate_diagonal_1b_right)
+    rate_diagonal_1b_left_rest = product_rest(s_3, rate_bend_w_0, rate_diagonal_1a,
+        rate_diagonal_1b - rate_diagonal_1b_right)
     rate_diagonal_1b_lo1 = (rate_diagonal_1b_left_rest
         + product_rest(s_5, rate_bend_w_2, rate_diagonal_0b, rate_diagonal_1b_right))
     rate_diagonal_1c = 2 * s_3
@@ -3715,8 +3717,8 @@ def SE3_leftJacobian(s):
         - (rate_diagonal_1e_lo1 + (rate_diagonal_1d_cross2 + rate_diagonal_0g_cross2)))
     rate_diagonal_2a = rate_diagonal_1a + rate_diagonal_0a
     rate_diagonal_2a_right = rate_diagonal_2a - rate_diagonal_1a
-    rate_diagonal_2a_left_rest = product_rest(s_3, rate_bend_w_0, rate_diagonal_1a, rate_diagonal_2a
-        - rate_diagonal_2a_right)
+    rate_diagonal_2a_left_rest = product_rest(s_3, rate_bend_w_0, rate_diagonal_1a,
+        rate_diagonal_2a - rate_diagonal_2a_right)
     rate_diagonal_2a_lo1 = (rate_diagonal_2a_left_rest
         + product_rest(s_4, rate_bend_w_1, rate_diagonal_0a, rate_diagonal_2a_right))
     rate_diagonal_2b = rate_diagonal_1d + rate_diagonal_0e
@@ -3889,8 +3891,9 @@ def SE3_rightJacobian(s):
     sinc_quotient_lo = ((sinc_quotient_exact
         + (sine - (sine_sum - sine_sum_right) + (sine_lo - sine_sum_right)) - sinc_quotient_cross)
         / sinc_divisor_sum)
-    sinc_lo = (where(sinc_divisor_a, sinc_b_lo1
-        - (9.25185853854297e-18 * y_sum + 0.16666666666666666 * y_sum_lo), sinc_quotient_lo))
+    sinc_lo = where(sinc_divisor_a,
+        sinc_b_lo1 - (9.25185853854297e-18 * y_sum + 0.16666666666666666 * y_sum_lo),
+        sinc_quotient_lo)
     g1 = c * sinc
     g1_cross = ((c_own_error - (sine_half_cos * sine + sine_half_sin * c) * sine_twice) * sinc + c
         * sinc_lo)
@@ -4337,8 +4340,8 @@ def SE3_rightJacobian(s):
         * (product_error(-s_5, rate_bend, rate_bend_w_2) + -(s_5 * rate_bend_lo)))
     rate_diagonal_0h = rate_diagonal_0f + rate_diagonal_0g
     rate_diagonal_0h_right = rate_diagonal_0h - rate_diagonal_0f
-    rate_diagonal_0h_left_rest = product_rest(s_4, rate_bend_w_1, rate_diagonal_0f, rate_diagonal_0h
-        - rate_diagonal_0h_right)
+    rate_diagonal_0h_left_rest = product_rest(s_4, rate_bend_w_1, rate_diagonal_0f,
+        rate_diagonal_0h - rate_diagonal_0h_right)
     rate_diagonal_0h_lo1 = (rate_diagonal_0h_left_rest
         + product_rest(s_5, rate_bend_w_2, rate_diagonal_0g, rate_diagonal_0h_right))
     rate_diagonal_0 = rate_diagonal_0e - rate_diagonal_0h
@@ -4360,8 +4363,8 @@ def SE3_rightJacobian(s):
     rate_diagonal_1d_cross2 = s_3 * rate_bend_w_0_lo
     rate_diagonal_1e = rate_diagonal_1d + rate_diagonal_0g
     rate_diagonal_1e_right = rate_diagonal_1e - rate_diagonal_1d
-    rate_diagonal_1e_left_rest = product_rest(s_3, rate_bend_w_0, rate_diagonal_1d, rate_diagonal_1e
-        - rate_diagonal_1e_right)
+    rate_diagonal_1e_left_rest = product_rest(s_3, rate_bend_w_0, rate_diagonal_1d,
+        rate_diagonal_1e - rate_diagonal_1e_right)
     rate_diagonal_1e_lo1 = (rate_diagonal_1e_left_rest
         + product_rest(s_5, rate_bend_w_2, rate_diagonal_0g, rate_diagonal_1e_right))
     rate_diagonal_1 = rate_diagonal_1c - rate_diagonal_1e
@@ -4378,8 +4381,8 @@ def SE3_rightJacobian(s):
         + product_rest(rate_diagonal_0a, rate_beta_v_1, rate_diagonal_0b, rate_diagonal_2a_right))
     rate_diagonal_2b = rate_diagonal_1d + rate_diagonal_0f
     rate_diagonal_2b_right = rate_diagonal_2b - rate_diagonal_1d
-    rate_diagonal_2b_left_rest = product_rest(s_3, rate_bend_w_0, rate_diagonal_1d, rate_diagonal_2b
-        - rate_diagonal_2b_right)
+    rate_diagonal_2b_left_rest = product_rest(s_3, rate_bend_w_0, rate_diagonal_1d,
+        rate_diagonal_2b - rate_diagonal_2b_right)
     rate_diagonal_2b_lo1 = (rate_diagonal_2b_left_rest
         + product_rest(s_4, rate_bend_w_1, rate_diagonal_0f, rate_diagonal_2b_right))
     rate_diagonal_2 = rate_diagonal_2a - rate_diagonal_2b
@@ -4547,8 +4550,9 @@ def SE3_leftJacobianInverse(s):
     sinc_quotient_lo = ((sinc_quotient_exact
         + (sine - (sine_sum - sine_sum_right) + (sine_lo - sine_sum_right)) - sinc_quotient_cross)
         / sinc_divisor_sum)
-    sinc_lo = (where(sinc_divisor_a, sinc_b_lo1
-        - (9.25185853854297e-18 * y_sum + 0.16666666666666666 * y_sum_lo), sinc_quotient_lo))
+    sinc_lo = where(sinc_divisor_a,
+        sinc_b_lo1 - (9.25185853854297e-18 * y_sum + 0.16666666666666666 * y_sum_lo),
+        sinc_quotient_lo)
     series_phi_a = 5.107725174524775e-32 * y_sum
     series_phi_b = 4.116826490666969e-29 - series_phi_a
     series_phi_b_right = 4.116826490666969e-29 - series_phi_b
@@ -4675,9 +4679,8 @@ def SE3_leftJacobianInverse(s):
     closed_f_lo = ((closed_f_exact
         + (f_rest - (f_rest_sum - f_rest_sum_right) + (f_rest_lo - f_rest_sum_right)) - closed_f
         * far_y_sum_lo) / far_y_sum)
-    f_lo = (where(far_y_a, near_f_left_rest
-        + product_rest(0.3333333333333333, f_more, near_f_b, near_f_right)
-        + near_f_cross, closed_f_lo))
+    f_lo = where(far_y_a, near_f_left_rest + product_rest(0.3333333333333333, f_more, near_f_b,
+        near_f_right) + near_f_cross, closed_f_lo)
     four_k = 4 * sinc
     four_k_cross2 = 4 * sinc_lo
     f_sum = f + f_lo
@@ -4909,8 +4912,8 @@ def SE3_leftJacobianInverse(s):
         * (product_error(s_5, rate_bend, rate_bend_w_2) + s_5 * rate_bend_lo))
     rate_diagonal_0c = rate_diagonal_0a + rate_diagonal_0b
     rate_diagonal_0c_right = rate_diagonal_0c - rate_diagonal_0a
-    rate_diagonal_0c_left_rest = product_rest(s_4, rate_bend_w_1, rate_diagonal_0a, rate_diagonal_0c
-        - rate_diagonal_0c_right)
+    rate_diagonal_0c_left_rest = product_rest(s_4, rate_bend_w_1, rate_diagonal_0a,
+        rate_diagonal_0c - rate_diagonal_0c_right)
     rate_diagonal_0c_lo1 = (rate_diagonal_0c_left_rest
         + product_rest(s_5, rate_bend_w_2, rate_diagonal_0b, rate_diagonal_0c_right))
     rate_diagonal_0d = 2 * s_4
@@ -4935,8 +4938,8 @@ def SE3_leftJacobianInverse(s):
     rate_diagonal_1a_cross2 = s_3 * rate_bend_w_0_lo
     rate_diagonal_1b = rate_diagonal_1a + rate_diagonal_0b
     rate_diagonal_1b_right = rate_diagonal_1b - rate_diagonal_1a
-    rate_diagonal_1b_left_rest = product_rest(s_3, rate_bend_w_0, rate_diagonal_1a, rate_diagonal_1b
-        - rate_diagonal_1b_right)
+    rate_diagonal_1b_left_rest = product_rest(s_3, rate_bend_w_0, rate_diagonal_1a,
+        rate_diagonal_1b - rate_diagonal_1b_right)
     rate_diagonal_1b_lo1 = (rate_diagonal_1b_left_rest
         + product_rest(s_5, rate_bend_w_2, rate_diagonal_0b, rate_diagonal_1b_right))
     rate_diagonal_1c = 2 * s_3
@@ -4956,8 +4959,8 @@ def SE3_leftJacobianInverse(s):
         - (rate_diagonal_1e_lo1 + (rate_diagonal_1d_cross2 + rate_diagonal_0g_cross2)))
     rate_diagonal_2a = rate_diagonal_1a + rate_diagonal_0a
     rate_diagonal_2a_right = rate_diagonal_2a - rate_diagonal_1a
-    rate_diagonal_2a_left_rest = product_rest(s_3, rate_bend_w_0, rate_diagonal_1a, rate_diagonal_2a
-        - rate_diagonal_2a_right)
+    rate_diagonal_2a_left_rest = product_rest(s_3, rate_bend_w_0, rate_diagonal_1a,
+        rate_diagonal_2a - rate_diagonal_2a_right)
     rate_diagonal_2a_lo1 = (rate_diagonal_2a_left_rest
         + product_rest(s_4, rate_bend_w_1, rate_diagonal_0a, rate_diagonal_2a_right))
     rate_diagonal_2b = rate_diagonal_1d + rate_diagonal_0e
@@ -5128,8 +5131,9 @@ def SE3_rightJacobianInverse(s):
     sinc_quotient_lo = ((sinc_quotient_exact
         + (sine - (sine_sum - sine_sum_right) + (sine_lo - sine_sum_right)) - sinc_quotient_cross)
         / sinc_divisor_sum)
-    sinc_lo = (where(sinc_divisor_a, sinc_b_lo1
-        - (9.25185853854297e-18 * y_sum + 0.16666666666666666 * y_sum_lo), sinc_quotient_lo))
+    sinc_lo = where(sinc_divisor_a,
+        sinc_b_lo1 - (9.25185853854297e-18 * y_sum + 0.16666666666666666 * y_sum_lo),
+        sinc_quotient_lo)
     series_phi_a = 5.107725174524775e-32 * y_sum
     series_phi_b = 4.116826490666969e-29 - series_phi_a
     series_phi_b_right = 4.116826490666969e-29 - series_phi_b
@@ -5256,9 +5260,8 @@ def SE3_rightJacobianInverse(s):
     closed_f_lo = ((closed_f_exact
         + (f_rest - (f_rest_sum - f_rest_sum_right) + (f_rest_lo - f_rest_sum_right)) - closed_f
         * far_y_sum_lo) / far_y_sum)
-    f_lo = (where(far_y_a, near_f_left_rest
-        + product_rest(0.3333333333333333, f_more, near_f_b, near_f_right)
-        + near_f_cross, closed_f_lo))
+    f_lo = where(far_y_a, near_f_left_rest + product_rest(0.3333333333333333, f_more, near_f_b,
+        near_f_right) + near_f_cross, closed_f_lo)
     four_k = 4 * sinc
     four_k_cross2 = 4 * sinc_lo
     f_sum = f + f_lo
@@ -5499,8 +5502,8 @@ def SE3_rightJacobianInverse(s):
         * (product_error(-s_5, rate_bend, rate_bend_w_2) + -(s_5 * rate_bend_lo)))
     rate_diagonal_0h = rate_diagonal_0f + rate_diagonal_0g
     rate_diagonal_0h_right = rate_diagonal_0h - rate_diagonal_0f
-    rate_diagonal_0h_left_rest = product_rest(s_4, rate_bend_w_1, rate_diagonal_0f, rate_diagonal_0h
-        - rate_diagonal_0h_right)
+    rate_diagonal_0h_left_rest = product_rest(s_4, rate_bend_w_1, rate_diagonal_0f,
+        rate_diagonal_0h - rate_diagonal_0h_right)
     rate_diagonal_0h_lo1 = (rate_diagonal_0h_left_rest
         + product_rest(s_5, rate_bend_w_2, rate_diagonal_0g, rate_diagonal_0h_right))
     rate_diagonal_0 = rate_diagonal_0e - rate_diagonal_0h
@@ -5522,8 +5525,8 @@ def SE3_rightJacobianInverse(s):
     rate_diagonal_1d_cross2 = s_3 * rate_bend_w_0_lo
     rate_diagonal_1e = rate_diagonal_1d + rate_diagonal_0g
     rate_diagonal_1e_right = rate_diagonal_1e - rate_diagonal_1d
-    rate_diagonal_1e_left_rest = product_rest(s_3, rate_bend_w_0, rate_diagonal_1d, rate_diagonal_1e
-        - rate_diagonal_1e_right)
+    rate_diagonal_1e_left_rest = product_rest(s_3, rate_bend_w_0, rate_diagonal_1d,
+        rate_diagonal_1e - rate_diagonal_1e_right)
     rate_diagonal_1e_lo1 = (rate_diagonal_1e_left_rest
         + product_rest(s_5, rate_bend_w_2, rate_diagonal_0g, rate_diagonal_1e_right))
     rate_diagonal_1 = rate_diagonal_1c - rate_diagonal_1e
@@ -5540,8 +5543,8 @@ def SE3_rightJacobianInverse(s):
         + product_rest(rate_diagonal_0a, rate_beta_v_1, rate_diagonal_0b, rate_diagonal_2a_right))
     rate_diagonal_2b = rate_diagonal_1d + rate_diagonal_0f
     rate_diagonal_2b_right = rate_diagonal_2b - rate_diagonal_1d
-    rate_diagonal_2b_left_rest = product_rest(s_3, rate_bend_w_0, rate_diagonal_1d, rate_diagonal_2b
-        - rate_diagonal_2b_right)
+    rate_diagonal_2b_left_rest = product_rest(s_3, rate_bend_w_0, rate_diagonal_1d,
+        rate_diagonal_2b - rate_diagonal_2b_right)
     rate_diagonal_2b_lo1 = (rate_diagonal_2b_left_rest
         + product_rest(s_4, rate_bend_w_1, rate_diagonal_0f, rate_diagonal_2b_right))
     rate_diagonal_2 = rate_diagonal_2a - rate_diagonal_2b
@@ -5783,8 +5786,8 @@ def SE3_interpolated(D1, D2, k):
     between_11b = D1_12 * apart_1
     between_11c = between_11a + between_11b
     between_11c_right = between_11c - between_11a
-    between_11c_left_rest = (product_rest(D1_02, apart_0, between_11a, between_11c
-        - between_11c_right))
+    between_11c_left_rest = product_rest(D1_02, apart_0, between_11a,
+        between_11c - between_11c_right)
     between_11d = D1_22 * apart_2
     between_11 = between_11c + between_11d
     between_11_right = between_11 - between_11c
@@ -5932,11 +5935,11 @@ def SE3_interpolated(D1, D2, k):
         + (log_v_s_size_2_lo - log_v_s_size_2_sum_right))
     log_v_s_largest2_sum = (log_v_s_largest2
         + where(log_v_s_largest2a, log_v_s_size_2_sum_lo, log_v_s_largest1_sum_lo))
-    log_v_s_b = (where(6.703903964971299e+153
-        < log_v_s_largest2_sum, float64(3.7291703656001034e-155), float64(1)))
+    log_v_s_b = where(6.703903964971299e+153 < log_v_s_largest2_sum, real(3.7291703656001034e-155),
+        real(1))
     log_v_s_d = where(log_v_s_largest2_sum < 256, 1.3093562431584567e+151, log_v_s_b)
-    log_v_s = (where(log_v_s_largest2_sum
-        < 1.955159272639747e-149, 1.0715086071862673e+301, log_v_s_d))
+    log_v_s = where(log_v_s_largest2_sum < 1.955159272639747e-149, 1.0715086071862673e+301,
+        log_v_s_d)
     log_v_y_0 = log_upper_0_sum * log_v_s
     log_v_y_0_inverse = 1 / log_v_s
     log_v_y_0_lo = (log_upper_0_sum - log_v_y_0 * log_v_y_0_inverse + log_upper_0_sum_lo) * log_v_s
@@ -5969,9 +5972,8 @@ def SE3_interpolated(D1, D2, k):
     log_v_n_residual = (log_v_n_e_sum - log_v_n_product
         - product_error(log_v_n, log_v_n, log_v_n_product) + log_v_n_e_sum_lo)
     log_v_n_lo = log_v_n_residual / where(log_v_n == 0, 1, log_v_n + log_v_n)
-    log_v_r_d = (where(1
-        < log_v_s, 7.637340908749012e-152, where(log_v_s
-        < 1, float64(2.6815615859885194e+154), float64(1))))
+    log_v_r_d = where(1 < log_v_s, 7.637340908749012e-152, where(log_v_s < 1,
+        real(2.6815615859885194e+154), real(1)))
     log_v_r = where(1.3093562431584567e+151 < log_v_s, 9.332636185032189e-302, log_v_r_d)
     log_v_n_sum = log_v_n + log_v_n_lo
     log_v_n_sum_right = log_v_n_sum - log_v_n
@@ -5994,8 +5996,8 @@ def SE3_interpolated(D1, D2, k):
     log_half_divisor = where(log_half_zero, 1, log_half_most)
     log_half_part0 = log_n_sum / log_half_divisor
     log_half_part1 = log_upper_3_sum / log_half_divisor
-    log_half_safe = (where(log_half_zero, 1, log_half_divisor
-        * (log_half_part1 * log_half_part1 + log_half_part0 * log_half_part0)))
+    log_half_safe = where(log_half_zero, 1,
+        log_half_divisor * (log_half_part1 * log_half_part1 + log_half_part0 * log_half_part0))
     log_half_more = ((log_half_part1 * log_n_sum_lo - log_half_part0 * log_upper_3_sum_lo)
         / log_half_safe)
     log_divisor_a = log_n_sum == 0
@@ -6028,8 +6030,8 @@ def SE3_interpolated(D1, D2, k):
     log_length_c = log_length_a + log_length_b
     log_length_c_right = log_length_c - log_length_a
     log_length_b_cross = log_upper_3_sum_lo * log_upper_3_sum + log_upper_3_sum * log_upper_3_sum_lo
-    log_length_c_left_rest = (product_rest(log_n_sum, log_n_sum, log_length_a, log_length_c
-        - log_length_c_right))
+    log_length_c_left_rest = product_rest(log_n_sum, log_n_sum, log_length_a,
+        log_length_c - log_length_c_right)
     log_length_c_lo1 = (log_length_c_left_rest
         + product_rest(log_upper_3_sum, log_upper_3_sum, log_length_b, log_length_c_right))
     log_length_c_lo = (log_length_c_lo1
@@ -6088,8 +6090,9 @@ def SE3_interpolated(D1, D2, k):
     log_sinc = where(log_sinc_divisor_a, log_sinc_b, log_sinc_quotient)
     log_sinc_quotient_lo = ((log_sinc_quotient_numerator - log_sinc_quotient
         * log_sinc_divisor_sum_lo) / log_sinc_divisor_sum)
-    log_sinc_lo = (where(log_sinc_divisor_a, log_sinc_b_lo1
-        - (9.25185853854297e-18 * log_y + 0.16666666666666666 * log_y_lo), log_sinc_quotient_lo))
+    log_sinc_lo = where(log_sinc_divisor_a,
+        log_sinc_b_lo1 - (9.25185853854297e-18 * log_y + 0.16666666666666666 * log_y_lo),
+        log_sinc_quotient_lo)
     log_series_phi_a = 5.107725174524775e-32 * log_y
     log_series_phi_b = 4.116826490666969e-29 - log_series_phi_a
     log_series_phi_b_right = 4.116826490666969e-29 - log_series_phi_b
@@ -6210,8 +6213,8 @@ def SE3_interpolated(D1, D2, k):
     log_near_f = log_near_f_a + log_near_f_b
     log_near_f_right = log_near_f - log_near_f_a
     log_near_f_b_cross = 1.850371707708594e-17 * log_f_more + 0.3333333333333333 * log_f_more_lo
-    log_near_f_left_rest = (product_rest(0.3333333333333333, log_sinc, log_near_f_a, log_near_f
-        - log_near_f_right))
+    log_near_f_left_rest = product_rest(0.3333333333333333, log_sinc, log_near_f_a,
+        log_near_f - log_near_f_right)
     log_near_f_lo1 = (log_near_f_left_rest
         + product_rest(0.3333333333333333, log_f_more, log_near_f_b, log_near_f_right))
     log_f_rest = log_sinc - log_c
@@ -6240,8 +6243,8 @@ def SE3_interpolated(D1, D2, k):
     log_near_f_lo = (log_near_f_lo1
         + (1.850371707708594e-17 * log_sinc + 0.3333333333333333 * log_sinc_lo
         + log_near_f_b_cross))
-    log_f_lo = (where(log_far_y_a, log_near_f_lo, (log_closed_f_numerator - log_closed_f_cross)
-        / log_far_y_sum))
+    log_f_lo = where(log_far_y_a, log_near_f_lo,
+        (log_closed_f_numerator - log_closed_f_cross) / log_far_y_sum)
     log_four_k = 4 * log_sinc
     log_four_k_cross2 = 4 * log_sinc_lo
     log_f_sum = log_f + log_f_lo
@@ -6505,15 +6508,15 @@ def SE3_interpolated(D1, D2, k):
         + 1.0498015412959506e-47)
     exp_series5d = exp_series5c - 9.183689863795546e-29
     exp_series5d_right = exp_series5c - exp_series5d
-    exp_series5d_left_rest = (product_rest(exp_x_sum, exp_series5b, exp_series5c, exp_series5d
-        + exp_series5d_right))
+    exp_series5d_left_rest = product_rest(exp_x_sum, exp_series5b, exp_series5c,
+        exp_series5d + exp_series5d_right)
     exp_series5d_lo2 = (exp_series5d_left_rest - (9.183689863795546e-29 - exp_series5d_right)
         - 1.4303150396787322e-45)
     exp_series5e = exp_x_sum * exp_series5d
     exp_series5f = exp_series5e + 6.446950284384474e-26
     exp_series5f_right = exp_series5f - exp_series5e
-    exp_series5f_left_rest = (product_rest(exp_x_sum, exp_series5d, exp_series5e, exp_series5f
-        - exp_series5f_right))
+    exp_series5f_left_rest = product_rest(exp_x_sum, exp_series5d, exp_series5e,
+        exp_series5f - exp_series5f_right)
     exp_series5e_cross = (exp_x_sum_lo * exp_series5d + exp_x_sum
         * (exp_series5d_lo2 + (exp_x_sum_lo * exp_series5b + exp_x_sum * exp_series5b_lo)))
     exp_series5g = exp_x_sum * exp_series5f
@@ -6521,15 +6524,15 @@ def SE3_interpolated(D1, D2, k):
         -1.9330404233703465e-42 + exp_series5e_cross)
     exp_series5h = exp_series5g - 3.868170170630684e-23
     exp_series5h_right = exp_series5g - exp_series5h
-    exp_series5h_left_rest = (product_rest(exp_x_sum, exp_series5f, exp_series5g, exp_series5h
-        + exp_series5h_right))
+    exp_series5h_left_rest = product_rest(exp_x_sum, exp_series5f, exp_series5g,
+        exp_series5h + exp_series5h_right)
     exp_series5h_lo2 = (exp_series5h_left_rest - (3.868170170630684e-23 - exp_series5h_right) -
         -8.843177655482344e-40)
     exp_series5i = exp_x_sum * exp_series5h
     exp_series5j = exp_series5i + 1.9572941063391263e-20
     exp_series5j_right = exp_series5j - exp_series5i
-    exp_series5j_left_rest = (product_rest(exp_x_sum, exp_series5h, exp_series5i, exp_series5j
-        - exp_series5j_right))
+    exp_series5j_left_rest = product_rest(exp_x_sum, exp_series5h, exp_series5i,
+        exp_series5j - exp_series5j_right)
     exp_series5i_cross = (exp_x_sum_lo * exp_series5h + exp_x_sum
         * (exp_series5h_lo2 + (exp_x_sum_lo * exp_series5f + exp_x_sum * exp_series5f_lo)))
     exp_series5k = exp_x_sum * exp_series5j
@@ -6537,15 +6540,15 @@ def SE3_interpolated(D1, D2, k):
         -1.3643503830087908e-36 + exp_series5i_cross)
     exp_series5l = exp_series5k - 8.22063524662433e-18
     exp_series5l_right = exp_series5k - exp_series5l
-    exp_series5l_left_rest = (product_rest(exp_x_sum, exp_series5j, exp_series5k, exp_series5l
-        + exp_series5l_right))
+    exp_series5l_left_rest = product_rest(exp_x_sum, exp_series5j, exp_series5k,
+        exp_series5l + exp_series5l_right)
     exp_series5l_lo2 = (exp_series5l_left_rest - (8.22063524662433e-18 - exp_series5l_right)
         - 2.2141894119604265e-34)
     exp_series5m = exp_x_sum * exp_series5l
     exp_series5n = exp_series5m + 2.8114572543455206e-15
     exp_series5n_right = exp_series5n - exp_series5m
-    exp_series5n_left_rest = (product_rest(exp_x_sum, exp_series5l, exp_series5m, exp_series5n
-        - exp_series5n_right))
+    exp_series5n_left_rest = product_rest(exp_x_sum, exp_series5l, exp_series5m,
+        exp_series5n - exp_series5n_right)
     exp_series5m_cross = (exp_x_sum_lo * exp_series5l + exp_x_sum
         * (exp_series5l_lo2 + (exp_x_sum_lo * exp_series5j + exp_x_sum * exp_series5j_lo)))
     exp_series5o = exp_x_sum * exp_series5n
@@ -6553,15 +6556,15 @@ def SE3_interpolated(D1, D2, k):
         + 1.6508842730861433e-31 + exp_series5m_cross)
     exp_series5p = exp_series5o - 7.647163731819816e-13
     exp_series5p_right = exp_series5o - exp_series5p
-    exp_series5p_left_rest = (product_rest(exp_x_sum, exp_series5n, exp_series5o, exp_series5p
-        + exp_series5p_right))
+    exp_series5p_left_rest = product_rest(exp_x_sum, exp_series5n, exp_series5o,
+        exp_series5p + exp_series5p_right)
     exp_series5p_lo2 = (exp_series5p_left_rest - (7.647163731819816e-13 - exp_series5p_right)
         - 7.03872877733453e-30)
     exp_series5q = exp_x_sum * exp_series5p
     exp_series5r = exp_series5q + 1.6059043836821613e-10
     exp_series5r_right = exp_series5r - exp_series5q
-    exp_series5r_left_rest = (product_rest(exp_x_sum, exp_series5p, exp_series5q, exp_series5r
-        - exp_series5r_right))
+    exp_series5r_left_rest = product_rest(exp_x_sum, exp_series5p, exp_series5q,
+        exp_series5r - exp_series5r_right)
     exp_series5q_cross = (exp_x_sum_lo * exp_series5p + exp_x_sum
         * (exp_series5p_lo2 + (exp_x_sum_lo * exp_series5n + exp_x_sum * exp_series5n_lo)))
     exp_series5s = exp_x_sum * exp_series5r
@@ -6569,15 +6572,15 @@ def SE3_interpolated(D1, D2, k):
         + 1.2585294588752098e-26 + exp_series5q_cross)
     exp_series5t = exp_series5s - 2.505210838544172e-08
     exp_series5t_right = exp_series5s - exp_series5t
-    exp_series5t_left_rest = (product_rest(exp_x_sum, exp_series5r, exp_series5s, exp_series5t
-        + exp_series5t_right))
+    exp_series5t_left_rest = product_rest(exp_x_sum, exp_series5r, exp_series5s,
+        exp_series5t + exp_series5t_right)
     exp_series5t_lo2 = (exp_series5t_left_rest - (2.505210838544172e-08 - exp_series5t_right) -
         -1.448814070935912e-24)
     exp_series5u = exp_x_sum * exp_series5t
     exp_series5v = exp_series5u + 2.7557319223985893e-06
     exp_series5v_right = exp_series5v - exp_series5u
-    exp_series5v_left_rest = (product_rest(exp_x_sum, exp_series5t, exp_series5u, exp_series5v
-        - exp_series5v_right))
+    exp_series5v_left_rest = product_rest(exp_x_sum, exp_series5t, exp_series5u,
+        exp_series5v - exp_series5v_right)
     exp_series5u_cross = (exp_x_sum_lo * exp_series5t + exp_x_sum
         * (exp_series5t_lo2 + (exp_x_sum_lo * exp_series5r + exp_x_sum * exp_series5r_lo)))
     exp_series5w = exp_x_sum * exp_series5v
@@ -6585,8 +6588,8 @@ def SE3_interpolated(D1, D2, k):
         -1.858393274046472e-22 + exp_series5u_cross)
     exp_series5x = exp_series5w - 0.0001984126984126984
     exp_series5x_right = exp_series5w - exp_series5x
-    exp_series5x_left_rest = (product_rest(exp_x_sum, exp_series5v, exp_series5w, exp_series5x
-        + exp_series5x_right))
+    exp_series5x_left_rest = product_rest(exp_x_sum, exp_series5v, exp_series5w,
+        exp_series5x + exp_series5x_right)
     exp_series5x_lo2 = (exp_series5x_left_rest - (0.0001984126984126984 - exp_series5x_right)
         - 1.7209558293420705e-22)
     exp_series5y = exp_x_sum * exp_series5x
@@ -6691,22 +6694,22 @@ def SE3_interpolated(D1, D2, k):
     exp_m_5_cross = screw_5_lo * exp_beta_v_1 + screw_5 * exp_beta_v_1_lo
     exp_others_0 = exp_m_1 + exp_m_2
     exp_others_0_right = exp_others_0 - exp_m_1
-    exp_others_0_left_rest = (product_rest(screw_4, exp_beta_v_1, exp_m_1, exp_others_0
-        - exp_others_0_right))
+    exp_others_0_left_rest = product_rest(screw_4, exp_beta_v_1, exp_m_1,
+        exp_others_0 - exp_others_0_right)
     exp_others_0_lo = (exp_others_0_left_rest
         + product_rest(screw_5, exp_beta_v_2, exp_m_2, exp_others_0_right)
         + (exp_m_1_cross + exp_m_2_cross))
     exp_others_1 = exp_m_0 + exp_m_2
     exp_others_1_right = exp_others_1 - exp_m_0
-    exp_others_1_left_rest = (product_rest(screw_3, exp_beta_v_0, exp_m_0, exp_others_1
-        - exp_others_1_right))
+    exp_others_1_left_rest = product_rest(screw_3, exp_beta_v_0, exp_m_0,
+        exp_others_1 - exp_others_1_right)
     exp_others_1_lo = (exp_others_1_left_rest
         + product_rest(screw_5, exp_beta_v_2, exp_m_2, exp_others_1_right)
         + (exp_m_0_cross + exp_m_2_cross))
     exp_others_2 = exp_m_0 + exp_m_1
     exp_others_2_right = exp_others_2 - exp_m_0
-    exp_others_2_left_rest = (product_rest(screw_3, exp_beta_v_0, exp_m_0, exp_others_2
-        - exp_others_2_right))
+    exp_others_2_left_rest = product_rest(screw_3, exp_beta_v_0, exp_m_0,
+        exp_others_2 - exp_others_2_right)
     exp_others_2_lo = (exp_others_2_left_rest
         + product_rest(screw_4, exp_beta_v_1, exp_m_1, exp_others_2_right)
         + (exp_m_0_cross + exp_m_1_cross))
@@ -6721,8 +6724,8 @@ def SE3_interpolated(D1, D2, k):
     exp_diagonal0 = where(exp_diagonal0c, exp_diagonal0b, exp_diagonal0a)
     exp_diagonal0a_lo = (1 - (exp_diagonal0a + exp_diagonal0a_right)
         - (exp_others_0 - exp_diagonal0a_right) - exp_others_0_lo)
-    exp_diagonal0_lo = (where(exp_diagonal0c, exp_diagonal0b_lo1 + exp_m_0_cross
-        + exp_g0_lo, exp_diagonal0a_lo))
+    exp_diagonal0_lo = where(exp_diagonal0c, exp_diagonal0b_lo1 + exp_m_0_cross + exp_g0_lo,
+        exp_diagonal0a_lo)
     exp_diagonal1a = 1 - exp_others_1
     exp_diagonal1a_right = 1 - exp_diagonal1a
     exp_diagonal1b = exp_g0 + exp_m_1
@@ -6734,8 +6737,8 @@ def SE3_interpolated(D1, D2, k):
     exp_diagonal1 = where(exp_diagonal1c, exp_diagonal1b, exp_diagonal1a)
     exp_diagonal1a_lo = (1 - (exp_diagonal1a + exp_diagonal1a_right)
         - (exp_others_1 - exp_diagonal1a_right) - exp_others_1_lo)
-    exp_diagonal1_lo = (where(exp_diagonal1c, exp_diagonal1b_lo1 + exp_m_1_cross
-        + exp_g0_lo, exp_diagonal1a_lo))
+    exp_diagonal1_lo = where(exp_diagonal1c, exp_diagonal1b_lo1 + exp_m_1_cross + exp_g0_lo,
+        exp_diagonal1a_lo)
     exp_diagonal2a = 1 - exp_others_2
     exp_diagonal2a_right = 1 - exp_diagonal2a
     exp_diagonal2b = exp_g0 + exp_m_2
@@ -6747,8 +6750,8 @@ def SE3_interpolated(D1, D2, k):
     exp_diagonal2 = where(exp_diagonal2c, exp_diagonal2b, exp_diagonal2a)
     exp_diagonal2a_lo = (1 - (exp_diagonal2a + exp_diagonal2a_right)
         - (exp_others_2 - exp_diagonal2a_right) - exp_others_2_lo)
-    exp_diagonal2_lo = (where(exp_diagonal2c, exp_diagonal2b_lo1 + exp_m_2_cross
-        + exp_g0_lo, exp_diagonal2a_lo))
+    exp_diagonal2_lo = where(exp_diagonal2c, exp_diagonal2b_lo1 + exp_m_2_cross + exp_g0_lo,
+        exp_diagonal2a_lo)
     exp_g1_lo = product_error(exp_c, exp_sinc, exp_g1) + exp_g1_cross
     exp_alpha_v_0 = screw_3 * exp_g1
     exp_alpha_v_0_cross = screw_3_lo * exp_g1 + screw_3 * exp_g1_lo
@@ -6758,20 +6761,20 @@ def SE3_interpolated(D1, D2, k):
     exp_alpha_v_2_cross = screw_5_lo * exp_g1 + screw_5 * exp_g1_lo
     exp_across_axis_0 = exp_turned_0 + exp_along_0
     exp_across_axis_0_right = exp_across_axis_0 - exp_turned_0
-    exp_across_axis_0_left_rest = (product_rest(exp_g2, exp_u_0, exp_turned_0, exp_across_axis_0
-        - exp_across_axis_0_right))
+    exp_across_axis_0_left_rest = product_rest(exp_g2, exp_u_0, exp_turned_0,
+        exp_across_axis_0 - exp_across_axis_0_right)
     exp_across_axis_0_lo1 = (exp_across_axis_0_left_rest
         + product_rest(screw_3, exp_pitch, exp_along_0, exp_across_axis_0_right))
     exp_across_axis_1 = exp_turned_1 + exp_along_1
     exp_across_axis_1_right = exp_across_axis_1 - exp_turned_1
-    exp_across_axis_1_left_rest = (product_rest(exp_g2, exp_u_1, exp_turned_1, exp_across_axis_1
-        - exp_across_axis_1_right))
+    exp_across_axis_1_left_rest = product_rest(exp_g2, exp_u_1, exp_turned_1,
+        exp_across_axis_1 - exp_across_axis_1_right)
     exp_across_axis_1_lo1 = (exp_across_axis_1_left_rest
         + product_rest(screw_4, exp_pitch, exp_along_1, exp_across_axis_1_right))
     exp_across_axis_2 = exp_turned_2 + exp_along_2
     exp_across_axis_2_right = exp_across_axis_2 - exp_turned_2
-    exp_across_axis_2_left_rest = (product_rest(exp_g2, exp_u_2, exp_turned_2, exp_across_axis_2
-        - exp_across_axis_2_right))
+    exp_across_axis_2_left_rest = product_rest(exp_g2, exp_u_2, exp_turned_2,
+        exp_across_axis_2 - exp_across_axis_2_right)
     exp_across_axis_2_lo1 = (exp_across_axis_2_left_rest
         + product_rest(screw_5, exp_pitch, exp_along_2, exp_across_axis_2_right))
     step_1 = exp_m_3 - exp_alpha_v_2

@@ -346,8 +346,8 @@ def inertia_rotate(self, R):
     self_1_new_b = self_2 * R_01
     self_1_new_c = self_1_new_a + self_1_new_b
     self_1_new_c_right = self_1_new_c - self_1_new_a
-    self_1_new_c_left_rest = (product_rest(self_1, R_00, self_1_new_a, self_1_new_c
-        - self_1_new_c_right))
+    self_1_new_c_left_rest = product_rest(self_1, R_00, self_1_new_a,
+        self_1_new_c - self_1_new_c_right)
     self_1_new_d = self_3 * R_02
     self_1_new = self_1_new_c + self_1_new_d
     self_1_new_right = self_1_new - self_1_new_c
@@ -357,8 +357,8 @@ def inertia_rotate(self, R):
     self_2_new_b = self_2 * R_11
     self_2_new_c = self_2_new_a + self_2_new_b
     self_2_new_c_right = self_2_new_c - self_2_new_a
-    self_2_new_c_left_rest = (product_rest(self_1, R_10, self_2_new_a, self_2_new_c
-        - self_2_new_c_right))
+    self_2_new_c_left_rest = product_rest(self_1, R_10, self_2_new_a,
+        self_2_new_c - self_2_new_c_right)
     self_2_new_d = self_3 * R_12
     self_2_new = self_2_new_c + self_2_new_d
     self_2_new_right = self_2_new - self_2_new_c
@@ -368,8 +368,8 @@ def inertia_rotate(self, R):
     self_3_new_b = self_2 * R_21
     self_3_new_c = self_3_new_a + self_3_new_b
     self_3_new_c_right = self_3_new_c - self_3_new_a
-    self_3_new_c_left_rest = (product_rest(self_1, R_20, self_3_new_a, self_3_new_c
-        - self_3_new_c_right))
+    self_3_new_c_left_rest = product_rest(self_1, R_20, self_3_new_a,
+        self_3_new_c - self_3_new_c_right)
     self_3_new_d = self_3 * R_22
     self_3_new = self_3_new_c + self_3_new_d
     self_3_new_right = self_3_new - self_3_new_c
@@ -379,8 +379,8 @@ def inertia_rotate(self, R):
     self_4_new_b = R_01 * RI_1
     self_4_new_c = self_4_new_a + self_4_new_b
     self_4_new_c_right = self_4_new_c - self_4_new_a
-    self_4_new_c_left_rest = (product_rest(R_00, RI_0, self_4_new_a, self_4_new_c
-        - self_4_new_c_right))
+    self_4_new_c_left_rest = product_rest(R_00, RI_0, self_4_new_a,
+        self_4_new_c - self_4_new_c_right)
     self_4_new_d = R_02 * RI_2
     self_4_new = self_4_new_c + self_4_new_d
     self_4_new_right = self_4_new - self_4_new_c
@@ -393,8 +393,8 @@ def inertia_rotate(self, R):
     self_5_new_b = R_11 * RI_4
     self_5_new_c = self_5_new_a + self_5_new_b
     self_5_new_c_right = self_5_new_c - self_5_new_a
-    self_5_new_c_left_rest = (product_rest(R_10, RI_3, self_5_new_a, self_5_new_c
-        - self_5_new_c_right))
+    self_5_new_c_left_rest = product_rest(R_10, RI_3, self_5_new_a,
+        self_5_new_c - self_5_new_c_right)
     self_5_new_d = R_12 * RI_5
     self_5_new = self_5_new_c + self_5_new_d
     self_5_new_right = self_5_new - self_5_new_c
@@ -409,8 +409,8 @@ def inertia_rotate(self, R):
     self_6_new_c_right = self_6_new_c - self_6_new_a
     self_6_new_a_cross2 = (R_20
         * (RI_6c - (RI_6 - RI_6_right) + product_rest(self_9, R_22, RI_6d, RI_6_right) + RI_6c_lo))
-    self_6_new_c_left_rest = (product_rest(R_20, RI_6, self_6_new_a, self_6_new_c
-        - self_6_new_c_right))
+    self_6_new_c_left_rest = product_rest(R_20, RI_6, self_6_new_a,
+        self_6_new_c - self_6_new_c_right)
     self_6_new_c_cross = (self_6_new_a_cross2 + R_21
         * (RI_7c - (RI_7 - RI_7_right) + product_rest(self_8, R_22, RI_7d, RI_7_right) + RI_7c_lo))
     self_6_new_d = R_22 * RI_8
@@ -424,8 +424,8 @@ def inertia_rotate(self, R):
     self_7_new_b = R_11 * RI_1
     self_7_new_c = self_7_new_a + self_7_new_b
     self_7_new_c_right = self_7_new_c - self_7_new_a
-    self_7_new_c_left_rest = (product_rest(R_10, RI_0, self_7_new_a, self_7_new_c
-        - self_7_new_c_right))
+    self_7_new_c_left_rest = product_rest(R_10, RI_0, self_7_new_a,
+        self_7_new_c - self_7_new_c_right)
     self_7_new_d = R_12 * RI_2
     self_7_new = self_7_new_c + self_7_new_d
     self_7_new_right = self_7_new - self_7_new_c
@@ -438,8 +438,8 @@ def inertia_rotate(self, R):
     self_8_new_b = R_21 * RI_4
     self_8_new_c = self_8_new_a + self_8_new_b
     self_8_new_c_right = self_8_new_c - self_8_new_a
-    self_8_new_c_left_rest = (product_rest(R_20, RI_3, self_8_new_a, self_8_new_c
-        - self_8_new_c_right))
+    self_8_new_c_left_rest = product_rest(R_20, RI_3, self_8_new_a,
+        self_8_new_c - self_8_new_c_right)
     self_8_new_d = R_22 * RI_5
     self_8_new = self_8_new_c + self_8_new_d
     self_8_new_right = self_8_new - self_8_new_c
@@ -452,8 +452,8 @@ def inertia_rotate(self, R):
     self_9_new_b = R_21 * RI_1
     self_9_new_c = self_9_new_a + self_9_new_b
     self_9_new_c_right = self_9_new_c - self_9_new_a
-    self_9_new_c_left_rest = (product_rest(R_20, RI_0, self_9_new_a, self_9_new_c
-        - self_9_new_c_right))
+    self_9_new_c_left_rest = product_rest(R_20, RI_0, self_9_new_a,
+        self_9_new_c - self_9_new_c_right)
     self_9_new_d = R_22 * RI_2
     self_9_new = self_9_new_c + self_9_new_d
     self_9_new_right = self_9_new - self_9_new_c
@@ -875,8 +875,8 @@ def inertia_transform(self, D):
     self_1_new_c = self_2 * D_01
     self_1_new_d = self_1_new_b + self_1_new_c
     self_1_new_d_right = self_1_new_d - self_1_new_b
-    self_1_new_d_left_rest = (product_rest(self_1, D_00, self_1_new_b, self_1_new_d
-        - self_1_new_d_right))
+    self_1_new_d_left_rest = product_rest(self_1, D_00, self_1_new_b,
+        self_1_new_d - self_1_new_d_right)
     self_1_new_e = self_3 * D_02
     self_1_new_f = self_1_new_d + self_1_new_e
     self_1_new_f_right = self_1_new_f - self_1_new_d
@@ -891,8 +891,8 @@ def inertia_transform(self, D):
     self_2_new_c = self_2 * D_11
     self_2_new_d = self_2_new_b + self_2_new_c
     self_2_new_d_right = self_2_new_d - self_2_new_b
-    self_2_new_d_left_rest = (product_rest(self_1, D_10, self_2_new_b, self_2_new_d
-        - self_2_new_d_right))
+    self_2_new_d_left_rest = product_rest(self_1, D_10, self_2_new_b,
+        self_2_new_d - self_2_new_d_right)
     self_2_new_e = self_3 * D_12
     self_2_new_f = self_2_new_d + self_2_new_e
     self_2_new_f_right = self_2_new_f - self_2_new_d
@@ -907,8 +907,8 @@ def inertia_transform(self, D):
     self_3_new_c = self_2 * D_21
     self_3_new_d = self_3_new_b + self_3_new_c
     self_3_new_d_right = self_3_new_d - self_3_new_b
-    self_3_new_d_left_rest = (product_rest(self_1, D_20, self_3_new_b, self_3_new_d
-        - self_3_new_d_right))
+    self_3_new_d_left_rest = product_rest(self_1, D_20, self_3_new_b,
+        self_3_new_d - self_3_new_d_right)
     self_3_new_e = self_3 * D_22
     self_3_new_f = self_3_new_d + self_3_new_e
     self_3_new_f_right = self_3_new_f - self_3_new_d
@@ -922,8 +922,8 @@ def inertia_transform(self, D):
     self_4_new_b = D_01 * RI_1
     self_4_new_c = self_4_new_a + self_4_new_b
     self_4_new_c_right = self_4_new_c - self_4_new_a
-    self_4_new_c_left_rest = (product_rest(D_00, RI_0, self_4_new_a, self_4_new_c
-        - self_4_new_c_right))
+    self_4_new_c_left_rest = product_rest(D_00, RI_0, self_4_new_a,
+        self_4_new_c - self_4_new_c_right)
     self_4_new_d = D_02 * RI_2
     self_4_new = self_4_new_c + self_4_new_d
     self_4_new_right = self_4_new - self_4_new_c
@@ -936,8 +936,8 @@ def inertia_transform(self, D):
     self_5_new_b = D_11 * RI_4
     self_5_new_c = self_5_new_a + self_5_new_b
     self_5_new_c_right = self_5_new_c - self_5_new_a
-    self_5_new_c_left_rest = (product_rest(D_10, RI_3, self_5_new_a, self_5_new_c
-        - self_5_new_c_right))
+    self_5_new_c_left_rest = product_rest(D_10, RI_3, self_5_new_a,
+        self_5_new_c - self_5_new_c_right)
     self_5_new_d = D_12 * RI_5
     self_5_new = self_5_new_c + self_5_new_d
     self_5_new_right = self_5_new - self_5_new_c
@@ -952,8 +952,8 @@ def inertia_transform(self, D):
     self_6_new_c_right = self_6_new_c - self_6_new_a
     self_6_new_a_cross2 = (D_20
         * (RI_6c - (RI_6 - RI_6_right) + product_rest(self_9, D_22, RI_6d, RI_6_right) + RI_6c_lo))
-    self_6_new_c_left_rest = (product_rest(D_20, RI_6, self_6_new_a, self_6_new_c
-        - self_6_new_c_right))
+    self_6_new_c_left_rest = product_rest(D_20, RI_6, self_6_new_a,
+        self_6_new_c - self_6_new_c_right)
     self_6_new_c_cross = (self_6_new_a_cross2 + D_21
         * (RI_7c - (RI_7 - RI_7_right) + product_rest(self_8, D_22, RI_7d, RI_7_right) + RI_7c_lo))
     self_6_new_d = D_22 * RI_8
@@ -967,8 +967,8 @@ def inertia_transform(self, D):
     self_7_new_b = D_11 * RI_1
     self_7_new_c = self_7_new_a + self_7_new_b
     self_7_new_c_right = self_7_new_c - self_7_new_a
-    self_7_new_c_left_rest = (product_rest(D_10, RI_0, self_7_new_a, self_7_new_c
-        - self_7_new_c_right))
+    self_7_new_c_left_rest = product_rest(D_10, RI_0, self_7_new_a,
+        self_7_new_c - self_7_new_c_right)
     self_7_new_d = D_12 * RI_2
     self_7_new = self_7_new_c + self_7_new_d
     self_7_new_right = self_7_new - self_7_new_c
@@ -981,8 +981,8 @@ def inertia_transform(self, D):
     self_8_new_b = D_21 * RI_4
     self_8_new_c = self_8_new_a + self_8_new_b
     self_8_new_c_right = self_8_new_c - self_8_new_a
-    self_8_new_c_left_rest = (product_rest(D_20, RI_3, self_8_new_a, self_8_new_c
-        - self_8_new_c_right))
+    self_8_new_c_left_rest = product_rest(D_20, RI_3, self_8_new_a,
+        self_8_new_c - self_8_new_c_right)
     self_8_new_d = D_22 * RI_5
     self_8_new = self_8_new_c + self_8_new_d
     self_8_new_right = self_8_new - self_8_new_c
@@ -995,8 +995,8 @@ def inertia_transform(self, D):
     self_9_new_b = D_21 * RI_1
     self_9_new_c = self_9_new_a + self_9_new_b
     self_9_new_c_right = self_9_new_c - self_9_new_a
-    self_9_new_c_left_rest = (product_rest(D_20, RI_0, self_9_new_a, self_9_new_c
-        - self_9_new_c_right))
+    self_9_new_c_left_rest = product_rest(D_20, RI_0, self_9_new_a,
+        self_9_new_c - self_9_new_c_right)
     self_9_new_d = D_22 * RI_2
     self_9_new = self_9_new_c + self_9_new_d
     self_9_new_right = self_9_new - self_9_new_c

@@ -7,7 +7,7 @@ In double precision, accurate tier.
 """
 
 from coscrew import _elementary_double as elementary
-from numpy import absolute, float64, nan, sqrt, where
+from numpy import absolute, float64 as real, nan, sqrt, where
 from coscrew._exact import product_error, product_rest
 from coscrew._kernel import double_kernel as kernel
 
@@ -152,9 +152,8 @@ def mat3x3_inverse(R):
     R_largest8 = where(R_largest7 < R_size_8, R_size_8, R_largest7)
     s_c = R_largest8 < 4.149515568880993e+180
     s_e = R_largest8 < 2.037035976334486e+90
-    s_d = (where(s_c, 4.909093465297727e-91, where(R_largest8
-        < 8.452712498170644e+270, float64(2.409919865102884e-181),
-            float64(1.1830521861667747e-271))))
+    s_d = where(s_c, 4.909093465297727e-91, where(R_largest8 < 8.452712498170644e+270,
+        real(2.409919865102884e-181), real(1.1830521861667747e-271)))
     s_g = R_largest8 < 1
     s_i = R_largest8 < 4.909093465297727e-91
     s_k = R_largest8 < 2.409919865102884e-181
@@ -246,30 +245,30 @@ def mat3x3_inverse(R):
     permanent_b = size1_2 * size2_1
     permanent_c = permanent_a + permanent_b
     permanent_c_right = permanent_c - permanent_a
-    permanent_c_left_rest = (product_rest(size1_1, size2_2, permanent_a, permanent_c
-        - permanent_c_right))
+    permanent_c_left_rest = product_rest(size1_1, size2_2, permanent_a,
+        permanent_c - permanent_c_right)
     permanent_d = size0_0 * permanent_c
     permanent_e = size1_0 * size2_2
     permanent_f = size1_2 * size2_0
     permanent_g = permanent_e + permanent_f
     permanent_g_right = permanent_g - permanent_e
-    permanent_g_left_rest = (product_rest(size1_0, size2_2, permanent_e, permanent_g
-        - permanent_g_right))
+    permanent_g_left_rest = product_rest(size1_0, size2_2, permanent_e,
+        permanent_g - permanent_g_right)
     permanent_h = size0_1 * permanent_g
     permanent_i = permanent_d + permanent_h
     permanent_i_right = permanent_i - permanent_d
     permanent_d_cross2 = (size0_0
         * (permanent_c_left_rest + product_rest(size1_2, size2_1, permanent_b, permanent_c_right)))
-    permanent_i_left_rest = (product_rest(size0_0, permanent_c, permanent_d, permanent_i
-        - permanent_i_right))
+    permanent_i_left_rest = product_rest(size0_0, permanent_c, permanent_d,
+        permanent_i - permanent_i_right)
     permanent_i_cross = (permanent_d_cross2 + size0_1
         * (permanent_g_left_rest + product_rest(size1_2, size2_0, permanent_f, permanent_g_right)))
     permanent_j = size1_0 * size2_1
     permanent_k = size1_1 * size2_0
     permanent_l = permanent_j + permanent_k
     permanent_l_right = permanent_l - permanent_j
-    permanent_l_left_rest = (product_rest(size1_0, size2_1, permanent_j, permanent_l
-        - permanent_l_right))
+    permanent_l_left_rest = product_rest(size1_0, size2_1, permanent_j,
+        permanent_l - permanent_l_right)
     permanent_m = size0_2 * permanent_l
     permanent = permanent_i + permanent_m
     permanent_right = permanent - permanent_i
@@ -295,8 +294,8 @@ def mat3x3_inverse(R):
     least_sum = (least
         + (least_lo1
         + (permanent_lo * 8.881784197001252e-16 + spoiled * product_error(top, top, least_b))))
-    regular = (where(least_sum < absolute(d_sum)
-        + where(d_sum < 0, -d_sum_lo, d_sum_lo), float64(1), float64(0)))
+    regular = where(least_sum < absolute(d_sum) + where(d_sum < 0, -d_sum_lo, d_sum_lo), real(1),
+        real(0))
     divisor_a = regular == 1
     divisor = where(divisor_a, d_sum, 1)
     divisor_lo = where(divisor_a, d_sum_lo, 0)
@@ -432,19 +431,19 @@ def mat3x3_inverse(R):
         + (quotient_8_lo - quotient_8_sum_right))
     start = where(s_c, d_sum, where(d_sum < 0, -8.452712498170644e+270, 8.452712498170644e+270))
     start_lo = where(s_c, d_sum_lo, 0)
-    r2 = where(s_i, float64(1.1830521861667747e-271), float64(1))
+    r2 = where(s_i, real(1.1830521861667747e-271), real(1))
     start_sum = start + start_lo
     start_sum_right = start_sum - start
     once = start_sum * r2
     once_lo = ((start_sum - once * (1 / r2)
         + (start - (start_sum - start_sum_right) + (start_lo - start_sum_right))) * r2)
-    r3 = where(s_k, float64(1.1830521861667747e-271), float64(1))
+    r3 = where(s_k, real(1.1830521861667747e-271), real(1))
     once_sum = once + once_lo
     once_sum_right = once_sum - once
     twice = once_sum * r3
     twice_lo = ((once_sum - twice * (1 / r3)
         + (once - (once_sum - once_sum_right) + (once_lo - once_sum_right))) * r3)
-    r = where(s_g, 1.1830521861667747e-271, where(s_e, float64(1), float64(8.452712498170644e+270)))
+    r = where(s_g, 1.1830521861667747e-271, where(s_e, real(1), real(8.452712498170644e+270)))
     twice_sum = twice + twice_lo
     twice_sum_right = twice_sum - twice
     det_R = twice_sum * r
@@ -518,11 +517,9 @@ def mat3x3_normalize(self):
     q0_s_size_2 = absolute(self_02)
     q0_s_largest1 = where(q0_s_size_0 < q0_s_size_1, q0_s_size_1, q0_s_size_0)
     q0_s_largest2 = where(q0_s_largest1 < q0_s_size_2, q0_s_size_2, q0_s_largest1)
-    q0_s_b = (where(6.703903964971299e+153
-        < q0_s_largest2, float64(3.7291703656001034e-155), float64(1)))
-    q0_s = (where(q0_s_largest2
-        < 1.955159272639747e-149, 1.0715086071862673e+301, where(q0_s_largest2
-        < 256, 1.3093562431584567e+151, q0_s_b)))
+    q0_s_d = where(q0_s_largest2 < 256, 1.3093562431584567e+151,
+        where(6.703903964971299e+153 < q0_s_largest2, real(3.7291703656001034e-155), real(1)))
+    q0_s = where(q0_s_largest2 < 1.955159272639747e-149, 1.0715086071862673e+301, q0_s_d)
     q0_y_0 = self_00 * q0_s
     q0_y_1 = self_01 * q0_s
     q0_y_2 = self_02 * q0_s
@@ -550,8 +547,8 @@ def mat3x3_normalize(self):
     q0_n_sum_right = q0_n_sum - q0_n
     q0_divisor_a = q0_n_sum == 0
     q0_divisor = where(q0_divisor_a, q0_up, q0_n_sum)
-    q0_divisor_lo = (where(q0_divisor_a, 0, q0_n - (q0_n_sum - q0_n_sum_right)
-        + (q0_n_lo - q0_n_sum_right)))
+    q0_divisor_lo = where(q0_divisor_a, 0,
+        q0_n - (q0_n_sum - q0_n_sum_right) + (q0_n_lo - q0_n_sum_right))
     q0_sized_0 = self_00 * q0_up
     q0_sized_1 = self_01 * q0_up
     q0_sized_2 = self_02 * q0_up
@@ -598,11 +595,9 @@ def mat3x3_normalize(self):
     u1_s_size_2 = absolute(self_12)
     u1_s_largest1 = where(u1_s_size_0 < u1_s_size_1, u1_s_size_1, u1_s_size_0)
     u1_s_largest2 = where(u1_s_largest1 < u1_s_size_2, u1_s_size_2, u1_s_largest1)
-    u1_s_b = (where(6.703903964971299e+153
-        < u1_s_largest2, float64(3.7291703656001034e-155), float64(1)))
-    u1_s = (where(u1_s_largest2
-        < 1.955159272639747e-149, 1.0715086071862673e+301, where(u1_s_largest2
-        < 256, 1.3093562431584567e+151, u1_s_b)))
+    u1_s_d = where(u1_s_largest2 < 256, 1.3093562431584567e+151,
+        where(6.703903964971299e+153 < u1_s_largest2, real(3.7291703656001034e-155), real(1)))
+    u1_s = where(u1_s_largest2 < 1.955159272639747e-149, 1.0715086071862673e+301, u1_s_d)
     u1_y_0 = self_10 * u1_s
     u1_y_1 = self_11 * u1_s
     u1_y_2 = self_12 * u1_s
@@ -630,8 +625,8 @@ def mat3x3_normalize(self):
     u1_n_sum_right = u1_n_sum - u1_n
     u1_divisor_a = u1_n_sum == 0
     u1_divisor = where(u1_divisor_a, u1_up, u1_n_sum)
-    u1_divisor_lo = (where(u1_divisor_a, 0, u1_n - (u1_n_sum - u1_n_sum_right)
-        + (u1_n_lo - u1_n_sum_right)))
+    u1_divisor_lo = where(u1_divisor_a, 0,
+        u1_n - (u1_n_sum - u1_n_sum_right) + (u1_n_lo - u1_n_sum_right))
     u1_sized_0 = self_10 * u1_up
     u1_sized_1 = self_11 * u1_up
     u1_sized_2 = self_12 * u1_up
@@ -813,11 +808,9 @@ def mat3x3_normalize(self):
     u2_s_size_2 = absolute(self_22)
     u2_s_largest1 = where(u2_s_size_0 < u2_s_size_1, u2_s_size_1, u2_s_size_0)
     u2_s_largest2 = where(u2_s_largest1 < u2_s_size_2, u2_s_size_2, u2_s_largest1)
-    u2_s_b = (where(6.703903964971299e+153
-        < u2_s_largest2, float64(3.7291703656001034e-155), float64(1)))
-    u2_s = (where(u2_s_largest2
-        < 1.955159272639747e-149, 1.0715086071862673e+301, where(u2_s_largest2
-        < 256, 1.3093562431584567e+151, u2_s_b)))
+    u2_s_d = where(u2_s_largest2 < 256, 1.3093562431584567e+151,
+        where(6.703903964971299e+153 < u2_s_largest2, real(3.7291703656001034e-155), real(1)))
+    u2_s = where(u2_s_largest2 < 1.955159272639747e-149, 1.0715086071862673e+301, u2_s_d)
     u2_y_0 = self_20 * u2_s
     u2_y_1 = self_21 * u2_s
     u2_y_2 = self_22 * u2_s
@@ -845,8 +838,8 @@ def mat3x3_normalize(self):
     u2_n_sum_right = u2_n_sum - u2_n
     u2_divisor_a = u2_n_sum == 0
     u2_divisor = where(u2_divisor_a, u2_up, u2_n_sum)
-    u2_divisor_lo = (where(u2_divisor_a, 0, u2_n - (u2_n_sum - u2_n_sum_right)
-        + (u2_n_lo - u2_n_sum_right)))
+    u2_divisor_lo = where(u2_divisor_a, 0,
+        u2_n - (u2_n_sum - u2_n_sum_right) + (u2_n_lo - u2_n_sum_right))
     u2_sized_0 = self_20 * u2_up
     u2_sized_1 = self_21 * u2_up
     u2_sized_2 = self_22 * u2_up
@@ -919,7 +912,7 @@ def mat3x3_normalize(self):
     dependent_a = (less
         + where(less_a, n_sum_lo, size - (size_sum - size_sum_right) + (size_lo - size_sum_right))
         < 1.7763568394002505e-15)
-    dependent = where(dependent_a, float64(1), float64(0))
+    dependent = where(dependent_a, real(1), real(0))
     self_00_new_a = dependent == 1
     self_00_new = where(self_00_new_a, nan, q0_0)
     self_01_new = where(self_00_new_a, nan, q0_1)
@@ -981,11 +974,9 @@ def mat3x3_normalized(R):
     q0_s_size_2 = absolute(R_02)
     q0_s_largest1 = where(q0_s_size_0 < q0_s_size_1, q0_s_size_1, q0_s_size_0)
     q0_s_largest2 = where(q0_s_largest1 < q0_s_size_2, q0_s_size_2, q0_s_largest1)
-    q0_s_b = (where(6.703903964971299e+153
-        < q0_s_largest2, float64(3.7291703656001034e-155), float64(1)))
-    q0_s = (where(q0_s_largest2
-        < 1.955159272639747e-149, 1.0715086071862673e+301, where(q0_s_largest2
-        < 256, 1.3093562431584567e+151, q0_s_b)))
+    q0_s_d = where(q0_s_largest2 < 256, 1.3093562431584567e+151,
+        where(6.703903964971299e+153 < q0_s_largest2, real(3.7291703656001034e-155), real(1)))
+    q0_s = where(q0_s_largest2 < 1.955159272639747e-149, 1.0715086071862673e+301, q0_s_d)
     q0_y_0 = R_00 * q0_s
     q0_y_1 = R_01 * q0_s
     q0_y_2 = R_02 * q0_s
@@ -1013,8 +1004,8 @@ def mat3x3_normalized(R):
     q0_n_sum_right = q0_n_sum - q0_n
     q0_divisor_a = q0_n_sum == 0
     q0_divisor = where(q0_divisor_a, q0_up, q0_n_sum)
-    q0_divisor_lo = (where(q0_divisor_a, 0, q0_n - (q0_n_sum - q0_n_sum_right)
-        + (q0_n_lo - q0_n_sum_right)))
+    q0_divisor_lo = where(q0_divisor_a, 0,
+        q0_n - (q0_n_sum - q0_n_sum_right) + (q0_n_lo - q0_n_sum_right))
     q0_sized_0 = R_00 * q0_up
     q0_sized_1 = R_01 * q0_up
     q0_sized_2 = R_02 * q0_up
@@ -1061,11 +1052,9 @@ def mat3x3_normalized(R):
     u1_s_size_2 = absolute(R_12)
     u1_s_largest1 = where(u1_s_size_0 < u1_s_size_1, u1_s_size_1, u1_s_size_0)
     u1_s_largest2 = where(u1_s_largest1 < u1_s_size_2, u1_s_size_2, u1_s_largest1)
-    u1_s_b = (where(6.703903964971299e+153
-        < u1_s_largest2, float64(3.7291703656001034e-155), float64(1)))
-    u1_s = (where(u1_s_largest2
-        < 1.955159272639747e-149, 1.0715086071862673e+301, where(u1_s_largest2
-        < 256, 1.3093562431584567e+151, u1_s_b)))
+    u1_s_d = where(u1_s_largest2 < 256, 1.3093562431584567e+151,
+        where(6.703903964971299e+153 < u1_s_largest2, real(3.7291703656001034e-155), real(1)))
+    u1_s = where(u1_s_largest2 < 1.955159272639747e-149, 1.0715086071862673e+301, u1_s_d)
     u1_y_0 = R_10 * u1_s
     u1_y_1 = R_11 * u1_s
     u1_y_2 = R_12 * u1_s
@@ -1093,8 +1082,8 @@ def mat3x3_normalized(R):
     u1_n_sum_right = u1_n_sum - u1_n
     u1_divisor_a = u1_n_sum == 0
     u1_divisor = where(u1_divisor_a, u1_up, u1_n_sum)
-    u1_divisor_lo = (where(u1_divisor_a, 0, u1_n - (u1_n_sum - u1_n_sum_right)
-        + (u1_n_lo - u1_n_sum_right)))
+    u1_divisor_lo = where(u1_divisor_a, 0,
+        u1_n - (u1_n_sum - u1_n_sum_right) + (u1_n_lo - u1_n_sum_right))
     u1_sized_0 = R_10 * u1_up
     u1_sized_1 = R_11 * u1_up
     u1_sized_2 = R_12 * u1_up
@@ -1276,11 +1265,9 @@ def mat3x3_normalized(R):
     u2_s_size_2 = absolute(R_22)
     u2_s_largest1 = where(u2_s_size_0 < u2_s_size_1, u2_s_size_1, u2_s_size_0)
     u2_s_largest2 = where(u2_s_largest1 < u2_s_size_2, u2_s_size_2, u2_s_largest1)
-    u2_s_b = (where(6.703903964971299e+153
-        < u2_s_largest2, float64(3.7291703656001034e-155), float64(1)))
-    u2_s = (where(u2_s_largest2
-        < 1.955159272639747e-149, 1.0715086071862673e+301, where(u2_s_largest2
-        < 256, 1.3093562431584567e+151, u2_s_b)))
+    u2_s_d = where(u2_s_largest2 < 256, 1.3093562431584567e+151,
+        where(6.703903964971299e+153 < u2_s_largest2, real(3.7291703656001034e-155), real(1)))
+    u2_s = where(u2_s_largest2 < 1.955159272639747e-149, 1.0715086071862673e+301, u2_s_d)
     u2_y_0 = R_20 * u2_s
     u2_y_1 = R_21 * u2_s
     u2_y_2 = R_22 * u2_s
@@ -1308,8 +1295,8 @@ def mat3x3_normalized(R):
     u2_n_sum_right = u2_n_sum - u2_n
     u2_divisor_a = u2_n_sum == 0
     u2_divisor = where(u2_divisor_a, u2_up, u2_n_sum)
-    u2_divisor_lo = (where(u2_divisor_a, 0, u2_n - (u2_n_sum - u2_n_sum_right)
-        + (u2_n_lo - u2_n_sum_right)))
+    u2_divisor_lo = where(u2_divisor_a, 0,
+        u2_n - (u2_n_sum - u2_n_sum_right) + (u2_n_lo - u2_n_sum_right))
     u2_sized_0 = R_20 * u2_up
     u2_sized_1 = R_21 * u2_up
     u2_sized_2 = R_22 * u2_up
@@ -1382,7 +1369,7 @@ def mat3x3_normalized(R):
     dependent_a = (less
         + where(less_a, n_sum_lo, size - (size_sum - size_sum_right) + (size_lo - size_sum_right))
         < 1.7763568394002505e-15)
-    dependent = where(dependent_a, float64(1), float64(0))
+    dependent = where(dependent_a, real(1), real(0))
     Ro_00a = dependent == 1
     Ro_00 = where(Ro_00a, nan, q0_0)
     Ro_01 = where(Ro_00a, nan, q0_1)
@@ -1679,8 +1666,8 @@ def euler_xyz_from_mat3x3(R):
     angles_1_divisor = where(angles_1_zero, 1, angles_1_most)
     angles_1_part0 = R_02 / angles_1_divisor
     angles_1_part1 = n_sum / angles_1_divisor
-    angles_1_safe = (where(angles_1_zero, 1, angles_1_divisor
-        * (angles_1_part1 * angles_1_part1 + angles_1_part0 * angles_1_part0)))
+    angles_1_safe = where(angles_1_zero, 1,
+        angles_1_divisor * (angles_1_part1 * angles_1_part1 + angles_1_part0 * angles_1_part0))
     angles_0_rounded = (angles_0
         + where(angles_0a, first_lo, rest - (rest_sum - rest_sum_right)
         + (rest_lo - rest_sum_right)))
@@ -1877,8 +1864,8 @@ def euler_xyx_from_mat3x3(R):
     angles_1_divisor = where(angles_1_zero, 1, angles_1_most)
     angles_1_part0 = n_sum / angles_1_divisor
     angles_1_part1 = R_00 / angles_1_divisor
-    angles_1_safe = (where(angles_1_zero, 1, angles_1_divisor
-        * (angles_1_part1 * angles_1_part1 + angles_1_part0 * angles_1_part0)))
+    angles_1_safe = where(angles_1_zero, 1,
+        angles_1_divisor * (angles_1_part1 * angles_1_part1 + angles_1_part0 * angles_1_part0))
     angles_0_rounded = (angles_0
         + where(angles_0a, first_lo, rest - (rest_sum - rest_sum_right)
         + (rest_lo - rest_sum_right)))
@@ -1949,8 +1936,8 @@ def mat3x3_jacobi(A, V):
     t_a_product = t_a * along_sum
     t_a_cross = t_a * (along - (along_sum - along_sum_right) + (along_lo - along_sum_right))
     t = where(divisor_a, 0, t_a)
-    t_lo = (where(divisor_a, 0, (1 - t_a_product - product_error(t_a, along_sum, t_a_product)
-        - t_a_cross) / along_sum))
+    t_lo = where(divisor_a, 0, (1 - t_a_product - product_error(t_a, along_sum,
+        t_a_product) - t_a_cross) / along_sum)
     secant_a = t * t
     secant_b = 1 + secant_a
     secant_b_right = secant_b - 1
@@ -2298,8 +2285,8 @@ def mat3x3_from_axis_angle(axis, angle):
     versine_d = cosine + cosine_own_error < 0
     versine = where(versine_d, versine_c, 2 * versine_a)
     versine_c_lo = 1 - (versine_c + versine_c_right) - (cosine - versine_c_right) - cosine_own_error
-    versine_lo = (where(versine_d, versine_c_lo, 2
-        * (product_error(h, h, versine_a) + (h_own_error * h + h * h_own_error))))
+    versine_lo = where(versine_d, versine_c_lo, 2 * (product_error(h, h,
+        versine_a) + (h_own_error * h + h * h_own_error)))
     beta_v_0 = axis_0 * versine
     beta_v_1 = axis_1 * versine
     beta_v_2 = axis_2 * versine
@@ -2455,20 +2442,20 @@ def axis_angle_from_mat3x3(R):
     high_3 = where(high_0b, p_2, d_0)
     column_0a = R_22 < 0
     column_0 = where(column_0a, low_0, high_0)
-    low_0_lo = (where(low_0a, first_0 - (d_1 + d_1_right) - (others_0 - d_1_right) - others_0_lo
-        + first_0_lo, s_2_lo))
+    low_0_lo = where(low_0a,
+        first_0 - (d_1 + d_1_right) - (others_0 - d_1_right) - others_0_lo + first_0_lo, s_2_lo)
     column_0_lo = where(column_0a, low_0_lo, where(high_0b, s_1_lo, p_0_lo))
     column_1 = where(column_0a, low_1, high_1)
-    low_1_lo = (where(low_0a, s_2_lo, first_1 - (d_2 - d_2_right) + (others_1 - d_2_right)
-        + others_1_lo + first_1_lo))
+    low_1_lo = where(low_0a, s_2_lo,
+        first_1 - (d_2 - d_2_right) + (others_1 - d_2_right) + others_1_lo + first_1_lo)
     column_1_lo = where(column_0a, low_1_lo, where(high_0b, s_0_lo, p_1_lo))
     column_2 = where(column_0a, low_2, high_2)
-    high_2_lo = (where(high_0b, first_1 - (d_3 + d_3_right) - (others_1 - d_3_right) - others_1_lo
-        + first_1_lo, p_2_lo))
+    high_2_lo = where(high_0b,
+        first_1 - (d_3 + d_3_right) - (others_1 - d_3_right) - others_1_lo + first_1_lo, p_2_lo)
     column_2_lo = where(column_0a, where(low_0a, s_1_lo, s_0_lo), high_2_lo)
     column_3 = where(column_0a, low_3, high_3)
-    high_3_lo = (where(high_0b, p_2_lo, first_0 - (d_0 - d_0_right) + (others_0 - d_0_right)
-        + others_0_lo + first_0_lo))
+    high_3_lo = where(high_0b, p_2_lo,
+        first_0 - (d_0 - d_0_right) + (others_0 - d_0_right) + others_0_lo + first_0_lo)
     column_3_lo = where(column_0a, where(low_0a, p_0_lo, p_1_lo), high_3_lo)
     column_3_sum = column_3 + column_3_lo
     column_3_sum_right = column_3_sum - column_3
@@ -2520,11 +2507,9 @@ def axis_angle_from_mat3x3(R):
     v_s_size_2_sum_lo = (v_s_size_2 - (v_s_size_2_sum - v_s_size_2_sum_right)
         + (v_s_size_2_lo - v_s_size_2_sum_right))
     v_s_largest2_sum = v_s_largest2 + where(v_s_largest2a, v_s_size_2_sum_lo, v_s_largest1_sum_lo)
-    v_s_b = (where(6.703903964971299e+153
-        < v_s_largest2_sum, float64(3.7291703656001034e-155), float64(1)))
-    v_s = (where(v_s_largest2_sum
-        < 1.955159272639747e-149, 1.0715086071862673e+301, where(v_s_largest2_sum
-        < 256, 1.3093562431584567e+151, v_s_b)))
+    v_s_b = where(6.703903964971299e+153 < v_s_largest2_sum, real(3.7291703656001034e-155), real(1))
+    v_s = where(v_s_largest2_sum < 1.955159272639747e-149, 1.0715086071862673e+301,
+        where(v_s_largest2_sum < 256, 1.3093562431584567e+151, v_s_b))
     v_y_0 = upper_0_sum * v_s
     v_y_0_inverse = 1 / v_s
     v_y_0_lo = (upper_0_sum - v_y_0 * v_y_0_inverse + upper_0_sum_lo) * v_s
@@ -2553,9 +2538,8 @@ def axis_angle_from_mat3x3(R):
     v_n_residual = (v_n_e_sum - v_n_product - product_error(v_n, v_n, v_n_product)
         + (v_n_e - (v_n_e_sum - v_n_e_sum_right) + (v_n_e_lo - v_n_e_sum_right)))
     v_n_lo = v_n_residual / where(v_n == 0, 1, v_n + v_n)
-    v_r_d = (where(1
-        < v_s, 7.637340908749012e-152, where(v_s
-        < 1, float64(2.6815615859885194e+154), float64(1))))
+    v_r_d = where(1 < v_s, 7.637340908749012e-152, where(v_s < 1, real(2.6815615859885194e+154),
+        real(1)))
     v_r = where(1.3093562431584567e+151 < v_s, 9.332636185032189e-302, v_r_d)
     v_n_sum = v_n + v_n_lo
     v_n_sum_right = v_n_sum - v_n
@@ -2576,8 +2560,8 @@ def axis_angle_from_mat3x3(R):
     half_part1 = upper_3_sum / half_divisor
     half_cross2 = (half_part0
         * (upper_3 - (upper_3_sum - upper_3_sum_right) + (upper_3_lo - upper_3_sum_right)))
-    half_safe = (where(half_zero, 1, half_divisor
-        * (half_part1 * half_part1 + half_part0 * half_part0)))
+    half_safe = where(half_zero, 1,
+        half_divisor * (half_part1 * half_part1 + half_part0 * half_part0))
     half_more = ((half_part1 * (n - (n_sum - n_sum_right) + (n_lo - n_sum_right)) - half_cross2)
         / half_safe)
     divisor_a = v_n_sum == 0

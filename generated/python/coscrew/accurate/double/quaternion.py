@@ -7,7 +7,7 @@ In double precision, accurate tier.
 """
 
 from coscrew import _elementary_double as elementary
-from numpy import absolute, float64, nan, sqrt, where
+from numpy import absolute, float64 as real, nan, sqrt, where
 from coscrew._exact import product_error, product_rest
 from coscrew._kernel import double_kernel as kernel
 
@@ -82,9 +82,8 @@ def quaternion_norm(q):
     s_largest1 = where(s_size_0 < s_size_1, s_size_1, s_size_0)
     s_largest2 = where(s_largest1 < s_size_2, s_size_2, s_largest1)
     s_largest3 = where(s_largest2 < s_size_3, s_size_3, s_largest2)
-    s_d = (where(s_largest3
-        < 256, 1.3093562431584567e+151, where(6.703903964971299e+153
-        < s_largest3, float64(3.7291703656001034e-155), float64(1))))
+    s_d = where(s_largest3 < 256, 1.3093562431584567e+151,
+        where(6.703903964971299e+153 < s_largest3, real(3.7291703656001034e-155), real(1)))
     s = where(s_largest3 < 1.955159272639747e-149, 1.0715086071862673e+301, s_d)
     y_0 = q_0 * s
     y_1 = q_1 * s
@@ -109,8 +108,7 @@ def quaternion_norm(q):
     n_product = n * n
     n_lo = ((n_g_sum - n_product - product_error(n, n, n_product)
         + (n_g - (n_g_sum - n_g_sum_right) + (n_g_lo - n_g_sum_right))) / where(n == 0, 1, n + n))
-    r_d = (where(1
-        < s, 7.637340908749012e-152, where(s < 1, float64(2.6815615859885194e+154), float64(1))))
+    r_d = where(1 < s, 7.637340908749012e-152, where(s < 1, real(2.6815615859885194e+154), real(1)))
     r = where(1.3093562431584567e+151 < s, 9.332636185032189e-302, r_d)
     n_sum = n + n_lo
     n_sum_right = n_sum - n
@@ -139,9 +137,8 @@ def quaternion_normalize(self):
     s_largest1 = where(s_size_0 < s_size_1, s_size_1, s_size_0)
     s_largest2 = where(s_largest1 < s_size_2, s_size_2, s_largest1)
     s_largest3 = where(s_largest2 < s_size_3, s_size_3, s_largest2)
-    s_d = (where(s_largest3
-        < 256, 1.3093562431584567e+151, where(6.703903964971299e+153
-        < s_largest3, float64(3.7291703656001034e-155), float64(1))))
+    s_d = where(s_largest3 < 256, 1.3093562431584567e+151,
+        where(6.703903964971299e+153 < s_largest3, real(3.7291703656001034e-155), real(1)))
     s = where(s_largest3 < 1.955159272639747e-149, 1.0715086071862673e+301, s_d)
     y_0 = self_0 * s
     y_1 = self_1 * s
@@ -258,9 +255,8 @@ def quaternion_normalized(q):
     s_largest1 = where(s_size_0 < s_size_1, s_size_1, s_size_0)
     s_largest2 = where(s_largest1 < s_size_2, s_size_2, s_largest1)
     s_largest3 = where(s_largest2 < s_size_3, s_size_3, s_largest2)
-    s_d = (where(s_largest3
-        < 256, 1.3093562431584567e+151, where(6.703903964971299e+153
-        < s_largest3, float64(3.7291703656001034e-155), float64(1))))
+    s_d = where(s_largest3 < 256, 1.3093562431584567e+151,
+        where(6.703903964971299e+153 < s_largest3, real(3.7291703656001034e-155), real(1)))
     s = where(s_largest3 < 1.955159272639747e-149, 1.0715086071862673e+301, s_d)
     y_0 = q_0 * s
     y_1 = q_1 * s
@@ -373,9 +369,8 @@ def quaternion_unit_defect(q):
     s_largest1 = where(s_size_0 < s_size_1, s_size_1, s_size_0)
     s_largest2 = where(s_largest1 < s_size_2, s_size_2, s_largest1)
     s_largest3 = where(s_largest2 < s_size_3, s_size_3, s_largest2)
-    s_d = (where(s_largest3
-        < 256, 1.3093562431584567e+151, where(6.703903964971299e+153
-        < s_largest3, float64(3.7291703656001034e-155), float64(1))))
+    s_d = where(s_largest3 < 256, 1.3093562431584567e+151,
+        where(6.703903964971299e+153 < s_largest3, real(3.7291703656001034e-155), real(1)))
     s = where(s_largest3 < 1.955159272639747e-149, 1.0715086071862673e+301, s_d)
     y_0 = q_0 * s
     y_1 = q_1 * s
@@ -400,8 +395,7 @@ def quaternion_unit_defect(q):
     n_product = n * n
     n_lo = ((n_g_sum - n_product - product_error(n, n, n_product)
         + (n_g - (n_g_sum - n_g_sum_right) + (n_g_lo - n_g_sum_right))) / where(n == 0, 1, n + n))
-    r_d = (where(1
-        < s, 7.637340908749012e-152, where(s < 1, float64(2.6815615859885194e+154), float64(1))))
+    r_d = where(1 < s, 7.637340908749012e-152, where(s < 1, real(2.6815615859885194e+154), real(1)))
     r = where(1.3093562431584567e+151 < s, 9.332636185032189e-302, r_d)
     n_sum = n + n_lo
     n_sum_right = n_sum - n
@@ -432,9 +426,8 @@ def quaternion_nearest_unit(q):
     s_largest1 = where(s_size_0 < s_size_1, s_size_1, s_size_0)
     s_largest2 = where(s_largest1 < s_size_2, s_size_2, s_largest1)
     s_largest3 = where(s_largest2 < s_size_3, s_size_3, s_largest2)
-    s_d = (where(s_largest3
-        < 256, 1.3093562431584567e+151, where(6.703903964971299e+153
-        < s_largest3, float64(3.7291703656001034e-155), float64(1))))
+    s_d = where(s_largest3 < 256, 1.3093562431584567e+151,
+        where(6.703903964971299e+153 < s_largest3, real(3.7291703656001034e-155), real(1)))
     s = where(s_largest3 < 1.955159272639747e-149, 1.0715086071862673e+301, s_d)
     scaled_s_0 = q_0 * s
     scaled_s_1 = q_1 * s
@@ -2689,20 +2682,20 @@ def quaternion_from_mat3x3(R):
     high_3 = where(high_0b, p_2, d_0)
     column_0a = R_22 < 0
     column_0 = where(column_0a, low_0, high_0)
-    low_0_lo = (where(low_0a, first_0 - (d_1 + d_1_right) - (others_0 - d_1_right) - others_0_lo
-        + first_0_lo, s_2_lo))
+    low_0_lo = where(low_0a,
+        first_0 - (d_1 + d_1_right) - (others_0 - d_1_right) - others_0_lo + first_0_lo, s_2_lo)
     column_0_lo = where(column_0a, low_0_lo, where(high_0b, s_1_lo, p_0_lo))
     column_1 = where(column_0a, low_1, high_1)
-    low_1_lo = (where(low_0a, s_2_lo, first_1 - (d_2 - d_2_right) + (others_1 - d_2_right)
-        + others_1_lo + first_1_lo))
+    low_1_lo = where(low_0a, s_2_lo,
+        first_1 - (d_2 - d_2_right) + (others_1 - d_2_right) + others_1_lo + first_1_lo)
     column_1_lo = where(column_0a, low_1_lo, where(high_0b, s_0_lo, p_1_lo))
     column_2 = where(column_0a, low_2, high_2)
-    high_2_lo = (where(high_0b, first_1 - (d_3 + d_3_right) - (others_1 - d_3_right) - others_1_lo
-        + first_1_lo, p_2_lo))
+    high_2_lo = where(high_0b,
+        first_1 - (d_3 + d_3_right) - (others_1 - d_3_right) - others_1_lo + first_1_lo, p_2_lo)
     column_2_lo = where(column_0a, where(low_0a, s_1_lo, s_0_lo), high_2_lo)
     column_3 = where(column_0a, low_3, high_3)
-    high_3_lo = (where(high_0b, p_2_lo, first_0 - (d_0 - d_0_right) + (others_0 - d_0_right)
-        + others_0_lo + first_0_lo))
+    high_3_lo = where(high_0b, p_2_lo,
+        first_0 - (d_0 - d_0_right) + (others_0 - d_0_right) + others_0_lo + first_0_lo)
     column_3_lo = where(column_0a, where(low_0a, p_0_lo, p_1_lo), high_3_lo)
     column_3_sum = column_3 + column_3_lo
     column_3_sum_right = column_3_sum - column_3
@@ -2837,9 +2830,8 @@ def axis_angle_from_quaternion(q):
     s_largest1 = where(s_size_0 < s_size_1, s_size_1, s_size_0)
     s_largest2 = where(s_largest1 < s_size_2, s_size_2, s_largest1)
     s_largest3 = where(s_largest2 < s_size_3, s_size_3, s_largest2)
-    s_d = (where(s_largest3
-        < 256, 1.3093562431584567e+151, where(6.703903964971299e+153
-        < s_largest3, float64(3.7291703656001034e-155), float64(1))))
+    s_d = where(s_largest3 < 256, 1.3093562431584567e+151,
+        where(6.703903964971299e+153 < s_largest3, real(3.7291703656001034e-155), real(1)))
     s = where(s_largest3 < 1.955159272639747e-149, 1.0715086071862673e+301, s_d)
     scaled_s_0 = q_0 * s
     scaled_s_1 = q_1 * s
@@ -2855,9 +2847,8 @@ def axis_angle_from_quaternion(q):
     v_s_size_2 = absolute(upper_2)
     v_s_largest1 = where(v_s_size_0 < v_s_size_1, v_s_size_1, v_s_size_0)
     v_s_largest2 = where(v_s_largest1 < v_s_size_2, v_s_size_2, v_s_largest1)
-    v_s = (where(v_s_largest2
-        < 1.955159272639747e-149, 1.0715086071862673e+301, where(v_s_largest2
-        < 256, float64(1.3093562431584567e+151), float64(1))))
+    v_s = where(v_s_largest2 < 1.955159272639747e-149, 1.0715086071862673e+301,
+        where(v_s_largest2 < 256, real(1.3093562431584567e+151), real(1)))
     v_y_0 = upper_0 * v_s
     v_y_1 = upper_1 * v_s
     v_y_2 = upper_2 * v_s
@@ -2879,8 +2870,8 @@ def axis_angle_from_quaternion(q):
     v_n_residual = (v_n_e_sum - v_n_product - product_error(v_n, v_n, v_n_product)
         + (v_n_e - (v_n_e_sum - v_n_e_sum_right) + (v_n_e_lo - v_n_e_sum_right)))
     v_n_lo = v_n_residual / where(v_n == 0, 1, v_n + v_n)
-    v_r = (where(1.3093562431584567e+151
-        < v_s, 9.332636185032189e-302, where(1 < v_s, float64(7.637340908749012e-152), float64(1))))
+    v_r = where(1.3093562431584567e+151 < v_s, 9.332636185032189e-302, where(1 < v_s,
+        real(7.637340908749012e-152), real(1)))
     v_n_sum = v_n + v_n_lo
     v_n_sum_right = v_n_sum - v_n
     v_n_sum_lo = v_n - (v_n_sum - v_n_sum_right) + (v_n_lo - v_n_sum_right)
@@ -2896,8 +2887,8 @@ def axis_angle_from_quaternion(q):
     half_divisor = where(half_zero, 1, half_most)
     half_part0 = n_sum / half_divisor
     half_part1 = upper_3 / half_divisor
-    half_safe = (where(half_zero, 1, half_divisor
-        * (half_part1 * half_part1 + half_part0 * half_part0)))
+    half_safe = where(half_zero, 1,
+        half_divisor * (half_part1 * half_part1 + half_part0 * half_part0))
     half_more = ((half_part1 * (n - (n_sum - n_sum_right) + (n_lo - n_sum_right)) - half_part0 * 0)
         / half_safe)
     divisor_a = v_n_sum == 0
@@ -2915,9 +2906,8 @@ def axis_angle_from_quaternion(q):
     angle = 2 * half
     axis_0 = where(divisor_a, 1, unit_0)
     angle_rounded = angle + 2 * (elementary.atan2_error(n_sum, upper_3, half) + half_more)
-    axis_0_lo = (where(divisor_a, 0, (v_y_0 - unit_0_product
-        - product_error(unit_0, divisor_sum, unit_0_product) - unit_0 * divisor_sum_lo)
-        / divisor_sum))
+    axis_0_lo = where(divisor_a, 0, (v_y_0 - unit_0_product - product_error(unit_0, divisor_sum,
+        unit_0_product) - unit_0 * divisor_sum_lo) / divisor_sum)
     axis_0_rounded = axis_0 + axis_0_lo
     unit_1_rounded = (unit_1
         + (v_y_1 - unit_1_product - product_error(unit_1, divisor_sum, unit_1_product) - unit_1
@@ -2952,11 +2942,11 @@ def quaternion_exp(v):
     h_size_2 = absolute(h_2)
     h_largest1 = where(h_size_0 < h_size_1, h_size_1, h_size_0)
     h_largest2 = where(h_largest1 < h_size_2, h_size_2, h_largest1)
-    s = where(6.703903964971299e+153 < h_largest2, float64(3.7291703656001034e-155), float64(1))
+    s = where(6.703903964971299e+153 < h_largest2, real(3.7291703656001034e-155), real(1))
     reduced_0 = h_0 * s
     reduced_1 = h_1 * s
     reduced_2 = h_2 * s
-    up = where(s < 1, float64(2.6815615859885194e+154), float64(1))
+    up = where(s < 1, real(2.6815615859885194e+154), real(1))
     reduced_length_a = reduced_0 * reduced_0
     reduced_length_b = reduced_1 * reduced_1
     reduced_length_c = reduced_length_a + reduced_length_b
@@ -3062,9 +3052,8 @@ def quaternion_log(q):
     s_largest1 = where(s_size_0 < s_size_1, s_size_1, s_size_0)
     s_largest2 = where(s_largest1 < s_size_2, s_size_2, s_largest1)
     s_largest3 = where(s_largest2 < s_size_3, s_size_3, s_largest2)
-    s_d = (where(s_largest3
-        < 256, 1.3093562431584567e+151, where(6.703903964971299e+153
-        < s_largest3, float64(3.7291703656001034e-155), float64(1))))
+    s_d = where(s_largest3 < 256, 1.3093562431584567e+151,
+        where(6.703903964971299e+153 < s_largest3, real(3.7291703656001034e-155), real(1)))
     s = where(s_largest3 < 1.955159272639747e-149, 1.0715086071862673e+301, s_d)
     scaled_s_0 = q_0 * s
     scaled_s_1 = q_1 * s
@@ -3080,9 +3069,8 @@ def quaternion_log(q):
     v_s_size_2 = absolute(upper_2)
     v_s_largest1 = where(v_s_size_0 < v_s_size_1, v_s_size_1, v_s_size_0)
     v_s_largest2 = where(v_s_largest1 < v_s_size_2, v_s_size_2, v_s_largest1)
-    v_s = (where(v_s_largest2
-        < 1.955159272639747e-149, 1.0715086071862673e+301, where(v_s_largest2
-        < 256, float64(1.3093562431584567e+151), float64(1))))
+    v_s = where(v_s_largest2 < 1.955159272639747e-149, 1.0715086071862673e+301,
+        where(v_s_largest2 < 256, real(1.3093562431584567e+151), real(1)))
     v_y_0 = upper_0 * v_s
     v_y_1 = upper_1 * v_s
     v_y_2 = upper_2 * v_s
@@ -3104,8 +3092,8 @@ def quaternion_log(q):
     v_n_residual = (v_n_e_sum - v_n_product - product_error(v_n, v_n, v_n_product)
         + (v_n_e - (v_n_e_sum - v_n_e_sum_right) + (v_n_e_lo - v_n_e_sum_right)))
     v_n_lo = v_n_residual / where(v_n == 0, 1, v_n + v_n)
-    v_r = (where(1.3093562431584567e+151
-        < v_s, 9.332636185032189e-302, where(1 < v_s, float64(7.637340908749012e-152), float64(1))))
+    v_r = where(1.3093562431584567e+151 < v_s, 9.332636185032189e-302, where(1 < v_s,
+        real(7.637340908749012e-152), real(1)))
     v_n_sum = v_n + v_n_lo
     v_n_sum_right = v_n_sum - v_n
     n = v_n_sum * v_r
@@ -3278,11 +3266,9 @@ def quaternion_interpolated(q1, q2, k):
     v_s_size_2_sum_lo = (v_s_size_2 - (v_s_size_2_sum - v_s_size_2_sum_right)
         + (v_s_size_2_lo - v_s_size_2_sum_right))
     v_s_largest2_sum = v_s_largest2 + where(v_s_largest2a, v_s_size_2_sum_lo, v_s_largest1_sum_lo)
-    v_s_b = (where(6.703903964971299e+153
-        < v_s_largest2_sum, float64(3.7291703656001034e-155), float64(1)))
-    v_s = (where(v_s_largest2_sum
-        < 1.955159272639747e-149, 1.0715086071862673e+301, where(v_s_largest2_sum
-        < 256, 1.3093562431584567e+151, v_s_b)))
+    v_s_b = where(6.703903964971299e+153 < v_s_largest2_sum, real(3.7291703656001034e-155), real(1))
+    v_s = where(v_s_largest2_sum < 1.955159272639747e-149, 1.0715086071862673e+301,
+        where(v_s_largest2_sum < 256, 1.3093562431584567e+151, v_s_b))
     v_y_0 = upper_0_sum * v_s
     v_y_0_inverse = 1 / v_s
     v_y_0_lo = (upper_0_sum - v_y_0 * v_y_0_inverse + upper_0_sum_lo) * v_s
@@ -3311,9 +3297,8 @@ def quaternion_interpolated(q1, q2, k):
     v_n_residual = (v_n_e_sum - v_n_product - product_error(v_n, v_n, v_n_product)
         + (v_n_e - (v_n_e_sum - v_n_e_sum_right) + (v_n_e_lo - v_n_e_sum_right)))
     v_n_lo = v_n_residual / where(v_n == 0, 1, v_n + v_n)
-    v_r_d = (where(1
-        < v_s, 7.637340908749012e-152, where(v_s
-        < 1, float64(2.6815615859885194e+154), float64(1))))
+    v_r_d = where(1 < v_s, 7.637340908749012e-152, where(v_s < 1, real(2.6815615859885194e+154),
+        real(1)))
     v_r = where(1.3093562431584567e+151 < v_s, 9.332636185032189e-302, v_r_d)
     v_n_sum = v_n + v_n_lo
     v_n_sum_right = v_n_sum - v_n
@@ -3402,7 +3387,7 @@ def quaternion_interpolated(q1, q2, k):
         + (exp_h_size_2_lo - exp_h_size_2_sum_right))
     exp_s_a = (6.703903964971299e+153 < exp_h_largest2
         + where(exp_h_largest2a, exp_h_size_2_sum_lo, exp_h_largest1_sum_lo))
-    exp_s = where(exp_s_a, float64(3.7291703656001034e-155), float64(1))
+    exp_s = where(exp_s_a, real(3.7291703656001034e-155), real(1))
     exp_reduced_0 = step_0_sum * exp_s
     exp_reduced_0_inverse = 1 / exp_s
     exp_reduced_0_lo = (step_0_sum - exp_reduced_0 * exp_reduced_0_inverse + step_0_sum_lo) * exp_s
@@ -3410,7 +3395,7 @@ def quaternion_interpolated(q1, q2, k):
     exp_reduced_1_lo = (step_1_sum - exp_reduced_1 * exp_reduced_0_inverse + step_1_sum_lo) * exp_s
     exp_reduced_2 = step_2_sum * exp_s
     exp_reduced_2_lo = (step_2_sum - exp_reduced_2 * exp_reduced_0_inverse + step_2_sum_lo) * exp_s
-    exp_up = where(exp_s < 1, float64(2.6815615859885194e+154), float64(1))
+    exp_up = where(exp_s < 1, real(2.6815615859885194e+154), real(1))
     exp_reduced_length_a = exp_reduced_0 * exp_reduced_0
     exp_reduced_length_b = exp_reduced_1 * exp_reduced_1
     exp_reduced_length_c = exp_reduced_length_a + exp_reduced_length_b
@@ -3498,8 +3483,9 @@ def quaternion_interpolated(q1, q2, k):
     exp_sinc = where(exp_sinc_divisor_a, exp_sinc_b, exp_sinc_quotient)
     exp_sinc_quotient_lo = ((exp_sinc_quotient_numerator - exp_sinc_quotient
         * exp_sinc_divisor_sum_lo) / exp_sinc_divisor_sum)
-    exp_sinc_lo = (where(exp_sinc_divisor_a, exp_sinc_b_lo1
-        - (9.25185853854297e-18 * exp_y + 0.16666666666666666 * exp_y_lo), exp_sinc_quotient_lo))
+    exp_sinc_lo = where(exp_sinc_divisor_a,
+        exp_sinc_b_lo1 - (9.25185853854297e-18 * exp_y + 0.16666666666666666 * exp_y_lo),
+        exp_sinc_quotient_lo)
     power_0 = step_0_sum * exp_sinc
     power_1 = step_1_sum * exp_sinc
     power_2 = step_2_sum * exp_sinc

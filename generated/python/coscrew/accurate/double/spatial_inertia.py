@@ -1476,14 +1476,14 @@ def spatial_inertia_consistency(B):
     u1_1b = u1_1a + B_7
     u1_1b_right = u1_1b - u1_1a
     u1_1 = -u1_1b
-    u1_1_lo = (-(product_rest(B_2, l0_0, u1_1a, u1_1b - u1_1b_right) + (B_7 - u1_1b_right) + B_2
-        * l0_0_lo))
+    u1_1_lo = -(product_rest(B_2, l0_0, u1_1a,
+        u1_1b - u1_1b_right) + (B_7 - u1_1b_right) + B_2 * l0_0_lo)
     u1_2a = B_3 * l0_0
     u1_2b = u1_2a + B_8
     u1_2b_right = u1_2b - u1_2a
     u1_2 = -u1_2b
-    u1_2_lo = (-(product_rest(B_3, l0_0, u1_2a, u1_2b - u1_2b_right) + (B_8 - u1_2b_right) + B_3
-        * l0_0_lo))
+    u1_2_lo = -(product_rest(B_3, l0_0, u1_2a,
+        u1_2b - u1_2b_right) + (B_8 - u1_2b_right) + B_3 * l0_0_lo)
     u1_0_sum = u1_0 + u1_0_lo
     u1_0_sum_right = u1_0_sum - u1_0
     u1_0_sum_lo = u1_0 - (u1_0_sum - u1_0_sum_right) + (u1_0_lo - u1_0_sum_right)
@@ -1526,9 +1526,8 @@ def spatial_inertia_consistency(B):
     u2_1d_lo2 = (u2_1b - (u2_1d - u2_1d_right) + product_rest(u1_2_sum, l1_0, u2_1c, u2_1d_right)
         + (u1_2_sum_lo * l1_0 + u1_2_sum * l1_0_lo))
     u2_1 = -u2_1d
-    u2_1_lo = (-(u2_1d_lo2
-        + (product_rest(B_3, l0_1, u2_1a, u2_1b - u2_1b_right) + (B_9 - u2_1b_right) + B_3
-        * l0_1_lo)))
+    u2_1_lo = -(u2_1d_lo2 + (product_rest(B_3, l0_1, u2_1a,
+        u2_1b - u2_1b_right) + (B_9 - u2_1b_right) + B_3 * l0_1_lo))
     u2_0_sum = u2_0 + u2_0_lo
     u2_0_sum_right = u2_0_sum - u2_0
     u2_0_sum_lo = u2_0 - (u2_0_sum - u2_0_sum_right) + (u2_0_lo - u2_0_sum_right)
@@ -1570,8 +1569,8 @@ def spatial_inertia_consistency(B):
     part0a = B_0 / divisor0
     part0a_product = part0a * divisor0
     part0 = where(divisor0a, part0a, B_0)
-    part0_lo = (where(divisor0a, (B_0 - part0a_product
-        - product_error(part0a, divisor0, part0a_product)) / divisor0, 0))
+    part0_lo = where(divisor0a, (B_0 - part0a_product - product_error(part0a, divisor0,
+        part0a_product)) / divisor0, 0)
     sigma_0_sum = sigma_0 + sigma_0_lo
     sigma_0_sum_right = sigma_0_sum - sigma_0
     sigma_0_sum_lo = sigma_0 - (sigma_0_sum - sigma_0_sum_right) + (sigma_0_lo - sigma_0_sum_right)
@@ -1585,9 +1584,10 @@ def spatial_inertia_consistency(B):
     part1a_numerator = (u1_0_sum - part1a_product - product_error(part1a, own1_sum, part1a_product)
         + u1_0_sum_lo)
     part1 = where(own1a, part1a, sigma_0_sum)
-    part1_lo = (where(own1a, (part1a_numerator - part1a
-        * (own1 - (own1_sum - own1_sum_right) + (own1_lo - own1_sum_right)))
-        / own1_sum, sigma_0_sum_lo))
+    part1_lo = where(own1a,
+        (part1a_numerator - part1a * (own1 - (own1_sum - own1_sum_right) + (own1_lo -
+            own1_sum_right))) / own1_sum,
+        sigma_0_sum_lo)
     part0_sum = part0 + part0_lo
     part0_sum_right = part0_sum - part0
     part1_sum = part1 + part1_lo
@@ -1595,8 +1595,8 @@ def spatial_inertia_consistency(B):
     smallest1a = part0_sum < part1_sum
     smallest1 = where(smallest1a, part0_sum, part1_sum)
     part0_sum_lo = part0 - (part0_sum - part0_sum_right) + (part0_lo - part0_sum_right)
-    smallest1_lo = (where(smallest1a, part0_sum_lo, part1 - (part1_sum - part1_sum_right)
-        + (part1_lo - part1_sum_right)))
+    smallest1_lo = where(smallest1a, part0_sum_lo,
+        part1 - (part1_sum - part1_sum_right) + (part1_lo - part1_sum_right))
     sigma_1_sum = sigma_1 + sigma_1_lo
     sigma_1_sum_right = sigma_1_sum - sigma_1
     sigma_1_sum_lo = sigma_1 - (sigma_1_sum - sigma_1_sum_right) + (sigma_1_lo - sigma_1_sum_right)
@@ -1610,9 +1610,10 @@ def spatial_inertia_consistency(B):
     part2a_numerator = (u2_0_sum - part2a_product - product_error(part2a, own2_sum, part2a_product)
         + u2_0_sum_lo)
     part2 = where(own2a, part2a, sigma_1_sum)
-    part2_lo = (where(own2a, (part2a_numerator - part2a
-        * (own2 - (own2_sum - own2_sum_right) + (own2_lo - own2_sum_right)))
-        / own2_sum, sigma_1_sum_lo))
+    part2_lo = where(own2a,
+        (part2a_numerator - part2a * (own2 - (own2_sum - own2_sum_right) + (own2_lo -
+            own2_sum_right))) / own2_sum,
+        sigma_1_sum_lo)
     smallest1_sum = smallest1 + smallest1_lo
     smallest1_sum_right = smallest1_sum - smallest1
     part2_sum = part2 + part2_lo
@@ -1621,8 +1622,8 @@ def spatial_inertia_consistency(B):
     smallest2 = where(smallest2a, smallest1_sum, part2_sum)
     smallest1_sum_lo = (smallest1 - (smallest1_sum - smallest1_sum_right)
         + (smallest1_lo - smallest1_sum_right))
-    smallest2_lo = (where(smallest2a, smallest1_sum_lo, part2 - (part2_sum - part2_sum_right)
-        + (part2_lo - part2_sum_right)))
+    smallest2_lo = where(smallest2a, smallest1_sum_lo,
+        part2 - (part2_sum - part2_sum_right) + (part2_lo - part2_sum_right))
     sigma_2_sum = sigma_2 + sigma_2_lo
     sigma_2_sum_right = sigma_2_sum - sigma_2
     sigma_2_sum_lo = sigma_2 - (sigma_2_sum - sigma_2_sum_right) + (sigma_2_lo - sigma_2_sum_right)
@@ -1638,9 +1639,10 @@ def spatial_inertia_consistency(B):
     part3a_numerator = (u3_sum - part3a_product - product_error(part3a, own3_sum, part3a_product)
         + (u3 - (u3_sum - u3_sum_right) + (u3_lo - u3_sum_right)))
     part3 = where(own3a, part3a, sigma_2_sum)
-    part3_lo = (where(own3a, (part3a_numerator - part3a
-        * (own3 - (own3_sum - own3_sum_right) + (own3_lo - own3_sum_right)))
-        / own3_sum, sigma_2_sum_lo))
+    part3_lo = where(own3a,
+        (part3a_numerator - part3a * (own3 - (own3_sum - own3_sum_right) + (own3_lo -
+            own3_sum_right))) / own3_sum,
+        sigma_2_sum_lo)
     smallest2_sum = smallest2 + smallest2_lo
     smallest2_sum_right = smallest2_sum - smallest2
     part3_sum = part3 + part3_lo

@@ -6,7 +6,7 @@
 In double precision, accurate tier.
 """
 
-from numpy import float64, nan, where
+from numpy import float64 as real, nan, where
 from coscrew._exact import product_error, product_rest
 from coscrew._kernel import double_kernel as kernel
 
@@ -70,15 +70,15 @@ def mat3x3_ldl(A):
     part0a = A_00 / divisor0
     part0a_product = part0a * divisor0
     part0 = where(divisor0a, part0a, A_00)
-    part0_lo = (where(divisor0a, (A_00 - part0a_product
-        - product_error(part0a, divisor0, part0a_product)) / divisor0, 0))
+    part0_lo = where(divisor0a, (A_00 - part0a_product - product_error(part0a, divisor0,
+        part0a_product)) / divisor0, 0)
     own1a = 0 < A_11
     own1 = where(own1a, A_11, 1)
     part1a = u1_0_sum / own1
     part1a_product = part1a * own1
     part1 = where(own1a, part1a, A_11)
-    part1_lo = (where(own1a, (u1_0_sum - part1a_product
-        - product_error(part1a, own1, part1a_product) + u1_0_sum_lo) / own1, 0))
+    part1_lo = where(own1a, (u1_0_sum - part1a_product - product_error(part1a, own1,
+        part1a_product) + u1_0_sum_lo) / own1, 0)
     part0_sum = part0 + part0_lo
     part0_sum_right = part0_sum - part0
     part1_sum = part1 + part1_lo
@@ -86,8 +86,8 @@ def mat3x3_ldl(A):
     smallest1a = part0_sum < part1_sum
     smallest1 = where(smallest1a, part0_sum, part1_sum)
     part0_sum_lo = part0 - (part0_sum - part0_sum_right) + (part0_lo - part0_sum_right)
-    smallest1_lo = (where(smallest1a, part0_sum_lo, part1 - (part1_sum - part1_sum_right)
-        + (part1_lo - part1_sum_right)))
+    smallest1_lo = where(smallest1a, part0_sum_lo,
+        part1 - (part1_sum - part1_sum_right) + (part1_lo - part1_sum_right))
     own2a = 0 < A_22
     own2 = where(own2a, A_22, 1)
     u2_sum = u2 + u2_lo
@@ -249,15 +249,15 @@ def mat3x3_solve(A, b):
     part0a = A_00 / divisor0
     part0a_product = part0a * divisor0
     part0 = where(divisor0a, part0a, A_00)
-    part0_lo = (where(divisor0a, (A_00 - part0a_product
-        - product_error(part0a, divisor0, part0a_product)) / divisor0, 0))
+    part0_lo = where(divisor0a, (A_00 - part0a_product - product_error(part0a, divisor0,
+        part0a_product)) / divisor0, 0)
     own1a = 0 < A_11
     own1 = where(own1a, A_11, 1)
     part1a = u1_0_sum / own1
     part1a_product = part1a * own1
     part1 = where(own1a, part1a, A_11)
-    part1_lo = (where(own1a, (u1_0_sum - part1a_product
-        - product_error(part1a, own1, part1a_product) + u1_0_sum_lo) / own1, 0))
+    part1_lo = where(own1a, (u1_0_sum - part1a_product - product_error(part1a, own1,
+        part1a_product) + u1_0_sum_lo) / own1, 0)
     part0_sum = part0 + part0_lo
     part0_sum_right = part0_sum - part0
     part1_sum = part1 + part1_lo
@@ -265,15 +265,15 @@ def mat3x3_solve(A, b):
     smallest1a = part0_sum < part1_sum
     smallest1 = where(smallest1a, part0_sum, part1_sum)
     part0_sum_lo = part0 - (part0_sum - part0_sum_right) + (part0_lo - part0_sum_right)
-    smallest1_lo = (where(smallest1a, part0_sum_lo, part1 - (part1_sum - part1_sum_right)
-        + (part1_lo - part1_sum_right)))
+    smallest1_lo = where(smallest1a, part0_sum_lo,
+        part1 - (part1_sum - part1_sum_right) + (part1_lo - part1_sum_right))
     own2a = 0 < A_22
     own2 = where(own2a, A_22, 1)
     part2a = u2_sum / own2
     part2a_product = part2a * own2
     part2 = where(own2a, part2a, A_22)
-    part2_lo = (where(own2a, (u2_sum - part2a_product - product_error(part2a, own2, part2a_product)
-        + u2_sum_lo) / own2, 0))
+    part2_lo = where(own2a, (u2_sum - part2a_product - product_error(part2a, own2,
+        part2a_product) + u2_sum_lo) / own2, 0)
     smallest1_sum = smallest1 + smallest1_lo
     smallest1_sum_right = smallest1_sum - smallest1
     part2_sum = part2 + part2_lo
@@ -282,8 +282,8 @@ def mat3x3_solve(A, b):
     smallest2 = where(smallest2a, smallest1_sum, part2_sum)
     smallest1_sum_lo = (smallest1 - (smallest1_sum - smallest1_sum_right)
         + (smallest1_lo - smallest1_sum_right))
-    smallest2_lo = (where(smallest2a, smallest1_sum_lo, part2 - (part2_sum - part2_sum_right)
-        + (part2_lo - part2_sum_right)))
+    smallest2_lo = where(smallest2a, smallest1_sum_lo,
+        part2 - (part2_sum - part2_sum_right) + (part2_lo - part2_sum_right))
     less_0 = A_00 * 0.9999999999999944
     less_1 = A_11 * 0.9999999999999944
     less_2 = A_22 * 0.9999999999999944
@@ -292,8 +292,8 @@ def mat3x3_solve(A, b):
     less_0_sum_right = less_0_sum - less_0
     less_divisor0a = 0 < less_0_sum
     less_divisor0 = where(less_divisor0a, less_0_sum, 1)
-    less_divisor0_lo = (where(less_divisor0a, less_0 - (less_0_sum - less_0_sum_right)
-        + (less_0_lo - less_0_sum_right), 0))
+    less_divisor0_lo = where(less_divisor0a,
+        less_0 - (less_0_sum - less_0_sum_right) + (less_0_lo - less_0_sum_right), 0)
     less_divisor0_sum = less_divisor0 + less_divisor0_lo
     less_divisor0_sum_right = less_divisor0_sum - less_divisor0
     less_divisor0_sum_lo = (less_divisor0 - (less_divisor0_sum - less_divisor0_sum_right)
@@ -312,8 +312,8 @@ def mat3x3_solve(A, b):
     less_u1_0a = A_10 * less_l0_0
     less_u1_0 = less_1 - less_u1_0a
     less_u1_0_right = less_1 - less_u1_0
-    less_u1_0_left_rest = (product_rest(A_11, 0.9999999999999944, less_1, less_u1_0
-        + less_u1_0_right))
+    less_u1_0_left_rest = product_rest(A_11, 0.9999999999999944, less_1,
+        less_u1_0 + less_u1_0_right)
     less_u1_0_lo = (less_u1_0_left_rest
         - product_rest(A_10, less_l0_0, less_u1_0a, less_u1_0_right) - A_10 * less_l0_0_lo)
     less_u1_1a = A_20 * less_l0_0
@@ -325,8 +325,8 @@ def mat3x3_solve(A, b):
     less_u1_0_sum_right = less_u1_0_sum - less_u1_0
     less_divisor1a = 0 < less_u1_0_sum
     less_divisor1 = where(less_divisor1a, less_u1_0_sum, 1)
-    less_divisor1_lo = (where(less_divisor1a, less_u1_0 - (less_u1_0_sum - less_u1_0_sum_right)
-        + (less_u1_0_lo - less_u1_0_sum_right), 0))
+    less_divisor1_lo = where(less_divisor1a,
+        less_u1_0 - (less_u1_0_sum - less_u1_0_sum_right) + (less_u1_0_lo - less_u1_0_sum_right), 0)
     less_u1_1_sum = less_u1_1 + less_u1_1_lo
     less_u1_1_sum_right = less_u1_1_sum - less_u1_1
     less_u1_1_sum_lo = (less_u1_1 - (less_u1_1_sum - less_u1_1_sum_right)
@@ -353,10 +353,9 @@ def mat3x3_solve(A, b):
         - product_rest(less_u1_1_sum, less_l1, less_u2c, less_u2_right))
     less_u2_lo2 = (less_u2_lo1
         - (less_u1_1_sum_lo * less_l1 + less_u1_1_sum * (less_l1_residual / less_divisor1_sum)))
-    regular_b = (where(0 < less_u2
-        + (less_u2_lo2
-        + (less_u2b_lo1 - A_20
-        * (less_l0_1_residual / less_divisor0_sum))), float64(1), float64(0)))
+    regular_b = where(0 < less_u2 + (less_u2_lo2 + (less_u2b_lo1 - A_20 * (less_l0_1_residual /
+        less_divisor0_sum))),
+        real(1), real(0))
     regular = where(less_divisor0a, where(less_divisor1a, regular_b, 0), 0)
     smallest2_sum = smallest2 + smallest2_lo
     smallest2_sum_right = smallest2_sum - smallest2
@@ -891,15 +890,15 @@ def mat6x6_ldl(A):
     part0a = A_00 / divisor0
     part0a_product = part0a * divisor0
     part0 = where(divisor0a, part0a, A_00)
-    part0_lo = (where(divisor0a, (A_00 - part0a_product
-        - product_error(part0a, divisor0, part0a_product)) / divisor0, 0))
+    part0_lo = where(divisor0a, (A_00 - part0a_product - product_error(part0a, divisor0,
+        part0a_product)) / divisor0, 0)
     own1a = 0 < A_11
     own1 = where(own1a, A_11, 1)
     part1a = u1_0_sum / own1
     part1a_product = part1a * own1
     part1 = where(own1a, part1a, A_11)
-    part1_lo = (where(own1a, (u1_0_sum - part1a_product
-        - product_error(part1a, own1, part1a_product) + u1_0_sum_lo) / own1, 0))
+    part1_lo = where(own1a, (u1_0_sum - part1a_product - product_error(part1a, own1,
+        part1a_product) + u1_0_sum_lo) / own1, 0)
     part0_sum = part0 + part0_lo
     part0_sum_right = part0_sum - part0
     part1_sum = part1 + part1_lo
@@ -907,15 +906,15 @@ def mat6x6_ldl(A):
     smallest1a = part0_sum < part1_sum
     smallest1 = where(smallest1a, part0_sum, part1_sum)
     part0_sum_lo = part0 - (part0_sum - part0_sum_right) + (part0_lo - part0_sum_right)
-    smallest1_lo = (where(smallest1a, part0_sum_lo, part1 - (part1_sum - part1_sum_right)
-        + (part1_lo - part1_sum_right)))
+    smallest1_lo = where(smallest1a, part0_sum_lo,
+        part1 - (part1_sum - part1_sum_right) + (part1_lo - part1_sum_right))
     own2a = 0 < A_22
     own2 = where(own2a, A_22, 1)
     part2a = u2_0_sum / own2
     part2a_product = part2a * own2
     part2 = where(own2a, part2a, A_22)
-    part2_lo = (where(own2a, (u2_0_sum - part2a_product
-        - product_error(part2a, own2, part2a_product) + u2_0_sum_lo) / own2, 0))
+    part2_lo = where(own2a, (u2_0_sum - part2a_product - product_error(part2a, own2,
+        part2a_product) + u2_0_sum_lo) / own2, 0)
     smallest1_sum = smallest1 + smallest1_lo
     smallest1_sum_right = smallest1_sum - smallest1
     part2_sum = part2 + part2_lo
@@ -924,15 +923,15 @@ def mat6x6_ldl(A):
     smallest2 = where(smallest2a, smallest1_sum, part2_sum)
     smallest1_sum_lo = (smallest1 - (smallest1_sum - smallest1_sum_right)
         + (smallest1_lo - smallest1_sum_right))
-    smallest2_lo = (where(smallest2a, smallest1_sum_lo, part2 - (part2_sum - part2_sum_right)
-        + (part2_lo - part2_sum_right)))
+    smallest2_lo = where(smallest2a, smallest1_sum_lo,
+        part2 - (part2_sum - part2_sum_right) + (part2_lo - part2_sum_right))
     own3a = 0 < A_33
     own3 = where(own3a, A_33, 1)
     part3a = u3_0_sum / own3
     part3a_product = part3a * own3
     part3 = where(own3a, part3a, A_33)
-    part3_lo = (where(own3a, (u3_0_sum - part3a_product
-        - product_error(part3a, own3, part3a_product) + u3_0_sum_lo) / own3, 0))
+    part3_lo = where(own3a, (u3_0_sum - part3a_product - product_error(part3a, own3,
+        part3a_product) + u3_0_sum_lo) / own3, 0)
     smallest2_sum = smallest2 + smallest2_lo
     smallest2_sum_right = smallest2_sum - smallest2
     part3_sum = part3 + part3_lo
@@ -941,15 +940,15 @@ def mat6x6_ldl(A):
     smallest3 = where(smallest3a, smallest2_sum, part3_sum)
     smallest2_sum_lo = (smallest2 - (smallest2_sum - smallest2_sum_right)
         + (smallest2_lo - smallest2_sum_right))
-    smallest3_lo = (where(smallest3a, smallest2_sum_lo, part3 - (part3_sum - part3_sum_right)
-        + (part3_lo - part3_sum_right)))
+    smallest3_lo = where(smallest3a, smallest2_sum_lo,
+        part3 - (part3_sum - part3_sum_right) + (part3_lo - part3_sum_right))
     own4a = 0 < A_44
     own4 = where(own4a, A_44, 1)
     part4a = u4_0_sum / own4
     part4a_product = part4a * own4
     part4 = where(own4a, part4a, A_44)
-    part4_lo = (where(own4a, (u4_0_sum - part4a_product
-        - product_error(part4a, own4, part4a_product) + u4_0_sum_lo) / own4, 0))
+    part4_lo = where(own4a, (u4_0_sum - part4a_product - product_error(part4a, own4,
+        part4a_product) + u4_0_sum_lo) / own4, 0)
     smallest3_sum = smallest3 + smallest3_lo
     smallest3_sum_right = smallest3_sum - smallest3
     part4_sum = part4 + part4_lo
@@ -958,8 +957,8 @@ def mat6x6_ldl(A):
     smallest4 = where(smallest4a, smallest3_sum, part4_sum)
     smallest3_sum_lo = (smallest3 - (smallest3_sum - smallest3_sum_right)
         + (smallest3_lo - smallest3_sum_right))
-    smallest4_lo = (where(smallest4a, smallest3_sum_lo, part4 - (part4_sum - part4_sum_right)
-        + (part4_lo - part4_sum_right)))
+    smallest4_lo = where(smallest4a, smallest3_sum_lo,
+        part4 - (part4_sum - part4_sum_right) + (part4_lo - part4_sum_right))
     own5a = 0 < A_55
     own5 = where(own5a, A_55, 1)
     u5_sum = u5 + u5_lo
@@ -1563,15 +1562,15 @@ def mat6x6_solve(A, b):
     part0a = A_00 / divisor0
     part0a_product = part0a * divisor0
     part0 = where(divisor0a, part0a, A_00)
-    part0_lo = (where(divisor0a, (A_00 - part0a_product
-        - product_error(part0a, divisor0, part0a_product)) / divisor0, 0))
+    part0_lo = where(divisor0a, (A_00 - part0a_product - product_error(part0a, divisor0,
+        part0a_product)) / divisor0, 0)
     own1a = 0 < A_11
     own1 = where(own1a, A_11, 1)
     part1a = u1_0_sum / own1
     part1a_product = part1a * own1
     part1 = where(own1a, part1a, A_11)
-    part1_lo = (where(own1a, (u1_0_sum - part1a_product
-        - product_error(part1a, own1, part1a_product) + u1_0_sum_lo) / own1, 0))
+    part1_lo = where(own1a, (u1_0_sum - part1a_product - product_error(part1a, own1,
+        part1a_product) + u1_0_sum_lo) / own1, 0)
     part0_sum = part0 + part0_lo
     part0_sum_right = part0_sum - part0
     part1_sum = part1 + part1_lo
@@ -1579,15 +1578,15 @@ def mat6x6_solve(A, b):
     smallest1a = part0_sum < part1_sum
     smallest1 = where(smallest1a, part0_sum, part1_sum)
     part0_sum_lo = part0 - (part0_sum - part0_sum_right) + (part0_lo - part0_sum_right)
-    smallest1_lo = (where(smallest1a, part0_sum_lo, part1 - (part1_sum - part1_sum_right)
-        + (part1_lo - part1_sum_right)))
+    smallest1_lo = where(smallest1a, part0_sum_lo,
+        part1 - (part1_sum - part1_sum_right) + (part1_lo - part1_sum_right))
     own2a = 0 < A_22
     own2 = where(own2a, A_22, 1)
     part2a = u2_0_sum / own2
     part2a_product = part2a * own2
     part2 = where(own2a, part2a, A_22)
-    part2_lo = (where(own2a, (u2_0_sum - part2a_product
-        - product_error(part2a, own2, part2a_product) + u2_0_sum_lo) / own2, 0))
+    part2_lo = where(own2a, (u2_0_sum - part2a_product - product_error(part2a, own2,
+        part2a_product) + u2_0_sum_lo) / own2, 0)
     smallest1_sum = smallest1 + smallest1_lo
     smallest1_sum_right = smallest1_sum - smallest1
     part2_sum = part2 + part2_lo
@@ -1596,15 +1595,15 @@ def mat6x6_solve(A, b):
     smallest2 = where(smallest2a, smallest1_sum, part2_sum)
     smallest1_sum_lo = (smallest1 - (smallest1_sum - smallest1_sum_right)
         + (smallest1_lo - smallest1_sum_right))
-    smallest2_lo = (where(smallest2a, smallest1_sum_lo, part2 - (part2_sum - part2_sum_right)
-        + (part2_lo - part2_sum_right)))
+    smallest2_lo = where(smallest2a, smallest1_sum_lo,
+        part2 - (part2_sum - part2_sum_right) + (part2_lo - part2_sum_right))
     own3a = 0 < A_33
     own3 = where(own3a, A_33, 1)
     part3a = u3_0_sum / own3
     part3a_product = part3a * own3
     part3 = where(own3a, part3a, A_33)
-    part3_lo = (where(own3a, (u3_0_sum - part3a_product
-        - product_error(part3a, own3, part3a_product) + u3_0_sum_lo) / own3, 0))
+    part3_lo = where(own3a, (u3_0_sum - part3a_product - product_error(part3a, own3,
+        part3a_product) + u3_0_sum_lo) / own3, 0)
     smallest2_sum = smallest2 + smallest2_lo
     smallest2_sum_right = smallest2_sum - smallest2
     part3_sum = part3 + part3_lo
@@ -1613,15 +1612,15 @@ def mat6x6_solve(A, b):
     smallest3 = where(smallest3a, smallest2_sum, part3_sum)
     smallest2_sum_lo = (smallest2 - (smallest2_sum - smallest2_sum_right)
         + (smallest2_lo - smallest2_sum_right))
-    smallest3_lo = (where(smallest3a, smallest2_sum_lo, part3 - (part3_sum - part3_sum_right)
-        + (part3_lo - part3_sum_right)))
+    smallest3_lo = where(smallest3a, smallest2_sum_lo,
+        part3 - (part3_sum - part3_sum_right) + (part3_lo - part3_sum_right))
     own4a = 0 < A_44
     own4 = where(own4a, A_44, 1)
     part4a = u4_0_sum / own4
     part4a_product = part4a * own4
     part4 = where(own4a, part4a, A_44)
-    part4_lo = (where(own4a, (u4_0_sum - part4a_product
-        - product_error(part4a, own4, part4a_product) + u4_0_sum_lo) / own4, 0))
+    part4_lo = where(own4a, (u4_0_sum - part4a_product - product_error(part4a, own4,
+        part4a_product) + u4_0_sum_lo) / own4, 0)
     smallest3_sum = smallest3 + smallest3_lo
     smallest3_sum_right = smallest3_sum - smallest3
     part4_sum = part4 + part4_lo
@@ -1630,15 +1629,15 @@ def mat6x6_solve(A, b):
     smallest4 = where(smallest4a, smallest3_sum, part4_sum)
     smallest3_sum_lo = (smallest3 - (smallest3_sum - smallest3_sum_right)
         + (smallest3_lo - smallest3_sum_right))
-    smallest4_lo = (where(smallest4a, smallest3_sum_lo, part4 - (part4_sum - part4_sum_right)
-        + (part4_lo - part4_sum_right)))
+    smallest4_lo = where(smallest4a, smallest3_sum_lo,
+        part4 - (part4_sum - part4_sum_right) + (part4_lo - part4_sum_right))
     own5a = 0 < A_55
     own5 = where(own5a, A_55, 1)
     part5a = u5_sum / own5
     part5a_product = part5a * own5
     part5 = where(own5a, part5a, A_55)
-    part5_lo = (where(own5a, (u5_sum - part5a_product - product_error(part5a, own5, part5a_product)
-        + u5_sum_lo) / own5, 0))
+    part5_lo = where(own5a, (u5_sum - part5a_product - product_error(part5a, own5,
+        part5a_product) + u5_sum_lo) / own5, 0)
     smallest4_sum = smallest4 + smallest4_lo
     smallest4_sum_right = smallest4_sum - smallest4
     part5_sum = part5 + part5_lo
@@ -1647,8 +1646,8 @@ def mat6x6_solve(A, b):
     smallest5 = where(smallest5a, smallest4_sum, part5_sum)
     smallest4_sum_lo = (smallest4 - (smallest4_sum - smallest4_sum_right)
         + (smallest4_lo - smallest4_sum_right))
-    smallest5_lo = (where(smallest5a, smallest4_sum_lo, part5 - (part5_sum - part5_sum_right)
-        + (part5_lo - part5_sum_right)))
+    smallest5_lo = where(smallest5a, smallest4_sum_lo,
+        part5 - (part5_sum - part5_sum_right) + (part5_lo - part5_sum_right))
     less_0 = A_00 * 0.9999999999999944
     less_1 = A_11 * 0.9999999999999944
     less_2 = A_22 * 0.9999999999999944
@@ -1660,8 +1659,8 @@ def mat6x6_solve(A, b):
     less_0_sum_right = less_0_sum - less_0
     less_divisor0a = 0 < less_0_sum
     less_divisor0 = where(less_divisor0a, less_0_sum, 1)
-    less_divisor0_lo = (where(less_divisor0a, less_0 - (less_0_sum - less_0_sum_right)
-        + (less_0_lo - less_0_sum_right), 0))
+    less_divisor0_lo = where(less_divisor0a,
+        less_0 - (less_0_sum - less_0_sum_right) + (less_0_lo - less_0_sum_right), 0)
     less_divisor0_sum = less_divisor0 + less_divisor0_lo
     less_divisor0_sum_right = less_divisor0_sum - less_divisor0
     less_divisor0_sum_lo = (less_divisor0 - (less_divisor0_sum - less_divisor0_sum_right)
@@ -1698,8 +1697,8 @@ def mat6x6_solve(A, b):
     less_u1_0a = A_10 * less_l0_0
     less_u1_0 = less_1 - less_u1_0a
     less_u1_0_right = less_1 - less_u1_0
-    less_u1_0_left_rest = (product_rest(A_11, 0.9999999999999944, less_1, less_u1_0
-        + less_u1_0_right))
+    less_u1_0_left_rest = product_rest(A_11, 0.9999999999999944, less_1,
+        less_u1_0 + less_u1_0_right)
     less_u1_0_lo = (less_u1_0_left_rest
         - product_rest(A_10, less_l0_0, less_u1_0a, less_u1_0_right) - A_10 * less_l0_0_lo)
     less_u1_1a = A_20 * less_l0_0
@@ -1726,8 +1725,8 @@ def mat6x6_solve(A, b):
     less_u1_0_sum_right = less_u1_0_sum - less_u1_0
     less_divisor1a = 0 < less_u1_0_sum
     less_divisor1 = where(less_divisor1a, less_u1_0_sum, 1)
-    less_divisor1_lo = (where(less_divisor1a, less_u1_0 - (less_u1_0_sum - less_u1_0_sum_right)
-        + (less_u1_0_lo - less_u1_0_sum_right), 0))
+    less_divisor1_lo = where(less_divisor1a,
+        less_u1_0 - (less_u1_0_sum - less_u1_0_sum_right) + (less_u1_0_lo - less_u1_0_sum_right), 0)
     less_u1_1_sum = less_u1_1 + less_u1_1_lo
     less_u1_1_sum_right = less_u1_1_sum - less_u1_1
     less_u1_1_sum_lo = (less_u1_1 - (less_u1_1_sum - less_u1_1_sum_right)
@@ -1770,8 +1769,8 @@ def mat6x6_solve(A, b):
     less_u2_0a = A_20 * less_l0_1
     less_u2_0b = less_2 - less_u2_0a
     less_u2_0b_right = less_2 - less_u2_0b
-    less_u2_0b_left_rest = (product_rest(A_22, 0.9999999999999944, less_2, less_u2_0b
-        + less_u2_0b_right))
+    less_u2_0b_left_rest = product_rest(A_22, 0.9999999999999944, less_2,
+        less_u2_0b + less_u2_0b_right)
     less_u2_0c = less_u1_1_sum * less_l1_0
     less_u2_0 = less_u2_0b - less_u2_0c
     less_u2_0_right = less_u2_0b - less_u2_0
@@ -1821,8 +1820,8 @@ def mat6x6_solve(A, b):
     less_u2_0_sum_right = less_u2_0_sum - less_u2_0
     less_divisor2a = 0 < less_u2_0_sum
     less_divisor2 = where(less_divisor2a, less_u2_0_sum, 1)
-    less_divisor2_lo = (where(less_divisor2a, less_u2_0 - (less_u2_0_sum - less_u2_0_sum_right)
-        + (less_u2_0_lo - less_u2_0_sum_right), 0))
+    less_divisor2_lo = where(less_divisor2a,
+        less_u2_0 - (less_u2_0_sum - less_u2_0_sum_right) + (less_u2_0_lo - less_u2_0_sum_right), 0)
     less_u2_1_sum = less_u2_1 + less_u2_1_lo
     less_u2_1_sum_right = less_u2_1_sum - less_u2_1
     less_u2_1_sum_lo = (less_u2_1 - (less_u2_1_sum - less_u2_1_sum_right)
@@ -1856,8 +1855,8 @@ def mat6x6_solve(A, b):
     less_u3_0a = A_30 * less_l0_2
     less_u3_0b = less_3 - less_u3_0a
     less_u3_0b_right = less_3 - less_u3_0b
-    less_u3_0b_left_rest = (product_rest(A_33, 0.9999999999999944, less_3, less_u3_0b
-        + less_u3_0b_right))
+    less_u3_0b_left_rest = product_rest(A_33, 0.9999999999999944, less_3,
+        less_u3_0b + less_u3_0b_right)
     less_u3_0c = less_u1_2_sum * less_l1_1
     less_u3_0d = less_u3_0b - less_u3_0c
     less_u3_0d_right = less_u3_0b - less_u3_0d
@@ -1916,8 +1915,8 @@ def mat6x6_solve(A, b):
     less_u3_0_sum_right = less_u3_0_sum - less_u3_0
     less_divisor3a = 0 < less_u3_0_sum
     less_divisor3 = where(less_divisor3a, less_u3_0_sum, 1)
-    less_divisor3_lo = (where(less_divisor3a, less_u3_0 - (less_u3_0_sum - less_u3_0_sum_right)
-        + (less_u3_0_lo - less_u3_0_sum_right), 0))
+    less_divisor3_lo = where(less_divisor3a,
+        less_u3_0 - (less_u3_0_sum - less_u3_0_sum_right) + (less_u3_0_lo - less_u3_0_sum_right), 0)
     less_u3_1_sum = less_u3_1 + less_u3_1_lo
     less_u3_1_sum_right = less_u3_1_sum - less_u3_1
     less_u3_1_sum_lo = (less_u3_1 - (less_u3_1_sum - less_u3_1_sum_right)
@@ -1942,8 +1941,8 @@ def mat6x6_solve(A, b):
     less_u4_0a = A_40 * less_l0_3
     less_u4_0b = less_4 - less_u4_0a
     less_u4_0b_right = less_4 - less_u4_0b
-    less_u4_0b_left_rest = (product_rest(A_44, 0.9999999999999944, less_4, less_u4_0b
-        + less_u4_0b_right))
+    less_u4_0b_left_rest = product_rest(A_44, 0.9999999999999944, less_4,
+        less_u4_0b + less_u4_0b_right)
     less_u4_0c = less_u1_3_sum * less_l1_2
     less_u4_0d = less_u4_0b - less_u4_0c
     less_u4_0d_right = less_u4_0b - less_u4_0d
@@ -1997,8 +1996,8 @@ def mat6x6_solve(A, b):
     less_u4_0_sum_right = less_u4_0_sum - less_u4_0
     less_divisor4a = 0 < less_u4_0_sum
     less_divisor4 = where(less_divisor4a, less_u4_0_sum, 1)
-    less_divisor4_lo = (where(less_divisor4a, less_u4_0 - (less_u4_0_sum - less_u4_0_sum_right)
-        + (less_u4_0_lo - less_u4_0_sum_right), 0))
+    less_divisor4_lo = where(less_divisor4a,
+        less_u4_0 - (less_u4_0_sum - less_u4_0_sum_right) + (less_u4_0_lo - less_u4_0_sum_right), 0)
     less_u4_1_sum = less_u4_1 + less_u4_1_lo
     less_u4_1_sum_right = less_u4_1_sum - less_u4_1
     less_u4_1_sum_lo = (less_u4_1 - (less_u4_1_sum - less_u4_1_sum_right)
@@ -2051,9 +2050,9 @@ def mat6x6_solve(A, b):
         + (less_u5_lo1
         - (less_u4_1_sum_lo * less_l4 + less_u4_1_sum * (less_l4_residual / less_divisor4_sum))
         + less_u5h_lo))
-    regular_e = where(less_divisor2a, where(less_divisor3a, where(less_divisor4a, where(regular_a,
-        float64(1), float64(0)), 0), 0), 0)
-    regular = where(less_divisor0a, where(less_divisor1a, regular_e, 0), 0)
+    regular_f = where(less_divisor1a, where(less_divisor2a, where(less_divisor3a,
+        where(less_divisor4a, where(regular_a, real(1), real(0)), 0), 0), 0), 0)
+    regular = where(less_divisor0a, regular_f, 0)
     smallest5_sum = smallest5 + smallest5_lo
     smallest5_sum_right = smallest5_sum - smallest5
     smallest5_sum_lo = (smallest5 - (smallest5_sum - smallest5_sum_right)

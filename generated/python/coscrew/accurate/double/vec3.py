@@ -7,7 +7,7 @@ In double precision, accurate tier.
 """
 
 from coscrew import _elementary_double as elementary
-from numpy import absolute, float64, sqrt, where
+from numpy import absolute, float64 as real, sqrt, where
 from coscrew._exact import product_error, product_rest
 from coscrew._kernel import double_kernel as kernel
 
@@ -189,9 +189,8 @@ def vec3_l2norm(v):
     s_size_2 = absolute(v_2)
     s_largest1 = where(s_size_0 < s_size_1, s_size_1, s_size_0)
     s_largest2 = where(s_largest1 < s_size_2, s_size_2, s_largest1)
-    s_d = (where(s_largest2
-        < 256, 1.3093562431584567e+151, where(6.703903964971299e+153
-        < s_largest2, float64(3.7291703656001034e-155), float64(1))))
+    s_d = where(s_largest2 < 256, 1.3093562431584567e+151,
+        where(6.703903964971299e+153 < s_largest2, real(3.7291703656001034e-155), real(1)))
     s = where(s_largest2 < 1.955159272639747e-149, 1.0715086071862673e+301, s_d)
     y_0 = v_0 * s
     y_1 = v_1 * s
@@ -211,8 +210,7 @@ def vec3_l2norm(v):
     n_product = n * n
     n_lo = ((n_e_sum - n_product - product_error(n, n, n_product)
         + (n_e - (n_e_sum - n_e_sum_right) + (n_e_lo - n_e_sum_right))) / where(n == 0, 1, n + n))
-    r_d = (where(1
-        < s, 7.637340908749012e-152, where(s < 1, float64(2.6815615859885194e+154), float64(1))))
+    r_d = where(1 < s, 7.637340908749012e-152, where(s < 1, real(2.6815615859885194e+154), real(1)))
     r = where(1.3093562431584567e+151 < s, 9.332636185032189e-302, r_d)
     n_sum = n + n_lo
     n_sum_right = n_sum - n
@@ -237,9 +235,8 @@ def vec3_normalize(self):
     s_size_2 = absolute(self_2)
     s_largest1 = where(s_size_0 < s_size_1, s_size_1, s_size_0)
     s_largest2 = where(s_largest1 < s_size_2, s_size_2, s_largest1)
-    s_d = (where(s_largest2
-        < 256, 1.3093562431584567e+151, where(6.703903964971299e+153
-        < s_largest2, float64(3.7291703656001034e-155), float64(1))))
+    s_d = where(s_largest2 < 256, 1.3093562431584567e+151,
+        where(6.703903964971299e+153 < s_largest2, real(3.7291703656001034e-155), real(1)))
     s = where(s_largest2 < 1.955159272639747e-149, 1.0715086071862673e+301, s_d)
     y_0 = self_0 * s
     y_1 = self_1 * s
@@ -332,9 +329,8 @@ def vec3_normalized(v):
     s_size_2 = absolute(v_2)
     s_largest1 = where(s_size_0 < s_size_1, s_size_1, s_size_0)
     s_largest2 = where(s_largest1 < s_size_2, s_size_2, s_largest1)
-    s_d = (where(s_largest2
-        < 256, 1.3093562431584567e+151, where(6.703903964971299e+153
-        < s_largest2, float64(3.7291703656001034e-155), float64(1))))
+    s_d = where(s_largest2 < 256, 1.3093562431584567e+151,
+        where(6.703903964971299e+153 < s_largest2, real(3.7291703656001034e-155), real(1)))
     s = where(s_largest2 < 1.955159272639747e-149, 1.0715086071862673e+301, s_d)
     y_0 = v_0 * s
     y_1 = v_1 * s
@@ -427,9 +423,8 @@ def angle_vv(v1, v2):
     s1_size_2 = absolute(v1_2)
     s1_largest1 = where(s1_size_0 < s1_size_1, s1_size_1, s1_size_0)
     s1_largest2 = where(s1_largest1 < s1_size_2, s1_size_2, s1_largest1)
-    s1d = (where(s1_largest2
-        < 256, 1.3093562431584567e+151, where(6.703903964971299e+153
-        < s1_largest2, float64(3.7291703656001034e-155), float64(1))))
+    s1d = where(s1_largest2 < 256, 1.3093562431584567e+151,
+        where(6.703903964971299e+153 < s1_largest2, real(3.7291703656001034e-155), real(1)))
     s1 = where(s1_largest2 < 1.955159272639747e-149, 1.0715086071862673e+301, s1d)
     scaled_s1_0 = v1_0 * s1
     scaled_s1_1 = v1_1 * s1
@@ -439,9 +434,8 @@ def angle_vv(v1, v2):
     s2_size_2 = absolute(v2_2)
     s2_largest1 = where(s2_size_0 < s2_size_1, s2_size_1, s2_size_0)
     s2_largest2 = where(s2_largest1 < s2_size_2, s2_size_2, s2_largest1)
-    s2d = (where(s2_largest2
-        < 256, 1.3093562431584567e+151, where(6.703903964971299e+153
-        < s2_largest2, float64(3.7291703656001034e-155), float64(1))))
+    s2d = where(s2_largest2 < 256, 1.3093562431584567e+151,
+        where(6.703903964971299e+153 < s2_largest2, real(3.7291703656001034e-155), real(1)))
     s2 = where(s2_largest2 < 1.955159272639747e-149, 1.0715086071862673e+301, s2d)
     scaled_s2_0 = v2_0 * s2
     scaled_s2_1 = v2_1 * s2
@@ -487,8 +481,8 @@ def angle_vv(v1, v2):
     s_largest1 = where(s_largest1a, s_size_1_sum, s_size_0_sum)
     s_size_1_sum_lo = (s_size_1 - (s_size_1_sum - s_size_1_sum_right)
         + (s_size_1_lo - s_size_1_sum_right))
-    s_largest1_lo = (where(s_largest1a, s_size_1_sum_lo, s_size_0
-        - (s_size_0_sum - s_size_0_sum_right) + (s_size_0_lo - s_size_0_sum_right)))
+    s_largest1_lo = where(s_largest1a, s_size_1_sum_lo,
+        s_size_0 - (s_size_0_sum - s_size_0_sum_right) + (s_size_0_lo - s_size_0_sum_right))
     s_largest1_sum = s_largest1 + s_largest1_lo
     s_largest1_sum_right = s_largest1_sum - s_largest1
     s_size_2_sum = s_size_2 + s_size_2_lo
@@ -497,14 +491,13 @@ def angle_vv(v1, v2):
     s_largest2 = where(s_largest2a, s_size_2_sum, s_largest1_sum)
     s_largest1_sum_lo = (s_largest1 - (s_largest1_sum - s_largest1_sum_right)
         + (s_largest1_lo - s_largest1_sum_right))
-    s_largest2_lo = (where(s_largest2a, s_size_2 - (s_size_2_sum - s_size_2_sum_right)
-        + (s_size_2_lo - s_size_2_sum_right), s_largest1_sum_lo))
+    s_largest2_lo = where(s_largest2a,
+        s_size_2 - (s_size_2_sum - s_size_2_sum_right) + (s_size_2_lo - s_size_2_sum_right),
+        s_largest1_sum_lo)
     s_largest2_sum = s_largest2 + s_largest2_lo
-    s_b = (where(6.703903964971299e+153
-        < s_largest2_sum, float64(3.7291703656001034e-155), float64(1)))
-    s = (where(s_largest2_sum
-        < 1.955159272639747e-149, 1.0715086071862673e+301, where(s_largest2_sum
-        < 256, 1.3093562431584567e+151, s_b)))
+    s_d = where(s_largest2_sum < 256, 1.3093562431584567e+151,
+        where(6.703903964971299e+153 < s_largest2_sum, real(3.7291703656001034e-155), real(1)))
+    s = where(s_largest2_sum < 1.955159272639747e-149, 1.0715086071862673e+301, s_d)
     y_0 = c_0_sum * s
     y_0_inverse = 1 / s
     y_0_lo = (c_0_sum - y_0 * y_0_inverse + c_0_sum_lo) * s
@@ -529,8 +522,7 @@ def angle_vv(v1, v2):
     n_product = n * n
     n_lo = ((n_e_sum - n_product - product_error(n, n, n_product)
         + (n_e - (n_e_sum - n_e_sum_right) + (n_e_lo - n_e_sum_right))) / where(n == 0, 1, n + n))
-    r_d = (where(1
-        < s, 7.637340908749012e-152, where(s < 1, float64(2.6815615859885194e+154), float64(1))))
+    r_d = where(1 < s, 7.637340908749012e-152, where(s < 1, real(2.6815615859885194e+154), real(1)))
     r = where(1.3093562431584567e+151 < s, 9.332636185032189e-302, r_d)
     n_sum = n + n_lo
     n_sum_right = n_sum - n

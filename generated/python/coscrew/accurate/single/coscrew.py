@@ -6,7 +6,7 @@
 In single precision, accurate tier.
 """
 
-from numpy import absolute, float64, sqrt, where
+from numpy import absolute, float64 as real, sqrt, where
 from coscrew._kernel import wide_kernel as kernel
 
 
@@ -149,9 +149,8 @@ def coscrew_norm(ci):
     7 mul, 2 add, 1 sqrt, 6 abs, 11 less, 1 equal, 14 select.
     """
     ci_0, ci_1, ci_2, ci_3, ci_4, ci_5 = ci
-    small_f = (where(absolute(ci_1)
-        < 9.999999974752427e-07, where(absolute(ci_2)
-        < 9.999999974752427e-07, float64(1), float64(0)), 0))
+    small_f = where(absolute(ci_1) < 9.999999974752427e-07,
+        where(absolute(ci_2) < 9.999999974752427e-07, real(1), real(0)), 0)
     small = where(absolute(ci_0) < 9.999999974752427e-07, small_f, 0)
     p_0a = small == 1
     p_0 = where(p_0a, ci_3, ci_0)
@@ -162,16 +161,14 @@ def coscrew_norm(ci):
     s_size_2 = absolute(p_2)
     s_largest1 = where(s_size_0 < s_size_1, s_size_1, s_size_0)
     s_largest2 = where(s_largest1 < s_size_2, s_size_2, s_largest1)
-    s_d = (where(s_largest2
-        < 256, 1.8014398509481984e+16, where(4.611686018427388e+18
-        < s_largest2, float64(2.710505431213761e-20), float64(1))))
+    s_d = where(s_largest2 < 256, 1.8014398509481984e+16, where(4.611686018427388e+18 < s_largest2,
+        real(2.710505431213761e-20), real(1)))
     s = where(s_largest2 < 1.4210854715202004e-14, 3.2451855365842673e+32, s_d)
     y_0 = p_0 * s
     y_1 = p_1 * s
     y_2 = p_2 * s
     n = sqrt(y_0 * y_0 + y_1 * y_1 + y_2 * y_2)
-    r_d = (where(1
-        < s, 5.551115123125783e-17, where(s < 1, float64(3.6893488147419103e+19), float64(1))))
+    r_d = where(1 < s, 5.551115123125783e-17, where(s < 1, real(3.6893488147419103e+19), real(1)))
     r = where(1.8014398509481984e+16 < s, 3.0814879110195774e-33, r_d)
     norm = n * r
     return norm
@@ -188,9 +185,8 @@ def coscrew_normalize(self):
     small_a = absolute(self_2)
     small_d = absolute(self_1)
     small_g = absolute(self_0)
-    small_f = (where(small_d
-        < 9.999999974752427e-07, where(small_a < 9.999999974752427e-07, float64(1), float64(0)), 0))
-    small = where(small_g < 9.999999974752427e-07, small_f, 0)
+    small = where(small_g < 9.999999974752427e-07, where(small_d < 9.999999974752427e-07,
+        where(small_a < 9.999999974752427e-07, real(1), real(0)), 0), 0)
     p_0a = small == 1
     p_0 = where(p_0a, self_3, self_0)
     p_1 = where(p_0a, self_4, self_1)
@@ -200,9 +196,8 @@ def coscrew_normalize(self):
     s_size_2 = absolute(p_2)
     s_largest1 = where(s_size_0 < s_size_1, s_size_1, s_size_0)
     s_largest2 = where(s_largest1 < s_size_2, s_size_2, s_largest1)
-    s_d = (where(s_largest2
-        < 256, 1.8014398509481984e+16, where(4.611686018427388e+18
-        < s_largest2, float64(2.710505431213761e-20), float64(1))))
+    s_d = where(s_largest2 < 256, 1.8014398509481984e+16, where(4.611686018427388e+18 < s_largest2,
+        real(2.710505431213761e-20), real(1)))
     s = where(s_largest2 < 1.4210854715202004e-14, 3.2451855365842673e+32, s_d)
     y_0 = p_0 * s
     y_1 = p_1 * s
@@ -264,9 +259,8 @@ def coscrew_normalized(ci):
     small_a = absolute(ci_2)
     small_d = absolute(ci_1)
     small_g = absolute(ci_0)
-    small_f = (where(small_d
-        < 9.999999974752427e-07, where(small_a < 9.999999974752427e-07, float64(1), float64(0)), 0))
-    small = where(small_g < 9.999999974752427e-07, small_f, 0)
+    small = where(small_g < 9.999999974752427e-07, where(small_d < 9.999999974752427e-07,
+        where(small_a < 9.999999974752427e-07, real(1), real(0)), 0), 0)
     p_0a = small == 1
     p_0 = where(p_0a, ci_3, ci_0)
     p_1 = where(p_0a, ci_4, ci_1)
@@ -276,9 +270,8 @@ def coscrew_normalized(ci):
     s_size_2 = absolute(p_2)
     s_largest1 = where(s_size_0 < s_size_1, s_size_1, s_size_0)
     s_largest2 = where(s_largest1 < s_size_2, s_size_2, s_largest1)
-    s_d = (where(s_largest2
-        < 256, 1.8014398509481984e+16, where(4.611686018427388e+18
-        < s_largest2, float64(2.710505431213761e-20), float64(1))))
+    s_d = where(s_largest2 < 256, 1.8014398509481984e+16, where(4.611686018427388e+18 < s_largest2,
+        real(2.710505431213761e-20), real(1)))
     s = where(s_largest2 < 1.4210854715202004e-14, 3.2451855365842673e+32, s_d)
     y_0 = p_0 * s
     y_1 = p_1 * s

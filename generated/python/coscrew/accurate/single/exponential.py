@@ -7,7 +7,7 @@ In single precision, accurate tier.
 """
 
 from coscrew import _elementary_double as elementary
-from numpy import absolute, float64, sqrt, where
+from numpy import absolute, float64 as real, sqrt, where
 from coscrew._kernel import wide_kernel as kernel
 
 
@@ -30,11 +30,11 @@ def SO3_exp(v):
     h_size_2 = absolute(halved_2)
     h_largest1 = where(h_size_0 < h_size_1, h_size_1, h_size_0)
     h_largest2 = where(h_largest1 < h_size_2, h_size_2, h_largest1)
-    s = where(4.611686018427388e+18 < h_largest2, float64(2.710505431213761e-20), float64(1))
+    s = where(4.611686018427388e+18 < h_largest2, real(2.710505431213761e-20), real(1))
     reduced_0 = halved_0 * s
     reduced_1 = halved_1 * s
     reduced_2 = halved_2 * s
-    up = where(s < 1, float64(3.6893488147419103e+19), float64(1))
+    up = where(s < 1, real(3.6893488147419103e+19), real(1))
     reduced_length = sqrt(reduced_0 * reduced_0 + reduced_1 * reduced_1 + reduced_2 * reduced_2)
     half_angle = reduced_length * up
     y = half_angle * half_angle
@@ -123,16 +123,15 @@ def SO3_log(R):
     v_s_size_2 = absolute(upper_2)
     v_s_largest1 = where(v_s_size_0 < v_s_size_1, v_s_size_1, v_s_size_0)
     v_s_largest2 = where(v_s_largest1 < v_s_size_2, v_s_size_2, v_s_largest1)
-    v_s_d = (where(v_s_largest2
-        < 256, 1.8014398509481984e+16, where(4.611686018427388e+18
-        < v_s_largest2, float64(2.710505431213761e-20), float64(1))))
+    v_s_d = where(v_s_largest2 < 256, 1.8014398509481984e+16,
+        where(4.611686018427388e+18 < v_s_largest2, real(2.710505431213761e-20), real(1)))
     v_s = where(v_s_largest2 < 1.4210854715202004e-14, 3.2451855365842673e+32, v_s_d)
     v_y_0 = upper_0 * v_s
     v_y_1 = upper_1 * v_s
     v_y_2 = upper_2 * v_s
     v_n = sqrt(v_y_0 * v_y_0 + v_y_1 * v_y_1 + v_y_2 * v_y_2)
-    v_r_d = (where(1
-        < v_s, 5.551115123125783e-17, where(v_s < 1, float64(3.6893488147419103e+19), float64(1))))
+    v_r_d = where(1 < v_s, 5.551115123125783e-17, where(v_s < 1, real(3.6893488147419103e+19),
+        real(1)))
     v_r = where(1.8014398509481984e+16 < v_s, 3.0814879110195774e-33, v_r_d)
     n = v_n * v_r
     half = elementary.atan2(n, upper_3)
@@ -632,16 +631,15 @@ def SE3_log(D):
     v_s_size_2 = absolute(upper_2)
     v_s_largest1 = where(v_s_size_0 < v_s_size_1, v_s_size_1, v_s_size_0)
     v_s_largest2 = where(v_s_largest1 < v_s_size_2, v_s_size_2, v_s_largest1)
-    v_s_d = (where(v_s_largest2
-        < 256, 1.8014398509481984e+16, where(4.611686018427388e+18
-        < v_s_largest2, float64(2.710505431213761e-20), float64(1))))
+    v_s_d = where(v_s_largest2 < 256, 1.8014398509481984e+16,
+        where(4.611686018427388e+18 < v_s_largest2, real(2.710505431213761e-20), real(1)))
     v_s = where(v_s_largest2 < 1.4210854715202004e-14, 3.2451855365842673e+32, v_s_d)
     v_y_0 = upper_0 * v_s
     v_y_1 = upper_1 * v_s
     v_y_2 = upper_2 * v_s
     v_n = sqrt(v_y_0 * v_y_0 + v_y_1 * v_y_1 + v_y_2 * v_y_2)
-    v_r_d = (where(1
-        < v_s, 5.551115123125783e-17, where(v_s < 1, float64(3.6893488147419103e+19), float64(1))))
+    v_r_d = where(1 < v_s, 5.551115123125783e-17, where(v_s < 1, real(3.6893488147419103e+19),
+        real(1)))
     v_r = where(1.8014398509481984e+16 < v_s, 3.0814879110195774e-33, v_r_d)
     n = v_n * v_r
     half = elementary.atan2(n, upper_3)
@@ -1231,18 +1229,16 @@ def SE3_interpolated(D1, D2, k):
     log_v_s_size_2 = absolute(log_upper_2)
     log_v_s_largest1 = where(log_v_s_size_0 < log_v_s_size_1, log_v_s_size_1, log_v_s_size_0)
     log_v_s_largest2 = where(log_v_s_largest1 < log_v_s_size_2, log_v_s_size_2, log_v_s_largest1)
-    log_v_s_b = (where(4.611686018427388e+18
-        < log_v_s_largest2, float64(2.710505431213761e-20), float64(1)))
-    log_v_s = (where(log_v_s_largest2
-        < 1.4210854715202004e-14, 3.2451855365842673e+32, where(log_v_s_largest2
-        < 256, 1.8014398509481984e+16, log_v_s_b)))
+    log_v_s_b = where(4.611686018427388e+18 < log_v_s_largest2, real(2.710505431213761e-20),
+        real(1))
+    log_v_s = where(log_v_s_largest2 < 1.4210854715202004e-14, 3.2451855365842673e+32,
+        where(log_v_s_largest2 < 256, 1.8014398509481984e+16, log_v_s_b))
     log_v_y_0 = log_upper_0 * log_v_s
     log_v_y_1 = log_upper_1 * log_v_s
     log_v_y_2 = log_upper_2 * log_v_s
     log_v_n = sqrt(log_v_y_0 * log_v_y_0 + log_v_y_1 * log_v_y_1 + log_v_y_2 * log_v_y_2)
-    log_v_r_d = (where(1
-        < log_v_s, 5.551115123125783e-17, where(log_v_s
-        < 1, float64(3.6893488147419103e+19), float64(1))))
+    log_v_r_d = where(1 < log_v_s, 5.551115123125783e-17, where(log_v_s < 1,
+        real(3.6893488147419103e+19), real(1)))
     log_v_r = where(1.8014398509481984e+16 < log_v_s, 3.0814879110195774e-33, log_v_r_d)
     log_n = log_v_n * log_v_r
     log_half = elementary.atan2(log_n, log_upper_3)

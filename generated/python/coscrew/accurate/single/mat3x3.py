@@ -7,7 +7,7 @@ In single precision, accurate tier.
 """
 
 from coscrew import _elementary_double as elementary
-from numpy import absolute, float64, nan, sqrt, where
+from numpy import absolute, float64 as real, nan, sqrt, where
 from coscrew._kernel import wide_kernel as kernel
 
 
@@ -87,8 +87,8 @@ def mat3x3_inverse(R):
     R_largest8 = where(R_largest7 < R_size_8, R_size_8, R_largest7)
     s_c = R_largest8 < 1.2089258196146292e+24
     s_e = R_largest8 < 1099511627776
-    s_d = (where(s_c, 9.094947017729282e-13, where(R_largest8
-        < 1.329227995784916e+36, float64(8.271806125530277e-25), float64(7.52316384526264e-37))))
+    s_d = where(s_c, 9.094947017729282e-13, where(R_largest8 < 1.329227995784916e+36,
+        real(8.271806125530277e-25), real(7.52316384526264e-37)))
     s_g = R_largest8 < 1
     s_i = R_largest8 < 9.094947017729282e-13
     s_k = R_largest8 < 8.271806125530277e-25
@@ -128,7 +128,7 @@ def mat3x3_inverse(R):
     top = R_largest8 * s
     spoiled = top * 1.262177448353619e-29
     least = permanent * 4.76837158203125e-07 + spoiled * (top * top)
-    regular = where(least < absolute(d), float64(1), float64(0))
+    regular = where(least < absolute(d), real(1), real(0))
     divisor_a = regular == 1
     divisor = where(divisor_a, d, 1)
     quotient_0 = n0_0 / divisor
@@ -150,11 +150,11 @@ def mat3x3_inverse(R):
     inverse_7 = quotient_7 * s
     inverse_8 = quotient_8 * s
     start = where(s_c, d, where(d < 0, -1.329227995784916e+36, 1.329227995784916e+36))
-    r2 = where(s_i, float64(7.52316384526264e-37), float64(1))
+    r2 = where(s_i, real(7.52316384526264e-37), real(1))
     once = start * r2
-    r3 = where(s_k, float64(7.52316384526264e-37), float64(1))
+    r3 = where(s_k, real(7.52316384526264e-37), real(1))
     twice = once * r3
-    r = where(s_g, 7.52316384526264e-37, where(s_e, float64(1), float64(1.329227995784916e+36)))
+    r = where(s_g, 7.52316384526264e-37, where(s_e, real(1), real(1.329227995784916e+36)))
     det_R = twice * r
     det = where(divisor_a, det_R, 0)
     Ro_00 = where(divisor_a, inverse_0, nan)
@@ -185,9 +185,8 @@ def mat3x3_normalize(self):
     q0_s_size_2 = absolute(self_02)
     q0_s_largest1 = where(q0_s_size_0 < q0_s_size_1, q0_s_size_1, q0_s_size_0)
     q0_s_largest2 = where(q0_s_largest1 < q0_s_size_2, q0_s_size_2, q0_s_largest1)
-    q0_s_d = (where(q0_s_largest2
-        < 256, 1.8014398509481984e+16, where(4.611686018427388e+18
-        < q0_s_largest2, float64(2.710505431213761e-20), float64(1))))
+    q0_s_d = where(q0_s_largest2 < 256, 1.8014398509481984e+16,
+        where(4.611686018427388e+18 < q0_s_largest2, real(2.710505431213761e-20), real(1)))
     q0_s = where(q0_s_largest2 < 1.4210854715202004e-14, 3.2451855365842673e+32, q0_s_d)
     q0_y_0 = self_00 * q0_s
     q0_y_1 = self_01 * q0_s
@@ -210,9 +209,8 @@ def mat3x3_normalize(self):
     u1_s_size_2 = absolute(self_12)
     u1_s_largest1 = where(u1_s_size_0 < u1_s_size_1, u1_s_size_1, u1_s_size_0)
     u1_s_largest2 = where(u1_s_largest1 < u1_s_size_2, u1_s_size_2, u1_s_largest1)
-    u1_s_d = (where(u1_s_largest2
-        < 256, 1.8014398509481984e+16, where(4.611686018427388e+18
-        < u1_s_largest2, float64(2.710505431213761e-20), float64(1))))
+    u1_s_d = where(u1_s_largest2 < 256, 1.8014398509481984e+16,
+        where(4.611686018427388e+18 < u1_s_largest2, real(2.710505431213761e-20), real(1)))
     u1_s = where(u1_s_largest2 < 1.4210854715202004e-14, 3.2451855365842673e+32, u1_s_d)
     u1_y_0 = self_10 * u1_s
     u1_y_1 = self_11 * u1_s
@@ -251,9 +249,8 @@ def mat3x3_normalize(self):
     u2_s_size_2 = absolute(self_22)
     u2_s_largest1 = where(u2_s_size_0 < u2_s_size_1, u2_s_size_1, u2_s_size_0)
     u2_s_largest2 = where(u2_s_largest1 < u2_s_size_2, u2_s_size_2, u2_s_largest1)
-    u2_s_d = (where(u2_s_largest2
-        < 256, 1.8014398509481984e+16, where(4.611686018427388e+18
-        < u2_s_largest2, float64(2.710505431213761e-20), float64(1))))
+    u2_s_d = where(u2_s_largest2 < 256, 1.8014398509481984e+16,
+        where(4.611686018427388e+18 < u2_s_largest2, real(2.710505431213761e-20), real(1)))
     u2_s = where(u2_s_largest2 < 1.4210854715202004e-14, 3.2451855365842673e+32, u2_s_d)
     u2_y_0 = self_20 * u2_s
     u2_y_1 = self_21 * u2_s
@@ -278,7 +275,7 @@ def mat3x3_normalize(self):
     q2_2 = where(q2_0b, -normal_2, normal_2)
     size = absolute(side)
     less = where(n < size, n, size)
-    dependent = where(less < 9.5367431640625e-07, float64(1), float64(0))
+    dependent = where(less < 9.5367431640625e-07, real(1), real(0))
     self_00_new_a = dependent == 1
     self_00_new = where(self_00_new_a, nan, q0_0)
     self_01_new = where(self_00_new_a, nan, q0_1)
@@ -309,9 +306,8 @@ def mat3x3_normalized(R):
     q0_s_size_2 = absolute(R_02)
     q0_s_largest1 = where(q0_s_size_0 < q0_s_size_1, q0_s_size_1, q0_s_size_0)
     q0_s_largest2 = where(q0_s_largest1 < q0_s_size_2, q0_s_size_2, q0_s_largest1)
-    q0_s_d = (where(q0_s_largest2
-        < 256, 1.8014398509481984e+16, where(4.611686018427388e+18
-        < q0_s_largest2, float64(2.710505431213761e-20), float64(1))))
+    q0_s_d = where(q0_s_largest2 < 256, 1.8014398509481984e+16,
+        where(4.611686018427388e+18 < q0_s_largest2, real(2.710505431213761e-20), real(1)))
     q0_s = where(q0_s_largest2 < 1.4210854715202004e-14, 3.2451855365842673e+32, q0_s_d)
     q0_y_0 = R_00 * q0_s
     q0_y_1 = R_01 * q0_s
@@ -334,9 +330,8 @@ def mat3x3_normalized(R):
     u1_s_size_2 = absolute(R_12)
     u1_s_largest1 = where(u1_s_size_0 < u1_s_size_1, u1_s_size_1, u1_s_size_0)
     u1_s_largest2 = where(u1_s_largest1 < u1_s_size_2, u1_s_size_2, u1_s_largest1)
-    u1_s_d = (where(u1_s_largest2
-        < 256, 1.8014398509481984e+16, where(4.611686018427388e+18
-        < u1_s_largest2, float64(2.710505431213761e-20), float64(1))))
+    u1_s_d = where(u1_s_largest2 < 256, 1.8014398509481984e+16,
+        where(4.611686018427388e+18 < u1_s_largest2, real(2.710505431213761e-20), real(1)))
     u1_s = where(u1_s_largest2 < 1.4210854715202004e-14, 3.2451855365842673e+32, u1_s_d)
     u1_y_0 = R_10 * u1_s
     u1_y_1 = R_11 * u1_s
@@ -375,9 +370,8 @@ def mat3x3_normalized(R):
     u2_s_size_2 = absolute(R_22)
     u2_s_largest1 = where(u2_s_size_0 < u2_s_size_1, u2_s_size_1, u2_s_size_0)
     u2_s_largest2 = where(u2_s_largest1 < u2_s_size_2, u2_s_size_2, u2_s_largest1)
-    u2_s_d = (where(u2_s_largest2
-        < 256, 1.8014398509481984e+16, where(4.611686018427388e+18
-        < u2_s_largest2, float64(2.710505431213761e-20), float64(1))))
+    u2_s_d = where(u2_s_largest2 < 256, 1.8014398509481984e+16,
+        where(4.611686018427388e+18 < u2_s_largest2, real(2.710505431213761e-20), real(1)))
     u2_s = where(u2_s_largest2 < 1.4210854715202004e-14, 3.2451855365842673e+32, u2_s_d)
     u2_y_0 = R_20 * u2_s
     u2_y_1 = R_21 * u2_s
@@ -402,7 +396,7 @@ def mat3x3_normalized(R):
     q2_2 = where(q2_0b, -normal_2, normal_2)
     size = absolute(side)
     less = where(n < size, n, size)
-    dependent = where(less < 9.5367431640625e-07, float64(1), float64(0))
+    dependent = where(less < 9.5367431640625e-07, real(1), real(0))
     Ro_00a = dependent == 1
     Ro_00 = where(Ro_00a, nan, q0_0)
     Ro_01 = where(Ro_00a, nan, q0_1)
@@ -732,16 +726,15 @@ def axis_angle_from_mat3x3(R):
     v_s_size_2 = absolute(upper_2)
     v_s_largest1 = where(v_s_size_0 < v_s_size_1, v_s_size_1, v_s_size_0)
     v_s_largest2 = where(v_s_largest1 < v_s_size_2, v_s_size_2, v_s_largest1)
-    v_s_d = (where(v_s_largest2
-        < 256, 1.8014398509481984e+16, where(4.611686018427388e+18
-        < v_s_largest2, float64(2.710505431213761e-20), float64(1))))
+    v_s_d = where(v_s_largest2 < 256, 1.8014398509481984e+16,
+        where(4.611686018427388e+18 < v_s_largest2, real(2.710505431213761e-20), real(1)))
     v_s = where(v_s_largest2 < 1.4210854715202004e-14, 3.2451855365842673e+32, v_s_d)
     v_y_0 = upper_0 * v_s
     v_y_1 = upper_1 * v_s
     v_y_2 = upper_2 * v_s
     v_n = sqrt(v_y_0 * v_y_0 + v_y_1 * v_y_1 + v_y_2 * v_y_2)
-    v_r_d = (where(1
-        < v_s, 5.551115123125783e-17, where(v_s < 1, float64(3.6893488147419103e+19), float64(1))))
+    v_r_d = where(1 < v_s, 5.551115123125783e-17, where(v_s < 1, real(3.6893488147419103e+19),
+        real(1)))
     v_r = where(1.8014398509481984e+16 < v_s, 3.0814879110195774e-33, v_r_d)
     n = v_n * v_r
     half = elementary.atan2(n, upper_3)

@@ -7,7 +7,7 @@ In single precision, accurate tier.
 """
 
 from coscrew import _elementary_double as elementary
-from numpy import absolute, float64, nan, sqrt, where
+from numpy import absolute, float64 as real, nan, sqrt, where
 from coscrew._kernel import wide_kernel as kernel
 
 
@@ -61,17 +61,15 @@ def quaternion_norm(q):
     s_largest1 = where(s_size_0 < s_size_1, s_size_1, s_size_0)
     s_largest2 = where(s_largest1 < s_size_2, s_size_2, s_largest1)
     s_largest3 = where(s_largest2 < s_size_3, s_size_3, s_largest2)
-    s_d = (where(s_largest3
-        < 256, 1.8014398509481984e+16, where(4.611686018427388e+18
-        < s_largest3, float64(2.710505431213761e-20), float64(1))))
+    s_d = where(s_largest3 < 256, 1.8014398509481984e+16, where(4.611686018427388e+18 < s_largest3,
+        real(2.710505431213761e-20), real(1)))
     s = where(s_largest3 < 1.4210854715202004e-14, 3.2451855365842673e+32, s_d)
     y_0 = q_0 * s
     y_1 = q_1 * s
     y_2 = q_2 * s
     y_3 = q_3 * s
     n = sqrt(y_0 * y_0 + y_1 * y_1 + y_2 * y_2 + y_3 * y_3)
-    r_d = (where(1
-        < s, 5.551115123125783e-17, where(s < 1, float64(3.6893488147419103e+19), float64(1))))
+    r_d = where(1 < s, 5.551115123125783e-17, where(s < 1, real(3.6893488147419103e+19), real(1)))
     r = where(1.8014398509481984e+16 < s, 3.0814879110195774e-33, r_d)
     norm = n * r
     return norm
@@ -94,9 +92,8 @@ def quaternion_normalize(self):
     s_largest1 = where(s_size_0 < s_size_1, s_size_1, s_size_0)
     s_largest2 = where(s_largest1 < s_size_2, s_size_2, s_largest1)
     s_largest3 = where(s_largest2 < s_size_3, s_size_3, s_largest2)
-    s_d = (where(s_largest3
-        < 256, 1.8014398509481984e+16, where(4.611686018427388e+18
-        < s_largest3, float64(2.710505431213761e-20), float64(1))))
+    s_d = where(s_largest3 < 256, 1.8014398509481984e+16, where(4.611686018427388e+18 < s_largest3,
+        real(2.710505431213761e-20), real(1)))
     s = where(s_largest3 < 1.4210854715202004e-14, 3.2451855365842673e+32, s_d)
     y_0 = self_0 * s
     y_1 = self_1 * s
@@ -138,9 +135,8 @@ def quaternion_normalized(q):
     s_largest1 = where(s_size_0 < s_size_1, s_size_1, s_size_0)
     s_largest2 = where(s_largest1 < s_size_2, s_size_2, s_largest1)
     s_largest3 = where(s_largest2 < s_size_3, s_size_3, s_largest2)
-    s_d = (where(s_largest3
-        < 256, 1.8014398509481984e+16, where(4.611686018427388e+18
-        < s_largest3, float64(2.710505431213761e-20), float64(1))))
+    s_d = where(s_largest3 < 256, 1.8014398509481984e+16, where(4.611686018427388e+18 < s_largest3,
+        real(2.710505431213761e-20), real(1)))
     s = where(s_largest3 < 1.4210854715202004e-14, 3.2451855365842673e+32, s_d)
     y_0 = q_0 * s
     y_1 = q_1 * s
@@ -182,17 +178,15 @@ def quaternion_unit_defect(q):
     s_largest1 = where(s_size_0 < s_size_1, s_size_1, s_size_0)
     s_largest2 = where(s_largest1 < s_size_2, s_size_2, s_largest1)
     s_largest3 = where(s_largest2 < s_size_3, s_size_3, s_largest2)
-    s_d = (where(s_largest3
-        < 256, 1.8014398509481984e+16, where(4.611686018427388e+18
-        < s_largest3, float64(2.710505431213761e-20), float64(1))))
+    s_d = where(s_largest3 < 256, 1.8014398509481984e+16, where(4.611686018427388e+18 < s_largest3,
+        real(2.710505431213761e-20), real(1)))
     s = where(s_largest3 < 1.4210854715202004e-14, 3.2451855365842673e+32, s_d)
     y_0 = q_0 * s
     y_1 = q_1 * s
     y_2 = q_2 * s
     y_3 = q_3 * s
     n = sqrt(y_0 * y_0 + y_1 * y_1 + y_2 * y_2 + y_3 * y_3)
-    r_d = (where(1
-        < s, 5.551115123125783e-17, where(s < 1, float64(3.6893488147419103e+19), float64(1))))
+    r_d = where(1 < s, 5.551115123125783e-17, where(s < 1, real(3.6893488147419103e+19), real(1)))
     r = where(1.8014398509481984e+16 < s, 3.0814879110195774e-33, r_d)
     length = n * r
     defect = length - 1
@@ -216,16 +210,15 @@ def quaternion_nearest_unit(q):
     s_largest1 = where(s_size_0 < s_size_1, s_size_1, s_size_0)
     s_largest2 = where(s_largest1 < s_size_2, s_size_2, s_largest1)
     s_largest3 = where(s_largest2 < s_size_3, s_size_3, s_largest2)
-    s_d = (where(s_largest3
-        < 256, 1.8014398509481984e+16, where(4.611686018427388e+18
-        < s_largest3, float64(2.710505431213761e-20), float64(1))))
+    s_d = where(s_largest3 < 256, 1.8014398509481984e+16, where(4.611686018427388e+18 < s_largest3,
+        real(2.710505431213761e-20), real(1)))
     s = where(s_largest3 < 1.4210854715202004e-14, 3.2451855365842673e+32, s_d)
     scaled_s_0 = q_0 * s
     scaled_s_1 = q_1 * s
     scaled_s_2 = q_2 * s
     scaled_s_3 = q_3 * s
-    n = (sqrt(scaled_s_0 * scaled_s_0 + scaled_s_1 * scaled_s_1 + scaled_s_2 * scaled_s_2
-        + scaled_s_3 * scaled_s_3))
+    n = sqrt(scaled_s_0 * scaled_s_0 + scaled_s_1 * scaled_s_1 + scaled_s_2 * scaled_s_2 +
+        scaled_s_3 * scaled_s_3)
     divisor_a = n == 0
     divisor = where(divisor_a, 1, n)
     unit_0 = scaled_s_0 / divisor
@@ -1053,9 +1046,8 @@ def axis_angle_from_quaternion(q):
     s_largest1 = where(s_size_0 < s_size_1, s_size_1, s_size_0)
     s_largest2 = where(s_largest1 < s_size_2, s_size_2, s_largest1)
     s_largest3 = where(s_largest2 < s_size_3, s_size_3, s_largest2)
-    s_d = (where(s_largest3
-        < 256, 1.8014398509481984e+16, where(4.611686018427388e+18
-        < s_largest3, float64(2.710505431213761e-20), float64(1))))
+    s_d = where(s_largest3 < 256, 1.8014398509481984e+16, where(4.611686018427388e+18 < s_largest3,
+        real(2.710505431213761e-20), real(1)))
     s = where(s_largest3 < 1.4210854715202004e-14, 3.2451855365842673e+32, s_d)
     scaled_s_0 = q_0 * s
     scaled_s_1 = q_1 * s
@@ -1071,15 +1063,14 @@ def axis_angle_from_quaternion(q):
     v_s_size_2 = absolute(upper_2)
     v_s_largest1 = where(v_s_size_0 < v_s_size_1, v_s_size_1, v_s_size_0)
     v_s_largest2 = where(v_s_largest1 < v_s_size_2, v_s_size_2, v_s_largest1)
-    v_s = (where(v_s_largest2
-        < 1.4210854715202004e-14, 3.2451855365842673e+32, where(v_s_largest2
-        < 256, float64(1.8014398509481984e+16), float64(1))))
+    v_s = where(v_s_largest2 < 1.4210854715202004e-14, 3.2451855365842673e+32,
+        where(v_s_largest2 < 256, real(1.8014398509481984e+16), real(1)))
     v_y_0 = upper_0 * v_s
     v_y_1 = upper_1 * v_s
     v_y_2 = upper_2 * v_s
     v_n = sqrt(v_y_0 * v_y_0 + v_y_1 * v_y_1 + v_y_2 * v_y_2)
-    v_r = (where(1.8014398509481984e+16
-        < v_s, 3.0814879110195774e-33, where(1 < v_s, float64(5.551115123125783e-17), float64(1))))
+    v_r = where(1.8014398509481984e+16 < v_s, 3.0814879110195774e-33, where(1 < v_s,
+        real(5.551115123125783e-17), real(1)))
     n = v_n * v_r
     half = elementary.atan2(n, upper_3)
     divisor_a = v_n == 0
@@ -1111,11 +1102,11 @@ def quaternion_exp(v):
     h_size_2 = absolute(h_2)
     h_largest1 = where(h_size_0 < h_size_1, h_size_1, h_size_0)
     h_largest2 = where(h_largest1 < h_size_2, h_size_2, h_largest1)
-    s = where(4.611686018427388e+18 < h_largest2, float64(2.710505431213761e-20), float64(1))
+    s = where(4.611686018427388e+18 < h_largest2, real(2.710505431213761e-20), real(1))
     reduced_0 = h_0 * s
     reduced_1 = h_1 * s
     reduced_2 = h_2 * s
-    up = where(s < 1, float64(3.6893488147419103e+19), float64(1))
+    up = where(s < 1, real(3.6893488147419103e+19), real(1))
     reduced_length = sqrt(reduced_0 * reduced_0 + reduced_1 * reduced_1 + reduced_2 * reduced_2)
     half_angle = reduced_length * up
     y = half_angle * half_angle
@@ -1149,9 +1140,8 @@ def quaternion_log(q):
     s_largest1 = where(s_size_0 < s_size_1, s_size_1, s_size_0)
     s_largest2 = where(s_largest1 < s_size_2, s_size_2, s_largest1)
     s_largest3 = where(s_largest2 < s_size_3, s_size_3, s_largest2)
-    s_d = (where(s_largest3
-        < 256, 1.8014398509481984e+16, where(4.611686018427388e+18
-        < s_largest3, float64(2.710505431213761e-20), float64(1))))
+    s_d = where(s_largest3 < 256, 1.8014398509481984e+16, where(4.611686018427388e+18 < s_largest3,
+        real(2.710505431213761e-20), real(1)))
     s = where(s_largest3 < 1.4210854715202004e-14, 3.2451855365842673e+32, s_d)
     scaled_s_0 = q_0 * s
     scaled_s_1 = q_1 * s
@@ -1167,15 +1157,14 @@ def quaternion_log(q):
     v_s_size_2 = absolute(upper_2)
     v_s_largest1 = where(v_s_size_0 < v_s_size_1, v_s_size_1, v_s_size_0)
     v_s_largest2 = where(v_s_largest1 < v_s_size_2, v_s_size_2, v_s_largest1)
-    v_s = (where(v_s_largest2
-        < 1.4210854715202004e-14, 3.2451855365842673e+32, where(v_s_largest2
-        < 256, float64(1.8014398509481984e+16), float64(1))))
+    v_s = where(v_s_largest2 < 1.4210854715202004e-14, 3.2451855365842673e+32,
+        where(v_s_largest2 < 256, real(1.8014398509481984e+16), real(1)))
     v_y_0 = upper_0 * v_s
     v_y_1 = upper_1 * v_s
     v_y_2 = upper_2 * v_s
     v_n = sqrt(v_y_0 * v_y_0 + v_y_1 * v_y_1 + v_y_2 * v_y_2)
-    v_r = (where(1.8014398509481984e+16
-        < v_s, 3.0814879110195774e-33, where(1 < v_s, float64(5.551115123125783e-17), float64(1))))
+    v_r = where(1.8014398509481984e+16 < v_s, 3.0814879110195774e-33, where(1 < v_s,
+        real(5.551115123125783e-17), real(1)))
     n = v_n * v_r
     half = elementary.atan2(n, upper_3)
     divisor = where(n == 0, 1, n)
@@ -1214,16 +1203,15 @@ def quaternion_interpolated(q1, q2, k):
     v_s_size_2 = absolute(upper_2)
     v_s_largest1 = where(v_s_size_0 < v_s_size_1, v_s_size_1, v_s_size_0)
     v_s_largest2 = where(v_s_largest1 < v_s_size_2, v_s_size_2, v_s_largest1)
-    v_s_d = (where(v_s_largest2
-        < 256, 1.8014398509481984e+16, where(4.611686018427388e+18
-        < v_s_largest2, float64(2.710505431213761e-20), float64(1))))
+    v_s_d = where(v_s_largest2 < 256, 1.8014398509481984e+16,
+        where(4.611686018427388e+18 < v_s_largest2, real(2.710505431213761e-20), real(1)))
     v_s = where(v_s_largest2 < 1.4210854715202004e-14, 3.2451855365842673e+32, v_s_d)
     v_y_0 = upper_0 * v_s
     v_y_1 = upper_1 * v_s
     v_y_2 = upper_2 * v_s
     v_n = sqrt(v_y_0 * v_y_0 + v_y_1 * v_y_1 + v_y_2 * v_y_2)
-    v_r_d = (where(1
-        < v_s, 5.551115123125783e-17, where(v_s < 1, float64(3.6893488147419103e+19), float64(1))))
+    v_r_d = where(1 < v_s, 5.551115123125783e-17, where(v_s < 1, real(3.6893488147419103e+19),
+        real(1)))
     v_r = where(1.8014398509481984e+16 < v_s, 3.0814879110195774e-33, v_r_d)
     n = v_n * v_r
     half = elementary.atan2(n, upper_3)
@@ -1240,14 +1228,13 @@ def quaternion_interpolated(q1, q2, k):
     exp_h_size_2 = absolute(step_2)
     exp_h_largest1 = where(exp_h_size_0 < exp_h_size_1, exp_h_size_1, exp_h_size_0)
     exp_h_largest2 = where(exp_h_largest1 < exp_h_size_2, exp_h_size_2, exp_h_largest1)
-    exp_s = (where(4.611686018427388e+18
-        < exp_h_largest2, float64(2.710505431213761e-20), float64(1)))
+    exp_s = where(4.611686018427388e+18 < exp_h_largest2, real(2.710505431213761e-20), real(1))
     exp_reduced_0 = step_0 * exp_s
     exp_reduced_1 = step_1 * exp_s
     exp_reduced_2 = step_2 * exp_s
-    exp_up = where(exp_s < 1, float64(3.6893488147419103e+19), float64(1))
-    exp_reduced_length = (sqrt(exp_reduced_0 * exp_reduced_0 + exp_reduced_1 * exp_reduced_1
-        + exp_reduced_2 * exp_reduced_2))
+    exp_up = where(exp_s < 1, real(3.6893488147419103e+19), real(1))
+    exp_reduced_length = sqrt(exp_reduced_0 * exp_reduced_0 + exp_reduced_1 * exp_reduced_1 +
+        exp_reduced_2 * exp_reduced_2)
     exp_half_angle = exp_reduced_length * exp_up
     exp_y = exp_half_angle * exp_half_angle
     exp_sine, exp_c = elementary.sincos(exp_half_angle)

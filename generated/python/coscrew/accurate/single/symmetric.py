@@ -6,7 +6,7 @@
 In single precision, accurate tier.
 """
 
-from numpy import float64, nan, where
+from numpy import float64 as real, nan, where
 from coscrew._kernel import wide_kernel as kernel
 
 
@@ -106,8 +106,8 @@ def mat3x3_solve(A, b):
     less_divisor1 = where(less_divisor1a, less_u1_0, 1)
     less_l1 = less_u1_1 / less_divisor1
     less_u2 = less_2 - A_20 * less_l0_1 - less_u1_1 * less_l1
-    regular = (where(less_divisor0a, where(less_divisor1a, where(0
-        < less_u2, float64(1), float64(0)), 0), 0))
+    regular = where(less_divisor0a, where(less_divisor1a, where(0 < less_u2, real(1), real(0)), 0),
+        0)
     least = where(smallest2 < 0, smallest2, 0)
     y1 = b_1 - b_0 * l0_0
     y2 = b_2 - b_0 * l0_1 - l1 * y1
@@ -365,8 +365,8 @@ def mat6x6_solve(A, b):
     less_l4 = less_u4_1 / less_divisor4
     less_u5 = (less_5 - A_50 * less_l0_4 - less_u1_4 * less_l1_3 - less_u2_3 * less_l2_2
         - less_u3_2 * less_l3_1 - less_u4_1 * less_l4)
-    regular_e = (where(less_divisor2a, where(less_divisor3a, where(less_divisor4a, where(0
-        < less_u5, float64(1), float64(0)), 0), 0), 0))
+    regular_e = where(less_divisor2a, where(less_divisor3a, where(less_divisor4a, where(0 < less_u5,
+        real(1), real(0)), 0), 0), 0)
     regular = where(less_divisor0a, where(less_divisor1a, regular_e, 0), 0)
     least = where(smallest5 < 0, smallest5, 0)
     y1 = b_1 - b_0 * l0_0

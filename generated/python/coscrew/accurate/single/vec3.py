@@ -7,7 +7,7 @@ In single precision, accurate tier.
 """
 
 from coscrew import _elementary_double as elementary
-from numpy import absolute, float64, sqrt, where
+from numpy import absolute, float64 as real, sqrt, where
 from coscrew._kernel import wide_kernel as kernel
 
 
@@ -149,16 +149,14 @@ def vec3_l2norm(v):
     s_size_2 = absolute(v_2)
     s_largest1 = where(s_size_0 < s_size_1, s_size_1, s_size_0)
     s_largest2 = where(s_largest1 < s_size_2, s_size_2, s_largest1)
-    s_d = (where(s_largest2
-        < 256, 1.8014398509481984e+16, where(4.611686018427388e+18
-        < s_largest2, float64(2.710505431213761e-20), float64(1))))
+    s_d = where(s_largest2 < 256, 1.8014398509481984e+16, where(4.611686018427388e+18 < s_largest2,
+        real(2.710505431213761e-20), real(1)))
     s = where(s_largest2 < 1.4210854715202004e-14, 3.2451855365842673e+32, s_d)
     y_0 = v_0 * s
     y_1 = v_1 * s
     y_2 = v_2 * s
     n = sqrt(y_0 * y_0 + y_1 * y_1 + y_2 * y_2)
-    r_d = (where(1
-        < s, 5.551115123125783e-17, where(s < 1, float64(3.6893488147419103e+19), float64(1))))
+    r_d = where(1 < s, 5.551115123125783e-17, where(s < 1, real(3.6893488147419103e+19), real(1)))
     r = where(1.8014398509481984e+16 < s, 3.0814879110195774e-33, r_d)
     norm = n * r
     return norm
@@ -177,9 +175,8 @@ def vec3_normalize(self):
     s_size_2 = absolute(self_2)
     s_largest1 = where(s_size_0 < s_size_1, s_size_1, s_size_0)
     s_largest2 = where(s_largest1 < s_size_2, s_size_2, s_largest1)
-    s_d = (where(s_largest2
-        < 256, 1.8014398509481984e+16, where(4.611686018427388e+18
-        < s_largest2, float64(2.710505431213761e-20), float64(1))))
+    s_d = where(s_largest2 < 256, 1.8014398509481984e+16, where(4.611686018427388e+18 < s_largest2,
+        real(2.710505431213761e-20), real(1)))
     s = where(s_largest2 < 1.4210854715202004e-14, 3.2451855365842673e+32, s_d)
     y_0 = self_0 * s
     y_1 = self_1 * s
@@ -213,9 +210,8 @@ def vec3_normalized(v):
     s_size_2 = absolute(v_2)
     s_largest1 = where(s_size_0 < s_size_1, s_size_1, s_size_0)
     s_largest2 = where(s_largest1 < s_size_2, s_size_2, s_largest1)
-    s_d = (where(s_largest2
-        < 256, 1.8014398509481984e+16, where(4.611686018427388e+18
-        < s_largest2, float64(2.710505431213761e-20), float64(1))))
+    s_d = where(s_largest2 < 256, 1.8014398509481984e+16, where(4.611686018427388e+18 < s_largest2,
+        real(2.710505431213761e-20), real(1)))
     s = where(s_largest2 < 1.4210854715202004e-14, 3.2451855365842673e+32, s_d)
     y_0 = v_0 * s
     y_1 = v_1 * s
@@ -252,9 +248,8 @@ def angle_vv(v1, v2):
     s1_size_2 = absolute(v1_2)
     s1_largest1 = where(s1_size_0 < s1_size_1, s1_size_1, s1_size_0)
     s1_largest2 = where(s1_largest1 < s1_size_2, s1_size_2, s1_largest1)
-    s1d = (where(s1_largest2
-        < 256, 1.8014398509481984e+16, where(4.611686018427388e+18
-        < s1_largest2, float64(2.710505431213761e-20), float64(1))))
+    s1d = where(s1_largest2 < 256, 1.8014398509481984e+16,
+        where(4.611686018427388e+18 < s1_largest2, real(2.710505431213761e-20), real(1)))
     s1 = where(s1_largest2 < 1.4210854715202004e-14, 3.2451855365842673e+32, s1d)
     scaled_s1_0 = v1_0 * s1
     scaled_s1_1 = v1_1 * s1
@@ -264,9 +259,8 @@ def angle_vv(v1, v2):
     s2_size_2 = absolute(v2_2)
     s2_largest1 = where(s2_size_0 < s2_size_1, s2_size_1, s2_size_0)
     s2_largest2 = where(s2_largest1 < s2_size_2, s2_size_2, s2_largest1)
-    s2d = (where(s2_largest2
-        < 256, 1.8014398509481984e+16, where(4.611686018427388e+18
-        < s2_largest2, float64(2.710505431213761e-20), float64(1))))
+    s2d = where(s2_largest2 < 256, 1.8014398509481984e+16,
+        where(4.611686018427388e+18 < s2_largest2, real(2.710505431213761e-20), real(1)))
     s2 = where(s2_largest2 < 1.4210854715202004e-14, 3.2451855365842673e+32, s2d)
     scaled_s2_0 = v2_0 * s2
     scaled_s2_1 = v2_1 * s2
@@ -279,16 +273,14 @@ def angle_vv(v1, v2):
     s_size_2 = absolute(c_2)
     s_largest1 = where(s_size_0 < s_size_1, s_size_1, s_size_0)
     s_largest2 = where(s_largest1 < s_size_2, s_size_2, s_largest1)
-    s_d = (where(s_largest2
-        < 256, 1.8014398509481984e+16, where(4.611686018427388e+18
-        < s_largest2, float64(2.710505431213761e-20), float64(1))))
+    s_d = where(s_largest2 < 256, 1.8014398509481984e+16, where(4.611686018427388e+18 < s_largest2,
+        real(2.710505431213761e-20), real(1)))
     s = where(s_largest2 < 1.4210854715202004e-14, 3.2451855365842673e+32, s_d)
     y_0 = c_0 * s
     y_1 = c_1 * s
     y_2 = c_2 * s
     n = sqrt(y_0 * y_0 + y_1 * y_1 + y_2 * y_2)
-    r_d = (where(1
-        < s, 5.551115123125783e-17, where(s < 1, float64(3.6893488147419103e+19), float64(1))))
+    r_d = where(1 < s, 5.551115123125783e-17, where(s < 1, real(3.6893488147419103e+19), real(1)))
     r = where(1.8014398509481984e+16 < s, 3.0814879110195774e-33, r_d)
     cross = n * r
     dot_ = scaled_s1_0 * scaled_s2_0 + scaled_s1_1 * scaled_s2_1 + scaled_s1_2 * scaled_s2_2

@@ -6,7 +6,7 @@
 In single precision, accurate tier.
 """
 
-from numpy import absolute, float64, sqrt, where
+from numpy import absolute, float64 as real, sqrt, where
 from coscrew._kernel import wide_kernel as kernel
 
 
@@ -57,17 +57,15 @@ def vec4_l2norm(v):
     s_largest1 = where(s_size_0 < s_size_1, s_size_1, s_size_0)
     s_largest2 = where(s_largest1 < s_size_2, s_size_2, s_largest1)
     s_largest3 = where(s_largest2 < s_size_3, s_size_3, s_largest2)
-    s_d = (where(s_largest3
-        < 256, 1.8014398509481984e+16, where(4.611686018427388e+18
-        < s_largest3, float64(2.710505431213761e-20), float64(1))))
+    s_d = where(s_largest3 < 256, 1.8014398509481984e+16, where(4.611686018427388e+18 < s_largest3,
+        real(2.710505431213761e-20), real(1)))
     s = where(s_largest3 < 1.4210854715202004e-14, 3.2451855365842673e+32, s_d)
     y_0 = v_0 * s
     y_1 = v_1 * s
     y_2 = v_2 * s
     y_3 = v_3 * s
     n = sqrt(y_0 * y_0 + y_1 * y_1 + y_2 * y_2 + y_3 * y_3)
-    r_d = (where(1
-        < s, 5.551115123125783e-17, where(s < 1, float64(3.6893488147419103e+19), float64(1))))
+    r_d = where(1 < s, 5.551115123125783e-17, where(s < 1, real(3.6893488147419103e+19), real(1)))
     r = where(1.8014398509481984e+16 < s, 3.0814879110195774e-33, r_d)
     norm = n * r
     return norm
@@ -88,9 +86,8 @@ def vec4_normalize(self):
     s_largest1 = where(s_size_0 < s_size_1, s_size_1, s_size_0)
     s_largest2 = where(s_largest1 < s_size_2, s_size_2, s_largest1)
     s_largest3 = where(s_largest2 < s_size_3, s_size_3, s_largest2)
-    s_d = (where(s_largest3
-        < 256, 1.8014398509481984e+16, where(4.611686018427388e+18
-        < s_largest3, float64(2.710505431213761e-20), float64(1))))
+    s_d = where(s_largest3 < 256, 1.8014398509481984e+16, where(4.611686018427388e+18 < s_largest3,
+        real(2.710505431213761e-20), real(1)))
     s = where(s_largest3 < 1.4210854715202004e-14, 3.2451855365842673e+32, s_d)
     y_0 = self_0 * s
     y_1 = self_1 * s
@@ -130,9 +127,8 @@ def vec4_normalized(v):
     s_largest1 = where(s_size_0 < s_size_1, s_size_1, s_size_0)
     s_largest2 = where(s_largest1 < s_size_2, s_size_2, s_largest1)
     s_largest3 = where(s_largest2 < s_size_3, s_size_3, s_largest2)
-    s_d = (where(s_largest3
-        < 256, 1.8014398509481984e+16, where(4.611686018427388e+18
-        < s_largest3, float64(2.710505431213761e-20), float64(1))))
+    s_d = where(s_largest3 < 256, 1.8014398509481984e+16, where(4.611686018427388e+18 < s_largest3,
+        real(2.710505431213761e-20), real(1)))
     s = where(s_largest3 < 1.4210854715202004e-14, 3.2451855365842673e+32, s_d)
     y_0 = v_0 * s
     y_1 = v_1 * s

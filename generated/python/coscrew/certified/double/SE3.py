@@ -13,7 +13,7 @@ from numpy import errstate
 
 @kernel("(3,4)->(3,4),(3,4)")
 @errstate(all="ignore")
-def SE3_invert(self):
+def SE3_invert(self, *, c1=2.004168360008973e-292, c2=3.3306690738754706e-16):
     """self = self^-1 = [R^T | -R^T t]; |error of self| <= self_bound unless inf or NaN.
 
     (3,4)->(3,4),(3,4).  self, self_bound: displacement [R | t], R rotation, t in m.
@@ -33,15 +33,12 @@ def SE3_invert(self):
     self_23_new_b = self_12 * self_13
     self_23_new_d = self_22 * self_23
     self_23_new = -(self_23_new_a + self_23_new_b + self_23_new_d)
-    self_03_new_e_bound = (3.3306690738754706e-16
-        * (absolute(self_03_new_a) + absolute(self_03_new_b) + absolute(self_03_new_d)
-        + 2.004168360008973e-292))
-    self_13_new_e_bound = (3.3306690738754706e-16
-        * (absolute(self_13_new_a) + absolute(self_13_new_b) + absolute(self_13_new_d)
-        + 2.004168360008973e-292))
-    self_23_new_e_bound = (3.3306690738754706e-16
-        * (absolute(self_23_new_a) + absolute(self_23_new_b) + absolute(self_23_new_d)
-        + 2.004168360008973e-292))
+    self_03_new_e_bound = (c2
+        * (absolute(self_03_new_a) + absolute(self_03_new_b) + absolute(self_03_new_d) + c1))
+    self_13_new_e_bound = (c2
+        * (absolute(self_13_new_a) + absolute(self_13_new_b) + absolute(self_13_new_d) + c1))
+    self_23_new_e_bound = (c2
+        * (absolute(self_23_new_a) + absolute(self_23_new_b) + absolute(self_23_new_d) + c1))
     return (self_00, self_10, self_20, self_03_new, self_01, self_11, self_21, self_13_new, self_02,
         self_12, self_22, self_23_new, 0, 0, 0, self_03_new_e_bound, 0, 0, 0, self_13_new_e_bound,
         0, 0, 0, self_23_new_e_bound)
@@ -49,7 +46,7 @@ def SE3_invert(self):
 
 @kernel("(3,4)->(3,4),(3,4)")
 @errstate(all="ignore")
-def SE3_inverted(D):
+def SE3_inverted(D, *, c1=2.004168360008973e-292, c2=3.3306690738754706e-16):
     """Do = D^-1 = [R^T | -R^T t]; |error of Do| <= Do_bound unless inf or NaN.
 
     (3,4)->(3,4),(3,4).  D, Do, Do_bound: displacement [R | t], R rotation, t in m.
@@ -68,11 +65,8 @@ def SE3_inverted(D):
     Do_23b = D_12 * D_13
     Do_23d = D_22 * D_23
     Do_23 = -(Do_23a + Do_23b + Do_23d)
-    Do_03e_bound = (3.3306690738754706e-16
-        * (absolute(Do_03a) + absolute(Do_03b) + absolute(Do_03d) + 2.004168360008973e-292))
-    Do_13e_bound = (3.3306690738754706e-16
-        * (absolute(Do_13a) + absolute(Do_13b) + absolute(Do_13d) + 2.004168360008973e-292))
-    Do_23e_bound = (3.3306690738754706e-16
-        * (absolute(Do_23a) + absolute(Do_23b) + absolute(Do_23d) + 2.004168360008973e-292))
+    Do_03e_bound = c2 * (absolute(Do_03a) + absolute(Do_03b) + absolute(Do_03d) + c1)
+    Do_13e_bound = c2 * (absolute(Do_13a) + absolute(Do_13b) + absolute(Do_13d) + c1)
+    Do_23e_bound = c2 * (absolute(Do_23a) + absolute(Do_23b) + absolute(Do_23d) + c1)
     return (D_00, D_10, D_20, Do_03, D_01, D_11, D_21, Do_13, D_02, D_12, D_22, Do_23, 0, 0, 0,
         Do_03e_bound, 0, 0, 0, Do_13e_bound, 0, 0, 0, Do_23e_bound)

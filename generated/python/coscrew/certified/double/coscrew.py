@@ -13,7 +13,7 @@ from numpy import errstate
 
 @kernel("(6),()->(6),(6)")
 @errstate(all="ignore")
-def coscrew_scale(self, a):
+def coscrew_scale(self, a, *, c1=2.004168360008973e-292, c2=1.1102230246251568e-16):
     """self = a self; |error of self| <= self_bound unless inf or NaN.
 
     (6),()->(6),(6).  self, self_bound: coscrew (f in N; τ in N m); a: number.
@@ -26,12 +26,12 @@ def coscrew_scale(self, a):
     self_3_new = self_3 * a
     self_4_new = self_4 * a
     self_5_new = self_5 * a
-    self_0_new_bound = 1.1102230246251568e-16 * (absolute(self_0_new) + 2.004168360008973e-292)
-    self_1_new_bound = 1.1102230246251568e-16 * (absolute(self_1_new) + 2.004168360008973e-292)
-    self_2_new_bound = 1.1102230246251568e-16 * (absolute(self_2_new) + 2.004168360008973e-292)
-    self_3_new_bound = 1.1102230246251568e-16 * (absolute(self_3_new) + 2.004168360008973e-292)
-    self_4_new_bound = 1.1102230246251568e-16 * (absolute(self_4_new) + 2.004168360008973e-292)
-    self_5_new_bound = 1.1102230246251568e-16 * (absolute(self_5_new) + 2.004168360008973e-292)
+    self_0_new_bound = c2 * (absolute(self_0_new) + c1)
+    self_1_new_bound = c2 * (absolute(self_1_new) + c1)
+    self_2_new_bound = c2 * (absolute(self_2_new) + c1)
+    self_3_new_bound = c2 * (absolute(self_3_new) + c1)
+    self_4_new_bound = c2 * (absolute(self_4_new) + c1)
+    self_5_new_bound = c2 * (absolute(self_5_new) + c1)
     return (self_0_new, self_1_new, self_2_new, self_3_new, self_4_new, self_5_new,
         self_0_new_bound, self_1_new_bound, self_2_new_bound, self_3_new_bound, self_4_new_bound,
         self_5_new_bound)
@@ -39,7 +39,7 @@ def coscrew_scale(self, a):
 
 @kernel("(),(6),(6)->(6),(6)")
 @errstate(all="ignore")
-def axpy_cc(a, x, y):
+def axpy_cc(a, x, y, *, c1=2.004168360008973e-292, c2=2.2204460492503136e-16):
     """y = a x + y; |error of y| <= y_bound unless inf or NaN.
 
     (),(6),(6)->(6),(6).  a: number; x, y, y_bound: coscrew (f in N; τ in N m).
@@ -65,19 +65,19 @@ def axpy_cc(a, x, y):
     y_3_new_size = absolute(y_3_new_a) + absolute(y_3)
     y_4_new_size = absolute(y_4_new_a) + absolute(y_4)
     y_5_new_size = absolute(y_5_new_a) + absolute(y_5)
-    y_0_new_bound = 2.2204460492503136e-16 * (y_0_new_size + 2.004168360008973e-292)
-    y_1_new_bound = 2.2204460492503136e-16 * (y_1_new_size + 2.004168360008973e-292)
-    y_2_new_bound = 2.2204460492503136e-16 * (y_2_new_size + 2.004168360008973e-292)
-    y_3_new_bound = 2.2204460492503136e-16 * (y_3_new_size + 2.004168360008973e-292)
-    y_4_new_bound = 2.2204460492503136e-16 * (y_4_new_size + 2.004168360008973e-292)
-    y_5_new_bound = 2.2204460492503136e-16 * (y_5_new_size + 2.004168360008973e-292)
+    y_0_new_bound = c2 * (y_0_new_size + c1)
+    y_1_new_bound = c2 * (y_1_new_size + c1)
+    y_2_new_bound = c2 * (y_2_new_size + c1)
+    y_3_new_bound = c2 * (y_3_new_size + c1)
+    y_4_new_bound = c2 * (y_4_new_size + c1)
+    y_5_new_bound = c2 * (y_5_new_size + c1)
     return (y_0_new, y_1_new, y_2_new, y_3_new, y_4_new, y_5_new, y_0_new_bound, y_1_new_bound,
         y_2_new_bound, y_3_new_bound, y_4_new_bound, y_5_new_bound)
 
 
 @kernel("(6),(6)->(6),(6)")
 @errstate(all="ignore")
-def xpy_cc(x, y):
+def xpy_cc(x, y, *, c1=1.1102230246251568e-16):
     """y = x + y; |error of y| <= y_bound unless inf or NaN.
 
     (6),(6)->(6),(6).  x, y, y_bound: coscrew (f in N; τ in N m).
@@ -91,19 +91,19 @@ def xpy_cc(x, y):
     y_3_new = x_3 + y_3
     y_4_new = x_4 + y_4
     y_5_new = x_5 + y_5
-    y_0_new_bound = 1.1102230246251568e-16 * absolute(y_0_new)
-    y_1_new_bound = 1.1102230246251568e-16 * absolute(y_1_new)
-    y_2_new_bound = 1.1102230246251568e-16 * absolute(y_2_new)
-    y_3_new_bound = 1.1102230246251568e-16 * absolute(y_3_new)
-    y_4_new_bound = 1.1102230246251568e-16 * absolute(y_4_new)
-    y_5_new_bound = 1.1102230246251568e-16 * absolute(y_5_new)
+    y_0_new_bound = c1 * absolute(y_0_new)
+    y_1_new_bound = c1 * absolute(y_1_new)
+    y_2_new_bound = c1 * absolute(y_2_new)
+    y_3_new_bound = c1 * absolute(y_3_new)
+    y_4_new_bound = c1 * absolute(y_4_new)
+    y_5_new_bound = c1 * absolute(y_5_new)
     return (y_0_new, y_1_new, y_2_new, y_3_new, y_4_new, y_5_new, y_0_new_bound, y_1_new_bound,
         y_2_new_bound, y_3_new_bound, y_4_new_bound, y_5_new_bound)
 
 
 @kernel("(6),(6)->(6),(6)")
 @errstate(all="ignore")
-def nxpy_cc(x, y):
+def nxpy_cc(x, y, *, c1=1.1102230246251568e-16):
     """y = -x + y; |error of y| <= y_bound unless inf or NaN.
 
     (6),(6)->(6),(6).  x, y, y_bound: coscrew (f in N; τ in N m).
@@ -117,19 +117,19 @@ def nxpy_cc(x, y):
     y_3_new = y_3 - x_3
     y_4_new = y_4 - x_4
     y_5_new = y_5 - x_5
-    y_0_new_bound = 1.1102230246251568e-16 * absolute(y_0_new)
-    y_1_new_bound = 1.1102230246251568e-16 * absolute(y_1_new)
-    y_2_new_bound = 1.1102230246251568e-16 * absolute(y_2_new)
-    y_3_new_bound = 1.1102230246251568e-16 * absolute(y_3_new)
-    y_4_new_bound = 1.1102230246251568e-16 * absolute(y_4_new)
-    y_5_new_bound = 1.1102230246251568e-16 * absolute(y_5_new)
+    y_0_new_bound = c1 * absolute(y_0_new)
+    y_1_new_bound = c1 * absolute(y_1_new)
+    y_2_new_bound = c1 * absolute(y_2_new)
+    y_3_new_bound = c1 * absolute(y_3_new)
+    y_4_new_bound = c1 * absolute(y_4_new)
+    y_5_new_bound = c1 * absolute(y_5_new)
     return (y_0_new, y_1_new, y_2_new, y_3_new, y_4_new, y_5_new, y_0_new_bound, y_1_new_bound,
         y_2_new_bound, y_3_new_bound, y_4_new_bound, y_5_new_bound)
 
 
 @kernel("(),(6)->(6),(6)")
 @errstate(all="ignore")
-def product_ac(a, ci):
+def product_ac(a, ci, *, c1=2.004168360008973e-292, c2=1.1102230246251568e-16):
     """co = a ci; |error of co| <= co_bound unless inf or NaN.
 
     (),(6)->(6),(6).  a: number; ci, co, co_bound: coscrew (f in N; τ in N m).
@@ -142,19 +142,19 @@ def product_ac(a, ci):
     co_3 = a * ci_3
     co_4 = a * ci_4
     co_5 = a * ci_5
-    co_0_bound = 1.1102230246251568e-16 * (absolute(co_0) + 2.004168360008973e-292)
-    co_1_bound = 1.1102230246251568e-16 * (absolute(co_1) + 2.004168360008973e-292)
-    co_2_bound = 1.1102230246251568e-16 * (absolute(co_2) + 2.004168360008973e-292)
-    co_3_bound = 1.1102230246251568e-16 * (absolute(co_3) + 2.004168360008973e-292)
-    co_4_bound = 1.1102230246251568e-16 * (absolute(co_4) + 2.004168360008973e-292)
-    co_5_bound = 1.1102230246251568e-16 * (absolute(co_5) + 2.004168360008973e-292)
+    co_0_bound = c2 * (absolute(co_0) + c1)
+    co_1_bound = c2 * (absolute(co_1) + c1)
+    co_2_bound = c2 * (absolute(co_2) + c1)
+    co_3_bound = c2 * (absolute(co_3) + c1)
+    co_4_bound = c2 * (absolute(co_4) + c1)
+    co_5_bound = c2 * (absolute(co_5) + c1)
     return (co_0, co_1, co_2, co_3, co_4, co_5, co_0_bound, co_1_bound, co_2_bound, co_3_bound,
         co_4_bound, co_5_bound)
 
 
 @kernel("(6),(6)->(6),(6)")
 @errstate(all="ignore")
-def add_cc(c1, c2):
+def add_cc(c1, c2, *, c3=1.1102230246251568e-16):
     """co = c1 + c2; |error of co| <= co_bound unless inf or NaN.
 
     (6),(6)->(6),(6).  c1, c2, co, co_bound: coscrew (f in N; τ in N m).
@@ -168,19 +168,19 @@ def add_cc(c1, c2):
     co_3 = c1_3 + c2_3
     co_4 = c1_4 + c2_4
     co_5 = c1_5 + c2_5
-    co_0_bound = 1.1102230246251568e-16 * absolute(co_0)
-    co_1_bound = 1.1102230246251568e-16 * absolute(co_1)
-    co_2_bound = 1.1102230246251568e-16 * absolute(co_2)
-    co_3_bound = 1.1102230246251568e-16 * absolute(co_3)
-    co_4_bound = 1.1102230246251568e-16 * absolute(co_4)
-    co_5_bound = 1.1102230246251568e-16 * absolute(co_5)
+    co_0_bound = c3 * absolute(co_0)
+    co_1_bound = c3 * absolute(co_1)
+    co_2_bound = c3 * absolute(co_2)
+    co_3_bound = c3 * absolute(co_3)
+    co_4_bound = c3 * absolute(co_4)
+    co_5_bound = c3 * absolute(co_5)
     return (co_0, co_1, co_2, co_3, co_4, co_5, co_0_bound, co_1_bound, co_2_bound, co_3_bound,
         co_4_bound, co_5_bound)
 
 
 @kernel("(6),(6)->(6),(6)")
 @errstate(all="ignore")
-def subtract_cc(c1, c2):
+def subtract_cc(c1, c2, *, c3=1.1102230246251568e-16):
     """co = c1 - c2; |error of co| <= co_bound unless inf or NaN.
 
     (6),(6)->(6),(6).  c1, c2, co, co_bound: coscrew (f in N; τ in N m).
@@ -194,19 +194,19 @@ def subtract_cc(c1, c2):
     co_3 = c1_3 - c2_3
     co_4 = c1_4 - c2_4
     co_5 = c1_5 - c2_5
-    co_0_bound = 1.1102230246251568e-16 * absolute(co_0)
-    co_1_bound = 1.1102230246251568e-16 * absolute(co_1)
-    co_2_bound = 1.1102230246251568e-16 * absolute(co_2)
-    co_3_bound = 1.1102230246251568e-16 * absolute(co_3)
-    co_4_bound = 1.1102230246251568e-16 * absolute(co_4)
-    co_5_bound = 1.1102230246251568e-16 * absolute(co_5)
+    co_0_bound = c3 * absolute(co_0)
+    co_1_bound = c3 * absolute(co_1)
+    co_2_bound = c3 * absolute(co_2)
+    co_3_bound = c3 * absolute(co_3)
+    co_4_bound = c3 * absolute(co_4)
+    co_5_bound = c3 * absolute(co_5)
     return (co_0, co_1, co_2, co_3, co_4, co_5, co_0_bound, co_1_bound, co_2_bound, co_3_bound,
         co_4_bound, co_5_bound)
 
 
 @kernel("(6),(6)->(6),(6)")
 @errstate(all="ignore")
-def add_cct(c1, c2):
+def add_cct(c1, c2, *, c3=1.1102230246251568e-16):
     """co = (c1.lin + c2.lin ; c1.ang); |error of co| <= co_bound unless inf or NaN.
 
     (6),(6)->(6),(6).  c1, c2, co, co_bound: coscrew (f in N; τ in N m).
@@ -217,15 +217,15 @@ def add_cct(c1, c2):
     co_0 = c1_0 + c2_0
     co_1 = c1_1 + c2_1
     co_2 = c1_2 + c2_2
-    co_0_bound = 1.1102230246251568e-16 * absolute(co_0)
-    co_1_bound = 1.1102230246251568e-16 * absolute(co_1)
-    co_2_bound = 1.1102230246251568e-16 * absolute(co_2)
+    co_0_bound = c3 * absolute(co_0)
+    co_1_bound = c3 * absolute(co_1)
+    co_2_bound = c3 * absolute(co_2)
     return (co_0, co_1, co_2, c1_3, c1_4, c1_5, co_0_bound, co_1_bound, co_2_bound, 0, 0, 0)
 
 
 @kernel("(3),(6)->(6),(6)")
 @errstate(all="ignore")
-def product_CoAdtc(t, ci):
+def product_CoAdtc(t, ci, *, c1=2.004168360008973e-292, c2=3.3306690738754706e-16):
     """co = [Ad]*(t) ci; |error of co| <= co_bound unless inf or NaN.
 
     (3),(6)->(6),(6).  t: vector; ci, co, co_bound: coscrew (f in N; τ in N m).
@@ -245,15 +245,15 @@ def product_CoAdtc(t, ci):
     co_3_size = absolute(co_3a) + absolute(co_3b) + absolute(ci_3)
     co_4_size = absolute(co_4a) + absolute(co_4b) + absolute(ci_4)
     co_5_size = absolute(co_5a) + absolute(co_5b) + absolute(ci_5)
-    co_3_bound = 3.3306690738754706e-16 * (co_3_size + 2.004168360008973e-292)
-    co_4_bound = 3.3306690738754706e-16 * (co_4_size + 2.004168360008973e-292)
-    co_5_bound = 3.3306690738754706e-16 * (co_5_size + 2.004168360008973e-292)
+    co_3_bound = c2 * (co_3_size + c1)
+    co_4_bound = c2 * (co_4_size + c1)
+    co_5_bound = c2 * (co_5_size + c1)
     return (ci_0, ci_1, ci_2, co_3, co_4, co_5, 0, 0, 0, co_3_bound, co_4_bound, co_5_bound)
 
 
 @kernel("(3),(6)->(6),(6)")
 @errstate(all="ignore")
-def product_CoAdtinvc(t, ci):
+def product_CoAdtinvc(t, ci, *, c1=2.004168360008973e-292, c2=3.3306690738754706e-16):
     """co = [Ad]*(t)^-1 ci; |error of co| <= co_bound unless inf or NaN.
 
     (3),(6)->(6),(6).  t: vector; ci, co, co_bound: coscrew (f in N; τ in N m).
@@ -273,15 +273,15 @@ def product_CoAdtinvc(t, ci):
     co_3_size = absolute(co_3a) + absolute(co_3b) + absolute(ci_3)
     co_4_size = absolute(co_4a) + absolute(co_4b) + absolute(ci_4)
     co_5_size = absolute(co_5a) + absolute(co_5b) + absolute(ci_5)
-    co_3_bound = 3.3306690738754706e-16 * (co_3_size + 2.004168360008973e-292)
-    co_4_bound = 3.3306690738754706e-16 * (co_4_size + 2.004168360008973e-292)
-    co_5_bound = 3.3306690738754706e-16 * (co_5_size + 2.004168360008973e-292)
+    co_3_bound = c2 * (co_3_size + c1)
+    co_4_bound = c2 * (co_4_size + c1)
+    co_5_bound = c2 * (co_5_size + c1)
     return (ci_0, ci_1, ci_2, co_3, co_4, co_5, 0, 0, 0, co_3_bound, co_4_bound, co_5_bound)
 
 
 @kernel("(3),(6)->(6),(6)")
 @errstate(all="ignore")
-def product_CoAdtcinv(t, ci):
+def product_CoAdtcinv(t, ci, *, c1=2.004168360008973e-292, c2=3.3306690738754706e-16):
     """co = [Ad]*(t) (-ci); |error of co| <= co_bound unless inf or NaN.
 
     (3),(6)->(6),(6).  t: vector; ci, co, co_bound: coscrew (f in N; τ in N m).
@@ -304,15 +304,15 @@ def product_CoAdtcinv(t, ci):
     co_3_size = absolute(co_3a) + absolute(co_3b) + absolute(ci_3)
     co_4_size = absolute(co_4a) + absolute(co_4b) + absolute(ci_4)
     co_5_size = absolute(co_5a) + absolute(co_5b) + absolute(ci_5)
-    co_3_bound = 3.3306690738754706e-16 * (co_3_size + 2.004168360008973e-292)
-    co_4_bound = 3.3306690738754706e-16 * (co_4_size + 2.004168360008973e-292)
-    co_5_bound = 3.3306690738754706e-16 * (co_5_size + 2.004168360008973e-292)
+    co_3_bound = c2 * (co_3_size + c1)
+    co_4_bound = c2 * (co_4_size + c1)
+    co_5_bound = c2 * (co_5_size + c1)
     return (co_0, co_1, co_2, co_3, co_4, co_5, 0, 0, 0, co_3_bound, co_4_bound, co_5_bound)
 
 
 @kernel("(3,3),(6)->(6),(6)")
 @errstate(all="ignore")
-def product_CoAdrc(R, ci):
+def product_CoAdrc(R, ci, *, c1=2.004168360008973e-292, c2=3.3306690738754706e-16):
     """co = [Ad]*(R) ci; |error of co| <= co_bound unless inf or NaN.
 
     (3,3),(6)->(6),(6).  R: rotation or other 3×3 matrix; ci, co, co_bound: coscrew (f in N; τ
@@ -351,19 +351,19 @@ def product_CoAdrc(R, ci):
     co_3_size = absolute(co_3a) + absolute(co_3b) + absolute(co_3d)
     co_4_size = absolute(co_4a) + absolute(co_4b) + absolute(co_4d)
     co_5_size = absolute(co_5a) + absolute(co_5b) + absolute(co_5d)
-    co_0_bound = 3.3306690738754706e-16 * (co_0_size + 2.004168360008973e-292)
-    co_1_bound = 3.3306690738754706e-16 * (co_1_size + 2.004168360008973e-292)
-    co_2_bound = 3.3306690738754706e-16 * (co_2_size + 2.004168360008973e-292)
-    co_3_bound = 3.3306690738754706e-16 * (co_3_size + 2.004168360008973e-292)
-    co_4_bound = 3.3306690738754706e-16 * (co_4_size + 2.004168360008973e-292)
-    co_5_bound = 3.3306690738754706e-16 * (co_5_size + 2.004168360008973e-292)
+    co_0_bound = c2 * (co_0_size + c1)
+    co_1_bound = c2 * (co_1_size + c1)
+    co_2_bound = c2 * (co_2_size + c1)
+    co_3_bound = c2 * (co_3_size + c1)
+    co_4_bound = c2 * (co_4_size + c1)
+    co_5_bound = c2 * (co_5_size + c1)
     return (co_0, co_1, co_2, co_3, co_4, co_5, co_0_bound, co_1_bound, co_2_bound, co_3_bound,
         co_4_bound, co_5_bound)
 
 
 @kernel("(3,3),(6)->(6),(6)")
 @errstate(all="ignore")
-def product_CoAdrinvc(R, ci):
+def product_CoAdrinvc(R, ci, *, c1=2.004168360008973e-292, c2=3.3306690738754706e-16):
     """co = [Ad]*(R)^-1 ci; |error of co| <= co_bound unless inf or NaN.
 
     (3,3),(6)->(6),(6).  R: rotation or other 3×3 matrix; ci, co, co_bound: coscrew (f in N; τ
@@ -402,19 +402,19 @@ def product_CoAdrinvc(R, ci):
     co_3_size = absolute(co_3a) + absolute(co_3b) + absolute(co_3d)
     co_4_size = absolute(co_4a) + absolute(co_4b) + absolute(co_4d)
     co_5_size = absolute(co_5a) + absolute(co_5b) + absolute(co_5d)
-    co_0_bound = 3.3306690738754706e-16 * (co_0_size + 2.004168360008973e-292)
-    co_1_bound = 3.3306690738754706e-16 * (co_1_size + 2.004168360008973e-292)
-    co_2_bound = 3.3306690738754706e-16 * (co_2_size + 2.004168360008973e-292)
-    co_3_bound = 3.3306690738754706e-16 * (co_3_size + 2.004168360008973e-292)
-    co_4_bound = 3.3306690738754706e-16 * (co_4_size + 2.004168360008973e-292)
-    co_5_bound = 3.3306690738754706e-16 * (co_5_size + 2.004168360008973e-292)
+    co_0_bound = c2 * (co_0_size + c1)
+    co_1_bound = c2 * (co_1_size + c1)
+    co_2_bound = c2 * (co_2_size + c1)
+    co_3_bound = c2 * (co_3_size + c1)
+    co_4_bound = c2 * (co_4_size + c1)
+    co_5_bound = c2 * (co_5_size + c1)
     return (co_0, co_1, co_2, co_3, co_4, co_5, co_0_bound, co_1_bound, co_2_bound, co_3_bound,
         co_4_bound, co_5_bound)
 
 
 @kernel("(3,3),(6)->(6),(6)")
 @errstate(all="ignore")
-def product_CoAdrcinv(R, ci):
+def product_CoAdrcinv(R, ci, *, c1=2.004168360008973e-292, c2=3.3306690738754706e-16):
     """co = [Ad]*(R) (-ci); |error of co| <= co_bound unless inf or NaN.
 
     (3,3),(6)->(6),(6).  R: rotation or other 3×3 matrix; ci, co, co_bound: coscrew (f in N; τ
@@ -447,25 +447,20 @@ def product_CoAdrcinv(R, ci):
     co_5b = R_21 * ci_4
     co_5d = R_22 * ci_5
     co_5 = -(co_5a + co_5b + co_5d)
-    co_0e_bound = (3.3306690738754706e-16
-        * (absolute(co_0a) + absolute(co_0b) + absolute(co_0d) + 2.004168360008973e-292))
-    co_1e_bound = (3.3306690738754706e-16
-        * (absolute(co_1a) + absolute(co_1b) + absolute(co_1d) + 2.004168360008973e-292))
-    co_2e_bound = (3.3306690738754706e-16
-        * (absolute(co_2a) + absolute(co_2b) + absolute(co_2d) + 2.004168360008973e-292))
-    co_3e_bound = (3.3306690738754706e-16
-        * (absolute(co_3a) + absolute(co_3b) + absolute(co_3d) + 2.004168360008973e-292))
-    co_4e_bound = (3.3306690738754706e-16
-        * (absolute(co_4a) + absolute(co_4b) + absolute(co_4d) + 2.004168360008973e-292))
-    co_5e_bound = (3.3306690738754706e-16
-        * (absolute(co_5a) + absolute(co_5b) + absolute(co_5d) + 2.004168360008973e-292))
+    co_0e_bound = c2 * (absolute(co_0a) + absolute(co_0b) + absolute(co_0d) + c1)
+    co_1e_bound = c2 * (absolute(co_1a) + absolute(co_1b) + absolute(co_1d) + c1)
+    co_2e_bound = c2 * (absolute(co_2a) + absolute(co_2b) + absolute(co_2d) + c1)
+    co_3e_bound = c2 * (absolute(co_3a) + absolute(co_3b) + absolute(co_3d) + c1)
+    co_4e_bound = c2 * (absolute(co_4a) + absolute(co_4b) + absolute(co_4d) + c1)
+    co_5e_bound = c2 * (absolute(co_5a) + absolute(co_5b) + absolute(co_5d) + c1)
     return (co_0, co_1, co_2, co_3, co_4, co_5, co_0e_bound, co_1e_bound, co_2e_bound, co_3e_bound,
         co_4e_bound, co_5e_bound)
 
 
 @kernel("(3,4),(6)->(6),(6)")
 @errstate(all="ignore")
-def product_CoAdc(D, ci):
+def product_CoAdc(D, ci, *, c1=2.004168360008973e-292, c2=3.3306690738754706e-16,
+        c3=6.661338147750942e-16):
     """co = [Ad]*(D) ci = [Ad]*(t) [Ad]*(R) ci; |error of co| <= co_bound unless inf or NaN.
 
     (3,4),(6)->(6),(6).  D: displacement [R | t], R rotation, t in m; ci, co, co_bound: coscrew
@@ -507,28 +502,29 @@ def product_CoAdc(D, ci):
     w_3_size = absolute(w_3a) + absolute(w_3b) + absolute(w_3d)
     w_4_size = absolute(w_4a) + absolute(w_4b) + absolute(w_4d)
     w_5_size = absolute(w_5a) + absolute(w_5b) + absolute(w_5d)
-    w_2_padded = w_2_size + 2.004168360008973e-292
+    w_2_padded = w_2_size + c1
     D_13_abs = absolute(D_13)
-    w_1_padded = w_1_size + 2.004168360008973e-292
+    w_1_padded = w_1_size + c1
     D_23_abs = absolute(D_23)
     co_3_size = D_13_abs * w_2_padded + D_23_abs * w_1_padded + w_3_size
-    w_0_padded = w_0_size + 2.004168360008973e-292
+    w_0_padded = w_0_size + c1
     D_03_abs = absolute(D_03)
     co_4_size = D_23_abs * w_0_padded + D_03_abs * w_2_padded + w_4_size
     co_5_size = D_03_abs * w_1_padded + D_13_abs * w_0_padded + w_5_size
-    w_0_bound = 3.3306690738754706e-16 * w_0_padded
-    w_1_bound = 3.3306690738754706e-16 * w_1_padded
-    w_2_bound = 3.3306690738754706e-16 * w_2_padded
-    co_3_bound = 6.661338147750942e-16 * (co_3_size + 2.004168360008973e-292)
-    co_4_bound = 6.661338147750942e-16 * (co_4_size + 2.004168360008973e-292)
-    co_5_bound = 6.661338147750942e-16 * (co_5_size + 2.004168360008973e-292)
+    w_0_bound = c2 * w_0_padded
+    w_1_bound = c2 * w_1_padded
+    w_2_bound = c2 * w_2_padded
+    co_3_bound = c3 * (co_3_size + c1)
+    co_4_bound = c3 * (co_4_size + c1)
+    co_5_bound = c3 * (co_5_size + c1)
     return (w_0, w_1, w_2, co_3, co_4, co_5, w_0_bound, w_1_bound, w_2_bound, co_3_bound,
         co_4_bound, co_5_bound)
 
 
 @kernel("(3,4),(6)->(6),(6)")
 @errstate(all="ignore")
-def product_CoAdinvc(D, ci):
+def product_CoAdinvc(D, ci, *, c1=2.004168360008973e-292, c2=3.3306690738754706e-16,
+        c3=6.661338147750942e-16):
     """co = [Ad]*(D)^-1 ci = [Ad]*(R^T) [Ad]*(-t) ci; |error of co| <= co_bound unless inf or NaN.
 
     (3,4),(6)->(6),(6).  D: displacement [R | t], R rotation, t in m; ci, co, co_bound: coscrew
@@ -567,28 +563,29 @@ def product_CoAdinvc(D, ci):
     co_0_size = absolute(co_0a) + absolute(co_0b) + absolute(co_0d)
     co_1_size = absolute(co_1a) + absolute(co_1b) + absolute(co_1d)
     co_2_size = absolute(co_2a) + absolute(co_2b) + absolute(co_2d)
-    w_3_padded = w_3_size + 2.004168360008973e-292
-    w_4_padded = w_4_size + 2.004168360008973e-292
-    w_5_padded = w_5_size + 2.004168360008973e-292
+    w_3_padded = w_3_size + c1
+    w_4_padded = w_4_size + c1
+    w_5_padded = w_5_size + c1
     co_3_size = (absolute(D_00) * w_3_padded + absolute(D_10) * w_4_padded + absolute(D_20)
         * w_5_padded)
     co_4_size = (absolute(D_01) * w_3_padded + absolute(D_11) * w_4_padded + absolute(D_21)
         * w_5_padded)
     co_5_size = (absolute(D_02) * w_3_padded + absolute(D_12) * w_4_padded + absolute(D_22)
         * w_5_padded)
-    co_0_bound = 3.3306690738754706e-16 * (co_0_size + 2.004168360008973e-292)
-    co_1_bound = 3.3306690738754706e-16 * (co_1_size + 2.004168360008973e-292)
-    co_2_bound = 3.3306690738754706e-16 * (co_2_size + 2.004168360008973e-292)
-    co_3_bound = 6.661338147750942e-16 * (co_3_size + 2.004168360008973e-292)
-    co_4_bound = 6.661338147750942e-16 * (co_4_size + 2.004168360008973e-292)
-    co_5_bound = 6.661338147750942e-16 * (co_5_size + 2.004168360008973e-292)
+    co_0_bound = c2 * (co_0_size + c1)
+    co_1_bound = c2 * (co_1_size + c1)
+    co_2_bound = c2 * (co_2_size + c1)
+    co_3_bound = c3 * (co_3_size + c1)
+    co_4_bound = c3 * (co_4_size + c1)
+    co_5_bound = c3 * (co_5_size + c1)
     return (co_0, co_1, co_2, co_3, co_4, co_5, co_0_bound, co_1_bound, co_2_bound, co_3_bound,
         co_4_bound, co_5_bound)
 
 
 @kernel("(3,4),(6)->(6),(6)")
 @errstate(all="ignore")
-def product_CoAdcinv(D, ci):
+def product_CoAdcinv(D, ci, *, c1=2.004168360008973e-292, c2=3.3306690738754706e-16,
+        c3=6.661338147750942e-16):
     """co = [Ad]*(D) (-ci); |error of co| <= co_bound unless inf or NaN.
 
     (3,4),(6)->(6),(6).  D: displacement [R | t], R rotation, t in m; ci, co, co_bound: coscrew
@@ -624,31 +621,31 @@ def product_CoAdcinv(D, ci):
     co_3 = D_13 * w_2 - D_23 * w_1 + w_3
     co_4 = D_23 * w_0 - D_03 * w_2 + w_4
     co_5 = D_03 * w_1 - D_13 * w_0 + w_5
-    w_2e_padded = absolute(w_2a) + absolute(w_2b) + absolute(w_2d) + 2.004168360008973e-292
+    w_2e_padded = absolute(w_2a) + absolute(w_2b) + absolute(w_2d) + c1
     D_13_abs = absolute(D_13)
-    w_1e_padded = absolute(w_1a) + absolute(w_1b) + absolute(w_1d) + 2.004168360008973e-292
+    w_1e_padded = absolute(w_1a) + absolute(w_1b) + absolute(w_1d) + c1
     D_23_abs = absolute(D_23)
     co_3_size = (D_13_abs * w_2e_padded + D_23_abs * w_1e_padded
         + (absolute(w_3a) + absolute(w_3b) + absolute(w_3d)))
-    w_0e_padded = absolute(w_0a) + absolute(w_0b) + absolute(w_0d) + 2.004168360008973e-292
+    w_0e_padded = absolute(w_0a) + absolute(w_0b) + absolute(w_0d) + c1
     D_03_abs = absolute(D_03)
     co_4_size = (D_23_abs * w_0e_padded + D_03_abs * w_2e_padded
         + (absolute(w_4a) + absolute(w_4b) + absolute(w_4d)))
     co_5_size = (D_03_abs * w_1e_padded + D_13_abs * w_0e_padded
         + (absolute(w_5a) + absolute(w_5b) + absolute(w_5d)))
-    w_0e_bound = 3.3306690738754706e-16 * w_0e_padded
-    w_1e_bound = 3.3306690738754706e-16 * w_1e_padded
-    w_2e_bound = 3.3306690738754706e-16 * w_2e_padded
-    co_3_bound = 6.661338147750942e-16 * (co_3_size + 2.004168360008973e-292)
-    co_4_bound = 6.661338147750942e-16 * (co_4_size + 2.004168360008973e-292)
-    co_5_bound = 6.661338147750942e-16 * (co_5_size + 2.004168360008973e-292)
+    w_0e_bound = c2 * w_0e_padded
+    w_1e_bound = c2 * w_1e_padded
+    w_2e_bound = c2 * w_2e_padded
+    co_3_bound = c3 * (co_3_size + c1)
+    co_4_bound = c3 * (co_4_size + c1)
+    co_5_bound = c3 * (co_5_size + c1)
     return (w_0, w_1, w_2, co_3, co_4, co_5, w_0e_bound, w_1e_bound, w_2e_bound, co_3_bound,
         co_4_bound, co_5_bound)
 
 
 @kernel("(3,4)->(6),(6)")
 @errstate(all="ignore")
-def hctx(D):
+def hctx(D, *, c1=2.004168360008973e-292, c2=2.2204460492503136e-16):
     """co = h_tx: column 0 of [Ad]*(D); |error of co| <= co_bound unless inf or NaN.
 
     (3,4)->(6),(6).  D: displacement [R | t], R rotation, t in m; co, co_bound: coscrew (f in N;
@@ -668,15 +665,15 @@ def hctx(D):
     co_3_size = absolute(co_3a) + absolute(co_3b)
     co_4_size = absolute(co_4a) + absolute(co_4b)
     co_5_size = absolute(co_5a) + absolute(co_5b)
-    co_3_bound = 2.2204460492503136e-16 * (co_3_size + 2.004168360008973e-292)
-    co_4_bound = 2.2204460492503136e-16 * (co_4_size + 2.004168360008973e-292)
-    co_5_bound = 2.2204460492503136e-16 * (co_5_size + 2.004168360008973e-292)
+    co_3_bound = c2 * (co_3_size + c1)
+    co_4_bound = c2 * (co_4_size + c1)
+    co_5_bound = c2 * (co_5_size + c1)
     return (D_00, D_10, D_20, co_3, co_4, co_5, 0, 0, 0, co_3_bound, co_4_bound, co_5_bound)
 
 
 @kernel("(3,4)->(6),(6)")
 @errstate(all="ignore")
-def hcty(D):
+def hcty(D, *, c1=2.004168360008973e-292, c2=2.2204460492503136e-16):
     """co = h_ty: column 1 of [Ad]*(D); |error of co| <= co_bound unless inf or NaN.
 
     (3,4)->(6),(6).  D: displacement [R | t], R rotation, t in m; co, co_bound: coscrew (f in N;
@@ -696,15 +693,15 @@ def hcty(D):
     co_3_size = absolute(co_3a) + absolute(co_3b)
     co_4_size = absolute(co_4a) + absolute(co_4b)
     co_5_size = absolute(co_5a) + absolute(co_5b)
-    co_3_bound = 2.2204460492503136e-16 * (co_3_size + 2.004168360008973e-292)
-    co_4_bound = 2.2204460492503136e-16 * (co_4_size + 2.004168360008973e-292)
-    co_5_bound = 2.2204460492503136e-16 * (co_5_size + 2.004168360008973e-292)
+    co_3_bound = c2 * (co_3_size + c1)
+    co_4_bound = c2 * (co_4_size + c1)
+    co_5_bound = c2 * (co_5_size + c1)
     return (D_01, D_11, D_21, co_3, co_4, co_5, 0, 0, 0, co_3_bound, co_4_bound, co_5_bound)
 
 
 @kernel("(3,4)->(6),(6)")
 @errstate(all="ignore")
-def hctz(D):
+def hctz(D, *, c1=2.004168360008973e-292, c2=2.2204460492503136e-16):
     """co = h_tz: column 2 of [Ad]*(D); |error of co| <= co_bound unless inf or NaN.
 
     (3,4)->(6),(6).  D: displacement [R | t], R rotation, t in m; co, co_bound: coscrew (f in N;
@@ -724,15 +721,15 @@ def hctz(D):
     co_3_size = absolute(co_3a) + absolute(co_3b)
     co_4_size = absolute(co_4a) + absolute(co_4b)
     co_5_size = absolute(co_5a) + absolute(co_5b)
-    co_3_bound = 2.2204460492503136e-16 * (co_3_size + 2.004168360008973e-292)
-    co_4_bound = 2.2204460492503136e-16 * (co_4_size + 2.004168360008973e-292)
-    co_5_bound = 2.2204460492503136e-16 * (co_5_size + 2.004168360008973e-292)
+    co_3_bound = c2 * (co_3_size + c1)
+    co_4_bound = c2 * (co_4_size + c1)
+    co_5_bound = c2 * (co_5_size + c1)
     return (D_02, D_12, D_22, co_3, co_4, co_5, 0, 0, 0, co_3_bound, co_4_bound, co_5_bound)
 
 
 @kernel("(3,4)->(6),(6)")
 @errstate(all="ignore")
-def hctxinv(D):
+def hctxinv(D, *, c1=2.004168360008973e-292, c2=2.2204460492503136e-16):
     """co = -h_tx: -column 0 of [Ad]*(D); |error of co| <= co_bound unless inf or NaN.
 
     (3,4)->(6),(6).  D: displacement [R | t], R rotation, t in m; co, co_bound: coscrew (f in N;
@@ -755,15 +752,15 @@ def hctxinv(D):
     co_3_size = absolute(co_3a) + absolute(co_3b)
     co_4_size = absolute(co_4a) + absolute(co_4b)
     co_5_size = absolute(co_5a) + absolute(co_5b)
-    co_3_bound = 2.2204460492503136e-16 * (co_3_size + 2.004168360008973e-292)
-    co_4_bound = 2.2204460492503136e-16 * (co_4_size + 2.004168360008973e-292)
-    co_5_bound = 2.2204460492503136e-16 * (co_5_size + 2.004168360008973e-292)
+    co_3_bound = c2 * (co_3_size + c1)
+    co_4_bound = c2 * (co_4_size + c1)
+    co_5_bound = c2 * (co_5_size + c1)
     return (co_0, co_1, co_2, co_3, co_4, co_5, 0, 0, 0, co_3_bound, co_4_bound, co_5_bound)
 
 
 @kernel("(3,4)->(6),(6)")
 @errstate(all="ignore")
-def hctyinv(D):
+def hctyinv(D, *, c1=2.004168360008973e-292, c2=2.2204460492503136e-16):
     """co = -h_ty: -column 1 of [Ad]*(D); |error of co| <= co_bound unless inf or NaN.
 
     (3,4)->(6),(6).  D: displacement [R | t], R rotation, t in m; co, co_bound: coscrew (f in N;
@@ -786,15 +783,15 @@ def hctyinv(D):
     co_3_size = absolute(co_3a) + absolute(co_3b)
     co_4_size = absolute(co_4a) + absolute(co_4b)
     co_5_size = absolute(co_5a) + absolute(co_5b)
-    co_3_bound = 2.2204460492503136e-16 * (co_3_size + 2.004168360008973e-292)
-    co_4_bound = 2.2204460492503136e-16 * (co_4_size + 2.004168360008973e-292)
-    co_5_bound = 2.2204460492503136e-16 * (co_5_size + 2.004168360008973e-292)
+    co_3_bound = c2 * (co_3_size + c1)
+    co_4_bound = c2 * (co_4_size + c1)
+    co_5_bound = c2 * (co_5_size + c1)
     return (co_0, co_1, co_2, co_3, co_4, co_5, 0, 0, 0, co_3_bound, co_4_bound, co_5_bound)
 
 
 @kernel("(3,4)->(6),(6)")
 @errstate(all="ignore")
-def hctzinv(D):
+def hctzinv(D, *, c1=2.004168360008973e-292, c2=2.2204460492503136e-16):
     """co = -h_tz: -column 2 of [Ad]*(D); |error of co| <= co_bound unless inf or NaN.
 
     (3,4)->(6),(6).  D: displacement [R | t], R rotation, t in m; co, co_bound: coscrew (f in N;
@@ -817,15 +814,15 @@ def hctzinv(D):
     co_3_size = absolute(co_3a) + absolute(co_3b)
     co_4_size = absolute(co_4a) + absolute(co_4b)
     co_5_size = absolute(co_5a) + absolute(co_5b)
-    co_3_bound = 2.2204460492503136e-16 * (co_3_size + 2.004168360008973e-292)
-    co_4_bound = 2.2204460492503136e-16 * (co_4_size + 2.004168360008973e-292)
-    co_5_bound = 2.2204460492503136e-16 * (co_5_size + 2.004168360008973e-292)
+    co_3_bound = c2 * (co_3_size + c1)
+    co_4_bound = c2 * (co_4_size + c1)
+    co_5_bound = c2 * (co_5_size + c1)
     return (co_0, co_1, co_2, co_3, co_4, co_5, 0, 0, 0, co_3_bound, co_4_bound, co_5_bound)
 
 
 @kernel("(3,4)->(6,6),(6,6)")
 @errstate(all="ignore")
-def CoAd(D):
+def CoAd(D, *, c1=2.004168360008973e-292, c2=2.2204460492503136e-16):
     """M = [Ad]*(D); |error of M| <= M_bound unless inf or NaN.
 
     (3,4)->(6,6),(6,6).  D: displacement [R | t], R rotation, t in m; M, M_bound: 6×6 operator.
@@ -868,15 +865,15 @@ def CoAd(D):
     M_50_size = absolute(M_50a) + absolute(M_50b)
     M_51_size = absolute(M_51a) + absolute(M_51b)
     M_52_size = absolute(M_52a) + absolute(M_52b)
-    M_30_bound = 2.2204460492503136e-16 * (M_30_size + 2.004168360008973e-292)
-    M_31_bound = 2.2204460492503136e-16 * (M_31_size + 2.004168360008973e-292)
-    M_32_bound = 2.2204460492503136e-16 * (M_32_size + 2.004168360008973e-292)
-    M_40_bound = 2.2204460492503136e-16 * (M_40_size + 2.004168360008973e-292)
-    M_41_bound = 2.2204460492503136e-16 * (M_41_size + 2.004168360008973e-292)
-    M_42_bound = 2.2204460492503136e-16 * (M_42_size + 2.004168360008973e-292)
-    M_50_bound = 2.2204460492503136e-16 * (M_50_size + 2.004168360008973e-292)
-    M_51_bound = 2.2204460492503136e-16 * (M_51_size + 2.004168360008973e-292)
-    M_52_bound = 2.2204460492503136e-16 * (M_52_size + 2.004168360008973e-292)
+    M_30_bound = c2 * (M_30_size + c1)
+    M_31_bound = c2 * (M_31_size + c1)
+    M_32_bound = c2 * (M_32_size + c1)
+    M_40_bound = c2 * (M_40_size + c1)
+    M_41_bound = c2 * (M_41_size + c1)
+    M_42_bound = c2 * (M_42_size + c1)
+    M_50_bound = c2 * (M_50_size + c1)
+    M_51_bound = c2 * (M_51_size + c1)
+    M_52_bound = c2 * (M_52_size + c1)
     return (D_00, D_01, D_02, 0, 0, 0, D_10, D_11, D_12, 0, 0, 0, D_20, D_21, D_22, 0, 0, 0, M_30,
         M_31, M_32, D_00, D_01, D_02, M_40, M_41, M_42, D_10, D_11, D_12, M_50, M_51, M_52, D_20,
         D_21, D_22, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, M_30_bound, M_31_bound,
@@ -886,7 +883,7 @@ def CoAd(D):
 
 @kernel("(6),(6)->(),()")
 @errstate(all="ignore")
-def reciprocal_product(c, x):
+def reciprocal_product(c, x, *, c1=2.004168360008973e-292, c2=4.440892098500628e-16):
     """power = W ⊙ $ = f·v + τ·ω, W = c = (f; τ), $ = x = (ω; v); |error of power| <= power_bound
     unless inf or NaN.
 
@@ -905,13 +902,14 @@ def reciprocal_product(c, x):
     power = power_a + power_b + power_d + (power_f + power_g + power_i)
     power_size = (absolute(power_a) + absolute(power_b) + absolute(power_d)
         + (absolute(power_f) + absolute(power_g) + absolute(power_i)))
-    power_bound = 4.440892098500628e-16 * (power_size + 2.004168360008973e-292)
+    power_bound = c2 * (power_size + c1)
     return (power, power_bound)
 
 
 @kernel("(6),(6)->(6),(6)")
 @errstate(all="ignore")
-def cross_sc(s, c):
+def cross_sc(s, c, *, c1=2.004168360008973e-292, c2=2.2204460492503136e-16,
+        c3=3.3306690738754706e-16):
     """co = [ad]*(s) c = (ω×f ; v×f + ω×τ); |error of co| <= co_bound unless inf or NaN.
 
     (6),(6)->(6),(6).  s: screw (v in m/s; ω in rad/s); c, co, co_bound: coscrew (f in N; τ in N
@@ -950,19 +948,19 @@ def cross_sc(s, c):
     co_3_size = absolute(co_3a) + absolute(co_3b) + (absolute(co_3d) + absolute(co_3e))
     co_4_size = absolute(co_4a) + absolute(co_4b) + (absolute(co_4d) + absolute(co_4e))
     co_5_size = absolute(co_5a) + absolute(co_5b) + (absolute(co_5d) + absolute(co_5e))
-    co_0_bound = 2.2204460492503136e-16 * (co_0_size + 2.004168360008973e-292)
-    co_1_bound = 2.2204460492503136e-16 * (co_1_size + 2.004168360008973e-292)
-    co_2_bound = 2.2204460492503136e-16 * (co_2_size + 2.004168360008973e-292)
-    co_3_bound = 3.3306690738754706e-16 * (co_3_size + 2.004168360008973e-292)
-    co_4_bound = 3.3306690738754706e-16 * (co_4_size + 2.004168360008973e-292)
-    co_5_bound = 3.3306690738754706e-16 * (co_5_size + 2.004168360008973e-292)
+    co_0_bound = c2 * (co_0_size + c1)
+    co_1_bound = c2 * (co_1_size + c1)
+    co_2_bound = c2 * (co_2_size + c1)
+    co_3_bound = c3 * (co_3_size + c1)
+    co_4_bound = c3 * (co_4_size + c1)
+    co_5_bound = c3 * (co_5_size + c1)
     return (co_0, co_1, co_2, co_3, co_4, co_5, co_0_bound, co_1_bound, co_2_bound, co_3_bound,
         co_4_bound, co_5_bound)
 
 
 @kernel("(6),(6)->(6),(6)")
 @errstate(all="ignore")
-def cross_sca(s, c):
+def cross_sca(s, c, *, c1=2.004168360008973e-292, c2=2.2204460492503136e-16):
     """co = (0 ; ω×τ); |error of co| <= co_bound unless inf or NaN.
 
     (6),(6)->(6),(6).  s: screw (v in m/s; ω in rad/s); c, co, co_bound: coscrew (f in N; τ in N
@@ -983,15 +981,16 @@ def cross_sca(s, c):
     co_3_size = absolute(co_3a) + absolute(co_3b)
     co_4_size = absolute(co_4a) + absolute(co_4b)
     co_5_size = absolute(co_5a) + absolute(co_5b)
-    co_3_bound = 2.2204460492503136e-16 * (co_3_size + 2.004168360008973e-292)
-    co_4_bound = 2.2204460492503136e-16 * (co_4_size + 2.004168360008973e-292)
-    co_5_bound = 2.2204460492503136e-16 * (co_5_size + 2.004168360008973e-292)
+    co_3_bound = c2 * (co_3_size + c1)
+    co_4_bound = c2 * (co_4_size + c1)
+    co_5_bound = c2 * (co_5_size + c1)
     return (0, 0, 0, co_3, co_4, co_5, 0, 0, 0, co_3_bound, co_4_bound, co_5_bound)
 
 
 @kernel("(3,4),(6)->(6),(6)")
 @errstate(all="ignore")
-def constraint_ctx(D, c):
+def constraint_ctx(D, c, *, c1=2.004168360008973e-292, c2=2.2204460492503136e-16,
+        c3=5.551115123125785e-16):
     """co = H̄* c = [Ad]*(D) P c; P clears component 0 of c, given in the frame of a tx joint at D;
     |error of co| <= co_bound unless inf or NaN.
 
@@ -1031,28 +1030,29 @@ def constraint_ctx(D, c):
     w_3_size = absolute(w_3a) + absolute(w_3b) + absolute(w_3d)
     w_4_size = absolute(w_4a) + absolute(w_4b) + absolute(w_4d)
     w_5_size = absolute(w_5a) + absolute(w_5b) + absolute(w_5d)
-    w_2_padded = w_2_size + 2.004168360008973e-292
+    w_2_padded = w_2_size + c1
     D_13_abs = absolute(D_13)
-    w_1_padded = w_1_size + 2.004168360008973e-292
+    w_1_padded = w_1_size + c1
     D_23_abs = absolute(D_23)
     co_3_size = D_13_abs * w_2_padded + D_23_abs * w_1_padded + w_3_size
-    w_0_padded = w_0_size + 2.004168360008973e-292
+    w_0_padded = w_0_size + c1
     D_03_abs = absolute(D_03)
     co_4_size = D_23_abs * w_0_padded + D_03_abs * w_2_padded + w_4_size
     co_5_size = D_03_abs * w_1_padded + D_13_abs * w_0_padded + w_5_size
-    w_0_bound = 2.2204460492503136e-16 * w_0_padded
-    w_1_bound = 2.2204460492503136e-16 * w_1_padded
-    w_2_bound = 2.2204460492503136e-16 * w_2_padded
-    co_3_bound = 5.551115123125785e-16 * (co_3_size + 2.004168360008973e-292)
-    co_4_bound = 5.551115123125785e-16 * (co_4_size + 2.004168360008973e-292)
-    co_5_bound = 5.551115123125785e-16 * (co_5_size + 2.004168360008973e-292)
+    w_0_bound = c2 * w_0_padded
+    w_1_bound = c2 * w_1_padded
+    w_2_bound = c2 * w_2_padded
+    co_3_bound = c3 * (co_3_size + c1)
+    co_4_bound = c3 * (co_4_size + c1)
+    co_5_bound = c3 * (co_5_size + c1)
     return (w_0, w_1, w_2, co_3, co_4, co_5, w_0_bound, w_1_bound, w_2_bound, co_3_bound,
         co_4_bound, co_5_bound)
 
 
 @kernel("(3,4),(6)->(6),(6)")
 @errstate(all="ignore")
-def constraint_cty(D, c):
+def constraint_cty(D, c, *, c1=2.004168360008973e-292, c2=2.2204460492503136e-16,
+        c3=5.551115123125785e-16):
     """co = H̄* c = [Ad]*(D) P c; P clears component 1 of c, given in the frame of a ty joint at D;
     |error of co| <= co_bound unless inf or NaN.
 
@@ -1092,28 +1092,29 @@ def constraint_cty(D, c):
     w_3_size = absolute(w_3a) + absolute(w_3b) + absolute(w_3d)
     w_4_size = absolute(w_4a) + absolute(w_4b) + absolute(w_4d)
     w_5_size = absolute(w_5a) + absolute(w_5b) + absolute(w_5d)
-    w_2_padded = w_2_size + 2.004168360008973e-292
+    w_2_padded = w_2_size + c1
     D_13_abs = absolute(D_13)
-    w_1_padded = w_1_size + 2.004168360008973e-292
+    w_1_padded = w_1_size + c1
     D_23_abs = absolute(D_23)
     co_3_size = D_13_abs * w_2_padded + D_23_abs * w_1_padded + w_3_size
-    w_0_padded = w_0_size + 2.004168360008973e-292
+    w_0_padded = w_0_size + c1
     D_03_abs = absolute(D_03)
     co_4_size = D_23_abs * w_0_padded + D_03_abs * w_2_padded + w_4_size
     co_5_size = D_03_abs * w_1_padded + D_13_abs * w_0_padded + w_5_size
-    w_0_bound = 2.2204460492503136e-16 * w_0_padded
-    w_1_bound = 2.2204460492503136e-16 * w_1_padded
-    w_2_bound = 2.2204460492503136e-16 * w_2_padded
-    co_3_bound = 5.551115123125785e-16 * (co_3_size + 2.004168360008973e-292)
-    co_4_bound = 5.551115123125785e-16 * (co_4_size + 2.004168360008973e-292)
-    co_5_bound = 5.551115123125785e-16 * (co_5_size + 2.004168360008973e-292)
+    w_0_bound = c2 * w_0_padded
+    w_1_bound = c2 * w_1_padded
+    w_2_bound = c2 * w_2_padded
+    co_3_bound = c3 * (co_3_size + c1)
+    co_4_bound = c3 * (co_4_size + c1)
+    co_5_bound = c3 * (co_5_size + c1)
     return (w_0, w_1, w_2, co_3, co_4, co_5, w_0_bound, w_1_bound, w_2_bound, co_3_bound,
         co_4_bound, co_5_bound)
 
 
 @kernel("(3,4),(6)->(6),(6)")
 @errstate(all="ignore")
-def constraint_ctz(D, c):
+def constraint_ctz(D, c, *, c1=2.004168360008973e-292, c2=2.2204460492503136e-16,
+        c3=5.551115123125785e-16):
     """co = H̄* c = [Ad]*(D) P c; P clears component 2 of c, given in the frame of a tz joint at D;
     |error of co| <= co_bound unless inf or NaN.
 
@@ -1153,28 +1154,29 @@ def constraint_ctz(D, c):
     w_3_size = absolute(w_3a) + absolute(w_3b) + absolute(w_3d)
     w_4_size = absolute(w_4a) + absolute(w_4b) + absolute(w_4d)
     w_5_size = absolute(w_5a) + absolute(w_5b) + absolute(w_5d)
-    w_2_padded = w_2_size + 2.004168360008973e-292
+    w_2_padded = w_2_size + c1
     D_13_abs = absolute(D_13)
-    w_1_padded = w_1_size + 2.004168360008973e-292
+    w_1_padded = w_1_size + c1
     D_23_abs = absolute(D_23)
     co_3_size = D_13_abs * w_2_padded + D_23_abs * w_1_padded + w_3_size
-    w_0_padded = w_0_size + 2.004168360008973e-292
+    w_0_padded = w_0_size + c1
     D_03_abs = absolute(D_03)
     co_4_size = D_23_abs * w_0_padded + D_03_abs * w_2_padded + w_4_size
     co_5_size = D_03_abs * w_1_padded + D_13_abs * w_0_padded + w_5_size
-    w_0_bound = 2.2204460492503136e-16 * w_0_padded
-    w_1_bound = 2.2204460492503136e-16 * w_1_padded
-    w_2_bound = 2.2204460492503136e-16 * w_2_padded
-    co_3_bound = 5.551115123125785e-16 * (co_3_size + 2.004168360008973e-292)
-    co_4_bound = 5.551115123125785e-16 * (co_4_size + 2.004168360008973e-292)
-    co_5_bound = 5.551115123125785e-16 * (co_5_size + 2.004168360008973e-292)
+    w_0_bound = c2 * w_0_padded
+    w_1_bound = c2 * w_1_padded
+    w_2_bound = c2 * w_2_padded
+    co_3_bound = c3 * (co_3_size + c1)
+    co_4_bound = c3 * (co_4_size + c1)
+    co_5_bound = c3 * (co_5_size + c1)
     return (w_0, w_1, w_2, co_3, co_4, co_5, w_0_bound, w_1_bound, w_2_bound, co_3_bound,
         co_4_bound, co_5_bound)
 
 
 @kernel("(3,4),(6)->(6),(6)")
 @errstate(all="ignore")
-def constraint_crx(D, c):
+def constraint_crx(D, c, *, c1=2.004168360008973e-292, c2=3.3306690738754706e-16,
+        c3=6.661338147750942e-16):
     """co = H̄* c = [Ad]*(D) P c; P clears component 3 of c, given in the frame of a rx joint at D;
     |error of co| <= co_bound unless inf or NaN.
 
@@ -1214,28 +1216,29 @@ def constraint_crx(D, c):
     w_3_size = absolute(w_3a) + absolute(w_3b)
     w_4_size = absolute(w_4a) + absolute(w_4b)
     w_5_size = absolute(w_5a) + absolute(w_5b)
-    w_2_padded = w_2_size + 2.004168360008973e-292
+    w_2_padded = w_2_size + c1
     D_13_abs = absolute(D_13)
-    w_1_padded = w_1_size + 2.004168360008973e-292
+    w_1_padded = w_1_size + c1
     D_23_abs = absolute(D_23)
     co_3_size = D_13_abs * w_2_padded + D_23_abs * w_1_padded + w_3_size
-    w_0_padded = w_0_size + 2.004168360008973e-292
+    w_0_padded = w_0_size + c1
     D_03_abs = absolute(D_03)
     co_4_size = D_23_abs * w_0_padded + D_03_abs * w_2_padded + w_4_size
     co_5_size = D_03_abs * w_1_padded + D_13_abs * w_0_padded + w_5_size
-    w_0_bound = 3.3306690738754706e-16 * w_0_padded
-    w_1_bound = 3.3306690738754706e-16 * w_1_padded
-    w_2_bound = 3.3306690738754706e-16 * w_2_padded
-    co_3_bound = 6.661338147750942e-16 * (co_3_size + 2.004168360008973e-292)
-    co_4_bound = 6.661338147750942e-16 * (co_4_size + 2.004168360008973e-292)
-    co_5_bound = 6.661338147750942e-16 * (co_5_size + 2.004168360008973e-292)
+    w_0_bound = c2 * w_0_padded
+    w_1_bound = c2 * w_1_padded
+    w_2_bound = c2 * w_2_padded
+    co_3_bound = c3 * (co_3_size + c1)
+    co_4_bound = c3 * (co_4_size + c1)
+    co_5_bound = c3 * (co_5_size + c1)
     return (w_0, w_1, w_2, co_3, co_4, co_5, w_0_bound, w_1_bound, w_2_bound, co_3_bound,
         co_4_bound, co_5_bound)
 
 
 @kernel("(3,4),(6)->(6),(6)")
 @errstate(all="ignore")
-def constraint_cry(D, c):
+def constraint_cry(D, c, *, c1=2.004168360008973e-292, c2=3.3306690738754706e-16,
+        c3=6.661338147750942e-16):
     """co = H̄* c = [Ad]*(D) P c; P clears component 4 of c, given in the frame of a ry joint at D;
     |error of co| <= co_bound unless inf or NaN.
 
@@ -1275,28 +1278,29 @@ def constraint_cry(D, c):
     w_3_size = absolute(w_3a) + absolute(w_3b)
     w_4_size = absolute(w_4a) + absolute(w_4b)
     w_5_size = absolute(w_5a) + absolute(w_5b)
-    w_2_padded = w_2_size + 2.004168360008973e-292
+    w_2_padded = w_2_size + c1
     D_13_abs = absolute(D_13)
-    w_1_padded = w_1_size + 2.004168360008973e-292
+    w_1_padded = w_1_size + c1
     D_23_abs = absolute(D_23)
     co_3_size = D_13_abs * w_2_padded + D_23_abs * w_1_padded + w_3_size
-    w_0_padded = w_0_size + 2.004168360008973e-292
+    w_0_padded = w_0_size + c1
     D_03_abs = absolute(D_03)
     co_4_size = D_23_abs * w_0_padded + D_03_abs * w_2_padded + w_4_size
     co_5_size = D_03_abs * w_1_padded + D_13_abs * w_0_padded + w_5_size
-    w_0_bound = 3.3306690738754706e-16 * w_0_padded
-    w_1_bound = 3.3306690738754706e-16 * w_1_padded
-    w_2_bound = 3.3306690738754706e-16 * w_2_padded
-    co_3_bound = 6.661338147750942e-16 * (co_3_size + 2.004168360008973e-292)
-    co_4_bound = 6.661338147750942e-16 * (co_4_size + 2.004168360008973e-292)
-    co_5_bound = 6.661338147750942e-16 * (co_5_size + 2.004168360008973e-292)
+    w_0_bound = c2 * w_0_padded
+    w_1_bound = c2 * w_1_padded
+    w_2_bound = c2 * w_2_padded
+    co_3_bound = c3 * (co_3_size + c1)
+    co_4_bound = c3 * (co_4_size + c1)
+    co_5_bound = c3 * (co_5_size + c1)
     return (w_0, w_1, w_2, co_3, co_4, co_5, w_0_bound, w_1_bound, w_2_bound, co_3_bound,
         co_4_bound, co_5_bound)
 
 
 @kernel("(3,4),(6)->(6),(6)")
 @errstate(all="ignore")
-def constraint_crz(D, c):
+def constraint_crz(D, c, *, c1=2.004168360008973e-292, c2=3.3306690738754706e-16,
+        c3=6.661338147750942e-16):
     """co = H̄* c = [Ad]*(D) P c; P clears component 5 of c, given in the frame of a rz joint at D;
     |error of co| <= co_bound unless inf or NaN.
 
@@ -1336,28 +1340,29 @@ def constraint_crz(D, c):
     w_3_size = absolute(w_3a) + absolute(w_3b)
     w_4_size = absolute(w_4a) + absolute(w_4b)
     w_5_size = absolute(w_5a) + absolute(w_5b)
-    w_2_padded = w_2_size + 2.004168360008973e-292
+    w_2_padded = w_2_size + c1
     D_13_abs = absolute(D_13)
-    w_1_padded = w_1_size + 2.004168360008973e-292
+    w_1_padded = w_1_size + c1
     D_23_abs = absolute(D_23)
     co_3_size = D_13_abs * w_2_padded + D_23_abs * w_1_padded + w_3_size
-    w_0_padded = w_0_size + 2.004168360008973e-292
+    w_0_padded = w_0_size + c1
     D_03_abs = absolute(D_03)
     co_4_size = D_23_abs * w_0_padded + D_03_abs * w_2_padded + w_4_size
     co_5_size = D_03_abs * w_1_padded + D_13_abs * w_0_padded + w_5_size
-    w_0_bound = 3.3306690738754706e-16 * w_0_padded
-    w_1_bound = 3.3306690738754706e-16 * w_1_padded
-    w_2_bound = 3.3306690738754706e-16 * w_2_padded
-    co_3_bound = 6.661338147750942e-16 * (co_3_size + 2.004168360008973e-292)
-    co_4_bound = 6.661338147750942e-16 * (co_4_size + 2.004168360008973e-292)
-    co_5_bound = 6.661338147750942e-16 * (co_5_size + 2.004168360008973e-292)
+    w_0_bound = c2 * w_0_padded
+    w_1_bound = c2 * w_1_padded
+    w_2_bound = c2 * w_2_padded
+    co_3_bound = c3 * (co_3_size + c1)
+    co_4_bound = c3 * (co_4_size + c1)
+    co_5_bound = c3 * (co_5_size + c1)
     return (w_0, w_1, w_2, co_3, co_4, co_5, w_0_bound, w_1_bound, w_2_bound, co_3_bound,
         co_4_bound, co_5_bound)
 
 
 @kernel("(3,4),(6)->(6),(6)")
 @errstate(all="ignore")
-def working_ctx(D, c):
+def working_ctx(D, c, *, c1=2.004168360008973e-292, c2=1.1102230246251568e-16,
+        c3=3.3306690738754706e-16):
     """co = h̄* c = [Ad]*(D) P c; P keeps component 0 of c, given in the frame of a tx joint at D;
     |error of co| <= co_bound unless inf or NaN.
 
@@ -1373,28 +1378,29 @@ def working_ctx(D, c):
     co_3 = D_13 * w_2 - D_23 * w_1
     co_4 = D_23 * w_0 - D_03 * w_2
     co_5 = D_03 * w_1 - D_13 * w_0
-    w_2_padded = absolute(w_2) + 2.004168360008973e-292
+    w_2_padded = absolute(w_2) + c1
     D_13_abs = absolute(D_13)
-    w_1_padded = absolute(w_1) + 2.004168360008973e-292
+    w_1_padded = absolute(w_1) + c1
     D_23_abs = absolute(D_23)
     co_3_size = D_13_abs * w_2_padded + D_23_abs * w_1_padded
-    w_0_padded = absolute(w_0) + 2.004168360008973e-292
+    w_0_padded = absolute(w_0) + c1
     D_03_abs = absolute(D_03)
     co_4_size = D_23_abs * w_0_padded + D_03_abs * w_2_padded
     co_5_size = D_03_abs * w_1_padded + D_13_abs * w_0_padded
-    w_0_bound = 1.1102230246251568e-16 * w_0_padded
-    w_1_bound = 1.1102230246251568e-16 * w_1_padded
-    w_2_bound = 1.1102230246251568e-16 * w_2_padded
-    co_3_bound = 3.3306690738754706e-16 * (co_3_size + 2.004168360008973e-292)
-    co_4_bound = 3.3306690738754706e-16 * (co_4_size + 2.004168360008973e-292)
-    co_5_bound = 3.3306690738754706e-16 * (co_5_size + 2.004168360008973e-292)
+    w_0_bound = c2 * w_0_padded
+    w_1_bound = c2 * w_1_padded
+    w_2_bound = c2 * w_2_padded
+    co_3_bound = c3 * (co_3_size + c1)
+    co_4_bound = c3 * (co_4_size + c1)
+    co_5_bound = c3 * (co_5_size + c1)
     return (w_0, w_1, w_2, co_3, co_4, co_5, w_0_bound, w_1_bound, w_2_bound, co_3_bound,
         co_4_bound, co_5_bound)
 
 
 @kernel("(3,4),(6)->(6),(6)")
 @errstate(all="ignore")
-def working_cty(D, c):
+def working_cty(D, c, *, c1=2.004168360008973e-292, c2=1.1102230246251568e-16,
+        c3=3.3306690738754706e-16):
     """co = h̄* c = [Ad]*(D) P c; P keeps component 1 of c, given in the frame of a ty joint at D;
     |error of co| <= co_bound unless inf or NaN.
 
@@ -1410,28 +1416,29 @@ def working_cty(D, c):
     co_3 = D_13 * w_2 - D_23 * w_1
     co_4 = D_23 * w_0 - D_03 * w_2
     co_5 = D_03 * w_1 - D_13 * w_0
-    w_2_padded = absolute(w_2) + 2.004168360008973e-292
+    w_2_padded = absolute(w_2) + c1
     D_13_abs = absolute(D_13)
-    w_1_padded = absolute(w_1) + 2.004168360008973e-292
+    w_1_padded = absolute(w_1) + c1
     D_23_abs = absolute(D_23)
     co_3_size = D_13_abs * w_2_padded + D_23_abs * w_1_padded
-    w_0_padded = absolute(w_0) + 2.004168360008973e-292
+    w_0_padded = absolute(w_0) + c1
     D_03_abs = absolute(D_03)
     co_4_size = D_23_abs * w_0_padded + D_03_abs * w_2_padded
     co_5_size = D_03_abs * w_1_padded + D_13_abs * w_0_padded
-    w_0_bound = 1.1102230246251568e-16 * w_0_padded
-    w_1_bound = 1.1102230246251568e-16 * w_1_padded
-    w_2_bound = 1.1102230246251568e-16 * w_2_padded
-    co_3_bound = 3.3306690738754706e-16 * (co_3_size + 2.004168360008973e-292)
-    co_4_bound = 3.3306690738754706e-16 * (co_4_size + 2.004168360008973e-292)
-    co_5_bound = 3.3306690738754706e-16 * (co_5_size + 2.004168360008973e-292)
+    w_0_bound = c2 * w_0_padded
+    w_1_bound = c2 * w_1_padded
+    w_2_bound = c2 * w_2_padded
+    co_3_bound = c3 * (co_3_size + c1)
+    co_4_bound = c3 * (co_4_size + c1)
+    co_5_bound = c3 * (co_5_size + c1)
     return (w_0, w_1, w_2, co_3, co_4, co_5, w_0_bound, w_1_bound, w_2_bound, co_3_bound,
         co_4_bound, co_5_bound)
 
 
 @kernel("(3,4),(6)->(6),(6)")
 @errstate(all="ignore")
-def working_ctz(D, c):
+def working_ctz(D, c, *, c1=2.004168360008973e-292, c2=1.1102230246251568e-16,
+        c3=3.3306690738754706e-16):
     """co = h̄* c = [Ad]*(D) P c; P keeps component 2 of c, given in the frame of a tz joint at D;
     |error of co| <= co_bound unless inf or NaN.
 
@@ -1447,28 +1454,28 @@ def working_ctz(D, c):
     co_3 = D_13 * w_2 - D_23 * w_1
     co_4 = D_23 * w_0 - D_03 * w_2
     co_5 = D_03 * w_1 - D_13 * w_0
-    w_2_padded = absolute(w_2) + 2.004168360008973e-292
+    w_2_padded = absolute(w_2) + c1
     D_13_abs = absolute(D_13)
-    w_1_padded = absolute(w_1) + 2.004168360008973e-292
+    w_1_padded = absolute(w_1) + c1
     D_23_abs = absolute(D_23)
     co_3_size = D_13_abs * w_2_padded + D_23_abs * w_1_padded
-    w_0_padded = absolute(w_0) + 2.004168360008973e-292
+    w_0_padded = absolute(w_0) + c1
     D_03_abs = absolute(D_03)
     co_4_size = D_23_abs * w_0_padded + D_03_abs * w_2_padded
     co_5_size = D_03_abs * w_1_padded + D_13_abs * w_0_padded
-    w_0_bound = 1.1102230246251568e-16 * w_0_padded
-    w_1_bound = 1.1102230246251568e-16 * w_1_padded
-    w_2_bound = 1.1102230246251568e-16 * w_2_padded
-    co_3_bound = 3.3306690738754706e-16 * (co_3_size + 2.004168360008973e-292)
-    co_4_bound = 3.3306690738754706e-16 * (co_4_size + 2.004168360008973e-292)
-    co_5_bound = 3.3306690738754706e-16 * (co_5_size + 2.004168360008973e-292)
+    w_0_bound = c2 * w_0_padded
+    w_1_bound = c2 * w_1_padded
+    w_2_bound = c2 * w_2_padded
+    co_3_bound = c3 * (co_3_size + c1)
+    co_4_bound = c3 * (co_4_size + c1)
+    co_5_bound = c3 * (co_5_size + c1)
     return (w_0, w_1, w_2, co_3, co_4, co_5, w_0_bound, w_1_bound, w_2_bound, co_3_bound,
         co_4_bound, co_5_bound)
 
 
 @kernel("(3,4),(6)->(6),(6)")
 @errstate(all="ignore")
-def working_crx(D, c):
+def working_crx(D, c, *, c1=2.004168360008973e-292, c2=1.1102230246251568e-16):
     """co = h̄* c = [Ad]*(D) P c; P keeps component 3 of c, given in the frame of a rx joint at D;
     |error of co| <= co_bound unless inf or NaN.
 
@@ -1481,15 +1488,15 @@ def working_crx(D, c):
     w_3 = D_00 * c_3
     w_4 = D_10 * c_3
     w_5 = D_20 * c_3
-    w_3_bound = 1.1102230246251568e-16 * (absolute(w_3) + 2.004168360008973e-292)
-    w_4_bound = 1.1102230246251568e-16 * (absolute(w_4) + 2.004168360008973e-292)
-    w_5_bound = 1.1102230246251568e-16 * (absolute(w_5) + 2.004168360008973e-292)
+    w_3_bound = c2 * (absolute(w_3) + c1)
+    w_4_bound = c2 * (absolute(w_4) + c1)
+    w_5_bound = c2 * (absolute(w_5) + c1)
     return (0, 0, 0, w_3, w_4, w_5, 0, 0, 0, w_3_bound, w_4_bound, w_5_bound)
 
 
 @kernel("(3,4),(6)->(6),(6)")
 @errstate(all="ignore")
-def working_cry(D, c):
+def working_cry(D, c, *, c1=2.004168360008973e-292, c2=1.1102230246251568e-16):
     """co = h̄* c = [Ad]*(D) P c; P keeps component 4 of c, given in the frame of a ry joint at D;
     |error of co| <= co_bound unless inf or NaN.
 
@@ -1502,15 +1509,15 @@ def working_cry(D, c):
     w_3 = D_01 * c_4
     w_4 = D_11 * c_4
     w_5 = D_21 * c_4
-    w_3_bound = 1.1102230246251568e-16 * (absolute(w_3) + 2.004168360008973e-292)
-    w_4_bound = 1.1102230246251568e-16 * (absolute(w_4) + 2.004168360008973e-292)
-    w_5_bound = 1.1102230246251568e-16 * (absolute(w_5) + 2.004168360008973e-292)
+    w_3_bound = c2 * (absolute(w_3) + c1)
+    w_4_bound = c2 * (absolute(w_4) + c1)
+    w_5_bound = c2 * (absolute(w_5) + c1)
     return (0, 0, 0, w_3, w_4, w_5, 0, 0, 0, w_3_bound, w_4_bound, w_5_bound)
 
 
 @kernel("(3,4),(6)->(6),(6)")
 @errstate(all="ignore")
-def working_crz(D, c):
+def working_crz(D, c, *, c1=2.004168360008973e-292, c2=1.1102230246251568e-16):
     """co = h̄* c = [Ad]*(D) P c; P keeps component 5 of c, given in the frame of a rz joint at D;
     |error of co| <= co_bound unless inf or NaN.
 
@@ -1523,7 +1530,7 @@ def working_crz(D, c):
     w_3 = D_02 * c_5
     w_4 = D_12 * c_5
     w_5 = D_22 * c_5
-    w_3_bound = 1.1102230246251568e-16 * (absolute(w_3) + 2.004168360008973e-292)
-    w_4_bound = 1.1102230246251568e-16 * (absolute(w_4) + 2.004168360008973e-292)
-    w_5_bound = 1.1102230246251568e-16 * (absolute(w_5) + 2.004168360008973e-292)
+    w_3_bound = c2 * (absolute(w_3) + c1)
+    w_4_bound = c2 * (absolute(w_4) + c1)
+    w_5_bound = c2 * (absolute(w_5) + c1)
     return (0, 0, 0, w_3, w_4, w_5, 0, 0, 0, w_3_bound, w_4_bound, w_5_bound)

@@ -13,7 +13,8 @@ from numpy import errstate
 
 @kernel("(),(3),(),(),(),(),(),()->(10),(10)")
 @errstate(all="ignore")
-def inertia(m, t, Ixx, Iyy, Izz, Ixy, Iyz, Izx):
+def inertia(m, t, Ixx, Iyy, Izz, Ixy, Iyz, Izx, *, c1=2.004168360008973e-292,
+        c2=1.1102230246251568e-16):
     """J = (m; m t; Ixx, Iyy, Izz, Ixy, Iyz, Izx): mass, centre of mass t in m, entries of the
     moments' matrix about it in kg m^2, Ixy = -∫ x y dm; |error of J| <= J_bound unless inf or
     NaN.
@@ -27,16 +28,17 @@ def inertia(m, t, Ixx, Iyy, Izz, Ixy, Iyz, Izx):
     J_1 = m * t_0
     J_2 = m * t_1
     J_3 = m * t_2
-    J_1_bound = 1.1102230246251568e-16 * (absolute(J_1) + 2.004168360008973e-292)
-    J_2_bound = 1.1102230246251568e-16 * (absolute(J_2) + 2.004168360008973e-292)
-    J_3_bound = 1.1102230246251568e-16 * (absolute(J_3) + 2.004168360008973e-292)
+    J_1_bound = c2 * (absolute(J_1) + c1)
+    J_2_bound = c2 * (absolute(J_2) + c1)
+    J_3_bound = c2 * (absolute(J_3) + c1)
     return (m, J_1, J_2, J_3, Ixx, Iyy, Izz, Ixy, Iyz, Izx, 0, J_1_bound, J_2_bound, J_3_bound, 0,
         0, 0, 0, 0, 0)
 
 
 @kernel("(10),(3,3)->(10),(10)")
 @errstate(all="ignore")
-def inertia_rotated(Ji, R):
+def inertia_rotated(Ji, R, *, c1=2.004168360008973e-292, c2=3.3306690738754706e-16,
+        c3=6.661338147750942e-16):
     """Jo = Ji rotated by R: m, R mt, R I R^T; |error of Jo| <= Jo_bound unless inf or NaN.
 
     (10),(3,3)->(10),(10).  Ji, Jo, Jo_bound: inertia (m in kg; mt = m c in kg m; I about the
@@ -111,43 +113,43 @@ def inertia_rotated(Ji, R):
     Jo_1_size = absolute(Jo_1a) + absolute(Jo_1b) + absolute(Jo_1d)
     Jo_2_size = absolute(Jo_2a) + absolute(Jo_2b) + absolute(Jo_2d)
     Jo_3_size = absolute(Jo_3a) + absolute(Jo_3b) + absolute(Jo_3d)
-    RI_0_padded = RI_0_size + 2.004168360008973e-292
-    RI_1_padded = RI_1_size + 2.004168360008973e-292
-    RI_2_padded = RI_2_size + 2.004168360008973e-292
+    RI_0_padded = RI_0_size + c1
+    RI_1_padded = RI_1_size + c1
+    RI_2_padded = RI_2_size + c1
     Jo_4_size = (absolute(R_00) * RI_0_padded + absolute(R_01) * RI_1_padded + absolute(R_02)
         * RI_2_padded)
-    RI_3_padded = RI_3_size + 2.004168360008973e-292
+    RI_3_padded = RI_3_size + c1
     R_10_abs = absolute(R_10)
-    RI_4_padded = RI_4_size + 2.004168360008973e-292
+    RI_4_padded = RI_4_size + c1
     R_11_abs = absolute(R_11)
-    RI_5_padded = RI_5_size + 2.004168360008973e-292
+    RI_5_padded = RI_5_size + c1
     R_12_abs = absolute(R_12)
     Jo_5_size = R_10_abs * RI_3_padded + R_11_abs * RI_4_padded + R_12_abs * RI_5_padded
     R_20_abs = absolute(R_20)
     R_21_abs = absolute(R_21)
     R_22_abs = absolute(R_22)
-    Jo_6c_size = (R_20_abs * (RI_6_size + 2.004168360008973e-292) + R_21_abs
-        * (RI_7_size + 2.004168360008973e-292))
-    Jo_6_size = Jo_6c_size + R_22_abs * (RI_8_size + 2.004168360008973e-292)
+    Jo_6_size = (R_20_abs * (RI_6_size + c1) + R_21_abs * (RI_7_size + c1) + R_22_abs
+        * (RI_8_size + c1))
     Jo_7_size = R_10_abs * RI_0_padded + R_11_abs * RI_1_padded + R_12_abs * RI_2_padded
     Jo_8_size = R_20_abs * RI_3_padded + R_21_abs * RI_4_padded + R_22_abs * RI_5_padded
     Jo_9_size = R_20_abs * RI_0_padded + R_21_abs * RI_1_padded + R_22_abs * RI_2_padded
-    Jo_1_bound = 3.3306690738754706e-16 * (Jo_1_size + 2.004168360008973e-292)
-    Jo_2_bound = 3.3306690738754706e-16 * (Jo_2_size + 2.004168360008973e-292)
-    Jo_3_bound = 3.3306690738754706e-16 * (Jo_3_size + 2.004168360008973e-292)
-    Jo_4_bound = 6.661338147750942e-16 * (Jo_4_size + 2.004168360008973e-292)
-    Jo_5_bound = 6.661338147750942e-16 * (Jo_5_size + 2.004168360008973e-292)
-    Jo_6_bound = 6.661338147750942e-16 * (Jo_6_size + 2.004168360008973e-292)
-    Jo_7_bound = 6.661338147750942e-16 * (Jo_7_size + 2.004168360008973e-292)
-    Jo_8_bound = 6.661338147750942e-16 * (Jo_8_size + 2.004168360008973e-292)
-    Jo_9_bound = 6.661338147750942e-16 * (Jo_9_size + 2.004168360008973e-292)
+    Jo_1_bound = c2 * (Jo_1_size + c1)
+    Jo_2_bound = c2 * (Jo_2_size + c1)
+    Jo_3_bound = c2 * (Jo_3_size + c1)
+    Jo_4_bound = c3 * (Jo_4_size + c1)
+    Jo_5_bound = c3 * (Jo_5_size + c1)
+    Jo_6_bound = c3 * (Jo_6_size + c1)
+    Jo_7_bound = c3 * (Jo_7_size + c1)
+    Jo_8_bound = c3 * (Jo_8_size + c1)
+    Jo_9_bound = c3 * (Jo_9_size + c1)
     return (Ji_0, Jo_1, Jo_2, Jo_3, Jo_4, Jo_5, Jo_6, Jo_7, Jo_8, Jo_9, 0, Jo_1_bound, Jo_2_bound,
         Jo_3_bound, Jo_4_bound, Jo_5_bound, Jo_6_bound, Jo_7_bound, Jo_8_bound, Jo_9_bound)
 
 
 @kernel("(10),(3,3)->(10),(10)")
 @errstate(all="ignore")
-def inertia_rotate(self, R):
+def inertia_rotate(self, R, *, c1=2.004168360008973e-292, c2=3.3306690738754706e-16,
+        c3=6.661338147750942e-16):
     """self = self rotated by R: m, R mt, R I R^T; |error of self| <= self_bound unless inf or NaN.
 
     (10),(3,3)->(10),(10).  self, self_bound: inertia (m in kg; mt = m c in kg m; I about the
@@ -222,36 +224,35 @@ def inertia_rotate(self, R):
     self_1_new_size = absolute(self_1_new_a) + absolute(self_1_new_b) + absolute(self_1_new_d)
     self_2_new_size = absolute(self_2_new_a) + absolute(self_2_new_b) + absolute(self_2_new_d)
     self_3_new_size = absolute(self_3_new_a) + absolute(self_3_new_b) + absolute(self_3_new_d)
-    RI_0_padded = RI_0_size + 2.004168360008973e-292
-    RI_1_padded = RI_1_size + 2.004168360008973e-292
-    RI_2_padded = RI_2_size + 2.004168360008973e-292
+    RI_0_padded = RI_0_size + c1
+    RI_1_padded = RI_1_size + c1
+    RI_2_padded = RI_2_size + c1
     self_4_new_size = (absolute(R_00) * RI_0_padded + absolute(R_01) * RI_1_padded + absolute(R_02)
         * RI_2_padded)
-    RI_3_padded = RI_3_size + 2.004168360008973e-292
+    RI_3_padded = RI_3_size + c1
     R_10_abs = absolute(R_10)
-    RI_4_padded = RI_4_size + 2.004168360008973e-292
+    RI_4_padded = RI_4_size + c1
     R_11_abs = absolute(R_11)
-    RI_5_padded = RI_5_size + 2.004168360008973e-292
+    RI_5_padded = RI_5_size + c1
     R_12_abs = absolute(R_12)
     self_5_new_size = R_10_abs * RI_3_padded + R_11_abs * RI_4_padded + R_12_abs * RI_5_padded
     R_20_abs = absolute(R_20)
     R_21_abs = absolute(R_21)
     R_22_abs = absolute(R_22)
-    self_6_new_c_size = (R_20_abs * (RI_6_size + 2.004168360008973e-292) + R_21_abs
-        * (RI_7_size + 2.004168360008973e-292))
-    self_6_new_size = self_6_new_c_size + R_22_abs * (RI_8_size + 2.004168360008973e-292)
+    self_6_new_size = (R_20_abs * (RI_6_size + c1) + R_21_abs * (RI_7_size + c1) + R_22_abs
+        * (RI_8_size + c1))
     self_7_new_size = R_10_abs * RI_0_padded + R_11_abs * RI_1_padded + R_12_abs * RI_2_padded
     self_8_new_size = R_20_abs * RI_3_padded + R_21_abs * RI_4_padded + R_22_abs * RI_5_padded
     self_9_new_size = R_20_abs * RI_0_padded + R_21_abs * RI_1_padded + R_22_abs * RI_2_padded
-    self_1_new_bound = 3.3306690738754706e-16 * (self_1_new_size + 2.004168360008973e-292)
-    self_2_new_bound = 3.3306690738754706e-16 * (self_2_new_size + 2.004168360008973e-292)
-    self_3_new_bound = 3.3306690738754706e-16 * (self_3_new_size + 2.004168360008973e-292)
-    self_4_new_bound = 6.661338147750942e-16 * (self_4_new_size + 2.004168360008973e-292)
-    self_5_new_bound = 6.661338147750942e-16 * (self_5_new_size + 2.004168360008973e-292)
-    self_6_new_bound = 6.661338147750942e-16 * (self_6_new_size + 2.004168360008973e-292)
-    self_7_new_bound = 6.661338147750942e-16 * (self_7_new_size + 2.004168360008973e-292)
-    self_8_new_bound = 6.661338147750942e-16 * (self_8_new_size + 2.004168360008973e-292)
-    self_9_new_bound = 6.661338147750942e-16 * (self_9_new_size + 2.004168360008973e-292)
+    self_1_new_bound = c2 * (self_1_new_size + c1)
+    self_2_new_bound = c2 * (self_2_new_size + c1)
+    self_3_new_bound = c2 * (self_3_new_size + c1)
+    self_4_new_bound = c3 * (self_4_new_size + c1)
+    self_5_new_bound = c3 * (self_5_new_size + c1)
+    self_6_new_bound = c3 * (self_6_new_size + c1)
+    self_7_new_bound = c3 * (self_7_new_size + c1)
+    self_8_new_bound = c3 * (self_8_new_size + c1)
+    self_9_new_bound = c3 * (self_9_new_size + c1)
     return (self_0, self_1_new, self_2_new, self_3_new, self_4_new, self_5_new, self_6_new,
         self_7_new, self_8_new, self_9_new, 0, self_1_new_bound, self_2_new_bound, self_3_new_bound,
         self_4_new_bound, self_5_new_bound, self_6_new_bound, self_7_new_bound, self_8_new_bound,
@@ -260,7 +261,7 @@ def inertia_rotate(self, R):
 
 @kernel("(10),(3)->(10),(10)")
 @errstate(all="ignore")
-def inertia_translated(Ji, t):
+def inertia_translated(Ji, t, *, c1=2.004168360008973e-292, c2=2.2204460492503136e-16):
     """Jo = Ji translated by t: m, mt + m t, I; |error of Jo| <= Jo_bound unless inf or NaN.
 
     (10),(3)->(10),(10).  Ji, Jo, Jo_bound: inertia (m in kg; mt = m c in kg m; I about the
@@ -278,16 +279,16 @@ def inertia_translated(Ji, t):
     Jo_1_size = absolute(Jo_1a) + absolute(Ji_1)
     Jo_2_size = absolute(Jo_2a) + absolute(Ji_2)
     Jo_3_size = absolute(Jo_3a) + absolute(Ji_3)
-    Jo_1_bound = 2.2204460492503136e-16 * (Jo_1_size + 2.004168360008973e-292)
-    Jo_2_bound = 2.2204460492503136e-16 * (Jo_2_size + 2.004168360008973e-292)
-    Jo_3_bound = 2.2204460492503136e-16 * (Jo_3_size + 2.004168360008973e-292)
+    Jo_1_bound = c2 * (Jo_1_size + c1)
+    Jo_2_bound = c2 * (Jo_2_size + c1)
+    Jo_3_bound = c2 * (Jo_3_size + c1)
     return (Ji_0, Jo_1, Jo_2, Jo_3, Ji_4, Ji_5, Ji_6, Ji_7, Ji_8, Ji_9, 0, Jo_1_bound, Jo_2_bound,
         Jo_3_bound, 0, 0, 0, 0, 0, 0)
 
 
 @kernel("(10),(3)->(10),(10)")
 @errstate(all="ignore")
-def inertia_translate(self, t):
+def inertia_translate(self, t, *, c1=2.004168360008973e-292, c2=2.2204460492503136e-16):
     """self = self translated by t: m, mt + m t, I; |error of self| <= self_bound unless inf or
     NaN.
 
@@ -306,16 +307,17 @@ def inertia_translate(self, t):
     self_1_new_size = absolute(self_1_new_a) + absolute(self_1)
     self_2_new_size = absolute(self_2_new_a) + absolute(self_2)
     self_3_new_size = absolute(self_3_new_a) + absolute(self_3)
-    self_1_new_bound = 2.2204460492503136e-16 * (self_1_new_size + 2.004168360008973e-292)
-    self_2_new_bound = 2.2204460492503136e-16 * (self_2_new_size + 2.004168360008973e-292)
-    self_3_new_bound = 2.2204460492503136e-16 * (self_3_new_size + 2.004168360008973e-292)
+    self_1_new_bound = c2 * (self_1_new_size + c1)
+    self_2_new_bound = c2 * (self_2_new_size + c1)
+    self_3_new_bound = c2 * (self_3_new_size + c1)
     return (self_0, self_1_new, self_2_new, self_3_new, self_4, self_5, self_6, self_7, self_8,
         self_9, 0, self_1_new_bound, self_2_new_bound, self_3_new_bound, 0, 0, 0, 0, 0, 0)
 
 
 @kernel("(10),(3,4)->(10),(10)")
 @errstate(all="ignore")
-def inertia_transformed(Ji, D):
+def inertia_transformed(Ji, D, *, c1=2.004168360008973e-292, c2=4.440892098500628e-16,
+        c3=6.661338147750942e-16):
     """Jo = Ji displaced by D = [R | t]: m, R mt + m t, R I R^T; |error of Jo| <= Jo_bound unless
     inf or NaN.
 
@@ -395,43 +397,43 @@ def inertia_transformed(Ji, D):
     Jo_1_size = absolute(Jo_1a) + (absolute(Jo_1b) + absolute(Jo_1c) + absolute(Jo_1e))
     Jo_2_size = absolute(Jo_2a) + (absolute(Jo_2b) + absolute(Jo_2c) + absolute(Jo_2e))
     Jo_3_size = absolute(Jo_3a) + (absolute(Jo_3b) + absolute(Jo_3c) + absolute(Jo_3e))
-    RI_0_padded = RI_0_size + 2.004168360008973e-292
-    RI_1_padded = RI_1_size + 2.004168360008973e-292
-    RI_2_padded = RI_2_size + 2.004168360008973e-292
+    RI_0_padded = RI_0_size + c1
+    RI_1_padded = RI_1_size + c1
+    RI_2_padded = RI_2_size + c1
     Jo_4_size = (absolute(D_00) * RI_0_padded + absolute(D_01) * RI_1_padded + absolute(D_02)
         * RI_2_padded)
-    RI_3_padded = RI_3_size + 2.004168360008973e-292
+    RI_3_padded = RI_3_size + c1
     D_10_abs = absolute(D_10)
-    RI_4_padded = RI_4_size + 2.004168360008973e-292
+    RI_4_padded = RI_4_size + c1
     D_11_abs = absolute(D_11)
-    RI_5_padded = RI_5_size + 2.004168360008973e-292
+    RI_5_padded = RI_5_size + c1
     D_12_abs = absolute(D_12)
     Jo_5_size = D_10_abs * RI_3_padded + D_11_abs * RI_4_padded + D_12_abs * RI_5_padded
     D_20_abs = absolute(D_20)
     D_21_abs = absolute(D_21)
     D_22_abs = absolute(D_22)
-    Jo_6c_size = (D_20_abs * (RI_6_size + 2.004168360008973e-292) + D_21_abs
-        * (RI_7_size + 2.004168360008973e-292))
-    Jo_6_size = Jo_6c_size + D_22_abs * (RI_8_size + 2.004168360008973e-292)
+    Jo_6_size = (D_20_abs * (RI_6_size + c1) + D_21_abs * (RI_7_size + c1) + D_22_abs
+        * (RI_8_size + c1))
     Jo_7_size = D_10_abs * RI_0_padded + D_11_abs * RI_1_padded + D_12_abs * RI_2_padded
     Jo_8_size = D_20_abs * RI_3_padded + D_21_abs * RI_4_padded + D_22_abs * RI_5_padded
     Jo_9_size = D_20_abs * RI_0_padded + D_21_abs * RI_1_padded + D_22_abs * RI_2_padded
-    Jo_1_bound = 4.440892098500628e-16 * (Jo_1_size + 2.004168360008973e-292)
-    Jo_2_bound = 4.440892098500628e-16 * (Jo_2_size + 2.004168360008973e-292)
-    Jo_3_bound = 4.440892098500628e-16 * (Jo_3_size + 2.004168360008973e-292)
-    Jo_4_bound = 6.661338147750942e-16 * (Jo_4_size + 2.004168360008973e-292)
-    Jo_5_bound = 6.661338147750942e-16 * (Jo_5_size + 2.004168360008973e-292)
-    Jo_6_bound = 6.661338147750942e-16 * (Jo_6_size + 2.004168360008973e-292)
-    Jo_7_bound = 6.661338147750942e-16 * (Jo_7_size + 2.004168360008973e-292)
-    Jo_8_bound = 6.661338147750942e-16 * (Jo_8_size + 2.004168360008973e-292)
-    Jo_9_bound = 6.661338147750942e-16 * (Jo_9_size + 2.004168360008973e-292)
+    Jo_1_bound = c2 * (Jo_1_size + c1)
+    Jo_2_bound = c2 * (Jo_2_size + c1)
+    Jo_3_bound = c2 * (Jo_3_size + c1)
+    Jo_4_bound = c3 * (Jo_4_size + c1)
+    Jo_5_bound = c3 * (Jo_5_size + c1)
+    Jo_6_bound = c3 * (Jo_6_size + c1)
+    Jo_7_bound = c3 * (Jo_7_size + c1)
+    Jo_8_bound = c3 * (Jo_8_size + c1)
+    Jo_9_bound = c3 * (Jo_9_size + c1)
     return (Ji_0, Jo_1, Jo_2, Jo_3, Jo_4, Jo_5, Jo_6, Jo_7, Jo_8, Jo_9, 0, Jo_1_bound, Jo_2_bound,
         Jo_3_bound, Jo_4_bound, Jo_5_bound, Jo_6_bound, Jo_7_bound, Jo_8_bound, Jo_9_bound)
 
 
 @kernel("(10),(3,4)->(10),(10)")
 @errstate(all="ignore")
-def inertia_transform(self, D):
+def inertia_transform(self, D, *, c1=2.004168360008973e-292, c2=4.440892098500628e-16,
+        c3=6.661338147750942e-16):
     """self = self displaced by D = [R | t]: m, R mt + m t, R I R^T; |error of self| <= self_bound
     unless inf or NaN.
 
@@ -514,36 +516,35 @@ def inertia_transform(self, D):
         + (absolute(self_2_new_b) + absolute(self_2_new_c) + absolute(self_2_new_e)))
     self_3_new_size = (absolute(self_3_new_a)
         + (absolute(self_3_new_b) + absolute(self_3_new_c) + absolute(self_3_new_e)))
-    RI_0_padded = RI_0_size + 2.004168360008973e-292
-    RI_1_padded = RI_1_size + 2.004168360008973e-292
-    RI_2_padded = RI_2_size + 2.004168360008973e-292
+    RI_0_padded = RI_0_size + c1
+    RI_1_padded = RI_1_size + c1
+    RI_2_padded = RI_2_size + c1
     self_4_new_size = (absolute(D_00) * RI_0_padded + absolute(D_01) * RI_1_padded + absolute(D_02)
         * RI_2_padded)
-    RI_3_padded = RI_3_size + 2.004168360008973e-292
+    RI_3_padded = RI_3_size + c1
     D_10_abs = absolute(D_10)
-    RI_4_padded = RI_4_size + 2.004168360008973e-292
+    RI_4_padded = RI_4_size + c1
     D_11_abs = absolute(D_11)
-    RI_5_padded = RI_5_size + 2.004168360008973e-292
+    RI_5_padded = RI_5_size + c1
     D_12_abs = absolute(D_12)
     self_5_new_size = D_10_abs * RI_3_padded + D_11_abs * RI_4_padded + D_12_abs * RI_5_padded
     D_20_abs = absolute(D_20)
     D_21_abs = absolute(D_21)
     D_22_abs = absolute(D_22)
-    self_6_new_c_size = (D_20_abs * (RI_6_size + 2.004168360008973e-292) + D_21_abs
-        * (RI_7_size + 2.004168360008973e-292))
-    self_6_new_size = self_6_new_c_size + D_22_abs * (RI_8_size + 2.004168360008973e-292)
+    self_6_new_size = (D_20_abs * (RI_6_size + c1) + D_21_abs * (RI_7_size + c1) + D_22_abs
+        * (RI_8_size + c1))
     self_7_new_size = D_10_abs * RI_0_padded + D_11_abs * RI_1_padded + D_12_abs * RI_2_padded
     self_8_new_size = D_20_abs * RI_3_padded + D_21_abs * RI_4_padded + D_22_abs * RI_5_padded
     self_9_new_size = D_20_abs * RI_0_padded + D_21_abs * RI_1_padded + D_22_abs * RI_2_padded
-    self_1_new_bound = 4.440892098500628e-16 * (self_1_new_size + 2.004168360008973e-292)
-    self_2_new_bound = 4.440892098500628e-16 * (self_2_new_size + 2.004168360008973e-292)
-    self_3_new_bound = 4.440892098500628e-16 * (self_3_new_size + 2.004168360008973e-292)
-    self_4_new_bound = 6.661338147750942e-16 * (self_4_new_size + 2.004168360008973e-292)
-    self_5_new_bound = 6.661338147750942e-16 * (self_5_new_size + 2.004168360008973e-292)
-    self_6_new_bound = 6.661338147750942e-16 * (self_6_new_size + 2.004168360008973e-292)
-    self_7_new_bound = 6.661338147750942e-16 * (self_7_new_size + 2.004168360008973e-292)
-    self_8_new_bound = 6.661338147750942e-16 * (self_8_new_size + 2.004168360008973e-292)
-    self_9_new_bound = 6.661338147750942e-16 * (self_9_new_size + 2.004168360008973e-292)
+    self_1_new_bound = c2 * (self_1_new_size + c1)
+    self_2_new_bound = c2 * (self_2_new_size + c1)
+    self_3_new_bound = c2 * (self_3_new_size + c1)
+    self_4_new_bound = c3 * (self_4_new_size + c1)
+    self_5_new_bound = c3 * (self_5_new_size + c1)
+    self_6_new_bound = c3 * (self_6_new_size + c1)
+    self_7_new_bound = c3 * (self_7_new_size + c1)
+    self_8_new_bound = c3 * (self_8_new_size + c1)
+    self_9_new_bound = c3 * (self_9_new_size + c1)
     return (self_0, self_1_new, self_2_new, self_3_new, self_4_new, self_5_new, self_6_new,
         self_7_new, self_8_new, self_9_new, 0, self_1_new_bound, self_2_new_bound, self_3_new_bound,
         self_4_new_bound, self_5_new_bound, self_6_new_bound, self_7_new_bound, self_8_new_bound,

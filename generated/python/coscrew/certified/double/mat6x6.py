@@ -13,7 +13,7 @@ from numpy import errstate
 
 @kernel("(3,3),(6,6)->(6,6),(6,6)")
 @errstate(all="ignore")
-def mat6x6_rotated(R, M):
+def mat6x6_rotated(R, M, *, c1=2.004168360008973e-292, c2=6.661338147750942e-16):
     """Mo = [Ad]*(R) M [Ad]^-1(R), the articulated inertia M rotated by R; M is symmetric, only its
     lower triangle is read; |error of Mo| <= Mo_bound unless inf or NaN.
 
@@ -165,20 +165,19 @@ def mat6x6_rotated(R, M):
     R_00_abs = absolute(R_00)
     R_01_abs = absolute(R_01)
     R_02_abs = absolute(R_02)
-    linear_0c_size = (R_00_abs * (RM_0_size + 2.004168360008973e-292) + R_01_abs
-        * (RM_1_size + 2.004168360008973e-292))
-    linear_0_size = linear_0c_size + R_02_abs * (RM_2_size + 2.004168360008973e-292)
-    RM_3_padded = RM_3_size + 2.004168360008973e-292
-    RM_4_padded = RM_4_size + 2.004168360008973e-292
-    RM_5_padded = RM_5_size + 2.004168360008973e-292
+    linear_0_size = (R_00_abs * (RM_0_size + c1) + R_01_abs * (RM_1_size + c1) + R_02_abs
+        * (RM_2_size + c1))
+    RM_3_padded = RM_3_size + c1
+    RM_4_padded = RM_4_size + c1
+    RM_5_padded = RM_5_size + c1
     linear_1_size = R_00_abs * RM_3_padded + R_01_abs * RM_4_padded + R_02_abs * RM_5_padded
     R_10_abs = absolute(R_10)
     R_11_abs = absolute(R_11)
     R_12_abs = absolute(R_12)
     linear_2_size = R_10_abs * RM_3_padded + R_11_abs * RM_4_padded + R_12_abs * RM_5_padded
-    RM_6_padded = RM_6_size + 2.004168360008973e-292
-    RM_7_padded = RM_7_size + 2.004168360008973e-292
-    RM_8_padded = RM_8_size + 2.004168360008973e-292
+    RM_6_padded = RM_6_size + c1
+    RM_7_padded = RM_7_size + c1
+    RM_8_padded = RM_8_size + c1
     linear_3_size = R_00_abs * RM_6_padded + R_01_abs * RM_7_padded + R_02_abs * RM_8_padded
     linear_4_size = R_10_abs * RM_6_padded + R_11_abs * RM_7_padded + R_12_abs * RM_8_padded
     R_20_abs = absolute(R_20)
@@ -194,21 +193,21 @@ def mat6x6_rotated(R, M):
     RH_6_size = absolute(RH_6a) + absolute(RH_6b) + absolute(RH_6d)
     RH_7_size = absolute(RH_7a) + absolute(RH_7b) + absolute(RH_7d)
     RH_8_size = absolute(RH_8a) + absolute(RH_8b) + absolute(RH_8d)
-    RH_0_padded = RH_0_size + 2.004168360008973e-292
-    RH_1_padded = RH_1_size + 2.004168360008973e-292
-    RH_2_padded = RH_2_size + 2.004168360008973e-292
+    RH_0_padded = RH_0_size + c1
+    RH_1_padded = RH_1_size + c1
+    RH_2_padded = RH_2_size + c1
     coupling_0_size = R_00_abs * RH_0_padded + R_01_abs * RH_1_padded + R_02_abs * RH_2_padded
     coupling_1_size = R_10_abs * RH_0_padded + R_11_abs * RH_1_padded + R_12_abs * RH_2_padded
     coupling_2_size = R_20_abs * RH_0_padded + R_21_abs * RH_1_padded + R_22_abs * RH_2_padded
-    RH_3_padded = RH_3_size + 2.004168360008973e-292
-    RH_4_padded = RH_4_size + 2.004168360008973e-292
-    RH_5_padded = RH_5_size + 2.004168360008973e-292
+    RH_3_padded = RH_3_size + c1
+    RH_4_padded = RH_4_size + c1
+    RH_5_padded = RH_5_size + c1
     coupling_3_size = R_00_abs * RH_3_padded + R_01_abs * RH_4_padded + R_02_abs * RH_5_padded
     coupling_4_size = R_10_abs * RH_3_padded + R_11_abs * RH_4_padded + R_12_abs * RH_5_padded
     coupling_5_size = R_20_abs * RH_3_padded + R_21_abs * RH_4_padded + R_22_abs * RH_5_padded
-    RH_6_padded = RH_6_size + 2.004168360008973e-292
-    RH_7_padded = RH_7_size + 2.004168360008973e-292
-    RH_8_padded = RH_8_size + 2.004168360008973e-292
+    RH_6_padded = RH_6_size + c1
+    RH_7_padded = RH_7_size + c1
+    RH_8_padded = RH_8_size + c1
     coupling_6_size = R_00_abs * RH_6_padded + R_01_abs * RH_7_padded + R_02_abs * RH_8_padded
     coupling_7_size = R_10_abs * RH_6_padded + R_11_abs * RH_7_padded + R_12_abs * RH_8_padded
     coupling_8_size = R_20_abs * RH_6_padded + R_21_abs * RH_7_padded + R_22_abs * RH_8_padded
@@ -221,41 +220,40 @@ def mat6x6_rotated(R, M):
     RI_6_size = absolute(RI_6a) + absolute(RI_6b) + absolute(RI_6d)
     RI_7_size = absolute(RI_7a) + absolute(RI_7b) + absolute(RI_7d)
     RI_8_size = absolute(RI_8a) + absolute(RI_8b) + absolute(RI_8d)
-    angular_0c_size = (R_00_abs * (RI_0_size + 2.004168360008973e-292) + R_01_abs
-        * (RI_1_size + 2.004168360008973e-292))
-    angular_0_size = angular_0c_size + R_02_abs * (RI_2_size + 2.004168360008973e-292)
-    RI_3_padded = RI_3_size + 2.004168360008973e-292
-    RI_4_padded = RI_4_size + 2.004168360008973e-292
-    RI_5_padded = RI_5_size + 2.004168360008973e-292
+    angular_0_size = (R_00_abs * (RI_0_size + c1) + R_01_abs * (RI_1_size + c1) + R_02_abs
+        * (RI_2_size + c1))
+    RI_3_padded = RI_3_size + c1
+    RI_4_padded = RI_4_size + c1
+    RI_5_padded = RI_5_size + c1
     angular_1_size = R_00_abs * RI_3_padded + R_01_abs * RI_4_padded + R_02_abs * RI_5_padded
     angular_2_size = R_10_abs * RI_3_padded + R_11_abs * RI_4_padded + R_12_abs * RI_5_padded
-    RI_6_padded = RI_6_size + 2.004168360008973e-292
-    RI_7_padded = RI_7_size + 2.004168360008973e-292
-    RI_8_padded = RI_8_size + 2.004168360008973e-292
+    RI_6_padded = RI_6_size + c1
+    RI_7_padded = RI_7_size + c1
+    RI_8_padded = RI_8_size + c1
     angular_3_size = R_00_abs * RI_6_padded + R_01_abs * RI_7_padded + R_02_abs * RI_8_padded
     angular_4_size = R_10_abs * RI_6_padded + R_11_abs * RI_7_padded + R_12_abs * RI_8_padded
     angular_5_size = R_20_abs * RI_6_padded + R_21_abs * RI_7_padded + R_22_abs * RI_8_padded
-    linear_0_bound = 6.661338147750942e-16 * (linear_0_size + 2.004168360008973e-292)
-    linear_1_bound = 6.661338147750942e-16 * (linear_1_size + 2.004168360008973e-292)
-    linear_3_bound = 6.661338147750942e-16 * (linear_3_size + 2.004168360008973e-292)
-    coupling_0_bound = 6.661338147750942e-16 * (coupling_0_size + 2.004168360008973e-292)
-    coupling_3_bound = 6.661338147750942e-16 * (coupling_3_size + 2.004168360008973e-292)
-    coupling_6_bound = 6.661338147750942e-16 * (coupling_6_size + 2.004168360008973e-292)
-    linear_2_bound = 6.661338147750942e-16 * (linear_2_size + 2.004168360008973e-292)
-    linear_4_bound = 6.661338147750942e-16 * (linear_4_size + 2.004168360008973e-292)
-    coupling_1_bound = 6.661338147750942e-16 * (coupling_1_size + 2.004168360008973e-292)
-    coupling_4_bound = 6.661338147750942e-16 * (coupling_4_size + 2.004168360008973e-292)
-    coupling_7_bound = 6.661338147750942e-16 * (coupling_7_size + 2.004168360008973e-292)
-    linear_5_bound = 6.661338147750942e-16 * (linear_5_size + 2.004168360008973e-292)
-    coupling_2_bound = 6.661338147750942e-16 * (coupling_2_size + 2.004168360008973e-292)
-    coupling_5_bound = 6.661338147750942e-16 * (coupling_5_size + 2.004168360008973e-292)
-    coupling_8_bound = 6.661338147750942e-16 * (coupling_8_size + 2.004168360008973e-292)
-    angular_0_bound = 6.661338147750942e-16 * (angular_0_size + 2.004168360008973e-292)
-    angular_1_bound = 6.661338147750942e-16 * (angular_1_size + 2.004168360008973e-292)
-    angular_3_bound = 6.661338147750942e-16 * (angular_3_size + 2.004168360008973e-292)
-    angular_2_bound = 6.661338147750942e-16 * (angular_2_size + 2.004168360008973e-292)
-    angular_4_bound = 6.661338147750942e-16 * (angular_4_size + 2.004168360008973e-292)
-    angular_5_bound = 6.661338147750942e-16 * (angular_5_size + 2.004168360008973e-292)
+    linear_0_bound = c2 * (linear_0_size + c1)
+    linear_1_bound = c2 * (linear_1_size + c1)
+    linear_3_bound = c2 * (linear_3_size + c1)
+    coupling_0_bound = c2 * (coupling_0_size + c1)
+    coupling_3_bound = c2 * (coupling_3_size + c1)
+    coupling_6_bound = c2 * (coupling_6_size + c1)
+    linear_2_bound = c2 * (linear_2_size + c1)
+    linear_4_bound = c2 * (linear_4_size + c1)
+    coupling_1_bound = c2 * (coupling_1_size + c1)
+    coupling_4_bound = c2 * (coupling_4_size + c1)
+    coupling_7_bound = c2 * (coupling_7_size + c1)
+    linear_5_bound = c2 * (linear_5_size + c1)
+    coupling_2_bound = c2 * (coupling_2_size + c1)
+    coupling_5_bound = c2 * (coupling_5_size + c1)
+    coupling_8_bound = c2 * (coupling_8_size + c1)
+    angular_0_bound = c2 * (angular_0_size + c1)
+    angular_1_bound = c2 * (angular_1_size + c1)
+    angular_3_bound = c2 * (angular_3_size + c1)
+    angular_2_bound = c2 * (angular_2_size + c1)
+    angular_4_bound = c2 * (angular_4_size + c1)
+    angular_5_bound = c2 * (angular_5_size + c1)
     return (linear_0, linear_1, linear_3, coupling_0, coupling_3, coupling_6, linear_1, linear_2,
         linear_4, coupling_1, coupling_4, coupling_7, linear_3, linear_4, linear_5, coupling_2,
         coupling_5, coupling_8, coupling_0, coupling_1, coupling_2, angular_0, angular_1, angular_3,
@@ -272,7 +270,8 @@ def mat6x6_rotated(R, M):
 
 @kernel("(3),(6,6)->(6,6),(6,6)")
 @errstate(all="ignore")
-def mat6x6_shifted(t, M):
+def mat6x6_shifted(t, M, *, c1=2.004168360008973e-292, c2=3.3306690738754706e-16,
+        c3=7.7715611723761e-16):
     """Mo = [Ad]*(t) M [Ad]^-1(t), the articulated inertia M shifted by t; M is symmetric, only its
     lower triangle is read; |error of Mo| <= Mo_bound unless inf or NaN.
 
@@ -337,44 +336,44 @@ def mat6x6_shifted(t, M):
     G_6_size = absolute(G_6a) + absolute(G_6b) + absolute(M_50)
     G_7_size = absolute(G_7a) + absolute(G_7b) + absolute(M_51)
     G_8_size = G_4a_abs + G_0a_abs + absolute(M_52)
-    G_2_padded = G_2_size + 2.004168360008973e-292
+    G_2_padded = G_2_size + c1
     t_1_abs = absolute(t_1)
-    G_1_padded = G_1_size + 2.004168360008973e-292
+    G_1_padded = G_1_size + c1
     t_2_abs = absolute(t_2)
     moved_0_size = (absolute(moved_0a) + absolute(moved_0b)
         + (t_1_abs * G_2_padded + t_2_abs * G_1_padded) + absolute(M_33))
-    G_5_padded = G_5_size + 2.004168360008973e-292
-    G_4_padded = G_4_size + 2.004168360008973e-292
+    G_5_padded = G_5_size + c1
+    G_4_padded = G_4_size + c1
     moved_1_size = (absolute(moved_1a) + absolute(moved_1b)
         + (t_1_abs * G_5_padded + t_2_abs * G_4_padded) + absolute(M_43))
-    G_3_padded = G_3_size + 2.004168360008973e-292
+    G_3_padded = G_3_size + c1
     t_0_abs = absolute(t_0)
     moved_2_size = (absolute(moved_2a) + absolute(moved_2b)
         + (t_2_abs * G_3_padded + t_0_abs * G_5_padded) + absolute(M_44))
-    G_8_padded = G_8_size + 2.004168360008973e-292
-    G_7_padded = G_7_size + 2.004168360008973e-292
+    G_8_padded = G_8_size + c1
+    G_7_padded = G_7_size + c1
     moved_3_size = (absolute(moved_3a) + absolute(moved_3b)
         + (t_1_abs * G_8_padded + t_2_abs * G_7_padded) + absolute(M_53))
-    G_6_padded = G_6_size + 2.004168360008973e-292
+    G_6_padded = G_6_size + c1
     moved_4_size = (absolute(moved_4a) + absolute(moved_4b)
         + (t_2_abs * G_6_padded + t_0_abs * G_8_padded) + absolute(M_54))
     moved_5_size = (absolute(moved_5a) + absolute(moved_5b)
         + (t_0_abs * G_7_padded + t_1_abs * G_6_padded) + absolute(M_55))
-    G_0_bound = 3.3306690738754706e-16 * (G_0_size + 2.004168360008973e-292)
-    G_3_bound = 3.3306690738754706e-16 * G_3_padded
-    G_6_bound = 3.3306690738754706e-16 * G_6_padded
-    G_1_bound = 3.3306690738754706e-16 * G_1_padded
-    G_4_bound = 3.3306690738754706e-16 * G_4_padded
-    G_7_bound = 3.3306690738754706e-16 * G_7_padded
-    G_2_bound = 3.3306690738754706e-16 * G_2_padded
-    G_5_bound = 3.3306690738754706e-16 * G_5_padded
-    G_8_bound = 3.3306690738754706e-16 * G_8_padded
-    moved_0_bound = 7.7715611723761e-16 * (moved_0_size + 2.004168360008973e-292)
-    moved_1_bound = 7.7715611723761e-16 * (moved_1_size + 2.004168360008973e-292)
-    moved_3_bound = 7.7715611723761e-16 * (moved_3_size + 2.004168360008973e-292)
-    moved_2_bound = 7.7715611723761e-16 * (moved_2_size + 2.004168360008973e-292)
-    moved_4_bound = 7.7715611723761e-16 * (moved_4_size + 2.004168360008973e-292)
-    moved_5_bound = 7.7715611723761e-16 * (moved_5_size + 2.004168360008973e-292)
+    G_0_bound = c2 * (G_0_size + c1)
+    G_3_bound = c2 * G_3_padded
+    G_6_bound = c2 * G_6_padded
+    G_1_bound = c2 * G_1_padded
+    G_4_bound = c2 * G_4_padded
+    G_7_bound = c2 * G_7_padded
+    G_2_bound = c2 * G_2_padded
+    G_5_bound = c2 * G_5_padded
+    G_8_bound = c2 * G_8_padded
+    moved_0_bound = c3 * (moved_0_size + c1)
+    moved_1_bound = c3 * (moved_1_size + c1)
+    moved_3_bound = c3 * (moved_3_size + c1)
+    moved_2_bound = c3 * (moved_2_size + c1)
+    moved_4_bound = c3 * (moved_4_size + c1)
+    moved_5_bound = c3 * (moved_5_size + c1)
     return (M_00, M_10, M_20, G_0, G_3, G_6, M_10, M_11, M_21, G_1, G_4, G_7, M_20, M_21, M_22, G_2,
         G_5, G_8, G_0, G_1, G_2, moved_0, moved_1, moved_3, G_3, G_4, G_5, moved_1, moved_2,
         moved_4, G_6, G_7, G_8, moved_3, moved_4, moved_5, 0, 0, 0, G_0_bound, G_3_bound, G_6_bound,

@@ -13,7 +13,7 @@ from numpy import errstate
 
 @kernel("(3,3),(3)->(3),(3)")
 @errstate(all="ignore")
-def product_drv(R, v):
+def product_drv(R, v, *, c1=2.004168360008973e-292, c2=3.3306690738754706e-16):
     """vo = R v; |error of vo| <= vo_bound unless inf or NaN.
 
     (3,3),(3)->(3),(3).  R: rotation or other 3×3 matrix; v, vo, vo_bound: vector.
@@ -36,15 +36,15 @@ def product_drv(R, v):
     vo_0_size = absolute(vo_0a) + absolute(vo_0b) + absolute(vo_0d)
     vo_1_size = absolute(vo_1a) + absolute(vo_1b) + absolute(vo_1d)
     vo_2_size = absolute(vo_2a) + absolute(vo_2b) + absolute(vo_2d)
-    vo_0_bound = 3.3306690738754706e-16 * (vo_0_size + 2.004168360008973e-292)
-    vo_1_bound = 3.3306690738754706e-16 * (vo_1_size + 2.004168360008973e-292)
-    vo_2_bound = 3.3306690738754706e-16 * (vo_2_size + 2.004168360008973e-292)
+    vo_0_bound = c2 * (vo_0_size + c1)
+    vo_1_bound = c2 * (vo_1_size + c1)
+    vo_2_bound = c2 * (vo_2_size + c1)
     return (vo_0, vo_1, vo_2, vo_0_bound, vo_1_bound, vo_2_bound)
 
 
 @kernel("(3,3),(3)->(3),(3)")
 @errstate(all="ignore")
-def product_drvinv(R, v):
+def product_drvinv(R, v, *, c1=2.004168360008973e-292, c2=3.3306690738754706e-16):
     """vo = R (-v); |error of vo| <= vo_bound unless inf or NaN.
 
     (3,3),(3)->(3),(3).  R: rotation or other 3×3 matrix; v, vo, vo_bound: vector.
@@ -64,18 +64,15 @@ def product_drvinv(R, v):
     vo_2b = R_21 * v_1
     vo_2d = R_22 * v_2
     vo_2 = -(vo_2a + vo_2b + vo_2d)
-    vo_0e_bound = (3.3306690738754706e-16
-        * (absolute(vo_0a) + absolute(vo_0b) + absolute(vo_0d) + 2.004168360008973e-292))
-    vo_1e_bound = (3.3306690738754706e-16
-        * (absolute(vo_1a) + absolute(vo_1b) + absolute(vo_1d) + 2.004168360008973e-292))
-    vo_2e_bound = (3.3306690738754706e-16
-        * (absolute(vo_2a) + absolute(vo_2b) + absolute(vo_2d) + 2.004168360008973e-292))
+    vo_0e_bound = c2 * (absolute(vo_0a) + absolute(vo_0b) + absolute(vo_0d) + c1)
+    vo_1e_bound = c2 * (absolute(vo_1a) + absolute(vo_1b) + absolute(vo_1d) + c1)
+    vo_2e_bound = c2 * (absolute(vo_2a) + absolute(vo_2b) + absolute(vo_2d) + c1)
     return (vo_0, vo_1, vo_2, vo_0e_bound, vo_1e_bound, vo_2e_bound)
 
 
 @kernel("(3,3),(3)->(3),(3)")
 @errstate(all="ignore")
-def product_drinvv(R, v):
+def product_drinvv(R, v, *, c1=2.004168360008973e-292, c2=3.3306690738754706e-16):
     """vo = R^T v; |error of vo| <= vo_bound unless inf or NaN.
 
     (3,3),(3)->(3),(3).  R: rotation or other 3×3 matrix; v, vo, vo_bound: vector.
@@ -98,15 +95,15 @@ def product_drinvv(R, v):
     vo_0_size = absolute(vo_0a) + absolute(vo_0b) + absolute(vo_0d)
     vo_1_size = absolute(vo_1a) + absolute(vo_1b) + absolute(vo_1d)
     vo_2_size = absolute(vo_2a) + absolute(vo_2b) + absolute(vo_2d)
-    vo_0_bound = 3.3306690738754706e-16 * (vo_0_size + 2.004168360008973e-292)
-    vo_1_bound = 3.3306690738754706e-16 * (vo_1_size + 2.004168360008973e-292)
-    vo_2_bound = 3.3306690738754706e-16 * (vo_2_size + 2.004168360008973e-292)
+    vo_0_bound = c2 * (vo_0_size + c1)
+    vo_1_bound = c2 * (vo_1_size + c1)
+    vo_2_bound = c2 * (vo_2_size + c1)
     return (vo_0, vo_1, vo_2, vo_0_bound, vo_1_bound, vo_2_bound)
 
 
 @kernel("(3,3),(3)->(3),(3)")
 @errstate(all="ignore")
-def product_drinvvinv(R, v):
+def product_drinvvinv(R, v, *, c1=2.004168360008973e-292, c2=3.3306690738754706e-16):
     """vo = R^T (-v); |error of vo| <= vo_bound unless inf or NaN.
 
     (3,3),(3)->(3),(3).  R: rotation or other 3×3 matrix; v, vo, vo_bound: vector.
@@ -126,18 +123,15 @@ def product_drinvvinv(R, v):
     vo_2b = R_12 * v_1
     vo_2d = R_22 * v_2
     vo_2 = -(vo_2a + vo_2b + vo_2d)
-    vo_0e_bound = (3.3306690738754706e-16
-        * (absolute(vo_0a) + absolute(vo_0b) + absolute(vo_0d) + 2.004168360008973e-292))
-    vo_1e_bound = (3.3306690738754706e-16
-        * (absolute(vo_1a) + absolute(vo_1b) + absolute(vo_1d) + 2.004168360008973e-292))
-    vo_2e_bound = (3.3306690738754706e-16
-        * (absolute(vo_2a) + absolute(vo_2b) + absolute(vo_2d) + 2.004168360008973e-292))
+    vo_0e_bound = c2 * (absolute(vo_0a) + absolute(vo_0b) + absolute(vo_0d) + c1)
+    vo_1e_bound = c2 * (absolute(vo_1a) + absolute(vo_1b) + absolute(vo_1d) + c1)
+    vo_2e_bound = c2 * (absolute(vo_2a) + absolute(vo_2b) + absolute(vo_2d) + c1)
     return (vo_0, vo_1, vo_2, vo_0e_bound, vo_1e_bound, vo_2e_bound)
 
 
 @kernel("(3,4),(3)->(3),(3)")
 @errstate(all="ignore")
-def product_dv(D, v):
+def product_dv(D, v, *, c1=2.004168360008973e-292, c2=4.440892098500628e-16):
     """vo = R v + t; |error of vo| <= vo_bound unless inf or NaN.
 
     (3,4),(3)->(3),(3).  D: displacement [R | t], R rotation, t in m; v, vo, vo_bound: vector.
@@ -160,15 +154,15 @@ def product_dv(D, v):
     vo_0_size = absolute(vo_0a) + absolute(vo_0b) + absolute(vo_0d) + absolute(D_03)
     vo_1_size = absolute(vo_1a) + absolute(vo_1b) + absolute(vo_1d) + absolute(D_13)
     vo_2_size = absolute(vo_2a) + absolute(vo_2b) + absolute(vo_2d) + absolute(D_23)
-    vo_0_bound = 4.440892098500628e-16 * (vo_0_size + 2.004168360008973e-292)
-    vo_1_bound = 4.440892098500628e-16 * (vo_1_size + 2.004168360008973e-292)
-    vo_2_bound = 4.440892098500628e-16 * (vo_2_size + 2.004168360008973e-292)
+    vo_0_bound = c2 * (vo_0_size + c1)
+    vo_1_bound = c2 * (vo_1_size + c1)
+    vo_2_bound = c2 * (vo_2_size + c1)
     return (vo_0, vo_1, vo_2, vo_0_bound, vo_1_bound, vo_2_bound)
 
 
 @kernel("(3,4),(3)->(3),(3)")
 @errstate(all="ignore")
-def product_dinvv(D, v):
+def product_dinvv(D, v, *, c1=2.004168360008973e-292, c2=4.440892098500628e-16):
     """vo = R^T (v - t); |error of vo| <= vo_bound unless inf or NaN.
 
     (3,4),(3)->(3),(3).  D: displacement [R | t], R rotation, t in m; v, vo, vo_bound: vector.
@@ -188,15 +182,15 @@ def product_dinvv(D, v):
     vo_0_size = absolute(D_00) * p_0_abs + absolute(D_10) * p_1_abs + absolute(D_20) * p_2_abs
     vo_1_size = absolute(D_01) * p_0_abs + absolute(D_11) * p_1_abs + absolute(D_21) * p_2_abs
     vo_2_size = absolute(D_02) * p_0_abs + absolute(D_12) * p_1_abs + absolute(D_22) * p_2_abs
-    vo_0_bound = 4.440892098500628e-16 * (vo_0_size + 2.004168360008973e-292)
-    vo_1_bound = 4.440892098500628e-16 * (vo_1_size + 2.004168360008973e-292)
-    vo_2_bound = 4.440892098500628e-16 * (vo_2_size + 2.004168360008973e-292)
+    vo_0_bound = c2 * (vo_0_size + c1)
+    vo_1_bound = c2 * (vo_1_size + c1)
+    vo_2_bound = c2 * (vo_2_size + c1)
     return (vo_0, vo_1, vo_2, vo_0_bound, vo_1_bound, vo_2_bound)
 
 
 @kernel("(3,3),(3,3)->(3,3),(3,3)")
 @errstate(all="ignore")
-def product_drdr(R1, R2):
+def product_drdr(R1, R2, *, c1=2.004168360008973e-292, c2=3.3306690738754706e-16):
     """Ro = R1 R2; |error of Ro| <= Ro_bound unless inf or NaN.
 
     (3,3),(3,3)->(3,3),(3,3).  R1, R2, Ro, Ro_bound: rotation or other 3×3 matrix.
@@ -249,22 +243,22 @@ def product_drdr(R1, R2):
     Ro_20_size = absolute(Ro_20a) + absolute(Ro_20b) + absolute(Ro_20d)
     Ro_21_size = absolute(Ro_21a) + absolute(Ro_21b) + absolute(Ro_21d)
     Ro_22_size = absolute(Ro_22a) + absolute(Ro_22b) + absolute(Ro_22d)
-    Ro_00_bound = 3.3306690738754706e-16 * (Ro_00_size + 2.004168360008973e-292)
-    Ro_01_bound = 3.3306690738754706e-16 * (Ro_01_size + 2.004168360008973e-292)
-    Ro_02_bound = 3.3306690738754706e-16 * (Ro_02_size + 2.004168360008973e-292)
-    Ro_10_bound = 3.3306690738754706e-16 * (Ro_10_size + 2.004168360008973e-292)
-    Ro_11_bound = 3.3306690738754706e-16 * (Ro_11_size + 2.004168360008973e-292)
-    Ro_12_bound = 3.3306690738754706e-16 * (Ro_12_size + 2.004168360008973e-292)
-    Ro_20_bound = 3.3306690738754706e-16 * (Ro_20_size + 2.004168360008973e-292)
-    Ro_21_bound = 3.3306690738754706e-16 * (Ro_21_size + 2.004168360008973e-292)
-    Ro_22_bound = 3.3306690738754706e-16 * (Ro_22_size + 2.004168360008973e-292)
+    Ro_00_bound = c2 * (Ro_00_size + c1)
+    Ro_01_bound = c2 * (Ro_01_size + c1)
+    Ro_02_bound = c2 * (Ro_02_size + c1)
+    Ro_10_bound = c2 * (Ro_10_size + c1)
+    Ro_11_bound = c2 * (Ro_11_size + c1)
+    Ro_12_bound = c2 * (Ro_12_size + c1)
+    Ro_20_bound = c2 * (Ro_20_size + c1)
+    Ro_21_bound = c2 * (Ro_21_size + c1)
+    Ro_22_bound = c2 * (Ro_22_size + c1)
     return (Ro_00, Ro_01, Ro_02, Ro_10, Ro_11, Ro_12, Ro_20, Ro_21, Ro_22, Ro_00_bound, Ro_01_bound,
         Ro_02_bound, Ro_10_bound, Ro_11_bound, Ro_12_bound, Ro_20_bound, Ro_21_bound, Ro_22_bound)
 
 
 @kernel("(3,3),(3,3)->(3,3),(3,3)")
 @errstate(all="ignore")
-def product_drdrinv(R1, R2):
+def product_drdrinv(R1, R2, *, c1=2.004168360008973e-292, c2=3.3306690738754706e-16):
     """Ro = R1 R2^T; |error of Ro| <= Ro_bound unless inf or NaN.
 
     (3,3),(3,3)->(3,3),(3,3).  R1, R2, Ro, Ro_bound: rotation or other 3×3 matrix.
@@ -317,22 +311,22 @@ def product_drdrinv(R1, R2):
     Ro_20_size = absolute(Ro_20a) + absolute(Ro_20b) + absolute(Ro_20d)
     Ro_21_size = absolute(Ro_21a) + absolute(Ro_21b) + absolute(Ro_21d)
     Ro_22_size = absolute(Ro_22a) + absolute(Ro_22b) + absolute(Ro_22d)
-    Ro_00_bound = 3.3306690738754706e-16 * (Ro_00_size + 2.004168360008973e-292)
-    Ro_01_bound = 3.3306690738754706e-16 * (Ro_01_size + 2.004168360008973e-292)
-    Ro_02_bound = 3.3306690738754706e-16 * (Ro_02_size + 2.004168360008973e-292)
-    Ro_10_bound = 3.3306690738754706e-16 * (Ro_10_size + 2.004168360008973e-292)
-    Ro_11_bound = 3.3306690738754706e-16 * (Ro_11_size + 2.004168360008973e-292)
-    Ro_12_bound = 3.3306690738754706e-16 * (Ro_12_size + 2.004168360008973e-292)
-    Ro_20_bound = 3.3306690738754706e-16 * (Ro_20_size + 2.004168360008973e-292)
-    Ro_21_bound = 3.3306690738754706e-16 * (Ro_21_size + 2.004168360008973e-292)
-    Ro_22_bound = 3.3306690738754706e-16 * (Ro_22_size + 2.004168360008973e-292)
+    Ro_00_bound = c2 * (Ro_00_size + c1)
+    Ro_01_bound = c2 * (Ro_01_size + c1)
+    Ro_02_bound = c2 * (Ro_02_size + c1)
+    Ro_10_bound = c2 * (Ro_10_size + c1)
+    Ro_11_bound = c2 * (Ro_11_size + c1)
+    Ro_12_bound = c2 * (Ro_12_size + c1)
+    Ro_20_bound = c2 * (Ro_20_size + c1)
+    Ro_21_bound = c2 * (Ro_21_size + c1)
+    Ro_22_bound = c2 * (Ro_22_size + c1)
     return (Ro_00, Ro_01, Ro_02, Ro_10, Ro_11, Ro_12, Ro_20, Ro_21, Ro_22, Ro_00_bound, Ro_01_bound,
         Ro_02_bound, Ro_10_bound, Ro_11_bound, Ro_12_bound, Ro_20_bound, Ro_21_bound, Ro_22_bound)
 
 
 @kernel("(3,3),(3,3)->(3,3),(3,3)")
 @errstate(all="ignore")
-def product_drinvdr(R1, R2):
+def product_drinvdr(R1, R2, *, c1=2.004168360008973e-292, c2=3.3306690738754706e-16):
     """Ro = R1^T R2; |error of Ro| <= Ro_bound unless inf or NaN.
 
     (3,3),(3,3)->(3,3),(3,3).  R1, R2, Ro, Ro_bound: rotation or other 3×3 matrix.
@@ -385,22 +379,23 @@ def product_drinvdr(R1, R2):
     Ro_20_size = absolute(Ro_20a) + absolute(Ro_20b) + absolute(Ro_20d)
     Ro_21_size = absolute(Ro_21a) + absolute(Ro_21b) + absolute(Ro_21d)
     Ro_22_size = absolute(Ro_22a) + absolute(Ro_22b) + absolute(Ro_22d)
-    Ro_00_bound = 3.3306690738754706e-16 * (Ro_00_size + 2.004168360008973e-292)
-    Ro_01_bound = 3.3306690738754706e-16 * (Ro_01_size + 2.004168360008973e-292)
-    Ro_02_bound = 3.3306690738754706e-16 * (Ro_02_size + 2.004168360008973e-292)
-    Ro_10_bound = 3.3306690738754706e-16 * (Ro_10_size + 2.004168360008973e-292)
-    Ro_11_bound = 3.3306690738754706e-16 * (Ro_11_size + 2.004168360008973e-292)
-    Ro_12_bound = 3.3306690738754706e-16 * (Ro_12_size + 2.004168360008973e-292)
-    Ro_20_bound = 3.3306690738754706e-16 * (Ro_20_size + 2.004168360008973e-292)
-    Ro_21_bound = 3.3306690738754706e-16 * (Ro_21_size + 2.004168360008973e-292)
-    Ro_22_bound = 3.3306690738754706e-16 * (Ro_22_size + 2.004168360008973e-292)
+    Ro_00_bound = c2 * (Ro_00_size + c1)
+    Ro_01_bound = c2 * (Ro_01_size + c1)
+    Ro_02_bound = c2 * (Ro_02_size + c1)
+    Ro_10_bound = c2 * (Ro_10_size + c1)
+    Ro_11_bound = c2 * (Ro_11_size + c1)
+    Ro_12_bound = c2 * (Ro_12_size + c1)
+    Ro_20_bound = c2 * (Ro_20_size + c1)
+    Ro_21_bound = c2 * (Ro_21_size + c1)
+    Ro_22_bound = c2 * (Ro_22_size + c1)
     return (Ro_00, Ro_01, Ro_02, Ro_10, Ro_11, Ro_12, Ro_20, Ro_21, Ro_22, Ro_00_bound, Ro_01_bound,
         Ro_02_bound, Ro_10_bound, Ro_11_bound, Ro_12_bound, Ro_20_bound, Ro_21_bound, Ro_22_bound)
 
 
 @kernel("(3,4),(3,4)->(3,4),(3,4)")
 @errstate(all="ignore")
-def product_dd(D1, D2):
+def product_dd(D1, D2, *, c1=2.004168360008973e-292, c2=3.3306690738754706e-16,
+        c3=4.440892098500628e-16):
     """Do = D1 D2 = [R1 R2 | R1 t2 + t1]; |error of Do| <= Do_bound unless inf or NaN.
 
     (3,4),(3,4)->(3,4),(3,4).  D1, D2, Do, Do_bound: displacement [R | t], R rotation, t in m.
@@ -468,18 +463,18 @@ def product_dd(D1, D2):
     Do_21_size = absolute(Do_21a) + absolute(Do_21b) + absolute(Do_21d)
     Do_22_size = absolute(Do_22a) + absolute(Do_22b) + absolute(Do_22d)
     Do_23_size = absolute(Do_23a) + absolute(Do_23b) + absolute(Do_23d) + absolute(D1_23)
-    Do_00_bound = 3.3306690738754706e-16 * (Do_00_size + 2.004168360008973e-292)
-    Do_01_bound = 3.3306690738754706e-16 * (Do_01_size + 2.004168360008973e-292)
-    Do_02_bound = 3.3306690738754706e-16 * (Do_02_size + 2.004168360008973e-292)
-    Do_03_bound = 4.440892098500628e-16 * (Do_03_size + 2.004168360008973e-292)
-    Do_10_bound = 3.3306690738754706e-16 * (Do_10_size + 2.004168360008973e-292)
-    Do_11_bound = 3.3306690738754706e-16 * (Do_11_size + 2.004168360008973e-292)
-    Do_12_bound = 3.3306690738754706e-16 * (Do_12_size + 2.004168360008973e-292)
-    Do_13_bound = 4.440892098500628e-16 * (Do_13_size + 2.004168360008973e-292)
-    Do_20_bound = 3.3306690738754706e-16 * (Do_20_size + 2.004168360008973e-292)
-    Do_21_bound = 3.3306690738754706e-16 * (Do_21_size + 2.004168360008973e-292)
-    Do_22_bound = 3.3306690738754706e-16 * (Do_22_size + 2.004168360008973e-292)
-    Do_23_bound = 4.440892098500628e-16 * (Do_23_size + 2.004168360008973e-292)
+    Do_00_bound = c2 * (Do_00_size + c1)
+    Do_01_bound = c2 * (Do_01_size + c1)
+    Do_02_bound = c2 * (Do_02_size + c1)
+    Do_03_bound = c3 * (Do_03_size + c1)
+    Do_10_bound = c2 * (Do_10_size + c1)
+    Do_11_bound = c2 * (Do_11_size + c1)
+    Do_12_bound = c2 * (Do_12_size + c1)
+    Do_13_bound = c3 * (Do_13_size + c1)
+    Do_20_bound = c2 * (Do_20_size + c1)
+    Do_21_bound = c2 * (Do_21_size + c1)
+    Do_22_bound = c2 * (Do_22_size + c1)
+    Do_23_bound = c3 * (Do_23_size + c1)
     return (Do_00, Do_01, Do_02, Do_03, Do_10, Do_11, Do_12, Do_13, Do_20, Do_21, Do_22, Do_23,
         Do_00_bound, Do_01_bound, Do_02_bound, Do_03_bound, Do_10_bound, Do_11_bound, Do_12_bound,
         Do_13_bound, Do_20_bound, Do_21_bound, Do_22_bound, Do_23_bound)
@@ -487,7 +482,8 @@ def product_dd(D1, D2):
 
 @kernel("(3,4),(3,4)->(3,4),(3,4)")
 @errstate(all="ignore")
-def product_ddinv(D1, D2):
+def product_ddinv(D1, D2, *, c1=2.004168360008973e-292, c2=3.3306690738754706e-16,
+        c3=7.7715611723761e-16):
     """Do = D1 D2^-1 = [R | t1 - R t2], R = R1 R2^T; |error of Do| <= Do_bound unless inf or NaN.
 
     (3,4),(3,4)->(3,4),(3,4).  D1, D2, Do, Do_bound: displacement [R | t], R rotation, t in m.
@@ -543,36 +539,36 @@ def product_ddinv(D1, D2):
     R_6_size = absolute(R_6a) + absolute(R_6b) + absolute(R_6d)
     R_7_size = absolute(R_7a) + absolute(R_7b) + absolute(R_7d)
     R_8_size = absolute(R_8a) + absolute(R_8b) + absolute(R_8d)
-    R_0_padded = R_0_size + 2.004168360008973e-292
+    R_0_padded = R_0_size + c1
     D2_03_abs = absolute(D2_03)
-    R_1_padded = R_1_size + 2.004168360008973e-292
+    R_1_padded = R_1_size + c1
     D2_13_abs = absolute(D2_13)
-    R_2_padded = R_2_size + 2.004168360008973e-292
+    R_2_padded = R_2_size + c1
     D2_23_abs = absolute(D2_23)
     Do_03_size = (absolute(D1_03)
         + (D2_03_abs * R_0_padded + D2_13_abs * R_1_padded + D2_23_abs * R_2_padded))
-    R_3_padded = R_3_size + 2.004168360008973e-292
-    R_4_padded = R_4_size + 2.004168360008973e-292
-    R_5_padded = R_5_size + 2.004168360008973e-292
+    R_3_padded = R_3_size + c1
+    R_4_padded = R_4_size + c1
+    R_5_padded = R_5_size + c1
     Do_13_size = (absolute(D1_13)
         + (D2_03_abs * R_3_padded + D2_13_abs * R_4_padded + D2_23_abs * R_5_padded))
-    R_6_padded = R_6_size + 2.004168360008973e-292
-    R_7_padded = R_7_size + 2.004168360008973e-292
-    R_8_padded = R_8_size + 2.004168360008973e-292
+    R_6_padded = R_6_size + c1
+    R_7_padded = R_7_size + c1
+    R_8_padded = R_8_size + c1
     Do_23_size = (absolute(D1_23)
         + (D2_03_abs * R_6_padded + D2_13_abs * R_7_padded + D2_23_abs * R_8_padded))
-    R_0_bound = 3.3306690738754706e-16 * R_0_padded
-    R_1_bound = 3.3306690738754706e-16 * R_1_padded
-    R_2_bound = 3.3306690738754706e-16 * R_2_padded
-    Do_03_bound = 7.7715611723761e-16 * (Do_03_size + 2.004168360008973e-292)
-    R_3_bound = 3.3306690738754706e-16 * R_3_padded
-    R_4_bound = 3.3306690738754706e-16 * R_4_padded
-    R_5_bound = 3.3306690738754706e-16 * R_5_padded
-    Do_13_bound = 7.7715611723761e-16 * (Do_13_size + 2.004168360008973e-292)
-    R_6_bound = 3.3306690738754706e-16 * R_6_padded
-    R_7_bound = 3.3306690738754706e-16 * R_7_padded
-    R_8_bound = 3.3306690738754706e-16 * R_8_padded
-    Do_23_bound = 7.7715611723761e-16 * (Do_23_size + 2.004168360008973e-292)
+    R_0_bound = c2 * R_0_padded
+    R_1_bound = c2 * R_1_padded
+    R_2_bound = c2 * R_2_padded
+    Do_03_bound = c3 * (Do_03_size + c1)
+    R_3_bound = c2 * R_3_padded
+    R_4_bound = c2 * R_4_padded
+    R_5_bound = c2 * R_5_padded
+    Do_13_bound = c3 * (Do_13_size + c1)
+    R_6_bound = c2 * R_6_padded
+    R_7_bound = c2 * R_7_padded
+    R_8_bound = c2 * R_8_padded
+    Do_23_bound = c3 * (Do_23_size + c1)
     return (R_0, R_1, R_2, Do_03, R_3, R_4, R_5, Do_13, R_6, R_7, R_8, Do_23, R_0_bound, R_1_bound,
         R_2_bound, Do_03_bound, R_3_bound, R_4_bound, R_5_bound, Do_13_bound, R_6_bound, R_7_bound,
         R_8_bound, Do_23_bound)
@@ -580,7 +576,8 @@ def product_ddinv(D1, D2):
 
 @kernel("(3,4),(3,4)->(3,4),(3,4)")
 @errstate(all="ignore")
-def product_dinvd(D1, D2):
+def product_dinvd(D1, D2, *, c1=2.004168360008973e-292, c2=3.3306690738754706e-16,
+        c3=4.440892098500628e-16):
     """Do = D1^-1 D2 = [R1^T R2 | R1^T (t2 - t1)]; |error of Do| <= Do_bound unless inf or NaN.
 
     (3,4),(3,4)->(3,4),(3,4).  D1, D2, Do, Do_bound: displacement [R | t], R rotation, t in m.
@@ -645,18 +642,18 @@ def product_dinvd(D1, D2):
     Do_21_size = absolute(Do_21a) + absolute(Do_21b) + absolute(Do_21d)
     Do_22_size = absolute(Do_22a) + absolute(Do_22b) + absolute(Do_22d)
     Do_23_size = absolute(D1_02) * p_0_abs + absolute(D1_12) * p_1_abs + absolute(D1_22) * p_2_abs
-    Do_00_bound = 3.3306690738754706e-16 * (Do_00_size + 2.004168360008973e-292)
-    Do_01_bound = 3.3306690738754706e-16 * (Do_01_size + 2.004168360008973e-292)
-    Do_02_bound = 3.3306690738754706e-16 * (Do_02_size + 2.004168360008973e-292)
-    Do_03_bound = 4.440892098500628e-16 * (Do_03_size + 2.004168360008973e-292)
-    Do_10_bound = 3.3306690738754706e-16 * (Do_10_size + 2.004168360008973e-292)
-    Do_11_bound = 3.3306690738754706e-16 * (Do_11_size + 2.004168360008973e-292)
-    Do_12_bound = 3.3306690738754706e-16 * (Do_12_size + 2.004168360008973e-292)
-    Do_13_bound = 4.440892098500628e-16 * (Do_13_size + 2.004168360008973e-292)
-    Do_20_bound = 3.3306690738754706e-16 * (Do_20_size + 2.004168360008973e-292)
-    Do_21_bound = 3.3306690738754706e-16 * (Do_21_size + 2.004168360008973e-292)
-    Do_22_bound = 3.3306690738754706e-16 * (Do_22_size + 2.004168360008973e-292)
-    Do_23_bound = 4.440892098500628e-16 * (Do_23_size + 2.004168360008973e-292)
+    Do_00_bound = c2 * (Do_00_size + c1)
+    Do_01_bound = c2 * (Do_01_size + c1)
+    Do_02_bound = c2 * (Do_02_size + c1)
+    Do_03_bound = c3 * (Do_03_size + c1)
+    Do_10_bound = c2 * (Do_10_size + c1)
+    Do_11_bound = c2 * (Do_11_size + c1)
+    Do_12_bound = c2 * (Do_12_size + c1)
+    Do_13_bound = c3 * (Do_13_size + c1)
+    Do_20_bound = c2 * (Do_20_size + c1)
+    Do_21_bound = c2 * (Do_21_size + c1)
+    Do_22_bound = c2 * (Do_22_size + c1)
+    Do_23_bound = c3 * (Do_23_size + c1)
     return (Do_00, Do_01, Do_02, Do_03, Do_10, Do_11, Do_12, Do_13, Do_20, Do_21, Do_22, Do_23,
         Do_00_bound, Do_01_bound, Do_02_bound, Do_03_bound, Do_10_bound, Do_11_bound, Do_12_bound,
         Do_13_bound, Do_20_bound, Do_21_bound, Do_22_bound, Do_23_bound)
@@ -664,7 +661,7 @@ def product_dinvd(D1, D2):
 
 @kernel("(3,4),(3,3)->(3,4),(3,4)")
 @errstate(all="ignore")
-def product_ddr(D, R):
+def product_ddr(D, R, *, c1=2.004168360008973e-292, c2=3.3306690738754706e-16):
     """Do = D [R | 0]; |error of Do| <= Do_bound unless inf or NaN.
 
     (3,4),(3,3)->(3,4),(3,4).  D, Do, Do_bound: displacement [R | t], R rotation, t in m; R:
@@ -718,15 +715,15 @@ def product_ddr(D, R):
     Do_20_size = absolute(Do_20a) + absolute(Do_20b) + absolute(Do_20d)
     Do_21_size = absolute(Do_21a) + absolute(Do_21b) + absolute(Do_21d)
     Do_22_size = absolute(Do_22a) + absolute(Do_22b) + absolute(Do_22d)
-    Do_00_bound = 3.3306690738754706e-16 * (Do_00_size + 2.004168360008973e-292)
-    Do_01_bound = 3.3306690738754706e-16 * (Do_01_size + 2.004168360008973e-292)
-    Do_02_bound = 3.3306690738754706e-16 * (Do_02_size + 2.004168360008973e-292)
-    Do_10_bound = 3.3306690738754706e-16 * (Do_10_size + 2.004168360008973e-292)
-    Do_11_bound = 3.3306690738754706e-16 * (Do_11_size + 2.004168360008973e-292)
-    Do_12_bound = 3.3306690738754706e-16 * (Do_12_size + 2.004168360008973e-292)
-    Do_20_bound = 3.3306690738754706e-16 * (Do_20_size + 2.004168360008973e-292)
-    Do_21_bound = 3.3306690738754706e-16 * (Do_21_size + 2.004168360008973e-292)
-    Do_22_bound = 3.3306690738754706e-16 * (Do_22_size + 2.004168360008973e-292)
+    Do_00_bound = c2 * (Do_00_size + c1)
+    Do_01_bound = c2 * (Do_01_size + c1)
+    Do_02_bound = c2 * (Do_02_size + c1)
+    Do_10_bound = c2 * (Do_10_size + c1)
+    Do_11_bound = c2 * (Do_11_size + c1)
+    Do_12_bound = c2 * (Do_12_size + c1)
+    Do_20_bound = c2 * (Do_20_size + c1)
+    Do_21_bound = c2 * (Do_21_size + c1)
+    Do_22_bound = c2 * (Do_22_size + c1)
     return (Do_00, Do_01, Do_02, D_03, Do_10, Do_11, Do_12, D_13, Do_20, Do_21, Do_22, D_23,
         Do_00_bound, Do_01_bound, Do_02_bound, 0, Do_10_bound, Do_11_bound, Do_12_bound, 0,
         Do_20_bound, Do_21_bound, Do_22_bound, 0)
@@ -734,7 +731,7 @@ def product_ddr(D, R):
 
 @kernel("(3,4),(3,3)->(3,4),(3,4)")
 @errstate(all="ignore")
-def product_ddrinv(D, R):
+def product_ddrinv(D, R, *, c1=2.004168360008973e-292, c2=3.3306690738754706e-16):
     """Do = D [R^T | 0]; |error of Do| <= Do_bound unless inf or NaN.
 
     (3,4),(3,3)->(3,4),(3,4).  D, Do, Do_bound: displacement [R | t], R rotation, t in m; R:
@@ -788,15 +785,15 @@ def product_ddrinv(D, R):
     Do_20_size = absolute(Do_20a) + absolute(Do_20b) + absolute(Do_20d)
     Do_21_size = absolute(Do_21a) + absolute(Do_21b) + absolute(Do_21d)
     Do_22_size = absolute(Do_22a) + absolute(Do_22b) + absolute(Do_22d)
-    Do_00_bound = 3.3306690738754706e-16 * (Do_00_size + 2.004168360008973e-292)
-    Do_01_bound = 3.3306690738754706e-16 * (Do_01_size + 2.004168360008973e-292)
-    Do_02_bound = 3.3306690738754706e-16 * (Do_02_size + 2.004168360008973e-292)
-    Do_10_bound = 3.3306690738754706e-16 * (Do_10_size + 2.004168360008973e-292)
-    Do_11_bound = 3.3306690738754706e-16 * (Do_11_size + 2.004168360008973e-292)
-    Do_12_bound = 3.3306690738754706e-16 * (Do_12_size + 2.004168360008973e-292)
-    Do_20_bound = 3.3306690738754706e-16 * (Do_20_size + 2.004168360008973e-292)
-    Do_21_bound = 3.3306690738754706e-16 * (Do_21_size + 2.004168360008973e-292)
-    Do_22_bound = 3.3306690738754706e-16 * (Do_22_size + 2.004168360008973e-292)
+    Do_00_bound = c2 * (Do_00_size + c1)
+    Do_01_bound = c2 * (Do_01_size + c1)
+    Do_02_bound = c2 * (Do_02_size + c1)
+    Do_10_bound = c2 * (Do_10_size + c1)
+    Do_11_bound = c2 * (Do_11_size + c1)
+    Do_12_bound = c2 * (Do_12_size + c1)
+    Do_20_bound = c2 * (Do_20_size + c1)
+    Do_21_bound = c2 * (Do_21_size + c1)
+    Do_22_bound = c2 * (Do_22_size + c1)
     return (Do_00, Do_01, Do_02, D_03, Do_10, Do_11, Do_12, D_13, Do_20, Do_21, Do_22, D_23,
         Do_00_bound, Do_01_bound, Do_02_bound, 0, Do_10_bound, Do_11_bound, Do_12_bound, 0,
         Do_20_bound, Do_21_bound, Do_22_bound, 0)
@@ -804,7 +801,7 @@ def product_ddrinv(D, R):
 
 @kernel("(3,4),(3)->(3,4),(3,4)")
 @errstate(all="ignore")
-def product_ddt(D, t):
+def product_ddt(D, t, *, c1=2.004168360008973e-292, c2=4.440892098500628e-16):
     """Do = D [I | t]; |error of Do| <= Do_bound unless inf or NaN.
 
     (3,4),(3)->(3,4),(3,4).  D, Do, Do_bound: displacement [R | t], R rotation, t in m; t:
@@ -828,16 +825,16 @@ def product_ddt(D, t):
     Do_03_size = absolute(Do_03a) + absolute(Do_03b) + absolute(Do_03d) + absolute(D_03)
     Do_13_size = absolute(Do_13a) + absolute(Do_13b) + absolute(Do_13d) + absolute(D_13)
     Do_23_size = absolute(Do_23a) + absolute(Do_23b) + absolute(Do_23d) + absolute(D_23)
-    Do_03_bound = 4.440892098500628e-16 * (Do_03_size + 2.004168360008973e-292)
-    Do_13_bound = 4.440892098500628e-16 * (Do_13_size + 2.004168360008973e-292)
-    Do_23_bound = 4.440892098500628e-16 * (Do_23_size + 2.004168360008973e-292)
+    Do_03_bound = c2 * (Do_03_size + c1)
+    Do_13_bound = c2 * (Do_13_size + c1)
+    Do_23_bound = c2 * (Do_23_size + c1)
     return (D_00, D_01, D_02, Do_03, D_10, D_11, D_12, Do_13, D_20, D_21, D_22, Do_23, 0, 0, 0,
         Do_03_bound, 0, 0, 0, Do_13_bound, 0, 0, 0, Do_23_bound)
 
 
 @kernel("(3,4),(3)->(3,4),(3,4)")
 @errstate(all="ignore")
-def product_ddtinv(D, t):
+def product_ddtinv(D, t, *, c1=2.004168360008973e-292, c2=4.440892098500628e-16):
     """Do = D [I | -t]; |error of Do| <= Do_bound unless inf or NaN.
 
     (3,4),(3)->(3,4),(3,4).  D, Do, Do_bound: displacement [R | t], R rotation, t in m; t:
@@ -861,16 +858,16 @@ def product_ddtinv(D, t):
     Do_03_size = absolute(D_03) + (absolute(Do_03a) + absolute(Do_03b) + absolute(Do_03d))
     Do_13_size = absolute(D_13) + (absolute(Do_13a) + absolute(Do_13b) + absolute(Do_13d))
     Do_23_size = absolute(D_23) + (absolute(Do_23a) + absolute(Do_23b) + absolute(Do_23d))
-    Do_03_bound = 4.440892098500628e-16 * (Do_03_size + 2.004168360008973e-292)
-    Do_13_bound = 4.440892098500628e-16 * (Do_13_size + 2.004168360008973e-292)
-    Do_23_bound = 4.440892098500628e-16 * (Do_23_size + 2.004168360008973e-292)
+    Do_03_bound = c2 * (Do_03_size + c1)
+    Do_13_bound = c2 * (Do_13_size + c1)
+    Do_23_bound = c2 * (Do_23_size + c1)
     return (D_00, D_01, D_02, Do_03, D_10, D_11, D_12, Do_13, D_20, D_21, D_22, Do_23, 0, 0, 0,
         Do_03_bound, 0, 0, 0, Do_13_bound, 0, 0, 0, Do_23_bound)
 
 
 @kernel("(3,4),(3)->(3,4),(3,4)")
 @errstate(all="ignore")
-def product_dinvdt(D, t):
+def product_dinvdt(D, t, *, c1=2.004168360008973e-292, c2=4.440892098500628e-16):
     """Do = D^-1 [I | t] = [R^T | R^T (t - t_D)]; |error of Do| <= Do_bound unless inf or NaN.
 
     (3,4),(3)->(3,4),(3,4).  D, Do, Do_bound: displacement [R | t], R rotation, t in m; t:
@@ -891,16 +888,16 @@ def product_dinvdt(D, t):
     Do_03_size = absolute(D_00) * p_0_abs + absolute(D_10) * p_1_abs + absolute(D_20) * p_2_abs
     Do_13_size = absolute(D_01) * p_0_abs + absolute(D_11) * p_1_abs + absolute(D_21) * p_2_abs
     Do_23_size = absolute(D_02) * p_0_abs + absolute(D_12) * p_1_abs + absolute(D_22) * p_2_abs
-    Do_03_bound = 4.440892098500628e-16 * (Do_03_size + 2.004168360008973e-292)
-    Do_13_bound = 4.440892098500628e-16 * (Do_13_size + 2.004168360008973e-292)
-    Do_23_bound = 4.440892098500628e-16 * (Do_23_size + 2.004168360008973e-292)
+    Do_03_bound = c2 * (Do_03_size + c1)
+    Do_13_bound = c2 * (Do_13_size + c1)
+    Do_23_bound = c2 * (Do_23_size + c1)
     return (D_00, D_10, D_20, Do_03, D_01, D_11, D_21, Do_13, D_02, D_12, D_22, Do_23, 0, 0, 0,
         Do_03_bound, 0, 0, 0, Do_13_bound, 0, 0, 0, Do_23_bound)
 
 
 @kernel("(3,3),()->(3),(3)")
 @errstate(all="ignore")
-def product_drvtx(R, k):
+def product_drvtx(R, k, *, c1=2.004168360008973e-292, c2=1.1102230246251568e-16):
     """vo = R (k e_x); |error of vo| <= vo_bound unless inf or NaN.
 
     (3,3),()->(3),(3).  R: rotation or other 3×3 matrix; k: number; vo, vo_bound: vector.
@@ -910,15 +907,15 @@ def product_drvtx(R, k):
     vo_0 = R_00 * k
     vo_1 = R_10 * k
     vo_2 = R_20 * k
-    vo_0_bound = 1.1102230246251568e-16 * (absolute(vo_0) + 2.004168360008973e-292)
-    vo_1_bound = 1.1102230246251568e-16 * (absolute(vo_1) + 2.004168360008973e-292)
-    vo_2_bound = 1.1102230246251568e-16 * (absolute(vo_2) + 2.004168360008973e-292)
+    vo_0_bound = c2 * (absolute(vo_0) + c1)
+    vo_1_bound = c2 * (absolute(vo_1) + c1)
+    vo_2_bound = c2 * (absolute(vo_2) + c1)
     return (vo_0, vo_1, vo_2, vo_0_bound, vo_1_bound, vo_2_bound)
 
 
 @kernel("(3,3),(2)->(3,3),(3,3)")
 @errstate(all="ignore")
-def product_drdrx(R, dc):
+def product_drdrx(R, dc, *, c1=2.004168360008973e-292, c2=2.2204460492503136e-16):
     """Ro = R R_x(θ), dc = (sin θ, cos θ); |error of Ro| <= Ro_bound unless inf or NaN.
 
     (3,3),(2)->(3,3),(3,3).  R, Ro, Ro_bound: rotation or other 3×3 matrix; dc: (sin θ, cos θ).
@@ -950,19 +947,19 @@ def product_drdrx(R, dc):
     Ro_12_size = absolute(Ro_12a) + absolute(Ro_12b)
     Ro_21_size = absolute(Ro_21a) + absolute(Ro_21b)
     Ro_22_size = absolute(Ro_22a) + absolute(Ro_22b)
-    Ro_01_bound = 2.2204460492503136e-16 * (Ro_01_size + 2.004168360008973e-292)
-    Ro_02_bound = 2.2204460492503136e-16 * (Ro_02_size + 2.004168360008973e-292)
-    Ro_11_bound = 2.2204460492503136e-16 * (Ro_11_size + 2.004168360008973e-292)
-    Ro_12_bound = 2.2204460492503136e-16 * (Ro_12_size + 2.004168360008973e-292)
-    Ro_21_bound = 2.2204460492503136e-16 * (Ro_21_size + 2.004168360008973e-292)
-    Ro_22_bound = 2.2204460492503136e-16 * (Ro_22_size + 2.004168360008973e-292)
+    Ro_01_bound = c2 * (Ro_01_size + c1)
+    Ro_02_bound = c2 * (Ro_02_size + c1)
+    Ro_11_bound = c2 * (Ro_11_size + c1)
+    Ro_12_bound = c2 * (Ro_12_size + c1)
+    Ro_21_bound = c2 * (Ro_21_size + c1)
+    Ro_22_bound = c2 * (Ro_22_size + c1)
     return (R_00, Ro_01, Ro_02, R_10, Ro_11, Ro_12, R_20, Ro_21, Ro_22, 0, Ro_01_bound, Ro_02_bound,
         0, Ro_11_bound, Ro_12_bound, 0, Ro_21_bound, Ro_22_bound)
 
 
 @kernel("(3,4),(2)->(3,4),(3,4)")
 @errstate(all="ignore")
-def product_ddrx(D, dc):
+def product_ddrx(D, dc, *, c1=2.004168360008973e-292, c2=2.2204460492503136e-16):
     """Do = D [R_x(θ) | 0], dc = (sin θ, cos θ); |error of Do| <= Do_bound unless inf or NaN.
 
     (3,4),(2)->(3,4),(3,4).  D, Do, Do_bound: displacement [R | t], R rotation, t in m; dc: (sin
@@ -995,19 +992,19 @@ def product_ddrx(D, dc):
     Do_12_size = absolute(Do_12a) + absolute(Do_12b)
     Do_21_size = absolute(Do_21a) + absolute(Do_21b)
     Do_22_size = absolute(Do_22a) + absolute(Do_22b)
-    Do_01_bound = 2.2204460492503136e-16 * (Do_01_size + 2.004168360008973e-292)
-    Do_02_bound = 2.2204460492503136e-16 * (Do_02_size + 2.004168360008973e-292)
-    Do_11_bound = 2.2204460492503136e-16 * (Do_11_size + 2.004168360008973e-292)
-    Do_12_bound = 2.2204460492503136e-16 * (Do_12_size + 2.004168360008973e-292)
-    Do_21_bound = 2.2204460492503136e-16 * (Do_21_size + 2.004168360008973e-292)
-    Do_22_bound = 2.2204460492503136e-16 * (Do_22_size + 2.004168360008973e-292)
+    Do_01_bound = c2 * (Do_01_size + c1)
+    Do_02_bound = c2 * (Do_02_size + c1)
+    Do_11_bound = c2 * (Do_11_size + c1)
+    Do_12_bound = c2 * (Do_12_size + c1)
+    Do_21_bound = c2 * (Do_21_size + c1)
+    Do_22_bound = c2 * (Do_22_size + c1)
     return (D_00, Do_01, Do_02, D_03, D_10, Do_11, Do_12, D_13, D_20, Do_21, Do_22, D_23, 0,
         Do_01_bound, Do_02_bound, 0, 0, Do_11_bound, Do_12_bound, 0, 0, Do_21_bound, Do_22_bound, 0)
 
 
 @kernel("(3,4),()->(3,4),(3,4)")
 @errstate(all="ignore")
-def product_ddtx(D, k):
+def product_ddtx(D, k, *, c1=2.004168360008973e-292, c2=2.2204460492503136e-16):
     """Do = D [I | k e_x]; |error of Do| <= Do_bound unless inf or NaN.
 
     (3,4),()->(3,4),(3,4).  D, Do, Do_bound: displacement [R | t], R rotation, t in m; k:
@@ -1024,16 +1021,16 @@ def product_ddtx(D, k):
     Do_03_size = absolute(Do_03a) + absolute(D_03)
     Do_13_size = absolute(Do_13a) + absolute(D_13)
     Do_23_size = absolute(Do_23a) + absolute(D_23)
-    Do_03_bound = 2.2204460492503136e-16 * (Do_03_size + 2.004168360008973e-292)
-    Do_13_bound = 2.2204460492503136e-16 * (Do_13_size + 2.004168360008973e-292)
-    Do_23_bound = 2.2204460492503136e-16 * (Do_23_size + 2.004168360008973e-292)
+    Do_03_bound = c2 * (Do_03_size + c1)
+    Do_13_bound = c2 * (Do_13_size + c1)
+    Do_23_bound = c2 * (Do_23_size + c1)
     return (D_00, D_01, D_02, Do_03, D_10, D_11, D_12, Do_13, D_20, D_21, D_22, Do_23, 0, 0, 0,
         Do_03_bound, 0, 0, 0, Do_13_bound, 0, 0, 0, Do_23_bound)
 
 
 @kernel("(3,3),()->(3),(3)")
 @errstate(all="ignore")
-def product_drvtxinv(R, k):
+def product_drvtxinv(R, k, *, c1=2.004168360008973e-292, c2=1.1102230246251568e-16):
     """vo = R (-k e_x); |error of vo| <= vo_bound unless inf or NaN.
 
     (3,3),()->(3),(3).  R: rotation or other 3×3 matrix; k: number; vo, vo_bound: vector.
@@ -1046,15 +1043,15 @@ def product_drvtxinv(R, k):
     vo_1 = -vo_1a
     vo_2a = R_20 * k
     vo_2 = -vo_2a
-    vo_0a_bound = 1.1102230246251568e-16 * (absolute(vo_0a) + 2.004168360008973e-292)
-    vo_1a_bound = 1.1102230246251568e-16 * (absolute(vo_1a) + 2.004168360008973e-292)
-    vo_2a_bound = 1.1102230246251568e-16 * (absolute(vo_2a) + 2.004168360008973e-292)
+    vo_0a_bound = c2 * (absolute(vo_0a) + c1)
+    vo_1a_bound = c2 * (absolute(vo_1a) + c1)
+    vo_2a_bound = c2 * (absolute(vo_2a) + c1)
     return (vo_0, vo_1, vo_2, vo_0a_bound, vo_1a_bound, vo_2a_bound)
 
 
 @kernel("(3,3),(2)->(3,3),(3,3)")
 @errstate(all="ignore")
-def product_drdrxinv(R, dc):
+def product_drdrxinv(R, dc, *, c1=2.004168360008973e-292, c2=2.2204460492503136e-16):
     """Ro = R R_x(-θ), dc = (sin θ, cos θ); |error of Ro| <= Ro_bound unless inf or NaN.
 
     (3,3),(2)->(3,3),(3,3).  R, Ro, Ro_bound: rotation or other 3×3 matrix; dc: (sin θ, cos θ).
@@ -1086,19 +1083,19 @@ def product_drdrxinv(R, dc):
     Ro_12_size = absolute(Ro_12a) + absolute(Ro_12b)
     Ro_21_size = absolute(Ro_21a) + absolute(Ro_21b)
     Ro_22_size = absolute(Ro_22a) + absolute(Ro_22b)
-    Ro_01_bound = 2.2204460492503136e-16 * (Ro_01_size + 2.004168360008973e-292)
-    Ro_02_bound = 2.2204460492503136e-16 * (Ro_02_size + 2.004168360008973e-292)
-    Ro_11_bound = 2.2204460492503136e-16 * (Ro_11_size + 2.004168360008973e-292)
-    Ro_12_bound = 2.2204460492503136e-16 * (Ro_12_size + 2.004168360008973e-292)
-    Ro_21_bound = 2.2204460492503136e-16 * (Ro_21_size + 2.004168360008973e-292)
-    Ro_22_bound = 2.2204460492503136e-16 * (Ro_22_size + 2.004168360008973e-292)
+    Ro_01_bound = c2 * (Ro_01_size + c1)
+    Ro_02_bound = c2 * (Ro_02_size + c1)
+    Ro_11_bound = c2 * (Ro_11_size + c1)
+    Ro_12_bound = c2 * (Ro_12_size + c1)
+    Ro_21_bound = c2 * (Ro_21_size + c1)
+    Ro_22_bound = c2 * (Ro_22_size + c1)
     return (R_00, Ro_01, Ro_02, R_10, Ro_11, Ro_12, R_20, Ro_21, Ro_22, 0, Ro_01_bound, Ro_02_bound,
         0, Ro_11_bound, Ro_12_bound, 0, Ro_21_bound, Ro_22_bound)
 
 
 @kernel("(3,4),(2)->(3,4),(3,4)")
 @errstate(all="ignore")
-def product_ddrxinv(D, dc):
+def product_ddrxinv(D, dc, *, c1=2.004168360008973e-292, c2=2.2204460492503136e-16):
     """Do = D [R_x(-θ) | 0], dc = (sin θ, cos θ); |error of Do| <= Do_bound unless inf or NaN.
 
     (3,4),(2)->(3,4),(3,4).  D, Do, Do_bound: displacement [R | t], R rotation, t in m; dc: (sin
@@ -1131,19 +1128,19 @@ def product_ddrxinv(D, dc):
     Do_12_size = absolute(Do_12a) + absolute(Do_12b)
     Do_21_size = absolute(Do_21a) + absolute(Do_21b)
     Do_22_size = absolute(Do_22a) + absolute(Do_22b)
-    Do_01_bound = 2.2204460492503136e-16 * (Do_01_size + 2.004168360008973e-292)
-    Do_02_bound = 2.2204460492503136e-16 * (Do_02_size + 2.004168360008973e-292)
-    Do_11_bound = 2.2204460492503136e-16 * (Do_11_size + 2.004168360008973e-292)
-    Do_12_bound = 2.2204460492503136e-16 * (Do_12_size + 2.004168360008973e-292)
-    Do_21_bound = 2.2204460492503136e-16 * (Do_21_size + 2.004168360008973e-292)
-    Do_22_bound = 2.2204460492503136e-16 * (Do_22_size + 2.004168360008973e-292)
+    Do_01_bound = c2 * (Do_01_size + c1)
+    Do_02_bound = c2 * (Do_02_size + c1)
+    Do_11_bound = c2 * (Do_11_size + c1)
+    Do_12_bound = c2 * (Do_12_size + c1)
+    Do_21_bound = c2 * (Do_21_size + c1)
+    Do_22_bound = c2 * (Do_22_size + c1)
     return (D_00, Do_01, Do_02, D_03, D_10, Do_11, Do_12, D_13, D_20, Do_21, Do_22, D_23, 0,
         Do_01_bound, Do_02_bound, 0, 0, Do_11_bound, Do_12_bound, 0, 0, Do_21_bound, Do_22_bound, 0)
 
 
 @kernel("(3,4),()->(3,4),(3,4)")
 @errstate(all="ignore")
-def product_ddtxinv(D, k):
+def product_ddtxinv(D, k, *, c1=2.004168360008973e-292, c2=2.2204460492503136e-16):
     """Do = D [I | -k e_x]; |error of Do| <= Do_bound unless inf or NaN.
 
     (3,4),()->(3,4),(3,4).  D, Do, Do_bound: displacement [R | t], R rotation, t in m; k:
@@ -1160,16 +1157,16 @@ def product_ddtxinv(D, k):
     Do_03_size = absolute(D_03) + absolute(Do_03a)
     Do_13_size = absolute(D_13) + absolute(Do_13a)
     Do_23_size = absolute(D_23) + absolute(Do_23a)
-    Do_03_bound = 2.2204460492503136e-16 * (Do_03_size + 2.004168360008973e-292)
-    Do_13_bound = 2.2204460492503136e-16 * (Do_13_size + 2.004168360008973e-292)
-    Do_23_bound = 2.2204460492503136e-16 * (Do_23_size + 2.004168360008973e-292)
+    Do_03_bound = c2 * (Do_03_size + c1)
+    Do_13_bound = c2 * (Do_13_size + c1)
+    Do_23_bound = c2 * (Do_23_size + c1)
     return (D_00, D_01, D_02, Do_03, D_10, D_11, D_12, Do_13, D_20, D_21, D_22, Do_23, 0, 0, 0,
         Do_03_bound, 0, 0, 0, Do_13_bound, 0, 0, 0, Do_23_bound)
 
 
 @kernel("(3,3),()->(3),(3)")
 @errstate(all="ignore")
-def product_drvty(R, k):
+def product_drvty(R, k, *, c1=2.004168360008973e-292, c2=1.1102230246251568e-16):
     """vo = R (k e_y); |error of vo| <= vo_bound unless inf or NaN.
 
     (3,3),()->(3),(3).  R: rotation or other 3×3 matrix; k: number; vo, vo_bound: vector.
@@ -1179,15 +1176,15 @@ def product_drvty(R, k):
     vo_0 = R_01 * k
     vo_1 = R_11 * k
     vo_2 = R_21 * k
-    vo_0_bound = 1.1102230246251568e-16 * (absolute(vo_0) + 2.004168360008973e-292)
-    vo_1_bound = 1.1102230246251568e-16 * (absolute(vo_1) + 2.004168360008973e-292)
-    vo_2_bound = 1.1102230246251568e-16 * (absolute(vo_2) + 2.004168360008973e-292)
+    vo_0_bound = c2 * (absolute(vo_0) + c1)
+    vo_1_bound = c2 * (absolute(vo_1) + c1)
+    vo_2_bound = c2 * (absolute(vo_2) + c1)
     return (vo_0, vo_1, vo_2, vo_0_bound, vo_1_bound, vo_2_bound)
 
 
 @kernel("(3,3),(2)->(3,3),(3,3)")
 @errstate(all="ignore")
-def product_drdry(R, dc):
+def product_drdry(R, dc, *, c1=2.004168360008973e-292, c2=2.2204460492503136e-16):
     """Ro = R R_y(θ), dc = (sin θ, cos θ); |error of Ro| <= Ro_bound unless inf or NaN.
 
     (3,3),(2)->(3,3),(3,3).  R, Ro, Ro_bound: rotation or other 3×3 matrix; dc: (sin θ, cos θ).
@@ -1219,19 +1216,19 @@ def product_drdry(R, dc):
     Ro_12_size = absolute(Ro_12a) + absolute(Ro_12b)
     Ro_20_size = absolute(Ro_20a) + absolute(Ro_20b)
     Ro_22_size = absolute(Ro_22a) + absolute(Ro_22b)
-    Ro_00_bound = 2.2204460492503136e-16 * (Ro_00_size + 2.004168360008973e-292)
-    Ro_02_bound = 2.2204460492503136e-16 * (Ro_02_size + 2.004168360008973e-292)
-    Ro_10_bound = 2.2204460492503136e-16 * (Ro_10_size + 2.004168360008973e-292)
-    Ro_12_bound = 2.2204460492503136e-16 * (Ro_12_size + 2.004168360008973e-292)
-    Ro_20_bound = 2.2204460492503136e-16 * (Ro_20_size + 2.004168360008973e-292)
-    Ro_22_bound = 2.2204460492503136e-16 * (Ro_22_size + 2.004168360008973e-292)
+    Ro_00_bound = c2 * (Ro_00_size + c1)
+    Ro_02_bound = c2 * (Ro_02_size + c1)
+    Ro_10_bound = c2 * (Ro_10_size + c1)
+    Ro_12_bound = c2 * (Ro_12_size + c1)
+    Ro_20_bound = c2 * (Ro_20_size + c1)
+    Ro_22_bound = c2 * (Ro_22_size + c1)
     return (Ro_00, R_01, Ro_02, Ro_10, R_11, Ro_12, Ro_20, R_21, Ro_22, Ro_00_bound, 0, Ro_02_bound,
         Ro_10_bound, 0, Ro_12_bound, Ro_20_bound, 0, Ro_22_bound)
 
 
 @kernel("(3,4),(2)->(3,4),(3,4)")
 @errstate(all="ignore")
-def product_ddry(D, dc):
+def product_ddry(D, dc, *, c1=2.004168360008973e-292, c2=2.2204460492503136e-16):
     """Do = D [R_y(θ) | 0], dc = (sin θ, cos θ); |error of Do| <= Do_bound unless inf or NaN.
 
     (3,4),(2)->(3,4),(3,4).  D, Do, Do_bound: displacement [R | t], R rotation, t in m; dc: (sin
@@ -1264,12 +1261,12 @@ def product_ddry(D, dc):
     Do_12_size = absolute(Do_12a) + absolute(Do_12b)
     Do_20_size = absolute(Do_20a) + absolute(Do_20b)
     Do_22_size = absolute(Do_22a) + absolute(Do_22b)
-    Do_00_bound = 2.2204460492503136e-16 * (Do_00_size + 2.004168360008973e-292)
-    Do_02_bound = 2.2204460492503136e-16 * (Do_02_size + 2.004168360008973e-292)
-    Do_10_bound = 2.2204460492503136e-16 * (Do_10_size + 2.004168360008973e-292)
-    Do_12_bound = 2.2204460492503136e-16 * (Do_12_size + 2.004168360008973e-292)
-    Do_20_bound = 2.2204460492503136e-16 * (Do_20_size + 2.004168360008973e-292)
-    Do_22_bound = 2.2204460492503136e-16 * (Do_22_size + 2.004168360008973e-292)
+    Do_00_bound = c2 * (Do_00_size + c1)
+    Do_02_bound = c2 * (Do_02_size + c1)
+    Do_10_bound = c2 * (Do_10_size + c1)
+    Do_12_bound = c2 * (Do_12_size + c1)
+    Do_20_bound = c2 * (Do_20_size + c1)
+    Do_22_bound = c2 * (Do_22_size + c1)
     return (Do_00, D_01, Do_02, D_03, Do_10, D_11, Do_12, D_13, Do_20, D_21, Do_22, D_23,
         Do_00_bound, 0, Do_02_bound, 0, Do_10_bound, 0, Do_12_bound, 0, Do_20_bound, 0, Do_22_bound,
         0)
@@ -1277,7 +1274,7 @@ def product_ddry(D, dc):
 
 @kernel("(3,4),()->(3,4),(3,4)")
 @errstate(all="ignore")
-def product_ddty(D, k):
+def product_ddty(D, k, *, c1=2.004168360008973e-292, c2=2.2204460492503136e-16):
     """Do = D [I | k e_y]; |error of Do| <= Do_bound unless inf or NaN.
 
     (3,4),()->(3,4),(3,4).  D, Do, Do_bound: displacement [R | t], R rotation, t in m; k:
@@ -1294,16 +1291,16 @@ def product_ddty(D, k):
     Do_03_size = absolute(Do_03a) + absolute(D_03)
     Do_13_size = absolute(Do_13a) + absolute(D_13)
     Do_23_size = absolute(Do_23a) + absolute(D_23)
-    Do_03_bound = 2.2204460492503136e-16 * (Do_03_size + 2.004168360008973e-292)
-    Do_13_bound = 2.2204460492503136e-16 * (Do_13_size + 2.004168360008973e-292)
-    Do_23_bound = 2.2204460492503136e-16 * (Do_23_size + 2.004168360008973e-292)
+    Do_03_bound = c2 * (Do_03_size + c1)
+    Do_13_bound = c2 * (Do_13_size + c1)
+    Do_23_bound = c2 * (Do_23_size + c1)
     return (D_00, D_01, D_02, Do_03, D_10, D_11, D_12, Do_13, D_20, D_21, D_22, Do_23, 0, 0, 0,
         Do_03_bound, 0, 0, 0, Do_13_bound, 0, 0, 0, Do_23_bound)
 
 
 @kernel("(3,3),()->(3),(3)")
 @errstate(all="ignore")
-def product_drvtyinv(R, k):
+def product_drvtyinv(R, k, *, c1=2.004168360008973e-292, c2=1.1102230246251568e-16):
     """vo = R (-k e_y); |error of vo| <= vo_bound unless inf or NaN.
 
     (3,3),()->(3),(3).  R: rotation or other 3×3 matrix; k: number; vo, vo_bound: vector.
@@ -1316,15 +1313,15 @@ def product_drvtyinv(R, k):
     vo_1 = -vo_1a
     vo_2a = R_21 * k
     vo_2 = -vo_2a
-    vo_0a_bound = 1.1102230246251568e-16 * (absolute(vo_0a) + 2.004168360008973e-292)
-    vo_1a_bound = 1.1102230246251568e-16 * (absolute(vo_1a) + 2.004168360008973e-292)
-    vo_2a_bound = 1.1102230246251568e-16 * (absolute(vo_2a) + 2.004168360008973e-292)
+    vo_0a_bound = c2 * (absolute(vo_0a) + c1)
+    vo_1a_bound = c2 * (absolute(vo_1a) + c1)
+    vo_2a_bound = c2 * (absolute(vo_2a) + c1)
     return (vo_0, vo_1, vo_2, vo_0a_bound, vo_1a_bound, vo_2a_bound)
 
 
 @kernel("(3,3),(2)->(3,3),(3,3)")
 @errstate(all="ignore")
-def product_drdryinv(R, dc):
+def product_drdryinv(R, dc, *, c1=2.004168360008973e-292, c2=2.2204460492503136e-16):
     """Ro = R R_y(-θ), dc = (sin θ, cos θ); |error of Ro| <= Ro_bound unless inf or NaN.
 
     (3,3),(2)->(3,3),(3,3).  R, Ro, Ro_bound: rotation or other 3×3 matrix; dc: (sin θ, cos θ).
@@ -1356,19 +1353,19 @@ def product_drdryinv(R, dc):
     Ro_12_size = absolute(Ro_12a) + absolute(Ro_12b)
     Ro_20_size = absolute(Ro_20a) + absolute(Ro_20b)
     Ro_22_size = absolute(Ro_22a) + absolute(Ro_22b)
-    Ro_00_bound = 2.2204460492503136e-16 * (Ro_00_size + 2.004168360008973e-292)
-    Ro_02_bound = 2.2204460492503136e-16 * (Ro_02_size + 2.004168360008973e-292)
-    Ro_10_bound = 2.2204460492503136e-16 * (Ro_10_size + 2.004168360008973e-292)
-    Ro_12_bound = 2.2204460492503136e-16 * (Ro_12_size + 2.004168360008973e-292)
-    Ro_20_bound = 2.2204460492503136e-16 * (Ro_20_size + 2.004168360008973e-292)
-    Ro_22_bound = 2.2204460492503136e-16 * (Ro_22_size + 2.004168360008973e-292)
+    Ro_00_bound = c2 * (Ro_00_size + c1)
+    Ro_02_bound = c2 * (Ro_02_size + c1)
+    Ro_10_bound = c2 * (Ro_10_size + c1)
+    Ro_12_bound = c2 * (Ro_12_size + c1)
+    Ro_20_bound = c2 * (Ro_20_size + c1)
+    Ro_22_bound = c2 * (Ro_22_size + c1)
     return (Ro_00, R_01, Ro_02, Ro_10, R_11, Ro_12, Ro_20, R_21, Ro_22, Ro_00_bound, 0, Ro_02_bound,
         Ro_10_bound, 0, Ro_12_bound, Ro_20_bound, 0, Ro_22_bound)
 
 
 @kernel("(3,4),(2)->(3,4),(3,4)")
 @errstate(all="ignore")
-def product_ddryinv(D, dc):
+def product_ddryinv(D, dc, *, c1=2.004168360008973e-292, c2=2.2204460492503136e-16):
     """Do = D [R_y(-θ) | 0], dc = (sin θ, cos θ); |error of Do| <= Do_bound unless inf or NaN.
 
     (3,4),(2)->(3,4),(3,4).  D, Do, Do_bound: displacement [R | t], R rotation, t in m; dc: (sin
@@ -1401,12 +1398,12 @@ def product_ddryinv(D, dc):
     Do_12_size = absolute(Do_12a) + absolute(Do_12b)
     Do_20_size = absolute(Do_20a) + absolute(Do_20b)
     Do_22_size = absolute(Do_22a) + absolute(Do_22b)
-    Do_00_bound = 2.2204460492503136e-16 * (Do_00_size + 2.004168360008973e-292)
-    Do_02_bound = 2.2204460492503136e-16 * (Do_02_size + 2.004168360008973e-292)
-    Do_10_bound = 2.2204460492503136e-16 * (Do_10_size + 2.004168360008973e-292)
-    Do_12_bound = 2.2204460492503136e-16 * (Do_12_size + 2.004168360008973e-292)
-    Do_20_bound = 2.2204460492503136e-16 * (Do_20_size + 2.004168360008973e-292)
-    Do_22_bound = 2.2204460492503136e-16 * (Do_22_size + 2.004168360008973e-292)
+    Do_00_bound = c2 * (Do_00_size + c1)
+    Do_02_bound = c2 * (Do_02_size + c1)
+    Do_10_bound = c2 * (Do_10_size + c1)
+    Do_12_bound = c2 * (Do_12_size + c1)
+    Do_20_bound = c2 * (Do_20_size + c1)
+    Do_22_bound = c2 * (Do_22_size + c1)
     return (Do_00, D_01, Do_02, D_03, Do_10, D_11, Do_12, D_13, Do_20, D_21, Do_22, D_23,
         Do_00_bound, 0, Do_02_bound, 0, Do_10_bound, 0, Do_12_bound, 0, Do_20_bound, 0, Do_22_bound,
         0)
@@ -1414,7 +1411,7 @@ def product_ddryinv(D, dc):
 
 @kernel("(3,4),()->(3,4),(3,4)")
 @errstate(all="ignore")
-def product_ddtyinv(D, k):
+def product_ddtyinv(D, k, *, c1=2.004168360008973e-292, c2=2.2204460492503136e-16):
     """Do = D [I | -k e_y]; |error of Do| <= Do_bound unless inf or NaN.
 
     (3,4),()->(3,4),(3,4).  D, Do, Do_bound: displacement [R | t], R rotation, t in m; k:
@@ -1431,16 +1428,16 @@ def product_ddtyinv(D, k):
     Do_03_size = absolute(D_03) + absolute(Do_03a)
     Do_13_size = absolute(D_13) + absolute(Do_13a)
     Do_23_size = absolute(D_23) + absolute(Do_23a)
-    Do_03_bound = 2.2204460492503136e-16 * (Do_03_size + 2.004168360008973e-292)
-    Do_13_bound = 2.2204460492503136e-16 * (Do_13_size + 2.004168360008973e-292)
-    Do_23_bound = 2.2204460492503136e-16 * (Do_23_size + 2.004168360008973e-292)
+    Do_03_bound = c2 * (Do_03_size + c1)
+    Do_13_bound = c2 * (Do_13_size + c1)
+    Do_23_bound = c2 * (Do_23_size + c1)
     return (D_00, D_01, D_02, Do_03, D_10, D_11, D_12, Do_13, D_20, D_21, D_22, Do_23, 0, 0, 0,
         Do_03_bound, 0, 0, 0, Do_13_bound, 0, 0, 0, Do_23_bound)
 
 
 @kernel("(3,3),()->(3),(3)")
 @errstate(all="ignore")
-def product_drvtz(R, k):
+def product_drvtz(R, k, *, c1=2.004168360008973e-292, c2=1.1102230246251568e-16):
     """vo = R (k e_z); |error of vo| <= vo_bound unless inf or NaN.
 
     (3,3),()->(3),(3).  R: rotation or other 3×3 matrix; k: number; vo, vo_bound: vector.
@@ -1450,15 +1447,15 @@ def product_drvtz(R, k):
     vo_0 = R_02 * k
     vo_1 = R_12 * k
     vo_2 = R_22 * k
-    vo_0_bound = 1.1102230246251568e-16 * (absolute(vo_0) + 2.004168360008973e-292)
-    vo_1_bound = 1.1102230246251568e-16 * (absolute(vo_1) + 2.004168360008973e-292)
-    vo_2_bound = 1.1102230246251568e-16 * (absolute(vo_2) + 2.004168360008973e-292)
+    vo_0_bound = c2 * (absolute(vo_0) + c1)
+    vo_1_bound = c2 * (absolute(vo_1) + c1)
+    vo_2_bound = c2 * (absolute(vo_2) + c1)
     return (vo_0, vo_1, vo_2, vo_0_bound, vo_1_bound, vo_2_bound)
 
 
 @kernel("(3,3),(2)->(3,3),(3,3)")
 @errstate(all="ignore")
-def product_drdrz(R, dc):
+def product_drdrz(R, dc, *, c1=2.004168360008973e-292, c2=2.2204460492503136e-16):
     """Ro = R R_z(θ), dc = (sin θ, cos θ); |error of Ro| <= Ro_bound unless inf or NaN.
 
     (3,3),(2)->(3,3),(3,3).  R, Ro, Ro_bound: rotation or other 3×3 matrix; dc: (sin θ, cos θ).
@@ -1490,19 +1487,19 @@ def product_drdrz(R, dc):
     Ro_11_size = absolute(Ro_11a) + absolute(Ro_11b)
     Ro_20_size = absolute(Ro_20a) + absolute(Ro_20b)
     Ro_21_size = absolute(Ro_21a) + absolute(Ro_21b)
-    Ro_00_bound = 2.2204460492503136e-16 * (Ro_00_size + 2.004168360008973e-292)
-    Ro_01_bound = 2.2204460492503136e-16 * (Ro_01_size + 2.004168360008973e-292)
-    Ro_10_bound = 2.2204460492503136e-16 * (Ro_10_size + 2.004168360008973e-292)
-    Ro_11_bound = 2.2204460492503136e-16 * (Ro_11_size + 2.004168360008973e-292)
-    Ro_20_bound = 2.2204460492503136e-16 * (Ro_20_size + 2.004168360008973e-292)
-    Ro_21_bound = 2.2204460492503136e-16 * (Ro_21_size + 2.004168360008973e-292)
+    Ro_00_bound = c2 * (Ro_00_size + c1)
+    Ro_01_bound = c2 * (Ro_01_size + c1)
+    Ro_10_bound = c2 * (Ro_10_size + c1)
+    Ro_11_bound = c2 * (Ro_11_size + c1)
+    Ro_20_bound = c2 * (Ro_20_size + c1)
+    Ro_21_bound = c2 * (Ro_21_size + c1)
     return (Ro_00, Ro_01, R_02, Ro_10, Ro_11, R_12, Ro_20, Ro_21, R_22, Ro_00_bound, Ro_01_bound, 0,
         Ro_10_bound, Ro_11_bound, 0, Ro_20_bound, Ro_21_bound, 0)
 
 
 @kernel("(3,4),(2)->(3,4),(3,4)")
 @errstate(all="ignore")
-def product_ddrz(D, dc):
+def product_ddrz(D, dc, *, c1=2.004168360008973e-292, c2=2.2204460492503136e-16):
     """Do = D [R_z(θ) | 0], dc = (sin θ, cos θ); |error of Do| <= Do_bound unless inf or NaN.
 
     (3,4),(2)->(3,4),(3,4).  D, Do, Do_bound: displacement [R | t], R rotation, t in m; dc: (sin
@@ -1535,12 +1532,12 @@ def product_ddrz(D, dc):
     Do_11_size = absolute(Do_11a) + absolute(Do_11b)
     Do_20_size = absolute(Do_20a) + absolute(Do_20b)
     Do_21_size = absolute(Do_21a) + absolute(Do_21b)
-    Do_00_bound = 2.2204460492503136e-16 * (Do_00_size + 2.004168360008973e-292)
-    Do_01_bound = 2.2204460492503136e-16 * (Do_01_size + 2.004168360008973e-292)
-    Do_10_bound = 2.2204460492503136e-16 * (Do_10_size + 2.004168360008973e-292)
-    Do_11_bound = 2.2204460492503136e-16 * (Do_11_size + 2.004168360008973e-292)
-    Do_20_bound = 2.2204460492503136e-16 * (Do_20_size + 2.004168360008973e-292)
-    Do_21_bound = 2.2204460492503136e-16 * (Do_21_size + 2.004168360008973e-292)
+    Do_00_bound = c2 * (Do_00_size + c1)
+    Do_01_bound = c2 * (Do_01_size + c1)
+    Do_10_bound = c2 * (Do_10_size + c1)
+    Do_11_bound = c2 * (Do_11_size + c1)
+    Do_20_bound = c2 * (Do_20_size + c1)
+    Do_21_bound = c2 * (Do_21_size + c1)
     return (Do_00, Do_01, D_02, D_03, Do_10, Do_11, D_12, D_13, Do_20, Do_21, D_22, D_23,
         Do_00_bound, Do_01_bound, 0, 0, Do_10_bound, Do_11_bound, 0, 0, Do_20_bound, Do_21_bound, 0,
         0)
@@ -1548,7 +1545,7 @@ def product_ddrz(D, dc):
 
 @kernel("(3,4),()->(3,4),(3,4)")
 @errstate(all="ignore")
-def product_ddtz(D, k):
+def product_ddtz(D, k, *, c1=2.004168360008973e-292, c2=2.2204460492503136e-16):
     """Do = D [I | k e_z]; |error of Do| <= Do_bound unless inf or NaN.
 
     (3,4),()->(3,4),(3,4).  D, Do, Do_bound: displacement [R | t], R rotation, t in m; k:
@@ -1565,16 +1562,16 @@ def product_ddtz(D, k):
     Do_03_size = absolute(Do_03a) + absolute(D_03)
     Do_13_size = absolute(Do_13a) + absolute(D_13)
     Do_23_size = absolute(Do_23a) + absolute(D_23)
-    Do_03_bound = 2.2204460492503136e-16 * (Do_03_size + 2.004168360008973e-292)
-    Do_13_bound = 2.2204460492503136e-16 * (Do_13_size + 2.004168360008973e-292)
-    Do_23_bound = 2.2204460492503136e-16 * (Do_23_size + 2.004168360008973e-292)
+    Do_03_bound = c2 * (Do_03_size + c1)
+    Do_13_bound = c2 * (Do_13_size + c1)
+    Do_23_bound = c2 * (Do_23_size + c1)
     return (D_00, D_01, D_02, Do_03, D_10, D_11, D_12, Do_13, D_20, D_21, D_22, Do_23, 0, 0, 0,
         Do_03_bound, 0, 0, 0, Do_13_bound, 0, 0, 0, Do_23_bound)
 
 
 @kernel("(3,3),()->(3),(3)")
 @errstate(all="ignore")
-def product_drvtzinv(R, k):
+def product_drvtzinv(R, k, *, c1=2.004168360008973e-292, c2=1.1102230246251568e-16):
     """vo = R (-k e_z); |error of vo| <= vo_bound unless inf or NaN.
 
     (3,3),()->(3),(3).  R: rotation or other 3×3 matrix; k: number; vo, vo_bound: vector.
@@ -1587,15 +1584,15 @@ def product_drvtzinv(R, k):
     vo_1 = -vo_1a
     vo_2a = R_22 * k
     vo_2 = -vo_2a
-    vo_0a_bound = 1.1102230246251568e-16 * (absolute(vo_0a) + 2.004168360008973e-292)
-    vo_1a_bound = 1.1102230246251568e-16 * (absolute(vo_1a) + 2.004168360008973e-292)
-    vo_2a_bound = 1.1102230246251568e-16 * (absolute(vo_2a) + 2.004168360008973e-292)
+    vo_0a_bound = c2 * (absolute(vo_0a) + c1)
+    vo_1a_bound = c2 * (absolute(vo_1a) + c1)
+    vo_2a_bound = c2 * (absolute(vo_2a) + c1)
     return (vo_0, vo_1, vo_2, vo_0a_bound, vo_1a_bound, vo_2a_bound)
 
 
 @kernel("(3,3),(2)->(3,3),(3,3)")
 @errstate(all="ignore")
-def product_drdrzinv(R, dc):
+def product_drdrzinv(R, dc, *, c1=2.004168360008973e-292, c2=2.2204460492503136e-16):
     """Ro = R R_z(-θ), dc = (sin θ, cos θ); |error of Ro| <= Ro_bound unless inf or NaN.
 
     (3,3),(2)->(3,3),(3,3).  R, Ro, Ro_bound: rotation or other 3×3 matrix; dc: (sin θ, cos θ).
@@ -1627,19 +1624,19 @@ def product_drdrzinv(R, dc):
     Ro_11_size = absolute(Ro_11a) + absolute(Ro_11b)
     Ro_20_size = absolute(Ro_20a) + absolute(Ro_20b)
     Ro_21_size = absolute(Ro_21a) + absolute(Ro_21b)
-    Ro_00_bound = 2.2204460492503136e-16 * (Ro_00_size + 2.004168360008973e-292)
-    Ro_01_bound = 2.2204460492503136e-16 * (Ro_01_size + 2.004168360008973e-292)
-    Ro_10_bound = 2.2204460492503136e-16 * (Ro_10_size + 2.004168360008973e-292)
-    Ro_11_bound = 2.2204460492503136e-16 * (Ro_11_size + 2.004168360008973e-292)
-    Ro_20_bound = 2.2204460492503136e-16 * (Ro_20_size + 2.004168360008973e-292)
-    Ro_21_bound = 2.2204460492503136e-16 * (Ro_21_size + 2.004168360008973e-292)
+    Ro_00_bound = c2 * (Ro_00_size + c1)
+    Ro_01_bound = c2 * (Ro_01_size + c1)
+    Ro_10_bound = c2 * (Ro_10_size + c1)
+    Ro_11_bound = c2 * (Ro_11_size + c1)
+    Ro_20_bound = c2 * (Ro_20_size + c1)
+    Ro_21_bound = c2 * (Ro_21_size + c1)
     return (Ro_00, Ro_01, R_02, Ro_10, Ro_11, R_12, Ro_20, Ro_21, R_22, Ro_00_bound, Ro_01_bound, 0,
         Ro_10_bound, Ro_11_bound, 0, Ro_20_bound, Ro_21_bound, 0)
 
 
 @kernel("(3,4),(2)->(3,4),(3,4)")
 @errstate(all="ignore")
-def product_ddrzinv(D, dc):
+def product_ddrzinv(D, dc, *, c1=2.004168360008973e-292, c2=2.2204460492503136e-16):
     """Do = D [R_z(-θ) | 0], dc = (sin θ, cos θ); |error of Do| <= Do_bound unless inf or NaN.
 
     (3,4),(2)->(3,4),(3,4).  D, Do, Do_bound: displacement [R | t], R rotation, t in m; dc: (sin
@@ -1672,12 +1669,12 @@ def product_ddrzinv(D, dc):
     Do_11_size = absolute(Do_11a) + absolute(Do_11b)
     Do_20_size = absolute(Do_20a) + absolute(Do_20b)
     Do_21_size = absolute(Do_21a) + absolute(Do_21b)
-    Do_00_bound = 2.2204460492503136e-16 * (Do_00_size + 2.004168360008973e-292)
-    Do_01_bound = 2.2204460492503136e-16 * (Do_01_size + 2.004168360008973e-292)
-    Do_10_bound = 2.2204460492503136e-16 * (Do_10_size + 2.004168360008973e-292)
-    Do_11_bound = 2.2204460492503136e-16 * (Do_11_size + 2.004168360008973e-292)
-    Do_20_bound = 2.2204460492503136e-16 * (Do_20_size + 2.004168360008973e-292)
-    Do_21_bound = 2.2204460492503136e-16 * (Do_21_size + 2.004168360008973e-292)
+    Do_00_bound = c2 * (Do_00_size + c1)
+    Do_01_bound = c2 * (Do_01_size + c1)
+    Do_10_bound = c2 * (Do_10_size + c1)
+    Do_11_bound = c2 * (Do_11_size + c1)
+    Do_20_bound = c2 * (Do_20_size + c1)
+    Do_21_bound = c2 * (Do_21_size + c1)
     return (Do_00, Do_01, D_02, D_03, Do_10, Do_11, D_12, D_13, Do_20, Do_21, D_22, D_23,
         Do_00_bound, Do_01_bound, 0, 0, Do_10_bound, Do_11_bound, 0, 0, Do_20_bound, Do_21_bound, 0,
         0)
@@ -1685,7 +1682,7 @@ def product_ddrzinv(D, dc):
 
 @kernel("(3,4),()->(3,4),(3,4)")
 @errstate(all="ignore")
-def product_ddtzinv(D, k):
+def product_ddtzinv(D, k, *, c1=2.004168360008973e-292, c2=2.2204460492503136e-16):
     """Do = D [I | -k e_z]; |error of Do| <= Do_bound unless inf or NaN.
 
     (3,4),()->(3,4),(3,4).  D, Do, Do_bound: displacement [R | t], R rotation, t in m; k:
@@ -1702,8 +1699,8 @@ def product_ddtzinv(D, k):
     Do_03_size = absolute(D_03) + absolute(Do_03a)
     Do_13_size = absolute(D_13) + absolute(Do_13a)
     Do_23_size = absolute(D_23) + absolute(Do_23a)
-    Do_03_bound = 2.2204460492503136e-16 * (Do_03_size + 2.004168360008973e-292)
-    Do_13_bound = 2.2204460492503136e-16 * (Do_13_size + 2.004168360008973e-292)
-    Do_23_bound = 2.2204460492503136e-16 * (Do_23_size + 2.004168360008973e-292)
+    Do_03_bound = c2 * (Do_03_size + c1)
+    Do_13_bound = c2 * (Do_13_size + c1)
+    Do_23_bound = c2 * (Do_23_size + c1)
     return (D_00, D_01, D_02, Do_03, D_10, D_11, D_12, Do_13, D_20, D_21, D_22, Do_23, 0, 0, 0,
         Do_03_bound, 0, 0, 0, Do_13_bound, 0, 0, 0, Do_23_bound)

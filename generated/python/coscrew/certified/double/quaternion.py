@@ -7,7 +7,7 @@ In double precision, certified tier.
 """
 
 from coscrew import _elementary_double as elementary
-from numpy import absolute, float64, sqrt, where
+from numpy import absolute, float64 as real, sqrt, where
 from coscrew._exact import product_error, product_rest
 from coscrew._kernel import double_kernel as kernel
 from numpy import errstate
@@ -15,7 +15,7 @@ from numpy import errstate
 
 @kernel("(4),()->(4),(4)")
 @errstate(all="ignore")
-def quaternion_scale(self, a):
+def quaternion_scale(self, a, *, c1=2.004168360008973e-292, c2=1.1102230246251568e-16):
     """self = a self; |error of self| <= self_bound unless inf or NaN.
 
     (4),()->(4),(4).  self, self_bound: quaternion (x, y, z, w), the scalar last; a: number.
@@ -26,17 +26,17 @@ def quaternion_scale(self, a):
     self_1_new = self_1 * a
     self_2_new = self_2 * a
     self_3_new = self_3 * a
-    self_0_new_bound = 1.1102230246251568e-16 * (absolute(self_0_new) + 2.004168360008973e-292)
-    self_1_new_bound = 1.1102230246251568e-16 * (absolute(self_1_new) + 2.004168360008973e-292)
-    self_2_new_bound = 1.1102230246251568e-16 * (absolute(self_2_new) + 2.004168360008973e-292)
-    self_3_new_bound = 1.1102230246251568e-16 * (absolute(self_3_new) + 2.004168360008973e-292)
+    self_0_new_bound = c2 * (absolute(self_0_new) + c1)
+    self_1_new_bound = c2 * (absolute(self_1_new) + c1)
+    self_2_new_bound = c2 * (absolute(self_2_new) + c1)
+    self_3_new_bound = c2 * (absolute(self_3_new) + c1)
     return (self_0_new, self_1_new, self_2_new, self_3_new, self_0_new_bound, self_1_new_bound,
         self_2_new_bound, self_3_new_bound)
 
 
 @kernel("(),(4),(4)->(4),(4)")
 @errstate(all="ignore")
-def axpy_qq(a, x, y):
+def axpy_qq(a, x, y, *, c1=2.004168360008973e-292, c2=2.2204460492503136e-16):
     """y = a x + y; |error of y| <= y_bound unless inf or NaN.
 
     (),(4),(4)->(4),(4).  a: number; x, y, y_bound: quaternion (x, y, z, w), the scalar last.
@@ -56,17 +56,17 @@ def axpy_qq(a, x, y):
     y_1_new_size = absolute(y_1_new_a) + absolute(y_1)
     y_2_new_size = absolute(y_2_new_a) + absolute(y_2)
     y_3_new_size = absolute(y_3_new_a) + absolute(y_3)
-    y_0_new_bound = 2.2204460492503136e-16 * (y_0_new_size + 2.004168360008973e-292)
-    y_1_new_bound = 2.2204460492503136e-16 * (y_1_new_size + 2.004168360008973e-292)
-    y_2_new_bound = 2.2204460492503136e-16 * (y_2_new_size + 2.004168360008973e-292)
-    y_3_new_bound = 2.2204460492503136e-16 * (y_3_new_size + 2.004168360008973e-292)
+    y_0_new_bound = c2 * (y_0_new_size + c1)
+    y_1_new_bound = c2 * (y_1_new_size + c1)
+    y_2_new_bound = c2 * (y_2_new_size + c1)
+    y_3_new_bound = c2 * (y_3_new_size + c1)
     return (y_0_new, y_1_new, y_2_new, y_3_new, y_0_new_bound, y_1_new_bound, y_2_new_bound,
         y_3_new_bound)
 
 
 @kernel("(4),(3)->(3),(3)")
 @errstate(all="ignore")
-def rotate_qv(q, v):
+def rotate_qv(q, v, *, c1=2.004168360008973e-292, c2=7.7715611723761e-16):
     """vo = R(q) v, |q| = 1; |error of vo| <= vo_bound unless inf or NaN.
 
     (4),(3)->(3),(3).  q: quaternion (x, y, z, w), the scalar last; v, vo, vo_bound: vector.
@@ -95,14 +95,14 @@ def rotate_qv(q, v):
     c_0_size = absolute(c_0a) + absolute(c_0b)
     c_1_size = absolute(c_1a) + absolute(c_1b)
     c_2_size = absolute(c_2a) + absolute(c_2b)
-    t_0_size = 2 * (c_0_size + 2.004168360008973e-292)
-    t_1_size = 2 * (c_1_size + 2.004168360008973e-292)
-    t_2_size = 2 * (c_2_size + 2.004168360008973e-292)
-    t_2_padded = t_2_size + 2.004168360008973e-292
+    t_0_size = 2 * (c_0_size + c1)
+    t_1_size = 2 * (c_1_size + c1)
+    t_2_size = 2 * (c_2_size + c1)
+    t_2_padded = t_2_size + c1
     q_1_abs = absolute(q_1)
-    t_1_padded = t_1_size + 2.004168360008973e-292
+    t_1_padded = t_1_size + c1
     q_2_abs = absolute(q_2)
-    t_0_padded = t_0_size + 2.004168360008973e-292
+    t_0_padded = t_0_size + c1
     q_3_abs = absolute(q_3)
     turn_0_size = q_1_abs * t_2_padded + q_2_abs * t_1_padded + q_3_abs * t_0_padded
     q_0_abs = absolute(q_0)
@@ -111,15 +111,15 @@ def rotate_qv(q, v):
     vo_0_size = absolute(v_0) + turn_0_size
     vo_1_size = absolute(v_1) + turn_1_size
     vo_2_size = absolute(v_2) + turn_2_size
-    vo_0_bound = 7.7715611723761e-16 * (vo_0_size + 2.004168360008973e-292)
-    vo_1_bound = 7.7715611723761e-16 * (vo_1_size + 2.004168360008973e-292)
-    vo_2_bound = 7.7715611723761e-16 * (vo_2_size + 2.004168360008973e-292)
+    vo_0_bound = c2 * (vo_0_size + c1)
+    vo_1_bound = c2 * (vo_1_size + c1)
+    vo_2_bound = c2 * (vo_2_size + c1)
     return (vo_0, vo_1, vo_2, vo_0_bound, vo_1_bound, vo_2_bound)
 
 
 @kernel("(4),(3)->(3),(3)")
 @errstate(all="ignore")
-def rotate_qconjv(q, v):
+def rotate_qconjv(q, v, *, c1=2.004168360008973e-292, c2=7.7715611723761e-16):
     """vo = R(q)^T v, |q| = 1; |error of vo| <= vo_bound unless inf or NaN.
 
     (4),(3)->(3),(3).  q: quaternion (x, y, z, w), the scalar last; v, vo, vo_bound: vector.
@@ -148,14 +148,14 @@ def rotate_qconjv(q, v):
     c_0_size = absolute(c_0a) + absolute(c_0b)
     c_1_size = absolute(c_1a) + absolute(c_1b)
     c_2_size = absolute(c_2a) + absolute(c_2b)
-    t_0_size = 2 * (c_0_size + 2.004168360008973e-292)
-    t_1_size = 2 * (c_1_size + 2.004168360008973e-292)
-    t_2_size = 2 * (c_2_size + 2.004168360008973e-292)
-    t_1_padded = t_1_size + 2.004168360008973e-292
+    t_0_size = 2 * (c_0_size + c1)
+    t_1_size = 2 * (c_1_size + c1)
+    t_2_size = 2 * (c_2_size + c1)
+    t_1_padded = t_1_size + c1
     q_2_abs = absolute(q_2)
-    t_2_padded = t_2_size + 2.004168360008973e-292
+    t_2_padded = t_2_size + c1
     q_1_abs = absolute(q_1)
-    t_0_padded = t_0_size + 2.004168360008973e-292
+    t_0_padded = t_0_size + c1
     q_3_abs = absolute(q_3)
     turn_0_size = q_2_abs * t_1_padded + q_1_abs * t_2_padded + q_3_abs * t_0_padded
     q_0_abs = absolute(q_0)
@@ -164,15 +164,15 @@ def rotate_qconjv(q, v):
     vo_0_size = absolute(v_0) + turn_0_size
     vo_1_size = absolute(v_1) + turn_1_size
     vo_2_size = absolute(v_2) + turn_2_size
-    vo_0_bound = 7.7715611723761e-16 * (vo_0_size + 2.004168360008973e-292)
-    vo_1_bound = 7.7715611723761e-16 * (vo_1_size + 2.004168360008973e-292)
-    vo_2_bound = 7.7715611723761e-16 * (vo_2_size + 2.004168360008973e-292)
+    vo_0_bound = c2 * (vo_0_size + c1)
+    vo_1_bound = c2 * (vo_1_size + c1)
+    vo_2_bound = c2 * (vo_2_size + c1)
     return (vo_0, vo_1, vo_2, vo_0_bound, vo_1_bound, vo_2_bound)
 
 
 @kernel("(4),(4)->(4),(4)")
 @errstate(all="ignore")
-def quaternion_product_qq(q1i, q2i):
+def quaternion_product_qq(q1i, q2i, *, c1=2.004168360008973e-292, c2=4.440892098500628e-16):
     """qo = q1i q2i; |error of qo| <= qo_bound unless inf or NaN.
 
     (4),(4)->(4),(4).  q1i, q2i, qo, qo_bound: quaternion (x, y, z, w), the scalar last.
@@ -204,16 +204,17 @@ def quaternion_product_qq(q1i, q2i):
     qo_1_size = absolute(qo_1a) + absolute(qo_1b) + absolute(qo_1d) + absolute(qo_1f)
     qo_2_size = absolute(qo_2a) + absolute(qo_2b) + absolute(qo_2d) + absolute(qo_2f)
     qo_3_size = absolute(qo_3a) + (absolute(qo_3b) + absolute(qo_3c) + absolute(qo_3e))
-    qo_0_bound = 4.440892098500628e-16 * (qo_0_size + 2.004168360008973e-292)
-    qo_1_bound = 4.440892098500628e-16 * (qo_1_size + 2.004168360008973e-292)
-    qo_2_bound = 4.440892098500628e-16 * (qo_2_size + 2.004168360008973e-292)
-    qo_3_bound = 4.440892098500628e-16 * (qo_3_size + 2.004168360008973e-292)
+    qo_0_bound = c2 * (qo_0_size + c1)
+    qo_1_bound = c2 * (qo_1_size + c1)
+    qo_2_bound = c2 * (qo_2_size + c1)
+    qo_3_bound = c2 * (qo_3_size + c1)
     return (qo_0, qo_1, qo_2, qo_3, qo_0_bound, qo_1_bound, qo_2_bound, qo_3_bound)
 
 
 @kernel("(4),(4)->(4),(4)")
 @errstate(all="ignore")
-def quaternion_product_qqconj(q1i, q2i):
+def quaternion_product_qqconj(q1i, q2i, *, c1=2.004168360008973e-292, c2=3.3306690738754706e-16,
+        c3=4.440892098500628e-16):
     """qo = q1i q2i*; |error of qo| <= qo_bound unless inf or NaN.
 
     (4),(4)->(4),(4).  q1i, q2i, qo, qo_bound: quaternion (x, y, z, w), the scalar last.
@@ -245,16 +246,17 @@ def quaternion_product_qqconj(q1i, q2i):
     qo_1_size = absolute(qo_1a) + absolute(qo_1b) + (absolute(qo_1d) + absolute(qo_1e))
     qo_2_size = absolute(qo_2a) + absolute(qo_2b) + (absolute(qo_2d) + absolute(qo_2e))
     qo_3_size = absolute(qo_3a) + absolute(qo_3b) + absolute(qo_3d) + absolute(qo_3f)
-    qo_0_bound = 3.3306690738754706e-16 * (qo_0_size + 2.004168360008973e-292)
-    qo_1_bound = 3.3306690738754706e-16 * (qo_1_size + 2.004168360008973e-292)
-    qo_2_bound = 3.3306690738754706e-16 * (qo_2_size + 2.004168360008973e-292)
-    qo_3_bound = 4.440892098500628e-16 * (qo_3_size + 2.004168360008973e-292)
+    qo_0_bound = c2 * (qo_0_size + c1)
+    qo_1_bound = c2 * (qo_1_size + c1)
+    qo_2_bound = c2 * (qo_2_size + c1)
+    qo_3_bound = c3 * (qo_3_size + c1)
     return (qo_0, qo_1, qo_2, qo_3, qo_0_bound, qo_1_bound, qo_2_bound, qo_3_bound)
 
 
 @kernel("(4),(4)->(4),(4)")
 @errstate(all="ignore")
-def quaternion_product_qconjq(q1i, q2i):
+def quaternion_product_qconjq(q1i, q2i, *, c1=2.004168360008973e-292, c2=3.3306690738754706e-16,
+        c3=4.440892098500628e-16):
     """qo = q1i* q2i; |error of qo| <= qo_bound unless inf or NaN.
 
     (4),(4)->(4),(4).  q1i, q2i, qo, qo_bound: quaternion (x, y, z, w), the scalar last.
@@ -286,16 +288,16 @@ def quaternion_product_qconjq(q1i, q2i):
     qo_1_size = absolute(qo_1a) + absolute(qo_1b) + (absolute(qo_1d) + absolute(qo_1e))
     qo_2_size = absolute(qo_2a) + absolute(qo_2b) + (absolute(qo_2d) + absolute(qo_2e))
     qo_3_size = absolute(qo_3a) + absolute(qo_3b) + absolute(qo_3d) + absolute(qo_3f)
-    qo_0_bound = 3.3306690738754706e-16 * (qo_0_size + 2.004168360008973e-292)
-    qo_1_bound = 3.3306690738754706e-16 * (qo_1_size + 2.004168360008973e-292)
-    qo_2_bound = 3.3306690738754706e-16 * (qo_2_size + 2.004168360008973e-292)
-    qo_3_bound = 4.440892098500628e-16 * (qo_3_size + 2.004168360008973e-292)
+    qo_0_bound = c2 * (qo_0_size + c1)
+    qo_1_bound = c2 * (qo_1_size + c1)
+    qo_2_bound = c2 * (qo_2_size + c1)
+    qo_3_bound = c3 * (qo_3_size + c1)
     return (qo_0, qo_1, qo_2, qo_3, qo_0_bound, qo_1_bound, qo_2_bound, qo_3_bound)
 
 
 @kernel("(4),(4)->(4),(4)")
 @errstate(all="ignore")
-def quaternion_product_qconjqconj(q1i, q2i):
+def quaternion_product_qconjqconj(q1i, q2i, *, c1=2.004168360008973e-292, c2=4.440892098500628e-16):
     """qo = q1i* q2i*; |error of qo| <= qo_bound unless inf or NaN.
 
     (4),(4)->(4),(4).  q1i, q2i, qo, qo_bound: quaternion (x, y, z, w), the scalar last.
@@ -327,16 +329,16 @@ def quaternion_product_qconjqconj(q1i, q2i):
     qo_1_size = absolute(qo_1a) + absolute(qo_1b) + absolute(qo_1d) + absolute(qo_1f)
     qo_2_size = absolute(qo_2a) + absolute(qo_2b) + absolute(qo_2d) + absolute(qo_2f)
     qo_3_size = absolute(qo_3a) + (absolute(qo_3b) + absolute(qo_3c) + absolute(qo_3e))
-    qo_0_bound = 4.440892098500628e-16 * (qo_0_size + 2.004168360008973e-292)
-    qo_1_bound = 4.440892098500628e-16 * (qo_1_size + 2.004168360008973e-292)
-    qo_2_bound = 4.440892098500628e-16 * (qo_2_size + 2.004168360008973e-292)
-    qo_3_bound = 4.440892098500628e-16 * (qo_3_size + 2.004168360008973e-292)
+    qo_0_bound = c2 * (qo_0_size + c1)
+    qo_1_bound = c2 * (qo_1_size + c1)
+    qo_2_bound = c2 * (qo_2_size + c1)
+    qo_3_bound = c2 * (qo_3_size + c1)
     return (qo_0, qo_1, qo_2, qo_3, qo_0_bound, qo_1_bound, qo_2_bound, qo_3_bound)
 
 
 @kernel("(2),(4)->(4),(4)")
 @errstate(all="ignore")
-def quaternion_product_qxq(dci, qi):
+def quaternion_product_qxq(dci, qi, *, c1=2.004168360008973e-292, c2=2.2204460492503136e-16):
     """qo = (s e_x; c) qi, dci = (s, c), sine and cosine of half the angle; |error of qo| <=
     qo_bound unless inf or NaN.
 
@@ -362,16 +364,16 @@ def quaternion_product_qxq(dci, qi):
     qo_1_size = absolute(qo_1a) + absolute(qo_1b)
     qo_2_size = absolute(qo_2a) + absolute(qo_2b)
     qo_3_size = absolute(qo_3a) + absolute(qo_3b)
-    qo_0_bound = 2.2204460492503136e-16 * (qo_0_size + 2.004168360008973e-292)
-    qo_1_bound = 2.2204460492503136e-16 * (qo_1_size + 2.004168360008973e-292)
-    qo_2_bound = 2.2204460492503136e-16 * (qo_2_size + 2.004168360008973e-292)
-    qo_3_bound = 2.2204460492503136e-16 * (qo_3_size + 2.004168360008973e-292)
+    qo_0_bound = c2 * (qo_0_size + c1)
+    qo_1_bound = c2 * (qo_1_size + c1)
+    qo_2_bound = c2 * (qo_2_size + c1)
+    qo_3_bound = c2 * (qo_3_size + c1)
     return (qo_0, qo_1, qo_2, qo_3, qo_0_bound, qo_1_bound, qo_2_bound, qo_3_bound)
 
 
 @kernel("(2),(4)->(4),(4)")
 @errstate(all="ignore")
-def quaternion_product_qxqconj(dci, qi):
+def quaternion_product_qxqconj(dci, qi, *, c1=2.004168360008973e-292, c2=2.2204460492503136e-16):
     """qo = (s e_x; c) qi*, dci = (s, c), sine and cosine of half the angle; |error of qo| <=
     qo_bound unless inf or NaN.
 
@@ -396,17 +398,16 @@ def quaternion_product_qxqconj(dci, qi):
     qo_0_size = absolute(qo_0a) + absolute(qo_0b)
     qo_1_size = absolute(qo_1a) + absolute(qo_1b)
     qo_3_size = absolute(qo_3a) + absolute(qo_3b)
-    qo_0_bound = 2.2204460492503136e-16 * (qo_0_size + 2.004168360008973e-292)
-    qo_1_bound = 2.2204460492503136e-16 * (qo_1_size + 2.004168360008973e-292)
-    qo_2c_bound = (2.2204460492503136e-16
-        * (absolute(qo_2a) + absolute(qo_2b) + 2.004168360008973e-292))
-    qo_3_bound = 2.2204460492503136e-16 * (qo_3_size + 2.004168360008973e-292)
+    qo_0_bound = c2 * (qo_0_size + c1)
+    qo_1_bound = c2 * (qo_1_size + c1)
+    qo_2c_bound = c2 * (absolute(qo_2a) + absolute(qo_2b) + c1)
+    qo_3_bound = c2 * (qo_3_size + c1)
     return (qo_0, qo_1, qo_2, qo_3, qo_0_bound, qo_1_bound, qo_2c_bound, qo_3_bound)
 
 
 @kernel("(2),(4)->(4),(4)")
 @errstate(all="ignore")
-def quaternion_product_qxconjq(dci, qi):
+def quaternion_product_qxconjq(dci, qi, *, c1=2.004168360008973e-292, c2=2.2204460492503136e-16):
     """qo = (s e_x; c)* qi, dci = (s, c), sine and cosine of half the angle; |error of qo| <=
     qo_bound unless inf or NaN.
 
@@ -432,16 +433,17 @@ def quaternion_product_qxconjq(dci, qi):
     qo_1_size = absolute(qo_1a) + absolute(qo_1b)
     qo_2_size = absolute(qo_2a) + absolute(qo_2b)
     qo_3_size = absolute(qo_3a) + absolute(qo_3b)
-    qo_0_bound = 2.2204460492503136e-16 * (qo_0_size + 2.004168360008973e-292)
-    qo_1_bound = 2.2204460492503136e-16 * (qo_1_size + 2.004168360008973e-292)
-    qo_2_bound = 2.2204460492503136e-16 * (qo_2_size + 2.004168360008973e-292)
-    qo_3_bound = 2.2204460492503136e-16 * (qo_3_size + 2.004168360008973e-292)
+    qo_0_bound = c2 * (qo_0_size + c1)
+    qo_1_bound = c2 * (qo_1_size + c1)
+    qo_2_bound = c2 * (qo_2_size + c1)
+    qo_3_bound = c2 * (qo_3_size + c1)
     return (qo_0, qo_1, qo_2, qo_3, qo_0_bound, qo_1_bound, qo_2_bound, qo_3_bound)
 
 
 @kernel("(2),(4)->(4),(4)")
 @errstate(all="ignore")
-def quaternion_product_qxconjqconj(dci, qi):
+def quaternion_product_qxconjqconj(dci, qi, *, c1=2.004168360008973e-292,
+        c2=2.2204460492503136e-16):
     """qo = (s e_x; c)* qi*, dci = (s, c), sine and cosine of half the angle; |error of qo| <=
     qo_bound unless inf or NaN.
 
@@ -465,18 +467,16 @@ def quaternion_product_qxconjqconj(dci, qi):
     qo_3 = qo_3a - qo_3b
     qo_2_size = absolute(qo_2a) + absolute(qo_2b)
     qo_3_size = absolute(qo_3a) + absolute(qo_3b)
-    qo_0c_bound = (2.2204460492503136e-16
-        * (absolute(qo_0a) + absolute(qo_0b) + 2.004168360008973e-292))
-    qo_1c_bound = (2.2204460492503136e-16
-        * (absolute(qo_1a) + absolute(qo_1b) + 2.004168360008973e-292))
-    qo_2_bound = 2.2204460492503136e-16 * (qo_2_size + 2.004168360008973e-292)
-    qo_3_bound = 2.2204460492503136e-16 * (qo_3_size + 2.004168360008973e-292)
+    qo_0c_bound = c2 * (absolute(qo_0a) + absolute(qo_0b) + c1)
+    qo_1c_bound = c2 * (absolute(qo_1a) + absolute(qo_1b) + c1)
+    qo_2_bound = c2 * (qo_2_size + c1)
+    qo_3_bound = c2 * (qo_3_size + c1)
     return (qo_0, qo_1, qo_2, qo_3, qo_0c_bound, qo_1c_bound, qo_2_bound, qo_3_bound)
 
 
 @kernel("(4),(2)->(4),(4)")
 @errstate(all="ignore")
-def quaternion_product_qqx(qi, dci):
+def quaternion_product_qqx(qi, dci, *, c1=2.004168360008973e-292, c2=2.2204460492503136e-16):
     """qo = qi (s e_x; c), dci = (s, c), sine and cosine of half the angle; |error of qo| <=
     qo_bound unless inf or NaN.
 
@@ -502,16 +502,16 @@ def quaternion_product_qqx(qi, dci):
     qo_1_size = absolute(qo_1a) + absolute(qo_1b)
     qo_2_size = absolute(qo_2a) + absolute(qo_2b)
     qo_3_size = absolute(qo_3a) + absolute(qo_3b)
-    qo_0_bound = 2.2204460492503136e-16 * (qo_0_size + 2.004168360008973e-292)
-    qo_1_bound = 2.2204460492503136e-16 * (qo_1_size + 2.004168360008973e-292)
-    qo_2_bound = 2.2204460492503136e-16 * (qo_2_size + 2.004168360008973e-292)
-    qo_3_bound = 2.2204460492503136e-16 * (qo_3_size + 2.004168360008973e-292)
+    qo_0_bound = c2 * (qo_0_size + c1)
+    qo_1_bound = c2 * (qo_1_size + c1)
+    qo_2_bound = c2 * (qo_2_size + c1)
+    qo_3_bound = c2 * (qo_3_size + c1)
     return (qo_0, qo_1, qo_2, qo_3, qo_0_bound, qo_1_bound, qo_2_bound, qo_3_bound)
 
 
 @kernel("(4),(2)->(4),(4)")
 @errstate(all="ignore")
-def quaternion_product_qqxconj(qi, dci):
+def quaternion_product_qqxconj(qi, dci, *, c1=2.004168360008973e-292, c2=2.2204460492503136e-16):
     """qo = qi (s e_x; c)*, dci = (s, c), sine and cosine of half the angle; |error of qo| <=
     qo_bound unless inf or NaN.
 
@@ -537,16 +537,16 @@ def quaternion_product_qqxconj(qi, dci):
     qo_1_size = absolute(qo_1a) + absolute(qo_1b)
     qo_2_size = absolute(qo_2a) + absolute(qo_2b)
     qo_3_size = absolute(qo_3a) + absolute(qo_3b)
-    qo_0_bound = 2.2204460492503136e-16 * (qo_0_size + 2.004168360008973e-292)
-    qo_1_bound = 2.2204460492503136e-16 * (qo_1_size + 2.004168360008973e-292)
-    qo_2_bound = 2.2204460492503136e-16 * (qo_2_size + 2.004168360008973e-292)
-    qo_3_bound = 2.2204460492503136e-16 * (qo_3_size + 2.004168360008973e-292)
+    qo_0_bound = c2 * (qo_0_size + c1)
+    qo_1_bound = c2 * (qo_1_size + c1)
+    qo_2_bound = c2 * (qo_2_size + c1)
+    qo_3_bound = c2 * (qo_3_size + c1)
     return (qo_0, qo_1, qo_2, qo_3, qo_0_bound, qo_1_bound, qo_2_bound, qo_3_bound)
 
 
 @kernel("(4),(2)->(4),(4)")
 @errstate(all="ignore")
-def quaternion_product_qconjqx(qi, dci):
+def quaternion_product_qconjqx(qi, dci, *, c1=2.004168360008973e-292, c2=2.2204460492503136e-16):
     """qo = qi* (s e_x; c), dci = (s, c), sine and cosine of half the angle; |error of qo| <=
     qo_bound unless inf or NaN.
 
@@ -571,17 +571,17 @@ def quaternion_product_qconjqx(qi, dci):
     qo_0_size = absolute(qo_0a) + absolute(qo_0b)
     qo_2_size = absolute(qo_2a) + absolute(qo_2b)
     qo_3_size = absolute(qo_3a) + absolute(qo_3b)
-    qo_0_bound = 2.2204460492503136e-16 * (qo_0_size + 2.004168360008973e-292)
-    qo_1c_bound = (2.2204460492503136e-16
-        * (absolute(qo_1a) + absolute(qo_1b) + 2.004168360008973e-292))
-    qo_2_bound = 2.2204460492503136e-16 * (qo_2_size + 2.004168360008973e-292)
-    qo_3_bound = 2.2204460492503136e-16 * (qo_3_size + 2.004168360008973e-292)
+    qo_0_bound = c2 * (qo_0_size + c1)
+    qo_1c_bound = c2 * (absolute(qo_1a) + absolute(qo_1b) + c1)
+    qo_2_bound = c2 * (qo_2_size + c1)
+    qo_3_bound = c2 * (qo_3_size + c1)
     return (qo_0, qo_1, qo_2, qo_3, qo_0_bound, qo_1c_bound, qo_2_bound, qo_3_bound)
 
 
 @kernel("(4),(2)->(4),(4)")
 @errstate(all="ignore")
-def quaternion_product_qconjqxconj(qi, dci):
+def quaternion_product_qconjqxconj(qi, dci, *, c1=2.004168360008973e-292,
+        c2=2.2204460492503136e-16):
     """qo = qi* (s e_x; c)*, dci = (s, c), sine and cosine of half the angle; |error of qo| <=
     qo_bound unless inf or NaN.
 
@@ -605,18 +605,16 @@ def quaternion_product_qconjqxconj(qi, dci):
     qo_3 = qo_3a - qo_3b
     qo_1_size = absolute(qo_1a) + absolute(qo_1b)
     qo_3_size = absolute(qo_3a) + absolute(qo_3b)
-    qo_0c_bound = (2.2204460492503136e-16
-        * (absolute(qo_0a) + absolute(qo_0b) + 2.004168360008973e-292))
-    qo_1_bound = 2.2204460492503136e-16 * (qo_1_size + 2.004168360008973e-292)
-    qo_2c_bound = (2.2204460492503136e-16
-        * (absolute(qo_2a) + absolute(qo_2b) + 2.004168360008973e-292))
-    qo_3_bound = 2.2204460492503136e-16 * (qo_3_size + 2.004168360008973e-292)
+    qo_0c_bound = c2 * (absolute(qo_0a) + absolute(qo_0b) + c1)
+    qo_1_bound = c2 * (qo_1_size + c1)
+    qo_2c_bound = c2 * (absolute(qo_2a) + absolute(qo_2b) + c1)
+    qo_3_bound = c2 * (qo_3_size + c1)
     return (qo_0, qo_1, qo_2, qo_3, qo_0c_bound, qo_1_bound, qo_2c_bound, qo_3_bound)
 
 
 @kernel("(2),(4)->(4),(4)")
 @errstate(all="ignore")
-def quaternion_product_qyq(dci, qi):
+def quaternion_product_qyq(dci, qi, *, c1=2.004168360008973e-292, c2=2.2204460492503136e-16):
     """qo = (s e_y; c) qi, dci = (s, c), sine and cosine of half the angle; |error of qo| <=
     qo_bound unless inf or NaN.
 
@@ -642,16 +640,16 @@ def quaternion_product_qyq(dci, qi):
     qo_1_size = absolute(qo_1a) + absolute(qo_1b)
     qo_2_size = absolute(qo_2a) + absolute(qo_2b)
     qo_3_size = absolute(qo_3a) + absolute(qo_3b)
-    qo_0_bound = 2.2204460492503136e-16 * (qo_0_size + 2.004168360008973e-292)
-    qo_1_bound = 2.2204460492503136e-16 * (qo_1_size + 2.004168360008973e-292)
-    qo_2_bound = 2.2204460492503136e-16 * (qo_2_size + 2.004168360008973e-292)
-    qo_3_bound = 2.2204460492503136e-16 * (qo_3_size + 2.004168360008973e-292)
+    qo_0_bound = c2 * (qo_0_size + c1)
+    qo_1_bound = c2 * (qo_1_size + c1)
+    qo_2_bound = c2 * (qo_2_size + c1)
+    qo_3_bound = c2 * (qo_3_size + c1)
     return (qo_0, qo_1, qo_2, qo_3, qo_0_bound, qo_1_bound, qo_2_bound, qo_3_bound)
 
 
 @kernel("(2),(4)->(4),(4)")
 @errstate(all="ignore")
-def quaternion_product_qyqconj(dci, qi):
+def quaternion_product_qyqconj(dci, qi, *, c1=2.004168360008973e-292, c2=2.2204460492503136e-16):
     """qo = (s e_y; c) qi*, dci = (s, c), sine and cosine of half the angle; |error of qo| <=
     qo_bound unless inf or NaN.
 
@@ -676,17 +674,16 @@ def quaternion_product_qyqconj(dci, qi):
     qo_1_size = absolute(qo_1a) + absolute(qo_1b)
     qo_2_size = absolute(qo_2a) + absolute(qo_2b)
     qo_3_size = absolute(qo_3a) + absolute(qo_3b)
-    qo_0c_bound = (2.2204460492503136e-16
-        * (absolute(qo_0a) + absolute(qo_0b) + 2.004168360008973e-292))
-    qo_1_bound = 2.2204460492503136e-16 * (qo_1_size + 2.004168360008973e-292)
-    qo_2_bound = 2.2204460492503136e-16 * (qo_2_size + 2.004168360008973e-292)
-    qo_3_bound = 2.2204460492503136e-16 * (qo_3_size + 2.004168360008973e-292)
+    qo_0c_bound = c2 * (absolute(qo_0a) + absolute(qo_0b) + c1)
+    qo_1_bound = c2 * (qo_1_size + c1)
+    qo_2_bound = c2 * (qo_2_size + c1)
+    qo_3_bound = c2 * (qo_3_size + c1)
     return (qo_0, qo_1, qo_2, qo_3, qo_0c_bound, qo_1_bound, qo_2_bound, qo_3_bound)
 
 
 @kernel("(2),(4)->(4),(4)")
 @errstate(all="ignore")
-def quaternion_product_qyconjq(dci, qi):
+def quaternion_product_qyconjq(dci, qi, *, c1=2.004168360008973e-292, c2=2.2204460492503136e-16):
     """qo = (s e_y; c)* qi, dci = (s, c), sine and cosine of half the angle; |error of qo| <=
     qo_bound unless inf or NaN.
 
@@ -712,16 +709,17 @@ def quaternion_product_qyconjq(dci, qi):
     qo_1_size = absolute(qo_1a) + absolute(qo_1b)
     qo_2_size = absolute(qo_2a) + absolute(qo_2b)
     qo_3_size = absolute(qo_3a) + absolute(qo_3b)
-    qo_0_bound = 2.2204460492503136e-16 * (qo_0_size + 2.004168360008973e-292)
-    qo_1_bound = 2.2204460492503136e-16 * (qo_1_size + 2.004168360008973e-292)
-    qo_2_bound = 2.2204460492503136e-16 * (qo_2_size + 2.004168360008973e-292)
-    qo_3_bound = 2.2204460492503136e-16 * (qo_3_size + 2.004168360008973e-292)
+    qo_0_bound = c2 * (qo_0_size + c1)
+    qo_1_bound = c2 * (qo_1_size + c1)
+    qo_2_bound = c2 * (qo_2_size + c1)
+    qo_3_bound = c2 * (qo_3_size + c1)
     return (qo_0, qo_1, qo_2, qo_3, qo_0_bound, qo_1_bound, qo_2_bound, qo_3_bound)
 
 
 @kernel("(2),(4)->(4),(4)")
 @errstate(all="ignore")
-def quaternion_product_qyconjqconj(dci, qi):
+def quaternion_product_qyconjqconj(dci, qi, *, c1=2.004168360008973e-292,
+        c2=2.2204460492503136e-16):
     """qo = (s e_y; c)* qi*, dci = (s, c), sine and cosine of half the angle; |error of qo| <=
     qo_bound unless inf or NaN.
 
@@ -745,18 +743,16 @@ def quaternion_product_qyconjqconj(dci, qi):
     qo_3 = qo_3a - qo_3b
     qo_0_size = absolute(qo_0a) + absolute(qo_0b)
     qo_3_size = absolute(qo_3a) + absolute(qo_3b)
-    qo_0_bound = 2.2204460492503136e-16 * (qo_0_size + 2.004168360008973e-292)
-    qo_1c_bound = (2.2204460492503136e-16
-        * (absolute(qo_1a) + absolute(qo_1b) + 2.004168360008973e-292))
-    qo_2c_bound = (2.2204460492503136e-16
-        * (absolute(qo_2a) + absolute(qo_2b) + 2.004168360008973e-292))
-    qo_3_bound = 2.2204460492503136e-16 * (qo_3_size + 2.004168360008973e-292)
+    qo_0_bound = c2 * (qo_0_size + c1)
+    qo_1c_bound = c2 * (absolute(qo_1a) + absolute(qo_1b) + c1)
+    qo_2c_bound = c2 * (absolute(qo_2a) + absolute(qo_2b) + c1)
+    qo_3_bound = c2 * (qo_3_size + c1)
     return (qo_0, qo_1, qo_2, qo_3, qo_0_bound, qo_1c_bound, qo_2c_bound, qo_3_bound)
 
 
 @kernel("(4),(2)->(4),(4)")
 @errstate(all="ignore")
-def quaternion_product_qqy(qi, dci):
+def quaternion_product_qqy(qi, dci, *, c1=2.004168360008973e-292, c2=2.2204460492503136e-16):
     """qo = qi (s e_y; c), dci = (s, c), sine and cosine of half the angle; |error of qo| <=
     qo_bound unless inf or NaN.
 
@@ -782,16 +778,16 @@ def quaternion_product_qqy(qi, dci):
     qo_1_size = absolute(qo_1a) + absolute(qo_1b)
     qo_2_size = absolute(qo_2a) + absolute(qo_2b)
     qo_3_size = absolute(qo_3a) + absolute(qo_3b)
-    qo_0_bound = 2.2204460492503136e-16 * (qo_0_size + 2.004168360008973e-292)
-    qo_1_bound = 2.2204460492503136e-16 * (qo_1_size + 2.004168360008973e-292)
-    qo_2_bound = 2.2204460492503136e-16 * (qo_2_size + 2.004168360008973e-292)
-    qo_3_bound = 2.2204460492503136e-16 * (qo_3_size + 2.004168360008973e-292)
+    qo_0_bound = c2 * (qo_0_size + c1)
+    qo_1_bound = c2 * (qo_1_size + c1)
+    qo_2_bound = c2 * (qo_2_size + c1)
+    qo_3_bound = c2 * (qo_3_size + c1)
     return (qo_0, qo_1, qo_2, qo_3, qo_0_bound, qo_1_bound, qo_2_bound, qo_3_bound)
 
 
 @kernel("(4),(2)->(4),(4)")
 @errstate(all="ignore")
-def quaternion_product_qqyconj(qi, dci):
+def quaternion_product_qqyconj(qi, dci, *, c1=2.004168360008973e-292, c2=2.2204460492503136e-16):
     """qo = qi (s e_y; c)*, dci = (s, c), sine and cosine of half the angle; |error of qo| <=
     qo_bound unless inf or NaN.
 
@@ -817,16 +813,16 @@ def quaternion_product_qqyconj(qi, dci):
     qo_1_size = absolute(qo_1a) + absolute(qo_1b)
     qo_2_size = absolute(qo_2a) + absolute(qo_2b)
     qo_3_size = absolute(qo_3a) + absolute(qo_3b)
-    qo_0_bound = 2.2204460492503136e-16 * (qo_0_size + 2.004168360008973e-292)
-    qo_1_bound = 2.2204460492503136e-16 * (qo_1_size + 2.004168360008973e-292)
-    qo_2_bound = 2.2204460492503136e-16 * (qo_2_size + 2.004168360008973e-292)
-    qo_3_bound = 2.2204460492503136e-16 * (qo_3_size + 2.004168360008973e-292)
+    qo_0_bound = c2 * (qo_0_size + c1)
+    qo_1_bound = c2 * (qo_1_size + c1)
+    qo_2_bound = c2 * (qo_2_size + c1)
+    qo_3_bound = c2 * (qo_3_size + c1)
     return (qo_0, qo_1, qo_2, qo_3, qo_0_bound, qo_1_bound, qo_2_bound, qo_3_bound)
 
 
 @kernel("(4),(2)->(4),(4)")
 @errstate(all="ignore")
-def quaternion_product_qconjqy(qi, dci):
+def quaternion_product_qconjqy(qi, dci, *, c1=2.004168360008973e-292, c2=2.2204460492503136e-16):
     """qo = qi* (s e_y; c), dci = (s, c), sine and cosine of half the angle; |error of qo| <=
     qo_bound unless inf or NaN.
 
@@ -851,17 +847,17 @@ def quaternion_product_qconjqy(qi, dci):
     qo_0_size = absolute(qo_0a) + absolute(qo_0b)
     qo_1_size = absolute(qo_1a) + absolute(qo_1b)
     qo_3_size = absolute(qo_3a) + absolute(qo_3b)
-    qo_0_bound = 2.2204460492503136e-16 * (qo_0_size + 2.004168360008973e-292)
-    qo_1_bound = 2.2204460492503136e-16 * (qo_1_size + 2.004168360008973e-292)
-    qo_2c_bound = (2.2204460492503136e-16
-        * (absolute(qo_2a) + absolute(qo_2b) + 2.004168360008973e-292))
-    qo_3_bound = 2.2204460492503136e-16 * (qo_3_size + 2.004168360008973e-292)
+    qo_0_bound = c2 * (qo_0_size + c1)
+    qo_1_bound = c2 * (qo_1_size + c1)
+    qo_2c_bound = c2 * (absolute(qo_2a) + absolute(qo_2b) + c1)
+    qo_3_bound = c2 * (qo_3_size + c1)
     return (qo_0, qo_1, qo_2, qo_3, qo_0_bound, qo_1_bound, qo_2c_bound, qo_3_bound)
 
 
 @kernel("(4),(2)->(4),(4)")
 @errstate(all="ignore")
-def quaternion_product_qconjqyconj(qi, dci):
+def quaternion_product_qconjqyconj(qi, dci, *, c1=2.004168360008973e-292,
+        c2=2.2204460492503136e-16):
     """qo = qi* (s e_y; c)*, dci = (s, c), sine and cosine of half the angle; |error of qo| <=
     qo_bound unless inf or NaN.
 
@@ -885,18 +881,16 @@ def quaternion_product_qconjqyconj(qi, dci):
     qo_3 = qo_3a - qo_3b
     qo_2_size = absolute(qo_2a) + absolute(qo_2b)
     qo_3_size = absolute(qo_3a) + absolute(qo_3b)
-    qo_0c_bound = (2.2204460492503136e-16
-        * (absolute(qo_0a) + absolute(qo_0b) + 2.004168360008973e-292))
-    qo_1c_bound = (2.2204460492503136e-16
-        * (absolute(qo_1a) + absolute(qo_1b) + 2.004168360008973e-292))
-    qo_2_bound = 2.2204460492503136e-16 * (qo_2_size + 2.004168360008973e-292)
-    qo_3_bound = 2.2204460492503136e-16 * (qo_3_size + 2.004168360008973e-292)
+    qo_0c_bound = c2 * (absolute(qo_0a) + absolute(qo_0b) + c1)
+    qo_1c_bound = c2 * (absolute(qo_1a) + absolute(qo_1b) + c1)
+    qo_2_bound = c2 * (qo_2_size + c1)
+    qo_3_bound = c2 * (qo_3_size + c1)
     return (qo_0, qo_1, qo_2, qo_3, qo_0c_bound, qo_1c_bound, qo_2_bound, qo_3_bound)
 
 
 @kernel("(2),(4)->(4),(4)")
 @errstate(all="ignore")
-def quaternion_product_qzq(dci, qi):
+def quaternion_product_qzq(dci, qi, *, c1=2.004168360008973e-292, c2=2.2204460492503136e-16):
     """qo = (s e_z; c) qi, dci = (s, c), sine and cosine of half the angle; |error of qo| <=
     qo_bound unless inf or NaN.
 
@@ -922,16 +916,16 @@ def quaternion_product_qzq(dci, qi):
     qo_1_size = absolute(qo_1a) + absolute(qo_1b)
     qo_2_size = absolute(qo_2a) + absolute(qo_2b)
     qo_3_size = absolute(qo_3a) + absolute(qo_3b)
-    qo_0_bound = 2.2204460492503136e-16 * (qo_0_size + 2.004168360008973e-292)
-    qo_1_bound = 2.2204460492503136e-16 * (qo_1_size + 2.004168360008973e-292)
-    qo_2_bound = 2.2204460492503136e-16 * (qo_2_size + 2.004168360008973e-292)
-    qo_3_bound = 2.2204460492503136e-16 * (qo_3_size + 2.004168360008973e-292)
+    qo_0_bound = c2 * (qo_0_size + c1)
+    qo_1_bound = c2 * (qo_1_size + c1)
+    qo_2_bound = c2 * (qo_2_size + c1)
+    qo_3_bound = c2 * (qo_3_size + c1)
     return (qo_0, qo_1, qo_2, qo_3, qo_0_bound, qo_1_bound, qo_2_bound, qo_3_bound)
 
 
 @kernel("(2),(4)->(4),(4)")
 @errstate(all="ignore")
-def quaternion_product_qzqconj(dci, qi):
+def quaternion_product_qzqconj(dci, qi, *, c1=2.004168360008973e-292, c2=2.2204460492503136e-16):
     """qo = (s e_z; c) qi*, dci = (s, c), sine and cosine of half the angle; |error of qo| <=
     qo_bound unless inf or NaN.
 
@@ -956,17 +950,16 @@ def quaternion_product_qzqconj(dci, qi):
     qo_0_size = absolute(qo_0a) + absolute(qo_0b)
     qo_2_size = absolute(qo_2a) + absolute(qo_2b)
     qo_3_size = absolute(qo_3a) + absolute(qo_3b)
-    qo_0_bound = 2.2204460492503136e-16 * (qo_0_size + 2.004168360008973e-292)
-    qo_1c_bound = (2.2204460492503136e-16
-        * (absolute(qo_1a) + absolute(qo_1b) + 2.004168360008973e-292))
-    qo_2_bound = 2.2204460492503136e-16 * (qo_2_size + 2.004168360008973e-292)
-    qo_3_bound = 2.2204460492503136e-16 * (qo_3_size + 2.004168360008973e-292)
+    qo_0_bound = c2 * (qo_0_size + c1)
+    qo_1c_bound = c2 * (absolute(qo_1a) + absolute(qo_1b) + c1)
+    qo_2_bound = c2 * (qo_2_size + c1)
+    qo_3_bound = c2 * (qo_3_size + c1)
     return (qo_0, qo_1, qo_2, qo_3, qo_0_bound, qo_1c_bound, qo_2_bound, qo_3_bound)
 
 
 @kernel("(2),(4)->(4),(4)")
 @errstate(all="ignore")
-def quaternion_product_qzconjq(dci, qi):
+def quaternion_product_qzconjq(dci, qi, *, c1=2.004168360008973e-292, c2=2.2204460492503136e-16):
     """qo = (s e_z; c)* qi, dci = (s, c), sine and cosine of half the angle; |error of qo| <=
     qo_bound unless inf or NaN.
 
@@ -992,16 +985,17 @@ def quaternion_product_qzconjq(dci, qi):
     qo_1_size = absolute(qo_1a) + absolute(qo_1b)
     qo_2_size = absolute(qo_2a) + absolute(qo_2b)
     qo_3_size = absolute(qo_3a) + absolute(qo_3b)
-    qo_0_bound = 2.2204460492503136e-16 * (qo_0_size + 2.004168360008973e-292)
-    qo_1_bound = 2.2204460492503136e-16 * (qo_1_size + 2.004168360008973e-292)
-    qo_2_bound = 2.2204460492503136e-16 * (qo_2_size + 2.004168360008973e-292)
-    qo_3_bound = 2.2204460492503136e-16 * (qo_3_size + 2.004168360008973e-292)
+    qo_0_bound = c2 * (qo_0_size + c1)
+    qo_1_bound = c2 * (qo_1_size + c1)
+    qo_2_bound = c2 * (qo_2_size + c1)
+    qo_3_bound = c2 * (qo_3_size + c1)
     return (qo_0, qo_1, qo_2, qo_3, qo_0_bound, qo_1_bound, qo_2_bound, qo_3_bound)
 
 
 @kernel("(2),(4)->(4),(4)")
 @errstate(all="ignore")
-def quaternion_product_qzconjqconj(dci, qi):
+def quaternion_product_qzconjqconj(dci, qi, *, c1=2.004168360008973e-292,
+        c2=2.2204460492503136e-16):
     """qo = (s e_z; c)* qi*, dci = (s, c), sine and cosine of half the angle; |error of qo| <=
     qo_bound unless inf or NaN.
 
@@ -1025,18 +1019,16 @@ def quaternion_product_qzconjqconj(dci, qi):
     qo_3 = qo_3a - qo_3b
     qo_1_size = absolute(qo_1a) + absolute(qo_1b)
     qo_3_size = absolute(qo_3a) + absolute(qo_3b)
-    qo_0c_bound = (2.2204460492503136e-16
-        * (absolute(qo_0a) + absolute(qo_0b) + 2.004168360008973e-292))
-    qo_1_bound = 2.2204460492503136e-16 * (qo_1_size + 2.004168360008973e-292)
-    qo_2c_bound = (2.2204460492503136e-16
-        * (absolute(qo_2a) + absolute(qo_2b) + 2.004168360008973e-292))
-    qo_3_bound = 2.2204460492503136e-16 * (qo_3_size + 2.004168360008973e-292)
+    qo_0c_bound = c2 * (absolute(qo_0a) + absolute(qo_0b) + c1)
+    qo_1_bound = c2 * (qo_1_size + c1)
+    qo_2c_bound = c2 * (absolute(qo_2a) + absolute(qo_2b) + c1)
+    qo_3_bound = c2 * (qo_3_size + c1)
     return (qo_0, qo_1, qo_2, qo_3, qo_0c_bound, qo_1_bound, qo_2c_bound, qo_3_bound)
 
 
 @kernel("(4),(2)->(4),(4)")
 @errstate(all="ignore")
-def quaternion_product_qqz(qi, dci):
+def quaternion_product_qqz(qi, dci, *, c1=2.004168360008973e-292, c2=2.2204460492503136e-16):
     """qo = qi (s e_z; c), dci = (s, c), sine and cosine of half the angle; |error of qo| <=
     qo_bound unless inf or NaN.
 
@@ -1062,16 +1054,16 @@ def quaternion_product_qqz(qi, dci):
     qo_1_size = absolute(qo_1a) + absolute(qo_1b)
     qo_2_size = absolute(qo_2a) + absolute(qo_2b)
     qo_3_size = absolute(qo_3a) + absolute(qo_3b)
-    qo_0_bound = 2.2204460492503136e-16 * (qo_0_size + 2.004168360008973e-292)
-    qo_1_bound = 2.2204460492503136e-16 * (qo_1_size + 2.004168360008973e-292)
-    qo_2_bound = 2.2204460492503136e-16 * (qo_2_size + 2.004168360008973e-292)
-    qo_3_bound = 2.2204460492503136e-16 * (qo_3_size + 2.004168360008973e-292)
+    qo_0_bound = c2 * (qo_0_size + c1)
+    qo_1_bound = c2 * (qo_1_size + c1)
+    qo_2_bound = c2 * (qo_2_size + c1)
+    qo_3_bound = c2 * (qo_3_size + c1)
     return (qo_0, qo_1, qo_2, qo_3, qo_0_bound, qo_1_bound, qo_2_bound, qo_3_bound)
 
 
 @kernel("(4),(2)->(4),(4)")
 @errstate(all="ignore")
-def quaternion_product_qqzconj(qi, dci):
+def quaternion_product_qqzconj(qi, dci, *, c1=2.004168360008973e-292, c2=2.2204460492503136e-16):
     """qo = qi (s e_z; c)*, dci = (s, c), sine and cosine of half the angle; |error of qo| <=
     qo_bound unless inf or NaN.
 
@@ -1097,16 +1089,16 @@ def quaternion_product_qqzconj(qi, dci):
     qo_1_size = absolute(qo_1a) + absolute(qo_1b)
     qo_2_size = absolute(qo_2a) + absolute(qo_2b)
     qo_3_size = absolute(qo_3a) + absolute(qo_3b)
-    qo_0_bound = 2.2204460492503136e-16 * (qo_0_size + 2.004168360008973e-292)
-    qo_1_bound = 2.2204460492503136e-16 * (qo_1_size + 2.004168360008973e-292)
-    qo_2_bound = 2.2204460492503136e-16 * (qo_2_size + 2.004168360008973e-292)
-    qo_3_bound = 2.2204460492503136e-16 * (qo_3_size + 2.004168360008973e-292)
+    qo_0_bound = c2 * (qo_0_size + c1)
+    qo_1_bound = c2 * (qo_1_size + c1)
+    qo_2_bound = c2 * (qo_2_size + c1)
+    qo_3_bound = c2 * (qo_3_size + c1)
     return (qo_0, qo_1, qo_2, qo_3, qo_0_bound, qo_1_bound, qo_2_bound, qo_3_bound)
 
 
 @kernel("(4),(2)->(4),(4)")
 @errstate(all="ignore")
-def quaternion_product_qconjqz(qi, dci):
+def quaternion_product_qconjqz(qi, dci, *, c1=2.004168360008973e-292, c2=2.2204460492503136e-16):
     """qo = qi* (s e_z; c), dci = (s, c), sine and cosine of half the angle; |error of qo| <=
     qo_bound unless inf or NaN.
 
@@ -1131,17 +1123,17 @@ def quaternion_product_qconjqz(qi, dci):
     qo_1_size = absolute(qo_1a) + absolute(qo_1b)
     qo_2_size = absolute(qo_2a) + absolute(qo_2b)
     qo_3_size = absolute(qo_3a) + absolute(qo_3b)
-    qo_0c_bound = (2.2204460492503136e-16
-        * (absolute(qo_0a) + absolute(qo_0b) + 2.004168360008973e-292))
-    qo_1_bound = 2.2204460492503136e-16 * (qo_1_size + 2.004168360008973e-292)
-    qo_2_bound = 2.2204460492503136e-16 * (qo_2_size + 2.004168360008973e-292)
-    qo_3_bound = 2.2204460492503136e-16 * (qo_3_size + 2.004168360008973e-292)
+    qo_0c_bound = c2 * (absolute(qo_0a) + absolute(qo_0b) + c1)
+    qo_1_bound = c2 * (qo_1_size + c1)
+    qo_2_bound = c2 * (qo_2_size + c1)
+    qo_3_bound = c2 * (qo_3_size + c1)
     return (qo_0, qo_1, qo_2, qo_3, qo_0c_bound, qo_1_bound, qo_2_bound, qo_3_bound)
 
 
 @kernel("(4),(2)->(4),(4)")
 @errstate(all="ignore")
-def quaternion_product_qconjqzconj(qi, dci):
+def quaternion_product_qconjqzconj(qi, dci, *, c1=2.004168360008973e-292,
+        c2=2.2204460492503136e-16):
     """qo = qi* (s e_z; c)*, dci = (s, c), sine and cosine of half the angle; |error of qo| <=
     qo_bound unless inf or NaN.
 
@@ -1165,18 +1157,16 @@ def quaternion_product_qconjqzconj(qi, dci):
     qo_3 = qo_3a - qo_3b
     qo_0_size = absolute(qo_0a) + absolute(qo_0b)
     qo_3_size = absolute(qo_3a) + absolute(qo_3b)
-    qo_0_bound = 2.2204460492503136e-16 * (qo_0_size + 2.004168360008973e-292)
-    qo_1c_bound = (2.2204460492503136e-16
-        * (absolute(qo_1a) + absolute(qo_1b) + 2.004168360008973e-292))
-    qo_2c_bound = (2.2204460492503136e-16
-        * (absolute(qo_2a) + absolute(qo_2b) + 2.004168360008973e-292))
-    qo_3_bound = 2.2204460492503136e-16 * (qo_3_size + 2.004168360008973e-292)
+    qo_0_bound = c2 * (qo_0_size + c1)
+    qo_1c_bound = c2 * (absolute(qo_1a) + absolute(qo_1b) + c1)
+    qo_2c_bound = c2 * (absolute(qo_2a) + absolute(qo_2b) + c1)
+    qo_3_bound = c2 * (qo_3_size + c1)
     return (qo_0, qo_1, qo_2, qo_3, qo_0_bound, qo_1c_bound, qo_2c_bound, qo_3_bound)
 
 
 @kernel("(4),(3)->(4),(4)")
 @errstate(all="ignore")
-def quaternion_product_qv(qi, vi):
+def quaternion_product_qv(qi, vi, *, c1=2.004168360008973e-292, c2=3.3306690738754706e-16):
     """qo = qi (vi; 0); |error of qo| <= qo_bound unless inf or NaN.
 
     (4),(3)->(4),(4).  qi, qo, qo_bound: quaternion (x, y, z, w), the scalar last; vi: vector.
@@ -1203,17 +1193,16 @@ def quaternion_product_qv(qi, vi):
     qo_0_size = absolute(qo_0a) + absolute(qo_0b) + absolute(qo_0d)
     qo_1_size = absolute(qo_1a) + absolute(qo_1b) + absolute(qo_1d)
     qo_2_size = absolute(qo_2a) + absolute(qo_2b) + absolute(qo_2d)
-    qo_0_bound = 3.3306690738754706e-16 * (qo_0_size + 2.004168360008973e-292)
-    qo_1_bound = 3.3306690738754706e-16 * (qo_1_size + 2.004168360008973e-292)
-    qo_2_bound = 3.3306690738754706e-16 * (qo_2_size + 2.004168360008973e-292)
-    qo_3e_bound = (3.3306690738754706e-16
-        * (absolute(qo_3a) + absolute(qo_3b) + absolute(qo_3d) + 2.004168360008973e-292))
+    qo_0_bound = c2 * (qo_0_size + c1)
+    qo_1_bound = c2 * (qo_1_size + c1)
+    qo_2_bound = c2 * (qo_2_size + c1)
+    qo_3e_bound = c2 * (absolute(qo_3a) + absolute(qo_3b) + absolute(qo_3d) + c1)
     return (qo_0, qo_1, qo_2, qo_3, qo_0_bound, qo_1_bound, qo_2_bound, qo_3e_bound)
 
 
 @kernel("(4),(3)->(4),(4)")
 @errstate(all="ignore")
-def quaternion_product_qconjv(qi, vi):
+def quaternion_product_qconjv(qi, vi, *, c1=2.004168360008973e-292, c2=3.3306690738754706e-16):
     """qo = qi* (vi; 0); |error of qo| <= qo_bound unless inf or NaN.
 
     (4),(3)->(4),(4).  qi, qo, qo_bound: quaternion (x, y, z, w), the scalar last; vi: vector.
@@ -1241,16 +1230,16 @@ def quaternion_product_qconjv(qi, vi):
     qo_1_size = absolute(qo_1a) + absolute(qo_1b) + absolute(qo_1d)
     qo_2_size = absolute(qo_2a) + absolute(qo_2b) + absolute(qo_2d)
     qo_3_size = absolute(qo_3a) + absolute(qo_3b) + absolute(qo_3d)
-    qo_0_bound = 3.3306690738754706e-16 * (qo_0_size + 2.004168360008973e-292)
-    qo_1_bound = 3.3306690738754706e-16 * (qo_1_size + 2.004168360008973e-292)
-    qo_2_bound = 3.3306690738754706e-16 * (qo_2_size + 2.004168360008973e-292)
-    qo_3_bound = 3.3306690738754706e-16 * (qo_3_size + 2.004168360008973e-292)
+    qo_0_bound = c2 * (qo_0_size + c1)
+    qo_1_bound = c2 * (qo_1_size + c1)
+    qo_2_bound = c2 * (qo_2_size + c1)
+    qo_3_bound = c2 * (qo_3_size + c1)
     return (qo_0, qo_1, qo_2, qo_3, qo_0_bound, qo_1_bound, qo_2_bound, qo_3_bound)
 
 
 @kernel("(3),(4)->(4),(4)")
 @errstate(all="ignore")
-def quaternion_product_vq(vi, qi):
+def quaternion_product_vq(vi, qi, *, c1=2.004168360008973e-292, c2=3.3306690738754706e-16):
     """qo = (vi; 0) qi; |error of qo| <= qo_bound unless inf or NaN.
 
     (3),(4)->(4),(4).  vi: vector; qi, qo, qo_bound: quaternion (x, y, z, w), the scalar last.
@@ -1277,17 +1266,16 @@ def quaternion_product_vq(vi, qi):
     qo_0_size = absolute(qo_0a) + (absolute(qo_0b) + absolute(qo_0c))
     qo_1_size = absolute(qo_1a) + absolute(qo_1b) + absolute(qo_1d)
     qo_2_size = absolute(qo_2a) + absolute(qo_2b) + absolute(qo_2d)
-    qo_0_bound = 3.3306690738754706e-16 * (qo_0_size + 2.004168360008973e-292)
-    qo_1_bound = 3.3306690738754706e-16 * (qo_1_size + 2.004168360008973e-292)
-    qo_2_bound = 3.3306690738754706e-16 * (qo_2_size + 2.004168360008973e-292)
-    qo_3e_bound = (3.3306690738754706e-16
-        * (absolute(qo_3a) + absolute(qo_3b) + absolute(qo_3d) + 2.004168360008973e-292))
+    qo_0_bound = c2 * (qo_0_size + c1)
+    qo_1_bound = c2 * (qo_1_size + c1)
+    qo_2_bound = c2 * (qo_2_size + c1)
+    qo_3e_bound = c2 * (absolute(qo_3a) + absolute(qo_3b) + absolute(qo_3d) + c1)
     return (qo_0, qo_1, qo_2, qo_3, qo_0_bound, qo_1_bound, qo_2_bound, qo_3e_bound)
 
 
 @kernel("(3),(4)->(4),(4)")
 @errstate(all="ignore")
-def quaternion_product_vqconj(vi, qi):
+def quaternion_product_vqconj(vi, qi, *, c1=2.004168360008973e-292, c2=3.3306690738754706e-16):
     """qo = (vi; 0) qi*; |error of qo| <= qo_bound unless inf or NaN.
 
     (3),(4)->(4),(4).  vi: vector; qi, qo, qo_bound: quaternion (x, y, z, w), the scalar last.
@@ -1315,16 +1303,16 @@ def quaternion_product_vqconj(vi, qi):
     qo_1_size = absolute(qo_1a) + absolute(qo_1b) + absolute(qo_1d)
     qo_2_size = absolute(qo_2a) + absolute(qo_2b) + absolute(qo_2d)
     qo_3_size = absolute(qo_3a) + absolute(qo_3b) + absolute(qo_3d)
-    qo_0_bound = 3.3306690738754706e-16 * (qo_0_size + 2.004168360008973e-292)
-    qo_1_bound = 3.3306690738754706e-16 * (qo_1_size + 2.004168360008973e-292)
-    qo_2_bound = 3.3306690738754706e-16 * (qo_2_size + 2.004168360008973e-292)
-    qo_3_bound = 3.3306690738754706e-16 * (qo_3_size + 2.004168360008973e-292)
+    qo_0_bound = c2 * (qo_0_size + c1)
+    qo_1_bound = c2 * (qo_1_size + c1)
+    qo_2_bound = c2 * (qo_2_size + c1)
+    qo_3_bound = c2 * (qo_3_size + c1)
     return (qo_0, qo_1, qo_2, qo_3, qo_0_bound, qo_1_bound, qo_2_bound, qo_3_bound)
 
 
 @kernel("(4),(4)->(),()")
 @errstate(all="ignore")
-def dot_qq(q1i, q2i):
+def dot_qq(q1i, q2i, *, c1=2.004168360008973e-292, c2=4.440892098500628e-16):
     """q1i·q2i; |error of dot| <= dot_bound unless inf or NaN.
 
     (4),(4)->(),().  q1i, q2i: quaternion (x, y, z, w), the scalar last; dot, dot_bound: number.
@@ -1338,13 +1326,13 @@ def dot_qq(q1i, q2i):
     dot_f = q1i_3 * q2i_3
     dot = dot_a + dot_b + dot_d + dot_f
     dot_size = absolute(dot_a) + absolute(dot_b) + absolute(dot_d) + absolute(dot_f)
-    dot_bound = 4.440892098500628e-16 * (dot_size + 2.004168360008973e-292)
+    dot_bound = c2 * (dot_size + c1)
     return (dot, dot_bound)
 
 
 @kernel("(3),(4)->(4),(4)")
 @errstate(all="ignore")
-def add_dpiToq(dpi, qi):
+def add_dpiToq(dpi, qi, *, c1=2.004168360008973e-292, c2=5.551115123125785e-16):
     """qi = qi + qi (dpi; 0) / 2: rotated by the small rotation vector dpi in the rotated frame, to
     first order; not normalized; |error of qi| <= qi_bound unless inf or NaN.
 
@@ -1360,11 +1348,11 @@ def add_dpiToq(dpi, qi):
     qi_1_new = qi_0_new_a * qi_2 - qi_0_new_c * qi_0 + qi_0_new_e * qi_3 + qi_1
     qi_2_new = qi_0_new_e * qi_0 - qi_0_new_a * qi_1 + qi_0_new_c * qi_3 + qi_2
     qi_3_new = qi_3 - (qi_0_new_a * qi_0 + qi_0_new_e * qi_1 + qi_0_new_c * qi_2)
-    qi_0_new_a_padded = absolute(qi_0_new_a) + 2.004168360008973e-292
+    qi_0_new_a_padded = absolute(qi_0_new_a) + c1
     qi_3_abs = absolute(qi_3)
-    qi_0_new_c_padded = absolute(qi_0_new_c) + 2.004168360008973e-292
+    qi_0_new_c_padded = absolute(qi_0_new_c) + c1
     qi_1_abs = absolute(qi_1)
-    qi_0_new_e_padded = absolute(qi_0_new_e) + 2.004168360008973e-292
+    qi_0_new_e_padded = absolute(qi_0_new_e) + c1
     qi_2_abs = absolute(qi_2)
     qi_0_abs = absolute(qi_0)
     qi_0_new_size = (qi_0_new_a_padded * qi_3_abs
@@ -1376,17 +1364,17 @@ def add_dpiToq(dpi, qi):
     qi_3_new_size = (qi_3_abs
         + (qi_0_new_a_padded * qi_0_abs + qi_0_new_e_padded * qi_1_abs + qi_0_new_c_padded
         * qi_2_abs))
-    qi_0_new_bound = 5.551115123125785e-16 * (qi_0_new_size + 2.004168360008973e-292)
-    qi_1_new_bound = 5.551115123125785e-16 * (qi_1_new_size + 2.004168360008973e-292)
-    qi_2_new_bound = 5.551115123125785e-16 * (qi_2_new_size + 2.004168360008973e-292)
-    qi_3_new_bound = 5.551115123125785e-16 * (qi_3_new_size + 2.004168360008973e-292)
+    qi_0_new_bound = c2 * (qi_0_new_size + c1)
+    qi_1_new_bound = c2 * (qi_1_new_size + c1)
+    qi_2_new_bound = c2 * (qi_2_new_size + c1)
+    qi_3_new_bound = c2 * (qi_3_new_size + c1)
     return (qi_0_new, qi_1_new, qi_2_new, qi_3_new, qi_0_new_bound, qi_1_new_bound, qi_2_new_bound,
         qi_3_new_bound)
 
 
 @kernel("(3),(4)->(4),(4)")
 @errstate(all="ignore")
-def subtract_dpiFromq(dpi, qi):
+def subtract_dpiFromq(dpi, qi, *, c1=2.004168360008973e-292, c2=5.551115123125785e-16):
     """qi = qi - qi (dpi; 0) / 2, the opposite of add_dpiToq to first order; |error of qi| <=
     qi_bound unless inf or NaN.
 
@@ -1402,11 +1390,11 @@ def subtract_dpiFromq(dpi, qi):
     qi_1_new = qi_0_new_c * qi_0 - qi_0_new_f * qi_2 - qi_0_new_a * qi_3 + qi_1
     qi_2_new = qi_0_new_f * qi_1 - qi_0_new_a * qi_0 - qi_0_new_c * qi_3 + qi_2
     qi_3_new = qi_0_new_f * qi_0 + qi_0_new_a * qi_1 + qi_0_new_c * qi_2 + qi_3
-    qi_0_new_a_padded = absolute(qi_0_new_a) + 2.004168360008973e-292
+    qi_0_new_a_padded = absolute(qi_0_new_a) + c1
     qi_2_abs = absolute(qi_2)
-    qi_0_new_c_padded = absolute(qi_0_new_c) + 2.004168360008973e-292
+    qi_0_new_c_padded = absolute(qi_0_new_c) + c1
     qi_1_abs = absolute(qi_1)
-    qi_0_new_f_padded = absolute(qi_0_new_f) + 2.004168360008973e-292
+    qi_0_new_f_padded = absolute(qi_0_new_f) + c1
     qi_3_abs = absolute(qi_3)
     qi_0_abs = absolute(qi_0)
     qi_0_new_size = (qi_0_new_a_padded * qi_2_abs + qi_0_new_c_padded * qi_1_abs
@@ -1417,17 +1405,17 @@ def subtract_dpiFromq(dpi, qi):
         + qi_0_new_c_padded * qi_3_abs + qi_2_abs)
     qi_3_new_size = (qi_0_new_f_padded * qi_0_abs + qi_0_new_a_padded * qi_1_abs
         + qi_0_new_c_padded * qi_2_abs + qi_3_abs)
-    qi_0_new_bound = 5.551115123125785e-16 * (qi_0_new_size + 2.004168360008973e-292)
-    qi_1_new_bound = 5.551115123125785e-16 * (qi_1_new_size + 2.004168360008973e-292)
-    qi_2_new_bound = 5.551115123125785e-16 * (qi_2_new_size + 2.004168360008973e-292)
-    qi_3_new_bound = 5.551115123125785e-16 * (qi_3_new_size + 2.004168360008973e-292)
+    qi_0_new_bound = c2 * (qi_0_new_size + c1)
+    qi_1_new_bound = c2 * (qi_1_new_size + c1)
+    qi_2_new_bound = c2 * (qi_2_new_size + c1)
+    qi_3_new_bound = c2 * (qi_3_new_size + c1)
     return (qi_0_new, qi_1_new, qi_2_new, qi_3_new, qi_0_new_bound, qi_1_new_bound, qi_2_new_bound,
         qi_3_new_bound)
 
 
 @kernel("(3),(4)->(4),(4)")
 @errstate(all="ignore")
-def omega_to_dquaternion(w, qi):
+def omega_to_dquaternion(w, qi, *, c1=2.004168360008973e-292, c2=7.7715611723761e-16):
     """dqo = (w; 0) qi / 2 + (1 - qi·qi) qi: the rate of qi for the angular velocity w in the
     reference frame, rad/s, and a term that draws its norm to 1; |error of dqo| <= dqo_bound
     unless inf or NaN.
@@ -1449,14 +1437,14 @@ def omega_to_dquaternion(w, qi):
     dqo_1 = dqo_0e * qi_0 - dqo_0a * qi_2 + dqo_0c * qi_3 + qi_1 * dqo_0p
     dqo_2 = dqo_0a * qi_1 - dqo_0c * qi_0 + dqo_0e * qi_3 + qi_2 * dqo_0p
     dqo_3 = qi_3 * dqo_0p - (dqo_0a * qi_0 + dqo_0c * qi_1 + dqo_0e * qi_2)
-    dqo_0a_padded = absolute(dqo_0a) + 2.004168360008973e-292
+    dqo_0a_padded = absolute(dqo_0a) + c1
     qi_3_abs = absolute(qi_3)
-    dqo_0c_padded = absolute(dqo_0c) + 2.004168360008973e-292
+    dqo_0c_padded = absolute(dqo_0c) + c1
     qi_2_abs = absolute(qi_2)
-    dqo_0e_padded = absolute(dqo_0e) + 2.004168360008973e-292
+    dqo_0e_padded = absolute(dqo_0e) + c1
     qi_1_abs = absolute(qi_1)
     dqo_0p_padded = (1 + absolute(dqo_0i) + absolute(dqo_0k) + absolute(dqo_0m) + absolute(dqo_0o)
-        + 2.004168360008973e-292)
+        + c1)
     qi_0_abs = absolute(qi_0)
     dqo_0_size = (dqo_0a_padded * qi_3_abs + (dqo_0c_padded * qi_2_abs + dqo_0e_padded * qi_1_abs)
         + qi_0_abs * dqo_0p_padded)
@@ -1466,16 +1454,17 @@ def omega_to_dquaternion(w, qi):
         + qi_2_abs * dqo_0p_padded)
     dqo_3_size = (qi_3_abs * dqo_0p_padded
         + (dqo_0a_padded * qi_0_abs + dqo_0c_padded * qi_1_abs + dqo_0e_padded * qi_2_abs))
-    dqo_0_bound = 7.7715611723761e-16 * (dqo_0_size + 2.004168360008973e-292)
-    dqo_1_bound = 7.7715611723761e-16 * (dqo_1_size + 2.004168360008973e-292)
-    dqo_2_bound = 7.7715611723761e-16 * (dqo_2_size + 2.004168360008973e-292)
-    dqo_3_bound = 7.7715611723761e-16 * (dqo_3_size + 2.004168360008973e-292)
+    dqo_0_bound = c2 * (dqo_0_size + c1)
+    dqo_1_bound = c2 * (dqo_1_size + c1)
+    dqo_2_bound = c2 * (dqo_2_size + c1)
+    dqo_3_bound = c2 * (dqo_3_size + c1)
     return (dqo_0, dqo_1, dqo_2, dqo_3, dqo_0_bound, dqo_1_bound, dqo_2_bound, dqo_3_bound)
 
 
 @kernel("(3),()->(4),(4)")
 @errstate(all="ignore")
-def quaternion_from_axis_angle(axis, angle):
+def quaternion_from_axis_angle(axis, angle, *, c1=1.8051943758648296e-276,
+        c2=4.3017579231195054e-30, c3=4.067564442213936e-30):
     """qo = (axis sin angle/2; cos angle/2); axis of length 1: with another |qo| is not 1, and its
     rotation is by another angle; |error of qo| <= qo_bound unless inf or NaN.
 
@@ -1487,23 +1476,31 @@ def quaternion_from_axis_angle(axis, angle):
     half = 0.5 * angle
     sine, qo_3 = elementary.sincos(half)
     sine_own_error_1, qo_own_error_1 = elementary.sincos_error(half, sine, qo_3)
-    sine_size_1 = 1 + (1.8051943758648296e-276 + 0.5 * absolute(angle))
+    sine_size_1 = 1 + (c1 + 0.5 * absolute(angle))
     qo_0 = axis_0 * sine
     qo_1 = axis_1 * sine
     qo_2 = axis_2 * sine
-    qo_rest_1 = 4.3017579231195054e-30 * (1.8051943758648296e-276 + absolute(axis_0) * sine_size_1)
-    qo_rest_2 = 4.3017579231195054e-30 * (1.8051943758648296e-276 + absolute(axis_1) * sine_size_1)
-    qo_rest_3 = 4.3017579231195054e-30 * (1.8051943758648296e-276 + absolute(axis_2) * sine_size_1)
-    qo_bound_1 = absolute(product_error(axis_0, sine, qo_0) + axis_0 * sine_own_error_1) + qo_rest_1
-    qo_bound_2 = absolute(product_error(axis_1, sine, qo_1) + axis_1 * sine_own_error_1) + qo_rest_2
-    qo_bound_3 = absolute(product_error(axis_2, sine, qo_2) + axis_2 * sine_own_error_1) + qo_rest_3
-    qo_bound_4 = absolute(qo_own_error_1) + 4.067564442213936e-30 * sine_size_1
+    qo_bound_1 = (absolute(product_error(axis_0, sine, qo_0) + axis_0 * sine_own_error_1) + c2
+        * (c1 + absolute(axis_0) * sine_size_1))
+    qo_bound_2 = (absolute(product_error(axis_1, sine, qo_1) + axis_1 * sine_own_error_1) + c2
+        * (c1 + absolute(axis_1) * sine_size_1))
+    qo_bound_3 = (absolute(product_error(axis_2, sine, qo_2) + axis_2 * sine_own_error_1) + c2
+        * (c1 + absolute(axis_2) * sine_size_1))
+    qo_bound_4 = absolute(qo_own_error_1) + c3 * sine_size_1
     return (qo_0, qo_1, qo_2, qo_3, qo_bound_1, qo_bound_2, qo_bound_3, qo_bound_4)
 
 
 @kernel("(4)->(),(3),(),(3)")
 @errstate(all="ignore")
-def axis_angle_from_quaternion(q):
+def axis_angle_from_quaternion(q, *, c1=6.703903964971299e+153, c2=3.7291703656001034e-155,
+        c3=1.3093562431584567e+151, c4=1.955159272639747e-149, c5=1.0715086071862673e+301, c6=5e-324,
+        c7=1.8051943758648296e-276, c8=1.1093356479670522e-31, c9=3.169126500570585e+29,
+        c10=3.4142893812359766e-30, c11=140737488355328, c12=7.235336013082471e-30,
+        c13=1.5970396877936164e+29, c14=7.637340908749012e-152, c15=9.332636185032189e-302,
+        c16=6.859394487938082e-30, c17=3.254051621949822e-30, c18=4.875578158636172e+28,
+        c19=6.606712056056508e-30, c20=9.054644677292507e+28, c21=1.1389183198259759e-29,
+        c22=1.6442825652790928e-29, c23=6.250354999637554e+28, c24=2.1514956353001486e-29,
+        c25=1.644282720444347e-29):
     """angle = 2 atan2(|v|, |w|), axis = ±v / |v|; 0 <= angle <= π; the axis is (1, 0, 0) if the
     angle is 0; any multiple of a quaternion; |error of angle| <= angle_bound, |error of axis|
     <= axis_bound unless inf or NaN.
@@ -1521,10 +1518,8 @@ def axis_angle_from_quaternion(q):
     s_largest1 = where(s_size_0 < s_size_1, s_size_1, s_size_0)
     s_largest2 = where(s_largest1 < s_size_2, s_size_2, s_largest1)
     s_largest3 = where(s_largest2 < s_size_3, s_size_3, s_largest2)
-    s_d = (where(s_largest3
-        < 256, 1.3093562431584567e+151, where(6.703903964971299e+153
-        < s_largest3, float64(3.7291703656001034e-155), float64(1))))
-    s = where(s_largest3 < 1.955159272639747e-149, 1.0715086071862673e+301, s_d)
+    s = where(s_largest3 < c4, c5, where(s_largest3 < 256, c3, where(c1 < s_largest3, real(c2),
+        real(1))))
     scaled_s_0 = q_0 * s
     scaled_s_inverse_1 = 1 / s
     scaled_s_size_4 = absolute(scaled_s_0)
@@ -1533,64 +1528,50 @@ def axis_angle_from_quaternion(q):
     scaled_s_2 = q_2 * s
     scaled_s_size_12 = absolute(scaled_s_2)
     scaled_s_3 = q_3 * s
-    scaled_s_size_15 = where(q_3 == scaled_s_3 * scaled_s_inverse_1, float64(0), float64(5e-324))
+    scaled_s_size_15 = where(q_3 == scaled_s_3 * scaled_s_inverse_1, real(0), real(c6))
     scaled_s_size_16 = absolute(scaled_s_3)
     upper_0a = -scaled_s_0
     upper_0b = scaled_s_3 < 0
     upper_0 = where(upper_0b, upper_0a, scaled_s_0)
-    upper_size_4 = scaled_s_size_15 < 5e-324 + absolute(scaled_s_3 - 0)
-    upper_size_7 = (1.1093356479670522e-31 * (1.8051943758648296e-276 + scaled_s_size_4)
-        + absolute(upper_0a - scaled_s_0))
-    upper_size_9 = (where(upper_size_4, 0, where(q_0 == scaled_s_0
-        * scaled_s_inverse_1, float64(0), float64(5e-324)) + upper_size_7))
+    upper_size_4 = scaled_s_size_15 < c6 + absolute(scaled_s_3 - 0)
+    upper_size_8 = (where(q_0 == scaled_s_0 * scaled_s_inverse_1, real(0), real(c6))
+        + (c8 * (c7 + scaled_s_size_4) + absolute(upper_0a - scaled_s_0)))
     upper_1a = -scaled_s_1
     upper_1 = where(upper_0b, upper_1a, scaled_s_1)
-    upper_size_14 = (1.1093356479670522e-31 * (1.8051943758648296e-276 + scaled_s_size_8)
-        + absolute(upper_1a - scaled_s_1))
-    upper_size_16 = (where(upper_size_4, 0, where(q_1 == scaled_s_1
-        * scaled_s_inverse_1, float64(0), float64(5e-324)) + upper_size_14))
+    upper_size_15 = (where(q_1 == scaled_s_1 * scaled_s_inverse_1, real(0), real(c6))
+        + (c8 * (c7 + scaled_s_size_8) + absolute(upper_1a - scaled_s_1)))
     upper_2a = -scaled_s_2
     upper_2 = where(upper_0b, upper_2a, scaled_s_2)
-    upper_size_21 = (1.1093356479670522e-31 * (1.8051943758648296e-276 + scaled_s_size_12)
-        + absolute(upper_2a - scaled_s_2))
-    upper_size_23 = (where(upper_size_4, 0, where(q_2 == scaled_s_2
-        * scaled_s_inverse_1, float64(0), float64(5e-324)) + upper_size_21))
+    upper_size_22 = (where(q_2 == scaled_s_2 * scaled_s_inverse_1, real(0), real(c6))
+        + (c8 * (c7 + scaled_s_size_12) + absolute(upper_2a - scaled_s_2)))
     upper_3a = -scaled_s_3
     upper_3 = where(upper_0b, upper_3a, scaled_s_3)
-    upper_size_29 = (scaled_s_size_15
-        + (1.1093356479670522e-31 * (1.8051943758648296e-276 + scaled_s_size_16)
-        + absolute(upper_3a - scaled_s_3)))
     v_s_size_0 = absolute(upper_0)
     v_s_size_1 = absolute(upper_1)
     v_s_size_2 = absolute(upper_2)
     v_s_largest1 = where(v_s_size_0 < v_s_size_1, v_s_size_1, v_s_size_0)
     v_s_largest2 = where(v_s_largest1 < v_s_size_2, v_s_size_2, v_s_largest1)
     v_s_a = v_s_largest2 < 256
-    v_s_c = v_s_largest2 < 1.955159272639747e-149
-    v_s = where(v_s_c, 1.0715086071862673e+301, where(v_s_a, float64(1.3093562431584567e+151),
-        float64(1)))
-    v_s_size_3 = where(v_s_c, 1.0715086071862673e+301, where(v_s_a,
-        float64(1.3093562431584567e+151), float64(1)))
+    v_s_c = v_s_largest2 < c4
+    v_s = where(v_s_c, c5, where(v_s_a, real(c3), real(1)))
+    v_s_size_3 = where(v_s_c, c5, where(v_s_a, real(c3), real(1)))
     v_y_0 = upper_0 * v_s
     v_y_1 = upper_1 * v_s
     v_y_2 = upper_2 * v_s
     v_n_a = v_y_0 * v_y_0
-    v_n_a_padded_1 = (1.8051943758648296e-276 + v_s_size_3
-        * (1.8051943758648296e-276 + (scaled_s_size_4 + 3.169126500570585e+29 * upper_size_9)))
-    v_n_a_size_2 = (v_n_a_padded_1
-        * (absolute(v_y_0) + 140737488355328 * (3.4142893812359766e-30 * v_n_a_padded_1)))
+    v_n_a_padded_1 = (c7 + v_s_size_3
+        * (c7 + (scaled_s_size_4 + c9 * where(upper_size_4, 0, upper_size_8))))
+    v_n_a_size_2 = v_n_a_padded_1 * (absolute(v_y_0) + c11 * (c10 * v_n_a_padded_1))
     v_n_b = v_y_1 * v_y_1
-    v_n_b_padded_1 = (1.8051943758648296e-276 + v_s_size_3
-        * (1.8051943758648296e-276 + (scaled_s_size_8 + 3.169126500570585e+29 * upper_size_16)))
-    v_n_b_size_2 = (v_n_b_padded_1
-        * (absolute(v_y_1) + 140737488355328 * (3.4142893812359766e-30 * v_n_b_padded_1)))
+    v_n_b_padded_1 = (c7 + v_s_size_3
+        * (c7 + (scaled_s_size_8 + c9 * where(upper_size_4, 0, upper_size_15))))
+    v_n_b_size_2 = v_n_b_padded_1 * (absolute(v_y_1) + c11 * (c10 * v_n_b_padded_1))
     v_n_c = v_n_a + v_n_b
     v_n_c_right_1 = v_n_c - v_n_a
     v_n_d = v_y_2 * v_y_2
-    v_n_d_padded_1 = (1.8051943758648296e-276 + v_s_size_3
-        * (1.8051943758648296e-276 + (scaled_s_size_12 + 3.169126500570585e+29 * upper_size_23)))
-    v_n_d_size_2 = (v_n_d_padded_1
-        * (absolute(v_y_2) + 140737488355328 * (3.4142893812359766e-30 * v_n_d_padded_1)))
+    v_n_d_padded_1 = (c7 + v_s_size_3
+        * (c7 + (scaled_s_size_12 + c9 * where(upper_size_4, 0, upper_size_22))))
+    v_n_d_size_2 = v_n_d_padded_1 * (absolute(v_y_2) + c11 * (c10 * v_n_d_padded_1))
     v_n_e = v_n_c + v_n_d
     v_n_e_right_1 = v_n_e - v_n_c
     v_n_c_lo = (product_rest(v_y_0, v_y_0, v_n_a, v_n_c - v_n_c_right_1)
@@ -1601,22 +1582,20 @@ def axis_angle_from_quaternion(q):
     v_n_product_1 = v_n * v_n
     v_n_lo = ((v_n_e - v_n_product_1 - product_error(v_n, v_n, v_n_product_1) + v_n_e_lo)
         / where(v_n == 0, 1, v_n + v_n))
-    v_n_padded_1 = (1.8051943758648296e-276
+    v_n_padded_1 = (c7
         + (v_n_a_size_2 + v_n_a_size_2 + (v_n_b_size_2 + v_n_b_size_2)
         + (v_n_d_size_2 + v_n_d_size_2)))
-    v_n_bound_1 = absolute(v_n_e_lo) + 7.235336013082471e-30 * v_n_padded_1
+    v_n_bound_1 = absolute(v_n_e_lo) + c12 * v_n_padded_1
     v_n_size_6 = absolute(v_n_lo)
-    v_n_size_4 = (absolute(v_n_e) + 140737488355328 * v_n_bound_1) * (v_n_padded_1 / v_n / v_n_e)
+    v_n_size_4 = (absolute(v_n_e) + c11 * v_n_bound_1) * (v_n_padded_1 / v_n / v_n_e)
     v_n_size_12 = (v_n
-        + where(4 * v_n_bound_1 < v_n_e, v_n_size_4, 1.5970396877936164e+29
-        * (sqrt(v_n_bound_1) + v_n_size_6)))
+        + where(4 * v_n_bound_1 < v_n_e, v_n_size_4, c13 * (sqrt(v_n_bound_1) + v_n_size_6)))
     v_r_a = 1 < v_s
-    v_r_c = 1.3093562431584567e+151 < v_s
-    v_r = where(v_r_c, 9.332636185032189e-302, where(v_r_a, float64(7.637340908749012e-152),
-        float64(1)))
+    v_r_c = c3 < v_s
+    v_r = where(v_r_c, c15, where(v_r_a, real(c14), real(1)))
     n = v_n * v_r
     n_lo = (v_n - n * (1 / v_r) + v_n_lo) * v_r
-    n_padded_1 = 1.8051943758648296e-276 + v_n_size_12
+    n_padded_1 = c7 + v_n_size_12
     half = elementary.atan2(n, upper_3)
     half_size0_1 = absolute(n)
     half_size1_1 = absolute(upper_3)
@@ -1625,43 +1604,42 @@ def axis_angle_from_quaternion(q):
     half_divisor_1 = where(half_zero_1, 1, half_most_1)
     half_part0_1 = n / half_divisor_1
     half_part1_1 = upper_3 / half_divisor_1
-    half_safe_1 = (where(half_zero_1, 1, half_divisor_1
-        * (half_part1_1 * half_part1_1 + half_part0_1 * half_part0_1)))
+    half_safe_1 = where(half_zero_1, 1,
+        half_divisor_1 * (half_part1_1 * half_part1_1 + half_part0_1 * half_part0_1))
     half_lo = (elementary.atan2_error(n, upper_3, half) + (half_part1_1 * n_lo - half_part0_1 * 0)
         / half_safe_1)
-    half_padded_1 = (1.8051943758648296e-276 + n_padded_1
-        * where(v_r_c, 9.332636185032189e-302, where(v_r_a, float64(7.637340908749012e-152),
-            float64(1))))
-    half_padded_2 = (1.8051943758648296e-276
-        + (scaled_s_size_16 + 3.169126500570585e+29 * where(upper_size_4, 0, upper_size_29)))
+    half_padded_1 = c7 + n_padded_1 * where(v_r_c, c15, where(v_r_a, real(c14), real(1)))
+    upper_size_32 = (scaled_s_size_16 + c9
+        * where(upper_size_4, 0, scaled_s_size_15
+        + (c8 * (c7 + scaled_s_size_16) + absolute(upper_3a - scaled_s_3))))
+    half_padded_2 = c7 + upper_size_32
     half_size_2 = absolute(n)
     half_size_3 = absolute(upper_3)
     half_size_5 = where(half_size_2 < half_size_3, half_size_3, half_size_2)
-    half_bound_1 = absolute(n_lo) + 6.859394487938082e-30 * half_padded_1
-    half_rest_2 = 3.254051621949822e-30 * half_padded_2
-    half_size_11 = (half_rest_2 + (1.8051943758648296e-276 + half_bound_1)) / half_size_5
+    half_bound_1 = absolute(n_lo) + c16 * half_padded_1
+    half_rest_2 = c17 * half_padded_2
+    half_size_11 = (half_rest_2 + (c7 + half_bound_1)) / half_size_5
     half_size_13 = half_size_11 * half_size_11
     half_size_15 = 7 + absolute(half_lo)
-    half_size_19 = (where(half_bound_1
-        < half_size_2, half_size_13, where(half_rest_2 < upper_3, half_size_13, half_size_15)))
-    half_size_21 = 4.875578158636172e+28 * where(half_size_11 < 0.25, half_size_19, half_size_15)
+    half_size_19 = where(half_bound_1 < half_size_2, half_size_13, where(half_rest_2 < upper_3,
+        half_size_13, half_size_15))
     divisor_a = v_n == 0
     divisor = where(divisor_a, 1, v_n)
     divisor_lo = where(divisor_a, 0, v_n_lo)
-    divisor_bound_1 = 6.606712056056508e-30 * n_padded_1 + v_n_size_6
+    divisor_bound_1 = c19 * n_padded_1 + v_n_size_6
     divisor_size_4 = divisor_bound_1 < absolute(v_n - 0)
     unit_0 = v_y_0 / divisor
     unit_product_1 = unit_0 * divisor
     unit_lo_1 = ((v_y_0 - unit_product_1 - product_error(unit_0, divisor, unit_product_1) - unit_0
         * divisor_lo) / divisor)
-    divisor_size_10 = (where(divisor_a, 1, v_n_size_12) + 9.054644677292507e+28
-        * where(divisor_size_4, 0, divisor_bound_1 + absolute(1 - v_n)))
-    unit_padded_1 = 1.8051943758648296e-276 + divisor_size_10
+    unit_padded_1 = (c7
+        + (where(divisor_a, 1, v_n_size_12) + c20
+        * where(divisor_size_4, 0, divisor_bound_1 + absolute(1 - v_n))))
     unit_size_1 = absolute(unit_0)
     unit_size_2 = absolute(divisor)
-    unit_bound_1 = absolute(divisor_lo) + 1.1389183198259759e-29 * unit_padded_1
+    unit_bound_1 = absolute(divisor_lo) + c21 * unit_padded_1
     unit_size_7 = where(4 * unit_bound_1 < unit_size_2, unit_size_2, 0)
-    unit_reach_1 = unit_size_2 + 140737488355328 * unit_bound_1
+    unit_reach_1 = unit_size_2 + c11 * unit_bound_1
     unit_size_11 = (unit_size_1 + unit_reach_1
         * ((unit_padded_1 * unit_size_1 + v_n_a_padded_1) / unit_size_7) / unit_size_2)
     unit_1 = v_y_1 / divisor
@@ -1672,31 +1650,41 @@ def axis_angle_from_quaternion(q):
     unit_size_19 = absolute(unit_2)
     angle = 2 * half
     axis_0 = where(divisor_a, 1, unit_0)
-    axis_size_5 = (where(divisor_size_4, 0, absolute(unit_lo_1) + 1.6442825652790928e-29
-        * (1.8051943758648296e-276 + unit_size_11) + absolute(1 - unit_0)))
-    angle_padded_1 = (1.8051943758648296e-276 + 2
-        * (absolute(half) + (half_padded_1 + half_padded_2) / half_size_5 + half_size_21))
-    axis_rest_2 = (1.644282720444347e-29
-        * (1.8051943758648296e-276
-        + (where(divisor_a, 1, unit_size_11) + 6.250354999637554e+28 * axis_size_5)))
-    unit_size_18 = (unit_size_12 + unit_reach_1
-        * ((unit_padded_1 * unit_size_12 + v_n_b_padded_1) / unit_size_7) / unit_size_2)
-    unit_error_2 = (absolute((v_y_1 - unit_product_2
-        - product_error(unit_1, divisor, unit_product_2) - unit_1 * divisor_lo) / divisor))
-    unit_size_25 = (unit_size_19 + unit_reach_1
-        * ((unit_padded_1 * unit_size_19 + v_n_d_padded_1) / unit_size_7) / unit_size_2)
-    unit_error_3 = (absolute((v_y_2 - unit_product_3
-        - product_error(unit_2, divisor, unit_product_3) - unit_2 * divisor_lo) / divisor))
-    angle_bound_1 = absolute(2 * half_lo) + 2.1514956353001486e-29 * angle_padded_1
-    axis_bound_2 = absolute(where(divisor_a, 0, unit_lo_1)) + axis_rest_2
-    unit_bound_2 = unit_error_2 + 1.6442825652790928e-29 * (1.8051943758648296e-276 + unit_size_18)
-    unit_bound_3 = unit_error_3 + 1.6442825652790928e-29 * (1.8051943758648296e-276 + unit_size_25)
+    axis_size_6 = (c23
+        * where(divisor_size_4, 0, absolute(unit_lo_1) + c22 * (c7 + unit_size_11)
+        + absolute(1 - unit_0)))
+    angle_size_1 = (2
+        * (absolute(half) + (half_padded_1 + half_padded_2) / half_size_5 + c18
+        * where(half_size_11 < 0.25, half_size_19, half_size_15)))
+    unit_rest_5 = (c22
+        * (c7
+        + (unit_size_12 + unit_reach_1
+        * ((unit_padded_1 * unit_size_12 + v_n_b_padded_1) / unit_size_7) / unit_size_2)))
+    unit_rest_6 = (c22
+        * (c7
+        + (unit_size_19 + unit_reach_1
+        * ((unit_padded_1 * unit_size_19 + v_n_d_padded_1) / unit_size_7) / unit_size_2)))
+    angle_bound_1 = absolute(2 * half_lo) + c24 * (c7 + angle_size_1)
+    axis_bound_2 = (absolute(where(divisor_a, 0, unit_lo_1)) + c25
+        * (c7 + (where(divisor_a, 1, unit_size_11) + axis_size_6)))
+    unit_bound_2 = (absolute((v_y_1 - unit_product_2
+        - product_error(unit_1, divisor, unit_product_2) - unit_1 * divisor_lo) / divisor)
+        + unit_rest_5)
+    unit_bound_3 = (absolute((v_y_2 - unit_product_3
+        - product_error(unit_2, divisor, unit_product_3) - unit_2 * divisor_lo) / divisor)
+        + unit_rest_6)
     return (angle, axis_0, unit_1, unit_2, angle_bound_1, axis_bound_2, unit_bound_2, unit_bound_3)
 
 
 @kernel("(3)->(4),(4)")
 @errstate(all="ignore")
-def quaternion_exp(v):
+def quaternion_exp(v, *, c1=268435456, c2=1.8051943758648296e-276, c3=1.2325953113446296e-31,
+        c4=6.703903964971299e+153, c5=3.7291703656001034e-155, c6=2.6815615859885194e+154,
+        c7=3.229399894985818e-30, c8=140737488355328, c9=2.0056767005853705e+29,
+        c10=5.7192432555642225e-30, c11=5e-324, c12=5.762046184631807e+28, c13=1.789728954546449e-29,
+        c14=9.25185853854297e-18, c15=2290649224.7000003, c16=8.201505264386605e-28,
+        c17=2.755262189115544e-29, c18=1.2206826306780646e+27, c19=8.201506228291972e-28,
+        c20=1.0000000000000009, c21=8.21414129263252e-28, c22=1.0551017099379097e-29):
     """qo = exp (v/2; 0) = (v/θ sin θ/2; cos θ/2), θ = |v|: turns by the rotation vector v; |error
     of qo| <= qo_bound unless inf or NaN.
 
@@ -1712,7 +1700,7 @@ def quaternion_exp(v):
     size_1 = absolute(h_1)
     size_2 = absolute(h_2)
     sizes = size_0 + size_1 + size_2
-    grid = sizes * 268435456
+    grid = sizes * c1
     shifted_0 = h_0 + grid
     shifted_1 = h_1 + grid
     shifted_2 = h_2 + grid
@@ -1752,9 +1740,10 @@ def quaternion_exp(v):
         * (x
         * (x * (x * (x * k_h - 7.647163731819816e-13) + 1.6059043836821613e-10)
         - 2.505210838544172e-08) + 2.7557319223985893e-06))
-    k = (where(theta_b, x
-        * (x * (x * (k_q - 0.0001984126984126984) + 0.008333333333333333) - 0.16666666666666666)
-        + 1, far_k))
+    k = where(theta_b,
+        x * (x * (x * (k_q - 0.0001984126984126984) + 0.008333333333333333) - 0.16666666666666666) +
+            1,
+        far_k)
     g2h = (x
         * (x * (x * (2.4795962632247976e-27 * x - 1.6117375710961184e-24) + 8.896791392450574e-22)
         - 4.110317623312165e-19) + 1.5619206968586225e-16)
@@ -1774,31 +1763,31 @@ def quaternion_exp(v):
     fine_h_1 = 0.5 * v_1
     fine_h_2 = 0.5 * v_2
     h_size_0 = absolute(fine_h_0)
-    h_size_padded_1 = 1.8051943758648296e-276 + 0.5 * absolute(v_0)
+    h_size_padded_1 = c2 + 0.5 * absolute(v_0)
     h_size_1 = absolute(fine_h_1)
-    h_size_padded_2 = 1.8051943758648296e-276 + 0.5 * absolute(v_1)
+    h_size_padded_2 = c2 + 0.5 * absolute(v_1)
     h_size_2 = absolute(fine_h_2)
-    h_size_padded_3 = 1.8051943758648296e-276 + 0.5 * absolute(v_2)
+    h_size_padded_3 = c2 + 0.5 * absolute(v_2)
     h_largest1 = where(h_size_0 < h_size_1, h_size_1, h_size_0)
     h_largest2 = where(h_largest1 < h_size_2, h_size_2, h_largest1)
-    s_a = 6.703903964971299e+153 < h_largest2
-    s = where(s_a, float64(3.7291703656001034e-155), float64(1))
-    s_size_1 = where(s_a, float64(3.7291703656001034e-155), float64(1))
+    s_a = c4 < h_largest2
+    s = where(s_a, real(c5), real(1))
+    s_size_1 = where(s_a, real(c5), real(1))
     reduced_0 = fine_h_0 * s
     reduced_1 = fine_h_1 * s
     reduced_2 = fine_h_2 * s
     up_a = s < 1
-    up = where(up_a, float64(2.6815615859885194e+154), float64(1))
+    up = where(up_a, real(c6), real(1))
     reduced_length_a = reduced_0 * reduced_0
-    reduced_length_a_padded_1 = 1.8051943758648296e-276 + h_size_padded_1 * s_size_1
+    reduced_length_a_padded_1 = c2 + h_size_padded_1 * s_size_1
     reduced_length_b = reduced_1 * reduced_1
-    reduced_length_b_padded_1 = 1.8051943758648296e-276 + h_size_padded_2 * s_size_1
+    reduced_length_b_padded_1 = c2 + h_size_padded_2 * s_size_1
     reduced_length_c = reduced_length_a + reduced_length_b
     reduced_length_c_right_1 = reduced_length_c - reduced_length_a
     reduced_length_c_left_rest_1 = product_rest(reduced_0, reduced_0, reduced_length_a,
         reduced_length_c - reduced_length_c_right_1)
     reduced_length_d = reduced_2 * reduced_2
-    reduced_length_d_padded_1 = 1.8051943758648296e-276 + h_size_padded_3 * s_size_1
+    reduced_length_d_padded_1 = c2 + h_size_padded_3 * s_size_1
     reduced_length_e = reduced_length_c + reduced_length_d
     reduced_length_e_right_1 = reduced_length_e - reduced_length_c
     reduced_length_e_right_rest_1 = product_rest(reduced_2, reduced_2, reduced_length_d,
@@ -1815,26 +1804,23 @@ def quaternion_exp(v):
         - product_error(reduced_length, reduced_length, reduced_length_product_1))
     reduced_length_lo = ((reduced_length_exact_1 + reduced_length_e_lo)
         / where(reduced_length == 0, 1, reduced_length + reduced_length))
-    reduced_length_padded_1 = (1.8051943758648296e-276
+    reduced_length_padded_1 = (c2
         + (reduced_length_c_size_1 + reduced_length_d_padded_1 * reduced_length_d_padded_1))
-    reduced_length_bound_1 = (absolute(reduced_length_e_lo) + 3.229399894985818e-30
-        * reduced_length_padded_1)
-    reduced_length_reach_1 = absolute(reduced_length_e) + 140737488355328 * reduced_length_bound_1
-    reduced_length_size_4 = (reduced_length_reach_1
+    reduced_length_bound_1 = absolute(reduced_length_e_lo) + c7 * reduced_length_padded_1
+    reduced_length_size_4 = ((absolute(reduced_length_e) + c8 * reduced_length_bound_1)
         * (reduced_length_padded_1 / reduced_length / reduced_length_e))
-    reduced_length_size_8 = (2.0056767005853705e+29
-        * (sqrt(reduced_length_bound_1) + absolute(reduced_length_lo)))
+    reduced_length_size_8 = c9 * (sqrt(reduced_length_bound_1) + absolute(reduced_length_lo))
     half_angle = reduced_length * up
     half_angle_lo = (reduced_length - half_angle * (1 / up) + reduced_length_lo) * up
-    reduced_length_size_12 = (reduced_length
+    half_angle_padded_1 = (c2
+        + (reduced_length
         + where(4 * reduced_length_bound_1
-        < reduced_length_e, reduced_length_size_4, reduced_length_size_8))
-    half_angle_size_1 = ((1.8051943758648296e-276 + reduced_length_size_12)
-        * where(up_a, float64(2.6815615859885194e+154), float64(1)))
+        < reduced_length_e, reduced_length_size_4, reduced_length_size_8)))
+    half_angle_size_1 = half_angle_padded_1 * where(up_a, real(c6), real(1))
     y = half_angle * half_angle
-    y_padded_1 = 1.8051943758648296e-276 + half_angle_size_1
-    y_bound_1 = absolute(half_angle_lo) + 5.7192432555642225e-30 * y_padded_1
-    y_size_2 = y_padded_1 * (absolute(half_angle) + 140737488355328 * y_bound_1)
+    y_padded_1 = c2 + half_angle_size_1
+    y_bound_1 = absolute(half_angle_lo) + c10 * y_padded_1
+    y_size_2 = y_padded_1 * (absolute(half_angle) + c8 * y_bound_1)
     fine_sine, c = elementary.sincos(half_angle)
     fine_sine_own_error_1, c_own_error_1 = elementary.sincos_error(half_angle, fine_sine, c)
     fine_sine_half_1 = half_angle_lo * 0.5
@@ -1843,8 +1829,8 @@ def quaternion_exp(v):
     sinc_divisor_a = half_angle < 1.4901161193847656e-08
     sinc_divisor = where(sinc_divisor_a, 1.4901161193847656e-08, half_angle)
     sinc_divisor_lo = where(sinc_divisor_a, 0, half_angle_lo)
-    sinc_divisor_size_5 = y_bound_1 < 5e-324 + absolute(half_angle - 1.4901161193847656e-08)
-    sinc_divisor_size_10 = (5.762046184631807e+28
+    sinc_divisor_size_5 = y_bound_1 < c11 + absolute(half_angle - 1.4901161193847656e-08)
+    sinc_divisor_size_10 = (c12
         * where(sinc_divisor_size_5, 0, absolute(1.4901161193847656e-08 - half_angle) + y_bound_1))
     sinc_quotient = fine_sine / sinc_divisor
     sinc_quotient_product_1 = sinc_quotient * sinc_divisor
@@ -1854,75 +1840,80 @@ def quaternion_exp(v):
         + (fine_sine_half_cos_1 * c - fine_sine_half_sin_1 * fine_sine) * fine_sine_twice_1)
     sinc_quotient_lo = ((sinc_quotient_exact_1 + fine_sine_lo - sinc_quotient * sinc_divisor_lo)
         / sinc_divisor)
-    sinc_quotient_padded_1 = 1.8051943758648296e-276 + (1 + y_padded_1)
-    sinc_quotient_padded_2 = (1.8051943758648296e-276
+    sinc_quotient_padded_1 = c2 + (1 + y_padded_1)
+    sinc_quotient_padded_2 = (c2
         + (where(sinc_divisor_a, 1.4901161193847656e-08, half_angle_size_1) + sinc_divisor_size_10))
     sinc_quotient_size_1 = absolute(sinc_quotient)
     sinc_quotient_size_2 = absolute(sinc_divisor)
-    sinc_quotient_bound_1 = (absolute(sinc_divisor_lo) + 1.789728954546449e-29
-        * sinc_quotient_padded_2)
-    sinc_quotient_size_7 = (where(4 * sinc_quotient_bound_1
-        < sinc_quotient_size_2, sinc_quotient_size_2, 0))
+    sinc_quotient_bound_1 = absolute(sinc_divisor_lo) + c13 * sinc_quotient_padded_2
+    sinc_quotient_size_7 = where(4 * sinc_quotient_bound_1 < sinc_quotient_size_2,
+        sinc_quotient_size_2, 0)
     sinc_quotient_size_8 = ((sinc_quotient_padded_1 + sinc_quotient_padded_2
         * sinc_quotient_size_1) / sinc_quotient_size_7)
-    sinc_quotient_size_10 = ((sinc_quotient_size_2 + 140737488355328 * sinc_quotient_bound_1)
-        * sinc_quotient_size_8 / sinc_quotient_size_2)
-    sinc_quotient_size_11 = sinc_quotient_size_1 + sinc_quotient_size_10
+    sinc_quotient_size_11 = (sinc_quotient_size_1
+        + (sinc_quotient_size_2 + c8 * sinc_quotient_bound_1) * sinc_quotient_size_8
+        / sinc_quotient_size_2)
     sinc_a = 0.16666666666666666 * y
     sinc_a_cross2_1 = (0.16666666666666666
         * (product_error(half_angle, half_angle, y)
         + (half_angle_lo * half_angle + half_angle * half_angle_lo)))
     sinc_b = 1 - sinc_a
     sinc_b_right_1 = 1 - sinc_b
-    sinc_b_lo1_1 = (1 - (sinc_b + sinc_b_right_1)
-        - product_rest(0.16666666666666666, y, sinc_a, sinc_b_right_1))
-    sinc_b_lo = sinc_b_lo1_1 - (9.25185853854297e-18 * y + sinc_a_cross2_1)
-    sinc_b_size_1 = 1 + 2290649224.7000003 * (y_size_2 + y_size_2)
+    sinc_b_lo = (1 - (sinc_b + sinc_b_right_1)
+        - product_rest(0.16666666666666666, y, sinc_a, sinc_b_right_1)
+        - (c14 * y + sinc_a_cross2_1))
+    sinc_b_size_1 = 1 + c15 * (y_size_2 + y_size_2)
     sinc = where(sinc_divisor_a, sinc_b, sinc_quotient)
     sinc_lo = where(sinc_divisor_a, sinc_b_lo, sinc_quotient_lo)
-    sinc_size_4 = (absolute(sinc_b_lo) + 8.201505264386605e-28
-        * (1.8051943758648296e-276 + sinc_b_size_1) + absolute(sinc_b - sinc_quotient))
-    sinc_size_5 = (absolute(sinc_quotient_lo) + 2.755262189115544e-29
-        * (1.8051943758648296e-276 + sinc_quotient_size_11) + sinc_size_4)
+    sinc_size_4 = (absolute(sinc_b_lo) + c16 * (c2 + sinc_b_size_1)
+        + absolute(sinc_b - sinc_quotient))
+    sinc_size_7 = (c18
+        * where(sinc_divisor_size_5, 0, absolute(sinc_quotient_lo) + c17
+        * (c2 + sinc_quotient_size_11) + sinc_size_4))
     fine_qo_0 = fine_h_0 * sinc
-    sinc_size_8 = (where(sinc_divisor_a, sinc_b_size_1, sinc_quotient_size_11)
-        + 1.2206826306780646e+27 * where(sinc_divisor_size_5, 0, sinc_size_5))
-    fine_qo_padded_1 = 1.8051943758648296e-276 + sinc_size_8
-    fine_qo_reach_2 = (absolute(sinc) + 140737488355328
-        * (absolute(sinc_lo) + 8.201506228291972e-28 * fine_qo_padded_1))
-    fine_qo_size_2 = (fine_qo_padded_1
-        * (absolute(fine_h_0) + 140737488355328 * (1.2325953113446296e-31 * h_size_padded_1)))
+    fine_qo_padded_1 = (c2
+        + (where(sinc_divisor_a, sinc_b_size_1, sinc_quotient_size_11) + sinc_size_7))
+    fine_qo_reach_2 = absolute(sinc) + c8 * (absolute(sinc_lo) + c19 * fine_qo_padded_1)
     fine_qo_1 = fine_h_1 * sinc
-    fine_qo_size_7 = (fine_qo_padded_1
-        * (absolute(fine_h_1) + 140737488355328 * (1.2325953113446296e-31 * h_size_padded_2)))
     fine_qo_2 = fine_h_2 * sinc
-    fine_qo_size_11 = (fine_qo_padded_1
-        * (absolute(fine_h_2) + 140737488355328 * (1.2325953113446296e-31 * h_size_padded_3)))
-    qo_error_2 = (1.0000000000000009
+    qo_rest_1 = (c21
+        * (c2
+        + (fine_qo_padded_1 * (absolute(fine_h_0) + c8 * (c3 * h_size_padded_1)) + fine_qo_reach_2
+        * h_size_padded_1)))
+    qo_rest_2 = (c21
+        * (c2
+        + (fine_qo_padded_1 * (absolute(fine_h_1) + c8 * (c3 * h_size_padded_2)) + fine_qo_reach_2
+        * h_size_padded_2)))
+    qo_rest_3 = (c21
+        * (c2
+        + (fine_qo_padded_1 * (absolute(fine_h_2) + c8 * (c3 * h_size_padded_3)) + fine_qo_reach_2
+        * h_size_padded_3)))
+    qo_error_8 = (c20
+        * absolute(c_own_error_1 - (fine_sine_half_cos_1 * fine_sine + fine_sine_half_sin_1 * c)
+        * fine_sine_twice_1 + (c - qo_3)))
+    qo_bound_1 = (c20
         * absolute(product_error(fine_h_0, sinc, fine_qo_0) + fine_h_0 * sinc_lo
-        + (fine_qo_0 - qo_0)))
-    qo_error_4 = (1.0000000000000009
+        + (fine_qo_0 - qo_0)) + qo_rest_1)
+    qo_bound_2 = (c20
         * absolute(product_error(fine_h_1, sinc, fine_qo_1) + fine_h_1 * sinc_lo
-        + (fine_qo_1 - qo_1)))
-    qo_error_6 = (1.0000000000000009
+        + (fine_qo_1 - qo_1)) + qo_rest_2)
+    qo_bound_3 = (c20
         * absolute(product_error(fine_h_2, sinc, fine_qo_2) + fine_h_2 * sinc_lo
-        + (fine_qo_2 - qo_2)))
-    qo_error_7 = (absolute(c_own_error_1
-        - (fine_sine_half_cos_1 * fine_sine + fine_sine_half_sin_1 * c) * fine_sine_twice_1
-        + (c - qo_3)))
-    qo_bound_1 = (qo_error_2 + 8.21414129263252e-28
-        * (1.8051943758648296e-276 + (fine_qo_size_2 + fine_qo_reach_2 * h_size_padded_1)))
-    qo_bound_2 = (qo_error_4 + 8.21414129263252e-28
-        * (1.8051943758648296e-276 + (fine_qo_size_7 + fine_qo_reach_2 * h_size_padded_2)))
-    qo_bound_3 = (qo_error_6 + 8.21414129263252e-28
-        * (1.8051943758648296e-276 + (fine_qo_size_11 + fine_qo_reach_2 * h_size_padded_3)))
-    qo_bound_4 = 1.0000000000000009 * qo_error_7 + 1.0551017099379097e-29 * sinc_quotient_padded_1
+        + (fine_qo_2 - qo_2)) + qo_rest_3)
+    qo_bound_4 = qo_error_8 + c22 * sinc_quotient_padded_1
     return (qo_0, qo_1, qo_2, qo_3, qo_bound_1, qo_bound_2, qo_bound_3, qo_bound_4)
 
 
 @kernel("(4)->(3),(3)")
 @errstate(all="ignore")
-def quaternion_log(q):
+def quaternion_log(q, *, c1=6.703903964971299e+153, c2=3.7291703656001034e-155,
+        c3=1.3093562431584567e+151, c4=1.955159272639747e-149, c5=1.0715086071862673e+301, c6=5e-324,
+        c7=1.8051943758648296e-276, c8=1.1093356479670522e-31, c9=3.169126500570585e+29,
+        c10=3.254051621949822e-30, c11=3.4142893812359766e-30, c12=140737488355328,
+        c13=7.235336013082471e-30, c14=1.5970396877936164e+29, c15=7.637340908749012e-152,
+        c16=9.332636185032189e-302, c17=6.859394487938082e-30, c18=4.875578158636172e+28,
+        c19=7.042501095850493e+28, c20=1.464323675977526e-29, c21=3.097307347238718e-29,
+        c22=3.2199508764278064e-29):
     """vo = θ v/|v|, θ = 2 atan2(|v|, |w|) <= π: the rotation vector of q, or of any multiple of
     it; |error of vo| <= vo_bound unless inf or NaN.
 
@@ -1938,10 +1929,8 @@ def quaternion_log(q):
     s_largest1 = where(s_size_0 < s_size_1, s_size_1, s_size_0)
     s_largest2 = where(s_largest1 < s_size_2, s_size_2, s_largest1)
     s_largest3 = where(s_largest2 < s_size_3, s_size_3, s_largest2)
-    s_d = (where(s_largest3
-        < 256, 1.3093562431584567e+151, where(6.703903964971299e+153
-        < s_largest3, float64(3.7291703656001034e-155), float64(1))))
-    s = where(s_largest3 < 1.955159272639747e-149, 1.0715086071862673e+301, s_d)
+    s = where(s_largest3 < c4, c5, where(s_largest3 < 256, c3, where(c1 < s_largest3, real(c2),
+        real(1))))
     scaled_s_0 = q_0 * s
     scaled_s_inverse_1 = 1 / s
     scaled_s_size_4 = absolute(scaled_s_0)
@@ -1950,67 +1939,50 @@ def quaternion_log(q):
     scaled_s_2 = q_2 * s
     scaled_s_size_12 = absolute(scaled_s_2)
     scaled_s_3 = q_3 * s
-    scaled_s_size_15 = where(q_3 == scaled_s_3 * scaled_s_inverse_1, float64(0), float64(5e-324))
+    scaled_s_size_15 = where(q_3 == scaled_s_3 * scaled_s_inverse_1, real(0), real(c6))
     scaled_s_size_16 = absolute(scaled_s_3)
     upper_0a = -scaled_s_0
     upper_0b = scaled_s_3 < 0
     upper_0 = where(upper_0b, upper_0a, scaled_s_0)
-    upper_size_4 = scaled_s_size_15 < 5e-324 + absolute(scaled_s_3 - 0)
-    upper_size_7 = (1.1093356479670522e-31 * (1.8051943758648296e-276 + scaled_s_size_4)
-        + absolute(upper_0a - scaled_s_0))
-    upper_size_9 = (where(upper_size_4, 0, where(q_0 == scaled_s_0
-        * scaled_s_inverse_1, float64(0), float64(5e-324)) + upper_size_7))
+    upper_size_4 = scaled_s_size_15 < c6 + absolute(scaled_s_3 - 0)
+    upper_size_8 = (where(q_0 == scaled_s_0 * scaled_s_inverse_1, real(0), real(c6))
+        + (c8 * (c7 + scaled_s_size_4) + absolute(upper_0a - scaled_s_0)))
     upper_1a = -scaled_s_1
     upper_1 = where(upper_0b, upper_1a, scaled_s_1)
-    upper_size_14 = (1.1093356479670522e-31 * (1.8051943758648296e-276 + scaled_s_size_8)
-        + absolute(upper_1a - scaled_s_1))
-    upper_size_16 = (where(upper_size_4, 0, where(q_1 == scaled_s_1
-        * scaled_s_inverse_1, float64(0), float64(5e-324)) + upper_size_14))
+    upper_size_15 = (where(q_1 == scaled_s_1 * scaled_s_inverse_1, real(0), real(c6))
+        + (c8 * (c7 + scaled_s_size_8) + absolute(upper_1a - scaled_s_1)))
     upper_2a = -scaled_s_2
     upper_2 = where(upper_0b, upper_2a, scaled_s_2)
-    upper_size_21 = (1.1093356479670522e-31 * (1.8051943758648296e-276 + scaled_s_size_12)
-        + absolute(upper_2a - scaled_s_2))
-    upper_size_23 = (where(upper_size_4, 0, where(q_2 == scaled_s_2
-        * scaled_s_inverse_1, float64(0), float64(5e-324)) + upper_size_21))
+    upper_size_22 = (where(q_2 == scaled_s_2 * scaled_s_inverse_1, real(0), real(c6))
+        + (c8 * (c7 + scaled_s_size_12) + absolute(upper_2a - scaled_s_2)))
     upper_3a = -scaled_s_3
     upper_3 = where(upper_0b, upper_3a, scaled_s_3)
-    upper_size_29 = (scaled_s_size_15
-        + (1.1093356479670522e-31 * (1.8051943758648296e-276 + scaled_s_size_16)
-        + absolute(upper_3a - scaled_s_3)))
     v_s_size_0 = absolute(upper_0)
-    v_s_size_padded_1 = (1.8051943758648296e-276
-        + (scaled_s_size_4 + 3.169126500570585e+29 * upper_size_9))
+    v_s_size_padded_1 = c7 + (scaled_s_size_4 + c9 * where(upper_size_4, 0, upper_size_8))
     v_s_size_1 = absolute(upper_1)
-    v_s_size_padded_2 = (1.8051943758648296e-276
-        + (scaled_s_size_8 + 3.169126500570585e+29 * upper_size_16))
+    v_s_size_padded_2 = c7 + (scaled_s_size_8 + c9 * where(upper_size_4, 0, upper_size_15))
     v_s_size_2 = absolute(upper_2)
-    v_s_size_padded_3 = (1.8051943758648296e-276
-        + (scaled_s_size_12 + 3.169126500570585e+29 * upper_size_23))
+    v_s_size_padded_3 = c7 + (scaled_s_size_12 + c9 * where(upper_size_4, 0, upper_size_22))
     v_s_largest1 = where(v_s_size_0 < v_s_size_1, v_s_size_1, v_s_size_0)
     v_s_largest2 = where(v_s_largest1 < v_s_size_2, v_s_size_2, v_s_largest1)
     v_s_a = v_s_largest2 < 256
-    v_s_c = v_s_largest2 < 1.955159272639747e-149
-    v_s = where(v_s_c, 1.0715086071862673e+301, where(v_s_a, float64(1.3093562431584567e+151),
-        float64(1)))
-    v_s_size_3 = where(v_s_c, 1.0715086071862673e+301, where(v_s_a,
-        float64(1.3093562431584567e+151), float64(1)))
+    v_s_c = v_s_largest2 < c4
+    v_s = where(v_s_c, c5, where(v_s_a, real(c3), real(1)))
+    v_s_size_3 = where(v_s_c, c5, where(v_s_a, real(c3), real(1)))
     v_y_0 = upper_0 * v_s
     v_y_1 = upper_1 * v_s
     v_y_2 = upper_2 * v_s
     v_n_a = v_y_0 * v_y_0
-    v_n_a_padded_1 = 1.8051943758648296e-276 + v_s_size_3 * v_s_size_padded_1
-    v_n_a_size_2 = (v_n_a_padded_1
-        * (absolute(v_y_0) + 140737488355328 * (3.4142893812359766e-30 * v_n_a_padded_1)))
+    v_n_a_padded_1 = c7 + v_s_size_3 * v_s_size_padded_1
+    v_n_a_size_2 = v_n_a_padded_1 * (absolute(v_y_0) + c12 * (c11 * v_n_a_padded_1))
     v_n_b = v_y_1 * v_y_1
-    v_n_b_padded_1 = 1.8051943758648296e-276 + v_s_size_3 * v_s_size_padded_2
-    v_n_b_size_2 = (v_n_b_padded_1
-        * (absolute(v_y_1) + 140737488355328 * (3.4142893812359766e-30 * v_n_b_padded_1)))
+    v_n_b_padded_1 = c7 + v_s_size_3 * v_s_size_padded_2
+    v_n_b_size_2 = v_n_b_padded_1 * (absolute(v_y_1) + c12 * (c11 * v_n_b_padded_1))
     v_n_c = v_n_a + v_n_b
     v_n_c_right_1 = v_n_c - v_n_a
     v_n_d = v_y_2 * v_y_2
-    v_n_d_padded_1 = 1.8051943758648296e-276 + v_s_size_3 * v_s_size_padded_3
-    v_n_d_size_2 = (v_n_d_padded_1
-        * (absolute(v_y_2) + 140737488355328 * (3.4142893812359766e-30 * v_n_d_padded_1)))
+    v_n_d_padded_1 = c7 + v_s_size_3 * v_s_size_padded_3
+    v_n_d_size_2 = v_n_d_padded_1 * (absolute(v_y_2) + c12 * (c11 * v_n_d_padded_1))
     v_n_e = v_n_c + v_n_d
     v_n_e_right_1 = v_n_e - v_n_c
     v_n_c_lo = (product_rest(v_y_0, v_y_0, v_n_a, v_n_c - v_n_c_right_1)
@@ -2021,23 +1993,20 @@ def quaternion_log(q):
     v_n_product_1 = v_n * v_n
     v_n_lo = ((v_n_e - v_n_product_1 - product_error(v_n, v_n, v_n_product_1) + v_n_e_lo)
         / where(v_n == 0, 1, v_n + v_n))
-    v_n_padded_1 = (1.8051943758648296e-276
+    v_n_padded_1 = (c7
         + (v_n_a_size_2 + v_n_a_size_2 + (v_n_b_size_2 + v_n_b_size_2)
         + (v_n_d_size_2 + v_n_d_size_2)))
-    v_n_bound_1 = absolute(v_n_e_lo) + 7.235336013082471e-30 * v_n_padded_1
-    v_n_size_4 = (absolute(v_n_e) + 140737488355328 * v_n_bound_1) * (v_n_padded_1 / v_n / v_n_e)
+    v_n_bound_1 = absolute(v_n_e_lo) + c13 * v_n_padded_1
+    v_n_size_4 = (absolute(v_n_e) + c12 * v_n_bound_1) * (v_n_padded_1 / v_n / v_n_e)
     v_r_a = 1 < v_s
-    v_r_c = 1.3093562431584567e+151 < v_s
-    v_r = where(v_r_c, 9.332636185032189e-302, where(v_r_a, float64(7.637340908749012e-152),
-        float64(1)))
+    v_r_c = c3 < v_s
+    v_r = where(v_r_c, c16, where(v_r_a, real(c15), real(1)))
     n = v_n * v_r
     n_lo = (v_n - n * (1 / v_r) + v_n_lo) * v_r
-    v_n_size_12 = (v_n
-        + where(4 * v_n_bound_1 < v_n_e, v_n_size_4, 1.5970396877936164e+29
-        * (sqrt(v_n_bound_1) + absolute(v_n_lo))))
-    n_size_1 = ((1.8051943758648296e-276 + v_n_size_12)
-        * where(v_r_c, 9.332636185032189e-302, where(v_r_a, float64(7.637340908749012e-152),
-            float64(1))))
+    n_padded_1 = (c7
+        + (v_n
+        + where(4 * v_n_bound_1 < v_n_e, v_n_size_4, c14 * (sqrt(v_n_bound_1) + absolute(v_n_lo)))))
+    n_size_1 = n_padded_1 * where(v_r_c, c16, where(v_r_a, real(c15), real(1)))
     half = elementary.atan2(n, upper_3)
     half_size0_1 = absolute(n)
     half_size1_1 = absolute(upper_3)
@@ -2046,61 +2015,62 @@ def quaternion_log(q):
     half_divisor_1 = where(half_zero_1, 1, half_most_1)
     half_part0_1 = n / half_divisor_1
     half_part1_1 = upper_3 / half_divisor_1
-    half_safe_1 = (where(half_zero_1, 1, half_divisor_1
-        * (half_part1_1 * half_part1_1 + half_part0_1 * half_part0_1)))
+    half_safe_1 = where(half_zero_1, 1,
+        half_divisor_1 * (half_part1_1 * half_part1_1 + half_part0_1 * half_part0_1))
     half_lo = (elementary.atan2_error(n, upper_3, half) + (half_part1_1 * n_lo - half_part0_1 * 0)
         / half_safe_1)
-    half_padded_1 = 1.8051943758648296e-276 + n_size_1
-    half_padded_2 = (1.8051943758648296e-276
-        + (scaled_s_size_16 + 3.169126500570585e+29 * where(upper_size_4, 0, upper_size_29)))
+    half_padded_1 = c7 + n_size_1
+    upper_size_32 = (scaled_s_size_16 + c9
+        * where(upper_size_4, 0, scaled_s_size_15
+        + (c8 * (c7 + scaled_s_size_16) + absolute(upper_3a - scaled_s_3))))
+    half_padded_2 = c7 + upper_size_32
     half_size_2 = absolute(n)
     half_size_3 = absolute(upper_3)
     half_size_5 = where(half_size_2 < half_size_3, half_size_3, half_size_2)
-    half_bound_1 = absolute(n_lo) + 6.859394487938082e-30 * half_padded_1
-    half_rest_2 = 3.254051621949822e-30 * half_padded_2
-    half_size_11 = (half_rest_2 + (1.8051943758648296e-276 + half_bound_1)) / half_size_5
+    half_bound_1 = absolute(n_lo) + c17 * half_padded_1
+    half_rest_2 = c10 * half_padded_2
+    half_size_11 = (half_rest_2 + (c7 + half_bound_1)) / half_size_5
     half_size_13 = half_size_11 * half_size_11
     half_size_15 = 7 + absolute(half_lo)
-    half_size_19 = (where(half_bound_1
-        < half_size_2, half_size_13, where(half_rest_2 < upper_3, half_size_13, half_size_15)))
-    half_size_21 = 4.875578158636172e+28 * where(half_size_11 < 0.25, half_size_19, half_size_15)
+    half_size_19 = where(half_bound_1 < half_size_2, half_size_13, where(half_rest_2 < upper_3,
+        half_size_13, half_size_15))
     divisor_a = n == 0
     divisor = where(divisor_a, 1, n)
     divisor_lo = where(divisor_a, 0, n_lo)
-    divisor_size_10 = (7.042501095850493e+28
-        * where(half_bound_1 < 5e-324 + absolute(n - 0), 0, absolute(1 - n) + half_bound_1))
     theta = 2 * half
     k = theta / divisor
     k_product_1 = k * divisor
     k_lo = ((theta - k_product_1 - product_error(k, divisor, k_product_1) + 2 * half_lo - k
         * divisor_lo) / divisor)
-    k_padded_2 = 1.8051943758648296e-276 + (where(divisor_a, 1, n_size_1) + divisor_size_10)
+    k_padded_2 = (c7
+        + (where(divisor_a, 1, n_size_1) + c19
+        * where(half_bound_1 < c6 + absolute(n - 0), 0, absolute(1 - n) + half_bound_1)))
     k_size_1 = absolute(k)
     k_size_2 = absolute(divisor)
-    k_bound_1 = absolute(divisor_lo) + 1.464323675977526e-29 * k_padded_2
-    k_size_4 = (1.8051943758648296e-276 + 2
-        * (absolute(half) + (half_padded_1 + half_padded_2) / half_size_5 + half_size_21)
-        + k_padded_2 * k_size_1)
+    k_padded_1 = (c7 + 2
+        * (absolute(half) + (half_padded_1 + half_padded_2) / half_size_5 + c18
+        * where(half_size_11 < 0.25, half_size_19, half_size_15)))
+    k_bound_1 = absolute(divisor_lo) + c20 * k_padded_2
     vector_0 = upper_0 * k
-    k_size_11 = (k_size_1 + (k_size_2 + 140737488355328 * k_bound_1)
-        * (k_size_4 / where(4 * k_bound_1 < k_size_2, k_size_2, 0)) / k_size_2)
-    vector_padded_1 = 1.8051943758648296e-276 + k_size_11
-    vector_reach_2 = (k_size_1 + 140737488355328
-        * (absolute(k_lo) + 3.097307347238718e-29 * vector_padded_1))
-    vector_size_2 = (vector_padded_1
-        * (absolute(upper_0) + 140737488355328 * (3.254051621949822e-30 * v_s_size_padded_1)))
+    k_size_11 = (k_size_1 + (k_size_2 + c12 * k_bound_1)
+        * ((k_padded_1 + k_padded_2 * k_size_1) / where(4 * k_bound_1 < k_size_2, k_size_2, 0))
+        / k_size_2)
+    vector_padded_1 = c7 + k_size_11
+    vector_reach_2 = k_size_1 + c12 * (absolute(k_lo) + c21 * vector_padded_1)
     vector_1 = upper_1 * k
-    vector_size_6 = (vector_padded_1
-        * (absolute(upper_1) + 140737488355328 * (3.254051621949822e-30 * v_s_size_padded_2)))
     vector_2 = upper_2 * k
-    vector_size_10 = (vector_padded_1
-        * (absolute(upper_2) + 140737488355328 * (3.254051621949822e-30 * v_s_size_padded_3)))
-    vector_rest_2 = (3.2199508764278064e-29
-        * (1.8051943758648296e-276 + (vector_size_2 + v_s_size_padded_1 * vector_reach_2)))
-    vector_rest_3 = (3.2199508764278064e-29
-        * (1.8051943758648296e-276 + (vector_size_6 + v_s_size_padded_2 * vector_reach_2)))
-    vector_rest_4 = (3.2199508764278064e-29
-        * (1.8051943758648296e-276 + (vector_size_10 + v_s_size_padded_3 * vector_reach_2)))
+    vector_rest_2 = (c22
+        * (c7
+        + (vector_padded_1 * (absolute(upper_0) + c12 * (c10 * v_s_size_padded_1))
+        + v_s_size_padded_1 * vector_reach_2)))
+    vector_rest_3 = (c22
+        * (c7
+        + (vector_padded_1 * (absolute(upper_1) + c12 * (c10 * v_s_size_padded_2))
+        + v_s_size_padded_2 * vector_reach_2)))
+    vector_rest_4 = (c22
+        * (c7
+        + (vector_padded_1 * (absolute(upper_2) + c12 * (c10 * v_s_size_padded_3))
+        + v_s_size_padded_3 * vector_reach_2)))
     vector_bound_2 = absolute(product_error(upper_0, k, vector_0) + upper_0 * k_lo) + vector_rest_2
     vector_bound_3 = absolute(product_error(upper_1, k, vector_1) + upper_1 * k_lo) + vector_rest_3
     vector_bound_4 = absolute(product_error(upper_2, k, vector_2) + upper_2 * k_lo) + vector_rest_4

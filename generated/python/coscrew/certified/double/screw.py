@@ -13,7 +13,7 @@ from numpy import errstate
 
 @kernel("(6),()->(6),(6)")
 @errstate(all="ignore")
-def screw_scale(self, a):
+def screw_scale(self, a, *, c1=2.004168360008973e-292, c2=1.1102230246251568e-16):
     """self = a self; |error of self| <= self_bound unless inf or NaN.
 
     (6),()->(6),(6).  self, self_bound: screw (v in m/s; ω in rad/s); a: number.
@@ -26,12 +26,12 @@ def screw_scale(self, a):
     self_3_new = self_3 * a
     self_4_new = self_4 * a
     self_5_new = self_5 * a
-    self_0_new_bound = 1.1102230246251568e-16 * (absolute(self_0_new) + 2.004168360008973e-292)
-    self_1_new_bound = 1.1102230246251568e-16 * (absolute(self_1_new) + 2.004168360008973e-292)
-    self_2_new_bound = 1.1102230246251568e-16 * (absolute(self_2_new) + 2.004168360008973e-292)
-    self_3_new_bound = 1.1102230246251568e-16 * (absolute(self_3_new) + 2.004168360008973e-292)
-    self_4_new_bound = 1.1102230246251568e-16 * (absolute(self_4_new) + 2.004168360008973e-292)
-    self_5_new_bound = 1.1102230246251568e-16 * (absolute(self_5_new) + 2.004168360008973e-292)
+    self_0_new_bound = c2 * (absolute(self_0_new) + c1)
+    self_1_new_bound = c2 * (absolute(self_1_new) + c1)
+    self_2_new_bound = c2 * (absolute(self_2_new) + c1)
+    self_3_new_bound = c2 * (absolute(self_3_new) + c1)
+    self_4_new_bound = c2 * (absolute(self_4_new) + c1)
+    self_5_new_bound = c2 * (absolute(self_5_new) + c1)
     return (self_0_new, self_1_new, self_2_new, self_3_new, self_4_new, self_5_new,
         self_0_new_bound, self_1_new_bound, self_2_new_bound, self_3_new_bound, self_4_new_bound,
         self_5_new_bound)
@@ -39,7 +39,7 @@ def screw_scale(self, a):
 
 @kernel("(),(6),(6)->(6),(6)")
 @errstate(all="ignore")
-def axpy_ss(a, x, y):
+def axpy_ss(a, x, y, *, c1=2.004168360008973e-292, c2=2.2204460492503136e-16):
     """y = a x + y; |error of y| <= y_bound unless inf or NaN.
 
     (),(6),(6)->(6),(6).  a: number; x, y, y_bound: screw (v in m/s; ω in rad/s).
@@ -65,19 +65,19 @@ def axpy_ss(a, x, y):
     y_3_new_size = absolute(y_3_new_a) + absolute(y_3)
     y_4_new_size = absolute(y_4_new_a) + absolute(y_4)
     y_5_new_size = absolute(y_5_new_a) + absolute(y_5)
-    y_0_new_bound = 2.2204460492503136e-16 * (y_0_new_size + 2.004168360008973e-292)
-    y_1_new_bound = 2.2204460492503136e-16 * (y_1_new_size + 2.004168360008973e-292)
-    y_2_new_bound = 2.2204460492503136e-16 * (y_2_new_size + 2.004168360008973e-292)
-    y_3_new_bound = 2.2204460492503136e-16 * (y_3_new_size + 2.004168360008973e-292)
-    y_4_new_bound = 2.2204460492503136e-16 * (y_4_new_size + 2.004168360008973e-292)
-    y_5_new_bound = 2.2204460492503136e-16 * (y_5_new_size + 2.004168360008973e-292)
+    y_0_new_bound = c2 * (y_0_new_size + c1)
+    y_1_new_bound = c2 * (y_1_new_size + c1)
+    y_2_new_bound = c2 * (y_2_new_size + c1)
+    y_3_new_bound = c2 * (y_3_new_size + c1)
+    y_4_new_bound = c2 * (y_4_new_size + c1)
+    y_5_new_bound = c2 * (y_5_new_size + c1)
     return (y_0_new, y_1_new, y_2_new, y_3_new, y_4_new, y_5_new, y_0_new_bound, y_1_new_bound,
         y_2_new_bound, y_3_new_bound, y_4_new_bound, y_5_new_bound)
 
 
 @kernel("(6),(6)->(6),(6)")
 @errstate(all="ignore")
-def xpy_ss(x, y):
+def xpy_ss(x, y, *, c1=1.1102230246251568e-16):
     """y = x + y; |error of y| <= y_bound unless inf or NaN.
 
     (6),(6)->(6),(6).  x, y, y_bound: screw (v in m/s; ω in rad/s).
@@ -91,19 +91,19 @@ def xpy_ss(x, y):
     y_3_new = x_3 + y_3
     y_4_new = x_4 + y_4
     y_5_new = x_5 + y_5
-    y_0_new_bound = 1.1102230246251568e-16 * absolute(y_0_new)
-    y_1_new_bound = 1.1102230246251568e-16 * absolute(y_1_new)
-    y_2_new_bound = 1.1102230246251568e-16 * absolute(y_2_new)
-    y_3_new_bound = 1.1102230246251568e-16 * absolute(y_3_new)
-    y_4_new_bound = 1.1102230246251568e-16 * absolute(y_4_new)
-    y_5_new_bound = 1.1102230246251568e-16 * absolute(y_5_new)
+    y_0_new_bound = c1 * absolute(y_0_new)
+    y_1_new_bound = c1 * absolute(y_1_new)
+    y_2_new_bound = c1 * absolute(y_2_new)
+    y_3_new_bound = c1 * absolute(y_3_new)
+    y_4_new_bound = c1 * absolute(y_4_new)
+    y_5_new_bound = c1 * absolute(y_5_new)
     return (y_0_new, y_1_new, y_2_new, y_3_new, y_4_new, y_5_new, y_0_new_bound, y_1_new_bound,
         y_2_new_bound, y_3_new_bound, y_4_new_bound, y_5_new_bound)
 
 
 @kernel("(6),(6)->(6),(6)")
 @errstate(all="ignore")
-def nxpy_ss(x, y):
+def nxpy_ss(x, y, *, c1=1.1102230246251568e-16):
     """y = -x + y; |error of y| <= y_bound unless inf or NaN.
 
     (6),(6)->(6),(6).  x, y, y_bound: screw (v in m/s; ω in rad/s).
@@ -117,19 +117,19 @@ def nxpy_ss(x, y):
     y_3_new = y_3 - x_3
     y_4_new = y_4 - x_4
     y_5_new = y_5 - x_5
-    y_0_new_bound = 1.1102230246251568e-16 * absolute(y_0_new)
-    y_1_new_bound = 1.1102230246251568e-16 * absolute(y_1_new)
-    y_2_new_bound = 1.1102230246251568e-16 * absolute(y_2_new)
-    y_3_new_bound = 1.1102230246251568e-16 * absolute(y_3_new)
-    y_4_new_bound = 1.1102230246251568e-16 * absolute(y_4_new)
-    y_5_new_bound = 1.1102230246251568e-16 * absolute(y_5_new)
+    y_0_new_bound = c1 * absolute(y_0_new)
+    y_1_new_bound = c1 * absolute(y_1_new)
+    y_2_new_bound = c1 * absolute(y_2_new)
+    y_3_new_bound = c1 * absolute(y_3_new)
+    y_4_new_bound = c1 * absolute(y_4_new)
+    y_5_new_bound = c1 * absolute(y_5_new)
     return (y_0_new, y_1_new, y_2_new, y_3_new, y_4_new, y_5_new, y_0_new_bound, y_1_new_bound,
         y_2_new_bound, y_3_new_bound, y_4_new_bound, y_5_new_bound)
 
 
 @kernel("(),(6)->(6),(6)")
 @errstate(all="ignore")
-def product_as(a, si):
+def product_as(a, si, *, c1=2.004168360008973e-292, c2=1.1102230246251568e-16):
     """so = a si; |error of so| <= so_bound unless inf or NaN.
 
     (),(6)->(6),(6).  a: number; si, so, so_bound: screw (v in m/s; ω in rad/s).
@@ -142,19 +142,19 @@ def product_as(a, si):
     so_3 = a * si_3
     so_4 = a * si_4
     so_5 = a * si_5
-    so_0_bound = 1.1102230246251568e-16 * (absolute(so_0) + 2.004168360008973e-292)
-    so_1_bound = 1.1102230246251568e-16 * (absolute(so_1) + 2.004168360008973e-292)
-    so_2_bound = 1.1102230246251568e-16 * (absolute(so_2) + 2.004168360008973e-292)
-    so_3_bound = 1.1102230246251568e-16 * (absolute(so_3) + 2.004168360008973e-292)
-    so_4_bound = 1.1102230246251568e-16 * (absolute(so_4) + 2.004168360008973e-292)
-    so_5_bound = 1.1102230246251568e-16 * (absolute(so_5) + 2.004168360008973e-292)
+    so_0_bound = c2 * (absolute(so_0) + c1)
+    so_1_bound = c2 * (absolute(so_1) + c1)
+    so_2_bound = c2 * (absolute(so_2) + c1)
+    so_3_bound = c2 * (absolute(so_3) + c1)
+    so_4_bound = c2 * (absolute(so_4) + c1)
+    so_5_bound = c2 * (absolute(so_5) + c1)
     return (so_0, so_1, so_2, so_3, so_4, so_5, so_0_bound, so_1_bound, so_2_bound, so_3_bound,
         so_4_bound, so_5_bound)
 
 
 @kernel("(6),(6)->(6),(6)")
 @errstate(all="ignore")
-def add_ss(s1, s2):
+def add_ss(s1, s2, *, c1=1.1102230246251568e-16):
     """so = s1 + s2; |error of so| <= so_bound unless inf or NaN.
 
     (6),(6)->(6),(6).  s1, s2, so, so_bound: screw (v in m/s; ω in rad/s).
@@ -168,19 +168,19 @@ def add_ss(s1, s2):
     so_3 = s1_3 + s2_3
     so_4 = s1_4 + s2_4
     so_5 = s1_5 + s2_5
-    so_0_bound = 1.1102230246251568e-16 * absolute(so_0)
-    so_1_bound = 1.1102230246251568e-16 * absolute(so_1)
-    so_2_bound = 1.1102230246251568e-16 * absolute(so_2)
-    so_3_bound = 1.1102230246251568e-16 * absolute(so_3)
-    so_4_bound = 1.1102230246251568e-16 * absolute(so_4)
-    so_5_bound = 1.1102230246251568e-16 * absolute(so_5)
+    so_0_bound = c1 * absolute(so_0)
+    so_1_bound = c1 * absolute(so_1)
+    so_2_bound = c1 * absolute(so_2)
+    so_3_bound = c1 * absolute(so_3)
+    so_4_bound = c1 * absolute(so_4)
+    so_5_bound = c1 * absolute(so_5)
     return (so_0, so_1, so_2, so_3, so_4, so_5, so_0_bound, so_1_bound, so_2_bound, so_3_bound,
         so_4_bound, so_5_bound)
 
 
 @kernel("(6),(6)->(6),(6)")
 @errstate(all="ignore")
-def subtract_ss(s1, s2):
+def subtract_ss(s1, s2, *, c1=1.1102230246251568e-16):
     """so = s1 - s2; |error of so| <= so_bound unless inf or NaN.
 
     (6),(6)->(6),(6).  s1, s2, so, so_bound: screw (v in m/s; ω in rad/s).
@@ -194,19 +194,19 @@ def subtract_ss(s1, s2):
     so_3 = s1_3 - s2_3
     so_4 = s1_4 - s2_4
     so_5 = s1_5 - s2_5
-    so_0_bound = 1.1102230246251568e-16 * absolute(so_0)
-    so_1_bound = 1.1102230246251568e-16 * absolute(so_1)
-    so_2_bound = 1.1102230246251568e-16 * absolute(so_2)
-    so_3_bound = 1.1102230246251568e-16 * absolute(so_3)
-    so_4_bound = 1.1102230246251568e-16 * absolute(so_4)
-    so_5_bound = 1.1102230246251568e-16 * absolute(so_5)
+    so_0_bound = c1 * absolute(so_0)
+    so_1_bound = c1 * absolute(so_1)
+    so_2_bound = c1 * absolute(so_2)
+    so_3_bound = c1 * absolute(so_3)
+    so_4_bound = c1 * absolute(so_4)
+    so_5_bound = c1 * absolute(so_5)
     return (so_0, so_1, so_2, so_3, so_4, so_5, so_0_bound, so_1_bound, so_2_bound, so_3_bound,
         so_4_bound, so_5_bound)
 
 
 @kernel("(6),(6)->(6),(6)")
 @errstate(all="ignore")
-def add_sst(s1, s2):
+def add_sst(s1, s2, *, c1=1.1102230246251568e-16):
     """so = (s1.lin + s2.lin ; s1.ang); |error of so| <= so_bound unless inf or NaN.
 
     (6),(6)->(6),(6).  s1, s2, so, so_bound: screw (v in m/s; ω in rad/s).
@@ -217,15 +217,15 @@ def add_sst(s1, s2):
     so_0 = s1_0 + s2_0
     so_1 = s1_1 + s2_1
     so_2 = s1_2 + s2_2
-    so_0_bound = 1.1102230246251568e-16 * absolute(so_0)
-    so_1_bound = 1.1102230246251568e-16 * absolute(so_1)
-    so_2_bound = 1.1102230246251568e-16 * absolute(so_2)
+    so_0_bound = c1 * absolute(so_0)
+    so_1_bound = c1 * absolute(so_1)
+    so_2_bound = c1 * absolute(so_2)
     return (so_0, so_1, so_2, s1_3, s1_4, s1_5, so_0_bound, so_1_bound, so_2_bound, 0, 0, 0)
 
 
 @kernel("(3),(6)->(6),(6)")
 @errstate(all="ignore")
-def product_Adts(t, si):
+def product_Adts(t, si, *, c1=2.004168360008973e-292, c2=3.3306690738754706e-16):
     """so = [Ad](t) si; |error of so| <= so_bound unless inf or NaN.
 
     (3),(6)->(6),(6).  t: vector; si, so, so_bound: screw (v in m/s; ω in rad/s).
@@ -245,15 +245,15 @@ def product_Adts(t, si):
     so_0_size = absolute(so_0a) + absolute(so_0b) + absolute(si_0)
     so_1_size = absolute(so_1a) + absolute(so_1b) + absolute(si_1)
     so_2_size = absolute(so_2a) + absolute(so_2b) + absolute(si_2)
-    so_0_bound = 3.3306690738754706e-16 * (so_0_size + 2.004168360008973e-292)
-    so_1_bound = 3.3306690738754706e-16 * (so_1_size + 2.004168360008973e-292)
-    so_2_bound = 3.3306690738754706e-16 * (so_2_size + 2.004168360008973e-292)
+    so_0_bound = c2 * (so_0_size + c1)
+    so_1_bound = c2 * (so_1_size + c1)
+    so_2_bound = c2 * (so_2_size + c1)
     return (so_0, so_1, so_2, si_3, si_4, si_5, so_0_bound, so_1_bound, so_2_bound, 0, 0, 0)
 
 
 @kernel("(3),(6)->(6),(6)")
 @errstate(all="ignore")
-def product_Adtinvs(t, si):
+def product_Adtinvs(t, si, *, c1=2.004168360008973e-292, c2=3.3306690738754706e-16):
     """so = [Ad](t)^-1 si; |error of so| <= so_bound unless inf or NaN.
 
     (3),(6)->(6),(6).  t: vector; si, so, so_bound: screw (v in m/s; ω in rad/s).
@@ -273,15 +273,15 @@ def product_Adtinvs(t, si):
     so_0_size = absolute(so_0a) + absolute(so_0b) + absolute(si_0)
     so_1_size = absolute(so_1a) + absolute(so_1b) + absolute(si_1)
     so_2_size = absolute(so_2a) + absolute(so_2b) + absolute(si_2)
-    so_0_bound = 3.3306690738754706e-16 * (so_0_size + 2.004168360008973e-292)
-    so_1_bound = 3.3306690738754706e-16 * (so_1_size + 2.004168360008973e-292)
-    so_2_bound = 3.3306690738754706e-16 * (so_2_size + 2.004168360008973e-292)
+    so_0_bound = c2 * (so_0_size + c1)
+    so_1_bound = c2 * (so_1_size + c1)
+    so_2_bound = c2 * (so_2_size + c1)
     return (so_0, so_1, so_2, si_3, si_4, si_5, so_0_bound, so_1_bound, so_2_bound, 0, 0, 0)
 
 
 @kernel("(3),(6)->(6),(6)")
 @errstate(all="ignore")
-def product_Adtsinv(t, si):
+def product_Adtsinv(t, si, *, c1=2.004168360008973e-292, c2=3.3306690738754706e-16):
     """so = [Ad](t) (-si); |error of so| <= so_bound unless inf or NaN.
 
     (3),(6)->(6),(6).  t: vector; si, so, so_bound: screw (v in m/s; ω in rad/s).
@@ -304,15 +304,15 @@ def product_Adtsinv(t, si):
     so_0_size = absolute(so_0a) + absolute(so_0b) + absolute(si_0)
     so_1_size = absolute(so_1a) + absolute(so_1b) + absolute(si_1)
     so_2_size = absolute(so_2a) + absolute(so_2b) + absolute(si_2)
-    so_0_bound = 3.3306690738754706e-16 * (so_0_size + 2.004168360008973e-292)
-    so_1_bound = 3.3306690738754706e-16 * (so_1_size + 2.004168360008973e-292)
-    so_2_bound = 3.3306690738754706e-16 * (so_2_size + 2.004168360008973e-292)
+    so_0_bound = c2 * (so_0_size + c1)
+    so_1_bound = c2 * (so_1_size + c1)
+    so_2_bound = c2 * (so_2_size + c1)
     return (so_0, so_1, so_2, so_3, so_4, so_5, so_0_bound, so_1_bound, so_2_bound, 0, 0, 0)
 
 
 @kernel("(3,3),(6)->(6),(6)")
 @errstate(all="ignore")
-def product_Adrs(R, si):
+def product_Adrs(R, si, *, c1=2.004168360008973e-292, c2=3.3306690738754706e-16):
     """so = [Ad](R) si; |error of so| <= so_bound unless inf or NaN.
 
     (3,3),(6)->(6),(6).  R: rotation or other 3×3 matrix; si, so, so_bound: screw (v in m/s; ω
@@ -351,19 +351,19 @@ def product_Adrs(R, si):
     so_3_size = absolute(so_3a) + absolute(so_3b) + absolute(so_3d)
     so_4_size = absolute(so_4a) + absolute(so_4b) + absolute(so_4d)
     so_5_size = absolute(so_5a) + absolute(so_5b) + absolute(so_5d)
-    so_0_bound = 3.3306690738754706e-16 * (so_0_size + 2.004168360008973e-292)
-    so_1_bound = 3.3306690738754706e-16 * (so_1_size + 2.004168360008973e-292)
-    so_2_bound = 3.3306690738754706e-16 * (so_2_size + 2.004168360008973e-292)
-    so_3_bound = 3.3306690738754706e-16 * (so_3_size + 2.004168360008973e-292)
-    so_4_bound = 3.3306690738754706e-16 * (so_4_size + 2.004168360008973e-292)
-    so_5_bound = 3.3306690738754706e-16 * (so_5_size + 2.004168360008973e-292)
+    so_0_bound = c2 * (so_0_size + c1)
+    so_1_bound = c2 * (so_1_size + c1)
+    so_2_bound = c2 * (so_2_size + c1)
+    so_3_bound = c2 * (so_3_size + c1)
+    so_4_bound = c2 * (so_4_size + c1)
+    so_5_bound = c2 * (so_5_size + c1)
     return (so_0, so_1, so_2, so_3, so_4, so_5, so_0_bound, so_1_bound, so_2_bound, so_3_bound,
         so_4_bound, so_5_bound)
 
 
 @kernel("(3,3),(6)->(6),(6)")
 @errstate(all="ignore")
-def product_Adrinvs(R, si):
+def product_Adrinvs(R, si, *, c1=2.004168360008973e-292, c2=3.3306690738754706e-16):
     """so = [Ad](R)^-1 si; |error of so| <= so_bound unless inf or NaN.
 
     (3,3),(6)->(6),(6).  R: rotation or other 3×3 matrix; si, so, so_bound: screw (v in m/s; ω
@@ -402,19 +402,19 @@ def product_Adrinvs(R, si):
     so_3_size = absolute(so_3a) + absolute(so_3b) + absolute(so_3d)
     so_4_size = absolute(so_4a) + absolute(so_4b) + absolute(so_4d)
     so_5_size = absolute(so_5a) + absolute(so_5b) + absolute(so_5d)
-    so_0_bound = 3.3306690738754706e-16 * (so_0_size + 2.004168360008973e-292)
-    so_1_bound = 3.3306690738754706e-16 * (so_1_size + 2.004168360008973e-292)
-    so_2_bound = 3.3306690738754706e-16 * (so_2_size + 2.004168360008973e-292)
-    so_3_bound = 3.3306690738754706e-16 * (so_3_size + 2.004168360008973e-292)
-    so_4_bound = 3.3306690738754706e-16 * (so_4_size + 2.004168360008973e-292)
-    so_5_bound = 3.3306690738754706e-16 * (so_5_size + 2.004168360008973e-292)
+    so_0_bound = c2 * (so_0_size + c1)
+    so_1_bound = c2 * (so_1_size + c1)
+    so_2_bound = c2 * (so_2_size + c1)
+    so_3_bound = c2 * (so_3_size + c1)
+    so_4_bound = c2 * (so_4_size + c1)
+    so_5_bound = c2 * (so_5_size + c1)
     return (so_0, so_1, so_2, so_3, so_4, so_5, so_0_bound, so_1_bound, so_2_bound, so_3_bound,
         so_4_bound, so_5_bound)
 
 
 @kernel("(3,3),(6)->(6),(6)")
 @errstate(all="ignore")
-def product_Adrsinv(R, si):
+def product_Adrsinv(R, si, *, c1=2.004168360008973e-292, c2=3.3306690738754706e-16):
     """so = [Ad](R) (-si); |error of so| <= so_bound unless inf or NaN.
 
     (3,3),(6)->(6),(6).  R: rotation or other 3×3 matrix; si, so, so_bound: screw (v in m/s; ω
@@ -447,25 +447,20 @@ def product_Adrsinv(R, si):
     so_5b = R_21 * si_4
     so_5d = R_22 * si_5
     so_5 = -(so_5a + so_5b + so_5d)
-    so_0e_bound = (3.3306690738754706e-16
-        * (absolute(so_0a) + absolute(so_0b) + absolute(so_0d) + 2.004168360008973e-292))
-    so_1e_bound = (3.3306690738754706e-16
-        * (absolute(so_1a) + absolute(so_1b) + absolute(so_1d) + 2.004168360008973e-292))
-    so_2e_bound = (3.3306690738754706e-16
-        * (absolute(so_2a) + absolute(so_2b) + absolute(so_2d) + 2.004168360008973e-292))
-    so_3e_bound = (3.3306690738754706e-16
-        * (absolute(so_3a) + absolute(so_3b) + absolute(so_3d) + 2.004168360008973e-292))
-    so_4e_bound = (3.3306690738754706e-16
-        * (absolute(so_4a) + absolute(so_4b) + absolute(so_4d) + 2.004168360008973e-292))
-    so_5e_bound = (3.3306690738754706e-16
-        * (absolute(so_5a) + absolute(so_5b) + absolute(so_5d) + 2.004168360008973e-292))
+    so_0e_bound = c2 * (absolute(so_0a) + absolute(so_0b) + absolute(so_0d) + c1)
+    so_1e_bound = c2 * (absolute(so_1a) + absolute(so_1b) + absolute(so_1d) + c1)
+    so_2e_bound = c2 * (absolute(so_2a) + absolute(so_2b) + absolute(so_2d) + c1)
+    so_3e_bound = c2 * (absolute(so_3a) + absolute(so_3b) + absolute(so_3d) + c1)
+    so_4e_bound = c2 * (absolute(so_4a) + absolute(so_4b) + absolute(so_4d) + c1)
+    so_5e_bound = c2 * (absolute(so_5a) + absolute(so_5b) + absolute(so_5d) + c1)
     return (so_0, so_1, so_2, so_3, so_4, so_5, so_0e_bound, so_1e_bound, so_2e_bound, so_3e_bound,
         so_4e_bound, so_5e_bound)
 
 
 @kernel("(3,4),(6)->(6),(6)")
 @errstate(all="ignore")
-def product_Ads(D, si):
+def product_Ads(D, si, *, c1=2.004168360008973e-292, c2=6.661338147750942e-16,
+        c3=3.3306690738754706e-16):
     """so = [Ad](D) si = [Ad](t) [Ad](R) si; |error of so| <= so_bound unless inf or NaN.
 
     (3,4),(6)->(6),(6).  D: displacement [R | t], R rotation, t in m; si, so, so_bound: screw (v
@@ -507,28 +502,29 @@ def product_Ads(D, si):
     w_3_size = absolute(w_3a) + absolute(w_3b) + absolute(w_3d)
     w_4_size = absolute(w_4a) + absolute(w_4b) + absolute(w_4d)
     w_5_size = absolute(w_5a) + absolute(w_5b) + absolute(w_5d)
-    w_5_padded = w_5_size + 2.004168360008973e-292
+    w_5_padded = w_5_size + c1
     D_13_abs = absolute(D_13)
-    w_4_padded = w_4_size + 2.004168360008973e-292
+    w_4_padded = w_4_size + c1
     D_23_abs = absolute(D_23)
     so_0_size = D_13_abs * w_5_padded + D_23_abs * w_4_padded + w_0_size
-    w_3_padded = w_3_size + 2.004168360008973e-292
+    w_3_padded = w_3_size + c1
     D_03_abs = absolute(D_03)
     so_1_size = D_23_abs * w_3_padded + D_03_abs * w_5_padded + w_1_size
     so_2_size = D_03_abs * w_4_padded + D_13_abs * w_3_padded + w_2_size
-    so_0_bound = 6.661338147750942e-16 * (so_0_size + 2.004168360008973e-292)
-    so_1_bound = 6.661338147750942e-16 * (so_1_size + 2.004168360008973e-292)
-    so_2_bound = 6.661338147750942e-16 * (so_2_size + 2.004168360008973e-292)
-    w_3_bound = 3.3306690738754706e-16 * w_3_padded
-    w_4_bound = 3.3306690738754706e-16 * w_4_padded
-    w_5_bound = 3.3306690738754706e-16 * w_5_padded
+    so_0_bound = c2 * (so_0_size + c1)
+    so_1_bound = c2 * (so_1_size + c1)
+    so_2_bound = c2 * (so_2_size + c1)
+    w_3_bound = c3 * w_3_padded
+    w_4_bound = c3 * w_4_padded
+    w_5_bound = c3 * w_5_padded
     return (so_0, so_1, so_2, w_3, w_4, w_5, so_0_bound, so_1_bound, so_2_bound, w_3_bound,
         w_4_bound, w_5_bound)
 
 
 @kernel("(3,4),(6)->(6),(6)")
 @errstate(all="ignore")
-def product_Adinvs(D, si):
+def product_Adinvs(D, si, *, c1=2.004168360008973e-292, c2=6.661338147750942e-16,
+        c3=3.3306690738754706e-16):
     """so = [Ad](D)^-1 si = [Ad](R^T) [Ad](-t) si; |error of so| <= so_bound unless inf or NaN.
 
     (3,4),(6)->(6),(6).  D: displacement [R | t], R rotation, t in m; si, so, so_bound: screw (v
@@ -564,9 +560,9 @@ def product_Adinvs(D, si):
     w_0_size = absolute(w_0a) + absolute(w_0b) + absolute(si_0)
     w_1_size = absolute(w_1a) + absolute(w_1b) + absolute(si_1)
     w_2_size = absolute(w_2a) + absolute(w_2b) + absolute(si_2)
-    w_0_padded = w_0_size + 2.004168360008973e-292
-    w_1_padded = w_1_size + 2.004168360008973e-292
-    w_2_padded = w_2_size + 2.004168360008973e-292
+    w_0_padded = w_0_size + c1
+    w_1_padded = w_1_size + c1
+    w_2_padded = w_2_size + c1
     so_0_size = (absolute(D_00) * w_0_padded + absolute(D_10) * w_1_padded + absolute(D_20)
         * w_2_padded)
     so_1_size = (absolute(D_01) * w_0_padded + absolute(D_11) * w_1_padded + absolute(D_21)
@@ -576,19 +572,20 @@ def product_Adinvs(D, si):
     so_3_size = absolute(so_3a) + absolute(so_3b) + absolute(so_3d)
     so_4_size = absolute(so_4a) + absolute(so_4b) + absolute(so_4d)
     so_5_size = absolute(so_5a) + absolute(so_5b) + absolute(so_5d)
-    so_0_bound = 6.661338147750942e-16 * (so_0_size + 2.004168360008973e-292)
-    so_1_bound = 6.661338147750942e-16 * (so_1_size + 2.004168360008973e-292)
-    so_2_bound = 6.661338147750942e-16 * (so_2_size + 2.004168360008973e-292)
-    so_3_bound = 3.3306690738754706e-16 * (so_3_size + 2.004168360008973e-292)
-    so_4_bound = 3.3306690738754706e-16 * (so_4_size + 2.004168360008973e-292)
-    so_5_bound = 3.3306690738754706e-16 * (so_5_size + 2.004168360008973e-292)
+    so_0_bound = c2 * (so_0_size + c1)
+    so_1_bound = c2 * (so_1_size + c1)
+    so_2_bound = c2 * (so_2_size + c1)
+    so_3_bound = c3 * (so_3_size + c1)
+    so_4_bound = c3 * (so_4_size + c1)
+    so_5_bound = c3 * (so_5_size + c1)
     return (so_0, so_1, so_2, so_3, so_4, so_5, so_0_bound, so_1_bound, so_2_bound, so_3_bound,
         so_4_bound, so_5_bound)
 
 
 @kernel("(3,4),(6)->(6),(6)")
 @errstate(all="ignore")
-def product_Adsinv(D, si):
+def product_Adsinv(D, si, *, c1=2.004168360008973e-292, c2=6.661338147750942e-16,
+        c3=3.3306690738754706e-16):
     """so = [Ad](D) (-si); |error of so| <= so_bound unless inf or NaN.
 
     (3,4),(6)->(6),(6).  D: displacement [R | t], R rotation, t in m; si, so, so_bound: screw (v
@@ -624,31 +621,31 @@ def product_Adsinv(D, si):
     so_0 = D_13 * w_5 - D_23 * w_4 + w_0
     so_1 = D_23 * w_3 - D_03 * w_5 + w_1
     so_2 = D_03 * w_4 - D_13 * w_3 + w_2
-    w_5e_padded = absolute(w_5a) + absolute(w_5b) + absolute(w_5d) + 2.004168360008973e-292
+    w_5e_padded = absolute(w_5a) + absolute(w_5b) + absolute(w_5d) + c1
     D_13_abs = absolute(D_13)
-    w_4e_padded = absolute(w_4a) + absolute(w_4b) + absolute(w_4d) + 2.004168360008973e-292
+    w_4e_padded = absolute(w_4a) + absolute(w_4b) + absolute(w_4d) + c1
     D_23_abs = absolute(D_23)
     so_0_size = (D_13_abs * w_5e_padded + D_23_abs * w_4e_padded
         + (absolute(w_0a) + absolute(w_0b) + absolute(w_0d)))
-    w_3e_padded = absolute(w_3a) + absolute(w_3b) + absolute(w_3d) + 2.004168360008973e-292
+    w_3e_padded = absolute(w_3a) + absolute(w_3b) + absolute(w_3d) + c1
     D_03_abs = absolute(D_03)
     so_1_size = (D_23_abs * w_3e_padded + D_03_abs * w_5e_padded
         + (absolute(w_1a) + absolute(w_1b) + absolute(w_1d)))
     so_2_size = (D_03_abs * w_4e_padded + D_13_abs * w_3e_padded
         + (absolute(w_2a) + absolute(w_2b) + absolute(w_2d)))
-    so_0_bound = 6.661338147750942e-16 * (so_0_size + 2.004168360008973e-292)
-    so_1_bound = 6.661338147750942e-16 * (so_1_size + 2.004168360008973e-292)
-    so_2_bound = 6.661338147750942e-16 * (so_2_size + 2.004168360008973e-292)
-    w_3e_bound = 3.3306690738754706e-16 * w_3e_padded
-    w_4e_bound = 3.3306690738754706e-16 * w_4e_padded
-    w_5e_bound = 3.3306690738754706e-16 * w_5e_padded
+    so_0_bound = c2 * (so_0_size + c1)
+    so_1_bound = c2 * (so_1_size + c1)
+    so_2_bound = c2 * (so_2_size + c1)
+    w_3e_bound = c3 * w_3e_padded
+    w_4e_bound = c3 * w_4e_padded
+    w_5e_bound = c3 * w_5e_padded
     return (so_0, so_1, so_2, w_3, w_4, w_5, so_0_bound, so_1_bound, so_2_bound, w_3e_bound,
         w_4e_bound, w_5e_bound)
 
 
 @kernel("(3,4)->(6),(6)")
 @errstate(all="ignore")
-def hsrx(D):
+def hsrx(D, *, c1=2.004168360008973e-292, c2=2.2204460492503136e-16):
     """so = h_rx: column 3 of [Ad](D); |error of so| <= so_bound unless inf or NaN.
 
     (3,4)->(6),(6).  D: displacement [R | t], R rotation, t in m; so, so_bound: screw (v in m/s;
@@ -668,15 +665,15 @@ def hsrx(D):
     so_0_size = absolute(so_0a) + absolute(so_0b)
     so_1_size = absolute(so_1a) + absolute(so_1b)
     so_2_size = absolute(so_2a) + absolute(so_2b)
-    so_0_bound = 2.2204460492503136e-16 * (so_0_size + 2.004168360008973e-292)
-    so_1_bound = 2.2204460492503136e-16 * (so_1_size + 2.004168360008973e-292)
-    so_2_bound = 2.2204460492503136e-16 * (so_2_size + 2.004168360008973e-292)
+    so_0_bound = c2 * (so_0_size + c1)
+    so_1_bound = c2 * (so_1_size + c1)
+    so_2_bound = c2 * (so_2_size + c1)
     return (so_0, so_1, so_2, D_00, D_10, D_20, so_0_bound, so_1_bound, so_2_bound, 0, 0, 0)
 
 
 @kernel("(3,4)->(6),(6)")
 @errstate(all="ignore")
-def hsry(D):
+def hsry(D, *, c1=2.004168360008973e-292, c2=2.2204460492503136e-16):
     """so = h_ry: column 4 of [Ad](D); |error of so| <= so_bound unless inf or NaN.
 
     (3,4)->(6),(6).  D: displacement [R | t], R rotation, t in m; so, so_bound: screw (v in m/s;
@@ -696,15 +693,15 @@ def hsry(D):
     so_0_size = absolute(so_0a) + absolute(so_0b)
     so_1_size = absolute(so_1a) + absolute(so_1b)
     so_2_size = absolute(so_2a) + absolute(so_2b)
-    so_0_bound = 2.2204460492503136e-16 * (so_0_size + 2.004168360008973e-292)
-    so_1_bound = 2.2204460492503136e-16 * (so_1_size + 2.004168360008973e-292)
-    so_2_bound = 2.2204460492503136e-16 * (so_2_size + 2.004168360008973e-292)
+    so_0_bound = c2 * (so_0_size + c1)
+    so_1_bound = c2 * (so_1_size + c1)
+    so_2_bound = c2 * (so_2_size + c1)
     return (so_0, so_1, so_2, D_01, D_11, D_21, so_0_bound, so_1_bound, so_2_bound, 0, 0, 0)
 
 
 @kernel("(3,4)->(6),(6)")
 @errstate(all="ignore")
-def hsrz(D):
+def hsrz(D, *, c1=2.004168360008973e-292, c2=2.2204460492503136e-16):
     """so = h_rz: column 5 of [Ad](D); |error of so| <= so_bound unless inf or NaN.
 
     (3,4)->(6),(6).  D: displacement [R | t], R rotation, t in m; so, so_bound: screw (v in m/s;
@@ -724,15 +721,15 @@ def hsrz(D):
     so_0_size = absolute(so_0a) + absolute(so_0b)
     so_1_size = absolute(so_1a) + absolute(so_1b)
     so_2_size = absolute(so_2a) + absolute(so_2b)
-    so_0_bound = 2.2204460492503136e-16 * (so_0_size + 2.004168360008973e-292)
-    so_1_bound = 2.2204460492503136e-16 * (so_1_size + 2.004168360008973e-292)
-    so_2_bound = 2.2204460492503136e-16 * (so_2_size + 2.004168360008973e-292)
+    so_0_bound = c2 * (so_0_size + c1)
+    so_1_bound = c2 * (so_1_size + c1)
+    so_2_bound = c2 * (so_2_size + c1)
     return (so_0, so_1, so_2, D_02, D_12, D_22, so_0_bound, so_1_bound, so_2_bound, 0, 0, 0)
 
 
 @kernel("(3,4)->(6),(6)")
 @errstate(all="ignore")
-def hsrxinv(D):
+def hsrxinv(D, *, c1=2.004168360008973e-292, c2=2.2204460492503136e-16):
     """so = -h_rx: -column 3 of [Ad](D); |error of so| <= so_bound unless inf or NaN.
 
     (3,4)->(6),(6).  D: displacement [R | t], R rotation, t in m; so, so_bound: screw (v in m/s;
@@ -755,15 +752,15 @@ def hsrxinv(D):
     so_0_size = absolute(so_0a) + absolute(so_0b)
     so_1_size = absolute(so_1a) + absolute(so_1b)
     so_2_size = absolute(so_2a) + absolute(so_2b)
-    so_0_bound = 2.2204460492503136e-16 * (so_0_size + 2.004168360008973e-292)
-    so_1_bound = 2.2204460492503136e-16 * (so_1_size + 2.004168360008973e-292)
-    so_2_bound = 2.2204460492503136e-16 * (so_2_size + 2.004168360008973e-292)
+    so_0_bound = c2 * (so_0_size + c1)
+    so_1_bound = c2 * (so_1_size + c1)
+    so_2_bound = c2 * (so_2_size + c1)
     return (so_0, so_1, so_2, so_3, so_4, so_5, so_0_bound, so_1_bound, so_2_bound, 0, 0, 0)
 
 
 @kernel("(3,4)->(6),(6)")
 @errstate(all="ignore")
-def hsryinv(D):
+def hsryinv(D, *, c1=2.004168360008973e-292, c2=2.2204460492503136e-16):
     """so = -h_ry: -column 4 of [Ad](D); |error of so| <= so_bound unless inf or NaN.
 
     (3,4)->(6),(6).  D: displacement [R | t], R rotation, t in m; so, so_bound: screw (v in m/s;
@@ -786,15 +783,15 @@ def hsryinv(D):
     so_0_size = absolute(so_0a) + absolute(so_0b)
     so_1_size = absolute(so_1a) + absolute(so_1b)
     so_2_size = absolute(so_2a) + absolute(so_2b)
-    so_0_bound = 2.2204460492503136e-16 * (so_0_size + 2.004168360008973e-292)
-    so_1_bound = 2.2204460492503136e-16 * (so_1_size + 2.004168360008973e-292)
-    so_2_bound = 2.2204460492503136e-16 * (so_2_size + 2.004168360008973e-292)
+    so_0_bound = c2 * (so_0_size + c1)
+    so_1_bound = c2 * (so_1_size + c1)
+    so_2_bound = c2 * (so_2_size + c1)
     return (so_0, so_1, so_2, so_3, so_4, so_5, so_0_bound, so_1_bound, so_2_bound, 0, 0, 0)
 
 
 @kernel("(3,4)->(6),(6)")
 @errstate(all="ignore")
-def hsrzinv(D):
+def hsrzinv(D, *, c1=2.004168360008973e-292, c2=2.2204460492503136e-16):
     """so = -h_rz: -column 5 of [Ad](D); |error of so| <= so_bound unless inf or NaN.
 
     (3,4)->(6),(6).  D: displacement [R | t], R rotation, t in m; so, so_bound: screw (v in m/s;
@@ -817,15 +814,15 @@ def hsrzinv(D):
     so_0_size = absolute(so_0a) + absolute(so_0b)
     so_1_size = absolute(so_1a) + absolute(so_1b)
     so_2_size = absolute(so_2a) + absolute(so_2b)
-    so_0_bound = 2.2204460492503136e-16 * (so_0_size + 2.004168360008973e-292)
-    so_1_bound = 2.2204460492503136e-16 * (so_1_size + 2.004168360008973e-292)
-    so_2_bound = 2.2204460492503136e-16 * (so_2_size + 2.004168360008973e-292)
+    so_0_bound = c2 * (so_0_size + c1)
+    so_1_bound = c2 * (so_1_size + c1)
+    so_2_bound = c2 * (so_2_size + c1)
     return (so_0, so_1, so_2, so_3, so_4, so_5, so_0_bound, so_1_bound, so_2_bound, 0, 0, 0)
 
 
 @kernel("(3,4)->(6,6),(6,6)")
 @errstate(all="ignore")
-def Ad(D):
+def Ad(D, *, c1=2.004168360008973e-292, c2=2.2204460492503136e-16):
     """M = [Ad](D); |error of M| <= M_bound unless inf or NaN.
 
     (3,4)->(6,6),(6,6).  D: displacement [R | t], R rotation, t in m; M, M_bound: 6×6 operator.
@@ -868,15 +865,15 @@ def Ad(D):
     M_23_size = absolute(M_23a) + absolute(M_23b)
     M_24_size = absolute(M_24a) + absolute(M_24b)
     M_25_size = absolute(M_25a) + absolute(M_25b)
-    M_03_bound = 2.2204460492503136e-16 * (M_03_size + 2.004168360008973e-292)
-    M_04_bound = 2.2204460492503136e-16 * (M_04_size + 2.004168360008973e-292)
-    M_05_bound = 2.2204460492503136e-16 * (M_05_size + 2.004168360008973e-292)
-    M_13_bound = 2.2204460492503136e-16 * (M_13_size + 2.004168360008973e-292)
-    M_14_bound = 2.2204460492503136e-16 * (M_14_size + 2.004168360008973e-292)
-    M_15_bound = 2.2204460492503136e-16 * (M_15_size + 2.004168360008973e-292)
-    M_23_bound = 2.2204460492503136e-16 * (M_23_size + 2.004168360008973e-292)
-    M_24_bound = 2.2204460492503136e-16 * (M_24_size + 2.004168360008973e-292)
-    M_25_bound = 2.2204460492503136e-16 * (M_25_size + 2.004168360008973e-292)
+    M_03_bound = c2 * (M_03_size + c1)
+    M_04_bound = c2 * (M_04_size + c1)
+    M_05_bound = c2 * (M_05_size + c1)
+    M_13_bound = c2 * (M_13_size + c1)
+    M_14_bound = c2 * (M_14_size + c1)
+    M_15_bound = c2 * (M_15_size + c1)
+    M_23_bound = c2 * (M_23_size + c1)
+    M_24_bound = c2 * (M_24_size + c1)
+    M_25_bound = c2 * (M_25_size + c1)
     return (D_00, D_01, D_02, M_03, M_04, M_05, D_10, D_11, D_12, M_13, M_14, M_15, D_20, D_21,
         D_22, M_23, M_24, M_25, 0, 0, 0, D_00, D_01, D_02, 0, 0, 0, D_10, D_11, D_12, 0, 0, 0, D_20,
         D_21, D_22, 0, 0, 0, M_03_bound, M_04_bound, M_05_bound, 0, 0, 0, M_13_bound, M_14_bound,
@@ -886,7 +883,7 @@ def Ad(D):
 
 @kernel("(6),(6)->(),()")
 @errstate(all="ignore")
-def dot_cs(c, s):
+def dot_cs(c, s, *, c1=2.004168360008973e-292, c2=4.440892098500628e-16):
     """power = f·v + τ·ω, in W; |error of power| <= power_bound unless inf or NaN.
 
     (6),(6)->(),().  c: coscrew (f in N; τ in N m); s: screw (v in m/s; ω in rad/s); power,
@@ -904,13 +901,14 @@ def dot_cs(c, s):
     power = power_a + power_b + power_d + (power_f + power_g + power_i)
     power_size = (absolute(power_a) + absolute(power_b) + absolute(power_d)
         + (absolute(power_f) + absolute(power_g) + absolute(power_i)))
-    power_bound = 4.440892098500628e-16 * (power_size + 2.004168360008973e-292)
+    power_bound = c2 * (power_size + c1)
     return (power, power_bound)
 
 
 @kernel("(6),(6)->(6),(6)")
 @errstate(all="ignore")
-def cross_ss(s1, s2):
+def cross_ss(s1, s2, *, c1=2.004168360008973e-292, c2=3.3306690738754706e-16,
+        c3=2.2204460492503136e-16):
     """so = [ad](s1) s2 = (ω1×v2 + v1×ω2 ; ω1×ω2); |error of so| <= so_bound unless inf or NaN.
     Exactly zero for s1 = s2, unless products overflow.
 
@@ -949,19 +947,19 @@ def cross_ss(s1, s2):
     so_3_size = absolute(so_3a) + absolute(so_3b)
     so_4_size = absolute(so_4a) + absolute(so_4b)
     so_5_size = absolute(so_5a) + absolute(so_5b)
-    so_0_bound = 3.3306690738754706e-16 * (so_0_size + 2.004168360008973e-292)
-    so_1_bound = 3.3306690738754706e-16 * (so_1_size + 2.004168360008973e-292)
-    so_2_bound = 3.3306690738754706e-16 * (so_2_size + 2.004168360008973e-292)
-    so_3_bound = 2.2204460492503136e-16 * (so_3_size + 2.004168360008973e-292)
-    so_4_bound = 2.2204460492503136e-16 * (so_4_size + 2.004168360008973e-292)
-    so_5_bound = 2.2204460492503136e-16 * (so_5_size + 2.004168360008973e-292)
+    so_0_bound = c2 * (so_0_size + c1)
+    so_1_bound = c2 * (so_1_size + c1)
+    so_2_bound = c2 * (so_2_size + c1)
+    so_3_bound = c3 * (so_3_size + c1)
+    so_4_bound = c3 * (so_4_size + c1)
+    so_5_bound = c3 * (so_5_size + c1)
     return (so_0, so_1, so_2, so_3, so_4, so_5, so_0_bound, so_1_bound, so_2_bound, so_3_bound,
         so_4_bound, so_5_bound)
 
 
 @kernel("(6),(6)->(6),(6)")
 @errstate(all="ignore")
-def cross_sst(s1, s2):
+def cross_sst(s1, s2, *, c1=2.004168360008973e-292, c2=2.2204460492503136e-16):
     """so = (ω1×v2 ; 0); |error of so| <= so_bound unless inf or NaN.
 
     (6),(6)->(6),(6).  s1, s2, so, so_bound: screw (v in m/s; ω in rad/s).
@@ -981,15 +979,16 @@ def cross_sst(s1, s2):
     so_0_size = absolute(so_0a) + absolute(so_0b)
     so_1_size = absolute(so_1a) + absolute(so_1b)
     so_2_size = absolute(so_2a) + absolute(so_2b)
-    so_0_bound = 2.2204460492503136e-16 * (so_0_size + 2.004168360008973e-292)
-    so_1_bound = 2.2204460492503136e-16 * (so_1_size + 2.004168360008973e-292)
-    so_2_bound = 2.2204460492503136e-16 * (so_2_size + 2.004168360008973e-292)
+    so_0_bound = c2 * (so_0_size + c1)
+    so_1_bound = c2 * (so_1_size + c1)
+    so_2_bound = c2 * (so_2_size + c1)
     return (so_0, so_1, so_2, 0, 0, 0, so_0_bound, so_1_bound, so_2_bound, 0, 0, 0)
 
 
 @kernel("(3,4),(3)->(6),(6)")
 @errstate(all="ignore")
-def hsra(D, axis):
+def hsra(D, axis, *, c1=2.004168360008973e-292, c2=5.551115123125785e-16,
+        c3=3.3306690738754706e-16):
     """so = (t×R a ; R a), a = axis in the body's frame; |error of so| <= so_bound unless inf or
     NaN.
 
@@ -1017,28 +1016,28 @@ def hsra(D, axis):
     a_0_size = absolute(a_0a) + absolute(a_0b) + absolute(a_0d)
     a_1_size = absolute(a_1a) + absolute(a_1b) + absolute(a_1d)
     a_2_size = absolute(a_2a) + absolute(a_2b) + absolute(a_2d)
-    a_2_padded = a_2_size + 2.004168360008973e-292
+    a_2_padded = a_2_size + c1
     D_13_abs = absolute(D_13)
-    a_1_padded = a_1_size + 2.004168360008973e-292
+    a_1_padded = a_1_size + c1
     D_23_abs = absolute(D_23)
     so_0_size = D_13_abs * a_2_padded + D_23_abs * a_1_padded
-    a_0_padded = a_0_size + 2.004168360008973e-292
+    a_0_padded = a_0_size + c1
     D_03_abs = absolute(D_03)
     so_1_size = D_23_abs * a_0_padded + D_03_abs * a_2_padded
     so_2_size = D_03_abs * a_1_padded + D_13_abs * a_0_padded
-    so_0_bound = 5.551115123125785e-16 * (so_0_size + 2.004168360008973e-292)
-    so_1_bound = 5.551115123125785e-16 * (so_1_size + 2.004168360008973e-292)
-    so_2_bound = 5.551115123125785e-16 * (so_2_size + 2.004168360008973e-292)
-    a_0_bound = 3.3306690738754706e-16 * a_0_padded
-    a_1_bound = 3.3306690738754706e-16 * a_1_padded
-    a_2_bound = 3.3306690738754706e-16 * a_2_padded
+    so_0_bound = c2 * (so_0_size + c1)
+    so_1_bound = c2 * (so_1_size + c1)
+    so_2_bound = c2 * (so_2_size + c1)
+    a_0_bound = c3 * a_0_padded
+    a_1_bound = c3 * a_1_padded
+    a_2_bound = c3 * a_2_padded
     return (so_0, so_1, so_2, a_0, a_1, a_2, so_0_bound, so_1_bound, so_2_bound, a_0_bound,
         a_1_bound, a_2_bound)
 
 
 @kernel("(3,4),(3)->(6),(6)")
 @errstate(all="ignore")
-def hsta(D, axis):
+def hsta(D, axis, *, c1=2.004168360008973e-292, c2=3.3306690738754706e-16):
     """so = (R a ; 0), a = axis in the body's frame; |error of so| <= so_bound unless inf or NaN.
 
     (3,4),(3)->(6),(6).  D: displacement [R | t], R rotation, t in m; axis: vector; so,
@@ -1062,15 +1061,16 @@ def hsta(D, axis):
     so_0_size = absolute(so_0a) + absolute(so_0b) + absolute(so_0d)
     so_1_size = absolute(so_1a) + absolute(so_1b) + absolute(so_1d)
     so_2_size = absolute(so_2a) + absolute(so_2b) + absolute(so_2d)
-    so_0_bound = 3.3306690738754706e-16 * (so_0_size + 2.004168360008973e-292)
-    so_1_bound = 3.3306690738754706e-16 * (so_1_size + 2.004168360008973e-292)
-    so_2_bound = 3.3306690738754706e-16 * (so_2_size + 2.004168360008973e-292)
+    so_0_bound = c2 * (so_0_size + c1)
+    so_1_bound = c2 * (so_1_size + c1)
+    so_2_bound = c2 * (so_2_size + c1)
     return (so_0, so_1, so_2, 0, 0, 0, so_0_bound, so_1_bound, so_2_bound, 0, 0, 0)
 
 
 @kernel("(3,4),(3)->(6),(6)")
 @errstate(all="ignore")
-def hsrainv(D, axis):
+def hsrainv(D, axis, *, c1=2.004168360008973e-292, c2=5.551115123125785e-16,
+        c3=3.3306690738754706e-16):
     """so = -(t×R a ; R a), a = axis in the body's frame; |error of so| <= so_bound unless inf or
     NaN.
 
@@ -1095,28 +1095,28 @@ def hsrainv(D, axis):
     so_0 = D_13 * a_2 - D_23 * a_1
     so_1 = D_23 * a_0 - D_03 * a_2
     so_2 = D_03 * a_1 - D_13 * a_0
-    a_2e_padded = absolute(a_2a) + absolute(a_2b) + absolute(a_2d) + 2.004168360008973e-292
+    a_2e_padded = absolute(a_2a) + absolute(a_2b) + absolute(a_2d) + c1
     D_13_abs = absolute(D_13)
-    a_1e_padded = absolute(a_1a) + absolute(a_1b) + absolute(a_1d) + 2.004168360008973e-292
+    a_1e_padded = absolute(a_1a) + absolute(a_1b) + absolute(a_1d) + c1
     D_23_abs = absolute(D_23)
     so_0_size = D_13_abs * a_2e_padded + D_23_abs * a_1e_padded
-    a_0e_padded = absolute(a_0a) + absolute(a_0b) + absolute(a_0d) + 2.004168360008973e-292
+    a_0e_padded = absolute(a_0a) + absolute(a_0b) + absolute(a_0d) + c1
     D_03_abs = absolute(D_03)
     so_1_size = D_23_abs * a_0e_padded + D_03_abs * a_2e_padded
     so_2_size = D_03_abs * a_1e_padded + D_13_abs * a_0e_padded
-    so_0_bound = 5.551115123125785e-16 * (so_0_size + 2.004168360008973e-292)
-    so_1_bound = 5.551115123125785e-16 * (so_1_size + 2.004168360008973e-292)
-    so_2_bound = 5.551115123125785e-16 * (so_2_size + 2.004168360008973e-292)
-    a_0e_bound = 3.3306690738754706e-16 * a_0e_padded
-    a_1e_bound = 3.3306690738754706e-16 * a_1e_padded
-    a_2e_bound = 3.3306690738754706e-16 * a_2e_padded
+    so_0_bound = c2 * (so_0_size + c1)
+    so_1_bound = c2 * (so_1_size + c1)
+    so_2_bound = c2 * (so_2_size + c1)
+    a_0e_bound = c3 * a_0e_padded
+    a_1e_bound = c3 * a_1e_padded
+    a_2e_bound = c3 * a_2e_padded
     return (so_0, so_1, so_2, a_0, a_1, a_2, so_0_bound, so_1_bound, so_2_bound, a_0e_bound,
         a_1e_bound, a_2e_bound)
 
 
 @kernel("(3,4),(3)->(6),(6)")
 @errstate(all="ignore")
-def hstainv(D, axis):
+def hstainv(D, axis, *, c1=2.004168360008973e-292, c2=3.3306690738754706e-16):
     """so = -(R a ; 0), a = axis in the body's frame; |error of so| <= so_bound unless inf or NaN.
 
     (3,4),(3)->(6),(6).  D: displacement [R | t], R rotation, t in m; axis: vector; so,
@@ -1137,10 +1137,7 @@ def hstainv(D, axis):
     so_2b = D_21 * axis_1
     so_2d = D_22 * axis_2
     so_2 = -(so_2a + so_2b + so_2d)
-    so_0e_bound = (3.3306690738754706e-16
-        * (absolute(so_0a) + absolute(so_0b) + absolute(so_0d) + 2.004168360008973e-292))
-    so_1e_bound = (3.3306690738754706e-16
-        * (absolute(so_1a) + absolute(so_1b) + absolute(so_1d) + 2.004168360008973e-292))
-    so_2e_bound = (3.3306690738754706e-16
-        * (absolute(so_2a) + absolute(so_2b) + absolute(so_2d) + 2.004168360008973e-292))
+    so_0e_bound = c2 * (absolute(so_0a) + absolute(so_0b) + absolute(so_0d) + c1)
+    so_1e_bound = c2 * (absolute(so_1a) + absolute(so_1b) + absolute(so_1d) + c1)
+    so_2e_bound = c2 * (absolute(so_2a) + absolute(so_2b) + absolute(so_2d) + c1)
     return (so_0, so_1, so_2, 0, 0, 0, so_0e_bound, so_1e_bound, so_2e_bound, 0, 0, 0)

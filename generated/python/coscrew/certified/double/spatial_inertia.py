@@ -13,7 +13,7 @@ from numpy import errstate
 
 @kernel("(10),()->(10),(10)")
 @errstate(all="ignore")
-def spatial_inertia_scale(self, a):
+def spatial_inertia_scale(self, a, *, c1=2.004168360008973e-292, c2=1.1102230246251568e-16):
     """self = a self; |error of self| <= self_bound unless inf or NaN.
 
     (10),()->(10),(10).  self, self_bound: spatial inertia (m in kg; h = m c in kg m; I about
@@ -31,16 +31,16 @@ def spatial_inertia_scale(self, a):
     self_7_new = self_7 * a
     self_8_new = self_8 * a
     self_9_new = self_9 * a
-    self_0_new_bound = 1.1102230246251568e-16 * (absolute(self_0_new) + 2.004168360008973e-292)
-    self_1_new_bound = 1.1102230246251568e-16 * (absolute(self_1_new) + 2.004168360008973e-292)
-    self_2_new_bound = 1.1102230246251568e-16 * (absolute(self_2_new) + 2.004168360008973e-292)
-    self_3_new_bound = 1.1102230246251568e-16 * (absolute(self_3_new) + 2.004168360008973e-292)
-    self_4_new_bound = 1.1102230246251568e-16 * (absolute(self_4_new) + 2.004168360008973e-292)
-    self_5_new_bound = 1.1102230246251568e-16 * (absolute(self_5_new) + 2.004168360008973e-292)
-    self_6_new_bound = 1.1102230246251568e-16 * (absolute(self_6_new) + 2.004168360008973e-292)
-    self_7_new_bound = 1.1102230246251568e-16 * (absolute(self_7_new) + 2.004168360008973e-292)
-    self_8_new_bound = 1.1102230246251568e-16 * (absolute(self_8_new) + 2.004168360008973e-292)
-    self_9_new_bound = 1.1102230246251568e-16 * (absolute(self_9_new) + 2.004168360008973e-292)
+    self_0_new_bound = c2 * (absolute(self_0_new) + c1)
+    self_1_new_bound = c2 * (absolute(self_1_new) + c1)
+    self_2_new_bound = c2 * (absolute(self_2_new) + c1)
+    self_3_new_bound = c2 * (absolute(self_3_new) + c1)
+    self_4_new_bound = c2 * (absolute(self_4_new) + c1)
+    self_5_new_bound = c2 * (absolute(self_5_new) + c1)
+    self_6_new_bound = c2 * (absolute(self_6_new) + c1)
+    self_7_new_bound = c2 * (absolute(self_7_new) + c1)
+    self_8_new_bound = c2 * (absolute(self_8_new) + c1)
+    self_9_new_bound = c2 * (absolute(self_9_new) + c1)
     return (self_0_new, self_1_new, self_2_new, self_3_new, self_4_new, self_5_new, self_6_new,
         self_7_new, self_8_new, self_9_new, self_0_new_bound, self_1_new_bound, self_2_new_bound,
         self_3_new_bound, self_4_new_bound, self_5_new_bound, self_6_new_bound, self_7_new_bound,
@@ -49,7 +49,7 @@ def spatial_inertia_scale(self, a):
 
 @kernel("(10),(10)->(10),(10)")
 @errstate(all="ignore")
-def add_BB(B1, B2):
+def add_BB(B1, B2, *, c1=1.1102230246251568e-16):
     """Bo = B1 + B2; |error of Bo| <= Bo_bound unless inf or NaN.
 
     (10),(10)->(10),(10).  B1, B2, Bo, Bo_bound: spatial inertia (m in kg; h = m c in kg m; I
@@ -68,16 +68,16 @@ def add_BB(B1, B2):
     Bo_7 = B1_7 + B2_7
     Bo_8 = B1_8 + B2_8
     Bo_9 = B1_9 + B2_9
-    Bo_0_bound = 1.1102230246251568e-16 * absolute(Bo_0)
-    Bo_1_bound = 1.1102230246251568e-16 * absolute(Bo_1)
-    Bo_2_bound = 1.1102230246251568e-16 * absolute(Bo_2)
-    Bo_3_bound = 1.1102230246251568e-16 * absolute(Bo_3)
-    Bo_4_bound = 1.1102230246251568e-16 * absolute(Bo_4)
-    Bo_5_bound = 1.1102230246251568e-16 * absolute(Bo_5)
-    Bo_6_bound = 1.1102230246251568e-16 * absolute(Bo_6)
-    Bo_7_bound = 1.1102230246251568e-16 * absolute(Bo_7)
-    Bo_8_bound = 1.1102230246251568e-16 * absolute(Bo_8)
-    Bo_9_bound = 1.1102230246251568e-16 * absolute(Bo_9)
+    Bo_0_bound = c1 * absolute(Bo_0)
+    Bo_1_bound = c1 * absolute(Bo_1)
+    Bo_2_bound = c1 * absolute(Bo_2)
+    Bo_3_bound = c1 * absolute(Bo_3)
+    Bo_4_bound = c1 * absolute(Bo_4)
+    Bo_5_bound = c1 * absolute(Bo_5)
+    Bo_6_bound = c1 * absolute(Bo_6)
+    Bo_7_bound = c1 * absolute(Bo_7)
+    Bo_8_bound = c1 * absolute(Bo_8)
+    Bo_9_bound = c1 * absolute(Bo_9)
     return (Bo_0, Bo_1, Bo_2, Bo_3, Bo_4, Bo_5, Bo_6, Bo_7, Bo_8, Bo_9, Bo_0_bound, Bo_1_bound,
         Bo_2_bound, Bo_3_bound, Bo_4_bound, Bo_5_bound, Bo_6_bound, Bo_7_bound, Bo_8_bound,
         Bo_9_bound)
@@ -85,7 +85,7 @@ def add_BB(B1, B2):
 
 @kernel("(10),(10)->(10),(10)")
 @errstate(all="ignore")
-def subtract_BB(B1, B2):
+def subtract_BB(B1, B2, *, c1=1.1102230246251568e-16):
     """Bo = B1 - B2; |error of Bo| <= Bo_bound unless inf or NaN.
 
     (10),(10)->(10),(10).  B1, B2, Bo, Bo_bound: spatial inertia (m in kg; h = m c in kg m; I
@@ -104,16 +104,16 @@ def subtract_BB(B1, B2):
     Bo_7 = B1_7 - B2_7
     Bo_8 = B1_8 - B2_8
     Bo_9 = B1_9 - B2_9
-    Bo_0_bound = 1.1102230246251568e-16 * absolute(Bo_0)
-    Bo_1_bound = 1.1102230246251568e-16 * absolute(Bo_1)
-    Bo_2_bound = 1.1102230246251568e-16 * absolute(Bo_2)
-    Bo_3_bound = 1.1102230246251568e-16 * absolute(Bo_3)
-    Bo_4_bound = 1.1102230246251568e-16 * absolute(Bo_4)
-    Bo_5_bound = 1.1102230246251568e-16 * absolute(Bo_5)
-    Bo_6_bound = 1.1102230246251568e-16 * absolute(Bo_6)
-    Bo_7_bound = 1.1102230246251568e-16 * absolute(Bo_7)
-    Bo_8_bound = 1.1102230246251568e-16 * absolute(Bo_8)
-    Bo_9_bound = 1.1102230246251568e-16 * absolute(Bo_9)
+    Bo_0_bound = c1 * absolute(Bo_0)
+    Bo_1_bound = c1 * absolute(Bo_1)
+    Bo_2_bound = c1 * absolute(Bo_2)
+    Bo_3_bound = c1 * absolute(Bo_3)
+    Bo_4_bound = c1 * absolute(Bo_4)
+    Bo_5_bound = c1 * absolute(Bo_5)
+    Bo_6_bound = c1 * absolute(Bo_6)
+    Bo_7_bound = c1 * absolute(Bo_7)
+    Bo_8_bound = c1 * absolute(Bo_8)
+    Bo_9_bound = c1 * absolute(Bo_9)
     return (Bo_0, Bo_1, Bo_2, Bo_3, Bo_4, Bo_5, Bo_6, Bo_7, Bo_8, Bo_9, Bo_0_bound, Bo_1_bound,
         Bo_2_bound, Bo_3_bound, Bo_4_bound, Bo_5_bound, Bo_6_bound, Bo_7_bound, Bo_8_bound,
         Bo_9_bound)
@@ -121,7 +121,8 @@ def subtract_BB(B1, B2):
 
 @kernel("(),(3),(3,3)->(10),(10)")
 @errstate(all="ignore")
-def spatial_inertia_from_com(m, com, Ic):
+def spatial_inertia_from_com(m, com, Ic, *, c1=2.004168360008973e-292, c2=1.1102230246251568e-16,
+        c3=4.440892098500628e-16, c4=3.3306690738754706e-16):
     """Bo: mass m, centre of mass com, second moments Ic about it (kg m^2; only the upper triangle
     is read): h = m com, I = Ic - m com~ com~; |error of Bo| <= Bo_bound unless inf or NaN.
 
@@ -144,12 +145,12 @@ def spatial_inertia_from_com(m, com, Ic):
     Bo_7 = Ic_01 - com_1 * h_0
     Bo_8 = Ic_02 - com_2 * h_0
     Bo_9 = Ic_12 - com_2 * h_1
-    h_0_padded = absolute(h_0) + 2.004168360008973e-292
+    h_0_padded = absolute(h_0) + c1
     squares_0_size = absolute(com_0) * h_0_padded
-    h_1_padded = absolute(h_1) + 2.004168360008973e-292
+    h_1_padded = absolute(h_1) + c1
     com_1_abs = absolute(com_1)
     squares_1_size = com_1_abs * h_1_padded
-    h_2_padded = absolute(h_2) + 2.004168360008973e-292
+    h_2_padded = absolute(h_2) + c1
     com_2_abs = absolute(com_2)
     squares_2_size = com_2_abs * h_2_padded
     Bo_4_size = absolute(Ic_00) + (squares_1_size + squares_2_size)
@@ -158,22 +159,23 @@ def spatial_inertia_from_com(m, com, Ic):
     Bo_7_size = absolute(Ic_01) + com_1_abs * h_0_padded
     Bo_8_size = absolute(Ic_02) + com_2_abs * h_0_padded
     Bo_9_size = absolute(Ic_12) + com_2_abs * h_1_padded
-    h_0_bound = 1.1102230246251568e-16 * h_0_padded
-    h_1_bound = 1.1102230246251568e-16 * h_1_padded
-    h_2_bound = 1.1102230246251568e-16 * h_2_padded
-    Bo_4_bound = 4.440892098500628e-16 * (Bo_4_size + 2.004168360008973e-292)
-    Bo_5_bound = 4.440892098500628e-16 * (Bo_5_size + 2.004168360008973e-292)
-    Bo_6_bound = 4.440892098500628e-16 * (Bo_6_size + 2.004168360008973e-292)
-    Bo_7_bound = 3.3306690738754706e-16 * (Bo_7_size + 2.004168360008973e-292)
-    Bo_8_bound = 3.3306690738754706e-16 * (Bo_8_size + 2.004168360008973e-292)
-    Bo_9_bound = 3.3306690738754706e-16 * (Bo_9_size + 2.004168360008973e-292)
+    h_0_bound = c2 * h_0_padded
+    h_1_bound = c2 * h_1_padded
+    h_2_bound = c2 * h_2_padded
+    Bo_4_bound = c3 * (Bo_4_size + c1)
+    Bo_5_bound = c3 * (Bo_5_size + c1)
+    Bo_6_bound = c3 * (Bo_6_size + c1)
+    Bo_7_bound = c4 * (Bo_7_size + c1)
+    Bo_8_bound = c4 * (Bo_8_size + c1)
+    Bo_9_bound = c4 * (Bo_9_size + c1)
     return (m, h_0, h_1, h_2, Bo_4, Bo_5, Bo_6, Bo_7, Bo_8, Bo_9, 0, h_0_bound, h_1_bound,
         h_2_bound, Bo_4_bound, Bo_5_bound, Bo_6_bound, Bo_7_bound, Bo_8_bound, Bo_9_bound)
 
 
 @kernel("(10),(6)->(6),(6)")
 @errstate(all="ignore")
-def product_Bs(B, s):
+def product_Bs(B, s, *, c1=2.004168360008973e-292, c2=3.3306690738754706e-16,
+        c3=4.440892098500628e-16):
     """co = B s = (m v - h × ω; h × v + I ω), the momentum of a body that moves with s; |error of
     co| <= co_bound unless inf or NaN.
 
@@ -223,19 +225,19 @@ def product_Bs(B, s):
         + (absolute(co_4d) + absolute(co_4e) + absolute(co_4g)))
     co_5_size = (absolute(co_5a) + absolute(co_5b)
         + (absolute(co_5d) + absolute(co_5e) + absolute(co_5g)))
-    co_0_bound = 3.3306690738754706e-16 * (co_0_size + 2.004168360008973e-292)
-    co_1_bound = 3.3306690738754706e-16 * (co_1_size + 2.004168360008973e-292)
-    co_2_bound = 3.3306690738754706e-16 * (co_2_size + 2.004168360008973e-292)
-    co_3_bound = 4.440892098500628e-16 * (co_3_size + 2.004168360008973e-292)
-    co_4_bound = 4.440892098500628e-16 * (co_4_size + 2.004168360008973e-292)
-    co_5_bound = 4.440892098500628e-16 * (co_5_size + 2.004168360008973e-292)
+    co_0_bound = c2 * (co_0_size + c1)
+    co_1_bound = c2 * (co_1_size + c1)
+    co_2_bound = c2 * (co_2_size + c1)
+    co_3_bound = c3 * (co_3_size + c1)
+    co_4_bound = c3 * (co_4_size + c1)
+    co_5_bound = c3 * (co_5_size + c1)
     return (co_0, co_1, co_2, co_3, co_4, co_5, co_0_bound, co_1_bound, co_2_bound, co_3_bound,
         co_4_bound, co_5_bound)
 
 
 @kernel("(10),(6)->(),()")
 @errstate(all="ignore")
-def spatial_inertia_energy(B, s):
+def spatial_inertia_energy(B, s, *, c1=2.004168360008973e-292, c2=9.992007221626415e-16):
     """s·B s / 2, the kinetic energy in J of a body that moves with s; |error of energy| <=
     energy_bound unless inf or NaN.
 
@@ -276,24 +278,23 @@ def spatial_inertia_energy(B, s):
     L_0_size = absolute(L_0a) + absolute(L_0b) + absolute(L_0d)
     L_1_size = absolute(L_1a) + absolute(L_1b) + absolute(L_1d)
     L_2_size = absolute(L_2a) + absolute(L_2b) + absolute(L_2d)
-    twice_d_size = (absolute(s_3) * (L_0_size + 2.004168360008973e-292) + absolute(s_4)
-        * (L_1_size + 2.004168360008973e-292))
-    twice_size = (absolute(B_0) * (square_size + 2.004168360008973e-292)
-        + (twice_d_size + absolute(s_5) * (L_2_size + 2.004168360008973e-292)))
+    twice_f_size = (absolute(s_3) * (L_0_size + c1) + absolute(s_4) * (L_1_size + c1)
+        + absolute(s_5) * (L_2_size + c1))
+    twice_size = absolute(B_0) * (square_size + c1) + twice_f_size
     across_0_size = absolute(across_0a) + absolute(across_0b)
     across_1_size = absolute(across_1a) + absolute(across_1b)
     across_2_size = absolute(across_2a) + absolute(across_2b)
-    energy_c_size = (absolute(s_0) * (across_0_size + 2.004168360008973e-292) + absolute(s_1)
-        * (across_1_size + 2.004168360008973e-292))
-    energy_size = (energy_c_size + absolute(s_2) * (across_2_size + 2.004168360008973e-292) + 0.5
-        * (twice_size + 2.004168360008973e-292))
-    energy_bound = 9.992007221626415e-16 * (energy_size + 2.004168360008973e-292)
+    energy_e_size = (absolute(s_0) * (across_0_size + c1) + absolute(s_1) * (across_1_size + c1)
+        + absolute(s_2) * (across_2_size + c1))
+    energy_size = energy_e_size + 0.5 * (twice_size + c1)
+    energy_bound = c2 * (energy_size + c1)
     return (energy, energy_bound)
 
 
 @kernel("(10),(3),(6)->(6),(6)")
 @errstate(all="ignore")
-def spatial_inertia_net_wrench(B, w, ds):
+def spatial_inertia_net_wrench(B, w, ds, *, c1=2.004168360008973e-292, c2=6.661338147750942e-16,
+        c3=7.7715611723761e-16):
     """co = B ds + (w × (w × h); w × I w): the net wrench, about the origin, of a body with angular
     velocity w and acceleration ds = (a; w'), where a is that of the point now at the origin; if
     a is less gravity's, so is the wrench; |error of co| <= co_bound unless inf or NaN.
@@ -369,52 +370,50 @@ def spatial_inertia_net_wrench(B, w, ds):
     squares_0_size = ww_1_abs + ww_2_abs
     squares_1_size = ww_2_abs + ww_0_abs
     squares_2_size = ww_0_abs + ww_1_abs
-    own_0_size = absolute(own_0a) + (ww_5_abs + 2.004168360008973e-292) * absolute(others_0)
-    own_1_size = absolute(own_1a) + (ww_4_abs + 2.004168360008973e-292) * absolute(others_1)
-    own_2_size = absolute(own_2a) + (ww_3_abs + 2.004168360008973e-292) * absolute(others_2)
-    U_3_padded = U_3_size + 2.004168360008973e-292
+    own_0_size = absolute(own_0a) + (ww_5_abs + c1) * absolute(others_0)
+    own_1_size = absolute(own_1a) + (ww_4_abs + c1) * absolute(others_1)
+    own_2_size = absolute(own_2a) + (ww_3_abs + c1) * absolute(others_2)
+    U_3_padded = U_3_size + c1
     B_8_abs = absolute(B_8)
-    U_6_padded = U_6_size + 2.004168360008973e-292
+    U_6_padded = U_6_size + c1
     B_7_abs = absolute(B_7)
     B_9_abs = absolute(B_9)
-    N_0_size = (B_8_abs * U_3_padded + B_7_abs * U_6_padded + B_9_abs
-        * (squares_0_size + 2.004168360008973e-292) + own_0_size)
-    U_7_padded = U_7_size + 2.004168360008973e-292
-    U_1_padded = U_1_size + 2.004168360008973e-292
-    N_1_size = (B_7_abs * U_7_padded + B_9_abs * U_1_padded + B_8_abs
-        * (squares_1_size + 2.004168360008973e-292) + own_1_size)
-    U_2_padded = U_2_size + 2.004168360008973e-292
-    U_5_padded = U_5_size + 2.004168360008973e-292
-    N_2_size = (B_7_abs * (squares_2_size + 2.004168360008973e-292)
-        + (B_9_abs * U_2_padded + B_8_abs * U_5_padded) + own_2_size)
+    N_0_size = (B_8_abs * U_3_padded + B_7_abs * U_6_padded + B_9_abs * (squares_0_size + c1)
+        + own_0_size)
+    U_7_padded = U_7_size + c1
+    U_1_padded = U_1_size + c1
+    N_1_size = (B_7_abs * U_7_padded + B_9_abs * U_1_padded + B_8_abs * (squares_1_size + c1)
+        + own_1_size)
+    U_2_padded = U_2_size + c1
+    U_5_padded = U_5_size + c1
+    N_2_size = (B_7_abs * (squares_2_size + c1) + (B_9_abs * U_2_padded + B_8_abs * U_5_padded)
+        + own_2_size)
     B_1_abs = absolute(B_1)
     B_2_abs = absolute(B_2)
     B_3_abs = absolute(B_3)
     co_0_size = (absolute(co_0a)
-        + (B_1_abs * (ww_1_abs + ww_2_abs + 2.004168360008973e-292) + B_2_abs * U_1_padded
-        + B_3_abs * U_2_padded))
+        + (B_1_abs * (ww_1_abs + ww_2_abs + c1) + B_2_abs * U_1_padded + B_3_abs * U_2_padded))
     co_1_size = (absolute(co_1a)
-        + (B_1_abs * U_3_padded + B_2_abs * (ww_0_abs + ww_2_abs + 2.004168360008973e-292)
-        + B_3_abs * U_5_padded))
+        + (B_1_abs * U_3_padded + B_2_abs * (ww_0_abs + ww_2_abs + c1) + B_3_abs * U_5_padded))
     co_2_size = (absolute(co_2a)
-        + (B_1_abs * U_6_padded + B_2_abs * U_7_padded + B_3_abs
-        * (ww_0_abs + ww_1_abs + 2.004168360008973e-292)))
+        + (B_1_abs * U_6_padded + B_2_abs * U_7_padded + B_3_abs * (ww_0_abs + ww_1_abs + c1)))
     co_3_size = absolute(co_3a) + absolute(co_3b) + N_0_size
     co_4_size = absolute(co_4a) + absolute(co_4b) + N_1_size
     co_5_size = absolute(co_5a) + absolute(co_5b) + N_2_size
-    co_0_bound = 6.661338147750942e-16 * (co_0_size + 2.004168360008973e-292)
-    co_1_bound = 6.661338147750942e-16 * (co_1_size + 2.004168360008973e-292)
-    co_2_bound = 6.661338147750942e-16 * (co_2_size + 2.004168360008973e-292)
-    co_3_bound = 7.7715611723761e-16 * (co_3_size + 2.004168360008973e-292)
-    co_4_bound = 7.7715611723761e-16 * (co_4_size + 2.004168360008973e-292)
-    co_5_bound = 7.7715611723761e-16 * (co_5_size + 2.004168360008973e-292)
+    co_0_bound = c2 * (co_0_size + c1)
+    co_1_bound = c2 * (co_1_size + c1)
+    co_2_bound = c2 * (co_2_size + c1)
+    co_3_bound = c3 * (co_3_size + c1)
+    co_4_bound = c3 * (co_4_size + c1)
+    co_5_bound = c3 * (co_5_size + c1)
     return (co_0, co_1, co_2, co_3, co_4, co_5, co_0_bound, co_1_bound, co_2_bound, co_3_bound,
         co_4_bound, co_5_bound)
 
 
 @kernel("(3),(10)->(10),(10)")
 @errstate(all="ignore")
-def spatial_inertia_shifted(t, B):
+def spatial_inertia_shifted(t, B, *, c1=2.004168360008973e-292, c2=2.2204460492503136e-16,
+        c3=7.7715611723761e-16, c4=6.661338147750942e-16):
     """Bo = B moved by t: m, h + m t, I - t~ (h + m t)~ - h~ t~; |error of Bo| <= Bo_bound unless
     inf or NaN.
 
@@ -455,29 +454,29 @@ def spatial_inertia_shifted(t, B):
     Bo_8 = B_8 - pairs_4
     Bo_9 = B_9 - pairs_5
     mt_0_abs = absolute(mt_0)
-    half_0_size = 0.5 * (mt_0_abs + 2.004168360008973e-292)
+    half_0_size = 0.5 * (mt_0_abs + c1)
     mt_1_abs = absolute(mt_1)
-    half_1_size = 0.5 * (mt_1_abs + 2.004168360008973e-292)
+    half_1_size = 0.5 * (mt_1_abs + c1)
     mt_2_abs = absolute(mt_2)
-    half_2_size = 0.5 * (mt_2_abs + 2.004168360008973e-292)
+    half_2_size = 0.5 * (mt_2_abs + c1)
     B_1_abs = absolute(B_1)
     n_0_size = B_1_abs + half_0_size
     B_2_abs = absolute(B_2)
     n_1_size = B_2_abs + half_1_size
     B_3_abs = absolute(B_3)
     n_2_size = B_3_abs + half_2_size
-    n_0_padded = n_0_size + 2.004168360008973e-292
+    n_0_padded = n_0_size + c1
     t_0_abs = absolute(t_0)
     tn0_size = t_0_abs * n_0_padded
-    n_1_padded = n_1_size + 2.004168360008973e-292
+    n_1_padded = n_1_size + c1
     t_1_abs = absolute(t_1)
     tn1_size = t_1_abs * n_1_padded
-    n_2_padded = n_2_size + 2.004168360008973e-292
+    n_2_padded = n_2_size + c1
     t_2_abs = absolute(t_2)
     tn2_size = t_2_abs * n_2_padded
-    own_0_size = 2 * (tn0_size + 2.004168360008973e-292)
-    own_1_size = 2 * (tn1_size + 2.004168360008973e-292)
-    own_2_size = 2 * (tn2_size + 2.004168360008973e-292)
+    own_0_size = 2 * (tn0_size + c1)
+    own_1_size = 2 * (tn1_size + c1)
+    own_2_size = 2 * (tn2_size + c1)
     pairs_0_size = own_1_size + own_2_size
     pairs_1_size = own_0_size + own_2_size
     pairs_2_size = own_0_size + own_1_size
@@ -493,15 +492,15 @@ def spatial_inertia_shifted(t, B):
     Bo_7_size = absolute(B_7) + pairs_3_size
     Bo_8_size = absolute(B_8) + pairs_4_size
     Bo_9_size = absolute(B_9) + pairs_5_size
-    moved_0_bound = 2.2204460492503136e-16 * (moved_0_size + 2.004168360008973e-292)
-    moved_1_bound = 2.2204460492503136e-16 * (moved_1_size + 2.004168360008973e-292)
-    moved_2_bound = 2.2204460492503136e-16 * (moved_2_size + 2.004168360008973e-292)
-    Bo_4_bound = 7.7715611723761e-16 * (Bo_4_size + 2.004168360008973e-292)
-    Bo_5_bound = 7.7715611723761e-16 * (Bo_5_size + 2.004168360008973e-292)
-    Bo_6_bound = 7.7715611723761e-16 * (Bo_6_size + 2.004168360008973e-292)
-    Bo_7_bound = 6.661338147750942e-16 * (Bo_7_size + 2.004168360008973e-292)
-    Bo_8_bound = 6.661338147750942e-16 * (Bo_8_size + 2.004168360008973e-292)
-    Bo_9_bound = 6.661338147750942e-16 * (Bo_9_size + 2.004168360008973e-292)
+    moved_0_bound = c2 * (moved_0_size + c1)
+    moved_1_bound = c2 * (moved_1_size + c1)
+    moved_2_bound = c2 * (moved_2_size + c1)
+    Bo_4_bound = c3 * (Bo_4_size + c1)
+    Bo_5_bound = c3 * (Bo_5_size + c1)
+    Bo_6_bound = c3 * (Bo_6_size + c1)
+    Bo_7_bound = c4 * (Bo_7_size + c1)
+    Bo_8_bound = c4 * (Bo_8_size + c1)
+    Bo_9_bound = c4 * (Bo_9_size + c1)
     return (B_0, moved_0, moved_1, moved_2, Bo_4, Bo_5, Bo_6, Bo_7, Bo_8, Bo_9, 0, moved_0_bound,
         moved_1_bound, moved_2_bound, Bo_4_bound, Bo_5_bound, Bo_6_bound, Bo_7_bound, Bo_8_bound,
         Bo_9_bound)
@@ -509,7 +508,8 @@ def spatial_inertia_shifted(t, B):
 
 @kernel("(3,4),(10)->(10),(10)")
 @errstate(all="ignore")
-def spatial_inertia_transformed(D, B):
+def spatial_inertia_transformed(D, B, *, c1=2.004168360008973e-292, c2=4.440892098500628e-16,
+        c3=8.881784197001258e-16, c4=7.7715611723761e-16):
     """Bo = [Ad]*(D) B [Ad]^-1(D): B, given in the frame at D, in the reference frame; |error of
     Bo| <= Bo_bound unless inf or NaN.
 
@@ -616,48 +616,47 @@ def spatial_inertia_transformed(D, B):
     turned_1_size = absolute(turned_1a) + absolute(turned_1b) + absolute(turned_1d)
     turned_2_size = absolute(turned_2a) + absolute(turned_2b) + absolute(turned_2d)
     turned_3_size = absolute(turned_3a) + absolute(turned_3b) + absolute(turned_3d)
-    RI_0_padded = RI_0_size + 2.004168360008973e-292
-    RI_1_padded = RI_1_size + 2.004168360008973e-292
-    RI_2_padded = RI_2_size + 2.004168360008973e-292
+    RI_0_padded = RI_0_size + c1
+    RI_1_padded = RI_1_size + c1
+    RI_2_padded = RI_2_size + c1
     turned_4_size = (absolute(D_00) * RI_0_padded + absolute(D_01) * RI_1_padded + absolute(D_02)
         * RI_2_padded)
-    RI_3_padded = RI_3_size + 2.004168360008973e-292
+    RI_3_padded = RI_3_size + c1
     D_10_abs = absolute(D_10)
-    RI_4_padded = RI_4_size + 2.004168360008973e-292
+    RI_4_padded = RI_4_size + c1
     D_11_abs = absolute(D_11)
-    RI_5_padded = RI_5_size + 2.004168360008973e-292
+    RI_5_padded = RI_5_size + c1
     D_12_abs = absolute(D_12)
     turned_5_size = D_10_abs * RI_3_padded + D_11_abs * RI_4_padded + D_12_abs * RI_5_padded
     D_20_abs = absolute(D_20)
     D_21_abs = absolute(D_21)
     D_22_abs = absolute(D_22)
-    turned_6c_size = (D_20_abs * (RI_6_size + 2.004168360008973e-292) + D_21_abs
-        * (RI_7_size + 2.004168360008973e-292))
-    turned_6_size = turned_6c_size + D_22_abs * (RI_8_size + 2.004168360008973e-292)
+    turned_6_size = (D_20_abs * (RI_6_size + c1) + D_21_abs * (RI_7_size + c1) + D_22_abs
+        * (RI_8_size + c1))
     turned_7_size = D_10_abs * RI_0_padded + D_11_abs * RI_1_padded + D_12_abs * RI_2_padded
     turned_8_size = D_20_abs * RI_0_padded + D_21_abs * RI_1_padded + D_22_abs * RI_2_padded
     turned_9_size = D_20_abs * RI_3_padded + D_21_abs * RI_4_padded + D_22_abs * RI_5_padded
     mt_0_abs = absolute(mt_0)
-    half_0_size = 0.5 * (mt_0_abs + 2.004168360008973e-292)
+    half_0_size = 0.5 * (mt_0_abs + c1)
     mt_1_abs = absolute(mt_1)
-    half_1_size = 0.5 * (mt_1_abs + 2.004168360008973e-292)
+    half_1_size = 0.5 * (mt_1_abs + c1)
     mt_2_abs = absolute(mt_2)
-    half_2_size = 0.5 * (mt_2_abs + 2.004168360008973e-292)
+    half_2_size = 0.5 * (mt_2_abs + c1)
     n_0_size = turned_1_size + half_0_size
     n_1_size = turned_2_size + half_1_size
     n_2_size = turned_3_size + half_2_size
-    n_0_padded = n_0_size + 2.004168360008973e-292
+    n_0_padded = n_0_size + c1
     D_03_abs = absolute(D_03)
     tn0_size = D_03_abs * n_0_padded
-    n_1_padded = n_1_size + 2.004168360008973e-292
+    n_1_padded = n_1_size + c1
     D_13_abs = absolute(D_13)
     tn1_size = D_13_abs * n_1_padded
-    n_2_padded = n_2_size + 2.004168360008973e-292
+    n_2_padded = n_2_size + c1
     D_23_abs = absolute(D_23)
     tn2_size = D_23_abs * n_2_padded
-    own_0_size = 2 * (tn0_size + 2.004168360008973e-292)
-    own_1_size = 2 * (tn1_size + 2.004168360008973e-292)
-    own_2_size = 2 * (tn2_size + 2.004168360008973e-292)
+    own_0_size = 2 * (tn0_size + c1)
+    own_1_size = 2 * (tn1_size + c1)
+    own_2_size = 2 * (tn2_size + c1)
     pairs_0_size = own_1_size + own_2_size
     pairs_1_size = own_0_size + own_2_size
     pairs_2_size = own_0_size + own_1_size
@@ -673,15 +672,15 @@ def spatial_inertia_transformed(D, B):
     Bo_7_size = turned_7_size + pairs_3_size
     Bo_8_size = turned_8_size + pairs_4_size
     Bo_9_size = turned_9_size + pairs_5_size
-    moved_0_bound = 4.440892098500628e-16 * (moved_0_size + 2.004168360008973e-292)
-    moved_1_bound = 4.440892098500628e-16 * (moved_1_size + 2.004168360008973e-292)
-    moved_2_bound = 4.440892098500628e-16 * (moved_2_size + 2.004168360008973e-292)
-    Bo_4_bound = 8.881784197001258e-16 * (Bo_4_size + 2.004168360008973e-292)
-    Bo_5_bound = 8.881784197001258e-16 * (Bo_5_size + 2.004168360008973e-292)
-    Bo_6_bound = 8.881784197001258e-16 * (Bo_6_size + 2.004168360008973e-292)
-    Bo_7_bound = 7.7715611723761e-16 * (Bo_7_size + 2.004168360008973e-292)
-    Bo_8_bound = 7.7715611723761e-16 * (Bo_8_size + 2.004168360008973e-292)
-    Bo_9_bound = 7.7715611723761e-16 * (Bo_9_size + 2.004168360008973e-292)
+    moved_0_bound = c2 * (moved_0_size + c1)
+    moved_1_bound = c2 * (moved_1_size + c1)
+    moved_2_bound = c2 * (moved_2_size + c1)
+    Bo_4_bound = c3 * (Bo_4_size + c1)
+    Bo_5_bound = c3 * (Bo_5_size + c1)
+    Bo_6_bound = c3 * (Bo_6_size + c1)
+    Bo_7_bound = c4 * (Bo_7_size + c1)
+    Bo_8_bound = c4 * (Bo_8_size + c1)
+    Bo_9_bound = c4 * (Bo_9_size + c1)
     return (B_0, moved_0, moved_1, moved_2, Bo_4, Bo_5, Bo_6, Bo_7, Bo_8, Bo_9, 0, moved_0_bound,
         moved_1_bound, moved_2_bound, Bo_4_bound, Bo_5_bound, Bo_6_bound, Bo_7_bound, Bo_8_bound,
         Bo_9_bound)

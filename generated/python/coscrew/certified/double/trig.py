@@ -14,7 +14,7 @@ from numpy import errstate
 
 @kernel("()->(2),(2)")
 @errstate(all="ignore")
-def dc(theta):
+def dc(theta, *, c1=3.7470896994678994e-30):
     """dc = (sin θ, cos θ), θ in rad; |error of dc| <= dc_bound unless inf or NaN.
 
     ()->(2),(2).  theta: number; dc, dc_bound: (sin θ, cos θ).
@@ -22,6 +22,6 @@ def dc(theta):
     """
     dc_0, dc_1 = elementary.sincos(theta)
     dc_own_error_1, dc_own_error_2 = elementary.sincos_error(theta, dc_0, dc_1)
-    dc_bound_1 = 3.7470896994678994e-30 + absolute(dc_own_error_1)
-    dc_bound_2 = 3.7470896994678994e-30 + absolute(dc_own_error_2)
+    dc_bound_1 = c1 + absolute(dc_own_error_1)
+    dc_bound_2 = c1 + absolute(dc_own_error_2)
     return (dc_0, dc_1, dc_bound_1, dc_bound_2)

@@ -7,7 +7,7 @@ In double precision, certified tier.
 """
 
 from coscrew import _elementary_double as elementary
-from numpy import absolute, float64, sqrt, where
+from numpy import absolute, float64 as real, sqrt, where
 from coscrew._exact import product_error, product_rest
 from coscrew._kernel import double_kernel as kernel
 from numpy import errstate
@@ -15,7 +15,7 @@ from numpy import errstate
 
 @kernel("(3),()->(3),(3)")
 @errstate(all="ignore")
-def vec3_scale(self, a):
+def vec3_scale(self, a, *, c1=2.004168360008973e-292, c2=1.1102230246251568e-16):
     """self = a self; |error of self| <= self_bound unless inf or NaN.
 
     (3),()->(3),(3).  self, self_bound: vector; a: number.
@@ -25,16 +25,16 @@ def vec3_scale(self, a):
     self_0_new = self_0 * a
     self_1_new = self_1 * a
     self_2_new = self_2 * a
-    self_0_new_bound = 1.1102230246251568e-16 * (absolute(self_0_new) + 2.004168360008973e-292)
-    self_1_new_bound = 1.1102230246251568e-16 * (absolute(self_1_new) + 2.004168360008973e-292)
-    self_2_new_bound = 1.1102230246251568e-16 * (absolute(self_2_new) + 2.004168360008973e-292)
+    self_0_new_bound = c2 * (absolute(self_0_new) + c1)
+    self_1_new_bound = c2 * (absolute(self_1_new) + c1)
+    self_2_new_bound = c2 * (absolute(self_2_new) + c1)
     return (self_0_new, self_1_new, self_2_new, self_0_new_bound, self_1_new_bound,
         self_2_new_bound)
 
 
 @kernel("(),(3),(3)->(3),(3)")
 @errstate(all="ignore")
-def axpy_vv(a, x, y):
+def axpy_vv(a, x, y, *, c1=2.004168360008973e-292, c2=2.2204460492503136e-16):
     """y = a x + y; |error of y| <= y_bound unless inf or NaN.
 
     (),(3),(3)->(3),(3).  a: number; x, y, y_bound: vector.
@@ -51,15 +51,15 @@ def axpy_vv(a, x, y):
     y_0_new_size = absolute(y_0_new_a) + absolute(y_0)
     y_1_new_size = absolute(y_1_new_a) + absolute(y_1)
     y_2_new_size = absolute(y_2_new_a) + absolute(y_2)
-    y_0_new_bound = 2.2204460492503136e-16 * (y_0_new_size + 2.004168360008973e-292)
-    y_1_new_bound = 2.2204460492503136e-16 * (y_1_new_size + 2.004168360008973e-292)
-    y_2_new_bound = 2.2204460492503136e-16 * (y_2_new_size + 2.004168360008973e-292)
+    y_0_new_bound = c2 * (y_0_new_size + c1)
+    y_1_new_bound = c2 * (y_1_new_size + c1)
+    y_2_new_bound = c2 * (y_2_new_size + c1)
     return (y_0_new, y_1_new, y_2_new, y_0_new_bound, y_1_new_bound, y_2_new_bound)
 
 
 @kernel("(3),(3)->(3),(3)")
 @errstate(all="ignore")
-def xpy_vv(x, y):
+def xpy_vv(x, y, *, c1=1.1102230246251568e-16):
     """y = x + y; |error of y| <= y_bound unless inf or NaN.
 
     (3),(3)->(3),(3).  x, y, y_bound: vector.
@@ -70,15 +70,15 @@ def xpy_vv(x, y):
     y_0_new = x_0 + y_0
     y_1_new = x_1 + y_1
     y_2_new = x_2 + y_2
-    y_0_new_bound = 1.1102230246251568e-16 * absolute(y_0_new)
-    y_1_new_bound = 1.1102230246251568e-16 * absolute(y_1_new)
-    y_2_new_bound = 1.1102230246251568e-16 * absolute(y_2_new)
+    y_0_new_bound = c1 * absolute(y_0_new)
+    y_1_new_bound = c1 * absolute(y_1_new)
+    y_2_new_bound = c1 * absolute(y_2_new)
     return (y_0_new, y_1_new, y_2_new, y_0_new_bound, y_1_new_bound, y_2_new_bound)
 
 
 @kernel("(3),(3)->(3),(3)")
 @errstate(all="ignore")
-def nxpy_vv(x, y):
+def nxpy_vv(x, y, *, c1=1.1102230246251568e-16):
     """y = -x + y; |error of y| <= y_bound unless inf or NaN.
 
     (3),(3)->(3),(3).  x, y, y_bound: vector.
@@ -89,15 +89,15 @@ def nxpy_vv(x, y):
     y_0_new = y_0 - x_0
     y_1_new = y_1 - x_1
     y_2_new = y_2 - x_2
-    y_0_new_bound = 1.1102230246251568e-16 * absolute(y_0_new)
-    y_1_new_bound = 1.1102230246251568e-16 * absolute(y_1_new)
-    y_2_new_bound = 1.1102230246251568e-16 * absolute(y_2_new)
+    y_0_new_bound = c1 * absolute(y_0_new)
+    y_1_new_bound = c1 * absolute(y_1_new)
+    y_2_new_bound = c1 * absolute(y_2_new)
     return (y_0_new, y_1_new, y_2_new, y_0_new_bound, y_1_new_bound, y_2_new_bound)
 
 
 @kernel("(),(3)->(3),(3)")
 @errstate(all="ignore")
-def product_av(a, vi):
+def product_av(a, vi, *, c1=2.004168360008973e-292, c2=1.1102230246251568e-16):
     """vo = a vi; |error of vo| <= vo_bound unless inf or NaN.
 
     (),(3)->(3),(3).  a: number; vi, vo, vo_bound: vector.
@@ -107,15 +107,15 @@ def product_av(a, vi):
     vo_0 = a * vi_0
     vo_1 = a * vi_1
     vo_2 = a * vi_2
-    vo_0_bound = 1.1102230246251568e-16 * (absolute(vo_0) + 2.004168360008973e-292)
-    vo_1_bound = 1.1102230246251568e-16 * (absolute(vo_1) + 2.004168360008973e-292)
-    vo_2_bound = 1.1102230246251568e-16 * (absolute(vo_2) + 2.004168360008973e-292)
+    vo_0_bound = c2 * (absolute(vo_0) + c1)
+    vo_1_bound = c2 * (absolute(vo_1) + c1)
+    vo_2_bound = c2 * (absolute(vo_2) + c1)
     return (vo_0, vo_1, vo_2, vo_0_bound, vo_1_bound, vo_2_bound)
 
 
 @kernel("(3),(3)->(3),(3)")
 @errstate(all="ignore")
-def add_vv(v1, v2):
+def add_vv(v1, v2, *, c1=1.1102230246251568e-16):
     """vo = v1 + v2; |error of vo| <= vo_bound unless inf or NaN.
 
     (3),(3)->(3),(3).  v1, v2, vo, vo_bound: vector.
@@ -126,15 +126,15 @@ def add_vv(v1, v2):
     vo_0 = v1_0 + v2_0
     vo_1 = v1_1 + v2_1
     vo_2 = v1_2 + v2_2
-    vo_0_bound = 1.1102230246251568e-16 * absolute(vo_0)
-    vo_1_bound = 1.1102230246251568e-16 * absolute(vo_1)
-    vo_2_bound = 1.1102230246251568e-16 * absolute(vo_2)
+    vo_0_bound = c1 * absolute(vo_0)
+    vo_1_bound = c1 * absolute(vo_1)
+    vo_2_bound = c1 * absolute(vo_2)
     return (vo_0, vo_1, vo_2, vo_0_bound, vo_1_bound, vo_2_bound)
 
 
 @kernel("(3),(3)->(3),(3)")
 @errstate(all="ignore")
-def subtract_vv(v1, v2):
+def subtract_vv(v1, v2, *, c1=1.1102230246251568e-16):
     """vo = v1 - v2; |error of vo| <= vo_bound unless inf or NaN.
 
     (3),(3)->(3),(3).  v1, v2, vo, vo_bound: vector.
@@ -145,15 +145,15 @@ def subtract_vv(v1, v2):
     vo_0 = v1_0 - v2_0
     vo_1 = v1_1 - v2_1
     vo_2 = v1_2 - v2_2
-    vo_0_bound = 1.1102230246251568e-16 * absolute(vo_0)
-    vo_1_bound = 1.1102230246251568e-16 * absolute(vo_1)
-    vo_2_bound = 1.1102230246251568e-16 * absolute(vo_2)
+    vo_0_bound = c1 * absolute(vo_0)
+    vo_1_bound = c1 * absolute(vo_1)
+    vo_2_bound = c1 * absolute(vo_2)
     return (vo_0, vo_1, vo_2, vo_0_bound, vo_1_bound, vo_2_bound)
 
 
 @kernel("(3),()->(3),(3)")
 @errstate(all="ignore")
-def vec3_scaled(v, k):
+def vec3_scaled(v, k, *, c1=2.004168360008973e-292, c2=1.1102230246251568e-16):
     """vo = k v; |error of vo| <= vo_bound unless inf or NaN.
 
     (3),()->(3),(3).  v, vo, vo_bound: vector; k: number.
@@ -163,15 +163,20 @@ def vec3_scaled(v, k):
     vo_0 = v_0 * k
     vo_1 = v_1 * k
     vo_2 = v_2 * k
-    vo_0_bound = 1.1102230246251568e-16 * (absolute(vo_0) + 2.004168360008973e-292)
-    vo_1_bound = 1.1102230246251568e-16 * (absolute(vo_1) + 2.004168360008973e-292)
-    vo_2_bound = 1.1102230246251568e-16 * (absolute(vo_2) + 2.004168360008973e-292)
+    vo_0_bound = c2 * (absolute(vo_0) + c1)
+    vo_1_bound = c2 * (absolute(vo_1) + c1)
+    vo_2_bound = c2 * (absolute(vo_2) + c1)
     return (vo_0, vo_1, vo_2, vo_0_bound, vo_1_bound, vo_2_bound)
 
 
 @kernel("(3),(3)->(),()")
 @errstate(all="ignore")
-def angle_vv(v1, v2):
+def angle_vv(v1, v2, *, c1=6.703903964971299e+153, c2=3.7291703656001034e-155,
+        c3=1.3093562431584567e+151, c4=1.955159272639747e-149, c5=1.0715086071862673e+301,
+        c6=1.8051943758648296e-276, c7=1.6886556573573792e-30, c8=140737488355328,
+        c9=8.430953463617394e-30, c10=1.2578234859437304e+29, c11=2.6815615859885194e+154,
+        c12=7.637340908749012e-152, c13=9.332636185032189e-302, c14=8.751429663976426e-30,
+        c15=2.477516562578394e-30, c16=3.9614069451219335e+28, c17=2.603241918220875e-29):
     """angle = atan2(|v1 × v2|, v1·v2), in [0, π]; |error of angle| <= angle_bound unless inf or
     NaN.
 
@@ -186,10 +191,8 @@ def angle_vv(v1, v2):
     s1_size_2 = absolute(v1_2)
     s1_largest1 = where(s1_size_0 < s1_size_1, s1_size_1, s1_size_0)
     s1_largest2 = where(s1_largest1 < s1_size_2, s1_size_2, s1_largest1)
-    s1d = (where(s1_largest2
-        < 256, 1.3093562431584567e+151, where(6.703903964971299e+153
-        < s1_largest2, float64(3.7291703656001034e-155), float64(1))))
-    s1 = where(s1_largest2 < 1.955159272639747e-149, 1.0715086071862673e+301, s1d)
+    s1 = where(s1_largest2 < c4, c5, where(s1_largest2 < 256, c3, where(c1 < s1_largest2, real(c2),
+        real(1))))
     scaled_s1_0 = v1_0 * s1
     scaled_s1_1 = v1_1 * s1
     scaled_s1_2 = v1_2 * s1
@@ -198,25 +201,23 @@ def angle_vv(v1, v2):
     s2_size_2 = absolute(v2_2)
     s2_largest1 = where(s2_size_0 < s2_size_1, s2_size_1, s2_size_0)
     s2_largest2 = where(s2_largest1 < s2_size_2, s2_size_2, s2_largest1)
-    s2d = (where(s2_largest2
-        < 256, 1.3093562431584567e+151, where(6.703903964971299e+153
-        < s2_largest2, float64(3.7291703656001034e-155), float64(1))))
-    s2 = where(s2_largest2 < 1.955159272639747e-149, 1.0715086071862673e+301, s2d)
+    s2 = where(s2_largest2 < c4, c5, where(s2_largest2 < 256, c3, where(c1 < s2_largest2, real(c2),
+        real(1))))
     scaled_s2_0 = v2_0 * s2
     scaled_s2_1 = v2_1 * s2
     scaled_s2_2 = v2_2 * s2
     c_0a = scaled_s1_1 * scaled_s2_2
-    c_0a_padded_1 = 1.8051943758648296e-276 + absolute(scaled_s1_1)
-    c_0a_padded_2 = 1.8051943758648296e-276 + absolute(scaled_s2_2)
+    c_0a_padded_1 = c6 + absolute(scaled_s1_1)
+    c_0a_padded_2 = c6 + absolute(scaled_s2_2)
     c_0b = scaled_s1_2 * scaled_s2_1
-    c_0b_padded_1 = 1.8051943758648296e-276 + absolute(scaled_s1_2)
-    c_0b_padded_2 = 1.8051943758648296e-276 + absolute(scaled_s2_1)
+    c_0b_padded_1 = c6 + absolute(scaled_s1_2)
+    c_0b_padded_2 = c6 + absolute(scaled_s2_1)
     c_0 = c_0a - c_0b
     c_right_1 = c_0a - c_0
     c_1a = scaled_s1_2 * scaled_s2_0
-    c_1a_padded_1 = 1.8051943758648296e-276 + absolute(scaled_s2_0)
+    c_1a_padded_1 = c6 + absolute(scaled_s2_0)
     c_1b = scaled_s1_0 * scaled_s2_2
-    c_1b_padded_1 = 1.8051943758648296e-276 + absolute(scaled_s1_0)
+    c_1b_padded_1 = c6 + absolute(scaled_s1_0)
     c_1 = c_1a - c_1b
     c_right_2 = c_1a - c_1
     c_2a = scaled_s1_0 * scaled_s2_1
@@ -228,13 +229,11 @@ def angle_vv(v1, v2):
     s_size_2 = absolute(c_2)
     s_largest1 = where(s_size_0 < s_size_1, s_size_1, s_size_0)
     s_largest2 = where(s_largest1 < s_size_2, s_size_2, s_largest1)
-    s_a = 6.703903964971299e+153 < s_largest2
+    s_a = c1 < s_largest2
     s_c = s_largest2 < 256
-    s_e = s_largest2 < 1.955159272639747e-149
-    s = where(s_e, 1.0715086071862673e+301, where(s_c, 1.3093562431584567e+151, where(s_a,
-        float64(3.7291703656001034e-155), float64(1))))
-    s_size_3 = where(s_e, 1.0715086071862673e+301, where(s_c, 1.3093562431584567e+151, where(s_a,
-        float64(3.7291703656001034e-155), float64(1))))
+    s_e = s_largest2 < c4
+    s = where(s_e, c5, where(s_c, c3, where(s_a, real(c2), real(1))))
+    s_size_3 = where(s_e, c5, where(s_c, c3, where(s_a, real(c2), real(1))))
     y_0 = c_0 * s
     y_inverse_1 = 1 / s
     c_lo_1 = (product_rest(scaled_s1_1, scaled_s2_2, c_0a, c_0 + c_right_1)
@@ -249,30 +248,21 @@ def angle_vv(v1, v2):
         - product_rest(scaled_s1_1, scaled_s2_0, c_2b, c_right_3))
     y_lo_3 = (c_2 - y_2 * y_inverse_1 + c_lo_3) * s
     n_a = y_0 * y_0
-    n_a_padded_1 = (1.8051943758648296e-276 + s_size_3
-        * (1.8051943758648296e-276
-        + (c_0a_padded_1 * c_0a_padded_2 + c_0b_padded_1 * c_0b_padded_2)))
-    n_a_size_2 = (n_a_padded_1
-        * (absolute(y_0) + 140737488355328
-        * (absolute(y_lo_1) + 1.6886556573573792e-30 * n_a_padded_1)))
+    n_a_padded_1 = (c6 + s_size_3
+        * (c6 + (c_0a_padded_1 * c_0a_padded_2 + c_0b_padded_1 * c_0b_padded_2)))
+    n_a_size_2 = n_a_padded_1 * (absolute(y_0) + c8 * (absolute(y_lo_1) + c7 * n_a_padded_1))
     n_b = y_1 * y_1
-    n_b_padded_1 = (1.8051943758648296e-276 + s_size_3
-        * (1.8051943758648296e-276
-        + (c_0b_padded_1 * c_1a_padded_1 + c_0a_padded_2 * c_1b_padded_1)))
-    n_b_size_2 = (n_b_padded_1
-        * (absolute(y_1) + 140737488355328
-        * (absolute(y_lo_2) + 1.6886556573573792e-30 * n_b_padded_1)))
+    n_b_padded_1 = (c6 + s_size_3
+        * (c6 + (c_0b_padded_1 * c_1a_padded_1 + c_0a_padded_2 * c_1b_padded_1)))
+    n_b_size_2 = n_b_padded_1 * (absolute(y_1) + c8 * (absolute(y_lo_2) + c7 * n_b_padded_1))
     n_c = n_a + n_b
     n_c_right_1 = n_c - n_a
     n_c_lo1_1 = (product_rest(y_0, y_0, n_a, n_c - n_c_right_1)
         + product_rest(y_1, y_1, n_b, n_c_right_1))
     n_d = y_2 * y_2
-    n_d_padded_1 = (1.8051943758648296e-276 + s_size_3
-        * (1.8051943758648296e-276
-        + (c_0b_padded_2 * c_1b_padded_1 + c_0a_padded_1 * c_1a_padded_1)))
-    n_d_size_2 = (n_d_padded_1
-        * (absolute(y_2) + 140737488355328
-        * (absolute(y_lo_3) + 1.6886556573573792e-30 * n_d_padded_1)))
+    n_d_padded_1 = (c6 + s_size_3
+        * (c6 + (c_0b_padded_2 * c_1b_padded_1 + c_0a_padded_1 * c_1a_padded_1)))
+    n_d_size_2 = n_d_padded_1 * (absolute(y_2) + c8 * (absolute(y_lo_3) + c7 * n_d_padded_1))
     n_e = n_c + n_d
     n_e_right_1 = n_e - n_c
     n_e_lo2_1 = (n_c - (n_e - n_e_right_1) + product_rest(y_2, y_2, n_d, n_e_right_1)
@@ -281,23 +271,18 @@ def angle_vv(v1, v2):
     n = sqrt(n_e)
     n_product_1 = n * n
     n_lo = (n_e - n_product_1 - product_error(n, n, n_product_1) + n_e_lo) / where(n == 0, 1, n + n)
-    n_padded_1 = (1.8051943758648296e-276
+    n_padded_1 = (c6
         + (n_a_size_2 + n_a_size_2 + (n_b_size_2 + n_b_size_2) + (n_d_size_2 + n_d_size_2)))
-    n_bound_1 = absolute(n_e_lo) + 8.430953463617394e-30 * n_padded_1
-    n_size_4 = (absolute(n_e) + 140737488355328 * n_bound_1) * (n_padded_1 / n / n_e)
+    n_bound_1 = absolute(n_e_lo) + c9 * n_padded_1
     r_a = s < 1
     r_c = 1 < s
-    r_e = 1.3093562431584567e+151 < s
-    r = where(r_e, 9.332636185032189e-302, where(r_c, 7.637340908749012e-152, where(r_a,
-        float64(2.6815615859885194e+154), float64(1))))
+    r_e = c3 < s
+    r = where(r_e, c13, where(r_c, c12, where(r_a, real(c11), real(1))))
     cross = n * r
     cross_lo = (n - cross * (1 / r) + n_lo) * r
-    cross_padded_1 = (1.8051943758648296e-276
-        + (n
-        + where(4 * n_bound_1 < n_e, n_size_4, 1.2578234859437304e+29
-        * (sqrt(n_bound_1) + absolute(n_lo)))))
-    r_size_1 = where(r_e, 9.332636185032189e-302, where(r_c, 7.637340908749012e-152, where(r_a,
-        float64(2.6815615859885194e+154), float64(1))))
+    n_size_12 = (n
+        + where(4 * n_bound_1 < n_e, (absolute(n_e) + c8 * n_bound_1) * (n_padded_1 / n / n_e), c10
+        * (sqrt(n_bound_1) + absolute(n_lo))))
     dot__a = scaled_s1_0 * scaled_s2_0
     dot__b = scaled_s1_1 * scaled_s2_1
     dot__c = dot__a + dot__b
@@ -317,35 +302,34 @@ def angle_vv(v1, v2):
     angle_divisor_1 = where(angle_zero_1, 1, angle_most_1)
     angle_part0_1 = cross / angle_divisor_1
     angle_part1_1 = dot_ / angle_divisor_1
-    angle_safe_1 = (where(angle_zero_1, 1, angle_divisor_1
-        * (angle_part1_1 * angle_part1_1 + angle_part0_1 * angle_part0_1)))
-    angle_padded_1 = 1.8051943758648296e-276 + cross_padded_1 * r_size_1
-    angle_padded_2 = (1.8051943758648296e-276
+    angle_safe_1 = where(angle_zero_1, 1,
+        angle_divisor_1 * (angle_part1_1 * angle_part1_1 + angle_part0_1 * angle_part0_1))
+    angle_padded_1 = (c6 + (c6 + n_size_12)
+        * where(r_e, c13, where(r_c, c12, where(r_a, real(c11), real(1)))))
+    angle_padded_2 = (c6
         + (c_1a_padded_1 * c_1b_padded_1 + c_0a_padded_1 * c_0b_padded_2 + c_0a_padded_2
         * c_0b_padded_1))
     angle_size_2 = absolute(cross)
     angle_size_3 = absolute(dot_)
     angle_size_5 = where(angle_size_2 < angle_size_3, angle_size_3, angle_size_2)
-    angle_bound_1 = absolute(cross_lo) + 8.751429663976426e-30 * angle_padded_1
-    angle_bound_2 = absolute(dot__lo) + 2.477516562578394e-30 * angle_padded_2
-    angle_size_11 = (angle_bound_2 + (1.8051943758648296e-276 + angle_bound_1)) / angle_size_5
+    angle_bound_1 = absolute(cross_lo) + c14 * angle_padded_1
+    angle_bound_2 = absolute(dot__lo) + c15 * angle_padded_2
+    angle_size_11 = (angle_bound_2 + (c6 + angle_bound_1)) / angle_size_5
     angle_size_13 = angle_size_11 * angle_size_11
-    angle_size_14 = (absolute(elementary.atan2_error(cross, dot_, angle)
-        + (angle_part1_1 * cross_lo - angle_part0_1 * dot__lo) / angle_safe_1))
+    angle_size_14 = absolute(elementary.atan2_error(cross, dot_,
+        angle) + (angle_part1_1 * cross_lo - angle_part0_1 * dot__lo) / angle_safe_1)
     angle_size_15 = 7 + angle_size_14
-    angle_size_19 = (where(angle_bound_1
-        < angle_size_2, angle_size_13, where(angle_bound_2 < dot_, angle_size_13, angle_size_15)))
-    angle_size_21 = (3.9614069451219335e+28
+    angle_size_19 = where(angle_bound_1 < angle_size_2, angle_size_13, where(angle_bound_2 < dot_,
+        angle_size_13, angle_size_15))
+    angle_size_22 = (absolute(angle) + (angle_padded_1 + angle_padded_2) / angle_size_5 + c16
         * where(angle_size_11 < 0.25, angle_size_19, angle_size_15))
-    angle_padded_3 = (1.8051943758648296e-276
-        + (absolute(angle) + (angle_padded_1 + angle_padded_2) / angle_size_5 + angle_size_21))
-    angle_bound_3 = 2.603241918220875e-29 * angle_padded_3 + angle_size_14
+    angle_bound_3 = c17 * (c6 + angle_size_22) + angle_size_14
     return (angle, angle_bound_3)
 
 
 @kernel("(3),(3)->(),()")
 @errstate(all="ignore")
-def dot_vv(v1, v2):
+def dot_vv(v1, v2, *, c1=2.004168360008973e-292, c2=3.3306690738754706e-16):
     """v1·v2; |error of dot| <= dot_bound unless inf or NaN.
 
     (3),(3)->(),().  v1, v2: vector; dot, dot_bound: number.
@@ -358,13 +342,13 @@ def dot_vv(v1, v2):
     dot_d = v1_2 * v2_2
     dot = dot_a + dot_b + dot_d
     dot_size = absolute(dot_a) + absolute(dot_b) + absolute(dot_d)
-    dot_bound = 3.3306690738754706e-16 * (dot_size + 2.004168360008973e-292)
+    dot_bound = c2 * (dot_size + c1)
     return (dot, dot_bound)
 
 
 @kernel("(),(3)->(3),(3)")
 @errstate(all="ignore")
-def product_avinv(k, v):
+def product_avinv(k, v, *, c1=2.004168360008973e-292, c2=1.1102230246251568e-16):
     """vo = k (-v); |error of vo| <= vo_bound unless inf or NaN.
 
     (),(3)->(3),(3).  k: number; v, vo, vo_bound: vector.
@@ -377,15 +361,15 @@ def product_avinv(k, v):
     vo_1 = -vo_1a
     vo_2a = k * v_2
     vo_2 = -vo_2a
-    vo_0a_bound = 1.1102230246251568e-16 * (absolute(vo_0a) + 2.004168360008973e-292)
-    vo_1a_bound = 1.1102230246251568e-16 * (absolute(vo_1a) + 2.004168360008973e-292)
-    vo_2a_bound = 1.1102230246251568e-16 * (absolute(vo_2a) + 2.004168360008973e-292)
+    vo_0a_bound = c2 * (absolute(vo_0a) + c1)
+    vo_1a_bound = c2 * (absolute(vo_1a) + c1)
+    vo_2a_bound = c2 * (absolute(vo_2a) + c1)
     return (vo_0, vo_1, vo_2, vo_0a_bound, vo_1a_bound, vo_2a_bound)
 
 
 @kernel("(3),(3)->(3),(3)")
 @errstate(all="ignore")
-def cross_vv(v1, v2):
+def cross_vv(v1, v2, *, c1=2.004168360008973e-292, c2=2.2204460492503136e-16):
     """vo = v1 × v2; |error of vo| <= vo_bound unless inf or NaN.  Exactly zero for v1 = v2, unless
     products overflow.
 
@@ -406,15 +390,15 @@ def cross_vv(v1, v2):
     vo_0_size = absolute(vo_0a) + absolute(vo_0b)
     vo_1_size = absolute(vo_1a) + absolute(vo_1b)
     vo_2_size = absolute(vo_2a) + absolute(vo_2b)
-    vo_0_bound = 2.2204460492503136e-16 * (vo_0_size + 2.004168360008973e-292)
-    vo_1_bound = 2.2204460492503136e-16 * (vo_1_size + 2.004168360008973e-292)
-    vo_2_bound = 2.2204460492503136e-16 * (vo_2_size + 2.004168360008973e-292)
+    vo_0_bound = c2 * (vo_0_size + c1)
+    vo_1_bound = c2 * (vo_1_size + c1)
+    vo_2_bound = c2 * (vo_2_size + c1)
     return (vo_0, vo_1, vo_2, vo_0_bound, vo_1_bound, vo_2_bound)
 
 
 @kernel("(3),(3)->(3),(3)")
 @errstate(all="ignore")
-def cross_vvinv(v1, v2):
+def cross_vvinv(v1, v2, *, c1=2.004168360008973e-292, c2=2.2204460492503136e-16):
     """vo = v1 × (-v2); |error of vo| <= vo_bound unless inf or NaN.
 
     (3),(3)->(3),(3).  v1, v2, vo, vo_bound: vector.
@@ -434,15 +418,15 @@ def cross_vvinv(v1, v2):
     vo_0_size = absolute(vo_0a) + absolute(vo_0b)
     vo_1_size = absolute(vo_1a) + absolute(vo_1b)
     vo_2_size = absolute(vo_2a) + absolute(vo_2b)
-    vo_0_bound = 2.2204460492503136e-16 * (vo_0_size + 2.004168360008973e-292)
-    vo_1_bound = 2.2204460492503136e-16 * (vo_1_size + 2.004168360008973e-292)
-    vo_2_bound = 2.2204460492503136e-16 * (vo_2_size + 2.004168360008973e-292)
+    vo_0_bound = c2 * (vo_0_size + c1)
+    vo_1_bound = c2 * (vo_1_size + c1)
+    vo_2_bound = c2 * (vo_2_size + c1)
     return (vo_0, vo_1, vo_2, vo_0_bound, vo_1_bound, vo_2_bound)
 
 
 @kernel("(3),()->(3),(3)")
 @errstate(all="ignore")
-def add_vvx(v, k):
+def add_vvx(v, k, *, c1=1.1102230246251568e-16):
     """vo = v + k e_x; |error of vo| <= vo_bound unless inf or NaN.
 
     (3),()->(3),(3).  v, vo, vo_bound: vector; k: number.
@@ -450,13 +434,13 @@ def add_vvx(v, k):
     """
     v_0, v_1, v_2 = v
     vo_0 = v_0 + k
-    vo_0_bound = 1.1102230246251568e-16 * absolute(vo_0)
+    vo_0_bound = c1 * absolute(vo_0)
     return (vo_0, v_1, v_2, vo_0_bound, 0, 0)
 
 
 @kernel("(3),()->(3),(3)")
 @errstate(all="ignore")
-def add_vvxinv(v, k):
+def add_vvxinv(v, k, *, c1=1.1102230246251568e-16):
     """vo = v - k e_x; |error of vo| <= vo_bound unless inf or NaN.
 
     (3),()->(3),(3).  v, vo, vo_bound: vector; k: number.
@@ -464,13 +448,13 @@ def add_vvxinv(v, k):
     """
     v_0, v_1, v_2 = v
     vo_0 = v_0 - k
-    vo_0_bound = 1.1102230246251568e-16 * absolute(vo_0)
+    vo_0_bound = c1 * absolute(vo_0)
     return (vo_0, v_1, v_2, vo_0_bound, 0, 0)
 
 
 @kernel("(3),()->(3),(3)")
 @errstate(all="ignore")
-def add_vvy(v, k):
+def add_vvy(v, k, *, c1=1.1102230246251568e-16):
     """vo = v + k e_y; |error of vo| <= vo_bound unless inf or NaN.
 
     (3),()->(3),(3).  v, vo, vo_bound: vector; k: number.
@@ -478,13 +462,13 @@ def add_vvy(v, k):
     """
     v_0, v_1, v_2 = v
     vo_1 = v_1 + k
-    vo_1_bound = 1.1102230246251568e-16 * absolute(vo_1)
+    vo_1_bound = c1 * absolute(vo_1)
     return (v_0, vo_1, v_2, 0, vo_1_bound, 0)
 
 
 @kernel("(3),()->(3),(3)")
 @errstate(all="ignore")
-def add_vvyinv(v, k):
+def add_vvyinv(v, k, *, c1=1.1102230246251568e-16):
     """vo = v - k e_y; |error of vo| <= vo_bound unless inf or NaN.
 
     (3),()->(3),(3).  v, vo, vo_bound: vector; k: number.
@@ -492,13 +476,13 @@ def add_vvyinv(v, k):
     """
     v_0, v_1, v_2 = v
     vo_1 = v_1 - k
-    vo_1_bound = 1.1102230246251568e-16 * absolute(vo_1)
+    vo_1_bound = c1 * absolute(vo_1)
     return (v_0, vo_1, v_2, 0, vo_1_bound, 0)
 
 
 @kernel("(3),()->(3),(3)")
 @errstate(all="ignore")
-def add_vvz(v, k):
+def add_vvz(v, k, *, c1=1.1102230246251568e-16):
     """vo = v + k e_z; |error of vo| <= vo_bound unless inf or NaN.
 
     (3),()->(3),(3).  v, vo, vo_bound: vector; k: number.
@@ -506,13 +490,13 @@ def add_vvz(v, k):
     """
     v_0, v_1, v_2 = v
     vo_2 = v_2 + k
-    vo_2_bound = 1.1102230246251568e-16 * absolute(vo_2)
+    vo_2_bound = c1 * absolute(vo_2)
     return (v_0, v_1, vo_2, 0, 0, vo_2_bound)
 
 
 @kernel("(3),()->(3),(3)")
 @errstate(all="ignore")
-def add_vvzinv(v, k):
+def add_vvzinv(v, k, *, c1=1.1102230246251568e-16):
     """vo = v - k e_z; |error of vo| <= vo_bound unless inf or NaN.
 
     (3),()->(3),(3).  v, vo, vo_bound: vector; k: number.
@@ -520,5 +504,5 @@ def add_vvzinv(v, k):
     """
     v_0, v_1, v_2 = v
     vo_2 = v_2 - k
-    vo_2_bound = 1.1102230246251568e-16 * absolute(vo_2)
+    vo_2_bound = c1 * absolute(vo_2)
     return (v_0, v_1, vo_2, 0, 0, vo_2_bound)
