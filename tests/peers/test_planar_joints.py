@@ -53,9 +53,9 @@ def rate(angle: float, speed: float) -> np.ndarray:
     return np.array([[0, 0, 0, 0], [0, -s, c, 0], [0, -c, -s, 0], [0, 0, 0, 0]])
 
 
-def near(found, wanted, within=1e-13):
+def near(result, wanted, within=1e-13):
     size = max(1.0, np.abs(wanted).max())
-    assert np.abs(np.asarray(found) - wanted).max() <= within * size, (found, wanted)
+    assert np.abs(np.asarray(result) - wanted).max() <= within * size, (result, wanted)
 
 
 def test_pinocchio_s_planar_joint_moves_alike(case):

@@ -1,5 +1,5 @@
 """A kind of joint is one file: CONTRIBUTING's universal joint, in a copy of the generator that
-lacks it, is the one that ships; and so is a screw, of which no other file knows."""
+lacks it, is the one that ships; and so is a screw, which no other file knows."""
 
 import re
 from pathlib import Path
@@ -110,7 +110,7 @@ def test_the_walk_adds_the_joint_that_ships(site):
     assert '"universal"' in done.stdout and '"axis2"' in done.stdout
 
 
-def test_a_kind_of_which_nobody_knows_works_in_every_place(site):
+def test_an_unknown_kind_works_in_every_place(site):
     """A nut of mass m on a vertical screw: (I + m p²) a = -m g p - d v, with the washer's mass and,
     since its hinge is free, without its moment but that of its centre of mass."""
     (site / "coscrew_codegen/scene/joints/helical.py").write_text(HELICAL)

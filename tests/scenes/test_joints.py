@@ -1,5 +1,5 @@
-"""What files of kinds of joints say is true of every kind: of those that ship, and of another that
-is put beside them."""
+"""Declarations in files of kinds of joints are true of every kind: of the shipped ones, and of
+another that is put beside them."""
 
 import ast
 from collections.abc import Sequence

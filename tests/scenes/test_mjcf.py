@@ -95,7 +95,8 @@ def test_it_starts_where_mujoco_does(read, tmp_path):
 
 
 def test_a_scene_chooses_its_effects(read):
-    """What the file declares is told with what to write, and silent once it is written."""
+    """Effects that the file declares are reported with the text to write, until the scene has it.
+    """
     told = read(scene="[effects.gravity]\n").unused
     assert "joint pitch: spring of the model's file is not used: add [effects.spring.pitch] with " \
            "k = 5.0 and q0 = 0.1" in told

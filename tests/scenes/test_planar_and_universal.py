@@ -101,7 +101,7 @@ def arm(folder: Path) -> Kernels:
 
 @pytest.fixture(scope="module")
 def chain(folder: Path) -> Kernels:
-    """The same with slides and hinges."""
+    """The chain with slides and hinges."""
     scene = read_scene(folder / "arm.toml", EFFECTS)
     return kernels_for(replace(scene, model=expanded(scene.model), start_q={}, start_v={}),
                        (*COMPARED, *STEPS))

@@ -117,7 +117,7 @@ def test_what_the_file_says_is_in_the_model(read):
 
 
 def test_poses_are_where_the_file_puts_them(read, tmp_path):
-    """Of links and frames, at zero, in the world."""
+    """Poses of links and frames, at zero, in the world."""
     read(scene='functions = ["body_poses"]\n[effects.gravity]\n')
     kernels = load_scene(tmp_path / "scene.toml")
     poses = dict(zip(kernels.bodies, kernels.double.body_poses(kernels.neutral_q), strict=True))

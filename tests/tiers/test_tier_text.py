@@ -165,7 +165,7 @@ def _error(node: ast.expr, of: str) -> ast.expr:
 
 
 def _is_left(node: ast.expr) -> bool:
-    """Whether this is s - s_right, or s + s_right."""
+    """Returns whether this is s - s_right, or s + s_right."""
     return (isinstance(node, ast.BinOp) and isinstance(node.left, ast.Name)
             and ast.unparse(node.right) == f"{node.left.id}_right")
 

@@ -50,7 +50,7 @@ def followers(model: "mujoco.MjModel", names: MjcfNames) -> dict[str, Mimic]:
 
 
 def follows(model: "mujoco.MjModel", e: int) -> bool:
-    """Whether an equality is one of two joints with one coordinate, active and linear."""
+    """Returns whether an equality is one of two joints with one coordinate, active and linear."""
     import mujoco
 
     y, x = int(model.eq_obj1id[e]), int(model.eq_obj2id[e])

@@ -1,5 +1,5 @@
-"""What an MJCF holds and a scene has not: refused by name, unless the scene leaves it out; what
-moves nothing by itself, as actuators and contact, is told."""
+"""Content of an MJCF that scenes lack: refused by name, unless the scene leaves it out; elements
+that move nothing by themselves, as actuators and contact, are reported."""
 
 from collections.abc import Iterator, Mapping
 from typing import TYPE_CHECKING

@@ -100,11 +100,11 @@ class SdfElements:
         return name
 
     def flag(self, owner: Element, tag: str, default: str = "false") -> bool:
-        """Whether a text is true."""
+        """Returns whether a text is true."""
         return self.as_flag(owner, tag, self.text(owner, tag, default))
 
     def as_flag(self, owner: Element, what: str, text: str) -> bool:
-        """Whether a text is true, or 1."""
+        """Returns whether a text is true, or 1."""
         if text not in ("true", "false", "1", "0"):
             self.refuse(owner, f"{what} {shown(text)} of <{owner.tag}>; wanted true or false")
         return text in ("true", "1")

@@ -149,8 +149,9 @@ class SdfJoints(SdfFrames):
 
 
 def _same_motion(joint: Joint, child: Placement) -> bool:
-    """Whether the joint moves a frame at `child` as it moves its own: what slides, what turns about
-    an axis through that frame's origin, and what turns about the same point and axes."""
+    """Returns whether the joint moves a frame at `child` as it moves its own: what slides, what
+    turns about an axis through that frame's origin, and what turns about the same point and axes.
+    """
     if joint.kind is SPHERICAL:
         return child == HERE
     x, y, z = child.t
