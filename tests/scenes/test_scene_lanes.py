@@ -289,10 +289,11 @@ def test_lanes_are_compiled_when_they_pay_and_opened_if_they_are_there(
     monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path))
     scene = read_scene(Path(__file__).parents[2] / "examples/scenes/pendulum.toml")
 
-    def opened_after(states: int) -> bool:
+    def opened_after(states: int, calls: int = 1) -> bool:
         kernels = kernels_for(scene, ("energy",), ("double",))
         name = c_name(many(kernels.interface), "energy", DOUBLE)
-        return kernels._lanes.function(name, states) is not None
+        found = [kernels._lanes.function(name, states) for _ in range(calls)]
+        return found[-1] is not None
 
     library, made = compilation.library, list[str]()
     monkeypatch.setattr(compilation, "library", lambda units, *others: (
@@ -301,7 +302,18 @@ def test_lanes_are_compiled_when_they_pay_and_opened_if_they_are_there(
     assert made == ["pendulum_calls.c"]
     assert opened_after(1_000_000) and made == ["pendulum_calls.c", "pendulum_many.c"]
     assert not opened_after(16383) and opened_after(16384)
+    assert opened_after(4, calls=512) and not opened_after(4, calls=511)
     assert len(made) == 2
+
+
+def test_lanes_are_compiled_for_many_calls_of_few_states(
+        tmp_path: Path, monkeypatch: pytest.MonkeyPatch):
+    monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path))
+    monkeypatch.setattr(lanes, "CALLS", 3)
+    kernels = kernels_of(pendulum())
+    name = c_name(many(kernels.interface), "forward_dynamics", DOUBLE)
+    found = [kernels._lanes.function(name, 1) is not None for _ in range(4)]
+    assert found == [False, False, True, True]
 
 
 @each_precision

@@ -22,9 +22,14 @@ PAYS = 1_000_000
 """States of a scene, in one call or several, that are computed one by one before its functions of
 many states are compiled.  That takes 3.5 to 13 s of processor time (pendulum, quadruped), which
 steps regain after 2 to 3 million states, forward dynamics of an arm after 30 million."""
+CALLS = 65_536
+"""Calls after which they are compiled even of few states: until then a call takes 40 to 60 us more.
+"""
 LOOKS = 16384
 """States after which the cache is asked for these functions: opening them takes 20 to 50 ms, which
 steps regain after 11,000 to 17,000 states."""
+LOOKING_CALLS = 512
+"""Calls after which the cache is asked even for few states."""
 
 _ONE_BY_ONE = ContextVar("_ONE_BY_ONE", default=False)
 
@@ -45,14 +50,16 @@ class CompiledLanes:
 
     request: Request  # of the functions of one state
     _met: int = field(default=0, init=False)  # states so far
+    _calls: int = field(default=0, init=False)
 
     def function(self, name: str, states: int) -> CFuncPtr | None:
         """The function of this name, if it exists and is worthwhile for so many more states."""
         if _ONE_BY_ONE.get():
             return None
         self._met += states
-        library = (self._library if self._met >= PAYS
-                   else self._kept if self._met >= LOOKS else None)
+        self._calls += 1
+        library = (self._library if self._met >= PAYS or self._calls >= CALLS else
+                   self._kept if self._met >= LOOKS or self._calls >= LOOKING_CALLS else None)
         return getattr(library, name, None)
 
     @functools.cached_property
