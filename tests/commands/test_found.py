@@ -241,7 +241,8 @@ def test_two_targets_that_write_one_file_are_refused(site):
     file = site / "coscrew_codegen/backends/twice.py"
     file.write_text("from coscrew_codegen.backends.c.c_amalgamated import files\n"
                     "from coscrew_codegen.backends.target import Target\n"
-                    "TARGET = Target('twice', ('c',), library=files)\n")
+                    "TARGET = Target('twice', ('c',), library=lambda library: {\n"
+                    "    name: f'{text}\\n' for name, text in files(library).items()})\n")
     try:
         done = generated(site, "--family", "trig", "--output", "refused")
     finally:

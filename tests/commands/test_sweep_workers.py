@@ -41,7 +41,7 @@ def test_what_a_worker_cannot_do_is_told(environment, largest, message, scene, t
     (line,) = (x for x in capsys.readouterr().err.splitlines() if "the worker" in x)
     assert f"coscrew: the worker on {platform.node()} {message}" in line
     assert line.endswith(f"; 0 of 600 members are written into {tmp_path / 'out'}, and the same "
-                         "command goes on")
+                         "command continues")
 
 
 def test_processes_that_start_say_nothing_of_an_interrupt(scene, tmp_path):

@@ -313,7 +313,7 @@ def test_states_are_between_limits(lower: int | None, upper: int | None, found: 
     slide = Joint("j", Kind.PRISMATIC, "", "b", m.at(0, 0, 0),
                   lower=None if lower is None else Fraction(lower),
                   upper=None if upper is None else Fraction(upper))
-    assert positions(slide) == found
+    assert positions(slide) == (found,)
 
 
 def test_products_far_below_one_are_rounded_once():
