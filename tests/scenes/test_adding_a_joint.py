@@ -66,9 +66,9 @@ NUT = """
 nut = { mass = 2, com = [0, 0, 0.5], inertia = [1, 1, 0.03] }
 washer = { mass = 1, com = [0.2, 0, 0], inertia = [0.1, 0.1, 0.1] }
 [joints]
-thread = { type = "helical", child = "nut", axis = [0, 0, 1], damping = 0.5, \
+hinge = { type = "revolute", child = "washer", axis = [0, 0, 1] }
+thread = { type = "helical", parent = "washer", child = "nut", axis = [0, 0, 1], damping = 0.5, \
 limits = { lower = -30, upper = 30 } }
-hinge = { type = "revolute", parent = "nut", child = "washer", axis = [0, 0, 1] }
 [effects.gravity]
 [effects.viscous.thread]
 d = "model"
@@ -111,23 +111,23 @@ def test_the_walk_adds_the_joint_that_ships(site):
 
 
 def test_an_unknown_kind_works_in_every_place(site):
-    """A nut of mass m on a vertical screw: (I + m p²) a = -m g p - d v, with the washer's mass and,
-    since its hinge is free, without its moment but that of its centre of mass."""
+    """A nut on a vertical screw, which a washer carries that turns about the same axis: the mass
+    matrix is [[J + I, I], [I, I + m p²]], and the thread's torque -m g p - d v."""
     (site / "coscrew_codegen/scene/joints/helical.py").write_text(HELICAL)
     found = run_in_copy(site, (
         "import coscrew_codegen as c, numpy as np\n"
         "its = c.load_scene('nut.toml', functions=['forward_dynamics', 'mass_matrix', "
-        "'inverse_dynamics', 'jacobian_washer', 'step_rk4'], tiers=['certified'])\n"
-        "q, v = np.array([0.4, 0.3]), np.array([0.7, 0.0])\n"
+        "'inverse_dynamics', 'jacobian_nut', 'step_rk4'], tiers=['certified'])\n"
+        "q, v = np.array([0.4, 0.3]), np.array([0.0, 0.7])\n"
         "for x in (its.double.mass_matrix(q), its.double.forward_dynamics(q, v, np.zeros(2)),\n"
         "          its.single.mass_matrix(q), its.certified.double.mass_matrix(q)[0]):\n"
         "    print(*np.ravel(x))\n"))
     M, a, single, certified = (np.array(line.split(), float) for line in found.splitlines())
-    J = 0.1 + 0.2**2  # of the washer about the thread
-    wanted = np.array([0.03 + J + 3 * 0.1**2, J, J, J])
+    J, I = 0.1 + 0.2**2, 0.03  # of the washer, of the nut about the axis
+    wanted = np.array([J + I, I, I, I + 2 * 0.1**2])
     for masses, within in ((M, 1e-15), (single, 1e-7), (certified, 1e-15)):
         assert np.abs(masses - wanted).max() <= within
-    torques = np.array([-3 * 9.81 * 0.1 - 0.5 * 0.7, 0])
+    torques = np.array([0, -2 * 9.81 * 0.1 - 0.5 * 0.7])
     assert np.abs(np.linalg.solve(wanted.reshape(2, 2), torques) - a).max() < 1e-12
     for words in (("simulate", "nut.toml", "--output", "nut.csv", "--view", "nut.html"),
                   ("check", "nut.toml"), ("cost", "nut.toml", "--function", "inverse_dynamics")):
