@@ -233,7 +233,7 @@ def _walker() -> SceneFunctions:
 
 
 def test_every_place_has_a_name_of_its_own_that_the_header_explains():
-    """Those that differ only in case or in characters that C's names cannot have are numbered."""
+    """Names that differ only in case or in characters that C's names cannot have are numbered."""
     bodies = ("Tool-1", "tool_1", "TOOL_1_1", "膝", "足", "arm", "Hüfte")
     scene = replace(CASES["slider"](), bodies=bodies)
     header = files(scene)["slider.h"]

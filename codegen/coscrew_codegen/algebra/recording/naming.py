@@ -56,14 +56,14 @@ def named(program: Program, parts: Mapping[str, NamePart], labels: Mapping[str, 
 
 def _of_angles(program: Program) -> dict[str, str]:
     """sin_q3 and cos_q3, of q[3], by the old names; sin_t."""
-    found = {}
+    names = {}
     for step in program.instructions:
         x = step.operands[0]
         if step.op in (Op.SIN, Op.COS) and isinstance(x, Input):
             argument = program.inputs[x.argument]
             index = str(x.index) if argument.quantity.shape else ""
-            found[step.name] = f"{step.op.name.lower()}_{argument.name}{index}"
-    return found
+            names[step.name] = f"{step.op.name.lower()}_{argument.name}{index}"
+    return names
 
 
 def _labelled(labels: Mapping[str, NamePart], alive: set[str],

@@ -26,7 +26,7 @@ _FEWEST = {True: 3, False: 6}
 
 @dataclass(frozen=True)
 class Layout:
-    """How results are stored: how many numbers each output has in a row; whether an output is an
+    """The way in which results are stored: the length of each output's rows; whether an output is an
     input of the same shape (v and vo) or apart from all, as arguments of internal functions are.
     Outputs of others may overlap inputs in any way."""
 
@@ -49,7 +49,7 @@ class _Alike:
 
     @property
     def first_target(self) -> str:
-        """Where the first one is stored."""
+        """The place of the first one."""
         return f"{self.output}[{self.first}]"
 
     @property
@@ -98,7 +98,7 @@ class Stores:
     precision: Precision
 
     def declared(self) -> Sequence[Assignment | Together | str]:
-        """What is assigned before the stores: all but what stands in a loop."""
+        """The values that are assigned before the stores: all that stand in no loop."""
         inside = {name for x in self.alike for name in x.replaced}
         return without_empty_sections([
             x for x in self.assigned if isinstance(x, str) or x.step.name not in inside])
@@ -166,7 +166,7 @@ class Stores:
                              tuple(map(bool, steps)), names, bool(self._read(expression)))
 
     def _follows(self, start: int, count: int, first: re.Match[str], expression: str) -> bool:
-        """Whether a result continues a run, but for its indices."""
+        """True if a result continues a run, apart from its indices."""
         place = start + count
         if place == len(self.targets):
             return False
@@ -199,7 +199,7 @@ class Stores:
         return [(x[1], n) for n, x in enumerate(_ELEMENT.finditer(expression)) if x[1] in names]
 
     def _may_be_a_loop(self, target: re.Match[str], expression: str, steps: Sequence[int]) -> bool:
-        """Whether a loop reads every input before it is overwritten."""
+        """True if a loop reads every input before it is overwritten."""
         own, indices = target[1].removesuffix("o"), _INDEX.findall(expression)
         return not self.layout.in_place or all(
             steps[n] and indices[n] == target[2] for x, n in self._read(expression) if x == own)

@@ -123,7 +123,7 @@ class AngleArrays:
         return f"sin_{self.argument}", f"cos_{self.argument}"
 
     def hold(self, name: str) -> bool:
-        """Whether a name is that of an element."""
+        """True if a name is that of an element."""
         return name.startswith(tuple(f"{x}[" for x in self.names))
 
     def statements(self, precision: Precision, access: Callable[[int], str]) -> Iterator[str]:
@@ -169,7 +169,7 @@ def angle_arrays(program: Program) -> AngleArrays | None:
 
 
 def _angles(program: Program) -> Iterator[Input]:
-    """Elements of arguments of which both sine and cosine are computed."""
+    """Elements of arguments whose sine and cosine are both computed."""
     for sine, _ in sine_cosine_pairs(program).values():
         x = sine.operands[0]
         if sine.op is Op.SIN and isinstance(x, Input) and program.inputs[x.argument].quantity.shape:

@@ -1,7 +1,7 @@
 """Kernels of single precision that share the text of double: with constants of their own.
 
-The text is shared where both Programs are the same but for constants.  A constant is a literal if
-NumPy rounds the literal of double to that of single precision, else a parameter with a default.
+The text is shared where both Programs are the same except for constants.  A constant is a
+literal if NumPy rounds the literal of double to that of single precision, else a parameter with a default.
 """
 
 from collections.abc import Callable, Iterator, Mapping
@@ -66,7 +66,7 @@ def _constants(program: Program) -> Iterator[Constant]:
 
 
 def _rounds(x: Constant) -> bool:
-    """Whether the number of double, rounded to single precision, is the number of single."""
+    """True if the number of double, rounded to single precision, is the number of single."""
     if x.double == x.single and x.double.denominator == 1:
         return True
     if abs(x.double) > SINGLE.limit("max"):

@@ -82,7 +82,7 @@ def reading(name: str) -> tuple[str, str, str, str]:
 
 
 def _marks(known: Mapping[str, Sequence[str]]) -> Iterator[str]:
-    """How names are made, by examples among those `known`, each with its marks."""
+    """The way in which names are made, by examples among those `known`, each with its marks."""
     example = next((x for x, marks in known.items() if not marks and _VECTOR.fullmatch(x)), "")
     of = _VECTOR.fullmatch(example)
     such = f": {example} is {of[1]} of link {of[2]} along {of[3]}" if of else ""

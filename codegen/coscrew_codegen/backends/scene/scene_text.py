@@ -63,7 +63,7 @@ def size(argument: Argument) -> int:
 
 
 def rows(arguments: Sequence[Argument]) -> dict[str, int]:
-    """How many numbers each argument has in a row."""
+    """The number of components in a row of each argument."""
     return {a.name: a.quantity.shape[-1] for a in arguments if a.quantity.shape}
 
 
