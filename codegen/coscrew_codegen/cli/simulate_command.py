@@ -101,7 +101,7 @@ def tell_unused(scene: "Scene", verbose: bool, prefix: str = "coscrew") -> None:
 
 
 def overrides_of(options: argparse.Namespace) -> "SceneOverrides":
-    """What the options say of how the model's file is read."""
+    """The options' settings for reading the model's file."""
     from coscrew_codegen.scene.readers.toml.toml_scene import SceneOverrides
 
     return SceneOverrides(

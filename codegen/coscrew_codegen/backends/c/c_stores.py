@@ -26,8 +26,8 @@ _FEWEST = {True: 3, False: 6}
 
 @dataclass(frozen=True)
 class Layout:
-    """The way in which results are stored: the length of each output's rows; whether an output is an
-    input of the same shape (v and vo) or apart from all, as arguments of internal functions are.
+    """The way in which results are stored: the length of each output's rows; whether an output is
+    an input of the same shape (v and vo) or apart from all, as arguments of internal functions are.
     Outputs of others may overlap inputs in any way."""
 
     rows: Mapping[str, int]

@@ -1,7 +1,8 @@
 """Kernels of single precision that share the text of double: with constants of their own.
 
 The text is shared where both Programs are the same except for constants.  A constant is a
-literal if NumPy rounds the literal of double to that of single precision, else a parameter with a default.
+literal if NumPy rounds the literal of double to that of single precision, else a parameter with a
+default.
 """
 
 from collections.abc import Callable, Iterator, Mapping
