@@ -222,7 +222,7 @@ ONE = Array("y", (), ("1",))
     ({"inputs": "h q", "recorded": (SceneQuantity("odd"),)},
      "'odd' is recorded of it, but it takes h"),
     ({"recorded": (SceneQuantity("odd", places=((1,),)),)},
-     r"results \(1,\); wanted some of the 1"),
+     r"results \(1,\); wanted some of its 1 "),
     ({"recorded": (SceneQuantity("odd", components=("a", "b")),)},
      "with 2 names of its 1 components"),
     ({"recorded": (SceneQuantity("odd", Of.BODY),)}, "'odd' is recorded of it; wanted a quantity"),

@@ -128,7 +128,7 @@ class Dynamics(Protocol):
         """The power of the effects without potential energy."""
 
     def momentum(self) -> Numbers:
-        """(p; L) about the world's origin."""
+        """(p; L) of all bodies about the world's origin, in its axes; without armatures."""
 
     def transmitted(self, joint: str) -> Numbers:
         """(force; moment) that a joint exerts on its child, in the child's frame, at its origin."""

@@ -35,7 +35,7 @@ class Layout:
 
 
 @dataclass(frozen=True)
-class _Alike:
+class _StoreRun:
     """A run of results that are alike: where they begin in an output, how many they are, the first
     one's expression with its indices, those that grow, and the instructions that it replaces."""
 
@@ -131,7 +131,7 @@ class Stores:
         yield from in_rows(waiting, self.layout.rows, width)
 
     @cached_property
-    def alike(self) -> list[_Alike]:
+    def alike(self) -> list[_StoreRun]:
         """The runs that are loops."""
         found, place = [], 0
         while place < len(self.targets):
@@ -143,7 +143,7 @@ class Stores:
                 place += 1
         return found
 
-    def _run(self, start: int) -> tuple[int, _Alike | None]:
+    def _run(self, start: int) -> tuple[int, _StoreRun | None]:
         """The longest run that begins with this result."""
         target, expression = _ELEMENT.fullmatch(self.targets[start]), self._expression(start)
         if not (target and expression):
@@ -162,7 +162,7 @@ class Stores:
             return count, None
         names = tuple(x.name for x in self.program.results[start:start + count]
                       if isinstance(x, Ref))
-        return count, _Alike(target[1], int(target[2]), count, expression,
+        return count, _StoreRun(target[1], int(target[2]), count, expression,
                              tuple(map(bool, steps)), names, bool(self._read(expression)))
 
     def _follows(self, start: int, count: int, first: re.Match[str], expression: str) -> bool:
