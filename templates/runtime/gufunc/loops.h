@@ -38,9 +38,9 @@
   load_##quantity(x, p0, core)
 #define LOAD_OTHER(quantity, x) if (step[0] != 0) load_##quantity(x, p0 + i * step[0], core)
 
-/* The loop over elements with any strides.  It loads and stores numbers one by one, and takes as long
-   with AVX2, unless that has FMA, too: so it is compiled without, and the loops for AVX2 call that
-   one. */
+/* The loop over elements with any strides.  It loads and stores numbers one by one, and takes as
+   long with AVX2, unless that has FMA, too: so it is compiled without, and the loops for AVX2 call
+   that one. */
 #define ELEMENTS_OF(name) \
   name##_strided(char **data, npy_intp n, const npy_intp *step, const npy_intp *core)
 #define STRIDED_HERE(name) \
