@@ -66,7 +66,8 @@ def in_tier(scene: SceneFunctions, tier: Tier) -> SceneTier:
 
 
 def _function(plain: FunctionProgram, tier: Tier, precision: Precision) -> FunctionProgram:
-    program, rounding = _in_tier(plain, tier, precision)
+    """The function in the tier and precision."""
+    program, rounding = _program_in_tier(plain, tier, precision)
     words = {_heading(plain, place): text for place, text in plain.headings}
     more = len(program.inputs) > len(plain.program.inputs)
     return replace(plain, program=program, plain=plain.program if more else None, rounding=rounding,
@@ -74,7 +75,8 @@ def _function(plain: FunctionProgram, tier: Tier, precision: Precision) -> Funct
                                   for place, heading in headings(program)))
 
 
-def _in_tier(plain: FunctionProgram, tier: Tier, precision: Precision) -> tuple[Program, str]:
+def _program_in_tier(plain: FunctionProgram, tier: Tier, precision: Precision
+                     ) -> tuple[Program, str]:
     """The program, and the statement on its rounding errors."""
     if tier.on_request and plain.accuracy:
         from coscrew_codegen.accuracy.precision_tuning.choice import (

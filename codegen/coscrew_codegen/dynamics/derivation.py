@@ -1,4 +1,4 @@
-"""Derivation of a scene's functions: inputs, the kinematic tree, and recording."""
+"""Records one function of a scene as a Program: its inputs, the kinematic tree, its results."""
 
 from collections.abc import Callable, Sequence
 from dataclasses import replace
@@ -108,7 +108,7 @@ class Derivation:
         program = self._recorded(entry, [self._argument(INPUTS[x]) for x in given])
         words = entry.words_in(self) if entry.words_in else entry.words
         function = FunctionProgram(entry.name, words, program, tuple(
-            (place, self.headings.get(words, words)) for place, words in headings(program)),
+            (place, self.headings.get(heading, heading)) for place, heading in headings(program)),
             units=self._units(entry))
         refuse_products(scene, function)
         refuse_quotients(scene, function, self._at_rest(given))

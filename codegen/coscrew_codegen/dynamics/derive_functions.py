@@ -1,5 +1,4 @@
-"""Derives the functions of a scene: each is recorded separately, with only the values that its
-outputs need."""
+"""Derives all functions that a scene selects, with statements on their rounding errors."""
 
 from collections.abc import Callable, Collection
 from dataclasses import replace
@@ -63,7 +62,8 @@ def _functions(its: Derivation, names: Collection[str]) -> SceneFunctions:
 
 
 def _stated(its: Derivation, made: FunctionProgram, public: bool) -> FunctionProgram:
-    """The function, public or not, with the proved bounds of its rounding errors."""
+    """The function, public or not; if public, with the statement on its rounding errors and the
+    accuracy requested of it."""
     rounding = statement(made.program, its.scene, its.tree) if public else ""
     return replace(made, internal=not public, rounding=rounding,
                    accuracy=requested(made.program, its.scene, its.tree) if public else None)

@@ -1,4 +1,4 @@
-"""Recording of one function of a scene, with the quantities that most functions need."""
+"""Recording of one function of a scene."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -12,8 +12,6 @@ from coscrew_codegen.dynamics.algorithms.motion import Motion
 from coscrew_codegen.dynamics.forces.applied_effects import AppliedEffects, gravity, joint_inertias
 from coscrew_codegen.scene.mechanism.tree import Tree
 from coscrew_codegen.scene.scene import Scene
-
-Results = Sequence[Sequence[Number]]  # the components of each
 
 
 @dataclass

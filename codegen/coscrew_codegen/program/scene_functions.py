@@ -49,7 +49,7 @@ class FunctionProgram:
     program: Program
     headings: tuple[tuple[int, str], ...] = ()
     internal: bool = False
-    rounding: str = ""  # how far roundings can move its outputs, if that is proved
+    rounding: str = ""  # statement on its rounding errors, proved in the plain tier
     plain: Program | None = None
     accuracy: Accuracy | None = None  # if requested: then the mixed tier has the function
     units: tuple[str, ...] = ()  # of each component of its results, in order

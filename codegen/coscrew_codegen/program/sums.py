@@ -1,4 +1,5 @@
-"""Finds the sums of a Program with all their terms, for tiers that add in another order.
+"""Finds the sums of a Program with all their terms, for tiers that add in another order: no tier
+here does, CONTRIBUTING.md shows one.
 
 A chain of additions in which only the next one uses each partial sum is one sum of many terms."""
 

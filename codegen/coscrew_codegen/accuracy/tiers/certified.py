@@ -73,7 +73,7 @@ def _made(program: Program, precision: Precision) -> Program:
     """The tier's program of an operation."""
     if is_polynomial(program):
         return certified(program, precision)
-    # an operation chooses between formulas for the same
+    # both options of an operation's choice are formulas for the same value
     made = certified_scene.of_scene(program, precision, kinks=False)
     return certified_rotations.infinite_unless_rotations(made, program)
 

@@ -79,8 +79,8 @@ def of_scene(program: Program, precision: Precision, kinks: bool = True) -> Prog
 
 def extended(program: Program, precision: Precision, how: Sizing, plain: Program | None = None
              ) -> Program:
-    """The program and bounds of its results' errors; of another program's results for the same, if
-    `plain` is given.  Raises NoRuleError."""
+    """The program, extended by bounds of its results' errors; with `plain`, that program's results
+    and bounds of their errors.  Raises NoRuleError."""
     unknown = sorted(op.value for op in program.counts if op not in BOUNDED)
     if unknown:
         raise NoRuleError(f"{program.name}: the certified tier has no rule for "

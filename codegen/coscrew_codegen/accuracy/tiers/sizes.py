@@ -104,7 +104,8 @@ class Sizing:
     rules: Mapping[Op, Callable[["Sizes", Instruction], Size]]
     spread: int = SPREAD  # κ
     computed: bool = True  # whether bounds contain d; else S covers it
-    kinks: bool = True  # whether choices may be between values that differ by much more than u
+    kinks: bool = True  # whether the options of a choice may differ by more than rounding
+
 
 class Sizes:
     """Issues a plain program's instructions and, beside values, errors, sizes and bounds, each

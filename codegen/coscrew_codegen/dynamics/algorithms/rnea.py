@@ -66,7 +66,7 @@ def to_parent(motion: Motion, number: int, wrench: Wrench) -> Wrench:
 
 
 def along(motion: Motion, number: int, wrench: Wrench) -> tuple[Number, ...]:
-    """h·c: the components of a wrench along the joint's freedoms."""
+    """s·c: the components of a wrench along the joint's freedoms."""
     return tuple(dot(linear(s), linear(wrench)) + dot(angular(s), angular(wrench))
                  for s in motion.subspace(number))
 

@@ -1,5 +1,5 @@
-"""Proved bounds of the rounding errors of a function's results while the joints are within their
-limits, derived without running it.  Useless bounds are left out."""
+"""States proved bounds of a plain function's rounding errors for all states within the joints'
+limits; nothing where a bound is infinite or too large to be of use."""
 
 from collections.abc import Iterator, Sequence
 from fractions import Fraction
@@ -49,7 +49,7 @@ def _bounds(program: Program, components: Sequence[RoundedRange], precision: Pre
 
 def _sizes(name: str, count: int, scene: Scene, tree: Tree, precision: Precision
            ) -> Sequence[float]:
-    """Bounds of the sizes of an argument's components."""
+    """Bounds of the sizes of an argument's components; inf for a, tau, t and all without limits."""
     if name == "p":
         return [abs(float(precision.rounded(p.value))) for p in scene.parameters]
     if name not in ("q", "v"):

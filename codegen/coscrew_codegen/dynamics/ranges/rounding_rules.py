@@ -99,7 +99,7 @@ class _Follow:
         return result
 
     def _function(self, of: tuple[Op, Operand], x: RoundedRange) -> RoundedRange:
-        """Its ulp is at most u, and 2 u s if the computed one is up to s."""
+        """The range of a sine or cosine: of size s, its ulp is at most 2 u s, and at most u."""
         size = min(Upward(1), x.size) if of[0] is Op.SIN else Upward(1)
         own = max(self._u * min(1.0, 2 * (size + x.error)), Upward(2 * self._eta))
         return RoundedRange(size, x.error + self._of_sine * own, of)
