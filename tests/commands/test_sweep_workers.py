@@ -40,7 +40,7 @@ def test_what_a_worker_cannot_do_is_told(environment, largest, message, scene, t
             assert sweep(scene, tmp_path / "out", address) == 2
     (line,) = (x for x in capsys.readouterr().err.splitlines() if "the worker" in x)
     assert f"coscrew: the worker on {platform.node()} {message}" in line
-    assert line.endswith(f"; 0 of 600 members are written into {tmp_path / 'out'}, and the same "
+    assert line.endswith(f"; 0 of 600 members are written into {tmp_path / 'out'}; the same "
                          "command continues")
 
 
@@ -57,8 +57,8 @@ def test_processes_that_start_say_nothing_of_an_interrupt(scene, tmp_path):
         message = process.communicate()[1]
     assert (process.returncode, first) == (130, "coscrew: 300000000 members, 0 of them written\n")
     assert unused.startswith("coscrew: not used: ")
-    last = f"interrupted; 0 of 300000000 members are written into {tmp_path / 'out'}, and "
-    assert message == f"coscrew: {last}the same command goes on\n"
+    last = f"interrupted; 0 of 300000000 members are written into {tmp_path / 'out'}; "
+    assert message == f"coscrew: {last}the same command continues\n"
 
 
 def test_a_client_that_cannot_be_closed_hides_no_error(monkeypatch):

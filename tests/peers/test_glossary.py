@@ -102,7 +102,7 @@ def test_guides_name_operations_and_effects_there_are(guide, column):
     names = {name for cell in cells for name in re.findall(r"`(\w+)(?:`|\()", cell)}
     effects = {effect.name for effect in EFFECTS}
     parameters = {parameter.name for effect in EFFECTS for parameter in effect.parameters}
-    others = {"leapfrog", "inertia", "spherical", "NEUTRAL_Q", "neutral_q", "T"}
+    others = {"model", "leapfrog", "inertia", "spherical", "NEUTRAL_Q", "neutral_q", "T"}
     for name in names - effects - parameters - others:
         assert hasattr(coscrew, name) or of_scenes(name), name
     assert len(names) > 8
