@@ -97,8 +97,8 @@ def test_the_command_refuses_other_settings_and_runs_with_a_controller(scenes, t
     path, name = scenes / "swing.toml", tmp_path / "driven.csv"
     run(path, until=0.05, record=["a"], controller=law).write(name)
     for asked, said in (((), "again: controller: wanted function law, every step, sets"),
-                        (("--until", "1"), "tells all settings; wanted no --until"),
-                        (("--set", "bob.mass=1"), "tells all settings; wanted no --set")):
+                        (("--until", "1"), "has all settings; wanted no --until"),
+                        (("--set", "bob.mass=1"), "has all settings; wanted no --set")):
         assert main(["simulate", str(path), "--again", str(name), *asked]) == 2
         assert said in capsys.readouterr().err
     run(path, until=0.05, record=["a"]).write(name)
