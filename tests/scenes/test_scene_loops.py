@@ -17,11 +17,12 @@ from coscrew_codegen.program import Op
 from coscrew_codegen.program.scene_functions import SceneFunctions
 from coscrew_codegen.program.values.formats import DOUBLE
 from coscrew_codegen.runtime.load import kernels_of
-from coscrew_codegen.scene.mechanism.model import HERE, Kind
+from coscrew_codegen.scene.mechanism.model import HERE
 from coscrew_codegen.scene.readers.toml.toml_scene import read_scene
 from tests.support.compiled.c_harness import C11, STRICT, run
 from tests.support.each import each_compiler, each_precision
 from tests.support.scenes.generated_scenes import BANNER, Writer, argument, imported
+from tests.support.scenes.kinds import Kind
 from tests.support.scenes.mechanisms import Y, Z, at, chain, gravity, inertia, scene
 from tests.support.scenes.scene_values import inputs, same_bits
 
