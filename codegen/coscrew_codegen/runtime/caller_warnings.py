@@ -1,4 +1,4 @@
-"""Warnings of what happens deep inside, issued at the line of the user's program that called.
+"""Warnings from inside the package, issued at the line of the user's program that called it.
 
 A function that users call does its work within `at_callers_line`, or what it calls where that would
 take too long; `warn`, called anywhere below, leaves its text there, and the outermost block issues

@@ -13,4 +13,4 @@ def of_library(precisions: Iterable[Precision]) -> str:
 
 
 EXACT = "this tier computes in double, also in single precision; use the plain one"
-"""What the headers of tiers that compute in double say."""
+"""Text for the headers of tiers that compute in double."""

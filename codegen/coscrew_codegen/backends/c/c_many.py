@@ -80,7 +80,7 @@ def _headers(library: Library) -> Mapping[str, str]:
 def functions(operation: Operation, precision: Precision, tier: str = "",
               states: CFunction | None = None) -> Many:
     """The operation's functions, in a tier if its name is given, on vectors if the kernel is."""
-    return _Writer(operation, precision, tier).functions(states)
+    return _ManyWriter(operation, precision, tier).functions(states)
 
 
 def named(family: str, tier: Tier) -> str:
@@ -123,7 +123,7 @@ def _place(component: int) -> str:
     return ("0", "plane")[component] if component < 2 else f"{component} * plane"
 
 
-class _Writer:
+class _ManyWriter:
     """Writes the two functions of a kernel; `i` counts elements."""
 
     def __init__(self, operation: Operation, precision: Precision, tier: str):

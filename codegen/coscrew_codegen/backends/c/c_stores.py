@@ -21,7 +21,8 @@ from coscrew_codegen.program.values.formats import Precision
 _INDEX = re.compile(r"\[(\d+)\]")
 _ELEMENT = re.compile(r"(\w+)\[(\d+)\]")
 _FEWEST = {True: 3, False: 6}
-"""So many alike are a loop: of what is computed, and of constants and inputs."""
+"""Least numbers of alike results that a loop stores: of computed values, and of constants and
+inputs."""
 
 
 @dataclass(frozen=True)
@@ -109,7 +110,7 @@ class Stores:
         return [x for x in zip(self.targets, self.results, strict=True) if x[0] not in inside]
 
     def statements(self, saved: Mapping[str, str], width: int) -> Iterator[str]:
-        """Arrays and declarations of what is read before anything is stored, and the stores;
+        """Arrays and declarations of the values that are read before any store, and the stores;
         `saved` has the variables of inputs that are results."""
         real, in_place = self.precision.c_type, self.layout.in_place
         first = {x.first_target: x for x in self.alike}

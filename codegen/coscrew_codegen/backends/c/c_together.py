@@ -13,7 +13,7 @@ from coscrew_codegen.program.values.formats import Precision
 LANES = 4  # angles whose sines and cosines are computed at once
 OF_STATES = 3  # the same on vectors of states: more do not fit into registers
 TOGETHER = {Op.SIN: "sincos", Op.SIN_ERROR: "sincos_error"}
-"""What is computed for several angles at once."""
+"""Operations that are computed for several angles at once."""
 UNROLLED = "COSCREW_UNROLLED"
 """Stands above loops whose rounds a processor should compute at the same time: rolled, those over
 the sines of twelve joints make functions up to 19 % slower."""
@@ -51,7 +51,7 @@ class Together:
         return [pair.expression.partition(",")[0] for pair in self.pairs]
 
     def statements(self, precision: Precision, width: int) -> str:
-        """The call, and declarations of what it stores in arrays."""
+        """The call, and declarations of the values that it stores in arrays."""
         real, arrays = precision.c_type, self.arrays
         angles = self.angles
         given = self.of.arrays if self.of else []

@@ -102,4 +102,4 @@ _VECTOR = re.compile("([A-Za-z]+)([0-9]+)([xyz])")
 _MARK = re.compile("(n|v[0-9]+|_[0-9]+)$")
 _MARKED = {"sign": "-{}", "number": "another value of {}, such as a longer sum",
            "step": "an intermediate result for {}"}
-"""What the marks at the ends of names mean."""
+"""Meanings of the marks at the ends of names."""
