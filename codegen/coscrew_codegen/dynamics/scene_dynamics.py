@@ -12,6 +12,7 @@ from coscrew_codegen.algebra.recording.numbers import (
     rotation,
     translation,
 )
+from coscrew_codegen.dynamics import derivatives
 from coscrew_codegen.dynamics.algorithms import (
     coordinates,
     crba,
@@ -131,6 +132,16 @@ class RecordedDynamics:
         x, acting = self._recording, self._acting
         return forward.accelerations(self._motion, acting, x.rigids, x.inertias, x.tau)
 
+    def torque_derivatives(self) -> Results:
+        """∂tau/∂q, ∂tau/∂v and ∂tau/∂a = M of inverse dynamics."""
+        self._refuse_unless(Depends.EFFECTS)
+        return [_by_rows(A) for A in derivatives.of_inverse(self._recording)]
+
+    def acceleration_derivatives(self) -> Results:
+        """∂a/∂q, ∂a/∂v and ∂a/∂tau = M⁻¹ of forward dynamics."""
+        self._refuse_unless(Depends.EFFECTS)
+        return [_by_rows(A) for A in derivatives.of_forward(self._recording)]
+
     def energies(self) -> Numbers:
         """(kinetic, potential) energy."""
         x, motion, acting = self._recording, self._motion, self._acting
@@ -201,3 +212,7 @@ class RecordedDynamics:
         """The number and length of a step's parts."""
         self._refuse_unless(Depends.MASSES, Depends.EFFECTS)
         return kicks.split(self._recording)
+
+
+def _by_rows(A: Sequence[Numbers]) -> list[Number]:
+    return [x for row in A for x in row]

@@ -121,6 +121,12 @@ class Dynamics(Protocol):
     def accelerations(self) -> Numbers:
         """a with M(q) a + bias torques = tau."""
 
+    def torque_derivatives(self) -> Results:
+        """∂tau/∂q, ∂tau/∂v and ∂tau/∂a = M of inverse dynamics, row by row."""
+
+    def acceleration_derivatives(self) -> Results:
+        """∂a/∂q, ∂a/∂v and ∂a/∂tau = M⁻¹ of forward dynamics, row by row."""
+
     def energies(self) -> Numbers:
         """(kinetic, potential) energy."""
 
