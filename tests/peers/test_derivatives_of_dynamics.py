@@ -7,7 +7,7 @@ import numpy as np
 import pinocchio as pin
 import pytest
 
-from coscrew_codegen.program import Constant
+from coscrew_codegen.program import Constant, Program
 from tests.support.scenes import evaluation
 from tests.support.scenes.robots import Robot, model_of, paired, scene_of
 
@@ -34,9 +34,38 @@ def robot(file: str, free: bool, mimics: bool) -> Robot:
 def ours(x: Robot, name: str, *arguments: np.ndarray) -> np.ndarray:
     """The three matrices of each state."""
     program, nv = x.functions.named(name).program, x.functions.nv
-    columns = evaluation.evaluator(program, evaluation.DOUBLE)([list(a.T) for a in arguments])
-    rows = np.stack([np.broadcast_to(np.asarray(y, float), STATES) for y in columns], -1)
-    return rows.reshape(STATES, 3, nv, nv)
+    given = {a.name: x for a, x in zip(program.inputs, arguments, strict=True)}
+    return evaluated(program, given).reshape(STATES, 3, nv, nv)
+
+
+@pytest.mark.parametrize("file, free, mimics, body", [
+    ("ur_description/urdf/ur5_robot.urdf", False, False, "wrist_3_link"),
+    ("panda_description/urdf/panda.urdf", False, True, "panda_leftfinger"),
+    ("solo_description/robots/solo12.urdf", True, False, "FL_LOWER_LEG")])
+def test_jacobians_in_the_worlds_axes_and_accelerations_are_pinocchios(
+        file: str, free: bool, mimics: bool, body: str) -> None:
+    names = [f"{x}_jacobian_{body}" for x in ("aligned", "world")] + [f"acceleration_{body}"]
+    x = paired(scene_of(file, free, mimics), model_of(file, free), names, mimics)
+    q, v, a = x.states(STATES)
+    data, F, frame = x.model.createData(), x.follow, x.model.getFrameId(body)
+    results = {f.name: evaluated(f.program, {"q": q, "v": v, "a": a})
+               for f in x.functions.functions}
+    for k in range(STATES):
+        pin.forwardKinematics(x.model, data, x.theirs(q[k]), F @ v[k], F @ a[k])
+        pin.computeJointJacobians(x.model, data)
+        pin.updateFramePlacements(x.model, data)
+        for name, axes in zip(names, (pin.LOCAL_WORLD_ALIGNED, pin.WORLD), strict=False):
+            wanted = pin.getFrameJacobian(x.model, data, frame, axes) @ F
+            assert apart(results[name][k].reshape(wanted.shape), wanted) <= 1e-13
+        wanted = pin.getFrameClassicalAcceleration(x.model, data, frame, pin.LOCAL).vector
+        assert apart(results[names[2]][k], wanted) <= 1e-13
+
+
+def evaluated(program: Program, given: dict[str, np.ndarray]) -> np.ndarray:
+    """The results of each state."""
+    columns = evaluation.evaluator(program, evaluation.DOUBLE)(
+        [list(given[a.name].T) for a in program.inputs])
+    return np.stack([np.broadcast_to(np.asarray(y, float), STATES) for y in columns], -1)
 
 
 def full(upper: np.ndarray) -> np.ndarray:

@@ -104,6 +104,17 @@ class RecordedDynamics:
             columns = frames.jacobian(self._recording, self._still, body)
         return [columns[j][i] for i in range(6) for j in range(self._tree.nv)]
 
+    def jacobian_in_world(self, body: str, at_body: bool) -> Numbers:
+        """J of a body in the world's axes, row by row."""
+        with self.recorder.part(self._numbers[body], "J", heading_of_body(body)):
+            columns = frames.jacobian_in_world(self._recording, self._still, body, at_body)
+        return [columns[j][i] for i in range(6) for j in range(self._tree.nv)]
+
+    def acceleration(self, body: str) -> Numbers:
+        """The acceleration of a body's origin and its angular acceleration, in its frame."""
+        with self.recorder.part(self._numbers[body], "a", heading_of_body(body)):
+            return frames.acceleration(self._recording, self._still, body)
+
     @cached_property
     def _numbers(self) -> dict[str, str]:
         """The numbers of bodies, which name their values."""
