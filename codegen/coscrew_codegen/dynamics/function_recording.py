@@ -24,11 +24,12 @@ class FunctionRecording:
     recorder: Recorder
 
     def motion(self, moving: bool = True, accelerating: bool = True, falling: bool = True,
-               at: tuple[Sequence[Number], Sequence[Number]] | None = None) -> Motion:
-        """The motion for the function's inputs, or for `at` = (q, v); `falling`: with the scene's
-        gravity."""
+               at: tuple[Sequence[Number], Sequence[Number]] | None = None,
+               a: Sequence[Number] | None = None) -> Motion:
+        """The motion for the function's inputs, or for `at` = (q, v), or with the accelerations
+        `a`; `falling`: with the scene's gravity."""
         down = gravity(self.scene, self.recorder) if falling else None
-        return Motion(self.recorder, self.tree, self.names, down, moving, accelerating, at)
+        return Motion(self.recorder, self.tree, self.names, down, moving, accelerating, at, a)
 
     @property
     def tau(self) -> Sequence[Number]:

@@ -12,6 +12,7 @@ from coscrew_codegen.algebra.recording.numbers import (
     rotation,
     translation,
 )
+from coscrew_codegen.dynamics import derivatives
 from coscrew_codegen.dynamics.algorithms import (
     coordinates,
     crba,
@@ -103,6 +104,17 @@ class RecordedDynamics:
             columns = frames.jacobian(self._recording, self._still, body)
         return [columns[j][i] for i in range(6) for j in range(self._tree.nv)]
 
+    def jacobian_in_world(self, body: str, at_body: bool) -> Numbers:
+        """J of a body in the world's axes, row by row."""
+        with self.recorder.part(self._numbers[body], "J", heading_of_body(body)):
+            columns = frames.jacobian_in_world(self._recording, self._still, body, at_body)
+        return [columns[j][i] for i in range(6) for j in range(self._tree.nv)]
+
+    def acceleration(self, body: str) -> Numbers:
+        """The acceleration of a body's origin and its angular acceleration, in its frame."""
+        with self.recorder.part(self._numbers[body], "a", heading_of_body(body)):
+            return frames.acceleration(self._recording, self._still, body)
+
     @cached_property
     def _numbers(self) -> dict[str, str]:
         """The numbers of bodies, which name their values."""
@@ -130,6 +142,16 @@ class RecordedDynamics:
         """The accelerations of forward dynamics."""
         x, acting = self._recording, self._acting
         return forward.accelerations(self._motion, acting, x.rigids, x.inertias, x.tau)
+
+    def torque_derivatives(self) -> Results:
+        """∂tau/∂q, ∂tau/∂v and ∂tau/∂a = M of inverse dynamics."""
+        self._refuse_unless(Depends.EFFECTS)
+        return [_by_rows(A) for A in derivatives.of_inverse(self._recording)]
+
+    def acceleration_derivatives(self) -> Results:
+        """∂a/∂q, ∂a/∂v and ∂a/∂tau = M⁻¹ of forward dynamics."""
+        self._refuse_unless(Depends.EFFECTS)
+        return [_by_rows(A) for A in derivatives.of_forward(self._recording)]
 
     def energies(self) -> Numbers:
         """(kinetic, potential) energy."""
@@ -201,3 +223,7 @@ class RecordedDynamics:
         """The number and length of a step's parts."""
         self._refuse_unless(Depends.MASSES, Depends.EFFECTS)
         return kicks.split(self._recording)
+
+
+def _by_rows(A: Sequence[Numbers]) -> list[Number]:
+    return [x for row in A for x in row]

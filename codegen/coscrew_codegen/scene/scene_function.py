@@ -112,6 +112,13 @@ class Dynamics(Protocol):
     def jacobian(self, body: str) -> Numbers:
         """J with J v = (v; ω) of a body at its origin, in its own frame; row by row."""
 
+    def jacobian_in_world(self, body: str, at_body: bool) -> Numbers:
+        """J with J v = (v; ω) in the world's axes, of the body's origin or of its point at the
+        world's origin; row by row."""
+
+    def acceleration(self, body: str) -> Numbers:
+        """(v'; ω') of a body at its origin, in its own frame."""
+
     def mass_matrix(self) -> Numbers:
         """M(q), row by row."""
 
@@ -120,6 +127,12 @@ class Dynamics(Protocol):
 
     def accelerations(self) -> Numbers:
         """a with M(q) a + bias torques = tau."""
+
+    def torque_derivatives(self) -> Results:
+        """∂tau/∂q, ∂tau/∂v and ∂tau/∂a = M of inverse dynamics, row by row."""
+
+    def acceleration_derivatives(self) -> Results:
+        """∂a/∂q, ∂a/∂v and ∂a/∂tau = M⁻¹ of forward dynamics, row by row."""
 
     def energies(self) -> Numbers:
         """(kinetic, potential) energy."""

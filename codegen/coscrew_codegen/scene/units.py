@@ -48,6 +48,37 @@ def masses(kinds: Kinds) -> tuple[str, ...]:
     return tuple(("kg", "kg m", "kg m^2")[a + b] for a in turns for b in turns)
 
 
+def torques_by_displacements(kinds: Kinds) -> tuple[str, ...]:
+    """Units of ∂tau/∂q, row by row."""
+    return _over(torques(kinds), displacements(kinds))
+
+
+def torques_by_velocities(kinds: Kinds) -> tuple[str, ...]:
+    """Units of ∂tau/∂v, row by row."""
+    return _over(torques(kinds), velocities(kinds))
+
+
+def accelerations_by_displacements(kinds: Kinds) -> tuple[str, ...]:
+    """Units of ∂a/∂q, row by row."""
+    return _over(accelerations(kinds), displacements(kinds))
+
+
+def accelerations_by_velocities(kinds: Kinds) -> tuple[str, ...]:
+    """Units of ∂a/∂v, row by row."""
+    return _over(accelerations(kinds), velocities(kinds))
+
+
+def accelerations_by_torques(kinds: Kinds) -> tuple[str, ...]:
+    """Units of M⁻¹, row by row."""
+    return _over(accelerations(kinds), torques(kinds))
+
+
+def _over(rows: Sequence[str], columns: Sequence[str]) -> tuple[str, ...]:
+    """Units of a Jacobian, row by row: of results over those of arguments."""
+    return tuple(f"{row}/({column})" if " " in column or "/" in column else f"{row}/{column}"
+                 for row in rows for column in columns)
+
+
 def jacobian(kinds: Kinds) -> tuple[str, ...]:
     """Units of a Jacobian, row by row: of linear, then of angular velocity over each velocity."""
     of = {"rad/s": ("m", "1"), "m/s": ("1", "1/m")}

@@ -4,6 +4,7 @@ They are numbers wherever the function has a derivative.  At a root of zero, and
 (0, 0), where the derivative is infinite or does not exist, it is zero: zero is a subgradient of a
 length, and an option that a choice does not take contributes nothing, even if infinite."""
 
+from collections.abc import Sequence
 from typing import Any
 
 from coscrew_codegen.algebra.recording import numbers
@@ -25,12 +26,19 @@ def tangent(program: Program) -> Program:
         recorder.argument(a.name), recorder.argument(b.name), strict=True)]
         for a, b in zip(program.inputs, directions, strict=True)]
     with recorder.part("tangent"):
-        result = differentiate.tangent(program, recorder.arithmetic, numbers, given, _partials,
-                                       _of_root_of_zero)
+        result = along(program, recorder, given)
     values = [x.value for x in result]
     slopes = [recorder.number(0) if x.slopes[0] is None else x.slopes[0] for x in result]
     return recorder.program(f"{program.name}_tangent", [
         *_of(program.outputs, values), *_of(rates, slopes)])
+
+
+def along(program: Program, recorder: Recorder, given: Sequence[Sequence[Dual[Number]]]
+          ) -> list[Dual[Number]]:
+    """The results on numbers of a recording, with their derivatives along the directions that these
+    carry."""
+    return differentiate.tangent(program, recorder.arithmetic, numbers, given, _partials,
+                                 _of_root_of_zero)
 
 
 def adjoint(program: Program) -> Program:

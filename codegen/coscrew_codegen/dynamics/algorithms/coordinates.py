@@ -4,6 +4,7 @@ from collections.abc import Sequence
 
 from coscrew_codegen.algebra.recording.numbers import Number, add, scaled
 from coscrew_codegen.algebra.recording.recorder import Recorder
+from coscrew_codegen.dynamics.algorithms.motion import Motion
 from coscrew_codegen.scene.mechanism.tree import Tree
 
 
@@ -24,6 +25,25 @@ def integrated(recorder: Recorder, tree: Tree, names: Sequence[str], q: Sequence
             manifold = link.joint.kind.manifold
             results += manifold.integrated(own, step) if manifold else add(own, step)
     return results
+
+
+def chart(motion: Motion) -> list[list[Number | None]]:
+    """∂(q ⊕ φ)/∂φ at φ = 0, row by row: how each coordinate moves with each velocity; None where it
+    does not, whatever q is."""
+    rows: list[list[Number | None]] = []
+    for number, link in enumerate(motion.tree.links):
+        if link.driver:
+            continue
+        state, manifold = motion.state(number), link.joint.kind.manifold
+        columns: list[Sequence[Number]] = []
+        for k in range(len(link.v)):
+            unit = motion.recorder.numbers([int(i == k) for i in range(len(link.v))])
+            columns.append(manifold.rates(state, state.q, unit) if manifold else unit)
+        for own in zip(*columns, strict=True):
+            row: list[Number | None] = [None] * motion.tree.nv
+            row[link.v.start:link.v.stop] = [None if x.is_zero else x for x in own]
+            rows.append(row)
+    return rows
 
 
 def chart_rate(recorder: Recorder, tree: Tree, names: Sequence[str]) -> list[Number]:

@@ -2,7 +2,20 @@
 
 from collections.abc import Sequence
 
-from coscrew_codegen.algebra.recording.numbers import Number, add, displacement, scaled
+from coscrew_codegen.algebra.recording.numbers import (
+    Number,
+    add,
+    angular,
+    cross,
+    displacement,
+    linear,
+    rotated,
+    rotated_back,
+    rotation,
+    scaled,
+    subtract,
+    translation,
+)
 from coscrew_codegen.dynamics.algorithms.motion import Displacement, Motion
 from coscrew_codegen.dynamics.function_recording import FunctionRecording
 
@@ -29,14 +42,46 @@ def jacobian(x: FunctionRecording, motion: Motion, body: str) -> list[Sequence[N
     while number >= 0:
         link = x.tree.links[number]
         for freedom, screw in enumerate(motion.subspace(number)):
-            column, place = x.recorder.call("product_Adinvs", D, screw), link.v.start + freedom
-            if link.driver:
-                place = x.tree.links[link.driver.link].v.start
-                column = scaled(column[0].like(link.driver.multiplier), column)
-            columns[place] = add(columns[place], column)
+            _enter(x, number, freedom, x.recorder.call("product_Adinvs", D, screw), columns)
         D = x.recorder.call("product_dd", motion.frame(number), D)
         number = link.parent
     return columns
+
+
+def jacobian_in_world(x: FunctionRecording, motion: Motion, body: str, at_body: bool
+                      ) -> list[Sequence[Number]]:
+    """J by columns, in the world's axes: of the body's origin, or of the point of the body that is
+    at the world's origin.  A freedom (l; e) at o moves a point r by l + e × (r - o)."""
+    number, _ = _link_and_pose(x, body)
+    point = translation(pose(x, motion, body)) if at_body else motion.zero
+    columns: list[Sequence[Number]] = [(*motion.zero, *motion.zero)] * x.tree.nv
+    while number >= 0:
+        link, D = x.tree.links[number], motion.pose(number)
+        for freedom, screw in enumerate(motion.subspace(number)):
+            l, e = (rotated(rotation(D), part) for part in (linear(screw), angular(screw)))
+            column = (*add(l, cross(e, subtract(point, translation(D)))), *e)
+            _enter(x, number, freedom, column, columns)
+        number = link.parent
+    return columns
+
+
+def _enter(x: FunctionRecording, number: int, freedom: int, column: Sequence[Number],
+           columns: list[Sequence[Number]]) -> None:
+    """Add a freedom's column to that of the velocity that it depends on."""
+    link = x.tree.links[number]
+    place = link.v.start + freedom
+    if link.driver:
+        place = x.tree.links[link.driver.link].v.start
+        column = scaled(column[0].like(link.driver.multiplier), column)
+    columns[place] = add(columns[place], column)
+
+
+def acceleration(x: FunctionRecording, motion: Motion, body: str) -> tuple[Number, ...]:
+    """The acceleration of the body's origin, and its angular acceleration, in its frame."""
+    number, D = _link_and_pose(x, body)
+    R, t = rotation(D), translation(D)
+    linear_part = add(motion.acceleration(number), rotated(motion.acceleration_tensor(number), t))
+    return (*rotated_back(R, linear_part), *rotated_back(R, motion.angular_acceleration(number)))
 
 
 def twist(x: FunctionRecording, motion: Motion, body: str) -> tuple[Number, ...]:

@@ -34,6 +34,24 @@ class Factors:
                 x[i] = x[i] - self.L[k][i] * x[k]
         return x
 
+    def inverted(self) -> list[list[Number]]:
+        """A⁻¹ = L⁻ᵀ D⁻¹ L⁻¹; entries above the diagonal are copies."""
+        size, zero = len(self.L), self.inverse[0].like(0)
+        K = [[zero] * size for _ in range(size)]  # L⁻¹, a unit lower triangle
+        for j in range(size):
+            K[j][j] = zero.like(1)
+            for i in range(j + 1, size):
+                for k in range(j, i):
+                    K[i][j] = K[i][j] - self.L[i][k] * K[k][j]
+        X = [[zero] * size for _ in range(size)]
+        for i in reversed(range(size)):
+            for j in range(i + 1):
+                value = self.inverse[i] * K[i][j]
+                for k in range(i + 1, size):
+                    value = value - self.L[k][i] * X[max(k, j)][min(k, j)]
+                X[i][j] = X[j][i] = value
+        return X
+
 
 def factored(A: Sequence[Sequence[Number]]) -> Factors:
     """The factors of a symmetric positive definite matrix; only its lower triangle is read."""
@@ -53,3 +71,25 @@ def factored(A: Sequence[Sequence[Number]]) -> Factors:
         L.append(own)
         inverse.append(1 / pivot)
     return Factors(tuple(map(tuple, L)), tuple(inverse))
+
+
+@dataclass(frozen=True)
+class LeafFactors:
+    """Factors of a symmetric positive definite matrix with the last row eliminated first: in the
+    mass matrix of a tree, whose leaves come last, nothing fills in."""
+
+    backward: Factors  # of the matrix with rows and columns in reverse
+
+    def solve(self, b: Sequence[Number]) -> list[Number]:
+        """x with A x = b."""
+        return self.backward.solve(b[::-1])[::-1]
+
+    def inverse(self) -> list[list[Number]]:
+        """A⁻¹, symmetric to the bit: entries above the diagonal are copies."""
+        rows = self.backward.inverted()
+        return [row[::-1] for row in rows[::-1]]
+
+
+def factored_from_leaves(A: Sequence[Sequence[Number]]) -> LeafFactors:
+    """The factors of a symmetric positive definite matrix; only its upper triangle is read."""
+    return LeafFactors(factored([row[::-1] for row in A[::-1]]))

@@ -56,11 +56,12 @@ _OfLink = Callable[["Motion", int], Numbers]
 
 class Motion:
     """The motion of all links for the function's q, v, a; v is zero unless `moving`, a unless
-    `accelerating`; `at` = (q, v) replaces the function's."""
+    `accelerating`; `at` = (q, v) replaces the function's, `a` its accelerations."""
 
     def __init__(self, recorder: Recorder, tree: Tree, names: Sequence[str],
                  gravity: Vector | None = None, moving: bool = True, accelerating: bool = True,
-                 at: tuple[Sequence[Number], Sequence[Number]] | None = None):
+                 at: tuple[Sequence[Number], Sequence[Number]] | None = None,
+                 a: Sequence[Number] | None = None):
         self.recorder, self.tree, self.names = recorder, tree, names
         self._known: dict[str, dict[int, Numbers]] = {}
         self._subspaces: dict[int, tuple[Twist, ...]] = {}
@@ -73,7 +74,8 @@ class Motion:
             recorder.argument("v") if moving and recorder.has("v") else still)
         if at:
             self._q, self.v = at
-        self._a = recorder.argument("a") if accelerating and recorder.has("a") else still
+        self._a = a or (
+            recorder.argument("a") if accelerating and recorder.has("a") else still)
         self.still = not (moving and recorder.has("v"))
 
     def at_rest(self) -> "Motion":
@@ -111,7 +113,7 @@ class Motion:
         """a of the link's joint."""
         return self._rates(link, self._a)
 
-    def _state(self, link: int) -> RecordedJoint:
+    def state(self, link: int) -> RecordedJoint:
         """The link's joint at its coordinates."""
         directions = self.tree.links[link].joint.directions
         return RecordedJoint(tuple(map(self.recorder.numbers, directions)),
@@ -122,11 +124,15 @@ class Motion:
         known = self._subspaces
         if link not in known:
             with self.part(link, "n"):
-                known[link] = tuple(self.tree.links[link].joint.kind.subspace(self._state(link)))
+                known[link] = tuple(self.tree.links[link].joint.kind.subspace(self.state(link)))
                 for screw in known[link]:
                     self.recorder.label("nl", linear(screw))
                     self.recorder.label("na", angular(screw))
         return known[link]
+
+    def relative_twist(self, link: int) -> Twist:
+        """(v; ω) of the link relative to its parent, in its frame."""
+        return self._relative(link, self.speeds(link))
 
     def _relative(self, link: int, values: Sequence[Number]) -> Twist:
         """S v: the joint's screw for these velocities."""
@@ -140,7 +146,7 @@ class Motion:
         """S a + S' v."""
         result = self._relative(link, self.accelerations(link))
         rate = self.tree.links[link].joint.kind.subspace_rate
-        return add(result, rate(self._state(link), self.speeds(link))) if rate else result
+        return add(result, rate(self.state(link), self.speeds(link))) if rate else result
 
     # frames
 
@@ -149,7 +155,7 @@ class Motion:
         """D of the link in its parent: the joint's placement times its displacement."""
         x, numbers = self.tree.links[link], self.recorder.numbers
         placement = displacement(numbers(x.placement.R), numbers(x.placement.t))
-        return x.joint.kind.displacement(self._state(link), placement)
+        return x.joint.kind.displacement(self.state(link), placement)
 
     @_of_link("Rw", "tw")
     def pose(self, link: int) -> Displacement:
@@ -174,7 +180,7 @@ class Motion:
         if link < 0 or self.still:
             return self.zero
         return add(self.parent_angular_velocity(link),
-                   angular(self._relative(link, self.speeds(link))))
+                   angular(self.relative_twist(link)))
 
     @_of_link("v")
     def velocity(self, link: int) -> Vector:
@@ -183,7 +189,7 @@ class Motion:
             return self.zero
         from_parent = self.recorder.call("product_Adinvs", self.frame(link),
                                          self.twist(self.tree.links[link].parent))
-        return add(linear(from_parent), linear(self._relative(link, self.speeds(link))))
+        return add(linear(from_parent), linear(self.relative_twist(link)))
 
     def twist(self, link: int) -> Twist:
         """(v; ω)."""
@@ -198,7 +204,7 @@ class Motion:
             return self.zero
         from_parent = rotated_back(rotation(self.frame(link)),
                                    self.angular_acceleration(self.tree.links[link].parent))
-        relative = angular(self._relative(link, self.speeds(link)))
+        relative = angular(self.relative_twist(link))
         own = angular(self._relative_rate(link))
         return add(add(from_parent, cross(self.parent_angular_velocity(link), relative)), own)
 
@@ -216,7 +222,7 @@ class Motion:
         D, parent = self.frame(link), self.tree.links[link].parent
         at_origin = add(self.acceleration(parent),
                         rotated(self.acceleration_tensor(parent), translation(D)))
-        relative = self._relative(link, self.speeds(link))
+        relative = self.relative_twist(link)
         own = add(linear(self._relative_rate(link)),
                   cross(angular(relative), linear(relative)))
         w = self.parent_angular_velocity(link)

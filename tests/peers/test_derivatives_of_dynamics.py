@@ -1,0 +1,119 @@
+"""Derivatives of inverse and forward dynamics equal Pinocchio's, on real robots in random states;
+entries of joints in different branches are zero and not computed."""
+
+from functools import cache
+
+import numpy as np
+import pinocchio as pin
+import pytest
+
+from coscrew_codegen.program import Constant, Program
+from tests.support.scenes import evaluation
+from tests.support.scenes.robots import Robot, model_of, paired, scene_of
+
+STATES = 4
+INVERSE, FORWARD = "inverse_dynamics_derivatives", "forward_dynamics_derivatives"
+ROBOTS = (
+    ("ur_description/urdf/ur5_robot.urdf", False, False),
+    ("panda_description/urdf/panda.urdf", False, True),
+    ("double_pendulum_description/urdf/double_pendulum.urdf", False, False),
+    ("solo_description/robots/solo12.urdf", True, False),
+    ("anymal_b_simple_description/robots/anymal.urdf", True, False),
+    ("pr2_description/urdf/pr2.urdf", False, True),
+)
+each_robot = pytest.mark.parametrize("file, free, mimics", ROBOTS,
+                                     ids=[r[0].split("/")[-1] for r in ROBOTS])
+
+
+@cache
+def robot(file: str, free: bool, mimics: bool) -> Robot:
+    names = (INVERSE, FORWARD) if "pr2" not in file else (INVERSE,)
+    return paired(scene_of(file, free, mimics), model_of(file, free), names, mimics)
+
+
+def ours(x: Robot, name: str, *arguments: np.ndarray) -> np.ndarray:
+    """The three matrices of each state."""
+    program, nv = x.functions.named(name).program, x.functions.nv
+    given = {a.name: x for a, x in zip(program.inputs, arguments, strict=True)}
+    return evaluated(program, given).reshape(STATES, 3, nv, nv)
+
+
+@pytest.mark.parametrize("file, free, mimics, body", [
+    ("ur_description/urdf/ur5_robot.urdf", False, False, "wrist_3_link"),
+    ("panda_description/urdf/panda.urdf", False, True, "panda_leftfinger"),
+    ("solo_description/robots/solo12.urdf", True, False, "FL_LOWER_LEG")])
+def test_jacobians_in_the_worlds_axes_and_accelerations_are_pinocchios(
+        file: str, free: bool, mimics: bool, body: str) -> None:
+    names = [f"{x}_jacobian_{body}" for x in ("aligned", "world")] + [f"acceleration_{body}"]
+    x = paired(scene_of(file, free, mimics), model_of(file, free), names, mimics)
+    q, v, a = x.states(STATES)
+    data, F, frame = x.model.createData(), x.follow, x.model.getFrameId(body)
+    results = {f.name: evaluated(f.program, {"q": q, "v": v, "a": a})
+               for f in x.functions.functions}
+    for k in range(STATES):
+        pin.forwardKinematics(x.model, data, x.theirs(q[k]), F @ v[k], F @ a[k])
+        pin.computeJointJacobians(x.model, data)
+        pin.updateFramePlacements(x.model, data)
+        for name, axes in zip(names, (pin.LOCAL_WORLD_ALIGNED, pin.WORLD), strict=False):
+            wanted = pin.getFrameJacobian(x.model, data, frame, axes) @ F
+            assert apart(results[name][k].reshape(wanted.shape), wanted) <= 1e-13
+        wanted = pin.getFrameClassicalAcceleration(x.model, data, frame, pin.LOCAL).vector
+        assert apart(results[names[2]][k], wanted) <= 1e-13
+
+
+def evaluated(program: Program, given: dict[str, np.ndarray]) -> np.ndarray:
+    """The results of each state."""
+    columns = evaluation.evaluator(program, evaluation.DOUBLE)(
+        [list(given[a.name].T) for a in program.inputs])
+    return np.stack([np.broadcast_to(np.asarray(y, float), STATES) for y in columns], -1)
+
+
+def full(upper: np.ndarray) -> np.ndarray:
+    """The symmetric matrix whose upper triangle this has."""
+    return np.triu(upper) + np.triu(upper, 1).T
+
+
+def apart(result: np.ndarray, wanted: np.ndarray) -> float:
+    """The largest difference, relative to the largest number."""
+    return float(np.abs(result - wanted).max() / np.abs(wanted).max())
+
+
+@each_robot
+def test_inverse_dynamics_derivatives_are_pinocchios(file: str, free: bool, mimics: bool) -> None:
+    x = robot(file, free, mimics)
+    q, v, a = x.states(STATES)
+    results, data, F = ours(x, INVERSE, q, v, a), x.model.createData(), x.follow
+    for k in range(STATES):
+        pin.computeRNEADerivatives(x.model, data, x.theirs(q[k]), F @ v[k], F @ a[k])
+        for result, wanted in zip(results[k], (data.dtau_dq, data.dtau_dv, full(data.M)),
+                                  strict=True):
+            assert apart(result, F.T @ wanted @ F) <= 1e-13
+
+
+@pytest.mark.parametrize("file, free", [(r[0], r[1]) for r in ROBOTS if not r[2]],
+                         ids=[r[0].split("/")[-1] for r in ROBOTS if not r[2]])
+def test_forward_dynamics_derivatives_are_pinocchios(file: str, free: bool) -> None:
+    """To the condition of M."""
+    x = robot(file, free, False)
+    q, v, tau = x.states(STATES)
+    results, data, F = ours(x, FORWARD, q, v, tau), x.model.createData(), x.follow
+    for k in range(STATES):
+        theirs = x.theirs(q[k])
+        condition = np.linalg.cond(full(pin.crba(x.model, data, theirs)))
+        pin.computeABADerivatives(x.model, data, theirs, F @ v[k], F @ tau[k])
+        for result, wanted in zip(results[k], (data.ddq_dq, data.ddq_dv, full(data.Minv)),
+                                  strict=True):
+            assert apart(result, F.T @ wanted @ F) <= 8 * condition * 2.0**-53
+
+
+def test_entries_of_different_branches_are_zeros() -> None:
+    """The constant: no instruction computes them."""
+    x = robot("solo_description/robots/solo12.urdf", True, False)
+    program, nv = x.functions.named(INVERSE).program, x.functions.nv
+    legs = [0] * 6 + [1 + k // 3 for k in range(12)]
+    for matrix in range(3):
+        for i in range(nv):
+            for j in range(nv):
+                entry = program.results[(matrix * nv + i) * nv + j]
+                if legs[i] and legs[j] and legs[i] != legs[j]:
+                    assert isinstance(entry, Constant) and entry.double == 0
