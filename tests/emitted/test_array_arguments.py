@@ -49,8 +49,8 @@ def wrong(shape: tuple[int, ...]) -> dict[str, object]:
     ones = np.ones(shape)
     kinds = (np.longdouble, np.float16, np.bool_, np.complex128, np.clongdouble, "M8[s]", "m8[s]",
              "U3", "S3", [("x", float)])
-    found: dict[str, object] = {f"got {np.dtype(k)}": np.zeros(shape, k) for k in kinds}
-    return found | {
+    results: dict[str, object] = {f"got {np.dtype(k)}": np.zeros(shape, k) for k in kinds}
+    return results | {
         "got a masked array": np.ma.masked_array(ones, ones > 2),
         "got objects (NoneType)": np.full(shape, None),
         "got objects (str)": np.full(shape, "one", object),
@@ -75,9 +75,9 @@ def test_every_argument_of_every_operation_is_held_to_it(namespace):
                          for n, a in enumerate(operation.inputs)]
                 with pytest.raises(TypeError) as caught:
                     call(*given)
-                said = str(caught.value)
-                assert said.startswith(f"{operation.name}: {argument.name}: {message}"), said
-                assert "float64, float32 or integers" in said
+                text = str(caught.value)
+                assert text.startswith(f"{operation.name}: {argument.name}: {message}"), text
+                assert "float64, float32 or integers" in text
                 count += 1
     assert count > 1000
 
@@ -105,8 +105,8 @@ def test_what_becomes_an_array_of_numbers_is_taken(namespace):
     c = np.arange(6.0)
     for given in ([0, 1, 2, 3, 4, 5], (0, 1.0, 2, 3, 4, 5), c.astype(">f8"), c.astype(np.uint64),
                   c.astype(np.int8), c.view(Tagged), memoryview(c), range(6)):
-        found = namespace.coscrew_inverted(given)
-        assert found.dtype == np.float64 and (found == -c).all()
+        result = namespace.coscrew_inverted(given)
+        assert result.dtype == np.float64 and (result == -c).all()
     assert namespace.coscrew_inverted(Foreign()).dtype == np.float32
     assert namespace.coscrew_inverted(c.astype(">f4")).dtype == np.float32
 
@@ -129,19 +129,19 @@ def test_dtype_chooses_the_precision(namespace):
     c, narrow = np.arange(6) / 7, (np.arange(6) / 7).astype(np.float32)
     for given in (c, narrow, c.tolist()):
         for dtype in (np.float32, "float32", np.float64, float):
-            found = namespace.axpy_cc(0.1, given, given, dtype=dtype)
+            result = namespace.axpy_cc(0.1, given, given, dtype=dtype)
             module = coscrew.single if np.dtype(dtype) == np.float32 else coscrew.double
-            assert found.dtype == dtype
-            assert found.tobytes() == module.axpy_cc(0.1, given, given).tobytes()
+            assert result.dtype == dtype
+            assert result.tobytes() == module.axpy_cc(0.1, given, given).tobytes()
     with pytest.raises(TypeError, match="coscrew_inverted"):
         namespace.coscrew_inverted(c, dtype=np.float16)
 
 
 def test_single_takes_doubles_within_its_range():
     c = np.array([1e30, 1.0, 0.1, 1e-60, np.inf, np.nan])
-    found = coscrew.single.coscrew_copy(c)
-    assert found.dtype == np.float32
-    assert found.tobytes() == c.astype(np.float32).tobytes()
+    result = coscrew.single.coscrew_copy(c)
+    assert result.dtype == np.float32
+    assert result.tobytes() == c.astype(np.float32).tobytes()
     c[0] = -1e39
     with pytest.raises(ValueError, match=r"^coscrew_copy: ci: got a number of magnitude 1e\+39; "
                                          "the largest in float32 is 3.402823"):

@@ -82,20 +82,20 @@ def test_derivatives_near_several_nearest_rotations(values: tuple[float, ...],
         matrices(values), np.random.default_rng(3).normal(size=(ROWS, 3, 3))))
     _, forward = jax.jvp(NEAREST_ON_JAX, (given,), (along,))
     _, transposed = jax.vjp(NEAREST_ON_JAX, given)
-    for A, D, found in zip(given, along, np.asarray(forward), strict=True):
-        assert_near(found, *derivative(A, D), precision)
-    for A, W, found in zip(given[:3], along, np.asarray(transposed(along)[0]), strict=False):
+    for A, D, result in zip(given, along, np.asarray(forward), strict=True):
+        assert_near(result, *derivative(A, D), precision)
+    for A, W, result in zip(given[:3], along, np.asarray(transposed(along)[0]), strict=False):
         parts = [derivative(A, unit)[0] for unit in np.eye(9).reshape(9, 3, 3)]
         wanted = mpmath.matrix(3, 3)
         for k, part in enumerate(parts):
             wanted[k // 3, k % 3] = mpmath.fsum(
                 part[i, j] * float(W[i, j]) for i, j in np.ndindex(3, 3))
-        assert_near(found, wanted, derivative(A, W)[1], precision)
+        assert_near(result, wanted, derivative(A, W)[1], precision)
 
 
-def assert_near(found: np.ndarray, wanted: mpmath.matrix, condition: mpf, precision: Precision
+def assert_near(result: np.ndarray, wanted: mpmath.matrix, condition: mpf, precision: Precision
                 ) -> None:
     """Within SLOPE u condition² of the largest component, as long as that is less than it."""
     bound = SLOPE * mpf(2)**-precision.digits * condition**2
-    error = max(map(abs, mpmath.matrix(found.tolist()) - wanted))
+    error = max(map(abs, mpmath.matrix(result.tolist()) - wanted))
     assert error <= bound * max(map(abs, wanted)) or bound >= 1

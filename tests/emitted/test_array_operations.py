@@ -40,8 +40,8 @@ def test_operations_have_the_bits_of_numpy(precision: Precision) -> None:
         given = [np.ascontiguousarray(x).reshape(ROWS, *a.quantity.shape) for x, a in zip(
             np.split(rows, np.cumsum(sizes)[:-1], axis=1), operation.inputs, strict=True)]
         wanted = several(getattr(getattr(coscrew, precision.name), operation.name)(*given))
-        found = several(getattr(STRICT, operation.name)(*map(array_api_strict.asarray, given)))
-        for a, b in zip(wanted, found, strict=True):
+        result = several(getattr(STRICT, operation.name)(*map(array_api_strict.asarray, given)))
+        for a, b in zip(wanted, result, strict=True):
             assert a.tobytes() == np.asarray(b).tobytes(), operation.name
 
 
@@ -59,12 +59,12 @@ def test_xla_keeps_the_bounds_of_elementary_functions(function: Elementary, prec
                                                       ) -> None:
     x = arguments(precision)
     given = (x, np.roll(x, 1))[:len(function.inputs)]
-    found = several(jax.jit(getattr(ON_JAX, function.name))(*given))
+    result = several(jax.jit(getattr(ON_JAX, function.name))(*given))
     bound = function.error(precision)
     smallest = float(precision.smallest_normal / precision.u)  # XLA flushes subnormal corrections
     names = [a.name for a in function.outputs] if function.name == "sincos" else [function.name]
     with mpmath.workdps(400 if precision == DOUBLE else 80):
-        for name, results in zip(names, found, strict=True):
+        for name, results in zip(names, result, strict=True):
             truth = getattr(mpmath, {"s": "sin", "c": "cos"}.get(name, name))
             for *numbers, y in zip(*(z.tolist() for z in given), np.asarray(results), strict=True):
                 true = truth(*map(mpmath.mpf, numbers))
@@ -83,9 +83,9 @@ def test_under_jit_vmap_and_in_single_precision(name: str) -> None:
             np.split(rows, np.cumsum(sizes)[:-1], axis=1), operation.inputs, strict=True)]
         function = getattr(ON_JAX, name)
         wanted = getattr(coscrew, name)(*given)
-        found = jax.jit(function if precision == DOUBLE else jax.vmap(function))(*given)
-        assert found.dtype == precision.numpy_type
-        assert np.all(np.abs(found - wanted) <= 64 * float(precision.u) * np.abs(wanted).max())
+        result = jax.jit(function if precision == DOUBLE else jax.vmap(function))(*given)
+        assert result.dtype == precision.numpy_type
+        assert np.all(np.abs(result - wanted) <= 64 * float(precision.u) * np.abs(wanted).max())
 
 
 def test_numbers_and_errors() -> None:
@@ -133,9 +133,9 @@ def test_numbers_and_errors() -> None:
 
 def test_single_precision_without_x64() -> None:
     with jax.enable_x64(False):
-        found = jax.jacrev(ON_JAX.SO3_log)(np.eye(3, dtype=np.float32))
-        assert found.dtype == np.float32
-        assert np.array_equal(found[2], [[0, -0.5, 0], [0.5, 0, 0], [0, 0, 0]])
+        result = jax.jacrev(ON_JAX.SO3_log)(np.eye(3, dtype=np.float32))
+        assert result.dtype == np.float32
+        assert np.array_equal(result[2], [[0, -0.5, 0], [0.5, 0, 0], [0, 0, 0]])
 
 
 def normalized(v: list) -> list:
@@ -155,7 +155,7 @@ def test_second_derivatives_under_xla(name: str, truth: object, size: float) -> 
     """XLA makes a / (b b) of a / b / b."""
     v, count = np.array([2, -0.5, 0.7]) * size, 3
     others = [] if name == "vec3_normalized" else [jnp.array([1.0, 2.0, 3.0])]
-    found = np.asarray(jax.jit(jax.hessian(getattr(ON_JAX, name)))(jnp.asarray(v), *others))
+    result = np.asarray(jax.jit(jax.hessian(getattr(ON_JAX, name)))(jnp.asarray(v), *others))
     with mpmath.workdps(60):
         step = mpmath.mpf(size) * mpmath.mpf(10)**-15
         x, unit = [mpmath.mpf(a) for a in v], np.eye(3)
@@ -169,5 +169,5 @@ def test_second_derivatives_under_xla(name: str, truth: object, size: float) -> 
                 ends = (moved(a, b, *signs) for signs in ((1, 1), (1, -1), (-1, 1), (-1, -1)))
                 wanted = [float((p - q - r + s) / (4 * step**2))
                           for p, q, r, s in zip(*ends, strict=True)]
-                assert np.allclose(found[..., a, b], wanted, rtol=0,
-                                   atol=1000 * 2**-53 * np.abs(found).max())
+                assert np.allclose(result[..., a, b], wanted, rtol=0,
+                                   atol=1000 * 2**-53 * np.abs(result).max())

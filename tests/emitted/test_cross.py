@@ -53,10 +53,10 @@ def right() -> dict[str, dict[str, str]]:
 def test_every_function_has_the_same_bits(architecture: str, right: dict[str, dict[str, str]],
                                           tmp_path: Path):
     needed(COMPILERS[architecture], f"qemu-{architecture}")
-    found = [line for binary in built(tmp_path, architecture)
-             for line in run((f"qemu-{architecture}", binary)).splitlines()]
+    results = [line for binary in built(tmp_path, architecture)
+               for line in run((f"qemu-{architecture}", binary)).splitlines()]
     those = [right[tier][k.name] for tier in MARKS for k in chosen(architecture, tier)]
-    assert [a for a, b in zip(found, those, strict=True) if a != b] == []
+    assert [a for a, b in zip(results, those, strict=True) if a != b] == []
 
 
 def test_every_function_runs_on_two_architectures():
@@ -71,9 +71,9 @@ def test_scenes_have_the_same_bits(architecture: str, tmp_path: Path):
     needed(COMPILERS[architecture], f"qemu-{architecture}")
     run((COMPILERS[architecture], "-O2", "-static", scene_bits.source(tmp_path),
          "-o", tmp_path / "bits", "-lm"))
-    found = run((f"qemu-{architecture}", tmp_path / "bits")).splitlines()
+    result = run((f"qemu-{architecture}", tmp_path / "bits")).splitlines()
     right = scene_bits.wanted(tmp_path)
-    assert [a for a, b in zip(found, right, strict=True) if a != b] == []
+    assert [a for a, b in zip(result, right, strict=True) if a != b] == []
 
 
 def test_many_elements_have_the_same_bits(tmp_path: Path):

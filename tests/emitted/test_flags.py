@@ -57,8 +57,8 @@ def right() -> list[str]:
                          ids=[" ".join((name, *flags)) for name, flags in BUILDS])
 def test_bits_are_the_twins(compiler: str, flags: tuple[str, ...], right: list[str],
                             tmp_path: Path):
-    found = printed(tmp_path, (compiler, *flags), KERNELS)
-    assert [line for line, want in zip(found, right, strict=True) if line != want] == []
+    result = printed(tmp_path, (compiler, *flags), KERNELS)
+    assert [line for line, want in zip(result, right, strict=True) if line != want] == []
 
 
 def printed(folder: Path, command: tuple[str, ...], chosen: tuple[Kernel, ...]) -> list[str]:
@@ -82,6 +82,6 @@ def test_a_fused_product_would_be_noticed(compiler: str, tmp_path: Path):
     plain = header.read_text().replace(PRAGMA, "")
     plain = plain.replace("__builtin_assoc_barrier", "").replace("KSL_HAS_FMA &&", "0 &&")
     header.write_text(plain.replace("KSL_HAS_FMAF &&", "0 &&"))
-    found = printed(tmp_path, (compiler, "-I", str(include), "-O3", *FMA, "-ffp-contract=fast"),
-                    KERNELS)
-    assert found != wanted(KERNELS)
+    result = printed(tmp_path, (compiler, "-I", str(include), "-O3", *FMA, "-ffp-contract=fast"),
+                     KERNELS)
+    assert result != wanted(KERNELS)

@@ -30,8 +30,8 @@ def sampled(operation: Operation, count: int, kind: type) -> list[np.ndarray]:
 
 def results(function: Callable, *inputs: np.ndarray, **out: object) -> list[np.ndarray]:
     with np.errstate(all="ignore"):
-        found = coscrew.unchecked(function)(*inputs, **out)
-    return list(found) if isinstance(found, tuple) else [found]
+        result = coscrew.unchecked(function)(*inputs, **out)
+    return list(result) if isinstance(result, tuple) else [result]
 
 
 def bits(arrays: list[np.ndarray]) -> list[bytes]:

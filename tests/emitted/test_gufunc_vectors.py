@@ -62,15 +62,15 @@ def one_by_one(call: Callable, arguments: Arrays) -> Arrays:
     return tuple(map(np.stack, zip(*each, strict=True)))
 
 
-def assert_same(found, wanted: Arrays, said: object = "") -> None:
+def assert_same(result, wanted: Arrays, message: object = "") -> None:
     """Asserts equal bits; NaN where wanted is NaN."""
-    for x, y in zip(tuple_of(found), wanted, strict=True):
-        assert x.dtype == y.dtype and x.shape == y.shape, said
+    for x, y in zip(tuple_of(result), wanted, strict=True):
+        assert x.dtype == y.dtype and x.shape == y.shape, message
         x, y = (np.where(np.isnan(a), a.dtype.type(np.nan), a) for a in (x, y))
         bits = f"u{x.dtype.itemsize}"
         at = np.argwhere(np.ascontiguousarray(x).view(bits) != np.ascontiguousarray(y).view(bits))
-        assert not len(at), (said, [(tuple(map(int, i)), float(x[*i]).hex(), float(y[*i]).hex())
-                                    for i in at[:5]])
+        assert not len(at), (message, [(tuple(map(int, i)), float(x[*i]).hex(), float(y[*i]).hex())
+                                       for i in at[:5]])
 
 
 def spread(a: np.ndarray) -> np.ndarray:
@@ -105,9 +105,9 @@ LAYOUTS = (np.ascontiguousarray, spread, backwards, planes, unaligned)
 
 def test_loops_on_vectors_are_those_that_call_elementary_functions():
     texts = [path.read_text("utf-8") for path in (ROOT / "generated/gufunc").glob("*.c")]
-    found = re.findall(r"^INLINED int (\w+)_on_vectors\(", "\n".join(texts), re.MULTILINE)
-    assert sorted(found) == sorted(f"{op.name}_{name}" for op in CHOSEN
-                                   for name in ("double", "single"))
+    matches = re.findall(r"^INLINED int (\w+)_on_vectors\(", "\n".join(texts), re.MULTILINE)
+    assert sorted(matches) == sorted(f"{op.name}_{name}" for op in CHOSEN
+                                     for name in ("double", "single"))
     assert {"sincos", "SO3_exp", "SE3_log"} < {op.name for op in CHOSEN}
 
 
@@ -192,10 +192,10 @@ def test_flags_are_those_of_one_element_each(operation, dtype):
     call = coscrew.unchecked(getattr(coscrew, operation.name))
 
     def flags(*arguments) -> set[str]:
-        found = set()
-        with np.errstate(all="call", under="ignore", call=lambda kind, _: found.add(kind)):
+        results = set()
+        with np.errstate(all="call", under="ignore", call=lambda kind, _: results.add(kind)):
             call(*arguments)
-        return found
+        return results
 
     for number in hard_numbers(dtype):
         arguments = inputs(operation, dtype, SHORT, 0)

@@ -292,9 +292,9 @@ def test_loops_that_compute_rounding_errors_take_fma_where_the_processor_has_it(
     program = ("from coscrew import _gufunc as plain; from coscrew.accurate import _gufunc as a; "
                "from coscrew.certified import _gufunc as c; print(plain.LOOPS, a.LOOPS, c.LOOPS, "
                "sep=', ')")
-    for asked, wanted in (({}, ["AVX2", *["AVX2 with FMA"] * 2]),
-                          ({"COSCREW_BASELINE": "1"}, ["baseline"] * 3)):
-        done = subprocess.run([sys.executable, "-c", program], env={**os.environ, **asked},
+    for requested, wanted in (({}, ["AVX2", *["AVX2 with FMA"] * 2]),
+                              ({"COSCREW_BASELINE": "1"}, ["baseline"] * 3)):
+        done = subprocess.run([sys.executable, "-c", program], env={**os.environ, **requested},
                               capture_output=True, text=True, check=True)
         has = [set(x.lower().split(" with ")) <= {"baseline", *flags} for x in wanted]
         assert done.stdout.strip().split(", ") == [

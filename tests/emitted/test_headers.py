@@ -249,7 +249,7 @@ def test_double_arithmetic_would_be_noticed(compiler, tmp_path):
 
 def test_single_precision_says_no_double(single_only):
     """No double type, literal or function, in the text itself."""
-    assert not (found := DOUBLE_TEXT.search(_code(single_only))), found
+    assert not (match := DOUBLE_TEXT.search(_code(single_only))), match
 
 
 def _code(folder: Path) -> str:

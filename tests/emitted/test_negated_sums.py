@@ -48,8 +48,8 @@ def negated_fused_sums(program: Program) -> list[str]:
 def test_no_fused_sum_is_negated(tier: Tier, precision: Precision):
     plain = [p for p in map(plain_program, OPERATIONS) if tier.has(p)]
     assert len(plain) > 100
-    found = {p.name: negated_fused_sums(tier.program(p, precision)) for p in plain}
-    assert {name: sums for name, sums in found.items() if sums} == {}
+    results = {p.name: negated_fused_sums(tier.program(p, precision)) for p in plain}
+    assert {name: sums for name, sums in results.items() if sums} == {}
 
 
 def test_negating_terms_changes_no_value_and_adds_no_rounding():

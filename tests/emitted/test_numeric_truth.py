@@ -111,8 +111,8 @@ def run_python(operation: Operation, rules: Rules, row: Row,
     function = function or getattr(module, operation.name).__wrapped__
     arguments = [tuple(map(rules.number, x)) if a.quantity.shape else rules.number(x[0])
                  for a, x in zip(operation.inputs, row, strict=True)]
-    found = python_function(function, rules)(*arguments)
-    return values_of(found if isinstance(found, tuple) else (found,), rules)
+    result = python_function(function, rules)(*arguments)
+    return values_of(result if isinstance(result, tuple) else (result,), rules)
 
 
 def values_of(results: list[Number | int | sp.Basic], rules: Rules) -> list[mpfr]:
@@ -175,12 +175,12 @@ def rows(operation: Operation, precision: Precision) -> list[Row]:
     sizes = np.cumsum([a.quantity.size for a in operation.inputs])
     units = np.vstack([np.zeros(sizes[-1]), np.eye(sizes[-1])])
     groups += [np.split(size * units, sizes[:-1], axis=1) for size in (1, 2.0**-70)]
-    found = [tuple([mpfr(float(c)) for c in np.ravel(x)] for x in row)
-             for group in groups for row in zip(*group, strict=True)]
+    results = [tuple([mpfr(float(c)) for c in np.ravel(x)] for x in row)
+               for group in groups for row in zip(*group, strict=True)]
     # For the sine of larger angles 60 digits are not enough.
     largest = [1e6 if a.name in ("v", "s", "k", "angle") and Op.SIN in
                plain_program(operation).counts else np.inf for a in operation.inputs]
-    return [row for row in found
+    return [row for row in results
             if all(abs(c) < limit for x, limit in zip(row, largest, strict=True) for c in x)]
 
 
@@ -188,21 +188,21 @@ def singular_at(k: int, M: np.ndarray) -> np.ndarray:
     """M without the entries that couple its first k + 1 rows to the others, and with a pivot k that
     vanishes except for the rounding of its diagonal entry: only the threshold for regular matrices
     refuses it."""
-    found = M.copy()
-    found[:k + 1, k + 1:] = found[k + 1:, :k + 1] = 0
-    rest = [[Fraction(x) for x in row[:k + 1]] for row in found[:k + 1].tolist()]
+    result = M.copy()
+    result[:k + 1, k + 1:] = result[k + 1:, :k + 1] = 0
+    rest = [[Fraction(x) for x in row[:k + 1]] for row in result[:k + 1].tolist()]
     for _ in range(k):
         rest = [[x - row[0] * y / rest[0][0] for x, y in zip(row[1:], rest[0][1:], strict=True)]
                 for row in rest[1:]]
-    found[k, k] = float(Fraction(float(found[k, k])) - rest[0][0])
-    return found
+    result[k, k] = float(Fraction(float(result[k, k])) - rest[0][0])
+    return result
 
 
-def differs(found: list[mpfr], wanted: list[mpfr]) -> bool:
+def differs(results: list[mpfr], wanted: list[mpfr]) -> bool:
     """By more than 1e-40 of the largest."""
     size = max([abs(x) for x in wanted if not is_nan(x)], default=mpfr(0))
     return any(is_nan(x) != is_nan(y) or abs(x - y) > size * TOLERATED
-               for x, y in zip(found, wanted, strict=True))
+               for x, y in zip(results, wanted, strict=True))
 
 
 RUNS = {"C": run_c, "Python": run_python}
@@ -213,8 +213,8 @@ RUNS = {"C": run_c, "Python": run_python}
 def test_text_is_its_kernel(operation, precision, language):
     rules = Rules(precision, rounds=True)
     for row, wanted in zip(rows(operation, precision), results(operation, precision), strict=True):
-        found = RUNS[language](operation, rules, row)
-        assert not differs(found, wanted), [[float(x).hex() for x in part] for part in row]
+        result = RUNS[language](operation, rules, row)
+        assert not differs(result, wanted), [[float(x).hex() for x in part] for part in row]
 
 
 @pytest.mark.parametrize("operation", BRANCHED, ids=lambda op: op.name)
@@ -322,8 +322,8 @@ def test_series_and_text_are_their_truth(operation, precision):
         row = tuple([wide(c) for c in np.ravel(x)] for x in inputs)
         truths = truth_of(operation, tuple(arguments), mp.mpf(10)**-40)
         for run, rules, bound in runs:
-            found = (mp.mpf(x.as_mantissa_exp()) for x in run(operation, rules, row))
-            outputs = [np.array([next(found) for _ in range(a.quantity.size)], dtype=object)
+            results = (mp.mpf(x.as_mantissa_exp()) for x in run(operation, rules, row))
+            outputs = [np.array([next(results) for _ in range(a.quantity.size)], dtype=object)
                        .reshape(a.quantity.rows_columns) for a in operation.outputs]
             for part, error in errors(operation, inputs, outputs, truths).items():
                 assert error <= bound(part), (part, float(error / u), given)

@@ -122,9 +122,9 @@ def test_contraction_would_be_noticed(precision: Precision, compiler: str, folde
     operation = next(op for op in OPERATIONS if op.name == "product_CoAdc")
     inputs, want = samples(operation, precision)
     flags = (*OPTIMISED, "-ffp-contract=fast")
-    told = compiler == "clang" and _has_fma(compiler)
-    for said, contracts in (((), False), (("-DKSL_CONTRACT_OFF",), told)):
-        contracting = harness(folder, compiler, ("-std=gnu11", *flags, *said),
+    messages = compiler == "clang" and _has_fma(compiler)
+    for message, contracts in (((), False), (("-DKSL_CONTRACT_OFF",), messages)):
+        contracting = harness(folder, compiler, ("-std=gnu11", *flags, *message),
                               operations=(operation,))
         got = call(contracting, operation, precision, inputs)
         assert bool(mismatch(operation, inputs, got, want)) == contracts

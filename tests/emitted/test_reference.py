@@ -74,10 +74,10 @@ def test_costs_and_bounds_are_those_of_the_docstrings():
         for tier, cost, error in rows[1:]:
             module = coscrew.double if tier == "plain" else __import__(
                 f"coscrew.{tier}.double", fromlist=["_"])
-            said = " ".join(inspect.getdoc(getattr(module, operation.name)).split())
-            assert cost.capitalize() in said, (operation.name, tier)
+            message = " ".join(inspect.getdoc(getattr(module, operation.name)).split())
+            assert cost.capitalize() in message, (operation.name, tier)
             wanted = " ".join(re.sub(r"\\(?=[|<>*_\[\]])", "", error).split())
-            assert wanted in said or "returned" in error, (operation.name, tier)
+            assert wanted in message or "returned" in error, (operation.name, tier)
 
 
 def shown(operation: Operation) -> list[str]:
@@ -97,8 +97,8 @@ def test_formulas_shown_are_what_kernels_compute(operation):
     assert len(formulas) == len(operation.outputs)
     for formula, wanted in zip(formulas, results, strict=True):
         right = re.split(r"=|\\leftarrow", formula, maxsplit=1)[1]
-        found = [evaluated(x, values) for x in entries(right)]
-        assert np.allclose(found, np.ravel(wanted), rtol=1e-13, atol=1e-13)
+        outcomes = [evaluated(x, values) for x in entries(right)]
+        assert np.allclose(outcomes, np.ravel(wanted), rtol=1e-13, atol=1e-13)
 
 
 def components(argument, array: np.ndarray):
@@ -146,8 +146,8 @@ def plain(latex: str) -> str:
     ("below 1e-9 (single: 1e-6), with screw_norm", r"below $`10^{-9}`$ (single: $`10^{-6}`$), "
      "with `screw_norm`")))
 def test_statements_become_formulas_and_prose(text, wanted):
-    found = markdown(text, {"co", "s", "c", "v", "R", "M", "D"}, {"screw_norm"})
-    assert re.sub(r"\s", "", found) == re.sub(r"\s", "", wanted)
+    result = markdown(text, {"co", "s", "c", "v", "R", "M", "D"}, {"screw_norm"})
+    assert re.sub(r"\s", "", result) == re.sub(r"\s", "", wanted)
 
 
 def test_effects_have_their_equations_and_parameters():

@@ -75,11 +75,11 @@ def spoiled(letter: str, shape: tuple[int, ...], R: np.ndarray) -> np.ndarray:
 
 def test_what_is_required_is_what_the_domains_say():
     """Copies, products and rates, which are algebra, are left out."""
-    found: dict[str, str] = {}
+    results: dict[str, str] = {}
     for family in FAMILIES:
-        found |= requirements(FamilyKernels(
+        results |= requirements(FamilyKernels(
             family, tuple(op for op in OPERATIONS if op.family == family), PRECISIONS))
-    assert found == REFUSED and RESTRICTED.keys() >= UNCHECKED
+    assert results == REFUSED and RESTRICTED.keys() >= UNCHECKED
 
 
 @pytest.mark.parametrize("operation, place", in_places(REFUSED), ids=named)
@@ -100,8 +100,8 @@ def test_algebra_takes_any_numbers(operation: Operation, place: ModuleType):
     given = [spoiled(letter, a.quantity.shape, np.diag([1.0, -1, 1])) if letter != "." else x
              for a, x, letter in zip(operation.inputs, arguments(operation),
                                      RESTRICTED[operation.name], strict=True)]
-    found = getattr(place, operation.name)(*given)
-    assert all(np.isfinite(x).all() for x in (found if isinstance(found, tuple) else (found,)))
+    result = getattr(place, operation.name)(*given)
+    assert all(np.isfinite(x).all() for x in (result if isinstance(result, tuple) else (result,)))
 
 
 @pytest.mark.parametrize("operation, place", in_places(REFUSED), ids=named)
@@ -121,9 +121,9 @@ def test_nan_anywhere_makes_a_result_nan(operation: Operation, place: ModuleType
             given = arguments(operation)
             given[k][index] = np.nan
             with np.errstate(all="ignore"):
-                found = function(*given)
-            found = (found if isinstance(found, tuple) else (found,))[:len(operation.outputs)]
-            assert any(np.isnan(x).any() for x in found), (operation.inputs[k].name, index)
+                result = function(*given)
+            result = (result if isinstance(result, tuple) else (result,))[:len(operation.outputs)]
+            assert any(np.isnan(x).any() for x in result), (operation.inputs[k].name, index)
 
 
 @pytest.mark.parametrize("R", NO_ROTATIONS.values(), ids=NO_ROTATIONS)
@@ -164,9 +164,9 @@ def test_arguments_are_judged_along_the_axes_that_are_named(place):
     for unlike in (mixed, mixed.astype(np.float32), mixed.tolist()):
         with pytest.raises(ValueError, match=r"^SO3_log: element \(1,\) of R is no rotation"):
             place.SO3_log(unlike, axes=first)
-    found, wanted = (x if isinstance(x, tuple) else (x,) for x in (
+    result, wanted = (x if isinstance(x, tuple) else (x,) for x in (
         place.SO3_log(right, axes=first), place.SO3_log(right.transpose(2, 0, 1))))
-    for a, b in zip(found, wanted, strict=True):
+    for a, b in zip(result, wanted, strict=True):
         assert np.array_equal(a.T, b, equal_nan=True)
     for wrong in ([(0, 5), (0,)], [(0, 0), (0,)], [(0,), (0,)], 3):
         with pytest.raises((ValueError, TypeError)):

@@ -62,7 +62,7 @@ class Fused(c_ast.NodeVisitor):
     variable, a sign, a size, a choice."""
 
     def __init__(self) -> None:
-        self.found: list[str] = []
+        self.texts: list[str] = []
         self.products: set[str] = set()
 
     def visit_FuncDef(self, node: c_ast.FuncDef) -> None:
@@ -75,7 +75,7 @@ class Fused(c_ast.NodeVisitor):
 
     def visit_Assignment(self, node: c_ast.Assignment) -> None:
         if self.is_product(node.rvalue):
-            self.found.append(CGenerator().visit(node))
+            self.texts.append(CGenerator().visit(node))
 
     def is_product(self, node: c_ast.Node) -> bool:
         """Returns whether the value is a product that is not rounded separately; collects sums of
@@ -92,7 +92,7 @@ class Fused(c_ast.NodeVisitor):
         if isinstance(node, c_ast.BinaryOp):
             reaches = self.is_product(node.left) | self.is_product(node.right)
             if reaches and (node.op in "+-" or node.op == "*" and _is_two(node)):
-                self.found.append(CGenerator().visit(node))
+                self.texts.append(CGenerator().visit(node))
             return node.op == "*"
         if isinstance(node, c_ast.FuncCall) and node.args is not None:
             for argument in node.args:
@@ -122,7 +122,7 @@ def fused(text: str) -> list[str]:
     for word, meaning in _WORDS.items():
         plain = plain.replace(word, meaning)
     visitor.visit(CParser().parse(_TYPES + plain))
-    return visitor.found
+    return visitor.texts
 
 
 ERRORS = "#if defined(COSCREW_RUNTIME_ERRORS)"

@@ -41,9 +41,9 @@ def test_contraction_is_detected(compiler, tmp_path):
     macros = run((compiler, "-march=native", "-dM", "-E", "-x", "c", "/dev/null"))
     fused = "__FMA__" in macros or "__ARM_FEATURE_FMA" in macros
     assert verdicts(tmp_path, compiler, *flags) == ["fine", "fine"]
-    told = "-DKSL_CONTRACT_OFF"  # wrongly; for clang alone
+    messages = "-DKSL_CONTRACT_OFF"  # wrongly; for clang alone
     word = "contraction" if fused and compiler == "clang" else "fine"
-    assert verdicts(tmp_path, compiler, *flags, told) == [word, word]
+    assert verdicts(tmp_path, compiler, *flags, messages) == [word, word]
 
 
 @each_compiler

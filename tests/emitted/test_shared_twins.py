@@ -67,9 +67,9 @@ def test_shared_kernels_are_those_of_single_precision_alone(tmp_path: Path):
     assert main(["generate", "--precision", "single", "--language", "python", "--output",
                  str(tmp_path)]) == 0
     assert not (tmp_path / "python/coscrew/double").exists()
-    wanted, found = described(tmp_path / "python"), described(GENERATED)
+    wanted, result = described(tmp_path / "python"), described(GENERATED)
     assert len(wanted) > 400
-    assert [line for line, want in zip(found, wanted, strict=True) if line != want] == []
+    assert [line for line, want in zip(result, wanted, strict=True) if line != want] == []
 
 
 def test_most_text_is_shared():
@@ -103,5 +103,5 @@ def test_a_constant_is_a_parameter_if_rounding_does_not_give_it(double, single, 
     first, *others = program.instructions
     scaled = [replace(first, operands=(first.operands[0], Constant(Fraction(x), Fraction(x))))
               for x in (double, single)]
-    found = shared(*(replace(program, instructions=(x, *others)) for x in scaled))
-    assert found is not None and bool(found.names) == name
+    result = shared(*(replace(program, instructions=(x, *others)) for x in scaled))
+    assert result is not None and bool(result.names) == name

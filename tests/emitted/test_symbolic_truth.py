@@ -56,23 +56,23 @@ def c_name(name: str, precision: Precision) -> str:
         else f"ksl_{name}{precision.suffix}"
 
 
-def difference(found: tuple[sp.Expr, ...], operation: Operation) -> sp.Expr | None:
+def difference(results: tuple[sp.Expr, ...], operation: Operation) -> sp.Expr | None:
     """The error of the first wrong component, under any conditions; None if all are right."""
     wanted = truth(operation)
-    assert len(found) == len(wanted)
+    assert len(results) == len(wanted)
     differences = (sp.expand(branch[i] - branch[i + len(wanted)])
-                   for branch in branches(sp.Tuple(*found, *wanted)) for i in range(len(wanted)))
+                   for branch in branches(sp.Tuple(*results, *wanted)) for i in range(len(wanted)))
     return next((d for d in differences if d != 0), None)
 
 
-def is_wrong(found: tuple[sp.Expr, ...], operation: Operation) -> bool:
+def is_wrong(results: tuple[sp.Expr, ...], operation: Operation) -> bool:
     """Returns whether there is a difference: where numbers show none, by algebra."""
     symbols = sorted({s for a in operation.inputs for s in a.symbols}, key=str)
     values = {s: sp.Rational(7 * n + 3, 5) for n, s in enumerate(symbols)}
     values[NORM_THRESHOLD] = THRESHOLDS[DOUBLE]
     numbers = (x.xreplace(values) - y.xreplace(values)
-               for x, y in zip(found, truth(operation), strict=True))
-    return any(x.is_Rational and x != 0 for x in numbers) or difference(found,
+               for x, y in zip(results, truth(operation), strict=True))
+    return any(x.is_Rational and x != 0 for x in numbers) or difference(results,
                                                                         operation) is not None
 
 
@@ -283,15 +283,15 @@ def run_python(function: FunctionType, operation: Operation,
     """Every component of every output."""
     arguments = [tuple(map(Symbolic, a.symbols)) if a.quantity.shape else Symbolic(a.value)
                  for a in operation.inputs]
-    found = function(*arguments)
-    found = found if isinstance(found, tuple) else (found,)
-    return named([Symbolic(x).expression for x in found], precision)
+    result = function(*arguments)
+    result = result if isinstance(result, tuple) else (result,)
+    return named([Symbolic(x).expression for x in result], precision)
 
 
 @for_all(operation=COMPARED, precision=PRECISIONS)
 def test_python_kernel_is_its_truth(operation, precision):
-    found = run_python(twin(operation, precision), operation, precision)
-    assert difference(found, operation) is None
+    result = run_python(twin(operation, precision), operation, precision)
+    assert difference(result, operation) is None
 
 
 @with_sums
@@ -305,8 +305,8 @@ def test_python_comparison_notices_any_flipped_sign(operation):
     for text in flipped:
         scope = dict(function.__globals__)
         exec(text, scope)
-        found = run_python(scope[operation.name], operation, SINGLE)
-        assert is_wrong(found, operation), text
+        result = run_python(scope[operation.name], operation, SINGLE)
+        assert is_wrong(result, operation), text
 
 
 @each_precision

@@ -52,9 +52,9 @@ def language_of(name: str) -> str:
 
 @pytest.mark.parametrize("name", [x for x in TEMPLATES if x not in EXEMPT])
 def test_templates_compute_nothing(name: str):
-    found = operators((ROOT / name).read_text(encoding="utf-8"), language_of(name))
-    assert not found, (f"{name} computes; let a Program do it, or exempt the template with a "
-                       "reason:\n" + "\n".join(found))
+    result = operators((ROOT / name).read_text(encoding="utf-8"), language_of(name))
+    assert not result, (f"{name} computes; let a Program do it, or exempt the template with a "
+                        "reason:\n" + "\n".join(result))
 
 
 @pytest.mark.parametrize("name", EXEMPT)
@@ -68,8 +68,8 @@ def test_exempt_templates_are_there_and_compute(name: str):
 def test_holes_compute_nothing(name: str):
     tree = jinja2.Environment().parse((ROOT / name).read_text(encoding="utf-8"))
     arithmetic = (nodes.Add, nodes.Sub, nodes.Mul, nodes.Div, nodes.FloorDiv, nodes.Mod, nodes.Pow)
-    found = [x.lineno for kind in arithmetic for x in tree.find_all(kind)]
-    assert not found, f"{name}: computed within a hole or a loop, in lines {found}"
+    results = [x.lineno for kind in arithmetic for x in tree.find_all(kind)]
+    assert not results, f"{name}: computed within a hole or a loop, in lines {results}"
 
 
 @pytest.mark.parametrize("name", ("scene/step.c.jinja", "scene/step.py.jinja"))

@@ -74,9 +74,9 @@ def test_text_is_that_of_a_generator_without_the_effects(generator: Path,
         for file, text in texts.items():
             file.write_bytes(text)
     assert done.returncode == 0, done.stderr
-    place, known, found = json.loads(done.stdout)
+    place, known, result = json.loads(done.stdout)
     assert place.startswith(str(generator)) and known == sorted(set(CATALOGUE) - set(names))
-    assert found == hashes(all_but(names))
+    assert result == hashes(all_but(names))
 
 
 def test_of_two_effects_either_is_left_out_without_the_other() -> None:
@@ -121,9 +121,9 @@ def test_parameters_of_zero_fold_to_the_same_programs(name: str) -> None:
     """This holds for a scene with time, gravity and other effects, too."""
     others = sorted({"gravity", "viscous", "wrench"} - {name})
     wanted = derived(*others).functions
-    found = derive(scene(mechanism(), *effects(*others), *zeroed(name, Fraction(0)))).functions
-    assert [f.words for f in found] == [f.words for f in wanted]
-    for f, g in zip(found, wanted, strict=True):
+    result = derive(scene(mechanism(), *effects(*others), *zeroed(name, Fraction(0)))).functions
+    assert [f.words for f in result] == [f.words for f in wanted]
+    for f, g in zip(result, wanted, strict=True):
         assert counts(f.program) == counts(g.program), f.name
 
 
@@ -150,9 +150,9 @@ def test_zeros_at_run_time_change_no_result(name: str) -> None:
 
 def test_reactions_add_a_function_and_change_none() -> None:
     unasked = derived().functions
-    asked = derive(scene(mechanism(), *effects("reaction"))).functions
-    assert [f.name for f in asked if f not in unasked] == ["reaction_j2"]
-    assert [f for f in asked if f.name != "reaction_j2"] == list(unasked)
+    requested = derive(scene(mechanism(), *effects("reaction"))).functions
+    assert [f.name for f in requested if f not in unasked] == ["reaction_j2"]
+    assert [f for f in requested if f.name != "reaction_j2"] == list(unasked)
 
 
 def test_mimic_changes_nothing_where_nothing_mimics() -> None:

@@ -116,18 +116,18 @@ def test_c_computes_it(out, q):
         '  printf("%.17g %.17g %.17g\\n", x[0], x[1], x[2]);\n  return 0;\n}\n')
     subprocess.run(["gcc", "-std=c11", "-Wall", "-Wextra", "-Werror", "main.c", "cart.c", "-o",
                     "main", "-lm"], cwd=out, check=True)
-    found = subprocess.run([out / "main"], text=True, capture_output=True, check=True).stdout
-    assert_close(list(map(float, found.split())), centre(q, Fraction(7, 2)))
+    result = subprocess.run([out / "main"], text=True, capture_output=True, check=True).stdout
+    assert_close(list(map(float, result.split())), centre(q, Fraction(7, 2)))
 
 
-def assert_close(found: list[float], wanted: list[mpmath.mpf]) -> None:
+def assert_close(results: list[float], wanted: list[mpmath.mpf]) -> None:
     unit = math.ulp(float(max(map(abs, wanted))))
-    assert all(abs(mpmath.mpf(x) - y) <= 4 * unit for x, y in zip(found, wanted, strict=True)), (
-        [x.hex() for x in found])
+    assert all(abs(mpmath.mpf(x) - y) <= 4 * unit for x, y in zip(results, wanted, strict=True)), (
+        [x.hex() for x in results])
 
 
 def test_python_computes_it_in_c_numpy_lanes_tiers_and_arrays(site, out):
-    found = run_in_copy(site, (
+    result = run_in_copy(site, (
         "import json, sys, numpy as np, coscrew_codegen\n"
         "sys.path.insert(0, 'out')\nimport cart.double as generated\n"
         "its = coscrew_codegen.load_scene('cart.toml', functions=['center_of_mass'])\n"
@@ -136,9 +136,9 @@ def test_python_computes_it_in_c_numpy_lanes_tiers_and_arrays(site, out):
         "    its.double.center_of_mass(p, q[0]), generated.center_of_mass(p, q[0]),\n"
         "    its.double.center_of_mass(p, q)[63], its.accurate.double.center_of_mass(p, q[0]),\n"
         "    its.arrays(np).center_of_mass(p, q[0]))]))\n"))
-    for row in re.findall(r"\[([^\[\]]+)\]", found):
+    for row in re.findall(r"\[([^\[\]]+)\]", result):
         assert_close(list(map(float, row.split(","))), centre((0.375, 1.0)))
-    assert len(re.findall(r"\[[^\[\]]+\]", found)) == 5
+    assert len(re.findall(r"\[[^\[\]]+\]", result)) == 5
 
 
 def test_it_is_recorded_with_its_unit_and_expected(site):
@@ -162,12 +162,12 @@ def test_its_cost_is_measured_in_its_unit(site):
 
 
 def test_it_is_in_the_reference_and_the_stub(site):
-    found = run_in_copy(site, (
+    result = run_in_copy(site, (
         "from coscrew_codegen.reports.reference import scene_pages as s\n"
         "print(s.functions_page('banner'), s.functions_stub('banner'))\n"))
-    assert "| `center_of_mass` | `p` `q` | x = Σ m (R c + t) / Σ m, the centre" in found
-    assert "| `center_of_mass` | 3 × m | 0 to 2 | `center_of_mass` |" in found
-    assert "\n    center_of_mass: Function[Real]\n" in found
+    assert "| `center_of_mass` | `p` `q` | x = Σ m (R c + t) / Σ m, the centre" in result
+    assert "| `center_of_mass` | 3 × m | 0 to 2 | `center_of_mass` |" in result
+    assert "\n    center_of_mass: Function[Real]\n" in result
 
 
 def test_an_error_in_its_arithmetic_names_it(site):
@@ -189,15 +189,15 @@ def made(compute, outputs: tuple[Array, ...] = (Array("y", (), ("1",)),), inputs
 DIVISION = "a division by zero in odd, whatever q is; wanted other numbers, or functions without"
 
 
-@pytest.mark.parametrize("compute, error, said", (
+@pytest.mark.parametrize("compute, error, message", (
     (lambda x: [[x.number(1) / 0]], ModelError, DIVISION),
     (lambda x: [], ValueError, "odd: compute returned 0 results; wanted 1: y"),
     (lambda x: [[]], ValueError, "odd: compute returned 0 components of y; wanted 1"),
     (lambda x: [x.argument("v")], ValueError, "no input 'v': it takes q"),
     (lambda x: [[x.argument("q")[0] / 0]], ModelError, DIVISION),
     (lambda x: [[x.power()]], ValueError, r"depends on effects; wanted depends = Depends\.EFF")))
-def test_errors_of_a_function_name_it(compute, error, said):
-    with pytest.raises(error, match=said) as caught:
+def test_errors_of_a_function_name_it(compute, error, message):
+    with pytest.raises(error, match=message) as caught:
         made(compute)
     assert "odd" in " ".join((str(caught.value), *getattr(caught.value, "__notes__", ())))
 
@@ -215,7 +215,7 @@ def test_errors_of_effects_are_not_the_mass_matrix_s():
 ONE = Array("y", (), ("1",))
 
 
-@pytest.mark.parametrize("words, said", (
+@pytest.mark.parametrize("words, message", (
     ({"outputs": (Array("y", (AxisLength.NV,), ("m", "m")),)},
      "odd: y has 1 components and 2 units"),
     ({"inputs": "q speed"}, "odd: no input 'speed'; wanted t, h, p, q"),
@@ -230,9 +230,9 @@ ONE = Array("y", (), ("1",))
      "wanted a quantity of the scene"),
     ({"outputs": (Array("y", (AxisLength.NV,), ("m",)),), "recorded": (SceneQuantity("odd"),)},
      "units of y depend on the scene")))
-def test_entries_that_cannot_be_are_refused(words, said):
+def test_entries_that_cannot_be_are_refused(words, message):
     given = {"outputs": (ONE,), "inputs": "q", **words}
-    with pytest.raises(ValueError, match=said):
+    with pytest.raises(ValueError, match=message):
         made(lambda x: [[x.number(1)]], **given)
 
 
@@ -286,13 +286,13 @@ def test_a_function_may_take_nothing(tmp_path):
         '"center_of_mass", "q"', '"total_mass"').partition("[expect")[0])
     done = command(tmp_path, "generate", "cart.toml", "-o", "out", "--many")
     assert done.returncode == 0, done.stderr
-    found = run_in_copy(tmp_path, (
+    result = run_in_copy(tmp_path, (
         "import sys, coscrew_codegen as c\nsys.path.insert(0, 'out')\n"
         "import cart.double as generated\n"
         "run = c.run('cart.toml', until=0.25)\n"
         "print(generated.total_mass(), c.load_scene('cart.toml').double.total_mass(),\n"
         "      run.recording.of('total_mass').tolist(), run.recording.columns[0].unit)\n"
         "print(generated.total_mass.__doc__)\n"))
-    assert found.startswith("7.5 7.5 [7.5, 7.5, 7.5] kg\n") and "Last axes: -> m ()." in found
+    assert result.startswith("7.5 7.5 [7.5, 7.5, 7.5] kg\n") and "Last axes: -> m ()." in result
     subprocess.run(["gcc", "-std=c11", "-Wall", "-Wextra", "-Werror", "-c", "cart.c",
                     "cart_many.c"], cwd=tmp_path / "out", check=True)

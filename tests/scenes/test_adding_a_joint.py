@@ -114,7 +114,7 @@ def test_an_unknown_kind_works_in_every_place(site):
     """A nut on a vertical screw, which a washer carries that turns about the same axis: the mass
     matrix is [[J + I, I], [I, I + m p²]], and the thread's torque -m g p - d v."""
     (site / "coscrew_codegen/scene/joints/helical.py").write_text(HELICAL)
-    found = run_in_copy(site, (
+    result = run_in_copy(site, (
         "import coscrew_codegen as c, numpy as np\n"
         "its = c.load_scene('nut.toml', functions=['forward_dynamics', 'mass_matrix', "
         "'inverse_dynamics', 'jacobian_nut', 'step_rk4'], tiers=['certified'])\n"
@@ -122,7 +122,7 @@ def test_an_unknown_kind_works_in_every_place(site):
         "for x in (its.double.mass_matrix(q), its.double.forward_dynamics(q, v, np.zeros(2)),\n"
         "          its.single.mass_matrix(q), its.certified.double.mass_matrix(q)[0]):\n"
         "    print(*np.ravel(x))\n"))
-    M, a, single, certified = (np.array(line.split(), float) for line in found.splitlines())
+    M, a, single, certified = (np.array(line.split(), float) for line in result.splitlines())
     J, I = 0.1 + 0.2**2, 0.03  # of the washer, of the nut about the axis
     wanted = np.array([J + I, I, I, I + 2 * 0.1**2])
     for masses, within in ((M, 1e-15), (single, 1e-7), (certified, 1e-15)):

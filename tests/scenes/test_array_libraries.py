@@ -54,13 +54,13 @@ def given(name: str, precision: Precision = DOUBLE, states: int = STATES) -> lis
     """Rows for each argument of a function; t and p are shared by all states."""
     rng = np.random.default_rng(5)
     signature = next(x for x in kernels().interface.signatures if x.name == name)
-    found = []
+    results = []
     for x, shape in signature.inputs:
         rows = rng.uniform(0.2, 0.9, shape if x in "thp" else (states, *shape))
         if x == "q":
             rows[:, 3:7] /= np.linalg.norm(rows[:, 3:7], axis=1, keepdims=True)
-        found.append(np.asarray(rows, precision.numpy_type))
-    return found
+        results.append(np.asarray(rows, precision.numpy_type))
+    return results
 
 
 @each_precision
@@ -105,8 +105,8 @@ def test_gradients_are_adjoints() -> None:
     function = on_jax().inverse_dynamics
     wanted = adjoint_of("inverse_dynamics", arguments)
     places = tuple(range(len(arguments)))
-    found = jax.grad(lambda *x: function(*x).sum(), argnums=places)(*arguments)
-    for x, a, b in zip(arguments, found, wanted, strict=True):
+    result = jax.grad(lambda *x: function(*x).sum(), argnums=places)(*arguments)
+    for x, a, b in zip(arguments, result, wanted, strict=True):
         if x.ndim > 1:
             assert np.asarray(a).tobytes() == b.tobytes()
         else:
@@ -160,8 +160,8 @@ def test_bits_by_the_standard() -> None:
     for name in ("inverse_dynamics", "energy"):
         arguments = given(name)
         wanted = getattr(kernels().double, name)(*arguments)
-        found = getattr(library, name)(*map(array_api_strict.asarray, arguments))
-        assert np.asarray(found).tobytes() == wanted.tobytes()
+        result = getattr(library, name)(*map(array_api_strict.asarray, arguments))
+        assert np.asarray(result).tobytes() == wanted.tobytes()
         assert getattr(kernels().arrays(np), name)(*arguments).tobytes() == wanted.tobytes()
 
 
@@ -172,11 +172,11 @@ def test_without_a_compiler_xla_computes(monkeypatch: pytest.MonkeyPatch) -> Non
 
     monkeypatch.setattr(compilation, "library", fails)
     arguments = given("energy")
-    found = of_scene(jnp, kernels().interface, lambda: kernels().functions, {}, opened,
-                     kernels())
-    with pytest.warns(RuntimeWarning, match="computed by calls of the array library") as told:
-        energy = found.energy(*arguments)
-    assert told[-1].filename == __file__
+    result = of_scene(jnp, kernels().interface, lambda: kernels().functions, {}, opened,
+                      kernels())
+    with pytest.warns(RuntimeWarning, match="computed by calls of the array library") as messages:
+        energy = result.energy(*arguments)
+    assert messages[-1].filename == __file__
     wanted = kernels().double.energy(*arguments)
     assert np.abs(energy - wanted).max() <= 2.0**-48 * np.abs(wanted).max()
 

@@ -120,12 +120,12 @@ def test_a_payload_weighs_where_its_centre_is(scene, tmp_path):
         return float(payload[2, :3] @ [0, 0.02, 0.05] + payload[2, 3])
 
     slopes = [(height(q + h * e) - height(q - h * e)) / (2 * h) for e in np.eye(2)]
-    found = with_payload.gravity_torques(q) - without.gravity_torques(q)
-    np.testing.assert_allclose(found, 1.5 * 9.81 * np.array(slopes), rtol=1e-8)
+    result = with_payload.gravity_torques(q) - without.gravity_torques(q)
+    np.testing.assert_allclose(result, 1.5 * 9.81 * np.array(slopes), rtol=1e-8)
 
 
 def test_effects_records_and_parameters_name_them(scene):
-    found = scene("""runtime = ["payload.mass", "payload.com"]
+    result = scene("""runtime = ["payload.mass", "payload.com"]
 functions = ["default", "jacobian_tool"]
 """ + ATTACHED + EFFECTS + """
 [effects.wrench.tool]
@@ -138,10 +138,10 @@ record = ["position.tool", "pose.payload"]
 [run]
 duration = 0.01
 """, head=HEAD)
-    assert [p.name for p in found.parameters] == [
+    assert [p.name for p in result.parameters] == [
         "payload.mass", "payload.com.x", "payload.com.y", "payload.com.z"]
-    assert derive(found).has("jacobian_tool")
-    recording = run(found).recording
+    assert derive(result).has("jacobian_tool")
+    recording = run(result).recording
     assert {"position.tool.0", "pose.payload.11"} <= {x.name for x in recording.columns}
 
 

@@ -70,8 +70,8 @@ def test_wrenches_act_at_their_point(frame: str) -> None:
         R = rotation_of(array(QUATERNION))
         force, torque = R.T @ force, R.T @ torque
     f = multiprecise(free_body(2), push)
-    found = f("bias_torques", t=t, q=[1, 2, 3, *QUATERNION], v=[0] * 6)
-    assert_same([-x for x in found], [*force, *(torque + skew(r) @ force)])
+    result = f("bias_torques", t=t, q=[1, 2, 3, *QUATERNION], v=[0] * 6)
+    assert_same([-x for x in result], [*force, *(torque + skew(r) @ force)])
 
 
 def test_wrenches_may_be_arguments() -> None:
@@ -106,8 +106,8 @@ def test_drag_resists_the_motion_of_its_point(values: dict, resistance: Callable
         u = array(v[:3]) + skew(array(v[3:])) @ r
         force = -resistance(u) * u
         still = multiprecise(free_body(2))("bias_torques", q=[0, 0, 0, *QUATERNION], v=v)
-        found = f("bias_torques", q=[0, 0, 0, *QUATERNION], v=v)
-        assert_same([a - b for a, b in zip(still, found, strict=True)],
+        result = f("bias_torques", q=[0, 0, 0, *QUATERNION], v=v)
+        assert_same([a - b for a, b in zip(still, result, strict=True)],
                     [*force, *(skew(r) @ force)])
 
 
@@ -116,10 +116,10 @@ def test_buoyancy_lifts_at_its_centre() -> None:
     lift = applied("buoyancy", "b0", rho=1000, V=Fraction(1, 400), centre=(0, 1, 0))
     f = multiprecise(free_body(4), gravity(), lift)
     R = rotation_of(array(QUATERNION))
-    found = f("bias_torques", q=[1, 2, 3, *QUATERNION], v=[0] * 6)
+    result = f("bias_torques", q=[1, 2, 3, *QUATERNION], v=[0] * 6)
     up = R.T @ array([0, 0, mpf("9.81")])
-    assert_same([-x for x in found], [*((mpf("2.5") - 4) * up),
-                                      *(skew(array([0, 1, 0])) @ (mpf("2.5") * up))])
+    assert_same([-x for x in result], [*((mpf("2.5") - 4) * up),
+                                       *(skew(array([0, 1, 0])) @ (mpf("2.5") * up))])
     low, high = (f("energy", q=[0, 0, z, 0, 0, 0, 1], v=[0] * 6)[1] for z in (0, 1))
     assert_same([high - low], [(4 - mpf("2.5")) * mpf("9.81")])
     weightless = multiprecise(free_body(4), lift)
@@ -140,7 +140,7 @@ def test_field_pulls_and_turns_by_the_gravity_gradient() -> None:
     the centre of mass."""
     com, moments, mu = (1, 0, -2), (3, 4, 5, HALF, Fraction(1, 3), Fraction(-1, 4)), 11
     model = chain((Kind.FREE, Z, HERE, inertia(2, com, moments)))
-    found = pull_of_field(model, applied("field", "b0", mu=mu, centre=(1, 1, 2)))
+    result = pull_of_field(model, applied("field", "b0", mu=mu, centre=(1, 1, 2)))
     R, c = rotation_of(array(QUATERNION)), array([mpf(x) for x in com])
     r = R.T @ (array(PLACE) + R @ c - array([mpf(1), mpf(1), mpf(2)]))
     xx, yy, zz, xy, xz, yz = (mpf(x.numerator) / x.denominator for x in map(Fraction, moments))
@@ -148,7 +148,7 @@ def test_field_pulls_and_turns_by_the_gravity_gradient() -> None:
     size, I_r = mpmath.norm(r.tolist()), I @ r
     force = -mu * 2 * r / size**3 + mpf(mu) / 2 / size**5 * (
         15 * (r @ I_r) * r / size**2 - 6 * I_r - 3 * (xx + yy + zz) * r)
-    assert_same(found, [*force, *(3 * mu * skew(r) @ I_r / size**5 + skew(c) @ force)])
+    assert_same(result, [*force, *(3 * mu * skew(r) @ I_r / size**5 + skew(c) @ force)])
 
 
 def test_field_is_newtons_on_six_points() -> None:
@@ -158,7 +158,7 @@ def test_field_is_newtons_on_six_points() -> None:
     squares = [2 * a**2 for a in arms]
     moments = (*(sum(squares) - x for x in squares), 0, 0, 0)
     body = chain((Kind.FREE, Z, HERE, inertia(6, (0, 0, 0), moments)))
-    found = pull_of_field(body, applied("field", "b0", mu=mu))
+    result = pull_of_field(body, applied("field", "b0", mu=mu))
     R = rotation_of(array(QUATERNION))
     force, moment = array([mpf(0)] * 3), array([mpf(0)] * 3)
     for axis, length in enumerate(arms):
@@ -169,9 +169,9 @@ def test_field_is_newtons_on_six_points() -> None:
             pull = -mu * r / mpmath.norm(r.tolist())**3
             force, moment = force + pull, moment + skew(arm) @ pull
     part = 3 * mpf(10)**-9 / mpmath.norm(PLACE)
-    for x, y in zip(found, [*force, *moment], strict=True):
+    for x, y in zip(result, [*force, *moment], strict=True):
         assert abs(x - y) <= 10 * part**4 * mu
-    assert max(abs(x) for x in found[3:]) > part**2 / 10
+    assert max(abs(x) for x in result[3:]) > part**2 / 10
 
 
 def test_field_moves_bodies_on_ellipses() -> None:
@@ -213,9 +213,9 @@ def test_spring_damper_pulls_along_its_line() -> None:
         wanted += [*(R.T @ force), *(skew(r) @ (R.T @ force))]
     free = multiprecise(two_free_bodies())
     f = multiprecise(two_free_bodies(), effect)
-    found = [a - b for a, b in zip(free("bias_torques", q=q, v=v), f("bias_torques", q=q, v=v),
-                                   strict=True)]
-    assert_same(found, wanted)
+    results = [a - b for a, b in zip(free("bias_torques", q=q, v=v), f("bias_torques", q=q, v=v),
+                                     strict=True)]
+    assert_same(results, wanted)
     assert_same([f("energy", q=q, v=v)[1], f("power", q=q, v=v)],
                 [mpf(7) / 2 * (length - 2)**2, -3 * ((x @ u) / length)**2])
 

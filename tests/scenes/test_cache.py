@@ -43,9 +43,9 @@ def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
 
 @pytest.fixture
 def path(tmp_path: Path) -> Path:
-    found = tmp_path / "swing.toml"
-    found.write_text(TEXT)
-    return found
+    result = tmp_path / "swing.toml"
+    result.write_text(TEXT)
+    return result
 
 
 @pytest.fixture(scope="module")
@@ -61,10 +61,10 @@ def filled(tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, np.ndarray]:
 @pytest.fixture
 def derived(monkeypatch: pytest.MonkeyPatch) -> list[str]:
     """A list that gets an entry for each derivation."""
-    found, derive = [], dynamics.derive
+    result, derive = [], dynamics.derive
     monkeypatch.setattr(dynamics, "derive", lambda scene, *others: (
-        found.append(scene.name), derive(scene, *others))[1])
-    return found
+        result.append(scene.name), derive(scene, *others))[1])
+    return result
 
 
 def energy(path: Path, **others: object) -> np.ndarray:
@@ -196,7 +196,7 @@ DAMAGES = {"truncated": lambda x: x[:len(x) // 2], "emptied": lambda x: b"",
 def test_damaged_entries_are_made_again(path: Path, filled: tuple, tmp_path: Path, suffix: str):
     """In another process, since a library that this process has loaded stays loaded.  Each damage
     has a cache of its own."""
-    whole, found = filled
+    whole, result = filled
     bad = {}
     for damage, damaged in DAMAGES.items():
         folder = shutil.copytree(whole, tmp_path / damage / "coscrew")
@@ -211,7 +211,7 @@ def test_damaged_entries_are_made_again(path: Path, filled: tuple, tmp_path: Pat
                            *(tmp_path / damage for damage in bad)],
                           capture_output=True, text=True, cwd=ROOT)
     assert dict(zip(bad, done.stdout.splitlines(), strict=False)) == dict.fromkeys(
-        bad, str(found.tolist())), done.stderr
+        bad, str(result.tolist())), done.stderr
     assert not done.stderr
     for damage, content in bad.items():
         entry, = (tmp_path / damage / "coscrew").glob(f"*{suffix}")
@@ -222,11 +222,11 @@ def test_the_limit_holds_and_what_was_used_last_stays(folder: Path, tmp_path: Pa
     monkeypatch.setenv(cache.LIMIT, "2.5 kB")
     for number, key in enumerate("ab"):
         cache.write(cache.key_of(key), ".txt", bytes(1000))
-        os.utime(cache.found(cache.key_of(key), ".txt"), (number, number))
-    assert cache.found(cache.key_of("a"), ".txt")  # is now the last one used
+        os.utime(cache.entry(cache.key_of(key), ".txt"), (number, number))
+    assert cache.entry(cache.key_of("a"), ".txt")  # is now the last one used
     cache.write(cache.key_of("c"), ".txt", bytes(1000))
-    assert cache.found(cache.key_of("b"), ".txt") is None
-    assert cache.found(cache.key_of("a"), ".txt") and cache.found(cache.key_of("c"), ".txt")
+    assert cache.entry(cache.key_of("b"), ".txt") is None
+    assert cache.entry(cache.key_of("a"), ".txt") and cache.entry(cache.key_of("c"), ".txt")
     cache.write(cache.key_of("d"), ".txt", bytes(9000))
     assert [x.size for x in cache.entries()] == [9000]  # the entry just made stays
     left = folder / ".building-left"
@@ -253,8 +253,8 @@ def test_processes_at_once_find_or_make_the_same(path: Path, folder: Path):
                "print(its.double.energy([0.3], [0.5]).tolist())")
     running = [subprocess.Popen([sys.executable, "-W", "error", "-c", program, str(path)],
                                 cwd=ROOT, stdout=subprocess.PIPE, text=True) for _ in range(2)]
-    said = {x.communicate()[0] for x in running}
-    assert len(said) == 1 and said != {""} and {x.returncode for x in running} == {0}
+    message = {x.communicate()[0] for x in running}
+    assert len(message) == 1 and message != {""} and {x.returncode for x in running} == {0}
     assert {x.suffix for x in folder.iterdir()} == {".so", ".scene"}
 
 
@@ -271,8 +271,8 @@ def test_of_processes_at_once_one_derives(path: Path):
                for _ in range(3)]
     for x in running:
         x.stdin.close()  # all have imported what they need
-    said = [x.stdout.read() for x in running]
-    assert [x.wait() for x in running] == [0, 0, 0] and "".join(said) == "derived\n"
+    output = [x.stdout.read() for x in running]
+    assert [x.wait() for x in running] == [0, 0, 0] and "".join(output) == "derived\n"
 
 
 def test_the_command_shows_and_empties(path: Path, folder: Path, capsys):

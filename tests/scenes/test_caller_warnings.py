@@ -34,12 +34,12 @@ def broken(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
     monkeypatch.setattr(compilation, "library", no_room)
 
 
-def told(call: Callable[[], object]) -> tuple[str, int]:
+def warning_of(call: Callable[[], object]) -> tuple[str, int]:
     """The place of the only warning of a call."""
-    with warnings.catch_warnings(record=True) as found:
+    with warnings.catch_warnings(record=True) as result:
         warnings.simplefilter("always")
         call()
-    one, = found
+    one, = result
     assert "no room" in str(one.message) and one.category is RuntimeWarning
     return one.filename, one.lineno
 
@@ -47,7 +47,7 @@ def told(call: Callable[[], object]) -> tuple[str, int]:
 @pytest.mark.parametrize("name", CALLS)
 def test_functions_that_make_kernels_warn_where_they_are_called(name: str, broken: None):
     call = CALLS[name]
-    assert told(call) == (__file__, call.__code__.co_firstlineno)
+    assert warning_of(call) == (__file__, call.__code__.co_firstlineno)
 
 
 @pytest.fixture(scope="module")
@@ -70,7 +70,7 @@ def test_calls_that_would_use_lanes_warn_where_they_stand(
              lambda: kernels[1].double.step_rk4.repeated(3, 0.0, 1e-3, p, q, v),
              lambda: kernels[2].accurate)
     for call in calls:
-        assert told(call) == (__file__, call.__code__.co_firstlineno)
+        assert warning_of(call) == (__file__, call.__code__.co_firstlineno)
 
 
 def test_blocks_within_blocks_leave_warnings_to_the_outermost():
@@ -83,15 +83,15 @@ def test_blocks_within_blocks_leave_warnings_to_the_outermost():
             inner()
             inner()
 
-    with warnings.catch_warnings(record=True) as found:
+    with warnings.catch_warnings(record=True) as result:
         warnings.simplefilter("always")
         outer()
     line = outer.__code__.co_firstlineno + 7
-    assert [(x.filename, x.lineno) for x in found] == [(__file__, line)] * 2
+    assert [(x.filename, x.lineno) for x in result] == [(__file__, line)] * 2
     with pytest.raises(RuntimeWarning, match="deep"), warnings.catch_warnings():
         warnings.simplefilter("error")
         inner()
-    with warnings.catch_warnings(record=True) as found:  # nothing is left of it
+    with warnings.catch_warnings(record=True) as result:  # nothing is left of it
         warnings.simplefilter("always")
         inner()
-    assert len(found) == 1
+    assert len(result) == 1

@@ -63,8 +63,8 @@ def test_norms_come_back_to_one(kind: JointKind) -> None:
     for length in map(mpf, LENGTHS):
         q = turned(f)
         q[-4:] = [x * length for x in q[-4:]]
-        found = f("integrated", q=q, phi=[mpf(1) / 7] * f.nv)[-4:]
-        assert abs(mpmath.norm(found) - 1) <= mpf(2)**-50
+        result = f("integrated", q=q, phi=[mpf(1) / 7] * f.nv)[-4:]
+        assert abs(mpmath.norm(result) - 1) <= mpf(2)**-50
 
 
 SPINNING = """

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from mpmath import mpf
 
-from coscrew_codegen.dynamics import derivatives, derive
+from coscrew_codegen.dynamics import derive, dynamics_derivatives
 from coscrew_codegen.dynamics.derivation import tree_for
 from coscrew_codegen.program.scene_functions import SceneFunctions
 from coscrew_codegen.scene.joints import KINDS
@@ -73,9 +73,9 @@ def check(scene: Scene) -> None:
         given, nv = state(scene, functions), functions.nv
         for derived, of, by in ((INVERSE, "inverse_dynamics", "qva"),
                                 (FORWARD, "forward_dynamics", ("q", "v", "tau"))):
-            found = values(functions, derived, given)
+            result = values(functions, derived, given)
             for k, name in enumerate(by):
-                own = found[k * nv * nv:(k + 1) * nv * nv]
+                own = result[k * nv * nv:(k + 1) * nv * nv]
                 wanted = differences(functions, of, given, name)
                 largest = max(abs(x) for column in wanted for x in column)
                 for i in range(nv):
@@ -104,7 +104,8 @@ def test_every_kind_of_joint(kind: JointKind) -> None:
 def test_recursion_and_differentiation_agree(monkeypatch: pytest.MonkeyPatch) -> None:
     scene = scene_with(ACTING)
     recursion = derive(scene, (INVERSE,))
-    monkeypatch.setattr(derivatives.rnea_derivatives, "constant_screws", lambda motion: False)
+    monkeypatch.setattr(dynamics_derivatives.rnea_derivatives, "constant_screws",
+                        lambda motion: False)
     with mpmath.workdps(50):
         given = state(scene, recursion)
         one, other = (values(x, INVERSE, given) for x in (recursion, derive(scene, (INVERSE,))))

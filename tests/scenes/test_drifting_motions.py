@@ -90,8 +90,8 @@ def test_samples_do_not_matter(files, every):
 @pytest.mark.parametrize("precision", ("double", "single"))
 def test_a_start_with_a_velocity_is_judged_as_one_without(files, precision):
     """x = sin t, though the line of start leads 200 m away."""
-    found = run(files / "oscillator.toml", step=0.1, precision=precision, q0=[0], v0=[1])
-    assert np.abs(found.q[:, 0] - np.sin(found.t)).max() > 0.05 and found.failed
+    result = run(files / "oscillator.toml", step=0.1, precision=precision, q0=[0], v0=[1])
+    assert np.abs(result.q[:, 0] - np.sin(result.t)).max() > 0.05 and result.failed
     right = run(files / "oscillator.toml", step=0.01, precision=precision, q0=[0], v0=[1])
     assert np.abs(right.q[:, 0] - np.sin(right.t)).max() < 0.01 and not right.failed
 
@@ -110,8 +110,8 @@ def test_bounces_that_a_step_misses_stop_a_run(files, integrator, right):
 @pytest.mark.filterwarnings("ignore:the run stopped")
 def test_its_advice_is_enough(files, capsys):
     assert main(["simulate", str(files / "oscillator.toml"), "--step", "0.1"]) == 1
-    said = capsys.readouterr()
-    step = (said.err + said.out).split("take a step of ")[1].split()[0]
+    output = capsys.readouterr()
+    step = (output.err + output.out).split("take a step of ")[1].split()[0]
     result = run(files / "oscillator.toml", step=float(step))
     assert np.abs(result.q[:, 0] - np.cos(result.t)).max() < 0.05
     assert not result.failed and math.log2(0.1 / float(step)) < 3

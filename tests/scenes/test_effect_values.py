@@ -312,10 +312,10 @@ def test_quantities_of_an_effect_are_their_formulas(name: str) -> None:
                              if y.effect.name == name)
         units = units_of(own, f.scene)
         assert {x: len(y) for x, y in units.items()} == {x: len(y) for x, y in case.own.items()}
-        found = iter(f.components(function, **case.state))
+        result = iter(f.components(function, **case.state))
         for quantity in units:
             wanted = case.own[quantity]
-            assert_same([next(found) for _ in wanted], wanted)
+            assert_same([next(result) for _ in wanted], wanted)
 
 
 @pytest.mark.parametrize("name", sorted(CASES))

@@ -117,12 +117,12 @@ def test_coulomb_friction_takes_the_same_from_each_cycle() -> None:
 @pytest.mark.parametrize("v", ["0", "1e-9", "-0.003", "0.02", "-0.4", "50"])
 def test_dry_friction_follows_its_curve(v: str) -> None:
     v, eps, tau_c, tau_s, v_s = map(mpf, (v, "0.01", "0.8", "1.1", "0.05"))
-    found = friction(v, applied("coulomb", "j0", tau_c=Fraction(4, 5), eps=Fraction(1, 100)))
-    assert_same([found], [-tau_c * mpmath.tanh(v / eps)])
+    result = friction(v, applied("coulomb", "j0", tau_c=Fraction(4, 5), eps=Fraction(1, 100)))
+    assert_same([result], [-tau_c * mpmath.tanh(v / eps)])
     level = tau_c + (tau_s - tau_c) * mpmath.exp(-(v / v_s)**2)
-    found = friction(v, applied("stribeck", "j0", tau_c=Fraction(4, 5), tau_s=Fraction(11, 10),
-                                v_s=Fraction(1, 20), eps=Fraction(1, 100)))
-    assert_same([found], [-level * mpmath.tanh(v / eps)])
+    result = friction(v, applied("stribeck", "j0", tau_c=Fraction(4, 5), tau_s=Fraction(11, 10),
+                                 v_s=Fraction(1, 20), eps=Fraction(1, 100)))
+    assert_same([result], [-level * mpmath.tanh(v / eps)])
 
 
 def test_dry_friction_creeps_where_it_holds() -> None:
@@ -205,9 +205,9 @@ def test_actuators_saturate(values: dict) -> None:
     seen = set()
     for t, q, v in ((0, 0, 0), (mpf("0.4"), mpf("39.5"), mpf("23.5")), (1, 90, 90)):
         state = {"t": t, "q": [q], "v": [v], "tau": [0]}
-        asked = 2 * demand("forward_dynamics", **state)[0]
-        assert_same(f("forward_dynamics", **state), [max(-4, min(asked, 4)) / mpf(2)])
-        seen.add(mpmath.sign(asked) if abs(asked) > 4 else 0)
+        requested = 2 * demand("forward_dynamics", **state)[0]
+        assert_same(f("forward_dynamics", **state), [max(-4, min(requested, 4)) / mpf(2)])
+        seen.add(mpmath.sign(requested) if abs(requested) > 4 else 0)
     assert seen == {1, 0, -1}
 
 
@@ -254,8 +254,8 @@ def test_limits_push_and_never_pull(ends: dict, q: str, v: str) -> None:
     q, v, k, alpha = mpf(q), mpf(v), 7, mpf("0.2")
     depth, side = max((mpf(ends.get("lower", -9)) - q, 1), (q - mpf(ends.get("upper", 9)), -1))
     push = k * depth**mpf("1.5") * (1 - 3 * alpha / 2 * side * v) if depth > 0 else mpf(0)
-    found = friction(v, applied("limit", "j0", **ends, k=7, alpha=Fraction(1, 5)), q=q)
-    assert_same([found], [side * max(push, 0)])
+    result = friction(v, applied("limit", "j0", **ends, k=7, alpha=Fraction(1, 5)), q=q)
+    assert_same([result], [side * max(push, 0)])
 
 
 def test_catalogue_is_complete() -> None:
@@ -274,5 +274,5 @@ def test_double_precision_is_the_same_program() -> None:
     """
     third = Fraction(1, 3)
     effect = applied("stribeck", "j0", tau_c=third, tau_s=2 * third, v_s=third / 2, eps=third / 3)
-    found = Evaluated(scene(rotor(), effect), DOUBLE)("bias_torques", q=[0], v=[0.1])[0]
-    assert abs(found - -friction(mpf(0.1), effect)) <= 8 * 2**-53
+    result = Evaluated(scene(rotor(), effect), DOUBLE)("bias_torques", q=[0], v=[0.1])[0]
+    assert abs(result - -friction(mpf(0.1), effect)) <= 8 * 2**-53

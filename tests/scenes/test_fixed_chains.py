@@ -70,13 +70,13 @@ def product_in_full(frames):
         return D
 
 
-def distance(found, truth):
+def distance(result, truth):
     """(of rotations, of origins), the largest difference of entries."""
     with mpmath.workdps(80):
         def off(x, i, j):
             return abs(mpmath.mpf(x.numerator) / x.denominator - truth[i, j])
-        return (max(off(found.R[3 * i + j], i, j) for i in range(3) for j in range(3)),
-                max(off(found.t[i], i, 3) for i in range(3)))
+        return (max(off(result.R[3 * i + j], i, j) for i in range(3) for j in range(3)),
+                max(off(result.t[i], i, 3) for i in range(3)))
 
 
 @for_all(seed=range(20), digits=(11, 13, 16, 30))
@@ -85,11 +85,11 @@ def test_right_angles_stay_right_in_chains_of_any_length(seed, digits):
     frames = [frame(*rand.choices(("0", "0.1", "-0.25"), k=3),
                     *(decimal_quarter(rand, digits) for _ in range(3)))
               for _ in range(rand.choice((2, 3, 10, 60)))]
-    found = last(frames)
-    assert set(found.R) <= {-1, 0, 1}
-    assert all((x * 20).denominator == 1 for x in found.t)
+    result = last(frames)
+    assert set(result.R) <= {-1, 0, 1}
+    assert all((x * 20).denominator == 1 for x in result.t)
     truth = list(accumulate(frames, composed))[-1]
-    assert found == truth
+    assert result == truth
 
 
 @for_all(seed=range(30), digits=range(3, 9))
@@ -98,9 +98,9 @@ def test_rough_right_angles_leave_no_residues(seed, digits):
     rand = random.Random(f"{seed} {digits}")
     frames = [frame("0.1", "0", "-0.3", *(decimal_quarter(rand, digits) for _ in range(3)))
               for _ in range(rand.choice((2, 3, 10, 60)))]
-    found = last(frames)
-    assert all(not x or abs(x) > SNAP for x in found.R)
-    assert max(distance(found, product_in_full(frames))) <= float(SNAP)
+    result = last(frames)
+    assert all(not x or abs(x) > SNAP for x in result.R)
+    assert max(distance(result, product_in_full(frames))) <= float(SNAP)
 
 
 @for_all(seed=range(10), digits=(3, 4, 8, 20))
@@ -152,9 +152,9 @@ def test_single_precision_holds_every_chain(seed):
                     *(rand.choice(angles) if angles else decimal_quarter(rand, 3 + seed % 6)
                       for _ in range(3))) for _ in range(length)]
     kinds = rand.choices((Kind.FIXED, Kind.FIXED, Kind.PRISMATIC), k=length)
-    found = derive(Scene("chain", chain(frames, kinds)))
-    assert found.precisions == ("double", "single")
-    assert found.has("forward_dynamics")
+    result = derive(Scene("chain", chain(frames, kinds)))
+    assert result.precisions == ("double", "single")
+    assert result.has("forward_dynamics")
 
 
 def test_a_frame_that_turned_there_and_back_costs_nothing():
@@ -193,14 +193,14 @@ def test_bodies_that_move_as_one_have_the_sum_of_their_inertias(seed):
             frame(n, "0.2", "-0.1", *(F(rand.randrange(-30, 30), 10) for _ in range(3))))))
     points = [(placed.body.inertia.mass / 6, _moved(placed, axis, sign * radii[axis]))
               for radii, placed in bodies for axis in range(3) for sign in (1, -1)]
-    found = lumped_inertia([placed for _, placed in bodies])
-    assert found.mass == sum(m for m, _ in points)
+    result = lumped_inertia([placed for _, placed in bodies])
+    assert result.mass == sum(m for m, _ in points)
     for i in range(3):
-        assert abs(found.first[i] - sum(m * p[i] for m, p in points)) < F(1, 10**45)
+        assert abs(result.first[i] - sum(m * p[i] for m, p in points)) < F(1, 10**45)
     second = [[sum(m * p[i] * p[j] for m, p in points) for j in range(3)] for i in range(3)]
     (a, b, c), (xy, xz, yz) = (second[i][i] for i in range(3)), (
         second[i][j] for i, j in ((0, 1), (0, 2), (1, 2)))
-    for x, y in zip(found.moments, (b + c, a + c, a + b, -xy, -xz, -yz), strict=True):
+    for x, y in zip(result.moments, (b + c, a + c, a + b, -xy, -xz, -yz), strict=True):
         assert abs(x - y) < F(1, 10**44)
 
 
@@ -216,15 +216,15 @@ def test_equal_moments_that_are_turned_together_leave_no_products():
     """Balls on general frames: no residue of their rotations remains in the sum."""
     frames = [frame(0, 0, 0, "0.1", "0.2", "0.3"), frame(0, 0, 0, "-0.7", "1.1", "2.9")]
     ball = Inertia(F(2), (F(0),) * 3, (F("0.01"),) * 3 + (F(0),) * 3)
-    found = lumped_inertia([PlacedBody(Body("ball", ball), at)
-                            for at in (*frames, composed(*frames))])
-    assert found.first == (0, 0, 0)
-    assert found.moments[1:] == (found.moments[0], found.moments[0], 0, 0, 0)
+    result = lumped_inertia([PlacedBody(Body("ball", ball), at)
+                             for at in (*frames, composed(*frames))])
+    assert result.first == (0, 0, 0)
+    assert result.moments[1:] == (result.moments[0], result.moments[0], 0, 0, 0)
 
 
 def test_a_centre_of_mass_that_is_turned_to_the_axis_is_on_it():
     """3, 4 and 5, whose cosines have 50 digits: the body's point is the link's origin."""
     at = Placement(rotations.from_quaternion((F(0), F(0), F(1), F(2))), (F("0.1"), F(0), F(0)))
     point = Inertia(F(2), (F("-0.06"), F("0.08"), F(0)), (F(0),) * 6)
-    found = lumped_inertia([PlacedBody(Body("point", point), at)])
-    assert found.numbers == (2, *(0,) * 9)
+    result = lumped_inertia([PlacedBody(Body("point", point), at)])
+    assert result.numbers == (2, *(0,) * 9)

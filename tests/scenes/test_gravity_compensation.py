@@ -107,9 +107,9 @@ def test_every_integrator_holds_it(tmp_path: Path, integrator: str, precision: s
     """The deviation is rounding: the holding torques are rounded by a few units of 9 N m, k is 50 N
     m."""
     with mpmath.workdps(15):
-        found = run(written(tmp_path), integrator=integrator, precision=precision)
-    unit = np.finfo(found.q.dtype).eps
-    assert np.abs(np.asarray(found.q, float) - [0.7, -1]).max() <= 8 * unit
+        result = run(written(tmp_path), integrator=integrator, precision=precision)
+    unit = np.finfo(result.q.dtype).eps
+    assert np.abs(np.asarray(result.q, float) - [0.7, -1]).max() <= 8 * unit
     without = run(written(tmp_path, ("gravity_compensation = true", "")), integrator=integrator)
     assert np.abs(without.q - [0.7, -1]).max() > 0.02
 
@@ -125,16 +125,16 @@ def test_gravity_at_run_time_is_compensated(tmp_path: Path) -> None:
     path = written(tmp_path, ("GIVEN", 'runtime = ["gravity.g", "upper.mass"]'))
     given = {"gravity.g.x": 3, "gravity.g.z": -1.6, "upper.mass": 9}
     with mpmath.workdps(15):
-        found = run(path, p=given)
-    assert np.abs(found.q - [0.7, -1]).max() <= 8 * np.finfo(float).eps
+        result = run(path, p=given)
+    assert np.abs(result.q - [0.7, -1]).max() <= 8 * np.finfo(float).eps
 
 
 def test_a_limit_limits_what_is_compensated_too(tmp_path: Path) -> None:
     path = written(tmp_path, ("kd = 5", "kd = 5\nlimit = 1"))
-    found = run(path, record=["actuator.shoulder.torque", "actuator.shoulder.saturated"])
-    assert np.abs(found.recorded["actuator.shoulder.torque"]).max() == 1
-    assert found.recorded["actuator.shoulder.saturated"][0] == 1
-    assert np.abs(found.q - [0.7, -1]).max() > 0.5
+    result = run(path, record=["actuator.shoulder.torque", "actuator.shoulder.saturated"])
+    assert np.abs(result.recorded["actuator.shoulder.torque"]).max() == 1
+    assert result.recorded["actuator.shoulder.saturated"][0] == 1
+    assert np.abs(result.q - [0.7, -1]).max() > 0.5
 
 
 MIMIC = 'mimic = { joint = "shoulder" },'

@@ -51,11 +51,11 @@ def run(f: OneByOne, step: str, h: float, steps: int, q: list, v: list) -> tuple
     """q and v after each step, (steps, n)."""
     q, v = (np.asarray(x, f.kind) for x in (q, v))
     step = getattr(f, f"step_{step}")
-    found = []
+    results = []
     for _ in range(steps):
         q, v = step(h, q, v)
-        found.append((q, v))
-    qs, vs = map(np.array, zip(*found, strict=True))
+        results.append((q, v))
+    qs, vs = map(np.array, zip(*results, strict=True))
     assert np.all(np.isfinite(qs)) and np.all(np.isfinite(vs))
     return qs, vs
 

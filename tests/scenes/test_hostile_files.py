@@ -223,9 +223,9 @@ def test_commands_end_in_one_line_and_write_nothing(tmp_path, capsys, words):
     given = [next((word.replace(x, str(path)) for x, path in names.items() if x in word), word)
              for word in words.split()]
     assert main(given) == 2
-    said = capsys.readouterr()
-    told = [line for line in said.err.splitlines() if not line.startswith("scene.toml: joint ")]
-    assert said.out == "" and len(told) == 1 and told[0].startswith("coscrew: ")
+    output = capsys.readouterr()
+    output = [line for line in output.err.splitlines() if not line.startswith("scene.toml: joint ")]
+    assert output.out == "" and len(output) == 1 and output[0].startswith("coscrew: ")
     assert sorted(x.name for x in tmp_path.rglob("*")) == ["file", "in", "scene.toml"]
 
 

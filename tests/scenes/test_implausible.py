@@ -77,9 +77,9 @@ def test_implausible_bodies_that_are_accepted_move_as_pinocchio_says(written, bo
     pinocchio = pytest.importorskip("pinocchio")
     path = written(robot(body))
     scene = read_scene(path, overrides=WARN)
-    told = scene.model.implausible
-    assert told and all(line.startswith(f"body {body!r}: ") for line in told)
-    assert BODIES[body][1] in told[0]
+    messages = scene.model.implausible
+    assert messages and all(line.startswith(f"body {body!r}: ") for line in messages)
+    assert BODIES[body][1] in messages[0]
     (forward,) = (f for f in derive(scene).functions if f.name == "forward_dynamics")
     whole = path.read_text()
     if "<mass" not in BODIES[body][0]:
@@ -147,9 +147,9 @@ def test_a_mass_matrix_that_is_singular_for_every_q_is_told(written, capsys, tmp
         'type = "fixed"', 'type = "revolute"\naxis = [0, 0, 1]')
     path = written(text, "a.toml")
     assert main(["generate", str(path), "-o", str(tmp_path)]) == 0
-    said = capsys.readouterr().err
-    assert "left out: joints 'weld', 'pin' can move together without inertia" in said
-    assert "the mass matrix is singular" in said and said.count("\n") == 1
+    output = capsys.readouterr().err
+    assert "left out: joints 'weld', 'pin' can move together without inertia" in output
+    assert "the mass matrix is singular" in output and output.count("\n") == 1
     assert main(["generate", str(path), "-o", str(tmp_path), "--functions", "step_rk4"]) == 2
 
 

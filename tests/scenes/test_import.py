@@ -64,8 +64,8 @@ def test_it_moves_as_the_file_to_the_bit(written, text, name):
     for _ in range(5):
         q = both[0].neutral_q + rng.normal(size=both[0].NQ)
         v, a = rng.normal(size=(2, both[0].NV))
-        found = [x.double.inverse_dynamics(q, v, a).tolist() for x in both]
-        assert [x.hex() for x in found[0]] == [x.hex() for x in found[1]]
+        results = [x.double.inverse_dynamics(q, v, a).tolist() for x in both]
+        assert [x.hex() for x in results[0]] == [x.hex() for x in results[1]]
 
 
 def test_it_moves_as_mujoco(written):
@@ -101,13 +101,13 @@ def test_inertias_that_no_body_has_stay_accepted(tmp_path, capsys):
 def test_files_that_are_not_written(tmp_path, capsys):
     (tmp_path / "arm.urdf").write_text(URDF)
     (tmp_path / "arm.toml").write_text("")
-    for words, said in ((["arm.urdf", "-o", "arm.toml"], "is there already; wanted another name"),
+    for words, text in ((["arm.urdf", "-o", "arm.toml"], "is there already; wanted another name"),
                         (["arm.urdf", "-o", "arm.txt"], "wanted a name that ends in .toml"),
                         (["arm.toml"], "is a scene; wanted a model's file"),
                         (["arm.step"], "has the suffix '.step'; wanted a scene (.toml) or a mo")):
         files = [x if x == "-o" else str(tmp_path / x) for x in words]
         assert main(["import", *files]) == 2
-        assert said in capsys.readouterr().err
+        assert text in capsys.readouterr().err
 
 
 @pytest.mark.parametrize("wxyz", ((1, 0, 0, 0), (0, 1, 0, 0), (0, 0, 1, 0), (0, 0, 0, 1),

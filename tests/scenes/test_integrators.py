@@ -46,8 +46,8 @@ TABLEAUS = {x.name: x for x in (*EMITTED, *OTHERS) if isinstance(x.scheme, Table
 # the list
 
 def test_each_integrator_is_a_file_of_its_name():
-    found = {p.stem for p in Path(integrators.__file__).parent.glob("*.py")} - {"__init__"}
-    assert found == {x.name.replace("-", "_") for x in INTEGRATORS}
+    result = {p.stem for p in Path(integrators.__file__).parent.glob("*.py")} - {"__init__"}
+    assert result == {x.name.replace("-", "_") for x in INTEGRATORS}
     assert NAMES[0] == integrators.DEFAULT and len(set(NAMES)) == len(NAMES)
 
 
@@ -84,8 +84,8 @@ def conditions(method: Tableau) -> list[tuple[int, Fraction, Fraction]]:
 
 @pytest.mark.parametrize("name", TABLEAUS)
 def test_tableaus_have_the_order_they_say_and_no_higher(name: str):
-    found = conditions(TABLEAUS[name].scheme)
-    true = [all(x == y for order, x, y in found if order <= k) for k in (1, 2, 3, 4)]
+    result = conditions(TABLEAUS[name].scheme)
+    true = [all(x == y for order, x, y in result if order <= k) for k in (1, 2, 3, 4)]
     assert true == [k <= TABLEAUS[name].order for k in (1, 2, 3, 4)]
 
 
@@ -130,10 +130,10 @@ def ran(scene: SceneFunctions, step: IntegratorStep, state: dict[str, list]) -> 
     for call in step.body:
         assert isinstance(call, Call)
         program, given = scene.named(call.function).program, dict(call.given)
-        found = evaluate(program, [known[given.get(a.name, a.name)] for a in program.inputs],
-                         arithmetic)
+        result = evaluate(program, [known[given.get(a.name, a.name)] for a in program.inputs],
+                          arithmetic)
         for name, a in zip(call.results, program.outputs, strict=True):
-            known[name], found = found[:a.quantity.size], found[a.quantity.size:]
+            known[name], result = result[:a.quantity.size], result[a.quantity.size:]
     return known["q"], known["v"]
 
 
@@ -165,8 +165,8 @@ def test_calls_of_a_step_are_the_tableaus_method(name: str):
 
     for t in (Fraction(0), Fraction(15, 16), Fraction(2)):
         q, v = [Fraction(1), Fraction(1, 5)], [Fraction(-1, 2), Fraction(3, 4)]
-        found = ran(scene, scene.steps[0], {"t": [t], "h": [h], "p": p, "q": q, "v": v})
-        assert [*found[0], *found[1]] == butcher(TABLEAUS[name].scheme, rates, t, h, [*q, *v])
+        result = ran(scene, scene.steps[0], {"t": [t], "h": [h], "p": p, "q": q, "v": v})
+        assert [*result[0], *result[1]] == butcher(TABLEAUS[name].scheme, rates, t, h, [*q, *v])
 
 
 def test_calls_of_a_composition_are_its_drifts_and_kicks():
@@ -174,11 +174,11 @@ def test_calls_of_a_composition_are_its_drifts_and_kicks():
     scene = stepped(replace(CASES["slider"](), steps=()), [OTHERS[-1]])
     t, h, p = Fraction(15, 16), Fraction(1, 2), [Fraction(3, 2), Fraction(0)]
     q, v = [Fraction(1), Fraction(1, 5)], [Fraction(-1, 2), Fraction(3, 4)]
-    found = ran(scene, scene.steps[0], {"t": [t], "h": [h], "p": p, "q": q, "v": v})
+    result = ran(scene, scene.steps[0], {"t": [t], "h": [h], "p": p, "q": q, "v": v})
     middle = [x + h / 2 * y for x, y in zip(q, v, strict=True)]
     a = slider_rates(p, t + h / 2, middle, v)
     v = [x + h * y for x, y in zip(v, a, strict=True)]
-    assert found == ([x + h / 2 * y for x, y in zip(middle, v, strict=True)], v)
+    assert result == ([x + h / 2 * y for x, y in zip(middle, v, strict=True)], v)
 
 
 # what is emitted
@@ -205,9 +205,9 @@ def test_c_and_numpy_step_alike(all_steps, precision: str):
                                                                                [0, 0])[0].dtype)
             for _ in "qv")
     for step, t in product(scene.steps, (0.0, 0.999)):
-        found, wanted = (getattr(getattr(x, precision), step.name)(t, 1 / 8, [1.5, 0], q, v)
-                         for x in (kernels, package))
-        for x, y in zip(found, wanted, strict=True):
+        result, wanted = (getattr(getattr(x, precision), step.name)(t, 1 / 8, [1.5, 0], q, v)
+                          for x in (kernels, package))
+        for x, y in zip(result, wanted, strict=True):
             assert x.dtype == y.dtype and x.tobytes() == y.tobytes(), step.name
 
 
@@ -237,11 +237,11 @@ def test_runs_are_steps_one_by_one_at_their_times(all_steps, precision: str):
     p, t, h = kind([1.5, 0]), 0.7, 1 / 30
     for step in scene.steps:
         take = getattr(getattr(kernels, precision), step.name)
-        q, v = found = kind([0, 0.1]), kind([1, 2])
+        q, v = results = kind([0, 0.1]), kind([1, 2])
         for k in range(20):
             q, v = take(kind(t + k * h), kind(h), p, q, v)
-        found = take.repeated(20, t, h, p, *found)
-        assert [x.tobytes() for x in found] == [q.tobytes(), v.tobytes()], step.name
+        results = take.repeated(20, t, h, p, *results)
+        assert [x.tobytes() for x in results] == [q.tobytes(), v.tobytes()], step.name
 
 
 @pytest.fixture(scope="module")
@@ -301,18 +301,18 @@ def test_adding_heun_is_one_file(tmp_path: Path):
                f"assert coscrew_codegen.__file__.startswith({str(tmp_path)!r}); "
                "sys.exit(main(sys.argv[1:]))")
 
-    def said(*words: str) -> str:
+    def printed(*words: str) -> str:
         done = subprocess.run([sys.executable, "-c", program, *words], cwd=tmp_path,
                               capture_output=True, encoding="utf-8", check=False)
         assert done.returncode == 0, done.stderr
         return done.stdout
 
-    said("generate", "pendulum.toml", "-o", "out", "--functions", "default", "step_heun")
+    printed("generate", "pendulum.toml", "-o", "out", "--functions", "default", "step_heun")
     header = (tmp_path / "out/pendulum.h").read_text()
     assert "pendulum_step_heun(double h" in header and "pendulum_step_heunf(float h" in header
     assert "def step_heun(h" in (tmp_path / "out/pendulum/double.py").read_text()
-    assert "heun, of order 2: smooth motions" in " ".join(said("simulate", "--help").split())
-    assert "heun" in said("simulate", "pendulum.toml", "--integrator", "heun", "--until", "0.1",
+    assert "heun, of order 2: smooth motions" in " ".join(printed("simulate", "--help").split())
+    assert "heun" in printed("simulate", "pendulum.toml", "--integrator", "heun", "--until", "0.1",
                           "--output", "out.csv")
 
 

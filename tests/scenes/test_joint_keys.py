@@ -46,7 +46,7 @@ def test_joints_have_their_axes_and_starts(tmp_path):
     assert wrist.in_words == "wrist turns about x and y"
 
 
-@pytest.mark.parametrize("old, new, said", [
+@pytest.mark.parametrize("old, new, message", [
     ("axis2 = [0, 3, 0]", "axis2 = [1, 3, 0]", "axis2: makes an angle of 71.56"),
     (", \\\naxis2 = [0, 3, 0]", "", "axis2"),
     (', axis = [0, 0, 5]', "", "axis"),
@@ -62,12 +62,12 @@ def test_joints_have_their_axes_and_starts(tmp_path):
     ("[start.q]", '[effects.viscous]\njoints = "all"\nd = 1\n[start.q]',
      "no joint of the model is revolute or prismatic, as viscous needs: 'table' is planar, "
      "'wrist' is universal")])
-def test_wrong_joints_are_refused(tmp_path, old, new, said):
+def test_wrong_joints_are_refused(tmp_path, old, new, message):
     text = TEXT.replace(old, new) if old in TEXT else TEXT.replace(old.replace("\\\n", ""), new)
     assert text != TEXT
     with pytest.raises(SceneError) as caught:
         read(tmp_path, text)
-    assert said in str(caught.value)
+    assert message in str(caught.value)
 
 
 def test_their_numbers_have_names_and_units(tmp_path):
@@ -76,11 +76,11 @@ def test_their_numbers_have_names_and_units(tmp_path):
     assert recorded("v", scene).names == ("v.table.0", "v.table.1", "v.table.2", "v.wrist.0",
                                           "v.wrist.1")
     assert recorded("a.wrist", scene).units == ("rad/s^2",) * 2
-    found = candidates(scene, {})
-    assert {x for x in found if x.startswith("start.q")} == {
+    result = candidates(scene, {})
+    assert {x for x in result if x.startswith("start.q")} == {
         "start.q.table.0", "start.q.table.1", "start.q.table.2", "start.q.wrist.0",
         "start.q.wrist.1"}
-    assert found["start.v.table.2"].unit == "rad/s"
+    assert result["start.v.table.2"].unit == "rad/s"
 
 
 def test_urdf_has_planar_joints_across_their_axis(tmp_path):
@@ -91,9 +91,9 @@ def test_urdf_has_planar_joints_across_their_axis(tmp_path):
         assert (joint.kind, joint.axis) == (Kind.PLANAR, axis)
     (tmp_path / "r.urdf").write_text(URDF.replace(
         "MORE", '<axis xyz="0 0 1"/><dynamics damping="3"/><limit effort="2" velocity="1"/>'))
-    told = [x.text for x in read(tmp_path, 'model = "r.urdf"\n').notices]
-    assert any("damping 3 of <dynamics> is used by no effect of a planar joint" in x for x in told)
-    assert any("effort 2 of <limit> is used by no effect of a planar joint" in x for x in told)
+    messages = [x.text for x in read(tmp_path, 'model = "r.urdf"\n').notices]
+    for given in ("damping 3 of <dynamics>", "effort 2 of <limit>"):
+        assert any(f"{given} is used by no effect of a planar joint" in x for x in messages)
     (tmp_path / "r.urdf").write_text(URDF.replace("MORE", '<axis xyz="0 0 0"/>'))
     with pytest.raises(SceneError, match="the axis is zero"):
         read(tmp_path, 'model = "r.urdf"\n')

@@ -86,9 +86,9 @@ def combined(screws: Sequence[Reals], v: Reals) -> list[mpmath.mpf]:
     return [sum(x * screw[i] for x, screw in zip(v, screws, strict=True)) for i in range(6)]
 
 
-def assert_near(found: Reals, wanted: Reals, within: mpmath.mpf = CLOSE) -> None:
-    assert len(found) == len(wanted)
-    assert all(abs(x - y) < within for x, y in zip(found, wanted, strict=True)), (found, wanted)
+def assert_near(result: Reals, wanted: Reals, within: mpmath.mpf = CLOSE) -> None:
+    assert len(result) == len(wanted)
+    assert all(abs(x - y) < within for x, y in zip(result, wanted, strict=True)), (result, wanted)
 
 
 def central(after: Reals, before: Reals) -> list[mpmath.mpf]:
@@ -114,8 +114,8 @@ def test_the_subspace_is_the_rate_of_the_displacement(kind):
     D = matrix(displaced(kind, coordinates(kind)))
     rate = matrix(displaced(kind, later(kind, H))) - matrix(displaced(kind, later(kind, -H)))
     s = D**-1 * rate / (2 * H)
-    found = combined(kind.subspace(state(kind, coordinates(kind))), velocities(kind))
-    assert_near(found, [*s[:3, 3], s[2, 1], s[0, 2], s[1, 0]])
+    result = combined(kind.subspace(state(kind, coordinates(kind))), velocities(kind))
+    assert_near(result, [*s[:3, 3], s[2, 1], s[0, 2], s[1, 0]])
 
 
 @MOVING
@@ -123,9 +123,9 @@ def test_the_subspace_s_rate_is_its_derivative(kind):
     """S' v, by differences; zero where the kind gives none."""
     v = velocities(kind)
     after, before = (combined(kind.subspace(state(kind, later(kind, h))), v) for h in (H, -H))
-    found = kind.subspace_rate(state(kind, coordinates(kind)), v) if kind.subspace_rate \
+    result = kind.subspace_rate(state(kind, coordinates(kind)), v) if kind.subspace_rate \
         else [0] * 6
-    assert_near(found, central(after, before))
+    assert_near(result, central(after, before))
 
 
 @MOVING
@@ -141,8 +141,8 @@ def moved(kind: JointKind, q: Reals, phi: Reals) -> Reals:
     if not kind.manifold:
         return [x + y for x, y in zip(q, phi, strict=True)]
     recorder = Recorder((array("q", (kind.nq,)), array("phi", (kind.nv,))))
-    found = kind.manifold.integrated(recorder.argument("q"), recorder.argument("phi"))
-    return exact(recorder.program("moved", [(array("next", (kind.nq,)), found)]), q, phi)
+    result = kind.manifold.integrated(recorder.argument("q"), recorder.argument("phi"))
+    return exact(recorder.program("moved", [(array("next", (kind.nq,)), result)]), q, phi)
 
 
 def exact(program: Program, *inputs: Reals) -> list[mpmath.mpf]:
@@ -183,8 +183,8 @@ def test_the_plane_s_axes_are_right_handed_and_those_of_the_frame_where_it_can_b
 
 
 def test_each_kind_is_a_file_of_its_name():
-    found = {x.stem for x in Path(joints.__file__).parent.glob("*.py")} - {"__init__"}
-    assert found == {kind.name for kind in KINDS}
+    result = {x.stem for x in Path(joints.__file__).parent.glob("*.py")} - {"__init__"}
+    assert result == {kind.name for kind in KINDS}
     assert len({kind.place for kind in KINDS}) == len(KINDS)
 
 

@@ -159,9 +159,9 @@ def test_a_cache_that_cannot_be_written_to_is_done_without(tmp_path: Path, monke
 def test_without_a_compiler_that_works_numpy_runs(compiled: Kernels, cache: Path, monkeypatch,
                                                   command: str):
     monkeypatch.setenv("CC", command)
-    with pytest.warns(RuntimeWarning, match="slider runs in pure NumPy") as told:
+    with pytest.warns(RuntimeWarning, match="slider runs in pure NumPy") as messages:
         twin = kernels_of(slider())
-    assert told[0].filename == __file__
+    assert messages[0].filename == __file__
     assert compiled.compiled and not twin.compiled and twin.compiler == ""
     assert dir(compiled.single) == dir(twin.single)
     for precision in ("double", "single"):
@@ -313,8 +313,8 @@ def test_every_kind_of_number_is_taken(kernels: Kernels):
     wanted = kernels.double.forward_dynamics(*ARGUMENTS)
     t, p, q, v, tau = (np.array(x) for x in ARGUMENTS)
     for time in (2, 2.0, np.float32(2), np.int64(2), t):
-        found = kernels.double.forward_dynamics(time, p, q, v, tau)
-        assert same_bits(found, wanted), type(time)
+        result = kernels.double.forward_dynamics(time, p, q, v, tau)
+        assert same_bits(result, wanted), type(time)
     narrow = kernels.single.forward_dynamics(t, p, q, v, tau)
     assert narrow.dtype == np.float32
     assert same_bits(narrow, kernels.single.forward_dynamics(*(np.float32(x) for x in ARGUMENTS)))
@@ -327,8 +327,9 @@ def test_threads_may_call_at_once(compiled: Kernels):
     states = np.random.default_rng(0).normal(size=(8, 20000, 2))
     wanted = [compiled.double.forward_dynamics(t, p, q, v, tau) for q in states]
     with ThreadPoolExecutor(8) as pool:
-        found = list(pool.map(lambda q: compiled.double.forward_dynamics(t, p, q, v, tau), states))
-    assert all(map(same_bits, found, wanted))
+        results = list(pool.map(
+            lambda q: compiled.double.forward_dynamics(t, p, q, v, tau), states))
+    assert all(map(same_bits, results, wanted))
 
 
 def test_processes_may_fill_the_cache_at_once(cache: Path):

@@ -106,13 +106,13 @@ def run(program: Program, rows: Sequence[Sequence[float]]) -> list[mpfr]:
     return interpreter(program, MULTIPRECISE)([[mpfr(float(x)) for x in row] for row in rows])
 
 
-def ulps(program: Program, given: Given, found: np.ndarray) -> np.ndarray:
+def ulps(program: Program, given: Given, result: np.ndarray) -> np.ndarray:
     """Errors of results in units of the last digit."""
     with precise(DIGITS):
         true = [run(program, rows) for rows in zip(*given, strict=True)]
         return np.array([[float(abs(mpfr(float(x)) - y) / mpfr(np.spacing(abs(float(y)))))
                           for x, y in zip(*rows, strict=True)]
-                         for rows in zip(found, true, strict=True)])
+                         for rows in zip(result, true, strict=True)])
 
 
 def sizes(program: Program, given: Given) -> np.ndarray:
@@ -137,11 +137,11 @@ def test_intermediate_results_may_lose_all_digits(tmp_path: Path):
     made = kernels(tmp_path, "123456789.1", SLIDING)
     program, given = made.functions.named("forward_dynamics").program, sliding_states(150)
     errors = ulps(program, given, made.accurate.double.forward_dynamics(*given))
-    told = sizes(program, given) < LARGEST
-    assert told[-len(WORST):, 0].all() and told.sum() > 400
-    assert errors[told].max() <= 1
+    messages = sizes(program, given) < LARGEST
+    assert messages[-len(WORST):, 0].all() and messages.sum() > 400
+    assert errors[messages].max() <= 1
     plain = ulps(program, given, made.double.forward_dynamics(*given))
-    assert plain[told].max() > 1e6, "plain has digits left"
+    assert plain[messages].max() > 1e6, "plain has digits left"
 
 
 def spinning_states(program: Program, count: int) -> Given:
@@ -164,6 +164,6 @@ def test_huge_angles_that_change_nothing(tmp_path: Path):
     made = kernels(tmp_path, "1.1", SPINNING)
     program = made.functions.named("inverse_dynamics").program
     given = spinning_states(program, 80)
-    told = sizes(program, given) < LARGEST
-    assert told[:, 0].sum() > 40
-    assert ulps(program, given, made.accurate.double.inverse_dynamics(*given))[told].max() <= 1
+    messages = sizes(program, given) < LARGEST
+    assert messages[:, 0].sum() > 40
+    assert ulps(program, given, made.accurate.double.inverse_dynamics(*given))[messages].max() <= 1

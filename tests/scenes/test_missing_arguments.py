@@ -48,7 +48,7 @@ def kernels(request, tmp_path_factory) -> Kernels:
         return load_scene(path)
 
 
-@pytest.mark.parametrize(("name", "given", "named", "said"), (
+@pytest.mark.parametrize(("name", "given", "named", "message"), (
     ("gravity_torques", (Q,), {}, "gravity_torques(p, q): p is missing; got 1 argument; wanted "
      "p (4,), q (2,)"),
     ("gravity_torques", (P,), {}, "gravity_torques(p, q): q is missing"),
@@ -65,10 +65,10 @@ def kernels(request, tmp_path_factory) -> Kernels:
     ("gravity_torques", (P, Q), {"thread": 2}, "gravity_torques(p, q): no argument 'thread'"),
     ("gravity_torques", (P,), {"Q": Q}, "gravity_torques(p, q): no argument 'Q'; did you mean 'q'?")
 ))
-def test_the_missing_argument_is_named(kernels, name, given, named, said):
+def test_the_missing_argument_is_named(kernels, name, given, named, message):
     with pytest.raises(TypeError) as error:
         getattr(kernels.double, name)(*given, **named)
-    assert said in str(error.value)
+    assert message in str(error.value)
 
 
 def test_arguments_may_be_given_in_any_way(kernels):

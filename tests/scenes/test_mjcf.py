@@ -97,9 +97,9 @@ def test_it_starts_where_mujoco_does(read, tmp_path):
 def test_a_scene_chooses_its_effects(read):
     """Effects that the file declares are reported with the text to write, until the scene has it.
     """
-    told = read(scene="[effects.gravity]\n").unused
+    messages = read(scene="[effects.gravity]\n").unused
     assert "joint pitch: spring of the model's file is not used: add [effects.spring.pitch] with " \
-           "k = 5.0 and q0 = 0.1" in told
+           "k = 5.0 and q0 = 0.1" in messages
     written = read(scene="[effects.gravity]\n[effects.spring.pitch]\nk = 2\n").unused
     assert not any("spring of the model's file" in x for x in written)
 
@@ -140,8 +140,8 @@ def test_what_no_scene_has_is_refused_or_left_out(read, group, more, old, new, e
     assert f"robot.xml: {element}: " in str(caught.value)
     assert str(caught.value).endswith(f'leave_out = ["{group}"] in the scene, or --leave-out '
                                       f"{group}, leaves it out")
-    told = read(text, more, leave_out=(group,)).unused
-    assert f"{element}: left out ({group})" in told
+    messages = read(text, more, leave_out=(group,)).unused
+    assert f"{element}: left out ({group})" in messages
     scene = read(text, more, scene=f'leave_out = ["{group}"]\n[effects.gravity]\n')
     assert f"{element}: left out ({group})" in scene.unused
 
@@ -153,13 +153,13 @@ ACTUATORS = """<actuator>
 
 
 def test_actuators_are_told_with_what_to_write(read):
-    told = [x for x in read(more=ACTUATORS).unused if "actuator" in x and "effort" not in x]
-    assert told[0] == ("joint roll: actuator m is not used: add [effects.actuator.roll] with kind "
-                       '= "torque", torque = 0 and limit = 100.0')
-    assert told[1].endswith('[effects.actuator.wag] with kind = "pd", kp = 28.0, kd = 2.0 and '
-                            "target = 0")
-    assert told[2].endswith('kind = "pd", kp = 0.0, kd = 3.0 and target = 0')
-    assert told[3] == "actuator x: is not used, and no effect does the same"
+    notices = [x for x in read(more=ACTUATORS).unused if "actuator" in x and "effort" not in x]
+    assert notices[0] == ("joint roll: actuator m is not used: add [effects.actuator.roll] with "
+                           'kind = "torque", torque = 0 and limit = 100.0')
+    assert notices[1].endswith('[effects.actuator.wag] with kind = "pd", kp = 28.0, kd = 2.0 and '
+                                "target = 0")
+    assert notices[2].endswith('kind = "pd", kp = 0.0, kd = 3.0 and target = 0')
+    assert notices[3] == "actuator x: is not used, and no effect does the same"
 
 
 def test_a_position_actuator_is_the_pd_that_is_told(read, tmp_path):

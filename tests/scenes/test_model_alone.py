@@ -128,13 +128,13 @@ def test_effects_that_a_file_declares_act_in_it_alone(declared):
 
 def test_in_a_scene_they_are_told_with_what_to_write(declared):
     """Until the scene has such an effect there; what is written then is what the file declares."""
-    told = declared("", spring=SPRING, gravity=FALLS)
-    assert told.unused == (
+    messages = declared("", spring=SPRING, gravity=FALLS)
+    assert messages.unused == (
         'joint my pin: spring of the model\'s file is not used: add [effects.spring."my pin"] with '
         "k = 3.5 and q0 = -0.25",
         "effect gravity: gravity of the model's file is not used: add [effects.gravity] with g = "
         "[0, 0, -1.62]")
-    remedies = "\n".join(x.remedy.removeprefix("add ") for x in told.notices)
+    remedies = "\n".join(x.remedy.removeprefix("add ") for x in messages.notices)
     again = declared(remedies.replace(" with ", "\n").replace(" and ", "\n"), spring=SPRING,
                      gravity=FALLS)
     assert again.unused == ()

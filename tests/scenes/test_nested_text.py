@@ -56,8 +56,8 @@ def nested(program: Program, width: int) -> NestingPlan:
 
 def shown(plan: NestingPlan) -> tuple[str, list[str]]:
     """Declarations, results."""
-    found = plan.printed(language(plan.program, DOUBLE), access(plan.program), {})
-    return "\n".join(declarations(found.assigned, DOUBLE, 98)), found.results
+    result = plan.printed(language(plan.program, DOUBLE), access(plan.program), {})
+    return "\n".join(declarations(result.assigned, DOUBLE, 98)), result.results
 
 
 @pytest.mark.parametrize("width", (40, 150, 10_000))

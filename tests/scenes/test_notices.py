@@ -77,9 +77,9 @@ def test_each_remedy_works_as_it_is_written(read, robot, there):
 iyz="0"/></inertial></link><joint name="j9" type="revolute"><parent link="l0"/><child link="l9"/>
 <limit lower="-1" upper="1"/></joint></robot>""")
     scene = read(robot, there)
-    told = [x for x in scene.notices if x.remedy]
-    assert len(told) > 8
-    for notice in told:
+    messages = [x for x in scene.notices if x.remedy]
+    assert len(messages) > 8
+    for notice in messages:
         cured = read(robot, there + toml(notice.remedy))
         assert len(cured.effects) > len(scene.effects)
         if "another tool's" not in notice.text:

@@ -45,8 +45,8 @@ SCENES = {
 
 
 def _counts(program: Program) -> dict[str, int]:
-    found = {kind: sum(program.counts[op] for op in ops) for kind, ops in KINDS.items()}
-    return {**found, "others": len(program.instructions) - sum(found.values())}
+    results = {kind: sum(program.counts[op] for op in ops) for kind, ops in KINDS.items()}
+    return {**results, "others": len(program.instructions) - sum(results.values())}
 
 
 def _rows(name: str) -> Iterator[dict[str, str]]:

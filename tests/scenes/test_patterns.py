@@ -70,11 +70,11 @@ def test_a_name_that_exists_stands_for_itself():
     ('["han?.com"]', ["hand.com.x", "hand.com.y", "hand.com.z"]),
     ('["hand.*x"]', ["hand.com.x", "hand.inertia.xx"])))
 def test_patterns_of_runtime_give_parameters(runtime, names, tmp_path):
-    found = read_scene(written(tmp_path, runtime))
-    assert [x.name for x in found.parameters] == names
+    result = read_scene(written(tmp_path, runtime))
+    assert [x.name for x in result.parameters] == names
 
 
-@pytest.mark.parametrize(("changed", "said"), (
+@pytest.mark.parametrize(("changed", "message"), (
     ({"runtime": '[""]'}, "runtime: '' is no name"),
     ({"runtime": '["actuator.*.torqe"]'}, "runtime: 'actuator.*.torqe' matches nothing; did you "
      "mean 'actuator.left_"),
@@ -91,10 +91,10 @@ def test_patterns_of_runtime_give_parameters(runtime, names, tmp_path):
     ({"body": BODY.replace('joints = ["left_*"]', 'joints = [""]')}, "joints: '' is no name"),
     ({"body": BODY.replace("v.left_*", "v.*_left")}, "'v.*_left' matches no quantity; did you "),
     ({"body": BODY.replace("v.left_*", "position.*")}, "has 3 components; wanted one")))
-def test_a_pattern_without_a_match_is_refused_with_the_nearest_name(changed, said, tmp_path):
+def test_a_pattern_without_a_match_is_refused_with_the_nearest_name(changed, message, tmp_path):
     with pytest.raises(SceneError) as error:
         read_scene(written(tmp_path, **changed))
-    assert said in str(error.value)
+    assert message in str(error.value)
 
 
 def test_patterns_of_functions_select_them(tmp_path):
@@ -174,8 +174,8 @@ def test_patterns_of_controllers_and_records_of_runs(tmp_path):
     scene = read_scene(path)
     law = Controller(lambda t, q, v: [1.0, 2.0], sets=["actuator.*.torque"])
     assert set_by(law, scene) == (0, 1)
-    found = run(path, controller=law, record=["v.left_*"])
-    assert [*found.recorded] == ["v.left_hip", "v.left_knee"]
+    result = run(path, controller=law, record=["v.left_*"])
+    assert [*result.recorded] == ["v.left_hip", "v.left_knee"]
     other = Controller(lambda t, q, v: [1.0, 2.0], sets=["actuatr.*.torque"])
     with pytest.raises(SimulateError, match=r"sets 'actuatr.*' matches nothing; did you mean"):
         set_by(other, scene)
@@ -197,9 +197,9 @@ def test_lists_of_the_command_line_have_commas_spaces_or_several_options(words, 
 def test_each_unknown_name_of_the_command_line_has_its_suggestion(tmp_path, capsys):
     words = ["generate", str(written(tmp_path)), "-o", str(tmp_path / "out"), "--functions"]
     assert main([*words, "energi,pwer", "jacobian_hnd"]) == 2
-    said = capsys.readouterr().err
+    output = capsys.readouterr().err
     for near in ("'energy'", "'power'", "'jacobian_hand'"):
-        assert f"did you mean {near}?" in said
+        assert f"did you mean {near}?" in output
     with pytest.raises(SystemExit):
         main([*words, "energy,,power"])
     assert "an empty name in 'energy,,power'" in capsys.readouterr().err
@@ -212,8 +212,8 @@ def test_sweeps_record_by_patterns_and_a_grid_is_of_one_name(tmp_path, capsys):
     path = str(written(tmp_path, runtime='["*.mass"]'))
     assert main(["sweep", path, "--grid", "hand.mass=1:2:2", "--record", "q.left_*,energy.k*",
                  "--member", "1"]) == 0
-    said = capsys.readouterr().out
-    assert "record=('q.left_hip', 'q.left_knee', 'energy.kinetic')" in said
+    output = capsys.readouterr().out
+    assert "record=('q.left_hip', 'q.left_knee', 'energy.kinetic')" in output
     assert main(["sweep", path, "--grid", "*.mass=1:2:2", "--member", "1"]) == 2
     assert ("--grid *.mass: wanted one name; the pattern matches base.mass, hand.mass, h[1].mass"
             in capsys.readouterr().err)
@@ -221,12 +221,12 @@ def test_sweeps_record_by_patterns_and_a_grid_is_of_one_name(tmp_path, capsys):
     assert "--sobol h*.mas: matches nothing; did you mean 'h" in capsys.readouterr().err
 
 
-@pytest.mark.parametrize(("runtime", "said"), (
+@pytest.mark.parametrize(("runtime", "notice"), (
     ("[]", "2 torques or forces of actuators do nothing: they are zero, and no argument of the "
      'functions; write runtime = ["actuator.left_hip.torque", "actuator.left_knee.torque"]'),
     ('["actuator.left_hip.torque"]', "actuator.left_knee.torque does nothing: it is zero, and no "
      'argument of the functions; write runtime = ["actuator.left_knee.torque"]'),
     ('["actuator.*.torque"]', "")))
-def test_an_actuator_that_nothing_drives_is_told(runtime, said, tmp_path):
-    found = [x for x in read_scene(written(tmp_path, runtime)).unused if "nothing" in x]
-    assert found == [said] * bool(said)
+def test_an_actuator_that_nothing_drives_is_told(runtime, notice, tmp_path):
+    results = [x for x in read_scene(written(tmp_path, runtime)).unused if "nothing" in x]
+    assert results == [notice] * bool(notice)

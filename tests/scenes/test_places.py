@@ -27,9 +27,9 @@ def given(effect: Effect, of: ParameterOf) -> dict[str, str]:
     """Values for all of the effect's parameters, of the kind that has the parameter `of`."""
     kinds = next((x.choices for x in effect.parameters if x.name == "kind"), ("",))
     kind = of.of[0] if of.of else kinds[-1]
-    found = {x.name: value(x, n + 2) for n, x in enumerate(effect.parameters)
-             if not x.of or kind in x.of}
-    return {**found, **({"kind": f'"{kind}"'} if kind else {})}
+    results = {x.name: value(x, n + 2) for n, x in enumerate(effect.parameters)
+               if not x.of or kind in x.of}
+    return {**results, **({"kind": f'"{kind}"'} if kind else {})}
 
 
 def lines(values: dict[str, str]) -> str:
@@ -93,10 +93,10 @@ def test_a_table_under_a_parameters_name_alone_is_by_places(read, effect, parame
     if parameter.kind in ("choice", "flag"):
         word = value(parameter)
         text = text.replace("= 2,", f"= {word},").replace("= 3", f"= {word}")
-    found = read(effect.place, "plain", text)
-    assert set(found) == {"plain", "other"}
+    result = read(effect.place, "plain", text)
+    assert set(result) == {"plain", "other"}
     if parameter.kind == "number":
-        assert [found[x][parameter.name] for x in ("plain", "other")] == [2, 3]
+        assert [result[x][parameter.name] for x in ("plain", "other")] == [2, 3]
 
 
 def test_labels_are_no_parameters(read):

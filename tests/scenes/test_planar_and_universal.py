@@ -110,7 +110,7 @@ def chain(folder: Path) -> Kernels:
 @pytest.fixture(scope="module")
 def truth(arm: Kernels) -> list[tuple[mpmath.matrix, mpmath.matrix]]:
     """(τ, M) at each state, by Newton's and Euler's laws to 70 digits."""
-    model, found = expanded(arm.scene.model), []
+    model, result = expanded(arm.scene.model), []
     with mpmath.workdps(70):
         for q, v, a in zip(*states(), strict=True):
             q, v, a = ([mpmath.mpf(x) for x in y] for y in (q, v, a))
@@ -119,15 +119,15 @@ def truth(arm: Kernels) -> list[tuple[mpmath.matrix, mpmath.matrix]]:
             columns = [newton_euler.inverse_dynamics(
                 model, still, q, none, [mpmath.mpf(int(i == k)) for i in range(7)])
                 for k in range(7)]
-            found.append((mpmath.matrix(newton_euler.inverse_dynamics(model, G, q, v, a)),
-                          mpmath.matrix(columns).T))
-    return found
+            result.append((mpmath.matrix(newton_euler.inverse_dynamics(model, G, q, v, a)),
+                           mpmath.matrix(columns).T))
+    return result
 
 
-def off(found: np.ndarray, wanted: mpmath.matrix) -> float:
+def off(result: np.ndarray, wanted: mpmath.matrix) -> float:
     """The largest difference relative to the largest component."""
     with mpmath.workdps(70):
-        other = mpmath.matrix(found.tolist())
+        other = mpmath.matrix(result.tolist())
         apart = [abs(x - y) for x, y in zip(other, wanted, strict=True)]
         return float(max(apart) / max(abs(x) for x in wanted))
 
@@ -159,12 +159,12 @@ def test_tiers_keep_their_promises(arm, truth, precision: Precision, tier: str):
     """Accurate results are right to the last bit or so; certified ones are within their bounds."""
     kernels, u = getattr(getattr(arm, tier), precision.name), float(precision.u)
     for (tau, M), q, v, a in zip(truth, *states(), strict=True):
-        for found, wanted in ((kernels.inverse_dynamics(q, v, a), tau),
-                              (kernels.mass_matrix(q), M)):
+        for result, wanted in ((kernels.inverse_dynamics(q, v, a), tau),
+                               (kernels.mass_matrix(q), M)):
             if tier == "accurate":
-                assert off(np.array(found), wanted) < 2 * u
+                assert off(np.array(result), wanted) < 2 * u
                 continue
-            values, bounds = (np.ravel(x).tolist() for x in found)
+            values, bounds = (np.ravel(x).tolist() for x in result)
             with mpmath.workdps(70):
                 most = 1e3 * u * max(abs(x) for x in wanted)
                 assert all(abs(mpmath.mpf(x) - y) <= bound + ROUNDED and bound <= most
@@ -178,12 +178,12 @@ def test_all_functions_are_those_of_slides_and_hinges(arm, chain):
         one, other = (getattr(x.double, name) for x in (arm, chain))
         given = {"mass_matrix": (q,), "body_poses": (q,), "jacobian_tip": (q,), "energy": (q, v),
                  "inverse_dynamics": (q, v, a), "forward_dynamics": (q, v, a)}.get(name, (q, v))
-        found, wanted = (np.asarray(f(*given)) for f in (one, other))
+        result, wanted = (np.asarray(f(*given)) for f in (one, other))
         if name.startswith("body_"):
             names = [x.name for x in chain.scene.model.bodies]
             wanted = wanted[:, [names.index(x.name) for x in arm.scene.model.bodies]]
         size = np.abs(wanted).max(axis=tuple(range(1, wanted.ndim)), keepdims=True)
-        assert (np.abs(found - wanted) <= 1e-11 * np.maximum(size, 1)).all(), name
+        assert (np.abs(result - wanted) <= 1e-11 * np.maximum(size, 1)).all(), name
 
 
 @pytest.mark.parametrize("name", STEPS)
@@ -196,8 +196,8 @@ def test_steps_are_those_of_slides_and_hinges(arm, chain, precision, name):
         for _ in range(50):
             x, y = getattr(getattr(kernels, precision.name), name)(1e-3, x, y)
         runs.append((x, y))
-    for found, wanted in zip(*runs, strict=True):
-        assert np.abs(found - wanted).max() < 1e4 * u
+    for result, wanted in zip(*runs, strict=True):
+        assert np.abs(result - wanted).max() < 1e4 * u
 
 
 @pytest.mark.parametrize("name", ADAPTIVE)
@@ -206,9 +206,9 @@ def test_runs_of_scipy_end_where_ours_do(folder, name):
     path = folder / f"{name}.toml"
     path.write_text(ARM + START + "[run]\nrtol = 1e-10\natol = 1e-12\n")
     wanted = run(path, until=0.5, integrator="rk4", step=2.5e-4)
-    found = run(path, until=0.5, integrator=name)
-    assert np.abs(found.q[-1] - wanted.q[-1]).max() < 1e-8
-    assert np.abs(found.v[-1] - wanted.v[-1]).max() < 1e-7
+    result = run(path, until=0.5, integrator=name)
+    assert np.abs(result.q[-1] - wanted.q[-1]).max() < 1e-8
+    assert np.abs(result.v[-1] - wanted.v[-1]).max() < 1e-7
 
 
 @each_precision

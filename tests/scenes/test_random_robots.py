@@ -14,10 +14,10 @@ ROBOTS = 60
 
 @pytest.mark.parametrize("number", (23, 41))
 def test_tiers_keep_their_promises(number: int):
-    found = list(judged(robot(number), 3))
-    assert not [x for x in found if x.broken], summary(found)
-    assert sum(x.judged for x in found) > len(found) / 2 and any(x.stated for x in found)
-    assert [x for x in found if replace(x, bound=float(x.error) / 2).broken]
+    results = list(judged(robot(number), 3))
+    assert not [x for x in results if x.broken], summary(results)
+    assert sum(x.judged for x in results) > len(results) / 2 and any(x.stated for x in results)
+    assert [x for x in results if replace(x, bound=float(x.error) / 2).broken]
 
 
 def test_robots_are_all_different_trees():

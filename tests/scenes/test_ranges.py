@@ -139,11 +139,11 @@ def folded_exp(x: Fraction) -> Result:
 @pytest.mark.parametrize("x", [Fraction(x) for x in (
     "0.5", "-1/3", "100", "-745.2", "-5000", "16000")])
 def test_exponentials_of_constants_have_sixty_digits(x):
-    found = folded_exp(x)
-    assert isinstance(found, Constant)
+    result = folded_exp(x)
+    assert isinstance(result, Constant)
     with mpmath.workdps(80):
         truth = mpmath.exp(mpmath.mpf(x.numerator) / x.denominator)
-        relative = mpmath.mpf(found.double.numerator) / found.double.denominator / truth - 1
+        relative = mpmath.mpf(result.double.numerator) / result.double.denominator / truth - 1
         assert abs(relative) < mpmath.mpf(10)**-58
 
 
@@ -198,9 +198,9 @@ def test_every_command_says_it_in_a_line(path, capsys, command):
     file = path("mass = 2", "mass = 1e60")
     words = command.format(file, file.parent).split()
     assert main(words) == 2
-    told = capsys.readouterr()
-    assert told.out == "" and told.err.count("\n") == 1
-    assert told.err.startswith("coscrew: arm: body 'bob': mass 1e+60 kg is outside single")
+    output = capsys.readouterr()
+    assert output.out == "" and output.err.count("\n") == 1
+    assert output.err.startswith("coscrew: arm: body 'bob': mass 1e+60 kg is outside single")
     assert not (file.parent / "out").exists()
 
 

@@ -177,8 +177,9 @@ def test_motions_of_dop853_are_the_references(name):
              "double")
 
 
-def _compare(found: tuple[runs.Compared, ...], wanted: tuple[Figure, ...], precision: str) -> None:
-    for x in found:
+def _compare(results: tuple[runs.Compared, ...], wanted: tuple[Figure, ...], precision: str
+             ) -> None:
+    for x in results:
         print(f"{x.quantity}: {x.error:.2g} of {x.integration:.2g} + {x.rounding:.2g}")
         size = max(abs(float(y.value)) for y in wanted if y.quantity.split(".")[0] == x.quantity)
         assert x.error <= x.bound <= DIGITS[precision] * size, x
@@ -188,8 +189,8 @@ def _compare(found: tuple[runs.Compared, ...], wanted: tuple[Figure, ...], preci
 def test_motions_have_the_published_figures(name):
     """In double precision, to as many digits as are printed, or to 1e-10."""
     its, wanted = kernels(name), published(name)
-    found, _ = runs.values(system(its, "double"), wanted, "rk4", its.scene.run.step / 2)
-    for came, x in zip(found, wanted, strict=True):
+    result, _ = runs.values(system(its, "double"), wanted, "rk4", its.scene.run.step / 2)
+    for came, x in zip(result, wanted, strict=True):
         assert abs(came - float(x.value)) <= max(last_place(x), 1e-10), (x, came)
 
 
@@ -220,9 +221,9 @@ def test_a_leaping_quadruped_flies_like_a_stone():
     mass is constant."""
     its = system(kernels("quadruped"), "double")
     times = (0.0, 0.125, 0.25, 0.5)
-    asked = [Figure(f"momentum.{i}", str(t), "0") for t in times for i in range(6)]
+    requested = [Figure(f"momentum.{i}", str(t), "0") for t in times for i in range(6)]
     step = its.scene.run.step
-    (coarse, _), (fine, run) = (runs.values(its, asked, "rk4", h) for h in (step, step / 2))
+    (coarse, _), (fine, run) = (runs.values(its, requested, "rk4", h) for h in (step, step / 2))
     rounding = 2 * run.steps * runs.ROUNDOFF["double"] * np.max(np.abs(fine))
     bound = np.max(np.abs(coarse - fine)) + rounding
     p, L = fine.reshape(-1, 6)[:, :3], fine.reshape(-1, 6)[:, 3:]

@@ -61,8 +61,8 @@ RULES: dict[str, tuple[Program, float]] = {  # and the part of the bound that is
 def test_rules_hold_and_are_reached(name: str):
     small, reached = RULES[name]
     sizes = (1.7, 1.4, np.inf)
-    found = moved(small, SINGLE, [sizes], 0.85)
-    assert found is not None
+    result = moved(small, SINGLE, [sizes], 0.85)
+    assert result is not None
     draw = np.random.default_rng(1)
     x, y = (draw.uniform(0.6 * size, size, 400_000) * draw.choice((-1, 1), 400_000)
             for size in sizes[:2])
@@ -70,8 +70,8 @@ def test_rules_hold_and_are_reached(name: str):
     got, = interpreter(small, PLAIN)([given])
     true, = interpreter(small, ARRAYS)([[z.astype(float) for z in given]])
     worst = abs(got.astype(float) - true).max()
-    assert got.dtype == np.float32 and abs(true).max() <= found[0].size
-    assert reached * found[0].error <= worst <= found[0].error, worst / found[0].error
+    assert got.dtype == np.float32 and abs(true).max() <= result[0].size
+    assert reached * result[0].error <= worst <= result[0].error, worst / result[0].error
 
 
 def limited(model: Model) -> Model:
@@ -97,8 +97,8 @@ def test_searches_find_no_more_and_not_much_less(name: str):
         p = next(p for p in PRECISIONS if p.name == precision)
         assert worst_exactly(kernels(), function, output, 12, p) <= bound
         if p == SINGLE:
-            found = worst_found(kernels(), function, output, 1000, 20)
-            assert found <= bound <= 1000 * found, (bound, found)
+            result = worst_found(kernels(), function, output, 1000, 20)
+            assert result <= bound <= 1000 * result, (bound, result)
 
 
 def without(model: Model, **fields: object) -> Model:
@@ -114,10 +114,10 @@ def without(model: Model, **fields: object) -> Model:
 def test_nothing_is_stated_where_nothing_is_known(change: Callable[[Model], Model],
                                                   lost: set[str]):
     names = ("body_poses", "gravity_torques", "energy", "inverse_dynamics", "forward_dynamics")
-    found = derive(Scene("arm", change(limited(arm())), (m.gravity(),), functions=names))
-    assert {f.name for f in found.functions if not f.rounding} == lost
+    result = derive(Scene("arm", change(limited(arm())), (m.gravity(),), functions=names))
+    assert {f.name for f in result.functions if not f.rounding} == lost
     if not lost & {"body_poses"}:
-        assert found.named("body_poses").rounding.endswith(
+        assert result.named("body_poses").rounding.endswith(
             "precision, for every q within the joints' limits.")
 
 

@@ -24,11 +24,11 @@ def swing(tmp_path_factory):
 
 @pytest.mark.parametrize("precision", ("double", "single"))
 def test_a_run_writes_the_bytes_of_the_command(swing, tmp_path, capsys, precision):
-    asked = ["--until", "0.3", "--step", "0.0007", "--set", "bob.mass=1.1"]
-    assert main(["simulate", str(swing), *asked, "--precision", precision, "--output",
+    requested = ["--until", "0.3", "--step", "0.0007", "--set", "bob.mass=1.1"]
+    assert main(["simulate", str(swing), *requested, "--precision", precision, "--output",
                  str(tmp_path / "command.csv")]) == 0
-    found = run(swing, until=0.3, step=0.0007, p={"bob.mass": 1.1}, precision=precision)
-    found.write(tmp_path / "run.csv")
+    result = run(swing, until=0.3, step=0.0007, p={"bob.mass": 1.1}, precision=precision)
+    result.write(tmp_path / "run.csv")
     assert (tmp_path / "run.csv").read_bytes() == (tmp_path / "command.csv").read_bytes()
 
 
@@ -54,16 +54,16 @@ k = 1e5
 """
 
 
-@pytest.mark.parametrize("q0, said", (([3.5], "starts at 3.5"), ([3.0], None),
-                                      ([[0.0], [-4.0], [3.5]], "starts at -4, outside")))
-def test_joints_that_start_outside_their_ranges_are_told(tmp_path, q0, said):
+@pytest.mark.parametrize("q0, message", (([3.5], "starts at 3.5"), ([3.0], None),
+                                         ([[0.0], [-4.0], [3.5]], "starts at -4, outside")))
+def test_joints_that_start_outside_their_ranges_are_told(tmp_path, q0, message):
     path = tmp_path / "limited.toml"
     path.write_text(LIMITED)
-    with warnings.catch_warnings(record=True) as found:
+    with warnings.catch_warnings(record=True) as result:
         warnings.simplefilter("always")
         run(path, q0=q0, until=0.01)
-    words = [str(x.message) for x in found if "outside its range from -3 to 3" in str(x.message)]
-    assert len(words) == (said is not None) and (not words or said in words[0])
+    words = [str(x.message) for x in result if "outside its range from -3 to 3" in str(x.message)]
+    assert len(words) == (message is not None) and (not words or message in words[0])
 
 
 @pytest.mark.parametrize("words", ({"functions": []}, {"tiers": ()}))
@@ -78,8 +78,8 @@ def test_members_that_diverge_are_told_and_others_go_on(swing):
         one = run(swing, v0=[1e308], until=0.2)
     assert [x.member for x in many.failed] in ([1, 2], [2, 1])
     of_last = next(x for x in many.failed if x.member == 2)
-    told = [(x.t, x.joint, x.cause.rpartition("; ")[0]) for x in (of_last, one.failed[0])]
-    assert told[0] == told[1]  # remedies differ: those of batches are not tried
+    messages = [(x.t, x.joint, x.cause.rpartition("; ")[0]) for x in (of_last, one.failed[0])]
+    assert messages[0] == messages[1]  # remedies differ: those of batches are not tried
     assert many.q[0].tobytes() == run(swing, until=0.2).q.tobytes()
     for x in many.failed:
         assert np.isnan(many.q[x.member, many.t >= x.t]).all()
@@ -99,20 +99,20 @@ def test_a_controller_holds_its_torque_between_calls(swing, every):
         if k % every == 0:
             p = np.array([2, law(0, q, v)[0]])
         q, v = its.step_leapfrog(1e-3, p, q, v)
-    found = run(swing, controller=Controller(law, every), until=0.05)
-    assert found.q[-1].tobytes() == q.tobytes() and found.v[-1].tobytes() == v.tobytes()
+    result = run(swing, controller=Controller(law, every), until=0.05)
+    assert result.q[-1].tobytes() == q.tobytes() and result.v[-1].tobytes() == v.tobytes()
 
     @LAW
     def in_c(t, q, v, u, context):
         u[0] = -3 * q[0] - v[0]
 
     again = run(swing, controller=Controller(in_c, every), until=0.05)
-    assert again.q.tobytes() == found.q.tobytes()
+    assert again.q.tobytes() == result.q.tobytes()
     many = run(swing, q0=[[0.1], [0.5]], controller=Controller(law, every), until=0.05)
-    assert many.q[1].tobytes() == found.q.tobytes()
+    assert many.q[1].tobytes() == result.q.tobytes()
 
 
-@pytest.mark.parametrize("asked, said", (
+@pytest.mark.parametrize("requested, message", (
     ({"p": {"bob.mas": 1}}, "p: bob.mas: .*did you mean 'bob.mass'"),
     ({"p": {"bob.mass": [1, -1]}}, "p: bob.mass=-1: wanted a positive"),
     ({"q0": [1, 2, 3]}, r"q0: wanted \(1\) or \(members, 1\); got shape \(3,\)"),
@@ -126,16 +126,16 @@ def test_a_controller_holds_its_torque_between_calls(swing, every):
     ({"controller": Controller(abs, sets=["bob.mass"])}, "which is constant in a run"),
     ({"controller": Controller(abs, sets=["actuator.pivot.torque"] * 3)},
      "controller: sets 'actuator.pivot.torque' twice")))
-def test_wrong_arguments_are_refused(swing, asked, said):
-    with pytest.raises(SimulateError, match=said):
-        run(swing, until=0.05, **asked)
+def test_wrong_arguments_are_refused(swing, requested, message):
+    with pytest.raises(SimulateError, match=message):
+        run(swing, until=0.05, **requested)
 
 
 def none(*_: object) -> None:
     raise AssertionError("called")
 
 
-@pytest.mark.parametrize("asked, said", (
+@pytest.mark.parametrize("requested, message", (
     ({"p": []}, r"p: wanted \(2\) or \(members, 2\); got shape \(0,\)"),
     ({"p": np.zeros((0, 2))}, r"p: wanted \(2\) or \(members, 2\); got shape \(0, 2\)"),
     ({"p": [[1, 2], [3]]}, r"p: wanted real numbers; got \[\[1, 2\], \[3\]\]"),
@@ -152,11 +152,11 @@ def none(*_: object) -> None:
     ({"integrator": 1}, "integrator: 1; wanted one of leapfrog, .*dop853$"),
     ({"integrator": ""}, "integrator: ''; wanted one of leapfrog, .*dop853$"),
     ({"integrator": "rk5"}, "integrator: 'rk5'; wanted .*dop853; did you mean 'rk4'")))
-def test_what_has_the_wrong_type_is_refused_before_anything_is_compiled(swing, monkeypatch, asked,
-                                                                        said):
+def test_what_has_the_wrong_type_is_refused_before_anything_is_compiled(
+        swing, monkeypatch, requested, message):
     monkeypatch.setattr(api, "kernels_for", none)
-    with pytest.raises(SimulateError, match=said):
-        run(swing, until=0.05, **asked)
+    with pytest.raises(SimulateError, match=message):
+        run(swing, until=0.05, **requested)
 
 
 @pytest.mark.parametrize("name", ("q0", "v0"))
@@ -166,11 +166,11 @@ def test_a_batch_has_members(swing, name):
 
 
 def test_names_to_record_may_come_one_by_one(swing):
-    found = run(swing, until=0.05, record=(x for x in ("energy.total", "v")))
-    assert list(found.recorded) == ["energy.total", "v.pivot"]
+    result = run(swing, until=0.05, record=(x for x in ("energy.total", "v")))
+    assert list(result.recorded) == ["energy.total", "v.pivot"]
 
 
-@pytest.mark.parametrize("asked, said", (
+@pytest.mark.parametrize("requested, message", (
     ({"sets": "x"}, r"sets: wanted a list of names, as \[.*\]; got 'x'"),
     ({"sets": [1]}, r"sets: wanted a list of names, as .*; got \[1\]"),
     ({"sets": 3}, "sets: wanted a list of names, as .*; got 3"),
@@ -184,9 +184,9 @@ def test_names_to_record_may_come_one_by_one(swing):
     ({"context": True}, "context: wanted an address, .*; got True"),
     ({"context": -1}, "context: wanted an address, .*; got -1"),
     ({"context": 2**64}, "context: wanted an address, .*; got 18446744073709551616")))
-def test_controllers_refuse_what_they_cannot_use(asked, said):
-    with pytest.raises(SimulateError, match=f"controller: {said}"):
-        Controller(none, **asked)
+def test_controllers_refuse_what_they_cannot_use(requested, message):
+    with pytest.raises(SimulateError, match=f"controller: {message}"):
+        Controller(none, **requested)
 
 
 def test_steps_of_a_controller_may_be_of_numpy():
@@ -204,10 +204,10 @@ def test_an_untyped_pointer_is_an_address(swing):
 
     by = Controller(ctypes.cast(law, ctypes.c_void_p),
                     context=ctypes.c_void_p(ctypes.addressof(count)))
-    found = run(swing, controller=by, until=0.05)
+    result = run(swing, controller=by, until=0.05)
     assert count.value == 51  # before each step, and at the end
     wanted = run(swing, controller=lambda t, q, v: -3 * q, until=0.05)
-    assert found.q.tobytes() == wanted.q.tobytes()
+    assert result.q.tobytes() == wanted.q.tobytes()
 
 
 @pytest.mark.parametrize("pointer", (0, False, True, LAW(), ctypes.c_void_p(), -5, 2**64))

@@ -55,11 +55,11 @@ def same_bytes(path, first, folder, ending=".csv", controller=None):
 @pytest.mark.parametrize("name", ASKED)
 @pytest.mark.filterwarnings("ignore:the run stopped")
 def test_a_recording_and_its_scene_make_the_same_bytes(scenes, tmp_path, name, precision):
-    scene, asked = ASKED[name]
+    scene, requested = ASKED[name]
     path = scenes / f"{scene}.toml"
-    first = run(path, precision=precision, **asked)
-    same_bytes(path, first, tmp_path, controller=asked.get("controller"))
-    twice = again(path, first, controller=asked.get("controller"))
+    first = run(path, precision=precision, **requested)
+    same_bytes(path, first, tmp_path, controller=requested.get("controller"))
+    twice = again(path, first, controller=requested.get("controller"))
     assert twice.q.tobytes() == first.q.tobytes() and twice.provenance == first.provenance
 
 
@@ -96,25 +96,26 @@ def test_so_does_every_file_of_the_command(scenes, tmp_path, capsys, ending):
 def test_the_command_refuses_other_settings_and_runs_with_a_controller(scenes, tmp_path, capsys):
     path, name = scenes / "swing.toml", tmp_path / "driven.csv"
     run(path, until=0.05, record=["a"], controller=law).write(name)
-    for asked, said in (((), "again: controller: wanted function law, every step, sets"),
-                        (("--until", "1"), "has all settings; wanted no --until"),
-                        (("--set", "bob.mass=1"), "has all settings; wanted no --set")):
-        assert main(["simulate", str(path), "--again", str(name), *asked]) == 2
-        assert said in capsys.readouterr().err
+    for requested, message in (((), "again: controller: wanted function law, every step, sets"),
+                               (("--until", "1"), "has all settings; wanted no --until"),
+                               (("--set", "bob.mass=1"), "has all settings; wanted no --set")):
+        assert main(["simulate", str(path), "--again", str(name), *requested]) == 2
+        assert message in capsys.readouterr().err
     run(path, until=0.05, record=["a"]).write(name)
     assert main(["simulate", str(path), "--again", str(name), "--output", str(name)]) == 0
 
 
 @pytest.mark.parametrize("controller", (None, Controller(law, 7)))
 def test_a_batch_has_the_same_bits_and_tells_a_hash_of_its_start(scenes, controller):
-    path, asked = scenes / "swing.toml", {"until": 0.1, "controller": controller}
+    path, requested = scenes / "swing.toml", {"until": 0.1, "controller": controller}
     given = {"p": {"bob.mass": [1, 2, 3]}, "q0": [[0.1], [0.2], [0.3]]}
-    first, other = run(path, **given, **asked), run(path, **{**given, "v0": [1e-9]}, **asked)
+    first = run(path, **given, **requested)
+    other = run(path, **{**given, "v0": [1e-9]}, **requested)
     twice = again(path, first, controller=controller)
     assert twice.recording.values.tobytes() == first.recording.values.tobytes()
     assert twice.provenance == first.provenance
-    told, others = (json.loads(dict(x.provenance)["start"]) for x in (first, other))
-    assert told["members"] == others["members"] == 3 and told["sha256"] != others["sha256"]
+    messages, others = (json.loads(dict(x.provenance)["start"]) for x in (first, other))
+    assert messages["members"] == others["members"] == 3 and messages["sha256"] != others["sha256"]
 
 
 def test_a_batch_s_table_holds_its_start(scenes):
@@ -123,10 +124,10 @@ def test_a_batch_s_table_holds_its_start(scenes):
     p, q0 = {"bob.mass": np.array([1.1, 2, 3])}, np.array([[1 / 3], [0.2], [0.3]])
     first = run(path, p=p, q0=q0, until=0.1, precision="single")
     data = first.to_xarray()
-    found = run(path, p={"bob.mass": data["p.bob.mass"].values}, until=0.1, precision="single",
-                q0=data["q0.pivot"].values[:, None], v0=data["v0.pivot"].values[:, None])
-    assert found.recording.values.tobytes() == first.recording.values.tobytes()
-    assert found.provenance == first.provenance
+    result = run(path, p={"bob.mass": data["p.bob.mass"].values}, until=0.1, precision="single",
+                 q0=data["q0.pivot"].values[:, None], v0=data["v0.pivot"].values[:, None])
+    assert result.recording.values.tobytes() == first.recording.values.tobytes()
+    assert result.provenance == first.provenance
 
 
 @BOTH
@@ -137,8 +138,8 @@ def test_a_state_of_a_run_is_a_start_to_the_bit(scenes, precision):
     q0[:, 3:7] /= np.linalg.norm(q0[:, 3:7], axis=-1, keepdims=True)
     first = run(path, q0=q0, until=0.01, precision=precision)
     for q in (first.q[:, 0], first.q[:, -1]):
-        found = run(path, q0=q, until=0.01, precision=precision)
-        assert found.q[:, 0].tobytes() == q.tobytes()
+        result = run(path, q0=q, until=0.01, precision=precision)
+        assert result.q[:, 0].tobytes() == q.tobytes()
     data = first.to_xarray()
     kept = np.stack([data[x].values for x in data.coords if x.startswith("q0.")], -1)
     assert kept.tobytes() == first.q[:, 0].tobytes()
@@ -146,8 +147,9 @@ def test_a_state_of_a_run_is_a_start_to_the_bit(scenes, precision):
 
 def test_provenance_tells_the_controller(scenes):
     path = scenes / "swing.toml"
-    told = dict(run(path, until=0.01, controller=Controller(law, 7)).provenance)["controller"]
-    assert told.startswith("function law, every 7 steps, sets actuator.pivot.torque, source sha256")
+    origin = dict(run(path, until=0.01, controller=Controller(law, 7)).provenance)["controller"]
+    assert origin.startswith(
+        "function law, every 7 steps, sets actuator.pivot.torque, source sha256")
     class Law:
         def __call__(self, t, q, v):
             return 0 * q
@@ -155,7 +157,7 @@ def test_provenance_tells_the_controller(scenes):
     objects = dict(run(path, until=0.01, controller=Law()).provenance)["controller"]
     assert "function Law, every step" in objects and "source sha256" in objects
     wanted = dict(run(path, until=0.01, controller=law).provenance)["controller"]
-    assert wanted == told.replace("every 7 steps", "every step")
+    assert wanted == origin.replace("every 7 steps", "every step")
 
 
 @pytest.mark.filterwarnings("error")
@@ -164,22 +166,22 @@ def test_another_scene_controller_or_version_is_refused(scenes, tmp_path):
     run(path, until=0.05).write(tmp_path / "free.csv")
     run(path, until=0.05, controller=by).write(tmp_path / "driven.csv")
     (tmp_path / "other.toml").write_text(SWING.replace("damping = 0.1", "damping = 0.2"))
-    for scene, name, controller, said in (
+    for scene, name, controller, message in (
             (tmp_path / "other.toml", "free.csv", None, "of another scene than other, or"),
             (path, "driven.csv", None, "controller: wanted function law, every 7 .*; got none"),
             (path, "driven.csv", Controller(law, 8), "got function law, every 8 steps"),
             (path, "driven.csv", Controller(lambda t, q, v: 0, 7), "got function .*<lambda>"),
             (path, "free.csv", by, "controller: wanted none; got function law")):
-        with pytest.raises(SimulateError, match=f"again: .*{said}"):
+        with pytest.raises(SimulateError, match=f"again: .*{message}"):
             again(scene, tmp_path / name, controller=controller)
     text = (tmp_path / "free.csv").read_text()
-    for name, broken, said in (
+    for name, broken, message in (
             ("a.csv", text.replace("# start: ", "# tart: "), "does not contain the start"),
             ("b.csv", text.replace('"until": 0.05', '"until": '), "settings are not as coscrew"),
             ("c.csv", text.replace('"steps": 0', '"steps": -1'), "its start is not as coscrew"),
             ("d.csv", "x,y\n1,2\n", "no recording"), ("e.txt", "x", "wanted a recording, .csv")):
         (tmp_path / name).write_text(broken)
-        with pytest.raises(SimulateError, match=f"again: .*{said}"):
+        with pytest.raises(SimulateError, match=f"again: .*{message}"):
             again(path, tmp_path / name)
     with pytest.raises(TypeError, match="again: wanted the path of a recording, or a Result"):
         again(path, 3)

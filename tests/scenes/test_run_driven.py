@@ -54,17 +54,17 @@ def made(tmp_path_factory):
     return folder, laws
 
 
-def both_ways(monkeypatch, path, controller, **asked):
+def both_ways(monkeypatch, path, controller, **requested):
     """The run with calls by compiled steps and by Python, which have the same bits."""
-    found = run(path, controller=controller, **asked)
+    result = run(path, controller=controller, **requested)
     with monkeypatch.context() as patched:
         patched.setattr(System, "driver", lambda self, name: None)
-        wanted = run(path, controller=controller, **asked)
+        wanted = run(path, controller=controller, **requested)
     for name in ("q", "v", "held"):
-        one, other = getattr(found.trajectory, name), getattr(wanted.trajectory, name)
+        one, other = getattr(result.trajectory, name), getattr(wanted.trajectory, name)
         assert one.tobytes() == other.tobytes(), name
-    assert found.failed == wanted.failed and found.provenance == wanted.provenance
-    return found
+    assert result.failed == wanted.failed and result.provenance == wanted.provenance
+    return result
 
 
 @BOTH
@@ -74,9 +74,9 @@ def test_compiled_steps_call_a_controller_in_c(made, monkeypatch, scene, steps, 
     folder, laws = made
     calls = ctypes.c_long(0)
     by = Controller(laws[scene, precision], steps, context=ctypes.addressof(calls))
-    found = both_ways(monkeypatch, folder / f"{scene}.toml", by, precision=precision, until=0.2,
-                      step=7e-4, every=0.05)
-    assert found.trajectory.steps == 4 * 72
+    result = both_ways(monkeypatch, folder / f"{scene}.toml", by, precision=precision, until=0.2,
+                       step=7e-4, every=0.05)
+    assert result.trajectory.steps == 4 * 72
     assert calls.value == 2 * (1 + 4 * 72 // steps)  # both ways, and once more at the end
 
 
@@ -86,12 +86,12 @@ def test_for_each_member_of_a_batch_also_in_lanes(made, monkeypatch, scene, prec
     folder, laws = made
     path, kernels = folder / f"{scene}.toml", load_scene(folder / f"{scene}.toml")
     q0 = np.stack([kernels.neutral_q] * 5)
-    q0[:, -1], asked = np.linspace(-1, 1, 5), {"precision": precision, "until": 0.1}
+    q0[:, -1], requested = np.linspace(-1, 1, 5), {"precision": precision, "until": 0.1}
     by = Controller(laws[scene, precision], 3)
-    alone = [run(path, q0=x, controller=by, **asked) for x in q0]
+    alone = [run(path, q0=x, controller=by, **requested) for x in q0]
     for pays in (10**9, 1):
         monkeypatch.setattr(lanes, "PAYS", pays)
-        many = both_ways(monkeypatch, kernels, by, q0=q0, **asked)
+        many = both_ways(monkeypatch, kernels, by, q0=q0, **requested)
         for k, one in enumerate(alone):
             assert many.q[k].tobytes() == one.q.tobytes()
             assert many.trajectory.held[k].tobytes() == one.trajectory.held.tobytes()
@@ -101,14 +101,14 @@ def test_for_each_member_of_a_batch_also_in_lanes(made, monkeypatch, scene, prec
 @pytest.mark.filterwarnings("ignore:swing runs in pure NumPy")
 def test_without_a_compiler_too(made, monkeypatch, precision):
     folder, laws = made
-    asked = {"precision": precision, "until": 0.03, "q0": [[0.1], [0.2]],
-             "controller": Controller(laws["swing", precision], 7)}
-    wanted = run(folder / "swing.toml", **asked)
+    requested = {"precision": precision, "until": 0.03, "q0": [[0.1], [0.2]],
+                 "controller": Controller(laws["swing", precision], 7)}
+    wanted = run(folder / "swing.toml", **requested)
     monkeypatch.setenv("CC", "no-compiler")
-    found = run(folder / "swing.toml", **asked)
-    assert dict(found.provenance)["compiler"] == "none: NumPy"
-    assert found.q.tobytes() == wanted.q.tobytes()
-    assert found.trajectory.held.tobytes() == wanted.trajectory.held.tobytes()
+    result = run(folder / "swing.toml", **requested)
+    assert dict(result.provenance)["compiler"] == "none: NumPy"
+    assert result.q.tobytes() == wanted.q.tobytes()
+    assert result.trajectory.held.tobytes() == wanted.trajectory.held.tobytes()
 
 
 def test_in_the_order_of_time_then_of_members(made, monkeypatch):
@@ -137,8 +137,8 @@ def test_by_hand(made):
         t = 0.01 * (k // 10) + k % 10 * 0.001
         p[1] = p[1] / 2 - 3 * q[0] - v[0] + np.sin(40 * t)
         q, v = its.step_leapfrog(1e-3, p, q, v)
-    found = run(folder / "swing.toml", controller=laws["swing", "double"], until=0.05)
-    assert found.q[-1].tobytes() == q.tobytes() and found.v[-1].tobytes() == v.tobytes()
+    result = run(folder / "swing.toml", controller=laws["swing", "double"], until=0.05)
+    assert result.q[-1].tobytes() == q.tobytes() and result.v[-1].tobytes() == v.tobytes()
 
 
 @pytest.mark.parametrize("steps", (1, 3))
@@ -161,11 +161,11 @@ def test_members_stop_for_their_own_reasons_in_one_interval(made):
     path = made[0] / "swing.toml"
 
     def law(t, q, v):
-        found = np.zeros_like(q)
+        result = np.zeros_like(q)
         if t > 0.0125:
-            found[q < 0.15] = np.nan
-            found[q > 0.25] = 1e308
-        return found
+            result[q < 0.15] = np.nan
+            result[q > 0.25] = 1e308
+        return result
 
     many = run(path, q0=[[0.1], [0.2], [0.3]], v0=[0.1], controller=law, until=0.1)
     with pytest.warns(RuntimeWarning, match="the run stopped"):
@@ -178,10 +178,10 @@ def test_members_stop_for_their_own_reasons_in_one_interval(made):
 
 def test_the_first_sample_has_what_the_controller_set(made):
     folder, _ = made
-    found = run(folder / "swing.toml", controller=lambda t, q, v: [4.0], until=0.02, record=["a"])
+    result = run(folder / "swing.toml", controller=lambda t, q, v: [4.0], until=0.02, record=["a"])
     held = run(folder / "swing.toml", p={"actuator.pivot.torque": 4}, until=0.02, record=["a"])
-    assert found.trajectory.held[:, 1].tolist() == [4, 4, 4]
-    assert found.recording.values.tobytes() == held.recording.values.tobytes()
+    assert result.trajectory.held[:, 1].tolist() == [4, 4, 4]
+    assert result.recording.values.tobytes() == held.recording.values.tobytes()
 
 
 # In Python
@@ -214,8 +214,8 @@ def test_an_interrupt_in_it_is_an_interrupt(made):
     (1j, "1j"), (np.ones(1, bool), r"array\(\[ True\]\)"), ([[1], [2, 3]], r"\[\[1\], \[2, 3\]\]"),
     (np.zeros((0,)), r"array\(\[\]")))
 def test_what_is_not_as_many_real_numbers_is_refused(made, returned, shown):
-    said = f"controller: wanted 1 numbers, of actuator.pivot.torque; got {shown}"
-    with pytest.raises(SimulateError, match=said):
+    message = f"controller: wanted 1 numbers, of actuator.pivot.torque; got {shown}"
+    with pytest.raises(SimulateError, match=message):
         run(made[0] / "swing.toml", controller=lambda t, q, v: returned, until=0.1)
 
 
@@ -234,10 +234,10 @@ def test_it_may_keep_and_change_what_it_gets(made):
 
     def law(t, q, v):
         kept.append((q, v))
-        found = -3 * q - v
+        result = -3 * q - v
         q += 100
         v *= 0
-        return found
+        return result
 
     path = made[0] / "swing.toml"
     wanted = run(path, controller=lambda t, q, v: -3 * q - v, until=0.05)
@@ -253,9 +253,9 @@ def test_it_may_return_the_same_array_each_time(made):
         return u
 
     path = made[0] / "swing.toml"
-    found, wanted = (run(path, controller=Controller(x, 5), until=0.05)
-                     for x in (law, lambda t, q, v: -3 * q - v))
-    assert found.trajectory.held.tobytes() == wanted.trajectory.held.tobytes()
+    result, wanted = (run(path, controller=Controller(x, 5), until=0.05)
+                      for x in (law, lambda t, q, v: -3 * q - v))
+    assert result.trajectory.held.tobytes() == wanted.trajectory.held.tobytes()
 
 
 @BOTH

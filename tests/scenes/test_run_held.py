@@ -46,11 +46,11 @@ def law(k=(0.0, 0.0), d=(0.0, 0.0)):
     return lambda t, q, v: -np.array(k) * q - np.array(d) * v
 
 
-def warned(scene, controller, **asked) -> str:
-    with warnings.catch_warnings(record=True) as found:
+def warned(scene, controller, **requested) -> str:
+    with warnings.catch_warnings(record=True) as result:
         warnings.simplefilter("always")
-        run(scene, controller=controller, **{"q0": [0.1, 0.1], "v0": [0.1, 0.1], **asked})
-    return "".join(str(x.message) for x in found if "controller: at" in str(x.message))
+        run(scene, controller=controller, **{"q0": [0.1, 0.1], "v0": [0.1, 0.1], **requested})
+    return "".join(str(x.message) for x in result if "controller: at" in str(x.message))
 
 
 @pytest.mark.parametrize("steps", (1, 5))
@@ -62,13 +62,13 @@ def test_the_warning_begins_where_the_held_law_overshoots(scene, steps, precisio
     one = np.eye(2)[joint]
     for gains, what, unit in (({"d": share * MASSES[name] / period * one}, "speed", "N s/m"),
                               ({"k": MASSES[name] * (share / period)**2 * one}, "position", "N/m")):
-        said = warned(scene, Controller(law(**gains), steps), precision=precision)
-        assert bool(said) == (share > 1), (gains, said)
-        if said:
-            assert f"at joint {name} it answers {what} with " in said and f" {unit}, " in said
-            slope = float(re.search(r" with (\S+) ", said)[1])
+        message = warned(scene, Controller(law(**gains), steps), precision=precision)
+        assert bool(message) == (share > 1), (gains, message)
+        if message:
+            assert f"at joint {name} it answers {what} with " in message and f" {unit}, " in message
+            slope = float(re.search(r" with (\S+) ", message)[1])
             assert slope == pytest.approx(sum(next(iter(gains.values()))), rel=1e-2)
-            assert f"called every {period:g} s" in said and 'kind = "pd"' in said
+            assert f"called every {period:g} s" in message and 'kind = "pd"' in message
 
 
 def test_mass_that_moves_counts_as_the_run_has_it(scene):
@@ -84,10 +84,10 @@ def test_mass_that_moves_counts_as_the_run_has_it(scene):
      "step=0.0004, or "), ({"d": (0, 1200)}, 1, "wanted step=0.0004, or "),
     ({"k": (0, 4e4)}, 5, "wanted steps=3, or ")))
 def test_following_the_advice_once_is_enough(scene, gains, steps, wanted):
-    said = warned(scene, Controller(law(**gains), steps))
-    assert wanted in said
-    (few,) = re.findall(r"steps=(\d+)", said) or ["1"]
-    step = re.search(r"step=([\d.e-]+)", said)
+    message = warned(scene, Controller(law(**gains), steps))
+    assert wanted in message
+    (few,) = re.findall(r"steps=(\d+)", message) or ["1"]
+    step = re.search(r"step=([\d.e-]+)", message)
     assert not warned(scene, Controller(law(**gains), int(few)),
                       step=float(step[1]) if step else 1e-3)
 
@@ -102,10 +102,10 @@ def test_the_run_is_as_without_the_warning_and_calls_come_after_it(scene, monkey
     assert len(times) == 101 and times == sorted(times)  # nothing turned
     times, d = [], np.array([0, 750])
     with pytest.warns(RuntimeWarning, match="joint y"):
-        found = run(scene, controller=called, v0=[0.1, 0.1])
+        result = run(scene, controller=called, v0=[0.1, 0.1])
     assert len(times) > 101 and times[:101] == sorted(times[:101])
     monkeypatch.setattr(execution, "too_fast", lambda *its: "")
-    assert run(scene, controller=called, v0=[0.1, 0.1]).q.tobytes() == found.q.tobytes()
+    assert run(scene, controller=called, v0=[0.1, 0.1]).q.tobytes() == result.q.tobytes()
 
 
 def test_laws_that_cannot_be_judged_cause_no_warning(scene):

@@ -11,7 +11,7 @@ from tests.support.scenes.swing import SWING
 
 
 @pytest.fixture(scope="module")
-def found(tmp_path_factory):
+def runs(tmp_path_factory):
     """One run, and a batch with a member that stops."""
     path = tmp_path_factory.mktemp("tables") / "swing.toml"
     path.write_text(SWING)
@@ -19,8 +19,8 @@ def found(tmp_path_factory):
 
 
 @pytest.mark.parametrize("batch", (False, True))
-def test_tables_hold_what_was_recorded(found, batch):
-    result = found[batch]
+def test_tables_hold_what_was_recorded(runs, batch):
+    result = runs[batch]
     data, frame = result.to_xarray(), result.to_pandas()
     assert list(data.data_vars) == list(result.recorded) == list(frame.columns)
     for name, values in result.recorded.items():
@@ -34,28 +34,28 @@ def test_tables_hold_what_was_recorded(found, batch):
     assert (frame.index.get_level_values("t").to_numpy().reshape(-1, 11) == result.t).all()
 
 
-def test_a_batch_tells_why_members_stopped(found):
-    data = found[1].to_xarray()
+def test_a_batch_tells_why_members_stopped(runs):
+    data = runs[1].to_xarray()
     assert [bool(x) for x in data.cause.values] == [False, False, True]
-    assert str(data.cause.values[2]) == found[1].failed[0].cause
-    after = data.t.values >= found[1].failed[0].t
+    assert str(data.cause.values[2]) == runs[1].failed[0].cause
+    after = data.t.values >= runs[1].failed[0].t
     assert (np.isnan(data["q.pivot"].sel(member=2).values) == after).all()
 
 
-def test_members_are_recordings_of_their_runs(found):
-    one, many = found
+def test_members_are_recordings_of_their_runs(runs):
+    one, many = runs
     assert many.member(0).values.tobytes() == one.recording.values.tobytes()
     with pytest.raises(SimulateError, match="wanted a batch"):
         one.member(0)
 
 
 @pytest.mark.parametrize("batch", (False, True))
-def test_notebooks_show_a_plot_with_the_origin(found, batch):
-    result = found[batch]
+def test_notebooks_show_a_plot_with_the_origin(runs, batch):
+    result = runs[batch]
     shown = ElementTree.fromstring(f"<div>{result._repr_html_()}</div>")
     svg = shown.find("{http://www.w3.org/2000/svg}svg")
     lines = [x for x in svg.iter() if x.get("id", "").startswith("q.pivot")]
     assert len(lines) == (3 if batch else 1)
-    told = {row[0].text: row[1].text for row in shown.iter("tr")}
-    assert told["scene"] == "swing"
-    assert ("member 2" in told) == batch
+    messages = {row[0].text: row[1].text for row in shown.iter("tr")}
+    assert messages["scene"] == "swing"
+    assert ("member 2" in messages) == batch

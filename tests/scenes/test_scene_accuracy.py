@@ -35,11 +35,11 @@ EXAMPLES = Path(__file__).parents[2] / "examples" / "scenes"
 NEAREST = 0.5001
 
 
-def broken(found: Sequence[Result], precision: Precision) -> list[tuple[int, float, float]]:
+def broken(results: Sequence[Result], precision: Precision) -> list[tuple[int, float, float]]:
     """Place, condition and error of every result that is worse than promised."""
     most = 1.0 if precision == DOUBLE else NEAREST
     largest = LARGEST_CONDITION[precision.name]
-    return [(x.place, x.condition, x.ulps(precision)) for x in found
+    return [(x.place, x.condition, x.ulps(precision)) for x in results
             if x.true and x.condition < largest and x.ulps(precision) > most]
 
 
@@ -60,9 +60,9 @@ def test_every_function_of_the_examples(name: str, precision: Precision):
     assert sorted(f.name for f in public) == sorted(tiered)
     for function in public:
         given = states(kernels.functions, function, count, precision)
-        found = list(results(function.program, given, getattr(tiered, function.name)(*given)))
-        assert not broken(found, precision), function.name
-        assert all(x.value == 0 for x in found if not x.true and x.condition == 0)
+        values = list(results(function.program, given, getattr(tiered, function.name)(*given)))
+        assert not broken(values, precision), function.name
+        assert all(x.value == 0 for x in values if not x.true and x.condition == 0)
 
 
 @each_precision
@@ -73,9 +73,9 @@ def test_inverse_dynamics_is_that_of_newton_and_euler(precision: Precision):
     kernels, given = kernels_for(scene), motions(60, precision)
     function = kernels.functions.named("inverse_dynamics")
     columns = [given[:, k] for k in range(3)]
-    found = getattr(kernels.accurate, precision.name).inverse_dynamics(*columns)
+    result = getattr(kernels.accurate, precision.name).inverse_dynamics(*columns)
     size = conditions(function.program, [list(x.T.astype(float)) for x in columns])
-    judged = [Result(j, found[k, j], true, float(size[j][k])) for k in range(60)
+    judged = [Result(j, result[k, j], true, float(size[j][k])) for k in range(60)
               for j, true in enumerate(inverse(model, *given[k]))]
     assert not broken(judged, precision)
     plain = getattr(kernels, precision.name).inverse_dynamics(*columns)
@@ -105,8 +105,8 @@ def test_forward_dynamics_of_an_ill_conditioned_arm_is_right_to_one_unit(scale, 
     scene = Scene("arm", model, (m.gravity(),), functions=("forward_dynamics",),
                   tiers=("accurate",))
     kernels, given = kernels_for(scene), motions(12, DOUBLE)
-    found = kernels.accurate.double.forward_dynamics(*(given[:, k] for k in range(3)))
-    for row, numbers in zip(given, found, strict=True):
+    result = kernels.accurate.double.forward_dynamics(*(given[:, k] for k in range(3)))
+    for row, numbers in zip(given, result, strict=True):
         true, condition = forward(model, *row)
         assert condition > least
         for place, (x, y) in enumerate(zip(numbers, true, strict=True)):
@@ -159,10 +159,10 @@ def test_motions_of_quaternions_are_those_of_power_series(precision: Precision):
         given = free_motions(precision)
         true = [moved(*(mpmath.matrix(x.astype(float).tolist()) for x in row))
                 for row in zip(*given, strict=True)]
-    found = getattr(kernels.accurate, precision.name).integrated(*given)
+    result = getattr(kernels.accurate, precision.name).integrated(*given)
     size = conditions(program.fine, [list(x.T.astype(float)) for x in given])
-    judged = [Result(j, found[k, j], true[k][j], float(size[j][k]))
-              for k in range(len(found)) for j in range(7)]
+    judged = [Result(j, result[k, j], true[k][j], float(size[j][k]))
+              for k in range(len(result)) for j in range(7)]
     assert not broken(judged, precision)
     assert max(x.condition for x in judged) > LARGEST_CONDITION[precision.name] / 100
 
@@ -175,6 +175,6 @@ def test_angles_that_a_function_computes_may_be_large():
     kernels = kernels_for(scene)
     function = kernels.functions.named("body_poses")
     given = [np.random.default_rng(3).uniform(1e12, 3e12, (40, 1))]
-    found = list(results(function.program, given, kernels.accurate.double.body_poses(*given)))
-    assert not broken(found, DOUBLE)
-    assert sum(x.condition > 1e11 for x in found) > 100
+    values = list(results(function.program, given, kernels.accurate.double.body_poses(*given)))
+    assert not broken(values, DOUBLE)
+    assert sum(x.condition > 1e11 for x in values) > 100

@@ -40,8 +40,8 @@ def test_bits_are_the_same(scenes, precision, case, lead):
     for function, compiled, twin in both(scenes, case, precision.name):
         for special in (False, True):
             arguments = inputs(function, precision.numpy_type, *lead, special=special)
-            found, wanted = compiled(*arguments), twin(*arguments)
-            assert same_bits(found, wanted), (function.name, arguments, found, wanted)
+            result, wanted = compiled(*arguments), twin(*arguments)
+            assert same_bits(result, wanted), (function.name, arguments, result, wanted)
 
 
 @each_precision
@@ -56,14 +56,14 @@ def test_leading_axes_broadcast(scenes, precision):
                 row = [[x[k] if mixed >> n & 1 else x[0] for n, x in enumerate(batch)]
                        for k in range(3 if mixed else 1)]
                 for call in (compiled, twin):
-                    found = call(*some)
+                    result = call(*some)
                     for k, arguments in enumerate(row):
                         one = call(*arguments)
-                        assert same_bits(_row(found, k) if mixed else found, one), function.name
+                        assert same_bits(_row(result, k) if mixed else result, one), function.name
 
 
-def _row(found, k: int):
-    return tuple(x[k] for x in found) if isinstance(found, tuple) else found[k]
+def _row(result, k: int):
+    return tuple(x[k] for x in result) if isinstance(result, tuple) else result[k]
 
 
 def test_axes_of_all_arguments_combine(scenes):
@@ -71,9 +71,9 @@ def test_axes_of_all_arguments_combine(scenes):
     shapes = ((4, 1, 1), (2,), (1, 3, 2), (2,), (4, 1, 2))
     arguments = [np.random.default_rng(n).normal(size=s) for n, s in enumerate(shapes)]
     arguments[0] = arguments[0][..., 0]
-    found = kernels.double.forward_dynamics(*arguments)
-    assert found.shape == (4, 3, 2)
-    assert same_bits(found, package.double.forward_dynamics(*arguments))
+    result = kernels.double.forward_dynamics(*arguments)
+    assert result.shape == (4, 3, 2)
+    assert same_bits(result, package.double.forward_dynamics(*arguments))
     t, p, q, v, _ = arguments
     stepped = kernels.double.step_rk4(t, np.full((5, 1, 1), 0.1), p, q, v)
     assert [x.shape for x in stepped] == [(5, 4, 3, 2)] * 2
@@ -99,8 +99,8 @@ def test_results_are_new_and_arguments_stay(scenes):
             for call in (compiled, twin):
                 arguments = inputs(function, "float64")
                 before = [x.copy() for x in arguments]
-                found = call(*arguments)
-                for result in found if isinstance(found, tuple) else (found,):
+                value = call(*arguments)
+                for result in value if isinstance(value, tuple) else (value,):
                     assert not any(np.shares_memory(result, x) for x in arguments)
                 assert all(map(same_bits, before, arguments)), function.name
 
@@ -125,7 +125,7 @@ def test_slider_is_right_in_rationals(scenes):
     for _ in range(200):
         t, m = draw.uniform(0, 3), draw.uniform(0.5, 2)
         q, v, tau = draw.normal(size=(3, 2))
-        found = kernels.double.forward_dynamics(t, [m, 0], q, v, tau)
+        result = kernels.double.forward_dynamics(t, [m, 0], q, v, tau)
         T, M, Q, V, TAU = (Fraction(float(t)), Fraction(float(m)), *(
             [Fraction(float(x)) for x in y] for y in (q, v, tau)))
         rub = [Fraction(3, 10) * x * abs(x) for x in V]
@@ -133,7 +133,7 @@ def test_slider_is_right_in_rationals(scenes):
         wanted = ((TAU[0] + push - rub[0]) / M, (TAU[1] - 50 * Q[1] - rub[1]) / 2)
         terms = ((abs(TAU[0]) + abs(push) + abs(rub[0])) / M,
                  (abs(TAU[1]) + abs(50 * Q[1]) + abs(rub[1])) / 2)
-        for x, truth, size in zip(found, wanted, terms, strict=True):
+        for x, truth, size in zip(result, wanted, terms, strict=True):
             assert abs(Fraction(float(x)) - truth) <= 7 * Fraction(1, 2**53) * size
 
 
@@ -200,6 +200,7 @@ def test_time_and_parameters_arrive(scenes):
     for functions in (kernels.double, package.double, kernels.single, package.single):
         still = np.zeros(2)
         for t, m, wanted in ((0.0, 1.5, 0.0), (1.0, 1.5, 0.0), (4.0, 1.5, 2.0), (4.0, 3.0, 1.0)):
-            found = functions.forward_dynamics(t, [m, 0], still, still, still)
-            assert found[0] == wanted and found.dtype == functions.mass_matrix([m, 0], still).dtype
+            result = functions.forward_dynamics(t, [m, 0], still, still, still)
+            assert result[0] == wanted
+            assert result.dtype == functions.mass_matrix([m, 0], still).dtype
         assert functions.mass_matrix([m, 0], still).tolist() == [[m, 0], [0, 2]]

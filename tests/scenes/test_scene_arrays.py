@@ -53,8 +53,8 @@ def every(kernels: Kernels, precision: Precision, lead: tuple[int, ...], kind: s
         yield described, getattr(getattr(kernels, precision.name), described.name), arguments
 
 
-def tuple_of(found: object) -> tuple:
-    return found if isinstance(found, tuple) else (found,)
+def tuple_of(result: object) -> tuple:
+    return result if isinstance(result, tuple) else (result,)
 
 
 def given_to(outs: tuple[np.ndarray, ...]) -> object:
@@ -82,8 +82,8 @@ def test_results_go_where_out_says(kernels: Kernels, precision: Precision, lead)
                        lambda x: x.astype(np.longdouble)):
             outs = tuple(layout(np.full(np.shape(x), 7, np.result_type(x))) for x in wanted)
             outs = tuple(x.reshape(np.shape(y)) for x, y in zip(outs, wanted, strict=True))
-            found = tuple_of(function(*arguments, out=given_to(outs)))
-            assert all(x is y for x, y in zip(found, outs, strict=True)), described.name
+            result = tuple_of(function(*arguments, out=given_to(outs)))
+            assert all(x is y for x, y in zip(result, outs, strict=True)), described.name
             assert same_bits(tuple(x.astype(precision.numpy_type) for x in outs),
                              tuple(map(np.asarray, wanted))), described.name
         if len(wanted) > 1:
@@ -112,9 +112,9 @@ def test_out_may_overlap_inputs(kernels: Kernels, precision: Precision, lead):
                     given[names.index(name)] = read
                     outs = [None] * len(wanted)
                     outs[number] = put
-                    found = tuple_of(function(*given, out=tuple(outs)))
-                    assert found[number] is put
-                    assert same_bits(found, wanted), (described.name, name, shift)
+                    result = tuple_of(function(*given, out=tuple(outs)))
+                    assert result[number] is put
+                    assert same_bits(result, wanted), (described.name, name, shift)
                     count += 1
     assert count > 20
 
@@ -208,9 +208,9 @@ def test_subclasses_are_read_as_arrays(kernels: Kernels):
         pass
 
     given = [np.array(x).view(Tagged) for x in ARGUMENTS]
-    found = kernels.double.forward_dynamics(*given)
-    assert same_bits(found, kernels.double.forward_dynamics(*ARGUMENTS))
-    assert type(found) is np.ndarray
+    result = kernels.double.forward_dynamics(*given)
+    assert same_bits(result, kernels.double.forward_dynamics(*ARGUMENTS))
+    assert type(result) is np.ndarray
 
 
 # Pickles

@@ -34,15 +34,15 @@ LARGEST = {"inverse_dynamics": 12, "mass_matrix": 2}
 """The median of bound / error in single precision."""
 
 
-def ratios(true: Sequence[Sequence[mpmath.mpf]], found: np.ndarray, bounds: np.ndarray
+def ratios(true: Sequence[Sequence[mpmath.mpf]], result: np.ndarray, bounds: np.ndarray
            ) -> Iterator[float]:
     """Bound / error wherever a bound is stated; asserts that it holds."""
     for k, row in enumerate(true):
         for place, x in enumerate(row):
-            if np.isfinite(bounds[k, place]) and np.isfinite(found[k, place]):
+            if np.isfinite(bounds[k, place]) and np.isfinite(result[k, place]):
                 with mpmath.workdps(DIGITS):
                     bound = mpmath.mpf(float(bounds[k, place]))
-                    error = abs(mpmath.mpf(float(found[k, place])) - x)
+                    error = abs(mpmath.mpf(float(result[k, place])) - x)
                     assert error <= bound, (k, place, float(error / bound) if bound else error)
                     yield float(bound / error) if error else 1.0
 
@@ -51,12 +51,12 @@ def judged(kernels: Kernels, name: str, given: Sequence[np.ndarray], precision: 
            ) -> list[float]:
     """The ratios of a function at these states; its results are the plain ones."""
     count, function = len(given[0]), kernels.functions.named(name)
-    found = getattr(getattr(kernels.certified, precision.name), name)(*given)
+    result = getattr(getattr(kernels.certified, precision.name), name)(*given)
     plain = getattr(getattr(kernels, precision.name), name)(*given)
     results = len(function.program.outputs)
-    assert same_bits(found[:results] if results > 1 else found[0], plain)
-    return list(ratios(truths(function.program, given), flat(found[:results], count),
-                       flat(found[results:], count)))
+    assert same_bits(result[:results] if results > 1 else result[0], plain)
+    return list(ratios(truths(function.program, given), flat(result[:results], count),
+                       flat(result[results:], count)))
 
 
 @cache
@@ -78,10 +78,10 @@ def test_every_function_of_the_examples(name: str, precision: Precision):
     kernels, stated = example(name), 0
     for function in (f for f in kernels.functions.functions if not f.internal):
         given = states(kernels.functions, function, 12, precision)
-        found = judged(kernels, function.name, given, precision)
-        stated += len(found)
+        result = judged(kernels, function.name, given, precision)
+        stated += len(result)
         components = sum(a.quantity.size for a in function.program.outputs)
-        assert len(found) == 12 * components or function.name == "integrated", function.name
+        assert len(result) == 12 * components or function.name == "integrated", function.name
     assert stated
 
 
@@ -103,17 +103,17 @@ def test_bounds_are_hardly_more_than_errors(precision: Precision):
     kernels = kernels_of_arm()
     for name in OF_ARM:
         given = states(kernels.functions, kernels.functions.named(name), 20, precision)
-        found = judged(kernels, name, given, precision)
+        result = judged(kernels, name, given, precision)
         if precision == DOUBLE:
-            assert np.quantile(found, 0.9) < 1.01, name
+            assert np.quantile(result, 0.9) < 1.01, name
         elif name in LARGEST:
-            assert np.median(found) < LARGEST[name], (name, np.median(found))
+            assert np.median(result) < LARGEST[name], (name, np.median(result))
 
 
 @each_precision
 def test_inverse_dynamics_is_within_its_bound_of_newton_and_euler(precision: Precision):
     kernels, given = kernels_of_arm(), motions(60, precision)
     columns = [given[:, k] for k in range(3)]
-    found, bound = getattr(kernels.certified, precision.name).inverse_dynamics(*columns)
+    result, bound = getattr(kernels.certified, precision.name).inverse_dynamics(*columns)
     true = [inverse(arm(), *row) for row in given]
-    assert len(list(ratios(true, found, bound))) == found.size
+    assert len(list(ratios(true, result, bound))) == result.size

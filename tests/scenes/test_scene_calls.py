@@ -63,14 +63,14 @@ def states(described, count: int, precision: Precision, seed: int = 5) -> list[n
             for _, shape in described.inputs]
 
 
-def tuple_of(found: object) -> tuple:
-    return found if isinstance(found, tuple) else (found,)
+def tuple_of(result: object) -> tuple:
+    return result if isinstance(result, tuple) else (result,)
 
 
 def of_each(function, given: list[np.ndarray]) -> tuple[np.ndarray, ...]:
     """The results of one state after the other."""
-    found = [tuple_of(function(*(x[k] for x in given))) for k in range(len(given[0]))]
-    return tuple(map(np.array, zip(*found, strict=True)))
+    results = [tuple_of(function(*(x[k] for x in given))) for k in range(len(given[0]))]
+    return tuple(map(np.array, zip(*results, strict=True)))
 
 
 def columns(x: np.ndarray) -> np.ndarray:
@@ -103,9 +103,9 @@ def test_several_axes_are_rows(kernels: Kernels, unchecked, precision):
     for described, function in every(kernels, precision.name):
         given = states(described, COUNT, precision)
         wanted = tuple_of(function(*given))
-        found = tuple_of(function(*(x.reshape(3, 4, 5, *x.shape[1:]) for x in given)))
-        assert all(x.shape[:3] == (3, 4, 5) for x in found)
-        assert same_bits(tuple(x.reshape(y.shape) for x, y in zip(found, wanted, strict=True)),
+        result = tuple_of(function(*(x.reshape(3, 4, 5, *x.shape[1:]) for x in given)))
+        assert all(x.shape[:3] == (3, 4, 5) for x in result)
+        assert same_bits(tuple(x.reshape(y.shape) for x, y in zip(result, wanted, strict=True)),
                          wanted), described.name
 
 
@@ -122,8 +122,8 @@ def test_checked_rows_have_the_same_bits(kernels: Kernels, precision):
             grid = [np.expand_dims(x[:6], n % 2) for n, x in enumerate(given)]
             full = [np.broadcast_to(x, (6, 6, *y.shape[1:])).reshape(36, *y.shape[1:])
                     for x, y in zip(grid, given, strict=True)]
-            found = tuple_of(function(*grid))
-            assert same_bits(tuple(x.reshape(36, *x.shape[2:]) for x in found),
+            result = tuple_of(function(*grid))
+            assert same_bits(tuple(x.reshape(36, *x.shape[2:]) for x in result),
                              of_each(function, full)), described.name
 
 
@@ -144,9 +144,9 @@ def test_threads_change_no_bit(kernels: Kernels, count: int):
     (0, ValueError), (-1, ValueError), (2.5, TypeError), (True, TypeError), ("2", TypeError),
     (None, TypeError), (-10**30, ValueError)))
 def test_wrong_threads_are_refused(kernels: Kernels, wrong: object, error: type[Exception]):
-    said = f"^threads: got {wrong!r}; wanted a positive integer$"
+    message = f"^threads: got {wrong!r}; wanted a positive integer$"
     for arguments in (ARGUMENTS, [np.ones((3, *np.shape(x))) for x in ARGUMENTS]):
-        with pytest.raises(error, match=said.replace("(", r"\(")):
+        with pytest.raises(error, match=message.replace("(", r"\(")):
             kernels.double.forward_dynamics(*arguments, threads=wrong)
 
 

@@ -95,9 +95,9 @@ def test_objects_hold_no_state_and_call_only_mathematics(case, compiler: str, pr
                                      "-Wdouble-promotion looks everywhere")
 @each_compiler
 def test_single_precision_holds_no_operation_in_double(case, compiler: str, tmp_path: Path):
-    found = {p: _double_operations(_object(case, compiler, p, tmp_path)) for p in PRECISIONS}
-    assert not found[SINGLE]
-    assert found[DOUBLE]  # so that the test can see them
+    results = {p: _double_operations(_object(case, compiler, p, tmp_path)) for p in PRECISIONS}
+    assert not results[SINGLE]
+    assert results[DOUBLE]  # so that the test can see them
 
 
 def _object(case, compiler: str, precision: Precision, folder: Path) -> Path:
@@ -159,12 +159,12 @@ def _calls(case, function: Signature, precision: Precision) -> str:
         lines += [f"{name}({arguments});", "checked++;"]
         return "  {\n" + "\n".join(f"    {line}" for line in (
             *lines, *(f"free({x});" for x, shape in function.inputs if shape))) + "\n  }"
-    found = []
+    results = []
     for into, (_, shape) in enumerate(function.inputs):
         for output in range(len(function.outputs)):
             if shape:
-                found += [_overlap(name, function, into, output, shift) for shift in (-1, 0, 1)]
-    return "\n".join(found)
+                results += [_overlap(name, function, into, output, shift) for shift in (-1, 0, 1)]
+    return "\n".join(results)
 
 
 def _overlap(name: str, function: Signature, into: int, output: int, shift: int) -> str:

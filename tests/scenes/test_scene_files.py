@@ -314,9 +314,9 @@ upper = 1
 @pytest.mark.parametrize("table", ["[effects.motor.shoulder]", "[effects.motor]\njoints = 'all'"])
 def test_what_an_effect_that_is_there_lacks_is_told(read, table, limit, remedy):
     model = MODEL.replace('type = "continuous"', 'type = "revolute"')
-    said = [x for x in read(model=model, tail=f"{table}\nu = 1\n{limit}\n").unused
-            if "joint shoulder: effort" in x]
-    assert said == ([f"joint shoulder: effort 8 N m is not used: {remedy}"] if remedy else [])
+    message = [x for x in read(model=model, tail=f"{table}\nu = 1\n{limit}\n").unused
+               if "joint shoulder: effort" in x]
+    assert message == ([f"joint shoulder: effort 8 N m is not used: {remedy}"] if remedy else [])
 
 
 # quantities

@@ -44,8 +44,8 @@ def test_every_function_and_integrator_is_there(right: list[str]):
                          ids=[" ".join((name, *flags)) for name, flags in BUILDS])
 def test_bits_are_those_of_the_package(compiler: str, flags: tuple[str, ...], right: list[str],
                                        tmp_path: Path):
-    found = printed(tmp_path, compiler, *flags)
-    assert [a for a, b in zip(found, right, strict=True) if a != b] == []
+    result = printed(tmp_path, compiler, *flags)
+    assert [a for a, b in zip(result, right, strict=True) if a != b] == []
 
 
 # The means against fused products, each with flags under which no other means is effective.

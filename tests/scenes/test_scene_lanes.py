@@ -178,8 +178,8 @@ def test_leading_axes_use_lanes(kernels: Kernels, precision: Precision):
         assert same_bits(function(*given), wanted), described.name
         folded = [x if x.ndim == len(shape) else x.reshape(9, 11, *shape)
                   for x, (_, shape) in zip(given, described.inputs, strict=True)]
-        found = function(*folded)
-        outputs = found if isinstance(found, tuple) else (found,)
+        result = function(*folded)
+        outputs = result if isinstance(result, tuple) else (result,)
         plain = wanted if isinstance(wanted, tuple) else (wanted,)
         assert same_bits(tuple(x.reshape(y.shape) for x, y in zip(outputs, plain, strict=True)),
                          plain), described.name
@@ -200,8 +200,8 @@ def test_runs_take_leading_axes(kernels: Kernels, precision: Precision):
         for met in (-1000, 1000):  # one by one, in lanes
             kernels._lanes._met = met
             for threads in (1, 2, 99):
-                found = run(7, 0.25, 0.01, p, q, v, threads=threads)
-                assert same_bits(found, tuple(wanted)), (step.name, met, threads)
+                result = run(7, 0.25, 0.01, p, q, v, threads=threads)
+                assert same_bits(result, tuple(wanted)), (step.name, met, threads)
         run_of_all = c_name(many(scene), step.name.replace("step", "run", 1), precision)
         assert kernels._lanes.function(run_of_all, 0)
 
@@ -232,16 +232,16 @@ def test_runs_keep_arrays_that_need_no_conversion(kernels: Kernels, precision: P
     given = [draw.uniform(0.1, 1, 2 * n).astype(real)[::2]
              for n in (len(scene.parameters), scene.nq, scene.nv)]
     before = [x.tobytes() for x in given]
-    found = run(7, 0.25, 0.01, *given)
+    result = run(7, 0.25, 0.01, *given)
     assert [x.tobytes() for x in given] == before
-    assert same_bits(found, run(7, 0.25, 0.01, *(x.tolist() for x in given)))
+    assert same_bits(result, run(7, 0.25, 0.01, *(x.tolist() for x in given)))
 
 
 def test_runs_have_help_of_their_own(kernels: Kernels):
     name = next(x.name for x in kernels.interface.signatures if x.moved)
-    found = getattr(kernels.double, name).repeated
-    assert inspect.getdoc(found).startswith("q and v after n steps of h, the first of them at t.")
-    assert [*inspect.signature(found).parameters] == ["n", "t", "h", "p", "q", "v", "threads"]
+    result = getattr(kernels.double, name).repeated
+    assert inspect.getdoc(result).startswith("q and v after n steps of h, the first of them at t.")
+    assert [*inspect.signature(result).parameters] == ["n", "t", "h", "p", "q", "v", "threads"]
 
 
 def test_lanes_are_compiled_when_they_pay(kernels: Kernels, tmp_path: Path):
@@ -275,10 +275,10 @@ def test_without_lanes_states_are_computed_one_by_one(kernels: Kernels,
     monkeypatch.setattr(compilation, "library", fail)
     described = next(x for x in kernels.interface.signatures if x.name == "forward_dynamics")
     given = states(200, described, DOUBLE)
-    with pytest.warns(RuntimeWarning, match="one by one: no such vectors") as told:
-        found = kernels.double.forward_dynamics(*given)
-    assert told[0].filename == __file__
-    assert same_bits(found[:50], kernels.double.forward_dynamics(*(
+    with pytest.warns(RuntimeWarning, match="one by one: no such vectors") as messages:
+        result = kernels.double.forward_dynamics(*given)
+    assert messages[0].filename == __file__
+    assert same_bits(result[:50], kernels.double.forward_dynamics(*(
         x if n in ("t", "p") else x[:50] for x, (n, _) in zip(given, described.inputs,
                                                             strict=True))))
 
@@ -292,8 +292,8 @@ def test_lanes_are_compiled_when_they_pay_and_opened_if_they_are_there(
     def opened_after(states: int, calls: int = 1) -> bool:
         kernels = kernels_for(scene, ("energy",), ("double",))
         name = c_name(many(kernels.interface), "energy", DOUBLE)
-        found = [kernels._lanes.function(name, states) for _ in range(calls)]
-        return found[-1] is not None
+        results = [kernels._lanes.function(name, states) for _ in range(calls)]
+        return results[-1] is not None
 
     library, made = compilation.library, list[str]()
     monkeypatch.setattr(compilation, "library", lambda units, *others: (
@@ -312,8 +312,8 @@ def test_lanes_are_compiled_for_many_calls_of_few_states(
     monkeypatch.setattr(lanes, "CALLS", 3)
     kernels = kernels_of(pendulum())
     name = c_name(many(kernels.interface), "forward_dynamics", DOUBLE)
-    found = [kernels._lanes.function(name, 1) is not None for _ in range(4)]
-    assert found == [False, False, True, True]
+    results = [kernels._lanes.function(name, 1) is not None for _ in range(4)]
+    assert results == [False, False, True, True]
 
 
 @each_precision

@@ -57,9 +57,9 @@ def test_loops_have_the_bits_of_statements_one_by_one(kinds: str, tmp_path: Path
                     values[...] = 2.0**-8
                 if name == "q" and kinds[0] == "F":
                     values[:, 3:7] /= np.linalg.norm(values[:, 3:7], axis=-1, keepdims=True)
-            found, wanted = (getattr(getattr(x, precision), f.name)(*given)
-                             for x in (kernels, package))
-            assert same_bits(found, wanted), (f.name, precision)
+            result, wanted = (getattr(getattr(x, precision), f.name)(*given)
+                              for x in (kernels, package))
+            assert same_bits(result, wanted), (f.name, precision)
 
 
 @each_precision

@@ -80,10 +80,10 @@ def test_errors_at_fresh_states_are_within_what_is_asked(made):
     functions, _ = made
     given, f = drawn(functions, FRESH), functions.named(NAME)
     choice = chosen(f.program, f.accuracy)
-    found = np.stack(evaluator(choice.program, SINGLE)(given), 1)
+    result = np.stack(evaluator(choice.program, SINGLE)(given), 1)
     true = [inverse(SCENE.model, *(np.stack([x[k] for x in each]) for each in given))
             for k in range(FRESH)]
-    assert largest(found, true).max() <= WITHIN
+    assert largest(result, true).max() <= WITHIN
     assert max(choice.worst) <= WITHIN
 
 
@@ -93,8 +93,8 @@ def test_a_search_between_the_limits_finds_no_larger_error(made):
     choice = chosen(f.program, f.accuracy)
     low, high = (np.array([pair[k] for each in f.accuracy.ranges for pair in each])[:, None]
                  for k in (0, 1))
-    found, plain = (searched(f, p, low, high) for p in (choice.program, f.program))
-    assert found <= WITHIN < plain / 1.5
+    result, plain = (searched(f, p, low, high) for p in (choice.program, f.program))
+    assert result <= WITHIN < plain / 1.5
 
 
 def searched(f: FunctionProgram, program: Program, low: np.ndarray, high: np.ndarray) -> float:
@@ -113,10 +113,10 @@ def searched(f: FunctionProgram, program: Program, low: np.ndarray, high: np.nda
     return float(errors.max())
 
 
-def largest(found: np.ndarray, true: list[list[mpmath.mpf]]) -> np.ndarray:
+def largest(result: np.ndarray, true: list[list[mpmath.mpf]]) -> np.ndarray:
     with mpmath.workdps(60):
         return np.array([[float(abs(mpmath.mpf(float(x)) - y)) for x, y in zip(*row, strict=True)]
-                         for row in zip(found, true, strict=True)])
+                         for row in zip(result, true, strict=True)])
 
 
 def test_certified_bounds_hold_at_their_states(made):
@@ -124,10 +124,10 @@ def test_certified_bounds_hold_at_their_states(made):
     f = functions.named(NAME)
     program = chosen(f.program, f.accuracy).program
     sample = States(f.accuracy, in_double(f.program)).drawn(20)
-    found = np.stack(evaluator(program, SINGLE)(sample.given), 1)
+    result = np.stack(evaluator(program, SINGLE)(sample.given), 1)
     true = [inverse(SCENE.model, *(np.stack([x[k] for x in each]) for each in sample.given))
             for k in range(20)]
-    assert (largest(found, true) <= sample.certified(program).T).all()
+    assert (largest(result, true) <= sample.certified(program).T).all()
 
 
 @pytest.mark.parametrize("compiler", COMPILERS)
@@ -141,11 +141,11 @@ def test_bits_are_the_same_in_c_in_numpy_and_in_the_choice(made, compiler: str, 
     using = compilation.Compiler((compiler,), compiler, ("-fPIC", *flags))
     text = source_text.of_one(tier)
     library = compilation.library(text.units(("single",)), text.files, using)
-    found = text.interface
+    value = text.interface
     twin = importlib.import_module(f"{functions.name}.mixed.single")
     given = drawn(functions, 500)
     columns = [np.stack(each, 1) for each in given]
-    call = callables.compiled(found, library.opened, CHECKS, found.signatures[0], SINGLE)
+    call = callables.compiled(value, library.opened, CHECKS, value.signatures[0], SINGLE)
     result = call(None, *columns)
     assert same_bits(result, twin.inverse_dynamics(*columns))
     chosen_at = evaluator(tier.first.named(NAME).program, SINGLE)(given)
@@ -199,10 +199,10 @@ def test_all_in_pairs_is_as_accurate_as_pairs(tmp_path: Path):
     every = Mixture(frozenset(x.name for x in program.instructions), frozenset(places))
     rng = np.random.default_rng(6)
     given = [[rng.uniform(-3, 3, 1000).astype(np.float32)] for _ in program.inputs]
-    found, pairs = (np.stack(evaluator(p, SINGLE)(given))
-                    for p in (mixed(program, every), in_pairs(program, SINGLE)))
+    result, pairs = (np.stack(evaluator(p, SINGLE)(given))
+                     for p in (mixed(program, every), in_pairs(program, SINGLE)))
     assert "sin" in {x.op.value for x in program.instructions}
-    assert np.array_equal(found, pairs)
+    assert np.array_equal(result, pairs)
 
 
 def test_an_accuracy_that_pairs_do_not_have_is_refused():
@@ -307,13 +307,13 @@ def test_a_file_selects_the_tier_by_its_accuracy(tmp_path: Path):
                               Tolerance("energy", "e", 1e-5))
 
 
-@pytest.mark.parametrize("lower, upper, found", (
+@pytest.mark.parametrize("lower, upper, results", (
     (None, None, (-1, 1)), (5, None, (5, 7)), (None, -5, (-7, -5)), (2, 3, (2, 3)), (2, 2, (2, 2))))
-def test_states_are_between_limits(lower: int | None, upper: int | None, found: tuple[int, int]):
+def test_states_are_between_limits(lower: int | None, upper: int | None, results: tuple[int, int]):
     slide = Joint("j", Kind.PRISMATIC, "", "b", m.at(0, 0, 0),
                   lower=None if lower is None else Fraction(lower),
                   upper=None if upper is None else Fraction(upper))
-    assert positions(slide) == (found,)
+    assert positions(slide) == (results,)
 
 
 def test_products_far_below_one_are_rounded_once():
@@ -321,10 +321,10 @@ def test_products_far_below_one_are_rounded_once():
     draw = np.random.default_rng(8)
     a, b = np.ldexp(draw.uniform(1, 2, (2, 300)), draw.integers(-537, -400, (2, 300)))
     c = np.where(draw.random(300) < 0.5, a * b, 0)
-    found = arrays(DOUBLE).arithmetic.function(
+    result = arrays(DOUBLE).arithmetic.function(
         Instruction("x", Op.PRODUCT_ERROR, (), ""), 0)(a, b, c)
     true = [float(Fraction(x) * Fraction(y) - Fraction(z)) for x, y, z in zip(a, b, c, strict=True)]
-    assert np.array_equal(found, true)
+    assert np.array_equal(result, true)
     assert sum(abs(a * b) < 2.0**-960) > 100
 
 
@@ -342,12 +342,12 @@ def test_who_generates_is_told_what_each_mixture_saves(tmp_path: Path,
     assert main(["generate", str(file), "-o", str(tmp_path / "rod")]) == 0
     *lines, written = capsys.readouterr().out.splitlines()
     words = " ".join((tmp_path / "rod" / "rod_mixed.h").read_text().split())
-    for line, name, asked, unit in zip(lines, ("inverse_dynamics", "energy"), ("2e-6", "1.25e-6"),
-                                       ("N m", "J"), strict=True):
+    for line, name, requested, unit in zip(
+            lines, ("inverse_dynamics", "energy"), ("2e-6", "1.25e-6"), ("N m", "J"), strict=True):
         mixture, plain, pairs = re.findall(r"([\d,]+) (?:operations|in single|in pairs)", line)
         moved = re.search(r"found to move (.* at most \S+) (.+) \(asked: (\S+)\)", line)
-        assert line.startswith(f"{name}: ") and moved and moved[2] == unit and moved[3] == asked
-        assert f"rounding moves {moved[1]} (asked: {asked})" in words
+        assert line.startswith(f"{name}: ") and moved and moved[2] == unit and moved[3] == requested
+        assert f"rounding moves {moved[1]} (asked: {requested})" in words
         assert f"A call takes {mixture} operations, " in words
         assert f"all in single precision {plain}, all in pairs {pairs}." in words
     assert "files" in written

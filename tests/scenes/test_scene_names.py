@@ -44,11 +44,11 @@ def test_every_name_has_a_symbol_of_the_legend(functions: SceneFunctions) -> Non
 
 def test_numbers_of_steps_have_no_gaps(functions: SceneFunctions) -> None:
     for f in functions.functions:
-        found = defaultdict(set)
+        results = defaultdict(set)
         for step in f.program.instructions:
             if match := re.fullmatch(r"(.+)_([0-9]+)", step.name):
-                found[match[1]].add(int(match[2]))
-        for stem, numbers in found.items():
+                results[match[1]].add(int(match[2]))
+        for stem, numbers in results.items():
             if scene_symbols.reading(f"{stem}_1")[0]:
                 assert numbers == set(range(1, len(numbers) + 1)), f"{f.name}: {stem}"
 
@@ -61,11 +61,11 @@ def test_legends_tell_the_symbols_that_occur_and_no_others(functions: SceneFunct
         code = re.sub(r"^void \w+_step_[^{]*\{.*?^\}", "", code, flags=re.DOTALL | re.MULTILINE)
         words = set(re.findall(r"\w+", code))
         rows = re.findall(r"^ *([A-Za-z]+(?:, [A-Za-z]+)*): (?![0-9]+ ×)", text, re.MULTILINE)
-        told = {x for row in rows for x in row.split(", ")}
-        told &= {x for xs in scene_symbols.SYMBOLS for x in xs}
+        messages = {x for row in rows for x in row.split(", ")}
+        messages &= {x for xs in scene_symbols.SYMBOLS for x in xs}
         used = {scene_symbols.reading(x)[0] for plan in scene_text.plans(functions)
                 for x in (*plan.assigned, *plan.constants) if x in words} - {""}
-        assert told == used
+        assert messages == used
 
 
 def test_values_keep_their_names_and_what_is_left_out_leaves_no_gap() -> None:
@@ -132,8 +132,8 @@ def test_a_name_that_two_numbers_have_is_the_firsts() -> None:
 
 
 def test_example_scenes_headings_say_how_links_move() -> None:
-    found = example("pendulum")
-    assert "/* 0 rod: pivot turns about z */" in scene_c.files(found, "x")["pendulum.c"]
+    result = example("pendulum")
+    assert "/* 0 rod: pivot turns about z */" in scene_c.files(result, "x")["pendulum.c"]
 
 
 NAMES = ("column", "arm", "hand", "lift", "hinge", "ball")
@@ -160,7 +160,7 @@ def headings_of(names: tuple[str, ...]) -> list[tuple[str, list[str]]]:
 def test_headings_are_the_same_whatever_bodies_and_joints_are_called() -> None:
     """Except for the names in them."""
     plain, confusing = headings_of(NAMES), headings_of(CONFUSING)
-    bodies = "".join(words for _, found in plain for words in found)
+    bodies = "".join(words for _, result in plain for words in result)
     assert all(x in bodies for x in ("0 column: lift", "joint 'ball'", "total", "speeds",
                                      "limit at lift", "pairs of bodies"))
     patterns = {f"{n} {NAMES[n]}": f"{n} {CONFUSING[n]}" for n in range(3)}
@@ -168,6 +168,7 @@ def test_headings_are_the_same_whatever_bodies_and_joints_are_called() -> None:
     patterns |= {f"joint {x!r}": f"joint {y!r}"
                  for x, y in zip(NAMES[3:], CONFUSING[3:], strict=True)}
     patterns |= {f" at {x}": f" at {y}" for x, y in zip(NAMES[3:], CONFUSING[3:], strict=True)}
-    said = re.compile("|".join(map(re.escape, patterns)))
-    named = [[said.sub(lambda x: patterns[x[0]], words) for words in found] for _, found in plain]
-    assert [found for _, found in confusing] == named
+    any_name = re.compile("|".join(map(re.escape, patterns)))
+    named = [[any_name.sub(lambda x: patterns[x[0]], words) for words in headings]
+             for _, headings in plain]
+    assert [headings for _, headings in confusing] == named

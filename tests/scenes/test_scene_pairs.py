@@ -46,10 +46,10 @@ def test_inverse_dynamics_is_that_of_newton_and_euler():
                                 tiers=("pairs",)))
     given = motions(60, SINGLE)
     columns = [given[:, k] for k in range(3)]
-    found = kernels.pairs.single.inverse_dynamics(*columns)
+    result = kernels.pairs.single.inverse_dynamics(*columns)
     program = kernels.functions.named("inverse_dynamics").program
     size = conditions(program, components(program, columns))
-    judged = [Result(j, found[k, j], true, float(size[j][k])) for k in range(60)
+    judged = [Result(j, result[k, j], true, float(size[j][k])) for k in range(60)
               for j, true in enumerate(inverse(model, *given[k]))]
     for condition, most in PROMISED:
         assert not [x for x in judged if x.condition < condition and x.ulps(SINGLE) > most]
@@ -82,12 +82,12 @@ def test_bits_are_the_same_in_c_and_numpy(folder, compiler: str, flags: tuple[st
     using = compilation.Compiler((compiler,), compiler, ("-fPIC", *flags))
     text = source_text.of_one(made)
     library = compilation.library(text.units(("single",)), text.files, using)
-    found = text.interface
+    result = text.interface
     twins = importlib.import_module(f"{scene.name}.pairs.single")
-    for described in found.signatures:
+    for described in result.signatures:
         given = states(scene, scene.named(described.name), 200, SINGLE)
         given = [np.concatenate([x, x * np.float32(1e6), x * np.float32(1e-6)]) for x in given]
-        call = callables.compiled(found, library.opened, CHECKS, described, SINGLE)
+        call = callables.compiled(result, library.opened, CHECKS, described, SINGLE)
         assert same_bits(call(None, *given), getattr(twins, described.name)(*given))
 
 

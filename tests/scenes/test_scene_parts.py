@@ -51,10 +51,10 @@ def _functions(kind: str) -> SceneFunctions:
 
 
 def _groups(cuts: Mapping[str, Cut]) -> tuple[Group, ...]:
-    return tuple({group.name: group for found in cuts.values() for group in found.groups}.values())
+    return tuple({x.name: x for cut in cuts.values() for x in cut.groups}.values())
 
 
-def _evaluated(found: Cut, given: Mapping[str, Sequence]) -> list:
+def _evaluated(result: Cut, given: Mapping[str, Sequence]) -> list:
     """The results of a program in parts, in double precision."""
     kept: dict[str, dict[str, object]] = {}
 
@@ -63,12 +63,12 @@ def _evaluated(found: Cut, given: Mapping[str, Sequence]) -> list:
                   for a in program.inputs]
         return evaluator(program, DOUBLE)(arrays)
 
-    for group in found.groups:
+    for group in result.groups:
         values = kept[group.name] = dict.fromkeys(group.kept)
         for part in group.parts:
             names = [x.name for x in part.results if isinstance(x, Ref)]
             values.update(zip(names, called(part), strict=True))
-    return called(found.last)
+    return called(result.last)
 
 
 @pytest.mark.parametrize("kind, longest", (("mechanism", 25), *(("arm", x) for x in LENGTHS)))
@@ -80,9 +80,9 @@ def test_parts_compute_what_the_functions_do(kind: str, longest: int):
         given = {a.name: list(draw.normal(size=a.quantity.size)) for a in f.program.inputs}
         with np.errstate(all="ignore"):
             whole = evaluator(f.program, DOUBLE)(list(given.values()))
-            found = _evaluated(cuts[f.name], given)
-        assert np.array_equal(np.array(found), np.array(whole), equal_nan=True), f.name
-        assert np.array_equal(np.signbit(found), np.signbit(whole)), f.name
+            result = _evaluated(cuts[f.name], given)
+        assert np.array_equal(np.array(result), np.array(whole), equal_nan=True), f.name
+        assert np.array_equal(np.signbit(result), np.signbit(whole)), f.name
 
 
 @pytest.mark.parametrize("longest", LENGTHS)
@@ -95,15 +95,15 @@ def test_no_part_is_longer_than_asked(longest: int):
 def test_long_chains_are_linear_in_length():
     """Parts of longer chains are no longer, and their number, their steps and the values they keep
     grow linearly."""
-    found = []
+    results = []
     for joints in (8, 16, 32):
         link = Kind.REVOLUTE, Y, at(0, 0, 1), inertia(1, (0, 1, 2), (3, 4, 5, 0, 0, 0))
         functions = derive(scene(chain(*[link] * joints, name="chain")), ("forward_dynamics",))
         groups = _groups(cut([functions.named("forward_dynamics").program], 100))
         lengths = [len(part.instructions) for group in groups for part in group.parts]
         assert max(lengths) <= 100
-        found.append((len(lengths), sum(lengths), sum(len(group.kept) for group in groups)))
-    for few, more, most in zip(*found, strict=True):
+        results.append((len(lengths), sum(lengths), sum(len(group.kept) for group in groups)))
+    for few, more, most in zip(*results, strict=True):
         assert most - more <= 2.2 * (more - few)
 
 

@@ -59,10 +59,10 @@ def test_results_are_within_their_running_error_bounds(name: str, precision: str
     for seed in range(3):
         state = state_of(f, seed, number)
         for function in FUNCTIONS:
-            found = f(function, **state)
+            result = f(function, **state)
             truth = bound(function, **state)
             size = max(abs(x.exact) for x in truth)
-            for x, y in zip(found, truth, strict=True):
+            for x, y in zip(result, truth, strict=True):
                 assert isinstance(x, number)
                 assert abs(mpf(float(x)) - y.exact) <= y.error, (function, float(x).hex())
                 assert y.error <= 2**16 * u * size

@@ -42,9 +42,9 @@ def worst(judged: Judged, text: str) -> float:
     """The largest error of this text of the function, in units of the last digit."""
     memory: dict[str, object] = {"__package__": judged.package, "__name__": judged.package}
     exec(compile(text, "mutant", "exec"), memory)
-    found = flat(memory[judged.name](*judged.given), STATES)
+    result = flat(memory[judged.name](*judged.given), STATES)
     with np.errstate(all="ignore"):
-        errors = abs((found - judged.high) - judged.low) / judged.unit
+        errors = abs((result - judged.high) - judged.low) / judged.unit
     return float(np.nan_to_num(errors, nan=np.inf)[judged.counted].max())
 
 
@@ -92,7 +92,7 @@ def test_a_value_and_its_own_error_are_never_subtracted(tier: str):
     files = scene_files(replace(derive(replace(scene(ARMS[0]), tiers=(tier,))), name="arm"))
     texts = [text for name, text in files.items() if tier in name]
     assert sum(len(OWN_ERROR.findall(x)) for x in texts) > 50
-    assert [found for text in texts for found in less_their_errors(text)] == []
+    assert [result for text in texts for result in less_their_errors(text)] == []
 
 
 def test_a_subtracted_error_is_noticed():

@@ -63,14 +63,14 @@ def test_text_is_the_same_in_every_process():
     program = ("import sys; from tests.support.scenes.generated_scenes import *; "
                "sys.stdout.write(''.join(''.join(files(made()).values()) "
                "for made in CASES.values()))")
-    found = set()
+    results = set()
     for seed in ("0", "4711"):
         done = subprocess.run(
             [sys.executable, "-c", program], capture_output=True, check=True, encoding="utf-8",
             env={**os.environ, "PYTHONHASHSEED": seed, "PYTHONIOENCODING": "utf-8"},
             cwd=Path(__file__).parents[2])
-        found.add(done.stdout)
-    assert len(found) == 1 and found.pop()
+        results.add(done.stdout)
+    assert len(results) == 1 and results.pop()
 
 
 def test_single_precision_has_no_literal_and_no_function_of_double():
@@ -182,12 +182,12 @@ def test_words_of_models_cannot_leave_their_comments():
             names[node.targets[0].id] = ast.literal_eval(node.value)
     assert names["BODIES"] == names["JOINTS"] == (hostile,)
     for path in ("pendulum/double.py", "pendulum/single.py"):
-        found, wanted = (ast.parse(x[path]) for x in (text, plain))
-        for tree in (found, wanted):
+        result, wanted = (ast.parse(x[path]) for x in (text, plain))
+        for tree in (result, wanted):
             for node in ast.walk(tree):
                 if isinstance(node, ast.FunctionDef):
                     node.body.pop(0)  # the docstring
-        assert ast.dump(found) == ast.dump(wanted)
+        assert ast.dump(result) == ast.dump(wanted)
 
 
 def test_negated_negative_numbers_are_no_decrements():
@@ -237,9 +237,9 @@ def test_every_place_has_a_name_of_its_own_that_the_header_explains():
     bodies = ("Tool-1", "tool_1", "TOOL_1_1", "膝", "足", "arm", "Hüfte")
     scene = replace(CASES["slider"](), bodies=bodies)
     header = files(scene)["slider.h"]
-    found = dict(re.findall(r"\bSLIDER_BODY_(\w+) = (\d+)", header))
-    assert found == {"TOOL_1_2": "0", "TOOL_1_3": "1", "TOOL_1_1": "2", "X_1": "3", "X_2": "4",
-                     "ARM": "5", "H_FTE": "6"}
+    results = dict(re.findall(r"\bSLIDER_BODY_(\w+) = (\d+)", header))
+    assert results == {"TOOL_1_2": "0", "TOOL_1_3": "1", "TOOL_1_1": "2", "X_1": "3", "X_2": "4",
+                       "ARM": "5", "H_FTE": "6"}
     assert "SLIDER_Q_CLASS = 0" in header
     about = " ".join(header.partition("*/\n#ifndef")[0].split())
     assert ("Of names that differ only in case, or in characters that C's names cannot have: "
@@ -250,6 +250,6 @@ def test_every_place_has_a_name_of_its_own_that_the_header_explains():
 
 def test_numbered_identifiers_are_all_different():
     names = ["a", "A", "a_1", "a-2", "A_2", "3", "x3", "x3_1", "", "é", "x"] * 2
-    found = numbered(names)
-    assert len({*found}) == len(found) and all(re.fullmatch("[A-Z][A-Z0-9_]*", x) for x in found)
+    result = numbered(names)
+    assert len({*result}) == len(result) and all(re.fullmatch("[A-Z][A-Z0-9_]*", x) for x in result)
     assert numbered(["elbow", "Wrist"]) == ("ELBOW", "WRIST")

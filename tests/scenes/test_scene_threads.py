@@ -64,8 +64,8 @@ def test_callers_at_once_share_threads(kernels: Kernels):
     wanted = [function(*x) for x in rows]
     with ThreadPoolExecutor(8) as pool:
         for threads in (2, 3, 4):
-            found = pool.map(lambda x, count=threads: function(*x, threads=count), 10 * rows)
-            assert all(map(same_bits, found, 10 * wanted))
+            result = pool.map(lambda x, count=threads: function(*x, threads=count), 10 * rows)
+            assert all(map(same_bits, result, 10 * wanted))
 
 
 @pytest.mark.skipif("fork" not in multiprocessing.get_all_start_methods(), reason="nothing forks")

@@ -97,10 +97,10 @@ def test_files_options_and_load_scene_select_tiers(write, tmp_path: Path):
     assert "--tier accurate" in option["swing.c"].splitlines()[0]
     of_file, of_option = (x["swing_accurate.c"].split("\n", 1)[1] for x in (file, option))
     assert of_file == of_option
-    told = coscrew_codegen.load_scene(write(), tiers=["accurate"])
-    again = coscrew_codegen.load_scene(told.scene)
+    messages = coscrew_codegen.load_scene(write(), tiers=["accurate"])
+    again = coscrew_codegen.load_scene(messages.scene)
     one = coscrew_codegen.load_scene(write('tiers = ["accurate"]'), precision="double")
-    for kernels in (told, again, one):
+    for kernels in (messages, again, one):
         assert "inverse_dynamics" in kernels.accurate.double
     assert not [*one.accurate.single]
 
@@ -163,11 +163,11 @@ def test_plain_is_always_there():
 
 @each_tier
 def test_internal_functions_and_steps_have_no_tier(tier):
-    found = in_tier(CASES["spinner"](), tier)
-    for _, tiered in found.in_precisions:
+    result = in_tier(CASES["spinner"](), tier)
+    for _, tiered in result.in_precisions:
         assert not tiered.steps and not any(f.internal for f in tiered.functions)
         assert [f.name for f in tiered.functions] == [
-            f.name for f in found.plain.functions if not f.internal]
+            f.name for f in result.plain.functions if not f.internal]
 
 
 @pytest.fixture(scope="module")
@@ -211,9 +211,9 @@ def test_a_precision_alone_is_whole(write, precision: str, tmp_path: Path):
         command([compiler, *C11, *STRICT, "-O1", "-c", source, "-o", tmp_path / "x.o"])
     script = (f"import swing.accurate; m = swing.accurate.{precision}; "
               "print(m.inverse_dynamics([1], [2], [3]).dtype)")
-    found = subprocess.run([sys.executable, "-c", script], check=True, text=True, cwd=folder,
-                           capture_output=True).stdout
-    assert found.strip() == {"double": "float64", "single": "float32"}[precision]
+    result = subprocess.run([sys.executable, "-c", script], check=True, text=True, cwd=folder,
+                            capture_output=True).stdout
+    assert result.strip() == {"double": "float64", "single": "float32"}[precision]
 
 
 def test_sines_of_one_number_are_defined_beside_those_of_several(tmp_path: Path):
@@ -280,12 +280,12 @@ def test_bits_are_the_same_in_c_and_numpy(package: Path, tier, compiler: str,
     using = compilation.Compiler((compiler,), compiler, ("-fPIC", *flags))
     of_all = scene_bits.functions()
     library = compilation.library(text.units(BOTH), text.files, using)
-    found = text.interface
-    assert {x.name for x in found.signatures} >= {*SOME}
+    result = text.interface
+    assert {x.name for x in result.signatures} >= {*SOME}
     for p in PRECISIONS:
         twins = importlib.import_module(f"{of_all.name}.{tier.mark}.{p.name}")
-        for described in found.signatures:
-            call = callables.compiled(found, library.opened, CHECKS, described, p)
+        for described in result.signatures:
+            call = callables.compiled(result, library.opened, CHECKS, described, p)
             given = states(of_all, of_all.named(described.name), 40, p)
             assert same_bits(call(None, *given), getattr(twins, described.name)(*given)), (
                 described.name, p.name)

@@ -206,17 +206,17 @@ def test_a_scene_with_every_key_is_read_and_valid(tmp_path):
 
 
 def test_unknown_keys_are_refused_by_both(tmp_path):
-    found = list(tables(tomllib.loads(FULL)))
-    assert len(found) > 20
-    for path in found:
+    results = list(tables(tomllib.loads(FULL)))
+    assert len(results) > 20
+    for path in results:
         scene = changed((*path, "nonsense"), 1)
         assert errors(scene) and not is_read(scene, tmp_path), path
 
 
 def test_values_of_another_type_are_refused_by_both(tmp_path):
-    found = list(places(tomllib.loads(FULL)))
-    assert len(found) > 60
-    for path in found:
+    results = list(places(tomllib.loads(FULL)))
+    assert len(results) > 60
+    for path in results:
         for wrong in (True, {"nonsense": []}, [[[1]]]):
             scene = changed(path, wrong)
             assert errors(scene) and not is_read(scene, tmp_path), (path, wrong)

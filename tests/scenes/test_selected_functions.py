@@ -61,9 +61,9 @@ def flyer(*selected: str) -> Scene:
 
 def public(scene: Scene) -> list[str]:
     """The functions that C declares, steps among them."""
-    found = derive(scene)
-    header = scene_c.files(found, "banner")[f"{scene.name}.h"]
-    return re.findall(rf"^void {scene.name}_(\w+?)\(", header.partition("in single")[0], re.M)
+    result = derive(scene)
+    header = scene_c.files(result, "banner")[f"{scene.name}.h"]
+    return re.findall(rf"^void {scene.name}_(\w+?)\(", header.partition("The same in single")[0], re.M)
 
 
 def test_without_a_word_jacobians_reactions_and_other_integrators_are_left_out():
@@ -77,8 +77,8 @@ def test_without_a_word_jacobians_reactions_and_other_integrators_are_left_out()
 def test_the_step_is_that_of_the_run(integrator):
     """Steps of SciPy's integrators are not emitted; a scene that runs with one has the default's.
     """
-    found = [x for x in public(arm(run=Run(integrator=integrator.name))) if x.startswith("step_")]
-    assert found == [integrator.step_name or "step_leapfrog"]
+    results = [x for x in public(arm(run=Run(integrator=integrator.name))) if x.startswith("step_")]
+    assert results == [integrator.step_name or "step_leapfrog"]
 
 
 @pytest.mark.parametrize("name", names(arm()))
@@ -109,8 +109,8 @@ def whole_arm() -> str:
 
 def body(text: str, function: str) -> str:
     """The body of a C function, without its line breaks."""
-    found = re.search(rf"^(?:static )?(void {function}\(.*?^}})", text, re.M | re.S)[1]
-    return " ".join(found.split())
+    result = re.search(rf"^(?:static )?(void {function}\(.*?^}})", text, re.M | re.S)[1]
+    return " ".join(result.split())
 
 
 def test_contacts_are_refused_by_name_where_no_limit_closes():
@@ -122,9 +122,9 @@ def test_contacts_are_refused_by_name_where_no_limit_closes():
 
 def test_all_functions_have_names_and_names_have_functions():
     """The two scenes together have everything that a scene can have."""
-    found = {*public(arm(*ALL))} | {f"{name}" for name in public(flyer(*ALL))}
-    assert found == {*names(arm()), *names(flyer())}
-    assert {"jacobian_b2", "jacobian_b1", "reaction_j0"} < found and "reaction_j2" not in found
+    result = {*public(arm(*ALL))} | {f"{name}" for name in public(flyer(*ALL))}
+    assert result == {*names(arm()), *names(flyer())}
+    assert {"jacobian_b2", "jacobian_b1", "reaction_j0"} < result and "reaction_j2" not in result
 
 
 def test_what_is_not_selected_is_not_derived(monkeypatch: pytest.MonkeyPatch):
@@ -183,13 +183,13 @@ def test_load_scene_takes_what_the_file_says_or_what_it_is_told(file: Path):
     of_file = coscrew_codegen.load_scene(file)
     assert dir(of_file.double) == ["jacobian_hand"]
     assert np.array_equal(of_file.double.jacobian_hand([0.5])[:, 0], [0, 0, 0, 0, 0, 1])
-    told = coscrew_codegen.load_scene(file, functions=["energy"])
-    assert dir(told.double) == ["energy"]
-    again = coscrew_codegen.load_scene(told.scene, functions=["power"])
+    messages = coscrew_codegen.load_scene(file, functions=["energy"])
+    assert dir(messages.double) == ["energy"]
+    again = coscrew_codegen.load_scene(messages.scene, functions=["power"])
     assert dir(again.double) == ["power"]
     with pytest.raises(AttributeError, match=r"no function 'power'; it was not selected: "
                                              r"functions=\[\"default\", 'power'\]"):
-        told.double.power
+        messages.double.power
     with pytest.raises(TypeError, match="functions: wanted a list of names"):
         coscrew_codegen.load_scene(file, functions="energy")
     with pytest.raises(FunctionsError, match="did you mean 'energy'"):
@@ -266,5 +266,5 @@ def test_alarms_do_without_a_mass_matrix(tmp_path: Path, monkeypatch: pytest.Mon
     assert not its.has("mass_matrix")
     start = replace(its, scene=replace(scene, start_q={"j0": (1.0,)}))
     planned = plan.plan(start, integrator="semi-implicit-euler", step=1.9e-3, until=1.0)
-    found = run.integrate(start, planned, alarm=Alarm)
-    assert "joint j0 is off by" in found.stopped
+    result = run.integrate(start, planned, alarm=Alarm)
+    assert "joint j0 is off by" in result.stopped

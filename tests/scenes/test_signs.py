@@ -92,8 +92,8 @@ def test_parameters_in_their_range_are_accepted(kernels: Kernels, p: tuple[float
     """Zero where it is allowed, and NaN, which gives NaN as in any argument."""
     for functions, given in itertools.product((kernels.double, kernels.single), (p, [P, p])):
         for call in calls(functions, given):
-            found = call()
-            last = np.asarray(found if isinstance(found, np.ndarray) else found[1])[..., -1]
+            result = call()
+            last = np.asarray(result if isinstance(result, np.ndarray) else result[1])[..., -1]
             assert np.isnan(last.flat[-1]) == np.isnan(p).any()
 
 
@@ -109,11 +109,11 @@ def test_functions_without_parameters_take_none(kernels: Kernels) -> None:
 
 
 def test_headers_and_packages_say_which_sign_a_parameter_has(hinge: Scene) -> None:
-    found = files(derive(hinge))
+    result = files(derive(hinge))
     for name in ("hinge.h", "hinge/__init__.py"):
         assert ("Parameters p: 0 tool.mass = 2.0 (must be positive), 1 tool.com.z = -0.5, 2 "
                 "coulomb.hinge.tau_c = 1.0 (must not be negative), 3 coulomb.hinge.eps = 0.125 "
-                "(must be positive).") in " ".join(found[name].split())
+                "(must be positive).") in " ".join(result[name].split())
 
 
 def test_the_reference_says_which_sign_a_parameter_has() -> None:
@@ -123,7 +123,7 @@ def test_the_reference_says_which_sign_a_parameter_has() -> None:
         for parameter in effect.parameters:
             row = next(line for line in sections[effect.name].splitlines()
                        if line.startswith(f"| `{parameter.name}` |"))
-            told = row.rpartition(" | ")[2].removesuffix(" |").split("; ")
+            messages = row.rpartition(" | ")[2].removesuffix(" |").split("; ")
             for words, has in (("a positive number", parameter.positive),
                                ("0 or more", parameter.nonnegative)):
-                assert (words in told) == has, row
+                assert (words in messages) == has, row

@@ -85,8 +85,8 @@ def test_what_can_be_had_is_generated_and_the_rest_told_once(arm, capsys, tmp_pa
     """One line on standard error, and one warning."""
     path = arm()
     assert main(["generate", str(path), "-o", str(tmp_path / "out")]) == 0
-    said = capsys.readouterr().err
-    assert said == f"arm.toml: forward_dynamics and steps are left out: {CAUSE}\n"
+    output = capsys.readouterr().err
+    assert output == f"arm.toml: forward_dynamics and steps are left out: {CAUSE}\n"
     header = (tmp_path / "out/arm.h").read_text()
     assert "arm_inverse_dynamics(" in header and "arm_mass_matrix(" in header
     assert not any(f"arm_{name}(" in header for name in dividing(read_scene(path)))
@@ -118,8 +118,8 @@ def test_what_divides_by_a_singular_matrix_names_all_joints(arm, capsys, name, t
     assert str(caught.value) == f"arm: {name} divides by the mass matrix, but {CAUSE}"
     for command in ("simulate", "check", "cost"):
         assert main([command, str(arm())]) == 2
-        said = capsys.readouterr().err.splitlines()
-        assert said[-1].endswith(CAUSE) and CAUSE not in said[:-1]
+        output = capsys.readouterr().err.splitlines()
+        assert output[-1].endswith(CAUSE) and CAUSE not in output[:-1]
 
 
 def test_the_remedy_works(arm, capsys):

@@ -88,8 +88,8 @@ def torque_of(name: str, values: dict) -> Callable[[mpf, mpf], dict[str, mpf | N
     evaluate = evaluator(program, MULTIPRECISE)
 
     def at_state(q: mpf, v: mpf) -> dict[str, mpf | None]:
-        found = dict(zip(fields, evaluate([[q], [v], [mpf("0.7")]]), strict=True))
-        return {x: found.get(x) for x in ("torque", "damping", "stiffness", "energy", "power")}
+        results = dict(zip(fields, evaluate([[q], [v], [mpf("0.7")]]), strict=True))
+        return {x: results.get(x) for x in ("torque", "damping", "stiffness", "energy", "power")}
 
     return at_state
 
@@ -106,17 +106,17 @@ def test_slopes_are_those_of_the_torque(name: str, values: dict, true: bool) -> 
     least |torque| / |v|."""
     f = torque_of(name, values)
     for q, v in STATES:
-        found = f(q, v)
+        result = f(q, v)
         slopes = {"damping": -slope(lambda x: f(q, x)["torque"], v),
                   "stiffness": -slope(lambda x: f(x, v)["torque"], q)}
         for key, wanted in slopes.items():
-            given = found[key] or 0
+            given = result[key] or 0
             assert given >= 0
             if name == "joint_drag" and v == 0:
                 wanted = mpf(0)  # a difference of |v| v about 0 is off by its step
             assert abs(given - wanted) <= CLOSE if true else given >= wanted - CLOSE, (key, q, v)
         if name in FRICTION:  # the line through rest is as steep
-            assert found["damping"] * abs(v) >= abs(found["torque"]) - CLOSE
+            assert result["damping"] * abs(v) >= abs(result["torque"]) - CLOSE
 
 
 def of_law(law: Callable[[CoordinateState, object], Torque], limit: mpf | None = None
@@ -150,9 +150,9 @@ def test_laws_that_say_too_little_or_too_much_are_refused(law: Callable, words: 
 
 @pytest.mark.parametrize("torque", [0, 5])
 def test_a_limit_may_be_zero_at_run_time(torque: int) -> None:
-    found = of_law(lambda at, values: Torque(at.q * torque - at.v * 7, limit=values["limit"]),
-                   mpf(0))
-    assert found == [0, 0, 0]
+    result = of_law(lambda at, values: Torque(at.q * torque - at.v * 7, limit=values["limit"]),
+                    mpf(0))
+    assert result == [0, 0, 0]
 
 
 @pytest.mark.parametrize("name, values, true", CASES)
@@ -160,13 +160,13 @@ def test_torques_work_is_energy_and_power(name: str, values: dict, true: bool) -
     """τ v = -V'(q) v + P; without V, P may be left out, and is all."""
     f = torque_of(name, values)
     for q, v in STATES:
-        found = f(q, v)
-        if found["energy"] is None:
-            assert found["power"] is None
+        result = f(q, v)
+        if result["energy"] is None:
+            assert result["power"] is None
             continue
         conservative = -slope(lambda x: f(x, v)["energy"], q)
-        assert abs(found["torque"] * v - conservative * v - (found["power"] or 0)) <= CLOSE
-        assert found["power"] is None or found["power"] <= 0
+        assert abs(result["torque"] * v - conservative * v - (result["power"] or 0)) <= CLOSE
+        assert result["power"] is None or result["power"] <= 0
 
 
 # all effects in a scene: energy, and implicit steps
@@ -228,14 +228,14 @@ def test_implicit_steps_solve_with_all_slopes(following: bool) -> None:
         e for e in STIFF if e.effect.joint_torque or e.effect.joint_inertia)), MULTIPRECISE)
 
     def columns(g: Callable, key: str) -> mpmath.matrix:
-        found = mpmath.matrix(n, n)
+        result = mpmath.matrix(n, n)
         for j in range(n):
             def moved(s: mpf, j: int = j) -> mpmath.matrix:
                 y = {k: list(x[k]) for k in "qv"}
                 y[key][j] += s
                 return g(y["q"], y["v"])
-            found[:, j] = (moved(STEP) - moved(-STEP)) / (2 * STEP)
-        return found
+            result[:, j] = (moved(STEP) - moved(-STEP)) / (2 * STEP)
+        return result
 
     M = mpmath.matrix(n, n)
     for k, entry in enumerate(bare("mass_matrix", **x)):
@@ -243,8 +243,8 @@ def test_implicit_steps_solve_with_all_slopes(following: bool) -> None:
     D, K = columns(added, "v"), columns(at_joints, "q")
     bias = mpmath.matrix(f("bias_torques", **x))
     wanted = mpmath.lu_solve(M + h * D + h**2 * K, -bias - h * (K * mpmath.matrix(x["v"])))
-    found = f("implicit_acceleration", h=h, **x)
-    assert max(abs(a - b) for a, b in zip(found, wanted, strict=True)) <= CLOSE * 100
+    result = f("implicit_acceleration", h=h, **x)
+    assert max(abs(a - b) for a, b in zip(result, wanted, strict=True)) <= CLOSE * 100
 
 
 def test_stiffness_between_bodies_is_taken_along_the_line() -> None:
@@ -259,8 +259,8 @@ def test_stiffness_between_bodies_is_taken_along_the_line() -> None:
     M = mpmath.matrix([[2 + c, -c], [-c, 3 + c]])
     pull = 700 * longer + 90 * rate + h * 700 * rate
     wanted = mpmath.lu_solve(M, mpmath.matrix([pull, -pull]))
-    found = f("implicit_acceleration", h=h, q=q, v=v)
-    assert max(abs(a - b) for a, b in zip(found, wanted, strict=True)) <= CLOSE
+    result = f("implicit_acceleration", h=h, q=q, v=v)
+    assert max(abs(a - b) for a, b in zip(result, wanted, strict=True)) <= CLOSE
 
 
 @pytest.mark.parametrize("speed", [(0, 0, 0), (3, -1, 2), (mpf(10)**-9, 0, 0)])

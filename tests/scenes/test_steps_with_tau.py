@@ -42,14 +42,14 @@ def scenes(folder: Path, base: str, *driven: str) -> tuple[Path, Path]:
     """The scene without actuators, and the one with a torque at run time at each `driven` joint."""
     names = ", ".join(f'"actuator.{x}.torque"' for x in driven)
     tables = "".join(f'[effects.actuator.{x}]\nkind = "torque"\ntorque = 0\n' for x in driven)
-    found = []
+    results = []
     for name, runtime, actuators in (("free", "", ""), ("driven", f"runtime = [{names}]", tables)):
         path = folder / f"{name}.toml"
         path.write_text(ARM.replace("BASE", base).replace("RUNTIME", runtime)
                         .replace("ORIGIN", "origin = { xyz = [0, 0, -0.5] }")
                         .replace("ACTUATORS", actuators))
-        found.append(path)
-    return tuple(found)
+        results.append(path)
+    return tuple(results)
 
 
 @pytest.fixture(scope="module")
@@ -75,16 +75,16 @@ def test_tau_is_the_torque_of_actuators_bit_for_bit(arms: tuple[Kernels, Kernels
     free, driven = (getattr(x, precision) for x in arms)
     q, v, tau = (x.astype(free.energy(np.zeros(3), np.zeros(3)).dtype)
                  for x in states(arms[0], 300))
-    found = getattr(free, integrator.step_with_tau)(0.005, q, v, tau)
+    result = getattr(free, integrator.step_with_tau)(0.005, q, v, tau)
     wanted = getattr(driven, integrator.step_name)(0.005, tau, q, v)
-    for x, y in zip(found, wanted, strict=True):
+    for x, y in zip(result, wanted, strict=True):
         assert x.tobytes() == y.tobytes()
     one = getattr(free, integrator.step_with_tau)(0.005, q[7], v[7], tau[7])
-    assert all((x == y[7]).all() for x, y in zip(one, found, strict=True))
+    assert all((x == y[7]).all() for x, y in zip(one, result, strict=True))
     still = getattr(free, integrator.step_with_tau)(0.005, q, v, np.zeros(3))
     plain = getattr(free, integrator.step_name)(0.005, q, v)
     assert all((x == y).all() for x, y in zip(still, plain, strict=True))
-    assert (np.abs(found[1] - plain[1]).max(0) > 0.1).all()
+    assert (np.abs(result[1] - plain[1]).max(0) > 0.1).all()
 
 
 def test_python_without_a_compiler_has_the_same_bits(

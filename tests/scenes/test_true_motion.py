@@ -33,10 +33,10 @@ PD = {"kind": "pd", "kp": 400, "kd": 40}
 def ran(kernels: Kernels, until: float, step: float = 1e-3, integrator: str = NEW,
         precision: str = "double") -> Trajectory:
     """The run, sampled a hundred times."""
-    found = integrate(system(kernels, precision),
-                      Plan(until, until / 100, integrator, step, 1e-11, 1e-11))
-    assert not found.stopped
-    return found
+    result = integrate(system(kernels, precision),
+                       Plan(until, until / 100, integrator, step, 1e-11, 1e-11))
+    assert not result.stopped
+    return result
 
 
 @cache
@@ -314,9 +314,9 @@ def test_steps_of_many_states_are_the_same_bits_in_numpy_and_c(precision, tmp_pa
     q = np.concatenate((draw.uniform(-1e-3, 3e-3, 200), [0, 1, np.nan])).astype(kind)[:, None]
     v = np.concatenate((draw.uniform(-4, 1, 200), [-1e-3, 0, 1])).astype(kind)[:, None]
     h = kind.type(1e-3)
-    found, wanted = (x.step_leapfrog(h, q, v) for x in (package, getattr(its, precision)))
+    result, wanted = (x.step_leapfrog(h, q, v) for x in (package, getattr(its, precision)))
     assert len(set(np.asarray(its.double.parts(1e-3, q[:-1], v[:-1])[0]).tolist())) >= 4
-    for x, y in zip(found, wanted, strict=True):
+    for x, y in zip(result, wanted, strict=True):
         assert np.where(x == x, x, 0).tobytes() == np.where(y == y, y, 0).tobytes()
         assert np.array_equal(np.isnan(x), np.isnan(y)) and np.isnan(x).sum() == 1
     for state in (0, 7, 201):  # one alone: no leading axis

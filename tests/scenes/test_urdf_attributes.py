@@ -53,9 +53,9 @@ def refused(read):
 
 def misspellings(name):
     """Case, doubled, missing and exchanged letters."""
-    found = {name.capitalize(), name.upper(), name + name[-1], name[:-1], name[1:],
-             name[:-2] + name[-1] + name[-2]}
-    return sorted(found - {name, ""})
+    results = {name.capitalize(), name.upper(), name + name[-1], name[:-1], name[1:],
+               name[:-2] + name[-1] + name[-2]}
+    return sorted(results - {name, ""})
 
 
 @pytest.mark.parametrize("tag, name", [(tag, name) for tag, names in ATTRIBUTES.items()
@@ -156,23 +156,23 @@ def test_other_tools_joints_are_told_first(read):
 
 
 def test_limits_of_version_1_2_and_safety_controllers_are_told(read):
-    told = [x.text for x in read(FULL).notices]
-    assert told[:3] == [f"joint hinge: {name} {number} of <limit> is used by no effect of a "
-                        "revolute joint" for name, number in (
+    messages = [x.text for x in read(FULL).notices]
+    assert messages[:3] == [f"joint hinge: {name} {number} of <limit> is used by no effect of a "
+                            "revolute joint" for name, number in (
                             ("acceleration", 5), ("deceleration", 6), ("jerk", 7))]
-    assert [line.split()[2] for line in told[3:]] == ["soft_lower_limit", "soft_upper_limit",
-                                                      "k_position", "k_velocity"]
+    assert [line.split()[2] for line in messages[3:]] == ["soft_lower_limit", "soft_upper_limit",
+                                                          "k_position", "k_velocity"]
 
 
 @pytest.mark.parametrize("kind", ["spherical", "floating"])
 def test_numbers_of_joints_with_several_coordinates_are_told(read, kind):
     model = read(FULL.replace('name="hinge" type="revolute"', f'name="hinge" type="{kind}"'))
-    told = [(x.subject, x.text) for x in model.notices if x.text.endswith(f"of a {kind} joint")]
-    assert [subject for subject, _ in told if subject != "safety controller"] == [
+    messages = [(x.subject, x.text) for x in model.notices if x.text.endswith(f"of a {kind} joint")]
+    assert [subject for subject, _ in messages if subject != "safety controller"] == [
         "acceleration", "deceleration", "jerk", "damping", "friction", "limits", "limits",
         "effort", "velocity", "mimic"]
     assert ("friction", "joint hinge: friction 9 of <dynamics> is used by no effect of a "
-            f"{kind} joint") in told
+            f"{kind} joint") in messages
 
 
 def test_fixed_joints_need_no_numbers(read):
@@ -254,8 +254,8 @@ def test_elements_that_say_the_same_twice_are_read_once(read, once, other):
     assert once in FULL
     model = read(FULL.replace(once, once + other, 1))
     assert model == read(FULL)
-    told = [x.text for x in model.notices if x.subject == "repeated element"]
-    assert len(told) == 1 and "says the same once more and is not used" in told[0]
+    messages = [x.text for x in model.notices if x.subject == "repeated element"]
+    assert len(messages) == 1 and "says the same once more and is not used" in messages[0]
 
 
 @pytest.mark.parametrize("once, other, element", [

@@ -66,9 +66,10 @@ def read(tmp_path):
 @pytest.mark.parametrize("two, field, _, words", WRONG)
 def test_wrong_numbers_that_nothing_uses_are_told(read, two, field, _, words):
     scene = read(two, "[effects.gravity]\n")
-    told = [line for line in scene.unused if line.startswith(f"joint two: {field} is not used")]
-    assert len(told) == 1 and words in told[0]
-    assert told[0].startswith(f"joint two: {field} is not used, and cannot be: robot.urdf, line 9")
+    messages = [line for line in scene.unused if line.startswith(f"joint two: {field} is not used")]
+    assert len(messages) == 1 and words in messages[0]
+    assert messages[0].startswith(
+        f"joint two: {field} is not used, and cannot be: robot.urdf, line 9")
     assert getattr(scene.model.joints[-1], field) is None
 
 

@@ -105,8 +105,8 @@ def test_an_error_in_an_included_file_names_it(site):
 def test_xacros_warnings_are_told(site):
     text = ARM.replace('name="m" value="1.5"', 'name="pi" value="1.5"').replace("${m", "${pi")
     (site / "robots/arm.urdf.xacro").write_text(text)
-    told = [x.text for x in read(site).notices]
-    assert told and told[0].startswith("xacro warns: redefining global symbol: pi")
+    messages = [x.text for x in read(site).notices]
+    assert messages and messages[0].startswith("xacro warns: redefining global symbol: pi")
 
 
 def test_other_formats_take_no_arguments(site, tmp_path):

@@ -45,9 +45,9 @@ def stale_files(files: Mapping[str, str], folder: Path) -> tuple[str, ...]:
     """Files that an earlier run made and this one does not, in the folders that it writes to."""
     owned = sorted({Path(path).parts[0] for path in files})
     endings = {Path(path).suffix for path in files}
-    found = (p for name in owned for p in (folder / name).rglob("*")
-             if p.is_file() and p.suffix in endings)
-    names = sorted(p.relative_to(folder).as_posix() for p in found)
+    present = (p for name in owned for p in (folder / name).rglob("*")
+               if p.is_file() and p.suffix in endings)
+    names = sorted(p.relative_to(folder).as_posix() for p in present)
     return tuple(name for name in names
                  if name not in files and MARK in (read(folder, name) or "")[:200])
 

@@ -82,7 +82,7 @@ class Library:
     @cache  # noqa: B019
     def having(self, tier: Tier) -> tuple[Operation, ...]:
         """The operations that have a tier, as it has them, in the table's order."""
-        names = {name for found in self.made(_tiered).values() for name in found[tier.name]}
+        names = {name for tiers in self.made(_tiered).values() for name in tiers[tier.name]}
         return tuple(tier.operation(op) for op in self.operations if op.name in names)
 
 

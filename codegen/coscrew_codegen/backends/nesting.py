@@ -214,9 +214,9 @@ def planned(program: Program, language: Language, access: Callable[[Input], str]
     """A plan that assigns what has a name of its own, is `named` or is used several times, and
     keeps assignments at most `width` wide in this language."""
     constants = named_constants(program)
-    found = Nesting(program, language, access, width, constants=constants, named=lambda step: (
+    nesting = Nesting(program, language, access, width, constants=constants, named=lambda step: (
         step.name in named or not _NUMBERED.fullmatch(step.name)))
-    chosen = {name for x in found.assigned if isinstance(x, Assignment) for name in x.names}
+    chosen = {name for x in nesting.assigned if isinstance(x, Assignment) for name in x.names}
     assigned = [step.name for step in program.instructions if step.name in chosen]
     names = _numbered(program, assigned)
     return NestingPlan(renamed(program, names), frozenset(names[x] for x in assigned), constants)
@@ -224,13 +224,13 @@ def planned(program: Program, language: Language, access: Callable[[Input], str]
 
 def named_constants(program: Program) -> dict[str, Constant]:
     """The program's constants that have names, each of its own, by name."""
-    found: dict[str, Constant] = {}
+    constants: dict[str, Constant] = {}
     taken = _names(program)
     for step in program.instructions:
         for x in step.operands:
             if isinstance(x, Constant) and x.name and x.name not in taken:
-                found.setdefault(x.name, x)
-    return found
+                constants.setdefault(x.name, x)
+    return constants
 
 
 def _names(program: Program) -> set[str]:

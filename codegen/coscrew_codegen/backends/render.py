@@ -81,5 +81,5 @@ def runtime(pattern: str, banner: str = "") -> Mapping[str, str]:
     """The files that match runtime/…, copied, by their paths in templates/runtime/; each begins
     with the banner, if there is one."""
     lines = "".join(f"/* {line} */\n" for line in (banner, *LICENSE)) if banner else ""
-    found = sorted(path.relative_to(TEMPLATES).as_posix() for path in TEMPLATES.glob(pattern))
-    return {path.removeprefix("runtime/"): lines + copied(path) for path in found}
+    paths = sorted(path.relative_to(TEMPLATES).as_posix() for path in TEMPLATES.glob(pattern))
+    return {path.removeprefix("runtime/"): lines + copied(path) for path in paths}

@@ -43,15 +43,15 @@ def defects() -> Mapping[Required, Operation]:
 
 def defects_of(letters: Iterable[str]) -> Mapping[Required, Operation]:
     """The defects that functions with these requirements need, by requirement."""
-    found = set().union(*letters)
-    return {required: op for required, op in defects().items() if required.value in found}
+    results = set().union(*letters)
+    return {required: op for required, op in defects().items() if required.value in results}
 
 
 def requirements(kernels: FamilyKernels) -> Mapping[str, str]:
     """The letters of every operation's arguments, by name; without operations that take all."""
-    found = {op.name: "".join(_of(op, program, n).value for n in range(len(op.inputs)))
-             for op, program in kernels.plain.items()}
-    return {name: letters for name, letters in found.items()
+    letters_of = {op.name: "".join(_of(op, program, n).value for n in range(len(op.inputs)))
+                  for op, program in kernels.plain.items()}
+    return {name: letters for name, letters in letters_of.items()
             if set(letters) != {Required.NOTHING.value}}
 
 

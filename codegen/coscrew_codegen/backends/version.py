@@ -26,9 +26,9 @@ def number() -> int:
 @cache
 def described() -> str:
     """The distribution's version and, in a git working tree, the commit."""
-    told = run(["git", "-C", str(Path(__file__).parent), "describe", "--always", "--dirty"],
-               capture_output=True, text=True) if _in_working_tree() else None
-    commit = told.stdout.strip() if told and told.returncode == 0 else ""
+    description = run(["git", "-C", str(Path(__file__).parent), "describe", "--always", "--dirty"],
+                      capture_output=True, text=True) if _in_working_tree() else None
+    commit = description.stdout.strip() if description and description.returncode == 0 else ""
     return f"{VERSION} ({commit})" if commit else VERSION
 
 

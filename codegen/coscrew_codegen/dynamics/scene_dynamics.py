@@ -12,7 +12,7 @@ from coscrew_codegen.algebra.recording.numbers import (
     rotation,
     translation,
 )
-from coscrew_codegen.dynamics import derivatives
+from coscrew_codegen.dynamics import dynamics_derivatives
 from coscrew_codegen.dynamics.algorithms import (
     coordinates,
     crba,
@@ -146,12 +146,12 @@ class RecordedDynamics:
     def torque_derivatives(self) -> Results:
         """∂tau/∂q, ∂tau/∂v and ∂tau/∂a = M of inverse dynamics."""
         self._refuse_unless(Depends.EFFECTS)
-        return [_by_rows(A) for A in derivatives.of_inverse(self._recording)]
+        return [_by_rows(A) for A in dynamics_derivatives.of_inverse(self._recording)]
 
     def acceleration_derivatives(self) -> Results:
         """∂a/∂q, ∂a/∂v and ∂a/∂tau = M⁻¹ of forward dynamics."""
         self._refuse_unless(Depends.EFFECTS)
-        return [_by_rows(A) for A in derivatives.of_forward(self._recording)]
+        return [_by_rows(A) for A in dynamics_derivatives.of_forward(self._recording)]
 
     def energies(self) -> Numbers:
         """(kinetic, potential) energy."""

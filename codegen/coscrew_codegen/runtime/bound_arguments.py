@@ -31,11 +31,11 @@ def bound(function: str, inputs: Sequence[tuple[str, Shape]], given: Sequence[Gi
         raise TypeError(f"{head}: got {len(given)} arguments{wanted}")
     if missing := len(names) - len(given) - len(named):
         raise TypeError(f"{head}: {_missing(inputs, given, named, missing)}{wanted}")
-    found = dict(zip(names, given, strict=False))
-    if twice := [name for name in named if name in found]:
+    arguments = dict(zip(names, given, strict=False))
+    if twice := [name for name in named if name in arguments]:
         raise TypeError(f"{head}: {twice[0]} is given twice, in order and by name{wanted}")
-    found.update(named)
-    return {name: found[name] for name in names}
+    arguments.update(named)
+    return {name: arguments[name] for name in names}
 
 
 def _missing(inputs: Sequence[tuple[str, Shape]], given: Sequence[object],
@@ -55,7 +55,7 @@ def _missing(inputs: Sequence[tuple[str, Shape]], given: Sequence[object],
 def _fits(x: object, shape: Shape) -> bool:
     """Returns whether the last axes have these lengths; a number has no axes."""
     try:
-        found: Shape = tuple(np.shape(cast("ArrayLike", x)))
+        actual: Shape = tuple(np.shape(cast("ArrayLike", x)))
     except ValueError:  # nested lists of several lengths
         return False
-    return found[len(found) - len(shape):] == shape if shape else not found
+    return actual[len(actual) - len(shape):] == shape if shape else not actual

@@ -59,9 +59,9 @@ def _included(sources: Iterable[Path]) -> set[Path]:
     while waiting:
         file = waiting.pop()
         names = _INCLUDE.findall(file.read_text(encoding="utf-8"))
-        found = {Path(os.path.normpath(file.parent / name)) for name in names} - seen
-        seen |= found
-        waiting += found
+        files = {Path(os.path.normpath(file.parent / name)) for name in names} - seen
+        seen |= files
+        waiting += files
     return {path for path in seen if path.suffix == ".h"}
 
 

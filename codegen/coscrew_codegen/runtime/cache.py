@@ -79,10 +79,10 @@ def _own_folder() -> Path:
 def limit() -> int:
     """The largest number of bytes for all entries together.  Raises CacheError."""
     text = os.environ.get(LIMIT, "").strip() or DEFAULT_LIMIT
-    found = _SIZE.fullmatch(text)
-    if not found:
+    size = _SIZE.fullmatch(text)
+    if not size:
         raise CacheError(f"{LIMIT}={text!r}: wanted a size, such as 200 MB, 2 GB or 0")
-    return int(float(found[1]) * _UNITS[(found[2] or "").upper()])
+    return int(float(size[1]) * _UNITS[(size[2] or "").upper()])
 
 
 def key_of(*parts: str) -> str:
@@ -110,7 +110,7 @@ def cached(key: str, suffix: str, make: Callable[[], bytes], read: Callable[[Pat
 def kept_as(key: str, suffix: str, read: Callable[[Path], Value]) -> Value | None:
     """The value in the entry of this key, None if there is none.  Entries that `read` refuses, by
     whatever error, are removed: they are another program's."""
-    path = found(key, suffix)
+    path = entry(key, suffix)
     if path is None:
         return None
     try:
@@ -120,7 +120,7 @@ def kept_as(key: str, suffix: str, read: Callable[[Path], Value]) -> Value | Non
         return None
 
 
-def found(key: str, suffix: str) -> Path | None:
+def entry(key: str, suffix: str) -> Path | None:
     """The entry of this key, marked as used now; None if there is none or it is damaged."""
     for path in sorted(folder().glob(f"{key}-*{suffix}")):
         with suppress(OSError):

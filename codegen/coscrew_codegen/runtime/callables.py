@@ -138,15 +138,15 @@ class _Callable:
 def gathered(scene: SceneInterface, precision: Precision,
              functions: Mapping[str, Made]) -> Functions[np.floating]:
     """The functions, whose first argument is `self`, as methods of one object."""
-    found: Functions[np.floating] = Functions(scene.name, precision, scene.mark)
+    all_functions: Functions[np.floating] = Functions(scene.name, precision, scene.mark)
     for name, function in functions.items():
         in_c, words = (vars(function).pop(x, None) for x in ("in_c", "words"))
         members = {"__call__": function, "__doc__": words, "__module__": __name__}
-        made = type(name, (_Callable,), members)(found, function)
+        made = type(name, (_Callable,), members)(all_functions, function)
         if in_c:
             type.__setattr__(type(made), "__call__", in_c(made._checked))
-        found.__dict__[name] = made
-    return found
+        all_functions.__dict__[name] = made
+    return all_functions
 
 
 @functools.cache
@@ -207,9 +207,9 @@ def _lanes(library: ctypes.PyDLL, name: str, several: str) -> Callable[["Kernels
     def prepare(kernels: "Kernels | None", states: int) -> None:
         if kernels and not place.value:
             with at_callers_line(above=3):  # CompiledFunction.__call__, checked, function
-                found = kernels._lanes.function(several, states)
-            if found:
-                place.value = ctypes.cast(found, ctypes.c_void_p).value
+                loop = kernels._lanes.function(several, states)
+            if loop:
+                place.value = ctypes.cast(loop, ctypes.c_void_p).value
 
     return prepare
 

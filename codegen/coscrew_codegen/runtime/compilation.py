@@ -49,8 +49,8 @@ def compiler() -> Compiler:
     """$CC, or else clang, gcc or cc: clang compiles long straight-line functions in a third of
     gcc's time.  Raises CompilationError."""
     for name in _names():
-        if found := _compiler(tuple(shlex.split(name)), os.environ.get("PATH", "")):
-            return found
+        if executable := _compiler(tuple(shlex.split(name)), os.environ.get("PATH", "")):
+            return executable
     raise CompilationError(f"no C compiler: {', '.join(_names())} cannot be run")
 
 
@@ -93,14 +93,14 @@ def _compiler(command: tuple[str, ...], path: str) -> Compiler | None:
     if not process:
         return None
     try:
-        told, _ = process.communicate(timeout=60)
+        version, _ = process.communicate(timeout=60)
     except subprocess.SubprocessError:
         process.kill()
         return None
-    if process.returncode or not told.strip():
+    if process.returncode or not version.strip():
         return None
-    level = next(flags for words, flags in _LEVELS.items() if words in told)
-    return Compiler(command, told.partition("\n")[0].strip(), (*level, *_FLAGS))
+    level = next(flags for words, flags in _LEVELS.items() if words in version)
+    return Compiler(command, version.partition("\n")[0].strip(), (*level, *_FLAGS))
 
 
 @dataclass(frozen=True)
@@ -147,10 +147,11 @@ def _processor() -> str:
         lines = Path("/proc/cpuinfo").read_text(errors="replace").splitlines()
     except OSError:
         lines = []
-    found = [next((x for x in lines if x.lower().startswith(words)), "")
-             for words in ("model name", ("flags", "features"))]
-    said = " ".join(found) if all(found) else f"{platform.processor()} {' '.join(found)}"
-    return f"{platform.machine()} {said}"
+    rows = [next((x for x in lines if x.lower().startswith(words)), "")
+            for words in ("model name", ("flags", "features"))]
+    described = " ".join(rows)
+    processor = described if all(rows) else f"{platform.processor()} {described}"
+    return f"{platform.machine()} {processor}"
 
 
 def _opened(key: str, path: Path, maker: str = "another") -> CompiledLibrary:

@@ -66,10 +66,10 @@ class CompiledLanes:
     def _kept(self) -> ctypes.CDLL | None:
         """The library, if the cache has it."""
         try:
-            found = scene_library.kept(self._wanted, compilation.compiler())
+            library = scene_library.kept(self._wanted, compilation.compiler())
         except compilation.CompilationError:
             return None
-        return ctypes.CDLL(found.library.opened._name) if found else None
+        return ctypes.CDLL(library.library.opened._name) if library else None
 
     @property
     def _wanted(self) -> Request:

@@ -54,8 +54,8 @@ class Kernels:
             raise AttributeError(name)
         if name in self.interface.tiers:
             with at_callers_line():
-                vars(self)[name] = found = in_tier_of(self, name)
-            return found
+                vars(self)[name] = in_tier = in_tier_of(self, name)
+            return in_tier
         from coscrew_codegen.scene.tier_selection import known
 
         hint = f"; it was not selected: tiers=[{name!r}]" if name in known()[1:] else ""
@@ -103,8 +103,8 @@ class Kernels:
         key = " ".join(("with", *names))
         if key not in vars(self):
             vars(self)[key] = kernels_for(self.scene, together(own, names), self.precisions)
-        found: Kernels = vars(self)[key]
-        return found
+        kernels: Kernels = vars(self)[key]
+        return kernels
 
     @property
     def NQ(self) -> int:
@@ -226,10 +226,10 @@ def load_scene(scene: Scene | Path | str, *, precision: str | None = None,
 
 def _names(argument: str, given: Sequence[str] | None, example: str) -> tuple[str, ...]:
     """The names in a list; none for None.  Raises ValueError for an empty list."""
-    found = () if given is None else listed(argument, given, example)
-    if given is not None and not found:
+    names = () if given is None else listed(argument, given, example)
+    if given is not None and not names:
         raise ValueError(f'{argument}: an empty list; wanted names, as ["{example}"], or None')
-    return found
+    return names
 
 
 def kernels_for(scene: Scene, functions: Collection[str] = (),

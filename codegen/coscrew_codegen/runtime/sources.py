@@ -37,13 +37,13 @@ slash: c/family.h.jinja, runtime/calls/threads.h."""
 def read() -> Contents:
     """The sources as they stand."""
     package, templates = _folders()
-    found = {}
+    hashes = {}
     for folder, file in _files(package, (".py",)):
         inner = () if file == "__init__.py" else (file.removesuffix(".py"),)
-        found[".".join((ROOT, *folder, *inner))] = package.joinpath(*folder, file)
+        hashes[".".join((ROOT, *folder, *inner))] = package.joinpath(*folder, file)
     for folder, file in _files(templates, (_TEMPLATE, *_COPIED)):
-        found["/".join((*folder, file))] = templates.joinpath(*folder, file)
-    return {name: path.read_bytes() for name, path in found.items()}
+        hashes["/".join((*folder, file))] = templates.joinpath(*folder, file)
+    return {name: path.read_bytes() for name, path in hashes.items()}
 
 
 def _folders() -> tuple[Path, Path]:
@@ -88,11 +88,11 @@ class Sources:
         """The meanings of these sources: kept from an earlier process, or read from their syntax.
         """
         kept = _kept(_maker(contents))
-        found = {name: old if (old := kept.get(name)) and old.documented == _hashed(content)
-                 else _meaning(name, content, contents) for name, content in contents.items()}
-        if found != kept:
-            _keep(_maker(contents), found)
-        return cls(found)
+        sources = {name: old if (old := kept.get(name)) and old.documented == _hashed(content)
+                   else _meaning(name, content, contents) for name, content in contents.items()}
+        if sources != kept:
+            _keep(_maker(contents), sources)
+        return cls(sources)
 
     def digest(self, makers: Iterable[str], chosen: Mapping[str, Collection[str]]) -> str:
         """The hash of everything that results of these modules depend on."""
@@ -106,14 +106,14 @@ class Sources:
     def reached(self, makers: Iterable[str], chosen: Mapping[str, Collection[str]] | None = None
                 ) -> frozenset[str]:
         """The modules that these import, directly or not, and the templates that they name."""
-        found: set[str] = set()
+        modules: set[str] = set()
         waiting = list(makers)
         while waiting:
             name = waiting.pop()
-            if name not in found:
-                found.add(name)
+            if name not in modules:
+                modules.add(name)
                 waiting += self._named(name, (chosen or {}).get(name))
-        return frozenset(found)
+        return frozenset(modules)
 
     def _named(self, name: str, chosen: Collection[str] | None) -> Iterator[str]:
         """The modules and templates that a source names; KeyError if there is no such source."""

@@ -147,9 +147,9 @@ class StepCalls:
         controller = _Controller(by.law, by.context, by.every, len(places), places.ctypes.data)
         self.drive(ctypes.byref(controller), self.run, lanes, states, n, by.wait, t, h,
                    *(x.ctypes.data for x in (p, q, v)), refused.ctypes.data)
-        found = tuple(RefusedStep(int(k), *refused[k].item())
-                      for k in np.flatnonzero(refused["number"] >= 0))
-        return p, q, v, found
+        refused_steps = tuple(RefusedStep(int(k), *refused[k].item())
+                              for k in np.flatnonzero(refused["number"] >= 0))
+        return p, q, v, refused_steps
 
     def _lanes(self, of: Owner, states: int) -> "CFuncPtr | None":
         if not of._kernels:

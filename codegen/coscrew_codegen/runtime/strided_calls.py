@@ -46,9 +46,9 @@ class CompiledFunction:
             _refuse_vast(shapes, self.kind)
             prepare(prod(lead))
         if not lead or out is None:
-            found = self.in_c(*arrays, threads=count)
-            if found is not NotImplemented:
-                results = found if isinstance(found, tuple) else (found,)
+            outputs = self.in_c(*arrays, threads=count)
+            if outputs is not NotImplemented:
+                results = outputs if isinstance(outputs, tuple) else (outputs,)
                 return self.checks.delivered(out, *results)
         given = dict(zip(arguments, arrays, strict=True))
         places = [x if x is not None and self._is_place(x, len(lead), arrays)
@@ -84,15 +84,15 @@ def _refuse_vast(shapes: Sequence[tuple[int, ...]], kind: np.dtype) -> None:
 
 def positive(threads: object) -> int:
     """The number of threads.  Raises TypeError, ValueError."""
-    said = f"threads: got {threads!r}; wanted a positive integer"
+    message = f"threads: got {threads!r}; wanted a positive integer"
     try:
         count = operator.index(threads)  # type: ignore[arg-type]
     except TypeError:
-        raise TypeError(said) from None
+        raise TypeError(message) from None
     if isinstance(threads, bool):
-        raise TypeError(said)
+        raise TypeError(message)
     if count < 1:
-        raise ValueError(said)
+        raise ValueError(message)
     return count
 
 

@@ -14,7 +14,9 @@ Real = TypeVar("Real", bound=np.floating, covariant=True)
 
 class NamedFunctions(Steps[Real]):
     inverse_dynamics: Function[Real]
+    inverse_dynamics_derivatives: Function[Real]
     forward_dynamics: Function[Real]
+    forward_dynamics_derivatives: Function[Real]
     mass_matrix: Function[Real]
     bias_torques: Function[Real]
     gravity_torques: Function[Real]

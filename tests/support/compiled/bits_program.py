@@ -216,14 +216,14 @@ def _hash(kernel: Kernel) -> int:
         (ROWS, *a.quantity.shape)) for number, a in enumerate(kernel.operation.inputs)]
     twins = _twins(kernel.tier, kernel.precision)
     with np.errstate(all="ignore"):
-        found = getattr(twins, kernel.operation.name)(*inputs)
-    return hashed(found if isinstance(found, tuple) else (found,))
+        result = getattr(twins, kernel.operation.name)(*inputs)
+    return hashed(result if isinstance(result, tuple) else (result,))
 
 
-def hashed(found: Sequence[np.ndarray]) -> int:
+def hashed(results: Sequence[np.ndarray]) -> int:
     """hashed_double, hashed_single: of arrays of rows, one after the other."""
     value = 14695981039346656037
-    for output in found:
+    for output in results:
         bits = np.where(np.isnan(output), 1, output.view(f"u{output.itemsize}"))
         for word in bits.ravel().tolist():
             value = (value ^ word) * 1099511628211 % 2**64

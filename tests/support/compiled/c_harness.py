@@ -34,8 +34,8 @@ INCLUDE = C_FOLDER / "include"
 
 def _installed(*names: str) -> tuple[str, ...]:
     """The installed compilers; on a build server all, so that `run` reports missing ones."""
-    found = tuple(name for name in names if os.environ.get("CI") or shutil.which(name))
-    return found or names[:1]
+    results = tuple(name for name in names if os.environ.get("CI") or shutil.which(name))
+    return results or names[:1]
 
 
 COMPILERS = _installed("gcc", "clang")

@@ -148,10 +148,10 @@ def functions_in(family: str) -> dict[str, str]:
     text = _clean((INCLUDE / f"{family}.h").read_text("utf-8"))
     if rest := _FUNCTION.sub("", text).strip():
         raise ValueError(f"{family}.h holds more than functions: {rest[:80]!r}")
-    found = [(match[1], match[0]) for match in _FUNCTION.finditer(text)]
-    if len(dict(found)) != len(found):
+    results = [(match[1], match[0]) for match in _FUNCTION.finditer(text)]
+    if len(dict(results)) != len(results):
         raise ValueError(f"{family}.h defines a function twice")
-    return dict(found)
+    return dict(results)
 
 
 def _clean(text: str) -> str:
@@ -296,8 +296,8 @@ class Header:
     def _value(self, node: c_ast.Node, scope: dict[str, Value]) -> Value:
         match node:
             case c_ast.ID():
-                found = sp.nan if node.name == "NAN" else scope[node.name]
-                return found.read() if isinstance(found, Place) and _is_scalar(found) else found
+                result = sp.nan if node.name == "NAN" else scope[node.name]
+                return result.read() if isinstance(result, Place) and _is_scalar(result) else result
             case c_ast.BinaryOp():
                 left, right = self._value(node.left, scope), self._value(node.right, scope)
                 return self.arithmetic.functions[node.op](left, right)

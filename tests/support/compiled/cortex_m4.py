@@ -52,11 +52,11 @@ def counted(made: Path, header: str, function: FunctionProgram, name: str,
     run((*COMPILER, "-Wl,--gc-sections", "-nostartfiles", source, made, "-o", program, "-lm"))
     lengths, log = [], made.with_name(f"{name}.log")
     for more in ((), ("again",)):
-        found = subprocess.run(
+        result = subprocess.run(
             ("qemu-arm", "-singlestep", "-d", "exec,nochain", "-D", log, program, *more),
             check=True, capture_output=True).stdout
         lengths.append(sum(line.startswith("Trace") for line in log.open()))
-    return lengths[1] - lengths[0], np.frombuffer(found, precision.numpy_type)
+    return lengths[1] - lengths[0], np.frombuffer(result, precision.numpy_type)
 
 
 def _program(function: FunctionProgram, header: str, name: str, given: Sequence[np.ndarray],

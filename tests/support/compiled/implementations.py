@@ -20,8 +20,8 @@ def twin(module: ModuleType) -> Implementation:
 
     def evaluate(operation: Operation, precision: Precision, inputs: Arrays) -> Arrays:
         with np.errstate(all="ignore"):
-            found = getattr(getattr(module, precision.name), operation.name)(*inputs)
-        return found if isinstance(found, tuple) else (found,)
+            result = getattr(getattr(module, precision.name), operation.name)(*inputs)
+        return result if isinstance(result, tuple) else (result,)
 
     return evaluate
 
@@ -32,8 +32,8 @@ def gufuncs(package: ModuleType) -> Implementation:
     def evaluate(operation: Operation, precision: Precision, inputs: Arrays) -> Arrays:
         assert package.COMPILED
         with np.errstate(all="ignore"):
-            found = coscrew.unchecked(getattr(package, operation.name))(*inputs)
-        return found if isinstance(found, tuple) else (found,)
+            result = coscrew.unchecked(getattr(package, operation.name))(*inputs)
+        return result if isinstance(result, tuple) else (result,)
 
     return evaluate
 

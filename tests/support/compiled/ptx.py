@@ -45,8 +45,8 @@ def to_c(ptx: str) -> str:
               for align, name, values in _TABLE.findall(ptx)]
     names = {name for _, name, _ in _TABLE.findall(ptx)}
     heads, bodies = [], []
-    for found in _FUNCTION.finditer(ptx):
-        kind, returned, name, taken, _, end = found.groups()
+    for result in _FUNCTION.finditer(ptx):
+        kind, returned, name, taken, _, end = result.groups()
         parameters = _parameters(returned or "") + _parameters(taken)
         copies = []
         if kind == "entry":
@@ -58,15 +58,15 @@ def to_c(ptx: str) -> str:
             head = f"static void {_word(name)}({', '.join(f'char *{x}' for x in parameters)})"
         heads.append(f"{head};")
         if end == "{":
-            body = "\n".join(_Body(names).lines(_inside(ptx, found.end())))
+            body = "\n".join(_Body(names).lines(_inside(ptx, result.end())))
             bodies.append("\n".join((f"{head} {{", *copies, body, "}")))
     return "\n".join((_HEAD, *tables, *dict.fromkeys(heads), *bodies, ""))
 
 
 def _parameters(text: str) -> list[str]:
     """The names of parameters."""
-    found = (_PARAMETER.search(x.strip()) for x in text.split(","))
-    return [_word(x[1]) for x in found if x]
+    results = (_PARAMETER.search(x.strip()) for x in text.split(","))
+    return [_word(x[1]) for x in results if x]
 
 
 def _inside(text: str, start: int) -> str:
@@ -103,12 +103,12 @@ class _Body:
 
     def _declared(self, statement: str) -> str:
         """Declarations of registers, and of room on the stack or for parameters."""
-        if found := re.match(r"\.reg\s+\.(\w+)\s+%?([\w$]+)(?:<(\d+)>)?$", statement):
-            kind, name, count = found.groups()
+        if match := re.match(r"\.reg\s+\.(\w+)\s+%?([\w$]+)(?:<(\d+)>)?$", statement):
+            kind, name, count = match.groups()
             size = _TYPES[kind][1]
             return f"uint{8 * size}_t {_word(name)}{f'[{count}]' if count else ''};"
-        if found := _ROOM.match(statement):
-            space, kind, name, count = found.groups()
+        if match := _ROOM.match(statement):
+            space, kind, name, count = match.groups()
             self.addresses |= {name} if space == "local" else set()
             return f"_Alignas(16) char {_word(name)}[{count or _TYPES[kind][1]}];"
         if statement.startswith((".pragma", ".loc", ".file")):
@@ -117,8 +117,8 @@ class _Body:
 
     def _guarded(self, statement: str) -> str:
         """A statement that a predicate may guard."""
-        if found := re.match(r"@(!?)(%p\d+) (.*)", statement):
-            return f"if ({found[1]}{self._value(found[2])}) {{ {self._statement(found[3])} }}"
+        if match := re.match(r"@(!?)(%p\d+) (.*)", statement):
+            return f"if ({match[1]}{self._value(match[2])}) {{ {self._statement(match[3])} }}"
         return self._statement(statement)
 
     def _statement(self, statement: str) -> str:
@@ -145,10 +145,10 @@ class _Body:
         return f"{self._value(target)} = {self._expression(name, marks, given)};"
 
     def _call(self, rest: str) -> str:
-        found = re.match(r"(?:\((\w+)\), )?([\w$]+), \(([^)]*)\)$", rest)
-        if not found:
+        match = re.match(r"(?:\((\w+)\), )?([\w$]+), \(([^)]*)\)$", rest)
+        if not match:
             raise ValueError(f"PTX not known: call {rest}")
-        returned, name, taken = found.groups()
+        returned, name, taken = match.groups()
         passed = ", ".join(filter(None, (returned, *(x.strip() for x in taken.split(",")))))
         return f"{_word(name)}({passed});"
 
@@ -162,10 +162,10 @@ class _Body:
         """The bits of an operand."""
         if text in _PLACES:
             return _PLACES[text]
-        if found := re.match(r"%(\D+)(\d+)$", text):
-            return f"{found[1]}[{found[2]}]"
-        if found := re.match(r"0[df]([0-9A-Fa-f]+)$", text):
-            return f"0x{found[1]}{'ull' if len(found[1]) > 8 else 'u'}"
+        if match := re.match(r"%(\D+)(\d+)$", text):
+            return f"{match[1]}[{match[2]}]"
+        if match := re.match(r"0[df]([0-9A-Fa-f]+)$", text):
+            return f"0x{match[1]}{'ull' if len(match[1]) > 8 else 'u'}"
         if text in self.addresses:
             return f"(uint64_t)(uintptr_t){_word(text)}"
         return f"({text}ll)" if re.match(r"-?\d+$", text) else _word(text.lstrip("%"))

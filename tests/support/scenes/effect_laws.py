@@ -17,11 +17,11 @@ def multiprecise(model: Model, *effects: Applied, **settings: Unpack[Settings]) 
     return Evaluated(scene(model, *effects, **settings), MULTIPRECISE)
 
 
-def assert_same(found: Sequence[mpf], wanted: Sequence[mpf]) -> None:
+def assert_same(results: Sequence[mpf], wanted: Sequence[mpf]) -> None:
     """Assert that numbers agree to 45 digits of the largest of them."""
     size = max(1, *(abs(x) for x in wanted))
-    assert len(found) == len(wanted)
-    for x, y in zip(found, wanted, strict=True):
+    assert len(results) == len(wanted)
+    for x, y in zip(results, wanted, strict=True):
         assert abs(x - y) <= TINY * size, (x, y)
 
 

@@ -98,8 +98,8 @@ class Evaluated(Generic[N]):
         return self._programs[name]
 
     def __call__(self, name: str, **values: Given | Sequence[Given]) -> list[N] | N:
-        found = self.components(name, **values)
-        return found if self.program(name).outputs[0].quantity.shape else found[0]
+        result = self.components(name, **values)
+        return result if self.program(name).outputs[0].quantity.shape else result[0]
 
     def components(self, name: str, **values: Given | Sequence[Given]) -> list[N]:
         """All numbers of the results."""
@@ -108,9 +108,9 @@ class Evaluated(Generic[N]):
             self._evaluators[name] = evaluator(program, self.numbers)
         given: dict[str, Given | Sequence[Given]] = {
             "t": 0, "p": [x.value for x in self.scene.parameters], **values}
-        found = self._evaluators[name]([[number(x) for x in _components(given[a.name])]
-                                        for a in program.inputs])
-        return [number(x) for x in found]
+        result = self._evaluators[name]([[number(x) for x in _components(given[a.name])]
+                                         for a in program.inputs])
+        return [number(x) for x in result]
 
 
 def _components(value: Given | Sequence[Given]) -> Sequence[Given]:

@@ -28,7 +28,8 @@ def given(seed: int) -> list[np.ndarray]:
 def main(computing: bool) -> None:
     """Fork ten times."""
     lanes.PAYS = 1
-    function, rows, told = kernels_of(slider()).double.forward_dynamics, given(3), threading.Event()
+    function, rows = kernels_of(slider()).double.forward_dynamics, given(3)
+    stop = threading.Event()
     wanted = function(*rows)
     assert same_bits(function(*rows, threads=2), wanted)
 
@@ -37,7 +38,7 @@ def main(computing: bool) -> None:
                  or threads_here() not in (3, None))
 
     def compute() -> None:
-        while not told.is_set():
+        while not stop.is_set():
             function(*rows, threads=2)
 
     other = threading.Thread(target=compute)
@@ -47,7 +48,7 @@ def main(computing: bool) -> None:
         assert [exit_code(child) for _ in range(10)] == [0] * 10
         assert same_bits(function(*rows, threads=2), wanted)
     finally:
-        told.set()
+        stop.set()
         if computing:
             other.join()
 

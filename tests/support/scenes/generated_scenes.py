@@ -86,18 +86,18 @@ def slider() -> SceneFunctions:
 
     def forces(w: Writer) -> list[Ref]:
         w.heading("carriage")
-        found = []
+        results = []
         for i in range(2):
             speed = w.do(f"speed_{i}", Op.ABS, w.at("v", i), of=f"friction_{i}")
             scaled = w.do(f"friction_{i}a", Op.MUL, "3/10", w.at("v", i), of=f"friction_{i}")
-            found.append(w.do(f"friction_{i}", Op.MUL, scaled, speed))
+            results.append(w.do(f"friction_{i}", Op.MUL, scaled, speed))
         w.heading("load: its spring, and */ what pushes\nthe carriage")
         late = w.do("late", Op.SUB, w.at("t"), 1, of="push")
         begun = w.do("begun", Op.LESS, 1, w.at("t"), of="push")
         push = w.do("push", Op.SELECT, begun, late, 0)
         spring = w.do("spring", Op.MUL, 50, w.at("q", 1))
-        return [w.do("net_0", Op.SUB, push, found[0]),
-                w.do("net_1", Op.NEG, w.do("net_1a", Op.ADD, spring, found[1], of="net_1"))]
+        return [w.do("net_0", Op.SUB, push, results[0]),
+                w.do("net_1", Op.NEG, w.do("net_1a", Op.ADD, spring, results[1], of="net_1"))]
 
     w = Writer(t, p, q, v, argument("a", 2))
     net, masses = forces(w), (w.at("p", 0), number(2))
@@ -170,7 +170,7 @@ def _products(w: Writer, name: str, a: Sequence[Operand], b: Sequence[Operand]) 
              (("", 3, 1), ("-", 0, 2), ("", 1, 3), ("", 2, 0)),
              (("", 3, 2), ("", 0, 1), ("-", 1, 0), ("", 2, 3)),
              (("", 3, 3), ("-", 0, 0), ("-", 1, 1), ("-", 2, 2)))
-    found = []
+    results = []
     for k, row in enumerate(terms):
         total: Ref | None = None
         for n, (sign, i, j) in enumerate(row):
@@ -178,8 +178,8 @@ def _products(w: Writer, name: str, a: Sequence[Operand], b: Sequence[Operand]) 
             total = term if total is None else w.do(
                 f"{name}_{k}s{n}", Op.SUB if sign else Op.ADD, total, term, of=f"{name}_{k}")
         assert total
-        found.append(total)
-    return found
+        results.append(total)
+    return results
 
 
 def _cross(w: Writer, name: str, a: Sequence[Operand], b: Sequence[Operand]) -> list[Ref]:

@@ -51,16 +51,16 @@ def at(x: Exact, y: Exact, z: Exact) -> Placement:
 def applied(name: str, on: str = "", **values: Value) -> Applied:
     """An effect of the catalogue; missing parameters have their default values."""
     effect = CATALOGUE[name]
-    found: dict[str, Value] = {p.name: None if p.default == "model" else p.default
+    results: dict[str, Value] = {p.name: None if p.default == "model" else p.default
                                  for p in effect.parameters}
-    chosen = values.get("kind", found.get("kind"))
+    chosen = values.get("kind", results.get("kind"))
     for parameter in effect.parameters:
         if parameter.of and chosen not in parameter.of:
-            found[parameter.name] = None
-    unknown = set(values) - {*found, "bodies"}
+            results[parameter.name] = None
+    unknown = set(values) - {*results, "bodies"}
     if unknown:
         raise KeyError(f"{name} has no {sorted(unknown)}")
-    return Applied(effect, on, {key: _setting(x) for key, x in {**found, **values}.items()})
+    return Applied(effect, on, {key: _setting(x) for key, x in {**results, **values}.items()})
 
 
 def _setting(value: Value) -> Setting:

@@ -64,40 +64,40 @@ class Robot:
     def theirs(self, q: np.ndarray) -> np.ndarray:
         """q in Pinocchio's order."""
         model, f = self.model, self.functions
-        found = pin.neutral(model)
+        result = pin.neutral(model)
         one = np.zeros(f.nv)  # joints with one coordinate, in v's order
         for c in f.coordinates:
             if c.kind == "free":
-                found[:7] = q[c.q.start:c.q.stop]
+                result[:7] = q[c.q.start:c.q.stop]
             else:
                 one[c.v.start] = q[c.q.start]
         values = self.follow @ one + self.offset
         for joint in model.joints:
             if joint.nv == 1:
                 x = values[joint.idx_v]
-                found[joint.idx_q:joint.idx_q + joint.nq] = (
+                result[joint.idx_q:joint.idx_q + joint.nq] = (
                     x if joint.nq == 1 else (np.cos(x), np.sin(x)))
-        return found
+        return result
 
 
 def _in_full(text: str) -> str:
     """The text with right angles written in full."""
-    def angle(found: re.Match[str]) -> str:
-        x = float(found[0])
+    def angle(results: re.Match[str]) -> str:
+        x = float(results[0])
         near = round(x / (np.pi / 2)) * np.pi / 2
-        return repr(near) if near and abs(x - near) < 1e-11 else found[0]
+        return repr(near) if near and abs(x - near) < 1e-11 else results[0]
 
     return re.sub(r'rpy\s*=\s*"[^"]*"',
-                  lambda found: re.sub(r"[-+0-9.eE]+", _safely(angle), found[0].split("=")[1])
+                  lambda results: re.sub(r"[-+0-9.eE]+", _safely(angle), results[0].split("=")[1])
                   .join(("rpy=", "")), text)
 
 
 def _safely(function: Callable[[re.Match[str]], str]) -> Callable[[re.Match[str]], str]:
-    def apply(found: re.Match[str]) -> str:
+    def apply(results: re.Match[str]) -> str:
         try:
-            return function(found)
+            return function(results)
         except ValueError:
-            return found[0]
+            return results[0]
     return apply
 
 
@@ -131,9 +131,9 @@ def model_of(file: str, free: bool) -> "pin.Model":
     """Pinocchio's model of the robot; its base free or not."""
     arguments = (_in_full(path_of(file).read_text()),
                  *([pin.JointModelFreeFlyer()] if free else []))
-    found = pin.buildModelFromXML(*arguments)
-    found.gravity.linear = np.array([0, 0, -9.81])
-    return found
+    result = pin.buildModelFromXML(*arguments)
+    result.gravity.linear = np.array([0, 0, -9.81])
+    return result
 
 
 def paired(scene: Scene, theirs: "pin.Model", names: Collection[str], mimics: bool = False

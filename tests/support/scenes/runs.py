@@ -63,9 +63,9 @@ def values(its: System, figures: Sequence[Figure], integrator: str, step: float,
     planned = Plan(times[-1], times[-1], integrator, step, step, step, tuple(times[:-1]))
     trajectory = integrate(its if start is None else _started(its, *start), planned)
     assert not trajectory.stopped, trajectory.stopped
-    found = [quantity(its, _at(trajectory, float(x.at)), expected(x.quantity, its.scene))[0, 0]
-             for x in figures]
-    return np.array(found, float), trajectory
+    results = [quantity(its, _at(trajectory, float(x.at)), expected(x.quantity, its.scene))[0, 0]
+               for x in figures]
+    return np.array(results, float), trajectory
 
 
 def _at(trajectory: Trajectory, time: float) -> Trajectory:
@@ -103,7 +103,7 @@ def _growth(kernels: Kernels, figures: Sequence[Figure], along: Trajectory) -> n
 
 def _groups(figures: Sequence[Figure]) -> dict[str, list[int]]:
     """Places of the figures by the first word of their quantity."""
-    found: dict[str, list[int]] = {}
+    results: dict[str, list[int]] = {}
     for i, x in enumerate(figures):
-        found.setdefault(x.quantity.partition(".")[0], []).append(i)
-    return found
+        results.setdefault(x.quantity.partition(".")[0], []).append(i)
+    return results

@@ -118,23 +118,23 @@ def _hash(module: ModuleType, f: Signature, p: Precision) -> int:
     given = {x: _rows(x, number, shape, p) for number, (x, shape) in enumerate(f.inputs)}
     call = getattr(module, f.name)
     if not f.moved:
-        found = call(*given.values())
-        found = found if isinstance(found, tuple) else (found,)
+        result = call(*given.values())
+        result = result if isinstance(result, tuple) else (result,)
     else:
         for _ in range(STEPS):
             given["q"], given["v"] = call(*given.values())
             if "t" in given:
                 given["t"] = given["t"] + given["h"]
-        found = (given["q"], given["v"])
-    assert all(np.isfinite(x).all() for x in found), f.name  # bits of NaN differ
-    return hashed(found)
+        result = (given["q"], given["v"])
+    assert all(np.isfinite(x).all() for x in result), f.name  # bits of NaN differ
+    return hashed(result)
 
 
 def _rows(name: str, number: int, shape: tuple[int, ...], p: Precision) -> np.ndarray:
     kind = np.dtype(p.numpy_type).type
-    found = numbers(p, number, count(shape)).reshape(ROWS, *shape)
+    result = numbers(p, number, count(shape)).reshape(ROWS, *shape)
     if name == "q":
-        return np.array(functions().neutral, kind) + found / kind(16)
+        return np.array(functions().neutral, kind) + result / kind(16)
     if name == "p":
-        return np.broadcast_to(kind([x for _, x in functions().parameters]), found.shape)
-    return np.full_like(found, H) if name == "h" else found
+        return np.broadcast_to(kind([x for _, x in functions().parameters]), result.shape)
+    return np.full_like(result, H) if name == "h" else result

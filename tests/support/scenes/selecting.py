@@ -45,5 +45,5 @@ class OneByOne:
 
     def __getattr__(self, name: str) -> object:
         kernels = kernels_for(self._scene, (name,), (self._precision,))
-        setattr(self, name, found := getattr(getattr(kernels, self._precision), name))
-        return found
+        setattr(self, name, result := getattr(getattr(kernels, self._precision), name))
+        return result

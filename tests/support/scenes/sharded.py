@@ -39,15 +39,15 @@ def given() -> Iterator[tuple[Callable[..., Any], list[Any]]]:
     yield rotated, [jnp.array([0.1, 0.2, 0.3]), jnp.array(rng.normal(size=(ROWS, 3)))]
 
 
-def same(found: Any, wanted: Any) -> None:
-    assert np.asarray(found).tobytes() == np.asarray(wanted).tobytes(), (found, wanted)
+def same(result: Any, wanted: Any) -> None:
+    assert np.asarray(result).tobytes() == np.asarray(wanted).tobytes(), (result, wanted)
 
 
-def near(found: Any, parts: Any) -> None:
+def near(result: Any, parts: Any) -> None:
     """A sum of the parts in any order: to rounding."""
     true = np.sum(parts, axis=0)
-    assert np.all(np.abs(found - true) <= len(parts) * 2.0**-52 * np.abs(parts).sum(axis=0)), (
-        found, true)
+    assert np.all(np.abs(result - true) <= len(parts) * 2.0**-52 * np.abs(parts).sum(axis=0)), (
+        result, true)
 
 
 def under_shard_map(function: Callable[..., Any], x: list[Any], check: bool) -> None:
@@ -87,9 +87,9 @@ def divided(function: Callable[..., Any], x: list[Any], mesh: Mesh) -> None:
     same(function(x[0], *rows), function(*x))
     same(jax.vmap(function, (None, *[0] * len(rows)))(x[0], *rows), function(*x))
     slope = jax.grad(lambda *x: function(*x).sum(), argnums=1)
-    found = jax.jit(slope)(x[0], *rows)
-    same(found, slope(*x))
-    assert jax.typeof(found).sharding == jax.typeof(rows[0]).sharding
+    result = jax.jit(slope)(x[0], *rows)
+    same(result, slope(*x))
+    assert jax.typeof(result).sharding == jax.typeof(rows[0]).sharding
 
 
 if __name__ == "__main__":

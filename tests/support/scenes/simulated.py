@@ -49,5 +49,5 @@ def outcome(path: Path, capsys: pytest.CaptureFixture[str], command: str, text: 
     """The command's exit status and output."""
     path.write_text(text)
     status = main([command, str(path), *words])
-    said = capsys.readouterr()
-    return status, said.out + said.err
+    output = capsys.readouterr()
+    return status, output.out + output.err

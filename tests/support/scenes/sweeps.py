@@ -108,5 +108,5 @@ def prepared(folder: Path, text: str, grids: Sequence[str] = (), sobols: Sequenc
 
 def table(its: Prepared, number: int = 0) -> pyarrow.Table:
     """A chunk's file, read back."""
-    found = chunk.computed(chunk.Job.of(its.kernels, its.specification), number)
-    return pyarrow.parquet.read_table(io.BytesIO(found.content))
+    result = chunk.computed(chunk.Job.of(its.kernels, its.specification), number)
+    return pyarrow.parquet.read_table(io.BytesIO(result.content))

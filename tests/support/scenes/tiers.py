@@ -20,7 +20,7 @@ def states(scene: SceneFunctions, function: FunctionProgram, count: int, precisi
            ) -> list[np.ndarray]:
     """Random arguments: parameters near their values, quaternions of norm 1, t and h positive."""
     draw = np.random.default_rng(len(function.name))
-    found = []
+    results = []
     for a in function.program.inputs:
         x = draw.uniform(-2, 2, (count, *a.quantity.shape))
         if a.name == "q":
@@ -30,8 +30,8 @@ def states(scene: SceneFunctions, function: FunctionProgram, count: int, precisi
                     part /= np.linalg.norm(part, axis=1)[:, None]
         if a.name == "p":
             x = np.array([value for _, value in scene.parameters]) * (1 + abs(x) / 8)
-        found.append((abs(x) if a.name in ("t", "h") else x).astype(precision.numpy_type))
-    return found
+        results.append((abs(x) if a.name in ("t", "h") else x).astype(precision.numpy_type))
+    return results
 
 
 def components(program: Program, given: Sequence[np.ndarray]) -> list[list[np.ndarray]]:
@@ -67,16 +67,16 @@ def truths(program: Program, given: Sequence[np.ndarray]) -> list[list[mpmath.mp
             for k in range(len(given[0]))]
 
 
-def flat(found: object, count: int) -> np.ndarray:
+def flat(result: object, count: int) -> np.ndarray:
     """All components of one result or of several, a state a row."""
-    parts = found if isinstance(found, tuple) else (found,)
+    parts = result if isinstance(result, tuple) else (result,)
     return np.concatenate([np.asarray(x).reshape(count, -1) for x in parts], axis=1)
 
 
-def results(program: Program, given: Sequence[np.ndarray], found: object) -> Iterator[Result]:
+def results(program: Program, given: Sequence[np.ndarray], result: object) -> Iterator[Result]:
     """Every component of the results at these states, beside the truth and its condition."""
     count = len(given[0])
-    numbers, true = flat(found, count), truths(program, given)
+    numbers, true = flat(result, count), truths(program, given)
     size = [np.broadcast_to(x, count) for x in conditions(program, components(program, given))]
     for k in range(count):
         for place in range(numbers.shape[1]):

@@ -39,14 +39,14 @@ class Box:
     def random(self, function: FunctionProgram, count: int, seed: int) -> Given:
         """Arguments between the limits, a third of them at one; angles without limits up to 10."""
         draw = np.random.default_rng(seed)
-        found = []
+        results = []
         for a in function.program.inputs:
             low, high = self._ends(a.name)
             x = draw.uniform(low, high, (count, len(low)))
             ends = draw.random(x.shape)
             x = np.where(ends < 1 / 6, low, np.where(ends > 5 / 6, high, x))
-            found.append(self._near(x, a.name))
-        return found
+            results.append(self._near(x, a.name))
+        return results
 
     def around(self, function: FunctionProgram, given: Given, seed: int) -> Given:
         """Arguments near these: each number moved with probability 1/2, by 1e-7 to 0.1."""
@@ -90,14 +90,14 @@ def worst_found(kernels: Kernels, function: FunctionProgram, output: str, states
         return abs(flat(plain(*given), len(given[0])) - true)[:, _places(function, output)].max(1)
 
     given = box.random(function, states, 1)
-    found = errors(given)
+    result = errors(given)
     for n in range(rounds):
-        best = np.argsort(-found)[:states // 8]
+        best = np.argsort(-result)[:states // 8]
         near = box.around(function, [np.repeat(x[best], 8, axis=0) for x in given], n)
         more = errors(near)
         given = [np.concatenate([x[best], y]) for x, y in zip(given, near, strict=True)]
-        found = np.concatenate([found[best], more])
-    return float(found.max())
+        result = np.concatenate([result[best], more])
+    return float(result.max())
 
 
 def worst_exactly(kernels: Kernels, function: FunctionProgram, output: str, states: int,
@@ -106,10 +106,11 @@ def worst_exactly(kernels: Kernels, function: FunctionProgram, output: str, stat
     assert kernels.scene
     given = [x.astype(precision.numpy_type) for x in Box(kernels.scene).random(
         function, states, 2)]
-    found = flat(getattr(getattr(kernels, precision.name), function.name)(*given), states)
+    result = flat(getattr(getattr(kernels, precision.name), function.name)(*given), states)
     true = truths(function.program, given)
-    return max(float(abs(true[k][place] - float(found[k, place])))
-               for k in range(states) for place in range(found.shape[1])[_places(function, output)])
+    return max(float(abs(true[k][place] - float(result[k, place])))
+               for k in range(states)
+               for place in range(result.shape[1])[_places(function, output)])
 
 
 def _places(function: FunctionProgram, output: str) -> slice:

@@ -99,18 +99,18 @@ def _types(library: Library) -> str:
 
 def _included(header: str, titles: Mapping[str, str]) -> tuple[str, ...]:
     """The headers in `titles` that a header includes, directly or through headers not in it."""
-    found: list[str] = []
+    included: list[str] = []
     for other in _includes(header):
-        found += [other] if other in titles else _included(other, titles)
-    return tuple(dict.fromkeys(found))
+        included += [other] if other in titles else _included(other, titles)
+    return tuple(dict.fromkeys(included))
 
 
 def _includes(header: str) -> tuple[str, ...]:
     """Returns the headers that a header includes, so that any may come first: those that its family
     names, and those with functions that its hand-written text calls."""
-    said = family_named(header).includes if header in FAMILIES else ()
-    reached = set().union(*map(_reached, said))
-    return (*said, *(x for x in c_ksl.NEEDED.get(header, ()) if x not in reached))
+    includes = family_named(header).includes if header in FAMILIES else ()
+    reached = set().union(*map(_reached, includes))
+    return (*includes, *(x for x in c_ksl.NEEDED.get(header, ()) if x not in reached))
 
 
 def _reached(header: str) -> frozenset[str]:

@@ -72,13 +72,13 @@ def sums_of_products(program: Program, exact: Collection[str]) -> dict[str, Inst
         x for step in program.instructions for x in step.operands)) if isinstance(x, Ref))
     products = {step.name: step for step in program.instructions
                 if step.name in exact and uses[step.name] == 1}
-    found: dict[str, Instruction] = {}
+    sums: dict[str, Instruction] = {}
     for step in program.instructions:
         if step.op in (Op.ADD, Op.SUB):
             last = [x.name for x in step.operands if isinstance(x, Ref) and x.name in products]
             if last:
-                found[step.name] = products[last[-1]]
-    return found
+                sums[step.name] = products[last[-1]]
+    return sums
 
 
 @dataclass(frozen=True)

@@ -95,13 +95,13 @@ def summed_products(program: Program) -> frozenset[str]:
     """The products that a compiler could fuse into a sum of the program, or of a caller that uses
     its results.  A product with 2 counts as a sum, since compilers replace it by one."""
     seen = {x.name for x in program.results if isinstance(x, Ref)}
-    found = []
+    products = []
     for step in reversed(program.instructions):
         if step.op in _SUMS or _doubles(step) or step.op in _TRANSPARENT and step.name in seen:
             seen |= {x.name for x in step.operands if isinstance(x, Ref)}
         if step.op in (Op.MUL, Op.SCALE) and step.name in seen:
-            found.append(step.name)
-    return frozenset(found)
+            products.append(step.name)
+    return frozenset(products)
 
 
 def _doubles(step: Instruction) -> bool:

@@ -22,7 +22,7 @@ def written(function: Elementary, precision: Precision, count: int) -> str:
     limit, vector = function.limit(numbers), precision.c_type
     reduced, outputs = ([a.name for a in x] for x in (function.near(numbers).outputs,
                                                       function.outputs))
-    near, found = _on_vectors(function.near(numbers), precision, count)
+    near, statements = _on_vectors(function.near(numbers), precision, count)
     kernel, results = _on_vectors(function.kernel(numbers), precision, count)
     head = listed(f"void ksl_{function.name}_{count}{precision.called}(",
                   [*(f"const {vector} x_{n}" for n in range(1, count + 1)),
@@ -32,7 +32,7 @@ def written(function: Elementary, precision: Precision, count: int) -> str:
                   limit=numbers.literal(Constant(limit, limit)) + numbers.suffix,
                   angles=[{"number": n, "reduced": list(zip(reduced, x, strict=True)),
                            "results": list(zip(outputs, y, strict=True))}
-                          for n, (x, y) in enumerate(zip(found, results, strict=True), 1)])
+                          for n, (x, y) in enumerate(zip(statements, results, strict=True), 1)])
 
 
 def _on_vectors(program: Program, precision: Precision, count: int

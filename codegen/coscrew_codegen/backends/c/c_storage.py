@@ -127,10 +127,10 @@ def _rounded(value: Fraction, precision: Precision) -> Fraction:
 def _cube(precision: Precision, digits: int) -> tuple[Fraction, Fraction]:
     """(x, its cube rounded twice), for an x for which that has an error of more than 0.7 ulp."""
     for m in map(Fraction, count(2**((digits + 1) // 2))):
-        found = _rounded(_rounded(m * m, precision) * m, precision)
-        ulp = Fraction(float(np.spacing(precision.rounded(found))))
-        if abs(found - m**3) > Fraction(7, 10) * ulp:
-            return m, found
+        cube = _rounded(_rounded(m * m, precision) * m, precision)
+        ulp = Fraction(float(np.spacing(precision.rounded(cube))))
+        if abs(cube - m**3) > Fraction(7, 10) * ulp:
+            return m, cube
     raise AssertionError("numbers do not end")
 
 

@@ -76,8 +76,8 @@ class _StoreRun:
         """for (…) { array[i] = expression; }"""
         growing = iter(self.growing)
 
-        def index(found: re.Match[str]) -> str:
-            place = int(found[1])
+        def index(match: re.Match[str]) -> str:
+            place = int(match[1])
             if not next(growing):
                 return f"[{place}]"
             more = place - begin
@@ -134,15 +134,15 @@ class Stores:
     @cached_property
     def alike(self) -> list[_StoreRun]:
         """The runs that are loops."""
-        found, place = [], 0
+        runs, place = [], 0
         while place < len(self.targets):
             count, run = self._run(place)
             if run and count >= _FEWEST[isinstance(self.program.results[place], Ref)]:
-                found.append(run)
+                runs.append(run)
                 place += count
             else:
                 place += 1
-        return found
+        return runs
 
     def _run(self, start: int) -> tuple[int, _StoreRun | None]:
         """The longest run that begins with this result."""
@@ -210,8 +210,8 @@ def in_rows(stores: Sequence[tuple[str, str]], rows: Mapping[str, int], width: i
             ) -> Iterator[str]:
     """The assignments of these texts to these targets: a row of a matrix is a line, or several."""
     def row(store: tuple[str, str]) -> tuple[str, int]:
-        found = _ELEMENT.fullmatch(store[0])
-        return (found[1], int(found[2]) // rows.get(found[1], 1)) if found else (store[0], 0)
+        match = _ELEMENT.fullmatch(store[0])
+        return (match[1], int(match[2]) // rows.get(match[1], 1)) if match else (store[0], 0)
 
     for _, group in groupby(stores, row):
         statements = [f"{target} = {text};" for target, text in group]

@@ -92,19 +92,19 @@ def _of_states(sines: Sequence[Assignment], most: int) -> Iterator[Assignment | 
     """Calls of nearly as many each, and at most of so many."""
     calls = -(-len(sines) // most)
     for n in range(calls):
-        found = sines[len(sines) * n // calls:len(sines) * (n + 1) // calls]
-        yield Together(found) if len(found) > 1 else found[0]
+        share = sines[len(sines) * n // calls:len(sines) * (n + 1) // calls]
+        yield Together(share) if len(share) > 1 else share[0]
 
 
 def _grouped(sines: Sequence[Assignment], pairs: Sequence[Assignment]) -> Iterator[Together]:
     """Calls of as many sines and cosines as one call computes; after each that of their errors, if
     all of these are among the pairs."""
     errors = {x.step.operands[1]: x for x in pairs if x.step.op is Op.SIN_ERROR}
-    for found in (sines[n:n + LANES] for n in range(0, len(sines), LANES)):
-        if len(found) > 1:
-            yield (group := Together(found))
-            own = [errors[Ref(x.step.name)] for x in found if Ref(x.step.name) in errors]
-            if len(own) == len(found):
+    for result in (sines[n:n + LANES] for n in range(0, len(sines), LANES)):
+        if len(result) > 1:
+            yield (group := Together(result))
+            own = [errors[Ref(x.step.name)] for x in result if Ref(x.step.name) in errors]
+            if len(own) == len(result):
                 yield Together(own, group)
 
 

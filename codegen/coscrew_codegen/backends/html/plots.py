@@ -105,7 +105,7 @@ def inline(figure: Figure, label: str, titles: Mapping[str, str] | None = None) 
     own = re.sub(r"\W+", "-", label)
     text = ElementTree.tostring(root, "unicode")
     text = re.sub(r'(\bid="|href="#|url\(#)', rf"\g<1>{own}-", text)
-    return Markup(re.sub(r"(?<=: )#[0-9a-f]{6}\b", lambda found: themed(found[0]), text))
+    return Markup(re.sub(r"(?<=: )#[0-9a-f]{6}\b", lambda colour: themed(colour[0]), text))
 
 
 def _fit_labels(figure: Figure) -> None:

@@ -67,8 +67,8 @@ def _package(library: Library, tier: Tier) -> Files:
 
 def _required(library: Library) -> dict[str, str]:
     """The letters of operations that refuse arguments, by name."""
-    return {name: letters for found in library.made(requirements).values()
-            for name, letters in found.items()}
+    return {name: letters for letters_of in library.made(requirements).values()
+            for name, letters in letters_of.items()}
 
 
 def _aliases(names: Iterable[str]) -> list[tuple[str, str]]:
@@ -95,8 +95,8 @@ def _twin_modules(library: Library, tier: Tier) -> Files:
     modules: Files = {}
     names = [op.name for op in library.having(tier)]
     for precision in library.precisions:
-        families = {family: found for family, made in library.made(numpy_twins.twins).items()
-                    if (found := made[tier.name, precision.name]).functions}
+        families = {family: module for family, made in library.made(numpy_twins.twins).items()
+                    if (module := made[tier.name, precision.name]).functions}
         modules[f"{precision.name}/__init__.py"] = render(
             "python/precision.py", banner=library.banner, precision=precision,
             package=tier.package, aliases=_aliases(names),

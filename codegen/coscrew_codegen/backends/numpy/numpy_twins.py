@@ -52,9 +52,9 @@ def _shared(kernels: FamilyKernels, tier: Tier) -> Mapping[str, SharedProgram]:
     single = {op.name: program for op, program in kernels.of(tier, SINGLE).items()}
     if any(program.wide for program in single.values()):
         return {}
-    found = {op.name: shared(program, single[op.name])
-             for op, program in kernels.of(tier, DOUBLE).items() if op.name in single}
-    return {name: program for name, program in found.items()
+    programs = {op.name: shared(program, single[op.name])
+                for op, program in kernels.of(tier, DOUBLE).items() if op.name in single}
+    return {name: program for name, program in programs.items()
             if program is not None and (tier.marked or not program.names)}
 
 
@@ -97,13 +97,13 @@ def imports(programs: Sequence[Program], precision: Precision,
     working = DOUBLE if any(program.wide for program in programs) else precision
     module = f"_elementary_{working.name} as elementary"
     kinds = {x: x for x in ("float32 as real", "float64 as real", "nan")}
-    found: list[tuple[str, Mapping[Any, str]]] = [
+    imported: list[tuple[str, Mapping[Any, str]]] = [
         ("coscrew", dict.fromkeys(ELEMENTARY, module)),
         ("numpy", NUMPY_NAMES | kinds),
         ("coscrew._exact", exactly_in(working))]
     texts = ((place, {names[x] for x in called & set(names)}
               | {names[x] for x in others & set(names) if " as " in names[x]})
-             for place, names in found)
+             for place, names in imported)
     return tuple((place, ", ".join(sorted(names))) for place, names in texts if names)
 
 

@@ -151,8 +151,8 @@ def _most_arguments(library: Library, tier: Tier) -> int:
 def _checks(library: Library, tier: Tier) -> dict[str, object]:
     """Returns what refuses arguments: the defects of what functions require, by precision, and the
     plain kernels that compute them, those that the tier's header does not have."""
-    required = [letters for found in library.made(requirements).values()
-                for letters in found.values()]
+    required = [letters for letters_of in library.made(requirements).values()
+                for letters in letters_of.values()]
     defects = [(p, letter, op, c_name(op.name, p)) for letter, op in defects_of(required).items()
                for p in library.precisions]
     header = c_amalgamated.text(library, tier)

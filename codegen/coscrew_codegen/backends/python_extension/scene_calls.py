@@ -39,16 +39,16 @@ def tier_interface(made: SceneTier) -> SceneInterface:
 
 def callables(scene: SceneFunctions) -> tuple[Signature, ...]:
     """All public functions, steps last."""
-    found = [Signature(f.name, tuple((a.name, tuple(a.quantity.shape)) for a in f.inputs),
+    signatures = [Signature(f.name, tuple((a.name, tuple(a.quantity.shape)) for a in f.inputs),
                   tuple((a.name, tuple(a.quantity.shape)) for a in scene_text.outputs(f)),
                   scene_text.words(f, not scene.mark), zero=f.program.zero)
-             for f in scene.functions if not f.internal]
+                  for f in scene.functions if not f.internal]
     shapes = scene_text.step_shapes(scene)
     for step in scene.steps:
         inputs = tuple((x, shapes[x]) for x in scene_text.step_inputs(scene, step.takes_tau))
-        found.append(Signature(step.name, inputs, (("q", shapes["q"]), ("v", shapes["v"])),
+        signatures.append(Signature(step.name, inputs, (("q", shapes["q"]), ("v", shapes["v"])),
                           scene_text.step_words(scene, step), moved=True))
-    return tuple(found)
+    return tuple(signatures)
 
 
 def files(scene: SceneFunctions, banner: str) -> Files:

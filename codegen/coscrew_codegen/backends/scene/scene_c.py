@@ -95,20 +95,20 @@ def header(name: str, scene: str, about: Sequence[str],
            functions: Mapping[Precision, Sequence[CFunction]], banner: str,
            macros: Sequence[tuple[str, str]] = (), indices: Sequence[str] = ()) -> str:
     """The header that declares public functions, by precision."""
-    public = [{"functions": found} for x in functions.values()
-              if (found := [f for f in x if not f.internal])]
+    public = [{"functions": results} for x in functions.values()
+              if (results := [f for f in x if not f.internal])]
     return render("scene/scene.h", banner=banner, about=comment_of([*about]), macros=macros,
                   indices=indices, guard=name.upper(), upper=scene.upper(), sections=public)
 
 
 def macros(scene: SceneFunctions) -> list[tuple[str, str]]:
     """The macros of a scene and their values: version, sizes, initializers."""
-    found = [("GENERATOR_VERSION", f"{version.number()}  /* 1.2.3 is 10203 */"),
-             ("GENERATOR_VERSION_STRING", f'"{version.VERSION}"'),
-             ("NQ", str(scene.nq)), ("NV", str(scene.nv))]
+    values = [("GENERATOR_VERSION", f"{version.number()}  /* 1.2.3 is 10203 */"),
+              ("GENERATOR_VERSION_STRING", f'"{version.VERSION}"'),
+              ("NQ", str(scene.nq)), ("NV", str(scene.nv))]
     if scene.parameters:
-        found.append(("NP", str(len(scene.parameters))))
-    return [*found, *(entry for p in named(scene.precisions) for entry in _defaults(scene, p))]
+        values.append(("NP", str(len(scene.parameters))))
+    return [*values, *(entry for p in named(scene.precisions) for entry in _defaults(scene, p))]
 
 
 def about(scene: SceneFunctions) -> list[str]:
@@ -131,13 +131,13 @@ def _named_places(scene: SceneFunctions) -> Iterator[str]:
     named = ", ".join(f"{scene.name.upper()}_{prefix}_…" for prefix in prefixes)
     example = f", as in q[{_enumerator(scene, 'Q', -1)}]" if "Q" in prefixes else ""
     yield f"Names of these indices (the first of several coordinates): {named}{example}."
-    told = [f"{prefix}_{stem} {scene_text.printable(name)}" for prefix in prefixes
-            if prefix != "TAU"
-            for name, stem in zip(tables[prefix][0], numbered(tables[prefix][0]), strict=True)
-            if stem != capitals(name) or not name.isascii()]
-    if told:
+    messages = [f"{prefix}_{stem} {scene_text.printable(name)}" for prefix in prefixes
+                if prefix != "TAU"
+                for name, stem in zip(tables[prefix][0], numbered(tables[prefix][0]), strict=True)
+                if stem != capitals(name) or not name.isascii()]
+    if messages:
         yield ("Of names that differ only in case, or in characters that C's names cannot have: "
-               f"{', '.join(told)}.")
+               f"{', '.join(messages)}.")
 
 
 def indices(scene: SceneFunctions) -> list[str]:

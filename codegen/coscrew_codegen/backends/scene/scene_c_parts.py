@@ -65,7 +65,7 @@ class FunctionParts:
         self.scene, self.cuts = scene, _cuts(plans)
         self.wide = any(plan.program.wide for plan in plans)
         assigned = {plan.program.name: plan.assigned for plan in plans}
-        self._groups = {group.name: group for found in self.cuts.values() for group in found.groups}
+        self._groups = {group.name: group for cut in self.cuts.values() for group in cut.groups}
         self._plans = {part.name: self._planned(part, assigned[group.users[0]])
                        for group in self._groups.values() for part in group.parts}
         self._words = {f.program.instructions[place].component.rpartition(":")[0]: printable(words)
@@ -81,12 +81,12 @@ class FunctionParts:
 
     def body(self, function: FunctionProgram, precision: Precision) -> str:
         """The body of a function: calls of its parts, and its results."""
-        found = self.cuts[function.name]
-        declared = [f"{self._struct(group, precision)} {group.name};" for group in found.groups]
+        cut = self.cuts[function.name]
+        declared = [f"{self._struct(group, precision)} {group.name};" for group in cut.groups]
         calls = [self._call(group, part, precision)
-                 for group in found.groups for part in group.parts]
-        results = FunctionBody(found.last, precision, Stored(
-            self._returned(found.last, precision), arguments.targets(outputs(function)),
+                 for group in cut.groups for part in group.parts]
+        results = FunctionBody(cut.last, precision, Stored(
+            self._returned(cut.last, precision), arguments.targets(outputs(function)),
             [a.name for a in outputs(function)]),
             layout=None if precision.device else Layout(
                 rows(outputs(function)), function.internal)).text()
@@ -128,9 +128,9 @@ class FunctionParts:
         """The part's plan: values that are `named` in the whole function, or kept, are assigned."""
         kept = named.union(x.name for x in part.results if isinstance(x, Ref))
         constants = named_constants(part)
-        found = Nesting(part, language(part, DOUBLE), self._access(part, "->"), VALUE_WIDTH,
-                        named=lambda step: step.name in kept, constants=constants)
-        assigned = frozenset(name for x in found.assigned if isinstance(x, Assignment)
+        nesting = Nesting(part, language(part, DOUBLE), self._access(part, "->"), VALUE_WIDTH,
+                          named=lambda step: step.name in kept, constants=constants)
+        assigned = frozenset(name for x in nesting.assigned if isinstance(x, Assignment)
                              for name in x.names)
         return NestingPlan(part, assigned - constants.keys(), constants)
 
@@ -166,12 +166,12 @@ class FunctionParts:
     def _access(self, program: Program, member: str) -> Callable[[Input], str]:
         plain = access(program)
 
-        def found(operand: Input) -> str:
+        def operand_text(operand: Input) -> str:
             name = program.inputs[operand.argument].name
             if name in self._groups:
                 return f"{name}{member}{self._groups[name].kept[operand.index]}"
             return plain(operand)
-        return found
+        return operand_text
 
 
 def _taken(group: Group, part: Program) -> list[str]:

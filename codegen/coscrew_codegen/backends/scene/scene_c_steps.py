@@ -69,13 +69,13 @@ class _Body:
 
     def _shapes(self) -> dict[str, int]:
         """The variables other than the inputs, and their lengths; 0 for numbers."""
-        found: dict[str, int] = {}
+        shapes: dict[str, int] = {}
         for call in self.step.calls:
             of = outputs(self.scene.named(call.function))
             for name, a in zip(call.results, of, strict=True):
                 if name not in self.inputs:
-                    found[name] = size(a) if a.quantity.shape else 0
-        return found
+                    shapes[name] = size(a) if a.quantity.shape else 0
+        return shapes
 
     def _read(self, name: str) -> bool:
         return any(name in self._arguments(call) for call in self.step.calls)

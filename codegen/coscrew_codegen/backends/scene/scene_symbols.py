@@ -59,9 +59,9 @@ def legend(names: Iterable[str]) -> tuple[str, ...]:
     """Paragraphs that explain the symbols in these names: 'wp: angular velocity of the parent'; ()
     if there are none."""
     known = {name: read for name in sorted(set(names)) if (read := reading(name))[0]}
-    found = {symbol for symbol, *_ in known.values()}
-    rows = tuple(f"{', '.join(x for x in symbols if x in found)}: {words}"
-                 for symbols, words in SYMBOLS.items() if found.intersection(symbols))
+    results = {symbol for symbol, *_ in known.values()}
+    rows = tuple(f"{', '.join(x for x in symbols if x in results)}: {words}"
+                 for symbols, words in SYMBOLS.items() if results.intersection(symbols))
     return (*_marks({name: [x for x in marks if x] for name, (_, *marks) in known.items()}),
             *rows) if rows else ()
 
@@ -90,12 +90,12 @@ def _marks(known: Mapping[str, Sequence[str]]) -> Iterator[str]:
            f"name, and a component{such}.  Vectors are in the link's frame, about its origin, "
            "unless stated otherwise; intermediate results are in any frame.  Equal values have one "
            "name.  q[0] is an element of the argument q, sin_q its sine.")
-    said = []
+    described = []
     for mark, words in _MARKED.items():
         if name := next((x for x, marks in known.items() if marks == [mark]), ""):
-            said.append(f"{name} is {words.format(_MARK.sub('', name))}")
-    if said:
-        yield "; ".join(said) + "."
+            described.append(f"{name} is {words.format(_MARK.sub('', name))}")
+    if described:
+        yield "; ".join(described) + "."
 
 
 _VECTOR = re.compile("([A-Za-z]+)([0-9]+)([xyz])")

@@ -78,15 +78,15 @@ class LeafFactors:
     """Factors of a symmetric positive definite matrix with the last row eliminated first: in the
     mass matrix of a tree, whose leaves come last, nothing fills in."""
 
-    backward: Factors  # of the matrix with rows and columns in reverse
+    reversed_factors: Factors  # of the matrix with rows and columns in reverse
 
     def solve(self, b: Sequence[Number]) -> list[Number]:
         """x with A x = b."""
-        return self.backward.solve(b[::-1])[::-1]
+        return self.reversed_factors.solve(b[::-1])[::-1]
 
     def inverse(self) -> list[list[Number]]:
         """A⁻¹, symmetric to the bit: entries above the diagonal are copies."""
-        rows = self.backward.inverted()
+        rows = self.reversed_factors.inverted()
         return [row[::-1] for row in rows[::-1]]
 
 

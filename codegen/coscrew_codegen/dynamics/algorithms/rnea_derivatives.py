@@ -96,7 +96,7 @@ def derivatives(motion: Motion, rigids: Sequence[Rigid], inertias: Mapping[str, 
 
 
 def constant_screws(motion: Motion) -> bool:
-    """Whether each joint's screws are constants in its link's frame."""
+    """True if each joint's screws are constants in its link's frame."""
     return all(link.joint.kind.subspace_rate is None for link in motion.tree.links)
 
 
@@ -159,14 +159,15 @@ class _Recursion:
                 a, U = motion.acceleration(number), motion.acceleration_tensor(number)
                 rate, second = self._rates(screws[0], v, w, a, U)
                 return [_Freedom(screws[0], rate, second, scaled(self.zero.like(2), rate))]
-        found = []
+        freedoms = []
         with motion.part(number, "psi"):
             w, twist = self._parent_w(number), (*self.v[number], *motion.angular_velocity(number))
             a, U = self._parent_acceleration(number)
             for s in screws:
                 rate, second = self._rates(s, self.carried[number], w, a, U)
-                found.append(_Freedom(s, rate, second, add(rate, self.call("cross_ss", twist, s))))
-        return found
+                freedoms.append(_Freedom(
+                    s, rate, second, add(rate, self.call("cross_ss", twist, s))))
+        return freedoms
 
     def _parent_w(self, number: int) -> Vector:
         return (self.motion.parent_angular_velocity(number)
@@ -194,7 +195,7 @@ class _Recursion:
     # inwards: what lies beyond a joint, and the entries of its freedoms
 
     def _own(self, number: int, f: Wrench) -> _Beyond:
-        """Of the link alone: 2 T = w~ (tr(I) 1 - 2 I) + v (2 h)^T, 2 p = 2 m v + w × 2 h."""
+        """The link's own terms: 2 T = w~ (tr(I) 1 - 2 I) + v (2 h)^T, 2 p = 2 m v + w × 2 h."""
         body, motion = self.rigids[number], self.motion
         with motion.part(number, "T"):
             w, v, two = motion.angular_velocity(number), self.v[number], self.zero.like(2)
@@ -264,13 +265,13 @@ class _Recursion:
         """Rows and columns of followers, times multipliers, are added to their leaders'."""
         if not self.tree.follows:
             return A
-        found = [[self.zero] * self.tree.nv for _ in range(self.tree.nv)]
+        entries = [[self.zero] * self.tree.nv for _ in range(self.tree.nv)]
         to = [self._velocity(number, k) for number in range(len(self.tree.links))
               for k in range(len(self.freedoms[number]))]
         for (i, factor_i), row in zip(to, A, strict=True):
             for (j, factor_j), x in zip(to, row, strict=True):
-                found[i][j] = found[i][j] + x * (factor_i * factor_j)
-        return found
+                entries[i][j] = entries[i][j] + x * (factor_i * factor_j)
+        return entries
 
     def _velocity(self, number: int, freedom: int) -> tuple[int, Fraction | int]:
         """(place of the velocity that a freedom depends on, its multiplier)."""
@@ -283,14 +284,14 @@ class _Recursion:
 def _spin(T: Nine, e: Vector, place: int) -> Vector:
     """G e, or with `place` 1, G^T e: G = tr(2 T) 1 - 2 T."""
     diagonal = (T[4] + T[8], T[0] + T[8], T[0] + T[4])
-    found = []
+    values = []
     for i in range(3):
         value = diagonal[i] * e[i]
         for j in range(3):
             if j != i:
                 value = value - (T[3 * j + i] if place else T[3 * i + j]) * e[j]
-        found.append(value)
-    return tuple(found)
+        values.append(value)
+    return tuple(values)
 
 
 def _turned_back(T: Nine, e: Vector) -> Vector:

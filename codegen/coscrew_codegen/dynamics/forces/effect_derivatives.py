@@ -46,10 +46,10 @@ def differentiated(x: FunctionRecording, torques: Torques, by: Sequence[str],
     count = x.tree.nv * len(by)
     duals = [_dual(x, a.name, given.get(a.name) or x.recorder.argument(a.name), by, count)
              for a in program.inputs]
-    found = derivatives.along(program, x.recorder, duals)
+    slopes = derivatives.along(program, x.recorder, duals)
     zero = x.recorder.number(0)
     return [[[zero if (s := y.slopes[k * x.tree.nv + j]) is None else s
-              for j in range(x.tree.nv)] for y in found] for k in range(len(by))]
+              for j in range(x.tree.nv)] for y in slopes] for k in range(len(by))]
 
 
 def _recorded(x: FunctionRecording, torques: Torques, given: dict[str, Sequence[Number]]

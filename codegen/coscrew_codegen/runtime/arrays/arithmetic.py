@@ -122,11 +122,11 @@ def _function(function: Elementary, library: ArrayLibrary, precision: Precision,
     where = library.xp.where
 
     def reduced(x: Array) -> list[Array]:
-        found, beyond = near([[x]]), abs(x) > limit
+        value, beyond = near([[x]]), abs(x) > limit
         if not library.traced and not bool(library.xp.any(beyond)):
-            return found
+            return value
         away = far([[where(beyond, x, library.xp.zeros_like(x) + limit)]])
-        return [where(beyond, a, b) for a, b in zip(away, found, strict=True)]
+        return [where(beyond, a, b) for a, b in zip(away, value, strict=True)]
 
     latest: list[tuple[Array, list[Array]]] = [(None, [])]  # sine and cosine follow each other
 

@@ -77,10 +77,10 @@ class ArrayFunction:
 
         def function(*arrays: Any, lead: Shape) -> list[Any]:
             given = [library.components(x, shape) for x, shape in zip(arrays, shapes, strict=True)]
-            results, found = compute(given), []
+            results, outputs = compute(given), []
             for shape, size in zip(self.shapes, self.sizes, strict=True):
-                found.append(library.assembled(results[:size], lead, shape, arrays[0]))
+                outputs.append(library.assembled(results[:size], lead, shape, arrays[0]))
                 results = results[size:]
-            return found
+            return outputs
 
         return function

@@ -70,29 +70,29 @@ def _kind(signature: ArraySignature, library: ArrayLibrary, name: str, x: Any) -
 def _refuse_large(signature: ArraySignature, name: str, x: Any, precision: Precision) -> None:
     """Raises ValueError for a finite Python number that overflows."""
     if isinstance(x, (int, float)) and precision.limit("max") < abs(x) != inf:
-        said = f"{x:.9g}" if isinstance(x, float) else "a whole number"
-        raise ValueError(f"{signature.name}: {name} is {said} that overflows in "
+        number = f"{x:.9g}" if isinstance(x, float) else "a whole number"
+        raise ValueError(f"{signature.name}: {name} is {number} that overflows in "
                          f"{precision.numpy_type}")
 
 
 def _one(signature: ArraySignature, library: ArrayLibrary, kinds: Mapping[str, Precision | None]
          ) -> Precision:
-    found = {precision for precision in kinds.values() if precision}
-    if len(found) > 1:
-        said = ", ".join(f"{name} {x.numpy_type}" for name, x in kinds.items() if x)
-        raise TypeError(f"{signature.name}: got {said}; wanted one type for all")
+    precisions = {precision for precision in kinds.values() if precision}
+    if len(precisions) > 1:
+        kinds_given = ", ".join(f"{name} {x.numpy_type}" for name, x in kinds.items() if x)
+        raise TypeError(f"{signature.name}: got {kinds_given}; wanted one type for all")
     usable = [p for p in named(signature.precisions) if library.holds(p)]
-    if not (found or usable):
+    if not (precisions or usable):
         raise TypeError(f"{signature.name}: got numbers without a type; wanted {signature.types}")
-    return found.pop() if found else usable[0]
+    return precisions.pop() if precisions else usable[0]
 
 
 def _broadcast(signature: ArraySignature, leads: Sequence[Shape]) -> Shape:
     axes = max(map(len, leads), default=0)
     sizes = [{lead[k - axes] for lead in leads if axes - k <= len(lead)} - {1}
              for k in range(axes)]
-    if any(len(found) > 1 for found in sizes):
-        said = ", ".join(f"{name} {lead}" for (name, _), lead in zip(
+    if any(len(lengths) > 1 for lengths in sizes):
+        shapes = ", ".join(f"{name} {lead}" for (name, _), lead in zip(
             signature.inputs, leads, strict=True))
-        raise ValueError(f"{signature.name}: leading axes do not broadcast: {said}")
-    return tuple(found.pop() if found else 1 for found in sizes)
+        raise ValueError(f"{signature.name}: leading axes do not broadcast: {shapes}")
+    return tuple(lengths.pop() if lengths else 1 for lengths in sizes)

@@ -37,11 +37,11 @@ def loop(function: ArrayFunction, precision: Precision) -> Callable[..., None] |
     opened = _opened(function, precision, {})
     if not opened:
         return None
-    found = getattr(opened, c_name(many(_scene(function)), _NAME, precision))
+    address = getattr(opened, c_name(many(_scene(function)), _NAME, precision))
     count = len(function.inputs) + len(function.shapes)
-    found.restype = None
-    found.argtypes = [ctypes.c_ssize_t, *[ctypes.c_void_p, ctypes.c_ssize_t] * count]
-    made: Callable[..., None] = found
+    address.restype = None
+    address.argtypes = [ctypes.c_ssize_t, *[ctypes.c_void_p, ctypes.c_ssize_t] * count]
+    made: Callable[..., None] = address
     return made
 
 

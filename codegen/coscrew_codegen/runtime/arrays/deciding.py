@@ -15,7 +15,7 @@ def deciding(program: Program) -> frozenset[str]:
     steps = {step.name: step for step in program.instructions}
     open_ = [x for step in program.instructions if step.op in COMPARISONS for x in step.operands]
     seen: set[Operand] = set()
-    found = set()
+    deciders = set()
     while open_:
         x = open_.pop()
         if not isinstance(x, Ref) or x in seen:
@@ -23,10 +23,10 @@ def deciding(program: Program) -> frozenset[str]:
         seen.add(x)
         step = steps[x.name]
         if _has_ways(step, steps):
-            found.add(step.name)
+            deciders.add(step.name)
         else:
             open_.extend(step.operands)
-    return frozenset(found)
+    return frozenset(deciders)
 
 
 def _has_ways(step: Instruction, steps: dict[str, Instruction]) -> bool:

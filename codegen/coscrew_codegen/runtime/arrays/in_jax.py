@@ -50,8 +50,8 @@ def _jitted(function: ArrayFunction, lead: Shape) -> Any:
 
     def computed(*arrays: Any) -> list[Any]:
         given = [rows(x, shape) for x, (_, shape) in zip(arrays, function.inputs, strict=True)]
-        found = _bound(value, *given, function=function, states=states)
-        return [y.reshape(*lead, *shape) for y, shape in zip(found, function.shapes, strict=True)]
+        outputs = _bound(value, *given, function=function, states=states)
+        return [y.reshape(*lead, *shape) for y, shape in zip(outputs, function.shapes, strict=True)]
 
     return jax.jit(computed)
 
@@ -95,9 +95,9 @@ def _shapes(*rows: Any, function: ArrayFunction, states: int) -> list[Any]:
 def _batched(primitive: Primitive, rows: Sequence[Any], axes: Sequence[int | None], *,
              function: ArrayFunction, states: int) -> tuple[list[Any], list[int]]:
     members = next(x.shape[axis] for x, axis in zip(rows, axes, strict=True) if axis is not None)
-    found = _bound(primitive, *(_flat(x, axis, members, states) for x, axis in zip(
+    outputs = _bound(primitive, *(_flat(x, axis, members, states) for x, axis in zip(
         rows, axes, strict=True)), function=function, states=members * states)
-    return [y.reshape(members, states, y.shape[-1]) for y in found], [0] * len(found)
+    return [y.reshape(members, states, y.shape[-1]) for y in outputs], [0] * len(outputs)
 
 
 def _flat(x: Any, axis: int | None, members: int, states: int) -> Any:
@@ -125,11 +125,11 @@ def _linear_jvp(primals: Sequence[Any], tangents: Sequence[Any], *, function: Ar
 def _transposed(weights: Sequence[Any], *rows: Any, function: ArrayFunction, states: int
                 ) -> list[Any]:
     at, directions = rows[:len(rows) // 2], rows[len(rows) // 2:]
-    found = _bound(value, *at, *map(ad.instantiate_zeros, weights), function=function.adjoint,
-                   states=states)
+    cotangents = _bound(value, *at, *map(ad.instantiate_zeros, weights), function=function.adjoint,
+                        states=states)
     return [*[None] * len(at), *(
         _shared(x, d.aval.shape[0]) if ad.is_undefined_primal(d) else None
-        for x, d in zip(found, directions, strict=True))]
+        for x, d in zip(cotangents, directions, strict=True))]
 
 
 def _shared(x: Any, rows: int) -> Any:
@@ -142,8 +142,8 @@ def _printed(*rows: Any, function: ArrayFunction, states: int) -> list[Any]:
     assert precision
     arrays = [x.reshape(x.shape[0], *shape) for x, (_, shape) in zip(
         rows, function.inputs, strict=True)]
-    found = function.printed(LIBRARY, precision)(*arrays, lead=(states,))
-    return [y.reshape(states, n) for y, n in zip(found, function.sizes, strict=True)]
+    outputs = function.printed(LIBRARY, precision)(*arrays, lead=(states,))
+    return [y.reshape(states, n) for y, n in zip(outputs, function.sizes, strict=True)]
 
 
 def _lowered(context: Any, *rows: Any, function: ArrayFunction, states: int) -> Any:
@@ -159,11 +159,11 @@ def _lowered(context: Any, *rows: Any, function: ArrayFunction, states: int) -> 
 @cache
 def _registered(function: ArrayFunction, precision: Precision) -> str:
     """The name by which XLA knows the function in C; empty where nothing compiles."""
-    found = handler(function, precision, jax.ffi.include_dir())
+    target = handler(function, precision, jax.ffi.include_dir())
     name = f"{function.name}_{precision.name}_{next(_NUMBERS)}"
-    if found:
-        jax.ffi.register_ffi_target(name, jax.ffi.pycapsule(found), platform="cpu")
-    return name if found else ""
+    if target:
+        jax.ffi.register_ffi_target(name, jax.ffi.pycapsule(target), platform="cpu")
+    return name if target else ""
 
 
 def _along(rule: Any) -> Any:

@@ -47,8 +47,9 @@ class _Value(torch.autograd.Function):
     def backward(ctx: Any, *weights: Any) -> Any:
         """Computes the weights along the arguments from those along the results: the adjoint."""
         arrays = ctx.saved_tensors
-        found = _Value.apply(ctx.function.adjoint, ctx.lead, ctx.precision, *arrays, *weights)
-        return None, None, None, *(_as(x, array) for x, array in zip(found, arrays, strict=True))
+        cotangents = _Value.apply(ctx.function.adjoint, ctx.lead, ctx.precision, *arrays, *weights)
+        return None, None, None, *(_as(x, array) for x, array in zip(
+            cotangents, arrays, strict=True))
 
     @staticmethod
     def jvp(ctx: Any, *directions: Any) -> Any:
@@ -70,8 +71,8 @@ class _Value(torch.autograd.Function):
                 own = x.shape[1:x.ndim - len(shape)]
                 x = x.reshape(x.shape[0], *[1] * (len(lead) - len(own)), *x.shape[1:])
             given.append(x)
-        found = _Value.apply(function, several, precision, *given)
-        return found, (0,) * len(found)
+        outputs = _Value.apply(function, several, precision, *given)
+        return outputs, (0,) * len(outputs)
 
 
 def _as(x: Any, array: Any) -> Any:

@@ -103,9 +103,9 @@ def of_library(xp: ModuleType, on_numpy: ModuleType) -> Arrays:
 
 def _again(owner: Any, library: str) -> Arrays:
     """The functions of kernels, or of a module with this name, on arrays of a library."""
-    found: Arrays = (import_module(owner) if isinstance(owner, str) else owner).arrays(
+    arrays: Arrays = (import_module(owner) if isinstance(owner, str) else owner).arrays(
         import_module(library))
-    return found
+    return arrays
 
 
 def _of_operation(operation: Operation, library: ArrayLibrary, on_numpy: ModuleType) -> Made:
@@ -130,10 +130,10 @@ class _OfScene:
 
     def function(self, name: str) -> Made:
         if name not in self._made:
-            found = self.scene.named(name)
-            made = ArrayFunction(f"{self.scene.name}_{name}", found.program,
+            scene_function = self.scene.named(name)
+            made = ArrayFunction(f"{self.scene.name}_{name}", scene_function.program,
                                  compile=self._compile)
-            self._made[name] = _called(made, name, "\n\n".join(scene_text.words(found)),
+            self._made[name] = _called(made, name, "\n\n".join(scene_text.words(scene_function)),
                                        self.scene.precisions, self._library, self._backend)
         return self._made[name]
 
@@ -175,8 +175,8 @@ def _called(made: ArrayFunction, name: str, words: str, precisions: tuple[str, .
     def function(*given: Any, **by_name: Any) -> Any:
         lead, arrays, precision = checked(signature, library, signature.bound(given, by_name))
         with at_callers_line():
-            found = backend(made, lead, arrays, precision)
-        return found[0] if len(found) == 1 else tuple(found)
+            outputs = backend(made, lead, arrays, precision)
+        return outputs[0] if len(outputs) == 1 else tuple(outputs)
 
     return _described(function, name, words)
 

@@ -157,9 +157,9 @@ def library_of(xp: ModuleType) -> ArrayLibrary:
     """The library of a namespace.  Raises TypeError if it is none of arrays."""
     if not isinstance(xp, ModuleType) or not all(
             hasattr(xp, name) for name in ("asarray", "where", "float64", "broadcast_to")):
-        said = xp.__name__ if isinstance(xp, ModuleType) else repr(xp)
+        library = xp.__name__ if isinstance(xp, ModuleType) else repr(xp)
         raise TypeError("arrays: wanted a namespace of arrays, as numpy, jax.numpy, torch, cupy or "
-                        f"array_api_strict; got {said}")
+                        f"array_api_strict; got {library}")
     return ArrayLibrary(xp)
 
 

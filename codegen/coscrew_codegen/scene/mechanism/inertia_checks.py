@@ -134,12 +134,12 @@ def _massive(model: Model) -> frozenset[str]:
 
 def why_singular(scene: Scene) -> str:
     """Names all joints that make the mass matrix singular, and one remedy; "" if there are none."""
-    found = unmoved(scene)
-    held = _held(scene) | {x.joint.name for x in found}
+    unmoved_motions = unmoved(scene)
+    held = _held(scene) | {x.joint.name for x in unmoved_motions}
     several = common(scene.model, tuple(followers(scene).items()), held)
-    if not found and not several.joints:
+    if not unmoved_motions and not several.joints:
         return ""
-    without, massive = ([x.joint.name for x in found if x.massive == kind]
+    without, massive = ([x.joint.name for x in unmoved_motions if x.massive == kind]
                         for kind in (False, True))
     causes = [f"{_joints(without)} {_verb(without, 'move')} nothing that has a mass"] \
         if without else []
@@ -150,15 +150,15 @@ def why_singular(scene: Scene) -> str:
         causes.append(f"{_joints(several.joints)} can move together without inertia against that "
                       "motion")
     return f"{' and '.join(causes)}, so that the mass matrix is singular; wanted " \
-           f"{_remedy(scene, found, several)}"
+           f"{_remedy(scene, unmoved_motions, several)}"
 
 
-def _remedy(scene: Scene, found: Sequence[Unmoved], several: Common) -> str:
+def _remedy(scene: Scene, unmoved_motions: Sequence[Unmoved], several: Common) -> str:
     """Armatures that make the mass matrix regular; masses, if joints with several coordinates need
     them."""
-    if any(x.joint.kind.nv > 1 for x in found) or several.joints and not several.cure:
+    if any(x.joint.kind.nv > 1 for x in unmoved_motions) or several.joints and not several.cure:
         return "masses and moments in what they move"
-    names = {*several.cure, *(x.joint.name for x in found)}
+    names = {*several.cure, *(x.joint.name for x in unmoved_motions)}
     given = {x.on for x in scene.effects if x.effect.joint_inertia}
     zeros, others = ([x.name for x in scene.model.joints if x.name in names
                       and (x.name in given) == zero] for zero in (True, False))

@@ -199,11 +199,11 @@ class JointKind:
     @cached_property
     def q_parts(self) -> tuple[tuple[CoordinatePart, slice, slice], ...]:
         """Each part with its places in the joint's q and v."""
-        found, q, v = [], 0, 0
+        parts, q, v = [], 0, 0
         for x in self.parts:
-            found.append((x, slice(q, q + x.count), slice(v, v + x.speeds)))
+            parts.append((x, slice(q, q + x.count), slice(v, v + x.speeds)))
             q, v = q + x.count, v + x.speeds
-        return tuple(found)
+        return tuple(parts)
 
     @property
     def quaternions(self) -> tuple[slice, ...]:

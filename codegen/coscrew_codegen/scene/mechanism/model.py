@@ -152,20 +152,20 @@ class Model:
     def links(self) -> dict[str, str]:
         """Maps each body, and WORLD, to the body to which fixed joints connect it: one that a joint
         moves, or WORLD."""
-        found = {WORLD: WORLD}
+        links_of = {WORLD: WORLD}
         for joint in self.joints:
-            found[joint.child] = joint.child if joint.kind.moves else found[joint.parent]
-        return found
+            links_of[joint.child] = joint.child if joint.kind.moves else links_of[joint.parent]
+        return links_of
 
     @property
     def length(self) -> float:
         """The largest length: from a joint to the next or to a centre of mass, or a radius of
         gyration, in m."""
-        found = [abs(value(x)) for joint in self.joints for x in joint.placement.t]
+        lengths = [abs(value(x)) for joint in self.joints for x in joint.placement.t]
         for body in self.bodies:
             if body.inertia:
-                found += [abs(value(x)) for x in body.inertia.com]
+                lengths += [abs(value(x)) for x in body.inertia.com]
                 mass = value(body.inertia.mass)
                 moments = sum((abs(value(x)) for x in body.inertia.moments[:3]), Fraction(0))
-                found += [Fraction(float(moments / mass / 2)**0.5)] if mass else []
-        return float(max(found, default=Fraction(0)))
+                lengths += [Fraction(float(moments / mass / 2)**0.5)] if mass else []
+        return float(max(lengths, default=Fraction(0)))

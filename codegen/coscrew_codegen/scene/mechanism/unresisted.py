@@ -135,30 +135,31 @@ class _Pivot:
 
 def _moved(model: Model, follow: _Follow, reals: _Reals) -> list[_Moved]:
     """The links at a random q."""
-    q, found = _coordinates(model, follow, reals), []
+    q, motions = _coordinates(model, follow, reals), []
     for link in tree_of(model, False).links:
         R, t, columns = _frame(link, q[link.joint.name], reals)
         own = _inertia(link, reals.of)
-        found.append(_Moved(link.joint, link.parent, _into(R, t), columns, own,
-                            [list(row) for row in own]))
-    for moved in reversed(found):
+        motions.append(_Moved(link.joint, link.parent, _into(R, t), columns, own,
+                              [list(row) for row in own]))
+    for moved in reversed(motions):
         if moved.parent >= 0:
-            _add(found[moved.parent].whole, _congruent(moved.X, moved.whole))
-    return found
+            _add(motions[moved.parent].whole, _congruent(moved.X, moved.whole))
+    return motions
 
 
 def _coordinates(model: Model, follow: _Follow, reals: _Reals) -> dict[str, _Vector]:
     """Random coordinates of each joint; quaternions of norm 1."""
-    random, found = Random(1), {}
+    random, values = Random(1), {}
     for joint in model.joints:
         q = [reals.of(Fraction(random.uniform(-1.5, 1.5))) for _ in range(joint.kind.nq)]
         for places in joint.kind.quaternions:
             norm = reals.functions.sqrt(_dot(q[places], q[places]))
             q[places] = [x / norm for x in q[places]]
-        found[joint.name] = q
+        values[joint.name] = q
     for name, mimic in follow:
-        found[name] = [reals.of(mimic.multiplier) * found[mimic.joint][0] + reals.of(mimic.offset)]
-    return found
+        leader, *_ = values[mimic.joint]
+        values[name] = [reals.of(mimic.multiplier) * leader + reals.of(mimic.offset)]
+    return values
 
 
 def _frame(link: Link, q: _Vector, reals: _Reals) -> tuple[_Matrix, _Vector, tuple[_Vector, ...]]:
@@ -215,16 +216,16 @@ def _pivots(links: Sequence[_Moved], held: frozenset[str], tiny: float,
             scale: Callable[[_Moved, _Vector], _Real]) -> dict[tuple[int, int], _Pivot | None]:
     """The pivot of each joint's columns, eliminated from the leaves on; None where it is zero."""
     left = [[list(row) for row in link.own] for link in links]
-    found: dict[tuple[int, int], _Pivot | None] = {}
+    pivots: dict[tuple[int, int], _Pivot | None] = {}
     for number in reversed(range(len(links))):
         link = links[number]
         more = int(link.joint.name in held)
         for k, S in enumerate(link.columns):
             zero = tiny * (scale(link, S) + more)
-            found[number, k] = _eliminated(left[number], S, more, zero)
+            pivots[number, k] = _eliminated(left[number], S, more, zero)
         if link.parent >= 0:
             _add(left[link.parent], _congruent(link.X, left[number]))
-    return found
+    return pivots
 
 
 def _eliminated(inertia: _Matrix, S: _Vector, more: int, zero: _Real) -> _Pivot | None:
@@ -250,16 +251,16 @@ def _null(links: Sequence[_Moved], pivots: Mapping[tuple[int, int], _Pivot | Non
 def _yielding(links: Sequence[_Moved], pivots: Mapping[tuple[int, int], _Pivot | None],
               moved: tuple[int, int]) -> dict[tuple[int, int], _Real]:
     motions: list[_Vector] = []
-    found: dict[tuple[int, int], _Real] = {}
+    numbers: dict[tuple[int, int], _Real] = {}
     for number, link in enumerate(links):
         motion = _applied(link.X, motions[link.parent]) if link.parent >= 0 else [0] * 6
         for k in reversed(range(len(link.columns))):
             pivot = pivots[number, k]
             x = int((number, k) == moved) if pivot is None else -_dot(pivot.U, motion) / pivot.D
-            found[number, k] = x
+            numbers[number, k] = x
             motion = [a + x * b for a, b in zip(motion, link.columns[k], strict=True)]
         motions.append(motion)
-    return found
+    return numbers
 
 
 def _named(links: Sequence[_Moved], basis: list[dict[tuple[int, int], _Real]],
@@ -287,18 +288,18 @@ def _spanning(vectors: Sequence[_Vector], basis: Sequence[_Vector] = ()
               ) -> tuple[list[_Vector], list[int]]:
     """An orthonormal basis of these vectors and the given orthonormal ones, which come first; and
     the places of the vectors that each add a dimension."""
-    found, kept = list(basis), []
+    spanning, kept = list(basis), []
     largest = max((_dot(x, x) for x in vectors), default=0)
     for place, vector in enumerate(vectors):
         rest = vector
-        for unit in found:
+        for unit in spanning:
             along = _dot(unit, rest)
             rest = [x - along * y for x, y in zip(rest, unit, strict=True)]
         square = _dot(rest, rest)
         if square > _NONE**2 * largest:
-            found.append([x / square**0.5 for x in rest])
+            spanning.append([x / square**0.5 for x in rest])
             kept.append(place)
-    return found, kept
+    return spanning, kept
 
 
 def _congruent(X: _Matrix, inertia: _Matrix) -> _Matrix:

@@ -41,30 +41,30 @@ def alternatives(effect: Effect, names: Iterable[str]) -> str:
 
 def _line(parameter: ParameterOf) -> str:
     unit = f" [{parameter.unit}]" if parameter.unit else ""
-    told = f" ({'; '.join(given)})" if (given := notes(parameter)) else ""
-    return f"{parameter.name}{unit}: {parameter.words}{told}"
+    comment = f" ({'; '.join(given)})" if (given := notes(parameter)) else ""
+    return f"{parameter.name}{unit}: {parameter.words}{comment}"
 
 
 def notes(parameter: ParameterOf) -> list[str]:
     """Notes on its values: type, choices, sign, default."""
     kinds = {"vector": "three numbers", "formula": "a number or a function of t",
              "formulas": "three numbers or functions of t", "flag": "true or false"}
-    found = [kinds[parameter.kind]] if parameter.kind in kinds else []
+    texts = [kinds[parameter.kind]] if parameter.kind in kinds else []
     if parameter.choices:
-        found.append(" | ".join(parameter.choices))
+        texts.append(" | ".join(parameter.choices))
     if parameter.of:
-        found.append(f"for {' and '.join(parameter.of)}")
+        texts.append(f"for {' and '.join(parameter.of)}")
     if parameter.optional_of:
-        found.append(f"may be left out for {' and '.join(parameter.optional_of)}")
+        texts.append(f"may be left out for {' and '.join(parameter.optional_of)}")
     if parameter.model:
-        found.append(f'"model": the joint\'s {parameter.model}')
+        texts.append(f'"model": the joint\'s {parameter.model}')
     if parameter.sign:
-        found.append(parameter.sign.value)
+        texts.append(parameter.sign.value)
     if parameter.default is not None:
-        found.append(f"default {_written(parameter.default)}")
+        texts.append(f"default {_written(parameter.default)}")
     elif not parameter.required:
-        found.append("may be left out")
-    return found
+        texts.append("may be left out")
+    return texts
 
 
 def _written(value: object) -> str:

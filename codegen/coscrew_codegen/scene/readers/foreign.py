@@ -67,5 +67,5 @@ def root_of(path: Path) -> str:
     while (start := beginning.find(b"<!--")) >= 0:
         end = beginning.find(b"-->", start)
         beginning = beginning[:start] + (beginning[end + 3:] if end >= 0 else b"")
-    found = _ROOT.search(beginning)
-    return found[1].decode("ascii", "replace") if found else ""
+    match = _ROOT.search(beginning)
+    return match[1].decode("ascii", "replace") if match else ""

@@ -12,12 +12,12 @@ _DRIVING = ("torque", "force")
 def idle(effects: tuple[Applied, ...]) -> tuple[Notice, ...]:
     """A notice for each kind of effects whose torques and forces are constant zeros, with the entry
     of `runtime` that makes them arguments: actuators of kind "torque", wrenches."""
-    found: dict[str, list[str]] = {}
+    effects_of: dict[str, list[str]] = {}
     for applied in effects:
         if names := list(_unset(applied)):
-            found.setdefault(applied.effect.name, []).extend(names)
+            effects_of.setdefault(applied.effect.name, []).extend(names)
     return tuple(Notice(IDLE, f"effect {effect}", _line(effect, names))
-                 for effect, names in found.items())
+                 for effect, names in effects_of.items())
 
 
 def _unset(applied: Applied) -> Iterator[str]:

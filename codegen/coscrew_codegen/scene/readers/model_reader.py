@@ -68,8 +68,8 @@ class Parts:
             tree = assembled(self.name, self.bodies, self.joints, base, self.roots)
             clean = without_residues(without_chains(with_faults(tree, {
                 name: f"{source.path.name}, {at}" for name, at in self.mimic_places.items()})))
-            told = (*notices(self.effects, clean), *self.notices)
-            return judged(replace(clean, implausible=self.implausible, notices=told),
+            all_notices = (*notices(self.effects, clean), *self.notices)
+            return judged(replace(clean, implausible=self.implausible, notices=all_notices),
                           source.implausible)
         except ModelError as error:
             place = self.places.get(error.element, self.places.get("", ""))

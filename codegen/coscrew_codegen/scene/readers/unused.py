@@ -20,9 +20,9 @@ def unused(model: Model, used: set[tuple[str, str]], catalogue: tuple[Effect, ..
     that no effect uses.
 
     Zeros are not reported, since files write them for unknown numbers, except ends of ranges."""
-    found = [notice for joint in model.joints
-             for notice in _of(joint, model, used, catalogue, acting)]
-    return (*found, *besides(model, acting))
+    notices = [notice for joint in model.joints
+               for notice in _of(joint, model, used, catalogue, acting)]
+    return (*notices, *besides(model, acting))
 
 
 def besides(model: Model, acting: tuple[Applied, ...]) -> Iterator[Notice]:

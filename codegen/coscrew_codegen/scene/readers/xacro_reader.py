@@ -46,8 +46,8 @@ def _parts(source: ModelSource) -> Parts:
     except SceneError as error:
         where = f"{error.where}, of what xacro makes of it" if error.where else ""
         raise SceneError(error.file, where, error.problem) from None
-    told = (Notice("xacro", "robot", f"xacro warns: {line}") for line in warnings)
-    return replace(parts, notices=(*parts.notices, *told),
+    notices = (Notice("xacro", "robot", f"xacro warns: {line}") for line in warnings)
+    return replace(parts, notices=(*parts.notices, *notices),
                    places={x: f"{place} of what xacro makes of it"
                            for x, place in parts.places.items()})
 
@@ -56,10 +56,10 @@ def _expanded(source: ModelSource) -> tuple[str, list[str]]:
     """The URDF that the file writes, and xacro's warnings."""
     import xacro
 
-    path, arguments, said = source.path, _Arguments(source.arguments), io.StringIO()
+    path, arguments, printed = source.path, _Arguments(source.arguments), io.StringIO()
     read_bytes(path, SIZE)  # refuses what cannot be read
     try:
-        with _ONE_AT_A_TIME, _finding(_finder(source)), redirect_stderr(said):
+        with _ONE_AT_A_TIME, _finding(_finder(source)), redirect_stderr(printed):
             text = str(xacro.process_file(str(path), mappings=arguments).toxml())
     except Exception as error:  # of xacro, of expressions in the file, of its XML
         inner = Path((xacro.filestack or [path])[-1] or path).name
@@ -68,7 +68,7 @@ def _expanded(source: ModelSource) -> tuple[str, list[str]]:
     if strange := [x for x in source.arguments if x not in arguments.wanted]:
         raise SceneError(path, "", f"has no argument {shown(strange[0])}; "
                          f"{did_you_mean(strange[0], arguments.wanted)}")
-    lines = re.sub(r"\x1b\[[0-9;]*m", "", said.getvalue()).splitlines()
+    lines = re.sub(r"\x1b\[[0-9;]*m", "", printed.getvalue()).splitlines()
     return text, [x.removeprefix("warning: ") for x in lines if x.strip()]
 
 
@@ -120,8 +120,8 @@ def _name_in(folder: Path) -> str:
         text = (folder / "package.xml").read_text(encoding="utf-8", errors="replace")
     except OSError:
         return ""
-    found = re.search(r"<name>\s*([^<\s]+)\s*</name>", text)
-    return found[1] if found else ""
+    match = re.search(r"<name>\s*([^<\s]+)\s*</name>", text)
+    return match[1] if match else ""
 
 
 READER = ModelReader(

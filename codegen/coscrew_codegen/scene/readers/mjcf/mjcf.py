@@ -26,7 +26,7 @@ from coscrew_codegen.scene.mechanism.model import (
 from coscrew_codegen.scene.mechanism.tree import composed
 from coscrew_codegen.scene.readers.foreign import of_root, root_of
 from coscrew_codegen.scene.readers.mjcf.mjcf_effects import effects, followers
-from coscrew_codegen.scene.readers.mjcf.mjcf_leftovers import GROUPS, refused, told
+from coscrew_codegen.scene.readers.mjcf.mjcf_leftovers import GROUPS, ignored, refused
 from coscrew_codegen.scene.readers.mjcf.mjcf_names import MjcfNames, exact
 from coscrew_codegen.scene.readers.model_reader import ModelReader, ModelSource, Parts
 from coscrew_codegen.scene.readers.scene_error import SceneError
@@ -47,7 +47,7 @@ def _parts(source: ModelSource) -> Parts:
         source.path.stem, tuple(x for x in parts if isinstance(x, Body)),
         tuple(x for x in parts if isinstance(x, Joint)),
         effects=effects(model, names), start=_start(model, names),
-        notices=(*left_out, *told(model, names)))
+        notices=(*left_out, *ignored(model, names)))
 
 
 def _compiled(source: ModelSource) -> "mujoco.MjModel":
@@ -139,15 +139,15 @@ def _placement(xyz: Sequence[float], wxyz: Sequence[float]) -> Placement:
 
 def _start(model: "mujoco.MjModel", names: MjcfNames) -> dict[str, tuple[float, ...]]:
     """qpos0, as coordinates by joint: of those that are not zero and follow no other."""
-    found, led = {}, followers(model, names)
+    start, led = {}, followers(model, names)
     for j in (j for j in range(model.njnt) if names.joint(j) not in led):
         kind, at = _KINDS[model.jnt_type[j]], int(model.jnt_qposadr[j])
         q = tuple(float(x) for x in model.qpos0[at:at + kind.nq])
         if kind is FREE:
-            found[names.joint(j)] = (*q[:3], *q[4:], q[3])
+            start[names.joint(j)] = (*q[:3], *q[4:], q[3])
         elif kind is not SPHERICAL and any(q):
-            found[names.joint(j)] = q
-    return found
+            start[names.joint(j)] = q
+    return start
 
 
 READER = ModelReader(

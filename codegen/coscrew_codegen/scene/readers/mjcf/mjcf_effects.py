@@ -39,14 +39,14 @@ def effects(model: "mujoco.MjModel", names: MjcfNames) -> Effects:
 def followers(model: "mujoco.MjModel", names: MjcfNames) -> dict[str, Mimic]:
     """The joints that an equality, linear and active, makes follow another, by name:
     q_y - y0 = c0 + c1 (q_x - x0).  Of two for one follower the first counts."""
-    found: dict[str, Mimic] = {}
+    mimics: dict[str, Mimic] = {}
     for e in range(model.neq):
         y, x = (int(z) for z in (model.eq_obj1id[e], model.eq_obj2id[e]))
         if follows(model, e):
             c0, c1 = exact(model.eq_data[e][:2])
             y0, x0 = exact(model.qpos0[model.jnt_qposadr[[y, x]]])
-            found.setdefault(names.joint(y), Mimic(names.joint(x), c1, y0 + c0 - c1 * x0))
-    return found
+            mimics.setdefault(names.joint(y), Mimic(names.joint(x), c1, y0 + c0 - c1 * x0))
+    return mimics
 
 
 def follows(model: "mujoco.MjModel", e: int) -> bool:

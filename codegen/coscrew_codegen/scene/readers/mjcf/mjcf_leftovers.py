@@ -90,7 +90,7 @@ def _of_joints(model: "mujoco.MjModel", names: MjcfNames) -> Iterator[tuple[str,
             yield "ball_joints", f"{joined(of)} of joint {name!r}"
 
 
-def told(model: "mujoco.MjModel", names: MjcfNames) -> Iterator[Notice]:
+def ignored(model: "mujoco.MjModel", names: MjcfNames) -> Iterator[Notice]:
     """Notices of what a scene chooses: actuators; and of what is not read: contact, mocap."""
     for i in range(model.nu):
         yield _actuator(model, names, i)

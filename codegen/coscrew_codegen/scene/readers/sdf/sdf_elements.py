@@ -78,15 +78,15 @@ class SdfElements:
 
     def only(self, owner: Element, tag: str) -> Element | None:
         """The one child with this tag, if there is one."""
-        found = owner.all(tag)
-        if len(found) > 1:
-            self.refuse(found[1], f"<{tag}> occurs twice in <{owner.tag}>; wanted it once")
-        return found[0] if found else None
+        elements = owner.all(tag)
+        if len(elements) > 1:
+            self.refuse(elements[1], f"<{tag}> occurs twice in <{owner.tag}>; wanted it once")
+        return elements[0] if elements else None
 
     def text(self, owner: Element, tag: str, default: str | None = None) -> str:
         """The text in the child with this tag."""
-        found = self.only(owner, tag)
-        text = " ".join(x.text for x in found.texts) if found else ""
+        element = self.only(owner, tag)
+        text = " ".join(x.text for x in element.texts) if element else ""
         if not text and default is None:
             self.refuse(owner, f"<{owner.tag}> lacks <{tag}>")
         return text or str(default)

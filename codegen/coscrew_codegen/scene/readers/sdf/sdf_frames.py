@@ -38,11 +38,11 @@ class SdfFrames(SdfElements):
 
     def resolved(self, at: Element, scope: str, name: str) -> str:
         """The full name of a frame that an element in this scope names."""
-        found = [x for x in (f"{scope}{name}", f"{scope}{name}::{MODEL}") if x in self.frames]
-        if not found:
+        names = [x for x in (f"{scope}{name}", f"{scope}{name}::{MODEL}") if x in self.frames]
+        if not names:
             known = [x.removeprefix(scope) for x in self.frames if x.startswith(scope)]
             self.refuse(at, f"no frame {shown(name)}; {did_you_mean(name, known)}")
-        return found[0]
+        return names[0]
 
     def above(self, full: str) -> tuple[str, ...]:
         """The frame, the frame in which its pose is given, and so on to WORLD."""
@@ -51,12 +51,12 @@ class SdfFrames(SdfElements):
         if full not in self._above:
             self._above[full] = ()
             self._above[full] = (full, *self.above(self._below(*self.frames[full])))
-        found = self._above[full]
-        if not found:
+        parent = self._above[full]
+        if not parent:
             circle = ", ".join(x for x, y in self._above.items() if not y)
             self.refuse(self.frames[full][0], f"the poses of {circle} are relative to one another; "
                                               "wanted one that is not")
-        return found
+        return parent
 
     def _below(self, element: Element, scope: str) -> str:
         """The full name of the frame in which a frame's pose is given, or WORLD."""
@@ -84,12 +84,12 @@ class SdfFrames(SdfElements):
 
     def _down(self, common: str, full: str) -> Placement:
         """The frame in one above it."""
-        found = HERE
+        pose = HERE
         for name in self.above(full):
             if name == common:
                 break
-            found = composed(self.pose(self.frames[name][0]), found)
-        return found
+            pose = composed(self.pose(self.frames[name][0]), pose)
+        return pose
 
     def link_of(self, full: str, seen: tuple[str, ...] = ()) -> str:
         """The link to which a frame is fixed."""

@@ -38,14 +38,14 @@ def with_attached(file: TomlTable, model: Model, implausible: str) -> Model:
                  for joint, (_, _, table) in zip(joints, tables, strict=True)}
         raise SceneError(file.file, where[error.element], error.problem) from None
     by_name = {x.name: x for x in model.bodies} | bodies
-    found = without_residues(replace(
+    attached = without_residues(replace(
         model, joints=ordered, bodies=tuple(by_name[joint.child] for joint in ordered),
         implausible=()))
     try:
-        lines = (*model.implausible, *(massless or ()), *judged(found, implausible).implausible)
+        lines = (*model.implausible, *(massless or ()), *judged(attached, implausible).implausible)
     except ModelError as error:
         raise SceneError(file.file, error.element, error.problem) from None
-    return replace(found, implausible=tuple(dict.fromkeys(lines)))
+    return replace(attached, implausible=tuple(dict.fromkeys(lines)))
 
 
 def _refuse_taken(tables: list[tuple[str, str, TomlTable]], own: Collection[str]) -> None:

@@ -94,11 +94,11 @@ class EffectTable:
             if on.name == name and (why := self.obstacle(on)):
                 table.refuse(key, f"{self.effect.name} cannot act on {self.what} {name!r}, which "
                                   f"{why}")
-        found = table.known(key, name, self.what, self.targets)
-        if self.effect.place is Place.BODY and self.links[found] == WORLD:
+        named = table.known(key, name, self.what, self.targets)
+        if self.effect.place is Place.BODY and self.links[named] == WORLD:
             table.refuse(key, f"{self.effect.name} does nothing to body {name!r}, which is fixed "
                               "to the world; wanted a body that moves")
-        return found
+        return named
 
     def pair(self, table: TomlTable, names: tuple[str, str]) -> tuple[str, str]:
         """The names, if the effect can act between these two bodies."""

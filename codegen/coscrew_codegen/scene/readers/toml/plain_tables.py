@@ -54,32 +54,32 @@ def _body(body: Body) -> dict[str, object]:
 
 def _joint(joint: Joint) -> dict[str, object]:
     """The keys that are not the defaults."""
-    found: dict[str, object] = {"type": joint.kind.name}
+    table: dict[str, object] = {"type": joint.kind.name}
     if joint.parent != WORLD:
-        found["parent"] = joint.parent
-    found["child"] = joint.child
+        table["parent"] = joint.parent
+    table["child"] = joint.child
     if joint.placement != HERE:
-        found["origin"] = _origin(joint.placement)
-    found |= {key: _numbers(axis) for key, axis in zip(("axis", "axis2"), joint.axes, strict=False)}
+        table["origin"] = _origin(joint.placement)
+    table |= {key: _numbers(axis) for key, axis in zip(("axis", "axis2"), joint.axes, strict=False)}
     limits = {key: _number(x) for key in ("lower", "upper", "effort", "velocity")
               if (x := getattr(joint, key)) is not None}
     if limits:
-        found["limits"] = limits
-    found |= {key: _number(x) for key in ("damping", "friction")
+        table["limits"] = limits
+    table |= {key: _number(x) for key in ("damping", "friction")
               if (x := getattr(joint, key)) is not None}
     if joint.mimic:
-        found["mimic"] = {"joint": joint.mimic.joint, "multiplier": _number(
+        table["mimic"] = {"joint": joint.mimic.joint, "multiplier": _number(
             joint.mimic.multiplier), "offset": _number(joint.mimic.offset)}
-    return found
+    return table
 
 
 def _origin(placement: Placement) -> dict[str, object]:
-    found: dict[str, object] = {}
+    table: dict[str, object] = {}
     if any(placement.t):
-        found["xyz"] = _numbers(placement.t)
+        table["xyz"] = _numbers(placement.t)
     if placement.R != HERE.R:
-        found["quaternion"] = _numbers(rotations.quaternion(placement.R))
-    return found
+        table["quaternion"] = _numbers(rotations.quaternion(placement.R))
+    return table
 
 
 def _numbers(numbers: Sequence[Scalar]) -> list[Decimals]:

@@ -35,18 +35,18 @@ def with_parameters(file: TomlTable, model: Model, effects: tuple[Applied, ...],
     parameters: list[Parameter] = []
     for name in names:
         called = _by_letter(name)
-        found = [key for key in numbers if key in (name, called) or _vector(key) == name]
-        if name in found and len(found) > 1:
-            component = next(key for key in found if key != name)
+        keys = [key for key in numbers if key in (name, called) or _vector(key) == name]
+        if name in keys and len(keys) > 1:
+            component = next(key for key in keys if key != name)
             file.refuse("runtime", f"{name!r} is a number, and the vector of {component!r}, too; "
                         "rename one")
-        if not found:
+        if not keys:
             if name in others:
                 file.refuse("runtime", f"{name!r} is {others[name]}; wanted a number")
             _refuse_of_element(file, name, tuple(numbers), model, effects, catalogue)
             whole = dict.fromkeys(_vector(key) for key in numbers if _vector(key))
             file.known("runtime", name, "number", (*numbers, *others, *whole))
-        for key in found:
+        for key in keys:
             if any(parameter.name == key for parameter in parameters):
                 file.refuse("runtime", f"{key!r} occurs twice")
             parameters.append(Parameter(key, len(parameters), numbers[key]))
@@ -97,8 +97,8 @@ def _refuse_of_element(file: TomlTable, name: str, names: tuple[str, ...], model
     problem = f"no number {shown(name)}"
     near = nearest(field, [key.rpartition(".")[2] for key in there])
     if near:
-        found = next(key for key in there if key.endswith(f".{near}"))
-        file.refuse("runtime", f"{problem}; did you mean {found!r}?")
+        key_of_element = next(key for key in there if key.endswith(f".{near}"))
+        file.refuse("runtime", f"{problem}; did you mean {key_of_element!r}?")
     if what == "joint" and field in FIELDS:
         taken = [f"{applied.name}.{parameter.name}" for applied in effects
                  if applied.on == element for parameter in applied.effect.parameters

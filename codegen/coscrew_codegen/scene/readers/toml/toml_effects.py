@@ -25,20 +25,21 @@ def read_effects(effects: TomlTable, model: Model, catalogue: tuple[Effect, ...]
     effects.only(*(effect.name for effect in catalogue))
     readers = {Place.SCENE: _on_scene, Place.JOINT: _on_several, Place.BODY: _on_several,
                Place.PAIR: _on_pairs}
-    found: list[Applied] = []
+    applied: list[Applied] = []
     for effect in catalogue:
         if effect.name in effects:
             reading = EffectTable(effect, effects.table(effect.name), model, use)
-            found += readers[effect.place](reading)
-    _refuse_compensation(effects, model, found)
-    return tuple(found)
+            applied += readers[effect.place](reading)
+    _refuse_compensation(effects, model, applied)
+    return tuple(applied)
 
 
-def _refuse_compensation(effects: TomlTable, model: Model, found: list[Applied]) -> None:
+def _refuse_compensation(effects: TomlTable, model: Model, effects_read: list[Applied]) -> None:
     """Refuse to compensate gravity where there is none, and at joints that follow others."""
-    falls, follows = (any(getattr(x.effect, name) for x in found) for name in ("gravity", "mimic"))
+    falls, follows = (any(getattr(x.effect, name) for x in effects_read)
+                      for name in ("gravity", "mimic"))
     leaders = {j.name: j.mimic.joint for j in model.joints if j.mimic and follows}
-    for applied in found:
+    for applied in effects_read:
         flag = applied.effect.compensates
         if not flag or applied.values[flag] is None:
             continue
@@ -87,15 +88,15 @@ def _on_several(reading: EffectTable) -> list[Applied]:
             _refuse_unknown(reading, key)
     if not table.values:
         _refuse_nowhere(reading)
-    found = [_in_own_table(reading, key) for key in table.values if key not in plain]
-    found += _on_named(reading, plain)
+    effects_read = [_in_own_table(reading, key) for key in table.values if key not in plain]
+    effects_read += _on_named(reading, plain)
     order = {name: i for i, name in enumerate(reading.targets)}
-    found.sort(key=lambda applied: (order[applied.on], applied.label))
-    for one, next_one in zip(found, found[1:], strict=False):
+    effects_read.sort(key=lambda applied: (order[applied.on], applied.label))
+    for one, next_one in zip(effects_read, effects_read[1:], strict=False):
         if (one.on, one.label) == (next_one.on, next_one.label):
             table.refuse(one.on, f"{reading.effect.name} is given twice for {reading.what} "
                                  f"{one.on!r}; wanted it once")
-    return found
+    return effects_read
 
 
 def _is_place(reading: EffectTable, key: str) -> bool:
@@ -214,7 +215,7 @@ def _refuse_nowhere(reading: EffectTable) -> None:
 
 def _on_pairs(reading: EffectTable) -> list[Applied]:
     """[effects.tendon.LABEL] bodies = [a, b], …"""
-    found = []
+    applied = []
     if not reading.table.values:
         reading.table.refuse("", f"is empty; wanted tables [{reading.table.where}.LABEL]")
     for label, value in reading.table.values.items():
@@ -228,8 +229,8 @@ def _on_pairs(reading: EffectTable) -> list[Applied]:
             own.refuse("bodies", f"a list of {len(pair)}; wanted two bodies")
         given = {key: value for key, value in own.values.items() if key != "bodies"}
         values = {**reading.values(own, given, ""), "bodies": reading.pair(own, pair)}
-        found.append(Applied(reading.effect, label, values, label))
-    return found
+        applied.append(Applied(reading.effect, label, values, label))
+    return applied
 
 
 def with_reactions(scene: Scene, catalogue: tuple[Effect, ...]) -> tuple[Applied, ...]:
@@ -242,6 +243,6 @@ def with_reactions(scene: Scene, catalogue: tuple[Effect, ...]) -> tuple[Applied
     joints = {x.target for x in wanted if x.quantity == "reaction"} - there
     if effect is None or not joints:
         return scene.effects
-    found = [*scene.effects, *(Applied(effect, joint.name, {}) for joint in scene.model.joints
-                               if joint.name in joints)]
-    return tuple(sorted(found, key=lambda applied: catalogue.index(applied.effect)))
+    effects = [*scene.effects, *(Applied(effect, joint.name, {}) for joint in scene.model.joints
+                                 if joint.name in joints)]
+    return tuple(sorted(effects, key=lambda applied: catalogue.index(applied.effect)))

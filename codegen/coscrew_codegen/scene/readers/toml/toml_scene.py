@@ -162,7 +162,7 @@ def _scene(file: TomlTable, catalogue: tuple[Effect, ...], overrides: SceneOverr
     drawn = limits_used(scene, accuracy) if accuracy else set()
     if drawn:
         refuse_faults(file, scene, drawn)
-    told = unused(model, use.of_model | drawn, catalogue, effects)
+    notices = unused(model, use.of_model | drawn, catalogue, effects)
     effects = with_reactions(scene, catalogue)
     parameters: tuple[Parameter, ...] = ()
     if "runtime" in file:
@@ -171,7 +171,7 @@ def _scene(file: TomlTable, catalogue: tuple[Effect, ...], overrides: SceneOverr
         tiers = selected(overrides.tiers)
     return _selecting(replace(scene, model=model, effects=effects, parameters=parameters,
                               accuracy=accuracy, tiers=tiers,
-                              notices=(*idle(effects), *told)), functions)
+                              notices=(*idle(effects), *notices)), functions)
 
 
 def _functions(file: TomlTable, scene: Scene) -> tuple[str, ...]:

@@ -181,8 +181,8 @@ def read_toml(path: Path) -> TomlTable:
     """The outermost table of a file.  Raises SceneError if it cannot be read or is not TOML."""
     try:
         text = read_text(path, SIZE, "a TOML file")
-        if found := _DOTS.search(text):
-            line = text.count("\n", 0, found.start()) + 1
+        if match := _DOTS.search(text):
+            line = text.count("\n", 0, match.start()) + 1
             raise SceneError(path, f"line {line}", "a key of more than 30 parts; wanted fewer")
         return TomlTable(path, "", tomllib.loads(text, parse_float=Decimals))
     except SceneError:

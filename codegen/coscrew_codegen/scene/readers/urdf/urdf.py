@@ -72,13 +72,13 @@ class _Urdf(Joints):
 
     def _of_inertial(self, inertial: Element, tag: str, body: str, taken: str) -> Element | None:
         """The element with this tag; None if it is missing and that is accepted."""
-        found = self._only(inertial, tag, body)
-        if found is None and not self.lenient:
+        element = self._only(inertial, tag, body)
+        if element is None and not self.lenient:
             self._refuse(inertial, body,
                          f'<inertial> lacks <{tag}>; implausible = "{WARN}" accepts it')
-        if found is None:
+        if element is None:
             self.lacking.append(f"{body}: <inertial> lacks <{tag}>; {taken}")
-        return found
+        return element
 
 
 def urdf_parts(source: ModelSource, contents: bytes | None = None) -> Parts:

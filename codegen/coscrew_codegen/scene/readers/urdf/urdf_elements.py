@@ -144,28 +144,28 @@ class Elements:
     def _only(self, owner: Element, tag: str, element: str) -> Element | None:
         """The one child with this tag, if there is one; it may stand there twice with the same
         content."""
-        found = owner.all(tag)
-        if different := self.different(found):
+        elements = owner.all(tag)
+        if different := self.different(elements):
             self._refuse(different, element, f"<{tag}> occurs twice; wanted it once")
-        self.note_repetitions(found, element)
-        return found[0] if found else None
+        self.note_repetitions(elements, element)
+        return elements[0] if elements else None
 
-    def different(self, found: tuple[Element, ...]) -> Element | None:
+    def different(self, elements: tuple[Element, ...]) -> Element | None:
         """The first element that says something else than the first of all."""
-        return next((other for other in found[1:] if not _alike(other, found[0])), None)
+        return next((other for other in elements[1:] if not _alike(other, elements[0])), None)
 
-    def note_repetitions(self, found: tuple[Element, ...], element: str) -> None:
+    def note_repetitions(self, elements: tuple[Element, ...], element: str) -> None:
         """Note elements that say the same as the first."""
         of = plain(element)
         self.notices += [Notice("repeated element", of, f"{of}: <{other.tag}> in line "
                                 f"{other.line} says the same once more and is not used")
-                         for other in found[1:]]
+                         for other in elements[1:]]
 
     def _required(self, owner: Element, tag: str, element: str) -> Element:
-        found = self._only(owner, tag, element)
-        if found is None:
+        only = self._only(owner, tag, element)
+        if only is None:
             self._refuse(owner, element, f"<{owner.tag}> lacks <{tag}>")
-        return found
+        return only
 
     def _refuse(self, at: Element | Text, element: str, problem: str) -> NoReturn:
         where = f"line {at.line}, {element}" if element else f"line {at.line}"

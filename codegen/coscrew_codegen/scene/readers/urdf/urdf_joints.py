@@ -118,14 +118,14 @@ class _Numbers:
 
     def _one(self, tag: str, fields: tuple[str, ...]) -> Element | None:
         """The child with this tag; if two differ, faults of these fields, and None."""
-        found = self.joint.all(tag)
-        if different := self.file.different(found):
+        elements = self.joint.all(tag)
+        if different := self.file.different(elements):
             for name in fields:
                 self._fault(different, name, f"<{tag}> occurs twice, with different numbers; "
                                              "wanted it once")
             return None
-        self.file.note_repetitions(found, self.element)
-        return found[0] if found else None
+        self.file.note_repetitions(elements, self.element)
+        return elements[0] if elements else None
 
     def _end(self, limit: Element, name: str) -> Fraction | None:
         if name in limit.attributes:
