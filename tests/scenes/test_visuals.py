@@ -133,3 +133,80 @@ def test_visuals_change_no_hash(tmp_path):
     """What is derived and compiled does not depend on them."""
     plain = hashed(read(urdf(tmp_path)))
     assert hashed(read(urdf(tmp_path, visual('<sphere radius="1"/>')))) == plain
+
+
+SDF = """<sdf version="1.9"><model name="arm"><link name="base"><inertial><mass>1</mass><inertia>
+<ixx>1</ixx><iyy>1</iyy><izz>1</izz></inertia></inertial>{visuals}</link></model></sdf>"""
+
+
+def sdf(folder: Path, *shapes: str) -> Path:
+    path = folder / "arm.sdf"
+    path.write_text(SDF.format(visuals="".join(
+        f'<visual name="v{i}"><geometry>{x}</geometry>{_REST.get(i, "")}</visual>'
+        for i, x in enumerate(shapes))))
+    return path
+
+
+_REST = {0: f"<pose>1 2 3 0 0 {math.pi / 2}</pose><material><diffuse>0.1 0.2 0.3</diffuse>"
+            "<ambient>1 1 1 1</ambient></material><cast_shadows>false</cast_shadows>"}
+
+
+def test_shapes_of_sdf_have_sizes_places_and_colours(tmp_path):
+    (tmp_path / "a.dae").write_text("")
+    box, ellipsoid, mesh, plane, lost, wrong = visuals(sdf(
+        tmp_path, "<box><size>1 2 3</size></box>", "<ellipsoid><radii>1 2 3</radii></ellipsoid>",
+        "<mesh><uri>a.dae</uri><scale>2 2 2</scale></mesh>",
+        "<plane><normal>0 0 1</normal></plane>", "<mesh><uri>model://b/c.dae</uri></mesh>",
+        "<sphere><radius>x</radius></sphere>"))
+    assert (box.shape, box.size, box.colour) == ("box", (1, 2, 3), (0.1, 0.2, 0.3))
+    assert box.place == pytest.approx((1, 2, 3, 0, 0, HALF, HALF))
+    assert (ellipsoid.shape, ellipsoid.size) == ("ellipsoid", (1, 2, 3))
+    assert (mesh.mesh, mesh.scale) == (tmp_path / "a.dae", (2, 2, 2))
+    assert plane.problem == "line 2: <plane> is not drawn"
+    assert lost.problem == "line 2: no file 'model://b/c.dae'"
+    assert "'x'" in wrong.problem
+
+
+MJCF = """<mujoco><asset><mesh name="tent" vertex="0 0 0  1 0 0  0 1 0  0 0 1"/>
+<material name="steel" rgba="0.5 0.6 0.7 1"/></asset><worldbody><body name="arm">
+<joint type="hinge"/><geom type="sphere" size="0.1" rgba="1 0 0 0.5"/>
+<geom type="{quiet}" {size} material="steel" contype="0" conaffinity="0" pos="1 2 3"
+quat="0 0 0 2"/></body></worldbody></mujoco>"""
+
+
+@pytest.mark.parametrize("quiet, size, shape, sizes", (
+    ("capsule", 'size="0.1 0.5"', "capsule", (0.1, 1)),
+    ("box", 'size="1 2 3"', "box", (2, 4, 6)),
+    ("ellipsoid", 'size="1 2 3"', "ellipsoid", (1, 2, 3)),
+    ("cylinder", 'size="1 2"', "cylinder", (1, 4))))
+def test_geoms_that_touch_nothing_are_what_is_seen(tmp_path, quiet, size, shape, sizes):
+    pytest.importorskip("mujoco")
+    path = tmp_path / "arm.xml"
+    path.write_text(MJCF.format(quiet=quiet, size=size))
+    (x,) = visuals(path)
+    assert (x.shape, x.size, x.colour) == (shape, sizes, pytest.approx((0.5, 0.6, 0.7, 1)))
+    assert x.place == pytest.approx((1, 2, 3, 0, 0, 1, 0))
+
+
+def test_meshes_of_mujoco_are_at_their_places(tmp_path):
+    """MuJoCo moves vertices to the centre and the geom to where that was."""
+    pytest.importorskip("mujoco")
+    path = tmp_path / "arm.xml"
+    path.write_text(MJCF.format(quiet="mesh", size='mesh="tent"').replace('quat="0 0 0 2"', ""))
+    (x,) = visuals(path)
+    q, v = np.array(x.place[3:]), x.mesh.vertices
+    t = 2 * np.cross(q[:3], v)
+    placed = v + q[3] * t + np.cross(q[:3], t) + x.place[:3]
+    wanted = np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]]) + [1, 2, 3]
+    for corner in wanted:
+        assert np.abs(placed - corner).max(1).min() < 1e-6
+    assert len(x.mesh.faces) == 4
+
+
+def test_all_geoms_are_seen_where_all_touch(tmp_path):
+    pytest.importorskip("mujoco")
+    path = tmp_path / "arm.xml"
+    path.write_text(MJCF.format(quiet="box", size='size="1 1 1"').replace(
+        'contype="0" conaffinity="0"', ""))
+    assert [x.shape for x in visuals(path)] == ["sphere", "box"]
+    assert visuals(path)[0].colour == (1, 0, 0, 0.5)

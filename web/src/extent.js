@@ -1,13 +1,15 @@
 // The space that a robot sweeps: its size, its centre at each time, and the points to be framed.
 import { Quaternion, Vector3 } from "three";
 
-const INSTANTS = 24;
+const POINTS = 8000, FEWEST = 24, MOST = 240;  // instants, for so many points in all
 
 export class Extent {
   // `turn` brings the recording's upward direction to z.
   constructor(recording, robot, turn) {
-    const times = recording.main.times, every = Math.max(1, Math.floor(times.length / INSTANTS));
+    const times = recording.main.times;
     const corners = recording.bodies.map((_, body) => robot.corners(body));
+    const instants = Math.min(Math.max(POINTS / corners.flat().length, FEWEST), MOST);
+    const every = Math.max(1, Math.floor(times.length / instants));
     const still = robot.corners(-1).map(x => x.clone().applyQuaternion(turn));
     this.low = new Vector3(Infinity, Infinity, Infinity);
     this.high = this.low.clone().negate();

@@ -95,14 +95,14 @@ def _geometries(path: Path) -> list[tuple[np.ndarray, np.ndarray, tuple[float, .
 
     logging.getLogger("trimesh").setLevel(logging.CRITICAL)
     scene, results = trimesh.load_scene(path), []
-    unit = str(scene.metadata.get("units", "")).partition(" * meters")
-    metres = float(unit[0]) if unit[1] else 1.0
     for node in scene.graph.nodes_geometry:
         transform, name = scene.graph[node]
         mesh = scene.geometry[name]
         if isinstance(mesh, trimesh.Trimesh) and len(mesh.faces):
             at = np.asarray(mesh.vertices, float) @ transform[:3, :3].T + transform[:3, 3]
             faces = np.asarray(mesh.faces, np.int64)
+            unit, of_metres, _ = str(mesh.metadata.get("units", "")).partition(" * meters")
+            metres = float(unit) if of_metres else 1.0
             mirrored = np.linalg.det(transform[:3, :3]) < 0
             results.append((metres * at, faces[:, ::-1] if mirrored else faces,
                             _colour(mesh) if path.suffix.lower() in _COLOURED else ()))

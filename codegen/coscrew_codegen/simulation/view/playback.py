@@ -5,7 +5,7 @@
 
 `web/` holds the sources of the player; what the templates hold of it is built from them."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Sequence, Set
 from pathlib import Path
 
 import numpy as np
@@ -50,7 +50,7 @@ def page(results: Sequence[Result], besides: Sequence[PageRun] = (),
         runs.append(target)
     groups = page_signals.grouped(first.system, first.recording.columns,
                                   [x.columns for x in runs])
-    data = {"runs": [_packed(x, block) for x in runs], **_model(first.system),
+    data = {"runs": [_packed(x, block) for x in runs], **_model(first.system, {x.body for x in drawing.parts}),
             **_parts(drawing, block), "groups": page_signals.packed(groups, block),
             "arrows": [*page_signals.arrows(first.system, runs[0].columns)],
             "ties": [*page_signals.ties(first.system)]}
@@ -93,8 +93,8 @@ def _packed(run: PageRun, block: Block) -> Json:
             "poses": block.put(run.poses.transpose(1, 2, 0), "f4")}
 
 
-def _model(system: System) -> dict[str, Json]:
-    """Bodies, joints, labels and the upward direction."""
+def _model(system: System, shown: Set[int]) -> dict[str, Json]:
+    """Bodies, joints, labels of the bodies that are shown, and the upward direction."""
     model = system.scene.model
     numbers = {WORLD: -1, **{body.name: n for n, body in enumerate(model.bodies)}}
     bodies: list[Json] = []
@@ -107,7 +107,7 @@ def _model(system: System) -> dict[str, Json]:
     joints: list[Json] = [{"name": x.name, "moves": x.kind.moves, "child": numbers[x.child]}
               for x in model.joints]
     labels = [{"name": x.name, "body": n, "at": numbers_of(system, x.inertia.com).tolist()}
-              for n, x in enumerate(model.bodies) if x.inertia]
+              for n, x in enumerate(model.bodies) if x.inertia and n in shown]
     return {"bodies": bodies, "joints": joints, "labels": labels, "up": _up(system),
             "tracked": _tracked(system, numbers)}
 
