@@ -61,7 +61,8 @@ export class Clock {
   show() {
     $("time").value = this.time;
     $("time").setAttribute("aria-valuetext", `${this.time.toFixed(this.digits)} seconds`);
-    $("clock").textContent = `${this.time.toFixed(this.digits)} / ${Number(this.end.toPrecision(5))} s`;
+    const end = Number(this.end.toPrecision(5));
+    $("clock").textContent = `${this.time.toFixed(this.digits)} / ${end} s`;
     $("play").setAttribute("aria-label", this.playing ? "Pause" : "Play");
     $("play").querySelector("path").setAttribute("d", this.playing ? PAUSE : PLAY);
   }
