@@ -108,8 +108,8 @@ SPRUNG = """<mujoco><compiler angle="radian"/><worldbody>
 
 
 def test_effects_of_the_attached_file_are_named_by_the_prefix(scene, tmp_path):
-    """A spring and an armature of a joint, damping, gravity compensation of bodies, one of which
-    moves only here; the remedies of the notices are tables that act."""
+    """A spring and an armature of a joint, damping, gravity compensation of bodies, also of one
+    that moves only here; the remedies of the notices are tables that act."""
     (tmp_path / "sprung.xml").write_text(SPRUNG)
     table = '[attach.s]\nmodel = "sprung.xml"\nto = "hand"\nplace = { xyz = [0, 0, 0.1] }\n'
     notices = [x for x in scene(table).notices if x.remedy]
@@ -259,7 +259,7 @@ def test_errors_name_the_table_and_the_way(scene, text, where, words):
 
 
 def test_errors_in_the_attached_file_name_its_line(scene):
-    """As if it were read alone: by its own names, with its own lines."""
+    """By its own names, with its own lines, as in the file alone."""
     wrong = GRIPPER.replace('<parent link="PREpalm"/><child link="PREright"/>',
                             '<parent link="PREplam"/><child link="PREright"/>')
     with pytest.raises(SceneError, match=r"gripper\.urdf: line 10, joint 'shut': parent 'plam' is "

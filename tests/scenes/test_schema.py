@@ -201,7 +201,7 @@ def test_a_scene_with_every_key_is_read_and_valid(tmp_path):
     assert is_read(scene, tmp_path) and not errors(scene)
     for table in TABLES:
         for key in table.names:
-            of_files = ("model", "arguments", "packages", "leave_out")
+            of_files = ("model", "arguments", "packages", "leave_out", "prefix")
             assert key in of_files or re.search(rf"\b{key}\b", FULL), f"{table.heading}: {key}"
 
 

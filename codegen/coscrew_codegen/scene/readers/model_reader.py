@@ -80,7 +80,7 @@ class Parts:
                           source.implausible)
 
     def mimics_by_file(self, source: ModelSource) -> dict[str, str]:
-        """Where followers stand, with the file's name: "arm.urdf, line 7"."""
+        """The places of followers, with the file's name: "arm.urdf, line 7"."""
         return {name: at if f"joint {name!r}" in self.elsewhere else f"{source.path.name}, {at}"
                 for name, at in self.mimic_places.items()}
 
