@@ -68,6 +68,7 @@ class Box:
         results = {**values, "q": its.normalized(values["q"]), "h": np.full(count, self.step),
                    "p": np.tile(np.array(its.p, float), (count, 1))}
         results = {name: _single(x) for name, x in results.items()}
+        results["q1"] = np.roll(results["q"], 1, axis=0)
         results["phi"] = _single(results["h"][:, None] * results["v"])
         if its.has("free_momentum"):
             results["c"] = _single(its.call("free_momentum", **results))
