@@ -22,8 +22,7 @@ STEP = "step_leapfrog_tau"
 NAMES = ("difference", "difference_tangent", "chart", "inverse_dynamics_adjoint",
          "forward_dynamics_tangent", "energy_adjoint", "jacobian_lower_tangent", STEP,
          f"{STEP}_derivatives", f"{STEP}_tangent", f"{STEP}_adjoint")
-TIERED = ("inverse_dynamics_tangent", "forward_dynamics_adjoint", "difference",
-          "step_semi_implicit_euler_tau_derivatives")
+TIERED = ("inverse_dynamics_tangent", "energy_adjoint", "difference")
 
 
 @pytest.fixture(scope="module")
