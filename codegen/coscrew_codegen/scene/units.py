@@ -50,30 +50,30 @@ def masses(kinds: Kinds) -> tuple[str, ...]:
 
 def torques_by_displacements(kinds: Kinds) -> tuple[str, ...]:
     """Units of ∂tau/∂q, row by row."""
-    return _over(torques(kinds), displacements(kinds))
+    return over(torques(kinds), displacements(kinds))
 
 
 def torques_by_velocities(kinds: Kinds) -> tuple[str, ...]:
     """Units of ∂tau/∂v, row by row."""
-    return _over(torques(kinds), velocities(kinds))
+    return over(torques(kinds), velocities(kinds))
 
 
 def accelerations_by_displacements(kinds: Kinds) -> tuple[str, ...]:
     """Units of ∂a/∂q, row by row."""
-    return _over(accelerations(kinds), displacements(kinds))
+    return over(accelerations(kinds), displacements(kinds))
 
 
 def accelerations_by_velocities(kinds: Kinds) -> tuple[str, ...]:
     """Units of ∂a/∂v, row by row."""
-    return _over(accelerations(kinds), velocities(kinds))
+    return over(accelerations(kinds), velocities(kinds))
 
 
 def accelerations_by_torques(kinds: Kinds) -> tuple[str, ...]:
     """Units of M⁻¹, row by row."""
-    return _over(accelerations(kinds), torques(kinds))
+    return over(accelerations(kinds), torques(kinds))
 
 
-def _over(rows: Sequence[str], columns: Sequence[str]) -> tuple[str, ...]:
+def over(rows: Sequence[str], columns: Sequence[str]) -> tuple[str, ...]:
     """Units of a Jacobian, row by row: of results over those of arguments."""
     return tuple(f"{row}/({column})" if " " in column or "/" in column else f"{row}/{column}"
                  for row in rows for column in columns)
