@@ -35,6 +35,8 @@ class AxisLength(Enum):
     BODIES = "bodies"
     PARAMETERS = "run-time parameters"
     FLOATING = "floating trees"
+    LINEAR = "parameters on which torques depend linearly"
+    BASE = "base parameters"
 
 
 @dataclass(frozen=True)
@@ -152,6 +154,18 @@ class Dynamics(Protocol):
     def acceleration_derivatives(self) -> Results:
         """∂a/∂q, ∂a/∂v and ∂a/∂tau = M⁻¹ of forward dynamics, row by row."""
 
+    def torque_regressor(self) -> Results:
+        """Y, row by row, and tau0 of tau = Y pi + tau0."""
+
+    def linear_parameters(self) -> Numbers:
+        """pi."""
+
+    def base_regressor(self) -> Results:
+        """Y, row by row, and tau0 of tau = Y beta + tau0."""
+
+    def base_parameters(self) -> Numbers:
+        """beta."""
+
     def energies(self) -> Numbers:
         """(kinetic, potential) energy."""
 
@@ -228,6 +242,26 @@ class Dynamics(Protocol):
         """The number and length of the parts of a step that resolve contacts of limits."""
 
 
+class LinearNames(Protocol):
+    """Parameters on which the torques of a scene depend linearly."""
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        """Their names: forearm.m, viscous.elbow.d."""
+
+    @property
+    def units(self) -> tuple[str, ...]:
+        """The unit of each."""
+
+    @property
+    def base_names(self) -> tuple[str, ...]:
+        """Combinations of them that determine the torques: wrist.mx + 0.11 hand.m."""
+
+    @property
+    def base_units(self) -> tuple[str, ...]:
+        """The unit of each combination."""
+
+
 class Situation(Protocol):
     """Properties of a scene on which functions depend."""
 
@@ -236,6 +270,14 @@ class Situation(Protocol):
     @property
     def floating(self) -> tuple[str, ...]:
         """The first bodies of trees on which gravity is the only external force."""
+
+    @property
+    def kinds(self) -> tuple[str, ...]:
+        """The kinds of the joints with coordinates of their own."""
+
+    @property
+    def linear(self) -> LinearNames:
+        """The parameters on which its torques depend linearly."""
 
     @property
     def closes(self) -> bool:
@@ -311,6 +353,7 @@ class SceneFunction:
     divides: bool = False  # by the mass matrix, or called only by functions that do
     lacks: Callable[[Situation], str] | None = None  # "" if a scene can have it
     words_in: Callable[[Situation], str] | None = None  # where words depend on the scene
+    units_in: Callable[[Situation], tuple[str, ...]] | None = None  # of all results, likewise
     internal: bool = False  # called by steps alone, so that it cannot be selected
     targets: Callable[[Scene], Mapping[str, str]] | None = None  # of a family: what stands in
     # names for BODY or JOINT, and the body or joint

@@ -39,7 +39,7 @@ def displacements(kinds: Kinds) -> tuple[str, ...]:
 
 def coordinates_by_displacements(kinds: Kinds) -> tuple[str, ...]:
     """Units of ∂(q ⊕ phi)/∂phi, row by row."""
-    return _over(coordinates(kinds), displacements(kinds))
+    return over(coordinates(kinds), displacements(kinds))
 
 
 def torques(kinds: Kinds) -> tuple[str, ...]:
@@ -55,30 +55,30 @@ def masses(kinds: Kinds) -> tuple[str, ...]:
 
 def torques_by_displacements(kinds: Kinds) -> tuple[str, ...]:
     """Units of ∂tau/∂q, row by row."""
-    return _over(torques(kinds), displacements(kinds))
+    return over(torques(kinds), displacements(kinds))
 
 
 def torques_by_velocities(kinds: Kinds) -> tuple[str, ...]:
     """Units of ∂tau/∂v, row by row."""
-    return _over(torques(kinds), velocities(kinds))
+    return over(torques(kinds), velocities(kinds))
 
 
 def accelerations_by_displacements(kinds: Kinds) -> tuple[str, ...]:
     """Units of ∂a/∂q, row by row."""
-    return _over(accelerations(kinds), displacements(kinds))
+    return over(accelerations(kinds), displacements(kinds))
 
 
 def accelerations_by_velocities(kinds: Kinds) -> tuple[str, ...]:
     """Units of ∂a/∂v, row by row."""
-    return _over(accelerations(kinds), velocities(kinds))
+    return over(accelerations(kinds), velocities(kinds))
 
 
 def accelerations_by_torques(kinds: Kinds) -> tuple[str, ...]:
     """Units of M⁻¹, row by row."""
-    return _over(accelerations(kinds), torques(kinds))
+    return over(accelerations(kinds), torques(kinds))
 
 
-def _over(rows: Sequence[str], columns: Sequence[str]) -> tuple[str, ...]:
+def over(rows: Sequence[str], columns: Sequence[str]) -> tuple[str, ...]:
     """Units of a Jacobian, row by row: of results over those of arguments."""
     return tuple(
         "1" if row == column else
@@ -115,18 +115,18 @@ def states(kinds: Kinds) -> tuple[str, ...]:
 
 def states_by_states(kinds: Kinds) -> tuple[str, ...]:
     """Units of the derivatives of q and v after a step by those before it, row by row."""
-    return _over(states(kinds), states(kinds))
+    return over(states(kinds), states(kinds))
 
 
 def states_by_torques(kinds: Kinds) -> tuple[str, ...]:
     """Units of the derivatives of q and v after a step by torques, row by row."""
-    return _over(states(kinds), torques(kinds))
+    return over(states(kinds), torques(kinds))
 
 
 def reciprocals(of: Units) -> Units:
     """The units over which a derivative of a number is: 1/m for m."""
     def inverted(kinds: Kinds) -> tuple[str, ...]:
-        return _over(("1",), of(kinds) if callable(of) else of)
+        return over(("1",), of(kinds) if callable(of) else of)
     return inverted
 
 
