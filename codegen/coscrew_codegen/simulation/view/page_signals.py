@@ -14,7 +14,7 @@ from coscrew_codegen.scene.units import UNITS
 from coscrew_codegen.simulation.recordings.recording import Column
 from coscrew_codegen.simulation.system import System
 from coscrew_codegen.simulation.view.body_shapes import numbers_of
-from coscrew_codegen.simulation.view.page_block import Block
+from coscrew_codegen.simulation.view.page_block import NumberBlock
 
 Columns = Mapping[str, np.ndarray]
 """Values by the names of columns, at the times of a run's poses."""
@@ -26,7 +26,7 @@ _FORCE, _REACTION = "#e5484d", "#f76b15"
 
 
 @dataclass
-class Group:
+class SignalGroup:
     """Signals of one quantity and unit: (name, label, run, values)."""
 
     quantity: str
@@ -35,12 +35,13 @@ class Group:
     signals: list[tuple[str, str, int, np.ndarray]] = field(default_factory=list)
 
 
-def grouped(system: System, columns: Sequence[Column], runs: Sequence[Columns]) -> list[Group]:
+def grouped(system: System, columns: Sequence[Column], runs: Sequence[Columns]
+            ) -> list[SignalGroup]:
     """The groups with the signals of each run that has them: first coordinates and energies."""
-    groups: dict[tuple[str, str], Group] = {}
+    groups: dict[tuple[str, str], SignalGroup] = {}
     for column in (*_energies(), *columns):
         title, label, quantity = _named(column, system)
-        group = groups.setdefault((title, column.unit), Group(
+        group = groups.setdefault((title, column.unit), SignalGroup(
             quantity, title, _unit(column.unit)))
         if column.name not in {name for name, *_ in group.signals}:
             group.signals += [(column.name, label, number, run[column.name])
@@ -89,7 +90,7 @@ def _unit(unit: str) -> str:
     return "" if unit == "1" else unit.replace("^2", "²").replace("N m", "N·m")
 
 
-def packed(groups: Sequence[Group], block: Block) -> Json:
+def packed(groups: Sequence[SignalGroup], block: NumberBlock) -> Json:
     """The groups for the page.  Values are single precision, less the middle of their range."""
     first = {x.quantity: x for x in reversed(groups)}
     return [{"title": x.title, "unit": x.unit, "shown": first[x.quantity] is x and
@@ -98,7 +99,7 @@ def packed(groups: Sequence[Group], block: Block) -> Json:
         for name, label, run, values in x.signals]} for x in groups]
 
 
-def _values(values: np.ndarray, block: Block) -> dict[str, Json]:
+def _values(values: np.ndarray, block: NumberBlock) -> dict[str, Json]:
     finite = values[np.isfinite(values)]
     base = float(finite.max() / 2 + finite.min() / 2) if finite.size else 0.0
     with np.errstate(over="ignore", invalid="ignore"):
