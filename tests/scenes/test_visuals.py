@@ -131,7 +131,7 @@ def test_sizes_are_positive(tmp_path):
 
 
 def test_visuals_change_no_hash(tmp_path):
-    """So nothing is derived or compiled anew for them."""
+    """Nothing is derived or compiled anew for them."""
     plain = hashed(read(urdf(tmp_path)))
     assert hashed(read(urdf(tmp_path, visual('<sphere radius="1"/>')))) == plain
 

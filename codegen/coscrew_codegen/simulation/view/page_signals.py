@@ -22,6 +22,7 @@ _TITLES = {"q": "Positions q", "v": "Velocities v", "a": "Accelerations a"}
 _FIRST = ("q", "energy", "v", "power", "a")  # groups, in the order in which they are shown
 _ENERGY = "energy"
 _SHOWN = ("q", _ENERGY)  # of each of these the first group is plotted from the start
+_NARROW = 0.1  # range, of the values
 _FORCE, _REACTION = "#e5484d", "#f76b15"
 
 
@@ -91,7 +92,7 @@ def _unit(unit: str) -> str:
 
 
 def packed(groups: Sequence[SignalGroup], block: NumberBlock) -> Json:
-    """The groups for the page.  Values are single precision, less the middle of their range."""
+    """The groups for the page.  Values are single precision, less the middle of a narrow range."""
     first = {x.quantity: x for x in reversed(groups)}
     return [{"title": x.title, "unit": x.unit, "shown": first[x.quantity] is x and
              x.quantity in _SHOWN, "signals": [
@@ -101,7 +102,10 @@ def packed(groups: Sequence[SignalGroup], block: NumberBlock) -> Json:
 
 def _values(values: np.ndarray, block: NumberBlock) -> dict[str, Json]:
     finite = values[np.isfinite(values)]
-    base = float(finite.max() / 2 + finite.min() / 2) if finite.size else 0.0
+    low, high = (float(finite.min()), float(finite.max())) if finite.size else (0.0, 0.0)
+    base = low / 2 + high / 2
+    if low <= 0 <= high or high - low > _NARROW * abs(base):  # zero stays zero
+        base = 0.0
     with np.errstate(over="ignore", invalid="ignore"):
         return {"base": base, "values": block.put(np.asarray(values, float) - base, "f4")}
 
