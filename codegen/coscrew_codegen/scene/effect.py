@@ -170,6 +170,24 @@ class Torque:
 
 
 @dataclass(frozen=True)
+class Slopes:
+    """-∂force/∂v and -∂force/∂q along a coordinate, in N s/m and N/m (a joint's: N m s and N m), or
+    bounds of them; at least 0."""
+
+    damping: Number
+    stiffness: Number
+
+
+@dataclass(frozen=True)
+class PointSlopes:
+    """The slopes of a force along a direction of length 1, in the body's frame, and across it."""
+
+    across: Slopes
+    along: Slopes
+    direction: Vector
+
+
+@dataclass(frozen=True)
 class Force:
     """Force on a body at a point of it and a moment, in the body's frame; energy and power as in
     Torque.
@@ -177,15 +195,15 @@ class Force:
     Without point, force and moment they follow from the energy: -∂energy/∂(position, rotation).
     Such an energy may depend on the body's pose and on time, not on its motion.
 
-    `damping` is a bound of -∂force/∂(the point's velocity), in N s/m: implicit steps take it in as
-    a point mass h · damping there."""
+    `slopes` are -∂force/∂ of the point's velocity and position: implicit steps take them in as
+    inertias at the point."""
 
     point: Vector | None = None
     force: Vector | None = None
     moment: Vector | None = None
     energy: Number | None = None
     power: Number | None = None
-    damping: Number | None = None
+    slopes: Slopes | PointSlopes | None = None  # Slopes: the same in all directions
 
 
 def required(x: K | None) -> K:

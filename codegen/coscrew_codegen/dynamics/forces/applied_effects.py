@@ -32,6 +32,8 @@ from coscrew_codegen.scene.effect import (
     CoordinateState,
     Effect,
     Force,
+    PointSlopes,
+    Slopes,
     Torque,
     required,
 )
@@ -56,6 +58,27 @@ class AppliedForce:
         """[Ad]* c: force and moment about the link's origin, in its frame."""
         frame = self.state.frame(required(self.force.point))
         return self.state.t.recorder.call("product_CoAdc", frame, self.wrench)
+
+    @property
+    def point_in_link(self) -> Vector:
+        """Where it acts, in the link's frame."""
+        return self.state.in_link(required(self.force.point))
+
+    @property
+    def across(self) -> Slopes:
+        """Its slopes across their direction, or in all directions if they have none."""
+        slopes = self.force.slopes
+        return slopes.across if isinstance(slopes, PointSlopes) else required(slopes)
+
+    @property
+    def along(self) -> tuple[Slopes, tuple[Number, ...]] | None:
+        """Its slopes along a direction, and the wrench on the link of 1 N along it; None if they
+        are the same in all directions."""
+        slopes = self.force.slopes
+        if not isinstance(slopes, PointSlopes):
+            return None
+        unit = Force(self.force.point, slopes.direction)
+        return slopes.along, AppliedForce(self.state, unit).on_link
 
     def power(self) -> Number:
         """f·v + τ·ω."""
@@ -194,10 +217,9 @@ class AppliedEffects:
             total = add(total, x.on_link)
         return total
 
-    def resisting(self, link: int) -> list[tuple[Number, Vector]]:
-        """(damping, point in the link) of each force with a damping."""
-        return [(x.force.damping, x.state.in_link(required(x.force.point)))
-                for x in self.forces.get(link, ()) if x.force.damping]
+    def resisting(self, link: int) -> list[AppliedForce]:
+        """The forces on a link that have slopes."""
+        return [x for x in self.forces.get(link, ()) if x.force.slopes]
 
     def potential(self) -> Number:
         """The sum of the potential energies of effects."""
