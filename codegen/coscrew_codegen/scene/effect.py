@@ -139,6 +139,9 @@ class BodyState(Protocol):
     def velocity(self, point: Vector) -> Vector:
         """v + ω × x: the velocity of a point of the body."""
 
+    def velocity_in_fluid(self, point: Vector) -> Vector:
+        """The velocity of a point of the body less that of the fluid around it."""
+
 
 @dataclass(frozen=True)
 class Contact:
@@ -234,6 +237,7 @@ class Effect:
     ascending: tuple[str, str] | None = None  # the ends of the range it keeps a
     # joint in; the first must not exceed the second
     gravity: Callable[[Values], Vector] | None = None  # in the world's frame
+    wind: Callable[[Values], Vector] | None = None  # the fluid's velocity, in the world's frame
     joint_torque: Callable[[CoordinateState, Values], Torque] | None = None
     joint_inertia: Callable[[Values], Number] | None = None
     body_force: Callable[[BodyState, Values], Force] | None = None
@@ -242,6 +246,7 @@ class Effect:
     limited_by: str = ""  # the parameter that limits its torque, if given
     compensates: str = ""  # the flag with which its torque includes `holding` of CoordinateState
     massive: bool = False  # acts on a body by its mass and inertia: only on bodies that have them
+    in_fluid: bool = False  # its force depends on the fluid's motion
     reaction: bool = False  # selects the joint's reaction function
     mimic: bool = False  # makes followers follow
     alone: bool = False  # acts, with the model's numbers, where a model's file is taken alone

@@ -172,13 +172,22 @@ class AppliedEffects:
         return self._holding_torques[self.motion.tree.links[link].v.start]
 
     @cached_property
+    def _wind(self) -> Vector | None:
+        """The velocity of the fluid, in the world's frame; None if it is at rest."""
+        for applied in self.scene.effects:
+            if applied.effect.wind:
+                with self.recorder.part("wind", heading="wind"):
+                    return applied.effect.wind(settings(self.recorder, applied.values, self.t))
+        return None
+
+    @cached_property
     def _holding_torques(self) -> list[Number]:
         return holding_torques(self.motion)
 
     def _body(self, name: str) -> BodyOfLink:
         (link, placed), numbers = self.motion.tree.link_and_body(name), self.recorder.numbers
         place = displacement(numbers(placed.placement.R), numbers(placed.placement.t))
-        return BodyOfLink(placed.body.inertia, self.t, self.motion, link, place)
+        return BodyOfLink(placed.body.inertia, self.t, self.motion, link, place, self._wind)
 
     def _pair(self, law: Law, applied: Applied) -> Paired:
         first, second = (self._body(name) for name in applied.bodies)
@@ -254,8 +263,9 @@ def _own_power(x: Torque | Force, whole: Callable[[], Number]) -> Number | int:
 
 
 def alone(scene: Scene, applied: Applied) -> Scene:
-    """The scene with this effect alone."""
-    return replace(scene, effects=(applied,))
+    """The scene with this effect alone, in the same wind."""
+    wind = (x for x in scene.effects if x.effect.wind and x is not applied)
+    return replace(scene, effects=(applied, *wind))
 
 
 def gravity(scene: Scene, recorder: Recorder) -> Vector | None:

@@ -1,4 +1,4 @@
-"""Drag: the resistance of still fluid to a point of a body, quadratic or linear in its speed."""
+"""Drag: the resistance of the fluid to a point of a body, quadratic or linear in its speed."""
 
 from fractions import Fraction
 
@@ -21,7 +21,7 @@ _AT_REST = Fraction(1, 10**30)
 def _force(state: BodyState, values: Values) -> Force:
     """-½ rho area |u| u, whose slope is rho area |u| along u and half of it across; or -b u."""
     point = values.vector("point")
-    u, zero = state.velocity(point), state.t.like(0)
+    u, zero = state.velocity_in_fluid(point), state.t.like(0)
     if values.word("kind") == "stokes":
         return Force(point, negative(scaled(values["b"], u)), slopes=Slopes(values["b"], zero))
     speed = sqrt(dot(u, u))
@@ -31,8 +31,9 @@ def _force(state: BodyState, values: Values) -> Force:
 
 
 EFFECT = Effect(
-    "drag", "resistance of still fluid at a point of a body",
-    "quadratic: f = -rho area |u| u / 2; stokes: f = -b u; u the point's velocity", Place.BODY,
+    "drag", "resistance of the fluid at a point of a body",
+    "quadratic: f = -rho area |u| u / 2; stokes: f = -b u; u the point's velocity in the fluid",
+    Place.BODY,
     (ParameterOf("kind", "", "law of resistance", "choice", "quadratic",
                  choices=("quadratic", "stokes")),
      ParameterOf("rho", "kg/m^3", "density of the fluid", of=("quadratic",), nonnegative=True),
@@ -40,4 +41,4 @@ EFFECT = Effect(
                  nonnegative=True),
      ParameterOf("b", "N s/m", "resistance by speed", of=("stokes",), nonnegative=True),
      ParameterOf("point", "m", "where it acts, in the body's frame", "vector", (Fraction(0),) * 3)),
-    body_force=_force)
+    body_force=_force, in_fluid=True)
