@@ -81,8 +81,8 @@ def test_the_effect_alone_is_in_the_same_wind() -> None:
 
 
 def test_a_body_at_rest_in_a_gust_follows_it() -> None:
-    """v = w - w/(1 + c w s) after the time s in a steady wind, c = rho area/2m: by implicit steps,
-    twice as many of which err by a quarter."""
+    """v = w - w/(1 + c w s) after the time s in a steady wind, c = rho area/2m: by implicit steps;
+    twice as many err by a quarter."""
     f = ball(applied("drag", "b0", rho=3, area=2), applied("wind", velocity=(8, 0, 0)))
     wanted = 8 - 8 / (1 + mpf(3) / 2 * 8 / 2)
 
@@ -112,7 +112,7 @@ def test_constant_wind_takes_no_time_and_none_no_step() -> None:
     assert [x.program for x in alone.functions] == [x.program for x in none.functions]
 
 
-def test_wind_that_nothing_feels_is_told(tmp_path: Path) -> None:
+def test_wind_without_drag_is_told(tmp_path: Path) -> None:
     path = tmp_path / "calm.toml"
     path.write_text('''
 [bodies.a]

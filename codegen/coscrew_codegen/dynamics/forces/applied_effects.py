@@ -61,7 +61,7 @@ class AppliedForce:
 
     @property
     def point_in_link(self) -> Vector:
-        """Where it acts, in the link's frame."""
+        """The point at which it acts, in the link's frame."""
         return self.state.in_link(required(self.force.point))
 
     @property

@@ -13,7 +13,7 @@ _DRIVING = ("torque", "force")
 def idle(effects: tuple[Applied, ...]) -> tuple[Notice, ...]:
     """A notice for each kind of effects whose torques and forces are constant zeros, with the entry
     of `runtime` that makes them arguments: actuators of kind "torque", wrenches; and for wind that
-    no effect feels."""
+    no effect depends on."""
     effects_of: dict[str, list[str]] = {}
     for applied in effects:
         if names := list(_unset(applied)):
