@@ -40,7 +40,7 @@ class _Arguments(dict[str, str]):
 
 
 def _parts(source: ModelSource) -> Parts:
-    text, warnings = _expanded(source)
+    text, warnings = expanded(source)
     try:
         parts = urdf_parts(source, text.encode())
     except SceneError as error:
@@ -52,7 +52,7 @@ def _parts(source: ModelSource) -> Parts:
                            for x, place in parts.places.items()})
 
 
-def _expanded(source: ModelSource) -> tuple[str, list[str]]:
+def expanded(source: ModelSource) -> tuple[str, list[str]]:
     """The URDF that the file writes, and xacro's warnings."""
     import xacro
 
