@@ -47,7 +47,7 @@ def refusals(source: str) -> Iterator[tuple[int, list[str]]]:
                 yield node.lineno, texts[0] or texts[1]
 
 
-def said(folder: Path) -> str:
+def literals(folder: Path) -> str:
     """The texts that the tests hold, one a line, without the marks of regular expressions."""
     texts = []
     for path in sorted(folder.rglob("*.py")):
@@ -65,7 +65,7 @@ def is_tested(texts: list[str], tests: str) -> bool:
 
 
 def test_words_of_every_refusal_stand_in_a_test():
-    tests, untested = said(TESTS), {}
+    tests, untested = literals(TESTS), {}
     for folder in ("readers", "mechanism"):
         for path in sorted((SCENE / folder).rglob("*.py")):
             lines = [(line, texts) for line, texts in refusals(path.read_text(encoding="utf-8"))
@@ -77,7 +77,7 @@ def test_words_of_every_refusal_stand_in_a_test():
 
 
 def test_a_message_that_no_test_has_is_seen():
-    """Of the values between the words nothing is wanted; a few letters alone are not enough."""
+    """A few letters alone are not enough; values between the words do not count."""
     source = 'def f(x):\n    x.refuse("key", f"{x} is far too blue; wanted " f"{x} in red")\n'
     assert list(refusals(source)) == [(2, [" is far too blue"])]
     assert is_tested([" is far too blue"], "red is far too blue; w")

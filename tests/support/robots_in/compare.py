@@ -57,7 +57,7 @@ def _root(path: Path) -> str:
 
 
 def outcome_of(package: str, path: Path, format_: str, folder: Path) -> Outcome:
-    """What becomes of a file."""
+    """The outcome of reading and comparing a file."""
     result = Outcome(package, str(path.relative_to(folder)), format_, REFUSED)
     start = time.process_time()
     try:
@@ -126,7 +126,8 @@ def _hash(scene: Scene) -> str:
 
 
 _KINDS: tuple[tuple[str, Callable[[str], bool]], ...] = (
-    (STILL, lambda text: "has no joint that moves" in text or "nothing moves" in text),
+    (STILL, lambda text: any(
+        x in text for x in ("has no joint that moves", "nothing moves", "has no bodies"))),
     (NOT_COMPARED, lambda text: "MuJoCo says" in text))
 
 

@@ -13,7 +13,7 @@ class NotCompared(Exception):
 
 @dataclass(frozen=True)
 class Outcome:
-    """What became of a file."""
+    """A file's status, and the figures of its reading and its comparison."""
 
     package: str
     file: str

@@ -57,7 +57,7 @@ def worst(torques: Callable[[Array, Array, Array], Array], mass_matrix: Callable
 
 def worst_of_programs(scene: Scene, functions: SceneFunctions, states: Iterable[PeerState]
                       ) -> Worst:
-    """The same of a scene's derived functions, evaluated without a compiler."""
+    """The largest differences of a scene's derived functions, evaluated without a compiler."""
     f = Evaluated(scene, DOUBLE, functions)
 
     def torques(q: Array, v: Array, a: Array) -> Array:

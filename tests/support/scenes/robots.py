@@ -144,7 +144,7 @@ def paired(scene: Scene, theirs: "pin.Model", names: Collection[str], mimics: bo
 
 def paired_with(scene: Scene, functions: SceneFunctions, theirs: "pin.Model",
                 mimics: bool = False) -> Robot:
-    """The same with functions that are derived already."""
+    """A scene, with functions that are derived already, beside Pinocchio's model of it."""
     follow, offset = np.zeros((theirs.nv, functions.nv)), np.zeros(theirs.nv)
     places = {}
     for c in functions.coordinates:
