@@ -245,3 +245,11 @@ def test_a_universal_joint_with_numbers_of_an_axis_is_two(read, more):
     assert [x.name for x in joints if x.kind is Kind.REVOLUTE] == ["j", "j/2"]
     skew = text.replace("MORE", "").replace("0 -4 3", "0 -4 2")
     assert [x.name for x in read(skew).model.joints if x.kind.moves] == ["j", "j/2"]
+
+
+def test_axes_of_ball_joints_are_told_and_old_poses_read(read):
+    """Old files give ball joints an axis, and poses an empty frame."""
+    new = read(chain(hinge(kind="ball").replace("<axis><xyz>0 0 1</xyz></axis>", ""), "1.6"))
+    old = read(chain(hinge(kind="ball", pose='<pose frame="">0 0 0 0 0 0</pose>'), "1.6"))
+    assert old.model == new.model and not new.notices
+    assert any(x.endswith("of a ball joint, is not used") for x in old.unused)

@@ -61,6 +61,8 @@ REFUSED = {
                          "(auto)"),
     "pose of masses": (chain(hinge()).replace("<inertial><pose>", "<inertial><pose relative_to="
                                               "'b'>", 1), "relative to its link; wanted no rel"),
+    "frame of a pose": (chain(hinge(pose='<pose frame="a">0 0 0 0 0 0</pose>')), "frame 'a' of "
+                        "<pose>; wanted relative_to"),
     "form": (chain(hinge(pose='<pose rotation_format="wxyz">0 0 0 0 0 0</pose>')),
              "rotation_format 'wxyz'; wanted euler_rpy or quat_xyzw"),
     "quaternion": (chain(hinge(pose='<pose rotation_format="quat_xyzw">0 0 0 0 0 0 0</pose>')),

@@ -24,7 +24,7 @@ SCHEMA: Mapping[str, tuple[str, str]] = {
     "link": ("name", "pose inertial gravity kinematic velocity_decay"),
     "velocity_decay": ("", "linear angular"), "inertial": ("auto", "pose mass inertia"),
     "inertia": ("", "ixx ixy ixz iyy iyz izz"), "frame": ("name attached_to", "pose"),
-    "pose": ("relative_to degrees rotation_format", ""), "joint": (
+    "pose": ("relative_to degrees rotation_format frame", ""), "joint": (
         "name type", "parent child pose axis axis2 physics gearbox_ratio thread_pitch "
         "screw_thread_pitch gearbox_reference_body reference_body"),
     "axis": ("", "xyz dynamics limit mimic use_parent_model_frame initial_position"),

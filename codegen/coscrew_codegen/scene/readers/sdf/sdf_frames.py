@@ -113,6 +113,9 @@ class SdfFrames(SdfElements):
     def pose(self, owner: Element) -> Placement:
         """The numbers of an element's <pose>: x y z and roll pitch yaw, or a quaternion."""
         pose = self.only(owner, "pose")
+        if pose is not None and pose.attributes.get("frame"):  # of 1.5 and 1.6, where it is empty
+            self.refuse(pose, f"frame {shown(pose.attributes['frame'])} of <pose>; wanted "
+                              "relative_to")
         if pose is None or not pose.texts:
             return HERE
         form = pose.attributes.get("rotation_format", "euler_rpy")

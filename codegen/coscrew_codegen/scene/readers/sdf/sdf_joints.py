@@ -16,6 +16,7 @@ from coscrew_codegen.scene.joints.revolute import JOINT as REVOLUTE
 from coscrew_codegen.scene.joints.spherical import JOINT as SPHERICAL
 from coscrew_codegen.scene.joints.universal import JOINT as UNIVERSAL
 from coscrew_codegen.scene.mechanism import rotations
+from coscrew_codegen.scene.mechanism.joint_kind import JointKind
 from coscrew_codegen.scene.mechanism.model import (
     HERE,
     WORLD,
@@ -25,6 +26,7 @@ from coscrew_codegen.scene.mechanism.model import (
     Mimic,
     Placement,
 )
+from coscrew_codegen.scene.mechanism.notices import Notice
 from coscrew_codegen.scene.mechanism.tree import composed
 from coscrew_codegen.scene.names import or_mean
 from coscrew_codegen.scene.readers.scene_error import shown
@@ -60,7 +62,7 @@ class SdfJoints(SdfFrames):
         parent, child = self._ends(joint, scope)
         for tag in _AXES[count:] if kind is not FIXED else ():
             if axis := self.only(joint, tag):
-                self.refuse(axis, f"<{tag}> of a {word} joint; wanted none")
+                self._beyond(axis, full, kind)
         self.notices += self.unused(joint, f"joint {full}")
         if kind is FIXED:
             yield Joint(full, kind, parent, child, self.within(parent, child))
@@ -101,6 +103,14 @@ class SdfJoints(SdfFrames):
         cosine = sum((x * y for x, y in zip(first.axis, second.axis, strict=True)), Fraction(0))
         return bare and not led and abs(cosine) < _RIGHT and not (
             {first.name, second.name} & {*self.springs})
+
+    def _beyond(self, axis: Element, full: str, kind: JointKind) -> None:
+        """Refuse an axis that joints of this kind do not have; note that of a ball joint, which old
+        files have and no program uses."""
+        if kind is not SPHERICAL:
+            self.refuse(axis, f"<{axis.tag}> of a {kind.name} joint; wanted none")
+        self.notices.append(Notice("other tools' numbers", f"joint {full}", f"joint {full}: <{axis.tag}> in "
+                                   f"line {axis.line}, of a ball joint, is not used"))
 
     def _ends(self, joint: Element, scope: str) -> tuple[str, str]:
         """The links that the joint connects."""
