@@ -253,3 +253,15 @@ def test_axes_of_ball_joints_are_told_and_old_poses_read(read):
     old = read(chain(hinge(kind="ball", pose='<pose frame="">0 0 0 0 0 0</pose>'), "1.6"))
     assert old.model == new.model and not new.notices
     assert any(x.endswith("of a ball joint, is not used") for x in old.unused)
+
+
+def test_a_link_of_old_files_may_be_called_world(read):
+    """Joints then refer to it: else it were a second root.  It has another name here, which is
+    told."""
+    plain = read(chain(hinge(), "1.6"))
+    text = chain(hinge(parent="world"), "1.6").replace('link name="a"', 'link name="world"')
+    scene = read(text)
+    assert {x.name for x in scene.model.bodies} == {"world_", "b"}
+    assert [(x.kind, x.parent, x.placement) for x in scene.model.joints] == [
+        (x.kind, x.parent.replace("a", "world_"), x.placement) for x in plain.model.joints]
+    assert "body world_: is the link 'world', to which joints refer here" in scene.unused

@@ -68,6 +68,10 @@ REFUSED = {
     "quaternion": (chain(hinge(pose='<pose rotation_format="quat_xyzw">0 0 0 0 0 0 0</pose>')),
                    "quaternion that is zero"),
     "reserved": (chain(hinge(name="world")), "name 'world' of <joint>; wanted one line of text"),
+    "two of one name": (chain(hinge() + hinge()), "joint 'j': the <joint> in line 1 has this name, "
+                        "too; wanted another one"),
+    "link and joint": (chain(hinge(name="a")), "joint 'a': the <link> in line 1 has this"),
+    "world": (chain(hinge()).replace('"a"', '"world"'), "name 'world' of <link>; wanted one line"),
     "loop": (chain(hinge() + hinge(name="k")), "body 'b': is the child of two joints, 'j' and "),
     "several roots": (chain(""), "several roots ('a', 'b')"),
     "flag": (chain(hinge(), more="<static>no</static>"), "static 'no' of <model>; wanted true "),

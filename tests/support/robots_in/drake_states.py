@@ -30,7 +30,7 @@ def drake_states(scene: Scene, functions: SceneFunctions, path: Path) -> Iterato
     logging.getLogger("drake").setLevel(logging.ERROR)
     plant = MultibodyPlant(0.0)
     try:
-        Parser(plant).AddModelsFromString(_SHAPES.sub("", path.read_text()), "sdf")
+        Parser(plant).AddModelsFromString(_prepared(path.read_text()), "sdf")
         gravity = next(x for x in scene.effects if x.effect.name == "gravity")
         g = [float(value(x)) for x in gravity.vector("g")]
         plant.mutable_gravity_field().set_gravity_vector(g)
@@ -47,12 +47,21 @@ def drake_states(scene: Scene, functions: SceneFunctions, path: Path) -> Iterato
                 q[c.q.stop - 4:c.q.stop] /= np.linalg.norm(q[c.q.stop - 4:c.q.stop])
         there, T, a_there = maps.of(q, v, a)
         plant.SetPositions(context, there)
-        plant.SetVelocities(context, T @ v)
+        plant.SetVelocities(context, 0 * (T @ v))  # at rest dampers exert nothing
         forces = MultibodyForces(plant)
         plant.CalcForceElementsContribution(context, forces)
+        plant.SetVelocities(context, T @ v)
         M = plant.CalcMassMatrix(context)
         yield PeerState(q, v, a, T.T @ M @ T,
                         T.T @ plant.CalcInverseDynamics(context, a_there, forces))
+
+
+def _prepared(text: str) -> str:
+    """The text without shapes; a link called world, which Drake refuses, is called world_."""
+    text = _SHAPES.sub("", text)
+    if re.search(r"""<link name=["']world["']""", text):
+        text = re.sub(r"""(<link name=["']world|>\s*world)(["']|\s*<)""", r"\1_\2", text)
+    return text
 
 
 class _Maps:

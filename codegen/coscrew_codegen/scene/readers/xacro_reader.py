@@ -75,6 +75,7 @@ def expanded(source: ModelSource) -> tuple[str, list[str]]:
 def _in_words(error: Exception, arguments: _Arguments) -> str:
     """xacro's message on one line, with a remedy if an argument is missing."""
     line = " ".join(str(error).split()) or type(error).__name__
+    line = re.sub(r"^<class '[\w.]+'>: ", "", line)  # of an error inside of an expression
     missing = re.fullmatch(r"Undefined substitution argument (.+?)( when .*)?", line)
     if not missing:
         return f"xacro: {line[:300]}"

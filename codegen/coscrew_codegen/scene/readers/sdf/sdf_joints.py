@@ -109,13 +109,15 @@ class SdfJoints(SdfFrames):
         files have and no program uses."""
         if kind is not SPHERICAL:
             self.refuse(axis, f"<{axis.tag}> of a {kind.name} joint; wanted none")
-        self.notices.append(Notice("other tools' numbers", f"joint {full}", f"joint {full}: <{axis.tag}> in "
-                                   f"line {axis.line}, of a ball joint, is not used"))
+        of = f"joint {full}"
+        self.notices.append(Notice("other tools' numbers", of, f"{of}: <{axis.tag}> in line "
+                                   f"{axis.line}, of a ball joint, is not used"))
 
     def _ends(self, joint: Element, scope: str) -> tuple[str, str]:
         """The links that the joint connects."""
         near, far = self.text(joint, "parent"), self.text(joint, "child")
-        parent = WORLD if near == WORLD else self.link_of(self.resolved(joint, scope, near))
+        parent = WORLD if self.is_world(scope, near) else \
+            self.link_of(self.resolved(joint, scope, near))
         return parent, self.link_of(self.resolved(joint, scope, far))
 
     def _moving(self, owner: Element, tag: str, joint: Joint, scope: str) -> Joint:

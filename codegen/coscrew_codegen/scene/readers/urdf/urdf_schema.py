@@ -180,5 +180,16 @@ def is_zero(text: str) -> bool:
         return False
 
 
+def has_number(text: str) -> bool:
+    """Returns whether one of a text's words is a number."""
+    for word in text.split():
+        try:
+            decimal(word.strip(",;"))
+        except ValueError:
+            continue
+        return True
+    return False
+
+
 def _all_zero(element: Element) -> bool:
     return bool(element.attributes) and all(map(is_zero, element.attributes.values()))
