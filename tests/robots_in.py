@@ -15,6 +15,7 @@ from collections import Counter
 from collections.abc import Iterable
 from pathlib import Path
 
+import mujoco
 from tabulate import tabulate
 
 from tests.support.robots_in.compare import FORMATS, files_of, outcome_of
@@ -88,6 +89,7 @@ def main() -> int:
     installed(options.folder, [*options.packages, *([PEER] if "SDF" in options.formats else [])])
     sys.path.append(str(options.folder / PEER))
     outcomes: list[Outcome] = []
+    mujoco.set_mju_user_warning(lambda _: None)  # else it writes a file
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")
         for package in options.packages:

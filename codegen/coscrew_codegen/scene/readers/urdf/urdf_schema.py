@@ -53,7 +53,9 @@ OTHERS: Mapping[str, Mapping[str, str]] = {
                  "stiffness": "spring.k", "armature": "armature.inertia",
                  "rotor_inertia": "armature.rotor", "D": "", "K": "",
                  "mu_coulomb": "", "mu_viscous": ""},
-    "limit": {"command_effort": "", "current": "", "gear_velocity": "", "twist": ""}}
+    "limit": {"command_effort": "", "current": "", "gear_velocity": "", "stiffness": "",
+              "damping": "", "twist": ""},
+    "safety_controller": {"soft_lower": "", "soft_upper": ""}}
 """Physical numbers of other tools, in files of well-known robots, by element: the parameter of an
 effect that acts alike.  They are reported unless they are zero."""
 
