@@ -192,6 +192,15 @@ place = { xyz = [0, 0.5, 0] }
     assert model.links()["base"] == model.links()["other_base"] == "cart"
 
 
+def test_what_is_attached_is_seen(scene):
+    """Visuals of the file are those of the bodies here."""
+    seen = GRIPPER.replace('<link name="PREpalm">', '<link name="PREpalm"><visual><geometry>'
+                           '<sphere radius="0.25"/></geometry></visual>')
+    bodies = {x.name: x for x in scene(attach("grip", ""), gripper=seen).model.bodies}
+    (visual,) = bodies["grip_palm"].visuals
+    assert (visual.shape, visual.size) == ("sphere", (0.25,))
+
+
 def test_a_model_may_float_beside_another(scene):
     model = scene(attach("free", 'base = "free"').replace('"hand"', '"world"')).model
     floating, = (x for x in model.joints if x.name == "attach.free")
