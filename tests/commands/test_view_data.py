@@ -289,11 +289,11 @@ def test_bodies_of_hardly_any_mass_without_visuals_are_frames(tmp_path, monkeypa
     (result,) = arm(tmp_path, '<visual><geometry><sphere radius="1"/></geometry></visual>',
                     text=ARM + """
 [attach.payload]
-body = "arm"
+to = "arm"
 mass = 0.5
 shape = { box = [0.1, 0.2, 0.3] }
 [attach.screw]
-body = "arm"
+to = "arm"
 mass = 1e-3
 shape = { box = [0.1, 0.2, 0.3] }
 """, precision="double", until=0.1)

@@ -6,7 +6,7 @@ from pathlib import Path
 
 from coscrew_codegen.scene.joints.fixed import JOINT as FIXED
 from coscrew_codegen.scene.joints.free import JOINT as FREE
-from coscrew_codegen.scene.mechanism.model import WORLD, Body, Joint, Placement
+from coscrew_codegen.scene.mechanism.model import WORLD, Joint, Placement
 from coscrew_codegen.scene.mechanism.notices import Notice
 from coscrew_codegen.scene.mechanism.tree import composed
 from coscrew_codegen.scene.readers.declared_effects import Effects
@@ -39,7 +39,7 @@ def attached(parts: Parts, source: ModelSource, to: str, at: Placement, prefix: 
                              f"{to!r} here; wanted another name")
     joints = tuple(_joint(x, to, at, prefix, joint if x.name not in own else f"{prefix}{x.name}")
                    for x in tree.joints)
-    bodies = tuple(Body(f"{prefix}{x.name}", x.inertia) for x in tree.bodies)
+    bodies = tuple(replace(x, name=f"{prefix}{x.name}") for x in tree.bodies)
     return _renamed(replace(parts, bodies=bodies, joints=joints), parts, source, prefix)
 
 
