@@ -25,7 +25,7 @@ from coscrew_codegen.scene.readers.toml.toml_scene import read_scene
 from coscrew_codegen.scene.recorded_quantities import QuantityError, recorded
 from coscrew_codegen.scene.scene import Scene
 from coscrew_codegen.simulation.recordings.result import Result
-from tests.support.browser import chromium
+from tests.support.browser import chromium, resize
 from tests.support.scenes.effect_laws import assert_same
 from tests.support.scenes.effect_scenes import PLACES, effects, mechanism
 from tests.support.scenes.evaluation import MULTIPRECISE, Evaluated
@@ -204,6 +204,7 @@ def test_the_page_shows_recorded_effects(tmp_path: Path) -> None:
     result = run(path)
     assert main(["simulate", str(path), "--view", str(tmp_path / "driven.html")]) == 0
     with chromium() as browser:
+        resize(browser, 700, 400)
         browser.get((tmp_path / "driven.html").as_uri())
         WebDriverWait(browser, 20).until(lambda x: x.execute_script(
             "return document.documentElement.dataset.ready !== undefined;"))

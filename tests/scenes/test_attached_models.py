@@ -192,11 +192,32 @@ place = { xyz = [0, 0.5, 0] }
     assert model.links()["base"] == model.links()["other_base"] == "cart"
 
 
+def test_what_is_attached_is_seen(scene):
+    """Visuals of the file are those of the bodies here."""
+    seen = GRIPPER.replace('<link name="PREpalm">', '<link name="PREpalm"><visual><geometry>'
+                           '<sphere radius="0.25"/></geometry></visual>')
+    bodies = {x.name: x for x in scene(attach("grip", ""), gripper=seen).model.bodies}
+    (visual,) = bodies["grip_palm"].visuals
+    assert (visual.shape, visual.size) == ("sphere", (0.25,))
+
+
 def test_a_model_may_float_beside_another(scene):
     model = scene(attach("free", 'base = "free"').replace('"hand"', '"world"')).model
     floating, = (x for x in model.joints if x.name == "attach.free")
     assert (floating.kind, floating.parent, floating.child) == (Kind.FREE, "world", "free_palm")
     assert [float(x) for x in floating.placement.t] == [0, 0, 0.2]
+
+
+def test_models_may_all_be_attached_to_the_world(scene):
+    """Two arms beside each other, without a model that has another place than they."""
+    arm = '[attach.{0}]\nmodel = "arm.urdf"\nto = "world"\nplace = {{ xyz = [0, {1}, 0] }}\n'
+    text = arm.format("left", 0.5) + arm.format("right", -0.5)
+    model = scene(text + "[effects.gravity]\n", head="").model
+    assert [(x.name, x.parent, float(x.placement.t[1])) for x in model.joints[::3]] == [
+        ("attach.left", "world", 0.5), ("attach.right", "world", -0.5)]
+    assert model.links()["left_base"] == "world"
+    with pytest.raises(SceneError, match="base: no model here has a root of its own; wanted it in"):
+        scene(f'base = "free"\n{text}', head="")
 
 
 def test_records_starts_and_parameters_name_what_is_attached(scene):

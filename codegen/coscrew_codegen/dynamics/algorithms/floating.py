@@ -3,7 +3,7 @@ gravity.  Their motion as a whole is known at all times: momentum p(t) = p + m g
 momentum about the centre of mass, and the centre of mass x(t) = x + p t/m + g t²/2."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 from coscrew_codegen.algebra.recording.numbers import (
     Number,
@@ -24,7 +24,7 @@ from coscrew_codegen.dynamics.algorithms import crba, energies
 from coscrew_codegen.dynamics.algorithms.bodies import Rigid
 from coscrew_codegen.dynamics.algorithms.linear_systems import Factors, factored
 from coscrew_codegen.dynamics.algorithms.motion import Motion
-from coscrew_codegen.dynamics.forces.applied_effects import AppliedEffects, gravity
+from coscrew_codegen.dynamics.forces.applied_effects import AppliedEffects, alone, gravity
 from coscrew_codegen.dynamics.function_recording import FunctionRecording
 from coscrew_codegen.scene.mechanism.tree import Tree
 from coscrew_codegen.scene.scene import Applied, Scene
@@ -58,7 +58,7 @@ def _idle(scene: Scene, tree: Tree, applied: Applied) -> bool:
                          array("q", (tree.nq,)), array("v", (tree.nv,))])
     motion = Motion(recorder, tree, [f"link{n}" for n in range(len(tree.links))],
                     gravity(scene, recorder))
-    acting = AppliedEffects(replace(scene, effects=(applied,)), motion).act()
+    acting = AppliedEffects(alone(scene, applied), motion).act()
     return all(x.is_zero for link in acting.forces for x in acting.force(link))
 
 

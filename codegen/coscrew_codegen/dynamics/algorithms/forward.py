@@ -2,12 +2,12 @@
 
 An implicit step solves (M + m) a = tau - c v, where the inertia m and the torque c v represent the
 damping and stiffness of the effects within the step.  For effects at joints these are diagonal, for
-forces that resist the motion of a point they are point masses, and for forces between two bodies
-they are terms m e e^T with the row e^T of the rate l' = e^T v, so that a common motion of both
-bodies is not damped.
+forces on a point they are point masses, with another mass along one direction, and for forces
+between two bodies they are terms m e e^T with the row e^T of the rate l' = e^T v, so that a common
+motion of both bodies is not damped.
 """
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 
@@ -26,7 +26,8 @@ from coscrew_codegen.dynamics.algorithms.bodies import Rigid, rigid_of
 from coscrew_codegen.dynamics.algorithms.linear_systems import factored
 from coscrew_codegen.dynamics.algorithms.motion import Motion
 from coscrew_codegen.dynamics.algorithms.rnea import Wrench
-from coscrew_codegen.dynamics.forces.applied_effects import AppliedEffects, Paired
+from coscrew_codegen.dynamics.forces.applied_effects import AppliedEffects, AppliedForce, Paired
+from coscrew_codegen.scene.effect import Slopes, required
 
 Weights = Callable[[Number, Number, Number], tuple[Number, Number]]
 """(damping, stiffness, damping over the inertia that it acts on, in 1/s) -> (m, c)."""
@@ -35,6 +36,15 @@ _LEAST = Fraction(1, 10**30)
 """kg: used instead of a mass of zero."""
 
 _Solve = Callable[[Joint, Sequence[Wrench]], list[Number]]
+
+
+@dataclass(frozen=True)
+class _Row:
+    """The term mass e e^T of a link's articulated inertia; e a wrench on the link."""
+
+    link: int
+    mass: Number
+    e: Wrench
 
 
 @dataclass(frozen=True)
@@ -73,12 +83,12 @@ def implicit(motion: Motion, acting: AppliedEffects, rigids: Sequence[Rigid],
         return torques[k] - c * start.motion.v[k], own[k] + mass
 
     joint: Joint = at_joint
-    solve = _solver(motion, _with_point_masses(motion, start, rigids, weights))
+    solve = _solver(motion, *_resisted(motion, start, rigids, weights))
     for number, pair in enumerate(start.pairs):
         with motion.recorder.part(f"pair_{number}", heading="pairs of bodies"):
             solve, joint = _with_pair(motion, pair, acting.pairs[number], weights, solve, joint)
     wrenches = rnea.net_wrenches(motion, rigids, acting)
-    return Implicit(solve(joint, _about(motion, wrenches, acting, start)), rates)
+    return Implicit(solve(joint, _about(motion, wrenches, acting, start, rigids, weights)), rates)
 
 
 def inverse_inertia(motion: Motion, rigids: Sequence[Rigid], inertias: Mapping[str, Number],
@@ -127,44 +137,76 @@ def _gathered(motion: Motion, of_links: Mapping[int, Number], power: int = 1) ->
     return result
 
 
-def _with_point_masses(motion: Motion, acting: AppliedEffects, rigids: Sequence[Rigid],
-                       weights: Weights) -> list[Rigid]:
-    """The links' inertias with point masses m for the forces that resist the motion of a point."""
-    results = list(rigids)
-    for number in range(len(results)):
+def _resisted(motion: Motion, acting: AppliedEffects, rigids: Sequence[Rigid], weights: Weights
+              ) -> tuple[list[Rigid], list[_Row]]:
+    """The links' inertias with point masses m for the forces on points of them, and rows for the
+    directions in which these have other slopes."""
+    bodies, rows = list(rigids), []
+    for number, body in enumerate(rigids):
         with motion.part(number, "B"):
-            for damping, point in acting.resisting(number):
-                rate = damping / maximum(rigids[number].m, _LEAST)
-                mass, _ = weights(damping, damping.like(0), rate)
-                results[number] = _with_mass(results[number], mass, point)
-    return results
+            for force in acting.resisting(number):
+                across, _ = _represented(force.across, body, weights)
+                bodies[number] = _with_mass(bodies[number], across, force.point_in_link)
+                if force.along:
+                    slopes, e = force.along
+                    along, _ = _represented(slopes, body, weights)
+                    rows.append(_Row(number, along - across, e))
+    return bodies, rows
+
+
+def _represented(slopes: Slopes, body: Rigid, weights: Weights) -> tuple[Number, Number]:
+    """(m, c) for the slopes of a force on a point of a body."""
+    rate = slopes.damping / maximum(body.m, _LEAST)
+    return weights(slopes.damping, slopes.stiffness, rate)
 
 
 def _about(motion: Motion, wrenches: Sequence[Wrench], acting: AppliedEffects,
-           start: AppliedEffects) -> list[Wrench]:
-    """The wrenches that links need, with d (u - u_start) added to the forces that resist a point, u
-    the point's velocity."""
+           start: AppliedEffects, rigids: Sequence[Rigid], weights: Weights) -> list[Wrench]:
+    """The wrenches that links need, with D (u - u_start) - c u_start added to the forces with
+    slopes D, u the velocity of their point."""
     results = list(wrenches)
-    for number in range(len(results)):
-        if start is acting:
-            break
+    for number, body in enumerate(rigids):
         with motion.part(number, "f"):
-            for damping, point in start.resisting(number):
-                call = motion.recorder.call
-                faster = subtract(motion.twist(number), start.motion.twist(number))
-                force = scaled(damping, linear(call("product_Adtinvs", point, faster)))
-                wrench = call("product_CoAdtc", point, (*force, *motion.zero))
-                results[number] = subtract(results[number], wrench)
+            for force in start.resisting(number):
+                before, along = start.motion.twist(number), force.along
+                if start is not acting:
+                    faster = subtract(motion.twist(number), before)
+                    results[number] = subtract(results[number], _push(
+                        force, faster, force.across.damping, along and along[0].damping))
+                _, c = _represented(force.across, body, weights)
+                c_along = along and _represented(along[0], body, weights)[1]
+                if not c.is_zero or c_along and not c_along.is_zero:
+                    results[number] = add(results[number], _push(force, before, c, c_along))
     return results
 
 
-def _solver(motion: Motion, rigids: Sequence[Rigid]) -> _Solve:
+def _push(force: AppliedForce, twist: Wrench, across: Number, along: Number | None) -> Wrench:
+    """The wrench on a link of the force `across` u, with another factor along the force's
+    direction, u the velocity of its point."""
+    point, call = force.point_in_link, across.recorder.call
+    push = scaled(across, linear(call("product_Adtinvs", point, twist)))
+    wrench: Wrench = call("product_CoAdtc", point, (*push, *(across.like(0),) * 3))
+    if along is None:
+        return wrench
+    _, e = required(force.along)
+    return add(wrench, scaled((along - across) * call("dot_cs", e, twist)[0], e))
+
+
+def _solver(motion: Motion, rigids: Sequence[Rigid], rows: Sequence[_Row] = ()) -> _Solve:
     """The function from torques at the joints and wrenches of links at a = 0 to a.  Instructions
     that depend on neither are issued once."""
     if not motion.tree.follows:
         bodies = [Articulated.of(body) for body in rigids]
+        for row in rows:
+            with motion.part(row.link, "B"):
+                bodies[row.link] = bodies[row.link].with_row(row.mass, row.e)
         return lambda joint, wrenches: aba.accelerations(motion, bodies, wrenches, joint)
     M = crba.mass_matrix(motion, rigids, {})
+    for row in rows:
+        with motion.recorder.part("solution", heading="M a = tau"):
+            e = _along_velocities(motion, [(row.link, row.e)])
+            M = [[x + row.mass * (a * b) for x, b in zip(A, e, strict=True)]
+                 for A, a in zip(M, e, strict=True)]
 
     def solve(joint: Joint, wrenches: Sequence[Wrench]) -> list[Number]:
         bias = rnea.joint_torques(motion, rnea.transmitted(motion, wrenches), None, {})
@@ -187,11 +229,7 @@ def _with_pair(motion: Motion, pair: Paired, now: Paired, weights: Weights, solv
     a = a' - w (m e·a')/(1 + m e·w), w = solve(e), by Sherman and Morrison; it never divides by
     zero, and 1/(e·w) is the inertia that the pair acts on."""
     still = [(*motion.zero, *motion.zero)] * len(motion.tree.links)
-    wrenches = list(still)
-    for link, wrench in pair.unit_wrenches:
-        if link >= 0:
-            wrenches[link] = add(wrenches[link], wrench)
-    e = rnea.joint_torques(motion, rnea.transmitted(motion, wrenches), None, {})
+    e = _along_velocities(motion, pair.unit_wrenches)
     w = solve(lambda k, inertia: (e[k], joint(k, inertia)[1]), still)
     slopes, rate, product = pair.along.slopes, pair.along.at.v, _product(e, w)
     mass, c = weights(slopes.damping, slopes.stiffness, slopes.damping * product)
@@ -210,6 +248,15 @@ def _with_pair(motion: Motion, pair: Paired, now: Paired, weights: Weights, solv
         return torque - less[k], own
 
     return coupled, joint_with_pair
+
+
+def _along_velocities(motion: Motion, wrenches: Iterable[tuple[int, Wrench]]) -> list[Number]:
+    """The torques that joints need against wrenches on links, by velocity."""
+    total = [(*motion.zero, *motion.zero)] * len(motion.tree.links)
+    for link, wrench in wrenches:
+        if link >= 0:
+            total[link] = add(total[link], wrench)
+    return list(rnea.joint_torques(motion, rnea.transmitted(motion, total), None, {}))
 
 
 def _product(a: Sequence[Number], b: Sequence[Number]) -> Number:

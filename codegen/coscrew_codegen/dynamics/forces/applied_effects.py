@@ -32,6 +32,8 @@ from coscrew_codegen.scene.effect import (
     CoordinateState,
     Effect,
     Force,
+    PointSlopes,
+    Slopes,
     Torque,
     required,
 )
@@ -56,6 +58,27 @@ class AppliedForce:
         """[Ad]* c: force and moment about the link's origin, in its frame."""
         frame = self.state.frame(required(self.force.point))
         return self.state.t.recorder.call("product_CoAdc", frame, self.wrench)
+
+    @property
+    def point_in_link(self) -> Vector:
+        """The point at which it acts, in the link's frame."""
+        return self.state.in_link(required(self.force.point))
+
+    @property
+    def across(self) -> Slopes:
+        """Its slopes across their direction, or in all directions if they have none."""
+        slopes = self.force.slopes
+        return slopes.across if isinstance(slopes, PointSlopes) else required(slopes)
+
+    @property
+    def along(self) -> tuple[Slopes, tuple[Number, ...]] | None:
+        """Its slopes along a direction, and the wrench on the link of 1 N along it; None if they
+        are the same in all directions."""
+        slopes = self.force.slopes
+        if not isinstance(slopes, PointSlopes):
+            return None
+        unit = Force(self.force.point, slopes.direction)
+        return slopes.along, AppliedForce(self.state, unit).on_link
 
     def power(self) -> Number:
         """f·v + τ·ω."""
@@ -149,13 +172,22 @@ class AppliedEffects:
         return self._holding_torques[self.motion.tree.links[link].v.start]
 
     @cached_property
+    def _wind(self) -> Vector | None:
+        """The velocity of the fluid, in the world's frame; None if it is at rest."""
+        for applied in self.scene.effects:
+            if applied.effect.wind:
+                with self.recorder.part("wind", heading="wind"):
+                    return applied.effect.wind(settings(self.recorder, applied.values, self.t))
+        return None
+
+    @cached_property
     def _holding_torques(self) -> list[Number]:
         return holding_torques(self.motion)
 
     def _body(self, name: str) -> BodyOfLink:
         (link, placed), numbers = self.motion.tree.link_and_body(name), self.recorder.numbers
         place = displacement(numbers(placed.placement.R), numbers(placed.placement.t))
-        return BodyOfLink(placed.body.inertia, self.t, self.motion, link, place)
+        return BodyOfLink(placed.body.inertia, self.t, self.motion, link, place, self._wind)
 
     def _pair(self, law: Law, applied: Applied) -> Paired:
         first, second = (self._body(name) for name in applied.bodies)
@@ -194,10 +226,9 @@ class AppliedEffects:
             total = add(total, x.on_link)
         return total
 
-    def resisting(self, link: int) -> list[tuple[Number, Vector]]:
-        """(damping, point in the link) of each force with a damping."""
-        return [(x.force.damping, x.state.in_link(required(x.force.point)))
-                for x in self.forces.get(link, ()) if x.force.damping]
+    def resisting(self, link: int) -> list[AppliedForce]:
+        """The forces on a link that have slopes."""
+        return [x for x in self.forces.get(link, ()) if x.force.slopes]
 
     def potential(self) -> Number:
         """The sum of the potential energies of effects."""
@@ -232,8 +263,9 @@ def _own_power(x: Torque | Force, whole: Callable[[], Number]) -> Number | int:
 
 
 def alone(scene: Scene, applied: Applied) -> Scene:
-    """The scene with this effect alone."""
-    return replace(scene, effects=(applied,))
+    """The scene with this effect alone, in the same wind."""
+    wind = (x for x in scene.effects if x.effect.wind and x is not applied)
+    return replace(scene, effects=(applied, *wind))
 
 
 def gravity(scene: Scene, recorder: Recorder) -> Vector | None:

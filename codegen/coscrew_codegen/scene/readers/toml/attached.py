@@ -5,7 +5,7 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
 
 from coscrew_codegen.scene.joints.fixed import JOINT as FIXED
-from coscrew_codegen.scene.mechanism.model import HERE, WORLD, Joint
+from coscrew_codegen.scene.mechanism.model import HERE, WORLD, Joint, Model
 from coscrew_codegen.scene.readers.attached_parts import attached
 from coscrew_codegen.scene.readers.model_reader import ModelSource, Parts
 from coscrew_codegen.scene.readers.scene_error import shown
@@ -166,7 +166,8 @@ def _refuse_unmoved(main: Parts, own: list[_Beside]) -> None:
 def _joined(main: Parts, source: ModelSource, others: list[Parts]) -> Parts:
     """The parts of all, the model's first; its root has a joint to the world, unless one of the
     others moves it."""
-    tree, every = main.tree(source), (main, *others)
+    empty = Model(main.name, (), ())  # all models are attached, to the world
+    tree, every = main.tree(source) if main.bodies or main.joints else empty, (main, *others)
     moved = {x.child for y in others for x in y.joints}
     own = {x.name for x in main.joints}
     kept = [x for x in tree.joints if x.name in own or x.child not in moved]
