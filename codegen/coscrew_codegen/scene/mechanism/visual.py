@@ -47,7 +47,7 @@ def unseen(problem: str) -> Visual:
 def sized(shape: str, size: Sequence[float], place: tuple[float, ...], colour: tuple[float, ...]
           ) -> Visual:
     """A shape with its sizes, which must be positive."""
-    if not all(0 < x < float("inf") for x in size):
+    if len(size) != SIZES[shape] or not all(0 < x < float("inf") for x in size):
         return unseen(f"a {shape} of the sizes {', '.join(f'{x:g}' for x in size)}; wanted "
                       "positive ones")
     return Visual(shape, tuple(size), place, colour)
