@@ -1,7 +1,7 @@
 """A robot in coscrew and in MuJoCo, joints by name: their mass matrices, biases and torques."""
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import mujoco
 import numpy as np
@@ -31,7 +31,9 @@ def compared(scene: Scene, model: "mujoco.MjModel", states: int = 10) -> Worst:
     which followers follow.
 
     MuJoCo's are without contacts, limits, dry friction and actuators."""
-    kernels = load_scene(scene, functions=["inverse_dynamics", "mass_matrix"])
+    passive = tuple(x for x in scene.effects if x.effect.name != "actuator")
+    kernels = load_scene(replace(scene, effects=passive, parameters=()),
+                         functions=["inverse_dynamics", "mass_matrix"])
     ours, data = kernels.double, mujoco.MjData(model)
     model.opt.disableflags |= sum(map(int, _OFF))
     rng, worst = np.random.default_rng(7), [0.0, 0.0, 0.0]

@@ -9,6 +9,7 @@ from coscrew_codegen.scene.mechanism.joint_kind import (
     Manifold,
     Numbers,
     Screw,
+    quaternion_deviation,
     quaternion_integrated,
     quaternion_rate,
 )
@@ -37,5 +38,5 @@ def _bracket(phi: Numbers, v: Numbers) -> Numbers:
 JOINT = JointKind(
     "spherical", 50, "turns freely", (ROTATION,), "quaternion (x, y, z, w)",
     "angular velocity in rad/s in the body's frame", _displacement, _subspace,
-    manifold=Manifold(quaternion_integrated, _bracket, _rates), urdf="spherical",
-    synonyms=("ball", "socket"))
+    manifold=Manifold(quaternion_integrated, _bracket, _rates, deviation=quaternion_deviation),
+    urdf="spherical", synonyms=("ball", "socket"))

@@ -21,10 +21,9 @@ def of_file_alone(model: Model, declared: Effects, catalogue: tuple[Effect, ...]
     """
     tables: dict[str, object] = {}
     for effect in catalogue:
-        if effect.name in declared:
-            tables[effect.name] = declared[effect.name]
-        elif effect.alone and (table := _from_model(effect, model)) is not None:
-            tables[effect.name] = table
+        of_model = _from_model(effect, model) if effect.alone else None
+        if effect.name in declared or of_model is not None:
+            tables[effect.name] = {**declared.get(effect.name, {}), **(of_model or {})}
     return tables
 
 
