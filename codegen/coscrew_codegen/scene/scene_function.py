@@ -76,8 +76,17 @@ INPUTS = {x.name: x for x in (
     Array("t", (), ("s",), "time in s"), Array("h", (), ("s",), "step in s"),
     Array("p", (AxisLength.PARAMETERS,), ("1",), "parameters"), Q, V, A, TAU,
     Array("phi", (AxisLength.NV,), units.displacements,
-          "displacements along the velocities, in m, rad"), MOMENTA)}
+          "displacements along the velocities, in m, rad"), MOMENTA,
+    Array("r", (3,), ("m",), "a point in the frame of the body, in m"))}
 """Inputs of functions, by name."""
+
+
+class Frame(Enum):
+    """Axes of a body's velocity (v; ω), and the point of the body that moves with v."""
+
+    BODY = "in the body's axes, at its origin"
+    ALIGNED = "in the world's axes, at the body's origin"
+    WORLD = "in the world's axes, at the world's origin"
 
 
 class Dynamics(Protocol):
@@ -109,18 +118,20 @@ class Dynamics(Protocol):
     def twist(self, body: str) -> Numbers:
         """(v; ω) of a body at its origin, in its own frame."""
 
-    def jacobian(self, body: str) -> Numbers:
-        """J with J v = (v; ω) of a body at its origin, in its own frame; row by row."""
+    def jacobian(self, body: str, frame: Frame, point: Numbers = ()) -> Numbers:
+        """J with J v = (v; ω) of a body, row by row; at a point of it instead of its origin."""
 
-    def jacobian_in_world(self, body: str, at_body: bool) -> Numbers:
-        """J with J v = (v; ω) in the world's axes, of the body's origin or of its point at the
-        world's origin; row by row."""
+    def twist_rate(self, body: str, frame: Frame, point: Numbers = ()) -> Numbers:
+        """J a + J' v of that Jacobian: the rate of the components of (v; ω)."""
 
     def acceleration(self, body: str) -> Numbers:
-        """(v'; ω') of a body at its origin, in its own frame."""
+        """The acceleration of a body's origin, and its angular acceleration, in its axes."""
 
     def mass_matrix(self) -> Numbers:
         """M(q), row by row."""
+
+    def coriolis_matrix(self) -> Numbers:
+        """C(q, v), row by row."""
 
     def torques(self, effects: bool = True) -> Numbers:
         """M(q) a + bias torques; without `effects`, those of inertia and gravity alone."""
@@ -137,11 +148,29 @@ class Dynamics(Protocol):
     def energies(self) -> Numbers:
         """(kinetic, potential) energy."""
 
+    def energy_gradients(self) -> Results:
+        """∂T/∂q, ∂T/∂v and ∂V/∂q of the kinetic energy T and the potential energy V."""
+
     def power(self) -> Number:
         """The power of the effects without potential energy."""
 
     def momentum(self) -> Numbers:
         """(p; L) of all bodies about the world's origin, in its axes; without armatures."""
+
+    def centre_of_mass(self) -> Numbers:
+        """The centre of mass of all bodies that can move, in the world."""
+
+    def centre_of_mass_velocity(self) -> Numbers:
+        """Its velocity."""
+
+    def centre_of_mass_jacobian(self) -> Numbers:
+        """J with J v = its velocity, row by row."""
+
+    def centroidal_momentum_matrix(self) -> Numbers:
+        """A with A v = (p; L) about the centre of mass, in the world's axes; row by row."""
+
+    def centroidal_momentum_rate(self) -> Numbers:
+        """A a + A' v."""
 
     def transmitted(self, joint: str) -> Numbers:
         """(force; moment) that a joint exerts on its child, in the child's frame, at its origin."""
