@@ -167,6 +167,28 @@ def test_derivatives_are_differences() -> None:
     check(scene(mechanism(), *ACTING))
 
 
+def test_gradients_of_energies_are_differences() -> None:
+    made = scene(mechanism(), *ACTING)
+    functions = derive(made, ("energy_gradients", "energy", "integrated"))
+    x = random_state(Evaluated(made, MULTIPRECISE), 3)
+    n = functions.nv
+
+    def energies(k: int, s: mpf, by: str) -> list[mpf]:
+        unit = [s * (i == k) for i in range(n)]
+        q = values(functions, "integrated", {**x, "phi": unit}) if by == "q" else x["q"]
+        v = [a + b for a, b in zip(x["v"], unit, strict=True)] if by == "v" else x["v"]
+        return values(functions, "energy", {"q": q, "v": v})
+
+    def slopes(by: str) -> list[list[mpf]]:
+        return [[(a - b) / (2 * STEP) for a, b in zip(
+            energies(k, STEP, by), energies(k, -STEP, by), strict=True)] for k in range(n)]
+
+    along, by_v = slopes("q"), slopes("v")
+    wanted = [*(y[0] for y in along), *(y[0] for y in by_v), *(y[1] for y in along)]
+    result = values(functions, "energy_gradients", x)
+    assert max(abs(a - b) for a, b in zip(result, wanted, strict=True)) < mpf(10)**-20
+
+
 @pytest.mark.parametrize("model, rest", [
     (ball(), quaternion(0, 0, 0, 1)), (free_body(), [mpf(0)] * 3 + quaternion(0, 0, 0, 1))],
     ids=["ball", "free"])

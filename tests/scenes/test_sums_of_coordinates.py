@@ -2,7 +2,7 @@
 
 MuJoCo's fixed tendons, closed forms and differences in 50 digits are the truth."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from fractions import Fraction
 
 import mpmath
@@ -37,7 +37,13 @@ from tests.support.scenes.mechanisms import (
 from tests.support.scenes.scene_values import random_state
 
 STEP, HALF = mpf(10)**-16, Fraction(1, 2)
-TWO = (WeightedCoordinate("j0", 0, Fraction(2)), WeightedCoordinate("j1", 0, Fraction(-3)))
+
+
+def term(joint: str, weight: object, coordinate: int = 0) -> WeightedCoordinate:
+    return WeightedCoordinate(joint, coordinate, Fraction(weight))
+
+
+TWO = (term("j0", 2), term("j1", -3))
 
 
 @pytest.fixture(autouse=True)
@@ -75,7 +81,7 @@ def test_a_spring_and_a_damper_on_a_sum_act_by_the_weights() -> None:
 
 
 @pytest.mark.parametrize("terms", [TWO, TWO[:1]], ids=["two", "one"])
-def test_implicit_steps_take_their_slopes_along_the_sum(terms: tuple[WeightedCoordinate, ...]) -> None:
+def test_implicit_steps_take_their_slopes_along_the_sum(terms: Sequence[WeightedCoordinate]) -> None:
     """(M + (h d + h² k) e e^T) a = e (u - h k e·v)."""
     f = multiprecise(sliders(), on_sum("spring", *terms, k=700), on_sum("viscous", *terms, d=90))
     h, q, v = mpf("0.3"), [mpf("0.3"), mpf("-1.1")], [mpf(3), mpf("0.2")]
@@ -100,12 +106,11 @@ def test_one_term_is_an_effect_on_the_joint() -> None:
         assert_same(list(one), list(other))
 
 
-ACTING = (gravity(), on_sum("spring", WeightedCoordinate("j1", 0, Fraction(2)), WeightedCoordinate("j2", 0, HALF), k=7),
-          on_sum("viscous", WeightedCoordinate("j1", 0, Fraction(2)), WeightedCoordinate("j2", 0, HALF), d=3),
-          on_sum("actuator", WeightedCoordinate("j1", 0, Fraction(1)), WeightedCoordinate("j2", 0, Fraction(-1)), kind="pd",
-                 kp=5, kd=2, target=1),
-          on_sum("limit", WeightedCoordinate("j1", 0, Fraction(1)), WeightedCoordinate("j2", 0, Fraction(1)), upper=-9, k=4,
-                 alpha=HALF), applied("viscous", "j3", d=1))
+ACTING = (gravity(), on_sum("spring", term("j1", 2), term("j2", HALF), k=7),
+          on_sum("viscous", term("j1", 2), term("j2", HALF), d=3),
+          on_sum("actuator", term("j1", 1), term("j2", -1), kind="pd", kp=5, kd=2, target=1),
+          on_sum("limit", term("j1", 1), term("j2", 1), upper=-9, k=4, alpha=HALF),
+          applied("viscous", "j3", d=1))
 
 
 def test_energy_changes_by_what_is_fed_in() -> None:
@@ -127,8 +132,8 @@ def test_derivatives_are_differences() -> None:
 
 def test_a_followers_weight_counts_for_its_leader() -> None:
     """In chain_of_three k follows j0 by -3/2: q_k + q_1 is the sum of -3/2 q_0 and q_1."""
-    terms = WeightedCoordinate("k", 0, Fraction(1)), WeightedCoordinate("j1", 0, Fraction(1))
-    same = WeightedCoordinate("j0", 0, Fraction(-3, 2)), WeightedCoordinate("j1", 0, Fraction(1))
+    terms = term("k", 1), term("j1", 1)
+    same = term("j0", Fraction(-3, 2)), term("j1", 1)
     f, g = (multiprecise(chain_of_three(), gravity(), applied("mimic"), on_sum("spring", *x, k=9),
                          on_sum("viscous", *x, d=2)) for x in (terms, same))
     x = {**random_state(f, 2), "h": mpf(1) / 8}
@@ -200,11 +205,11 @@ def kernels(path) -> Kernels:
 def test_files_have_them_under_a_label(kernels):
     made = kernels.scene
     assert {x.name: x.terms for x in made.effects if x.terms}["spring.cable"] == (
-        WeightedCoordinate("elbow", 0, Fraction(1)), WeightedCoordinate("wrist", 0, Fraction(-1, 2)))
+        term("elbow", 1), term("wrist", -HALF))
     own = {x.name: x for x in made.effects}
     assert units_of(own["spring.cable"], made)["torque"] == ("N m",)
     assert units_of(own["limit.stop"], made)["torque"] == ("N",)
-    assert own["actuator.drive"].terms[0] == WeightedCoordinate("table", 2, HALF)
+    assert own["actuator.drive"].terms[0] == term("table", HALF, 2)
 
 
 @each_precision

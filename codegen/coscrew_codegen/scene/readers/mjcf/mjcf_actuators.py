@@ -44,7 +44,7 @@ class _Drive:
 
 
 def actuators(model: "mujoco.MjModel", names: MjcfNames) -> Actuators:
-    """Those of a model; none if it switches them off."""
+    """Returns the actuators of a model, none of those that it switches off."""
     import mujoco
 
     tables: dict[str, Mapping[str, object]] = {}

@@ -40,7 +40,7 @@ def weights(model: "mujoco.MjModel", names: MjcfNames, t: int, gear: float = 1.0
 
 
 def tendons(model: "mujoco.MjModel", names: MjcfNames) -> Tendons:
-    """Those of a model."""
+    """Returns the tendons of a model."""
     effects: dict[str, dict[str, Mapping[str, object]]] = {"spring": {}, "viscous": {}}
     notices: list[Notice] = []
     refused: list[tuple[str, str]] = []
