@@ -81,7 +81,7 @@ def test_a_spring_and_a_damper_on_a_sum_act_by_the_weights() -> None:
 
 
 @pytest.mark.parametrize("terms", [TWO, TWO[:1]], ids=["two", "one"])
-def test_implicit_steps_take_their_slopes_along_the_sum(terms: Sequence[WeightedCoordinate]) -> None:
+def test_implicit_steps_take_slopes_along_the_sum(terms: Sequence[WeightedCoordinate]) -> None:
     """(M + (h d + h² k) e e^T) a = e (u - h k e·v)."""
     f = multiprecise(sliders(), on_sum("spring", *terms, k=700), on_sum("viscous", *terms, d=90))
     h, q, v = mpf("0.3"), [mpf("0.3"), mpf("-1.1")], [mpf(3), mpf("0.2")]
@@ -289,7 +289,7 @@ SPRING = "[effects.spring.cable]\njoints = { wrist = -0.5, elbow = 1 }"
      "is free, and a quaternion is in no sum; wanted joints whose coordinates are angles and "
      "lengths"),
     ("[effects.viscous.cable]", "[effects.armature.cable]",
-     "no joint 'cable'"),
+     "armature acts on joints, not on a sum of their coordinates; wanted a table for each joint"),
     ('torque = "sin(5*t)"', 'torque = "sin(5*t)"\ngravity_compensation = true', "actuator.drive "
      "acts on a sum of coordinates, which no torque holds; wanted no gravity_compensation there")])
 def test_wrong_sums_are_refused(tmp_path, old, new, message):

@@ -142,7 +142,10 @@ def _in_own_table(reading: EffectTable, key: str) -> Applied:
         own.only("body", *reading.parameters)
         on = reading.target(own, "body", own.text("body"))
         return Applied(reading.effect, on, reading.values(own, own.values, on), key)
-    if reading.sums and isinstance(own.values.get("joints"), dict):
+    if reading.what == "joint" and isinstance(own.values.get("joints"), dict):
+        if not reading.sums:
+            own.refuse("joints", f"{reading.effect.name} acts on joints, not on a sum of their "
+                       "coordinates; wanted a table for each joint")
         return _on_sum(reading, own, key)
     label = "; or body = … under a label" if reading.what == "body" else (
         "; or joints = { … } under a label" if reading.sums else "")
