@@ -9,6 +9,7 @@ from mpmath import mpf
 
 from coscrew_codegen.dynamics import derive
 from coscrew_codegen.program.scene_functions import SceneFunctions
+from coscrew_codegen.scene.arguments_in_scene import inputs_of, outputs_of
 from coscrew_codegen.scene.function_selection import all_names, names, resolved
 from coscrew_codegen.scene.functions import functions_of
 from coscrew_codegen.scene.integrator import Integrator
@@ -50,7 +51,7 @@ def moved(functions: SceneFunctions, function: SceneFunction, scene: Scene, give
           direction: Values, size: mpf) -> Values:
     """The arguments, along a direction; coordinates along velocities."""
     after = dict(given)
-    for a in function.given(scene):
+    for a in inputs_of(function, scene):
         step = [size * d for d in direction[f"d_{a.name}"]]
         after[a.name] = (results(functions, "integrated", {"q": given[a.name], "phi": step})["qo"]
                          if a.is_coordinates else
@@ -99,7 +100,7 @@ def check(scene: Scene, function: SceneFunction, seed: int = 3) -> None:
         tangent = results(functions, one, {**given, **direction})
         ends = [inlined(functions, function, moved(functions, function, scene, given, direction,
                                                    size)) for size in (-STEP, STEP)]
-        keys = [x.name for x in function.results(scene)]
+        keys = [x.name for x in outputs_of(function, scene)]
         for key, x, low, high in zip(keys, function.outputs, *(e.values() for e in ends),
                                      strict=True):
             wanted = [d / (2 * STEP) for d in apart(functions, x.is_coordinates, low, high)]
@@ -107,7 +108,7 @@ def check(scene: Scene, function: SceneFunction, seed: int = 3) -> None:
             for a, b in zip(tangent[f"d_{key}"], wanted, strict=True):
                 assert abs(a - b) <= CLOSE * max(largest, 1), (function.name, key)
         adjoint = results(functions, two, {**given, **weights})
-        taken = [a.name for a in function.given(scene)]
+        taken = [a.name for a in inputs_of(function, scene)]
         left = total(weights, tangent, ("w_", "d_"), keys)
         right = total(adjoint, direction, ("g_", "d_"), taken)
         size = mpmath.fsum(abs(x) for name in taken for x in adjoint[f"g_{name}"])

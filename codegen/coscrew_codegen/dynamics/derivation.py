@@ -14,6 +14,7 @@ from coscrew_codegen.dynamics.scene_dynamics import RecordedDynamics
 from coscrew_codegen.program import Constant, Op, Operand, Program
 from coscrew_codegen.program.scene_functions import FunctionProgram, SceneFunctions
 from coscrew_codegen.program.values.quantity import Argument
+from coscrew_codegen.scene.arguments_in_scene import inputs_of
 from coscrew_codegen.scene.functions import functions_of
 from coscrew_codegen.scene.functions.steps import closing_contacts
 from coscrew_codegen.scene.mechanism.assembly import ModelError
@@ -98,7 +99,7 @@ class Derivation:
         functions = self.collected([self.made(x) for x in functions_of(self.scene)
                                     if x.name in called and not x.absent(self)])
         step = stepped(functions, *(((), [entry.step]) if tau else ([entry.step],)))
-        return inlined(step, [self._argument(x) for x in entry.given(self.scene)])
+        return inlined(step, [self._argument(x) for x in inputs_of(entry, self.scene)])
 
     def collected(self, made: Sequence[FunctionProgram]) -> SceneFunctions:
         """These functions with the scene's data for targets; without steps."""
@@ -111,7 +112,7 @@ class Derivation:
 
     def _derived(self, entry: SceneFunction) -> FunctionProgram:
         """The function of its inputs."""
-        scene, given = self.scene, [self._argument(x) for x in entry.given(self.scene)]
+        scene, given = self.scene, [self._argument(x) for x in inputs_of(entry, self.scene)]
         program = self._recorded(entry, given)
         words = entry.words_in(self) if entry.words_in else entry.words
         function = FunctionProgram(entry.name, words, program, tuple(

@@ -15,9 +15,11 @@ from coscrew_codegen.algebra.recording.numbers import (
 from coscrew_codegen.dynamics import (
     directional_derivatives,
     dynamics_derivatives,
+    gradients,
     step_derivatives,
 )
 from coscrew_codegen.dynamics.algorithms import (
+    centroidal,
     coordinates,
     crba,
     energies,
@@ -26,6 +28,7 @@ from coscrew_codegen.dynamics.algorithms import (
     frames,
     kicks,
     rnea,
+    rnea_derivatives,
 )
 from coscrew_codegen.dynamics.algorithms.motion import Motion
 from coscrew_codegen.dynamics.forces.applied_effects import AppliedEffects
@@ -35,7 +38,7 @@ from coscrew_codegen.program import Program
 from coscrew_codegen.program.values.parameter import Parameter, Scalar
 from coscrew_codegen.scene.mechanism.tree import heading_of_body
 from coscrew_codegen.scene.scene import Applied
-from coscrew_codegen.scene.scene_function import Depends, Numbers, Results, SceneFunction
+from coscrew_codegen.scene.scene_function import Depends, Frame, Numbers, Results, SceneFunction
 
 
 class RecordedDynamics:
@@ -104,20 +107,19 @@ class RecordedDynamics:
         with self.recorder.part(self._numbers[body], "v", heading_of_body(body)):
             return frames.twist(self._recording, self._still, body)
 
-    def jacobian(self, body: str) -> Numbers:
+    def jacobian(self, body: str, frame: Frame, point: Numbers = ()) -> Numbers:
         """J of a body, row by row."""
         with self.recorder.part(self._numbers[body], "J", heading_of_body(body)):
-            columns = frames.jacobian(self._recording, self._still, body)
-        return [columns[j][i] for i in range(6) for j in range(self._tree.nv)]
+            columns = frames.jacobian(self._recording, self._still, body, frame, point)
+        return _by_columns(columns)
 
-    def jacobian_in_world(self, body: str, at_body: bool) -> Numbers:
-        """J of a body in the world's axes, row by row."""
-        with self.recorder.part(self._numbers[body], "J", heading_of_body(body)):
-            columns = frames.jacobian_in_world(self._recording, self._still, body, at_body)
-        return [columns[j][i] for i in range(6) for j in range(self._tree.nv)]
+    def twist_rate(self, body: str, frame: Frame, point: Numbers = ()) -> Numbers:
+        """J a + J' v of a body."""
+        with self.recorder.part(self._numbers[body], "a", heading_of_body(body)):
+            return frames.twist_rate(self._recording, self._still, body, frame, point)
 
     def acceleration(self, body: str) -> Numbers:
-        """The acceleration of a body's origin and its angular acceleration, in its frame."""
+        """The acceleration of a body's origin and its angular acceleration, in its axes."""
         with self.recorder.part(self._numbers[body], "a", heading_of_body(body)):
             return frames.acceleration(self._recording, self._still, body)
 
@@ -139,6 +141,11 @@ class RecordedDynamics:
         x = self._recording
         M = crba.mass_matrix(self._still, x.rigids, x.inertias)
         return [entry for row in M for entry in row]
+
+    def coriolis_matrix(self) -> Numbers:
+        """C(q, v), row by row."""
+        self._refuse_unless(Depends.MASSES, Depends.EFFECTS)
+        return _by_rows(rnea_derivatives.coriolis_matrix(self._still, self._recording.rigids))
 
     def torques(self, effects: bool = True) -> Numbers:
         """The torques of inverse dynamics."""
@@ -176,6 +183,13 @@ class RecordedDynamics:
         x, motion, acting = self._recording, self._motion, self._acting
         return [energies.kinetic(x, motion), energies.potential(x, motion) + acting.potential()]
 
+    def energy_gradients(self) -> Results:
+        """∂T/∂q, ∂T/∂v and ∂V/∂q."""
+        self._refuse_unless(Depends.EFFECTS)
+        x = self._recording
+        return [*gradients.of_kinetic(x, self._still),
+                gradients.of_potential(x, self._motion)]
+
     def power(self) -> Number:
         """The power of the effects without potential energy."""
         return self._acting.power()
@@ -183,6 +197,31 @@ class RecordedDynamics:
     def momentum(self) -> Numbers:
         """(p; L) about the world's origin."""
         return energies.momentum(self._recording, self._motion)
+
+    def centre_of_mass(self) -> Numbers:
+        """The centre of mass of all bodies that can move."""
+        return self._centroid.position
+
+    def centre_of_mass_velocity(self) -> Numbers:
+        """Its velocity."""
+        return self._centroid.velocity
+
+    def centre_of_mass_jacobian(self) -> Numbers:
+        """J of the centre of mass, row by row."""
+        return _by_columns(self._centroid.jacobian())
+
+    def centroidal_momentum_matrix(self) -> Numbers:
+        """A, row by row."""
+        return _by_columns(self._centroid.matrix())
+
+    def centroidal_momentum_rate(self) -> Numbers:
+        """A a + A' v."""
+        return self._centroid.rate()
+
+    @cached_property
+    def _centroid(self) -> centroidal.Centroid:
+        self._refuse_unless(Depends.MASSES, Depends.EFFECTS)
+        return centroidal.Centroid(self._recording, self._still)
 
     def transmitted(self, joint: str) -> Numbers:
         """(force; moment) that a joint exerts on its child."""
@@ -255,3 +294,7 @@ class RecordedDynamics:
 
 def _by_rows(A: Sequence[Numbers]) -> list[Number]:
     return [x for row in A for x in row]
+
+
+def _by_columns(columns: Sequence[Numbers]) -> list[Number]:
+    return [x for row in zip(*columns, strict=True) for x in row]

@@ -11,6 +11,7 @@ from coscrew_codegen.dynamics.algorithms import coordinates
 from coscrew_codegen.dynamics.function_recording import FunctionRecording
 from coscrew_codegen.program import Program
 from coscrew_codegen.program.differentiate import Dual
+from coscrew_codegen.scene.arguments_in_scene import inputs_of
 from coscrew_codegen.scene.scene_function import Results, SceneFunction
 
 BY = ("q", "v", "tau", "p")
@@ -19,7 +20,7 @@ BY = ("q", "v", "tau", "p")
 
 def of_step(x: FunctionRecording, step: SceneFunction, program: Program) -> Results:
     """q, v, and the derivatives of both by q and v, by tau and by p, row by row."""
-    given = step.given(x.scene)
+    given = inputs_of(step, x.scene)
     widths = {name: _width(x, name) for name in BY if any(a.name == name for a in given)}
     duals = [_seeded(x, a.name, widths) for a in given]
     with x.recorder.part("derivatives"):

@@ -83,8 +83,17 @@ INPUTS = {x.name: x for x in (
     Array("p", (AxisLength.PARAMETERS,), ("1",), "parameters"), Q, V, A, TAU,
     Array("phi", (AxisLength.NV,), units.displacements,
           "displacements along the velocities, in m, rad"), MOMENTA,
-    replace(Q, name="q1", words="other coordinates"))}
+    replace(Q, name="q1", words="other coordinates"),
+    Array("r", (3,), ("m",), "a point in the frame of the body, in m"))}
 """Inputs of functions, by name."""
+
+
+class Frame(Enum):
+    """Axes of a body's velocity (v; ω), and the point of the body that moves with v."""
+
+    BODY = "in the body's axes, at its origin"
+    ALIGNED = "in the world's axes, at the body's origin"
+    WORLD = "in the world's axes, at the world's origin"
 
 
 class Dynamics(Protocol):
@@ -116,18 +125,20 @@ class Dynamics(Protocol):
     def twist(self, body: str) -> Numbers:
         """(v; ω) of a body at its origin, in its own frame."""
 
-    def jacobian(self, body: str) -> Numbers:
-        """J with J v = (v; ω) of a body at its origin, in its own frame; row by row."""
+    def jacobian(self, body: str, frame: Frame, point: Numbers = ()) -> Numbers:
+        """J with J v = (v; ω) of a body, row by row; at a point of it instead of its origin."""
 
-    def jacobian_in_world(self, body: str, at_body: bool) -> Numbers:
-        """J with J v = (v; ω) in the world's axes, of the body's origin or of its point at the
-        world's origin; row by row."""
+    def twist_rate(self, body: str, frame: Frame, point: Numbers = ()) -> Numbers:
+        """J a + J' v of that Jacobian: the rate of the components of (v; ω)."""
 
     def acceleration(self, body: str) -> Numbers:
-        """(v'; ω') of a body at its origin, in its own frame."""
+        """The acceleration of a body's origin, and its angular acceleration, in its axes."""
 
     def mass_matrix(self) -> Numbers:
         """M(q), row by row."""
+
+    def coriolis_matrix(self) -> Numbers:
+        """C(q, v), row by row."""
 
     def torques(self, effects: bool = True) -> Numbers:
         """M(q) a + bias torques; without `effects`, those of inertia and gravity alone."""
@@ -144,13 +155,15 @@ class Dynamics(Protocol):
     def energies(self) -> Numbers:
         """(kinetic, potential) energy."""
 
+    def energy_gradients(self) -> Results:
+        """∂T/∂q, ∂T/∂v and ∂V/∂q of the kinetic energy T and the potential energy V."""
+
     def tangent(self, function: "SceneFunction") -> Results:
         """The results of another function of the same inputs, and their derivatives along the
         directions d_."""
 
     def adjoint(self, function: "SceneFunction") -> Results:
-        """The results of another function of the same inputs, and the derivatives of their sum with
-        the weights w_ by the inputs."""
+        """Its results, and the derivatives of their sum with the weights w_ by the inputs."""
 
     def step_derivatives(self, step: "SceneFunction") -> Results:
         """q and v after a step of the same inputs; their derivatives by q and v, by tau if the step
@@ -161,6 +174,21 @@ class Dynamics(Protocol):
 
     def momentum(self) -> Numbers:
         """(p; L) of all bodies about the world's origin, in its axes; without armatures."""
+
+    def centre_of_mass(self) -> Numbers:
+        """The centre of mass of all bodies that can move, in the world."""
+
+    def centre_of_mass_velocity(self) -> Numbers:
+        """Its velocity."""
+
+    def centre_of_mass_jacobian(self) -> Numbers:
+        """J with J v = its velocity, row by row."""
+
+    def centroidal_momentum_matrix(self) -> Numbers:
+        """A with A v = (p; L) about the centre of mass, in the world's axes; row by row."""
+
+    def centroidal_momentum_rate(self) -> Numbers:
+        """A a + A' v."""
 
     def transmitted(self, joint: str) -> Numbers:
         """(force; moment) that a joint exerts on its child, in the child's frame, at its origin."""
@@ -290,8 +318,7 @@ class SceneFunction:
     target: str = ""  # of a member: its body or joint
     each: Callable[["SceneFunction", "SceneFunction", Scene], "SceneFunction | None"] | None = None
     # of a family that has a member for each other function, or None for it
-    differentiates: "SceneFunction | None" = None  # the function that it belongs to in such a
-    # family: it is selected by its name or a pattern that ends as the family's names
+    differentiates: "SceneFunction | None" = None  # of such a member: the other function
     more: tuple[Array, ...] = ()  # inputs of its own, after the others
     step: Integrator | None = None  # whose step it is
     shown: bool = False  # whether `coscrew cost` shows what each effect adds to it
@@ -339,20 +366,6 @@ class SceneFunction:
                                  "scene")
             result += x.units_of(shape, ())
         return tuple(result)
-
-    def given(self, scene: Scene) -> tuple[Array, ...]:
-        """Its inputs in a scene: with p if it depends on masses, and t if on effects."""
-        takes = {*self.takes}
-        if self.depends is Depends.EFFECTS and scene.timed:
-            takes.add("t")
-        if self.depends is not Depends.GEOMETRY and scene.parameters:
-            takes.add("p")
-        return (*(x for name, x in INPUTS.items() if name in takes), *self.more)
-
-    def results(self, scene: Scene) -> tuple[Array, ...]:
-        """Its outputs; those with an input's name get the suffix o."""
-        taken = {x.name for x in self.given(scene)}
-        return tuple(replace(x, name=f"{x.name}o") if x.name in taken else x for x in self.outputs)
 
     @property
     def takes(self) -> tuple[str, ...]:

@@ -114,5 +114,21 @@ def reciprocals(of: Units) -> Units:
     return inverted
 
 
+def point_jacobian(kinds: Kinds) -> tuple[str, ...]:
+    """Units of the Jacobian of a point, row by row."""
+    return jacobian(kinds)[:3 * len(velocities(kinds))]
+
+
+def momenta(kinds: Kinds) -> tuple[str, ...]:
+    """Units of M v: of energy over v."""
+    return tuple("N m s" if unit == "rad/s" else "N s" for unit in velocities(kinds))
+
+
+def centroidal(kinds: Kinds) -> tuple[str, ...]:
+    """Units of the centroidal momentum matrix, row by row: of momenta over each velocity."""
+    of = {"rad/s": ("kg m", "kg m^2"), "m/s": ("kg", "kg m")}
+    return tuple(of[unit][row // 3] for row in range(6) for unit in velocities(kinds))
+
+
 def _of_joints(which: str, kinds: Kinds) -> tuple[str, ...]:
     return tuple(unit for kind in kinds for unit in UNITS[which][kind])

@@ -190,7 +190,8 @@ def _inputs(function: FunctionProgram, its: System, trajectory: Trajectory) -> l
     t, q, v = (x[chosen] for x in (trajectory.t, trajectory.q, trajectory.v))
     values = {"t": t, "p": np.tile(np.array(its.p), (ELEMENTS, 1)), "q": q, "v": v,
               "a": accelerations(its, t, q, v), "tau": np.zeros_like(v), "phi": 1e-3 * v,
-              "h": np.full(ELEMENTS, 1e-3), "q1": np.roll(q, 1, axis=0)}
+              "h": np.full(ELEMENTS, 1e-3), "q1": np.roll(q, 1, axis=0),
+              "r": np.full((ELEMENTS, 3), its.scene.model.length)}
     if its.has("free_momentum"):
         values["c"] = np.asarray(its.call("free_momentum", q=q, v=v))
     return [values[a.name] if a.name in values else np.ones((ELEMENTS, *a.quantity.shape))
