@@ -9,9 +9,9 @@ from mpmath import mpf
 
 from coscrew_codegen.dynamics import derive
 from coscrew_codegen.program.scene_functions import SceneFunctions
-from coscrew_codegen.scene.arguments_in_scene import inputs_of, outputs_of
 from coscrew_codegen.scene.function_selection import all_names, names, resolved
 from coscrew_codegen.scene.functions import functions_of
+from coscrew_codegen.scene.functions.arguments_in_scene import inputs_of, outputs_of
 from coscrew_codegen.scene.integrator import Integrator
 from coscrew_codegen.scene.integrators import EMITTED, named
 from coscrew_codegen.scene.readers.toml.toml_scene import read_scene

@@ -14,8 +14,8 @@ from coscrew_codegen.dynamics.scene_dynamics import RecordedDynamics
 from coscrew_codegen.program import Constant, Op, Operand, Program
 from coscrew_codegen.program.scene_functions import FunctionProgram, SceneFunctions
 from coscrew_codegen.program.values.quantity import Argument
-from coscrew_codegen.scene.arguments_in_scene import inputs_of
 from coscrew_codegen.scene.functions import functions_of
+from coscrew_codegen.scene.functions.arguments_in_scene import inputs_of
 from coscrew_codegen.scene.functions.steps import closing_contacts
 from coscrew_codegen.scene.mechanism.assembly import ModelError
 from coscrew_codegen.scene.mechanism.tree import Tree, heading_of_body, tree_of

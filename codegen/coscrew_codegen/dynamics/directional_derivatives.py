@@ -12,7 +12,7 @@ from coscrew_codegen.dynamics.algorithms.motion import Motion
 from coscrew_codegen.dynamics.function_recording import FunctionRecording
 from coscrew_codegen.program import Program
 from coscrew_codegen.program.differentiate import Dual
-from coscrew_codegen.scene.arguments_in_scene import inputs_of, outputs_of
+from coscrew_codegen.scene.functions.arguments_in_scene import inputs_of, outputs_of
 from coscrew_codegen.scene.scene_function import Array, Numbers, Results, SceneFunction
 
 

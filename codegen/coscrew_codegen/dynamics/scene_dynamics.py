@@ -16,7 +16,7 @@ from coscrew_codegen.dynamics import (
     directional_derivatives,
     dynamics_derivatives,
     gradients,
-    step_derivatives,
+    step_jacobians,
 )
 from coscrew_codegen.dynamics.algorithms import (
     centroidal,
@@ -176,7 +176,7 @@ class RecordedDynamics:
 
     def step_derivatives(self, step: SceneFunction) -> Results:
         """q and v after a step, and their derivatives."""
-        return step_derivatives.of_step(self._recording, step, self._program(step))
+        return step_jacobians.of_step(self._recording, step, self._program(step))
 
     def energies(self) -> Numbers:
         """(kinetic, potential) energy."""

@@ -2,7 +2,7 @@
 
 from dataclasses import replace
 
-from coscrew_codegen.scene.arguments_in_scene import inputs_of, outputs_of
+from coscrew_codegen.scene.functions.arguments_in_scene import inputs_of, outputs_of
 from coscrew_codegen.scene.functions.derivatives.directions import (
     derivative,
     differentiable,

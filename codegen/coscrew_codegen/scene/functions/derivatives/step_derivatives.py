@@ -3,7 +3,7 @@
 from dataclasses import replace
 
 from coscrew_codegen.scene import units
-from coscrew_codegen.scene.arguments_in_scene import inputs_of, outputs_of
+from coscrew_codegen.scene.functions.arguments_in_scene import inputs_of, outputs_of
 from coscrew_codegen.scene.scene import Scene
 from coscrew_codegen.scene.scene_function import Array, AxisLength, Depends, SceneFunction
 
