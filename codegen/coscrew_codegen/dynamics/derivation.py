@@ -94,12 +94,22 @@ class Derivation:
         """The function as one program, even if it is a step, which consists of calls."""
         if not entry.step:
             return self.made(entry).program
+        return inlined(self.step_of(entry),
+                       [self._argument(x) for x in inputs_of(entry, self.scene)])
+
+    def step_of(self, entry: SceneFunction) -> SceneFunctions:
+        """A step and the functions that it calls."""
+        if entry.step is None:
+            raise TypeError(f"{entry.name} is no step")
         tau = "tau" in entry.takes
         called = needs(entry.step, takes_tau=tau)
         functions = self.collected([self.made(x) for x in functions_of(self.scene)
                                     if x.name in called and not x.absent(self)])
-        step = stepped(functions, *(((), [entry.step]) if tau else ([entry.step],)))
-        return inlined(step, [self._argument(x) for x in inputs_of(entry, self.scene)])
+        return stepped(functions, *(((), [entry.step]) if tau else ([entry.step],)))
+
+    def named(self, name: str) -> Program:
+        """The function of this name."""
+        return self.made(next(x for x in functions_of(self.scene) if x.name == name)).program
 
     def collected(self, made: Sequence[FunctionProgram]) -> SceneFunctions:
         """These functions with the scene's data for targets; without steps."""
@@ -142,7 +152,7 @@ class Derivation:
         if entry.compute is None:
             raise TypeError(f"{entry.name} has no compute function")
         try:
-            results = entry.compute(RecordedDynamics(recording, entry, self._roots, self.program))
+            results = entry.compute(RecordedDynamics(recording, entry, self._roots, self))
         except ZeroDivisionError:
             raise self._division(entry, recorder.heading) from None
         except Exception as error:
