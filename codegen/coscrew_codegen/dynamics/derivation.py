@@ -9,6 +9,7 @@ from coscrew_codegen.dynamics.algorithms import coordinates, floating
 from coscrew_codegen.dynamics.function_recording import FunctionRecording
 from coscrew_codegen.dynamics.inlined_steps import inlined
 from coscrew_codegen.dynamics.integrator_steps import needs, stepped
+from coscrew_codegen.dynamics.parameters.scene_parameters import LinearParameters
 from coscrew_codegen.dynamics.ranges.ranges import refuse_products, refuse_quotients
 from coscrew_codegen.dynamics.scene_dynamics import RecordedDynamics
 from coscrew_codegen.program import Constant, Op, Operand, Program
@@ -16,6 +17,7 @@ from coscrew_codegen.program.scene_functions import FunctionProgram, SceneFuncti
 from coscrew_codegen.program.values.quantity import Argument
 from coscrew_codegen.scene.functions import functions_of
 from coscrew_codegen.scene.functions.arguments_in_scene import inputs_of
+from coscrew_codegen.scene.functions.parameters import torque_regressor
 from coscrew_codegen.scene.functions.steps import closing_contacts
 from coscrew_codegen.scene.mechanism.assembly import ModelError
 from coscrew_codegen.scene.mechanism.tree import Tree, heading_of_body, tree_of
@@ -41,7 +43,7 @@ class Derivation:
         self.scene, self.tree, self.tell = scene, tree_for(scene), tell
         self.bodies = {body.name: str(n) for n, body in enumerate(scene.model.bodies)}
         self.names = tuple(self.bodies[link.name] for link in self.tree.links)
-        self.kinds = tuple(c.kind for c in self.tree.coordinates)
+        self.kinds: tuple[str, ...] = tuple(c.kind for c in self.tree.coordinates)
         self.headings = self._headings()
         self._made: dict[str, FunctionProgram] = {}
 
@@ -59,6 +61,12 @@ class Derivation:
     def floating(self) -> tuple[str, ...]:
         """The first bodies of floating trees."""
         return tuple(self.tree.links[n].name for n in self._roots())
+
+    @cached_property
+    def linear(self) -> LinearParameters:
+        """The parameters on which torques depend linearly."""
+        return LinearParameters(self.scene, self.tree, self.names,
+                                lambda: self.made(torque_regressor.FUNCTION).program)
 
     @cached_property
     def closes(self) -> bool:
@@ -80,6 +88,10 @@ class Derivation:
                 return len(self.scene.parameters)
             case AxisLength.FLOATING:
                 return len(self._roots())
+            case AxisLength.LINEAR:
+                return len(self.linear.names)
+            case AxisLength.BASE:
+                return len(self.linear.base.places)
 
     # recording
 
@@ -137,6 +149,8 @@ class Derivation:
 
     def _units(self, entry: SceneFunction) -> tuple[str, ...]:
         """The unit of each component of the results."""
+        if entry.units_in:
+            return entry.units_in(self)
         try:
             return tuple(unit for x in entry.outputs
                          for unit in x.units_of(x.sized(self.size), self.kinds))
@@ -152,7 +166,8 @@ class Derivation:
         if entry.compute is None:
             raise TypeError(f"{entry.name} has no compute function")
         try:
-            results = entry.compute(RecordedDynamics(recording, entry, self._roots, self))
+            results = entry.compute(RecordedDynamics(
+                recording, entry, self._roots, self, lambda: self.linear))
         except ZeroDivisionError:
             raise self._division(entry, recorder.heading) from None
         except Exception as error:

@@ -34,6 +34,7 @@ from coscrew_codegen.dynamics.algorithms.motion import Motion
 from coscrew_codegen.dynamics.forces.applied_effects import AppliedEffects
 from coscrew_codegen.dynamics.forces.effect_values import Values, values_of
 from coscrew_codegen.dynamics.function_recording import FunctionRecording
+from coscrew_codegen.dynamics.parameters.scene_parameters import LinearParameters
 from coscrew_codegen.dynamics.step_jacobians import OtherFunctions
 from coscrew_codegen.program.values.parameter import Parameter, Scalar
 from coscrew_codegen.scene.mechanism.tree import heading_of_body
@@ -44,12 +45,14 @@ from coscrew_codegen.scene.scene_function import Depends, Frame, Numbers, Result
 class RecordedDynamics:
     """The dynamics of a scene, recorded: each quantity from the inputs that the function takes.
 
-    `roots` returns the first links of floating trees."""
+    `roots` returns the first links of floating trees, `linear` the parameters on which torques
+    depend linearly."""
 
     def __init__(self, recording: FunctionRecording, function: SceneFunction,
-                 roots: Callable[[], Sequence[int]], others: OtherFunctions):
+                 roots: Callable[[], Sequence[int]], others: OtherFunctions,
+                 linear: Callable[[], LinearParameters]):
         self._recording, self._function, self._roots = recording, function, roots
-        self._others = others
+        self._others, self._linear = others, linear
         self.target = function.target
         self.scene, self.recorder, self._tree = (
             recording.scene, recording.recorder, recording.tree)
@@ -179,6 +182,28 @@ class RecordedDynamics:
     def step_derivatives(self, step: SceneFunction) -> Results:
         """q and v after a step, and their derivatives."""
         return step_jacobians.of_step(self._recording, step, self._others)
+
+    def torque_regressor(self) -> Results:
+        """Y, row by row, and tau0 of tau = Y pi + tau0."""
+        self._refuse_unless(Depends.EFFECTS)
+        columns, rest = self._linear().columns(self._recording, self._motion)
+        return [_by_columns(columns), rest]
+
+    def linear_parameters(self) -> Numbers:
+        """pi."""
+        self._refuse_unless(Depends.MASSES, Depends.EFFECTS)
+        return self._linear().numbers(self._recording)
+
+    def base_regressor(self) -> Results:
+        """Y, row by row, and tau0 of tau = Y beta + tau0."""
+        self._refuse_unless(Depends.EFFECTS)
+        columns, rest = self._linear().columns(self._recording, self._motion)
+        return [_by_columns([columns[k] for k in self._linear().base.places]), rest]
+
+    def base_parameters(self) -> Numbers:
+        """beta."""
+        self._refuse_unless(Depends.MASSES, Depends.EFFECTS)
+        return self._linear().base_numbers(self._recording)
 
     def energies(self) -> Numbers:
         """(kinetic, potential) energy."""

@@ -7,93 +7,36 @@ Dynamics, and returns Numbers."""
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from enum import Enum
-from math import prod
 from string import ascii_uppercase
 from typing import TYPE_CHECKING, Protocol
 
 from coscrew_codegen.algebra.recording.numbers import Number, Vector
 from coscrew_codegen.program.values.parameter import Scalar
-from coscrew_codegen.scene import units
 from coscrew_codegen.scene.integrator import Integrator
+from coscrew_codegen.scene.mechanism.function_arguments import (
+    COUNT,
+    INPUTS,
+    MOMENTA,
+    TAU,
+    A,
+    Array,
+    AxisLength,
+    Frame,
+    Q,
+    V,
+)
 from coscrew_codegen.scene.scene import Applied, Scene
-from coscrew_codegen.scene.units import Kinds, Units
 
 if TYPE_CHECKING:
     from coscrew_codegen.algebra.recording.recorder import Recorder
 
+__all__ = ["A", "ALWAYS", "Array", "AxisLength", "COUNT", "Default", "Depends", "Dynamics",
+           "Frame", "IF_SELECTED", "INPUTS", "MOMENTA", "Numbers", "Of", "Q", "Results",
+           "SceneFunction", "SceneQuantity", "Situation", "TAU", "V"]
+
 Numbers = Sequence[Number]
 Results = Sequence[Numbers]
 """The components of each output, row by row."""
-
-
-class AxisLength(Enum):
-    """The length of an axis that depends on the scene."""
-
-    NQ = "coordinates"
-    NV = "velocities"
-    STATE = "displacements and velocities"
-    BODIES = "bodies"
-    PARAMETERS = "run-time parameters"
-    FLOATING = "floating trees"
-
-
-@dataclass(frozen=True)
-class Array:
-    """An input or output: shape, the unit of each component, and words for comments."""
-
-    name: str
-    shape: tuple[int | AxisLength, ...]
-    units: Units
-    words: str = ""
-
-    def sized(self, size: Callable[[AxisLength], int]) -> tuple[int, ...]:
-        """The shape in a scene."""
-        return tuple(size(x) if isinstance(x, AxisLength) else x for x in self.shape)
-
-    @property
-    def is_coordinates(self) -> bool:
-        """True if its derivatives are along velocities."""
-        return self.units is units.coordinates
-
-    @property
-    def each(self) -> int:
-        """The number of components of each body, joint, … along the first axis."""
-        return prod(x for x in self.shape[1:] if isinstance(x, int))
-
-    def units_of(self, shape: tuple[int, ...], kinds: Kinds) -> tuple[str, ...]:
-        """The unit of each component.  Raises ValueError if they do not fit the shape."""
-        given = self.units(kinds) if callable(self.units) else self.units
-        count = prod(shape)
-        if count and (not given or count % len(given)):
-            raise ValueError(f"{self.name} has {count} components and {len(given)} units; wanted "
-                             "a unit for each, or units that are repeated")
-        return given * (count // len(given)) if given else ()
-
-
-Q = Array("q", (AxisLength.NQ,), units.coordinates,
-          "coordinates: positions in m, angles in rad, unit quaternions (x, y, z, w)")
-V = Array("v", (AxisLength.NV,), units.velocities, "velocities in m/s, rad/s")
-A = Array("a", (AxisLength.NV,), units.accelerations, "accelerations in m/s^2, rad/s^2")
-TAU = Array("tau", (AxisLength.NV,), units.torques, "forces and torques of joints in N, N m")
-MOMENTA = Array("c", (AxisLength.FLOATING, 9), (*units.MOMENTUM, "m", "m", "m"),
-                "in kg m/s, kg m^2/s, m")
-COUNT = Array("count", (), ("1",))
-INPUTS = {x.name: x for x in (
-    Array("t", (), ("s",), "time in s"), Array("h", (), ("s",), "step in s"),
-    Array("p", (AxisLength.PARAMETERS,), ("1",), "parameters"), Q, V, A, TAU,
-    Array("phi", (AxisLength.NV,), units.displacements,
-          "displacements along the velocities, in m, rad"), MOMENTA,
-    replace(Q, name="q1", words="other coordinates"),
-    Array("r", (3,), ("m",), "a point in the frame of the body, in m"))}
-"""Inputs of functions, by name."""
-
-
-class Frame(Enum):
-    """Axes of a body's velocity (v; ω), and the point of the body that moves with v."""
-
-    BODY = "in the body's axes, at its origin"
-    ALIGNED = "in the world's axes, at the body's origin"
-    WORLD = "in the world's axes, at the world's origin"
 
 
 class Dynamics(Protocol):
@@ -151,6 +94,18 @@ class Dynamics(Protocol):
 
     def acceleration_derivatives(self) -> Results:
         """∂a/∂q, ∂a/∂v and ∂a/∂tau = M⁻¹ of forward dynamics, row by row."""
+
+    def torque_regressor(self) -> Results:
+        """Y, row by row, and tau0 of tau = Y pi + tau0."""
+
+    def linear_parameters(self) -> Numbers:
+        """pi."""
+
+    def base_regressor(self) -> Results:
+        """Y, row by row, and tau0 of tau = Y beta + tau0."""
+
+    def base_parameters(self) -> Numbers:
+        """beta."""
 
     def energies(self) -> Numbers:
         """(kinetic, potential) energy."""
@@ -227,6 +182,26 @@ class Dynamics(Protocol):
         """The number and length of the parts of a step that resolve contacts of limits."""
 
 
+class LinearNames(Protocol):
+    """Parameters on which the torques of a scene depend linearly."""
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        """Their names: forearm.m, viscous.elbow.d."""
+
+    @property
+    def units(self) -> tuple[str, ...]:
+        """The unit of each."""
+
+    @property
+    def base_names(self) -> tuple[str, ...]:
+        """Combinations of them that determine the torques: wrist.mx + 0.11 hand.m."""
+
+    @property
+    def base_units(self) -> tuple[str, ...]:
+        """The unit of each combination."""
+
+
 class Situation(Protocol):
     """Properties of a scene on which functions depend."""
 
@@ -235,6 +210,14 @@ class Situation(Protocol):
     @property
     def floating(self) -> tuple[str, ...]:
         """The first bodies of trees on which gravity is the only external force."""
+
+    @property
+    def kinds(self) -> tuple[str, ...]:
+        """The kinds of the joints with coordinates of their own."""
+
+    @property
+    def linear(self) -> LinearNames:
+        """The parameters on which its torques depend linearly."""
 
     @property
     def closes(self) -> bool:
@@ -310,6 +293,7 @@ class SceneFunction:
     divides: bool = False  # by the mass matrix, or called only by functions that do
     lacks: Callable[[Situation], str] | None = None  # "" if a scene can have it
     words_in: Callable[[Situation], str] | None = None  # where words depend on the scene
+    units_in: Callable[[Situation], tuple[str, ...]] | None = None  # of all results, likewise
     internal: bool = False  # called by steps alone, so that it cannot be selected
     targets: Callable[[Scene], Mapping[str, str]] | None = None  # of a family: what stands in
     # names for BODY or JOINT, and the body or joint

@@ -7,6 +7,7 @@ from coscrew_codegen.program.values.formats import BY_NAME
 from coscrew_codegen.reports.cost import CostError
 from coscrew_codegen.reports.cost.effect_ablation import SHOWN, Ablation, whole
 from coscrew_codegen.reports.cost.measured import Counts
+from coscrew_codegen.reports.cost.needs.need import Need, refuse_unknown
 from coscrew_codegen.scene.function_selection import (
     ALL,
     DEFAULT,
@@ -33,18 +34,21 @@ class CostRequest:
     counts: Counts = Counts()
     digits: int | None = None  # of the reference for runs
     emitted: tuple[str, ...] = tuple(BY_NAME)  # precisions that the scene is generated in
+    needs: tuple[Need, ...] = ()
 
     @property
     def alone(self) -> bool:
         """True if only functions are requested: no effects, no runs."""
-        return bool(self.functions)
+        return bool(self.functions or self.needs)
 
     def of(self, scene: Scene) -> tuple[str, ...]:
         """The names of the functions.  Raises FunctionsError for an unknown one, CostError for a
         step."""
-        words = self.functions or scene.functions
+        refuse_unknown(self.needs, all_names(scene))
+        given = (*self.functions, *(x.function for x in self.needs))
+        words = given or scene.functions
         steps = {name for x in EMITTED for name in (x.step_name, x.step_with_tau)}
-        if wrong := [name for name in self.functions if name in steps]:
+        if wrong := [name for name in given if name in steps]:
             raise CostError(f"{wrong[0]}: the error of a step is not that of rounding; without "
                             "--function, cost measures whole runs")
         result = resolved(scene, words) if words else {
@@ -62,7 +66,7 @@ class CostRequest:
 def refuse_absent(request: CostRequest, part: Ablation) -> None:
     """Raises CostError for a function that was requested by its name, and that only scenes of
     another kind have."""
-    for name in request.functions:
+    for name in (*request.functions, *(x.function for x in request.needs)):
         if not is_pattern(name) and name not in (DEFAULT, ALL, *(f.name for f in part.public)):
             raise CostError(f"{part.functions.name}: there is no {name}: only scenes with a "
                             "floating base or with limits have it")
