@@ -200,7 +200,7 @@ class _Recursion:
         l, e = linear(s), angular(s)
         turned, two = cross(w, e), self.zero.like(2)
         rate = (*add(cross(v, e), cross(w, l)), *turned)
-        return rate, (*add(add(cross(a, e), rotated(U, l)), scaled(two, cross(v, turned))),
+        return rate, (*add(add(cross(a, e), rotated(U, l)), cross(v, scaled(two, turned))),
                       *rotated(U, e))
 
     # inwards: what lies beyond a joint, and the entries of its freedoms
