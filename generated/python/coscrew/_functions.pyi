@@ -37,3 +37,5 @@ class NamedFunctions(Steps[Real]):
     body_poses: Function[Real]
     body_twists: Function[Real]
     integrated: Function[Real]
+    difference: Function[Real]
+    chart: Function[Real]
