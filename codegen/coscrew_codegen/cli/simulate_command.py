@@ -47,8 +47,8 @@ def add_scene(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("scene", metavar="SCENE", type=Path,
                         help="a scene file (.toml), or a model's file alone, as a URDF: gravity "
                              "acts, and what the file declares")
-    parser.add_argument("--until", metavar="T", type=_positive, help="end of the run, in s")
-    parser.add_argument("--step", metavar="H", type=_positive,
+    parser.add_argument("--until", metavar="T", type=positive, help="end of the run, in s")
+    parser.add_argument("--step", metavar="H", type=positive,
                         help="longest step, in s, of the emitted integrators")
     parser.add_argument("--integrator", metavar="NAME",
                         help=in_words())
@@ -149,7 +149,7 @@ def _acting(scene: "Scene") -> str:
     return f"{', '.join(words)} {verb}; {lacking} take a scene file"
 
 
-def _positive(text: str) -> float:
+def positive(text: str) -> float:
     try:
         value = float(text)
     except ValueError:
