@@ -12,7 +12,12 @@ from coscrew_codegen.algebra.recording.numbers import (
     rotation,
     translation,
 )
-from coscrew_codegen.dynamics import dynamics_derivatives, gradients
+from coscrew_codegen.dynamics import (
+    directional_derivatives,
+    dynamics_derivatives,
+    gradients,
+    step_derivatives,
+)
 from coscrew_codegen.dynamics.algorithms import (
     centroidal,
     coordinates,
@@ -29,6 +34,8 @@ from coscrew_codegen.dynamics.algorithms.motion import Motion
 from coscrew_codegen.dynamics.forces.applied_effects import AppliedEffects
 from coscrew_codegen.dynamics.forces.effect_values import Values, values_of
 from coscrew_codegen.dynamics.function_recording import FunctionRecording
+from coscrew_codegen.dynamics.parameters.scene_parameters import LinearParameters
+from coscrew_codegen.program import Program
 from coscrew_codegen.program.values.parameter import Parameter, Scalar
 from coscrew_codegen.scene.mechanism.tree import heading_of_body
 from coscrew_codegen.scene.scene import Applied
@@ -38,11 +45,14 @@ from coscrew_codegen.scene.scene_function import Depends, Frame, Numbers, Result
 class RecordedDynamics:
     """The dynamics of a scene, recorded: each quantity from the inputs that the function takes.
 
-    `roots` returns the first links of floating trees."""
+    `roots` returns the first links of floating trees, `program` other functions, `linear` the
+    parameters on which torques depend linearly."""
 
     def __init__(self, recording: FunctionRecording, function: SceneFunction,
-                 roots: Callable[[], Sequence[int]]):
+                 roots: Callable[[], Sequence[int]], program: Callable[[SceneFunction], Program],
+                 linear: Callable[[], LinearParameters]):
         self._recording, self._function, self._roots = recording, function, roots
+        self._program, self._linear = program, linear
         self.target = function.target
         self.scene, self.recorder, self._tree = (
             recording.scene, recording.recorder, recording.tree)
@@ -159,6 +169,40 @@ class RecordedDynamics:
         self._refuse_unless(Depends.EFFECTS)
         return [_by_rows(A) for A in dynamics_derivatives.of_forward(self._recording)]
 
+    def tangent(self, function: SceneFunction) -> Results:
+        """The results of another function, and their derivatives along d_."""
+        return directional_derivatives.tangent(self._recording, function, self._program(function))
+
+    def adjoint(self, function: SceneFunction) -> Results:
+        """The results of another function, and the derivatives of w_ times them by the inputs."""
+        return directional_derivatives.adjoint(self._recording, function, self._program(function))
+
+    def step_derivatives(self, step: SceneFunction) -> Results:
+        """q and v after a step, and their derivatives."""
+        return step_derivatives.of_step(self._recording, step, self._program(step))
+
+    def torque_regressor(self) -> Results:
+        """Y, row by row, and tau0 of tau = Y pi + tau0."""
+        self._refuse_unless(Depends.EFFECTS)
+        columns, rest = self._linear().columns(self._recording, self._motion)
+        return [_by_columns(columns), rest]
+
+    def linear_parameters(self) -> Numbers:
+        """pi."""
+        self._refuse_unless(Depends.MASSES, Depends.EFFECTS)
+        return self._linear().numbers(self._recording)
+
+    def base_regressor(self) -> Results:
+        """Y, row by row, and tau0 of tau = Y beta + tau0."""
+        self._refuse_unless(Depends.EFFECTS)
+        columns, rest = self._linear().columns(self._recording, self._motion)
+        return [_by_columns([columns[k] for k in self._linear().base.places]), rest]
+
+    def base_parameters(self) -> Numbers:
+        """beta."""
+        self._refuse_unless(Depends.MASSES, Depends.EFFECTS)
+        return self._linear().base_numbers(self._recording)
+
     def energies(self) -> Numbers:
         """(kinetic, potential) energy."""
         x, motion, acting = self._recording, self._motion, self._acting
@@ -222,6 +266,16 @@ class RecordedDynamics:
         """q ⊕ phi."""
         return coordinates.integrated(self.recorder, self._tree, self._recording.names,
                                       self.argument("q"), self.argument("phi"))
+
+    def difference(self) -> Numbers:
+        """q1 ⊖ q."""
+        return coordinates.difference(self.recorder, self._tree, self._recording.names,
+                                      self.argument("q1"), self.argument("q"))
+
+    def chart(self) -> Numbers:
+        """∂(q ⊕ phi)/∂phi at phi = 0, row by row."""
+        zero = self.recorder.number(0)
+        return [zero if x is None else x for row in coordinates.chart(self._still) for x in row]
 
     def chart_rate(self) -> Numbers:
         """phi' while q ⊕ phi moves with v."""

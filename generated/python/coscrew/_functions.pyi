@@ -15,6 +15,10 @@ Real = TypeVar("Real", bound=np.floating, covariant=True)
 class NamedFunctions(Steps[Real]):
     inverse_dynamics: Function[Real]
     inverse_dynamics_derivatives: Function[Real]
+    torque_regressor: Function[Real]
+    linear_parameters: Function[Real]
+    base_regressor: Function[Real]
+    base_parameters: Function[Real]
     forward_dynamics: Function[Real]
     forward_dynamics_derivatives: Function[Real]
     mass_matrix: Function[Real]
@@ -33,3 +37,5 @@ class NamedFunctions(Steps[Real]):
     body_poses: Function[Real]
     body_twists: Function[Real]
     integrated: Function[Real]
+    difference: Function[Real]
+    chart: Function[Real]

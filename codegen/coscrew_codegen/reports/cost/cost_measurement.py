@@ -213,10 +213,12 @@ def _inputs(function: FunctionProgram, its: System, trajectory: Trajectory) -> l
     t, q, v = (x[chosen] for x in (trajectory.t, trajectory.q, trajectory.v))
     values = {"t": t, "p": np.tile(np.array(its.p), (ELEMENTS, 1)), "q": q, "v": v,
               "a": accelerations(its, t, q, v), "tau": np.zeros_like(v), "phi": 1e-3 * v,
-              "h": np.full(ELEMENTS, 1e-3), "r": np.full((ELEMENTS, 3), its.scene.model.length)}
+              "h": np.full(ELEMENTS, 1e-3), "r": np.full((ELEMENTS, 3), its.scene.model.length),
+              "q1": np.roll(q, 1, axis=0)}
     if its.has("free_momentum"):
         values["c"] = np.asarray(its.call("free_momentum", q=q, v=v))
-    return [values[a.name] for a in function.program.inputs]
+    return [values[a.name] if a.name in values else np.ones((ELEMENTS, *a.quantity.shape))
+            for a in function.program.inputs]  # directions and weights of derivatives
 
 
 def _progress(items: Iterable[Item], what: str, total: int | None) -> Iterator[Item]:

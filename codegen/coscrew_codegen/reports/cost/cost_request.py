@@ -8,7 +8,14 @@ from coscrew_codegen.reports.cost import CostError
 from coscrew_codegen.reports.cost.effect_ablation import SHOWN, Ablation, whole
 from coscrew_codegen.reports.cost.measured import Counts
 from coscrew_codegen.reports.cost.needs.need import Need, refuse_unknown
-from coscrew_codegen.scene.function_selection import ALL, DEFAULT, FREE, names, resolved, together
+from coscrew_codegen.scene.function_selection import (
+    ALL,
+    DEFAULT,
+    FREE,
+    all_names,
+    resolved,
+    together,
+)
 from coscrew_codegen.scene.functions.whole_scene.mass_matrix import MANY, speeds
 from coscrew_codegen.scene.integrators import EMITTED
 from coscrew_codegen.scene.patterns import is_pattern
@@ -37,7 +44,7 @@ class CostRequest:
     def of(self, scene: Scene) -> tuple[str, ...]:
         """The names of the functions.  Raises FunctionsError for an unknown one, CostError for a
         step."""
-        refuse_unknown(self.needs, names(scene))
+        refuse_unknown(self.needs, all_names(scene))
         given = (*self.functions, *(x.function for x in self.needs))
         words = given or scene.functions
         steps = {name for x in EMITTED for name in (x.step_name, x.step_with_tau)}
@@ -46,7 +53,7 @@ class CostRequest:
                             "--function, cost measures whole runs")
         result = resolved(scene, words) if words else {
             x for x in USUAL if x != "mass_matrix" or speeds(scene) <= MANY}
-        return tuple(name for name in names(scene) if name in result and name not in steps)
+        return tuple(name for name in all_names(scene) if name in result and name not in steps)
 
     def needed(self, scene: Scene, integrator: str | None) -> tuple[str, ...]:
         """The functions that the measurement calls."""

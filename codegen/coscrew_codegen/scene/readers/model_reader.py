@@ -113,7 +113,8 @@ class ModelReader:
     parts: Callable[[ModelSource], Parts]
     modules: tuple[str, ...] = ()  # that it imports, besides the generator's own
     extra: str = ""  # of the project, which installs them
-    takes_arguments: bool = False  # and packages: its files are programs
+    takes_packages: bool = False  # its files name folders by packages
+    takes_arguments: bool = False  # its files are programs
     leaves_out: tuple[str, ...] = ()  # what `leave_out` may name
 
     def read(self, source: ModelSource) -> Model:
@@ -125,10 +126,11 @@ class ModelReader:
         if missing := [x for x in self.modules if find_spec(x) is None]:
             raise SceneError(source.path, "", f"is {self.name}, which needs {', '.join(missing)}; "
                              f'run `pip install "coscrew[{self.extra}]"`')
-        if not self.takes_arguments and (source.packages or source.arguments):
-            what = "packages" if source.packages else "arguments"
-            raise SceneError(source.path, "", f"is {self.name}, which takes no {what}; "
-                             "wanted none, or a file of xacro")
+        for what, given, taken in (("packages", source.packages, self.takes_packages),
+                                   ("arguments", source.arguments, self.takes_arguments)):
+            if given and not taken:
+                raise SceneError(source.path, "", f"is {self.name}, which takes no {what}; "
+                                 "wanted none, or a file of xacro")
         for name in source.leave_out:
             if name not in self.leaves_out:
                 wanted = did_you_mean(name, self.leaves_out) if self.leaves_out else \
