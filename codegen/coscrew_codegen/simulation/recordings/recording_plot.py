@@ -1,12 +1,10 @@
-"""Plots recordings over time: one panel for each quantity and unit, single precision dashed; and
-charts of a page that plays a run back."""
+"""Plots recordings over time: one panel for each quantity and unit, single precision dashed."""
 
 import textwrap
 from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
 
 import numpy as np
-from markupsafe import Markup
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
@@ -14,8 +12,6 @@ from coscrew_codegen.backends.html import plots
 from coscrew_codegen.simulation.recordings.recording import Column, Recording
 from coscrew_codegen.simulation.recordings.recording_writer import delivered
 
-CHART = (0.15, 0.83)
-"""Left end and width of a chart's axes, as shares of its width."""
 _MOST_NAMED = 12  # most lines in the legend of a panel
 _UNSEEN = 1e-6  # size of a curve, relative to the largest of its panel, that nobody sees
 _DASHES = ("-", "--")
@@ -102,16 +98,3 @@ def _lines(axes: Axes, recordings: Sequence[Recording], columns: Sequence[Column
         more = len(columns) - _MOST_NAMED
         axes.legend(fontsize=7, loc="upper left", bbox_to_anchor=(1, 1),
                     title=f"and {more} more" if more > 0 else None, title_fontsize=7)
-
-
-@plots.styled
-def chart(t: np.ndarray, columns: Mapping[str, np.ndarray], label: str) -> Markup:
-    """Columns of one quantity and unit; lines under others show through their dashes."""
-    figure = Figure(figsize=(plots.PANEL[0], 2.4))
-    axes = figure.add_axes((CHART[0], 0.2, CHART[1], 0.75), xlabel="t, s")
-    for n, (name, values) in enumerate(columns.items()):
-        axes.plot(t, np.ma.masked_invalid(values), ("-", "--", ":")[n % 3], linewidth=1.6,
-                  gid=name)
-    axes.set_xlim(t[0], t[-1] if t[-1] > t[0] else t[0] + 1)
-    axes.locator_params(nbins=6)
-    return plots.inline(figure, label, {name: name for name in columns})
