@@ -200,8 +200,10 @@ def run(options: argparse.Namespace) -> int:
             recording_writer.write(recording, path)
     if options.plot:
         from coscrew_codegen.simulation.recordings import recording_plot  # imports Matplotlib
+        from coscrew_codegen.simulation.recordings.targets import targets
 
-        recording_plot.plot(recordings, options.plot)
+        recording_plot.plot(recordings, options.plot,
+                            targets=targets(first.system, first.recording))
     if options.view:
         from coscrew_codegen.simulation.view import page_runs, playback
 
