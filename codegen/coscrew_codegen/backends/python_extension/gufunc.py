@@ -37,10 +37,10 @@ what depends on it alone is computed once, which saves up to half of the time.""
 
 @dataclass(frozen=True)
 class Copies:
-    """What a kernel's loop is compiled for besides elements with any strides."""
+    """The copies of a kernel's loop that are compiled besides the one for any strides."""
 
-    strides: bool  # those of C-ordered arrays
-    fma: bool  # a processor with FMA, also with any strides
+    strides: bool  # for the strides of C-ordered arrays
+    fma: bool  # for processors with FMA, also that for any strides
 
 
 @dataclass(frozen=True)
