@@ -10,7 +10,7 @@ SOURCES := $(wildcard $(addprefix generated/,gufunc/*.[ch] gufunc/*/*.[ch] c/inc
 # Packages bring thousands of modules.  Those that are imported are compiled then, once.
 unexport PYTHONDONTWRITEBYTECODE
 
-.PHONY: all generate check build example scene test test-quick bench attack cuda report figure docs clean
+.PHONY: all generate check build example scene test test-quick bench attack cuda report figure docs web clean
 
 # Derives everything, so that nothing is left to check, whatever the cache holds.
 all: $(VENV)/ready
@@ -139,6 +139,10 @@ $(VENV)/docs-ready: $(VENV)/ready
 docs: $(VENV)/docs-ready
 	$(PYTHON) -m sphinx -q -W --keep-going -c docs . build/docs
 	@echo "build/docs/docs/index.html"
+
+# The player of the playback page, from its sources in web/: needs Node and network access.
+web:
+	cd web && npm ci --silent && node build.mjs
 
 clean:
 	rm -rf $(VENV) build *.egg-info

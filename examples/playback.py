@@ -15,8 +15,8 @@ import coscrew
 from coscrew_codegen.runtime.load import kernels_for
 from coscrew_codegen.scene.readers.toml.toml_scene import read_scene
 from coscrew_codegen.simulation import required_functions
-from coscrew_codegen.simulation.recordings.playback import drawn
 from coscrew_codegen.simulation.run_summary import RunOverrides, simulated
+from coscrew_codegen.simulation.view.body_shapes import drawn
 
 WIDTH, HEIGHT, FINER = 640, 440, 3  # pixels; each drawn with 3 × 3
 FRAMES_A_SECOND = 20
@@ -38,13 +38,13 @@ def boxes(path: str) -> tuple[np.ndarray, np.ndarray]:
     poses = np.asarray(run.system.call("body_poses", t=t[chosen], q=run.trajectory.q[chosen]))
     poses = poses.reshape(len(chosen), -1, 3, 4)
     corners, bodies = [], []
-    for shape in drawn(run.system).shapes:
-        half, place = shape["shape"]["half"], np.array(shape["shape"]["place"])
+    for part in (x for x in drawn(run.system).parts if x.shape == "box"):
+        half, place = np.array(part.size) / 2, np.array(part.place)
         R = coscrew.mat3x3_from_quaternion(place[3:])
         own = (CORNERS * half) @ R.T + place[:3]
-        D = poses[:, shape["body"]]
+        D = poses[:, part.body]
         corners.append(np.einsum("fij,cj->fci", D[..., :3], own) + D[:, None, :, 3])
-        bodies.append(shape["body"])
+        bodies.append(part.body)
     return np.stack(corners, 1), np.array(bodies)
 
 

@@ -23,8 +23,9 @@ if TYPE_CHECKING:
     from coscrew_codegen.simulation.api import again as again
     from coscrew_codegen.simulation.api import run as run
     from coscrew_codegen.simulation.control import Controller as Controller
+    from coscrew_codegen.simulation.run_adjoint import run_adjoint as run_adjoint
 
-__all__ = ["Controller", "__version__", "again", "load_scene", "run"]
+__all__ = ["Controller", "__version__", "again", "load_scene", "run", "run_adjoint"]
 
 
 def __dir__() -> list[str]:
@@ -48,4 +49,7 @@ def __getattr__(name: str) -> object:
     if name == "Controller":
         from coscrew_codegen.simulation.control import Controller
         return Controller
+    if name == "run_adjoint":
+        from coscrew_codegen.simulation.run_adjoint import run_adjoint
+        return run_adjoint
     raise AttributeError(f"module {__name__!r} has no attribute {name!r}")

@@ -16,10 +16,10 @@ from coscrew_codegen.backends.output_files import scene_files
 from coscrew_codegen.dynamics import derive
 from coscrew_codegen.program.scene_functions import FunctionProgram
 from coscrew_codegen.program.values.formats import DOUBLE, SINGLE
+from coscrew_codegen.reports.cost.needs.cortex_m4 import built, counted
 from coscrew_codegen.runtime.load import Kernels, load_scene
 from coscrew_codegen.scene.readers.toml.toml_scene import read_scene
 from coscrew_codegen.scene.scene import Scene, Tolerance
-from tests.support.compiled.cortex_m4 import built, counted
 from tests.support.scenes.robots import scene_of
 from tests.support.scenes.tiers import results, states
 

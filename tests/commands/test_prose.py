@@ -22,7 +22,9 @@ def texts() -> list[Path]:
     for folder in ("codegen", "templates", "tests"):
         results += [x for x in (ROOT / folder).rglob("*")
                     if x.suffix in (".py", ".jinja", ".js", ".css", ".c", ".h")]
-    return [x for x in sorted(results) if x not in (GLOSSARY, *COMPILED, Path(__file__))]
+    results += (ROOT / "web").glob("src/*.js")
+    return [x for x in sorted(results) if x not in (GLOSSARY, *COMPILED, Path(__file__))
+            and not x.name.endswith(".min.js")]
 
 
 def replaced(text: str) -> list[str]:

@@ -92,7 +92,7 @@ def test_a_payload_on_an_arm_is_pinocchios(tmp_path):
     (tmp_path / "loaded.toml").write_text("""
 model = "ur5.urdf"
 [attach.payload]
-body = "tool0"
+to = "tool0"
 place = { xyz = [0.02, -0.01, 0.1], rpy = [0.3, -0.2, 1.1] }
 mass = 3.5
 com = [0.01, 0.02, 0.05]

@@ -1,4 +1,4 @@
-"""A function of scenes is one file: CONTRIBUTING's centre of mass, in a copy of the generator, is
+"""A function of scenes is one file: CONTRIBUTING's centre of bodies, in a copy of the generator, is
 selected, emitted in every language, recorded with its unit, measured, checked and documented."""
 
 import csv
@@ -51,12 +51,12 @@ origin = { xyz = [0, 0, 2] } }
 rail = 0.5
 pin = 1
 [outputs]
-record = ["center_of_mass", "q"]
+record = ["center_of_bodies", "q"]
 every = 0.125
 [run]
 duration = 0.5
 step = 0.0078125
-[expect."center_of_mass.z"]
+[expect."center_of_bodies.z"]
 at = 0.5
 value = 0.6166666666666667
 atol = 1e-12
@@ -79,7 +79,7 @@ def centre(q: tuple[float, float], mass: Fraction = Fraction(3, 2)) -> list[mpma
 def site(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """A copy of the generator that has the function, and a scene."""
     folder = tmp_path_factory.mktemp("site")
-    assert [x.name for x in walk(copied(folder), "center_of_mass")] == ["center_of_mass.py"]
+    assert [x.name for x in walk(copied(folder), "center_of_bodies")] == ["center_of_bodies.py"]
     (folder / "cart.toml").write_text(SCENE)
     return folder
 
@@ -97,12 +97,12 @@ def test_it_is_declared_in_every_language_precision_and_tier(out):
     assert re.search(r"x = Σ m \(R c \+ t\) / Σ m, the centre of mass of all bodies in the\s+world",
                      header)
     for suffix in ("", "f"):
-        assert f"void cart_center_of_mass{suffix}(const" in header
-        assert f"cart_center_of_mass_many{suffix}(" in (out / "cart_many.h").read_text()
-        assert f"cart_center_of_mass_kernel{suffix}" in (out / "cart.cuh").read_text()
-        assert f"cart_center_of_mass_accurate{suffix}(" in (out / "cart_accurate.h").read_text()
+        assert f"void cart_center_of_bodies{suffix}(const" in header
+        assert f"cart_center_of_bodies_many{suffix}(" in (out / "cart_many.h").read_text()
+        assert f"cart_center_of_bodies_kernel{suffix}" in (out / "cart.cuh").read_text()
+        assert f"cart_center_of_bodies_accurate{suffix}(" in (out / "cart_accurate.h").read_text()
     for precision in ("double", "single"):
-        assert "def center_of_mass(p, q" in (out / f"cart/{precision}.py").read_text()
+        assert "def center_of_bodies(p, q" in (out / f"cart/{precision}.py").read_text()
 
 
 @pytest.mark.parametrize("q", [(0.0, 0.0), (0.375, 1.0), (-2.5, 40.0)])
@@ -112,7 +112,7 @@ def test_c_computes_it(out, q):
     (out / "main.c").write_text(
         '#include <stdio.h>\n#include "cart.h"\nint main(void) {\n'
         f"  const double p[1] = {{3.5}}, q[2] = {{{q[0]!r}, {q[1]!r}}};\n  double x[3];\n"
-        "  cart_center_of_mass(p, q, x);\n"
+        "  cart_center_of_bodies(p, q, x);\n"
         '  printf("%.17g %.17g %.17g\\n", x[0], x[1], x[2]);\n  return 0;\n}\n')
     subprocess.run(["gcc", "-std=c11", "-Wall", "-Wextra", "-Werror", "main.c", "cart.c", "-o",
                     "main", "-lm"], cwd=out, check=True)
@@ -130,12 +130,13 @@ def test_python_computes_it_in_c_numpy_lanes_tiers_and_arrays(site, out):
     result = run_in_copy(site, (
         "import json, sys, numpy as np, coscrew_codegen\n"
         "sys.path.insert(0, 'out')\nimport cart.double as generated\n"
-        "its = coscrew_codegen.load_scene('cart.toml', functions=['center_of_mass'])\n"
+        "its = coscrew_codegen.load_scene('cart.toml', functions=['center_of_bodies'])\n"
         "p, q = np.array([1.5]), np.tile([0.375, 1.0], (64, 1))\n"
         "print(json.dumps([np.asarray(x).tolist() for x in (\n"
-        "    its.double.center_of_mass(p, q[0]), generated.center_of_mass(p, q[0]),\n"
-        "    its.double.center_of_mass(p, q)[63], its.accurate.double.center_of_mass(p, q[0]),\n"
-        "    its.arrays(np).center_of_mass(p, q[0]))]))\n"))
+        "    its.double.center_of_bodies(p, q[0]), generated.center_of_bodies(p, q[0]),\n"
+        "    its.double.center_of_bodies(p, q)[63],\n"
+        "    its.accurate.double.center_of_bodies(p, q[0]),\n"
+        "    its.arrays(np).center_of_bodies(p, q[0]))]))\n"))
     for row in re.findall(r"\[([^\[\]]+)\]", result):
         assert_close(list(map(float, row.split(","))), centre((0.375, 1.0)))
     assert len(re.findall(r"\[[^\[\]]+\]", result)) == 5
@@ -146,38 +147,38 @@ def test_it_is_recorded_with_its_unit_and_expected(site):
     assert done.returncode == 0, done.stderr
     lines = [x for x in (site / "cart.csv").read_text().splitlines() if not x.startswith("#")]
     header, *rows = csv.reader(lines)
-    assert header[1:4] == [f"center_of_mass.{i} [m]" for i in range(3)]
+    assert header[1:4] == [f"center_of_bodies.{i} [m]" for i in range(3)]
     for row in rows:
         x, *rest = map(float, row[1:])
         assert_close([x, *rest[:2]], centre((rest[2], rest[3])))
     assert "center" in (site / "cart.svg").read_text()
     done = command(site, "check", "cart.toml")
-    assert done.returncode == 0 and "center_of_mass.z" in done.stdout, done.stdout + done.stderr
+    assert done.returncode == 0 and "center_of_bodies.z" in done.stdout, done.stdout + done.stderr
 
 
 def test_its_cost_is_measured_in_its_unit(site):
-    done = command(site, "cost", "cart.toml", "--function", "center_of_mass")
+    done = command(site, "cost", "cart.toml", "--function", "center_of_bodies")
     assert done.returncode == 0, done.stderr
-    assert "center_of_mass" in done.stdout and re.search(r"\dm\b| [nµ]?m\b", done.stdout)
+    assert "center_of_bodies" in done.stdout and re.search(r"\dm\b| [nµ]?m\b", done.stdout)
 
 
 def test_it_is_in_the_reference_and_the_stub(site):
     result = run_in_copy(site, (
         "from coscrew_codegen.reports.reference import scene_pages as s\n"
         "print(s.functions_page('banner'), s.functions_stub('banner'))\n"))
-    assert "| `center_of_mass` | `p` `q` | x = Σ m (R c + t) / Σ m, the centre" in result
-    assert "| `center_of_mass` | 3 × m | 0 to 2 | `center_of_mass` |" in result
-    assert "\n    center_of_mass: Function[Real]\n" in result
+    assert "| `center_of_bodies` | `p` `q` | x = Σ m (R c + t) / Σ m, the centre" in result
+    assert "| `center_of_bodies` | 3 × m | 0 to 2 | `center_of_bodies` |" in result
+    assert "\n    center_of_bodies: Function[Real]\n" in result
 
 
 def test_an_error_in_its_arithmetic_names_it(site):
     """A scene whose bodies have no mass, which has all other kinematics."""
     (site / "ghost.toml").write_text(
-        'functions = ["center_of_mass"]\n[bodies]\nghost = {}\n[joints]\n'
+        'functions = ["center_of_bodies"]\n[bodies]\nghost = {}\n[joints]\n'
         'pin = { type = "continuous", child = "ghost", axis = [0, 0, 1] }\n')
     done = command(site, "generate", "ghost.toml", "-o", "none")
-    assert done.returncode == 2 and "a division by zero in center_of_mass" in done.stderr
-    assert "functions without center_of_mass" in done.stderr and "mass matrix" not in done.stderr
+    assert done.returncode == 2 and "a division by zero in center_of_bodies" in done.stderr
+    assert "functions without center_of_bodies" in done.stderr and "mass matrix" not in done.stderr
 
 
 def made(compute, outputs: tuple[Array, ...] = (Array("y", (), ("1",)),), inputs: str = "q",
@@ -260,7 +261,7 @@ def test_a_family_is_one_entry(monkeypatch, tmp_path):
     monkeypatch.setattr(functions, "FUNCTIONS", (*functions.FUNCTIONS, family))
     monkeypatch.setitem(functions.QUANTITIES, "speed", (family, family.recorded[0]))
     monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path))
-    (tmp_path / "cart.toml").write_text(SCENE.replace('"center_of_mass", "q"', '"speed.*", "v"')
+    (tmp_path / "cart.toml").write_text(SCENE.replace('"center_of_bodies", "q"', '"speed.*", "v"')
                                         .partition("[expect")[0])
     done = run(tmp_path / "cart.toml", until=0.25)
     names = [x.name for x in done.recording.columns]
@@ -283,7 +284,7 @@ def test_a_function_may_take_nothing(tmp_path):
         "                     if y.inertia), x.number(0))]],\n"
         "    recorded=(SceneQuantity('total_mass'),))\n")
     (tmp_path / "cart.toml").write_text(SCENE.replace('runtime = ["load.mass"]', "").replace(
-        '"center_of_mass", "q"', '"total_mass"').partition("[expect")[0])
+        '"center_of_bodies", "q"', '"total_mass"').partition("[expect")[0])
     done = command(tmp_path, "generate", "cart.toml", "-o", "out", "--many")
     assert done.returncode == 0, done.stderr
     result = run_in_copy(tmp_path, (

@@ -32,13 +32,13 @@ OF_TOOL = """<joint name="frames.tool" type="fixed"><parent link="payload"/><chi
 <origin xyz="0.1 0 0.05" rpy="0.7 0 0"/></joint>"""
 ATTACHED = """
 [attach.payload]
-body = "hand"
+to = "hand"
 place = { xyz = [0, 0, 0.2], rpy = [0, 1.5708, -0.4] }
 mass = 1.5
 com = [0, 0.02, 0.05]
 inertia = [0.02, 0.03, 0.04, 1e-3, 0, -2e-3]
 [frames.tool]
-body = "payload"
+to = "payload"
 xyz = [0.1, 0, 0.05]
 rpy = [0.7, 0, 0]
 """
@@ -93,12 +93,12 @@ def test_where_a_file_lists_the_payload_changes_no_bit(scene, tmp_path):
 def test_a_chain_of_attached_bodies_is_in_order_whatever_their_tables(scene):
     model = scene("""
 [attach.last]
-body = "middle"
+to = "middle"
 mass = 1
 [frames.mark]
-body = "last"
+to = "last"
 [attach.middle]
-body = "hand"
+to = "hand"
 mass = 2
 """).model
     assert [body.name for body in model.bodies][-3:] == ["middle", "last", "mark"]
@@ -165,11 +165,11 @@ mass = 1
 type = "spherical"
 child = "bob"
 [attach.lamp]
-body = "bob"
+to = "bob"
 place = { quaternion = [0, 0, 1, 0] }
 mass = 0.1
 [frames.camera]
-body = "world"
+to = "world"
 xyz = [0, 0, 2]
 axis = [1, 0, 0]
 angle = "pi"
@@ -186,7 +186,7 @@ angle = "pi"
     ("{ sphere = 0.5 }", (F(12, 10),) * 3)])
 def test_shapes_have_the_moments_of_homogeneous_solids(scene, shape, about_com):
     """m/12 (y² + z²); m/12 (3 r² + l²), m/2 r²; 2/5 m r², of 12 kg: exactly."""
-    model = scene(f'[attach.load]\nbody = "hand"\nmass = 12\nshape = {shape}\n').model
+    model = scene(f'[attach.load]\nto = "hand"\nmass = 12\nshape = {shape}\n').model
     (load,) = (x.inertia for x in model.bodies if x.name == "load")
     assert load.com == (0, 0, 0)
     assert tuple(map(value, load.moments)) == (*about_com, 0, 0, 0)
@@ -196,17 +196,17 @@ def test_shapes_have_the_moments_of_homogeneous_solids(scene, shape, about_com):
 
 
 @pytest.mark.parametrize("old, new, where, words", [
-    ('body = "hand"', 'body = "hnad"', "attach.payload.body",
+    ('to = "hand"', 'to = "hnad"', "attach.payload.to",
      "no body 'hnad'; did you mean 'hand'?"),
-    ('body = "hand"', 'body = "payload"', "attach.payload.body", "no body 'payload'"),
-    ('body = "hand"', "", "attach.payload.body", "missing; wanted text"),
-    ('body = "hand"', 'body = "tool"', "attach.payload", "is part of a loop"),
+    ('to = "hand"', 'to = "payload"', "attach.payload.to", "no body 'payload'"),
+    ('to = "hand"', "", "attach.payload.to", "missing; wanted text"),
+    ('to = "hand"', 'to = "tool"', "attach.payload", "is part of a loop"),
     ("mass = 1.5", "", "attach.payload.mass",
-     "missing; wanted the mass in kg; a frame without mass is [frames.payload]"),
+     "missing; wanted the mass in kg, or `model`, a file; a frame without mass is [frames.payl"),
     ("mass = 1.5", "mass = 0", "attach.payload.mass", "0; wanted a positive number"),
     ("mass = 1.5", "mass = -1", "attach.payload.mass", "-1; wanted a positive number"),
     ("mass = 1.5", "mas = 1.5", "attach.payload.mas", "unknown key; did you mean 'mass'?"),
-    ("place =", "origin =", "attach.payload.origin", "unknown key; wanted one of body, com,"),
+    ("place =", "origin =", "attach.payload.origin", "unknown key; wanted one of arguments, base,"),
     ("rpy = [0, 1.5708, -0.4]", "ryp = [0, 1.5708, -0.4]", "attach.payload.place.ryp",
      "did you mean 'rpy'?"),
     ("[attach.payload]", "[attach.upper]", "attach.upper",
@@ -217,7 +217,7 @@ def test_shapes_have_the_moments_of_homogeneous_solids(scene, shape, about_com):
      "unknown key; wanted"),
     ("xyz = [0.1, 0, 0.05]", "mass = 1", "frames.tool.mass", "unknown key"),
     ("rpy = [0.7, 0, 0]", "angle = 1", "frames.tool.axis", "missing"),
-    ("[0.02, 0.03, 0.04, 1e-3, 0, -2e-3]", "[0.02, 0.03, 4]", "body 'hand'",
+    ("[0.02, 0.03, 0.04, 1e-3, 0, -2e-3]", "[0.02, 0.03, 4]", "attach.payload",
      "the largest principal moment is above the sum of the other two"),
     ("inertia = [0.02, 0.03, 0.04, 1e-3, 0, -2e-3]", "shape = { box = [1, 1] }",
      "attach.payload.shape.box", "a list of 2; wanted a list of 3 numbers"),
@@ -241,7 +241,7 @@ def test_errors_name_the_key_and_the_way(scene, old, new, where, words):
 @pytest.mark.parametrize("name", ["a'b", "a b", "it's 'so'", '"', "a.b"])
 def test_a_loop_through_any_name_is_reported_at_its_table(scene, name):
     key = json.dumps(name)
-    refused(scene, f"[attach.{key}]\nbody = 'other'\nmass = 1\n[attach.other]\nbody = {key}\n"
+    refused(scene, f"[attach.{key}]\nto = 'other'\nmass = 1\n[attach.other]\nto = {key}\n"
             "mass = 1\n", f"attach.{name!r}", "is part of a loop")
 
 

@@ -59,3 +59,14 @@ def test_notebooks_show_a_plot_with_the_origin(runs, batch):
     messages = {row[0].text: row[1].text for row in shown.iter("tr")}
     assert messages["scene"] == "swing"
     assert ("member 2" in messages) == batch
+
+
+@pytest.mark.parametrize(("name", "message"), (
+    ("q.pivt", "'q.pivt' is no recorded column (record=[…] of a run adds quantities); did you mean "
+               "'q.pivot'?"),
+    ("q", "q: its columns are q.pivot"), ("", "'' is no recorded column")))
+def test_a_column_that_is_not_there_is_refused_with_what_is(runs, name, message):
+    with pytest.raises(KeyError) as error:
+        runs[0].recorded[name]
+    assert message in error.value.args[0]
+    assert runs[0].recorded.get(name) is None

@@ -24,7 +24,7 @@ from tests.support.scenes.reading import MODEL, applied
     ('name = "6dof"\n', "", "name", "scene_6dof"), ('name = "while"\n', "", "name", "word of C"),
     ('name = "math"\n', "", "name", "scene_math"),
     ('name = ""\n', "", "name", "identifier"), ('name = true\n', "", "name", "the boolean true"),
-    ('model = "arm.urdf"\n', "", "bodies", "wanted one of both"),
+    ('model = "arm.urdf"\n', "", "model", "there is no such file"),
     ("", "[effects.gravty]", "effects.gravty", "did you mean 'gravity'?"),
     ("", "[effects.gravity]\ng = 9.81", "effects.gravity.g", "a list of 3 numbers"),
     ("", "[effects.gravity]\ng = [0, 0, 't']", "effects.gravity.g", "depends on t"),

@@ -20,11 +20,11 @@ from coscrew_codegen.backends import emit
 from coscrew_codegen.backends.output_files import scene_files
 from coscrew_codegen.program.scene_functions import SceneFunctions
 from coscrew_codegen.program.values.formats import SINGLE
+from coscrew_codegen.reports.cost.needs.cortex_m4 import built, counted
 from coscrew_codegen.runtime import callables, compilation, source_text
 from coscrew_codegen.runtime.load import kernels_for
 from coscrew_codegen.scene.scene import Scene
 from tests.support.compiled.c_harness import C11, COMPILERS, STRICT, run
-from tests.support.compiled.cortex_m4 import built, counted
 from tests.support.compiled.flags import HASWELL
 from tests.support.scenes import mechanisms as m
 from tests.support.scenes.arms import arm, inverse, motions

@@ -46,21 +46,21 @@ inertia = [[0.01, 0, 0], [0, 0.01, 0], [0, 0, 0.01]]
 mass = 0.1
 inertia = [0.01, 0.01, 0.01]
 [attach.load]
-body = "c"
+to = "c"
 place = { xyz = [0, 0, 0.1], rpy = [0, 0, 1] }
 mass = 0.1
 com = [0, 0, 0.01]
 shape = { box = [0.1, 0.1, 0.2] }
 [attach.can]
-body = "load"
+to = "load"
 mass = 0.1
 shape = { cylinder = { radius = 0.1, length = 0.2 } }
 [attach.ball]
-body = "load"
+to = "load"
 mass = 0.1
 shape = { sphere = 0.1 }
 [frames.tip]
-body = "can"
+to = "can"
 xyz = [0, 0, 0.1]
 quaternion = [0, 0, 0, 1]
 [joints.one]
@@ -201,7 +201,7 @@ def test_a_scene_with_every_key_is_read_and_valid(tmp_path):
     assert is_read(scene, tmp_path) and not errors(scene)
     for table in TABLES:
         for key in table.names:
-            of_files = ("model", "arguments", "packages", "leave_out")
+            of_files = ("model", "arguments", "packages", "leave_out", "prefix")
             assert key in of_files or re.search(rf"\b{key}\b", FULL), f"{table.heading}: {key}"
 
 

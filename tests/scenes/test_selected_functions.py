@@ -63,7 +63,8 @@ def public(scene: Scene) -> list[str]:
     """The functions that C declares, steps among them."""
     result = derive(scene)
     header = scene_c.files(result, "banner")[f"{scene.name}.h"]
-    return re.findall(rf"^void {scene.name}_(\w+?)\(", header.partition("The same in single")[0], re.M)
+    in_double, _, _ = header.partition("The same in single")
+    return re.findall(rf"^void {scene.name}_(\w+?)\(", in_double, re.M)
 
 
 def test_without_a_word_jacobians_reactions_and_other_integrators_are_left_out():

@@ -18,12 +18,15 @@ def _command(*names: str) -> str:
 
 
 @contextmanager
-def chromium() -> Iterator[webdriver.Chrome]:
-    """The browser, its console and network traffic logged."""
+def chromium(*arguments: str) -> Iterator[webdriver.Chrome]:
+    """The browser, its console and network traffic logged; it draws in 3D by software, unless
+    further `arguments` forbid it."""
     options = webdriver.ChromeOptions()
     options.binary_location = _command("chromium", "google-chrome", "chromium-browser")
     for argument in ("--headless=new", "--no-sandbox", "--disable-dev-shm-usage",
-                     "--disable-background-networking", "--force-prefers-reduced-motion"):
+                     "--disable-background-networking", "--force-prefers-reduced-motion",
+                     "--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader",
+                     *arguments):
         options.add_argument(argument)
     options.set_capability("goog:loggingPrefs", {"browser": "ALL", "performance": "ALL"})
     driver = webdriver.Chrome(options, Service(_command("chromedriver")))

@@ -1,11 +1,16 @@
 """`coscrew cost`: options, measurements, tables, JSON, a figure, a page."""
 
 import argparse
+import shlex
 from dataclasses import replace
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from coscrew_codegen.cli.name_lists import Names
 from coscrew_codegen.cli.simulate_command import add_scene, scene_of, tell_unused
+
+if TYPE_CHECKING:
+    from coscrew_codegen.reports.cost.needs.need import Need
 
 _LEAST, _MOST = 4, 10_000  # states
 
@@ -22,6 +27,11 @@ def add_parser(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") 
                         dest="functions", help="measure only the errors and times of this "
                                                "function in all tiers; several with commas, or "
                                                "repeated; \"all\" stands for all functions")
+    parser.add_argument("--need", metavar="FUNCTION=NUMBER", type=_need, action="append",
+                        default=[], dest="needs",
+                        help="name the cheapest tier and precision in which this function errs by "
+                        "at most NUMBER, in its unit, here and on a Cortex-M4F; with a unit, as "
+                        "\"inverse_dynamics=1e-3 N m\", of the results in it; may be repeated")
     parser.add_argument("--states", metavar="N", type=_states, default=64,
                         help="compare with 50 digits at about N states: a quarter of the run, half "
                         "between the limits, a quarter that a search finds, of these at least one "
@@ -38,6 +48,15 @@ def add_parser(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") 
 
 def _digits(text: str) -> int:
     return _number(text, 20, 60)
+
+
+def _need(text: str) -> "Need":
+    from coscrew_codegen.reports.cost.needs.need import read
+
+    try:
+        return read(text)
+    except ValueError as error:
+        raise argparse.ArgumentTypeError(str(error)) from None
 
 
 def _states(text: str) -> int:
@@ -69,7 +88,7 @@ def run(options: argparse.Namespace) -> int:
     emitted = ("single",) if read.precision == "single" else read.precisions
     scene = replace(read, precision="both", precisions=tuple(BY_NAME))
     request = CostRequest(tuple(options.functions), Counts.of(options.states), options.digits,
-                          emitted)
+                          emitted, tuple(options.needs))
     costs = cost_measurement.measure(
         kernels_for(scene, request.needed(scene, options.integrator)),
         RunOverrides(options.until, options.step, options.integrator, "both",
@@ -91,5 +110,6 @@ def _words(options: argparse.Namespace) -> str:
              "digits": options.digits, "states": options.states if options.states != 64 else None}
     return " ".join(("coscrew cost", options.scene.name,
                      *(f"--function {name}" for name in options.functions),
+                     *(f"--need {shlex.quote(str(need))}" for need in options.needs),
                      *(f"--set {name}={value:g}" for name, value in options.settings),
                      *(f"--{name} {value}" for name, value in given.items() if value)))

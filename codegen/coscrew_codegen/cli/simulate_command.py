@@ -35,6 +35,9 @@ def add_parser(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") 
                              "single precision goes to FILE's name with .single before its ending")
     parser.add_argument("--plot", metavar="FILE", type=Path, help="write a plot: .svg or .png")
     parser.add_argument("--view", metavar="FILE", type=Path, help="write a 3D playback: .html")
+    parser.add_argument("--beside", metavar="RECORDING", type=Path, action="append", default=[],
+                        help="show the run of a recording in the playback, too, as a ghost; may be "
+                             "repeated")
     parser.set_defaults(run=run)
 
 
@@ -195,10 +198,11 @@ def run(options: argparse.Namespace) -> int:
 
         recording_plot.plot(recordings, options.plot)
     if options.view:
-        from coscrew_codegen.simulation.recordings import playback
+        from coscrew_codegen.simulation.view import page_runs, playback
 
-        first = results[0]
-        playback.view(first.system, first.trajectory, first.recording.provenance, options.view)
+        besides = [page_runs.run_in(x, first.system) for x in options.beside]
+        if lacking := playback.view(results, options.view, besides):
+            print(f"coscrew: {lacking}", file=sys.stderr)
     print(run_summary.summary(results))
     return _status(results, options)
 

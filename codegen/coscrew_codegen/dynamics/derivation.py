@@ -3,38 +3,31 @@
 from collections.abc import Callable, Sequence
 from dataclasses import replace
 from functools import cached_property
-from math import prod
 
 from coscrew_codegen.algebra.recording.recorder import Recorder, array, headings
 from coscrew_codegen.dynamics.algorithms import coordinates, floating
 from coscrew_codegen.dynamics.function_recording import FunctionRecording
+from coscrew_codegen.dynamics.inlined_steps import inlined
+from coscrew_codegen.dynamics.integrator_steps import needs, stepped
+from coscrew_codegen.dynamics.parameters.scene_parameters import LinearParameters
 from coscrew_codegen.dynamics.ranges.ranges import refuse_products, refuse_quotients
 from coscrew_codegen.dynamics.scene_dynamics import RecordedDynamics
 from coscrew_codegen.program import Constant, Op, Operand, Program
-from coscrew_codegen.program.scene_functions import FunctionProgram
+from coscrew_codegen.program.scene_functions import FunctionProgram, SceneFunctions
 from coscrew_codegen.program.values.quantity import Argument
-from coscrew_codegen.scene.formulas import Formula
+from coscrew_codegen.scene.functions import functions_of
+from coscrew_codegen.scene.functions.parameters import torque_regressor
 from coscrew_codegen.scene.functions.steps import closing_contacts
 from coscrew_codegen.scene.mechanism.assembly import ModelError
 from coscrew_codegen.scene.mechanism.tree import Tree, heading_of_body, tree_of
 from coscrew_codegen.scene.scene import Scene
 from coscrew_codegen.scene.scene_function import (
-    INPUTS,
     Array,
     AxisLength,
-    Depends,
     Results,
     SceneFunction,
 )
-
-
-def is_timed(scene: Scene) -> bool:
-    """Returns whether any effect is a function of time."""
-    def timed(value: object) -> bool:
-        parts = value if isinstance(value, tuple) else (value,)
-        return any(isinstance(x, Formula) and x.timed for x in parts)
-
-    return any(timed(value) for x in scene.effects for value in x.values.values())
+from coscrew_codegen.scene.signs import signs
 
 
 def tree_for(scene: Scene) -> Tree:
@@ -49,8 +42,7 @@ class Derivation:
         self.scene, self.tree, self.tell = scene, tree_for(scene), tell
         self.bodies = {body.name: str(n) for n, body in enumerate(scene.model.bodies)}
         self.names = tuple(self.bodies[link.name] for link in self.tree.links)
-        self.kinds = tuple(c.kind for c in self.tree.coordinates)
-        self.timed = is_timed(scene)
+        self.kinds: tuple[str, ...] = tuple(c.kind for c in self.tree.coordinates)
         self.headings = self._headings()
         self._made: dict[str, FunctionProgram] = {}
 
@@ -70,6 +62,12 @@ class Derivation:
         return tuple(self.tree.links[n].name for n in self._roots())
 
     @cached_property
+    def linear(self) -> LinearParameters:
+        """The parameters on which torques depend linearly."""
+        return LinearParameters(self.scene, self.tree, self.names,
+                                lambda: self.made(torque_regressor.FUNCTION).program)
+
+    @cached_property
     def closes(self) -> bool:
         """True if any limit can be hit."""
         return bool(self.made(closing_contacts.FUNCTION).program.instructions)
@@ -81,12 +79,18 @@ class Derivation:
                 return self.tree.nq
             case AxisLength.NV:
                 return self.tree.nv
+            case AxisLength.STATE:
+                return 2 * self.tree.nv
             case AxisLength.BODIES:
                 return len(self.bodies)
             case AxisLength.PARAMETERS:
                 return len(self.scene.parameters)
             case AxisLength.FLOATING:
                 return len(self._roots())
+            case AxisLength.LINEAR:
+                return len(self.linear.names)
+            case AxisLength.BASE:
+                return len(self.linear.base.places)
 
     # recording
 
@@ -97,15 +101,30 @@ class Derivation:
             self._made[entry.name] = self._derived(entry)
         return self._made[entry.name]
 
+    def program(self, entry: SceneFunction) -> Program:
+        """The function as one program, even if it is a step, which consists of calls."""
+        if not entry.step:
+            return self.made(entry).program
+        tau = "tau" in entry.takes
+        called = needs(entry.step, takes_tau=tau)
+        functions = self.collected([self.made(x) for x in functions_of(self.scene)
+                                    if x.name in called and not x.absent(self)])
+        step = stepped(functions, *(((), [entry.step]) if tau else ([entry.step],)))
+        return inlined(step, [self._argument(x) for x in entry.given(self.scene)])
+
+    def collected(self, made: Sequence[FunctionProgram]) -> SceneFunctions:
+        """These functions with the scene's data for targets; without steps."""
+        scene, tree = self.scene, self.tree
+        return SceneFunctions(
+            scene.name, tree.nq, tree.nv, tree.coordinates, tuple(self.bodies),
+            tuple((p.name, float(p.value)) for p in scene.parameters), coordinates.neutral(tree),
+            tuple(made), (), scene.precisions, scene.timed, tuple(signs(scene).items()),
+            scene.tiers)
+
     def _derived(self, entry: SceneFunction) -> FunctionProgram:
-        """The function of its inputs, with p if it depends on masses, and t if on effects."""
-        scene, takes = self.scene, {*entry.takes}
-        if entry.depends is Depends.EFFECTS and self.timed:
-            takes.add("t")
-        if entry.depends is not Depends.GEOMETRY and scene.parameters:
-            takes.add("p")
-        given = [name for name in INPUTS if name in takes]
-        program = self._recorded(entry, [self._argument(INPUTS[x]) for x in given])
+        """The function of its inputs."""
+        scene, given = self.scene, [self._argument(x) for x in entry.given(self.scene)]
+        program = self._recorded(entry, given)
         words = entry.words_in(self) if entry.words_in else entry.words
         function = FunctionProgram(entry.name, words, program, tuple(
             (place, self.headings.get(heading, heading)) for place, heading in headings(program)),
@@ -119,6 +138,8 @@ class Derivation:
 
     def _units(self, entry: SceneFunction) -> tuple[str, ...]:
         """The unit of each component of the results."""
+        if entry.units_in:
+            return entry.units_in(self)
         try:
             return tuple(unit for x in entry.outputs
                          for unit in x.units_of(x.sized(self.size), self.kinds))
@@ -134,7 +155,8 @@ class Derivation:
         if entry.compute is None:
             raise TypeError(f"{entry.name} has no compute function")
         try:
-            results = entry.compute(RecordedDynamics(recording, entry, self._roots))
+            results = entry.compute(RecordedDynamics(
+                recording, entry, self._roots, self.program, lambda: self.linear))
         except ZeroDivisionError:
             raise self._division(entry, recorder.heading) from None
         except Exception as error:
@@ -171,12 +193,12 @@ class Derivation:
             results[link.heading] += f": {link.joint.in_words}"
         return results
 
-    def _at_rest(self, names: Sequence[str]) -> dict[str, tuple[float, ...]]:
+    def _at_rest(self, given: Sequence[Argument]) -> dict[str, tuple[float, ...]]:
         """Inputs by name, at rest: neutral coordinates, default parameters, zero velocities."""
-        known = {"q": coordinates.neutral(self.tree), "h": (self.scene.run.step,),
+        neutral = coordinates.neutral(self.tree)
+        known = {"q": neutral, "q1": neutral, "h": (self.scene.run.step,),
                  "p": tuple(float(x.value) for x in self.scene.parameters)}
-        return {name: known.get(name, (0.0,) * prod(INPUTS[name].sized(self.size)))
-                for name in names}
+        return {x.name: known.get(x.name, (0.0,) * x.quantity.size) for x in given}
 
 
 def _is_zero(x: Operand) -> bool:

@@ -4,7 +4,6 @@ from collections.abc import Callable, Collection
 from dataclasses import replace
 
 from coscrew_codegen.algebra.recording.gc_pause import uncollected
-from coscrew_codegen.dynamics.algorithms import coordinates
 from coscrew_codegen.dynamics.derivation import Derivation
 from coscrew_codegen.dynamics.integrator_steps import needs, stepped
 from coscrew_codegen.dynamics.ranges.accuracy_requests import requested
@@ -21,7 +20,6 @@ from coscrew_codegen.scene.function_selection import (
 from coscrew_codegen.scene.functions import functions_of
 from coscrew_codegen.scene.scene import Scene
 from coscrew_codegen.scene.scene_function import SceneFunction
-from coscrew_codegen.scene.signs import signs
 
 
 def derive(scene: Scene, functions: Collection[str] = (),
@@ -41,7 +39,7 @@ def derive(scene: Scene, functions: Collection[str] = (),
 
 def _functions(its: Derivation, names: Collection[str]) -> SceneFunctions:
     """The functions of these names, for targets."""
-    scene, tree = its.scene, its.tree
+    scene = its.scene
     wanted = names or selected_functions(scene)
     entries = tuple(functions_of(scene))
     steps, with_tau = ([x.step for x in entries if x.step and x.name in wanted
@@ -54,11 +52,7 @@ def _functions(its: Derivation, names: Collection[str]) -> SceneFunctions:
                 _refuse(its, entry, reason, names)
             else:
                 made.append(_stated(its, its.made(entry), entry.name in wanted))
-    return stepped(SceneFunctions(
-        scene.name, tree.nq, tree.nv, tree.coordinates, tuple(its.bodies),
-        tuple((p.name, float(p.value)) for p in scene.parameters), coordinates.neutral(tree),
-        tuple(made), (), scene.precisions, its.timed, tuple(signs(scene).items()), scene.tiers),
-        steps, with_tau)
+    return stepped(its.collected(made), steps, with_tau)
 
 
 def _stated(its: Derivation, made: FunctionProgram, public: bool) -> FunctionProgram:

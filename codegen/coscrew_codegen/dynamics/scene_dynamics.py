@@ -12,8 +12,14 @@ from coscrew_codegen.algebra.recording.numbers import (
     rotation,
     translation,
 )
-from coscrew_codegen.dynamics import dynamics_derivatives
+from coscrew_codegen.dynamics import (
+    directional_derivatives,
+    dynamics_derivatives,
+    gradients,
+    step_derivatives,
+)
 from coscrew_codegen.dynamics.algorithms import (
+    centroidal,
     coordinates,
     crba,
     energies,
@@ -22,25 +28,31 @@ from coscrew_codegen.dynamics.algorithms import (
     frames,
     kicks,
     rnea,
+    rnea_derivatives,
 )
 from coscrew_codegen.dynamics.algorithms.motion import Motion
 from coscrew_codegen.dynamics.forces.applied_effects import AppliedEffects
 from coscrew_codegen.dynamics.forces.effect_values import Values, values_of
 from coscrew_codegen.dynamics.function_recording import FunctionRecording
+from coscrew_codegen.dynamics.parameters.scene_parameters import LinearParameters
+from coscrew_codegen.program import Program
 from coscrew_codegen.program.values.parameter import Parameter, Scalar
 from coscrew_codegen.scene.mechanism.tree import heading_of_body
 from coscrew_codegen.scene.scene import Applied
-from coscrew_codegen.scene.scene_function import Depends, Numbers, Results, SceneFunction
+from coscrew_codegen.scene.scene_function import Depends, Frame, Numbers, Results, SceneFunction
 
 
 class RecordedDynamics:
     """The dynamics of a scene, recorded: each quantity from the inputs that the function takes.
 
-    `roots` returns the first links of floating trees."""
+    `roots` returns the first links of floating trees, `program` other functions, `linear` the
+    parameters on which torques depend linearly."""
 
     def __init__(self, recording: FunctionRecording, function: SceneFunction,
-                 roots: Callable[[], Sequence[int]]):
+                 roots: Callable[[], Sequence[int]], program: Callable[[SceneFunction], Program],
+                 linear: Callable[[], LinearParameters]):
         self._recording, self._function, self._roots = recording, function, roots
+        self._program, self._linear = program, linear
         self.target = function.target
         self.scene, self.recorder, self._tree = (
             recording.scene, recording.recorder, recording.tree)
@@ -98,20 +110,19 @@ class RecordedDynamics:
         with self.recorder.part(self._numbers[body], "v", heading_of_body(body)):
             return frames.twist(self._recording, self._still, body)
 
-    def jacobian(self, body: str) -> Numbers:
+    def jacobian(self, body: str, frame: Frame, point: Numbers = ()) -> Numbers:
         """J of a body, row by row."""
         with self.recorder.part(self._numbers[body], "J", heading_of_body(body)):
-            columns = frames.jacobian(self._recording, self._still, body)
-        return [columns[j][i] for i in range(6) for j in range(self._tree.nv)]
+            columns = frames.jacobian(self._recording, self._still, body, frame, point)
+        return _by_columns(columns)
 
-    def jacobian_in_world(self, body: str, at_body: bool) -> Numbers:
-        """J of a body in the world's axes, row by row."""
-        with self.recorder.part(self._numbers[body], "J", heading_of_body(body)):
-            columns = frames.jacobian_in_world(self._recording, self._still, body, at_body)
-        return [columns[j][i] for i in range(6) for j in range(self._tree.nv)]
+    def twist_rate(self, body: str, frame: Frame, point: Numbers = ()) -> Numbers:
+        """J a + J' v of a body."""
+        with self.recorder.part(self._numbers[body], "a", heading_of_body(body)):
+            return frames.twist_rate(self._recording, self._still, body, frame, point)
 
     def acceleration(self, body: str) -> Numbers:
-        """The acceleration of a body's origin and its angular acceleration, in its frame."""
+        """The acceleration of a body's origin and its angular acceleration, in its axes."""
         with self.recorder.part(self._numbers[body], "a", heading_of_body(body)):
             return frames.acceleration(self._recording, self._still, body)
 
@@ -134,6 +145,11 @@ class RecordedDynamics:
         M = crba.mass_matrix(self._still, x.rigids, x.inertias)
         return [entry for row in M for entry in row]
 
+    def coriolis_matrix(self) -> Numbers:
+        """C(q, v), row by row."""
+        self._refuse_unless(Depends.MASSES, Depends.EFFECTS)
+        return _by_rows(rnea_derivatives.coriolis_matrix(self._still, self._recording.rigids))
+
     def torques(self, effects: bool = True) -> Numbers:
         """The torques of inverse dynamics."""
         return self._recording.torques(self._motion, self._acting if effects else None)
@@ -153,10 +169,51 @@ class RecordedDynamics:
         self._refuse_unless(Depends.EFFECTS)
         return [_by_rows(A) for A in dynamics_derivatives.of_forward(self._recording)]
 
+    def tangent(self, function: SceneFunction) -> Results:
+        """The results of another function, and their derivatives along d_."""
+        return directional_derivatives.tangent(self._recording, function, self._program(function))
+
+    def adjoint(self, function: SceneFunction) -> Results:
+        """The results of another function, and the derivatives of w_ times them by the inputs."""
+        return directional_derivatives.adjoint(self._recording, function, self._program(function))
+
+    def step_derivatives(self, step: SceneFunction) -> Results:
+        """q and v after a step, and their derivatives."""
+        return step_derivatives.of_step(self._recording, step, self._program(step))
+
+    def torque_regressor(self) -> Results:
+        """Y, row by row, and tau0 of tau = Y pi + tau0."""
+        self._refuse_unless(Depends.EFFECTS)
+        columns, rest = self._linear().columns(self._recording, self._motion)
+        return [_by_columns(columns), rest]
+
+    def linear_parameters(self) -> Numbers:
+        """pi."""
+        self._refuse_unless(Depends.MASSES, Depends.EFFECTS)
+        return self._linear().numbers(self._recording)
+
+    def base_regressor(self) -> Results:
+        """Y, row by row, and tau0 of tau = Y beta + tau0."""
+        self._refuse_unless(Depends.EFFECTS)
+        columns, rest = self._linear().columns(self._recording, self._motion)
+        return [_by_columns([columns[k] for k in self._linear().base.places]), rest]
+
+    def base_parameters(self) -> Numbers:
+        """beta."""
+        self._refuse_unless(Depends.MASSES, Depends.EFFECTS)
+        return self._linear().base_numbers(self._recording)
+
     def energies(self) -> Numbers:
         """(kinetic, potential) energy."""
         x, motion, acting = self._recording, self._motion, self._acting
         return [energies.kinetic(x, motion), energies.potential(x, motion) + acting.potential()]
+
+    def energy_gradients(self) -> Results:
+        """∂T/∂q, ∂T/∂v and ∂V/∂q."""
+        self._refuse_unless(Depends.EFFECTS)
+        x = self._recording
+        return [*gradients.of_kinetic(x, self._still),
+                gradients.of_potential(x, self._motion)]
 
     def power(self) -> Number:
         """The power of the effects without potential energy."""
@@ -165,6 +222,31 @@ class RecordedDynamics:
     def momentum(self) -> Numbers:
         """(p; L) about the world's origin."""
         return energies.momentum(self._recording, self._motion)
+
+    def centre_of_mass(self) -> Numbers:
+        """The centre of mass of all bodies that can move."""
+        return self._centroid.position
+
+    def centre_of_mass_velocity(self) -> Numbers:
+        """Its velocity."""
+        return self._centroid.velocity
+
+    def centre_of_mass_jacobian(self) -> Numbers:
+        """J of the centre of mass, row by row."""
+        return _by_columns(self._centroid.jacobian())
+
+    def centroidal_momentum_matrix(self) -> Numbers:
+        """A, row by row."""
+        return _by_columns(self._centroid.matrix())
+
+    def centroidal_momentum_rate(self) -> Numbers:
+        """A a + A' v."""
+        return self._centroid.rate()
+
+    @cached_property
+    def _centroid(self) -> centroidal.Centroid:
+        self._refuse_unless(Depends.MASSES, Depends.EFFECTS)
+        return centroidal.Centroid(self._recording, self._still)
 
     def transmitted(self, joint: str) -> Numbers:
         """(force; moment) that a joint exerts on its child."""
@@ -184,6 +266,16 @@ class RecordedDynamics:
         """q ⊕ phi."""
         return coordinates.integrated(self.recorder, self._tree, self._recording.names,
                                       self.argument("q"), self.argument("phi"))
+
+    def difference(self) -> Numbers:
+        """q1 ⊖ q."""
+        return coordinates.difference(self.recorder, self._tree, self._recording.names,
+                                      self.argument("q1"), self.argument("q"))
+
+    def chart(self) -> Numbers:
+        """∂(q ⊕ phi)/∂phi at phi = 0, row by row."""
+        zero = self.recorder.number(0)
+        return [zero if x is None else x for row in coordinates.chart(self._still) for x in row]
 
     def chart_rate(self) -> Numbers:
         """phi' while q ⊕ phi moves with v."""
@@ -227,3 +319,7 @@ class RecordedDynamics:
 
 def _by_rows(A: Sequence[Numbers]) -> list[Number]:
     return [x for row in A for x in row]
+
+
+def _by_columns(columns: Sequence[Numbers]) -> list[Number]:
+    return [x for row in zip(*columns, strict=True) for x in row]

@@ -23,7 +23,7 @@ from coscrew_codegen.program.values.formats import Precision
 from coscrew_codegen.runtime import step_calls, strided_calls
 from coscrew_codegen.runtime.bound_arguments import bound
 from coscrew_codegen.runtime.caller_warnings import at_callers_line
-from coscrew_codegen.scene.function_selection import dividing, names
+from coscrew_codegen.scene.function_selection import all_names, dividing
 from coscrew_codegen.scene.integrators import EMITTED
 from coscrew_codegen.scene.mechanism.inertia_checks import why_singular
 from coscrew_codegen.scene.names import or_mean
@@ -88,7 +88,7 @@ class Functions(NamedFunctions[Real]):
                 why = f"the {self._tier} tier is of {has[0]} precision"
             raise AttributeError(f"{self._about} is not there: {why}", name=name, obj=self)
         scene = self._kernels.scene if self._kernels else None
-        possible = names(scene) if scene else ()
+        possible = all_names(scene) if scene else ()
         hint = or_mean(name, (*dir(self), *possible))
         if self._tier and name in {y for x in EMITTED for y in (x.step_name, x.step_with_tau)}:
             hint = "; steps have no tier, since their error is not that of rounding"

@@ -40,9 +40,19 @@ class FunctionsError(ReportedError, ValueError):
 
 
 def names(scene: Scene) -> tuple[str, ...]:
+    """The functions that ALL stands for, in the order in which they are emitted: all that the scene
+    can have but derivatives of functions."""
+    return tuple(x.name for x in _possible(scene) if not x.differentiates)
+
+
+def all_names(scene: Scene) -> tuple[str, ...]:
     """All functions that the scene can have, in the order in which they are emitted."""
+    return tuple(x.name for x in _possible(scene))
+
+
+def _possible(scene: Scene) -> tuple[SceneFunction, ...]:
     singular = bool(why_singular(scene))
-    return tuple(x.name for x in _selectable(scene) if not (singular and x.divides))
+    return tuple(x for x in _selectable(scene) if not (singular and x.divides))
 
 
 def dividing(scene: Scene) -> tuple[str, ...]:
@@ -55,8 +65,12 @@ def _selectable(scene: Scene) -> tuple[SceneFunction, ...]:
     return tuple(x for x in functions_of(scene) if not x.internal)
 
 
-def _names(scene: Scene) -> tuple[str, ...]:
-    return tuple(x.name for x in _selectable(scene))
+def _names(scene: Scene) -> tuple[tuple[str, ...], tuple[str, ...]]:
+    """The functions that patterns match, and derivatives of functions, which a pattern matches that
+    matches none of them: inverse_dynamics* or *_tangent."""
+    own, derived = ([x.name for x in _selectable(scene) if bool(x.differentiates) == of]
+                    for of in (False, True))
+    return tuple(own), tuple(derived)
 
 
 def left_out(scene: Scene) -> str:
@@ -64,7 +78,7 @@ def left_out(scene: Scene) -> str:
     cannot have; "" if there are none."""
     problem, words = why_singular(scene), scene.functions or (DEFAULT,)
     if not problem or not ({DEFAULT, ALL}.intersection(words) or {*dividing(scene)}.intersection(
-            name for word in words for name in matching(word, _names(scene)))):
+            name for word in words for name in matching(word, *_names(scene)))):
         return ""
     return f"forward_dynamics and steps are left out: {problem}"
 
@@ -98,19 +112,19 @@ def refuse_many(scene: Scene) -> None:
 def selected_functions(scene: Scene) -> tuple[str, ...]:
     """The functions that the scene selects, each once, in their order.  Raises FunctionsError."""
     result = resolved(scene, scene.functions)
-    return tuple(name for name in names(scene) if name in result)
+    return tuple(name for name in all_names(scene) if name in result)
 
 
 def resolved(scene: Scene, words: Sequence[str]) -> set[str]:
     """The functions that these words select: names, patterns of them, DEFAULT, ALL; without words,
     DEFAULT. Raises FunctionsError with the nearest name for each unknown word, and for a word that
     selects only functions that divide by a singular mass matrix."""
-    known, result = names(scene), set[str]()
+    known, result = all_names(scene), set[str]()
     unknown = []
     for word in words or (DEFAULT,):
         if word in (DEFAULT, ALL):
-            result.update(by_default(scene) if word == DEFAULT else known)
-        elif of := matching(word, _names(scene)):
+            result.update((by_default if word == DEFAULT else names)(scene))
+        elif of := matching(word, *_names(scene)):
             if not set(of).intersection(known):
                 refuse_singular(scene, of)
             result.update(of)

@@ -107,6 +107,15 @@ class Scene:
         """Numbers of the model's file that the scene does not use, one line for each."""
         return tuple(notice.text for notice in self.notices)
 
+    @cached_property
+    def timed(self) -> bool:
+        """True if any effect is a function of time."""
+        def timed(value: Setting) -> bool:
+            parts = value if isinstance(value, tuple) else (value,)
+            return any(isinstance(x, Formula) and x.timed for x in parts)
+
+        return any(timed(value) for x in self.effects for value in x.values.values())
+
     @property
     def content_hash(self) -> str:
         """SHA-256 of everything in the scene and its model, independent of the files' layout."""

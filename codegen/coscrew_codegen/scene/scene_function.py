@@ -31,9 +31,12 @@ class AxisLength(Enum):
 
     NQ = "coordinates"
     NV = "velocities"
+    STATE = "displacements and velocities"
     BODIES = "bodies"
     PARAMETERS = "run-time parameters"
     FLOATING = "floating trees"
+    LINEAR = "parameters on which torques depend linearly"
+    BASE = "base parameters"
 
 
 @dataclass(frozen=True)
@@ -48,6 +51,11 @@ class Array:
     def sized(self, size: Callable[[AxisLength], int]) -> tuple[int, ...]:
         """The shape in a scene."""
         return tuple(size(x) if isinstance(x, AxisLength) else x for x in self.shape)
+
+    @property
+    def is_coordinates(self) -> bool:
+        """True if its derivatives are along velocities."""
+        return self.units is units.coordinates
 
     @property
     def each(self) -> int:
@@ -76,8 +84,18 @@ INPUTS = {x.name: x for x in (
     Array("t", (), ("s",), "time in s"), Array("h", (), ("s",), "step in s"),
     Array("p", (AxisLength.PARAMETERS,), ("1",), "parameters"), Q, V, A, TAU,
     Array("phi", (AxisLength.NV,), units.displacements,
-          "displacements along the velocities, in m, rad"), MOMENTA)}
+          "displacements along the velocities, in m, rad"), MOMENTA,
+    Array("r", (3,), ("m",), "a point in the frame of the body, in m"),
+    replace(Q, name="q1", words="other coordinates"))}
 """Inputs of functions, by name."""
+
+
+class Frame(Enum):
+    """Axes of a body's velocity (v; ω), and the point of the body that moves with v."""
+
+    BODY = "in the body's axes, at its origin"
+    ALIGNED = "in the world's axes, at the body's origin"
+    WORLD = "in the world's axes, at the world's origin"
 
 
 class Dynamics(Protocol):
@@ -109,18 +127,20 @@ class Dynamics(Protocol):
     def twist(self, body: str) -> Numbers:
         """(v; ω) of a body at its origin, in its own frame."""
 
-    def jacobian(self, body: str) -> Numbers:
-        """J with J v = (v; ω) of a body at its origin, in its own frame; row by row."""
+    def jacobian(self, body: str, frame: Frame, point: Numbers = ()) -> Numbers:
+        """J with J v = (v; ω) of a body, row by row; at a point of it instead of its origin."""
 
-    def jacobian_in_world(self, body: str, at_body: bool) -> Numbers:
-        """J with J v = (v; ω) in the world's axes, of the body's origin or of its point at the
-        world's origin; row by row."""
+    def twist_rate(self, body: str, frame: Frame, point: Numbers = ()) -> Numbers:
+        """J a + J' v of that Jacobian: the rate of the components of (v; ω)."""
 
     def acceleration(self, body: str) -> Numbers:
-        """(v'; ω') of a body at its origin, in its own frame."""
+        """The acceleration of a body's origin, and its angular acceleration, in its axes."""
 
     def mass_matrix(self) -> Numbers:
         """M(q), row by row."""
+
+    def coriolis_matrix(self) -> Numbers:
+        """C(q, v), row by row."""
 
     def torques(self, effects: bool = True) -> Numbers:
         """M(q) a + bias torques; without `effects`, those of inertia and gravity alone."""
@@ -134,14 +154,56 @@ class Dynamics(Protocol):
     def acceleration_derivatives(self) -> Results:
         """∂a/∂q, ∂a/∂v and ∂a/∂tau = M⁻¹ of forward dynamics, row by row."""
 
+    def torque_regressor(self) -> Results:
+        """Y, row by row, and tau0 of tau = Y pi + tau0."""
+
+    def linear_parameters(self) -> Numbers:
+        """pi."""
+
+    def base_regressor(self) -> Results:
+        """Y, row by row, and tau0 of tau = Y beta + tau0."""
+
+    def base_parameters(self) -> Numbers:
+        """beta."""
+
     def energies(self) -> Numbers:
         """(kinetic, potential) energy."""
+
+    def energy_gradients(self) -> Results:
+        """∂T/∂q, ∂T/∂v and ∂V/∂q of the kinetic energy T and the potential energy V."""
+
+    def tangent(self, function: "SceneFunction") -> Results:
+        """The results of another function of the same inputs, and their derivatives along the
+        directions d_."""
+
+    def adjoint(self, function: "SceneFunction") -> Results:
+        """The results of another function of the same inputs, and the derivatives of their sum with
+        the weights w_ by the inputs."""
+
+    def step_derivatives(self, step: "SceneFunction") -> Results:
+        """q and v after a step of the same inputs; their derivatives by q and v, by tau if the step
+        takes it, and by p if the scene has run-time parameters; row by row."""
 
     def power(self) -> Number:
         """The power of the effects without potential energy."""
 
     def momentum(self) -> Numbers:
         """(p; L) of all bodies about the world's origin, in its axes; without armatures."""
+
+    def centre_of_mass(self) -> Numbers:
+        """The centre of mass of all bodies that can move, in the world."""
+
+    def centre_of_mass_velocity(self) -> Numbers:
+        """Its velocity."""
+
+    def centre_of_mass_jacobian(self) -> Numbers:
+        """J with J v = its velocity, row by row."""
+
+    def centroidal_momentum_matrix(self) -> Numbers:
+        """A with A v = (p; L) about the centre of mass, in the world's axes; row by row."""
+
+    def centroidal_momentum_rate(self) -> Numbers:
+        """A a + A' v."""
 
     def transmitted(self, joint: str) -> Numbers:
         """(force; moment) that a joint exerts on its child, in the child's frame, at its origin."""
@@ -151,6 +213,12 @@ class Dynamics(Protocol):
 
     def integrated(self) -> Numbers:
         """q ⊕ phi."""
+
+    def difference(self) -> Numbers:
+        """q1 ⊖ q: phi with q ⊕ phi = q1."""
+
+    def chart(self) -> Numbers:
+        """∂(q ⊕ phi)/∂phi at phi = 0, row by row."""
 
     def chart_rate(self) -> Numbers:
         """phi' while q ⊕ phi moves with v."""
@@ -174,6 +242,26 @@ class Dynamics(Protocol):
         """The number and length of the parts of a step that resolve contacts of limits."""
 
 
+class LinearNames(Protocol):
+    """Parameters on which the torques of a scene depend linearly."""
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        """Their names: forearm.m, viscous.elbow.d."""
+
+    @property
+    def units(self) -> tuple[str, ...]:
+        """The unit of each."""
+
+    @property
+    def base_names(self) -> tuple[str, ...]:
+        """Combinations of them that determine the torques: wrist.mx + 0.11 hand.m."""
+
+    @property
+    def base_units(self) -> tuple[str, ...]:
+        """The unit of each combination."""
+
+
 class Situation(Protocol):
     """Properties of a scene on which functions depend."""
 
@@ -182,6 +270,14 @@ class Situation(Protocol):
     @property
     def floating(self) -> tuple[str, ...]:
         """The first bodies of trees on which gravity is the only external force."""
+
+    @property
+    def kinds(self) -> tuple[str, ...]:
+        """The kinds of the joints with coordinates of their own."""
+
+    @property
+    def linear(self) -> LinearNames:
+        """The parameters on which its torques depend linearly."""
 
     @property
     def closes(self) -> bool:
@@ -257,12 +353,18 @@ class SceneFunction:
     divides: bool = False  # by the mass matrix, or called only by functions that do
     lacks: Callable[[Situation], str] | None = None  # "" if a scene can have it
     words_in: Callable[[Situation], str] | None = None  # where words depend on the scene
+    units_in: Callable[[Situation], tuple[str, ...]] | None = None  # of all results, likewise
     internal: bool = False  # called by steps alone, so that it cannot be selected
     targets: Callable[[Scene], Mapping[str, str]] | None = None  # of a family: what stands in
     # names for BODY or JOINT, and the body or joint
     members: Callable[["SceneFunction", Scene], tuple["SceneFunction", ...]] | None = None  # of a
     # family whose members differ in more than targets
     target: str = ""  # of a member: its body or joint
+    each: Callable[["SceneFunction", "SceneFunction", Scene], "SceneFunction | None"] | None = None
+    # of a family that has a member for each other function, or None for it
+    differentiates: "SceneFunction | None" = None  # the function that it belongs to in such a
+    # family: it is selected by its name or a pattern that ends as the family's names
+    more: tuple[Array, ...] = ()  # inputs of its own, after the others
     step: Integrator | None = None  # whose step it is
     shown: bool = False  # whether `coscrew cost` shows what each effect adds to it
     judged: bool = False  # whether `coscrew check` judges its rounding
@@ -309,6 +411,20 @@ class SceneFunction:
                                  "scene")
             result += x.units_of(shape, ())
         return tuple(result)
+
+    def given(self, scene: Scene) -> tuple[Array, ...]:
+        """Its inputs in a scene: with p if it depends on masses, and t if on effects."""
+        takes = {*self.takes}
+        if self.depends is Depends.EFFECTS and scene.timed:
+            takes.add("t")
+        if self.depends is not Depends.GEOMETRY and scene.parameters:
+            takes.add("p")
+        return (*(x for name, x in INPUTS.items() if name in takes), *self.more)
+
+    def results(self, scene: Scene) -> tuple[Array, ...]:
+        """Its outputs; those with an input's name get the suffix o."""
+        taken = {x.name for x in self.given(scene)}
+        return tuple(replace(x, name=f"{x.name}o") if x.name in taken else x for x in self.outputs)
 
     @property
     def takes(self) -> tuple[str, ...]:

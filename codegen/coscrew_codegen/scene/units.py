@@ -37,6 +37,11 @@ def displacements(kinds: Kinds) -> tuple[str, ...]:
     return tuple(unit.removesuffix("/s") for unit in velocities(kinds))
 
 
+def coordinates_by_displacements(kinds: Kinds) -> tuple[str, ...]:
+    """Units of ∂(q ⊕ phi)/∂phi, row by row."""
+    return over(coordinates(kinds), displacements(kinds))
+
+
 def torques(kinds: Kinds) -> tuple[str, ...]:
     """Units of tau: the unit of power over that of v."""
     return tuple("N m" if unit == "rad/s" else "N" for unit in velocities(kinds))
@@ -50,39 +55,79 @@ def masses(kinds: Kinds) -> tuple[str, ...]:
 
 def torques_by_displacements(kinds: Kinds) -> tuple[str, ...]:
     """Units of ∂tau/∂q, row by row."""
-    return _over(torques(kinds), displacements(kinds))
+    return over(torques(kinds), displacements(kinds))
 
 
 def torques_by_velocities(kinds: Kinds) -> tuple[str, ...]:
     """Units of ∂tau/∂v, row by row."""
-    return _over(torques(kinds), velocities(kinds))
+    return over(torques(kinds), velocities(kinds))
 
 
 def accelerations_by_displacements(kinds: Kinds) -> tuple[str, ...]:
     """Units of ∂a/∂q, row by row."""
-    return _over(accelerations(kinds), displacements(kinds))
+    return over(accelerations(kinds), displacements(kinds))
 
 
 def accelerations_by_velocities(kinds: Kinds) -> tuple[str, ...]:
     """Units of ∂a/∂v, row by row."""
-    return _over(accelerations(kinds), velocities(kinds))
+    return over(accelerations(kinds), velocities(kinds))
 
 
 def accelerations_by_torques(kinds: Kinds) -> tuple[str, ...]:
     """Units of M⁻¹, row by row."""
-    return _over(accelerations(kinds), torques(kinds))
+    return over(accelerations(kinds), torques(kinds))
 
 
-def _over(rows: Sequence[str], columns: Sequence[str]) -> tuple[str, ...]:
+def over(rows: Sequence[str], columns: Sequence[str]) -> tuple[str, ...]:
     """Units of a Jacobian, row by row: of results over those of arguments."""
-    return tuple(f"{row}/({column})" if " " in column or "/" in column else f"{row}/{column}"
-                 for row in rows for column in columns)
+    return tuple(
+        "1" if row == column else
+        f"{row}/({column})" if " " in column or "/" in column else f"{row}/{column}"
+        for row in rows for column in columns)
 
 
 def jacobian(kinds: Kinds) -> tuple[str, ...]:
     """Units of a Jacobian, row by row: of linear, then of angular velocity over each velocity."""
     of = {"rad/s": ("m", "1"), "m/s": ("1", "1/m")}
     return tuple(of[unit][row // 3] for row in range(6) for unit in velocities(kinds))
+
+
+def point_jacobian(kinds: Kinds) -> tuple[str, ...]:
+    """Units of the Jacobian of a point, row by row."""
+    return jacobian(kinds)[:3 * len(velocities(kinds))]
+
+
+def momenta(kinds: Kinds) -> tuple[str, ...]:
+    """Units of M v: of energy over v."""
+    return tuple("N m s" if unit == "rad/s" else "N s" for unit in velocities(kinds))
+
+
+def centroidal(kinds: Kinds) -> tuple[str, ...]:
+    """Units of the centroidal momentum matrix, row by row: of momenta over each velocity."""
+    of = {"rad/s": ("kg m", "kg m^2"), "m/s": ("kg", "kg m")}
+    return tuple(of[unit][row // 3] for row in range(6) for unit in velocities(kinds))
+
+
+def states(kinds: Kinds) -> tuple[str, ...]:
+    """Units of displacements, then of velocities."""
+    return *displacements(kinds), *velocities(kinds)
+
+
+def states_by_states(kinds: Kinds) -> tuple[str, ...]:
+    """Units of the derivatives of q and v after a step by those before it, row by row."""
+    return over(states(kinds), states(kinds))
+
+
+def states_by_torques(kinds: Kinds) -> tuple[str, ...]:
+    """Units of the derivatives of q and v after a step by torques, row by row."""
+    return over(states(kinds), torques(kinds))
+
+
+def reciprocals(of: Units) -> Units:
+    """The units over which a derivative of a number is: 1/m for m."""
+    def inverted(kinds: Kinds) -> tuple[str, ...]:
+        return over(("1",), of(kinds) if callable(of) else of)
+    return inverted
 
 
 def _of_joints(which: str, kinds: Kinds) -> tuple[str, ...]:

@@ -50,12 +50,19 @@ def adjoint(program: Program) -> Program:
     given = [recorder.argument(a.name) for a in program.inputs]
     weighed = [w for a in weights for w in recorder.argument(a.name)]
     with recorder.part("adjoint"):
-        choices = Choices(program, recorder)
-        values, result = differentiate.adjoint(program, choices.arithmetic, numbers, given, weighed,
-                                               _partials, choices.product)
-    slopes = [recorder.number(0) if x is None else x for row in result for x in row]
+        values, slopes = weighted(program, recorder, given, weighed)
     return recorder.program(f"{program.name}_adjoint", [
-        *_of(program.outputs, values), *_of(gradients, slopes)])
+        *_of(program.outputs, values), *_of(gradients, [x for row in slopes for x in row])])
+
+
+def weighted(program: Program, recorder: Recorder, given: Sequence[Sequence[Number]],
+             weights: Sequence[Number]) -> tuple[list[Number], list[list[Number]]]:
+    """The results on numbers of a recording, and the derivatives of their sum with these weights by
+    the components of each input."""
+    choices = Choices(program, recorder)
+    values, slopes = differentiate.adjoint(program, choices.arithmetic, numbers, given, weights,
+                                           _partials, choices.product)
+    return values, [[recorder.number(0) if x is None else x for x in row] for row in slopes]
 
 
 def _partials(op: Op) -> Slopes | None:

@@ -140,15 +140,18 @@ class Recorder:
     def call(self, operation: str, *arguments: Number | Numbers) -> tuple[Number, ...]:
         """All components of the operation's outputs; records its program on the arguments."""
         if operation not in self._replays:
-            program = library_program(operation)
-            self.differs = self.differs or program.fine is not None
-            chosen = program.fine or program if self._fine else program
-            self._replays[operation] = interpreter(chosen, self._arithmetic)
+            self._replays[operation] = interpreter(
+                self.form(library_program(operation)), self._arithmetic)
         return self._replayed(self._replays[operation], arguments)
+
+    def form(self, program: Program) -> Program:
+        """The program in the form that is recorded: `fine` if that is wanted and differs."""
+        self.differs = self.differs or program.fine is not None
+        return program.fine or program if self._fine else program
 
     def replay(self, program: Program, *arguments: Number | Numbers) -> tuple[Number, ...]:
         """All components of the program's outputs; records it on these arguments."""
-        return self._replayed(interpreter(program, self._arithmetic), arguments)
+        return self._replayed(interpreter(self.form(program), self._arithmetic), arguments)
 
     def _replayed(self, run: Callable[[Sequence[Sequence[Operand]]], list[Operand]],
                   arguments: Sequence[Number | Numbers]) -> tuple[Number, ...]:

@@ -195,8 +195,13 @@ def _mark(axes: Axes, x: Mark, at: float, transform: Transform) -> None:
     axes.plot([x.x], [at], x.shape, color=x.colour, clip_on=False, transform=transform,
               markerfacecolor=_CARD if x.hollow else x.colour, gid=x.name)
     if x.label:
-        axes.annotate(x.label, (x.x, at), _PLACES[0][:2], xycoords=transform, fontsize=7.5,
-                      textcoords="offset points", color=QUIET, va="center").set_in_layout(False)
+        name_beside(axes, (x.x, at), x.label, transform)
+
+
+def name_beside(axes: Axes, at: tuple[float, float], text: str, transform: Transform) -> None:
+    """Write a label that place_labels moves to where there is room."""
+    axes.annotate(text, at, _PLACES[0][:2], xycoords=transform, fontsize=7.5, color=QUIET,
+                  textcoords="offset points", va="center").set_in_layout(False)
 
 
 def place_labels(figure: Figure) -> None:

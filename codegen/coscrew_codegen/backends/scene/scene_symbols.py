@@ -49,6 +49,10 @@ SYMBOLS: dict[tuple[str, ...], str] = {
     ("al", "aa"): "acceleration (linear, angular) due to the joints' accelerations",
     ("own",): "of the joint itself: inertia, torques of effects",
     ("J",): "columns of the Jacobian",
+    ("cm",): "centre of mass of all links, in the link's frame",
+    ("h",): "momentum of the link and all links beyond it for a unit velocity of the joint",
+    ("ds",): "rates of the joint's axes",
+    ("dT",): "gradients of the kinetic energy",
     ("q",): "coordinates after the step",
     ("drift", "kick"): "change of q, and velocities, after part of a step",
 }

@@ -2,7 +2,7 @@
 
 from collections.abc import Sequence
 
-from coscrew_codegen.algebra.recording.numbers import Number, add, scaled
+from coscrew_codegen.algebra.recording.numbers import Number, add, scaled, subtract
 from coscrew_codegen.algebra.recording.recorder import Recorder
 from coscrew_codegen.dynamics.algorithms.motion import Motion
 from coscrew_codegen.scene.mechanism.tree import Tree
@@ -24,6 +24,46 @@ def integrated(recorder: Recorder, tree: Tree, names: Sequence[str], q: Sequence
             own, step = q[link.q.start:link.q.stop], phi[link.v.start:link.v.stop]
             manifold = link.joint.kind.manifold
             results += manifold.integrated(own, step) if manifold else add(own, step)
+    return results
+
+
+def difference(recorder: Recorder, tree: Tree, names: Sequence[str], q1: Sequence[Number],
+               q0: Sequence[Number]) -> list[Number]:
+    """q1 ⊖ q0, phi with q0 ⊕ phi = q1: q1 - q0, or as the joint's kind says."""
+    results: list[Number] = []
+    for name, link in zip(names, tree.links, strict=True):
+        if link.driver:
+            continue
+        with recorder.part(name, "phi", link.heading):
+            own, start = q1[link.q.start:link.q.stop], q0[link.q.start:link.q.stop]
+            manifold = link.joint.kind.manifold
+            results += manifold.difference(own, start) if manifold else subtract(own, start)
+    return results
+
+
+def velocities(recorder: Recorder, tree: Tree, names: Sequence[str], q: Sequence[Number],
+               rates: Sequence[Number]) -> list[Number]:
+    """The velocities at which q changes at these rates."""
+    results: list[Number] = []
+    for name, link in zip(names, tree.links, strict=True):
+        if link.driver:
+            continue
+        with recorder.part(name, "vq", link.heading):
+            own, rate = q[link.q.start:link.q.stop], rates[link.q.start:link.q.stop]
+            manifold = link.joint.kind.manifold
+            results += manifold.velocities(own, rate) if manifold else rate
+    return results
+
+
+def rates(motion: Motion, v: Sequence[Number]) -> list[Number]:
+    """q' at these velocities."""
+    results: list[Number] = []
+    for number, link in enumerate(motion.tree.links):
+        if link.driver:
+            continue
+        own, manifold = v[link.v.start:link.v.stop], link.joint.kind.manifold
+        state = motion.state(number)
+        results += manifold.rates(state, state.q, own) if manifold else own
     return results
 
 

@@ -47,6 +47,7 @@ from coscrew_codegen.algebra.recording.numbers import (
 from coscrew_codegen.dynamics.algorithms.bodies import Rigid, symmetric
 from coscrew_codegen.dynamics.algorithms.motion import Displacement, Motion
 from coscrew_codegen.dynamics.algorithms.rnea import Wrench, net_wrenches
+from coscrew_codegen.dynamics.algorithms.screw_rates import subspace_rates
 
 Matrix = list[list[Number]]
 Six = tuple[Number, ...]
@@ -98,6 +99,16 @@ def derivatives(motion: Motion, rigids: Sequence[Rigid], inertias: Mapping[str, 
 def constant_screws(motion: Motion) -> bool:
     """True if each joint's screws are constants in its link's frame."""
     return all(link.joint.kind.subspace_rate is None for link in motion.tree.links)
+
+
+def coriolis_matrix(motion: Motion, rigids: Sequence[Rigid]) -> Matrix:
+    """C with C v = the torques of inverse dynamics at a = 0, for a motion without gravity, and
+    M' - 2 C skew; row by row.
+
+    With the rate s' of each screw, C_jc = s_j·(C s_c + B s_c') and C_cj = s_j·(C^T s_c) +
+    s_j'·(B s_c) for a joint j before c: after Echeandia and Wensing, "Numerical methods to compute
+    the Coriolis matrix and Christoffel symbols for rigid-body systems" (2021)."""
+    return _Coriolis(motion, rigids).matrix()
 
 
 class _Recursion:
@@ -279,6 +290,45 @@ class _Recursion:
         if link.driver:
             return self.tree.links[link.driver.link].v.start, link.driver.multiplier
         return link.v.start + freedom, 1
+
+
+class _Coriolis(_Recursion):
+    """The recursion for the Coriolis matrix; only C is entered, as `dv`."""
+
+    def matrix(self) -> Matrix:
+        """C, of velocities."""
+        self.screw_rates = [self._screw_rates(n) for n in range(len(self.tree.links))]
+        return self.derivatives({}).dv
+
+    def _screw_rates(self, number: int) -> list[Six]:
+        """(v; w) × s, plus the rates of screws that depend on q."""
+        with self.motion.part(number, "ds"):
+            twist = (*self.v[number], *self.motion.angular_velocity(number))
+            return [add(self.call("cross_ss", twist, x.s), own) for x, own in zip(
+                self.freedoms[number], subspace_rates(self.motion, number), strict=True)]
+
+    def _enter(self, number: int, x: _Beyond) -> None:
+        half = self.zero.like(1) / 2
+        for k, own in enumerate(self.freedoms[number]):
+            column, l, e = self.places[number] + k, linear(own.s), angular(own.s)
+            u1 = self.call("product_Bs", x.inertia, own.s)
+            u2 = (*self.motion.zero,
+                  *scaled(half, add(_turned_back(x.T, e), cross(x.p, l))))
+            u3 = add(scaled(half, _coriolis(x, own.s)),
+                     self.call("product_Bs", x.inertia, self.screw_rates[number][k]))
+            for other, row in self._places(number):
+                self.dv[row][column] = self._along(u3, other.s)
+            self._enter_before(number, column, (u1, u2, u3))
+
+    def _enter_before(self, number: int, column: int, us: tuple[Six, ...]) -> None:
+        at = number
+        while (parent := self.tree.links[at].parent) >= 0:
+            D, at = self.motion.frame(at), parent
+            us = tuple(self.call("product_CoAdc", D, u) for u in us)
+            u1, u2, u3 = us
+            for (x, row), rate in zip(self._places(at), self.screw_rates[at], strict=True):
+                self.dv[row][column] = self._along(u3, x.s)
+                self.dv[column][row] = self._along(u2, x.s) + self._along(u1, rate)
 
 
 def _spin(T: Nine, e: Vector, place: int) -> Vector:

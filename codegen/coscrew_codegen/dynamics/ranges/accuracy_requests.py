@@ -45,7 +45,8 @@ def _ranges(name: str, program: Program, scene: Scene, tree: Tree) -> Ranges:
     joints = {link.joint.name: link.joint for link in tree.links}
     ranges: Mapping[str, Ranges] = {
         "t": ((0.0, scene.run.duration),),
-        "p": tuple((float(x.value), float(x.value)) for x in scene.parameters)}
+        "p": tuple((float(x.value), float(x.value)) for x in scene.parameters),
+        "r": ((-scene.model.length, scene.model.length),) * 3}
     if name in ranges:
         return ranges[name]
     results: list[tuple[float, float]] = []

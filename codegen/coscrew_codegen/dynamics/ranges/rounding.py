@@ -32,7 +32,8 @@ def statement(program: Program, scene: Scene, tree: Tree) -> str:
     if not words:
         return ""
     bounds = "; ".join(f"{name} by at most {' and '.join(texts)}" for name, texts in words.items())
-    return f"Proved: rounding moves {bounds} precision, for every {_domain(program, tree)}."
+    domain = _domain(program, tree)
+    return f"Proved: rounding moves {bounds} precision{f', for every {domain}' if domain else ''}."
 
 
 def _bounds(program: Program, components: Sequence[RoundedRange], precision: Precision

@@ -10,6 +10,7 @@ from coscrew_codegen.reports.cost.cost_measurement import Costs
 from coscrew_codegen.reports.cost.figures.cost_tables import best
 from coscrew_codegen.reports.cost.function_errors import Bounds, ErrorStatistics, FunctionErrors
 from coscrew_codegen.reports.cost.measured import DIGITS
+from coscrew_codegen.reports.cost.needs.answers import SURENESS, Answer, Sufficient
 from coscrew_codegen.reports.cost.recommendations import recommended, sentences, undominated
 from coscrew_codegen.reports.cost.run_errors import DIGITS as RUN_DIGITS
 from coscrew_codegen.reports.cost.run_errors import RunErrors
@@ -37,6 +38,10 @@ def data(costs: Costs, command: str) -> dict[str, Json]:
         "system": system(), "compiler": costs.compiler,
         "reference_digits": DIGITS,
         "functions": [_function(rows) for rows in costs.accuracy],
+        "needs": [_need(x) for x in costs.answers],
+        "load": None if costs.load is None else {
+            "share": costs.load.share, "tasks": costs.load.tasks,
+            "processors": costs.load.processors},
         "operations": [{
             "part": x.part, "function": x.function, "flops": x.flops, "operations": x.words,
             "double": _time(x.times[0]), "single": _time(x.times[1])} for x in costs.rows],
@@ -59,6 +64,17 @@ def _function(rows: Sequence[FunctionErrors]) -> dict[str, Json]:
             "tier": x.tier, "precision": x.precision, "time": _time(x.time),
             "emitted": x.emitted, "best": x in undefeated, "errors": [_errors(e) for e in x.errors],
             "worst_at": x.worst_at} for x in rows]}
+
+
+def _need(x: Answer) -> dict[str, Json]:
+    def listed(candidates: Sequence[Sufficient]) -> list[dict[str, Json]]:
+        return [{"tier": c.row.tier, "precision": c.row.precision, "sureness": SURENESS[c.sureness],
+                 "worst": c.errors, "ns": c.row.time.median, "instructions": c.instructions,
+                 "counted": c.counted} for c in candidates]
+
+    return {"function": x.function, "within": [{"number": need.within, "unit": need.unit or None}
+                                               for need in x.needs],
+            "here": listed(x.here), "cortex_m4": listed(x.on_cortex_m4)}
 
 
 def _errors(x: ErrorStatistics) -> dict[str, Json]:

@@ -19,10 +19,12 @@ from coscrew_codegen.program.values.formats import PRECISIONS
 from coscrew_codegen.reports.cost import CostError
 from coscrew_codegen.reports.cost.cost_request import CostRequest, present, refuse_absent
 from coscrew_codegen.reports.cost.effect_ablation import SHOWN, WHOLE, Ablation, part, parts
-from coscrew_codegen.reports.cost.error_states import Values, box_of
+from coscrew_codegen.reports.cost.error_states import Box, Values, box_of
 from coscrew_codegen.reports.cost.function_errors import FunctionErrors, measured
 from coscrew_codegen.reports.cost.loops import ELEMENTS, CompiledLoops, compiled
 from coscrew_codegen.reports.cost.measured import CERTIFIED, choices
+from coscrew_codegen.reports.cost.needs.answers import Answer, answer
+from coscrew_codegen.reports.cost.needs.need import Need, refuse_other_units
 from coscrew_codegen.reports.cost.run_errors import RunErrors, run_errors
 from coscrew_codegen.reports.cost.work_precision import (
     Point,
@@ -32,6 +34,7 @@ from coscrew_codegen.reports.cost.work_precision import (
 )
 from coscrew_codegen.reports.timing.intervals import Interval
 from coscrew_codegen.reports.timing.loop_timing import timed_loops
+from coscrew_codegen.reports.timing.machine_load import Load, LoadWatch
 from coscrew_codegen.runtime import compilation
 from coscrew_codegen.runtime.load import Kernels
 from coscrew_codegen.simulation.plan import Plan, Trajectory, plan
@@ -70,6 +73,13 @@ class Costs:
                     ...] = ()  # of each function: all tiers and precisions
     runs: bool = True  # whether runs were measured, or requested
     run_errors: RunErrors | None = None
+    answers: tuple[Answer, ...] = ()
+    load: Load | None = None  # of the machine, while functions were timed
+
+    @property
+    def needs(self) -> tuple[Need, ...]:
+        """The requests that were answered."""
+        return tuple(need for x in self.answers for need in x.needs)
 
     def known(self, point: Point) -> bool:
         """Returns whether a run's error exceeds the reference's, and so is known; a smaller error
@@ -87,17 +97,24 @@ def measure(kernels: Kernels, overrides: RunOverrides, request: CostRequest) -> 
     chosen = (part(WHOLE, scene, names),) if request.alone else parts(scene, names)
     refuse_absent(request, chosen[0])
     names = present(names, chosen[0])
+    for name in names:
+        refuse_other_units(request.needs, name, chosen[0].functions.named(name).units)
     try:
         using = compilation.compiler()
-        tiers = _tiers(chosen[0], names)
+        tiers = _tiers(chosen[0], names, all_of_them=bool(request.needs))
         built = tuple(_progress((compiled(x, _functions(x), using, tiers if x is chosen[0] else ())
                                  for x in chosen), "compiling", len(chosen)))
     except compilation.CompilationError as error:
         raise CostError(f"cost times C, and that cannot be compiled: {error}") from None
     states = _states(kernels, overrides)
-    accuracy = tuple(_progress(_accuracies(kernels, overrides, states[1], built[0], names, request),
+    box = _box(kernels, overrides, states[1])
+    watch = LoadWatch()
+    accuracy = tuple(_progress(_accuracies(box, states[1], built[0], names, request, watch),
                                "comparing", len(names)))
-    costs = Costs(scene.name, str(using), (), None, (), accuracy, not request.alone)
+    answers = tuple(answer(request.needs, rows, built[0], box) for rows in accuracy
+                    if any(x.function == rows[0].function for x in request.needs))
+    costs = Costs(scene.name, str(using), (), None, (), accuracy, not request.alone,
+                  answers=answers, load=watch.load)
     return costs if request.alone else _with_runs(costs, kernels, overrides, built, states, request)
 
 
@@ -117,34 +134,40 @@ def _with_runs(costs: Costs, kernels: Kernels, overrides: RunOverrides,
                        if x.tier.scene and x.tier.name != CERTIFIED]))  # certified: as plain
 
 
-def _tiers(of: Ablation, names: Sequence[str]) -> tuple[SceneTier, ...]:
+def _tiers(of: Ablation, names: Sequence[str], all_of_them: bool) -> tuple[SceneTier, ...]:
     """Returns the functions in all tiers of both precisions except plain, and in the tiers that the
-    scene selects; the remaining tiers are worthwhile only where double is software."""
+    scene selects; the remaining tiers, worthwhile only where double is software, if
+    `all_of_them`."""
     some = replace(of.functions, steps=(), functions=tuple(
         f for f in of.public if f.name in names))
     results = []
     for tier in OF_SCENES:
         if names and tier != PLAIN and (
-                tier.precisions == PRECISIONS or tier.name in of.scene.tiers):
+                tier.precisions == PRECISIONS or tier.name in of.scene.tiers
+                or all_of_them and not tier.on_request):
             with suppress(NoFunctionsError):
                 results.append(in_tier(some, tier))
     return tuple(results)
 
 
-def _accuracies(kernels: Kernels, overrides: RunOverrides, run: Trajectory, built: CompiledLoops,
-                names: Sequence[str], request: CostRequest) -> Iterator[tuple[FunctionErrors, ...]]:
-    """Errors and times of these functions, at parameters of single precision."""
+def _box(kernels: Kernels, overrides: RunOverrides, run: Trajectory) -> Box:
+    """The limits between which states are drawn, at parameters of single precision."""
     known = dict(kernels.interface.parameters) | dict(overrides.settings)
     its = system(kernels, "double", {x: float(np.float32(y)) for x, y in known.items()})
+    return box_of(its, float(run.t[-1]), _planned(kernels, overrides)[1].step)
+
+
+def _accuracies(box: Box, run: Trajectory, built: CompiledLoops, names: Sequence[str],
+                request: CostRequest, watch: LoadWatch) -> Iterator[tuple[FunctionErrors, ...]]:
+    """Errors and times of these functions."""
 
     def timed(name: str, states: Values) -> list[Interval]:
         inputs = [np.resize(states[a.name], (ELEMENTS, *states[a.name].shape[1:]))
                   for a in built.part.functions.named(name).program.inputs]
         loops = [built.loop(name, x.precision, inputs, x.tier) for x in choices(built, name)]
-        return [x.time for x in timed_loops(built.library, loops, 1e9 * _SECONDS * len(loops))]
+        with watch.timing():
+            return [x.time for x in timed_loops(built.library, loops, 1e9 * _SECONDS * len(loops))]
 
-    _, planned = _planned(kernels, overrides)
-    box = box_of(its, float(run.t[-1]), planned.step)
     for rows in measured(built, names, box, run, request.counts, timed):
         yield tuple(replace(x, emitted=x.precision in request.emitted) for x in rows)
 
@@ -190,10 +213,12 @@ def _inputs(function: FunctionProgram, its: System, trajectory: Trajectory) -> l
     t, q, v = (x[chosen] for x in (trajectory.t, trajectory.q, trajectory.v))
     values = {"t": t, "p": np.tile(np.array(its.p), (ELEMENTS, 1)), "q": q, "v": v,
               "a": accelerations(its, t, q, v), "tau": np.zeros_like(v), "phi": 1e-3 * v,
-              "h": np.full(ELEMENTS, 1e-3)}
+              "h": np.full(ELEMENTS, 1e-3), "r": np.full((ELEMENTS, 3), its.scene.model.length),
+              "q1": np.roll(q, 1, axis=0)}
     if its.has("free_momentum"):
         values["c"] = np.asarray(its.call("free_momentum", q=q, v=v))
-    return [values[a.name] for a in function.program.inputs]
+    return [values[a.name] if a.name in values else np.ones((ELEMENTS, *a.quantity.shape))
+            for a in function.program.inputs]  # directions and weights of derivatives
 
 
 def _progress(items: Iterable[Item], what: str, total: int | None) -> Iterator[Item]:

@@ -67,7 +67,10 @@ class Box:
         its, count = self.system, len(values["t"])
         results = {**values, "q": its.normalized(values["q"]), "h": np.full(count, self.step),
                    "p": np.tile(np.array(its.p, float), (count, 1))}
+        points = np.random.default_rng(4).uniform(-1, 1, (count, 3))
+        results["r"] = points * its.scene.model.length
         results = {name: _single(x) for name, x in results.items()}
+        results["q1"] = np.roll(results["q"], 1, axis=0)
         results["phi"] = _single(results["h"][:, None] * results["v"])
         if its.has("free_momentum"):
             results["c"] = _single(its.call("free_momentum", **results))

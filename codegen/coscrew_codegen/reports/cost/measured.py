@@ -79,8 +79,9 @@ class Measured:
 
     def inputs(self, states: Values) -> list[Reals]:
         """Returns the states as inputs, in the function's order."""
-        program = self.built.part.functions.named(self.name).program
-        return [states[a.name] for a in program.inputs]
+        program, count = self.built.part.functions.named(self.name).program, len(states["t"])
+        return [states[a.name] if a.name in states else np.ones((count, *a.quantity.shape))
+                for a in program.inputs]  # directions and weights of derivatives
 
     def values(self, choice: TierChoice, states: Values) -> list[Reals]:
         """The results and, if it is certified, their bounds: (states, components) each."""

@@ -30,7 +30,7 @@ def refuse_names(functions: Sequence[SceneFunction]) -> None:
                              f"{x.name} in single precision; rename one")
 
 
-_NAME = re.compile(r"[a-z][a-z0-9]*(_[a-z0-9]+)*(_[A-Z]+)*")
+_NAME = re.compile(r"([a-z][a-z0-9]*|FUNCTION)(_([a-z0-9]+|[A-Z]+))*")
 refuse_names(FUNCTIONS)
 
 
@@ -56,5 +56,9 @@ QUANTITIES = quantities(FUNCTIONS)
 def functions_of(scene: Scene) -> Iterator[SceneFunction]:
     """All functions that a scene may have, internal ones among them, in the order in which they are
     emitted."""
-    yield from sorted((x for function in FUNCTIONS for x in function.of(scene)),
-                      key=lambda x: x.place)
+    own = sorted((x for function in FUNCTIONS if not function.each for x in function.of(scene)),
+                 key=lambda x: x.place)
+    yield from own
+    for family in FUNCTIONS:
+        if family.each:
+            yield from filter(None, (family.each(family, x, scene) for x in own))

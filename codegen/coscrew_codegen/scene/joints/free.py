@@ -1,6 +1,6 @@
 """A free joint: its child moves as if nothing carried it."""
 
-from coscrew_codegen.algebra.recording.numbers import add, displacement, rotated
+from coscrew_codegen.algebra.recording.numbers import add, displacement, rotated, subtract
 from coscrew_codegen.scene.mechanism.joint_kind import (
     ROTATION,
     Displacement,
@@ -11,8 +11,10 @@ from coscrew_codegen.scene.mechanism.joint_kind import (
     Screw,
     call,
     numbers,
+    quaternion_difference,
     quaternion_integrated,
     quaternion_rate,
+    quaternion_velocity,
 )
 
 
@@ -35,6 +37,19 @@ def _integrated(q: Numbers, phi: Numbers) -> Numbers:
     return (*position, *quaternion_integrated(q[3:], phi[3:]))
 
 
+def _difference(q1: Numbers, q0: Numbers) -> Numbers:
+    """(J_l(ω)⁻¹ R0^T (x1 - x0); ω), ω the rotation vector of q0* q1."""
+    omega = quaternion_difference(q1[3:], q0[3:])
+    apart = call("rotate_qconjv", q0[3:], subtract(q1[:3], q0[:3]))
+    return (*rotated(call("SO3_leftJacobianInverse", omega), apart), *omega)
+
+
+def _velocities(q: Numbers, rate: Numbers) -> Numbers:
+    """(R^T x'; 2 vec(q* q'))."""
+    moving = call("rotate_qconjv", q[3:], rate[:3])
+    return (*moving, *quaternion_velocity(q[3:], rate[3:]))
+
+
 def _rates(x: JointState, r: Numbers, v: Numbers) -> Numbers:
     """(R v, r (ω; 0) / 2)."""
     moving = x.quaternion_rotated(x.q[3:], tuple(v[:3]))
@@ -50,5 +65,6 @@ JOINT = JointKind(
     "free", 60, "moves freely", (numbers("position", "m", 3), ROTATION),
     "position in m, then quaternion (x, y, z, w)",
     "velocity in m/s, then angular velocity in rad/s, both in the body's frame",
-    _displacement, _subspace, manifold=Manifold(_integrated, _bracket, _rates), urdf="floating",
+    _displacement, _subspace,
+    manifold=Manifold(_integrated, _difference, _bracket, _rates, _velocities), urdf="floating",
     synonyms=("floating", "freeflyer", "free_flyer", "free-flyer"), base=True, floats=True)

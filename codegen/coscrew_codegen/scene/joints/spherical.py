@@ -9,8 +9,10 @@ from coscrew_codegen.scene.mechanism.joint_kind import (
     Manifold,
     Numbers,
     Screw,
+    quaternion_difference,
     quaternion_integrated,
     quaternion_rate,
+    quaternion_velocity,
 )
 
 
@@ -37,5 +39,5 @@ def _bracket(phi: Numbers, v: Numbers) -> Numbers:
 JOINT = JointKind(
     "spherical", 50, "turns freely", (ROTATION,), "quaternion (x, y, z, w)",
     "angular velocity in rad/s in the body's frame", _displacement, _subspace,
-    manifold=Manifold(quaternion_integrated, _bracket, _rates), urdf="spherical",
-    synonyms=("ball", "socket"))
+    manifold=Manifold(quaternion_integrated, quaternion_difference, _bracket, _rates,
+                      quaternion_velocity), urdf="spherical", synonyms=("ball", "socket"))

@@ -16,7 +16,7 @@ from coscrew_codegen.scene.mechanism.assembly import ModelError
 from coscrew_codegen.scene.mechanism.lumped import Six, lumped_inertia
 from coscrew_codegen.scene.mechanism.mimics import followers
 from coscrew_codegen.scene.mechanism.model import Joint, Model, value
-from coscrew_codegen.scene.mechanism.tree import tree_of
+from coscrew_codegen.scene.mechanism.tree import PlacedBody, tree_of
 from coscrew_codegen.scene.mechanism.unresisted import Common, alone, common
 from coscrew_codegen.scene.names import toml_key
 from coscrew_codegen.scene.scene import Applied, Scene
@@ -66,7 +66,14 @@ def _faults(model: Model) -> Iterator[ModelError]:
                    else _wrong(both.mass, both.about_com))
         if problem and (both.mass or any(both.moments)):
             joined = f" (with what is fixed to it: {', '.join(heavy)})" if len(heavy) > 1 else ""
-            yield ModelError(f"body {heavy[0]!r}", f"{problem}{joined}")
+            yield ModelError(f"body {_wrong_alone(bodies, heavy[0])!r}", f"{problem}{joined}")
+
+
+def _wrong_alone(bodies: Sequence[PlacedBody], default: str) -> str:
+    """The name of the first body that cannot exist by itself; the default if each can."""
+    of = {x.body.name: lumped_inertia((x,)) for x in bodies if x.body.inertia}
+    return next((name for name, x in of.items() if x.mass and _wrong(x.mass, x.about_com)),
+                default)
 
 
 def _wrong(mass: Fraction, moments: Six) -> str | None:

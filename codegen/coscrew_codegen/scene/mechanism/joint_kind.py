@@ -119,13 +119,17 @@ class JointState(ABC):
 class Manifold:
     """Motion of coordinates whose rates are not the velocities.
 
-    q ⊕ phi moves by the velocities phi for a time of 1, from q; `bracket` is [phi, v], the rate at
-    which velocities of the kind's group turn each other.  Both take recorded numbers."""
+    q ⊕ phi moves by the velocities phi for a time of 1, from q; `difference` is the shortest such
+    phi between two q; `bracket` is [phi, v], the rate at which velocities of the kind's group turn
+    each other.  They take recorded numbers."""
 
     integrated: Callable[[Numbers, Numbers], Numbers]  # (q, phi) -> q ⊕ phi
+    difference: Callable[[Numbers, Numbers], Numbers]  # (q1, q0) -> phi with q0 ⊕ phi = q1
     bracket: Callable[[Numbers, Numbers], Numbers]  # (phi, v) -> [phi, v]
     rates: Callable[[JointState, Numbers, Numbers], Numbers]  # (state, r, v) -> r', where r is the
     # state's q before quaternions were normalized: r' is linear in each quaternion of r
+    velocities: Callable[[Numbers, Numbers], Numbers]  # (q, q') -> v, the inverse of rates; linear
+    # in q', and zero for a q' along a quaternion of norm 1
 
 
 @dataclass(frozen=True, eq=False)
@@ -245,3 +249,18 @@ def quaternion_integrated(q: Numbers, step: Numbers) -> tuple[Number, ...]:
 def quaternion_rate(x: JointState, q: Numbers, omega: Numbers) -> tuple[Number, ...]:
     """q (ω; 0) / 2."""
     return x.quaternion_product(q, (*(w / 2 for w in omega), *x.numbers((0,))))
+
+
+def quaternion_difference(q1: Numbers, q0: Numbers) -> tuple[Number, ...]:
+    """The rotation vector of q0* q1."""
+    return call("quaternion_log", call("quaternion_product_qq", _conjugated(q0), q1))
+
+
+def quaternion_velocity(q: Numbers, rate: Numbers) -> tuple[Number, ...]:
+    """ω = 2 vec(q* q'), of a quaternion of norm 1."""
+    product = call("quaternion_product_qq", _conjugated(q), rate)
+    return tuple(2 * x for x in product[:3])
+
+
+def _conjugated(q: Numbers) -> tuple[Number, ...]:
+    return call("quaternion_conjugated", q)

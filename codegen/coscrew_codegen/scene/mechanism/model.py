@@ -10,6 +10,7 @@ from fractions import Fraction
 from coscrew_codegen.program.values.parameter import Parameter, Scalar
 from coscrew_codegen.scene.mechanism.joint_kind import Direction, JointKind
 from coscrew_codegen.scene.mechanism.notices import Notice
+from coscrew_codegen.scene.mechanism.visual import Visual
 
 Vector = tuple[Scalar, ...]  # of three
 
@@ -54,6 +55,7 @@ class Body:
 
     name: str
     inertia: Inertia | None = None
+    visuals: tuple[Visual, ...] = field(default=(), compare=False, repr=False)  # to be seen
 
 
 @dataclass(frozen=True)

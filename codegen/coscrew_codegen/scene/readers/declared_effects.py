@@ -4,7 +4,7 @@ and are reported if a scene that names the file lacks them."""
 from collections.abc import Iterable, Iterator, Mapping
 
 from coscrew_codegen.scene.effect import Effect
-from coscrew_codegen.scene.mechanism.model import Joint, Model
+from coscrew_codegen.scene.mechanism.model import WORLD, Joint, Model
 from coscrew_codegen.scene.mechanism.notices import Notice
 from coscrew_codegen.scene.names import toml_key
 from coscrew_codegen.scene.readers.toml.toml_text import joined, toml_pairs
@@ -20,12 +20,22 @@ def of_file_alone(model: Model, declared: Effects, catalogue: tuple[Effect, ...]
     that are `alone` with the model's numbers, on the joints for which it has numbers other than 0.
     """
     tables: dict[str, object] = {}
+    acting = _on_moving_bodies(declared, model)
     for effect in catalogue:
-        if effect.name in declared:
-            tables[effect.name] = declared[effect.name]
+        if effect.name in acting:
+            tables[effect.name] = acting[effect.name]
         elif effect.alone and (table := _from_model(effect, model)) is not None:
             tables[effect.name] = table
     return tables
+
+
+def _on_moving_bodies(declared: Effects, model: Model) -> Effects:
+    """The declared effects without those on bodies that never move."""
+    links = model.links()
+    tables = {name: {on: values for on, values in table.items() if not (
+        isinstance(values, Mapping) and links.get(str(values.get("body"))) == WORLD)}
+        for name, table in declared.items()}
+    return {name: table for name, table in tables.items() if table or not declared[name]}
 
 
 def _from_model(effect: Effect, model: Model) -> dict[str, object] | None:
@@ -48,7 +58,7 @@ def notices(declared: Effects, model: Model) -> Iterator[Notice]:
     """A notice of each effect on a joint, on a body or on the scene that the file declares, which a
     scene with such an effect leaves out."""
     joints = {x.name for x in model.joints}
-    for name, table in declared.items():
+    for name, table in _on_moving_bodies(declared, model).items():
         places = table if all(isinstance(x, Mapping) for x in table.values()) else {"": table}
         for on, values in places.items():
             assert isinstance(values, Mapping)

@@ -5,7 +5,8 @@
 The reader takes the first two steps, in its own module; the last is the same for all: the parts are
 joined into a tree and checked, and an error in it is reported with its place in the file."""
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
+from contextlib import contextmanager
 from dataclasses import dataclass, field, replace
 from importlib.util import find_spec
 from pathlib import Path
@@ -58,23 +59,45 @@ class Parts:
     effects: Effects = field(default_factory=dict)  # effects of the file, as springs of joints
     implausible: tuple[str, ...] = ()  # inertias that the reader has accepted, a line each
     notices: tuple[Notice, ...] = ()  # content that was read and is not used
+    elsewhere: Mapping[str, tuple[Path, str]] = field(default_factory=dict)  # elements that come
+    # from other files, with the place there: "joint 'grip'": (arm.toml, "joints.grip")
+
+    def tree(self, source: ModelSource) -> Model:
+        """The bodies and joints as a tree, with a joint of its root.  Raises SceneError."""
+        held = any(x.parent == WORLD for x in self.joints)
+        base = source.base or (FIXED if held else self.base)
+        with self._placing_errors(source):
+            return assembled(self.name, self.bodies, self.joints, base, self.roots)
 
     def model(self, source: ModelSource) -> Model:
-        """The tree of these parts.  Raises SceneError for anything but one tree of bodies that can
-        exist."""
-        try:
-            held = any(x.parent == WORLD for x in self.joints)
-            base = source.base or (FIXED if held else self.base)
-            tree = assembled(self.name, self.bodies, self.joints, base, self.roots)
-            clean = without_residues(without_chains(with_faults(tree, {
-                name: f"{source.path.name}, {at}" for name, at in self.mimic_places.items()})))
+        """The tree of these parts, checked.  Raises SceneError for anything but one tree of bodies
+        that can exist."""
+        tree = self.tree(source)
+        with self._placing_errors(source):
+            clean = without_residues(without_chains(with_faults(tree, self.mimics_by_file(source))))
             all_notices = (*notices(self.effects, clean), *self.notices)
             return judged(replace(clean, implausible=self.implausible, notices=all_notices),
                           source.implausible)
+
+    def mimics_by_file(self, source: ModelSource) -> dict[str, str]:
+        """The places of followers, with the file's name: "arm.urdf, line 7"."""
+        return {name: at if f"joint {name!r}" in self.elsewhere else f"{source.path.name}, {at}"
+                for name, at in self.mimic_places.items()}
+
+    def where(self, element: str, source: ModelSource) -> tuple[Path, str]:
+        """The file of an element, and its place there: "line 7, joint 'elbow'"."""
+        if element in self.elsewhere:
+            return self.elsewhere[element]
+        place = self.places.get(element, self.places.get("", ""))
+        return source.path, f"{place}, {element}" if place else element
+
+    @contextmanager
+    def _placing_errors(self, source: ModelSource) -> Iterator[None]:
+        """Turns a ModelError into a SceneError with the element's place."""
+        try:
+            yield
         except ModelError as error:
-            place = self.places.get(error.element, self.places.get("", ""))
-            where = f"{place}, {error.element}" if place else error.element
-            raise SceneError(source.path, where, error.problem) from None
+            raise SceneError(*self.where(error.element, source), error.problem) from None
 
 
 @dataclass(frozen=True)
@@ -90,7 +113,8 @@ class ModelReader:
     parts: Callable[[ModelSource], Parts]
     modules: tuple[str, ...] = ()  # that it imports, besides the generator's own
     extra: str = ""  # of the project, which installs them
-    takes_arguments: bool = False  # and packages: its files are programs
+    takes_packages: bool = False  # its files name folders by packages
+    takes_arguments: bool = False  # its files are programs
     leaves_out: tuple[str, ...] = ()  # what `leave_out` may name
 
     def read(self, source: ModelSource) -> Model:
@@ -102,10 +126,11 @@ class ModelReader:
         if missing := [x for x in self.modules if find_spec(x) is None]:
             raise SceneError(source.path, "", f"is {self.name}, which needs {', '.join(missing)}; "
                              f'run `pip install "coscrew[{self.extra}]"`')
-        if not self.takes_arguments and (source.packages or source.arguments):
-            what = "packages" if source.packages else "arguments"
-            raise SceneError(source.path, "", f"is {self.name}, which takes no {what}; "
-                             "wanted none, or a file of xacro")
+        for what, given, taken in (("packages", source.packages, self.takes_packages),
+                                   ("arguments", source.arguments, self.takes_arguments)):
+            if given and not taken:
+                raise SceneError(source.path, "", f"is {self.name}, which takes no {what}; "
+                                 "wanted none, or a file of xacro")
         for name in source.leave_out:
             if name not in self.leaves_out:
                 wanted = did_you_mean(name, self.leaves_out) if self.leaves_out else \

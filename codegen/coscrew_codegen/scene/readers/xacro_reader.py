@@ -16,6 +16,7 @@ from coscrew_codegen.scene.mechanism.notices import Notice
 from coscrew_codegen.scene.names import did_you_mean, nearest
 from coscrew_codegen.scene.readers.contents import read_bytes
 from coscrew_codegen.scene.readers.model_reader import ModelReader, ModelSource, Parts
+from coscrew_codegen.scene.readers.packages import folders_of
 from coscrew_codegen.scene.readers.scene_error import SceneError, shown
 from coscrew_codegen.scene.readers.urdf.urdf import urdf_parts
 from coscrew_codegen.scene.readers.urdf.xml import SIZE
@@ -100,31 +101,14 @@ def _finding(find: Callable[[str], str]) -> Iterator[None]:
 def _finder(source: ModelSource) -> Callable[[str], str]:
     """A function from a package's name to its folder.  Raises LookupError if there is none."""
     def find(name: str) -> str:
-        if name in source.packages:
-            return str(source.packages[name].resolve())
-        for folder in source.path.resolve().parents:
-            if folder.name == name or _name_in(folder) == name:
-                return str(folder)
-            beside = [x for x in (folder / name, *sorted(folder.glob("*/package.xml")))
-                      if x.is_dir() or x.is_file() and _name_in(x.parent) == name]
-            if beside:
-                return str(beside[0] if beside[0].is_dir() else beside[0].parent)
+        for folder in folders_of(name, source):
+            return str(folder)
         raise LookupError(f"package {name!r} is not beside the file or above it; wanted --package "
                           f"{name}=FOLDER, or packages = {{ {name} = \"FOLDER\" }} in the scene")
     return find
 
 
-def _name_in(folder: Path) -> str:
-    """The name that a folder's package.xml gives; "" if it has none."""
-    try:
-        text = (folder / "package.xml").read_text(encoding="utf-8", errors="replace")
-    except OSError:
-        return ""
-    match = re.search(r"<name>\s*([^<\s]+)\s*</name>", text)
-    return match[1] if match else ""
-
-
 READER = ModelReader(
     "xacro", (".xacro", ".urdf.xacro"), "a program that writes a URDF, with arguments and "
     "packages; it is run, as its expressions are Python: only files that you trust", _parts,
-    modules=("xacro",), extra="xacro", takes_arguments=True)
+    modules=("xacro",), extra="xacro", takes_packages=True, takes_arguments=True)

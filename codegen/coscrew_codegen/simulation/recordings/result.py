@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from coscrew_codegen.scene.names import or_mean
 from coscrew_codegen.simulation import SimulateError
 from coscrew_codegen.simulation.checkpoint import Checkpoint, end_of
 from coscrew_codegen.simulation.plan import Plan, Stop, Trajectory
@@ -17,6 +18,17 @@ from coscrew_codegen.simulation.system import System
 if TYPE_CHECKING:
     import pandas
     import xarray
+
+
+class Columns(dict[str, np.ndarray]):
+    """Recorded numbers by the names of columns."""
+
+    def __missing__(self, name: str) -> np.ndarray:
+        """Raises KeyError, with the columns of a vector of this name or the nearest name."""
+        parts = [x for x in self if x.startswith(f"{name}.")]
+        raise KeyError(f"{name}: its columns are {', '.join(parts)}" if parts else
+                       f"{name!r} is no recorded column (record=[…] of a run adds quantities)"
+                       f"{or_mean(name, self)}")
 
 
 @dataclass(frozen=True, repr=False)
@@ -45,10 +57,10 @@ class Result:
         return self.trajectory.v
 
     @cached_property
-    def recorded(self) -> dict[str, np.ndarray]:
+    def recorded(self) -> Columns:
         """Recorded numbers, by the names of columns.  Each (…, n)."""
-        return {c.name: self.recording.values[..., i]
-                for i, c in enumerate(self.recording.columns)}
+        return Columns((c.name, self.recording.values[..., i])
+                       for i, c in enumerate(self.recording.columns))
 
     @property
     def failed(self) -> tuple[Stop, ...]:

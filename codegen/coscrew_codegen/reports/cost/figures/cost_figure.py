@@ -44,7 +44,8 @@ def functions(costs: Costs) -> Iterator[Drawing]:
         for number in units_with_errors(rows):
             unit = written(rows[0].errors[number].unit)
             yield Drawing(f"Error of {rows[0].function} against time, {unit}",
-                          partial(panel, rows=rows, number=number), dict(titles(rows, number)))
+                          partial(panel, rows=rows, number=number, needs=costs.needs),
+                          dict(titles(rows, number)))
 
 
 def runs(costs: Costs) -> Iterator[Drawing]:

@@ -14,6 +14,7 @@ from coscrew_codegen.reports.cost.function_errors import (
     units_with_errors,
 )
 from coscrew_codegen.reports.cost.measured import DIGITS
+from coscrew_codegen.reports.cost.needs import need_table
 from coscrew_codegen.reports.cost.recommendations import AFFORDABLE, better, recommended, sentences
 from coscrew_codegen.reports.cost.run_errors import DIGITS as RUN_DIGITS
 from coscrew_codegen.reports.cost.run_errors import RunErrors
@@ -48,7 +49,8 @@ def table(costs: Costs) -> str:
     """All tables, and the recommendations."""
     head = (f"{costs.scene}: {costs.compiler}\nns per call in C: median (95 % interval) of rounds "
             "in which all variants take turns")
-    parts = [head, *map(wrapped, about(costs))]
+    parts = [head, *([need_table.table(costs.answers).text()] if costs.answers else []),
+             *map(wrapped, about(costs))]
     for rows in costs.accuracy:
         parts += [x.text() for x in accuracies(rows)] + ["\n".join(sentences(rows))]
     return "\n\n".join((*parts, *(x.text() for x in others(costs))))
@@ -58,6 +60,8 @@ def about(costs: Costs) -> Iterator[str]:
     """Explains the tables of errors."""
     if costs.accuracy:
         yield from (ABOUT, RULE, FUSED)
+        if costs.load:
+            yield str(costs.load)
         left = {x.precision for x in costs.accuracy[0] if not x.emitted}
         if left:
             kept = {x.precision for x in costs.accuracy[0] if x.emitted}

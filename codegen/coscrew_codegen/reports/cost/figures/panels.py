@@ -7,10 +7,11 @@ from matplotlib.figure import FigureBase
 from matplotlib.lines import Line2D
 
 from coscrew_codegen.accuracy.tiers import OF_SCENES
-from coscrew_codegen.backends.html.plots import QUIET, Mark, place, scatter
+from coscrew_codegen.backends.html.plots import INK, QUIET, Mark, name_beside, place, scatter
 from coscrew_codegen.program.values.digits import three_digits
 from coscrew_codegen.program.values.formats import BY_NAME, PRECISIONS
 from coscrew_codegen.reports.cost.function_errors import FunctionErrors
+from coscrew_codegen.reports.cost.needs.need import Need
 from coscrew_codegen.reports.cost.recommendations import recommended, undominated
 from coscrew_codegen.simulation.result_units import in_unit, written
 
@@ -18,13 +19,19 @@ _COLOURS = {tier.name: tier.colours[0] for tier in OF_SCENES}
 _RING = 11  # points across
 
 
-def panel(axes: Axes, rows: Sequence[FunctionErrors], number: int = 0) -> None:
+def panel(axes: Axes, rows: Sequence[FunctionErrors], number: int = 0,
+          needs: Sequence[Need] = ()) -> None:
     """Draws a mark for each tier and precision at the worst error, or bound if it is certified, in
     the function's unit of this number; a line from the typical error; a ring around the recommended
-    choice."""
+    choice; a line at each request."""
     best, unit, choice = undominated(rows), rows[0].errors[number].unit, recommended(rows)
     axes.set(xlabel="ns per call in C", title=rows[0].function,
              ylabel="error" if unit == "1" else f"error, {written(unit)}")
+    for need in needs:
+        if need.function == choice.function and need.concerns(unit):
+            axes.axhline(need.within, color=INK, linestyle="--", linewidth=1, gid=f"{need} line")
+            name_beside(axes, (0, need.within), f"needed: {need.named((unit,))}",
+                        axes.get_yaxis_transform())
     scatter(axes, [Mark(f"{x.function} {x.name}", x.time.median, x.time.low, x.time.high,
                         shown(x, number), _COLOURS[x.tier], BY_NAME[x.precision].marker,
                         x not in best, in_unit(shown(x, number), unit) if shown(x, number) else "",

@@ -4,7 +4,7 @@ from coscrew_codegen.scene import units
 from coscrew_codegen.scene.identifiers import identifiers
 from coscrew_codegen.scene.mechanism.model import WORLD
 from coscrew_codegen.scene.scene import Scene
-from coscrew_codegen.scene.scene_function import Array, AxisLength, Depends, SceneFunction
+from coscrew_codegen.scene.scene_function import Array, AxisLength, Depends, Frame, SceneFunction
 
 
 def moving(scene: Scene) -> dict[str, str]:
@@ -17,4 +17,4 @@ def moving(scene: Scene) -> dict[str, str]:
 FUNCTION = SceneFunction(
     "jacobian_BODY", 110, "J with J v = (v; w) of BODY in the frame of the body, at its origin",
     "q", (Array("J", (6, AxisLength.NV), units.jacobian, "screws of the velocities"),),
-    lambda x: [x.jacobian(x.target)], Depends.GEOMETRY, targets=moving)
+    lambda x: [x.jacobian(x.target, Frame.BODY)], Depends.GEOMETRY, targets=moving)

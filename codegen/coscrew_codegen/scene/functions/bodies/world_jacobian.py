@@ -2,10 +2,10 @@
 
 from coscrew_codegen.scene import units
 from coscrew_codegen.scene.functions.bodies.jacobian import moving
-from coscrew_codegen.scene.scene_function import Array, AxisLength, Depends, SceneFunction
+from coscrew_codegen.scene.scene_function import Array, AxisLength, Depends, Frame, SceneFunction
 
 FUNCTION = SceneFunction(
     "world_jacobian_BODY", 114, "J with J v = (v; w) of BODY in the world's axes, of the point of "
-    "the body that is at the world's origin", "q",
-    (Array("J", (6, AxisLength.NV), units.jacobian, "screws of the velocities"),),
-    lambda x: [x.jacobian_in_world(x.target, at_body=False)], Depends.GEOMETRY, targets=moving)
+    "the body that is at the world's origin",
+    "q", (Array("J", (6, AxisLength.NV), units.jacobian, "screws of the velocities"),),
+    lambda x: [x.jacobian(x.target, Frame.WORLD)], Depends.GEOMETRY, targets=moving)

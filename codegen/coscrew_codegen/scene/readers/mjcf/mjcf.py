@@ -28,6 +28,7 @@ from coscrew_codegen.scene.readers.foreign import of_root, root_of
 from coscrew_codegen.scene.readers.mjcf.mjcf_effects import effects, followers
 from coscrew_codegen.scene.readers.mjcf.mjcf_leftovers import GROUPS, ignored, refused
 from coscrew_codegen.scene.readers.mjcf.mjcf_names import MjcfNames, exact
+from coscrew_codegen.scene.readers.mjcf.mjcf_visuals import MjcfVisuals
 from coscrew_codegen.scene.readers.model_reader import ModelReader, ModelSource, Parts
 from coscrew_codegen.scene.readers.scene_error import SceneError
 
@@ -42,7 +43,8 @@ def _parts(source: ModelSource) -> Parts:
     model = _compiled(source)
     names = MjcfNames(model)
     left_out = tuple(refused(source, model, names))
-    parts = [x for number in range(1, model.nbody) for x in _moved(model, names, number)]
+    seen = MjcfVisuals(model)
+    parts = [x for number in range(1, model.nbody) for x in _moved(model, names, seen, number)]
     return Parts(
         source.path.stem, tuple(x for x in parts if isinstance(x, Body)),
         tuple(x for x in parts if isinstance(x, Joint)),
@@ -75,10 +77,11 @@ def _compiled(source: ModelSource) -> "mujoco.MjModel":
     return model
 
 
-def _moved(model: "mujoco.MjModel", names: MjcfNames, number: int) -> Iterator[Body | Joint]:
+def _moved(model: "mujoco.MjModel", names: MjcfNames, seen: MjcfVisuals, number: int
+           ) -> Iterator[Body | Joint]:
     """The body of this number, the joints that move it, and the links between them."""
     name, parent = names.body(number), names.body(int(model.body_parentid[number]))
-    yield Body(name, _inertia(model, number))
+    yield Body(name, _inertia(model, number), seen.of(number))
     at = _placement(model.body_pos[number], model.body_quat[number])
     first, count = int(model.body_jntadr[number]), int(model.body_jntnum[number])
     for j in range(first, first + count):

@@ -28,7 +28,7 @@ def effects(model: "mujoco.MjModel", names: MjcfNames) -> Effects:
             k, q0 = decimals([model.jnt_stiffness[j], model.qpos_spring[at]])
             tables["spring"][name] = {"k": k, "q0": q0}
     for b in range(1, model.nbody):
-        if model.body_gravcomp[b] and model.body_weldid[b] and any(g):
+        if model.body_gravcomp[b] and any(g):
             lift = -model.body_gravcomp[b] * model.body_mass[b]
             tables["wrench"][f"gravcomp of {names.body(b)}"] = {
                 "body": names.body(b), "point": decimals(model.body_ipos[b]),

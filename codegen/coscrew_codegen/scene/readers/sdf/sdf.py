@@ -1,7 +1,7 @@
 """SDF files as models: links, frames and joints of one model, and of the models in it.
 
-What Gazebo draws, senses or touches is not read.  Numbers are in SI units; names in a model that is
-in another begin with its own, `hand::palm`.
+What Gazebo senses or touches is not read, and only pictures show what it draws.  Numbers are in SI
+units; names in a model that is in another begin with its own, `hand::palm`.
 """
 
 from fractions import Fraction
@@ -14,6 +14,7 @@ from coscrew_codegen.scene.mechanism.model import WORLD, Body, Inertia, Joint
 from coscrew_codegen.scene.readers.declared_effects import Effects
 from coscrew_codegen.scene.readers.model_reader import ModelReader, ModelSource, Parts
 from coscrew_codegen.scene.readers.sdf.sdf_joints import SdfJoints
+from coscrew_codegen.scene.readers.sdf.sdf_visuals import visuals
 from coscrew_codegen.scene.readers.toml.toml_tables import Decimals
 from coscrew_codegen.scene.readers.urdf.xml import Element
 
@@ -30,6 +31,7 @@ class _Sdf(SdfJoints):
 
     def __init__(self, source: ModelSource) -> None:
         super().__init__(source.path)
+        self.source = source
         self.lenient = source.lenient
         self.lacking: list[str] = []  # inertias that were taken as SDF's defaults
 
@@ -94,7 +96,7 @@ class _Sdf(SdfJoints):
                                   f'it, or implausible = "{WARN}"')
             self.lacking.append(f"body {full!r}: lacks <{tag}>; SDF takes {_DEFAULTS[tag]}")
         return Body(full, self._inertia(inertial) if inertial else
-                    Inertia(_ONE[0], _NONE, _ONE + _NONE))
+                    Inertia(_ONE[0], _NONE, _ONE + _NONE), visuals(self, link, self.source))
 
     def _inertia(self, inertial: Element) -> Inertia:
         if self.as_flag(inertial, "auto", inertial.attributes.get("auto", "false")):
@@ -116,4 +118,5 @@ class _Sdf(SdfJoints):
 READER = ModelReader(
     "SDF", (".sdf", ".world"), "one model of Gazebo, alone or in a world, with models in it: "
     "links, frames, joints with damping, friction, springs, limits and mimics, the world's "
-    "gravity; a root that no joint moves floats", lambda source: _Sdf(source).parts())
+    "gravity; a root that no joint moves floats", lambda source: _Sdf(source).parts(),
+    takes_packages=True)

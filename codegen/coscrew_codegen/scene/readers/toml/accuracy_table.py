@@ -2,7 +2,7 @@
 
 from collections.abc import Collection, Iterator
 
-from coscrew_codegen.scene.function_selection import names
+from coscrew_codegen.scene.function_selection import all_names
 from coscrew_codegen.scene.functions import functions_of
 from coscrew_codegen.scene.mechanism.mimics import followers
 from coscrew_codegen.scene.readers.scene_error import SceneError
@@ -15,7 +15,7 @@ def read_accuracy(file: TomlTable, scene: Scene, selected: Collection[str]) -> t
     """Reads the accuracies requested of functions, which must be selected; steps have no tier."""
     table = file.table("accuracy")
     steps = {x.name for x in functions_of(scene) if x.step}
-    functions = [name for name in names(scene) if name not in steps]
+    functions = [name for name in all_names(scene) if name not in steps]
     for name in table.values:
         if name in steps:
             table.refuse(name, "steps have no tier; wanted functions that they call")

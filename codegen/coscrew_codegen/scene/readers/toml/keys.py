@@ -4,7 +4,7 @@ The readers take names and choices from here; the documentation and the JSON Sch
 """
 
 from collections.abc import Callable
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 from coscrew_codegen.program.values.formats import CHOICES
 from coscrew_codegen.scene.functions import QUANTITIES
@@ -88,15 +88,33 @@ ORIGIN = TableOf("joints.NAME.origin", f"The joint's frame in the parent's; {_ON
 PLACE = TableOf("attach.NAME.place", f"The attached body's frame in the other's; {_ONE_ROTATION}.",
                 _PLACE)
 
+_ARGUMENTS = Key("arguments", "of a model that is a file of xacro: values by name", "words")
+_PACKAGES = Key("packages", "of a model that is a file of xacro: folders by the package's name, "
+                "for `$(find PACKAGE)`, seen from the scene", "words", default="searched beside "
+                "the file and above it")
+_LEAVE_OUT = Key("leave_out", "of a model that is a file of MuJoCo: groups of elements that the "
+                 "scene does without; errors name them", "texts", default="[]")
+
+OF_MODEL = (
+    Key("prefix", "begins the names of its bodies, joints and effects here", default='"NAME_"'),
+    Key("base", "whether its root, if no joint moves it, is fixed to that body or, on the world, "
+        "moves freely", choices=tuple(BASES)),
+    _ARGUMENTS, _PACKAGES, _LEAVE_OUT)
+"""Keys of a model that is attached."""
+
 ATTACH = TableOf("attach.NAME", "A body that is fixed to one of the model, as a payload to a "
-                 "flange: effects, `record` and functions name it like the model's own.", (
-    Key("body", "the body it is fixed to", required=True),
-    Key("place", "its frame in that body's", "table", table=PLACE),
-    *(replace(key, required=key.name == "mass") for key in BODY.keys)))
+                 "flange, or with `model` the robot of another file, as a gripper: effects, "
+                 "`record` and functions name its bodies and joints like the model's own.", (
+    Key("to", "the body it is fixed to", required=True),
+    Key("place", "its frame in that body's, or that of the world of `model`", "table",
+        table=PLACE),
+    Key("model", "a file next to the scene, in one of the formats of models; instead of `mass` and "
+        "the keys after it"),
+    *OF_MODEL, *BODY.keys))
 
 FRAME = TableOf("frames.NAME", "A frame that is fixed to a body of the model, as a tool's centre "
                 f"point: a body without mass; {_ONE_ROTATION}.", (
-    Key("body", "the body it is fixed to", required=True), *_PLACE))
+    Key("to", "the body it is fixed to", required=True), *_PLACE))
 
 LIMITS = TableOf("joints.NAME.limits", "Limits for effects, which use them by \"model\": without "
                  "such an effect nothing stops the joint.", (
@@ -184,13 +202,8 @@ ACCURACY = TableOf("accuracy", "How accurate functions are in the mixed tier.", 
 
 SCENE = TableOf("", "The file itself.", (
     Key("model", "a file next to the scene that holds the model, in one of the formats of models; "
-        "without it the tables `bodies` and `joints` are the model"),
-    Key("arguments", "of a model that is a file of xacro: values by name", "words"),
-    Key("packages", "of a model that is a file of xacro: folders by the package's name, for "
-        "`$(find PACKAGE)`, seen from the scene", "words", default="searched beside the file and "
-        "above it"),
-    Key("leave_out", "of a model that is a file of MuJoCo: groups of elements that the scene does "
-        "without; errors name them", "texts", default="[]"),
+        "without it the tables `bodies` and `joints` are the model, beside it they add to it"),
+    _ARGUMENTS, _PACKAGES, _LEAVE_OUT,
     Key("base", "whether the root, if no joint moves it, is fixed or moves freely",
         choices=tuple(BASES), default="as the model's file says, else fixed"),
     Key("name", "name of the files and the package, and prefix of the C functions: a C identifier",
@@ -209,7 +222,7 @@ SCENE = TableOf("", "The file itself.", (
         "then have", "tolerances", table=ACCURACY),
     Key("runtime", "numbers that stay arguments of functions: BODY.mass, BODY.com, BODY.inertia, "
         "EFFECT.WHERE.PARAMETER", "texts", default="[]"),
-    Key("attach", "bodies that are fixed to those of the model, by name", "tables", table=ATTACH),
+    Key("attach", "bodies and models that are fixed to bodies, by name", "tables", table=ATTACH),
     Key("frames", "frames that are fixed to bodies, by name", "tables", table=FRAME),
     Key("bodies", "the bodies, by name", "tables", table=BODY),
     Key("joints", "the joints, by name", "tables", table=JOINT),

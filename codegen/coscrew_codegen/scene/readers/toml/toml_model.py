@@ -14,7 +14,6 @@ from coscrew_codegen.scene.mechanism.model import (
     Joint,
     Limits,
     Mimic,
-    Model,
     Placement,
 )
 from coscrew_codegen.scene.readers.model_reader import ModelSource, Parts
@@ -36,15 +35,13 @@ _INERTIA = "a list of 3 or 6 numbers: xx, yy, zz, xy, xz, yz; or a symmetric 3×
 _TOLERANCE = Fraction(1, 10**6)  # of a quaternion's norm, of right angles: people write six digits
 
 
-def read_model(file: TomlTable, name: str, base: JointKind | None, implausible: str) -> Model:
-    """The model in the tables `bodies` and `joints`.  With `implausible` "warn", impossible and
-    massless inertias are accepted and listed in the model.  Raises SceneError."""
-    source = ModelSource(file.file, base, implausible)
-    massless: list[str] = []
-    bodies = tuple(body(name, table, massless if source.lenient else None)
-                   for name, table in file.tables("bodies"))
-    joints = tuple(_joint(name, table) for name, table in file.tables("joints"))
-    return Parts(name, bodies, joints, implausible=tuple(massless)).model(source)
+def parts_of_tables(file: TomlTable, name: str, source: ModelSource) -> Parts:
+    """The parts in the tables `bodies` and `joints`.  If the source is lenient, massless bodies are
+    accepted and listed.  Raises SceneError."""
+    massless: list[str] | None = [] if source.lenient else None
+    bodies = tuple(body(name, table, massless) for name, table in file.tables("bodies"))
+    joints = tuple(joint(name, table) for name, table in file.tables("joints"))
+    return Parts(name, bodies, joints, implausible=tuple(massless or ()))
 
 
 def body(name: str, table: TomlTable, massless: list[str] | None) -> Body:
@@ -115,7 +112,8 @@ def _moments(table: TomlTable) -> tuple[Fraction, ...]:
     return moments if len(moments) == 6 else (*moments, *_ZERO)
 
 
-def _joint(name: str, table: TomlTable) -> Joint:
+def joint(name: str, table: TomlTable) -> Joint:
+    """The joint."""
     table.only(*JOINT.names)
     word = table.choice("type", tuple(TYPES))
     kind = TYPES[word]

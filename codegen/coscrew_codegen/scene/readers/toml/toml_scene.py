@@ -25,7 +25,6 @@ from coscrew_codegen.scene.readers.toml.accuracy_table import (
     read_accuracy,
     refuse_faults,
 )
-from coscrew_codegen.scene.readers.toml.attached import with_attached
 from coscrew_codegen.scene.readers.toml.effect_table import Use
 from coscrew_codegen.scene.readers.toml.keys import EXPECT, OUTPUTS, RUN, SCENE, START
 from coscrew_codegen.scene.readers.toml.named_model import model_of
@@ -136,9 +135,8 @@ def _scene(file: TomlTable, catalogue: tuple[Effect, ...], overrides: SceneOverr
     name = _name(file)
     implausible = _overridden(overrides.implausible, file, "implausible", (ERROR, WARN)) or ERROR
     precision = _overridden(overrides.precision, file, "precision", CHOICES)
-    model = alone or with_attached(file, model_of(
-        file, name, implausible, overrides.folders, dict(overrides.arguments),
-        overrides.leave_out), implausible)
+    model = alone or model_of(file, name, implausible, overrides.folders,
+                              dict(overrides.arguments), overrides.leave_out)
     use = Use()
     effects = read_effects(file.table("effects"), model, catalogue, use)
     _refuse_still(file.file, model)

@@ -1,7 +1,7 @@
 """URDF files as models: links, joints, inertias, limits, dynamics, mimics.
 
-Elements without influence on the dynamics (visual, collision, transmission, those of simulators)
-are not read.  Lengths in m, masses in kg, angles in rad.
+Elements without influence on the dynamics (collision, transmission, those of simulators) are not
+read, except for visuals, which pictures show.  Lengths in m, masses in kg, angles in rad.
 """
 
 from fractions import Fraction
@@ -12,6 +12,7 @@ from coscrew_codegen.scene.mechanism.model import Body, Inertia
 from coscrew_codegen.scene.readers.model_reader import ModelReader, ModelSource, Parts
 from coscrew_codegen.scene.readers.urdf.urdf_joints import Joints
 from coscrew_codegen.scene.readers.urdf.urdf_schema import MIRRORED, MOMENTS
+from coscrew_codegen.scene.readers.urdf.urdf_visuals import colours_of, visuals
 from coscrew_codegen.scene.readers.urdf.xml import Element
 
 
@@ -23,7 +24,9 @@ class _Urdf(Joints):
 
     def __init__(self, source: ModelSource, contents: bytes | None) -> None:
         super().__init__(source.path, contents)
+        self.source = source
         self.lenient = source.lenient
+        self.colours = colours_of(self.root)
         self.lacking: list[str] = []  # incomplete inertias that were accepted
 
     def parts(self) -> Parts:
@@ -43,7 +46,8 @@ class _Urdf(Joints):
         element = f"body {name!r}"
         self._check(link, element)
         inertial = self._only(link, "inertial", element)
-        return Body(name, self._inertia(inertial, element) if inertial else None)
+        return Body(name, self._inertia(inertial, element) if inertial else None,
+                    visuals(link, self.colours, self.source))
 
     def _inertia(self, inertial: Element, body: str) -> Inertia | None:
         """The inertia; None if mass and moments are zero, as in links that are only frames."""
@@ -88,5 +92,5 @@ def urdf_parts(source: ModelSource, contents: bytes | None = None) -> Parts:
 
 READER = ModelReader(
     "URDF", (".urdf",), "a robot of ROS: its links and joints, with inertias, limits, dynamics and "
-    "mimics; visual and collision shapes change no motion and are not read",
-    urdf_parts)
+    "mimics, and visual shapes for pictures; collision shapes change no motion and are not read",
+    urdf_parts, takes_packages=True)

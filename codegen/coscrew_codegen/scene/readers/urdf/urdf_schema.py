@@ -15,8 +15,10 @@ from coscrew_codegen.scene.readers.urdf.xml import Element
 VERSIONS = ("1.0", "1.1", "1.2")
 QUATERNION = "quat_xyzw"
 
-IGNORED = frozenset({"visual", "collision", "gazebo", "transmission", "material"})
+IGNORED = frozenset({"collision", "gazebo", "transmission"})
 """Elements without influence on the dynamics, which are not read."""
+SEEN = frozenset({"visual", "material"})
+"""Elements without influence on the dynamics either, which only pictures show."""
 
 CHILDREN: Mapping[str, tuple[str, ...]] = {
     "robot": ("link", "joint"), "link": ("inertial",), "inertial": ("origin", "mass", "inertia"),
@@ -124,7 +126,7 @@ def wanted_instead(tag: str) -> str:
 def misspelt_elements(owner: Element) -> Iterator[tuple[Element, str]]:
     """Children that are URDF's elements, misspelt or misplaced, with the fault of each; other
     tools' elements are not among them."""
-    known = (*CHILDREN.get(owner.tag, ()), *OTHER_ELEMENTS.get(owner.tag, ()))
+    known = (*CHILDREN.get(owner.tag, ()), *OTHER_ELEMENTS.get(owner.tag, ()), *SEEN)
     for child in owner.children:
         if child.tag not in known and (problem := _wrong_element(owner.tag, child)):
             yield child, problem

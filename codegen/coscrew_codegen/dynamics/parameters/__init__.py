@@ -1,0 +1,2 @@
+"""Parameters on which torques depend linearly: those of links and of effects, and the fewest
+combinations of them that torques tell."""

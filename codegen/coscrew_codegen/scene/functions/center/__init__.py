@@ -1,0 +1,1 @@
+"""Functions of the centre of mass and of the momentum about it."""

@@ -1,0 +1,29 @@
+"""Derivatives of steps."""
+
+from dataclasses import replace
+
+from coscrew_codegen.scene import units
+from coscrew_codegen.scene.scene import Scene
+from coscrew_codegen.scene.scene_function import Array, AxisLength, Depends, SceneFunction
+
+_BY_STATE = Array("A", (AxisLength.STATE, AxisLength.STATE), units.states_by_states)
+_BY = {"tau": Array("B_tau", (AxisLength.STATE, AxisLength.NV), units.states_by_torques),
+       "p": Array("B_p", (AxisLength.STATE, AxisLength.PARAMETERS), ("1",))}
+
+
+def _of(own: SceneFunction, function: SceneFunction, scene: Scene) -> SceneFunction | None:
+    """The step's derivatives."""
+    if not function.step:
+        return None
+    given = {x.name for x in function.given(scene)}
+    return replace(
+        function, name=f"{function.name}_derivatives", place=own.place, differentiates=function,
+        words=own.words.replace("step_INTEGRATOR", function.name), step=None, default=own.default,
+        outputs=(*function.results(scene), _BY_STATE, *(x for y, x in _BY.items() if y in given)),
+        compute=lambda x: x.step_derivatives(function), members=None)
+
+
+FUNCTION = SceneFunction(
+    "step_INTEGRATOR_derivatives", 290, "q and v after step_INTEGRATOR, and their derivatives: A "
+    "by q and v, B_tau by tau if the step takes it, B_p by p; of coordinates along velocities; of "
+    "a step that is split at limits, one part", "h q v", (), None, Depends.EFFECTS, each=_of)

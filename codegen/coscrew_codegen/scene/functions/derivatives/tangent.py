@@ -1,0 +1,26 @@
+"""Derivatives along one direction."""
+
+from dataclasses import replace
+
+from coscrew_codegen.scene.functions.derivatives.directions import derivative, differentiable
+from coscrew_codegen.scene.scene import Scene
+from coscrew_codegen.scene.scene_function import Depends, SceneFunction
+
+
+def _of(own: SceneFunction, function: SceneFunction, scene: Scene) -> SceneFunction | None:
+    """The function's tangent."""
+    if not differentiable(function):
+        return None
+    results = function.results(scene)
+    return replace(
+        function, name=f"{function.name}_tangent", place=own.place, differentiates=function,
+        words=own.words.replace("FUNCTION", function.name), words_in=None, recorded=(),
+        more=tuple(derivative(x, "d_") for x in function.given(scene)), step=None, shown=False,
+        outputs=(*results, *(derivative(x, "d_") for x in results)), default=own.default,
+        compute=lambda x: x.tangent(function), judged=False, members=None, targets=None)
+
+
+FUNCTION = SceneFunction(
+    "FUNCTION_tangent", 300, "The results of FUNCTION, and their derivatives d_ along the "
+    "direction in which each input x changes by d_x; of coordinates along velocities, d_q of "
+    "q ⊕ d_q", "", (), None, Depends.EFFECTS, each=_of)

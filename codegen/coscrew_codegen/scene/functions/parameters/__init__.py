@@ -1,0 +1,1 @@
+"""Torques as linear functions of parameters."""

@@ -1,0 +1,1 @@
+"""Functions of given points of bodies."""

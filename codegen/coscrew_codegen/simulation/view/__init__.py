@@ -1,0 +1,1 @@
+"""Pages that play runs back in 3D."""

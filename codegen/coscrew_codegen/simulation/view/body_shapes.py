@@ -1,0 +1,157 @@
+"""Parts of a picture: the visuals of the bodies, or boxes of their mass and inertia.
+
+A body without visuals that can be shown is a box, unless the model has visuals and the body hardly
+any mass: such bodies are frames in most files."""
+
+from collections.abc import Iterator
+from dataclasses import dataclass, field
+
+import numpy as np
+
+import coscrew
+from coscrew_codegen.program.values.parameter import Parameter, Scalar
+from coscrew_codegen.scene.mechanism.model import WORLD, Body, Inertia, Joint
+from coscrew_codegen.scene.mechanism.visual import HERE, MESH, Visual
+from coscrew_codegen.simulation.system import System
+from coscrew_codegen.simulation.view.mesh_files import Piece, installed, meshes
+
+_THIN = 0.06  # least side of a box, relative to its longest or, for a point mass, the model's size
+_HARDLY = 0.02  # of the model's mass
+_ROD = 0.012  # radius of the rods between joints, in sizes of the model
+_UNPAINTED = (0.72, 0.75, 0.80, 1.0)
+_LINKAGE = (0.47, 0.51, 0.57, 1.0)
+_COLOURS = ((0.26, 0.47, 0.78), (0.90, 0.49, 0.16), (0.30, 0.62, 0.42), (0.66, 0.40, 0.68),
+            (0.83, 0.66, 0.22), (0.30, 0.60, 0.68), (0.78, 0.33, 0.33), (0.50, 0.52, 0.30))
+"""Of boxes, in turn."""
+
+
+@dataclass(frozen=True)
+class Part:
+    """A shape fixed to a body (-1: the world), at a place in its frame."""
+
+    body: int
+    shape: str  # of visuals
+    size: tuple[float, ...]
+    place: tuple[float, ...]
+    colour: tuple[float, ...]
+    piece: Piece | None = None
+
+
+@dataclass
+class Drawing:
+    """The parts, and a sentence for each visual that is not among them."""
+
+    parts: list[Part] = field(default_factory=list)
+    notes: list[str] = field(default_factory=list)
+    unread: int = 0  # meshes that are boxes since no package reads them
+
+
+def drawn(system: System) -> Drawing:
+    """The drawing of the scene's model."""
+    model, drawing = system.scene.model, Drawing()
+    numbers = {body.name: n for n, body in enumerate(model.bodies)}
+    shown = set(_add_visuals(drawing, model.bodies, numbers))
+    any_visual = any(body.visuals for body in model.bodies)
+    inertias = {x.name: x.inertia for x in model.bodies if x.inertia}
+    least = _HARDLY * sum(_number(system, x.mass) for x in inertias.values()) if any_visual else 0
+    for name, inertia in inertias.items():
+        if name not in shown and _number(system, inertia.mass) >= least:
+            _add_box(system, drawing, inertia, numbers[name], linked=not any_visual)
+    if not any_visual:
+        for joint in model.joints:
+            _add_linkage(system, drawing, joint, {WORLD: -1, **numbers})
+    return drawing
+
+
+def _add_visuals(drawing: Drawing, bodies: tuple[Body, ...], numbers: dict[str, int]
+                 ) -> Iterator[str]:
+    """Add the visuals that can be shown; yields the names of their bodies."""
+    every = [(body.name, x) for body in bodies for x in body.visuals]
+    pieces = iter(meshes(wanted)) if (
+        wanted := [x for _, x in every if _readable(x)]) else iter(())
+    for body, visual in every:
+        if visual.problem:
+            drawing.notes.append(f"{body}: {visual.problem}")
+        elif visual.shape != MESH:
+            drawing.parts.append(Part(numbers[body], visual.shape, visual.size, visual.place,
+                                      visual.colour or _UNPAINTED))
+            yield body
+        elif not _readable(visual):
+            drawing.unread += 1
+        elif isinstance(result := next(pieces), str):
+            drawing.notes.append(f"{body}: {visual.mesh}: {result}")
+        else:
+            drawing.parts += [Part(numbers[body], MESH, (), visual.place,
+                                   x.colour or visual.colour or _UNPAINTED, x) for x in result]
+            yield body
+
+
+def _readable(visual: Visual) -> bool:
+    return visual.mesh is not None and (installed() or not hasattr(visual.mesh, "suffix"))
+
+
+def _add_linkage(system: System, drawing: Drawing, joint: Joint, numbers: dict[str, int]) -> None:
+    """Add the rod from the parent's origin to the joint, and a ball where the joint moves."""
+    if joint.kind.floats:
+        return
+    body, size = numbers[joint.parent], _size(system)
+    at = numbers_of(system, joint.placement.t)
+    _add_rod(drawing, body, at, _ROD * size)
+    if joint.kind.moves:
+        drawing.parts.append(Part(body, "sphere", (2 * _ROD * size,), (*at.tolist(), *HERE[3:]),
+                                  _LINKAGE))
+
+
+def _add_rod(drawing: Drawing, body: int, to: np.ndarray, radius: float) -> None:
+    """Add a rod from the body's origin."""
+    length = float(np.linalg.norm(to))
+    if length < 3 * radius:
+        return
+    x, y, z = to / length  # the turn of z to this direction
+    turn = np.array([-y, x, 0.0, 1 + z]) if z > -1 + 1e-9 else np.array([1.0, 0, 0, 0])
+    drawing.parts.append(Part(body, "cylinder", (radius, length), (
+        *(to / 2).tolist(), *(turn / np.linalg.norm(turn)).tolist()), _LINKAGE))
+
+
+def _add_box(system: System, drawing: Drawing, inertia: Inertia, body: int, linked: bool) -> None:
+    """Add a box with the body's mass and inertia, and the rod to its centre if it is `linked`."""
+    half, axes = box_of(*(numbers_of(system, x) for x in ((inertia.mass,), inertia.moments)))
+    half = np.maximum(half, _THIN * (max(half) if max(half) > 0 else _size(system)))
+    centre = numbers_of(system, inertia.com)
+    place = (*centre.tolist(), *coscrew.double.quaternion_from_mat3x3(axes).tolist())
+    colour = (*_COLOURS[body % len(_COLOURS)], 1.0)
+    drawing.parts.append(Part(body, "box", tuple((2 * half).tolist()), place, colour))
+    if linked:
+        _add_rod(drawing, body, centre, _ROD / 2 * _size(system))
+
+
+def box_of(mass: np.ndarray, moments: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Half sides and axes (columns) of the uniform box of this mass and these moments of inertia
+    xx, yy, zz, xy, xz, yz about its centre: (2 a)² = 6 (tr I - 2 I_aa) / m along each axis."""
+    xx, yy, zz, xy, xz, yz = moments
+    if np.any(moments[3:]):
+        values, axes = np.linalg.eigh([[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]])
+        axes[:, 2] *= np.sign(np.linalg.det(axes))
+    else:
+        values, axes = moments[:3], np.eye(3)
+    squares = 6 * (values.sum() - 2 * values) / mass if mass > 0 else np.zeros(3)
+    return np.sqrt(np.maximum(squares, 0)) / 2, axes
+
+
+def _size(system: System) -> float:
+    """The approximate size of the model: the largest distance from a joint to the next joint or a
+    centre of mass; 0.1 m if that is zero."""
+    model = system.scene.model
+    offsets = [np.linalg.norm(numbers_of(system, j.placement.t)) for j in model.joints]
+    centres = [np.linalg.norm(numbers_of(system, b.inertia.com))
+               for b in model.bodies if b.inertia]
+    return float(max((*offsets, *centres), default=0)) or 0.1
+
+
+def numbers_of(system: System, values: tuple[Scalar, ...]) -> np.ndarray:
+    """The numbers, with the system's parameters."""
+    return np.array([_number(system, x) for x in values])
+
+
+def _number(system: System, value: Scalar) -> float:
+    return system.p[value.index] if isinstance(value, Parameter) else float(value)

@@ -1,0 +1,379 @@
+"""The data of a playback page: meshes, poses and signals as they are in the page, ghosts, arrows,
+springs, and its size."""
+
+import base64
+import json
+import math
+import re
+import zlib
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from coscrew_codegen.__main__ import main
+from coscrew_codegen.scene.mechanism.visual import MESH, Triangles, Visual
+from coscrew_codegen.simulation.run_summary import RunOverrides, simulated
+from coscrew_codegen.simulation.view import body_shapes, mesh_files
+from coscrew_codegen.simulation.view.body_shapes import box_of, drawn
+from coscrew_codegen.simulation.view.mesh_files import meshes
+from coscrew_codegen.simulation.view.playback import page
+from tests.support.scenes import scene_texts as texts
+from tests.support.scenes.selecting import checked
+
+trimesh = pytest.importorskip("trimesh", reason='needs pip install "coscrew[view]"')
+
+
+class PageData:
+    """The JSON of a page, and the arrays of its block."""
+
+    def __init__(self, text: str) -> None:
+        self.json = json.loads(element(text, "data"))
+        self.block = zlib.decompress(base64.b64decode(element(text, "block")))
+
+    def array(self, place: list) -> np.ndarray:
+        """Reads the planes of bytes one after another, as the page does."""
+        at, kind, count = place
+        size = int(kind[1])
+        planes = np.frombuffer(self.block, np.uint8, size * count, at).reshape(size, count)
+        return np.ascontiguousarray(planes.T).view(f"<{kind}").ravel()
+
+    def mesh(self, number: int) -> tuple[np.ndarray, np.ndarray]:
+        """Vertices and faces: running sums of differences."""
+        mesh = self.json["meshes"][number]
+        small = self.array(mesh["vertices"]).reshape(3, -1).astype(np.int64)
+        whole = np.cumsum(small, 1) % 2**16
+        faces = np.cumsum(self.array(mesh["faces"]).astype(np.int64)).reshape(-1, 3)
+        return whole.T * mesh["step"] + mesh["low"], faces
+
+    def signal(self, name: str, run: int = 0) -> np.ndarray:
+        (x,) = (x for group in self.json["groups"] for x in group["signals"]
+                if (x["name"], x["run"]) == (name, run))
+        return self.array(x["values"]).astype(float) + x["base"]
+
+    def poses(self, run: int = 0) -> np.ndarray:
+        """(bodies, 7, times)."""
+        return self.array(self.json["runs"][run]["poses"]).reshape(
+            len(self.json["bodies"]), 7, -1)
+
+
+def element(text: str, name: str) -> str:
+    (content,) = re.findall(rf'<script [^>]*id="{name}">(.*?)</script>', text, re.S)
+    return content
+
+
+def run(path: Path, text: str, **overrides):
+    path.write_text(text)
+    kernels = checked(path, None, others=("body_poses",), precisions=("double", "single"))
+    return simulated(kernels, RunOverrides(**overrides))
+
+
+ARM = """
+model = "arm.urdf"
+[effects.gravity]
+[effects.actuator.hinge]
+kind = "pd"
+kp = 40
+kd = 4
+target = "0.5*t"
+[effects.wrench.gust]
+body = "arm"
+force = [3, 0, 0]
+point = [0, 0, -1]
+[effects.reaction]
+joints = ["hinge"]
+[effects.spring_damper.coil]
+bodies = ["world", "arm"]
+first = [1, 0, 0]
+second = [0, 0, -1]
+k = 5
+length = 1
+[outputs]
+record = ["q", "position.arm", "reaction.hinge", "wrench.gust.force"]
+every = 0.01
+[run]
+duration = 5
+step = 5e-3
+"""
+URDF = """<robot name="arm"><link name="arm"><inertial><origin xyz="0 0 -1"/><mass value="1"/>
+<inertia ixx="0.1" iyy="0.1" izz="0.1" ixy="0" ixz="0" iyz="0"/></inertial>{visuals}</link>
+<link name="base"/><joint name="hinge" type="continuous"><parent link="base"/><child link="arm"/>
+<axis xyz="0 1 0"/></joint></robot>"""
+MESHED = '<visual><geometry><mesh filename="{}"/></geometry></visual>'
+
+
+def arm(folder: Path, *visuals: str, text: str = ARM, **overrides):
+    (folder / "arm.urdf").write_text(URDF.format(visuals="".join(visuals)))
+    return run(folder / "arm.toml", text, **overrides)
+
+
+def bumpy(count: int) -> "trimesh.Trimesh":
+    """A closed mesh of 20 4^count triangles with waves on it."""
+    mesh = trimesh.creation.icosphere(count)
+    x, y, z = mesh.vertices.T
+    mesh.vertices *= (1 + 0.1 * np.sin(9 * x) * np.cos(7 * y) * np.sin(5 * z))[:, None]
+    return mesh
+
+
+# sizes and accuracy
+
+def test_a_page_of_40000_triangles_and_500_samples_is_a_megabyte_at_most(tmp_path):
+    bumpy(6).export(tmp_path / "bumpy.stl")  # 81,920 triangles
+    results = arm(tmp_path, MESHED.format("bumpy.stl"), precision="double")
+    text = page(results)
+    data = PageData(text)
+    vertices, faces = data.mesh(0)
+    assert 38_000 <= len(faces) <= 40_000
+    assert len(results[0].t) == 501 and len(text) <= 2**20
+    assert trimesh.Trimesh(vertices, faces).volume == pytest.approx(bumpy(6).volume, rel=1e-3)
+
+
+def test_vertices_are_within_a_step_of_their_box(tmp_path):
+    """Half a step of 16 bits, and the single precision in which they are kept."""
+    bumpy(3).export(tmp_path / "bumpy.stl")
+    vertices, faces = PageData(page(arm(tmp_path, MESHED.format("bumpy.stl"),
+                                        precision="double"))).mesh(0)
+    wanted = bumpy(3)
+    corners = wanted.vertices[wanted.faces].reshape(-1, 3)
+    step = np.ptp(wanted.vertices, 0) / (2**16 - 1)
+    assert len(faces) == len(wanted.faces)
+    assert (np.abs(vertices[faces].reshape(-1, 3) - corners) <= 0.51 * step + 1e-6).all()
+
+
+def test_poses_and_signals_are_those_of_the_run(tmp_path):
+    (result,) = run(tmp_path / "pendulum.toml", texts.PENDULUM, until=2.0, precision="double")
+    data = PageData(page([result]))
+    angles = [float(texts.pendulum(t)[0]) for t in result.t]
+    poses = data.poses()[1]
+    assert np.abs(poses[0] + np.sin(angles)).max() < 1e-6
+    assert np.abs(poses[2] + np.cos(angles)).max() < 1e-6
+    assert np.abs(data.signal("q.hinge") - angles).max() < 1e-6
+    speeds = np.array([float(texts.pendulum(t)[1]) for t in result.t])
+    assert np.abs(data.signal("energy.kinetic") - speeds**2 / 2).max() < 1e-6
+
+
+# meshes
+
+def piece_of(mesh, suffix: str, folder: Path, most: int = mesh_files.TRIANGLES, **settings):
+    mesh.export(folder / f"mesh.{suffix}")
+    (pieces,) = meshes([Visual(MESH, mesh=folder / f"mesh.{suffix}", **settings)], most)
+    return pieces
+
+
+@pytest.mark.parametrize("suffix", ("stl", "obj", "dae", "ply"))
+def test_meshes_of_all_formats_are_the_same(tmp_path, suffix):
+    """Their corners are welded: an STL repeats each."""
+    box = trimesh.creation.box((1, 2, 3))
+    (piece,) = piece_of(box, suffix, tmp_path)
+    assert (len(piece.vertices), len(piece.faces)) == (8, 12)
+    assert trimesh.Trimesh(piece.vertices, piece.faces).volume == pytest.approx(6)
+
+
+def test_a_mirrored_mesh_keeps_its_outside(tmp_path):
+    (piece,) = piece_of(trimesh.creation.box((1, 2, 3)), "stl", tmp_path, scale=(1.0, -1.0, 2.0))
+    assert trimesh.Trimesh(piece.vertices, piece.faces).volume == pytest.approx(12)
+
+
+def test_lengths_are_in_the_unit_of_a_collada_file(tmp_path):
+    mesh = trimesh.creation.box((1, 2, 3))
+    mesh.export(tmp_path / "mesh.dae")
+    text = (tmp_path / "mesh.dae").read_text()
+    (tmp_path / "mesh.dae").write_text(re.sub(
+        r"<asset>", '<asset><unit name="inch" meter="0.0254"/>', re.sub(
+            r"<unit [^>]*/>", "", text), count=1))
+    (pieces,) = meshes([Visual(MESH, mesh=tmp_path / "mesh.dae")])
+    assert np.ptp(pieces[0].vertices, 0) == pytest.approx([0.0254, 0.0508, 0.0762])
+
+
+def test_a_coloured_file_has_a_piece_for_each_colour(tmp_path):
+    scene = trimesh.Scene()
+    for n, colour in enumerate(((255, 0, 0, 255), (0, 255, 0, 255), (255, 0, 0, 255))):
+        box = trimesh.creation.box((1, 1, 1))
+        box.apply_translation((3 * n, 0, 0))
+        box.visual = trimesh.visual.TextureVisuals(
+            material=trimesh.visual.material.PBRMaterial(baseColorFactor=colour))
+        scene.add_geometry(box)
+    scene.export(tmp_path / "mesh.glb")
+    (pieces,) = meshes([Visual(MESH, mesh=tmp_path / "mesh.glb")])
+    assert {x.colour[:3]: len(x.faces) for x in pieces} == {(1, 0, 0): 24, (0, 1, 0): 12}
+
+
+def test_simplified_meshes_stay_near(tmp_path):
+    """To a fifth of the triangles, within 1 % of the size, and near the number that is wanted."""
+    (piece,) = piece_of(bumpy(5), "stl", tmp_path, 4000)
+    assert 3600 <= len(piece.faces) <= 4000
+    near = trimesh.proximity.signed_distance(bumpy(5), piece.vertices) \
+        if trimesh.util.has_module("rtree") else np.zeros(1)
+    assert np.abs(near).max() < 0.02
+    assert trimesh.Trimesh(piece.vertices, piece.faces).volume == pytest.approx(
+        bumpy(5).volume, rel=2e-3)
+
+
+def test_equal_meshes_are_in_the_page_once(tmp_path):
+    bumpy(2).export(tmp_path / "bumpy.stl")
+    (tmp_path / "same.stl").write_bytes((tmp_path / "bumpy.stl").read_bytes())
+    data = PageData(page(arm(tmp_path, MESHED.format("bumpy.stl"), MESHED.format("same.stl"),
+                             precision="double"))).json
+    assert [x["mesh"] for x in data["parts"]] == [0, 0]
+    assert len(data["meshes"]) == 1
+
+
+def test_a_broken_mesh_is_named_in_the_page_and_a_box_in_its_place(tmp_path):
+    (tmp_path / "broken.dae").write_text("<COLLADA>")
+    (result,) = arm(tmp_path, MESHED.format("broken.dae"), precision="double")
+    drawing = drawn(result.system)
+    assert [x.shape for x in drawing.parts] == ["box"]
+    (note,) = drawing.notes
+    assert note.startswith(f"arm: {tmp_path / 'broken.dae'}: trimesh says: ")
+    assert f"<li>{note.partition(':')[0]}:" in page([result])
+
+
+def test_without_the_extra_boxes_are_shown_and_a_sentence_says_so(tmp_path, monkeypatch, capsys):
+    monkeypatch.setattr(mesh_files, "PACKAGES", ("no_such_module",))
+    bumpy(1).export(tmp_path / "bumpy.stl")
+    arm(tmp_path, MESHED.format("bumpy.stl"), MESHED.format("bumpy.stl"), precision="double")
+    capsys.readouterr()
+    assert main(["simulate", str(tmp_path / "arm.toml"), "--view", str(tmp_path / "arm.html"),
+                 "--precision", "double", "--until", "0.1"]) == 0
+    said = capsys.readouterr().err
+    wanted = ("2 meshes are not shown, boxes of inertia are in their place; run "
+              '`pip install "coscrew[view]"`')
+    assert said.count(wanted) == 1
+    data = PageData((tmp_path / "arm.html").read_text()).json
+    assert [x["kind"] for x in data["parts"]] == ["box"]
+
+
+def test_meshes_of_readers_need_no_package(monkeypatch):
+    monkeypatch.setattr(mesh_files, "PACKAGES", ("no_such_module",))
+    box = trimesh.creation.box((1, 2, 3))
+    ((piece,),) = meshes([Visual(MESH, mesh=Triangles(box.vertices, box.faces))])
+    assert (len(piece.vertices), len(piece.faces)) == (8, 12)
+
+
+# what is drawn
+
+@pytest.mark.parametrize("sides", ((1, 2, 3), (0.1, 0.1, 5), (2, 2, 2)))
+def test_boxes_have_the_bodies_inertia(sides):
+    a, b, c = sides
+    mass = 7.0
+    moments = mass / 12 * np.array([b * b + c * c, a * a + c * c, a * a + b * b])
+    half, axes = box_of(np.array([mass]), np.array([*moments, 0, 0, 0]))
+    assert half == pytest.approx(np.array(sides) / 2)
+    assert np.array_equal(axes, np.eye(3))
+    turn = np.linalg.qr(np.array([[1.0, 2, 3], [-1, 1, 0.5], [0.3, -2, 1]]))[0]
+    xx, xy, xz, yy, yz, zz = (turn @ np.diag(moments) @ turn.T)[np.triu_indices(3)]
+    half, axes = box_of(np.array([mass]), np.array([xx, yy, zz, xy, xz, yz]))
+    assert sorted(2 * half) == pytest.approx(sorted(sides))
+    assert np.linalg.det(axes) == pytest.approx(1)
+    again = axes @ np.diag(mass / 3 * (np.sum(half**2) - half**2)) @ axes.T
+    assert again == pytest.approx(turn @ np.diag(moments) @ turn.T)
+
+
+def test_rods_go_from_origins_to_joints_and_balls_stand_where_they_move(tmp_path):
+    (result,) = run(tmp_path / "pendulum.toml", texts.PENDULUM, until=0.1, precision="double")
+    parts = drawn(result.system).parts
+    (rod,) = (x for x in parts if x.shape == "cylinder")
+    assert (rod.body, rod.size[1], rod.place[:3]) == (0, 1, (0, 0, -0.5))
+    (ball,) = (x for x in parts if x.shape == "sphere")
+    assert (ball.body, ball.place[:3]) == (-1, (0, 0, 0))
+    assert [x.body for x in parts if x.shape == "box"] == [1]
+
+
+def test_a_sliding_body_hangs_on_a_rod(tmp_path):
+    results = run(tmp_path / "spring.toml", texts.SPRING, until=0.1, precision="double")
+    assert PageData(page(results)).json["ties"] == [{"spring": False, "ends": [
+        {"body": -1, "point": [0, 0, 0]}, {"body": 0, "point": [0, 0, 0]}]}]
+
+
+def test_bodies_of_hardly_any_mass_without_visuals_are_frames(tmp_path, monkeypatch):
+    (result,) = arm(tmp_path, '<visual><geometry><sphere radius="1"/></geometry></visual>',
+                    text=ARM + """
+[attach.payload]
+body = "arm"
+mass = 0.5
+shape = { box = [0.1, 0.2, 0.3] }
+[attach.screw]
+body = "arm"
+mass = 1e-3
+shape = { box = [0.1, 0.2, 0.3] }
+""", precision="double", until=0.1)
+    names = [x.name for x in result.system.scene.model.bodies]
+    shapes = {(names[x.body], x.shape): x.size for x in drawn(result.system).parts}
+    assert shapes == {("arm", "sphere"): (1,), ("payload", "box"): pytest.approx((0.1, 0.2, 0.3))}
+    monkeypatch.setattr(body_shapes, "_HARDLY", 0.0)
+    assert ("screw", "box") in {(names[x.body], x.shape) for x in drawn(result.system).parts}
+
+
+# ghosts, arrows, springs
+
+@pytest.fixture(scope="module")
+def both(tmp_path_factory):
+    """The page's data of the arm in double and single precision, and its results."""
+    results = arm(tmp_path_factory.mktemp("both"), precision="both", until=1.0)
+    return PageData(page(results)), results
+
+
+def test_single_precision_and_targets_are_ghosts(both):
+    data, results = both
+    assert [(x["label"], x["shown"]) for x in data.json["runs"]] == [
+        ("double", True), ("single", True), ("target", False)]
+    t = data.array(data.json["runs"][2]["t"])
+    places = np.searchsorted(results[1].t, data.array(data.json["runs"][1]["t"]))
+    single = results[1].recorded["q.hinge"].astype(float)[places]
+    assert np.abs(data.signal("q.hinge", 1) - single).max() < 1e-7
+    assert np.abs(data.signal("q.hinge", 2) - 0.5 * t).max() < 1e-6
+    body = [x["name"] for x in data.json["bodies"]].index("arm")
+    assert np.abs(data.poses(2)[body, 4] - np.sin(0.25 * t)).max() < 1e-6
+
+
+def test_arrows_stand_where_recorded_forces_act(both):
+    data, _ = both
+    body = [x["name"] for x in data.json["bodies"]].index("arm")
+    reaction, gust = data.json["arrows"]
+    assert reaction["signals"] == [f"reaction.hinge.{i}" for i in range(3)]
+    assert (reaction["body"], reaction["point"], reaction["turns"]) == (body, [0, 0, 0], True)
+    assert (gust["body"], gust["point"], gust["turns"]) == (body, [0, 0, -1], False)
+    assert [data.signal(x)[3] for x in gust["signals"]] == pytest.approx([3, 0, 0], abs=1e-6)
+
+
+def test_springs_between_bodies_join_their_points(both):
+    data, _ = both
+    body = [x["name"] for x in data.json["bodies"]].index("arm")
+    assert data.json["ties"] == [{"spring": True, "ends": [
+        {"body": -1, "point": [1, 0, 0]}, {"body": body, "point": [0, 0, -1]}]}]
+
+
+@pytest.mark.parametrize("suffix", ("csv", "npz", "parquet"))
+def test_a_recording_is_shown_beside_the_run(tmp_path, suffix, capsys):
+    """Its poses are those of its own coordinates."""
+    scene, other = tmp_path / "pendulum.toml", tmp_path / f"before.{suffix}"
+    scene.write_text(texts.PENDULUM)
+    words = ["simulate", str(scene), "--until", "1", "--precision", "double"]
+    assert main([*words, "--step", "0.005", "--integrator", "semi-implicit-euler", "--output",
+                 str(other)]) == 0
+    assert main([*words, "--view", str(tmp_path / "now.html"), "--beside", str(other)]) == 0
+    data = PageData((tmp_path / "now.html").read_text())
+    assert [x["label"] for x in data.json["runs"]] == ["double", "before"]
+    q = data.signal("q.hinge", 1)
+    assert np.abs(q - data.signal("q.hinge", 0)).max() > 1e-4
+    assert np.abs(data.poses(1)[1, 4] - np.sin(q / 2)).max() < 1e-6
+
+
+@pytest.mark.parametrize("name, problem", (
+    ("none.csv", "cannot read"), ("x.txt", "wanted a recording, .csv, .npz, .parquet"),
+    ("lacks.csv", "has no column q.hinge; wanted a recording of all coordinates")))
+def test_what_is_no_recording_is_refused(tmp_path, capsys, name, problem):
+    (tmp_path / "lacks.csv").write_text("t [s],v.hinge [rad/s]\n0,1\n")
+    (tmp_path / "x.txt").write_text("")
+    (tmp_path / "pendulum.toml").write_text(texts.PENDULUM)
+    assert main(["simulate", str(tmp_path / "pendulum.toml"), "--until", "0.1", "--view",
+                 str(tmp_path / "x.html"), "--beside", str(tmp_path / name)]) != 0
+    assert problem in capsys.readouterr().err
+    assert not (tmp_path / "x.html").exists()
+
+
+def test_gravity_says_where_up_is(tmp_path):
+    (result,) = run(tmp_path / "pendulum.toml", texts.PENDULUM.replace(
+        "[effects.gravity]", "[effects.gravity]\ng = [3, -4, 0]"), until=0.1, precision="double")
+    up = PageData(page([result])).json["up"]
+    assert up == pytest.approx([-0.6, 0.8, 0]) and math.hypot(*up) == pytest.approx(1)

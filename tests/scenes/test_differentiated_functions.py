@@ -1,0 +1,233 @@
+"""Tangents and adjoints of a scene's functions, and the derivatives of its steps: differences in 50
+digits, along velocities, with every effect and with free, spherical and other joints."""
+
+from functools import partial
+
+import mpmath
+import pytest
+from mpmath import mpf
+
+from coscrew_codegen.dynamics import derive
+from coscrew_codegen.program.scene_functions import SceneFunctions
+from coscrew_codegen.scene.function_selection import all_names, names, resolved
+from coscrew_codegen.scene.functions import functions_of
+from coscrew_codegen.scene.integrator import Integrator
+from coscrew_codegen.scene.integrators import EMITTED, named
+from coscrew_codegen.scene.readers.toml.toml_scene import read_scene
+from coscrew_codegen.scene.scene import Scene
+from coscrew_codegen.scene.scene_function import SceneFunction
+from tests.scenes.test_derivatives_of_dynamics import ACTING, scene_with, state
+from tests.support.scenes import mechanisms as m
+from tests.support.scenes.evaluation import evaluator, without_errors
+
+STEP = mpf(10)**-18
+CLOSE = mpf(10)**-24
+H = mpf("0.01")
+Values = dict[str, list[mpf]]
+EVALUATED = partial(evaluator, numbers=without_errors("double"))
+
+
+@pytest.fixture(scope="module")
+def scene() -> Scene:
+    return scene_with(ACTING)
+
+
+def arguments(scene: Scene, functions: SceneFunctions, seed: int) -> Values:
+    """A state, and numbers for every other input."""
+    given, other = state(scene, functions, seed), state(scene, functions, seed + 50)
+    return {**given, "h": [H], "phi": other["a"], "q1": other["q"],
+            "c": [mpf(k) / 7 for k in range(9)]}
+
+
+def results(functions: SceneFunctions, name: str, given: Values) -> Values:
+    """The components of each output."""
+    program = functions.named(name).program
+    numbers = list(EVALUATED(program)([given[a.name] for a in program.inputs]))
+    return {a.name: [numbers.pop(0) for _ in range(a.quantity.size)] for a in program.outputs}
+
+
+def moved(functions: SceneFunctions, function: SceneFunction, scene: Scene, given: Values,
+          direction: Values, size: mpf) -> Values:
+    """The arguments, along a direction; coordinates along velocities."""
+    after = dict(given)
+    for a in function.given(scene):
+        step = [size * d for d in direction[f"d_{a.name}"]]
+        after[a.name] = (results(functions, "integrated", {"q": given[a.name], "phi": step})["qo"]
+                         if a.is_coordinates else
+                         [x + d for x, d in zip(given[a.name], step, strict=True)])
+    return after
+
+
+def apart(functions: SceneFunctions, coordinates: bool, one: list[mpf], two: list[mpf]
+          ) -> list[mpf]:
+    """The difference of two results; of coordinates, two ⊖ one."""
+    if coordinates:
+        return results(functions, "difference", {"q": one, "q1": two})["phi"]
+    return [y - x for x, y in zip(one, two, strict=True)]
+
+
+def inlined(functions: SceneFunctions, function: SceneFunction, given: Values) -> Values:
+    """The results of a function, or of a step, whose tangent also computes them."""
+    if not function.step:
+        return results(functions, function.name, given)
+    name = f"{function.name}_tangent"
+    still = {a.name: [mpf(0)] * a.quantity.size
+             for a in functions.named(name).program.inputs if a.name.startswith("d_")}
+    whole = results(functions, name, {**given, **still})
+    return {key: x for key, x in whole.items() if not key.startswith("d_")}
+
+
+def directions(functions: SceneFunctions, name: str, prefix: str) -> Values:
+    """Numbers for the directions or weights that a function takes."""
+    return {a.name: [mpf((7 * k + len(a.name)) % 11 - 5) / 4 for k in range(a.quantity.size)]
+            for a in functions.named(name).program.inputs if a.name.startswith(prefix)}
+
+
+def total(a: Values, b: Values, prefixes: tuple[str, str], names: list[str]) -> mpf:
+    return mpmath.fsum(x * y for name in names for x, y in zip(
+        a[prefixes[0] + name], b[prefixes[1] + name], strict=True))
+
+
+def check(scene: Scene, function: SceneFunction, seed: int = 3) -> None:
+    """The tangent is a difference; w·d_y = g·d_x."""
+    one, two = f"{function.name}_tangent", f"{function.name}_adjoint"
+    own = () if function.step else (function.name,)
+    functions = derive(scene, (*own, one, two, "integrated", "difference"))
+    with mpmath.workdps(50):
+        given = arguments(scene, functions, seed)
+        direction, weights = directions(functions, one, "d_"), directions(functions, two, "w_")
+        tangent = results(functions, one, {**given, **direction})
+        ends = [inlined(functions, function, moved(functions, function, scene, given, direction,
+                                                   size)) for size in (-STEP, STEP)]
+        keys = [x.name for x in function.results(scene)]
+        for key, x, low, high in zip(keys, function.outputs, *(e.values() for e in ends),
+                                     strict=True):
+            wanted = [d / (2 * STEP) for d in apart(functions, x.is_coordinates, low, high)]
+            largest = max((abs(d) for d in wanted), default=mpf(0))
+            for a, b in zip(tangent[f"d_{key}"], wanted, strict=True):
+                assert abs(a - b) <= CLOSE * max(largest, 1), (function.name, key)
+        adjoint = results(functions, two, {**given, **weights})
+        taken = [a.name for a in function.given(scene)]
+        left = total(weights, tangent, ("w_", "d_"), keys)
+        right = total(adjoint, direction, ("g_", "d_"), taken)
+        size = mpmath.fsum(abs(x) for name in taken for x in adjoint[f"g_{name}"])
+        assert abs(left - right) <= mpf(10)**-30 * max(size, 1)
+
+
+WHOLE = ["inverse_dynamics", "forward_dynamics", "mass_matrix", "bias_torques", "energy", "power",
+         "momentum", "body_poses", "body_twists", "integrated", "difference", "gravity_torques",
+         "step_leapfrog", "step_linear_implicit_euler"]
+
+
+def entry(scene: Scene, name: str) -> SceneFunction:
+    return next(x for x in functions_of(scene) if x.name == name)
+
+
+@pytest.mark.parametrize("name", WHOLE)
+def test_they_are_differences_in_50_digits(scene: Scene, name: str) -> None:
+    check(scene, entry(scene, name))
+
+
+@pytest.mark.parametrize("stem", ["jacobian_", "acceleration_", "effect_"])
+def test_of_members_of_families(scene: Scene, stem: str) -> None:
+    check(scene, [x for x in functions_of(scene) if x.name.startswith(stem)][2])
+
+
+TIMED = """
+runtime = ["lower.mass", "viscous.elbow.d", "actuator.elbow.kp"]
+[bodies]
+upper = { mass = 2, com = [0, 0.1, -0.25], inertia = [0.04, 0.04, 0.002] }
+lower = { mass = 1, com = [0.05, 0, -0.2], inertia = [0.01, 0.01, 0.001] }
+[joints]
+shoulder = { type = "spherical", child = "upper" }
+elbow = { type = "revolute", parent = "upper", child = "lower", axis = [0, 0.6, 0.8] }
+[effects.gravity]
+[effects.viscous]
+d = { elbow = 0.3 }
+[effects.actuator.elbow]
+kind = "pd"
+kp = 20
+kd = 2
+target = "0.5*sin(2*pi*t)"
+"""
+
+
+@pytest.fixture(scope="module")
+def timed(tmp_path_factory: pytest.TempPathFactory) -> Scene:
+    """Masses, a damping and a gain at run time, and a torque that changes with time."""
+    path = tmp_path_factory.mktemp("timed") / "arm.toml"
+    path.write_text(TIMED)
+    return read_scene(path)
+
+
+@pytest.mark.parametrize("name", ["inverse_dynamics", "forward_dynamics", "energy", "momentum",
+                                  *(x.step_with_tau for x in EMITTED)])
+def test_by_parameters_and_time(timed: Scene, name: str) -> None:
+    function = entry(timed, name)
+    check(timed, function)
+    assert {"g_p", "g_q"} <= {x.name for x in entry(timed, f"{name}_adjoint").outputs}
+    assert ("g_t" in {x.name for x in entry(timed, f"{name}_adjoint").outputs}) == (
+        name != "momentum")
+
+
+@pytest.mark.parametrize("acting, integrator", [
+    ("all", named("semi-implicit-euler")), *(("timed", x) for x in EMITTED)],
+    ids=lambda x: getattr(x, "name", x))
+def test_derivatives_of_steps(scene: Scene, timed: Scene, acting: str, integrator: Integrator
+                              ) -> None:
+    """A, B_tau and B_p are the tangents along unit directions."""
+    its, name = timed if acting == "timed" else scene, integrator.step_with_tau
+    functions = derive(its, (f"{name}_derivatives", f"{name}_tangent"))
+    with mpmath.workdps(50):
+        given = arguments(its, functions, 5)
+        whole = results(functions, f"{name}_derivatives", given)
+        still = {x: [mpf(0)] * len(y) for x, y in directions(functions, f"{name}_tangent",
+                                                             "d_").items()}
+        parts = [("A", ("q", "v")), ("B_tau", ("tau",)), ("B_p", ("p",))]
+        for matrix, by in parts[:3 if its.parameters else 2]:
+            units = [(x, k) for x in by for k in range(len(still[f"d_{x}"]))]
+            for column, (x, k) in enumerate(units):
+                unit = [mpf(int(i == k)) for i in range(len(still[f"d_{x}"]))]
+                tangent = results(functions, f"{name}_tangent", {**given, **still, f"d_{x}": unit})
+                wanted = [*tangent["d_qo"], *tangent["d_vo"]]
+                own = whole[matrix][column::len(units)]
+                for a, b in zip(own, wanted, strict=True):
+                    assert abs(a - b) <= mpf(10)**-30 * max(1, *map(abs, wanted)), (matrix, x, k)
+
+
+def test_chart_turns_velocities_into_rates(scene: Scene) -> None:
+    """∂(q ⊕ φ)/∂φ, by differences."""
+    functions = derive(scene, ("chart", "integrated"))
+    with mpmath.workdps(50):
+        given, nq, nv = state(scene, functions), functions.nq, functions.nv
+        N = results(functions, "chart", given)["N"]
+        for j in range(nv):
+            ends = [results(functions, "integrated", {**given, "phi": [
+                sign * STEP * int(i == j) for i in range(nv)]})["qo"] for sign in (-1, 1)]
+            for i in range(nq):
+                assert abs(N[i * nv + j] - (ends[1][i] - ends[0][i]) / (2 * STEP)) <= CLOSE
+
+
+def test_difference_inverts_motion(scene: Scene) -> None:
+    """(q ⊕ φ) ⊖ q = φ for rotations up to nearly π, and q ⊕ (q1 ⊖ q) = ±q1."""
+    functions = derive(scene, ("difference", "integrated"))
+    with mpmath.workdps(50):
+        for seed, size in enumerate((mpf(10)**-20, 1, mpf("1.8"))):
+            given = arguments(scene, functions, seed)
+            phi = [size * x for x in given["a"]]
+            q1 = results(functions, "integrated", {**given, "phi": phi})["qo"]
+            again = results(functions, "difference", {**given, "q1": q1})["phi"]
+            for a, b in zip(phi, again, strict=True):
+                assert abs(a - b) <= mpf(10)**-22 * size
+
+
+def test_they_are_selected_by_name_alone() -> None:
+    """Neither `all` nor a pattern that matches other functions selects them."""
+    scene = m.scene(m.pendulum(2, 1), m.gravity(0, 0, -10))
+    assert {"energy_tangent", "step_rk4_derivatives"} <= set(all_names(scene)) - set(names(scene))
+    assert resolved(scene, ("all",)) == set(names(scene))
+    assert resolved(scene, ("*energy*",)) == {"energy"}
+    assert resolved(scene, ("energy_*",)) == {"energy_tangent", "energy_adjoint"}
+    assert resolved(scene, ("*_dynamics_adjoint",)) == {
+        "inverse_dynamics_adjoint", "forward_dynamics_adjoint"}
+    assert not {x for x in all_names(scene) if x.endswith(("_tangent_adjoint", "parts_tangent"))}

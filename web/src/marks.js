@@ -1,0 +1,156 @@
+// Marks on the robot, each switched on and off: joint frames, a trail, arrows, masses.  A mark has
+// a `group` to draw, and `update` that brings it to the located time.
+import {
+  BufferAttribute, BufferGeometry, ConeGeometry, CylinderGeometry, Group, Mesh, MeshBasicMaterial,
+  Quaternion, SphereGeometry, Vector3,
+} from "three";
+
+const X = new Vector3(1, 0, 0), Y = new Vector3(0, 1, 0), Z = new Vector3(0, 0, 1);
+const [a, b, c] = [new Vector3(), new Vector3(), new Vector3()], spare = new Quaternion();
+const above = colour => new MeshBasicMaterial({
+  color: colour, depthTest: false, transparent: true, toneMapped: false,
+});
+
+// Red, green and blue axes of the frames of all bodies that joints move.
+export function frames(recording, robot, size) {
+  const group = new Group(), length = .07 * size;
+  for (const joint of recording.joints.filter(x => x.moves)) {
+    const frame = new Group();
+    for (const [axis, colour] of [[X, 0xe5484d], [Y, 0x30a46c], [Z, 0x3e63dd]]) {
+      const bar = new Mesh(new CylinderGeometry(.035 * length, .035 * length, length, 10)
+        .translate(0, length / 2, 0), above(colour));
+      bar.quaternion.setFromUnitVectors(Y, axis);
+      bar.renderOrder = 5;
+      frame.add(bar);
+    }
+    frame.userData.body = joint.child;
+    group.add(frame);
+  }
+  const update = () => {
+    for (const frame of group.children) {
+      frame.position.copy(robot.bodies[frame.userData.body].position);
+      frame.quaternion.copy(robot.bodies[frame.userData.body].quaternion);
+    }
+  };
+  return { group, update };
+}
+
+// A ball at each centre of mass, of a volume in proportion to the mass.
+export function masses(recording, robot, size) {
+  const group = new Group(), most = Math.max(...recording.bodies.map(x => x.mass));
+  recording.bodies.forEach((body, number) => {
+    if (!body.mass) return;
+    const ball = new Mesh(new SphereGeometry(.035 * size * Math.cbrt(body.mass / most), 20, 14),
+                          above(0xf5b301));
+    ball.material.opacity = .9;
+    ball.renderOrder = 4;
+    ball.userData = { number, com: new Vector3().fromArray(body.com) };
+    group.add(ball);
+  });
+  const update = () => {
+    for (const ball of group.children) {
+      const { position, quaternion } = robot.bodies[ball.userData.number];
+      ball.position.copy(ball.userData.com).applyQuaternion(quaternion).add(position);
+    }
+  };
+  return { group, update };
+}
+
+// The path of a body's origin, darkest where the body was last.
+export function trail(recording, size) {
+  const run = recording.main, count = Math.min(run.times.length, 700), sides = 6;
+  const samples = Array.from({ length: count },
+    (_, i) => Math.round(i * (run.times.length - 1) / Math.max(count - 1, 1)));
+  const pose = { at: new Vector3(), turn: new Quaternion() };
+  const path = samples.map(sample => {
+    run.stored(recording.tracked, sample, pose);
+    return pose.at.clone();
+  });
+  const geometry = tube(path, .0026 * size, sides), group = new Group();
+  const colours = new BufferAttribute(new Float32Array(4 * sides * count), 4);
+  geometry.setAttribute("color", colours);
+  const mesh = new Mesh(geometry, new MeshBasicMaterial({
+    vertexColors: true, transparent: true, depthWrite: false, toneMapped: false,
+  }));
+  mesh.frustumCulled = false;
+  mesh.renderOrder = 2;
+  group.add(mesh);
+  const span = Math.max(.3 * (run.end - run.begin), 1e-9);
+  const update = time => {
+    samples.forEach((sample, i) => {
+      const age = time - run.times[sample];
+      const shown = age < 0 ? .13 : .2 + .8 * Math.max(0, 1 - age / span);
+      for (let k = 0; k < sides; k++) colours.setXYZW(i * sides + k, .03, .19, .85, shown);
+    });
+    colours.needsUpdate = true;
+  };
+  return { group, update };
+}
+
+// A tube along a path.
+function tube(path, radius, sides) {
+  const points = new Float32Array(3 * path.length * sides), faces = [];
+  const side = new Vector3(.3, .5, .8), last = path.length - 1;
+  path.forEach((at, i) => {
+    const along = a.copy(path[Math.min(last, i + 1)]).sub(path[Math.max(0, i - 1)]);
+    if (along.lengthSq() < 1e-18) along.copy(Z);
+    along.normalize();
+    side.addScaledVector(along, -side.dot(along));
+    if (side.lengthSq() < 1e-9) side.set(along.y, along.z, along.x);
+    side.addScaledVector(along, -side.dot(along)).normalize();
+    const other = b.crossVectors(along, side);
+    for (let k = 0; k < sides; k++) {
+      const angle = 2 * Math.PI * k / sides, corner = i * sides + k;
+      c.copy(at).addScaledVector(side, radius * Math.cos(angle))
+        .addScaledVector(other, radius * Math.sin(angle)).toArray(points, 3 * corner);
+      if (i === 0) continue;
+      const next = i * sides + (k + 1) % sides;
+      faces.push(corner - sides, next - sides, corner, next - sides, next, corner);
+    }
+  });
+  const geometry = new BufferGeometry();
+  geometry.setAttribute("position", new BufferAttribute(points, 3));
+  geometry.setIndex(faces);
+  return geometry;
+}
+
+// Arrows of recorded forces, the longest a third of the robot's size; each stands on a point of
+// its body, and its components are in the body's axes or the world's.
+export function arrows(recording, robot, size) {
+  const signals = recording.groups.flatMap(group => group.signals);
+  const given = recording.arrows.map(arrow => ({
+    ...arrow, numbers: arrow.signals.map(name => signals.find(x => x.name === name).numbers) }));
+  let most = 0;
+  for (const { numbers: [x, y, z] } of given) {
+    x.forEach((_, i) => { most = Math.max(most, Math.hypot(x[i], y[i], z[i]) || 0); });
+  }
+  const group = new Group(), thick = .0045 * size, head = .03 * size;
+  for (const arrow of given) {
+    const material = above(arrow.colour), one = new Group();
+    const shaft = new Mesh(new CylinderGeometry(thick, thick, 1, 12).translate(0, .5, 0), material);
+    const tip = new Mesh(new ConeGeometry(2.6 * thick, 1, 16).translate(0, -.5, 0), material);
+    shaft.renderOrder = tip.renderOrder = 6;
+    one.add(shaft, tip);
+    one.userData = arrow;
+    group.add(one);
+  }
+  const update = () => {
+    for (const one of group.children) {
+      const { body, point, numbers, turns } = one.userData, [shaft, tip] = one.children;
+      const { position, quaternion } = robot.bodies[body];
+      a.set(...numbers.map(x => recording.main.value(x)));
+      const length = .33 * size * a.length() / (most || 1);
+      one.visible = length > 1e-3 * size;
+      if (!one.visible) continue;
+      one.position.fromArray(point).applyQuaternion(quaternion).add(position);
+      a.normalize();
+      if (turns) a.applyQuaternion(quaternion);
+      one.quaternion.copy(spare.setFromUnitVectors(Y, a));
+      const pointed = Math.min(head, .5 * length);
+      shaft.scale.set(1, length - pointed, 1);
+      tip.scale.set(1, pointed, 1);
+      tip.position.y = length;
+    }
+  };
+  return { group, update };
+}

@@ -1,0 +1,153 @@
+// The page that plays a run back: puts stage, robot, marks, plots and time together.
+import { Group, Quaternion, Vector3 } from "three";
+import { Clock } from "./clock.js";
+import { Extent } from "./extent.js";
+import { labels } from "./labels.js";
+import { arrows, frames, masses, trail } from "./marks.js";
+import { Plots } from "./plots.js";
+import { pointing } from "./pointer.js";
+import { Recording } from "./recording.js";
+import { Robot, shapesOf } from "./robot.js";
+import { Stage } from "./stage.js";
+import { ties } from "./ties.js";
+import { Tools } from "./tools.js";
+
+const $ = id => document.getElementById(id);
+const GHOSTS = [0xf2711c, 0x8e4ec6, 0x2a9d5c];
+const CONTROLS = ["BUTTON", "INPUT", "SELECT", "SUMMARY", "OUTPUT"];
+const NARROW = 640;  // px, below which the tools stand above the bar
+
+class Player {
+  constructor(data, block) {
+    this.recording = new Recording(data, block);
+    this.drawn = 0;
+    this.dirty = true;
+    this.gap = null;
+    const touch = () => { this.dirty = true; };
+    this.clock = new Clock(this.recording.begin, this.recording.end, touch);
+    this.space = new Group();
+    const up = new Vector3().fromArray(data.up);
+    this.space.quaternion.copy(new Quaternion().setFromUnitVectors(up, new Vector3(0, 0, 1)));
+    const shapes = shapesOf(this.recording);
+    this.robots = this.recording.runs.map((run, i) =>
+      new Robot(this.recording, run, shapes, i ? GHOSTS[(i - 1) % GHOSTS.length] : undefined));
+    this.robot = this.robots[0];
+    this.extent = new Extent(this.recording, this.robot, this.space.quaternion);
+    this.recording.locate(this.clock.time);
+    this.tools = new Tools($("tools"), touch);
+    try {
+      this.open();
+    } catch (error) {
+      $("space").hidden = $("tools").hidden = true;
+      $("without").hidden = false;
+      $("without").textContent = "This browser shows no 3D (WebGL), so the bodies are not drawn; "
+        + `time and plots work without it. ${error.message}`;
+    }
+    this.plots = new Plots(this.recording, time => this.clock.seek(time), () => this.clock.time);
+    this.listen();
+  }
+
+  // Build the stage, and everything that is drawn on it.
+  open() {
+    const dark = matchMedia("(prefers-color-scheme: dark)").matches;
+    const stage = new Stage($("space"), this.extent, dark);
+    const { recording, robot, tools, space, extent: { size } } = this;
+    space.add(robot.group);
+    stage.scene.add(space);
+    this.always = ties(recording, robot, size);
+    space.add(this.always.group);
+    if (this.extent.travels) {
+      tools.add("Follow", "f", true, () => ({ show: on => { stage.follows = on; } }), space);
+    }
+    recording.runs.slice(1).forEach((run, i) => tools.add(
+      run.label, String(i + 2), run.shown, () => ({ group: this.robots[i + 1].group }), space));
+    if (recording.arrows.length) {
+      tools.add("Forces", "o", true, () => arrows(recording, robot, size), space);
+    }
+    tools.add("Trail", "t", true, () => trail(recording, size), space);
+    tools.add("Frames", "j", false, () => frames(recording, robot, size), space);
+    tools.add("Masses", "m", false, () => masses(recording, robot, size), space);
+    tools.add("Names", "n", false, () => ({
+      ...labels(recording, robot, $("labels"), $("space"), stage.camera),
+      show: on => { $("labels").hidden = !on; } }), space);
+    tools.action("Reset view", "r", () => this.fit());
+    pointing(recording, robot, stage, () => { this.dirty = true; });
+    stage.controls.addEventListener("change", () => { this.dirty = true; });
+    this.stage = stage;
+  }
+
+  fit() {
+    const narrow = innerWidth < NARROW;
+    this.stage.fit(this.clock.time, narrow ? 30 : 52, narrow ? 118 : 84);
+    this.dirty = true;
+  }
+
+  listen() {
+    document.addEventListener("keydown", event => {
+      const own = CONTROLS.includes(event.target.tagName);
+      if (own || this.stage && event.target === $("space") && this.turn(event)) return;
+      if (this.clock.key(event) || this.tools.key(event)) event.preventDefault();
+    });
+    const resize = () => {
+      this.stage?.resize();
+      this.plots.resize();
+      this.dirty = true;
+    };
+    new ResizeObserver(resize).observe($("stage"));
+    matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => {
+      this.plots.restyle();
+    });
+    resize();
+    if (this.stage) this.fit();
+  }
+
+  // Keys that turn and zoom the view while the picture has the focus.
+  turn(event) {
+    const action = {
+      ArrowLeft: () => this.stage.orbit(.1, 0), ArrowRight: () => this.stage.orbit(-.1, 0),
+      ArrowUp: () => this.stage.orbit(0, .1), ArrowDown: () => this.stage.orbit(0, -.1),
+      "+": () => this.stage.orbit(0, 0, 1 / 1.2), "=": () => this.stage.orbit(0, 0, 1 / 1.2),
+      "-": () => this.stage.orbit(0, 0, 1.2) }[event.key];
+    if (!action) return false;
+    event.preventDefault();
+    action();
+    this.dirty = true;
+    return true;
+  }
+
+  // Bring everything to the clock's time.
+  update() {
+    this.recording.locate(this.clock.time);
+    for (const robot of this.robots) robot.pose();
+    if (this.stage) {
+      this.stage.follow(this.clock.time);
+      this.always.update();
+      this.tools.update(this.clock.time);
+      this.stage.render();
+    }
+    this.plots.update();
+  }
+
+  // Draw a frame if something has changed.
+  frame(now) {
+    this.clock.tick(now);
+    const changed = this.stage?.adapt(
+      this.clock.playing ? (this.gap === null ? 0 : now - this.gap) : null);
+    this.gap = this.clock.playing ? now : null;
+    const moved = this.stage?.controls.update();
+    if (this.dirty || this.clock.playing || changed || moved) {
+      this.dirty = false;
+      this.update();
+      this.drawn++;
+      document.documentElement.dataset.ready = "";
+    }
+    requestAnimationFrame(time => this.frame(time));
+  }
+}
+
+// Start the page; `data` is its JSON, `block` the bytes of its arrays.
+export function start(data, block) {
+  const player = new Player(data, block);
+  requestAnimationFrame(time => player.frame(time));
+  return player;
+}

@@ -1,0 +1,79 @@
+// The bodies of one run in space: their parts, and their poses.
+import { Color, Group, Mesh, MeshStandardMaterial, SRGBColorSpace, Vector3 } from "three";
+import { meshesOf, shapeOf } from "./geometry.js";
+
+const DARKEST = .045;  // pure black would swallow all shape
+
+// The parts' geometries, shared by the robot and its ghosts.
+export function shapesOf(recording) {
+  const meshes = meshesOf(recording);
+  return recording.parts.map(part => shapeOf(part, meshes));
+}
+
+function solid([red, green, blue, opacity]) {
+  const bright = red + green + blue > 2.4, lift = x => Math.max(x, DARKEST);
+  return new MeshStandardMaterial({
+    color: new Color().setRGB(lift(red), lift(green), lift(blue), SRGBColorSpace),
+    roughness: bright ? .42 : .55, metalness: bright ? 0 : .12,
+    transparent: opacity < 1, opacity, depthWrite: opacity > .5,
+  });
+}
+
+function ghostly(colour) {
+  return new MeshStandardMaterial({
+    color: colour, transparent: true, opacity: .32, roughness: .6, depthWrite: false,
+    polygonOffset: true, polygonOffsetFactor: 2, polygonOffsetUnits: 8,  // behind an equal robot
+  });
+}
+
+// A group for each body and, as the last, for what stands in the world.
+export class Robot {
+  constructor(recording, run, shapes, ghost) {
+    this.run = run;
+    this.group = new Group();
+    this.bodies = recording.bodies.map((_, number) => {
+      const group = new Group();
+      group.userData.body = number;
+      return group;
+    });
+    this.world = new Group();
+    this.group.add(...this.bodies, this.world);
+    const material = ghost === undefined ? null : ghostly(ghost);
+    recording.parts.forEach((part, i) => {
+      if (material && part.body < 0) return;
+      const mesh = new Mesh(shapes[i], material ?? solid(part.colour));
+      mesh.castShadow = mesh.receiveShadow = !material;
+      mesh.position.fromArray(part.place);
+      mesh.quaternion.fromArray(part.place, 3);
+      (part.body < 0 ? this.world : this.bodies[part.body]).add(mesh);
+    });
+  }
+
+  // Move all bodies to where they are at the located time.
+  pose() {
+    this.bodies.forEach((group, body) => this.run.pose(body, group.position, group.quaternion));
+  }
+
+  // Corners of the parts' boxes in the frame of a body (-1: the world); its origin without parts.
+  corners(body) {
+    const group = body < 0 ? this.world : this.bodies[body], corners = [];
+    for (const mesh of group.children) {
+      mesh.geometry.computeBoundingBox();
+      const { min, max } = mesh.geometry.boundingBox;
+      for (let i = 0; i < 8; i++) {
+        corners.push(new Vector3(i & 1 ? max.x : min.x, i & 2 ? max.y : min.y,
+                                 i & 4 ? max.z : min.z)
+          .applyQuaternion(mesh.quaternion).add(mesh.position));
+      }
+    }
+    return corners.length || body < 0 ? corners : [new Vector3()];
+  }
+
+  // Light up one body, or none.
+  glow(body) {
+    for (const group of this.bodies) {
+      const lit = group.userData.body === body ? 0x0b2a5c : 0;
+      for (const mesh of group.children) mesh.material.emissive.setHex(lit);
+    }
+  }
+}

@@ -1,0 +1,164 @@
+// The stage: renderer, lights, sky, and the camera, which frames the robot and follows it.
+import {
+  ACESFilmicToneMapping, DirectionalLight, HemisphereLight, PCFShadowMap, PerspectiveCamera,
+  PMREMGenerator, Scene, Spherical, Vector3, WebGLRenderer,
+} from "three";
+import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
+import { RoomEnvironment } from "three/examples/jsm/environments/RoomEnvironment.js";
+import { ground } from "./ground.js";
+
+const FROM = new Vector3(.82, -1, .42).normalize();  // from the robot to the camera
+const LIGHT = new Vector3(1.1, -.7, 2.2);
+const FINEST = 2, COARSEST = .5;  // pixels of the picture for one of the screen
+const SLOW = 90;  // ms for a frame, from which the picture becomes coarser
+
+export class Stage {
+  // Throws if the browser has no WebGL.
+  constructor(canvas, extent, dark) {
+    this.canvas = canvas;
+    this.extent = extent;
+    this.renderer = new WebGLRenderer({ canvas, antialias: true, alpha: true });
+    this.scene = new Scene();
+    this.camera = new PerspectiveCamera(30, 1, extent.size / 50, extent.size * 60);
+    this.camera.up.set(0, 0, 1);
+    this.follows = extent.travels;
+    this.now = new Vector3();
+    this.ratio = this.finest;
+    this.frameTime = this.slowFrames = 0;
+    this.light(dark);
+    this.ground = ground(extent, dark);
+    this.scene.add(this.ground);
+    this.control();
+  }
+
+  get finest() { return Math.min(devicePixelRatio || 1, FINEST); }
+
+  light(dark) {
+    const { renderer, scene, extent: { size } } = this;
+    renderer.shadowMap.enabled = true;
+    renderer.shadowMap.type = PCFShadowMap;
+    renderer.toneMapping = ACESFilmicToneMapping;
+    renderer.setClearColor(0, 0);
+    scene.environment = new PMREMGenerator(renderer).fromScene(new RoomEnvironment(), .04).texture;
+    scene.environmentIntensity = dark ? .42 : .46;
+    scene.add(new HemisphereLight(0xffffff, 0x9aa4b2, dark ? .25 : .3));
+    const key = this.key = new DirectionalLight(0xfff4e6, 2.55), shadow = key.shadow;
+    key.castShadow = true;
+    shadow.mapSize.set(2048, 2048);
+    shadow.radius = 5;
+    shadow.bias = -.0004;
+    shadow.normalBias = .002 * size;
+    const half = .85 * size;
+    Object.assign(shadow.camera, { left: -half, right: half, bottom: -half, top: half,
+                                   near: .1 * size, far: 8 * size });
+    const rim = new DirectionalLight(0xdfe9ff, .7);
+    rim.position.set(-2, 3, 1.6);
+    scene.add(key, key.target, rim);
+  }
+
+  control() {
+    const { size } = this.extent, controls = new OrbitControls(this.camera, this.canvas);
+    this.controls = controls;
+    controls.enableDamping = !matchMedia("(prefers-reduced-motion: reduce)").matches;
+    controls.dampingFactor = .12;
+    controls.maxDistance = 12 * size;
+    controls.minDistance = .15 * size;
+    controls.maxPolarAngle = .52 * Math.PI;
+    // Without focus the wheel scrolls the page.
+    this.canvas.addEventListener("wheel", event => {
+      controls.enableZoom = document.activeElement === this.canvas || event.ctrlKey;
+    }, { capture: true, passive: true });
+    this.canvas.addEventListener("pointerdown", () => {
+      controls.enableZoom = true;
+      this.canvas.focus({ preventScroll: true });
+    }, { capture: true });
+  }
+
+  // Turn the camera about its target, or change its distance.
+  orbit(azimuth, elevation, factor = 1) {
+    const offset = this.camera.position.clone().sub(this.controls.target);
+    const flat = new Spherical().setFromVector3(new Vector3(offset.x, offset.z, -offset.y));
+    flat.theta += azimuth;
+    flat.phi = Math.min(Math.max(flat.phi - elevation, .02), this.controls.maxPolarAngle);
+    flat.radius = Math.min(Math.max(flat.radius * factor, this.controls.minDistance),
+                           this.controls.maxDistance);
+    const { x, y, z } = new Vector3().setFromSpherical(flat);
+    this.camera.position.set(x, -z, y).add(this.controls.target);
+    this.controls.update();
+  }
+
+  // Move the camera until all points fill the part of the picture that no control covers:
+  // `above` and `below` are the heights of the controls, in pixels.
+  fit(time, above, below) {
+    const { camera, controls, extent, canvas } = this, p = new Vector3();
+    const height = canvas.clientHeight || 1;
+    const top = 1 - 2 * above / height, bottom = 1 - 2 * below / height;
+    const target = extent.travels ? new Vector3()
+      : extent.low.clone().add(extent.high).multiplyScalar(.5);
+    let distance = 2 * extent.size;
+    for (let round = 0; round < 16; round++) {
+      camera.position.copy(target).addScaledVector(FROM, distance);
+      camera.lookAt(target);
+      camera.updateMatrixWorld();
+      let [left, right, low, high] = [Infinity, -Infinity, Infinity, -Infinity];
+      for (const point of extent.points) {
+        p.copy(point).project(camera);
+        left = Math.min(left, p.x);
+        right = Math.max(right, p.x);
+        low = Math.min(low, p.y);
+        high = Math.max(high, p.y);
+      }
+      const fills = Math.max((right - left) / 1.8, (high - low) / (.94 * (top + bottom)), .02);
+      distance *= 1 + .8 * (Math.min(fills, 5) - 1);
+      const half = Math.tan(camera.fov * Math.PI / 360) * distance;
+      p.set((left + right) / 2 * half * camera.aspect,
+            ((high + low) / 2 - (top - bottom) / 2) * half, 0).applyQuaternion(camera.quaternion);
+      target.addScaledVector(p, .7);
+    }
+    const at = extent.travels ? extent.centre(time, new Vector3()) : new Vector3();
+    this.now.copy(at);
+    camera.position.copy(target).addScaledVector(FROM, distance).add(at);
+    controls.target.copy(target).add(at);
+    controls.update();
+  }
+
+  // Bring camera, light and shadow to where the robot is at a time.
+  follow(time) {
+    const before = this.now.clone(), centre = this.extent.centre(time, this.now);
+    if (this.follows && this.extent.travels) {
+      const moved = centre.clone().sub(before);
+      this.controls.target.add(moved);
+      this.camera.position.add(moved);
+    }
+    this.key.target.position.copy(centre);
+    this.key.position.copy(centre).addScaledVector(LIGHT, 1.2 * this.extent.size);
+  }
+
+  // Fill the canvas, in finer or coarser pixels.
+  resize() {
+    const width = this.canvas.clientWidth, height = this.canvas.clientHeight;
+    this.renderer.setPixelRatio(this.ratio);
+    this.renderer.setSize(width, height, false);
+    this.camera.aspect = width / Math.max(height, 1);
+    this.camera.updateProjectionMatrix();
+  }
+
+  // Slow machines play coarser, and rest sharp; returns whether the picture has changed.
+  adapt(milliseconds) {
+    if (milliseconds === null) {
+      const changed = this.ratio !== this.finest;
+      this.ratio = this.finest;
+      this.frameTime = this.slowFrames = 0;
+      if (changed) this.resize();
+      return changed;
+    }
+    this.frameTime = .8 * this.frameTime + .2 * milliseconds;
+    if (this.frameTime < SLOW || this.ratio <= COARSEST || ++this.slowFrames < 6) return false;
+    this.ratio = Math.max(.75 * this.ratio, COARSEST);
+    this.slowFrames = 0;
+    this.resize();
+    return true;
+  }
+
+  render() { this.renderer.render(this.scene, this.camera); }
+}

@@ -1,0 +1,60 @@
+// The buttons that switch marks on and off, each with a letter as its key.
+
+export class Tools {
+  constructor(place, changed) {
+    Object.assign(this, { place, changed, tools: [], keys: new Map() });
+  }
+
+  // Add a switch; `make` builds its mark when it is first switched on.
+  add(name, key, on, make, scene) {
+    const button = document.createElement("button");
+    const tool = { name, button, on, make, scene, mark: null };
+    button.type = "button";
+    button.textContent = name;
+    button.title = `${name} (${key.toUpperCase()})`;
+    button.addEventListener("click", () => this.toggle(tool));
+    this.keys.set(key, tool);
+    this.tools.push(tool);
+    this.place.append(button);
+    this.apply(tool);
+    return tool;
+  }
+
+  // Add a button that does something once.
+  action(name, key, act) {
+    const button = document.createElement("button");
+    button.type = "button";
+    button.id = "reset";
+    button.textContent = name;
+    button.title = `${name} (${key.toUpperCase()})`;
+    button.addEventListener("click", act);
+    this.keys.set(key, { act });
+    this.place.append(button);
+  }
+
+  toggle(tool) {
+    tool.on = !tool.on;
+    this.apply(tool);
+    this.changed();
+  }
+
+  apply(tool) {
+    if (tool.on && !tool.mark) {
+      tool.mark = tool.make();
+      if (tool.mark.group) tool.scene.add(tool.mark.group);
+    }
+    if (tool.mark?.group) tool.mark.group.visible = tool.on;
+    tool.mark?.show?.(tool.on);
+    tool.button.setAttribute("aria-pressed", String(tool.on));
+  }
+
+  key(event) {
+    const tool = this.keys.get(event.key.toLowerCase());
+    if (!tool || event.ctrlKey || event.metaKey || event.altKey) return false;
+    if (tool.act) tool.act(); else this.toggle(tool);
+    return true;
+  }
+
+  // Bring the marks that are on to a time.
+  update(time) { for (const tool of this.tools) if (tool.on) tool.mark.update?.(time); }
+}
