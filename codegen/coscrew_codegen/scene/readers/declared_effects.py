@@ -22,10 +22,9 @@ def of_file_alone(model: Model, declared: Effects, catalogue: tuple[Effect, ...]
     tables: dict[str, object] = {}
     acting = _on_moving_bodies(declared, model)
     for effect in catalogue:
-        if effect.name in acting:
-            tables[effect.name] = acting[effect.name]
-        elif effect.alone and (table := _from_model(effect, model)) is not None:
-            tables[effect.name] = table
+        of_model = _from_model(effect, model) if effect.alone else None
+        if effect.name in acting or of_model is not None:
+            tables[effect.name] = {**acting.get(effect.name, {}), **(of_model or {})}
     return tables
 
 

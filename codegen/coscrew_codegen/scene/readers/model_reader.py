@@ -57,6 +57,7 @@ class Parts:
     roots: Mapping[str, Placement] = field(default_factory=dict)  # where it stands, by body
     start: Mapping[str, tuple[float, ...]] = field(default_factory=dict)  # of the file alone: q
     effects: Effects = field(default_factory=dict)  # effects of the file, as springs of joints
+    inputs: tuple[str, ...] = ()  # numbers of these that stay arguments, if the file is alone
     implausible: tuple[str, ...] = ()  # inertias that the reader has accepted, a line each
     notices: tuple[Notice, ...] = ()  # content that was read and is not used
     elsewhere: Mapping[str, tuple[Path, str]] = field(default_factory=dict)  # elements that come

@@ -50,7 +50,8 @@ def page(results: Sequence[Result], besides: Sequence[PageRun] = (),
         runs.append(target)
     groups = page_signals.grouped(first.system, first.recording.columns,
                                   [x.columns for x in runs])
-    data = {"runs": [_packed(x, block) for x in runs], **_model(first.system, {x.body for x in drawing.parts}),
+    data = {"runs": [_packed(x, block) for x in runs],
+            **_model(first.system, {x.body for x in drawing.parts}),
             **_parts(drawing, block), "groups": page_signals.packed(groups, block),
             "arrows": [*page_signals.arrows(first.system, runs[0].columns)],
             "ties": [*page_signals.ties(first.system)]}
