@@ -120,8 +120,8 @@ def test_effects_of_the_attached_file_are_named_by_the_prefix(scene, tmp_path):
     table = '[attach.s]\nmodel = "sprung.xml"\nto = "hand"\nplace = { xyz = [0, 0, 0.1] }\n'
     notices = [x for x in scene(table).notices if x.remedy]
     of = {x.used_by for x in notices}
-    assert {("spring", "s_pull"), ("viscous", "s_pull"), ("limit", "s_pull"), ("armature", "s_turn"),
-            ("spring", "s_open"), ("armature", "s_open"),
+    assert {("spring", "s_pull"), ("viscous", "s_pull"), ("limit", "s_pull"),
+            ("armature", "s_turn"), ("spring", "s_open"), ("armature", "s_open"),
             ("wrench", "s_gravcomp of palm"), ("wrench", "s_gravcomp of finger")} <= of
     assert not any(name == "gravity" for name, _ in of)  # it is the scene's
     effects = '[effects.gravity]\n[effects.viscous]\njoints = "all"\nd = "model"\n'
