@@ -93,6 +93,14 @@ def test_models(tmp_path, suffix, text, words):
     assert words in str(caught.value)
 
 
+def test_a_visual_without_a_shape_is_kept_as_a_problem(tmp_path):
+    """It changes no motion, so that nothing is refused."""
+    (tmp_path / "m.sdf").write_text(chain(hinge()).replace(
+        "</link>", '<visual name="v"><geometry/></visual></link>', 1))
+    (visual,) = (y for x in read_scene(tmp_path / "m.sdf").model.bodies for y in x.visuals)
+    assert visual.problem.endswith("has no <geometry> with one shape")
+
+
 def test_numbers_and_values_that_no_file_gives():
     """Errors of the generator itself, which readers never let happen."""
     with pytest.raises(ValueError, match="the vector is zero"):
