@@ -171,7 +171,7 @@ def test_shell_snippets_run(tmp_path, monkeypatch, capsys):
     blocks = re.findall(r"```sh\n(.*?)```", others, re.DOTALL)
     commands = [line.split("#")[0].split() for block in blocks for line in block.splitlines()]
     ours = [words[1:] for words in commands if words[0] == "coscrew"]
-    assert len(ours) == 6
+    assert len(ours) == 8
     shutil.copytree(ROOT / "examples/scenes", tmp_path / "examples/scenes")
     shutil.copytree(ROOT / "generated", tmp_path / "generated",
                     ignore=shutil.ignore_patterns("*.so", "__pycache__"))

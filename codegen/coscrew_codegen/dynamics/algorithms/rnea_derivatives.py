@@ -268,8 +268,8 @@ class _Recursion:
     def _with(self, inertias: Mapping[str, Number]) -> Matrix:
         for number, link in enumerate(self.tree.links):
             if link.joint.name in inertias:
-                place = self.places[number]
-                self.M[place][place] = self.M[place][place] + inertias[link.joint.name]
+                for _, place in self._places(number):
+                    self.M[place][place] = self.M[place][place] + inertias[link.joint.name]
         return self.M
 
     def _gathered(self, A: Matrix) -> Matrix:
