@@ -1,96 +1,77 @@
-"""A scene's motion as an animated GIF:
+"""A scene's motion as an animated GIF, from the pictures of its playback page:
 
     python examples/playback.py examples/scenes/arm6.toml examples/arm6.gif
 
-Bodies are boxes of their mass and inertia, drawn from far to near."""
+Chromium draws the page, through chromedriver and the package selenium."""
 
+import base64
+import io
+import shutil
 import sys
+import tempfile
 from collections.abc import Iterator
-from itertools import product
+from pathlib import Path
 
-import numpy as np
-from PIL import Image, ImageDraw
+from PIL import Image
+from selenium import webdriver
+from selenium.webdriver.chrome.service import Service
+from selenium.webdriver.support.ui import WebDriverWait
 
-import coscrew
-from coscrew_codegen.runtime.load import kernels_for
-from coscrew_codegen.scene.readers.toml.toml_scene import read_scene
-from coscrew_codegen.simulation import required_functions
-from coscrew_codegen.simulation.run_summary import RunOverrides, simulated
-from coscrew_codegen.simulation.view.body_shapes import drawn
+from coscrew_codegen.__main__ import main
 
-WIDTH, HEIGHT, FINER = 640, 440, 3  # pixels; each drawn with 3 × 3
+WIDTH, HEIGHT = 640, 400  # pixels
 FRAMES_A_SECOND = 20
-AZIMUTH, ELEVATION = -1.1, 0.35
-LIGHT = np.array([0.35, -0.5, 0.8]) / np.linalg.norm([0.35, -0.5, 0.8])
-COLOURS = ((86, 110, 150), (196, 116, 66), (92, 148, 112), (150, 104, 150), (190, 160, 80),
-           (104, 148, 170), (176, 84, 84))
-FACES = ((0, 2, 6, 4), (1, 3, 7, 5), (0, 1, 5, 4), (2, 3, 7, 6), (0, 1, 3, 2), (4, 5, 7, 6))
-CORNERS = np.array([(x, y, z) for z, y, x in product((-1, 1), repeat=3)])
+COLOURS = 96
+SECONDS = 60  # until the first picture
+ARGUMENTS = ("--headless=new", "--no-sandbox", "--disable-dev-shm-usage", "--hide-scrollbars",
+             "--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader")
+PREPARE = """
+    document.getElementById("stage").style.cssText =
+      `position: fixed; inset: 0; margin: 0; height: ${innerHeight}px; border-radius: 0`;
+    player.stage.resize();
+    player.stage.fit(0, 12, 12);
+    return player.clock.end;"""
+PICTURE = """
+    player.clock.seek(arguments[0]);
+    player.update();
+    return player.stage.canvas.toDataURL("image/png");"""
 
 
-def boxes(path: str) -> tuple[np.ndarray, np.ndarray]:
-    """Corners of all boxes at all frames, (frames, boxes, 8, 3), in m; and their bodies."""
-    scene = read_scene(path)
-    kernels = kernels_for(scene, required_functions.of_run(scene, None, view=True))
-    run = simulated(kernels, RunOverrides(precision="double"))[0]
-    t = run.trajectory.t
-    chosen = np.searchsorted(t, np.arange(0, t[-1] - 1e-9, 1 / FRAMES_A_SECOND))
-    poses = np.asarray(run.system.call("body_poses", t=t[chosen], q=run.trajectory.q[chosen]))
-    poses = poses.reshape(len(chosen), -1, 3, 4)
-    corners, bodies = [], []
-    for part in (x for x in drawn(run.system).parts if x.shape == "box"):
-        half, place = np.array(part.size) / 2, np.array(part.place)
-        R = coscrew.mat3x3_from_quaternion(place[3:])
-        own = (CORNERS * half) @ R.T + place[:3]
-        D = poses[:, part.body]
-        corners.append(np.einsum("fij,cj->fci", D[..., :3], own) + D[:, None, :, 3])
-        bodies.append(part.body)
-    return np.stack(corners, 1), np.array(bodies)
+def pictures(page: Path) -> Iterator[Image.Image]:
+    """The pictures of a page, on white, FRAMES_A_SECOND for each second of the run."""
+    options = webdriver.ChromeOptions()
+    options.binary_location = shutil.which("chromium") or ""  # "": Chrome, wherever it is
+    for argument in (*ARGUMENTS, f"--window-size={WIDTH},{HEIGHT}"):
+        options.add_argument(argument)
+    driver = webdriver.Chrome(options, Service(shutil.which("chromedriver")))
+    try:
+        driver.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", {
+            "width": WIDTH, "height": HEIGHT, "deviceScaleFactor": 1, "mobile": False})
+        driver.get(page.as_uri())
+        WebDriverWait(driver, SECONDS).until(lambda x: x.execute_script(
+            "return document.documentElement.dataset.ready !== undefined;"))
+        count = int(driver.execute_script(PREPARE) * FRAMES_A_SECOND)
+        for i in range(count):
+            data = driver.execute_script(PICTURE, i / FRAMES_A_SECOND)
+            drawn = Image.open(io.BytesIO(base64.b64decode(data.partition(",")[2])))
+            white = Image.new("RGBA", drawn.size, (255, 255, 255, 255))
+            yield Image.alpha_composite(white, drawn.convert("RGBA")).convert("RGB")
+    finally:
+        driver.quit()
 
 
-def camera(points: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """The camera's axes (rows: right, up, towards it) and the middle of the scene."""
-    ca, sa, ce, se = (f(x) for x in (AZIMUTH, ELEVATION) for f in (np.cos, np.sin))
-    back, right = np.array([ce * ca, ce * sa, se]), np.array([-sa, ca, 0])
-    low, high = points.reshape(-1, 3).min(0), points.reshape(-1, 3).max(0)
-    return np.stack([right, np.cross(back, right), back]), (low + high) / 2
-
-
-def frames(corners: np.ndarray, bodies: np.ndarray) -> Iterator[Image.Image]:
-    axes, middle = camera(corners)
-    seen = (corners - middle) @ axes.T
-    scale = 0.46 * FINER * min(WIDTH / abs(seen[..., 0]).max(), HEIGHT / abs(seen[..., 1]).max())
-    size = np.array([WIDTH, HEIGHT]) * FINER
-    for shown, world in zip(seen, corners, strict=True):
-        image = Image.new("RGB", tuple(size), (255, 255, 255))
-        draw = ImageDraw.Draw(image)
-        for _, pixels, colour in sorted(_faces(shown, world, bodies, scale, size),
-                                        key=lambda face: face[0]):
-            draw.polygon(pixels, fill=colour, outline=tuple(int(0.7 * c) for c in colour),
-                         width=FINER)
-        yield image.resize((WIDTH, HEIGHT), Image.Resampling.LANCZOS)
-
-
-def _faces(shown: np.ndarray, world: np.ndarray, bodies: np.ndarray, scale: float,
-           size: np.ndarray) -> Iterator[tuple[float, list[tuple[float, float]], tuple]]:
-    """Distance of each face, its corners in pixels, its colour by its side to the light."""
-    for box, places, body in zip(shown, world, bodies, strict=True):
-        for face in map(list, FACES):
-            out = places[face].mean(0) - places.mean(0)
-            bright = 0.85 + 0.3 * out @ LIGHT / max(np.linalg.norm(out), 1e-12)
-            pixels = [(size[0] / 2 + scale * x, size[1] / 2 - scale * y) for x, y, _ in box[face]]
-            colour = tuple(min(255, int(bright * c)) for c in COLOURS[body % len(COLOURS)])
-            yield box[face][:, 2].mean(), pixels, colour
-
-
-def main(scene: str, output: str) -> None:
+def written(scene: str, output: str) -> None:
     """Simulate the scene and write the GIF."""
-    images = list(frames(*boxes(scene)))
-    palette = images[len(images) // 2].quantize(64)
+    with tempfile.TemporaryDirectory() as folder:
+        page = Path(folder) / "run.html"
+        if main(["simulate", scene, "--precision", "double", "--view", str(page)]):
+            raise SystemExit(f"{scene}: the run stopped early")
+        images = list(pictures(page))
+    palette = images[len(images) // 2].quantize(COLOURS)
     shown = [image.quantize(palette=palette, dither=Image.Dither.NONE) for image in images]
     shown[0].save(output, save_all=True, append_images=shown[1:], loop=0, optimize=True,
                   duration=1000 // FRAMES_A_SECOND)
 
 
 if __name__ == "__main__":
-    main(*sys.argv[1:])
+    written(*sys.argv[1:])

@@ -57,8 +57,9 @@ def test_each_guide_has_its_snippet():
     """A guide without a snippet has nothing to test; it fails here."""
     results = {name: text.count("```python\n") for name, text in GUIDES.items()}
     assert {name for name, count in results.items() if count} == {
-        "README.md", "docs/accuracy.md", "docs/arrays.md", "docs/from_mujoco.md",
-        "docs/from_pinocchio.md", "docs/models.md", "docs/python.md", "docs/scenes.md",
+        "README.md", "docs/accuracy.md", "docs/arrays.md", "docs/derivatives.md",
+        "docs/from_mujoco.md", "docs/from_pinocchio.md", "docs/models.md", "docs/python.md",
+        "docs/scenes.md",
         "docs/urdf.md", SWEEPS}
 
 

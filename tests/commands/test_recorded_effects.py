@@ -10,6 +10,7 @@ import mpmath
 import numpy as np
 import pytest
 from selenium.webdriver.common.by import By
+from selenium.webdriver.support.ui import WebDriverWait
 
 from coscrew_codegen import load_scene, run
 from coscrew_codegen.__main__ import main
@@ -24,7 +25,7 @@ from coscrew_codegen.scene.readers.toml.toml_scene import read_scene
 from coscrew_codegen.scene.recorded_quantities import QuantityError, recorded
 from coscrew_codegen.scene.scene import Scene
 from coscrew_codegen.simulation.recordings.result import Result
-from tests.support.browser import chromium
+from tests.support.browser import chromium, resize
 from tests.support.scenes.effect_laws import assert_same
 from tests.support.scenes.effect_scenes import PLACES, effects, mechanism
 from tests.support.scenes.evaluation import MULTIPRECISE, Evaluated
@@ -203,22 +204,29 @@ def test_the_page_shows_recorded_effects(tmp_path: Path) -> None:
     result = run(path)
     assert main(["simulate", str(path), "--view", str(tmp_path / "driven.html")]) == 0
     with chromium() as browser:
+        resize(browser, 700, 400)
         browser.get((tmp_path / "driven.html").as_uri())
-        captions = [x.text for x in browser.find_elements(By.CSS_SELECTOR,
-                                                          ".recorded figcaption")]
-        names = [x.text for x in browser.find_elements(By.CSS_SELECTOR, ".recorded dt")]
-        lines = browser.find_elements(By.CSS_SELECTOR, ".recorded [data-mark]")
-        place = names.index("actuator.hinge.torque")
+        WebDriverWait(browser, 20).until(lambda x: x.execute_script(
+            "return document.documentElement.dataset.ready !== undefined;"))
+        groups = {x.text: x for x in browser.find_elements(By.CSS_SELECTOR, "#groups button")}
+        groups["Torque, N·m"].click()
         for k in (0, 40, len(result.t) - 1):
-            browser.execute_script("seek(arguments[0]);", float(result.t[k]))
-            text = browser.find_elements(By.CSS_SELECTOR, ".recorded dd")[place].text
+            browser.execute_script("player.clock.seek(arguments[0]); player.update();",
+                                   float(result.t[k]))
+            beside = dict(browser.execute_script(TORQUES))
             wanted = result.recorded["actuator.hinge.torque"][k]
-            assert text.endswith(" N m") and float(text[:-4]) == pytest.approx(wanted, rel=1e-3)
+            assert float(beside["actuator.hinge.torque"]) == pytest.approx(wanted, rel=1e-3)
+        names = browser.execute_script("""return player.recording.groups.flatMap(group =>
+            group.signals.map(signal => signal.name));""")
         assert browser.get_log("browser") == []
-    assert any(x.startswith("torque in N m, from ") for x in captions)
-    assert any(x.startswith("torque in N, from ") for x in captions)
-    assert len(lines) == len(names) == sum(
-        1 for x in result.recording.columns if x.name.partition(".")[0] in CATALOGUE)
+    assert {"Torque, N·m", "Torque, N", "Saturated"} <= {*groups}
+    assert {x.name for x in result.recording.columns} <= {*names}
+
+
+TORQUES = """
+    const chart = [...document.querySelectorAll(".signals")].at(-1);
+    return [...chart.querySelectorAll("figcaption button")].map(x =>
+      [x.childNodes[1].textContent, x.querySelector("output").textContent]);"""
 
 
 # laws

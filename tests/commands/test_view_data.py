@@ -235,10 +235,10 @@ def test_without_the_extra_boxes_are_shown_and_a_sentence_says_so(tmp_path, monk
     capsys.readouterr()
     assert main(["simulate", str(tmp_path / "arm.toml"), "--view", str(tmp_path / "arm.html"),
                  "--precision", "double", "--until", "0.1"]) == 0
-    said = capsys.readouterr().err
+    printed = capsys.readouterr().err
     wanted = ("2 meshes are not shown, boxes of inertia are in their place; run "
               '`pip install "coscrew[view]"`')
-    assert said.count(wanted) == 1
+    assert printed.count(wanted) == 1
     data = PageData((tmp_path / "arm.html").read_text()).json
     assert [x["kind"] for x in data["parts"]] == ["box"]
 
@@ -248,6 +248,30 @@ def test_meshes_of_readers_need_no_package(monkeypatch):
     box = trimesh.creation.box((1, 2, 3))
     ((piece,),) = meshes([Visual(MESH, mesh=Triangles(box.vertices, box.faces))])
     assert (len(piece.vertices), len(piece.faces)) == (8, 12)
+
+
+def y_up(folder: Path, at: tuple[float, float, float]):
+    """The drawing of the arm, whose mesh is a box at this place and says that y is up."""
+    box = trimesh.creation.box((0.2, 0.2, 0.2))
+    box.apply_translation(at)
+    box.export(folder / "mesh.dae")
+    text = re.sub("<up_axis>.*?</up_axis>", "", (folder / "mesh.dae").read_text())
+    (folder / "mesh.dae").write_text(re.sub(
+        "</asset>", "<up_axis>Y_UP</up_axis></asset>", text, count=1))
+    (result,) = arm(folder, MESHED.format("mesh.dae"), precision="double", until=0.1)
+    (part,) = drawn(result.system).parts
+    return part
+
+
+@pytest.mark.parametrize("at, turned", (((0, -1, 0.1), True), ((0, 0.1, -1), False)))
+def test_y_is_up_in_a_collada_file_where_the_mass_says_so(tmp_path, at, turned):
+    """The centre of mass is 1 m below the joint: there the mesh is drawn, whatever its file says.
+    """
+    part = y_up(tmp_path, at)
+    (x, y, z, w), (a, b, c) = part.place[3:], at
+    assert (x, y, z, w) == pytest.approx((0.5**0.5, 0, 0, 0.5**0.5) if turned else (0, 0, 0, 1))
+    placed = (a, -c, b) if turned else (a, b, c)
+    assert placed[2] == -1
 
 
 # what is drawn
@@ -289,11 +313,11 @@ def test_bodies_of_hardly_any_mass_without_visuals_are_frames(tmp_path, monkeypa
     (result,) = arm(tmp_path, '<visual><geometry><sphere radius="1"/></geometry></visual>',
                     text=ARM + """
 [attach.payload]
-body = "arm"
+to = "arm"
 mass = 0.5
 shape = { box = [0.1, 0.2, 0.3] }
 [attach.screw]
-body = "arm"
+to = "arm"
 mass = 1e-3
 shape = { box = [0.1, 0.2, 0.3] }
 """, precision="double", until=0.1)

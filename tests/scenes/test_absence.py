@@ -38,7 +38,7 @@ ZEROS: Mapping[str, tuple[str, ...]] = {
     "buoyancy": ("rho",), "coulomb": ("tau_c",), "drag": ("rho", "b"), "field": ("mu",),
     "gravity": ("g",), "joint_drag": ("c",), "limit": ("k",), "spring": ("k",),
     "spring_damper": ("k", "d"), "stribeck": ("tau_c", "tau_s"), "viscous": ("d",),
-    "wrench": ("force", "torque")}
+    "wind": ("velocity",), "wrench": ("force", "torque")}
 """The parameters without which an effect does nothing."""
 
 

@@ -67,7 +67,7 @@ def test_load_scene_accepts_them_and_warns(written):
     path = imp
     with pytest.raises(ValueError, match="implausible = 'warm'; wanted one of error, warn"):
         load_scene(path, implausible="warm")
-    with pytest.raises(TypeError, match="belong to a scene file"):
+    with pytest.raises(TypeError, match="precision is for a file"):
         load_scene(its.scene, precision="both")
 
 

@@ -206,3 +206,62 @@ def test_models_in_a_model_have_long_names(read):
     assert (joints["mount"].parent, joints["mount"].child) == ("b", "grip::palm")
     assert joints["mount"].placement.t == (0, Fraction(1, 2), Fraction(1, 2))
     assert joints["grip::close"].placement.t == (Fraction(1, 4), 0, 0)
+
+
+UNIVERSAL = """<sdf version="1.9"><model name="m">
+<link name="a"><pose>0.1 0 0 0.3 0.2 0.1</pose>{}</link><link name="b">
+<pose relative_to="a">0 0.1 0 0.5 -0.2 0.4</pose>{}</link>
+<joint name="weld" type="fixed"><parent>world</parent><child>a</child></joint>
+<joint name="j" type="TYPE"><parent>a</parent><child>b</child><pose>POSE</pose>
+<axis><xyz>0 3 4</xyz></axis><axis2><xyz>0 -4 3</xyz>MORE</axis2></joint></model></sdf>""".format(
+    inertial(2), inertial(1, "0.1 0.02 0.03"))
+
+
+@pytest.mark.parametrize("pose", ("0 0 0 0 0 0", "0 0 0 0.7 0.1 0.2", "0.1 0.2 -0.3 0.7 0.1 0.2"))
+def test_a_universal_joint_is_of_that_kind_and_moves_as_two(read, pose):
+    """The child's frame at the joint's, turned there, or beside it: poses and torques are those of
+    two revolute joints in series, to rounding."""
+    text = UNIVERSAL.replace("POSE", pose)
+    ours = read(text.replace("TYPE", "universal").replace("MORE", ""))
+    two = read(text.replace("TYPE", "revolute2").replace("MORE", ""), name="two.sdf")
+    assert [x.kind for x in ours.model.joints if x.kind.moves] == [Kind.UNIVERSAL]
+    assert [x.name for x in two.model.joints if x.kind.moves] == ["j", "j/2"]
+    q, v, a = np.random.default_rng(2).uniform(-2, 2, (3, 20, 2))
+    names = ["body_poses", "inverse_dynamics"]
+    ours, two = (load_scene(x, functions=names).double for x in (ours, two))
+    pairs = [(ours.inverse_dynamics(q, v, a), two.inverse_dynamics(q, v, a)),
+             (ours.body_poses(q)[..., 1 if "0.3" not in pose else 2, :, :],
+              two.body_poses(q)[..., -1, :, :])]
+    for x, y in pairs:
+        assert np.abs(x - y).max() <= 50 * U * np.abs(y).max()
+
+
+@pytest.mark.parametrize("more", (
+    "<dynamics><damping>1</damping></dynamics>", "<limit><upper>1</upper></limit>",
+    "<dynamics><spring_stiffness>1</spring_stiffness></dynamics>"))
+def test_a_universal_joint_with_numbers_of_an_axis_is_two(read, more):
+    text = UNIVERSAL.replace("POSE", "0 0 0 0 0 0").replace("TYPE", "universal")
+    joints = read(text.replace("MORE", more)).model.joints
+    assert [x.name for x in joints if x.kind is Kind.REVOLUTE] == ["j", "j/2"]
+    skew = text.replace("MORE", "").replace("0 -4 3", "0 -4 2")
+    assert [x.name for x in read(skew).model.joints if x.kind.moves] == ["j", "j/2"]
+
+
+def test_axes_of_ball_joints_are_told_and_old_poses_read(read):
+    """Old files give ball joints an axis, and poses an empty frame."""
+    new = read(chain(hinge(kind="ball").replace("<axis><xyz>0 0 1</xyz></axis>", ""), "1.6"))
+    old = read(chain(hinge(kind="ball", pose='<pose frame="">0 0 0 0 0 0</pose>'), "1.6"))
+    assert old.model == new.model and not new.notices
+    assert any(x.endswith("of a ball joint, is not used") for x in old.unused)
+
+
+def test_a_link_of_old_files_may_be_called_world(read):
+    """Joints then refer to it: else it were a second root.  It has another name here, which is
+    told."""
+    plain = read(chain(hinge(), "1.6"))
+    text = chain(hinge(parent="world"), "1.6").replace('link name="a"', 'link name="world"')
+    scene = read(text)
+    assert {x.name for x in scene.model.bodies} == {"world_", "b"}
+    assert [(x.kind, x.parent, x.placement) for x in scene.model.joints] == [
+        (x.kind, x.parent.replace("a", "world_"), x.placement) for x in plain.model.joints]
+    assert "body world_: is the link 'world', to which joints refer here" in scene.unused

@@ -32,6 +32,7 @@ REFUSED = {
     "text among elements": (chain(hinge("0 0 1")), "<axis> holds the text '0 0 1'"),
     "type": (chain(hinge(kind="hinge")), "joint 'j': type 'hinge'; wanted one of revolute, contin"),
     "screw": (chain(hinge(kind="screw")), "type 'screw'; wanted one of revolute"),
+    "gearbox": (chain(hinge(kind="gearbox")), "type 'gearbox'; wanted one of revolute"),
     "parent": (chain(hinge(parent="aa")), "no frame 'aa'; did you mean 'a'?"),
     "frame": (chain(hinge(pose='<pose relative_to="c">0 0 0 0 0 0</pose>')), "no frame 'c'"),
     "circle": (chain(hinge(pose='<pose relative_to="f"/>'), more='<frame name="f"><pose relative_to'
@@ -60,11 +61,17 @@ REFUSED = {
                          "(auto)"),
     "pose of masses": (chain(hinge()).replace("<inertial><pose>", "<inertial><pose relative_to="
                                               "'b'>", 1), "relative to its link; wanted no rel"),
+    "frame of a pose": (chain(hinge(pose='<pose frame="a">0 0 0 0 0 0</pose>')), "frame 'a' of "
+                        "<pose>; wanted relative_to"),
     "form": (chain(hinge(pose='<pose rotation_format="wxyz">0 0 0 0 0 0</pose>')),
              "rotation_format 'wxyz'; wanted euler_rpy or quat_xyzw"),
     "quaternion": (chain(hinge(pose='<pose rotation_format="quat_xyzw">0 0 0 0 0 0 0</pose>')),
                    "quaternion that is zero"),
     "reserved": (chain(hinge(name="world")), "name 'world' of <joint>; wanted one line of text"),
+    "two of one name": (chain(hinge() + hinge()), "joint 'j': the <joint> in line 1 has this name, "
+                        "too; wanted another one"),
+    "link and joint": (chain(hinge(name="a")), "joint 'a': the <link> in line 1 has this"),
+    "world": (chain(hinge()).replace('"a"', '"world"'), "name 'world' of <link>; wanted one line"),
     "loop": (chain(hinge() + hinge(name="k")), "body 'b': is the child of two joints, 'j' and "),
     "several roots": (chain(""), "several roots ('a', 'b')"),
     "flag": (chain(hinge(), more="<static>no</static>"), "static 'no' of <model>; wanted true "),

@@ -11,10 +11,28 @@ import mpmath
 import pytest
 from mpmath import mpf
 
-from coscrew_codegen.algebra.recording.numbers import Number
+from coscrew_codegen.algebra.recording.numbers import (
+    Number,
+    add,
+    dot,
+    negative,
+    scaled,
+    subtract,
+)
 from coscrew_codegen.algebra.recording.recorder import Recorder, array
 from coscrew_codegen.dynamics.forces.linearization import JointEffect
-from coscrew_codegen.scene.effect import CoordinateState, Torque
+from coscrew_codegen.scene.effect import (
+    BodyState,
+    CoordinateState,
+    Effect,
+    Force,
+    ParameterOf,
+    Place,
+    PointSlopes,
+    Slopes,
+    Torque,
+    Values,
+)
 from coscrew_codegen.scene.mechanism.model import HERE, Body, Joint, Model, Parameter
 from coscrew_codegen.scene.scene import Applied
 from tests.support.scenes.effect_scenes import PLACES, assert_listed, effects, mechanism
@@ -201,7 +219,8 @@ STIFF = (applied("viscous", "j0", d=5), applied("spring", "j1", k=70),
          applied("viscous", "k", d=7), applied("spring", "k", k=9, q0=1),
          applied("spring_damper", "s", bodies=("world", "b2"), first=(3, 0, 1), d=9),
          applied("spring_damper", "r", bodies=("c", "b0"), first=(3, 0, 1), d=9),
-         applied("drag", "b1", kind="stokes", b=8, point=(0, 1, 1)))
+         applied("drag", "b1", kind="stokes", b=8, point=(0, 1, 1)),
+         applied("drag", "b2", rho=9, area=2, point=(1, 0, 2)))
 
 
 @pytest.mark.parametrize("following", [False, True])
@@ -245,6 +264,61 @@ def test_implicit_steps_solve_with_all_slopes(following: bool) -> None:
     wanted = mpmath.lu_solve(M + h * D + h**2 * K, -bias - h * (K * mpmath.matrix(x["v"])))
     result = f("implicit_acceleration", h=h, **x)
     assert max(abs(a - b) for a, b in zip(result, wanted, strict=True)) <= CLOSE * 100
+
+
+K_ACROSS, K_ALONG, D_ACROSS, D_ALONG = 40, 900, 3, 70
+
+
+def _tether(state: BodyState, values: Values) -> Force:
+    """Springs and dampers at a point, other ones along the world's z axis than across it."""
+    point, zero = values.vector("point"), state.t.like(0)
+    n = state.own_direction((zero, zero, zero.like(1)))
+    x = state.own_direction(subtract(state.world_position(point), values.vector("rest")))
+    u = state.velocity(point)
+    across = add(scaled(zero.like(K_ACROSS), x), scaled(zero.like(D_ACROSS), u))
+    along = dot(n, x) * (K_ALONG - K_ACROSS) + dot(n, u) * (D_ALONG - D_ACROSS)
+    return Force(point, negative(add(across, scaled(along, n))), slopes=PointSlopes(
+        Slopes(zero.like(D_ACROSS), zero.like(K_ACROSS)),
+        Slopes(zero.like(D_ALONG), zero.like(K_ALONG)), n))
+
+
+TETHER = Effect("tether", "holds", "f = -k x - d u", Place.BODY, tuple(
+    ParameterOf(name, "m", "a point", "vector") for name in ("point", "rest")), body_force=_tether)
+
+
+@pytest.mark.parametrize("body", ["b2", "c"])
+@pytest.mark.parametrize("following", [False, True])
+def test_implicit_steps_solve_with_the_slopes_of_a_point(following: bool, body: str) -> None:
+    """(M + J^T (h D + h² K) J) a = -bias - h J^T K J v, where the springs are at rest: J is the
+    Jacobian of the point, D and K are diagonal in the world's axes."""
+    bare = (gravity(), *((applied("mimic"),) if following else ()))
+    f, h, point = Evaluated(scene(chain_of_three(), *bare), MULTIPRECISE), mpf(3) / 4, (1, 0, 2)
+    x, place = random_state(f, 5), 12 * [y.name for y in f.scene.model.bodies].index(body)
+
+    def position(s: mpf, along: list) -> list[mpf]:
+        moved = f("integrated", q=x["q"], phi=[s * y for y in along])
+        pose = f("body_poses", q=moved)[place:place + 12]
+        return [sum(pose[4 * i + j] * point[j] for j in range(3)) + pose[4 * i + 3]
+                for i in range(3)]
+
+    still = position(mpf(0), [0] * f.nv)
+    rest = tuple(Fraction(int(y * 10**45), 10**45) for y in still)
+    held = Evaluated(scene(chain_of_three(), *bare, Applied(
+        TETHER, body, {"point": tuple(map(Fraction, point)), "rest": rest})), MULTIPRECISE)
+    J = mpmath.matrix(3, f.nv)
+    for j in range(f.nv):
+        along = [int(k == j) for k in range(f.nv)]
+        J[:, j] = (mpmath.matrix(position(STEP, along)) - mpmath.matrix(position(-STEP, along))
+                   ) / (2 * STEP)
+    K = J.T * mpmath.diag([K_ACROSS, K_ACROSS, K_ALONG]) * J
+    D = J.T * mpmath.diag([D_ACROSS, D_ACROSS, D_ALONG]) * J
+    M = mpmath.matrix(f.nv, f.nv)
+    for k, entry in enumerate(f("mass_matrix", **x)):
+        M[k // f.nv, k % f.nv] = entry
+    bias = mpmath.matrix(held("bias_torques", **x))
+    wanted = mpmath.lu_solve(M + h * D + h**2 * K, -bias - h * (K * mpmath.matrix(x["v"])))
+    result = held("implicit_acceleration", h=h, **x)
+    assert max(abs(a - b) for a, b in zip(result, wanted, strict=True)) <= CLOSE * 1000
 
 
 def test_stiffness_between_bodies_is_taken_along_the_line() -> None:

@@ -71,11 +71,16 @@ def test_text_in_elements_is_refused_with_the_attributes(refused, tag):
 @pytest.mark.parametrize("after, tag", [
     ('<link name="a"/>', "robot"), ("<inertial>", "inertial"), ('<mass value="1"/>', "inertial"),
     ("</inertial>", "link"), ('<parent link="a"/>', "joint")])
-def test_text_between_elements_is_refused_with_the_elements(refused, after, tag):
-    text = ARM.replace(after, f"{after}\n\n junk\n", 1)
+def test_text_between_elements_is_refused_if_it_holds_a_number(refused, tmp_path, after, tag):
+    """Other texts, as comments that have lost their marks, are told."""
+    text = ARM.replace(after, f"{after}\n\n mass 0.5\n", 1)
     where, problem = refused(text)
-    assert where.split(",")[0] == line_of(text, "junk")
-    assert problem.startswith(f"<{tag}> holds the text 'junk'; wanted elements: <")
+    assert where.split(",")[0] == line_of(text, "mass 0.5")
+    assert problem.startswith(f"<{tag}> holds the text 'mass 0.5'; wanted elements: <")
+    path = tmp_path / "comment.urdf"
+    path.write_text(text.replace("mass 0.5", "# soft limits"))
+    assert f"the text '# soft limits' in {line_of(text, 'mass 0.5')} is not used" in \
+        "\n".join(x.text for x in read_urdf(path).notices)
 
 
 @pytest.mark.parametrize("old, new", [

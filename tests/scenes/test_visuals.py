@@ -13,6 +13,7 @@ from coscrew_codegen.scene.mechanism.model import Model
 from coscrew_codegen.scene.mechanism.visual import Visual, from_rpy
 from coscrew_codegen.scene.readers.model_formats import reader_of
 from coscrew_codegen.scene.readers.model_reader import ModelSource
+from coscrew_codegen.scene.readers.toml.toml_scene import read_scene
 
 LINK = ('<link name="{name}"><inertial><mass value="1"/><inertia ixx="1" iyy="1" izz="1" ixy="0" '
         'ixz="0" iyz="0"/></inertial>{visuals}</link>')
@@ -130,9 +131,19 @@ def test_sizes_are_positive(tmp_path):
 
 
 def test_visuals_change_no_hash(tmp_path):
-    """What is derived and compiled does not depend on them."""
+    """Nothing is derived or compiled anew for them."""
     plain = hashed(read(urdf(tmp_path)))
     assert hashed(read(urdf(tmp_path, visual('<sphere radius="1"/>')))) == plain
+
+
+def test_an_attached_model_keeps_its_visuals(tmp_path):
+    urdf(tmp_path, visual('<sphere radius="0.5"/>'))
+    (tmp_path / "two.toml").write_text(
+        'model = "arm.urdf"\nbase = "free"\n'
+        '[attach.hand]\nmodel = "arm.urdf"\nto = "base"\nprefix = "hand_"\n')
+    bodies = read_scene(tmp_path / "two.toml").model.bodies
+    assert [(x.name, [y.shape for y in x.visuals]) for x in bodies] == [
+        ("base", ["sphere"]), ("hand_base", ["sphere"])]
 
 
 SDF = """<sdf version="1.9"><model name="arm"><link name="base"><inertial><mass>1</mass><inertia>

@@ -72,7 +72,8 @@ function creased(points, corners) {
   const { first, around } = neighbours(corners, points.length / 3);
   const length = f => Math.hypot(areas[f], areas[f + 1], areas[f + 2]) || 1;
   const lengths = new Float32Array(corners.length / 3).map((_, i) => length(3 * i));
-  const positions = new Float32Array(3 * corners.length), normals = new Float32Array(positions.length);
+  const positions = new Float32Array(3 * corners.length);
+  const normals = new Float32Array(positions.length);
   for (let i = 0; i < corners.length; i++) {
     const vertex = corners[i], own = i - i % 3;
     let x = 0, y = 0, z = 0;

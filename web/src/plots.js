@@ -79,7 +79,7 @@ class Chart {
       focus: { alpha: .25 }, scales: { x: { time: false } }, legend: { show: false },
       series: [{}, ...group.signals.map(signal => ({
         stroke: this.colour(signal), width: 1.6, label: signal.name, points: { show: false },
-        pxAlign: 0, dash: signal.run ? DASHES[signal.run % DASHES.length] : [], spanGaps: false }))],
+        pxAlign: 0, dash: signal.run ? DASHES[signal.run % DASHES.length] : [] }))],
       axes: [{ ...axis, size: 26 }, { ...axis, size: 52 }],
       hooks: { draw: [plot => this.cursor(plot)] },
     }, columns(recording, group), this.figure);

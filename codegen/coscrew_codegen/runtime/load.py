@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import functools
 import warnings
-from collections.abc import Callable, Collection, Sequence
+from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 from types import ModuleType
@@ -141,6 +141,12 @@ class Kernels:
         """True if the functions are compiled C, not generated Python."""
         return bool(self.compiler)
 
+    def _repr_html_(self) -> str:
+        """The scene's tree, effects, functions and sizes, for notebooks."""
+        from coscrew_codegen.backends.html.notebook import html
+
+        return html(self.scene, self.interface, self.compiler)
+
     def arrays(self, xp: ModuleType) -> Arrays:
         """The functions on arrays of a library, with derivatives: jax.numpy, torch, cupy,
         array_api_strict, numpy.  Raises TypeError for others."""
@@ -184,9 +190,12 @@ class Kernels:
 
 def load_scene(scene: Scene | Path | str, *, precision: str | None = None,
                implausible: str | None = None, functions: Sequence[str] | None = None,
-               tiers: Sequence[str] | None = None) -> Kernels:
-    """The kernels of a scene or of a scene file: `.double` and `.single` hold the functions of its
-    header.
+               tiers: Sequence[str] | None = None,
+               packages: Mapping[str, str | Path] | None = None,
+               arguments: Mapping[str, str] | None = None,
+               leave_out: Sequence[str] | None = None) -> Kernels:
+    """The kernels of a scene, of a scene file or of a model's file alone, also by a name such as
+    "robot_descriptions:panda": `.double` and `.single` hold the functions of its header.
 
     They are generated and compiled with the system's C compiler, $CC if set; libraries are cached
     in $XDG_CACHE_HOME or ~/.cache.  Without a working compiler, a warning is issued and the
@@ -194,28 +203,32 @@ def load_scene(scene: Scene | Path | str, *, precision: str | None = None,
     "double" has no `single`; with implausible "warn", implausible bodies cause warnings.
     `functions` names functions to use instead of the scene's own selection; "default" stands for
     those of a scene that selects none, "all" for all it can have; `tiers` names tiers, to use
-    likewise.  Raises FunctionsError for unknown functions, TiersError for unknown tiers, TypeError
-    for anything but a file or a Scene, ValueError for unknown words, RangeError for numbers that a
-    precision cannot hold, and the errors of reading the scene.
+    likewise.  `packages`, `arguments` and `leave_out` are for the model's file, as the commands'
+    --package, --argument and --leave-out.  Raises FunctionsError for unknown functions, TiersError
+    for unknown tiers, TypeError for anything but a file or a Scene, ValueError for unknown words,
+    RangeError for numbers that a precision cannot hold, and the errors of reading the scene.
     """
     functions, tiers = (_names(*x) for x in (("functions", functions, "energy"),
                                              ("tiers", tiers, "accurate")))
+    from coscrew_codegen.scene.readers import model_arguments
+
     if isinstance(scene, (str, Path)):
-        from coscrew_codegen.scene.readers.toml.toml_scene import SceneOverrides, read_scene
+        from coscrew_codegen.scene.readers.toml.toml_scene import read_scene
         path = Path(scene)
-        scene = read_scene(path, overrides=SceneOverrides(precision, implausible, functions,
-                                                            tiers))
+        scene = read_scene(path, overrides=replace(
+            model_arguments.overrides_of(packages, arguments, leave_out), precision=precision,
+            implausible=implausible, functions=functions, tiers=tiers))
         for line in scene.model.implausible:
             warnings.warn(f"{path.name}: {line}", RuntimeWarning, stacklevel=2)
     elif not isinstance(scene, Scene):
         raise TypeError(f"load_scene: wanted the path of a scene file, or a Scene; "
                         f"got {type(scene).__name__}")
-    elif precision or implausible:
-        raise TypeError("load_scene: precision and implausible belong to a scene file; this Scene "
-                        "has its own")
     else:
         from coscrew_codegen.scene.tier_selection import selected
 
+        model_arguments.refuse_given(
+            "load_scene", precision=precision, implausible=implausible, packages=packages,
+            arguments=arguments, leave_out=leave_out)
         scene = replace(scene, functions=functions or scene.functions,
                         tiers=selected(tiers) or scene.tiers)
     if line := left_out(scene):

@@ -53,7 +53,7 @@ class Place(Enum):
     """Kinds of things that an effect acts on."""
 
     SCENE = "the whole scene"
-    JOINT = "a joint with one coordinate; of `reaction`, any that is not fixed"
+    JOINT = "a joint with one coordinate, a weighted sum of coordinates, or a joint's velocities"
     BODY = "a body"
     PAIR = "two bodies, named by the value `bodies`"
 
@@ -88,8 +88,9 @@ class ParameterOf:
 
 @dataclass(frozen=True)
 class CoordinateState:
-    """State of the coordinate along which a torque or force acts: a joint's, or the distance
-    between two points.
+    """State of the coordinate along which a torque or force acts: a joint's, a weighted sum of
+    several, or the distance between two points.  Of an effect along each velocity of a joint with
+    several, q is the coordinate that has the velocity for its rate, or the deviation from rest.
 
     Its value q in rad or m, its rate v = q', the time t in s; for effects that compensate gravity
     also the torque that holds the joint against it."""
@@ -139,6 +140,9 @@ class BodyState(Protocol):
     def velocity(self, point: Vector) -> Vector:
         """v + ω × x: the velocity of a point of the body."""
 
+    def velocity_in_fluid(self, point: Vector) -> Vector:
+        """The velocity of a point of the body less that of the fluid around it."""
+
 
 @dataclass(frozen=True)
 class Contact:
@@ -170,6 +174,24 @@ class Torque:
 
 
 @dataclass(frozen=True)
+class Slopes:
+    """-∂force/∂v and -∂force/∂q along a coordinate, in N s/m and N/m (a joint's: N m s and N m), or
+    bounds of them; at least 0."""
+
+    damping: Number
+    stiffness: Number
+
+
+@dataclass(frozen=True)
+class PointSlopes:
+    """The slopes of a force along a direction of length 1, in the body's frame, and across it."""
+
+    across: Slopes
+    along: Slopes
+    direction: Vector
+
+
+@dataclass(frozen=True)
 class Force:
     """Force on a body at a point of it and a moment, in the body's frame; energy and power as in
     Torque.
@@ -177,15 +199,15 @@ class Force:
     Without point, force and moment they follow from the energy: -∂energy/∂(position, rotation).
     Such an energy may depend on the body's pose and on time, not on its motion.
 
-    `damping` is a bound of -∂force/∂(the point's velocity), in N s/m: implicit steps take it in as
-    a point mass h · damping there."""
+    `slopes` are -∂force/∂ of the point's velocity and position: implicit steps take them in as
+    inertias at the point."""
 
     point: Vector | None = None
     force: Vector | None = None
     moment: Vector | None = None
     energy: Number | None = None
     power: Number | None = None
-    damping: Number | None = None
+    slopes: Slopes | PointSlopes | None = None  # Slopes: the same in all directions
 
 
 def required(x: K | None) -> K:
@@ -216,14 +238,19 @@ class Effect:
     ascending: tuple[str, str] | None = None  # the ends of the range it keeps a
     # joint in; the first must not exceed the second
     gravity: Callable[[Values], Vector] | None = None  # in the world's frame
+    wind: Callable[[Values], Vector] | None = None  # the fluid's velocity, in the world's frame
     joint_torque: Callable[[CoordinateState, Values], Torque] | None = None
     joint_inertia: Callable[[Values], Number] | None = None
     body_force: Callable[[BodyState, Values], Force] | None = None
     pair_force: Callable[[CoordinateState, Values], Torque] | None = None  # between its POINTS
+    each: bool = False  # on a joint with several velocities, it acts along each of them
+    rest: str = ""  # the parameter with the coordinates at which such a joint is at rest; without
+    # one, an effect along each velocity does not depend on q
     stores_energy: bool = False  # it has an energy, which can be recorded
     limited_by: str = ""  # the parameter that limits its torque, if given
     compensates: str = ""  # the flag with which its torque includes `holding` of CoordinateState
     massive: bool = False  # acts on a body by its mass and inertia: only on bodies that have them
+    in_fluid: bool = False  # its force depends on the fluid's motion
     reaction: bool = False  # selects the joint's reaction function
     mimic: bool = False  # makes followers follow
     alone: bool = False  # acts, with the model's numbers, where a model's file is taken alone

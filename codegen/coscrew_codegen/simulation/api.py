@@ -4,7 +4,7 @@ run."""
 from __future__ import annotations
 
 import warnings
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from math import prod
 from pathlib import Path
@@ -14,6 +14,8 @@ from numpy.typing import ArrayLike
 from coscrew_codegen.program.values.formats import BY_NAME, DOUBLE
 from coscrew_codegen.runtime.caller_warnings import at_callers_line
 from coscrew_codegen.runtime.load import Kernels, kernels_for
+from coscrew_codegen.scene.readers.model_arguments import Folders, overrides_of, refuse_given
+from coscrew_codegen.scene.readers.toml.toml_scene import read_scene
 from coscrew_codegen.scene.recorded_quantities import recorded
 from coscrew_codegen.scene.scene import Scene
 from coscrew_codegen.simulation import SimulateError, required_functions
@@ -33,7 +35,9 @@ def run(scene: Kernels | Scene | Path | str, *, p: Parameters = None,
         start: Result | Path | str | None = None, until: float | None = None,
         step: float | None = None, integrator: str | None = None, precision: str | None = None,
         controller: Controller | Law | int | None = None, every: float | None = None,
-        record: Sequence[str] | None = None) -> Result:
+        record: Sequence[str] | None = None, packages: Folders | None = None,
+        arguments: Mapping[str, str] | None = None, leave_out: Sequence[str] | None = None
+        ) -> Result:
     """Runs a scene (a file, a Scene, or kernels that load_scene returned) as `coscrew simulate`
     does, with the same bits.
 
@@ -49,9 +53,10 @@ def run(scene: Kernels | Scene | Path | str, *, p: Parameters = None,
 
     `controller` sets run-time parameters during the run: see Controller.  A controller that changes
     too fast for the interval of its calls causes a RuntimeWarning.  `every` is the time between
-    samples, `record` names what to record, as in scenes.  Raises SimulateError for impossible
-    settings, and the errors of reading a scene."""
-    kernels, own = _read(scene, precision)
+    samples, `record` names what to record, as in scenes.  `packages`, `arguments` and `leave_out`
+    are for the model's file, as for `load_scene`.  Raises SimulateError for impossible settings,
+    and the errors of reading a scene."""
+    kernels, own = _read(scene, precision, packages, arguments, leave_out)
     name = _precision(precision, own)
     names = None if record is None else quantities(record, own)
     request = RunRequest(until, step, integrator, every, names, values_of(own, BY_NAME[name], p),
@@ -68,14 +73,17 @@ def run(scene: Kernels | Scene | Path | str, *, p: Parameters = None,
 
 
 def again(scene: Kernels | Scene | Path | str, recording: Result | Path | str, *,
-          controller: Controller | Law | int | None = None) -> Result:
+          controller: Controller | Law | int | None = None, packages: Folders | None = None,
+          arguments: Mapping[str, str] | None = None, leave_out: Sequence[str] | None = None
+          ) -> Result:
     """Repeats the run that made a recording (.csv, .npz, .parquet) or a Result: with the same bits
     and, when written, the same bytes.
 
-    All settings are the recording's, except for the controller, which must be given again, and rtol
-    and atol, which are the scene's.  Raises SimulateError for another scene or controller."""
+    All settings are the recording's, except for the controller, and what says how the model's file
+    is read, which must be given again, and rtol and atol, which are the scene's.  Raises
+    SimulateError for another scene or controller."""
     past = metadata_of(recording)
-    kernels, own = _read(scene, past.precision)
+    kernels, own = _read(scene, past.precision, packages, arguments, leave_out)
     by = _controller(controller)
     past.refuse(own, by)
     request = past.request(by)
@@ -124,17 +132,19 @@ def _precision(precision: str | None, scene: Scene) -> str:
     return DOUBLE.name if name == "both" else name
 
 
-def _read(scene: Kernels | Scene | Path | str, precision: str | None
+def _read(scene: Kernels | Scene | Path | str, precision: str | None, packages: Folders | None,
+          arguments: Mapping[str, str] | None, leave_out: Sequence[str] | None
           ) -> tuple[Kernels | None, Scene]:
     """The kernels, if they are given, and the scene."""
     if precision not in (None, *BY_NAME):
         raise SimulateError(f"precision: {precision!r}; wanted one of {', '.join(BY_NAME)}")
+    if isinstance(scene, Kernels | Scene):
+        refuse_given("run", packages=packages, arguments=arguments, leave_out=leave_out)
     if isinstance(scene, Kernels):
         kernels, own = scene, scene_of(scene)
     elif isinstance(scene, (str, Path)):
-        from coscrew_codegen.scene.readers.toml.toml_scene import SceneOverrides, read_scene
-
-        kernels, own = None, read_scene(scene, overrides=SceneOverrides(precision))
+        kernels, own = None, read_scene(scene, overrides=replace(
+            overrides_of(packages, arguments, leave_out), precision=precision))
         for line in own.model.implausible:
             warnings.warn(f"{Path(scene).name}: {line}", RuntimeWarning, stacklevel=3)
     elif isinstance(scene, Scene):

@@ -60,6 +60,7 @@ PLACES: Mapping[str, Sequence[tuple[str, Mapping[str, Value]]]] = {
         ("c", {"bodies": ("b2", "b0"), "first": (1, 2, 1), "d": 3})],
     "stribeck": [("j2", {"tau_c": 1, "tau_s": 2, "v_s": HALF, "eps": HALF})],
     "viscous": [("j1", {"d": 2}), ("j2", {"d": 3})],
+    "wind": [("", {"velocity": TIMED})],
     "wrench": [("b3", {"force": TIMED, "torque": TIMED, "point": (1, 0, 1)}),
                ("b2", {"force": TIMED, "frame": "body"})]}
 

@@ -1,29 +1,24 @@
 """A robot in coscrew and in MuJoCo, joints by name: their mass matrices, biases and torques."""
 
-from collections.abc import Mapping
-from dataclasses import dataclass
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import replace
 
 import mujoco
 import numpy as np
 
 from coscrew_codegen import load_scene
+from coscrew_codegen.program.scene_functions import Coordinate
 from coscrew_codegen.scene.mechanism.mimics import followers
 from coscrew_codegen.scene.mechanism.model import Mimic
+from coscrew_codegen.scene.readers.mjcf.mjcf_names import MjcfNames
 from coscrew_codegen.scene.scene import Scene
+from tests.support.scenes.peer_states import PeerState, Worst, worst
 
 _OFF = (mujoco.mjtDisableBit.mjDSBL_CONSTRAINT, mujoco.mjtDisableBit.mjDSBL_CONTACT,
         mujoco.mjtDisableBit.mjDSBL_ACTUATION)
 _FREE, _BALL = int(mujoco.mjtJoint.mjJNT_FREE), int(mujoco.mjtJoint.mjJNT_BALL)
 Array = np.ndarray
-
-
-@dataclass(frozen=True)
-class Worst:
-    """The largest differences, relative to the largest entry."""
-
-    mass_matrix: float
-    bias: float
-    torques: float
+_Places = Mapping[str, tuple[int, int]]
 
 
 def compared(scene: Scene, model: "mujoco.MjModel", states: int = 10) -> Worst:
@@ -31,27 +26,31 @@ def compared(scene: Scene, model: "mujoco.MjModel", states: int = 10) -> Worst:
     which followers follow.
 
     MuJoCo's are without contacts, limits, dry friction and actuators."""
-    kernels = load_scene(scene, functions=["inverse_dynamics", "mass_matrix"])
-    ours, data = kernels.double, mujoco.MjData(model)
+    passive = tuple(x for x in scene.effects if x.effect.name != "actuator")
+    kernels = load_scene(replace(scene, effects=passive, parameters=()),
+                         functions=["inverse_dynamics", "mass_matrix"])
+    ours = kernels.double
+    return worst(ours.inverse_dynamics, ours.mass_matrix,
+                 mujoco_states(scene, kernels.interface.coordinates, model, states))
+
+
+def mujoco_states(scene: Scene, coordinates: Sequence[Coordinate], model: "mujoco.MjModel",
+                  states: int) -> Iterator[PeerState]:
+    """Random states with MuJoCo's results."""
+    data, names, led = mujoco.MjData(model), MjcfNames(model), followers(scene)
+    places = {names.joint(j): (int(model.jnt_qposadr[j]), int(model.jnt_dofadr[j]))
+              for j in range(model.njnt)}
     model.opt.disableflags |= sum(map(int, _OFF))
-    rng, worst = np.random.default_rng(7), [0.0, 0.0, 0.0]
+    rng = np.random.default_rng(7)
     for _ in range(states):
-        q, v, a = _following(model, followers(scene), *_state(model, rng))
-        Q, V, A, T = _converted(kernels.interface.coordinates, model, q, v, a)
-        T = _coupled(model, followers(scene), T)
+        q, v, a = _following(places, led, *_state(model, rng))
+        Q, V, A, T = _converted(coordinates, model.nv, places, q, v, a)
+        T = _coupled(places, led, T)
         data.qpos[:], data.qvel[:], data.qacc[:] = q, v, a
         mujoco.mj_inverse(model, data)
         M = np.zeros((model.nv, model.nv))
         mujoco.mj_fullM(model, data, M)
-        torques, M = T.T @ data.qfrc_inverse, T.T @ M @ T
-        mine = ours.inverse_dynamics(Q, V, A)
-        bias = ours.inverse_dynamics(Q, V, np.zeros_like(A))
-        pairs = ((ours.mass_matrix(Q), M), (bias, torques - M @ A), (mine, torques))
-        scale = max(np.abs(torques).max(), np.abs(M @ A).max())
-        for n, (x, y) in enumerate(pairs):
-            size = scale if n else np.abs(M).max()
-            worst[n] = max(worst[n], float(np.abs(x - y).max() / size))
-    return Worst(*worst)
+        yield PeerState(Q, V, A, T.T @ M @ T, T.T @ data.qfrc_inverse)
 
 
 def _state(model: "mujoco.MjModel", rng: np.random.Generator) -> tuple[Array, Array, Array]:
@@ -63,38 +62,31 @@ def _state(model: "mujoco.MjModel", rng: np.random.Generator) -> tuple[Array, Ar
     return q, rng.normal(size=model.nv), rng.normal(size=model.nv)
 
 
-def _places(model: "mujoco.MjModel", joint: str) -> tuple[int, int]:
-    """The places of a joint's first coordinate and velocity."""
-    number = mujoco.mj_name2id(model, mujoco.mjtObj.mjOBJ_JOINT, joint)
-    assert number >= 0, f"MuJoCo has no joint {joint!r}"
-    return model.jnt_qposadr[number], model.jnt_dofadr[number]
-
-
-def _following(model: "mujoco.MjModel", mimics: Mapping[str, Mimic], q: Array, v: Array, a: Array
+def _following(places: _Places, mimics: Mapping[str, Mimic], q: Array, v: Array, a: Array
                ) -> tuple[Array, Array, Array]:
     """A state in which followers follow."""
     for name, mimic in mimics.items():
-        (at, to), (its, its_v) = _places(model, name), _places(model, mimic.joint)
+        (at, to), (its, its_v) = places[name], places[mimic.joint]
         q[at] = float(mimic.multiplier) * q[its] + float(mimic.offset)
         v[to], a[to] = float(mimic.multiplier) * v[its_v], float(mimic.multiplier) * a[its_v]
     return q, v, a
 
 
-def _coupled(model: "mujoco.MjModel", mimics: Mapping[str, Mimic], T: Array) -> Array:
+def _coupled(places: _Places, mimics: Mapping[str, Mimic], T: Array) -> Array:
     """T with the rows of followers."""
     for name, mimic in mimics.items():
-        T[_places(model, name)[1]] = float(mimic.multiplier) * T[_places(model, mimic.joint)[1]]
+        T[places[name][1]] = float(mimic.multiplier) * T[places[mimic.joint][1]]
     return T
 
 
-def _converted(coordinates: object, model: "mujoco.MjModel", q: Array, v: Array, a: Array
-               ) -> tuple[Array, Array, Array, Array]:
+def _converted(coordinates: Sequence[Coordinate], nv: int, places: _Places, q: Array, v: Array,
+               a: Array) -> tuple[Array, Array, Array, Array]:
     """Our q, v, a, and T with v = T v_ours.  Free joints: linear velocity in the body's frame."""
-    parts = list(coordinates)  # type: ignore[call-overload]
-    Q, V, A = np.zeros(sum(len(c.q) for c in parts)), *np.zeros((2, sum(len(c.v) for c in parts)))
-    T = np.zeros((model.nv, len(V)))
-    for c in parts:
-        at, to = _places(model, c.joint)
+    Q = np.zeros(sum(len(c.q) for c in coordinates))
+    V, A = np.zeros((2, sum(len(c.v) for c in coordinates)))
+    T = np.zeros((nv, len(V)))
+    for c in coordinates:
+        at, to = places[c.joint]
         x, w, dw = q[at:at + len(c.q)], v[to:to + len(c.v)], a[to:to + len(c.v)]
         block = np.eye(len(c.v))
         if c.kind == "spherical":

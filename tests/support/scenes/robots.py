@@ -80,7 +80,7 @@ class Robot:
         return result
 
 
-def _in_full(text: str) -> str:
+def in_full(text: str) -> str:
     """The text with right angles written in full."""
     def angle(results: re.Match[str]) -> str:
         x = float(results[0])
@@ -129,7 +129,7 @@ def robot(file: str, free: bool, mimics: bool) -> Robot:
 
 def model_of(file: str, free: bool) -> "pin.Model":
     """Pinocchio's model of the robot; its base free or not."""
-    arguments = (_in_full(path_of(file).read_text()),
+    arguments = (in_full(path_of(file).read_text()),
                  *([pin.JointModelFreeFlyer()] if free else []))
     result = pin.buildModelFromXML(*arguments)
     result.gravity.linear = np.array([0, 0, -9.81])
@@ -139,7 +139,12 @@ def model_of(file: str, free: bool) -> "pin.Model":
 def paired(scene: Scene, theirs: "pin.Model", names: Collection[str], mimics: bool = False
            ) -> Robot:
     """A scene with these functions beside Pinocchio's model of it."""
-    functions = derive(scene, names)
+    return paired_with(scene, derive(scene, names), theirs, mimics)
+
+
+def paired_with(scene: Scene, functions: SceneFunctions, theirs: "pin.Model",
+                mimics: bool = False) -> Robot:
+    """A scene, with functions that are derived already, beside Pinocchio's model of it."""
     follow, offset = np.zeros((theirs.nv, functions.nv)), np.zeros(theirs.nv)
     places = {}
     for c in functions.coordinates:

@@ -43,6 +43,11 @@ class Articulated:
         """The sum."""
         return _symmetric(lambda i, j: self.entry(i, j) + other.entry(i, j))
 
+    def with_row(self, mass: Number, e: Column) -> "Articulated":
+        """The sum with mass e e^T."""
+        scaled_row = scaled(mass, e)
+        return _symmetric(lambda i, j: self.entry(i, j) + scaled_row[i] * e[j])
+
     def entry(self, row: int, column: int) -> Number:
         """An entry of the 6×6 matrix."""
         return self.entries[6 * max(row, column) + min(row, column)]

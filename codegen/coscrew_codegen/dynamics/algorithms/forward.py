@@ -2,12 +2,12 @@
 
 An implicit step solves (M + m) a = tau - c v, where the inertia m and the torque c v represent the
 damping and stiffness of the effects within the step.  For effects at joints these are diagonal, for
-forces that resist the motion of a point they are point masses, and for forces between two bodies
-they are terms m e e^T with the row e^T of the rate l' = e^T v, so that a common motion of both
-bodies is not damped.
+forces on a point they are point masses, with another mass along one direction, and for forces
+between two bodies and effects on sums of coordinates they are terms m e e^T with the row e^T of the
+rate l' = e^T v, so that a common motion of both bodies is not damped.
 """
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 
@@ -26,7 +26,9 @@ from coscrew_codegen.dynamics.algorithms.bodies import Rigid, rigid_of
 from coscrew_codegen.dynamics.algorithms.linear_systems import factored
 from coscrew_codegen.dynamics.algorithms.motion import Motion
 from coscrew_codegen.dynamics.algorithms.rnea import Wrench
-from coscrew_codegen.dynamics.forces.applied_effects import AppliedEffects, Paired
+from coscrew_codegen.dynamics.forces.applied_effects import AppliedEffects, AppliedForce
+from coscrew_codegen.dynamics.forces.linearization import JointEffect
+from coscrew_codegen.scene.effect import Slopes, required
 
 Weights = Callable[[Number, Number, Number], tuple[Number, Number]]
 """(damping, stiffness, damping over the inertia that it acts on, in 1/s) -> (m, c)."""
@@ -35,6 +37,15 @@ _LEAST = Fraction(1, 10**30)
 """kg: used instead of a mass of zero."""
 
 _Solve = Callable[[Joint, Sequence[Wrench]], list[Number]]
+
+
+@dataclass(frozen=True)
+class _Row:
+    """The term mass e e^T of a link's articulated inertia; e a wrench on the link."""
+
+    link: int
+    mass: Number
+    e: Wrench
 
 
 @dataclass(frozen=True)
@@ -49,7 +60,9 @@ def accelerations(motion: Motion, acting: AppliedEffects, rigids: Sequence[Rigid
                   inertias: Mapping[str, Number], tau: Sequence[Number]) -> list[Number]:
     """a with M a + bias = tau."""
     own = _own(motion, inertias)
-    torques = add(tau, _gathered(motion, {n: acting.torque(n) for n in sorted(acting.torques)}))
+    torques = acting.with_sums(add(tau, _gathered(
+        motion, {n: acting.torque(n) for n in sorted(acting.torques)})))
+    torques = _without_own_bias(motion, inertias, torques)
     return _solver(motion, rigids)(lambda k, _: (torques[k], own[k]),
                                    rnea.net_wrenches(motion, rigids, acting))
 
@@ -62,9 +75,15 @@ def implicit(motion: Motion, acting: AppliedEffects, rigids: Sequence[Rigid],
     Damping and stiffness are those of `slopes`, the effects on a motion with the same q and the
     initial velocities of the step; forces are then linear about these velocities."""
     start, own = slopes or acting, _own(motion, inertias)
-    torques = _torques(acting, start, tau)
+    torques = _without_own_bias(motion, inertias, _torques(acting, start, tau))
     damping = _gathered(motion, {n: start.damping(n) for n in sorted(start.torques)}, 2)
     stiffness = _gathered(motion, {n: start.stiffness(n) for n in sorted(start.torques)}, 2)
+    for x in start.sums:
+        if len(x.weights) == 1:
+            (place, weight), = x.weights.items()
+            square = weight * weight
+            damping[place] = damping[place] + x.along.slopes.damping * square
+            stiffness[place] = stiffness[place] + x.along.slopes.stiffness * square
     rates = list(damping)
 
     def at_joint(k: int, inertia: Number) -> tuple[Number, Number]:
@@ -73,19 +92,26 @@ def implicit(motion: Motion, acting: AppliedEffects, rigids: Sequence[Rigid],
         return torques[k] - c * start.motion.v[k], own[k] + mass
 
     joint: Joint = at_joint
-    solve = _solver(motion, _with_point_masses(motion, start, rigids, weights))
+    solve = _solver(motion, *_resisted(motion, start, rigids, weights))
     for number, pair in enumerate(start.pairs):
         with motion.recorder.part(f"pair_{number}", heading="pairs of bodies"):
-            solve, joint = _with_pair(motion, pair, acting.pairs[number], weights, solve, joint)
+            e = _along_velocities(motion, pair.unit_wrenches)
+            solve, joint = _with_line(motion, e, pair.along,
+                                      acting.pairs[number].along, weights, solve, joint)
+    for number, x in enumerate(start.sums):
+        if len(x.weights) > 1:
+            with motion.recorder.part(f"sum_{number}", heading="sums of coordinates"):
+                e = [motion.recorder.number(x.weights.get(k, 0)) for k in range(motion.tree.nv)]
+                solve, joint = _with_line(motion, e, x.along, acting.sums[number].along, weights,
+                                          solve, joint)
     wrenches = rnea.net_wrenches(motion, rigids, acting)
-    return Implicit(solve(joint, _about(motion, wrenches, acting, start)), rates)
+    return Implicit(solve(joint, _about(motion, wrenches, acting, start, rigids, weights)), rates)
 
 
 def inverse_inertia(motion: Motion, rigids: Sequence[Rigid], inertias: Mapping[str, Number],
-                    number: int) -> Number:
-    """∂a/∂tau of a joint with one coordinate, all others free to move."""
+                    unit: Sequence[Number]) -> Number:
+    """e·M⁻¹ e of a row e, the acceleration along it by a torque of 1 along it."""
     own = _own(motion, inertias)
-    unit = _gathered(motion, {number: motion.recorder.number(1)})
     still = [(*motion.zero, *motion.zero)] * len(motion.tree.links)
     a = _solver(motion, rigids)(lambda k, _: (unit[k], own[k]), still)
     return _product(unit, a)
@@ -93,78 +119,138 @@ def inverse_inertia(motion: Motion, rigids: Sequence[Rigid], inertias: Mapping[s
 
 def _own(motion: Motion, inertias: Mapping[str, Number]) -> list[Number]:
     """The joints' own inertias, by velocity."""
-    return _gathered(motion, {n: inertias[link.joint.name]
+    return _gathered(motion, {n: [inertias[link.joint.name]] * max(1, len(link.v))
                               for n, link in enumerate(motion.tree.links)
                               if link.joint.name in inertias}, 2)
+
+
+def _without_own_bias(motion: Motion, inertias: Mapping[str, Number], torques: Sequence[Number]
+                      ) -> list[Number]:
+    """The torques less those that joints' own inertias take at a = 0."""
+    results = list(torques)
+    for number, link in enumerate(motion.tree.links):
+        if link.joint.name in inertias:
+            with motion.part(number, "own"):
+                own = rnea.own_bias(motion, number, inertias[link.joint.name])
+                for k, torque in zip(link.v, own, strict=bool(own)):
+                    results[k] = results[k] - torque
+    return results
 
 
 def _torques(acting: AppliedEffects, start: AppliedEffects, tau: Sequence[Number]) -> list[Number]:
     """Torques by velocity: tau, then those of effects; if linear about the initial velocities, also
     d (v - v_start). tau is summed in the place that an actuator's torque would have."""
-    motion, others, result = acting.motion, list(tau), dict[int, Number]()
+    motion, others, result = acting.motion, list(tau), dict[int, list[Number]]()
     for number in sorted(acting.torques):
-        link, torque = motion.tree.links[number], acting.torque(number)
-        if not link.driver:
-            torque = tau[link.v.start] + torque
-            others[link.v.start] = motion.zero[0]
+        link, torques = motion.tree.links[number], acting.torque(number)
+        for k in link.v:
+            torques[k - link.v.start] = tau[k] + torques[k - link.v.start]
+            others[k] = motion.zero[0]
         if start is not acting:
-            faster = motion.speeds(number)[0] - start.motion.speeds(number)[0]
-            torque = torque + start.damping(number) * faster
-        result[number] = torque
-    return list(add(others, _gathered(motion, result)))
+            faster = subtract(motion.speeds(number), start.motion.speeds(number))
+            torques = [torque + d * x for torque, d, x in zip(
+                torques, start.damping(number), faster, strict=True)]
+        result[number] = torques
+    return _with_slopes_of_sums(acting, start, acting.with_sums(
+        add(others, _gathered(motion, result))))
 
 
-def _gathered(motion: Motion, of_links: Mapping[int, Number], power: int = 1) -> list[Number]:
-    """Sums by velocity over joints with one coordinate; a follower's value, times its multiplier to
-    this power, is added to its leader's."""
+def _with_slopes_of_sums(acting: AppliedEffects, start: AppliedEffects, torques: Sequence[Number]
+                         ) -> list[Number]:
+    """Torques, with d (v - v_start) added for sums of one term."""
+    results = list(torques)
+    for x, now in zip(start.sums, acting.sums, strict=True):
+        if start is not acting and len(x.weights) == 1:
+            (place, weight), = x.weights.items()
+            faster = x.along.slopes.damping * (now.along.at.v - x.along.at.v)
+            results[place] = results[place] + faster * weight
+    return results
+
+
+def _gathered(motion: Motion, of_links: Mapping[int, Sequence[Number]], power: int = 1
+              ) -> list[Number]:
+    """Sums by velocity over joints; a follower's value, times its multiplier to this power, is
+    added to its leader's."""
     result = [motion.zero[0]] * motion.tree.nv
-    for number, value in of_links.items():
+    for number, values in of_links.items():
         link = motion.tree.links[number]
         with motion.part(number, "own"):
             if power == 2 and link.driver:
-                value = value * link.driver.multiplier
-            rnea.gather(motion, number, [value], result)
+                values = [value * link.driver.multiplier for value in values]
+            rnea.gather(motion, number, values, result)
     return result
 
 
-def _with_point_masses(motion: Motion, acting: AppliedEffects, rigids: Sequence[Rigid],
-                       weights: Weights) -> list[Rigid]:
-    """The links' inertias with point masses m for the forces that resist the motion of a point."""
-    results = list(rigids)
-    for number in range(len(results)):
+def _resisted(motion: Motion, acting: AppliedEffects, rigids: Sequence[Rigid], weights: Weights
+              ) -> tuple[list[Rigid], list[_Row]]:
+    """The links' inertias with point masses m for the forces on points of them, and rows for the
+    directions in which these have other slopes."""
+    bodies, rows = list(rigids), []
+    for number, body in enumerate(rigids):
         with motion.part(number, "B"):
-            for damping, point in acting.resisting(number):
-                rate = damping / maximum(rigids[number].m, _LEAST)
-                mass, _ = weights(damping, damping.like(0), rate)
-                results[number] = _with_mass(results[number], mass, point)
-    return results
+            for force in acting.resisting(number):
+                across, _ = _represented(force.across, body, weights)
+                bodies[number] = _with_mass(bodies[number], across, force.point_in_link)
+                if force.along:
+                    slopes, e = force.along
+                    along, _ = _represented(slopes, body, weights)
+                    rows.append(_Row(number, along - across, e))
+    return bodies, rows
+
+
+def _represented(slopes: Slopes, body: Rigid, weights: Weights) -> tuple[Number, Number]:
+    """(m, c) for the slopes of a force on a point of a body."""
+    rate = slopes.damping / maximum(body.m, _LEAST)
+    return weights(slopes.damping, slopes.stiffness, rate)
 
 
 def _about(motion: Motion, wrenches: Sequence[Wrench], acting: AppliedEffects,
-           start: AppliedEffects) -> list[Wrench]:
-    """The wrenches that links need, with d (u - u_start) added to the forces that resist a point, u
-    the point's velocity."""
+           start: AppliedEffects, rigids: Sequence[Rigid], weights: Weights) -> list[Wrench]:
+    """The wrenches that links need, with D (u - u_start) - c u_start added to the forces with
+    slopes D, u the velocity of their point."""
     results = list(wrenches)
-    for number in range(len(results)):
-        if start is acting:
-            break
+    for number, body in enumerate(rigids):
         with motion.part(number, "f"):
-            for damping, point in start.resisting(number):
-                call = motion.recorder.call
-                faster = subtract(motion.twist(number), start.motion.twist(number))
-                force = scaled(damping, linear(call("product_Adtinvs", point, faster)))
-                wrench = call("product_CoAdtc", point, (*force, *motion.zero))
-                results[number] = subtract(results[number], wrench)
+            for force in start.resisting(number):
+                before, along = start.motion.twist(number), force.along
+                if start is not acting:
+                    faster = subtract(motion.twist(number), before)
+                    results[number] = subtract(results[number], _push(
+                        force, faster, force.across.damping, along and along[0].damping))
+                _, c = _represented(force.across, body, weights)
+                c_along = along and _represented(along[0], body, weights)[1]
+                if not c.is_zero or c_along and not c_along.is_zero:
+                    results[number] = add(results[number], _push(force, before, c, c_along))
     return results
 
 
-def _solver(motion: Motion, rigids: Sequence[Rigid]) -> _Solve:
+def _push(force: AppliedForce, twist: Wrench, across: Number, along: Number | None) -> Wrench:
+    """The wrench on a link of the force `across` u, with another factor along the force's
+    direction, u the velocity of its point."""
+    point, call = force.point_in_link, across.recorder.call
+    push = scaled(across, linear(call("product_Adtinvs", point, twist)))
+    wrench: Wrench = call("product_CoAdtc", point, (*push, *(across.like(0),) * 3))
+    if along is None:
+        return wrench
+    _, e = required(force.along)
+    return add(wrench, scaled((along - across) * call("dot_cs", e, twist)[0], e))
+
+
+def _solver(motion: Motion, rigids: Sequence[Rigid], rows: Sequence[_Row] = ()) -> _Solve:
     """The function from torques at the joints and wrenches of links at a = 0 to a.  Instructions
     that depend on neither are issued once."""
     if not motion.tree.follows:
         bodies = [Articulated.of(body) for body in rigids]
+        for row in rows:
+            with motion.part(row.link, "B"):
+                bodies[row.link] = bodies[row.link].with_row(row.mass, row.e)
         return lambda joint, wrenches: aba.accelerations(motion, bodies, wrenches, joint)
     M = crba.mass_matrix(motion, rigids, {})
+    for row in rows:
+        with motion.recorder.part("solution", heading="M a = tau"):
+            e = _along_velocities(motion, [(row.link, row.e)])
+            M = [[x + row.mass * (a * b) for x, b in zip(A, e, strict=True)]
+                 for A, a in zip(M, e, strict=True)]
 
     def solve(joint: Joint, wrenches: Sequence[Wrench]) -> list[Number]:
         bias = rnea.joint_torques(motion, rnea.transmitted(motion, wrenches), None, {})
@@ -179,37 +265,41 @@ def _solver(motion: Motion, rigids: Sequence[Rigid]) -> _Solve:
     return solve
 
 
-def _with_pair(motion: Motion, pair: Paired, now: Paired, weights: Weights, solve: _Solve,
-               joint: Joint) -> tuple[_Solve, Joint]:
+def _with_line(motion: Motion, e: Sequence[Number], along: JointEffect, now: JointEffect,
+               weights: Weights, solve: _Solve, joint: Joint) -> tuple[_Solve, Joint]:
     """`solve` for the matrix plus m e e^T, and `joint` with the torques -c l' e and, linear about
-    the initial rate l', d (l'_now - l') e added.
+    the initial rate l' = e·v, d (l'_now - l') e added.
 
     a = a' - w (m e·a')/(1 + m e·w), w = solve(e), by Sherman and Morrison; it never divides by
-    zero, and 1/(e·w) is the inertia that the pair acts on."""
+    zero, and 1/(e·w) is the inertia that the effect acts on."""
     still = [(*motion.zero, *motion.zero)] * len(motion.tree.links)
-    wrenches = list(still)
-    for link, wrench in pair.unit_wrenches:
-        if link >= 0:
-            wrenches[link] = add(wrenches[link], wrench)
-    e = rnea.joint_torques(motion, rnea.transmitted(motion, wrenches), None, {})
     w = solve(lambda k, inertia: (e[k], joint(k, inertia)[1]), still)
-    slopes, rate, product = pair.along.slopes, pair.along.at.v, _product(e, w)
+    slopes, rate, product = along.slopes, along.at.v, _product(e, w)
     mass, c = weights(slopes.damping, slopes.stiffness, slopes.damping * product)
     share = mass / (1 + mass * product)
     pull = c * rate
-    if now is not pair:
-        pull = pull - slopes.damping * (now.along.at.v - rate)
+    if now is not along:
+        pull = pull - slopes.damping * (now.at.v - rate)
     less = scaled(pull, e)
 
     def coupled(joint: Joint, wrenches: Sequence[Wrench]) -> list[Number]:
         a = solve(joint, wrenches)
         return list(subtract(a, scaled(share * _product(e, a), w)))
 
-    def joint_with_pair(k: int, inertia: Number) -> tuple[Number, Number]:
+    def joint_with_line(k: int, inertia: Number) -> tuple[Number, Number]:
         torque, own = joint(k, inertia)
         return torque - less[k], own
 
-    return coupled, joint_with_pair
+    return coupled, joint_with_line
+
+
+def _along_velocities(motion: Motion, wrenches: Iterable[tuple[int, Wrench]]) -> list[Number]:
+    """The torques that joints need against wrenches on links, by velocity."""
+    total = [(*motion.zero, *motion.zero)] * len(motion.tree.links)
+    for link, wrench in wrenches:
+        if link >= 0:
+            total[link] = add(total[link], wrench)
+    return list(rnea.joint_torques(motion, rnea.transmitted(motion, total), None, {}))
 
 
 def _product(a: Sequence[Number], b: Sequence[Number]) -> Number:

@@ -65,6 +65,7 @@ class BodyOfLink(BodyInWorld):
     motion: Motion
     link: int
     place: Displacement  # of the body in its link
+    wind: Vector | None = None  # in the world's frame
 
     @property
     def pose(self) -> Displacement:
@@ -92,6 +93,11 @@ class BodyOfLink(BodyInWorld):
     def velocity(self, point: Vector) -> Vector:
         """v + ω × x: the velocity of a point of the body."""
         return linear(self.twist(point))
+
+    def velocity_in_fluid(self, point: Vector) -> Vector:
+        """The velocity of a point of the body less that of the wind."""
+        u = self.velocity(point)
+        return u if self.wind is None else subtract(u, self.own_direction(self.wind))
 
     @property
     def angular_velocity(self) -> Vector:

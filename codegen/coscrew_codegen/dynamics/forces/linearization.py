@@ -33,21 +33,13 @@ from coscrew_codegen.algebra.recording.recorder import Recorder, array
 from coscrew_codegen.dynamics.forces.effect_parameters import settings
 from coscrew_codegen.program import Program, differentiate
 from coscrew_codegen.program.differentiate import Dual
-from coscrew_codegen.scene.effect import CoordinateState, Torque, Values, required
+from coscrew_codegen.scene.effect import CoordinateState, Slopes, Torque, Values, required
 from coscrew_codegen.scene.scene import Setting
 
 Law = Callable[[CoordinateState, Values], Torque]
 
 _AT_REST = Fraction(1, 10**30)
 """Smallest divisor |v| in |u|/|v|, in rad/s or m/s, and smallest limit, so that there is no 0/0."""
-
-
-@dataclass(frozen=True)
-class Slopes:
-    """-∂torque/∂v and -∂torque/∂q, or bounds of them; at least 0."""
-
-    damping: Number
-    stiffness: Number
 
 
 @dataclass(frozen=True)
@@ -58,6 +50,7 @@ class JointEffect:
     at: CoordinateState
     values: Mapping[str, Setting]
     part: NamePart
+    freedom: int = 0  # the number of the velocity among those of the joint
 
     @cached_property
     def torque(self) -> Torque:

@@ -87,3 +87,5 @@ class _Posed(BodyInWorld):
     def velocity(self, point: Vector) -> Vector:
         """Raises TypeError: an energy must not depend on it."""
         return self.angular_velocity
+
+    velocity_in_fluid = velocity

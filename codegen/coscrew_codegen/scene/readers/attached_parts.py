@@ -6,7 +6,7 @@ from pathlib import Path
 
 from coscrew_codegen.scene.joints.fixed import JOINT as FIXED
 from coscrew_codegen.scene.joints.free import JOINT as FREE
-from coscrew_codegen.scene.mechanism.model import WORLD, Body, Joint, Placement
+from coscrew_codegen.scene.mechanism.model import WORLD, Joint, Placement
 from coscrew_codegen.scene.mechanism.notices import Notice
 from coscrew_codegen.scene.mechanism.tree import composed
 from coscrew_codegen.scene.readers.declared_effects import Effects
@@ -39,7 +39,7 @@ def attached(parts: Parts, source: ModelSource, to: str, at: Placement, prefix: 
                              f"{to!r} here; wanted another name")
     joints = tuple(_joint(x, to, at, prefix, joint if x.name not in own else f"{prefix}{x.name}")
                    for x in tree.joints)
-    bodies = tuple(Body(f"{prefix}{x.name}", x.inertia) for x in tree.bodies)
+    bodies = tuple(replace(x, name=f"{prefix}{x.name}") for x in tree.bodies)
     return _renamed(replace(parts, bodies=bodies, joints=joints), parts, source, prefix)
 
 
@@ -63,25 +63,27 @@ def _renamed(parts: Parts, old: Parts, source: ModelSource, prefix: str) -> Part
     mimics = {f"{prefix}{x}": place for x, place in old.mimics_by_file(source).items()}
     lines = tuple(f"{source.path.name}: {x}" for x in old.implausible)
     return replace(parts, places={}, mimic_places=mimics, elsewhere=elsewhere, roots={}, start={},
-                   base=FIXED, implausible=lines, effects=_effects(old, prefix),
+                   base=FIXED, implausible=lines, inputs=(),
+                   effects=_effects(old, old.effects, prefix),
+                   offered=_effects(old, old.offered, prefix),
                    notices=tuple(_notice(x, source, prefix) for x in old.notices))
 
 
 def _notice(notice: Notice, source: ModelSource, prefix: str) -> Notice:
     """The notice of an element that has another name now."""
     word, _, name = notice.of.partition(" ")
-    of = f"{word} {prefix}{name}" if word in ("joint", "body") and name else notice.of
+    of = f"{word} {prefix}{name}" if name else notice.of
     text = notice.text.removeprefix(f"{notice.of}: ")
     return replace(notice, of=of, text=f"{of}: {text}" if text != notice.text else
                    f"{source.path.name}: {text}")
 
 
-def _effects(parts: Parts, prefix: str) -> Effects:
+def _effects(parts: Parts, effects: Effects, prefix: str) -> Effects:
     """The effects on joints and bodies by their new names; those of the whole scene, as gravity,
     are the scene's own."""
     bodies, joints = ({x.name for x in of} for of in (parts.bodies, parts.joints))
     tables: dict[str, Mapping[str, object]] = {}
-    for name, table in parts.effects.items():
+    for name, table in effects.items():
         if table and all(isinstance(x, Mapping) for x in table.values()):
             tables[name] = {f"{prefix}{on}": {key: _value(
                 x, prefix, bodies if key in _OF_BODIES else joints if key in _OF_JOINTS else ())

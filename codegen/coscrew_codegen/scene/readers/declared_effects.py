@@ -14,6 +14,10 @@ Effects = Mapping[str, Mapping[str, object]]
 of an effect on the whole scene."""
 
 
+_SUBJECTS = {"viscous": "damping", "coulomb": "friction", "limit": "limits"}
+"""Subjects of notices of effects that have other names."""
+
+
 def of_file_alone(model: Model, declared: Effects, catalogue: tuple[Effect, ...]
                   ) -> dict[str, object]:
     """The table [effects] of a model's file that is taken alone: its declared effects, and effects
@@ -22,10 +26,9 @@ def of_file_alone(model: Model, declared: Effects, catalogue: tuple[Effect, ...]
     tables: dict[str, object] = {}
     acting = _on_moving_bodies(declared, model)
     for effect in catalogue:
-        if effect.name in acting:
-            tables[effect.name] = acting[effect.name]
-        elif effect.alone and (table := _from_model(effect, model)) is not None:
-            tables[effect.name] = table
+        of_model = _from_model(effect, model) if effect.alone else None
+        if effect.name in acting or of_model is not None:
+            tables[effect.name] = {**acting.get(effect.name, {}), **(of_model or {})}
     return tables
 
 
@@ -66,5 +69,5 @@ def notices(declared: Effects, model: Model) -> Iterator[Notice]:
             pairs = toml_pairs(values)
             of = f"joint {on}" if on in joints else f"effect {on or name}"
             remedy = f"add [effects.{key}]" + (f" with {joined(pairs)}" if pairs else "")
-            yield Notice(name, of, f"{of}: {name} of the model's file is not used: {remedy}",
-                         remedy, (name, on))
+            text = f"{of}: {name} of the model's file is not used: {remedy}"
+            yield Notice(_SUBJECTS.get(name, name), of, text, remedy, (name, on))

@@ -1,4 +1,5 @@
-"""Effects that exert nothing, since their drive is zero and no argument of the functions."""
+"""Effects that exert nothing: their drive is zero and no argument of the functions, or nothing is
+in the wind."""
 
 from collections.abc import Iterator
 from fractions import Fraction
@@ -11,13 +12,17 @@ _DRIVING = ("torque", "force")
 
 def idle(effects: tuple[Applied, ...]) -> tuple[Notice, ...]:
     """A notice for each kind of effects whose torques and forces are constant zeros, with the entry
-    of `runtime` that makes them arguments: actuators of kind "torque", wrenches."""
+    of `runtime` that makes them arguments: actuators of kind "torque", wrenches; and for wind that
+    no effect depends on."""
     effects_of: dict[str, list[str]] = {}
     for applied in effects:
         if names := list(_unset(applied)):
             effects_of.setdefault(applied.effect.name, []).extend(names)
-    return tuple(Notice(IDLE, f"effect {effect}", _line(effect, names))
-                 for effect, names in effects_of.items())
+    unfelt = () if any(x.effect.in_fluid for x in effects) else tuple(
+        Notice(IDLE, f"effect {x.effect.name}", f"{x.effect.name} does nothing: no effect depends "
+               "on the fluid; write [effects.drag.BODY]") for x in effects if x.effect.wind)
+    return (*unfelt, *(Notice(IDLE, f"effect {effect}", _line(effect, names))
+                       for effect, names in effects_of.items()))
 
 
 def _unset(applied: Applied) -> Iterator[str]:

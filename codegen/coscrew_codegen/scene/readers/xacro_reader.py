@@ -41,7 +41,7 @@ class _Arguments(dict[str, str]):
 
 
 def _parts(source: ModelSource) -> Parts:
-    text, warnings = _expanded(source)
+    text, warnings = expanded(source)
     try:
         parts = urdf_parts(source, text.encode())
     except SceneError as error:
@@ -53,7 +53,7 @@ def _parts(source: ModelSource) -> Parts:
                            for x, place in parts.places.items()})
 
 
-def _expanded(source: ModelSource) -> tuple[str, list[str]]:
+def expanded(source: ModelSource) -> tuple[str, list[str]]:
     """The URDF that the file writes, and xacro's warnings."""
     import xacro
 
@@ -76,6 +76,7 @@ def _expanded(source: ModelSource) -> tuple[str, list[str]]:
 def _in_words(error: Exception, arguments: _Arguments) -> str:
     """xacro's message on one line, with a remedy if an argument is missing."""
     line = " ".join(str(error).split()) or type(error).__name__
+    line = re.sub(r"^<class '[\w.]+'>: ", "", line)  # of an error inside of an expression
     missing = re.fullmatch(r"Undefined substitution argument (.+?)( when .*)?", line)
     if not missing:
         return f"xacro: {line[:300]}"

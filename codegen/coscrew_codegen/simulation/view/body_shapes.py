@@ -13,6 +13,7 @@ from coscrew_codegen.program.values.parameter import Parameter, Scalar
 from coscrew_codegen.scene.mechanism.model import WORLD, Body, Inertia, Joint
 from coscrew_codegen.scene.mechanism.visual import HERE, MESH, Visual
 from coscrew_codegen.simulation.system import System
+from coscrew_codegen.simulation.view.collada_axes import has_y_up, means_it, upright
 from coscrew_codegen.simulation.view.mesh_files import Piece, installed, meshes
 
 _THIN = 0.06  # least side of a box, relative to its longest or, for a point mass, the model's size
@@ -26,7 +27,7 @@ _COLOURS = ((0.26, 0.47, 0.78), (0.90, 0.49, 0.16), (0.30, 0.62, 0.42), (0.66, 0
 
 
 @dataclass(frozen=True)
-class Part:
+class DrawnPart:
     """A shape fixed to a body (-1: the world), at a place in its frame."""
 
     body: int
@@ -38,17 +39,17 @@ class Part:
 
 
 @dataclass
-class Drawing:
+class RobotDrawing:
     """The parts, and a sentence for each visual that is not among them."""
 
-    parts: list[Part] = field(default_factory=list)
+    parts: list[DrawnPart] = field(default_factory=list)
     notes: list[str] = field(default_factory=list)
     unread: int = 0  # meshes that are boxes since no package reads them
 
 
-def drawn(system: System) -> Drawing:
+def drawn(system: System) -> RobotDrawing:
     """The drawing of the scene's model."""
-    model, drawing = system.scene.model, Drawing()
+    model, drawing = system.scene.model, RobotDrawing()
     numbers = {body.name: n for n, body in enumerate(model.bodies)}
     shown = set(_add_visuals(drawing, model.bodies, numbers))
     any_visual = any(body.visuals for body in model.bodies)
@@ -63,17 +64,20 @@ def drawn(system: System) -> Drawing:
     return drawing
 
 
-def _add_visuals(drawing: Drawing, bodies: tuple[Body, ...], numbers: dict[str, int]
+def _add_visuals(drawing: RobotDrawing, bodies: tuple[Body, ...], numbers: dict[str, int]
                  ) -> Iterator[str]:
     """Add the visuals that can be shown; yields the names of their bodies."""
-    every = [(body.name, x) for body in bodies for x in body.visuals]
-    pieces = iter(meshes(wanted)) if (
-        wanted := [x for _, x in every if _readable(x)]) else iter(())
-    for body, visual in every:
+    every = [(body, x) for body in bodies for x in body.visuals]
+    wanted = [(body, x) for body, x in every if _readable(x)]
+    results = meshes([x for _, x in wanted]) if wanted else []
+    turns = means_it((body, x, result) for (body, x), result in zip(wanted, results, strict=True)
+                     if not isinstance(result, str))
+    pieces = iter(results)
+    for body, visual in ((body.name, x) for body, x in every):
         if visual.problem:
             drawing.notes.append(f"{body}: {visual.problem}")
         elif visual.shape != MESH:
-            drawing.parts.append(Part(numbers[body], visual.shape, visual.size, visual.place,
+            drawing.parts.append(DrawnPart(numbers[body], visual.shape, visual.size, visual.place,
                                       visual.colour or _UNPAINTED))
             yield body
         elif not _readable(visual):
@@ -81,8 +85,9 @@ def _add_visuals(drawing: Drawing, bodies: tuple[Body, ...], numbers: dict[str, 
         elif isinstance(result := next(pieces), str):
             drawing.notes.append(f"{body}: {visual.mesh}: {result}")
         else:
-            drawing.parts += [Part(numbers[body], MESH, (), visual.place,
-                                   x.colour or visual.colour or _UNPAINTED, x) for x in result]
+            place = upright(visual.place) if turns and has_y_up(visual) else visual.place
+            drawing.parts += [DrawnPart(numbers[body], MESH, (), place, x.colour or visual.colour or
+                                   _UNPAINTED, x) for x in result]
             yield body
 
 
@@ -90,7 +95,8 @@ def _readable(visual: Visual) -> bool:
     return visual.mesh is not None and (installed() or not hasattr(visual.mesh, "suffix"))
 
 
-def _add_linkage(system: System, drawing: Drawing, joint: Joint, numbers: dict[str, int]) -> None:
+def _add_linkage(system: System, drawing: RobotDrawing, joint: Joint, numbers: dict[str, int]
+                 ) -> None:
     """Add the rod from the parent's origin to the joint, and a ball where the joint moves."""
     if joint.kind.floats:
         return
@@ -98,29 +104,30 @@ def _add_linkage(system: System, drawing: Drawing, joint: Joint, numbers: dict[s
     at = numbers_of(system, joint.placement.t)
     _add_rod(drawing, body, at, _ROD * size)
     if joint.kind.moves:
-        drawing.parts.append(Part(body, "sphere", (2 * _ROD * size,), (*at.tolist(), *HERE[3:]),
-                                  _LINKAGE))
+        place = (*at.tolist(), *HERE[3:])
+        drawing.parts.append(DrawnPart(body, "sphere", (2 * _ROD * size,), place, _LINKAGE))
 
 
-def _add_rod(drawing: Drawing, body: int, to: np.ndarray, radius: float) -> None:
+def _add_rod(drawing: RobotDrawing, body: int, to: np.ndarray, radius: float) -> None:
     """Add a rod from the body's origin."""
     length = float(np.linalg.norm(to))
     if length < 3 * radius:
         return
     x, y, z = to / length  # the turn of z to this direction
     turn = np.array([-y, x, 0.0, 1 + z]) if z > -1 + 1e-9 else np.array([1.0, 0, 0, 0])
-    drawing.parts.append(Part(body, "cylinder", (radius, length), (
+    drawing.parts.append(DrawnPart(body, "cylinder", (radius, length), (
         *(to / 2).tolist(), *(turn / np.linalg.norm(turn)).tolist()), _LINKAGE))
 
 
-def _add_box(system: System, drawing: Drawing, inertia: Inertia, body: int, linked: bool) -> None:
+def _add_box(system: System, drawing: RobotDrawing, inertia: Inertia, body: int, linked: bool
+             ) -> None:
     """Add a box with the body's mass and inertia, and the rod to its centre if it is `linked`."""
     half, axes = box_of(*(numbers_of(system, x) for x in ((inertia.mass,), inertia.moments)))
     half = np.maximum(half, _THIN * (max(half) if max(half) > 0 else _size(system)))
     centre = numbers_of(system, inertia.com)
     place = (*centre.tolist(), *coscrew.double.quaternion_from_mat3x3(axes).tolist())
     colour = (*_COLOURS[body % len(_COLOURS)], 1.0)
-    drawing.parts.append(Part(body, "box", tuple((2 * half).tolist()), place, colour))
+    drawing.parts.append(DrawnPart(body, "box", tuple((2 * half).tolist()), place, colour))
     if linked:
         _add_rod(drawing, body, centre, _ROD / 2 * _size(system))
 

@@ -13,7 +13,7 @@ from coscrew_codegen.backends.html.pages import Json
 KINDS = ("f8", "f4", "u2", "i2", "i4")
 
 
-class Block:
+class NumberBlock:
     """Collects arrays; `text` is all of them, compressed."""
 
     def __init__(self) -> None:

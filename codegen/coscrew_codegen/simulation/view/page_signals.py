@@ -14,7 +14,7 @@ from coscrew_codegen.scene.units import UNITS
 from coscrew_codegen.simulation.recordings.recording import Column
 from coscrew_codegen.simulation.system import System
 from coscrew_codegen.simulation.view.body_shapes import numbers_of
-from coscrew_codegen.simulation.view.page_block import Block
+from coscrew_codegen.simulation.view.page_block import NumberBlock
 
 Columns = Mapping[str, np.ndarray]
 """Values by the names of columns, at the times of a run's poses."""
@@ -22,11 +22,12 @@ _TITLES = {"q": "Positions q", "v": "Velocities v", "a": "Accelerations a"}
 _FIRST = ("q", "energy", "v", "power", "a")  # groups, in the order in which they are shown
 _ENERGY = "energy"
 _SHOWN = ("q", _ENERGY)  # of each of these the first group is plotted from the start
+_NARROW = 0.1  # range, of the values
 _FORCE, _REACTION = "#e5484d", "#f76b15"
 
 
 @dataclass
-class Group:
+class SignalGroup:
     """Signals of one quantity and unit: (name, label, run, values)."""
 
     quantity: str
@@ -35,12 +36,13 @@ class Group:
     signals: list[tuple[str, str, int, np.ndarray]] = field(default_factory=list)
 
 
-def grouped(system: System, columns: Sequence[Column], runs: Sequence[Columns]) -> list[Group]:
+def grouped(system: System, columns: Sequence[Column], runs: Sequence[Columns]
+            ) -> list[SignalGroup]:
     """The groups with the signals of each run that has them: first coordinates and energies."""
-    groups: dict[tuple[str, str], Group] = {}
+    groups: dict[tuple[str, str], SignalGroup] = {}
     for column in (*_energies(), *columns):
         title, label, quantity = _named(column, system)
-        group = groups.setdefault((title, column.unit), Group(
+        group = groups.setdefault((title, column.unit), SignalGroup(
             quantity, title, _unit(column.unit)))
         if column.name not in {name for name, *_ in group.signals}:
             group.signals += [(column.name, label, number, run[column.name])
@@ -89,8 +91,8 @@ def _unit(unit: str) -> str:
     return "" if unit == "1" else unit.replace("^2", "²").replace("N m", "N·m")
 
 
-def packed(groups: Sequence[Group], block: Block) -> Json:
-    """The groups for the page.  Values are single precision, less the middle of their range."""
+def packed(groups: Sequence[SignalGroup], block: NumberBlock) -> Json:
+    """The groups for the page.  Values are single precision, less the middle of a narrow range."""
     first = {x.quantity: x for x in reversed(groups)}
     return [{"title": x.title, "unit": x.unit, "shown": first[x.quantity] is x and
              x.quantity in _SHOWN, "signals": [
@@ -98,9 +100,12 @@ def packed(groups: Sequence[Group], block: Block) -> Json:
         for name, label, run, values in x.signals]} for x in groups]
 
 
-def _values(values: np.ndarray, block: Block) -> dict[str, Json]:
+def _values(values: np.ndarray, block: NumberBlock) -> dict[str, Json]:
     finite = values[np.isfinite(values)]
-    base = float(finite.max() / 2 + finite.min() / 2) if finite.size else 0.0
+    low, high = (float(finite.min()), float(finite.max())) if finite.size else (0.0, 0.0)
+    base = low / 2 + high / 2
+    if low <= 0 <= high or high - low > _NARROW * abs(base):  # zero stays zero
+        base = 0.0
     with np.errstate(over="ignore", invalid="ignore"):
         return {"base": base, "values": block.put(np.asarray(values, float) - base, "f4")}
 

@@ -1,73 +1,108 @@
 """Figures of a report as SVG, the same bytes for the same report: the headline, and per operation
 time against error and error against condition."""
 
-from collections.abc import Callable, Iterable, Sequence
-from dataclasses import replace
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import dataclass, replace
 from math import isfinite, nan
 
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
+from matplotlib.ticker import SymmetricalLogLocator
 
 from coscrew_codegen.accuracy.tiers import TIERS
 from coscrew_codegen.backends.html.plots import (
+    PANEL,
     Mark,
+    legend_below,
     logarithmic,
     place_labels,
     scatter,
     styled,
-    svg,
 )
 from coscrew_codegen.program.values.formats import BY_NAME
 from coscrew_codegen.reports.kernels.pages.overview import (
     PRECISIONS,
     entry_name,
     first_layout,
+    formatted,
     headline_operations,
     tiers_of,
     time_of,
+    with_interval,
 )
 from coscrew_codegen.reports.kernels.report_json import ProvenBound, Report, ReportEntry
 
 _COLOURS = {tier.name: tier.colours[0] for tier in TIERS}
 
 
+@dataclass(frozen=True)
+class Drawing:
+    """A figure with its label, and the texts at its marks."""
+
+    figure: Figure
+    label: str
+    titles: Mapping[str, str]
+
+
 @styled
-def figures(report: Report, operations: tuple[str, ...]) -> dict[str, str]:
-    """The SVG texts by file name."""
-    layout = first_layout(report)
-    drawn = {"headline.svg": _headline(report, layout)}
+def drawings(report: Report, operations: tuple[str, ...]) -> dict[str, Drawing]:
+    """The figures by file name, the headline first."""
+    drawn = {"headline.svg": _headline(report, PRECISIONS)}
     for name in operations:
         entries = [entry for entry in report.entries if entry.operation == name]
-        drawn[f"pareto-{name}.svg"] = _pareto(name, entries, layout)
+        drawn[f"pareto-{name}.svg"] = _pareto(name, entries, first_layout(report))
         if any(map(_finite_pairs, entries)):
             drawn[f"condition-{name}.svg"] = _condition(name, entries)
-    return {name: svg(figure) for name, figure in drawn.items()}
+    return drawn
 
 
-def _headline(report: Report, layout: str) -> Figure:
+@styled
+def headlines(report: Report) -> tuple[Drawing, ...]:
+    """The panels of the headline alone, as wide as a phone."""
+    return tuple(_headline(report, (precision,)) for precision in PRECISIONS)
+
+
+def _titles(entries: Iterable[ReportEntry], layout: str) -> dict[str, str]:
+    return {entry_name(entry): _title(entry, layout) for entry in entries}
+
+
+def _title(entry: ReportEntry, layout: str) -> str:
+    time, errors = time_of(entry, layout), entry.hard or entry.benign
+    return (f"{entry_name(entry)}: {formatted(errors.worst if errors else None)} {entry.measure}, "
+            f"{with_interval(time.ns, time.low, time.high) if time else '–'} ns"
+            f"{', dominated' if time and time.dominated else ''}")
+
+
+def _headline(report: Report, precisions: Sequence[str]) -> Drawing:
     """Accuracy against time: one panel per precision, one line per operation."""
-    figure = Figure(figsize=(9, 4), layout="constrained")
-    for axes, precision in zip(figure.subplots(1, 2, sharey=True), PRECISIONS, strict=True):
+    width = 9.0 if len(precisions) > 1 else PANEL[0]
+    figure, layout = Figure(figsize=(width, 4), layout="constrained"), first_layout(report)
+    panels = figure.subplots(1, len(precisions), sharey=True, squeeze=False).flat
+    shown = [e for e in report.entries if e.operation in headline_operations(report)]
+    for axes, precision in zip(panels, precisions, strict=True):
         axes.set_title(f"{precision} precision")
-        _tiers(axes, [[e for e in report.entries if (e.operation, e.precision) == (name, precision)]
+        _tiers(axes, [[e for e in shown if (e.operation, e.precision) == (name, precision)]
                       for name in headline_operations(report)], layout, lambda e: e.operation)
-    figure.axes[1].set_ylabel("")
+    for axes in figure.axes[1:]:
+        axes.set_ylabel("")
     place_labels(figure)
-    return figure
+    of = "" if len(precisions) > 1 else f" in {precisions[0]} precision"
+    return Drawing(figure, f"What accuracy costs{of}: time per element against worst error",
+                   _titles(shown, layout))
 
 
-def _pareto(operation: str, entries: list[ReportEntry], layout: str) -> Figure:
+def _pareto(operation: str, entries: list[ReportEntry], layout: str) -> Drawing:
     """Time against the worst error of one operation; hollow marks are dominated."""
     figure, axes = _panel(operation)
     _tiers(axes, [[e for e in entries if e.precision == precision] for precision in PRECISIONS],
            layout, lambda e: e.precision)
     place_labels(figure)
-    return figure
+    return Drawing(figure, f"Time against worst error of {operation}", _titles(entries, layout))
 
 
 def _panel(title: str) -> tuple[Figure, Axes]:
-    figure = Figure(figsize=(6, 4), layout="constrained")
+    figure = Figure(figsize=PANEL, layout="constrained")
     return figure, figure.add_subplot(title=title)
 
 
@@ -100,22 +135,24 @@ def _mark(entry: ReportEntry, layout: str) -> Mark | None:
                 _COLOURS[entry.tier], BY_NAME[entry.precision].marker, time.dominated)
 
 
-def _condition(operation: str, entries: list[ReportEntry]) -> Figure:
+def _condition(operation: str, entries: list[ReportEntry]) -> Drawing:
     """Errors against condition, and the proven bounds 1 + (c1 + c2 u) S/|x| as lines."""
-    figure, axes = _panel(f"{operation}: errors, and proven bounds as lines")
+    figure, axes = _panel(f"{operation}: errors, bounds as lines")
     for entry in entries:
         if pairs := _finite_pairs(entry):
             axes.plot(*zip(*pairs, strict=True), BY_NAME[entry.precision].marker, markersize=3,
                       color=_COLOURS[entry.tier], alpha=0.5, markeredgewidth=0,
-                      label=f"{entry.precision} {entry.tier}")
+                      label=f"{entry.precision} {entry.tier}", gid=entry_name(entry))
             if entry.bound:
                 _bound_line(axes, entry, entry.bound, [x for x, _ in pairs])
     axes.set(xlabel="condition S/|x|", ylabel=f"error ({_measures(entries)})")
     logarithmic(axes.xaxis)
     axes.set_yscale("symlog", linthresh=0.1)  # ulp: linear below, so that it has a zero
+    axes.yaxis.set_major_locator(SymmetricalLogLocator(base=1000, linthresh=0.1))
     axes.set_ylim(0)
-    axes.legend()
-    return figure
+    legend_below(axes)
+    return Drawing(figure, f"Error of {operation} against condition",
+                   {entry_name(x): f"{entry_name(x)}: errors" for x in entries})
 
 
 def _finite_pairs(entry: ReportEntry) -> list[tuple[float, float]]:

@@ -14,7 +14,7 @@ from coscrew_codegen.scene.readers.urdf.xml import Element, Text, read_xml
 IGNORED = frozenset("""collision sensor plugin light gripper projector audio_source
 audio_sink audio battery particle_emitter scene gui atmosphere spherical_coordinates magnetic_field
 state road population actor wind self_collide enable_wind allow_auto_disable must_be_base_link
-auto_inertia_params""".split())
+auto_inertia_params contact""".split())
 """Elements that change no motion of rigid bodies without contact; they are not read."""
 
 SCHEMA: Mapping[str, tuple[str, str]] = {
@@ -25,7 +25,7 @@ SCHEMA: Mapping[str, tuple[str, str]] = {
     "visual": ("*", "*"),
     "velocity_decay": ("", "linear angular"), "inertial": ("auto", "pose mass inertia"),
     "inertia": ("", "ixx ixy ixz iyy iyz izz"), "frame": ("name attached_to", "pose"),
-    "pose": ("relative_to degrees rotation_format", ""), "joint": (
+    "pose": ("relative_to degrees rotation_format frame", ""), "joint": (
         "name type", "parent child pose axis axis2 physics gearbox_ratio thread_pitch "
         "screw_thread_pitch gearbox_reference_body reference_body"),
     "axis": ("", "xyz dynamics limit mimic use_parent_model_frame initial_position"),
@@ -35,6 +35,9 @@ SCHEMA: Mapping[str, tuple[str, str]] = {
     "dynamics": ("", "damping friction spring_stiffness spring_reference"),
     "mimic": ("joint axis", "multiplier offset reference")}
 """Attributes and children by element; * for any others.  Elements without an entry hold a text."""
+
+_RESERVED = 7
+"""The version from which the name `world` is the world's: before, links have it, too."""
 
 TOLD = ("initial_position", "stiffness", "dissipation")
 """Numbers that nothing uses: told unless they are zero."""
@@ -95,7 +98,9 @@ class SdfElements:
     def name(self, owner: Element, attribute: str = "name") -> str:
         """A name that an attribute gives."""
         name = owner.attributes.get(attribute, "")
-        if not name.strip() or not name.isprintable() or name in ("world", "__model__"):
+        reserved = name == "__model__" or name == "world" and (
+            owner.tag != "link" or self.version >= _RESERVED)
+        if not name.strip() or not name.isprintable() or reserved:
             self.refuse(owner, f"{attribute} {shown(name)} of <{owner.tag}>; wanted one line of "
                                "text, and no reserved word")
         return name

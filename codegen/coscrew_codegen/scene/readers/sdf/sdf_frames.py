@@ -7,6 +7,7 @@ from pathlib import Path
 from coscrew_codegen.scene.constants import constant
 from coscrew_codegen.scene.mechanism import rotations
 from coscrew_codegen.scene.mechanism.model import HERE, WORLD, Placement
+from coscrew_codegen.scene.mechanism.notices import Notice
 from coscrew_codegen.scene.mechanism.roundoff_cleanup import without_residue
 from coscrew_codegen.scene.mechanism.tree import composed
 from coscrew_codegen.scene.names import did_you_mean
@@ -15,6 +16,7 @@ from coscrew_codegen.scene.readers.sdf.sdf_elements import SdfElements
 from coscrew_codegen.scene.readers.urdf.xml import Element
 
 MODEL = "__model__"
+_WORLD_LINK = f"{WORLD}_"
 _ZERO = (Fraction(0),) * 3
 
 
@@ -32,17 +34,30 @@ class SdfFrames(SdfElements):
             self.refuse_include(include)
         self.frames[f"{scope}{MODEL}"] = model, scope
         for element in (*model.all("link"), *model.all("frame"), *model.all("joint")):
-            self.frames.setdefault(f"{scope}{self.name(element)}", (element, scope))
+            full = f"{scope}{_own(self.name(element))}"
+            if full in self.frames:
+                other = self.frames[full][0]
+                self.refuse(element, f"the <{other.tag}> in line {other.line} has this name, too; "
+                                     "wanted another one")
+            self.frames[full] = element, scope
+            if full == f"{scope}{_WORLD_LINK}":
+                self.notices.append(Notice("other tools' joints", f"body {full}", f"body {full}: "
+                                           "is the link 'world', to which joints refer here"))
         for inner in model.all("model"):
             self.collect(inner, f"{scope}{self.name(inner)}::")
 
     def resolved(self, at: Element, scope: str, name: str) -> str:
         """The full name of a frame that an element in this scope names."""
-        names = [x for x in (f"{scope}{name}", f"{scope}{name}::{MODEL}") if x in self.frames]
+        own = f"{scope}{_own(name)}"
+        names = [x for x in (own, f"{own}::{MODEL}") if x in self.frames]
         if not names:
             known = [x.removeprefix(scope) for x in self.frames if x.startswith(scope)]
             self.refuse(at, f"no frame {shown(name)}; {did_you_mean(name, known)}")
         return names[0]
+
+    def is_world(self, scope: str, name: str) -> bool:
+        """Returns whether a name is that of the world, and not of a link, in this scope."""
+        return name == WORLD and f"{scope}{_WORLD_LINK}" not in self.frames
 
     def above(self, full: str) -> tuple[str, ...]:
         """The frame, the frame in which its pose is given, and so on to WORLD."""
@@ -113,6 +128,9 @@ class SdfFrames(SdfElements):
     def pose(self, owner: Element) -> Placement:
         """The numbers of an element's <pose>: x y z and roll pitch yaw, or a quaternion."""
         pose = self.only(owner, "pose")
+        if pose is not None and pose.attributes.get("frame"):  # of 1.5 and 1.6, where it is empty
+            self.refuse(pose, f"frame {shown(pose.attributes['frame'])} of <pose>; wanted "
+                              "relative_to")
         if pose is None or not pose.texts:
             return HERE
         form = pose.attributes.get("rotation_format", "euler_rpy")
@@ -128,6 +146,11 @@ class SdfFrames(SdfElements):
         x, y, z, *angles = self.numbers(owner, "pose", 6)
         unit = constant("pi/180") if in_degrees else Fraction(1)
         return Placement(rotations.from_rpy(*(unit * angle for angle in angles)), (x, y, z))
+
+
+def _own(name: str) -> str:
+    """The name of a link, frame or joint here: a link may be called `world` in old files."""
+    return _WORLD_LINK if name == WORLD else name
 
 
 def inverse(frame: Placement) -> Placement:

@@ -1,4 +1,5 @@
-"""Joints of SDF files.  A universal joint is two revolute ones in series, NAME and NAME/2.
+"""Joints of SDF files.  A universal joint whose file gives one of its axes a number, as a damping,
+and a revolute2 joint are two revolute ones in series, NAME and NAME/2.
 
 A link keeps the frame that its file gives it.  Where the joint's frame stands elsewhere, a link
 without mass, NAME/link, turns there, and the file's link is fixed to it.
@@ -13,7 +14,9 @@ from coscrew_codegen.scene.joints.fixed import JOINT as FIXED
 from coscrew_codegen.scene.joints.prismatic import JOINT as PRISMATIC
 from coscrew_codegen.scene.joints.revolute import JOINT as REVOLUTE
 from coscrew_codegen.scene.joints.spherical import JOINT as SPHERICAL
+from coscrew_codegen.scene.joints.universal import JOINT as UNIVERSAL
 from coscrew_codegen.scene.mechanism import rotations
+from coscrew_codegen.scene.mechanism.joint_kind import JointKind
 from coscrew_codegen.scene.mechanism.model import (
     HERE,
     WORLD,
@@ -23,6 +26,7 @@ from coscrew_codegen.scene.mechanism.model import (
     Mimic,
     Placement,
 )
+from coscrew_codegen.scene.mechanism.notices import Notice
 from coscrew_codegen.scene.mechanism.tree import composed
 from coscrew_codegen.scene.names import or_mean
 from coscrew_codegen.scene.readers.scene_error import shown
@@ -35,6 +39,7 @@ TYPES = {"revolute": (REVOLUTE, 1), "continuous": (REVOLUTE, 1),
          "revolute2": (REVOLUTE, 2), "ball": (SPHERICAL, 0), "fixed": (FIXED, 0)}
 """The kind and the number of axes of each type."""
 
+_RIGHT = Fraction(1, 10**30)  # cosine of two axes below which they are perpendicular
 _UNLIMITED = Fraction(10)**16  # numbers from here on stand for none
 _AXES = ("axis", "axis2")
 
@@ -45,6 +50,7 @@ class SdfJoints(SdfFrames):
     def __init__(self, path: Path) -> None:
         super().__init__(path)
         self.springs: dict[str, dict[str, object]] = {}
+        self.leaders = frozenset(_leaders(self.root))  # as they are named
 
     def joint(self, joint: Element, full: str, scope: str) -> Iterator[Joint | Body]:
         """The joint, or the chain of joints, and the links without mass in it."""
@@ -56,29 +62,62 @@ class SdfJoints(SdfFrames):
         parent, child = self._ends(joint, scope)
         for tag in _AXES[count:] if kind is not FIXED else ():
             if axis := self.only(joint, tag):
-                self.refuse(axis, f"<{tag}> of a {word} joint; wanted none")
+                self._beyond(axis, full, kind)
         self.notices += self.unused(joint, f"joint {full}")
         if kind is FIXED:
             yield Joint(full, kind, parent, child, self.within(parent, child))
             return
-        at, back = self.within(parent, full), self.within(full, child)
-        name, tag = full, "".join(_AXES[:count][-1:])
+        at = self.within(parent, full)
+        last = Joint(full, kind, parent, child, at)
         if count == 2:
-            first, name = Joint(full, kind, parent, f"{full}/between", at), f"{full}/2"
-            yield from (Body(first.child), self._moving(joint, _AXES[0], first, scope))
-            parent, at = first.child, HERE
-        last = self._moving(joint, tag, Joint(name, kind, parent, child, at), scope)
-        if _same_motion(last, back):
-            own = turned(inverse(back), last.axis) if tag else last.axis
-            yield replace(last, placement=composed(at, back), axis=own)
+            first = self._moving(joint, _AXES[0], replace(last, child=f"{full}/between"), scope)
+            second = Joint(f"{full}/2", kind, first.child, child)
+            last = self._moving(joint, _AXES[1], second, scope)
+            if word == UNIVERSAL.name and self._without_numbers(first, last):
+                last = Joint(full, UNIVERSAL, parent, child, at, first.axis, axis2=last.axis)
+            else:
+                yield from (Body(first.child), first)
+        elif count == 1:
+            last = self._moving(joint, _AXES[0], last, scope)
+        yield from self._with_child(last, full, child)
+
+    def _with_child(self, joint: Joint, full: str, child: str) -> Iterator[Joint | Body]:
+        """The joint that moves the file's link, or a link at the joint's frame that carries it."""
+        back = self.within(full, child)
+        if _same_motion(joint, back):
+            own = [turned(inverse(back), axis) for axis in joint.axes] or [joint.axis]
+            yield replace(joint, placement=composed(joint.placement, back), axis=own[0],
+                          axis2=own[1] if len(own) > 1 else None)
             return
-        yield from (Body(f"{name}/link"), replace(last, child=f"{name}/link"),
-                    Joint(f"{full}/body", FIXED, f"{name}/link", child, back))
+        link = f"{joint.name}/link"
+        yield from (Body(link), replace(joint, child=link),
+                    Joint(f"{full}/body", FIXED, link, child, back))
+
+    def _without_numbers(self, first: Joint, second: Joint) -> bool:
+        """Returns whether two revolute joints in series are a universal joint: at right angles,
+        without numbers of one of them, and no joint follows one."""
+        bare = all(replace(x, axis=Joint.axis) == Joint(x.name, x.kind, x.parent, x.child,
+                                                        x.placement) for x in (first, second))
+        name = first.name.rpartition("::")[2]
+        led = any(x == name or x.endswith(f"::{name}") for x in self.leaders)
+        cosine = sum((x * y for x, y in zip(first.axis, second.axis, strict=True)), Fraction(0))
+        return bare and not led and abs(cosine) < _RIGHT and not (
+            {first.name, second.name} & {*self.springs})
+
+    def _beyond(self, axis: Element, full: str, kind: JointKind) -> None:
+        """Refuse an axis that joints of this kind do not have; note that of a ball joint, which old
+        files have and no program uses."""
+        if kind is not SPHERICAL:
+            self.refuse(axis, f"<{axis.tag}> of a {kind.name} joint; wanted none")
+        of = f"joint {full}"
+        self.notices.append(Notice("other tools' numbers", of, f"{of}: <{axis.tag}> in line "
+                                   f"{axis.line}, of a ball joint, is not used"))
 
     def _ends(self, joint: Element, scope: str) -> tuple[str, str]:
         """The links that the joint connects."""
         near, far = self.text(joint, "parent"), self.text(joint, "child")
-        parent = WORLD if near == WORLD else self.link_of(self.resolved(joint, scope, near))
+        parent = WORLD if self.is_world(scope, near) else \
+            self.link_of(self.resolved(joint, scope, near))
         return parent, self.link_of(self.resolved(joint, scope, far))
 
     def _moving(self, owner: Element, tag: str, joint: Joint, scope: str) -> Joint:
@@ -148,12 +187,22 @@ class SdfJoints(SdfFrames):
                      offset - multiplier * reference)
 
 
+def _leaders(element: Element) -> Iterator[str]:
+    """The joints that others below this element follow."""
+    for child in element.children:
+        if child.tag == "mimic":
+            yield child.attributes.get("joint", "")
+        yield from _leaders(child)
+
+
 def _same_motion(joint: Joint, child: Placement) -> bool:
     """Returns whether the joint moves a frame at `child` as it moves its own: what slides, what
     turns about an axis through that frame's origin, and what turns about the same point and axes.
     """
     if joint.kind is SPHERICAL:
         return child == HERE
+    if joint.kind is UNIVERSAL:
+        return not any(child.t)
     x, y, z = child.t
     a, b, c = joint.axis
     return joint.kind is PRISMATIC or not any((y * c - z * b, z * a - x * c, x * b - y * a))

@@ -39,6 +39,9 @@ def _of_tables(file: TomlTable, name: str, implausible: str, packages: Mapping[s
     if "leave_out" in file or leave_out:
         file.refuse("leave_out", "is for a `model` that is a file of MuJoCo; wanted none")
     if "bodies" not in file and "joints" not in file:
-        file.missing("model", "a model's file, or tables [bodies.NAME] and [joints.NAME]")
+        if "attach" not in file:
+            file.missing("model", "a model's file, or tables [bodies.NAME] and [joints.NAME]")
+        if "base" in file:
+            file.refuse("base", "no model here has a root of its own; wanted it in [attach.NAME]")
     source = ModelSource(file.file, base_of(file), implausible)
     return parts_of_tables(file, name, source), source

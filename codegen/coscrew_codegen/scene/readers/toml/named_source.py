@@ -1,6 +1,7 @@
 """The file that `model` names, of a scene or of a table [attach.NAME], and how it is read."""
 
 from coscrew_codegen.scene.mechanism.joint_kind import JointKind
+from coscrew_codegen.scene.readers.described_robots import SCHEME, robot_source
 from coscrew_codegen.scene.readers.model_formats import reader_of, unknown
 from coscrew_codegen.scene.readers.model_reader import ModelReader, ModelSource
 from coscrew_codegen.scene.readers.scene_error import shown
@@ -12,17 +13,22 @@ def source_of(table: TomlTable, implausible: str) -> tuple[ModelReader, ModelSou
     """The reader and the source that the keys `model`, `base`, `packages`, `arguments` and
     `leave_out` give.  Raises SceneError for a file that is not there, or that no reader reads."""
     named, folder = table.text("model"), table.file.parent
-    path = folder / named
-    reader = reader_of(path)
-    if reader is None:
-        table.refuse("model", f"{shown(named)} {unknown(path)}")
-    if not path.exists():
-        table.refuse("model", f"{shown(named)}: there is no such file; it is looked for in the "
-                              "folder of the scene")
-    return reader, ModelSource(
-        path, base_of(table), implausible,
+    source = ModelSource(
+        folder / named, base_of(table), implausible,
         {x: folder / y for x, y in _words(table, "packages").items()},
         _words(table, "arguments"), table.texts("leave_out", ()))
+    if named.startswith(SCHEME):
+        try:
+            source = robot_source(named, source)
+        except ValueError as error:
+            table.refuse("model", f"{shown(named)} {error}")
+    reader = reader_of(source.path)
+    if reader is None:
+        table.refuse("model", f"{shown(named)} {unknown(source.path)}")
+    if not source.path.exists():
+        table.refuse("model", f"{shown(named)}: there is no such file; it is looked for in the "
+                              "folder of the scene")
+    return reader, source
 
 
 def base_of(table: TomlTable) -> JointKind | None:

@@ -15,6 +15,7 @@ from coscrew_codegen.scene.mechanism.mimics import followers
 from coscrew_codegen.scene.mechanism.model import Joint, Model
 from coscrew_codegen.scene.mechanism.rotations import unit
 from coscrew_codegen.scene.readers.declared_effects import of_file_alone
+from coscrew_codegen.scene.readers.described_robots import SCHEME, robot_source
 from coscrew_codegen.scene.readers.idle import idle
 from coscrew_codegen.scene.readers.model_formats import SCENE_SUFFIX, reader_of, stem, unknown
 from coscrew_codegen.scene.readers.model_reader import ModelSource
@@ -91,24 +92,32 @@ def imported(path: Path, overrides: SceneOverrides) -> str:
     wrong = (f"joint {joint.name}: {fault}" for joint in model.joints for fault in joint.faults)
     comments = (f"Made of {path.name} by `coscrew import`.", *wrong,
                 *(x.text for x in besides(model, acting)))
-    return scene_text(file.text("name"), model, tables.values,
+    return scene_text(file.text("name"), model, file.texts("runtime", ()), tables.values,
                       file.table("start").table("q").values, comments)
 
 
 def _alone(path: Path, catalogue: tuple[Effect, ...], overrides: SceneOverrides
            ) -> tuple[TomlTable, Model]:
     """The tables that a model's file alone stands for, and the model.  Raises SceneError."""
+    source = ModelSource(path, None, overrides.implausible or ERROR, overrides.folders,
+                         dict(overrides.arguments), overrides.leave_out)
+    if str(path).startswith(SCHEME):
+        try:
+            source = robot_source(str(path), source)
+        except ValueError as error:
+            raise SceneError(path, "", str(error)) from None
+    path = source.path
     reader = reader_of(path)
     if reader is None:
         raise SceneError(path, "", unknown(path, scenes=True))
-    source = ModelSource(path, None, overrides.implausible or ERROR, overrides.folders,
-                         dict(overrides.arguments), overrides.leave_out)
     parts = reader.parts_of(source)
     model = parts.model(source)
     start = {name: [Decimals(repr(x)) for x in q] for name, q in parts.start.items()}
-    return TomlTable(path, "", {
-        "name": identifier(stem(path)), "start": {"q": start},
-        "effects": of_file_alone(model, parts.effects, catalogue)}), model
+    tables = {"name": identifier(stem(path)), "start": {"q": start},
+              "effects": of_file_alone(model, parts.effects, catalogue)}
+    if parts.inputs:
+        tables["runtime"] = list(parts.inputs)
+    return TomlTable(path, "", tables), model
 
 
 def _all_effects() -> tuple[Effect, ...]:

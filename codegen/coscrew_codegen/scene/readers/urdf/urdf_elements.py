@@ -20,6 +20,7 @@ from coscrew_codegen.scene.readers.urdf.urdf_schema import (
     OTHERS,
     QUATERNION,
     VERSIONS,
+    has_number,
     is_zero,
     misspelt_attribute,
     misspelt_elements,
@@ -62,8 +63,12 @@ class Elements:
             self._refuse(owner, element, problem)
         self._refuse_xacro(owner, element)
         for text in owner.texts:
-            self._refuse(text, element, f"<{owner.tag}> holds the text {shown(text.text)}; "
-                                        f"{wanted_instead(owner.tag)}")
+            if owner.tag not in CHILDREN or has_number(text.text):
+                self._refuse(text, element, f"<{owner.tag}> holds the text {shown(text.text)}; "
+                                            f"{wanted_instead(owner.tag)}")
+            self.notices.append(Notice(
+                "other tools' numbers", plain(element), f"{plain(element)}: the text "
+                f"{shown(text.text)} in line {text.line} is not used"))
         for child, problem in misspelt_elements(owner):
             self._refuse(child, element, problem)
         self.notices += _of_other_tools(owner, element)

@@ -55,7 +55,9 @@ OTHERS: Mapping[str, Mapping[str, str]] = {
                  "stiffness": "spring.k", "armature": "armature.inertia",
                  "rotor_inertia": "armature.rotor", "D": "", "K": "",
                  "mu_coulomb": "", "mu_viscous": ""},
-    "limit": {"command_effort": "", "current": "", "gear_velocity": "", "twist": ""}}
+    "limit": {"command_effort": "", "current": "", "gear_velocity": "", "stiffness": "",
+              "damping": "", "twist": ""},
+    "safety_controller": {"soft_lower": "", "soft_upper": ""}}
 """Physical numbers of other tools, in files of well-known robots, by element: the parameter of an
 effect that acts alike.  They are reported unless they are zero."""
 
@@ -180,6 +182,17 @@ def is_zero(text: str) -> bool:
         return not any(decimal(word) for word in text.split())
     except ValueError:
         return False
+
+
+def has_number(text: str) -> bool:
+    """Returns whether one of a text's words is a number."""
+    for word in text.split():
+        try:
+            decimal(word.strip(",;"))
+        except ValueError:
+            continue
+        return True
+    return False
 
 
 def _all_zero(element: Element) -> bool:

@@ -13,20 +13,20 @@ from coscrew_codegen.simulation.sweep.member_summary import STATISTICS
 from coscrew_codegen.simulation.sweep.statistics.axis import Axis
 from coscrew_codegen.simulation.sweep.statistics.column import ColumnStatistics
 
-_MOST = 3  # heat maps of the final value against the inputs that explain most of it
+_MOST = 4  # heat maps of the final value against the first varied quantities
 _MAP, _FAILED = "viridis", "#d62728"
 _SIZE = (3.3, 2.7)  # inches: four stand in a row of a wide page, one on a phone
 
 
 @plots.styled
 def figures(column: ColumnStatistics) -> list[Markup]:
-    """Draws the figures of a column: its distribution, members against each of the inputs that
-    explain most, and its mean over two of these."""
-    order = by_share(column)
+    """Draws the figures of a column: its distribution, members against the varied quantities in
+    the order given, and its mean over the first two."""
     drawn = [_alone(f"distribution of {column.own.name}", partial(_distribution, column=column))]
     drawn += [_alone(f"{column.own.name} against {column.axes[i].name}",
-                     partial(_against, column=column, i=i)) for i in order[:_MOST]]
-    if pair := min(column.pairs, key=lambda p: sum(map(order.index, p)), default=None):
+                     partial(_against, column=column, i=i))
+              for i in range(min(_MOST, len(column.axes)))]
+    if pair := next(iter(column.pairs), None):
         names = " and ".join(column.axes[i].name for i in pair)
         drawn.append(_alone(f"mean of {column.own.name} over {names}",
                             partial(_means, column=column, pair=pair)))
@@ -47,13 +47,6 @@ def _means(axes: Axes, column: ColumnStatistics, pair: tuple[int, int]) -> None:
     _cross(axes, x.middles[cells[0]], y.middles[cells[1]])
 
 
-def by_share(column: ColumnStatistics) -> list[int]:
-    """The axes, in decreasing order of the share of the final value's variance that they explain.
-    """
-    shares = [np.nan_to_num(column.explained(i)[0]) for i in range(len(column.axes))]
-    return sorted(range(len(shares)), key=lambda i: -shares[i])
-
-
 def _distribution(axes: Axes, column: ColumnStatistics) -> None:
     for counts, word in zip(column.histogram, STATISTICS, strict=True):
         first = word == STATISTICS[0]
@@ -68,6 +61,9 @@ def _against(axes: Axes, column: ColumnStatistics, i: int) -> None:
     counts = column.joint[i]
     _map(axes, column.axes[i], column.own, np.where(counts > 0, counts, np.nan), "members")
     axes.set_ylabel(f"final {_label(column.own)}")
+    share = column.explained(i)[0]
+    if np.isfinite(share):
+        axes.set_title(f"explains {100 * share:.0f} % of the variance", fontsize=8)
     where = column.axes[i].middles[column.lost[i] > 0]
     _cross(axes, where, np.full(len(where), 0.97), of_axes=True)
 

@@ -1,0 +1,1 @@
+"""Robots of packages beside the programs that read them, too."""
