@@ -21,6 +21,7 @@ OVER(SE3_fromRt_double) {
     STORE(SE3_double, &D, 2, 3);
   }
 }
+STRIDED(SE3_fromRt_double)
 LOOP(SE3_fromRt_double, 3, DENSE_OR_ONE, 72, 24, 96, 24, 8, 8, 32, 8)
 
 OVER(SE3_fromRt_single) {
@@ -35,6 +36,7 @@ OVER(SE3_fromRt_single) {
     STORE(SE3_single, &D, 2, 3);
   }
 }
+STRIDED(SE3_fromRt_single)
 LOOP(SE3_fromRt_single, 3, DENSE_OR_ONE, 36, 12, 48, 12, 4, 4, 16, 4)
 LOOPS(SE3_fromRt)
 
@@ -49,6 +51,7 @@ OVER(SE3_copy_double) {
     STORE(SE3_double, &Do, 1, 2);
   }
 }
+STRIDED(SE3_copy_double)
 LOOP(SE3_copy_double, 2, DENSE, 96, 96, 32, 8, 32, 8)
 
 OVER(SE3_copy_single) {
@@ -61,6 +64,7 @@ OVER(SE3_copy_single) {
     STORE(SE3_single, &Do, 1, 2);
   }
 }
+STRIDED(SE3_copy_single)
 LOOP(SE3_copy_single, 2, DENSE, 48, 48, 16, 4, 16, 4)
 LOOPS(SE3_copy)
 
@@ -74,6 +78,7 @@ OVER(SE3_setIdentity_double) {
     STORE(SE3_double, &self, 1, 2);
   }
 }
+STRIDED(SE3_setIdentity_double)
 LOOP(SE3_setIdentity_double, 2, DENSE, 96, 96, 32, 8, 32, 8)
 
 OVER(SE3_setIdentity_single) {
@@ -85,6 +90,7 @@ OVER(SE3_setIdentity_single) {
     STORE(SE3_single, &self, 1, 2);
   }
 }
+STRIDED(SE3_setIdentity_single)
 LOOP(SE3_setIdentity_single, 2, DENSE, 48, 48, 16, 4, 16, 4)
 LOOPS(SE3_setIdentity)
 
@@ -99,6 +105,7 @@ OVER(SE3_getTranslation_double) {
     STORE(vec3_double, &t, 1, 2);
   }
 }
+STRIDED(SE3_getTranslation_double)
 LOOP(SE3_getTranslation_double, 2, DENSE, 96, 24, 32, 8, 8)
 
 OVER(SE3_getTranslation_single) {
@@ -111,6 +118,7 @@ OVER(SE3_getTranslation_single) {
     STORE(vec3_single, &t, 1, 2);
   }
 }
+STRIDED(SE3_getTranslation_single)
 LOOP(SE3_getTranslation_single, 2, DENSE, 48, 12, 16, 4, 4)
 LOOPS(SE3_getTranslation)
 
@@ -125,6 +133,7 @@ OVER(SE3_getRotation_double) {
     STORE(mat3x3_double, &R, 1, 2);
   }
 }
+STRIDED(SE3_getRotation_double)
 LOOP(SE3_getRotation_double, 2, DENSE, 96, 72, 32, 8, 24, 8)
 
 OVER(SE3_getRotation_single) {
@@ -137,6 +146,7 @@ OVER(SE3_getRotation_single) {
     STORE(mat3x3_single, &R, 1, 2);
   }
 }
+STRIDED(SE3_getRotation_single)
 LOOP(SE3_getRotation_single, 2, DENSE, 48, 36, 16, 4, 12, 4)
 LOOPS(SE3_getRotation)
 
@@ -150,6 +160,7 @@ OVER(SE3_invert_double) {
     STORE(SE3_double, &self, 1, 2);
   }
 }
+STRIDED(SE3_invert_double)
 LOOP(SE3_invert_double, 2, DENSE, 96, 96, 32, 8, 32, 8)
 
 OVER(SE3_invert_single) {
@@ -161,6 +172,7 @@ OVER(SE3_invert_single) {
     STORE(SE3_single, &self, 1, 2);
   }
 }
+STRIDED(SE3_invert_single)
 LOOP(SE3_invert_single, 2, DENSE, 48, 48, 16, 4, 16, 4)
 LOOPS(SE3_invert)
 
@@ -175,6 +187,7 @@ OVER(SE3_toMat4x4_double) {
     STORE(mat4x4_double, &M, 1, 2);
   }
 }
+STRIDED(SE3_toMat4x4_double)
 LOOP(SE3_toMat4x4_double, 2, DENSE, 96, 128, 32, 8, 32, 8)
 
 OVER(SE3_toMat4x4_single) {
@@ -187,6 +200,7 @@ OVER(SE3_toMat4x4_single) {
     STORE(mat4x4_single, &M, 1, 2);
   }
 }
+STRIDED(SE3_toMat4x4_single)
 LOOP(SE3_toMat4x4_single, 2, DENSE, 48, 64, 16, 4, 16, 4)
 LOOPS(SE3_toMat4x4)
 
@@ -201,6 +215,7 @@ OVER(SE3_inverted_double) {
     STORE(SE3_double, &Do, 1, 2);
   }
 }
+STRIDED(SE3_inverted_double)
 LOOP(SE3_inverted_double, 2, DENSE, 96, 96, 32, 8, 32, 8)
 
 OVER(SE3_inverted_single) {
@@ -213,6 +228,7 @@ OVER(SE3_inverted_single) {
     STORE(SE3_single, &Do, 1, 2);
   }
 }
+STRIDED(SE3_inverted_single)
 LOOP(SE3_inverted_single, 2, DENSE, 48, 48, 16, 4, 16, 4)
 LOOPS(SE3_inverted)
 

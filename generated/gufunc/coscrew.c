@@ -19,6 +19,7 @@ OVER(coscrew_copy_double) {
     STORE(coscrew_double, &co, 1, 1);
   }
 }
+STRIDED(coscrew_copy_double)
 LOOP(coscrew_copy_double, 2, DENSE, 48, 48, 8, 8)
 
 OVER(coscrew_copy_single) {
@@ -31,6 +32,7 @@ OVER(coscrew_copy_single) {
     STORE(coscrew_single, &co, 1, 1);
   }
 }
+STRIDED(coscrew_copy_single)
 LOOP(coscrew_copy_single, 2, DENSE, 24, 24, 4, 4)
 LOOPS(coscrew_copy)
 
@@ -46,6 +48,7 @@ OVER(coscrew_scale_double) {
     STORE(coscrew_double, &self, 2, 1);
   }
 }
+STRIDED(coscrew_scale_double)
 LOOP(coscrew_scale_double, 3, DENSE, 48, 8, 48, 8, 8)
 
 OVER(coscrew_scale_single) {
@@ -59,6 +62,7 @@ OVER(coscrew_scale_single) {
     STORE(coscrew_single, &self, 2, 1);
   }
 }
+STRIDED(coscrew_scale_single)
 LOOP(coscrew_scale_single, 3, DENSE, 24, 4, 24, 4, 4)
 LOOPS(coscrew_scale)
 
@@ -73,6 +77,7 @@ OVER(coscrew_inverted_double) {
     STORE(coscrew_double, &co, 1, 1);
   }
 }
+STRIDED(coscrew_inverted_double)
 LOOP(coscrew_inverted_double, 2, DENSE, 48, 48, 8, 8)
 
 OVER(coscrew_inverted_single) {
@@ -85,6 +90,7 @@ OVER(coscrew_inverted_single) {
     STORE(coscrew_single, &co, 1, 1);
   }
 }
+STRIDED(coscrew_inverted_single)
 LOOP(coscrew_inverted_single, 2, DENSE, 24, 24, 4, 4)
 LOOPS(coscrew_inverted)
 
@@ -98,6 +104,7 @@ OVER(coscrew_invert_double) {
     STORE(coscrew_double, &self, 1, 1);
   }
 }
+STRIDED(coscrew_invert_double)
 LOOP(coscrew_invert_double, 2, DENSE, 48, 48, 8, 8)
 
 OVER(coscrew_invert_single) {
@@ -109,6 +116,7 @@ OVER(coscrew_invert_single) {
     STORE(coscrew_single, &self, 1, 1);
   }
 }
+STRIDED(coscrew_invert_single)
 LOOP(coscrew_invert_single, 2, DENSE, 24, 24, 4, 4)
 LOOPS(coscrew_invert)
 
@@ -126,6 +134,7 @@ OVER(axpy_cc_double) {
     STORE(coscrew_double, &y, 3, 2);
   }
 }
+STRIDED(axpy_cc_double)
 LOOP(axpy_cc_double, 4, DENSE_OR_ONE, 8, 48, 48, 48, 8, 8, 8)
 
 OVER(axpy_cc_single) {
@@ -141,6 +150,7 @@ OVER(axpy_cc_single) {
     STORE(coscrew_single, &y, 3, 2);
   }
 }
+STRIDED(axpy_cc_single)
 LOOP(axpy_cc_single, 4, DENSE_OR_ONE, 4, 24, 24, 24, 4, 4, 4)
 LOOPS(axpy_cc)
 
@@ -156,6 +166,7 @@ OVER(xpy_cc_double) {
     STORE(coscrew_double, &y, 2, 2);
   }
 }
+STRIDED(xpy_cc_double)
 LOOP(xpy_cc_double, 3, DENSE_OR_ONE, 48, 48, 48, 8, 8, 8)
 
 OVER(xpy_cc_single) {
@@ -169,6 +180,7 @@ OVER(xpy_cc_single) {
     STORE(coscrew_single, &y, 2, 2);
   }
 }
+STRIDED(xpy_cc_single)
 LOOP(xpy_cc_single, 3, DENSE_OR_ONE, 24, 24, 24, 4, 4, 4)
 LOOPS(xpy_cc)
 
@@ -184,6 +196,7 @@ OVER(nxpy_cc_double) {
     STORE(coscrew_double, &y, 2, 2);
   }
 }
+STRIDED(nxpy_cc_double)
 LOOP(nxpy_cc_double, 3, DENSE_OR_ONE, 48, 48, 48, 8, 8, 8)
 
 OVER(nxpy_cc_single) {
@@ -197,6 +210,7 @@ OVER(nxpy_cc_single) {
     STORE(coscrew_single, &y, 2, 2);
   }
 }
+STRIDED(nxpy_cc_single)
 LOOP(nxpy_cc_single, 3, DENSE_OR_ONE, 24, 24, 24, 4, 4, 4)
 LOOPS(nxpy_cc)
 
@@ -213,6 +227,7 @@ OVER(product_ac_double) {
     STORE(coscrew_double, &co, 2, 1);
   }
 }
+STRIDED(product_ac_double)
 LOOP(product_ac_double, 3, DENSE_OR_ONE, 8, 48, 48, 8, 8)
 
 OVER(product_ac_single) {
@@ -227,6 +242,7 @@ OVER(product_ac_single) {
     STORE(coscrew_single, &co, 2, 1);
   }
 }
+STRIDED(product_ac_single)
 LOOP(product_ac_single, 3, DENSE_OR_ONE, 4, 24, 24, 4, 4)
 LOOPS(product_ac)
 
@@ -243,6 +259,7 @@ OVER(add_cc_double) {
     STORE(coscrew_double, &co, 2, 2);
   }
 }
+STRIDED(add_cc_double)
 LOOP(add_cc_double, 3, DENSE_OR_ONE, 48, 48, 48, 8, 8, 8)
 
 OVER(add_cc_single) {
@@ -257,6 +274,7 @@ OVER(add_cc_single) {
     STORE(coscrew_single, &co, 2, 2);
   }
 }
+STRIDED(add_cc_single)
 LOOP(add_cc_single, 3, DENSE_OR_ONE, 24, 24, 24, 4, 4, 4)
 LOOPS(add_cc)
 
@@ -273,6 +291,7 @@ OVER(subtract_cc_double) {
     STORE(coscrew_double, &co, 2, 2);
   }
 }
+STRIDED(subtract_cc_double)
 LOOP(subtract_cc_double, 3, DENSE_OR_ONE, 48, 48, 48, 8, 8, 8)
 
 OVER(subtract_cc_single) {
@@ -287,6 +306,7 @@ OVER(subtract_cc_single) {
     STORE(coscrew_single, &co, 2, 2);
   }
 }
+STRIDED(subtract_cc_single)
 LOOP(subtract_cc_single, 3, DENSE_OR_ONE, 24, 24, 24, 4, 4, 4)
 LOOPS(subtract_cc)
 
@@ -301,6 +321,7 @@ OVER(coscrew_norm_double) {
     STORE(scalar_double, &norm, 1, 1);
   }
 }
+STRIDED(coscrew_norm_double)
 LOOP(coscrew_norm_double, 2, DENSE, 48, 8, 8)
 
 OVER(coscrew_norm_single) {
@@ -313,6 +334,7 @@ OVER(coscrew_norm_single) {
     STORE(scalar_single, &norm, 1, 1);
   }
 }
+STRIDED(coscrew_norm_single)
 LOOP(coscrew_norm_single, 2, DENSE, 24, 4, 4)
 LOOPS(coscrew_norm)
 
@@ -326,6 +348,7 @@ OVER(coscrew_normalize_double) {
     STORE(coscrew_double, &self, 1, 1);
   }
 }
+STRIDED(coscrew_normalize_double)
 LOOP(coscrew_normalize_double, 2, DENSE, 48, 48, 8, 8)
 
 OVER(coscrew_normalize_single) {
@@ -337,6 +360,7 @@ OVER(coscrew_normalize_single) {
     STORE(coscrew_single, &self, 1, 1);
   }
 }
+STRIDED(coscrew_normalize_single)
 LOOP(coscrew_normalize_single, 2, DENSE, 24, 24, 4, 4)
 LOOPS(coscrew_normalize)
 
@@ -351,6 +375,7 @@ OVER(coscrew_normalized_double) {
     STORE(coscrew_double, &co, 1, 1);
   }
 }
+STRIDED(coscrew_normalized_double)
 LOOP(coscrew_normalized_double, 2, DENSE, 48, 48, 8, 8)
 
 OVER(coscrew_normalized_single) {
@@ -363,6 +388,7 @@ OVER(coscrew_normalized_single) {
     STORE(coscrew_single, &co, 1, 1);
   }
 }
+STRIDED(coscrew_normalized_single)
 LOOP(coscrew_normalized_single, 2, DENSE, 24, 24, 4, 4)
 LOOPS(coscrew_normalized)
 
@@ -379,6 +405,7 @@ OVER(coscrew_from_lin_ang_double) {
     STORE(coscrew_double, &co, 2, 2);
   }
 }
+STRIDED(coscrew_from_lin_ang_double)
 LOOP(coscrew_from_lin_ang_double, 3, DENSE_OR_ONE, 24, 24, 48, 8, 8, 8)
 
 OVER(coscrew_from_lin_ang_single) {
@@ -393,6 +420,7 @@ OVER(coscrew_from_lin_ang_single) {
     STORE(coscrew_single, &co, 2, 2);
   }
 }
+STRIDED(coscrew_from_lin_ang_single)
 LOOP(coscrew_from_lin_ang_single, 3, DENSE_OR_ONE, 12, 12, 24, 4, 4, 4)
 LOOPS(coscrew_from_lin_ang)
 
@@ -407,6 +435,7 @@ OVER(coscrew_to_angular_first_double) {
     STORE(angular_first_double, x, 1, 1);
   }
 }
+STRIDED(coscrew_to_angular_first_double)
 LOOP(coscrew_to_angular_first_double, 2, DENSE, 48, 48, 8, 8)
 
 OVER(coscrew_to_angular_first_single) {
@@ -419,6 +448,7 @@ OVER(coscrew_to_angular_first_single) {
     STORE(angular_first_single, x, 1, 1);
   }
 }
+STRIDED(coscrew_to_angular_first_single)
 LOOP(coscrew_to_angular_first_single, 2, DENSE, 24, 24, 4, 4)
 LOOPS(coscrew_to_angular_first)
 
@@ -433,6 +463,7 @@ OVER(coscrew_from_angular_first_double) {
     STORE(coscrew_double, &co, 1, 1);
   }
 }
+STRIDED(coscrew_from_angular_first_double)
 LOOP(coscrew_from_angular_first_double, 2, DENSE, 48, 48, 8, 8)
 
 OVER(coscrew_from_angular_first_single) {
@@ -445,6 +476,7 @@ OVER(coscrew_from_angular_first_single) {
     STORE(coscrew_single, &co, 1, 1);
   }
 }
+STRIDED(coscrew_from_angular_first_single)
 LOOP(coscrew_from_angular_first_single, 2, DENSE, 24, 24, 4, 4)
 LOOPS(coscrew_from_angular_first)
 
@@ -461,6 +493,7 @@ OVER(add_cct_double) {
     STORE(coscrew_double, &co, 2, 2);
   }
 }
+STRIDED(add_cct_double)
 LOOP(add_cct_double, 3, DENSE_OR_ONE, 48, 48, 48, 8, 8, 8)
 
 OVER(add_cct_single) {
@@ -475,6 +508,7 @@ OVER(add_cct_single) {
     STORE(coscrew_single, &co, 2, 2);
   }
 }
+STRIDED(add_cct_single)
 LOOP(add_cct_single, 3, DENSE_OR_ONE, 24, 24, 24, 4, 4, 4)
 LOOPS(add_cct)
 
@@ -491,6 +525,7 @@ OVER(product_CoAdtc_double) {
     STORE(coscrew_double, &co, 2, 2);
   }
 }
+STRIDED(product_CoAdtc_double)
 LOOP(product_CoAdtc_double, 3, DENSE_OR_ONE, 24, 48, 48, 8, 8, 8)
 
 OVER(product_CoAdtc_single) {
@@ -505,6 +540,7 @@ OVER(product_CoAdtc_single) {
     STORE(coscrew_single, &co, 2, 2);
   }
 }
+STRIDED(product_CoAdtc_single)
 LOOP(product_CoAdtc_single, 3, DENSE_OR_ONE, 12, 24, 24, 4, 4, 4)
 LOOPS(product_CoAdtc)
 
@@ -521,6 +557,7 @@ OVER(product_CoAdtinvc_double) {
     STORE(coscrew_double, &co, 2, 2);
   }
 }
+STRIDED(product_CoAdtinvc_double)
 LOOP(product_CoAdtinvc_double, 3, DENSE_OR_ONE, 24, 48, 48, 8, 8, 8)
 
 OVER(product_CoAdtinvc_single) {
@@ -535,6 +572,7 @@ OVER(product_CoAdtinvc_single) {
     STORE(coscrew_single, &co, 2, 2);
   }
 }
+STRIDED(product_CoAdtinvc_single)
 LOOP(product_CoAdtinvc_single, 3, DENSE_OR_ONE, 12, 24, 24, 4, 4, 4)
 LOOPS(product_CoAdtinvc)
 
@@ -551,6 +589,7 @@ OVER(product_CoAdtcinv_double) {
     STORE(coscrew_double, &co, 2, 2);
   }
 }
+STRIDED(product_CoAdtcinv_double)
 LOOP(product_CoAdtcinv_double, 3, DENSE_OR_ONE, 24, 48, 48, 8, 8, 8)
 
 OVER(product_CoAdtcinv_single) {
@@ -565,6 +604,7 @@ OVER(product_CoAdtcinv_single) {
     STORE(coscrew_single, &co, 2, 2);
   }
 }
+STRIDED(product_CoAdtcinv_single)
 LOOP(product_CoAdtcinv_single, 3, DENSE_OR_ONE, 12, 24, 24, 4, 4, 4)
 LOOPS(product_CoAdtcinv)
 
@@ -581,6 +621,7 @@ OVER(product_CoAdrc_double) {
     STORE(coscrew_double, &co, 2, 3);
   }
 }
+STRIDED(product_CoAdrc_double)
 LOOP(product_CoAdrc_double, 3, DENSE_OR_ONE, 72, 48, 48, 24, 8, 8, 8)
 
 OVER(product_CoAdrc_single) {
@@ -595,6 +636,7 @@ OVER(product_CoAdrc_single) {
     STORE(coscrew_single, &co, 2, 3);
   }
 }
+STRIDED(product_CoAdrc_single)
 LOOP(product_CoAdrc_single, 3, DENSE_OR_ONE, 36, 24, 24, 12, 4, 4, 4)
 LOOPS(product_CoAdrc)
 
@@ -611,6 +653,7 @@ OVER(product_CoAdrinvc_double) {
     STORE(coscrew_double, &co, 2, 3);
   }
 }
+STRIDED(product_CoAdrinvc_double)
 LOOP(product_CoAdrinvc_double, 3, DENSE_OR_ONE, 72, 48, 48, 24, 8, 8, 8)
 
 OVER(product_CoAdrinvc_single) {
@@ -625,6 +668,7 @@ OVER(product_CoAdrinvc_single) {
     STORE(coscrew_single, &co, 2, 3);
   }
 }
+STRIDED(product_CoAdrinvc_single)
 LOOP(product_CoAdrinvc_single, 3, DENSE_OR_ONE, 36, 24, 24, 12, 4, 4, 4)
 LOOPS(product_CoAdrinvc)
 
@@ -641,6 +685,7 @@ OVER(product_CoAdrcinv_double) {
     STORE(coscrew_double, &co, 2, 3);
   }
 }
+STRIDED(product_CoAdrcinv_double)
 LOOP(product_CoAdrcinv_double, 3, DENSE_OR_ONE, 72, 48, 48, 24, 8, 8, 8)
 
 OVER(product_CoAdrcinv_single) {
@@ -655,6 +700,7 @@ OVER(product_CoAdrcinv_single) {
     STORE(coscrew_single, &co, 2, 3);
   }
 }
+STRIDED(product_CoAdrcinv_single)
 LOOP(product_CoAdrcinv_single, 3, DENSE_OR_ONE, 36, 24, 24, 12, 4, 4, 4)
 LOOPS(product_CoAdrcinv)
 
@@ -671,6 +717,7 @@ OVER(product_CoAdc_double) {
     STORE(coscrew_double, &co, 2, 3);
   }
 }
+STRIDED(product_CoAdc_double)
 LOOP(product_CoAdc_double, 3, DENSE_OR_ONE, 96, 48, 48, 32, 8, 8, 8)
 
 OVER(product_CoAdc_single) {
@@ -685,6 +732,7 @@ OVER(product_CoAdc_single) {
     STORE(coscrew_single, &co, 2, 3);
   }
 }
+STRIDED(product_CoAdc_single)
 LOOP(product_CoAdc_single, 3, DENSE_OR_ONE, 48, 24, 24, 16, 4, 4, 4)
 LOOPS(product_CoAdc)
 
@@ -701,6 +749,7 @@ OVER(product_CoAdinvc_double) {
     STORE(coscrew_double, &co, 2, 3);
   }
 }
+STRIDED(product_CoAdinvc_double)
 LOOP(product_CoAdinvc_double, 3, DENSE_OR_ONE, 96, 48, 48, 32, 8, 8, 8)
 
 OVER(product_CoAdinvc_single) {
@@ -715,6 +764,7 @@ OVER(product_CoAdinvc_single) {
     STORE(coscrew_single, &co, 2, 3);
   }
 }
+STRIDED(product_CoAdinvc_single)
 LOOP(product_CoAdinvc_single, 3, DENSE_OR_ONE, 48, 24, 24, 16, 4, 4, 4)
 LOOPS(product_CoAdinvc)
 
@@ -731,6 +781,7 @@ OVER(product_CoAdcinv_double) {
     STORE(coscrew_double, &co, 2, 3);
   }
 }
+STRIDED(product_CoAdcinv_double)
 LOOP(product_CoAdcinv_double, 3, DENSE_OR_ONE, 96, 48, 48, 32, 8, 8, 8)
 
 OVER(product_CoAdcinv_single) {
@@ -745,6 +796,7 @@ OVER(product_CoAdcinv_single) {
     STORE(coscrew_single, &co, 2, 3);
   }
 }
+STRIDED(product_CoAdcinv_single)
 LOOP(product_CoAdcinv_single, 3, DENSE_OR_ONE, 48, 24, 24, 16, 4, 4, 4)
 LOOPS(product_CoAdcinv)
 
@@ -759,6 +811,7 @@ OVER(hctx_double) {
     STORE(coscrew_double, &co, 1, 2);
   }
 }
+STRIDED(hctx_double)
 LOOP(hctx_double, 2, DENSE, 96, 48, 32, 8, 8)
 
 OVER(hctx_single) {
@@ -771,6 +824,7 @@ OVER(hctx_single) {
     STORE(coscrew_single, &co, 1, 2);
   }
 }
+STRIDED(hctx_single)
 LOOP(hctx_single, 2, DENSE, 48, 24, 16, 4, 4)
 LOOPS(hctx)
 
@@ -785,6 +839,7 @@ OVER(hcty_double) {
     STORE(coscrew_double, &co, 1, 2);
   }
 }
+STRIDED(hcty_double)
 LOOP(hcty_double, 2, DENSE, 96, 48, 32, 8, 8)
 
 OVER(hcty_single) {
@@ -797,6 +852,7 @@ OVER(hcty_single) {
     STORE(coscrew_single, &co, 1, 2);
   }
 }
+STRIDED(hcty_single)
 LOOP(hcty_single, 2, DENSE, 48, 24, 16, 4, 4)
 LOOPS(hcty)
 
@@ -811,6 +867,7 @@ OVER(hctz_double) {
     STORE(coscrew_double, &co, 1, 2);
   }
 }
+STRIDED(hctz_double)
 LOOP(hctz_double, 2, DENSE, 96, 48, 32, 8, 8)
 
 OVER(hctz_single) {
@@ -823,6 +880,7 @@ OVER(hctz_single) {
     STORE(coscrew_single, &co, 1, 2);
   }
 }
+STRIDED(hctz_single)
 LOOP(hctz_single, 2, DENSE, 48, 24, 16, 4, 4)
 LOOPS(hctz)
 
@@ -837,6 +895,7 @@ OVER(hcrx_double) {
     STORE(coscrew_double, &co, 1, 2);
   }
 }
+STRIDED(hcrx_double)
 LOOP(hcrx_double, 2, DENSE, 96, 48, 32, 8, 8)
 
 OVER(hcrx_single) {
@@ -849,6 +908,7 @@ OVER(hcrx_single) {
     STORE(coscrew_single, &co, 1, 2);
   }
 }
+STRIDED(hcrx_single)
 LOOP(hcrx_single, 2, DENSE, 48, 24, 16, 4, 4)
 LOOPS(hcrx)
 
@@ -863,6 +923,7 @@ OVER(hcry_double) {
     STORE(coscrew_double, &co, 1, 2);
   }
 }
+STRIDED(hcry_double)
 LOOP(hcry_double, 2, DENSE, 96, 48, 32, 8, 8)
 
 OVER(hcry_single) {
@@ -875,6 +936,7 @@ OVER(hcry_single) {
     STORE(coscrew_single, &co, 1, 2);
   }
 }
+STRIDED(hcry_single)
 LOOP(hcry_single, 2, DENSE, 48, 24, 16, 4, 4)
 LOOPS(hcry)
 
@@ -889,6 +951,7 @@ OVER(hcrz_double) {
     STORE(coscrew_double, &co, 1, 2);
   }
 }
+STRIDED(hcrz_double)
 LOOP(hcrz_double, 2, DENSE, 96, 48, 32, 8, 8)
 
 OVER(hcrz_single) {
@@ -901,6 +964,7 @@ OVER(hcrz_single) {
     STORE(coscrew_single, &co, 1, 2);
   }
 }
+STRIDED(hcrz_single)
 LOOP(hcrz_single, 2, DENSE, 48, 24, 16, 4, 4)
 LOOPS(hcrz)
 
@@ -915,6 +979,7 @@ OVER(hctxinv_double) {
     STORE(coscrew_double, &co, 1, 2);
   }
 }
+STRIDED(hctxinv_double)
 LOOP(hctxinv_double, 2, DENSE, 96, 48, 32, 8, 8)
 
 OVER(hctxinv_single) {
@@ -927,6 +992,7 @@ OVER(hctxinv_single) {
     STORE(coscrew_single, &co, 1, 2);
   }
 }
+STRIDED(hctxinv_single)
 LOOP(hctxinv_single, 2, DENSE, 48, 24, 16, 4, 4)
 LOOPS(hctxinv)
 
@@ -941,6 +1007,7 @@ OVER(hctyinv_double) {
     STORE(coscrew_double, &co, 1, 2);
   }
 }
+STRIDED(hctyinv_double)
 LOOP(hctyinv_double, 2, DENSE, 96, 48, 32, 8, 8)
 
 OVER(hctyinv_single) {
@@ -953,6 +1020,7 @@ OVER(hctyinv_single) {
     STORE(coscrew_single, &co, 1, 2);
   }
 }
+STRIDED(hctyinv_single)
 LOOP(hctyinv_single, 2, DENSE, 48, 24, 16, 4, 4)
 LOOPS(hctyinv)
 
@@ -967,6 +1035,7 @@ OVER(hctzinv_double) {
     STORE(coscrew_double, &co, 1, 2);
   }
 }
+STRIDED(hctzinv_double)
 LOOP(hctzinv_double, 2, DENSE, 96, 48, 32, 8, 8)
 
 OVER(hctzinv_single) {
@@ -979,6 +1048,7 @@ OVER(hctzinv_single) {
     STORE(coscrew_single, &co, 1, 2);
   }
 }
+STRIDED(hctzinv_single)
 LOOP(hctzinv_single, 2, DENSE, 48, 24, 16, 4, 4)
 LOOPS(hctzinv)
 
@@ -993,6 +1063,7 @@ OVER(hcrxinv_double) {
     STORE(coscrew_double, &co, 1, 2);
   }
 }
+STRIDED(hcrxinv_double)
 LOOP(hcrxinv_double, 2, DENSE, 96, 48, 32, 8, 8)
 
 OVER(hcrxinv_single) {
@@ -1005,6 +1076,7 @@ OVER(hcrxinv_single) {
     STORE(coscrew_single, &co, 1, 2);
   }
 }
+STRIDED(hcrxinv_single)
 LOOP(hcrxinv_single, 2, DENSE, 48, 24, 16, 4, 4)
 LOOPS(hcrxinv)
 
@@ -1019,6 +1091,7 @@ OVER(hcryinv_double) {
     STORE(coscrew_double, &co, 1, 2);
   }
 }
+STRIDED(hcryinv_double)
 LOOP(hcryinv_double, 2, DENSE, 96, 48, 32, 8, 8)
 
 OVER(hcryinv_single) {
@@ -1031,6 +1104,7 @@ OVER(hcryinv_single) {
     STORE(coscrew_single, &co, 1, 2);
   }
 }
+STRIDED(hcryinv_single)
 LOOP(hcryinv_single, 2, DENSE, 48, 24, 16, 4, 4)
 LOOPS(hcryinv)
 
@@ -1045,6 +1119,7 @@ OVER(hcrzinv_double) {
     STORE(coscrew_double, &co, 1, 2);
   }
 }
+STRIDED(hcrzinv_double)
 LOOP(hcrzinv_double, 2, DENSE, 96, 48, 32, 8, 8)
 
 OVER(hcrzinv_single) {
@@ -1057,6 +1132,7 @@ OVER(hcrzinv_single) {
     STORE(coscrew_single, &co, 1, 2);
   }
 }
+STRIDED(hcrzinv_single)
 LOOP(hcrzinv_single, 2, DENSE, 48, 24, 16, 4, 4)
 LOOPS(hcrzinv)
 
@@ -1071,6 +1147,7 @@ OVER(CoAd_double) {
     STORE(mat6x6_double, &M, 1, 2);
   }
 }
+STRIDED(CoAd_double)
 LOOP(CoAd_double, 2, DENSE, 96, 288, 32, 8, 48, 8)
 
 OVER(CoAd_single) {
@@ -1083,6 +1160,7 @@ OVER(CoAd_single) {
     STORE(mat6x6_single, &M, 1, 2);
   }
 }
+STRIDED(CoAd_single)
 LOOP(CoAd_single, 2, DENSE, 48, 144, 16, 4, 24, 4)
 LOOPS(CoAd)
 
@@ -1099,6 +1177,7 @@ OVER(reciprocal_product_double) {
     STORE(scalar_double, &power, 2, 2);
   }
 }
+STRIDED(reciprocal_product_double)
 LOOP(reciprocal_product_double, 3, DENSE_OR_ONE, 48, 48, 8, 8, 8)
 
 OVER(reciprocal_product_single) {
@@ -1113,6 +1192,7 @@ OVER(reciprocal_product_single) {
     STORE(scalar_single, &power, 2, 2);
   }
 }
+STRIDED(reciprocal_product_single)
 LOOP(reciprocal_product_single, 3, DENSE_OR_ONE, 24, 24, 4, 4, 4)
 LOOPS(reciprocal_product)
 
@@ -1129,6 +1209,7 @@ OVER(cross_sc_double) {
     STORE(coscrew_double, &co, 2, 2);
   }
 }
+STRIDED(cross_sc_double)
 LOOP(cross_sc_double, 3, DENSE_OR_ONE, 48, 48, 48, 8, 8, 8)
 
 OVER(cross_sc_single) {
@@ -1143,6 +1224,7 @@ OVER(cross_sc_single) {
     STORE(coscrew_single, &co, 2, 2);
   }
 }
+STRIDED(cross_sc_single)
 LOOP(cross_sc_single, 3, DENSE_OR_ONE, 24, 24, 24, 4, 4, 4)
 LOOPS(cross_sc)
 
@@ -1159,6 +1241,7 @@ OVER(cross_sca_double) {
     STORE(coscrew_double, &co, 2, 2);
   }
 }
+STRIDED(cross_sca_double)
 LOOP(cross_sca_double, 3, DENSE_OR_ONE, 48, 48, 48, 8, 8, 8)
 
 OVER(cross_sca_single) {
@@ -1173,6 +1256,7 @@ OVER(cross_sca_single) {
     STORE(coscrew_single, &co, 2, 2);
   }
 }
+STRIDED(cross_sca_single)
 LOOP(cross_sca_single, 3, DENSE_OR_ONE, 24, 24, 24, 4, 4, 4)
 LOOPS(cross_sca)
 
@@ -1189,6 +1273,7 @@ OVER(constraint_ctx_double) {
     STORE(coscrew_double, &co, 2, 3);
   }
 }
+STRIDED(constraint_ctx_double)
 LOOP(constraint_ctx_double, 3, DENSE_OR_ONE, 96, 48, 48, 32, 8, 8, 8)
 
 OVER(constraint_ctx_single) {
@@ -1203,6 +1288,7 @@ OVER(constraint_ctx_single) {
     STORE(coscrew_single, &co, 2, 3);
   }
 }
+STRIDED(constraint_ctx_single)
 LOOP(constraint_ctx_single, 3, DENSE_OR_ONE, 48, 24, 24, 16, 4, 4, 4)
 LOOPS(constraint_ctx)
 
@@ -1219,6 +1305,7 @@ OVER(constraint_cty_double) {
     STORE(coscrew_double, &co, 2, 3);
   }
 }
+STRIDED(constraint_cty_double)
 LOOP(constraint_cty_double, 3, DENSE_OR_ONE, 96, 48, 48, 32, 8, 8, 8)
 
 OVER(constraint_cty_single) {
@@ -1233,6 +1320,7 @@ OVER(constraint_cty_single) {
     STORE(coscrew_single, &co, 2, 3);
   }
 }
+STRIDED(constraint_cty_single)
 LOOP(constraint_cty_single, 3, DENSE_OR_ONE, 48, 24, 24, 16, 4, 4, 4)
 LOOPS(constraint_cty)
 
@@ -1249,6 +1337,7 @@ OVER(constraint_ctz_double) {
     STORE(coscrew_double, &co, 2, 3);
   }
 }
+STRIDED(constraint_ctz_double)
 LOOP(constraint_ctz_double, 3, DENSE_OR_ONE, 96, 48, 48, 32, 8, 8, 8)
 
 OVER(constraint_ctz_single) {
@@ -1263,6 +1352,7 @@ OVER(constraint_ctz_single) {
     STORE(coscrew_single, &co, 2, 3);
   }
 }
+STRIDED(constraint_ctz_single)
 LOOP(constraint_ctz_single, 3, DENSE_OR_ONE, 48, 24, 24, 16, 4, 4, 4)
 LOOPS(constraint_ctz)
 
@@ -1279,6 +1369,7 @@ OVER(constraint_crx_double) {
     STORE(coscrew_double, &co, 2, 3);
   }
 }
+STRIDED(constraint_crx_double)
 LOOP(constraint_crx_double, 3, DENSE_OR_ONE, 96, 48, 48, 32, 8, 8, 8)
 
 OVER(constraint_crx_single) {
@@ -1293,6 +1384,7 @@ OVER(constraint_crx_single) {
     STORE(coscrew_single, &co, 2, 3);
   }
 }
+STRIDED(constraint_crx_single)
 LOOP(constraint_crx_single, 3, DENSE_OR_ONE, 48, 24, 24, 16, 4, 4, 4)
 LOOPS(constraint_crx)
 
@@ -1309,6 +1401,7 @@ OVER(constraint_cry_double) {
     STORE(coscrew_double, &co, 2, 3);
   }
 }
+STRIDED(constraint_cry_double)
 LOOP(constraint_cry_double, 3, DENSE_OR_ONE, 96, 48, 48, 32, 8, 8, 8)
 
 OVER(constraint_cry_single) {
@@ -1323,6 +1416,7 @@ OVER(constraint_cry_single) {
     STORE(coscrew_single, &co, 2, 3);
   }
 }
+STRIDED(constraint_cry_single)
 LOOP(constraint_cry_single, 3, DENSE_OR_ONE, 48, 24, 24, 16, 4, 4, 4)
 LOOPS(constraint_cry)
 
@@ -1339,6 +1433,7 @@ OVER(constraint_crz_double) {
     STORE(coscrew_double, &co, 2, 3);
   }
 }
+STRIDED(constraint_crz_double)
 LOOP(constraint_crz_double, 3, DENSE_OR_ONE, 96, 48, 48, 32, 8, 8, 8)
 
 OVER(constraint_crz_single) {
@@ -1353,6 +1448,7 @@ OVER(constraint_crz_single) {
     STORE(coscrew_single, &co, 2, 3);
   }
 }
+STRIDED(constraint_crz_single)
 LOOP(constraint_crz_single, 3, DENSE_OR_ONE, 48, 24, 24, 16, 4, 4, 4)
 LOOPS(constraint_crz)
 
@@ -1369,6 +1465,7 @@ OVER(working_ctx_double) {
     STORE(coscrew_double, &co, 2, 3);
   }
 }
+STRIDED(working_ctx_double)
 LOOP(working_ctx_double, 3, DENSE_OR_ONE, 96, 48, 48, 32, 8, 8, 8)
 
 OVER(working_ctx_single) {
@@ -1383,6 +1480,7 @@ OVER(working_ctx_single) {
     STORE(coscrew_single, &co, 2, 3);
   }
 }
+STRIDED(working_ctx_single)
 LOOP(working_ctx_single, 3, DENSE_OR_ONE, 48, 24, 24, 16, 4, 4, 4)
 LOOPS(working_ctx)
 
@@ -1399,6 +1497,7 @@ OVER(working_cty_double) {
     STORE(coscrew_double, &co, 2, 3);
   }
 }
+STRIDED(working_cty_double)
 LOOP(working_cty_double, 3, DENSE_OR_ONE, 96, 48, 48, 32, 8, 8, 8)
 
 OVER(working_cty_single) {
@@ -1413,6 +1512,7 @@ OVER(working_cty_single) {
     STORE(coscrew_single, &co, 2, 3);
   }
 }
+STRIDED(working_cty_single)
 LOOP(working_cty_single, 3, DENSE_OR_ONE, 48, 24, 24, 16, 4, 4, 4)
 LOOPS(working_cty)
 
@@ -1429,6 +1529,7 @@ OVER(working_ctz_double) {
     STORE(coscrew_double, &co, 2, 3);
   }
 }
+STRIDED(working_ctz_double)
 LOOP(working_ctz_double, 3, DENSE_OR_ONE, 96, 48, 48, 32, 8, 8, 8)
 
 OVER(working_ctz_single) {
@@ -1443,6 +1544,7 @@ OVER(working_ctz_single) {
     STORE(coscrew_single, &co, 2, 3);
   }
 }
+STRIDED(working_ctz_single)
 LOOP(working_ctz_single, 3, DENSE_OR_ONE, 48, 24, 24, 16, 4, 4, 4)
 LOOPS(working_ctz)
 
@@ -1459,6 +1561,7 @@ OVER(working_crx_double) {
     STORE(coscrew_double, &co, 2, 3);
   }
 }
+STRIDED(working_crx_double)
 LOOP(working_crx_double, 3, DENSE_OR_ONE, 96, 48, 48, 32, 8, 8, 8)
 
 OVER(working_crx_single) {
@@ -1473,6 +1576,7 @@ OVER(working_crx_single) {
     STORE(coscrew_single, &co, 2, 3);
   }
 }
+STRIDED(working_crx_single)
 LOOP(working_crx_single, 3, DENSE_OR_ONE, 48, 24, 24, 16, 4, 4, 4)
 LOOPS(working_crx)
 
@@ -1489,6 +1593,7 @@ OVER(working_cry_double) {
     STORE(coscrew_double, &co, 2, 3);
   }
 }
+STRIDED(working_cry_double)
 LOOP(working_cry_double, 3, DENSE_OR_ONE, 96, 48, 48, 32, 8, 8, 8)
 
 OVER(working_cry_single) {
@@ -1503,6 +1608,7 @@ OVER(working_cry_single) {
     STORE(coscrew_single, &co, 2, 3);
   }
 }
+STRIDED(working_cry_single)
 LOOP(working_cry_single, 3, DENSE_OR_ONE, 48, 24, 24, 16, 4, 4, 4)
 LOOPS(working_cry)
 
@@ -1519,6 +1625,7 @@ OVER(working_crz_double) {
     STORE(coscrew_double, &co, 2, 3);
   }
 }
+STRIDED(working_crz_double)
 LOOP(working_crz_double, 3, DENSE_OR_ONE, 96, 48, 48, 32, 8, 8, 8)
 
 OVER(working_crz_single) {
@@ -1533,6 +1640,7 @@ OVER(working_crz_single) {
     STORE(coscrew_single, &co, 2, 3);
   }
 }
+STRIDED(working_crz_single)
 LOOP(working_crz_single, 3, DENSE_OR_ONE, 48, 24, 24, 16, 4, 4, 4)
 LOOPS(working_crz)
 
@@ -1547,6 +1655,7 @@ OVER(coad_double) {
     STORE(mat6x6_double, &M, 1, 1);
   }
 }
+STRIDED(coad_double)
 LOOP(coad_double, 2, DENSE, 48, 288, 8, 48, 8)
 
 OVER(coad_single) {
@@ -1559,6 +1668,7 @@ OVER(coad_single) {
     STORE(mat6x6_single, &M, 1, 1);
   }
 }
+STRIDED(coad_single)
 LOOP(coad_single, 2, DENSE, 24, 144, 4, 24, 4)
 LOOPS(coad)
 

@@ -23,6 +23,7 @@ OVER(sincos_double) {
     STORE(scalar_double, &c, 2, 0);
   }
 }
+STRIDED(sincos_double)
 
 #if KSL_LANE_BYTES
 /* The same on vectors; 0, and nothing is written, if that raises flags that are not yet raised. */
@@ -60,7 +61,7 @@ INLINED int sincos_double_on_vectors(
 
 static APART void sincos_double_many(
     char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  const vector_loop loop = { sincos_double_over, sincos_double_on_vectors, 3,
+  const vector_loop loop = { sincos_double_strided, sincos_double_on_vectors, 3,
     KSL_LANES, 128 * KSL_LANES };
   many_elements(&loop, data, n, step, core);
 }
@@ -79,6 +80,7 @@ OVER(sincos_single) {
     STORE(scalar_single, &c, 2, 0);
   }
 }
+STRIDED(sincos_single)
 
 #if KSL_LANE_BYTES
 /* The same on vectors; 0, and nothing is written, if that raises flags that are not yet raised. */
@@ -116,7 +118,7 @@ INLINED int sincos_single_on_vectors(
 
 static APART void sincos_single_many(
     char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  const vector_loop loop = { sincos_single_over, sincos_single_on_vectors, 3,
+  const vector_loop loop = { sincos_single_strided, sincos_single_on_vectors, 3,
     KSL_LANESF, 128 * KSL_LANESF };
   many_elements(&loop, data, n, step, core);
 }
@@ -135,6 +137,7 @@ OVER(sin_double) {
     STORE(scalar_double, &s, 1, 0);
   }
 }
+STRIDED(sin_double)
 
 #if KSL_LANE_BYTES
 /* The same on vectors; 0, and nothing is written, if that raises flags that are not yet raised. */
@@ -168,7 +171,7 @@ INLINED int sin_double_on_vectors(
 
 static APART void sin_double_many(
     char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  const vector_loop loop = { sin_double_over, sin_double_on_vectors, 2,
+  const vector_loop loop = { sin_double_strided, sin_double_on_vectors, 2,
     KSL_LANES, 256 * KSL_LANES };
   many_elements(&loop, data, n, step, core);
 }
@@ -185,6 +188,7 @@ OVER(sin_single) {
     STORE(scalar_single, &s, 1, 0);
   }
 }
+STRIDED(sin_single)
 
 #if KSL_LANE_BYTES
 /* The same on vectors; 0, and nothing is written, if that raises flags that are not yet raised. */
@@ -218,7 +222,7 @@ INLINED int sin_single_on_vectors(
 
 static APART void sin_single_many(
     char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  const vector_loop loop = { sin_single_over, sin_single_on_vectors, 2,
+  const vector_loop loop = { sin_single_strided, sin_single_on_vectors, 2,
     KSL_LANESF, 256 * KSL_LANESF };
   many_elements(&loop, data, n, step, core);
 }
@@ -237,6 +241,7 @@ OVER(cos_double) {
     STORE(scalar_double, &c, 1, 0);
   }
 }
+STRIDED(cos_double)
 
 #if KSL_LANE_BYTES
 /* The same on vectors; 0, and nothing is written, if that raises flags that are not yet raised. */
@@ -270,7 +275,7 @@ INLINED int cos_double_on_vectors(
 
 static APART void cos_double_many(
     char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  const vector_loop loop = { cos_double_over, cos_double_on_vectors, 2,
+  const vector_loop loop = { cos_double_strided, cos_double_on_vectors, 2,
     KSL_LANES, 256 * KSL_LANES };
   many_elements(&loop, data, n, step, core);
 }
@@ -287,6 +292,7 @@ OVER(cos_single) {
     STORE(scalar_single, &c, 1, 0);
   }
 }
+STRIDED(cos_single)
 
 #if KSL_LANE_BYTES
 /* The same on vectors; 0, and nothing is written, if that raises flags that are not yet raised. */
@@ -320,7 +326,7 @@ INLINED int cos_single_on_vectors(
 
 static APART void cos_single_many(
     char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  const vector_loop loop = { cos_single_over, cos_single_on_vectors, 2,
+  const vector_loop loop = { cos_single_strided, cos_single_on_vectors, 2,
     KSL_LANESF, 256 * KSL_LANESF };
   many_elements(&loop, data, n, step, core);
 }
@@ -339,6 +345,7 @@ OVER(exp_double) {
     STORE(scalar_double, &y, 1, 0);
   }
 }
+STRIDED(exp_double)
 
 #if KSL_LANE_BYTES
 /* The same on vectors; 0, and nothing is written, if that raises flags that are not yet raised. */
@@ -372,7 +379,7 @@ INLINED int exp_double_on_vectors(
 
 static APART void exp_double_many(
     char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  const vector_loop loop = { exp_double_over, exp_double_on_vectors, 2,
+  const vector_loop loop = { exp_double_strided, exp_double_on_vectors, 2,
     KSL_LANES, 256 * KSL_LANES };
   many_elements(&loop, data, n, step, core);
 }
@@ -389,6 +396,7 @@ OVER(exp_single) {
     STORE(scalar_single, &y, 1, 0);
   }
 }
+STRIDED(exp_single)
 
 #if KSL_LANE_BYTES
 /* The same on vectors; 0, and nothing is written, if that raises flags that are not yet raised. */
@@ -422,7 +430,7 @@ INLINED int exp_single_on_vectors(
 
 static APART void exp_single_many(
     char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  const vector_loop loop = { exp_single_over, exp_single_on_vectors, 2,
+  const vector_loop loop = { exp_single_strided, exp_single_on_vectors, 2,
     KSL_LANESF, 256 * KSL_LANESF };
   many_elements(&loop, data, n, step, core);
 }
@@ -441,6 +449,7 @@ OVER(tanh_double) {
     STORE(scalar_double, &y, 1, 0);
   }
 }
+STRIDED(tanh_double)
 
 #if KSL_LANE_BYTES
 /* The same on vectors; 0, and nothing is written, if that raises flags that are not yet raised. */
@@ -474,7 +483,7 @@ INLINED int tanh_double_on_vectors(
 
 static APART void tanh_double_many(
     char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  const vector_loop loop = { tanh_double_over, tanh_double_on_vectors, 2,
+  const vector_loop loop = { tanh_double_strided, tanh_double_on_vectors, 2,
     KSL_LANES, 256 * KSL_LANES };
   many_elements(&loop, data, n, step, core);
 }
@@ -491,6 +500,7 @@ OVER(tanh_single) {
     STORE(scalar_single, &y, 1, 0);
   }
 }
+STRIDED(tanh_single)
 
 #if KSL_LANE_BYTES
 /* The same on vectors; 0, and nothing is written, if that raises flags that are not yet raised. */
@@ -524,7 +534,7 @@ INLINED int tanh_single_on_vectors(
 
 static APART void tanh_single_many(
     char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  const vector_loop loop = { tanh_single_over, tanh_single_on_vectors, 2,
+  const vector_loop loop = { tanh_single_strided, tanh_single_on_vectors, 2,
     KSL_LANESF, 256 * KSL_LANESF };
   many_elements(&loop, data, n, step, core);
 }
@@ -545,6 +555,7 @@ OVER(atan2_double) {
     STORE(scalar_double, &angle, 2, 0);
   }
 }
+STRIDED(atan2_double)
 
 #if KSL_LANE_BYTES
 /* The same on vectors; 0, and nothing is written, if that raises flags that are not yet raised. */
@@ -581,7 +592,7 @@ INLINED int atan2_double_on_vectors(
 
 static APART void atan2_double_many(
     char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  const vector_loop loop = { atan2_double_over, atan2_double_on_vectors, 3,
+  const vector_loop loop = { atan2_double_strided, atan2_double_on_vectors, 3,
     KSL_LANES, 256 * KSL_LANES };
   many_elements(&loop, data, n, step, core);
 }
@@ -600,6 +611,7 @@ OVER(atan2_single) {
     STORE(scalar_single, &angle, 2, 0);
   }
 }
+STRIDED(atan2_single)
 
 #if KSL_LANE_BYTES
 /* The same on vectors; 0, and nothing is written, if that raises flags that are not yet raised. */
@@ -636,7 +648,7 @@ INLINED int atan2_single_on_vectors(
 
 static APART void atan2_single_many(
     char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  const vector_loop loop = { atan2_single_over, atan2_single_on_vectors, 3,
+  const vector_loop loop = { atan2_single_strided, atan2_single_on_vectors, 3,
     KSL_LANESF, 256 * KSL_LANESF };
   many_elements(&loop, data, n, step, core);
 }

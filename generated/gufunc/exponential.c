@@ -21,6 +21,7 @@ OVER(SO3_exp_double) {
     STORE(mat3x3_double, &R, 1, 1);
   }
 }
+STRIDED(SO3_exp_double)
 
 #if KSL_LANE_BYTES
 /* The same on vectors; 0, and nothing is written, if that raises flags that are not yet raised. */
@@ -54,12 +55,12 @@ INLINED int SO3_exp_double_on_vectors(
 
 static APART void SO3_exp_double_many(
     char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  const vector_loop loop = { SO3_exp_double_over, SO3_exp_double_on_vectors, 2,
+  const vector_loop loop = { SO3_exp_double_strided, SO3_exp_double_on_vectors, 2,
     KSL_LANES, 28 * KSL_LANES };
   many_elements(&loop, data, n, step, core);
 }
 #endif
-LOOP_ON_VECTORS(SO3_exp_double, 2, DENSE, 24, 72, 8, 24, 8)
+LOOP_ON_VECTORS(SO3_exp_double, 2, ANY, 24, 72, 8, 24, 8)
 
 OVER(SO3_exp_single) {
   POINTERS_2
@@ -71,6 +72,7 @@ OVER(SO3_exp_single) {
     STORE(mat3x3_single, &R, 1, 1);
   }
 }
+STRIDED(SO3_exp_single)
 
 #if KSL_LANE_BYTES
 /* The same on vectors; 0, and nothing is written, if that raises flags that are not yet raised. */
@@ -104,7 +106,7 @@ INLINED int SO3_exp_single_on_vectors(
 
 static APART void SO3_exp_single_many(
     char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  const vector_loop loop = { SO3_exp_single_over, SO3_exp_single_on_vectors, 2,
+  const vector_loop loop = { SO3_exp_single_strided, SO3_exp_single_on_vectors, 2,
     KSL_LANESF, 28 * KSL_LANESF };
   many_elements(&loop, data, n, step, core);
 }
@@ -123,6 +125,7 @@ OVER(SO3_log_double) {
     STORE(vec3_double, &vo, 1, 2);
   }
 }
+STRIDED(SO3_log_double)
 
 #if KSL_LANE_BYTES
 /* The same on vectors; 0, and nothing is written, if that raises flags that are not yet raised. */
@@ -156,7 +159,7 @@ INLINED int SO3_log_double_on_vectors(
 
 static APART void SO3_log_double_many(
     char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  const vector_loop loop = { SO3_log_double_over, SO3_log_double_on_vectors, 2,
+  const vector_loop loop = { SO3_log_double_strided, SO3_log_double_on_vectors, 2,
     KSL_LANES, 85 * KSL_LANES };
   many_elements(&loop, data, n, step, core);
 }
@@ -173,6 +176,7 @@ OVER(SO3_log_single) {
     STORE(vec3_single, &vo, 1, 2);
   }
 }
+STRIDED(SO3_log_single)
 
 #if KSL_LANE_BYTES
 /* The same on vectors; 0, and nothing is written, if that raises flags that are not yet raised. */
@@ -206,7 +210,7 @@ INLINED int SO3_log_single_on_vectors(
 
 static APART void SO3_log_single_many(
     char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  const vector_loop loop = { SO3_log_single_over, SO3_log_single_on_vectors, 2,
+  const vector_loop loop = { SO3_log_single_strided, SO3_log_single_on_vectors, 2,
     KSL_LANESF, 85 * KSL_LANESF };
   many_elements(&loop, data, n, step, core);
 }
@@ -225,6 +229,7 @@ OVER(SO3_leftJacobian_double) {
     STORE(mat3x3_double, &R, 1, 1);
   }
 }
+STRIDED(SO3_leftJacobian_double)
 
 #if KSL_LANE_BYTES
 /* The same on vectors; 0, and nothing is written, if that raises flags that are not yet raised. */
@@ -258,12 +263,12 @@ INLINED int SO3_leftJacobian_double_on_vectors(
 
 static APART void SO3_leftJacobian_double_many(
     char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  const vector_loop loop = { SO3_leftJacobian_double_over, SO3_leftJacobian_double_on_vectors, 2,
+  const vector_loop loop = { SO3_leftJacobian_double_strided, SO3_leftJacobian_double_on_vectors, 2,
     KSL_LANES, 28 * KSL_LANES };
   many_elements(&loop, data, n, step, core);
 }
 #endif
-LOOP_ON_VECTORS(SO3_leftJacobian_double, 2, DENSE, 24, 72, 8, 24, 8)
+LOOP_ON_VECTORS(SO3_leftJacobian_double, 2, ANY, 24, 72, 8, 24, 8)
 
 OVER(SO3_leftJacobian_single) {
   POINTERS_2
@@ -275,6 +280,7 @@ OVER(SO3_leftJacobian_single) {
     STORE(mat3x3_single, &R, 1, 1);
   }
 }
+STRIDED(SO3_leftJacobian_single)
 
 #if KSL_LANE_BYTES
 /* The same on vectors; 0, and nothing is written, if that raises flags that are not yet raised. */
@@ -308,12 +314,12 @@ INLINED int SO3_leftJacobian_single_on_vectors(
 
 static APART void SO3_leftJacobian_single_many(
     char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  const vector_loop loop = { SO3_leftJacobian_single_over, SO3_leftJacobian_single_on_vectors, 2,
+  const vector_loop loop = { SO3_leftJacobian_single_strided, SO3_leftJacobian_single_on_vectors, 2,
     KSL_LANESF, 28 * KSL_LANESF };
   many_elements(&loop, data, n, step, core);
 }
 #endif
-LOOP_ON_VECTORS(SO3_leftJacobian_single, 2, DENSE, 12, 36, 4, 12, 4)
+LOOP_ON_VECTORS(SO3_leftJacobian_single, 2, ANY, 12, 36, 4, 12, 4)
 LOOPS(SO3_leftJacobian)
 
 /* (3)->(3,3) */
@@ -327,6 +333,7 @@ OVER(SO3_rightJacobian_double) {
     STORE(mat3x3_double, &R, 1, 1);
   }
 }
+STRIDED(SO3_rightJacobian_double)
 
 #if KSL_LANE_BYTES
 /* The same on vectors; 0, and nothing is written, if that raises flags that are not yet raised. */
@@ -360,12 +367,12 @@ INLINED int SO3_rightJacobian_double_on_vectors(
 
 static APART void SO3_rightJacobian_double_many(
     char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  const vector_loop loop = { SO3_rightJacobian_double_over, SO3_rightJacobian_double_on_vectors, 2,
+  const vector_loop loop = { SO3_rightJacobian_double_strided, SO3_rightJacobian_double_on_vectors, 2,
     KSL_LANES, 28 * KSL_LANES };
   many_elements(&loop, data, n, step, core);
 }
 #endif
-LOOP_ON_VECTORS(SO3_rightJacobian_double, 2, DENSE, 24, 72, 8, 24, 8)
+LOOP_ON_VECTORS(SO3_rightJacobian_double, 2, ANY, 24, 72, 8, 24, 8)
 
 OVER(SO3_rightJacobian_single) {
   POINTERS_2
@@ -377,6 +384,7 @@ OVER(SO3_rightJacobian_single) {
     STORE(mat3x3_single, &R, 1, 1);
   }
 }
+STRIDED(SO3_rightJacobian_single)
 
 #if KSL_LANE_BYTES
 /* The same on vectors; 0, and nothing is written, if that raises flags that are not yet raised. */
@@ -410,12 +418,12 @@ INLINED int SO3_rightJacobian_single_on_vectors(
 
 static APART void SO3_rightJacobian_single_many(
     char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  const vector_loop loop = { SO3_rightJacobian_single_over, SO3_rightJacobian_single_on_vectors, 2,
+  const vector_loop loop = { SO3_rightJacobian_single_strided, SO3_rightJacobian_single_on_vectors, 2,
     KSL_LANESF, 28 * KSL_LANESF };
   many_elements(&loop, data, n, step, core);
 }
 #endif
-LOOP_ON_VECTORS(SO3_rightJacobian_single, 2, DENSE, 12, 36, 4, 12, 4)
+LOOP_ON_VECTORS(SO3_rightJacobian_single, 2, ANY, 12, 36, 4, 12, 4)
 LOOPS(SO3_rightJacobian)
 
 /* (3)->(3,3) */
@@ -429,6 +437,7 @@ OVER(SO3_leftJacobianInverse_double) {
     STORE(mat3x3_double, &R, 1, 1);
   }
 }
+STRIDED(SO3_leftJacobianInverse_double)
 
 #if KSL_LANE_BYTES
 /* The same on vectors; 0, and nothing is written, if that raises flags that are not yet raised. */
@@ -462,7 +471,7 @@ INLINED int SO3_leftJacobianInverse_double_on_vectors(
 
 static APART void SO3_leftJacobianInverse_double_many(
     char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  const vector_loop loop = { SO3_leftJacobianInverse_double_over, SO3_leftJacobianInverse_double_on_vectors, 2,
+  const vector_loop loop = { SO3_leftJacobianInverse_double_strided, SO3_leftJacobianInverse_double_on_vectors, 2,
     KSL_LANES, 28 * KSL_LANES };
   many_elements(&loop, data, n, step, core);
 }
@@ -479,6 +488,7 @@ OVER(SO3_leftJacobianInverse_single) {
     STORE(mat3x3_single, &R, 1, 1);
   }
 }
+STRIDED(SO3_leftJacobianInverse_single)
 
 #if KSL_LANE_BYTES
 /* The same on vectors; 0, and nothing is written, if that raises flags that are not yet raised. */
@@ -512,7 +522,7 @@ INLINED int SO3_leftJacobianInverse_single_on_vectors(
 
 static APART void SO3_leftJacobianInverse_single_many(
     char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  const vector_loop loop = { SO3_leftJacobianInverse_single_over, SO3_leftJacobianInverse_single_on_vectors, 2,
+  const vector_loop loop = { SO3_leftJacobianInverse_single_strided, SO3_leftJacobianInverse_single_on_vectors, 2,
     KSL_LANESF, 28 * KSL_LANESF };
   many_elements(&loop, data, n, step, core);
 }
@@ -531,6 +541,7 @@ OVER(SO3_rightJacobianInverse_double) {
     STORE(mat3x3_double, &R, 1, 1);
   }
 }
+STRIDED(SO3_rightJacobianInverse_double)
 
 #if KSL_LANE_BYTES
 /* The same on vectors; 0, and nothing is written, if that raises flags that are not yet raised. */
@@ -564,7 +575,7 @@ INLINED int SO3_rightJacobianInverse_double_on_vectors(
 
 static APART void SO3_rightJacobianInverse_double_many(
     char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  const vector_loop loop = { SO3_rightJacobianInverse_double_over, SO3_rightJacobianInverse_double_on_vectors, 2,
+  const vector_loop loop = { SO3_rightJacobianInverse_double_strided, SO3_rightJacobianInverse_double_on_vectors, 2,
     KSL_LANES, 28 * KSL_LANES };
   many_elements(&loop, data, n, step, core);
 }
@@ -581,6 +592,7 @@ OVER(SO3_rightJacobianInverse_single) {
     STORE(mat3x3_single, &R, 1, 1);
   }
 }
+STRIDED(SO3_rightJacobianInverse_single)
 
 #if KSL_LANE_BYTES
 /* The same on vectors; 0, and nothing is written, if that raises flags that are not yet raised. */
@@ -614,7 +626,7 @@ INLINED int SO3_rightJacobianInverse_single_on_vectors(
 
 static APART void SO3_rightJacobianInverse_single_many(
     char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  const vector_loop loop = { SO3_rightJacobianInverse_single_over, SO3_rightJacobianInverse_single_on_vectors, 2,
+  const vector_loop loop = { SO3_rightJacobianInverse_single_strided, SO3_rightJacobianInverse_single_on_vectors, 2,
     KSL_LANESF, 28 * KSL_LANESF };
   many_elements(&loop, data, n, step, core);
 }
@@ -632,6 +644,7 @@ OVER(mat3x3_orthonormalize_double) {
     STORE(mat3x3_double, &self, 1, 2);
   }
 }
+STRIDED(mat3x3_orthonormalize_double)
 LOOP(mat3x3_orthonormalize_double, 2, DENSE, 72, 72, 24, 8, 24, 8)
 
 OVER(mat3x3_orthonormalize_single) {
@@ -643,6 +656,7 @@ OVER(mat3x3_orthonormalize_single) {
     STORE(mat3x3_single, &self, 1, 2);
   }
 }
+STRIDED(mat3x3_orthonormalize_single)
 LOOP(mat3x3_orthonormalize_single, 2, DENSE, 36, 36, 12, 4, 12, 4)
 LOOPS(mat3x3_orthonormalize)
 
@@ -657,6 +671,7 @@ OVER(mat3x3_orthonormalized_double) {
     STORE(mat3x3_double, &Ro, 1, 2);
   }
 }
+STRIDED(mat3x3_orthonormalized_double)
 LOOP(mat3x3_orthonormalized_double, 2, DENSE, 72, 72, 24, 8, 24, 8)
 
 OVER(mat3x3_orthonormalized_single) {
@@ -669,6 +684,7 @@ OVER(mat3x3_orthonormalized_single) {
     STORE(mat3x3_single, &Ro, 1, 2);
   }
 }
+STRIDED(mat3x3_orthonormalized_single)
 LOOP(mat3x3_orthonormalized_single, 2, DENSE, 36, 36, 12, 4, 12, 4)
 LOOPS(mat3x3_orthonormalized)
 
@@ -683,6 +699,7 @@ OVER(SE3_exp_double) {
     STORE(SE3_double, &D, 1, 1);
   }
 }
+STRIDED(SE3_exp_double)
 
 #if KSL_LANE_BYTES
 /* The same on vectors; 0, and nothing is written, if that raises flags that are not yet raised. */
@@ -716,12 +733,12 @@ INLINED int SE3_exp_double_on_vectors(
 
 static APART void SE3_exp_double_many(
     char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  const vector_loop loop = { SE3_exp_double_over, SE3_exp_double_on_vectors, 2,
+  const vector_loop loop = { SE3_exp_double_strided, SE3_exp_double_on_vectors, 2,
     KSL_LANES, 21 * KSL_LANES };
   many_elements(&loop, data, n, step, core);
 }
 #endif
-LOOP_ON_VECTORS(SE3_exp_double, 2, DENSE, 48, 96, 8, 32, 8)
+LOOP_ON_VECTORS(SE3_exp_double, 2, ANY, 48, 96, 8, 32, 8)
 
 OVER(SE3_exp_single) {
   POINTERS_2
@@ -733,6 +750,7 @@ OVER(SE3_exp_single) {
     STORE(SE3_single, &D, 1, 1);
   }
 }
+STRIDED(SE3_exp_single)
 
 #if KSL_LANE_BYTES
 /* The same on vectors; 0, and nothing is written, if that raises flags that are not yet raised. */
@@ -766,12 +784,12 @@ INLINED int SE3_exp_single_on_vectors(
 
 static APART void SE3_exp_single_many(
     char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  const vector_loop loop = { SE3_exp_single_over, SE3_exp_single_on_vectors, 2,
+  const vector_loop loop = { SE3_exp_single_strided, SE3_exp_single_on_vectors, 2,
     KSL_LANESF, 21 * KSL_LANESF };
   many_elements(&loop, data, n, step, core);
 }
 #endif
-LOOP_ON_VECTORS(SE3_exp_single, 2, DENSE, 24, 48, 4, 16, 4)
+LOOP_ON_VECTORS(SE3_exp_single, 2, ANY, 24, 48, 4, 16, 4)
 LOOPS(SE3_exp)
 
 /* (3,4)->(6) */
@@ -785,6 +803,7 @@ OVER(SE3_log_double) {
     STORE(screw_double, &so, 1, 2);
   }
 }
+STRIDED(SE3_log_double)
 
 #if KSL_LANE_BYTES
 /* The same on vectors; 0, and nothing is written, if that raises flags that are not yet raised. */
@@ -818,12 +837,12 @@ INLINED int SE3_log_double_on_vectors(
 
 static APART void SE3_log_double_many(
     char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  const vector_loop loop = { SE3_log_double_over, SE3_log_double_on_vectors, 2,
+  const vector_loop loop = { SE3_log_double_strided, SE3_log_double_on_vectors, 2,
     KSL_LANES, 42 * KSL_LANES };
   many_elements(&loop, data, n, step, core);
 }
 #endif
-LOOP_ON_VECTORS(SE3_log_double, 2, DENSE, 96, 48, 32, 8, 8)
+LOOP_ON_VECTORS(SE3_log_double, 2, ANY, 96, 48, 32, 8, 8)
 
 OVER(SE3_log_single) {
   POINTERS_2
@@ -835,6 +854,7 @@ OVER(SE3_log_single) {
     STORE(screw_single, &so, 1, 2);
   }
 }
+STRIDED(SE3_log_single)
 
 #if KSL_LANE_BYTES
 /* The same on vectors; 0, and nothing is written, if that raises flags that are not yet raised. */
@@ -868,12 +888,12 @@ INLINED int SE3_log_single_on_vectors(
 
 static APART void SE3_log_single_many(
     char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  const vector_loop loop = { SE3_log_single_over, SE3_log_single_on_vectors, 2,
+  const vector_loop loop = { SE3_log_single_strided, SE3_log_single_on_vectors, 2,
     KSL_LANESF, 42 * KSL_LANESF };
   many_elements(&loop, data, n, step, core);
 }
 #endif
-LOOP_ON_VECTORS(SE3_log_single, 2, DENSE, 48, 24, 16, 4, 4)
+LOOP_ON_VECTORS(SE3_log_single, 2, ANY, 48, 24, 16, 4, 4)
 LOOPS(SE3_log)
 
 /* (6)->(6,6) */
@@ -887,6 +907,7 @@ OVER(SE3_leftJacobian_double) {
     STORE(mat6x6_double, &M, 1, 1);
   }
 }
+STRIDED(SE3_leftJacobian_double)
 
 #if KSL_LANE_BYTES
 /* The same on vectors; 0, and nothing is written, if that raises flags that are not yet raised. */
@@ -920,12 +941,12 @@ INLINED int SE3_leftJacobian_double_on_vectors(
 
 static APART void SE3_leftJacobian_double_many(
     char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  const vector_loop loop = { SE3_leftJacobian_double_over, SE3_leftJacobian_double_on_vectors, 2,
+  const vector_loop loop = { SE3_leftJacobian_double_strided, SE3_leftJacobian_double_on_vectors, 2,
     KSL_LANES, 7 * KSL_LANES };
   many_elements(&loop, data, n, step, core);
 }
 #endif
-LOOP_ON_VECTORS(SE3_leftJacobian_double, 2, DENSE, 48, 288, 8, 48, 8)
+LOOP_ON_VECTORS(SE3_leftJacobian_double, 2, ANY, 48, 288, 8, 48, 8)
 
 OVER(SE3_leftJacobian_single) {
   POINTERS_2
@@ -937,6 +958,7 @@ OVER(SE3_leftJacobian_single) {
     STORE(mat6x6_single, &M, 1, 1);
   }
 }
+STRIDED(SE3_leftJacobian_single)
 
 #if KSL_LANE_BYTES
 /* The same on vectors; 0, and nothing is written, if that raises flags that are not yet raised. */
@@ -970,12 +992,12 @@ INLINED int SE3_leftJacobian_single_on_vectors(
 
 static APART void SE3_leftJacobian_single_many(
     char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  const vector_loop loop = { SE3_leftJacobian_single_over, SE3_leftJacobian_single_on_vectors, 2,
+  const vector_loop loop = { SE3_leftJacobian_single_strided, SE3_leftJacobian_single_on_vectors, 2,
     KSL_LANESF, 7 * KSL_LANESF };
   many_elements(&loop, data, n, step, core);
 }
 #endif
-LOOP_ON_VECTORS(SE3_leftJacobian_single, 2, DENSE, 24, 144, 4, 24, 4)
+LOOP_ON_VECTORS(SE3_leftJacobian_single, 2, ANY, 24, 144, 4, 24, 4)
 LOOPS(SE3_leftJacobian)
 
 /* (6)->(6,6) */
@@ -989,6 +1011,7 @@ OVER(SE3_rightJacobian_double) {
     STORE(mat6x6_double, &M, 1, 1);
   }
 }
+STRIDED(SE3_rightJacobian_double)
 
 #if KSL_LANE_BYTES
 /* The same on vectors; 0, and nothing is written, if that raises flags that are not yet raised. */
@@ -1022,12 +1045,12 @@ INLINED int SE3_rightJacobian_double_on_vectors(
 
 static APART void SE3_rightJacobian_double_many(
     char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  const vector_loop loop = { SE3_rightJacobian_double_over, SE3_rightJacobian_double_on_vectors, 2,
+  const vector_loop loop = { SE3_rightJacobian_double_strided, SE3_rightJacobian_double_on_vectors, 2,
     KSL_LANES, 7 * KSL_LANES };
   many_elements(&loop, data, n, step, core);
 }
 #endif
-LOOP_ON_VECTORS(SE3_rightJacobian_double, 2, DENSE, 48, 288, 8, 48, 8)
+LOOP_ON_VECTORS(SE3_rightJacobian_double, 2, ANY, 48, 288, 8, 48, 8)
 
 OVER(SE3_rightJacobian_single) {
   POINTERS_2
@@ -1039,6 +1062,7 @@ OVER(SE3_rightJacobian_single) {
     STORE(mat6x6_single, &M, 1, 1);
   }
 }
+STRIDED(SE3_rightJacobian_single)
 
 #if KSL_LANE_BYTES
 /* The same on vectors; 0, and nothing is written, if that raises flags that are not yet raised. */
@@ -1072,12 +1096,12 @@ INLINED int SE3_rightJacobian_single_on_vectors(
 
 static APART void SE3_rightJacobian_single_many(
     char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  const vector_loop loop = { SE3_rightJacobian_single_over, SE3_rightJacobian_single_on_vectors, 2,
+  const vector_loop loop = { SE3_rightJacobian_single_strided, SE3_rightJacobian_single_on_vectors, 2,
     KSL_LANESF, 7 * KSL_LANESF };
   many_elements(&loop, data, n, step, core);
 }
 #endif
-LOOP_ON_VECTORS(SE3_rightJacobian_single, 2, DENSE, 24, 144, 4, 24, 4)
+LOOP_ON_VECTORS(SE3_rightJacobian_single, 2, ANY, 24, 144, 4, 24, 4)
 LOOPS(SE3_rightJacobian)
 
 /* (6)->(6,6) */
@@ -1091,6 +1115,7 @@ OVER(SE3_leftJacobianInverse_double) {
     STORE(mat6x6_double, &M, 1, 1);
   }
 }
+STRIDED(SE3_leftJacobianInverse_double)
 
 #if KSL_LANE_BYTES
 /* The same on vectors; 0, and nothing is written, if that raises flags that are not yet raised. */
@@ -1124,12 +1149,12 @@ INLINED int SE3_leftJacobianInverse_double_on_vectors(
 
 static APART void SE3_leftJacobianInverse_double_many(
     char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  const vector_loop loop = { SE3_leftJacobianInverse_double_over, SE3_leftJacobianInverse_double_on_vectors, 2,
+  const vector_loop loop = { SE3_leftJacobianInverse_double_strided, SE3_leftJacobianInverse_double_on_vectors, 2,
     KSL_LANES, 7 * KSL_LANES };
   many_elements(&loop, data, n, step, core);
 }
 #endif
-LOOP_ON_VECTORS(SE3_leftJacobianInverse_double, 2, DENSE, 48, 288, 8, 48, 8)
+LOOP_ON_VECTORS(SE3_leftJacobianInverse_double, 2, ANY, 48, 288, 8, 48, 8)
 
 OVER(SE3_leftJacobianInverse_single) {
   POINTERS_2
@@ -1141,6 +1166,7 @@ OVER(SE3_leftJacobianInverse_single) {
     STORE(mat6x6_single, &M, 1, 1);
   }
 }
+STRIDED(SE3_leftJacobianInverse_single)
 
 #if KSL_LANE_BYTES
 /* The same on vectors; 0, and nothing is written, if that raises flags that are not yet raised. */
@@ -1174,12 +1200,12 @@ INLINED int SE3_leftJacobianInverse_single_on_vectors(
 
 static APART void SE3_leftJacobianInverse_single_many(
     char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  const vector_loop loop = { SE3_leftJacobianInverse_single_over, SE3_leftJacobianInverse_single_on_vectors, 2,
+  const vector_loop loop = { SE3_leftJacobianInverse_single_strided, SE3_leftJacobianInverse_single_on_vectors, 2,
     KSL_LANESF, 7 * KSL_LANESF };
   many_elements(&loop, data, n, step, core);
 }
 #endif
-LOOP_ON_VECTORS(SE3_leftJacobianInverse_single, 2, DENSE, 24, 144, 4, 24, 4)
+LOOP_ON_VECTORS(SE3_leftJacobianInverse_single, 2, ANY, 24, 144, 4, 24, 4)
 LOOPS(SE3_leftJacobianInverse)
 
 /* (6)->(6,6) */
@@ -1193,6 +1219,7 @@ OVER(SE3_rightJacobianInverse_double) {
     STORE(mat6x6_double, &M, 1, 1);
   }
 }
+STRIDED(SE3_rightJacobianInverse_double)
 
 #if KSL_LANE_BYTES
 /* The same on vectors; 0, and nothing is written, if that raises flags that are not yet raised. */
@@ -1226,12 +1253,12 @@ INLINED int SE3_rightJacobianInverse_double_on_vectors(
 
 static APART void SE3_rightJacobianInverse_double_many(
     char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  const vector_loop loop = { SE3_rightJacobianInverse_double_over, SE3_rightJacobianInverse_double_on_vectors, 2,
+  const vector_loop loop = { SE3_rightJacobianInverse_double_strided, SE3_rightJacobianInverse_double_on_vectors, 2,
     KSL_LANES, 7 * KSL_LANES };
   many_elements(&loop, data, n, step, core);
 }
 #endif
-LOOP_ON_VECTORS(SE3_rightJacobianInverse_double, 2, DENSE, 48, 288, 8, 48, 8)
+LOOP_ON_VECTORS(SE3_rightJacobianInverse_double, 2, ANY, 48, 288, 8, 48, 8)
 
 OVER(SE3_rightJacobianInverse_single) {
   POINTERS_2
@@ -1243,6 +1270,7 @@ OVER(SE3_rightJacobianInverse_single) {
     STORE(mat6x6_single, &M, 1, 1);
   }
 }
+STRIDED(SE3_rightJacobianInverse_single)
 
 #if KSL_LANE_BYTES
 /* The same on vectors; 0, and nothing is written, if that raises flags that are not yet raised. */
@@ -1276,12 +1304,12 @@ INLINED int SE3_rightJacobianInverse_single_on_vectors(
 
 static APART void SE3_rightJacobianInverse_single_many(
     char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  const vector_loop loop = { SE3_rightJacobianInverse_single_over, SE3_rightJacobianInverse_single_on_vectors, 2,
+  const vector_loop loop = { SE3_rightJacobianInverse_single_strided, SE3_rightJacobianInverse_single_on_vectors, 2,
     KSL_LANESF, 7 * KSL_LANESF };
   many_elements(&loop, data, n, step, core);
 }
 #endif
-LOOP_ON_VECTORS(SE3_rightJacobianInverse_single, 2, DENSE, 24, 144, 4, 24, 4)
+LOOP_ON_VECTORS(SE3_rightJacobianInverse_single, 2, ANY, 24, 144, 4, 24, 4)
 LOOPS(SE3_rightJacobianInverse)
 
 /* (3,4),(3,4),()->(3,4) */
@@ -1299,6 +1327,7 @@ OVER(SE3_interpolated_double) {
     STORE(SE3_double, &Do, 3, 4);
   }
 }
+STRIDED(SE3_interpolated_double)
 
 #if KSL_LANE_BYTES
 /* The same on vectors; 0, and nothing is written, if that raises flags that are not yet raised. */
@@ -1338,7 +1367,7 @@ INLINED int SE3_interpolated_double_on_vectors(
 
 static APART void SE3_interpolated_double_many(
     char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  const vector_loop loop = { SE3_interpolated_double_over, SE3_interpolated_double_on_vectors, 4,
+  const vector_loop loop = { SE3_interpolated_double_strided, SE3_interpolated_double_on_vectors, 4,
     KSL_LANES, 21 * KSL_LANES };
   many_elements(&loop, data, n, step, core);
 }
@@ -1359,6 +1388,7 @@ OVER(SE3_interpolated_single) {
     STORE(SE3_single, &Do, 3, 4);
   }
 }
+STRIDED(SE3_interpolated_single)
 
 #if KSL_LANE_BYTES
 /* The same on vectors; 0, and nothing is written, if that raises flags that are not yet raised. */
@@ -1398,7 +1428,7 @@ INLINED int SE3_interpolated_single_on_vectors(
 
 static APART void SE3_interpolated_single_many(
     char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  const vector_loop loop = { SE3_interpolated_single_over, SE3_interpolated_single_on_vectors, 4,
+  const vector_loop loop = { SE3_interpolated_single_strided, SE3_interpolated_single_on_vectors, 4,
     KSL_LANESF, 21 * KSL_LANESF };
   many_elements(&loop, data, n, step, core);
 }

@@ -33,6 +33,7 @@ OVER(inertia_double) {
     STORE(inertia_double, &J, 8, 1);
   }
 }
+STRIDED(inertia_double)
 LOOP(inertia_double, 9, DENSE_OR_ONE, 8, 24, 8, 8, 8, 8, 8, 8, 80, 8, 8)
 
 OVER(inertia_single) {
@@ -59,6 +60,7 @@ OVER(inertia_single) {
     STORE(inertia_single, &J, 8, 1);
   }
 }
+STRIDED(inertia_single)
 LOOP(inertia_single, 9, DENSE_OR_ONE, 4, 12, 4, 4, 4, 4, 4, 4, 40, 4, 4)
 LOOPS(inertia)
 
@@ -73,6 +75,7 @@ OVER(inertia_copy_double) {
     STORE(inertia_double, &Jo, 1, 1);
   }
 }
+STRIDED(inertia_copy_double)
 LOOP(inertia_copy_double, 2, DENSE, 80, 80, 8, 8)
 
 OVER(inertia_copy_single) {
@@ -85,6 +88,7 @@ OVER(inertia_copy_single) {
     STORE(inertia_single, &Jo, 1, 1);
   }
 }
+STRIDED(inertia_copy_single)
 LOOP(inertia_copy_single, 2, DENSE, 40, 40, 4, 4)
 LOOPS(inertia_copy)
 
@@ -101,6 +105,7 @@ OVER(inertia_rotated_double) {
     STORE(inertia_double, &Jo, 2, 3);
   }
 }
+STRIDED(inertia_rotated_double)
 LOOP(inertia_rotated_double, 3, DENSE_OR_ONE, 80, 72, 80, 8, 24, 8, 8)
 
 OVER(inertia_rotated_single) {
@@ -115,6 +120,7 @@ OVER(inertia_rotated_single) {
     STORE(inertia_single, &Jo, 2, 3);
   }
 }
+STRIDED(inertia_rotated_single)
 LOOP(inertia_rotated_single, 3, DENSE_OR_ONE, 40, 36, 40, 4, 12, 4, 4)
 LOOPS(inertia_rotated)
 
@@ -130,6 +136,7 @@ OVER(inertia_rotate_double) {
     STORE(inertia_double, &self, 2, 3);
   }
 }
+STRIDED(inertia_rotate_double)
 LOOP(inertia_rotate_double, 3, DENSE, 80, 72, 80, 8, 24, 8, 8)
 
 OVER(inertia_rotate_single) {
@@ -143,6 +150,7 @@ OVER(inertia_rotate_single) {
     STORE(inertia_single, &self, 2, 3);
   }
 }
+STRIDED(inertia_rotate_single)
 LOOP(inertia_rotate_single, 3, DENSE, 40, 36, 40, 4, 12, 4, 4)
 LOOPS(inertia_rotate)
 
@@ -159,6 +167,7 @@ OVER(inertia_translated_double) {
     STORE(inertia_double, &Jo, 2, 2);
   }
 }
+STRIDED(inertia_translated_double)
 LOOP(inertia_translated_double, 3, DENSE_OR_ONE, 80, 24, 80, 8, 8, 8)
 
 OVER(inertia_translated_single) {
@@ -173,6 +182,7 @@ OVER(inertia_translated_single) {
     STORE(inertia_single, &Jo, 2, 2);
   }
 }
+STRIDED(inertia_translated_single)
 LOOP(inertia_translated_single, 3, DENSE_OR_ONE, 40, 12, 40, 4, 4, 4)
 LOOPS(inertia_translated)
 
@@ -188,6 +198,7 @@ OVER(inertia_translate_double) {
     STORE(inertia_double, &self, 2, 2);
   }
 }
+STRIDED(inertia_translate_double)
 LOOP(inertia_translate_double, 3, DENSE, 80, 24, 80, 8, 8, 8)
 
 OVER(inertia_translate_single) {
@@ -201,6 +212,7 @@ OVER(inertia_translate_single) {
     STORE(inertia_single, &self, 2, 2);
   }
 }
+STRIDED(inertia_translate_single)
 LOOP(inertia_translate_single, 3, DENSE, 40, 12, 40, 4, 4, 4)
 LOOPS(inertia_translate)
 
@@ -217,6 +229,7 @@ OVER(inertia_transformed_double) {
     STORE(inertia_double, &Jo, 2, 3);
   }
 }
+STRIDED(inertia_transformed_double)
 LOOP(inertia_transformed_double, 3, DENSE_OR_ONE, 80, 96, 80, 8, 32, 8, 8)
 
 OVER(inertia_transformed_single) {
@@ -231,6 +244,7 @@ OVER(inertia_transformed_single) {
     STORE(inertia_single, &Jo, 2, 3);
   }
 }
+STRIDED(inertia_transformed_single)
 LOOP(inertia_transformed_single, 3, DENSE_OR_ONE, 40, 48, 40, 4, 16, 4, 4)
 LOOPS(inertia_transformed)
 
@@ -246,6 +260,7 @@ OVER(inertia_transform_double) {
     STORE(inertia_double, &self, 2, 3);
   }
 }
+STRIDED(inertia_transform_double)
 LOOP(inertia_transform_double, 3, DENSE, 80, 96, 80, 8, 32, 8, 8)
 
 OVER(inertia_transform_single) {
@@ -259,6 +274,7 @@ OVER(inertia_transform_single) {
     STORE(inertia_single, &self, 2, 3);
   }
 }
+STRIDED(inertia_transform_single)
 LOOP(inertia_transform_single, 3, DENSE, 40, 48, 40, 4, 16, 4, 4)
 LOOPS(inertia_transform)
 
@@ -280,6 +296,7 @@ OVER(inertia_merge_double) {
     STORE(inertia_double, &Ji, 5, 6);
   }
 }
+STRIDED(inertia_merge_double)
 LOOP(inertia_merge_double, 6, DENSE, 80, 24, 80, 24, 96, 80, 8, 8, 8, 8, 32, 8, 8)
 
 OVER(inertia_merge_single) {
@@ -299,6 +316,7 @@ OVER(inertia_merge_single) {
     STORE(inertia_single, &Ji, 5, 6);
   }
 }
+STRIDED(inertia_merge_single)
 LOOP(inertia_merge_single, 6, DENSE, 40, 12, 40, 12, 48, 40, 4, 4, 4, 4, 16, 4, 4)
 LOOPS(inertia_merge)
 

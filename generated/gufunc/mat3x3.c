@@ -21,6 +21,7 @@ OVER(mat3x3_copy_double) {
     STORE(mat3x3_double, &Ro, 1, 2);
   }
 }
+STRIDED(mat3x3_copy_double)
 LOOP(mat3x3_copy_double, 2, DENSE, 72, 72, 24, 8, 24, 8)
 
 OVER(mat3x3_copy_single) {
@@ -33,6 +34,7 @@ OVER(mat3x3_copy_single) {
     STORE(mat3x3_single, &Ro, 1, 2);
   }
 }
+STRIDED(mat3x3_copy_single)
 LOOP(mat3x3_copy_single, 2, DENSE, 36, 36, 12, 4, 12, 4)
 LOOPS(mat3x3_copy)
 
@@ -46,6 +48,7 @@ OVER(mat3x3_setIdentity_double) {
     STORE(mat3x3_double, &self, 1, 2);
   }
 }
+STRIDED(mat3x3_setIdentity_double)
 LOOP(mat3x3_setIdentity_double, 2, DENSE, 72, 72, 24, 8, 24, 8)
 
 OVER(mat3x3_setIdentity_single) {
@@ -57,6 +60,7 @@ OVER(mat3x3_setIdentity_single) {
     STORE(mat3x3_single, &self, 1, 2);
   }
 }
+STRIDED(mat3x3_setIdentity_single)
 LOOP(mat3x3_setIdentity_single, 2, DENSE, 36, 36, 12, 4, 12, 4)
 LOOPS(mat3x3_setIdentity)
 
@@ -75,6 +79,7 @@ OVER(mat3x3_setFromVectors_double) {
     STORE(mat3x3_double, &R, 3, 3);
   }
 }
+STRIDED(mat3x3_setFromVectors_double)
 LOOP(mat3x3_setFromVectors_double, 4, DENSE_OR_ONE, 24, 24, 24, 72, 8, 8, 8, 24, 8)
 
 OVER(mat3x3_setFromVectors_single) {
@@ -91,6 +96,7 @@ OVER(mat3x3_setFromVectors_single) {
     STORE(mat3x3_single, &R, 3, 3);
   }
 }
+STRIDED(mat3x3_setFromVectors_single)
 LOOP(mat3x3_setFromVectors_single, 4, DENSE_OR_ONE, 12, 12, 12, 36, 4, 4, 4, 12, 4)
 LOOPS(mat3x3_setFromVectors)
 
@@ -105,6 +111,7 @@ OVER(skew_double) {
     STORE(mat3x3_double, &Ro, 1, 1);
   }
 }
+STRIDED(skew_double)
 LOOP(skew_double, 2, DENSE, 24, 72, 8, 24, 8)
 
 OVER(skew_single) {
@@ -117,6 +124,7 @@ OVER(skew_single) {
     STORE(mat3x3_single, &Ro, 1, 1);
   }
 }
+STRIDED(skew_single)
 LOOP(skew_single, 2, DENSE, 12, 36, 4, 12, 4)
 LOOPS(skew)
 
@@ -133,6 +141,7 @@ OVER(acceleration_tensor_double) {
     STORE(mat3x3_double, &Ro, 2, 2);
   }
 }
+STRIDED(acceleration_tensor_double)
 LOOP(acceleration_tensor_double, 3, DENSE_OR_ONE, 24, 24, 72, 8, 8, 24, 8)
 
 OVER(acceleration_tensor_single) {
@@ -147,6 +156,7 @@ OVER(acceleration_tensor_single) {
     STORE(mat3x3_single, &Ro, 2, 2);
   }
 }
+STRIDED(acceleration_tensor_single)
 LOOP(acceleration_tensor_single, 3, DENSE_OR_ONE, 12, 12, 36, 4, 4, 12, 4)
 LOOPS(acceleration_tensor)
 
@@ -160,6 +170,7 @@ OVER(mat3x3_transpose_double) {
     STORE(mat3x3_double, &self, 1, 2);
   }
 }
+STRIDED(mat3x3_transpose_double)
 LOOP(mat3x3_transpose_double, 2, DENSE, 72, 72, 24, 8, 24, 8)
 
 OVER(mat3x3_transpose_single) {
@@ -171,6 +182,7 @@ OVER(mat3x3_transpose_single) {
     STORE(mat3x3_single, &self, 1, 2);
   }
 }
+STRIDED(mat3x3_transpose_single)
 LOOP(mat3x3_transpose_single, 2, DENSE, 36, 36, 12, 4, 12, 4)
 LOOPS(mat3x3_transpose)
 
@@ -185,6 +197,7 @@ OVER(mat3x3_transposed_double) {
     STORE(mat3x3_double, &Ro, 1, 2);
   }
 }
+STRIDED(mat3x3_transposed_double)
 LOOP(mat3x3_transposed_double, 2, DENSE, 72, 72, 24, 8, 24, 8)
 
 OVER(mat3x3_transposed_single) {
@@ -197,6 +210,7 @@ OVER(mat3x3_transposed_single) {
     STORE(mat3x3_single, &Ro, 1, 2);
   }
 }
+STRIDED(mat3x3_transposed_single)
 LOOP(mat3x3_transposed_single, 2, DENSE, 36, 36, 12, 4, 12, 4)
 LOOPS(mat3x3_transposed)
 
@@ -211,6 +225,7 @@ OVER(mat3x3_determinant_double) {
     STORE(scalar_double, &det, 1, 2);
   }
 }
+STRIDED(mat3x3_determinant_double)
 LOOP(mat3x3_determinant_double, 2, DENSE, 72, 8, 24, 8)
 
 OVER(mat3x3_determinant_single) {
@@ -223,6 +238,7 @@ OVER(mat3x3_determinant_single) {
     STORE(scalar_single, &det, 1, 2);
   }
 }
+STRIDED(mat3x3_determinant_single)
 LOOP(mat3x3_determinant_single, 2, DENSE, 36, 4, 12, 4)
 LOOPS(mat3x3_determinant)
 
@@ -239,6 +255,7 @@ OVER(mat3x3_inverse_double) {
     STORE(mat3x3_double, &Ro, 2, 2);
   }
 }
+STRIDED(mat3x3_inverse_double)
 LOOP(mat3x3_inverse_double, 3, DENSE, 72, 8, 72, 24, 8, 24, 8)
 
 OVER(mat3x3_inverse_single) {
@@ -253,6 +270,7 @@ OVER(mat3x3_inverse_single) {
     STORE(mat3x3_single, &Ro, 2, 2);
   }
 }
+STRIDED(mat3x3_inverse_single)
 LOOP(mat3x3_inverse_single, 3, DENSE, 36, 4, 36, 12, 4, 12, 4)
 LOOPS(mat3x3_inverse)
 
@@ -266,6 +284,7 @@ OVER(mat3x3_normalize_double) {
     STORE(mat3x3_double, &self, 1, 2);
   }
 }
+STRIDED(mat3x3_normalize_double)
 LOOP(mat3x3_normalize_double, 2, DENSE, 72, 72, 24, 8, 24, 8)
 
 OVER(mat3x3_normalize_single) {
@@ -277,6 +296,7 @@ OVER(mat3x3_normalize_single) {
     STORE(mat3x3_single, &self, 1, 2);
   }
 }
+STRIDED(mat3x3_normalize_single)
 LOOP(mat3x3_normalize_single, 2, DENSE, 36, 36, 12, 4, 12, 4)
 LOOPS(mat3x3_normalize)
 
@@ -291,6 +311,7 @@ OVER(mat3x3_normalized_double) {
     STORE(mat3x3_double, &Ro, 1, 2);
   }
 }
+STRIDED(mat3x3_normalized_double)
 LOOP(mat3x3_normalized_double, 2, DENSE, 72, 72, 24, 8, 24, 8)
 
 OVER(mat3x3_normalized_single) {
@@ -303,6 +324,7 @@ OVER(mat3x3_normalized_single) {
     STORE(mat3x3_single, &Ro, 1, 2);
   }
 }
+STRIDED(mat3x3_normalized_single)
 LOOP(mat3x3_normalized_single, 2, DENSE, 36, 36, 12, 4, 12, 4)
 LOOPS(mat3x3_normalized)
 
@@ -319,6 +341,7 @@ OVER(mat3x3_setFromAxisDC_double) {
     STORE(mat3x3_double, &R, 2, 2);
   }
 }
+STRIDED(mat3x3_setFromAxisDC_double)
 LOOP(mat3x3_setFromAxisDC_double, 3, DENSE_OR_ONE, 24, 16, 72, 8, 8, 24, 8)
 
 OVER(mat3x3_setFromAxisDC_single) {
@@ -333,6 +356,7 @@ OVER(mat3x3_setFromAxisDC_single) {
     STORE(mat3x3_single, &R, 2, 2);
   }
 }
+STRIDED(mat3x3_setFromAxisDC_single)
 LOOP(mat3x3_setFromAxisDC_single, 3, DENSE_OR_ONE, 12, 8, 36, 4, 4, 12, 4)
 LOOPS(mat3x3_setFromAxisDC)
 
@@ -347,6 +371,7 @@ OVER(mat3x3_from_euler_xyz_double) {
     STORE(mat3x3_double, &R, 1, 1);
   }
 }
+STRIDED(mat3x3_from_euler_xyz_double)
 
 #if KSL_LANE_BYTES
 /* The same on vectors; 0, and nothing is written, if that raises flags that are not yet raised. */
@@ -380,12 +405,12 @@ INLINED int mat3x3_from_euler_xyz_double_on_vectors(
 
 static APART void mat3x3_from_euler_xyz_double_many(
     char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  const vector_loop loop = { mat3x3_from_euler_xyz_double_over, mat3x3_from_euler_xyz_double_on_vectors, 2,
+  const vector_loop loop = { mat3x3_from_euler_xyz_double_strided, mat3x3_from_euler_xyz_double_on_vectors, 2,
     KSL_LANES, 28 * KSL_LANES };
   many_elements(&loop, data, n, step, core);
 }
 #endif
-LOOP_ON_VECTORS(mat3x3_from_euler_xyz_double, 2, DENSE, 24, 72, 8, 24, 8)
+LOOP_ON_VECTORS(mat3x3_from_euler_xyz_double, 2, ANY, 24, 72, 8, 24, 8)
 
 OVER(mat3x3_from_euler_xyz_single) {
   POINTERS_2
@@ -397,6 +422,7 @@ OVER(mat3x3_from_euler_xyz_single) {
     STORE(mat3x3_single, &R, 1, 1);
   }
 }
+STRIDED(mat3x3_from_euler_xyz_single)
 
 #if KSL_LANE_BYTES
 /* The same on vectors; 0, and nothing is written, if that raises flags that are not yet raised. */
@@ -430,7 +456,7 @@ INLINED int mat3x3_from_euler_xyz_single_on_vectors(
 
 static APART void mat3x3_from_euler_xyz_single_many(
     char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  const vector_loop loop = { mat3x3_from_euler_xyz_single_over, mat3x3_from_euler_xyz_single_on_vectors, 2,
+  const vector_loop loop = { mat3x3_from_euler_xyz_single_strided, mat3x3_from_euler_xyz_single_on_vectors, 2,
     KSL_LANESF, 28 * KSL_LANESF };
   many_elements(&loop, data, n, step, core);
 }
@@ -449,6 +475,7 @@ OVER(euler_xyz_from_mat3x3_double) {
     STORE(vec3_double, &angles, 1, 2);
   }
 }
+STRIDED(euler_xyz_from_mat3x3_double)
 
 #if KSL_LANE_BYTES
 /* The same on vectors; 0, and nothing is written, if that raises flags that are not yet raised. */
@@ -482,12 +509,12 @@ INLINED int euler_xyz_from_mat3x3_double_on_vectors(
 
 static APART void euler_xyz_from_mat3x3_double_many(
     char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  const vector_loop loop = { euler_xyz_from_mat3x3_double_over, euler_xyz_from_mat3x3_double_on_vectors, 2,
+  const vector_loop loop = { euler_xyz_from_mat3x3_double_strided, euler_xyz_from_mat3x3_double_on_vectors, 2,
     KSL_LANES, 85 * KSL_LANES };
   many_elements(&loop, data, n, step, core);
 }
 #endif
-LOOP_ON_VECTORS(euler_xyz_from_mat3x3_double, 2, DENSE, 72, 24, 24, 8, 8)
+LOOP_ON_VECTORS(euler_xyz_from_mat3x3_double, 2, ANY, 72, 24, 24, 8, 8)
 
 OVER(euler_xyz_from_mat3x3_single) {
   POINTERS_2
@@ -499,6 +526,7 @@ OVER(euler_xyz_from_mat3x3_single) {
     STORE(vec3_single, &angles, 1, 2);
   }
 }
+STRIDED(euler_xyz_from_mat3x3_single)
 
 #if KSL_LANE_BYTES
 /* The same on vectors; 0, and nothing is written, if that raises flags that are not yet raised. */
@@ -532,12 +560,12 @@ INLINED int euler_xyz_from_mat3x3_single_on_vectors(
 
 static APART void euler_xyz_from_mat3x3_single_many(
     char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  const vector_loop loop = { euler_xyz_from_mat3x3_single_over, euler_xyz_from_mat3x3_single_on_vectors, 2,
+  const vector_loop loop = { euler_xyz_from_mat3x3_single_strided, euler_xyz_from_mat3x3_single_on_vectors, 2,
     KSL_LANESF, 85 * KSL_LANESF };
   many_elements(&loop, data, n, step, core);
 }
 #endif
-LOOP_ON_VECTORS(euler_xyz_from_mat3x3_single, 2, DENSE, 36, 12, 12, 4, 4)
+LOOP_ON_VECTORS(euler_xyz_from_mat3x3_single, 2, ANY, 36, 12, 12, 4, 4)
 LOOPS(euler_xyz_from_mat3x3)
 
 /* (3)->(3,3) */
@@ -551,6 +579,7 @@ OVER(mat3x3_from_euler_xyx_double) {
     STORE(mat3x3_double, &R, 1, 1);
   }
 }
+STRIDED(mat3x3_from_euler_xyx_double)
 
 #if KSL_LANE_BYTES
 /* The same on vectors; 0, and nothing is written, if that raises flags that are not yet raised. */
@@ -584,12 +613,12 @@ INLINED int mat3x3_from_euler_xyx_double_on_vectors(
 
 static APART void mat3x3_from_euler_xyx_double_many(
     char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  const vector_loop loop = { mat3x3_from_euler_xyx_double_over, mat3x3_from_euler_xyx_double_on_vectors, 2,
+  const vector_loop loop = { mat3x3_from_euler_xyx_double_strided, mat3x3_from_euler_xyx_double_on_vectors, 2,
     KSL_LANES, 28 * KSL_LANES };
   many_elements(&loop, data, n, step, core);
 }
 #endif
-LOOP_ON_VECTORS(mat3x3_from_euler_xyx_double, 2, DENSE, 24, 72, 8, 24, 8)
+LOOP_ON_VECTORS(mat3x3_from_euler_xyx_double, 2, ANY, 24, 72, 8, 24, 8)
 
 OVER(mat3x3_from_euler_xyx_single) {
   POINTERS_2
@@ -601,6 +630,7 @@ OVER(mat3x3_from_euler_xyx_single) {
     STORE(mat3x3_single, &R, 1, 1);
   }
 }
+STRIDED(mat3x3_from_euler_xyx_single)
 
 #if KSL_LANE_BYTES
 /* The same on vectors; 0, and nothing is written, if that raises flags that are not yet raised. */
@@ -634,7 +664,7 @@ INLINED int mat3x3_from_euler_xyx_single_on_vectors(
 
 static APART void mat3x3_from_euler_xyx_single_many(
     char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  const vector_loop loop = { mat3x3_from_euler_xyx_single_over, mat3x3_from_euler_xyx_single_on_vectors, 2,
+  const vector_loop loop = { mat3x3_from_euler_xyx_single_strided, mat3x3_from_euler_xyx_single_on_vectors, 2,
     KSL_LANESF, 28 * KSL_LANESF };
   many_elements(&loop, data, n, step, core);
 }
@@ -653,6 +683,7 @@ OVER(euler_xyx_from_mat3x3_double) {
     STORE(vec3_double, &angles, 1, 2);
   }
 }
+STRIDED(euler_xyx_from_mat3x3_double)
 
 #if KSL_LANE_BYTES
 /* The same on vectors; 0, and nothing is written, if that raises flags that are not yet raised. */
@@ -686,12 +717,12 @@ INLINED int euler_xyx_from_mat3x3_double_on_vectors(
 
 static APART void euler_xyx_from_mat3x3_double_many(
     char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  const vector_loop loop = { euler_xyx_from_mat3x3_double_over, euler_xyx_from_mat3x3_double_on_vectors, 2,
+  const vector_loop loop = { euler_xyx_from_mat3x3_double_strided, euler_xyx_from_mat3x3_double_on_vectors, 2,
     KSL_LANES, 85 * KSL_LANES };
   many_elements(&loop, data, n, step, core);
 }
 #endif
-LOOP_ON_VECTORS(euler_xyx_from_mat3x3_double, 2, DENSE, 72, 24, 24, 8, 8)
+LOOP_ON_VECTORS(euler_xyx_from_mat3x3_double, 2, ANY, 72, 24, 24, 8, 8)
 
 OVER(euler_xyx_from_mat3x3_single) {
   POINTERS_2
@@ -703,6 +734,7 @@ OVER(euler_xyx_from_mat3x3_single) {
     STORE(vec3_single, &angles, 1, 2);
   }
 }
+STRIDED(euler_xyx_from_mat3x3_single)
 
 #if KSL_LANE_BYTES
 /* The same on vectors; 0, and nothing is written, if that raises flags that are not yet raised. */
@@ -736,12 +768,12 @@ INLINED int euler_xyx_from_mat3x3_single_on_vectors(
 
 static APART void euler_xyx_from_mat3x3_single_many(
     char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  const vector_loop loop = { euler_xyx_from_mat3x3_single_over, euler_xyx_from_mat3x3_single_on_vectors, 2,
+  const vector_loop loop = { euler_xyx_from_mat3x3_single_strided, euler_xyx_from_mat3x3_single_on_vectors, 2,
     KSL_LANESF, 85 * KSL_LANESF };
   many_elements(&loop, data, n, step, core);
 }
 #endif
-LOOP_ON_VECTORS(euler_xyx_from_mat3x3_single, 2, DENSE, 36, 12, 12, 4, 4)
+LOOP_ON_VECTORS(euler_xyx_from_mat3x3_single, 2, ANY, 36, 12, 12, 4, 4)
 LOOPS(euler_xyx_from_mat3x3)
 
 /* (3,3),(3,3)->(3,3),(3,3) */
@@ -757,6 +789,7 @@ OVER(mat3x3_jacobi_double) {
     STORE(mat3x3_double, &V, 3, 6);
   }
 }
+STRIDED(mat3x3_jacobi_double)
 LOOP(mat3x3_jacobi_double, 4, DENSE, 72, 72, 72, 72, 24, 8, 24, 8, 24, 8, 24, 8)
 
 OVER(mat3x3_jacobi_single) {
@@ -771,6 +804,7 @@ OVER(mat3x3_jacobi_single) {
     STORE(mat3x3_single, &V, 3, 6);
   }
 }
+STRIDED(mat3x3_jacobi_single)
 LOOP(mat3x3_jacobi_single, 4, DENSE, 36, 36, 36, 36, 12, 4, 12, 4, 12, 4, 12, 4)
 LOOPS(mat3x3_jacobi)
 
@@ -785,6 +819,7 @@ OVER(mat3x3_rotation_defect_double) {
     STORE(scalar_double, &defect, 1, 2);
   }
 }
+STRIDED(mat3x3_rotation_defect_double)
 LOOP(mat3x3_rotation_defect_double, 2, DENSE, 72, 8, 24, 8)
 
 OVER(mat3x3_rotation_defect_single) {
@@ -797,6 +832,7 @@ OVER(mat3x3_rotation_defect_single) {
     STORE(scalar_single, &defect, 1, 2);
   }
 }
+STRIDED(mat3x3_rotation_defect_single)
 LOOP(mat3x3_rotation_defect_single, 2, DENSE, 36, 4, 12, 4)
 LOOPS(mat3x3_rotation_defect)
 
@@ -811,7 +847,8 @@ OVER(mat3x3_nearest_rotation_double) {
     STORE(mat3x3_double, &Ro, 1, 2);
   }
 }
-LOOP(mat3x3_nearest_rotation_double, 2, DENSE, 72, 72, 24, 8, 24, 8)
+STRIDED(mat3x3_nearest_rotation_double)
+LOOP(mat3x3_nearest_rotation_double, 2, ANY, 72, 72, 24, 8, 24, 8)
 
 OVER(mat3x3_nearest_rotation_single) {
   POINTERS_2
@@ -823,7 +860,8 @@ OVER(mat3x3_nearest_rotation_single) {
     STORE(mat3x3_single, &Ro, 1, 2);
   }
 }
-LOOP(mat3x3_nearest_rotation_single, 2, DENSE, 36, 36, 12, 4, 12, 4)
+STRIDED(mat3x3_nearest_rotation_single)
+LOOP(mat3x3_nearest_rotation_single, 2, ANY, 36, 36, 12, 4, 12, 4)
 LOOPS(mat3x3_nearest_rotation)
 
 /* (3),()->(3,3) */
@@ -839,6 +877,7 @@ OVER(mat3x3_from_axis_angle_double) {
     STORE(mat3x3_double, &R, 2, 1);
   }
 }
+STRIDED(mat3x3_from_axis_angle_double)
 
 #if KSL_LANE_BYTES
 /* The same on vectors; 0, and nothing is written, if that raises flags that are not yet raised. */
@@ -875,7 +914,7 @@ INLINED int mat3x3_from_axis_angle_double_on_vectors(
 
 static APART void mat3x3_from_axis_angle_double_many(
     char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  const vector_loop loop = { mat3x3_from_axis_angle_double_over, mat3x3_from_axis_angle_double_on_vectors, 3,
+  const vector_loop loop = { mat3x3_from_axis_angle_double_strided, mat3x3_from_axis_angle_double_on_vectors, 3,
     KSL_LANES, 28 * KSL_LANES };
   many_elements(&loop, data, n, step, core);
 }
@@ -894,6 +933,7 @@ OVER(mat3x3_from_axis_angle_single) {
     STORE(mat3x3_single, &R, 2, 1);
   }
 }
+STRIDED(mat3x3_from_axis_angle_single)
 
 #if KSL_LANE_BYTES
 /* The same on vectors; 0, and nothing is written, if that raises flags that are not yet raised. */
@@ -930,7 +970,7 @@ INLINED int mat3x3_from_axis_angle_single_on_vectors(
 
 static APART void mat3x3_from_axis_angle_single_many(
     char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  const vector_loop loop = { mat3x3_from_axis_angle_single_over, mat3x3_from_axis_angle_single_on_vectors, 3,
+  const vector_loop loop = { mat3x3_from_axis_angle_single_strided, mat3x3_from_axis_angle_single_on_vectors, 3,
     KSL_LANESF, 28 * KSL_LANESF };
   many_elements(&loop, data, n, step, core);
 }
@@ -951,6 +991,7 @@ OVER(axis_angle_from_mat3x3_double) {
     STORE(vec3_double, &axis, 2, 2);
   }
 }
+STRIDED(axis_angle_from_mat3x3_double)
 
 #if KSL_LANE_BYTES
 /* The same on vectors; 0, and nothing is written, if that raises flags that are not yet raised. */
@@ -988,7 +1029,7 @@ INLINED int axis_angle_from_mat3x3_double_on_vectors(
 
 static APART void axis_angle_from_mat3x3_double_many(
     char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  const vector_loop loop = { axis_angle_from_mat3x3_double_over, axis_angle_from_mat3x3_double_on_vectors, 3,
+  const vector_loop loop = { axis_angle_from_mat3x3_double_strided, axis_angle_from_mat3x3_double_on_vectors, 3,
     KSL_LANES, 64 * KSL_LANES };
   many_elements(&loop, data, n, step, core);
 }
@@ -1007,6 +1048,7 @@ OVER(axis_angle_from_mat3x3_single) {
     STORE(vec3_single, &axis, 2, 2);
   }
 }
+STRIDED(axis_angle_from_mat3x3_single)
 
 #if KSL_LANE_BYTES
 /* The same on vectors; 0, and nothing is written, if that raises flags that are not yet raised. */
@@ -1044,7 +1086,7 @@ INLINED int axis_angle_from_mat3x3_single_on_vectors(
 
 static APART void axis_angle_from_mat3x3_single_many(
     char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  const vector_loop loop = { axis_angle_from_mat3x3_single_over, axis_angle_from_mat3x3_single_on_vectors, 3,
+  const vector_loop loop = { axis_angle_from_mat3x3_single_strided, axis_angle_from_mat3x3_single_on_vectors, 3,
     KSL_LANESF, 64 * KSL_LANESF };
   many_elements(&loop, data, n, step, core);
 }

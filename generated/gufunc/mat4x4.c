@@ -19,6 +19,7 @@ OVER(mat4x4_fromSE3_double) {
     STORE(mat4x4_double, &M, 1, 2);
   }
 }
+STRIDED(mat4x4_fromSE3_double)
 LOOP(mat4x4_fromSE3_double, 2, DENSE, 96, 128, 32, 8, 32, 8)
 
 OVER(mat4x4_fromSE3_single) {
@@ -31,6 +32,7 @@ OVER(mat4x4_fromSE3_single) {
     STORE(mat4x4_single, &M, 1, 2);
   }
 }
+STRIDED(mat4x4_fromSE3_single)
 LOOP(mat4x4_fromSE3_single, 2, DENSE, 48, 64, 16, 4, 16, 4)
 LOOPS(mat4x4_fromSE3)
 
@@ -47,6 +49,7 @@ OVER(mat4x4_fromRt_double) {
     STORE(mat4x4_double, &M, 2, 3);
   }
 }
+STRIDED(mat4x4_fromRt_double)
 LOOP(mat4x4_fromRt_double, 3, DENSE_OR_ONE, 72, 24, 128, 24, 8, 8, 32, 8)
 
 OVER(mat4x4_fromRt_single) {
@@ -61,6 +64,7 @@ OVER(mat4x4_fromRt_single) {
     STORE(mat4x4_single, &M, 2, 3);
   }
 }
+STRIDED(mat4x4_fromRt_single)
 LOOP(mat4x4_fromRt_single, 3, DENSE_OR_ONE, 36, 12, 64, 12, 4, 4, 16, 4)
 LOOPS(mat4x4_fromRt)
 
@@ -75,6 +79,7 @@ OVER(mat4x4_toSE3_double) {
     STORE(SE3_double, &D, 1, 2);
   }
 }
+STRIDED(mat4x4_toSE3_double)
 LOOP(mat4x4_toSE3_double, 2, DENSE, 128, 96, 32, 8, 32, 8)
 
 OVER(mat4x4_toSE3_single) {
@@ -87,6 +92,7 @@ OVER(mat4x4_toSE3_single) {
     STORE(SE3_single, &D, 1, 2);
   }
 }
+STRIDED(mat4x4_toSE3_single)
 LOOP(mat4x4_toSE3_single, 2, DENSE, 64, 48, 16, 4, 16, 4)
 LOOPS(mat4x4_toSE3)
 
@@ -100,6 +106,7 @@ OVER(mat4x4_setIdentity_double) {
     STORE(mat4x4_double, &self, 1, 2);
   }
 }
+STRIDED(mat4x4_setIdentity_double)
 LOOP(mat4x4_setIdentity_double, 2, DENSE, 128, 128, 32, 8, 32, 8)
 
 OVER(mat4x4_setIdentity_single) {
@@ -111,6 +118,7 @@ OVER(mat4x4_setIdentity_single) {
     STORE(mat4x4_single, &self, 1, 2);
   }
 }
+STRIDED(mat4x4_setIdentity_single)
 LOOP(mat4x4_setIdentity_single, 2, DENSE, 64, 64, 16, 4, 16, 4)
 LOOPS(mat4x4_setIdentity)
 
@@ -125,6 +133,7 @@ OVER(mat4x4_getTranslation_double) {
     STORE(vec3_double, &t, 1, 2);
   }
 }
+STRIDED(mat4x4_getTranslation_double)
 LOOP(mat4x4_getTranslation_double, 2, DENSE, 128, 24, 32, 8, 8)
 
 OVER(mat4x4_getTranslation_single) {
@@ -137,6 +146,7 @@ OVER(mat4x4_getTranslation_single) {
     STORE(vec3_single, &t, 1, 2);
   }
 }
+STRIDED(mat4x4_getTranslation_single)
 LOOP(mat4x4_getTranslation_single, 2, DENSE, 64, 12, 16, 4, 4)
 LOOPS(mat4x4_getTranslation)
 

@@ -19,6 +19,7 @@ OVER(mat6x6_copy_double) {
     STORE(mat6x6_double, &Mo, 1, 2);
   }
 }
+STRIDED(mat6x6_copy_double)
 LOOP(mat6x6_copy_double, 2, DENSE, 288, 288, 48, 8, 48, 8)
 
 OVER(mat6x6_copy_single) {
@@ -31,6 +32,7 @@ OVER(mat6x6_copy_single) {
     STORE(mat6x6_single, &Mo, 1, 2);
   }
 }
+STRIDED(mat6x6_copy_single)
 LOOP(mat6x6_copy_single, 2, DENSE, 144, 144, 24, 4, 24, 4)
 LOOPS(mat6x6_copy)
 
@@ -44,6 +46,7 @@ OVER(mat6x6_setIdentity_double) {
     STORE(mat6x6_double, &self, 1, 2);
   }
 }
+STRIDED(mat6x6_setIdentity_double)
 LOOP(mat6x6_setIdentity_double, 2, DENSE, 288, 288, 48, 8, 48, 8)
 
 OVER(mat6x6_setIdentity_single) {
@@ -55,6 +58,7 @@ OVER(mat6x6_setIdentity_single) {
     STORE(mat6x6_single, &self, 1, 2);
   }
 }
+STRIDED(mat6x6_setIdentity_single)
 LOOP(mat6x6_setIdentity_single, 2, DENSE, 144, 144, 24, 4, 24, 4)
 LOOPS(mat6x6_setIdentity)
 
@@ -69,6 +73,7 @@ OVER(mat6x6_transposed_double) {
     STORE(mat6x6_double, &Mo, 1, 2);
   }
 }
+STRIDED(mat6x6_transposed_double)
 LOOP(mat6x6_transposed_double, 2, DENSE, 288, 288, 48, 8, 48, 8)
 
 OVER(mat6x6_transposed_single) {
@@ -81,6 +86,7 @@ OVER(mat6x6_transposed_single) {
     STORE(mat6x6_single, &Mo, 1, 2);
   }
 }
+STRIDED(mat6x6_transposed_single)
 LOOP(mat6x6_transposed_single, 2, DENSE, 144, 144, 24, 4, 24, 4)
 LOOPS(mat6x6_transposed)
 
@@ -97,6 +103,7 @@ OVER(mat6x6_rotated_double) {
     STORE(mat6x6_double, &Mo, 2, 4);
   }
 }
+STRIDED(mat6x6_rotated_double)
 LOOP(mat6x6_rotated_double, 3, DENSE_OR_ONE, 72, 288, 288, 24, 8, 48, 8, 48, 8)
 
 OVER(mat6x6_rotated_single) {
@@ -111,6 +118,7 @@ OVER(mat6x6_rotated_single) {
     STORE(mat6x6_single, &Mo, 2, 4);
   }
 }
+STRIDED(mat6x6_rotated_single)
 LOOP(mat6x6_rotated_single, 3, DENSE_OR_ONE, 36, 144, 144, 12, 4, 24, 4, 24, 4)
 LOOPS(mat6x6_rotated)
 
@@ -127,6 +135,7 @@ OVER(mat6x6_shifted_double) {
     STORE(mat6x6_double, &Mo, 2, 3);
   }
 }
+STRIDED(mat6x6_shifted_double)
 LOOP(mat6x6_shifted_double, 3, DENSE_OR_ONE, 24, 288, 288, 8, 48, 8, 48, 8)
 
 OVER(mat6x6_shifted_single) {
@@ -141,6 +150,7 @@ OVER(mat6x6_shifted_single) {
     STORE(mat6x6_single, &Mo, 2, 3);
   }
 }
+STRIDED(mat6x6_shifted_single)
 LOOP(mat6x6_shifted_single, 3, DENSE_OR_ONE, 12, 144, 144, 4, 24, 4, 24, 4)
 LOOPS(mat6x6_shifted)
 

@@ -21,6 +21,7 @@ OVER(product_drv_double) {
     STORE(vec3_double, &vo, 2, 3);
   }
 }
+STRIDED(product_drv_double)
 LOOP(product_drv_double, 3, DENSE_OR_ONE, 72, 24, 24, 24, 8, 8, 8)
 
 OVER(product_drv_single) {
@@ -35,6 +36,7 @@ OVER(product_drv_single) {
     STORE(vec3_single, &vo, 2, 3);
   }
 }
+STRIDED(product_drv_single)
 LOOP(product_drv_single, 3, DENSE_OR_ONE, 36, 12, 12, 12, 4, 4, 4)
 LOOPS(product_drv)
 
@@ -51,6 +53,7 @@ OVER(product_drvinv_double) {
     STORE(vec3_double, &vo, 2, 3);
   }
 }
+STRIDED(product_drvinv_double)
 LOOP(product_drvinv_double, 3, DENSE_OR_ONE, 72, 24, 24, 24, 8, 8, 8)
 
 OVER(product_drvinv_single) {
@@ -65,6 +68,7 @@ OVER(product_drvinv_single) {
     STORE(vec3_single, &vo, 2, 3);
   }
 }
+STRIDED(product_drvinv_single)
 LOOP(product_drvinv_single, 3, DENSE_OR_ONE, 36, 12, 12, 12, 4, 4, 4)
 LOOPS(product_drvinv)
 
@@ -81,6 +85,7 @@ OVER(product_drinvv_double) {
     STORE(vec3_double, &vo, 2, 3);
   }
 }
+STRIDED(product_drinvv_double)
 LOOP(product_drinvv_double, 3, DENSE_OR_ONE, 72, 24, 24, 24, 8, 8, 8)
 
 OVER(product_drinvv_single) {
@@ -95,6 +100,7 @@ OVER(product_drinvv_single) {
     STORE(vec3_single, &vo, 2, 3);
   }
 }
+STRIDED(product_drinvv_single)
 LOOP(product_drinvv_single, 3, DENSE_OR_ONE, 36, 12, 12, 12, 4, 4, 4)
 LOOPS(product_drinvv)
 
@@ -111,6 +117,7 @@ OVER(product_drinvvinv_double) {
     STORE(vec3_double, &vo, 2, 3);
   }
 }
+STRIDED(product_drinvvinv_double)
 LOOP(product_drinvvinv_double, 3, DENSE_OR_ONE, 72, 24, 24, 24, 8, 8, 8)
 
 OVER(product_drinvvinv_single) {
@@ -125,6 +132,7 @@ OVER(product_drinvvinv_single) {
     STORE(vec3_single, &vo, 2, 3);
   }
 }
+STRIDED(product_drinvvinv_single)
 LOOP(product_drinvvinv_single, 3, DENSE_OR_ONE, 36, 12, 12, 12, 4, 4, 4)
 LOOPS(product_drinvvinv)
 
@@ -141,6 +149,7 @@ OVER(product_dv_double) {
     STORE(vec3_double, &vo, 2, 3);
   }
 }
+STRIDED(product_dv_double)
 LOOP(product_dv_double, 3, DENSE_OR_ONE, 96, 24, 24, 32, 8, 8, 8)
 
 OVER(product_dv_single) {
@@ -155,6 +164,7 @@ OVER(product_dv_single) {
     STORE(vec3_single, &vo, 2, 3);
   }
 }
+STRIDED(product_dv_single)
 LOOP(product_dv_single, 3, DENSE_OR_ONE, 48, 12, 12, 16, 4, 4, 4)
 LOOPS(product_dv)
 
@@ -171,6 +181,7 @@ OVER(product_dinvv_double) {
     STORE(vec3_double, &vo, 2, 3);
   }
 }
+STRIDED(product_dinvv_double)
 LOOP(product_dinvv_double, 3, DENSE_OR_ONE, 96, 24, 24, 32, 8, 8, 8)
 
 OVER(product_dinvv_single) {
@@ -185,6 +196,7 @@ OVER(product_dinvv_single) {
     STORE(vec3_single, &vo, 2, 3);
   }
 }
+STRIDED(product_dinvv_single)
 LOOP(product_dinvv_single, 3, DENSE_OR_ONE, 48, 12, 12, 16, 4, 4, 4)
 LOOPS(product_dinvv)
 
@@ -201,6 +213,7 @@ OVER(product_drdr_double) {
     STORE(mat3x3_double, &Ro, 2, 4);
   }
 }
+STRIDED(product_drdr_double)
 LOOP(product_drdr_double, 3, DENSE_OR_ONE, 72, 72, 72, 24, 8, 24, 8, 24, 8)
 
 OVER(product_drdr_single) {
@@ -215,6 +228,7 @@ OVER(product_drdr_single) {
     STORE(mat3x3_single, &Ro, 2, 4);
   }
 }
+STRIDED(product_drdr_single)
 LOOP(product_drdr_single, 3, DENSE_OR_ONE, 36, 36, 36, 12, 4, 12, 4, 12, 4)
 LOOPS(product_drdr)
 
@@ -231,6 +245,7 @@ OVER(product_drdrinv_double) {
     STORE(mat3x3_double, &Ro, 2, 4);
   }
 }
+STRIDED(product_drdrinv_double)
 LOOP(product_drdrinv_double, 3, DENSE_OR_ONE, 72, 72, 72, 24, 8, 24, 8, 24, 8)
 
 OVER(product_drdrinv_single) {
@@ -245,6 +260,7 @@ OVER(product_drdrinv_single) {
     STORE(mat3x3_single, &Ro, 2, 4);
   }
 }
+STRIDED(product_drdrinv_single)
 LOOP(product_drdrinv_single, 3, DENSE_OR_ONE, 36, 36, 36, 12, 4, 12, 4, 12, 4)
 LOOPS(product_drdrinv)
 
@@ -261,6 +277,7 @@ OVER(product_drinvdr_double) {
     STORE(mat3x3_double, &Ro, 2, 4);
   }
 }
+STRIDED(product_drinvdr_double)
 LOOP(product_drinvdr_double, 3, DENSE_OR_ONE, 72, 72, 72, 24, 8, 24, 8, 24, 8)
 
 OVER(product_drinvdr_single) {
@@ -275,6 +292,7 @@ OVER(product_drinvdr_single) {
     STORE(mat3x3_single, &Ro, 2, 4);
   }
 }
+STRIDED(product_drinvdr_single)
 LOOP(product_drinvdr_single, 3, DENSE_OR_ONE, 36, 36, 36, 12, 4, 12, 4, 12, 4)
 LOOPS(product_drinvdr)
 
@@ -291,6 +309,7 @@ OVER(product_dd_double) {
     STORE(SE3_double, &Do, 2, 4);
   }
 }
+STRIDED(product_dd_double)
 LOOP(product_dd_double, 3, DENSE_OR_ONE, 96, 96, 96, 32, 8, 32, 8, 32, 8)
 
 OVER(product_dd_single) {
@@ -305,6 +324,7 @@ OVER(product_dd_single) {
     STORE(SE3_single, &Do, 2, 4);
   }
 }
+STRIDED(product_dd_single)
 LOOP(product_dd_single, 3, DENSE_OR_ONE, 48, 48, 48, 16, 4, 16, 4, 16, 4)
 LOOPS(product_dd)
 
@@ -321,6 +341,7 @@ OVER(product_ddinv_double) {
     STORE(SE3_double, &Do, 2, 4);
   }
 }
+STRIDED(product_ddinv_double)
 LOOP(product_ddinv_double, 3, DENSE_OR_ONE, 96, 96, 96, 32, 8, 32, 8, 32, 8)
 
 OVER(product_ddinv_single) {
@@ -335,6 +356,7 @@ OVER(product_ddinv_single) {
     STORE(SE3_single, &Do, 2, 4);
   }
 }
+STRIDED(product_ddinv_single)
 LOOP(product_ddinv_single, 3, DENSE_OR_ONE, 48, 48, 48, 16, 4, 16, 4, 16, 4)
 LOOPS(product_ddinv)
 
@@ -351,6 +373,7 @@ OVER(product_dinvd_double) {
     STORE(SE3_double, &Do, 2, 4);
   }
 }
+STRIDED(product_dinvd_double)
 LOOP(product_dinvd_double, 3, DENSE_OR_ONE, 96, 96, 96, 32, 8, 32, 8, 32, 8)
 
 OVER(product_dinvd_single) {
@@ -365,6 +388,7 @@ OVER(product_dinvd_single) {
     STORE(SE3_single, &Do, 2, 4);
   }
 }
+STRIDED(product_dinvd_single)
 LOOP(product_dinvd_single, 3, DENSE_OR_ONE, 48, 48, 48, 16, 4, 16, 4, 16, 4)
 LOOPS(product_dinvd)
 
@@ -381,6 +405,7 @@ OVER(product_ddr_double) {
     STORE(SE3_double, &Do, 2, 4);
   }
 }
+STRIDED(product_ddr_double)
 LOOP(product_ddr_double, 3, DENSE_OR_ONE, 96, 72, 96, 32, 8, 24, 8, 32, 8)
 
 OVER(product_ddr_single) {
@@ -395,6 +420,7 @@ OVER(product_ddr_single) {
     STORE(SE3_single, &Do, 2, 4);
   }
 }
+STRIDED(product_ddr_single)
 LOOP(product_ddr_single, 3, DENSE_OR_ONE, 48, 36, 48, 16, 4, 12, 4, 16, 4)
 LOOPS(product_ddr)
 
@@ -411,6 +437,7 @@ OVER(product_ddrinv_double) {
     STORE(SE3_double, &Do, 2, 4);
   }
 }
+STRIDED(product_ddrinv_double)
 LOOP(product_ddrinv_double, 3, DENSE_OR_ONE, 96, 72, 96, 32, 8, 24, 8, 32, 8)
 
 OVER(product_ddrinv_single) {
@@ -425,6 +452,7 @@ OVER(product_ddrinv_single) {
     STORE(SE3_single, &Do, 2, 4);
   }
 }
+STRIDED(product_ddrinv_single)
 LOOP(product_ddrinv_single, 3, DENSE_OR_ONE, 48, 36, 48, 16, 4, 12, 4, 16, 4)
 LOOPS(product_ddrinv)
 
@@ -441,6 +469,7 @@ OVER(product_ddt_double) {
     STORE(SE3_double, &Do, 2, 3);
   }
 }
+STRIDED(product_ddt_double)
 LOOP(product_ddt_double, 3, DENSE_OR_ONE, 96, 24, 96, 32, 8, 8, 32, 8)
 
 OVER(product_ddt_single) {
@@ -455,6 +484,7 @@ OVER(product_ddt_single) {
     STORE(SE3_single, &Do, 2, 3);
   }
 }
+STRIDED(product_ddt_single)
 LOOP(product_ddt_single, 3, DENSE_OR_ONE, 48, 12, 48, 16, 4, 4, 16, 4)
 LOOPS(product_ddt)
 
@@ -471,6 +501,7 @@ OVER(product_ddtinv_double) {
     STORE(SE3_double, &Do, 2, 3);
   }
 }
+STRIDED(product_ddtinv_double)
 LOOP(product_ddtinv_double, 3, DENSE_OR_ONE, 96, 24, 96, 32, 8, 8, 32, 8)
 
 OVER(product_ddtinv_single) {
@@ -485,6 +516,7 @@ OVER(product_ddtinv_single) {
     STORE(SE3_single, &Do, 2, 3);
   }
 }
+STRIDED(product_ddtinv_single)
 LOOP(product_ddtinv_single, 3, DENSE_OR_ONE, 48, 12, 48, 16, 4, 4, 16, 4)
 LOOPS(product_ddtinv)
 
@@ -501,6 +533,7 @@ OVER(product_dinvdt_double) {
     STORE(SE3_double, &Do, 2, 3);
   }
 }
+STRIDED(product_dinvdt_double)
 LOOP(product_dinvdt_double, 3, DENSE_OR_ONE, 96, 24, 96, 32, 8, 8, 32, 8)
 
 OVER(product_dinvdt_single) {
@@ -515,6 +548,7 @@ OVER(product_dinvdt_single) {
     STORE(SE3_single, &Do, 2, 3);
   }
 }
+STRIDED(product_dinvdt_single)
 LOOP(product_dinvdt_single, 3, DENSE_OR_ONE, 48, 12, 48, 16, 4, 4, 16, 4)
 LOOPS(product_dinvdt)
 
@@ -531,6 +565,7 @@ OVER(product_drvtx_double) {
     STORE(vec3_double, &vo, 2, 2);
   }
 }
+STRIDED(product_drvtx_double)
 LOOP(product_drvtx_double, 3, DENSE_OR_ONE, 72, 8, 24, 24, 8, 8)
 
 OVER(product_drvtx_single) {
@@ -545,6 +580,7 @@ OVER(product_drvtx_single) {
     STORE(vec3_single, &vo, 2, 2);
   }
 }
+STRIDED(product_drvtx_single)
 LOOP(product_drvtx_single, 3, DENSE_OR_ONE, 36, 4, 12, 12, 4, 4)
 LOOPS(product_drvtx)
 
@@ -561,6 +597,7 @@ OVER(product_drdrx_double) {
     STORE(mat3x3_double, &Ro, 2, 3);
   }
 }
+STRIDED(product_drdrx_double)
 LOOP(product_drdrx_double, 3, DENSE_OR_ONE, 72, 16, 72, 24, 8, 8, 24, 8)
 
 OVER(product_drdrx_single) {
@@ -575,6 +612,7 @@ OVER(product_drdrx_single) {
     STORE(mat3x3_single, &Ro, 2, 3);
   }
 }
+STRIDED(product_drdrx_single)
 LOOP(product_drdrx_single, 3, DENSE_OR_ONE, 36, 8, 36, 12, 4, 4, 12, 4)
 LOOPS(product_drdrx)
 
@@ -591,6 +629,7 @@ OVER(product_ddrx_double) {
     STORE(SE3_double, &Do, 2, 3);
   }
 }
+STRIDED(product_ddrx_double)
 LOOP(product_ddrx_double, 3, DENSE_OR_ONE, 96, 16, 96, 32, 8, 8, 32, 8)
 
 OVER(product_ddrx_single) {
@@ -605,6 +644,7 @@ OVER(product_ddrx_single) {
     STORE(SE3_single, &Do, 2, 3);
   }
 }
+STRIDED(product_ddrx_single)
 LOOP(product_ddrx_single, 3, DENSE_OR_ONE, 48, 8, 48, 16, 4, 4, 16, 4)
 LOOPS(product_ddrx)
 
@@ -621,6 +661,7 @@ OVER(product_ddtx_double) {
     STORE(SE3_double, &Do, 2, 2);
   }
 }
+STRIDED(product_ddtx_double)
 LOOP(product_ddtx_double, 3, DENSE_OR_ONE, 96, 8, 96, 32, 8, 32, 8)
 
 OVER(product_ddtx_single) {
@@ -635,6 +676,7 @@ OVER(product_ddtx_single) {
     STORE(SE3_single, &Do, 2, 2);
   }
 }
+STRIDED(product_ddtx_single)
 LOOP(product_ddtx_single, 3, DENSE_OR_ONE, 48, 4, 48, 16, 4, 16, 4)
 LOOPS(product_ddtx)
 
@@ -651,6 +693,7 @@ OVER(product_drvtxinv_double) {
     STORE(vec3_double, &vo, 2, 2);
   }
 }
+STRIDED(product_drvtxinv_double)
 LOOP(product_drvtxinv_double, 3, DENSE_OR_ONE, 72, 8, 24, 24, 8, 8)
 
 OVER(product_drvtxinv_single) {
@@ -665,6 +708,7 @@ OVER(product_drvtxinv_single) {
     STORE(vec3_single, &vo, 2, 2);
   }
 }
+STRIDED(product_drvtxinv_single)
 LOOP(product_drvtxinv_single, 3, DENSE_OR_ONE, 36, 4, 12, 12, 4, 4)
 LOOPS(product_drvtxinv)
 
@@ -681,6 +725,7 @@ OVER(product_drdrxinv_double) {
     STORE(mat3x3_double, &Ro, 2, 3);
   }
 }
+STRIDED(product_drdrxinv_double)
 LOOP(product_drdrxinv_double, 3, DENSE_OR_ONE, 72, 16, 72, 24, 8, 8, 24, 8)
 
 OVER(product_drdrxinv_single) {
@@ -695,6 +740,7 @@ OVER(product_drdrxinv_single) {
     STORE(mat3x3_single, &Ro, 2, 3);
   }
 }
+STRIDED(product_drdrxinv_single)
 LOOP(product_drdrxinv_single, 3, DENSE_OR_ONE, 36, 8, 36, 12, 4, 4, 12, 4)
 LOOPS(product_drdrxinv)
 
@@ -711,6 +757,7 @@ OVER(product_ddrxinv_double) {
     STORE(SE3_double, &Do, 2, 3);
   }
 }
+STRIDED(product_ddrxinv_double)
 LOOP(product_ddrxinv_double, 3, DENSE_OR_ONE, 96, 16, 96, 32, 8, 8, 32, 8)
 
 OVER(product_ddrxinv_single) {
@@ -725,6 +772,7 @@ OVER(product_ddrxinv_single) {
     STORE(SE3_single, &Do, 2, 3);
   }
 }
+STRIDED(product_ddrxinv_single)
 LOOP(product_ddrxinv_single, 3, DENSE_OR_ONE, 48, 8, 48, 16, 4, 4, 16, 4)
 LOOPS(product_ddrxinv)
 
@@ -741,6 +789,7 @@ OVER(product_ddtxinv_double) {
     STORE(SE3_double, &Do, 2, 2);
   }
 }
+STRIDED(product_ddtxinv_double)
 LOOP(product_ddtxinv_double, 3, DENSE_OR_ONE, 96, 8, 96, 32, 8, 32, 8)
 
 OVER(product_ddtxinv_single) {
@@ -755,6 +804,7 @@ OVER(product_ddtxinv_single) {
     STORE(SE3_single, &Do, 2, 2);
   }
 }
+STRIDED(product_ddtxinv_single)
 LOOP(product_ddtxinv_single, 3, DENSE_OR_ONE, 48, 4, 48, 16, 4, 16, 4)
 LOOPS(product_ddtxinv)
 
@@ -771,6 +821,7 @@ OVER(product_drvty_double) {
     STORE(vec3_double, &vo, 2, 2);
   }
 }
+STRIDED(product_drvty_double)
 LOOP(product_drvty_double, 3, DENSE_OR_ONE, 72, 8, 24, 24, 8, 8)
 
 OVER(product_drvty_single) {
@@ -785,6 +836,7 @@ OVER(product_drvty_single) {
     STORE(vec3_single, &vo, 2, 2);
   }
 }
+STRIDED(product_drvty_single)
 LOOP(product_drvty_single, 3, DENSE_OR_ONE, 36, 4, 12, 12, 4, 4)
 LOOPS(product_drvty)
 
@@ -801,6 +853,7 @@ OVER(product_drdry_double) {
     STORE(mat3x3_double, &Ro, 2, 3);
   }
 }
+STRIDED(product_drdry_double)
 LOOP(product_drdry_double, 3, DENSE_OR_ONE, 72, 16, 72, 24, 8, 8, 24, 8)
 
 OVER(product_drdry_single) {
@@ -815,6 +868,7 @@ OVER(product_drdry_single) {
     STORE(mat3x3_single, &Ro, 2, 3);
   }
 }
+STRIDED(product_drdry_single)
 LOOP(product_drdry_single, 3, DENSE_OR_ONE, 36, 8, 36, 12, 4, 4, 12, 4)
 LOOPS(product_drdry)
 
@@ -831,6 +885,7 @@ OVER(product_ddry_double) {
     STORE(SE3_double, &Do, 2, 3);
   }
 }
+STRIDED(product_ddry_double)
 LOOP(product_ddry_double, 3, DENSE_OR_ONE, 96, 16, 96, 32, 8, 8, 32, 8)
 
 OVER(product_ddry_single) {
@@ -845,6 +900,7 @@ OVER(product_ddry_single) {
     STORE(SE3_single, &Do, 2, 3);
   }
 }
+STRIDED(product_ddry_single)
 LOOP(product_ddry_single, 3, DENSE_OR_ONE, 48, 8, 48, 16, 4, 4, 16, 4)
 LOOPS(product_ddry)
 
@@ -861,6 +917,7 @@ OVER(product_ddty_double) {
     STORE(SE3_double, &Do, 2, 2);
   }
 }
+STRIDED(product_ddty_double)
 LOOP(product_ddty_double, 3, DENSE_OR_ONE, 96, 8, 96, 32, 8, 32, 8)
 
 OVER(product_ddty_single) {
@@ -875,6 +932,7 @@ OVER(product_ddty_single) {
     STORE(SE3_single, &Do, 2, 2);
   }
 }
+STRIDED(product_ddty_single)
 LOOP(product_ddty_single, 3, DENSE_OR_ONE, 48, 4, 48, 16, 4, 16, 4)
 LOOPS(product_ddty)
 
@@ -891,6 +949,7 @@ OVER(product_drvtyinv_double) {
     STORE(vec3_double, &vo, 2, 2);
   }
 }
+STRIDED(product_drvtyinv_double)
 LOOP(product_drvtyinv_double, 3, DENSE_OR_ONE, 72, 8, 24, 24, 8, 8)
 
 OVER(product_drvtyinv_single) {
@@ -905,6 +964,7 @@ OVER(product_drvtyinv_single) {
     STORE(vec3_single, &vo, 2, 2);
   }
 }
+STRIDED(product_drvtyinv_single)
 LOOP(product_drvtyinv_single, 3, DENSE_OR_ONE, 36, 4, 12, 12, 4, 4)
 LOOPS(product_drvtyinv)
 
@@ -921,6 +981,7 @@ OVER(product_drdryinv_double) {
     STORE(mat3x3_double, &Ro, 2, 3);
   }
 }
+STRIDED(product_drdryinv_double)
 LOOP(product_drdryinv_double, 3, DENSE_OR_ONE, 72, 16, 72, 24, 8, 8, 24, 8)
 
 OVER(product_drdryinv_single) {
@@ -935,6 +996,7 @@ OVER(product_drdryinv_single) {
     STORE(mat3x3_single, &Ro, 2, 3);
   }
 }
+STRIDED(product_drdryinv_single)
 LOOP(product_drdryinv_single, 3, DENSE_OR_ONE, 36, 8, 36, 12, 4, 4, 12, 4)
 LOOPS(product_drdryinv)
 
@@ -951,6 +1013,7 @@ OVER(product_ddryinv_double) {
     STORE(SE3_double, &Do, 2, 3);
   }
 }
+STRIDED(product_ddryinv_double)
 LOOP(product_ddryinv_double, 3, DENSE_OR_ONE, 96, 16, 96, 32, 8, 8, 32, 8)
 
 OVER(product_ddryinv_single) {
@@ -965,6 +1028,7 @@ OVER(product_ddryinv_single) {
     STORE(SE3_single, &Do, 2, 3);
   }
 }
+STRIDED(product_ddryinv_single)
 LOOP(product_ddryinv_single, 3, DENSE_OR_ONE, 48, 8, 48, 16, 4, 4, 16, 4)
 LOOPS(product_ddryinv)
 
@@ -981,6 +1045,7 @@ OVER(product_ddtyinv_double) {
     STORE(SE3_double, &Do, 2, 2);
   }
 }
+STRIDED(product_ddtyinv_double)
 LOOP(product_ddtyinv_double, 3, DENSE_OR_ONE, 96, 8, 96, 32, 8, 32, 8)
 
 OVER(product_ddtyinv_single) {
@@ -995,6 +1060,7 @@ OVER(product_ddtyinv_single) {
     STORE(SE3_single, &Do, 2, 2);
   }
 }
+STRIDED(product_ddtyinv_single)
 LOOP(product_ddtyinv_single, 3, DENSE_OR_ONE, 48, 4, 48, 16, 4, 16, 4)
 LOOPS(product_ddtyinv)
 
@@ -1011,6 +1077,7 @@ OVER(product_drvtz_double) {
     STORE(vec3_double, &vo, 2, 2);
   }
 }
+STRIDED(product_drvtz_double)
 LOOP(product_drvtz_double, 3, DENSE_OR_ONE, 72, 8, 24, 24, 8, 8)
 
 OVER(product_drvtz_single) {
@@ -1025,6 +1092,7 @@ OVER(product_drvtz_single) {
     STORE(vec3_single, &vo, 2, 2);
   }
 }
+STRIDED(product_drvtz_single)
 LOOP(product_drvtz_single, 3, DENSE_OR_ONE, 36, 4, 12, 12, 4, 4)
 LOOPS(product_drvtz)
 
@@ -1041,6 +1109,7 @@ OVER(product_drdrz_double) {
     STORE(mat3x3_double, &Ro, 2, 3);
   }
 }
+STRIDED(product_drdrz_double)
 LOOP(product_drdrz_double, 3, DENSE_OR_ONE, 72, 16, 72, 24, 8, 8, 24, 8)
 
 OVER(product_drdrz_single) {
@@ -1055,6 +1124,7 @@ OVER(product_drdrz_single) {
     STORE(mat3x3_single, &Ro, 2, 3);
   }
 }
+STRIDED(product_drdrz_single)
 LOOP(product_drdrz_single, 3, DENSE_OR_ONE, 36, 8, 36, 12, 4, 4, 12, 4)
 LOOPS(product_drdrz)
 
@@ -1071,6 +1141,7 @@ OVER(product_ddrz_double) {
     STORE(SE3_double, &Do, 2, 3);
   }
 }
+STRIDED(product_ddrz_double)
 LOOP(product_ddrz_double, 3, DENSE_OR_ONE, 96, 16, 96, 32, 8, 8, 32, 8)
 
 OVER(product_ddrz_single) {
@@ -1085,6 +1156,7 @@ OVER(product_ddrz_single) {
     STORE(SE3_single, &Do, 2, 3);
   }
 }
+STRIDED(product_ddrz_single)
 LOOP(product_ddrz_single, 3, DENSE_OR_ONE, 48, 8, 48, 16, 4, 4, 16, 4)
 LOOPS(product_ddrz)
 
@@ -1101,6 +1173,7 @@ OVER(product_ddtz_double) {
     STORE(SE3_double, &Do, 2, 2);
   }
 }
+STRIDED(product_ddtz_double)
 LOOP(product_ddtz_double, 3, DENSE_OR_ONE, 96, 8, 96, 32, 8, 32, 8)
 
 OVER(product_ddtz_single) {
@@ -1115,6 +1188,7 @@ OVER(product_ddtz_single) {
     STORE(SE3_single, &Do, 2, 2);
   }
 }
+STRIDED(product_ddtz_single)
 LOOP(product_ddtz_single, 3, DENSE_OR_ONE, 48, 4, 48, 16, 4, 16, 4)
 LOOPS(product_ddtz)
 
@@ -1131,6 +1205,7 @@ OVER(product_drvtzinv_double) {
     STORE(vec3_double, &vo, 2, 2);
   }
 }
+STRIDED(product_drvtzinv_double)
 LOOP(product_drvtzinv_double, 3, DENSE_OR_ONE, 72, 8, 24, 24, 8, 8)
 
 OVER(product_drvtzinv_single) {
@@ -1145,6 +1220,7 @@ OVER(product_drvtzinv_single) {
     STORE(vec3_single, &vo, 2, 2);
   }
 }
+STRIDED(product_drvtzinv_single)
 LOOP(product_drvtzinv_single, 3, DENSE_OR_ONE, 36, 4, 12, 12, 4, 4)
 LOOPS(product_drvtzinv)
 
@@ -1161,6 +1237,7 @@ OVER(product_drdrzinv_double) {
     STORE(mat3x3_double, &Ro, 2, 3);
   }
 }
+STRIDED(product_drdrzinv_double)
 LOOP(product_drdrzinv_double, 3, DENSE_OR_ONE, 72, 16, 72, 24, 8, 8, 24, 8)
 
 OVER(product_drdrzinv_single) {
@@ -1175,6 +1252,7 @@ OVER(product_drdrzinv_single) {
     STORE(mat3x3_single, &Ro, 2, 3);
   }
 }
+STRIDED(product_drdrzinv_single)
 LOOP(product_drdrzinv_single, 3, DENSE_OR_ONE, 36, 8, 36, 12, 4, 4, 12, 4)
 LOOPS(product_drdrzinv)
 
@@ -1191,6 +1269,7 @@ OVER(product_ddrzinv_double) {
     STORE(SE3_double, &Do, 2, 3);
   }
 }
+STRIDED(product_ddrzinv_double)
 LOOP(product_ddrzinv_double, 3, DENSE_OR_ONE, 96, 16, 96, 32, 8, 8, 32, 8)
 
 OVER(product_ddrzinv_single) {
@@ -1205,6 +1284,7 @@ OVER(product_ddrzinv_single) {
     STORE(SE3_single, &Do, 2, 3);
   }
 }
+STRIDED(product_ddrzinv_single)
 LOOP(product_ddrzinv_single, 3, DENSE_OR_ONE, 48, 8, 48, 16, 4, 4, 16, 4)
 LOOPS(product_ddrzinv)
 
@@ -1221,6 +1301,7 @@ OVER(product_ddtzinv_double) {
     STORE(SE3_double, &Do, 2, 2);
   }
 }
+STRIDED(product_ddtzinv_double)
 LOOP(product_ddtzinv_double, 3, DENSE_OR_ONE, 96, 8, 96, 32, 8, 32, 8)
 
 OVER(product_ddtzinv_single) {
@@ -1235,6 +1316,7 @@ OVER(product_ddtzinv_single) {
     STORE(SE3_single, &Do, 2, 2);
   }
 }
+STRIDED(product_ddtzinv_single)
 LOOP(product_ddtzinv_single, 3, DENSE_OR_ONE, 48, 4, 48, 16, 4, 16, 4)
 LOOPS(product_ddtzinv)
 

@@ -21,6 +21,7 @@ OVER(quaternion_copy_double) {
     STORE(quaternion_double, &qo, 1, 1);
   }
 }
+STRIDED(quaternion_copy_double)
 LOOP(quaternion_copy_double, 2, DENSE, 32, 32, 8, 8)
 
 OVER(quaternion_copy_single) {
@@ -33,6 +34,7 @@ OVER(quaternion_copy_single) {
     STORE(quaternion_single, &qo, 1, 1);
   }
 }
+STRIDED(quaternion_copy_single)
 LOOP(quaternion_copy_single, 2, DENSE, 16, 16, 4, 4)
 LOOPS(quaternion_copy)
 
@@ -48,6 +50,7 @@ OVER(quaternion_scale_double) {
     STORE(quaternion_double, &self, 2, 1);
   }
 }
+STRIDED(quaternion_scale_double)
 LOOP(quaternion_scale_double, 3, DENSE, 32, 8, 32, 8, 8)
 
 OVER(quaternion_scale_single) {
@@ -61,6 +64,7 @@ OVER(quaternion_scale_single) {
     STORE(quaternion_single, &self, 2, 1);
   }
 }
+STRIDED(quaternion_scale_single)
 LOOP(quaternion_scale_single, 3, DENSE, 16, 4, 16, 4, 4)
 LOOPS(quaternion_scale)
 
@@ -78,6 +82,7 @@ OVER(axpy_qq_double) {
     STORE(quaternion_double, &y, 3, 2);
   }
 }
+STRIDED(axpy_qq_double)
 LOOP(axpy_qq_double, 4, DENSE_OR_ONE, 8, 32, 32, 32, 8, 8, 8)
 
 OVER(axpy_qq_single) {
@@ -93,6 +98,7 @@ OVER(axpy_qq_single) {
     STORE(quaternion_single, &y, 3, 2);
   }
 }
+STRIDED(axpy_qq_single)
 LOOP(axpy_qq_single, 4, DENSE_OR_ONE, 4, 16, 16, 16, 4, 4, 4)
 LOOPS(axpy_qq)
 
@@ -106,6 +112,7 @@ OVER(quaternion_setIdentity_double) {
     STORE(quaternion_double, &self, 1, 1);
   }
 }
+STRIDED(quaternion_setIdentity_double)
 LOOP(quaternion_setIdentity_double, 2, DENSE, 32, 32, 8, 8)
 
 OVER(quaternion_setIdentity_single) {
@@ -117,6 +124,7 @@ OVER(quaternion_setIdentity_single) {
     STORE(quaternion_single, &self, 1, 1);
   }
 }
+STRIDED(quaternion_setIdentity_single)
 LOOP(quaternion_setIdentity_single, 2, DENSE, 16, 16, 4, 4)
 LOOPS(quaternion_setIdentity)
 
@@ -131,6 +139,7 @@ OVER(quaternion_conjugated_double) {
     STORE(quaternion_double, &qo, 1, 1);
   }
 }
+STRIDED(quaternion_conjugated_double)
 LOOP(quaternion_conjugated_double, 2, DENSE, 32, 32, 8, 8)
 
 OVER(quaternion_conjugated_single) {
@@ -143,6 +152,7 @@ OVER(quaternion_conjugated_single) {
     STORE(quaternion_single, &qo, 1, 1);
   }
 }
+STRIDED(quaternion_conjugated_single)
 LOOP(quaternion_conjugated_single, 2, DENSE, 16, 16, 4, 4)
 LOOPS(quaternion_conjugated)
 
@@ -157,6 +167,7 @@ OVER(quaternion_norm_double) {
     STORE(scalar_double, &norm, 1, 1);
   }
 }
+STRIDED(quaternion_norm_double)
 LOOP(quaternion_norm_double, 2, DENSE, 32, 8, 8)
 
 OVER(quaternion_norm_single) {
@@ -169,6 +180,7 @@ OVER(quaternion_norm_single) {
     STORE(scalar_single, &norm, 1, 1);
   }
 }
+STRIDED(quaternion_norm_single)
 LOOP(quaternion_norm_single, 2, DENSE, 16, 4, 4)
 LOOPS(quaternion_norm)
 
@@ -182,6 +194,7 @@ OVER(quaternion_normalize_double) {
     STORE(quaternion_double, &self, 1, 1);
   }
 }
+STRIDED(quaternion_normalize_double)
 LOOP(quaternion_normalize_double, 2, DENSE, 32, 32, 8, 8)
 
 OVER(quaternion_normalize_single) {
@@ -193,6 +206,7 @@ OVER(quaternion_normalize_single) {
     STORE(quaternion_single, &self, 1, 1);
   }
 }
+STRIDED(quaternion_normalize_single)
 LOOP(quaternion_normalize_single, 2, DENSE, 16, 16, 4, 4)
 LOOPS(quaternion_normalize)
 
@@ -207,6 +221,7 @@ OVER(quaternion_normalized_double) {
     STORE(quaternion_double, &qo, 1, 1);
   }
 }
+STRIDED(quaternion_normalized_double)
 LOOP(quaternion_normalized_double, 2, DENSE, 32, 32, 8, 8)
 
 OVER(quaternion_normalized_single) {
@@ -219,6 +234,7 @@ OVER(quaternion_normalized_single) {
     STORE(quaternion_single, &qo, 1, 1);
   }
 }
+STRIDED(quaternion_normalized_single)
 LOOP(quaternion_normalized_single, 2, DENSE, 16, 16, 4, 4)
 LOOPS(quaternion_normalized)
 
@@ -233,6 +249,7 @@ OVER(quaternion_unit_defect_double) {
     STORE(scalar_double, &defect, 1, 1);
   }
 }
+STRIDED(quaternion_unit_defect_double)
 LOOP(quaternion_unit_defect_double, 2, DENSE, 32, 8, 8)
 
 OVER(quaternion_unit_defect_single) {
@@ -245,6 +262,7 @@ OVER(quaternion_unit_defect_single) {
     STORE(scalar_single, &defect, 1, 1);
   }
 }
+STRIDED(quaternion_unit_defect_single)
 LOOP(quaternion_unit_defect_single, 2, DENSE, 16, 4, 4)
 LOOPS(quaternion_unit_defect)
 
@@ -259,6 +277,7 @@ OVER(quaternion_nearest_unit_double) {
     STORE(quaternion_double, &qo, 1, 1);
   }
 }
+STRIDED(quaternion_nearest_unit_double)
 LOOP(quaternion_nearest_unit_double, 2, DENSE, 32, 32, 8, 8)
 
 OVER(quaternion_nearest_unit_single) {
@@ -271,6 +290,7 @@ OVER(quaternion_nearest_unit_single) {
     STORE(quaternion_single, &qo, 1, 1);
   }
 }
+STRIDED(quaternion_nearest_unit_single)
 LOOP(quaternion_nearest_unit_single, 2, DENSE, 16, 16, 4, 4)
 LOOPS(quaternion_nearest_unit)
 
@@ -287,6 +307,7 @@ OVER(rotate_qv_double) {
     STORE(vec3_double, &vo, 2, 2);
   }
 }
+STRIDED(rotate_qv_double)
 LOOP(rotate_qv_double, 3, DENSE_OR_ONE, 32, 24, 24, 8, 8, 8)
 
 OVER(rotate_qv_single) {
@@ -301,6 +322,7 @@ OVER(rotate_qv_single) {
     STORE(vec3_single, &vo, 2, 2);
   }
 }
+STRIDED(rotate_qv_single)
 LOOP(rotate_qv_single, 3, DENSE_OR_ONE, 16, 12, 12, 4, 4, 4)
 LOOPS(rotate_qv)
 
@@ -317,6 +339,7 @@ OVER(rotate_qconjv_double) {
     STORE(vec3_double, &vo, 2, 2);
   }
 }
+STRIDED(rotate_qconjv_double)
 LOOP(rotate_qconjv_double, 3, DENSE_OR_ONE, 32, 24, 24, 8, 8, 8)
 
 OVER(rotate_qconjv_single) {
@@ -331,6 +354,7 @@ OVER(rotate_qconjv_single) {
     STORE(vec3_single, &vo, 2, 2);
   }
 }
+STRIDED(rotate_qconjv_single)
 LOOP(rotate_qconjv_single, 3, DENSE_OR_ONE, 16, 12, 12, 4, 4, 4)
 LOOPS(rotate_qconjv)
 
@@ -347,6 +371,7 @@ OVER(quaternion_product_qq_double) {
     STORE(quaternion_double, &qo, 2, 2);
   }
 }
+STRIDED(quaternion_product_qq_double)
 LOOP(quaternion_product_qq_double, 3, DENSE_OR_ONE, 32, 32, 32, 8, 8, 8)
 
 OVER(quaternion_product_qq_single) {
@@ -361,6 +386,7 @@ OVER(quaternion_product_qq_single) {
     STORE(quaternion_single, &qo, 2, 2);
   }
 }
+STRIDED(quaternion_product_qq_single)
 LOOP(quaternion_product_qq_single, 3, DENSE_OR_ONE, 16, 16, 16, 4, 4, 4)
 LOOPS(quaternion_product_qq)
 
@@ -377,6 +403,7 @@ OVER(quaternion_product_qqconj_double) {
     STORE(quaternion_double, &qo, 2, 2);
   }
 }
+STRIDED(quaternion_product_qqconj_double)
 LOOP(quaternion_product_qqconj_double, 3, DENSE_OR_ONE, 32, 32, 32, 8, 8, 8)
 
 OVER(quaternion_product_qqconj_single) {
@@ -391,6 +418,7 @@ OVER(quaternion_product_qqconj_single) {
     STORE(quaternion_single, &qo, 2, 2);
   }
 }
+STRIDED(quaternion_product_qqconj_single)
 LOOP(quaternion_product_qqconj_single, 3, DENSE_OR_ONE, 16, 16, 16, 4, 4, 4)
 LOOPS(quaternion_product_qqconj)
 
@@ -407,6 +435,7 @@ OVER(quaternion_product_qconjq_double) {
     STORE(quaternion_double, &qo, 2, 2);
   }
 }
+STRIDED(quaternion_product_qconjq_double)
 LOOP(quaternion_product_qconjq_double, 3, DENSE_OR_ONE, 32, 32, 32, 8, 8, 8)
 
 OVER(quaternion_product_qconjq_single) {
@@ -421,6 +450,7 @@ OVER(quaternion_product_qconjq_single) {
     STORE(quaternion_single, &qo, 2, 2);
   }
 }
+STRIDED(quaternion_product_qconjq_single)
 LOOP(quaternion_product_qconjq_single, 3, DENSE_OR_ONE, 16, 16, 16, 4, 4, 4)
 LOOPS(quaternion_product_qconjq)
 
@@ -437,6 +467,7 @@ OVER(quaternion_product_qconjqconj_double) {
     STORE(quaternion_double, &qo, 2, 2);
   }
 }
+STRIDED(quaternion_product_qconjqconj_double)
 LOOP(quaternion_product_qconjqconj_double, 3, DENSE_OR_ONE, 32, 32, 32, 8, 8, 8)
 
 OVER(quaternion_product_qconjqconj_single) {
@@ -451,6 +482,7 @@ OVER(quaternion_product_qconjqconj_single) {
     STORE(quaternion_single, &qo, 2, 2);
   }
 }
+STRIDED(quaternion_product_qconjqconj_single)
 LOOP(quaternion_product_qconjqconj_single, 3, DENSE_OR_ONE, 16, 16, 16, 4, 4, 4)
 LOOPS(quaternion_product_qconjqconj)
 
@@ -467,6 +499,7 @@ OVER(quaternion_product_qxq_double) {
     STORE(quaternion_double, &qo, 2, 2);
   }
 }
+STRIDED(quaternion_product_qxq_double)
 LOOP(quaternion_product_qxq_double, 3, DENSE_OR_ONE, 16, 32, 32, 8, 8, 8)
 
 OVER(quaternion_product_qxq_single) {
@@ -481,6 +514,7 @@ OVER(quaternion_product_qxq_single) {
     STORE(quaternion_single, &qo, 2, 2);
   }
 }
+STRIDED(quaternion_product_qxq_single)
 LOOP(quaternion_product_qxq_single, 3, DENSE_OR_ONE, 8, 16, 16, 4, 4, 4)
 LOOPS(quaternion_product_qxq)
 
@@ -497,6 +531,7 @@ OVER(quaternion_product_qxqconj_double) {
     STORE(quaternion_double, &qo, 2, 2);
   }
 }
+STRIDED(quaternion_product_qxqconj_double)
 LOOP(quaternion_product_qxqconj_double, 3, DENSE_OR_ONE, 16, 32, 32, 8, 8, 8)
 
 OVER(quaternion_product_qxqconj_single) {
@@ -511,6 +546,7 @@ OVER(quaternion_product_qxqconj_single) {
     STORE(quaternion_single, &qo, 2, 2);
   }
 }
+STRIDED(quaternion_product_qxqconj_single)
 LOOP(quaternion_product_qxqconj_single, 3, DENSE_OR_ONE, 8, 16, 16, 4, 4, 4)
 LOOPS(quaternion_product_qxqconj)
 
@@ -527,6 +563,7 @@ OVER(quaternion_product_qxconjq_double) {
     STORE(quaternion_double, &qo, 2, 2);
   }
 }
+STRIDED(quaternion_product_qxconjq_double)
 LOOP(quaternion_product_qxconjq_double, 3, DENSE_OR_ONE, 16, 32, 32, 8, 8, 8)
 
 OVER(quaternion_product_qxconjq_single) {
@@ -541,6 +578,7 @@ OVER(quaternion_product_qxconjq_single) {
     STORE(quaternion_single, &qo, 2, 2);
   }
 }
+STRIDED(quaternion_product_qxconjq_single)
 LOOP(quaternion_product_qxconjq_single, 3, DENSE_OR_ONE, 8, 16, 16, 4, 4, 4)
 LOOPS(quaternion_product_qxconjq)
 
@@ -557,6 +595,7 @@ OVER(quaternion_product_qxconjqconj_double) {
     STORE(quaternion_double, &qo, 2, 2);
   }
 }
+STRIDED(quaternion_product_qxconjqconj_double)
 LOOP(quaternion_product_qxconjqconj_double, 3, DENSE_OR_ONE, 16, 32, 32, 8, 8, 8)
 
 OVER(quaternion_product_qxconjqconj_single) {
@@ -571,6 +610,7 @@ OVER(quaternion_product_qxconjqconj_single) {
     STORE(quaternion_single, &qo, 2, 2);
   }
 }
+STRIDED(quaternion_product_qxconjqconj_single)
 LOOP(quaternion_product_qxconjqconj_single, 3, DENSE_OR_ONE, 8, 16, 16, 4, 4, 4)
 LOOPS(quaternion_product_qxconjqconj)
 
@@ -587,6 +627,7 @@ OVER(quaternion_product_qqx_double) {
     STORE(quaternion_double, &qo, 2, 2);
   }
 }
+STRIDED(quaternion_product_qqx_double)
 LOOP(quaternion_product_qqx_double, 3, DENSE_OR_ONE, 32, 16, 32, 8, 8, 8)
 
 OVER(quaternion_product_qqx_single) {
@@ -601,6 +642,7 @@ OVER(quaternion_product_qqx_single) {
     STORE(quaternion_single, &qo, 2, 2);
   }
 }
+STRIDED(quaternion_product_qqx_single)
 LOOP(quaternion_product_qqx_single, 3, DENSE_OR_ONE, 16, 8, 16, 4, 4, 4)
 LOOPS(quaternion_product_qqx)
 
@@ -617,6 +659,7 @@ OVER(quaternion_product_qqxconj_double) {
     STORE(quaternion_double, &qo, 2, 2);
   }
 }
+STRIDED(quaternion_product_qqxconj_double)
 LOOP(quaternion_product_qqxconj_double, 3, DENSE_OR_ONE, 32, 16, 32, 8, 8, 8)
 
 OVER(quaternion_product_qqxconj_single) {
@@ -631,6 +674,7 @@ OVER(quaternion_product_qqxconj_single) {
     STORE(quaternion_single, &qo, 2, 2);
   }
 }
+STRIDED(quaternion_product_qqxconj_single)
 LOOP(quaternion_product_qqxconj_single, 3, DENSE_OR_ONE, 16, 8, 16, 4, 4, 4)
 LOOPS(quaternion_product_qqxconj)
 
@@ -647,6 +691,7 @@ OVER(quaternion_product_qconjqx_double) {
     STORE(quaternion_double, &qo, 2, 2);
   }
 }
+STRIDED(quaternion_product_qconjqx_double)
 LOOP(quaternion_product_qconjqx_double, 3, DENSE_OR_ONE, 32, 16, 32, 8, 8, 8)
 
 OVER(quaternion_product_qconjqx_single) {
@@ -661,6 +706,7 @@ OVER(quaternion_product_qconjqx_single) {
     STORE(quaternion_single, &qo, 2, 2);
   }
 }
+STRIDED(quaternion_product_qconjqx_single)
 LOOP(quaternion_product_qconjqx_single, 3, DENSE_OR_ONE, 16, 8, 16, 4, 4, 4)
 LOOPS(quaternion_product_qconjqx)
 
@@ -677,6 +723,7 @@ OVER(quaternion_product_qconjqxconj_double) {
     STORE(quaternion_double, &qo, 2, 2);
   }
 }
+STRIDED(quaternion_product_qconjqxconj_double)
 LOOP(quaternion_product_qconjqxconj_double, 3, DENSE_OR_ONE, 32, 16, 32, 8, 8, 8)
 
 OVER(quaternion_product_qconjqxconj_single) {
@@ -691,6 +738,7 @@ OVER(quaternion_product_qconjqxconj_single) {
     STORE(quaternion_single, &qo, 2, 2);
   }
 }
+STRIDED(quaternion_product_qconjqxconj_single)
 LOOP(quaternion_product_qconjqxconj_single, 3, DENSE_OR_ONE, 16, 8, 16, 4, 4, 4)
 LOOPS(quaternion_product_qconjqxconj)
 
@@ -707,6 +755,7 @@ OVER(quaternion_product_qyq_double) {
     STORE(quaternion_double, &qo, 2, 2);
   }
 }
+STRIDED(quaternion_product_qyq_double)
 LOOP(quaternion_product_qyq_double, 3, DENSE_OR_ONE, 16, 32, 32, 8, 8, 8)
 
 OVER(quaternion_product_qyq_single) {
@@ -721,6 +770,7 @@ OVER(quaternion_product_qyq_single) {
     STORE(quaternion_single, &qo, 2, 2);
   }
 }
+STRIDED(quaternion_product_qyq_single)
 LOOP(quaternion_product_qyq_single, 3, DENSE_OR_ONE, 8, 16, 16, 4, 4, 4)
 LOOPS(quaternion_product_qyq)
 
@@ -737,6 +787,7 @@ OVER(quaternion_product_qyqconj_double) {
     STORE(quaternion_double, &qo, 2, 2);
   }
 }
+STRIDED(quaternion_product_qyqconj_double)
 LOOP(quaternion_product_qyqconj_double, 3, DENSE_OR_ONE, 16, 32, 32, 8, 8, 8)
 
 OVER(quaternion_product_qyqconj_single) {
@@ -751,6 +802,7 @@ OVER(quaternion_product_qyqconj_single) {
     STORE(quaternion_single, &qo, 2, 2);
   }
 }
+STRIDED(quaternion_product_qyqconj_single)
 LOOP(quaternion_product_qyqconj_single, 3, DENSE_OR_ONE, 8, 16, 16, 4, 4, 4)
 LOOPS(quaternion_product_qyqconj)
 
@@ -767,6 +819,7 @@ OVER(quaternion_product_qyconjq_double) {
     STORE(quaternion_double, &qo, 2, 2);
   }
 }
+STRIDED(quaternion_product_qyconjq_double)
 LOOP(quaternion_product_qyconjq_double, 3, DENSE_OR_ONE, 16, 32, 32, 8, 8, 8)
 
 OVER(quaternion_product_qyconjq_single) {
@@ -781,6 +834,7 @@ OVER(quaternion_product_qyconjq_single) {
     STORE(quaternion_single, &qo, 2, 2);
   }
 }
+STRIDED(quaternion_product_qyconjq_single)
 LOOP(quaternion_product_qyconjq_single, 3, DENSE_OR_ONE, 8, 16, 16, 4, 4, 4)
 LOOPS(quaternion_product_qyconjq)
 
@@ -797,6 +851,7 @@ OVER(quaternion_product_qyconjqconj_double) {
     STORE(quaternion_double, &qo, 2, 2);
   }
 }
+STRIDED(quaternion_product_qyconjqconj_double)
 LOOP(quaternion_product_qyconjqconj_double, 3, DENSE_OR_ONE, 16, 32, 32, 8, 8, 8)
 
 OVER(quaternion_product_qyconjqconj_single) {
@@ -811,6 +866,7 @@ OVER(quaternion_product_qyconjqconj_single) {
     STORE(quaternion_single, &qo, 2, 2);
   }
 }
+STRIDED(quaternion_product_qyconjqconj_single)
 LOOP(quaternion_product_qyconjqconj_single, 3, DENSE_OR_ONE, 8, 16, 16, 4, 4, 4)
 LOOPS(quaternion_product_qyconjqconj)
 
@@ -827,6 +883,7 @@ OVER(quaternion_product_qqy_double) {
     STORE(quaternion_double, &qo, 2, 2);
   }
 }
+STRIDED(quaternion_product_qqy_double)
 LOOP(quaternion_product_qqy_double, 3, DENSE_OR_ONE, 32, 16, 32, 8, 8, 8)
 
 OVER(quaternion_product_qqy_single) {
@@ -841,6 +898,7 @@ OVER(quaternion_product_qqy_single) {
     STORE(quaternion_single, &qo, 2, 2);
   }
 }
+STRIDED(quaternion_product_qqy_single)
 LOOP(quaternion_product_qqy_single, 3, DENSE_OR_ONE, 16, 8, 16, 4, 4, 4)
 LOOPS(quaternion_product_qqy)
 
@@ -857,6 +915,7 @@ OVER(quaternion_product_qqyconj_double) {
     STORE(quaternion_double, &qo, 2, 2);
   }
 }
+STRIDED(quaternion_product_qqyconj_double)
 LOOP(quaternion_product_qqyconj_double, 3, DENSE_OR_ONE, 32, 16, 32, 8, 8, 8)
 
 OVER(quaternion_product_qqyconj_single) {
@@ -871,6 +930,7 @@ OVER(quaternion_product_qqyconj_single) {
     STORE(quaternion_single, &qo, 2, 2);
   }
 }
+STRIDED(quaternion_product_qqyconj_single)
 LOOP(quaternion_product_qqyconj_single, 3, DENSE_OR_ONE, 16, 8, 16, 4, 4, 4)
 LOOPS(quaternion_product_qqyconj)
 
@@ -887,6 +947,7 @@ OVER(quaternion_product_qconjqy_double) {
     STORE(quaternion_double, &qo, 2, 2);
   }
 }
+STRIDED(quaternion_product_qconjqy_double)
 LOOP(quaternion_product_qconjqy_double, 3, DENSE_OR_ONE, 32, 16, 32, 8, 8, 8)
 
 OVER(quaternion_product_qconjqy_single) {
@@ -901,6 +962,7 @@ OVER(quaternion_product_qconjqy_single) {
     STORE(quaternion_single, &qo, 2, 2);
   }
 }
+STRIDED(quaternion_product_qconjqy_single)
 LOOP(quaternion_product_qconjqy_single, 3, DENSE_OR_ONE, 16, 8, 16, 4, 4, 4)
 LOOPS(quaternion_product_qconjqy)
 
@@ -917,6 +979,7 @@ OVER(quaternion_product_qconjqyconj_double) {
     STORE(quaternion_double, &qo, 2, 2);
   }
 }
+STRIDED(quaternion_product_qconjqyconj_double)
 LOOP(quaternion_product_qconjqyconj_double, 3, DENSE_OR_ONE, 32, 16, 32, 8, 8, 8)
 
 OVER(quaternion_product_qconjqyconj_single) {
@@ -931,6 +994,7 @@ OVER(quaternion_product_qconjqyconj_single) {
     STORE(quaternion_single, &qo, 2, 2);
   }
 }
+STRIDED(quaternion_product_qconjqyconj_single)
 LOOP(quaternion_product_qconjqyconj_single, 3, DENSE_OR_ONE, 16, 8, 16, 4, 4, 4)
 LOOPS(quaternion_product_qconjqyconj)
 
@@ -947,6 +1011,7 @@ OVER(quaternion_product_qzq_double) {
     STORE(quaternion_double, &qo, 2, 2);
   }
 }
+STRIDED(quaternion_product_qzq_double)
 LOOP(quaternion_product_qzq_double, 3, DENSE_OR_ONE, 16, 32, 32, 8, 8, 8)
 
 OVER(quaternion_product_qzq_single) {
@@ -961,6 +1026,7 @@ OVER(quaternion_product_qzq_single) {
     STORE(quaternion_single, &qo, 2, 2);
   }
 }
+STRIDED(quaternion_product_qzq_single)
 LOOP(quaternion_product_qzq_single, 3, DENSE_OR_ONE, 8, 16, 16, 4, 4, 4)
 LOOPS(quaternion_product_qzq)
 
@@ -977,6 +1043,7 @@ OVER(quaternion_product_qzqconj_double) {
     STORE(quaternion_double, &qo, 2, 2);
   }
 }
+STRIDED(quaternion_product_qzqconj_double)
 LOOP(quaternion_product_qzqconj_double, 3, DENSE_OR_ONE, 16, 32, 32, 8, 8, 8)
 
 OVER(quaternion_product_qzqconj_single) {
@@ -991,6 +1058,7 @@ OVER(quaternion_product_qzqconj_single) {
     STORE(quaternion_single, &qo, 2, 2);
   }
 }
+STRIDED(quaternion_product_qzqconj_single)
 LOOP(quaternion_product_qzqconj_single, 3, DENSE_OR_ONE, 8, 16, 16, 4, 4, 4)
 LOOPS(quaternion_product_qzqconj)
 
@@ -1007,6 +1075,7 @@ OVER(quaternion_product_qzconjq_double) {
     STORE(quaternion_double, &qo, 2, 2);
   }
 }
+STRIDED(quaternion_product_qzconjq_double)
 LOOP(quaternion_product_qzconjq_double, 3, DENSE_OR_ONE, 16, 32, 32, 8, 8, 8)
 
 OVER(quaternion_product_qzconjq_single) {
@@ -1021,6 +1090,7 @@ OVER(quaternion_product_qzconjq_single) {
     STORE(quaternion_single, &qo, 2, 2);
   }
 }
+STRIDED(quaternion_product_qzconjq_single)
 LOOP(quaternion_product_qzconjq_single, 3, DENSE_OR_ONE, 8, 16, 16, 4, 4, 4)
 LOOPS(quaternion_product_qzconjq)
 
@@ -1037,6 +1107,7 @@ OVER(quaternion_product_qzconjqconj_double) {
     STORE(quaternion_double, &qo, 2, 2);
   }
 }
+STRIDED(quaternion_product_qzconjqconj_double)
 LOOP(quaternion_product_qzconjqconj_double, 3, DENSE_OR_ONE, 16, 32, 32, 8, 8, 8)
 
 OVER(quaternion_product_qzconjqconj_single) {
@@ -1051,6 +1122,7 @@ OVER(quaternion_product_qzconjqconj_single) {
     STORE(quaternion_single, &qo, 2, 2);
   }
 }
+STRIDED(quaternion_product_qzconjqconj_single)
 LOOP(quaternion_product_qzconjqconj_single, 3, DENSE_OR_ONE, 8, 16, 16, 4, 4, 4)
 LOOPS(quaternion_product_qzconjqconj)
 
@@ -1067,6 +1139,7 @@ OVER(quaternion_product_qqz_double) {
     STORE(quaternion_double, &qo, 2, 2);
   }
 }
+STRIDED(quaternion_product_qqz_double)
 LOOP(quaternion_product_qqz_double, 3, DENSE_OR_ONE, 32, 16, 32, 8, 8, 8)
 
 OVER(quaternion_product_qqz_single) {
@@ -1081,6 +1154,7 @@ OVER(quaternion_product_qqz_single) {
     STORE(quaternion_single, &qo, 2, 2);
   }
 }
+STRIDED(quaternion_product_qqz_single)
 LOOP(quaternion_product_qqz_single, 3, DENSE_OR_ONE, 16, 8, 16, 4, 4, 4)
 LOOPS(quaternion_product_qqz)
 
@@ -1097,6 +1171,7 @@ OVER(quaternion_product_qqzconj_double) {
     STORE(quaternion_double, &qo, 2, 2);
   }
 }
+STRIDED(quaternion_product_qqzconj_double)
 LOOP(quaternion_product_qqzconj_double, 3, DENSE_OR_ONE, 32, 16, 32, 8, 8, 8)
 
 OVER(quaternion_product_qqzconj_single) {
@@ -1111,6 +1186,7 @@ OVER(quaternion_product_qqzconj_single) {
     STORE(quaternion_single, &qo, 2, 2);
   }
 }
+STRIDED(quaternion_product_qqzconj_single)
 LOOP(quaternion_product_qqzconj_single, 3, DENSE_OR_ONE, 16, 8, 16, 4, 4, 4)
 LOOPS(quaternion_product_qqzconj)
 
@@ -1127,6 +1203,7 @@ OVER(quaternion_product_qconjqz_double) {
     STORE(quaternion_double, &qo, 2, 2);
   }
 }
+STRIDED(quaternion_product_qconjqz_double)
 LOOP(quaternion_product_qconjqz_double, 3, DENSE_OR_ONE, 32, 16, 32, 8, 8, 8)
 
 OVER(quaternion_product_qconjqz_single) {
@@ -1141,6 +1218,7 @@ OVER(quaternion_product_qconjqz_single) {
     STORE(quaternion_single, &qo, 2, 2);
   }
 }
+STRIDED(quaternion_product_qconjqz_single)
 LOOP(quaternion_product_qconjqz_single, 3, DENSE_OR_ONE, 16, 8, 16, 4, 4, 4)
 LOOPS(quaternion_product_qconjqz)
 
@@ -1157,6 +1235,7 @@ OVER(quaternion_product_qconjqzconj_double) {
     STORE(quaternion_double, &qo, 2, 2);
   }
 }
+STRIDED(quaternion_product_qconjqzconj_double)
 LOOP(quaternion_product_qconjqzconj_double, 3, DENSE_OR_ONE, 32, 16, 32, 8, 8, 8)
 
 OVER(quaternion_product_qconjqzconj_single) {
@@ -1171,6 +1250,7 @@ OVER(quaternion_product_qconjqzconj_single) {
     STORE(quaternion_single, &qo, 2, 2);
   }
 }
+STRIDED(quaternion_product_qconjqzconj_single)
 LOOP(quaternion_product_qconjqzconj_single, 3, DENSE_OR_ONE, 16, 8, 16, 4, 4, 4)
 LOOPS(quaternion_product_qconjqzconj)
 
@@ -1187,6 +1267,7 @@ OVER(quaternion_product_qv_double) {
     STORE(quaternion_double, &qo, 2, 2);
   }
 }
+STRIDED(quaternion_product_qv_double)
 LOOP(quaternion_product_qv_double, 3, DENSE_OR_ONE, 32, 24, 32, 8, 8, 8)
 
 OVER(quaternion_product_qv_single) {
@@ -1201,6 +1282,7 @@ OVER(quaternion_product_qv_single) {
     STORE(quaternion_single, &qo, 2, 2);
   }
 }
+STRIDED(quaternion_product_qv_single)
 LOOP(quaternion_product_qv_single, 3, DENSE_OR_ONE, 16, 12, 16, 4, 4, 4)
 LOOPS(quaternion_product_qv)
 
@@ -1217,6 +1299,7 @@ OVER(quaternion_product_qconjv_double) {
     STORE(quaternion_double, &qo, 2, 2);
   }
 }
+STRIDED(quaternion_product_qconjv_double)
 LOOP(quaternion_product_qconjv_double, 3, DENSE_OR_ONE, 32, 24, 32, 8, 8, 8)
 
 OVER(quaternion_product_qconjv_single) {
@@ -1231,6 +1314,7 @@ OVER(quaternion_product_qconjv_single) {
     STORE(quaternion_single, &qo, 2, 2);
   }
 }
+STRIDED(quaternion_product_qconjv_single)
 LOOP(quaternion_product_qconjv_single, 3, DENSE_OR_ONE, 16, 12, 16, 4, 4, 4)
 LOOPS(quaternion_product_qconjv)
 
@@ -1247,6 +1331,7 @@ OVER(quaternion_product_vq_double) {
     STORE(quaternion_double, &qo, 2, 2);
   }
 }
+STRIDED(quaternion_product_vq_double)
 LOOP(quaternion_product_vq_double, 3, DENSE_OR_ONE, 24, 32, 32, 8, 8, 8)
 
 OVER(quaternion_product_vq_single) {
@@ -1261,6 +1346,7 @@ OVER(quaternion_product_vq_single) {
     STORE(quaternion_single, &qo, 2, 2);
   }
 }
+STRIDED(quaternion_product_vq_single)
 LOOP(quaternion_product_vq_single, 3, DENSE_OR_ONE, 12, 16, 16, 4, 4, 4)
 LOOPS(quaternion_product_vq)
 
@@ -1277,6 +1363,7 @@ OVER(quaternion_product_vqconj_double) {
     STORE(quaternion_double, &qo, 2, 2);
   }
 }
+STRIDED(quaternion_product_vqconj_double)
 LOOP(quaternion_product_vqconj_double, 3, DENSE_OR_ONE, 24, 32, 32, 8, 8, 8)
 
 OVER(quaternion_product_vqconj_single) {
@@ -1291,6 +1378,7 @@ OVER(quaternion_product_vqconj_single) {
     STORE(quaternion_single, &qo, 2, 2);
   }
 }
+STRIDED(quaternion_product_vqconj_single)
 LOOP(quaternion_product_vqconj_single, 3, DENSE_OR_ONE, 12, 16, 16, 4, 4, 4)
 LOOPS(quaternion_product_vqconj)
 
@@ -1307,6 +1395,7 @@ OVER(dot_qq_double) {
     STORE(scalar_double, &dot, 2, 2);
   }
 }
+STRIDED(dot_qq_double)
 LOOP(dot_qq_double, 3, DENSE_OR_ONE, 32, 32, 8, 8, 8)
 
 OVER(dot_qq_single) {
@@ -1321,6 +1410,7 @@ OVER(dot_qq_single) {
     STORE(scalar_single, &dot, 2, 2);
   }
 }
+STRIDED(dot_qq_single)
 LOOP(dot_qq_single, 3, DENSE_OR_ONE, 16, 16, 4, 4, 4)
 LOOPS(dot_qq)
 
@@ -1336,6 +1426,7 @@ OVER(add_dpiToq_double) {
     STORE(quaternion_double, &qi, 2, 2);
   }
 }
+STRIDED(add_dpiToq_double)
 LOOP(add_dpiToq_double, 3, DENSE_OR_ONE, 24, 32, 32, 8, 8, 8)
 
 OVER(add_dpiToq_single) {
@@ -1349,6 +1440,7 @@ OVER(add_dpiToq_single) {
     STORE(quaternion_single, &qi, 2, 2);
   }
 }
+STRIDED(add_dpiToq_single)
 LOOP(add_dpiToq_single, 3, DENSE_OR_ONE, 12, 16, 16, 4, 4, 4)
 LOOPS(add_dpiToq)
 
@@ -1364,6 +1456,7 @@ OVER(subtract_dpiFromq_double) {
     STORE(quaternion_double, &qi, 2, 2);
   }
 }
+STRIDED(subtract_dpiFromq_double)
 LOOP(subtract_dpiFromq_double, 3, DENSE_OR_ONE, 24, 32, 32, 8, 8, 8)
 
 OVER(subtract_dpiFromq_single) {
@@ -1377,6 +1470,7 @@ OVER(subtract_dpiFromq_single) {
     STORE(quaternion_single, &qi, 2, 2);
   }
 }
+STRIDED(subtract_dpiFromq_single)
 LOOP(subtract_dpiFromq_single, 3, DENSE_OR_ONE, 12, 16, 16, 4, 4, 4)
 LOOPS(subtract_dpiFromq)
 
@@ -1393,6 +1487,7 @@ OVER(omega_to_dquaternion_double) {
     STORE(quaternion_double, &dqo, 2, 2);
   }
 }
+STRIDED(omega_to_dquaternion_double)
 LOOP(omega_to_dquaternion_double, 3, DENSE_OR_ONE, 24, 32, 32, 8, 8, 8)
 
 OVER(omega_to_dquaternion_single) {
@@ -1407,6 +1502,7 @@ OVER(omega_to_dquaternion_single) {
     STORE(quaternion_single, &dqo, 2, 2);
   }
 }
+STRIDED(omega_to_dquaternion_single)
 LOOP(omega_to_dquaternion_single, 3, DENSE_OR_ONE, 12, 16, 16, 4, 4, 4)
 LOOPS(omega_to_dquaternion)
 
@@ -1421,6 +1517,7 @@ OVER(mat3x3_from_quaternion_double) {
     STORE(mat3x3_double, &R, 1, 1);
   }
 }
+STRIDED(mat3x3_from_quaternion_double)
 LOOP(mat3x3_from_quaternion_double, 2, DENSE, 32, 72, 8, 24, 8)
 
 OVER(mat3x3_from_quaternion_single) {
@@ -1433,6 +1530,7 @@ OVER(mat3x3_from_quaternion_single) {
     STORE(mat3x3_single, &R, 1, 1);
   }
 }
+STRIDED(mat3x3_from_quaternion_single)
 LOOP(mat3x3_from_quaternion_single, 2, DENSE, 16, 36, 4, 12, 4)
 LOOPS(mat3x3_from_quaternion)
 
@@ -1447,6 +1545,7 @@ OVER(quaternion_from_mat3x3_double) {
     STORE(quaternion_double, &qo, 1, 2);
   }
 }
+STRIDED(quaternion_from_mat3x3_double)
 LOOP(quaternion_from_mat3x3_double, 2, DENSE, 72, 32, 24, 8, 8)
 
 OVER(quaternion_from_mat3x3_single) {
@@ -1459,6 +1558,7 @@ OVER(quaternion_from_mat3x3_single) {
     STORE(quaternion_single, &qo, 1, 2);
   }
 }
+STRIDED(quaternion_from_mat3x3_single)
 LOOP(quaternion_from_mat3x3_single, 2, DENSE, 36, 16, 12, 4, 4)
 LOOPS(quaternion_from_mat3x3)
 
@@ -1475,6 +1575,7 @@ OVER(quaternion_from_axis_angle_double) {
     STORE(quaternion_double, &qo, 2, 1);
   }
 }
+STRIDED(quaternion_from_axis_angle_double)
 
 #if KSL_LANE_BYTES
 /* The same on vectors; 0, and nothing is written, if that raises flags that are not yet raised. */
@@ -1511,7 +1612,7 @@ INLINED int quaternion_from_axis_angle_double_on_vectors(
 
 static APART void quaternion_from_axis_angle_double_many(
     char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  const vector_loop loop = { quaternion_from_axis_angle_double_over, quaternion_from_axis_angle_double_on_vectors, 3,
+  const vector_loop loop = { quaternion_from_axis_angle_double_strided, quaternion_from_axis_angle_double_on_vectors, 3,
     KSL_LANES, 64 * KSL_LANES };
   many_elements(&loop, data, n, step, core);
 }
@@ -1530,6 +1631,7 @@ OVER(quaternion_from_axis_angle_single) {
     STORE(quaternion_single, &qo, 2, 1);
   }
 }
+STRIDED(quaternion_from_axis_angle_single)
 
 #if KSL_LANE_BYTES
 /* The same on vectors; 0, and nothing is written, if that raises flags that are not yet raised. */
@@ -1566,7 +1668,7 @@ INLINED int quaternion_from_axis_angle_single_on_vectors(
 
 static APART void quaternion_from_axis_angle_single_many(
     char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  const vector_loop loop = { quaternion_from_axis_angle_single_over, quaternion_from_axis_angle_single_on_vectors, 3,
+  const vector_loop loop = { quaternion_from_axis_angle_single_strided, quaternion_from_axis_angle_single_on_vectors, 3,
     KSL_LANESF, 64 * KSL_LANESF };
   many_elements(&loop, data, n, step, core);
 }
@@ -1587,6 +1689,7 @@ OVER(axis_angle_from_quaternion_double) {
     STORE(vec3_double, &axis, 2, 1);
   }
 }
+STRIDED(axis_angle_from_quaternion_double)
 
 #if KSL_LANE_BYTES
 /* The same on vectors; 0, and nothing is written, if that raises flags that are not yet raised. */
@@ -1624,7 +1727,7 @@ INLINED int axis_angle_from_quaternion_double_on_vectors(
 
 static APART void axis_angle_from_quaternion_double_many(
     char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  const vector_loop loop = { axis_angle_from_quaternion_double_over, axis_angle_from_quaternion_double_on_vectors, 3,
+  const vector_loop loop = { axis_angle_from_quaternion_double_strided, axis_angle_from_quaternion_double_on_vectors, 3,
     KSL_LANES, 64 * KSL_LANES };
   many_elements(&loop, data, n, step, core);
 }
@@ -1643,6 +1746,7 @@ OVER(axis_angle_from_quaternion_single) {
     STORE(vec3_single, &axis, 2, 1);
   }
 }
+STRIDED(axis_angle_from_quaternion_single)
 
 #if KSL_LANE_BYTES
 /* The same on vectors; 0, and nothing is written, if that raises flags that are not yet raised. */
@@ -1680,7 +1784,7 @@ INLINED int axis_angle_from_quaternion_single_on_vectors(
 
 static APART void axis_angle_from_quaternion_single_many(
     char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  const vector_loop loop = { axis_angle_from_quaternion_single_over, axis_angle_from_quaternion_single_on_vectors, 3,
+  const vector_loop loop = { axis_angle_from_quaternion_single_strided, axis_angle_from_quaternion_single_on_vectors, 3,
     KSL_LANESF, 64 * KSL_LANESF };
   many_elements(&loop, data, n, step, core);
 }
@@ -1699,6 +1803,7 @@ OVER(quaternion_exp_double) {
     STORE(quaternion_double, &qo, 1, 1);
   }
 }
+STRIDED(quaternion_exp_double)
 
 #if KSL_LANE_BYTES
 /* The same on vectors; 0, and nothing is written, if that raises flags that are not yet raised. */
@@ -1732,7 +1837,7 @@ INLINED int quaternion_exp_double_on_vectors(
 
 static APART void quaternion_exp_double_many(
     char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  const vector_loop loop = { quaternion_exp_double_over, quaternion_exp_double_on_vectors, 2,
+  const vector_loop loop = { quaternion_exp_double_strided, quaternion_exp_double_on_vectors, 2,
     KSL_LANES, 64 * KSL_LANES };
   many_elements(&loop, data, n, step, core);
 }
@@ -1749,6 +1854,7 @@ OVER(quaternion_exp_single) {
     STORE(quaternion_single, &qo, 1, 1);
   }
 }
+STRIDED(quaternion_exp_single)
 
 #if KSL_LANE_BYTES
 /* The same on vectors; 0, and nothing is written, if that raises flags that are not yet raised. */
@@ -1782,7 +1888,7 @@ INLINED int quaternion_exp_single_on_vectors(
 
 static APART void quaternion_exp_single_many(
     char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  const vector_loop loop = { quaternion_exp_single_over, quaternion_exp_single_on_vectors, 2,
+  const vector_loop loop = { quaternion_exp_single_strided, quaternion_exp_single_on_vectors, 2,
     KSL_LANESF, 64 * KSL_LANESF };
   many_elements(&loop, data, n, step, core);
 }
@@ -1801,6 +1907,7 @@ OVER(quaternion_log_double) {
     STORE(vec3_double, &vo, 1, 1);
   }
 }
+STRIDED(quaternion_log_double)
 
 #if KSL_LANE_BYTES
 /* The same on vectors; 0, and nothing is written, if that raises flags that are not yet raised. */
@@ -1834,7 +1941,7 @@ INLINED int quaternion_log_double_on_vectors(
 
 static APART void quaternion_log_double_many(
     char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  const vector_loop loop = { quaternion_log_double_over, quaternion_log_double_on_vectors, 2,
+  const vector_loop loop = { quaternion_log_double_strided, quaternion_log_double_on_vectors, 2,
     KSL_LANES, 85 * KSL_LANES };
   many_elements(&loop, data, n, step, core);
 }
@@ -1851,6 +1958,7 @@ OVER(quaternion_log_single) {
     STORE(vec3_single, &vo, 1, 1);
   }
 }
+STRIDED(quaternion_log_single)
 
 #if KSL_LANE_BYTES
 /* The same on vectors; 0, and nothing is written, if that raises flags that are not yet raised. */
@@ -1884,7 +1992,7 @@ INLINED int quaternion_log_single_on_vectors(
 
 static APART void quaternion_log_single_many(
     char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  const vector_loop loop = { quaternion_log_single_over, quaternion_log_single_on_vectors, 2,
+  const vector_loop loop = { quaternion_log_single_strided, quaternion_log_single_on_vectors, 2,
     KSL_LANESF, 85 * KSL_LANESF };
   many_elements(&loop, data, n, step, core);
 }
@@ -1907,6 +2015,7 @@ OVER(quaternion_interpolated_double) {
     STORE(quaternion_double, &qo, 3, 2);
   }
 }
+STRIDED(quaternion_interpolated_double)
 
 #if KSL_LANE_BYTES
 /* The same on vectors; 0, and nothing is written, if that raises flags that are not yet raised. */
@@ -1946,7 +2055,7 @@ INLINED int quaternion_interpolated_double_on_vectors(
 
 static APART void quaternion_interpolated_double_many(
     char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  const vector_loop loop = { quaternion_interpolated_double_over, quaternion_interpolated_double_on_vectors, 4,
+  const vector_loop loop = { quaternion_interpolated_double_strided, quaternion_interpolated_double_on_vectors, 4,
     KSL_LANES, 64 * KSL_LANES };
   many_elements(&loop, data, n, step, core);
 }
@@ -1967,6 +2076,7 @@ OVER(quaternion_interpolated_single) {
     STORE(quaternion_single, &qo, 3, 2);
   }
 }
+STRIDED(quaternion_interpolated_single)
 
 #if KSL_LANE_BYTES
 /* The same on vectors; 0, and nothing is written, if that raises flags that are not yet raised. */
@@ -2006,7 +2116,7 @@ INLINED int quaternion_interpolated_single_on_vectors(
 
 static APART void quaternion_interpolated_single_many(
     char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  const vector_loop loop = { quaternion_interpolated_single_over, quaternion_interpolated_single_on_vectors, 4,
+  const vector_loop loop = { quaternion_interpolated_single_strided, quaternion_interpolated_single_on_vectors, 4,
     KSL_LANESF, 64 * KSL_LANESF };
   many_elements(&loop, data, n, step, core);
 }

@@ -19,6 +19,7 @@ OVER(screw_copy_double) {
     STORE(screw_double, &so, 1, 1);
   }
 }
+STRIDED(screw_copy_double)
 LOOP(screw_copy_double, 2, DENSE, 48, 48, 8, 8)
 
 OVER(screw_copy_single) {
@@ -31,6 +32,7 @@ OVER(screw_copy_single) {
     STORE(screw_single, &so, 1, 1);
   }
 }
+STRIDED(screw_copy_single)
 LOOP(screw_copy_single, 2, DENSE, 24, 24, 4, 4)
 LOOPS(screw_copy)
 
@@ -46,6 +48,7 @@ OVER(screw_scale_double) {
     STORE(screw_double, &self, 2, 1);
   }
 }
+STRIDED(screw_scale_double)
 LOOP(screw_scale_double, 3, DENSE, 48, 8, 48, 8, 8)
 
 OVER(screw_scale_single) {
@@ -59,6 +62,7 @@ OVER(screw_scale_single) {
     STORE(screw_single, &self, 2, 1);
   }
 }
+STRIDED(screw_scale_single)
 LOOP(screw_scale_single, 3, DENSE, 24, 4, 24, 4, 4)
 LOOPS(screw_scale)
 
@@ -73,6 +77,7 @@ OVER(screw_inverted_double) {
     STORE(screw_double, &so, 1, 1);
   }
 }
+STRIDED(screw_inverted_double)
 LOOP(screw_inverted_double, 2, DENSE, 48, 48, 8, 8)
 
 OVER(screw_inverted_single) {
@@ -85,6 +90,7 @@ OVER(screw_inverted_single) {
     STORE(screw_single, &so, 1, 1);
   }
 }
+STRIDED(screw_inverted_single)
 LOOP(screw_inverted_single, 2, DENSE, 24, 24, 4, 4)
 LOOPS(screw_inverted)
 
@@ -98,6 +104,7 @@ OVER(screw_invert_double) {
     STORE(screw_double, &self, 1, 1);
   }
 }
+STRIDED(screw_invert_double)
 LOOP(screw_invert_double, 2, DENSE, 48, 48, 8, 8)
 
 OVER(screw_invert_single) {
@@ -109,6 +116,7 @@ OVER(screw_invert_single) {
     STORE(screw_single, &self, 1, 1);
   }
 }
+STRIDED(screw_invert_single)
 LOOP(screw_invert_single, 2, DENSE, 24, 24, 4, 4)
 LOOPS(screw_invert)
 
@@ -126,6 +134,7 @@ OVER(axpy_ss_double) {
     STORE(screw_double, &y, 3, 2);
   }
 }
+STRIDED(axpy_ss_double)
 LOOP(axpy_ss_double, 4, DENSE_OR_ONE, 8, 48, 48, 48, 8, 8, 8)
 
 OVER(axpy_ss_single) {
@@ -141,6 +150,7 @@ OVER(axpy_ss_single) {
     STORE(screw_single, &y, 3, 2);
   }
 }
+STRIDED(axpy_ss_single)
 LOOP(axpy_ss_single, 4, DENSE_OR_ONE, 4, 24, 24, 24, 4, 4, 4)
 LOOPS(axpy_ss)
 
@@ -156,6 +166,7 @@ OVER(xpy_ss_double) {
     STORE(screw_double, &y, 2, 2);
   }
 }
+STRIDED(xpy_ss_double)
 LOOP(xpy_ss_double, 3, DENSE_OR_ONE, 48, 48, 48, 8, 8, 8)
 
 OVER(xpy_ss_single) {
@@ -169,6 +180,7 @@ OVER(xpy_ss_single) {
     STORE(screw_single, &y, 2, 2);
   }
 }
+STRIDED(xpy_ss_single)
 LOOP(xpy_ss_single, 3, DENSE_OR_ONE, 24, 24, 24, 4, 4, 4)
 LOOPS(xpy_ss)
 
@@ -184,6 +196,7 @@ OVER(nxpy_ss_double) {
     STORE(screw_double, &y, 2, 2);
   }
 }
+STRIDED(nxpy_ss_double)
 LOOP(nxpy_ss_double, 3, DENSE_OR_ONE, 48, 48, 48, 8, 8, 8)
 
 OVER(nxpy_ss_single) {
@@ -197,6 +210,7 @@ OVER(nxpy_ss_single) {
     STORE(screw_single, &y, 2, 2);
   }
 }
+STRIDED(nxpy_ss_single)
 LOOP(nxpy_ss_single, 3, DENSE_OR_ONE, 24, 24, 24, 4, 4, 4)
 LOOPS(nxpy_ss)
 
@@ -213,6 +227,7 @@ OVER(product_as_double) {
     STORE(screw_double, &so, 2, 1);
   }
 }
+STRIDED(product_as_double)
 LOOP(product_as_double, 3, DENSE_OR_ONE, 8, 48, 48, 8, 8)
 
 OVER(product_as_single) {
@@ -227,6 +242,7 @@ OVER(product_as_single) {
     STORE(screw_single, &so, 2, 1);
   }
 }
+STRIDED(product_as_single)
 LOOP(product_as_single, 3, DENSE_OR_ONE, 4, 24, 24, 4, 4)
 LOOPS(product_as)
 
@@ -243,6 +259,7 @@ OVER(add_ss_double) {
     STORE(screw_double, &so, 2, 2);
   }
 }
+STRIDED(add_ss_double)
 LOOP(add_ss_double, 3, DENSE_OR_ONE, 48, 48, 48, 8, 8, 8)
 
 OVER(add_ss_single) {
@@ -257,6 +274,7 @@ OVER(add_ss_single) {
     STORE(screw_single, &so, 2, 2);
   }
 }
+STRIDED(add_ss_single)
 LOOP(add_ss_single, 3, DENSE_OR_ONE, 24, 24, 24, 4, 4, 4)
 LOOPS(add_ss)
 
@@ -273,6 +291,7 @@ OVER(subtract_ss_double) {
     STORE(screw_double, &so, 2, 2);
   }
 }
+STRIDED(subtract_ss_double)
 LOOP(subtract_ss_double, 3, DENSE_OR_ONE, 48, 48, 48, 8, 8, 8)
 
 OVER(subtract_ss_single) {
@@ -287,6 +306,7 @@ OVER(subtract_ss_single) {
     STORE(screw_single, &so, 2, 2);
   }
 }
+STRIDED(subtract_ss_single)
 LOOP(subtract_ss_single, 3, DENSE_OR_ONE, 24, 24, 24, 4, 4, 4)
 LOOPS(subtract_ss)
 
@@ -301,6 +321,7 @@ OVER(screw_norm_double) {
     STORE(scalar_double, &norm, 1, 1);
   }
 }
+STRIDED(screw_norm_double)
 LOOP(screw_norm_double, 2, DENSE, 48, 8, 8)
 
 OVER(screw_norm_single) {
@@ -313,6 +334,7 @@ OVER(screw_norm_single) {
     STORE(scalar_single, &norm, 1, 1);
   }
 }
+STRIDED(screw_norm_single)
 LOOP(screw_norm_single, 2, DENSE, 24, 4, 4)
 LOOPS(screw_norm)
 
@@ -326,6 +348,7 @@ OVER(screw_normalize_double) {
     STORE(screw_double, &self, 1, 1);
   }
 }
+STRIDED(screw_normalize_double)
 LOOP(screw_normalize_double, 2, DENSE, 48, 48, 8, 8)
 
 OVER(screw_normalize_single) {
@@ -337,6 +360,7 @@ OVER(screw_normalize_single) {
     STORE(screw_single, &self, 1, 1);
   }
 }
+STRIDED(screw_normalize_single)
 LOOP(screw_normalize_single, 2, DENSE, 24, 24, 4, 4)
 LOOPS(screw_normalize)
 
@@ -351,6 +375,7 @@ OVER(screw_normalized_double) {
     STORE(screw_double, &so, 1, 1);
   }
 }
+STRIDED(screw_normalized_double)
 LOOP(screw_normalized_double, 2, DENSE, 48, 48, 8, 8)
 
 OVER(screw_normalized_single) {
@@ -363,6 +388,7 @@ OVER(screw_normalized_single) {
     STORE(screw_single, &so, 1, 1);
   }
 }
+STRIDED(screw_normalized_single)
 LOOP(screw_normalized_single, 2, DENSE, 24, 24, 4, 4)
 LOOPS(screw_normalized)
 
@@ -379,6 +405,7 @@ OVER(screw_from_lin_ang_double) {
     STORE(screw_double, &so, 2, 2);
   }
 }
+STRIDED(screw_from_lin_ang_double)
 LOOP(screw_from_lin_ang_double, 3, DENSE_OR_ONE, 24, 24, 48, 8, 8, 8)
 
 OVER(screw_from_lin_ang_single) {
@@ -393,6 +420,7 @@ OVER(screw_from_lin_ang_single) {
     STORE(screw_single, &so, 2, 2);
   }
 }
+STRIDED(screw_from_lin_ang_single)
 LOOP(screw_from_lin_ang_single, 3, DENSE_OR_ONE, 12, 12, 24, 4, 4, 4)
 LOOPS(screw_from_lin_ang)
 
@@ -407,6 +435,7 @@ OVER(screw_to_angular_first_double) {
     STORE(angular_first_double, x, 1, 1);
   }
 }
+STRIDED(screw_to_angular_first_double)
 LOOP(screw_to_angular_first_double, 2, DENSE, 48, 48, 8, 8)
 
 OVER(screw_to_angular_first_single) {
@@ -419,6 +448,7 @@ OVER(screw_to_angular_first_single) {
     STORE(angular_first_single, x, 1, 1);
   }
 }
+STRIDED(screw_to_angular_first_single)
 LOOP(screw_to_angular_first_single, 2, DENSE, 24, 24, 4, 4)
 LOOPS(screw_to_angular_first)
 
@@ -433,6 +463,7 @@ OVER(screw_from_angular_first_double) {
     STORE(screw_double, &so, 1, 1);
   }
 }
+STRIDED(screw_from_angular_first_double)
 LOOP(screw_from_angular_first_double, 2, DENSE, 48, 48, 8, 8)
 
 OVER(screw_from_angular_first_single) {
@@ -445,6 +476,7 @@ OVER(screw_from_angular_first_single) {
     STORE(screw_single, &so, 1, 1);
   }
 }
+STRIDED(screw_from_angular_first_single)
 LOOP(screw_from_angular_first_single, 2, DENSE, 24, 24, 4, 4)
 LOOPS(screw_from_angular_first)
 
@@ -461,6 +493,7 @@ OVER(add_sst_double) {
     STORE(screw_double, &so, 2, 2);
   }
 }
+STRIDED(add_sst_double)
 LOOP(add_sst_double, 3, DENSE_OR_ONE, 48, 48, 48, 8, 8, 8)
 
 OVER(add_sst_single) {
@@ -475,6 +508,7 @@ OVER(add_sst_single) {
     STORE(screw_single, &so, 2, 2);
   }
 }
+STRIDED(add_sst_single)
 LOOP(add_sst_single, 3, DENSE_OR_ONE, 24, 24, 24, 4, 4, 4)
 LOOPS(add_sst)
 
@@ -491,6 +525,7 @@ OVER(product_Adts_double) {
     STORE(screw_double, &so, 2, 2);
   }
 }
+STRIDED(product_Adts_double)
 LOOP(product_Adts_double, 3, DENSE_OR_ONE, 24, 48, 48, 8, 8, 8)
 
 OVER(product_Adts_single) {
@@ -505,6 +540,7 @@ OVER(product_Adts_single) {
     STORE(screw_single, &so, 2, 2);
   }
 }
+STRIDED(product_Adts_single)
 LOOP(product_Adts_single, 3, DENSE_OR_ONE, 12, 24, 24, 4, 4, 4)
 LOOPS(product_Adts)
 
@@ -521,6 +557,7 @@ OVER(product_Adtinvs_double) {
     STORE(screw_double, &so, 2, 2);
   }
 }
+STRIDED(product_Adtinvs_double)
 LOOP(product_Adtinvs_double, 3, DENSE_OR_ONE, 24, 48, 48, 8, 8, 8)
 
 OVER(product_Adtinvs_single) {
@@ -535,6 +572,7 @@ OVER(product_Adtinvs_single) {
     STORE(screw_single, &so, 2, 2);
   }
 }
+STRIDED(product_Adtinvs_single)
 LOOP(product_Adtinvs_single, 3, DENSE_OR_ONE, 12, 24, 24, 4, 4, 4)
 LOOPS(product_Adtinvs)
 
@@ -551,6 +589,7 @@ OVER(product_Adtsinv_double) {
     STORE(screw_double, &so, 2, 2);
   }
 }
+STRIDED(product_Adtsinv_double)
 LOOP(product_Adtsinv_double, 3, DENSE_OR_ONE, 24, 48, 48, 8, 8, 8)
 
 OVER(product_Adtsinv_single) {
@@ -565,6 +604,7 @@ OVER(product_Adtsinv_single) {
     STORE(screw_single, &so, 2, 2);
   }
 }
+STRIDED(product_Adtsinv_single)
 LOOP(product_Adtsinv_single, 3, DENSE_OR_ONE, 12, 24, 24, 4, 4, 4)
 LOOPS(product_Adtsinv)
 
@@ -581,6 +621,7 @@ OVER(product_Adrs_double) {
     STORE(screw_double, &so, 2, 3);
   }
 }
+STRIDED(product_Adrs_double)
 LOOP(product_Adrs_double, 3, DENSE_OR_ONE, 72, 48, 48, 24, 8, 8, 8)
 
 OVER(product_Adrs_single) {
@@ -595,6 +636,7 @@ OVER(product_Adrs_single) {
     STORE(screw_single, &so, 2, 3);
   }
 }
+STRIDED(product_Adrs_single)
 LOOP(product_Adrs_single, 3, DENSE_OR_ONE, 36, 24, 24, 12, 4, 4, 4)
 LOOPS(product_Adrs)
 
@@ -611,6 +653,7 @@ OVER(product_Adrinvs_double) {
     STORE(screw_double, &so, 2, 3);
   }
 }
+STRIDED(product_Adrinvs_double)
 LOOP(product_Adrinvs_double, 3, DENSE_OR_ONE, 72, 48, 48, 24, 8, 8, 8)
 
 OVER(product_Adrinvs_single) {
@@ -625,6 +668,7 @@ OVER(product_Adrinvs_single) {
     STORE(screw_single, &so, 2, 3);
   }
 }
+STRIDED(product_Adrinvs_single)
 LOOP(product_Adrinvs_single, 3, DENSE_OR_ONE, 36, 24, 24, 12, 4, 4, 4)
 LOOPS(product_Adrinvs)
 
@@ -641,6 +685,7 @@ OVER(product_Adrsinv_double) {
     STORE(screw_double, &so, 2, 3);
   }
 }
+STRIDED(product_Adrsinv_double)
 LOOP(product_Adrsinv_double, 3, DENSE_OR_ONE, 72, 48, 48, 24, 8, 8, 8)
 
 OVER(product_Adrsinv_single) {
@@ -655,6 +700,7 @@ OVER(product_Adrsinv_single) {
     STORE(screw_single, &so, 2, 3);
   }
 }
+STRIDED(product_Adrsinv_single)
 LOOP(product_Adrsinv_single, 3, DENSE_OR_ONE, 36, 24, 24, 12, 4, 4, 4)
 LOOPS(product_Adrsinv)
 
@@ -671,6 +717,7 @@ OVER(product_Ads_double) {
     STORE(screw_double, &so, 2, 3);
   }
 }
+STRIDED(product_Ads_double)
 LOOP(product_Ads_double, 3, DENSE_OR_ONE, 96, 48, 48, 32, 8, 8, 8)
 
 OVER(product_Ads_single) {
@@ -685,6 +732,7 @@ OVER(product_Ads_single) {
     STORE(screw_single, &so, 2, 3);
   }
 }
+STRIDED(product_Ads_single)
 LOOP(product_Ads_single, 3, DENSE_OR_ONE, 48, 24, 24, 16, 4, 4, 4)
 LOOPS(product_Ads)
 
@@ -701,6 +749,7 @@ OVER(product_Adinvs_double) {
     STORE(screw_double, &so, 2, 3);
   }
 }
+STRIDED(product_Adinvs_double)
 LOOP(product_Adinvs_double, 3, DENSE_OR_ONE, 96, 48, 48, 32, 8, 8, 8)
 
 OVER(product_Adinvs_single) {
@@ -715,6 +764,7 @@ OVER(product_Adinvs_single) {
     STORE(screw_single, &so, 2, 3);
   }
 }
+STRIDED(product_Adinvs_single)
 LOOP(product_Adinvs_single, 3, DENSE_OR_ONE, 48, 24, 24, 16, 4, 4, 4)
 LOOPS(product_Adinvs)
 
@@ -731,6 +781,7 @@ OVER(product_Adsinv_double) {
     STORE(screw_double, &so, 2, 3);
   }
 }
+STRIDED(product_Adsinv_double)
 LOOP(product_Adsinv_double, 3, DENSE_OR_ONE, 96, 48, 48, 32, 8, 8, 8)
 
 OVER(product_Adsinv_single) {
@@ -745,6 +796,7 @@ OVER(product_Adsinv_single) {
     STORE(screw_single, &so, 2, 3);
   }
 }
+STRIDED(product_Adsinv_single)
 LOOP(product_Adsinv_single, 3, DENSE_OR_ONE, 48, 24, 24, 16, 4, 4, 4)
 LOOPS(product_Adsinv)
 
@@ -759,6 +811,7 @@ OVER(hstx_double) {
     STORE(screw_double, &so, 1, 2);
   }
 }
+STRIDED(hstx_double)
 LOOP(hstx_double, 2, DENSE, 96, 48, 32, 8, 8)
 
 OVER(hstx_single) {
@@ -771,6 +824,7 @@ OVER(hstx_single) {
     STORE(screw_single, &so, 1, 2);
   }
 }
+STRIDED(hstx_single)
 LOOP(hstx_single, 2, DENSE, 48, 24, 16, 4, 4)
 LOOPS(hstx)
 
@@ -785,6 +839,7 @@ OVER(hsty_double) {
     STORE(screw_double, &so, 1, 2);
   }
 }
+STRIDED(hsty_double)
 LOOP(hsty_double, 2, DENSE, 96, 48, 32, 8, 8)
 
 OVER(hsty_single) {
@@ -797,6 +852,7 @@ OVER(hsty_single) {
     STORE(screw_single, &so, 1, 2);
   }
 }
+STRIDED(hsty_single)
 LOOP(hsty_single, 2, DENSE, 48, 24, 16, 4, 4)
 LOOPS(hsty)
 
@@ -811,6 +867,7 @@ OVER(hstz_double) {
     STORE(screw_double, &so, 1, 2);
   }
 }
+STRIDED(hstz_double)
 LOOP(hstz_double, 2, DENSE, 96, 48, 32, 8, 8)
 
 OVER(hstz_single) {
@@ -823,6 +880,7 @@ OVER(hstz_single) {
     STORE(screw_single, &so, 1, 2);
   }
 }
+STRIDED(hstz_single)
 LOOP(hstz_single, 2, DENSE, 48, 24, 16, 4, 4)
 LOOPS(hstz)
 
@@ -837,6 +895,7 @@ OVER(hsrx_double) {
     STORE(screw_double, &so, 1, 2);
   }
 }
+STRIDED(hsrx_double)
 LOOP(hsrx_double, 2, DENSE, 96, 48, 32, 8, 8)
 
 OVER(hsrx_single) {
@@ -849,6 +908,7 @@ OVER(hsrx_single) {
     STORE(screw_single, &so, 1, 2);
   }
 }
+STRIDED(hsrx_single)
 LOOP(hsrx_single, 2, DENSE, 48, 24, 16, 4, 4)
 LOOPS(hsrx)
 
@@ -863,6 +923,7 @@ OVER(hsry_double) {
     STORE(screw_double, &so, 1, 2);
   }
 }
+STRIDED(hsry_double)
 LOOP(hsry_double, 2, DENSE, 96, 48, 32, 8, 8)
 
 OVER(hsry_single) {
@@ -875,6 +936,7 @@ OVER(hsry_single) {
     STORE(screw_single, &so, 1, 2);
   }
 }
+STRIDED(hsry_single)
 LOOP(hsry_single, 2, DENSE, 48, 24, 16, 4, 4)
 LOOPS(hsry)
 
@@ -889,6 +951,7 @@ OVER(hsrz_double) {
     STORE(screw_double, &so, 1, 2);
   }
 }
+STRIDED(hsrz_double)
 LOOP(hsrz_double, 2, DENSE, 96, 48, 32, 8, 8)
 
 OVER(hsrz_single) {
@@ -901,6 +964,7 @@ OVER(hsrz_single) {
     STORE(screw_single, &so, 1, 2);
   }
 }
+STRIDED(hsrz_single)
 LOOP(hsrz_single, 2, DENSE, 48, 24, 16, 4, 4)
 LOOPS(hsrz)
 
@@ -915,6 +979,7 @@ OVER(hstxinv_double) {
     STORE(screw_double, &so, 1, 2);
   }
 }
+STRIDED(hstxinv_double)
 LOOP(hstxinv_double, 2, DENSE, 96, 48, 32, 8, 8)
 
 OVER(hstxinv_single) {
@@ -927,6 +992,7 @@ OVER(hstxinv_single) {
     STORE(screw_single, &so, 1, 2);
   }
 }
+STRIDED(hstxinv_single)
 LOOP(hstxinv_single, 2, DENSE, 48, 24, 16, 4, 4)
 LOOPS(hstxinv)
 
@@ -941,6 +1007,7 @@ OVER(hstyinv_double) {
     STORE(screw_double, &so, 1, 2);
   }
 }
+STRIDED(hstyinv_double)
 LOOP(hstyinv_double, 2, DENSE, 96, 48, 32, 8, 8)
 
 OVER(hstyinv_single) {
@@ -953,6 +1020,7 @@ OVER(hstyinv_single) {
     STORE(screw_single, &so, 1, 2);
   }
 }
+STRIDED(hstyinv_single)
 LOOP(hstyinv_single, 2, DENSE, 48, 24, 16, 4, 4)
 LOOPS(hstyinv)
 
@@ -967,6 +1035,7 @@ OVER(hstzinv_double) {
     STORE(screw_double, &so, 1, 2);
   }
 }
+STRIDED(hstzinv_double)
 LOOP(hstzinv_double, 2, DENSE, 96, 48, 32, 8, 8)
 
 OVER(hstzinv_single) {
@@ -979,6 +1048,7 @@ OVER(hstzinv_single) {
     STORE(screw_single, &so, 1, 2);
   }
 }
+STRIDED(hstzinv_single)
 LOOP(hstzinv_single, 2, DENSE, 48, 24, 16, 4, 4)
 LOOPS(hstzinv)
 
@@ -993,6 +1063,7 @@ OVER(hsrxinv_double) {
     STORE(screw_double, &so, 1, 2);
   }
 }
+STRIDED(hsrxinv_double)
 LOOP(hsrxinv_double, 2, DENSE, 96, 48, 32, 8, 8)
 
 OVER(hsrxinv_single) {
@@ -1005,6 +1076,7 @@ OVER(hsrxinv_single) {
     STORE(screw_single, &so, 1, 2);
   }
 }
+STRIDED(hsrxinv_single)
 LOOP(hsrxinv_single, 2, DENSE, 48, 24, 16, 4, 4)
 LOOPS(hsrxinv)
 
@@ -1019,6 +1091,7 @@ OVER(hsryinv_double) {
     STORE(screw_double, &so, 1, 2);
   }
 }
+STRIDED(hsryinv_double)
 LOOP(hsryinv_double, 2, DENSE, 96, 48, 32, 8, 8)
 
 OVER(hsryinv_single) {
@@ -1031,6 +1104,7 @@ OVER(hsryinv_single) {
     STORE(screw_single, &so, 1, 2);
   }
 }
+STRIDED(hsryinv_single)
 LOOP(hsryinv_single, 2, DENSE, 48, 24, 16, 4, 4)
 LOOPS(hsryinv)
 
@@ -1045,6 +1119,7 @@ OVER(hsrzinv_double) {
     STORE(screw_double, &so, 1, 2);
   }
 }
+STRIDED(hsrzinv_double)
 LOOP(hsrzinv_double, 2, DENSE, 96, 48, 32, 8, 8)
 
 OVER(hsrzinv_single) {
@@ -1057,6 +1132,7 @@ OVER(hsrzinv_single) {
     STORE(screw_single, &so, 1, 2);
   }
 }
+STRIDED(hsrzinv_single)
 LOOP(hsrzinv_single, 2, DENSE, 48, 24, 16, 4, 4)
 LOOPS(hsrzinv)
 
@@ -1071,6 +1147,7 @@ OVER(Ad_double) {
     STORE(mat6x6_double, &M, 1, 2);
   }
 }
+STRIDED(Ad_double)
 LOOP(Ad_double, 2, DENSE, 96, 288, 32, 8, 48, 8)
 
 OVER(Ad_single) {
@@ -1083,6 +1160,7 @@ OVER(Ad_single) {
     STORE(mat6x6_single, &M, 1, 2);
   }
 }
+STRIDED(Ad_single)
 LOOP(Ad_single, 2, DENSE, 48, 144, 16, 4, 24, 4)
 LOOPS(Ad)
 
@@ -1099,6 +1177,7 @@ OVER(dot_cs_double) {
     STORE(scalar_double, &power, 2, 2);
   }
 }
+STRIDED(dot_cs_double)
 LOOP(dot_cs_double, 3, DENSE_OR_ONE, 48, 48, 8, 8, 8)
 
 OVER(dot_cs_single) {
@@ -1113,6 +1192,7 @@ OVER(dot_cs_single) {
     STORE(scalar_single, &power, 2, 2);
   }
 }
+STRIDED(dot_cs_single)
 LOOP(dot_cs_single, 3, DENSE_OR_ONE, 24, 24, 4, 4, 4)
 LOOPS(dot_cs)
 
@@ -1129,6 +1209,7 @@ OVER(cross_ss_double) {
     STORE(screw_double, &so, 2, 2);
   }
 }
+STRIDED(cross_ss_double)
 LOOP(cross_ss_double, 3, DENSE_OR_ONE, 48, 48, 48, 8, 8, 8)
 
 OVER(cross_ss_single) {
@@ -1143,6 +1224,7 @@ OVER(cross_ss_single) {
     STORE(screw_single, &so, 2, 2);
   }
 }
+STRIDED(cross_ss_single)
 LOOP(cross_ss_single, 3, DENSE_OR_ONE, 24, 24, 24, 4, 4, 4)
 LOOPS(cross_ss)
 
@@ -1159,6 +1241,7 @@ OVER(cross_sst_double) {
     STORE(screw_double, &so, 2, 2);
   }
 }
+STRIDED(cross_sst_double)
 LOOP(cross_sst_double, 3, DENSE_OR_ONE, 48, 48, 48, 8, 8, 8)
 
 OVER(cross_sst_single) {
@@ -1173,6 +1256,7 @@ OVER(cross_sst_single) {
     STORE(screw_single, &so, 2, 2);
   }
 }
+STRIDED(cross_sst_single)
 LOOP(cross_sst_single, 3, DENSE_OR_ONE, 24, 24, 24, 4, 4, 4)
 LOOPS(cross_sst)
 
@@ -1189,6 +1273,7 @@ OVER(hsra_double) {
     STORE(screw_double, &so, 2, 3);
   }
 }
+STRIDED(hsra_double)
 LOOP(hsra_double, 3, DENSE_OR_ONE, 96, 24, 48, 32, 8, 8, 8)
 
 OVER(hsra_single) {
@@ -1203,6 +1288,7 @@ OVER(hsra_single) {
     STORE(screw_single, &so, 2, 3);
   }
 }
+STRIDED(hsra_single)
 LOOP(hsra_single, 3, DENSE_OR_ONE, 48, 12, 24, 16, 4, 4, 4)
 LOOPS(hsra)
 
@@ -1219,6 +1305,7 @@ OVER(hsta_double) {
     STORE(screw_double, &so, 2, 3);
   }
 }
+STRIDED(hsta_double)
 LOOP(hsta_double, 3, DENSE_OR_ONE, 96, 24, 48, 32, 8, 8, 8)
 
 OVER(hsta_single) {
@@ -1233,6 +1320,7 @@ OVER(hsta_single) {
     STORE(screw_single, &so, 2, 3);
   }
 }
+STRIDED(hsta_single)
 LOOP(hsta_single, 3, DENSE_OR_ONE, 48, 12, 24, 16, 4, 4, 4)
 LOOPS(hsta)
 
@@ -1249,6 +1337,7 @@ OVER(hsrainv_double) {
     STORE(screw_double, &so, 2, 3);
   }
 }
+STRIDED(hsrainv_double)
 LOOP(hsrainv_double, 3, DENSE_OR_ONE, 96, 24, 48, 32, 8, 8, 8)
 
 OVER(hsrainv_single) {
@@ -1263,6 +1352,7 @@ OVER(hsrainv_single) {
     STORE(screw_single, &so, 2, 3);
   }
 }
+STRIDED(hsrainv_single)
 LOOP(hsrainv_single, 3, DENSE_OR_ONE, 48, 12, 24, 16, 4, 4, 4)
 LOOPS(hsrainv)
 
@@ -1279,6 +1369,7 @@ OVER(hstainv_double) {
     STORE(screw_double, &so, 2, 3);
   }
 }
+STRIDED(hstainv_double)
 LOOP(hstainv_double, 3, DENSE_OR_ONE, 96, 24, 48, 32, 8, 8, 8)
 
 OVER(hstainv_single) {
@@ -1293,6 +1384,7 @@ OVER(hstainv_single) {
     STORE(screw_single, &so, 2, 3);
   }
 }
+STRIDED(hstainv_single)
 LOOP(hstainv_single, 3, DENSE_OR_ONE, 48, 12, 24, 16, 4, 4, 4)
 LOOPS(hstainv)
 
@@ -1307,6 +1399,7 @@ OVER(ad_double) {
     STORE(mat6x6_double, &M, 1, 1);
   }
 }
+STRIDED(ad_double)
 LOOP(ad_double, 2, DENSE, 48, 288, 8, 48, 8)
 
 OVER(ad_single) {
@@ -1319,6 +1412,7 @@ OVER(ad_single) {
     STORE(mat6x6_single, &M, 1, 1);
   }
 }
+STRIDED(ad_single)
 LOOP(ad_single, 2, DENSE, 24, 144, 4, 24, 4)
 LOOPS(ad)
 

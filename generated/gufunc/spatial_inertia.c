@@ -19,6 +19,7 @@ OVER(spatial_inertia_copy_double) {
     STORE(spatial_inertia_double, &Bo, 1, 1);
   }
 }
+STRIDED(spatial_inertia_copy_double)
 LOOP(spatial_inertia_copy_double, 2, DENSE, 80, 80, 8, 8)
 
 OVER(spatial_inertia_copy_single) {
@@ -31,6 +32,7 @@ OVER(spatial_inertia_copy_single) {
     STORE(spatial_inertia_single, &Bo, 1, 1);
   }
 }
+STRIDED(spatial_inertia_copy_single)
 LOOP(spatial_inertia_copy_single, 2, DENSE, 40, 40, 4, 4)
 LOOPS(spatial_inertia_copy)
 
@@ -46,6 +48,7 @@ OVER(spatial_inertia_scale_double) {
     STORE(spatial_inertia_double, &self, 2, 1);
   }
 }
+STRIDED(spatial_inertia_scale_double)
 LOOP(spatial_inertia_scale_double, 3, DENSE, 80, 8, 80, 8, 8)
 
 OVER(spatial_inertia_scale_single) {
@@ -59,6 +62,7 @@ OVER(spatial_inertia_scale_single) {
     STORE(spatial_inertia_single, &self, 2, 1);
   }
 }
+STRIDED(spatial_inertia_scale_single)
 LOOP(spatial_inertia_scale_single, 3, DENSE, 40, 4, 40, 4, 4)
 LOOPS(spatial_inertia_scale)
 
@@ -75,6 +79,7 @@ OVER(add_BB_double) {
     STORE(spatial_inertia_double, &Bo, 2, 2);
   }
 }
+STRIDED(add_BB_double)
 LOOP(add_BB_double, 3, DENSE_OR_ONE, 80, 80, 80, 8, 8, 8)
 
 OVER(add_BB_single) {
@@ -89,6 +94,7 @@ OVER(add_BB_single) {
     STORE(spatial_inertia_single, &Bo, 2, 2);
   }
 }
+STRIDED(add_BB_single)
 LOOP(add_BB_single, 3, DENSE_OR_ONE, 40, 40, 40, 4, 4, 4)
 LOOPS(add_BB)
 
@@ -105,6 +111,7 @@ OVER(subtract_BB_double) {
     STORE(spatial_inertia_double, &Bo, 2, 2);
   }
 }
+STRIDED(subtract_BB_double)
 LOOP(subtract_BB_double, 3, DENSE_OR_ONE, 80, 80, 80, 8, 8, 8)
 
 OVER(subtract_BB_single) {
@@ -119,6 +126,7 @@ OVER(subtract_BB_single) {
     STORE(spatial_inertia_single, &Bo, 2, 2);
   }
 }
+STRIDED(subtract_BB_single)
 LOOP(subtract_BB_single, 3, DENSE_OR_ONE, 40, 40, 40, 4, 4, 4)
 LOOPS(subtract_BB)
 
@@ -137,6 +145,7 @@ OVER(spatial_inertia_from_com_double) {
     STORE(spatial_inertia_double, &Bo, 3, 3);
   }
 }
+STRIDED(spatial_inertia_from_com_double)
 LOOP(spatial_inertia_from_com_double, 4, DENSE_OR_ONE, 8, 24, 72, 80, 8, 24, 8, 8)
 
 OVER(spatial_inertia_from_com_single) {
@@ -153,6 +162,7 @@ OVER(spatial_inertia_from_com_single) {
     STORE(spatial_inertia_single, &Bo, 3, 3);
   }
 }
+STRIDED(spatial_inertia_from_com_single)
 LOOP(spatial_inertia_from_com_single, 4, DENSE_OR_ONE, 4, 12, 36, 40, 4, 12, 4, 4)
 LOOPS(spatial_inertia_from_com)
 
@@ -167,6 +177,7 @@ OVER(spatial_inertia_from_inertia_double) {
     STORE(spatial_inertia_double, &Bo, 1, 1);
   }
 }
+STRIDED(spatial_inertia_from_inertia_double)
 LOOP(spatial_inertia_from_inertia_double, 2, DENSE, 80, 80, 8, 8)
 
 OVER(spatial_inertia_from_inertia_single) {
@@ -179,6 +190,7 @@ OVER(spatial_inertia_from_inertia_single) {
     STORE(spatial_inertia_single, &Bo, 1, 1);
   }
 }
+STRIDED(spatial_inertia_from_inertia_single)
 LOOP(spatial_inertia_from_inertia_single, 2, DENSE, 40, 40, 4, 4)
 LOOPS(spatial_inertia_from_inertia)
 
@@ -193,6 +205,7 @@ OVER(inertia_from_spatial_inertia_double) {
     STORE(inertia_double, &Jo, 1, 1);
   }
 }
+STRIDED(inertia_from_spatial_inertia_double)
 LOOP(inertia_from_spatial_inertia_double, 2, DENSE, 80, 80, 8, 8)
 
 OVER(inertia_from_spatial_inertia_single) {
@@ -205,6 +218,7 @@ OVER(inertia_from_spatial_inertia_single) {
     STORE(inertia_single, &Jo, 1, 1);
   }
 }
+STRIDED(inertia_from_spatial_inertia_single)
 LOOP(inertia_from_spatial_inertia_single, 2, DENSE, 40, 40, 4, 4)
 LOOPS(inertia_from_spatial_inertia)
 
@@ -219,6 +233,7 @@ OVER(spatial_inertia_com_double) {
     STORE(vec3_double, &vo, 1, 1);
   }
 }
+STRIDED(spatial_inertia_com_double)
 LOOP(spatial_inertia_com_double, 2, DENSE, 80, 24, 8, 8)
 
 OVER(spatial_inertia_com_single) {
@@ -231,6 +246,7 @@ OVER(spatial_inertia_com_single) {
     STORE(vec3_single, &vo, 1, 1);
   }
 }
+STRIDED(spatial_inertia_com_single)
 LOOP(spatial_inertia_com_single, 2, DENSE, 40, 12, 4, 4)
 LOOPS(spatial_inertia_com)
 
@@ -245,6 +261,7 @@ OVER(spatial_inertia_about_com_double) {
     STORE(mat3x3_double, &Ro, 1, 1);
   }
 }
+STRIDED(spatial_inertia_about_com_double)
 LOOP(spatial_inertia_about_com_double, 2, DENSE, 80, 72, 8, 24, 8)
 
 OVER(spatial_inertia_about_com_single) {
@@ -257,6 +274,7 @@ OVER(spatial_inertia_about_com_single) {
     STORE(mat3x3_single, &Ro, 1, 1);
   }
 }
+STRIDED(spatial_inertia_about_com_single)
 LOOP(spatial_inertia_about_com_single, 2, DENSE, 40, 36, 4, 12, 4)
 LOOPS(spatial_inertia_about_com)
 
@@ -271,6 +289,7 @@ OVER(spatial_inertia_matrix_double) {
     STORE(mat6x6_double, &Mo, 1, 1);
   }
 }
+STRIDED(spatial_inertia_matrix_double)
 LOOP(spatial_inertia_matrix_double, 2, DENSE, 80, 288, 8, 48, 8)
 
 OVER(spatial_inertia_matrix_single) {
@@ -283,6 +302,7 @@ OVER(spatial_inertia_matrix_single) {
     STORE(mat6x6_single, &Mo, 1, 1);
   }
 }
+STRIDED(spatial_inertia_matrix_single)
 LOOP(spatial_inertia_matrix_single, 2, DENSE, 40, 144, 4, 24, 4)
 LOOPS(spatial_inertia_matrix)
 
@@ -299,6 +319,7 @@ OVER(product_Bs_double) {
     STORE(coscrew_double, &co, 2, 2);
   }
 }
+STRIDED(product_Bs_double)
 LOOP(product_Bs_double, 3, DENSE_OR_ONE, 80, 48, 48, 8, 8, 8)
 
 OVER(product_Bs_single) {
@@ -313,6 +334,7 @@ OVER(product_Bs_single) {
     STORE(coscrew_single, &co, 2, 2);
   }
 }
+STRIDED(product_Bs_single)
 LOOP(product_Bs_single, 3, DENSE_OR_ONE, 40, 24, 24, 4, 4, 4)
 LOOPS(product_Bs)
 
@@ -329,6 +351,7 @@ OVER(spatial_inertia_energy_double) {
     STORE(scalar_double, &energy, 2, 2);
   }
 }
+STRIDED(spatial_inertia_energy_double)
 LOOP(spatial_inertia_energy_double, 3, DENSE_OR_ONE, 80, 48, 8, 8, 8)
 
 OVER(spatial_inertia_energy_single) {
@@ -343,6 +366,7 @@ OVER(spatial_inertia_energy_single) {
     STORE(scalar_single, &energy, 2, 2);
   }
 }
+STRIDED(spatial_inertia_energy_single)
 LOOP(spatial_inertia_energy_single, 3, DENSE_OR_ONE, 40, 24, 4, 4, 4)
 LOOPS(spatial_inertia_energy)
 
@@ -361,6 +385,7 @@ OVER(spatial_inertia_net_wrench_double) {
     STORE(coscrew_double, &co, 3, 3);
   }
 }
+STRIDED(spatial_inertia_net_wrench_double)
 LOOP(spatial_inertia_net_wrench_double, 4, DENSE_OR_ONE, 80, 24, 48, 48, 8, 8, 8, 8)
 
 OVER(spatial_inertia_net_wrench_single) {
@@ -377,6 +402,7 @@ OVER(spatial_inertia_net_wrench_single) {
     STORE(coscrew_single, &co, 3, 3);
   }
 }
+STRIDED(spatial_inertia_net_wrench_single)
 LOOP(spatial_inertia_net_wrench_single, 4, DENSE_OR_ONE, 40, 12, 24, 24, 4, 4, 4, 4)
 LOOPS(spatial_inertia_net_wrench)
 
@@ -393,6 +419,7 @@ OVER(spatial_inertia_shifted_double) {
     STORE(spatial_inertia_double, &Bo, 2, 2);
   }
 }
+STRIDED(spatial_inertia_shifted_double)
 LOOP(spatial_inertia_shifted_double, 3, DENSE_OR_ONE, 24, 80, 80, 8, 8, 8)
 
 OVER(spatial_inertia_shifted_single) {
@@ -407,6 +434,7 @@ OVER(spatial_inertia_shifted_single) {
     STORE(spatial_inertia_single, &Bo, 2, 2);
   }
 }
+STRIDED(spatial_inertia_shifted_single)
 LOOP(spatial_inertia_shifted_single, 3, DENSE_OR_ONE, 12, 40, 40, 4, 4, 4)
 LOOPS(spatial_inertia_shifted)
 
@@ -423,6 +451,7 @@ OVER(spatial_inertia_transformed_double) {
     STORE(spatial_inertia_double, &Bo, 2, 3);
   }
 }
+STRIDED(spatial_inertia_transformed_double)
 LOOP(spatial_inertia_transformed_double, 3, DENSE_OR_ONE, 96, 80, 80, 32, 8, 8, 8)
 
 OVER(spatial_inertia_transformed_single) {
@@ -437,6 +466,7 @@ OVER(spatial_inertia_transformed_single) {
     STORE(spatial_inertia_single, &Bo, 2, 3);
   }
 }
+STRIDED(spatial_inertia_transformed_single)
 LOOP(spatial_inertia_transformed_single, 3, DENSE_OR_ONE, 48, 40, 40, 16, 4, 4, 4)
 LOOPS(spatial_inertia_transformed)
 
@@ -451,6 +481,7 @@ OVER(spatial_inertia_consistency_double) {
     STORE(scalar_double, &pivot, 1, 1);
   }
 }
+STRIDED(spatial_inertia_consistency_double)
 LOOP(spatial_inertia_consistency_double, 2, DENSE, 80, 8, 8)
 
 OVER(spatial_inertia_consistency_single) {
@@ -463,6 +494,7 @@ OVER(spatial_inertia_consistency_single) {
     STORE(scalar_single, &pivot, 1, 1);
   }
 }
+STRIDED(spatial_inertia_consistency_single)
 LOOP(spatial_inertia_consistency_single, 2, DENSE, 40, 4, 4)
 LOOPS(spatial_inertia_consistency)
 

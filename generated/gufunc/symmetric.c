@@ -21,6 +21,7 @@ OVER(mat3x3_ldl_double) {
     STORE(mat3x3_double, &L, 2, 2);
   }
 }
+STRIDED(mat3x3_ldl_double)
 LOOP(mat3x3_ldl_double, 3, DENSE, 72, 8, 72, 24, 8, 24, 8)
 
 OVER(mat3x3_ldl_single) {
@@ -35,6 +36,7 @@ OVER(mat3x3_ldl_single) {
     STORE(mat3x3_single, &L, 2, 2);
   }
 }
+STRIDED(mat3x3_ldl_single)
 LOOP(mat3x3_ldl_single, 3, DENSE, 36, 4, 36, 12, 4, 12, 4)
 LOOPS(mat3x3_ldl)
 
@@ -51,6 +53,7 @@ OVER(mat3x3_ldl_solve_double) {
     STORE(vec3_double, &x, 2, 3);
   }
 }
+STRIDED(mat3x3_ldl_solve_double)
 LOOP(mat3x3_ldl_solve_double, 3, DENSE_OR_ONE, 72, 24, 24, 24, 8, 8, 8)
 
 OVER(mat3x3_ldl_solve_single) {
@@ -65,6 +68,7 @@ OVER(mat3x3_ldl_solve_single) {
     STORE(vec3_single, &x, 2, 3);
   }
 }
+STRIDED(mat3x3_ldl_solve_single)
 LOOP(mat3x3_ldl_solve_single, 3, DENSE_OR_ONE, 36, 12, 12, 12, 4, 4, 4)
 LOOPS(mat3x3_ldl_solve)
 
@@ -83,6 +87,7 @@ OVER(mat3x3_solve_double) {
     STORE(vec3_double, &x, 3, 3);
   }
 }
+STRIDED(mat3x3_solve_double)
 LOOP(mat3x3_solve_double, 4, DENSE_OR_ONE, 72, 24, 8, 24, 24, 8, 8, 8)
 
 OVER(mat3x3_solve_single) {
@@ -99,6 +104,7 @@ OVER(mat3x3_solve_single) {
     STORE(vec3_single, &x, 3, 3);
   }
 }
+STRIDED(mat3x3_solve_single)
 LOOP(mat3x3_solve_single, 4, DENSE_OR_ONE, 36, 12, 4, 12, 12, 4, 4, 4)
 LOOPS(mat3x3_solve)
 
@@ -115,6 +121,7 @@ OVER(mat6x6_ldl_double) {
     STORE(mat6x6_double, &L, 2, 2);
   }
 }
+STRIDED(mat6x6_ldl_double)
 LOOP(mat6x6_ldl_double, 3, DENSE, 288, 8, 288, 48, 8, 48, 8)
 
 OVER(mat6x6_ldl_single) {
@@ -129,6 +136,7 @@ OVER(mat6x6_ldl_single) {
     STORE(mat6x6_single, &L, 2, 2);
   }
 }
+STRIDED(mat6x6_ldl_single)
 LOOP(mat6x6_ldl_single, 3, DENSE, 144, 4, 144, 24, 4, 24, 4)
 LOOPS(mat6x6_ldl)
 
@@ -145,6 +153,7 @@ OVER(mat6x6_ldl_solve_double) {
     STORE(screw_double, &x, 2, 3);
   }
 }
+STRIDED(mat6x6_ldl_solve_double)
 LOOP(mat6x6_ldl_solve_double, 3, DENSE_OR_ONE, 288, 48, 48, 48, 8, 8, 8)
 
 OVER(mat6x6_ldl_solve_single) {
@@ -159,6 +168,7 @@ OVER(mat6x6_ldl_solve_single) {
     STORE(screw_single, &x, 2, 3);
   }
 }
+STRIDED(mat6x6_ldl_solve_single)
 LOOP(mat6x6_ldl_solve_single, 3, DENSE_OR_ONE, 144, 24, 24, 24, 4, 4, 4)
 LOOPS(mat6x6_ldl_solve)
 
@@ -177,6 +187,7 @@ OVER(mat6x6_solve_double) {
     STORE(screw_double, &x, 3, 3);
   }
 }
+STRIDED(mat6x6_solve_double)
 LOOP(mat6x6_solve_double, 4, DENSE_OR_ONE, 288, 48, 8, 48, 48, 8, 8, 8)
 
 OVER(mat6x6_solve_single) {
@@ -193,6 +204,7 @@ OVER(mat6x6_solve_single) {
     STORE(screw_single, &x, 3, 3);
   }
 }
+STRIDED(mat6x6_solve_single)
 LOOP(mat6x6_solve_single, 4, DENSE_OR_ONE, 144, 24, 4, 24, 24, 4, 4, 4)
 LOOPS(mat6x6_solve)
 

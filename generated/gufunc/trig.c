@@ -21,6 +21,7 @@ OVER(dc_double) {
     STORE(dc_double, dc, 1, 0);
   }
 }
+STRIDED(dc_double)
 
 #if KSL_LANE_BYTES
 /* The same on vectors; 0, and nothing is written, if that raises flags that are not yet raised. */
@@ -54,7 +55,7 @@ INLINED int dc_double_on_vectors(
 
 static APART void dc_double_many(
     char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  const vector_loop loop = { dc_double_over, dc_double_on_vectors, 2,
+  const vector_loop loop = { dc_double_strided, dc_double_on_vectors, 2,
     KSL_LANES, 128 * KSL_LANES };
   many_elements(&loop, data, n, step, core);
 }
@@ -71,6 +72,7 @@ OVER(dc_single) {
     STORE(dc_single, dc, 1, 0);
   }
 }
+STRIDED(dc_single)
 
 #if KSL_LANE_BYTES
 /* The same on vectors; 0, and nothing is written, if that raises flags that are not yet raised. */
@@ -104,7 +106,7 @@ INLINED int dc_single_on_vectors(
 
 static APART void dc_single_many(
     char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  const vector_loop loop = { dc_single_over, dc_single_on_vectors, 2,
+  const vector_loop loop = { dc_single_strided, dc_single_on_vectors, 2,
     KSL_LANESF, 128 * KSL_LANESF };
   many_elements(&loop, data, n, step, core);
 }

@@ -21,6 +21,7 @@ OVER(vec3_copy_double) {
     STORE(vec3_double, &vo, 1, 1);
   }
 }
+STRIDED(vec3_copy_double)
 LOOP(vec3_copy_double, 2, DENSE, 24, 24, 8, 8)
 
 OVER(vec3_copy_single) {
@@ -33,6 +34,7 @@ OVER(vec3_copy_single) {
     STORE(vec3_single, &vo, 1, 1);
   }
 }
+STRIDED(vec3_copy_single)
 LOOP(vec3_copy_single, 2, DENSE, 12, 12, 4, 4)
 LOOPS(vec3_copy)
 
@@ -48,6 +50,7 @@ OVER(vec3_scale_double) {
     STORE(vec3_double, &self, 2, 1);
   }
 }
+STRIDED(vec3_scale_double)
 LOOP(vec3_scale_double, 3, DENSE, 24, 8, 24, 8, 8)
 
 OVER(vec3_scale_single) {
@@ -61,6 +64,7 @@ OVER(vec3_scale_single) {
     STORE(vec3_single, &self, 2, 1);
   }
 }
+STRIDED(vec3_scale_single)
 LOOP(vec3_scale_single, 3, DENSE, 12, 4, 12, 4, 4)
 LOOPS(vec3_scale)
 
@@ -75,6 +79,7 @@ OVER(vec3_inverted_double) {
     STORE(vec3_double, &vo, 1, 1);
   }
 }
+STRIDED(vec3_inverted_double)
 LOOP(vec3_inverted_double, 2, DENSE, 24, 24, 8, 8)
 
 OVER(vec3_inverted_single) {
@@ -87,6 +92,7 @@ OVER(vec3_inverted_single) {
     STORE(vec3_single, &vo, 1, 1);
   }
 }
+STRIDED(vec3_inverted_single)
 LOOP(vec3_inverted_single, 2, DENSE, 12, 12, 4, 4)
 LOOPS(vec3_inverted)
 
@@ -100,6 +106,7 @@ OVER(vec3_invert_double) {
     STORE(vec3_double, &self, 1, 1);
   }
 }
+STRIDED(vec3_invert_double)
 LOOP(vec3_invert_double, 2, DENSE, 24, 24, 8, 8)
 
 OVER(vec3_invert_single) {
@@ -111,6 +118,7 @@ OVER(vec3_invert_single) {
     STORE(vec3_single, &self, 1, 1);
   }
 }
+STRIDED(vec3_invert_single)
 LOOP(vec3_invert_single, 2, DENSE, 12, 12, 4, 4)
 LOOPS(vec3_invert)
 
@@ -128,6 +136,7 @@ OVER(axpy_vv_double) {
     STORE(vec3_double, &y, 3, 2);
   }
 }
+STRIDED(axpy_vv_double)
 LOOP(axpy_vv_double, 4, DENSE_OR_ONE, 8, 24, 24, 24, 8, 8, 8)
 
 OVER(axpy_vv_single) {
@@ -143,6 +152,7 @@ OVER(axpy_vv_single) {
     STORE(vec3_single, &y, 3, 2);
   }
 }
+STRIDED(axpy_vv_single)
 LOOP(axpy_vv_single, 4, DENSE_OR_ONE, 4, 12, 12, 12, 4, 4, 4)
 LOOPS(axpy_vv)
 
@@ -158,6 +168,7 @@ OVER(xpy_vv_double) {
     STORE(vec3_double, &y, 2, 2);
   }
 }
+STRIDED(xpy_vv_double)
 LOOP(xpy_vv_double, 3, DENSE_OR_ONE, 24, 24, 24, 8, 8, 8)
 
 OVER(xpy_vv_single) {
@@ -171,6 +182,7 @@ OVER(xpy_vv_single) {
     STORE(vec3_single, &y, 2, 2);
   }
 }
+STRIDED(xpy_vv_single)
 LOOP(xpy_vv_single, 3, DENSE_OR_ONE, 12, 12, 12, 4, 4, 4)
 LOOPS(xpy_vv)
 
@@ -186,6 +198,7 @@ OVER(nxpy_vv_double) {
     STORE(vec3_double, &y, 2, 2);
   }
 }
+STRIDED(nxpy_vv_double)
 LOOP(nxpy_vv_double, 3, DENSE_OR_ONE, 24, 24, 24, 8, 8, 8)
 
 OVER(nxpy_vv_single) {
@@ -199,6 +212,7 @@ OVER(nxpy_vv_single) {
     STORE(vec3_single, &y, 2, 2);
   }
 }
+STRIDED(nxpy_vv_single)
 LOOP(nxpy_vv_single, 3, DENSE_OR_ONE, 12, 12, 12, 4, 4, 4)
 LOOPS(nxpy_vv)
 
@@ -215,6 +229,7 @@ OVER(product_av_double) {
     STORE(vec3_double, &vo, 2, 1);
   }
 }
+STRIDED(product_av_double)
 LOOP(product_av_double, 3, DENSE_OR_ONE, 8, 24, 24, 8, 8)
 
 OVER(product_av_single) {
@@ -229,6 +244,7 @@ OVER(product_av_single) {
     STORE(vec3_single, &vo, 2, 1);
   }
 }
+STRIDED(product_av_single)
 LOOP(product_av_single, 3, DENSE_OR_ONE, 4, 12, 12, 4, 4)
 LOOPS(product_av)
 
@@ -245,6 +261,7 @@ OVER(add_vv_double) {
     STORE(vec3_double, &vo, 2, 2);
   }
 }
+STRIDED(add_vv_double)
 LOOP(add_vv_double, 3, DENSE_OR_ONE, 24, 24, 24, 8, 8, 8)
 
 OVER(add_vv_single) {
@@ -259,6 +276,7 @@ OVER(add_vv_single) {
     STORE(vec3_single, &vo, 2, 2);
   }
 }
+STRIDED(add_vv_single)
 LOOP(add_vv_single, 3, DENSE_OR_ONE, 12, 12, 12, 4, 4, 4)
 LOOPS(add_vv)
 
@@ -275,6 +293,7 @@ OVER(subtract_vv_double) {
     STORE(vec3_double, &vo, 2, 2);
   }
 }
+STRIDED(subtract_vv_double)
 LOOP(subtract_vv_double, 3, DENSE_OR_ONE, 24, 24, 24, 8, 8, 8)
 
 OVER(subtract_vv_single) {
@@ -289,6 +308,7 @@ OVER(subtract_vv_single) {
     STORE(vec3_single, &vo, 2, 2);
   }
 }
+STRIDED(subtract_vv_single)
 LOOP(subtract_vv_single, 3, DENSE_OR_ONE, 12, 12, 12, 4, 4, 4)
 LOOPS(subtract_vv)
 
@@ -305,6 +325,7 @@ OVER(vec3_scaled_double) {
     STORE(vec3_double, &vo, 2, 1);
   }
 }
+STRIDED(vec3_scaled_double)
 LOOP(vec3_scaled_double, 3, DENSE_OR_ONE, 24, 8, 24, 8, 8)
 
 OVER(vec3_scaled_single) {
@@ -319,6 +340,7 @@ OVER(vec3_scaled_single) {
     STORE(vec3_single, &vo, 2, 1);
   }
 }
+STRIDED(vec3_scaled_single)
 LOOP(vec3_scaled_single, 3, DENSE_OR_ONE, 12, 4, 12, 4, 4)
 LOOPS(vec3_scaled)
 
@@ -335,6 +357,7 @@ OVER(vec3_swap_double) {
     STORE(vec3_double, &v2, 3, 3);
   }
 }
+STRIDED(vec3_swap_double)
 LOOP(vec3_swap_double, 4, DENSE, 24, 24, 24, 24, 8, 8, 8, 8)
 
 OVER(vec3_swap_single) {
@@ -349,6 +372,7 @@ OVER(vec3_swap_single) {
     STORE(vec3_single, &v2, 3, 3);
   }
 }
+STRIDED(vec3_swap_single)
 LOOP(vec3_swap_single, 4, DENSE, 12, 12, 12, 12, 4, 4, 4, 4)
 LOOPS(vec3_swap)
 
@@ -363,6 +387,7 @@ OVER(vec3_l2norm_double) {
     STORE(scalar_double, &norm, 1, 1);
   }
 }
+STRIDED(vec3_l2norm_double)
 LOOP(vec3_l2norm_double, 2, DENSE, 24, 8, 8)
 
 OVER(vec3_l2norm_single) {
@@ -375,6 +400,7 @@ OVER(vec3_l2norm_single) {
     STORE(scalar_single, &norm, 1, 1);
   }
 }
+STRIDED(vec3_l2norm_single)
 LOOP(vec3_l2norm_single, 2, DENSE, 12, 4, 4)
 LOOPS(vec3_l2norm)
 
@@ -388,6 +414,7 @@ OVER(vec3_normalize_double) {
     STORE(vec3_double, &self, 1, 1);
   }
 }
+STRIDED(vec3_normalize_double)
 LOOP(vec3_normalize_double, 2, DENSE, 24, 24, 8, 8)
 
 OVER(vec3_normalize_single) {
@@ -399,6 +426,7 @@ OVER(vec3_normalize_single) {
     STORE(vec3_single, &self, 1, 1);
   }
 }
+STRIDED(vec3_normalize_single)
 LOOP(vec3_normalize_single, 2, DENSE, 12, 12, 4, 4)
 LOOPS(vec3_normalize)
 
@@ -413,6 +441,7 @@ OVER(vec3_normalized_double) {
     STORE(vec3_double, &vo, 1, 1);
   }
 }
+STRIDED(vec3_normalized_double)
 LOOP(vec3_normalized_double, 2, DENSE, 24, 24, 8, 8)
 
 OVER(vec3_normalized_single) {
@@ -425,6 +454,7 @@ OVER(vec3_normalized_single) {
     STORE(vec3_single, &vo, 1, 1);
   }
 }
+STRIDED(vec3_normalized_single)
 LOOP(vec3_normalized_single, 2, DENSE, 12, 12, 4, 4)
 LOOPS(vec3_normalized)
 
@@ -441,6 +471,7 @@ OVER(angle_vv_double) {
     STORE(scalar_double, &angle, 2, 2);
   }
 }
+STRIDED(angle_vv_double)
 
 #if KSL_LANE_BYTES
 /* The same on vectors; 0, and nothing is written, if that raises flags that are not yet raised. */
@@ -477,7 +508,7 @@ INLINED int angle_vv_double_on_vectors(
 
 static APART void angle_vv_double_many(
     char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  const vector_loop loop = { angle_vv_double_over, angle_vv_double_on_vectors, 3,
+  const vector_loop loop = { angle_vv_double_strided, angle_vv_double_on_vectors, 3,
     KSL_LANES, 256 * KSL_LANES };
   many_elements(&loop, data, n, step, core);
 }
@@ -496,6 +527,7 @@ OVER(angle_vv_single) {
     STORE(scalar_single, &angle, 2, 2);
   }
 }
+STRIDED(angle_vv_single)
 
 #if KSL_LANE_BYTES
 /* The same on vectors; 0, and nothing is written, if that raises flags that are not yet raised. */
@@ -532,7 +564,7 @@ INLINED int angle_vv_single_on_vectors(
 
 static APART void angle_vv_single_many(
     char **data, npy_intp n, const npy_intp *step, const npy_intp *core) {
-  const vector_loop loop = { angle_vv_single_over, angle_vv_single_on_vectors, 3,
+  const vector_loop loop = { angle_vv_single_strided, angle_vv_single_on_vectors, 3,
     KSL_LANESF, 256 * KSL_LANESF };
   many_elements(&loop, data, n, step, core);
 }
@@ -553,6 +585,7 @@ OVER(dot_vv_double) {
     STORE(scalar_double, &dot, 2, 2);
   }
 }
+STRIDED(dot_vv_double)
 LOOP(dot_vv_double, 3, DENSE_OR_ONE, 24, 24, 8, 8, 8)
 
 OVER(dot_vv_single) {
@@ -567,6 +600,7 @@ OVER(dot_vv_single) {
     STORE(scalar_single, &dot, 2, 2);
   }
 }
+STRIDED(dot_vv_single)
 LOOP(dot_vv_single, 3, DENSE_OR_ONE, 12, 12, 4, 4, 4)
 LOOPS(dot_vv)
 
@@ -583,6 +617,7 @@ OVER(product_avinv_double) {
     STORE(vec3_double, &vo, 2, 1);
   }
 }
+STRIDED(product_avinv_double)
 LOOP(product_avinv_double, 3, DENSE_OR_ONE, 8, 24, 24, 8, 8)
 
 OVER(product_avinv_single) {
@@ -597,6 +632,7 @@ OVER(product_avinv_single) {
     STORE(vec3_single, &vo, 2, 1);
   }
 }
+STRIDED(product_avinv_single)
 LOOP(product_avinv_single, 3, DENSE_OR_ONE, 4, 12, 12, 4, 4)
 LOOPS(product_avinv)
 
@@ -613,6 +649,7 @@ OVER(product_ainvv_double) {
     STORE(vec3_double, &vo, 2, 1);
   }
 }
+STRIDED(product_ainvv_double)
 LOOP(product_ainvv_double, 3, DENSE_OR_ONE, 8, 24, 24, 8, 8)
 
 OVER(product_ainvv_single) {
@@ -627,6 +664,7 @@ OVER(product_ainvv_single) {
     STORE(vec3_single, &vo, 2, 1);
   }
 }
+STRIDED(product_ainvv_single)
 LOOP(product_ainvv_single, 3, DENSE_OR_ONE, 4, 12, 12, 4, 4)
 LOOPS(product_ainvv)
 
@@ -643,6 +681,7 @@ OVER(cross_vv_double) {
     STORE(vec3_double, &vo, 2, 2);
   }
 }
+STRIDED(cross_vv_double)
 LOOP(cross_vv_double, 3, DENSE_OR_ONE, 24, 24, 24, 8, 8, 8)
 
 OVER(cross_vv_single) {
@@ -657,6 +696,7 @@ OVER(cross_vv_single) {
     STORE(vec3_single, &vo, 2, 2);
   }
 }
+STRIDED(cross_vv_single)
 LOOP(cross_vv_single, 3, DENSE_OR_ONE, 12, 12, 12, 4, 4, 4)
 LOOPS(cross_vv)
 
@@ -673,6 +713,7 @@ OVER(cross_vvinv_double) {
     STORE(vec3_double, &vo, 2, 2);
   }
 }
+STRIDED(cross_vvinv_double)
 LOOP(cross_vvinv_double, 3, DENSE_OR_ONE, 24, 24, 24, 8, 8, 8)
 
 OVER(cross_vvinv_single) {
@@ -687,6 +728,7 @@ OVER(cross_vvinv_single) {
     STORE(vec3_single, &vo, 2, 2);
   }
 }
+STRIDED(cross_vvinv_single)
 LOOP(cross_vvinv_single, 3, DENSE_OR_ONE, 12, 12, 12, 4, 4, 4)
 LOOPS(cross_vvinv)
 
@@ -703,6 +745,7 @@ OVER(add_vvx_double) {
     STORE(vec3_double, &vo, 2, 1);
   }
 }
+STRIDED(add_vvx_double)
 LOOP(add_vvx_double, 3, DENSE_OR_ONE, 24, 8, 24, 8, 8)
 
 OVER(add_vvx_single) {
@@ -717,6 +760,7 @@ OVER(add_vvx_single) {
     STORE(vec3_single, &vo, 2, 1);
   }
 }
+STRIDED(add_vvx_single)
 LOOP(add_vvx_single, 3, DENSE_OR_ONE, 12, 4, 12, 4, 4)
 LOOPS(add_vvx)
 
@@ -733,6 +777,7 @@ OVER(add_vvxinv_double) {
     STORE(vec3_double, &vo, 2, 1);
   }
 }
+STRIDED(add_vvxinv_double)
 LOOP(add_vvxinv_double, 3, DENSE_OR_ONE, 24, 8, 24, 8, 8)
 
 OVER(add_vvxinv_single) {
@@ -747,6 +792,7 @@ OVER(add_vvxinv_single) {
     STORE(vec3_single, &vo, 2, 1);
   }
 }
+STRIDED(add_vvxinv_single)
 LOOP(add_vvxinv_single, 3, DENSE_OR_ONE, 12, 4, 12, 4, 4)
 LOOPS(add_vvxinv)
 
@@ -763,6 +809,7 @@ OVER(add_vvy_double) {
     STORE(vec3_double, &vo, 2, 1);
   }
 }
+STRIDED(add_vvy_double)
 LOOP(add_vvy_double, 3, DENSE_OR_ONE, 24, 8, 24, 8, 8)
 
 OVER(add_vvy_single) {
@@ -777,6 +824,7 @@ OVER(add_vvy_single) {
     STORE(vec3_single, &vo, 2, 1);
   }
 }
+STRIDED(add_vvy_single)
 LOOP(add_vvy_single, 3, DENSE_OR_ONE, 12, 4, 12, 4, 4)
 LOOPS(add_vvy)
 
@@ -793,6 +841,7 @@ OVER(add_vvyinv_double) {
     STORE(vec3_double, &vo, 2, 1);
   }
 }
+STRIDED(add_vvyinv_double)
 LOOP(add_vvyinv_double, 3, DENSE_OR_ONE, 24, 8, 24, 8, 8)
 
 OVER(add_vvyinv_single) {
@@ -807,6 +856,7 @@ OVER(add_vvyinv_single) {
     STORE(vec3_single, &vo, 2, 1);
   }
 }
+STRIDED(add_vvyinv_single)
 LOOP(add_vvyinv_single, 3, DENSE_OR_ONE, 12, 4, 12, 4, 4)
 LOOPS(add_vvyinv)
 
@@ -823,6 +873,7 @@ OVER(add_vvz_double) {
     STORE(vec3_double, &vo, 2, 1);
   }
 }
+STRIDED(add_vvz_double)
 LOOP(add_vvz_double, 3, DENSE_OR_ONE, 24, 8, 24, 8, 8)
 
 OVER(add_vvz_single) {
@@ -837,6 +888,7 @@ OVER(add_vvz_single) {
     STORE(vec3_single, &vo, 2, 1);
   }
 }
+STRIDED(add_vvz_single)
 LOOP(add_vvz_single, 3, DENSE_OR_ONE, 12, 4, 12, 4, 4)
 LOOPS(add_vvz)
 
@@ -853,6 +905,7 @@ OVER(add_vvzinv_double) {
     STORE(vec3_double, &vo, 2, 1);
   }
 }
+STRIDED(add_vvzinv_double)
 LOOP(add_vvzinv_double, 3, DENSE_OR_ONE, 24, 8, 24, 8, 8)
 
 OVER(add_vvzinv_single) {
@@ -867,6 +920,7 @@ OVER(add_vvzinv_single) {
     STORE(vec3_single, &vo, 2, 1);
   }
 }
+STRIDED(add_vvzinv_single)
 LOOP(add_vvzinv_single, 3, DENSE_OR_ONE, 12, 4, 12, 4, 4)
 LOOPS(add_vvzinv)
 

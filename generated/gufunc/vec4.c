@@ -19,6 +19,7 @@ OVER(vec4_copy_double) {
     STORE(vec4_double, &vo, 1, 1);
   }
 }
+STRIDED(vec4_copy_double)
 LOOP(vec4_copy_double, 2, DENSE, 32, 32, 8, 8)
 
 OVER(vec4_copy_single) {
@@ -31,6 +32,7 @@ OVER(vec4_copy_single) {
     STORE(vec4_single, &vo, 1, 1);
   }
 }
+STRIDED(vec4_copy_single)
 LOOP(vec4_copy_single, 2, DENSE, 16, 16, 4, 4)
 LOOPS(vec4_copy)
 
@@ -46,6 +48,7 @@ OVER(vec4_scale_double) {
     STORE(vec4_double, &self, 2, 1);
   }
 }
+STRIDED(vec4_scale_double)
 LOOP(vec4_scale_double, 3, DENSE, 32, 8, 32, 8, 8)
 
 OVER(vec4_scale_single) {
@@ -59,6 +62,7 @@ OVER(vec4_scale_single) {
     STORE(vec4_single, &self, 2, 1);
   }
 }
+STRIDED(vec4_scale_single)
 LOOP(vec4_scale_single, 3, DENSE, 16, 4, 16, 4, 4)
 LOOPS(vec4_scale)
 
@@ -73,6 +77,7 @@ OVER(vec4_inverted_double) {
     STORE(vec4_double, &vo, 1, 1);
   }
 }
+STRIDED(vec4_inverted_double)
 LOOP(vec4_inverted_double, 2, DENSE, 32, 32, 8, 8)
 
 OVER(vec4_inverted_single) {
@@ -85,6 +90,7 @@ OVER(vec4_inverted_single) {
     STORE(vec4_single, &vo, 1, 1);
   }
 }
+STRIDED(vec4_inverted_single)
 LOOP(vec4_inverted_single, 2, DENSE, 16, 16, 4, 4)
 LOOPS(vec4_inverted)
 
@@ -98,6 +104,7 @@ OVER(vec4_invert_double) {
     STORE(vec4_double, &self, 1, 1);
   }
 }
+STRIDED(vec4_invert_double)
 LOOP(vec4_invert_double, 2, DENSE, 32, 32, 8, 8)
 
 OVER(vec4_invert_single) {
@@ -109,6 +116,7 @@ OVER(vec4_invert_single) {
     STORE(vec4_single, &self, 1, 1);
   }
 }
+STRIDED(vec4_invert_single)
 LOOP(vec4_invert_single, 2, DENSE, 16, 16, 4, 4)
 LOOPS(vec4_invert)
 
@@ -125,6 +133,7 @@ OVER(vec4_scaled_double) {
     STORE(vec4_double, &vo, 2, 1);
   }
 }
+STRIDED(vec4_scaled_double)
 LOOP(vec4_scaled_double, 3, DENSE_OR_ONE, 32, 8, 32, 8, 8)
 
 OVER(vec4_scaled_single) {
@@ -139,6 +148,7 @@ OVER(vec4_scaled_single) {
     STORE(vec4_single, &vo, 2, 1);
   }
 }
+STRIDED(vec4_scaled_single)
 LOOP(vec4_scaled_single, 3, DENSE_OR_ONE, 16, 4, 16, 4, 4)
 LOOPS(vec4_scaled)
 
@@ -155,6 +165,7 @@ OVER(vec4_swap_double) {
     STORE(vec4_double, &v2, 3, 3);
   }
 }
+STRIDED(vec4_swap_double)
 LOOP(vec4_swap_double, 4, DENSE, 32, 32, 32, 32, 8, 8, 8, 8)
 
 OVER(vec4_swap_single) {
@@ -169,6 +180,7 @@ OVER(vec4_swap_single) {
     STORE(vec4_single, &v2, 3, 3);
   }
 }
+STRIDED(vec4_swap_single)
 LOOP(vec4_swap_single, 4, DENSE, 16, 16, 16, 16, 4, 4, 4, 4)
 LOOPS(vec4_swap)
 
@@ -183,6 +195,7 @@ OVER(vec4_l2norm_double) {
     STORE(scalar_double, &norm, 1, 1);
   }
 }
+STRIDED(vec4_l2norm_double)
 LOOP(vec4_l2norm_double, 2, DENSE, 32, 8, 8)
 
 OVER(vec4_l2norm_single) {
@@ -195,6 +208,7 @@ OVER(vec4_l2norm_single) {
     STORE(scalar_single, &norm, 1, 1);
   }
 }
+STRIDED(vec4_l2norm_single)
 LOOP(vec4_l2norm_single, 2, DENSE, 16, 4, 4)
 LOOPS(vec4_l2norm)
 
@@ -208,6 +222,7 @@ OVER(vec4_normalize_double) {
     STORE(vec4_double, &self, 1, 1);
   }
 }
+STRIDED(vec4_normalize_double)
 LOOP(vec4_normalize_double, 2, DENSE, 32, 32, 8, 8)
 
 OVER(vec4_normalize_single) {
@@ -219,6 +234,7 @@ OVER(vec4_normalize_single) {
     STORE(vec4_single, &self, 1, 1);
   }
 }
+STRIDED(vec4_normalize_single)
 LOOP(vec4_normalize_single, 2, DENSE, 16, 16, 4, 4)
 LOOPS(vec4_normalize)
 
@@ -233,6 +249,7 @@ OVER(vec4_normalized_double) {
     STORE(vec4_double, &vo, 1, 1);
   }
 }
+STRIDED(vec4_normalized_double)
 LOOP(vec4_normalized_double, 2, DENSE, 32, 32, 8, 8)
 
 OVER(vec4_normalized_single) {
@@ -245,6 +262,7 @@ OVER(vec4_normalized_single) {
     STORE(vec4_single, &vo, 1, 1);
   }
 }
+STRIDED(vec4_normalized_single)
 LOOP(vec4_normalized_single, 2, DENSE, 16, 16, 4, 4)
 LOOPS(vec4_normalized)
 

@@ -227,6 +227,43 @@ def test_what_cannot_be_written_leaves_the_old_file_whole(whole, tmp_path, monke
     assert path.read_text() == "old" and list(tmp_path.iterdir()) == [path]
 
 
+OVERLAPS = """
+    let count = 0;
+    const results = [];
+    for (const figure of document.querySelectorAll("#plots figure")) {
+      const of = selector => [...figure.querySelectorAll(selector)].map(x =>
+        [x.textContent, x.getBoundingClientRect()]);
+      const labels = of("text").filter(([text]) => /^(needed: )?[\\d.e-]+( .*)?$/.test(text)
+        && text.match(/[a-zN]/));
+      const marks = [...of("[data-artist] use"), ...of("[data-artist] > path")];
+      count += labels.length;
+      for (const [i, [text, a]] of labels.entries()) {
+        for (const [other, b] of [...marks, ...labels.slice(i + 1)]) {
+          if (a.left < b.right - 1 && b.left < a.right - 1 && a.top < b.bottom - 1
+              && b.top < a.bottom - 1) results.push([text, other]);
+        }
+      }
+    }
+    return [count, results];"""
+
+
+@pytest.mark.parametrize("width", (390, 1280))
+def test_no_label_lies_under_another_mark(costs, tmp_path, width):
+    """In the browser's own letters, with seven choices whose marks are close to one another."""
+    rows = [replace(x, time=Interval(*(100.0 + 3 * n + d for d in (0, -1, 1))), errors=tuple(
+        replace(e, unit="kg m^2/s", worst=10.0**-(9 + n % 3), bounds=None) for e in x.errors))
+        for n, x in enumerate((*costs.accuracy[0], costs.accuracy[0][0]))]
+    close = replace(costs, accuracy=(tuple(rows), *costs.accuracy))
+    cost_page.write(close, tmp_path / "costs.html", "")
+    with chromium() as browser:
+        browser.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", {
+            "width": width, "height": 844, "deviceScaleFactor": 1, "mobile": False})
+        browser.get((tmp_path / "costs.html").as_uri())
+        labels, overlaps = browser.execute_script(OVERLAPS)
+    assert labels > 0.7 * sum(map(len, close.accuracy))
+    assert not overlaps
+
+
 # what can be asked for
 
 def test_functions_of_floating_bases_and_of_limits_can_be_asked_for(tmp_path):

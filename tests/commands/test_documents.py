@@ -57,8 +57,9 @@ def test_each_guide_has_its_snippet():
     """A guide without a snippet has nothing to test; it fails here."""
     results = {name: text.count("```python\n") for name, text in GUIDES.items()}
     assert {name for name, count in results.items() if count} == {
-        "README.md", "docs/accuracy.md", "docs/arrays.md", "docs/from_mujoco.md",
-        "docs/from_pinocchio.md", "docs/models.md", "docs/python.md", "docs/scenes.md",
+        "README.md", "docs/accuracy.md", "docs/arrays.md", "docs/derivatives.md",
+        "docs/from_mujoco.md", "docs/from_pinocchio.md", "docs/models.md", "docs/python.md",
+        "docs/scenes.md",
         "docs/urdf.md", SWEEPS}
 
 
@@ -170,7 +171,7 @@ def test_shell_snippets_run(tmp_path, monkeypatch, capsys):
     blocks = re.findall(r"```sh\n(.*?)```", others, re.DOTALL)
     commands = [line.split("#")[0].split() for block in blocks for line in block.splitlines()]
     ours = [words[1:] for words in commands if words[0] == "coscrew"]
-    assert len(ours) == 6
+    assert len(ours) == 8
     shutil.copytree(ROOT / "examples/scenes", tmp_path / "examples/scenes")
     shutil.copytree(ROOT / "generated", tmp_path / "generated",
                     ignore=shutil.ignore_patterns("*.so", "__pycache__"))

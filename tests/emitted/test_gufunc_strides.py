@@ -12,7 +12,8 @@ import pytest
 import coscrew
 from coscrew_codegen.accuracy.tiers import TIERS
 from coscrew_codegen.algebra.operations import OPERATIONS, Operation
-from tests.support.compiled.c_harness import COMPILERS, run
+from coscrew_codegen.program.ops import Op
+from tests.support.compiled.c_harness import COMPILERS, INCLUDE, run
 
 LAYOUTS: dict[str, Callable[[np.ndarray], np.ndarray]] = {
     "every second element": lambda x: x.repeat(2, axis=0)[::2],
@@ -93,15 +94,38 @@ def test_no_element_is_computed_of_none():
         assert coscrew.add_ss(x, x).shape == (0, 6)
 
 
-@pytest.mark.parametrize("tier", ["", "accurate", "certified"])
-def test_loops_of_any_strides_are_compiled_for_avx2_only_where_it_has_fma(tier: str):
+FOLDER = Path(__file__).parents[2] / "generated" / "gufunc"
+each_tier = pytest.mark.parametrize("tier", ["", "accurate", "certified"])
+
+
+@each_tier
+def test_loops_of_any_strides_are_compiled_for_avx2_only_where_the_kernel_takes_fma(tier: str):
     """Without, they take as long, and a quarter of the time of compiling."""
-    folder = Path(__file__).parents[2] / "generated" / "gufunc" / tier
-    source, shared = ((folder / name).read_text() for name in ("vec3.c", "_gufunc.h"))
-    loops = len(re.findall(r"^LOOP(?:_ON_VECTORS)?\(", source, re.MULTILINE))
+    source = (FOLDER / tier / "vec3.c").read_text()
+    header = (INCLUDE / "ksl" / f"{'_'.join(filter(None, ('vec3', tier)))}.h").read_text()
+    functions = re.split(r"^static inline ", header, flags=re.MULTILINE)[1:]
+    bodies = {re.search(r"ksl_\w+(?=\()", text)[0]: text for text in functions}
+    loops = re.findall(r"^OVER\((\w+)\) \{.*?(ksl_\w+)\(", source, re.MULTILINE | re.DOTALL)
+    fused = {loop for loop, kernel in loops
+             if re.search(r"ksl_product_(error|rest)f?\(", bodies[kernel])}
     include = ("-I", np.get_include(), "-I", sysconfig.get_paths()["include"])
-    for flags, count in (((), loops), (
-            ("-DCOSCREW_FOR_AVX2",), loops if "WITH_FMA 1" in shared else 0)):
-        text = run((COMPILERS[0], "-E", "-P", *flags, *include, folder / "vec3.c"))
-        assert len(re.findall(r"_strided\([^;{}]*\) \{", text)) == count
-    assert loops > 20
+    for flags, wanted in (((), {loop for loop, _ in loops}), (("-DCOSCREW_FOR_AVX2",), fused)):
+        text = run((COMPILERS[0], "-E", "-P", *flags, *include, FOLDER / tier / "vec3.c"))
+        assert {*re.findall(r"(\w+)_strided\([^;{}]*\) \{", text)} == wanted
+    assert len(loops) > 20 and bool(fused) == bool(tier)
+
+
+@each_tier
+def test_loops_of_many_operations_are_compiled_for_any_strides_alone(tier: str):
+    """By the counts in the docstrings of double precision: 200 operations, or 1000 where an input
+    may be the same for all elements."""
+    text = "".join(x.read_text() for x in sorted((FOLDER / tier).glob("*.c")))
+    ways = dict(re.findall(r"^LOOP(?:_ON_VECTORS)?\((\w+)_double, \d+, (\w+),", text, re.MULTILINE))
+    package = importlib.import_module(".".join(filter(None, ("coscrew", tier))))
+    kinds = "|".join(op.value for op in Op)
+    for op in [x for x in OPERATIONS if x.name in ways]:
+        words = " ".join(getattr(package, op.name).__doc__.split())
+        total = sum(map(int, re.findall(rf"(\d+) (?:{kinds})[,.]", words)))
+        several = len(op.inputs) > 1 and op.inputs[0] not in op.outputs
+        assert (ways[op.name] == "ANY") == (total >= (1000 if several else 200)), op.name
+    assert [*ways.values()].count("ANY") > 5

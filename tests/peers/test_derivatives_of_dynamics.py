@@ -7,7 +7,9 @@ import numpy as np
 import pinocchio as pin
 import pytest
 
+from coscrew_codegen.dynamics import derive
 from coscrew_codegen.program import Constant, Program
+from coscrew_codegen.program.flops import flops
 from tests.support.scenes import evaluation
 from tests.support.scenes.robots import Robot, model_of, paired, scene_of
 
@@ -104,6 +106,23 @@ def test_forward_dynamics_derivatives_are_pinocchios(file: str, free: bool) -> N
         for result, wanted in zip(results[k], (data.ddq_dq, data.ddq_dv, full(data.Minv)),
                                   strict=True):
             assert apart(result, F.T @ wanted @ F) <= 8 * condition * 2.0**-53
+
+
+@pytest.mark.parametrize("name, most", [(INVERSE, 1836), (FORWARD, 2937)])
+def test_operations_of_a_ur5(name: str, most: int) -> None:
+    """No more than the recursion takes, without what the robot's numbers make zero or one."""
+    x = robot("ur_description/urdf/ur5_robot.urdf", False, False)
+    assert flops(x.functions.named(name).program) <= most
+
+
+@pytest.mark.parametrize("name", ["inverse_dynamics", "forward_dynamics", "bias_torques", "energy",
+                                  "mass_matrix", "momentum"])
+def test_a_direction_costs_less_than_three_times_the_function(name: str) -> None:
+    """Tangents and adjoints, by all inputs."""
+    functions = derive(scene_of("ur_description/urdf/ur5_robot.urdf", False, False),
+                       [name, f"{name}_tangent", f"{name}_adjoint"])
+    own, *others = (flops(f.program) for f in functions.functions)
+    assert len(others) == 2 and max(others) <= 3 * own
 
 
 def test_entries_of_different_branches_are_zeros() -> None:

@@ -30,15 +30,22 @@ def refusal(tmp_path):
 
 
 def test_an_effect_on_joints_with_one_coordinate_needs_one(refusal):
-    viscous = '[effects.viscous]\njoints = "all"\nd = 1\n'
-    needed = "no joint of the model is revolute or prismatic, as viscous needs: 'base' is free"
-    wanted = "; wanted such a joint, or no viscous"
-    assert refusal(FLOATING + viscous) == ("effects.viscous.joints", needed + wanted)
-    assert refusal(FLOATING + FRAME + viscous) == (
-        "effects.viscous.joints", f"{needed}, 'tip_joint' is fixed{wanted}")
+    limit = '[effects.limit]\njoints = "all"\nk = 1\n'
+    needed = "no joint of the model is revolute or prismatic, as limit needs: 'base' is free"
+    wanted = "; wanted such a joint, or no limit"
+    assert refusal(FLOATING + limit) == ("effects.limit.joints", needed + wanted)
+    assert refusal(FLOATING + FRAME + limit) == (
+        "effects.limit.joints", f"{needed}, 'tip_joint' is fixed{wanted}")
     hulls = "".join(f'[bodies.b{i}]\nmass = 1\ninertia = [1, 1, 1]\n[joints.j{i}]\n'
                     f'type = "free"\nchild = "b{i}"\n' for i in range(7))
-    assert refusal(hulls + viscous)[1].endswith(f"'j4' is free, …{wanted}")
+    assert refusal(hulls + limit)[1].endswith(f"'j4' is free, …{wanted}")
+
+
+def test_all_with_numbers_means_joints_with_one_coordinate(refusal):
+    """A number for the joints of an arm does not hold its floating base."""
+    assert refusal(FLOATING + '[effects.viscous]\njoints = "all"\nd = 1\n') == (
+        "effects.viscous.joints", '"all" with numbers means joints with one coordinate, and there '
+        'is none; wanted a list of names, as ["base"]')
 
 
 def test_the_gravity_of_a_field_acts_on_bodies_with_a_mass(refusal, tmp_path):

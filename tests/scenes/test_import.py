@@ -28,7 +28,12 @@ MJCF = """<mujoco><worldbody><body name="trunk" pos="0 0 0.7" quat="0.9 0.1 0.2 
 <freejoint name="root"/><geom type="box" size="0.1 0.2 0.05" euler="10 20 30"/>
 <body name="leg" pos="0.1 0.2 0" gravcomp="0.25"><geom size="0.05" pos="0.1 0 0"/>
 <joint name="knee" axis="0 1 0.5" ref="20" stiffness="5" armature="0.3" damping="0.1" pos="0 0 0.02"
-/></body></body></worldbody></mujoco>"""
+/><body pos="0 0 -0.3"><joint name="ankle" type="ball" stiffness="3" damping="0.2" armature="0.1"/>
+<geom size="0.05" pos="0.02 0 0"/><body><joint name="toe" type="slide" axis="0 1 0"/>
+<geom size="0.05"/></body></body></body></body></worldbody>
+<tendon><fixed name="knee" stiffness="7" damping="0.5"><joint joint="knee" coef="0.5"/>
+<joint joint="toe" coef="-1"/></fixed></tendon><actuator><motor joint="toe" gear="3"/>
+<position name="knee" joint="knee" kp="20" kv="1"/></actuator></mujoco>"""
 SDF = """<sdf version="1.9"><model name="m"><link name="l"><pose degrees="true">0 0 1 30 0 0</pose>
 <inertial><mass>2</mass><inertia><ixx>1</ixx><iyy>1</iyy><izz>1</izz></inertia></inertial></link>
 <gz:extra/></model></sdf>"""
@@ -51,6 +56,7 @@ def written(tmp_path, capsys):
     (URDF, "arm.urdf"), (MJCF, "leg.xml"), (SDF, "body.sdf")))
 def test_it_moves_as_the_file_to_the_bit(written, text, name):
     both = [load_scene(x, functions=["inverse_dynamics"]) for x in written(text, name)]
+    given = [[0.3] * len(both[0].scene.parameters)] if both[0].scene.parameters else []
     one, other = (x.scene for x in both)
     assert one.model.bodies and [x.name for x in one.model.bodies] == [
         x.name for x in other.model.bodies]
@@ -60,11 +66,12 @@ def test_it_moves_as_the_file_to_the_bit(written, text, name):
         for x in other.model.joints]
     assert [x.name for x in one.effects] == [x.name for x in other.effects]
     assert (one.start_q, one.name) == (other.start_q, other.name)
+    assert one.parameters == other.parameters and len(one.parameters) == 2 * (text is MJCF)
     rng = np.random.default_rng(3)
     for _ in range(5):
         q = both[0].neutral_q + rng.normal(size=both[0].NQ)
         v, a = rng.normal(size=(2, both[0].NV))
-        results = [x.double.inverse_dynamics(q, v, a).tolist() for x in both]
+        results = [x.double.inverse_dynamics(*given, q, v, a).tolist() for x in both]
         assert [x.hex() for x in results[0]] == [x.hex() for x in results[1]]
 
 
@@ -79,9 +86,9 @@ def test_what_a_scene_does_not_hold_is_in_comments(written):
     text = target.read_text()
     assert text.startswith("# Made of arm.urdf by `coscrew import`.\n# joint one.pin: arm.urdf, "
                            "line 1: 'velocity' of <limit>: inf is not finite; wanted a number\n")
-    assert "# joint ball: damping 1 of <dynamics> is used by no effect of a spherical joint" in text
+    assert 'ball = { type = "spherical", parent = "d", child = "e"' in text
     assert '"one.pin" = { type = "revolute", parent = "foot", child = "a b", origin = { x' in text
-    assert "[effects.mimic]\n" in text and '[effects.viscous]\njoints = ["one.pin"]' in text
+    assert "[effects.mimic]\n" in text and '[effects.viscous]\njoints = ["one.pin", "ball"]' in text
     assert 'limits = { lower = -1, upper = 2, effort = 3 }, damping = 0.25, friction = 2' in text
     _, target = written(SDF, "body.sdf")
     assert "# line 3: <gz:extra> is another tool's and is not used" in target.read_text()

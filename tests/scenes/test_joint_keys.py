@@ -52,15 +52,15 @@ def test_joints_have_their_axes_and_starts(tmp_path):
     (', axis = [0, 0, 5]', "", "axis"),
     ("axis = [0, 0, 5]", "axis = [0, 0, 5], axis2 = [1, 0, 0]",
      "axis2: is for universal joints; 'table' is planar"),
-    ("axis = [0, 0, 5]", "axis = [0, 0, 5], damping = 1",
-     "damping: is for revolute and prismatic joints; 'table' is planar"),
+    ("axis = [0, 0, 5]", "axis = [0, 0, 5], limits = { effort = 1 }",
+     "limits: is for revolute and prismatic joints; 'table' is planar"),
     ("axis = [0, 0, 5]", "axis = [0, 0, 0]", "axis: is zero; wanted a direction"),
     ("table = [1, 2,", "table = [2,", "table"),
     ('"universal"', '"cardan"', "did you mean 'universal'?"),
-    ("[start.q]", "[effects.viscous.table]\nd = 1\n[start.q]",
-     "viscous cannot act on joint 'table', which is planar"),
-    ("[start.q]", '[effects.viscous]\njoints = "all"\nd = 1\n[start.q]',
-     "no joint of the model is revolute or prismatic, as viscous needs: 'table' is planar, "
+    ("[start.q]", "[effects.limit.table]\nk = 1\n[start.q]",
+     "limit cannot act on joint 'table', which is planar"),
+    ("[start.q]", '[effects.limit]\njoints = "all"\nk = 1\n[start.q]',
+     "no joint of the model is revolute or prismatic, as limit needs: 'table' is planar, "
      "'wrist' is universal")])
 def test_wrong_joints_are_refused(tmp_path, old, new, message):
     text = TEXT.replace(old, new) if old in TEXT else TEXT.replace(old.replace("\\\n", ""), new)
@@ -92,8 +92,9 @@ def test_urdf_has_planar_joints_across_their_axis(tmp_path):
     (tmp_path / "r.urdf").write_text(URDF.replace(
         "MORE", '<axis xyz="0 0 1"/><dynamics damping="3"/><limit effort="2" velocity="1"/>'))
     messages = [x.text for x in read(tmp_path, 'model = "r.urdf"\n').notices]
-    for given in ("damping 3 of <dynamics>", "effort 2 of <limit>"):
-        assert any(f"{given} is used by no effect of a planar joint" in x for x in messages)
+    assert any("effort 2 of <limit> is used by no effect of a planar joint" in x for x in messages)
+    assert read(tmp_path, 'model = "r.urdf"\n').model.joints[-1].damping == 3
+    assert [x.name for x in read_scene(tmp_path / "r.urdf").effects] == ["gravity", "viscous.table"]
     (tmp_path / "r.urdf").write_text(URDF.replace("MORE", '<axis xyz="0 0 0"/>'))
     with pytest.raises(SceneError, match="the axis is zero"):
         read(tmp_path, 'model = "r.urdf"\n')

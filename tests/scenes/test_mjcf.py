@@ -1,10 +1,13 @@
 """MJCF files: the model and the effects that they declare move as MuJoCo's; what no scene can have
 is refused by name, or left out."""
 
+from dataclasses import replace
+
 import mujoco
 import numpy as np
 import pytest
 
+from coscrew_codegen import load_scene
 from coscrew_codegen.__main__ import main
 from coscrew_codegen.scene.readers.scene_error import SceneError
 from coscrew_codegen.scene.readers.toml.toml_scene import SceneOverrides, read_scene
@@ -22,7 +25,7 @@ ROBOT = """<mujoco><compiler angle="radian"/><option gravity="0.3 0 -9.5"/>
   <joint name="reach" type="slide" axis="0 0.6 -0.8" ref="-0.2" armature="0.5"/>
 <body name="foot" pos="0 0 -0.3" euler="0.3 0.2 0.1" gravcomp="0.5">
   <geom type="sphere" size="0.05" pos="0.01 0.02 0.03"/>
-  <joint name="ankle" type="ball" pos="0.01 0 0.02" damping="0" armature="0"/>
+  <joint name="ankle" type="ball" pos="0.01 0 0.02" stiffness="4" springref="0"/>
 <body name="toe" pos="0.1 0 0"><geom type="ellipsoid" size="0.03 0.02 0.01"/>
   <joint name="bend" axis="0 1 0" pos="0 0 0.01"/></body></body></body>
 <body name="tail" pos="-0.2 0 0"><geom type="cylinder" size="0.02 0.1"/>
@@ -30,7 +33,8 @@ ROBOT = """<mujoco><compiler angle="radian"/><option gravity="0.3 0 -9.5"/>
 <body name="tip" pos="-0.2 0 0"><geom type="sphere" size="0.02"/><joint name="wag" axis="0 0 1"
   ref="0.1"/></body></body>
 </body></worldbody>MORE</mujoco>"""
-FREE = ROBOT.replace("<FREE/>", '<freejoint name="root"/>')
+FREE = ROBOT.replace("<FREE/>", '<joint name="root" type="free" damping="0.7" armature="0.4" '
+                     'stiffness="9"/>')
 FOLLOWS = '<equality><joint joint1="wag" joint2="swing" polycoef="0.2 -1.5 0 0 0"/></equality>'
 
 
@@ -101,7 +105,7 @@ def test_a_scene_chooses_its_effects(read):
     assert "joint pitch: spring of the model's file is not used: add [effects.spring.pitch] with " \
            "k = 5.0 and q0 = 0.1" in messages
     written = read(scene="[effects.gravity]\n[effects.spring.pitch]\nk = 2\n").unused
-    assert not any("spring of the model's file" in x for x in written)
+    assert not any("joint pitch: spring of the model's file" in x for x in written)
 
 
 def test_flags_of_the_file_are_obeyed(read):
@@ -118,14 +122,18 @@ UNKEPT = {
                    "</equality>", "equality joint 'e'"),
     "equalities ": (FOLLOWS.replace("</equality>", '<joint name="f" joint1="wag" joint2="bend"/>'
                                     "</equality>"), "equality joint 'f'"),
-    "tendons": ('<tendon><fixed name="t" stiffness="3"><joint joint="wag" coef="1"/></fixed>'
-                "</tendon>", "tendon 't'"),
+    "tendons": ('<tendon><fixed name="t" stiffness="3" springlength="0 1"><joint joint="wag" '
+                'coef="1"/></fixed></tendon>', "tendon 't'"),
+    "actuators  ": ('<actuator><intvelocity name="i" joint="wag" kp="1" actrange="-1 1"/>'
+                    "</actuator>", "actuator i"),
+    "polynomials  ": ('<tendon><fixed name="t" damping="3 1"><joint joint="wag" coef="1"/></fixed>'
+                      "</tendon>", "damping or stiffness of tendon 't'"),
     "actuators": ('<actuator><motor name="m" joint="wag" armature="2"/></actuator>',
                   "actuator 'm'"),
     "fluid": ('<option density="1.2"/>', "option density, viscosity or wind")}
 IN_JOINTS = {
-    "ball_joints": ("", 'damping="0" armature="0"', 'damping="1" armature="0"',
-                    "damping of joint 'ankle'"),
+    "ball_joints": ("", 'stiffness="4" springref="0"', 'range="0 1" limited="true"',
+                    "range of joint 'ankle'"),
     "polynomials": ("", 'name="wag"', 'name="wag" damping="1 2"',
                     "damping or stiffness of joint 'wag'")}
 
@@ -146,32 +154,93 @@ def test_what_no_scene_has_is_refused_or_left_out(read, group, more, old, new, e
     assert f"{element}: left out ({group})" in scene.unused
 
 
-ACTUATORS = """<actuator>
+DRIVES = """<tendon><fixed name="both"><joint joint="roll" coef="0.5"/><joint joint="reach"
+coef="-2"/></fixed></tendon><actuator>
 <motor name="m" joint="roll" gear="50" forcerange="-2 2" forcelimited="true"/>
-<position name="p" joint="wag" kp="7" kv="0.5" gear="2"/><velocity name="w" joint="swing" kv="3"/>
-<general name="x" joint="bend" dyntype="filter" dynprm="0.1"/></actuator>"""
+<position name="p" joint="wag" kp="7" kv="0.5" gear="2"/>
+<velocity name="swing" joint="swing" kv="3"/>
+<general name="limit" joint="bend" gear="3" gainprm="4" biastype="affine" biasprm="1 -2 -3"
+  ctrlrange="0.5 2" ctrllimited="true"/>
+<position name="cable" tendon="both" kp="20" forcerange="-5 5" forcelimited="true"/></actuator>"""
+IDLE = """<actuator><general name="x" joint="bend" dyntype="filter" dynprm="0.1"/>
+<damper name="d" joint="wag" kv="2" ctrlrange="0 1"/><motor name="b" joint="ankle"/></actuator>"""
 
 
-def test_actuators_are_told_with_what_to_write(read):
-    notices = [x for x in read(more=ACTUATORS).unused if "actuator" in x and "effort" not in x]
-    assert notices[0] == ("joint roll: actuator m is not used: add [effects.actuator.roll] with "
-                           'kind = "torque", torque = 0 and limit = 100.0')
-    assert notices[1].endswith('[effects.actuator.wag] with kind = "pd", kp = 28.0, kd = 2.0 and '
-                                "target = 0")
-    assert notices[2].endswith('kind = "pd", kp = 0.0, kd = 3.0 and target = 0')
-    assert notices[3] == "actuator x: is not used, and no effect does the same"
+def test_actuators_act_if_the_file_is_alone(read):
+    scene = read(more=DRIVES)
+    own = {x.name: x for x in scene.effects if x.effect.name == "actuator"}
+    assert {name: [(x.joint, float(x.weight)) for x in y.terms] for name, y in own.items()} == {
+        "actuator.m": [("roll", 50)], "actuator.p": [("wag", 2)], "actuator.swing": [],
+        "actuator.limit_": [("bend", 3)], "actuator.cable": [("roll", 0.5), ("reach", -2)]}
+    assert [(x.name, float(x.value)) for x in scene.parameters] == [
+        ("actuator.m.torque", 0), ("actuator.p.target", 0), ("actuator.swing.target_v", 0),
+        ("actuator.limit_.torque", 3), ("actuator.cable.target", 0)]
+    assert "actuator limit: torque = 4 ctrl + 1" in scene.unused
 
 
-def test_a_position_actuator_is_the_pd_that_is_told(read, tmp_path):
-    """MuJoCo's force at ctrl = 0."""
-    scene = read(more=ACTUATORS)
+def test_their_torques_are_mujocos(read, tmp_path):
+    """The difference that they make is qfrc_actuator, also where it saturates."""
+    scene = read(more=DRIVES)
+    others = tuple(x for x in scene.effects if x.effect.name != "actuator")
+    driven, passive = (load_scene(x, functions=["inverse_dynamics"]) for x in (
+        scene, replace(scene, effects=others, parameters=())))
     theirs = mujoco.MjModel.from_xml_path(str(tmp_path / "robot.xml"))
-    data = mujoco.MjData(theirs)
-    place = theirs.joint("wag").qposadr[0], theirs.joint("wag").dofadr[0]
-    data.qpos[place[0]], data.qvel[place[1]] = 0.25, -0.5
-    mujoco.mj_forward(theirs, data)
-    assert "kp = 28.0, kd = 2.0" in " ".join(scene.unused)
-    assert abs(data.qfrc_actuator[place[1]] - (-28 * 0.25 + 2 * 0.5)) < 1e-14
+    data, rng, saturated = mujoco.MjData(theirs), np.random.default_rng(2), 0
+    parts = driven.interface.coordinates
+    for _ in range(10):
+        data.qpos[:], data.qvel[:] = rng.normal(size=theirs.nq), rng.normal(size=theirs.nv)
+        ctrl = rng.normal(size=theirs.nu) + [1, 0, 0, 1, 0]
+        data.ctrl[:] = ctrl
+        mujoco.mj_forward(theirs, data)
+        p = [*ctrl[:3], 4 * np.clip(ctrl[3], 0.5, 2) + 1, ctrl[4]]
+        q, v = np.array(driven.neutral_q), np.zeros(driven.NV)
+        for c in parts:
+            if len(c.q) == 1:
+                q[c.q.start] = data.qpos[theirs.joint(c.joint).qposadr[0]]
+                v[c.v.start] = data.qvel[theirs.joint(c.joint).dofadr[0]]
+        a = np.zeros_like(v)
+        mine = passive.double.inverse_dynamics(q, v, a) - driven.double.inverse_dynamics(p, q, v, a)
+        wanted = np.zeros_like(v)
+        for c in parts:
+            wanted[c.v.start:c.v.stop] = data.qfrc_actuator[
+                theirs.joint(c.joint).dofadr[0]:][:len(c.v)]
+        assert np.abs(mine - wanted).max() < 1e-13 * max(np.abs(wanted).max(), 100)
+        saturated += abs(data.actuator_force[0]) == 2
+    assert 0 < saturated < 10
+
+
+def test_a_scene_is_told_what_drives_to_write(read):
+    notices = [x for x in read(more=DRIVES, scene="[effects.gravity]").unused if "actuator of" in x]
+    assert notices[0] == (
+        "effect m: actuator of the model's file is not used: add [effects.actuator.m] with joints "
+        '= { roll = 50.0 }, kind = "torque", torque = 0 and limit = 2.0')
+    assert "add [effects.actuator.swing] with kind" in notices[2] and len(notices) == 5
+
+
+def test_actuators_that_exert_nothing_by_themselves_are_reported(read):
+    """A filter, a damper whose control multiplies, a motor on a ball; a servo with a state of its
+    own is refused."""
+    messages = read(more=IDLE).unused
+    for name in "xdb":
+        assert f"actuator {name}: is not used, and no effect does the same" in messages
+    off = DRIVES.replace("<tendon>", '<option><flag actuation="disable"/></option><tendon>')
+    assert "actuator p: is switched off in MuJoCo" in read(more=off).unused
+
+
+def test_tendons_act_on_sums_of_coordinates(read, tmp_path):
+    """Spring and damper as MuJoCo's; its friction and range are told."""
+    more = """<tendon><fixed name="t" stiffness="30" damping="2" springlength="0.4" range="-1 2"
+limited="true" frictionloss="0.5"><joint joint="roll" coef="0.7"/><joint joint="reach" coef="-2"/>
+</fixed></tendon>"""
+    scene = read(more=more)
+    assert {"spring.t", "viscous.t"} <= {x.name for x in scene.effects}
+    worst = compared(scene, mujoco.MjModel.from_xml_path(str(tmp_path / "robot.xml")))
+    assert max(worst.mass_matrix, worst.bias, worst.torques) < 2e-13, worst
+    joints = "joints = { roll = 0.7, reach = -2.0 }"
+    assert ("effect t: coulomb of the model's file is not used: add [effects.coulomb.t] with "
+            f"{joints}, tau_c = 0.5 and eps = 0.01") in scene.unused
+    assert ("effect t: limit of the model's file is not used: add [effects.limit.t] with "
+            f"{joints}, lower = -1.0, upper = 2.0 and k = 1e4") in scene.unused
 
 
 @pytest.mark.parametrize(("text", "words"), (

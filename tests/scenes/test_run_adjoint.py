@@ -79,7 +79,7 @@ def close(own: np.ndarray, wanted: list[mpf], size: float) -> None:
 
 
 def test_gradient_of_a_throw(tmp_path: Path) -> None:
-    """Of the miss of a dart with feathers, by all 12 numbers of its start and by its drag."""
+    """The miss of a dart with feathers, by all 12 numbers of its start and by its drag."""
     example, n, h = throw(), 20, 2e-2
     kernels = example.load(tmp_path)
     start = kernels.neutral_q, example.THROW + np.array([0, 0.5, 0, 1, 0.5, 0])
@@ -130,7 +130,7 @@ def door(tmp_path_factory: pytest.TempPathFactory) -> Kernels:
 
 
 def test_through_steps_in_parts(door: Kernels) -> None:
-    """Of a bounce, whose steps are split."""
+    """A bounce, whose steps are split."""
     n, start = 30, (np.array([0.3]), np.array([2.0]))
 
     def cost(q: list[mpf], v: list[mpf]) -> mpf:

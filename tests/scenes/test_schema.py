@@ -235,7 +235,8 @@ def test_effects_have_their_parameters_and_no_others(effect):
     assert effect.name in SCHEMA["definitions"], OUTDATED
     own = SCHEMA["definitions"][effect.name]
     names = {parameter.name for parameter in effect.parameters}
-    extra = {Place.BODY: {"body"}, Place.PAIR: {"bodies"}}.get(effect.place, set())
+    extra = {Place.BODY: {"body"}, Place.PAIR: {"bodies"}}.get(
+        effect.place, {"joints"} if effect.joint_torque else set())
     assert set(own["properties"]) == names | extra and own["additionalProperties"] is False
     for parameter in effect.parameters:
         if parameter.choices:

@@ -16,6 +16,7 @@ COMMANDS = {
     "check": "coscrew_codegen.cli.check_command",
     "cost": "coscrew_codegen.cli.cost_command",
     "sweep": "coscrew_codegen.cli.sweep_command",
+    "identify": "coscrew_codegen.cli.identify_command",
     "import": "coscrew_codegen.cli.import_command",
     "effects": "coscrew_codegen.cli.effects_command",
     "schema": "coscrew_codegen.cli.schema_command",

@@ -5,6 +5,7 @@ Imports the simulation only when it runs, since the generator does not need it."
 import argparse
 import math
 import sys
+from collections import Counter
 from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -46,8 +47,8 @@ def add_scene(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("scene", metavar="SCENE", type=Path,
                         help="a scene file (.toml), or a model's file alone, as a URDF: gravity "
                              "acts, and what the file declares")
-    parser.add_argument("--until", metavar="T", type=_positive, help="end of the run, in s")
-    parser.add_argument("--step", metavar="H", type=_positive,
+    parser.add_argument("--until", metavar="T", type=positive, help="end of the run, in s")
+    parser.add_argument("--step", metavar="H", type=positive,
                         help="longest step, in s, of the emitted integrators")
     parser.add_argument("--integrator", metavar="NAME",
                         help=in_words())
@@ -130,21 +131,25 @@ def scene_of(options: argparse.Namespace, precision: str | None,
     return scene
 
 
+_SEVERAL = {"sum": "sums", "joint": "joints", "body": "bodies"}
+
+
 def _acting(scene: "Scene") -> str:
     """The effects of a scene, and at how many places each acts: "gravity, viscous at 6 joints"."""
-    places: dict[str, list[str]] = {}
-    for applied in scene.effects:
-        places.setdefault(applied.effect.name, []).append(applied.on)
     joints = {x.name for x in scene.model.joints}
-    words = []
-    for name, on in places.items():
-        what = ("joint", "joints") if on[0] in joints else ("body", "bodies")
-        words.append(f"{name} at {len(on)} {what[len(on) > 1]}" if any(on) else name)
+    places: dict[str, Counter[str]] = {}
+    for x in scene.effects:
+        where = "sum" if x.terms else "joint" if x.on in joints else "body" if x.on else ""
+        places.setdefault(x.effect.name, Counter())[where] += 1
+    words = [" at ".join((name, " and ".join(
+        f"{count} {where if count == 1 else _SEVERAL[where]}" for where, count in of.items())))
+        if any(of) else name for name, of in places.items()]
     verb = "act" if len(words) > 1 else "acts"
-    return f"{', '.join(words)} {verb}; limits, friction and drives take a scene file"
+    lacking = "limits and friction" if "actuator" in places else "limits, friction and drives"
+    return f"{', '.join(words)} {verb}; {lacking} take a scene file"
 
 
-def _positive(text: str) -> float:
+def positive(text: str) -> float:
     try:
         value = float(text)
     except ValueError:
@@ -195,8 +200,10 @@ def run(options: argparse.Namespace) -> int:
             recording_writer.write(recording, path)
     if options.plot:
         from coscrew_codegen.simulation.recordings import recording_plot  # imports Matplotlib
+        from coscrew_codegen.simulation.recordings.targets import targets
 
-        recording_plot.plot(recordings, options.plot)
+        recording_plot.plot(recordings, options.plot,
+                            targets=targets(first.system, first.recording))
     if options.view:
         from coscrew_codegen.simulation.view import page_runs, playback
 

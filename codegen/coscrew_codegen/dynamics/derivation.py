@@ -16,6 +16,7 @@ from coscrew_codegen.program import Constant, Op, Operand, Program
 from coscrew_codegen.program.scene_functions import FunctionProgram, SceneFunctions
 from coscrew_codegen.program.values.quantity import Argument
 from coscrew_codegen.scene.functions import functions_of
+from coscrew_codegen.scene.functions.arguments_in_scene import inputs_of
 from coscrew_codegen.scene.functions.parameters import torque_regressor
 from coscrew_codegen.scene.functions.steps import closing_contacts
 from coscrew_codegen.scene.mechanism.assembly import ModelError
@@ -105,12 +106,23 @@ class Derivation:
         """The function as one program, even if it is a step, which consists of calls."""
         if not entry.step:
             return self.made(entry).program
+        return inlined(self.step_of(entry),
+                       [self._argument(x) for x in inputs_of(entry, self.scene)])
+
+    def step_of(self, entry: SceneFunction) -> SceneFunctions:
+        """A step and the functions that it calls."""
+        if entry.step is None:
+            raise TypeError(f"{entry.name} is no step")
         tau = "tau" in entry.takes
         called = needs(entry.step, takes_tau=tau)
         functions = self.collected([self.made(x) for x in functions_of(self.scene)
                                     if x.name in called and not x.absent(self)])
-        step = stepped(functions, *(((), [entry.step]) if tau else ([entry.step],)))
-        return inlined(step, [self._argument(x) for x in entry.given(self.scene)])
+        return stepped(functions, *(((), [entry.step]) if tau else ([entry.step],)))
+
+    def named(self, name: str) -> Program:
+        """The function of this name."""
+        entry = next(x for x in functions_of(self.scene, (name,)) if x.name == name)
+        return self.made(entry).program
 
     def collected(self, made: Sequence[FunctionProgram]) -> SceneFunctions:
         """These functions with the scene's data for targets; without steps."""
@@ -123,7 +135,7 @@ class Derivation:
 
     def _derived(self, entry: SceneFunction) -> FunctionProgram:
         """The function of its inputs."""
-        scene, given = self.scene, [self._argument(x) for x in entry.given(self.scene)]
+        scene, given = self.scene, [self._argument(x) for x in inputs_of(entry, self.scene)]
         program = self._recorded(entry, given)
         words = entry.words_in(self) if entry.words_in else entry.words
         function = FunctionProgram(entry.name, words, program, tuple(
@@ -156,7 +168,7 @@ class Derivation:
             raise TypeError(f"{entry.name} has no compute function")
         try:
             results = entry.compute(RecordedDynamics(
-                recording, entry, self._roots, self.program, lambda: self.linear))
+                recording, entry, self._roots, self, lambda: self.linear))
         except ZeroDivisionError:
             raise self._division(entry, recorder.heading) from None
         except Exception as error:

@@ -45,9 +45,11 @@ def of_forward(x: FunctionRecording) -> tuple[Matrix, ...]:
 
 
 def _forces(x: FunctionRecording) -> bool:
-    """True if an effect besides gravity and joints' inertias acts."""
+    """True if an effect besides gravity acts, or joints' own inertias take torques at a = 0."""
+    curved = {y.name for y in x.scene.model.joints
+              if y.kind.manifold and y.kind.manifold.inertial}
     return any(e.effect.joint_torque or e.effect.body_force or e.effect.pair_force
-               for e in x.scene.effects)
+               or e.effect.joint_inertia and e.on in curved for e in x.scene.effects)
 
 
 def _sum(A: Matrix, B: Matrix) -> Matrix:

@@ -31,7 +31,8 @@ def of_kinetic(x: FunctionRecording, motion: Motion) -> tuple[Vector, Vector]:
         with motion.part(number, "dT"):
             along = list(rnea.along(motion, number, p))
             if link.joint.name in x.inertias:
-                along[0] = along[0] + x.inertias[link.joint.name] * motion.speeds(number)[0]
+                for k, v in enumerate(motion.speeds(number)):
+                    along[k] = along[k] + x.inertias[link.joint.name] * v
             rnea.gather(motion, number, along, dv)
             if link.parent >= 0:
                 rnea.gather(motion, number, _turning(motion, number, p), dq)
@@ -59,7 +60,7 @@ def of_potential(x: FunctionRecording, motion: Motion) -> Vector:
 
 def _gradient(x: FunctionRecording, energy: Energy) -> Vector:
     """∂/∂q of an energy, by the adjoint of its Program."""
-    recorder = Recorder(x.recorder.inputs)
+    recorder = Recorder(x.recorder.inputs, smooth=True)
     with recorder.part("energy"):
         inner = FunctionRecording(x.scene, x.tree, x.names, recorder)
         program = recorder.program(

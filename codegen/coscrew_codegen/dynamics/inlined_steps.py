@@ -1,39 +1,49 @@
-"""Steps of integrators as one Program."""
+"""Steps of integrators without calls: their functions in order, on any kind of numbers."""
 
-from collections.abc import Sequence
+from collections.abc import Callable, Mapping, Sequence
+from typing import TypeVar
 
 from coscrew_codegen.algebra.recording.numbers import Number
 from coscrew_codegen.algebra.recording.recorder import Recorder, array
 from coscrew_codegen.program import Program
-from coscrew_codegen.program.scene_functions import Call, SceneFunctions, Split
+from coscrew_codegen.program.scene_functions import FunctionProgram, SceneFunctions, Split
 from coscrew_codegen.program.values.quantity import Argument
+
+N = TypeVar("N")
+Evaluate = Callable[[FunctionProgram, Sequence[Sequence[N]]], Sequence[N]]
+"""(function, the components of its inputs) -> those of its outputs."""
 
 
 def inlined(scene: SceneFunctions, inputs: Sequence[Argument]) -> Program:
-    """The program from these inputs to q and v of the scene's one step: its calls in order, and of
-    a step that is split at limits, those of one part."""
-    step, = scene.steps
+    """The program from these inputs to q and v of the scene's one step."""
     recorder = Recorder(inputs)
-    known: dict[str, Sequence[Number]] = {a.name: recorder.argument(a.name) for a in inputs}
-    known |= {name: recorder.numbers([0] * scene.nv) for name in step.zeros}
-    calls = [call for x in step.body for call in (x.calls if isinstance(x, Split) else (x,))]
-    if any(isinstance(x, Split) for x in step.body):
-        known["part"] = known["h"]
-    for call in calls:
-        with recorder.part("step", call.function, call.function):
-            known |= _called(scene, call, recorder, known)
+
+    def evaluate(function: FunctionProgram, given: Sequence[Sequence[Number]]) -> Sequence[Number]:
+        with recorder.part("step", function.name, function.name):
+            return recorder.replay(function.program, *given)
+
+    known = taken(scene, {a.name: recorder.argument(a.name) for a in inputs},
+                  recorder.number(0), evaluate)
+    step, = scene.steps
     return recorder.program(step.name, [(array(name, (len(known[name]),)), known[name])
                                         for name in ("q", "v")])
 
 
-def _called(scene: SceneFunctions, call: Call, recorder: Recorder,
-            known: dict[str, Sequence[Number]]) -> dict[str, Sequence[Number]]:
-    """The variables that a call assigns."""
-    program, given = scene.named(call.function).program, dict(call.given)
-    numbers = recorder.replay(program, *(known[given.get(a.name, a.name)] for a in program.inputs))
-    results: dict[str, Sequence[Number]] = {}
-    first = 0
-    for name, a in zip(call.results, program.outputs, strict=True):
-        results[name] = numbers[first:first + a.quantity.size]
-        first += a.quantity.size
-    return results
+def taken(scene: SceneFunctions, inputs: Mapping[str, Sequence[N]], zero: N, evaluate: Evaluate[N]
+          ) -> dict[str, Sequence[N]]:
+    """The variables after the scene's one step from these inputs; of a step that is split at
+    limits, after one part."""
+    step, = scene.steps
+    known = {**inputs, **{name: [zero] * scene.nv for name in step.zeros}}
+    for part in step.body:
+        if isinstance(part, Split):
+            known["part"] = known["h"]
+        for call in part.calls if isinstance(part, Split) else (part,):
+            function, given = scene.named(call.function), dict(call.given)
+            numbers = evaluate(function, [known[given.get(a.name, a.name)]
+                                          for a in function.program.inputs])
+            first = 0
+            for name, a in zip(call.results, function.program.outputs, strict=True):
+                known[name] = numbers[first:first + a.quantity.size]
+                first += a.quantity.size
+    return known

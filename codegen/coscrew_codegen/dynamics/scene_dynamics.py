@@ -16,7 +16,7 @@ from coscrew_codegen.dynamics import (
     directional_derivatives,
     dynamics_derivatives,
     gradients,
-    step_derivatives,
+    step_jacobians,
 )
 from coscrew_codegen.dynamics.algorithms import (
     centroidal,
@@ -35,7 +35,7 @@ from coscrew_codegen.dynamics.forces.applied_effects import AppliedEffects
 from coscrew_codegen.dynamics.forces.effect_values import Values, values_of
 from coscrew_codegen.dynamics.function_recording import FunctionRecording
 from coscrew_codegen.dynamics.parameters.scene_parameters import LinearParameters
-from coscrew_codegen.program import Program
+from coscrew_codegen.dynamics.step_jacobians import OtherFunctions
 from coscrew_codegen.program.values.parameter import Parameter, Scalar
 from coscrew_codegen.scene.mechanism.tree import heading_of_body
 from coscrew_codegen.scene.scene import Applied
@@ -45,14 +45,14 @@ from coscrew_codegen.scene.scene_function import Depends, Frame, Numbers, Result
 class RecordedDynamics:
     """The dynamics of a scene, recorded: each quantity from the inputs that the function takes.
 
-    `roots` returns the first links of floating trees, `program` other functions, `linear` the
-    parameters on which torques depend linearly."""
+    `roots` returns the first links of floating trees, `linear` the parameters on which torques
+    depend linearly."""
 
     def __init__(self, recording: FunctionRecording, function: SceneFunction,
-                 roots: Callable[[], Sequence[int]], program: Callable[[SceneFunction], Program],
+                 roots: Callable[[], Sequence[int]], others: OtherFunctions,
                  linear: Callable[[], LinearParameters]):
         self._recording, self._function, self._roots = recording, function, roots
-        self._program, self._linear = program, linear
+        self._others, self._linear = others, linear
         self.target = function.target
         self.scene, self.recorder, self._tree = (
             recording.scene, recording.recorder, recording.tree)
@@ -171,15 +171,17 @@ class RecordedDynamics:
 
     def tangent(self, function: SceneFunction) -> Results:
         """The results of another function, and their derivatives along d_."""
-        return directional_derivatives.tangent(self._recording, function, self._program(function))
+        return directional_derivatives.tangent(
+            self._recording, function, self._others.program(function))
 
     def adjoint(self, function: SceneFunction) -> Results:
         """The results of another function, and the derivatives of w_ times them by the inputs."""
-        return directional_derivatives.adjoint(self._recording, function, self._program(function))
+        return directional_derivatives.adjoint(
+            self._recording, function, self._others.program(function))
 
     def step_derivatives(self, step: SceneFunction) -> Results:
         """q and v after a step, and their derivatives."""
-        return step_derivatives.of_step(self._recording, step, self._program(step))
+        return step_jacobians.of_step(self._recording, step, self._others)
 
     def torque_regressor(self) -> Results:
         """Y, row by row, and tau0 of tau = Y pi + tau0."""

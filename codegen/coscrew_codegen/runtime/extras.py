@@ -11,8 +11,8 @@ EXTRAS = {"codegen": GENERATOR,
 """Modules by extra; `simulate` also installs pyarrow, which only .parquet files need."""
 
 COMMANDS = {"generate": "codegen", "import": "codegen", "effects": "codegen", "schema": "codegen",
-            "simulate": "simulate", "check": "simulate", "cache": "simulate", "cost": "simulate",
-            "report": "report", "sweep": "sweep"}
+            "simulate": "simulate", "check": "simulate", "identify": "simulate",
+            "cache": "simulate", "cost": "simulate", "report": "report", "sweep": "sweep"}
 """The extra of each command."""
 
 

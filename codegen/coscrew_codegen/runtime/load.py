@@ -141,6 +141,12 @@ class Kernels:
         """True if the functions are compiled C, not generated Python."""
         return bool(self.compiler)
 
+    def _repr_html_(self) -> str:
+        """The scene's tree, effects, functions and sizes, for notebooks."""
+        from coscrew_codegen.backends.html.notebook import html
+
+        return html(self.scene, self.interface, self.compiler)
+
     def arrays(self, xp: ModuleType) -> Arrays:
         """The functions on arrays of a library, with derivatives: jax.numpy, torch, cupy,
         array_api_strict, numpy.  Raises TypeError for others."""

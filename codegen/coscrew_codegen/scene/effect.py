@@ -53,7 +53,7 @@ class Place(Enum):
     """Kinds of things that an effect acts on."""
 
     SCENE = "the whole scene"
-    JOINT = "a joint with one coordinate; of `reaction`, any that is not fixed"
+    JOINT = "a joint with one coordinate, a weighted sum of coordinates, or a joint's velocities"
     BODY = "a body"
     PAIR = "two bodies, named by the value `bodies`"
 
@@ -88,8 +88,9 @@ class ParameterOf:
 
 @dataclass(frozen=True)
 class CoordinateState:
-    """State of the coordinate along which a torque or force acts: a joint's, or the distance
-    between two points.
+    """State of the coordinate along which a torque or force acts: a joint's, a weighted sum of
+    several, or the distance between two points.  Of an effect along each velocity of a joint with
+    several, q is the coordinate that has the velocity for its rate, or the deviation from rest.
 
     Its value q in rad or m, its rate v = q', the time t in s; for effects that compensate gravity
     also the torque that holds the joint against it."""
@@ -242,6 +243,9 @@ class Effect:
     joint_inertia: Callable[[Values], Number] | None = None
     body_force: Callable[[BodyState, Values], Force] | None = None
     pair_force: Callable[[CoordinateState, Values], Torque] | None = None  # between its POINTS
+    each: bool = False  # on a joint with several velocities, it acts along each of them
+    rest: str = ""  # the parameter with the coordinates at which such a joint is at rest; without
+    # one, an effect along each velocity does not depend on q
     stores_energy: bool = False  # it has an energy, which can be recorded
     limited_by: str = ""  # the parameter that limits its torque, if given
     compensates: str = ""  # the flag with which its torque includes `holding` of CoordinateState

@@ -1,6 +1,7 @@
 """Quantities of a scene's effects, each where it acts, and the functions that compute them.
 
-    EFFECT.JOINT.torque       what it exerts on the joint's coordinate, after it is limited
+    EFFECT.JOINT.torque       what it exerts on the joint's coordinate, after it is limited; on a
+                              joint with several velocities a number for each
     EFFECT.JOINT.saturated    1 where its limit takes some of it, else 0
     EFFECT.BODY.force         in the world's axes;  EFFECT.BODY.force.x one component
     EFFECT.BODY.torque        about the body's origin, in the world's axes
@@ -8,13 +9,15 @@
     EFFECT.WHERE.power        torque · v, f·v + τ·ω: what it delivers, also out of its own energy
     EFFECT.WHERE.energy       potential energy; of an armature kinetic energy
 
-An effect under a label has the label in place of the body, one on the whole scene only its name.
+An effect under a label has the label in place of the body or joint, one on the whole scene only its
+name.
 """
 
 from collections.abc import Mapping, Set
 
 from coscrew_codegen.scene.effect import Place
 from coscrew_codegen.scene.identifiers import identifiers
+from coscrew_codegen.scene.mechanism.joint_kind import JointKind
 from coscrew_codegen.scene.scene import Applied, Scene
 
 TORQUE, FORCE, POWER, ENERGY, SATURATED = "torque", "force", "power", "energy", "saturated"
@@ -23,18 +26,33 @@ EFFECT_QUANTITIES = (TORQUE, FORCE, POWER, ENERGY, SATURATED)
 
 def units_of(applied: Applied, scene: Scene) -> dict[str, tuple[str, ...]]:
     """The quantities that an effect has where it is applied, with their components' units."""
-    return _units(applied, _sliding(scene))
+    return _units(applied, _kinds(scene))
 
 
-def _sliding(scene: Scene) -> Set[str]:
-    return {x.name for x in scene.model.joints if x.kind.slides}
+def _kinds(scene: Scene) -> Mapping[str, JointKind]:
+    return {x.name: x.kind for x in scene.model.joints}
 
 
-def _units(applied: Applied, sliding: Set[str]) -> dict[str, tuple[str, ...]]:
+def acted_units(applied: Applied, kinds: Mapping[str, JointKind]) -> Set[str]:
+    """N, N m or both: the units of what an effect exerts at a joint or on a sum; of others none."""
+    at_joint = applied.terms or applied.on in kinds
+    return set(_along(applied, kinds)) if at_joint else set()
+
+
+def _along(applied: Applied, kinds: Mapping[str, JointKind]) -> tuple[str, ...]:
+    """The units of what an effect exerts along the velocities of its joint, or along a sum, which
+    is a length if any of its coordinates is one."""
+    if applied.terms:
+        lengths = any(kinds[x.joint].units("q")[x.coordinate] == "m" for x in applied.terms)
+        return ("N",) if lengths else ("N m",)
+    return tuple("N m" if unit == "rad/s" else "N" for unit in kinds[applied.on].units("v"))
+
+
+def _units(applied: Applied, kinds: Mapping[str, JointKind]) -> dict[str, tuple[str, ...]]:
     effect = applied.effect
     results: dict[str, tuple[str, ...]] = {}
     if effect.joint_torque:
-        results[TORQUE] = ("N",) if applied.on in sliding else ("N m",)
+        results[TORQUE] = _along(applied, kinds)
     if effect.body_force:
         results |= {FORCE: ("N",) * 3, TORQUE: ("N m",) * 3}
     if effect.pair_force:
@@ -50,17 +68,18 @@ def _units(applied: Applied, sliding: Set[str]) -> dict[str, tuple[str, ...]]:
 
 def functions_of_effects(scene: Scene) -> dict[str, Applied]:
     """The effects that have quantities, by the names of their functions: effect_spring_elbow."""
-    there = [x for x in scene.effects if _units(x, frozenset())]
+    kinds = _kinds(scene)
+    there = [x for x in scene.effects if _units(x, kinds)]
     return {f"effect_{name}": x
             for name, x in zip(identifiers([x.name for x in there]), there, strict=True)}
 
 
 def quantities_by_name(scene: Scene) -> Mapping[str, tuple[str, Applied, str]]:
     """(function, effect, quantity) by the quantity's name in `record`: spring.elbow.torque."""
-    sliding = _sliding(scene)
+    kinds = _kinds(scene)
     return {f"{applied.name}.{quantity}": (function, applied, quantity)
             for function, applied in functions_of_effects(scene).items()
-            for quantity in _units(applied, sliding)}
+            for quantity in _units(applied, kinds)}
 
 
 def lacks(text: str, scene: Scene) -> str:

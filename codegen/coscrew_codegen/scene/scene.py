@@ -18,8 +18,18 @@ Setting = Scalar | tuple[Scalar | Formula, ...] | tuple[str, str] | Formula | st
 
 
 @dataclass(frozen=True)
+class WeightedCoordinate:
+    """A coordinate of a joint, times a weight: a term of a sum."""
+
+    joint: str
+    coordinate: int  # its number among those of the joint
+    weight: Fraction
+
+
+@dataclass(frozen=True)
 class Applied:
-    """An effect applied to a joint or body, or under a label (a spring between two bodies).
+    """An effect applied to a joint or body, or under a label (a spring between two bodies, or on a
+    weighted sum of coordinates, whose `terms` are given).
 
     `on` is "" for gravity and other effects on the whole scene.  `values` has an entry for each of
     the effect's parameters, and for pairs "bodies", the names of both.  A label distinguishes
@@ -29,6 +39,7 @@ class Applied:
     on: str
     values: Mapping[str, Setting]
     label: str = ""
+    terms: tuple[WeightedCoordinate, ...] = ()
 
     def vector(self, name: str) -> tuple[Scalar, ...]:
         """The numbers of a parameter that is a vector."""

@@ -7,95 +7,36 @@ Dynamics, and returns Numbers."""
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from enum import Enum
-from math import prod
 from string import ascii_uppercase
 from typing import TYPE_CHECKING, Protocol
 
 from coscrew_codegen.algebra.recording.numbers import Number, Vector
 from coscrew_codegen.program.values.parameter import Scalar
-from coscrew_codegen.scene import units
 from coscrew_codegen.scene.integrator import Integrator
+from coscrew_codegen.scene.mechanism.function_arguments import (
+    COUNT,
+    INPUTS,
+    MOMENTA,
+    TAU,
+    A,
+    Array,
+    AxisLength,
+    Frame,
+    Q,
+    V,
+)
 from coscrew_codegen.scene.scene import Applied, Scene
-from coscrew_codegen.scene.units import Kinds, Units
 
 if TYPE_CHECKING:
     from coscrew_codegen.algebra.recording.recorder import Recorder
 
+__all__ = ["A", "ALWAYS", "Array", "AxisLength", "COUNT", "Default", "Depends", "Dynamics",
+           "Frame", "IF_SELECTED", "INPUTS", "MOMENTA", "Numbers", "Of", "Q", "Results",
+           "SceneFunction", "SceneQuantity", "Situation", "TAU", "V"]
+
 Numbers = Sequence[Number]
 Results = Sequence[Numbers]
 """The components of each output, row by row."""
-
-
-class AxisLength(Enum):
-    """The length of an axis that depends on the scene."""
-
-    NQ = "coordinates"
-    NV = "velocities"
-    STATE = "displacements and velocities"
-    BODIES = "bodies"
-    PARAMETERS = "run-time parameters"
-    FLOATING = "floating trees"
-    LINEAR = "parameters on which torques depend linearly"
-    BASE = "base parameters"
-
-
-@dataclass(frozen=True)
-class Array:
-    """An input or output: shape, the unit of each component, and words for comments."""
-
-    name: str
-    shape: tuple[int | AxisLength, ...]
-    units: Units
-    words: str = ""
-
-    def sized(self, size: Callable[[AxisLength], int]) -> tuple[int, ...]:
-        """The shape in a scene."""
-        return tuple(size(x) if isinstance(x, AxisLength) else x for x in self.shape)
-
-    @property
-    def is_coordinates(self) -> bool:
-        """True if its derivatives are along velocities."""
-        return self.units is units.coordinates
-
-    @property
-    def each(self) -> int:
-        """The number of components of each body, joint, … along the first axis."""
-        return prod(x for x in self.shape[1:] if isinstance(x, int))
-
-    def units_of(self, shape: tuple[int, ...], kinds: Kinds) -> tuple[str, ...]:
-        """The unit of each component.  Raises ValueError if they do not fit the shape."""
-        given = self.units(kinds) if callable(self.units) else self.units
-        count = prod(shape)
-        if count and (not given or count % len(given)):
-            raise ValueError(f"{self.name} has {count} components and {len(given)} units; wanted "
-                             "a unit for each, or units that are repeated")
-        return given * (count // len(given)) if given else ()
-
-
-Q = Array("q", (AxisLength.NQ,), units.coordinates,
-          "coordinates: positions in m, angles in rad, unit quaternions (x, y, z, w)")
-V = Array("v", (AxisLength.NV,), units.velocities, "velocities in m/s, rad/s")
-A = Array("a", (AxisLength.NV,), units.accelerations, "accelerations in m/s^2, rad/s^2")
-TAU = Array("tau", (AxisLength.NV,), units.torques, "forces and torques of joints in N, N m")
-MOMENTA = Array("c", (AxisLength.FLOATING, 9), (*units.MOMENTUM, "m", "m", "m"),
-                "in kg m/s, kg m^2/s, m")
-COUNT = Array("count", (), ("1",))
-INPUTS = {x.name: x for x in (
-    Array("t", (), ("s",), "time in s"), Array("h", (), ("s",), "step in s"),
-    Array("p", (AxisLength.PARAMETERS,), ("1",), "parameters"), Q, V, A, TAU,
-    Array("phi", (AxisLength.NV,), units.displacements,
-          "displacements along the velocities, in m, rad"), MOMENTA,
-    Array("r", (3,), ("m",), "a point in the frame of the body, in m"),
-    replace(Q, name="q1", words="other coordinates"))}
-"""Inputs of functions, by name."""
-
-
-class Frame(Enum):
-    """Axes of a body's velocity (v; ω), and the point of the body that moves with v."""
-
-    BODY = "in the body's axes, at its origin"
-    ALIGNED = "in the world's axes, at the body's origin"
-    WORLD = "in the world's axes, at the world's origin"
 
 
 class Dynamics(Protocol):
@@ -177,8 +118,7 @@ class Dynamics(Protocol):
         directions d_."""
 
     def adjoint(self, function: "SceneFunction") -> Results:
-        """The results of another function of the same inputs, and the derivatives of their sum with
-        the weights w_ by the inputs."""
+        """Its results, and the derivatives of their sum with the weights w_ by the inputs."""
 
     def step_derivatives(self, step: "SceneFunction") -> Results:
         """q and v after a step of the same inputs; their derivatives by q and v, by tau if the step
@@ -362,8 +302,7 @@ class SceneFunction:
     target: str = ""  # of a member: its body or joint
     each: Callable[["SceneFunction", "SceneFunction", Scene], "SceneFunction | None"] | None = None
     # of a family that has a member for each other function, or None for it
-    differentiates: "SceneFunction | None" = None  # the function that it belongs to in such a
-    # family: it is selected by its name or a pattern that ends as the family's names
+    differentiates: "SceneFunction | None" = None  # of such a member: the other function
     more: tuple[Array, ...] = ()  # inputs of its own, after the others
     step: Integrator | None = None  # whose step it is
     shown: bool = False  # whether `coscrew cost` shows what each effect adds to it
@@ -411,20 +350,6 @@ class SceneFunction:
                                  "scene")
             result += x.units_of(shape, ())
         return tuple(result)
-
-    def given(self, scene: Scene) -> tuple[Array, ...]:
-        """Its inputs in a scene: with p if it depends on masses, and t if on effects."""
-        takes = {*self.takes}
-        if self.depends is Depends.EFFECTS and scene.timed:
-            takes.add("t")
-        if self.depends is not Depends.GEOMETRY and scene.parameters:
-            takes.add("p")
-        return (*(x for name, x in INPUTS.items() if name in takes), *self.more)
-
-    def results(self, scene: Scene) -> tuple[Array, ...]:
-        """Its outputs; those with an input's name get the suffix o."""
-        taken = {x.name for x in self.given(scene)}
-        return tuple(replace(x, name=f"{x.name}o") if x.name in taken else x for x in self.outputs)
 
     @property
     def takes(self) -> tuple[str, ...]:

@@ -18,6 +18,7 @@ OVER(SE3_invert_double) {
     STORE(SE3_double, &self, 1, 2);
   }
 }
+STRIDED_WITH_FMA(SE3_invert_double)
 LOOP(SE3_invert_double, 2, DENSE, 96, 96, 32, 8, 32, 8)
 
 OVER(SE3_invert_single) {
@@ -29,6 +30,7 @@ OVER(SE3_invert_single) {
     STORE(SE3_single, &self, 1, 2);
   }
 }
+STRIDED(SE3_invert_single)
 LOOP(SE3_invert_single, 2, DENSE, 48, 48, 16, 4, 16, 4)
 LOOPS(SE3_invert)
 
@@ -43,6 +45,7 @@ OVER(SE3_inverted_double) {
     STORE(SE3_double, &Do, 1, 2);
   }
 }
+STRIDED_WITH_FMA(SE3_inverted_double)
 LOOP(SE3_inverted_double, 2, DENSE, 96, 96, 32, 8, 32, 8)
 
 OVER(SE3_inverted_single) {
@@ -55,6 +58,7 @@ OVER(SE3_inverted_single) {
     STORE(SE3_single, &Do, 1, 2);
   }
 }
+STRIDED(SE3_inverted_single)
 LOOP(SE3_inverted_single, 2, DENSE, 48, 48, 16, 4, 16, 4)
 LOOPS(SE3_inverted)
 

@@ -20,6 +20,7 @@ OVER(coscrew_scale_double) {
     STORE(coscrew_double, &self, 2, 1);
   }
 }
+STRIDED_WITH_FMA(coscrew_scale_double)
 LOOP(coscrew_scale_double, 3, DENSE, 48, 8, 48, 8, 8)
 
 OVER(coscrew_scale_single) {
@@ -33,6 +34,7 @@ OVER(coscrew_scale_single) {
     STORE(coscrew_single, &self, 2, 1);
   }
 }
+STRIDED(coscrew_scale_single)
 LOOP(coscrew_scale_single, 3, DENSE, 24, 4, 24, 4, 4)
 LOOPS(coscrew_scale)
 
@@ -50,6 +52,7 @@ OVER(axpy_cc_double) {
     STORE(coscrew_double, &y, 3, 2);
   }
 }
+STRIDED_WITH_FMA(axpy_cc_double)
 LOOP(axpy_cc_double, 4, DENSE_OR_ONE, 8, 48, 48, 48, 8, 8, 8)
 
 OVER(axpy_cc_single) {
@@ -65,6 +68,7 @@ OVER(axpy_cc_single) {
     STORE(coscrew_single, &y, 3, 2);
   }
 }
+STRIDED(axpy_cc_single)
 LOOP(axpy_cc_single, 4, DENSE_OR_ONE, 4, 24, 24, 24, 4, 4, 4)
 LOOPS(axpy_cc)
 
@@ -80,6 +84,7 @@ OVER(xpy_cc_double) {
     STORE(coscrew_double, &y, 2, 2);
   }
 }
+STRIDED(xpy_cc_double)
 LOOP(xpy_cc_double, 3, DENSE_OR_ONE, 48, 48, 48, 8, 8, 8)
 
 OVER(xpy_cc_single) {
@@ -93,6 +98,7 @@ OVER(xpy_cc_single) {
     STORE(coscrew_single, &y, 2, 2);
   }
 }
+STRIDED(xpy_cc_single)
 LOOP(xpy_cc_single, 3, DENSE_OR_ONE, 24, 24, 24, 4, 4, 4)
 LOOPS(xpy_cc)
 
@@ -108,6 +114,7 @@ OVER(nxpy_cc_double) {
     STORE(coscrew_double, &y, 2, 2);
   }
 }
+STRIDED(nxpy_cc_double)
 LOOP(nxpy_cc_double, 3, DENSE_OR_ONE, 48, 48, 48, 8, 8, 8)
 
 OVER(nxpy_cc_single) {
@@ -121,6 +128,7 @@ OVER(nxpy_cc_single) {
     STORE(coscrew_single, &y, 2, 2);
   }
 }
+STRIDED(nxpy_cc_single)
 LOOP(nxpy_cc_single, 3, DENSE_OR_ONE, 24, 24, 24, 4, 4, 4)
 LOOPS(nxpy_cc)
 
@@ -137,6 +145,7 @@ OVER(product_ac_double) {
     STORE(coscrew_double, &co, 2, 1);
   }
 }
+STRIDED_WITH_FMA(product_ac_double)
 LOOP(product_ac_double, 3, DENSE_OR_ONE, 8, 48, 48, 8, 8)
 
 OVER(product_ac_single) {
@@ -151,6 +160,7 @@ OVER(product_ac_single) {
     STORE(coscrew_single, &co, 2, 1);
   }
 }
+STRIDED(product_ac_single)
 LOOP(product_ac_single, 3, DENSE_OR_ONE, 4, 24, 24, 4, 4)
 LOOPS(product_ac)
 
@@ -167,6 +177,7 @@ OVER(add_cc_double) {
     STORE(coscrew_double, &co, 2, 2);
   }
 }
+STRIDED(add_cc_double)
 LOOP(add_cc_double, 3, DENSE_OR_ONE, 48, 48, 48, 8, 8, 8)
 
 OVER(add_cc_single) {
@@ -181,6 +192,7 @@ OVER(add_cc_single) {
     STORE(coscrew_single, &co, 2, 2);
   }
 }
+STRIDED(add_cc_single)
 LOOP(add_cc_single, 3, DENSE_OR_ONE, 24, 24, 24, 4, 4, 4)
 LOOPS(add_cc)
 
@@ -197,6 +209,7 @@ OVER(subtract_cc_double) {
     STORE(coscrew_double, &co, 2, 2);
   }
 }
+STRIDED(subtract_cc_double)
 LOOP(subtract_cc_double, 3, DENSE_OR_ONE, 48, 48, 48, 8, 8, 8)
 
 OVER(subtract_cc_single) {
@@ -211,6 +224,7 @@ OVER(subtract_cc_single) {
     STORE(coscrew_single, &co, 2, 2);
   }
 }
+STRIDED(subtract_cc_single)
 LOOP(subtract_cc_single, 3, DENSE_OR_ONE, 24, 24, 24, 4, 4, 4)
 LOOPS(subtract_cc)
 
@@ -225,6 +239,7 @@ OVER(coscrew_norm_double) {
     STORE(scalar_double, &norm, 1, 1);
   }
 }
+STRIDED_WITH_FMA(coscrew_norm_double)
 LOOP(coscrew_norm_double, 2, DENSE, 48, 8, 8)
 
 OVER(coscrew_norm_single) {
@@ -237,6 +252,7 @@ OVER(coscrew_norm_single) {
     STORE(scalar_single, &norm, 1, 1);
   }
 }
+STRIDED(coscrew_norm_single)
 LOOP(coscrew_norm_single, 2, DENSE, 24, 4, 4)
 LOOPS(coscrew_norm)
 
@@ -250,7 +266,8 @@ OVER(coscrew_normalize_double) {
     STORE(coscrew_double, &self, 1, 1);
   }
 }
-LOOP(coscrew_normalize_double, 2, DENSE, 48, 48, 8, 8)
+STRIDED_WITH_FMA(coscrew_normalize_double)
+LOOP(coscrew_normalize_double, 2, ANY, 48, 48, 8, 8)
 
 OVER(coscrew_normalize_single) {
   POINTERS_2
@@ -261,6 +278,7 @@ OVER(coscrew_normalize_single) {
     STORE(coscrew_single, &self, 1, 1);
   }
 }
+STRIDED(coscrew_normalize_single)
 LOOP(coscrew_normalize_single, 2, DENSE, 24, 24, 4, 4)
 LOOPS(coscrew_normalize)
 
@@ -275,7 +293,8 @@ OVER(coscrew_normalized_double) {
     STORE(coscrew_double, &co, 1, 1);
   }
 }
-LOOP(coscrew_normalized_double, 2, DENSE, 48, 48, 8, 8)
+STRIDED_WITH_FMA(coscrew_normalized_double)
+LOOP(coscrew_normalized_double, 2, ANY, 48, 48, 8, 8)
 
 OVER(coscrew_normalized_single) {
   POINTERS_2
@@ -287,6 +306,7 @@ OVER(coscrew_normalized_single) {
     STORE(coscrew_single, &co, 1, 1);
   }
 }
+STRIDED(coscrew_normalized_single)
 LOOP(coscrew_normalized_single, 2, DENSE, 24, 24, 4, 4)
 LOOPS(coscrew_normalized)
 
@@ -303,6 +323,7 @@ OVER(add_cct_double) {
     STORE(coscrew_double, &co, 2, 2);
   }
 }
+STRIDED(add_cct_double)
 LOOP(add_cct_double, 3, DENSE_OR_ONE, 48, 48, 48, 8, 8, 8)
 
 OVER(add_cct_single) {
@@ -317,6 +338,7 @@ OVER(add_cct_single) {
     STORE(coscrew_single, &co, 2, 2);
   }
 }
+STRIDED(add_cct_single)
 LOOP(add_cct_single, 3, DENSE_OR_ONE, 24, 24, 24, 4, 4, 4)
 LOOPS(add_cct)
 
@@ -333,6 +355,7 @@ OVER(product_CoAdtc_double) {
     STORE(coscrew_double, &co, 2, 2);
   }
 }
+STRIDED_WITH_FMA(product_CoAdtc_double)
 LOOP(product_CoAdtc_double, 3, DENSE_OR_ONE, 24, 48, 48, 8, 8, 8)
 
 OVER(product_CoAdtc_single) {
@@ -347,6 +370,7 @@ OVER(product_CoAdtc_single) {
     STORE(coscrew_single, &co, 2, 2);
   }
 }
+STRIDED(product_CoAdtc_single)
 LOOP(product_CoAdtc_single, 3, DENSE_OR_ONE, 12, 24, 24, 4, 4, 4)
 LOOPS(product_CoAdtc)
 
@@ -363,6 +387,7 @@ OVER(product_CoAdtinvc_double) {
     STORE(coscrew_double, &co, 2, 2);
   }
 }
+STRIDED_WITH_FMA(product_CoAdtinvc_double)
 LOOP(product_CoAdtinvc_double, 3, DENSE_OR_ONE, 24, 48, 48, 8, 8, 8)
 
 OVER(product_CoAdtinvc_single) {
@@ -377,6 +402,7 @@ OVER(product_CoAdtinvc_single) {
     STORE(coscrew_single, &co, 2, 2);
   }
 }
+STRIDED(product_CoAdtinvc_single)
 LOOP(product_CoAdtinvc_single, 3, DENSE_OR_ONE, 12, 24, 24, 4, 4, 4)
 LOOPS(product_CoAdtinvc)
 
@@ -393,6 +419,7 @@ OVER(product_CoAdtcinv_double) {
     STORE(coscrew_double, &co, 2, 2);
   }
 }
+STRIDED_WITH_FMA(product_CoAdtcinv_double)
 LOOP(product_CoAdtcinv_double, 3, DENSE_OR_ONE, 24, 48, 48, 8, 8, 8)
 
 OVER(product_CoAdtcinv_single) {
@@ -407,6 +434,7 @@ OVER(product_CoAdtcinv_single) {
     STORE(coscrew_single, &co, 2, 2);
   }
 }
+STRIDED(product_CoAdtcinv_single)
 LOOP(product_CoAdtcinv_single, 3, DENSE_OR_ONE, 12, 24, 24, 4, 4, 4)
 LOOPS(product_CoAdtcinv)
 
@@ -423,6 +451,7 @@ OVER(product_CoAdrc_double) {
     STORE(coscrew_double, &co, 2, 3);
   }
 }
+STRIDED_WITH_FMA(product_CoAdrc_double)
 LOOP(product_CoAdrc_double, 3, DENSE_OR_ONE, 72, 48, 48, 24, 8, 8, 8)
 
 OVER(product_CoAdrc_single) {
@@ -437,6 +466,7 @@ OVER(product_CoAdrc_single) {
     STORE(coscrew_single, &co, 2, 3);
   }
 }
+STRIDED(product_CoAdrc_single)
 LOOP(product_CoAdrc_single, 3, DENSE_OR_ONE, 36, 24, 24, 12, 4, 4, 4)
 LOOPS(product_CoAdrc)
 
@@ -453,6 +483,7 @@ OVER(product_CoAdrinvc_double) {
     STORE(coscrew_double, &co, 2, 3);
   }
 }
+STRIDED_WITH_FMA(product_CoAdrinvc_double)
 LOOP(product_CoAdrinvc_double, 3, DENSE_OR_ONE, 72, 48, 48, 24, 8, 8, 8)
 
 OVER(product_CoAdrinvc_single) {
@@ -467,6 +498,7 @@ OVER(product_CoAdrinvc_single) {
     STORE(coscrew_single, &co, 2, 3);
   }
 }
+STRIDED(product_CoAdrinvc_single)
 LOOP(product_CoAdrinvc_single, 3, DENSE_OR_ONE, 36, 24, 24, 12, 4, 4, 4)
 LOOPS(product_CoAdrinvc)
 
@@ -483,6 +515,7 @@ OVER(product_CoAdrcinv_double) {
     STORE(coscrew_double, &co, 2, 3);
   }
 }
+STRIDED_WITH_FMA(product_CoAdrcinv_double)
 LOOP(product_CoAdrcinv_double, 3, DENSE_OR_ONE, 72, 48, 48, 24, 8, 8, 8)
 
 OVER(product_CoAdrcinv_single) {
@@ -497,6 +530,7 @@ OVER(product_CoAdrcinv_single) {
     STORE(coscrew_single, &co, 2, 3);
   }
 }
+STRIDED(product_CoAdrcinv_single)
 LOOP(product_CoAdrcinv_single, 3, DENSE_OR_ONE, 36, 24, 24, 12, 4, 4, 4)
 LOOPS(product_CoAdrcinv)
 
@@ -513,6 +547,7 @@ OVER(product_CoAdc_double) {
     STORE(coscrew_double, &co, 2, 3);
   }
 }
+STRIDED_WITH_FMA(product_CoAdc_double)
 LOOP(product_CoAdc_double, 3, DENSE_OR_ONE, 96, 48, 48, 32, 8, 8, 8)
 
 OVER(product_CoAdc_single) {
@@ -527,6 +562,7 @@ OVER(product_CoAdc_single) {
     STORE(coscrew_single, &co, 2, 3);
   }
 }
+STRIDED(product_CoAdc_single)
 LOOP(product_CoAdc_single, 3, DENSE_OR_ONE, 48, 24, 24, 16, 4, 4, 4)
 LOOPS(product_CoAdc)
 
@@ -543,6 +579,7 @@ OVER(product_CoAdinvc_double) {
     STORE(coscrew_double, &co, 2, 3);
   }
 }
+STRIDED_WITH_FMA(product_CoAdinvc_double)
 LOOP(product_CoAdinvc_double, 3, DENSE_OR_ONE, 96, 48, 48, 32, 8, 8, 8)
 
 OVER(product_CoAdinvc_single) {
@@ -557,6 +594,7 @@ OVER(product_CoAdinvc_single) {
     STORE(coscrew_single, &co, 2, 3);
   }
 }
+STRIDED(product_CoAdinvc_single)
 LOOP(product_CoAdinvc_single, 3, DENSE_OR_ONE, 48, 24, 24, 16, 4, 4, 4)
 LOOPS(product_CoAdinvc)
 
@@ -573,6 +611,7 @@ OVER(product_CoAdcinv_double) {
     STORE(coscrew_double, &co, 2, 3);
   }
 }
+STRIDED_WITH_FMA(product_CoAdcinv_double)
 LOOP(product_CoAdcinv_double, 3, DENSE_OR_ONE, 96, 48, 48, 32, 8, 8, 8)
 
 OVER(product_CoAdcinv_single) {
@@ -587,6 +626,7 @@ OVER(product_CoAdcinv_single) {
     STORE(coscrew_single, &co, 2, 3);
   }
 }
+STRIDED(product_CoAdcinv_single)
 LOOP(product_CoAdcinv_single, 3, DENSE_OR_ONE, 48, 24, 24, 16, 4, 4, 4)
 LOOPS(product_CoAdcinv)
 
@@ -601,6 +641,7 @@ OVER(hctx_double) {
     STORE(coscrew_double, &co, 1, 2);
   }
 }
+STRIDED_WITH_FMA(hctx_double)
 LOOP(hctx_double, 2, DENSE, 96, 48, 32, 8, 8)
 
 OVER(hctx_single) {
@@ -613,6 +654,7 @@ OVER(hctx_single) {
     STORE(coscrew_single, &co, 1, 2);
   }
 }
+STRIDED(hctx_single)
 LOOP(hctx_single, 2, DENSE, 48, 24, 16, 4, 4)
 LOOPS(hctx)
 
@@ -627,6 +669,7 @@ OVER(hcty_double) {
     STORE(coscrew_double, &co, 1, 2);
   }
 }
+STRIDED_WITH_FMA(hcty_double)
 LOOP(hcty_double, 2, DENSE, 96, 48, 32, 8, 8)
 
 OVER(hcty_single) {
@@ -639,6 +682,7 @@ OVER(hcty_single) {
     STORE(coscrew_single, &co, 1, 2);
   }
 }
+STRIDED(hcty_single)
 LOOP(hcty_single, 2, DENSE, 48, 24, 16, 4, 4)
 LOOPS(hcty)
 
@@ -653,6 +697,7 @@ OVER(hctz_double) {
     STORE(coscrew_double, &co, 1, 2);
   }
 }
+STRIDED_WITH_FMA(hctz_double)
 LOOP(hctz_double, 2, DENSE, 96, 48, 32, 8, 8)
 
 OVER(hctz_single) {
@@ -665,6 +710,7 @@ OVER(hctz_single) {
     STORE(coscrew_single, &co, 1, 2);
   }
 }
+STRIDED(hctz_single)
 LOOP(hctz_single, 2, DENSE, 48, 24, 16, 4, 4)
 LOOPS(hctz)
 
@@ -679,6 +725,7 @@ OVER(hctxinv_double) {
     STORE(coscrew_double, &co, 1, 2);
   }
 }
+STRIDED_WITH_FMA(hctxinv_double)
 LOOP(hctxinv_double, 2, DENSE, 96, 48, 32, 8, 8)
 
 OVER(hctxinv_single) {
@@ -691,6 +738,7 @@ OVER(hctxinv_single) {
     STORE(coscrew_single, &co, 1, 2);
   }
 }
+STRIDED(hctxinv_single)
 LOOP(hctxinv_single, 2, DENSE, 48, 24, 16, 4, 4)
 LOOPS(hctxinv)
 
@@ -705,6 +753,7 @@ OVER(hctyinv_double) {
     STORE(coscrew_double, &co, 1, 2);
   }
 }
+STRIDED_WITH_FMA(hctyinv_double)
 LOOP(hctyinv_double, 2, DENSE, 96, 48, 32, 8, 8)
 
 OVER(hctyinv_single) {
@@ -717,6 +766,7 @@ OVER(hctyinv_single) {
     STORE(coscrew_single, &co, 1, 2);
   }
 }
+STRIDED(hctyinv_single)
 LOOP(hctyinv_single, 2, DENSE, 48, 24, 16, 4, 4)
 LOOPS(hctyinv)
 
@@ -731,6 +781,7 @@ OVER(hctzinv_double) {
     STORE(coscrew_double, &co, 1, 2);
   }
 }
+STRIDED_WITH_FMA(hctzinv_double)
 LOOP(hctzinv_double, 2, DENSE, 96, 48, 32, 8, 8)
 
 OVER(hctzinv_single) {
@@ -743,6 +794,7 @@ OVER(hctzinv_single) {
     STORE(coscrew_single, &co, 1, 2);
   }
 }
+STRIDED(hctzinv_single)
 LOOP(hctzinv_single, 2, DENSE, 48, 24, 16, 4, 4)
 LOOPS(hctzinv)
 
@@ -757,6 +809,7 @@ OVER(CoAd_double) {
     STORE(mat6x6_double, &M, 1, 2);
   }
 }
+STRIDED_WITH_FMA(CoAd_double)
 LOOP(CoAd_double, 2, DENSE, 96, 288, 32, 8, 48, 8)
 
 OVER(CoAd_single) {
@@ -769,6 +822,7 @@ OVER(CoAd_single) {
     STORE(mat6x6_single, &M, 1, 2);
   }
 }
+STRIDED(CoAd_single)
 LOOP(CoAd_single, 2, DENSE, 48, 144, 16, 4, 24, 4)
 LOOPS(CoAd)
 
@@ -785,6 +839,7 @@ OVER(reciprocal_product_double) {
     STORE(scalar_double, &power, 2, 2);
   }
 }
+STRIDED_WITH_FMA(reciprocal_product_double)
 LOOP(reciprocal_product_double, 3, DENSE_OR_ONE, 48, 48, 8, 8, 8)
 
 OVER(reciprocal_product_single) {
@@ -799,6 +854,7 @@ OVER(reciprocal_product_single) {
     STORE(scalar_single, &power, 2, 2);
   }
 }
+STRIDED(reciprocal_product_single)
 LOOP(reciprocal_product_single, 3, DENSE_OR_ONE, 24, 24, 4, 4, 4)
 LOOPS(reciprocal_product)
 
@@ -815,6 +871,7 @@ OVER(cross_sc_double) {
     STORE(coscrew_double, &co, 2, 2);
   }
 }
+STRIDED_WITH_FMA(cross_sc_double)
 LOOP(cross_sc_double, 3, DENSE_OR_ONE, 48, 48, 48, 8, 8, 8)
 
 OVER(cross_sc_single) {
@@ -829,6 +886,7 @@ OVER(cross_sc_single) {
     STORE(coscrew_single, &co, 2, 2);
   }
 }
+STRIDED(cross_sc_single)
 LOOP(cross_sc_single, 3, DENSE_OR_ONE, 24, 24, 24, 4, 4, 4)
 LOOPS(cross_sc)
 
@@ -845,6 +903,7 @@ OVER(cross_sca_double) {
     STORE(coscrew_double, &co, 2, 2);
   }
 }
+STRIDED_WITH_FMA(cross_sca_double)
 LOOP(cross_sca_double, 3, DENSE_OR_ONE, 48, 48, 48, 8, 8, 8)
 
 OVER(cross_sca_single) {
@@ -859,6 +918,7 @@ OVER(cross_sca_single) {
     STORE(coscrew_single, &co, 2, 2);
   }
 }
+STRIDED(cross_sca_single)
 LOOP(cross_sca_single, 3, DENSE_OR_ONE, 24, 24, 24, 4, 4, 4)
 LOOPS(cross_sca)
 
@@ -875,6 +935,7 @@ OVER(constraint_ctx_double) {
     STORE(coscrew_double, &co, 2, 3);
   }
 }
+STRIDED_WITH_FMA(constraint_ctx_double)
 LOOP(constraint_ctx_double, 3, DENSE_OR_ONE, 96, 48, 48, 32, 8, 8, 8)
 
 OVER(constraint_ctx_single) {
@@ -889,6 +950,7 @@ OVER(constraint_ctx_single) {
     STORE(coscrew_single, &co, 2, 3);
   }
 }
+STRIDED(constraint_ctx_single)
 LOOP(constraint_ctx_single, 3, DENSE_OR_ONE, 48, 24, 24, 16, 4, 4, 4)
 LOOPS(constraint_ctx)
 
@@ -905,6 +967,7 @@ OVER(constraint_cty_double) {
     STORE(coscrew_double, &co, 2, 3);
   }
 }
+STRIDED_WITH_FMA(constraint_cty_double)
 LOOP(constraint_cty_double, 3, DENSE_OR_ONE, 96, 48, 48, 32, 8, 8, 8)
 
 OVER(constraint_cty_single) {
@@ -919,6 +982,7 @@ OVER(constraint_cty_single) {
     STORE(coscrew_single, &co, 2, 3);
   }
 }
+STRIDED(constraint_cty_single)
 LOOP(constraint_cty_single, 3, DENSE_OR_ONE, 48, 24, 24, 16, 4, 4, 4)
 LOOPS(constraint_cty)
 
@@ -935,6 +999,7 @@ OVER(constraint_ctz_double) {
     STORE(coscrew_double, &co, 2, 3);
   }
 }
+STRIDED_WITH_FMA(constraint_ctz_double)
 LOOP(constraint_ctz_double, 3, DENSE_OR_ONE, 96, 48, 48, 32, 8, 8, 8)
 
 OVER(constraint_ctz_single) {
@@ -949,6 +1014,7 @@ OVER(constraint_ctz_single) {
     STORE(coscrew_single, &co, 2, 3);
   }
 }
+STRIDED(constraint_ctz_single)
 LOOP(constraint_ctz_single, 3, DENSE_OR_ONE, 48, 24, 24, 16, 4, 4, 4)
 LOOPS(constraint_ctz)
 
@@ -965,6 +1031,7 @@ OVER(constraint_crx_double) {
     STORE(coscrew_double, &co, 2, 3);
   }
 }
+STRIDED_WITH_FMA(constraint_crx_double)
 LOOP(constraint_crx_double, 3, DENSE_OR_ONE, 96, 48, 48, 32, 8, 8, 8)
 
 OVER(constraint_crx_single) {
@@ -979,6 +1046,7 @@ OVER(constraint_crx_single) {
     STORE(coscrew_single, &co, 2, 3);
   }
 }
+STRIDED(constraint_crx_single)
 LOOP(constraint_crx_single, 3, DENSE_OR_ONE, 48, 24, 24, 16, 4, 4, 4)
 LOOPS(constraint_crx)
 
@@ -995,6 +1063,7 @@ OVER(constraint_cry_double) {
     STORE(coscrew_double, &co, 2, 3);
   }
 }
+STRIDED_WITH_FMA(constraint_cry_double)
 LOOP(constraint_cry_double, 3, DENSE_OR_ONE, 96, 48, 48, 32, 8, 8, 8)
 
 OVER(constraint_cry_single) {
@@ -1009,6 +1078,7 @@ OVER(constraint_cry_single) {
     STORE(coscrew_single, &co, 2, 3);
   }
 }
+STRIDED(constraint_cry_single)
 LOOP(constraint_cry_single, 3, DENSE_OR_ONE, 48, 24, 24, 16, 4, 4, 4)
 LOOPS(constraint_cry)
 
@@ -1025,6 +1095,7 @@ OVER(constraint_crz_double) {
     STORE(coscrew_double, &co, 2, 3);
   }
 }
+STRIDED_WITH_FMA(constraint_crz_double)
 LOOP(constraint_crz_double, 3, DENSE_OR_ONE, 96, 48, 48, 32, 8, 8, 8)
 
 OVER(constraint_crz_single) {
@@ -1039,6 +1110,7 @@ OVER(constraint_crz_single) {
     STORE(coscrew_single, &co, 2, 3);
   }
 }
+STRIDED(constraint_crz_single)
 LOOP(constraint_crz_single, 3, DENSE_OR_ONE, 48, 24, 24, 16, 4, 4, 4)
 LOOPS(constraint_crz)
 
@@ -1055,6 +1127,7 @@ OVER(working_ctx_double) {
     STORE(coscrew_double, &co, 2, 3);
   }
 }
+STRIDED_WITH_FMA(working_ctx_double)
 LOOP(working_ctx_double, 3, DENSE_OR_ONE, 96, 48, 48, 32, 8, 8, 8)
 
 OVER(working_ctx_single) {
@@ -1069,6 +1142,7 @@ OVER(working_ctx_single) {
     STORE(coscrew_single, &co, 2, 3);
   }
 }
+STRIDED(working_ctx_single)
 LOOP(working_ctx_single, 3, DENSE_OR_ONE, 48, 24, 24, 16, 4, 4, 4)
 LOOPS(working_ctx)
 
@@ -1085,6 +1159,7 @@ OVER(working_cty_double) {
     STORE(coscrew_double, &co, 2, 3);
   }
 }
+STRIDED_WITH_FMA(working_cty_double)
 LOOP(working_cty_double, 3, DENSE_OR_ONE, 96, 48, 48, 32, 8, 8, 8)
 
 OVER(working_cty_single) {
@@ -1099,6 +1174,7 @@ OVER(working_cty_single) {
     STORE(coscrew_single, &co, 2, 3);
   }
 }
+STRIDED(working_cty_single)
 LOOP(working_cty_single, 3, DENSE_OR_ONE, 48, 24, 24, 16, 4, 4, 4)
 LOOPS(working_cty)
 
@@ -1115,6 +1191,7 @@ OVER(working_ctz_double) {
     STORE(coscrew_double, &co, 2, 3);
   }
 }
+STRIDED_WITH_FMA(working_ctz_double)
 LOOP(working_ctz_double, 3, DENSE_OR_ONE, 96, 48, 48, 32, 8, 8, 8)
 
 OVER(working_ctz_single) {
@@ -1129,6 +1206,7 @@ OVER(working_ctz_single) {
     STORE(coscrew_single, &co, 2, 3);
   }
 }
+STRIDED(working_ctz_single)
 LOOP(working_ctz_single, 3, DENSE_OR_ONE, 48, 24, 24, 16, 4, 4, 4)
 LOOPS(working_ctz)
 
@@ -1145,6 +1223,7 @@ OVER(working_crx_double) {
     STORE(coscrew_double, &co, 2, 3);
   }
 }
+STRIDED_WITH_FMA(working_crx_double)
 LOOP(working_crx_double, 3, DENSE_OR_ONE, 96, 48, 48, 32, 8, 8, 8)
 
 OVER(working_crx_single) {
@@ -1159,6 +1238,7 @@ OVER(working_crx_single) {
     STORE(coscrew_single, &co, 2, 3);
   }
 }
+STRIDED(working_crx_single)
 LOOP(working_crx_single, 3, DENSE_OR_ONE, 48, 24, 24, 16, 4, 4, 4)
 LOOPS(working_crx)
 
@@ -1175,6 +1255,7 @@ OVER(working_cry_double) {
     STORE(coscrew_double, &co, 2, 3);
   }
 }
+STRIDED_WITH_FMA(working_cry_double)
 LOOP(working_cry_double, 3, DENSE_OR_ONE, 96, 48, 48, 32, 8, 8, 8)
 
 OVER(working_cry_single) {
@@ -1189,6 +1270,7 @@ OVER(working_cry_single) {
     STORE(coscrew_single, &co, 2, 3);
   }
 }
+STRIDED(working_cry_single)
 LOOP(working_cry_single, 3, DENSE_OR_ONE, 48, 24, 24, 16, 4, 4, 4)
 LOOPS(working_cry)
 
@@ -1205,6 +1287,7 @@ OVER(working_crz_double) {
     STORE(coscrew_double, &co, 2, 3);
   }
 }
+STRIDED_WITH_FMA(working_crz_double)
 LOOP(working_crz_double, 3, DENSE_OR_ONE, 96, 48, 48, 32, 8, 8, 8)
 
 OVER(working_crz_single) {
@@ -1219,6 +1302,7 @@ OVER(working_crz_single) {
     STORE(coscrew_single, &co, 2, 3);
   }
 }
+STRIDED(working_crz_single)
 LOOP(working_crz_single, 3, DENSE_OR_ONE, 48, 24, 24, 16, 4, 4, 4)
 LOOPS(working_crz)
 

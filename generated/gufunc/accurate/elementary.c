@@ -21,7 +21,8 @@ OVER(sincos_double) {
     STORE(scalar_double, &c, 2, 0);
   }
 }
-LOOP(sincos_double, 3, DENSE, 8, 8, 8)
+STRIDED_WITH_FMA(sincos_double)
+LOOP(sincos_double, 3, ANY, 8, 8, 8)
 
 OVER(sincos_single) {
   POINTERS_3
@@ -35,6 +36,7 @@ OVER(sincos_single) {
     STORE(scalar_single, &c, 2, 0);
   }
 }
+STRIDED(sincos_single)
 LOOP(sincos_single, 3, DENSE, 4, 4, 4)
 LOOPS(sincos)
 
@@ -49,7 +51,8 @@ OVER(sin_double) {
     STORE(scalar_double, &s, 1, 0);
   }
 }
-LOOP(sin_double, 2, DENSE, 8, 8)
+STRIDED_WITH_FMA(sin_double)
+LOOP(sin_double, 2, ANY, 8, 8)
 
 OVER(sin_single) {
   POINTERS_2
@@ -61,6 +64,7 @@ OVER(sin_single) {
     STORE(scalar_single, &s, 1, 0);
   }
 }
+STRIDED(sin_single)
 LOOP(sin_single, 2, DENSE, 4, 4)
 LOOPS(sin)
 
@@ -75,7 +79,8 @@ OVER(cos_double) {
     STORE(scalar_double, &c, 1, 0);
   }
 }
-LOOP(cos_double, 2, DENSE, 8, 8)
+STRIDED_WITH_FMA(cos_double)
+LOOP(cos_double, 2, ANY, 8, 8)
 
 OVER(cos_single) {
   POINTERS_2
@@ -87,6 +92,7 @@ OVER(cos_single) {
     STORE(scalar_single, &c, 1, 0);
   }
 }
+STRIDED(cos_single)
 LOOP(cos_single, 2, DENSE, 4, 4)
 LOOPS(cos)
 
@@ -101,7 +107,8 @@ OVER(exp_double) {
     STORE(scalar_double, &y, 1, 0);
   }
 }
-LOOP(exp_double, 2, DENSE, 8, 8)
+STRIDED_WITH_FMA(exp_double)
+LOOP(exp_double, 2, ANY, 8, 8)
 
 OVER(exp_single) {
   POINTERS_2
@@ -113,6 +120,7 @@ OVER(exp_single) {
     STORE(scalar_single, &y, 1, 0);
   }
 }
+STRIDED(exp_single)
 LOOP(exp_single, 2, DENSE, 4, 4)
 LOOPS(exp)
 
@@ -127,7 +135,8 @@ OVER(tanh_double) {
     STORE(scalar_double, &y, 1, 0);
   }
 }
-LOOP(tanh_double, 2, DENSE, 8, 8)
+STRIDED_WITH_FMA(tanh_double)
+LOOP(tanh_double, 2, ANY, 8, 8)
 
 OVER(tanh_single) {
   POINTERS_2
@@ -139,6 +148,7 @@ OVER(tanh_single) {
     STORE(scalar_single, &y, 1, 0);
   }
 }
+STRIDED(tanh_single)
 LOOP(tanh_single, 2, DENSE, 4, 4)
 LOOPS(tanh)
 
@@ -155,6 +165,7 @@ OVER(atan2_double) {
     STORE(scalar_double, &angle, 2, 0);
   }
 }
+STRIDED_WITH_FMA(atan2_double)
 LOOP(atan2_double, 3, DENSE_OR_ONE, 8, 8, 8)
 
 OVER(atan2_single) {
@@ -169,6 +180,7 @@ OVER(atan2_single) {
     STORE(scalar_single, &angle, 2, 0);
   }
 }
+STRIDED(atan2_single)
 LOOP(atan2_single, 3, DENSE_OR_ONE, 4, 4, 4)
 LOOPS(atan2)
 

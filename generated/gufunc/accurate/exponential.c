@@ -19,7 +19,8 @@ OVER(SO3_exp_double) {
     STORE(mat3x3_double, &R, 1, 1);
   }
 }
-LOOP(SO3_exp_double, 2, DENSE, 24, 72, 8, 24, 8)
+STRIDED_WITH_FMA(SO3_exp_double)
+LOOP(SO3_exp_double, 2, ANY, 24, 72, 8, 24, 8)
 
 OVER(SO3_exp_single) {
   POINTERS_2
@@ -31,6 +32,7 @@ OVER(SO3_exp_single) {
     STORE(mat3x3_single, &R, 1, 1);
   }
 }
+STRIDED(SO3_exp_single)
 LOOP(SO3_exp_single, 2, DENSE, 12, 36, 4, 12, 4)
 LOOPS(SO3_exp)
 
@@ -45,7 +47,8 @@ OVER(SO3_log_double) {
     STORE(vec3_double, &vo, 1, 2);
   }
 }
-LOOP(SO3_log_double, 2, DENSE, 72, 24, 24, 8, 8)
+STRIDED_WITH_FMA(SO3_log_double)
+LOOP(SO3_log_double, 2, ANY, 72, 24, 24, 8, 8)
 
 OVER(SO3_log_single) {
   POINTERS_2
@@ -57,6 +60,7 @@ OVER(SO3_log_single) {
     STORE(vec3_single, &vo, 1, 2);
   }
 }
+STRIDED(SO3_log_single)
 LOOP(SO3_log_single, 2, DENSE, 36, 12, 12, 4, 4)
 LOOPS(SO3_log)
 
@@ -71,7 +75,8 @@ OVER(SO3_leftJacobian_double) {
     STORE(mat3x3_double, &R, 1, 1);
   }
 }
-LOOP(SO3_leftJacobian_double, 2, DENSE, 24, 72, 8, 24, 8)
+STRIDED_WITH_FMA(SO3_leftJacobian_double)
+LOOP(SO3_leftJacobian_double, 2, ANY, 24, 72, 8, 24, 8)
 
 OVER(SO3_leftJacobian_single) {
   POINTERS_2
@@ -83,6 +88,7 @@ OVER(SO3_leftJacobian_single) {
     STORE(mat3x3_single, &R, 1, 1);
   }
 }
+STRIDED(SO3_leftJacobian_single)
 LOOP(SO3_leftJacobian_single, 2, DENSE, 12, 36, 4, 12, 4)
 LOOPS(SO3_leftJacobian)
 
@@ -97,7 +103,8 @@ OVER(SO3_rightJacobian_double) {
     STORE(mat3x3_double, &R, 1, 1);
   }
 }
-LOOP(SO3_rightJacobian_double, 2, DENSE, 24, 72, 8, 24, 8)
+STRIDED_WITH_FMA(SO3_rightJacobian_double)
+LOOP(SO3_rightJacobian_double, 2, ANY, 24, 72, 8, 24, 8)
 
 OVER(SO3_rightJacobian_single) {
   POINTERS_2
@@ -109,6 +116,7 @@ OVER(SO3_rightJacobian_single) {
     STORE(mat3x3_single, &R, 1, 1);
   }
 }
+STRIDED(SO3_rightJacobian_single)
 LOOP(SO3_rightJacobian_single, 2, DENSE, 12, 36, 4, 12, 4)
 LOOPS(SO3_rightJacobian)
 
@@ -123,7 +131,8 @@ OVER(SO3_leftJacobianInverse_double) {
     STORE(mat3x3_double, &R, 1, 1);
   }
 }
-LOOP(SO3_leftJacobianInverse_double, 2, DENSE, 24, 72, 8, 24, 8)
+STRIDED_WITH_FMA(SO3_leftJacobianInverse_double)
+LOOP(SO3_leftJacobianInverse_double, 2, ANY, 24, 72, 8, 24, 8)
 
 OVER(SO3_leftJacobianInverse_single) {
   POINTERS_2
@@ -135,6 +144,7 @@ OVER(SO3_leftJacobianInverse_single) {
     STORE(mat3x3_single, &R, 1, 1);
   }
 }
+STRIDED(SO3_leftJacobianInverse_single)
 LOOP(SO3_leftJacobianInverse_single, 2, DENSE, 12, 36, 4, 12, 4)
 LOOPS(SO3_leftJacobianInverse)
 
@@ -149,7 +159,8 @@ OVER(SO3_rightJacobianInverse_double) {
     STORE(mat3x3_double, &R, 1, 1);
   }
 }
-LOOP(SO3_rightJacobianInverse_double, 2, DENSE, 24, 72, 8, 24, 8)
+STRIDED_WITH_FMA(SO3_rightJacobianInverse_double)
+LOOP(SO3_rightJacobianInverse_double, 2, ANY, 24, 72, 8, 24, 8)
 
 OVER(SO3_rightJacobianInverse_single) {
   POINTERS_2
@@ -161,6 +172,7 @@ OVER(SO3_rightJacobianInverse_single) {
     STORE(mat3x3_single, &R, 1, 1);
   }
 }
+STRIDED(SO3_rightJacobianInverse_single)
 LOOP(SO3_rightJacobianInverse_single, 2, DENSE, 12, 36, 4, 12, 4)
 LOOPS(SO3_rightJacobianInverse)
 
@@ -174,7 +186,8 @@ OVER(mat3x3_orthonormalize_double) {
     STORE(mat3x3_double, &self, 1, 2);
   }
 }
-LOOP(mat3x3_orthonormalize_double, 2, DENSE, 72, 72, 24, 8, 24, 8)
+STRIDED_WITH_FMA(mat3x3_orthonormalize_double)
+LOOP(mat3x3_orthonormalize_double, 2, ANY, 72, 72, 24, 8, 24, 8)
 
 OVER(mat3x3_orthonormalize_single) {
   POINTERS_2
@@ -185,6 +198,7 @@ OVER(mat3x3_orthonormalize_single) {
     STORE(mat3x3_single, &self, 1, 2);
   }
 }
+STRIDED(mat3x3_orthonormalize_single)
 LOOP(mat3x3_orthonormalize_single, 2, DENSE, 36, 36, 12, 4, 12, 4)
 LOOPS(mat3x3_orthonormalize)
 
@@ -199,7 +213,8 @@ OVER(mat3x3_orthonormalized_double) {
     STORE(mat3x3_double, &Ro, 1, 2);
   }
 }
-LOOP(mat3x3_orthonormalized_double, 2, DENSE, 72, 72, 24, 8, 24, 8)
+STRIDED_WITH_FMA(mat3x3_orthonormalized_double)
+LOOP(mat3x3_orthonormalized_double, 2, ANY, 72, 72, 24, 8, 24, 8)
 
 OVER(mat3x3_orthonormalized_single) {
   POINTERS_2
@@ -211,6 +226,7 @@ OVER(mat3x3_orthonormalized_single) {
     STORE(mat3x3_single, &Ro, 1, 2);
   }
 }
+STRIDED(mat3x3_orthonormalized_single)
 LOOP(mat3x3_orthonormalized_single, 2, DENSE, 36, 36, 12, 4, 12, 4)
 LOOPS(mat3x3_orthonormalized)
 
@@ -225,7 +241,8 @@ OVER(SE3_exp_double) {
     STORE(SE3_double, &D, 1, 1);
   }
 }
-LOOP(SE3_exp_double, 2, DENSE, 48, 96, 8, 32, 8)
+STRIDED_WITH_FMA(SE3_exp_double)
+LOOP(SE3_exp_double, 2, ANY, 48, 96, 8, 32, 8)
 
 OVER(SE3_exp_single) {
   POINTERS_2
@@ -237,6 +254,7 @@ OVER(SE3_exp_single) {
     STORE(SE3_single, &D, 1, 1);
   }
 }
+STRIDED(SE3_exp_single)
 LOOP(SE3_exp_single, 2, DENSE, 24, 48, 4, 16, 4)
 LOOPS(SE3_exp)
 
@@ -251,7 +269,8 @@ OVER(SE3_log_double) {
     STORE(screw_double, &so, 1, 2);
   }
 }
-LOOP(SE3_log_double, 2, DENSE, 96, 48, 32, 8, 8)
+STRIDED_WITH_FMA(SE3_log_double)
+LOOP(SE3_log_double, 2, ANY, 96, 48, 32, 8, 8)
 
 OVER(SE3_log_single) {
   POINTERS_2
@@ -263,7 +282,8 @@ OVER(SE3_log_single) {
     STORE(screw_single, &so, 1, 2);
   }
 }
-LOOP(SE3_log_single, 2, DENSE, 48, 24, 16, 4, 4)
+STRIDED(SE3_log_single)
+LOOP(SE3_log_single, 2, ANY, 48, 24, 16, 4, 4)
 LOOPS(SE3_log)
 
 /* (6)->(6,6) */
@@ -277,7 +297,8 @@ OVER(SE3_leftJacobian_double) {
     STORE(mat6x6_double, &M, 1, 1);
   }
 }
-LOOP(SE3_leftJacobian_double, 2, DENSE, 48, 288, 8, 48, 8)
+STRIDED_WITH_FMA(SE3_leftJacobian_double)
+LOOP(SE3_leftJacobian_double, 2, ANY, 48, 288, 8, 48, 8)
 
 OVER(SE3_leftJacobian_single) {
   POINTERS_2
@@ -289,7 +310,8 @@ OVER(SE3_leftJacobian_single) {
     STORE(mat6x6_single, &M, 1, 1);
   }
 }
-LOOP(SE3_leftJacobian_single, 2, DENSE, 24, 144, 4, 24, 4)
+STRIDED(SE3_leftJacobian_single)
+LOOP(SE3_leftJacobian_single, 2, ANY, 24, 144, 4, 24, 4)
 LOOPS(SE3_leftJacobian)
 
 /* (6)->(6,6) */
@@ -303,7 +325,8 @@ OVER(SE3_rightJacobian_double) {
     STORE(mat6x6_double, &M, 1, 1);
   }
 }
-LOOP(SE3_rightJacobian_double, 2, DENSE, 48, 288, 8, 48, 8)
+STRIDED_WITH_FMA(SE3_rightJacobian_double)
+LOOP(SE3_rightJacobian_double, 2, ANY, 48, 288, 8, 48, 8)
 
 OVER(SE3_rightJacobian_single) {
   POINTERS_2
@@ -315,7 +338,8 @@ OVER(SE3_rightJacobian_single) {
     STORE(mat6x6_single, &M, 1, 1);
   }
 }
-LOOP(SE3_rightJacobian_single, 2, DENSE, 24, 144, 4, 24, 4)
+STRIDED(SE3_rightJacobian_single)
+LOOP(SE3_rightJacobian_single, 2, ANY, 24, 144, 4, 24, 4)
 LOOPS(SE3_rightJacobian)
 
 /* (6)->(6,6) */
@@ -329,7 +353,8 @@ OVER(SE3_leftJacobianInverse_double) {
     STORE(mat6x6_double, &M, 1, 1);
   }
 }
-LOOP(SE3_leftJacobianInverse_double, 2, DENSE, 48, 288, 8, 48, 8)
+STRIDED_WITH_FMA(SE3_leftJacobianInverse_double)
+LOOP(SE3_leftJacobianInverse_double, 2, ANY, 48, 288, 8, 48, 8)
 
 OVER(SE3_leftJacobianInverse_single) {
   POINTERS_2
@@ -341,7 +366,8 @@ OVER(SE3_leftJacobianInverse_single) {
     STORE(mat6x6_single, &M, 1, 1);
   }
 }
-LOOP(SE3_leftJacobianInverse_single, 2, DENSE, 24, 144, 4, 24, 4)
+STRIDED(SE3_leftJacobianInverse_single)
+LOOP(SE3_leftJacobianInverse_single, 2, ANY, 24, 144, 4, 24, 4)
 LOOPS(SE3_leftJacobianInverse)
 
 /* (6)->(6,6) */
@@ -355,7 +381,8 @@ OVER(SE3_rightJacobianInverse_double) {
     STORE(mat6x6_double, &M, 1, 1);
   }
 }
-LOOP(SE3_rightJacobianInverse_double, 2, DENSE, 48, 288, 8, 48, 8)
+STRIDED_WITH_FMA(SE3_rightJacobianInverse_double)
+LOOP(SE3_rightJacobianInverse_double, 2, ANY, 48, 288, 8, 48, 8)
 
 OVER(SE3_rightJacobianInverse_single) {
   POINTERS_2
@@ -367,7 +394,8 @@ OVER(SE3_rightJacobianInverse_single) {
     STORE(mat6x6_single, &M, 1, 1);
   }
 }
-LOOP(SE3_rightJacobianInverse_single, 2, DENSE, 24, 144, 4, 24, 4)
+STRIDED(SE3_rightJacobianInverse_single)
+LOOP(SE3_rightJacobianInverse_single, 2, ANY, 24, 144, 4, 24, 4)
 LOOPS(SE3_rightJacobianInverse)
 
 /* (3,4),(3,4),()->(3,4) */
@@ -385,7 +413,8 @@ OVER(SE3_interpolated_double) {
     STORE(SE3_double, &Do, 3, 4);
   }
 }
-LOOP(SE3_interpolated_double, 4, DENSE_OR_ONE, 96, 96, 8, 96, 32, 8, 32, 8, 32, 8)
+STRIDED_WITH_FMA(SE3_interpolated_double)
+LOOP(SE3_interpolated_double, 4, ANY, 96, 96, 8, 96, 32, 8, 32, 8, 32, 8)
 
 OVER(SE3_interpolated_single) {
   POINTERS_4
@@ -401,6 +430,7 @@ OVER(SE3_interpolated_single) {
     STORE(SE3_single, &Do, 3, 4);
   }
 }
+STRIDED(SE3_interpolated_single)
 LOOP(SE3_interpolated_single, 4, DENSE_OR_ONE, 48, 48, 4, 48, 16, 4, 16, 4, 16, 4)
 LOOPS(SE3_interpolated)
 

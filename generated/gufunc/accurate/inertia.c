@@ -33,6 +33,7 @@ OVER(inertia_double) {
     STORE(inertia_double, &J, 8, 1);
   }
 }
+STRIDED_WITH_FMA(inertia_double)
 LOOP(inertia_double, 9, DENSE_OR_ONE, 8, 24, 8, 8, 8, 8, 8, 8, 80, 8, 8)
 
 OVER(inertia_single) {
@@ -59,6 +60,7 @@ OVER(inertia_single) {
     STORE(inertia_single, &J, 8, 1);
   }
 }
+STRIDED(inertia_single)
 LOOP(inertia_single, 9, DENSE_OR_ONE, 4, 12, 4, 4, 4, 4, 4, 4, 40, 4, 4)
 LOOPS(inertia)
 
@@ -75,6 +77,7 @@ OVER(inertia_rotated_double) {
     STORE(inertia_double, &Jo, 2, 3);
   }
 }
+STRIDED_WITH_FMA(inertia_rotated_double)
 LOOP(inertia_rotated_double, 3, DENSE_OR_ONE, 80, 72, 80, 8, 24, 8, 8)
 
 OVER(inertia_rotated_single) {
@@ -89,6 +92,7 @@ OVER(inertia_rotated_single) {
     STORE(inertia_single, &Jo, 2, 3);
   }
 }
+STRIDED(inertia_rotated_single)
 LOOP(inertia_rotated_single, 3, DENSE_OR_ONE, 40, 36, 40, 4, 12, 4, 4)
 LOOPS(inertia_rotated)
 
@@ -104,7 +108,8 @@ OVER(inertia_rotate_double) {
     STORE(inertia_double, &self, 2, 3);
   }
 }
-LOOP(inertia_rotate_double, 3, DENSE, 80, 72, 80, 8, 24, 8, 8)
+STRIDED_WITH_FMA(inertia_rotate_double)
+LOOP(inertia_rotate_double, 3, ANY, 80, 72, 80, 8, 24, 8, 8)
 
 OVER(inertia_rotate_single) {
   POINTERS_3
@@ -117,6 +122,7 @@ OVER(inertia_rotate_single) {
     STORE(inertia_single, &self, 2, 3);
   }
 }
+STRIDED(inertia_rotate_single)
 LOOP(inertia_rotate_single, 3, DENSE, 40, 36, 40, 4, 12, 4, 4)
 LOOPS(inertia_rotate)
 
@@ -133,6 +139,7 @@ OVER(inertia_translated_double) {
     STORE(inertia_double, &Jo, 2, 2);
   }
 }
+STRIDED_WITH_FMA(inertia_translated_double)
 LOOP(inertia_translated_double, 3, DENSE_OR_ONE, 80, 24, 80, 8, 8, 8)
 
 OVER(inertia_translated_single) {
@@ -147,6 +154,7 @@ OVER(inertia_translated_single) {
     STORE(inertia_single, &Jo, 2, 2);
   }
 }
+STRIDED(inertia_translated_single)
 LOOP(inertia_translated_single, 3, DENSE_OR_ONE, 40, 12, 40, 4, 4, 4)
 LOOPS(inertia_translated)
 
@@ -162,6 +170,7 @@ OVER(inertia_translate_double) {
     STORE(inertia_double, &self, 2, 2);
   }
 }
+STRIDED_WITH_FMA(inertia_translate_double)
 LOOP(inertia_translate_double, 3, DENSE, 80, 24, 80, 8, 8, 8)
 
 OVER(inertia_translate_single) {
@@ -175,6 +184,7 @@ OVER(inertia_translate_single) {
     STORE(inertia_single, &self, 2, 2);
   }
 }
+STRIDED(inertia_translate_single)
 LOOP(inertia_translate_single, 3, DENSE, 40, 12, 40, 4, 4, 4)
 LOOPS(inertia_translate)
 
@@ -191,6 +201,7 @@ OVER(inertia_transformed_double) {
     STORE(inertia_double, &Jo, 2, 3);
   }
 }
+STRIDED_WITH_FMA(inertia_transformed_double)
 LOOP(inertia_transformed_double, 3, DENSE_OR_ONE, 80, 96, 80, 8, 32, 8, 8)
 
 OVER(inertia_transformed_single) {
@@ -205,6 +216,7 @@ OVER(inertia_transformed_single) {
     STORE(inertia_single, &Jo, 2, 3);
   }
 }
+STRIDED(inertia_transformed_single)
 LOOP(inertia_transformed_single, 3, DENSE_OR_ONE, 40, 48, 40, 4, 16, 4, 4)
 LOOPS(inertia_transformed)
 
@@ -220,7 +232,8 @@ OVER(inertia_transform_double) {
     STORE(inertia_double, &self, 2, 3);
   }
 }
-LOOP(inertia_transform_double, 3, DENSE, 80, 96, 80, 8, 32, 8, 8)
+STRIDED_WITH_FMA(inertia_transform_double)
+LOOP(inertia_transform_double, 3, ANY, 80, 96, 80, 8, 32, 8, 8)
 
 OVER(inertia_transform_single) {
   POINTERS_3
@@ -233,6 +246,7 @@ OVER(inertia_transform_single) {
     STORE(inertia_single, &self, 2, 3);
   }
 }
+STRIDED(inertia_transform_single)
 LOOP(inertia_transform_single, 3, DENSE, 40, 48, 40, 4, 16, 4, 4)
 LOOPS(inertia_transform)
 
@@ -254,7 +268,8 @@ OVER(inertia_merge_double) {
     STORE(inertia_double, &Ji, 5, 6);
   }
 }
-LOOP(inertia_merge_double, 6, DENSE, 80, 24, 80, 24, 96, 80, 8, 8, 8, 8, 32, 8, 8)
+STRIDED_WITH_FMA(inertia_merge_double)
+LOOP(inertia_merge_double, 6, ANY, 80, 24, 80, 24, 96, 80, 8, 8, 8, 8, 32, 8, 8)
 
 OVER(inertia_merge_single) {
   POINTERS_6
@@ -273,6 +288,7 @@ OVER(inertia_merge_single) {
     STORE(inertia_single, &Ji, 5, 6);
   }
 }
+STRIDED(inertia_merge_single)
 LOOP(inertia_merge_single, 6, DENSE, 40, 12, 40, 12, 48, 40, 4, 4, 4, 4, 16, 4, 4)
 LOOPS(inertia_merge)
 

@@ -21,6 +21,7 @@ OVER(acceleration_tensor_double) {
     STORE(mat3x3_double, &Ro, 2, 2);
   }
 }
+STRIDED_WITH_FMA(acceleration_tensor_double)
 LOOP(acceleration_tensor_double, 3, DENSE_OR_ONE, 24, 24, 72, 8, 8, 24, 8)
 
 OVER(acceleration_tensor_single) {
@@ -35,6 +36,7 @@ OVER(acceleration_tensor_single) {
     STORE(mat3x3_single, &Ro, 2, 2);
   }
 }
+STRIDED(acceleration_tensor_single)
 LOOP(acceleration_tensor_single, 3, DENSE_OR_ONE, 12, 12, 36, 4, 4, 12, 4)
 LOOPS(acceleration_tensor)
 
@@ -49,6 +51,7 @@ OVER(mat3x3_determinant_double) {
     STORE(scalar_double, &det, 1, 2);
   }
 }
+STRIDED_WITH_FMA(mat3x3_determinant_double)
 LOOP(mat3x3_determinant_double, 2, DENSE, 72, 8, 24, 8)
 
 OVER(mat3x3_determinant_single) {
@@ -61,6 +64,7 @@ OVER(mat3x3_determinant_single) {
     STORE(scalar_single, &det, 1, 2);
   }
 }
+STRIDED(mat3x3_determinant_single)
 LOOP(mat3x3_determinant_single, 2, DENSE, 36, 4, 12, 4)
 LOOPS(mat3x3_determinant)
 
@@ -77,7 +81,8 @@ OVER(mat3x3_inverse_double) {
     STORE(mat3x3_double, &Ro, 2, 2);
   }
 }
-LOOP(mat3x3_inverse_double, 3, DENSE, 72, 8, 72, 24, 8, 24, 8)
+STRIDED_WITH_FMA(mat3x3_inverse_double)
+LOOP(mat3x3_inverse_double, 3, ANY, 72, 8, 72, 24, 8, 24, 8)
 
 OVER(mat3x3_inverse_single) {
   POINTERS_3
@@ -91,6 +96,7 @@ OVER(mat3x3_inverse_single) {
     STORE(mat3x3_single, &Ro, 2, 2);
   }
 }
+STRIDED(mat3x3_inverse_single)
 LOOP(mat3x3_inverse_single, 3, DENSE, 36, 4, 36, 12, 4, 12, 4)
 LOOPS(mat3x3_inverse)
 
@@ -104,7 +110,8 @@ OVER(mat3x3_normalize_double) {
     STORE(mat3x3_double, &self, 1, 2);
   }
 }
-LOOP(mat3x3_normalize_double, 2, DENSE, 72, 72, 24, 8, 24, 8)
+STRIDED_WITH_FMA(mat3x3_normalize_double)
+LOOP(mat3x3_normalize_double, 2, ANY, 72, 72, 24, 8, 24, 8)
 
 OVER(mat3x3_normalize_single) {
   POINTERS_2
@@ -115,6 +122,7 @@ OVER(mat3x3_normalize_single) {
     STORE(mat3x3_single, &self, 1, 2);
   }
 }
+STRIDED(mat3x3_normalize_single)
 LOOP(mat3x3_normalize_single, 2, DENSE, 36, 36, 12, 4, 12, 4)
 LOOPS(mat3x3_normalize)
 
@@ -129,7 +137,8 @@ OVER(mat3x3_normalized_double) {
     STORE(mat3x3_double, &Ro, 1, 2);
   }
 }
-LOOP(mat3x3_normalized_double, 2, DENSE, 72, 72, 24, 8, 24, 8)
+STRIDED_WITH_FMA(mat3x3_normalized_double)
+LOOP(mat3x3_normalized_double, 2, ANY, 72, 72, 24, 8, 24, 8)
 
 OVER(mat3x3_normalized_single) {
   POINTERS_2
@@ -141,6 +150,7 @@ OVER(mat3x3_normalized_single) {
     STORE(mat3x3_single, &Ro, 1, 2);
   }
 }
+STRIDED(mat3x3_normalized_single)
 LOOP(mat3x3_normalized_single, 2, DENSE, 36, 36, 12, 4, 12, 4)
 LOOPS(mat3x3_normalized)
 
@@ -157,6 +167,7 @@ OVER(mat3x3_setFromAxisDC_double) {
     STORE(mat3x3_double, &R, 2, 2);
   }
 }
+STRIDED_WITH_FMA(mat3x3_setFromAxisDC_double)
 LOOP(mat3x3_setFromAxisDC_double, 3, DENSE_OR_ONE, 24, 16, 72, 8, 8, 24, 8)
 
 OVER(mat3x3_setFromAxisDC_single) {
@@ -171,6 +182,7 @@ OVER(mat3x3_setFromAxisDC_single) {
     STORE(mat3x3_single, &R, 2, 2);
   }
 }
+STRIDED(mat3x3_setFromAxisDC_single)
 LOOP(mat3x3_setFromAxisDC_single, 3, DENSE_OR_ONE, 12, 8, 36, 4, 4, 12, 4)
 LOOPS(mat3x3_setFromAxisDC)
 
@@ -185,7 +197,8 @@ OVER(mat3x3_from_euler_xyz_double) {
     STORE(mat3x3_double, &R, 1, 1);
   }
 }
-LOOP(mat3x3_from_euler_xyz_double, 2, DENSE, 24, 72, 8, 24, 8)
+STRIDED_WITH_FMA(mat3x3_from_euler_xyz_double)
+LOOP(mat3x3_from_euler_xyz_double, 2, ANY, 24, 72, 8, 24, 8)
 
 OVER(mat3x3_from_euler_xyz_single) {
   POINTERS_2
@@ -197,7 +210,8 @@ OVER(mat3x3_from_euler_xyz_single) {
     STORE(mat3x3_single, &R, 1, 1);
   }
 }
-LOOP(mat3x3_from_euler_xyz_single, 2, DENSE, 12, 36, 4, 12, 4)
+STRIDED(mat3x3_from_euler_xyz_single)
+LOOP(mat3x3_from_euler_xyz_single, 2, ANY, 12, 36, 4, 12, 4)
 LOOPS(mat3x3_from_euler_xyz)
 
 /* (3,3)->(3) */
@@ -211,7 +225,8 @@ OVER(euler_xyz_from_mat3x3_double) {
     STORE(vec3_double, &angles, 1, 2);
   }
 }
-LOOP(euler_xyz_from_mat3x3_double, 2, DENSE, 72, 24, 24, 8, 8)
+STRIDED_WITH_FMA(euler_xyz_from_mat3x3_double)
+LOOP(euler_xyz_from_mat3x3_double, 2, ANY, 72, 24, 24, 8, 8)
 
 OVER(euler_xyz_from_mat3x3_single) {
   POINTERS_2
@@ -223,7 +238,8 @@ OVER(euler_xyz_from_mat3x3_single) {
     STORE(vec3_single, &angles, 1, 2);
   }
 }
-LOOP(euler_xyz_from_mat3x3_single, 2, DENSE, 36, 12, 12, 4, 4)
+STRIDED(euler_xyz_from_mat3x3_single)
+LOOP(euler_xyz_from_mat3x3_single, 2, ANY, 36, 12, 12, 4, 4)
 LOOPS(euler_xyz_from_mat3x3)
 
 /* (3)->(3,3) */
@@ -237,7 +253,8 @@ OVER(mat3x3_from_euler_xyx_double) {
     STORE(mat3x3_double, &R, 1, 1);
   }
 }
-LOOP(mat3x3_from_euler_xyx_double, 2, DENSE, 24, 72, 8, 24, 8)
+STRIDED_WITH_FMA(mat3x3_from_euler_xyx_double)
+LOOP(mat3x3_from_euler_xyx_double, 2, ANY, 24, 72, 8, 24, 8)
 
 OVER(mat3x3_from_euler_xyx_single) {
   POINTERS_2
@@ -249,7 +266,8 @@ OVER(mat3x3_from_euler_xyx_single) {
     STORE(mat3x3_single, &R, 1, 1);
   }
 }
-LOOP(mat3x3_from_euler_xyx_single, 2, DENSE, 12, 36, 4, 12, 4)
+STRIDED(mat3x3_from_euler_xyx_single)
+LOOP(mat3x3_from_euler_xyx_single, 2, ANY, 12, 36, 4, 12, 4)
 LOOPS(mat3x3_from_euler_xyx)
 
 /* (3,3)->(3) */
@@ -263,7 +281,8 @@ OVER(euler_xyx_from_mat3x3_double) {
     STORE(vec3_double, &angles, 1, 2);
   }
 }
-LOOP(euler_xyx_from_mat3x3_double, 2, DENSE, 72, 24, 24, 8, 8)
+STRIDED_WITH_FMA(euler_xyx_from_mat3x3_double)
+LOOP(euler_xyx_from_mat3x3_double, 2, ANY, 72, 24, 24, 8, 8)
 
 OVER(euler_xyx_from_mat3x3_single) {
   POINTERS_2
@@ -275,7 +294,8 @@ OVER(euler_xyx_from_mat3x3_single) {
     STORE(vec3_single, &angles, 1, 2);
   }
 }
-LOOP(euler_xyx_from_mat3x3_single, 2, DENSE, 36, 12, 12, 4, 4)
+STRIDED(euler_xyx_from_mat3x3_single)
+LOOP(euler_xyx_from_mat3x3_single, 2, ANY, 36, 12, 12, 4, 4)
 LOOPS(euler_xyx_from_mat3x3)
 
 /* (3,3),(3,3)->(3,3),(3,3) */
@@ -291,7 +311,8 @@ OVER(mat3x3_jacobi_double) {
     STORE(mat3x3_double, &V, 3, 6);
   }
 }
-LOOP(mat3x3_jacobi_double, 4, DENSE, 72, 72, 72, 72, 24, 8, 24, 8, 24, 8, 24, 8)
+STRIDED_WITH_FMA(mat3x3_jacobi_double)
+LOOP(mat3x3_jacobi_double, 4, ANY, 72, 72, 72, 72, 24, 8, 24, 8, 24, 8, 24, 8)
 
 OVER(mat3x3_jacobi_single) {
   POINTERS_4
@@ -305,6 +326,7 @@ OVER(mat3x3_jacobi_single) {
     STORE(mat3x3_single, &V, 3, 6);
   }
 }
+STRIDED(mat3x3_jacobi_single)
 LOOP(mat3x3_jacobi_single, 4, DENSE, 36, 36, 36, 36, 12, 4, 12, 4, 12, 4, 12, 4)
 LOOPS(mat3x3_jacobi)
 
@@ -319,7 +341,8 @@ OVER(mat3x3_rotation_defect_double) {
     STORE(scalar_double, &defect, 1, 2);
   }
 }
-LOOP(mat3x3_rotation_defect_double, 2, DENSE, 72, 8, 24, 8)
+STRIDED_WITH_FMA(mat3x3_rotation_defect_double)
+LOOP(mat3x3_rotation_defect_double, 2, ANY, 72, 8, 24, 8)
 
 OVER(mat3x3_rotation_defect_single) {
   POINTERS_2
@@ -331,6 +354,7 @@ OVER(mat3x3_rotation_defect_single) {
     STORE(scalar_single, &defect, 1, 2);
   }
 }
+STRIDED(mat3x3_rotation_defect_single)
 LOOP(mat3x3_rotation_defect_single, 2, DENSE, 36, 4, 12, 4)
 LOOPS(mat3x3_rotation_defect)
 
@@ -347,6 +371,7 @@ OVER(mat3x3_from_axis_angle_double) {
     STORE(mat3x3_double, &R, 2, 1);
   }
 }
+STRIDED_WITH_FMA(mat3x3_from_axis_angle_double)
 LOOP(mat3x3_from_axis_angle_double, 3, DENSE_OR_ONE, 24, 8, 72, 8, 24, 8)
 
 OVER(mat3x3_from_axis_angle_single) {
@@ -361,6 +386,7 @@ OVER(mat3x3_from_axis_angle_single) {
     STORE(mat3x3_single, &R, 2, 1);
   }
 }
+STRIDED(mat3x3_from_axis_angle_single)
 LOOP(mat3x3_from_axis_angle_single, 3, DENSE_OR_ONE, 12, 4, 36, 4, 12, 4)
 LOOPS(mat3x3_from_axis_angle)
 
@@ -377,7 +403,8 @@ OVER(axis_angle_from_mat3x3_double) {
     STORE(vec3_double, &axis, 2, 2);
   }
 }
-LOOP(axis_angle_from_mat3x3_double, 3, DENSE, 72, 8, 24, 24, 8, 8)
+STRIDED_WITH_FMA(axis_angle_from_mat3x3_double)
+LOOP(axis_angle_from_mat3x3_double, 3, ANY, 72, 8, 24, 24, 8, 8)
 
 OVER(axis_angle_from_mat3x3_single) {
   POINTERS_3
@@ -391,6 +418,7 @@ OVER(axis_angle_from_mat3x3_single) {
     STORE(vec3_single, &axis, 2, 2);
   }
 }
+STRIDED(axis_angle_from_mat3x3_single)
 LOOP(axis_angle_from_mat3x3_single, 3, DENSE, 36, 4, 12, 12, 4, 4)
 LOOPS(axis_angle_from_mat3x3)
 

@@ -21,6 +21,7 @@ OVER(mat6x6_rotated_double) {
     STORE(mat6x6_double, &Mo, 2, 4);
   }
 }
+STRIDED_WITH_FMA(mat6x6_rotated_double)
 LOOP(mat6x6_rotated_double, 3, DENSE_OR_ONE, 72, 288, 288, 24, 8, 48, 8, 48, 8)
 
 OVER(mat6x6_rotated_single) {
@@ -35,6 +36,7 @@ OVER(mat6x6_rotated_single) {
     STORE(mat6x6_single, &Mo, 2, 4);
   }
 }
+STRIDED(mat6x6_rotated_single)
 LOOP(mat6x6_rotated_single, 3, DENSE_OR_ONE, 36, 144, 144, 12, 4, 24, 4, 24, 4)
 LOOPS(mat6x6_rotated)
 
@@ -51,6 +53,7 @@ OVER(mat6x6_shifted_double) {
     STORE(mat6x6_double, &Mo, 2, 3);
   }
 }
+STRIDED_WITH_FMA(mat6x6_shifted_double)
 LOOP(mat6x6_shifted_double, 3, DENSE_OR_ONE, 24, 288, 288, 8, 48, 8, 48, 8)
 
 OVER(mat6x6_shifted_single) {
@@ -65,6 +68,7 @@ OVER(mat6x6_shifted_single) {
     STORE(mat6x6_single, &Mo, 2, 3);
   }
 }
+STRIDED(mat6x6_shifted_single)
 LOOP(mat6x6_shifted_single, 3, DENSE_OR_ONE, 12, 144, 144, 4, 24, 4, 24, 4)
 LOOPS(mat6x6_shifted)
 

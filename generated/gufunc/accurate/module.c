@@ -37,7 +37,7 @@ PyMODINIT_FUNC PyInit__gufunc(void) {
   PyObject *module = PyModule_Create(&definition);
   if (module == NULL
       || add_gufuncs(module, best ? avx2 : baseline, sizeof baseline / sizeof baseline[0]) < 0
-      || PyModule_AddStringConstant(module, "PROVENANCE", "2b9374669b8e480a") < 0
+      || PyModule_AddStringConstant(module, "PROVENANCE", "c9f7668f92393c6b") < 0
       || PyModule_AddStringConstant(module, "LOOPS", best ? "AVX2 with FMA" : "baseline") < 0) {
     Py_XDECREF(module);
     return NULL;

@@ -20,6 +20,7 @@ OVER(quaternion_scale_double) {
     STORE(quaternion_double, &self, 2, 1);
   }
 }
+STRIDED_WITH_FMA(quaternion_scale_double)
 LOOP(quaternion_scale_double, 3, DENSE, 32, 8, 32, 8, 8)
 
 OVER(quaternion_scale_single) {
@@ -33,6 +34,7 @@ OVER(quaternion_scale_single) {
     STORE(quaternion_single, &self, 2, 1);
   }
 }
+STRIDED(quaternion_scale_single)
 LOOP(quaternion_scale_single, 3, DENSE, 16, 4, 16, 4, 4)
 LOOPS(quaternion_scale)
 
@@ -50,6 +52,7 @@ OVER(axpy_qq_double) {
     STORE(quaternion_double, &y, 3, 2);
   }
 }
+STRIDED_WITH_FMA(axpy_qq_double)
 LOOP(axpy_qq_double, 4, DENSE_OR_ONE, 8, 32, 32, 32, 8, 8, 8)
 
 OVER(axpy_qq_single) {
@@ -65,6 +68,7 @@ OVER(axpy_qq_single) {
     STORE(quaternion_single, &y, 3, 2);
   }
 }
+STRIDED(axpy_qq_single)
 LOOP(axpy_qq_single, 4, DENSE_OR_ONE, 4, 16, 16, 16, 4, 4, 4)
 LOOPS(axpy_qq)
 
@@ -79,6 +83,7 @@ OVER(quaternion_norm_double) {
     STORE(scalar_double, &norm, 1, 1);
   }
 }
+STRIDED_WITH_FMA(quaternion_norm_double)
 LOOP(quaternion_norm_double, 2, DENSE, 32, 8, 8)
 
 OVER(quaternion_norm_single) {
@@ -91,6 +96,7 @@ OVER(quaternion_norm_single) {
     STORE(scalar_single, &norm, 1, 1);
   }
 }
+STRIDED(quaternion_norm_single)
 LOOP(quaternion_norm_single, 2, DENSE, 16, 4, 4)
 LOOPS(quaternion_norm)
 
@@ -104,6 +110,7 @@ OVER(quaternion_normalize_double) {
     STORE(quaternion_double, &self, 1, 1);
   }
 }
+STRIDED_WITH_FMA(quaternion_normalize_double)
 LOOP(quaternion_normalize_double, 2, DENSE, 32, 32, 8, 8)
 
 OVER(quaternion_normalize_single) {
@@ -115,6 +122,7 @@ OVER(quaternion_normalize_single) {
     STORE(quaternion_single, &self, 1, 1);
   }
 }
+STRIDED(quaternion_normalize_single)
 LOOP(quaternion_normalize_single, 2, DENSE, 16, 16, 4, 4)
 LOOPS(quaternion_normalize)
 
@@ -129,6 +137,7 @@ OVER(quaternion_normalized_double) {
     STORE(quaternion_double, &qo, 1, 1);
   }
 }
+STRIDED_WITH_FMA(quaternion_normalized_double)
 LOOP(quaternion_normalized_double, 2, DENSE, 32, 32, 8, 8)
 
 OVER(quaternion_normalized_single) {
@@ -141,6 +150,7 @@ OVER(quaternion_normalized_single) {
     STORE(quaternion_single, &qo, 1, 1);
   }
 }
+STRIDED(quaternion_normalized_single)
 LOOP(quaternion_normalized_single, 2, DENSE, 16, 16, 4, 4)
 LOOPS(quaternion_normalized)
 
@@ -155,6 +165,7 @@ OVER(quaternion_unit_defect_double) {
     STORE(scalar_double, &defect, 1, 1);
   }
 }
+STRIDED_WITH_FMA(quaternion_unit_defect_double)
 LOOP(quaternion_unit_defect_double, 2, DENSE, 32, 8, 8)
 
 OVER(quaternion_unit_defect_single) {
@@ -167,6 +178,7 @@ OVER(quaternion_unit_defect_single) {
     STORE(scalar_single, &defect, 1, 1);
   }
 }
+STRIDED(quaternion_unit_defect_single)
 LOOP(quaternion_unit_defect_single, 2, DENSE, 16, 4, 4)
 LOOPS(quaternion_unit_defect)
 
@@ -181,6 +193,7 @@ OVER(quaternion_nearest_unit_double) {
     STORE(quaternion_double, &qo, 1, 1);
   }
 }
+STRIDED_WITH_FMA(quaternion_nearest_unit_double)
 LOOP(quaternion_nearest_unit_double, 2, DENSE, 32, 32, 8, 8)
 
 OVER(quaternion_nearest_unit_single) {
@@ -193,6 +206,7 @@ OVER(quaternion_nearest_unit_single) {
     STORE(quaternion_single, &qo, 1, 1);
   }
 }
+STRIDED(quaternion_nearest_unit_single)
 LOOP(quaternion_nearest_unit_single, 2, DENSE, 16, 16, 4, 4)
 LOOPS(quaternion_nearest_unit)
 
@@ -209,6 +223,7 @@ OVER(rotate_qv_double) {
     STORE(vec3_double, &vo, 2, 2);
   }
 }
+STRIDED_WITH_FMA(rotate_qv_double)
 LOOP(rotate_qv_double, 3, DENSE_OR_ONE, 32, 24, 24, 8, 8, 8)
 
 OVER(rotate_qv_single) {
@@ -223,6 +238,7 @@ OVER(rotate_qv_single) {
     STORE(vec3_single, &vo, 2, 2);
   }
 }
+STRIDED(rotate_qv_single)
 LOOP(rotate_qv_single, 3, DENSE_OR_ONE, 16, 12, 12, 4, 4, 4)
 LOOPS(rotate_qv)
 
@@ -239,6 +255,7 @@ OVER(rotate_qconjv_double) {
     STORE(vec3_double, &vo, 2, 2);
   }
 }
+STRIDED_WITH_FMA(rotate_qconjv_double)
 LOOP(rotate_qconjv_double, 3, DENSE_OR_ONE, 32, 24, 24, 8, 8, 8)
 
 OVER(rotate_qconjv_single) {
@@ -253,6 +270,7 @@ OVER(rotate_qconjv_single) {
     STORE(vec3_single, &vo, 2, 2);
   }
 }
+STRIDED(rotate_qconjv_single)
 LOOP(rotate_qconjv_single, 3, DENSE_OR_ONE, 16, 12, 12, 4, 4, 4)
 LOOPS(rotate_qconjv)
 
@@ -269,6 +287,7 @@ OVER(quaternion_product_qq_double) {
     STORE(quaternion_double, &qo, 2, 2);
   }
 }
+STRIDED_WITH_FMA(quaternion_product_qq_double)
 LOOP(quaternion_product_qq_double, 3, DENSE_OR_ONE, 32, 32, 32, 8, 8, 8)
 
 OVER(quaternion_product_qq_single) {
@@ -283,6 +302,7 @@ OVER(quaternion_product_qq_single) {
     STORE(quaternion_single, &qo, 2, 2);
   }
 }
+STRIDED(quaternion_product_qq_single)
 LOOP(quaternion_product_qq_single, 3, DENSE_OR_ONE, 16, 16, 16, 4, 4, 4)
 LOOPS(quaternion_product_qq)
 
@@ -299,6 +319,7 @@ OVER(quaternion_product_qqconj_double) {
     STORE(quaternion_double, &qo, 2, 2);
   }
 }
+STRIDED_WITH_FMA(quaternion_product_qqconj_double)
 LOOP(quaternion_product_qqconj_double, 3, DENSE_OR_ONE, 32, 32, 32, 8, 8, 8)
 
 OVER(quaternion_product_qqconj_single) {
@@ -313,6 +334,7 @@ OVER(quaternion_product_qqconj_single) {
     STORE(quaternion_single, &qo, 2, 2);
   }
 }
+STRIDED(quaternion_product_qqconj_single)
 LOOP(quaternion_product_qqconj_single, 3, DENSE_OR_ONE, 16, 16, 16, 4, 4, 4)
 LOOPS(quaternion_product_qqconj)
 
@@ -329,6 +351,7 @@ OVER(quaternion_product_qconjq_double) {
     STORE(quaternion_double, &qo, 2, 2);
   }
 }
+STRIDED_WITH_FMA(quaternion_product_qconjq_double)
 LOOP(quaternion_product_qconjq_double, 3, DENSE_OR_ONE, 32, 32, 32, 8, 8, 8)
 
 OVER(quaternion_product_qconjq_single) {
@@ -343,6 +366,7 @@ OVER(quaternion_product_qconjq_single) {
     STORE(quaternion_single, &qo, 2, 2);
   }
 }
+STRIDED(quaternion_product_qconjq_single)
 LOOP(quaternion_product_qconjq_single, 3, DENSE_OR_ONE, 16, 16, 16, 4, 4, 4)
 LOOPS(quaternion_product_qconjq)
 
@@ -359,6 +383,7 @@ OVER(quaternion_product_qconjqconj_double) {
     STORE(quaternion_double, &qo, 2, 2);
   }
 }
+STRIDED_WITH_FMA(quaternion_product_qconjqconj_double)
 LOOP(quaternion_product_qconjqconj_double, 3, DENSE_OR_ONE, 32, 32, 32, 8, 8, 8)
 
 OVER(quaternion_product_qconjqconj_single) {
@@ -373,6 +398,7 @@ OVER(quaternion_product_qconjqconj_single) {
     STORE(quaternion_single, &qo, 2, 2);
   }
 }
+STRIDED(quaternion_product_qconjqconj_single)
 LOOP(quaternion_product_qconjqconj_single, 3, DENSE_OR_ONE, 16, 16, 16, 4, 4, 4)
 LOOPS(quaternion_product_qconjqconj)
 
@@ -389,6 +415,7 @@ OVER(quaternion_product_qxq_double) {
     STORE(quaternion_double, &qo, 2, 2);
   }
 }
+STRIDED_WITH_FMA(quaternion_product_qxq_double)
 LOOP(quaternion_product_qxq_double, 3, DENSE_OR_ONE, 16, 32, 32, 8, 8, 8)
 
 OVER(quaternion_product_qxq_single) {
@@ -403,6 +430,7 @@ OVER(quaternion_product_qxq_single) {
     STORE(quaternion_single, &qo, 2, 2);
   }
 }
+STRIDED(quaternion_product_qxq_single)
 LOOP(quaternion_product_qxq_single, 3, DENSE_OR_ONE, 8, 16, 16, 4, 4, 4)
 LOOPS(quaternion_product_qxq)
 
@@ -419,6 +447,7 @@ OVER(quaternion_product_qxqconj_double) {
     STORE(quaternion_double, &qo, 2, 2);
   }
 }
+STRIDED_WITH_FMA(quaternion_product_qxqconj_double)
 LOOP(quaternion_product_qxqconj_double, 3, DENSE_OR_ONE, 16, 32, 32, 8, 8, 8)
 
 OVER(quaternion_product_qxqconj_single) {
@@ -433,6 +462,7 @@ OVER(quaternion_product_qxqconj_single) {
     STORE(quaternion_single, &qo, 2, 2);
   }
 }
+STRIDED(quaternion_product_qxqconj_single)
 LOOP(quaternion_product_qxqconj_single, 3, DENSE_OR_ONE, 8, 16, 16, 4, 4, 4)
 LOOPS(quaternion_product_qxqconj)
 
@@ -449,6 +479,7 @@ OVER(quaternion_product_qxconjq_double) {
     STORE(quaternion_double, &qo, 2, 2);
   }
 }
+STRIDED_WITH_FMA(quaternion_product_qxconjq_double)
 LOOP(quaternion_product_qxconjq_double, 3, DENSE_OR_ONE, 16, 32, 32, 8, 8, 8)
 
 OVER(quaternion_product_qxconjq_single) {
@@ -463,6 +494,7 @@ OVER(quaternion_product_qxconjq_single) {
     STORE(quaternion_single, &qo, 2, 2);
   }
 }
+STRIDED(quaternion_product_qxconjq_single)
 LOOP(quaternion_product_qxconjq_single, 3, DENSE_OR_ONE, 8, 16, 16, 4, 4, 4)
 LOOPS(quaternion_product_qxconjq)
 
@@ -479,6 +511,7 @@ OVER(quaternion_product_qxconjqconj_double) {
     STORE(quaternion_double, &qo, 2, 2);
   }
 }
+STRIDED_WITH_FMA(quaternion_product_qxconjqconj_double)
 LOOP(quaternion_product_qxconjqconj_double, 3, DENSE_OR_ONE, 16, 32, 32, 8, 8, 8)
 
 OVER(quaternion_product_qxconjqconj_single) {
@@ -493,6 +526,7 @@ OVER(quaternion_product_qxconjqconj_single) {
     STORE(quaternion_single, &qo, 2, 2);
   }
 }
+STRIDED(quaternion_product_qxconjqconj_single)
 LOOP(quaternion_product_qxconjqconj_single, 3, DENSE_OR_ONE, 8, 16, 16, 4, 4, 4)
 LOOPS(quaternion_product_qxconjqconj)
 
@@ -509,6 +543,7 @@ OVER(quaternion_product_qqx_double) {
     STORE(quaternion_double, &qo, 2, 2);
   }
 }
+STRIDED_WITH_FMA(quaternion_product_qqx_double)
 LOOP(quaternion_product_qqx_double, 3, DENSE_OR_ONE, 32, 16, 32, 8, 8, 8)
 
 OVER(quaternion_product_qqx_single) {
@@ -523,6 +558,7 @@ OVER(quaternion_product_qqx_single) {
     STORE(quaternion_single, &qo, 2, 2);
   }
 }
+STRIDED(quaternion_product_qqx_single)
 LOOP(quaternion_product_qqx_single, 3, DENSE_OR_ONE, 16, 8, 16, 4, 4, 4)
 LOOPS(quaternion_product_qqx)
 
@@ -539,6 +575,7 @@ OVER(quaternion_product_qqxconj_double) {
     STORE(quaternion_double, &qo, 2, 2);
   }
 }
+STRIDED_WITH_FMA(quaternion_product_qqxconj_double)
 LOOP(quaternion_product_qqxconj_double, 3, DENSE_OR_ONE, 32, 16, 32, 8, 8, 8)
 
 OVER(quaternion_product_qqxconj_single) {
@@ -553,6 +590,7 @@ OVER(quaternion_product_qqxconj_single) {
     STORE(quaternion_single, &qo, 2, 2);
   }
 }
+STRIDED(quaternion_product_qqxconj_single)
 LOOP(quaternion_product_qqxconj_single, 3, DENSE_OR_ONE, 16, 8, 16, 4, 4, 4)
 LOOPS(quaternion_product_qqxconj)
 
@@ -569,6 +607,7 @@ OVER(quaternion_product_qconjqx_double) {
     STORE(quaternion_double, &qo, 2, 2);
   }
 }
+STRIDED_WITH_FMA(quaternion_product_qconjqx_double)
 LOOP(quaternion_product_qconjqx_double, 3, DENSE_OR_ONE, 32, 16, 32, 8, 8, 8)
 
 OVER(quaternion_product_qconjqx_single) {
@@ -583,6 +622,7 @@ OVER(quaternion_product_qconjqx_single) {
     STORE(quaternion_single, &qo, 2, 2);
   }
 }
+STRIDED(quaternion_product_qconjqx_single)
 LOOP(quaternion_product_qconjqx_single, 3, DENSE_OR_ONE, 16, 8, 16, 4, 4, 4)
 LOOPS(quaternion_product_qconjqx)
 
@@ -599,6 +639,7 @@ OVER(quaternion_product_qconjqxconj_double) {
     STORE(quaternion_double, &qo, 2, 2);
   }
 }
+STRIDED_WITH_FMA(quaternion_product_qconjqxconj_double)
 LOOP(quaternion_product_qconjqxconj_double, 3, DENSE_OR_ONE, 32, 16, 32, 8, 8, 8)
 
 OVER(quaternion_product_qconjqxconj_single) {
@@ -613,6 +654,7 @@ OVER(quaternion_product_qconjqxconj_single) {
     STORE(quaternion_single, &qo, 2, 2);
   }
 }
+STRIDED(quaternion_product_qconjqxconj_single)
 LOOP(quaternion_product_qconjqxconj_single, 3, DENSE_OR_ONE, 16, 8, 16, 4, 4, 4)
 LOOPS(quaternion_product_qconjqxconj)
 
@@ -629,6 +671,7 @@ OVER(quaternion_product_qyq_double) {
     STORE(quaternion_double, &qo, 2, 2);
   }
 }
+STRIDED_WITH_FMA(quaternion_product_qyq_double)
 LOOP(quaternion_product_qyq_double, 3, DENSE_OR_ONE, 16, 32, 32, 8, 8, 8)
 
 OVER(quaternion_product_qyq_single) {
@@ -643,6 +686,7 @@ OVER(quaternion_product_qyq_single) {
     STORE(quaternion_single, &qo, 2, 2);
   }
 }
+STRIDED(quaternion_product_qyq_single)
 LOOP(quaternion_product_qyq_single, 3, DENSE_OR_ONE, 8, 16, 16, 4, 4, 4)
 LOOPS(quaternion_product_qyq)
 
@@ -659,6 +703,7 @@ OVER(quaternion_product_qyqconj_double) {
     STORE(quaternion_double, &qo, 2, 2);
   }
 }
+STRIDED_WITH_FMA(quaternion_product_qyqconj_double)
 LOOP(quaternion_product_qyqconj_double, 3, DENSE_OR_ONE, 16, 32, 32, 8, 8, 8)
 
 OVER(quaternion_product_qyqconj_single) {
@@ -673,6 +718,7 @@ OVER(quaternion_product_qyqconj_single) {
     STORE(quaternion_single, &qo, 2, 2);
   }
 }
+STRIDED(quaternion_product_qyqconj_single)
 LOOP(quaternion_product_qyqconj_single, 3, DENSE_OR_ONE, 8, 16, 16, 4, 4, 4)
 LOOPS(quaternion_product_qyqconj)
 
@@ -689,6 +735,7 @@ OVER(quaternion_product_qyconjq_double) {
     STORE(quaternion_double, &qo, 2, 2);
   }
 }
+STRIDED_WITH_FMA(quaternion_product_qyconjq_double)
 LOOP(quaternion_product_qyconjq_double, 3, DENSE_OR_ONE, 16, 32, 32, 8, 8, 8)
 
 OVER(quaternion_product_qyconjq_single) {
@@ -703,6 +750,7 @@ OVER(quaternion_product_qyconjq_single) {
     STORE(quaternion_single, &qo, 2, 2);
   }
 }
+STRIDED(quaternion_product_qyconjq_single)
 LOOP(quaternion_product_qyconjq_single, 3, DENSE_OR_ONE, 8, 16, 16, 4, 4, 4)
 LOOPS(quaternion_product_qyconjq)
 
@@ -719,6 +767,7 @@ OVER(quaternion_product_qyconjqconj_double) {
     STORE(quaternion_double, &qo, 2, 2);
   }
 }
+STRIDED_WITH_FMA(quaternion_product_qyconjqconj_double)
 LOOP(quaternion_product_qyconjqconj_double, 3, DENSE_OR_ONE, 16, 32, 32, 8, 8, 8)
 
 OVER(quaternion_product_qyconjqconj_single) {
@@ -733,6 +782,7 @@ OVER(quaternion_product_qyconjqconj_single) {
     STORE(quaternion_single, &qo, 2, 2);
   }
 }
+STRIDED(quaternion_product_qyconjqconj_single)
 LOOP(quaternion_product_qyconjqconj_single, 3, DENSE_OR_ONE, 8, 16, 16, 4, 4, 4)
 LOOPS(quaternion_product_qyconjqconj)
 
@@ -749,6 +799,7 @@ OVER(quaternion_product_qqy_double) {
     STORE(quaternion_double, &qo, 2, 2);
   }
 }
+STRIDED_WITH_FMA(quaternion_product_qqy_double)
 LOOP(quaternion_product_qqy_double, 3, DENSE_OR_ONE, 32, 16, 32, 8, 8, 8)
 
 OVER(quaternion_product_qqy_single) {
@@ -763,6 +814,7 @@ OVER(quaternion_product_qqy_single) {
     STORE(quaternion_single, &qo, 2, 2);
   }
 }
+STRIDED(quaternion_product_qqy_single)
 LOOP(quaternion_product_qqy_single, 3, DENSE_OR_ONE, 16, 8, 16, 4, 4, 4)
 LOOPS(quaternion_product_qqy)
 
@@ -779,6 +831,7 @@ OVER(quaternion_product_qqyconj_double) {
     STORE(quaternion_double, &qo, 2, 2);
   }
 }
+STRIDED_WITH_FMA(quaternion_product_qqyconj_double)
 LOOP(quaternion_product_qqyconj_double, 3, DENSE_OR_ONE, 32, 16, 32, 8, 8, 8)
 
 OVER(quaternion_product_qqyconj_single) {
@@ -793,6 +846,7 @@ OVER(quaternion_product_qqyconj_single) {
     STORE(quaternion_single, &qo, 2, 2);
   }
 }
+STRIDED(quaternion_product_qqyconj_single)
 LOOP(quaternion_product_qqyconj_single, 3, DENSE_OR_ONE, 16, 8, 16, 4, 4, 4)
 LOOPS(quaternion_product_qqyconj)
 
@@ -809,6 +863,7 @@ OVER(quaternion_product_qconjqy_double) {
     STORE(quaternion_double, &qo, 2, 2);
   }
 }
+STRIDED_WITH_FMA(quaternion_product_qconjqy_double)
 LOOP(quaternion_product_qconjqy_double, 3, DENSE_OR_ONE, 32, 16, 32, 8, 8, 8)
 
 OVER(quaternion_product_qconjqy_single) {
@@ -823,6 +878,7 @@ OVER(quaternion_product_qconjqy_single) {
     STORE(quaternion_single, &qo, 2, 2);
   }
 }
+STRIDED(quaternion_product_qconjqy_single)
 LOOP(quaternion_product_qconjqy_single, 3, DENSE_OR_ONE, 16, 8, 16, 4, 4, 4)
 LOOPS(quaternion_product_qconjqy)
 
@@ -839,6 +895,7 @@ OVER(quaternion_product_qconjqyconj_double) {
     STORE(quaternion_double, &qo, 2, 2);
   }
 }
+STRIDED_WITH_FMA(quaternion_product_qconjqyconj_double)
 LOOP(quaternion_product_qconjqyconj_double, 3, DENSE_OR_ONE, 32, 16, 32, 8, 8, 8)
 
 OVER(quaternion_product_qconjqyconj_single) {
@@ -853,6 +910,7 @@ OVER(quaternion_product_qconjqyconj_single) {
     STORE(quaternion_single, &qo, 2, 2);
   }
 }
+STRIDED(quaternion_product_qconjqyconj_single)
 LOOP(quaternion_product_qconjqyconj_single, 3, DENSE_OR_ONE, 16, 8, 16, 4, 4, 4)
 LOOPS(quaternion_product_qconjqyconj)
 
@@ -869,6 +927,7 @@ OVER(quaternion_product_qzq_double) {
     STORE(quaternion_double, &qo, 2, 2);
   }
 }
+STRIDED_WITH_FMA(quaternion_product_qzq_double)
 LOOP(quaternion_product_qzq_double, 3, DENSE_OR_ONE, 16, 32, 32, 8, 8, 8)
 
 OVER(quaternion_product_qzq_single) {
@@ -883,6 +942,7 @@ OVER(quaternion_product_qzq_single) {
     STORE(quaternion_single, &qo, 2, 2);
   }
 }
+STRIDED(quaternion_product_qzq_single)
 LOOP(quaternion_product_qzq_single, 3, DENSE_OR_ONE, 8, 16, 16, 4, 4, 4)
 LOOPS(quaternion_product_qzq)
 
@@ -899,6 +959,7 @@ OVER(quaternion_product_qzqconj_double) {
     STORE(quaternion_double, &qo, 2, 2);
   }
 }
+STRIDED_WITH_FMA(quaternion_product_qzqconj_double)
 LOOP(quaternion_product_qzqconj_double, 3, DENSE_OR_ONE, 16, 32, 32, 8, 8, 8)
 
 OVER(quaternion_product_qzqconj_single) {
@@ -913,6 +974,7 @@ OVER(quaternion_product_qzqconj_single) {
     STORE(quaternion_single, &qo, 2, 2);
   }
 }
+STRIDED(quaternion_product_qzqconj_single)
 LOOP(quaternion_product_qzqconj_single, 3, DENSE_OR_ONE, 8, 16, 16, 4, 4, 4)
 LOOPS(quaternion_product_qzqconj)
 
@@ -929,6 +991,7 @@ OVER(quaternion_product_qzconjq_double) {
     STORE(quaternion_double, &qo, 2, 2);
   }
 }
+STRIDED_WITH_FMA(quaternion_product_qzconjq_double)
 LOOP(quaternion_product_qzconjq_double, 3, DENSE_OR_ONE, 16, 32, 32, 8, 8, 8)
 
 OVER(quaternion_product_qzconjq_single) {
@@ -943,6 +1006,7 @@ OVER(quaternion_product_qzconjq_single) {
     STORE(quaternion_single, &qo, 2, 2);
   }
 }
+STRIDED(quaternion_product_qzconjq_single)
 LOOP(quaternion_product_qzconjq_single, 3, DENSE_OR_ONE, 8, 16, 16, 4, 4, 4)
 LOOPS(quaternion_product_qzconjq)
 
@@ -959,6 +1023,7 @@ OVER(quaternion_product_qzconjqconj_double) {
     STORE(quaternion_double, &qo, 2, 2);
   }
 }
+STRIDED_WITH_FMA(quaternion_product_qzconjqconj_double)
 LOOP(quaternion_product_qzconjqconj_double, 3, DENSE_OR_ONE, 16, 32, 32, 8, 8, 8)
 
 OVER(quaternion_product_qzconjqconj_single) {
@@ -973,6 +1038,7 @@ OVER(quaternion_product_qzconjqconj_single) {
     STORE(quaternion_single, &qo, 2, 2);
   }
 }
+STRIDED(quaternion_product_qzconjqconj_single)
 LOOP(quaternion_product_qzconjqconj_single, 3, DENSE_OR_ONE, 8, 16, 16, 4, 4, 4)
 LOOPS(quaternion_product_qzconjqconj)
 
@@ -989,6 +1055,7 @@ OVER(quaternion_product_qqz_double) {
     STORE(quaternion_double, &qo, 2, 2);
   }
 }
+STRIDED_WITH_FMA(quaternion_product_qqz_double)
 LOOP(quaternion_product_qqz_double, 3, DENSE_OR_ONE, 32, 16, 32, 8, 8, 8)
 
 OVER(quaternion_product_qqz_single) {
@@ -1003,6 +1070,7 @@ OVER(quaternion_product_qqz_single) {
     STORE(quaternion_single, &qo, 2, 2);
   }
 }
+STRIDED(quaternion_product_qqz_single)
 LOOP(quaternion_product_qqz_single, 3, DENSE_OR_ONE, 16, 8, 16, 4, 4, 4)
 LOOPS(quaternion_product_qqz)
 
@@ -1019,6 +1087,7 @@ OVER(quaternion_product_qqzconj_double) {
     STORE(quaternion_double, &qo, 2, 2);
   }
 }
+STRIDED_WITH_FMA(quaternion_product_qqzconj_double)
 LOOP(quaternion_product_qqzconj_double, 3, DENSE_OR_ONE, 32, 16, 32, 8, 8, 8)
 
 OVER(quaternion_product_qqzconj_single) {
@@ -1033,6 +1102,7 @@ OVER(quaternion_product_qqzconj_single) {
     STORE(quaternion_single, &qo, 2, 2);
   }
 }
+STRIDED(quaternion_product_qqzconj_single)
 LOOP(quaternion_product_qqzconj_single, 3, DENSE_OR_ONE, 16, 8, 16, 4, 4, 4)
 LOOPS(quaternion_product_qqzconj)
 
@@ -1049,6 +1119,7 @@ OVER(quaternion_product_qconjqz_double) {
     STORE(quaternion_double, &qo, 2, 2);
   }
 }
+STRIDED_WITH_FMA(quaternion_product_qconjqz_double)
 LOOP(quaternion_product_qconjqz_double, 3, DENSE_OR_ONE, 32, 16, 32, 8, 8, 8)
 
 OVER(quaternion_product_qconjqz_single) {
@@ -1063,6 +1134,7 @@ OVER(quaternion_product_qconjqz_single) {
     STORE(quaternion_single, &qo, 2, 2);
   }
 }
+STRIDED(quaternion_product_qconjqz_single)
 LOOP(quaternion_product_qconjqz_single, 3, DENSE_OR_ONE, 16, 8, 16, 4, 4, 4)
 LOOPS(quaternion_product_qconjqz)
 
@@ -1079,6 +1151,7 @@ OVER(quaternion_product_qconjqzconj_double) {
     STORE(quaternion_double, &qo, 2, 2);
   }
 }
+STRIDED_WITH_FMA(quaternion_product_qconjqzconj_double)
 LOOP(quaternion_product_qconjqzconj_double, 3, DENSE_OR_ONE, 32, 16, 32, 8, 8, 8)
 
 OVER(quaternion_product_qconjqzconj_single) {
@@ -1093,6 +1166,7 @@ OVER(quaternion_product_qconjqzconj_single) {
     STORE(quaternion_single, &qo, 2, 2);
   }
 }
+STRIDED(quaternion_product_qconjqzconj_single)
 LOOP(quaternion_product_qconjqzconj_single, 3, DENSE_OR_ONE, 16, 8, 16, 4, 4, 4)
 LOOPS(quaternion_product_qconjqzconj)
 
@@ -1109,6 +1183,7 @@ OVER(quaternion_product_qv_double) {
     STORE(quaternion_double, &qo, 2, 2);
   }
 }
+STRIDED_WITH_FMA(quaternion_product_qv_double)
 LOOP(quaternion_product_qv_double, 3, DENSE_OR_ONE, 32, 24, 32, 8, 8, 8)
 
 OVER(quaternion_product_qv_single) {
@@ -1123,6 +1198,7 @@ OVER(quaternion_product_qv_single) {
     STORE(quaternion_single, &qo, 2, 2);
   }
 }
+STRIDED(quaternion_product_qv_single)
 LOOP(quaternion_product_qv_single, 3, DENSE_OR_ONE, 16, 12, 16, 4, 4, 4)
 LOOPS(quaternion_product_qv)
 
@@ -1139,6 +1215,7 @@ OVER(quaternion_product_qconjv_double) {
     STORE(quaternion_double, &qo, 2, 2);
   }
 }
+STRIDED_WITH_FMA(quaternion_product_qconjv_double)
 LOOP(quaternion_product_qconjv_double, 3, DENSE_OR_ONE, 32, 24, 32, 8, 8, 8)
 
 OVER(quaternion_product_qconjv_single) {
@@ -1153,6 +1230,7 @@ OVER(quaternion_product_qconjv_single) {
     STORE(quaternion_single, &qo, 2, 2);
   }
 }
+STRIDED(quaternion_product_qconjv_single)
 LOOP(quaternion_product_qconjv_single, 3, DENSE_OR_ONE, 16, 12, 16, 4, 4, 4)
 LOOPS(quaternion_product_qconjv)
 
@@ -1169,6 +1247,7 @@ OVER(quaternion_product_vq_double) {
     STORE(quaternion_double, &qo, 2, 2);
   }
 }
+STRIDED_WITH_FMA(quaternion_product_vq_double)
 LOOP(quaternion_product_vq_double, 3, DENSE_OR_ONE, 24, 32, 32, 8, 8, 8)
 
 OVER(quaternion_product_vq_single) {
@@ -1183,6 +1262,7 @@ OVER(quaternion_product_vq_single) {
     STORE(quaternion_single, &qo, 2, 2);
   }
 }
+STRIDED(quaternion_product_vq_single)
 LOOP(quaternion_product_vq_single, 3, DENSE_OR_ONE, 12, 16, 16, 4, 4, 4)
 LOOPS(quaternion_product_vq)
 
@@ -1199,6 +1279,7 @@ OVER(quaternion_product_vqconj_double) {
     STORE(quaternion_double, &qo, 2, 2);
   }
 }
+STRIDED_WITH_FMA(quaternion_product_vqconj_double)
 LOOP(quaternion_product_vqconj_double, 3, DENSE_OR_ONE, 24, 32, 32, 8, 8, 8)
 
 OVER(quaternion_product_vqconj_single) {
@@ -1213,6 +1294,7 @@ OVER(quaternion_product_vqconj_single) {
     STORE(quaternion_single, &qo, 2, 2);
   }
 }
+STRIDED(quaternion_product_vqconj_single)
 LOOP(quaternion_product_vqconj_single, 3, DENSE_OR_ONE, 12, 16, 16, 4, 4, 4)
 LOOPS(quaternion_product_vqconj)
 
@@ -1229,6 +1311,7 @@ OVER(dot_qq_double) {
     STORE(scalar_double, &dot, 2, 2);
   }
 }
+STRIDED_WITH_FMA(dot_qq_double)
 LOOP(dot_qq_double, 3, DENSE_OR_ONE, 32, 32, 8, 8, 8)
 
 OVER(dot_qq_single) {
@@ -1243,6 +1326,7 @@ OVER(dot_qq_single) {
     STORE(scalar_single, &dot, 2, 2);
   }
 }
+STRIDED(dot_qq_single)
 LOOP(dot_qq_single, 3, DENSE_OR_ONE, 16, 16, 4, 4, 4)
 LOOPS(dot_qq)
 
@@ -1258,6 +1342,7 @@ OVER(add_dpiToq_double) {
     STORE(quaternion_double, &qi, 2, 2);
   }
 }
+STRIDED_WITH_FMA(add_dpiToq_double)
 LOOP(add_dpiToq_double, 3, DENSE_OR_ONE, 24, 32, 32, 8, 8, 8)
 
 OVER(add_dpiToq_single) {
@@ -1271,6 +1356,7 @@ OVER(add_dpiToq_single) {
     STORE(quaternion_single, &qi, 2, 2);
   }
 }
+STRIDED(add_dpiToq_single)
 LOOP(add_dpiToq_single, 3, DENSE_OR_ONE, 12, 16, 16, 4, 4, 4)
 LOOPS(add_dpiToq)
 
@@ -1286,6 +1372,7 @@ OVER(subtract_dpiFromq_double) {
     STORE(quaternion_double, &qi, 2, 2);
   }
 }
+STRIDED_WITH_FMA(subtract_dpiFromq_double)
 LOOP(subtract_dpiFromq_double, 3, DENSE_OR_ONE, 24, 32, 32, 8, 8, 8)
 
 OVER(subtract_dpiFromq_single) {
@@ -1299,6 +1386,7 @@ OVER(subtract_dpiFromq_single) {
     STORE(quaternion_single, &qi, 2, 2);
   }
 }
+STRIDED(subtract_dpiFromq_single)
 LOOP(subtract_dpiFromq_single, 3, DENSE_OR_ONE, 12, 16, 16, 4, 4, 4)
 LOOPS(subtract_dpiFromq)
 
@@ -1315,6 +1403,7 @@ OVER(omega_to_dquaternion_double) {
     STORE(quaternion_double, &dqo, 2, 2);
   }
 }
+STRIDED_WITH_FMA(omega_to_dquaternion_double)
 LOOP(omega_to_dquaternion_double, 3, DENSE_OR_ONE, 24, 32, 32, 8, 8, 8)
 
 OVER(omega_to_dquaternion_single) {
@@ -1329,6 +1418,7 @@ OVER(omega_to_dquaternion_single) {
     STORE(quaternion_single, &dqo, 2, 2);
   }
 }
+STRIDED(omega_to_dquaternion_single)
 LOOP(omega_to_dquaternion_single, 3, DENSE_OR_ONE, 12, 16, 16, 4, 4, 4)
 LOOPS(omega_to_dquaternion)
 
@@ -1343,7 +1433,8 @@ OVER(mat3x3_from_quaternion_double) {
     STORE(mat3x3_double, &R, 1, 1);
   }
 }
-LOOP(mat3x3_from_quaternion_double, 2, DENSE, 32, 72, 8, 24, 8)
+STRIDED_WITH_FMA(mat3x3_from_quaternion_double)
+LOOP(mat3x3_from_quaternion_double, 2, ANY, 32, 72, 8, 24, 8)
 
 OVER(mat3x3_from_quaternion_single) {
   POINTERS_2
@@ -1355,6 +1446,7 @@ OVER(mat3x3_from_quaternion_single) {
     STORE(mat3x3_single, &R, 1, 1);
   }
 }
+STRIDED(mat3x3_from_quaternion_single)
 LOOP(mat3x3_from_quaternion_single, 2, DENSE, 16, 36, 4, 12, 4)
 LOOPS(mat3x3_from_quaternion)
 
@@ -1369,7 +1461,8 @@ OVER(quaternion_from_mat3x3_double) {
     STORE(quaternion_double, &qo, 1, 2);
   }
 }
-LOOP(quaternion_from_mat3x3_double, 2, DENSE, 72, 32, 24, 8, 8)
+STRIDED_WITH_FMA(quaternion_from_mat3x3_double)
+LOOP(quaternion_from_mat3x3_double, 2, ANY, 72, 32, 24, 8, 8)
 
 OVER(quaternion_from_mat3x3_single) {
   POINTERS_2
@@ -1381,6 +1474,7 @@ OVER(quaternion_from_mat3x3_single) {
     STORE(quaternion_single, &qo, 1, 2);
   }
 }
+STRIDED(quaternion_from_mat3x3_single)
 LOOP(quaternion_from_mat3x3_single, 2, DENSE, 36, 16, 12, 4, 4)
 LOOPS(quaternion_from_mat3x3)
 
@@ -1397,6 +1491,7 @@ OVER(quaternion_from_axis_angle_double) {
     STORE(quaternion_double, &qo, 2, 1);
   }
 }
+STRIDED_WITH_FMA(quaternion_from_axis_angle_double)
 LOOP(quaternion_from_axis_angle_double, 3, DENSE_OR_ONE, 24, 8, 32, 8, 8)
 
 OVER(quaternion_from_axis_angle_single) {
@@ -1411,6 +1506,7 @@ OVER(quaternion_from_axis_angle_single) {
     STORE(quaternion_single, &qo, 2, 1);
   }
 }
+STRIDED(quaternion_from_axis_angle_single)
 LOOP(quaternion_from_axis_angle_single, 3, DENSE_OR_ONE, 12, 4, 16, 4, 4)
 LOOPS(quaternion_from_axis_angle)
 
@@ -1427,7 +1523,8 @@ OVER(axis_angle_from_quaternion_double) {
     STORE(vec3_double, &axis, 2, 1);
   }
 }
-LOOP(axis_angle_from_quaternion_double, 3, DENSE, 32, 8, 24, 8, 8)
+STRIDED_WITH_FMA(axis_angle_from_quaternion_double)
+LOOP(axis_angle_from_quaternion_double, 3, ANY, 32, 8, 24, 8, 8)
 
 OVER(axis_angle_from_quaternion_single) {
   POINTERS_3
@@ -1441,6 +1538,7 @@ OVER(axis_angle_from_quaternion_single) {
     STORE(vec3_single, &axis, 2, 1);
   }
 }
+STRIDED(axis_angle_from_quaternion_single)
 LOOP(axis_angle_from_quaternion_single, 3, DENSE, 16, 4, 12, 4, 4)
 LOOPS(axis_angle_from_quaternion)
 
@@ -1455,7 +1553,8 @@ OVER(quaternion_exp_double) {
     STORE(quaternion_double, &qo, 1, 1);
   }
 }
-LOOP(quaternion_exp_double, 2, DENSE, 24, 32, 8, 8)
+STRIDED_WITH_FMA(quaternion_exp_double)
+LOOP(quaternion_exp_double, 2, ANY, 24, 32, 8, 8)
 
 OVER(quaternion_exp_single) {
   POINTERS_2
@@ -1467,6 +1566,7 @@ OVER(quaternion_exp_single) {
     STORE(quaternion_single, &qo, 1, 1);
   }
 }
+STRIDED(quaternion_exp_single)
 LOOP(quaternion_exp_single, 2, DENSE, 12, 16, 4, 4)
 LOOPS(quaternion_exp)
 
@@ -1481,7 +1581,8 @@ OVER(quaternion_log_double) {
     STORE(vec3_double, &vo, 1, 1);
   }
 }
-LOOP(quaternion_log_double, 2, DENSE, 32, 24, 8, 8)
+STRIDED_WITH_FMA(quaternion_log_double)
+LOOP(quaternion_log_double, 2, ANY, 32, 24, 8, 8)
 
 OVER(quaternion_log_single) {
   POINTERS_2
@@ -1493,6 +1594,7 @@ OVER(quaternion_log_single) {
     STORE(vec3_single, &vo, 1, 1);
   }
 }
+STRIDED(quaternion_log_single)
 LOOP(quaternion_log_single, 2, DENSE, 16, 12, 4, 4)
 LOOPS(quaternion_log)
 
@@ -1511,7 +1613,8 @@ OVER(quaternion_interpolated_double) {
     STORE(quaternion_double, &qo, 3, 2);
   }
 }
-LOOP(quaternion_interpolated_double, 4, DENSE_OR_ONE, 32, 32, 8, 32, 8, 8, 8)
+STRIDED_WITH_FMA(quaternion_interpolated_double)
+LOOP(quaternion_interpolated_double, 4, ANY, 32, 32, 8, 32, 8, 8, 8)
 
 OVER(quaternion_interpolated_single) {
   POINTERS_4
@@ -1527,6 +1630,7 @@ OVER(quaternion_interpolated_single) {
     STORE(quaternion_single, &qo, 3, 2);
   }
 }
+STRIDED(quaternion_interpolated_single)
 LOOP(quaternion_interpolated_single, 4, DENSE_OR_ONE, 16, 16, 4, 16, 4, 4, 4)
 LOOPS(quaternion_interpolated)
 

@@ -20,6 +20,7 @@ OVER(screw_scale_double) {
     STORE(screw_double, &self, 2, 1);
   }
 }
+STRIDED_WITH_FMA(screw_scale_double)
 LOOP(screw_scale_double, 3, DENSE, 48, 8, 48, 8, 8)
 
 OVER(screw_scale_single) {
@@ -33,6 +34,7 @@ OVER(screw_scale_single) {
     STORE(screw_single, &self, 2, 1);
   }
 }
+STRIDED(screw_scale_single)
 LOOP(screw_scale_single, 3, DENSE, 24, 4, 24, 4, 4)
 LOOPS(screw_scale)
 
@@ -50,6 +52,7 @@ OVER(axpy_ss_double) {
     STORE(screw_double, &y, 3, 2);
   }
 }
+STRIDED_WITH_FMA(axpy_ss_double)
 LOOP(axpy_ss_double, 4, DENSE_OR_ONE, 8, 48, 48, 48, 8, 8, 8)
 
 OVER(axpy_ss_single) {
@@ -65,6 +68,7 @@ OVER(axpy_ss_single) {
     STORE(screw_single, &y, 3, 2);
   }
 }
+STRIDED(axpy_ss_single)
 LOOP(axpy_ss_single, 4, DENSE_OR_ONE, 4, 24, 24, 24, 4, 4, 4)
 LOOPS(axpy_ss)
 
@@ -80,6 +84,7 @@ OVER(xpy_ss_double) {
     STORE(screw_double, &y, 2, 2);
   }
 }
+STRIDED(xpy_ss_double)
 LOOP(xpy_ss_double, 3, DENSE_OR_ONE, 48, 48, 48, 8, 8, 8)
 
 OVER(xpy_ss_single) {
@@ -93,6 +98,7 @@ OVER(xpy_ss_single) {
     STORE(screw_single, &y, 2, 2);
   }
 }
+STRIDED(xpy_ss_single)
 LOOP(xpy_ss_single, 3, DENSE_OR_ONE, 24, 24, 24, 4, 4, 4)
 LOOPS(xpy_ss)
 
@@ -108,6 +114,7 @@ OVER(nxpy_ss_double) {
     STORE(screw_double, &y, 2, 2);
   }
 }
+STRIDED(nxpy_ss_double)
 LOOP(nxpy_ss_double, 3, DENSE_OR_ONE, 48, 48, 48, 8, 8, 8)
 
 OVER(nxpy_ss_single) {
@@ -121,6 +128,7 @@ OVER(nxpy_ss_single) {
     STORE(screw_single, &y, 2, 2);
   }
 }
+STRIDED(nxpy_ss_single)
 LOOP(nxpy_ss_single, 3, DENSE_OR_ONE, 24, 24, 24, 4, 4, 4)
 LOOPS(nxpy_ss)
 
@@ -137,6 +145,7 @@ OVER(product_as_double) {
     STORE(screw_double, &so, 2, 1);
   }
 }
+STRIDED_WITH_FMA(product_as_double)
 LOOP(product_as_double, 3, DENSE_OR_ONE, 8, 48, 48, 8, 8)
 
 OVER(product_as_single) {
@@ -151,6 +160,7 @@ OVER(product_as_single) {
     STORE(screw_single, &so, 2, 1);
   }
 }
+STRIDED(product_as_single)
 LOOP(product_as_single, 3, DENSE_OR_ONE, 4, 24, 24, 4, 4)
 LOOPS(product_as)
 
@@ -167,6 +177,7 @@ OVER(add_ss_double) {
     STORE(screw_double, &so, 2, 2);
   }
 }
+STRIDED(add_ss_double)
 LOOP(add_ss_double, 3, DENSE_OR_ONE, 48, 48, 48, 8, 8, 8)
 
 OVER(add_ss_single) {
@@ -181,6 +192,7 @@ OVER(add_ss_single) {
     STORE(screw_single, &so, 2, 2);
   }
 }
+STRIDED(add_ss_single)
 LOOP(add_ss_single, 3, DENSE_OR_ONE, 24, 24, 24, 4, 4, 4)
 LOOPS(add_ss)
 
@@ -197,6 +209,7 @@ OVER(subtract_ss_double) {
     STORE(screw_double, &so, 2, 2);
   }
 }
+STRIDED(subtract_ss_double)
 LOOP(subtract_ss_double, 3, DENSE_OR_ONE, 48, 48, 48, 8, 8, 8)
 
 OVER(subtract_ss_single) {
@@ -211,6 +224,7 @@ OVER(subtract_ss_single) {
     STORE(screw_single, &so, 2, 2);
   }
 }
+STRIDED(subtract_ss_single)
 LOOP(subtract_ss_single, 3, DENSE_OR_ONE, 24, 24, 24, 4, 4, 4)
 LOOPS(subtract_ss)
 
@@ -225,6 +239,7 @@ OVER(screw_norm_double) {
     STORE(scalar_double, &norm, 1, 1);
   }
 }
+STRIDED_WITH_FMA(screw_norm_double)
 LOOP(screw_norm_double, 2, DENSE, 48, 8, 8)
 
 OVER(screw_norm_single) {
@@ -237,6 +252,7 @@ OVER(screw_norm_single) {
     STORE(scalar_single, &norm, 1, 1);
   }
 }
+STRIDED(screw_norm_single)
 LOOP(screw_norm_single, 2, DENSE, 24, 4, 4)
 LOOPS(screw_norm)
 
@@ -250,7 +266,8 @@ OVER(screw_normalize_double) {
     STORE(screw_double, &self, 1, 1);
   }
 }
-LOOP(screw_normalize_double, 2, DENSE, 48, 48, 8, 8)
+STRIDED_WITH_FMA(screw_normalize_double)
+LOOP(screw_normalize_double, 2, ANY, 48, 48, 8, 8)
 
 OVER(screw_normalize_single) {
   POINTERS_2
@@ -261,6 +278,7 @@ OVER(screw_normalize_single) {
     STORE(screw_single, &self, 1, 1);
   }
 }
+STRIDED(screw_normalize_single)
 LOOP(screw_normalize_single, 2, DENSE, 24, 24, 4, 4)
 LOOPS(screw_normalize)
 
@@ -275,7 +293,8 @@ OVER(screw_normalized_double) {
     STORE(screw_double, &so, 1, 1);
   }
 }
-LOOP(screw_normalized_double, 2, DENSE, 48, 48, 8, 8)
+STRIDED_WITH_FMA(screw_normalized_double)
+LOOP(screw_normalized_double, 2, ANY, 48, 48, 8, 8)
 
 OVER(screw_normalized_single) {
   POINTERS_2
@@ -287,6 +306,7 @@ OVER(screw_normalized_single) {
     STORE(screw_single, &so, 1, 1);
   }
 }
+STRIDED(screw_normalized_single)
 LOOP(screw_normalized_single, 2, DENSE, 24, 24, 4, 4)
 LOOPS(screw_normalized)
 
@@ -303,6 +323,7 @@ OVER(add_sst_double) {
     STORE(screw_double, &so, 2, 2);
   }
 }
+STRIDED(add_sst_double)
 LOOP(add_sst_double, 3, DENSE_OR_ONE, 48, 48, 48, 8, 8, 8)
 
 OVER(add_sst_single) {
@@ -317,6 +338,7 @@ OVER(add_sst_single) {
     STORE(screw_single, &so, 2, 2);
   }
 }
+STRIDED(add_sst_single)
 LOOP(add_sst_single, 3, DENSE_OR_ONE, 24, 24, 24, 4, 4, 4)
 LOOPS(add_sst)
 
@@ -333,6 +355,7 @@ OVER(product_Adts_double) {
     STORE(screw_double, &so, 2, 2);
   }
 }
+STRIDED_WITH_FMA(product_Adts_double)
 LOOP(product_Adts_double, 3, DENSE_OR_ONE, 24, 48, 48, 8, 8, 8)
 
 OVER(product_Adts_single) {
@@ -347,6 +370,7 @@ OVER(product_Adts_single) {
     STORE(screw_single, &so, 2, 2);
   }
 }
+STRIDED(product_Adts_single)
 LOOP(product_Adts_single, 3, DENSE_OR_ONE, 12, 24, 24, 4, 4, 4)
 LOOPS(product_Adts)
 
@@ -363,6 +387,7 @@ OVER(product_Adtinvs_double) {
     STORE(screw_double, &so, 2, 2);
   }
 }
+STRIDED_WITH_FMA(product_Adtinvs_double)
 LOOP(product_Adtinvs_double, 3, DENSE_OR_ONE, 24, 48, 48, 8, 8, 8)
 
 OVER(product_Adtinvs_single) {
@@ -377,6 +402,7 @@ OVER(product_Adtinvs_single) {
     STORE(screw_single, &so, 2, 2);
   }
 }
+STRIDED(product_Adtinvs_single)
 LOOP(product_Adtinvs_single, 3, DENSE_OR_ONE, 12, 24, 24, 4, 4, 4)
 LOOPS(product_Adtinvs)
 
@@ -393,6 +419,7 @@ OVER(product_Adtsinv_double) {
     STORE(screw_double, &so, 2, 2);
   }
 }
+STRIDED_WITH_FMA(product_Adtsinv_double)
 LOOP(product_Adtsinv_double, 3, DENSE_OR_ONE, 24, 48, 48, 8, 8, 8)
 
 OVER(product_Adtsinv_single) {
@@ -407,6 +434,7 @@ OVER(product_Adtsinv_single) {
     STORE(screw_single, &so, 2, 2);
   }
 }
+STRIDED(product_Adtsinv_single)
 LOOP(product_Adtsinv_single, 3, DENSE_OR_ONE, 12, 24, 24, 4, 4, 4)
 LOOPS(product_Adtsinv)
 
@@ -423,6 +451,7 @@ OVER(product_Adrs_double) {
     STORE(screw_double, &so, 2, 3);
   }
 }
+STRIDED_WITH_FMA(product_Adrs_double)
 LOOP(product_Adrs_double, 3, DENSE_OR_ONE, 72, 48, 48, 24, 8, 8, 8)
 
 OVER(product_Adrs_single) {
@@ -437,6 +466,7 @@ OVER(product_Adrs_single) {
     STORE(screw_single, &so, 2, 3);
   }
 }
+STRIDED(product_Adrs_single)
 LOOP(product_Adrs_single, 3, DENSE_OR_ONE, 36, 24, 24, 12, 4, 4, 4)
 LOOPS(product_Adrs)
 
@@ -453,6 +483,7 @@ OVER(product_Adrinvs_double) {
     STORE(screw_double, &so, 2, 3);
   }
 }
+STRIDED_WITH_FMA(product_Adrinvs_double)
 LOOP(product_Adrinvs_double, 3, DENSE_OR_ONE, 72, 48, 48, 24, 8, 8, 8)
 
 OVER(product_Adrinvs_single) {
@@ -467,6 +498,7 @@ OVER(product_Adrinvs_single) {
     STORE(screw_single, &so, 2, 3);
   }
 }
+STRIDED(product_Adrinvs_single)
 LOOP(product_Adrinvs_single, 3, DENSE_OR_ONE, 36, 24, 24, 12, 4, 4, 4)
 LOOPS(product_Adrinvs)
 
@@ -483,6 +515,7 @@ OVER(product_Adrsinv_double) {
     STORE(screw_double, &so, 2, 3);
   }
 }
+STRIDED_WITH_FMA(product_Adrsinv_double)
 LOOP(product_Adrsinv_double, 3, DENSE_OR_ONE, 72, 48, 48, 24, 8, 8, 8)
 
 OVER(product_Adrsinv_single) {
@@ -497,6 +530,7 @@ OVER(product_Adrsinv_single) {
     STORE(screw_single, &so, 2, 3);
   }
 }
+STRIDED(product_Adrsinv_single)
 LOOP(product_Adrsinv_single, 3, DENSE_OR_ONE, 36, 24, 24, 12, 4, 4, 4)
 LOOPS(product_Adrsinv)
 
@@ -513,6 +547,7 @@ OVER(product_Ads_double) {
     STORE(screw_double, &so, 2, 3);
   }
 }
+STRIDED_WITH_FMA(product_Ads_double)
 LOOP(product_Ads_double, 3, DENSE_OR_ONE, 96, 48, 48, 32, 8, 8, 8)
 
 OVER(product_Ads_single) {
@@ -527,6 +562,7 @@ OVER(product_Ads_single) {
     STORE(screw_single, &so, 2, 3);
   }
 }
+STRIDED(product_Ads_single)
 LOOP(product_Ads_single, 3, DENSE_OR_ONE, 48, 24, 24, 16, 4, 4, 4)
 LOOPS(product_Ads)
 
@@ -543,6 +579,7 @@ OVER(product_Adinvs_double) {
     STORE(screw_double, &so, 2, 3);
   }
 }
+STRIDED_WITH_FMA(product_Adinvs_double)
 LOOP(product_Adinvs_double, 3, DENSE_OR_ONE, 96, 48, 48, 32, 8, 8, 8)
 
 OVER(product_Adinvs_single) {
@@ -557,6 +594,7 @@ OVER(product_Adinvs_single) {
     STORE(screw_single, &so, 2, 3);
   }
 }
+STRIDED(product_Adinvs_single)
 LOOP(product_Adinvs_single, 3, DENSE_OR_ONE, 48, 24, 24, 16, 4, 4, 4)
 LOOPS(product_Adinvs)
 
@@ -573,6 +611,7 @@ OVER(product_Adsinv_double) {
     STORE(screw_double, &so, 2, 3);
   }
 }
+STRIDED_WITH_FMA(product_Adsinv_double)
 LOOP(product_Adsinv_double, 3, DENSE_OR_ONE, 96, 48, 48, 32, 8, 8, 8)
 
 OVER(product_Adsinv_single) {
@@ -587,6 +626,7 @@ OVER(product_Adsinv_single) {
     STORE(screw_single, &so, 2, 3);
   }
 }
+STRIDED(product_Adsinv_single)
 LOOP(product_Adsinv_single, 3, DENSE_OR_ONE, 48, 24, 24, 16, 4, 4, 4)
 LOOPS(product_Adsinv)
 
@@ -601,6 +641,7 @@ OVER(hsrx_double) {
     STORE(screw_double, &so, 1, 2);
   }
 }
+STRIDED_WITH_FMA(hsrx_double)
 LOOP(hsrx_double, 2, DENSE, 96, 48, 32, 8, 8)
 
 OVER(hsrx_single) {
@@ -613,6 +654,7 @@ OVER(hsrx_single) {
     STORE(screw_single, &so, 1, 2);
   }
 }
+STRIDED(hsrx_single)
 LOOP(hsrx_single, 2, DENSE, 48, 24, 16, 4, 4)
 LOOPS(hsrx)
 
@@ -627,6 +669,7 @@ OVER(hsry_double) {
     STORE(screw_double, &so, 1, 2);
   }
 }
+STRIDED_WITH_FMA(hsry_double)
 LOOP(hsry_double, 2, DENSE, 96, 48, 32, 8, 8)
 
 OVER(hsry_single) {
@@ -639,6 +682,7 @@ OVER(hsry_single) {
     STORE(screw_single, &so, 1, 2);
   }
 }
+STRIDED(hsry_single)
 LOOP(hsry_single, 2, DENSE, 48, 24, 16, 4, 4)
 LOOPS(hsry)
 
@@ -653,6 +697,7 @@ OVER(hsrz_double) {
     STORE(screw_double, &so, 1, 2);
   }
 }
+STRIDED_WITH_FMA(hsrz_double)
 LOOP(hsrz_double, 2, DENSE, 96, 48, 32, 8, 8)
 
 OVER(hsrz_single) {
@@ -665,6 +710,7 @@ OVER(hsrz_single) {
     STORE(screw_single, &so, 1, 2);
   }
 }
+STRIDED(hsrz_single)
 LOOP(hsrz_single, 2, DENSE, 48, 24, 16, 4, 4)
 LOOPS(hsrz)
 
@@ -679,6 +725,7 @@ OVER(hsrxinv_double) {
     STORE(screw_double, &so, 1, 2);
   }
 }
+STRIDED_WITH_FMA(hsrxinv_double)
 LOOP(hsrxinv_double, 2, DENSE, 96, 48, 32, 8, 8)
 
 OVER(hsrxinv_single) {
@@ -691,6 +738,7 @@ OVER(hsrxinv_single) {
     STORE(screw_single, &so, 1, 2);
   }
 }
+STRIDED(hsrxinv_single)
 LOOP(hsrxinv_single, 2, DENSE, 48, 24, 16, 4, 4)
 LOOPS(hsrxinv)
 
@@ -705,6 +753,7 @@ OVER(hsryinv_double) {
     STORE(screw_double, &so, 1, 2);
   }
 }
+STRIDED_WITH_FMA(hsryinv_double)
 LOOP(hsryinv_double, 2, DENSE, 96, 48, 32, 8, 8)
 
 OVER(hsryinv_single) {
@@ -717,6 +766,7 @@ OVER(hsryinv_single) {
     STORE(screw_single, &so, 1, 2);
   }
 }
+STRIDED(hsryinv_single)
 LOOP(hsryinv_single, 2, DENSE, 48, 24, 16, 4, 4)
 LOOPS(hsryinv)
 
@@ -731,6 +781,7 @@ OVER(hsrzinv_double) {
     STORE(screw_double, &so, 1, 2);
   }
 }
+STRIDED_WITH_FMA(hsrzinv_double)
 LOOP(hsrzinv_double, 2, DENSE, 96, 48, 32, 8, 8)
 
 OVER(hsrzinv_single) {
@@ -743,6 +794,7 @@ OVER(hsrzinv_single) {
     STORE(screw_single, &so, 1, 2);
   }
 }
+STRIDED(hsrzinv_single)
 LOOP(hsrzinv_single, 2, DENSE, 48, 24, 16, 4, 4)
 LOOPS(hsrzinv)
 
@@ -757,6 +809,7 @@ OVER(Ad_double) {
     STORE(mat6x6_double, &M, 1, 2);
   }
 }
+STRIDED_WITH_FMA(Ad_double)
 LOOP(Ad_double, 2, DENSE, 96, 288, 32, 8, 48, 8)
 
 OVER(Ad_single) {
@@ -769,6 +822,7 @@ OVER(Ad_single) {
     STORE(mat6x6_single, &M, 1, 2);
   }
 }
+STRIDED(Ad_single)
 LOOP(Ad_single, 2, DENSE, 48, 144, 16, 4, 24, 4)
 LOOPS(Ad)
 
@@ -785,6 +839,7 @@ OVER(dot_cs_double) {
     STORE(scalar_double, &power, 2, 2);
   }
 }
+STRIDED_WITH_FMA(dot_cs_double)
 LOOP(dot_cs_double, 3, DENSE_OR_ONE, 48, 48, 8, 8, 8)
 
 OVER(dot_cs_single) {
@@ -799,6 +854,7 @@ OVER(dot_cs_single) {
     STORE(scalar_single, &power, 2, 2);
   }
 }
+STRIDED(dot_cs_single)
 LOOP(dot_cs_single, 3, DENSE_OR_ONE, 24, 24, 4, 4, 4)
 LOOPS(dot_cs)
 
@@ -815,6 +871,7 @@ OVER(cross_ss_double) {
     STORE(screw_double, &so, 2, 2);
   }
 }
+STRIDED_WITH_FMA(cross_ss_double)
 LOOP(cross_ss_double, 3, DENSE_OR_ONE, 48, 48, 48, 8, 8, 8)
 
 OVER(cross_ss_single) {
@@ -829,6 +886,7 @@ OVER(cross_ss_single) {
     STORE(screw_single, &so, 2, 2);
   }
 }
+STRIDED(cross_ss_single)
 LOOP(cross_ss_single, 3, DENSE_OR_ONE, 24, 24, 24, 4, 4, 4)
 LOOPS(cross_ss)
 
@@ -845,6 +903,7 @@ OVER(cross_sst_double) {
     STORE(screw_double, &so, 2, 2);
   }
 }
+STRIDED_WITH_FMA(cross_sst_double)
 LOOP(cross_sst_double, 3, DENSE_OR_ONE, 48, 48, 48, 8, 8, 8)
 
 OVER(cross_sst_single) {
@@ -859,6 +918,7 @@ OVER(cross_sst_single) {
     STORE(screw_single, &so, 2, 2);
   }
 }
+STRIDED(cross_sst_single)
 LOOP(cross_sst_single, 3, DENSE_OR_ONE, 24, 24, 24, 4, 4, 4)
 LOOPS(cross_sst)
 
@@ -875,6 +935,7 @@ OVER(hsra_double) {
     STORE(screw_double, &so, 2, 3);
   }
 }
+STRIDED_WITH_FMA(hsra_double)
 LOOP(hsra_double, 3, DENSE_OR_ONE, 96, 24, 48, 32, 8, 8, 8)
 
 OVER(hsra_single) {
@@ -889,6 +950,7 @@ OVER(hsra_single) {
     STORE(screw_single, &so, 2, 3);
   }
 }
+STRIDED(hsra_single)
 LOOP(hsra_single, 3, DENSE_OR_ONE, 48, 12, 24, 16, 4, 4, 4)
 LOOPS(hsra)
 
@@ -905,6 +967,7 @@ OVER(hsta_double) {
     STORE(screw_double, &so, 2, 3);
   }
 }
+STRIDED_WITH_FMA(hsta_double)
 LOOP(hsta_double, 3, DENSE_OR_ONE, 96, 24, 48, 32, 8, 8, 8)
 
 OVER(hsta_single) {
@@ -919,6 +982,7 @@ OVER(hsta_single) {
     STORE(screw_single, &so, 2, 3);
   }
 }
+STRIDED(hsta_single)
 LOOP(hsta_single, 3, DENSE_OR_ONE, 48, 12, 24, 16, 4, 4, 4)
 LOOPS(hsta)
 
@@ -935,6 +999,7 @@ OVER(hsrainv_double) {
     STORE(screw_double, &so, 2, 3);
   }
 }
+STRIDED_WITH_FMA(hsrainv_double)
 LOOP(hsrainv_double, 3, DENSE_OR_ONE, 96, 24, 48, 32, 8, 8, 8)
 
 OVER(hsrainv_single) {
@@ -949,6 +1014,7 @@ OVER(hsrainv_single) {
     STORE(screw_single, &so, 2, 3);
   }
 }
+STRIDED(hsrainv_single)
 LOOP(hsrainv_single, 3, DENSE_OR_ONE, 48, 12, 24, 16, 4, 4, 4)
 LOOPS(hsrainv)
 
@@ -965,6 +1031,7 @@ OVER(hstainv_double) {
     STORE(screw_double, &so, 2, 3);
   }
 }
+STRIDED_WITH_FMA(hstainv_double)
 LOOP(hstainv_double, 3, DENSE_OR_ONE, 96, 24, 48, 32, 8, 8, 8)
 
 OVER(hstainv_single) {
@@ -979,6 +1046,7 @@ OVER(hstainv_single) {
     STORE(screw_single, &so, 2, 3);
   }
 }
+STRIDED(hstainv_single)
 LOOP(hstainv_single, 3, DENSE_OR_ONE, 48, 12, 24, 16, 4, 4, 4)
 LOOPS(hstainv)
 

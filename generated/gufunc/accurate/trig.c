@@ -19,7 +19,8 @@ OVER(dc_double) {
     STORE(dc_double, dc, 1, 0);
   }
 }
-LOOP(dc_double, 2, DENSE, 8, 16, 8)
+STRIDED_WITH_FMA(dc_double)
+LOOP(dc_double, 2, ANY, 8, 16, 8)
 
 OVER(dc_single) {
   POINTERS_2
@@ -31,6 +32,7 @@ OVER(dc_single) {
     STORE(dc_single, dc, 1, 0);
   }
 }
+STRIDED(dc_single)
 LOOP(dc_single, 2, DENSE, 4, 8, 4)
 LOOPS(dc)
 

@@ -20,6 +20,7 @@ OVER(vec3_scale_double) {
     STORE(vec3_double, &self, 2, 1);
   }
 }
+STRIDED_WITH_FMA(vec3_scale_double)
 LOOP(vec3_scale_double, 3, DENSE, 24, 8, 24, 8, 8)
 
 OVER(vec3_scale_single) {
@@ -33,6 +34,7 @@ OVER(vec3_scale_single) {
     STORE(vec3_single, &self, 2, 1);
   }
 }
+STRIDED(vec3_scale_single)
 LOOP(vec3_scale_single, 3, DENSE, 12, 4, 12, 4, 4)
 LOOPS(vec3_scale)
 
@@ -50,6 +52,7 @@ OVER(axpy_vv_double) {
     STORE(vec3_double, &y, 3, 2);
   }
 }
+STRIDED_WITH_FMA(axpy_vv_double)
 LOOP(axpy_vv_double, 4, DENSE_OR_ONE, 8, 24, 24, 24, 8, 8, 8)
 
 OVER(axpy_vv_single) {
@@ -65,6 +68,7 @@ OVER(axpy_vv_single) {
     STORE(vec3_single, &y, 3, 2);
   }
 }
+STRIDED(axpy_vv_single)
 LOOP(axpy_vv_single, 4, DENSE_OR_ONE, 4, 12, 12, 12, 4, 4, 4)
 LOOPS(axpy_vv)
 
@@ -80,6 +84,7 @@ OVER(xpy_vv_double) {
     STORE(vec3_double, &y, 2, 2);
   }
 }
+STRIDED(xpy_vv_double)
 LOOP(xpy_vv_double, 3, DENSE_OR_ONE, 24, 24, 24, 8, 8, 8)
 
 OVER(xpy_vv_single) {
@@ -93,6 +98,7 @@ OVER(xpy_vv_single) {
     STORE(vec3_single, &y, 2, 2);
   }
 }
+STRIDED(xpy_vv_single)
 LOOP(xpy_vv_single, 3, DENSE_OR_ONE, 12, 12, 12, 4, 4, 4)
 LOOPS(xpy_vv)
 
@@ -108,6 +114,7 @@ OVER(nxpy_vv_double) {
     STORE(vec3_double, &y, 2, 2);
   }
 }
+STRIDED(nxpy_vv_double)
 LOOP(nxpy_vv_double, 3, DENSE_OR_ONE, 24, 24, 24, 8, 8, 8)
 
 OVER(nxpy_vv_single) {
@@ -121,6 +128,7 @@ OVER(nxpy_vv_single) {
     STORE(vec3_single, &y, 2, 2);
   }
 }
+STRIDED(nxpy_vv_single)
 LOOP(nxpy_vv_single, 3, DENSE_OR_ONE, 12, 12, 12, 4, 4, 4)
 LOOPS(nxpy_vv)
 
@@ -137,6 +145,7 @@ OVER(product_av_double) {
     STORE(vec3_double, &vo, 2, 1);
   }
 }
+STRIDED_WITH_FMA(product_av_double)
 LOOP(product_av_double, 3, DENSE_OR_ONE, 8, 24, 24, 8, 8)
 
 OVER(product_av_single) {
@@ -151,6 +160,7 @@ OVER(product_av_single) {
     STORE(vec3_single, &vo, 2, 1);
   }
 }
+STRIDED(product_av_single)
 LOOP(product_av_single, 3, DENSE_OR_ONE, 4, 12, 12, 4, 4)
 LOOPS(product_av)
 
@@ -167,6 +177,7 @@ OVER(add_vv_double) {
     STORE(vec3_double, &vo, 2, 2);
   }
 }
+STRIDED(add_vv_double)
 LOOP(add_vv_double, 3, DENSE_OR_ONE, 24, 24, 24, 8, 8, 8)
 
 OVER(add_vv_single) {
@@ -181,6 +192,7 @@ OVER(add_vv_single) {
     STORE(vec3_single, &vo, 2, 2);
   }
 }
+STRIDED(add_vv_single)
 LOOP(add_vv_single, 3, DENSE_OR_ONE, 12, 12, 12, 4, 4, 4)
 LOOPS(add_vv)
 
@@ -197,6 +209,7 @@ OVER(subtract_vv_double) {
     STORE(vec3_double, &vo, 2, 2);
   }
 }
+STRIDED(subtract_vv_double)
 LOOP(subtract_vv_double, 3, DENSE_OR_ONE, 24, 24, 24, 8, 8, 8)
 
 OVER(subtract_vv_single) {
@@ -211,6 +224,7 @@ OVER(subtract_vv_single) {
     STORE(vec3_single, &vo, 2, 2);
   }
 }
+STRIDED(subtract_vv_single)
 LOOP(subtract_vv_single, 3, DENSE_OR_ONE, 12, 12, 12, 4, 4, 4)
 LOOPS(subtract_vv)
 
@@ -227,6 +241,7 @@ OVER(vec3_scaled_double) {
     STORE(vec3_double, &vo, 2, 1);
   }
 }
+STRIDED_WITH_FMA(vec3_scaled_double)
 LOOP(vec3_scaled_double, 3, DENSE_OR_ONE, 24, 8, 24, 8, 8)
 
 OVER(vec3_scaled_single) {
@@ -241,6 +256,7 @@ OVER(vec3_scaled_single) {
     STORE(vec3_single, &vo, 2, 1);
   }
 }
+STRIDED(vec3_scaled_single)
 LOOP(vec3_scaled_single, 3, DENSE_OR_ONE, 12, 4, 12, 4, 4)
 LOOPS(vec3_scaled)
 
@@ -255,6 +271,7 @@ OVER(vec3_l2norm_double) {
     STORE(scalar_double, &norm, 1, 1);
   }
 }
+STRIDED_WITH_FMA(vec3_l2norm_double)
 LOOP(vec3_l2norm_double, 2, DENSE, 24, 8, 8)
 
 OVER(vec3_l2norm_single) {
@@ -267,6 +284,7 @@ OVER(vec3_l2norm_single) {
     STORE(scalar_single, &norm, 1, 1);
   }
 }
+STRIDED(vec3_l2norm_single)
 LOOP(vec3_l2norm_single, 2, DENSE, 12, 4, 4)
 LOOPS(vec3_l2norm)
 
@@ -280,6 +298,7 @@ OVER(vec3_normalize_double) {
     STORE(vec3_double, &self, 1, 1);
   }
 }
+STRIDED_WITH_FMA(vec3_normalize_double)
 LOOP(vec3_normalize_double, 2, DENSE, 24, 24, 8, 8)
 
 OVER(vec3_normalize_single) {
@@ -291,6 +310,7 @@ OVER(vec3_normalize_single) {
     STORE(vec3_single, &self, 1, 1);
   }
 }
+STRIDED(vec3_normalize_single)
 LOOP(vec3_normalize_single, 2, DENSE, 12, 12, 4, 4)
 LOOPS(vec3_normalize)
 
@@ -305,6 +325,7 @@ OVER(vec3_normalized_double) {
     STORE(vec3_double, &vo, 1, 1);
   }
 }
+STRIDED_WITH_FMA(vec3_normalized_double)
 LOOP(vec3_normalized_double, 2, DENSE, 24, 24, 8, 8)
 
 OVER(vec3_normalized_single) {
@@ -317,6 +338,7 @@ OVER(vec3_normalized_single) {
     STORE(vec3_single, &vo, 1, 1);
   }
 }
+STRIDED(vec3_normalized_single)
 LOOP(vec3_normalized_single, 2, DENSE, 12, 12, 4, 4)
 LOOPS(vec3_normalized)
 
@@ -333,6 +355,7 @@ OVER(angle_vv_double) {
     STORE(scalar_double, &angle, 2, 2);
   }
 }
+STRIDED_WITH_FMA(angle_vv_double)
 LOOP(angle_vv_double, 3, DENSE_OR_ONE, 24, 24, 8, 8, 8)
 
 OVER(angle_vv_single) {
@@ -347,6 +370,7 @@ OVER(angle_vv_single) {
     STORE(scalar_single, &angle, 2, 2);
   }
 }
+STRIDED(angle_vv_single)
 LOOP(angle_vv_single, 3, DENSE_OR_ONE, 12, 12, 4, 4, 4)
 LOOPS(angle_vv)
 
@@ -363,6 +387,7 @@ OVER(dot_vv_double) {
     STORE(scalar_double, &dot, 2, 2);
   }
 }
+STRIDED_WITH_FMA(dot_vv_double)
 LOOP(dot_vv_double, 3, DENSE_OR_ONE, 24, 24, 8, 8, 8)
 
 OVER(dot_vv_single) {
@@ -377,6 +402,7 @@ OVER(dot_vv_single) {
     STORE(scalar_single, &dot, 2, 2);
   }
 }
+STRIDED(dot_vv_single)
 LOOP(dot_vv_single, 3, DENSE_OR_ONE, 12, 12, 4, 4, 4)
 LOOPS(dot_vv)
 
@@ -393,6 +419,7 @@ OVER(product_avinv_double) {
     STORE(vec3_double, &vo, 2, 1);
   }
 }
+STRIDED_WITH_FMA(product_avinv_double)
 LOOP(product_avinv_double, 3, DENSE_OR_ONE, 8, 24, 24, 8, 8)
 
 OVER(product_avinv_single) {
@@ -407,6 +434,7 @@ OVER(product_avinv_single) {
     STORE(vec3_single, &vo, 2, 1);
   }
 }
+STRIDED(product_avinv_single)
 LOOP(product_avinv_single, 3, DENSE_OR_ONE, 4, 12, 12, 4, 4)
 LOOPS(product_avinv)
 
@@ -423,6 +451,7 @@ OVER(product_ainvv_double) {
     STORE(vec3_double, &vo, 2, 1);
   }
 }
+STRIDED_WITH_FMA(product_ainvv_double)
 LOOP(product_ainvv_double, 3, DENSE_OR_ONE, 8, 24, 24, 8, 8)
 
 OVER(product_ainvv_single) {
@@ -437,6 +466,7 @@ OVER(product_ainvv_single) {
     STORE(vec3_single, &vo, 2, 1);
   }
 }
+STRIDED(product_ainvv_single)
 LOOP(product_ainvv_single, 3, DENSE_OR_ONE, 4, 12, 12, 4, 4)
 LOOPS(product_ainvv)
 
@@ -453,6 +483,7 @@ OVER(cross_vv_double) {
     STORE(vec3_double, &vo, 2, 2);
   }
 }
+STRIDED_WITH_FMA(cross_vv_double)
 LOOP(cross_vv_double, 3, DENSE_OR_ONE, 24, 24, 24, 8, 8, 8)
 
 OVER(cross_vv_single) {
@@ -467,6 +498,7 @@ OVER(cross_vv_single) {
     STORE(vec3_single, &vo, 2, 2);
   }
 }
+STRIDED(cross_vv_single)
 LOOP(cross_vv_single, 3, DENSE_OR_ONE, 12, 12, 12, 4, 4, 4)
 LOOPS(cross_vv)
 
@@ -483,6 +515,7 @@ OVER(cross_vvinv_double) {
     STORE(vec3_double, &vo, 2, 2);
   }
 }
+STRIDED_WITH_FMA(cross_vvinv_double)
 LOOP(cross_vvinv_double, 3, DENSE_OR_ONE, 24, 24, 24, 8, 8, 8)
 
 OVER(cross_vvinv_single) {
@@ -497,6 +530,7 @@ OVER(cross_vvinv_single) {
     STORE(vec3_single, &vo, 2, 2);
   }
 }
+STRIDED(cross_vvinv_single)
 LOOP(cross_vvinv_single, 3, DENSE_OR_ONE, 12, 12, 12, 4, 4, 4)
 LOOPS(cross_vvinv)
 
@@ -513,6 +547,7 @@ OVER(add_vvx_double) {
     STORE(vec3_double, &vo, 2, 1);
   }
 }
+STRIDED(add_vvx_double)
 LOOP(add_vvx_double, 3, DENSE_OR_ONE, 24, 8, 24, 8, 8)
 
 OVER(add_vvx_single) {
@@ -527,6 +562,7 @@ OVER(add_vvx_single) {
     STORE(vec3_single, &vo, 2, 1);
   }
 }
+STRIDED(add_vvx_single)
 LOOP(add_vvx_single, 3, DENSE_OR_ONE, 12, 4, 12, 4, 4)
 LOOPS(add_vvx)
 
@@ -543,6 +579,7 @@ OVER(add_vvxinv_double) {
     STORE(vec3_double, &vo, 2, 1);
   }
 }
+STRIDED(add_vvxinv_double)
 LOOP(add_vvxinv_double, 3, DENSE_OR_ONE, 24, 8, 24, 8, 8)
 
 OVER(add_vvxinv_single) {
@@ -557,6 +594,7 @@ OVER(add_vvxinv_single) {
     STORE(vec3_single, &vo, 2, 1);
   }
 }
+STRIDED(add_vvxinv_single)
 LOOP(add_vvxinv_single, 3, DENSE_OR_ONE, 12, 4, 12, 4, 4)
 LOOPS(add_vvxinv)
 
@@ -573,6 +611,7 @@ OVER(add_vvy_double) {
     STORE(vec3_double, &vo, 2, 1);
   }
 }
+STRIDED(add_vvy_double)
 LOOP(add_vvy_double, 3, DENSE_OR_ONE, 24, 8, 24, 8, 8)
 
 OVER(add_vvy_single) {
@@ -587,6 +626,7 @@ OVER(add_vvy_single) {
     STORE(vec3_single, &vo, 2, 1);
   }
 }
+STRIDED(add_vvy_single)
 LOOP(add_vvy_single, 3, DENSE_OR_ONE, 12, 4, 12, 4, 4)
 LOOPS(add_vvy)
 
@@ -603,6 +643,7 @@ OVER(add_vvyinv_double) {
     STORE(vec3_double, &vo, 2, 1);
   }
 }
+STRIDED(add_vvyinv_double)
 LOOP(add_vvyinv_double, 3, DENSE_OR_ONE, 24, 8, 24, 8, 8)
 
 OVER(add_vvyinv_single) {
@@ -617,6 +658,7 @@ OVER(add_vvyinv_single) {
     STORE(vec3_single, &vo, 2, 1);
   }
 }
+STRIDED(add_vvyinv_single)
 LOOP(add_vvyinv_single, 3, DENSE_OR_ONE, 12, 4, 12, 4, 4)
 LOOPS(add_vvyinv)
 
@@ -633,6 +675,7 @@ OVER(add_vvz_double) {
     STORE(vec3_double, &vo, 2, 1);
   }
 }
+STRIDED(add_vvz_double)
 LOOP(add_vvz_double, 3, DENSE_OR_ONE, 24, 8, 24, 8, 8)
 
 OVER(add_vvz_single) {
@@ -647,6 +690,7 @@ OVER(add_vvz_single) {
     STORE(vec3_single, &vo, 2, 1);
   }
 }
+STRIDED(add_vvz_single)
 LOOP(add_vvz_single, 3, DENSE_OR_ONE, 12, 4, 12, 4, 4)
 LOOPS(add_vvz)
 
@@ -663,6 +707,7 @@ OVER(add_vvzinv_double) {
     STORE(vec3_double, &vo, 2, 1);
   }
 }
+STRIDED(add_vvzinv_double)
 LOOP(add_vvzinv_double, 3, DENSE_OR_ONE, 24, 8, 24, 8, 8)
 
 OVER(add_vvzinv_single) {
@@ -677,6 +722,7 @@ OVER(add_vvzinv_single) {
     STORE(vec3_single, &vo, 2, 1);
   }
 }
+STRIDED(add_vvzinv_single)
 LOOP(add_vvzinv_single, 3, DENSE_OR_ONE, 12, 4, 12, 4, 4)
 LOOPS(add_vvzinv)
 

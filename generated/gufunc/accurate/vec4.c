@@ -20,6 +20,7 @@ OVER(vec4_scale_double) {
     STORE(vec4_double, &self, 2, 1);
   }
 }
+STRIDED_WITH_FMA(vec4_scale_double)
 LOOP(vec4_scale_double, 3, DENSE, 32, 8, 32, 8, 8)
 
 OVER(vec4_scale_single) {
@@ -33,6 +34,7 @@ OVER(vec4_scale_single) {
     STORE(vec4_single, &self, 2, 1);
   }
 }
+STRIDED(vec4_scale_single)
 LOOP(vec4_scale_single, 3, DENSE, 16, 4, 16, 4, 4)
 LOOPS(vec4_scale)
 
@@ -49,6 +51,7 @@ OVER(vec4_scaled_double) {
     STORE(vec4_double, &vo, 2, 1);
   }
 }
+STRIDED_WITH_FMA(vec4_scaled_double)
 LOOP(vec4_scaled_double, 3, DENSE_OR_ONE, 32, 8, 32, 8, 8)
 
 OVER(vec4_scaled_single) {
@@ -63,6 +66,7 @@ OVER(vec4_scaled_single) {
     STORE(vec4_single, &vo, 2, 1);
   }
 }
+STRIDED(vec4_scaled_single)
 LOOP(vec4_scaled_single, 3, DENSE_OR_ONE, 16, 4, 16, 4, 4)
 LOOPS(vec4_scaled)
 
@@ -77,6 +81,7 @@ OVER(vec4_l2norm_double) {
     STORE(scalar_double, &norm, 1, 1);
   }
 }
+STRIDED_WITH_FMA(vec4_l2norm_double)
 LOOP(vec4_l2norm_double, 2, DENSE, 32, 8, 8)
 
 OVER(vec4_l2norm_single) {
@@ -89,6 +94,7 @@ OVER(vec4_l2norm_single) {
     STORE(scalar_single, &norm, 1, 1);
   }
 }
+STRIDED(vec4_l2norm_single)
 LOOP(vec4_l2norm_single, 2, DENSE, 16, 4, 4)
 LOOPS(vec4_l2norm)
 
@@ -102,6 +108,7 @@ OVER(vec4_normalize_double) {
     STORE(vec4_double, &self, 1, 1);
   }
 }
+STRIDED_WITH_FMA(vec4_normalize_double)
 LOOP(vec4_normalize_double, 2, DENSE, 32, 32, 8, 8)
 
 OVER(vec4_normalize_single) {
@@ -113,6 +120,7 @@ OVER(vec4_normalize_single) {
     STORE(vec4_single, &self, 1, 1);
   }
 }
+STRIDED(vec4_normalize_single)
 LOOP(vec4_normalize_single, 2, DENSE, 16, 16, 4, 4)
 LOOPS(vec4_normalize)
 
@@ -127,6 +135,7 @@ OVER(vec4_normalized_double) {
     STORE(vec4_double, &vo, 1, 1);
   }
 }
+STRIDED_WITH_FMA(vec4_normalized_double)
 LOOP(vec4_normalized_double, 2, DENSE, 32, 32, 8, 8)
 
 OVER(vec4_normalized_single) {
@@ -139,6 +148,7 @@ OVER(vec4_normalized_single) {
     STORE(vec4_single, &vo, 1, 1);
   }
 }
+STRIDED(vec4_normalized_single)
 LOOP(vec4_normalized_single, 2, DENSE, 16, 16, 4, 4)
 LOOPS(vec4_normalized)
 

@@ -24,6 +24,7 @@ OVER(SE3_invert_double) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(SE3_invert_double)
 LOOP(SE3_invert_double, 3, DENSE, 96, 96, 96, 32, 8, 32, 8, 32, 8)
 
 OVER(SE3_invert_single) {
@@ -38,6 +39,7 @@ OVER(SE3_invert_single) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(SE3_invert_single)
 LOOP(SE3_invert_single, 3, DENSE, 48, 48, 48, 16, 4, 16, 4, 16, 4)
 LOOPS(SE3_invert)
 
@@ -55,6 +57,7 @@ OVER(SE3_inverted_double) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(SE3_inverted_double)
 LOOP(SE3_inverted_double, 3, DENSE, 96, 96, 96, 32, 8, 32, 8, 32, 8)
 
 OVER(SE3_inverted_single) {
@@ -70,6 +73,7 @@ OVER(SE3_inverted_single) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(SE3_inverted_single)
 LOOP(SE3_inverted_single, 3, DENSE, 48, 48, 48, 16, 4, 16, 4, 16, 4)
 LOOPS(SE3_inverted)
 

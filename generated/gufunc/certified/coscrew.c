@@ -26,6 +26,7 @@ OVER(coscrew_scale_double) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(coscrew_scale_double)
 LOOP(coscrew_scale_double, 4, DENSE, 48, 8, 48, 48, 8, 8, 8)
 
 OVER(coscrew_scale_single) {
@@ -42,6 +43,7 @@ OVER(coscrew_scale_single) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(coscrew_scale_single)
 LOOP(coscrew_scale_single, 4, DENSE, 24, 4, 24, 24, 4, 4, 4)
 LOOPS(coscrew_scale)
 
@@ -62,6 +64,7 @@ OVER(axpy_cc_double) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(axpy_cc_double)
 LOOP(axpy_cc_double, 5, DENSE_OR_ONE, 8, 48, 48, 48, 48, 8, 8, 8, 8)
 
 OVER(axpy_cc_single) {
@@ -80,6 +83,7 @@ OVER(axpy_cc_single) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(axpy_cc_single)
 LOOP(axpy_cc_single, 5, DENSE_OR_ONE, 4, 24, 24, 24, 24, 4, 4, 4, 4)
 LOOPS(axpy_cc)
 
@@ -98,6 +102,7 @@ OVER(xpy_cc_double) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(xpy_cc_double)
 LOOP(xpy_cc_double, 4, DENSE_OR_ONE, 48, 48, 48, 48, 8, 8, 8, 8)
 
 OVER(xpy_cc_single) {
@@ -114,6 +119,7 @@ OVER(xpy_cc_single) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(xpy_cc_single)
 LOOP(xpy_cc_single, 4, DENSE_OR_ONE, 24, 24, 24, 24, 4, 4, 4, 4)
 LOOPS(xpy_cc)
 
@@ -132,6 +138,7 @@ OVER(nxpy_cc_double) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(nxpy_cc_double)
 LOOP(nxpy_cc_double, 4, DENSE_OR_ONE, 48, 48, 48, 48, 8, 8, 8, 8)
 
 OVER(nxpy_cc_single) {
@@ -148,6 +155,7 @@ OVER(nxpy_cc_single) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(nxpy_cc_single)
 LOOP(nxpy_cc_single, 4, DENSE_OR_ONE, 24, 24, 24, 24, 4, 4, 4, 4)
 LOOPS(nxpy_cc)
 
@@ -167,6 +175,7 @@ OVER(product_ac_double) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(product_ac_double)
 LOOP(product_ac_double, 4, DENSE_OR_ONE, 8, 48, 48, 48, 8, 8, 8)
 
 OVER(product_ac_single) {
@@ -184,6 +193,7 @@ OVER(product_ac_single) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(product_ac_single)
 LOOP(product_ac_single, 4, DENSE_OR_ONE, 4, 24, 24, 24, 4, 4, 4)
 LOOPS(product_ac)
 
@@ -203,6 +213,7 @@ OVER(add_cc_double) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(add_cc_double)
 LOOP(add_cc_double, 4, DENSE_OR_ONE, 48, 48, 48, 48, 8, 8, 8, 8)
 
 OVER(add_cc_single) {
@@ -220,6 +231,7 @@ OVER(add_cc_single) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(add_cc_single)
 LOOP(add_cc_single, 4, DENSE_OR_ONE, 24, 24, 24, 24, 4, 4, 4, 4)
 LOOPS(add_cc)
 
@@ -239,6 +251,7 @@ OVER(subtract_cc_double) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(subtract_cc_double)
 LOOP(subtract_cc_double, 4, DENSE_OR_ONE, 48, 48, 48, 48, 8, 8, 8, 8)
 
 OVER(subtract_cc_single) {
@@ -256,6 +269,7 @@ OVER(subtract_cc_single) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(subtract_cc_single)
 LOOP(subtract_cc_single, 4, DENSE_OR_ONE, 24, 24, 24, 24, 4, 4, 4, 4)
 LOOPS(subtract_cc)
 
@@ -275,6 +289,7 @@ OVER(add_cct_double) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(add_cct_double)
 LOOP(add_cct_double, 4, DENSE_OR_ONE, 48, 48, 48, 48, 8, 8, 8, 8)
 
 OVER(add_cct_single) {
@@ -292,6 +307,7 @@ OVER(add_cct_single) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(add_cct_single)
 LOOP(add_cct_single, 4, DENSE_OR_ONE, 24, 24, 24, 24, 4, 4, 4, 4)
 LOOPS(add_cct)
 
@@ -311,6 +327,7 @@ OVER(product_CoAdtc_double) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(product_CoAdtc_double)
 LOOP(product_CoAdtc_double, 4, DENSE_OR_ONE, 24, 48, 48, 48, 8, 8, 8, 8)
 
 OVER(product_CoAdtc_single) {
@@ -328,6 +345,7 @@ OVER(product_CoAdtc_single) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(product_CoAdtc_single)
 LOOP(product_CoAdtc_single, 4, DENSE_OR_ONE, 12, 24, 24, 24, 4, 4, 4, 4)
 LOOPS(product_CoAdtc)
 
@@ -347,6 +365,7 @@ OVER(product_CoAdtinvc_double) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(product_CoAdtinvc_double)
 LOOP(product_CoAdtinvc_double, 4, DENSE_OR_ONE, 24, 48, 48, 48, 8, 8, 8, 8)
 
 OVER(product_CoAdtinvc_single) {
@@ -364,6 +383,7 @@ OVER(product_CoAdtinvc_single) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(product_CoAdtinvc_single)
 LOOP(product_CoAdtinvc_single, 4, DENSE_OR_ONE, 12, 24, 24, 24, 4, 4, 4, 4)
 LOOPS(product_CoAdtinvc)
 
@@ -383,6 +403,7 @@ OVER(product_CoAdtcinv_double) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(product_CoAdtcinv_double)
 LOOP(product_CoAdtcinv_double, 4, DENSE_OR_ONE, 24, 48, 48, 48, 8, 8, 8, 8)
 
 OVER(product_CoAdtcinv_single) {
@@ -400,6 +421,7 @@ OVER(product_CoAdtcinv_single) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(product_CoAdtcinv_single)
 LOOP(product_CoAdtcinv_single, 4, DENSE_OR_ONE, 12, 24, 24, 24, 4, 4, 4, 4)
 LOOPS(product_CoAdtcinv)
 
@@ -419,6 +441,7 @@ OVER(product_CoAdrc_double) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(product_CoAdrc_double)
 LOOP(product_CoAdrc_double, 4, DENSE_OR_ONE, 72, 48, 48, 48, 24, 8, 8, 8, 8)
 
 OVER(product_CoAdrc_single) {
@@ -436,6 +459,7 @@ OVER(product_CoAdrc_single) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(product_CoAdrc_single)
 LOOP(product_CoAdrc_single, 4, DENSE_OR_ONE, 36, 24, 24, 24, 12, 4, 4, 4, 4)
 LOOPS(product_CoAdrc)
 
@@ -455,6 +479,7 @@ OVER(product_CoAdrinvc_double) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(product_CoAdrinvc_double)
 LOOP(product_CoAdrinvc_double, 4, DENSE_OR_ONE, 72, 48, 48, 48, 24, 8, 8, 8, 8)
 
 OVER(product_CoAdrinvc_single) {
@@ -472,6 +497,7 @@ OVER(product_CoAdrinvc_single) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(product_CoAdrinvc_single)
 LOOP(product_CoAdrinvc_single, 4, DENSE_OR_ONE, 36, 24, 24, 24, 12, 4, 4, 4, 4)
 LOOPS(product_CoAdrinvc)
 
@@ -491,6 +517,7 @@ OVER(product_CoAdrcinv_double) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(product_CoAdrcinv_double)
 LOOP(product_CoAdrcinv_double, 4, DENSE_OR_ONE, 72, 48, 48, 48, 24, 8, 8, 8, 8)
 
 OVER(product_CoAdrcinv_single) {
@@ -508,6 +535,7 @@ OVER(product_CoAdrcinv_single) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(product_CoAdrcinv_single)
 LOOP(product_CoAdrcinv_single, 4, DENSE_OR_ONE, 36, 24, 24, 24, 12, 4, 4, 4, 4)
 LOOPS(product_CoAdrcinv)
 
@@ -527,6 +555,7 @@ OVER(product_CoAdc_double) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(product_CoAdc_double)
 LOOP(product_CoAdc_double, 4, DENSE_OR_ONE, 96, 48, 48, 48, 32, 8, 8, 8, 8)
 
 OVER(product_CoAdc_single) {
@@ -544,6 +573,7 @@ OVER(product_CoAdc_single) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(product_CoAdc_single)
 LOOP(product_CoAdc_single, 4, DENSE_OR_ONE, 48, 24, 24, 24, 16, 4, 4, 4, 4)
 LOOPS(product_CoAdc)
 
@@ -563,6 +593,7 @@ OVER(product_CoAdinvc_double) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(product_CoAdinvc_double)
 LOOP(product_CoAdinvc_double, 4, DENSE_OR_ONE, 96, 48, 48, 48, 32, 8, 8, 8, 8)
 
 OVER(product_CoAdinvc_single) {
@@ -580,6 +611,7 @@ OVER(product_CoAdinvc_single) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(product_CoAdinvc_single)
 LOOP(product_CoAdinvc_single, 4, DENSE_OR_ONE, 48, 24, 24, 24, 16, 4, 4, 4, 4)
 LOOPS(product_CoAdinvc)
 
@@ -599,6 +631,7 @@ OVER(product_CoAdcinv_double) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(product_CoAdcinv_double)
 LOOP(product_CoAdcinv_double, 4, DENSE_OR_ONE, 96, 48, 48, 48, 32, 8, 8, 8, 8)
 
 OVER(product_CoAdcinv_single) {
@@ -616,6 +649,7 @@ OVER(product_CoAdcinv_single) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(product_CoAdcinv_single)
 LOOP(product_CoAdcinv_single, 4, DENSE_OR_ONE, 48, 24, 24, 24, 16, 4, 4, 4, 4)
 LOOPS(product_CoAdcinv)
 
@@ -633,6 +667,7 @@ OVER(hctx_double) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(hctx_double)
 LOOP(hctx_double, 3, DENSE, 96, 48, 48, 32, 8, 8, 8)
 
 OVER(hctx_single) {
@@ -648,6 +683,7 @@ OVER(hctx_single) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(hctx_single)
 LOOP(hctx_single, 3, DENSE, 48, 24, 24, 16, 4, 4, 4)
 LOOPS(hctx)
 
@@ -665,6 +701,7 @@ OVER(hcty_double) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(hcty_double)
 LOOP(hcty_double, 3, DENSE, 96, 48, 48, 32, 8, 8, 8)
 
 OVER(hcty_single) {
@@ -680,6 +717,7 @@ OVER(hcty_single) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(hcty_single)
 LOOP(hcty_single, 3, DENSE, 48, 24, 24, 16, 4, 4, 4)
 LOOPS(hcty)
 
@@ -697,6 +735,7 @@ OVER(hctz_double) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(hctz_double)
 LOOP(hctz_double, 3, DENSE, 96, 48, 48, 32, 8, 8, 8)
 
 OVER(hctz_single) {
@@ -712,6 +751,7 @@ OVER(hctz_single) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(hctz_single)
 LOOP(hctz_single, 3, DENSE, 48, 24, 24, 16, 4, 4, 4)
 LOOPS(hctz)
 
@@ -729,6 +769,7 @@ OVER(hctxinv_double) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(hctxinv_double)
 LOOP(hctxinv_double, 3, DENSE, 96, 48, 48, 32, 8, 8, 8)
 
 OVER(hctxinv_single) {
@@ -744,6 +785,7 @@ OVER(hctxinv_single) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(hctxinv_single)
 LOOP(hctxinv_single, 3, DENSE, 48, 24, 24, 16, 4, 4, 4)
 LOOPS(hctxinv)
 
@@ -761,6 +803,7 @@ OVER(hctyinv_double) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(hctyinv_double)
 LOOP(hctyinv_double, 3, DENSE, 96, 48, 48, 32, 8, 8, 8)
 
 OVER(hctyinv_single) {
@@ -776,6 +819,7 @@ OVER(hctyinv_single) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(hctyinv_single)
 LOOP(hctyinv_single, 3, DENSE, 48, 24, 24, 16, 4, 4, 4)
 LOOPS(hctyinv)
 
@@ -793,6 +837,7 @@ OVER(hctzinv_double) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(hctzinv_double)
 LOOP(hctzinv_double, 3, DENSE, 96, 48, 48, 32, 8, 8, 8)
 
 OVER(hctzinv_single) {
@@ -808,6 +853,7 @@ OVER(hctzinv_single) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(hctzinv_single)
 LOOP(hctzinv_single, 3, DENSE, 48, 24, 24, 16, 4, 4, 4)
 LOOPS(hctzinv)
 
@@ -825,6 +871,7 @@ OVER(CoAd_double) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(CoAd_double)
 LOOP(CoAd_double, 3, DENSE, 96, 288, 288, 32, 8, 48, 8, 48, 8)
 
 OVER(CoAd_single) {
@@ -840,6 +887,7 @@ OVER(CoAd_single) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(CoAd_single)
 LOOP(CoAd_single, 3, DENSE, 48, 144, 144, 16, 4, 24, 4, 24, 4)
 LOOPS(CoAd)
 
@@ -859,6 +907,7 @@ OVER(reciprocal_product_double) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(reciprocal_product_double)
 LOOP(reciprocal_product_double, 4, DENSE_OR_ONE, 48, 48, 8, 8, 8, 8)
 
 OVER(reciprocal_product_single) {
@@ -876,6 +925,7 @@ OVER(reciprocal_product_single) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(reciprocal_product_single)
 LOOP(reciprocal_product_single, 4, DENSE_OR_ONE, 24, 24, 4, 4, 4, 4)
 LOOPS(reciprocal_product)
 
@@ -895,6 +945,7 @@ OVER(cross_sc_double) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(cross_sc_double)
 LOOP(cross_sc_double, 4, DENSE_OR_ONE, 48, 48, 48, 48, 8, 8, 8, 8)
 
 OVER(cross_sc_single) {
@@ -912,6 +963,7 @@ OVER(cross_sc_single) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(cross_sc_single)
 LOOP(cross_sc_single, 4, DENSE_OR_ONE, 24, 24, 24, 24, 4, 4, 4, 4)
 LOOPS(cross_sc)
 
@@ -931,6 +983,7 @@ OVER(cross_sca_double) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(cross_sca_double)
 LOOP(cross_sca_double, 4, DENSE_OR_ONE, 48, 48, 48, 48, 8, 8, 8, 8)
 
 OVER(cross_sca_single) {
@@ -948,6 +1001,7 @@ OVER(cross_sca_single) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(cross_sca_single)
 LOOP(cross_sca_single, 4, DENSE_OR_ONE, 24, 24, 24, 24, 4, 4, 4, 4)
 LOOPS(cross_sca)
 
@@ -967,6 +1021,7 @@ OVER(constraint_ctx_double) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(constraint_ctx_double)
 LOOP(constraint_ctx_double, 4, DENSE_OR_ONE, 96, 48, 48, 48, 32, 8, 8, 8, 8)
 
 OVER(constraint_ctx_single) {
@@ -984,6 +1039,7 @@ OVER(constraint_ctx_single) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(constraint_ctx_single)
 LOOP(constraint_ctx_single, 4, DENSE_OR_ONE, 48, 24, 24, 24, 16, 4, 4, 4, 4)
 LOOPS(constraint_ctx)
 
@@ -1003,6 +1059,7 @@ OVER(constraint_cty_double) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(constraint_cty_double)
 LOOP(constraint_cty_double, 4, DENSE_OR_ONE, 96, 48, 48, 48, 32, 8, 8, 8, 8)
 
 OVER(constraint_cty_single) {
@@ -1020,6 +1077,7 @@ OVER(constraint_cty_single) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(constraint_cty_single)
 LOOP(constraint_cty_single, 4, DENSE_OR_ONE, 48, 24, 24, 24, 16, 4, 4, 4, 4)
 LOOPS(constraint_cty)
 
@@ -1039,6 +1097,7 @@ OVER(constraint_ctz_double) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(constraint_ctz_double)
 LOOP(constraint_ctz_double, 4, DENSE_OR_ONE, 96, 48, 48, 48, 32, 8, 8, 8, 8)
 
 OVER(constraint_ctz_single) {
@@ -1056,6 +1115,7 @@ OVER(constraint_ctz_single) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(constraint_ctz_single)
 LOOP(constraint_ctz_single, 4, DENSE_OR_ONE, 48, 24, 24, 24, 16, 4, 4, 4, 4)
 LOOPS(constraint_ctz)
 
@@ -1075,6 +1135,7 @@ OVER(constraint_crx_double) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(constraint_crx_double)
 LOOP(constraint_crx_double, 4, DENSE_OR_ONE, 96, 48, 48, 48, 32, 8, 8, 8, 8)
 
 OVER(constraint_crx_single) {
@@ -1092,6 +1153,7 @@ OVER(constraint_crx_single) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(constraint_crx_single)
 LOOP(constraint_crx_single, 4, DENSE_OR_ONE, 48, 24, 24, 24, 16, 4, 4, 4, 4)
 LOOPS(constraint_crx)
 
@@ -1111,6 +1173,7 @@ OVER(constraint_cry_double) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(constraint_cry_double)
 LOOP(constraint_cry_double, 4, DENSE_OR_ONE, 96, 48, 48, 48, 32, 8, 8, 8, 8)
 
 OVER(constraint_cry_single) {
@@ -1128,6 +1191,7 @@ OVER(constraint_cry_single) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(constraint_cry_single)
 LOOP(constraint_cry_single, 4, DENSE_OR_ONE, 48, 24, 24, 24, 16, 4, 4, 4, 4)
 LOOPS(constraint_cry)
 
@@ -1147,6 +1211,7 @@ OVER(constraint_crz_double) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(constraint_crz_double)
 LOOP(constraint_crz_double, 4, DENSE_OR_ONE, 96, 48, 48, 48, 32, 8, 8, 8, 8)
 
 OVER(constraint_crz_single) {
@@ -1164,6 +1229,7 @@ OVER(constraint_crz_single) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(constraint_crz_single)
 LOOP(constraint_crz_single, 4, DENSE_OR_ONE, 48, 24, 24, 24, 16, 4, 4, 4, 4)
 LOOPS(constraint_crz)
 
@@ -1183,6 +1249,7 @@ OVER(working_ctx_double) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(working_ctx_double)
 LOOP(working_ctx_double, 4, DENSE_OR_ONE, 96, 48, 48, 48, 32, 8, 8, 8, 8)
 
 OVER(working_ctx_single) {
@@ -1200,6 +1267,7 @@ OVER(working_ctx_single) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(working_ctx_single)
 LOOP(working_ctx_single, 4, DENSE_OR_ONE, 48, 24, 24, 24, 16, 4, 4, 4, 4)
 LOOPS(working_ctx)
 
@@ -1219,6 +1287,7 @@ OVER(working_cty_double) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(working_cty_double)
 LOOP(working_cty_double, 4, DENSE_OR_ONE, 96, 48, 48, 48, 32, 8, 8, 8, 8)
 
 OVER(working_cty_single) {
@@ -1236,6 +1305,7 @@ OVER(working_cty_single) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(working_cty_single)
 LOOP(working_cty_single, 4, DENSE_OR_ONE, 48, 24, 24, 24, 16, 4, 4, 4, 4)
 LOOPS(working_cty)
 
@@ -1255,6 +1325,7 @@ OVER(working_ctz_double) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(working_ctz_double)
 LOOP(working_ctz_double, 4, DENSE_OR_ONE, 96, 48, 48, 48, 32, 8, 8, 8, 8)
 
 OVER(working_ctz_single) {
@@ -1272,6 +1343,7 @@ OVER(working_ctz_single) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(working_ctz_single)
 LOOP(working_ctz_single, 4, DENSE_OR_ONE, 48, 24, 24, 24, 16, 4, 4, 4, 4)
 LOOPS(working_ctz)
 
@@ -1291,6 +1363,7 @@ OVER(working_crx_double) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(working_crx_double)
 LOOP(working_crx_double, 4, DENSE_OR_ONE, 96, 48, 48, 48, 32, 8, 8, 8, 8)
 
 OVER(working_crx_single) {
@@ -1308,6 +1381,7 @@ OVER(working_crx_single) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(working_crx_single)
 LOOP(working_crx_single, 4, DENSE_OR_ONE, 48, 24, 24, 24, 16, 4, 4, 4, 4)
 LOOPS(working_crx)
 
@@ -1327,6 +1401,7 @@ OVER(working_cry_double) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(working_cry_double)
 LOOP(working_cry_double, 4, DENSE_OR_ONE, 96, 48, 48, 48, 32, 8, 8, 8, 8)
 
 OVER(working_cry_single) {
@@ -1344,6 +1419,7 @@ OVER(working_cry_single) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(working_cry_single)
 LOOP(working_cry_single, 4, DENSE_OR_ONE, 48, 24, 24, 24, 16, 4, 4, 4, 4)
 LOOPS(working_cry)
 
@@ -1363,6 +1439,7 @@ OVER(working_crz_double) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(working_crz_double)
 LOOP(working_crz_double, 4, DENSE_OR_ONE, 96, 48, 48, 48, 32, 8, 8, 8, 8)
 
 OVER(working_crz_single) {
@@ -1380,6 +1457,7 @@ OVER(working_crz_single) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(working_crz_single)
 LOOP(working_crz_single, 4, DENSE_OR_ONE, 48, 24, 24, 24, 16, 4, 4, 4, 4)
 LOOPS(working_crz)
 

@@ -29,7 +29,8 @@ OVER(sincos_double) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
-LOOP(sincos_double, 5, DENSE, 8, 8, 8, 8, 8)
+STRIDED_WITH_FMA(sincos_double)
+LOOP(sincos_double, 5, ANY, 8, 8, 8, 8, 8)
 
 OVER(sincos_single) {
   POINTERS_5
@@ -48,6 +49,7 @@ OVER(sincos_single) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED_WITH_FMA(sincos_single)
 LOOP(sincos_single, 5, DENSE, 4, 4, 4, 4, 4)
 LOOPS(sincos)
 
@@ -65,7 +67,8 @@ OVER(sin_double) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
-LOOP(sin_double, 3, DENSE, 8, 8, 8)
+STRIDED_WITH_FMA(sin_double)
+LOOP(sin_double, 3, ANY, 8, 8, 8)
 
 OVER(sin_single) {
   POINTERS_3
@@ -80,6 +83,7 @@ OVER(sin_single) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED_WITH_FMA(sin_single)
 LOOP(sin_single, 3, DENSE, 4, 4, 4)
 LOOPS(sin)
 
@@ -97,7 +101,8 @@ OVER(cos_double) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
-LOOP(cos_double, 3, DENSE, 8, 8, 8)
+STRIDED_WITH_FMA(cos_double)
+LOOP(cos_double, 3, ANY, 8, 8, 8)
 
 OVER(cos_single) {
   POINTERS_3
@@ -112,6 +117,7 @@ OVER(cos_single) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED_WITH_FMA(cos_single)
 LOOP(cos_single, 3, DENSE, 4, 4, 4)
 LOOPS(cos)
 
@@ -129,7 +135,8 @@ OVER(exp_double) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
-LOOP(exp_double, 3, DENSE, 8, 8, 8)
+STRIDED_WITH_FMA(exp_double)
+LOOP(exp_double, 3, ANY, 8, 8, 8)
 
 OVER(exp_single) {
   POINTERS_3
@@ -144,6 +151,7 @@ OVER(exp_single) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED_WITH_FMA(exp_single)
 LOOP(exp_single, 3, DENSE, 4, 4, 4)
 LOOPS(exp)
 
@@ -161,7 +169,8 @@ OVER(tanh_double) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
-LOOP(tanh_double, 3, DENSE, 8, 8, 8)
+STRIDED_WITH_FMA(tanh_double)
+LOOP(tanh_double, 3, ANY, 8, 8, 8)
 
 OVER(tanh_single) {
   POINTERS_3
@@ -176,7 +185,8 @@ OVER(tanh_single) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
-LOOP(tanh_single, 3, DENSE, 4, 4, 4)
+STRIDED_WITH_FMA(tanh_single)
+LOOP(tanh_single, 3, ANY, 4, 4, 4)
 LOOPS(tanh)
 
 /* (),()->(),() */
@@ -195,6 +205,7 @@ OVER(atan2_double) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED_WITH_FMA(atan2_double)
 LOOP(atan2_double, 4, DENSE_OR_ONE, 8, 8, 8, 8)
 
 OVER(atan2_single) {
@@ -212,6 +223,7 @@ OVER(atan2_single) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED_WITH_FMA(atan2_single)
 LOOP(atan2_single, 4, DENSE_OR_ONE, 4, 4, 4, 4)
 LOOPS(atan2)
 

@@ -25,7 +25,8 @@ OVER(SO3_exp_double) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
-LOOP(SO3_exp_double, 3, DENSE, 24, 72, 72, 8, 24, 8, 24, 8)
+STRIDED_WITH_FMA(SO3_exp_double)
+LOOP(SO3_exp_double, 3, ANY, 24, 72, 72, 8, 24, 8, 24, 8)
 
 OVER(SO3_exp_single) {
   POINTERS_3
@@ -40,7 +41,8 @@ OVER(SO3_exp_single) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
-LOOP(SO3_exp_single, 3, DENSE, 12, 36, 36, 4, 12, 4, 12, 4)
+STRIDED_WITH_FMA(SO3_exp_single)
+LOOP(SO3_exp_single, 3, ANY, 12, 36, 36, 4, 12, 4, 12, 4)
 LOOPS(SO3_exp)
 
 /* (3,3)->(3),(3) */
@@ -57,7 +59,8 @@ OVER(SO3_log_double) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
-LOOP(SO3_log_double, 3, DENSE, 72, 24, 24, 24, 8, 8, 8)
+STRIDED_WITH_FMA(SO3_log_double)
+LOOP(SO3_log_double, 3, ANY, 72, 24, 24, 24, 8, 8, 8)
 
 OVER(SO3_log_single) {
   POINTERS_3
@@ -72,7 +75,8 @@ OVER(SO3_log_single) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
-LOOP(SO3_log_single, 3, DENSE, 36, 12, 12, 12, 4, 4, 4)
+STRIDED_WITH_FMA(SO3_log_single)
+LOOP(SO3_log_single, 3, ANY, 36, 12, 12, 12, 4, 4, 4)
 LOOPS(SO3_log)
 
 /* (3)->(3,3),(3,3) */
@@ -89,7 +93,8 @@ OVER(SO3_leftJacobian_double) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
-LOOP(SO3_leftJacobian_double, 3, DENSE, 24, 72, 72, 8, 24, 8, 24, 8)
+STRIDED_WITH_FMA(SO3_leftJacobian_double)
+LOOP(SO3_leftJacobian_double, 3, ANY, 24, 72, 72, 8, 24, 8, 24, 8)
 
 OVER(SO3_leftJacobian_single) {
   POINTERS_3
@@ -104,7 +109,8 @@ OVER(SO3_leftJacobian_single) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
-LOOP(SO3_leftJacobian_single, 3, DENSE, 12, 36, 36, 4, 12, 4, 12, 4)
+STRIDED_WITH_FMA(SO3_leftJacobian_single)
+LOOP(SO3_leftJacobian_single, 3, ANY, 12, 36, 36, 4, 12, 4, 12, 4)
 LOOPS(SO3_leftJacobian)
 
 /* (3)->(3,3),(3,3) */
@@ -121,7 +127,8 @@ OVER(SO3_rightJacobian_double) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
-LOOP(SO3_rightJacobian_double, 3, DENSE, 24, 72, 72, 8, 24, 8, 24, 8)
+STRIDED_WITH_FMA(SO3_rightJacobian_double)
+LOOP(SO3_rightJacobian_double, 3, ANY, 24, 72, 72, 8, 24, 8, 24, 8)
 
 OVER(SO3_rightJacobian_single) {
   POINTERS_3
@@ -136,7 +143,8 @@ OVER(SO3_rightJacobian_single) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
-LOOP(SO3_rightJacobian_single, 3, DENSE, 12, 36, 36, 4, 12, 4, 12, 4)
+STRIDED_WITH_FMA(SO3_rightJacobian_single)
+LOOP(SO3_rightJacobian_single, 3, ANY, 12, 36, 36, 4, 12, 4, 12, 4)
 LOOPS(SO3_rightJacobian)
 
 /* (3)->(3,3),(3,3) */
@@ -153,7 +161,8 @@ OVER(SO3_leftJacobianInverse_double) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
-LOOP(SO3_leftJacobianInverse_double, 3, DENSE, 24, 72, 72, 8, 24, 8, 24, 8)
+STRIDED_WITH_FMA(SO3_leftJacobianInverse_double)
+LOOP(SO3_leftJacobianInverse_double, 3, ANY, 24, 72, 72, 8, 24, 8, 24, 8)
 
 OVER(SO3_leftJacobianInverse_single) {
   POINTERS_3
@@ -168,7 +177,8 @@ OVER(SO3_leftJacobianInverse_single) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
-LOOP(SO3_leftJacobianInverse_single, 3, DENSE, 12, 36, 36, 4, 12, 4, 12, 4)
+STRIDED_WITH_FMA(SO3_leftJacobianInverse_single)
+LOOP(SO3_leftJacobianInverse_single, 3, ANY, 12, 36, 36, 4, 12, 4, 12, 4)
 LOOPS(SO3_leftJacobianInverse)
 
 /* (3)->(3,3),(3,3) */
@@ -185,7 +195,8 @@ OVER(SO3_rightJacobianInverse_double) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
-LOOP(SO3_rightJacobianInverse_double, 3, DENSE, 24, 72, 72, 8, 24, 8, 24, 8)
+STRIDED_WITH_FMA(SO3_rightJacobianInverse_double)
+LOOP(SO3_rightJacobianInverse_double, 3, ANY, 24, 72, 72, 8, 24, 8, 24, 8)
 
 OVER(SO3_rightJacobianInverse_single) {
   POINTERS_3
@@ -200,7 +211,8 @@ OVER(SO3_rightJacobianInverse_single) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
-LOOP(SO3_rightJacobianInverse_single, 3, DENSE, 12, 36, 36, 4, 12, 4, 12, 4)
+STRIDED_WITH_FMA(SO3_rightJacobianInverse_single)
+LOOP(SO3_rightJacobianInverse_single, 3, ANY, 12, 36, 36, 4, 12, 4, 12, 4)
 LOOPS(SO3_rightJacobianInverse)
 
 /* (3,3)->(3,3),(3,3) */
@@ -216,7 +228,8 @@ OVER(mat3x3_orthonormalize_double) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
-LOOP(mat3x3_orthonormalize_double, 3, DENSE, 72, 72, 72, 24, 8, 24, 8, 24, 8)
+STRIDED(mat3x3_orthonormalize_double)
+LOOP(mat3x3_orthonormalize_double, 3, ANY, 72, 72, 72, 24, 8, 24, 8, 24, 8)
 
 OVER(mat3x3_orthonormalize_single) {
   POINTERS_3
@@ -230,7 +243,8 @@ OVER(mat3x3_orthonormalize_single) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
-LOOP(mat3x3_orthonormalize_single, 3, DENSE, 36, 36, 36, 12, 4, 12, 4, 12, 4)
+STRIDED(mat3x3_orthonormalize_single)
+LOOP(mat3x3_orthonormalize_single, 3, ANY, 36, 36, 36, 12, 4, 12, 4, 12, 4)
 LOOPS(mat3x3_orthonormalize)
 
 /* (3,3)->(3,3),(3,3) */
@@ -247,7 +261,8 @@ OVER(mat3x3_orthonormalized_double) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
-LOOP(mat3x3_orthonormalized_double, 3, DENSE, 72, 72, 72, 24, 8, 24, 8, 24, 8)
+STRIDED(mat3x3_orthonormalized_double)
+LOOP(mat3x3_orthonormalized_double, 3, ANY, 72, 72, 72, 24, 8, 24, 8, 24, 8)
 
 OVER(mat3x3_orthonormalized_single) {
   POINTERS_3
@@ -262,7 +277,8 @@ OVER(mat3x3_orthonormalized_single) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
-LOOP(mat3x3_orthonormalized_single, 3, DENSE, 36, 36, 36, 12, 4, 12, 4, 12, 4)
+STRIDED(mat3x3_orthonormalized_single)
+LOOP(mat3x3_orthonormalized_single, 3, ANY, 36, 36, 36, 12, 4, 12, 4, 12, 4)
 LOOPS(mat3x3_orthonormalized)
 
 /* (6)->(3,4),(3,4) */
@@ -279,7 +295,8 @@ OVER(SE3_exp_double) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
-LOOP(SE3_exp_double, 3, DENSE, 48, 96, 96, 8, 32, 8, 32, 8)
+STRIDED_WITH_FMA(SE3_exp_double)
+LOOP(SE3_exp_double, 3, ANY, 48, 96, 96, 8, 32, 8, 32, 8)
 
 OVER(SE3_exp_single) {
   POINTERS_3
@@ -294,7 +311,8 @@ OVER(SE3_exp_single) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
-LOOP(SE3_exp_single, 3, DENSE, 24, 48, 48, 4, 16, 4, 16, 4)
+STRIDED_WITH_FMA(SE3_exp_single)
+LOOP(SE3_exp_single, 3, ANY, 24, 48, 48, 4, 16, 4, 16, 4)
 LOOPS(SE3_exp)
 
 /* (3,4)->(6),(6) */
@@ -311,7 +329,8 @@ OVER(SE3_log_double) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
-LOOP(SE3_log_double, 3, DENSE, 96, 48, 48, 32, 8, 8, 8)
+STRIDED_WITH_FMA(SE3_log_double)
+LOOP(SE3_log_double, 3, ANY, 96, 48, 48, 32, 8, 8, 8)
 
 OVER(SE3_log_single) {
   POINTERS_3
@@ -326,7 +345,8 @@ OVER(SE3_log_single) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
-LOOP(SE3_log_single, 3, DENSE, 48, 24, 24, 16, 4, 4, 4)
+STRIDED_WITH_FMA(SE3_log_single)
+LOOP(SE3_log_single, 3, ANY, 48, 24, 24, 16, 4, 4, 4)
 LOOPS(SE3_log)
 
 const coscrew_gufunc TABLE(exponential)[] = {

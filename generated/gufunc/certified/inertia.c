@@ -39,6 +39,7 @@ OVER(inertia_double) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(inertia_double)
 LOOP(inertia_double, 10, DENSE_OR_ONE, 8, 24, 8, 8, 8, 8, 8, 8, 80, 80, 8, 8, 8)
 
 OVER(inertia_single) {
@@ -68,6 +69,7 @@ OVER(inertia_single) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(inertia_single)
 LOOP(inertia_single, 10, DENSE_OR_ONE, 4, 12, 4, 4, 4, 4, 4, 4, 40, 40, 4, 4, 4)
 LOOPS(inertia)
 
@@ -87,6 +89,7 @@ OVER(inertia_rotated_double) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(inertia_rotated_double)
 LOOP(inertia_rotated_double, 4, DENSE_OR_ONE, 80, 72, 80, 80, 8, 24, 8, 8, 8)
 
 OVER(inertia_rotated_single) {
@@ -104,6 +107,7 @@ OVER(inertia_rotated_single) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(inertia_rotated_single)
 LOOP(inertia_rotated_single, 4, DENSE_OR_ONE, 40, 36, 40, 40, 4, 12, 4, 4, 4)
 LOOPS(inertia_rotated)
 
@@ -122,7 +126,8 @@ OVER(inertia_rotate_double) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
-LOOP(inertia_rotate_double, 4, DENSE, 80, 72, 80, 80, 8, 24, 8, 8, 8)
+STRIDED(inertia_rotate_double)
+LOOP(inertia_rotate_double, 4, ANY, 80, 72, 80, 80, 8, 24, 8, 8, 8)
 
 OVER(inertia_rotate_single) {
   POINTERS_4
@@ -138,7 +143,8 @@ OVER(inertia_rotate_single) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
-LOOP(inertia_rotate_single, 4, DENSE, 40, 36, 40, 40, 4, 12, 4, 4, 4)
+STRIDED(inertia_rotate_single)
+LOOP(inertia_rotate_single, 4, ANY, 40, 36, 40, 40, 4, 12, 4, 4, 4)
 LOOPS(inertia_rotate)
 
 /* (10),(3)->(10),(10) */
@@ -157,6 +163,7 @@ OVER(inertia_translated_double) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(inertia_translated_double)
 LOOP(inertia_translated_double, 4, DENSE_OR_ONE, 80, 24, 80, 80, 8, 8, 8, 8)
 
 OVER(inertia_translated_single) {
@@ -174,6 +181,7 @@ OVER(inertia_translated_single) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(inertia_translated_single)
 LOOP(inertia_translated_single, 4, DENSE_OR_ONE, 40, 12, 40, 40, 4, 4, 4, 4)
 LOOPS(inertia_translated)
 
@@ -192,6 +200,7 @@ OVER(inertia_translate_double) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(inertia_translate_double)
 LOOP(inertia_translate_double, 4, DENSE, 80, 24, 80, 80, 8, 8, 8, 8)
 
 OVER(inertia_translate_single) {
@@ -208,6 +217,7 @@ OVER(inertia_translate_single) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(inertia_translate_single)
 LOOP(inertia_translate_single, 4, DENSE, 40, 12, 40, 40, 4, 4, 4, 4)
 LOOPS(inertia_translate)
 
@@ -227,6 +237,7 @@ OVER(inertia_transformed_double) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(inertia_transformed_double)
 LOOP(inertia_transformed_double, 4, DENSE_OR_ONE, 80, 96, 80, 80, 8, 32, 8, 8, 8)
 
 OVER(inertia_transformed_single) {
@@ -244,6 +255,7 @@ OVER(inertia_transformed_single) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(inertia_transformed_single)
 LOOP(inertia_transformed_single, 4, DENSE_OR_ONE, 40, 48, 40, 40, 4, 16, 4, 4, 4)
 LOOPS(inertia_transformed)
 
@@ -262,7 +274,8 @@ OVER(inertia_transform_double) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
-LOOP(inertia_transform_double, 4, DENSE, 80, 96, 80, 80, 8, 32, 8, 8, 8)
+STRIDED(inertia_transform_double)
+LOOP(inertia_transform_double, 4, ANY, 80, 96, 80, 80, 8, 32, 8, 8, 8)
 
 OVER(inertia_transform_single) {
   POINTERS_4
@@ -278,7 +291,8 @@ OVER(inertia_transform_single) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
-LOOP(inertia_transform_single, 4, DENSE, 40, 48, 40, 40, 4, 16, 4, 4, 4)
+STRIDED(inertia_transform_single)
+LOOP(inertia_transform_single, 4, ANY, 40, 48, 40, 40, 4, 16, 4, 4, 4)
 LOOPS(inertia_transform)
 
 const coscrew_gufunc TABLE(inertia)[] = {

@@ -27,6 +27,7 @@ OVER(acceleration_tensor_double) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(acceleration_tensor_double)
 LOOP(acceleration_tensor_double, 4, DENSE_OR_ONE, 24, 24, 72, 72, 8, 8, 24, 8, 24, 8)
 
 OVER(acceleration_tensor_single) {
@@ -44,6 +45,7 @@ OVER(acceleration_tensor_single) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(acceleration_tensor_single)
 LOOP(acceleration_tensor_single, 4, DENSE_OR_ONE, 12, 12, 36, 36, 4, 4, 12, 4, 12, 4)
 LOOPS(acceleration_tensor)
 
@@ -61,6 +63,7 @@ OVER(mat3x3_determinant_double) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(mat3x3_determinant_double)
 LOOP(mat3x3_determinant_double, 3, DENSE, 72, 8, 8, 24, 8)
 
 OVER(mat3x3_determinant_single) {
@@ -76,6 +79,7 @@ OVER(mat3x3_determinant_single) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(mat3x3_determinant_single)
 LOOP(mat3x3_determinant_single, 3, DENSE, 36, 4, 4, 12, 4)
 LOOPS(mat3x3_determinant)
 
@@ -95,6 +99,7 @@ OVER(mat3x3_setFromAxisDC_double) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(mat3x3_setFromAxisDC_double)
 LOOP(mat3x3_setFromAxisDC_double, 4, DENSE_OR_ONE, 24, 16, 72, 72, 8, 8, 24, 8, 24, 8)
 
 OVER(mat3x3_setFromAxisDC_single) {
@@ -112,6 +117,7 @@ OVER(mat3x3_setFromAxisDC_single) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(mat3x3_setFromAxisDC_single)
 LOOP(mat3x3_setFromAxisDC_single, 4, DENSE_OR_ONE, 12, 8, 36, 36, 4, 4, 12, 4, 12, 4)
 LOOPS(mat3x3_setFromAxisDC)
 
@@ -129,7 +135,8 @@ OVER(mat3x3_from_euler_xyz_double) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
-LOOP(mat3x3_from_euler_xyz_double, 3, DENSE, 24, 72, 72, 8, 24, 8, 24, 8)
+STRIDED_WITH_FMA(mat3x3_from_euler_xyz_double)
+LOOP(mat3x3_from_euler_xyz_double, 3, ANY, 24, 72, 72, 8, 24, 8, 24, 8)
 
 OVER(mat3x3_from_euler_xyz_single) {
   POINTERS_3
@@ -144,7 +151,8 @@ OVER(mat3x3_from_euler_xyz_single) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
-LOOP(mat3x3_from_euler_xyz_single, 3, DENSE, 12, 36, 36, 4, 12, 4, 12, 4)
+STRIDED_WITH_FMA(mat3x3_from_euler_xyz_single)
+LOOP(mat3x3_from_euler_xyz_single, 3, ANY, 12, 36, 36, 4, 12, 4, 12, 4)
 LOOPS(mat3x3_from_euler_xyz)
 
 /* (3,3)->(3),(3) */
@@ -161,7 +169,8 @@ OVER(euler_xyz_from_mat3x3_double) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
-LOOP(euler_xyz_from_mat3x3_double, 3, DENSE, 72, 24, 24, 24, 8, 8, 8)
+STRIDED_WITH_FMA(euler_xyz_from_mat3x3_double)
+LOOP(euler_xyz_from_mat3x3_double, 3, ANY, 72, 24, 24, 24, 8, 8, 8)
 
 OVER(euler_xyz_from_mat3x3_single) {
   POINTERS_3
@@ -176,7 +185,8 @@ OVER(euler_xyz_from_mat3x3_single) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
-LOOP(euler_xyz_from_mat3x3_single, 3, DENSE, 36, 12, 12, 12, 4, 4, 4)
+STRIDED_WITH_FMA(euler_xyz_from_mat3x3_single)
+LOOP(euler_xyz_from_mat3x3_single, 3, ANY, 36, 12, 12, 12, 4, 4, 4)
 LOOPS(euler_xyz_from_mat3x3)
 
 /* (3)->(3,3),(3,3) */
@@ -193,7 +203,8 @@ OVER(mat3x3_from_euler_xyx_double) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
-LOOP(mat3x3_from_euler_xyx_double, 3, DENSE, 24, 72, 72, 8, 24, 8, 24, 8)
+STRIDED_WITH_FMA(mat3x3_from_euler_xyx_double)
+LOOP(mat3x3_from_euler_xyx_double, 3, ANY, 24, 72, 72, 8, 24, 8, 24, 8)
 
 OVER(mat3x3_from_euler_xyx_single) {
   POINTERS_3
@@ -208,7 +219,8 @@ OVER(mat3x3_from_euler_xyx_single) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
-LOOP(mat3x3_from_euler_xyx_single, 3, DENSE, 12, 36, 36, 4, 12, 4, 12, 4)
+STRIDED_WITH_FMA(mat3x3_from_euler_xyx_single)
+LOOP(mat3x3_from_euler_xyx_single, 3, ANY, 12, 36, 36, 4, 12, 4, 12, 4)
 LOOPS(mat3x3_from_euler_xyx)
 
 /* (3,3)->(3),(3) */
@@ -225,7 +237,8 @@ OVER(euler_xyx_from_mat3x3_double) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
-LOOP(euler_xyx_from_mat3x3_double, 3, DENSE, 72, 24, 24, 24, 8, 8, 8)
+STRIDED_WITH_FMA(euler_xyx_from_mat3x3_double)
+LOOP(euler_xyx_from_mat3x3_double, 3, ANY, 72, 24, 24, 24, 8, 8, 8)
 
 OVER(euler_xyx_from_mat3x3_single) {
   POINTERS_3
@@ -240,7 +253,8 @@ OVER(euler_xyx_from_mat3x3_single) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
-LOOP(euler_xyx_from_mat3x3_single, 3, DENSE, 36, 12, 12, 12, 4, 4, 4)
+STRIDED_WITH_FMA(euler_xyx_from_mat3x3_single)
+LOOP(euler_xyx_from_mat3x3_single, 3, ANY, 36, 12, 12, 12, 4, 4, 4)
 LOOPS(euler_xyx_from_mat3x3)
 
 /* (3),()->(3,3),(3,3) */
@@ -259,6 +273,7 @@ OVER(mat3x3_from_axis_angle_double) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED_WITH_FMA(mat3x3_from_axis_angle_double)
 LOOP(mat3x3_from_axis_angle_double, 4, DENSE_OR_ONE, 24, 8, 72, 72, 8, 24, 8, 24, 8)
 
 OVER(mat3x3_from_axis_angle_single) {
@@ -276,6 +291,7 @@ OVER(mat3x3_from_axis_angle_single) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED_WITH_FMA(mat3x3_from_axis_angle_single)
 LOOP(mat3x3_from_axis_angle_single, 4, DENSE_OR_ONE, 12, 4, 36, 36, 4, 12, 4, 12, 4)
 LOOPS(mat3x3_from_axis_angle)
 
@@ -297,7 +313,8 @@ OVER(axis_angle_from_mat3x3_double) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
-LOOP(axis_angle_from_mat3x3_double, 5, DENSE, 72, 8, 24, 8, 24, 24, 8, 8, 8)
+STRIDED_WITH_FMA(axis_angle_from_mat3x3_double)
+LOOP(axis_angle_from_mat3x3_double, 5, ANY, 72, 8, 24, 8, 24, 24, 8, 8, 8)
 
 OVER(axis_angle_from_mat3x3_single) {
   POINTERS_5
@@ -316,7 +333,8 @@ OVER(axis_angle_from_mat3x3_single) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
-LOOP(axis_angle_from_mat3x3_single, 5, DENSE, 36, 4, 12, 4, 12, 12, 4, 4, 4)
+STRIDED_WITH_FMA(axis_angle_from_mat3x3_single)
+LOOP(axis_angle_from_mat3x3_single, 5, ANY, 36, 4, 12, 4, 12, 12, 4, 4, 4)
 LOOPS(axis_angle_from_mat3x3)
 
 const coscrew_gufunc TABLE(mat3x3)[] = {

@@ -27,6 +27,7 @@ OVER(mat6x6_rotated_double) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(mat6x6_rotated_double)
 LOOP(mat6x6_rotated_double, 4, DENSE_OR_ONE, 72, 288, 288, 288, 24, 8, 48, 8, 48, 8, 48, 8)
 
 OVER(mat6x6_rotated_single) {
@@ -44,6 +45,7 @@ OVER(mat6x6_rotated_single) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(mat6x6_rotated_single)
 LOOP(mat6x6_rotated_single, 4, DENSE_OR_ONE, 36, 144, 144, 144, 12, 4, 24, 4, 24, 4, 24, 4)
 LOOPS(mat6x6_rotated)
 
@@ -63,6 +65,7 @@ OVER(mat6x6_shifted_double) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(mat6x6_shifted_double)
 LOOP(mat6x6_shifted_double, 4, DENSE_OR_ONE, 24, 288, 288, 288, 8, 48, 8, 48, 8, 48, 8)
 
 OVER(mat6x6_shifted_single) {
@@ -80,6 +83,7 @@ OVER(mat6x6_shifted_single) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(mat6x6_shifted_single)
 LOOP(mat6x6_shifted_single, 4, DENSE_OR_ONE, 12, 144, 144, 144, 4, 24, 4, 24, 4, 24, 4)
 LOOPS(mat6x6_shifted)
 

@@ -27,6 +27,7 @@ OVER(product_drv_double) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(product_drv_double)
 LOOP(product_drv_double, 4, DENSE_OR_ONE, 72, 24, 24, 24, 24, 8, 8, 8, 8)
 
 OVER(product_drv_single) {
@@ -44,6 +45,7 @@ OVER(product_drv_single) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(product_drv_single)
 LOOP(product_drv_single, 4, DENSE_OR_ONE, 36, 12, 12, 12, 12, 4, 4, 4, 4)
 LOOPS(product_drv)
 
@@ -63,6 +65,7 @@ OVER(product_drvinv_double) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(product_drvinv_double)
 LOOP(product_drvinv_double, 4, DENSE_OR_ONE, 72, 24, 24, 24, 24, 8, 8, 8, 8)
 
 OVER(product_drvinv_single) {
@@ -80,6 +83,7 @@ OVER(product_drvinv_single) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(product_drvinv_single)
 LOOP(product_drvinv_single, 4, DENSE_OR_ONE, 36, 12, 12, 12, 12, 4, 4, 4, 4)
 LOOPS(product_drvinv)
 
@@ -99,6 +103,7 @@ OVER(product_drinvv_double) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(product_drinvv_double)
 LOOP(product_drinvv_double, 4, DENSE_OR_ONE, 72, 24, 24, 24, 24, 8, 8, 8, 8)
 
 OVER(product_drinvv_single) {
@@ -116,6 +121,7 @@ OVER(product_drinvv_single) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(product_drinvv_single)
 LOOP(product_drinvv_single, 4, DENSE_OR_ONE, 36, 12, 12, 12, 12, 4, 4, 4, 4)
 LOOPS(product_drinvv)
 
@@ -135,6 +141,7 @@ OVER(product_drinvvinv_double) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(product_drinvvinv_double)
 LOOP(product_drinvvinv_double, 4, DENSE_OR_ONE, 72, 24, 24, 24, 24, 8, 8, 8, 8)
 
 OVER(product_drinvvinv_single) {
@@ -152,6 +159,7 @@ OVER(product_drinvvinv_single) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(product_drinvvinv_single)
 LOOP(product_drinvvinv_single, 4, DENSE_OR_ONE, 36, 12, 12, 12, 12, 4, 4, 4, 4)
 LOOPS(product_drinvvinv)
 
@@ -171,6 +179,7 @@ OVER(product_dv_double) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(product_dv_double)
 LOOP(product_dv_double, 4, DENSE_OR_ONE, 96, 24, 24, 24, 32, 8, 8, 8, 8)
 
 OVER(product_dv_single) {
@@ -188,6 +197,7 @@ OVER(product_dv_single) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(product_dv_single)
 LOOP(product_dv_single, 4, DENSE_OR_ONE, 48, 12, 12, 12, 16, 4, 4, 4, 4)
 LOOPS(product_dv)
 
@@ -207,6 +217,7 @@ OVER(product_dinvv_double) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(product_dinvv_double)
 LOOP(product_dinvv_double, 4, DENSE_OR_ONE, 96, 24, 24, 24, 32, 8, 8, 8, 8)
 
 OVER(product_dinvv_single) {
@@ -224,6 +235,7 @@ OVER(product_dinvv_single) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(product_dinvv_single)
 LOOP(product_dinvv_single, 4, DENSE_OR_ONE, 48, 12, 12, 12, 16, 4, 4, 4, 4)
 LOOPS(product_dinvv)
 
@@ -243,6 +255,7 @@ OVER(product_drdr_double) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(product_drdr_double)
 LOOP(product_drdr_double, 4, DENSE_OR_ONE, 72, 72, 72, 72, 24, 8, 24, 8, 24, 8, 24, 8)
 
 OVER(product_drdr_single) {
@@ -260,6 +273,7 @@ OVER(product_drdr_single) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(product_drdr_single)
 LOOP(product_drdr_single, 4, DENSE_OR_ONE, 36, 36, 36, 36, 12, 4, 12, 4, 12, 4, 12, 4)
 LOOPS(product_drdr)
 
@@ -279,6 +293,7 @@ OVER(product_drdrinv_double) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(product_drdrinv_double)
 LOOP(product_drdrinv_double, 4, DENSE_OR_ONE, 72, 72, 72, 72, 24, 8, 24, 8, 24, 8, 24, 8)
 
 OVER(product_drdrinv_single) {
@@ -296,6 +311,7 @@ OVER(product_drdrinv_single) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(product_drdrinv_single)
 LOOP(product_drdrinv_single, 4, DENSE_OR_ONE, 36, 36, 36, 36, 12, 4, 12, 4, 12, 4, 12, 4)
 LOOPS(product_drdrinv)
 
@@ -315,6 +331,7 @@ OVER(product_drinvdr_double) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(product_drinvdr_double)
 LOOP(product_drinvdr_double, 4, DENSE_OR_ONE, 72, 72, 72, 72, 24, 8, 24, 8, 24, 8, 24, 8)
 
 OVER(product_drinvdr_single) {
@@ -332,6 +349,7 @@ OVER(product_drinvdr_single) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(product_drinvdr_single)
 LOOP(product_drinvdr_single, 4, DENSE_OR_ONE, 36, 36, 36, 36, 12, 4, 12, 4, 12, 4, 12, 4)
 LOOPS(product_drinvdr)
 
@@ -351,6 +369,7 @@ OVER(product_dd_double) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(product_dd_double)
 LOOP(product_dd_double, 4, DENSE_OR_ONE, 96, 96, 96, 96, 32, 8, 32, 8, 32, 8, 32, 8)
 
 OVER(product_dd_single) {
@@ -368,6 +387,7 @@ OVER(product_dd_single) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(product_dd_single)
 LOOP(product_dd_single, 4, DENSE_OR_ONE, 48, 48, 48, 48, 16, 4, 16, 4, 16, 4, 16, 4)
 LOOPS(product_dd)
 
@@ -387,6 +407,7 @@ OVER(product_ddinv_double) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(product_ddinv_double)
 LOOP(product_ddinv_double, 4, DENSE_OR_ONE, 96, 96, 96, 96, 32, 8, 32, 8, 32, 8, 32, 8)
 
 OVER(product_ddinv_single) {
@@ -404,6 +425,7 @@ OVER(product_ddinv_single) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(product_ddinv_single)
 LOOP(product_ddinv_single, 4, DENSE_OR_ONE, 48, 48, 48, 48, 16, 4, 16, 4, 16, 4, 16, 4)
 LOOPS(product_ddinv)
 
@@ -423,6 +445,7 @@ OVER(product_dinvd_double) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(product_dinvd_double)
 LOOP(product_dinvd_double, 4, DENSE_OR_ONE, 96, 96, 96, 96, 32, 8, 32, 8, 32, 8, 32, 8)
 
 OVER(product_dinvd_single) {
@@ -440,6 +463,7 @@ OVER(product_dinvd_single) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(product_dinvd_single)
 LOOP(product_dinvd_single, 4, DENSE_OR_ONE, 48, 48, 48, 48, 16, 4, 16, 4, 16, 4, 16, 4)
 LOOPS(product_dinvd)
 
@@ -459,6 +483,7 @@ OVER(product_ddr_double) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(product_ddr_double)
 LOOP(product_ddr_double, 4, DENSE_OR_ONE, 96, 72, 96, 96, 32, 8, 24, 8, 32, 8, 32, 8)
 
 OVER(product_ddr_single) {
@@ -476,6 +501,7 @@ OVER(product_ddr_single) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(product_ddr_single)
 LOOP(product_ddr_single, 4, DENSE_OR_ONE, 48, 36, 48, 48, 16, 4, 12, 4, 16, 4, 16, 4)
 LOOPS(product_ddr)
 
@@ -495,6 +521,7 @@ OVER(product_ddrinv_double) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(product_ddrinv_double)
 LOOP(product_ddrinv_double, 4, DENSE_OR_ONE, 96, 72, 96, 96, 32, 8, 24, 8, 32, 8, 32, 8)
 
 OVER(product_ddrinv_single) {
@@ -512,6 +539,7 @@ OVER(product_ddrinv_single) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(product_ddrinv_single)
 LOOP(product_ddrinv_single, 4, DENSE_OR_ONE, 48, 36, 48, 48, 16, 4, 12, 4, 16, 4, 16, 4)
 LOOPS(product_ddrinv)
 
@@ -531,6 +559,7 @@ OVER(product_ddt_double) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(product_ddt_double)
 LOOP(product_ddt_double, 4, DENSE_OR_ONE, 96, 24, 96, 96, 32, 8, 8, 32, 8, 32, 8)
 
 OVER(product_ddt_single) {
@@ -548,6 +577,7 @@ OVER(product_ddt_single) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(product_ddt_single)
 LOOP(product_ddt_single, 4, DENSE_OR_ONE, 48, 12, 48, 48, 16, 4, 4, 16, 4, 16, 4)
 LOOPS(product_ddt)
 
@@ -567,6 +597,7 @@ OVER(product_ddtinv_double) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(product_ddtinv_double)
 LOOP(product_ddtinv_double, 4, DENSE_OR_ONE, 96, 24, 96, 96, 32, 8, 8, 32, 8, 32, 8)
 
 OVER(product_ddtinv_single) {
@@ -584,6 +615,7 @@ OVER(product_ddtinv_single) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(product_ddtinv_single)
 LOOP(product_ddtinv_single, 4, DENSE_OR_ONE, 48, 12, 48, 48, 16, 4, 4, 16, 4, 16, 4)
 LOOPS(product_ddtinv)
 
@@ -603,6 +635,7 @@ OVER(product_dinvdt_double) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(product_dinvdt_double)
 LOOP(product_dinvdt_double, 4, DENSE_OR_ONE, 96, 24, 96, 96, 32, 8, 8, 32, 8, 32, 8)
 
 OVER(product_dinvdt_single) {
@@ -620,6 +653,7 @@ OVER(product_dinvdt_single) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(product_dinvdt_single)
 LOOP(product_dinvdt_single, 4, DENSE_OR_ONE, 48, 12, 48, 48, 16, 4, 4, 16, 4, 16, 4)
 LOOPS(product_dinvdt)
 
@@ -639,6 +673,7 @@ OVER(product_drvtx_double) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(product_drvtx_double)
 LOOP(product_drvtx_double, 4, DENSE_OR_ONE, 72, 8, 24, 24, 24, 8, 8, 8)
 
 OVER(product_drvtx_single) {
@@ -656,6 +691,7 @@ OVER(product_drvtx_single) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(product_drvtx_single)
 LOOP(product_drvtx_single, 4, DENSE_OR_ONE, 36, 4, 12, 12, 12, 4, 4, 4)
 LOOPS(product_drvtx)
 
@@ -675,6 +711,7 @@ OVER(product_drdrx_double) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(product_drdrx_double)
 LOOP(product_drdrx_double, 4, DENSE_OR_ONE, 72, 16, 72, 72, 24, 8, 8, 24, 8, 24, 8)
 
 OVER(product_drdrx_single) {
@@ -692,6 +729,7 @@ OVER(product_drdrx_single) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(product_drdrx_single)
 LOOP(product_drdrx_single, 4, DENSE_OR_ONE, 36, 8, 36, 36, 12, 4, 4, 12, 4, 12, 4)
 LOOPS(product_drdrx)
 
@@ -711,6 +749,7 @@ OVER(product_ddrx_double) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(product_ddrx_double)
 LOOP(product_ddrx_double, 4, DENSE_OR_ONE, 96, 16, 96, 96, 32, 8, 8, 32, 8, 32, 8)
 
 OVER(product_ddrx_single) {
@@ -728,6 +767,7 @@ OVER(product_ddrx_single) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(product_ddrx_single)
 LOOP(product_ddrx_single, 4, DENSE_OR_ONE, 48, 8, 48, 48, 16, 4, 4, 16, 4, 16, 4)
 LOOPS(product_ddrx)
 
@@ -747,6 +787,7 @@ OVER(product_ddtx_double) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(product_ddtx_double)
 LOOP(product_ddtx_double, 4, DENSE_OR_ONE, 96, 8, 96, 96, 32, 8, 32, 8, 32, 8)
 
 OVER(product_ddtx_single) {
@@ -764,6 +805,7 @@ OVER(product_ddtx_single) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(product_ddtx_single)
 LOOP(product_ddtx_single, 4, DENSE_OR_ONE, 48, 4, 48, 48, 16, 4, 16, 4, 16, 4)
 LOOPS(product_ddtx)
 
@@ -783,6 +825,7 @@ OVER(product_drvtxinv_double) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(product_drvtxinv_double)
 LOOP(product_drvtxinv_double, 4, DENSE_OR_ONE, 72, 8, 24, 24, 24, 8, 8, 8)
 
 OVER(product_drvtxinv_single) {
@@ -800,6 +843,7 @@ OVER(product_drvtxinv_single) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(product_drvtxinv_single)
 LOOP(product_drvtxinv_single, 4, DENSE_OR_ONE, 36, 4, 12, 12, 12, 4, 4, 4)
 LOOPS(product_drvtxinv)
 
@@ -819,6 +863,7 @@ OVER(product_drdrxinv_double) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(product_drdrxinv_double)
 LOOP(product_drdrxinv_double, 4, DENSE_OR_ONE, 72, 16, 72, 72, 24, 8, 8, 24, 8, 24, 8)
 
 OVER(product_drdrxinv_single) {
@@ -836,6 +881,7 @@ OVER(product_drdrxinv_single) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(product_drdrxinv_single)
 LOOP(product_drdrxinv_single, 4, DENSE_OR_ONE, 36, 8, 36, 36, 12, 4, 4, 12, 4, 12, 4)
 LOOPS(product_drdrxinv)
 
@@ -855,6 +901,7 @@ OVER(product_ddrxinv_double) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(product_ddrxinv_double)
 LOOP(product_ddrxinv_double, 4, DENSE_OR_ONE, 96, 16, 96, 96, 32, 8, 8, 32, 8, 32, 8)
 
 OVER(product_ddrxinv_single) {
@@ -872,6 +919,7 @@ OVER(product_ddrxinv_single) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(product_ddrxinv_single)
 LOOP(product_ddrxinv_single, 4, DENSE_OR_ONE, 48, 8, 48, 48, 16, 4, 4, 16, 4, 16, 4)
 LOOPS(product_ddrxinv)
 
@@ -891,6 +939,7 @@ OVER(product_ddtxinv_double) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(product_ddtxinv_double)
 LOOP(product_ddtxinv_double, 4, DENSE_OR_ONE, 96, 8, 96, 96, 32, 8, 32, 8, 32, 8)
 
 OVER(product_ddtxinv_single) {
@@ -908,6 +957,7 @@ OVER(product_ddtxinv_single) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(product_ddtxinv_single)
 LOOP(product_ddtxinv_single, 4, DENSE_OR_ONE, 48, 4, 48, 48, 16, 4, 16, 4, 16, 4)
 LOOPS(product_ddtxinv)
 
@@ -927,6 +977,7 @@ OVER(product_drvty_double) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(product_drvty_double)
 LOOP(product_drvty_double, 4, DENSE_OR_ONE, 72, 8, 24, 24, 24, 8, 8, 8)
 
 OVER(product_drvty_single) {
@@ -944,6 +995,7 @@ OVER(product_drvty_single) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(product_drvty_single)
 LOOP(product_drvty_single, 4, DENSE_OR_ONE, 36, 4, 12, 12, 12, 4, 4, 4)
 LOOPS(product_drvty)
 
@@ -963,6 +1015,7 @@ OVER(product_drdry_double) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(product_drdry_double)
 LOOP(product_drdry_double, 4, DENSE_OR_ONE, 72, 16, 72, 72, 24, 8, 8, 24, 8, 24, 8)
 
 OVER(product_drdry_single) {
@@ -980,6 +1033,7 @@ OVER(product_drdry_single) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(product_drdry_single)
 LOOP(product_drdry_single, 4, DENSE_OR_ONE, 36, 8, 36, 36, 12, 4, 4, 12, 4, 12, 4)
 LOOPS(product_drdry)
 
@@ -999,6 +1053,7 @@ OVER(product_ddry_double) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(product_ddry_double)
 LOOP(product_ddry_double, 4, DENSE_OR_ONE, 96, 16, 96, 96, 32, 8, 8, 32, 8, 32, 8)
 
 OVER(product_ddry_single) {
@@ -1016,6 +1071,7 @@ OVER(product_ddry_single) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(product_ddry_single)
 LOOP(product_ddry_single, 4, DENSE_OR_ONE, 48, 8, 48, 48, 16, 4, 4, 16, 4, 16, 4)
 LOOPS(product_ddry)
 
@@ -1035,6 +1091,7 @@ OVER(product_ddty_double) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(product_ddty_double)
 LOOP(product_ddty_double, 4, DENSE_OR_ONE, 96, 8, 96, 96, 32, 8, 32, 8, 32, 8)
 
 OVER(product_ddty_single) {
@@ -1052,6 +1109,7 @@ OVER(product_ddty_single) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(product_ddty_single)
 LOOP(product_ddty_single, 4, DENSE_OR_ONE, 48, 4, 48, 48, 16, 4, 16, 4, 16, 4)
 LOOPS(product_ddty)
 
@@ -1071,6 +1129,7 @@ OVER(product_drvtyinv_double) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(product_drvtyinv_double)
 LOOP(product_drvtyinv_double, 4, DENSE_OR_ONE, 72, 8, 24, 24, 24, 8, 8, 8)
 
 OVER(product_drvtyinv_single) {
@@ -1088,6 +1147,7 @@ OVER(product_drvtyinv_single) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(product_drvtyinv_single)
 LOOP(product_drvtyinv_single, 4, DENSE_OR_ONE, 36, 4, 12, 12, 12, 4, 4, 4)
 LOOPS(product_drvtyinv)
 
@@ -1107,6 +1167,7 @@ OVER(product_drdryinv_double) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(product_drdryinv_double)
 LOOP(product_drdryinv_double, 4, DENSE_OR_ONE, 72, 16, 72, 72, 24, 8, 8, 24, 8, 24, 8)
 
 OVER(product_drdryinv_single) {
@@ -1124,6 +1185,7 @@ OVER(product_drdryinv_single) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(product_drdryinv_single)
 LOOP(product_drdryinv_single, 4, DENSE_OR_ONE, 36, 8, 36, 36, 12, 4, 4, 12, 4, 12, 4)
 LOOPS(product_drdryinv)
 
@@ -1143,6 +1205,7 @@ OVER(product_ddryinv_double) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(product_ddryinv_double)
 LOOP(product_ddryinv_double, 4, DENSE_OR_ONE, 96, 16, 96, 96, 32, 8, 8, 32, 8, 32, 8)
 
 OVER(product_ddryinv_single) {
@@ -1160,6 +1223,7 @@ OVER(product_ddryinv_single) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(product_ddryinv_single)
 LOOP(product_ddryinv_single, 4, DENSE_OR_ONE, 48, 8, 48, 48, 16, 4, 4, 16, 4, 16, 4)
 LOOPS(product_ddryinv)
 
@@ -1179,6 +1243,7 @@ OVER(product_ddtyinv_double) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(product_ddtyinv_double)
 LOOP(product_ddtyinv_double, 4, DENSE_OR_ONE, 96, 8, 96, 96, 32, 8, 32, 8, 32, 8)
 
 OVER(product_ddtyinv_single) {
@@ -1196,6 +1261,7 @@ OVER(product_ddtyinv_single) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(product_ddtyinv_single)
 LOOP(product_ddtyinv_single, 4, DENSE_OR_ONE, 48, 4, 48, 48, 16, 4, 16, 4, 16, 4)
 LOOPS(product_ddtyinv)
 
@@ -1215,6 +1281,7 @@ OVER(product_drvtz_double) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(product_drvtz_double)
 LOOP(product_drvtz_double, 4, DENSE_OR_ONE, 72, 8, 24, 24, 24, 8, 8, 8)
 
 OVER(product_drvtz_single) {
@@ -1232,6 +1299,7 @@ OVER(product_drvtz_single) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(product_drvtz_single)
 LOOP(product_drvtz_single, 4, DENSE_OR_ONE, 36, 4, 12, 12, 12, 4, 4, 4)
 LOOPS(product_drvtz)
 
@@ -1251,6 +1319,7 @@ OVER(product_drdrz_double) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(product_drdrz_double)
 LOOP(product_drdrz_double, 4, DENSE_OR_ONE, 72, 16, 72, 72, 24, 8, 8, 24, 8, 24, 8)
 
 OVER(product_drdrz_single) {
@@ -1268,6 +1337,7 @@ OVER(product_drdrz_single) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(product_drdrz_single)
 LOOP(product_drdrz_single, 4, DENSE_OR_ONE, 36, 8, 36, 36, 12, 4, 4, 12, 4, 12, 4)
 LOOPS(product_drdrz)
 
@@ -1287,6 +1357,7 @@ OVER(product_ddrz_double) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(product_ddrz_double)
 LOOP(product_ddrz_double, 4, DENSE_OR_ONE, 96, 16, 96, 96, 32, 8, 8, 32, 8, 32, 8)
 
 OVER(product_ddrz_single) {
@@ -1304,6 +1375,7 @@ OVER(product_ddrz_single) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(product_ddrz_single)
 LOOP(product_ddrz_single, 4, DENSE_OR_ONE, 48, 8, 48, 48, 16, 4, 4, 16, 4, 16, 4)
 LOOPS(product_ddrz)
 
@@ -1323,6 +1395,7 @@ OVER(product_ddtz_double) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(product_ddtz_double)
 LOOP(product_ddtz_double, 4, DENSE_OR_ONE, 96, 8, 96, 96, 32, 8, 32, 8, 32, 8)
 
 OVER(product_ddtz_single) {
@@ -1340,6 +1413,7 @@ OVER(product_ddtz_single) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(product_ddtz_single)
 LOOP(product_ddtz_single, 4, DENSE_OR_ONE, 48, 4, 48, 48, 16, 4, 16, 4, 16, 4)
 LOOPS(product_ddtz)
 
@@ -1359,6 +1433,7 @@ OVER(product_drvtzinv_double) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(product_drvtzinv_double)
 LOOP(product_drvtzinv_double, 4, DENSE_OR_ONE, 72, 8, 24, 24, 24, 8, 8, 8)
 
 OVER(product_drvtzinv_single) {
@@ -1376,6 +1451,7 @@ OVER(product_drvtzinv_single) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(product_drvtzinv_single)
 LOOP(product_drvtzinv_single, 4, DENSE_OR_ONE, 36, 4, 12, 12, 12, 4, 4, 4)
 LOOPS(product_drvtzinv)
 
@@ -1395,6 +1471,7 @@ OVER(product_drdrzinv_double) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(product_drdrzinv_double)
 LOOP(product_drdrzinv_double, 4, DENSE_OR_ONE, 72, 16, 72, 72, 24, 8, 8, 24, 8, 24, 8)
 
 OVER(product_drdrzinv_single) {
@@ -1412,6 +1489,7 @@ OVER(product_drdrzinv_single) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(product_drdrzinv_single)
 LOOP(product_drdrzinv_single, 4, DENSE_OR_ONE, 36, 8, 36, 36, 12, 4, 4, 12, 4, 12, 4)
 LOOPS(product_drdrzinv)
 
@@ -1431,6 +1509,7 @@ OVER(product_ddrzinv_double) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(product_ddrzinv_double)
 LOOP(product_ddrzinv_double, 4, DENSE_OR_ONE, 96, 16, 96, 96, 32, 8, 8, 32, 8, 32, 8)
 
 OVER(product_ddrzinv_single) {
@@ -1448,6 +1527,7 @@ OVER(product_ddrzinv_single) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(product_ddrzinv_single)
 LOOP(product_ddrzinv_single, 4, DENSE_OR_ONE, 48, 8, 48, 48, 16, 4, 4, 16, 4, 16, 4)
 LOOPS(product_ddrzinv)
 
@@ -1467,6 +1547,7 @@ OVER(product_ddtzinv_double) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(product_ddtzinv_double)
 LOOP(product_ddtzinv_double, 4, DENSE_OR_ONE, 96, 8, 96, 96, 32, 8, 32, 8, 32, 8)
 
 OVER(product_ddtzinv_single) {
@@ -1484,6 +1565,7 @@ OVER(product_ddtzinv_single) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(product_ddtzinv_single)
 LOOP(product_ddtzinv_single, 4, DENSE_OR_ONE, 48, 4, 48, 48, 16, 4, 16, 4, 16, 4)
 LOOPS(product_ddtzinv)
 

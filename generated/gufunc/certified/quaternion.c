@@ -26,6 +26,7 @@ OVER(quaternion_scale_double) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(quaternion_scale_double)
 LOOP(quaternion_scale_double, 4, DENSE, 32, 8, 32, 32, 8, 8, 8)
 
 OVER(quaternion_scale_single) {
@@ -42,6 +43,7 @@ OVER(quaternion_scale_single) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(quaternion_scale_single)
 LOOP(quaternion_scale_single, 4, DENSE, 16, 4, 16, 16, 4, 4, 4)
 LOOPS(quaternion_scale)
 
@@ -62,6 +64,7 @@ OVER(axpy_qq_double) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(axpy_qq_double)
 LOOP(axpy_qq_double, 5, DENSE_OR_ONE, 8, 32, 32, 32, 32, 8, 8, 8, 8)
 
 OVER(axpy_qq_single) {
@@ -80,6 +83,7 @@ OVER(axpy_qq_single) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(axpy_qq_single)
 LOOP(axpy_qq_single, 5, DENSE_OR_ONE, 4, 16, 16, 16, 16, 4, 4, 4, 4)
 LOOPS(axpy_qq)
 
@@ -99,6 +103,7 @@ OVER(rotate_qv_double) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(rotate_qv_double)
 LOOP(rotate_qv_double, 4, DENSE_OR_ONE, 32, 24, 24, 24, 8, 8, 8, 8)
 
 OVER(rotate_qv_single) {
@@ -116,6 +121,7 @@ OVER(rotate_qv_single) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(rotate_qv_single)
 LOOP(rotate_qv_single, 4, DENSE_OR_ONE, 16, 12, 12, 12, 4, 4, 4, 4)
 LOOPS(rotate_qv)
 
@@ -135,6 +141,7 @@ OVER(rotate_qconjv_double) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(rotate_qconjv_double)
 LOOP(rotate_qconjv_double, 4, DENSE_OR_ONE, 32, 24, 24, 24, 8, 8, 8, 8)
 
 OVER(rotate_qconjv_single) {
@@ -152,6 +159,7 @@ OVER(rotate_qconjv_single) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(rotate_qconjv_single)
 LOOP(rotate_qconjv_single, 4, DENSE_OR_ONE, 16, 12, 12, 12, 4, 4, 4, 4)
 LOOPS(rotate_qconjv)
 
@@ -171,6 +179,7 @@ OVER(quaternion_product_qq_double) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(quaternion_product_qq_double)
 LOOP(quaternion_product_qq_double, 4, DENSE_OR_ONE, 32, 32, 32, 32, 8, 8, 8, 8)
 
 OVER(quaternion_product_qq_single) {
@@ -188,6 +197,7 @@ OVER(quaternion_product_qq_single) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(quaternion_product_qq_single)
 LOOP(quaternion_product_qq_single, 4, DENSE_OR_ONE, 16, 16, 16, 16, 4, 4, 4, 4)
 LOOPS(quaternion_product_qq)
 
@@ -207,6 +217,7 @@ OVER(quaternion_product_qqconj_double) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(quaternion_product_qqconj_double)
 LOOP(quaternion_product_qqconj_double, 4, DENSE_OR_ONE, 32, 32, 32, 32, 8, 8, 8, 8)
 
 OVER(quaternion_product_qqconj_single) {
@@ -224,6 +235,7 @@ OVER(quaternion_product_qqconj_single) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(quaternion_product_qqconj_single)
 LOOP(quaternion_product_qqconj_single, 4, DENSE_OR_ONE, 16, 16, 16, 16, 4, 4, 4, 4)
 LOOPS(quaternion_product_qqconj)
 
@@ -243,6 +255,7 @@ OVER(quaternion_product_qconjq_double) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(quaternion_product_qconjq_double)
 LOOP(quaternion_product_qconjq_double, 4, DENSE_OR_ONE, 32, 32, 32, 32, 8, 8, 8, 8)
 
 OVER(quaternion_product_qconjq_single) {
@@ -260,6 +273,7 @@ OVER(quaternion_product_qconjq_single) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(quaternion_product_qconjq_single)
 LOOP(quaternion_product_qconjq_single, 4, DENSE_OR_ONE, 16, 16, 16, 16, 4, 4, 4, 4)
 LOOPS(quaternion_product_qconjq)
 
@@ -279,6 +293,7 @@ OVER(quaternion_product_qconjqconj_double) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(quaternion_product_qconjqconj_double)
 LOOP(quaternion_product_qconjqconj_double, 4, DENSE_OR_ONE, 32, 32, 32, 32, 8, 8, 8, 8)
 
 OVER(quaternion_product_qconjqconj_single) {
@@ -296,6 +311,7 @@ OVER(quaternion_product_qconjqconj_single) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(quaternion_product_qconjqconj_single)
 LOOP(quaternion_product_qconjqconj_single, 4, DENSE_OR_ONE, 16, 16, 16, 16, 4, 4, 4, 4)
 LOOPS(quaternion_product_qconjqconj)
 
@@ -315,6 +331,7 @@ OVER(quaternion_product_qxq_double) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(quaternion_product_qxq_double)
 LOOP(quaternion_product_qxq_double, 4, DENSE_OR_ONE, 16, 32, 32, 32, 8, 8, 8, 8)
 
 OVER(quaternion_product_qxq_single) {
@@ -332,6 +349,7 @@ OVER(quaternion_product_qxq_single) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(quaternion_product_qxq_single)
 LOOP(quaternion_product_qxq_single, 4, DENSE_OR_ONE, 8, 16, 16, 16, 4, 4, 4, 4)
 LOOPS(quaternion_product_qxq)
 
@@ -351,6 +369,7 @@ OVER(quaternion_product_qxqconj_double) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(quaternion_product_qxqconj_double)
 LOOP(quaternion_product_qxqconj_double, 4, DENSE_OR_ONE, 16, 32, 32, 32, 8, 8, 8, 8)
 
 OVER(quaternion_product_qxqconj_single) {
@@ -368,6 +387,7 @@ OVER(quaternion_product_qxqconj_single) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(quaternion_product_qxqconj_single)
 LOOP(quaternion_product_qxqconj_single, 4, DENSE_OR_ONE, 8, 16, 16, 16, 4, 4, 4, 4)
 LOOPS(quaternion_product_qxqconj)
 
@@ -387,6 +407,7 @@ OVER(quaternion_product_qxconjq_double) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(quaternion_product_qxconjq_double)
 LOOP(quaternion_product_qxconjq_double, 4, DENSE_OR_ONE, 16, 32, 32, 32, 8, 8, 8, 8)
 
 OVER(quaternion_product_qxconjq_single) {
@@ -404,6 +425,7 @@ OVER(quaternion_product_qxconjq_single) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(quaternion_product_qxconjq_single)
 LOOP(quaternion_product_qxconjq_single, 4, DENSE_OR_ONE, 8, 16, 16, 16, 4, 4, 4, 4)
 LOOPS(quaternion_product_qxconjq)
 
@@ -423,6 +445,7 @@ OVER(quaternion_product_qxconjqconj_double) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(quaternion_product_qxconjqconj_double)
 LOOP(quaternion_product_qxconjqconj_double, 4, DENSE_OR_ONE, 16, 32, 32, 32, 8, 8, 8, 8)
 
 OVER(quaternion_product_qxconjqconj_single) {
@@ -440,6 +463,7 @@ OVER(quaternion_product_qxconjqconj_single) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(quaternion_product_qxconjqconj_single)
 LOOP(quaternion_product_qxconjqconj_single, 4, DENSE_OR_ONE, 8, 16, 16, 16, 4, 4, 4, 4)
 LOOPS(quaternion_product_qxconjqconj)
 
@@ -459,6 +483,7 @@ OVER(quaternion_product_qqx_double) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(quaternion_product_qqx_double)
 LOOP(quaternion_product_qqx_double, 4, DENSE_OR_ONE, 32, 16, 32, 32, 8, 8, 8, 8)
 
 OVER(quaternion_product_qqx_single) {
@@ -476,6 +501,7 @@ OVER(quaternion_product_qqx_single) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(quaternion_product_qqx_single)
 LOOP(quaternion_product_qqx_single, 4, DENSE_OR_ONE, 16, 8, 16, 16, 4, 4, 4, 4)
 LOOPS(quaternion_product_qqx)
 
@@ -495,6 +521,7 @@ OVER(quaternion_product_qqxconj_double) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(quaternion_product_qqxconj_double)
 LOOP(quaternion_product_qqxconj_double, 4, DENSE_OR_ONE, 32, 16, 32, 32, 8, 8, 8, 8)
 
 OVER(quaternion_product_qqxconj_single) {
@@ -512,6 +539,7 @@ OVER(quaternion_product_qqxconj_single) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(quaternion_product_qqxconj_single)
 LOOP(quaternion_product_qqxconj_single, 4, DENSE_OR_ONE, 16, 8, 16, 16, 4, 4, 4, 4)
 LOOPS(quaternion_product_qqxconj)
 
@@ -531,6 +559,7 @@ OVER(quaternion_product_qconjqx_double) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(quaternion_product_qconjqx_double)
 LOOP(quaternion_product_qconjqx_double, 4, DENSE_OR_ONE, 32, 16, 32, 32, 8, 8, 8, 8)
 
 OVER(quaternion_product_qconjqx_single) {
@@ -548,6 +577,7 @@ OVER(quaternion_product_qconjqx_single) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(quaternion_product_qconjqx_single)
 LOOP(quaternion_product_qconjqx_single, 4, DENSE_OR_ONE, 16, 8, 16, 16, 4, 4, 4, 4)
 LOOPS(quaternion_product_qconjqx)
 
@@ -567,6 +597,7 @@ OVER(quaternion_product_qconjqxconj_double) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(quaternion_product_qconjqxconj_double)
 LOOP(quaternion_product_qconjqxconj_double, 4, DENSE_OR_ONE, 32, 16, 32, 32, 8, 8, 8, 8)
 
 OVER(quaternion_product_qconjqxconj_single) {
@@ -584,6 +615,7 @@ OVER(quaternion_product_qconjqxconj_single) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(quaternion_product_qconjqxconj_single)
 LOOP(quaternion_product_qconjqxconj_single, 4, DENSE_OR_ONE, 16, 8, 16, 16, 4, 4, 4, 4)
 LOOPS(quaternion_product_qconjqxconj)
 
@@ -603,6 +635,7 @@ OVER(quaternion_product_qyq_double) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(quaternion_product_qyq_double)
 LOOP(quaternion_product_qyq_double, 4, DENSE_OR_ONE, 16, 32, 32, 32, 8, 8, 8, 8)
 
 OVER(quaternion_product_qyq_single) {
@@ -620,6 +653,7 @@ OVER(quaternion_product_qyq_single) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(quaternion_product_qyq_single)
 LOOP(quaternion_product_qyq_single, 4, DENSE_OR_ONE, 8, 16, 16, 16, 4, 4, 4, 4)
 LOOPS(quaternion_product_qyq)
 
@@ -639,6 +673,7 @@ OVER(quaternion_product_qyqconj_double) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(quaternion_product_qyqconj_double)
 LOOP(quaternion_product_qyqconj_double, 4, DENSE_OR_ONE, 16, 32, 32, 32, 8, 8, 8, 8)
 
 OVER(quaternion_product_qyqconj_single) {
@@ -656,6 +691,7 @@ OVER(quaternion_product_qyqconj_single) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(quaternion_product_qyqconj_single)
 LOOP(quaternion_product_qyqconj_single, 4, DENSE_OR_ONE, 8, 16, 16, 16, 4, 4, 4, 4)
 LOOPS(quaternion_product_qyqconj)
 
@@ -675,6 +711,7 @@ OVER(quaternion_product_qyconjq_double) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(quaternion_product_qyconjq_double)
 LOOP(quaternion_product_qyconjq_double, 4, DENSE_OR_ONE, 16, 32, 32, 32, 8, 8, 8, 8)
 
 OVER(quaternion_product_qyconjq_single) {
@@ -692,6 +729,7 @@ OVER(quaternion_product_qyconjq_single) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(quaternion_product_qyconjq_single)
 LOOP(quaternion_product_qyconjq_single, 4, DENSE_OR_ONE, 8, 16, 16, 16, 4, 4, 4, 4)
 LOOPS(quaternion_product_qyconjq)
 
@@ -711,6 +749,7 @@ OVER(quaternion_product_qyconjqconj_double) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(quaternion_product_qyconjqconj_double)
 LOOP(quaternion_product_qyconjqconj_double, 4, DENSE_OR_ONE, 16, 32, 32, 32, 8, 8, 8, 8)
 
 OVER(quaternion_product_qyconjqconj_single) {
@@ -728,6 +767,7 @@ OVER(quaternion_product_qyconjqconj_single) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(quaternion_product_qyconjqconj_single)
 LOOP(quaternion_product_qyconjqconj_single, 4, DENSE_OR_ONE, 8, 16, 16, 16, 4, 4, 4, 4)
 LOOPS(quaternion_product_qyconjqconj)
 
@@ -747,6 +787,7 @@ OVER(quaternion_product_qqy_double) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(quaternion_product_qqy_double)
 LOOP(quaternion_product_qqy_double, 4, DENSE_OR_ONE, 32, 16, 32, 32, 8, 8, 8, 8)
 
 OVER(quaternion_product_qqy_single) {
@@ -764,6 +805,7 @@ OVER(quaternion_product_qqy_single) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(quaternion_product_qqy_single)
 LOOP(quaternion_product_qqy_single, 4, DENSE_OR_ONE, 16, 8, 16, 16, 4, 4, 4, 4)
 LOOPS(quaternion_product_qqy)
 
@@ -783,6 +825,7 @@ OVER(quaternion_product_qqyconj_double) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(quaternion_product_qqyconj_double)
 LOOP(quaternion_product_qqyconj_double, 4, DENSE_OR_ONE, 32, 16, 32, 32, 8, 8, 8, 8)
 
 OVER(quaternion_product_qqyconj_single) {
@@ -800,6 +843,7 @@ OVER(quaternion_product_qqyconj_single) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(quaternion_product_qqyconj_single)
 LOOP(quaternion_product_qqyconj_single, 4, DENSE_OR_ONE, 16, 8, 16, 16, 4, 4, 4, 4)
 LOOPS(quaternion_product_qqyconj)
 
@@ -819,6 +863,7 @@ OVER(quaternion_product_qconjqy_double) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(quaternion_product_qconjqy_double)
 LOOP(quaternion_product_qconjqy_double, 4, DENSE_OR_ONE, 32, 16, 32, 32, 8, 8, 8, 8)
 
 OVER(quaternion_product_qconjqy_single) {
@@ -836,6 +881,7 @@ OVER(quaternion_product_qconjqy_single) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(quaternion_product_qconjqy_single)
 LOOP(quaternion_product_qconjqy_single, 4, DENSE_OR_ONE, 16, 8, 16, 16, 4, 4, 4, 4)
 LOOPS(quaternion_product_qconjqy)
 
@@ -855,6 +901,7 @@ OVER(quaternion_product_qconjqyconj_double) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(quaternion_product_qconjqyconj_double)
 LOOP(quaternion_product_qconjqyconj_double, 4, DENSE_OR_ONE, 32, 16, 32, 32, 8, 8, 8, 8)
 
 OVER(quaternion_product_qconjqyconj_single) {
@@ -872,6 +919,7 @@ OVER(quaternion_product_qconjqyconj_single) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(quaternion_product_qconjqyconj_single)
 LOOP(quaternion_product_qconjqyconj_single, 4, DENSE_OR_ONE, 16, 8, 16, 16, 4, 4, 4, 4)
 LOOPS(quaternion_product_qconjqyconj)
 
@@ -891,6 +939,7 @@ OVER(quaternion_product_qzq_double) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(quaternion_product_qzq_double)
 LOOP(quaternion_product_qzq_double, 4, DENSE_OR_ONE, 16, 32, 32, 32, 8, 8, 8, 8)
 
 OVER(quaternion_product_qzq_single) {
@@ -908,6 +957,7 @@ OVER(quaternion_product_qzq_single) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(quaternion_product_qzq_single)
 LOOP(quaternion_product_qzq_single, 4, DENSE_OR_ONE, 8, 16, 16, 16, 4, 4, 4, 4)
 LOOPS(quaternion_product_qzq)
 
@@ -927,6 +977,7 @@ OVER(quaternion_product_qzqconj_double) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(quaternion_product_qzqconj_double)
 LOOP(quaternion_product_qzqconj_double, 4, DENSE_OR_ONE, 16, 32, 32, 32, 8, 8, 8, 8)
 
 OVER(quaternion_product_qzqconj_single) {
@@ -944,6 +995,7 @@ OVER(quaternion_product_qzqconj_single) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(quaternion_product_qzqconj_single)
 LOOP(quaternion_product_qzqconj_single, 4, DENSE_OR_ONE, 8, 16, 16, 16, 4, 4, 4, 4)
 LOOPS(quaternion_product_qzqconj)
 
@@ -963,6 +1015,7 @@ OVER(quaternion_product_qzconjq_double) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(quaternion_product_qzconjq_double)
 LOOP(quaternion_product_qzconjq_double, 4, DENSE_OR_ONE, 16, 32, 32, 32, 8, 8, 8, 8)
 
 OVER(quaternion_product_qzconjq_single) {
@@ -980,6 +1033,7 @@ OVER(quaternion_product_qzconjq_single) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(quaternion_product_qzconjq_single)
 LOOP(quaternion_product_qzconjq_single, 4, DENSE_OR_ONE, 8, 16, 16, 16, 4, 4, 4, 4)
 LOOPS(quaternion_product_qzconjq)
 
@@ -999,6 +1053,7 @@ OVER(quaternion_product_qzconjqconj_double) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(quaternion_product_qzconjqconj_double)
 LOOP(quaternion_product_qzconjqconj_double, 4, DENSE_OR_ONE, 16, 32, 32, 32, 8, 8, 8, 8)
 
 OVER(quaternion_product_qzconjqconj_single) {
@@ -1016,6 +1071,7 @@ OVER(quaternion_product_qzconjqconj_single) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(quaternion_product_qzconjqconj_single)
 LOOP(quaternion_product_qzconjqconj_single, 4, DENSE_OR_ONE, 8, 16, 16, 16, 4, 4, 4, 4)
 LOOPS(quaternion_product_qzconjqconj)
 
@@ -1035,6 +1091,7 @@ OVER(quaternion_product_qqz_double) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(quaternion_product_qqz_double)
 LOOP(quaternion_product_qqz_double, 4, DENSE_OR_ONE, 32, 16, 32, 32, 8, 8, 8, 8)
 
 OVER(quaternion_product_qqz_single) {
@@ -1052,6 +1109,7 @@ OVER(quaternion_product_qqz_single) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(quaternion_product_qqz_single)
 LOOP(quaternion_product_qqz_single, 4, DENSE_OR_ONE, 16, 8, 16, 16, 4, 4, 4, 4)
 LOOPS(quaternion_product_qqz)
 
@@ -1071,6 +1129,7 @@ OVER(quaternion_product_qqzconj_double) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(quaternion_product_qqzconj_double)
 LOOP(quaternion_product_qqzconj_double, 4, DENSE_OR_ONE, 32, 16, 32, 32, 8, 8, 8, 8)
 
 OVER(quaternion_product_qqzconj_single) {
@@ -1088,6 +1147,7 @@ OVER(quaternion_product_qqzconj_single) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(quaternion_product_qqzconj_single)
 LOOP(quaternion_product_qqzconj_single, 4, DENSE_OR_ONE, 16, 8, 16, 16, 4, 4, 4, 4)
 LOOPS(quaternion_product_qqzconj)
 
@@ -1107,6 +1167,7 @@ OVER(quaternion_product_qconjqz_double) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(quaternion_product_qconjqz_double)
 LOOP(quaternion_product_qconjqz_double, 4, DENSE_OR_ONE, 32, 16, 32, 32, 8, 8, 8, 8)
 
 OVER(quaternion_product_qconjqz_single) {
@@ -1124,6 +1185,7 @@ OVER(quaternion_product_qconjqz_single) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(quaternion_product_qconjqz_single)
 LOOP(quaternion_product_qconjqz_single, 4, DENSE_OR_ONE, 16, 8, 16, 16, 4, 4, 4, 4)
 LOOPS(quaternion_product_qconjqz)
 
@@ -1143,6 +1205,7 @@ OVER(quaternion_product_qconjqzconj_double) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(quaternion_product_qconjqzconj_double)
 LOOP(quaternion_product_qconjqzconj_double, 4, DENSE_OR_ONE, 32, 16, 32, 32, 8, 8, 8, 8)
 
 OVER(quaternion_product_qconjqzconj_single) {
@@ -1160,6 +1223,7 @@ OVER(quaternion_product_qconjqzconj_single) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(quaternion_product_qconjqzconj_single)
 LOOP(quaternion_product_qconjqzconj_single, 4, DENSE_OR_ONE, 16, 8, 16, 16, 4, 4, 4, 4)
 LOOPS(quaternion_product_qconjqzconj)
 
@@ -1179,6 +1243,7 @@ OVER(quaternion_product_qv_double) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(quaternion_product_qv_double)
 LOOP(quaternion_product_qv_double, 4, DENSE_OR_ONE, 32, 24, 32, 32, 8, 8, 8, 8)
 
 OVER(quaternion_product_qv_single) {
@@ -1196,6 +1261,7 @@ OVER(quaternion_product_qv_single) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(quaternion_product_qv_single)
 LOOP(quaternion_product_qv_single, 4, DENSE_OR_ONE, 16, 12, 16, 16, 4, 4, 4, 4)
 LOOPS(quaternion_product_qv)
 
@@ -1215,6 +1281,7 @@ OVER(quaternion_product_qconjv_double) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(quaternion_product_qconjv_double)
 LOOP(quaternion_product_qconjv_double, 4, DENSE_OR_ONE, 32, 24, 32, 32, 8, 8, 8, 8)
 
 OVER(quaternion_product_qconjv_single) {
@@ -1232,6 +1299,7 @@ OVER(quaternion_product_qconjv_single) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(quaternion_product_qconjv_single)
 LOOP(quaternion_product_qconjv_single, 4, DENSE_OR_ONE, 16, 12, 16, 16, 4, 4, 4, 4)
 LOOPS(quaternion_product_qconjv)
 
@@ -1251,6 +1319,7 @@ OVER(quaternion_product_vq_double) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(quaternion_product_vq_double)
 LOOP(quaternion_product_vq_double, 4, DENSE_OR_ONE, 24, 32, 32, 32, 8, 8, 8, 8)
 
 OVER(quaternion_product_vq_single) {
@@ -1268,6 +1337,7 @@ OVER(quaternion_product_vq_single) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(quaternion_product_vq_single)
 LOOP(quaternion_product_vq_single, 4, DENSE_OR_ONE, 12, 16, 16, 16, 4, 4, 4, 4)
 LOOPS(quaternion_product_vq)
 
@@ -1287,6 +1357,7 @@ OVER(quaternion_product_vqconj_double) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(quaternion_product_vqconj_double)
 LOOP(quaternion_product_vqconj_double, 4, DENSE_OR_ONE, 24, 32, 32, 32, 8, 8, 8, 8)
 
 OVER(quaternion_product_vqconj_single) {
@@ -1304,6 +1375,7 @@ OVER(quaternion_product_vqconj_single) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(quaternion_product_vqconj_single)
 LOOP(quaternion_product_vqconj_single, 4, DENSE_OR_ONE, 12, 16, 16, 16, 4, 4, 4, 4)
 LOOPS(quaternion_product_vqconj)
 
@@ -1323,6 +1395,7 @@ OVER(dot_qq_double) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(dot_qq_double)
 LOOP(dot_qq_double, 4, DENSE_OR_ONE, 32, 32, 8, 8, 8, 8)
 
 OVER(dot_qq_single) {
@@ -1340,6 +1413,7 @@ OVER(dot_qq_single) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(dot_qq_single)
 LOOP(dot_qq_single, 4, DENSE_OR_ONE, 16, 16, 4, 4, 4, 4)
 LOOPS(dot_qq)
 
@@ -1358,6 +1432,7 @@ OVER(add_dpiToq_double) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(add_dpiToq_double)
 LOOP(add_dpiToq_double, 4, DENSE_OR_ONE, 24, 32, 32, 32, 8, 8, 8, 8)
 
 OVER(add_dpiToq_single) {
@@ -1374,6 +1449,7 @@ OVER(add_dpiToq_single) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(add_dpiToq_single)
 LOOP(add_dpiToq_single, 4, DENSE_OR_ONE, 12, 16, 16, 16, 4, 4, 4, 4)
 LOOPS(add_dpiToq)
 
@@ -1392,6 +1468,7 @@ OVER(subtract_dpiFromq_double) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(subtract_dpiFromq_double)
 LOOP(subtract_dpiFromq_double, 4, DENSE_OR_ONE, 24, 32, 32, 32, 8, 8, 8, 8)
 
 OVER(subtract_dpiFromq_single) {
@@ -1408,6 +1485,7 @@ OVER(subtract_dpiFromq_single) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(subtract_dpiFromq_single)
 LOOP(subtract_dpiFromq_single, 4, DENSE_OR_ONE, 12, 16, 16, 16, 4, 4, 4, 4)
 LOOPS(subtract_dpiFromq)
 
@@ -1427,6 +1505,7 @@ OVER(omega_to_dquaternion_double) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(omega_to_dquaternion_double)
 LOOP(omega_to_dquaternion_double, 4, DENSE_OR_ONE, 24, 32, 32, 32, 8, 8, 8, 8)
 
 OVER(omega_to_dquaternion_single) {
@@ -1444,6 +1523,7 @@ OVER(omega_to_dquaternion_single) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(omega_to_dquaternion_single)
 LOOP(omega_to_dquaternion_single, 4, DENSE_OR_ONE, 12, 16, 16, 16, 4, 4, 4, 4)
 LOOPS(omega_to_dquaternion)
 
@@ -1463,6 +1543,7 @@ OVER(quaternion_from_axis_angle_double) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED_WITH_FMA(quaternion_from_axis_angle_double)
 LOOP(quaternion_from_axis_angle_double, 4, DENSE_OR_ONE, 24, 8, 32, 32, 8, 8, 8)
 
 OVER(quaternion_from_axis_angle_single) {
@@ -1480,6 +1561,7 @@ OVER(quaternion_from_axis_angle_single) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED_WITH_FMA(quaternion_from_axis_angle_single)
 LOOP(quaternion_from_axis_angle_single, 4, DENSE_OR_ONE, 12, 4, 16, 16, 4, 4, 4)
 LOOPS(quaternion_from_axis_angle)
 
@@ -1501,7 +1583,8 @@ OVER(axis_angle_from_quaternion_double) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
-LOOP(axis_angle_from_quaternion_double, 5, DENSE, 32, 8, 24, 8, 24, 8, 8, 8)
+STRIDED_WITH_FMA(axis_angle_from_quaternion_double)
+LOOP(axis_angle_from_quaternion_double, 5, ANY, 32, 8, 24, 8, 24, 8, 8, 8)
 
 OVER(axis_angle_from_quaternion_single) {
   POINTERS_5
@@ -1520,7 +1603,8 @@ OVER(axis_angle_from_quaternion_single) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
-LOOP(axis_angle_from_quaternion_single, 5, DENSE, 16, 4, 12, 4, 12, 4, 4, 4)
+STRIDED_WITH_FMA(axis_angle_from_quaternion_single)
+LOOP(axis_angle_from_quaternion_single, 5, ANY, 16, 4, 12, 4, 12, 4, 4, 4)
 LOOPS(axis_angle_from_quaternion)
 
 /* (3)->(4),(4) */
@@ -1537,7 +1621,8 @@ OVER(quaternion_exp_double) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
-LOOP(quaternion_exp_double, 3, DENSE, 24, 32, 32, 8, 8, 8)
+STRIDED_WITH_FMA(quaternion_exp_double)
+LOOP(quaternion_exp_double, 3, ANY, 24, 32, 32, 8, 8, 8)
 
 OVER(quaternion_exp_single) {
   POINTERS_3
@@ -1552,7 +1637,8 @@ OVER(quaternion_exp_single) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
-LOOP(quaternion_exp_single, 3, DENSE, 12, 16, 16, 4, 4, 4)
+STRIDED_WITH_FMA(quaternion_exp_single)
+LOOP(quaternion_exp_single, 3, ANY, 12, 16, 16, 4, 4, 4)
 LOOPS(quaternion_exp)
 
 /* (4)->(3),(3) */
@@ -1569,7 +1655,8 @@ OVER(quaternion_log_double) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
-LOOP(quaternion_log_double, 3, DENSE, 32, 24, 24, 8, 8, 8)
+STRIDED_WITH_FMA(quaternion_log_double)
+LOOP(quaternion_log_double, 3, ANY, 32, 24, 24, 8, 8, 8)
 
 OVER(quaternion_log_single) {
   POINTERS_3
@@ -1584,7 +1671,8 @@ OVER(quaternion_log_single) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
-LOOP(quaternion_log_single, 3, DENSE, 16, 12, 12, 4, 4, 4)
+STRIDED_WITH_FMA(quaternion_log_single)
+LOOP(quaternion_log_single, 3, ANY, 16, 12, 12, 4, 4, 4)
 LOOPS(quaternion_log)
 
 const coscrew_gufunc TABLE(quaternion)[] = {

@@ -26,6 +26,7 @@ OVER(screw_scale_double) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(screw_scale_double)
 LOOP(screw_scale_double, 4, DENSE, 48, 8, 48, 48, 8, 8, 8)
 
 OVER(screw_scale_single) {
@@ -42,6 +43,7 @@ OVER(screw_scale_single) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(screw_scale_single)
 LOOP(screw_scale_single, 4, DENSE, 24, 4, 24, 24, 4, 4, 4)
 LOOPS(screw_scale)
 
@@ -62,6 +64,7 @@ OVER(axpy_ss_double) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(axpy_ss_double)
 LOOP(axpy_ss_double, 5, DENSE_OR_ONE, 8, 48, 48, 48, 48, 8, 8, 8, 8)
 
 OVER(axpy_ss_single) {
@@ -80,6 +83,7 @@ OVER(axpy_ss_single) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(axpy_ss_single)
 LOOP(axpy_ss_single, 5, DENSE_OR_ONE, 4, 24, 24, 24, 24, 4, 4, 4, 4)
 LOOPS(axpy_ss)
 
@@ -98,6 +102,7 @@ OVER(xpy_ss_double) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(xpy_ss_double)
 LOOP(xpy_ss_double, 4, DENSE_OR_ONE, 48, 48, 48, 48, 8, 8, 8, 8)
 
 OVER(xpy_ss_single) {
@@ -114,6 +119,7 @@ OVER(xpy_ss_single) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(xpy_ss_single)
 LOOP(xpy_ss_single, 4, DENSE_OR_ONE, 24, 24, 24, 24, 4, 4, 4, 4)
 LOOPS(xpy_ss)
 
@@ -132,6 +138,7 @@ OVER(nxpy_ss_double) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(nxpy_ss_double)
 LOOP(nxpy_ss_double, 4, DENSE_OR_ONE, 48, 48, 48, 48, 8, 8, 8, 8)
 
 OVER(nxpy_ss_single) {
@@ -148,6 +155,7 @@ OVER(nxpy_ss_single) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(nxpy_ss_single)
 LOOP(nxpy_ss_single, 4, DENSE_OR_ONE, 24, 24, 24, 24, 4, 4, 4, 4)
 LOOPS(nxpy_ss)
 
@@ -167,6 +175,7 @@ OVER(product_as_double) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(product_as_double)
 LOOP(product_as_double, 4, DENSE_OR_ONE, 8, 48, 48, 48, 8, 8, 8)
 
 OVER(product_as_single) {
@@ -184,6 +193,7 @@ OVER(product_as_single) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(product_as_single)
 LOOP(product_as_single, 4, DENSE_OR_ONE, 4, 24, 24, 24, 4, 4, 4)
 LOOPS(product_as)
 
@@ -203,6 +213,7 @@ OVER(add_ss_double) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(add_ss_double)
 LOOP(add_ss_double, 4, DENSE_OR_ONE, 48, 48, 48, 48, 8, 8, 8, 8)
 
 OVER(add_ss_single) {
@@ -220,6 +231,7 @@ OVER(add_ss_single) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(add_ss_single)
 LOOP(add_ss_single, 4, DENSE_OR_ONE, 24, 24, 24, 24, 4, 4, 4, 4)
 LOOPS(add_ss)
 
@@ -239,6 +251,7 @@ OVER(subtract_ss_double) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(subtract_ss_double)
 LOOP(subtract_ss_double, 4, DENSE_OR_ONE, 48, 48, 48, 48, 8, 8, 8, 8)
 
 OVER(subtract_ss_single) {
@@ -256,6 +269,7 @@ OVER(subtract_ss_single) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(subtract_ss_single)
 LOOP(subtract_ss_single, 4, DENSE_OR_ONE, 24, 24, 24, 24, 4, 4, 4, 4)
 LOOPS(subtract_ss)
 
@@ -275,6 +289,7 @@ OVER(add_sst_double) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(add_sst_double)
 LOOP(add_sst_double, 4, DENSE_OR_ONE, 48, 48, 48, 48, 8, 8, 8, 8)
 
 OVER(add_sst_single) {
@@ -292,6 +307,7 @@ OVER(add_sst_single) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(add_sst_single)
 LOOP(add_sst_single, 4, DENSE_OR_ONE, 24, 24, 24, 24, 4, 4, 4, 4)
 LOOPS(add_sst)
 
@@ -311,6 +327,7 @@ OVER(product_Adts_double) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(product_Adts_double)
 LOOP(product_Adts_double, 4, DENSE_OR_ONE, 24, 48, 48, 48, 8, 8, 8, 8)
 
 OVER(product_Adts_single) {
@@ -328,6 +345,7 @@ OVER(product_Adts_single) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(product_Adts_single)
 LOOP(product_Adts_single, 4, DENSE_OR_ONE, 12, 24, 24, 24, 4, 4, 4, 4)
 LOOPS(product_Adts)
 
@@ -347,6 +365,7 @@ OVER(product_Adtinvs_double) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(product_Adtinvs_double)
 LOOP(product_Adtinvs_double, 4, DENSE_OR_ONE, 24, 48, 48, 48, 8, 8, 8, 8)
 
 OVER(product_Adtinvs_single) {
@@ -364,6 +383,7 @@ OVER(product_Adtinvs_single) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(product_Adtinvs_single)
 LOOP(product_Adtinvs_single, 4, DENSE_OR_ONE, 12, 24, 24, 24, 4, 4, 4, 4)
 LOOPS(product_Adtinvs)
 
@@ -383,6 +403,7 @@ OVER(product_Adtsinv_double) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(product_Adtsinv_double)
 LOOP(product_Adtsinv_double, 4, DENSE_OR_ONE, 24, 48, 48, 48, 8, 8, 8, 8)
 
 OVER(product_Adtsinv_single) {
@@ -400,6 +421,7 @@ OVER(product_Adtsinv_single) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(product_Adtsinv_single)
 LOOP(product_Adtsinv_single, 4, DENSE_OR_ONE, 12, 24, 24, 24, 4, 4, 4, 4)
 LOOPS(product_Adtsinv)
 
@@ -419,6 +441,7 @@ OVER(product_Adrs_double) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(product_Adrs_double)
 LOOP(product_Adrs_double, 4, DENSE_OR_ONE, 72, 48, 48, 48, 24, 8, 8, 8, 8)
 
 OVER(product_Adrs_single) {
@@ -436,6 +459,7 @@ OVER(product_Adrs_single) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(product_Adrs_single)
 LOOP(product_Adrs_single, 4, DENSE_OR_ONE, 36, 24, 24, 24, 12, 4, 4, 4, 4)
 LOOPS(product_Adrs)
 
@@ -455,6 +479,7 @@ OVER(product_Adrinvs_double) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(product_Adrinvs_double)
 LOOP(product_Adrinvs_double, 4, DENSE_OR_ONE, 72, 48, 48, 48, 24, 8, 8, 8, 8)
 
 OVER(product_Adrinvs_single) {
@@ -472,6 +497,7 @@ OVER(product_Adrinvs_single) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(product_Adrinvs_single)
 LOOP(product_Adrinvs_single, 4, DENSE_OR_ONE, 36, 24, 24, 24, 12, 4, 4, 4, 4)
 LOOPS(product_Adrinvs)
 
@@ -491,6 +517,7 @@ OVER(product_Adrsinv_double) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(product_Adrsinv_double)
 LOOP(product_Adrsinv_double, 4, DENSE_OR_ONE, 72, 48, 48, 48, 24, 8, 8, 8, 8)
 
 OVER(product_Adrsinv_single) {
@@ -508,6 +535,7 @@ OVER(product_Adrsinv_single) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(product_Adrsinv_single)
 LOOP(product_Adrsinv_single, 4, DENSE_OR_ONE, 36, 24, 24, 24, 12, 4, 4, 4, 4)
 LOOPS(product_Adrsinv)
 
@@ -527,6 +555,7 @@ OVER(product_Ads_double) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(product_Ads_double)
 LOOP(product_Ads_double, 4, DENSE_OR_ONE, 96, 48, 48, 48, 32, 8, 8, 8, 8)
 
 OVER(product_Ads_single) {
@@ -544,6 +573,7 @@ OVER(product_Ads_single) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(product_Ads_single)
 LOOP(product_Ads_single, 4, DENSE_OR_ONE, 48, 24, 24, 24, 16, 4, 4, 4, 4)
 LOOPS(product_Ads)
 
@@ -563,6 +593,7 @@ OVER(product_Adinvs_double) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(product_Adinvs_double)
 LOOP(product_Adinvs_double, 4, DENSE_OR_ONE, 96, 48, 48, 48, 32, 8, 8, 8, 8)
 
 OVER(product_Adinvs_single) {
@@ -580,6 +611,7 @@ OVER(product_Adinvs_single) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(product_Adinvs_single)
 LOOP(product_Adinvs_single, 4, DENSE_OR_ONE, 48, 24, 24, 24, 16, 4, 4, 4, 4)
 LOOPS(product_Adinvs)
 
@@ -599,6 +631,7 @@ OVER(product_Adsinv_double) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(product_Adsinv_double)
 LOOP(product_Adsinv_double, 4, DENSE_OR_ONE, 96, 48, 48, 48, 32, 8, 8, 8, 8)
 
 OVER(product_Adsinv_single) {
@@ -616,6 +649,7 @@ OVER(product_Adsinv_single) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(product_Adsinv_single)
 LOOP(product_Adsinv_single, 4, DENSE_OR_ONE, 48, 24, 24, 24, 16, 4, 4, 4, 4)
 LOOPS(product_Adsinv)
 
@@ -633,6 +667,7 @@ OVER(hsrx_double) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(hsrx_double)
 LOOP(hsrx_double, 3, DENSE, 96, 48, 48, 32, 8, 8, 8)
 
 OVER(hsrx_single) {
@@ -648,6 +683,7 @@ OVER(hsrx_single) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(hsrx_single)
 LOOP(hsrx_single, 3, DENSE, 48, 24, 24, 16, 4, 4, 4)
 LOOPS(hsrx)
 
@@ -665,6 +701,7 @@ OVER(hsry_double) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(hsry_double)
 LOOP(hsry_double, 3, DENSE, 96, 48, 48, 32, 8, 8, 8)
 
 OVER(hsry_single) {
@@ -680,6 +717,7 @@ OVER(hsry_single) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(hsry_single)
 LOOP(hsry_single, 3, DENSE, 48, 24, 24, 16, 4, 4, 4)
 LOOPS(hsry)
 
@@ -697,6 +735,7 @@ OVER(hsrz_double) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(hsrz_double)
 LOOP(hsrz_double, 3, DENSE, 96, 48, 48, 32, 8, 8, 8)
 
 OVER(hsrz_single) {
@@ -712,6 +751,7 @@ OVER(hsrz_single) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(hsrz_single)
 LOOP(hsrz_single, 3, DENSE, 48, 24, 24, 16, 4, 4, 4)
 LOOPS(hsrz)
 
@@ -729,6 +769,7 @@ OVER(hsrxinv_double) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(hsrxinv_double)
 LOOP(hsrxinv_double, 3, DENSE, 96, 48, 48, 32, 8, 8, 8)
 
 OVER(hsrxinv_single) {
@@ -744,6 +785,7 @@ OVER(hsrxinv_single) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(hsrxinv_single)
 LOOP(hsrxinv_single, 3, DENSE, 48, 24, 24, 16, 4, 4, 4)
 LOOPS(hsrxinv)
 
@@ -761,6 +803,7 @@ OVER(hsryinv_double) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(hsryinv_double)
 LOOP(hsryinv_double, 3, DENSE, 96, 48, 48, 32, 8, 8, 8)
 
 OVER(hsryinv_single) {
@@ -776,6 +819,7 @@ OVER(hsryinv_single) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(hsryinv_single)
 LOOP(hsryinv_single, 3, DENSE, 48, 24, 24, 16, 4, 4, 4)
 LOOPS(hsryinv)
 
@@ -793,6 +837,7 @@ OVER(hsrzinv_double) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(hsrzinv_double)
 LOOP(hsrzinv_double, 3, DENSE, 96, 48, 48, 32, 8, 8, 8)
 
 OVER(hsrzinv_single) {
@@ -808,6 +853,7 @@ OVER(hsrzinv_single) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(hsrzinv_single)
 LOOP(hsrzinv_single, 3, DENSE, 48, 24, 24, 16, 4, 4, 4)
 LOOPS(hsrzinv)
 
@@ -825,6 +871,7 @@ OVER(Ad_double) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(Ad_double)
 LOOP(Ad_double, 3, DENSE, 96, 288, 288, 32, 8, 48, 8, 48, 8)
 
 OVER(Ad_single) {
@@ -840,6 +887,7 @@ OVER(Ad_single) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(Ad_single)
 LOOP(Ad_single, 3, DENSE, 48, 144, 144, 16, 4, 24, 4, 24, 4)
 LOOPS(Ad)
 
@@ -859,6 +907,7 @@ OVER(dot_cs_double) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(dot_cs_double)
 LOOP(dot_cs_double, 4, DENSE_OR_ONE, 48, 48, 8, 8, 8, 8)
 
 OVER(dot_cs_single) {
@@ -876,6 +925,7 @@ OVER(dot_cs_single) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(dot_cs_single)
 LOOP(dot_cs_single, 4, DENSE_OR_ONE, 24, 24, 4, 4, 4, 4)
 LOOPS(dot_cs)
 
@@ -895,6 +945,7 @@ OVER(cross_ss_double) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(cross_ss_double)
 LOOP(cross_ss_double, 4, DENSE_OR_ONE, 48, 48, 48, 48, 8, 8, 8, 8)
 
 OVER(cross_ss_single) {
@@ -912,6 +963,7 @@ OVER(cross_ss_single) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(cross_ss_single)
 LOOP(cross_ss_single, 4, DENSE_OR_ONE, 24, 24, 24, 24, 4, 4, 4, 4)
 LOOPS(cross_ss)
 
@@ -931,6 +983,7 @@ OVER(cross_sst_double) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(cross_sst_double)
 LOOP(cross_sst_double, 4, DENSE_OR_ONE, 48, 48, 48, 48, 8, 8, 8, 8)
 
 OVER(cross_sst_single) {
@@ -948,6 +1001,7 @@ OVER(cross_sst_single) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(cross_sst_single)
 LOOP(cross_sst_single, 4, DENSE_OR_ONE, 24, 24, 24, 24, 4, 4, 4, 4)
 LOOPS(cross_sst)
 
@@ -967,6 +1021,7 @@ OVER(hsra_double) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(hsra_double)
 LOOP(hsra_double, 4, DENSE_OR_ONE, 96, 24, 48, 48, 32, 8, 8, 8, 8)
 
 OVER(hsra_single) {
@@ -984,6 +1039,7 @@ OVER(hsra_single) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(hsra_single)
 LOOP(hsra_single, 4, DENSE_OR_ONE, 48, 12, 24, 24, 16, 4, 4, 4, 4)
 LOOPS(hsra)
 
@@ -1003,6 +1059,7 @@ OVER(hsta_double) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(hsta_double)
 LOOP(hsta_double, 4, DENSE_OR_ONE, 96, 24, 48, 48, 32, 8, 8, 8, 8)
 
 OVER(hsta_single) {
@@ -1020,6 +1077,7 @@ OVER(hsta_single) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(hsta_single)
 LOOP(hsta_single, 4, DENSE_OR_ONE, 48, 12, 24, 24, 16, 4, 4, 4, 4)
 LOOPS(hsta)
 
@@ -1039,6 +1097,7 @@ OVER(hsrainv_double) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(hsrainv_double)
 LOOP(hsrainv_double, 4, DENSE_OR_ONE, 96, 24, 48, 48, 32, 8, 8, 8, 8)
 
 OVER(hsrainv_single) {
@@ -1056,6 +1115,7 @@ OVER(hsrainv_single) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(hsrainv_single)
 LOOP(hsrainv_single, 4, DENSE_OR_ONE, 48, 12, 24, 24, 16, 4, 4, 4, 4)
 LOOPS(hsrainv)
 
@@ -1075,6 +1135,7 @@ OVER(hstainv_double) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(hstainv_double)
 LOOP(hstainv_double, 4, DENSE_OR_ONE, 96, 24, 48, 48, 32, 8, 8, 8, 8)
 
 OVER(hstainv_single) {
@@ -1092,6 +1153,7 @@ OVER(hstainv_single) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(hstainv_single)
 LOOP(hstainv_single, 4, DENSE_OR_ONE, 48, 12, 24, 24, 16, 4, 4, 4, 4)
 LOOPS(hstainv)
 

@@ -26,6 +26,7 @@ OVER(spatial_inertia_scale_double) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(spatial_inertia_scale_double)
 LOOP(spatial_inertia_scale_double, 4, DENSE, 80, 8, 80, 80, 8, 8, 8)
 
 OVER(spatial_inertia_scale_single) {
@@ -42,6 +43,7 @@ OVER(spatial_inertia_scale_single) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(spatial_inertia_scale_single)
 LOOP(spatial_inertia_scale_single, 4, DENSE, 40, 4, 40, 40, 4, 4, 4)
 LOOPS(spatial_inertia_scale)
 
@@ -61,6 +63,7 @@ OVER(add_BB_double) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(add_BB_double)
 LOOP(add_BB_double, 4, DENSE_OR_ONE, 80, 80, 80, 80, 8, 8, 8, 8)
 
 OVER(add_BB_single) {
@@ -78,6 +81,7 @@ OVER(add_BB_single) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(add_BB_single)
 LOOP(add_BB_single, 4, DENSE_OR_ONE, 40, 40, 40, 40, 4, 4, 4, 4)
 LOOPS(add_BB)
 
@@ -97,6 +101,7 @@ OVER(subtract_BB_double) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(subtract_BB_double)
 LOOP(subtract_BB_double, 4, DENSE_OR_ONE, 80, 80, 80, 80, 8, 8, 8, 8)
 
 OVER(subtract_BB_single) {
@@ -114,6 +119,7 @@ OVER(subtract_BB_single) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(subtract_BB_single)
 LOOP(subtract_BB_single, 4, DENSE_OR_ONE, 40, 40, 40, 40, 4, 4, 4, 4)
 LOOPS(subtract_BB)
 
@@ -135,6 +141,7 @@ OVER(spatial_inertia_from_com_double) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(spatial_inertia_from_com_double)
 LOOP(spatial_inertia_from_com_double, 5, DENSE_OR_ONE, 8, 24, 72, 80, 80, 8, 24, 8, 8, 8)
 
 OVER(spatial_inertia_from_com_single) {
@@ -154,6 +161,7 @@ OVER(spatial_inertia_from_com_single) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(spatial_inertia_from_com_single)
 LOOP(spatial_inertia_from_com_single, 5, DENSE_OR_ONE, 4, 12, 36, 40, 40, 4, 12, 4, 4, 4)
 LOOPS(spatial_inertia_from_com)
 
@@ -173,6 +181,7 @@ OVER(product_Bs_double) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(product_Bs_double)
 LOOP(product_Bs_double, 4, DENSE_OR_ONE, 80, 48, 48, 48, 8, 8, 8, 8)
 
 OVER(product_Bs_single) {
@@ -190,6 +199,7 @@ OVER(product_Bs_single) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(product_Bs_single)
 LOOP(product_Bs_single, 4, DENSE_OR_ONE, 40, 24, 24, 24, 4, 4, 4, 4)
 LOOPS(product_Bs)
 
@@ -209,6 +219,7 @@ OVER(spatial_inertia_energy_double) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(spatial_inertia_energy_double)
 LOOP(spatial_inertia_energy_double, 4, DENSE_OR_ONE, 80, 48, 8, 8, 8, 8)
 
 OVER(spatial_inertia_energy_single) {
@@ -226,6 +237,7 @@ OVER(spatial_inertia_energy_single) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(spatial_inertia_energy_single)
 LOOP(spatial_inertia_energy_single, 4, DENSE_OR_ONE, 40, 24, 4, 4, 4, 4)
 LOOPS(spatial_inertia_energy)
 
@@ -247,6 +259,7 @@ OVER(spatial_inertia_net_wrench_double) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(spatial_inertia_net_wrench_double)
 LOOP(spatial_inertia_net_wrench_double, 5, DENSE_OR_ONE, 80, 24, 48, 48, 48, 8, 8, 8, 8, 8)
 
 OVER(spatial_inertia_net_wrench_single) {
@@ -266,6 +279,7 @@ OVER(spatial_inertia_net_wrench_single) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(spatial_inertia_net_wrench_single)
 LOOP(spatial_inertia_net_wrench_single, 5, DENSE_OR_ONE, 40, 12, 24, 24, 24, 4, 4, 4, 4, 4)
 LOOPS(spatial_inertia_net_wrench)
 
@@ -285,6 +299,7 @@ OVER(spatial_inertia_shifted_double) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(spatial_inertia_shifted_double)
 LOOP(spatial_inertia_shifted_double, 4, DENSE_OR_ONE, 24, 80, 80, 80, 8, 8, 8, 8)
 
 OVER(spatial_inertia_shifted_single) {
@@ -302,6 +317,7 @@ OVER(spatial_inertia_shifted_single) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(spatial_inertia_shifted_single)
 LOOP(spatial_inertia_shifted_single, 4, DENSE_OR_ONE, 12, 40, 40, 40, 4, 4, 4, 4)
 LOOPS(spatial_inertia_shifted)
 
@@ -321,6 +337,7 @@ OVER(spatial_inertia_transformed_double) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(spatial_inertia_transformed_double)
 LOOP(spatial_inertia_transformed_double, 4, DENSE_OR_ONE, 96, 80, 80, 80, 32, 8, 8, 8, 8)
 
 OVER(spatial_inertia_transformed_single) {
@@ -338,6 +355,7 @@ OVER(spatial_inertia_transformed_single) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(spatial_inertia_transformed_single)
 LOOP(spatial_inertia_transformed_single, 4, DENSE_OR_ONE, 48, 40, 40, 40, 16, 4, 4, 4, 4)
 LOOPS(spatial_inertia_transformed)
 

@@ -25,7 +25,8 @@ OVER(dc_double) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
-LOOP(dc_double, 3, DENSE, 8, 16, 16, 8, 8)
+STRIDED_WITH_FMA(dc_double)
+LOOP(dc_double, 3, ANY, 8, 16, 16, 8, 8)
 
 OVER(dc_single) {
   POINTERS_3
@@ -40,6 +41,7 @@ OVER(dc_single) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED_WITH_FMA(dc_single)
 LOOP(dc_single, 3, DENSE, 4, 8, 8, 4, 4)
 LOOPS(dc)
 

@@ -26,6 +26,7 @@ OVER(vec3_scale_double) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(vec3_scale_double)
 LOOP(vec3_scale_double, 4, DENSE, 24, 8, 24, 24, 8, 8, 8)
 
 OVER(vec3_scale_single) {
@@ -42,6 +43,7 @@ OVER(vec3_scale_single) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(vec3_scale_single)
 LOOP(vec3_scale_single, 4, DENSE, 12, 4, 12, 12, 4, 4, 4)
 LOOPS(vec3_scale)
 
@@ -62,6 +64,7 @@ OVER(axpy_vv_double) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(axpy_vv_double)
 LOOP(axpy_vv_double, 5, DENSE_OR_ONE, 8, 24, 24, 24, 24, 8, 8, 8, 8)
 
 OVER(axpy_vv_single) {
@@ -80,6 +83,7 @@ OVER(axpy_vv_single) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(axpy_vv_single)
 LOOP(axpy_vv_single, 5, DENSE_OR_ONE, 4, 12, 12, 12, 12, 4, 4, 4, 4)
 LOOPS(axpy_vv)
 
@@ -98,6 +102,7 @@ OVER(xpy_vv_double) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(xpy_vv_double)
 LOOP(xpy_vv_double, 4, DENSE_OR_ONE, 24, 24, 24, 24, 8, 8, 8, 8)
 
 OVER(xpy_vv_single) {
@@ -114,6 +119,7 @@ OVER(xpy_vv_single) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(xpy_vv_single)
 LOOP(xpy_vv_single, 4, DENSE_OR_ONE, 12, 12, 12, 12, 4, 4, 4, 4)
 LOOPS(xpy_vv)
 
@@ -132,6 +138,7 @@ OVER(nxpy_vv_double) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(nxpy_vv_double)
 LOOP(nxpy_vv_double, 4, DENSE_OR_ONE, 24, 24, 24, 24, 8, 8, 8, 8)
 
 OVER(nxpy_vv_single) {
@@ -148,6 +155,7 @@ OVER(nxpy_vv_single) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(nxpy_vv_single)
 LOOP(nxpy_vv_single, 4, DENSE_OR_ONE, 12, 12, 12, 12, 4, 4, 4, 4)
 LOOPS(nxpy_vv)
 
@@ -167,6 +175,7 @@ OVER(product_av_double) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(product_av_double)
 LOOP(product_av_double, 4, DENSE_OR_ONE, 8, 24, 24, 24, 8, 8, 8)
 
 OVER(product_av_single) {
@@ -184,6 +193,7 @@ OVER(product_av_single) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(product_av_single)
 LOOP(product_av_single, 4, DENSE_OR_ONE, 4, 12, 12, 12, 4, 4, 4)
 LOOPS(product_av)
 
@@ -203,6 +213,7 @@ OVER(add_vv_double) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(add_vv_double)
 LOOP(add_vv_double, 4, DENSE_OR_ONE, 24, 24, 24, 24, 8, 8, 8, 8)
 
 OVER(add_vv_single) {
@@ -220,6 +231,7 @@ OVER(add_vv_single) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(add_vv_single)
 LOOP(add_vv_single, 4, DENSE_OR_ONE, 12, 12, 12, 12, 4, 4, 4, 4)
 LOOPS(add_vv)
 
@@ -239,6 +251,7 @@ OVER(subtract_vv_double) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(subtract_vv_double)
 LOOP(subtract_vv_double, 4, DENSE_OR_ONE, 24, 24, 24, 24, 8, 8, 8, 8)
 
 OVER(subtract_vv_single) {
@@ -256,6 +269,7 @@ OVER(subtract_vv_single) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(subtract_vv_single)
 LOOP(subtract_vv_single, 4, DENSE_OR_ONE, 12, 12, 12, 12, 4, 4, 4, 4)
 LOOPS(subtract_vv)
 
@@ -275,6 +289,7 @@ OVER(vec3_scaled_double) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(vec3_scaled_double)
 LOOP(vec3_scaled_double, 4, DENSE_OR_ONE, 24, 8, 24, 24, 8, 8, 8)
 
 OVER(vec3_scaled_single) {
@@ -292,6 +307,7 @@ OVER(vec3_scaled_single) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(vec3_scaled_single)
 LOOP(vec3_scaled_single, 4, DENSE_OR_ONE, 12, 4, 12, 12, 4, 4, 4)
 LOOPS(vec3_scaled)
 
@@ -311,6 +327,7 @@ OVER(angle_vv_double) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED_WITH_FMA(angle_vv_double)
 LOOP(angle_vv_double, 4, DENSE_OR_ONE, 24, 24, 8, 8, 8, 8)
 
 OVER(angle_vv_single) {
@@ -328,6 +345,7 @@ OVER(angle_vv_single) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED_WITH_FMA(angle_vv_single)
 LOOP(angle_vv_single, 4, DENSE_OR_ONE, 12, 12, 4, 4, 4, 4)
 LOOPS(angle_vv)
 
@@ -347,6 +365,7 @@ OVER(dot_vv_double) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(dot_vv_double)
 LOOP(dot_vv_double, 4, DENSE_OR_ONE, 24, 24, 8, 8, 8, 8)
 
 OVER(dot_vv_single) {
@@ -364,6 +383,7 @@ OVER(dot_vv_single) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(dot_vv_single)
 LOOP(dot_vv_single, 4, DENSE_OR_ONE, 12, 12, 4, 4, 4, 4)
 LOOPS(dot_vv)
 
@@ -383,6 +403,7 @@ OVER(product_avinv_double) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(product_avinv_double)
 LOOP(product_avinv_double, 4, DENSE_OR_ONE, 8, 24, 24, 24, 8, 8, 8)
 
 OVER(product_avinv_single) {
@@ -400,6 +421,7 @@ OVER(product_avinv_single) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(product_avinv_single)
 LOOP(product_avinv_single, 4, DENSE_OR_ONE, 4, 12, 12, 12, 4, 4, 4)
 LOOPS(product_avinv)
 
@@ -419,6 +441,7 @@ OVER(cross_vv_double) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(cross_vv_double)
 LOOP(cross_vv_double, 4, DENSE_OR_ONE, 24, 24, 24, 24, 8, 8, 8, 8)
 
 OVER(cross_vv_single) {
@@ -436,6 +459,7 @@ OVER(cross_vv_single) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(cross_vv_single)
 LOOP(cross_vv_single, 4, DENSE_OR_ONE, 12, 12, 12, 12, 4, 4, 4, 4)
 LOOPS(cross_vv)
 
@@ -455,6 +479,7 @@ OVER(cross_vvinv_double) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(cross_vvinv_double)
 LOOP(cross_vvinv_double, 4, DENSE_OR_ONE, 24, 24, 24, 24, 8, 8, 8, 8)
 
 OVER(cross_vvinv_single) {
@@ -472,6 +497,7 @@ OVER(cross_vvinv_single) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(cross_vvinv_single)
 LOOP(cross_vvinv_single, 4, DENSE_OR_ONE, 12, 12, 12, 12, 4, 4, 4, 4)
 LOOPS(cross_vvinv)
 
@@ -491,6 +517,7 @@ OVER(add_vvx_double) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(add_vvx_double)
 LOOP(add_vvx_double, 4, DENSE_OR_ONE, 24, 8, 24, 24, 8, 8, 8)
 
 OVER(add_vvx_single) {
@@ -508,6 +535,7 @@ OVER(add_vvx_single) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(add_vvx_single)
 LOOP(add_vvx_single, 4, DENSE_OR_ONE, 12, 4, 12, 12, 4, 4, 4)
 LOOPS(add_vvx)
 
@@ -527,6 +555,7 @@ OVER(add_vvxinv_double) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(add_vvxinv_double)
 LOOP(add_vvxinv_double, 4, DENSE_OR_ONE, 24, 8, 24, 24, 8, 8, 8)
 
 OVER(add_vvxinv_single) {
@@ -544,6 +573,7 @@ OVER(add_vvxinv_single) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(add_vvxinv_single)
 LOOP(add_vvxinv_single, 4, DENSE_OR_ONE, 12, 4, 12, 12, 4, 4, 4)
 LOOPS(add_vvxinv)
 
@@ -563,6 +593,7 @@ OVER(add_vvy_double) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(add_vvy_double)
 LOOP(add_vvy_double, 4, DENSE_OR_ONE, 24, 8, 24, 24, 8, 8, 8)
 
 OVER(add_vvy_single) {
@@ -580,6 +611,7 @@ OVER(add_vvy_single) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(add_vvy_single)
 LOOP(add_vvy_single, 4, DENSE_OR_ONE, 12, 4, 12, 12, 4, 4, 4)
 LOOPS(add_vvy)
 
@@ -599,6 +631,7 @@ OVER(add_vvyinv_double) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(add_vvyinv_double)
 LOOP(add_vvyinv_double, 4, DENSE_OR_ONE, 24, 8, 24, 24, 8, 8, 8)
 
 OVER(add_vvyinv_single) {
@@ -616,6 +649,7 @@ OVER(add_vvyinv_single) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(add_vvyinv_single)
 LOOP(add_vvyinv_single, 4, DENSE_OR_ONE, 12, 4, 12, 12, 4, 4, 4)
 LOOPS(add_vvyinv)
 
@@ -635,6 +669,7 @@ OVER(add_vvz_double) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(add_vvz_double)
 LOOP(add_vvz_double, 4, DENSE_OR_ONE, 24, 8, 24, 24, 8, 8, 8)
 
 OVER(add_vvz_single) {
@@ -652,6 +687,7 @@ OVER(add_vvz_single) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(add_vvz_single)
 LOOP(add_vvz_single, 4, DENSE_OR_ONE, 12, 4, 12, 12, 4, 4, 4)
 LOOPS(add_vvz)
 
@@ -671,6 +707,7 @@ OVER(add_vvzinv_double) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(add_vvzinv_double)
 LOOP(add_vvzinv_double, 4, DENSE_OR_ONE, 24, 8, 24, 24, 8, 8, 8)
 
 OVER(add_vvzinv_single) {
@@ -688,6 +725,7 @@ OVER(add_vvzinv_single) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(add_vvzinv_single)
 LOOP(add_vvzinv_single, 4, DENSE_OR_ONE, 12, 4, 12, 12, 4, 4, 4)
 LOOPS(add_vvzinv)
 

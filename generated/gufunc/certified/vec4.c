@@ -26,6 +26,7 @@ OVER(vec4_scale_double) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(vec4_scale_double)
 LOOP(vec4_scale_double, 4, DENSE, 32, 8, 32, 32, 8, 8, 8)
 
 OVER(vec4_scale_single) {
@@ -42,6 +43,7 @@ OVER(vec4_scale_single) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(vec4_scale_single)
 LOOP(vec4_scale_single, 4, DENSE, 16, 4, 16, 16, 4, 4, 4)
 LOOPS(vec4_scale)
 
@@ -61,6 +63,7 @@ OVER(vec4_scaled_double) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(vec4_scaled_double)
 LOOP(vec4_scaled_double, 4, DENSE_OR_ONE, 32, 8, 32, 32, 8, 8, 8)
 
 OVER(vec4_scaled_single) {
@@ -78,6 +81,7 @@ OVER(vec4_scaled_single) {
   }
   feclearexcept(FE_ALL_EXCEPT);
 }
+STRIDED(vec4_scaled_single)
 LOOP(vec4_scaled_single, 4, DENSE_OR_ONE, 16, 4, 16, 16, 4, 4, 4)
 LOOPS(vec4_scaled)
 

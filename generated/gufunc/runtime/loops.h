@@ -42,31 +42,33 @@
 #define LOAD_OTHER(quantity, x) if (step[0] != 0) load_##quantity(x, p0 + i * step[0], core)
 
 /* The loop over elements with any strides.  It loads and stores numbers one by one, and takes as
-   long with AVX2, unless that has FMA, too: so it is compiled without, and the loops for AVX2 call
-   that one. */
+   long with AVX2, unless its kernel takes FMA: so others are compiled without, and the loops for
+   AVX2 call that one. */
 #define ELEMENTS_OF(name) \
   name##_strided(char **data, npy_intp n, const npy_intp *step, const npy_intp *core)
 #define STRIDED_HERE(name) \
   ELEMENTS_OF(name) { \
     name##_over(data, n, step, core); \
   }
-#if !defined(COSCREW_FOR_AVX2)
-#define STRIDED(name) void ELEMENTS_OF(name); void STRIDED_HERE(name)
-#elif defined(COSCREW_WITH_FMA) && COSCREW_WITH_FMA
-#define STRIDED(name) static void STRIDED_HERE(name)
-#else
+#if defined(COSCREW_FOR_AVX2)
 #define STRIDED(name) void ELEMENTS_OF(name);
+#define STRIDED_WITH_FMA(name) static void STRIDED_HERE(name)
+#else
+#define STRIDED(name) void ELEMENTS_OF(name); void STRIDED_HERE(name)
+#define STRIDED_WITH_FMA(name) static void STRIDED_HERE(name)
 #endif
 
-/* The inner loop of a gufunc.  Its loop over elements is compiled for the strides of C-ordered
-   arrays, if `dense` is DENSE_OR_ONE also with a single first argument, and for any others. */
+/* The inner loop of a gufunc.  Its loop over elements is compiled for any strides and, unless
+   `dense` is ANY, for those of C-ordered arrays, if it is DENSE_OR_ONE also with a single first
+   argument.  With known strides elements share vectors, and few operations take less time; many
+   take as long. */
 #define LOOP(name, arguments, dense, ...) \
-  STRIDED(name) \
   static void name(char **data, const npy_intp *n, const npy_intp *step, void *unused) { \
     (void)unused; \
     dense(name, arguments, __VA_ARGS__) \
     name##_strided(data, n[0], step, step + (arguments)); \
   }
+#define ANY(name, arguments, ...)
 #define DENSE(name, arguments, ...) DENSE_IN(each, name, arguments, __VA_ARGS__)
 #define DENSE_OR_ONE(name, arguments, first, ...) \
   DENSE_IN(each, name, arguments, first, __VA_ARGS__) DENSE_IN(one, name, arguments, 0, __VA_ARGS__)

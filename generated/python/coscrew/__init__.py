@@ -16,7 +16,7 @@ import numpy as np
 from coscrew import double, single
 from coscrew._provenance import is_compiled
 
-COMPILED: bool = is_compiled("coscrew._gufunc", "4c2a65e1084e4857")
+COMPILED: bool = is_compiled("coscrew._gufunc", "7eefd7fd4c436d70")
 
 if COMPILED:
     from coscrew._gufunc import (

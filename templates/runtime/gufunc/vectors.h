@@ -90,7 +90,6 @@ INLINED void many_elements(const vector_loop *loop, char **data, npy_intp n, con
 
 /* The inner loop of a gufunc whose kernel is on vectors, too. */
 #define LOOP_ON_VECTORS(name, arguments, dense, ...) \
-  STRIDED(name) \
   static void name(char **data, const npy_intp *n, const npy_intp *step, void *unused) { \
     (void)unused; \
     if (n[0] >= SEVERAL) { \

@@ -1,6 +1,7 @@
 """A robot in coscrew and in MuJoCo, joints by name: their mass matrices, biases and torques."""
 
 from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import replace
 
 import mujoco
 import numpy as np
@@ -25,7 +26,9 @@ def compared(scene: Scene, model: "mujoco.MjModel", states: int = 10) -> Worst:
     which followers follow.
 
     MuJoCo's are without contacts, limits, dry friction and actuators."""
-    kernels = load_scene(scene, functions=["inverse_dynamics", "mass_matrix"])
+    passive = tuple(x for x in scene.effects if x.effect.name != "actuator")
+    kernels = load_scene(replace(scene, effects=passive, parameters=()),
+                         functions=["inverse_dynamics", "mass_matrix"])
     ours = kernels.double
     return worst(ours.inverse_dynamics, ours.mass_matrix,
                  mujoco_states(scene, kernels.interface.coordinates, model, states))

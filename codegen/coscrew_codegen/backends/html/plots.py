@@ -2,8 +2,8 @@
 
 import io
 import re
-from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, field
 from math import inf, isnan
 from pathlib import Path
 from xml.etree import ElementTree
@@ -46,9 +46,11 @@ PANEL = (4.6, 3.4)
 
 _IN_PAGES = {INK: "--ink", QUIET: "--quiet", _RULE: "--rule", _EDGE: "--quiet", _CARD: "--card"}
 _SVG, _LINK = "http://www.w3.org/2000/svg", "http://www.w3.org/1999/xlink"
+_AUTOMATIC = re.compile(r"[a-z0-9]+_\d+|[a-z]+")  # ids of artists without a name: line2d_3
 _REPRODUCIBLE = {".svg": {"Date": None, "Creator": None}, ".png": {"Software": None}}
-_PLACES = ((9, 0, "left"), (-9, 0, "right"), (0, 11, "center"), (0, -11, "center"),
-           (9, 10, "left"), (-9, 10, "right"), (9, -10, "left"), (-9, -10, "right"))
+_PLACES = tuple((dx * side, dy, ("right", "center", "left")[side + 1])
+                for dx, dy in ((9, 0), (0, 11), (0, -11), (9, 10), (9, -10), (9, 21), (9, -21),
+                               (9, 32), (9, -32)) for side in ((1, -1) if dx else (0,)))
 
 styled = matplotlib.rc_context(STYLE)
 """Decorates functions that draw."""
@@ -68,6 +70,34 @@ class Mark:
     hollow: bool = False  # another is better
     label: str = ""
     foot: float = 0.0  # of a line from below, 0 without
+
+
+@dataclass(frozen=True)
+class Panel:
+    """A drawing on one pair of axes: its label, the function that draws it, the texts at artists by
+    their ids, and its inches alone on a page."""
+
+    label: str
+    draw: Callable[[Axes], None]
+    titles: Mapping[str, str] = field(default_factory=dict)
+    size: tuple[float, float] = PANEL
+
+    @property
+    def alone(self) -> Figure:
+        """The panel as a figure, higher by the rows of a long legend."""
+        with matplotlib.rc_context(STYLE):
+            figure = Figure(figsize=self.size, layout="constrained")
+            self.draw(axes := figure.subplots())
+            if legend := axes.get_legend():
+                figure.set_figheight(self.size[1] + 0.08 * len(legend.get_texts()))
+            place_labels(figure)
+        return figure
+
+    @property
+    def inline(self) -> Markup:
+        """The panel as an element of a page."""
+        with matplotlib.rc_context(STYLE):
+            return inline(self.alone, self.label, self.titles)
 
 
 @styled
@@ -97,6 +127,8 @@ def inline(figure: Figure, label: str, titles: Mapping[str, str] | None = None) 
     root.attrib = {"viewBox": root.attrib["viewBox"], "role": "img", "aria-label": label}
     for node in root.iter(f"{{{_SVG}}}g"):
         name = node.attrib.pop("id", "")
+        if name and not _AUTOMATIC.fullmatch(name):
+            node.set("data-artist", name)
         if name in (titles or {}):
             node.set("data-mark", name)
             title = ElementTree.Element(f"{{{_SVG}}}title")
@@ -205,17 +237,20 @@ def name_beside(axes: Axes, at: tuple[float, float], text: str, transform: Trans
 
 
 def place_labels(figure: Figure) -> None:
-    """Move each label to the first place where it meets no mark and no label, if there is one."""
+    """Move each label to the first place where it meets no mark and no label; hide it if there is
+    none: pages show its number at the mark, too."""
     figure.draw_without_rendering()
     for axes in figure.axes:
         taken = [x.get_window_extent().padded(1) for x in axes.lines if x.get_gid()]
         for text in axes.texts:
             if text.get_in_layout():
                 continue
-            for dx, dy, side in (*_PLACES, _PLACES[0]):
+            for dx, dy, side in _PLACES:
                 text.set(position=(dx, dy), ha=side)
                 box = text.get_window_extent()
                 inside = axes.bbox.x0 <= box.x0 and box.x1 <= axes.bbox.x1 + 4
                 if inside and not box.count_overlaps(taken):
+                    taken.append(box)
                     break
-            taken.append(box)
+            else:
+                text.set_visible(False)

@@ -57,7 +57,7 @@ def _sources(library: Library, tier: Tier) -> Files:
 def _loops(library: Library, tier: Tier) -> Files:
     """The sources except the one that holds their provenance."""
     families, on_vectors = _families(library, tier), _on_vectors(library, tier)
-    required = library.made(requirements)
+    required, copies = library.made(requirements), library.made(gufunc.worth)
     docstrings = numpy_twins.docstrings(library, tier, library.precisions[0])
     headers = f"{'../' * bool(tier.mark)}../c/include/ksl"
     shared = {"banner": library.banner, "runtime": _runtime_folder(tier),
@@ -73,7 +73,7 @@ def _loops(library: Library, tier: Tier) -> Files:
         "gufunc/promoter.c", **shared, header=f"{headers}/{tier.umbrella}.h",
         single={p.name: int(p is SINGLE) for p in PRECISIONS}, **_checks(library, tier))
     for family in families:
-        gufuncs = [gufunc.gufunc(op, library.precisions, docstrings[op.name], tier.mark,
+        gufuncs = [gufunc.gufunc(op, library.precisions, docstrings[op.name], tier, copies[family],
                                  on_vectors.get(family), required[family].get(op.name, ""))
                    for op in library.having(tier) if op.family == family]
         sources[f"{family}.c"] = render(

@@ -8,6 +8,7 @@ several elements into these.
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
+from coscrew_codegen.accuracy.tiers import TIERS, Tier
 from coscrew_codegen.algebra.operations import Operation
 from coscrew_codegen.backends.c.c_function import CFunction
 from coscrew_codegen.backends.c.c_many_lanes import place
@@ -20,11 +21,26 @@ from coscrew_codegen.backends.c.c_operations import (
     parameters,
     returned,
 )
+from coscrew_codegen.backends.library import FamilyKernels
+from coscrew_codegen.program.ops import Op
 from coscrew_codegen.program.values.formats import Precision
 from coscrew_codegen.program.values.quantity import Argument, Quantity
+from coscrew_codegen.program.whole_cost import whole_counts
 
 _VECTORS = 256
 """So many vectors hold results of several groups: 8 KiB of stack, a part of a processor's cache."""
+_LONG, _LONG_WITH_ONE = 200, 1000
+"""Operations from which on a loop whose strides are known takes as long as one for any strides: of
+kernels with one input, and with several.  If the first of several is the same for all elements,
+what depends on it alone is computed once, which saves up to half of the time."""
+
+
+@dataclass(frozen=True)
+class Copies:
+    """The copies of a kernel's loop that are compiled besides the one for any strides."""
+
+    strides: bool  # for the strides of C-ordered arrays
+    fma: bool  # for processors with FMA, also that for any strides
 
 
 @dataclass(frozen=True)
@@ -59,6 +75,7 @@ class GufuncLoop:
     loads: tuple[str, ...]
     call: str
     stores: tuple[str, ...]
+    strided: str  # the definition of the loop over elements with any strides
     definition: str  # of the function that calls it
     core: int  # index of the first core stride among the strides: the number of arguments
     lanes: LaneLoops | None  # None if compilers make vector instructions of the loop
@@ -91,8 +108,25 @@ class Access:
     numbered: tuple[tuple[int, str], ...]  # (number of the vector, byte offset)
 
 
-def gufunc(operation: Operation, precisions: tuple[Precision, ...], docstring: str,
-           tier: str = "", on_vectors: Mapping[tuple[str, str], CFunction] | None = None,
+Worth = Mapping[tuple[str, str, str], Copies]
+"""By the names of tier, operation and precision."""
+
+
+def worth(kernels: FamilyKernels) -> Worth:
+    """The copies of the loops of a family's kernels that are faster."""
+    return {(tier.name, op.name, precision.name): _copies(op, whole_counts(program, precision))
+            for tier in TIERS for precision in kernels.precisions
+            for op, program in kernels.of(tier, precision).items()}
+
+
+def _copies(operation: Operation, counts: Mapping[Op, int]) -> Copies:
+    most = _LONG_WITH_ONE if _may_have_one(operation) else _LONG
+    return Copies(sum(counts.values()) < most,
+                  bool({*counts} & {Op.PRODUCT_ERROR, Op.PRODUCT_REST}))
+
+
+def gufunc(operation: Operation, precisions: tuple[Precision, ...], docstring: str, tier: Tier,
+           copies: Worth, on_vectors: Mapping[tuple[str, str], CFunction] | None = None,
            required: str = "") -> Gufunc:
     """The operation as a gufunc with one loop per precision, which calls the tier's kernel, and the
     one on vectors if there is such: by operation and precision."""
@@ -101,7 +135,8 @@ def gufunc(operation: Operation, precisions: tuple[Precision, ...], docstring: s
     literal = "\n".join(f'    "{line}\\n"' for line in lines)
     return Gufunc(operation.name, operation.signature, len(operation.inputs),
                   len(operation.outputs), literal, required,
-                  tuple(_loop(operation, precision, tier,
+                  tuple(_loop(operation, precision, tier.mark,
+                              copies[tier.name, operation.name, precision.name],
                               held.get((operation.name, precision.name)))
                         for precision in precisions))
 
@@ -121,8 +156,8 @@ def access(quantity: Quantity, precision: Precision) -> Access:
                   tuple(places), _vectors(precision), _count(precision), tuple(numbered))
 
 
-def _loop(operation: Operation, precision: Precision, tier: str, states: CFunction
-          | None) -> GufuncLoop:
+def _loop(operation: Operation, precision: Precision, tier: str, copies: Copies,
+          states: CFunction | None) -> GufuncLoop:
     arguments = (*operation.inputs, *operation.outputs)
     starts = _starts(arguments)
 
@@ -134,9 +169,10 @@ def _loop(operation: Operation, precision: Precision, tier: str, states: CFuncti
                      for n in numbers)
 
     inputs = len(operation.inputs)
-    fixed = inputs > 1 and operation.inputs[0] not in operation.outputs
+    fixed = _may_have_one(operation)
     distinct = tuple({a.name: a for a in arguments}.values())
     name, x = f"{operation.name}_{precision.name}", _pointer(arguments[0])
+    way = f"DENSE{'_OR_ONE' * fixed}" if copies.strides else "ANY"
     return GufuncLoop(
         name=name,
         first=FirstInput(
@@ -146,11 +182,17 @@ def _loop(operation: Operation, precision: Precision, tier: str, states: CFuncti
         loads=moving("LOAD", range(int(fixed), inputs)),
         call=_call(operation, precision, tier),
         stores=moving("STORE", range(inputs, len(arguments))),
+        strided=f"STRIDED{'_WITH_FMA' * copies.fma}({name})",
         definition=f"LOOP{'_ON_VECTORS' * (states is not None)}({name}, {len(arguments)}, "
-                   f"DENSE{'_OR_ONE' * fixed}, {_dense(arguments, precision)})",
+                   f"{way}, {_dense(arguments, precision)})",
         core=len(arguments),
         lanes=_lanes(operation, precision, states) if states else None,
     )
+
+
+def _may_have_one(operation: Operation) -> bool:
+    """Returns whether the first of several inputs is only read."""
+    return len(operation.inputs) > 1 and operation.inputs[0] not in operation.outputs
 
 
 def _lanes(operation: Operation, precision: Precision, states: CFunction) -> LaneLoops:

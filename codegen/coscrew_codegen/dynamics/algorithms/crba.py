@@ -47,8 +47,9 @@ def mass_matrix(motion: Motion, rigids: Sequence[Rigid],
                 column = motion.recorder.call("product_Bs", bodies[number].numbers, screw)
                 _enter(motion, number, freedom, column, M)
             if link.joint.name in inertias:
-                own, factor = _speed(motion, number, 0)
-                M[own][own] = M[own][own] + inertias[link.joint.name] * (factor * factor)
+                for freedom in range(len(motion.subspace(number))):
+                    own, factor = _speed(motion, number, freedom)
+                    M[own][own] = M[own][own] + inertias[link.joint.name] * (factor * factor)
     return [[M[max(i, j)][min(i, j)] for j in range(tree.nv)] for i in range(tree.nv)]
 
 

@@ -16,8 +16,8 @@ def kinetic(x: FunctionRecording, motion: Motion) -> Number:
                                          motion.twist(number))
                 total = total + own
             if link.joint.name in x.inertias:
-                v = motion.speeds(number)[0]
-                total = total + x.inertias[link.joint.name] * (v * v) / 2
+                for v in motion.speeds(number):
+                    total = total + x.inertias[link.joint.name] * (v * v) / 2
     return total
 
 

@@ -24,7 +24,12 @@ from coscrew_codegen.dynamics.algorithms import crba, energies
 from coscrew_codegen.dynamics.algorithms.bodies import Rigid
 from coscrew_codegen.dynamics.algorithms.linear_systems import Factors, factored
 from coscrew_codegen.dynamics.algorithms.motion import Motion
-from coscrew_codegen.dynamics.forces.applied_effects import AppliedEffects, alone, gravity
+from coscrew_codegen.dynamics.forces.applied_effects import (
+    AppliedEffects,
+    alone,
+    gravity,
+    joint_inertias,
+)
 from coscrew_codegen.dynamics.function_recording import FunctionRecording
 from coscrew_codegen.scene.mechanism.tree import Tree
 from coscrew_codegen.scene.scene import Applied, Scene
@@ -49,17 +54,26 @@ def _tied(applied: Applied, tree: Tree) -> set[int]:
     if applied.effect.pair_force:
         ends = {_root(tree, tree.link_and_body(body)[0]) for body in applied.bodies}
         return ends if len(ends) > 1 else set()
+    if applied.effect.joint_torque or applied.effect.joint_inertia:
+        roots = {number for number, link in enumerate(tree.links)
+                 if link.parent < 0 and link.joint.name == applied.on}
+        return {number for number in roots if tree.links[number].joint.kind.floats}
     return set()
 
 
 def _idle(scene: Scene, tree: Tree, applied: Applied) -> bool:
-    """Returns whether the numbers of an effect make its forces zero in every state."""
+    """Returns whether the numbers of an effect make its forces and its inertia zero in every state.
+    """
     recorder = Recorder([array("t", ()), array("p", (len(scene.parameters),)),
                          array("q", (tree.nq,)), array("v", (tree.nv,))])
     motion = Motion(recorder, tree, [f"link{n}" for n in range(len(tree.links))],
                     gravity(scene, recorder))
-    acting = AppliedEffects(alone(scene, applied), motion).act()
-    return all(x.is_zero for link in acting.forces for x in acting.force(link))
+    only = alone(scene, applied)
+    acting = AppliedEffects(only, motion).act()
+    numbers = [*(x for link in acting.forces for x in acting.force(link)),
+               *(x for link in acting.torques for x in acting.torque(link)),
+               *joint_inertias(only, recorder).values()]
+    return all(x.is_zero for x in numbers)
 
 
 def _root(tree: Tree, number: int) -> int:

@@ -3,8 +3,8 @@
 An implicit step solves (M + m) a = tau - c v, where the inertia m and the torque c v represent the
 damping and stiffness of the effects within the step.  For effects at joints these are diagonal, for
 forces on a point they are point masses, with another mass along one direction, and for forces
-between two bodies they are terms m e e^T with the row e^T of the rate l' = e^T v, so that a common
-motion of both bodies is not damped.
+between two bodies and effects on sums of coordinates they are terms m e e^T with the row e^T of the
+rate l' = e^T v, so that a common motion of both bodies is not damped.
 """
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
@@ -26,7 +26,8 @@ from coscrew_codegen.dynamics.algorithms.bodies import Rigid, rigid_of
 from coscrew_codegen.dynamics.algorithms.linear_systems import factored
 from coscrew_codegen.dynamics.algorithms.motion import Motion
 from coscrew_codegen.dynamics.algorithms.rnea import Wrench
-from coscrew_codegen.dynamics.forces.applied_effects import AppliedEffects, AppliedForce, Paired
+from coscrew_codegen.dynamics.forces.applied_effects import AppliedEffects, AppliedForce
+from coscrew_codegen.dynamics.forces.linearization import JointEffect
 from coscrew_codegen.scene.effect import Slopes, required
 
 Weights = Callable[[Number, Number, Number], tuple[Number, Number]]
@@ -59,7 +60,9 @@ def accelerations(motion: Motion, acting: AppliedEffects, rigids: Sequence[Rigid
                   inertias: Mapping[str, Number], tau: Sequence[Number]) -> list[Number]:
     """a with M a + bias = tau."""
     own = _own(motion, inertias)
-    torques = add(tau, _gathered(motion, {n: acting.torque(n) for n in sorted(acting.torques)}))
+    torques = acting.with_sums(add(tau, _gathered(
+        motion, {n: acting.torque(n) for n in sorted(acting.torques)})))
+    torques = _without_own_bias(motion, inertias, torques)
     return _solver(motion, rigids)(lambda k, _: (torques[k], own[k]),
                                    rnea.net_wrenches(motion, rigids, acting))
 
@@ -72,9 +75,15 @@ def implicit(motion: Motion, acting: AppliedEffects, rigids: Sequence[Rigid],
     Damping and stiffness are those of `slopes`, the effects on a motion with the same q and the
     initial velocities of the step; forces are then linear about these velocities."""
     start, own = slopes or acting, _own(motion, inertias)
-    torques = _torques(acting, start, tau)
+    torques = _without_own_bias(motion, inertias, _torques(acting, start, tau))
     damping = _gathered(motion, {n: start.damping(n) for n in sorted(start.torques)}, 2)
     stiffness = _gathered(motion, {n: start.stiffness(n) for n in sorted(start.torques)}, 2)
+    for x in start.sums:
+        if len(x.weights) == 1:
+            (place, weight), = x.weights.items()
+            square = weight * weight
+            damping[place] = damping[place] + x.along.slopes.damping * square
+            stiffness[place] = stiffness[place] + x.along.slopes.stiffness * square
     rates = list(damping)
 
     def at_joint(k: int, inertia: Number) -> tuple[Number, Number]:
@@ -86,16 +95,23 @@ def implicit(motion: Motion, acting: AppliedEffects, rigids: Sequence[Rigid],
     solve = _solver(motion, *_resisted(motion, start, rigids, weights))
     for number, pair in enumerate(start.pairs):
         with motion.recorder.part(f"pair_{number}", heading="pairs of bodies"):
-            solve, joint = _with_pair(motion, pair, acting.pairs[number], weights, solve, joint)
+            e = _along_velocities(motion, pair.unit_wrenches)
+            solve, joint = _with_line(motion, e, pair.along,
+                                      acting.pairs[number].along, weights, solve, joint)
+    for number, x in enumerate(start.sums):
+        if len(x.weights) > 1:
+            with motion.recorder.part(f"sum_{number}", heading="sums of coordinates"):
+                e = [motion.recorder.number(x.weights.get(k, 0)) for k in range(motion.tree.nv)]
+                solve, joint = _with_line(motion, e, x.along, acting.sums[number].along, weights,
+                                          solve, joint)
     wrenches = rnea.net_wrenches(motion, rigids, acting)
     return Implicit(solve(joint, _about(motion, wrenches, acting, start, rigids, weights)), rates)
 
 
 def inverse_inertia(motion: Motion, rigids: Sequence[Rigid], inertias: Mapping[str, Number],
-                    number: int) -> Number:
-    """∂a/∂tau of a joint with one coordinate, all others free to move."""
+                    unit: Sequence[Number]) -> Number:
+    """e·M⁻¹ e of a row e, the acceleration along it by a torque of 1 along it."""
     own = _own(motion, inertias)
-    unit = _gathered(motion, {number: motion.recorder.number(1)})
     still = [(*motion.zero, *motion.zero)] * len(motion.tree.links)
     a = _solver(motion, rigids)(lambda k, _: (unit[k], own[k]), still)
     return _product(unit, a)
@@ -103,37 +119,65 @@ def inverse_inertia(motion: Motion, rigids: Sequence[Rigid], inertias: Mapping[s
 
 def _own(motion: Motion, inertias: Mapping[str, Number]) -> list[Number]:
     """The joints' own inertias, by velocity."""
-    return _gathered(motion, {n: inertias[link.joint.name]
+    return _gathered(motion, {n: [inertias[link.joint.name]] * max(1, len(link.v))
                               for n, link in enumerate(motion.tree.links)
                               if link.joint.name in inertias}, 2)
+
+
+def _without_own_bias(motion: Motion, inertias: Mapping[str, Number], torques: Sequence[Number]
+                      ) -> list[Number]:
+    """The torques less those that joints' own inertias take at a = 0."""
+    results = list(torques)
+    for number, link in enumerate(motion.tree.links):
+        if link.joint.name in inertias:
+            with motion.part(number, "own"):
+                own = rnea.own_bias(motion, number, inertias[link.joint.name])
+                for k, torque in zip(link.v, own, strict=bool(own)):
+                    results[k] = results[k] - torque
+    return results
 
 
 def _torques(acting: AppliedEffects, start: AppliedEffects, tau: Sequence[Number]) -> list[Number]:
     """Torques by velocity: tau, then those of effects; if linear about the initial velocities, also
     d (v - v_start). tau is summed in the place that an actuator's torque would have."""
-    motion, others, result = acting.motion, list(tau), dict[int, Number]()
+    motion, others, result = acting.motion, list(tau), dict[int, list[Number]]()
     for number in sorted(acting.torques):
-        link, torque = motion.tree.links[number], acting.torque(number)
-        if not link.driver:
-            torque = tau[link.v.start] + torque
-            others[link.v.start] = motion.zero[0]
+        link, torques = motion.tree.links[number], acting.torque(number)
+        for k in link.v:
+            torques[k - link.v.start] = tau[k] + torques[k - link.v.start]
+            others[k] = motion.zero[0]
         if start is not acting:
-            faster = motion.speeds(number)[0] - start.motion.speeds(number)[0]
-            torque = torque + start.damping(number) * faster
-        result[number] = torque
-    return list(add(others, _gathered(motion, result)))
+            faster = subtract(motion.speeds(number), start.motion.speeds(number))
+            torques = [torque + d * x for torque, d, x in zip(
+                torques, start.damping(number), faster, strict=True)]
+        result[number] = torques
+    return _with_slopes_of_sums(acting, start, acting.with_sums(
+        add(others, _gathered(motion, result))))
 
 
-def _gathered(motion: Motion, of_links: Mapping[int, Number], power: int = 1) -> list[Number]:
-    """Sums by velocity over joints with one coordinate; a follower's value, times its multiplier to
-    this power, is added to its leader's."""
+def _with_slopes_of_sums(acting: AppliedEffects, start: AppliedEffects, torques: Sequence[Number]
+                         ) -> list[Number]:
+    """Torques, with d (v - v_start) added for sums of one term."""
+    results = list(torques)
+    for x, now in zip(start.sums, acting.sums, strict=True):
+        if start is not acting and len(x.weights) == 1:
+            (place, weight), = x.weights.items()
+            faster = x.along.slopes.damping * (now.along.at.v - x.along.at.v)
+            results[place] = results[place] + faster * weight
+    return results
+
+
+def _gathered(motion: Motion, of_links: Mapping[int, Sequence[Number]], power: int = 1
+              ) -> list[Number]:
+    """Sums by velocity over joints; a follower's value, times its multiplier to this power, is
+    added to its leader's."""
     result = [motion.zero[0]] * motion.tree.nv
-    for number, value in of_links.items():
+    for number, values in of_links.items():
         link = motion.tree.links[number]
         with motion.part(number, "own"):
             if power == 2 and link.driver:
-                value = value * link.driver.multiplier
-            rnea.gather(motion, number, [value], result)
+                values = [value * link.driver.multiplier for value in values]
+            rnea.gather(motion, number, values, result)
     return result
 
 
@@ -221,33 +265,32 @@ def _solver(motion: Motion, rigids: Sequence[Rigid], rows: Sequence[_Row] = ()) 
     return solve
 
 
-def _with_pair(motion: Motion, pair: Paired, now: Paired, weights: Weights, solve: _Solve,
-               joint: Joint) -> tuple[_Solve, Joint]:
+def _with_line(motion: Motion, e: Sequence[Number], along: JointEffect, now: JointEffect,
+               weights: Weights, solve: _Solve, joint: Joint) -> tuple[_Solve, Joint]:
     """`solve` for the matrix plus m e e^T, and `joint` with the torques -c l' e and, linear about
-    the initial rate l', d (l'_now - l') e added.
+    the initial rate l' = e·v, d (l'_now - l') e added.
 
     a = a' - w (m e·a')/(1 + m e·w), w = solve(e), by Sherman and Morrison; it never divides by
-    zero, and 1/(e·w) is the inertia that the pair acts on."""
+    zero, and 1/(e·w) is the inertia that the effect acts on."""
     still = [(*motion.zero, *motion.zero)] * len(motion.tree.links)
-    e = _along_velocities(motion, pair.unit_wrenches)
     w = solve(lambda k, inertia: (e[k], joint(k, inertia)[1]), still)
-    slopes, rate, product = pair.along.slopes, pair.along.at.v, _product(e, w)
+    slopes, rate, product = along.slopes, along.at.v, _product(e, w)
     mass, c = weights(slopes.damping, slopes.stiffness, slopes.damping * product)
     share = mass / (1 + mass * product)
     pull = c * rate
-    if now is not pair:
-        pull = pull - slopes.damping * (now.along.at.v - rate)
+    if now is not along:
+        pull = pull - slopes.damping * (now.at.v - rate)
     less = scaled(pull, e)
 
     def coupled(joint: Joint, wrenches: Sequence[Wrench]) -> list[Number]:
         a = solve(joint, wrenches)
         return list(subtract(a, scaled(share * _product(e, a), w)))
 
-    def joint_with_pair(k: int, inertia: Number) -> tuple[Number, Number]:
+    def joint_with_line(k: int, inertia: Number) -> tuple[Number, Number]:
         torque, own = joint(k, inertia)
         return torque - less[k], own
 
-    return coupled, joint_with_pair
+    return coupled, joint_with_line
 
 
 def _along_velocities(motion: Motion, wrenches: Iterable[tuple[int, Wrench]]) -> list[Number]:

@@ -13,16 +13,22 @@ undamped springs keep ½ v·M v + ½ q·K q.  Of second order.
 """
 
 from collections.abc import Iterator, Sequence
+from contextlib import AbstractContextManager
+from dataclasses import dataclass
 from fractions import Fraction
 
 from coscrew_codegen.algebra.recording.numbers import Number, add, less, scaled, sqrt, where
 from coscrew_codegen.dynamics.algorithms import forward
+from coscrew_codegen.dynamics.algorithms.motion import Motion
+from coscrew_codegen.dynamics.forces.acted_coordinates import SUM, acted_coordinates, weights_of
 from coscrew_codegen.dynamics.forces.applied_effects import AppliedEffects
 from coscrew_codegen.dynamics.forces.effect_parameters import settings
 from coscrew_codegen.dynamics.function_recording import FunctionRecording
 from coscrew_codegen.program import NotANumber
 from coscrew_codegen.scene.effect import Contact, CoordinateState, required
 from coscrew_codegen.scene.functions.steps.step_parts import MOST
+from coscrew_codegen.scene.identifiers import identifiers
+from coscrew_codegen.scene.scene import Applied, WeightedCoordinate
 
 FINE = 12
 """A step is split into parts of length s such that ω s <= 1/FINE, ω the contact's frequency at its
@@ -71,9 +77,9 @@ def _delays(x: FunctionRecording, h: Number, rates: Sequence[Number]) -> dict[in
 def closing(x: FunctionRecording) -> Number:
     """The number of joints' contacts that are closed now or will be after h at the velocity v."""
     count = x.recorder.number(0)
-    for link, before, after in _contacts(x):
-        with x.recorder.part(x.names[link], "own", x.tree.links[link].heading):
-            count = count + where(less(count.like(0), before.depth + after.depth), 1, 0)
+    for contact in _contacts(x):
+        with contact.part():
+            count = count + where(less(count.like(0), contact.depths), 1, 0)
     return count
 
 
@@ -86,15 +92,15 @@ def split(x: FunctionRecording) -> tuple[Number, Number]:
     recorder = x.recorder
     (h,), motion = recorder.argument("h"), x.motion(accelerating=False)
     number, worst = closing(x), recorder.number(0)
-    for link, before, after in _contacts(x):
-        with recorder.part(x.names[link], "own", x.tree.links[link].heading):
-            mobility = forward.inverse_inertia(motion, x.rigids, x.inertias, link)
+    for contact in _contacts(x):
+        before, v = contact.before, contact.v
+        with contact.part():
+            mobility = forward.inverse_inertia(motion, x.rigids, x.inertias, contact.unit(motion))
             deepest = _power(before.depth, 2) * sqrt(before.depth)
-            v = motion.speeds(link)[0]
             deepest = deepest + v * v * Fraction(5, 4) / (mobility * before.k)
             rate = h * h * before.k * mobility * number * Fraction(3 * FINE**2, 2)
             fifth = _power(rate, 2) * sqrt(rate * deepest)
-            fifth = where(less(fifth.like(0), before.depth + after.depth), fifth, 0)
+            fifth = where(less(fifth.like(0), contact.depths), fifth, 0)
             worst = where(less(worst, fifth), fifth, worst)
     with recorder.part("parts", heading="parts of the step"):
         parts, n = recorder.number(1), 1
@@ -104,21 +110,52 @@ def split(x: FunctionRecording) -> tuple[Number, Number]:
         return parts, h / where(too_many, Number(recorder, NotANumber()), parts)
 
 
-def _contacts(x: FunctionRecording) -> Iterator[tuple[int, Contact, Contact]]:
-    """(link, contact now, contact after h) for each joint with a contact."""
-    recorder = x.recorder
-    motion, zero = x.motion(accelerating=False), recorder.number(0)
+@dataclass(frozen=True)
+class _Closing:
+    """A contact now and after h at the velocity v along its coordinate."""
+
+    x: FunctionRecording
+    applied: Applied
+    link: int
+    v: Number
+    before: Contact
+    after: Contact
+
+    @property
+    def depths(self) -> Number:
+        """The sum of both depths: above zero if it is closed or closes."""
+        return self.before.depth + self.after.depth
+
+    def part(self) -> AbstractContextManager[None]:
+        """Names instructions after the joint's link, or the sum."""
+        return _part(self.x, self.applied, self.link)
+
+    def unit(self, motion: Motion) -> list[Number]:
+        """The torques of a torque of 1 along its coordinate."""
+        terms = self.applied.terms or (WeightedCoordinate(self.applied.on, 0, Fraction(1)),)
+        weights = weights_of(motion, terms)
+        return [motion.recorder.number(weights.get(k, 0)) for k in range(motion.tree.nv)]
+
+
+def _part(x: FunctionRecording, applied: Applied, link: int) -> AbstractContextManager[None]:
+    if link == SUM:
+        return x.recorder.part(identifiers([applied.label])[0], "own", "sums of coordinates")
+    return x.recorder.part(x.names[link], "own", x.tree.links[link].heading)
+
+
+def _contacts(x: FunctionRecording) -> Iterator[_Closing]:
+    """The contacts of joints and sums."""
+    motion, zero = x.motion(accelerating=False), x.recorder.number(0)
     for applied in x.scene.effects:
         if applied.effect.joint_torque:
-            link = x.tree.links.index(x.tree.link_of(applied.on))
-            with recorder.part(x.names[link], "own", x.tree.links[link].heading):
-                values = settings(recorder, applied.values, zero)
-                q, v = motion.coordinates(link)[0], motion.speeds(link)[0]
-                before = applied.effect.joint_torque(CoordinateState(q, v, zero), values).contact
+            law, at = applied.effect.joint_torque, acted_coordinates(motion, applied)[0]
+            with _part(x, applied, at.link):
+                values = settings(x.recorder, at.values, zero)
+                before = law(CoordinateState(at.q, at.v, zero), values).contact
                 if before:
-                    h, = recorder.argument("h")
-                    after = applied.effect.joint_torque(CoordinateState(q + h * v, v, zero), values)
-                    yield link, before, required(after.contact)
+                    h, = x.recorder.argument("h")
+                    after = law(CoordinateState(at.q + h * at.v, at.v, zero), values)
+                    yield _Closing(x, applied, at.link, at.v, before, required(after.contact))
 
 
 def _power(x: Number, n: int) -> Number:

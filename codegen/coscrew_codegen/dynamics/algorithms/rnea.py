@@ -81,11 +81,22 @@ def joint_torques(motion: Motion, wrenches: Sequence[Wrench], acting: "AppliedEf
         with motion.part(number, "tau"):
             parts = list(along(motion, number, wrenches[number]))
             if link.joint.name in inertias:
-                parts[0] = parts[0] + inertias[link.joint.name] * motion.accelerations(number)[0]
+                own = inertias[link.joint.name]
+                for k, a in enumerate(motion.accelerations(number)):
+                    parts[k] = parts[k] + own * a
+                for k, torque in enumerate(own_bias(motion, number, own)):
+                    parts[k] = parts[k] + torque
             if acting and number in acting.torques:
-                parts[0] = parts[0] - acting.torque(number)
+                parts = list(subtract(parts, acting.torque(number)))
             gather(motion, number, parts, torques)
-    return torques
+    return acting.with_sums(torques, -1) if acting else torques
+
+
+def own_bias(motion: Motion, number: int, inertia: Number) -> list[Number]:
+    """The torques that a joint's own inertia takes at a = 0, by velocity; [] if they are zero."""
+    manifold = motion.tree.links[number].joint.kind.manifold
+    inertial = manifold.inertial if manifold else None
+    return [inertia * x for x in inertial(motion.speeds(number))] if inertial else []
 
 
 def holding_torques(motion: Motion) -> list[Number]:

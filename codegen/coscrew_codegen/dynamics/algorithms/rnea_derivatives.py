@@ -200,7 +200,7 @@ class _Recursion:
         l, e = linear(s), angular(s)
         turned, two = cross(w, e), self.zero.like(2)
         rate = (*add(cross(v, e), cross(w, l)), *turned)
-        return rate, (*add(add(cross(a, e), rotated(U, l)), scaled(two, cross(v, turned))),
+        return rate, (*add(add(cross(a, e), rotated(U, l)), cross(v, scaled(two, turned))),
                       *rotated(U, e))
 
     # inwards: what lies beyond a joint, and the entries of its freedoms
@@ -268,8 +268,8 @@ class _Recursion:
     def _with(self, inertias: Mapping[str, Number]) -> Matrix:
         for number, link in enumerate(self.tree.links):
             if link.joint.name in inertias:
-                place = self.places[number]
-                self.M[place][place] = self.M[place][place] + inertias[link.joint.name]
+                for _, place in self._places(number):
+                    self.M[place][place] = self.M[place][place] + inertias[link.joint.name]
         return self.M
 
     def _gathered(self, A: Matrix) -> Matrix:

@@ -1,7 +1,7 @@
 """Applies the effects of a scene to a motion: torques at joints, forces on links, energies, powers.
 """
 
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from functools import cached_property, partial
@@ -22,6 +22,12 @@ from coscrew_codegen.algebra.recording.numbers import (
 from coscrew_codegen.algebra.recording.recorder import Recorder
 from coscrew_codegen.dynamics.algorithms.motion import Motion
 from coscrew_codegen.dynamics.algorithms.rnea import holding_torques
+from coscrew_codegen.dynamics.forces.acted_coordinates import (
+    SUM,
+    ActedCoordinate,
+    acted_coordinates,
+    weights_of,
+)
 from coscrew_codegen.dynamics.forces.body_motion import BodyOfLink
 from coscrew_codegen.dynamics.forces.effect_parameters import settings
 from coscrew_codegen.dynamics.forces.linearization import JointEffect, Law
@@ -123,6 +129,15 @@ class Paired:
                 for state, force in zip(self.states, forces, strict=True)]
 
 
+@dataclass(frozen=True)
+class Summed:
+    """An effect on a weighted sum of coordinates; its torque acts on each velocity by the weight.
+    """
+
+    weights: Mapping[int, Fraction]  # by velocity
+    along: JointEffect
+
+
 class AppliedEffects:
     """The effects of a scene on one motion, at its time; each is evaluated once.
 
@@ -137,6 +152,7 @@ class AppliedEffects:
         self.torques: dict[int, list[JointEffect]] = {}
         self.forces: dict[int, list[AppliedForce]] = {}
         self.pairs: list[Paired] = []
+        self.sums: list[Summed] = []
 
     def act(self) -> "AppliedEffects":
         """Evaluates the effects, in the order of the catalogue and of the scene."""
@@ -150,11 +166,8 @@ class AppliedEffects:
 
     def _apply(self, effect: Effect, applied: Applied) -> None:
         if effect.joint_torque:
-            link = self.motion.tree.links.index(self.motion.tree.link_of(applied.on))
-            at = CoordinateState(self.motion.coordinates(link)[0], self.motion.speeds(link)[0],
-                                 self.t + self.delays.get(link, 0), self._holding(link, applied))
-            self.torques.setdefault(link, []).append(
-                JointEffect(effect.joint_torque, at, applied.values, self.recorder.current))
+            for x in acted_coordinates(self.motion, applied):
+                self._act_along(effect.joint_torque, x, applied)
         if effect.body_force:
             state = self._body(applied.on)
             self._add(state, body_force(effect.body_force, state, applied.values))
@@ -163,6 +176,15 @@ class AppliedEffects:
             for state, force in zip(pair.states, pair.forces, strict=True):
                 self._add(state, force)
             self.pairs.append(pair)
+
+    def _act_along(self, law: Law, x: ActedCoordinate, applied: Applied) -> None:
+        at = CoordinateState(x.q, x.v, self.t + self.delays.get(x.link, 0),
+                             self._holding(x.link, applied))
+        along = JointEffect(law, at, x.values, self.recorder.current, x.freedom)
+        if x.link == SUM:
+            self.sums.append(Summed(weights_of(self.motion, applied.terms), along))
+        else:
+            self.torques.setdefault(x.link, []).append(along)
 
     def _holding(self, link: int, applied: Applied) -> Number | None:
         """Returns the torque that holds a joint against gravity, if the effect compensates it."""
@@ -207,17 +229,32 @@ class AppliedEffects:
 
     # results
 
-    def torque(self, link: int) -> Number:
-        """The sum of the torques at a link's joint with one coordinate."""
-        return self._sum(required(x.torque.torque) for x in self.torques.get(link, ()))
+    def torque(self, link: int) -> list[Number]:
+        """The sums of the torques at a link's joint, by velocity."""
+        return self._by_velocity(link, lambda x: required(x.torque.torque))
 
-    def damping(self, link: int) -> Number:
-        """-∂torque/∂v, or a bound of it."""
-        return self._sum(x.slopes.damping for x in self.torques.get(link, ()))
+    def damping(self, link: int) -> list[Number]:
+        """-∂torque/∂v, or bounds of it."""
+        return self._by_velocity(link, lambda x: x.slopes.damping)
 
-    def stiffness(self, link: int) -> Number:
-        """-∂torque/∂q, or a bound of it."""
-        return self._sum(x.slopes.stiffness for x in self.torques.get(link, ()))
+    def stiffness(self, link: int) -> list[Number]:
+        """-∂torque/∂q, or bounds of it."""
+        return self._by_velocity(link, lambda x: x.slopes.stiffness)
+
+    def _by_velocity(self, link: int, of: Callable[[JointEffect], Number]) -> list[Number]:
+        x, effects = self.motion.tree.links[link], self.torques.get(link, ())
+        return [self._sum(of(effect) for effect in effects if effect.freedom == k)
+                for k in range(1 if x.driver else len(x.v))]
+
+    def with_sums(self, torques: Sequence[Number], sign: int = 1) -> list[Number]:
+        """Torques by velocity, with those of effects on sums of coordinates added, or subtracted.
+        """
+        results = list(torques)
+        for x in self.sums:
+            torque = required(x.along.torque.torque) * sign
+            for place, weight in x.weights.items():
+                results[place] = results[place] + torque * weight
+        return results
 
     def force(self, link: int) -> tuple[Number, ...]:
         """The sum of the forces on a link: force; moment about its origin, in its frame."""
@@ -233,6 +270,7 @@ class AppliedEffects:
     def potential(self) -> Number:
         """The sum of the potential energies of effects."""
         torques = [x.torque.energy for link in sorted(self.torques) for x in self.torques[link]]
+        torques += [x.along.torque.energy for x in self.sums]
         forces = [x.force.energy for link in sorted(self.forces) for x in self.forces[link]]
         return self._sum(x for x in (*torques, *forces) if x)
 
@@ -240,10 +278,14 @@ class AppliedEffects:
         """The power of the effects without potential energy, in W; negative if dissipated."""
         total = self.recorder.number(0)
         for link in sorted(self.torques):
-            speed = self.motion.speeds(link)[0]
+            speeds = self.motion.speeds(link)
             for x in self.torques[link]:
                 torque = x.torque
-                total = total + _own_power(torque, partial(mul, required(torque.torque), speed))
+                total = total + _own_power(torque, partial(mul, required(torque.torque),
+                                                           speeds[x.freedom]))
+        for summed in self.sums:
+            at, torque = summed.along.at, summed.along.torque
+            total = total + _own_power(torque, partial(mul, required(torque.torque), at.v))
         for link in sorted(self.forces):
             for force in self.forces[link]:
                 total = total + _own_power(force.force, force.power)

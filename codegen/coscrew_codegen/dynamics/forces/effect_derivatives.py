@@ -21,12 +21,13 @@ Torques = Callable[[FunctionRecording], Sequence[Number]]
 
 
 def of_effects(x: FunctionRecording) -> Sequence[Number]:
-    """The torques that joints must supply against effects, besides gravity and joints' inertias."""
+    """The torques that joints must supply against effects, besides gravity, and for joints' own
+    inertias at a = 0."""
     motion = x.motion(accelerating=False)
     applied = AppliedEffects(x.scene, motion).act()
     none = (*motion.zero, *motion.zero)
     wrenches = [subtract(none, applied.force(n)) for n in range(len(x.tree.links))]
-    return rnea.joint_torques(motion, rnea.transmitted(motion, wrenches), applied, {})
+    return rnea.joint_torques(motion, rnea.transmitted(motion, wrenches), applied, x.inertias)
 
 
 def of_all(x: FunctionRecording) -> Sequence[Number]:
@@ -59,7 +60,7 @@ def _recorded(x: FunctionRecording, torques: Torques, given: dict[str, Sequence[
     own = {a.name: a for a in x.recorder.inputs}
     inputs: list[Argument] = [a for a in own.values() if a.name in ("t", "p", "q", "v", "a")]
     inputs += [array(name, (nv,)) for name in given if name not in own]
-    recorder = Recorder(inputs)
+    recorder = Recorder(inputs, smooth=True)
     with recorder.part("tau"):
         results = torques(FunctionRecording(x.scene, x.tree, x.names, recorder))
         return recorder.program("torques", [(array("tau", (nv,)), results)])

@@ -5,6 +5,7 @@ from collections.abc import Callable, Mapping, Sequence
 from coscrew_codegen.algebra.recording.numbers import Number, add, cross, dot
 from coscrew_codegen.dynamics.algorithms import energies
 from coscrew_codegen.dynamics.algorithms.motion import Motion
+from coscrew_codegen.dynamics.forces.acted_coordinates import link_of
 from coscrew_codegen.dynamics.forces.applied_effects import AppliedEffects, AppliedForce, alone
 from coscrew_codegen.dynamics.forces.effect_parameters import settings
 from coscrew_codegen.dynamics.forces.linearization import JointEffect
@@ -27,8 +28,8 @@ def values_of(x: FunctionRecording, motion: Motion, applied: Applied) -> Values:
         return {ENERGY: lambda: [_kinetic(x, motion, applied)]}
     acting = AppliedEffects(alone(x.scene, applied), motion).act()
     if effect.joint_torque:
-        ((along,),) = acting.torques.values()
-        return _of_joint(along)
+        return _of_joint([*(x for several in acting.torques.values() for x in several),
+                          *(x.along for x in acting.sums)])
     if effect.pair_force:
         (pair,) = acting.pairs
         return _of_pair(pair.along)
@@ -38,15 +39,25 @@ def values_of(x: FunctionRecording, motion: Motion, applied: Applied) -> Values:
 
 def _kinetic(x: FunctionRecording, motion: Motion, applied: Applied) -> Number:
     """I v²/2 of a joint's own inertia."""
-    v = motion.speeds(x.tree.links.index(x.tree.link_of(applied.on)))[0]
     values = settings(x.recorder, applied.values, x.recorder.number(0))
-    return required(applied.effect.joint_inertia)(values) * (v * v) / 2
+    inertia = required(applied.effect.joint_inertia)(values)
+    return _sum([inertia * (v * v) / 2 for v in motion.speeds(link_of(motion, applied.on))])
 
 
-def _of_joint(along: JointEffect) -> Values:
-    torque = required(along.torque.torque)
-    return {TORQUE: lambda: [torque], POWER: lambda: [torque * along.at.v],
-            ENERGY: lambda: [required(along.torque.energy)], SATURATED: lambda: [along.saturated]}
+def _of_joint(along: Sequence[JointEffect]) -> Values:
+    """Quantities along a joint's velocities, or a sum; only those along one coordinate saturate."""
+    torques = [required(x.torque.torque) for x in along]
+    return {TORQUE: lambda: torques,
+            POWER: lambda: [_sum([u * x.at.v for u, x in zip(torques, along, strict=True)])],
+            ENERGY: lambda: [_sum([required(x.torque.energy) for x in along])],
+            SATURATED: lambda: [along[0].saturated]}
+
+
+def _sum(terms: Sequence[Number]) -> Number:
+    first, *others = terms
+    for x in others:
+        first = first + x
+    return first
 
 
 def _of_pair(along: JointEffect) -> Values:

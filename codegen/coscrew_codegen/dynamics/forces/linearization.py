@@ -50,6 +50,7 @@ class JointEffect:
     at: CoordinateState
     values: Mapping[str, Setting]
     part: NamePart
+    freedom: int = 0  # the number of the velocity among those of the joint
 
     @cached_property
     def torque(self) -> Torque:

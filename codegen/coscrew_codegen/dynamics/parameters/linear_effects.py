@@ -28,11 +28,13 @@ LETTERS = "xyz"
 
 @dataclass(frozen=True)
 class LinearParameter:
-    """A parameter that torques depend on linearly: its name, its unit and its number."""
+    """A parameter that torques depend on linearly: its name, its unit, its number, and whether it
+    must not be negative."""
 
     name: str  # viscous.elbow.d
     unit: str
     number: Scalar
+    nonnegative: bool
 
 
 class LinearEffects:
@@ -82,6 +84,8 @@ class LinearEffects:
 
     def _replaced(self, applied: Applied) -> Applied:
         """The effect with parameters in place of its numbers."""
+        signed = {x.name for x in applied.effect.parameters if x.sign}
+
         def swap(name: str, value: object) -> object:
             if isinstance(value, tuple):
                 return tuple(swap(f"{name}.{LETTERS[k]}" if k < 3 else f"{name}.{k}", part)
@@ -90,7 +94,7 @@ class LinearEffects:
                 return value
             full = f"{applied.name}.{name}"
             exact = value.value if isinstance(value, Parameter) else value
-            self._numbers.append(LinearParameter(full, "", value))
+            self._numbers.append(LinearParameter(full, "", value, name in signed))
             return Parameter(full, self._first + len(self._numbers) - 1, exact)
 
         values: Mapping[str, Setting] = {

@@ -40,6 +40,11 @@ class LinearParameters:
                 *(x.unit for x in self._effects.parameters))
 
     @property
+    def nonnegative(self) -> tuple[bool, ...]:
+        """True for each number of effects that must not be negative."""
+        return tuple(x.nonnegative for x in self._effects.parameters)
+
+    @property
     def base_names(self) -> tuple[str, ...]:
         """wrist.mx + 0.11 hand.m, …."""
         return self.base.in_words(self.names)

@@ -89,13 +89,16 @@ def _effects() -> Schema:
 def _one(effect: Effect) -> Schema:
     """The table of one joint, body or pair on which the effect acts."""
     more: Schema = {"body": {"type": "string"}} if effect.place is Place.BODY else {}
+    if effect.joint_torque:
+        more = {"joints": _by_name(_NUMBER)}
     needed = [parameter.name for parameter in effect.parameters
               if parameter.required and parameter.default is None and not parameter.of]
     if effect.place is Place.PAIR:
         more = {"bodies": _array(2, {"type": "string"}) | {"uniqueItems": True}}
         needed = ["bodies", *needed]
-    values = {parameter.name: _with_words(_described(parameter), _parameter(parameter))
-              for parameter in effect.parameters}
+    values = {x.name: _with_words(_described(x), {"anyOf": [
+        _parameter(x), {"type": "array", "items": _NUMBER}]} if x.name == effect.rest else
+        _parameter(x)) for x in effect.parameters}
     return _closed(more | values, needed)
 
 

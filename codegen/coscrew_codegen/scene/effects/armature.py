@@ -24,4 +24,4 @@ EFFECT = Effect(
                  nonnegative=True),
      ParameterOf("rotor", "kg m^2", "inertia of the rotor", required=False, nonnegative=True),
      ParameterOf("gear", "1, or rad/m", "turns of the rotor for one of the joint", default=1)),
-    any_of=("inertia", "rotor"), joint_inertia=_inertia, stores_energy=True)
+    any_of=("inertia", "rotor"), joint_inertia=_inertia, stores_energy=True, each=True)

@@ -10,7 +10,9 @@ def _torque(state: CoordinateState, values: Values) -> Torque:
 
 
 EFFECT = Effect(
-    "spring", "elastic torque towards q0", "tau = -k (q - q0)", Place.JOINT,
+    "spring", "elastic torque towards q0", "tau = -k (q - q0); for a quaternion -k log(q0* q), for "
+    "the position of a free joint -k R^T (x - x0)", Place.JOINT,
     (ParameterOf("k", "N m/rad or N/m", "stiffness", nonnegative=True),
-     ParameterOf("q0", "rad or m", "position of rest", default=0)),
-    joint_torque=_torque, stores_energy=True)
+     ParameterOf("q0", "rad or m", "position of rest; of a joint with several coordinates all of "
+                 "them, by default neutral", default=0)),
+    joint_torque=_torque, stores_energy=True, each=True, rest="q0")

@@ -1,6 +1,13 @@
 """A free joint: its child moves as if nothing carried it."""
 
-from coscrew_codegen.algebra.recording.numbers import add, displacement, rotated, subtract
+from coscrew_codegen.algebra.recording.numbers import (
+    add,
+    cross,
+    displacement,
+    rotated,
+    rotated_back,
+    subtract,
+)
 from coscrew_codegen.scene.mechanism.joint_kind import (
     ROTATION,
     Displacement,
@@ -11,6 +18,7 @@ from coscrew_codegen.scene.mechanism.joint_kind import (
     Screw,
     call,
     numbers,
+    quaternion_deviation,
     quaternion_difference,
     quaternion_integrated,
     quaternion_rate,
@@ -61,10 +69,24 @@ def _bracket(phi: Numbers, v: Numbers) -> Numbers:
     return call("cross_ss", phi, v)
 
 
+def _deviation(q: Numbers, q0: Numbers) -> Numbers:
+    """(R^T (x - x0); the rotation vector of q0* q)."""
+    apart = subtract(tuple(q[:3]), tuple(q0[:3]))
+    return (*rotated_back(call("mat3x3_from_quaternion", q[3:]), apart),
+            *quaternion_deviation(q[3:], q0[3:]))
+
+
+def _inertial(v: Numbers) -> Numbers:
+    """(ω × v; 0)."""
+    linear, angular = tuple(v[:3]), tuple(v[3:])
+    return (*cross(angular, linear), *(x.like(0) for x in angular))
+
+
 JOINT = JointKind(
     "free", 60, "moves freely", (numbers("position", "m", 3), ROTATION),
     "position in m, then quaternion (x, y, z, w)",
     "velocity in m/s, then angular velocity in rad/s, both in the body's frame",
     _displacement, _subspace,
-    manifold=Manifold(_integrated, _difference, _bracket, _rates, _velocities), urdf="floating",
+    manifold=Manifold(_integrated, _difference, _bracket, _rates, _velocities,
+                      deviation=_deviation, inertial=_inertial), urdf="floating",
     synonyms=("floating", "freeflyer", "free_flyer", "free-flyer"), base=True, floats=True)

@@ -130,14 +130,18 @@ class Manifold:
     # state's q before quaternions were normalized: r' is linear in each quaternion of r
     velocities: Callable[[Numbers, Numbers], Numbers]  # (q, q') -> v, the inverse of rates; linear
     # in q', and zero for a q' along a quaternion of norm 1
+    deviation: Callable[[Numbers, Numbers], Numbers] | None = None  # (q, q0) -> e, a component for
+    # each velocity, by which springs act: |e|²/2 is an energy, and e its slope along the velocities
+    inertial: Callable[[Numbers], Numbers] | None = None  # v -> the torques at a = 0 of the kinetic
+    # energy v·v/2, unless they are zero
 
 
 @dataclass(frozen=True, eq=False)
 class JointKind:
     """A kind of joint: its name in files, its coordinates, and the motion of its child.
 
-    Effects at joints, limits and `mimic` are for kinds with one coordinate whose rate is its
-    velocity; `reaction` is for all that move."""
+    Limits and `mimic` are for kinds with one coordinate whose rate is its velocity, and so are
+    effects at joints, unless they act along each velocity."""
 
     name: str  # in scenes
     place: int  # among the kinds
@@ -189,6 +193,11 @@ class JointKind:
     def one_coordinate(self) -> bool:
         """True if it has one coordinate, whose rate is the velocity."""
         return self.nq == 1 and self.manifold is None
+
+    @property
+    def has_rest(self) -> bool:
+        """True if springs can act on its joints."""
+        return self.moves and (self.manifold is None or self.manifold.deviation is not None)
 
     @property
     def slides(self) -> bool:
@@ -244,6 +253,12 @@ def quaternion_integrated(q: Numbers, step: Numbers) -> tuple[Number, ...]:
     turned = call("quaternion_product_qq", q, call("quaternion_exp", step))
     (square,) = call("dot_qq", turned, turned)
     return scaled(1 / sqrt(square), turned)
+
+
+def quaternion_deviation(q: Numbers, q0: Numbers) -> tuple[Number, ...]:
+    """The rotation vector of q0* q."""
+    x, y, z, w = q0
+    return call("quaternion_log", call("quaternion_product_qq", (-x, -y, -z, w), q))
 
 
 def quaternion_rate(x: JointState, q: Numbers, omega: Numbers) -> tuple[Number, ...]:

@@ -13,6 +13,7 @@ _WHERE = {
     Place.JOINT: "[effects.{0}] joints = …, or [effects.{0}.JOINT]",
     Place.BODY: "[effects.{0}] bodies = …, [effects.{0}.BODY], or [effects.{0}.LABEL] body = …",
     Place.PAIR: "[effects.{0}.LABEL] bodies = [A, B]"}
+_ON_SUMS = "[effects.{0}] joints = …, [effects.{0}.JOINT], or [effects.{0}.LABEL] joints = {{ … }}"
 
 
 def described(effect: Effect) -> Iterator[str]:
@@ -20,7 +21,8 @@ def described(effect: Effect) -> Iterator[str]:
     yield f"{effect.name}: {effect.words}"
     yield from textwrap.wrap(effect.equation, WIDTH, initial_indent="    ",
                              subsequent_indent="        ")
-    yield f"    {where(effect)}"
+    yield from textwrap.wrap(where(effect), WIDTH, initial_indent="    ",
+                             subsequent_indent="        ")
     for parameter in effect.parameters:
         yield from textwrap.wrap(_line(parameter), WIDTH, initial_indent="      ",
                                  subsequent_indent="          ")
@@ -30,7 +32,8 @@ def described(effect: Effect) -> Iterator[str]:
 
 def where(effect: Effect) -> str:
     """The headings of its tables in scene files."""
-    return _WHERE[effect.place].format(effect.name)
+    pattern = _ON_SUMS if effect.joint_torque else _WHERE[effect.place]
+    return pattern.format(effect.name)
 
 
 def alternatives(effect: Effect, names: Iterable[str]) -> str:

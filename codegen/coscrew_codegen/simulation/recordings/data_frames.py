@@ -2,7 +2,7 @@
 notebooks."""
 
 import tempfile
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from html import escape
 from pathlib import Path
@@ -69,8 +69,9 @@ def to_pandas(recording: Recording) -> "pandas.DataFrame":
     return table
 
 
-def html(title: str, recording: Recording, failed: Sequence[Stop]) -> str:
-    """A heading, a plot (of a batch, its first members), and the provenance."""
+def html(title: str, recording: Recording, failed: Sequence[Stop],
+         targets: Mapping[str, np.ndarray]) -> str:
+    """A heading, a plot (of a batch, its first members) with targets, and the provenance."""
     from coscrew_codegen.simulation.recordings.recording_plot import plot  # imports Matplotlib
 
     batch = recording.values.ndim > 2
@@ -78,7 +79,7 @@ def html(title: str, recording: Recording, failed: Sequence[Stop]) -> str:
         if batch else [recording]
     with tempfile.TemporaryDirectory() as folder:
         picture = Path(folder) / "run.svg"
-        plot(drawn, picture, members=batch)
+        plot(drawn, picture, members=batch, targets=targets)
         text = picture.read_text(encoding="utf-8")
     shown = f", the first {_MOST_DRAWN} drawn" if batch and len(recording.values) > len(drawn) \
         else ""

@@ -13,6 +13,7 @@ from coscrew_codegen.simulation.checkpoint import Checkpoint, end_of
 from coscrew_codegen.simulation.plan import Plan, Stop, Trajectory
 from coscrew_codegen.simulation.recordings import recording_writer
 from coscrew_codegen.simulation.recordings.recording import Provenance, Recording
+from coscrew_codegen.simulation.recordings.targets import targets
 from coscrew_codegen.simulation.system import System
 
 if TYPE_CHECKING:
@@ -109,7 +110,7 @@ class Result:
         """A plot with the provenance, for notebooks."""
         from coscrew_codegen.simulation.recordings.data_frames import html
 
-        return html(repr(self), self.recording, self.failed)
+        return html(repr(self), self.recording, self.failed, targets(self.system, self.recording))
 
     def view(self, path: Path | str, *besides: "Result") -> None:
         """Writes a page that plays the run back in 3D, with others of the same model as ghosts.

@@ -14,7 +14,7 @@ import sys
 from coscrew.accurate import double, single
 from coscrew._provenance import is_compiled
 
-COMPILED: bool = is_compiled("coscrew.accurate._gufunc", "2b9374669b8e480a")
+COMPILED: bool = is_compiled("coscrew.accurate._gufunc", "c9f7668f92393c6b")
 
 if COMPILED:
     from coscrew.accurate._gufunc import (

@@ -15,7 +15,7 @@ import sys
 from coscrew.certified import double, single
 from coscrew._provenance import is_compiled
 
-COMPILED: bool = is_compiled("coscrew.certified._gufunc", "682ddc7b06a3bf5c")
+COMPILED: bool = is_compiled("coscrew.certified._gufunc", "618974192cdc54a9")
 
 if COMPILED:
     from coscrew.certified._gufunc import (

@@ -23,7 +23,7 @@ _THREE_DIGITS = Context(prec=3, rounding=ROUND_HALF_UP)
 
 
 def formatted(x: float | None) -> str:
-    """Three significant digits; – for None and NaN.  The page's script formats by the same rule."""
+    """Three significant digits; – for None and NaN."""
     if x is None or isnan(x):
         return "–"
     if not isfinite(x):
@@ -58,6 +58,12 @@ def first_layout(report: Report) -> str:
     return next((layout_name(time) for time in times
                  if (time.language, time.layout) == ("C", "structure of arrays")),
                 layout_name(times[0]) if times else "")
+
+
+def layouts(report: Report) -> tuple[str, ...]:
+    """All kinds of times, the first ones first."""
+    names = (layout_name(time) for entry in report.entries for time in entry.times)
+    return tuple(dict.fromkeys((first_layout(report), *names)))
 
 
 def time_of(entry: ReportEntry, layout: str) -> Time | None:

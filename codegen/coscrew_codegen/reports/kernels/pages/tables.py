@@ -17,6 +17,8 @@ from coscrew_codegen.reports.kernels.report_json import (
     ReportEntry,
 )
 
+_DETAILED = ("operation", "precision", "tier", "hard: worst", "99.9 %", "median", "ns", "to plain",
+             "Pareto", "flops", "bound", "error / bound", "benign: worst", "99.9 %", "median")
 _KERNELS = ("operation", "precision", "tier", "worst, benign", "worst, hard", "error / bound",
             "flops", "ns", "to plain", "Pareto")
 
@@ -36,8 +38,32 @@ def _kernel(entry: ReportEntry, layout: str) -> tuple[str, ...]:
                "○ dominated" if time.dominated else "● undominated") if time else ("–",) * 3))
 
 
+def detailed(entries: Sequence[ReportEntry], layout: str) -> Table:
+    """A row for each kernel with all its figures and its times in this layout."""
+    return Table(_DETAILED, tuple(_all_figures(x, layout) for x in entries), texts=3)
+
+
+def _all_figures(x: ReportEntry, layout: str) -> tuple[str, ...]:
+    *_, ratio, flops, ns, to_plain, pareto = _kernel(x, layout)
+    hard, benign = ((_worst(e, x.measure), formatted(e.p999), formatted(e.median)) if e else
+                    ("–",) * 3 for e in (x.hard, x.benign))
+    return (x.operation, x.precision, x.tier, *hard, ns, to_plain, pareto, flops,
+            x.bound.text if x.bound else "–", ratio, *benign)
+
+
+def witnesses(entries: Sequence[ReportEntry]) -> Table:
+    """A row for each kernel and kind of inputs: the inputs of its worst error."""
+    return Table(
+        ("operation", "precision", "tier", "inputs", "component", "at", "worst", "outputs"),
+        tuple((x.operation, x.precision, x.tier, inputs, e.component, " ".join(e.witness),
+               _worst(e, x.measure), f"{e.outputs:,}")
+              for x in entries for inputs, e in (("hard", x.hard), ("benign", x.benign)) if e),
+        texts=6)
+
+
 def _worst(errors: ErrorFigures | None, measure: str) -> str:
-    return f"{formatted(errors.worst)} {measure}" if errors else "–"
+    worst = formatted(errors.worst if errors else None)
+    return worst if worst == "–" else f"{worst} {measure}"
 
 
 def drift(rows: Sequence[DriftErrors]) -> Table:
@@ -47,7 +73,8 @@ def drift(rows: Sequence[DriftErrors]) -> Table:
          "ns per step"),
         tuple((d.precision, "yes" if d.orthonormalised else "no", str(d.steps),
                formatted(d.defect_u), formatted(d.error_u),
-               with_interval(d.ns_per_step, d.ns_low, d.ns_high)) for d in rows), texts=2)
+               with_interval(d.ns_per_step, d.ns_low, d.ns_high)) for d in rows), texts=2,
+        title="Drift of a displacement composed many times")
 
 
 def changes(compare: Comparison) -> Table:

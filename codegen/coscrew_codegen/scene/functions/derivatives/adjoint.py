@@ -2,6 +2,7 @@
 
 from dataclasses import replace
 
+from coscrew_codegen.scene.functions.arguments_in_scene import inputs_of, outputs_of
 from coscrew_codegen.scene.functions.derivatives.directions import (
     derivative,
     differentiable,
@@ -15,12 +16,12 @@ def _of(own: SceneFunction, function: SceneFunction, scene: Scene) -> SceneFunct
     """The function's adjoint."""
     if not differentiable(function):
         return None
-    results = function.results(scene)
+    results = outputs_of(function, scene)
     return replace(
         function, name=f"{function.name}_adjoint", place=own.place, differentiates=function,
         words=own.words.replace("FUNCTION", function.name), words_in=None, recorded=(),
         more=tuple(derivative(x, "w_") for x in results), step=None, shown=False,
-        outputs=(*results, *map(gradient, function.given(scene))), default=own.default,
+        outputs=(*results, *map(gradient, inputs_of(function, scene))), default=own.default,
         compute=lambda x: x.adjoint(function), judged=False, members=None, targets=None)
 
 

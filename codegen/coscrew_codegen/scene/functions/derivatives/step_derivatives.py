@@ -3,6 +3,7 @@
 from dataclasses import replace
 
 from coscrew_codegen.scene import units
+from coscrew_codegen.scene.functions.arguments_in_scene import inputs_of, outputs_of
 from coscrew_codegen.scene.scene import Scene
 from coscrew_codegen.scene.scene_function import Array, AxisLength, Depends, SceneFunction
 
@@ -15,11 +16,12 @@ def _of(own: SceneFunction, function: SceneFunction, scene: Scene) -> SceneFunct
     """The step's derivatives."""
     if not function.step:
         return None
-    given = {x.name for x in function.given(scene)}
+    given = {x.name for x in inputs_of(function, scene)}
     return replace(
         function, name=f"{function.name}_derivatives", place=own.place, differentiates=function,
         words=own.words.replace("step_INTEGRATOR", function.name), step=None, default=own.default,
-        outputs=(*function.results(scene), _BY_STATE, *(x for y, x in _BY.items() if y in given)),
+        outputs=(*outputs_of(function, scene), _BY_STATE,
+                 *(x for y, x in _BY.items() if y in given)),
         compute=lambda x: x.step_derivatives(function), members=None)
 
 

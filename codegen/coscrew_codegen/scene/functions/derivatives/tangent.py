@@ -2,6 +2,7 @@
 
 from dataclasses import replace
 
+from coscrew_codegen.scene.functions.arguments_in_scene import inputs_of, outputs_of
 from coscrew_codegen.scene.functions.derivatives.directions import derivative, differentiable
 from coscrew_codegen.scene.scene import Scene
 from coscrew_codegen.scene.scene_function import Depends, SceneFunction
@@ -11,11 +12,11 @@ def _of(own: SceneFunction, function: SceneFunction, scene: Scene) -> SceneFunct
     """The function's tangent."""
     if not differentiable(function):
         return None
-    results = function.results(scene)
+    results = outputs_of(function, scene)
     return replace(
         function, name=f"{function.name}_tangent", place=own.place, differentiates=function,
         words=own.words.replace("FUNCTION", function.name), words_in=None, recorded=(),
-        more=tuple(derivative(x, "d_") for x in function.given(scene)), step=None, shown=False,
+        more=tuple(derivative(x, "d_") for x in inputs_of(function, scene)), step=None, shown=False,
         outputs=(*results, *(derivative(x, "d_") for x in results)), default=own.default,
         compute=lambda x: x.tangent(function), judged=False, members=None, targets=None)
 

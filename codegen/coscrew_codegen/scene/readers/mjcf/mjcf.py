@@ -25,9 +25,11 @@ from coscrew_codegen.scene.mechanism.model import (
 )
 from coscrew_codegen.scene.mechanism.tree import composed
 from coscrew_codegen.scene.readers.foreign import of_root, root_of
+from coscrew_codegen.scene.readers.mjcf.mjcf_actuators import actuators
 from coscrew_codegen.scene.readers.mjcf.mjcf_effects import effects, followers
 from coscrew_codegen.scene.readers.mjcf.mjcf_leftovers import GROUPS, ignored, refused
 from coscrew_codegen.scene.readers.mjcf.mjcf_names import MjcfNames, exact
+from coscrew_codegen.scene.readers.mjcf.mjcf_tendons import tendons
 from coscrew_codegen.scene.readers.mjcf.mjcf_visuals import MjcfVisuals
 from coscrew_codegen.scene.readers.model_reader import ModelReader, ModelSource, Parts
 from coscrew_codegen.scene.readers.scene_error import SceneError
@@ -42,13 +44,15 @@ _NOWHERE = (Fraction(0),) * 3
 def _parts(source: ModelSource) -> Parts:
     model = _compiled(source)
     names = MjcfNames(model)
-    left_out = tuple(refused(source, model, names))
+    left_out, drives = tuple(refused(source, model, names)), actuators(model, names)
     seen = MjcfVisuals(model)
     parts = [x for number in range(1, model.nbody) for x in _moved(model, names, seen, number)]
     return Parts(
         source.path.stem, tuple(x for x in parts if isinstance(x, Body)),
         tuple(x for x in parts if isinstance(x, Joint)),
-        effects=effects(model, names), start=_start(model, names),
+        effects=effects(model, names, drives.tables), inputs=drives.inputs,
+        offered=tendons(model, names).offered,
+        start=_start(model, names),
         notices=(*left_out, *ignored(model, names)))
 
 
@@ -112,13 +116,13 @@ def _at_anchor(model: "mujoco.MjModel", j: int, at: Placement
 
 def _joint(model: "mujoco.MjModel", names: MjcfNames, j: int, parent: str, child: str, at: Placement
            ) -> Joint:
-    kind, name = _KINDS[model.jnt_type[j]], names.joint(j)
+    kind, name, dof = _KINDS[model.jnt_type[j]], names.joint(j), int(model.jnt_dofadr[j])
+    damping, friction = exact([model.dof_damping[dof], model.dof_frictionloss[dof]])
     if kind in (FREE, SPHERICAL):
-        return Joint(name, kind, parent, child, at)
-    dof = int(model.jnt_dofadr[j])
+        return Joint(name, kind, parent, child, at, damping=damping or None,
+                     friction=friction or None)
     lower, upper = exact(model.jnt_range[j]) if model.jnt_limited[j] else (None, None)
     effort = exact(model.jnt_actfrcrange[j])[1] if model.jnt_actfrclimited[j] else None
-    damping, friction = exact([model.dof_damping[dof], model.dof_frictionloss[dof]])
     return Joint(name, kind, parent, child, at, rotations.unit(exact(model.jnt_axis[j])),
                  lower, upper, effort if effort and effort > 0 else None,
                  damping=damping or None, friction=friction or None,
@@ -155,6 +159,6 @@ def _start(model: "mujoco.MjModel", names: MjcfNames) -> dict[str, tuple[float, 
 
 READER = ModelReader(
     "MJCF", (".xml", ".mjcf"), "a model of MuJoCo, by its compiler: bodies, joints with damping, "
-    "armature, springs, friction and limits, joints that follow others, gravity and its "
-    "compensation; contact is not read", _parts, modules=("mujoco",), extra="mjcf",
+    "armature, springs, friction and limits, fixed tendons, actuators, joints that follow others, "
+    "gravity and its compensation; contact is not read", _parts, modules=("mujoco",), extra="mjcf",
     leaves_out=tuple(GROUPS))

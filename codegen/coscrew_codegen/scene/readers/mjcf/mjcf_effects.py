@@ -1,39 +1,56 @@
 """Effects that an MJCF declares: armature, springs, gravity and its compensation, followers."""
 
-from collections.abc import Iterable
+from collections.abc import Mapping
 from typing import TYPE_CHECKING
 
 from coscrew_codegen.scene.mechanism.model import Mimic
 from coscrew_codegen.scene.readers.declared_effects import Effects
-from coscrew_codegen.scene.readers.mjcf.mjcf_names import MjcfNames, exact
+from coscrew_codegen.scene.readers.mjcf.mjcf_names import (
+    MjcfNames,
+    decimals,
+    exact,
+    one_coordinate,
+)
+from coscrew_codegen.scene.readers.mjcf.mjcf_tendons import tendons
 from coscrew_codegen.scene.readers.toml.toml_tables import Decimals
 
 if TYPE_CHECKING:
     import mujoco
 
 
-def effects(model: "mujoco.MjModel", names: MjcfNames) -> Effects:
-    """The tables of the effects, those without entries left out."""
+def effects(model: "mujoco.MjModel", names: MjcfNames, actuators: Mapping[str, object]) -> Effects:
+    """The tables of the effects, with those of actuators; those without entries left out."""
     import mujoco
 
     weightless = model.opt.disableflags & int(mujoco.mjtDisableBit.mjDSBL_GRAVITY)
     g = [0.0 if weightless else float(x) for x in model.opt.gravity]
     tables: dict[str, dict[str, object]] = {
-        "armature": {}, "gravity": {"g": decimals(g)}, "spring": {}, "wrench": {}}
-    for j in one_coordinate(model):
-        name, dof, at = names.joint(j), int(model.jnt_dofadr[j]), int(model.jnt_qposadr[j])
+        "actuator": dict(actuators), "armature": {}, "gravity": {"g": decimals(g)}, "spring": {},
+        "viscous": {}, "wrench": {}}
+    for j in range(model.njnt):
+        name, dof = names.joint(j), int(model.jnt_dofadr[j])
         if model.dof_armature[dof]:
             tables["armature"][name] = {"inertia": decimals([model.dof_armature[dof]])[0]}
         if model.jnt_stiffness[j]:
-            k, q0 = decimals([model.jnt_stiffness[j], model.qpos_spring[at]])
-            tables["spring"][name] = {"k": k, "q0": q0}
+            tables["spring"][name] = {"k": decimals([model.jnt_stiffness[j]])[0],
+                                      "q0": _rest(model, j)}
     for b in range(1, model.nbody):
         if model.body_gravcomp[b] and any(g):
             lift = -model.body_gravcomp[b] * model.body_mass[b]
             tables["wrench"][f"gravcomp of {names.body(b)}"] = {
                 "body": names.body(b), "point": decimals(model.body_ipos[b]),
                 "force": decimals(lift * x for x in g), "frame": "world"}
+    for name, table in tendons(model, names).effects.items():
+        tables[name] |= table
     return {name: table for name, table in tables.items() if table}
+
+
+def _rest(model: "mujoco.MjModel", j: int) -> Decimals | list[Decimals]:
+    """The coordinates at which a joint's spring is at rest; quaternions have their scalar last."""
+    simple, at = j in one_coordinate(model), int(model.jnt_qposadr[j])
+    count = 1 if simple else 4 if model.jnt_type[j] else 7
+    numbers = decimals(model.qpos_spring[at:at + count])
+    return numbers[0] if simple else [*numbers[:-4], *numbers[-3:], numbers[-4]]
 
 
 def followers(model: "mujoco.MjModel", names: MjcfNames) -> dict[str, Mimic]:
@@ -56,16 +73,3 @@ def follows(model: "mujoco.MjModel", e: int) -> bool:
     y, x = int(model.eq_obj1id[e]), int(model.eq_obj2id[e])
     return bool(model.eq_active0[e]) and model.eq_type[e] == int(mujoco.mjtEq.mjEQ_JOINT) and (
         x >= 0 and {y, x} <= set(one_coordinate(model)) and not any(model.eq_data[e][2:5]))
-
-
-def one_coordinate(model: "mujoco.MjModel") -> list[int]:
-    """The joints that turn about an axis or slide."""
-    import mujoco
-
-    kinds = (int(mujoco.mjtJoint.mjJNT_SLIDE), int(mujoco.mjtJoint.mjJNT_HINGE))
-    return [j for j in range(model.njnt) if int(model.jnt_type[j]) in kinds]
-
-
-def decimals(numbers: Iterable[float]) -> list[Decimals]:
-    """The numbers as a file of TOML holds them."""
-    return [Decimals(repr(float(x))) for x in numbers]

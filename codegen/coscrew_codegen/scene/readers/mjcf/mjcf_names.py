@@ -4,13 +4,17 @@ from collections.abc import Iterable
 from fractions import Fraction
 from typing import TYPE_CHECKING
 
+from coscrew_codegen.scene.effects import EFFECTS
 from coscrew_codegen.scene.mechanism.model import WORLD
 from coscrew_codegen.scene.readers.decimals import decimal
+from coscrew_codegen.scene.readers.toml.toml_tables import Decimals
 
 if TYPE_CHECKING:
     import mujoco
 
 _SMALLEST = 1e-300
+_KEYS = {x.name for effect in EFFECTS for x in effect.parameters} | {"joints"}
+"""Names of parameters, which labels must not have."""
 
 
 class MjcfNames:
@@ -22,6 +26,12 @@ class MjcfNames:
                                  for i in range(1, model.nbody))]
         self._joints = [self.new_joint(model.joint(j).name or f"joint{j}")
                         for j in range(model.njnt)]
+        labels = {*self._taken[1], *_KEYS}
+        self._tendons = [_new(model.tendon(t).name or f"tendon{t}", labels)
+                         for t in range(model.ntendon)]
+        labels = {*self._taken[1], *_KEYS}
+        self._actuators = [_new(model.actuator(i).name or f"actuator{i}", labels)
+                           for i in range(model.nu)]
 
     def body(self, number: int) -> str:
         """The name of a body."""
@@ -30,6 +40,14 @@ class MjcfNames:
     def joint(self, number: int) -> str:
         """The name of a joint."""
         return self._joints[number]
+
+    def tendon(self, number: int) -> str:
+        """The label of effects on a tendon."""
+        return self._tendons[number]
+
+    def actuator(self, number: int) -> str:
+        """The label of an actuator."""
+        return self._actuators[number]
 
     def new_body(self, name: str) -> str:
         """The name for a further body, with _ after it if it is taken."""
@@ -50,3 +68,16 @@ def _new(name: str, taken: set[str]) -> str:
 def exact(numbers: Iterable[float]) -> tuple[Fraction, ...]:
     """The shortest decimals that give these numbers: what their file says of 0.1."""
     return tuple(decimal(repr(float(x))) if abs(x) > _SMALLEST else Fraction(0) for x in numbers)
+
+
+def decimals(numbers: Iterable[float]) -> list[Decimals]:
+    """The numbers as a file of TOML holds them."""
+    return [Decimals(repr(float(x))) for x in numbers]
+
+
+def one_coordinate(model: "mujoco.MjModel") -> list[int]:
+    """The joints that turn about an axis or slide."""
+    import mujoco
+
+    kinds = (int(mujoco.mjtJoint.mjJNT_SLIDE), int(mujoco.mjtJoint.mjJNT_HINGE))
+    return [j for j in range(model.njnt) if int(model.jnt_type[j]) in kinds]

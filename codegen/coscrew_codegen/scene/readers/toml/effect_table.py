@@ -10,7 +10,9 @@ from coscrew_codegen.program.values.parameter import Scalar
 from coscrew_codegen.scene.effect import Effect, ParameterOf, Place
 from coscrew_codegen.scene.joints import ONE_COORDINATE, called
 from coscrew_codegen.scene.mechanism.model import WORLD, Body, Joint, Model, value
+from coscrew_codegen.scene.mechanism.rotations import unit
 from coscrew_codegen.scene.readers.toml import effect_settings
+from coscrew_codegen.scene.readers.toml.toml_model import refuse_not_unit
 from coscrew_codegen.scene.readers.toml.toml_tables import TomlTable
 from coscrew_codegen.scene.scene import Setting
 
@@ -63,6 +65,11 @@ class EffectTable:
         return "joints" if self.effect.place is Place.JOINT else "bodies"
 
     @property
+    def sums(self) -> bool:
+        """True if the effect can act on a weighted sum of coordinates."""
+        return self.effect.joint_torque is not None
+
+    @property
     def parameters(self) -> tuple[str, ...]:
         return tuple(parameter.name for parameter in self.effect.parameters)
 
@@ -70,15 +77,26 @@ class EffectTable:
         """Why the effect cannot act on a joint or body: "is free"; "" if it can."""
         if isinstance(on, Body):
             return "has no mass" if self.effect.massive and on.inertia is None else ""
-        able = on.kind.moves if self.effect.reaction else on.kind.one_coordinate
-        return "" if able else f"is {on.kind.name}"
+        effect, kind = self.effect, on.kind
+        able = kind.moves if effect.reaction else kind.one_coordinate or effect.each and (
+            kind.has_rest if effect.rest else kind.moves)
+        return "" if able else f"is {kind.name}"
 
     @property
     def needs(self) -> str:
         """Sentence on the properties that a joint or body needs for the effect to act on it."""
         if self.effect.place is not Place.JOINT:
             return "has a mass"
-        return "moves" if self.effect.reaction else f"is {called(ONE_COORDINATE, 'or')}"
+        moves = self.effect.reaction or self.effect.each
+        return "moves" if moves else f"is {called(ONE_COORDINATE, 'or')}"
+
+    def all_targets(self, given: Mapping[str, object]) -> tuple[str, ...]:
+        """The names that "all" stands for.  Joints with several coordinates are among them for an
+        effect that acts along each velocity only if it takes numbers of the model."""
+        of_model = any(x.model and given.get(x.name, x.default) == MODEL
+                       for x in self.effect.parameters)
+        return tuple(name for name, joint in self.targets.items() if of_model or not (
+            self.effect.each and joint and not joint.kind.one_coordinate))
 
     def refuse_none(self) -> NoReturn:
         """Refuse an effect that can act on no joint or body of the model."""
@@ -141,6 +159,8 @@ class EffectTable:
                 read.add((target, parameter.model))
             elif name not in given and kind in parameter.optional_of:
                 values[name] = None
+            elif name in given and name == self.effect.rest and self._several(target):
+                values[name] = self._rest(table, name, given[name], target)
             elif name in given:
                 values[name] = effect_settings.setting(table, parameter, given[name], self.bodies)
             else:
@@ -152,6 +172,20 @@ class EffectTable:
         self._refuse_descent(table, values)
         self.use.of_model |= read | ({(target, "mimic")} if self.effect.mimic else set())
         return values
+
+    def _several(self, target: str) -> bool:
+        joint = self.targets.get(target)
+        return joint is not None and not joint.kind.one_coordinate
+
+    def _rest(self, table: TomlTable, name: str, given: object, target: str) -> Setting:
+        """The coordinates of rest of a joint with several; quaternions normalised."""
+        joint = self.targets[target]
+        assert joint
+        q = table.as_numbers(name, given, (joint.kind.nq,))
+        for places in joint.kind.quaternions:
+            refuse_not_unit(table, name, q[places])
+            q = (*q[:places.start], *unit(q[places]), *q[places.stop:])
+        return q
 
     def _refuse_descent(self, table: TomlTable, values: Mapping[str, Setting]) -> None:
         if not self.effect.ascending:

@@ -130,6 +130,10 @@ MIMIC = TableOf("joints.NAME.mimic", "If the scene has [effects.mimic], the join
     Key("offset", "in rad or m", "number", default="0")))
 
 
+def _moves(kind: JointKind) -> bool:
+    return kind.moves
+
+
 def _one_coordinate(kind: JointKind) -> bool:
     return kind.one_coordinate
 
@@ -156,9 +160,9 @@ JOINT = TableOf("joints.NAME", "A joint between two bodies.", (
     Key("limits", "limits of its range, torque and speed", "table", table=LIMITS,
         joints=_one_coordinate),
     Key("damping", "in N m s/rad or N s/m; acts by [effects.viscous]", "nonnegative",
-        joints=_one_coordinate),
+        joints=_moves),
     Key("friction", "in N m or N; acts by [effects.coulomb] or [effects.stribeck]",
-        "nonnegative", joints=_one_coordinate),
+        "nonnegative", joints=_moves),
     Key("mimic", "which joint it follows", "table", table=MIMIC, joints=_one_coordinate)))
 
 def _by_kind(of: str) -> str:

@@ -17,11 +17,13 @@ _DIGITS = Context(prec=40)
 rounding of double precision."""
 
 
-def scene_text(name: str, model: Model, effects: Mapping[str, object],
+def scene_text(name: str, model: Model, runtime: Sequence[str], effects: Mapping[str, object],
                start: Mapping[str, object], comments: Iterable[str]) -> str:
     """The text of a scene; each comment is a line at its beginning."""
     lines = [f"# {' '.join(x.split())}" for x in comments]
     lines += ["", *toml_pairs({"name": name})]
+    if runtime:
+        lines += toml_pairs({"runtime": runtime})
     if model.implausible:
         lines += toml_pairs({"implausible": WARN})
     lines += ["", "[bodies]", *toml_pairs({x.name: _body(x) for x in model.bodies})]

@@ -137,6 +137,8 @@ def _candidates(model: Model, effects: tuple[Applied, ...]) -> tuple[_Numbers, d
             elif isinstance(value, Formula) or (
                     isinstance(value, tuple) and any(isinstance(x, Formula) for x in value)):
                 others[f"{applied.name}.{parameter}"] = "a formula"
+            elif _of_rest(value):
+                others[f"{applied.name}.{parameter}"] = "the coordinates of a joint"
             elif isinstance(value, str) or (isinstance(value, tuple) and isinstance(value[0], str)):
                 others[f"{applied.name}.{parameter}"] = "a word"
     return numbers, others
@@ -169,8 +171,14 @@ def _swapped_value(name: str, value: Setting, swap: _Swap) -> Setting:
         return swap(name, value)
     if isinstance(value, tuple):
         vector = tuple(x for x in value if isinstance(x, Fraction))
-        return _each(name, XYZ, vector, swap) if len(vector) == len(value) else value
+        return _each(name, XYZ, vector, swap) if len(vector) == len(value) == 3 else value
     return value
+
+
+def _of_rest(value: Setting) -> bool:
+    """Returns whether a value is the coordinates of a joint with a quaternion, which are constant.
+    """
+    return isinstance(value, tuple) and len(value) > 3
 
 
 def _each(name: str, parts: tuple[str, ...], numbers: tuple[Scalar, ...], swap: _Swap

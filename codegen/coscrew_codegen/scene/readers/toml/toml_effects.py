@@ -1,7 +1,8 @@
 """The tables [effects.*] of a scene file as Applied effects.
 
 An effect on joints or bodies is given for several at once, with `joints = "all"` or a list of them,
-or by tables of its parameters ({ elbow = 0.1 }); or in a table for each, [effects.stribeck.elbow].
+or by tables of its parameters ({ elbow = 0.1 }); or in a table for each, [effects.stribeck.elbow];
+or on a weighted sum of joints' coordinates, under a label, with joints = { one = 1, other = -0.5 }.
 A table under the name of a joint or body belongs to it, even if a parameter has the same name.
 """
 
@@ -12,6 +13,7 @@ from coscrew_codegen.scene.mechanism.model import Model
 from coscrew_codegen.scene.names import did_you_mean
 from coscrew_codegen.scene.patterns import PatternError, expanded
 from coscrew_codegen.scene.readers.toml.effect_table import ALL, MANY, MODEL, EffectTable, Use
+from coscrew_codegen.scene.readers.toml.sum_terms import read_terms
 from coscrew_codegen.scene.readers.toml.toml_tables import TomlTable, described
 from coscrew_codegen.scene.recorded_quantities import expected, recorded
 from coscrew_codegen.scene.scene import Applied, Scene
@@ -44,6 +46,9 @@ def _refuse_compensation(effects: TomlTable, model: Model, effects_read: list[Ap
         if not flag or applied.values[flag] is None:
             continue
         table = effects.table(applied.effect.name)
+        if applied.terms:
+            table.refuse(flag, f"{applied.name} acts on a sum of coordinates, which no torque "
+                               f"holds; wanted no {flag} there")
         if not falls:
             table.refuse(flag, f"the scene of {applied.name} has no gravity; wanted "
                                f"[effects.gravity], or no {flag}")
@@ -91,7 +96,7 @@ def _on_several(reading: EffectTable) -> list[Applied]:
     effects_read = [_in_own_table(reading, key) for key in table.values if key not in plain]
     effects_read += _on_named(reading, plain)
     order = {name: i for i, name in enumerate(reading.targets)}
-    effects_read.sort(key=lambda applied: (order[applied.on], applied.label))
+    effects_read.sort(key=lambda applied: (order.get(applied.on, len(order)), applied.label))
     for one, next_one in zip(effects_read, effects_read[1:], strict=False):
         if (one.on, one.label) == (next_one.on, next_one.label):
             table.refuse(one.on, f"{reading.effect.name} is given twice for {reading.what} "
@@ -114,7 +119,9 @@ def _is_place(reading: EffectTable, key: str) -> bool:
                                       f'table could be of either; wanted {reading.several} = '
                                       f'["{key}"] with numbers, or tables {place} of the others')
         return True
-    if reading.what == "body" and "body" in given and "body" not in reading.targets:
+    label = "body" if reading.what == "body" else reading.several
+    if label in given and label not in reading.targets and (
+            reading.what == "body" or isinstance(given[label], dict)):
         reading.table.refuse(key, f"{key!r} is a parameter; wanted another label")
     return False
 
@@ -135,13 +142,29 @@ def _in_own_table(reading: EffectTable, key: str) -> Applied:
         own.only("body", *reading.parameters)
         on = reading.target(own, "body", own.text("body"))
         return Applied(reading.effect, on, reading.values(own, own.values, on), key)
-    label = "; or body = … under a label" if reading.what == "body" else ""
+    if reading.what == "joint" and isinstance(own.values.get("joints"), dict):
+        if not reading.sums:
+            own.refuse("joints", f"{reading.effect.name} acts on joints, not on a sum of their "
+                       "coordinates; wanted a table for each joint")
+        return _on_sum(reading, own, key)
+    label = "; or body = … under a label" if reading.what == "body" else (
+        "; or joints = { … } under a label" if reading.sums else "")
     if key not in {x.name for x in reading.elements}:
         known = (*reading.targets, *reading.parameters, reading.several)
         table.refuse(key, f"no {reading.what} {key!r}{label}; {did_you_mean(key, known)}")
     on = reading.target(table, key, key)
     own.only(*reading.parameters)
     return Applied(reading.effect, on, reading.values(own, own.values, on))
+
+
+def _on_sum(reading: EffectTable, own: TomlTable, label: str) -> Applied:
+    """[effects.spring.tendon] joints = { one = 1, other = -0.5 }"""
+    if label in {x.name for x in reading.elements}:
+        own.refuse("joints", f"{label!r} is itself a joint; wanted another label for a sum")
+    own.only("joints", *reading.parameters)
+    terms = read_terms(own.table("joints"), reading.model)
+    given = {key: value for key, value in own.values.items() if key != "joints"}
+    return Applied(reading.effect, label, reading.values(own, given, label), label, terms)
 
 
 def _on_named(reading: EffectTable, plain: Mapping[str, object]) -> Iterator[Applied]:
@@ -188,7 +211,11 @@ def _chosen(reading: EffectTable, several: object, by_target: Mapping[str, TomlT
         if not names:
             _refuse_nowhere(reading)
     elif several == ALL:
-        return tuple(reading.targets), False
+        if not (every := reading.all_targets(table.values)):
+            table.refuse(reading.several, f'"{ALL}" with numbers means joints with one coordinate, '
+                         "and there is none; wanted a list of names, as "
+                         f'["{next(iter(reading.targets))}"]')
+        return every, False
     elif isinstance(several, list):
         names = {reading.target(table, reading.several, name)
                  for name in _listed(reading, table.as_texts(reading.several, several))}
@@ -202,7 +229,7 @@ def _chosen(reading: EffectTable, several: object, by_target: Mapping[str, TomlT
 def _listed(reading: EffectTable, given: tuple[str, ...]) -> tuple[str, ...]:
     """Names of joints or bodies, patterns among them replaced by those on which it can act."""
     try:
-        return expanded(given, tuple(reading.targets))
+        return expanded(given, reading.all_targets({}), tuple(reading.targets))
     except PatternError as error:
         reading.table.refuse(reading.several, str(error))
 

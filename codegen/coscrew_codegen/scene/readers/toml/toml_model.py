@@ -123,11 +123,13 @@ def joint(name: str, table: TomlTable) -> Joint:
             takers = called(tuple(filter(key.joints, KINDS)))
             table.refuse(key.name, f"is for {takers} joints; {name!r} is {word}")
     place, (axis, axis2) = _placement(table), _axes(table, kind)
+    damping, friction = (table.nonnegative(key) for key in ("damping", "friction"))
     if not kind.one_coordinate:
-        return Joint(name, kind, *ends, place, axis, axis2=axis2)
+        return Joint(name, kind, *ends, place, axis, axis2=axis2, damping=damping,
+                     friction=friction)
     return Joint(name, kind, *ends, place, axis,
                  *_limits(table.table("limits"), word in kind.unlimited),
-                 damping=table.nonnegative("damping"), friction=table.nonnegative("friction"),
+                 damping=damping, friction=friction,
                  mimic=_mimic(table.table("mimic")) if "mimic" in table else None)
 
 

@@ -92,7 +92,7 @@ def imported(path: Path, overrides: SceneOverrides) -> str:
     wrong = (f"joint {joint.name}: {fault}" for joint in model.joints for fault in joint.faults)
     comments = (f"Made of {path.name} by `coscrew import`.", *wrong,
                 *(x.text for x in besides(model, acting)))
-    return scene_text(file.text("name"), model, tables.values,
+    return scene_text(file.text("name"), model, file.texts("runtime", ()), tables.values,
                       file.table("start").table("q").values, comments)
 
 
@@ -113,9 +113,11 @@ def _alone(path: Path, catalogue: tuple[Effect, ...], overrides: SceneOverrides
     parts = reader.parts_of(source)
     model = parts.model(source)
     start = {name: [Decimals(repr(x)) for x in q] for name, q in parts.start.items()}
-    return TomlTable(path, "", {
-        "name": identifier(stem(path)), "start": {"q": start},
-        "effects": of_file_alone(model, parts.effects, catalogue)}), model
+    tables = {"name": identifier(stem(path)), "start": {"q": start},
+              "effects": of_file_alone(model, parts.effects, catalogue)}
+    if parts.inputs:
+        tables["runtime"] = list(parts.inputs)
+    return TomlTable(path, "", tables), model
 
 
 def _all_effects() -> tuple[Effect, ...]:

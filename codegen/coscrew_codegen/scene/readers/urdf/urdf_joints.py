@@ -35,8 +35,8 @@ class Joints(Elements):
         kind = self._kind(joint, element)
         faults: list[Fault] = []
         numbers = _Numbers(self, joint, element, faults, kind) \
-            if kind.one_coordinate else None
-        limits = numbers.limits() if numbers else (None,) * 4
+            if kind.moves else None
+        limits = numbers.limits() if numbers and kind.one_coordinate else (None,) * 4
         damping, friction = numbers.dynamics() if numbers else (None, None)
         self.notices += _unused(joint, element, kind)
         return Joint(
@@ -45,8 +45,8 @@ class Joints(Elements):
             self._text(self._required(joint, "child", element), "link", element),
             self._placement(joint, element),
             self._axis(joint, element) if kind.axes else Joint.axis, *limits,
-            damping=damping, friction=friction,
-            mimic=numbers.mimic() if numbers else None, faults=tuple(faults))
+            damping=damping, friction=friction, faults=tuple(faults),
+            mimic=numbers.mimic() if numbers and kind.one_coordinate else None)
 
     def _kind(self, joint: Element, element: str) -> JointKind:
         word = self._text(joint, "type", element)
@@ -165,8 +165,6 @@ def _unused(joint: Element, element: str, kind: JointKind) -> Iterator[Notice]:
     yield from _given(joint, element, "safety_controller", ATTRIBUTES["safety_controller"],
                       "safety controller")
     if not kind.one_coordinate:
-        for name in ATTRIBUTES["dynamics"]:
-            yield from _given(joint, element, "dynamics", (name,), name)
         yield from _given(joint, element, "limit", ("lower", "upper"), "limits")
         for name in ("effort", "velocity"):
             yield from _given(joint, element, "limit", (name,), name)

@@ -38,8 +38,9 @@ def aggregate(specification: Specification, units: Mapping[str, str], files: Ite
     """The counts of the members in these Parquet files, at least one."""
     paths = tuple(files)
     varied = specification.varied
-    parts = parts_for(varied.samples if varied.ranges else varied.members)
-    axes = tuple(of_varied(x, parts) for x in varied.each)
+    parts = parts_for(varied.members)
+    axes = tuple(of_varied(x, min(parts, parts_for(varied.samples)) if varied.ranges else parts)
+                 for x in varied.each)
     ranges = _ranges(tuple(units), paths)
     totals = Aggregate(0, axes, tuple(ColumnStatistics(Axis(name, unit, *ranges[name], parts), axes)
                                       for name, unit in units.items()))

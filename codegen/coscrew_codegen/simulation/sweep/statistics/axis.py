@@ -7,7 +7,7 @@ import numpy as np
 
 from coscrew_codegen.simulation.sweep.specification import Grid, Range
 
-_MOST, _LEAST = 40, 8  # bins
+_MOST = 40  # bins
 
 
 @dataclass(frozen=True)
@@ -70,9 +70,9 @@ class Axis:
 
 
 def parts_for(members: int) -> int:
-    """Returns a number of parts of ranges for which maps of so many members are neither empty nor
-    coarse."""
-    return max(_LEAST, min(_MOST, round(math.sqrt(members) / 3)))
+    """Returns a number of bins for so many members: Sturges' for few, for many so many that each
+    cell of a map has about nine members."""
+    return min(_MOST, max(math.ceil(math.log2(members)) + 1, round(math.sqrt(members) / 3)))
 
 
 def of_varied(x: Grid | Range, parts: int) -> Axis:

@@ -1,42 +1,34 @@
 """Draws figures of a sweep: a column's distribution and its sensitivity to each varied input."""
 
-from collections.abc import Callable
 from functools import partial
 
 import numpy as np
 from markupsafe import Markup
 from matplotlib.axes import Axes
-from matplotlib.figure import Figure
 
 from coscrew_codegen.backends.html import plots
 from coscrew_codegen.simulation.sweep.member_summary import STATISTICS
 from coscrew_codegen.simulation.sweep.statistics.axis import Axis
 from coscrew_codegen.simulation.sweep.statistics.column import ColumnStatistics
 
-_MOST = 3  # heat maps of the final value against the inputs that explain most of it
+_MOST = 4  # heat maps of the final value against the first varied quantities
 _MAP, _FAILED = "viridis", "#d62728"
 _SIZE = (3.3, 2.7)  # inches: four stand in a row of a wide page, one on a phone
 
 
-@plots.styled
 def figures(column: ColumnStatistics) -> list[Markup]:
-    """Draws the figures of a column: its distribution, members against each of the inputs that
-    explain most, and its mean over two of these."""
-    order = by_share(column)
-    drawn = [_alone(f"distribution of {column.own.name}", partial(_distribution, column=column))]
-    drawn += [_alone(f"{column.own.name} against {column.axes[i].name}",
-                     partial(_against, column=column, i=i)) for i in order[:_MOST]]
-    if pair := min(column.pairs, key=lambda p: sum(map(order.index, p)), default=None):
+    """Draws the figures of a column: its distribution, members against the varied quantities in
+    the order given, and its mean over the first two."""
+    name = column.own.name
+    panels = [plots.Panel(f"distribution of {name}", partial(_distribution, column=column),
+                          size=_SIZE)]
+    panels += [plots.Panel(f"{name} against {axis.name}", partial(_against, column=column, i=i),
+                           size=_SIZE) for i, axis in enumerate(column.axes[:_MOST])]
+    if pair := next(iter(column.pairs), None):
         names = " and ".join(column.axes[i].name for i in pair)
-        drawn.append(_alone(f"mean of {column.own.name} over {names}",
-                            partial(_means, column=column, pair=pair)))
-    return drawn
-
-
-def _alone(label: str, draw: Callable[[Axes], None]) -> Markup:
-    drawn = Figure(figsize=_SIZE, layout="constrained")
-    draw(drawn.subplots())
-    return plots.inline(drawn, label)
+        panels.append(plots.Panel(f"mean of {name} over {names}",
+                                  partial(_means, column=column, pair=pair), size=_SIZE))
+    return [x.inline for x in panels]
 
 
 def _means(axes: Axes, column: ColumnStatistics, pair: tuple[int, int]) -> None:
@@ -45,13 +37,6 @@ def _means(axes: Axes, column: ColumnStatistics, pair: tuple[int, int]) -> None:
     _map(axes, x, y, column.means(pair), f"mean of the final {_label(column.own)}")
     cells = np.nonzero(column.pairs[pair][2])
     _cross(axes, x.middles[cells[0]], y.middles[cells[1]])
-
-
-def by_share(column: ColumnStatistics) -> list[int]:
-    """The axes, in decreasing order of the share of the final value's variance that they explain.
-    """
-    shares = [np.nan_to_num(column.explained(i)[0]) for i in range(len(column.axes))]
-    return sorted(range(len(shares)), key=lambda i: -shares[i])
 
 
 def _distribution(axes: Axes, column: ColumnStatistics) -> None:
@@ -68,6 +53,9 @@ def _against(axes: Axes, column: ColumnStatistics, i: int) -> None:
     counts = column.joint[i]
     _map(axes, column.axes[i], column.own, np.where(counts > 0, counts, np.nan), "members")
     axes.set_ylabel(f"final {_label(column.own)}")
+    share = column.explained(i)[0]
+    if np.isfinite(share):
+        axes.set_title(f"explains {100 * share:.0f} % of the variance", fontsize=8)
     where = column.axes[i].middles[column.lost[i] > 0]
     _cross(axes, where, np.full(len(where), 0.97), of_axes=True)
 

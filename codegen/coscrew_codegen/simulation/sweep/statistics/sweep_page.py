@@ -5,6 +5,7 @@ from collections.abc import Iterator, Mapping
 import numpy as np
 
 from coscrew_codegen.backends.html.pages import Table, page
+from coscrew_codegen.scene.recorded_quantities import QUANTITIES
 from coscrew_codegen.simulation.sweep.member_summary import STATISTICS
 from coscrew_codegen.simulation.sweep.specification import Grid, Specification
 from coscrew_codegen.simulation.sweep.statistics import sweep_figures
@@ -35,13 +36,29 @@ def failures(totals: Aggregate) -> str:
 def html(specification: Specification, about: Mapping[str, str], totals: Aggregate, words: str
          ) -> str:
     """The text of the page."""
-    drawn = [x for x in totals.columns if x.varies][:_DRAWN]
-    left = sum(x.varies for x in totals.columns) - len(drawn)
+    drawn = _drawn([x for x in totals.columns if x.varies])
+    same = [x.own.name for x in totals.columns if x.count and not x.varies]
+    left = [x.own.name for x in totals.columns if x.varies and x not in drawn]
     source = {"command": words, "seed": str(specification.varied.seed), **about}
     return page("sweep/page.html", scene=specification.scene, members=totals.members,
                 failed=totals.failed, varied=tuple(_varied(specification)), left=left,
+                same=same,
                 figures=[(x.own.name, sweep_figures.figures(x)) for x in drawn],
                 tables_of=tuple(_tables(specification, totals, words)), about=source.items())
+
+
+def _drawn(columns: list[ColumnStatistics]) -> list[ColumnStatistics]:
+    """The columns with a figure, in the order recorded: the first of each quantity (q, torque,
+    saturated, …), then the second of each, as long as there is room."""
+    places: dict[str, int] = {}
+    turns = []
+    for x in columns:
+        parts = x.own.name.split(".")
+        quantity = parts[0] if parts[0] in QUANTITIES else parts[-1]
+        places[quantity] = places.get(quantity, 0) + 1
+        turns.append(places[quantity])
+    chosen = sorted(range(len(columns)), key=lambda i: turns[i])[:_DRAWN]
+    return [columns[i] for i in sorted(chosen)]
 
 
 def _varied(specification: Specification) -> Iterator[str]:

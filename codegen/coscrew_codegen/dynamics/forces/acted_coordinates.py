@@ -1,0 +1,90 @@
+"""Coordinates along which an effect at joints acts: of a joint with one coordinate this; of a joint
+with several, one for each velocity; or a weighted sum of joints' coordinates."""
+
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+
+from coscrew_codegen.algebra.recording.numbers import Number
+from coscrew_codegen.dynamics.algorithms.motion import Motion
+from coscrew_codegen.scene.effect import Effect
+from coscrew_codegen.scene.scene import Applied, Setting, WeightedCoordinate
+
+SUM = -1
+"""Stands for the link of a weighted sum."""
+
+
+@dataclass(frozen=True)
+class ActedCoordinate:
+    """q, its rate v, and the effect's values along it."""
+
+    q: Number
+    v: Number
+    values: Mapping[str, Setting]
+    link: int  # that its joint moves; SUM
+    freedom: int = 0  # the number of the velocity among those of the joint
+
+
+def acted_coordinates(motion: Motion, applied: Applied) -> list[ActedCoordinate]:
+    """The coordinates along which the effect acts."""
+    if applied.terms:
+        return [ActedCoordinate(*_sum(motion, applied.terms), applied.values, SUM)]
+    link = link_of(motion, applied.on)
+    q, v = motion.coordinates(link), motion.speeds(link)
+    if len(v) == 1:
+        return [ActedCoordinate(q[0], v[0], applied.values, link)]
+    along, values = _from_rest(motion, link, applied)
+    return [ActedCoordinate(x, rate, values(k), link, k)
+            for k, (x, rate) in enumerate(zip(along, v, strict=True))]
+
+
+def link_of(motion: Motion, joint: str) -> int:
+    """The number of the link that a joint moves."""
+    return motion.tree.links.index(motion.tree.link_of(joint))
+
+
+def weights_of(motion: Motion, terms: Iterable[WeightedCoordinate]) -> dict[int, Fraction]:
+    """The weights of the velocities in the rate of a sum; a follower's is its leader's, times its
+    multiplier."""
+    weights: dict[int, Fraction] = {}
+    for term in terms:
+        link = motion.tree.links[link_of(motion, term.joint)]
+        place, weight = link.v.start + term.coordinate, term.weight
+        if link.driver:
+            place = motion.tree.links[link.driver.link].v.start
+            weight = weight * link.driver.multiplier
+        weights[place] = weights.get(place, Fraction(0)) + weight
+    return {place: weight for place, weight in weights.items() if weight}
+
+
+def _sum(motion: Motion, terms: Iterable[WeightedCoordinate]) -> tuple[Number, Number]:
+    """Σ weight q and Σ weight v."""
+    q = v = motion.zero[0]
+    for term in terms:
+        link = link_of(motion, term.joint)
+        q = q + motion.coordinates(link)[term.coordinate] * term.weight
+        v = v + motion.speeds(link)[term.coordinate] * term.weight
+    return q, v
+
+
+def _from_rest(motion: Motion, link: int, applied: Applied
+               ) -> tuple[Sequence[Number], Callable[[int], Mapping[str, Setting]]]:
+    """q along each velocity of a joint with several, and the values there: the deviation from the
+    coordinates of rest, if the effect has such and q' is not v."""
+    kind, effect, q = motion.tree.links[link].joint.kind, applied.effect, motion.coordinates(link)
+    if kind.manifold is None:
+        return q, lambda k: _with_rest(effect, applied.values, k)
+    if not effect.rest or kind.manifold.deviation is None:
+        return [motion.zero[0]] * kind.nv, lambda k: applied.values
+    given = applied.values[effect.rest]
+    rest = motion.recorder.numbers(
+        [x for x in given if isinstance(x, Fraction)] if isinstance(given, tuple) else
+        [Fraction(x) for x in kind.neutral])
+    return kind.manifold.deviation(q, rest), lambda k: {
+        **applied.values, effect.rest: Fraction(0)}
+
+
+def _with_rest(effect: Effect, values: Mapping[str, Setting], k: int) -> Mapping[str, Setting]:
+    """The values, of the coordinates at rest the k-th."""
+    given = values[effect.rest] if effect.rest else None
+    return {**values, effect.rest: given[k]} if isinstance(given, tuple) else values

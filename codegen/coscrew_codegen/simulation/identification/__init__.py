@@ -1,0 +1,2 @@
+"""Identification of arms: base parameters and friction from measured torques, physical arms that
+have them, and motions that excite them."""
