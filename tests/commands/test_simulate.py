@@ -21,11 +21,12 @@ from scipy.integrate import solve_ivp
 from coscrew_codegen import load_scene
 from coscrew_codegen.scene.integrators import EMITTED, NAMES, named
 from coscrew_codegen.simulation import SimulateError
+from coscrew_codegen.simulation.check.divergence_monitor import Alarm
 from coscrew_codegen.simulation.plan import Plan, plan
 from coscrew_codegen.simulation.progress import line
 from coscrew_codegen.simulation.run import integrate
 from coscrew_codegen.simulation.run_summary import RunOverrides, simulated
-from coscrew_codegen.simulation.system import system
+from coscrew_codegen.simulation.system import System, system
 from tests.support.processes import interruptible
 from tests.support.scenes import scene_texts as texts
 from tests.support.scenes.selecting import STEPPED
@@ -113,6 +114,24 @@ def test_steps_in_one_call_are_those_one_by_one(kernels, integrator, precision):
         q, v = getattr(its.kernels, name)(its.dtype.type(1e-3), q, v)
     assert together[0].tobytes() == q.tobytes()
     assert together[1].tobytes() == v.tobytes()
+
+
+@pytest.mark.parametrize("precision", ROUNDOFF)
+@pytest.mark.parametrize("alarm", (None, Alarm))
+@pytest.mark.parametrize("name, every", (("PENDULUM", 1e-3), ("PENDULUM", 0.0105),
+                                         ("SPRING", 2e-3), ("UNSTABLE", 1e-3)))
+def test_samples_in_one_loop_are_those_one_by_one(kernels, monkeypatch, name, every, alarm,
+                                                  precision):
+    """To the last bit, and with the same end, where a run stops, too."""
+    its = system(kernels[name], precision)
+    how = plan(its, until=0.5, step=1e-3, every=every)
+    together, calls = integrate(its, how, alarm=alarm), []
+    monkeypatch.setattr(System, "sampler", lambda *_: calls.append(1))
+    alone = integrate(its, how, alarm=alarm)
+    assert calls and bool(alone.stopped) == (name == "UNSTABLE")
+    for of in ("t", "q", "v"):
+        assert getattr(together, of).tobytes() == getattr(alone, of).tobytes()
+    assert (together.steps, together.failed) == (alone.steps, alone.failed)
 
 
 @pytest.mark.parametrize("precision", ROUNDOFF)

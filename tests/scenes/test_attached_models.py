@@ -104,27 +104,34 @@ SPRUNG = """<mujoco><compiler angle="radian"/><worldbody>
 <body name="palm" pos="0 0 0.1" gravcomp="1"><geom type="box" size="0.05 0.02 0.03"/>
 <body name="finger" gravcomp="0.5" pos="0 0.05 0"><geom type="sphere" size="0.03"/>
 <joint name="open" type="slide" axis="0 1 0" stiffness="5" springref="0.1" damping="0.2"
-  armature="0.01"/></body></body></worldbody></mujoco>"""
+  armature="0.01"/><body name="tip" pos="0 0 0.1"><geom type="sphere" size="0.02" pos="0.03 0 0"/>
+<joint name="turn" type="ball" damping="0.3" armature="0.02"/><body name="nail" pos="0 0 0.05">
+<geom type="sphere" size="0.01" pos="0.02 0 0"/><joint name="bend" axis="0 1 0"/></body></body>
+</body></body></worldbody><tendon><fixed name="pull" stiffness="3" damping="0.4" limited="true"
+  range="-1 2" springlength="0.1"><joint joint="open" coef="2"/><joint joint="bend" coef="-0.5"/>
+</fixed></tendon></mujoco>"""
 
 
 def test_effects_of_the_attached_file_are_named_by_the_prefix(scene, tmp_path):
-    """A spring and an armature of a joint, damping, gravity compensation of bodies, also of one
-    that moves only here; the remedies of the notices are tables that act."""
+    """Springs, armatures and damping of joints, effects on sums of coordinates, compensation of
+    gravity, also of a body that moves only here; the remedies of the notices are tables that act.
+    """
     (tmp_path / "sprung.xml").write_text(SPRUNG)
     table = '[attach.s]\nmodel = "sprung.xml"\nto = "hand"\nplace = { xyz = [0, 0, 0.1] }\n'
     notices = [x for x in scene(table).notices if x.remedy]
     of = {x.used_by for x in notices}
-    assert {("spring", "s_open"), ("armature", "s_open"), ("wrench", "s_gravcomp of palm"),
-            ("wrench", "s_gravcomp of finger")} <= of
+    assert {("spring", "s_pull"), ("viscous", "s_pull"), ("limit", "s_pull"),
+            ("armature", "s_turn"), ("spring", "s_open"), ("armature", "s_open"),
+            ("wrench", "s_gravcomp of palm"), ("wrench", "s_gravcomp of finger")} <= of
     assert not any(name == "gravity" for name, _ in of)  # it is the scene's
     effects = '[effects.gravity]\n[effects.viscous]\njoints = "all"\nd = "model"\n'
     for x in notices:
-        if x.used_by[0]:
+        if x.used_by[0] not in ("", "limit"):  # a limit is no effect in MuJoCo's inverse dynamics
             head, _, values = x.remedy.removeprefix("add ").partition(" with ")
-            pairs = re.split(r"(?:, | and )(?=\w+ = )", values)
+            pairs = re.split(r"(?:, | and )(?=\w+ = )(?![^{]*})", values)
             effects += "\n".join([head, *pairs, ""])
     whole = scene(table + effects)
-    assert not [x.text for x in whole.notices if x.used_by[0]]
+    assert {x.used_by for x in whole.notices if x.used_by[0]} == {("limit", "s_pull")}
     arm = ("<mujoco><compiler angle='radian'/><worldbody><body>"
            "<joint name='shoulder' axis='0 1 0'/>"
            "<inertial pos='0.01 0 0.1' mass='2' fullinertia='0.02 0.021 0.003 1e-3 0 -2e-3'/>"

@@ -123,7 +123,7 @@ WHOLE = ["inverse_dynamics", "forward_dynamics", "mass_matrix", "bias_torques", 
 
 
 def entry(scene: Scene, name: str) -> SceneFunction:
-    return next(x for x in functions_of(scene) if x.name == name)
+    return next(x for x in functions_of(scene, (name,)) if x.name == name)
 
 
 @pytest.mark.parametrize("name", WHOLE)
@@ -296,8 +296,8 @@ def test_they_are_selected_by_name_alone() -> None:
     scene = m.scene(m.pendulum(2, 1), m.gravity(0, 0, -10))
     assert {"energy_tangent", "step_rk4_derivatives"} <= set(all_names(scene)) - set(names(scene))
     assert resolved(scene, ("all",)) == set(names(scene))
-    assert resolved(scene, ("*energy*",)) == {"energy"}
-    assert resolved(scene, ("energy_*",)) == {"energy_tangent", "energy_adjoint"}
+    assert resolved(scene, ("power*",)) == {"power"}
+    assert resolved(scene, ("power_*",)) == {"power_tangent", "power_adjoint"}
     assert resolved(scene, ("*_dynamics_adjoint",)) == {
         "inverse_dynamics_adjoint", "forward_dynamics_adjoint"}
     assert not {x for x in all_names(scene) if x.endswith(("_tangent_adjoint", "parts_tangent"))}

@@ -237,10 +237,10 @@ limited="true" frictionloss="0.5"><joint joint="roll" coef="0.7"/><joint joint="
     worst = compared(scene, mujoco.MjModel.from_xml_path(str(tmp_path / "robot.xml")))
     assert max(worst.mass_matrix, worst.bias, worst.torques) < 2e-13, worst
     joints = "joints = { roll = 0.7, reach = -2.0 }"
-    assert (f"tendon t: friction is not used: add [effects.coulomb.t] with {joints}, tau_c = 0.5 "
-            "and eps = 0.01") in scene.unused
-    assert (f"tendon t: range is not used: add [effects.limit.t] with {joints}, lower = -1.0, "
-            "upper = 2.0 and k = 1e4") in scene.unused
+    assert ("effect t: coulomb of the model's file is not used: add [effects.coulomb.t] with "
+            f"{joints}, tau_c = 0.5 and eps = 0.01") in scene.unused
+    assert ("effect t: limit of the model's file is not used: add [effects.limit.t] with "
+            f"{joints}, lower = -1.0, upper = 2.0 and k = 1e4") in scene.unused
 
 
 @pytest.mark.parametrize(("text", "words"), (

@@ -3,7 +3,7 @@
 import ctypes
 import functools
 import sys
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from types import MethodType, ModuleType
 from typing import TYPE_CHECKING, Generic, Protocol, TypeAlias, TypeVar
 
@@ -38,7 +38,7 @@ else:
 
 _PLAIN = frozenset((float, np.float64, np.float32, np.int64, np.int32))
 """Types of t and h that are passed to C without a check."""
-_OF_STEPS = frozenset(("repeated", "driven"))
+_OF_STEPS = frozenset(("repeated", "sampled", "driven"))
 """Methods of steps that are compiled."""
 
 Real = TypeVar("Real", bound=np.floating, covariant=True)
@@ -95,7 +95,7 @@ class Functions(NamedFunctions[Real]):
             possible = ()
         if name in possible:
             hint = f"; it was not selected: functions=[\"default\", {name!r}]"
-        elif scene and name in dividing(scene) and (problem := why_singular(scene)):
+        elif scene and name in dividing(scene, (name,)) and (problem := why_singular(scene)):
             hint = f": {problem}"
         raise AttributeError(f"{self._about} has no function {name!r}{hint}", name=name, obj=self)
 
@@ -267,13 +267,20 @@ def _many_steps(library: ctypes.PyDLL, name: str, several: str, described: Signa
         that have them, are states, which `threads` share."""
         return its.repeated(self._of, n, t, h, p, q, v, threads)
 
+    def sampled(self: _Callable, takes: Sequence[step_calls.Take], p: np.ndarray, q: np.ndarray,
+                v: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        """q and v of one state after each of consecutive (n, t, h): n steps of h, the first of them
+        at t.  p, q and v are not checked."""
+        return its.sampled(takes, p, q, v)
+
     def driven(self: _Callable, by: step_calls.InC, n: int, t: float, h: float, p: np.ndarray,
                q: np.ndarray, v: np.ndarray) -> step_calls.Driven:
         """p, q and v after n steps under a controller in C, and the first value of the controller
         that is not finite."""
         return its.driven(self._of, by, n, t, h, p, q, v)
 
-    return {"repeated": repeated} | ({"driven": driven} if its.drive else {})
+    methods: dict[str, Made] = {"repeated": repeated, "sampled": sampled}
+    return methods | ({"driven": driven} if its.drive else {})
 
 
 @functools.cache

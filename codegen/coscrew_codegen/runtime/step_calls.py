@@ -2,7 +2,7 @@
 
 import ctypes
 import operator
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from math import prod
@@ -51,6 +51,8 @@ class RefusedStep:
     value: float
 
 
+Take = tuple[int, float, float]
+"""n steps from t on of h."""
 Driven = tuple[np.ndarray, np.ndarray, np.ndarray, tuple[RefusedStep, ...]]
 """p, q, v and what was refused."""
 
@@ -132,6 +134,17 @@ class StepCalls:
         p, q, v = (x.copy() for x in (p, q, v))
         self.run(n, t, h, p.ctypes.data, q.ctypes.data, v.ctypes.data)
         return q, v
+
+    def sampled(self, takes: Sequence[Take], p: np.ndarray, q: np.ndarray, v: np.ndarray
+                ) -> tuple[np.ndarray, np.ndarray]:
+        """q and v of one state after each of consecutive steps: (…, nq), (…, nv)."""
+        p, q, v = (np.array(x, self.kind, order="C") for x in (p, q, v))
+        at, run = tuple(x.ctypes.data for x in (p, q, v)), self.run
+        all_q, all_v = (np.empty((len(takes), *x.shape), self.kind) for x in (q, v))
+        for k, take in enumerate(takes):
+            run(*take, *at)
+            all_q[k], all_v[k] = q, v
+        return all_q, all_v
 
     def driven(self, of: Owner, by: InC, n: int, t: float, h: float, p: np.ndarray, q: np.ndarray,
                v: np.ndarray) -> Driven:

@@ -3,7 +3,7 @@
 The inputs of a function depend on the scene (time, parameters); a System calls all in the same way.
 """
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property, partial
 from typing import TYPE_CHECKING
@@ -13,7 +13,7 @@ import numpy as np
 from coscrew_codegen.program import Program
 from coscrew_codegen.program.scene_functions import SceneInterface, Signature
 from coscrew_codegen.program.values.formats import PRECISIONS, Precision
-from coscrew_codegen.runtime.step_calls import Driven, InC
+from coscrew_codegen.runtime.step_calls import Driven, InC, Take
 from coscrew_codegen.scene.joints import KIND_NAMED
 from coscrew_codegen.scene.scene import Scene
 from coscrew_codegen.simulation import SimulateError
@@ -27,6 +27,7 @@ State = tuple[np.ndarray, np.ndarray]
 Watch = Callable[[float, np.ndarray, np.ndarray], None]
 """Callback that receives the current t, q, v of a run."""
 Stepper = Callable[[np.ndarray, int, float, float, np.ndarray, np.ndarray], State]
+Sampler = Callable[[Sequence[Take], np.ndarray, np.ndarray], State]
 Driver = Callable[[InC, int, float, float, np.ndarray, np.ndarray, np.ndarray], Driven]
 
 
@@ -109,6 +110,14 @@ class System:
             return q, v
 
         return steps
+
+    def sampler(self, name: str) -> "Sampler | None":
+        """The integrator of one state, if it is compiled: (steps, q, v) -> q and v after each of
+        consecutive (n, t, h), n steps of h from t on."""
+        several = getattr(getattr(self.kernels, name), "sampled", None)
+        if not several or self._p.ndim > 1:
+            return None
+        return lambda takes, q, v: several(takes, self._p, q, v)
 
     def driver(self, name: str) -> "Driver | None":
         """The integrator under a controller in C, if it is compiled: (by, n, t, h, p, q, v) -> p, q

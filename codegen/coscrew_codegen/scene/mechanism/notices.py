@@ -24,6 +24,10 @@ class Notice:
     remedy: str = ""  # 'add [effects.viscous] with joints = "all" and d = "model"', if that is one
     used_by: tuple[str, str] = ("", "")  # the effect that uses it, and its joint, body or label
 
+    def __post_init__(self) -> None:
+        if self.subject not in SUBJECTS:
+            raise ValueError(f"a notice of {self.subject!r}; wanted one of {', '.join(SUBJECTS)}")
+
 
 def by_importance(notices: Iterable[Notice]) -> tuple[Notice, ...]:
     """The notices in the order of their subjects, otherwise as given."""

@@ -63,25 +63,27 @@ def _renamed(parts: Parts, old: Parts, source: ModelSource, prefix: str) -> Part
     mimics = {f"{prefix}{x}": place for x, place in old.mimics_by_file(source).items()}
     lines = tuple(f"{source.path.name}: {x}" for x in old.implausible)
     return replace(parts, places={}, mimic_places=mimics, elsewhere=elsewhere, roots={}, start={},
-                   base=FIXED, implausible=lines, effects=_effects(old, prefix),
+                   base=FIXED, implausible=lines, inputs=(),
+                   effects=_effects(old, old.effects, prefix),
+                   offered=_effects(old, old.offered, prefix),
                    notices=tuple(_notice(x, source, prefix) for x in old.notices))
 
 
 def _notice(notice: Notice, source: ModelSource, prefix: str) -> Notice:
     """The notice of an element that has another name now."""
     word, _, name = notice.of.partition(" ")
-    of = f"{word} {prefix}{name}" if word in ("joint", "body") and name else notice.of
+    of = f"{word} {prefix}{name}" if name else notice.of
     text = notice.text.removeprefix(f"{notice.of}: ")
     return replace(notice, of=of, text=f"{of}: {text}" if text != notice.text else
                    f"{source.path.name}: {text}")
 
 
-def _effects(parts: Parts, prefix: str) -> Effects:
+def _effects(parts: Parts, effects: Effects, prefix: str) -> Effects:
     """The effects on joints and bodies by their new names; those of the whole scene, as gravity,
     are the scene's own."""
     bodies, joints = ({x.name for x in of} for of in (parts.bodies, parts.joints))
     tables: dict[str, Mapping[str, object]] = {}
-    for name, table in parts.effects.items():
+    for name, table in effects.items():
         if table and all(isinstance(x, Mapping) for x in table.values()):
             tables[name] = {f"{prefix}{on}": {key: _value(
                 x, prefix, bodies if key in _OF_BODIES else joints if key in _OF_JOINTS else ())

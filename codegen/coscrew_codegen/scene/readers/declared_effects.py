@@ -5,13 +5,17 @@ from collections.abc import Iterable, Iterator, Mapping
 
 from coscrew_codegen.scene.effect import Effect
 from coscrew_codegen.scene.mechanism.model import WORLD, Joint, Model
-from coscrew_codegen.scene.mechanism.notices import Notice
+from coscrew_codegen.scene.mechanism.notices import SUBJECTS, Notice
 from coscrew_codegen.scene.names import toml_key
 from coscrew_codegen.scene.readers.toml.toml_text import joined, toml_pairs
 
 Effects = Mapping[str, Mapping[str, object]]
 """Tables as [effects] of a scene holds them: by effect, then by joint, body or label, or the values
 of an effect on the whole scene."""
+
+
+_SUBJECTS = {"viscous": "damping", "coulomb": "friction", "limit": "limits"}
+"""Subjects of notices of effects that have other names."""
 
 
 def of_file_alone(model: Model, declared: Effects, catalogue: tuple[Effect, ...]
@@ -65,5 +69,11 @@ def notices(declared: Effects, model: Model) -> Iterator[Notice]:
             pairs = toml_pairs(values)
             of = f"joint {on}" if on in joints else f"effect {on or name}"
             remedy = f"add [effects.{key}]" + (f" with {joined(pairs)}" if pairs else "")
-            yield Notice(name, of, f"{of}: {name} of the model's file is not used: {remedy}",
-                         remedy, (name, on))
+            text = f"{of}: {name} of the model's file is not used: {remedy}"
+            yield Notice(_subject(name), of, text, remedy, (name, on))
+
+
+def _subject(effect: str) -> str:
+    """The subject of notices of an effect."""
+    subject = _SUBJECTS.get(effect, effect)
+    return subject if subject in SUBJECTS else "other tools' numbers"

@@ -57,6 +57,8 @@ class Parts:
     roots: Mapping[str, Placement] = field(default_factory=dict)  # where it stands, by body
     start: Mapping[str, tuple[float, ...]] = field(default_factory=dict)  # of the file alone: q
     effects: Effects = field(default_factory=dict)  # effects of the file, as springs of joints
+    offered: Effects = field(default_factory=dict)  # those with numbers that the file lacks:
+    # a scene chooses them, in the file alone they do not act
     inputs: tuple[str, ...] = ()  # numbers of these that stay arguments, if the file is alone
     implausible: tuple[str, ...] = ()  # inertias that the reader has accepted, a line each
     notices: tuple[Notice, ...] = ()  # content that was read and is not used
@@ -76,7 +78,8 @@ class Parts:
         tree = self.tree(source)
         with self._placing_errors(source):
             clean = without_residues(without_chains(with_faults(tree, self.mimics_by_file(source))))
-            all_notices = (*notices(self.effects, clean), *self.notices)
+            all_notices = (*notices(self.effects, clean), *notices(self.offered, clean),
+                           *self.notices)
             return judged(replace(clean, implausible=self.implausible, notices=all_notices),
                           source.implausible)
 

@@ -12,6 +12,7 @@ It also compares, with the largest kinetic energy about the centres of mass,
 it compares the change of coordinates with the integral of velocities: numbers of single precision
 may be too coarse for the change."""
 
+import math
 from collections.abc import Callable
 from dataclasses import dataclass, field
 
@@ -98,6 +99,15 @@ class Alarm:
         for problem in (self._of_steps, self._of_rounding, self._of_energy, self._of_momentum):
             wrong = problem(last, alive) | wrong
         return wrong
+
+    @property
+    def idle(self) -> int:
+        """The number of further steps that calls before the end of the run only count."""
+        return math.ceil(min(self._measured, self._next) - self._steps) - 1
+
+    def count(self, steps: int) -> None:
+        """Notes so many steps, no more than `idle`."""
+        self._steps += steps
 
     def _note(self, t: float, q: np.ndarray, v: np.ndarray, kinetic: np.ndarray,
               potential: np.ndarray) -> None:

@@ -6,6 +6,7 @@
 `web/` holds the sources of the player; what the templates hold of it is built from them."""
 
 from collections.abc import Iterator, Sequence, Set
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -14,14 +15,16 @@ from coscrew_codegen.backends.html import pages
 from coscrew_codegen.backends.html.pages import Json
 from coscrew_codegen.backends.render import TEMPLATES
 from coscrew_codegen.runtime.extras import pip
+from coscrew_codegen.runtime.load import kernels_for
 from coscrew_codegen.scene.mechanism.model import WORLD
+from coscrew_codegen.simulation import required_functions
 from coscrew_codegen.simulation.recordings.recording_writer import delivered
 from coscrew_codegen.simulation.recordings.result import Result
-from coscrew_codegen.simulation.system import System
+from coscrew_codegen.simulation.system import System, system
 from coscrew_codegen.simulation.view import page_signals
-from coscrew_codegen.simulation.view.body_shapes import Drawing, Part, drawn, numbers_of
+from coscrew_codegen.simulation.view.body_shapes import DrawnPart, RobotDrawing, drawn, numbers_of
 from coscrew_codegen.simulation.view.mesh_files import Piece
-from coscrew_codegen.simulation.view.page_block import Block, compressed
+from coscrew_codegen.simulation.view.page_block import NumberBlock, compressed
 from coscrew_codegen.simulation.view.page_runs import PageRun, run_of, target_of
 
 _LEAST_SHOWN = 3.0  # s: least duration of a playback at the initial speed
@@ -40,18 +43,29 @@ def view(results: Sequence[Result], path: Path, besides: Sequence[PageRun] = ())
     return _unread(drawing)
 
 
+def with_poses(result: Result) -> Result:
+    """The result with a system that has the poses of all bodies."""
+    its = result.system
+    if its.has("body_poses"):
+        return result
+    kernels = kernels_for(its.scene, required_functions.of_run(
+        its.scene, result.plan.integrator, view=True), (its.precision.name,))
+    return replace(result, system=replace(system(kernels, its.precision.name), p=its.p))
+
+
 def page(results: Sequence[Result], besides: Sequence[PageRun] = (),
-         drawing: Drawing | None = None) -> str:
+         drawing: RobotDrawing | None = None) -> str:
     """The text of the page."""
-    first, block = results[0], Block()
+    first, block = results[0], NumberBlock()
     drawing = drawing or drawn(first.system)
-    runs = [run_of(x, x.system.precision.name) for x in results] + [*besides]
+    runs = [run_of(x, label) for x, label in zip(results, _labels(results), strict=True)]
+    runs += besides
     if target := target_of(first.system, runs[0]):
         runs.append(target)
     groups = page_signals.grouped(first.system, first.recording.columns,
                                   [x.columns for x in runs])
-    data = {"runs": [_packed(x, block) for x in runs],
-            **_model(first.system, {x.body for x in drawing.parts}),
+    shown = {x.body for x in drawing.parts}
+    data = {"runs": [_packed(x, block) for x in runs], **_model(first.system, shown),
             **_parts(drawing, block), "groups": page_signals.packed(groups, block),
             "arrows": [*page_signals.arrows(first.system, runs[0].columns)],
             "ties": [*page_signals.ties(first.system)]}
@@ -70,6 +84,12 @@ def page(results: Sequence[Result], besides: Sequence[PageRun] = (),
         licenses=_LICENSES.read_text(encoding="utf-8"))
 
 
+def _labels(results: Sequence[Result]) -> list[str]:
+    """The results' precisions, or numbers where these are the same."""
+    names = [x.system.precision.name for x in results]
+    return names if len({*names}) == len(names) else [f"run {n + 1}" for n, _ in enumerate(names)]
+
+
 def _sentence(result: Result) -> str:
     """The run in one line: "7 joints, 17.5 kg, 4 s, leapfrog, double precision"."""
     model, end = result.system.scene.model, result.trajectory.t[-1]
@@ -80,7 +100,7 @@ def _sentence(result: Result) -> str:
             f"{result.plan.integrator}, {result.system.precision.name} precision")
 
 
-def _unread(drawing: Drawing) -> str:
+def _unread(drawing: RobotDrawing) -> str:
     """Says that meshes are boxes since no package reads them."""
     if not drawing.unread:
         return ""
@@ -89,7 +109,7 @@ def _unread(drawing: Drawing) -> str:
             f" in {'their' if several else 'its'} place; run `{pip('view')}`")
 
 
-def _packed(run: PageRun, block: Block) -> Json:
+def _packed(run: PageRun, block: NumberBlock) -> Json:
     return {"label": run.label, "shown": run.shown, "t": block.put(run.t, "f8"),
             "poses": block.put(run.poses.transpose(1, 2, 0), "f4")}
 
@@ -136,7 +156,7 @@ def _tracked(system: System, numbers: dict[str, int]) -> int:
     return numbers[max(depth, key=lambda name: (depth[name], numbers[name]))]
 
 
-def _parts(drawing: Drawing, block: Block) -> dict[str, Json]:
+def _parts(drawing: RobotDrawing, block: NumberBlock) -> dict[str, Json]:
     """The parts, and the meshes that they name by number."""
     pieces: list[Piece] = []
     for part in drawing.parts:
@@ -147,7 +167,7 @@ def _parts(drawing: Drawing, block: Block) -> dict[str, Json]:
             "parts": [*_entries(drawing.parts, numbers)]}
 
 
-def _entries(parts: Sequence[Part], numbers: dict[int, int]) -> Iterator[Json]:
+def _entries(parts: Sequence[DrawnPart], numbers: dict[int, int]) -> Iterator[Json]:
     for x in parts:
         mesh = {"mesh": numbers[id(x.piece)]} if x.piece else {}
         yield {"body": x.body, "kind": x.shape, "size": list(x.size),
@@ -155,7 +175,7 @@ def _entries(parts: Sequence[Part], numbers: dict[int, int]) -> Iterator[Json]:
                "colour": [*x.colour, 1.0][:4], **mesh}
 
 
-def _mesh(piece: Piece, block: Block) -> Json:
+def _mesh(piece: Piece, block: NumberBlock) -> Json:
     """Vertices as 16-bit numbers in the mesh's box, in the order of their first use; both they and
     the faces' indices as differences, which are small."""
     low, high = piece.vertices.min(0).astype(float), piece.vertices.max(0).astype(float)

@@ -29,6 +29,7 @@ from coscrew_codegen.scene.readers.mjcf.mjcf_actuators import actuators
 from coscrew_codegen.scene.readers.mjcf.mjcf_effects import effects, followers
 from coscrew_codegen.scene.readers.mjcf.mjcf_leftovers import GROUPS, ignored, refused
 from coscrew_codegen.scene.readers.mjcf.mjcf_names import MjcfNames, exact
+from coscrew_codegen.scene.readers.mjcf.mjcf_tendons import tendons
 from coscrew_codegen.scene.readers.mjcf.mjcf_visuals import MjcfVisuals
 from coscrew_codegen.scene.readers.model_reader import ModelReader, ModelSource, Parts
 from coscrew_codegen.scene.readers.scene_error import SceneError
@@ -50,6 +51,7 @@ def _parts(source: ModelSource) -> Parts:
         source.path.stem, tuple(x for x in parts if isinstance(x, Body)),
         tuple(x for x in parts if isinstance(x, Joint)),
         effects=effects(model, names, drives.tables), inputs=drives.inputs,
+        offered=tendons(model, names).offered,
         start=_start(model, names),
         notices=(*left_out, *ignored(model, names)))
 

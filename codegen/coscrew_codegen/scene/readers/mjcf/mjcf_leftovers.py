@@ -87,7 +87,6 @@ def _of_joints(model: "mujoco.MjModel", names: MjcfNames) -> Iterator[tuple[str,
 def ignored(model: "mujoco.MjModel", names: MjcfNames) -> Iterator[Notice]:
     """Notices of actuators and tendons, and of what is not read: contact, mocap."""
     yield from actuators(model, names).notices
-    yield from tendons(model, names).notices
     for b in range(1, model.nbody):
         if model.body_mocapid[b] >= 0:
             yield Notice(_OTHER, f"body {names.body(b)}", f"body {names.body(b)}: is moved by hand "

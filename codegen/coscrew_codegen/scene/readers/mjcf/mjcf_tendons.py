@@ -4,11 +4,8 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from coscrew_codegen.scene.mechanism.notices import Notice
-from coscrew_codegen.scene.names import toml_key
 from coscrew_codegen.scene.readers.mjcf.mjcf_names import MjcfNames, decimals
 from coscrew_codegen.scene.readers.toml.toml_tables import Decimals
-from coscrew_codegen.scene.readers.toml.toml_text import joined, toml_pairs
 
 if TYPE_CHECKING:
     import mujoco
@@ -16,11 +13,11 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class Tendons:
-    """The tendons: effects that they declare, by effect and label; notices of those for whose
-    numbers a scene chooses more; and those that are no sums of coordinates, but pull."""
+    """The tendons: effects that they declare, by effect and label; those for which a scene chooses
+    further numbers; and those that are no sums of coordinates, but pull."""
 
     effects: Mapping[str, Mapping[str, Mapping[str, object]]]
-    notices: tuple[Notice, ...]
+    offered: Mapping[str, Mapping[str, Mapping[str, object]]]
     refused: tuple[tuple[str, str], ...]  # group and element
 
 
@@ -42,7 +39,7 @@ def weights(model: "mujoco.MjModel", names: MjcfNames, t: int, gear: float = 1.0
 def tendons(model: "mujoco.MjModel", names: MjcfNames) -> Tendons:
     """Returns the tendons of a model."""
     effects: dict[str, dict[str, Mapping[str, object]]] = {"spring": {}, "viscous": {}}
-    notices: list[Notice] = []
+    offered: dict[str, dict[str, Mapping[str, object]]] = {}
     refused: list[tuple[str, str]] = []
     for t in range(model.ntendon):
         joints, (low, high) = weights(model, names, t), model.tendon_lengthspring[t]
@@ -63,24 +60,17 @@ def tendons(model: "mujoco.MjModel", names: MjcfNames) -> Tendons:
         if model.tendon_damping[t]:
             effects["viscous"][label] = {"joints": joints,
                                          "d": decimals([model.tendon_damping[t]])[0]}
-        notices += _chosen(model, t, label, joints)
-    return Tendons(effects, tuple(notices), tuple(refused))
+        for effect, values in _offered(model, t, joints):
+            offered.setdefault(effect, {})[label] = values
+    return Tendons(effects, offered, tuple(refused))
 
 
-def _chosen(model: "mujoco.MjModel", t: int, label: str, joints: Mapping[str, object]
-            ) -> Iterator[Notice]:
-    """Notices of friction and range, whose effects take numbers that MuJoCo does not have."""
+def _offered(model: "mujoco.MjModel", t: int, joints: Mapping[str, object]
+             ) -> Iterator[tuple[str, dict[str, object]]]:
+    """Friction and range as effects, with numbers that MuJoCo does not have."""
     if model.tendon_frictionloss[t]:
-        yield _notice("coulomb", label, {
-            "joints": joints, "tau_c": decimals([model.tendon_frictionloss[t]])[0],
-            "eps": Decimals("0.01")}, "friction")
+        yield "coulomb", {"joints": joints, "tau_c": decimals([model.tendon_frictionloss[t]])[0],
+                          "eps": Decimals("0.01")}
     if model.tendon_limited[t]:
         lower, upper = decimals(model.tendon_range[t])
-        yield _notice("limit", label, {"joints": joints, "lower": lower, "upper": upper,
-                                       "k": Decimals("1e4")}, "range")
-
-
-def _notice(effect: str, label: str, values: Mapping[str, object], subject: str) -> Notice:
-    remedy = f"add [effects.{effect}.{toml_key(label)}] with {joined(toml_pairs(values))}"
-    return Notice(subject, f"tendon {label}", f"tendon {label}: {subject} is not used: {remedy}",
-                  remedy, (effect, label))
+        yield "limit", {"joints": joints, "lower": lower, "upper": upper, "k": Decimals("1e4")}

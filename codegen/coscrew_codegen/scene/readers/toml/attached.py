@@ -7,6 +7,7 @@ from dataclasses import dataclass, replace
 from coscrew_codegen.scene.joints.fixed import JOINT as FIXED
 from coscrew_codegen.scene.mechanism.model import HERE, WORLD, Joint, Model
 from coscrew_codegen.scene.readers.attached_parts import attached
+from coscrew_codegen.scene.readers.declared_effects import Effects
 from coscrew_codegen.scene.readers.model_reader import ModelSource, Parts
 from coscrew_codegen.scene.readers.scene_error import shown
 from coscrew_codegen.scene.readers.toml.keys import ATTACH, BODY, FRAME, OF_MODEL, PLACE
@@ -171,14 +172,19 @@ def _joined(main: Parts, source: ModelSource, others: list[Parts]) -> Parts:
     moved = {x.child for y in others for x in y.joints}
     own = {x.name for x in main.joints}
     kept = [x for x in tree.joints if x.name in own or x.child not in moved]
-    effects: dict[str, Mapping[str, object]] = dict(main.effects)
-    for name, table in ((x, y) for part in others for x, y in part.effects.items()):
-        effects[name] = {**effects.get(name, {}), **table}
     return replace(
         main, bodies=(*tree.bodies, *(x for y in others for x in y.bodies)),
         joints=(*kept, *(x for y in others for x in y.joints)), base=FIXED, roots={},
-        effects=effects,
+        effects=_merged([x.effects for x in every]), offered=_merged([x.offered for x in every]),
         mimic_places={key: x for y in every for key, x in y.mimic_places.items()},
         elsewhere={key: x for y in others for key, x in y.elsewhere.items()},
         implausible=tuple(x for y in every for x in y.implausible),
         notices=tuple(x for y in every for x in y.notices))
+
+
+def _merged(tables: list[Effects]) -> Effects:
+    """The tables of all, by effect."""
+    whole: dict[str, Mapping[str, object]] = {}
+    for name, table in ((x, y) for effects in tables for x, y in effects.items()):
+        whole[name] = {**whole.get(name, {}), **table}
+    return whole
