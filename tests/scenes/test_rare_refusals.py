@@ -5,7 +5,11 @@ from fractions import Fraction
 
 import pytest
 
+from coscrew_codegen.scene.effects import EFFECTS
+from coscrew_codegen.scene.mechanism.model import Model
+from coscrew_codegen.scene.mechanism.notices import Notice
 from coscrew_codegen.scene.mechanism.rotations import unit
+from coscrew_codegen.scene.readers.declared_effects import notices
 from coscrew_codegen.scene.readers.scene_error import SceneError
 from coscrew_codegen.scene.readers.toml.toml_scene import read_scene
 from coscrew_codegen.scene.readers.toml.toml_text import toml_value
@@ -107,3 +111,13 @@ def test_numbers_and_values_that_no_file_gives():
         unit([Fraction(0)] * 3)
     with pytest.raises(TypeError, match=re.escape("{1} is no value of TOML")):
         toml_value({1})
+
+
+def test_notices_have_a_subject_that_is_known():
+    """Effects that a file may declare are known subjects, too."""
+    with pytest.raises(ValueError, match="a notice of 'range'; wanted one of torque or force, "):
+        Notice("range", "joint j", "joint j: range")
+    model = Model("m", (), ())
+    for effect in EFFECTS:
+        (notice,) = notices({effect.name: {"j": {"k": 1}}}, model)
+        assert notice.remedy == f"add [effects.{effect.name}.j] with k = 1"

@@ -5,7 +5,7 @@ from collections.abc import Iterable, Iterator, Mapping
 
 from coscrew_codegen.scene.effect import Effect
 from coscrew_codegen.scene.mechanism.model import WORLD, Joint, Model
-from coscrew_codegen.scene.mechanism.notices import Notice
+from coscrew_codegen.scene.mechanism.notices import SUBJECTS, Notice
 from coscrew_codegen.scene.names import toml_key
 from coscrew_codegen.scene.readers.toml.toml_text import joined, toml_pairs
 
@@ -70,4 +70,10 @@ def notices(declared: Effects, model: Model) -> Iterator[Notice]:
             of = f"joint {on}" if on in joints else f"effect {on or name}"
             remedy = f"add [effects.{key}]" + (f" with {joined(pairs)}" if pairs else "")
             text = f"{of}: {name} of the model's file is not used: {remedy}"
-            yield Notice(_SUBJECTS.get(name, name), of, text, remedy, (name, on))
+            yield Notice(_subject(name), of, text, remedy, (name, on))
+
+
+def _subject(effect: str) -> str:
+    """The subject of notices of an effect."""
+    subject = _SUBJECTS.get(effect, effect)
+    return subject if subject in SUBJECTS else "other tools' numbers"
