@@ -235,7 +235,7 @@ def _luminance(colour):
 def test_every_control_has_a_name(page):
     unnamed = page.execute_script("""
         return [...document.querySelectorAll("select, input, button, [role=img], [role=region]")]
-          .filter(e => !(e.labels?.length || e.textContent?.trim() || e.getAttribute("aria-label") ||
-                         document.getElementById(e.getAttribute("aria-labelledby"))))
+          .filter(e => !(e.labels?.length || e.textContent?.trim() || e.getAttribute("aria-label")
+                         || document.getElementById(e.getAttribute("aria-labelledby"))))
           .map(e => e.outerHTML);""")
     assert unnamed == []

@@ -22,7 +22,8 @@ TEXTS = {"pendulum": texts.PENDULUM, "brick": texts.BRICK, "spring": texts.SPRIN
          "awkward": texts.PENDULUM.replace("bob", f'"{AWKWARD}"').replace(
              f'child = ""{AWKWARD}""', f'child = "{AWKWARD}"').replace(
              f', "position."{AWKWARD}""', "")}
-SECONDS = 20  # until a page has drawn, by software on a busy machine
+SMALL = 760, 480  # pixels of the window: a larger picture takes longer
+SECONDS = 60  # until a page has drawn, by software on a busy machine
 
 
 @pytest.fixture(scope="module")
@@ -41,10 +42,11 @@ def runs(tmp_path_factory):
 @pytest.fixture(scope="module")
 def browser():
     with chromium() as driver:
+        driver.set_script_timeout(SECONDS)
         yield driver
 
 
-def opened(browser, folder: Path, name: str, width: int = 1280, height: int = 844,
+def opened(browser, folder: Path, name: str, width: int = SMALL[0], height: int = SMALL[1],
            phone: bool = False):
     """The page, freshly loaded and drawn, with empty logs."""
     browser.get("about:blank")
@@ -73,13 +75,13 @@ def shown(pendulum, runs):
     """The pendulum's page as it is first seen, on a desktop."""
     if "pendulum" not in pendulum.current_url:
         opened(pendulum, runs[1], "pendulum")
-    resize(pendulum, 1280, 844)
+    resize(pendulum, *SMALL)
     pendulum.execute_script("""
         scrollTo(0, 0);
         document.activeElement.blur();
         player.clock.play(false);
         player.clock.seek(0);
-        player.clock.speed = 1;
+        player.clock.speed = .1;  // so that it does not end by itself
         player.fit();""")
     return pendulum
 
@@ -119,7 +121,7 @@ PIXEL = """
 
 @pytest.mark.parametrize("name", TEXTS)
 def test_nothing_is_loaded_and_nothing_fails(browser, runs, name):
-    shown = opened(browser, runs[1], name, 700, 400)
+    shown = opened(browser, runs[1], name)
     shown.find_element(By.ID, "play").click()
     for tool in shown.find_elements(By.CSS_SELECTOR, "#tools button, #groups button"):
         tool.click()
@@ -161,7 +163,7 @@ def test_it_plays_pauses_and_ends(shown):
     assert (play.get_attribute("aria-label"), clock(shown)) == ("Play", 0)
     play.click()
     assert play.get_attribute("aria-label") == "Pause"
-    WebDriverWait(shown, SECONDS).until(lambda x: clock(x) > 0.2)
+    WebDriverWait(shown, SECONDS).until(lambda x: clock(x) > 0)
     play.click()
     at = clock(shown)
     assert play.get_attribute("aria-label") == "Play"
@@ -176,19 +178,14 @@ def test_it_plays_pauses_and_ends(shown):
 
 @pytest.mark.parametrize("words, speed", (("1×", 1), ("0.25×", 0.25), ("2×", 2)))
 def test_speeds_are_what_they_say(shown, words, speed):
-    """By the times of the frames that were shown, however few they are."""
+    """By the times of frames, which are given here: a slow machine shows few."""
     Select(shown.find_element(By.ID, "speed")).select_by_visible_text(words)
-    passed = shown.execute_async_script("""
-        const done = arguments[0], clock = player.clock;
-        let first = null;
-        const look = now => {  // each time after the page's own
-          if (clock.last !== null) first ??= [clock.last, clock.time];
-          if (!first || clock.last - first[0] < 400) requestAnimationFrame(look);
-          else done((clock.time - first[1]) / ((clock.last - first[0]) / 1000));
-        };
+    passed = shown.execute_script("""
+        const clock = player.clock;
         clock.play(true);
-        requestAnimationFrame(look);""")
-    assert passed == pytest.approx(speed, rel=1e-6)
+        for (const now of [1000, 1020, 1100, 1400]) clock.tick(now);
+        return clock.time;""")
+    assert passed == pytest.approx(0.4 * speed, rel=1e-9)
 
 
 def test_it_draws_nothing_at_rest(shown):
@@ -242,7 +239,8 @@ def test_a_drag_turns_the_view_and_not_the_time(shown):
     ActionChains(shown).move_to_element_with_offset(canvas, 0, -60).click_and_hold().move_by_offset(
         150, 30).release().perform()
     after = camera(shown)
-    assert after[0] == pytest.approx(before[0] - 2 * math.pi * 150 / height, abs=1e-3)
+    turned = math.remainder(before[0] - after[0] - 2 * math.pi * 150 / height, 2 * math.pi)
+    assert turned == pytest.approx(0, abs=1e-3)
     assert after[1] == pytest.approx(before[1] + 2 * math.pi * 30 / height, abs=1e-3)
     assert after[2] == pytest.approx(before[2])
     assert clock(shown) == t
@@ -276,7 +274,8 @@ def test_touch_turns_and_pinches_on_a_phone(shown):
     touch(shown, "touchMove", (x + 75, y))
     touch(shown, "touchEnd")
     turned = camera(shown)
-    assert turned[0] == pytest.approx(before[0] - 2 * math.pi * 75 / box["height"], abs=0.02)
+    rest = before[0] - turned[0] - 2 * math.pi * 75 / box["height"]
+    assert math.remainder(rest, 2 * math.pi) == pytest.approx(0, abs=0.02)
     touch(shown, "touchStart", (x, y), (x + 50, y))
     touch(shown, "touchMove", (x, y), (x + 100, y))
     touch(shown, "touchEnd")
@@ -316,7 +315,7 @@ CORNERS = """
 def test_all_bodies_are_framed(browser, runs, name):
     """At each time all corners are between the controls, and they fill half of the room there, one
     way or the other; on a phone as on a desktop."""
-    shown = opened(browser, runs[1], name)
+    shown = opened(browser, runs[1], name, 1280, 844)
     for width, phone in ((1280, False), (390, True)):
         resize(shown, width, 844, phone)
         shown.execute_script("player.stage.resize(); player.fit();")
@@ -397,7 +396,7 @@ def test_signals_are_plotted_on_demand(shown):
 
 
 def test_awkward_names_are_text(browser, runs):
-    shown = opened(browser, runs[1], "awkward", 700, 400)
+    shown = opened(browser, runs[1], "awkward")
     assert shown.title == "awkward: playback"
     assert AWKWARD in shown.find_element(By.ID, "space").get_attribute("aria-label")
     shown.find_element(By.TAG_NAME, "body").send_keys("n")
@@ -420,7 +419,7 @@ def test_a_run_of_huge_numbers_is_shown_as_far_as_they_go(browser, runs, tmp_pat
     kernels = checked(path, None, others=("body_poses",), precisions=("double",))
     (result,) = simulated(kernels, RunOverrides(precision="double"))
     view([result], tmp_path / "unstable.html")
-    shown = opened(browser, tmp_path, "unstable", 700, 400)
+    shown = opened(browser, tmp_path, "unstable")
     assert shown.get_log("browser") == []
     assert shown.execute_script("""
         const poses = player.recording.main.poses;

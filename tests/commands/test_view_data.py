@@ -11,8 +11,10 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+import coscrew_codegen
 from coscrew_codegen.__main__ import main
 from coscrew_codegen.scene.mechanism.visual import MESH, Triangles, Visual
+from coscrew_codegen.simulation import SimulateError
 from coscrew_codegen.simulation.run_summary import RunOverrides, simulated
 from coscrew_codegen.simulation.view import body_shapes, mesh_files
 from coscrew_codegen.simulation.view.body_shapes import box_of, drawn
@@ -394,6 +396,21 @@ def test_what_is_no_recording_is_refused(tmp_path, capsys, name, problem):
                  str(tmp_path / "x.html"), "--beside", str(tmp_path / name)]) != 0
     assert problem in capsys.readouterr().err
     assert not (tmp_path / "x.html").exists()
+
+
+def test_runs_from_python_are_pages_too(tmp_path):
+    """The poses are compiled for the page alone; a further run is a ghost."""
+    (tmp_path / "pendulum.toml").write_text(texts.PENDULUM)
+    one, other = (coscrew_codegen.run(tmp_path / "pendulum.toml", until=1.0, precision="double",
+                                      record=["q"], q0=[q]) for q in (0.5, 0.6))
+    assert not one.system.has("body_poses")
+    one.view(tmp_path / "one.html", other)
+    data = PageData((tmp_path / "one.html").read_text())
+    assert [x["label"] for x in data.json["runs"]] == ["run 1", "run 2"]
+    for n, q in enumerate((0.5, 0.6)):
+        assert data.poses(n)[1, 4, 0] == pytest.approx(math.sin(q / 2), abs=1e-7)
+    with pytest.raises(SimulateError, match="ends in .html"):
+        one.view(tmp_path / "one.txt")
 
 
 def test_gravity_says_where_up_is(tmp_path):

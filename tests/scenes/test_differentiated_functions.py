@@ -123,7 +123,7 @@ WHOLE = ["inverse_dynamics", "forward_dynamics", "mass_matrix", "bias_torques", 
 
 
 def entry(scene: Scene, name: str) -> SceneFunction:
-    return next(x for x in functions_of(scene) if x.name == name)
+    return next(x for x in functions_of(scene, (name,)) if x.name == name)
 
 
 @pytest.mark.parametrize("name", WHOLE)

@@ -121,7 +121,8 @@ class Derivation:
 
     def named(self, name: str) -> Program:
         """The function of this name."""
-        return self.made(next(x for x in functions_of(self.scene) if x.name == name)).program
+        entry = next(x for x in functions_of(self.scene, (name,)) if x.name == name)
+        return self.made(entry).program
 
     def collected(self, made: Sequence[FunctionProgram]) -> SceneFunctions:
         """These functions with the scene's data for targets; without steps."""

@@ -41,7 +41,7 @@ def _functions(its: Derivation, names: Collection[str]) -> SceneFunctions:
     """The functions of these names, for targets."""
     scene = its.scene
     wanted = names or selected_functions(scene)
-    entries = tuple(functions_of(scene))
+    entries = tuple(functions_of(scene, wanted))
     steps, with_tau = ([x.step for x in entries if x.step and x.name in wanted
                         and ("tau" in x.takes) == tau] for tau in (False, True))
     called = together(*map(needs, steps), *(needs(x, takes_tau=True) for x in with_tau))

@@ -95,7 +95,7 @@ class Functions(NamedFunctions[Real]):
             possible = ()
         if name in possible:
             hint = f"; it was not selected: functions=[\"default\", {name!r}]"
-        elif scene and name in dividing(scene) and (problem := why_singular(scene)):
+        elif scene and name in dividing(scene, (name,)) and (problem := why_singular(scene)):
             hint = f": {problem}"
         raise AttributeError(f"{self._about} has no function {name!r}{hint}", name=name, obj=self)
 

@@ -7,7 +7,7 @@ A function that is not selected is neither derived, emitted nor compiled.
 from collections.abc import Collection, Iterable, Sequence
 
 from coscrew_codegen.program.reported_error import ReportedError
-from coscrew_codegen.scene.functions import functions_of
+from coscrew_codegen.scene.functions import derivatives_of, functions_of
 from coscrew_codegen.scene.functions.steps import (
     closing_contacts,
     free_momentum,
@@ -42,50 +42,51 @@ class FunctionsError(ReportedError, ValueError):
 def names(scene: Scene) -> tuple[str, ...]:
     """The functions that ALL stands for, in the order in which they are emitted: all that the scene
     can have but derivatives of functions."""
-    return tuple(x.name for x in _possible(scene) if not x.differentiates)
+    return _possible(scene, functions_of(scene))
 
 
 def all_names(scene: Scene) -> tuple[str, ...]:
     """All functions that the scene can have, in the order in which they are emitted."""
-    return tuple(x.name for x in _possible(scene))
+    return *names(scene), *_possible(scene, derivatives_of(scene))
 
 
-def _possible(scene: Scene) -> tuple[SceneFunction, ...]:
+def _possible(scene: Scene, functions: Iterable[SceneFunction]) -> tuple[str, ...]:
+    """The names of those that the scene can select, and that do not divide by a singular matrix."""
     singular = bool(why_singular(scene))
-    return tuple(x for x in _selectable(scene) if not (singular and x.divides))
+    return tuple(x.name for x in functions if not (x.internal or (singular and x.divides)))
 
 
-def dividing(scene: Scene) -> tuple[str, ...]:
-    """The functions that divide by the mass matrix, and functions that only these call."""
-    return tuple(x.name for x in _selectable(scene) if x.divides)
+def dividing(scene: Scene, functions: Collection[str] = ()) -> tuple[str, ...]:
+    """The functions that divide by the mass matrix, and functions that only these call; derivatives
+    of functions among them, if these names need them."""
+    return tuple(x.name for x in functions_of(scene, functions) if x.divides and not x.internal)
 
 
-def _selectable(scene: Scene) -> tuple[SceneFunction, ...]:
-    """The functions that a scene whose mass matrix is regular can select."""
-    return tuple(x for x in functions_of(scene) if not x.internal)
+def _matching(scene: Scene, word: str) -> tuple[str, ...]:
+    """The functions that a word selects of a scene whose mass matrix is regular; a pattern selects
+    derivatives of functions if it matches no others: *_tangent."""
+    return matching(word, _names(functions_of(scene))) or matching(
+        word, _names(derivatives_of(scene)))
 
 
-def _names(scene: Scene) -> tuple[tuple[str, ...], tuple[str, ...]]:
-    """The functions that patterns match, and derivatives of functions, which a pattern matches that
-    matches none of them: inverse_dynamics* or *_tangent."""
-    own, derived = ([x.name for x in _selectable(scene) if bool(x.differentiates) == of]
-                    for of in (False, True))
-    return tuple(own), tuple(derived)
+def _names(functions: Iterable[SceneFunction]) -> tuple[str, ...]:
+    return tuple(x.name for x in functions if not x.internal)
 
 
 def left_out(scene: Scene) -> str:
     """Writes one line on the functions that the scene selects, by DEFAULT, ALL or patterns, but
     cannot have; "" if there are none."""
     problem, words = why_singular(scene), scene.functions or (DEFAULT,)
-    if not problem or not ({DEFAULT, ALL}.intersection(words) or {*dividing(scene)}.intersection(
-            name for word in words for name in matching(word, *_names(scene)))):
+    selected = {name for word in words for name in _matching(scene, word)}
+    if not problem or not ({DEFAULT, ALL}.intersection(words) or
+                           selected.intersection(dividing(scene, selected))):
         return ""
     return f"forward_dynamics and steps are left out: {problem}"
 
 
 def refuse_singular(scene: Scene, functions: Collection[str]) -> None:
     """Raise FunctionsError if one of these functions divides by a mass matrix that is singular."""
-    wanted = [name for name in reversed(dividing(scene)) if name in functions]
+    wanted = [name for name in reversed(dividing(scene, functions)) if name in functions]
     problem = why_singular(scene) if wanted else ""
     for name in wanted:  # steps first, which call the others
         if problem:
@@ -112,29 +113,32 @@ def refuse_many(scene: Scene) -> None:
 def selected_functions(scene: Scene) -> tuple[str, ...]:
     """The functions that the scene selects, each once, in their order.  Raises FunctionsError."""
     result = resolved(scene, scene.functions)
-    return tuple(name for name in all_names(scene) if name in result)
+    own = names(scene)
+    known = own if result.issubset(own) else all_names(scene)
+    return tuple(name for name in known if name in result)
 
 
 def resolved(scene: Scene, words: Sequence[str]) -> set[str]:
     """The functions that these words select: names, patterns of them, DEFAULT, ALL; without words,
     DEFAULT. Raises FunctionsError with the nearest name for each unknown word, and for a word that
     selects only functions that divide by a singular mass matrix."""
-    known, result = all_names(scene), set[str]()
-    unknown = []
+    known, result, problems = names(scene), set[str](), []
     for word in words or (DEFAULT,):
         if word in (DEFAULT, ALL):
-            result.update((by_default if word == DEFAULT else names)(scene))
-        elif of := matching(word, *_names(scene)):
-            if not set(of).intersection(known):
+            result.update(by_default(scene) if word == DEFAULT else known)
+        elif of := _matching(scene, word):
+            possible = {*of}.intersection(known if {*of} <= {*known} else all_names(scene))
+            if not possible:
                 refuse_singular(scene, of)
-            result.update(of)
+            result.update(possible)
         else:
             what = "matches no function of the scene" if is_pattern(word) else \
                 "is no function of the scene"
-            unknown.append(f"{word!r} {what}; {did_you_mean(word, (*known, DEFAULT, ALL))}")
-    if unknown:
-        raise FunctionsError("; ".join(unknown))
-    return result.intersection(known)
+            problems.append(f"{word!r} {what}; "
+                            f"{did_you_mean(word, (*all_names(scene), DEFAULT, ALL))}")
+    if problems:
+        raise FunctionsError("; ".join(problems))
+    return result
 
 
 def together(*lists: Iterable[str]) -> tuple[str, ...]:

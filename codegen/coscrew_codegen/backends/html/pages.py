@@ -51,11 +51,13 @@ def wrapped(text: str) -> str:
     return textwrap.fill(text, 110)
 
 
-def page(template: str, data: Json = None, **holes: object) -> str:
-    """The text of a page that fills the frame; its scripts read the data."""
+def page(template: str, data: Json = None, scripted: bool = False, **holes: object) -> str:
+    """The text of a page that fills the frame.  Scripts read the data; one without data has scripts
+    if it is `scripted`."""
     from coscrew_codegen.backends.html.plots import THEME  # Matplotlib, which tables do without
 
-    return render(template, data="" if data is None else embedded(data), colours=THEME, **holes)
+    return render(template, data="" if data is None else embedded(data), colours=THEME,
+                  scripted=scripted or data is not None, **holes)
 
 
 def embedded(data: Json) -> Markup:

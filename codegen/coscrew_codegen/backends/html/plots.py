@@ -2,8 +2,8 @@
 
 import io
 import re
-from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, field
 from math import inf, isnan
 from pathlib import Path
 from xml.etree import ElementTree
@@ -70,6 +70,34 @@ class Mark:
     hollow: bool = False  # another is better
     label: str = ""
     foot: float = 0.0  # of a line from below, 0 without
+
+
+@dataclass(frozen=True)
+class Panel:
+    """A drawing on one pair of axes: its label, the function that draws it, the texts at artists by
+    their ids, and its inches alone on a page."""
+
+    label: str
+    draw: Callable[[Axes], None]
+    titles: Mapping[str, str] = field(default_factory=dict)
+    size: tuple[float, float] = PANEL
+
+    @property
+    def alone(self) -> Figure:
+        """The panel as a figure, higher by the rows of a long legend."""
+        with matplotlib.rc_context(STYLE):
+            figure = Figure(figsize=self.size, layout="constrained")
+            self.draw(axes := figure.subplots())
+            if legend := axes.get_legend():
+                figure.set_figheight(self.size[1] + 0.08 * len(legend.get_texts()))
+            place_labels(figure)
+        return figure
+
+    @property
+    def inline(self) -> Markup:
+        """The panel as an element of a page."""
+        with matplotlib.rc_context(STYLE):
+            return inline(self.alone, self.label, self.titles)
 
 
 @styled

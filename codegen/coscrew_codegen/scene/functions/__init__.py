@@ -5,7 +5,7 @@ precision and tier, in stubs and documentation.
 """
 
 import re
-from collections.abc import Iterator, Sequence
+from collections.abc import Collection, Iterator, Sequence
 
 from coscrew_codegen.program.plugins import discover
 from coscrew_codegen.scene.scene import Scene
@@ -53,12 +53,22 @@ _ORDER = tuple(Of)
 QUANTITIES = quantities(FUNCTIONS)
 
 
-def functions_of(scene: Scene) -> Iterator[SceneFunction]:
+def functions_of(scene: Scene, names: Collection[str] = ()) -> Iterator[SceneFunction]:
     """All functions that a scene may have, internal ones among them, in the order in which they are
-    emitted."""
+    emitted; derivatives of functions only if these names need them."""
     own = sorted((x for function in FUNCTIONS if not function.each for x in function.of(scene)),
                  key=lambda x: x.place)
     yield from own
+    if not {x.name for x in own}.issuperset(names):
+        yield from _derivatives(scene, own)
+
+
+def derivatives_of(scene: Scene) -> Iterator[SceneFunction]:
+    """The derivatives of functions that a scene may have."""
+    yield from _derivatives(scene, list(functions_of(scene)))
+
+
+def _derivatives(scene: Scene, own: Sequence[SceneFunction]) -> Iterator[SceneFunction]:
     for family in FUNCTIONS:
         if family.each:
             yield from filter(None, (family.each(family, x, scene) for x in own))

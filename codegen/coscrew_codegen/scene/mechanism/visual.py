@@ -11,9 +11,6 @@ from typing import TYPE_CHECKING
 if TYPE_CHECKING:
     import numpy as np
 
-SIZES = {"box": 3, "sphere": 1, "cylinder": 2, "capsule": 2, "ellipsoid": 3}
-"""Shapes besides meshes, and the number of sizes of each: edges of a box; radius, and length along
-z, of a cylinder and of a capsule between its half balls; half axes of an ellipsoid."""
 MESH = "mesh"
 HERE = (0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0)
 
@@ -30,8 +27,9 @@ class Triangles:
 class Visual:
     """A shape at a place of its body."""
 
-    shape: str  # of SIZES, or MESH
-    size: tuple[float, ...] = ()
+    shape: str  # box, sphere, cylinder, capsule, ellipsoid, or MESH
+    size: tuple[float, ...] = ()  # edges of a box; radius, and length along z, of a cylinder and of
+    # a capsule between its half balls; half axes of an ellipsoid
     place: tuple[float, ...] = HERE  # position, and unit quaternion x, y, z, w
     colour: tuple[float, ...] = ()  # red, green, blue, opacity, 0 to 1; (): none is given
     mesh: Path | Triangles | None = None

@@ -112,6 +112,16 @@ class Result:
 
         return html(repr(self), self.recording, self.failed, targets(self.system, self.recording))
 
+    def view(self, path: Path | str, *besides: "Result") -> None:
+        """Writes a page that plays the run back in 3D, with others of the same model as ghosts.
+        Raises SimulateError."""
+        from coscrew_codegen.simulation.view.playback import view, with_poses
+
+        if any(x.q.ndim > 2 for x in (self, *besides)):
+            raise SimulateError(f"{path}: wanted one run; got a batch")
+        recording_writer.check_target(Path(path), (".html",))
+        view([with_poses(x) for x in (self, *besides)], Path(path))
+
     def write(self, path: Path | str) -> None:
         """Writes the recording, as `coscrew simulate --output` does.  Raises SimulateError."""
         if self.q.ndim > 2:

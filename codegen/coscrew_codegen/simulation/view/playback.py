@@ -6,6 +6,7 @@
 `web/` holds the sources of the player; what the templates hold of it is built from them."""
 
 from collections.abc import Iterator, Sequence, Set
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -14,10 +15,12 @@ from coscrew_codegen.backends.html import pages
 from coscrew_codegen.backends.html.pages import Json
 from coscrew_codegen.backends.render import TEMPLATES
 from coscrew_codegen.runtime.extras import pip
+from coscrew_codegen.runtime.load import kernels_for
 from coscrew_codegen.scene.mechanism.model import WORLD
+from coscrew_codegen.simulation import required_functions
 from coscrew_codegen.simulation.recordings.recording_writer import delivered
 from coscrew_codegen.simulation.recordings.result import Result
-from coscrew_codegen.simulation.system import System
+from coscrew_codegen.simulation.system import System, system
 from coscrew_codegen.simulation.view import page_signals
 from coscrew_codegen.simulation.view.body_shapes import DrawnPart, RobotDrawing, drawn, numbers_of
 from coscrew_codegen.simulation.view.mesh_files import Piece
@@ -40,12 +43,23 @@ def view(results: Sequence[Result], path: Path, besides: Sequence[PageRun] = ())
     return _unread(drawing)
 
 
+def with_poses(result: Result) -> Result:
+    """The result with a system that has the poses of all bodies."""
+    its = result.system
+    if its.has("body_poses"):
+        return result
+    kernels = kernels_for(its.scene, required_functions.of_run(
+        its.scene, result.plan.integrator, view=True), (its.precision.name,))
+    return replace(result, system=replace(system(kernels, its.precision.name), p=its.p))
+
+
 def page(results: Sequence[Result], besides: Sequence[PageRun] = (),
          drawing: RobotDrawing | None = None) -> str:
     """The text of the page."""
     first, block = results[0], NumberBlock()
     drawing = drawing or drawn(first.system)
-    runs = [run_of(x, x.system.precision.name) for x in results] + [*besides]
+    runs = [run_of(x, label) for x, label in zip(results, _labels(results), strict=True)]
+    runs += besides
     if target := target_of(first.system, runs[0]):
         runs.append(target)
     groups = page_signals.grouped(first.system, first.recording.columns,
@@ -68,6 +82,12 @@ def page(results: Sequence[Result], besides: Sequence[PageRun] = (),
         notes=[*([unread] if unread else []), *drawing.notes], source=first.provenance,
         block=block.text, player=compressed(_PLAYER.read_bytes()),
         licenses=_LICENSES.read_text(encoding="utf-8"))
+
+
+def _labels(results: Sequence[Result]) -> list[str]:
+    """The results' precisions, or numbers where these are the same."""
+    names = [x.system.precision.name for x in results]
+    return names if len({*names}) == len(names) else [f"run {n + 1}" for n, _ in enumerate(names)]
 
 
 def _sentence(result: Result) -> str:

@@ -2,13 +2,11 @@
 effect."""
 
 import math
-from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from collections.abc import Iterator, Sequence
 from functools import partial
 from itertools import zip_longest
 from pathlib import Path
 
-from markupsafe import Markup
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
@@ -28,46 +26,26 @@ _SHOWN = "forward_dynamics"
 _ABREAST = 4  # panels in a row
 
 
-@dataclass(frozen=True)
-class Drawing:
-    """A panel: its title, the function that draws it, and the texts at its artists, by their ids.
-    """
-
-    label: str
-    draw: Callable[[Axes], None]
-    titles: Mapping[str, str]
-
-
-def functions(costs: Costs) -> Iterator[Drawing]:
+def functions(costs: Costs) -> Iterator[plots.Panel]:
     """A panel for each function and unit in which any choice has an error."""
     for rows in costs.accuracy:
         for number in units_with_errors(rows):
             unit = written(rows[0].errors[number].unit)
-            yield Drawing(f"Error of {rows[0].function} against time, {unit}",
+            yield plots.Panel(f"Error of {rows[0].function} against time, {unit}",
                           partial(panel, rows=rows, number=number, needs=costs.needs),
                           dict(titles(rows, number)))
 
 
-def runs(costs: Costs) -> Iterator[Drawing]:
+def runs(costs: Costs) -> Iterator[plots.Panel]:
     """Panels of effects and of runs, if they were measured."""
     if costs.runs:
-        yield Drawing("Time of forward dynamics by effect", partial(_bars, costs=costs), {})
-        yield Drawing("Error at the end of runs against time", partial(_accuracy, costs=costs), {})
+        yield plots.Panel("Time of forward dynamics by effect", partial(_bars, costs=costs))
+        yield plots.Panel("Error at the end of runs against time",
+                          partial(_accuracy, costs=costs))
     if errors := costs.run_errors:
         names = [f"{x.cause}: {x.of}" for x in errors.rows]
-        yield Drawing("Errors of the run over time", partial(run_panel.panel, errors=errors),
+        yield plots.Panel("Errors of the run over time", partial(run_panel.panel, errors=errors),
                       dict(zip(names, names, strict=True)))
-
-
-@plots.styled
-def inline(drawing: Drawing) -> Markup:
-    """The panel as an element of a page."""
-    figure = Figure(figsize=plots.PANEL, layout="constrained")
-    drawing.draw(axes := figure.subplots())
-    if legend := axes.get_legend():
-        figure.set_figheight(plots.PANEL[1] + 0.08 * len(legend.get_texts()))
-    plots.place_labels(figure)
-    return plots.inline(figure, drawing.label, drawing.titles)
 
 
 def plot(costs: Costs, path: Path) -> None:

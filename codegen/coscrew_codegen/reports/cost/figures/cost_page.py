@@ -27,8 +27,8 @@ def page(costs: Costs, command: str) -> str:
     return pages.page(
         "cost/page.html", scene=costs.scene, about=tuple(about(costs)),
         tiers=[tier for tier in OF_SCENES if tier.name in measured],
-        functions=map(cost_figure.inline, cost_figure.functions(costs)),
-        runs=[cost_figure.inline(x) for x in cost_figure.runs(costs)],
+        functions=[x.inline for x in cost_figure.functions(costs)],
+        runs=[x.inline for x in cost_figure.runs(costs)],
         answers=[need_table.table(costs.answers)] if costs.answers else [],
         advice=[sentences(rows) for rows in costs.accuracy],
         accuracies=[x for rows in costs.accuracy for x in accuracies(rows)],

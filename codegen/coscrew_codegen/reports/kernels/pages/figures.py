@@ -1,8 +1,9 @@
 """Figures of a report as SVG, the same bytes for the same report: the headline, and per operation
 time against error and error against condition."""
 
-from collections.abc import Callable, Iterable, Mapping, Sequence
-from dataclasses import dataclass, replace
+from collections.abc import Callable, Iterable, Sequence
+from dataclasses import replace
+from functools import partial
 from math import isfinite, nan
 
 import numpy as np
@@ -12,13 +13,14 @@ from matplotlib.ticker import SymmetricalLogLocator
 
 from coscrew_codegen.accuracy.tiers import TIERS
 from coscrew_codegen.backends.html.plots import (
-    PANEL,
     Mark,
+    Panel,
     legend_below,
     logarithmic,
     place_labels,
     scatter,
     styled,
+    svg,
 )
 from coscrew_codegen.program.values.formats import BY_NAME
 from coscrew_codegen.reports.kernels.pages.overview import (
@@ -36,31 +38,51 @@ from coscrew_codegen.reports.kernels.report_json import ProvenBound, Report, Rep
 _COLOURS = {tier.name: tier.colours[0] for tier in TIERS}
 
 
-@dataclass(frozen=True)
-class Drawing:
-    """A figure with its label, and the texts at its marks."""
-
-    figure: Figure
-    label: str
-    titles: Mapping[str, str]
-
-
 @styled
-def drawings(report: Report, operations: tuple[str, ...]) -> dict[str, Drawing]:
-    """The figures by file name, the headline first."""
-    drawn = {"headline.svg": _headline(report, PRECISIONS)}
+def figures(report: Report, operations: tuple[str, ...]) -> dict[str, str]:
+    """The SVG texts by file name: the headline, and each panel of the operations."""
+    figure = Figure(figsize=(9, 4), layout="constrained")
+    for axes, panel in zip(figure.subplots(1, 2, sharey=True), headline(report), strict=True):
+        panel.draw(axes)
+    figure.axes[1].set_ylabel("")
+    place_labels(figure)
+    return {"headline.svg": svg(figure), **{
+        f"{name}.svg": svg(x.alone) for name, x in panels(report, operations).items()}}
+
+
+def headline(report: Report) -> tuple[Panel, ...]:
+    """Accuracy against time: one panel per precision, one line per operation."""
+    names, layout = headline_operations(report), first_layout(report)
+    return tuple(Panel(
+        f"What accuracy costs in {precision} precision",
+        partial(_tiers, title=f"{precision} precision", layout=layout, name=_operation, lines=[
+            [e for e in report.entries if (e.operation, e.precision) == (name, precision)]
+            for name in names]), _titles(report.entries, layout)) for precision in PRECISIONS)
+
+
+def panels(report: Report, operations: tuple[str, ...]) -> dict[str, Panel]:
+    """The panels of operations by name: time against the worst error, error against condition."""
+    layout, results = first_layout(report), {}
     for name in operations:
         entries = [entry for entry in report.entries if entry.operation == name]
-        drawn[f"pareto-{name}.svg"] = _pareto(name, entries, first_layout(report))
+        titles = _titles(entries, layout)
+        results[f"pareto-{name}"] = Panel(
+            f"Time against worst error of {name}",
+            partial(_tiers, title=name, layout=layout, name=_precision, lines=[
+                [e for e in entries if e.precision == precision] for precision in PRECISIONS]),
+            titles)
         if any(map(_finite_pairs, entries)):
-            drawn[f"condition-{name}.svg"] = _condition(name, entries)
-    return drawn
+            results[f"condition-{name}"] = Panel(f"Error of {name} against condition",
+                                                 partial(_condition, entries=entries), titles)
+    return results
 
 
-@styled
-def headlines(report: Report) -> tuple[Drawing, ...]:
-    """The panels of the headline alone, as wide as a phone."""
-    return tuple(_headline(report, (precision,)) for precision in PRECISIONS)
+def _operation(entry: ReportEntry) -> str:
+    return entry.operation
+
+
+def _precision(entry: ReportEntry) -> str:
+    return entry.precision
 
 
 def _titles(entries: Iterable[ReportEntry], layout: str) -> dict[str, str]:
@@ -74,41 +96,8 @@ def _title(entry: ReportEntry, layout: str) -> str:
             f"{', dominated' if time and time.dominated else ''}")
 
 
-def _headline(report: Report, precisions: Sequence[str]) -> Drawing:
-    """Accuracy against time: one panel per precision, one line per operation."""
-    width = 9.0 if len(precisions) > 1 else PANEL[0]
-    figure, layout = Figure(figsize=(width, 4), layout="constrained"), first_layout(report)
-    panels = figure.subplots(1, len(precisions), sharey=True, squeeze=False).flat
-    shown = [e for e in report.entries if e.operation in headline_operations(report)]
-    for axes, precision in zip(panels, precisions, strict=True):
-        axes.set_title(f"{precision} precision")
-        _tiers(axes, [[e for e in shown if (e.operation, e.precision) == (name, precision)]
-                      for name in headline_operations(report)], layout, lambda e: e.operation)
-    for axes in figure.axes[1:]:
-        axes.set_ylabel("")
-    place_labels(figure)
-    of = "" if len(precisions) > 1 else f" in {precisions[0]} precision"
-    return Drawing(figure, f"What accuracy costs{of}: time per element against worst error",
-                   _titles(shown, layout))
-
-
-def _pareto(operation: str, entries: list[ReportEntry], layout: str) -> Drawing:
-    """Time against the worst error of one operation; hollow marks are dominated."""
-    figure, axes = _panel(operation)
-    _tiers(axes, [[e for e in entries if e.precision == precision] for precision in PRECISIONS],
-           layout, lambda e: e.precision)
-    place_labels(figure)
-    return Drawing(figure, f"Time against worst error of {operation}", _titles(entries, layout))
-
-
-def _panel(title: str) -> tuple[Figure, Axes]:
-    figure = Figure(figsize=PANEL, layout="constrained")
-    return figure, figure.add_subplot(title=title)
-
-
-def _tiers(axes: Axes, lines: Sequence[list[ReportEntry]], layout: str,
-           name: Callable[[ReportEntry], str]
-           ) -> None:
+def _tiers(axes: Axes, title: str, lines: Sequence[list[ReportEntry]], layout: str,
+           name: Callable[[ReportEntry], str]) -> None:
     """Draws one mark per tier at (ns, worst error); undominated ones are joined, and the fastest of
     these is named."""
     marks: list[Mark] = []
@@ -119,8 +108,8 @@ def _tiers(axes: Axes, lines: Sequence[list[ReportEntry]], layout: str,
         marks += [replace(x, label=name(entries[0])) if best and x is best[0] else x for x in its]
     scatter(axes, marks)
     entries = [entry for line in lines for entry in line]
-    axes.set_xlabel(f"ns per element: {layout}")
-    axes.set_ylabel(f"worst error, hard inputs ({_measures(entries)})")
+    axes.set(title=title, xlabel=f"ns per element: {layout}",
+             ylabel=f"worst error, hard inputs ({_measures(entries)})")
     for tier in tiers_of(entries):
         axes.plot([], [], "o", color=tier.colours[0], label=tier.name)
     if entries:
@@ -135,9 +124,8 @@ def _mark(entry: ReportEntry, layout: str) -> Mark | None:
                 _COLOURS[entry.tier], BY_NAME[entry.precision].marker, time.dominated)
 
 
-def _condition(operation: str, entries: list[ReportEntry]) -> Drawing:
+def _condition(axes: Axes, entries: list[ReportEntry]) -> None:
     """Errors against condition, and the proven bounds 1 + (c1 + c2 u) S/|x| as lines."""
-    figure, axes = _panel(f"{operation}: errors, bounds as lines")
     for entry in entries:
         if pairs := _finite_pairs(entry):
             axes.plot(*zip(*pairs, strict=True), BY_NAME[entry.precision].marker, markersize=3,
@@ -145,14 +133,13 @@ def _condition(operation: str, entries: list[ReportEntry]) -> Drawing:
                       label=f"{entry.precision} {entry.tier}", gid=entry_name(entry))
             if entry.bound:
                 _bound_line(axes, entry, entry.bound, [x for x, _ in pairs])
-    axes.set(xlabel="condition S/|x|", ylabel=f"error ({_measures(entries)})")
+    axes.set(title=f"{entries[0].operation}: errors, bounds as lines", xlabel="condition S/|x|",
+             ylabel=f"error ({_measures(entries)})")
     logarithmic(axes.xaxis)
     axes.set_yscale("symlog", linthresh=0.1)  # ulp: linear below, so that it has a zero
     axes.yaxis.set_major_locator(SymmetricalLogLocator(base=1000, linthresh=0.1))
     axes.set_ylim(0)
     legend_below(axes)
-    return Drawing(figure, f"Error of {operation} against condition",
-                   {entry_name(x): f"{entry_name(x)}: errors" for x in entries})
 
 
 def _finite_pairs(entry: ReportEntry) -> list[tuple[float, float]]:

@@ -29,7 +29,7 @@ def limits_used(scene: Scene, accuracy: Collection[Tolerance]) -> set[tuple[str,
     """The limits of joints, as (joint, field), between which states are drawn for these."""
     fields = {"lower", "upper"}
     of = {x.function for x in accuracy}
-    for takes in (x.takes for x in functions_of(scene) if x.name in of):
+    for takes in (x.takes for x in functions_of(scene, of) if x.name in of):
         if not {*takes} <= {"q"}:
             fields.add("velocity")
         if "tau" in takes:

@@ -1,12 +1,10 @@
 """Draws figures of a sweep: a column's distribution and its sensitivity to each varied input."""
 
-from collections.abc import Callable
 from functools import partial
 
 import numpy as np
 from markupsafe import Markup
 from matplotlib.axes import Axes
-from matplotlib.figure import Figure
 
 from coscrew_codegen.backends.html import plots
 from coscrew_codegen.simulation.sweep.member_summary import STATISTICS
@@ -18,25 +16,19 @@ _MAP, _FAILED = "viridis", "#d62728"
 _SIZE = (3.3, 2.7)  # inches: four stand in a row of a wide page, one on a phone
 
 
-@plots.styled
 def figures(column: ColumnStatistics) -> list[Markup]:
     """Draws the figures of a column: its distribution, members against the varied quantities in
     the order given, and its mean over the first two."""
-    drawn = [_alone(f"distribution of {column.own.name}", partial(_distribution, column=column))]
-    drawn += [_alone(f"{column.own.name} against {column.axes[i].name}",
-                     partial(_against, column=column, i=i))
-              for i in range(min(_MOST, len(column.axes)))]
+    name = column.own.name
+    panels = [plots.Panel(f"distribution of {name}", partial(_distribution, column=column),
+                          size=_SIZE)]
+    panels += [plots.Panel(f"{name} against {axis.name}", partial(_against, column=column, i=i),
+                           size=_SIZE) for i, axis in enumerate(column.axes[:_MOST])]
     if pair := next(iter(column.pairs), None):
         names = " and ".join(column.axes[i].name for i in pair)
-        drawn.append(_alone(f"mean of {column.own.name} over {names}",
-                            partial(_means, column=column, pair=pair)))
-    return drawn
-
-
-def _alone(label: str, draw: Callable[[Axes], None]) -> Markup:
-    drawn = Figure(figsize=_SIZE, layout="constrained")
-    draw(drawn.subplots())
-    return plots.inline(drawn, label)
+        panels.append(plots.Panel(f"mean of {name} over {names}",
+                                  partial(_means, column=column, pair=pair), size=_SIZE))
+    return [x.inline for x in panels]
 
 
 def _means(axes: Axes, column: ColumnStatistics, pair: tuple[int, int]) -> None:
