@@ -47,7 +47,8 @@ def used_elsewhere() -> set[str]:
     lexed = (Environment().lex(path.read_text("utf-8"))
              for path in (ROOT / "templates").rglob("*.jinja"))
     results = {text for tokens in lexed for _, kind, text in tokens if kind == "name"}
-    for path in (*(ROOT / "templates").rglob("load.js"), *(ROOT / "web/src").glob("*.js")):
+    scripts = (*(ROOT / "templates").rglob("*.js"), *(ROOT / "web/src").glob("*.js"))
+    for path in (x for x in scripts if not x.name.endswith(".min.js")):
         results.update(re.findall(r"[^\W\d]\w*", path.read_text("utf-8")))
     for path in (*(ROOT / "docs").glob("*.md"), ROOT / "README.md", ROOT / "CONTRIBUTING.md"):
         for block in re.findall(r"```python\n(.*?)```", path.read_text("utf-8"), re.S):

@@ -70,8 +70,9 @@ def test_scenes_are_simulated_recorded_plotted_and_shown(scene, tmp_path, capsys
         assert float(rows[-1][0]) == 0.3 and len(rows) == 32  # names, then every 0.01 s
         assert all(math.isfinite(float(x)) for row in rows[1:] for x in row)
     assert plot.stat().st_size > 1000
-    names = json.dumps([body.name for body in read_scene(scene).model.bodies])
-    assert names.replace(", ", ",") in page.read_text()
+    data = re.search(r'id="data">(.*?)</script>', page.read_text(), re.S)
+    assert [body["name"] for body in json.loads(data[1])["bodies"]] == [
+        body.name for body in read_scene(scene).model.bodies]
 
 
 def test_scenes_are_generated_as_c_that_compiles_clean(scene, tmp_path):

@@ -10,9 +10,18 @@ import numpy as np
 import pytest
 from mpmath import mpf
 
+from coscrew_codegen.algebra.recording.numbers import less, where
 from coscrew_codegen.dynamics import derive
 from coscrew_codegen.dynamics.derivation import Derivation
 from coscrew_codegen.program.scene_functions import SceneFunctions
+from coscrew_codegen.scene.effect import (
+    CoordinateState,
+    Effect,
+    ParameterOf,
+    Place,
+    Torque,
+    Values,
+)
 from coscrew_codegen.scene.joints import KINDS
 from coscrew_codegen.scene.mechanism.model import Inertia
 from coscrew_codegen.scene.scene import Applied, Scene, Setting
@@ -124,3 +133,15 @@ def test_base_of_a_double_pendulum() -> None:
 def test_base_of_a_slider_is_its_mass() -> None:
     base = Derivation(m.scene(m.slider(), m.gravity(-9, 0, 0))).linear.base
     assert base.combinations == (((0, Fraction(1)),),)
+
+
+def test_a_number_on_which_a_choice_depends_is_no_column() -> None:
+    """Though its slope is constant wherever there is one."""
+    def law(x: CoordinateState, y: Values) -> Torque:
+        return Torque(y["k"] * x.v + y["at"] * x.v + where(less(x.q, y["at"]), 0, 1))
+
+    odd = Effect("odd", "jumps", "tau", Place.JOINT, (
+        ParameterOf("k", "N m s/rad", "damping"), ParameterOf("at", "rad", "place")),
+        joint_torque=law)
+    scene = m.scene(m.pendulum(), Applied(odd, "j0", {"k": Fraction(1), "at": Fraction(2)}))
+    assert Derivation(scene).linear.names[10:] == ("odd.j0.k",)

@@ -12,6 +12,7 @@ from mpmath import mpf
 
 from coscrew_codegen import load_scene
 from coscrew_codegen.dynamics import derive
+from coscrew_codegen.program.scene_functions import SceneFunctions
 from coscrew_codegen.runtime.load import Kernels
 from coscrew_codegen.scene.effect_quantities import units_of
 from coscrew_codegen.scene.mechanism.model import Body, Joint, Model
@@ -22,7 +23,7 @@ from tests.scenes.test_derivatives_of_dynamics import INVERSE, check, values
 from tests.support.each import each_precision
 from tests.support.scenes.effect_laws import assert_same, multiprecise
 from tests.support.scenes.effect_scenes import mechanism
-from tests.support.scenes.evaluation import MULTIPRECISE, Evaluated
+from tests.support.scenes.evaluation import DOUBLE, MULTIPRECISE, Evaluated, evaluator
 from tests.support.scenes.generated_scenes import imported
 from tests.support.scenes.kinds import Kind
 from tests.support.scenes.mechanisms import (
@@ -189,17 +190,36 @@ def test_gradients_of_energies_are_differences() -> None:
     assert max(abs(a - b) for a, b in zip(result, wanted, strict=True)) < mpf(10)**-20
 
 
-@pytest.mark.parametrize("model, rest", [
-    (ball(), quaternion(0, 0, 0, 1)), (free_body(), [mpf(0)] * 3 + quaternion(0, 0, 0, 1))],
-    ids=["ball", "free"])
-def test_derivatives_at_rest_are_the_stiffness(model: Model, rest: list[mpf]) -> None:
+def at_rest(functions: SceneFunctions, name: str, q: list[float]) -> np.ndarray:
+    """A function in double precision at q, without velocities, for a step of 0.1 s."""
+    program = functions.named(name).program
+    given = {"q": q, "h": [0.1]}
+    with np.errstate(all="ignore"):
+        return np.array(evaluator(program, DOUBLE)([
+            [np.float64(x) for x in given.get(a.name, [0.0] * a.quantity.size)]
+            for a in program.inputs]), float)
+
+
+NEUTRAL = [0.0, 0.0, 0.0, 1.0]
+
+
+@pytest.mark.parametrize("model, rest", [(ball(), NEUTRAL), (free_body(), [0.0] * 3 + NEUTRAL)],
+                         ids=["ball", "free"])
+def test_derivatives_at_rest_are_the_stiffness(model: Model, rest: list[float]) -> None:
     """The torque has the derivative k 1 where the angle has none."""
-    made = scene(model, applied("spring", "j0", k=7))
-    functions = derive(made, (INVERSE,))
+    functions = derive(scene(model, applied("spring", "j0", k=7)), (INVERSE,))
     n = functions.nv
-    result = values(functions, INVERSE, {"q": rest, "v": [mpf(0)] * n, "a": [mpf(0)] * n})
-    wanted = [mpf(7 * (i == j)) for i in range(n) for j in range(n)]
-    assert_same(result[:n * n], wanted)
+    assert (at_rest(functions, INVERSE, rest)[:n * n].reshape(n, n) == 7 * np.eye(n)).all()
+
+
+def test_a_step_from_rest_has_the_derivatives_of_the_midpoint_rule() -> None:
+    """With s = h² k/4I: [[1 - s, h], [-h k/I, 1 - s]] / (1 + s), along each axis."""
+    made = scene(ball(moments=(2, 2, 2, 0, 0, 0)), applied("spring", "j0", k=7))
+    functions = derive(made, ("step_leapfrog_derivatives",))
+    A = at_rest(functions, "step_leapfrog_derivatives", NEUTRAL)[7:].reshape(6, 6)
+    s = 0.1**2 * 7 / 8
+    wanted = np.kron(np.array([[1 - s, 0.1], [-0.1 * 7 / 2, 1 - s]]) / (1 + s), np.eye(3))
+    assert np.abs(A - wanted).max() < 1e-15
 
 
 def test_implicit_steps_take_damping_and_stiffness_along_velocities() -> None:

@@ -60,7 +60,7 @@ def of_potential(x: FunctionRecording, motion: Motion) -> Vector:
 
 def _gradient(x: FunctionRecording, energy: Energy) -> Vector:
     """∂/∂q of an energy, by the adjoint of its Program."""
-    recorder = Recorder(x.recorder.inputs, smooth=True)
+    recorder = Recorder(x.recorder.inputs)
     with recorder.part("energy"):
         inner = FunctionRecording(x.scene, x.tree, x.names, recorder)
         program = recorder.program(

@@ -90,10 +90,10 @@ def _read(path: Path) -> Scene:
         if "implausible" not in str(error):
             raise
         scene = read_scene(path, overrides=replace(given, implausible=WARN))
-    if reader and reader.name == "MJCF":
-        return replace(scene, effects=tuple(
-            x for x in scene.effects if x.effect.name != "actuator"))
-    return replace(scene, effects=tuple(x for x in scene.effects if x.effect.name == "gravity"))
+    mjcf = reader is not None and reader.name == "MJCF"
+    return replace(scene, parameters=(), effects=tuple(
+        x for x in scene.effects if (x.effect.name != "actuator" if mjcf else
+                                     x.effect.name == "gravity")))
 
 
 def _states(scene: Scene, functions: SceneFunctions, path: Path, format_: str

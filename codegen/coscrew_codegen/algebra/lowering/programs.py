@@ -7,7 +7,7 @@ from coscrew_codegen.algebra.lowering.kernel import kernel_of
 from coscrew_codegen.algebra.lowering.passes import simplified
 from coscrew_codegen.algebra.lowering.schedule import plain
 from coscrew_codegen.algebra.operations import OPERATIONS, Operation
-from coscrew_codegen.program import Op, Program
+from coscrew_codegen.program import Program
 from coscrew_codegen.program.program import has_rounded_constants
 
 _OPERATIONS = {operation.name: operation for operation in OPERATIONS}
@@ -32,13 +32,6 @@ def smooth_program(operation: Operation) -> Program:
     """The operation's program for derivatives: the same function, with results whose last digits
     differ where they are series."""
     return plain(simplified(kernel_of(operation, smooth=True)))
-
-
-def smooth_library_program(name: str) -> Program:
-    """The program of an operation of the library for derivatives: another one if it takes the angle
-    of a length, which has no derivative at zero."""
-    program = library_program(name)
-    return smooth_program(_OPERATIONS[name]) if Op.ATAN2 in program.counts else program
 
 
 def library_program(name: str) -> Program:

@@ -19,7 +19,7 @@ from dataclasses import replace
 from fractions import Fraction
 from functools import partial
 
-from coscrew_codegen.algebra.lowering.programs import library_program, smooth_library_program
+from coscrew_codegen.algebra.lowering.programs import library_program
 from coscrew_codegen.algebra.recording.naming import NamePart, named
 from coscrew_codegen.algebra.recording.numbers import Number
 from coscrew_codegen.program import (
@@ -55,11 +55,10 @@ class Recorder:
     """Issues instructions in order and names them after the values that they belong to.
 
     `fine` says that operations are recorded in the form for twice the digits; `differs` says that
-    one of them has another program then.  `smooth`: what is recorded will be differentiated."""
+    one of them has another program then."""
 
-    def __init__(self, inputs: Sequence[Argument], fine: bool = False, smooth: bool = False):
+    def __init__(self, inputs: Sequence[Argument], fine: bool = False):
         self.inputs, self._fine, self.differs = tuple(inputs), fine, False
-        self._program_of = smooth_library_program if smooth else library_program
         self._instructions: list[Instruction] = []
         self._by_name: dict[str, Instruction] = {}
         self._issued: dict[tuple[Op, tuple[Operand, ...]], Ref] = {}
@@ -142,7 +141,7 @@ class Recorder:
         """All components of the operation's outputs; records its program on the arguments."""
         if operation not in self._replays:
             self._replays[operation] = interpreter(
-                self.form(self._program_of(operation)), self._arithmetic)
+                self.form(library_program(operation)), self._arithmetic)
         return self._replayed(self._replays[operation], arguments)
 
     def form(self, program: Program) -> Program:

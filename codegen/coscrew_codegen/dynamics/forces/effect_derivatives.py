@@ -60,7 +60,7 @@ def _recorded(x: FunctionRecording, torques: Torques, given: dict[str, Sequence[
     own = {a.name: a for a in x.recorder.inputs}
     inputs: list[Argument] = [a for a in own.values() if a.name in ("t", "p", "q", "v", "a")]
     inputs += [array(name, (nv,)) for name in given if name not in own]
-    recorder = Recorder(inputs, smooth=True)
+    recorder = Recorder(inputs)
     with recorder.part("tau"):
         results = torques(FunctionRecording(x.scene, x.tree, x.names, recorder))
         return recorder.program("torques", [(array("tau", (nv,)), results)])

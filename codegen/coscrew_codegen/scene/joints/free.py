@@ -18,7 +18,6 @@ from coscrew_codegen.scene.mechanism.joint_kind import (
     Screw,
     call,
     numbers,
-    quaternion_deviation,
     quaternion_difference,
     quaternion_integrated,
     quaternion_rate,
@@ -73,7 +72,7 @@ def _deviation(q: Numbers, q0: Numbers) -> Numbers:
     """(R^T (x - x0); the rotation vector of q0* q)."""
     apart = subtract(tuple(q[:3]), tuple(q0[:3]))
     return (*rotated_back(call("mat3x3_from_quaternion", q[3:]), apart),
-            *quaternion_deviation(q[3:], q0[3:]))
+            *quaternion_difference(q[3:], q0[3:]))
 
 
 def _inertial(v: Numbers) -> Numbers:

@@ -9,7 +9,6 @@ from coscrew_codegen.scene.mechanism.joint_kind import (
     Manifold,
     Numbers,
     Screw,
-    quaternion_deviation,
     quaternion_difference,
     quaternion_integrated,
     quaternion_rate,
@@ -41,5 +40,5 @@ JOINT = JointKind(
     "spherical", 50, "turns freely", (ROTATION,), "quaternion (x, y, z, w)",
     "angular velocity in rad/s in the body's frame", _displacement, _subspace,
     manifold=Manifold(quaternion_integrated, quaternion_difference, _bracket, _rates,
-                      quaternion_velocity, deviation=quaternion_deviation),
+                      quaternion_velocity, deviation=quaternion_difference),
     urdf="spherical", synonyms=("ball", "socket"))

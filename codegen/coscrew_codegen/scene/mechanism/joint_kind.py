@@ -12,7 +12,15 @@ from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
 
-from coscrew_codegen.algebra.recording.numbers import Number, Vector, scaled, sqrt
+from coscrew_codegen.algebra.recording.numbers import (
+    Number,
+    Vector,
+    dot,
+    equal,
+    scaled,
+    sqrt,
+    where,
+)
 
 Numbers = Sequence[Number]
 Screw = tuple[Number, ...]  # six: linear, angular
@@ -255,20 +263,18 @@ def quaternion_integrated(q: Numbers, step: Numbers) -> tuple[Number, ...]:
     return scaled(1 / sqrt(square), turned)
 
 
-def quaternion_deviation(q: Numbers, q0: Numbers) -> tuple[Number, ...]:
-    """The rotation vector of q0* q."""
-    x, y, z, w = q0
-    return call("quaternion_log", call("quaternion_product_qq", (-x, -y, -z, w), q))
-
-
 def quaternion_rate(x: JointState, q: Numbers, omega: Numbers) -> tuple[Number, ...]:
     """q (ω; 0) / 2."""
     return x.quaternion_product(q, (*(w / 2 for w in omega), *x.numbers((0,))))
 
 
 def quaternion_difference(q1: Numbers, q0: Numbers) -> tuple[Number, ...]:
-    """The rotation vector of q0* q1."""
-    return call("quaternion_log", call("quaternion_product_qq", _conjugated(q0), q1))
+    """The rotation vector of q0* q1.  That of a quaternion (v; w) near ±1 is 2 w v: there the
+    length of v, by which the logarithm divides, has no derivative."""
+    between = call("quaternion_product_qq", _conjugated(q0), q1)
+    v, w = tuple(between[:3]), between[3]
+    near, turn = equal(dot(v, v), 0), call("quaternion_log", between)
+    return tuple(where(near, 2 * w * x, y) for x, y in zip(v, turn, strict=True))
 
 
 def quaternion_velocity(q: Numbers, rate: Numbers) -> tuple[Number, ...]:

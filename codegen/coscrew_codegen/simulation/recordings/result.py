@@ -118,7 +118,7 @@ class Result:
         from coscrew_codegen.simulation.view.playback import view, with_poses
 
         if any(x.q.ndim > 2 for x in (self, *besides)):
-            raise SimulateError(f"{path}: wanted one run; got a batch, of which member(i) is one")
+            raise SimulateError(f"{path}: wanted one run; got a batch")
         recording_writer.check_target(Path(path), (".html",))
         view([with_poses(x) for x in (self, *besides)], Path(path))
 

@@ -14,7 +14,7 @@ from pathlib import Path
 
 import numpy as np
 
-from coscrew_codegen.runtime import cache
+from coscrew_codegen.runtime import cache, sources
 from coscrew_codegen.scene.mechanism.visual import Triangles, Visual
 
 PACKAGES = ("trimesh", "fast_simplification", "collada")
@@ -48,7 +48,7 @@ def meshes(visuals: Sequence[Visual], most: int = TRIANGLES) -> list[Pieces | st
     """The pieces of each visual's mesh, or why there are none; equal meshes are the same object."""
     distinct = {identity: x for x in visuals if (identity := _identity(x))}
     tools = [version(x) for x in ("trimesh", "fast-simplification")] if installed() else []
-    key = cache.key_of("meshes", str(most), *distinct, *tools)
+    key = cache.key_of(sources.digest_of(__name__), str(most), *distinct, *tools)
 
     def made() -> bytes:
         return _stored(_simplified([_read(x) for x in distinct.values()], most))
