@@ -21,7 +21,7 @@ from coscrew_codegen.scene.scene import Scene
 from coscrew_codegen.scene.scene_function import SceneFunction
 from tests.scenes.test_derivatives_of_dynamics import ACTING, scene_with, state
 from tests.support.scenes import mechanisms as m
-from tests.support.scenes.evaluation import DOUBLE, evaluator, without_errors
+from tests.support.scenes.evaluation import DOUBLE, SINGLE, evaluator, without_errors
 
 STEP = mpf(10)**-18
 CLOSE = mpf(10)**-24
@@ -229,6 +229,12 @@ alpha = 0.3
 [effects.coulomb.hinge]
 tau_c = 2
 eps = 0.01
+[effects.actuator.hinge]
+kind = "pd"
+kp = 20
+kd = 2
+target = 1
+limit = 5
 [effects.joint_drag.hinge]
 c = 0.2
 [effects.drag.dust]
@@ -259,10 +265,11 @@ def test_they_are_numbers_at_corners(tmp_path: Path, name: str) -> None:
             for f in functions.functions:
                 arguments = [given.get(a.name, [float(a.name[:2] in ("d_", "w_"))]
                                        * a.quantity.size) for a in f.program.inputs]
-                with np.errstate(all="ignore"):
-                    result = evaluator(f.program, DOUBLE)([
-                        [np.float64(x) for x in y] for y in arguments])
-                assert np.isfinite(np.array(result, float)).all(), (f.name, angle, first, second)
+                for numbers in (DOUBLE, SINGLE):
+                    with np.errstate(all="ignore"):
+                        result = evaluator(f.program, numbers)([
+                            [numbers.number(x) for x in y] for y in arguments])
+                    assert np.isfinite(np.array(result, float)).all(), (f.name, angle, first)
 
 
 def test_chart_turns_velocities_into_rates(scene: Scene) -> None:

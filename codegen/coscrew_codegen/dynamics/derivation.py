@@ -142,7 +142,8 @@ class Derivation:
             (place, self.headings.get(heading, heading)) for place, heading in headings(program)),
             units=self._units(entry))
         refuse_products(scene, function)
-        refuse_quotients(scene, function, self._at_rest(given))
+        if not entry.differentiates:  # which divide by squares where no option takes the quotient
+            refuse_quotients(scene, function, self._at_rest(given))
         return function
 
     def _argument(self, x: Array) -> Argument:
