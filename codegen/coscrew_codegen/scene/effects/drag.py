@@ -15,8 +15,8 @@ from coscrew_codegen.scene.effect import (
 )
 
 _AT_REST = Fraction(1, 10**15)
-"""m/s: the smallest divisor |u| in u/|u|; where it is larger than |u|, the slopes vanish.  Its square
-is in single precision's range, for derivatives."""
+"""m/s: the smallest divisor |u| in u/|u|; where it is larger than |u|, the slopes vanish.  Its
+square is in single precision's range, for derivatives."""
 
 
 def _force(state: BodyState, values: Values) -> Force:
