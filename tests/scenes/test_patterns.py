@@ -133,7 +133,7 @@ def test_patterns_of_quantities_are_whole_ones_or_else_components(texts, names, 
 
 
 ALL = tuple("""
-energy momentum power
+center_of_mass center_of_mass_velocity energy momentum power
 q.left_hip q.left_knee q.right v.left_hip v.left_knee v.right a.left_hip a.left_knee a.right
 pose.base pose.hand pose.h[1] position.base position.hand position.h[1]
 twist.base twist.hand twist.h[1] reaction.left_hip reaction.left_knee reaction.right
