@@ -80,7 +80,8 @@ class _Maps:
     def of(self, q: np.ndarray, v: np.ndarray, a: np.ndarray
            ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
         """Drake's q, T with v = T v_ours, and Drake's accelerations."""
-        nq, nv = self.plant.num_positions(), self.plant.num_velocities()  # type: ignore[attr-defined]
+        nq = self.plant.num_positions()  # type: ignore[attr-defined]
+        nv = self.plant.num_velocities()  # type: ignore[attr-defined]
         there, T, extra = np.zeros(nq), np.zeros((nv, len(v))), np.zeros(nv)
         for c in self.coordinates:
             x, columns = q[c.q.start:c.q.stop], range(c.v.start, c.v.stop)
