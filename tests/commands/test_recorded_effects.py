@@ -269,7 +269,7 @@ def test_effects_add_up_to_the_energy_and_power_of_the_scene(everything: Evaluat
 
 
 def test_every_effect_that_acts_has_quantities(everything: Evaluated) -> None:
-    acting = {name for name, x in CATALOGUE.items() if not (x.mimic or x.reaction)}
+    acting = {name for name, x in CATALOGUE.items() if not (x.mimic or x.reaction or x.wind)}
     assert {x.effect.name for x in functions_of_effects(everything.scene).values()} == acting
     for name, (_, applied, quantity) in quantities_by_name(everything.scene).items():
         assert name == f"{applied.name}.{quantity}"

@@ -25,9 +25,9 @@ from tests.support.scenes.mechanisms import Y, applied, gravity, inertia, scene
 SCENES: dict[str, Scene] = {
     "falling": scene(mechanism(), gravity()),
     "all effects": scene(mechanism(), *effects(*PLACES)), "arm": scene(arm(), *effects(*PLACES))}
-FREE = re.compile(r"(total|solution|speeds|parts|pair_[0-9]+|later|part|[a-z0-9_]+_"
+FREE = re.compile(r"(total|solution|speeds|wind|parts|pair_[0-9]+|later|part|[a-z0-9_]+_"
                   rf"({'|'.join(PLACES)}))_[0-9]+|(sin|cos)_[a-z]+[0-9]*")
-"""Names that belong to no link: solutions, pairs, effects, sines of arguments."""
+"""Names that belong to no link: solutions, wind, pairs, effects, sines of arguments."""
 
 
 @pytest.fixture(scope="module", params=SCENES)
