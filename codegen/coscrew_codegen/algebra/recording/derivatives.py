@@ -11,7 +11,7 @@ from coscrew_codegen.algebra.recording import numbers
 from coscrew_codegen.algebra.recording.choices import Choices
 from coscrew_codegen.algebra.recording.numbers import Number
 from coscrew_codegen.algebra.recording.recorder import Recorder, array
-from coscrew_codegen.program import Instruction, Op, Program, Ref, differentiate
+from coscrew_codegen.program import Instruction, Op, Program, differentiate
 from coscrew_codegen.program.differentiate import Dual
 from coscrew_codegen.program.ops import DerivativeFunctions, Slopes
 from coscrew_codegen.program.values.quantity import Argument
@@ -36,19 +36,9 @@ def tangent(program: Program) -> Program:
 def along(program: Program, recorder: Recorder, given: Sequence[Sequence[Dual[Number]]]
           ) -> list[Dual[Number]]:
     """The results on numbers of a recording, with their derivatives along the directions that these
-    carry.
-
-    A divisor that is chosen, as in x / max(x, 1e-30), does not change where it is the constant,
-    even if the square of its reciprocal overflows."""
-    chosen = {x.name for x in program.instructions if x.op is Op.SELECT}
-
-    def product(step: Instruction, partial: Any, slope: Number) -> Any:
-        divisor = step.operands[-1]
-        if step.op is Op.DIV and isinstance(divisor, Ref) and divisor.name in chosen:
-            return numbers.where(numbers.equal(slope, 0), 0, slope * partial)
-        return _of_root_of_zero(step, partial, slope)
-
-    return differentiate.tangent(program, recorder.arithmetic, numbers, given, _partials, product)
+    carry."""
+    return differentiate.tangent(program, recorder.arithmetic, numbers, given, _partials,
+                                 _of_root_of_zero)
 
 
 def adjoint(program: Program) -> Program:
