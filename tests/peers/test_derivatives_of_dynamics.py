@@ -8,12 +8,11 @@ import pinocchio as pin
 import pytest
 
 from coscrew_codegen.dynamics import derive
-from coscrew_codegen.program import Constant, Program
+from coscrew_codegen.program import Constant
 from coscrew_codegen.program.flops import flops
-from tests.support.scenes import evaluation
+from tests.support.scenes.robot_results import STATES, apart, evaluated, full
 from tests.support.scenes.robots import Robot, model_of, paired, scene_of
 
-STATES = 4
 INVERSE, FORWARD = "inverse_dynamics_derivatives", "forward_dynamics_derivatives"
 ROBOTS = (
     ("ur_description/urdf/ur5_robot.urdf", False, False),
@@ -61,23 +60,6 @@ def test_jacobians_in_the_worlds_axes_and_accelerations_are_pinocchios(
             assert apart(results[name][k].reshape(wanted.shape), wanted) <= 1e-13
         wanted = pin.getFrameClassicalAcceleration(x.model, data, frame, pin.LOCAL).vector
         assert apart(results[names[2]][k], wanted) <= 1e-13
-
-
-def evaluated(program: Program, given: dict[str, np.ndarray]) -> np.ndarray:
-    """The results of each state."""
-    columns = evaluation.evaluator(program, evaluation.DOUBLE)(
-        [list(given[a.name].T) for a in program.inputs])
-    return np.stack([np.broadcast_to(np.asarray(y, float), STATES) for y in columns], -1)
-
-
-def full(upper: np.ndarray) -> np.ndarray:
-    """The symmetric matrix whose upper triangle this has."""
-    return np.triu(upper) + np.triu(upper, 1).T
-
-
-def apart(result: np.ndarray, wanted: np.ndarray) -> float:
-    """The largest difference, relative to the largest number."""
-    return float(np.abs(result - wanted).max() / np.abs(wanted).max())
 
 
 @each_robot

@@ -7,7 +7,7 @@ import numpy as np
 import pinocchio as pin
 import pytest
 
-from tests.peers.test_derivatives_of_dynamics import STATES, apart, evaluated, full
+from tests.support.scenes.robot_results import STATES, apart, evaluated, full
 from tests.support.scenes.robots import Robot, model_of, paired, scene_of
 
 FRAMES = ("", "aligned_", "world_", "point_", "aligned_point_")

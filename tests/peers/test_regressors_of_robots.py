@@ -5,7 +5,7 @@ import numpy as np
 import pinocchio as pin
 import pytest
 
-from tests.peers.test_derivatives_of_dynamics import STATES, apart, evaluated
+from tests.support.scenes.robot_results import STATES, apart, evaluated
 from tests.support.scenes.robots import model_of, paired, scene_of
 
 ORDER = (0, 1, 2, 3, 4, 6, 9, 5, 7, 8)

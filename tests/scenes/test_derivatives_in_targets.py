@@ -12,10 +12,10 @@ from coscrew_codegen import load_scene
 from coscrew_codegen.backends.python_extension import scene_calls
 from coscrew_codegen.program.scene_functions import Signature
 from coscrew_codegen.runtime.load import Kernels
-from tests.scenes.test_differentiated_functions import TIMED
 from tests.support.each import each_precision
 from tests.support.scenes.evaluation import evaluator, without_errors
 from tests.support.scenes.generated_scenes import imported
+from tests.support.scenes.scene_texts import TIMED
 from tests.support.scenes.scene_values import inputs, same_bits
 
 STEP = "step_leapfrog_tau"

@@ -19,9 +19,10 @@ from coscrew_codegen.scene.integrators import EMITTED, named
 from coscrew_codegen.scene.readers.toml.toml_scene import read_scene
 from coscrew_codegen.scene.scene import Scene
 from coscrew_codegen.scene.scene_function import SceneFunction
-from tests.scenes.test_derivatives_of_dynamics import ACTING, scene_with, state
 from tests.support.scenes import mechanisms as m
+from tests.support.scenes.differences import ACTING, scene_with, state
 from tests.support.scenes.evaluation import DOUBLE, SINGLE, evaluator, without_errors
+from tests.support.scenes.scene_texts import TIMED
 
 STEP = mpf(10)**-18
 CLOSE = mpf(10)**-24
@@ -134,25 +135,6 @@ def test_they_are_differences_in_50_digits(scene: Scene, name: str) -> None:
 @pytest.mark.parametrize("stem", ["jacobian_", "acceleration_", "effect_"])
 def test_of_members_of_families(scene: Scene, stem: str) -> None:
     check(scene, [x for x in functions_of(scene) if x.name.startswith(stem)][2])
-
-
-TIMED = """
-runtime = ["lower.mass", "viscous.elbow.d", "actuator.elbow.kp"]
-[bodies]
-upper = { mass = 2, com = [0, 0.1, -0.25], inertia = [0.04, 0.04, 0.002] }
-lower = { mass = 1, com = [0.05, 0, -0.2], inertia = [0.01, 0.01, 0.001] }
-[joints]
-shoulder = { type = "spherical", child = "upper" }
-elbow = { type = "revolute", parent = "upper", child = "lower", axis = [0, 0.6, 0.8] }
-[effects.gravity]
-[effects.viscous]
-d = { elbow = 0.3 }
-[effects.actuator.elbow]
-kind = "pd"
-kp = 20
-kd = 2
-target = "0.5*sin(2*pi*t)"
-"""
 
 
 @pytest.fixture(scope="module")

@@ -223,9 +223,9 @@ def test_commands_end_in_one_line_and_write_nothing(tmp_path, capsys, words):
     given = [next((word.replace(x, str(path)) for x, path in names.items() if x in word), word)
              for word in words.split()]
     assert main(given) == 2
-    output = capsys.readouterr()
-    output = [line for line in output.err.splitlines() if not line.startswith("scene.toml: joint ")]
-    assert output.out == "" and len(output) == 1 and output[0].startswith("coscrew: ")
+    captured = capsys.readouterr()
+    lines = [x for x in captured.err.splitlines() if not x.startswith("scene.toml: joint ")]
+    assert captured.out == "" and len(lines) == 1 and lines[0].startswith("coscrew: ")
     assert sorted(x.name for x in tmp_path.rglob("*")) == ["file", "in", "scene.toml"]
 
 

@@ -10,13 +10,16 @@ from mpmath import mpf
 from coscrew_codegen.dynamics import derive
 from coscrew_codegen.program.scene_functions import SceneFunctions
 from coscrew_codegen.scene.joints import KINDS
-from coscrew_codegen.scene.mechanism.assembly import assembled
-from coscrew_codegen.scene.mechanism.model import WORLD, Body, Joint
 from coscrew_codegen.scene.scene import Scene
-from tests.scenes.test_derivatives_of_dynamics import STEP, scene_with, state, values
 from tests.support.scenes import effect_scenes as effects
-from tests.support.scenes import mechanisms as m
-from tests.support.scenes.kinds import Kind
+from tests.support.scenes.differences import (
+    STEP,
+    chain_with,
+    matrix,
+    scene_with,
+    state,
+    values,
+)
 
 BODY = "b3"
 FRAMES = ("", "aligned_", "world_", "point_", "aligned_point_")
@@ -27,21 +30,10 @@ CLOSE = mpf(10)**-25
 Given = dict[str, list[mpf]]
 
 
-def chain(kind: object) -> Scene:
-    """Links a, b and b3, with a joint of this kind between the first two."""
-    def link(name: str, parent: str, of: object) -> Joint:
-        return Joint(f"{name} joint", of, parent, name, m.at(1, 2, 3), m.Y,
-                     axis2=m.X if len(of.axes) > 1 else None)
-
-    bodies = [Body(x, m.inertia(2, (1, 2, 3), (20, 30, 40, 1, 2, 3))) for x in ("a", "b", BODY)]
-    joints = [link("a", WORLD, Kind.REVOLUTE), link("b", "a", kind), link(BODY, "b", Kind.REVOLUTE)]
-    return m.scene(assembled("chain", bodies, joints, Kind.FIXED), *effects.effects("gravity"))
-
-
 SCENES: dict[str, Callable[[], Scene]] = {
     "effects": lambda: scene_with([x for x in effects.PLACES if x not in ("mimic", "reaction")]),
     "followers": lambda: scene_with(["gravity", "mimic", "armature"]),
-    **{x.name: lambda x=x: chain(x) for x in KINDS if x.moves}}
+    **{x.name: lambda x=x: chain_with(x, BODY) for x in KINDS if x.moves}}
 
 
 @pytest.fixture(scope="module", params=SCENES)
@@ -53,11 +45,6 @@ def case(request: pytest.FixtureRequest) -> Iterator[tuple[Scene, SceneFunctions
     with mpmath.workdps(50):
         given = {**state(scene, functions), "r": [mpf("0.5"), mpf(-1), mpf(2)]}
         yield scene, functions, given
-
-
-def matrix(numbers: Sequence[mpf], columns: int) -> mpmath.matrix:
-    """The numbers, row by row."""
-    return mpmath.matrix([list(numbers[i:i + columns]) for i in range(0, len(numbers), columns)])
 
 
 def moved(functions: SceneFunctions, given: Given, direction: Sequence[mpf]) -> Given:

@@ -25,10 +25,9 @@ from coscrew_codegen.scene.effect import (
 from coscrew_codegen.scene.joints import KINDS
 from coscrew_codegen.scene.mechanism.model import Inertia
 from coscrew_codegen.scene.scene import Applied, Scene, Setting
-from tests.scenes.test_derivatives_of_dynamics import scene_with, state, values
-from tests.scenes.test_rates_and_gradients import chain, matrix
 from tests.support.scenes import effect_scenes as effects
 from tests.support.scenes import mechanisms as m
+from tests.support.scenes.differences import chain_with, matrix, scene_with, state, values
 from tests.support.scenes.kinds import Kind
 
 INVERSE, REGRESSOR, BASE = "inverse_dynamics", "torque_regressor", "base_regressor"
@@ -38,7 +37,7 @@ SCENES: dict[str, Callable[[], Scene]] = {
     "effects": lambda: scene_with(LINEAR),
     "followers": lambda: scene_with(["gravity", "mimic", "armature", "viscous"]),
     "without effects": lambda: scene_with([]),
-    **{x.name: lambda x=x: chain(x) for x in KINDS if x.moves}}
+    **{x.name: lambda x=x: chain_with(x) for x in KINDS if x.moves}}
 each_scene = pytest.mark.parametrize("name", SCENES)
 
 

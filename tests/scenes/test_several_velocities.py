@@ -19,8 +19,8 @@ from coscrew_codegen.scene.mechanism.model import Body, Joint, Model
 from coscrew_codegen.scene.readers.scene_error import SceneError
 from coscrew_codegen.scene.readers.toml.toml_scene import read_scene
 from coscrew_codegen.scene.scene import Applied
-from tests.scenes.test_derivatives_of_dynamics import INVERSE, check, values
 from tests.support.each import each_precision
+from tests.support.scenes.differences import INVERSE, check, values
 from tests.support.scenes.effect_laws import assert_same, multiprecise
 from tests.support.scenes.effect_scenes import mechanism
 from tests.support.scenes.evaluation import DOUBLE, MULTIPRECISE, Evaluated, evaluator

@@ -19,8 +19,8 @@ from coscrew_codegen.scene.mechanism.model import HERE, WORLD, Body, Joint, Mode
 from coscrew_codegen.scene.readers.scene_error import SceneError
 from coscrew_codegen.scene.readers.toml.toml_scene import read_scene
 from coscrew_codegen.scene.scene import Applied, WeightedCoordinate
-from tests.scenes.test_derivatives_of_dynamics import check
 from tests.support.each import each_precision
+from tests.support.scenes.differences import check
 from tests.support.scenes.effect_laws import assert_same, multiprecise
 from tests.support.scenes.effect_scenes import mechanism
 from tests.support.scenes.generated_scenes import imported

@@ -108,3 +108,22 @@ def spring(t: float, mass: float = MASS) -> tuple[mp.mpf, mp.mpf]:
         decay = mp.exp(-a * t) / 10
         return (decay * (mp.cos(w * t) + a / w * mp.sin(w * t)),
                 -decay * (a**2 + w**2) / w * mp.sin(w * t))
+
+# Masses, a damping and a gain at run time, and a torque that changes with time.
+TIMED = """
+runtime = ["lower.mass", "viscous.elbow.d", "actuator.elbow.kp"]
+[bodies]
+upper = { mass = 2, com = [0, 0.1, -0.25], inertia = [0.04, 0.04, 0.002] }
+lower = { mass = 1, com = [0.05, 0, -0.2], inertia = [0.01, 0.01, 0.001] }
+[joints]
+shoulder = { type = "spherical", child = "upper" }
+elbow = { type = "revolute", parent = "upper", child = "lower", axis = [0, 0.6, 0.8] }
+[effects.gravity]
+[effects.viscous]
+d = { elbow = 0.3 }
+[effects.actuator.elbow]
+kind = "pd"
+kp = 20
+kd = 2
+target = "0.5*sin(2*pi*t)"
+"""

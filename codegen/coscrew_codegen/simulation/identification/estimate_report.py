@@ -7,6 +7,7 @@ from pathlib import Path
 import numpy as np
 from tabulate import tabulate
 
+from coscrew_codegen.scene import units
 from coscrew_codegen.simulation.identification.arm_regressor import ArmRegressor
 from coscrew_codegen.simulation.identification.base_estimate import Estimate
 from coscrew_codegen.simulation.identification.consistent_estimate import SURE, ConsistentArm
@@ -66,9 +67,9 @@ def write_estimate(arm: ArmRegressor, x: Estimate, y: ConsistentArm | None, path
 def write_excitation(arm: ArmRegressor, x: Excitation, path: Path) -> None:
     """t, q, v and a as CSV, with columns as recordings have them."""
     names = [c.joint for c in arm.coordinates]
-    sliding = ["m" if c.kind == "prismatic" else "rad" for c in arm.coordinates]
+    own = [unit for c in arm.coordinates for unit in units.coordinates((c.kind,))]
     header = ("t [s]", *(f"{symbol}.{name} [{unit}{per}]" for symbol, per in (
-        ("q", ""), ("v", "/s"), ("a", "/s^2")) for name, unit in zip(names, sliding, strict=True)))
+        ("q", ""), ("v", "/s"), ("a", "/s^2")) for name, unit in zip(names, own, strict=True)))
     numbers = np.column_stack((x.t, x.q, x.v, x.a)).tolist()
     _write(path, header, (tuple(map(repr, row)) for row in numbers))
 

@@ -5,6 +5,7 @@ from pathlib import Path
 from matplotlib.figure import Figure
 
 from coscrew_codegen.backends.html import plots
+from coscrew_codegen.scene import units
 from coscrew_codegen.simulation.identification.arm_regressor import ArmRegressor
 from coscrew_codegen.simulation.identification.base_estimate import Estimate
 from coscrew_codegen.simulation.recordings.recording_writer import delivered
@@ -21,7 +22,8 @@ def plot_residuals(arm: ArmRegressor, x: Estimate, path: Path) -> None:
         left, right = axes[k]
         left.plot(x.t, x.measured[:, k], ".", color=plots.QUIET, markersize=2, label="measured")
         left.plot(x.t, x.measured[:, k] - x.residuals[:, k], linewidth=1, label="estimated")
-        left.set_ylabel(plots.escaped(f"{c.joint} [{'N' if c.kind == 'prismatic' else 'N m'}]"))
+        unit, *_ = units.torques((c.kind,))
+        left.set_ylabel(plots.escaped(f"{c.joint} [{unit}]"))
         right.plot(x.t, x.residuals[:, k], ".", color="C1", markersize=2)
         for side in (-2, 2):
             right.axhline(side * x.deviations[k], color=plots.INK, linewidth=0.8, linestyle="--")

@@ -3,8 +3,6 @@
 from functools import cache
 from typing import TYPE_CHECKING
 
-import numpy as np
-
 from coscrew_codegen.scene.mechanism.visual import MESH, Triangles, Visual, sized, unseen
 
 if TYPE_CHECKING:
@@ -60,5 +58,5 @@ class MjcfVisuals:
         model = self._model
         vertex, face = int(model.mesh_vertadr[mesh]), int(model.mesh_faceadr[mesh])
         return Triangles(
-            np.array(model.mesh_vert[vertex:vertex + int(model.mesh_vertnum[mesh])], float),
-            np.array(model.mesh_face[face:face + int(model.mesh_facenum[mesh])], np.int64))
+            model.mesh_vert[vertex:vertex + int(model.mesh_vertnum[mesh])].astype(float),
+            model.mesh_face[face:face + int(model.mesh_facenum[mesh])].astype("int64"))

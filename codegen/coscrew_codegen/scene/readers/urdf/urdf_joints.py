@@ -45,8 +45,9 @@ class Joints(Elements):
             self._text(self._required(joint, "child", element), "link", element),
             self._placement(joint, element),
             self._axis(joint, element) if kind.axes else Joint.axis, *limits,
-            damping=damping, friction=friction, faults=tuple(faults),
-            mimic=numbers.mimic() if numbers and kind.one_coordinate else None)
+            damping=damping, friction=friction,
+            mimic=numbers.mimic() if numbers and kind.one_coordinate else None,
+            faults=tuple(faults))
 
     def _kind(self, joint: Element, element: str) -> JointKind:
         word = self._text(joint, "type", element)
