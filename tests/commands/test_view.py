@@ -2,7 +2,6 @@
 
 import json
 import math
-from pathlib import Path
 
 import numpy as np
 import pytest
@@ -14,6 +13,16 @@ from selenium.webdriver.support.ui import Select, WebDriverWait
 from coscrew_codegen.simulation.run_summary import RunOverrides, simulated
 from coscrew_codegen.simulation.view.playback import page, view
 from tests.support.browser import chromium, resize
+from tests.support.playback_page import (
+    PIXEL,
+    SECONDS,
+    SMALL,
+    camera,
+    clock,
+    opened,
+    pose,
+    touch,
+)
 from tests.support.scenes import scene_texts as texts
 from tests.support.scenes.selecting import checked
 
@@ -22,8 +31,6 @@ TEXTS = {"pendulum": texts.PENDULUM, "brick": texts.BRICK, "spring": texts.SPRIN
          "awkward": texts.PENDULUM.replace("bob", f'"{AWKWARD}"').replace(
              f'child = ""{AWKWARD}""', f'child = "{AWKWARD}"').replace(
              f', "position."{AWKWARD}""', "")}
-SMALL = 760, 480  # pixels of the window: a larger picture takes longer
-SECONDS = 60  # until a page has drawn, by software on a busy machine
 
 
 @pytest.fixture(scope="module")
@@ -46,24 +53,6 @@ def browser():
         yield driver
 
 
-def opened(browser, folder: Path, name: str, width: int = SMALL[0], height: int = SMALL[1],
-           phone: bool = False):
-    """The page, freshly loaded and drawn, with empty logs."""
-    browser.get("about:blank")
-    resize(browser, width, height, phone)
-    browser.get_log("browser")
-    browser.get_log("performance")
-    browser.get((folder / f"{name}.html").as_uri())
-    drawn(browser)
-    return browser
-
-
-def drawn(browser) -> None:
-    """Waits for the first picture."""
-    WebDriverWait(browser, SECONDS).until(lambda x: x.execute_script(
-        "return document.documentElement.dataset.ready !== undefined;"))
-
-
 @pytest.fixture(scope="module")
 def pendulum(browser, runs):
     """The pendulum's page, which the tests of this file share."""
@@ -84,39 +73,6 @@ def shown(pendulum, runs):
         player.clock.speed = .1;  // so that it does not end by itself
         player.fit();""")
     return pendulum
-
-
-def clock(shown) -> float:
-    return float(shown.find_element(By.ID, "clock").text.split("/")[0])
-
-
-def camera(shown) -> tuple[float, float, float]:
-    """Azimuth and elevation of the camera about its target, and its distance."""
-    x, y, z = shown.execute_script("""
-        const { camera, controls } = player.stage;
-        return camera.position.clone().sub(controls.target).toArray();""")
-    distance = math.hypot(x, y, z)
-    return math.atan2(y, x), math.asin(z / distance), distance
-
-
-def pose(shown, body: int, t: float) -> np.ndarray:
-    return np.array(shown.execute_script("""
-        player.clock.seek(arguments[1]);
-        player.update();
-        const { position, quaternion } = player.robot.bodies[arguments[0]];
-        return [...position.toArray(), ...quaternion.toArray()];""", body, t))
-
-
-PIXEL = """
-    const { renderer, camera, canvas } = player.stage, gl = renderer.getContext();
-    player.update();
-    const colours = arguments[0].map(point => {
-      const p = player.stage.now.clone().set(...point).project(camera), pixel = new Uint8Array(4);
-      const x = (p.x + 1) / 2 * gl.drawingBufferWidth, y = (p.y + 1) / 2 * gl.drawingBufferHeight;
-      gl.readPixels(Math.floor(x), Math.floor(y), 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, pixel);
-      return [...pixel];
-    });
-    return colours;"""
 
 
 @pytest.mark.parametrize("name", TEXTS)
@@ -257,11 +213,6 @@ def test_keys_turn_and_zoom_the_view(shown):
     assert after[1] == pytest.approx(before[1] + 0.1)
     assert after[2] == pytest.approx(before[2] / 1.2)
     assert clock(shown) == 0
-
-
-def touch(shown, kind: str, *points: tuple[float, float]) -> None:
-    shown.execute_cdp_cmd("Input.dispatchTouchEvent", {"type": kind, "touchPoints": [
-        {"x": x, "y": y, "id": i} for i, (x, y) in enumerate(points)]})
 
 
 def test_touch_turns_and_pinches_on_a_phone(shown):

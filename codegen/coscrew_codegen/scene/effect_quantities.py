@@ -34,14 +34,14 @@ def _kinds(scene: Scene) -> Mapping[str, JointKind]:
 
 
 def acted_units(applied: Applied, kinds: Mapping[str, JointKind]) -> Set[str]:
-    """N, N m or both: the units of what an effect exerts at a joint or on a sum; of others none."""
+    """The units, N or N m, of the torques of an effect at a joint or on a sum; of others none."""
     at_joint = applied.terms or applied.on in kinds
     return set(_along(applied, kinds)) if at_joint else set()
 
 
 def _along(applied: Applied, kinds: Mapping[str, JointKind]) -> tuple[str, ...]:
-    """The units of what an effect exerts along the velocities of its joint, or along a sum, which
-    is a length if any of its coordinates is one."""
+    """The units of an effect's torques along the velocities of its joint, or along a sum.  A sum is
+    a length if one of its coordinates is."""
     if applied.terms:
         lengths = any(kinds[x.joint].units("q")[x.coordinate] == "m" for x in applied.terms)
         return ("N",) if lengths else ("N m",)

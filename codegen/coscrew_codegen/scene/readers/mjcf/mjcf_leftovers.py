@@ -85,7 +85,7 @@ def _of_joints(model: "mujoco.MjModel", names: MjcfNames) -> Iterator[tuple[str,
 
 
 def ignored(model: "mujoco.MjModel", names: MjcfNames) -> Iterator[Notice]:
-    """Notices of actuators and tendons, and of what is not read: contact, mocap."""
+    """Yields notices of actuators, tendons, and elements that are not read: contact, mocap."""
     yield from actuators(model, names).notices
     for b in range(1, model.nbody):
         if model.body_mocapid[b] >= 0:
