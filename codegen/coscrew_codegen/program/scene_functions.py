@@ -162,6 +162,7 @@ class SceneInterface:
     signs: tuple[tuple[str, Sign], ...] = ()  # names of the parameters with a sign
     tiers: tuple[str, ...] = ()  # selected besides plain
     mark: str = ""  # of the tier of these functions: their names in C end in it
+    states: tuple[tuple[str, str], ...] = ()  # names and units of effects' states, the end of q
 
 
 @dataclass(frozen=True)
@@ -182,6 +183,7 @@ class SceneFunctions:
     signs: tuple[tuple[str, Sign], ...] = ()  # names of the parameters with a sign
     tiers: tuple[str, ...] = ()  # in which the public functions are emitted, too
     mark: str = ""  # of the tier of these functions: their names in C end in it
+    states: tuple[tuple[str, str], ...] = ()  # names and units of effects' states, the end of q
 
     def named(self, name: str) -> FunctionProgram:
         """The function of this name; a ValueError if there is none."""

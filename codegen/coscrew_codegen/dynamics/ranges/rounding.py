@@ -50,7 +50,8 @@ def _bounds(program: Program, components: Sequence[RoundedRange], precision: Pre
 
 def _sizes(name: str, count: int, scene: Scene, tree: Tree, precision: Precision
            ) -> Sequence[float]:
-    """Bounds of the sizes of an argument's components; inf for a, tau, t and all without limits."""
+    """Bounds of the sizes of an argument's components; inf for a, tau, t, states of effects at the
+    end of q, and all without limits."""
     if name == "p":
         return [abs(float(precision.rounded(p.value))) for p in scene.parameters]
     if name not in ("q", "v"):
@@ -60,7 +61,7 @@ def _sizes(name: str, count: int, scene: Scene, tree: Tree, precision: Precision
         if link.driver is None:
             number = len(link.q if name == "q" else link.v)
             results += [_largest(link.joint, name)] * number
-    return results
+    return results + [inf] * (count - len(results))
 
 
 def _largest(joint: Joint, name: str) -> float:
