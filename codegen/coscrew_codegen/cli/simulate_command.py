@@ -95,12 +95,11 @@ def add_verbose(parser: argparse.ArgumentParser) -> None:
 
 
 def tell_unused(scene: "Scene", verbose: bool, prefix: str = "coscrew") -> None:
-    """Prints on standard error the content of the model's file that the scene does not use: in one
-    line, or in one for each number."""
-    from coscrew_codegen.scene.mechanism.notices import by_importance, summary
+    """Prints on standard error the content of the model's file that the scene does not use, in one
+    line or in one for each number, and the bodies that nothing holds."""
+    from coscrew_codegen.scene.mechanism.notices import lines
 
-    lines = [x.text for x in by_importance(scene.notices)] if verbose else [summary(scene.notices)]
-    for line in filter(None, lines):
+    for line in lines(scene.notices, verbose):
         print(f"{prefix}: {line}", file=sys.stderr)
 
 

@@ -251,6 +251,7 @@ class Effect:
     compensates: str = ""  # the flag with which its torque includes `holding` of CoordinateState
     massive: bool = False  # acts on a body by its mass and inertia: only on bodies that have them
     in_fluid: bool = False  # its force depends on the fluid's motion
+    resists: bool = False  # it only resists motion (in a fluid, relative to it): it holds nothing
     reaction: bool = False  # selects the joint's reaction function
     mimic: bool = False  # makes followers follow
     alone: bool = False  # acts, with the model's numbers, where a model's file is taken alone
