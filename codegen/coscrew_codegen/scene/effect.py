@@ -65,8 +65,8 @@ class ParameterOf:
     name: str
     unit: str
     words: str
-    kind: str = "number"  # number, vector (three numbers), formula (number or function of t),
-    # formulas (three of them), choice, body, flag (true or false)
+    kind: str = "number"  # number, vector (three numbers), matrix (symmetric, 6×6), formula (number
+    # or function of t), formulas (three of them), choice, body, flag (true or false)
     default: Fraction | int | str | tuple[Fraction, ...] | None = None  # None: there is none
     required: bool = True  # without default; if not, the value may stay None, also where the model
     # has no such number
@@ -215,6 +215,15 @@ class Force:
     slopes: Slopes | PointSlopes | None = None  # Slopes: the same in all directions
 
 
+@dataclass(frozen=True)
+class BodyInertia:
+    """Inertia that an effect adds to a body at a point of it: 36 numbers of a symmetric matrix, row
+    by row, for the point's velocity and the angular velocity, in the body's axes."""
+
+    point: Vector
+    matrix: tuple[Number, ...]
+
+
 def required(x: K | None) -> K:
     """Returns a value that an effect gives.  Raises TypeError if it gives neither this value nor an
     energy from which it follows."""
@@ -247,6 +256,7 @@ class Effect:
     joint_torque: Callable[[CoordinateState, Values], Torque] | None = None
     joint_inertia: Callable[[Values], Number] | None = None
     body_force: Callable[[BodyState, Values], Force] | None = None
+    body_inertia: Callable[[Values], BodyInertia] | None = None  # of the fluid around a body
     pair_force: Callable[[CoordinateState, Values], Torque] | None = None  # between its POINTS
     each: bool = False  # on a joint with several velocities, it acts along each of them
     rest: str = ""  # the parameter with the coordinates at which such a joint is at rest; without

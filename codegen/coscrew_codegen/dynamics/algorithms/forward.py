@@ -8,7 +8,7 @@ rate l' = e^T v, so that a common motion of both bodies is not damped.
 """
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from fractions import Fraction
 
 from coscrew_codegen.algebra.recording.numbers import (
@@ -312,5 +312,5 @@ def _product(a: Sequence[Number], b: Sequence[Number]) -> Number:
 def _with_mass(body: Rigid, mass: Number, point: Vector) -> Rigid:
     """The body with a point mass."""
     zero = mass.like(0)
-    return rigid_of(add(body.numbers, mass.recorder.call(
-        "spatial_inertia_from_com", mass, point, [zero] * 9)))
+    return replace(rigid_of(add(body.numbers, mass.recorder.call(
+        "spatial_inertia_from_com", mass, point, [zero] * 9))), added=body.added)

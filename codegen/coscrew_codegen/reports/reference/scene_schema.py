@@ -128,7 +128,8 @@ def _parameter(parameter: ParameterOf) -> Schema:
     kinds: dict[str, Schema] = {
         "number": number, "vector": _array(3, number), "formula": number,
         "formulas": _VECTOR, "body": {"type": "string"},
-        "choice": {"enum": list(parameter.choices)}, "flag": {"type": "boolean"}}
+        "choice": {"enum": list(parameter.choices)}, "flag": {"type": "boolean"},
+        "matrix": _array(6, _array(6, _NUMBER))}
     if parameter.kind not in kinds:
         raise ValueError(f"parameter {parameter.name!r}: kind {parameter.kind!r} has no schema; "
                          f"wanted one of {', '.join(kinds)}, or an entry for it here")
