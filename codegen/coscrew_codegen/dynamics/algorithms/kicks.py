@@ -60,6 +60,7 @@ def kick(x: FunctionRecording) -> list[Number]:
     guess = forward.implicit(first, start, x.rigids, x.inertias, weights(h), x.tau)
     second = x.motion(at=(q, _sum(v, scaled(h / 2, guess.a))))
     acting = AppliedEffects(x.scene, second, _delays(x, h, guess.rates)).act()
+    start = start.with_later(acting)
     return forward.implicit(second, acting, x.rigids, x.inertias, weights(h), x.tau, start).a
 
 

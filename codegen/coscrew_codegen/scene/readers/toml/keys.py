@@ -12,6 +12,7 @@ from coscrew_codegen.scene.integrators import NAMES
 from coscrew_codegen.scene.joints import KINDS
 from coscrew_codegen.scene.mechanism.inertia_checks import ERROR, WARN
 from coscrew_codegen.scene.mechanism.joint_kind import JointKind
+from coscrew_codegen.scene.readers.falling import ACCEPT
 from coscrew_codegen.scene.scene import Run
 from coscrew_codegen.scene.units import UNITS
 
@@ -218,6 +219,8 @@ SCENE = TableOf("", "The file itself.", (
     Key("implausible", '"warn" accepts inertias that no body has, that are massless or '
         "incomplete, and reports them; on the command line --implausible warn",
         choices=(ERROR, WARN)),
+    Key("falling", '"accept" where bodies with free joints are meant to fall: no notice says that '
+        "nothing holds them against gravity", choices=(WARN, ACCEPT)),
     Key("functions", "what is generated: names of functions; \"default\" and \"all\" stand for "
         "several", "texts", default='["default"]'),
     Key("tiers", "in which the functions, steps excepted, are generated besides plain: accurate, "

@@ -13,9 +13,11 @@ from coscrew_codegen.scene.integrators import NAMES
 from coscrew_codegen.scene.mechanism.inertia_checks import ERROR, WARN
 from coscrew_codegen.scene.mechanism.mimics import followers
 from coscrew_codegen.scene.mechanism.model import Joint, Model
+from coscrew_codegen.scene.mechanism.notices import Notice
 from coscrew_codegen.scene.mechanism.rotations import unit
 from coscrew_codegen.scene.readers.declared_effects import of_file_alone
 from coscrew_codegen.scene.readers.described_robots import SCHEME, robot_source
+from coscrew_codegen.scene.readers.falling import ACCEPT, falling
 from coscrew_codegen.scene.readers.idle import idle
 from coscrew_codegen.scene.readers.model_formats import SCENE_SUFFIX, reader_of, stem, unknown
 from coscrew_codegen.scene.readers.model_reader import ModelSource
@@ -37,7 +39,7 @@ from coscrew_codegen.scene.readers.toml.toml_tables import Decimals, TomlTable, 
 from coscrew_codegen.scene.readers.unused import besides, unused
 from coscrew_codegen.scene.recordable import quantities_of
 from coscrew_codegen.scene.recorded_quantities import QuantityError, expected
-from coscrew_codegen.scene.scene import Expectation, Run, Scene
+from coscrew_codegen.scene.scene import Applied, Expectation, Run, Scene
 from coscrew_codegen.scene.tier_selection import TiersError, on_request, selected
 
 
@@ -178,7 +180,14 @@ def _scene(file: TomlTable, catalogue: tuple[Effect, ...], overrides: SceneOverr
         tiers = selected(overrides.tiers)
     return _selecting(replace(scene, model=model, effects=effects, parameters=parameters,
                               accuracy=accuracy, tiers=tiers,
-                              notices=(*idle(effects), *notices)), functions)
+                              notices=(*_falling(file, model, effects), *idle(effects), *notices)),
+                      functions)
+
+
+def _falling(file: TomlTable, model: Model, effects: tuple[Applied, ...]) -> tuple[Notice, ...]:
+    """The notice of bodies that fall, unless the file accepts that."""
+    meant = file.choice("falling", (WARN, ACCEPT)) if "falling" in file else WARN
+    return falling(model, effects) if meant == WARN else ()
 
 
 def _functions(file: TomlTable, scene: Scene) -> tuple[str, ...]:
