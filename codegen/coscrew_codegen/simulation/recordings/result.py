@@ -113,14 +113,16 @@ class Result:
         return html(repr(self), self.recording, self.failed, targets(self.system, self.recording))
 
     def view(self, path: Path | str, *besides: "Result") -> None:
-        """Writes a page that plays the run back in 3D, with others of the same model as ghosts.
-        Raises SimulateError."""
-        from coscrew_codegen.simulation.view.playback import view, with_poses
+        """Writes a file that plays the run back in 3D, with others of the same model as ghosts: a
+        page (.html), or a recording of Rerun (.rrd) or of Foxglove (.mcap).  Raises SimulateError.
+        """
+        from coscrew_codegen.simulation.view.playback import with_poses
+        from coscrew_codegen.simulation.view.view_files import FORMATS, view
 
         if any(x.q.ndim > 2 for x in (self, *besides)):
             raise SimulateError(f"{path}: wanted one run; got a batch")
-        recording_writer.check_target(Path(path), (".html",))
-        view([with_poses(x) for x in (self, *besides)], Path(path))
+        recording_writer.check_target(Path(path), tuple(FORMATS))
+        view([with_poses(x) for x in (self, *besides)], [Path(path)])
 
     def write(self, path: Path | str) -> None:
         """Writes the recording, as `coscrew simulate --output` does.  Raises SimulateError."""
