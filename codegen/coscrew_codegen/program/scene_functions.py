@@ -203,6 +203,8 @@ class SceneFunctions:
     signs: tuple[tuple[str, Sign], ...] = ()  # names of the parameters with a sign
     tiers: tuple[str, ...] = ()  # in which the public functions are emitted, too
     mark: str = ""  # of the tier of these functions: their names in C end in it
+    box: tuple[tuple[str, tuple[float, ...]], ...] = ()  # stated largest sizes of arguments'
+    # components, by argument; infinite where nothing is stated
 
     def named(self, name: str) -> FunctionProgram:
         """The function of this name; a ValueError if there is none."""
