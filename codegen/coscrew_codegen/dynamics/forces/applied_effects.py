@@ -262,6 +262,12 @@ class AppliedEffects:
                        for x, y in zip(self.sums, later.sums, strict=True)]
         return result
 
+    @property
+    def looks_ahead(self) -> bool:
+        """True if the damping of an effect depends on later velocities."""
+        at_joints = (x for effects in self.torques.values() for x in effects)
+        return any(x.looks_ahead for x in (*at_joints, *(x.along for x in self.sums)))
+
     # results
 
     def torque(self, link: int) -> list[Number]:

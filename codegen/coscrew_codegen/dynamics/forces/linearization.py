@@ -96,8 +96,12 @@ class JointEffect:
     def with_later(self, later: "JointEffect") -> "JointEffect":
         """This one, with the larger damping of both if its damping starts at once, or leads to a
         speed without load."""
-        ahead = self._stated.ahead or self._stated.no_load is not None
-        return replace(self, later=later) if ahead else self
+        return replace(self, later=later) if self.looks_ahead else self
+
+    @property
+    def looks_ahead(self) -> bool:
+        """True if its damping in a step also depends on the velocities that it leads to."""
+        return bool(self._stated.ahead) or self._stated.no_load is not None
 
     @cached_property
     def _stated(self) -> Torque:

@@ -32,6 +32,7 @@ from coscrew_codegen.scene.readers.toml.effect_table import Use
 from coscrew_codegen.scene.readers.toml.keys import EXPECT, OUTPUTS, RUN, SCENE, START
 from coscrew_codegen.scene.readers.toml.named_model import model_of
 from coscrew_codegen.scene.readers.toml.plain_tables import scene_text
+from coscrew_codegen.scene.readers.toml.ranges_table import limits_in_ranges, read_ranges
 from coscrew_codegen.scene.readers.toml.runtime import with_parameters
 from coscrew_codegen.scene.readers.toml.toml_effects import read_effects, with_reactions
 from coscrew_codegen.scene.readers.toml.toml_model import refuse_not_unit
@@ -171,6 +172,8 @@ def _scene(file: TomlTable, catalogue: tuple[Effect, ...], overrides: SceneOverr
     drawn = limits_used(scene, accuracy) if accuracy else set()
     if drawn:
         refuse_faults(file, scene, drawn)
+    if "ranges" in file:
+        drawn |= limits_in_ranges(file, scene)
     notices = unused(model, use.of_model | drawn, catalogue, effects)
     effects = with_reactions(scene, catalogue)
     parameters: tuple[Parameter, ...] = ()
@@ -178,10 +181,12 @@ def _scene(file: TomlTable, catalogue: tuple[Effect, ...], overrides: SceneOverr
         model, effects, parameters = with_parameters(file, model, effects, catalogue)
     if overrides.tiers:
         tiers = selected(overrides.tiers)
-    return _selecting(replace(scene, model=model, effects=effects, parameters=parameters,
-                              accuracy=accuracy, tiers=tiers,
-                              notices=(*_falling(file, model, effects), *idle(effects), *notices)),
-                      functions)
+    scene = replace(scene, model=model, effects=effects, parameters=parameters, accuracy=accuracy,
+                    tiers=tiers,
+                    notices=(*_falling(file, model, effects), *idle(effects), *notices))
+    if "ranges" in file:
+        scene = replace(scene, ranges=read_ranges(file, scene))
+    return _selecting(scene, functions)
 
 
 def _falling(file: TomlTable, model: Model, effects: tuple[Applied, ...]) -> tuple[Notice, ...]:
