@@ -36,9 +36,9 @@ ROOT = Path(__file__).parents[2]
 ZEROS: Mapping[str, tuple[str, ...]] = {
     "actuator": ("torque", "kp", "kd", "kt"), "armature": ("inertia", "rotor"),
     "buoyancy": ("rho",), "coulomb": ("tau_c",), "drag": ("rho", "b"), "field": ("mu",),
-    "gravity": ("g",), "joint_drag": ("c",), "limit": ("k",), "spring": ("k",),
-    "spring_damper": ("k", "d"), "stribeck": ("tau_c", "tau_s"), "viscous": ("d",),
-    "wind": ("velocity",), "wrench": ("force", "torque")}
+    "gravity": ("g",), "joint_drag": ("c",), "limit": ("k",), "speed_limit": ("d",),
+    "spring": ("k",), "spring_damper": ("k", "d"), "stribeck": ("tau_c", "tau_s"),
+    "viscous": ("d",), "wind": ("velocity",), "wrench": ("force", "torque")}
 """The parameters without which an effect does nothing."""
 
 

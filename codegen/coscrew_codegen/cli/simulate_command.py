@@ -96,12 +96,11 @@ def add_verbose(parser: argparse.ArgumentParser) -> None:
 
 
 def tell_unused(scene: "Scene", verbose: bool, prefix: str = "coscrew") -> None:
-    """Prints on standard error the content of the model's file that the scene does not use: in one
-    line, or in one for each number."""
-    from coscrew_codegen.scene.mechanism.notices import by_importance, summary
+    """Prints on standard error the content of the model's file that the scene does not use, in one
+    line or in one for each number, and the bodies that nothing holds."""
+    from coscrew_codegen.scene.mechanism.notices import lines
 
-    lines = [x.text for x in by_importance(scene.notices)] if verbose else [summary(scene.notices)]
-    for line in filter(None, lines):
+    for line in lines(scene.notices, verbose):
         print(f"{prefix}: {line}", file=sys.stderr)
 
 
@@ -194,6 +193,7 @@ def run(options: argparse.Namespace) -> int:
 
     compilation.ask()
     from coscrew_codegen.simulation import run_summary
+    from coscrew_codegen.simulation.check.overspeed import overspeed
     from coscrew_codegen.simulation.recordings import recording_writer
     from coscrew_codegen.simulation.view import view_files
 
@@ -206,7 +206,7 @@ def run(options: argparse.Namespace) -> int:
     first = results[0]
     for note in ("" if options.start or options.again else
                  run_summary.outside(first.system, first.trajectory.q[0]),
-                 run_summary.bounces(first)):
+                 run_summary.bounces(first), overspeed(first)):
         if note:
             print(f"coscrew: {note}", file=sys.stderr)
     recordings = [x.recording for x in results]

@@ -77,6 +77,7 @@ class ParameterOf:
     optional_of: tuple[str, ...] = ()  # the choices among these with which it may be left out
     positive: bool = False  # refused if zero or below
     nonnegative: bool = False
+    needs: str = ""  # the parameter without which it may not be given
     example: str = "1"  # in TOML, for messages that propose the effect
 
     @property
@@ -157,6 +158,7 @@ class Torque:
     """Torque along a joint's coordinate, or a force that pushes two points apart.
 
     Without a `torque`, it is -∂energy/∂q.  `limit`: it acts as max(-limit, min(torque, limit)).
+    `no_load`: the speed to which the limit of a torque that drives falls, linearly, to zero.
     `energy`: its potential energy, if it has one.  `power`: the power of the part without potential
     energy; by default the torque's whole power if there is no energy, else zero.
 
@@ -166,11 +168,14 @@ class Torque:
 
     torque: Number | None = None
     limit: Number | None = None
+    no_load: Number | None = None
     energy: Number | None = None
     power: Number | None = None
     contact: Contact | None = None
     damping: Number | None = None
     stiffness: Number | None = None
+    ahead: bool = False  # implicit steps take its damping also from the middle of the step, where
+    # that is larger: it starts at once, at some speed
 
 
 @dataclass(frozen=True)
@@ -251,6 +256,7 @@ class Effect:
     compensates: str = ""  # the flag with which its torque includes `holding` of CoordinateState
     massive: bool = False  # acts on a body by its mass and inertia: only on bodies that have them
     in_fluid: bool = False  # its force depends on the fluid's motion
+    resists: bool = False  # it only resists motion (in a fluid, relative to it): it holds nothing
     reaction: bool = False  # selects the joint's reaction function
     mimic: bool = False  # makes followers follow
     alone: bool = False  # acts, with the model's numbers, where a model's file is taken alone

@@ -20,6 +20,7 @@ from coscrew_codegen.scene.recorded_quantities import recorded
 from coscrew_codegen.scene.scene import Scene
 from coscrew_codegen.simulation import SimulateError, required_functions
 from coscrew_codegen.simulation.batch_inputs import Parameters, values_of
+from coscrew_codegen.simulation.check.overspeed import overspeed
 from coscrew_codegen.simulation.checkpoint import Checkpoint, end_in
 from coscrew_codegen.simulation.control import Controller, Law
 from coscrew_codegen.simulation.execution import RunRequest, complete, motion
@@ -69,6 +70,8 @@ def run(scene: Kernels | Scene | Path | str, *, p: Parameters = None,
         result = motion(kernels, name, request)
     if start is None and (note := outside(result.system, result.q[..., 0, :])):
         warnings.warn(note, RuntimeWarning, stacklevel=2)
+    if fast := overspeed(result):
+        warnings.warn(fast, RuntimeWarning, stacklevel=2)
     return _warned(result)
 
 

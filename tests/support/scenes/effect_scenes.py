@@ -37,7 +37,7 @@ TIMED = (Formula("sin(t)"), Fraction(2), Formula("1 - t"))
 
 PLACES: Mapping[str, Sequence[tuple[str, Mapping[str, Value]]]] = {
     "actuator": [
-        ("j1", {"kind": "pd", "kp": 3, "kd": 2, "target": Formula("t"), "limit": 5}),
+        ("j1", {"kind": "pd", "kp": 3, "kd": 2, "target": Formula("t"), "limit": 5, "speed": 4}),
         ("j2", {"kind": "dc", "voltage": 9, "kt": 2, "ke": 1, "R": 3}),
         ("j1", {"kind": "torque", "torque": Formula("cos(3*t)")})],
     "armature": [("j1", {"inertia": 3}), ("j2", {"rotor": 1, "gear": 2})],
@@ -52,6 +52,7 @@ PLACES: Mapping[str, Sequence[tuple[str, Mapping[str, Value]]]] = {
               ("j2", {"lower": -1, "upper": Fraction(1, 5), "k": 9, "alpha": HALF})],
     "mimic": [("", {})],
     "reaction": [("j2", {})],
+    "speed_limit": [("j2", {"speed": HALF, "d": 3})],
     "spring": [("j1", {"k": 7, "q0": 1})],
     "spring_damper": [
         ("a", {"bodies": ("world", "b3"), "first": (1, 1, 1), "second": (0, 0, 1), "k": 5, "d": 2,

@@ -2,6 +2,7 @@
 """
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
+from copy import copy
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from functools import cached_property, partial
@@ -226,6 +227,21 @@ class AppliedEffects:
 
     def _add(self, state: BodyOfLink, force: Force) -> None:
         self.forces.setdefault(state.link, []).append(AppliedForce(state, force))
+
+    def with_later(self, later: "AppliedEffects") -> "AppliedEffects":
+        """These effects, with the larger damping of both where it starts at once."""
+        result = copy(self)
+        result.torques = {link: [x.with_later(y) for x, y in zip(
+            effects, later.torques[link], strict=True)] for link, effects in self.torques.items()}
+        result.sums = [replace(x, along=x.along.with_later(y.along))
+                       for x, y in zip(self.sums, later.sums, strict=True)]
+        return result
+
+    @property
+    def looks_ahead(self) -> bool:
+        """True if the damping of an effect depends on later velocities."""
+        at_joints = (x for effects in self.torques.values() for x in effects)
+        return any(x.looks_ahead for x in (*at_joints, *(x.along for x in self.sums)))
 
     # results
 
