@@ -114,6 +114,13 @@ mu = 0.5
 offset = -1
 [accuracy]
 energy = 1e-3  # by FUNCTION
+[ranges]
+q = { one = "limits", four = [1, { lower = 0, upper = 2 }] }
+v = [1, [1, 2, 3], { lower = -1, upper = 1 }]
+a = 20
+tau = "pi"
+p = { "b.mass" = { lower = 0, upper = 1 } }
+t = { lower = 0, upper = 10 }
 [start]
 q.one = 0.1
 q.three = [0, 0, 0, 1]
@@ -173,7 +180,7 @@ def places(value: object, path: tuple = ()) -> Iterator[tuple]:
 def tables(value: object, path: tuple = ()) -> Iterator[tuple]:
     """The paths to all tables except those whose keys are names of the scene's own."""
     if isinstance(value, dict):
-        own = ("accuracy", "attach", "frames", "bodies", "joints", "q", "v", "x", "expect",
+        own = ("accuracy", "attach", "frames", "bodies", "joints", "q", "v", "x", "p", "expect",
                "contact", "spring_damper", "viscous", "wrench")
         if not path or path[-1] not in own and path[-2:] != ("viscous", "d"):
             yield path

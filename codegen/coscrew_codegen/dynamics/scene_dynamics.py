@@ -286,11 +286,7 @@ class RecordedDynamics:
     def implicit_accelerations(self) -> Numbers:
         """a with (M + h d + h² k) a = tau - bias torques - h k v."""
         x, acting = self._recording, self._acting
-        h, = self.argument("h")
-
-        def weights(d: Number, k: Number, *_: Number) -> tuple[Number, Number]:
-            return (d + k * h) * h, k * h
-
+        weights = kicks.end_weights(*self.argument("h"))
         return forward.implicit(self._motion, acting, x.rigids, x.inertias, weights, x.tau).a
 
     def midpoint_accelerations(self) -> Numbers:

@@ -53,6 +53,11 @@ def weights(h: Number) -> forward.Weights:
     return represented
 
 
+def end_weights(h: Number) -> forward.Weights:
+    """(inertia, torque per velocity) for forces at the end of a step h."""
+    return lambda d, k, *_: ((d + k * h) * h, k * h)
+
+
 def _beyond(h: Number, rate: Number) -> Number:
     """θ - ½, correct also for an infinite rate."""
     return Fraction(1, 2) - 1 / (2 + h * rate)
@@ -68,7 +73,8 @@ def kick(x: FunctionRecording) -> tuple[list[Number], list[Number]]:
     start = AppliedEffects(x.scene, first).act()
     guess = forward.implicit(first, start, x.rigids, x.inertias, weights(h), x.tau)
     second = x.motion(at=(q, _sum(v, scaled(h / 2, guess.a))), carried=carried)
-    acting = AppliedEffects(x.scene, second, _delays(x, h, guess.rates)).act()
+    acting = AppliedEffects(x.scene, second, delays(x, h, guess.rates)).act()
+    start = start.with_later(acting)
     a = forward.implicit(second, acting, x.rigids, x.inertias, weights(h), x.tau, start).a
     return a, _kept(x, q, _sum(v, scaled(h, a)))
 
@@ -92,7 +98,7 @@ def _kept(x: FunctionRecording, q: Sequence[Number], v: Sequence[Number]) -> lis
     return [*q[:x.tree.nq], *kept]
 
 
-def _delays(x: FunctionRecording, h: Number, rates: Sequence[Number]) -> dict[int, Number]:
+def delays(x: FunctionRecording, h: Number, rates: Sequence[Number]) -> dict[int, Number]:
     """(θ - ½) h of each joint: effects act as at the time θ h, as do damping and stiffness."""
     results = {}
     for number, link in enumerate(x.tree.links):
