@@ -131,7 +131,7 @@ class Derivation:
             scene.name, tree.nq, tree.nv, tree.coordinates, tuple(self.bodies),
             tuple((p.name, float(p.value)) for p in scene.parameters), coordinates.neutral(tree),
             tuple(made), (), scene.precisions, scene.timed, tuple(signs(scene).items()),
-            scene.tiers)
+            scene.tiers, box=scene.ranges.sizes if scene.ranges else ())
 
     def _derived(self, entry: SceneFunction) -> FunctionProgram:
         """The function of its inputs."""

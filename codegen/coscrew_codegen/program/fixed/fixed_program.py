@@ -39,6 +39,9 @@ CIRCULAR = frozenset({Op.SIN, Op.COS})
 KNOWN = frozenset({Op.ADD, Op.SUB, Op.MUL, Op.NEG, *CIRCULAR})
 """Operations that fixed point has."""
 _WIDEST = 62  # bits of a sum of products, at most
+_EMPTY = 3
+"""Empty bits of a factor of a high product from which it is shifted first: with 3, a UR5's inverse
+dynamics take 24 instructions more on a Cortex-M4 and are 2.7 times as accurate."""
 
 
 class Products(Enum):
@@ -192,14 +195,23 @@ class _Writer:
         exact = self._multiple(step)
         a, b = (self.value(x).operand for x in step.operands)
         if self._products is Products.HIGH:
-            bits = exact.bits - 32
-            operand = self._issue(step, Op.HIGH_PRODUCT, a, b)
+            given = [self._filled(step, self.value(x)) for x in step.operands]
+            bits = given[0].bits + given[1].bits - 32
+            operand = self._issue(step, Op.HIGH_PRODUCT, *(x.operand for x in given))
         else:
             bits = self._narrow(exact, exact.bits)
             wide = self._issue(step, Op.WIDE_PRODUCT, a, b, 0)
             operand = self._issue(step, Op.ROUNDED_SHIFT, wide, exact.bits - bits)
             self._wide[step.name] = exact._replace(operand=wide)
         return rounded(exact, operand, bits, half_unit(bits) if bits < exact.bits else NONE)
+
+    def _filled(self, step: Instruction, x: FixedValue) -> FixedValue:
+        """The factor with all its bits, if many are empty: a high product would lose as many."""
+        empty = min(bits_for(x.reach) - x.bits, OF_ANGLES)
+        if empty < _EMPTY or isinstance(x.operand, Constant):
+            return x
+        return x._replace(bits=x.bits + empty, operand=self._issue(
+            step, Op.MUL, x.operand, 2**empty))
 
     def _narrow(self, x: FixedValue, most: int, more: Upward = NONE) -> int:
         """The largest f up to `most` of the value after a rounding, and further errors."""
