@@ -30,7 +30,7 @@ def test_the_constants_are_nearest():
 
 
 def test_reduced_angles_are_in_the_interval_of_the_polynomials():
-    """For the largest angle of the least bits: |r| <= π/2 (1/2 + 3/4 2^(1 - bits)) + |k| 2^-32."""
+    """At the largest angle of the least bits, |r| <= π/2 (1/2 + 3/4 2^(1 - bits)) + |k| 2^-32."""
     bits = fixed_sine.LEAST_BITS
     turns = Fraction(2**31, 2**bits) * 2 / pi()[0] + 1
     largest = pi()[1] / 2 * (Fraction(1, 2) + Fraction(3, 4) / 2**(bits - 1)) + turns / 2**32

@@ -17,8 +17,8 @@ import pytest
 from coscrew_codegen.accuracy.fixed_scene import FixedFunction, FixedScene, in_fixed
 from coscrew_codegen.accuracy.scene_tiers import NoFunctionsError
 from coscrew_codegen.accuracy.tiers import tier_named
+from coscrew_codegen.backends.fixed import scene_c_fixed
 from coscrew_codegen.backends.output_files import scene_files
-from coscrew_codegen.backends.scene import scene_c_fixed
 from coscrew_codegen.dynamics import derive
 from coscrew_codegen.program import Constant, Op
 from coscrew_codegen.program.fixed.fixed_arithmetic import sine_and_cosine
@@ -359,7 +359,7 @@ def test_python_has_the_bits_of_the_interpreter_and_broadcasts(gimbal, products)
         shape = function.plain.program.outputs[0].quantity.shape
         assert result.shape == (5, 12, *shape) and result.dtype == np.int32
         true = fx.results(function.programs[products], given)
-        assert (result.reshape(60, -1).T == true).all()
+        assert (true == result.reshape(60, -1).T).all()
 
 
 def test_python_converts_and_refuses_what_is_outside(gimbal):

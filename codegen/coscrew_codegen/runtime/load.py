@@ -18,7 +18,6 @@ from coscrew_codegen.program.values.formats import PRECISIONS, Precision
 from coscrew_codegen.runtime import callables, compilation, request, scene_library
 from coscrew_codegen.runtime.cache import packed, unpacked
 from coscrew_codegen.runtime.caller_warnings import at_callers_line, warn
-from coscrew_codegen.runtime.fixed_module import fixed_module
 from coscrew_codegen.runtime.request import BOTH, Request
 from coscrew_codegen.scene.function_selection import CONTACTS, FREE, left_out, together
 from coscrew_codegen.scene.names import listed
@@ -56,7 +55,7 @@ class Kernels:
             raise AttributeError(name)
         if name in self.interface.tiers:
             if name in need_ranges():
-                vars(self)[name] = module = fixed_module(self.functions, name)
+                vars(self)[name] = module = scene_library.in_fixed_point(self.functions, name)
                 return module
             with at_callers_line():
                 vars(self)[name] = in_tier = in_tier_of(self, name)

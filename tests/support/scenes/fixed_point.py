@@ -10,8 +10,8 @@ from typing import Any
 import numpy as np
 
 from coscrew_codegen.accuracy.fixed_scene import FixedFunction, FixedScene
-from coscrew_codegen.backends.c.c_integers import wide_steps
-from coscrew_codegen.backends.scene import scene_c_fixed
+from coscrew_codegen.backends.fixed import scene_c_fixed
+from coscrew_codegen.backends.fixed.c_integers import wide_steps
 from coscrew_codegen.program import Constant, Instruction, Op, Program, Ref
 from coscrew_codegen.program.fixed.fixed_arithmetic import ARITHMETIC
 from coscrew_codegen.program.fixed.fixed_program import FixedProgram, Products
@@ -37,7 +37,7 @@ def panda(folder: Path, ranges: str = RANGES, tiers: str = 'tiers = ["fixed"]\n'
 
 
 def states(function: FixedFunction, count: int, seed: int = 0) -> list[list[np.ndarray]]:
-    """Integers of arguments, by component: random ones, of which a third is at a limit; the first
+    """Integers of arguments, by component: random ones, a third at a limit; the first
     states are corners."""
     draw = np.random.default_rng(seed)
     given = []
@@ -83,7 +83,7 @@ def checked(program: Program) -> Arithmetic[Any]:
 JUDGE: Arithmetic[Any] = by_operation(
     lambda x: np.longdouble(x.double.numerator) / np.longdouble(x.double.denominator),
     exactly(np))
-"""64 bits, of which rounding takes less than a millionth of any bound here."""
+"""64 bits: its roundings are less than a millionth of any bound here."""
 
 
 def results(program: FixedProgram, given: Sequence[Row],

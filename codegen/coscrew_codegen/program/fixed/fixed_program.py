@@ -21,8 +21,8 @@ from coscrew_codegen.program.fixed import fixed_sine
 from coscrew_codegen.program.fixed.fixed_value import (
     NONE,
     OF_ANGLES,
+    AlignedTerm,
     FixedValue,
-    Term,
     bits_for,
     fits,
     half_unit,
@@ -82,7 +82,7 @@ def _of_input(x: Input, size: float, angle: bool) -> FixedValue:
 def in_fixed_point(program: Program, inputs: tuple[tuple[FixedValue, ...], ...],
                    products: Products) -> FixedProgram:
     """The program in fixed point.  Raises NoFormatError; every operation must be KNOWN."""
-    writer = _Writer(program, inputs, products)
+    writer = _FixedWriter(program, inputs, products)
     for step in program.instructions:
         writer.write(step)
     results = tuple(map(writer.value, program.results))
@@ -96,7 +96,7 @@ def angles_of(program: Program) -> frozenset[Operand]:
     return frozenset(step.operands[0] for step in program.instructions if step.op in CIRCULAR)
 
 
-class _Writer:
+class _FixedWriter:
     """Writes instructions on integers for those of a plain program, in turn."""
 
     def __init__(self, program: Program, inputs: tuple[tuple[FixedValue, ...], ...],
@@ -253,14 +253,14 @@ class _Writer:
             return wide
         return x
 
-    def _term(self, step: Instruction, x: FixedValue, of: Operand, bits: int) -> Term:
+    def _term(self, step: Instruction, x: FixedValue, of: Operand, bits: int) -> AlignedTerm:
         """A term of a sum with this f."""
         if isinstance(of, Constant):
             value = quantized(of.double, bits)
-            return Term((), value.error, value.operand)
+            return AlignedTerm((), value.error, value.operand)
         return shifts(x, bits)
 
-    def _aligned(self, step: Instruction, x: Operand, term: Term) -> Operand:
+    def _aligned(self, step: Instruction, x: Operand, term: AlignedTerm) -> Operand:
         """The term's operand, after the instructions that shift it."""
         x = term.operand or x
         for shift in term.shifts:
@@ -305,7 +305,7 @@ def _least_bits(x: Constant) -> int:
 
 
 def _uses(program: Program) -> Counter[str]:
-    """How often each instruction is used."""
+    """Counts the uses of each instruction."""
     uses = Counter(x.name for step in program.instructions for x in step.operands
                    if isinstance(x, Ref))
     uses.update(x.name for x in program.results if isinstance(x, Ref))

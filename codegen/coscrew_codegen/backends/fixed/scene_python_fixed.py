@@ -7,13 +7,13 @@ from textwrap import wrap
 from coscrew_codegen.accuracy.fixed_scene import FixedFunction, FixedScene
 from coscrew_codegen.accuracy.scene_tiers import headings_in
 from coscrew_codegen.algebra.recording.gc_pause import uncollected
-from coscrew_codegen.backends.c.c_integers import aligned, integer, nested
 from coscrew_codegen.backends.c.c_statements import WIDTH, listed
+from coscrew_codegen.backends.fixed.c_integers import aligned, integer, nested
+from coscrew_codegen.backends.fixed.scene_c_fixed import MARK, bounds_in_words
 from coscrew_codegen.backends.nesting import CALL, PRODUCT, SIGN, SUM, Language
 from coscrew_codegen.backends.numpy.numpy_operations import statement
 from coscrew_codegen.backends.render import render
 from coscrew_codegen.backends.scene import scene_text
-from coscrew_codegen.backends.scene.scene_c_fixed import MARK, bounds_in_words
 from coscrew_codegen.backends.target import Files, Target
 from coscrew_codegen.program import Instruction, Op
 from coscrew_codegen.program.fixed import fixed_sine

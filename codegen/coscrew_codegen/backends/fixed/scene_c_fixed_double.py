@@ -4,8 +4,8 @@ from collections.abc import Iterator
 
 from coscrew_codegen.accuracy.fixed_scene import FixedFunction, FixedScene
 from coscrew_codegen.backends.c.c_function import CFunction
-from coscrew_codegen.backends.c.c_integers import INTEGERS
 from coscrew_codegen.backends.c.c_statements import comment_of
+from coscrew_codegen.backends.fixed.c_integers import INTEGERS
 from coscrew_codegen.backends.scene import scene_c_arguments as arguments
 from coscrew_codegen.backends.scene import scene_text
 from coscrew_codegen.program.fixed.fixed_program import Products

@@ -7,14 +7,14 @@ from collections.abc import Iterable, Iterator, Sequence
 from coscrew_codegen.accuracy.fixed_scene import FixedFunction, FixedScene
 from coscrew_codegen.accuracy.scene_tiers import headings_in
 from coscrew_codegen.algebra.recording.gc_pause import uncollected
-from coscrew_codegen.backends.c import c_integers
 from coscrew_codegen.backends.c.c_function import CFunction
-from coscrew_codegen.backends.c.c_integers import INTEGERS
 from coscrew_codegen.backends.c.c_statements import WIDTH, comment_of, listed
+from coscrew_codegen.backends.fixed import c_integers, scene_c_fixed_runtime
+from coscrew_codegen.backends.fixed import scene_c_fixed_double as in_double
+from coscrew_codegen.backends.fixed.c_integers import INTEGERS
 from coscrew_codegen.backends.render import render
 from coscrew_codegen.backends.scene import scene_c_arguments as arguments
-from coscrew_codegen.backends.scene import scene_c_fixed_double as in_double
-from coscrew_codegen.backends.scene import scene_c_fixed_runtime, scene_symbols, scene_text
+from coscrew_codegen.backends.scene import scene_symbols, scene_text
 from coscrew_codegen.backends.target import Files, Target
 from coscrew_codegen.program.fixed.fixed_program import Products
 from coscrew_codegen.program.fixed.fixed_value import FixedValue
