@@ -133,7 +133,8 @@ class Derivation:
             tuple((p.name, float(p.value)) for p in scene.parameters), self._neutral,
             tuple(made), (), scene.precisions, scene.timed, tuple(signs(scene).items()),
             scene.tiers, states=tuple(x for own in states_of(scene)
-                                      for x in zip(own.columns, own.units, strict=True)))
+                                      for x in zip(own.columns, own.units, strict=True)),
+            box=scene.ranges.sizes if scene.ranges else ())
 
     def _derived(self, entry: SceneFunction) -> FunctionProgram:
         """The function of its inputs."""

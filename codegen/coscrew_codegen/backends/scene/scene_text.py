@@ -45,7 +45,8 @@ or or_eq private protected public reinterpret_cast requires static_assert static
 thread_local throw true try typeid typename using virtual wchar_t xor xor_eq linux unix"""
 _CALLED = """fabs sqrt sin cos atan2 exp tanh fma fabsf sqrtf sinf cosf atan2f expf tanhf fmaf
 memcpy NAN absolute arctan2 where nan float32 float64 np errstate array zeros_like ones_like
-lead out SIGNS arrays assembled components delivered merged rounds spread"""
+lead out high_product rounded_shift sincos SIGNS arrays assembled components delivered merged
+rounds spread"""
 RESERVED = frozenset((*_C.split(), *_CPP.split(), *_CALLED.split(), *keyword.kwlist))
 """Names that no instruction may have: keywords of C, C++ and Python, and called functions."""
 

@@ -250,7 +250,7 @@ SCENE = TableOf("", "The file itself.", (
     Key("functions", "what is generated: names of functions; \"default\" and \"all\" stand for "
         "several", "texts", default='["default"]'),
     Key("tiers", "in which the functions, steps excepted, are generated besides plain: accurate, "
-        "certified, mixed, pairs", "texts", default='["plain"]'),
+        "certified, mixed, pairs, fixed", "texts", default='["plain"]'),
     Key("accuracy", "how accurate functions in single precision are in the mixed tier, which they "
         "then have", "tolerances", table=ACCURACY),
     Key("ranges", "in which the arguments of functions lie, for proved bounds of errors", "table",

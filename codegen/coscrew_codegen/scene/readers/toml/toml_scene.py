@@ -42,7 +42,12 @@ from coscrew_codegen.scene.readers.unused import besides, unused
 from coscrew_codegen.scene.recordable import quantities_of
 from coscrew_codegen.scene.recorded_quantities import STATES, QuantityError, expected
 from coscrew_codegen.scene.scene import Applied, Expectation, Run, Scene
-from coscrew_codegen.scene.tier_selection import TiersError, on_request, selected
+from coscrew_codegen.scene.tier_selection import (
+    TiersError,
+    need_ranges,
+    on_request,
+    selected,
+)
 
 
 @dataclass(frozen=True)
@@ -184,6 +189,7 @@ def _scene(file: TomlTable, catalogue: tuple[Effect, ...], overrides: SceneOverr
         model, effects, parameters = with_parameters(file, model, effects, catalogue)
     if overrides.tiers:
         tiers = selected(overrides.tiers)
+    _refuse_without_ranges(file, tiers)
     scene = replace(scene, model=model, effects=effects, parameters=parameters, accuracy=accuracy,
                     tiers=tiers,
                     notices=(*_falling(file, model, effects), *idle(effects), *notices))
@@ -219,6 +225,15 @@ def _tiers(file: TomlTable) -> tuple[str, ...]:
         return selected(names)
     except TiersError as error:
         file.refuse("tiers", str(error))
+
+
+def _refuse_without_ranges(file: TomlTable, tiers: tuple[str, ...]) -> None:
+    """Refuse tiers whose formats follow from the ranges of arguments, if the file states none."""
+    if tiers and "ranges" not in file:
+        for name in need_ranges():
+            if name in tiers:
+                file.refuse("tiers", f"the {name} tier needs the ranges of arguments; wanted "
+                                     "[ranges] with the largest sizes, as v = 2 and a = 10")
 
 
 def _selecting(scene: Scene, functions: tuple[str, ...]) -> Scene:
