@@ -1,0 +1,1 @@
+"""Effects that exert forces on bodies, or move fluid with them."""
