@@ -186,7 +186,7 @@ def test_an_ellipsoid_turns_broadside() -> None:
 
 @pytest.mark.parametrize("model", [mechanism, chain_of_three], ids=["tree", "with a follower"])
 def test_forward_and_inverse_dynamics_agree(model: Callable) -> None:
-    """And M a is their difference, whose energy is v·M v/2."""
+    """M a is what acceleration adds to the torques, and v·M v/2 the kinetic energy."""
     own = [applied("added_mass", "b1", mass=MASS, inertia=INERTIA, matrix=LOWER, point=POINT),
            applied("added_mass", "b2", mass=MASS, point=POINT)]
     mimic = effects("mimic") if model is chain_of_three else ()
@@ -222,7 +222,7 @@ def test_work_of_the_stream_is_the_change_of_energy(stream: tuple) -> None:
 
 
 def test_derivatives_are_those_of_the_dynamics() -> None:
-    """Of torques by q, v and a, and of the kinetic energy: central differences over 1e-16."""
+    """Differences over 1e-16, of torques by q, v and a, and of the kinetic energy."""
     own = scene(chain((Kind.REVOLUTE, Y, HERE, RIGID), (Kind.REVOLUTE, X, at(0, 1, 0), RIGID)),
                 added(), applied("added_mass", "b1", mass=MASS), gravity(),
                 applied("wind", velocity=WIND))
