@@ -20,6 +20,7 @@ from coscrew_codegen.scene.mechanism.model import Parameter
 from coscrew_codegen.scene.scene import Applied, Scene, Setting
 from tests.support.scenes.effect_scenes import (
     PLACES,
+    STATEFUL,
     all_but,
     assert_listed,
     effects,
@@ -55,6 +56,7 @@ ROW = 4
 LEFT_OUT = [tuple(x for n, x in enumerate(sorted(PLACES)) if place(n) == k)
             for place, count in ((lambda n: n // ROW, -(-len(PLACES) // ROW)),
                                  (lambda n: n % ROW, ROW)) for k in range(count)]
+LEFT_OUT.append(STATEFUL)
 """The rows and the columns of a table of the effects.  Of any two effects, each is left out once
 while the other is present."""
 

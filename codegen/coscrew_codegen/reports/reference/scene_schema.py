@@ -103,6 +103,8 @@ def _one(effect: Effect) -> Schema:
         more = {"joints": _by_name(_NUMBER)}
     needed = [parameter.name for parameter in effect.parameters
               if parameter.required and parameter.default is None and not parameter.of]
+    if effect.parts:
+        more = {"bodies": _TEXTS}
     if effect.place is Place.PAIR:
         more = {"bodies": _array(2, {"type": "string"}) | {"uniqueItems": True}}
         needed = ["bodies", *needed]
@@ -117,7 +119,7 @@ def _effect(effect: Effect) -> Schema:
     one: Schema = {"$ref": f"#/definitions/{effect.name}"}
     if effect.place is Place.SCENE:
         return one
-    if effect.place is Place.PAIR:
+    if effect.place is Place.PAIR or effect.parts:
         return _by_name(one)
     several = "joints" if effect.place is Place.JOINT else "bodies"
     values = {parameter.name: {"description": _described(parameter), "anyOf": [

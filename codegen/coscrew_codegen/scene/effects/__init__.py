@@ -1,7 +1,7 @@
 """The effects of scenes, one per module.
 
-Further effects: contact of a point with the ground is a `body_force`; closed loops need a field for
-rows of constraints, for whose multipliers forward dynamics must solve."""
+Further effects: closed loops need a field for rows of constraints, for whose multipliers forward
+dynamics must solve."""
 
 import copyreg
 
