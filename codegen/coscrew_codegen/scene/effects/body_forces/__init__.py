@@ -1,1 +1,0 @@
-"""Effects that exert forces on bodies, or move fluid with them."""
