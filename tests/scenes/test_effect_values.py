@@ -139,6 +139,21 @@ def armatures() -> Iterator[Case]:
                    energy + 3 * mpf("0.7")**2 / 2)
 
 
+def added_masses() -> Iterator[Case]:
+    """Energy V·M V/2 at the point, which counts as kinetic; (f; τ) = -[ad]*(V) M V at a = 0."""
+    point = [mpf(1), mpf("0.5"), mpf(-2)]
+    v, w = array(TWIST[:3]), array(TWIST[3:])
+    u = v + skew(w) @ array(point)
+    p, L = array([4, 9, 7]) * u, array([2, 1, 3]) * w
+    force, moment = -skew(w) @ p, -(skew(w) @ L + skew(u) @ p)
+    energy = (u @ p + w @ L) / 2
+    yield Case(free_body(2), (applied("added_mass", "b0", mass=(4, 9, 7), inertia=(2, 1, 3),
+                                      point=numbers(1, "0.5", -2)),),
+               {"q": [*PLACE, *QUATERNION], "v": TWIST}, {"energy": [energy]}, mpf(0),
+               [*force, *(moment + skew(array(point)) @ force)],
+               energy + (2 * v @ v + w @ w) / 2)
+
+
 def frictions() -> Iterator[Case]:
     for v in map(mpf, ("0", "1e-9", "-0.003", "0.2", "-5")):
         slow = mpmath.tanh(v / mpf("0.01"))
@@ -297,6 +312,7 @@ def pairs() -> Iterator[Case]:
 
 CASES: Mapping[str, Callable[[], Iterator[Case]]] = {
     "actuator": lambda: chain(actuators(), compensating()), "armature": armatures,
+    "added_mass": added_masses,
     "buoyancy": buoyancies, "coulomb": frictions, "drag": drags, "field": fields,
     "gravity": weights, "joint_drag": frictions, "limit": limits, "speed_limit": frictions,
     "spring": springs, "spring_damper": pairs, "stribeck": frictions, "viscous": frictions,

@@ -193,7 +193,6 @@ def run(options: argparse.Namespace) -> int:
 
     compilation.ask()
     from coscrew_codegen.simulation import run_summary
-    from coscrew_codegen.simulation.check.overspeed import overspeed
     from coscrew_codegen.simulation.recordings import recording_writer
     from coscrew_codegen.simulation.view import view_files
 
@@ -206,7 +205,7 @@ def run(options: argparse.Namespace) -> int:
     first = results[0]
     for note in ("" if options.start or options.again else
                  run_summary.outside(first.system, first.trajectory.q[0]),
-                 run_summary.bounces(first), overspeed(first)):
+                 run_summary.bounces(first), run_summary.overspeed(first)):
         if note:
             print(f"coscrew: {note}", file=sys.stderr)
     recordings = [x.recording for x in results]

@@ -177,8 +177,8 @@ class _Solution:
         rate, inertia = self._guess.rates[i], self._guess.inertias[i]
         of_rate: Row = [self.zero] * len(d.slopes)
         if not rate.is_zero:
-            change = self._of_inertia(i, beyond)
-            of_rate = [x / inertia for x in subtract(d.slopes, scaled(rate, change))]
+            change = subtract(d.slopes, scaled(rate, self._of_inertia(i, beyond)))
+            of_rate = scaled(1 / inertia, change)
         duals = derivatives.along(self._weights, self.x.recorder, [
             [Dual(self.h, (None,) * len(d.slopes))], *([Dual(y, tuple(s))] for y, s in (
                 (d.value, d.slopes), (k.value, k.slopes), (rate, of_rate)))])

@@ -20,14 +20,13 @@ from coscrew_codegen.scene.recorded_quantities import recorded
 from coscrew_codegen.scene.scene import Scene
 from coscrew_codegen.simulation import SimulateError, required_functions
 from coscrew_codegen.simulation.batch_inputs import Parameters, values_of
-from coscrew_codegen.simulation.check.overspeed import overspeed
 from coscrew_codegen.simulation.checkpoint import Checkpoint, end_in
 from coscrew_codegen.simulation.control import Controller, Law
 from coscrew_codegen.simulation.execution import RunRequest, complete, motion
 from coscrew_codegen.simulation.recordings.record import quantities
 from coscrew_codegen.simulation.recordings.result import Result
 from coscrew_codegen.simulation.replay import metadata_of
-from coscrew_codegen.simulation.run_summary import outside
+from coscrew_codegen.simulation.run_summary import outside, overspeed
 from coscrew_codegen.simulation.system import scene_of
 
 

@@ -8,7 +8,7 @@ rate l' = e^T v, so that a common motion of both bodies is not damped.
 """
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from fractions import Fraction
 
 from coscrew_codegen.algebra.recording.numbers import (
@@ -30,8 +30,9 @@ from coscrew_codegen.dynamics.forces.applied_effects import AppliedEffects, Appl
 from coscrew_codegen.dynamics.forces.linearization import JointEffect
 from coscrew_codegen.scene.effect import Slopes, required
 
-Weights = Callable[[Number, Number, Number], tuple[Number, Number]]
-"""(damping, stiffness, damping over the inertia that it acts on, in 1/s) -> (m, c)."""
+Weights = Callable[..., tuple[Number, Number]]
+"""(damping, stiffness, damping over the inertia that it acts on, in 1/s, and for forces on bodies
+also stiffness over it, in 1/s²) -> (m, c)."""
 
 _LEAST = Fraction(1, 10**30)
 """kg: used instead of a mass of zero."""
@@ -211,8 +212,8 @@ def _resisted(motion: Motion, acting: AppliedEffects, rigids: Sequence[Rigid], w
 
 def _represented(slopes: Slopes, body: Rigid, weights: Weights) -> tuple[Number, Number]:
     """(m, c) for the slopes of a force on a point of a body."""
-    rate = slopes.damping / maximum(body.m, _LEAST)
-    return weights(slopes.damping, slopes.stiffness, rate)
+    m = maximum(body.m, _LEAST)
+    return weights(slopes.damping, slopes.stiffness, slopes.damping / m, slopes.stiffness / m)
 
 
 def _about(motion: Motion, wrenches: Sequence[Wrench], acting: AppliedEffects,
@@ -323,5 +324,5 @@ def _product(a: Sequence[Number], b: Sequence[Number]) -> Number:
 def _with_mass(body: Rigid, mass: Number, point: Vector) -> Rigid:
     """The body with a point mass."""
     zero = mass.like(0)
-    return rigid_of(add(body.numbers, mass.recorder.call(
-        "spatial_inertia_from_com", mass, point, [zero] * 9)))
+    return replace(rigid_of(add(body.numbers, mass.recorder.call(
+        "spatial_inertia_from_com", mass, point, [zero] * 9))), added=body.added)
