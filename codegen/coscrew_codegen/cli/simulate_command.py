@@ -180,6 +180,7 @@ def run(options: argparse.Namespace) -> int:
 
     compilation.ask()
     from coscrew_codegen.simulation import run_summary
+    from coscrew_codegen.simulation.loops import loop_closing
     from coscrew_codegen.simulation.recordings import recording_writer
 
     for path, endings in ((options.output, tuple(recording_writer.FORMATS)),
@@ -191,7 +192,7 @@ def run(options: argparse.Namespace) -> int:
     first = results[0]
     for note in ("" if options.start or options.again else
                  run_summary.outside(first.system, first.trajectory.q[0]),
-                 run_summary.bounces(first)):
+                 loop_closing.mobility(first.system), run_summary.bounces(first)):
         if note:
             print(f"coscrew: {note}", file=sys.stderr)
     recordings = [x.recording for x in results]

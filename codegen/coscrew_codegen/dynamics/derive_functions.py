@@ -12,6 +12,7 @@ from coscrew_codegen.dynamics.ranges.rounding import statement
 from coscrew_codegen.program.scene_functions import FunctionProgram, SceneFunctions
 from coscrew_codegen.scene.function_selection import (
     FunctionsError,
+    refuse_loops,
     refuse_many,
     refuse_singular,
     selected_functions,
@@ -33,6 +34,7 @@ def derive(scene: Scene, functions: Collection[str] = (),
     refuse_many(scene)
     refuse_numbers(scene)
     refuse_singular(scene, functions)
+    refuse_loops(scene, functions)
     with uncollected():
         return _functions(Derivation(scene, tell), functions)
 

@@ -37,6 +37,8 @@ _LEAST = Fraction(1, 10**30)
 """kg: used instead of a mass of zero."""
 
 _Solve = Callable[[Joint, Sequence[Wrench]], list[Number]]
+Inverse = Callable[[Sequence[Number]], list[Number]]
+"""e -> (M + m)⁻¹ e."""
 
 
 @dataclass(frozen=True)
@@ -50,10 +52,11 @@ class _Row:
 
 @dataclass(frozen=True)
 class Implicit:
-    """a, and for each velocity its damping over the inertia that it acts on."""
+    """a, for each velocity its damping over the inertia that it acts on, and (M + m)⁻¹."""
 
     a: list[Number]
     rates: list[Number]
+    inverse: Inverse
 
 
 def accelerations(motion: Motion, acting: AppliedEffects, rigids: Sequence[Rigid],
@@ -105,16 +108,26 @@ def implicit(motion: Motion, acting: AppliedEffects, rigids: Sequence[Rigid],
                 solve, joint = _with_line(motion, e, x.along, acting.sums[number].along, weights,
                                           solve, joint)
     wrenches = rnea.net_wrenches(motion, rigids, acting)
-    return Implicit(solve(joint, _about(motion, wrenches, acting, start, rigids, weights)), rates)
+    a = solve(joint, _about(motion, wrenches, acting, start, rigids, weights))
+    return Implicit(a, rates, lambda e: solve(lambda k, inertia: (e[k], joint(k, inertia)[1]),
+                                              _still(motion)))
 
 
 def inverse_inertia(motion: Motion, rigids: Sequence[Rigid], inertias: Mapping[str, Number],
                     unit: Sequence[Number]) -> Number:
     """e·M⁻¹ e of a row e, the acceleration along it by a torque of 1 along it."""
-    own = _own(motion, inertias)
-    still = [(*motion.zero, *motion.zero)] * len(motion.tree.links)
-    a = _solver(motion, rigids)(lambda k, _: (unit[k], own[k]), still)
-    return _product(unit, a)
+    return _product(unit, inverse(motion, rigids, inertias)(unit))
+
+
+def inverse(motion: Motion, rigids: Sequence[Rigid], inertias: Mapping[str, Number]) -> Inverse:
+    """M⁻¹, without slopes of effects."""
+    own, solve = _own(motion, inertias), _solver(motion, rigids)
+    return lambda e: solve(lambda k, _: (e[k], own[k]), _still(motion))
+
+
+def _still(motion: Motion) -> list[Wrench]:
+    """No wrench on any link."""
+    return [(*motion.zero, *motion.zero)] * len(motion.tree.links)
 
 
 def _own(motion: Motion, inertias: Mapping[str, Number]) -> list[Number]:
@@ -272,8 +285,7 @@ def _with_line(motion: Motion, e: Sequence[Number], along: JointEffect, now: Joi
 
     a = a' - w (m e·a')/(1 + m e·w), w = solve(e), by Sherman and Morrison; it never divides by
     zero, and 1/(e·w) is the inertia that the effect acts on."""
-    still = [(*motion.zero, *motion.zero)] * len(motion.tree.links)
-    w = solve(lambda k, inertia: (e[k], joint(k, inertia)[1]), still)
+    w = solve(lambda k, inertia: (e[k], joint(k, inertia)[1]), _still(motion))
     slopes, rate, product = along.slopes, along.at.v, _product(e, w)
     mass, c = weights(slopes.damping, slopes.stiffness, slopes.damping * product)
     share = mass / (1 + mass * product)

@@ -9,7 +9,8 @@ The kick is solved in two passes: a' with the forces at v0, then a with those at
 are implicit in the damping d and stiffness k of the effects, taken at v0: with z = h d/inertia and
 θ = (1 + z)/(2 + z), forces act as at the time θ h, which adds θ (h d + h² k/2) to the inertia and
 -(θ - ½) h k v0 to the torques.  So a damped velocity shrinks by 1/(1 + z + z²/2) for any z, and
-undamped springs keep ½ v·M v + ½ q·K q.  Of second order.
+undamped springs keep ½ v·M v + ½ q·K q.  Of second order.  The rows of closed loops reflect v,
+E (v0 + v1) = 0, in a third pass.
 """
 
 from collections.abc import Iterator, Sequence
@@ -24,6 +25,7 @@ from coscrew_codegen.dynamics.forces.acted_coordinates import SUM, acted_coordin
 from coscrew_codegen.dynamics.forces.applied_effects import AppliedEffects
 from coscrew_codegen.dynamics.forces.effect_parameters import settings
 from coscrew_codegen.dynamics.function_recording import FunctionRecording
+from coscrew_codegen.dynamics.loops.demands import reflection
 from coscrew_codegen.program import NotANumber
 from coscrew_codegen.scene.effect import Contact, CoordinateState, required
 from coscrew_codegen.scene.functions.steps.step_parts import MOST
@@ -57,10 +59,15 @@ def kick(x: FunctionRecording) -> list[Number]:
     q, v = recorder.argument("q"), recorder.argument("v")
     first = x.motion(at=(q, v))
     start = AppliedEffects(x.scene, first).act()
-    guess = forward.implicit(first, start, x.rigids, x.inertias, weights(h), x.tau)
-    second = x.motion(at=(q, _sum(v, scaled(h / 2, guess.a))))
-    acting = AppliedEffects(x.scene, second, _delays(x, h, guess.rates)).act()
-    return forward.implicit(second, acting, x.rigids, x.inertias, weights(h), x.tau, start).a
+    kicked = forward.implicit(first, start, x.rigids, x.inertias, weights(h), x.tau)
+    a, demand, delays = kicked.a, reflection(x, first, h), _delays(x, h, kicked.rates)
+    for _ in range(2 if demand else 1):
+        a = demand.met(a, kicked.inverse).a if demand else a
+        again = x.motion(at=(q, _sum(v, scaled(h / 2, a))))
+        acting = AppliedEffects(x.scene, again, delays).act()
+        kicked = forward.implicit(again, acting, x.rigids, x.inertias, weights(h), x.tau, start)
+        a = kicked.a
+    return demand.met(a, kicked.inverse).a if demand else a
 
 
 def _delays(x: FunctionRecording, h: Number, rates: Sequence[Number]) -> dict[int, Number]:
