@@ -34,11 +34,12 @@ from tests.support.walks import copied
 ROOT = Path(__file__).parents[2]
 
 ZEROS: Mapping[str, tuple[str, ...]] = {
+    "added_mass": ("mass", "inertia", "matrix"),
     "actuator": ("torque", "kp", "kd", "kt"), "armature": ("inertia", "rotor"),
     "buoyancy": ("rho",), "coulomb": ("tau_c",), "drag": ("rho", "b"), "field": ("mu",),
-    "gravity": ("g",), "joint_drag": ("c",), "limit": ("k",), "spring": ("k",),
-    "spring_damper": ("k", "d"), "stribeck": ("tau_c", "tau_s"), "viscous": ("d",),
-    "wind": ("velocity",), "wrench": ("force", "torque")}
+    "gravity": ("g",), "joint_drag": ("c",), "limit": ("k",), "speed_limit": ("d",),
+    "spring": ("k",), "spring_damper": ("k", "d"), "stribeck": ("tau_c", "tau_s"),
+    "viscous": ("d",), "wind": ("velocity",), "wrench": ("force", "torque")}
 """The parameters without which an effect does nothing."""
 
 
@@ -98,7 +99,7 @@ def zeroed(name: str, number: Fraction | Parameter) -> tuple[Applied, ...]:
     def zero(parameter: str, value: Setting) -> Setting:
         if value is None or parameter not in ZEROS[name]:
             return value
-        return (number,) * 3 if isinstance(value, tuple) else number
+        return (number,) * len(value) if isinstance(value, tuple) else number
 
     return tuple(replace(x, values={key: zero(key, value) for key, value in x.values.items()})
                  for x in effects(name))

@@ -133,6 +133,14 @@ def test_members_of_a_batch_are_assembled_or_refused(written: Written) -> None:
         run(kernels, q0=starts + [[0, 0, 0], [0, 0.1, 0]], v0=np.zeros(3), until=0.01)
 
 
+def test_a_body_on_a_rod_is_held(written: Written) -> None:
+    """Without the loop, a notice says that the body falls."""
+    rope = f"{closed_loops.rope()}[effects.gravity]\n"
+    loop = rope[rope.index("[loops"):rope.index("[start]")]
+    assert not read_scene(written(rope)).unused
+    assert "it falls" in "".join(read_scene(written(rope.replace(loop, ""))).unused)
+
+
 # functions and commands
 
 

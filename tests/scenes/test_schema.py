@@ -120,6 +120,13 @@ bodies = ["a", "world"]
 k = 3
 [accuracy]
 energy = 1e-3  # by FUNCTION
+[ranges]
+q = { one = "limits", four = [1, { lower = 0, upper = 2 }] }
+v = [1, [1, 2, 3], { lower = -1, upper = 1 }]
+a = 20
+tau = "pi"
+p = { "b.mass" = { lower = 0, upper = 1 } }
+t = { lower = 0, upper = 10 }
 [start]
 q.one = 0.1
 q.three = [0, 0, 0, 1]
@@ -178,7 +185,7 @@ def places(value: object, path: tuple = ()) -> Iterator[tuple]:
 def tables(value: object, path: tuple = ()) -> Iterator[tuple]:
     """The paths to all tables except those whose keys are names of the scene's own."""
     if isinstance(value, dict):
-        own = ("accuracy", "attach", "frames", "bodies", "joints", "q", "v", "expect",
+        own = ("accuracy", "attach", "frames", "bodies", "joints", "q", "v", "p", "expect",
                "spring_damper", "viscous", "wrench")
         if not path or path[-1] not in own and path[-2:] != ("viscous", "d"):
             yield path

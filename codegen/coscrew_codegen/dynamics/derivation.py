@@ -10,7 +10,7 @@ from coscrew_codegen.dynamics.function_recording import FunctionRecording
 from coscrew_codegen.dynamics.inlined_steps import inlined
 from coscrew_codegen.dynamics.integrator_steps import needs, stepped
 from coscrew_codegen.dynamics.parameters.scene_parameters import LinearParameters
-from coscrew_codegen.dynamics.ranges.ranges import refuse_products, refuse_quotients
+from coscrew_codegen.dynamics.ranges.representable import refuse_products, refuse_quotients
 from coscrew_codegen.dynamics.scene_dynamics import RecordedDynamics
 from coscrew_codegen.program import Constant, Op, Operand, Program
 from coscrew_codegen.program.scene_functions import FunctionProgram, SceneFunctions

@@ -1,7 +1,7 @@
 """Recording of one function of a scene."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 
 from coscrew_codegen.algebra.recording.numbers import Number
@@ -9,6 +9,7 @@ from coscrew_codegen.algebra.recording.recorder import Recorder
 from coscrew_codegen.dynamics.algorithms import rnea
 from coscrew_codegen.dynamics.algorithms.bodies import Rigid, rigids
 from coscrew_codegen.dynamics.algorithms.motion import Motion
+from coscrew_codegen.dynamics.forces.added_inertia import added_inertias
 from coscrew_codegen.dynamics.forces.applied_effects import AppliedEffects, gravity, joint_inertias
 from coscrew_codegen.scene.mechanism.tree import Tree
 from coscrew_codegen.scene.scene import Scene
@@ -39,8 +40,11 @@ class FunctionRecording:
 
     @cached_property
     def rigids(self) -> list[Rigid]:
-        """The inertia of each link."""
-        return rigids(self.recorder, self.names, self.tree)
+        """The inertia of each link, with those that effects add beside it."""
+        own = rigids(self.recorder, self.names, self.tree)
+        for link, inertia in added_inertias(self.scene, self.recorder, self.tree).items():
+            own[link] = replace(own[link], added=inertia.entries)
+        return own
 
     @cached_property
     def inertias(self) -> dict[str, Number]:

@@ -24,7 +24,7 @@ Energy = Callable[[FunctionRecording, Motion], Number]
 
 def of_kinetic(x: FunctionRecording, motion: Motion) -> tuple[Vector, Vector]:
     """∂T/∂q and ∂T/∂v = M v."""
-    momenta = energies.momenta(x, motion)
+    momenta = energies.momenta(x, motion, added=True)
     dq, dv = ([motion.zero[0]] * x.tree.nv for _ in range(2))
     for number, link in enumerate(x.tree.links):
         p = momenta[number]

@@ -318,11 +318,8 @@ class RecordedDynamics:
         """a with (M + h d + h² k) a = tau - bias torques - h k v."""
         x, acting = self._recording, self._acting
         h, = self.argument("h")
-
-        def weights(d: Number, k: Number, _: Number) -> tuple[Number, Number]:
-            return (d + k * h) * h, k * h
-
-        free = forward.implicit(self._motion, acting, x.rigids, x.inertias, weights, x.tau)
+        free = forward.implicit(self._motion, acting, x.rigids, x.inertias, kicks.end_weights(h),
+                                x.tau)
         demand = demands.stop(x, self._motion, h)
         return demand.met(free.a, free.inverse).a if demand else free.a
 

@@ -65,8 +65,8 @@ class ParameterOf:
     name: str
     unit: str
     words: str
-    kind: str = "number"  # number, vector (three numbers), formula (number or function of t),
-    # formulas (three of them), choice, body, flag (true or false)
+    kind: str = "number"  # number, vector (three numbers), matrix (symmetric, 6×6), formula (number
+    # or function of t), formulas (three of them), choice, body, flag (true or false)
     default: Fraction | int | str | tuple[Fraction, ...] | None = None  # None: there is none
     required: bool = True  # without default; if not, the value may stay None, also where the model
     # has no such number
@@ -77,6 +77,7 @@ class ParameterOf:
     optional_of: tuple[str, ...] = ()  # the choices among these with which it may be left out
     positive: bool = False  # refused if zero or below
     nonnegative: bool = False
+    needs: str = ""  # the parameter without which it may not be given
     example: str = "1"  # in TOML, for messages that propose the effect
 
     @property
@@ -157,6 +158,7 @@ class Torque:
     """Torque along a joint's coordinate, or a force that pushes two points apart.
 
     Without a `torque`, it is -∂energy/∂q.  `limit`: it acts as max(-limit, min(torque, limit)).
+    `no_load`: the speed to which the limit of a torque that drives falls, linearly, to zero.
     `energy`: its potential energy, if it has one.  `power`: the power of the part without potential
     energy; by default the torque's whole power if there is no energy, else zero.
 
@@ -166,11 +168,14 @@ class Torque:
 
     torque: Number | None = None
     limit: Number | None = None
+    no_load: Number | None = None
     energy: Number | None = None
     power: Number | None = None
     contact: Contact | None = None
     damping: Number | None = None
     stiffness: Number | None = None
+    ahead: bool = False  # implicit steps take its damping also from the middle of the step, where
+    # that is larger: it starts at once, at some speed
 
 
 @dataclass(frozen=True)
@@ -210,6 +215,15 @@ class Force:
     slopes: Slopes | PointSlopes | None = None  # Slopes: the same in all directions
 
 
+@dataclass(frozen=True)
+class BodyInertia:
+    """Inertia that an effect adds to a body at a point of it: 36 numbers of a symmetric matrix, row
+    by row, for the point's velocity and the angular velocity, in the body's axes."""
+
+    point: Vector
+    matrix: tuple[Number, ...]
+
+
 def required(x: K | None) -> K:
     """Returns a value that an effect gives.  Raises TypeError if it gives neither this value nor an
     energy from which it follows."""
@@ -242,6 +256,7 @@ class Effect:
     joint_torque: Callable[[CoordinateState, Values], Torque] | None = None
     joint_inertia: Callable[[Values], Number] | None = None
     body_force: Callable[[BodyState, Values], Force] | None = None
+    body_inertia: Callable[[Values], BodyInertia] | None = None  # of the fluid around a body
     pair_force: Callable[[CoordinateState, Values], Torque] | None = None  # between its POINTS
     each: bool = False  # on a joint with several velocities, it acts along each of them
     rest: str = ""  # the parameter with the coordinates at which such a joint is at rest; without
@@ -251,6 +266,7 @@ class Effect:
     compensates: str = ""  # the flag with which its torque includes `holding` of CoordinateState
     massive: bool = False  # acts on a body by its mass and inertia: only on bodies that have them
     in_fluid: bool = False  # its force depends on the fluid's motion
+    resists: bool = False  # it only resists motion (in a fluid, relative to it): it holds nothing
     reaction: bool = False  # selects the joint's reaction function
     mimic: bool = False  # makes followers follow
     alone: bool = False  # acts, with the model's numbers, where a model's file is taken alone

@@ -37,9 +37,12 @@ TIMED = (Formula("sin(t)"), Fraction(2), Formula("1 - t"))
 
 PLACES: Mapping[str, Sequence[tuple[str, Mapping[str, Value]]]] = {
     "actuator": [
-        ("j1", {"kind": "pd", "kp": 3, "kd": 2, "target": Formula("t"), "limit": 5}),
+        ("j1", {"kind": "pd", "kp": 3, "kd": 2, "target": Formula("t"), "limit": 5, "speed": 4}),
         ("j2", {"kind": "dc", "voltage": 9, "kt": 2, "ke": 1, "R": 3}),
         ("j1", {"kind": "torque", "torque": Formula("cos(3*t)")})],
+    "added_mass": [
+        ("b3", {"mass": (1, 2, 3), "inertia": (HALF, 0, 1), "point": (0, 0, 1)}),
+        ("b0", {"matrix": (3, 1, 2, 0, HALF, 4, 0, 0, 1, 2, HALF, 0, 0, 0, 1, 0, 1, 0, 0, 0, 3)})],
     "armature": [("j1", {"inertia": 3}), ("j2", {"rotor": 1, "gear": 2})],
     "buoyancy": [("b2", {"rho": 2, "V": HALF, "centre": (0, 1, 0)})],
     "coulomb": [("j1", {"tau_c": 2, "eps": HALF})],
@@ -52,6 +55,7 @@ PLACES: Mapping[str, Sequence[tuple[str, Mapping[str, Value]]]] = {
               ("j2", {"lower": -1, "upper": Fraction(1, 5), "k": 9, "alpha": HALF})],
     "mimic": [("", {})],
     "reaction": [("j2", {})],
+    "speed_limit": [("j2", {"speed": HALF, "d": 3})],
     "spring": [("j1", {"k": 7, "q0": 1})],
     "spring_damper": [
         ("a", {"bodies": ("world", "b3"), "first": (1, 1, 1), "second": (0, 0, 1), "k": 5, "d": 2,

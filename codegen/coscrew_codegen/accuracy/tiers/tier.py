@@ -52,6 +52,7 @@ class Tier:
     # function → the tier's, which may have more outputs; None: scenes do not have the tier
     bounds: bool = False  # whether operations return bounds, where inf and NaN make no statement
     on_request: bool = False  # whether only scenes' functions with a requested accuracy have it
+    fixed: bool = False  # whether scenes' values are integers in fixed point, for stated ranges
     precisions: tuple[Precision, ...] = PRECISIONS  # that it has in scenes
     header: str = "ksl_types"  # that its C functions need; ksl_exact computes rounding errors
     promise: str = ""  # what results of scenes' functions are, and when, in words

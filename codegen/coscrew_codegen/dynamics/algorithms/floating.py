@@ -52,7 +52,7 @@ def floating(scene: Scene, tree: Tree) -> tuple[int, ...]:
 
 def _tied(applied: Applied, tree: Tree) -> set[int]:
     """The trees on which an effect exerts an external force, by first link."""
-    if applied.effect.body_force:
+    if applied.effect.body_force or applied.effect.body_inertia:
         return {_root(tree, tree.link_and_body(applied.on)[0])}
     if applied.effect.pair_force:
         ends = {_root(tree, tree.link_and_body(body)[0]) for body in applied.bodies}
@@ -75,6 +75,7 @@ def _idle(scene: Scene, tree: Tree, applied: Applied) -> bool:
     acting = AppliedEffects(only, motion).act()
     numbers = [*(x for link in acting.forces for x in acting.force(link)),
                *(x for link in acting.torques for x in acting.torque(link)),
+               *(x for inertias in acting.inertias.values() for y in inertias for x in y.entries),
                *joint_inertias(only, recorder).values()]
     return all(x.is_zero for x in numbers)
 

@@ -8,7 +8,7 @@ rate l' = e^T v, so that a common motion of both bodies is not damped.
 """
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from fractions import Fraction
 
 from coscrew_codegen.algebra.recording.numbers import (
@@ -52,10 +52,11 @@ class _Row:
 
 @dataclass(frozen=True)
 class Implicit:
-    """a, for each velocity its damping over the inertia that it acts on, and (M + m)⁻¹."""
+    """a, for each velocity the inertia that its damping acts on and their quotient, (M + m)⁻¹."""
 
     a: list[Number]
     rates: list[Number]
+    inertias: list[Number]
     inverse: Inverse
 
 
@@ -79,18 +80,12 @@ def implicit(motion: Motion, acting: AppliedEffects, rigids: Sequence[Rigid],
     initial velocities of the step; forces are then linear about these velocities."""
     start, own = slopes or acting, _own(motion, inertias)
     torques = _without_own_bias(motion, inertias, _torques(acting, start, tau))
-    damping = _gathered(motion, {n: start.damping(n) for n in sorted(start.torques)}, 2)
-    stiffness = _gathered(motion, {n: start.stiffness(n) for n in sorted(start.torques)}, 2)
-    for x in start.sums:
-        if len(x.weights) == 1:
-            (place, weight), = x.weights.items()
-            square = weight * weight
-            damping[place] = damping[place] + x.along.slopes.damping * square
-            stiffness[place] = stiffness[place] + x.along.slopes.stiffness * square
-    rates = list(damping)
+    damping, stiffness = slopes_at_joints(start)
+    rates, moved = list(damping), list(own)
 
     def at_joint(k: int, inertia: Number) -> tuple[Number, Number]:
-        rates[k] = damping[k] / (inertia + own[k])
+        moved[k] = inertia + own[k]
+        rates[k] = damping[k] / moved[k]
         mass, c = weights(damping[k], stiffness[k], rates[k])
         return torques[k] - c * start.motion.v[k], own[k] + mass
 
@@ -109,8 +104,23 @@ def implicit(motion: Motion, acting: AppliedEffects, rigids: Sequence[Rigid],
                                           solve, joint)
     wrenches = rnea.net_wrenches(motion, rigids, acting)
     a = solve(joint, _about(motion, wrenches, acting, start, rigids, weights))
-    return Implicit(a, rates, lambda e: solve(lambda k, inertia: (e[k], joint(k, inertia)[1]),
-                                              _still(motion)))
+    return Implicit(a, rates, moved, lambda e: solve(
+        lambda k, inertia: (e[k], joint(k, inertia)[1]), _still(motion)))
+
+
+def slopes_at_joints(acting: AppliedEffects) -> tuple[list[Number], list[Number]]:
+    """The damping and the stiffness along each velocity, of torques at joints and on sums of one
+    term."""
+    motion = acting.motion
+    damping = _gathered(motion, {n: acting.damping(n) for n in sorted(acting.torques)}, 2)
+    stiffness = _gathered(motion, {n: acting.stiffness(n) for n in sorted(acting.torques)}, 2)
+    for x in acting.sums:
+        if len(x.weights) == 1:
+            (place, weight), = x.weights.items()
+            square = weight * weight
+            damping[place] = damping[place] + x.along.slopes.damping * square
+            stiffness[place] = stiffness[place] + x.along.slopes.stiffness * square
+    return damping, stiffness
 
 
 def inverse_inertia(motion: Motion, rigids: Sequence[Rigid], inertias: Mapping[str, Number],
@@ -324,5 +334,5 @@ def _product(a: Sequence[Number], b: Sequence[Number]) -> Number:
 def _with_mass(body: Rigid, mass: Number, point: Vector) -> Rigid:
     """The body with a point mass."""
     zero = mass.like(0)
-    return rigid_of(add(body.numbers, mass.recorder.call(
-        "spatial_inertia_from_com", mass, point, [zero] * 9)))
+    return replace(rigid_of(add(body.numbers, mass.recorder.call(
+        "spatial_inertia_from_com", mass, point, [zero] * 9))), added=body.added)

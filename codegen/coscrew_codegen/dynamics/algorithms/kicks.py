@@ -47,6 +47,11 @@ def weights(h: Number) -> forward.Weights:
     return represented
 
 
+def end_weights(h: Number) -> forward.Weights:
+    """(inertia, torque per velocity) for forces at the end of a step h."""
+    return lambda d, k, _: ((d + k * h) * h, k * h)
+
+
 def _beyond(h: Number, rate: Number) -> Number:
     """θ - ½, correct also for an infinite rate."""
     return Fraction(1, 2) - 1 / (2 + h * rate)
@@ -60,17 +65,18 @@ def kick(x: FunctionRecording) -> list[Number]:
     first = x.motion(at=(q, v))
     start = AppliedEffects(x.scene, first).act()
     kicked = forward.implicit(first, start, x.rigids, x.inertias, weights(h), x.tau)
-    a, demand, delays = kicked.a, reflection(x, first, h), _delays(x, h, kicked.rates)
+    a, demand, later = kicked.a, reflection(x, first, h), delays(x, h, kicked.rates)
     for _ in range(2 if demand else 1):
         a = demand.met(a, kicked.inverse).a if demand else a
         again = x.motion(at=(q, _sum(v, scaled(h / 2, a))))
-        acting = AppliedEffects(x.scene, again, delays).act()
-        kicked = forward.implicit(again, acting, x.rigids, x.inertias, weights(h), x.tau, start)
+        acting = AppliedEffects(x.scene, again, later).act()
+        slopes = start.with_later(acting)
+        kicked = forward.implicit(again, acting, x.rigids, x.inertias, weights(h), x.tau, slopes)
         a = kicked.a
     return demand.met(a, kicked.inverse).a if demand else a
 
 
-def _delays(x: FunctionRecording, h: Number, rates: Sequence[Number]) -> dict[int, Number]:
+def delays(x: FunctionRecording, h: Number, rates: Sequence[Number]) -> dict[int, Number]:
     """(θ - ½) h of each joint: effects act as at the time θ h, as do damping and stiffness."""
     results = {}
     for number, link in enumerate(x.tree.links):

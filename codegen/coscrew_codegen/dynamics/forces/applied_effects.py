@@ -2,11 +2,13 @@
 """
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
+from copy import copy
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from functools import cached_property, partial
 from operator import mul
 
+from coscrew_codegen.algebra.recording import derivatives
 from coscrew_codegen.algebra.recording.numbers import (
     Number,
     Vector,
@@ -19,7 +21,8 @@ from coscrew_codegen.algebra.recording.numbers import (
     sqrt,
     subtract,
 )
-from coscrew_codegen.algebra.recording.recorder import Recorder
+from coscrew_codegen.algebra.recording.recorder import Recorder, array
+from coscrew_codegen.dynamics.algorithms.aba import Articulated
 from coscrew_codegen.dynamics.algorithms.motion import Motion
 from coscrew_codegen.dynamics.algorithms.rnea import holding_torques
 from coscrew_codegen.dynamics.forces.acted_coordinates import (
@@ -28,10 +31,17 @@ from coscrew_codegen.dynamics.forces.acted_coordinates import (
     acted_coordinates,
     weights_of,
 )
+from coscrew_codegen.dynamics.forces.added_inertia import (
+    Stream,
+    inertia_in_link,
+    power_of_stream,
+    wrench,
+)
 from coscrew_codegen.dynamics.forces.body_motion import BodyOfLink
 from coscrew_codegen.dynamics.forces.effect_parameters import settings
 from coscrew_codegen.dynamics.forces.linearization import JointEffect, Law
 from coscrew_codegen.dynamics.forces.potentials import body_force
+from coscrew_codegen.program.differentiate import Dual
 from coscrew_codegen.scene.effect import (
     FIRST,
     SECOND,
@@ -153,6 +163,7 @@ class AppliedEffects:
         self.forces: dict[int, list[AppliedForce]] = {}
         self.pairs: list[Paired] = []
         self.sums: list[Summed] = []
+        self.inertias: dict[int, list[Articulated]] = {}
 
     def act(self) -> "AppliedEffects":
         """Evaluates the effects, in the order of the catalogue and of the scene."""
@@ -176,6 +187,11 @@ class AppliedEffects:
             for state, force in zip(pair.states, pair.forces, strict=True):
                 self._add(state, force)
             self.pairs.append(pair)
+
+        if effect.body_inertia:
+            link, inertia = inertia_in_link(applied, self.recorder, self.motion.tree)
+            if not inertia.is_zero:
+                self.inertias.setdefault(link, []).append(inertia)
 
     def _act_along(self, law: Law, x: ActedCoordinate, applied: Applied) -> None:
         at = CoordinateState(x.q, x.v, self.t + self.delays.get(x.link, 0),
@@ -203,6 +219,16 @@ class AppliedEffects:
         return None
 
     @cached_property
+    def _stream(self) -> Stream | None:
+        """The velocity of the fluid and its rate; None if it is at rest."""
+        wind = self._wind
+        if wind is None or all(x.is_zero for x in wind):
+            return None
+        applied = next(x for x in self.scene.effects if x.effect.wind)
+        with self.recorder.part("wind", heading="wind"):
+            return Stream(wind, _rate(applied, self.t))
+
+    @cached_property
     def _holding_torques(self) -> list[Number]:
         return holding_torques(self.motion)
 
@@ -226,6 +252,21 @@ class AppliedEffects:
 
     def _add(self, state: BodyOfLink, force: Force) -> None:
         self.forces.setdefault(state.link, []).append(AppliedForce(state, force))
+
+    def with_later(self, later: "AppliedEffects") -> "AppliedEffects":
+        """These effects, with the larger damping of both where it starts at once."""
+        result = copy(self)
+        result.torques = {link: [x.with_later(y) for x, y in zip(
+            effects, later.torques[link], strict=True)] for link, effects in self.torques.items()}
+        result.sums = [replace(x, along=x.along.with_later(y.along))
+                       for x, y in zip(self.sums, later.sums, strict=True)]
+        return result
+
+    @property
+    def looks_ahead(self) -> bool:
+        """True if the damping of an effect depends on later velocities."""
+        at_joints = (x for effects in self.torques.values() for x in effects)
+        return any(x.looks_ahead for x in (*at_joints, *(x.along for x in self.sums)))
 
     # results
 
@@ -261,6 +302,8 @@ class AppliedEffects:
         total = (*self.motion.zero, *self.motion.zero)
         for x in self.forces.get(link, ()):
             total = add(total, x.on_link)
+        for inertia in self.inertias.get(link, ()):
+            total = subtract(total, wrench(self.motion, link, inertia, self._stream))
         return total
 
     def resisting(self, link: int) -> list[AppliedForce]:
@@ -289,6 +332,10 @@ class AppliedEffects:
         for link in sorted(self.forces):
             for force in self.forces[link]:
                 total = total + _own_power(force.force, force.power)
+        for link, inertias in self.inertias.items() if self._stream else ():
+            for inertia in inertias:
+                total = total + power_of_stream(self.motion, link, inertia,
+                                                required(self._stream))
         return total
 
     def _sum(self, values: Iterable[Number]) -> Number:
@@ -302,6 +349,21 @@ def _own_power(x: Torque | Force, whole: Callable[[], Number]) -> Number | int:
     if x.power is not None:
         return x.power
     return whole() if x.energy is None else 0
+
+
+def _rate(applied: Applied, t: Number) -> Vector:
+    """The rate of wind, a velocity that depends on time alone: the tangent of its Program."""
+    outer = t.recorder
+    inputs = [array("t", ()), *(a for a in outer.inputs if a.name == "p")]
+    recorder = Recorder(inputs)
+    wind = required(applied.effect.wind)
+    inner = wind(settings(recorder, applied.values, recorder.argument("t")[0]))
+    program = recorder.program("wind", [(array("u", (3,)), inner)])
+    one = outer.number(1)
+    given = [[Dual(x, (one if a.name == "t" else None,)) for x in (
+        (t,) if a.name == "t" else outer.argument("p"))] for a in program.inputs]
+    slopes = derivatives.along(program, outer, given)
+    return tuple(outer.number(0) if x.slopes[0] is None else x.slopes[0] for x in slopes)
 
 
 def alone(scene: Scene, applied: Applied) -> Scene:

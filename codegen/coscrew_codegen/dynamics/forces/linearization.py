@@ -12,7 +12,12 @@ still jump over the point where u changes sign; there the slope of the secant th
 used:
 
     dry friction (u is 0 at v = 0):       d = max(-∂u/∂v, |u|/|v|)
-    a limit (sat u, |sat u| <= limit):    d and k of u, times limit/max(|u|, limit)"""
+    a limit (sat u, |sat u| <= limit):    d and k of u, times limit/max(|u|, limit)
+    a speed without load:                 d = max(d, |u|/(speed - v sgn u)), u after its limit
+
+The last is the line to the state in which the torque vanishes, the limit's own slope where that
+acts.  With the larger of these d at the start and in the middle of a step, u_m there, no step of
+any length h passes that speed: from v it leads to v + h (u_m + d (v_m - v))/(I + θ h d)."""
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
@@ -51,6 +56,7 @@ class JointEffect:
     values: Mapping[str, Setting]
     part: NamePart
     freedom: int = 0  # the number of the velocity among those of the joint
+    later: "JointEffect | None" = None  # within the step, if its damping starts at once
 
     @cached_property
     def torque(self) -> Torque:
@@ -64,25 +70,38 @@ class JointEffect:
         with self.at.q.recorder.resumed(self.part):
             if torque is None:
                 torque = self._replayed(self._own.torque)
-            if result.limit is not None:
-                torque = maximum(minimum(torque, result.limit), -result.limit)
+            if result.limit is not None and not torque.is_zero:
+                above, below = _limits(result, self.at.v)
+                torque = maximum(minimum(torque, above), -below)
             torque.recorder.label("tau", torque)
             return replace(result, torque=torque)
 
     @property
     def saturated(self) -> Number:
         """1 where the limit reduces the torque, else 0, for a torque with a limit."""
-        limit = required(self._stated.limit)
         with self.at.q.recorder.resumed(self.part):
-            return where(less(limit, absolute(required(self._stated.torque))), 1, 0)
+            torque, limit = required(self._stated.torque), _limit(self._stated, self.at.v)
+            return where(less(limit, absolute(torque)), 1, 0)
 
     @cached_property
     def slopes(self) -> Slopes:
         """The damping and stiffness of the torque."""
         d, k = self._stated.damping, self._stated.stiffness
         with self.at.q.recorder.resumed(self.part):
-            return Slopes(self._replayed(self._own.damping) if d is None else d,
-                          self._replayed(self._own.stiffness) if k is None else k)
+            d = self._replayed(self._own.damping) if d is None else d
+            if self.later:
+                d = maximum(d, self.later.slopes.damping)
+            return Slopes(d, self._replayed(self._own.stiffness) if k is None else k)
+
+    def with_later(self, later: "JointEffect") -> "JointEffect":
+        """This one, with the larger damping of both if its damping starts at once, or leads to a
+        speed without load."""
+        return replace(self, later=later) if self.looks_ahead else self
+
+    @property
+    def looks_ahead(self) -> bool:
+        """True if its damping in a step also depends on the velocities that it leads to."""
+        return bool(self._stated.ahead) or self._stated.no_load is not None
 
     @cached_property
     def _stated(self) -> Torque:
@@ -100,6 +119,23 @@ class JointEffect:
         p = [recorder.argument("p")] if recorder.has("p") else []
         held = [] if at.holding is None else [at.holding]
         return recorder.replay(self._own.program(value), at.q, at.v, at.t, *held, *p)[0]
+
+
+def _limits(stated: Torque, v: Number) -> tuple[Number, Number]:
+    """The largest torques along +v and -v: limit, less by v/no_load where they drive."""
+    limit, no_load = required(stated.limit), stated.no_load
+    if no_load is None:
+        return limit, limit
+    share = v / no_load
+    above, below = (limit * minimum(maximum(1 - x, 0), 1) for x in (share, -share))
+    return above, below
+
+
+def _limit(stated: Torque, v: Number) -> Number:
+    """The largest torque in the direction of the stated one."""
+    above, below = _limits(stated, v)
+    return above if stated.no_load is None else where(less(required(stated.torque), 0), below,
+                                                      above)
 
 
 def _recorded(law: Law, values: Mapping[str, Setting], outer: CoordinateState) -> "_Law":
@@ -143,7 +179,8 @@ class _Law:
         slope = -self._slope(self.torque, "v")
         if self._moves(slope):
             slope = maximum(slope, self._secant() if self._rests() else 0)
-        return slope * self._share()
+        slope = slope * self._share()
+        return slope if self.stated.no_load is None else maximum(slope, self._to_no_load())
 
     @property
     def stiffness(self) -> Number:
@@ -172,11 +209,19 @@ class _Law:
 
     def _share(self) -> Number | int:
         """The factor on the slopes where the torque exceeds its limit."""
-        limit = self.stated.limit
-        if limit is None:
+        if self.stated.limit is None:
             return 1
+        limit = _limit(self.stated, self.at.v)
         positive = limit if limit.constant else maximum(limit, _AT_REST)  # 0 at run time: no 0/0
         return limit / maximum(absolute(self.torque), positive)
+
+    def _to_no_load(self) -> Number:
+        """|u|/(speed - v sgn u): along the line to the state in which the torque vanishes."""
+        limit, v, torque = _limit(self.stated, self.at.v), self.at.v, self.torque
+        if torque.is_zero:
+            return torque
+        left = required(self.stated.no_load) - where(less(torque, 0), -v, v)
+        return minimum(absolute(torque), limit) / maximum(left, _AT_REST)
 
     def _moves(self, value: Number) -> bool:
         """Returns whether the value depends on q or v."""

@@ -64,7 +64,14 @@ def _key(key: Key) -> Schema:
     if key.table:
         inner = _table(key.table)
         several: Schema = {"anyOf": [inner, {"type": "array", "items": inner}]}
+        interval: Schema = {"anyOf": [_NUMBER, inner]}
+        several_of: Schema = {"type": "array", "items": interval}
+        entry: Schema = {"anyOf": [_NUMBER, inner, several_of]}
+        named: Schema = {"anyOf": [_NUMBER, inner, {**several_of, "minItems": 1}]}
         holding: dict[str, Schema] = {"table": inner, "tables": _by_name(inner),
+                                      "interval": interval, "intervals": _by_name(interval),
+                                      "ranges": {"anyOf": [_NUMBER, {"type": "array",
+                                                 "items": entry}, _by_name(named)]},
                                       "expectations": _by_name(several), "tolerances": _by_name(
                                           {"anyOf": [_POSITIVE, _by_name(_POSITIVE)]})}
         return holding[key.kind]
@@ -128,7 +135,8 @@ def _parameter(parameter: ParameterOf) -> Schema:
     kinds: dict[str, Schema] = {
         "number": number, "vector": _array(3, number), "formula": number,
         "formulas": _VECTOR, "body": {"type": "string"},
-        "choice": {"enum": list(parameter.choices)}, "flag": {"type": "boolean"}}
+        "choice": {"enum": list(parameter.choices)}, "flag": {"type": "boolean"},
+        "matrix": _array(6, _array(6, _NUMBER))}
     if parameter.kind not in kinds:
         raise ValueError(f"parameter {parameter.name!r}: kind {parameter.kind!r} has no schema; "
                          f"wanted one of {', '.join(kinds)}, or an entry for it here")

@@ -170,8 +170,22 @@ class EffectTable:
                 table.missing(self.effect.any_of[0], f"{' or '.join(self.effect.any_of)}")
             return None
         self._refuse_descent(table, values)
+        read -= self._without_needed(table, values, target, named)
         self.use.of_model |= read | ({(target, "mimic")} if self.effect.mimic else set())
         return values
+
+    def _without_needed(self, table: TomlTable, values: dict[str, Setting], target: str,
+                        named: bool) -> set[tuple[str, str]]:
+        """Takes out the model's numbers that need others which it lacks, and returns them.  Raises
+        SceneError for those that are given, or of a joint that is named."""
+        taken = set()
+        for p in self.effect.parameters:
+            if p.needs and values[p.name] is not None and values[p.needs] is None:
+                if named or not p.model:
+                    table.missing(p.needs, f"{p.needs}, which {p.name} needs")
+                values[p.name] = None
+                taken.add((target, p.model))
+        return taken
 
     def _several(self, target: str) -> bool:
         joint = self.targets.get(target)

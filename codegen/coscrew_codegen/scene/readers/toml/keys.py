@@ -13,6 +13,7 @@ from coscrew_codegen.scene.joints import KINDS
 from coscrew_codegen.scene.mechanism.inertia_checks import ERROR, WARN
 from coscrew_codegen.scene.mechanism.joint_kind import JointKind
 from coscrew_codegen.scene.mechanism.loop import LOOP_KINDS
+from coscrew_codegen.scene.readers.falling import ACCEPT
 from coscrew_codegen.scene.scene import Run
 from coscrew_codegen.scene.units import UNITS
 
@@ -28,7 +29,8 @@ class Key:
     words: str  # description with units
     kind: str = "text"  # text, texts, number, positive, nonnegative, vector (3 numbers), quaternion
     # (4), moments (3 or 6 numbers or a 3×3 matrix), coordinates (by joint: a number or a list),
-    # expectations (by quantity), tolerances (by function), words (texts by name), effects; table
+    # expectations (by quantity), tolerances (by function), ranges (by joint), intervals (by name),
+    # interval (a number, or `table`), words (texts by name), effects; table
     # and tables (by name) have `table`
     choices: tuple[str, ...] = ()  # of a text; the first is the default unless there is another
     default: str = ""  # in TOML
@@ -219,6 +221,27 @@ ACCURACY = TableOf("accuracy", "How accurate functions are in the mixed tier.", 
     Key("FUNCTION", "how far rounding may move its outputs, in their unit; or a table of this by "
         "output", "positive"),))
 
+ENDS = TableOf("ranges.ARGUMENT.NAME", "A range that is not symmetric about zero.", (
+    Key("lower", "lower end", "number", required=True),
+    Key("upper", "upper end", "number", required=True)))
+
+_BY_JOINT = ("a number, the largest size of all its components; a list with an entry for each "
+             "joint that has coordinates; or a table by joint.  An entry is a number, `{ lower = "
+             "…, upper = … }`, or for a joint with several numbers a list of these")
+_OR_LIMITS = 'also "limits", between the limits of joints, which must have them'
+
+RANGES = TableOf("ranges", "The ranges of the arguments of functions, for which functions state "
+                 "proved bounds of their errors.  Numbers are in SI units.", (
+    Key("q", f"positions: {_BY_JOINT}; {_OR_LIMITS}.  Quaternions have norm 1 and no entry",
+        "ranges", table=ENDS, default="the limits of joints that have them"),
+    Key("v", f"velocities, as q; {_OR_LIMITS}", "ranges", table=ENDS,
+        default="the limits of joints that have them"),
+    Key("a", "accelerations, as q", "ranges", table=ENDS),
+    Key("tau", f"torques and forces of joints, as q; {_OR_LIMITS}", "ranges", table=ENDS),
+    Key("p", "run-time parameters, by name: a number, the largest size, or both ends", "intervals",
+        table=ENDS, default="sizes up to the scene's values"),
+    Key("t", "time: a number, its end, from 0; or both ends", "interval", table=ENDS)))
+
 SCENE = TableOf("", "The file itself.", (
     Key("model", "a file next to the scene that holds the model, in one of the formats of models; "
         "without it the tables `bodies` and `joints` are the model, beside it they add to it"),
@@ -233,12 +256,16 @@ SCENE = TableOf("", "The file itself.", (
     Key("implausible", '"warn" accepts inertias that no body has, that are massless or '
         "incomplete, and reports them; on the command line --implausible warn",
         choices=(ERROR, WARN)),
+    Key("falling", '"accept" where bodies with free joints are meant to fall: no notice says that '
+        "nothing holds them against gravity", choices=(WARN, ACCEPT)),
     Key("functions", "what is generated: names of functions; \"default\" and \"all\" stand for "
         "several", "texts", default='["default"]'),
     Key("tiers", "in which the functions, steps excepted, are generated besides plain: accurate, "
         "certified, mixed, pairs", "texts", default='["plain"]'),
     Key("accuracy", "how accurate functions in single precision are in the mixed tier, which they "
         "then have", "tolerances", table=ACCURACY),
+    Key("ranges", "in which the arguments of functions lie, for proved bounds of errors", "table",
+        table=RANGES),
     Key("runtime", "numbers that stay arguments of functions: BODY.mass, BODY.com, BODY.inertia, "
         "EFFECT.WHERE.PARAMETER", "texts", default="[]"),
     Key("attach", "bodies and models that are fixed to bodies, by name", "tables", table=ATTACH),
@@ -253,5 +280,5 @@ SCENE = TableOf("", "The file itself.", (
     Key("expect", "conditions on a run, by quantity", "expectations", table=EXPECT)))
 
 TABLES = (SCENE, ATTACH, PLACE, FRAME, BODY, SHAPE, CYLINDER, JOINT, ORIGIN, LIMITS, MIMIC,
-          LOOP, ACCURACY, START, OUTPUTS, RUN, EXPECT)
+          LOOP, ACCURACY, RANGES, ENDS, START, OUTPUTS, RUN, EXPECT)
 """All tables except those of effects."""

@@ -13,9 +13,11 @@ from coscrew_codegen.scene.integrators import NAMES
 from coscrew_codegen.scene.mechanism.inertia_checks import ERROR, WARN
 from coscrew_codegen.scene.mechanism.mimics import followers
 from coscrew_codegen.scene.mechanism.model import Joint, Model
+from coscrew_codegen.scene.mechanism.notices import Notice
 from coscrew_codegen.scene.mechanism.rotations import unit
 from coscrew_codegen.scene.readers.declared_effects import of_file_alone
 from coscrew_codegen.scene.readers.described_robots import SCHEME, robot_source
+from coscrew_codegen.scene.readers.falling import ACCEPT, falling
 from coscrew_codegen.scene.readers.idle import idle
 from coscrew_codegen.scene.readers.model_formats import SCENE_SUFFIX, reader_of, stem, unknown
 from coscrew_codegen.scene.readers.model_reader import ModelSource
@@ -30,6 +32,7 @@ from coscrew_codegen.scene.readers.toml.effect_table import Use
 from coscrew_codegen.scene.readers.toml.keys import EXPECT, OUTPUTS, RUN, SCENE, START
 from coscrew_codegen.scene.readers.toml.named_model import model_of
 from coscrew_codegen.scene.readers.toml.plain_tables import scene_text
+from coscrew_codegen.scene.readers.toml.ranges_table import limits_in_ranges, read_ranges
 from coscrew_codegen.scene.readers.toml.runtime import with_parameters
 from coscrew_codegen.scene.readers.toml.toml_effects import read_effects, with_reactions
 from coscrew_codegen.scene.readers.toml.toml_loops import read_loops
@@ -38,7 +41,7 @@ from coscrew_codegen.scene.readers.toml.toml_tables import Decimals, TomlTable, 
 from coscrew_codegen.scene.readers.unused import besides, unused
 from coscrew_codegen.scene.recordable import quantities_of
 from coscrew_codegen.scene.recorded_quantities import QuantityError, expected
-from coscrew_codegen.scene.scene import Expectation, Run, Scene
+from coscrew_codegen.scene.scene import Applied, Expectation, Run, Scene
 from coscrew_codegen.scene.tier_selection import TiersError, on_request, selected
 
 
@@ -171,6 +174,8 @@ def _scene(file: TomlTable, catalogue: tuple[Effect, ...], overrides: SceneOverr
     drawn = limits_used(scene, accuracy) if accuracy else set()
     if drawn:
         refuse_faults(file, scene, drawn)
+    if "ranges" in file:
+        drawn |= limits_in_ranges(file, scene)
     notices = unused(model, use.of_model | drawn, catalogue, effects)
     effects = with_reactions(scene, catalogue)
     parameters: tuple[Parameter, ...] = ()
@@ -178,9 +183,18 @@ def _scene(file: TomlTable, catalogue: tuple[Effect, ...], overrides: SceneOverr
         model, effects, parameters = with_parameters(file, model, effects, catalogue)
     if overrides.tiers:
         tiers = selected(overrides.tiers)
-    return _selecting(replace(scene, model=model, effects=effects, parameters=parameters,
-                              accuracy=accuracy, tiers=tiers,
-                              notices=(*idle(effects), *notices)), functions)
+    scene = replace(scene, model=model, effects=effects, parameters=parameters, accuracy=accuracy,
+                    tiers=tiers,
+                    notices=(*_falling(file, model, effects), *idle(effects), *notices))
+    if "ranges" in file:
+        scene = replace(scene, ranges=read_ranges(file, scene))
+    return _selecting(scene, functions)
+
+
+def _falling(file: TomlTable, model: Model, effects: tuple[Applied, ...]) -> tuple[Notice, ...]:
+    """The notice of bodies that fall, unless the file accepts that."""
+    meant = file.choice("falling", (WARN, ACCEPT)) if "falling" in file else WARN
+    return falling(model, effects) if meant == WARN else ()
 
 
 def _functions(file: TomlTable, scene: Scene) -> tuple[str, ...]:
