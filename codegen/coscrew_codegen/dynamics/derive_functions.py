@@ -17,6 +17,7 @@ from coscrew_codegen.program.scene_functions import FunctionProgram, SceneFuncti
 from coscrew_codegen.program.values.formats import named
 from coscrew_codegen.scene.function_selection import (
     FunctionsError,
+    refuse_loops,
     refuse_many,
     refuse_singular,
     selected_functions,
@@ -38,6 +39,7 @@ def derive(scene: Scene, functions: Collection[str] = (),
     refuse_many(scene)
     refuse_numbers(scene)
     refuse_singular(scene, functions)
+    refuse_loops(scene, functions)
     with uncollected():
         return _functions(Derivation(scene, tell), functions)
 
