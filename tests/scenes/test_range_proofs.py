@@ -14,7 +14,7 @@ import pytest
 
 from coscrew_codegen.accuracy.float_rounding import FloatRounding
 from coscrew_codegen.accuracy.range_proofs import of_accurate, of_plain, values
-from coscrew_codegen.accuracy.rounding_rules import Values
+from coscrew_codegen.accuracy.rounding_rules import ValueBounds
 from coscrew_codegen.accuracy.scene_tiers import in_tier
 from coscrew_codegen.accuracy.tiers import tier_named
 from coscrew_codegen.backends.output_files import scene_files
@@ -170,7 +170,7 @@ SIZES = [[1.0005] * 4]
 
 
 def result(program: Program, quaternion: bool):
-    return Values(program, SIZES, FloatRounding(SINGLE), ((X, Y, Z, W),) * quaternion).results[0]
+    return ValueBounds(program, SIZES, FloatRounding(SINGLE), ((X, Y, Z, W),) * quaternion).results[0]
 
 
 def test_norms_bound_squares_and_products_of_a_quaternion():
@@ -204,7 +204,7 @@ def test_quotients_err_by_no_more_than_stated():
 def test_powers_of_two_count_to_the_binade_below():
     """x + y up to 1 errs by at most u/2, not by u."""
     program = small((Op.ADD, X, Y))
-    values = Values(program, [[0.5] * 4], FloatRounding(SINGLE)).results[0]
+    values = ValueBounds(program, [[0.5] * 4], FloatRounding(SINGLE)).results[0]
     assert values.error == SINGLE.u / 2 and values.computed == 1
 
 

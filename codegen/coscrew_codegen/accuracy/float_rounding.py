@@ -21,7 +21,7 @@ class FloatRounding:
 
     def __init__(self, precision: Precision, plain: bool = False) -> None:
         self._precision, self._plain = precision, plain
-        self._u, self._eta = Upward(precision.u), Upward(precision.eta)
+        self._u, self._eta = Upward(precision.u), above(precision.eta)
         self._most = float(precision.limit("max"))
         self._normal = float(precision.smallest_normal)
         self._of_sine = above(SINCOS.error(precision))
@@ -37,7 +37,7 @@ class FloatRounding:
                  ) -> tuple[Upward, Upward]:
         """Bounds the error of rounding a number up to `before`, and the rounded number."""
         if scales(step):
-            return self._eta, self._known(before + self._eta)
+            return self._eta, self._known(self._up(before))
         if not before or before > self._most:
             return Upward(inf if before else 0), before
         mantissa, exponent = frexp(before)

@@ -4,7 +4,7 @@ that the scene states."""
 from typing import NamedTuple
 
 from coscrew_codegen.accuracy.float_rounding import FloatRounding
-from coscrew_codegen.accuracy.rounding_rules import RoundingRule, Values
+from coscrew_codegen.accuracy.rounding_rules import RoundingRule, ValueBounds
 from coscrew_codegen.program import Program
 from coscrew_codegen.program.roundoff import Upward
 from coscrew_codegen.program.scene_functions import FunctionProgram
@@ -23,12 +23,12 @@ Bounds = tuple[ResultBound, ...]
 
 
 def values(program: Program, function: FunctionProgram, precision: Precision, rule: RoundingRule
-           ) -> Values:
+           ) -> ValueBounds:
     """The bounds of all values of the function's program, for arguments in a precision."""
     ranges = function.ranges
     if ranges is None:
         raise ValueError(f"{function.name} has no stated ranges; wanted [ranges] in the scene")
-    return Values(program, ranges.sizes(precision), rule, ranges.quaternions)
+    return ValueBounds(program, ranges.sizes(precision), rule, ranges.quaternions)
 
 
 def of_plain(function: FunctionProgram, precision: Precision) -> Bounds:
@@ -48,5 +48,5 @@ def of_accurate(function: FunctionProgram, precision: Precision) -> Bounds | Non
                  for x in inside.results)
 
 
-def _bounds(inside: Values) -> Bounds:
+def _bounds(inside: ValueBounds) -> Bounds:
     return tuple(ResultBound(x.size, x.error) for x in inside.results)

@@ -7,7 +7,7 @@ from math import inf
 import numpy as np
 
 from coscrew_codegen.accuracy.float_rounding import FloatRounding
-from coscrew_codegen.accuracy.rounding_rules import Values
+from coscrew_codegen.accuracy.rounding_rules import ValueBounds
 from coscrew_codegen.accuracy.tiers import PLAIN
 from coscrew_codegen.program.scene_functions import FunctionProgram
 from coscrew_codegen.program.values.formats import DOUBLE, SINGLE, Precision
@@ -27,7 +27,7 @@ def proved(function: FunctionProgram, choice: TierChoice, box: Box) -> tuple[flo
     if not rounds and choice.tier not in (PLAIN.name, CERTIFIED):  # certified: plain's results
         return (inf,) * len(function.units)
     sizes = [_sizes(a.name, a.quantity.size, box) for a in program.inputs]
-    values = Values(program, sizes, FloatRounding(precision))
+    values = ValueBounds(program, sizes, FloatRounding(precision))
     return tuple(_rounded(x.size, x.error, SINGLE) if rounds else float(x.error)
                  for x in values.results)
 
