@@ -46,7 +46,8 @@ class SceneTier:
 
 
 def in_tier(scene: SceneFunctions, tier: Tier) -> SceneTier:
-    """The scene's public functions in this tier.  Raises NoFunctionsError if there are none."""
+    """The scene's public functions in this floating-point tier.  Raises NoFunctionsError if there
+    are none."""
     public = [f for f in scene.functions if not f.internal]
     if tier.on_request:
         public = [f for f in public if f.accuracy]
@@ -72,11 +73,15 @@ def _function(plain: FunctionProgram, tier: Tier, precision: Precision,
     """The function in the tier and precision; its statement is about all of these precisions."""
     program, rounding = _program_in_tier(plain, tier, precision)
     rounding = rounding or stated(plain, tier, precisions)
-    words = {_heading(plain, place): text for place, text in plain.headings}
     more = len(program.inputs) > len(plain.program.inputs)
     return replace(plain, program=program, plain=plain.program if more else None, rounding=rounding,
-                   headings=tuple((place, words.get(heading, heading))
-                                  for place, heading in headings(program)))
+                   headings=headings_in(plain, program))
+
+
+def headings_in(plain: FunctionProgram, program: Program) -> tuple[tuple[int, str], ...]:
+    """The function's headings in another program of it."""
+    words = {_heading(plain, place): text for place, text in plain.headings}
+    return tuple((place, words.get(heading, heading)) for place, heading in headings(program))
 
 
 def _program_in_tier(plain: FunctionProgram, tier: Tier, precision: Precision
@@ -123,6 +128,7 @@ def _heading(function: FunctionProgram, place: int) -> str:
 
 
 def tiers_of(scene: SceneFunctions) -> Iterator[SceneTier]:
-    """The scene in each tier that it selects."""
-    for name in scene.tiers:
-        yield in_tier(scene, tier_named(name))
+    """The scene in each floating-point tier that it selects."""
+    for tier in map(tier_named, scene.tiers):
+        if not tier.fixed:
+            yield in_tier(scene, tier)

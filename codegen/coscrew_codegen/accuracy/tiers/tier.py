@@ -54,6 +54,7 @@ class Tier:
     # function → the tier's, which may have more outputs; None: scenes do not have the tier
     bounds: bool = False  # whether operations return bounds, where inf and NaN make no statement
     on_request: bool = False  # whether only scenes' functions with a requested accuracy have it
+    fixed: bool = False  # whether scenes' values are integers in fixed point, for stated ranges
     proof: "Callable[[FunctionProgram, Precision], Bounds | None] | None" = None  # bounds of a
     # scene's function over its stated ranges; None: without proof
     precisions: tuple[Precision, ...] = PRECISIONS  # that it has in scenes

@@ -28,6 +28,12 @@ class Ranges:
         """The intervals of an argument's components; unstated ones of arguments without ranges."""
         return self.by_name.get(argument, (UNSTATED,) * count)
 
+    @property
+    def sizes(self) -> tuple[tuple[str, tuple[float, ...]], ...]:
+        """The largest sizes of each argument's components; infinite where nothing is stated."""
+        return tuple((name, tuple(max(-lower, upper) for lower, upper in intervals))
+                     for name, intervals in self.by_name.items())
+
     def stating(self, intervals: Mapping[str, Intervals]) -> "Ranges":
         """These ranges with other intervals for some arguments."""
         return Ranges(**{**self.by_name, **intervals}, quaternions=self.quaternions)
