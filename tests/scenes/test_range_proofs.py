@@ -170,7 +170,8 @@ SIZES = [[1.0005] * 4]
 
 
 def result(program: Program, quaternion: bool):
-    return ValueBounds(program, SIZES, FloatRounding(SINGLE), ((X, Y, Z, W),) * quaternion).results[0]
+    quaternions = ((X, Y, Z, W),) * quaternion
+    return ValueBounds(program, SIZES, FloatRounding(SINGLE), quaternions).results[0]
 
 
 def test_norms_bound_squares_and_products_of_a_quaternion():
