@@ -22,6 +22,8 @@ from coscrew_codegen.dynamics import derive
 from coscrew_codegen.program import Input, Instruction, Op, Program, Ref, constant
 from coscrew_codegen.program.scene_functions import FunctionProgram
 from coscrew_codegen.program.values.formats import BY_NAME, DOUBLE, PRECISIONS, SINGLE
+from coscrew_codegen.reports.cost.measured import TierChoice
+from coscrew_codegen.reports.cost.needs.proved import over_ranges
 from coscrew_codegen.runtime.load import Kernels, kernels_for
 from tests.support.scenes.generated_scenes import argument
 from tests.support.scenes.range_search import Search
@@ -146,6 +148,16 @@ def test_components_with_a_bound_are_stated_beside_others_without():
                             "rounding moves 27 of the 36 components of D")
     assert words.endswith("Nothing is proved of other components of D: [ranges] states no range of "
                           "q.")
+
+
+def test_costs_have_the_bounds_of_each_tier_that_has_one():
+    its = function("panda", NAME)
+    for tier, precision, bounds in (
+            ("plain", DOUBLE, of_plain), ("certified", SINGLE, of_plain),
+            ("accurate", SINGLE, of_accurate)):
+        expected = tuple(x.error for x in bounds(its, precision))
+        assert over_ranges(its, TierChoice(tier, precision)) == expected
+    assert over_ranges(replace(its, ranges=None), TierChoice("plain", DOUBLE)) is None
 
 
 # rules that stated ranges add
