@@ -67,10 +67,10 @@ def _stated(its: Derivation, made: FunctionProgram, public: bool) -> FunctionPro
     accuracy requested of it."""
     if not public:
         return replace(made, internal=True)
-    made = replace(made, ranges=argument_ranges(made.program, its.scene),
-                   accuracy=requested(made.program, its.scene, its.tree))
-    if not made.ranges:
+    made = replace(made, accuracy=requested(made.program, its.scene, its.tree))
+    if its.scene.ranges is None:
         return replace(made, rounding=statement(made.program, its.scene, its.tree))
+    made = replace(made, ranges=argument_ranges(made.program, its.scene.ranges))
     return replace(made, rounding="  ".join(filter(None, (
         stated(made, PLAIN, named(its.scene.precisions)), residual(its, made)))))
 
