@@ -9,8 +9,9 @@ from importlib import import_module
 from tests.benchmarks.bars import FILE, ROOT, Bar, machine, summary, table, write
 
 NAMES = ("header_kernels", "many_elements", "gufuncs", "tiers", "scene_tiers", "scene_calls",
-         "scene_lanes", "dynamics", "many_states", "mujoco_steps", "python_calls", "controllers",
-         "arrays", "sweeps", "cortex_m4", "rounding_statements", "accuracy")
+         "scene_lanes", "dynamics", "derivative_times", "many_states", "mujoco_steps",
+         "python_calls", "controllers", "arrays", "sweeps", "cortex_m4", "rounding_statements",
+         "accuracy")
 
 
 def main() -> None:

@@ -8,8 +8,10 @@
 
 #include "pinocchio_model.h"
 
+#include <pinocchio/algorithm/aba-derivatives.hpp>
 #include <pinocchio/algorithm/aba.hpp>
 #include <pinocchio/algorithm/crba.hpp>
+#include <pinocchio/algorithm/rnea-derivatives.hpp>
 #include <pinocchio/algorithm/rnea.hpp>
 
 using casadi::SX;
@@ -28,20 +30,52 @@ SX copied(const Eigen::MatrixBase<Matrix> &x) {
   return found;
 }
 
-// Writes casadi.c to a folder, whose name ends in a slash, for a robot as model_of takes it.  Returns
-// 0, or 1 if CasADi throws what it prints.
-extern "C" __attribute__((visibility("default"))) int write_c(const char *folder, long joints,
-    const int *kinds, const int *parents, const double *placements, const double *inertias) try {
+using Data = pinocchio::DataTpl<SX>;
+
+static SX symmetric(const SX &x) { return SX::triu2symm(SX::triu(x)); }
+
+// Matrices with all their entries, which are written row by row.
+static std::vector<SX> by_rows(std::vector<SX> matrices) {
+  for (SX &x : matrices) x = SX::densify(x.T());
+  return matrices;
+}
+
+// Writes casadi.c to a folder, whose name ends in a slash, for a robot as model_of takes it: its
+// dynamics, or their derivatives, by Pinocchio's recursions and (_ad) by automatic differentiation.
+// Returns 0, or 1 if CasADi throws what it prints.
+extern "C" __attribute__((visibility("default"))) int write_c(const char *folder, int derivatives,
+    long joints, const int *kinds, const int *parents, const double *placements,
+    const double *inertias) try {
   const auto model = model_of(joints, kinds, parents, placements, inertias).cast<SX>();
-  pinocchio::DataTpl<SX> data(model);
+  Data data(model);
   const SX q = SX::sym("q", model.nq), v = SX::sym("v", model.nv), a = SX::sym("a", model.nv);
-  const SX tau = copied(pinocchio::rnea(model, data, copied(q), copied(v), copied(a)));
-  const SX ddq = copied(pinocchio::aba(model, data, copied(q), copied(v), copied(a)));
-  const SX M = SX::triu2symm(SX::triu(copied(pinocchio::crba(model, data, copied(q)))));
+  const Vector q_of = copied(q), v_of = copied(v), a_of = copied(a);
+  const SX tau = copied(pinocchio::rnea(model, data, q_of, v_of, a_of));
+  const SX ddq = copied(pinocchio::aba(model, data, q_of, v_of, a_of));
+  const SX M = symmetric(copied(pinocchio::crba(model, data, q_of)));
   casadi::CodeGenerator made("casadi.c");
-  made.add(casadi::Function("inverse_dynamics", {q, v, a}, {tau}));
-  made.add(casadi::Function("forward_dynamics", {q, v, a}, {ddq}));
-  made.add(casadi::Function("mass_matrix", {q}, {M}));
+  const auto add = [&made](const char *name, const std::vector<SX> &given,
+      const std::vector<SX> &results) {
+    made.add(casadi::Function(name, given, results));
+  };
+  add("mass_matrix", {q}, {M});
+  if (!derivatives) {
+    add("inverse_dynamics", {q, v, a}, {tau});
+    add("forward_dynamics", {q, v, a}, {ddq});
+  } else {
+    const auto jacobians = [&](const SX &x) {
+      return by_rows({SX::jacobian(x, q), SX::jacobian(x, v), SX::jacobian(x, a)});
+    };
+    Data inverse(model), forward(model);
+    pinocchio::computeRNEADerivatives(model, inverse, q_of, v_of, a_of);
+    pinocchio::computeABADerivatives(model, forward, q_of, v_of, a_of);
+    add("inverse_dynamics_derivatives", {q, v, a}, by_rows(
+        {copied(inverse.dtau_dq), copied(inverse.dtau_dv), symmetric(copied(inverse.M))}));
+    add("forward_dynamics_derivatives", {q, v, a}, by_rows(
+        {copied(forward.ddq_dq), copied(forward.ddq_dv), symmetric(copied(forward.Minv))}));
+    add("inverse_dynamics_derivatives_ad", {q, v, a}, jacobians(tau));
+    add("forward_dynamics_derivatives_ad", {q, v, a}, jacobians(ddq));
+  }
   made.generate(folder);
   return 0;
 } catch (const std::exception &error) {

@@ -7,17 +7,26 @@ import ctypes
 import subprocess
 from dataclasses import dataclass
 from importlib.util import find_spec
+from itertools import accumulate
 from pathlib import Path
 
 import numpy as np
 
 from coscrew_codegen.reports.timing.buffers import aligned
 from coscrew_codegen.reports.timing.loop_timing import Loop, pointers
-from tests.benchmarks.pinocchio_loops import FUNCTIONS, OPTIMISED, library, with_joints
-from tests.benchmarks.scene_loops import sizes_of
+from tests.benchmarks.pinocchio_loops import (
+    DERIVATIVES,
+    FUNCTIONS,
+    OPTIMISED,
+    library,
+    with_joints,
+)
 from tests.support.scenes.robots import Robot
 
 SOURCE = Path(__file__).with_name("casadi_code.cpp")
+WAYS = ("", "_ad")
+"""Suffixes of CasADi's functions: derivatives by Pinocchio's recursions, and of its dynamics by
+automatic differentiation."""
 LOOP = """
 int {name}(const double **given, double **results, long long *iw, double *w, int memory);
 void loop_{name}(long n, void *const *x);
@@ -25,14 +34,14 @@ void loop_{name}(long n, void *const *x) {{
   static double w[100000];
   for (long i = 0; i < n; i++) {{
     const double *given[] = {{{given}}};
-    double *results[] = {{(double *)x[{last}] + {size} * i}};
+    double *results[] = {{{results}}};
     {name}(given, results, 0, w, 0);
   }}
 }}
 """
 
 
-def written(robot: Robot, folder: Path) -> str:
+def written(robot: Robot, folder: Path, derivatives: bool = False) -> str:
     """Write casadi.c and loops over its functions to a folder; returns the name of a missing
     library, or ""."""
     result = find_spec("casadi")
@@ -41,26 +50,38 @@ def written(robot: Robot, folder: Path) -> str:
     place = Path(result.origin).parent
     writer, missing = library("clang++", SOURCE, (
         "-O0", f"-I{place / 'include'}", f"-L{place}", f"-Wl,-rpath,{place}", "-lcasadi"))
-    if writer:
-        if with_joints(robot.model, writer.write_c, f"{folder}/".encode()):
-            return "CasADi fails"
-        texts = []
-        for name in FUNCTIONS:
-            sizes = sizes_of(robot.functions.named(name))
-            given = (f"(const double *)x[{k}] + {n} * i" for k, n in enumerate(sizes[:-1]))
-            texts.append(LOOP.format(name=name, size=sizes[-1], last=len(sizes) - 1,
-                                     given=", ".join(given)))
-        (folder / "casadi_loops.c").write_text("".join(texts))
-    return missing
+    if not writer:
+        return missing
+    if with_joints(robot.model, writer.write_c, f"{folder}/".encode(), ctypes.c_int(derivatives)):
+        return "CasADi fails"
+    names = [(x, x + way) for x in DERIVATIVES for way in WAYS] if derivatives else [
+        (x, x) for x in FUNCTIONS]
+    (folder / "casadi_loops.c").write_text("".join(
+        loop_text(robot, *x) for x in dict.fromkeys((*names, ("mass_matrix", "mass_matrix")))))
+    return ""
+
+
+def loop_text(robot: Robot, function: str, name: str) -> str:
+    """The loop over calls of CasADi's function `name`, whose results are those of `function` one
+    after the other."""
+    program = robot.functions.named(function).program
+    given, results = ([x.quantity.size for x in side] for side in (program.inputs, program.outputs))
+    before = accumulate(results[:-1], initial=0)
+    return LOOP.format(
+        name=name, given=", ".join(
+            f"(const double *)x[{k}] + {n} * i" for k, n in enumerate(given)),
+        results=", ".join(f"(double *)x[{len(given)}] + {sum(results)} * i + {first}"
+                          for first in before))
 
 
 @dataclass(frozen=True, eq=False)
 class CasADi:
-    """A fixed robot's functions in C, at these states."""
+    """A fixed robot's functions in C, at these states; derivatives in one of WAYS."""
 
     library: ctypes.CDLL
     robot: Robot
     states: tuple[np.ndarray, ...]
+    way: str = ""
 
     @classmethod
     def compiled(cls, robot: Robot, states: tuple[np.ndarray, ...], folder: Path, compiler: str
@@ -77,7 +98,8 @@ class CasADi:
             results = self._results(function)
         given = self.states[:len(self.robot.functions.named(function).inputs)]
         arrays = [*map(aligned, given), results]
-        return Loop(getattr(self.library, f"loop_{function}"), len(results), pointers(arrays))
+        way = self.way if function in DERIVATIVES else ""
+        return Loop(getattr(self.library, f"loop_{function}{way}"), len(results), pointers(arrays))
 
     def values(self, function: str) -> np.ndarray:
         """Its results."""
@@ -86,5 +108,7 @@ class CasADi:
         return results
 
     def _results(self, function: str) -> np.ndarray:
-        shape = self.robot.functions.named(function).program.outputs[0].quantity.shape
-        return aligned(np.zeros((len(self.states[0]), *shape)))
+        outputs = self.robot.functions.named(function).program.outputs
+        shape = outputs[0].quantity.shape
+        return aligned(np.zeros((len(self.states[0]), *(
+            (len(outputs), *shape) if len(outputs) > 1 else shape))))

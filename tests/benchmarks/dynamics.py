@@ -100,7 +100,7 @@ def timed(function: str, ours: dict[str, Loops], theirs: dict[str, Pinocchio | C
             if p is DOUBLE:
                 loop.function(ctypes.c_long(STATES), loop.arguments)
                 for rival in theirs.values():
-                    refuse_others(arrays[-1], rival, function)
+                    refuse_others(arrays[-1:], rival, function)
     loops |= {name: x.loop(function) for name, x in theirs.items()}
     library = next(iter(ours.values())).library
     return dict(zip(loops, timed_loops(library, list(loops.values()), 1e9 * SECONDS), strict=True))

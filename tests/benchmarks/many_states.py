@@ -68,7 +68,7 @@ def measured(arm: str, pinocchio: ctypes.CDLL | None, folder: Path) -> Iterator[
                 loops.append(x.loop("many", function, p, arrays))
                 if rival and p is DOUBLE:
                     loops[-1].function(ctypes.c_long(STATES), loops[-1].arguments)
-                    refuse_others(arrays[-1], rival, function)
+                    refuse_others(arrays[-1:], rival, function)
         if rival:
             loops.append(rival.loop(function))
         timings = timed_loops(next(iter(ours.values())).library, loops, 1e9 * SECONDS)

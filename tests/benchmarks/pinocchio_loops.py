@@ -28,6 +28,9 @@ ROBOTS = {"ur5": ("ur_description/urdf/ur5_robot.urdf", False),
           "panda7": ("panda_description/urdf/panda.urdf", False),  # its fingers fixed
           "g1": ("g1_description/urdf/g1_29dof_rev_1_0.urdf", True)}
 FUNCTIONS = ("inverse_dynamics", "forward_dynamics", "mass_matrix")
+DERIVATIVES = ("inverse_dynamics_derivatives", "forward_dynamics_derivatives")
+MATRICES = {"mass_matrix": 1, **dict.fromkeys(DERIVATIVES, 3)}
+"""The number of square matrices that a function returns."""
 _FINGER = "_finger_joint"
 KINDS = ("JointModelRX", "JointModelRY", "JointModelRZ", "JointModelFreeFlyer")
 SOURCE = Path(__file__).with_name("pinocchio.cpp")
@@ -51,9 +54,9 @@ def scene_named(name: str) -> Scene:
     return replace(scene, model=replace(scene.model, joints=joints))
 
 
-def robot_named(name: str) -> Robot:
-    """A robot of ROBOTS in both libraries, with FUNCTIONS."""
-    return paired(scene_named(name), pinocchio_model(name), FUNCTIONS)
+def robot_named(name: str, functions: Sequence[str] = FUNCTIONS) -> Robot:
+    """A robot of ROBOTS in both libraries, with these functions."""
+    return paired(scene_named(name), pinocchio_model(name), functions)
 
 
 def pinocchio_model(name: str) -> pin.Model:
@@ -106,16 +109,17 @@ class Pinocchio:
         return Loop(getattr(self.library, function), len(self.states[0]), pointers)
 
     def values(self, function: str) -> np.ndarray:
-        """Its results in our order: of vectors, or of symmetric matrices."""
+        """Its results in our order, by state: vectors, or matrices, the last one symmetric."""
         nv, count, follow = self.robot.model.nv, len(self.states[0]), self.robot.follow
-        matrices = function == "mass_matrix"
-        results = np.zeros((count, nv, nv) if matrices else (count, nv))
+        matrices = MATRICES.get(function)
+        results = np.zeros((count, matrices, nv, nv) if matrices else (count, nv))
         loop = self.loop(function, results)
         loop.function(ctypes.c_long(count), loop.arguments)
         if not matrices:
             return results @ follow
-        lower = np.tril(results)  # Pinocchio's upper one, which it keeps by columns
-        return follow.T @ (lower + np.tril(lower, -1).transpose(0, 2, 1)) @ follow
+        upper = np.triu(results[:, -1])
+        results[:, -1] = upper + np.triu(upper, 1).transpose(0, 2, 1)
+        return follow.T @ results @ follow
 
     @cached_property
     def _given(self) -> list[np.ndarray]:
@@ -147,14 +151,15 @@ def with_joints(model: pin.Model, function: "ctypes._NamedFuncPointer", *given: 
                     *(ctypes.c_void_p(x.ctypes.data) for x in arrays))
 
 
-def refuse_others(result: np.ndarray, rival: Pinocchio, function: str) -> None:
+def refuse_others(results: Sequence[np.ndarray], rival: "Pinocchio", function: str) -> None:
     """Raise ValueError unless our results are the rival's to rounding: within 1e-12 of the largest
     number of each state, or for accelerations within what rounding moves them by."""
-    unit, count = 2.0**-53, len(result)
+    unit, count = 2.0**-53, len(results[0])
     bounds = np.full(count, 1e-12)
-    if function == "forward_dynamics":
+    if function.startswith("forward_dynamics"):
         bounds = np.maximum(bounds, unit * np.linalg.cond(rival.values("mass_matrix")))
-    ours, theirs = (x.reshape(count, -1) for x in (result, rival.values(function)))
+    ours = np.concatenate([x.reshape(count, -1) for x in results], axis=1)
+    theirs = rival.values(function).reshape(count, -1)
     errors = abs(ours - theirs).max(axis=1) / abs(theirs).max(axis=1)
     if not (errors <= bounds).all():
         raise ValueError(f"{function} of {rival.robot.functions.name}: our results and those of "

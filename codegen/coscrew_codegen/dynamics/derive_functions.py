@@ -7,6 +7,7 @@ from coscrew_codegen.algebra.recording.gc_pause import uncollected
 from coscrew_codegen.dynamics.derivation import Derivation
 from coscrew_codegen.dynamics.integrator_steps import needs, stepped
 from coscrew_codegen.dynamics.ranges.accuracy_requests import requested
+from coscrew_codegen.dynamics.ranges.argument_ranges import argument_ranges
 from coscrew_codegen.dynamics.ranges.representable import refuse_numbers
 from coscrew_codegen.dynamics.ranges.rounding import statement
 from coscrew_codegen.program.scene_functions import FunctionProgram, SceneFunctions
@@ -60,6 +61,7 @@ def _stated(its: Derivation, made: FunctionProgram, public: bool) -> FunctionPro
     accuracy requested of it."""
     rounding = statement(made.program, its.scene, its.tree) if public else ""
     return replace(made, internal=not public, rounding=rounding,
+                   ranges=argument_ranges(made.program, its.scene) if public else None,
                    accuracy=requested(made.program, its.scene, its.tree) if public else None)
 
 

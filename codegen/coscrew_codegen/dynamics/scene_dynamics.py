@@ -286,17 +286,23 @@ class RecordedDynamics:
     def implicit_accelerations(self) -> Numbers:
         """a with (M + h d + h² k) a = tau - bias torques - h k v."""
         x, acting = self._recording, self._acting
-        h, = self.argument("h")
-
-        def weights(d: Number, k: Number, _: Number) -> tuple[Number, Number]:
-            return (d + k * h) * h, k * h
-
+        weights = kicks.end_weights(*self.argument("h"))
         return forward.implicit(self._motion, acting, x.rigids, x.inertias, weights, x.tau).a
 
     def midpoint_accelerations(self) -> Numbers:
         """a of the default integrator's kick."""
         self._refuse_unless(Depends.EFFECTS)
+        return kicks.kick(self._recording)[0]
+
+    def kicked(self) -> Results:
+        """a of the default integrator's kick, and q with the effects' states at its end."""
+        self._refuse_unless(Depends.EFFECTS)
         return kicks.kick(self._recording)
+
+    def carried(self) -> Results:
+        """phi of h/2, and v after it, with free bases that move straight on."""
+        (h,), v = self.argument("h"), self.argument("v")
+        return coordinates.carried(self.recorder, self._tree, self._recording.names, h, v)
 
     def floating_momenta(self) -> Numbers:
         """(p; L; x) of each floating tree."""

@@ -8,8 +8,8 @@ is two of them:
 
     a' = f(q, v),   a = f(q, v + h/2 a'),   ∂a = J_q ∂q + J_v (∂v + h/2 ∂a') + J_tau ∂tau.
 
-All other functions, and accelerations that are implicit in damping and stiffness, are
-differentiated as Programs."""
+Accelerations that are implicit in damping and stiffness at joints have derivatives by the rule of
+implicit functions.  All others, and all other functions, are differentiated as Programs."""
 
 from collections.abc import Sequence
 from itertools import accumulate, pairwise
@@ -17,7 +17,9 @@ from typing import Protocol
 
 from coscrew_codegen.algebra.recording import derivatives
 from coscrew_codegen.algebra.recording.numbers import Number
-from coscrew_codegen.dynamics.algorithms import coordinates
+from coscrew_codegen.algebra.recording.recorder import Recorder
+from coscrew_codegen.dynamics import implicit_derivatives
+from coscrew_codegen.dynamics.algorithms import coordinates, kicks
 from coscrew_codegen.dynamics.function_recording import FunctionRecording
 from coscrew_codegen.dynamics.inlined_steps import taken
 from coscrew_codegen.program import Input, Program
@@ -102,14 +104,28 @@ class _Chain:
     def evaluate(self, function: FunctionProgram, given: Sequence[Duals]) -> Duals:
         """The components of the results."""
         name = function.name.removesuffix("_tau")
-        if name == _EXPLICIT or (name in (_IMPLICIT, _KICK) and self._explicit()):
+        slopes = None
+        if name in (_EXPLICIT, _IMPLICIT, _KICK):
             inputs = {a.name: y for a, y in zip(function.program.inputs, given, strict=True)}
-            values = self.x.recorder.replay(function.program, *map(_values, given))
-            if name == _KICK:
-                inputs["v"] = self._half_kicked(inputs)
-            return [Dual(y, slopes) for y, slopes in zip(
-                values, self._accelerating(inputs), strict=True)]
-        return derivatives.along(self.x.recorder.form(function.program), self.x.recorder, given)
+            if name == _EXPLICIT or self._explicit():
+                if name == _KICK:
+                    inputs["v"] = self._half_kicked(inputs)
+                slopes = self._accelerating(inputs)
+            elif program := self._implicit(name, function.program):
+                slopes = self._combined(_matrices(program, self.x.recorder.replay(
+                    program, *map(_values, given))), inputs)
+        if slopes is None:
+            return derivatives.along(self.x.recorder.form(function.program), self.x.recorder, given)
+        values = self.x.recorder.replay(function.program, *map(_values, given))
+        return [Dual(y, row) for y, row in zip(values, slopes, strict=True)]
+
+    def _implicit(self, name: str, acceleration: Program) -> Program | None:
+        """The derivatives of an implicit acceleration, where the rule of implicit functions gives
+        them."""
+        x, kicked = self.x, name == _KICK
+        recording = FunctionRecording(x.scene, x.tree, x.names, Recorder(acceleration.inputs))
+        return implicit_derivatives.program(
+            recording, kicks.weights if kicked else kicks.end_weights, 2 if kicked else 1)
 
     def _explicit(self) -> bool:
         """True if no effect is damped or stiff: implicit accelerations do not depend on h."""
@@ -129,19 +145,27 @@ class _Chain:
 
     def _accelerating(self, inputs: dict[str, Duals]) -> list[tuple[Number | None, ...]]:
         """The derivatives of forward dynamics along all directions, by component."""
-        x, nv = self.x, self.x.tree.nv
-        entries = x.recorder.replay(self.others.named(f"{_EXPLICIT}_derivatives"),
-                                    *self._state(inputs))
-        J = [[entries[(k * nv + i) * nv:(k * nv + i + 1) * nv] for k in range(3)]
-             for i in range(nv)]
-        tau = inputs.get("tau", ())
+        program = self.others.named(f"{_EXPLICIT}_derivatives")
+        of = _matrices(program, self.x.recorder.replay(program, *self._state(inputs)))
         by_p = self._by_parameters(inputs)
+        slopes = self._combined(of, {name: y for name, y in inputs.items() if name != "p"})
+        if not by_p:
+            return slopes
+        return [tuple(b if a is None else a if b is None else a + b
+                      for a, b in zip(row, y.slopes, strict=True))
+                for row, y in zip(slopes, by_p, strict=True)]
+
+    def _combined(self, of: dict[str, list[Sequence[Number]]], inputs: dict[str, Duals]
+                  ) -> list[tuple[Number | None, ...]]:
+        """Σ J d of the derivatives J by inputs that have directions d, by component."""
+        x = self.x
+        given = {name: inputs[name] for name in of if name in inputs}
         columns = []
         for k in range(len(inputs["v"][0].slopes)):
-            parts = (_velocities(x, inputs["q"], k), _slopes(x, inputs["v"], k),
-                     _slopes(x, tau, k))
-            columns.append([_sum(row, parts, by_p[i].slopes[k] if by_p else None)
-                            for i, row in enumerate(J)])
+            parts = [_velocities(x, y, k) if name == "q" else _slopes(x, y, k)
+                     for name, y in given.items()]
+            columns.append([_sum([of[name][i] for name in given], parts)
+                            for i in range(x.tree.nv)])
         return list(zip(*columns, strict=True))
 
     def _by_parameters(self, inputs: dict[str, Duals]) -> Duals:
@@ -166,12 +190,22 @@ def _values(y: Duals) -> list[Number]:
     return [dual.value for dual in y]
 
 
-def _sum(row: Sequence[Sequence[Number]], parts: Sequence[Sequence[Number]], more: Number | None
-         ) -> Number | None:
-    """J_q dq + J_v dv + J_tau dtau + more; None if that is zero."""
-    total = more
+def _matrices(program: Program, entries: Sequence[Number]) -> dict[str, list[Sequence[Number]]]:
+    """The rows of the derivatives by each input: da_dv, of v."""
+    results, first = {}, 0
+    for a in program.outputs:
+        rows, width = a.quantity.shape
+        results[a.name.removeprefix("da_d")] = [
+            entries[first + i * width:first + (i + 1) * width] for i in range(rows)]
+        first += rows * width
+    return results
+
+
+def _sum(row: Sequence[Sequence[Number]], parts: Sequence[Sequence[Number]]) -> Number | None:
+    """J_q dq + J_v dv + J_tau dtau + …; None if that is zero."""
+    total = None
     for entries, slopes in zip(row, parts, strict=True):
-        for entry, slope in zip(entries, slopes, strict=False):
+        for entry, slope in zip(entries, slopes, strict=True):
             if not (product := entry * slope).is_zero:
                 total = product if total is None else total + product
     return total

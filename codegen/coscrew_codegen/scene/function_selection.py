@@ -9,6 +9,7 @@ from collections.abc import Collection, Iterable, Sequence
 from coscrew_codegen.program.reported_error import ReportedError
 from coscrew_codegen.scene.functions import derivatives_of, functions_of
 from coscrew_codegen.scene.functions.steps import (
+    carried_half_drift,
     closing_contacts,
     free_momentum,
     integrated,
@@ -29,6 +30,8 @@ FREE = (free_momentum.FUNCTION.name, with_free_momentum.FUNCTION.name)
 """Functions by which steps keep the momenta of floating bases."""
 CONTACTS = (closing_contacts.FUNCTION.name, step_parts.FUNCTION.name)
 """Functions by which steps resolve contacts of limits."""
+CARRIED = carried_half_drift.FUNCTION.name
+"""The function by which steps move free bases that touch the ground."""
 MOVED = integrated.FUNCTION.name
 """The function by which steps move coordinates."""
 MOST = 1000

@@ -198,8 +198,17 @@ def order_in_words(scene: SceneFunctions) -> list[str]:
     parameters = ", ".join(f"{n} {printable(name)} = {value!r}{rules.get(name, '')}"
                            for n, (name, value) in enumerate(scene.parameters))
     return ["Coordinates q and velocities v, joint by joint:", *table, *kinds,
+            *_states_in_words(scene),
             *([f"Bodies, in the order of body_poses: {bodies}."] if bodies else []),
             *([f"Parameters p: {parameters}."] if parameters else [])]
+
+
+def _states_in_words(scene: SceneFunctions) -> list[str]:
+    """The end of q: states of effects, with their units."""
+    first = scene.nq - len(scene.states)
+    listed = ", ".join(f"q {first + n} {printable(name)} in {unit}"
+                       for n, (name, unit) in enumerate(scene.states))
+    return [f"States of effects, at the end of q: {listed}."] if listed else []
 
 
 def _places(name: str, places: range) -> str:

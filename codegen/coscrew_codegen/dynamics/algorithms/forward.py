@@ -8,7 +8,7 @@ rate l' = e^T v, so that a common motion of both bodies is not damped.
 """
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from fractions import Fraction
 
 from coscrew_codegen.algebra.recording.numbers import (
@@ -30,8 +30,9 @@ from coscrew_codegen.dynamics.forces.applied_effects import AppliedEffects, Appl
 from coscrew_codegen.dynamics.forces.linearization import JointEffect
 from coscrew_codegen.scene.effect import Slopes, required
 
-Weights = Callable[[Number, Number, Number], tuple[Number, Number]]
-"""(damping, stiffness, damping over the inertia that it acts on, in 1/s) -> (m, c)."""
+Weights = Callable[..., tuple[Number, Number]]
+"""(damping, stiffness, damping over the inertia that it acts on, in 1/s, and for forces on bodies
+also stiffness over it, in 1/s²) -> (m, c)."""
 
 _LEAST = Fraction(1, 10**30)
 """kg: used instead of a mass of zero."""
@@ -50,10 +51,11 @@ class _Row:
 
 @dataclass(frozen=True)
 class Implicit:
-    """a, and for each velocity its damping over the inertia that it acts on."""
+    """a, and for each velocity the inertia that its damping acts on, and their quotient."""
 
     a: list[Number]
     rates: list[Number]
+    inertias: list[Number]
 
 
 def accelerations(motion: Motion, acting: AppliedEffects, rigids: Sequence[Rigid],
@@ -76,18 +78,12 @@ def implicit(motion: Motion, acting: AppliedEffects, rigids: Sequence[Rigid],
     initial velocities of the step; forces are then linear about these velocities."""
     start, own = slopes or acting, _own(motion, inertias)
     torques = _without_own_bias(motion, inertias, _torques(acting, start, tau))
-    damping = _gathered(motion, {n: start.damping(n) for n in sorted(start.torques)}, 2)
-    stiffness = _gathered(motion, {n: start.stiffness(n) for n in sorted(start.torques)}, 2)
-    for x in start.sums:
-        if len(x.weights) == 1:
-            (place, weight), = x.weights.items()
-            square = weight * weight
-            damping[place] = damping[place] + x.along.slopes.damping * square
-            stiffness[place] = stiffness[place] + x.along.slopes.stiffness * square
-    rates = list(damping)
+    damping, stiffness = slopes_at_joints(start)
+    rates, moved = list(damping), list(own)
 
     def at_joint(k: int, inertia: Number) -> tuple[Number, Number]:
-        rates[k] = damping[k] / (inertia + own[k])
+        moved[k] = inertia + own[k]
+        rates[k] = damping[k] / moved[k]
         mass, c = weights(damping[k], stiffness[k], rates[k])
         return torques[k] - c * start.motion.v[k], own[k] + mass
 
@@ -105,7 +101,23 @@ def implicit(motion: Motion, acting: AppliedEffects, rigids: Sequence[Rigid],
                 solve, joint = _with_line(motion, e, x.along, acting.sums[number].along, weights,
                                           solve, joint)
     wrenches = rnea.net_wrenches(motion, rigids, acting)
-    return Implicit(solve(joint, _about(motion, wrenches, acting, start, rigids, weights)), rates)
+    a = solve(joint, _about(motion, wrenches, acting, start, rigids, weights))
+    return Implicit(a, rates, moved)
+
+
+def slopes_at_joints(acting: AppliedEffects) -> tuple[list[Number], list[Number]]:
+    """The damping and the stiffness along each velocity, of torques at joints and on sums of one
+    term."""
+    motion = acting.motion
+    damping = _gathered(motion, {n: acting.damping(n) for n in sorted(acting.torques)}, 2)
+    stiffness = _gathered(motion, {n: acting.stiffness(n) for n in sorted(acting.torques)}, 2)
+    for x in acting.sums:
+        if len(x.weights) == 1:
+            (place, weight), = x.weights.items()
+            square = weight * weight
+            damping[place] = damping[place] + x.along.slopes.damping * square
+            stiffness[place] = stiffness[place] + x.along.slopes.stiffness * square
+    return damping, stiffness
 
 
 def inverse_inertia(motion: Motion, rigids: Sequence[Rigid], inertias: Mapping[str, Number],
@@ -200,8 +212,8 @@ def _resisted(motion: Motion, acting: AppliedEffects, rigids: Sequence[Rigid], w
 
 def _represented(slopes: Slopes, body: Rigid, weights: Weights) -> tuple[Number, Number]:
     """(m, c) for the slopes of a force on a point of a body."""
-    rate = slopes.damping / maximum(body.m, _LEAST)
-    return weights(slopes.damping, slopes.stiffness, rate)
+    m = maximum(body.m, _LEAST)
+    return weights(slopes.damping, slopes.stiffness, slopes.damping / m, slopes.stiffness / m)
 
 
 def _about(motion: Motion, wrenches: Sequence[Wrench], acting: AppliedEffects,
@@ -312,5 +324,5 @@ def _product(a: Sequence[Number], b: Sequence[Number]) -> Number:
 def _with_mass(body: Rigid, mass: Number, point: Vector) -> Rigid:
     """The body with a point mass."""
     zero = mass.like(0)
-    return rigid_of(add(body.numbers, mass.recorder.call(
-        "spatial_inertia_from_com", mass, point, [zero] * 9)))
+    return replace(rigid_of(add(body.numbers, mass.recorder.call(
+        "spatial_inertia_from_com", mass, point, [zero] * 9))), added=body.added)

@@ -19,6 +19,7 @@ from coscrew_codegen.dynamics.function_recording import FunctionRecording
 from coscrew_codegen.program import Input, Op, Operand, Program, Ref
 from coscrew_codegen.program.differentiate import Dual
 from coscrew_codegen.program.values.parameter import Parameter, Scalar
+from coscrew_codegen.scene.effect_quantities import count_of, states_of
 from coscrew_codegen.scene.mechanism.tree import Tree
 from coscrew_codegen.scene.parameter_units import parameter_units
 from coscrew_codegen.scene.scene import Applied, Scene, Setting
@@ -117,10 +118,14 @@ class LinearEffects:
 
     # the choice
 
+    @property
+    def _nq(self) -> int:
+        return self._tree.nq + count_of(states_of(self._scene))
+
     def _chosen(self) -> tuple[int, ...]:
         """The places of numbers on which the torques depend linearly, all together."""
         nv = (self._tree.nv,)
-        recorder = Recorder([array("t", ()), array("q", (self._tree.nq,)), array("v", nv),
+        recorder = Recorder([array("t", ()), array("q", (self._nq,)), array("v", nv),
                              array("a", nv)])
         program = self._program(
             FunctionRecording(self._scene, self._tree, self._names, recorder))

@@ -100,6 +100,8 @@ def _one(effect: Effect) -> Schema:
         more = {"joints": _by_name(_NUMBER)}
     needed = [parameter.name for parameter in effect.parameters
               if parameter.required and parameter.default is None and not parameter.of]
+    if effect.parts:
+        more = {"bodies": _TEXTS}
     if effect.place is Place.PAIR:
         more = {"bodies": _array(2, {"type": "string"}) | {"uniqueItems": True}}
         needed = ["bodies", *needed]
@@ -114,7 +116,7 @@ def _effect(effect: Effect) -> Schema:
     one: Schema = {"$ref": f"#/definitions/{effect.name}"}
     if effect.place is Place.SCENE:
         return one
-    if effect.place is Place.PAIR:
+    if effect.place is Place.PAIR or effect.parts:
         return _by_name(one)
     several = "joints" if effect.place is Place.JOINT else "bodies"
     values = {parameter.name: {"description": _described(parameter), "anyOf": [
@@ -135,7 +137,8 @@ def _parameter(parameter: ParameterOf) -> Schema:
     kinds: dict[str, Schema] = {
         "number": number, "vector": _array(3, number), "formula": number,
         "formulas": _VECTOR, "body": {"type": "string"},
-        "choice": {"enum": list(parameter.choices)}, "flag": {"type": "boolean"}}
+        "choice": {"enum": list(parameter.choices)}, "flag": {"type": "boolean"},
+        "matrix": _array(6, _array(6, _NUMBER))}
     if parameter.kind not in kinds:
         raise ValueError(f"parameter {parameter.name!r}: kind {parameter.kind!r} has no schema; "
                          f"wanted one of {', '.join(kinds)}, or an entry for it here")

@@ -1,8 +1,7 @@
 """The effects of scenes, one per module.
 
-Further effects: contact of a point with the ground is a `body_force`; added mass needs a further
-field of `Effect`, a body's 6×6 inertia; closed loops need a field for rows of constraints, for
-whose multipliers forward dynamics must solve."""
+Further effects: added mass needs a further field of `Effect`, a body's 6×6 inertia; closed loops
+need a field for rows of constraints, for whose multipliers forward dynamics must solve."""
 
 import copyreg
 

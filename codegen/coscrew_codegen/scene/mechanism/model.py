@@ -8,6 +8,7 @@ from dataclasses import dataclass, field
 from fractions import Fraction
 
 from coscrew_codegen.program.values.parameter import Parameter, Scalar
+from coscrew_codegen.scene.mechanism.collision import Collision
 from coscrew_codegen.scene.mechanism.joint_kind import Direction, JointKind
 from coscrew_codegen.scene.mechanism.notices import Notice
 from coscrew_codegen.scene.mechanism.visual import Visual
@@ -150,6 +151,7 @@ class Model:
     joints: tuple[Joint, ...]
     implausible: tuple[str, ...] = ()  # impossible inertias that were accepted, a line each
     notices: tuple[Notice, ...] = field(default=(), compare=False)  # read, but not used
+    collisions: tuple[Collision, ...] = field(default=(), compare=False, repr=False)  # likewise
 
     def links(self) -> dict[str, str]:
         """Maps each body, and WORLD, to the body to which fixed joints connect it: one that a joint

@@ -9,9 +9,6 @@ Interval = tuple[float, float]
 Intervals = tuple[Interval, ...]
 
 UNSTATED: Interval = (-inf, inf)
-SQUARE = (Fraction(999, 1000), Fraction(1001, 1000))
-"""The limits of |quaternion|², of every quaternion in q."""
-_COMPONENT = 1.0005  # above √1.001
 
 
 @dataclass(frozen=True)
@@ -50,6 +47,7 @@ class Ranges:
 ARGUMENTS = ("q", "v", "a", "tau", "p", "t")
 """Arguments of functions whose ranges a scene can state."""
 
+_COMPONENT = 1.0005  # above √1.001, the largest norm of quaternions in stated ranges
 QUATERNION: Intervals = ((-_COMPONENT, _COMPONENT),) * 4
 
 

@@ -2,13 +2,13 @@
 
 The accurate tier's single precision is the plain program in double precision, rounded once."""
 
-from math import inf, nextafter
+from math import inf
 
 import numpy as np
 
+from coscrew_codegen.accuracy.float_rounding import FloatRounding
+from coscrew_codegen.accuracy.rounding_rules import Values
 from coscrew_codegen.accuracy.tiers import PLAIN
-from coscrew_codegen.dynamics.ranges.rounding_rules import moved
-from coscrew_codegen.program.elementary.sincos import FUNCTION as SINCOS
 from coscrew_codegen.program.scene_functions import FunctionProgram
 from coscrew_codegen.program.values.formats import DOUBLE, SINGLE, Precision
 from coscrew_codegen.reports.cost.error_states import Box
@@ -27,10 +27,9 @@ def proved(function: FunctionProgram, choice: TierChoice, box: Box) -> tuple[flo
     if not rounds and choice.tier not in (PLAIN.name, CERTIFIED):  # certified: plain's results
         return (inf,) * len(function.units)
     sizes = [_sizes(a.name, a.quantity.size, box) for a in program.inputs]
-    ranges = moved(program, precision, sizes, nextafter(float(SINCOS.error(precision)), inf))
-    if ranges is None:
-        return (inf,) * len(function.units)
-    return tuple(_rounded(x.size, x.error, SINGLE) if rounds else float(x.error) for x in ranges)
+    values = Values(program, sizes, FloatRounding(precision))
+    return tuple(_rounded(x.size, x.error, SINGLE) if rounds else float(x.error)
+                 for x in values.results)
 
 
 def _rounded(size: float, error: float, precision: Precision) -> float:

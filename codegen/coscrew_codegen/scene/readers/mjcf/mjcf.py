@@ -26,6 +26,7 @@ from coscrew_codegen.scene.mechanism.model import (
 from coscrew_codegen.scene.mechanism.tree import composed
 from coscrew_codegen.scene.readers.foreign import of_root, root_of
 from coscrew_codegen.scene.readers.mjcf.mjcf_actuators import actuators
+from coscrew_codegen.scene.readers.mjcf.mjcf_collisions import collisions
 from coscrew_codegen.scene.readers.mjcf.mjcf_effects import effects, followers
 from coscrew_codegen.scene.readers.mjcf.mjcf_leftovers import GROUPS, ignored, refused
 from coscrew_codegen.scene.readers.mjcf.mjcf_names import MjcfNames, exact
@@ -53,7 +54,8 @@ def _parts(source: ModelSource) -> Parts:
         effects=effects(model, names, drives.tables), inputs=drives.inputs,
         offered=tendons(model, names).offered,
         start=_start(model, names),
-        notices=(*left_out, *ignored(model, names)))
+        notices=(*left_out, *ignored(model, names)),
+        collisions=tuple(collisions(model, names, seen)))
 
 
 def _compiled(source: ModelSource) -> "mujoco.MjModel":
@@ -160,5 +162,6 @@ def _start(model: "mujoco.MjModel", names: MjcfNames) -> dict[str, tuple[float, 
 READER = ModelReader(
     "MJCF", (".xml", ".mjcf"), "a model of MuJoCo, by its compiler: bodies, joints with damping, "
     "armature, springs, friction and limits, fixed tendons, actuators, joints that follow others, "
-    "gravity and its compensation; contact is not read", _parts, modules=("mujoco",), extra="mjcf",
+    "gravity and its compensation; shapes that touch change no motion yet", _parts,
+    modules=("mujoco",), extra="mjcf",
     leaves_out=tuple(GROUPS))

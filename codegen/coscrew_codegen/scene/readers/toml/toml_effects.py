@@ -13,6 +13,7 @@ from coscrew_codegen.scene.mechanism.model import Model
 from coscrew_codegen.scene.names import did_you_mean
 from coscrew_codegen.scene.patterns import PatternError, expanded
 from coscrew_codegen.scene.readers.toml.effect_table import ALL, MANY, MODEL, EffectTable, Use
+from coscrew_codegen.scene.readers.toml.part_tables import completed, on_parts
 from coscrew_codegen.scene.readers.toml.sum_terms import read_terms
 from coscrew_codegen.scene.readers.toml.toml_tables import TomlTable, described
 from coscrew_codegen.scene.recorded_quantities import expected, recorded
@@ -31,7 +32,8 @@ def read_effects(effects: TomlTable, model: Model, catalogue: tuple[Effect, ...]
     for effect in catalogue:
         if effect.name in effects:
             reading = EffectTable(effect, effects.table(effect.name), model, use)
-            applied += readers[effect.place](reading)
+            applied += on_parts(reading) if effect.parts else readers[effect.place](reading)
+    applied = completed(effects, model, applied)
     _refuse_compensation(effects, model, applied)
     return tuple(applied)
 
