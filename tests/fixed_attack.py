@@ -27,17 +27,17 @@ def main() -> int:
     for robot in given.robots or fixed_robots.ROBOTS:
         for function in fixed_robots.fixed(robot, FUNCTIONS).functions:
             for products in Products:
-                bounds, found = fx.bounds(function, products), 0.0
+                bounds, largest = fx.bounds(function, products), np.zeros(1)
                 for seed in range(0, given.states, BLOCK):
                     worst = fx.worst(function, products, BLOCK, given.rounds, seed)
-                    found = np.maximum(found, worst)
+                    largest = np.maximum(largest, worst)
                     checked = function.programs[products]
                     fx.results(checked, fx.states(function, BLOCK, seed),
                                fx.checked(checked.program))
                 print(f"{robot} {function.plain.name} {products.value}: proved {bounds.max():.1e}, "
-                      f"found {np.max(found):.1e} in {given.states * (given.rounds + 1)} states",
+                      f"found {largest.max():.1e} in {given.states * (given.rounds + 1)} states",
                       flush=True)
-                broken |= bool((found > bounds * (1 + 1e-9)).any())
+                broken |= bool((largest > bounds * (1 + 1e-9)).any())
     return broken
 
 

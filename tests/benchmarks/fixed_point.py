@@ -12,6 +12,8 @@ from coscrew_codegen.accuracy.fixed_scene import FixedScene
 from coscrew_codegen.backends.fixed.c_integers import INTEGERS
 from coscrew_codegen.backends.fixed.scene_c_fixed import c_name
 from coscrew_codegen.backends.scene import scene_c
+from coscrew_codegen.dynamics.ranges.rounding_rules import moved
+from coscrew_codegen.program.elementary.sincos import FUNCTION as SINCOS
 from coscrew_codegen.program.fixed.fixed_program import Products
 from coscrew_codegen.program.values.formats import DOUBLE, SINGLE, Precision
 from coscrew_codegen.reports.cost.needs import cortex_m4
@@ -31,12 +33,21 @@ def rows() -> Iterator[tuple[str, ...]]:
                 (Path(folder) / path).write_text(text)
             fx.written(made, Path(folder))
             for precision in (DOUBLE, SINGLE):
-                yield (robot, precision.name, "", "", *_floats(made, precision, Path(folder)))
+                yield (robot, precision.name, _proved(made, precision), "",
+                       *_floats(made, precision, Path(folder)))
             for products in Products:
                 bound = fx.bounds(made.functions[0], products).max()
-                found = fx.worst(made.functions[0], products, STATES, ROUNDS).max()
-                yield (robot, f"fixed, {products.value}", f"{bound:.1e}", f"{found:.1e}",
+                worst = fx.worst(made.functions[0], products, STATES, ROUNDS).max()
+                yield (robot, f"fixed, {products.value}", f"{bound:.1e}", f"{worst:.1e}",
                        *_integers(made, products, Path(folder)))
+
+
+def _proved(made: FixedScene, precision: Precision) -> str:
+    """The bound of the plain function's errors in floating point."""
+    (function,) = made.functions
+    sizes = [dict(made.plain.box)[a.name] for a in function.plain.inputs]
+    ranges = moved(function.plain.program, precision, sizes, float(SINCOS.error(precision)))
+    return f"{max(x.error for x in ranges or ()):.1e}"
 
 
 def _integers(made: FixedScene, products: Products, folder: Path) -> Iterator[str]:

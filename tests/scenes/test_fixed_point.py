@@ -14,6 +14,7 @@ import mpmath
 import numpy as np
 import pytest
 
+from coscrew_codegen.__main__ import main
 from coscrew_codegen.accuracy.fixed_scene import FixedFunction, FixedScene, in_fixed
 from coscrew_codegen.accuracy.scene_tiers import NoFunctionsError
 from coscrew_codegen.accuracy.tiers import tier_named
@@ -30,7 +31,7 @@ from tests.support.compiled.c_harness import COMPILERS, DIALECTS, STRICT, run
 from tests.support.scenes import fixed_point as fx
 from tests.support.truth.newton_euler import inverse_dynamics
 
-GIMBAL = Path(__file__).parents[2] / "examples/scenes/gimbal.toml"
+GIMBAL = Path(__file__).parents[2] / "examples/fixed_point/gimbal.toml"
 FIXED = tier_named("fixed")
 COUNT = 2000
 COMPILED = ("inverse_dynamics", "energy")
@@ -365,3 +366,15 @@ def test_python_converts_and_refuses_what_is_outside(gimbal):
         module.inverse_dynamics(np.zeros(3), v, a)
     with pytest.raises(ValueError, match="q: got shape"):
         module.inverse_dynamics(np.zeros(2, int), v, a)
+
+
+def test_the_snippet_of_the_guide_prints_what_its_comment_says(tmp_path):
+    guide = (GIMBAL.parents[2] / "docs/fixed_point.md").read_text(encoding="utf-8")
+    (snippet,) = re.findall(r"```c\n(.*?)```", guide, re.DOTALL)
+    (tmp_path / "program.c").write_text(snippet)
+    assert main(["generate", str(GIMBAL), "-o", str(tmp_path)]) == 0
+    sources = ("program.c", "gimbal_fixed.c", "gimbal_fixed_double.c")
+    run((COMPILERS[0], "-std=c99", "-Wall", "-Wextra", "-Werror", "-I", tmp_path,
+         *(tmp_path / x for x in sources), "-o", tmp_path / "program", "-lm"))
+    (printed,) = re.findall(r"/\* (.*?) \*/", snippet)
+    assert run((tmp_path / "program",)).strip() == printed

@@ -114,8 +114,9 @@ def bounds(function: FixedFunction, products: Products) -> np.ndarray:
 def worst(function: FixedFunction, products: Products, count: int, rounds: int, seed: int = 0
           ) -> np.ndarray:
     """The largest errors found of each component: at states, a third of whose numbers are at
-    limits and an eighth of which are corners, and at neighbours that rounds of climbing try."""
+    limits, an eighth of them corners, and at neighbours that rounds of climbing try."""
     draw, scale = np.random.default_rng(seed), bounds(function, products)[:, None]
+    scale = np.where(scale == 0, np.inf, scale)
     most = [[int(x.largest) for x in values] for values in function.inputs]
     given = states(function, count, seed)
     now = errors(function, products, given)
