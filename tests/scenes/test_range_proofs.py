@@ -6,7 +6,6 @@ from dataclasses import replace
 from fractions import Fraction
 from functools import cache
 from math import inf, isfinite
-from pathlib import Path
 from time import process_time
 
 import numpy as np
@@ -27,15 +26,9 @@ from coscrew_codegen.reports.cost.needs.proved import over_ranges
 from coscrew_codegen.runtime.load import Kernels, kernels_for
 from tests.support.scenes.generated_scenes import argument
 from tests.support.scenes.range_search import Search
-from tests.support.scenes.ranged import floating, panda, ranged
+from tests.support.scenes.ranged import FUNCTIONS, SCENES, WORST, floating, panda, ranged
 
-WORST = Path(__file__).with_name("range_worst_cases.csv")
-SCENES = {"panda": panda, "floating": floating}
 NAME = "inverse_dynamics"
-FUNCTIONS = {
-    "panda": ("inverse_dynamics", "inverse_dynamics_derivatives", "mass_matrix", "energy",
-              "jacobian_link7", "inverse_dynamics_tangent"),
-    "floating": ("inverse_dynamics", "body_poses", "mass_matrix", "momentum", "energy")}
 CASES = [(scene, name) for scene, names in FUNCTIONS.items() for name in names]
 ROBOPREC = {("inverse_dynamics", "double"): 1.1e-12, ("inverse_dynamics", "single"): 5.9e-4,
             ("inverse_dynamics_derivatives", "double"): 9.7e-12,
