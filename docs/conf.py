@@ -26,7 +26,7 @@ html_math_renderer = "mathml"
 
 TREES = {  # the navigation: what stands under each caption
     "Guides": ("README <../README>", "c", "python", "arrays", "scenes", "urdf", "models",
-               "playback", "sweeps", "derivatives", "identification", "from_ksl",
+               "loops", "playback", "sweeps", "derivatives", "identification", "from_ksl",
                "from_pinocchio", "from_mujoco", "glossary", "convention", "accuracy", "bounds",
                "architecture", "../C*"),
     "Scenes": ("../generated/docs/*",),

@@ -16,7 +16,8 @@ def test_effects_are_in_order_and_each_fills_a_slot():
     assert tuple(sorted(NAMES)) == NAMES
     for effect in EFFECTS:
         slots = (effect.gravity, effect.wind, effect.joint_torque, effect.joint_inertia,
-                 effect.body_force, effect.pair_force, effect.reaction, effect.mimic)
+                 effect.body_force, effect.body_inertia, effect.pair_force, effect.reaction,
+                 effect.mimic)
         assert sum(map(bool, slots)) == 1, effect.name
         assert effect.place is not Place.PAIR or effect.pair_force
 

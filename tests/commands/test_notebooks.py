@@ -9,12 +9,13 @@ import pytest
 
 from coscrew_codegen import load_scene, run
 from coscrew_codegen.__main__ import main
-from coscrew_codegen.simulation import sweep
+from coscrew_codegen.simulation import SimulateError, sweep
 from coscrew_codegen.simulation.control import Controller
 from coscrew_codegen.simulation.recordings.recording_plot import plot
 from coscrew_codegen.simulation.recordings.targets import targets
 from coscrew_codegen.simulation.sweep.statistics.axis import parts_for
 from tests.support.browser import chromium
+from tests.support.playback_page import drawn as shown_page
 
 DRIVEN = """
 name = "swing"
@@ -142,6 +143,27 @@ def test_all_curves_on_zero_are_drawn(scene, tmp_path):
     result = run(scene, record=["position.bob"])
     plot([result.recording], tmp_path / "out.svg")
     assert {f"position.bob.{i}" for i in range(3)} <= set(lines(tmp_path / "out.svg"))
+
+
+# runs
+
+def test_a_run_shows_its_playback(scene, tmp_path):
+    """In a frame that cannot reach the notebook; the plot alone is small."""
+    one, other = (run(scene, p={"bob.mass": x}) for x in (2, 3))
+    assert 'id="q.pin target"' in one._repr_html_() and len(one._repr_html_()) < 100_000
+    (tmp_path / "notebook.html").write_text(
+        f"<!DOCTYPE html><meta charset='utf-8'>{one.show(other)._repr_html_()}")
+    assert 2e5 < (tmp_path / "notebook.html").stat().st_size < 4e5
+    with chromium() as browser:
+        browser.get((tmp_path / "notebook.html").as_uri())
+        browser.switch_to.frame(0)
+        shown_page(browser)
+        assert browser.find_element("tag name", "h1").text == "swing: playback"
+        assert browser.execute_script("return JSON.parse(data.textContent).runs.map("
+                                      "x => x.label);") == ["run 1", "run 2", "target"]
+        assert [x["message"] for x in browser.get_log("browser")] == []
+    with pytest.raises(SimulateError, match="show: wanted one run; got a batch"):
+        run(scene, p={"bob.mass": [2, 3]}).show()
 
 
 # sweeps

@@ -120,7 +120,7 @@ def test_without_pyarrow_nothing_runs_for_parquet(tmp_path, capsys, monkeypatch)
     (["--output", "out.xls"], "wanted a name that ends in .csv or .npz or .parquet"),
     (["--output", "nowhere/out.csv"], "cannot write nowhere/out.csv"),
     (["--plot", "out.gif"], "wanted a name that ends in .svg or .png"),
-    (["--view", "out.txt"], "wanted a name that ends in .html"),
+    (["--view", "nowhere/run.html"], "cannot write nowhere/run.html"),
     (["--until", "1e9"], "samples, one every")))
 def test_wrong_options_are_refused_before_anything_runs(tmp_path, capsys, monkeypatch, arguments,
                                                         message):

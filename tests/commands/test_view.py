@@ -11,7 +11,8 @@ from selenium.webdriver.common.keys import Keys
 from selenium.webdriver.support.ui import Select, WebDriverWait
 
 from coscrew_codegen.simulation.run_summary import RunOverrides, simulated
-from coscrew_codegen.simulation.view.playback import page, view
+from coscrew_codegen.simulation.view.page_text import page
+from coscrew_codegen.simulation.view.view_files import view
 from tests.support.browser import chromium, resize
 from tests.support.playback_page import (
     PIXEL,
@@ -42,7 +43,7 @@ def runs(tmp_path_factory):
         path.write_text(text)
         kernels = checked(path, None, others=("body_poses",), precisions=("double",))
         (results[name],) = simulated(kernels, RunOverrides(until=2.0, precision="double"))
-        view([results[name]], folder / f"{name}.html")
+        view([results[name]], [folder / f"{name}.html"])
     return results, folder
 
 
@@ -369,7 +370,7 @@ def test_a_run_of_huge_numbers_is_shown_as_far_as_they_go(browser, runs, tmp_pat
     path.write_text(texts.UNSTABLE)
     kernels = checked(path, None, others=("body_poses",), precisions=("double",))
     (result,) = simulated(kernels, RunOverrides(precision="double"))
-    view([result], tmp_path / "unstable.html")
+    view([result], [tmp_path / "unstable.html"])
     shown = opened(browser, tmp_path, "unstable")
     assert shown.get_log("browser") == []
     assert shown.execute_script("""

@@ -15,7 +15,7 @@ from coscrew_codegen.simulation import SimulateError
 from coscrew_codegen.simulation.view import body_shapes, mesh_files
 from coscrew_codegen.simulation.view.body_shapes import box_of, drawn
 from coscrew_codegen.simulation.view.mesh_files import meshes
-from coscrew_codegen.simulation.view.playback import page
+from coscrew_codegen.simulation.view.page_text import page
 from tests.support.playback_data import ARM, MESHED, PageData, arm, run
 from tests.support.scenes import scene_texts as texts
 
@@ -243,6 +243,26 @@ shape = { box = [0.1, 0.2, 0.3] }
     assert ("screw", "box") in {(names[x.body], x.shape) for x in drawn(result.system).parts}
 
 
+def test_collision_shapes_are_parts_of_their_own(tmp_path):
+    """A mesh that a visual has, too, is in the page once; a further one is simplified apart."""
+    bumpy(2).export(tmp_path / "bumpy.stl")
+    bumpy(6).export(tmp_path / "rough.stl")  # 81,920 triangles
+    shapes = (f'<collision><geometry><mesh filename="{x}"/></geometry></collision>'
+              for x in ("bumpy.stl", "rough.stl", "none.stl"))
+    (result,) = arm(tmp_path, MESHED.format("bumpy.stl"), *shapes,
+                    '<collision><origin xyz="0 0 -1"/><geometry><sphere radius="0.5"/></geometry>'
+                    "</collision>", precision="double", until=0.1)
+    text = page([result])
+    data = PageData(text)
+    (seen,), (same, rough, ball) = data.json["parts"], data.json["collisions"]
+    assert same["mesh"] == seen["mesh"] and len(data.json["meshes"]) == 2
+    assert 9_000 <= len(data.mesh(rough["mesh"])[1]) <= 10_000
+    assert (ball["kind"], ball["size"], ball["place"]) == ("sphere", [0.5], [0, 0, -1, 0, 0, 0, 1])
+    assert "1 shape is not shown" in text
+    (note,) = re.findall("<li>(arm: a collision.*?)</li>", text)
+    assert re.fullmatch("arm: a collision shape: line [12]: no file .*none.stl.*", note)
+
+
 # ghosts, arrows, springs
 
 @pytest.fixture(scope="module")
@@ -290,7 +310,7 @@ def test_a_recording_is_shown_beside_the_run(tmp_path, suffix, capsys):
     words = ["simulate", str(scene), "--until", "1", "--precision", "double"]
     assert main([*words, "--step", "0.005", "--integrator", "semi-implicit-euler", "--output",
                  str(other)]) == 0
-    assert main([*words, "--view", str(tmp_path / "now.html"), "--beside", str(other)]) == 0
+    assert main([*words, "--view", str(tmp_path / "now.html"), str(other)]) == 0
     data = PageData((tmp_path / "now.html").read_text())
     assert [x["label"] for x in data.json["runs"]] == ["double", "before"]
     q = data.signal("q.hinge", 1)
@@ -299,14 +319,14 @@ def test_a_recording_is_shown_beside_the_run(tmp_path, suffix, capsys):
 
 
 @pytest.mark.parametrize("name, problem", (
-    ("none.csv", "cannot read"), ("x.txt", "wanted a recording, .csv, .npz, .parquet"),
+    ("none.csv", "cannot read"), ("x.npz", "is no recording"),
     ("lacks.csv", "has no column q.hinge; wanted a recording of all coordinates")))
 def test_what_is_no_recording_is_refused(tmp_path, capsys, name, problem):
     (tmp_path / "lacks.csv").write_text("t [s],v.hinge [rad/s]\n0,1\n")
-    (tmp_path / "x.txt").write_text("")
+    (tmp_path / "x.npz").write_text("")
     (tmp_path / "pendulum.toml").write_text(texts.PENDULUM)
     assert main(["simulate", str(tmp_path / "pendulum.toml"), "--until", "0.1", "--view",
-                 str(tmp_path / "x.html"), "--beside", str(tmp_path / name)]) != 0
+                 str(tmp_path / "x.html"), str(tmp_path / name)]) != 0
     assert problem in capsys.readouterr().err
     assert not (tmp_path / "x.html").exists()
 

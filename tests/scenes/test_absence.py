@@ -20,6 +20,7 @@ from coscrew_codegen.scene.mechanism.model import Parameter
 from coscrew_codegen.scene.scene import Applied, Scene, Setting
 from tests.support.scenes.effect_scenes import (
     PLACES,
+    STATEFUL,
     all_but,
     assert_listed,
     effects,
@@ -34,11 +35,12 @@ from tests.support.walks import copied
 ROOT = Path(__file__).parents[2]
 
 ZEROS: Mapping[str, tuple[str, ...]] = {
+    "added_mass": ("mass", "inertia", "matrix"),
     "actuator": ("torque", "kp", "kd", "kt"), "armature": ("inertia", "rotor"),
     "buoyancy": ("rho",), "coulomb": ("tau_c",), "drag": ("rho", "b"), "field": ("mu",),
-    "gravity": ("g",), "joint_drag": ("c",), "limit": ("k",), "spring": ("k",),
-    "spring_damper": ("k", "d"), "stribeck": ("tau_c", "tau_s"), "viscous": ("d",),
-    "wind": ("velocity",), "wrench": ("force", "torque")}
+    "gravity": ("g",), "joint_drag": ("c",), "limit": ("k",), "speed_limit": ("d",),
+    "spring": ("k",), "spring_damper": ("k", "d"), "stribeck": ("tau_c", "tau_s"),
+    "viscous": ("d",), "wind": ("velocity",), "wrench": ("force", "torque")}
 """The parameters without which an effect does nothing."""
 
 
@@ -54,6 +56,7 @@ ROW = 4
 LEFT_OUT = [tuple(x for n, x in enumerate(sorted(PLACES)) if place(n) == k)
             for place, count in ((lambda n: n // ROW, -(-len(PLACES) // ROW)),
                                  (lambda n: n % ROW, ROW)) for k in range(count)]
+LEFT_OUT.append(STATEFUL)
 """The rows and the columns of a table of the effects.  Of any two effects, each is left out once
 while the other is present."""
 
@@ -62,7 +65,7 @@ while the other is present."""
 def test_text_is_that_of_a_generator_without_the_effects(generator: Path,
                                                          names: tuple[str, ...]) -> None:
     folder = generator / "coscrew_codegen/scene/effects"
-    texts = {folder / f"{name}.py": (folder / f"{name}.py").read_bytes() for name in names}
+    texts = {file: file.read_bytes() for name in names for file in folder.rglob(f"{name}.py")}
     environment = {**os.environ, "PYTHONPATH": os.pathsep.join((str(generator), str(ROOT)))}
     try:
         for file in texts:
@@ -98,7 +101,7 @@ def zeroed(name: str, number: Fraction | Parameter) -> tuple[Applied, ...]:
     def zero(parameter: str, value: Setting) -> Setting:
         if value is None or parameter not in ZEROS[name]:
             return value
-        return (number,) * 3 if isinstance(value, tuple) else number
+        return (number,) * len(value) if isinstance(value, tuple) else number
 
     return tuple(replace(x, values={key: zero(key, value) for key, value in x.values.items()})
                  for x in effects(name))

@@ -148,14 +148,15 @@ def test_a_scene_is_derived_again_if_what_it_depends_on_changes(changed):
             ("algebra/operations/coscrew.py", "FAMILY = ", "X = 1\nFAMILY = "),
             ("runtime/source_text.py", "def in_c", "X = 1\ndef in_c"),
             ("templates/scene/scene.c.jinja", "#undef RN", "#undef  RN"),
-            ("templates/runtime/calls/threads.h", "#include <", "#include  <")):
+            ("templates/runtime/calls/threads.h", "#include <", "#include  <"),
+            ("templates/runtime/calls/binding.c", "#include <", "#include  <")):
         assert changed(source, old, new), source
     for source, old, new in (
             ("runtime/load.py", "def in_tier_of", "X = 1\n\n\ndef in_tier_of"),
             ("scene/effects/gravity.py", "EFFECT = ", "# A comment.\nEFFECT = "),
             ("scene/effects/gravity.py", '"""', '"""On Earth: '),
             ("dynamics/algorithms/forward.py", '    """', '    """Here: '),
-            ("scene/effects/viscous.py", '-(values["d"]', '-(2 * values["d"]'),
+            ("scene/effects/joint_torques/viscous.py", '-(values["d"]', '-(2 * values["d"]'),
             ("reports/cost/figures/cost_page.py", "\n\n\ndef ", "\n\n\nX = 1\n\n\ndef "),
             ("templates/view/page.html.jinja", ": playback", ": play")):
         assert not changed(source, old, new), source
@@ -255,7 +256,7 @@ def test_processes_at_once_find_or_make_the_same(path: Path, folder: Path):
                                 cwd=ROOT, stdout=subprocess.PIPE, text=True) for _ in range(2)]
     message = {x.communicate()[0] for x in running}
     assert len(message) == 1 and message != {""} and {x.returncode for x in running} == {0}
-    assert {x.suffix for x in folder.iterdir()} == {".so", ".scene"}
+    assert {x.suffix for x in folder.iterdir()} == {".so", ".scene", ".o"}
 
 
 def test_of_processes_at_once_one_derives(path: Path):
@@ -282,9 +283,9 @@ def test_the_command_shows_and_empties(path: Path, folder: Path, capsys):
     energy(path)
     assert main(["cache"]) == 0
     shown = capsys.readouterr().out
-    assert f"folder   {folder}\nentries  2\n" in shown
+    assert f"folder   {folder}\nentries  4\n" in shown
     assert main(["cache", "--clear"]) == 0
-    assert "2 entries" in capsys.readouterr().out
+    assert "4 entries" in capsys.readouterr().out
     assert list(folder.iterdir()) == []
 
 
@@ -298,7 +299,7 @@ def test_entries_that_cannot_be_removed_are_told(path: Path, folder: Path, capsy
     assert main(["cache", "--clear"]) == 1
     out, err = capsys.readouterr()
     assert "0 entries, 0 bytes, are gone" in out
-    assert err == f"coscrew: 2 entries of {folder} cannot be removed\n"
+    assert err == f"coscrew: 4 entries of {folder} cannot be removed\n"
 
 
 def test_what_is_found_imports_neither_sympy_nor_scipy(path: Path):

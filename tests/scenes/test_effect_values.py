@@ -80,9 +80,11 @@ def at_joint(name: str, q: object, v: object, exerted: mpf, t: object = 0,
                 power if lost is None else lost, [exerted])
 
 
-def limited(u: mpf, limit: object) -> tuple[mpf, Mapping[str, Sequence[mpf]]]:
-    """The torque u within ±limit, and whether it is not u."""
-    applied_torque = max(-mpf(limit), min(u, mpf(limit)))
+def limited(u: mpf, limit: object, speed: object = 0) -> tuple[mpf, Mapping[str, Sequence[mpf]]]:
+    """The torque u within ±limit, at a speed relative to that without load, and whether it is not
+    u."""
+    most = mpf(limit) * (max(1 - abs(mpf(speed)), 0) if u * speed > 0 else 1)
+    applied_torque = max(-most, min(u, most))
     return applied_torque, {"saturated": [mpf(int(applied_torque != u))]}
 
 
@@ -97,6 +99,12 @@ def actuators() -> Iterator[Case]:
         torque, more = limited(5 * (mpmath.cos(t) - q) + mpf("0.5") * (t - v), 4)
         yield at_joint("actuator", q, v, torque, t, more=more, kind="pd", kp=5, kd=HALF,
                        target=Formula("cos(t)"), target_v=Formula("t"), limit=4)
+        torque, more = limited(5 * (mpmath.cos(t) - q), 4, v / 3)
+        yield at_joint("actuator", q, v, torque, t, more=more, kind="pd", kp=5, kd=0,
+                       target=Formula("cos(t)"), limit=4, speed=3)
+        torque, more = limited(3 * mpmath.sin(2 * t), 4, v / 7)
+        yield at_joint("actuator", q, v, torque, t, more=more, kind="torque", limit=4, speed=7,
+                       torque=Formula("3*sin(2*t)"))
         torque, more = limited(5 * (1 - q) - mpf("0.5") * v + mpmath.exp(-t), 4)
         yield at_joint("actuator", q, v, torque, t, more=more, kind="pd", kp=5, kd=HALF, target=1,
                        torque=Formula("exp(-t)"), limit=4)
@@ -131,6 +139,21 @@ def armatures() -> Iterator[Case]:
                    energy + 3 * mpf("0.7")**2 / 2)
 
 
+def added_masses() -> Iterator[Case]:
+    """Energy V·M V/2 at the point, which counts as kinetic; (f; τ) = -[ad]*(V) M V at a = 0."""
+    point = [mpf(1), mpf("0.5"), mpf(-2)]
+    v, w = array(TWIST[:3]), array(TWIST[3:])
+    u = v + skew(w) @ array(point)
+    p, L = array([4, 9, 7]) * u, array([2, 1, 3]) * w
+    force, moment = -skew(w) @ p, -(skew(w) @ L + skew(u) @ p)
+    energy = (u @ p + w @ L) / 2
+    yield Case(free_body(2), (applied("added_mass", "b0", mass=(4, 9, 7), inertia=(2, 1, 3),
+                                      point=numbers(1, "0.5", -2)),),
+               {"q": [*PLACE, *QUATERNION], "v": TWIST}, {"energy": [energy]}, mpf(0),
+               [*force, *(moment + skew(array(point)) @ force)],
+               energy + (2 * v @ v + w @ w) / 2)
+
+
 def frictions() -> Iterator[Case]:
     for v in map(mpf, ("0", "1e-9", "-0.003", "0.2", "-5")):
         slow = mpmath.tanh(v / mpf("0.01"))
@@ -140,6 +163,8 @@ def frictions() -> Iterator[Case]:
         yield at_joint("stribeck", 1, v, -level * slow, tau_c=Fraction(4, 5),
                        tau_s=Fraction(11, 10), v_s=Fraction(1, 20), eps=Fraction(1, 100))
         yield at_joint("viscous", 1, v, -mpf("0.75") * v, d=Fraction(3, 4))
+        excess = max(abs(v) - mpf("0.1"), 0) * mpmath.sign(v)
+        yield at_joint("speed_limit", 1, v, -mpf("0.75") * excess, d=Fraction(3, 4), speed=TENTH)
         yield at_joint("joint_drag", 1, v, -mpf("0.75") * v**2 * mpmath.sign(v), c=Fraction(3, 4))
 
 
@@ -287,9 +312,11 @@ def pairs() -> Iterator[Case]:
 
 CASES: Mapping[str, Callable[[], Iterator[Case]]] = {
     "actuator": lambda: chain(actuators(), compensating()), "armature": armatures,
+    "added_mass": added_masses,
     "buoyancy": buoyancies, "coulomb": frictions, "drag": drags, "field": fields,
-    "gravity": weights, "joint_drag": frictions, "limit": limits, "spring": springs,
-    "spring_damper": pairs, "stribeck": frictions, "viscous": frictions, "wrench": wrenches}
+    "gravity": weights, "joint_drag": frictions, "limit": limits, "speed_limit": frictions,
+    "spring": springs, "spring_damper": pairs, "stribeck": frictions, "viscous": frictions,
+    "wrench": wrenches}
 """Cases of each effect that exerts or stores anything; some yield others', too."""
 
 

@@ -39,7 +39,7 @@ def test_a_robot_of_101_joints_costs_one_line(read):
     assert summary(scene.notices) == (
         "not used: mimic of 2 joints, friction of 7, damping, limits, effort and velocity of 101 "
         "(add [effects.mimic], [effects.coulomb], [effects.viscous], [effects.limit], "
-        "[effects.actuator]; --verbose lists them with what to write)")
+        "[effects.actuator], [effects.speed_limit]; --verbose lists them with what to write)")
 
 
 def test_effects_shorten_the_line(read):
@@ -47,7 +47,7 @@ def test_effects_shorten_the_line(read):
                  "[effects.coulomb]\njoints = 'all'\neps = 0.1\ntau_c = 0\n")
     assert summary(scene.notices) == (
         "not used: friction of 7 joints, limits, effort and velocity of 9 (add [effects.limit], "
-        "[effects.actuator]; --verbose lists them with what to write)")
+        "[effects.actuator], [effects.speed_limit]; --verbose lists them with what to write)")
 
 
 WRONG = """<robot name="r"><link name="l0"/>

@@ -12,7 +12,7 @@ from coscrew_codegen import load_scene
 from coscrew_codegen.__main__ import main
 from coscrew_codegen.backends.output_files import scene_files
 from coscrew_codegen.dynamics import derive
-from coscrew_codegen.dynamics.ranges.ranges import RangeError
+from coscrew_codegen.dynamics.ranges.representable import RangeError
 from coscrew_codegen.program import Constant, Op, folding
 from coscrew_codegen.program.folding import Folded, Result, folded
 from coscrew_codegen.program.values.formats import DOUBLE, SINGLE

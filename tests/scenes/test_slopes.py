@@ -81,9 +81,12 @@ TRUE = {
 FRICTION = {
     "coulomb": [{"tau_c": 3, "eps": HALF}],
     "joint_drag": [{"c": 2}],
+    "speed_limit": [{"speed": HALF, "d": 3}],
     "stribeck": [{"tau_c": 2, "tau_s": 3, "v_s": HALF, "eps": Fraction(1, 5)}]}
 BOUNDED = {
     "actuator": [{"kind": "pd", "kp": 5, "kd": 2, "target": HALF, "limit": 2},
+                 {"kind": "pd", "kp": 5, "kd": 2, "target": HALF, "limit": 2, "speed": 3},
+                 {"kind": "torque", "torque": Formula("2*t"), "limit": 2, "speed": 3},
                  {"kind": "dc", "voltage": 3, "gear": 4, "kt": HALF, "ke": 2, "R": 3, "limit": 4}]}
 CASES = [pytest.param(name, values, name in TRUE and values in TRUE[name],
                       id=f"{name}-{values.get('kind', '')}-{n}")

@@ -7,6 +7,7 @@ Steps have no tier: they are sequences of calls, whose error is that of the step
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
 
+from coscrew_codegen.accuracy.range_statements import statement
 from coscrew_codegen.accuracy.tiers import PLAIN, Tier, tier_named
 from coscrew_codegen.algebra.recording.recorder import headings
 from coscrew_codegen.program import Program
@@ -45,7 +46,8 @@ class SceneTier:
 
 
 def in_tier(scene: SceneFunctions, tier: Tier) -> SceneTier:
-    """The scene's public functions in this tier.  Raises NoFunctionsError if there are none."""
+    """The scene's public functions in this floating-point tier.  Raises NoFunctionsError if there
+    are none."""
     public = [f for f in scene.functions if not f.internal]
     if tier.on_request:
         public = [f for f in public if f.accuracy]
@@ -61,18 +63,25 @@ def in_tier(scene: SceneFunctions, tier: Tier) -> SceneTier:
             f"{scene.name}: the {tier.name} tier is of {tier.precisions[0].name} precision, the "
             f"scene of {scene.precisions[0]}: write precision = \"both\", or leave out the tier")
     return SceneTier(tier, replace(scene, precisions=tuple(p.name for p in precisions)), tuple(
-        (p, replace(scene, functions=tuple(_function(f, tier, p) for f in public), steps=(),
-                    precisions=(p.name,), tiers=(), mark=tier.mark)) for p in precisions))
+        (p, replace(scene, functions=tuple(_function(f, tier, p, precisions) for f in public),
+                    steps=(), precisions=(p.name,), tiers=(), mark=tier.mark))
+        for p in precisions))
 
 
-def _function(plain: FunctionProgram, tier: Tier, precision: Precision) -> FunctionProgram:
-    """The function in the tier and precision."""
+def _function(plain: FunctionProgram, tier: Tier, precision: Precision,
+              precisions: Sequence[Precision]) -> FunctionProgram:
+    """The function in the tier and precision; its statement is about all of these precisions."""
     program, rounding = _program_in_tier(plain, tier, precision)
-    words = {_heading(plain, place): text for place, text in plain.headings}
+    rounding = rounding or stated(plain, tier, precisions)
     more = len(program.inputs) > len(plain.program.inputs)
     return replace(plain, program=program, plain=plain.program if more else None, rounding=rounding,
-                   headings=tuple((place, words.get(heading, heading))
-                                  for place, heading in headings(program)))
+                   headings=headings_in(plain, program))
+
+
+def headings_in(plain: FunctionProgram, program: Program) -> tuple[tuple[int, str], ...]:
+    """The function's headings in another program of it."""
+    words = {_heading(plain, place): text for place, text in plain.headings}
+    return tuple((place, words.get(heading, heading)) for place, heading in headings(program))
 
 
 def _program_in_tier(plain: FunctionProgram, tier: Tier, precision: Precision
@@ -89,6 +98,14 @@ def _program_in_tier(plain: FunctionProgram, tier: Tier, precision: Precision
     if tier.scene is None:
         raise ValueError(f"scenes do not have the {tier.name} tier")
     return tier.scene(plain.program, precision), ""
+
+
+def stated(plain: FunctionProgram, tier: Tier, precisions: Sequence[Precision]) -> str:
+    """States the bounds that are proved of the function in the tier over its stated ranges."""
+    if plain.ranges is None or tier.proof is None:
+        return ""
+    bounds = {p: proof for p in precisions if (proof := tier.proof(plain, p))}
+    return statement(plain, bounds) if bounds else ""
 
 
 def savings(scene: SceneFunctions, units: Callable[[SceneFunctions, str], Sequence[str]]
@@ -111,6 +128,7 @@ def _heading(function: FunctionProgram, place: int) -> str:
 
 
 def tiers_of(scene: SceneFunctions) -> Iterator[SceneTier]:
-    """The scene in each tier that it selects."""
-    for name in scene.tiers:
-        yield in_tier(scene, tier_named(name))
+    """The scene in each floating-point tier that it selects."""
+    for tier in map(tier_named, scene.tiers):
+        if not tier.fixed:
+            yield in_tier(scene, tier)

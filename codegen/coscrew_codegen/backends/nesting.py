@@ -209,13 +209,18 @@ _WORD = re.compile(r"\w+")
 _NUMBERED = re.compile(r"(.+)_([0-9]+)")  # an instruction without a name of its own
 
 
+def numbered(name: str) -> bool:
+    """Returns whether an instruction has no name of its own."""
+    return bool(_NUMBERED.fullmatch(name))
+
+
 def planned(program: Program, language: Language, access: Callable[[Input], str], width: int,
             named: Collection[str] = ()) -> NestingPlan:
     """A plan that assigns what has a name of its own, is `named` or is used several times, and
     keeps assignments at most `width` wide in this language."""
     constants = named_constants(program)
     nesting = Nesting(program, language, access, width, constants=constants, named=lambda step: (
-        step.name in named or not _NUMBERED.fullmatch(step.name)))
+        step.name in named or not numbered(step.name)))
     chosen = {name for x in nesting.assigned if isinstance(x, Assignment) for name in x.names}
     assigned = [step.name for step in program.instructions if step.name in chosen]
     names = _numbered(program, assigned)

@@ -2,6 +2,7 @@
 
 from collections.abc import Iterable
 
+from coscrew_codegen.accuracy.fixed_scene import fixed_of
 from coscrew_codegen.accuracy.scene_tiers import tiers_of
 from coscrew_codegen.backends import targets
 from coscrew_codegen.backends.library import Library
@@ -27,6 +28,8 @@ def scene_files(functions: SceneFunctions, command: str = "", many: bool = False
             if target.generated and target.scene]
     made += [(target.name, target.tier(tier, banner)) for tier in tiers_of(functions)
              for target in targets() if target.generated and target.tier]
+    made += [(target.name, target.fixed(fixed, banner)) for fixed in fixed_of(functions)
+             for target in targets() if target.generated and target.fixed]
     made += [(target.name, target.many(functions, banner)) for target in targets()
              if many and target.many]
     made += [(target.name, target.many_tier(tier, banner)) for tier in tiers_of(functions)

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
+    from coscrew_codegen.accuracy.fixed_scene import FixedScene
     from coscrew_codegen.accuracy.scene_tiers import SceneTier
     from coscrew_codegen.backends.library import Library
     from coscrew_codegen.program.scene_functions import SceneFunctions
@@ -25,6 +26,7 @@ class Target:
     library: Callable[[Library], Files] | None = None  # its files of the library
     scene: Callable[[SceneFunctions, str], Files] | None = None  # of a scene, with this banner
     tier: Callable[[SceneTier, str], Files] | None = None  # of a scene in a tier besides plain
+    fixed: Callable[[FixedScene, str], Files] | None = None  # of a scene in fixed point
     many: Callable[[SceneFunctions, str], Files] | None = None  # of its functions of many states
     many_tier: Callable[[SceneTier, str], Files] | None = None  # the same in a tier
     cuda: Callable[[SceneFunctions, str], Files] | None = None  # of its functions for CUDA

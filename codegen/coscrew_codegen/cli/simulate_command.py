@@ -35,10 +35,11 @@ def add_parser(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") 
                         help="write the recording: .csv, .npz or .parquet; with --precision both, "
                              "single precision goes to FILE's name with .single before its ending")
     parser.add_argument("--plot", metavar="FILE", type=Path, help="write a plot: .svg or .png")
-    parser.add_argument("--view", metavar="FILE", type=Path, help="write a 3D playback: .html")
-    parser.add_argument("--beside", metavar="RECORDING", type=Path, action="append", default=[],
-                        help="show the run of a recording in the playback, too, as a ghost; may be "
-                             "repeated")
+    parser.add_argument("--view", metavar="FILE", type=_seen, nargs="+", action="extend",
+                        default=[],
+                        help="write a 3D playback: .html, .rrd for Rerun or .mcap for Foxglove; "
+                             "recordings after it (.csv, .npz, .parquet) are shown in it, too, as "
+                             "ghosts")
     parser.set_defaults(run=run)
 
 
@@ -95,12 +96,11 @@ def add_verbose(parser: argparse.ArgumentParser) -> None:
 
 
 def tell_unused(scene: "Scene", verbose: bool, prefix: str = "coscrew") -> None:
-    """Prints on standard error the content of the model's file that the scene does not use: in one
-    line, or in one for each number."""
-    from coscrew_codegen.scene.mechanism.notices import by_importance, summary
+    """Prints on standard error the content of the model's file that the scene does not use, in one
+    line or in one for each number, and the bodies that nothing holds."""
+    from coscrew_codegen.scene.mechanism.notices import lines
 
-    lines = [x.text for x in by_importance(scene.notices)] if verbose else [summary(scene.notices)]
-    for line in filter(None, lines):
+    for line in lines(scene.notices, verbose):
         print(f"{prefix}: {line}", file=sys.stderr)
 
 
@@ -149,6 +149,19 @@ def _acting(scene: "Scene") -> str:
     return f"{', '.join(words)} {verb}; {lacking} take a scene file"
 
 
+def _seen(text: str) -> Path:
+    """A file of `--view`, by its ending."""
+    from coscrew_codegen.simulation.recordings.recording_reader import TABLES
+    from coscrew_codegen.simulation.view.view_files import FORMATS
+
+    path = Path(text)
+    if path.suffix not in (*FORMATS, *TABLES):
+        raise argparse.ArgumentTypeError(
+            f"{text}: wanted a file to write ({', '.join(FORMATS)}) or recordings to show in it "
+            f"({', '.join(TABLES)}); SCENE stands before --view")
+    return path
+
+
 def positive(text: str) -> float:
     try:
         value = float(text)
@@ -180,18 +193,21 @@ def run(options: argparse.Namespace) -> int:
 
     compilation.ask()
     from coscrew_codegen.simulation import run_summary
+    from coscrew_codegen.simulation.loops import loop_closing
     from coscrew_codegen.simulation.recordings import recording_writer
+    from coscrew_codegen.simulation.view import view_files
 
     for path, endings in ((options.output, tuple(recording_writer.FORMATS)),
-                          (options.plot, recording_writer.FIGURES),
-                          (options.view, (".html",))):
+                          (options.plot, recording_writer.FIGURES)):
         if path:
             recording_writer.check_target(path, endings)
+    pages, shown = view_files.sorted_files(options.view)
     results = _again(options) if options.again else _runs(options)
     first = results[0]
     for note in ("" if options.start or options.again else
                  run_summary.outside(first.system, first.trajectory.q[0]),
-                 run_summary.bounces(first)):
+                 loop_closing.mobility(first.system), run_summary.bounces(first),
+                 run_summary.overspeed(first)):
         if note:
             print(f"coscrew: {note}", file=sys.stderr)
     recordings = [x.recording for x in results]
@@ -204,12 +220,8 @@ def run(options: argparse.Namespace) -> int:
 
         recording_plot.plot(recordings, options.plot,
                             targets=targets(first.system, first.recording))
-    if options.view:
-        from coscrew_codegen.simulation.view import page_runs, playback
-
-        besides = [page_runs.run_in(x, first.system) for x in options.beside]
-        if lacking := playback.view(results, options.view, besides):
-            print(f"coscrew: {lacking}", file=sys.stderr)
+    if pages and (lacking := view_files.view(results, pages, shown)):
+        print(f"coscrew: {lacking}", file=sys.stderr)
     print(run_summary.summary(results))
     return _status(results, options)
 
@@ -265,11 +277,13 @@ def _outputs(path: Path) -> tuple[Path, Path]:
 def _status(results: "tuple[Result, ...]", options: argparse.Namespace) -> int:
     """The exit status; reports on standard error where runs stopped, and which samples were kept.
     """
+    from coscrew_codegen.simulation.view.view_files import FORMATS
+
     files: tuple[Path | None, ...] = _outputs(options.output) if options.output else (None,) * 2
     for x, path in zip(results, files, strict=False):
         if x.trajectory.stopped:
-            page = options.view if x is results[0] else None
-            written = [str(y) for y in (path, options.plot, page) if y]
+            pages = [y for y in options.view if y.suffix in FORMATS] if x is results[0] else []
+            written = [str(y) for y in (path, options.plot, *pages) if y]
             where = f" in {', '.join(written)}" if written else ""
             print(f"coscrew: {x.system.precision.name}: {x.trajectory.stopped}; "
                   f"{len(x.trajectory.t)} samples kept{where}", file=sys.stderr)

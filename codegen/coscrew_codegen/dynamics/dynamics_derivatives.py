@@ -1,8 +1,8 @@
 """Derivatives of inverse and of forward dynamics.
 
 Those of rigid bodies come from a recursion, where each joint's screws are constants in its link's
-frame, and those of effects, which are added, from their torques' Program.  Forward dynamics is not
-differentiated: with a at these torques,
+frame and no effect adds inertia, and those of effects, which are added, from their torques'
+Program.  Forward dynamics is not differentiated: with a at these torques,
 
     ∂a/∂q = -M⁻¹ ∂tau/∂q,   ∂a/∂v = -M⁻¹ ∂tau/∂v,   ∂a/∂tau = M⁻¹,   ∂tau of inverse dynamics at a.
 """
@@ -23,7 +23,7 @@ def of_inverse(x: FunctionRecording, a: Sequence[Number] | None = None) -> tuple
     """∂tau/∂q, ∂tau/∂v and ∂tau/∂a = M, at the function's accelerations or at `a`."""
     given = {"a": a} if a else {}
     motion = x.motion(a=a)
-    if not rnea_derivatives.constant_screws(motion):
+    if not rnea_derivatives.constant_screws(motion) or any(r.added for r in x.rigids):
         return tuple(effect_derivatives.differentiated(
             x, effect_derivatives.of_all, ("q", "v", "a"), given))
     rigid = rnea_derivatives.derivatives(motion, x.rigids, x.inertias)

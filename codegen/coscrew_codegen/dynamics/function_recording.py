@@ -1,7 +1,7 @@
 """Recording of one function of a scene."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 
 from coscrew_codegen.algebra.recording.numbers import Number
@@ -9,7 +9,9 @@ from coscrew_codegen.algebra.recording.recorder import Recorder
 from coscrew_codegen.dynamics.algorithms import rnea
 from coscrew_codegen.dynamics.algorithms.bodies import Rigid, rigids
 from coscrew_codegen.dynamics.algorithms.motion import Motion
+from coscrew_codegen.dynamics.forces.added_inertia import added_inertias
 from coscrew_codegen.dynamics.forces.applied_effects import AppliedEffects, gravity, joint_inertias
+from coscrew_codegen.scene.effect_quantities import places_of
 from coscrew_codegen.scene.mechanism.tree import Tree
 from coscrew_codegen.scene.scene import Scene
 
@@ -25,11 +27,12 @@ class FunctionRecording:
 
     def motion(self, moving: bool = True, accelerating: bool = True, falling: bool = True,
                at: tuple[Sequence[Number], Sequence[Number]] | None = None,
-               a: Sequence[Number] | None = None) -> Motion:
+               a: Sequence[Number] | None = None, carried: bool = False) -> Motion:
         """The motion for the function's inputs, or for `at` = (q, v), or with the accelerations
-        `a`; `falling`: with the scene's gravity."""
+        `a`; `falling`: with the scene's gravity; `carried` as in Motion."""
         down = gravity(self.scene, self.recorder) if falling else None
-        return Motion(self.recorder, self.tree, self.names, down, moving, accelerating, at, a)
+        return Motion(self.recorder, self.tree, self.names, down, moving, accelerating, at, a,
+                      places_of(self.scene), carried)
 
     @property
     def tau(self) -> Sequence[Number]:
@@ -39,8 +42,11 @@ class FunctionRecording:
 
     @cached_property
     def rigids(self) -> list[Rigid]:
-        """The inertia of each link."""
-        return rigids(self.recorder, self.names, self.tree)
+        """The inertia of each link, with those that effects add beside it."""
+        own = rigids(self.recorder, self.names, self.tree)
+        for link, inertia in added_inertias(self.scene, self.recorder, self.tree).items():
+            own[link] = replace(own[link], added=inertia.entries)
+        return own
 
     @cached_property
     def inertias(self) -> dict[str, Number]:

@@ -40,7 +40,7 @@ BY = ("q", "v", "tau", "p")
 def program(x: FunctionRecording, weights: WeightsOf, passes: int) -> Program | None:
     """The derivatives of an acceleration by each input of BY that it takes, after one pass or two,
     in a recording of its inputs; None if forces on points, between bodies or on sums of coordinates
-    are implicit, or a joint's screws depend on q."""
+    are implicit, damping depends on later velocities, or a joint's screws depend on q."""
     solution = _Solution(x, weights)
     if not solution.at_joints_alone:
         return None
@@ -89,7 +89,7 @@ class _Solution:
     def at_joints_alone(self) -> bool:
         """True if slopes are those of torques along velocities, and screws are constants."""
         return (rnea_derivatives.constant_screws(self.start.motion) and not self.start.pairs
-                and all(len(s.weights) == 1 for s in self.start.sums)
+                and not self.start.looks_ahead and all(len(s.weights) == 1 for s in self.start.sums)
                 and not any(map(self.start.resisting, range(len(self.x.tree.links)))))
 
     def derivatives(self, passes: int) -> Rows:

@@ -76,6 +76,9 @@ class Op(Enum):
     LESS = "less"  # a < b
     EQUAL = "equal"  # a == b
     SELECT = "select"  # a ? b : c
+    HIGH_PRODUCT = "high product"  # integers of 32 bits: a b / 2^32 to nearest, ties upward
+    WIDE_PRODUCT = "wide product"  # a b in 64 bits, times 2^c, rounded down
+    ROUNDED_SHIFT = "rounded shift"  # a / 2^b in 32 bits to nearest, ties upward; a is of any width
 
     @property
     def meaning(self) -> Meaning:
@@ -130,7 +133,10 @@ _MEANINGS = {
     Op.PRODUCT_REST: Meaning(4, _ONCE, _product(0, -1)),
     Op.LESS: Meaning(2, _EXACT, None),
     Op.EQUAL: Meaning(2, _EXACT, None, commutes=True),
-    Op.SELECT: Meaning(3, _EXACT, None)}
+    Op.SELECT: Meaning(3, _EXACT, None),
+    Op.HIGH_PRODUCT: Meaning(2, _ONCE, None, commutes=True),
+    Op.WIDE_PRODUCT: Meaning(3, _ONCE, None),
+    Op.ROUNDED_SHIFT: Meaning(2, _ONCE, None)}
 
 COMPARISONS = frozenset({Op.LESS, Op.EQUAL})
 """The operations whose results are truth values, for SELECT."""
@@ -138,5 +144,7 @@ ERROR_OF = {Op.SIN: Op.SIN_ERROR, Op.COS: Op.COS_ERROR, Op.ATAN2: Op.ATAN2_ERROR
             Op.EXP: Op.EXP_ERROR, Op.TANH: Op.TANH_ERROR}
 """From an elementary function to the operation that computes its error, from its operands and
 result."""
+OF_INTEGERS = frozenset({Op.HIGH_PRODUCT, Op.WIDE_PRODUCT, Op.ROUNDED_SHIFT})
+"""The operations that only integers have."""
 POLYNOMIAL = frozenset({Op.ADD, Op.SUB, Op.MUL, Op.NEG})
 """The operations of polynomials."""

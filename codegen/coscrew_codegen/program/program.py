@@ -212,8 +212,9 @@ def in_words(numbers: Mapping[Op, int]) -> str:
     counts[Op.MUL] += counts.pop(Op.SCALE, 0)
     for op in (Op.EXACT_ADD, Op.EXACT_SUB):
         counts[Op.ADD] += counts.pop(op, 0)
-    order = (Op.MUL, Op.ADD, Op.PRODUCT_ERROR, Op.PRODUCT_REST, Op.DIV, Op.SQRT, Op.SIN, Op.COS,
-             Op.ATAN2, Op.EXP, Op.TANH, *ERROR_OF.values(), Op.POWER, Op.TWO_OVER_PI,
-             Op.NEG, Op.ABS, Op.COPYSIGN, Op.LESS, Op.EQUAL, Op.SELECT)
+    order = (Op.MUL, Op.HIGH_PRODUCT, Op.WIDE_PRODUCT, Op.ADD, Op.ROUNDED_SHIFT,
+             Op.PRODUCT_ERROR, Op.PRODUCT_REST, Op.DIV, Op.SQRT, Op.SIN, Op.COS, Op.ATAN2,
+             Op.EXP, Op.TANH, *ERROR_OF.values(), Op.POWER, Op.TWO_OVER_PI, Op.NEG, Op.ABS,
+             Op.COPYSIGN, Op.LESS, Op.EQUAL, Op.SELECT)
     words = [f"{counts[op]} {op.value}" for op in order if counts[op]]
     return ", ".join(words) if words else "no arithmetic"

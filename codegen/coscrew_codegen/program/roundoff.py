@@ -1,17 +1,43 @@
 """Shared parts of rounding-error analyses: the error of a product, and floats that round up."""
 
-from math import inf, nextafter
+from math import frexp, inf, nextafter, sqrt
 from typing import Protocol, TypeVar
+
+_HALF = 0.5  # frexp's mantissa of powers of two
 
 
 class Upward(float):
-    """A nonnegative bound whose sums and products are rounded up, and exact with 0."""
+    """A nonnegative bound whose sums, products and quotients are rounded up unless they are known
+    to be exact: sums that lose no digit, products with 0 or a power of two."""
 
     def __add__(self, other: float) -> "Upward":
-        return Upward(nextafter(float(self) + other, inf)) if other else self
+        total = float(self) + other
+        part = total - self
+        lost = (self - (total - part)) + (other - part)  # exact (Knuth); NaN if infinite
+        return Upward(total if lost <= 0 else nextafter(total, inf))
 
     def __mul__(self, other: float) -> "Upward":
-        return Upward(nextafter(float(self) * other, inf)) if self and other else Upward(0)
+        if not self or not other:
+            return Upward(0)
+        product = float(self) * other
+        exact = product > _NORMAL and (frexp(self)[0] == _HALF or frexp(other)[0] == _HALF)
+        return Upward(product if exact else nextafter(product, inf))
+
+    def __truediv__(self, other: float) -> "Upward":
+        """The quotient; infinite if the divisor is not positive."""
+        if other <= 0:
+            return Upward(inf)
+        return Upward(nextafter(float(self) / other, inf) if self else 0)
+
+
+_NORMAL = 2.0**-1021
+
+
+def length(a: Upward, b: Upward) -> Upward:
+    """Bounds √(a² + b²)."""
+    if not a or not b:
+        return max(a, b)
+    return Upward(nextafter(sqrt(a * a + b * b), inf))
 
 
 class Ring(Protocol):

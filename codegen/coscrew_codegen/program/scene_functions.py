@@ -1,9 +1,11 @@
 """Data of a scene for targets: its functions as Programs."""
 
 from dataclasses import dataclass, replace
+from fractions import Fraction
+from math import isfinite
 from typing import TypeVar
 
-from coscrew_codegen.program import Program
+from coscrew_codegen.program import Input, Program
 from coscrew_codegen.program.values.formats import BY_NAME, Precision
 from coscrew_codegen.program.values.parameter import Sign
 from coscrew_codegen.program.values.quantity import Argument
@@ -34,6 +36,24 @@ class Accuracy:
 
 
 @dataclass(frozen=True)
+class ArgumentRanges:
+    """Stated ranges of a function's arguments: an interval of each component of each input, with
+    ends rounded outwards; and the components of each unit quaternion."""
+
+    intervals: tuple[tuple[tuple[float, float], ...], ...]
+    quaternions: tuple[tuple[Input, ...], ...] = ()
+
+    def sizes(self, precision: Precision) -> list[list[float]]:
+        """Bounds of the sizes of components, of the numbers rounded to the precision as well."""
+        return [[_rounded_up(max(map(abs, x)), precision) for x in each]
+                for each in self.intervals]
+
+
+def _rounded_up(size: float, precision: Precision) -> float:
+    return float(precision.rounded_up(Fraction(size))) if size and isfinite(size) else size
+
+
+@dataclass(frozen=True)
 class FunctionProgram:
     """A function of a scene.
 
@@ -53,6 +73,7 @@ class FunctionProgram:
     plain: Program | None = None
     accuracy: Accuracy | None = None  # if requested: then the mixed tier has the function
     units: tuple[str, ...] = ()  # of each component of its results, in order
+    ranges: ArgumentRanges | None = None  # if the scene states any
 
     @property
     def inputs(self) -> tuple[Argument, ...]:
@@ -162,6 +183,7 @@ class SceneInterface:
     signs: tuple[tuple[str, Sign], ...] = ()  # names of the parameters with a sign
     tiers: tuple[str, ...] = ()  # selected besides plain
     mark: str = ""  # of the tier of these functions: their names in C end in it
+    states: tuple[tuple[str, str], ...] = ()  # names and units of effects' states, the end of q
 
 
 @dataclass(frozen=True)
@@ -182,6 +204,9 @@ class SceneFunctions:
     signs: tuple[tuple[str, Sign], ...] = ()  # names of the parameters with a sign
     tiers: tuple[str, ...] = ()  # in which the public functions are emitted, too
     mark: str = ""  # of the tier of these functions: their names in C end in it
+    states: tuple[tuple[str, str], ...] = ()  # names and units of effects' states, the end of q
+    box: tuple[tuple[str, tuple[float, ...]], ...] = ()  # stated largest sizes of arguments'
+    # components, by argument; infinite where nothing is stated
 
     def named(self, name: str) -> FunctionProgram:
         """The function of this name; a ValueError if there is none."""

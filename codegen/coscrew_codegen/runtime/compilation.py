@@ -115,7 +115,8 @@ def library(units: Mapping[str, Sequence[str]], files: Mapping[str, str],
             using: Compiler) -> CompiledLibrary:
     """The library of `units`: object file → its source and additional flags, compiled in parallel.
 
-    `files` maps names to all texts.  Raises CompilationError."""
+    `files` maps names to all texts.  A source in a folder includes files of this folder alone, and
+    its object is cached for other libraries.  Raises CompilationError."""
     key = _key(units, files, using)
     return cache.cached(key, _SUFFIX, lambda: _built(units, files, using),
                         functools.partial(_opened, key, maker=using.command[0]))
@@ -172,15 +173,29 @@ def _built(units: Mapping[str, Sequence[str]], files: Mapping[str, str], using: 
             (work / file).parent.mkdir(exist_ok=True)
             (work / file).write_text(text, encoding="utf-8")
         with ThreadPoolExecutor(len(units)) as pool:
-            objects = list(pool.map(lambda unit: _object(using, work, unit, *units[unit]), units))
+            objects = list(pool.map(
+                lambda unit: _object(using, work, files, unit, *units[unit]), units))
         made = work / "library.so"
         _run(using, [*using.flags, "-shared", *_LINK, *objects, "-o", made.name, *_LIBRARIES], work)
         return made.read_bytes()
 
 
-def _object(using: Compiler, work: Path, unit: str, source: str, *flags: str) -> str:
-    _run(using, [*using.flags, *flags, "-c", source, "-o", f"{unit}.o"], work)
-    return f"{unit}.o"
+def _object(using: Compiler, work: Path, files: Mapping[str, str], unit: str, source: str,
+            *flags: str) -> str:
+    """The unit's object file, which it writes to `work`."""
+    made = work / f"{unit}.o"
+
+    def compiled() -> bytes:
+        _run(using, [*using.flags, *flags, "-c", source, "-o", made.name], work)
+        return made.read_bytes()
+
+    if folder := os.path.dirname(source):
+        texts = {x: text for x, text in files.items() if os.path.dirname(x) == folder}
+        key = _key({unit: (source, *flags)}, texts, using)
+        made.write_bytes(cache.cached(key, made.suffix, compiled, Path.read_bytes))
+    else:
+        compiled()
+    return made.name
 
 
 def _run(using: Compiler, words: Sequence[str], work: Path) -> None:

@@ -13,6 +13,7 @@ from coscrew_codegen.scene.formulas import Formula
 from coscrew_codegen.scene.integrators import DEFAULT
 from coscrew_codegen.scene.mechanism.model import Model
 from coscrew_codegen.scene.mechanism.notices import Notice
+from coscrew_codegen.scene.mechanism.ranges import Ranges
 
 Setting = Scalar | tuple[Scalar | Formula, ...] | tuple[str, str] | Formula | str | None
 
@@ -104,6 +105,7 @@ class Scene:
     implausible: str = "error"  # or warn: bodies that cannot exist are accepted
     start_q: Mapping[str, tuple[float, ...]] = field(default_factory=dict)  # by joint
     start_v: Mapping[str, tuple[float, ...]] = field(default_factory=dict)
+    start_x: Mapping[str, tuple[float, ...]] = field(default_factory=dict)  # by effect
     record: tuple[str, ...] = ("q", "v")
     every: float = 0.01
     run: Run = Run()
@@ -111,6 +113,7 @@ class Scene:
     functions: tuple[str, ...] = ()  # selected by name; (): the default functions
     tiers: tuple[str, ...] = ()  # selected besides plain, the cheapest first
     accuracy: tuple[Tolerance, ...] = ()  # accuracy requested of the mixed tier
+    ranges: Ranges | None = None  # of arguments; None: those of the model's limits
     notices: tuple[Notice, ...] = ()  # content of the model's file that the scene does not use
 
     @property
@@ -137,7 +140,7 @@ class Scene:
         """The hash of everything that a motion in a given precision depends on; the selected
         precisions, functions and tiers, which options replace, do not count."""
         return hashed(replace(self, precision="", precisions=(), implausible="", functions=(),
-                              tiers=(), accuracy=(), notices=()))
+                              tiers=(), accuracy=(), ranges=None, notices=()))
 
 
 def zero(value: Setting) -> bool:

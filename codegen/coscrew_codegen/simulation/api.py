@@ -26,7 +26,7 @@ from coscrew_codegen.simulation.execution import RunRequest, complete, motion
 from coscrew_codegen.simulation.recordings.record import quantities
 from coscrew_codegen.simulation.recordings.result import Result
 from coscrew_codegen.simulation.replay import metadata_of
-from coscrew_codegen.simulation.run_summary import outside
+from coscrew_codegen.simulation.run_summary import outside, overspeed
 from coscrew_codegen.simulation.system import scene_of
 
 
@@ -69,6 +69,8 @@ def run(scene: Kernels | Scene | Path | str, *, p: Parameters = None,
         result = motion(kernels, name, request)
     if start is None and (note := outside(result.system, result.q[..., 0, :])):
         warnings.warn(note, RuntimeWarning, stacklevel=2)
+    if fast := overspeed(result):
+        warnings.warn(fast, RuntimeWarning, stacklevel=2)
     return _warned(result)
 
 

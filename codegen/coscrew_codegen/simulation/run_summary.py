@@ -1,5 +1,6 @@
 """Runs a scene in the selected precisions, records the runs, and prints a short table of them."""
 
+from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -10,6 +11,7 @@ from tabulate import tabulate
 from coscrew_codegen.program.values.formats import BY_NAME
 from coscrew_codegen.scene.integrators import DEFAULT, INTEGRATOR_NAMED
 from coscrew_codegen.scene.mechanism.mimics import without_chains
+from coscrew_codegen.scene.mechanism.model import Joint
 from coscrew_codegen.simulation import SimulateError
 from coscrew_codegen.simulation.batch_inputs import values_of
 from coscrew_codegen.simulation.checkpoint import end_in
@@ -21,6 +23,10 @@ from coscrew_codegen.simulation.system import System, scene_of
 
 if TYPE_CHECKING:
     from coscrew_codegen.runtime.load import Kernels
+
+
+_MANY = 3
+"""Joints that a warning on speeds lists."""
 
 
 @dataclass(frozen=True)
@@ -108,6 +114,43 @@ def outside(its: System, q: np.ndarray) -> str:
                 results.append(f"joint {limited.on} starts at {x[k]:g}, outside its range from "
                                f"{low[k]:g} to {high[k]:g}")
     return f"{'; '.join(results)}: pushed from the start" if results else ""
+
+
+def overspeed(result: Result) -> str:
+    """A warning that names joints whose speed passes the model's limit at a sample, those that pass
+    it most first; else "".  Of several members it is the fastest."""
+    speeds = dict(_speeds(result))
+    passed = []
+    for joint in result.system.scene.model.joints:
+        if joint.velocity and joint.name in speeds:
+            v, limit = np.abs(speeds[joint.name]), float(joint.velocity)
+            fastest = float(np.max(v, initial=0, where=np.isfinite(v)))
+            if fastest > limit * (1 + 4 * float(np.finfo(result.v.dtype).eps)):
+                unit = "m/s" if joint.kind.slides else "rad/s"
+                passed.append((fastest / limit, f"joint {joint.name} moves at {fastest:.3g} {unit}"
+                               f", above the model's limit, {limit:g} {unit}"))
+    first = [words for _, words in sorted(passed, reverse=True)[:_MANY]]
+    more = f"; likewise {len(passed) - _MANY} more" if len(passed) > _MANY else ""
+    cure = "; [effects.speed_limit] brakes" if passed else ""
+    return "; ".join(first) + more + cure
+
+
+def _speeds(result: Result) -> Iterator[tuple[str, np.ndarray]]:
+    """The velocities of joints with one, (…); those of followers are multiples of their leaders'.
+    """
+    of = {}
+    for c in result.system.functions.coordinates:
+        if len(c.v) == 1:
+            of[c.joint] = result.v[..., c.v.start].astype(float)
+    yield from of.items()
+    yield from ((joint.name, of[joint.mimic.joint] * float(joint.mimic.multiplier))
+                for joint in _followers(result)
+                if joint.mimic and joint.name not in of and joint.mimic.joint in of)
+
+
+def _followers(result: Result) -> tuple[Joint, ...]:
+    model = result.system.scene.model
+    return (without_chains(model) if any(x.mimic for x in model.joints) else model).joints
 
 
 def _heading(result: Result) -> str:

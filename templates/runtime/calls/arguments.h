@@ -3,17 +3,7 @@
 #define COSCREW_ARGUMENTS_H
 
 #include "objects.h"
-
-typedef struct {
-  ptrdiff_t size; /* how many numbers it has */
-  int axes;
-  const ptrdiff_t *shape;
-} input;
-typedef struct {
-  ptrdiff_t size;
-  int axes, moved; /* number of the input that it begins as, or -1 */
-  const ptrdiff_t *shape;
-} result;
+#include "shapes.h"
 
 /* The arguments in the order of inputs; then `out` and `threads`, NULL if not given.  Whether there
    is each input once. */

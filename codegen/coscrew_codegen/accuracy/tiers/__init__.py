@@ -5,6 +5,7 @@ accurate    single: computed in double, rounded once; double: compensated, carri
 certified   plain, and a bound on each component's error that always holds
 mixed       single, with hi + lo where a requested accuracy needs it       scenes only
 pairs       single: compensated, carried as hi + lo in single                  scenes only
+fixed       32-bit integers, which provably never overflow for stated ranges   scenes only
 
 A tier may also add in another order: `program.sums` gives the terms of a plain program's sums.
 """
@@ -21,7 +22,8 @@ TIERS = tuple(tier for tier in _ALL if tier.make)
 PLAIN = next(tier for tier in TIERS if not tier.marked)
 MARKED = tuple(tier for tier in TIERS if tier.marked)
 """All tiers but plain: those with a suffix in names."""
-OF_SCENES = tuple(tier for tier in _ALL if tier is PLAIN or tier.scene or tier.on_request)
+OF_SCENES = tuple(tier for tier in _ALL if tier is PLAIN or tier.scene or tier.on_request
+                  or tier.fixed)
 """The tiers that functions of scenes have."""
 
 

@@ -20,6 +20,11 @@ ELEMENTARY = {
     Op.TANH_ERROR: "ksl_tanh_error{f}({}, {})", Op.POWER: "ksl_power{f}({})"}
 """Calls of functions of our own, which are the same in all C."""
 
+OF_INTEGERS = {Op.HIGH_PRODUCT: "ksl_high_product({}, {})",
+               Op.WIDE_PRODUCT: "ksl_wide_product({}, {})",
+               Op.ROUNDED_SHIFT: "ksl_rounded_shift({}, {})"}
+"""The same of operations on integers; rounded shifts of 64 bits are ksl_narrow."""
+
 PRODUCT_OF = {x.name: f"KSL_MUL{x.suffix.upper()}({{}}, {{}})" for x in PRECISIONS}
 """A product that is rounded on its own, never fused into a sum, by precision."""
 

@@ -21,6 +21,9 @@ from coscrew_codegen.backends.target import Files, Target
 from coscrew_codegen.program.scene_functions import SceneFunctions, SceneInterface, Signature
 from coscrew_codegen.program.values.formats import SINGLE, Precision, named
 
+BINDING = "calls/binding.c"
+"""The calls of functions of any scene, as calls/function.h describes them."""
+
 # Times and step lengths are rounded from double, as when steps are called one by one.
 _RUN = {"t": "({real})begun(t, h, (double)k)", "h": "({real})h"}
 
@@ -29,7 +32,7 @@ def interface(scene: SceneFunctions) -> SceneInterface:
     """The interface of the scene for its callers."""
     return SceneInterface(scene.name, scene.nq, scene.nv, scene.coordinates, scene.bodies,
                       scene.parameters, scene.neutral, scene.precisions, scene.timed,
-                      callables(scene), scene.signs, scene.tiers, scene.mark)
+                      callables(scene), scene.signs, scene.tiers, scene.mark, scene.states)
 
 
 def tier_interface(made: SceneTier) -> SceneInterface:
@@ -54,13 +57,18 @@ def callables(scene: SceneFunctions) -> tuple[Signature, ...]:
 def files(scene: SceneFunctions, banner: str) -> Files:
     """arm_calls.c, which is compiled with arm.c for Python and has no banner, and the headers that
     it includes."""
-    return {f"{scene.name}_calls.c": source(scene), **runtime("runtime/calls/*.h")}
+    return {f"{scene.name}_calls.c": source(scene), **_binding()}
 
 
 def tier_files(made: SceneTier, banner: str) -> Files:
     """arm_accurate_calls.c, in the same way."""
     return {f"{made.stem}_calls.c": _source(made.first, made.stem, made.plain.precisions),
-            **runtime("runtime/calls/*.h")}
+            **_binding()}
+
+
+def _binding() -> Files:
+    """The text that is the same for all scenes."""
+    return {**runtime("runtime/calls/*.c"), **runtime("runtime/calls/*.h")}
 
 
 def source(scene: SceneFunctions) -> str:
@@ -70,18 +78,13 @@ def source(scene: SceneFunctions) -> str:
 
 def _source(scene: SceneFunctions, stem: str, precisions: Collection[str]) -> str:
     signatures = callables(scene)
-    inputs, outputs = (max((len(x) for x in of), default=1) for of in (
-        [f.inputs for f in signatures], [f.outputs for f in signatures]))
-    room = max((sum(max(scene_text.count(shape), 1) for _, shape in f.inputs)
-                for f in signatures), default=1)
     driven = bool(scene.steps and scene.parameters)
-    sizes = {"MOST_INPUTS": max(inputs, 1), "MOST_OUTPUTS": outputs, "MOST_NUMBERS": max(room, 1)}
     state = {"STATE_Q": scene.nq, "STATE_V": scene.nv, "STATE_P": len(scene.parameters)}
     sections = [{"precision": p, "single": int(p is SINGLE), **_lanes_of_runs(scene, p),
                  "functions": [_function(scene, f, p) for f in signatures]}
                 for p in named(precisions)]
     return render("scene/calls.c", name=stem, upper=scene.name.upper(), sections=sections,
-                  sizes={**sizes, **(state if driven else {})}, driven=driven,
+                  sizes=state if driven else {}, driven=driven,
                   begun=begun() if driven or (scene.timed and scene.steps) else "")
 
 
@@ -110,6 +113,7 @@ def _function(scene: SceneFunctions, function: Signature, precision: Precision
         "refused": " || ".join(refused if "p" in inputs else ()),
         "p": inputs.index("p") if "p" in inputs else -1,
         "inputs": len(inputs),
+        "numbers": max(sum(scene_text.count(shape) for _, shape in function.inputs), 1),
         "takes": [_array(shape) for _, shape in function.inputs],
         "results": [{**_array(shape), "moved": inputs.index(x)
                      if function.moved and x in inputs else -1} for x, shape in function.outputs],

@@ -36,8 +36,14 @@ class Articulated:
 
     @classmethod
     def of(cls, rigid: Rigid) -> "Articulated":
-        """[[m 1, -h~], [h~, I]] of a rigid body."""
-        return cls(rigid.m.recorder.call("spatial_inertia_matrix", rigid.numbers))
+        """[[m 1, -h~], [h~, I]] of a rigid body, and the inertia that effects add."""
+        own = cls(rigid.m.recorder.call("spatial_inertia_matrix", rigid.numbers))
+        return own.plus(cls(rigid.added)) if rigid.added else own
+
+    @property
+    def is_zero(self) -> bool:
+        """True if all its entries are zero."""
+        return all(x.is_zero for x in self.entries)
 
     def plus(self, other: "Articulated") -> "Articulated":
         """The sum."""
@@ -51,6 +57,11 @@ class Articulated:
     def entry(self, row: int, column: int) -> Number:
         """An entry of the 6×6 matrix."""
         return self.entries[6 * max(row, column) + min(row, column)]
+
+    def times(self, s: Column) -> Column:
+        """A s."""
+        zero = s[0].like(0)
+        return tuple(_sum(zero, (self.entry(i, k) * s[k] for k in range(6))) for i in range(6))
 
     def transformed(self, D: Displacement) -> "Articulated":
         """[Ad]*(D) A [Ad]^-1(D): in the parent's frame."""
@@ -104,8 +115,7 @@ def freed(motion: Motion, number: int, body: Articulated, joint: Joint) -> Freed
     """The joint of a link, with its torques and additional inertias."""
     zero, S = motion.zero[0], motion.subspace(number)
     with motion.part(number, "S"):
-        U = tuple(tuple(_sum(zero, (body.entry(i, k) * s[k] for k in range(6))) for i in range(6))
-                  for s in S)
+        U = tuple(body.times(s) for s in S)
         for column in U:
             _label_column(motion, "S", column)
     with motion.part(number, "D"):

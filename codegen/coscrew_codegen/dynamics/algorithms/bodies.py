@@ -12,11 +12,13 @@ from coscrew_codegen.scene.mechanism.tree import PlacedBody, Tree
 
 @dataclass(frozen=True)
 class Rigid:
-    """Mass, first moment h = m c, moments of inertia about the origin (xx, yy, zz, xy, xz, yz)."""
+    """Mass, first moment h = m c, moments of inertia about the origin (xx, yy, zz, xy, xz, yz);
+    beside them the 36 numbers of the inertia that effects add, which only accelerations feel."""
 
     m: Number
     h: Vector
     I: tuple[Number, ...]
+    added: tuple[Number, ...] | None = None
 
     @property
     def numbers(self) -> tuple[Number, ...]:

@@ -8,6 +8,7 @@ from collections.abc import Mapping, Sequence
 from fractions import Fraction
 
 from coscrew_codegen.algebra.recording.numbers import Number, add
+from coscrew_codegen.dynamics.algorithms.aba import Articulated
 from coscrew_codegen.dynamics.algorithms.bodies import Rigid, rigid_of
 from coscrew_codegen.dynamics.algorithms.motion import Motion
 from coscrew_codegen.dynamics.algorithms.rnea import along
@@ -29,6 +30,19 @@ def composites(motion: Motion, rigids: Sequence[Rigid]) -> list[Rigid]:
     return results
 
 
+def _added(motion: Motion, rigids: Sequence[Rigid]) -> dict[int, Articulated]:
+    """The inertia that effects add to each link and all beyond it, where there is any."""
+    results = {n: Articulated(x.added) for n, x in enumerate(rigids) if x.added}
+    for number in reversed(range(len(rigids))) if results else ():
+        parent = motion.tree.links[number].parent
+        if number in results and parent >= 0:
+            with motion.part(number, "Ap"):
+                moved = results[number].transformed(motion.frame(number))
+            with motion.part(parent, "A"):
+                results[parent] = results[parent].plus(moved) if parent in results else moved
+    return results
+
+
 def _label(motion: Motion, symbol: str, body: Rigid) -> None:
     """Name mass, first and second moments."""
     for part, value in (("m", body.m), ("h", body.h), ("I", body.I)):
@@ -40,11 +54,13 @@ def mass_matrix(motion: Motion, rigids: Sequence[Rigid],
     """M; `inertias`, those of joints themselves, are added to its diagonal."""
     tree, zero = motion.tree, motion.zero[0]
     M = [[zero] * tree.nv for _ in range(tree.nv)]
-    bodies = composites(motion, rigids)
+    bodies, added = composites(motion, rigids), _added(motion, rigids)
     for number, link in enumerate(tree.links):
         with motion.part(number, "M"):
             for freedom, screw in enumerate(motion.subspace(number)):
                 column = motion.recorder.call("product_Bs", bodies[number].numbers, screw)
+                if number in added:
+                    column = add(column, added[number].times(screw))
                 _enter(motion, number, freedom, column, M)
             if link.joint.name in inertias:
                 for freedom in range(len(motion.subspace(number))):

@@ -1,8 +1,9 @@
 """Energies and momentum of a scene's links."""
 
-from coscrew_codegen.algebra.recording.numbers import Number, add, dot
+from coscrew_codegen.algebra.recording.numbers import Number, add, angular, dot, linear
 from coscrew_codegen.dynamics.algorithms import crba, rnea
-from coscrew_codegen.dynamics.algorithms.motion import Motion
+from coscrew_codegen.dynamics.algorithms.aba import Articulated
+from coscrew_codegen.dynamics.algorithms.motion import Motion, Twist
 from coscrew_codegen.dynamics.function_recording import FunctionRecording
 
 
@@ -15,10 +16,18 @@ def kinetic(x: FunctionRecording, motion: Motion) -> Number:
                 (own,) = x.recorder.call("spatial_inertia_energy", rigid.numbers,
                                          motion.twist(number))
                 total = total + own
+            if rigid.added:
+                total = total + of_inertia(Articulated(rigid.added), motion.twist(number))
             if link.joint.name in x.inertias:
                 for v in motion.speeds(number):
                     total = total + x.inertias[link.joint.name] * (v * v) / 2
     return total
+
+
+def of_inertia(M: Articulated, twist: Twist) -> Number:
+    """V·M V / 2."""
+    momentum = M.times(twist)
+    return dot(linear(momentum), linear(twist)) / 2 + dot(angular(momentum), angular(twist)) / 2
 
 
 def potential(x: FunctionRecording, motion: Motion) -> Number:
@@ -34,12 +43,15 @@ def potential(x: FunctionRecording, motion: Motion) -> Number:
     return total
 
 
-def momenta(x: FunctionRecording, motion: Motion) -> list[rnea.Wrench]:
-    """(p; L) of each link and all beyond it, in its frame: B s + Σ [Ad]* (p; L) of its children."""
+def momenta(x: FunctionRecording, motion: Motion, added: bool = False) -> list[rnea.Wrench]:
+    """(p; L) of each link and all beyond it, in its frame: B s + Σ [Ad]* (p; L) of its children;
+    `added`: with that of the inertia that effects add."""
     results = []
     for number, rigid in enumerate(x.rigids):
         with motion.part(number, "p"):
             own = x.recorder.call("product_Bs", rigid.numbers, motion.twist(number))
+            if added and rigid.added:
+                own = add(own, Articulated(rigid.added).times(motion.twist(number)))
             rnea.label(motion, "p", "L", own)
             results.append(own)
     return rnea.transmitted(motion, results, ("pj", "Lj"))

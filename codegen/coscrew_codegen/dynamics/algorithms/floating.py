@@ -31,6 +31,7 @@ from coscrew_codegen.dynamics.forces.applied_effects import (
     joint_inertias,
 )
 from coscrew_codegen.dynamics.function_recording import FunctionRecording
+from coscrew_codegen.scene.effect_quantities import count_of, places_of, states_of
 from coscrew_codegen.scene.mechanism.tree import Tree
 from coscrew_codegen.scene.scene import Applied, Scene
 
@@ -44,12 +45,15 @@ def floating(scene: Scene, tree: Tree) -> tuple[int, ...]:
     for number, link in enumerate(tree.links):
         if link.driver and _root(tree, number) != _root(tree, link.driver.link):
             tied |= {_root(tree, number), _root(tree, link.driver.link)}
+    for loop in scene.model.loops:
+        ends = {_root(tree, tree.link_and_body(body)[0]) for body in loop.bodies}
+        tied |= ends if len(ends) > 1 else set()
     return tuple(root for root in roots if root not in tied)
 
 
 def _tied(applied: Applied, tree: Tree) -> set[int]:
     """The trees on which an effect exerts an external force, by first link."""
-    if applied.effect.body_force:
+    if applied.effect.body_force or applied.effect.body_inertia:
         return {_root(tree, tree.link_and_body(applied.on)[0])}
     if applied.effect.pair_force:
         ends = {_root(tree, tree.link_and_body(body)[0]) for body in applied.bodies}
@@ -65,13 +69,15 @@ def _idle(scene: Scene, tree: Tree, applied: Applied) -> bool:
     """Returns whether the numbers of an effect make its forces and its inertia zero in every state.
     """
     recorder = Recorder([array("t", ()), array("p", (len(scene.parameters),)),
-                         array("q", (tree.nq,)), array("v", (tree.nv,))])
+                         array("q", (tree.nq + count_of(states_of(scene)),)),
+                         array("v", (tree.nv,))])
     motion = Motion(recorder, tree, [f"link{n}" for n in range(len(tree.links))],
-                    gravity(scene, recorder))
+                    gravity(scene, recorder), states=places_of(scene))
     only = alone(scene, applied)
     acting = AppliedEffects(only, motion).act()
     numbers = [*(x for link in acting.forces for x in acting.force(link)),
                *(x for link in acting.torques for x in acting.torque(link)),
+               *(x for inertias in acting.inertias.values() for y in inertias for x in y.entries),
                *joint_inertias(only, recorder).values()]
     return all(x.is_zero for x in numbers)
 

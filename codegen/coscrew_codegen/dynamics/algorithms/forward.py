@@ -8,7 +8,7 @@ rate l' = e^T v, so that a common motion of both bodies is not damped.
 """
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from fractions import Fraction
 
 from coscrew_codegen.algebra.recording.numbers import (
@@ -30,13 +30,16 @@ from coscrew_codegen.dynamics.forces.applied_effects import AppliedEffects, Appl
 from coscrew_codegen.dynamics.forces.linearization import JointEffect
 from coscrew_codegen.scene.effect import Slopes, required
 
-Weights = Callable[[Number, Number, Number], tuple[Number, Number]]
-"""(damping, stiffness, damping over the inertia that it acts on, in 1/s) -> (m, c)."""
+Weights = Callable[..., tuple[Number, Number]]
+"""(damping, stiffness, damping over the inertia that it acts on, in 1/s, and for forces on bodies
+also stiffness over it, in 1/s²) -> (m, c)."""
 
 _LEAST = Fraction(1, 10**30)
 """kg: used instead of a mass of zero."""
 
 _Solve = Callable[[Joint, Sequence[Wrench]], list[Number]]
+Inverse = Callable[[Sequence[Number]], list[Number]]
+"""e -> (M + m)⁻¹ e."""
 
 
 @dataclass(frozen=True)
@@ -50,11 +53,12 @@ class _Row:
 
 @dataclass(frozen=True)
 class Implicit:
-    """a, and for each velocity the inertia that its damping acts on, and their quotient."""
+    """a, for each velocity the inertia that its damping acts on and their quotient, (M + m)⁻¹."""
 
     a: list[Number]
     rates: list[Number]
     inertias: list[Number]
+    inverse: Inverse
 
 
 def accelerations(motion: Motion, acting: AppliedEffects, rigids: Sequence[Rigid],
@@ -101,7 +105,8 @@ def implicit(motion: Motion, acting: AppliedEffects, rigids: Sequence[Rigid],
                                           solve, joint)
     wrenches = rnea.net_wrenches(motion, rigids, acting)
     a = solve(joint, _about(motion, wrenches, acting, start, rigids, weights))
-    return Implicit(a, rates, moved)
+    return Implicit(a, rates, moved, lambda e: solve(
+        lambda k, inertia: (e[k], joint(k, inertia)[1]), _still(motion)))
 
 
 def slopes_at_joints(acting: AppliedEffects) -> tuple[list[Number], list[Number]]:
@@ -122,10 +127,18 @@ def slopes_at_joints(acting: AppliedEffects) -> tuple[list[Number], list[Number]
 def inverse_inertia(motion: Motion, rigids: Sequence[Rigid], inertias: Mapping[str, Number],
                     unit: Sequence[Number]) -> Number:
     """e·M⁻¹ e of a row e, the acceleration along it by a torque of 1 along it."""
-    own = _own(motion, inertias)
-    still = [(*motion.zero, *motion.zero)] * len(motion.tree.links)
-    a = _solver(motion, rigids)(lambda k, _: (unit[k], own[k]), still)
-    return _product(unit, a)
+    return _product(unit, inverse(motion, rigids, inertias)(unit))
+
+
+def inverse(motion: Motion, rigids: Sequence[Rigid], inertias: Mapping[str, Number]) -> Inverse:
+    """M⁻¹, without slopes of effects."""
+    own, solve = _own(motion, inertias), _solver(motion, rigids)
+    return lambda e: solve(lambda k, _: (e[k], own[k]), _still(motion))
+
+
+def _still(motion: Motion) -> list[Wrench]:
+    """No wrench on any link."""
+    return [(*motion.zero, *motion.zero)] * len(motion.tree.links)
 
 
 def _own(motion: Motion, inertias: Mapping[str, Number]) -> list[Number]:
@@ -211,8 +224,8 @@ def _resisted(motion: Motion, acting: AppliedEffects, rigids: Sequence[Rigid], w
 
 def _represented(slopes: Slopes, body: Rigid, weights: Weights) -> tuple[Number, Number]:
     """(m, c) for the slopes of a force on a point of a body."""
-    rate = slopes.damping / maximum(body.m, _LEAST)
-    return weights(slopes.damping, slopes.stiffness, rate)
+    m = maximum(body.m, _LEAST)
+    return weights(slopes.damping, slopes.stiffness, slopes.damping / m, slopes.stiffness / m)
 
 
 def _about(motion: Motion, wrenches: Sequence[Wrench], acting: AppliedEffects,
@@ -283,8 +296,7 @@ def _with_line(motion: Motion, e: Sequence[Number], along: JointEffect, now: Joi
 
     a = a' - w (m e·a')/(1 + m e·w), w = solve(e), by Sherman and Morrison; it never divides by
     zero, and 1/(e·w) is the inertia that the effect acts on."""
-    still = [(*motion.zero, *motion.zero)] * len(motion.tree.links)
-    w = solve(lambda k, inertia: (e[k], joint(k, inertia)[1]), still)
+    w = solve(lambda k, inertia: (e[k], joint(k, inertia)[1]), _still(motion))
     slopes, rate, product = along.slopes, along.at.v, _product(e, w)
     mass, c = weights(slopes.damping, slopes.stiffness, slopes.damping * product)
     share = mass / (1 + mass * product)
@@ -323,5 +335,5 @@ def _product(a: Sequence[Number], b: Sequence[Number]) -> Number:
 def _with_mass(body: Rigid, mass: Number, point: Vector) -> Rigid:
     """The body with a point mass."""
     zero = mass.like(0)
-    return rigid_of(add(body.numbers, mass.recorder.call(
-        "spatial_inertia_from_com", mass, point, [zero] * 9)))
+    return replace(rigid_of(add(body.numbers, mass.recorder.call(
+        "spatial_inertia_from_com", mass, point, [zero] * 9))), added=body.added)

@@ -2,11 +2,13 @@
 """
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
+from copy import copy
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from functools import cached_property, partial
 from operator import mul
 
+from coscrew_codegen.algebra.recording import derivatives
 from coscrew_codegen.algebra.recording.numbers import (
     Number,
     Vector,
@@ -19,7 +21,8 @@ from coscrew_codegen.algebra.recording.numbers import (
     sqrt,
     subtract,
 )
-from coscrew_codegen.algebra.recording.recorder import Recorder
+from coscrew_codegen.algebra.recording.recorder import Recorder, array
+from coscrew_codegen.dynamics.algorithms.aba import Articulated
 from coscrew_codegen.dynamics.algorithms.motion import Motion
 from coscrew_codegen.dynamics.algorithms.rnea import holding_torques
 from coscrew_codegen.dynamics.forces.acted_coordinates import (
@@ -28,10 +31,17 @@ from coscrew_codegen.dynamics.forces.acted_coordinates import (
     acted_coordinates,
     weights_of,
 )
-from coscrew_codegen.dynamics.forces.body_motion import BodyOfLink
+from coscrew_codegen.dynamics.forces.added_inertia import (
+    Stream,
+    inertia_in_link,
+    power_of_stream,
+    wrench,
+)
+from coscrew_codegen.dynamics.forces.body_motion import BodyOfLink, Ground
 from coscrew_codegen.dynamics.forces.effect_parameters import settings
 from coscrew_codegen.dynamics.forces.linearization import JointEffect, Law
 from coscrew_codegen.dynamics.forces.potentials import body_force
+from coscrew_codegen.program.differentiate import Dual
 from coscrew_codegen.scene.effect import (
     FIRST,
     SECOND,
@@ -153,6 +163,9 @@ class AppliedEffects:
         self.forces: dict[int, list[AppliedForce]] = {}
         self.pairs: list[Paired] = []
         self.sums: list[Summed] = []
+        self.rates: list[Number] = []  # x' of the effects' states
+        self.kept: list[Number] = []  # the states within their bounds
+        self.inertias: dict[int, list[Articulated]] = {}
 
     def act(self) -> "AppliedEffects":
         """Evaluates the effects, in the order of the catalogue and of the scene."""
@@ -169,22 +182,40 @@ class AppliedEffects:
             for x in acted_coordinates(self.motion, applied):
                 self._act_along(effect.joint_torque, x, applied)
         if effect.body_force:
-            state = self._body(applied.on)
+            state = replace(self._body(applied.on), x=self.motion.states(applied.name))
             self._add(state, body_force(effect.body_force, state, applied.values))
+            self._note(applied, self.forces[state.link][-1].force)
         if effect.pair_force:
             pair = self._pair(effect.pair_force, applied)
             for state, force in zip(pair.states, pair.forces, strict=True):
                 self._add(state, force)
             self.pairs.append(pair)
 
+        if effect.body_inertia:
+            link, inertia = inertia_in_link(applied, self.recorder, self.motion.tree)
+            if not inertia.is_zero:
+                self.inertias.setdefault(link, []).append(inertia)
+
     def _act_along(self, law: Law, x: ActedCoordinate, applied: Applied) -> None:
         at = CoordinateState(x.q, x.v, self.t + self.delays.get(x.link, 0),
-                             self._holding(x.link, applied))
+                             self._holding(x.link, applied), self.motion.states(applied.name))
         along = JointEffect(law, at, x.values, self.recorder.current, x.freedom)
         if x.link == SUM:
             self.sums.append(Summed(weights_of(self.motion, applied.terms), along))
         else:
             self.torques.setdefault(x.link, []).append(along)
+        if applied.effect.states:
+            self._note(applied, along.torque)
+
+    def _note(self, applied: Applied, law: Torque | Force) -> None:
+        """Keeps the rates and the bounds of an effect's states."""
+        if applied.effect.states:
+            for name, of in (("rates", law.rates), ("kept", law.kept)):
+                if len(of) != len(applied.effect.states):
+                    raise TypeError(f"{applied.effect.name} has {len(applied.effect.states)} "
+                                    f"states; its law gives {len(of)} {name}")
+            self.rates += law.rates
+            self.kept += law.kept
 
     def _holding(self, link: int, applied: Applied) -> Number | None:
         """Returns the torque that holds a joint against gravity, if the effect compensates it."""
@@ -203,13 +234,35 @@ class AppliedEffects:
         return None
 
     @cached_property
+    def _ground(self) -> Ground:
+        """The ground: by default the plane z = 0."""
+        for applied in self.scene.effects:
+            if applied.effect.ground:
+                with self.recorder.part("ground", heading="ground"):
+                    values = settings(self.recorder, applied.values, self.t)
+                    return partial(applied.effect.ground, values)
+        up = tuple(self.recorder.numbers((0, 0, 1)))
+        return lambda position: (position[2], up)
+
+    @cached_property
+    def _stream(self) -> Stream | None:
+        """The velocity of the fluid and its rate; None if it is at rest."""
+        wind = self._wind
+        if wind is None or all(x.is_zero for x in wind):
+            return None
+        applied = next(x for x in self.scene.effects if x.effect.wind)
+        with self.recorder.part("wind", heading="wind"):
+            return Stream(wind, _rate(applied, self.t))
+
+    @cached_property
     def _holding_torques(self) -> list[Number]:
         return holding_torques(self.motion)
 
     def _body(self, name: str) -> BodyOfLink:
         (link, placed), numbers = self.motion.tree.link_and_body(name), self.recorder.numbers
         place = displacement(numbers(placed.placement.R), numbers(placed.placement.t))
-        return BodyOfLink(placed.body.inertia, self.t, self.motion, link, place, self._wind)
+        return BodyOfLink(placed.body.inertia, self.t, self.motion, link, place, self._wind,
+                          ground=lambda position: self._ground(position))
 
     def _pair(self, law: Law, applied: Applied) -> Paired:
         first, second = (self._body(name) for name in applied.bodies)
@@ -226,6 +279,21 @@ class AppliedEffects:
 
     def _add(self, state: BodyOfLink, force: Force) -> None:
         self.forces.setdefault(state.link, []).append(AppliedForce(state, force))
+
+    def with_later(self, later: "AppliedEffects") -> "AppliedEffects":
+        """These effects, with the larger damping of both where it starts at once."""
+        result = copy(self)
+        result.torques = {link: [x.with_later(y) for x, y in zip(
+            effects, later.torques[link], strict=True)] for link, effects in self.torques.items()}
+        result.sums = [replace(x, along=x.along.with_later(y.along))
+                       for x, y in zip(self.sums, later.sums, strict=True)]
+        return result
+
+    @property
+    def looks_ahead(self) -> bool:
+        """True if the damping of an effect depends on later velocities."""
+        at_joints = (x for effects in self.torques.values() for x in effects)
+        return any(x.looks_ahead for x in (*at_joints, *(x.along for x in self.sums)))
 
     # results
 
@@ -261,6 +329,8 @@ class AppliedEffects:
         total = (*self.motion.zero, *self.motion.zero)
         for x in self.forces.get(link, ()):
             total = add(total, x.on_link)
+        for inertia in self.inertias.get(link, ()):
+            total = subtract(total, wrench(self.motion, link, inertia, self._stream))
         return total
 
     def resisting(self, link: int) -> list[AppliedForce]:
@@ -289,6 +359,10 @@ class AppliedEffects:
         for link in sorted(self.forces):
             for force in self.forces[link]:
                 total = total + _own_power(force.force, force.power)
+        for link, inertias in self.inertias.items() if self._stream else ():
+            for inertia in inertias:
+                total = total + power_of_stream(self.motion, link, inertia,
+                                                required(self._stream))
         return total
 
     def _sum(self, values: Iterable[Number]) -> Number:
@@ -304,10 +378,26 @@ def _own_power(x: Torque | Force, whole: Callable[[], Number]) -> Number | int:
     return whole() if x.energy is None else 0
 
 
+def _rate(applied: Applied, t: Number) -> Vector:
+    """The rate of wind, a velocity that depends on time alone: the tangent of its Program."""
+    outer = t.recorder
+    inputs = [array("t", ()), *(a for a in outer.inputs if a.name == "p")]
+    recorder = Recorder(inputs)
+    wind = required(applied.effect.wind)
+    inner = wind(settings(recorder, applied.values, recorder.argument("t")[0]))
+    program = recorder.program("wind", [(array("u", (3,)), inner)])
+    one = outer.number(1)
+    given = [[Dual(x, (one if a.name == "t" else None,)) for x in (
+        (t,) if a.name == "t" else outer.argument("p"))] for a in program.inputs]
+    slopes = derivatives.along(program, outer, given)
+    return tuple(outer.number(0) if x.slopes[0] is None else x.slopes[0] for x in slopes)
+
+
 def alone(scene: Scene, applied: Applied) -> Scene:
-    """The scene with this effect alone, in the same wind."""
-    wind = (x for x in scene.effects if x.effect.wind and x is not applied)
-    return replace(scene, effects=(applied, *wind))
+    """The scene with this effect alone, in the same wind and on the same ground."""
+    around = (x for x in scene.effects
+              if (x.effect.wind or x.effect.ground) and x is not applied)
+    return replace(scene, effects=(applied, *around))
 
 
 def gravity(scene: Scene, recorder: Recorder) -> Vector | None:

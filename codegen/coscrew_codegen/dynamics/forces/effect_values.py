@@ -6,6 +6,7 @@ from coscrew_codegen.algebra.recording.numbers import Number, add, cross, dot
 from coscrew_codegen.dynamics.algorithms import energies
 from coscrew_codegen.dynamics.algorithms.motion import Motion
 from coscrew_codegen.dynamics.forces.acted_coordinates import link_of
+from coscrew_codegen.dynamics.forces.added_inertia import inertia_in_link
 from coscrew_codegen.dynamics.forces.applied_effects import AppliedEffects, AppliedForce, alone
 from coscrew_codegen.dynamics.forces.effect_parameters import settings
 from coscrew_codegen.dynamics.forces.linearization import JointEffect
@@ -26,6 +27,9 @@ def values_of(x: FunctionRecording, motion: Motion, applied: Applied) -> Values:
                 ENERGY: lambda: [energies.potential(x, motion)]}
     if effect.joint_inertia:
         return {ENERGY: lambda: [_kinetic(x, motion, applied)]}
+    if effect.body_inertia:
+        link, inertia = inertia_in_link(applied, x.recorder, x.tree)
+        return {ENERGY: lambda: [energies.of_inertia(inertia, motion.twist(link))]}
     acting = AppliedEffects(alone(x.scene, applied), motion).act()
     if effect.joint_torque:
         return _of_joint([*(x for several in acting.torques.values() for x in several),

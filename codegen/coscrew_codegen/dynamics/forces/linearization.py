@@ -6,13 +6,19 @@ Implicit steps use the damping d and the stiffness k of a torque u(q, v):
 
     d = -∂u/∂v,  k = -∂u/∂q
 
-if these do not depend on q and v.  If they do, negative values are replaced by 0; these slopes are
-left to the explicit part of the step.  Where u saturates, its slopes vanish, although a step may
-still jump over the point where u changes sign; there the slope of the secant through that point is
-used:
+if these do not depend on q and v.  States x of an effect, which move by x' = r(q, v), add
+-∂u/∂x ∂r/∂v to k: within a step they move as q does.  If d and k depend on q and v, negative values
+are replaced by 0; these slopes are left to the explicit part of the step.  Where u saturates, its
+slopes vanish, although a step may still jump over the point where u changes sign; there the slope
+of the secant through that point is used:
 
     dry friction (u is 0 at v = 0):       d = max(-∂u/∂v, |u|/|v|)
-    a limit (sat u, |sat u| <= limit):    d and k of u, times limit/max(|u|, limit)"""
+    a limit (sat u, |sat u| <= limit):    d and k of u, times limit/max(|u|, limit)
+    a speed without load:                 d = max(d, |u|/(speed - v sgn u)), u after its limit
+
+The last is the line to the state in which the torque vanishes, the limit's own slope where that
+acts.  With the larger of these d at the start and in the middle of a step, u_m there, no step of
+any length h passes that speed: from v it leads to v + h (u_m + d (v_m - v))/(I + θ h d)."""
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
@@ -51,6 +57,7 @@ class JointEffect:
     values: Mapping[str, Setting]
     part: NamePart
     freedom: int = 0  # the number of the velocity among those of the joint
+    later: "JointEffect | None" = None  # within the step, if its damping starts at once
 
     @cached_property
     def torque(self) -> Torque:
@@ -64,25 +71,38 @@ class JointEffect:
         with self.at.q.recorder.resumed(self.part):
             if torque is None:
                 torque = self._replayed(self._own.torque)
-            if result.limit is not None:
-                torque = maximum(minimum(torque, result.limit), -result.limit)
+            if result.limit is not None and not torque.is_zero:
+                above, below = _limits(result, self.at.v)
+                torque = maximum(minimum(torque, above), -below)
             torque.recorder.label("tau", torque)
             return replace(result, torque=torque)
 
     @property
     def saturated(self) -> Number:
         """1 where the limit reduces the torque, else 0, for a torque with a limit."""
-        limit = required(self._stated.limit)
         with self.at.q.recorder.resumed(self.part):
-            return where(less(limit, absolute(required(self._stated.torque))), 1, 0)
+            torque, limit = required(self._stated.torque), _limit(self._stated, self.at.v)
+            return where(less(limit, absolute(torque)), 1, 0)
 
     @cached_property
     def slopes(self) -> Slopes:
         """The damping and stiffness of the torque."""
         d, k = self._stated.damping, self._stated.stiffness
         with self.at.q.recorder.resumed(self.part):
-            return Slopes(self._replayed(self._own.damping) if d is None else d,
-                          self._replayed(self._own.stiffness) if k is None else k)
+            d = self._replayed(self._own.damping) if d is None else d
+            if self.later:
+                d = maximum(d, self.later.slopes.damping)
+            return Slopes(d, self._replayed(self._own.stiffness) if k is None else k)
+
+    def with_later(self, later: "JointEffect") -> "JointEffect":
+        """This one, with the larger damping of both if its damping starts at once, or leads to a
+        speed without load."""
+        return replace(self, later=later) if self.looks_ahead else self
+
+    @property
+    def looks_ahead(self) -> bool:
+        """True if its damping in a step also depends on the velocities that it leads to."""
+        return bool(self._stated.ahead) or self._stated.no_load is not None
 
     @cached_property
     def _stated(self) -> Torque:
@@ -99,16 +119,38 @@ class JointEffect:
         recorder, at = self.at.q.recorder, self.at
         p = [recorder.argument("p")] if recorder.has("p") else []
         held = [] if at.holding is None else [at.holding]
-        return recorder.replay(self._own.program(value), at.q, at.v, at.t, *held, *p)[0]
+        return recorder.replay(self._own.program(value), at.q, at.v, at.t, *held, *p,
+                               *([at.x] if at.x else []))[0]
+
+
+def _limits(stated: Torque, v: Number) -> tuple[Number, Number]:
+    """The largest torques along +v and -v: limit, less by v/no_load where they drive."""
+    limit, no_load = required(stated.limit), stated.no_load
+    if no_load is None:
+        return limit, limit
+    share = v / no_load
+    above, below = (limit * minimum(maximum(1 - x, 0), 1) for x in (share, -share))
+    return above, below
+
+
+def _limit(stated: Torque, v: Number) -> Number:
+    """The largest torque in the direction of the stated one."""
+    above, below = _limits(stated, v)
+    return above if stated.no_load is None else where(less(required(stated.torque), 0), below,
+                                                      above)
 
 
 def _recorded(law: Law, values: Mapping[str, Setting], outer: CoordinateState) -> "_Law":
-    """Records the law as a function of q, v, t, the torque that holds the joint, and the run-time
-    parameters of the outer recording.  The holding torque is explicit: it has no slope."""
+    """Records the law as a function of q, v, t, the torque that holds the joint, the run-time
+    parameters of the outer recording and the effect's states.  The holding torque is explicit: it
+    has no slope."""
     names = ("q", "v", "t") if outer.holding is None else ("q", "v", "t", "holding")
     recorder = Recorder([*(array(name, ()) for name in names), *(
-        a for a in outer.q.recorder.inputs if a.name == "p")])
-    at = CoordinateState(*(recorder.argument(name)[0] for name in names))
+        a for a in outer.q.recorder.inputs if a.name == "p"), *(
+            [array("x", (len(outer.x),))] if outer.x else [])])
+    q, v, t, *held = (recorder.argument(name)[0] for name in names)
+    at = CoordinateState(q, v, t, held[0] if held else None,
+                         recorder.argument("x") if outer.x else ())
     return _Law(at, law(at, settings(recorder, values, at.t)))
 
 
@@ -143,12 +185,15 @@ class _Law:
         slope = -self._slope(self.torque, "v")
         if self._moves(slope):
             slope = maximum(slope, self._secant() if self._rests() else 0)
-        return slope * self._share()
+        slope = slope * self._share()
+        return slope if self.stated.no_load is None else maximum(slope, self._to_no_load())
 
     @property
     def stiffness(self) -> Number:
         """k."""
         slope = -self._slope(self.torque, "q")
+        for place, rate in enumerate(self.stated.rates):
+            slope = slope - self._slope(self.torque, "x", place) * self._slope(rate, "v")
         if self._moves(slope):
             slope = maximum(slope, 0)
         return slope * self._share()
@@ -157,12 +202,12 @@ class _Law:
         """The Program that computes a value."""
         return self.recorder.program("law", [(array("value", ()), [value])])
 
-    def _slope(self, value: Number, by: str) -> Number:
-        """∂value/∂q or ∂v."""
+    def _slope(self, value: Number, by: str, place: int = 0) -> Number:
+        """∂value/∂q or ∂v, or by a component of x."""
         recorder = self.recorder
         one = recorder.number(1)
-        inputs = [[Dual(x, (one if a.name == by else None,)) for x in recorder.argument(a.name)]
-                  for a in recorder.inputs]
+        inputs = [[Dual(x, (one if a.name == by and k == place else None,))
+                   for k, x in enumerate(recorder.argument(a.name))] for a in recorder.inputs]
         (result,) = differentiate.tangent(self.program(value), recorder.arithmetic, numbers, inputs)
         return recorder.number(0) if result.slopes[0] is None else result.slopes[0]
 
@@ -172,11 +217,19 @@ class _Law:
 
     def _share(self) -> Number | int:
         """The factor on the slopes where the torque exceeds its limit."""
-        limit = self.stated.limit
-        if limit is None:
+        if self.stated.limit is None:
             return 1
+        limit = _limit(self.stated, self.at.v)
         positive = limit if limit.constant else maximum(limit, _AT_REST)  # 0 at run time: no 0/0
         return limit / maximum(absolute(self.torque), positive)
+
+    def _to_no_load(self) -> Number:
+        """|u|/(speed - v sgn u): along the line to the state in which the torque vanishes."""
+        limit, v, torque = _limit(self.stated, self.at.v), self.at.v, self.torque
+        if torque.is_zero:
+            return torque
+        left = required(self.stated.no_load) - where(less(torque, 0), -v, v)
+        return minimum(absolute(torque), limit) / maximum(left, _AT_REST)
 
     def _moves(self, value: Number) -> bool:
         """Returns whether the value depends on q or v."""

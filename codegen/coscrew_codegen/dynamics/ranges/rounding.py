@@ -3,14 +3,14 @@ limits; nothing where a bound is infinite or too large to be of use."""
 
 from collections.abc import Iterator, Sequence
 from fractions import Fraction
-from math import inf, isfinite, nextafter
+from math import isfinite
 
-from coscrew_codegen.dynamics.ranges.rounding_rules import RoundedRange, moved
-from coscrew_codegen.program import Program
-from coscrew_codegen.program.elementary.sincos import FUNCTION as SINCOS
+from coscrew_codegen.accuracy.float_rounding import FloatRounding
+from coscrew_codegen.accuracy.rounding_rules import RoundedRange, ValueBounds, followed
+from coscrew_codegen.program import Op, Program
 from coscrew_codegen.program.values.digits import two_digits_up
 from coscrew_codegen.program.values.formats import Precision, named
-from coscrew_codegen.scene.mechanism.model import Joint
+from coscrew_codegen.scene.mechanism.ranges_of_model import ranges_of_model
 from coscrew_codegen.scene.mechanism.tree import Tree
 from coscrew_codegen.scene.scene import Scene
 
@@ -22,12 +22,15 @@ have."""
 def statement(program: Program, scene: Scene, tree: Tree) -> str:
     """The bounds of a plain function's outputs in the scene's precisions, for all arguments in
     limits; "" without any."""
+    if not followed(program) or Op.DIV in program.counts:
+        return ""
+    limits = ranges_of_model(scene, tree)
+    sizes = [[max(map(abs, x)) for x in limits.of(a.name, a.quantity.size)]
+             for a in program.inputs]
     words: dict[str, list[str]] = {}
     for precision in named(scene.precisions):
-        sizes = [_sizes(a.name, a.quantity.size, scene, tree, precision) for a in program.inputs]
-        components = moved(program, precision, sizes,
-                           _above(SINCOS.error(precision)))
-        for name, bound in _bounds(program, components or (), precision):
+        values = ValueBounds(program, sizes, FloatRounding(precision, plain=True))
+        for name, bound in _bounds(program, values.results, precision):
             words.setdefault(name, []).append(f"{two_digits_up(bound)} in {precision.name}")
     if not words:
         return ""
@@ -40,39 +43,12 @@ def _bounds(program: Program, components: Sequence[RoundedRange], precision: Pre
             ) -> Iterator[tuple[str, float]]:
     """The outputs with a useful bound."""
     start = 0
-    for a in program.outputs if components else ():
+    for a in program.outputs:
         parts = components[start:start + a.quantity.size]
         start += a.quantity.size
         bound, size = max(x.error for x in parts), max(x.size for x in parts)
         if 0 < bound <= USEFUL * precision.u * Fraction(size if isfinite(size) else 0):
             yield a.name, bound
-
-
-def _sizes(name: str, count: int, scene: Scene, tree: Tree, precision: Precision
-           ) -> Sequence[float]:
-    """Bounds of the sizes of an argument's components; inf for a, tau, t and all without limits."""
-    if name == "p":
-        return [abs(float(precision.rounded(p.value))) for p in scene.parameters]
-    if name not in ("q", "v"):
-        return [inf] * count
-    results: list[float] = []
-    for link in tree.links:
-        if link.driver is None:
-            number = len(link.q if name == "q" else link.v)
-            results += [_largest(link.joint, name)] * number
-    return results
-
-
-def _largest(joint: Joint, name: str) -> float:
-    if not joint.kind.one_coordinate:
-        return inf
-    ends = (joint.lower, joint.upper) if name == "q" else (joint.velocity,)
-    given = [abs(x) for x in ends if x is not None]
-    return _above(max(given)) if len(given) == len(ends) else inf
-
-
-def _above(x: Fraction) -> float:
-    return nextafter(float(x), inf)
 
 
 def _domain(program: Program, tree: Tree) -> str:

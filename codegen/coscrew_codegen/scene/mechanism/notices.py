@@ -4,13 +4,14 @@
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
+FALLING = "weight"
 IDLE = "torque or force"
 SUBJECTS = (
-    IDLE, "gravity", "actuator", "wrench", "other tools' joints", "spring", "armature", "mimic",
-    "wrong mimic", "friction", "wrong friction", "damping", "wrong damping", "other tools' numbers",
-    "limits", "wrong limits", "effort", "wrong effort", "velocity", "wrong velocity",
-    "acceleration", "deceleration", "jerk", "safety controller", "repeated element",
-    "xacro")
+    FALLING, IDLE, "gravity", "actuator", "wrench", "other tools' joints", "spring", "armature",
+    "mimic", "wrong mimic", "friction", "wrong friction", "damping", "wrong damping",
+    "other tools' numbers", "limits", "wrong limits", "effort", "wrong effort", "velocity",
+    "wrong velocity", "acceleration", "deceleration", "jerk", "safety controller",
+    "repeated element", "xacro")
 """Subjects of notices; those that change the motion most come first."""
 
 
@@ -32,6 +33,15 @@ class Notice:
 def by_importance(notices: Iterable[Notice]) -> tuple[Notice, ...]:
     """The notices in the order of their subjects, otherwise as given."""
     return tuple(sorted(notices, key=lambda x: SUBJECTS.index(x.subject)))
+
+
+def lines(notices: Sequence[Notice], verbose: bool) -> list[str]:
+    """All notices, or what falls and one line that sums up the others."""
+    if verbose:
+        return [x.text for x in by_importance(notices)]
+    others = [x for x in notices if x.subject != FALLING]
+    fall = [x.text for x in notices if x.subject == FALLING]
+    return [x for x in (*fall, summary(others)) if x]
 
 
 def summary(notices: Sequence[Notice], option: str = "--verbose") -> str:

@@ -6,6 +6,7 @@ from pathlib import Path
 
 from coscrew_codegen.scene.joints.fixed import JOINT as FIXED
 from coscrew_codegen.scene.joints.free import JOINT as FREE
+from coscrew_codegen.scene.mechanism.collision import Collision
 from coscrew_codegen.scene.mechanism.model import WORLD, Joint, Placement
 from coscrew_codegen.scene.mechanism.notices import Notice
 from coscrew_codegen.scene.mechanism.tree import composed
@@ -40,7 +41,9 @@ def attached(parts: Parts, source: ModelSource, to: str, at: Placement, prefix: 
     joints = tuple(_joint(x, to, at, prefix, joint if x.name not in own else f"{prefix}{x.name}")
                    for x in tree.joints)
     bodies = tuple(replace(x, name=f"{prefix}{x.name}") for x in tree.bodies)
-    return _renamed(replace(parts, bodies=bodies, joints=joints), parts, source, prefix)
+    shapes = tuple(_shape(x, to, at, prefix) for x in parts.collisions)
+    return _renamed(replace(parts, bodies=bodies, joints=joints, collisions=shapes), parts, source,
+                    prefix)
 
 
 def _joint(joint: Joint, to: str, at: Placement, prefix: str, name: str) -> Joint:
@@ -51,6 +54,15 @@ def _joint(joint: Joint, to: str, at: Placement, prefix: str, name: str) -> Join
     return replace(joint, name=name, child=f"{prefix}{joint.child}", mimic=mimic,
                    parent=to if held else f"{prefix}{joint.parent}",
                    placement=composed(at, joint.placement) if held else joint.placement)
+
+
+def _shape(shape: Collision, to: str, at: Placement, prefix: str) -> Collision:
+    """The collision shape by its body's new name; those of the model's world are at the body that
+    it is attached to."""
+    if shape.body != WORLD:
+        return replace(shape, body=f"{prefix}{shape.body}")
+    place = composed(at, Placement(shape.R, shape.t))
+    return replace(shape, body=to, t=place.t, R=place.R)
 
 
 def _renamed(parts: Parts, old: Parts, source: ModelSource, prefix: str) -> Parts:

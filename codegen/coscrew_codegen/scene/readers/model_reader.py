@@ -13,6 +13,7 @@ from pathlib import Path
 
 from coscrew_codegen.scene.joints.fixed import JOINT as FIXED
 from coscrew_codegen.scene.mechanism.assembly import ModelError, assembled
+from coscrew_codegen.scene.mechanism.collision import Collision
 from coscrew_codegen.scene.mechanism.inertia_checks import ERROR, WARN, judged
 from coscrew_codegen.scene.mechanism.joint_kind import JointKind
 from coscrew_codegen.scene.mechanism.mimics import with_faults, without_chains
@@ -62,6 +63,7 @@ class Parts:
     inputs: tuple[str, ...] = ()  # numbers of these that stay arguments, if the file is alone
     implausible: tuple[str, ...] = ()  # inertias that the reader has accepted, a line each
     notices: tuple[Notice, ...] = ()  # content that was read and is not used
+    collisions: tuple[Collision, ...] = ()
     elsewhere: Mapping[str, tuple[Path, str]] = field(default_factory=dict)  # elements that come
     # from other files, with the place there: "joint 'grip'": (arm.toml, "joints.grip")
 
@@ -80,8 +82,8 @@ class Parts:
             clean = without_residues(without_chains(with_faults(tree, self.mimics_by_file(source))))
             all_notices = (*notices(self.effects, clean), *notices(self.offered, clean),
                            *self.notices)
-            return judged(replace(clean, implausible=self.implausible, notices=all_notices),
-                          source.implausible)
+            return judged(replace(clean, implausible=self.implausible, notices=all_notices,
+                                  collisions=self.collisions), source.implausible)
 
     def mimics_by_file(self, source: ModelSource) -> dict[str, str]:
         """The places of followers, with the file's name: "arm.urdf, line 7"."""

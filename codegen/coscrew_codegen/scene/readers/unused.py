@@ -66,6 +66,8 @@ def _remedy(joint: Joint, field: str, model: Model, catalogue: tuple[Effect, ...
         for parameter in applied.effect.parameters:
             if applied.on == joint.name and parameter.model == field:
                 if applied.values.get(parameter.name) is None:
+                    if parameter.needs and applied.values.get(parameter.needs) is None:
+                        continue
                     return f'say {parameter.name} = "model" in [effects.{applied.effect.name}]'
                 return f"[effects.{applied.effect.name}] has its own {parameter.name}"
     return adding(joint, field, model, catalogue, acting)
@@ -77,7 +79,8 @@ def adding(joint: Joint, field: str, model: Model, catalogue: tuple[Effect, ...]
     [effects.viscous] with joints = "all" and d = "model"'.
 
     In a table for this joint alone if the effect acts elsewhere or cannot take all joints'."""
-    effect = next((x for x in catalogue if any(p.model == field for p in x.parameters)), None)
+    suitable = [(not p.required, x) for x in catalogue for p in x.parameters if p.model == field]
+    effect = min(suitable, key=lambda x: x[0], default=(True, None))[1]
     if effect is None:
         return ""
     alone = getattr(joint, field) is None or any(x.effect is effect for x in acting) or any(

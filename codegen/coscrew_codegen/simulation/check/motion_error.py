@@ -20,6 +20,7 @@ from coscrew_codegen.program.scene_functions import Coordinate
 from coscrew_codegen.program.values.formats import Precision
 from coscrew_codegen.scene.joints import KIND_NAMED
 from coscrew_codegen.scene.mechanism.model import Model
+from coscrew_codegen.scene.scene import Scene
 from coscrew_codegen.simulation.check.error_limits import ALLOWED
 from coscrew_codegen.simulation.system import System
 
@@ -66,10 +67,10 @@ class StateParts:
     @cached_property
     def parts(self) -> tuple[StatePart, ...]:
         """One or more for each joint that moves."""
-        model = self.system.scene.model
+        model, laden = self.system.scene.model, _laden(self.system.scene)
         length, steady = REST * min(1.0, 10 * model.length or 1.0), _steady(model)
-        return tuple(x for c in self.system.functions.coordinates
-                     for x in _parts_of(c, length, c.joint in steady))
+        return tuple(x for c in self.system.functions.coordinates for x in _parts_of(
+            c, length, c.joint in steady, c.joint in laden))
 
     @property
     def least(self) -> np.ndarray:
@@ -147,18 +148,32 @@ class StateParts:
         return np.asarray(self.system.call("mass_matrix", q=q), float)
 
 
-def _parts_of(c: Coordinate, length: float, steady: bool) -> Iterator[StatePart]:
+def _parts_of(c: Coordinate, length: float, steady: bool, laden: bool) -> Iterator[StatePart]:
     """The parts of a joint's motion.  Positions and centres of mass count as no smaller than this
-    length; what carries the joint is `steady` if nothing turns it."""
+    length; what carries the joint is `steady` if nothing turns it.  A free joint that is `laden`
+    has a position of its own: the mass matrix gives no centre of mass."""
     kind = KIND_NAMED[c.kind]
-    own = [x for x in kind.q_parts if x[0].turns or not kind.floats]
+    apart = kind.floats and not laden
+    own = [x for x in kind.q_parts if x[0].turns or not apart]
     for part, q, v in own:
         name = PartKind.OWN.value.format(c.joint)
         yield StatePart(PartKind.OWN, c, REST if part.turns else length, q, v,
                         f"{name} ({part.words})" if len(own) > 1 else name,
                         steady and not part.turns and kind.manifold is None)
-    for of_tree in (PartKind.CENTRE, PartKind.OFFSET) if kind.floats else ():
+    for of_tree in (PartKind.CENTRE, PartKind.OFFSET) if apart else ():
         yield StatePart(of_tree, c, length, slice(3), slice(3), of_tree.value.format(c.joint))
+
+
+def _laden(scene: Scene) -> frozenset[str]:
+    """The joints that carry bodies to which effects add inertia."""
+    mover = {joint.child: joint for joint in scene.model.joints}
+    results = set()
+    for applied in scene.effects:
+        body = applied.on if applied.effect.body_inertia else ""
+        while body in mover:
+            results.add(mover[body].name)
+            body = mover[body].parent
+    return frozenset(results)
 
 
 def _place(part: StatePart, q: np.ndarray, centres: Mapping[str, np.ndarray]) -> np.ndarray:

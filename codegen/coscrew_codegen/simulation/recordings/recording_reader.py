@@ -22,7 +22,7 @@ def provenance_of(path: Path, argument: str) -> dict[str, str]:
 def columns_of(path: Path, argument: str) -> tuple[np.ndarray, dict[str, np.ndarray]]:
     """Returns the times, and the numbers by the names of columns.  Raises SimulateError likewise.
     """
-    return _read(path, argument, _TABLES)
+    return _read(path, argument, TABLES)
 
 
 def _read(path: Path, argument: str, readers: Mapping[str, Callable[[Path], Value]]) -> Value:
@@ -90,7 +90,8 @@ def _as_table(names: Sequence[str], values: np.ndarray) -> Table:
     return values[:, 0], dict(zip(names[1:], values[:, 1:].T, strict=True))
 
 
-_TABLES: dict[str, Callable[[Path], Table]] = {
+TABLES: dict[str, Callable[[Path], Table]] = {
     ".csv": _csv_table, ".npz": _npz_table, ".parquet": _parquet_table}
+"""Readers of numbers, by the endings of names."""
 _READERS: dict[str, Callable[[Path], dict[str, str]]] = {
     ".csv": _of_csv, ".npz": _of_npz, ".parquet": _of_parquet}

@@ -12,11 +12,15 @@ from pathlib import Path
 
 import numpy as np
 
+from coscrew_codegen.runtime.extras import pip
 from coscrew_codegen.simulation import SimulateError
 from coscrew_codegen.simulation.recordings.recording import Recording
 
 FIGURES = (".svg", ".png")
 """File name endings of plots."""
+_NEEDED = {".parquet": ("pyarrow", "simulate"), ".rrd": ("rerun", "rerun"),
+           ".mcap": ("foxglove", "foxglove")}
+"""Module that an ending needs, and the extra that installs it."""
 
 
 def write(recording: Recording, path: Path) -> None:
@@ -29,9 +33,9 @@ def check_target(path: Path, endings: tuple[str, ...]) -> None:
     """Raise SimulateError if `path` cannot be written; called before anything is computed."""
     if path.suffix not in endings:
         raise SimulateError(f"{path}: wanted a name that ends in {' or '.join(endings)}")
-    if path.suffix == ".parquet" and find_spec("pyarrow") is None:
-        raise SimulateError(f"{path}: .parquet needs pyarrow; run "
-                            "`pip install \"coscrew[simulate]\"`")
+    module, extra = _NEEDED.get(path.suffix, ("", ""))
+    if module and find_spec(module) is None:
+        raise SimulateError(f"{path}: {path.suffix} needs {module}; run `{pip(extra)}`")
     if path.is_dir():
         raise SimulateError(f"cannot write {path}: it is a folder")
     try:

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from coscrew_codegen.backends.html.framed_page import FramedPage
 from coscrew_codegen.scene.names import or_mean
 from coscrew_codegen.simulation import SimulateError
 from coscrew_codegen.simulation.checkpoint import Checkpoint, end_of
@@ -107,20 +108,26 @@ class Result:
         return to_pandas(self.recording)
 
     def _repr_html_(self) -> str:
-        """A plot with the provenance, for notebooks."""
+        """A plot with the provenance, for notebooks; `show` gives the playback, which is larger."""
         from coscrew_codegen.simulation.recordings.data_frames import html
 
         return html(repr(self), self.recording, self.failed, targets(self.system, self.recording))
 
     def view(self, path: Path | str, *besides: "Result") -> None:
-        """Writes a page that plays the run back in 3D, with others of the same model as ghosts.
-        Raises SimulateError."""
-        from coscrew_codegen.simulation.view.playback import view, with_poses
+        """Writes a file that plays the run back in 3D, with others of the same model as ghosts: a
+        page (.html), or a recording of Rerun (.rrd) or of Foxglove (.mcap).  Raises SimulateError.
+        """
+        from coscrew_codegen.simulation.view.view_files import FORMATS, view
 
-        if any(x.q.ndim > 2 for x in (self, *besides)):
-            raise SimulateError(f"{path}: wanted one run; got a batch")
-        recording_writer.check_target(Path(path), (".html",))
-        view([with_poses(x) for x in (self, *besides)], Path(path))
+        recording_writer.check_target(Path(path), tuple(FORMATS))
+        view(_single(path, self, *besides), [Path(path)])
+
+    def show(self, *besides: "Result") -> FramedPage:
+        """Returns the page that plays the run back in 3D, with others of the same model as ghosts,
+        for notebooks, which show it.  Raises SimulateError."""
+        from coscrew_codegen.simulation.view.page_text import page
+
+        return FramedPage(page(_single("show", self, *besides)))
 
     def write(self, path: Path | str) -> None:
         """Writes the recording, as `coscrew simulate --output` does.  Raises SimulateError."""
@@ -129,3 +136,12 @@ class Result:
                                 "to_xarray() puts into one table")
         recording_writer.check_target(Path(path), tuple(recording_writer.FORMATS))
         recording_writer.write(self.recording, Path(path))
+
+
+def _single(argument: Path | str, *results: Result) -> list[Result]:
+    """The results with the poses of all bodies.  Raises SimulateError for a batch."""
+    from coscrew_codegen.simulation.view.playback import with_poses
+
+    if any(x.q.ndim > 2 for x in results):
+        raise SimulateError(f"{argument}: wanted one run; got a batch")
+    return [*map(with_poses, results)]

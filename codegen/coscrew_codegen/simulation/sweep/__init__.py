@@ -14,11 +14,10 @@
 
 Knows nothing of how a scene's functions are derived."""
 
-import html
-from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from coscrew_codegen.backends.html.framed_page import FramedPage
 from coscrew_codegen.program.reported_error import ReportedError
 
 if TYPE_CHECKING:
@@ -31,23 +30,12 @@ class SweepError(ReportedError, ValueError):
     """The sweep is impossible; the message says what came and what was wanted."""
 
 
-@dataclass(frozen=True)
-class Summary:
-    """The page of a sweep, which notebooks show."""
-
-    page: Path
-
-    def _repr_html_(self) -> str:
-        text = html.escape(self.page.read_text(encoding="utf-8"))
-        return f'<iframe srcdoc="{text}" style="width:100%;height:40rem;border:0"></iframe>'
-
-
-def summary(folder: Path | str) -> Summary:
-    """The page that `coscrew sweep` wrote into this folder.  Raises SweepError."""
+def summary(folder: Path | str) -> FramedPage:
+    """The page that `coscrew sweep` wrote into this folder, for notebooks.  Raises SweepError."""
     if not (page := Path(folder) / "summary.html").is_file():
         raise SweepError(f"{folder}: there is no summary.html; wanted the folder of a finished "
                          "sweep (`coscrew sweep … --out FOLDER` finishes it)")
-    return Summary(page)
+    return FramedPage(page.read_text(encoding="utf-8"))
 
 
 def __getattr__(name: str) -> object:

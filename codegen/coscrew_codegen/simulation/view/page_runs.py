@@ -47,13 +47,13 @@ def run_of(result: Result, label: str) -> PageRun:
 def run_in(path: Path, system: System) -> PageRun:
     """The run that a recording's file holds.  Raises SimulateError if it is not one of the scene,
     or lacks coordinates."""
-    t, columns = columns_of(path, "--beside")
-    q = np.empty((len(t), system.functions.nq))
+    t, columns = columns_of(path, "--view")
+    q = np.zeros((len(t), system.functions.nq))
     for c in system.functions.coordinates:
         for i, place in enumerate(c.q):
             name = f"q.{c.joint}" if len(c.q) == 1 else f"q.{c.joint}.{i}"
             if name not in columns:
-                raise SimulateError(f"--beside: {path} has no column {name}; wanted a recording of "
+                raise SimulateError(f"--view: {path} has no column {name}; wanted a recording of "
                                     'all coordinates, as record = ["q"] makes it')
             q[:, place] = columns[name]
     frames = _frames(t, len(system.scene.model.bodies))

@@ -1,46 +1,56 @@
-"""Writes a page that plays runs back in 3D: self-contained HTML, without network access.
+"""Playback: runs of a scene, its drawing and its signals, for every file that shows them.
 
     results ──▶ runs: poses, signals ─┐
-    scene ──▶ drawing: parts, meshes ─┴▶ data (JSON and a block of numbers) ──▶ page with its player
+    scene ──▶ drawing: parts, meshes ─┴▶ playback ──▶ page, recording of Rerun or of Foxglove"""
 
-`web/` holds the sources of the player; what the templates hold of it is built from them."""
-
-from collections.abc import Iterator, Sequence, Set
-from dataclasses import replace
-from pathlib import Path
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
 
 import numpy as np
 
-from coscrew_codegen.backends.html import pages
-from coscrew_codegen.backends.html.pages import Json
-from coscrew_codegen.backends.render import TEMPLATES
 from coscrew_codegen.runtime.extras import pip
 from coscrew_codegen.runtime.load import kernels_for
-from coscrew_codegen.scene.mechanism.model import WORLD
 from coscrew_codegen.simulation import required_functions
-from coscrew_codegen.simulation.recordings.recording_writer import delivered
 from coscrew_codegen.simulation.recordings.result import Result
 from coscrew_codegen.simulation.system import System, system
 from coscrew_codegen.simulation.view import page_signals
-from coscrew_codegen.simulation.view.body_shapes import DrawnPart, RobotDrawing, drawn, numbers_of
-from coscrew_codegen.simulation.view.mesh_files import Piece
-from coscrew_codegen.simulation.view.page_block import NumberBlock, compressed
+from coscrew_codegen.simulation.view.body_shapes import RobotDrawing, drawn, numbers_of
+from coscrew_codegen.simulation.view.collision_shapes import add_collisions
 from coscrew_codegen.simulation.view.page_runs import PageRun, run_of, target_of
-
-_LEAST_SHOWN = 3.0  # s: least duration of a playback at the initial speed
-_SPEEDS = ((0.1, "0.1×"), (0.25, "0.25×"), (0.5, "0.5×"), (1, "1×"), (2, "2×"), (5, "5×"))
-_WIDE = 2**16 - 1  # largest number of a vertex's coordinate in the box of its mesh
-_PLAYER = TEMPLATES / "view/player.min.js"
-_LICENSES = TEMPLATES / "view/LICENSES.txt"
+from coscrew_codegen.simulation.view.page_signals import SignalGroup
 
 
-def view(results: Sequence[Result], path: Path, besides: Sequence[PageRun] = ()) -> str:
-    """Write the page of the first result, with the others and runs `besides` as ghosts; returns
-    what the page lacks, "" if nothing.  Raises SimulateError."""
-    drawing = drawn(results[0].system)
-    with delivered(path) as temporary:
-        temporary.write_text(page(results, besides, drawing), encoding="utf-8", newline="\n")
-    return _unread(drawing)
+@dataclass(frozen=True, eq=False)
+class Playback:
+    """Runs to be shown: the first is the result's, the others are its ghosts."""
+
+    result: Result
+    runs: tuple[PageRun, ...]
+    drawing: RobotDrawing
+    groups: tuple[SignalGroup, ...]
+
+    @property
+    def lacks(self) -> str:
+        """Says that meshes are boxes since no package reads them; "" if none is."""
+        if not self.drawing.unread:
+            return ""
+        several = self.drawing.unread > 1
+        return (f"{self.drawing.unread} mesh{'es are' if several else ' is'} not shown, boxes of "
+                f"inertia are in {'their' if several else 'its'} place; run `{pip('view')}`")
+
+
+def playback(results: Sequence[Result], besides: Sequence[PageRun] = ()) -> Playback:
+    """The playback of the first result, with the others, runs `besides` and targets as ghosts."""
+    first = results[0]
+    runs = [run_of(x, label) for x, label in zip(results, _labels(results), strict=True)]
+    runs += besides
+    if target := target_of(first.system, runs[0]):
+        runs.append(target)
+    groups = page_signals.grouped(first.system, first.recording.columns,
+                                  [x.columns for x in runs])
+    drawing = drawn(first.system)
+    add_collisions(drawing, first.system.scene.model)
+    return Playback(first, tuple(runs), drawing, tuple(groups))
 
 
 def with_poses(result: Result) -> Result:
@@ -53,87 +63,20 @@ def with_poses(result: Result) -> Result:
     return replace(result, system=replace(system(kernels, its.precision.name), p=its.p))
 
 
-def page(results: Sequence[Result], besides: Sequence[PageRun] = (),
-         drawing: RobotDrawing | None = None) -> str:
-    """The text of the page."""
-    first, block = results[0], NumberBlock()
-    drawing = drawing or drawn(first.system)
-    runs = [run_of(x, label) for x, label in zip(results, _labels(results), strict=True)]
-    runs += besides
-    if target := target_of(first.system, runs[0]):
-        runs.append(target)
-    groups = page_signals.grouped(first.system, first.recording.columns,
-                                  [x.columns for x in runs])
-    shown = {x.body for x in drawing.parts}
-    data = {"runs": [_packed(x, block) for x in runs], **_model(first.system, shown),
-            **_parts(drawing, block), "groups": page_signals.packed(groups, block),
-            "arrows": [*page_signals.arrows(first.system, runs[0].columns)],
-            "ties": [*page_signals.ties(first.system)]}
-    end = runs[0].t[-1]
-    rest = "" if end == first.trajectory.t[-1] else (
-        f"The playback ends at t = {end:.6g} s: the rest is too large to be shown.")
-    speed = max((x for x, _ in _SPEEDS if x <= 1 and x * _LEAST_SHOWN <= end),
-                default=_SPEEDS[0][0])
-    unread = _unread(drawing)
-    return pages.page(
-        "view/page.html", data, name=first.system.scene.name, sentence=_sentence(first),
-        bodies=[x.name for x in first.system.scene.model.bodies], rest=rest,
-        stopped=first.trajectory.stopped, speed=speed, speeds=_SPEEDS,
-        notes=[*([unread] if unread else []), *drawing.notes], source=first.provenance,
-        block=block.text, player=compressed(_PLAYER.read_bytes()),
-        licenses=_LICENSES.read_text(encoding="utf-8"))
-
-
 def _labels(results: Sequence[Result]) -> list[str]:
     """The results' precisions, or numbers where these are the same."""
     names = [x.system.precision.name for x in results]
     return names if len({*names}) == len(names) else [f"run {n + 1}" for n, _ in enumerate(names)]
 
 
-def _sentence(result: Result) -> str:
-    """The run in one line: "7 joints, 17.5 kg, 4 s, leapfrog, double precision"."""
-    model, end = result.system.scene.model, result.trajectory.t[-1]
-    moving = sum(joint.kind.moves for joint in model.joints)
-    mass = sum(float(numbers_of(result.system, (x.inertia.mass,))[0])
-               for x in model.bodies if x.inertia)
-    return (f"{moving} joint{'s' * (moving != 1)}, {mass:.4g} kg, {end:g} s, "
-            f"{result.plan.integrator}, {result.system.precision.name} precision")
+def unique_labels(shown: Playback) -> list[str]:
+    """The labels of the runs, with a number where another run before has the same."""
+    labels = [x.label for x in shown.runs]
+    return [f"{x} ({labels[:n].count(x) + 1})" if x in labels[:n] else x
+            for n, x in enumerate(labels)]
 
 
-def _unread(drawing: RobotDrawing) -> str:
-    """Says that meshes are boxes since no package reads them."""
-    if not drawing.unread:
-        return ""
-    several = drawing.unread > 1
-    return (f"{drawing.unread} mesh{'es are' if several else ' is'} not shown, boxes of inertia are"
-            f" in {'their' if several else 'its'} place; run `{pip('view')}`")
-
-
-def _packed(run: PageRun, block: NumberBlock) -> Json:
-    return {"label": run.label, "shown": run.shown, "t": block.put(run.t, "f8"),
-            "poses": block.put(run.poses.transpose(1, 2, 0), "f4")}
-
-
-def _model(system: System, shown: Set[int]) -> dict[str, Json]:
-    """Bodies, joints, labels of the bodies that are shown, and the upward direction."""
-    model = system.scene.model
-    numbers = {WORLD: -1, **{body.name: n for n, body in enumerate(model.bodies)}}
-    bodies: list[Json] = []
-    for body in model.bodies:
-        inertia = body.inertia
-        bodies.append({
-            "name": body.name, "mass": float(numbers_of(system, (inertia.mass,))[0])
-            if inertia else 0.0,
-            "com": numbers_of(system, inertia.com).tolist() if inertia else [0.0] * 3})
-    joints: list[Json] = [{"name": x.name, "moves": x.kind.moves, "child": numbers[x.child]}
-              for x in model.joints]
-    labels = [{"name": x.name, "body": n, "at": numbers_of(system, x.inertia.com).tolist()}
-              for n, x in enumerate(model.bodies) if x.inertia and n in shown]
-    return {"bodies": bodies, "joints": joints, "labels": labels, "up": _up(system),
-            "tracked": _tracked(system, numbers)}
-
-
-def _up(system: System) -> list[float]:
+def up_of(system: System) -> list[float]:
     """The direction opposite to gravity, or z without gravity."""
     for applied in system.scene.effects:
         if applied.effect.name == "gravity":
@@ -141,53 +84,3 @@ def _up(system: System) -> list[float]:
             if np.any(g):
                 return [float(x) for x in -g / np.linalg.norm(g)]
     return [0.0, 0.0, 1.0]
-
-
-def _tracked(system: System, numbers: dict[str, int]) -> int:
-    """The body that leaves a trail: the last whose position is recorded, or else the one with the
-    most joints between it and the world."""
-    for text in reversed(system.scene.record):
-        quantity, _, rest = text.partition(".")
-        if quantity == "position" and rest in numbers:
-            return numbers[rest]
-    depth = {WORLD: 0}
-    for joint in system.scene.model.joints:
-        depth[joint.child] = depth[joint.parent] + joint.kind.moves
-    return numbers[max(depth, key=lambda name: (depth[name], numbers[name]))]
-
-
-def _parts(drawing: RobotDrawing, block: NumberBlock) -> dict[str, Json]:
-    """The parts, and the meshes that they name by number."""
-    pieces: list[Piece] = []
-    for part in drawing.parts:
-        if part.piece and not any(x is part.piece for x in pieces):
-            pieces.append(part.piece)
-    numbers = {id(x): n for n, x in enumerate(pieces)}
-    return {"meshes": [_mesh(x, block) for x in pieces],
-            "parts": [*_entries(drawing.parts, numbers)]}
-
-
-def _entries(parts: Sequence[DrawnPart], numbers: dict[int, int]) -> Iterator[Json]:
-    for x in parts:
-        mesh = {"mesh": numbers[id(x.piece)]} if x.piece else {}
-        yield {"body": x.body, "kind": x.shape, "size": list(x.size),
-               "place": [round(y, 7) for y in x.place],
-               "colour": [*x.colour, 1.0][:4], **mesh}
-
-
-def _mesh(piece: Piece, block: NumberBlock) -> Json:
-    """Vertices as 16-bit numbers in the mesh's box, in the order of their first use; both they and
-    the faces' indices as differences, which are small."""
-    low, high = piece.vertices.min(0).astype(float), piece.vertices.max(0).astype(float)
-    step = np.where(high > low, (high - low) / _WIDE, 1.0)
-    flat = piece.faces.ravel()
-    used, first = np.unique(flat, return_index=True)
-    order = used[np.argsort(first)]
-    rank = np.zeros(len(piece.vertices), np.int64)
-    rank[order] = np.arange(len(order))
-    whole = np.round((piece.vertices[order] - low) / step).astype(np.int64)
-    steps = np.diff(rank[flat], prepend=0)
-    kind = "i2" if len(order) <= 2**15 else "i4"
-    return {"low": low.tolist(), "step": step.tolist(),
-            "vertices": block.put(np.diff(whole, axis=0, prepend=0).T % 2**16, "u2"),
-            "faces": block.put(steps, kind)}

@@ -18,7 +18,7 @@ class MjcfVisuals:
 
     def __init__(self, model: "mujoco.MjModel") -> None:
         self._model = model
-        self._mesh = cache(self._triangles)  # which several geoms may show
+        self.mesh = cache(self._triangles)  # which several geoms may show
 
     def of(self, body: int) -> tuple[Visual, ...]:
         """The visuals of a body, by its number."""
@@ -37,7 +37,7 @@ class MjcfVisuals:
         place = (*(float(p) for p in model.geom_pos[geom]), x, y, z, w)
         a, b, c = (float(s) for s in model.geom_size[geom])
         if kind == kinds.mjGEOM_MESH:
-            return Visual(MESH, (), place, colour, self._mesh(int(model.geom_dataid[geom])))
+            return Visual(MESH, (), place, colour, self.mesh(int(model.geom_dataid[geom])))
         sizes = {kinds.mjGEOM_SPHERE: ("sphere", (a,)),
                  kinds.mjGEOM_CAPSULE: ("capsule", (a, 2 * b)),
                  kinds.mjGEOM_CYLINDER: ("cylinder", (a, 2 * b)),

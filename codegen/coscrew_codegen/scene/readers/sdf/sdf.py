@@ -1,9 +1,11 @@
 """SDF files as models: links, frames and joints of one model, and of the models in it.
 
-What Gazebo senses or touches is not read, and only pictures show what it draws.  Numbers are in SI
-units; names in a model that is in another begin with its own, `hand::palm`.
+What Gazebo senses is not read, only pictures show what it draws, and shapes that touch move
+nothing.  Numbers are in SI units; names in a model that is in another begin with its own,
+`hand::palm`.
 """
 
+from collections.abc import Iterator
 from fractions import Fraction
 
 from coscrew_codegen.scene.joints.fixed import JOINT as FIXED
@@ -13,6 +15,7 @@ from coscrew_codegen.scene.mechanism.inertia_checks import WARN
 from coscrew_codegen.scene.mechanism.model import WORLD, Body, Inertia, Joint
 from coscrew_codegen.scene.readers.declared_effects import Effects
 from coscrew_codegen.scene.readers.model_reader import ModelReader, ModelSource, Parts
+from coscrew_codegen.scene.readers.sdf.sdf_collisions import collisions
 from coscrew_codegen.scene.readers.sdf.sdf_joints import SdfJoints
 from coscrew_codegen.scene.readers.sdf.sdf_visuals import visuals
 from coscrew_codegen.scene.readers.toml.toml_tables import Decimals
@@ -56,8 +59,13 @@ class _Sdf(SdfJoints):
                 for full, (x, _) in self.frames.items()},
             effects={name: table for name, table in effects.items() if table},
             implausible=tuple(self.lacking), notices=tuple(self.notices), base=FREE,
-            roots={full: self.within(WORLD, full) for full, (x, _) in self.frames.items()
-                   if x.tag == "link"})
+            roots={full: self.within(WORLD, full) for full, x in self._links()},
+            collisions=tuple(y for full, x in self._links()
+                             for y in collisions(self, x, full, self.source)))
+
+    def _links(self) -> Iterator[tuple[str, Element]]:
+        """The links by full name."""
+        return ((full, x) for full, (x, _) in self.frames.items() if x.tag == "link")
 
     def _model(self) -> tuple[Element, dict[str, object]]:
         """The one model of the file, and the gravity of the world that it stands in, if any."""

@@ -11,7 +11,7 @@ from coscrew_codegen.scene.readers.decimals import decimal
 from coscrew_codegen.scene.readers.scene_error import SceneError, shown
 from coscrew_codegen.scene.readers.urdf.xml import Element, Text, read_xml
 
-IGNORED = frozenset("""collision sensor plugin light gripper projector audio_source
+IGNORED = frozenset("""sensor plugin light gripper projector audio_source
 audio_sink audio battery particle_emitter scene gui atmosphere spherical_coordinates magnetic_field
 state road population actor wind self_collide enable_wind allow_auto_disable must_be_base_link
 auto_inertia_params contact""".split())
@@ -21,8 +21,8 @@ SCHEMA: Mapping[str, tuple[str, str]] = {
     "sdf": ("version", "world model"), "world": ("name", "gravity physics model include"),
     "physics": ("*", "gravity *"), "include": ("*", "*"), "model": (
         "name canonical_link", "pose static link joint frame model include"),
-    "link": ("name", "pose inertial gravity kinematic velocity_decay visual"),
-    "visual": ("*", "*"),
+    "link": ("name", "pose inertial gravity kinematic velocity_decay visual collision"),
+    "visual": ("*", "*"), "collision": ("*", "*"),
     "velocity_decay": ("", "linear angular"), "inertial": ("auto", "pose mass inertia"),
     "inertia": ("", "ixx ixy ixz iyy iyz izz"), "frame": ("name attached_to", "pose"),
     "pose": ("relative_to degrees rotation_format frame", ""), "joint": (

@@ -7,10 +7,11 @@ from coscrew_codegen.scene.readers.scene_error import SceneError, shown
 from coscrew_codegen.scene.readers.sdf.sdf_frames import SdfFrames
 from coscrew_codegen.scene.readers.urdf.xml import Element
 
-_SIZES = {"box": ("size",), "sphere": ("radius",), "cylinder": ("radius", "length"),
+SIZES = {"box": ("size",), "sphere": ("radius",), "cylinder": ("radius", "length"),
           "capsule": ("radius", "length"), "ellipsoid": ("radii",)}
 """The elements with the sizes of each shape."""
-_THREE = ("size", "radii")
+THREE = ("size", "radii")
+"""Those of them with three numbers."""
 _COLOURS = ("diffuse", "ambient")
 
 
@@ -27,9 +28,9 @@ def _visual(reader: SdfFrames, visual: Element, source: ModelSource) -> Visual:
         pose = reader.pose(visual)
         place = (*map(float, pose.t), *from_rotation([float(x) for x in pose.R]))
         shape, colour = geometry.children[0], _colour(reader, visual)
-        if shape.tag in _SIZES:
-            size = [float(x) for tag in _SIZES[shape.tag]
-                    for x in reader.numbers(shape, tag, 3 if tag in _THREE else 1)]
+        if shape.tag in SIZES:
+            size = [float(x) for tag in SIZES[shape.tag]
+                    for x in reader.numbers(shape, tag, 3 if tag in THREE else 1)]
             return sized(shape.tag, size, place, colour)
         if shape.tag != MESH:
             reader.refuse(shape, f"<{shape.tag[:60]}> is not drawn")

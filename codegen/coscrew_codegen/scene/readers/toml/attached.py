@@ -179,7 +179,8 @@ def _joined(main: Parts, source: ModelSource, others: list[Parts]) -> Parts:
         mimic_places={key: x for y in every for key, x in y.mimic_places.items()},
         elsewhere={key: x for y in others for key, x in y.elsewhere.items()},
         implausible=tuple(x for y in every for x in y.implausible),
-        notices=tuple(x for y in every for x in y.notices))
+        notices=tuple(x for y in every for x in y.notices),
+        collisions=tuple(x for y in every for x in y.collisions))
 
 
 def _merged(tables: list[Effects]) -> Effects:

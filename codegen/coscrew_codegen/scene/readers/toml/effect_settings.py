@@ -9,6 +9,7 @@ from coscrew_codegen.scene.formulas import Formula, FormulaError
 from coscrew_codegen.scene.mechanism.model import WORLD
 from coscrew_codegen.scene.readers.scene_error import shown
 from coscrew_codegen.scene.readers.toml.toml_tables import Decimals, TomlTable, described
+from coscrew_codegen.scene.readers.toml.trajectories import trajectory
 from coscrew_codegen.scene.scene import Setting
 
 
@@ -21,6 +22,8 @@ def setting(table: TomlTable, parameter: ParameterOf, value: object, bodies: tup
         for component in vector:
             refuse_sign(table, parameter, component)
         return vector
+    if kind == "matrix":
+        return _matrix(table, key, value)
     if kind == "formula":
         return _formula(table, parameter, value)
     if kind == "formulas":
@@ -38,6 +41,37 @@ def setting(table: TomlTable, parameter: ParameterOf, value: object, bodies: tup
     number = _number(table, parameter, value)
     refuse_sign(table, parameter, number)
     return number
+
+
+def _matrix(table: TomlTable, key: str, value: object) -> tuple[Fraction, ...]:
+    """The rows on and below the diagonal of a symmetric matrix without negative eigenvalues."""
+    rows = value if isinstance(value, list) else []
+    if len(rows) != 6:
+        table.refuse(key, f"{described(value)}; wanted six rows of six numbers")
+    matrix = [list(table.as_numbers(key, row, (6,))) for row in rows]
+    for i in range(6):
+        for j in range(i):
+            if matrix[i][j] != matrix[j][i]:
+                table.refuse(key, f"{float(matrix[i][j]):g} in row {i + 1}, column {j + 1}, and "
+                             f"{float(matrix[j][i]):g} opposite; wanted a symmetric matrix")
+    if (k := negative_pivot(matrix)) is not None:
+        table.refuse(key, f"its first {k + 1} rows and columns are not positive semidefinite: a "
+                     "motion along them would have a negative energy; wanted the added masses with "
+                     "positive signs, as -X_u', -Y_v'")
+    return tuple(matrix[i][j] for i in range(6) for j in range(i + 1))
+
+
+def negative_pivot(matrix: list[list[Fraction]]) -> int | None:
+    """The number of the first row that makes a symmetric matrix indefinite; None if it is positive
+    semidefinite.  By elimination in exact fractions."""
+    left = [list(row) for row in matrix]
+    for k, row in enumerate(left):
+        if row[k] < 0 or not row[k] and any(row[k + 1:]):
+            return k
+        for i in range(k + 1, len(left)) if row[k] else ():
+            factor = left[i][k] / row[k]
+            left[i] = [x - factor * y for x, y in zip(left[i], row, strict=True)]
+    return None
 
 
 def _number(table: TomlTable, parameter: ParameterOf, value: object) -> Fraction:
@@ -73,6 +107,8 @@ def refuse_sign(table: TomlTable, parameter: ParameterOf, number: Fraction,
 
 
 def _formula(table: TomlTable, parameter: ParameterOf, value: object) -> Fraction | Formula:
+    if isinstance(value, dict):
+        return trajectory(TomlTable(table.file, table.key(parameter.name), value))
     if not _is_text(value):
         if isinstance(value, bool) or not isinstance(value, int | Decimals):
             table.refuse(parameter.name, f"{described(value)}; wanted a number or a function of t")

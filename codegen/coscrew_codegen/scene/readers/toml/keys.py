@@ -12,6 +12,9 @@ from coscrew_codegen.scene.integrators import NAMES
 from coscrew_codegen.scene.joints import KINDS
 from coscrew_codegen.scene.mechanism.inertia_checks import ERROR, WARN
 from coscrew_codegen.scene.mechanism.joint_kind import JointKind
+from coscrew_codegen.scene.mechanism.loop import LOOP_KINDS
+from coscrew_codegen.scene.readers.falling import ACCEPT
+from coscrew_codegen.scene.recorded_quantities import STATES
 from coscrew_codegen.scene.scene import Run
 from coscrew_codegen.scene.units import UNITS
 
@@ -27,7 +30,8 @@ class Key:
     words: str  # description with units
     kind: str = "text"  # text, texts, number, positive, nonnegative, vector (3 numbers), quaternion
     # (4), moments (3 or 6 numbers or a 3×3 matrix), coordinates (by joint: a number or a list),
-    # expectations (by quantity), tolerances (by function), words (texts by name), effects; table
+    # expectations (by quantity), tolerances (by function), ranges (by joint), intervals (by name),
+    # interval (a number, or `table`), words (texts by name), effects; table
     # and tables (by name) have `table`
     choices: tuple[str, ...] = ()  # of a text; the first is the default unless there is another
     default: str = ""  # in TOML
@@ -165,6 +169,20 @@ JOINT = TableOf("joints.NAME", "A joint between two bodies.", (
         "nonnegative", joints=_moves),
     Key("mimic", "which joint it follows", "table", table=MIMIC, joints=_one_coordinate)))
 
+LOOP = TableOf("loops.NAME", "A closed loop: holds a point of one body to a point of another, "
+               "besides the joints; either may be \"world\".", (
+    Key("kind", "; ".join(f"{x.name}: {x.words}" for x in LOOP_KINDS.values()),
+        choices=tuple(LOOP_KINDS), required=True),
+    Key("bodies", "the first and the second body; of a `frame` also two of `frames`, which are "
+        "turned", "texts", required=True),
+    Key("first", "the point in the first body's frame, in m", "vector", default="[0, 0, 0]"),
+    Key("second", "the point in the second body's frame, in m", "vector", default="[0, 0, 0]"),
+    Key("axis", "of a hinge: its axis in the first body's frame, of any length", "vector"),
+    Key("axis2", "of a hinge: its axis in the second body's frame", "vector",
+        default="the same numbers as `axis`"),
+    Key("length", "of a rod, in m", "positive")))
+
+
 def _by_kind(of: str) -> str:
     """q or v of each kind of joint."""
     return "; ".join(f"{kind.name} {kind.q_words if of == 'q' else kind.v_words}"
@@ -173,13 +191,16 @@ def _by_kind(of: str) -> str:
 
 START = TableOf("start", "The state at the start of a run; by default zero, without rotation.", (
     Key("q", f"by joint: {_by_kind('q')}", "coordinates"),
-    Key("v", f"by joint: {_by_kind('v')}", "coordinates")))
+    Key("v", f"by joint: {_by_kind('v')}", "coordinates"),
+    Key("x", "by effect, as \"stiction.elbow\": its states", "coordinates")))
 
 _RECORDED = ", ".join(f'"{x}"' for x in (
-    *UNITS, *(quantity.written for _, quantity in QUANTITIES.values()), "EFFECT.WHERE.torque"))
+    *UNITS, STATES, *(quantity.written for _, quantity in QUANTITIES.values()),
+    "EFFECT.WHERE.torque"))
 
 OUTPUTS = TableOf("outputs", "What a run records.", (
-    Key("record", f"quantities: {_RECORDED}, …", "texts", default='["q", "v"]'),
+    Key("record", f"quantities: {_RECORDED}, …; by default also \"x\" if effects have states",
+        "texts", default='["q", "v"]'),
     Key("every", "s between samples; a sample lies at the end of a step, so that this may shorten "
         "steps", "positive", default="0.01")))
 
@@ -204,6 +225,27 @@ ACCURACY = TableOf("accuracy", "How accurate functions are in the mixed tier.", 
     Key("FUNCTION", "how far rounding may move its outputs, in their unit; or a table of this by "
         "output", "positive"),))
 
+ENDS = TableOf("ranges.ARGUMENT.NAME", "A range that is not symmetric about zero.", (
+    Key("lower", "lower end", "number", required=True),
+    Key("upper", "upper end", "number", required=True)))
+
+_BY_JOINT = ("a number, the largest size of all its components; a list with an entry for each "
+             "joint that has coordinates; or a table by joint.  An entry is a number, `{ lower = "
+             "…, upper = … }`, or for a joint with several numbers a list of these")
+_OR_LIMITS = 'also "limits", between the limits of joints, which must have them'
+
+RANGES = TableOf("ranges", "The ranges of the arguments of functions, for which functions state "
+                 "proved bounds of their errors.  Numbers are in SI units.", (
+    Key("q", f"positions: {_BY_JOINT}; {_OR_LIMITS}.  Quaternions have norm 1 and no entry",
+        "ranges", table=ENDS, default="the limits of joints that have them"),
+    Key("v", f"velocities, as q; {_OR_LIMITS}", "ranges", table=ENDS,
+        default="the limits of joints that have them"),
+    Key("a", "accelerations, as q", "ranges", table=ENDS),
+    Key("tau", f"torques and forces of joints, as q; {_OR_LIMITS}", "ranges", table=ENDS),
+    Key("p", "run-time parameters, by name: a number, the largest size, or both ends", "intervals",
+        table=ENDS, default="sizes up to the scene's values"),
+    Key("t", "time: a number, its end, from 0; or both ends", "interval", table=ENDS)))
+
 SCENE = TableOf("", "The file itself.", (
     Key("model", "a file next to the scene that holds the model, in one of the formats of models; "
         "without it the tables `bodies` and `joints` are the model, beside it they add to it"),
@@ -218,18 +260,23 @@ SCENE = TableOf("", "The file itself.", (
     Key("implausible", '"warn" accepts inertias that no body has, that are massless or '
         "incomplete, and reports them; on the command line --implausible warn",
         choices=(ERROR, WARN)),
+    Key("falling", '"accept" where bodies with free joints are meant to fall: no notice says that '
+        "nothing holds them against gravity", choices=(WARN, ACCEPT)),
     Key("functions", "what is generated: names of functions; \"default\" and \"all\" stand for "
         "several", "texts", default='["default"]'),
     Key("tiers", "in which the functions, steps excepted, are generated besides plain: accurate, "
-        "certified, mixed, pairs", "texts", default='["plain"]'),
+        "certified, mixed, pairs, fixed", "texts", default='["plain"]'),
     Key("accuracy", "how accurate functions in single precision are in the mixed tier, which they "
         "then have", "tolerances", table=ACCURACY),
+    Key("ranges", "in which the arguments of functions lie, for proved bounds of errors", "table",
+        table=RANGES),
     Key("runtime", "numbers that stay arguments of functions: BODY.mass, BODY.com, BODY.inertia, "
         "EFFECT.WHERE.PARAMETER", "texts", default="[]"),
     Key("attach", "bodies and models that are fixed to bodies, by name", "tables", table=ATTACH),
     Key("frames", "frames that are fixed to bodies, by name", "tables", table=FRAME),
     Key("bodies", "the bodies, by name", "tables", table=BODY),
     Key("joints", "the joints, by name", "tables", table=JOINT),
+    Key("loops", "closed loops of the model, by name", "tables", table=LOOP),
     Key("effects", "what acts: see Effects", "effects"),
     Key("start", "the state at the start of a run", "table", table=START),
     Key("outputs", "what a run records", "table", table=OUTPUTS),
@@ -237,5 +284,5 @@ SCENE = TableOf("", "The file itself.", (
     Key("expect", "conditions on a run, by quantity", "expectations", table=EXPECT)))
 
 TABLES = (SCENE, ATTACH, PLACE, FRAME, BODY, SHAPE, CYLINDER, JOINT, ORIGIN, LIMITS, MIMIC,
-          ACCURACY, START, OUTPUTS, RUN, EXPECT)
+          LOOP, ACCURACY, RANGES, ENDS, START, OUTPUTS, RUN, EXPECT)
 """All tables except those of effects."""

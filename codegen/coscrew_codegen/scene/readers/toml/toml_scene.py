@@ -8,14 +8,17 @@ from pathlib import Path
 from coscrew_codegen.program.values.formats import BY_NAME, CHOICES, DOUBLE
 from coscrew_codegen.program.values.parameter import Parameter
 from coscrew_codegen.scene.effect import Effect
+from coscrew_codegen.scene.effect_quantities import states_of, why_not_moved
 from coscrew_codegen.scene.function_selection import FunctionsError, resolved
 from coscrew_codegen.scene.integrators import NAMES
 from coscrew_codegen.scene.mechanism.inertia_checks import ERROR, WARN
 from coscrew_codegen.scene.mechanism.mimics import followers
 from coscrew_codegen.scene.mechanism.model import Joint, Model
+from coscrew_codegen.scene.mechanism.notices import Notice
 from coscrew_codegen.scene.mechanism.rotations import unit
 from coscrew_codegen.scene.readers.declared_effects import of_file_alone
 from coscrew_codegen.scene.readers.described_robots import SCHEME, robot_source
+from coscrew_codegen.scene.readers.falling import ACCEPT, falling
 from coscrew_codegen.scene.readers.idle import idle
 from coscrew_codegen.scene.readers.model_formats import SCENE_SUFFIX, reader_of, stem, unknown
 from coscrew_codegen.scene.readers.model_reader import ModelSource
@@ -30,15 +33,22 @@ from coscrew_codegen.scene.readers.toml.effect_table import Use
 from coscrew_codegen.scene.readers.toml.keys import EXPECT, OUTPUTS, RUN, SCENE, START
 from coscrew_codegen.scene.readers.toml.named_model import model_of
 from coscrew_codegen.scene.readers.toml.plain_tables import scene_text
+from coscrew_codegen.scene.readers.toml.ranges_table import limits_in_ranges, read_ranges
 from coscrew_codegen.scene.readers.toml.runtime import with_parameters
 from coscrew_codegen.scene.readers.toml.toml_effects import read_effects, with_reactions
+from coscrew_codegen.scene.readers.toml.toml_loops import read_loops
 from coscrew_codegen.scene.readers.toml.toml_model import refuse_not_unit
 from coscrew_codegen.scene.readers.toml.toml_tables import Decimals, TomlTable, described, read_toml
 from coscrew_codegen.scene.readers.unused import besides, unused
 from coscrew_codegen.scene.recordable import quantities_of
-from coscrew_codegen.scene.recorded_quantities import QuantityError, expected
-from coscrew_codegen.scene.scene import Expectation, Run, Scene
-from coscrew_codegen.scene.tier_selection import TiersError, on_request, selected
+from coscrew_codegen.scene.recorded_quantities import STATES, QuantityError, expected
+from coscrew_codegen.scene.scene import Applied, Expectation, Run, Scene
+from coscrew_codegen.scene.tier_selection import (
+    TiersError,
+    need_ranges,
+    on_request,
+    selected,
+)
 
 
 @dataclass(frozen=True)
@@ -146,17 +156,20 @@ def _scene(file: TomlTable, catalogue: tuple[Effect, ...], overrides: SceneOverr
     precision = _overridden(overrides.precision, file, "precision", CHOICES)
     model = alone or model_of(file, name, implausible, overrides.folders,
                               dict(overrides.arguments), overrides.leave_out)
+    model = replace(model, loops=read_loops(file, model))
     use = Use()
     effects = read_effects(file.table("effects"), model, catalogue, use)
     _refuse_still(file.file, model)
     scene = Scene(name, model, effects, precision=precision or "double",
                   precisions=_emitted(precision), implausible=implausible,
                   run=_run(file.table("run")))
+    _refuse_integrator(file.table("run"), scene)
     start, outputs = file.table("start"), file.table("outputs")
     start.only(*START.names)
     outputs.only(*OUTPUTS.names)
     scene = replace(scene, start_q=_start_q(start.table("q"), scene),
-                    start_v=_start_v(start.table("v"), scene), record=_record(outputs, scene),
+                    start_v=_start_v(start.table("v"), scene),
+                    start_x=_start_x(start.table("x"), scene), record=_record(outputs, scene),
                     every=float(outputs.positive("every", Fraction(1, 100))),
                     expectations=_expectations(file, scene))
     functions = _functions(file, scene)
@@ -169,6 +182,8 @@ def _scene(file: TomlTable, catalogue: tuple[Effect, ...], overrides: SceneOverr
     drawn = limits_used(scene, accuracy) if accuracy else set()
     if drawn:
         refuse_faults(file, scene, drawn)
+    if "ranges" in file:
+        drawn |= limits_in_ranges(file, scene)
     notices = unused(model, use.of_model | drawn, catalogue, effects)
     effects = with_reactions(scene, catalogue)
     parameters: tuple[Parameter, ...] = ()
@@ -176,9 +191,19 @@ def _scene(file: TomlTable, catalogue: tuple[Effect, ...], overrides: SceneOverr
         model, effects, parameters = with_parameters(file, model, effects, catalogue)
     if overrides.tiers:
         tiers = selected(overrides.tiers)
-    return _selecting(replace(scene, model=model, effects=effects, parameters=parameters,
-                              accuracy=accuracy, tiers=tiers,
-                              notices=(*idle(effects), *notices)), functions)
+    _refuse_without_ranges(file, tiers)
+    scene = replace(scene, model=model, effects=effects, parameters=parameters, accuracy=accuracy,
+                    tiers=tiers,
+                    notices=(*_falling(file, model, effects), *idle(effects), *notices))
+    if "ranges" in file:
+        scene = replace(scene, ranges=read_ranges(file, scene))
+    return _selecting(scene, functions)
+
+
+def _falling(file: TomlTable, model: Model, effects: tuple[Applied, ...]) -> tuple[Notice, ...]:
+    """The notice of bodies that fall, unless the file accepts that."""
+    meant = file.choice("falling", (WARN, ACCEPT)) if "falling" in file else WARN
+    return falling(model, effects) if meant == WARN else ()
 
 
 def _functions(file: TomlTable, scene: Scene) -> tuple[str, ...]:
@@ -202,6 +227,15 @@ def _tiers(file: TomlTable) -> tuple[str, ...]:
         return selected(names)
     except TiersError as error:
         file.refuse("tiers", str(error))
+
+
+def _refuse_without_ranges(file: TomlTable, tiers: tuple[str, ...]) -> None:
+    """Refuse tiers whose formats follow from the ranges of arguments, if the file states none."""
+    if tiers and "ranges" not in file:
+        for name in need_ranges():
+            if name in tiers:
+                file.refuse("tiers", f"the {name} tier needs the ranges of arguments; wanted "
+                                     "[ranges] with the largest sizes, as v = 2 and a = 10")
 
 
 def _selecting(scene: Scene, functions: tuple[str, ...]) -> Scene:
@@ -254,6 +288,14 @@ def _start_v(table: TomlTable, scene: Scene) -> Mapping[str, tuple[float, ...]]:
             for key in table.values}
 
 
+def _start_x(table: TomlTable, scene: Scene) -> Mapping[str, tuple[float, ...]]:
+    """States of effects, by effect."""
+    states = {x.name: x for x in states_of(scene)}
+    return {key: tuple(float(x) for x in _start(
+        table, key, len(states[table.known(key, key, "effect with states", states)].units)))
+        for key in table.values}
+
+
 def _start(table: TomlTable, key: str, count: int) -> tuple[Fraction, ...]:
     value = table.values[key]
     if count == 1 and not isinstance(value, list):
@@ -262,7 +304,7 @@ def _start(table: TomlTable, key: str, count: int) -> tuple[Fraction, ...]:
 
 
 def _record(outputs: TomlTable, scene: Scene) -> tuple[str, ...]:
-    texts = outputs.texts("record", ("q", "v"))
+    texts = outputs.texts("record", ("q", "v", STATES) if states_of(scene) else ("q", "v"))
     if not texts:
         outputs.refuse("record", 'an empty list; wanted quantities, as ["q", "v"]')
     try:
@@ -280,6 +322,12 @@ def _run(table: TomlTable) -> Run:
     if step > duration:
         table.refuse("step", f"{step:g} s is longer than the duration, {duration:g} s")
     return Run(duration, table.choice("integrator", NAMES, run.integrator), step, rtol, atol)
+
+
+def _refuse_integrator(table: TomlTable, scene: Scene) -> None:
+    """Refuse an integrator that leaves the states of effects where they are."""
+    if problem := why_not_moved(scene, scene.run.integrator):
+        table.refuse("integrator", problem)
 
 
 def _expectations(file: TomlTable, scene: Scene) -> tuple[Expectation, ...]:

@@ -10,6 +10,7 @@ from coscrew_codegen.scene.mechanism import rotations
 from coscrew_codegen.scene.mechanism.inertia_checks import WARN
 from coscrew_codegen.scene.mechanism.model import Body, Inertia
 from coscrew_codegen.scene.readers.model_reader import ModelReader, ModelSource, Parts
+from coscrew_codegen.scene.readers.urdf.urdf_collisions import collisions
 from coscrew_codegen.scene.readers.urdf.urdf_joints import Joints
 from coscrew_codegen.scene.readers.urdf.urdf_schema import MIRRORED, MOMENTS
 from coscrew_codegen.scene.readers.urdf.urdf_visuals import colours_of, visuals
@@ -39,7 +40,8 @@ class _Urdf(Joints):
         return Parts(name, bodies, moves, {x: f"line {line}" for x, line in lines.items()},
                      {joint.attributes["name"]: f"line {mimic.line}" for joint in joints
                       for mimic in joint.all("mimic")[:1]},
-                     implausible=tuple(self.lacking), notices=tuple(self.notices))
+                     implausible=tuple(self.lacking), notices=tuple(self.notices),
+                     collisions=tuple(x for link in links for x in collisions(link, self.source)))
 
     def _body(self, link: Element) -> Body:
         name = self._name(link)
@@ -92,5 +94,5 @@ def urdf_parts(source: ModelSource, contents: bytes | None = None) -> Parts:
 
 READER = ModelReader(
     "URDF", (".urdf",), "a robot of ROS: its links and joints, with inertias, limits, dynamics and "
-    "mimics, and visual shapes for pictures; collision shapes change no motion and are not read",
+    "mimics, and visual shapes for pictures, and collision shapes, which change no motion yet",
     urdf_parts, takes_packages=True)

@@ -15,10 +15,11 @@ from coscrew_codegen.scene.readers.urdf.xml import Element
 VERSIONS = ("1.0", "1.1", "1.2")
 QUATERNION = "quat_xyzw"
 
-IGNORED = frozenset({"collision", "gazebo", "transmission"})
+IGNORED = frozenset({"gazebo", "transmission"})
 """Elements without influence on the dynamics, which are not read."""
-SEEN = frozenset({"visual", "material"})
-"""Elements without influence on the dynamics either, which only pictures show."""
+SEEN = frozenset({"visual", "material", "collision"})
+"""Shapes of links and their colours, without influence on the dynamics either; they are checked
+where they are read."""
 
 CHILDREN: Mapping[str, tuple[str, ...]] = {
     "robot": ("link", "joint"), "link": ("inertial",), "inertial": ("origin", "mass", "inertia"),

@@ -19,7 +19,7 @@ from coscrew_codegen.scene.readers.scene_error import shown
 from coscrew_codegen.scene.readers.urdf.urdf_schema import QUATERNION
 from coscrew_codegen.scene.readers.urdf.xml import Element
 
-_SIZES = {"box": ("size",), "sphere": ("radius",), "cylinder": ("radius", "length"),
+SIZES = {"box": ("size",), "sphere": ("radius",), "cylinder": ("radius", "length"),
           "capsule": ("radius", "length")}
 """The attributes with the sizes of each shape."""
 
@@ -55,13 +55,13 @@ def _visual(visual: Element, colours: Colours, source: ModelSource) -> Visual:
 
 def _shaped(shape: Element, place: tuple[float, ...], colour: tuple[float, ...],
             source: ModelSource) -> Visual:
-    if shape.tag in _SIZES:
-        size = [x for name in _SIZES[shape.tag]
+    if shape.tag in SIZES:
+        size = [x for name in SIZES[shape.tag]
                 for x in _floats(shape, name, 3 if shape.tag == "box" else 1)]
         return sized(shape.tag, size, place, colour)
     if shape.tag != MESH:
         raise ValueError(f"<{shape.tag[:60]}> is no shape; wanted one of "
-                         f"{', '.join((*_SIZES, MESH))}")
+                         f"{', '.join((*SIZES, MESH))}")
     uri = shape.attributes.get("filename", "")
     file = file_of(uri, source) if uri else None
     if file is None:

@@ -1,4 +1,5 @@
-"""Actuator: a torque as a function of time, a PD controller or a DC motor; all may saturate."""
+"""Actuator: a torque as a function of time, a PD controller or a DC motor; all may saturate, the
+first two by a line of torque over speed."""
 
 from typing import TYPE_CHECKING
 
@@ -9,8 +10,9 @@ if TYPE_CHECKING:
 
 
 def _torque(state: CoordinateState, values: Values) -> Torque:
-    """sat(u) = max(-limit, min(u, limit))."""
-    return Torque(_demanded(state, values), limit=values.get("limit"))
+    """sat(u) = max(-limit, min(u, limit)), less where it drives a joint that moves fast."""
+    return Torque(_demanded(state, values), limit=values.get("limit"),
+                  no_load=values.get("speed"))
 
 
 def _demanded(state: CoordinateState, values: Values) -> "Number":
@@ -38,7 +40,8 @@ EFFECT = Effect(
     "actuator", "drives a joint: with a torque, to a target, or by the voltage of a DC motor",
     "tau = sat(u); torque: u = torque(t) + g; pd: u = kp (target(t) - q) + kd (target_v(t) - v) + "
     "torque(t) + g; dc: u = (gear kt/R) (voltage(t) - ke gear v); g = gravity_torques(q) of the "
-    "joint if compensated, else 0", Place.JOINT,
+    "joint if compensated, else 0; |sat(u)| <= limit, and <= limit max(1 - |v|/speed, 0) if it "
+    "drives", Place.JOINT,
     (ParameterOf("kind", "", "kind of actuator", "choice", choices=("torque", "pd", "dc")),
      ParameterOf("torque", "N m or N", "torque or force; of pd fed forward", "formula",
                  of=("torque", "pd"), optional_of=("pd",)),
@@ -46,7 +49,8 @@ EFFECT = Effect(
                  "against the weight of the scene's bodies", "flag", required=False,
                  of=("torque", "pd")),
      ParameterOf("target", "rad or m", "target of q", "formula", of=("pd",)),
-     ParameterOf("target_v", "rad/s or m/s", "target of v", "formula", 0, of=("pd",)),
+     ParameterOf("target_v", "rad/s or m/s", "target of v; of a trajectory its rate, if left out",
+                 "formula", 0, of=("pd",), rate_of="target"),
      ParameterOf("kp", "N m/rad or N/m", "torque by error", of=("pd",), nonnegative=True),
      ParameterOf("kd", "N m s/rad or N s/m", "torque by error of speed", default=0, of=("pd",),
                  nonnegative=True),
@@ -57,5 +61,8 @@ EFFECT = Effect(
      ParameterOf("ke", "V s/rad", "speed constant", of=("dc",), nonnegative=True),
      ParameterOf("R", "Ohm", "resistance", of=("dc",), positive=True),
      ParameterOf("limit", "N m or N", "largest torque; none if left out", required=False,
-                 model="effort", positive=True)),
+                 model="effort", positive=True),
+     ParameterOf("speed", "rad/s or m/s", "speed without load, at which it drives no more; none if "
+                 "left out", required=False, model="velocity", positive=True, needs="limit",
+                 of=("torque", "pd"), optional_of=("torque", "pd"))),
     joint_torque=_torque, limited_by="limit", compensates="gravity_compensation")

@@ -16,4 +16,4 @@ EFFECT = Effect(
                  nonnegative=True),
      ParameterOf("eps", "rad/s or m/s", "speed at which friction has 76 % of its value",
                  positive=True, example="0.01")),
-    joint_torque=_torque, each=True)
+    joint_torque=_torque, each=True, resists=True)

@@ -14,4 +14,4 @@ EFFECT = Effect(
     Place.JOINT,
     (ParameterOf("c", "N m s^2/rad^2 or N s^2/m^2", "resistance by the square of the speed",
                  nonnegative=True),),
-    joint_torque=_torque, each=True)
+    joint_torque=_torque, each=True, resists=True)

@@ -11,4 +11,4 @@ def _torque(state: CoordinateState, values: Values) -> Torque:
 EFFECT = Effect(
     "viscous", "friction proportional to the velocity", "tau = -d v", Place.JOINT,
     (ParameterOf("d", "N m s/rad or N s/m", "damping", model="damping", nonnegative=True),),
-    joint_torque=_torque, alone=True, each=True)
+    joint_torque=_torque, alone=True, each=True, resists=True)

@@ -42,4 +42,4 @@ EFFECT = Effect(
                  nonnegative=True),
      ParameterOf("b", "N s/m", "resistance by speed", of=("stokes",), nonnegative=True),
      ParameterOf("point", "m", "where it acts, in the body's frame", "vector", (Fraction(0),) * 3)),
-    body_force=_force, in_fluid=True)
+    body_force=_force, in_fluid=True, resists=True)

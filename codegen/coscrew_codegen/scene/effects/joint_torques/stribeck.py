@@ -20,4 +20,4 @@ EFFECT = Effect(
      ParameterOf("v_s", "rad/s or m/s", "speed over which friction falls", positive=True),
      ParameterOf("eps", "rad/s or m/s", "speed at which friction has 76 % of its value; well below "
                  "v_s", positive=True)),
-    joint_torque=_torque, each=True)
+    joint_torque=_torque, each=True, resists=True)

@@ -1,24 +1,14 @@
 /* Calls from Python in one precision: arrays to rows of numbers, rows to results.
 
-   Included once per precision.  A file that includes it says how much room its functions need; the
-   sizes below are for editors and checkers, which read it alone. */
+   Compiled once per precision, for all scenes: function.h says what it knows of a scene. */
 #include "arguments.h"
+#include "function.h"
 #include "threads.h"
 
 #include <math.h>
 #include <stdint.h>
 #include <string.h>
 
-#ifndef MOST_INPUTS
-#define MOST_INPUTS 1  /* of a function */
-#define MOST_OUTPUTS 1 /* of a function */
-#define MOST_NUMBERS 1 /* of all inputs of a function in one state */
-#endif
-
-#include "real.h"
-
-/* Tell how many bytes all objects of Python begin with. */
-void IN(know)(size_t size);
 void IN(know)(size_t size) {
   head = size;
 }
@@ -89,20 +79,6 @@ static int IN(meet)(const REAL *y, ptrdiff_t length, const REAL *x, ptrdiff_t n,
   return begin < (uintptr_t)(y + length) && (uintptr_t)y < end;
 }
 
-/* The function of n states: pointers to each input and output, and the steps between their rows. */
-typedef void IN(rows)(ptrdiff_t n, const REAL *const *x, const ptrdiff_t *steps, REAL *const *y,
-    const ptrdiff_t *places);
-
-/* A function of the scene. */
-typedef struct {
-  int inputs, outputs, p; /* p: number of the input with the parameters, or -1 */
-  const input *takes;
-  const result *results;
-  int (*refused)(const REAL *p);
-  IN(rows) *states;
-  const anything *lanes;
-} IN(function);
-
 /* A call of n states. */
 typedef struct {
   const IN(function) *f;
@@ -113,14 +89,14 @@ typedef struct {
 
 static void IN(compute)(const void *of, ptrdiff_t first, ptrdiff_t n) {
   const IN(call) *c = (const IN(call) *)of;
-  const REAL *x[MOST_INPUTS];
-  REAL *y[MOST_OUTPUTS];
+  const REAL *x[c->f->inputs + 1];
+  REAL *y[c->f->outputs + 1];
   for (int k = 0; k < c->f->inputs; k++) x[k] = c->x[k] + first * c->steps[k];
   for (int k = 0; k < c->f->outputs; k++) y[k] = c->y[k] + first * c->places[k];
   c->f->states(n, x, c->steps, y, c->places);
 }
 
-static inline void IN(many)(const IN(function) *f, ptrdiff_t n, const REAL *const *x,
+void IN(many)(const IN(function) *f, ptrdiff_t n, const REAL *const *x,
     const ptrdiff_t *steps, REAL *const *y, const ptrdiff_t *places, ptrdiff_t threads) {
   const IN(call) call = { f, x, y, steps, places };
   share(IN(compute), &call, n, threads);
@@ -160,12 +136,13 @@ static void IN(begin)(REAL *y, ptrdiff_t n, ptrdiff_t size, const REAL *x, ptrdi
 
 /* The results; NULL if the arguments are not taken, maybe with an error. */
 static void *IN(results)(void *self, const IN(function) *f, void *const *given) {
-  REAL room[MOST_NUMBERS], *y[MOST_OUTPUTS];
-  const REAL *x[MOST_INPUTS];
-  ptrdiff_t steps[MOST_INPUTS] = {0}, places[MOST_OUTPUTS];
-  void *results[MOST_OUTPUTS], *out = given[f->inputs];
+  REAL room[f->numbers], *y[f->outputs + 1];
+  const REAL *x[f->inputs + 1];
+  ptrdiff_t steps[f->inputs + 1], places[f->outputs + 1];
+  void *results[f->outputs + 1], *out = given[f->inputs];
   const array *lead = NULL;
   int axes = 0;
+  memset(steps, 0, sizeof steps);
   const ptrdiff_t threads = threads_of(self, given[f->inputs + 1]);
   const ptrdiff_t n = threads ? IN(inputs)(self, f, given, room, &lead, &axes, x, steps) : -1;
   if (n < 0) return NULL;
@@ -189,10 +166,10 @@ static void *IN(results)(void *self, const IN(function) *f, void *const *given) 
   return returned(results, f->outputs, f->results, !axes && !out);
 }
 
-/* The results; of arguments that are not taken, those of the function that checks them. */
-static inline void *IN(called)(void *self, const IN(function) *f, void *const *arguments,
+void *IN(called)(void *self, const IN(function) *f, void *const *arguments,
     ptrdiff_t n, void *names) {
-  void *given[MOST_INPUTS + 2] = {0};
+  void *given[f->inputs + 2]; /* the inputs, out and threads */
+  memset(given, 0, sizeof given);
   const int whole = matched(self, arguments, n, names, f->inputs, given);
   void *results = whole ? IN(results)(self, f, given) : NULL;
   if (results) return results;

@@ -1,0 +1,94 @@
+"""Inertia that effects add to bodies, such as that of the fluid around them, and its wrench.
+
+M is constant in the link's frame.  With the link's twist V = (v; w), the fluid's velocity u at all
+places, and the rates of their components in the link's frame, the link needs the wrench
+
+    M V_r' + [ad]*(V_r) M V_r,   V_r = (v - u; w),   [ad]*(V) (p; L) = (w × p; w × L + v × p).
+
+Since [ad]*(V) M V does no work in fluid at rest, M is counted as the body's own with the energy
+V·M V/2; what is left of the wrench's power, with V' = 0, is the work of wind.
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from coscrew_codegen.algebra.recording.numbers import (
+    Number,
+    Vector,
+    add,
+    angular,
+    cross,
+    displacement,
+    linear,
+    rotated_back,
+    rotation,
+    subtract,
+)
+from coscrew_codegen.algebra.recording.recorder import Recorder
+from coscrew_codegen.dynamics.algorithms.aba import Articulated
+from coscrew_codegen.dynamics.algorithms.motion import Motion
+from coscrew_codegen.dynamics.algorithms.rnea import Wrench
+from coscrew_codegen.dynamics.forces.effect_parameters import settings
+from coscrew_codegen.scene.mechanism.tree import Tree
+from coscrew_codegen.scene.scene import Applied, Scene
+
+
+@dataclass(frozen=True)
+class Stream:
+    """The velocity of the fluid and its rate, in the world's frame."""
+
+    velocity: Vector
+    rate: Vector
+
+
+def inertia_in_link(applied: Applied, recorder: Recorder, tree: Tree) -> tuple[int, Articulated]:
+    """(link, M at the link's origin in its frame) of an effect on a body."""
+    link, placed = tree.link_and_body(applied.on)
+    assert applied.effect.body_inertia
+    own = applied.effect.body_inertia(settings(recorder, applied.values, recorder.number(0)))
+    R, t = (recorder.numbers(x) for x in (placed.placement.R, placed.placement.t))
+    place = displacement(R, t)
+    at = recorder.call("product_dv", place, own.point)
+    return link, Articulated(own.matrix).transformed(displacement(R, at))
+
+
+def added_inertias(scene: Scene, recorder: Recorder, tree: Tree) -> dict[int, Articulated]:
+    """The sums of the inertias that effects add to links, where these are not zero."""
+    results: dict[int, Articulated] = {}
+    for applied in scene.effects:
+        if applied.effect.body_inertia:
+            link, own = inertia_in_link(applied, recorder, tree)
+            if own.is_zero:
+                continue
+            results[link] = results[link].plus(own) if link in results else own
+    return results
+
+
+def wrench(motion: Motion, link: int, M: Articulated, stream: Stream | None) -> Wrench:
+    """The wrench that the link's motion takes."""
+    w, v = motion.angular_velocity(link), motion.velocity(link)
+    own = rotation(motion.pose(link))
+    falling = rotated_back(own, motion.gravity)
+    if stream:
+        v = subtract(v, rotated_back(own, stream.velocity))
+        falling = subtract(falling, rotated_back(own, stream.rate))
+    rate = subtract(add(motion.acceleration(link), falling), cross(w, v))
+    return _wrench(M, (*v, *w), (*rate, *motion.angular_acceleration(link)))
+
+
+def power_of_stream(motion: Motion, link: int, M: Articulated, stream: Stream) -> Number:
+    """-V·(the wrench at V' = 0): the power of moving fluid on the link."""
+    w, v = motion.angular_velocity(link), motion.velocity(link)
+    own = rotation(motion.pose(link))
+    u, u_rate = (rotated_back(own, x) for x in (stream.velocity, stream.rate))
+    rate = (*subtract(cross(w, u), u_rate), *motion.zero)
+    needed = _wrench(M, (*subtract(v, u), *w), rate)
+    return -motion.recorder.call("dot_cs", needed, (*v, *w))[0]
+
+
+def _wrench(M: Articulated, twist: Sequence[Number], rate: Sequence[Number]) -> Wrench:
+    """M V' + [ad]*(V) M V."""
+    momentum, needed = M.times(tuple(twist)), M.times(tuple(rate))
+    p, L, v, w = linear(momentum), angular(momentum), linear(twist), angular(twist)
+    return (*add(linear(needed), cross(w, p)),
+            *add(angular(needed), add(cross(w, L), cross(v, p))))
