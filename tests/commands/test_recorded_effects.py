@@ -27,7 +27,7 @@ from coscrew_codegen.scene.scene import Scene
 from coscrew_codegen.simulation.recordings.result import Result
 from tests.support.browser import chromium, resize
 from tests.support.scenes.effect_laws import assert_same
-from tests.support.scenes.effect_scenes import PLACES, effects, mechanism
+from tests.support.scenes.effect_scenes import PLACES, STATEFUL, effects, mechanism
 from tests.support.scenes.evaluation import MULTIPRECISE, Evaluated
 from tests.support.scenes.mechanisms import CATALOGUE, scene
 from tests.support.scenes.scene_values import random_state
@@ -252,15 +252,16 @@ def quantities(f: Evaluated, state: dict) -> list[tuple[Scene, str, mpmath.mpf]]
 
 def test_effects_add_up_to_the_energy_and_power_of_the_scene(everything: Evaluated) -> None:
     """Potential energies to the potential energy, powers of effects that store nothing to the
-    power, except for limits and dampers, which do both."""
+    power, except for limits, dampers and added masses, which do both."""
     with mpmath.workdps(50):
         state = random_state(everything, 3)
         del state["tau"]
         result = quantities(everything, state)
         stored = [x for applied, quantity, x in result
-                  if quantity == "energy" and not applied.effect.joint_inertia]
+                  if quantity == "energy" and not (
+                      applied.effect.joint_inertia or applied.effect.body_inertia)]
         assert_same([everything("energy", **state)[1]], [sum(stored)])
-        both = {"limit", "spring_damper"}
+        both = {"limit", "spring_damper", "added_mass"}  # the last in wind
         plain = Evaluated(replace(everything.scene, effects=tuple(
             x for x in everything.scene.effects if x.effect.name not in both)), MULTIPRECISE)
         lost = [x for applied, quantity, x in result if quantity == "power"
@@ -269,7 +270,8 @@ def test_effects_add_up_to_the_energy_and_power_of_the_scene(everything: Evaluat
 
 
 def test_every_effect_that_acts_has_quantities(everything: Evaluated) -> None:
-    acting = {name for name, x in CATALOGUE.items() if not (x.mimic or x.reaction or x.wind)}
+    acting = {name for name, x in CATALOGUE.items()
+              if not (x.mimic or x.reaction or x.wind or name in STATEFUL)}
     assert {x.effect.name for x in functions_of_effects(everything.scene).values()} == acting
     for name, (_, applied, quantity) in quantities_by_name(everything.scene).items():
         assert name == f"{applied.name}.{quantity}"

@@ -20,6 +20,7 @@ from coscrew_codegen.scene.mechanism.model import Parameter
 from coscrew_codegen.scene.scene import Applied, Scene, Setting
 from tests.support.scenes.effect_scenes import (
     PLACES,
+    STATEFUL,
     all_but,
     assert_listed,
     effects,
@@ -55,6 +56,7 @@ ROW = 4
 LEFT_OUT = [tuple(x for n, x in enumerate(sorted(PLACES)) if place(n) == k)
             for place, count in ((lambda n: n // ROW, -(-len(PLACES) // ROW)),
                                  (lambda n: n % ROW, ROW)) for k in range(count)]
+LEFT_OUT.append(STATEFUL)
 """The rows and the columns of a table of the effects.  Of any two effects, each is left out once
 while the other is present."""
 
@@ -63,7 +65,7 @@ while the other is present."""
 def test_text_is_that_of_a_generator_without_the_effects(generator: Path,
                                                          names: tuple[str, ...]) -> None:
     folder = generator / "coscrew_codegen/scene/effects"
-    texts = {folder / f"{name}.py": (folder / f"{name}.py").read_bytes() for name in names}
+    texts = {file: file.read_bytes() for name in names for file in folder.rglob(f"{name}.py")}
     environment = {**os.environ, "PYTHONPATH": os.pathsep.join((str(generator), str(ROOT)))}
     try:
         for file in texts:

@@ -28,6 +28,7 @@ name = "full"
 base = "fixed"
 precision = "both"
 implausible = "error"
+falling = "warn"
 functions = ["default"]
 tiers = ["plain", "accurate"]
 runtime = ["b.mass"]
@@ -118,6 +119,11 @@ force = [0, 0, "sin(t)"]
 [effects.spring_damper.rope]
 bodies = ["a", "world"]
 k = 3
+[effects.contact.feet]
+bodies = ["a", "d"]
+mu = 0.5
+[effects.ground]
+offset = -1
 [accuracy]
 energy = 1e-3  # by FUNCTION
 [ranges]
@@ -131,12 +137,13 @@ t = { lower = 0, upper = 10 }
 q.one = 0.1
 q.three = [0, 0, 0, 1]
 v.three = [0.1, 0, 0]
+x."contact.feet.d" = [0, 0, 1e-4]
 [outputs]
 record = ["q", "v"]
 every = 0.1
 [run]
 duration = 1
-integrator = "rk4"
+integrator = "leapfrog"
 step = 1e-3
 rtol = 1e-9
 atol = 1e-9
@@ -185,8 +192,8 @@ def places(value: object, path: tuple = ()) -> Iterator[tuple]:
 def tables(value: object, path: tuple = ()) -> Iterator[tuple]:
     """The paths to all tables except those whose keys are names of the scene's own."""
     if isinstance(value, dict):
-        own = ("accuracy", "attach", "frames", "bodies", "joints", "q", "v", "p", "expect",
-               "spring_damper", "viscous", "wrench")
+        own = ("accuracy", "attach", "frames", "bodies", "joints", "q", "v", "x", "p", "expect",
+               "contact", "spring_damper", "viscous", "wrench")
         if not path or path[-1] not in own and path[-2:] != ("viscous", "d"):
             yield path
         for key, inner in value.items():
@@ -253,7 +260,7 @@ def test_effects_have_their_parameters_and_no_others(effect):
     assert effect.name in SCHEMA["definitions"], OUTDATED
     own = SCHEMA["definitions"][effect.name]
     names = {parameter.name for parameter in effect.parameters}
-    extra = {Place.BODY: {"body"}, Place.PAIR: {"bodies"}}.get(
+    extra = {"bodies"} if effect.parts else {Place.BODY: {"body"}, Place.PAIR: {"bodies"}}.get(
         effect.place, {"joints"} if effect.joint_torque else set())
     assert set(own["properties"]) == names | extra and own["additionalProperties"] is False
     for parameter in effect.parameters:

@@ -15,6 +15,7 @@ from coscrew_codegen.dynamics.scene_dynamics import RecordedDynamics
 from coscrew_codegen.program import Constant, Op, Operand, Program
 from coscrew_codegen.program.scene_functions import FunctionProgram, SceneFunctions
 from coscrew_codegen.program.values.quantity import Argument
+from coscrew_codegen.scene.effect_quantities import count_of, states_of
 from coscrew_codegen.scene.functions import functions_of
 from coscrew_codegen.scene.functions.arguments_in_scene import inputs_of
 from coscrew_codegen.scene.functions.parameters import torque_regressor
@@ -77,7 +78,7 @@ class Derivation:
         """The length of an axis."""
         match size:
             case AxisLength.NQ:
-                return self.tree.nq
+                return self.tree.nq + count_of(states_of(self.scene))
             case AxisLength.NV:
                 return self.tree.nv
             case AxisLength.STATE:
@@ -130,10 +131,12 @@ class Derivation:
         """These functions with the scene's data for targets; without steps."""
         scene, tree = self.scene, self.tree
         return SceneFunctions(
-            scene.name, tree.nq, tree.nv, tree.coordinates, tuple(self.bodies),
-            tuple((p.name, float(p.value)) for p in scene.parameters), coordinates.neutral(tree),
+            scene.name, self.size(AxisLength.NQ), tree.nv, tree.coordinates, tuple(self.bodies),
+            tuple((p.name, float(p.value)) for p in scene.parameters), self._neutral,
             tuple(made), (), scene.precisions, scene.timed, tuple(signs(scene).items()),
-            scene.tiers)
+            scene.tiers, states=tuple(x for own in states_of(scene)
+                                      for x in zip(own.columns, own.units, strict=True)),
+            box=scene.ranges.sizes if scene.ranges else ())
 
     def _derived(self, entry: SceneFunction) -> FunctionProgram:
         """The function of its inputs."""
@@ -156,10 +159,16 @@ class Derivation:
         if entry.units_in:
             return entry.units_in(self)
         try:
-            return tuple(unit for x in entry.outputs
-                         for unit in x.units_of(x.sized(self.size), self.kinds))
+            return tuple(unit for x in entry.outputs for unit in self._units_of(x))
         except ValueError as error:
             raise ValueError(f"{entry.name}: {error}") from None
+
+    def _units_of(self, x: Array) -> tuple[str, ...]:
+        """The unit of each component; those of q end with those of effects' states."""
+        if not x.is_coordinates:
+            return x.units_of(x.sized(self.size), self.kinds)
+        own = x.units_of((self.tree.nq,), self.kinds)
+        return *own, *(unit for states in states_of(self.scene) for unit in states.units)
 
     def _recorded(self, entry: SceneFunction, inputs: Sequence[Argument], fine: bool = False
                   ) -> Program:
@@ -208,9 +217,14 @@ class Derivation:
             results[link.heading] += f": {link.joint.in_words}"
         return results
 
+    @property
+    def _neutral(self) -> tuple[float, ...]:
+        """q with joints at the identity and effects' states at zero."""
+        return *coordinates.neutral(self.tree), *[0.0] * count_of(states_of(self.scene))
+
     def _at_rest(self, given: Sequence[Argument]) -> dict[str, tuple[float, ...]]:
         """Inputs by name, at rest: neutral coordinates, default parameters, zero velocities."""
-        neutral = coordinates.neutral(self.tree)
+        neutral = self._neutral
         known = {"q": neutral, "q1": neutral, "h": (self.scene.run.step,),
                  "p": tuple(float(x.value) for x in self.scene.parameters)}
         return {x.name: known.get(x.name, (0.0,) * x.quantity.size) for x in given}

@@ -11,6 +11,7 @@ from coscrew_codegen.dynamics.algorithms.bodies import Rigid, rigids
 from coscrew_codegen.dynamics.algorithms.motion import Motion
 from coscrew_codegen.dynamics.forces.added_inertia import added_inertias
 from coscrew_codegen.dynamics.forces.applied_effects import AppliedEffects, gravity, joint_inertias
+from coscrew_codegen.scene.effect_quantities import places_of
 from coscrew_codegen.scene.mechanism.tree import Tree
 from coscrew_codegen.scene.scene import Scene
 
@@ -26,11 +27,12 @@ class FunctionRecording:
 
     def motion(self, moving: bool = True, accelerating: bool = True, falling: bool = True,
                at: tuple[Sequence[Number], Sequence[Number]] | None = None,
-               a: Sequence[Number] | None = None) -> Motion:
+               a: Sequence[Number] | None = None, carried: bool = False) -> Motion:
         """The motion for the function's inputs, or for `at` = (q, v), or with the accelerations
-        `a`; `falling`: with the scene's gravity."""
+        `a`; `falling`: with the scene's gravity; `carried` as in Motion."""
         down = gravity(self.scene, self.recorder) if falling else None
-        return Motion(self.recorder, self.tree, self.names, down, moving, accelerating, at, a)
+        return Motion(self.recorder, self.tree, self.names, down, moving, accelerating, at, a,
+                      places_of(self.scene), carried)
 
     @property
     def tau(self) -> Sequence[Number]:

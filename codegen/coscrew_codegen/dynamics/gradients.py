@@ -68,9 +68,10 @@ def _gradient(x: FunctionRecording, energy: Energy) -> Vector:
     given: list[Sequence[Number]] = [x.recorder.argument(a.name) for a in program.inputs]
     results = x.recorder.replay(derivatives.adjoint(program), *given, (x.recorder.number(1),))
     first = 1 + sum(a.quantity.size for a in program.inputs[:_place(program.inputs)])
-    slopes = results[first:first + x.tree.nq]
+    rows = coordinates.chart(x.motion())
+    slopes = results[first:first + len(rows)]
     total = [x.recorder.number(0)] * x.tree.nv
-    for slope, row in zip(slopes, coordinates.chart(x.motion()), strict=True):
+    for slope, row in zip(slopes, rows, strict=True):
         total = [y if z is None else y + slope * z for y, z in zip(total, row, strict=True)]
     return total
 

@@ -24,7 +24,7 @@ from coscrew_codegen.program.scene_functions import (
     SceneFunctions,
     Split,
 )
-from coscrew_codegen.scene.function_selection import CLOSED, CONTACTS, FREE, MOVED
+from coscrew_codegen.scene.function_selection import CARRIED, CLOSED, CONTACTS, FREE, MOVED
 from coscrew_codegen.scene.identifiers import identifiers
 from coscrew_codegen.scene.integrator import Composition, Drift, Integrator, Kick, Tableau
 from coscrew_codegen.scene.integrators import EMITTED
@@ -45,6 +45,7 @@ def needs(integrator: Integrator, takes_tau: bool = False) -> tuple[str, ...]:
             return (*(_accelerating(x.by, takes_tau) for x in scheme.stages
                       if isinstance(x, Kick)), MOVED, CLOSED,
                     *(CONTACTS if scheme.splits else ()),
+                    *((CARRIED,) if scheme.moves_states else ()),
                     *(FREE if scheme.keeps_momentum and not takes_tau else ()))
     return ()
 
@@ -176,7 +177,8 @@ class _StepWriter:
             t = "t"
         if function.takes("tau") and not self.takes_tau:
             self.zeros = ("tau",)
-        self._call(by, a, t=t, q=q, v=v)
+        moved = [q] if len(function.program.outputs) > 1 else []  # with the states of effects
+        self._call(by, a, *moved, t=t, q=q, v=v)
 
     # explicit Runge–Kutta methods
 
@@ -237,7 +239,10 @@ class _StepWriter:
         passed = Fraction(0)
         for stage in scheme.stages:
             if isinstance(stage, Drift):
-                self._call(self.means.drift((stage.part,)), "phi", u="v")
+                if scheme.moves_states and self.scene.has(CARRIED):
+                    self._call(CARRIED, "phi", "v")
+                else:
+                    self._call(self.means.drift((stage.part,)), "phi", u="v")
                 self._call(MOVED, "q")
                 passed += stage.part
             else:

@@ -326,7 +326,17 @@ class RecordedDynamics:
     def midpoint_accelerations(self) -> Numbers:
         """a of the default integrator's kick."""
         self._refuse_unless(Depends.EFFECTS)
+        return kicks.kick(self._recording)[0]
+
+    def kicked(self) -> Results:
+        """a of the default integrator's kick, and q with the effects' states at its end."""
+        self._refuse_unless(Depends.EFFECTS)
         return kicks.kick(self._recording)
+
+    def carried(self) -> Results:
+        """phi of h/2, and v after it, with free bases that move straight on."""
+        (h,), v = self.argument("h"), self.argument("v")
+        return coordinates.carried(self.recorder, self._tree, self._recording.names, h, v)
 
     def floating_momenta(self) -> Numbers:
         """(p; L; x) of each floating tree."""

@@ -183,6 +183,7 @@ class SceneInterface:
     signs: tuple[tuple[str, Sign], ...] = ()  # names of the parameters with a sign
     tiers: tuple[str, ...] = ()  # selected besides plain
     mark: str = ""  # of the tier of these functions: their names in C end in it
+    states: tuple[tuple[str, str], ...] = ()  # names and units of effects' states, the end of q
 
 
 @dataclass(frozen=True)
@@ -203,6 +204,7 @@ class SceneFunctions:
     signs: tuple[tuple[str, Sign], ...] = ()  # names of the parameters with a sign
     tiers: tuple[str, ...] = ()  # in which the public functions are emitted, too
     mark: str = ""  # of the tier of these functions: their names in C end in it
+    states: tuple[tuple[str, str], ...] = ()  # names and units of effects' states, the end of q
     box: tuple[tuple[str, tuple[float, ...]], ...] = ()  # stated largest sizes of arguments'
     # components, by argument; infinite where nothing is stated
 

@@ -22,6 +22,7 @@ from coscrew_codegen.runtime.request import BOTH, Request
 from coscrew_codegen.scene.function_selection import CONTACTS, FREE, left_out, together
 from coscrew_codegen.scene.names import listed
 from coscrew_codegen.scene.scene import Scene
+from coscrew_codegen.scene.tier_selection import known, need_ranges
 
 if TYPE_CHECKING:
     from coscrew_codegen.runtime.arrays.namespace import Arrays
@@ -48,16 +49,17 @@ class Kernels:
     library: str = ""  # its key in the cache
     plain: Kernels | None = None  # of a tier's: the scene's own
 
-    def _in_tier(self, name: str) -> Kernels:
+    def _in_tier(self, name: str) -> Kernels | ModuleType:
         """The functions in a tier that the scene selects, compiled on first use."""
         if name.startswith("_"):
             raise AttributeError(name)
         if name in self.interface.tiers:
+            if name in need_ranges():
+                vars(self)[name] = module = scene_library.in_fixed_point(self.functions, name)
+                return module
             with at_callers_line():
                 vars(self)[name] = in_tier = in_tier_of(self, name)
             return in_tier
-        from coscrew_codegen.scene.tier_selection import known
-
         hint = f"; it was not selected: tiers=[{name!r}]" if name in known()[1:] else ""
         raise AttributeError(f"kernels of {self.interface.name} have no attribute {name!r}{hint}",
                              name=name, obj=self)
@@ -71,6 +73,8 @@ class Kernels:
         def pairs(self) -> Kernels: ...
         @property
         def mixed(self) -> Kernels: ...
+        @property
+        def fixed(self) -> ModuleType: ...
     else:
         __getattr__ = _in_tier
 

@@ -15,7 +15,8 @@ from types import ModuleType
 
 from coscrew_codegen.backends import emit
 from coscrew_codegen.program.plugins import holder
-from coscrew_codegen.program.scene_functions import SceneInterface
+from coscrew_codegen.program.scene_functions import SceneFunctions, SceneInterface
+from coscrew_codegen.program.text_module import imported
 from coscrew_codegen.program.values.formats import named
 from coscrew_codegen.runtime import cache, compilation, sources
 from coscrew_codegen.runtime.cache import packed, unpacked
@@ -123,3 +124,16 @@ def in_numpy(request: Request) -> tuple[SceneInterface, Mapping[str, ModuleType]
     inner = (name, request.tier) if request.tier else (name,)
     return text.interface, {p.name: importlib.import_module(".".join((*inner, p.name)))
                             for p in named(text.plain.precisions)}
+
+
+def in_fixed_point(functions: SceneFunctions, tier: str) -> ModuleType:
+    """The functions in fixed point: the module arm/fixed.py of the generated package, in memory.
+    Raises NoFunctionsError."""
+    from coscrew_codegen.accuracy.fixed_scene import in_fixed
+    from coscrew_codegen.accuracy.tiers import tier_named
+    from coscrew_codegen.backends.fixed import scene_python_fixed
+    from coscrew_codegen.backends.scene.scene_text import banner_of
+
+    made = in_fixed(functions, tier_named(tier))
+    ((_, text),) = scene_python_fixed.files(made, banner_of(functions.name)).items()
+    return imported(f"{functions.name}.{tier}", text)

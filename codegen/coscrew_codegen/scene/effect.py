@@ -3,7 +3,7 @@
 An effect's file knows no other effect and no algorithm: it gets the state at its joint or body as
 Numbers, and returns accelerations, forces and inertias.  Slots it leaves None cost nothing."""
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from enum import Enum
 from fractions import Fraction
@@ -13,6 +13,8 @@ from coscrew_codegen.algebra.recording.numbers import Number, Vector
 from coscrew_codegen.program.values.parameter import Sign
 
 K = TypeVar("K")
+Given = Mapping[str, object]
+"""Values of parameters, by name."""
 
 
 @dataclass(frozen=True)
@@ -77,6 +79,7 @@ class ParameterOf:
     optional_of: tuple[str, ...] = ()  # the choices among these with which it may be left out
     positive: bool = False  # refused if zero or below
     nonnegative: bool = False
+    rate_of: str = ""  # the parameter whose rate is its default, where that is a trajectory
     needs: str = ""  # the parameter without which it may not be given
     example: str = "1"  # in TOML, for messages that propose the effect
 
@@ -88,18 +91,28 @@ class ParameterOf:
 
 
 @dataclass(frozen=True)
+class StateOf:
+    """A number x that an effect carries from step to step, from 0 at the start."""
+
+    name: str
+    unit: str  # on a joint that turns; its metres stand behind "or", as those of parameters
+    words: str
+
+
+@dataclass(frozen=True)
 class CoordinateState:
     """State of the coordinate along which a torque or force acts: a joint's, a weighted sum of
     several, or the distance between two points.  Of an effect along each velocity of a joint with
     several, q is the coordinate that has the velocity for its rate, or the deviation from rest.
 
     Its value q in rad or m, its rate v = q', the time t in s; for effects that compensate gravity
-    also the torque that holds the joint against it."""
+    also the torque that holds the joint against it; for effects with states these, x."""
 
     q: Number
     v: Number
     t: Number
     holding: Number | None = None
+    x: Vector = ()
 
 
 class BodyState(Protocol):
@@ -108,6 +121,10 @@ class BodyState(Protocol):
     Points and vectors are in the body's frame unless a name says `world`."""
 
     t: Number
+
+    @property
+    def x(self) -> Vector:
+        """The effect's states."""
 
     @property
     def mass(self) -> Number:
@@ -144,6 +161,10 @@ class BodyState(Protocol):
     def velocity_in_fluid(self, point: Vector) -> Vector:
         """The velocity of a point of the body less that of the fluid around it."""
 
+    def above_ground(self, position: Vector) -> tuple[Number, Vector]:
+        """The distance of a position from the ground, and the ground's normal there, both in the
+        world's frame."""
+
 
 @dataclass(frozen=True)
 class Contact:
@@ -151,6 +172,25 @@ class Contact:
 
     k: Number
     depth: Number  # δ, zero where it is open
+
+
+@dataclass(frozen=True)
+class BodyContact:
+    """Contact of a body by Hertz's law: steps are split while it bounces."""
+
+    k: Number
+    gap: Number  # below zero where it is closed
+    rise: Number  # the gap's rate
+    resting: Number  # the depth under its load: less than twice that deep it rests
+
+
+@dataclass(frozen=True)
+class Resting:
+    """The load on each contact of a body at rest, in N, and free fall's acceleration; 0 without
+    gravity."""
+
+    load: Fraction
+    g: Fraction
 
 
 @dataclass(frozen=True)
@@ -164,7 +204,10 @@ class Torque:
 
     Implicit steps take -∂torque/∂v and -∂torque/∂q from the torque itself
     (`dynamics/forces/linearization.py` says how they are bounded). `damping`, `stiffness`: these,
-    at least 0, from an effect that has a shorter form of them."""
+    at least 0, from an effect that has a shorter form of them.
+
+    `rates` are x' of the effect's states, `kept` the states within their bounds at this motion: a
+    step moves x by its rates, and then puts it there."""
 
     torque: Number | None = None
     limit: Number | None = None
@@ -174,6 +217,8 @@ class Torque:
     contact: Contact | None = None
     damping: Number | None = None
     stiffness: Number | None = None
+    rates: Vector = ()
+    kept: Vector = ()
     ahead: bool = False  # implicit steps take its damping also from the middle of the step, where
     # that is larger: it starts at once, at some speed
 
@@ -205,7 +250,7 @@ class Force:
     Such an energy may depend on the body's pose and on time, not on its motion.
 
     `slopes` are -∂force/∂ of the point's velocity and position: implicit steps take them in as
-    inertias at the point."""
+    inertias at the point.  `rates` and `kept` as in Torque."""
 
     point: Vector | None = None
     force: Vector | None = None
@@ -213,6 +258,9 @@ class Force:
     energy: Number | None = None
     power: Number | None = None
     slopes: Slopes | PointSlopes | None = None  # Slopes: the same in all directions
+    contact: BodyContact | None = None
+    rates: Vector = ()
+    kept: Vector = ()
 
 
 @dataclass(frozen=True)
@@ -253,11 +301,19 @@ class Effect:
     # joint in; the first must not exceed the second
     gravity: Callable[[Values], Vector] | None = None  # in the world's frame
     wind: Callable[[Values], Vector] | None = None  # the fluid's velocity, in the world's frame
+    ground: Callable[[Values, Vector], tuple[Number, Vector]] | None = None  # of a position: its
+    # distance from the ground, and the ground's normal there, in the world's frame
     joint_torque: Callable[[CoordinateState, Values], Torque] | None = None
     joint_inertia: Callable[[Values], Number] | None = None
     body_force: Callable[[BodyState, Values], Force] | None = None
     body_inertia: Callable[[Values], BodyInertia] | None = None  # of the fluid around a body
     pair_force: Callable[[CoordinateState, Values], Torque] | None = None  # between its POINTS
+    states: tuple[StateOf, ...] = ()  # with rates and kept among the results of its law
+    chosen_by: str = "kind"  # the choice that decides which parameters it has
+    parts: Callable[[Given], Sequence[Given]] | None = None  # of its values: those of each of the
+    # parts of a body on which it acts; its tables have labels
+    completed: Callable[[Given, Resting], Given] | None = None  # its values, with defaults that
+    # depend on the scene; raises ValueError for what is missing
     each: bool = False  # on a joint with several velocities, it acts along each of them
     rest: str = ""  # the parameter with the coordinates at which such a joint is at rest; without
     # one, an effect along each velocity does not depend on q

@@ -1,4 +1,5 @@
-"""Quantities of a scene's effects, each where it acts, and the functions that compute them.
+"""Quantities and states of a scene's effects, each where it acts, and the functions that compute
+them.
 
     EFFECT.JOINT.torque       what it exerts on the joint's coordinate, after it is limited; on a
                               joint with several velocities a number for each
@@ -14,9 +15,11 @@ name.
 """
 
 from collections.abc import Mapping, Set
+from dataclasses import dataclass
 
 from coscrew_codegen.scene.effect import Place
 from coscrew_codegen.scene.identifiers import identifiers
+from coscrew_codegen.scene.integrators import INTEGRATOR_NAMED
 from coscrew_codegen.scene.mechanism.joint_kind import JointKind
 from coscrew_codegen.scene.scene import Applied, Scene
 
@@ -101,3 +104,54 @@ def _reason(applied: Applied, quantity: str) -> str:
     if applied.effect.place is Place.PAIR:
         return "acts between two bodies, by a force along the line of their points"
     return f"has no {quantity}"
+
+
+@dataclass(frozen=True)
+class EffectStates:
+    """The states x of an effect where it is applied: they stand in q behind the coordinates of
+    joints, in the order of the scene's effects."""
+
+    name: str  # of the effect: stiction.elbow
+    components: tuple[str, ...]
+    units: tuple[str, ...]
+    places: range  # in x
+
+    @property
+    def columns(self) -> tuple[str, ...]:
+        """Their names in recordings: x.stiction.elbow, x.contact.foot.0."""
+        own = f"x.{self.name}"
+        return (own,) if len(self.units) == 1 else tuple(
+            f"{own}.{i}" for i in range(len(self.units)))
+
+
+def states_of(scene: Scene) -> tuple[EffectStates, ...]:
+    """The states of a scene's effects."""
+    kinds = {x.name: x.kind for x in scene.model.joints}
+    results: list[EffectStates] = []
+    for applied in scene.effects:
+        if own := applied.effect.states:
+            first = count_of(results)
+            lengths = "N" in acted_units(applied, kinds)
+            units = tuple(x.unit.split(" or ")[-1 if lengths else 0] for x in own)
+            results.append(EffectStates(applied.name, tuple(x.name for x in own), units,
+                                        range(first, first + len(own))))
+    return tuple(results)
+
+
+def count_of(states: list[EffectStates] | tuple[EffectStates, ...]) -> int:
+    """The number of states."""
+    return states[-1].places.stop if states else 0
+
+
+def places_of(scene: Scene) -> Mapping[str, range]:
+    """The places in x of each effect's states, by the effect's name."""
+    return {x.name: x.places for x in states_of(scene)}
+
+
+def why_not_moved(scene: Scene, integrator: str) -> str:
+    """Says why the integrator cannot move the scene's states; "" if it can, or there are none."""
+    states = states_of(scene)
+    if not states or INTEGRATOR_NAMED[integrator].moves_states:
+        return ""
+    able = " or ".join(x.name for x in INTEGRATOR_NAMED.values() if x.moves_states)
+    return f"{integrator} does not move the states of effects, as {states[0].name}; wanted {able}"

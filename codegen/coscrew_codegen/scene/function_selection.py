@@ -10,6 +10,7 @@ from coscrew_codegen.program.reported_error import ReportedError
 from coscrew_codegen.scene.functions import derivatives_of, functions_of
 from coscrew_codegen.scene.functions.loops import closure, with_closed_loops
 from coscrew_codegen.scene.functions.steps import (
+    carried_half_drift,
     closing_contacts,
     free_momentum,
     integrated,
@@ -30,6 +31,8 @@ FREE = (free_momentum.FUNCTION.name, with_free_momentum.FUNCTION.name)
 """Functions by which steps keep the momenta of floating bases."""
 CONTACTS = (closing_contacts.FUNCTION.name, step_parts.FUNCTION.name)
 """Functions by which steps resolve contacts of limits."""
+CARRIED = carried_half_drift.FUNCTION.name
+"""The function by which steps move free bases that touch the ground."""
 CLOSURE, CLOSED = LOOPS = (closure.FUNCTION.name, with_closed_loops.FUNCTION.name)
 """The closures of loops, and the function by which steps keep loops closed."""
 MOVED = integrated.FUNCTION.name

@@ -2,11 +2,12 @@
 
 from collections.abc import Sequence
 
-from coscrew_codegen.scene.effect_quantities import quantities_by_name
+from coscrew_codegen.scene.effect_quantities import quantities_by_name, states_of
 from coscrew_codegen.scene.functions import QUANTITIES
 from coscrew_codegen.scene.names import did_you_mean
 from coscrew_codegen.scene.patterns import is_pattern, matching
 from coscrew_codegen.scene.recorded_quantities import (
+    STATES,
     XYZ,
     QuantityError,
     coordinates,
@@ -27,6 +28,7 @@ def recordable(scene: Scene) -> tuple[str, ...]:
     own = [joint.name for joint, _, _ in coordinates(scene)]
     return (*(name for name, (_, x) in QUANTITIES.items() if x.of is Of.SCENE),
             *(f"{quantity}.{joint}" for quantity in UNITS for joint in own),
+            *(f"{STATES}.{x.name}" for x in states_of(scene)),
             *(f"{name}.{target}" for name, (function, x) in QUANTITIES.items()
               for target in targets(function, x, scene)),
             *quantities_by_name(scene))

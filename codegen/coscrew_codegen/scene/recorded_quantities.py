@@ -1,6 +1,7 @@
 """Quantities of a simulation, and their names in `record` and `expect`.
 
     q, v, a                   of all joints;  q.JOINT of one,  q.JOINT.2 one component
+    x                         of all effects with states;  x.EFFECT.WHERE of one
     QUANTITY                  of the whole scene, as a function's file says: energy, momentum
     QUANTITY.BODY             of a body: pose.BODY, position.BODY, twist.BODY
     QUANTITY.JOINT            of a joint: reaction.JOINT
@@ -13,7 +14,7 @@ position.BODY.0.
 from collections.abc import Iterable
 from dataclasses import dataclass
 
-from coscrew_codegen.scene.effect_quantities import lacks, quantities_by_name, units_of
+from coscrew_codegen.scene.effect_quantities import lacks, quantities_by_name, states_of, units_of
 from coscrew_codegen.scene.functions import QUANTITIES as OF_FUNCTIONS
 from coscrew_codegen.scene.mechanism.mimics import followers
 from coscrew_codegen.scene.mechanism.model import Joint
@@ -24,7 +25,9 @@ from coscrew_codegen.scene.units import UNITS
 
 XYZ = ("x", "y", "z")
 """Alternative names of the components 0, 1 and 2 of vectors of three."""
-QUANTITIES = (*UNITS, *OF_FUNCTIONS)
+STATES = "x"
+"""The quantity of effects' states."""
+QUANTITIES = (*UNITS, STATES, *OF_FUNCTIONS)
 _ACCELERATIONS = "forward_dynamics"
 """The function that computes the accelerations for recordings and for other functions."""
 
@@ -58,6 +61,8 @@ class Recorded:
 def recorded(text: str, scene: Scene) -> Recorded:
     """The quantity with a name such as "q.elbow".  Raises QuantityError with the nearest name."""
     quantity, _, rest = text.partition(".")
+    if quantity == STATES:
+        return _of_states(text, rest, scene)
     if quantity in UNITS:
         return _of_joints(text, quantity, rest, scene)
     if quantity in OF_FUNCTIONS:
@@ -120,6 +125,21 @@ def _of_joints(text: str, quantity: str, rest: str, scene: Scene) -> Recorded:
     function = _ACCELERATIONS if quantity == "a" else ""
     return Recorded(text, quantity, target, tuple(places), tuple(columns), tuple(units), function,
                     tuple((i,) for i in places))
+
+
+def _of_states(text: str, rest: str, scene: Scene) -> Recorded:
+    """Components of x: of all effects, of one, or a single one."""
+    states = states_of(scene)
+    if not states:
+        raise QuantityError(f"{text!r}: no effect of the scene has states; wanted q or v")
+    target, index = ("", "") if text == STATES else _target(
+        text, rest, "effect", tuple(x.name for x in states))
+    first = coordinates(scene)[-1][1].stop
+    own = [x for x in states if target in ("", x.name)]
+    picked = [(x, i) for x in own for i in _picked(text, index, len(x.units), ())]
+    places = tuple(first + x.places[i] for x, i in picked)
+    return Recorded(text, STATES, target, places, tuple(x.columns[i] for x, i in picked),
+                    tuple(x.units[i] for x, i in picked), "", tuple((i,) for i in places))
 
 
 def targets(function: SceneFunction, kind: SceneQuantity, scene: Scene) -> tuple[str, ...]:

@@ -169,6 +169,12 @@ class Dynamics(Protocol):
     def midpoint_accelerations(self) -> Numbers:
         """a of the default integrator's kick."""
 
+    def kicked(self) -> Results:
+        """These, and q with the states of effects at the end of the kick."""
+
+    def carried(self) -> Results:
+        """phi of h/2, and v after it, with free bases that move straight on."""
+
     def floating_momenta(self) -> Numbers:
         """(p; L; x) of each floating tree."""
 

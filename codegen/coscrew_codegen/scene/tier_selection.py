@@ -24,6 +24,13 @@ def on_request() -> tuple[str, ...]:
     return tuple(tier.name for tier in OF_SCENES if tier.on_request)
 
 
+def need_ranges() -> tuple[str, ...]:
+    """Returns the tiers that need the stated ranges of arguments."""
+    from coscrew_codegen.accuracy.tiers import OF_SCENES
+
+    return tuple(tier.name for tier in OF_SCENES if tier.fixed)
+
+
 def selected(words: Sequence[str]) -> tuple[str, ...]:
     """The tiers of these names besides plain, which every scene has; the cheapest first.  Raises
     TiersError."""

@@ -6,6 +6,7 @@ from numbers import Real
 
 import numpy as np
 
+from coscrew_codegen.scene.effect_quantities import why_not_moved
 from coscrew_codegen.scene.integrators import ADAPTIVE, INTEGRATOR_NAMED, NAMES
 from coscrew_codegen.scene.names import or_mean
 from coscrew_codegen.simulation import SimulateError
@@ -107,6 +108,8 @@ def plan(system: System, until: float | None = None, step: float | None = None,
                                                        ("every", every, system.scene.every)))
     made = Plan(until, every, known(run.integrator if integrator is None else integrator), step,
                 *tolerances(system), also, begin=begin)
+    if problem := why_not_moved(system.scene, made.integrator):
+        raise SimulateError(f"integrator {problem}")
     called = INTEGRATOR_NAMED[made.integrator].step_name
     if called and not system.has(called):
         raise SimulateError(f"integrator {made.integrator}: {called} is not among the selected "

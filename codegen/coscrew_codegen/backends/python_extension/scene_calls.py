@@ -32,7 +32,7 @@ def interface(scene: SceneFunctions) -> SceneInterface:
     """The interface of the scene for its callers."""
     return SceneInterface(scene.name, scene.nq, scene.nv, scene.coordinates, scene.bodies,
                       scene.parameters, scene.neutral, scene.precisions, scene.timed,
-                      callables(scene), scene.signs, scene.tiers, scene.mark)
+                      callables(scene), scene.signs, scene.tiers, scene.mark, scene.states)
 
 
 def tier_interface(made: SceneTier) -> SceneInterface:

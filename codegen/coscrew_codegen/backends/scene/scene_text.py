@@ -45,7 +45,8 @@ or or_eq private protected public reinterpret_cast requires static_assert static
 thread_local throw true try typeid typename using virtual wchar_t xor xor_eq linux unix"""
 _CALLED = """fabs sqrt sin cos atan2 exp tanh fma fabsf sqrtf sinf cosf atan2f expf tanhf fmaf
 memcpy NAN absolute arctan2 where nan float32 float64 np errstate array zeros_like ones_like
-lead out SIGNS arrays assembled components delivered merged rounds spread"""
+lead out high_product rounded_shift sincos SIGNS arrays assembled components delivered merged
+rounds spread"""
 RESERVED = frozenset((*_C.split(), *_CPP.split(), *_CALLED.split(), *keyword.kwlist))
 """Names that no instruction may have: keywords of C, C++ and Python, and called functions."""
 
@@ -197,8 +198,17 @@ def order_in_words(scene: SceneFunctions) -> list[str]:
     parameters = ", ".join(f"{n} {printable(name)} = {value!r}{rules.get(name, '')}"
                            for n, (name, value) in enumerate(scene.parameters))
     return ["Coordinates q and velocities v, joint by joint:", *table, *kinds,
+            *_states_in_words(scene),
             *([f"Bodies, in the order of body_poses: {bodies}."] if bodies else []),
             *([f"Parameters p: {parameters}."] if parameters else [])]
+
+
+def _states_in_words(scene: SceneFunctions) -> list[str]:
+    """The end of q: states of effects, with their units."""
+    first = scene.nq - len(scene.states)
+    listed = ", ".join(f"q {first + n} {printable(name)} in {unit}"
+                       for n, (name, unit) in enumerate(scene.states))
+    return [f"States of effects, at the end of q: {listed}."] if listed else []
 
 
 def _places(name: str, places: range) -> str:

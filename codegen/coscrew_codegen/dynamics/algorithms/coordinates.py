@@ -2,10 +2,17 @@
 
 from collections.abc import Sequence
 
-from coscrew_codegen.algebra.recording.numbers import Number, add, scaled, subtract
+from coscrew_codegen.algebra.recording.numbers import (
+    Number,
+    add,
+    rotated,
+    rotated_back,
+    scaled,
+    subtract,
+)
 from coscrew_codegen.algebra.recording.recorder import Recorder
 from coscrew_codegen.dynamics.algorithms.motion import Motion
-from coscrew_codegen.scene.mechanism.tree import Tree
+from coscrew_codegen.scene.mechanism.tree import Link, Tree
 
 
 def neutral(tree: Tree) -> tuple[float, ...]:
@@ -15,7 +22,7 @@ def neutral(tree: Tree) -> tuple[float, ...]:
 
 def integrated(recorder: Recorder, tree: Tree, names: Sequence[str], q: Sequence[Number],
                phi: Sequence[Number]) -> list[Number]:
-    """q ⊕ phi: q + phi, or as the joint's kind says."""
+    """q ⊕ phi: q + phi, or as the joint's kind says; effects' states behind q stay."""
     results: list[Number] = []
     for name, link in zip(names, tree.links, strict=True):
         if link.driver:
@@ -24,7 +31,34 @@ def integrated(recorder: Recorder, tree: Tree, names: Sequence[str], q: Sequence
             own, step = q[link.q.start:link.q.stop], phi[link.v.start:link.v.stop]
             manifold = link.joint.kind.manifold
             results += manifold.integrated(own, step) if manifold else add(own, step)
-    return results
+    return [*results, *q[tree.nq:]]
+
+
+def carried(recorder: Recorder, tree: Tree, names: Sequence[str], h: Number, v: Sequence[Number]
+            ) -> tuple[list[Number], list[Number]]:
+    """phi of h/2 and v after it.  Of a free base, whose v = (R^T x'; ω), x' stays the same: phi is
+    (J_l(h/2 ω)⁻¹ h/2 R^T x'; h/2 ω), and v becomes (Exp(-h/2 ω) R^T x'; ω)."""
+    displacements: list[Number] = []
+    speeds: list[Number] = []
+    for name, link in zip(names, tree.links, strict=True):
+        if link.driver:
+            continue
+        with recorder.part(name, "phi", link.heading):
+            own = tuple(v[link.v.start:link.v.stop])
+            moved = scaled(h / 2, own)
+            if carries(link):
+                turned, call = moved[3:], recorder.call
+                J = call("SO3_leftJacobianInverse", turned)
+                moved = (*rotated(J, moved[:3]), *turned)
+                own = (*rotated_back(call("SO3_exp", turned), own[:3]), *own[3:])
+            displacements += moved
+            speeds += own
+    return displacements, speeds
+
+
+def carries(link: Link) -> bool:
+    """Returns whether it is a free base."""
+    return link.parent < 0 and link.joint.kind.floats
 
 
 def difference(recorder: Recorder, tree: Tree, names: Sequence[str], q1: Sequence[Number],
@@ -56,7 +90,7 @@ def velocities(recorder: Recorder, tree: Tree, names: Sequence[str], q: Sequence
 
 
 def rates(motion: Motion, v: Sequence[Number]) -> list[Number]:
-    """q' at these velocities."""
+    """q' at these velocities, with the states of effects held."""
     results: list[Number] = []
     for number, link in enumerate(motion.tree.links):
         if link.driver:
@@ -64,12 +98,12 @@ def rates(motion: Motion, v: Sequence[Number]) -> list[Number]:
         own, manifold = v[link.v.start:link.v.stop], link.joint.kind.manifold
         state = motion.state(number)
         results += manifold.rates(state, state.q, own) if manifold else own
-    return results
+    return [*results, *(motion.zero[0] for _ in motion.x)]
 
 
 def chart(motion: Motion) -> list[list[Number | None]]:
     """∂(q ⊕ φ)/∂φ at φ = 0, row by row: how each coordinate moves with each velocity; None where it
-    does not, whatever q is."""
+    does not, whatever q is, as the states of effects behind them."""
     rows: list[list[Number | None]] = []
     for number, link in enumerate(motion.tree.links):
         if link.driver:
@@ -83,7 +117,8 @@ def chart(motion: Motion) -> list[list[Number | None]]:
             row: list[Number | None] = [None] * motion.tree.nv
             row[link.v.start:link.v.stop] = [None if x.is_zero else x for x in own]
             rows.append(row)
-    return rows
+    held: list[Number | None] = [None] * motion.tree.nv
+    return [*rows, *(list(held) for _ in motion.x)]
 
 
 def chart_rate(recorder: Recorder, tree: Tree, names: Sequence[str]) -> list[Number]:

@@ -31,6 +31,7 @@ from coscrew_codegen.dynamics.forces.applied_effects import (
     joint_inertias,
 )
 from coscrew_codegen.dynamics.function_recording import FunctionRecording
+from coscrew_codegen.scene.effect_quantities import count_of, places_of, states_of
 from coscrew_codegen.scene.mechanism.tree import Tree
 from coscrew_codegen.scene.scene import Applied, Scene
 
@@ -68,9 +69,10 @@ def _idle(scene: Scene, tree: Tree, applied: Applied) -> bool:
     """Returns whether the numbers of an effect make its forces and its inertia zero in every state.
     """
     recorder = Recorder([array("t", ()), array("p", (len(scene.parameters),)),
-                         array("q", (tree.nq,)), array("v", (tree.nv,))])
+                         array("q", (tree.nq + count_of(states_of(scene)),)),
+                         array("v", (tree.nv,))])
     motion = Motion(recorder, tree, [f"link{n}" for n in range(len(tree.links))],
-                    gravity(scene, recorder))
+                    gravity(scene, recorder), states=places_of(scene))
     only = alone(scene, applied)
     acting = AppliedEffects(only, motion).act()
     numbers = [*(x for link in acting.forces for x in acting.force(link)),

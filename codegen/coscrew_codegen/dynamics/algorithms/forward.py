@@ -30,8 +30,9 @@ from coscrew_codegen.dynamics.forces.applied_effects import AppliedEffects, Appl
 from coscrew_codegen.dynamics.forces.linearization import JointEffect
 from coscrew_codegen.scene.effect import Slopes, required
 
-Weights = Callable[[Number, Number, Number], tuple[Number, Number]]
-"""(damping, stiffness, damping over the inertia that it acts on, in 1/s) -> (m, c)."""
+Weights = Callable[..., tuple[Number, Number]]
+"""(damping, stiffness, damping over the inertia that it acts on, in 1/s, and for forces on bodies
+also stiffness over it, in 1/s²) -> (m, c)."""
 
 _LEAST = Fraction(1, 10**30)
 """kg: used instead of a mass of zero."""
@@ -223,8 +224,8 @@ def _resisted(motion: Motion, acting: AppliedEffects, rigids: Sequence[Rigid], w
 
 def _represented(slopes: Slopes, body: Rigid, weights: Weights) -> tuple[Number, Number]:
     """(m, c) for the slopes of a force on a point of a body."""
-    rate = slopes.damping / maximum(body.m, _LEAST)
-    return weights(slopes.damping, slopes.stiffness, rate)
+    m = maximum(body.m, _LEAST)
+    return weights(slopes.damping, slopes.stiffness, slopes.damping / m, slopes.stiffness / m)
 
 
 def _about(motion: Motion, wrenches: Sequence[Wrench], acting: AppliedEffects,

@@ -11,6 +11,9 @@ are implicit in the damping d and stiffness k of the effects, taken at v0: with 
 -(θ - ½) h k v0 to the torques.  So a damped velocity shrinks by 1/(1 + z + z²/2) for any z, and
 undamped springs keep ½ v·M v + ½ q·K q.  Of second order.  The rows of closed loops reflect v,
 E (v0 + v1) = 0, in a third pass.
+
+States of effects, the end of q, move at q_m: x_m = x0 + h/2 x'(v0) before the kick, whose forces
+are those at x_m, then x1 = x_m + h/2 x'(v1), put within their bounds.
 """
 
 from collections.abc import Iterator, Sequence
@@ -21,6 +24,7 @@ from fractions import Fraction
 from coscrew_codegen.algebra.recording.numbers import Number, add, less, scaled, sqrt, where
 from coscrew_codegen.dynamics.algorithms import forward
 from coscrew_codegen.dynamics.algorithms.motion import Motion
+from coscrew_codegen.dynamics.algorithms.touching import Touching, touching
 from coscrew_codegen.dynamics.forces.acted_coordinates import SUM, acted_coordinates, weights_of
 from coscrew_codegen.dynamics.forces.applied_effects import AppliedEffects
 from coscrew_codegen.dynamics.forces.effect_parameters import settings
@@ -28,6 +32,7 @@ from coscrew_codegen.dynamics.function_recording import FunctionRecording
 from coscrew_codegen.dynamics.loops.demands import reflection
 from coscrew_codegen.program import NotANumber
 from coscrew_codegen.scene.effect import Contact, CoordinateState, required
+from coscrew_codegen.scene.functions.steps.carried_half_drift import carries
 from coscrew_codegen.scene.functions.steps.step_parts import MOST
 from coscrew_codegen.scene.identifiers import identifiers
 from coscrew_codegen.scene.scene import Applied, WeightedCoordinate
@@ -40,16 +45,19 @@ error of s²/24 ∫ v² d³V/dq³ dq = 5/72 (ω s)², relative to the bounce's: 
 
 
 def weights(h: Number) -> forward.Weights:
-    """(inertia, torque per velocity) that represent a damping d and a stiffness k in a step h."""
-    def represented(d: Number, k: Number, rate: Number) -> tuple[Number, Number]:
-        beyond = _beyond(h, rate)
+    """(inertia, torque per velocity) that represent a damping d and a stiffness k in a step h.
+
+    Of forces on bodies, z also has h² k/inertia: stiff contacts are damped instead of thrown."""
+    def represented(d: Number, k: Number, rate: Number, stiffening: Number | int = 0
+                    ) -> tuple[Number, Number]:
+        beyond = _beyond(h, rate + h * stiffening)
         return (beyond + Fraction(1, 2)) * (h * (d + h * k / 2)), beyond * (h * k)
     return represented
 
 
 def end_weights(h: Number) -> forward.Weights:
     """(inertia, torque per velocity) for forces at the end of a step h."""
-    return lambda d, k, _: ((d + k * h) * h, k * h)
+    return lambda d, k, *_: ((d + k * h) * h, k * h)
 
 
 def _beyond(h: Number, rate: Number) -> Number:
@@ -57,23 +65,44 @@ def _beyond(h: Number, rate: Number) -> Number:
     return Fraction(1, 2) - 1 / (2 + h * rate)
 
 
-def kick(x: FunctionRecording) -> list[Number]:
-    """a of the kick at q, over a step of h."""
+def kick(x: FunctionRecording) -> tuple[list[Number], list[Number]]:
+    """a of the kick at q, over a step of h, and q with effects' states at its end."""
     recorder = x.recorder
     h, = recorder.argument("h")
-    q, v = recorder.argument("q"), recorder.argument("v")
-    first = x.motion(at=(q, v))
+    v = recorder.argument("v")
+    q, carried = _drifted(x, recorder.argument("q"), v), carries(x.scene)
+    first = x.motion(at=(q, v), carried=carried)
     start = AppliedEffects(x.scene, first).act()
     kicked = forward.implicit(first, start, x.rigids, x.inertias, weights(h), x.tau)
     a, demand, later = kicked.a, reflection(x, first, h), delays(x, h, kicked.rates)
     for _ in range(2 if demand else 1):
         a = demand.met(a, kicked.inverse).a if demand else a
-        again = x.motion(at=(q, _sum(v, scaled(h / 2, a))))
+        again = x.motion(at=(q, _sum(v, scaled(h / 2, a))), carried=carried)
         acting = AppliedEffects(x.scene, again, later).act()
         slopes = start.with_later(acting)
         kicked = forward.implicit(again, acting, x.rigids, x.inertias, weights(h), x.tau, slopes)
         a = kicked.a
-    return demand.met(a, kicked.inverse).a if demand else a
+    a = demand.met(a, kicked.inverse).a if demand else a
+    return a, _kept(x, q, _sum(v, scaled(h, a)))
+
+
+def _drifted(x: FunctionRecording, q: Sequence[Number], v: Sequence[Number]) -> list[Number]:
+    """q with the effects' states moved by h/2 x'."""
+    nq, (h,) = x.tree.nq, x.recorder.argument("h")
+    if len(q) == nq:
+        return list(q)
+    rates = AppliedEffects(x.scene, x.motion(at=(q, v))).act().rates
+    with x.recorder.part("x", heading="states of effects"):
+        return [*q[:nq], *add(tuple(q[nq:]), scaled(h / 2, rates))]
+
+
+def _kept(x: FunctionRecording, q: Sequence[Number], v: Sequence[Number]) -> list[Number]:
+    """q with the effects' states moved by h/2 x' and put within their bounds."""
+    if len(q) == x.tree.nq:
+        return list(q)
+    moved = _drifted(x, q, v)
+    kept = AppliedEffects(x.scene, x.motion(at=(moved, v))).act().kept
+    return [*q[:x.tree.nq], *kept]
 
 
 def delays(x: FunctionRecording, h: Number, rates: Sequence[Number]) -> dict[int, Number]:
@@ -88,9 +117,11 @@ def delays(x: FunctionRecording, h: Number, rates: Sequence[Number]) -> dict[int
 
 
 def closing(x: FunctionRecording) -> Number:
-    """The number of joints' contacts that are closed now or will be after h at the velocity v."""
+    """The number of contacts, of joints and bodies, that are closed now or will be after h at the
+    velocity v."""
     count = x.recorder.number(0)
-    for contact in _contacts(x):
+    every: list[_Closing | Touching] = [*_contacts(x), *touching(x)]
+    for contact in every:
         with contact.part():
             count = count + where(less(count.like(0), contact.depths), 1, 0)
     return count
@@ -114,6 +145,10 @@ def split(x: FunctionRecording) -> tuple[Number, Number]:
             rate = h * h * before.k * mobility * number * Fraction(3 * FINE**2, 2)
             fifth = _power(rate, 2) * sqrt(rate * deepest)
             fifth = where(less(fifth.like(0), contact.depths), fifth, 0)
+            worst = where(less(worst, fifth), fifth, worst)
+    for body in touching(x):
+        with body.part():
+            fifth = where(less(number.like(0), body.depths), body.fifth_power(number), 0)
             worst = where(less(worst, fifth), fifth, worst)
     with recorder.part("parts", heading="parts of the step"):
         parts, n = recorder.number(1), 1
@@ -164,10 +199,11 @@ def _contacts(x: FunctionRecording) -> Iterator[_Closing]:
             law, at = applied.effect.joint_torque, acted_coordinates(motion, applied)[0]
             with _part(x, applied, at.link):
                 values = settings(x.recorder, at.values, zero)
-                before = law(CoordinateState(at.q, at.v, zero), values).contact
+                own = motion.states(applied.name)
+                before = law(CoordinateState(at.q, at.v, zero, x=own), values).contact
                 if before:
                     h, = x.recorder.argument("h")
-                    after = law(CoordinateState(at.q + h * at.v, at.v, zero), values)
+                    after = law(CoordinateState(at.q + h * at.v, at.v, zero, x=own), values)
                     yield _Closing(x, applied, at.link, at.v, before, required(after.contact))
 
 

@@ -4,7 +4,7 @@ All vectors of a link are in its own frame.  Accelerations are those of points (
 that linear velocities are needed only for prismatic and free joints, and for effects that use them.
 """
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from contextlib import AbstractContextManager
 from functools import wraps
 
@@ -56,12 +56,15 @@ _OfLink = Callable[["Motion", int], Numbers]
 
 class Motion:
     """The motion of all links for the function's q, v, a; v is zero unless `moving`, a unless
-    `accelerating`; `at` = (q, v) replaces the function's, `a` its accelerations."""
+    `accelerating`; `at` = (q, v) replaces the function's, `a` its accelerations; `states` are the
+    places of effects' states behind the coordinates in q, by the effects' names.  `carried`: the
+    acceleration of a free base is that of its origin, in its axes, instead of the rate of its v."""
 
     def __init__(self, recorder: Recorder, tree: Tree, names: Sequence[str],
                  gravity: Vector | None = None, moving: bool = True, accelerating: bool = True,
                  at: tuple[Sequence[Number], Sequence[Number]] | None = None,
-                 a: Sequence[Number] | None = None):
+                 a: Sequence[Number] | None = None, states: Mapping[str, range] | None = None,
+                 carried: bool = False):
         self.recorder, self.tree, self.names = recorder, tree, names
         self._known: dict[str, dict[int, Numbers]] = {}
         self._subspaces: dict[int, tuple[Twist, ...]] = {}
@@ -77,11 +80,22 @@ class Motion:
         self._a = a or (
             recorder.argument("a") if accelerating and recorder.has("a") else still)
         self.still = not (moving and recorder.has("v"))
+        self._states, self._carried = states or {}, carried
+
+    @property
+    def x(self) -> tuple[Number, ...]:
+        """The states of effects, behind the coordinates in q."""
+        return tuple(self._q[self.tree.nq:])
+
+    def states(self, effect: str) -> tuple[Number, ...]:
+        """The states x of the effect of this name."""
+        return tuple(self.x[place] for place in self._states.get(effect, ()))
 
     def at_rest(self) -> "Motion":
         """The links at the same q, without velocities and accelerations."""
         return Motion(self.recorder, self.tree, self.names, self.gravity, moving=False,
-                      accelerating=False, at=(self._q, (self.zero[0],) * self.tree.nv))
+                      accelerating=False, at=(self._q, (self.zero[0],) * self.tree.nv),
+                      states=self._states)
 
     def part(self, link: int, symbol: str) -> AbstractContextManager[None]:
         """Name the instructions of this block after this value of the link."""
@@ -223,8 +237,9 @@ class Motion:
         at_origin = add(self.acceleration(parent),
                         rotated(self.acceleration_tensor(parent), translation(D)))
         relative = self.relative_twist(link)
-        own = add(linear(self._relative_rate(link)),
-                  cross(angular(relative), linear(relative)))
+        own = linear(self._relative_rate(link))
+        if not (self._carried and parent < 0 and self.tree.links[link].joint.kind.floats):
+            own = add(own, cross(angular(relative), linear(relative)))
         w = self.parent_angular_velocity(link)
         return add(rotated_back(rotation(D), at_origin),
                    add(cross(add(w, w), linear(relative)), own))

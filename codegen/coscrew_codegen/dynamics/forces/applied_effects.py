@@ -37,7 +37,7 @@ from coscrew_codegen.dynamics.forces.added_inertia import (
     power_of_stream,
     wrench,
 )
-from coscrew_codegen.dynamics.forces.body_motion import BodyOfLink
+from coscrew_codegen.dynamics.forces.body_motion import BodyOfLink, Ground
 from coscrew_codegen.dynamics.forces.effect_parameters import settings
 from coscrew_codegen.dynamics.forces.linearization import JointEffect, Law
 from coscrew_codegen.dynamics.forces.potentials import body_force
@@ -163,6 +163,8 @@ class AppliedEffects:
         self.forces: dict[int, list[AppliedForce]] = {}
         self.pairs: list[Paired] = []
         self.sums: list[Summed] = []
+        self.rates: list[Number] = []  # x' of the effects' states
+        self.kept: list[Number] = []  # the states within their bounds
         self.inertias: dict[int, list[Articulated]] = {}
 
     def act(self) -> "AppliedEffects":
@@ -180,8 +182,9 @@ class AppliedEffects:
             for x in acted_coordinates(self.motion, applied):
                 self._act_along(effect.joint_torque, x, applied)
         if effect.body_force:
-            state = self._body(applied.on)
+            state = replace(self._body(applied.on), x=self.motion.states(applied.name))
             self._add(state, body_force(effect.body_force, state, applied.values))
+            self._note(applied, self.forces[state.link][-1].force)
         if effect.pair_force:
             pair = self._pair(effect.pair_force, applied)
             for state, force in zip(pair.states, pair.forces, strict=True):
@@ -195,12 +198,24 @@ class AppliedEffects:
 
     def _act_along(self, law: Law, x: ActedCoordinate, applied: Applied) -> None:
         at = CoordinateState(x.q, x.v, self.t + self.delays.get(x.link, 0),
-                             self._holding(x.link, applied))
+                             self._holding(x.link, applied), self.motion.states(applied.name))
         along = JointEffect(law, at, x.values, self.recorder.current, x.freedom)
         if x.link == SUM:
             self.sums.append(Summed(weights_of(self.motion, applied.terms), along))
         else:
             self.torques.setdefault(x.link, []).append(along)
+        if applied.effect.states:
+            self._note(applied, along.torque)
+
+    def _note(self, applied: Applied, law: Torque | Force) -> None:
+        """Keeps the rates and the bounds of an effect's states."""
+        if applied.effect.states:
+            for name, of in (("rates", law.rates), ("kept", law.kept)):
+                if len(of) != len(applied.effect.states):
+                    raise TypeError(f"{applied.effect.name} has {len(applied.effect.states)} "
+                                    f"states; its law gives {len(of)} {name}")
+            self.rates += law.rates
+            self.kept += law.kept
 
     def _holding(self, link: int, applied: Applied) -> Number | None:
         """Returns the torque that holds a joint against gravity, if the effect compensates it."""
@@ -219,6 +234,17 @@ class AppliedEffects:
         return None
 
     @cached_property
+    def _ground(self) -> Ground:
+        """The ground: by default the plane z = 0."""
+        for applied in self.scene.effects:
+            if applied.effect.ground:
+                with self.recorder.part("ground", heading="ground"):
+                    values = settings(self.recorder, applied.values, self.t)
+                    return partial(applied.effect.ground, values)
+        up = tuple(self.recorder.numbers((0, 0, 1)))
+        return lambda position: (position[2], up)
+
+    @cached_property
     def _stream(self) -> Stream | None:
         """The velocity of the fluid and its rate; None if it is at rest."""
         wind = self._wind
@@ -235,7 +261,8 @@ class AppliedEffects:
     def _body(self, name: str) -> BodyOfLink:
         (link, placed), numbers = self.motion.tree.link_and_body(name), self.recorder.numbers
         place = displacement(numbers(placed.placement.R), numbers(placed.placement.t))
-        return BodyOfLink(placed.body.inertia, self.t, self.motion, link, place, self._wind)
+        return BodyOfLink(placed.body.inertia, self.t, self.motion, link, place, self._wind,
+                          ground=lambda position: self._ground(position))
 
     def _pair(self, law: Law, applied: Applied) -> Paired:
         first, second = (self._body(name) for name in applied.bodies)
@@ -367,9 +394,10 @@ def _rate(applied: Applied, t: Number) -> Vector:
 
 
 def alone(scene: Scene, applied: Applied) -> Scene:
-    """The scene with this effect alone, in the same wind."""
-    wind = (x for x in scene.effects if x.effect.wind and x is not applied)
-    return replace(scene, effects=(applied, *wind))
+    """The scene with this effect alone, in the same wind and on the same ground."""
+    around = (x for x in scene.effects
+              if (x.effect.wind or x.effect.ground) and x is not applied)
+    return replace(scene, effects=(applied, *around))
 
 
 def gravity(scene: Scene, recorder: Recorder) -> Vector | None:

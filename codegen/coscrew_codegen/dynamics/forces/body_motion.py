@@ -1,5 +1,6 @@
 """Motion of a body, in the form that effects receive."""
 
+from collections.abc import Callable
 from dataclasses import dataclass
 
 from coscrew_codegen.algebra.recording.numbers import (
@@ -14,8 +15,11 @@ from coscrew_codegen.algebra.recording.numbers import (
     subtract,
 )
 from coscrew_codegen.dynamics.algorithms.motion import Displacement, Motion, Twist
-from coscrew_codegen.scene.effect import BodyState
+from coscrew_codegen.scene.effect import BodyState, required
 from coscrew_codegen.scene.mechanism.model import Inertia
+
+Ground = Callable[[Vector], tuple[Number, Vector]]
+"""A position's distance from the ground, and the ground's normal there, in the world's frame."""
 
 
 @dataclass(frozen=True)
@@ -24,6 +28,11 @@ class BodyInWorld(BodyState):
 
     own: Inertia | None
     t: Number
+
+    @property
+    def x(self) -> Vector:
+        """The effect's states."""
+        raise TypeError("an energy from which a force follows depends on no state of an effect")
 
     @property
     def pose(self) -> Displacement:
@@ -66,6 +75,8 @@ class BodyOfLink(BodyInWorld):
     link: int
     place: Displacement  # of the body in its link
     wind: Vector | None = None  # in the world's frame
+    x: Vector = ()  # the effect's states
+    ground: Ground | None = None
 
     @property
     def pose(self) -> Displacement:
@@ -98,6 +109,10 @@ class BodyOfLink(BodyInWorld):
         """The velocity of a point of the body less that of the wind."""
         u = self.velocity(point)
         return u if self.wind is None else subtract(u, self.own_direction(self.wind))
+
+    def above_ground(self, position: Vector) -> tuple[Number, Vector]:
+        """The distance of a position from the ground, and the ground's normal."""
+        return required(self.ground)(position)
 
     @property
     def angular_velocity(self) -> Vector:

@@ -6,10 +6,11 @@ Implicit steps use the damping d and the stiffness k of a torque u(q, v):
 
     d = -∂u/∂v,  k = -∂u/∂q
 
-if these do not depend on q and v.  If they do, negative values are replaced by 0; these slopes are
-left to the explicit part of the step.  Where u saturates, its slopes vanish, although a step may
-still jump over the point where u changes sign; there the slope of the secant through that point is
-used:
+if these do not depend on q and v.  States x of an effect, which move by x' = r(q, v), add
+-∂u/∂x ∂r/∂v to k: within a step they move as q does.  If d and k depend on q and v, negative values
+are replaced by 0; these slopes are left to the explicit part of the step.  Where u saturates, its
+slopes vanish, although a step may still jump over the point where u changes sign; there the slope
+of the secant through that point is used:
 
     dry friction (u is 0 at v = 0):       d = max(-∂u/∂v, |u|/|v|)
     a limit (sat u, |sat u| <= limit):    d and k of u, times limit/max(|u|, limit)
@@ -118,7 +119,8 @@ class JointEffect:
         recorder, at = self.at.q.recorder, self.at
         p = [recorder.argument("p")] if recorder.has("p") else []
         held = [] if at.holding is None else [at.holding]
-        return recorder.replay(self._own.program(value), at.q, at.v, at.t, *held, *p)[0]
+        return recorder.replay(self._own.program(value), at.q, at.v, at.t, *held, *p,
+                               *([at.x] if at.x else []))[0]
 
 
 def _limits(stated: Torque, v: Number) -> tuple[Number, Number]:
@@ -139,12 +141,16 @@ def _limit(stated: Torque, v: Number) -> Number:
 
 
 def _recorded(law: Law, values: Mapping[str, Setting], outer: CoordinateState) -> "_Law":
-    """Records the law as a function of q, v, t, the torque that holds the joint, and the run-time
-    parameters of the outer recording.  The holding torque is explicit: it has no slope."""
+    """Records the law as a function of q, v, t, the torque that holds the joint, the run-time
+    parameters of the outer recording and the effect's states.  The holding torque is explicit: it
+    has no slope."""
     names = ("q", "v", "t") if outer.holding is None else ("q", "v", "t", "holding")
     recorder = Recorder([*(array(name, ()) for name in names), *(
-        a for a in outer.q.recorder.inputs if a.name == "p")])
-    at = CoordinateState(*(recorder.argument(name)[0] for name in names))
+        a for a in outer.q.recorder.inputs if a.name == "p"), *(
+            [array("x", (len(outer.x),))] if outer.x else [])])
+    q, v, t, *held = (recorder.argument(name)[0] for name in names)
+    at = CoordinateState(q, v, t, held[0] if held else None,
+                         recorder.argument("x") if outer.x else ())
     return _Law(at, law(at, settings(recorder, values, at.t)))
 
 
@@ -186,6 +192,8 @@ class _Law:
     def stiffness(self) -> Number:
         """k."""
         slope = -self._slope(self.torque, "q")
+        for place, rate in enumerate(self.stated.rates):
+            slope = slope - self._slope(self.torque, "x", place) * self._slope(rate, "v")
         if self._moves(slope):
             slope = maximum(slope, 0)
         return slope * self._share()
@@ -194,12 +202,12 @@ class _Law:
         """The Program that computes a value."""
         return self.recorder.program("law", [(array("value", ()), [value])])
 
-    def _slope(self, value: Number, by: str) -> Number:
-        """∂value/∂q or ∂v."""
+    def _slope(self, value: Number, by: str, place: int = 0) -> Number:
+        """∂value/∂q or ∂v, or by a component of x."""
         recorder = self.recorder
         one = recorder.number(1)
-        inputs = [[Dual(x, (one if a.name == by else None,)) for x in recorder.argument(a.name)]
-                  for a in recorder.inputs]
+        inputs = [[Dual(x, (one if a.name == by and k == place else None,))
+                   for k, x in enumerate(recorder.argument(a.name))] for a in recorder.inputs]
         (result,) = differentiate.tangent(self.program(value), recorder.arithmetic, numbers, inputs)
         return recorder.number(0) if result.slopes[0] is None else result.slopes[0]
 

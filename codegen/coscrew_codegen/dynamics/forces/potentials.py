@@ -89,3 +89,7 @@ class _Posed(BodyInWorld):
         return self.angular_velocity
 
     velocity_in_fluid = velocity
+
+    def above_ground(self, position: Vector) -> tuple[Number, Vector]:
+        """Raises TypeError: the ground exerts forces of its own."""
+        raise TypeError("an energy from which a force follows does not depend on the ground")

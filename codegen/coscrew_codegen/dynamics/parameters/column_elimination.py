@@ -110,6 +110,8 @@ def _stacked(regressor: Program, count: int, tree: Tree, p: Sequence[Fraction]) 
         evaluated, entries = interpreter(regressor, numbers), []
         for _ in range(states):
             given = dict(_state(tree, rng))
+            states = next(a.quantity.size for a in regressor.inputs if a.name == "q") - tree.nq
+            given["q"] += [mpmath.mpf(rng.uniform(-2, 2)) for _ in range(states)]  # of effects
             given["p"] = [mpmath.mpf(x.numerator) / x.denominator for x in p]
             result = evaluated([given[a.name] for a in regressor.inputs])
             entries += [int(x * 2**BITS) for x in result[:tree.nv * count]]

@@ -19,6 +19,7 @@ from coscrew_codegen.dynamics.function_recording import FunctionRecording
 from coscrew_codegen.program import Input, Op, Operand, Program, Ref
 from coscrew_codegen.program.differentiate import Dual
 from coscrew_codegen.program.values.parameter import Parameter, Scalar
+from coscrew_codegen.scene.effect_quantities import count_of, states_of
 from coscrew_codegen.scene.mechanism.tree import Tree
 from coscrew_codegen.scene.parameter_units import parameter_units
 from coscrew_codegen.scene.scene import Applied, Scene, Setting
@@ -83,8 +84,9 @@ class LinearEffects:
         return results
 
     def _replaced(self, applied: Applied) -> Applied:
-        """The effect with parameters in place of its numbers."""
+        """The effect with parameters in place of its numbers, except those of matrices."""
         signed = {x.name for x in applied.effect.parameters if x.sign}
+        constant = {x.name for x in applied.effect.parameters if x.kind == "matrix"}
 
         def swap(name: str, value: object) -> object:
             if isinstance(value, tuple):
@@ -98,7 +100,8 @@ class LinearEffects:
             return Parameter(full, self._first + len(self._numbers) - 1, exact)
 
         values: Mapping[str, Setting] = {
-            name: swap(name, value) for name, value in applied.values.items()}  # type: ignore[misc]
+            name: value if name in constant else swap(name, value)  # type: ignore[misc]
+            for name, value in applied.values.items()}
         return replace(applied, values=values)
 
     def _program(self, x: FunctionRecording) -> Program:
@@ -117,10 +120,14 @@ class LinearEffects:
 
     # the choice
 
+    @property
+    def _nq(self) -> int:
+        return self._tree.nq + count_of(states_of(self._scene))
+
     def _chosen(self) -> tuple[int, ...]:
         """The places of numbers on which the torques depend linearly, all together."""
         nv = (self._tree.nv,)
-        recorder = Recorder([array("t", ()), array("q", (self._tree.nq,)), array("v", nv),
+        recorder = Recorder([array("t", ()), array("q", (self._nq,)), array("v", nv),
                              array("a", nv)])
         program = self._program(
             FunctionRecording(self._scene, self._tree, self._names, recorder))

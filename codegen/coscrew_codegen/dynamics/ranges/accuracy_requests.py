@@ -6,6 +6,7 @@ from math import inf, pi
 from coscrew_codegen.program import Program
 from coscrew_codegen.program.reported_error import ReportedError
 from coscrew_codegen.program.scene_functions import Accuracy
+from coscrew_codegen.scene.effect_quantities import states_of
 from coscrew_codegen.scene.joints import kind_named
 from coscrew_codegen.scene.mechanism.model import Joint
 from coscrew_codegen.scene.mechanism.tree import Tree
@@ -49,6 +50,10 @@ def _ranges(name: str, program: Program, scene: Scene, tree: Tree) -> Ranges:
         "r": ((-scene.model.length, scene.model.length),) * 3}
     if name in ranges:
         return ranges[name]
+    if name == "q" and (states := states_of(scene)):
+        raise RequestError(f"{scene.name}: accuracy.{program.name}: states cannot be drawn for a "
+                           f"scene whose effects have some, as {states[0].name}; wanted no "
+                           "[accuracy]")
     results: list[tuple[float, float]] = []
     for c in tree.coordinates:
         joint = joints[c.joint]

@@ -80,7 +80,7 @@ def of_integer(integer: int) -> Constant:
 
 
 @dataclass(frozen=True)
-class Term:
+class AlignedTerm:
     """Shifts to the right, or to the left if negative, that give a term the f of its sum; their
     error; and the constant that replaces the operand, if one does."""
 
@@ -89,19 +89,19 @@ class Term:
     operand: Operand | None = None
 
 
-def shifts(x: FixedValue, bits: int) -> Term:
+def shifts(x: FixedValue, bits: int) -> AlignedTerm:
     """The term of a value that is no constant.  Where half of the last bit could overflow, the
     shift is made in two."""
     shift = x.bits - bits
     if x.largest > LARGEST:  # of 64 bits
-        return Term((shift,), half_unit(bits))
+        return AlignedTerm((shift,), half_unit(bits))
     if shift <= 0:
-        return Term((shift,) if shift else (), NONE)
+        return AlignedTerm((shift,) if shift else (), NONE)
     if shift > 31:  # below half of the last bit
-        return Term((), half_unit(bits), of_integer(0))
+        return AlignedTerm((), half_unit(bits), of_integer(0))
     if x.largest + 2.0**(shift - 1) <= LARGEST:
-        return Term((shift,), half_unit(bits))
-    return Term((1, shift - 1), half_unit(bits) + half_unit(x.bits - 1))
+        return AlignedTerm((shift,), half_unit(bits))
+    return AlignedTerm((1, shift - 1), half_unit(bits) + half_unit(x.bits - 1))
 
 
 def sum_of(a: FixedValue, b: FixedValue) -> FixedValue:

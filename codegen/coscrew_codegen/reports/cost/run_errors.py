@@ -199,6 +199,7 @@ class _Compared:
     def __init__(self, its: System, times: Sequence[float], exact: Sequence[State]):
         self._system, self._times, self._exact = its, times, [list(q) for q, _ in exact]
         units = [unit for c in its.functions.coordinates for unit in UNITS["q"][c.kind]]
+        units += [unit for _, unit in its.functions.states]
         largest = np.abs(np.array(self._exact, float)).max(axis=0)
         self._sizes = np.array([min(math.pi if unit == "rad" else math.inf, max(
             x for x, other in zip(largest, units, strict=True) if other == unit))

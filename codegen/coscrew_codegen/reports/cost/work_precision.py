@@ -65,7 +65,10 @@ def error(system: System, q: np.ndarray, truth: ReferenceRun) -> float:
 
 def reference(system: System, until: float, digits: int | None) -> ReferenceRun | None:
     """The state at the end: to `digits` digits, if given; else by DOP853 with tolerances of 1e-13,
-    or by Radau's method if that takes too long; None if that takes too long, too."""
+    or by Radau's method if that takes too long; None if that takes too long, too, and for scenes
+    with states of effects, which only the default integrator moves."""
+    if system.functions.states:
+        return None
     if digits:
         from coscrew_codegen.reports.cost.exact_run import exact_end
 

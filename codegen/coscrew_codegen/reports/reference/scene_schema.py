@@ -9,6 +9,7 @@ from coscrew_codegen.backends.render import LICENSE
 from coscrew_codegen.scene.effect import Effect, ParameterOf, Place
 from coscrew_codegen.scene.effects import EFFECTS
 from coscrew_codegen.scene.readers.toml.keys import SCENE, Key, TableOf
+from coscrew_codegen.scene.readers.toml.trajectories import KEYS
 
 Schema = dict[str, object]
 
@@ -17,13 +18,15 @@ _TEXTS: Schema = {"$ref": "#/definitions/texts"}
 _VECTOR: Schema = {"$ref": "#/definitions/vector"}
 _POSITIVE: Schema = {"$ref": "#/definitions/positive"}
 _NONNEGATIVE: Schema = {"$ref": "#/definitions/nonnegative"}
+_TRAJECTORY: Schema = {"$ref": "#/definitions/trajectory"}
 
 
 def schema_text(banner: str) -> str:
     """The text of the schema."""
     definitions = {"number": {"type": ["number", "string"]},  # a string is a constant formula
                    "positive": _bounded("exclusiveMinimum"), "nonnegative": _bounded("minimum"),
-                   "vector": _array(3, _NUMBER),
+                   "vector": _array(3, _NUMBER), "trajectory": _closed(
+                       {key: {"type": "string"} for key in KEYS}, ["file", "column"]),
                    "texts": {"type": "array", "items": {"type": "string"}, "uniqueItems": True},
                    **{effect.name: _one(effect) for effect in EFFECTS}}
     document = {"$comment": "\n".join((banner, *LICENSE)),
@@ -100,6 +103,8 @@ def _one(effect: Effect) -> Schema:
         more = {"joints": _by_name(_NUMBER)}
     needed = [parameter.name for parameter in effect.parameters
               if parameter.required and parameter.default is None and not parameter.of]
+    if effect.parts:
+        more = {"bodies": _TEXTS}
     if effect.place is Place.PAIR:
         more = {"bodies": _array(2, {"type": "string"}) | {"uniqueItems": True}}
         needed = ["bodies", *needed]
@@ -114,7 +119,7 @@ def _effect(effect: Effect) -> Schema:
     one: Schema = {"$ref": f"#/definitions/{effect.name}"}
     if effect.place is Place.SCENE:
         return one
-    if effect.place is Place.PAIR:
+    if effect.place is Place.PAIR or effect.parts:
         return _by_name(one)
     several = "joints" if effect.place is Place.JOINT else "bodies"
     values = {parameter.name: {"description": _described(parameter), "anyOf": [
@@ -133,7 +138,8 @@ def _parameter(parameter: ParameterOf) -> Schema:
     number = _POSITIVE if parameter.positive else \
         _NONNEGATIVE if parameter.nonnegative else _NUMBER
     kinds: dict[str, Schema] = {
-        "number": number, "vector": _array(3, number), "formula": number,
+        "number": number, "vector": _array(3, number),
+        "formula": {"anyOf": [number, _TRAJECTORY]},
         "formulas": _VECTOR, "body": {"type": "string"},
         "choice": {"enum": list(parameter.choices)}, "flag": {"type": "boolean"},
         "matrix": _array(6, _array(6, _NUMBER))}

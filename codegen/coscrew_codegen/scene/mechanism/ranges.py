@@ -25,8 +25,16 @@ class Ranges:
     quaternions: tuple[int, ...] = ()  # where in q each unit quaternion begins
 
     def of(self, argument: str, count: int) -> Intervals:
-        """The intervals of an argument's components; unstated ones of arguments without ranges."""
-        return self.by_name.get(argument, (UNSTATED,) * count)
+        """The intervals of an argument's components; unstated ones of arguments without ranges, and
+        of effects' states at the end of q."""
+        own = self.by_name.get(argument, ())
+        return *own, *(UNSTATED,) * (count - len(own))
+
+    @property
+    def sizes(self) -> tuple[tuple[str, tuple[float, ...]], ...]:
+        """The largest sizes of each argument's components; infinite where nothing is stated."""
+        return tuple((name, tuple(max(-lower, upper) for lower, upper in intervals))
+                     for name, intervals in self.by_name.items())
 
     def stating(self, intervals: Mapping[str, Intervals]) -> "Ranges":
         """These ranges with other intervals for some arguments."""

@@ -13,6 +13,7 @@ _WHERE = {
     Place.JOINT: "[effects.{0}] joints = …, or [effects.{0}.JOINT]",
     Place.BODY: "[effects.{0}] bodies = …, [effects.{0}.BODY], or [effects.{0}.LABEL] body = …",
     Place.PAIR: "[effects.{0}.LABEL] bodies = [A, B]"}
+_ON_PARTS = "[effects.{0}.BODY], or [effects.{0}.LABEL] bodies = [A, B, …]"
 _ON_SUMS = "[effects.{0}] joints = …, [effects.{0}.JOINT], or [effects.{0}.LABEL] joints = {{ … }}"
 
 
@@ -32,7 +33,8 @@ def described(effect: Effect) -> Iterator[str]:
 
 def where(effect: Effect) -> str:
     """The headings of its tables in scene files."""
-    pattern = _ON_SUMS if effect.joint_torque else _WHERE[effect.place]
+    pattern = _ON_SUMS if effect.joint_torque else _ON_PARTS if effect.parts else \
+        _WHERE[effect.place]
     return pattern.format(effect.name)
 
 
@@ -50,7 +52,8 @@ def _line(parameter: ParameterOf) -> str:
 
 def notes(parameter: ParameterOf) -> list[str]:
     """Notes on its values: type, choices, sign, default."""
-    kinds = {"vector": "three numbers", "formula": "a number or a function of t",
+    kinds = {"vector": "three numbers", "formula": "a number, a function of t or a "
+             "trajectory",
              "formulas": "three numbers or functions of t", "flag": "true or false",
              "matrix": "six rows of six numbers"}
     texts = [kinds[parameter.kind]] if parameter.kind in kinds else []

@@ -1,5 +1,5 @@
 """Effects that exert nothing: their drive is zero and no argument of the functions, or nothing is
-in the wind."""
+in the wind, or on the ground."""
 
 from collections.abc import Iterator
 from fractions import Fraction
@@ -13,7 +13,7 @@ _DRIVING = ("torque", "force")
 def idle(effects: tuple[Applied, ...]) -> tuple[Notice, ...]:
     """A notice for each kind of effects whose torques and forces are constant zeros, with the entry
     of `runtime` that makes them arguments: actuators of kind "torque", wrenches; and for wind that
-    no effect depends on."""
+    no effect depends on, and ground that nothing touches."""
     effects_of: dict[str, list[str]] = {}
     for applied in effects:
         if names := list(_unset(applied)):
@@ -21,6 +21,10 @@ def idle(effects: tuple[Applied, ...]) -> tuple[Notice, ...]:
     unfelt = () if any(x.effect.in_fluid for x in effects) else tuple(
         Notice(IDLE, f"effect {x.effect.name}", f"{x.effect.name} does nothing: no effect depends "
                "on the fluid; write [effects.drag.BODY]") for x in effects if x.effect.wind)
+    if not any(x.effect.parts for x in effects):
+        unfelt += tuple(Notice(IDLE, f"effect {x.effect.name}", f"{x.effect.name} does nothing: "
+                               "nothing touches it; write [effects.contact.BODY]")
+                        for x in effects if x.effect.ground)
     return (*unfelt, *(Notice(IDLE, f"effect {effect}", _line(effect, names))
                        for effect, names in effects_of.items()))
 

@@ -49,8 +49,8 @@ def record(system: System, trajectory: Trajectory, provenance: Provenance,
 
 def quantity(system: System, trajectory: Trajectory, wanted: Recorded) -> np.ndarray:
     """The quantity at each sample, in the system's precision.  (…, n, number of its columns)."""
-    if not wanted.function:  # q or v: components of a joint, or all, are neighbours
-        states: np.ndarray = getattr(trajectory, wanted.quantity)
+    if not wanted.function:  # q, v or x, the end of q: those of a joint, or all, are neighbours
+        states: np.ndarray = trajectory.v if wanted.quantity == "v" else trajectory.q
         return states[..., wanted.places[0]:wanted.places[-1] + 1]
     n, members = len(trajectory.t), prod(trajectory.q.shape[:-2])
     at_once = max(1, _AT_ONCE // max(1, members))

@@ -48,7 +48,7 @@ def run_in(path: Path, system: System) -> PageRun:
     """The run that a recording's file holds.  Raises SimulateError if it is not one of the scene,
     or lacks coordinates."""
     t, columns = columns_of(path, "--view")
-    q = np.empty((len(t), system.functions.nq))
+    q = np.zeros((len(t), system.functions.nq))
     for c in system.functions.coordinates:
         for i, place in enumerate(c.q):
             name = f"q.{c.joint}" if len(c.q) == 1 else f"q.{c.joint}.{i}"

@@ -1,13 +1,16 @@
 """Arguments of derivatives: directions of inputs and weights of results."""
 
 from coscrew_codegen.scene import units
+from coscrew_codegen.scene.effect_quantities import states_of
+from coscrew_codegen.scene.scene import Scene
 from coscrew_codegen.scene.scene_function import COUNT, Array, AxisLength, SceneFunction
 
 
-def differentiable(function: SceneFunction) -> bool:
+def differentiable(function: SceneFunction, scene: Scene) -> bool:
     """Returns whether a scene can have the function's derivatives: it has results that change
-    continuously."""
-    return not (function.internal or function.differentiates or COUNT in function.outputs)
+    continuously, and is no step that also moves states of effects."""
+    return not (function.internal or function.differentiates or COUNT in function.outputs
+                or (function.step and states_of(scene)))
 
 
 def derivative(x: Array, prefix: str) -> Array:

@@ -3,6 +3,7 @@
 from dataclasses import replace
 
 from coscrew_codegen.scene import units
+from coscrew_codegen.scene.effect_quantities import states_of
 from coscrew_codegen.scene.functions.arguments_in_scene import inputs_of, outputs_of
 from coscrew_codegen.scene.scene import Scene
 from coscrew_codegen.scene.scene_function import Array, AxisLength, Depends, SceneFunction
@@ -14,7 +15,7 @@ _BY = {"tau": Array("B_tau", (AxisLength.STATE, AxisLength.NV), units.states_by_
 
 def _of(own: SceneFunction, function: SceneFunction, scene: Scene) -> SceneFunction | None:
     """The step's derivatives."""
-    if not function.step:
+    if not function.step or states_of(scene):
         return None
     given = {x.name for x in inputs_of(function, scene)}
     return replace(

@@ -2,17 +2,20 @@
 
 from dataclasses import replace
 
+from coscrew_codegen.scene.effect_quantities import states_of
 from coscrew_codegen.scene.integrators import DEFAULT, EMITTED, named
 from coscrew_codegen.scene.scene import Scene
 from coscrew_codegen.scene.scene_function import IF_SELECTED, Default, Depends, Q, SceneFunction, V
 
 
 def _members(own: SceneFunction, scene: Scene) -> tuple[SceneFunction, ...]:
-    """One for each integrator, and one for each with torques of joints."""
+    """One for each integrator, and one for each with torques of joints; if effects have states, for
+    those that move them."""
+    able = [x for x in EMITTED if x.moves_states] if states_of(scene) else EMITTED
     return (*(replace(own, name=x.step_name, words=x.equation, target=x.name, step=x)
-              for x in EMITTED),
+              for x in able),
             *(replace(own, name=x.step_with_tau, words=x.equation, target=x.name, step=x,
-                      inputs="h q v tau", default=IF_SELECTED) for x in EMITTED))
+                      inputs="h q v tau", default=IF_SELECTED) for x in able))
 
 
 def _of_run(scene: Scene, integrator: str) -> bool:

@@ -12,6 +12,7 @@ from coscrew_codegen.scene.joints import ONE_COORDINATE, called
 from coscrew_codegen.scene.mechanism.model import WORLD, Body, Joint, Model, value
 from coscrew_codegen.scene.mechanism.rotations import unit
 from coscrew_codegen.scene.readers.toml import effect_settings
+from coscrew_codegen.scene.readers.toml.interpolant import Interpolant
 from coscrew_codegen.scene.readers.toml.toml_model import refuse_not_unit
 from coscrew_codegen.scene.readers.toml.toml_tables import TomlTable
 from coscrew_codegen.scene.scene import Setting
@@ -148,8 +149,10 @@ class EffectTable:
             name = parameter.name
             if parameter.of and kind not in parameter.of:
                 if name in given:
-                    table.refuse(name, f"is for kind = {' or '.join(map(repr, parameter.of))}; "
-                                       f"the kind is {kind!r}")
+                    chosen = self.effect.chosen_by
+                    table.refuse(name, f"is for {chosen} = "
+                                       f"{' or '.join(map(repr, parameter.of))}; the {chosen} is "
+                                       f"{kind!r}")
                 values[name] = None
             elif parameter.model and given.get(name, parameter.default) == MODEL:
                 number = self._of_model(table, parameter, target, named)
@@ -165,6 +168,8 @@ class EffectTable:
                 values[name] = effect_settings.setting(table, parameter, given[name], self.bodies)
             else:
                 values[name] = effect_settings.default(table, parameter)
+                of = values.get(parameter.rate_of)
+                values[name] = of.rate if isinstance(of, Interpolant) else values[name]
         if self.effect.any_of and all(values[name] is None for name in self.effect.any_of):
             if named or not read:
                 table.missing(self.effect.any_of[0], f"{' or '.join(self.effect.any_of)}")
@@ -210,11 +215,12 @@ class EffectTable:
                          f"{self.effect.ascending[1]}, {float(value(high)):g}")
 
     def _kind(self, table: TomlTable, given: Mapping[str, object]) -> str:
-        """The effect's `kind`, on which the set of parameters depends."""
+        """The choice, as the effect's `kind`, on which the set of parameters depends."""
+        chosen = self.effect.chosen_by
         for parameter in self.effect.parameters:
-            if parameter.name == "kind" and any(other.of for other in self.effect.parameters):
-                return str(effect_settings.setting(table, parameter, given["kind"], ())
-                           if "kind" in given else effect_settings.default(table, parameter))
+            if parameter.name == chosen and any(other.of for other in self.effect.parameters):
+                return str(effect_settings.setting(table, parameter, given[chosen], ())
+                           if chosen in given else effect_settings.default(table, parameter))
         return ""
 
     def _of_model(self, table: TomlTable, parameter: ParameterOf, target: str, named: bool

@@ -14,6 +14,7 @@ from coscrew_codegen.scene.mechanism.inertia_checks import ERROR, WARN
 from coscrew_codegen.scene.mechanism.joint_kind import JointKind
 from coscrew_codegen.scene.mechanism.loop import LOOP_KINDS
 from coscrew_codegen.scene.readers.falling import ACCEPT
+from coscrew_codegen.scene.recorded_quantities import STATES
 from coscrew_codegen.scene.scene import Run
 from coscrew_codegen.scene.units import UNITS
 
@@ -190,13 +191,16 @@ def _by_kind(of: str) -> str:
 
 START = TableOf("start", "The state at the start of a run; by default zero, without rotation.", (
     Key("q", f"by joint: {_by_kind('q')}", "coordinates"),
-    Key("v", f"by joint: {_by_kind('v')}", "coordinates")))
+    Key("v", f"by joint: {_by_kind('v')}", "coordinates"),
+    Key("x", "by effect, as \"stiction.elbow\": its states", "coordinates")))
 
 _RECORDED = ", ".join(f'"{x}"' for x in (
-    *UNITS, *(quantity.written for _, quantity in QUANTITIES.values()), "EFFECT.WHERE.torque"))
+    *UNITS, STATES, *(quantity.written for _, quantity in QUANTITIES.values()),
+    "EFFECT.WHERE.torque"))
 
 OUTPUTS = TableOf("outputs", "What a run records.", (
-    Key("record", f"quantities: {_RECORDED}, …", "texts", default='["q", "v"]'),
+    Key("record", f"quantities: {_RECORDED}, …; by default also \"x\" if effects have states",
+        "texts", default='["q", "v"]'),
     Key("every", "s between samples; a sample lies at the end of a step, so that this may shorten "
         "steps", "positive", default="0.01")))
 
@@ -261,7 +265,7 @@ SCENE = TableOf("", "The file itself.", (
     Key("functions", "what is generated: names of functions; \"default\" and \"all\" stand for "
         "several", "texts", default='["default"]'),
     Key("tiers", "in which the functions, steps excepted, are generated besides plain: accurate, "
-        "certified, mixed, pairs", "texts", default='["plain"]'),
+        "certified, mixed, pairs, fixed", "texts", default='["plain"]'),
     Key("accuracy", "how accurate functions in single precision are in the mixed tier, which they "
         "then have", "tolerances", table=ACCURACY),
     Key("ranges", "in which the arguments of functions lie, for proved bounds of errors", "table",

@@ -13,8 +13,10 @@ from coscrew_codegen.scene.mechanism.model import Model
 from coscrew_codegen.scene.names import did_you_mean
 from coscrew_codegen.scene.patterns import PatternError, expanded
 from coscrew_codegen.scene.readers.toml.effect_table import ALL, MANY, MODEL, EffectTable, Use
+from coscrew_codegen.scene.readers.toml.part_tables import completed, on_parts
 from coscrew_codegen.scene.readers.toml.sum_terms import read_terms
 from coscrew_codegen.scene.readers.toml.toml_tables import TomlTable, described
+from coscrew_codegen.scene.readers.toml.trajectories import is_trajectory
 from coscrew_codegen.scene.recorded_quantities import expected, recorded
 from coscrew_codegen.scene.scene import Applied, Scene
 
@@ -31,7 +33,8 @@ def read_effects(effects: TomlTable, model: Model, catalogue: tuple[Effect, ...]
     for effect in catalogue:
         if effect.name in effects:
             reading = EffectTable(effect, effects.table(effect.name), model, use)
-            applied += readers[effect.place](reading)
+            applied += on_parts(reading) if effect.parts else readers[effect.place](reading)
+    applied = completed(effects, model, applied)
     _refuse_compensation(effects, model, applied)
     return tuple(applied)
 
@@ -173,7 +176,7 @@ def _on_named(reading: EffectTable, plain: Mapping[str, object]) -> Iterator[App
         return
     table, several = reading.table, reading.several
     by_target = {key: table.table(key) for key, value in plain.items()
-                 if isinstance(value, dict) and key != several}
+                 if isinstance(value, dict) and key != several and not _is_one(reading, value)}
     for of_each in by_target.values():
         for name in of_each.values:
             reading.target(of_each, name, name)
@@ -200,6 +203,11 @@ def _on_named(reading: EffectTable, plain: Mapping[str, object]) -> Iterator[App
                             if p.model and plain.get(p.name, p.default) == MODEL)
         table.refuse("", f"no {reading.what} of the model has {lacking}; wanted numbers, or no "
                          f"{reading.effect.name}")
+
+
+def _is_one(reading: EffectTable, value: object) -> bool:
+    """Returns whether a table is one trajectory, not values by joint or body."""
+    return is_trajectory(value) and "file" not in reading.targets
 
 
 def _chosen(reading: EffectTable, several: object, by_target: Mapping[str, TomlTable]

@@ -8,6 +8,7 @@ from pathlib import Path
 from coscrew_codegen.program.values.formats import BY_NAME, CHOICES, DOUBLE
 from coscrew_codegen.program.values.parameter import Parameter
 from coscrew_codegen.scene.effect import Effect
+from coscrew_codegen.scene.effect_quantities import states_of, why_not_moved
 from coscrew_codegen.scene.function_selection import FunctionsError, resolved
 from coscrew_codegen.scene.integrators import NAMES
 from coscrew_codegen.scene.mechanism.inertia_checks import ERROR, WARN
@@ -40,9 +41,14 @@ from coscrew_codegen.scene.readers.toml.toml_model import refuse_not_unit
 from coscrew_codegen.scene.readers.toml.toml_tables import Decimals, TomlTable, described, read_toml
 from coscrew_codegen.scene.readers.unused import besides, unused
 from coscrew_codegen.scene.recordable import quantities_of
-from coscrew_codegen.scene.recorded_quantities import QuantityError, expected
+from coscrew_codegen.scene.recorded_quantities import STATES, QuantityError, expected
 from coscrew_codegen.scene.scene import Applied, Expectation, Run, Scene
-from coscrew_codegen.scene.tier_selection import TiersError, on_request, selected
+from coscrew_codegen.scene.tier_selection import (
+    TiersError,
+    need_ranges,
+    on_request,
+    selected,
+)
 
 
 @dataclass(frozen=True)
@@ -157,11 +163,13 @@ def _scene(file: TomlTable, catalogue: tuple[Effect, ...], overrides: SceneOverr
     scene = Scene(name, model, effects, precision=precision or "double",
                   precisions=_emitted(precision), implausible=implausible,
                   run=_run(file.table("run")))
+    _refuse_integrator(file.table("run"), scene)
     start, outputs = file.table("start"), file.table("outputs")
     start.only(*START.names)
     outputs.only(*OUTPUTS.names)
     scene = replace(scene, start_q=_start_q(start.table("q"), scene),
-                    start_v=_start_v(start.table("v"), scene), record=_record(outputs, scene),
+                    start_v=_start_v(start.table("v"), scene),
+                    start_x=_start_x(start.table("x"), scene), record=_record(outputs, scene),
                     every=float(outputs.positive("every", Fraction(1, 100))),
                     expectations=_expectations(file, scene))
     functions = _functions(file, scene)
@@ -183,6 +191,7 @@ def _scene(file: TomlTable, catalogue: tuple[Effect, ...], overrides: SceneOverr
         model, effects, parameters = with_parameters(file, model, effects, catalogue)
     if overrides.tiers:
         tiers = selected(overrides.tiers)
+    _refuse_without_ranges(file, tiers)
     scene = replace(scene, model=model, effects=effects, parameters=parameters, accuracy=accuracy,
                     tiers=tiers,
                     notices=(*_falling(file, model, effects), *idle(effects), *notices))
@@ -218,6 +227,15 @@ def _tiers(file: TomlTable) -> tuple[str, ...]:
         return selected(names)
     except TiersError as error:
         file.refuse("tiers", str(error))
+
+
+def _refuse_without_ranges(file: TomlTable, tiers: tuple[str, ...]) -> None:
+    """Refuse tiers whose formats follow from the ranges of arguments, if the file states none."""
+    if tiers and "ranges" not in file:
+        for name in need_ranges():
+            if name in tiers:
+                file.refuse("tiers", f"the {name} tier needs the ranges of arguments; wanted "
+                                     "[ranges] with the largest sizes, as v = 2 and a = 10")
 
 
 def _selecting(scene: Scene, functions: tuple[str, ...]) -> Scene:
@@ -270,6 +288,14 @@ def _start_v(table: TomlTable, scene: Scene) -> Mapping[str, tuple[float, ...]]:
             for key in table.values}
 
 
+def _start_x(table: TomlTable, scene: Scene) -> Mapping[str, tuple[float, ...]]:
+    """States of effects, by effect."""
+    states = {x.name: x for x in states_of(scene)}
+    return {key: tuple(float(x) for x in _start(
+        table, key, len(states[table.known(key, key, "effect with states", states)].units)))
+        for key in table.values}
+
+
 def _start(table: TomlTable, key: str, count: int) -> tuple[Fraction, ...]:
     value = table.values[key]
     if count == 1 and not isinstance(value, list):
@@ -278,7 +304,7 @@ def _start(table: TomlTable, key: str, count: int) -> tuple[Fraction, ...]:
 
 
 def _record(outputs: TomlTable, scene: Scene) -> tuple[str, ...]:
-    texts = outputs.texts("record", ("q", "v"))
+    texts = outputs.texts("record", ("q", "v", STATES) if states_of(scene) else ("q", "v"))
     if not texts:
         outputs.refuse("record", 'an empty list; wanted quantities, as ["q", "v"]')
     try:
@@ -296,6 +322,12 @@ def _run(table: TomlTable) -> Run:
     if step > duration:
         table.refuse("step", f"{step:g} s is longer than the duration, {duration:g} s")
     return Run(duration, table.choice("integrator", NAMES, run.integrator), step, rtol, atol)
+
+
+def _refuse_integrator(table: TomlTable, scene: Scene) -> None:
+    """Refuse an integrator that leaves the states of effects where they are."""
+    if problem := why_not_moved(scene, scene.run.integrator):
+        table.refuse("integrator", problem)
 
 
 def _expectations(file: TomlTable, scene: Scene) -> tuple[Expectation, ...]:

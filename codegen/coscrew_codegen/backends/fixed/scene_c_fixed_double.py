@@ -4,12 +4,13 @@ from collections.abc import Iterator
 
 from coscrew_codegen.accuracy.fixed_scene import FixedFunction, FixedScene
 from coscrew_codegen.backends.c.c_function import CFunction
-from coscrew_codegen.backends.c.c_integers import INTEGERS
 from coscrew_codegen.backends.c.c_statements import comment_of
+from coscrew_codegen.backends.fixed.c_integers import INTEGERS
 from coscrew_codegen.backends.scene import scene_c_arguments as arguments
 from coscrew_codegen.backends.scene import scene_text
 from coscrew_codegen.program.fixed.fixed_program import Products
 from coscrew_codegen.program.values.formats import DOUBLE
+from coscrew_codegen.program.values.quantity import Argument
 
 
 def from_double(made: FixedScene) -> Iterator[CFunction]:
@@ -36,7 +37,7 @@ def to_double(made: FixedScene, f: FixedFunction, products: Products, name: str)
                  f"  ksl_to_double({a.name}, bits, {a.quantity.size}, {a.name}_in_double);", "}"]
     parameters = [*(arguments.read(a, INTEGERS) if a.quantity.shape else
                     f"const int32_t *{a.name}" for a in outputs),
-                  *(arguments.written(a, DOUBLE).replace(a.name, f"{a.name}_in_double")
+                  *(arguments.written(Argument(f"{a.name}_in_double", a.quantity), DOUBLE)
                     for a in outputs)]
     return CFunction(f.plain.name, comment_of([
         "The same of results with high products." if products is Products.HIGH else

@@ -41,13 +41,19 @@ INTEGERS = _Integers(31, 0, "fixed", "int32_t", "", "int32", 4)
 def body(program: Program, access: Callable[[Input], str], targets: Sequence[str],
          headings: Mapping[int, str], width: int) -> str:
     """The lines of a body: declarations at most `width` wide, then the stores, indented."""
-    wide = wide_steps(program)
-    nesting = Nesting(program, language(wide), access, width, headings,
-                      lambda step: step.name not in wide and not numbered(step.name),
-                      inlined=lambda step: step.name in wide)
+    nesting = nested(program, language(wide_steps(program)), access, headings, width)
     rows = [*_unused(program), *declarations(nesting.assigned, INTEGERS, WIDTH - 2),
             *_stores(program, access, targets, nesting.results)]
     return "\n".join(f"  {line}" for row in rows for line in row.split("\n"))
+
+
+def nested(program: Program, language: Language, access: Callable[[Input], str],
+           headings: Mapping[int, str], width: int) -> Nesting:
+    """The program's text in a language of integers."""
+    wide = wide_steps(program)
+    return Nesting(program, language, access, width, headings,
+                   lambda step: step.name not in wide and not numbered(step.name),
+                   inlined=lambda step: step.name in wide)
 
 
 def wide_steps(program: Program) -> frozenset[str]:
@@ -64,27 +70,28 @@ def language(wide: frozenset[str]) -> Language:
     """C of integers, for a program whose values of these names have 64 bits."""
     def spelling(step: Instruction) -> tuple[str, int]:
         if step.op is Op.WIDE_PRODUCT:
-            return _aligned(_integer(step.operands[2]))
+            return aligned(step, OF_INTEGERS[Op.WIDE_PRODUCT])
         if step.op is Op.ROUNDED_SHIFT and isinstance(step.operands[0], Ref) \
                 and step.operands[0].name in wide:
-            return ("ksl_narrow({}, {})" if _integer(step.operands[1]) else "(int32_t)({})"), CALL
+            return ("ksl_narrow({}, {})" if integer(step.operands[1]) else "(int32_t)({})"), CALL
         if step.op in (Op.SIN, Op.COS):
             return f"ksl_{step.op.value}_fixed({{}}, {{}})", CALL
         return _SPELLING[step.op]
 
-    return Language(spelling, lambda x: str(_integer(x)), "", "", "{arguments}")
+    return Language(spelling, lambda x: str(integer(x)), "", "", "{arguments}")
 
 
-def _aligned(shift: int) -> tuple[str, int]:
-    """The pattern of a product of 64 bits times a power of two."""
-    text = OF_INTEGERS[Op.WIDE_PRODUCT]
+def aligned(step: Instruction, text: str, long: str = "INT64_C({})") -> tuple[str, int]:
+    """The pattern of a product of 64 bits, spelled so, times a power of two."""
+    shift = integer(step.operands[2])
     if shift < 0:
         return f"({text} >> {-shift})", CALL
-    factor = 2**shift if shift <= 30 else f"INT64_C({2**shift})"
+    factor = 2**shift if shift <= 30 else long.format(2**shift)
     return (f"{text} * {factor}", PRODUCT) if shift else (text, CALL)
 
 
-def _integer(x: object) -> int:
+def integer(x: object) -> int:
+    """The integer that is an operand."""
     assert isinstance(x, Constant)
     return int(x.double)
 

@@ -5,7 +5,7 @@ import re
 from functools import cache
 from hashlib import sha256
 
-from coscrew_codegen.backends.c import c_integers
+from coscrew_codegen.backends.fixed import c_integers
 from coscrew_codegen.backends.render import render
 from coscrew_codegen.program.fixed import fixed_sine
 from coscrew_codegen.program.fixed.fixed_value import OF_ANGLES

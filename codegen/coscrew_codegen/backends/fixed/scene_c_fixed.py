@@ -7,21 +7,21 @@ from collections.abc import Iterable, Iterator, Sequence
 from coscrew_codegen.accuracy.fixed_scene import FixedFunction, FixedScene
 from coscrew_codegen.accuracy.scene_tiers import headings_in
 from coscrew_codegen.algebra.recording.gc_pause import uncollected
-from coscrew_codegen.backends.c import c_integers
 from coscrew_codegen.backends.c.c_function import CFunction
-from coscrew_codegen.backends.c.c_integers import INTEGERS
 from coscrew_codegen.backends.c.c_statements import WIDTH, comment_of, listed
+from coscrew_codegen.backends.fixed import c_integers, scene_c_fixed_runtime
+from coscrew_codegen.backends.fixed import scene_c_fixed_double as in_double
+from coscrew_codegen.backends.fixed.c_integers import INTEGERS
 from coscrew_codegen.backends.render import render
 from coscrew_codegen.backends.scene import scene_c_arguments as arguments
-from coscrew_codegen.backends.scene import scene_c_fixed_double as in_double
-from coscrew_codegen.backends.scene import scene_c_fixed_runtime, scene_symbols, scene_text
+from coscrew_codegen.backends.scene import scene_symbols, scene_text
 from coscrew_codegen.backends.target import Files, Target
 from coscrew_codegen.program.fixed.fixed_program import Products
 from coscrew_codegen.program.fixed.fixed_value import FixedValue
 from coscrew_codegen.program.program import counts_in_words
 from coscrew_codegen.program.values.digits import two_digits_up
 
-_MARK = {Products.FULL: "", Products.HIGH: "_high"}
+MARK = {Products.FULL: "", Products.HIGH: "_high"}
 """Endings of names: full products, which are more accurate, have none."""
 _DECLARED = re.compile(r"(\w+) = ")
 _TITLES = {Products.FULL: "products of 64 bits", Products.HIGH: "the upper 32 bits of products"}
@@ -40,7 +40,7 @@ def files(made: FixedScene, banner: str) -> Files:
     sources = {"": (*written[Products.FULL], *fits), "_high": written[Products.HIGH],
                "_double": conversions}
     about = {mark: f"The functions of {made.stem}.h with {_TITLES[x]}."
-             for x, mark in _MARK.items()}
+             for x, mark in MARK.items()}
     about["_double"] = f"Conversions of {made.stem}.h from double to integers, and back."
     return {f"{made.stem}.h": render(
                 "scene/fixed.h", banner=banner, about=comment_of([*_about(made)]),
@@ -52,7 +52,7 @@ def files(made: FixedScene, banner: str) -> Files:
 
 def c_name(made: FixedScene, f: FixedFunction, products: Products) -> str:
     """arm_inverse_dynamics_fixed, arm_inverse_dynamics_fixed_high."""
-    return f"{made.plain.name}_{f.plain.name}_{made.tier.mark}{_MARK[products]}"
+    return f"{made.plain.name}_{f.plain.name}_{made.tier.mark}{MARK[products]}"
 
 
 def _source(made: FixedScene, title: str, functions: Sequence[CFunction], banner: str,
@@ -111,7 +111,7 @@ def _function(made: FixedScene, f: FixedFunction, products: Products) -> CFuncti
     headings = {place: scene_text.printable(words)
                 for place, words in headings_in(f.plain, fixed.program)}
     comment = comment_of([
-        scene_text.printable(scene_text.sentence(f.plain.words)), _bounds(f, fixed.results),
+        scene_text.printable(scene_text.sentence(f.plain.words)), bounds_in_words(f, fixed.results),
         f"{counts_in_words(fixed.program).capitalize()}."])
     return CFunction(f.plain.name, comment,
                      arguments.head(c_name(made, f, products), parameters),
@@ -120,7 +120,7 @@ def _function(made: FixedScene, f: FixedFunction, products: Products) -> CFuncti
                                      scene_text.VALUE_WIDTH))
 
 
-def _bounds(f: FixedFunction, results: Sequence[FixedValue]) -> str:
+def bounds_in_words(f: FixedFunction, results: Sequence[FixedValue]) -> str:
     """The statement on the errors of a function's results."""
     start, words = 0, []
     for a in f.plain.program.outputs:

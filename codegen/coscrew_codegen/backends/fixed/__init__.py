@@ -1,0 +1,1 @@
+"""Writes scenes in fixed point: C and Python on integers."""

@@ -1,0 +1,32 @@
+"""Half a drift of bases that touch the ground."""
+
+from coscrew_codegen.scene import units
+from coscrew_codegen.scene.mechanism.model import WORLD
+from coscrew_codegen.scene.scene import Scene
+from coscrew_codegen.scene.scene_function import (
+    Array,
+    AxisLength,
+    Depends,
+    SceneFunction,
+    Situation,
+    V,
+)
+
+
+def lacks(its: Situation) -> str:
+    """Says why a scene has no such drift."""
+    return "" if carries(its.scene) else "no free base touches anything"
+
+
+def carries(scene: Scene) -> bool:
+    """Returns whether the velocities of free bases stay the same in the world while they drift."""
+    return any(x.effect.parts for x in scene.effects) and any(
+        x.kind.floats and x.parent == WORLD for x in scene.model.joints)
+
+
+FUNCTION = SceneFunction(
+    "carried_half_drift", 148, "phi, v: the displacement along the velocities in h/2, and the "
+    "velocities after it: those of a free base stay the same in the world and turn in its frame, "
+    "so that it moves straight on", "h v",
+    (Array("phi", (AxisLength.NV,), units.displacements), V), lambda x: x.carried(),
+    Depends.GEOMETRY, internal=True, lacks=lacks)
