@@ -80,7 +80,8 @@ def compiled(part: Ablation, functions: Sequence[FunctionProgram], compiler: Com
     made = dict(calls if part.words == WHOLE else scene)  # only the whole scene runs
     for tier in tiers:
         made |= scene_c_tier.files(tier, banner)
-    units = {x: (x,) for x in (*made, "loops.c", "driver.c") if x.endswith(".c") and x != BINDING}
+    units: dict[str, tuple[str, ...]] = {
+        x: (x,) for x in (*made, "loops.c", "driver.c") if x.endswith(".c") and x != BINDING}
     if BINDING in made:
         units |= {f"calls_{p.name}": (BINDING, f"-DSINGLE_PRECISION={int(p is SINGLE)}")
                   for p in named(part.functions.precisions)}
