@@ -1,9 +1,11 @@
 """Compares the functions of arrays of PyTorch, and all operations by the array API standard, with
 NumPy's, and PyTorch's derivatives with differences.
 
-`python -m tests.arrays_attack` prints how many functions were compared.  PyTorch must be installed.
+`python -m tests.arrays_attack [operations] [derivatives] [scene]` prints how many functions were
+compared.  PyTorch must be installed.
 """
 
+import sys
 from collections.abc import Iterator
 from itertools import chain
 
@@ -93,9 +95,11 @@ def scene() -> Iterator[str]:
         yield signature.name
 
 
-def main() -> None:
-    print(sum(1 for _ in chain(operations(), derivatives(), scene())), "functions compared")
+def main(*names: str) -> None:
+    parts = {"operations": operations, "derivatives": derivatives, "scene": scene}
+    count = sum(1 for _ in chain(*(parts[name]() for name in names or parts)))
+    print(count, "functions compared")
 
 
 if __name__ == "__main__":
-    main()
+    main(*sys.argv[1:])

@@ -76,7 +76,8 @@ def test_anew_derives_all_whatever_is_kept(site):
     ("algebra/operations/trig.py", "\nFAMILY =", "\n# A comment.\nFAMILY ="),
     ("algebra/operations/formulas/norm.py", '"""The ', '"""Of vectors: the '),
     ("backends/c/c_statements.py", "WIDTH = ", "# A comment.\nWIDTH = "),
-    ("scene/effects/viscous.py", '-(values["d"] * state.v)', '-(2 * values["d"] * state.v)'),
+    ("scene/effects/joint_torques/viscous.py",
+     '-(values["d"] * state.v)', '-(2 * values["d"] * state.v)'),
     ("scene/effects/gravity.py", '"""', "# A comment.\n" + '"""'),
     ("reports/cost/figures/cost_page.py", "\n\n\ndef", "\n\n\nEXTRA = 1\n\n\ndef")])
 def test_comments_docstrings_and_what_is_not_imported_cost_nothing(site, source, old, new):

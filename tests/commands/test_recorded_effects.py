@@ -252,15 +252,16 @@ def quantities(f: Evaluated, state: dict) -> list[tuple[Scene, str, mpmath.mpf]]
 
 def test_effects_add_up_to_the_energy_and_power_of_the_scene(everything: Evaluated) -> None:
     """Potential energies to the potential energy, powers of effects that store nothing to the
-    power, except for limits and dampers, which do both."""
+    power, except for limits, dampers and added masses, which do both."""
     with mpmath.workdps(50):
         state = random_state(everything, 3)
         del state["tau"]
         result = quantities(everything, state)
         stored = [x for applied, quantity, x in result
-                  if quantity == "energy" and not applied.effect.joint_inertia]
+                  if quantity == "energy" and not (
+                      applied.effect.joint_inertia or applied.effect.body_inertia)]
         assert_same([everything("energy", **state)[1]], [sum(stored)])
-        both = {"limit", "spring_damper"}
+        both = {"limit", "spring_damper", "added_mass"}  # the last in wind
         plain = Evaluated(replace(everything.scene, effects=tuple(
             x for x in everything.scene.effects if x.effect.name not in both)), MULTIPRECISE)
         lost = [x for applied, quantity, x in result if quantity == "power"

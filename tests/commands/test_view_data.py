@@ -243,6 +243,26 @@ shape = { box = [0.1, 0.2, 0.3] }
     assert ("screw", "box") in {(names[x.body], x.shape) for x in drawn(result.system).parts}
 
 
+def test_collision_shapes_are_parts_of_their_own(tmp_path):
+    """A mesh that a visual has, too, is in the page once; a further one is simplified apart."""
+    bumpy(2).export(tmp_path / "bumpy.stl")
+    bumpy(6).export(tmp_path / "rough.stl")  # 81,920 triangles
+    shapes = (f'<collision><geometry><mesh filename="{x}"/></geometry></collision>'
+              for x in ("bumpy.stl", "rough.stl", "none.stl"))
+    (result,) = arm(tmp_path, MESHED.format("bumpy.stl"), *shapes,
+                    '<collision><origin xyz="0 0 -1"/><geometry><sphere radius="0.5"/></geometry>'
+                    "</collision>", precision="double", until=0.1)
+    text = page([result])
+    data = PageData(text)
+    (seen,), (same, rough, ball) = data.json["parts"], data.json["collisions"]
+    assert same["mesh"] == seen["mesh"] and len(data.json["meshes"]) == 2
+    assert 9_000 <= len(data.mesh(rough["mesh"])[1]) <= 10_000
+    assert (ball["kind"], ball["size"], ball["place"]) == ("sphere", [0.5], [0, 0, -1, 0, 0, 0, 1])
+    assert "1 shape is not shown" in text
+    (note,) = re.findall("<li>(arm: a collision.*?)</li>", text)
+    assert re.fullmatch("arm: a collision shape: line [12]: no file .*none.stl.*", note)
+
+
 # ghosts, arrows, springs
 
 @pytest.fixture(scope="module")

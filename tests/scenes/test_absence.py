@@ -65,7 +65,7 @@ while the other is present."""
 def test_text_is_that_of_a_generator_without_the_effects(generator: Path,
                                                          names: tuple[str, ...]) -> None:
     folder = generator / "coscrew_codegen/scene/effects"
-    texts = {folder / f"{name}.py": (folder / f"{name}.py").read_bytes() for name in names}
+    texts = {file: file.read_bytes() for name in names for file in folder.rglob(f"{name}.py")}
     environment = {**os.environ, "PYTHONPATH": os.pathsep.join((str(generator), str(ROOT)))}
     try:
         for file in texts:

@@ -181,12 +181,61 @@ def test_an_ellipsoid_turns_broadside() -> None:
     assert mx < my < mz and a[5] < 0  # from the small mass towards the large one
 
 
+# with other effects
+
+
+def swims(*others: object) -> Evaluated:
+    """A mass of 2 kg on a line, with 3 kg of added mass."""
+    return Evaluated(scene(slider(2), applied("added_mass", "b0", mass=(3, 1, 1)), *others),
+                     MULTIPRECISE)
+
+
+def steps(f: Evaluated, h: mpf, count: int, q: object, v: object, t: object = 0
+          ) -> tuple[mpf, mpf]:
+    """q and v after steps of the default integrator."""
+    q, v, t = mpf(q), mpf(v), mpf(t)
+    for _ in range(count):
+        q += h / 2 * v
+        (a,) = f("midpoint_acceleration", t=t + h / 2, h=h, q=[q], v=[v])
+        v, t = v + h * a, t + h
+        q += h / 2 * v
+    return q, v
+
+
+def test_drag_stops_it_later() -> None:
+    """v0/(1 + c v0 t), c = rho area/2(m + m_a)."""
+    f, wanted = swims(applied("drag", "b0", rho=4, area=1)), 2 / (1 + mpf(2) / 5 * 2)
+    off = [abs(steps(f, mpf(1) / n, n, 0, 2)[1] - wanted) for n in (32, 64)]
+    assert off[0] < mpf("1e-3") and mpf("3.5") < off[0] / off[1] < mpf("4.5")
+
+
+def test_a_spring_swings_slower() -> None:
+    """q0 cos(sqrt(k/(m + m_a)) t)."""
+    f, wanted = swims(applied("spring", "j0", k=20)), mpmath.cos(2)
+    off = [abs(steps(f, mpf(1) / n, n, 1, 0)[0] - wanted) for n in (32, 64)]
+    assert off[0] < mpf("1e-2") and mpf("3.8") < off[0] / off[1] < mpf("4.2")
+
+
+def test_a_stream_that_begins_to_flow_carries_it_along() -> None:
+    """(m + m_a) v' = m_a u': the share m_a/(m + m_a) of the stream's speed, from rest."""
+    f = swims(applied("wind", velocity=(Formula("5*tanh(t)"), 0, 0)))
+    _, v = steps(f, mpf(1) / 64, 64, 0, 0)
+    assert abs(v - mpf(3) / 5 * 5 * mpmath.tanh(1)) < mpf("1e-3")
+
+
+def test_a_motor_under_water_takes_longer() -> None:
+    """v = speed (1 - e^(-t/T)), T = (m + m_a) speed/limit."""
+    f = swims(applied("actuator", "j0", kind="torque", torque=9, limit=5, speed=2))
+    _, v = steps(f, mpf(1) / 64, 64, 0, 0)
+    assert abs(v - 2 * (1 - mpmath.exp(-mpf(1) / 2))) < mpf("1e-4")
+
+
 # what follows from it
 
 
 @pytest.mark.parametrize("model", [mechanism, chain_of_three], ids=["tree", "with a follower"])
 def test_forward_and_inverse_dynamics_agree(model: Callable) -> None:
-    """And M a is their difference, whose energy is v·M v/2."""
+    """M a is what acceleration adds to the torques, and v·M v/2 the kinetic energy."""
     own = [applied("added_mass", "b1", mass=MASS, inertia=INERTIA, matrix=LOWER, point=POINT),
            applied("added_mass", "b2", mass=MASS, point=POINT)]
     mimic = effects("mimic") if model is chain_of_three else ()
@@ -222,7 +271,7 @@ def test_work_of_the_stream_is_the_change_of_energy(stream: tuple) -> None:
 
 
 def test_derivatives_are_those_of_the_dynamics() -> None:
-    """Of torques by q, v and a, and of the kinetic energy: central differences over 1e-16."""
+    """Differences over 1e-16, of torques by q, v and a, and of the kinetic energy."""
     own = scene(chain((Kind.REVOLUTE, Y, HERE, RIGID), (Kind.REVOLUTE, X, at(0, 1, 0), RIGID)),
                 added(), applied("added_mass", "b1", mass=MASS), gravity(),
                 applied("wind", velocity=WIND))

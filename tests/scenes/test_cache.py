@@ -156,7 +156,7 @@ def test_a_scene_is_derived_again_if_what_it_depends_on_changes(changed):
             ("scene/effects/gravity.py", "EFFECT = ", "# A comment.\nEFFECT = "),
             ("scene/effects/gravity.py", '"""', '"""On Earth: '),
             ("dynamics/algorithms/forward.py", '    """', '    """Here: '),
-            ("scene/effects/viscous.py", '-(values["d"]', '-(2 * values["d"]'),
+            ("scene/effects/joint_torques/viscous.py", '-(values["d"]', '-(2 * values["d"]'),
             ("reports/cost/figures/cost_page.py", "\n\n\ndef ", "\n\n\nX = 1\n\n\ndef "),
             ("templates/view/page.html.jinja", ": playback", ": play")):
         assert not changed(source, old, new), source

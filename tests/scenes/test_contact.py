@@ -13,7 +13,10 @@ from coscrew_codegen import load_scene, run
 from coscrew_codegen.scene.effects.bristles.contact import damping_of
 from coscrew_codegen.scene.readers.scene_error import SceneError
 from coscrew_codegen.scene.readers.toml.toml_scene import read_scene
+from tests.references import bouncing_ball
+from tests.references import figures as committed
 
+SCENES = Path(__file__).parents[2] / "examples/scenes"
 G, SLOPE = 9.81, math.radians(20)
 BALL = """
 [bodies]
@@ -217,3 +220,48 @@ def test_friction_has_no_default(made: Made) -> None:
 def test_ground_that_nothing_touches_is_told(made: Made) -> None:
     text = BALL[:BALL.index("[effects")] + "[effects.ground]\n" + LEVEL
     assert any("nothing touches it" in x for x in read_scene(made(text)).unused)
+
+
+def test_a_ball_bounces_as_by_another_solver(made: Made) -> None:
+    """With small steps, to 1e-7 m over four bounces; the other solver's figures are those of its
+    module."""
+    known = committed.read("bouncing_ball")
+    assert [x.value for x in bouncing_ball.figures(bouncing_ball.TIMES[:2])] == [
+        x.value for x in known[:4]]
+    text = (SCENES / "bouncing_ball.toml").read_text()
+    result = run(made(text), step=2e-5, precision="double")
+    for x in known:
+        place = result.q if x.quantity == "q.free.2" else result.v
+        ours = place[round(float(x.at) / 0.01), 2]
+        assert abs(ours - float(x.value)) < (1e-7 if x.quantity == "q.free.2" else 2e-4)
+
+
+def test_a_robot_lands_and_its_feet_stay_where_they_stand() -> None:
+    """Ten seconds after it has come to rest: less than a nanometre, and its weight is carried."""
+    kernels = load_scene(SCENES / "landing.toml")
+    landed = run(kernels, until=6, every=6, precision="double")
+    later = run(kernels, until=16, every=1, start=landed, precision="double")
+    record = kernels.double
+
+    def feet(q: np.ndarray) -> np.ndarray:
+        poses = record.body_poses(q)
+        names = kernels.interface.bodies
+        return np.array([poses[i][:, :3] @ (0, 0, -0.21) + poses[i][:, 3]
+                         for i, name in enumerate(names) if name.endswith("shank")])
+
+    assert np.abs(feet(later.q[-1]) - feet(later.q[0])).max() < 1e-9
+    forces = sum(getattr(record, name)(later.q[-1], later.v[-1])[0] for name in dir(record)
+                 if name.startswith("effect_contact_feet"))
+    assert forces == pytest.approx([0, 0, 16.4 * G], abs=1e-9)
+
+
+@pytest.mark.parametrize("precision", ["double", "single"])
+def test_batches_have_the_bits_of_one_state(precision: str) -> None:
+    kernels, n = load_scene(SCENES / "landing.toml"), 5
+    one = run(kernels, until=0.35, precision=precision)
+    q0 = np.repeat(one.q[:1].astype(float), n, 0)
+    q0[:, 2] += 0.01 * np.arange(n)
+    many = run(kernels, until=0.35, precision=precision, q0=q0)
+    alone = run(kernels, until=0.35, precision=precision, q0=q0[3])
+    assert many.q[3].tobytes() == alone.q.tobytes()
+    assert many.q[0].tobytes() == one.q.tobytes()

@@ -55,7 +55,7 @@ BY_STATE = np.array([*[10] * 6, *[0.1] * 6])
 
 def cost(plan: np.ndarray, x: np.ndarray, functions: Functions[np.float64]
          ) -> tuple[float, np.ndarray]:
-    """What predictive.c minimises, and its gradient, by recursion from the plan's end."""
+    """The cost that predictive.c minimises, and its gradient, by recursion from the plan's end."""
     zero, states, slopes = np.zeros(6), [x], []
     hold = functions.inverse_dynamics(AIM[:6], zero, zero)
     plan = plan.reshape(STEPS, 6)

@@ -1,6 +1,7 @@
 """Derivatives of a scene's functions are functions like others: the same bits from C, in lanes and
 from NumPy, in both precisions, and accurate and certified ones."""
 
+from collections.abc import Sequence
 from pathlib import Path
 from types import ModuleType
 
@@ -10,9 +11,15 @@ import pytest
 
 from coscrew_codegen import load_scene
 from coscrew_codegen.backends.python_extension import scene_calls
+from coscrew_codegen.dynamics import derive
 from coscrew_codegen.program.scene_functions import Signature
 from coscrew_codegen.runtime.load import Kernels
+from coscrew_codegen.scene.readers.toml.toml_scene import read_scene
+from tests.support.compiled.c_harness import CXX_COMPILERS
+from tests.support.compiled.flags import HASWELL, X86
 from tests.support.each import each_precision
+from tests.support.scenes.cuda_program import of_scene
+from tests.support.scenes.cuda_runs import compared
 from tests.support.scenes.evaluation import evaluator, without_errors
 from tests.support.scenes.generated_scenes import imported
 from tests.support.scenes.scene_texts import TIMED
@@ -73,6 +80,17 @@ def test_steps_have_the_bits_of_steps(both, precision) -> None:
         q, v = getattr(kernels, STEP)(*arguments[:len(described[STEP].inputs)])
         result = getattr(kernels, f"{STEP}_{kind}")(*arguments)
         assert same_bits(result[:2], (q, v)), kind
+
+
+@pytest.mark.parametrize("names", [
+    ("inverse_dynamics_derivatives", "forward_dynamics_derivatives", "difference", "chart"),
+    ("energy_tangent", "inverse_dynamics_adjoint", f"{STEP}_derivatives")], ids=len)
+def test_kernels_for_cuda_have_the_bits_of_c(file: Path, tmp_path: Path, names: Sequence[str]
+                                             ) -> None:
+    """Compiled as C++ that fuses products wherever it may."""
+    scene = of_scene(derive(read_scene(file), names))
+    flags = ("-O1", *(HASWELL if X86 else ()), "-ffp-contract=fast")
+    assert compared(scene, tmp_path, CXX_COMPILERS[0], *flags) > 1000
 
 
 @pytest.mark.parametrize("name", TIERED)

@@ -27,6 +27,7 @@ BALL = "nothing holds body ball: it falls"
 BOTH = "nothing holds 2 free bodies (trunk, ball): they fall"
 HELD = {
     "wrench": '[effects.wrench.trunk]\nforce = [0, 0, "30*t"]\n',
+    "contact": '[effects.contact.foot]\nbodies = ["leg"]\nmu = 0.5\n',
     "buoyancy": "[effects.buoyancy.leg]\nrho = 1000\nV = 1e-3\n",
     "field": "[effects.field.trunk]\nmu = 1\ncentre = [9, 9, 9]\n",
     "spring": "[effects.spring.float]\nk = 30\n",
@@ -109,7 +110,7 @@ def test_commands_say_it_once_beside_the_summary(tmp_path: Path,
     lines = capsys.readouterr().err.splitlines()
     assert [x for x in lines if "nothing holds" in x] == [
         "coscrew: nothing holds body ball: it falls; write an effect that does, as "
-        '[effects.spring_damper.LABEL] or [effects.wrench.LABEL], base = "fixed", or falling = '
+        '[effects.contact.LABEL] or [effects.wrench.LABEL], base = "fixed", or falling = '
         '"accept" where that is meant']
     assert any(x.startswith("coscrew: not used: ") for x in lines)
     assert main(["simulate", str(path), "--until", "0.01", "--verbose"]) == 0

@@ -209,6 +209,51 @@ def test_their_torques_are_mujocos(read, tmp_path):
     assert 0 < saturated < 10
 
 
+def test_ranges_of_ctrl_limit_motors_and_are_told_of_others(read, tmp_path):
+    """A motor's, the same in both directions, limits its force: the smaller of both limits counts.
+    """
+    scene = read(more="""<actuator><motor name="a" joint="roll" gear="50" ctrlrange="-0.5 0.5"/>
+<motor name="b" joint="wag" ctrlrange="-3 3" forcerange="-2 2"/>
+<motor name="c" joint="bend" ctrlrange="-1 2"/>
+<position name="d" joint="swing" kp="7" ctrlrange="-1 1"/></actuator>""")
+    limits = {x.name: x.values.get("limit") for x in scene.effects if x.effect.name == "actuator"}
+    assert limits == {"actuator.a": 0.5, "actuator.wag": 2, "actuator.bend": None,
+                      "actuator.swing": None}
+    held = "actuator {}: ctrl is held between -1 and {} in MuJoCo, and not here"
+    assert [x for x in scene.unused if "ctrl" in x] == [held.format("c", 2), held.format("d", 1)]
+    kernels = load_scene(scene, functions=["inverse_dynamics"])
+    theirs = mujoco.MjModel.from_xml_path(str(tmp_path / "robot.xml"))
+    data, q = mujoco.MjData(theirs), np.array(kernels.neutral_q)
+    mujoco.mj_forward(theirs, data)
+    zero = np.zeros(kernels.NV)
+    places = {c.joint: c.v.start for c in kernels.interface.coordinates}
+    for ctrl in (0.1, -0.2, 1.0, -5.0):
+        data.ctrl[:2] = ctrl
+        mujoco.mj_fwdActuation(theirs, data)
+        mine = kernels.double.inverse_dynamics([0, 0, 0, 0], q, zero, zero) \
+            - kernels.double.inverse_dynamics([ctrl, ctrl, 0, 0], q, zero, zero)
+        for joint in ("roll", "wag"):
+            wanted = data.qfrc_actuator[theirs.joint(joint).dofadr[0]]
+            assert mine[places[joint]] == pytest.approx(wanted, abs=1e-12)
+
+
+def test_warnings_of_mujoco_are_notices_and_no_file(read, tmp_path, monkeypatch, capfd):
+    """Each once; MuJoCo warns as before afterwards."""
+    monkeypatch.chdir(tmp_path)
+    before, texts = mujoco.get_mju_user_warning(), []
+    mujoco.set_mju_user_warning(texts.append)
+    try:
+        scene = read(FREE.replace(
+            ">", '><compiler settotalmass="3"/>', 1))
+        assert mujoco.get_mju_user_warning() == texts.append
+    finally:
+        mujoco.set_mju_user_warning(before)
+    (notice,) = (x for x in scene.unused if "MuJoCo warns" in x)
+    assert "'settotalmass' is deprecated" in notice
+    assert not texts and not (tmp_path / "MUJOCO_LOG.TXT").exists()
+    assert "deprecated" not in "".join(capfd.readouterr())
+
+
 def test_a_scene_is_told_what_drives_to_write(read):
     notices = [x for x in read(more=DRIVES, scene="[effects.gravity]").unused if "actuator of" in x]
     assert notices[0] == (

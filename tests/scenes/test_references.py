@@ -30,7 +30,8 @@ PUBLISHED = {
                   "position.tip.2,2,-.67302227"),
 }
 PERIOD = "2.36784194757623745"
-MOTIONS = ("pendulum", "wingnut", "euler_top", "heavy_top", "stick_slip", "arm6", "quadruped")
+MOTIONS = ("pendulum", "wingnut", "euler_top", "heavy_top", "stick_slip", "arm6", "quadruped",
+           "reach")
 SMOOTH = MOTIONS[:4]
 DIGITS = {"double": 1e-7, "single": 0.2}
 """Largest ratio of a bound to the size of its quantity, so that comparisons are meaningful."""
@@ -93,11 +94,12 @@ def test_committed_figures_are_what_their_command_prints(module):
     assert tuple(module.figures()) == committed.read(module.__name__.rpartition(".")[2])
 
 
-@pytest.mark.parametrize("name, count", (("stick_slip", 2), ("arm6", 1), ("quadruped", 1)))
+@pytest.mark.parametrize("name, count", (
+    ("stick_slip", 2), ("arm6", 1), ("quadruped", 1), ("reach", 2)))
 def test_the_peers_figures_are_found_again(name, count):
     """The first figures of their runs, recomputed, also with other tolerances: they differ by no
     more than these tolerances cause."""
-    if name != "stick_slip":
+    if name not in ("stick_slip", "reach"):
         pytest.importorskip("pinocchio", reason="no wheel for this platform")
     module = __import__(f"tests.references.{name}", fromlist=[name])
     times = module.TIMES[:count]

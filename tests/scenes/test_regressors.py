@@ -54,7 +54,7 @@ def _changed(applied: Applied, chosen: tuple[str, ...]) -> Applied:
     """The effect with 7 times its numbers of these names."""
     def times(name: str, x: object) -> object:
         if isinstance(x, tuple):
-            return tuple(times(f"{name}.{'xyz'[k]}", y) for k, y in enumerate(x))
+            return tuple(times(f"{name}.{'xyz'[k] if k < 3 else k}", y) for k, y in enumerate(x))
         return x * 7 if f"{applied.name}.{name}" in chosen else x
 
     given: Mapping[str, Setting] = {k: times(k, x) for k, x in applied.values.items()}
@@ -112,12 +112,15 @@ def test_base_has_the_rank_of_the_regressor(name: str) -> None:
 def test_numbers_of_effects_that_torques_are_linear_in() -> None:
     """No number of a limited torque is, no distance, and no speed at which friction fades."""
     assert Derivation(scene_with(LINEAR)).linear.names[40:] == (
-        "actuator.j2.voltage", "actuator.j2.ke", "armature.j1.inertia", "armature.j2.rotor",
+        "actuator.j2.voltage", "actuator.j2.ke",
+        *(f"added_mass.b3.{what}.{axis}" for what in ("mass", "inertia") for axis in "xyz"),
+        *(f"added_mass.b0.inertia.{axis}" for axis in "xyz"),
+        "armature.j1.inertia", "armature.j2.rotor",
         "buoyancy.b2.rho", "coulomb.j1.tau_c", "drag.b3.rho", "drag.b0.b", "joint_drag.j1.c",
-        "joint_drag.j2.c", "limit.j1.k", "limit.j2.k", "spring.j1.k", "spring_damper.a.k",
-        "spring_damper.a.d", "spring_damper.b.k", "spring_damper.c.d", "stribeck.j2.tau_c",
-        "stribeck.j2.tau_s", "viscous.j1.d", "viscous.j2.d", "wrench.b3.force.y",
-        "wrench.b3.torque.y", "wrench.b2.force.y", "wrench.b2.point.y")
+        "joint_drag.j2.c", "limit.j1.k", "limit.j2.k", "speed_limit.j2.d", "spring.j1.k",
+        "spring_damper.a.k", "spring_damper.a.d", "spring_damper.b.k", "spring_damper.c.d",
+        "stribeck.j2.tau_c", "stribeck.j2.tau_s", "viscous.j1.d", "viscous.j2.d",
+        "wrench.b3.force.y", "wrench.b3.torque.y", "wrench.b2.force.y", "wrench.b2.point.y")
 
 
 def test_base_of_a_double_pendulum() -> None:

@@ -28,6 +28,7 @@ name = "full"
 base = "fixed"
 precision = "both"
 implausible = "error"
+falling = "warn"
 functions = ["default"]
 tiers = ["plain", "accurate"]
 runtime = ["b.mass"]

@@ -7,13 +7,13 @@ import { arrows, frames, masses, trail } from "./marks.js";
 import { Plots } from "./plots.js";
 import { pointing } from "./pointer.js";
 import { Recording } from "./recording.js";
-import { Robot, shapesOf } from "./robot.js";
+import { collisions, Robot, shapesOf } from "./robot.js";
 import { Stage } from "./stage.js";
 import { ties } from "./ties.js";
 import { Tools } from "./tools.js";
 
 const $ = id => document.getElementById(id);
-const GHOSTS = [0xf2711c, 0x8e4ec6, 0x2a9d5c];
+const GHOSTS = [0xf2711c, 0x8e4ec6, 0x2a9d5c], TOUCHING = 0xe0a100;
 const CONTROLS = ["BUTTON", "INPUT", "SELECT", "SUMMARY", "OUTPUT"];
 const NARROW = 640;  // px, below which the tools stand above the bar
 
@@ -66,6 +66,9 @@ class Player {
     }
     tools.add("Trail", "t", true, () => trail(recording, size), space);
     tools.add("Frames", "j", false, () => frames(recording, robot, size), space);
+    if (recording.collisions.length) {
+      tools.add("Collision", "c", false, () => collisions(recording, TOUCHING), space);
+    }
     tools.add("Masses", "m", false, () => masses(recording, robot, size), space);
     tools.add("Names", "n", false, () => ({
       ...labels(recording, robot, $("labels"), $("space"), stage.camera),

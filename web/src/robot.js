@@ -5,9 +5,20 @@ import { meshesOf, shapeOf } from "./geometry.js";
 const DARKEST = .045;  // pure black would swallow all shape
 
 // The parts' geometries, shared by the robot and its ghosts.
-export function shapesOf(recording) {
+export function shapesOf(recording, parts = recording.parts) {
   const meshes = meshesOf(recording);
-  return recording.parts.map(part => shapeOf(part, meshes));
+  return parts.map(part => shapeOf(part, meshes));
+}
+
+// A mark: the shapes with which the robot may touch others, over its own.
+export function collisions(recording, colour) {
+  const parts = recording.collisions, shapes = shapesOf(recording, parts);
+  const robot = new Robot(recording, recording.main, shapes, colour, parts);
+  robot.group.traverse(({ material }) => {
+    if (material) Object.assign(material, { opacity: .5, polygonOffsetFactor: -2,
+                                            polygonOffsetUnits: -8 });
+  });
+  return { group: robot.group, update: () => robot.pose() };
 }
 
 function solid([red, green, blue, opacity]) {
@@ -28,7 +39,7 @@ function ghostly(colour) {
 
 // A group for each body and, as the last, for what stands in the world.
 export class Robot {
-  constructor(recording, run, shapes, ghost) {
+  constructor(recording, run, shapes, ghost, parts = recording.parts) {
     this.run = run;
     this.group = new Group();
     this.bodies = recording.bodies.map((_, number) => {
@@ -39,7 +50,7 @@ export class Robot {
     this.world = new Group();
     this.group.add(...this.bodies, this.world);
     const material = ghost === undefined ? null : ghostly(ghost);
-    recording.parts.forEach((part, i) => {
+    parts.forEach((part, i) => {
       if (material && part.body < 0) return;
       const mesh = new Mesh(shapes[i], material ?? solid(part.colour));
       mesh.castShadow = mesh.receiveShadow = !material;

@@ -1,8 +1,9 @@
-"""How floating-point formats round, as a rule for the bounds of a Program's values.
+"""Rule by which floating-point formats round, for the bounds of a Program's values.
 
 Rounding a number z up to m errs by at most u times the largest power of two below m.  Rounding is
 monotonic, so that the rounded number is at most m rounded up."""
 
+from collections.abc import Sequence
 from fractions import Fraction
 from math import ceil, frexp, inf, ldexp
 
@@ -32,7 +33,8 @@ class FloatRounding:
         return RoundedRange(above(abs(value)), above(abs(abs(value) - Fraction(near))),
                             self._known(near), below(abs(value)))
 
-    def rounding(self, step: Instruction, before: Upward) -> tuple[Upward, Upward]:
+    def rounding(self, step: Instruction, before: Upward, operands: Sequence[RoundedRange] = ()
+                 ) -> tuple[Upward, Upward]:
         """Bounds the error of rounding a number up to `before`, and the rounded number."""
         if scales(step):
             return self._eta, self._known(before + self._eta)
@@ -43,7 +45,8 @@ class FloatRounding:
         return max(Upward(ldexp(self._u, binade)), self._eta), self._known(self._up(before))
 
     def function(self, step: Instruction, x: RoundedRange, size: Upward) -> tuple[Upward, Upward]:
-        """Of size s, a sine's ulp is at most 2 u s, and at most u; no sine exceeds 1."""
+        """Bounds a sine's or cosine's own error and size: up to s, its ulp is at most 2 u s, and at
+        most u; none exceeds 1."""
         own = max(self._u * min(1.0, 2 * (size + x.error)), Upward(2 * self._eta))
         return self._of_sine * own, self._known(1.0)
 

@@ -70,7 +70,8 @@ class RoundingRule(Protocol):
         """Bounds of a constant as it is stored."""
         ...
 
-    def rounding(self, step: Instruction, before: Upward) -> tuple[Upward, Upward]:
+    def rounding(self, step: Instruction, before: Upward, operands: Sequence[RoundedRange]
+                 ) -> tuple[Upward, Upward]:
         """Bounds the rounding error of a sum, product or quotient up to `before`, and the size
         after rounding; inf where the format says nothing of that."""
         ...
@@ -123,10 +124,10 @@ class Values:
         assert isinstance(x, NotANumber)
         return UNKNOWN
 
-    def _rounded(self, step: Instruction, size: Upward, error: Upward, computed: Upward
-                 ) -> tuple[RoundedRange, Upward]:
+    def _rounded(self, step: Instruction, operands: Sequence[RoundedRange], size: Upward,
+                 error: Upward, computed: Upward) -> tuple[RoundedRange, Upward]:
         """The bounds of a result, given those before rounding; and of the rounding error."""
-        last, stored = self._rule.rounding(step, min(size + error, computed))
+        last, stored = self._rule.rounding(step, min(size + error, computed), operands)
         return RoundedRange(size, error + last, stored), last
 
     def _total(self, step: Instruction, operands: Sequence[RoundedRange]) -> RoundedRange:
@@ -139,7 +140,7 @@ class Values:
         quadratic = self._joined(step, a.quadratic, b.quadratic)
         if quadratic:
             size = min(size, _largest(quadratic))
-        result, _ = self._rounded(step, size, error, a.computed + b.computed)
+        result, _ = self._rounded(step, operands, size, error, a.computed + b.computed)
         return result._replace(low=self._least(quadratic), quadratic=quadratic) if quadratic \
             else result
 
@@ -163,7 +164,7 @@ class Values:
         quadratic = self._square(*step.operands)
         if quadratic:
             size = min(size, _largest(quadratic))
-        result, last = self._rounded(step, size, error, a.computed * b.computed)
+        result, last = self._rounded(step, operands, size, error, a.computed * b.computed)
         for x, y in ((a, b), (b, a)):
             if x.circular and not x.factor:
                 rest = x.error * y.size + a.error * b.error + last
@@ -181,7 +182,8 @@ class Values:
         a, b = operands
         size = a.size / b.low
         left = Upward(max(0.0, nextafter(b.low - b.error, 0)))
-        return self._rounded(step, size, (a.error + size * b.error) / left, Upward(inf))[0]
+        return self._rounded(step, operands, size, (a.error + size * b.error) / left,
+                             Upward(inf))[0]
 
     def _circular(self, step: Instruction, operands: Sequence[RoundedRange]) -> RoundedRange:
         x, = operands

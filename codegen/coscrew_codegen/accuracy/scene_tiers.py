@@ -7,6 +7,7 @@ Steps have no tier: they are sequences of calls, whose error is that of the step
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
 
+from coscrew_codegen.accuracy.range_statements import statement
 from coscrew_codegen.accuracy.tiers import PLAIN, Tier, tier_named
 from coscrew_codegen.algebra.recording.recorder import headings
 from coscrew_codegen.program import Program
@@ -62,13 +63,16 @@ def in_tier(scene: SceneFunctions, tier: Tier) -> SceneTier:
             f"{scene.name}: the {tier.name} tier is of {tier.precisions[0].name} precision, the "
             f"scene of {scene.precisions[0]}: write precision = \"both\", or leave out the tier")
     return SceneTier(tier, replace(scene, precisions=tuple(p.name for p in precisions)), tuple(
-        (p, replace(scene, functions=tuple(_function(f, tier, p) for f in public), steps=(),
-                    precisions=(p.name,), tiers=(), mark=tier.mark)) for p in precisions))
+        (p, replace(scene, functions=tuple(_function(f, tier, p, precisions) for f in public),
+                    steps=(), precisions=(p.name,), tiers=(), mark=tier.mark))
+        for p in precisions))
 
 
-def _function(plain: FunctionProgram, tier: Tier, precision: Precision) -> FunctionProgram:
-    """The function in the tier and precision."""
+def _function(plain: FunctionProgram, tier: Tier, precision: Precision,
+              precisions: Sequence[Precision]) -> FunctionProgram:
+    """The function in the tier and precision; its statement is about all of these precisions."""
     program, rounding = _program_in_tier(plain, tier, precision)
+    rounding = rounding or stated(plain, tier, precisions)
     more = len(program.inputs) > len(plain.program.inputs)
     return replace(plain, program=program, plain=plain.program if more else None, rounding=rounding,
                    headings=headings_in(plain, program))
@@ -94,6 +98,14 @@ def _program_in_tier(plain: FunctionProgram, tier: Tier, precision: Precision
     if tier.scene is None:
         raise ValueError(f"scenes do not have the {tier.name} tier")
     return tier.scene(plain.program, precision), ""
+
+
+def stated(plain: FunctionProgram, tier: Tier, precisions: Sequence[Precision]) -> str:
+    """States the bounds that are proved of the function in the tier over its stated ranges."""
+    if plain.ranges is None or tier.proof is None:
+        return ""
+    bounds = {p: proof for p in precisions if (proof := tier.proof(plain, p))}
+    return statement(plain, bounds) if bounds else ""
 
 
 def savings(scene: SceneFunctions, units: Callable[[SceneFunctions, str], Sequence[str]]

@@ -3,14 +3,18 @@
 from collections.abc import Callable, Collection
 from dataclasses import replace
 
+from coscrew_codegen.accuracy.scene_tiers import stated
+from coscrew_codegen.accuracy.tiers import PLAIN
 from coscrew_codegen.algebra.recording.gc_pause import uncollected
 from coscrew_codegen.dynamics.derivation import Derivation
 from coscrew_codegen.dynamics.integrator_steps import needs, stepped
 from coscrew_codegen.dynamics.ranges.accuracy_requests import requested
 from coscrew_codegen.dynamics.ranges.argument_ranges import argument_ranges
 from coscrew_codegen.dynamics.ranges.representable import refuse_numbers
+from coscrew_codegen.dynamics.ranges.residual import residual
 from coscrew_codegen.dynamics.ranges.rounding import statement
 from coscrew_codegen.program.scene_functions import FunctionProgram, SceneFunctions
+from coscrew_codegen.program.values.formats import named
 from coscrew_codegen.scene.function_selection import (
     FunctionsError,
     refuse_many,
@@ -59,10 +63,14 @@ def _functions(its: Derivation, names: Collection[str]) -> SceneFunctions:
 def _stated(its: Derivation, made: FunctionProgram, public: bool) -> FunctionProgram:
     """The function, public or not; if public, with the statement on its rounding errors and the
     accuracy requested of it."""
-    rounding = statement(made.program, its.scene, its.tree) if public else ""
-    return replace(made, internal=not public, rounding=rounding,
-                   ranges=argument_ranges(made.program, its.scene) if public else None,
-                   accuracy=requested(made.program, its.scene, its.tree) if public else None)
+    if not public:
+        return replace(made, internal=True)
+    made = replace(made, ranges=argument_ranges(made.program, its.scene),
+                   accuracy=requested(made.program, its.scene, its.tree))
+    if not made.ranges:
+        return replace(made, rounding=statement(made.program, its.scene, its.tree))
+    return replace(made, rounding="  ".join(filter(None, (
+        stated(made, PLAIN, named(its.scene.precisions)), residual(its, made)))))
 
 
 def _refuse(its: Derivation, entry: SceneFunction, reason: str, names: Collection[str]) -> None:

@@ -79,6 +79,7 @@ class ParameterOf:
     optional_of: tuple[str, ...] = ()  # the choices among these with which it may be left out
     positive: bool = False  # refused if zero or below
     nonnegative: bool = False
+    rate_of: str = ""  # the parameter whose rate is its default, where that is a trajectory
     needs: str = ""  # the parameter without which it may not be given
     example: str = "1"  # in TOML, for messages that propose the effect
 

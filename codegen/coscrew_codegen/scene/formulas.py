@@ -34,7 +34,8 @@ _WANTED = f"numbers, t, pi, + - * / **, parentheses and {', '.join(FUNCTIONS)}"
 _KNOWN = f"formulas know t, pi and the functions {', '.join(FUNCTIONS)}"
 
 _DOUBLES = {"sin": math.sin, "cos": math.cos, "exp": math.exp, "tanh": math.tanh, "sqrt": math.sqrt,
-            "abs": abs, "min": min, "max": max, "pi": math.pi, "number": float}
+            "abs": abs, "min": min, "max": max, "pi": math.pi, "number": float,
+            "less": operator.lt, "where": lambda test, a, b: a if test else b}
 
 
 V = TypeVar("V")  # the kind of numbers that a formula is evaluated on

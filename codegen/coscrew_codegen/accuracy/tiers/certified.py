@@ -32,6 +32,7 @@ from dataclasses import dataclass, replace
 from fractions import Fraction
 from typing import TYPE_CHECKING
 
+from coscrew_codegen.accuracy.range_proofs import of_plain
 from coscrew_codegen.accuracy.tiers import certified_rotations, certified_scene, certified_wide
 from coscrew_codegen.accuracy.tiers.tier import Tier, bounds_of_outputs, is_polynomial, rounds_by
 from coscrew_codegen.program import (
@@ -195,7 +196,7 @@ def _of_scene(program: Program, precision: Precision) -> Program:
 TIER = Tier(
     "certified", 3, "Certified tier: plain results, and bounds on their errors that always hold.",
     ("#00805d", "#3ccf9f"), _made, has=_has,
-    operation=certified_operation, scene=_of_scene, bounds=True,
+    operation=certified_operation, scene=_of_scene, bounds=True, proof=of_plain,
     promise="""\
 |tau - exact| <= tau_bound for each component of a result tau: exact is what exact arithmetic makes
 of the arguments as they are and of the model's decimals.  Where a bound is infinite or NaN, no

@@ -31,4 +31,4 @@ def _setting(recorder: Recorder, value: Setting, t: Number) -> object:
 def _functions(recorder: Recorder) -> dict[str, object]:
     return {"sin": n.sin, "cos": n.cos, "exp": n.exp, "tanh": n.tanh, "sqrt": n.sqrt,
             "abs": n.absolute, "min": n.minimum, "max": n.maximum, "number": recorder.number,
-            "pi": recorder.number(constant_pi())}
+            "less": n.less, "where": n.where, "pi": recorder.number(constant_pi())}

@@ -84,8 +84,9 @@ class LinearEffects:
         return results
 
     def _replaced(self, applied: Applied) -> Applied:
-        """The effect with parameters in place of its numbers."""
+        """The effect with parameters in place of its numbers, except those of matrices."""
         signed = {x.name for x in applied.effect.parameters if x.sign}
+        constant = {x.name for x in applied.effect.parameters if x.kind == "matrix"}
 
         def swap(name: str, value: object) -> object:
             if isinstance(value, tuple):
@@ -99,7 +100,8 @@ class LinearEffects:
             return Parameter(full, self._first + len(self._numbers) - 1, exact)
 
         values: Mapping[str, Setting] = {
-            name: swap(name, value) for name, value in applied.values.items()}  # type: ignore[misc]
+            name: value if name in constant else swap(name, value)  # type: ignore[misc]
+            for name, value in applied.values.items()}
         return replace(applied, values=values)
 
     def _program(self, x: FunctionRecording) -> Program:

@@ -9,6 +9,7 @@ from coscrew_codegen.backends.render import LICENSE
 from coscrew_codegen.scene.effect import Effect, ParameterOf, Place
 from coscrew_codegen.scene.effects import EFFECTS
 from coscrew_codegen.scene.readers.toml.keys import SCENE, Key, TableOf
+from coscrew_codegen.scene.readers.toml.trajectories import KEYS
 
 Schema = dict[str, object]
 
@@ -17,13 +18,15 @@ _TEXTS: Schema = {"$ref": "#/definitions/texts"}
 _VECTOR: Schema = {"$ref": "#/definitions/vector"}
 _POSITIVE: Schema = {"$ref": "#/definitions/positive"}
 _NONNEGATIVE: Schema = {"$ref": "#/definitions/nonnegative"}
+_TRAJECTORY: Schema = {"$ref": "#/definitions/trajectory"}
 
 
 def schema_text(banner: str) -> str:
     """The text of the schema."""
     definitions = {"number": {"type": ["number", "string"]},  # a string is a constant formula
                    "positive": _bounded("exclusiveMinimum"), "nonnegative": _bounded("minimum"),
-                   "vector": _array(3, _NUMBER),
+                   "vector": _array(3, _NUMBER), "trajectory": _closed(
+                       {key: {"type": "string"} for key in KEYS}, ["file", "column"]),
                    "texts": {"type": "array", "items": {"type": "string"}, "uniqueItems": True},
                    **{effect.name: _one(effect) for effect in EFFECTS}}
     document = {"$comment": "\n".join((banner, *LICENSE)),
@@ -135,7 +138,8 @@ def _parameter(parameter: ParameterOf) -> Schema:
     number = _POSITIVE if parameter.positive else \
         _NONNEGATIVE if parameter.nonnegative else _NUMBER
     kinds: dict[str, Schema] = {
-        "number": number, "vector": _array(3, number), "formula": number,
+        "number": number, "vector": _array(3, number),
+        "formula": {"anyOf": [number, _TRAJECTORY]},
         "formulas": _VECTOR, "body": {"type": "string"},
         "choice": {"enum": list(parameter.choices)}, "flag": {"type": "boolean"},
         "matrix": _array(6, _array(6, _NUMBER))}

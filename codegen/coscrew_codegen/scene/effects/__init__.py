@@ -1,14 +1,12 @@
-"""The effects of scenes, one per module.
-
-Further effects: added mass needs a further field of `Effect`, a body's 6×6 inertia; closed loops
-need a field for rows of constraints, for whose multipliers forward dynamics must solve."""
+"""The effects of scenes, one per module."""
 
 import copyreg
 
 from coscrew_codegen.program.plugins import discover
 from coscrew_codegen.scene.effect import Effect
 
-EFFECTS: tuple[Effect, ...] = discover(__name__, __path__, "EFFECT", Effect)
+EFFECTS: tuple[Effect, ...] = tuple(sorted(
+    discover(__name__, __path__, "EFFECT", Effect), key=lambda x: x.name))
 """The catalogue, by name: adding or deleting a module adds or removes its effect."""
 
 

@@ -25,8 +25,10 @@ class Ranges:
     quaternions: tuple[int, ...] = ()  # where in q each unit quaternion begins
 
     def of(self, argument: str, count: int) -> Intervals:
-        """The intervals of an argument's components; unstated ones of arguments without ranges."""
-        return self.by_name.get(argument, (UNSTATED,) * count)
+        """The intervals of an argument's components; unstated ones of arguments without ranges, and
+        of effects' states at the end of q."""
+        own = self.by_name.get(argument, ())
+        return *own, *(UNSTATED,) * (count - len(own))
 
     @property
     def sizes(self) -> tuple[tuple[str, tuple[float, ...]], ...]:

@@ -47,5 +47,5 @@ def _line(fall: list[Joint]) -> str:
     names = ", ".join(joint.child for joint in fall[:3]) + (", …" if len(fall) > 3 else "")
     one = len(fall) == 1
     bodies = f"body {names}: it falls" if one else f"{len(fall)} free bodies ({names}): they fall"
-    return (f"nothing holds {bodies}; write an effect that does, as [effects.spring_damper.LABEL] "
-            'or [effects.wrench.LABEL], base = "fixed", or falling = "accept" where that is meant')
+    return (f"nothing holds {bodies}; write an effect that does, as [effects.contact.LABEL] or "
+            '[effects.wrench.LABEL], base = "fixed", or falling = "accept" where that is meant')

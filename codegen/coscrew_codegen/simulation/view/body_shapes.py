@@ -14,12 +14,12 @@ from coscrew_codegen.scene.mechanism.model import WORLD, Body, Inertia, Joint
 from coscrew_codegen.scene.mechanism.visual import HERE, MESH, Visual
 from coscrew_codegen.simulation.system import System
 from coscrew_codegen.simulation.view.collada_axes import has_y_up, means_it, upright
-from coscrew_codegen.simulation.view.mesh_files import Piece, installed, meshes
+from coscrew_codegen.simulation.view.mesh_files import Piece, Pieces, identity, installed, meshes
 
 _THIN = 0.06  # least side of a box, relative to its longest or, for a point mass, the model's size
 _HARDLY = 0.02  # of the model's mass
 _ROD = 0.012  # radius of the rods between joints, in sizes of the model
-_UNPAINTED = (0.72, 0.75, 0.80, 1.0)
+UNPAINTED = (0.72, 0.75, 0.80, 1.0)
 _LINKAGE = (0.47, 0.51, 0.57, 1.0)
 _COLOURS = ((0.26, 0.47, 0.78), (0.90, 0.49, 0.16), (0.30, 0.62, 0.42), (0.66, 0.40, 0.68),
             (0.83, 0.66, 0.22), (0.30, 0.60, 0.68), (0.78, 0.33, 0.33), (0.50, 0.52, 0.30))
@@ -45,6 +45,8 @@ class RobotDrawing:
     parts: list[DrawnPart] = field(default_factory=list)
     notes: list[str] = field(default_factory=list)
     unread: int = 0  # meshes that are boxes since no package reads them
+    pieces: dict[str, Pieces] = field(default_factory=dict)  # of the meshes, by identity
+    touching: list[DrawnPart] = field(default_factory=list)  # collision shapes
 
 
 def drawn(system: System) -> RobotDrawing:
@@ -68,8 +70,10 @@ def _add_visuals(drawing: RobotDrawing, bodies: tuple[Body, ...], numbers: dict[
                  ) -> Iterator[str]:
     """Add the visuals that can be shown; yields the names of their bodies."""
     every = [(body, x) for body in bodies for x in body.visuals]
-    wanted = [(body, x) for body, x in every if _readable(x)]
+    wanted = [(body, x) for body, x in every if readable(x)]
     results = meshes([x for _, x in wanted]) if wanted else []
+    drawing.pieces = {identity(x): result for (_, x), result in zip(wanted, results, strict=True)
+                      if not isinstance(result, str)}
     turns = means_it((body, x, result) for (body, x), result in zip(wanted, results, strict=True)
                      if not isinstance(result, str))
     pieces = iter(results)
@@ -78,20 +82,21 @@ def _add_visuals(drawing: RobotDrawing, bodies: tuple[Body, ...], numbers: dict[
             drawing.notes.append(f"{body}: {visual.problem}")
         elif visual.shape != MESH:
             drawing.parts.append(DrawnPart(numbers[body], visual.shape, visual.size, visual.place,
-                                      visual.colour or _UNPAINTED))
+                                      visual.colour or UNPAINTED))
             yield body
-        elif not _readable(visual):
+        elif not readable(visual):
             drawing.unread += 1
         elif isinstance(result := next(pieces), str):
             drawing.notes.append(f"{body}: {visual.mesh}: {result}")
         else:
             place = upright(visual.place) if turns and has_y_up(visual) else visual.place
             drawing.parts += [DrawnPart(numbers[body], MESH, (), place, x.colour or visual.colour or
-                                   _UNPAINTED, x) for x in result]
+                                   UNPAINTED, x) for x in result]
             yield body
 
 
-def _readable(visual: Visual) -> bool:
+def readable(visual: Visual) -> bool:
+    """Returns whether a visual has a mesh that the packages that are here can read."""
     return visual.mesh is not None and (installed() or not hasattr(visual.mesh, "suffix"))
 
 

@@ -21,6 +21,8 @@ PACKAGES = ("trimesh", "fast_simplification", "collada")
 """Modules of the extra `view`, which read and simplify meshes."""
 TRIANGLES = 40_000
 """The most triangles in a page, except that no mesh gets fewer than _FEW."""
+TOUCHING = 10_000
+"""The most in further meshes of collision shapes."""
 _FEW = 200
 _WELD = 1e-5  # of a mesh's size: vertices closer than this are one
 _COLOURED = (".dae", ".obj", ".glb", ".gltf", ".ply")  # files whose own colours count
@@ -46,7 +48,7 @@ def installed() -> bool:
 
 def meshes(visuals: Sequence[Visual], most: int = TRIANGLES) -> list[Pieces | str]:
     """The pieces of each visual's mesh, or why there are none; equal meshes are the same object."""
-    distinct = {identity: x for x in visuals if (identity := _identity(x))}
+    distinct = {identity(x): x for x in visuals}
     tools = [version(x) for x in ("trimesh", "fast-simplification")] if installed() else []
     key = cache.key_of(sources.digest_of(__name__), str(most), *distinct, *tools)
 
@@ -54,10 +56,10 @@ def meshes(visuals: Sequence[Visual], most: int = TRIANGLES) -> list[Pieces | st
         return _stored(_simplified([_read(x) for x in distinct.values()], most))
 
     result = dict(zip(distinct, cache.cached(key, _SUFFIX, made, _restored), strict=True))
-    return [result[_identity(x)] for x in visuals]
+    return [result[identity(x)] for x in visuals]
 
 
-def _identity(visual: Visual) -> str:
+def identity(visual: Visual) -> str:
     """The hash of a mesh's content, and its scale."""
     if isinstance(visual.mesh, Path):
         content = cache.hashed(visual.mesh.read_bytes(), 32) + visual.mesh.suffix

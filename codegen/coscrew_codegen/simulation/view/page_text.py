@@ -109,14 +109,15 @@ def _tracked(system: System, numbers: dict[str, int]) -> int:
 
 
 def _parts(drawing: RobotDrawing, block: NumberBlock) -> dict[str, Json]:
-    """The parts, and the meshes that they name by number."""
+    """The parts and the collision shapes, and the meshes that they name by number."""
     pieces: list[Piece] = []
-    for part in drawing.parts:
+    for part in (*drawing.parts, *drawing.touching):
         if part.piece and not any(x is part.piece for x in pieces):
             pieces.append(part.piece)
     numbers = {id(x): n for n, x in enumerate(pieces)}
     return {"meshes": [_mesh(x, block) for x in pieces],
-            "parts": [*_entries(drawing.parts, numbers)]}
+            "parts": [*_entries(drawing.parts, numbers)],
+            "collisions": [*_entries(drawing.touching, numbers)]}
 
 
 def _entries(parts: Sequence[DrawnPart], numbers: dict[int, int]) -> Iterator[Json]:

@@ -15,6 +15,7 @@ from coscrew_codegen.simulation.recordings.result import Result
 from coscrew_codegen.simulation.system import System, system
 from coscrew_codegen.simulation.view import page_signals
 from coscrew_codegen.simulation.view.body_shapes import RobotDrawing, drawn, numbers_of
+from coscrew_codegen.simulation.view.collision_shapes import add_collisions
 from coscrew_codegen.simulation.view.page_runs import PageRun, run_of, target_of
 from coscrew_codegen.simulation.view.page_signals import SignalGroup
 
@@ -47,7 +48,9 @@ def playback(results: Sequence[Result], besides: Sequence[PageRun] = ()) -> Play
         runs.append(target)
     groups = page_signals.grouped(first.system, first.recording.columns,
                                   [x.columns for x in runs])
-    return Playback(first, tuple(runs), drawn(first.system), tuple(groups))
+    drawing = drawn(first.system)
+    add_collisions(drawing, first.system.scene.model)
+    return Playback(first, tuple(runs), drawing, tuple(groups))
 
 
 def with_poses(result: Result) -> Result:

@@ -23,6 +23,7 @@ from coscrew_codegen.scene.mechanism.model import (
     Joint,
     Placement,
 )
+from coscrew_codegen.scene.mechanism.notices import Notice
 from coscrew_codegen.scene.mechanism.tree import composed
 from coscrew_codegen.scene.readers.foreign import of_root, root_of
 from coscrew_codegen.scene.readers.mjcf.mjcf_actuators import actuators
@@ -43,7 +44,7 @@ _NOWHERE = (Fraction(0),) * 3
 
 
 def _parts(source: ModelSource) -> Parts:
-    model = _compiled(source)
+    model, warnings = _warned(source)
     names = MjcfNames(model)
     left_out, drives = tuple(refused(source, model, names)), actuators(model, names)
     seen = MjcfVisuals(model)
@@ -54,8 +55,21 @@ def _parts(source: ModelSource) -> Parts:
         effects=effects(model, names, drives.tables), inputs=drives.inputs,
         offered=tendons(model, names).offered,
         start=_start(model, names),
-        notices=(*left_out, *ignored(model, names)),
+        notices=(*left_out, *ignored(model, names), *(
+            Notice("other tools' numbers", "model", f"MuJoCo warns: {x}") for x in warnings)),
         collisions=tuple(collisions(model, names, seen)))
+
+
+def _warned(source: ModelSource) -> "tuple[mujoco.MjModel, list[str]]":
+    """MuJoCo's model, and its warnings, which it would print and write into the current folder."""
+    import mujoco
+
+    before, texts = mujoco.get_mju_user_warning(), list[str]()
+    mujoco.set_mju_user_warning(texts.append)
+    try:
+        return _compiled(source), [*dict.fromkeys(texts)]
+    finally:
+        mujoco.set_mju_user_warning(before)
 
 
 def _compiled(source: ModelSource) -> "mujoco.MjModel":
@@ -163,5 +177,4 @@ READER = ModelReader(
     "MJCF", (".xml", ".mjcf"), "a model of MuJoCo, by its compiler: bodies, joints with damping, "
     "armature, springs, friction and limits, fixed tendons, actuators, joints that follow others, "
     "gravity and its compensation; shapes that touch change no motion yet", _parts,
-    modules=("mujoco",), extra="mjcf",
-    leaves_out=tuple(GROUPS))
+    modules=("mujoco",), extra="mjcf", leaves_out=tuple(GROUPS))

@@ -10,6 +10,7 @@ has for ctrl = 0."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass
+from math import inf
 from typing import TYPE_CHECKING
 
 from coscrew_codegen.scene.mechanism.notices import Notice
@@ -40,7 +41,7 @@ class _Drive:
 
     values: Mapping[str, object]
     driven: str  # "torque"
-    words: str = ""  # how, if it is not ctrl itself
+    words: tuple[str, ...] = ()  # how, if it is not ctrl itself, and what holds ctrl in MuJoCo
 
 
 def actuators(model: "mujoco.MjModel", names: MjcfNames) -> Actuators:
@@ -62,8 +63,7 @@ def actuators(model: "mujoco.MjModel", names: MjcfNames) -> Actuators:
             label, on = _place(model, names, i, joints)
             tables[label] = {**on, **drive.values}
             inputs.append(f"actuator.{label}.{drive.driven}")
-            if drive.words:
-                notices.append(Notice("actuator", element, f"{element}: {drive.words}"))
+            notices += [Notice("actuator", element, f"{element}: {x}") for x in drive.words]
         elif _passive(model, i):
             refused.append(element)
         else:
@@ -107,21 +107,29 @@ def _drive(model: "mujoco.MjModel", i: int) -> _Drive | None:
     """The values of the effect that does the same; None if there is none."""
     g, (b0, b1, b2) = float(model.actuator_gainprm[i][0]), map(
         float, model.actuator_biasprm[i][:3])
-    limit, ctrl = _limit(model, i), _control(model, i)
     if not int(model.actuator_biastype[i]):
         b0 = b1 = b2 = 0.0
+    limit, held = _limit(model, i), _range(model, i)
     if limit is None or not _plain(model, i) or b1 > 0 or b2 > 0:
         return None
+    if held and held[0] == -held[1] and g and not (b0 or b1 or b2):  # |g ctrl| has a limit, too
+        limit, held = min(limit, abs(g) * held[1]), None
+    within = {"limit": decimals([limit])[0]} if limit < inf else {}
+    clamped = (f"ctrl is held between {held[0]:g} and {held[1]:g} in MuJoCo, and not here",) \
+        if held else ()
+    ctrl = min(max(0.0, held[0]), held[1]) if held else 0.0
     kp, kd = decimals([0.0 - b1, 0.0 - b2])
     if b0 == 0 and b1 and g == -b1:
-        return _Drive({"kind": "pd", "kp": kp, "kd": kd, "target": _number(ctrl), **limit},
-                      "target")
+        return _Drive({"kind": "pd", "kp": kp, "kd": kd, "target": _number(ctrl), **within},
+                      "target", clamped)
     if b0 == b1 == 0 and b2 and g == -b2:
         return _Drive({"kind": "pd", "kp": kp, "kd": kd, "target": 0, "target_v": _number(ctrl),
-                       **limit}, "target_v")
+                       **within}, "target_v", clamped)
     servo = {"kind": "pd", "kp": kp, "kd": kd, "target": 0} if b1 or b2 else {"kind": "torque"}
-    words = "" if g == 1 and not b0 else f"torque = {g:g} ctrl" + (f" + {b0:g}" if b0 else "")
-    return _Drive({**servo, "torque": _number(g * ctrl + b0), **limit}, "torque", words)
+    words = () if g == 1 and not b0 else (
+        f"torque = {g:g} ctrl" + (f" + {b0:g}" if b0 else ""),)
+    return _Drive({**servo, "torque": _number(g * ctrl + b0), **within}, "torque",
+                  (*words, *clamped))
 
 
 def _plain(model: "mujoco.MjModel", i: int) -> bool:
@@ -134,21 +142,21 @@ def _plain(model: "mujoco.MjModel", i: int) -> bool:
                 or model.actuator_plugin[i] >= 0)
 
 
-def _control(model: "mujoco.MjModel", i: int) -> float:
-    """MuJoCo's control for ctrl = 0, which it clamps."""
+def _range(model: "mujoco.MjModel", i: int) -> tuple[float, float] | None:
+    """The range in which MuJoCo holds ctrl; None if it does not."""
     import mujoco
 
     free = model.opt.disableflags & int(mujoco.mjtDisableBit.mjDSBL_CLAMPCTRL)
     low, high = map(float, model.actuator_ctrlrange[i])
-    return min(max(0.0, low), high) if model.actuator_ctrllimited[i] and not free else 0.0
+    return (low, high) if model.actuator_ctrllimited[i] and not free else None
 
 
-def _limit(model: "mujoco.MjModel", i: int) -> dict[str, object] | None:
-    """The largest force, if there is one; None if it is not the same in both directions."""
+def _limit(model: "mujoco.MjModel", i: int) -> float | None:
+    """The largest force, inf if there is none; None if it is not the same in both directions."""
     if not model.actuator_forcelimited[i]:
-        return {}
+        return inf
     low, high = map(float, model.actuator_forcerange[i])
-    return {"limit": decimals([high])[0]} if low == -high < 0 else None
+    return high if low == -high < 0 else None
 
 
 def _number(x: float) -> object:

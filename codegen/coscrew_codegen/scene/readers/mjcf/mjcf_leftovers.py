@@ -18,7 +18,8 @@ if TYPE_CHECKING:
 GROUPS: Mapping[str, str] = {
     "loops": "closes a loop of bodies",
     "equalities": "is no line between two joints of one coordinate, or the second of a joint",
-    "tendons": "pulls, and is no sum of joints' coordinates with one length at rest",
+    "tendons": "pulls, and is no sum of joints' coordinates with one length at rest, or has an "
+               "armature",
     "actuators": "exerts forces of its own as no effect does",
     "ball_joints": "is of a free or ball joint, which no effect limits",
     "polynomials": "is no line in velocity or position, or yields",

@@ -9,6 +9,7 @@ from coscrew_codegen.scene.formulas import Formula, FormulaError
 from coscrew_codegen.scene.mechanism.model import WORLD
 from coscrew_codegen.scene.readers.scene_error import shown
 from coscrew_codegen.scene.readers.toml.toml_tables import Decimals, TomlTable, described
+from coscrew_codegen.scene.readers.toml.trajectories import trajectory
 from coscrew_codegen.scene.scene import Setting
 
 
@@ -106,6 +107,8 @@ def refuse_sign(table: TomlTable, parameter: ParameterOf, number: Fraction,
 
 
 def _formula(table: TomlTable, parameter: ParameterOf, value: object) -> Fraction | Formula:
+    if isinstance(value, dict):
+        return trajectory(TomlTable(table.file, table.key(parameter.name), value))
     if not _is_text(value):
         if isinstance(value, bool) or not isinstance(value, int | Decimals):
             table.refuse(parameter.name, f"{described(value)}; wanted a number or a function of t")

@@ -12,6 +12,7 @@ from coscrew_codegen.scene.joints import ONE_COORDINATE, called
 from coscrew_codegen.scene.mechanism.model import WORLD, Body, Joint, Model, value
 from coscrew_codegen.scene.mechanism.rotations import unit
 from coscrew_codegen.scene.readers.toml import effect_settings
+from coscrew_codegen.scene.readers.toml.interpolant import Interpolant
 from coscrew_codegen.scene.readers.toml.toml_model import refuse_not_unit
 from coscrew_codegen.scene.readers.toml.toml_tables import TomlTable
 from coscrew_codegen.scene.scene import Setting
@@ -167,6 +168,8 @@ class EffectTable:
                 values[name] = effect_settings.setting(table, parameter, given[name], self.bodies)
             else:
                 values[name] = effect_settings.default(table, parameter)
+                of = values.get(parameter.rate_of)
+                values[name] = of.rate if isinstance(of, Interpolant) else values[name]
         if self.effect.any_of and all(values[name] is None for name in self.effect.any_of):
             if named or not read:
                 table.missing(self.effect.any_of[0], f"{' or '.join(self.effect.any_of)}")

@@ -16,6 +16,7 @@ from coscrew_codegen.scene.readers.toml.effect_table import ALL, MANY, MODEL, Ef
 from coscrew_codegen.scene.readers.toml.part_tables import completed, on_parts
 from coscrew_codegen.scene.readers.toml.sum_terms import read_terms
 from coscrew_codegen.scene.readers.toml.toml_tables import TomlTable, described
+from coscrew_codegen.scene.readers.toml.trajectories import is_trajectory
 from coscrew_codegen.scene.recorded_quantities import expected, recorded
 from coscrew_codegen.scene.scene import Applied, Scene
 
@@ -175,7 +176,7 @@ def _on_named(reading: EffectTable, plain: Mapping[str, object]) -> Iterator[App
         return
     table, several = reading.table, reading.several
     by_target = {key: table.table(key) for key, value in plain.items()
-                 if isinstance(value, dict) and key != several}
+                 if isinstance(value, dict) and key != several and not _is_one(reading, value)}
     for of_each in by_target.values():
         for name in of_each.values:
             reading.target(of_each, name, name)
@@ -202,6 +203,11 @@ def _on_named(reading: EffectTable, plain: Mapping[str, object]) -> Iterator[App
                             if p.model and plain.get(p.name, p.default) == MODEL)
         table.refuse("", f"no {reading.what} of the model has {lacking}; wanted numbers, or no "
                          f"{reading.effect.name}")
+
+
+def _is_one(reading: EffectTable, value: object) -> bool:
+    """Returns whether a table is one trajectory, not values by joint or body."""
+    return is_trajectory(value) and "file" not in reading.targets
 
 
 def _chosen(reading: EffectTable, several: object, by_target: Mapping[str, TomlTable]

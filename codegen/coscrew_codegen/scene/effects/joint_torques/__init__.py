@@ -1,0 +1,1 @@
+"""Effects that exert torques and forces at joints."""
