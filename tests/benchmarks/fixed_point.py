@@ -10,7 +10,7 @@ from tabulate import tabulate
 
 from coscrew_codegen.accuracy.fixed_scene import FixedScene
 from coscrew_codegen.accuracy.float_rounding import FloatRounding
-from coscrew_codegen.accuracy.rounding_rules import Values
+from coscrew_codegen.accuracy.rounding_rules import ValueBounds
 from coscrew_codegen.backends.fixed.c_integers import INTEGERS
 from coscrew_codegen.backends.fixed.scene_c_fixed import c_name
 from coscrew_codegen.backends.scene import scene_c
@@ -46,7 +46,7 @@ def _proved(made: FixedScene, precision: Precision) -> str:
     """The bound of the plain function's errors in floating point."""
     (function,) = made.functions
     sizes = [dict(made.plain.box)[a.name] for a in function.plain.inputs]
-    values = Values(function.plain.program, sizes, FloatRounding(precision))
+    values = ValueBounds(function.plain.program, sizes, FloatRounding(precision))
     return f"{max(x.error for x in values.results):.1e}"
 
 

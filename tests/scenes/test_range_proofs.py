@@ -6,7 +6,6 @@ from dataclasses import replace
 from fractions import Fraction
 from functools import cache
 from math import inf, isfinite
-from pathlib import Path
 from time import process_time
 
 import numpy as np
@@ -14,7 +13,7 @@ import pytest
 
 from coscrew_codegen.accuracy.float_rounding import FloatRounding
 from coscrew_codegen.accuracy.range_proofs import of_accurate, of_plain, values
-from coscrew_codegen.accuracy.rounding_rules import Values
+from coscrew_codegen.accuracy.rounding_rules import ValueBounds
 from coscrew_codegen.accuracy.scene_tiers import in_tier
 from coscrew_codegen.accuracy.tiers import tier_named
 from coscrew_codegen.backends.output_files import scene_files
@@ -22,18 +21,14 @@ from coscrew_codegen.dynamics import derive
 from coscrew_codegen.program import Input, Instruction, Op, Program, Ref, constant
 from coscrew_codegen.program.scene_functions import FunctionProgram
 from coscrew_codegen.program.values.formats import BY_NAME, DOUBLE, PRECISIONS, SINGLE
+from coscrew_codegen.reports.cost.measured import TierChoice
+from coscrew_codegen.reports.cost.needs.proved import over_ranges
 from coscrew_codegen.runtime.load import Kernels, kernels_for
 from tests.support.scenes.generated_scenes import argument
 from tests.support.scenes.range_search import Search
-from tests.support.scenes.ranged import floating, panda, ranged
+from tests.support.scenes.ranged import FUNCTIONS, SCENES, WORST, floating, panda, ranged
 
-WORST = Path(__file__).with_name("range_worst_cases.csv")
-SCENES = {"panda": panda, "floating": floating}
 NAME = "inverse_dynamics"
-FUNCTIONS = {
-    "panda": ("inverse_dynamics", "inverse_dynamics_derivatives", "mass_matrix", "energy",
-              "jacobian_link7", "inverse_dynamics_tangent"),
-    "floating": ("inverse_dynamics", "body_poses", "mass_matrix", "momentum", "energy")}
 CASES = [(scene, name) for scene, names in FUNCTIONS.items() for name in names]
 ROBOPREC = {("inverse_dynamics", "double"): 1.1e-12, ("inverse_dynamics", "single"): 5.9e-4,
             ("inverse_dynamics_derivatives", "double"): 9.7e-12,
@@ -148,6 +143,16 @@ def test_components_with_a_bound_are_stated_beside_others_without():
                           "q.")
 
 
+def test_costs_have_the_bounds_of_each_tier_that_has_one():
+    its = function("panda", NAME)
+    for tier, precision, bounds in (
+            ("plain", DOUBLE, of_plain), ("certified", SINGLE, of_plain),
+            ("accurate", SINGLE, of_accurate)):
+        expected = tuple(x.error for x in bounds(its, precision))
+        assert over_ranges(its, TierChoice(tier, precision)) == expected
+    assert over_ranges(replace(its, ranges=None), TierChoice("plain", DOUBLE)) is None
+
+
 # rules that stated ranges add
 
 
@@ -170,7 +175,8 @@ SIZES = [[1.0005] * 4]
 
 
 def result(program: Program, quaternion: bool):
-    return Values(program, SIZES, FloatRounding(SINGLE), ((X, Y, Z, W),) * quaternion).results[0]
+    quaternions = ((X, Y, Z, W),) * quaternion
+    return ValueBounds(program, SIZES, FloatRounding(SINGLE), quaternions).results[0]
 
 
 def test_norms_bound_squares_and_products_of_a_quaternion():
@@ -204,7 +210,7 @@ def test_quotients_err_by_no_more_than_stated():
 def test_powers_of_two_count_to_the_binade_below():
     """x + y up to 1 errs by at most u/2, not by u."""
     program = small((Op.ADD, X, Y))
-    values = Values(program, [[0.5] * 4], FloatRounding(SINGLE)).results[0]
+    values = ValueBounds(program, [[0.5] * 4], FloatRounding(SINGLE)).results[0]
     assert values.error == SINGLE.u / 2 and values.computed == 1
 
 

@@ -4,7 +4,7 @@ that the scene states."""
 from typing import NamedTuple
 
 from coscrew_codegen.accuracy.float_rounding import FloatRounding
-from coscrew_codegen.accuracy.rounding_rules import RoundingRule, Values
+from coscrew_codegen.accuracy.rounding_rules import RoundingRule, ValueBounds
 from coscrew_codegen.program import Program
 from coscrew_codegen.program.roundoff import Upward
 from coscrew_codegen.program.scene_functions import FunctionProgram
@@ -12,31 +12,31 @@ from coscrew_codegen.program.values.formats import DOUBLE, SINGLE, Precision
 
 
 class ResultBound(NamedTuple):
-    """Bounds of the size of an exact result, and of the error of the computed one."""
+    """ResultBounds of the size of an exact result, and of the error of the computed one."""
 
     size: float
     error: float
 
 
-Bounds = tuple[ResultBound, ...]
+ResultBounds = tuple[ResultBound, ...]
 """The bounds of each component of the results."""
 
 
 def values(program: Program, function: FunctionProgram, precision: Precision, rule: RoundingRule
-           ) -> Values:
+           ) -> ValueBounds:
     """The bounds of all values of the function's program, for arguments in a precision."""
     ranges = function.ranges
     if ranges is None:
         raise ValueError(f"{function.name} has no stated ranges; wanted [ranges] in the scene")
-    return Values(program, ranges.sizes(precision), rule, ranges.quaternions)
+    return ValueBounds(program, ranges.sizes(precision), rule, ranges.quaternions)
 
 
-def of_plain(function: FunctionProgram, precision: Precision) -> Bounds:
+def of_plain(function: FunctionProgram, precision: Precision) -> ResultBounds:
     """The bounds of the plain tier's results."""
     return _bounds(values(function.program, function, precision, FloatRounding(precision)))
 
 
-def of_accurate(function: FunctionProgram, precision: Precision) -> Bounds | None:
+def of_accurate(function: FunctionProgram, precision: Precision) -> ResultBounds | None:
     """The bounds of the accurate tier's results in single precision, which is plain double
     precision rounded once."""
     if precision != SINGLE:
@@ -48,5 +48,5 @@ def of_accurate(function: FunctionProgram, precision: Precision) -> Bounds | Non
                  for x in inside.results)
 
 
-def _bounds(inside: Values) -> Bounds:
+def _bounds(inside: ValueBounds) -> ResultBounds:
     return tuple(ResultBound(x.size, x.error) for x in inside.results)

@@ -83,7 +83,8 @@ def _errors(x: ErrorStatistics) -> dict[str, Json]:
     return {
         "unit": x.unit, "typical": x.typical, "worst": x.worst,
         "typical_digits": x.typical_digits, "worst_digits": x.worst_digits,
-        "largest_result": x.largest, "found_in": x.place, "bound": _bounds(x.bounds)}
+        "largest_result": x.largest, "found_in": x.place, "bound": _bounds(x.bounds),
+        **({} if x.proved is None else {"proved": x.proved})}
 
 
 def _bounds(x: Bounds | None) -> dict[str, Json] | None:

@@ -10,7 +10,7 @@ import numpy as np
 
 from coscrew_codegen.accuracy.fixed_scene import FixedFunction, FixedScene, fixed_of
 from coscrew_codegen.accuracy.float_rounding import FloatRounding
-from coscrew_codegen.accuracy.rounding_rules import Values
+from coscrew_codegen.accuracy.rounding_rules import ValueBounds
 from coscrew_codegen.accuracy.scene_tiers import NoFunctionsError
 from coscrew_codegen.accuracy.tiers import tier_named
 from coscrew_codegen.backends.fixed import scene_c_fixed
@@ -68,7 +68,8 @@ def _rows(made: FixedScene, f: FixedFunction, folder: Path) -> Iterator[CoreCost
     real = [np.array([x / 2.0**value.bits for x, value in zip(parts, values, strict=True)],
                      np.float32) for parts, values in zip(integers, f.inputs, strict=True)]
     for precision in named(made.plain.precisions):
-        errors = [x.error for x in Values(f.plain.program, sizes, FloatRounding(precision)).results]
+        bounds = ValueBounds(f.plain.program, sizes, FloatRounding(precision))
+        errors = [x.error for x in bounds.results]
         yield CoreCost(f.plain.name, precision.name, _by_unit(f.plain, errors), _counted(
             folder, name, name, f.plain, f"{name}_{f.plain.name}{precision.suffix}", real,
             precision))
