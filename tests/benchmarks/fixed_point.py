@@ -17,10 +17,10 @@ from coscrew_codegen.backends.scene import scene_c
 from coscrew_codegen.program.fixed.fixed_program import Products
 from coscrew_codegen.program.values.formats import DOUBLE, SINGLE, Precision
 from coscrew_codegen.reports.cost.needs import cortex_m4
+from coscrew_codegen.reports.cost.needs.core_costs import CORES
 from tests.support.scenes import fixed_point as fx
 from tests.support.scenes import fixed_robots
 
-CORES = {**cortex_m4.WITHOUT_FLOATS, "Cortex-M4F": cortex_m4.COMPILER}
 STATES, ROUNDS = 20_000, 12
 
 
