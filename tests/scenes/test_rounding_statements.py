@@ -12,7 +12,7 @@ import pytest
 
 import coscrew
 from coscrew_codegen.accuracy.float_rounding import FloatRounding
-from coscrew_codegen.accuracy.rounding_rules import Values
+from coscrew_codegen.accuracy.rounding_rules import ValueBounds
 from coscrew_codegen.backends.output_files import scene_files
 from coscrew_codegen.dynamics import derive
 from coscrew_codegen.program import Constant, Input, Instruction, Op, Operand, Program, Ref
@@ -62,7 +62,7 @@ RULES: dict[str, tuple[Program, float]] = {  # and the part of the bound that is
 def test_rules_hold_and_are_reached(name: str):
     small, reached = RULES[name]
     sizes = (1.7, 1.4, np.inf)
-    result = Values(small, [sizes], FloatRounding(SINGLE)).results
+    result = ValueBounds(small, [sizes], FloatRounding(SINGLE)).results
     draw = np.random.default_rng(1)
     x, y = (draw.uniform(0.6 * size, size, 400_000) * draw.choice((-1, 1), 400_000)
             for size in sizes[:2])

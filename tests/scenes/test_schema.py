@@ -91,6 +91,17 @@ parent = "c"
 child = "d"
 axis = [1, 0, 0]
 axis2 = [0, 0, 2]
+[loops.pin]
+kind = "hinge"
+bodies = ["a", "d"]
+first = [0, 0, 0.1]
+second = [0.1, 0, 0]
+axis = [0, 0, 1]
+axis2 = [0, 1, 0]
+[loops.strut]
+kind = "rod"
+bodies = ["d", "world"]
+length = 0.5
 [effects.gravity]
 g = [0, 0, -9.81]
 [effects.viscous]

@@ -18,6 +18,7 @@ from coscrew_codegen.runtime import load
 from coscrew_codegen.scene.function_selection import (
     CONTACTS,
     FREE,
+    LOOPS,
     MOST,
     FunctionsError,
     names,
@@ -86,10 +87,11 @@ def test_the_step_is_that_of_the_run(integrator):
 def test_each_function_can_stand_alone(name: str, tmp_path: Path):
     """Nothing else is declared; its text is the same as among all others; it compiles without a
     warning, of unused functions either."""
-    if name in FREE:
-        with pytest.raises(FunctionsError, match=f"arm: there is no {name}: no base is floating"):
-            derive(arm(name))
-        return
+    for absent, why in ((FREE, "no base is floating"), (LOOPS, "no loop is closed")):
+        if name in absent:
+            with pytest.raises(FunctionsError, match=f"arm: there is no {name}: {why}"):
+                derive(arm(name))
+            return
     assert public(arm(name)) == [name]
     files = scene_c.files(derive(arm(name)), "banner")
     whole = whole_arm()
@@ -122,8 +124,8 @@ def test_contacts_are_refused_by_name_where_no_limit_closes():
 
 
 def test_all_functions_have_names_and_names_have_functions():
-    """The two scenes together have everything that a scene can have."""
-    result = {*public(arm(*ALL))} | {f"{name}" for name in public(flyer(*ALL))}
+    """The two scenes together have everything that a scene without closed loops can have."""
+    result = {*public(arm(*ALL))} | {f"{name}" for name in public(flyer(*ALL))} | {*LOOPS}
     assert result == {*names(arm()), *names(flyer())}
     assert {"jacobian_b2", "jacobian_b1", "reaction_j0"} < result and "reaction_j2" not in result
 

@@ -5,7 +5,7 @@ monotonic, so that the rounded number is at most m rounded up."""
 
 from collections.abc import Sequence
 from fractions import Fraction
-from math import ceil, frexp, inf, ldexp
+from math import ceil, frexp, inf, isfinite, ldexp
 
 from coscrew_codegen.accuracy.rounding_rules import RoundedRange, above, below
 from coscrew_codegen.program import Constant, Instruction
@@ -21,7 +21,7 @@ class FloatRounding:
 
     def __init__(self, precision: Precision, plain: bool = False) -> None:
         self._precision, self._plain = precision, plain
-        self._u, self._eta = Upward(precision.u), Upward(precision.eta)
+        self._u, self._eta = Upward(precision.u), above(precision.eta)
         self._most = float(precision.limit("max"))
         self._normal = float(precision.smallest_normal)
         self._of_sine = above(SINCOS.error(precision))
@@ -37,7 +37,7 @@ class FloatRounding:
                  ) -> tuple[Upward, Upward]:
         """Bounds the error of rounding a number up to `before`, and the rounded number."""
         if scales(step):
-            return self._eta, self._known(before + self._eta)
+            return self._eta, self._known(self._up(before) if isfinite(before) else inf)
         if not before or before > self._most:
             return Upward(inf if before else 0), before
         mantissa, exponent = frexp(before)

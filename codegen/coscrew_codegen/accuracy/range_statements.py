@@ -3,7 +3,7 @@
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from math import isfinite
 
-from coscrew_codegen.accuracy.range_proofs import Bounds, ResultBound
+from coscrew_codegen.accuracy.range_proofs import ResultBound, ResultBounds
 from coscrew_codegen.accuracy.rounding_rules import followed
 from coscrew_codegen.program.scene_functions import ArgumentRanges, FunctionProgram
 from coscrew_codegen.program.values.digits import two_digits_up
@@ -16,7 +16,7 @@ _ENDS = 3
 """The most intervals of an argument that are written out."""
 
 
-def statement(function: FunctionProgram, bounds: Mapping[Precision, Bounds]) -> str:
+def statement(function: FunctionProgram, bounds: Mapping[Precision, ResultBounds]) -> str:
     """The bounds of the function's results in these precisions, over its stated ranges."""
     parts, silent, start = [], [], 0
     for a in function.program.outputs:
@@ -44,10 +44,10 @@ def reason(function: FunctionProgram) -> str:
         function.program.inputs, function.ranges.intervals, strict=True))
         if n in used and not all(isfinite(end) for x in each for end in x)]
     return f"[ranges] states no range of {_listed(unstated)}" if unstated else \
-        "it divides by numbers that may be small"
+        "no bound of its quotients is known"
 
 
-def _of_output(a: Argument, of: Mapping[Precision, Bounds], known: Sequence[int]) -> str:
+def _of_output(a: Argument, of: Mapping[Precision, ResultBounds], known: Sequence[int]) -> str:
     """The bounds of the components of an output that have one."""
     moves = " and ".join(f"{two_digits_up(max(each[k].error for k in known))} in {p.name}"
                          for p, each in of.items())

@@ -56,6 +56,7 @@ class RoundedRange(NamedTuple):
     factor: "RoundedRange | None" = None  # of a multiple: the other factor
     rest: Upward = Upward(0)  # of a multiple: error less that of the other factor
     quadratic: Quadratic | None = None
+    own: Upward = Upward(0)  # error of its own rounding or function
 
 
 FOLLOWED = frozenset({Op.ADD, Op.SUB, Op.MUL, Op.DIV, Op.NEG, *_CIRCULAR})
@@ -87,7 +88,7 @@ def followed(program: Program) -> bool:
     return program.counts.keys() <= FOLLOWED and NotANumber() not in program.results
 
 
-class Values:
+class ValueBounds:
     """The bounds of a program's values, for all arguments whose components are up to these sizes;
     `quaternions` are components of unit quaternions, four each."""
 
@@ -100,7 +101,7 @@ class Values:
         rules: Mapping[Op, Callable[[Instruction, Sequence[RoundedRange]], RoundedRange]] = {
             Op.ADD: self._total, Op.SUB: self._total, Op.MUL: self._product,
             Op.DIV: self._quotient, Op.SIN: self._circular, Op.COS: self._circular,
-            Op.NEG: lambda _, x: x[0]}
+            Op.NEG: lambda _, x: x[0]._replace(own=Upward(0), low=Upward(0), quadratic=None)}
         for step in program.instructions:
             apply = rules.get(step.op)
             self.by_name[step.name] = UNKNOWN if apply is None else apply(
@@ -125,10 +126,10 @@ class Values:
         return UNKNOWN
 
     def _rounded(self, step: Instruction, operands: Sequence[RoundedRange], size: Upward,
-                 error: Upward, computed: Upward) -> tuple[RoundedRange, Upward]:
-        """The bounds of a result, given those before rounding; and of the rounding error."""
-        last, stored = self._rule.rounding(step, min(size + error, computed), operands)
-        return RoundedRange(size, error + last, stored), last
+                 error: Upward, computed: Upward) -> RoundedRange:
+        """The bounds of a result, given those before rounding."""
+        own, stored = self._rule.rounding(step, min(size + error, computed), operands)
+        return RoundedRange(size, error + own, stored, own=own)
 
     def _total(self, step: Instruction, operands: Sequence[RoundedRange]) -> RoundedRange:
         a, b = operands
@@ -140,7 +141,7 @@ class Values:
         quadratic = self._joined(step, a.quadratic, b.quadratic)
         if quadratic:
             size = min(size, _largest(quadratic))
-        result, _ = self._rounded(step, operands, size, error, a.computed + b.computed)
+        result = self._rounded(step, operands, size, error, a.computed + b.computed)
         return result._replace(low=self._least(quadratic), quadratic=quadratic) if quadratic \
             else result
 
@@ -164,10 +165,10 @@ class Values:
         quadratic = self._square(*step.operands)
         if quadratic:
             size = min(size, _largest(quadratic))
-        result, last = self._rounded(step, operands, size, error, a.computed * b.computed)
+        result = self._rounded(step, operands, size, error, a.computed * b.computed)
         for x, y in ((a, b), (b, a)):
             if x.circular and not x.factor:
-                rest = x.error * y.size + a.error * b.error + last
+                rest = x.error * y.size + a.error * b.error + result.own
                 return result._replace(circular=x.circular, factor=y, rest=rest)
         return result._replace(quadratic=quadratic) if quadratic else result
 
@@ -183,13 +184,14 @@ class Values:
         size = a.size / b.low
         left = Upward(max(0.0, nextafter(b.low - b.error, 0)))
         return self._rounded(step, operands, size, (a.error + size * b.error) / left,
-                             Upward(inf))[0]
+                             Upward(inf))
 
     def _circular(self, step: Instruction, operands: Sequence[RoundedRange]) -> RoundedRange:
         x, = operands
         size = min(Upward(1), x.size) if step.op is Op.SIN else Upward(1)
         own, stored = self._rule.function(step, x, size)
-        return RoundedRange(size, x.error + own, stored, circular=(step.op, step.operands[0]))
+        return RoundedRange(size, x.error + own, stored, circular=(step.op, step.operands[0]),
+                            own=own)
 
 
 def above(x: Fraction) -> Upward:

@@ -14,6 +14,7 @@ COMMANDS = {
     "generate": "coscrew_codegen.cli.generate_command",
     "simulate": "coscrew_codegen.cli.simulate_command",
     "check": "coscrew_codegen.cli.check_command",
+    "certificate": "coscrew_codegen.cli.certificate_command",
     "cost": "coscrew_codegen.cli.cost_command",
     "sweep": "coscrew_codegen.cli.sweep_command",
     "identify": "coscrew_codegen.cli.identify_command",

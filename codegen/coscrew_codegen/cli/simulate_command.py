@@ -193,6 +193,7 @@ def run(options: argparse.Namespace) -> int:
 
     compilation.ask()
     from coscrew_codegen.simulation import run_summary
+    from coscrew_codegen.simulation.loops import loop_closing
     from coscrew_codegen.simulation.recordings import recording_writer
     from coscrew_codegen.simulation.view import view_files
 
@@ -205,7 +206,8 @@ def run(options: argparse.Namespace) -> int:
     first = results[0]
     for note in ("" if options.start or options.again else
                  run_summary.outside(first.system, first.trajectory.q[0]),
-                 run_summary.bounces(first), run_summary.overspeed(first)):
+                 loop_closing.mobility(first.system), run_summary.bounces(first),
+                 run_summary.overspeed(first)):
         if note:
             print(f"coscrew: {note}", file=sys.stderr)
     recordings = [x.recording for x in results]

@@ -93,6 +93,8 @@ class Derivation:
                 return len(self.linear.names)
             case AxisLength.BASE:
                 return len(self.linear.base.places)
+            case AxisLength.ROWS:
+                return sum(x.kind.count for x in self.scene.model.loops)
 
     # recording
 

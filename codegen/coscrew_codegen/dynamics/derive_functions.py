@@ -17,6 +17,7 @@ from coscrew_codegen.program.scene_functions import FunctionProgram, SceneFuncti
 from coscrew_codegen.program.values.formats import named
 from coscrew_codegen.scene.function_selection import (
     FunctionsError,
+    refuse_loops,
     refuse_many,
     refuse_singular,
     selected_functions,
@@ -38,6 +39,7 @@ def derive(scene: Scene, functions: Collection[str] = (),
     refuse_many(scene)
     refuse_numbers(scene)
     refuse_singular(scene, functions)
+    refuse_loops(scene, functions)
     with uncollected():
         return _functions(Derivation(scene, tell), functions)
 
@@ -65,10 +67,10 @@ def _stated(its: Derivation, made: FunctionProgram, public: bool) -> FunctionPro
     accuracy requested of it."""
     if not public:
         return replace(made, internal=True)
-    made = replace(made, ranges=argument_ranges(made.program, its.scene),
-                   accuracy=requested(made.program, its.scene, its.tree))
-    if not made.ranges:
+    made = replace(made, accuracy=requested(made.program, its.scene, its.tree))
+    if its.scene.ranges is None:
         return replace(made, rounding=statement(made.program, its.scene, its.tree))
+    made = replace(made, ranges=argument_ranges(made.program, its.scene.ranges))
     return replace(made, rounding="  ".join(filter(None, (
         stated(made, PLAIN, named(its.scene.precisions)), residual(its, made)))))
 

@@ -24,7 +24,7 @@ from coscrew_codegen.program.scene_functions import (
     SceneFunctions,
     Split,
 )
-from coscrew_codegen.scene.function_selection import CARRIED, CONTACTS, FREE, MOVED
+from coscrew_codegen.scene.function_selection import CARRIED, CLOSED, CONTACTS, FREE, MOVED
 from coscrew_codegen.scene.identifiers import identifiers
 from coscrew_codegen.scene.integrator import Composition, Drift, Integrator, Kick, Tableau
 from coscrew_codegen.scene.integrators import EMITTED
@@ -40,10 +40,10 @@ def needs(integrator: Integrator, takes_tau: bool = False) -> tuple[str, ...]:
     """Names of the functions that a step calls, if the scene has them."""
     match integrator.scheme:
         case Tableau():
-            return ACCELERATION, MOVED, RATE
+            return ACCELERATION, MOVED, RATE, CLOSED
         case Composition() as scheme:
             return (*(_accelerating(x.by, takes_tau) for x in scheme.stages
-                      if isinstance(x, Kick)), MOVED,
+                      if isinstance(x, Kick)), MOVED, CLOSED,
                     *(CONTACTS if scheme.splits else ()),
                     *((CARRIED,) if scheme.moves_states else ()),
                     *(FREE if scheme.keeps_momentum and not takes_tau else ()))
@@ -203,6 +203,7 @@ class _StepWriter:
         self._weighted(self.means.drift, "u", scheme.b, speeds, "phi")
         self._weighted(self.means.kick, "a", scheme.b, accelerations, "v")
         self._call(MOVED, "q")
+        self._close()
         return self.calls
 
     def _weighted(self, mean: Callable[[Sequence[Fraction], str], str], of: str,
@@ -247,6 +248,12 @@ class _StepWriter:
             else:
                 self._accelerate(stage.by, "a", passed, "t_kick", "q", "v")
                 self._call(self.means.kick((stage.part,)), "v")
+        self._close()
+
+    def _close(self) -> None:
+        """Appends the correction of states that have left the closures of loops."""
+        if self.scene.has(CLOSED):
+            self._call(CLOSED, "q", "v")
 
 
 def numbered(name: str, count: int) -> list[str]:

@@ -34,9 +34,13 @@ from coscrew_codegen.dynamics.algorithms.motion import Motion
 from coscrew_codegen.dynamics.forces.applied_effects import AppliedEffects
 from coscrew_codegen.dynamics.forces.effect_values import Values, values_of
 from coscrew_codegen.dynamics.function_recording import FunctionRecording
+from coscrew_codegen.dynamics.loops import demands
+from coscrew_codegen.dynamics.loops.closures import closures
+from coscrew_codegen.dynamics.loops.multipliers import Constrained, ConstraintRows
 from coscrew_codegen.dynamics.parameters.scene_parameters import LinearParameters
 from coscrew_codegen.dynamics.step_jacobians import OtherFunctions
 from coscrew_codegen.program.values.parameter import Parameter, Scalar
+from coscrew_codegen.scene.effect import required
 from coscrew_codegen.scene.mechanism.tree import heading_of_body
 from coscrew_codegen.scene.scene import Applied
 from coscrew_codegen.scene.scene_function import Depends, Frame, Numbers, Results, SceneFunction
@@ -156,8 +160,18 @@ class RecordedDynamics:
 
     def accelerations(self) -> Numbers:
         """The accelerations of forward dynamics."""
+        return self._constrained()[1].a if self.scene.model.loops else self._free_accelerations()
+
+    def _free_accelerations(self) -> list[Number]:
+        """Returns the accelerations with loops open."""
         x, acting = self._recording, self._acting
         return forward.accelerations(self._motion, acting, x.rigids, x.inertias, x.tau)
+
+    def _constrained(self) -> tuple[ConstraintRows, Constrained]:
+        """The rows of closed loops; the accelerations that meet them, and their multipliers."""
+        x, demand = self._recording, required(demands.exact(self._recording, self._motion))
+        inverse = forward.inverse(self._motion, x.rigids, x.inertias)
+        return demand.rows, demand.met(self._free_accelerations(), inverse)
 
     def torque_derivatives(self) -> Results:
         """∂tau/∂q, ∂tau/∂v and ∂tau/∂a = M of inverse dynamics."""
@@ -262,6 +276,23 @@ class RecordedDynamics:
         self._refuse_unless(Depends.EFFECTS)
         return values_of(self._recording, self._motion, applied)
 
+    # closed loops
+
+    def closures(self) -> Results:
+        """phi, and E row by row."""
+        its = closures(self._still, self.scene.model.loops)
+        return [[y for x in its for y in x.phi], _by_rows([y for x in its for y in x.rows])]
+
+    def closing_wrench(self, loop: str) -> Numbers:
+        """(force; moment) on a loop's first body, in its frame, at the loop's point."""
+        rows, constrained = self._constrained()
+        return demands.wrench(rows, constrained.multipliers, loop)
+
+    def with_closed_loops(self) -> Results:
+        """q and v moved onto the closures."""
+        self._refuse_unless(Depends.MASSES, Depends.EFFECTS)
+        return demands.projected(self._recording)
+
     # steps
 
     def integrated(self) -> Numbers:
@@ -286,8 +317,11 @@ class RecordedDynamics:
     def implicit_accelerations(self) -> Numbers:
         """a with (M + h d + h² k) a = tau - bias torques - h k v."""
         x, acting = self._recording, self._acting
-        weights = kicks.end_weights(*self.argument("h"))
-        return forward.implicit(self._motion, acting, x.rigids, x.inertias, weights, x.tau).a
+        h, = self.argument("h")
+        free = forward.implicit(self._motion, acting, x.rigids, x.inertias, kicks.end_weights(h),
+                                x.tau)
+        demand = demands.stop(x, self._motion, h)
+        return demand.met(free.a, free.inverse).a if demand else free.a
 
     def midpoint_accelerations(self) -> Numbers:
         """a of the default integrator's kick."""

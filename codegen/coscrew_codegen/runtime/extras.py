@@ -10,9 +10,10 @@ EXTRAS = {"codegen": GENERATOR,
                     "distributed", "zarr", "xarray", "pandas")}
 """Modules by extra; `simulate` also installs pyarrow, which only .parquet files need."""
 
-COMMANDS = {"generate": "codegen", "import": "codegen", "effects": "codegen", "schema": "codegen",
-            "simulate": "simulate", "check": "simulate", "identify": "simulate",
-            "cache": "simulate", "cost": "simulate", "report": "report", "sweep": "sweep"}
+COMMANDS = {"generate": "codegen", "certificate": "codegen", "import": "codegen",
+            "effects": "codegen", "schema": "codegen", "simulate": "simulate", "check": "simulate",
+            "identify": "simulate", "cache": "simulate", "cost": "simulate", "report": "report",
+            "sweep": "sweep"}
 """The extra of each command."""
 
 

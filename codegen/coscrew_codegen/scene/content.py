@@ -23,7 +23,8 @@ def _as_text(value: object) -> Iterator[str]:
     elif is_dataclass(value):
         yield type(value).__name__
         for field in fields(value):
-            if field.compare:
+            empty = "unhashed if empty" in field.metadata and not getattr(value, field.name)
+            if field.compare and not empty:
                 yield field.name
                 yield from _as_text(getattr(value, field.name))
     elif isinstance(value, Mapping):

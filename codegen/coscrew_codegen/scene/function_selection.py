@@ -8,6 +8,7 @@ from collections.abc import Collection, Iterable, Sequence
 
 from coscrew_codegen.program.reported_error import ReportedError
 from coscrew_codegen.scene.functions import derivatives_of, functions_of
+from coscrew_codegen.scene.functions.loops import closure, with_closed_loops
 from coscrew_codegen.scene.functions.steps import (
     carried_half_drift,
     closing_contacts,
@@ -32,6 +33,8 @@ CONTACTS = (closing_contacts.FUNCTION.name, step_parts.FUNCTION.name)
 """Functions by which steps resolve contacts of limits."""
 CARRIED = carried_half_drift.FUNCTION.name
 """The function by which steps move free bases that touch the ground."""
+CLOSURE, CLOSED = LOOPS = (closure.FUNCTION.name, with_closed_loops.FUNCTION.name)
+"""The closures of loops, and the function by which steps keep loops closed."""
 MOVED = integrated.FUNCTION.name
 """The function by which steps move coordinates."""
 MOST = 1000
@@ -54,9 +57,17 @@ def all_names(scene: Scene) -> tuple[str, ...]:
 
 
 def _possible(scene: Scene, functions: Iterable[SceneFunction]) -> tuple[str, ...]:
-    """The names of those that the scene can select, and that do not divide by a singular matrix."""
-    singular = bool(why_singular(scene))
-    return tuple(x.name for x in functions if not (x.internal or (singular and x.divides)))
+    """The names of those that the scene can select, that do not divide by a singular matrix, and
+    that do not ignore its closed loops."""
+    singular, loops = bool(why_singular(scene)), bool(scene.model.loops)
+    return tuple(x.name for x in functions if not (
+        x.internal or (singular and x.divides) or (loops and ignores_loops(x))))
+
+
+def ignores_loops(x: SceneFunction) -> bool:
+    """Returns whether a function is wrong where loops are closed: one of the open tree, or the
+    derivative of one that solves for accelerations."""
+    return x.of_tree or bool(x.differentiates and x.differentiates.divides)
 
 
 def dividing(scene: Scene, functions: Collection[str] = ()) -> tuple[str, ...]:
@@ -105,6 +116,17 @@ def by_default(scene: Scene) -> tuple[str, ...]:
         x.name in recorded or x.default.holds(scene, x.target)))
 
 
+def refuse_loops(scene: Scene, functions: Collection[str]) -> None:
+    """Raise FunctionsError if one of these functions does not know the scene's closed loops."""
+    if not scene.model.loops or not functions:
+        return
+    for x in functions_of(scene, functions):
+        if x.name in functions and ignores_loops(x):
+            loops = ", ".join(y.name for y in scene.model.loops)
+            raise FunctionsError(f"{scene.name}: {x.name} does not know closed loops ({loops}); "
+                                 "wanted a scene without [loops], or functions without it")
+
+
 def refuse_many(scene: Scene) -> None:
     """Raises FunctionsError for a scene of more than MOST joints that move."""
     count = sum(joint.kind.moves for joint in scene.model.joints)
@@ -133,6 +155,7 @@ def resolved(scene: Scene, words: Sequence[str]) -> set[str]:
             possible = {*of}.intersection(known if {*of} <= {*known} else all_names(scene))
             if not possible:
                 refuse_singular(scene, of)
+                refuse_loops(scene, of)
             result.update(possible)
         else:
             what = "matches no function of the scene" if is_pattern(word) else \

@@ -151,6 +151,8 @@ def targets(function: SceneFunction, kind: SceneQuantity, scene: Scene) -> tuple
             return tuple(body.name for body in scene.model.bodies)
         case Of.JOINT:
             return tuple(j.name for j in scene.model.joints if j.kind.moves)
+        case Of.LOOP:
+            return tuple(x.name for x in scene.model.loops)
         case Of.SCENE:
             return ()
 

@@ -181,6 +181,16 @@ class Dynamics(Protocol):
     def with_floating_momenta(self) -> Results:
         """q and v corrected to the momenta c."""
 
+    def closures(self) -> Results:
+        """The closures of loops, and the rows E, row by row."""
+
+    def closing_wrench(self, loop: str) -> Numbers:
+        """(force; moment) that a loop's closure exerts on its first body, in the body's frame, at
+        the loop's point."""
+
+    def with_closed_loops(self) -> Results:
+        """q and v moved onto the closures of loops."""
+
     def closing(self) -> Number:
         """The number of limits that are closed, or would be after moving with v for h."""
 
@@ -257,6 +267,7 @@ class Of(Enum):
     SCENE = ""
     BODY = "body"
     JOINT = "joint"
+    LOOP = "loop"
 
 
 @dataclass(frozen=True)
@@ -313,6 +324,7 @@ class SceneFunction:
     step: Integrator | None = None  # whose step it is
     shown: bool = False  # whether `coscrew cost` shows what each effect adds to it
     judged: bool = False  # whether `coscrew check` judges its rounding
+    of_tree: bool = False  # wrong where loops are closed, so that such a scene cannot have it
 
     def __post_init__(self) -> None:
         for name in self.takes:

@@ -2,7 +2,8 @@
 
 The state is y = (q; v), with q' = v for angles and lengths and r' = r (ω; 0) / 2 for quaternions.
 The solver keeps |r| within its tolerance only, so r is normalized before the dynamics use it, and
-in samples."""
+in samples.  Where loops are closed, the state after each step, and each sample, is moved onto the
+closures."""
 
 from collections.abc import Callable, Iterator
 
@@ -10,11 +11,13 @@ import numpy as np
 import scipy.integrate
 from scipy.integrate import OdeSolver
 
+from coscrew_codegen.scene.function_selection import CLOSED
 from coscrew_codegen.scene.integrators import ADAPTIVE
 from coscrew_codegen.simulation import coordinate_rates
 from coscrew_codegen.simulation.plan import Plan
 from coscrew_codegen.simulation.system import State, System, Watch
 
+_PROJECTIONS = 2  # onto closures: steps of SciPy are long, and velocities follow coordinates
 Rates = Callable[[float, np.ndarray], np.ndarray]
 
 
@@ -34,6 +37,7 @@ def adaptive(system: System, plan: Plan, times: np.ndarray, q: np.ndarray, v: np
                 yield q, v, steps, f"{failed} at t = {solver.t:.9g} s: {_trouble(system, solver)}"
                 return
             steps += 1
+            _close(system, solver)
             if watch and solver.t < times[sample]:
                 watch(solver.t, *_state(system, solver.y))
             interpolant = solver.dense_output() if times[sample] < solver.t else None
@@ -48,7 +52,10 @@ def adaptive(system: System, plan: Plan, times: np.ndarray, q: np.ndarray, v: np
 def _state(system: System, y: np.ndarray) -> State:
     """q and v of y, in the system's precision."""
     nq = system.functions.nq
-    return system.normalized(y[:nq]).astype(system.dtype), y[nq:].astype(system.dtype)
+    q, v = system.normalized(y[:nq]).astype(system.dtype), y[nq:].astype(system.dtype)
+    for _ in range(_PROJECTIONS if system.has(CLOSED) else 0):
+        q, v = system.outputs(CLOSED, q=q, v=v)
+    return q, v
 
 
 def rates_of(system: System) -> Rates:
@@ -95,6 +102,13 @@ def _step(solver: OdeSolver) -> str:
     except (ValueError, np.linalg.LinAlgError):  # from Radau's linear algebra
         return "the solver met a state that is not finite"
     return "the solver's steps became too small" if solver.status == "failed" else ""
+
+
+def _close(system: System, solver: OdeSolver) -> None:
+    """Moves the state that a step has reached onto the closures of loops."""
+    if system.has(CLOSED) and np.isfinite(solver.y).all():
+        solver.y = np.concatenate(_state(system, solver.y)).astype(float)
+        solver.f = solver.fun(solver.t, solver.y)
 
 
 def _trouble(system: System, solver: OdeSolver) -> str:

@@ -12,6 +12,7 @@ from coscrew_codegen.scene.joints import KIND_NAMED
 from coscrew_codegen.scene.scene import Scene
 from coscrew_codegen.simulation import SimulateError
 from coscrew_codegen.simulation.checkpoint import Checkpoint
+from coscrew_codegen.simulation.loops.loop_closing import closed
 from coscrew_codegen.simulation.parameter_checks import dependent, refuse_each, refuse_together
 from coscrew_codegen.simulation.system import State, System
 
@@ -56,7 +57,7 @@ def start_of(system: System, q0: ArrayLike | None, v0: ArrayLike | None,
     """q and v at the start, of all members if there is a batch; by default those of `start`, or the
     scene's."""
     (q, v), its = (start.q.astype(system.dtype), start.v.astype(system.dtype)) if start \
-        else system.start(), system.functions
+        else system.written_start(), system.functions
     with np.errstate(over="ignore"):  # `integrate` refuses infinities
         if q0 is not None:
             q = normalize_quaternions(system, _numbers("q0", q0, (its.nq,))).astype(system.dtype)
@@ -65,7 +66,7 @@ def start_of(system: System, q0: ArrayLike | None, v0: ArrayLike | None,
     leads = {name: x.shape[:-1] for name, x in (("p", np.array(system.p)), ("q0", q), ("v0", v))}
     lead = _as_many(leads)
     q, v = (np.broadcast_to(x, (*lead, x.shape[-1])).copy() for x in (q, v))
-    return q, v
+    return (q, v) if start and q0 is None and v0 is None else closed(system, q, v)
 
 
 def _as_many(leads: Mapping[str, tuple[int, ...]]) -> tuple[int, ...]:

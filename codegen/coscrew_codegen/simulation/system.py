@@ -18,6 +18,7 @@ from coscrew_codegen.scene.effect_quantities import states_of
 from coscrew_codegen.scene.joints import KIND_NAMED
 from coscrew_codegen.scene.scene import Scene
 from coscrew_codegen.simulation import SimulateError
+from coscrew_codegen.simulation.loops.loop_closing import closed
 from coscrew_codegen.simulation.parameter_checks import refuse_settings
 
 if TYPE_CHECKING:
@@ -158,7 +159,12 @@ class System:
         return both[..., 0], both[..., 1]
 
     def start(self) -> State:
-        """q and v at t = 0: the scene's, by default the neutral configuration at rest."""
+        """q and v at t = 0: the scene's, with loops closed.  Raises SimulateError for loops that
+        are open."""
+        return closed(self, *self.written_start())
+
+    def written_start(self) -> State:
+        """The scene's q and v as written, by default the neutral configuration at rest."""
         q, v = np.array(self.functions.neutral), np.zeros(self.functions.nv)
         for c in self.functions.coordinates:
             q[c.q] = self.scene.start_q.get(c.joint, q[c.q])

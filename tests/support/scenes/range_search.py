@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import mpmath
 import numpy as np
 
-from coscrew_codegen.accuracy.range_proofs import Bounds
+from coscrew_codegen.accuracy.range_proofs import ResultBounds
 from coscrew_codegen.program import Op
 from coscrew_codegen.program.interpreter import by_operation, exactly, interpreter
 from coscrew_codegen.program.scene_functions import FunctionProgram
@@ -39,7 +39,7 @@ class Search:
     kernels: object
     function: FunctionProgram
     precision: Precision
-    bounds: Bounds
+    bounds: ResultBounds
 
     def states(self, count: int, seed: int, corners: float = 1 / 3) -> Given:
         """States in the ranges; each number is at an end with probability `corners`."""

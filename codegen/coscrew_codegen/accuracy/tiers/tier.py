@@ -13,7 +13,7 @@ from coscrew_codegen.program.values.formats import PRECISIONS, Precision
 from coscrew_codegen.program.values.quantity import Argument
 
 if TYPE_CHECKING:  # with it comes SymPy, for which `coscrew simulate` need not wait
-    from coscrew_codegen.accuracy.range_proofs import Bounds
+    from coscrew_codegen.accuracy.range_proofs import ResultBounds
     from coscrew_codegen.algebra.operations import Operation
     from coscrew_codegen.program.scene_functions import FunctionProgram
 
@@ -55,8 +55,8 @@ class Tier:
     bounds: bool = False  # whether operations return bounds, where inf and NaN make no statement
     on_request: bool = False  # whether only scenes' functions with a requested accuracy have it
     fixed: bool = False  # whether scenes' values are integers in fixed point, for stated ranges
-    proof: "Callable[[FunctionProgram, Precision], Bounds | None] | None" = None  # bounds of a
-    # scene's function over its stated ranges; None: without proof
+    proof: "Callable[[FunctionProgram, Precision], ResultBounds | None] | None" = None
+    # bounds of a scene's function over its stated ranges; None: without proof
     precisions: tuple[Precision, ...] = PRECISIONS  # that it has in scenes
     header: str = "ksl_types"  # that its C functions need; ksl_exact computes rounding errors
     promise: str = ""  # what results of scenes' functions are, and when, in words

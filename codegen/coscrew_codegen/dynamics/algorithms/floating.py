@@ -45,6 +45,9 @@ def floating(scene: Scene, tree: Tree) -> tuple[int, ...]:
     for number, link in enumerate(tree.links):
         if link.driver and _root(tree, number) != _root(tree, link.driver.link):
             tied |= {_root(tree, number), _root(tree, link.driver.link)}
+    for loop in scene.model.loops:
+        ends = {_root(tree, tree.link_and_body(body)[0]) for body in loop.bodies}
+        tied |= ends if len(ends) > 1 else set()
     return tuple(root for root in roots if root not in tied)
 
 

@@ -38,6 +38,8 @@ _LEAST = Fraction(1, 10**30)
 """kg: used instead of a mass of zero."""
 
 _Solve = Callable[[Joint, Sequence[Wrench]], list[Number]]
+Inverse = Callable[[Sequence[Number]], list[Number]]
+"""e -> (M + m)⁻¹ e."""
 
 
 @dataclass(frozen=True)
@@ -51,11 +53,12 @@ class _Row:
 
 @dataclass(frozen=True)
 class Implicit:
-    """a, and for each velocity the inertia that its damping acts on, and their quotient."""
+    """a, for each velocity the inertia that its damping acts on and their quotient, (M + m)⁻¹."""
 
     a: list[Number]
     rates: list[Number]
     inertias: list[Number]
+    inverse: Inverse
 
 
 def accelerations(motion: Motion, acting: AppliedEffects, rigids: Sequence[Rigid],
@@ -102,7 +105,8 @@ def implicit(motion: Motion, acting: AppliedEffects, rigids: Sequence[Rigid],
                                           solve, joint)
     wrenches = rnea.net_wrenches(motion, rigids, acting)
     a = solve(joint, _about(motion, wrenches, acting, start, rigids, weights))
-    return Implicit(a, rates, moved)
+    return Implicit(a, rates, moved, lambda e: solve(
+        lambda k, inertia: (e[k], joint(k, inertia)[1]), _still(motion)))
 
 
 def slopes_at_joints(acting: AppliedEffects) -> tuple[list[Number], list[Number]]:
@@ -123,10 +127,18 @@ def slopes_at_joints(acting: AppliedEffects) -> tuple[list[Number], list[Number]
 def inverse_inertia(motion: Motion, rigids: Sequence[Rigid], inertias: Mapping[str, Number],
                     unit: Sequence[Number]) -> Number:
     """e·M⁻¹ e of a row e, the acceleration along it by a torque of 1 along it."""
-    own = _own(motion, inertias)
-    still = [(*motion.zero, *motion.zero)] * len(motion.tree.links)
-    a = _solver(motion, rigids)(lambda k, _: (unit[k], own[k]), still)
-    return _product(unit, a)
+    return _product(unit, inverse(motion, rigids, inertias)(unit))
+
+
+def inverse(motion: Motion, rigids: Sequence[Rigid], inertias: Mapping[str, Number]) -> Inverse:
+    """M⁻¹, without slopes of effects."""
+    own, solve = _own(motion, inertias), _solver(motion, rigids)
+    return lambda e: solve(lambda k, _: (e[k], own[k]), _still(motion))
+
+
+def _still(motion: Motion) -> list[Wrench]:
+    """No wrench on any link."""
+    return [(*motion.zero, *motion.zero)] * len(motion.tree.links)
 
 
 def _own(motion: Motion, inertias: Mapping[str, Number]) -> list[Number]:
@@ -284,8 +296,7 @@ def _with_line(motion: Motion, e: Sequence[Number], along: JointEffect, now: Joi
 
     a = a' - w (m e·a')/(1 + m e·w), w = solve(e), by Sherman and Morrison; it never divides by
     zero, and 1/(e·w) is the inertia that the effect acts on."""
-    still = [(*motion.zero, *motion.zero)] * len(motion.tree.links)
-    w = solve(lambda k, inertia: (e[k], joint(k, inertia)[1]), still)
+    w = solve(lambda k, inertia: (e[k], joint(k, inertia)[1]), _still(motion))
     slopes, rate, product = along.slopes, along.at.v, _product(e, w)
     mass, c = weights(slopes.damping, slopes.stiffness, slopes.damping * product)
     share = mass / (1 + mass * product)

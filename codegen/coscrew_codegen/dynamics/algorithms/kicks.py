@@ -9,7 +9,8 @@ The kick is solved in two passes: a' with the forces at v0, then a with those at
 are implicit in the damping d and stiffness k of the effects, taken at v0: with z = h d/inertia and
 θ = (1 + z)/(2 + z), forces act as at the time θ h, which adds θ (h d + h² k/2) to the inertia and
 -(θ - ½) h k v0 to the torques.  So a damped velocity shrinks by 1/(1 + z + z²/2) for any z, and
-undamped springs keep ½ v·M v + ½ q·K q.  Of second order.
+undamped springs keep ½ v·M v + ½ q·K q.  Of second order.  The rows of closed loops reflect v,
+E (v0 + v1) = 0, in a third pass.
 
 States of effects, the end of q, move at q_m: x_m = x0 + h/2 x'(v0) before the kick, whose forces
 are those at x_m, then x1 = x_m + h/2 x'(v1), put within their bounds.
@@ -28,6 +29,7 @@ from coscrew_codegen.dynamics.forces.acted_coordinates import SUM, acted_coordin
 from coscrew_codegen.dynamics.forces.applied_effects import AppliedEffects
 from coscrew_codegen.dynamics.forces.effect_parameters import settings
 from coscrew_codegen.dynamics.function_recording import FunctionRecording
+from coscrew_codegen.dynamics.loops.demands import reflection
 from coscrew_codegen.program import NotANumber
 from coscrew_codegen.scene.effect import Contact, CoordinateState, required
 from coscrew_codegen.scene.functions.steps.carried_half_drift import carries
@@ -71,11 +73,16 @@ def kick(x: FunctionRecording) -> tuple[list[Number], list[Number]]:
     q, carried = _drifted(x, recorder.argument("q"), v), carries(x.scene)
     first = x.motion(at=(q, v), carried=carried)
     start = AppliedEffects(x.scene, first).act()
-    guess = forward.implicit(first, start, x.rigids, x.inertias, weights(h), x.tau)
-    second = x.motion(at=(q, _sum(v, scaled(h / 2, guess.a))), carried=carried)
-    acting = AppliedEffects(x.scene, second, delays(x, h, guess.rates)).act()
-    start = start.with_later(acting)
-    a = forward.implicit(second, acting, x.rigids, x.inertias, weights(h), x.tau, start).a
+    kicked = forward.implicit(first, start, x.rigids, x.inertias, weights(h), x.tau)
+    a, demand, later = kicked.a, reflection(x, first, h), delays(x, h, kicked.rates)
+    for _ in range(2 if demand else 1):
+        a = demand.met(a, kicked.inverse).a if demand else a
+        again = x.motion(at=(q, _sum(v, scaled(h / 2, a))), carried=carried)
+        acting = AppliedEffects(x.scene, again, later).act()
+        slopes = start.with_later(acting)
+        kicked = forward.implicit(again, acting, x.rigids, x.inertias, weights(h), x.tau, slopes)
+        a = kicked.a
+    a = demand.met(a, kicked.inverse).a if demand else a
     return a, _kept(x, q, _sum(v, scaled(h, a)))
 
 

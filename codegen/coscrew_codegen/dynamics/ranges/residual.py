@@ -19,10 +19,11 @@ _SOLVES, _SOLVED = forward_dynamics.FUNCTION.name, inverse_dynamics.FUNCTION.nam
 def residual(its: Derivation, function: FunctionProgram) -> str:
     """The statement for forward dynamics, by the bound of inverse dynamics; "" for others."""
     solved = next((x for x in functions_of(its.scene) if x.name == _SOLVED), None)
-    if function.name != _SOLVES or solved is None or solved.absent(its):
+    ranges = its.scene.ranges
+    if function.name != _SOLVES or ranges is None or solved is None or solved.absent(its):
         return ""
     inverse = its.made(solved)
-    inverse = replace(inverse, ranges=argument_ranges(inverse.program, its.scene))
+    inverse = replace(inverse, ranges=argument_ranges(inverse.program, ranges))
     bounds = [f"{two_digits_up(max(x.error for x in of_plain(inverse, p)))} in {p.name}"
               for p in named(its.scene.precisions)]
     tier = ("The certified tier returns a bound of a at each state; "

@@ -6,7 +6,7 @@ from fractions import Fraction
 from math import isfinite
 
 from coscrew_codegen.accuracy.float_rounding import FloatRounding
-from coscrew_codegen.accuracy.rounding_rules import RoundedRange, Values, followed
+from coscrew_codegen.accuracy.rounding_rules import RoundedRange, ValueBounds, followed
 from coscrew_codegen.program import Op, Program
 from coscrew_codegen.program.values.digits import two_digits_up
 from coscrew_codegen.program.values.formats import Precision, named
@@ -29,7 +29,7 @@ def statement(program: Program, scene: Scene, tree: Tree) -> str:
              for a in program.inputs]
     words: dict[str, list[str]] = {}
     for precision in named(scene.precisions):
-        values = Values(program, sizes, FloatRounding(precision, plain=True))
+        values = ValueBounds(program, sizes, FloatRounding(precision, plain=True))
         for name, bound in _bounds(program, values.results, precision):
             words.setdefault(name, []).append(f"{two_digits_up(bound)} in {precision.name}")
     if not words:

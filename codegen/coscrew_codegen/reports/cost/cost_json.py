@@ -39,6 +39,8 @@ def data(costs: Costs, command: str) -> dict[str, Json]:
         "reference_digits": DIGITS,
         "functions": [_function(rows) for rows in costs.accuracy],
         "needs": [_need(x) for x in costs.answers],
+        "fixed_point": [{"function": x.function, "format": x.format, "bounds": x.bounds,
+                         "instructions": x.instructions} for x in costs.cores],
         "load": None if costs.load is None else {
             "share": costs.load.share, "tasks": costs.load.tasks,
             "processors": costs.load.processors},
@@ -81,7 +83,8 @@ def _errors(x: ErrorStatistics) -> dict[str, Json]:
     return {
         "unit": x.unit, "typical": x.typical, "worst": x.worst,
         "typical_digits": x.typical_digits, "worst_digits": x.worst_digits,
-        "largest_result": x.largest, "found_in": x.place, "bound": _bounds(x.bounds)}
+        "largest_result": x.largest, "found_in": x.place, "bound": _bounds(x.bounds),
+        **({} if x.proved is None else {"proved": x.proved})}
 
 
 def _bounds(x: Bounds | None) -> dict[str, Json] | None:

@@ -25,6 +25,7 @@ from coscrew_codegen.reports.cost.measured import (
     TierChoice,
     choices,
 )
+from coscrew_codegen.reports.cost.needs.proved import over_ranges
 from coscrew_codegen.reports.timing.intervals import Interval
 from coscrew_codegen.simulation.plan import Trajectory
 
@@ -54,6 +55,7 @@ class ErrorStatistics:
     largest: float  # result
     place: str  # source of the state of the worst error: run, limits, search
     bounds: Bounds | None
+    proved: float | None = None  # bound for all arguments in the scene's ranges, if it states any
 
 
 @dataclass(frozen=True)
@@ -114,7 +116,7 @@ def _accuracy(function: Measured, choice: TierChoice, states: Values, places: Se
     sizes = np.nan_to_num([[abs(float(y)) for y in row] for row in truth])
     off[off < _UNTOLD * sizes.max(initial=0)] = 0
     values: list[ErrorStatistics] = []
-    worst = 0
+    worst, proved = 0, over_ranges(function.built.part.functions.named(function.name), choice)
     for unit in function.different_units:
         of = [n for n, x in enumerate(function.units) if x == unit]
         largest = off[:, of].max(axis=1)
@@ -125,7 +127,8 @@ def _accuracy(function: Measured, choice: TierChoice, states: Values, places: Se
         values.append(ErrorStatistics(
             unit, float(np.median(largest)), float(largest[at]), float(np.median(digits)),
             float(digits.min()), float(results.max()), places[at],
-            _bounds(bounds[0][:, of], off[:, of]) if bounds else None))
+            _bounds(bounds[0][:, of], off[:, of]) if bounds else None,
+            max((proved[n] for n in of), default=0.0) if proved else None))
     inputs = function.built.part.functions.named(function.name).program.inputs
     return FunctionErrors(function.name, choice.tier, choice.precision.name, len(truth), time,
                           tuple(values), {a.name: tuple(np.ravel(states[a.name][worst]).tolist())

@@ -62,7 +62,11 @@ def _sentences(rows: Sequence[FunctionErrors]) -> Iterator[str]:
     for x in rows:
         if x.tier == CERTIFIED and x.precision == best.precision:
             plain = next(y for y in rows if y.name == f"{x.precision} plain")
-            yield f"{x.name.capitalize()} {_proved(x)}, at {_times(x, plain)}."
+            yield f"{x.name.capitalize()} {_bounded(x)}, at {_times(x, plain)}."
+    proofs = [f"{x.name} {_over_ranges(x)}" for x in rows
+              if all(e.proved is not None and math.isfinite(e.proved) for e in x.errors)]
+    if proofs:
+        yield f"Proved over the scene's ranges: {'; '.join(proofs)}."
 
 
 def within(x: FunctionErrors) -> str:
@@ -71,7 +75,12 @@ def within(x: FunctionErrors) -> str:
     return f"within {_listed(results)}" if results else "exact"
 
 
-def _proved(x: FunctionErrors) -> str:
+def _over_ranges(x: FunctionErrors) -> str:
+    """The errors that rounding cannot exceed: within 0.59 mN m."""
+    return f"within {_listed([in_unit(e.proved or 0.0, e.unit) for e in x.errors])}"
+
+
+def _bounded(x: FunctionErrors) -> str:
     results = [(e.bounds.worst, e.unit) for e in x.errors if e.bounds]
     if any(math.isinf(bound) for bound, _ in results):
         return "returns the plain results, but no bounds of their errors at some of these states"

@@ -64,7 +64,8 @@ def _check_ends(joints: Sequence[Joint], bodies: dict[str, Body]) -> None:
             raise ModelError(element, f"parent and child are the same body, {joint.child!r}")
         if joint.child in mover:
             raise ModelError(f"body {joint.child!r}", "is the child of two joints, "
-                             f"{mover[joint.child]!r} and {joint.name!r}; loops are not supported")
+                             f"{mover[joint.child]!r} and {joint.name!r}; wanted one, and "
+                             "[loops.NAME] in a scene, which closes loops of a tree")
         mover[joint.child] = joint.name
 
 

@@ -20,6 +20,7 @@ class AxisLength(Enum):
     FLOATING = "floating trees"
     LINEAR = "parameters on which torques depend linearly"
     BASE = "base parameters"
+    ROWS = "rows of closed loops"
 
 
 @dataclass(frozen=True)

@@ -10,6 +10,7 @@ from fractions import Fraction
 from coscrew_codegen.program.values.parameter import Parameter, Scalar
 from coscrew_codegen.scene.mechanism.collision import Collision
 from coscrew_codegen.scene.mechanism.joint_kind import Direction, JointKind
+from coscrew_codegen.scene.mechanism.loop import ClosedLoop
 from coscrew_codegen.scene.mechanism.notices import Notice
 from coscrew_codegen.scene.mechanism.visual import Visual
 
@@ -17,6 +18,10 @@ Vector = tuple[Scalar, ...]  # of three
 
 WORLD = "world"
 """The name of the fixed reference; bodies have other names."""
+
+UNHASHED_IF_EMPTY = {"unhashed if empty": True}
+"""Of fields that leave the hashes of a scene unchanged while they are empty: recordings made before
+a field was added remain those of their scene."""
 
 
 def value(x: Scalar) -> Fraction:
@@ -152,6 +157,7 @@ class Model:
     implausible: tuple[str, ...] = ()  # impossible inertias that were accepted, a line each
     notices: tuple[Notice, ...] = field(default=(), compare=False)  # read, but not used
     collisions: tuple[Collision, ...] = field(default=(), compare=False, repr=False)  # likewise
+    loops: tuple[ClosedLoop, ...] = field(default=(), metadata=UNHASHED_IF_EMPTY)
 
     def links(self) -> dict[str, str]:
         """Maps each body, and WORLD, to the body to which fixed joints connect it: one that a joint

@@ -12,13 +12,16 @@ ACCEPT = "accept"
 
 def falling(model: Model, effects: tuple[Applied, ...]) -> tuple[Notice, ...]:
     """A notice of the free bases that fall: gravity acts, and no effect exerts a force from outside
-    on their trees at rest."""
+    on their trees at rest, nor does a loop tie them to others."""
     if not any(x.effect.gravity and not all(map(zero, x.vector("g"))) for x in effects):
         return ()
     bases = _bases(model)
     wind = any(x.effect.wind for x in effects)
     held = {base for x in effects if not x.effect.resists or wind and x.effect.in_fluid
             for base in _pushed(x, bases)}
+    for loop in model.loops:
+        ends = {bases[body] for body in loop.bodies}
+        held |= ends if len(ends) > 1 else set()
     fall = [x for x in model.joints if x.name in bases.values() and x.name not in held]
     return (Notice(FALLING, f"joint {fall[0].name}", _line(fall)),) if fall else ()
 

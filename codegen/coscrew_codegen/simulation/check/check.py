@@ -11,6 +11,7 @@ import numpy as np
 
 from coscrew_codegen.program.values.formats import BY_NAME
 from coscrew_codegen.runtime.lanes import one_by_one
+from coscrew_codegen.scene.function_selection import CLOSED
 from coscrew_codegen.scene.integrators import DEFAULT, INTEGRATOR_NAMED
 from coscrew_codegen.scene.recorded_quantities import expected, recorded
 from coscrew_codegen.scene.scene import Expectation
@@ -19,6 +20,8 @@ from coscrew_codegen.simulation.check.divergence_monitor import Alarm
 from coscrew_codegen.simulation.check.energy_balance import Balance, balance
 from coscrew_codegen.simulation.check.findings import SECOND_RUN, THIRD_RUN, AlongRun, Findings, Met
 from coscrew_codegen.simulation.check.windows import in_double
+from coscrew_codegen.simulation.loops.closure_check import closures
+from coscrew_codegen.simulation.loops.loop_closing import mobility
 from coscrew_codegen.simulation.plan import Plan, Trajectory, plan
 from coscrew_codegen.simulation.progress import Progress
 from coscrew_codegen.simulation.recordings.record import (
@@ -63,7 +66,8 @@ def _check(kernels: "Kernels", overrides: RunOverrides, rounding: bool) -> Findi
     apart = differences(*(_sparse(x, y) for x, _, y in runs.values())) if len(runs) == 2 else ()
     judged = check_rounding.rounding(kernels, [
         (x, y) for x, _, y in runs.values()]) if rounding else ()
-    return Findings(met, tuple(along), apart, outside(its, its.start()[0]), judged)
+    return Findings(met, tuple(along), apart, outside(its, its.start()[0]), judged,
+                    mobility(its))
 
 
 def _run(kernels: "Kernels", precision: str, overrides: RunOverrides
@@ -109,7 +113,8 @@ def _along(system: System, planned: Plan, trajectory: Trajectory) -> AlongRun:
         trajectory.stopped, coarse, balance(system, finer, trajectory.t), None,
         *_matrices(system, trajectory), INTEGRATOR_NAMED[planned.integrator],
         0.0 if planned.adaptive else planned.step, step_advice.error(system, trajectory, true),
-        true.until, true.end, true.step, step_advice.resting(system, true))
+        true.until, true.end, true.step, step_advice.resting(system, true),
+        loops=closures(system, trajectory, coarse.scale))
     if trajectory.stopped:
         return along
     if not planned.adaptive and not (along.shrinks and along.balanced):
@@ -153,6 +158,9 @@ def _looked_at(system: System, trajectory: Trajectory) -> tuple[float, float, fl
     size = np.abs(free).max(-1, keepdims=True, initial=1)
     other = size * np.cos(np.arange(1, free.shape[-1] + 1))
     a = (free + other).astype(system.dtype)  # differs from the acceleration at tau = 0
+    if system.has(CLOSED):  # an acceleration that the loops allow
+        a = system.call("forward_dynamics", t=t, q=q, v=v, tau=system.call(
+            "inverse_dynamics", t=t, q=q, v=v, a=a))
     tau = system.call("inverse_dynamics", t=t, q=q, v=v, a=a)
     again = system.call("forward_dynamics", t=t, q=q, v=v, tau=tau)
     roundoff = float(np.finfo(system.dtype).eps) / 2

@@ -7,6 +7,7 @@ from tabulate import tabulate
 from coscrew_codegen.simulation.check.check_rounding import DIGITS, Certified, RoundedResults
 from coscrew_codegen.simulation.check.error_limits import ALLOWED, ENERGY, STRICTLY
 from coscrew_codegen.simulation.check.findings import THIRD_RUN, AlongRun, Findings, Met
+from coscrew_codegen.simulation.loops.closure_check import WORK, Closures
 from coscrew_codegen.simulation.result_units import in_unit
 from coscrew_codegen.simulation.run_summary import gaps
 
@@ -17,7 +18,10 @@ def table(findings: Findings, strict: bool = False) -> str:
     parts += [_checks(findings.along)]
     parts += [gaps(findings.apart)] if findings.apart else []
     parts += [_rounding(findings.rounding)] if findings.rounding else []
-    parts += [findings.outside] if findings.outside else []
+    parts += [x for x in (findings.outside, findings.mobility) if x]
+    parts += [f"{x.precision}: closed loops pass a singular position at t = "
+              f"{x.loops.singular_at:g} s, where rounding decides how they go on"
+              for x in findings.along if x.loops and x.loops.singular]
     parts += [f"{x.precision}: {x.stopped}" for x in findings.along if x.stopped]
     parts += [f"FALSE: {x.precision}: {_false(x)}" for x in findings.along
               if not (x.passed or x.stopped)]
@@ -54,6 +58,7 @@ def _checks(along: tuple[AlongRun, ...]) -> str:
             *([("largest error of the momentum of floating bases, relative",
                 *(f"{x.coarse.momentum:.2g}" for x in along))]
               if any(x.coarse.momentum for x in along) else []),
+            *_closures(along),
             ("forward after inverse dynamics: largest error, in u",
              *(f"{x.round_trip:.3g}" for x in along)),
             ("largest condition number of the mass matrix, SI units",
@@ -62,6 +67,29 @@ def _checks(along: tuple[AlongRun, ...]) -> str:
     columns = ("", *(f"{x.precision}, {x.step}" for x in along))
     return str(tabulate(rows, columns, disable_numparse=True,
                         colalign=("left", *("right" for _ in along))))
+
+
+def _closures(along: tuple[AlongRun, ...]) -> list[tuple[str, ...]]:
+    """Rows on closed loops."""
+    loops = [x.loops for x in along if x.loops]
+    if not loops:
+        return []
+    return [("largest gap of closed loops, in m or rad", *(f"{x.gap:.2g}" for x in loops)),
+            ("fastest opening of closed loops, in m/s or rad/s",
+             *(f"{x.rate:.2g}" for x in loops)),
+            ("work of closures, relative to the energies moved", *(f"{x.work:.2g}" for x in loops)),
+            ("nearest to a singular position: smallest over largest pivot",
+             *(f"{x.ratio:.2g}, at t = {x.singular_at:g} s" for x in loops))]
+
+
+def _open(loops: Closures) -> str:
+    """A sentence on loops that open, or whose closures do work, with the cause."""
+    why = f"a singular position at t = {loops.singular_at:g} s is not resolved; run it in double" \
+        if loops.singular else "take a smaller step"
+    if loops.gap > loops.allowed:
+        return (f"closed loops open by {loops.gap:.2g} m or rad at t = {loops.at:.4g} s, allowed "
+                f"is {loops.allowed:.2g}: {why}")
+    return (f"closures do work, {loops.work:.2g} of the energies moved, allowed is {WORK:g}: {why}")
 
 
 def _rounding(results: tuple[RoundedResults, ...]) -> str:
@@ -108,6 +136,8 @@ def _false(along: AlongRun) -> str:
         return (f"the motion is known only until t = {along.known:.3g} s: later, steps of "
                 f"{along.smallest:.2g} s and larger ones give different motions, since it is "
                 f"chaotic, or too stiff for them{until}")
+    if along.loops and not along.loops.passed:
+        return _open(along.loops)
     return (f"energy is off by {along.coarse.relative:.2g}, allowed is {ENERGY:g}, and neither "
             f"half the step nor 1/{THIRD_RUN} of it helps: the power of an effect is not that of "
             "its force, or changes between the samples")

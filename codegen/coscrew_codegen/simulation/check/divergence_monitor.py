@@ -8,9 +8,9 @@ never stop a run, and no start passes if its steps do not resolve it.
 
 It also compares, with the largest kinetic energy about the centres of mass,
 - the energy, in scenes without sources and dissipation;
-- the momentum of floating bases, which is known at all times: the energy of the excess motion; and
-it compares the change of coordinates with the integral of velocities: numbers of single precision
-may be too coarse for the change."""
+- the momentum of floating bases, which is known at all times: the energy of the excess motion.
+Loops must stay closed.  And it compares the change of coordinates with the integral of velocities:
+numbers of single precision may be too coarse for the change."""
 
 import math
 from collections.abc import Callable
@@ -18,12 +18,14 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
+from coscrew_codegen.scene.function_selection import CLOSURE
 from coscrew_codegen.scene.integrators import INTEGRATOR_NAMED
 from coscrew_codegen.scene.joints import KIND_NAMED
 from coscrew_codegen.simulation.check import windows
 from coscrew_codegen.simulation.check.energy_balance import rounding
 from coscrew_codegen.simulation.check.error_limits import ALLOWED, FROZEN, KEPT
 from coscrew_codegen.simulation.check.motion_error import Extent, StateParts
+from coscrew_codegen.simulation.loops.closure_check import allowed, gaps
 from coscrew_codegen.simulation.plan import Plan
 from coscrew_codegen.simulation.system import State, System
 
@@ -98,7 +100,7 @@ class Alarm:
         self._look(t - self.plan.begin, h, q, v, _LATER)
         for problem in (self._of_steps, self._of_rounding, self._of_energy, self._of_momentum):
             wrong = problem(last, alive) | wrong
-        return wrong
+        return self._of_loops(t, q, alive) | wrong
 
     @property
     def idle(self) -> int:
@@ -176,6 +178,16 @@ class Alarm:
                     f"{_ratio(self._momenta.worst[i][0], self._kinetic[i])**0.5:.2g} of their "
                     f"speed; {self.remedy_in_words()}")
                 for i in _indices(bad)}
+
+    def _of_loops(self, t: float, q: np.ndarray, alive: np.ndarray
+                  ) -> dict[Index, tuple[str, str]]:
+        if not self.system.has(CLOSURE):
+            return {}
+        with np.errstate(all="ignore"):
+            gap = gaps(self.system, q)
+        return {i: ("", f"closed loops open by {gap[i]:.2g} m or rad at t = {t:.9g} s; "
+                    f"{self.remedy_in_words()}")
+                for i in _indices(alive & ~(gap <= allowed(self.system, q[alive])))}
 
     def _time(self, i: Index, k: int) -> float:
         return self.plan.begin + float(self._errors.at[i][k])

@@ -10,6 +10,7 @@ from coscrew_codegen.simulation.check.check_rounding import RoundedResults
 from coscrew_codegen.simulation.check.energy_balance import Balance
 from coscrew_codegen.simulation.check.error_limits import ALLOWED, ENERGY, STRICTLY
 from coscrew_codegen.simulation.check.step_advice import Error
+from coscrew_codegen.simulation.loops.closure_check import Closures
 from coscrew_codegen.simulation.recordings.record import Difference
 
 SECOND_RUN = 2
@@ -58,6 +59,7 @@ class AlongRun:
     exact: Balance | None = None  # of that motion, if energies are off with the steps above
     double: "AlongRun | None" = None  # in single precision: the results in double
     remedy: str = ""  # settings that were tried and make a false run right
+    loops: Closures | None = None  # of scenes with closed loops
 
     @property
     def as_double(self) -> bool:
@@ -139,8 +141,9 @@ class AlongRun:
 
     @property
     def passed(self) -> bool:
-        """True if the motion is known and right, and energies balance."""
-        return self.right and self.resolved and self.balanced
+        """True if the motion is known and right, energies balance, and loops stay closed."""
+        return (self.right and self.resolved and self.balanced
+                and (self.loops is None or self.loops.passed))
 
     @property
     def by_rounding(self) -> bool:
@@ -162,6 +165,7 @@ class Findings:
     apart: tuple[Difference, ...]  # between both
     outside: str = ""  # joints that start outside their ranges, in words
     rounding: tuple[RoundedResults, ...] = ()  # of the judged functions
+    mobility: str = ""  # the freedoms that closed loops leave, in words
 
     @property
     def passed(self) -> bool:

@@ -127,7 +127,7 @@ def _reason(warning: str) -> str:
 def states(kernels: Kernels, its: Specification, values: np.ndarray) -> Mapping[str, np.ndarray]:
     """The members' parameters and starts, a row each."""
     plain = system(kernels, its.conditions.precision, dict(its.conditions.settings))
-    q, v = plain.start()
+    q, v = plain.written_start()
     arrays = {name: np.tile(np.asarray(row, float), (len(values), 1))
               for name, row in (("p", plain.p), ("q", q), ("v", v))}
     u = np.zeros((len(values), len(plain.quaternions), 3))

@@ -7,8 +7,8 @@ from math import inf
 import numpy as np
 
 from coscrew_codegen.accuracy.float_rounding import FloatRounding
-from coscrew_codegen.accuracy.rounding_rules import Values
-from coscrew_codegen.accuracy.tiers import PLAIN
+from coscrew_codegen.accuracy.rounding_rules import ValueBounds
+from coscrew_codegen.accuracy.tiers import PLAIN, tier_named
 from coscrew_codegen.program.scene_functions import FunctionProgram
 from coscrew_codegen.program.values.formats import DOUBLE, SINGLE, Precision
 from coscrew_codegen.reports.cost.error_states import Box
@@ -18,8 +18,10 @@ _ROOM = 1 + 2.0**-20  # states are rounded to single precision; sums below are i
 
 
 def proved(function: FunctionProgram, choice: TierChoice, box: Box) -> tuple[float, ...]:
-    """Bounds of the errors of each component of the plain function's results in this choice; inf
-    without a proof."""
+    """Bounds of the errors of each component of the plain function's results in this choice, over
+    the scene's ranges if it states any; inf without a proof."""
+    if function.ranges:
+        return over_ranges(function, choice) or (inf,) * len(function.units)
     rounds = choice.tier == ACCURATE and choice.precision == SINGLE
     program, precision = function.program, choice.precision
     if rounds:
@@ -27,9 +29,17 @@ def proved(function: FunctionProgram, choice: TierChoice, box: Box) -> tuple[flo
     if not rounds and choice.tier not in (PLAIN.name, CERTIFIED):  # certified: plain's results
         return (inf,) * len(function.units)
     sizes = [_sizes(a.name, a.quantity.size, box) for a in program.inputs]
-    values = Values(program, sizes, FloatRounding(precision))
+    values = ValueBounds(program, sizes, FloatRounding(precision))
     return tuple(_rounded(x.size, x.error, SINGLE) if rounds else float(x.error)
                  for x in values.results)
+
+
+def over_ranges(function: FunctionProgram, choice: TierChoice) -> tuple[float, ...] | None:
+    """The bounds of each component over the ranges that the scene states; None without ranges, or
+    if the tier has no proof."""
+    proof = tier_named(choice.tier).proof
+    bounds = proof(function, choice.precision) if proof and function.ranges else None
+    return tuple(float(x.error) for x in bounds) if bounds else None
 
 
 def _rounded(size: float, error: float, precision: Precision) -> float:

@@ -31,7 +31,7 @@ def _completed(values: Given, _: Resting) -> Given:
 EFFECT = Effect(
     "ground", "the plane, or the heights, that contacts stand on; without it, z = 0",
     "n·x = offset, |n| = 1; or z = height(x, y)", Place.SCENE,
-    (ParameterOf("normal", "", "direction out of the ground, in the world's frame; z if not given",
+    (ParameterOf("normal", "1", "direction out of the ground, in the world's frame; z if not given",
                  "vector", required=False),
      ParameterOf("offset", "m", "the plane's distance from the origin, along the normal; 0 if not "
                  "given", required=False),

@@ -29,4 +29,4 @@ FUNCTION = SceneFunction(
     (Array("f", (6,), WRENCH, "coscrew in N, N m"),), lambda x: [x.transmitted(x.target)],
     Depends.EFFECTS, Default("by default, for joints with the effect reaction, and those whose "
                              "reaction is recorded", _wanted),
-    (SceneQuantity("reaction", Of.JOINT),), targets=_moving)
+    (SceneQuantity("reaction", Of.JOINT),), targets=_moving, of_tree=True)

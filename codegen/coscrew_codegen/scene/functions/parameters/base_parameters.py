@@ -15,4 +15,5 @@ def _words(its: Situation) -> str:
 FUNCTION = SceneFunction(
     "base_parameters", 19, _WORDS, "",
     (Array("beta", (AxisLength.BASE,), (), "parameters"),),
-    lambda x: [x.base_parameters()], words_in=_words, units_in=lambda its: its.linear.base_units)
+    lambda x: [x.base_parameters()], words_in=_words,
+    units_in=lambda its: its.linear.base_units, of_tree=True)

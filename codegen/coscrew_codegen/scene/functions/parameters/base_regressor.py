@@ -23,4 +23,4 @@ FUNCTION = SceneFunction(
     "q v a", (
         Array("Y", (AxisLength.NV, AxisLength.BASE), (), "torques for a unit of each parameter"),
         Array("tau0", TAU.shape, (), TAU.words)),
-    lambda x: x.base_regressor(), Depends.EFFECTS, units_in=_units)
+    lambda x: x.base_regressor(), Depends.EFFECTS, units_in=_units, of_tree=True)

@@ -15,4 +15,5 @@ def _words(its: Situation) -> str:
 FUNCTION = SceneFunction(
     "linear_parameters", 16, _WORDS, "",
     (Array("pi", (AxisLength.LINEAR,), (), "parameters"),),
-    lambda x: [x.linear_parameters()], words_in=_words, units_in=lambda its: its.linear.units)
+    lambda x: [x.linear_parameters()], words_in=_words, units_in=lambda its: its.linear.units,
+    of_tree=True)

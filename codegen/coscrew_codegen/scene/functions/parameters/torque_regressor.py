@@ -23,4 +23,4 @@ FUNCTION = SceneFunction(
     "are not linear in their numbers", "q v a", (
         Array("Y", (AxisLength.NV, AxisLength.LINEAR), (), "torques for a unit of each parameter"),
         Array("tau0", TAU.shape, (), TAU.words)),
-    lambda x: x.torque_regressor(), Depends.EFFECTS, units_in=_units)
+    lambda x: x.torque_regressor(), Depends.EFFECTS, units_in=_units, of_tree=True)

@@ -12,6 +12,7 @@ from coscrew_codegen.scene.integrators import NAMES
 from coscrew_codegen.scene.joints import KINDS
 from coscrew_codegen.scene.mechanism.inertia_checks import ERROR, WARN
 from coscrew_codegen.scene.mechanism.joint_kind import JointKind
+from coscrew_codegen.scene.mechanism.loop import LOOP_KINDS
 from coscrew_codegen.scene.readers.falling import ACCEPT
 from coscrew_codegen.scene.recorded_quantities import STATES
 from coscrew_codegen.scene.scene import Run
@@ -168,6 +169,20 @@ JOINT = TableOf("joints.NAME", "A joint between two bodies.", (
         "nonnegative", joints=_moves),
     Key("mimic", "which joint it follows", "table", table=MIMIC, joints=_one_coordinate)))
 
+LOOP = TableOf("loops.NAME", "A closed loop: holds a point of one body to a point of another, "
+               "besides the joints; either may be \"world\".", (
+    Key("kind", "; ".join(f"{x.name}: {x.words}" for x in LOOP_KINDS.values()),
+        choices=tuple(LOOP_KINDS), required=True),
+    Key("bodies", "the first and the second body; of a `frame` also two of `frames`, which are "
+        "turned", "texts", required=True),
+    Key("first", "the point in the first body's frame, in m", "vector", default="[0, 0, 0]"),
+    Key("second", "the point in the second body's frame, in m", "vector", default="[0, 0, 0]"),
+    Key("axis", "of a hinge: its axis in the first body's frame, of any length", "vector"),
+    Key("axis2", "of a hinge: its axis in the second body's frame", "vector",
+        default="the same numbers as `axis`"),
+    Key("length", "of a rod, in m", "positive")))
+
+
 def _by_kind(of: str) -> str:
     """q or v of each kind of joint."""
     return "; ".join(f"{kind.name} {kind.q_words if of == 'q' else kind.v_words}"
@@ -261,6 +276,7 @@ SCENE = TableOf("", "The file itself.", (
     Key("frames", "frames that are fixed to bodies, by name", "tables", table=FRAME),
     Key("bodies", "the bodies, by name", "tables", table=BODY),
     Key("joints", "the joints, by name", "tables", table=JOINT),
+    Key("loops", "closed loops of the model, by name", "tables", table=LOOP),
     Key("effects", "what acts: see Effects", "effects"),
     Key("start", "the state at the start of a run", "table", table=START),
     Key("outputs", "what a run records", "table", table=OUTPUTS),
@@ -268,5 +284,5 @@ SCENE = TableOf("", "The file itself.", (
     Key("expect", "conditions on a run, by quantity", "expectations", table=EXPECT)))
 
 TABLES = (SCENE, ATTACH, PLACE, FRAME, BODY, SHAPE, CYLINDER, JOINT, ORIGIN, LIMITS, MIMIC,
-          ACCURACY, RANGES, ENDS, START, OUTPUTS, RUN, EXPECT)
+          LOOP, ACCURACY, RANGES, ENDS, START, OUTPUTS, RUN, EXPECT)
 """All tables except those of effects."""

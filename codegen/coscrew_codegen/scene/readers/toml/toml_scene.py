@@ -36,6 +36,7 @@ from coscrew_codegen.scene.readers.toml.plain_tables import scene_text
 from coscrew_codegen.scene.readers.toml.ranges_table import limits_in_ranges, read_ranges
 from coscrew_codegen.scene.readers.toml.runtime import with_parameters
 from coscrew_codegen.scene.readers.toml.toml_effects import read_effects, with_reactions
+from coscrew_codegen.scene.readers.toml.toml_loops import read_loops
 from coscrew_codegen.scene.readers.toml.toml_model import refuse_not_unit
 from coscrew_codegen.scene.readers.toml.toml_tables import Decimals, TomlTable, described, read_toml
 from coscrew_codegen.scene.readers.unused import besides, unused
@@ -155,6 +156,7 @@ def _scene(file: TomlTable, catalogue: tuple[Effect, ...], overrides: SceneOverr
     precision = _overridden(overrides.precision, file, "precision", CHOICES)
     model = alone or model_of(file, name, implausible, overrides.folders,
                               dict(overrides.arguments), overrides.leave_out)
+    model = replace(model, loops=read_loops(file, model))
     use = Use()
     effects = read_effects(file.table("effects"), model, catalogue, use)
     _refuse_still(file.file, model)

@@ -1,0 +1,59 @@
+"""Demands of closed loops on accelerations, and the corrections of states that have left them."""
+
+from collections.abc import Sequence
+from fractions import Fraction
+
+from coscrew_codegen.algebra.recording.numbers import Number, add, negative, scaled
+from coscrew_codegen.dynamics.algorithms import coordinates, forward
+from coscrew_codegen.dynamics.algorithms.motion import Motion
+from coscrew_codegen.dynamics.function_recording import FunctionRecording
+from coscrew_codegen.dynamics.loops.multipliers import Compliance, ConstraintRows, Demand
+
+
+def exact(x: FunctionRecording, motion: Motion) -> Demand | None:
+    """E a = -E' v: the rate of E v is zero; None without loops."""
+    rows = _rows(x, motion)
+    return Demand(rows, rows.of(lambda closure: closure.rates)) if rows else None
+
+
+def reflection(x: FunctionRecording, motion: Motion, h: Number) -> Demand | None:
+    """E (v0 + v1) = 0 with v1 = v0 + h a: of second order, as E v1 = 0 is not."""
+    return _of_step(x, motion, h, 2)
+
+
+def stop(x: FunctionRecording, motion: Motion, h: Number) -> Demand | None:
+    """E v1 = 0 with v1 = v0 + h a."""
+    return _of_step(x, motion, h, 1)
+
+
+def _of_step(x: FunctionRecording, motion: Motion, h: Number, factor: int) -> Demand | None:
+    rows = _rows(x, motion)
+    return Demand(rows, list(scaled(Fraction(factor) / h, rows.along(motion.v)))) if rows else None
+
+
+def projected(x: FunctionRecording) -> tuple[list[Number], list[Number]]:
+    """q and v moved onto the closures by impulses along the rows, one Newton step for q."""
+    motion = x.motion(accelerating=False)
+    rows = ConstraintRows.at(motion, x.scene.model)
+    W = Compliance(rows, forward.inverse(motion, x.rigids, x.inertias))
+    phi = W.solve(negative(rows.of(lambda closure: closure.phi)))
+    still = x.recorder.numbers([0] * x.tree.nv)
+    q = coordinates.integrated(x.recorder, x.tree, x.names, x.recorder.argument("q"),
+                               W.changed(still, phi))
+    return q, W.changed(motion.v, W.solve(negative(rows.along(motion.v))))
+
+
+def wrench(rows: ConstraintRows, multipliers: Sequence[Number], loop: str) -> list[Number]:
+    """Σ H̄ λ of one loop: (force; moment) on its first body, in the body's frame, at the loop's
+    point."""
+    closure = next(x for x in rows.closures if x.loop.name == loop)
+    total = (*closure.motion.zero, *closure.motion.zero)
+    for (n, k), x in zip(rows.places, multipliers, strict=True):
+        if rows.closures[n] is closure:
+            total = add(total, scaled(x, closure.coscrews[k]))
+    with closure.part("f"):
+        return list(closure.at_point(total))
+
+
+def _rows(x: FunctionRecording, motion: Motion) -> ConstraintRows | None:
+    return ConstraintRows.at(motion, x.scene.model) if x.scene.model.loops else None

@@ -1,0 +1,1 @@
+"""Closed loops of runs: their starts, and how far they open."""
