@@ -105,6 +105,7 @@ attack: $(VENV)/test-ready build
 	$(PYTHON) -m tests.certified_attack
 	$(PYTHON) -m tests.functions_attack
 	$(PYTHON) -m tests.lanes_attack
+	$(PYTHON) -m tests.fixed_attack
 	$(PYTHON) -m tests.many_attack
 	$(PYTHON) -m tests.hard_cases.near_zeros --judge --seed 2
 	$(PYTHON) -m tests.motions_attack

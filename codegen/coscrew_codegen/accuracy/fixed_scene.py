@@ -94,7 +94,8 @@ def _made(f: FunctionProgram, box: Mapping[str, tuple[float, ...]],
     """The function.  Raises NoFormatError."""
     sizes = []
     for a in f.program.inputs:
-        sizes.append(box.get(a.name, (inf,) * a.quantity.size))
+        stated = box.get(a.name, ())
+        sizes.append(stated + (inf,) * (a.quantity.size - len(stated)))
         if inf in sizes[-1]:
             raise NoFormatError(f"the scene states no range of {a.name}")
     inputs = of_inputs(sizes, frozenset(

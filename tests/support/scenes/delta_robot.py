@@ -1,4 +1,4 @@
-"""A Delta robot: three arms on the base, each drives a platform through two rods of equal length.
+"""A Delta robot with six rods that have masses: three arms on the world, rods in ball joints at their
 ends, a platform that floats and closes the loops."""
 
 from dataclasses import dataclass

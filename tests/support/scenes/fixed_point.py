@@ -111,6 +111,31 @@ def bounds(function: FixedFunction, products: Products) -> np.ndarray:
     return np.array([float(x.error) for x in function.programs[products].results])
 
 
+def worst(function: FixedFunction, products: Products, count: int, rounds: int, seed: int = 0
+          ) -> np.ndarray:
+    """The largest errors found of each component: at states, a third of whose numbers are at
+    limits, an eighth of them corners, and at neighbours that rounds of climbing try."""
+    draw, scale = np.random.default_rng(seed), bounds(function, products)[:, None]
+    scale = np.where(scale == 0, np.inf, scale)
+    most = [[int(x.largest) for x in values] for values in function.inputs]
+    given = states(function, count, seed)
+    now = errors(function, products, given)
+    largest, best = now.max(1), (now / scale).max(0)
+    for number in range(rounds):
+        size = 0.3 * 0.8**number
+        other = [[np.clip(x + np.rint(draw.normal(size=count) * size * m).astype(np.int64)
+                          * (draw.random(count) < 0.3), -m, m)
+                  for x, m in zip(parts, ms, strict=True)]
+                 for parts, ms in zip(given, most, strict=True)]
+        now = errors(function, products, other)
+        largest = np.maximum(largest, now.max(1))
+        better = (now / scale).max(0) > best
+        best = np.where(better, (now / scale).max(0), best)
+        given = [[np.where(better, y, x) for x, y in zip(*pair, strict=True)]
+                 for pair in zip(given, other, strict=True)]
+    return largest
+
+
 def written(made: FixedScene, folder: Path) -> None:
     """Writes the scene's files."""
     for path, text in scene_c_fixed.files(made, "for a test").items():

@@ -1,4 +1,5 @@
-"""Functions of scenes on a Cortex-M4F: their results and instruction counts, under qemu-user.
+"""Functions of scenes on a Cortex-M4F, and on cores without floating point: their results and
+instruction counts, under qemu-user.
 
 Programs need no library to start: they make Linux's system calls.  With -singlestep every
 instruction is a block of its own, and qemu's log of blocks has a line for each.  Where the compiler
@@ -21,6 +22,10 @@ from coscrew_codegen.program.whole_cost import whole_counts
 COMPILER = ("arm-none-eabi-gcc", "-mcpu=cortex-m4", "-mthumb", "-mfpu=fpv4-sp-d16",
             "-mfloat-abi=hard", "-O2")
 EMULATOR = "qemu-arm"
+WITHOUT_FLOATS = {
+    core: (COMPILER[0], f"-mcpu={cpu}", "-mthumb", "-mfloat-abi=soft", "-O2")
+    for core, cpu in (("Cortex-M0+", "cortex-m0plus"), ("Cortex-M3", "cortex-m3"))}
+"""Compilers for other cores."""
 _SINGLE = 1.5
 _DOUBLE = {**dict.fromkeys((Op.ADD, Op.SUB, Op.MUL, Op.DIV, Op.SQRT, Op.EXACT_ADD, Op.EXACT_SUB,
                             Op.EQUAL, Op.LESS), 55), Op.PRODUCT_ERROR: 750, Op.PRODUCT_REST: 750}
@@ -53,22 +58,23 @@ def missing() -> tuple[str, ...]:
     return tuple(x for x in (COMPILER[0], EMULATOR) if not which(x))
 
 
-def built(folder: Path, stem: str, precision: Precision) -> Path:
+def built(folder: Path, stem: str, precision: Precision,
+          compiler: Sequence[str] = COMPILER) -> Path:
     """The object of a header's functions in one precision; its files lie in this folder."""
     made = folder / f"{stem}_{precision.name}.o"
-    _run((*COMPILER, "-ffunction-sections", "-c", folder / f"{stem}{precision.suffix}.c", "-o",
+    _run((*compiler, "-ffunction-sections", "-c", folder / f"{stem}{precision.suffix}.c", "-o",
           made))
     return made
 
 
 def counted(made: Path, header: str, function: FunctionProgram, name: str,
-            given: Sequence[np.ndarray],
-            precision: Precision) -> tuple[int, np.ndarray]:
+            given: Sequence[np.ndarray], precision: Precision,
+            compiler: Sequence[str] = COMPILER) -> tuple[int, np.ndarray]:
     """The instructions of a call, the difference between one call and two; and its results.
     `name` is that of the function in this object.  Raises CountError."""
     source, program = made.with_name(f"{name}_on_m4.c"), made.with_name(name)
     source.write_text(_program(function, header, name, given, precision))
-    _run((*COMPILER, "-Wl,--gc-sections", "-nostartfiles", source, made, "-o", program, "-lm"))
+    _run((*compiler, "-Wl,--gc-sections", "-nostartfiles", source, made, "-o", program, "-lm"))
     lengths, log = [], made.with_name(f"{name}.log")
     for more in ((), ("again",)):
         result = _run((EMULATOR, "-singlestep", "-d", "exec,nochain", "-D", log, program, *more))
@@ -103,7 +109,8 @@ def _program(function: FunctionProgram, header: str, name: str, given: Sequence[
     kind, suffix = precision.c_type, precision.suffix
     arguments, lines = [], []
     for a, x in zip(function.program.inputs, given, strict=True):
-        numbers = ", ".join(f"{float(y).hex()}{suffix}" for y in np.ravel(x))
+        numbers = ", ".join(str(y) if isinstance(y, np.integer) else f"{float(y).hex()}{suffix}"
+                            for y in np.ravel(x))
         lines.append(f"static volatile {kind} {a.name}_[] = {{{numbers}}};")
         arguments.append(f"({kind} *){a.name}_" if a.quantity.shape else f"{a.name}_[0]")
     members = outputs(function)

@@ -30,6 +30,7 @@ from coscrew_codegen.scene.readers.mjcf.mjcf_actuators import actuators
 from coscrew_codegen.scene.readers.mjcf.mjcf_collisions import collisions
 from coscrew_codegen.scene.readers.mjcf.mjcf_effects import effects, followers
 from coscrew_codegen.scene.readers.mjcf.mjcf_leftovers import GROUPS, ignored, refused
+from coscrew_codegen.scene.readers.mjcf.mjcf_loops import MjcfLoops, loops
 from coscrew_codegen.scene.readers.mjcf.mjcf_names import MjcfNames, exact
 from coscrew_codegen.scene.readers.mjcf.mjcf_tendons import tendons
 from coscrew_codegen.scene.readers.mjcf.mjcf_visuals import MjcfVisuals
@@ -48,7 +49,9 @@ def _parts(source: ModelSource) -> Parts:
     names = MjcfNames(model)
     left_out, drives = tuple(refused(source, model, names)), actuators(model, names)
     seen = MjcfVisuals(model)
-    parts = [x for number in range(1, model.nbody) for x in _moved(model, names, seen, number)]
+    closed = MjcfLoops() if "loops" in source.leave_out else loops(model, names)
+    parts = [*(x for number in range(1, model.nbody) for x in _moved(model, names, seen, number)),
+             *closed.frames]
     return Parts(
         source.path.stem, tuple(x for x in parts if isinstance(x, Body)),
         tuple(x for x in parts if isinstance(x, Joint)),
@@ -57,7 +60,7 @@ def _parts(source: ModelSource) -> Parts:
         start=_start(model, names),
         notices=(*left_out, *ignored(model, names), *(
             Notice("other tools' numbers", "model", f"MuJoCo warns: {x}") for x in warnings)),
-        collisions=tuple(collisions(model, names, seen)))
+        loops=tuple(closed.loops), collisions=tuple(collisions(model, names, seen)))
 
 
 def _warned(source: ModelSource) -> "tuple[mujoco.MjModel, list[str]]":
@@ -176,5 +179,5 @@ def _start(model: "mujoco.MjModel", names: MjcfNames) -> dict[str, tuple[float, 
 READER = ModelReader(
     "MJCF", (".xml", ".mjcf"), "a model of MuJoCo, by its compiler: bodies, joints with damping, "
     "armature, springs, friction and limits, fixed tendons, actuators, joints that follow others, "
-    "gravity and its compensation; shapes that touch change no motion yet", _parts,
+    "closed loops, gravity and its compensation; shapes that touch change no motion yet", _parts,
     modules=("mujoco",), extra="mjcf", leaves_out=tuple(GROUPS))

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 from coscrew_codegen.scene.mechanism.notices import Notice
 from coscrew_codegen.scene.readers.mjcf.mjcf_actuators import actuators
 from coscrew_codegen.scene.readers.mjcf.mjcf_effects import follows
+from coscrew_codegen.scene.readers.mjcf.mjcf_loops import closings, idle
 from coscrew_codegen.scene.readers.mjcf.mjcf_names import MjcfNames, one_coordinate
 from coscrew_codegen.scene.readers.mjcf.mjcf_tendons import tendons
 from coscrew_codegen.scene.readers.model_reader import ModelSource
@@ -16,7 +17,7 @@ if TYPE_CHECKING:
     import mujoco
 
 GROUPS: Mapping[str, str] = {
-    "loops": "closes a loop of bodies",
+    "loops": "closes a loop of bodies, and is kept unless it is named here",
     "equalities": "is no line between two joints of one coordinate, or the second of a joint",
     "tendons": "pulls, and is no sum of joints' coordinates with one length at rest, or has an "
                "armature",
@@ -34,6 +35,8 @@ _OTHER = "other tools' numbers"
 def refused(source: ModelSource, model: "mujoco.MjModel", names: MjcfNames) -> Iterator[Notice]:
     """Notices of what the scene leaves out.  Raises SceneError for the first that it does not."""
     for group, element in _unkept(model, names):
+        if group == "loops" and group not in source.leave_out:
+            continue  # they are kept
         if group not in source.leave_out:
             raise SceneError(source.path, element, f"{GROUPS[group]}; leave_out = [\"{group}\"] in "
                              f"the scene, or --leave-out {group}, leaves it out")
@@ -61,13 +64,12 @@ def _unkept(model: "mujoco.MjModel", names: MjcfNames) -> Iterator[tuple[str, st
 def _equalities(model: "mujoco.MjModel") -> Iterator[tuple[str, str]]:
     import mujoco
 
-    loops = (int(mujoco.mjtEq.mjEQ_CONNECT), int(mujoco.mjtEq.mjEQ_WELD))
-    led: set[int] = set()
+    loops, led = {*closings(model)}, set[int]()
     for e in range(model.neq):
         if follows(model, e) and (y := int(model.eq_obj1id[e])) not in led:
             led.add(y)
-        elif model.eq_active0[e]:
-            group = "loops" if int(model.eq_type[e]) in loops else "equalities"
+        elif e in loops or model.eq_active0[e] and not idle(model, e):
+            group = "loops" if e in loops else "equalities"
             kind = mujoco.mjtEq(int(model.eq_type[e])).name.removeprefix("mjEQ_").lower()
             yield group, f"equality {kind} {model.equality(e).name or e!r}"
 
@@ -96,6 +98,9 @@ def ignored(model: "mujoco.MjModel", names: MjcfNames) -> Iterator[Notice]:
         if not model.eq_active0[e]:
             yield Notice(_OTHER, f"equality {e}", f"equality {model.equality(e).name or e!r}: is "
                          "not active at the start, and not used")
+        elif idle(model, e):
+            yield Notice(_OTHER, f"equality {e}", f"equality {model.equality(e).name or e!r}: "
+                         "holds bodies that cannot move against each other, and is not used")
     count = int(((model.geom_contype != 0) | (model.geom_conaffinity != 0)).sum())
     if count:
         yield Notice(_OTHER, "model", f"{count} geoms may touch others in MuJoCo: contact is not "

@@ -7,6 +7,7 @@ from fractions import Fraction
 from coscrew_codegen.program.values.parameter import Scalar
 from coscrew_codegen.scene.mechanism import rotations
 from coscrew_codegen.scene.mechanism.inertia_checks import WARN
+from coscrew_codegen.scene.mechanism.loop import HINGE, ROD, ClosedLoop
 from coscrew_codegen.scene.mechanism.model import HERE, WORLD, Body, Joint, Model, Placement, value
 from coscrew_codegen.scene.names import toml_key
 from coscrew_codegen.scene.readers.toml.toml_tables import Decimals
@@ -28,6 +29,8 @@ def scene_text(name: str, model: Model, runtime: Sequence[str], effects: Mapping
         lines += toml_pairs({"implausible": WARN})
     lines += ["", "[bodies]", *toml_pairs({x.name: _body(x) for x in model.bodies})]
     lines += ["", "[joints]", *toml_pairs({x.name: _joint(x) for x in model.joints})]
+    for loop in model.loops:
+        lines += ["", f"[loops.{toml_key(loop.name)}]", *toml_pairs(_loop(loop))]
     for effect, table in effects.items():
         lines += ["", *_effect(effect, table)]
     if start:
@@ -72,6 +75,19 @@ def _joint(joint: Joint) -> dict[str, object]:
     if joint.mimic:
         table["mimic"] = {"joint": joint.mimic.joint, "multiplier": _number(
             joint.mimic.multiplier), "offset": _number(joint.mimic.offset)}
+    return table
+
+
+def _loop(loop: ClosedLoop) -> dict[str, object]:
+    """The keys of a loop whose frames are those of their bodies, as all that files have."""
+    first, second = loop.first, loop.second
+    table: dict[str, object] = {"kind": loop.kind.name, "bodies": list(loop.bodies)}
+    table |= {key: _numbers(x.point) for key, x in (("first", first), ("second", second))
+              if any(x.point)}
+    if loop.kind is HINGE:
+        table |= {"axis": _numbers(first.axis), "axis2": _numbers(second.axis)}
+    if loop.kind is ROD:
+        table["length"] = _number(loop.length)
     return table
 
 
