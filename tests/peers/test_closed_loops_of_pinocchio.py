@@ -58,10 +58,12 @@ def test_a_delta_robot_accelerates_alike(tmp_path: Path) -> None:
     v = its.outputs("with_closed_loops", q=q, v=rng.normal(size=len(v)))[1]
     step = its.stepper("step_leapfrog")
     for _ in range(10):
-        q, v = step(20, 0.0, 1e-3, q, v)
+        q, v = its.outputs("with_closed_loops", **dict(zip("qv", step(20, 0.0, 1e-3, q, v),
+                                                            strict=True)))
         tau = rng.normal(size=len(v)) / 10
+        tau[[k for c in its.functions.coordinates if c.kind == "spherical" for k in c.v]] = 0
         a = its.call("forward_dynamics", t=0.0, q=q, v=v, tau=tau)
         other = pin.constraintDynamics(model, data, q, v, tau, closed, datas, settings)
         assert abs(a).max() > 1
-        assert np.allclose(a, other, rtol=1e-9, atol=1e-7)
+        assert np.allclose(a, other, rtol=0, atol=1e-9)
         assert abs(its.outputs("closure", q=q)[0]).max() < 1e-9
